@@ -1,0 +1,48 @@
+//! Radar cubes: complex IF samples.
+
+use crate::radar::Radar;
+use crate::settings::{DspSettings, Noise};
+use crate::{ErrorBudget, Schema};
+use num_complex::Complex32;
+use serde::{Deserialize, Serialize};
+
+/// The `.cube` artifact.
+pub struct Cube;
+
+impl Schema for Cube {
+    const NAME: &'static str = "cube";
+    const VERSION: u32 = 1;
+    type Header = CubeHeader;
+    type Frame = CubeFrame;
+}
+
+/// What a detector may know: the radar and its settings, no truth.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CubeHeader {
+    /// The radar.
+    pub radar: Radar,
+    /// Whether there is noise to estimate.
+    pub noise: Noise,
+    /// Settings that the cube carries for its processing.
+    pub dsp: DspSettings,
+}
+
+/// Samples of one frame.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CubeFrame {
+    /// From 0.
+    pub index: u32,
+    /// The frame's first sample.
+    pub time_s: f64,
+    /// √W, row-major `[channel, chirp, sample]`, channel = tx·N_rx + rx (with ddm: rx).
+    pub samples: Vec<Complex32>,
+    /// Numerical error up to here.
+    pub error: ErrorBudget,
+}
+
+impl CubeHeader {
+    /// `[channel, chirp, sample]` of every frame.
+    pub fn shape(&self) -> [usize; 3] {
+        [self.radar.cube_channels(), self.radar.waveform.chirps as usize, self.radar.waveform.samples as usize]
+    }
+}

@@ -1,0 +1,44 @@
+//! What the stages hand to each other: plain data, no physics.
+//!
+//! Five stages (`scene`, `bart-rcs`, `fmcw-echo`, `dsp`, `classifier`) know this crate and not each other. Each reads
+//! one kind of artifact and writes the next:
+//!
+//! ```text
+//! scene.toml → .scene → .paths (or .rcs) → .cube → .rdm → .points → crops → classes
+//! ```
+//!
+//! An artifact is one [`envelope`]: what it is, where it came from, a header, then one record per radar frame, each with
+//! its length and checksum, then an end mark. It is written as a stream and renamed when whole; it is read as a stream
+//! with bounded memory. Signs, axes and units are those of `docs/conventions.md`.
+//!
+//! ```
+//! use artifact::{Provenance, Reader, Writer, points::{Points, PointsFrame, PointsHeader}};
+//! # let dir = tempfile::tempdir()?; let file = dir.path().join("frames.points");
+//! let header = PointsHeader::default();
+//! let mut writer = Writer::<Points>::create(&file, &Provenance::default(), &header)?;
+//! writer.write(&PointsFrame { index: 0, time_s: 0.0, points: vec![], objects: vec![] })?;
+//! writer.finish()?;
+//! let frames = Reader::<Points>::open(&file)?.collect::<Result<Vec<_>, _>>()?;
+//! assert_eq!(frames.len(), 1);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod units;
+pub mod accuracy;
+pub mod seed;
+mod codec;
+pub mod envelope;
+pub mod radar;
+pub mod settings;
+pub mod scene;
+pub mod paths;
+pub mod rcs;
+pub mod cube;
+pub mod rdm;
+pub mod points;
+pub mod dataset;
+pub mod model;
+
+pub use accuracy::{Accuracy, ErrorBudget, ModelError};
+pub use envelope::{ArtifactError, Fault, Preamble, Provenance, Reader, Schema, Writer, read_preamble};
+pub use radar::{Radar, Waveform};

@@ -1,0 +1,83 @@
+//! Detected points and the objects they form.
+
+use crate::Schema;
+use crate::cube::CubeHeader;
+use serde::{Deserialize, Serialize};
+
+/// The `.points` artifact.
+pub struct Points;
+
+impl Schema for Points {
+    const NAME: &'static str = "points";
+    const VERSION: u32 = 1;
+    type Header = PointsHeader;
+    type Frame = PointsFrame;
+}
+
+/// What does not change from frame to frame.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct PointsHeader {
+    /// The radar and settings that made the points; `None` for points from elsewhere.
+    pub cube: Option<CubeHeader>,
+    /// Ids that [`Point::target`] points to; empty until a report joins the truth.
+    pub targets: Vec<String>,
+}
+
+/// Points of one frame.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PointsFrame {
+    /// From 0.
+    pub index: u32,
+    /// The frame's first sample.
+    pub time_s: f64,
+    /// Detections.
+    pub points: Vec<Point>,
+    /// Clusters of points.
+    pub objects: Vec<Object>,
+}
+
+/// A detection, located.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Point {
+    /// From the array's centre.
+    pub range_m: f64,
+    /// Positive when the range grows.
+    pub radial_velocity_mps: f64,
+    /// From world +y towards +x.
+    pub azimuth_rad: f64,
+    /// Above the horizon: measured with elevation rows, else what the assumed height gives.
+    pub elevation_rad: f64,
+    /// World metres.
+    pub position_m: [f64; 3],
+    /// Map power over the local noise estimate.
+    pub snr_db: f64,
+    /// Index into [`PointsFrame::objects`]; `None` for a lone detection that forms none.
+    pub object: Option<u32>,
+    /// True target, joined afterwards by a report; never set by a detector.
+    pub target: Option<u32>,
+}
+
+/// A cluster of points: one vehicle, as far as the radar can tell.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Object {
+    /// Power-weighted mean of its points.
+    pub range_m: f64,
+    /// Power-weighted mean of its points, positive when the range grows.
+    pub radial_velocity_mps: f64,
+    /// Whether velocity ambiguity was resolved (not merely assumed absent).
+    pub velocity_resolved: bool,
+    /// Azimuth of the summed channels.
+    pub azimuth_rad: f64,
+    /// World metres.
+    pub position_m: [f64; 3],
+    /// Lane that holds it.
+    pub lane: Option<u8>,
+    /// Of its strongest cell.
+    pub snr_db: f64,
+    /// Number of points.
+    pub points: u32,
+    /// Nearest and farthest point.
+    pub range_extent_m: [f64; 2],
+    /// Slowest and fastest point.
+    pub velocity_extent_mps: [f64; 2],
+}

@@ -1,0 +1,193 @@
+//! The radar: waveform, antenna array and link, as every stage needs them.
+
+use crate::units::SPEED_OF_LIGHT_MPS;
+use serde::{Deserialize, Serialize};
+
+/// A radar in its place.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Radar {
+    /// Centre of the transmit row and of the receive row, world metres.
+    pub position_m: [f64; 3],
+    /// Boresight from +y towards +x.
+    pub boresight_az_rad: f64,
+    /// Boresight above the horizon.
+    pub boresight_el_rad: f64,
+    /// What is sent.
+    pub waveform: Waveform,
+    /// What it is sent and received with.
+    pub array: Array,
+    /// Power and gain.
+    pub link: Link,
+}
+
+/// Linear chirps. Sampled time runs from the start of the sampled part of a chirp (`docs/conventions.md`).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Waveform {
+    /// f₀: instantaneous frequency at the first sample.
+    pub start_frequency_hz: f64,
+    /// μ.
+    pub slope_hz_per_s: f64,
+    /// f_s of complex samples.
+    pub sample_rate_hz: f64,
+    /// N_s: samples of a chirp.
+    pub samples: u32,
+    /// T_c: from one chirp of any transmitter to the next.
+    pub chirp_interval_s: f64,
+    /// N_c: chirps that each transmitter sends in a frame.
+    pub chirps: u32,
+}
+
+impl Waveform {
+    /// B = μ·N_s/f_s (Table 2).
+    pub fn bandwidth_hz(&self) -> f64 {
+        self.slope_hz_per_s * f64::from(self.samples) / self.sample_rate_hz
+    }
+
+    /// Centre of the sampled sweep, f₀ + B/2.
+    pub fn centre_frequency_hz(&self) -> f64 {
+        self.start_frequency_hz + 0.5 * self.bandwidth_hz()
+    }
+
+    /// Wavelength at the centre of the sampled sweep.
+    pub fn wavelength_m(&self) -> f64 {
+        SPEED_OF_LIGHT_MPS / self.centre_frequency_hz()
+    }
+
+    /// ΔR = c/2|B|, one range cell.
+    pub fn range_resolution_m(&self) -> f64 {
+        SPEED_OF_LIGHT_MPS / (2.0 * self.bandwidth_hz().abs())
+    }
+
+    /// Range at which the complex beat frequency reaches f_s and folds: c·f_s/2|μ|.
+    pub fn range_max_m(&self) -> f64 {
+        SPEED_OF_LIGHT_MPS * self.sample_rate_hz / (2.0 * self.slope_hz_per_s.abs())
+    }
+}
+
+/// How the transmitters share the air.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Multiplexing {
+    /// Ideal orthogonal transmitters (the paper's).
+    Simultaneous,
+    /// One transmitter at a time: chirp m of transmitter i starts at (m·N_tx + i)·T_c.
+    Tdm,
+    /// All at once, told apart by Doppler: transmitter i turns by e^{+j2πim/M} in the IF, M = N_tx + 1.
+    Ddm,
+}
+
+/// Polarization of transmission and reception: the first letter receives, the second transmits (`vh`: h sent, v received).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Polarization {
+    /// v sent and received.
+    Vv,
+    /// h sent and received.
+    Hh,
+    /// h sent, v received.
+    Vh,
+    /// v sent, h received.
+    Hv,
+}
+
+impl Polarization {
+    /// (receive, transmit) indices into a 2 × 2 amplitude, v = 0, h = 1.
+    pub fn indices(self) -> (usize, usize) {
+        match self {
+            Self::Vv => (0, 0),
+            Self::Hh => (1, 1),
+            Self::Vh => (0, 1),
+            Self::Hv => (1, 0),
+        }
+    }
+}
+
+/// Gain of an element over direction, relative to [`Link::antenna_gain_db`].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum Pattern {
+    /// The same in every direction.
+    Isotropic,
+    /// Amplitude cosⁿ of the angle off boresight, nothing behind.
+    Cosine {
+        /// n.
+        exponent: f64,
+    },
+}
+
+/// Antenna elements.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Array {
+    /// Transmit elements, world metres.
+    pub tx_m: Vec<[f64; 3]>,
+    /// Receive elements, world metres.
+    pub rx_m: Vec<[f64; 3]>,
+    /// The transmit elements in half wavelengths [right, up] as seen along the boresight, as the scene gave them.
+    pub tx_half_wavelengths: Vec<[f64; 2]>,
+    /// The receive elements likewise.
+    pub rx_half_wavelengths: Vec<[f64; 2]>,
+    /// How transmitters share the air.
+    pub multiplexing: Multiplexing,
+    /// Of all elements.
+    pub polarization: Polarization,
+    /// Of all elements.
+    pub pattern: Pattern,
+}
+
+/// Power and gain; linear where computed with, decibels where a person gave them.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Link {
+    /// P_t of each transmitter, W.
+    pub transmit_power_w: f64,
+    /// G_t = G_r of each element at boresight, dBi.
+    pub antenna_gain_db: f64,
+}
+
+impl Radar {
+    /// Transmit–receive pairs: the channels of a range-Doppler map, channel = tx·N_rx + rx.
+    pub fn virtual_channels(&self) -> usize {
+        self.array.tx_m.len() * self.array.rx_m.len()
+    }
+
+    /// Channels of a radar cube: with Doppler division the receivers, else the transmit–receive pairs.
+    pub fn cube_channels(&self) -> usize {
+        match self.array.multiplexing {
+            Multiplexing::Ddm => self.array.rx_m.len(),
+            Multiplexing::Simultaneous | Multiplexing::Tdm => self.virtual_channels(),
+        }
+    }
+
+    /// From one chirp of a transmitter to its next, s.
+    pub fn repetition_interval_s(&self) -> f64 {
+        match self.array.multiplexing {
+            Multiplexing::Tdm => self.waveform.chirp_interval_s * self.array.tx_m.len() as f64,
+            Multiplexing::Simultaneous | Multiplexing::Ddm => self.waveform.chirp_interval_s,
+        }
+    }
+
+    /// λ/4T, T the repetition of one transmitter, m/s.
+    pub fn velocity_max_mps(&self) -> f64 {
+        self.waveform.wavelength_m() / (4.0 * self.repetition_interval_s())
+    }
+
+    /// λ/2N_cT, one Doppler cell, m/s.
+    pub fn velocity_resolution_mps(&self) -> f64 {
+        2.0 * self.velocity_max_mps() / f64::from(self.waveform.chirps)
+    }
+
+    /// Start of chirp `chirp` of transmitter `tx`, from the frame's first sample, s.
+    pub fn chirp_start_s(&self, tx: usize, chirp: usize) -> f64 {
+        let slot = match self.array.multiplexing {
+            Multiplexing::Tdm => chirp * self.array.tx_m.len() + tx,
+            Multiplexing::Simultaneous | Multiplexing::Ddm => chirp,
+        };
+        slot as f64 * self.waveform.chirp_interval_s
+    }
+
+    /// From the frame's first sample to the end of its last chirp, s.
+    pub fn frame_duration_s(&self) -> f64 {
+        self.repetition_interval_s() * f64::from(self.waveform.chirps)
+    }
+
+    /// The moment, from the frame's first sample, that truth and frozen paths refer to, s.
+    pub fn frame_middle_s(&self) -> f64 {
+        0.5 * self.frame_duration_s()
+    }
+}

@@ -1,0 +1,176 @@
+//! What a scene asks of the stages.
+
+use crate::Accuracy;
+use serde::{Deserialize, Serialize};
+
+/// Receiver noise.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum Noise {
+    /// None; the detector then takes a floor 60 dB below the map's peak, and says so.
+    Absent,
+    /// Thermal: k·T·F·f_s per complex sample.
+    Figure {
+        /// F in dB.
+        noise_figure_db: f64,
+        /// T.
+        temperature_k: f64,
+    },
+    /// Noise-free peak cell over mean noise power, one channel, windows as set, dB.
+    SnrDb(f64),
+}
+
+/// How scattering reaches the echo.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum EchoMode {
+    /// Path by path, spherical waves.
+    Paths,
+    /// The paper's far-field table over aspect and frequency.
+    RcsTable,
+}
+
+/// Diffraction by edges.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Edges {
+    /// Left out.
+    Ignored,
+}
+
+/// What the facets stand for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Surface {
+    /// Themselves.
+    Flat,
+}
+
+/// From which sides a facet scatters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Sides {
+    /// Either: the meshes that people have are open and their winding is unreliable.
+    Two,
+    /// Only where the winding is counter-clockwise.
+    One,
+}
+
+/// On which facet of a multiple reflection the integral is taken (`docs/decisions/node-rule.md`).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum NodeRule {
+    /// The middle of the sequence; even orders the symmetrised mean of both middles.
+    Middle,
+    /// The last facet, as shooting and bouncing rays do.
+    Exit,
+}
+
+/// Accuracy asked of a run and the physics it shall hold.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Fidelity {
+    /// Relative amplitude error allowed.
+    pub accuracy: Accuracy,
+    /// Highest bounce order.
+    pub bounces: u8,
+    /// Edge diffraction.
+    pub edges: Edges,
+    /// What facets stand for.
+    pub surface: Surface,
+    /// Which sides of a facet scatter.
+    pub sides: Sides,
+    /// Node of multiple reflections.
+    pub nodes: NodeRule,
+    /// Paths or the paper's table.
+    pub echo: EchoMode,
+}
+
+/// Taper of an FFT axis, periodic, of unit coherent gain.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum Window {
+    /// None.
+    Rect,
+    /// Hann.
+    Hann,
+    /// Hamming.
+    Hamming,
+    /// Blackman.
+    Blackman,
+    /// Dolph–Chebyshev with this sidelobe level below the peak, dB.
+    Chebyshev(f64),
+}
+
+/// Detector of the range-Doppler map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Detector {
+    /// Cell averaging.
+    CaCfar,
+}
+
+/// Signal processing of a radar cube.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DspSettings {
+    /// Taper over samples.
+    pub range_window: Window,
+    /// Taper over chirps.
+    pub doppler_window: Window,
+    /// Detector.
+    pub detector: Detector,
+    /// Asked for, per tested cell.
+    pub false_alarm_rate: f64,
+    /// Cells on each side that stay out of the noise estimate, [doppler, range].
+    pub guard_cells: [u32; 2],
+    /// Cells on each side beyond the guard that make the noise estimate, [doppler, range].
+    pub training_cells: [u32; 2],
+    /// Height given to points where the array has no elevation rows.
+    pub assumed_height_m: f64,
+    /// Detections closer than this join one object, m in range.
+    pub cluster_range_m: f64,
+    /// Detections closer than this join one object, m/s.
+    pub cluster_velocity_mps: f64,
+    /// Detections closer than this join one object, m across the lanes.
+    pub cluster_cross_m: f64,
+    /// Lanes that points and objects are told by.
+    pub lanes: Vec<Lane>,
+}
+
+/// A lane along the world's y axis.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Lane {
+    /// Counted from 1 at the radar.
+    pub number: u8,
+    /// Of its middle.
+    pub centre_x_m: f64,
+    /// Across.
+    pub width_m: f64,
+}
+
+impl DspSettings {
+    /// The lane that holds `x_m`, if any.
+    pub fn lane_at(&self, x_m: f64) -> Option<u8> {
+        self.lanes.iter().find(|l| (x_m - l.centre_x_m).abs() <= 0.5 * l.width_m).map(|l| l.number)
+    }
+}
+
+/// Kind of vehicle that the classifier tells apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Class {
+    /// Passenger cars, SUVs, small vans.
+    Car,
+    /// City buses, coaches, minibuses.
+    Bus,
+    /// Goods vehicles.
+    Truck,
+    /// Two wheels.
+    Motorcycle,
+}
+
+impl Class {
+    /// All, in the order of every table and network output.
+    pub const ALL: [Self; 4] = [Self::Car, Self::Bus, Self::Truck, Self::Motorcycle];
+
+    /// As people write it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Car => "car",
+            Self::Bus => "bus",
+            Self::Truck => "truck",
+            Self::Motorcycle => "motorcycle",
+        }
+    }
+}

@@ -1,0 +1,33 @@
+//! Constants and conversions at the rim: inside, everything is SI, radians and linear.
+
+/// Speed of light in vacuum (SI definition; air is 3e-4 slower and left out), m/s.
+pub const SPEED_OF_LIGHT_MPS: f64 = 299_792_458.0;
+/// Boltzmann constant (SI definition), J/K.
+pub const BOLTZMANN_J_PER_K: f64 = 1.380_649e-23;
+/// The lowest decibel value that is printed: what a relative error of zero becomes in a table or in JSON.
+pub const LOWEST_DB: f64 = -300.0;
+
+/// Decibels of a power ratio; never below [`LOWEST_DB`].
+pub fn db_from_power(ratio: f64) -> f64 {
+    (10.0 * ratio.log10()).max(LOWEST_DB)
+}
+
+/// Decibels of an amplitude ratio; never below [`LOWEST_DB`].
+pub fn db_from_amplitude(ratio: f64) -> f64 {
+    (20.0 * ratio.log10()).max(LOWEST_DB)
+}
+
+/// Power ratio of a decibel value.
+pub fn power_from_db(db: f64) -> f64 {
+    10.0_f64.powf(db / 10.0)
+}
+
+/// Amplitude ratio of a decibel value.
+pub fn amplitude_from_db(db: f64) -> f64 {
+    10.0_f64.powf(db / 20.0)
+}
+
+/// Watts of a level in dBm.
+pub fn watts_from_dbm(dbm: f64) -> f64 {
+    1e-3 * power_from_db(dbm)
+}

@@ -1,0 +1,1 @@
+//! Scattering of vehicles at millimetre waves by bidirectional analytic ray tracing (BART)

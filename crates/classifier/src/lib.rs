@@ -1,0 +1,1 @@
+//! Vehicle classes from range-Doppler crops by a convolutional network

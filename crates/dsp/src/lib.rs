@@ -1,0 +1,1 @@
+//! From radar cubes to range-Doppler maps, detections, point clouds and crops

@@ -1,0 +1,1 @@
+//! FMCW echoes of scattering paths on an antenna array

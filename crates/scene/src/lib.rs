@@ -1,0 +1,1 @@
+//! Scenes, meshes, the project's own vehicles and their motion
