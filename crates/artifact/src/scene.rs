@@ -56,6 +56,8 @@ pub struct Target {
     pub id: String,
     /// What scatters.
     pub kind: TargetKind,
+    /// Where it is at the first frame's first sample; velocity and yaw stay as they are from then on.
+    pub start: Pose,
 }
 
 /// What a target is.
