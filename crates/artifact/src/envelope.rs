@@ -68,6 +68,14 @@ pub struct Preamble {
     pub provenance: Provenance,
 }
 
+/// BLAKE3 of a value as it would be written: equal values, equal fingerprints, on every machine. For cache keys.
+pub fn fingerprint<T: Serialize>(value: &T) -> String {
+    match crate::codec::encode(value) {
+        Ok(bytes) => blake3::hash(&bytes).to_hex().to_string(),
+        Err(error) => format!("cannot be encoded: {error}"),
+    }
+}
+
 pub(crate) fn checksum(bytes: &[u8]) -> [u8; CHECKSUM_BYTES] {
     let mut short = [0; CHECKSUM_BYTES];
     short.copy_from_slice(&blake3::hash(bytes).as_bytes()[..CHECKSUM_BYTES]);
