@@ -1,0 +1,63 @@
+//! What can be wrong with a body or an antenna.
+
+/// Why a scene cannot be traced.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum BartError {
+    /// A coordinate is NaN or infinite.
+    #[error("mesh `{mesh}`: vertex {vertex} is not finite")]
+    VertexNotFinite {
+        /// Name of the mesh.
+        mesh: String,
+        /// Index of the vertex.
+        vertex: usize,
+    },
+    /// A triangle names a vertex that is not there.
+    #[error("mesh `{mesh}`: triangle {triangle} names vertex {vertex} of {vertices}")]
+    VertexOutOfRange {
+        /// Name of the mesh.
+        mesh: String,
+        /// Index of the triangle.
+        triangle: usize,
+        /// What it names.
+        vertex: u32,
+        /// How many there are.
+        vertices: usize,
+    },
+    /// A target names a mesh that is not there.
+    #[error("target `{target}` names mesh {mesh} of {meshes}")]
+    MeshOutOfRange {
+        /// Id of the target.
+        target: String,
+        /// What it names.
+        mesh: u32,
+        /// How many there are.
+        meshes: usize,
+    },
+    /// A frame does not have one pose per target.
+    #[error("frame {frame} has {poses} poses for {targets} targets")]
+    PosesDoNotMatch {
+        /// Index of the frame.
+        frame: u32,
+        /// How many it has.
+        poses: usize,
+        /// How many it needs.
+        targets: usize,
+    },
+    /// A position, yaw or velocity is NaN or infinite.
+    #[error("target `{target}`: its pose is not finite")]
+    PoseNotFinite {
+        /// Id of the target.
+        target: String,
+    },
+    /// Facets are counted in 32 bits.
+    #[error("{triangles} triangles in one scene; at most {most} can be counted")]
+    TooManyTriangles {
+        /// In all bodies.
+        triangles: usize,
+        /// 2³² − 1.
+        most: usize,
+    },
+    /// The antenna's place or direction is NaN, infinite or, for a direction, zero.
+    #[error("the antenna's place or direction is not finite or is zero")]
+    AntennaNotFinite,
+}

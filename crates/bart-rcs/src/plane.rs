@@ -1,0 +1,97 @@
+//! Planes in Hesse form: of a facet, and through an antenna and an edge.
+
+use crate::antenna::Antenna;
+use glam::DVec3;
+
+/// All x with n·x = offset.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Plane {
+    /// Unit normal n.
+    pub normal: DVec3,
+    /// n·x on the plane, m.
+    pub offset_m: f64,
+}
+
+impl Plane {
+    /// Signed distance, positive on the side that the normal points to.
+    #[inline]
+    pub fn distance_m(&self, x_m: DVec3) -> f64 {
+        self.normal.dot(x_m) - self.offset_m
+    }
+
+    /// The plane of a triangle, its normal by the winding; `None` where the corners span none.
+    pub fn of_triangle(corners_m: &[DVec3; 3]) -> Option<Self> {
+        let [a, b, c] = *corners_m;
+        // The corner opposite the longest edge has the best conditioned pair of edges; the choice and its rounding must not
+        // depend on which corner is named first, or a rotated index triple would be another plane.
+        let (origin, u, v) = [(a, b - a, c - a), (b, c - b, a - b), (c, a - c, b - c)].into_iter().min_by(|l, r| {
+            let longest = |t: &(DVec3, DVec3, DVec3)| t.1.length_squared().max(t.2.length_squared());
+            longest(l).total_cmp(&longest(r))
+        })?;
+        let normal = u.cross(v).try_normalize()?;
+        Some(Self { normal, offset_m: normal.dot(origin) })
+    }
+
+    /// The plane through an antenna and the edge `from`–`to`, positive to the left of the edge as the antenna sees it.
+    ///
+    /// Both ways along an edge give exactly opposite planes: two facets that share it leave no gap and no overlap, bit by
+    /// bit. `None` where the antenna lies on the edge's line.
+    pub fn through_edge(antenna: Antenna, from: DVec3, to: DVec3) -> Option<Self> {
+        let forwards = is_before(from, to);
+        let (a, b) = if forwards { (from, to) } else { (to, from) };
+        let plane = Self::along(antenna.towards(a).cross(b - a), a)?;
+        Some(if forwards { plane } else { -plane })
+    }
+
+    /// The plane with a normal along `direction` through `x_m`.
+    fn along(direction: DVec3, x_m: DVec3) -> Option<Self> {
+        let normal = direction.try_normalize()?;
+        Some(Self { normal, offset_m: normal.dot(x_m) })
+    }
+}
+
+impl std::ops::Neg for Plane {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { normal: -self.normal, offset_m: -self.offset_m }
+    }
+}
+
+/// Order of points by their coordinates: the canonical direction of an edge, whatever the indices of its corners are.
+fn is_before(a: DVec3, b: DVec3) -> bool {
+    (a.x, a.y, a.z) < (b.x, b.y, b.z)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const A: DVec3 = DVec3::new(0.1, 0.2, 0.3);
+    const B: DVec3 = DVec3::new(-1.3, 0.7, 2.0);
+
+    #[test]
+    fn an_edge_walked_both_ways_gives_exactly_opposite_planes() {
+        for antenna in [Antenna::Point(DVec3::new(5.0, 6.0, 7.0)), Antenna::Direction(DVec3::new(0.36, 0.48, 0.8))] {
+            let forth = Plane::through_edge(antenna, A, B).unwrap();
+            let back = Plane::through_edge(antenna, B, A).unwrap();
+            assert_eq!(forth, -back);
+        }
+    }
+
+    #[test]
+    fn the_positive_side_of_an_edge_is_to_its_left_as_the_antenna_sees_it() {
+        let (from, to) = (DVec3::ZERO, DVec3::X);
+        for antenna in [Antenna::Point(DVec3::Z * 3.0), Antenna::Direction(DVec3::Z)] {
+            let plane = Plane::through_edge(antenna, from, to).unwrap();
+            assert!(plane.distance_m(DVec3::Y) > 0.9);
+        }
+    }
+
+    #[test]
+    fn what_spans_no_plane_gives_none() {
+        assert_eq!(Plane::of_triangle(&[A, B, A]), None);
+        assert_eq!(Plane::of_triangle(&[DVec3::ZERO, DVec3::X, 2.0 * DVec3::X]), None);
+        assert_eq!(Plane::through_edge(Antenna::Point(2.0 * DVec3::X), DVec3::ZERO, DVec3::X), None);
+    }
+}
