@@ -1,0 +1,159 @@
+//! What is looked at before the first sample is made: every number finite, every length meaningful, the cube bounded.
+
+use crate::error::EchoError;
+use artifact::cube::{Cube, CubeHeader};
+use artifact::paths::{Path, PathsFrame};
+use artifact::radar::Pattern;
+use artifact::{Radar, Schema};
+use glam::DVec3;
+use num_complex::Complex32;
+
+/// Speeds up to a hundred-thousandth of c, three times a bullet's: beyond, a chirp's phase is no parabola to 1e-7 rad.
+pub(crate) const SPEED_LIMIT_MPS: f64 = 3e3;
+
+/// Refuses radars that make no samples, and cubes that one record of a file could not hold.
+pub(crate) fn check_header(header: &CubeHeader) -> Result<(), EchoError> {
+    check_waveform(&header.radar)?;
+    check_array(&header.radar)?;
+    check_size(header)
+}
+
+/// Refuses frames with a path that has no finite echo.
+pub(crate) fn check_paths(radar: &Radar, centre_frequency_hz: f64, frame: &PathsFrame) -> Result<(), EchoError> {
+    if !(centre_frequency_hz.is_finite() && centre_frequency_hz > 0.0) {
+        return Err(EchoError::CentreFrequency(centre_frequency_hz));
+    }
+    for (index, path) in frame.paths.iter().enumerate() {
+        let at = Place { frame: frame.index, path: index };
+        at.check_finite(path)?;
+        at.check_speed(path)?;
+        at.check_distance(radar, path)?;
+    }
+    Ok(())
+}
+
+/// Refuses a cube with a sample beyond f32.
+pub(crate) fn check_samples(header: &CubeHeader, frame: u32, samples: &[Complex32]) -> Result<(), EchoError> {
+    let [_, chirps, length] = header.shape();
+    match samples.iter().position(|x| !x.is_finite()) {
+        None => Ok(()),
+        Some(i) => Err(EchoError::SampleOverflow {
+            frame,
+            channel: i / length / chirps,
+            chirp: i / length % chirps,
+            sample: i % length,
+        }),
+    }
+}
+
+fn check_waveform(radar: &Radar) -> Result<(), EchoError> {
+    let waveform = &radar.waveform;
+    let positive = [
+        ("start_frequency_hz", waveform.start_frequency_hz),
+        ("sample_rate_hz", waveform.sample_rate_hz),
+        ("chirp_interval_s", waveform.chirp_interval_s),
+        ("samples", f64::from(waveform.samples)),
+        ("chirps", f64::from(waveform.chirps)),
+        ("centre frequency", waveform.centre_frequency_hz()),
+    ];
+    for (quantity, value) in positive {
+        if !(value.is_finite() && value > 0.0) {
+            return Err(EchoError::Waveform { quantity, value });
+        }
+    }
+    let slope = waveform.slope_hz_per_s;
+    if slope.is_finite() { Ok(()) } else { Err(EchoError::Waveform { quantity: "slope_hz_per_s", value: slope }) }
+}
+
+fn check_array(radar: &Radar) -> Result<(), EchoError> {
+    let (tx, rx) = (&radar.array.tx_m, &radar.array.rx_m);
+    if tx.is_empty() || rx.is_empty() {
+        return Err(EchoError::NoElements { transmitters: tx.len(), receivers: rx.len() });
+    }
+    let exponent = match radar.array.pattern {
+        Pattern::Isotropic => 0.0,
+        Pattern::Cosine { exponent } => exponent,
+    };
+    let link = &radar.link;
+    let finite = [
+        ("an element position", tx.iter().chain(rx).flatten().all(|x| x.is_finite())),
+        ("the pattern's exponent", exponent.is_finite() && exponent >= 0.0),
+        ("the boresight", (radar.boresight_az_rad + radar.boresight_el_rad).is_finite()),
+        ("the transmit power", link.transmit_power_w.is_finite() && link.transmit_power_w >= 0.0),
+        ("the antenna gain", link.antenna_gain_db.is_finite()),
+    ];
+    match finite.iter().find(|(_, good)| !good) {
+        None => Ok(()),
+        Some((quantity, _)) => Err(EchoError::NonFiniteRadar { quantity }),
+    }
+}
+
+fn check_size(header: &CubeHeader) -> Result<(), EchoError> {
+    let [channels, chirps, samples] = header.shape();
+    let bytes = [channels, chirps, samples, size_of::<Complex32>()].iter().map(|&n| n as u128).product();
+    // A record holds the samples and a few numbers beside them.
+    let limit = Cube::RECORD_LIMIT - 4096;
+    if bytes <= u128::from(limit) {
+        Ok(())
+    } else {
+        Err(EchoError::CubeTooLarge { channels, chirps, samples, bytes, limit })
+    }
+}
+
+/// Where a fault lies.
+struct Place {
+    frame: u32,
+    path: usize,
+}
+
+impl Place {
+    fn check_finite(&self, path: &Path) -> Result<(), EchoError> {
+        let points = [path.apparent_tx_m, path.apparent_rx_m];
+        let velocities = [path.apparent_tx_mps, path.apparent_rx_mps];
+        let amplitudes = [path.amplitude_m, path.slope_m_per_hz];
+        let parts = [
+            ("an apparent point", points.iter().flatten().all(|x| x.is_finite())),
+            ("a velocity", velocities.iter().flatten().all(|x| x.is_finite())),
+            ("the amplitude or its slope", amplitudes.iter().flatten().flatten().all(|x| x.is_finite())),
+        ];
+        match parts.iter().find(|(_, finite)| !finite) {
+            None => Ok(()),
+            Some((quantity, _)) => Err(EchoError::NonFinitePath { frame: self.frame, path: self.path, quantity }),
+        }
+    }
+
+    fn check_speed(&self, path: &Path) -> Result<(), EchoError> {
+        let speeds = [path.apparent_tx_mps, path.apparent_rx_mps].map(|v| DVec3::from_array(v).length());
+        let speed_mps = speeds[0].max(speeds[1]);
+        if speed_mps <= SPEED_LIMIT_MPS {
+            return Ok(());
+        }
+        Err(EchoError::TooFast { frame: self.frame, path: self.path, speed_mps, limit_mps: SPEED_LIMIT_MPS })
+    }
+
+    fn check_distance(&self, radar: &Radar, path: &Path) -> Result<(), EchoError> {
+        let legs = [
+            ("transmit", &radar.array.tx_m, path.apparent_tx_m, path.apparent_tx_mps),
+            ("receive", &radar.array.rx_m, path.apparent_rx_m, path.apparent_rx_mps),
+        ];
+        for (element, elements, point_m, velocity_mps) in legs {
+            for (index, &element_m) in elements.iter().enumerate() {
+                let distance_m = closest_approach_m(radar, point_m, velocity_mps, element_m);
+                if distance_m < radar.waveform.wavelength_m() {
+                    let Self { frame, path } = *self;
+                    return Err(EchoError::PathThroughAntenna { frame, path, element, index, distance_m });
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Least distance of a moving point from an element within the frame.
+fn closest_approach_m(radar: &Radar, point_m: [f64; 3], velocity_mps: [f64; 3], element_m: [f64; 3]) -> f64 {
+    let from_element_m = DVec3::from_array(point_m) - DVec3::from_array(element_m);
+    let velocity_mps = DVec3::from_array(velocity_mps);
+    let square = velocity_mps.length_squared();
+    let nearest_s = if square > 0.0 { -from_element_m.dot(velocity_mps) / square } else { 0.0 };
+    (from_element_m + velocity_mps * nearest_s.clamp(0.0, radar.frame_duration_s())).length()
+}

@@ -1,0 +1,153 @@
+//! What is refused, as facts.
+
+/// Why no echo is made.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum EchoError {
+    /// A waveform value that no sample can be made from.
+    #[error("radar waveform: {quantity} is {value}, which makes no samples")]
+    Waveform {
+        /// Name of the value.
+        quantity: &'static str,
+        /// The value.
+        value: f64,
+    },
+    /// Power, gain, boresight or an element position that is NaN or infinite.
+    #[error("radar: {quantity} is not finite")]
+    NonFiniteRadar {
+        /// Name of the value.
+        quantity: &'static str,
+    },
+    /// An array without a transmitter or without a receiver.
+    #[error("radar array: {transmitters} transmitters and {receivers} receivers; at least one of each is needed")]
+    NoElements {
+        /// Transmit elements given.
+        transmitters: usize,
+        /// Receive elements given.
+        receivers: usize,
+    },
+    /// The cube would not fit into one record of its file.
+    #[error(
+        "cube of {channels} channels × {chirps} chirps × {samples} samples takes {bytes} bytes; the limit is {limit}"
+    )]
+    CubeTooLarge {
+        /// Channels.
+        channels: usize,
+        /// Chirps.
+        chirps: usize,
+        /// Samples of a chirp.
+        samples: usize,
+        /// What it would take.
+        bytes: u128,
+        /// What a record may take.
+        limit: u64,
+    },
+    /// A noise setting that gives no power.
+    #[error("noise: {quantity} is {value}")]
+    Noise {
+        /// Name of the setting.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// `snr_db` refers to the peak of the noise-free map, and there is none.
+    #[error("snr_db is set, but frame {frame} has no echo that it could refer to; use noise_figure_db")]
+    NoPeak {
+        /// Frame.
+        frame: u32,
+    },
+    /// A path with NaN, infinity, or a number too large for the echo's f32 samples.
+    #[error("path {path} of frame {frame}: {quantity} is not finite")]
+    NonFinitePath {
+        /// Frame.
+        frame: u32,
+        /// Index in the frame's list.
+        path: usize,
+        /// Which part of it.
+        quantity: &'static str,
+    },
+    /// A path's apparent point comes closer to an element than a wavelength, where 1/(L₁L₂) means nothing.
+    #[error(
+        "path {path} of frame {frame} passes {distance_m} m from {element} element {index}: less than a wavelength"
+    )]
+    PathThroughAntenna {
+        /// Frame.
+        frame: u32,
+        /// Index in the frame's list.
+        path: usize,
+        /// "transmit" or "receive".
+        element: &'static str,
+        /// Index of the element.
+        index: usize,
+        /// Closest approach.
+        distance_m: f64,
+    },
+    /// A speed at which a chirp's phase is no quadratic any more.
+    #[error("path {path} of frame {frame} moves at {speed_mps} m/s; the limit is {limit_mps} m/s")]
+    TooFast {
+        /// Frame.
+        frame: u32,
+        /// Index in the frame's list.
+        path: usize,
+        /// Its speed.
+        speed_mps: f64,
+        /// The limit.
+        limit_mps: f64,
+    },
+    /// The amplitudes' reference frequency is not a positive number.
+    #[error("centre frequency of the paths' amplitudes is {0} Hz")]
+    CentreFrequency(f64),
+    /// A sample left the range of f32.
+    #[error("frame {frame}: sample {sample} of channel {channel}, chirp {chirp} does not fit into f32")]
+    SampleOverflow {
+        /// Frame.
+        frame: u32,
+        /// Channel.
+        channel: usize,
+        /// Chirp.
+        chirp: usize,
+        /// Sample.
+        sample: usize,
+    },
+    /// A table of a target that the scene does not have.
+    #[error("RCS table {table} is of target {target}, but there are {targets} poses")]
+    TargetMissing {
+        /// Index of the table.
+        table: usize,
+        /// The target it names.
+        target: u32,
+        /// How many there are.
+        targets: usize,
+    },
+    /// A table of another polarization than the array's.
+    #[error("RCS table {table} has polarization {found:?}, the array {wanted:?}")]
+    TablePolarization {
+        /// Index of the table.
+        table: usize,
+        /// The table's.
+        found: artifact::radar::Polarization,
+        /// The array's.
+        wanted: artifact::radar::Polarization,
+    },
+    /// A table whose axes do not grow, are empty or do not fit its values.
+    #[error("RCS table {table}: {axis} is empty, not growing, not finite, or does not fit the number of values")]
+    TableShape {
+        /// Index of the table.
+        table: usize,
+        /// Which axis, or "amplitude".
+        axis: &'static str,
+    },
+    /// A frequency or aspect that the table does not hold.
+    #[error("RCS table {table}: {axis} {value} lies outside {first} … {last} by more than one step")]
+    OutsideTable {
+        /// Index of the table.
+        table: usize,
+        /// Which axis.
+        axis: &'static str,
+        /// What was asked for.
+        value: f64,
+        /// Start of the axis.
+        first: f64,
+        /// End of the axis.
+        last: f64,
+    },
+}

@@ -1,0 +1,200 @@
+//! Radars and paths that the tests and the benchmark share.
+#![allow(dead_code, unreachable_pub, reason = "each test file takes the part that it needs as a module of its own")]
+
+use artifact::cube::CubeHeader;
+use artifact::paths::{Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
+use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Waveform};
+use artifact::settings::{Detector, DspSettings, Noise, Window};
+use artifact::units::{power_from_db, watts_from_dbm};
+use artifact::{ErrorBudget, ModelError};
+use num_complex::{Complex32, Complex64};
+use rand::rand_core::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+/// Table 2 of the paper: samples of experiments 1, 2, 3 at 5.12 MHz (the printed 386 are 384).
+pub const EXPERIMENT_SAMPLES: [u32; 3] = [256, 384, 512];
+
+/// Waveform of Table 2's experiment 1, 2 or 3.
+pub fn experiment(number: usize) -> Waveform {
+    let samples = EXPERIMENT_SAMPLES[number - 1];
+    Waveform {
+        start_frequency_hz: 77e9,
+        slope_hz_per_s: 12.5e12,
+        sample_rate_hz: 5.12e6,
+        samples,
+        chirp_interval_s: f64::from(samples) / 5.12e6 + 10e-6,
+        chirps: 128,
+    }
+}
+
+/// Element positions of an array in half wavelengths [right, up].
+pub struct Layout {
+    pub name: &'static str,
+    pub tx: Vec<[f64; 2]>,
+    pub rx: Vec<[f64; 2]>,
+}
+
+/// The presets of physics.md §7.
+pub fn presets() -> Vec<Layout> {
+    let line = |positions: &[u32]| positions.iter().map(|&p| [f64::from(p), 0.0]).collect::<Vec<_>>();
+    let grid = [0.0, 1.0, 4.0, 6.0].iter().flat_map(|&up| [[0.0, up], [1.0, up]]).collect();
+    vec![
+        Layout { name: "1x1", tx: line(&[0]), rx: line(&[0]) },
+        Layout { name: "1x4", tx: line(&[0]), rx: line(&[0, 1, 2, 3]) },
+        Layout { name: "3x4", tx: line(&[0, 4, 8]), rx: line(&[0, 1, 2, 3]) },
+        Layout { name: "6x8", tx: line(&[0, 2, 4, 6, 8, 10]), rx: grid },
+        Layout {
+            name: "12x16",
+            tx: line(&(0..12).map(|i| 16 * i).collect::<Vec<_>>()),
+            rx: line(&(0..16).collect::<Vec<_>>()),
+        },
+    ]
+}
+
+/// A radar 6 m above the road that looks along +y, each row of elements centred on it.
+pub fn radar(waveform: Waveform, layout: &Layout, multiplexing: Multiplexing) -> Radar {
+    let position_m = [0.0, 0.0, 6.0];
+    let half_wavelength_m = 0.5 * waveform.wavelength_m();
+    let placed = |row: &[[f64; 2]]| {
+        let mean = |axis: usize| row.iter().map(|p| p[axis]).sum::<f64>() / row.len() as f64;
+        let centre = [mean(0), mean(1)];
+        row.iter()
+            .map(|p| {
+                let [right, up] = [0, 1].map(|axis| (p[axis] - centre[axis]) * half_wavelength_m);
+                [position_m[0] + right, position_m[1], position_m[2] + up]
+            })
+            .collect::<Vec<_>>()
+    };
+    Radar {
+        position_m,
+        boresight_az_rad: 0.0,
+        boresight_el_rad: 0.0,
+        waveform,
+        array: Array {
+            tx_m: placed(&layout.tx),
+            rx_m: placed(&layout.rx),
+            tx_half_wavelengths: layout.tx.clone(),
+            rx_half_wavelengths: layout.rx.clone(),
+            multiplexing,
+            polarization: Polarization::Vv,
+            pattern: Pattern::Isotropic,
+        },
+        link: Link { transmit_power_w: watts_from_dbm(12.0), antenna_gain_db: 10.0 },
+    }
+}
+
+/// One transmitter, one receiver, both at (0, 0, 6) m.
+pub fn single_channel(waveform: Waveform) -> Radar {
+    radar(waveform, &presets()[0], Multiplexing::Simultaneous)
+}
+
+/// A cube of this radar.
+pub fn header(radar: Radar, noise: Noise) -> CubeHeader {
+    CubeHeader {
+        radar,
+        noise,
+        dsp: DspSettings {
+            range_window: Window::Hann,
+            doppler_window: Window::Hann,
+            detector: Detector::CaCfar,
+            false_alarm_rate: 1e-5,
+            guard_cells: [2, 2],
+            training_cells: [6, 10],
+            assumed_height_m: 0.75,
+            cluster_range_m: 2.0,
+            cluster_velocity_mps: 1.0,
+            cluster_cross_m: 2.0,
+            lanes: vec![],
+        },
+    }
+}
+
+/// A point target, a = +√σ in vv and hh alike.
+pub fn point(position_m: [f64; 3], velocity_mps: [f64; 3], rcs_m2: f64) -> Path {
+    let a = Complex64::from(rcs_m2.sqrt());
+    Path {
+        target: 0,
+        order: 0,
+        apparent_tx_m: position_m,
+        apparent_tx_mps: velocity_mps,
+        apparent_rx_m: position_m,
+        apparent_rx_mps: velocity_mps,
+        amplitude_m: [[a, Complex64::ZERO], [Complex64::ZERO, a]],
+        slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
+        facets: [Facet::default(); MAX_ORDER],
+    }
+}
+
+/// Paths of a frame.
+pub fn frame(paths: Vec<Path>) -> PathsFrame {
+    PathsFrame {
+        index: 0,
+        time_s: 0.0,
+        paths,
+        nearest_range_m: vec![],
+        error: ErrorBudget::default(),
+        model_error: ModelError::default(),
+        trace: TraceStatistics::default(),
+    }
+}
+
+/// Paths as a tracer makes them, and worse: bounces apart by metres, both apparent points moving differently, every
+/// polarization of its own phase, amplitudes that turn by up to 3 rad over 1 GHz; 12 to 60 m away, up to 20 m/s.
+pub fn random_paths(seed: u64, count: usize) -> Vec<Path> {
+    let mut random = Random(ChaCha8Rng::seed_from_u64(seed));
+    (0..count).map(|_| random.path()).collect()
+}
+
+struct Random(ChaCha8Rng);
+
+impl Random {
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * (self.0.next_u64() >> 11) as f64 * 0.5_f64.powi(53)
+    }
+
+    fn vector(&mut self, low: [f64; 3], high: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|i| self.between(low[i], high[i]))
+    }
+
+    fn amplitude(&mut self, scale: f64) -> [[Complex64; 2]; 2] {
+        [[(); 2]; 2].map(|row| {
+            row.map(|()| {
+                Complex64::from_polar(self.between(0.1, 1.0) * scale, self.between(0.0, std::f64::consts::TAU))
+            })
+        })
+    }
+
+    fn path(&mut self) -> Path {
+        let apparent_tx_m = self.vector([-8.0, 12.0, -3.0], [12.0, 60.0, 4.0]);
+        let apparent_tx_mps = self.vector([-5.0, -20.0, -1.0], [5.0, 20.0, 1.0]);
+        let (offset_m, offset_mps) = (self.vector([-2.0; 3], [2.0; 3]), self.vector([-1.0; 3], [1.0; 3]));
+        Path {
+            target: 0,
+            order: 2,
+            apparent_tx_m,
+            apparent_tx_mps,
+            apparent_rx_m: [0, 1, 2].map(|i| apparent_tx_m[i] + offset_m[i]),
+            apparent_rx_mps: [0, 1, 2].map(|i| apparent_tx_mps[i] + offset_mps[i]),
+            amplitude_m: self.amplitude(1.0),
+            slope_m_per_hz: self.amplitude(3e-9),
+            facets: [Facet::default(); MAX_ORDER],
+        }
+    }
+}
+
+/// ‖got − exact‖/‖exact‖ in dB.
+pub fn error_db(got: &[Complex64], exact: &[Complex64]) -> f64 {
+    assert_eq!(got.len(), exact.len());
+    let error: f64 = got.iter().zip(exact).map(|(g, e)| (g - e).norm_sqr()).sum();
+    10.0 * (error / exact.iter().map(|e| e.norm_sqr()).sum::<f64>()).log10()
+}
+
+/// Samples in f64.
+pub fn widened(samples: &[Complex32]) -> Vec<Complex64> {
+    samples.iter().map(|x| Complex64::new(x.re.into(), x.im.into())).collect()
+}
+
+/// Level of a linear power ratio.
+pub fn linear(db: f64) -> f64 {
+    power_from_db(db)
+}
