@@ -7,6 +7,7 @@ mod bvh;
 mod world;
 mod beam;
 
+pub mod reference;
 pub use antenna::Antenna;
 pub use beam::{Audit, Beam, BeamTree, OrderAudit, TraceSettings};
 pub use error::BartError;

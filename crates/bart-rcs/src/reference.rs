@@ -1,0 +1,36 @@
+//! Two slow obvious references: [`po`] (first order, dense sampling) and [`sbr`] (shooting and bouncing rays).
+//!
+//! A mesh, an aspect and frequencies go in, the scattering amplitude S in metres comes out, 2 × 2 over polarization. They
+//! share no visibility and no integration code with the beam tracer: rays of their own decide what is lit, and sums over
+//! small cells take the place of closed forms. They are right as their density grows, and are compared as they converge.
+//!
+//! ```
+//! use artifact::{scene::Mesh, settings::Sides};
+//! use bart_rcs::reference::{Aspect, Bracket, Station, po};
+//! // A square of 2 cm seen square: S = +j√(4π)·A/λ (docs/physics.md §0).
+//! let corner = |y: f64, z: f64| [0.0, 0.01 * y, 0.01 * z];
+//! let plate = Mesh {
+//!     vertices_m: vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)],
+//!     triangles: vec![[0, 1, 2], [0, 2, 3]],
+//!     ..Mesh::default()
+//! };
+//! let ahead = Station { azimuth_rad: 0.0, elevation_rad: 0.0, range_m: f64::INFINITY };
+//! let sampling =
+//!     po::Sampling { per_wavelength: 2.0, shadow_levels: 0, sides: Sides::Two, bracket: Bracket::Symmetrised };
+//! let s = po::amplitude(&plate, &Aspect::monostatic(ahead), &[77e9], &sampling)?;
+//! let expected = (4.0 * std::f64::consts::PI).sqrt() * 4e-4 / (299_792_458.0 / 77e9);
+//! assert!((s[0][0][0].im - expected).abs() < 1e-9 * expected);
+//! # Ok::<(), bart_rcs::reference::ReferenceError>(())
+//! ```
+
+pub mod station;
+mod node;
+mod ray_cast;
+pub mod po;
+pub mod sbr;
+#[cfg(test)]
+mod verification;
+
+pub use node::Bracket;
+pub use ray_cast::ReferenceError;
+pub use station::{Aspect, Station};

@@ -1,0 +1,186 @@
+//! First-order physical optics by dense sampling: every facet is cut into small cells, a shadow ray goes from each cell
+//! to the antennas, and the integrand is taken as it is at the points of a quadrature rule.
+
+use super::node::{self, Arrival, Bracket};
+use super::ray_cast::{Body, ReferenceError};
+use super::station::Aspect;
+use artifact::paths::Amplitude;
+use artifact::scene::Mesh;
+use artifact::settings::Sides;
+use glam::DVec3;
+use num_complex::Complex64;
+use rayon::prelude::*;
+
+/// How densely to look.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sampling {
+    /// Cells have no edge longer than a wavelength over this (the shortest wavelength asked for).
+    pub per_wavelength: f64,
+    /// A cell across a shadow's border is halved this many times; 0 asks one shadow ray of each cell.
+    pub shadow_levels: u32,
+    /// Which sides of a facet scatter.
+    pub sides: Sides,
+    /// Vector part where transmitter and receiver are apart; together they are equal.
+    pub bracket: Bracket,
+}
+
+/// S of first order at each frequency, metres, by `interface.md`.
+///
+/// Inside a lit cell the rule is of degree 5, so that what converges slowly is the border of shadows: its error falls as
+/// (cell edge)^1.5, and `shadow_levels` makes the cells there finer without the rest.
+pub fn amplitude(
+    mesh: &Mesh,
+    aspect: &Aspect,
+    frequencies_hz: &[f64],
+    sampling: &Sampling,
+) -> Result<Vec<Amplitude>, ReferenceError> {
+    let body = Body::of_mesh(mesh)?;
+    check_positive("samples per wavelength", sampling.per_wavelength)?;
+    frequencies_hz.iter().try_for_each(|f| check_positive("frequency", *f))?;
+    let wavenumbers_per_m = node::wavenumbers(frequencies_hz);
+    let edge_m = node::shortest_wavelength_m(frequencies_hz) / sampling.per_wavelength;
+    let job = Job { body: &body, aspect, wavenumbers_per_m: &wavenumbers_per_m, edge_m, sampling };
+    let patches: Vec<Cell> = (0..body.facets.len() as u32).flat_map(|f| job.patches(f)).collect();
+    let parts: Vec<Vec<Amplitude>> = patches.par_iter().map(|patch| job.integrate(patch)).collect();
+    let mut sums = vec![Amplitude::default(); frequencies_hz.len()];
+    for part in &parts {
+        sums.iter_mut().zip(part).for_each(|(sum, term)| node::add(sum, term));
+    }
+    Ok(node::scaled(&sums, &wavenumbers_per_m))
+}
+
+pub(super) fn check_positive(what: &'static str, value: f64) -> Result<(), ReferenceError> {
+    let ok = value > 0.0 && value.is_finite();
+    if ok { Ok(()) } else { Err(ReferenceError::NotPositive { what, value }) }
+}
+
+/// A part of a facet.
+#[derive(Debug, Clone, Copy)]
+struct Cell {
+    facet: u32,
+    corners_m: [DVec3; 3],
+}
+
+struct Job<'a> {
+    body: &'a Body,
+    aspect: &'a Aspect,
+    wavenumbers_per_m: &'a [f64],
+    edge_m: f64,
+    sampling: &'a Sampling,
+}
+
+/// A patch is one unit of parallel work: this many cells long.
+const CELLS_PER_PATCH_EDGE: f64 = 64.0;
+
+impl Job<'_> {
+    /// A facet cut into units of work; nothing where the facet cannot scatter from one antenna to the other.
+    fn patches(&self, facet: u32) -> Vec<Cell> {
+        let corners_m = self.body.facets[facet as usize].corners_m;
+        let travel = |station: &super::Station| -station.leg_from(corners_m[0]).towards;
+        let scatters = |station| self.body.scatters(facet, travel(station), self.sampling.sides);
+        let mut patches = Vec::new();
+        if scatters(&self.aspect.transmitter) && scatters(&self.aspect.receiver) {
+            let whole = Cell { facet, corners_m };
+            whole.split_to(CELLS_PER_PATCH_EDGE * self.edge_m, &mut |cell| patches.push(cell));
+        }
+        patches
+    }
+
+    fn integrate(&self, patch: &Cell) -> Vec<Amplitude> {
+        let mut sums = vec![Amplitude::default(); self.wavenumbers_per_m.len()];
+        patch.split_to(self.edge_m, &mut |cell| self.add_cell(&cell, self.sampling.shadow_levels, &mut sums));
+        sums
+    }
+
+    /// A cell that is lit in part is halved while levels are left.
+    fn add_cell(&self, cell: &Cell, levels: u32, sums: &mut [Amplitude]) {
+        let lit = self.is_lit(cell, cell.at([1.0 / 3.0; 3]));
+        let border = levels > 0 && PROBES.iter().any(|probe| self.is_lit(cell, cell.at(*probe)) != lit);
+        if border {
+            cell.halves().iter().for_each(|half| self.add_cell(half, levels - 1, sums));
+        } else if lit {
+            self.add_lit(cell, sums);
+        }
+    }
+
+    fn is_lit(&self, cell: &Cell, point_m: DVec3) -> bool {
+        self.body.is_clear(point_m, cell.facet, &self.aspect.transmitter)
+            && (self.aspect.receiver == self.aspect.transmitter
+                || self.body.is_clear(point_m, cell.facet, &self.aspect.receiver))
+    }
+
+    fn add_lit(&self, cell: &Cell, sums: &mut [Amplitude]) {
+        let area_m2 = cell.area_m2();
+        for (barycentric, share) in quadrature_points() {
+            let Some(node) = self.node_at(cell, cell.at(barycentric)) else { continue };
+            for (sum, k) in sums.iter_mut().zip(self.wavenumbers_per_m) {
+                let value: Complex64 = node::phasor(*k, node.excess_m) * (area_m2 * share);
+                node::add_weighted(sum, &node.weight, value);
+            }
+        }
+    }
+
+    fn node_at(&self, cell: &Cell, x_m: DVec3) -> Option<node::Node> {
+        let [forward, backward] = [self.aspect.transmitter, self.aspect.receiver].map(|station| {
+            let leg = station.leg_from(x_m);
+            Arrival::direct(&leg, station.polarizations(leg.towards))
+        });
+        let normal = self.body.facets[cell.facet as usize].normal;
+        node::node(self.aspect, &forward, &backward, normal, self.sampling.bracket)
+    }
+}
+
+/// Where a cell asks whether it is lit all over, beside its middle.
+const PROBES: [[f64; 3]; 3] = [[0.9, 0.05, 0.05], [0.05, 0.9, 0.05], [0.05, 0.05, 0.9]];
+
+/// Radon's rule of degree 5 with 7 points: barycentric coordinates and share of the area (Abramowitz & Stegun 25.4.63).
+fn quadrature_points() -> [([f64; 3], f64); 7] {
+    let root = 15.0_f64.sqrt();
+    let near = |r: f64| ((6.0 + r) / 21.0, (9.0 - 2.0 * r) / 21.0, (155.0 + r) / 1200.0);
+    let ((a, b, inner), (c, d, outer)) = (near(-root), near(root));
+    [
+        ([1.0 / 3.0; 3], 9.0 / 40.0),
+        ([b, a, a], inner),
+        ([a, b, a], inner),
+        ([a, a, b], inner),
+        ([d, c, c], outer),
+        ([c, d, c], outer),
+        ([c, c, d], outer),
+    ]
+}
+
+impl Cell {
+    fn at(&self, barycentric: [f64; 3]) -> DVec3 {
+        let [a, b, c] = self.corners_m;
+        a * barycentric[0] + b * barycentric[1] + c * barycentric[2]
+    }
+
+    fn area_m2(&self) -> f64 {
+        let [a, b, c] = self.corners_m;
+        0.5 * (b - a).cross(c - a).length()
+    }
+
+    /// Index of the corner that starts the longest edge.
+    fn longest_edge(&self) -> usize {
+        let length = |i: usize| self.corners_m[i].distance_squared(self.corners_m[(i + 1) % 3]);
+        (1..3).fold(0, |best, i| if length(i) > length(best) { i } else { best })
+    }
+
+    /// Both halves of the cell, cut at the middle of its longest edge: needles become compact.
+    fn halves(&self) -> [Self; 2] {
+        let i = self.longest_edge();
+        let [a, b, c] = [0, 1, 2].map(|j| self.corners_m[(i + j) % 3]);
+        let middle = 0.5 * (a + b);
+        [[a, middle, c], [middle, b, c]].map(|corners_m| Self { facet: self.facet, corners_m })
+    }
+
+    /// Hands out the parts of the cell that have no edge longer than `edge_m`.
+    fn split_to(&self, edge_m: f64, take: &mut impl FnMut(Self)) {
+        let i = self.longest_edge();
+        if self.corners_m[i].distance(self.corners_m[(i + 1) % 3]) <= edge_m {
+            take(*self);
+        } else {
+            self.halves().iter().for_each(|half| half.split_to(edge_m, take));
+        }
+    }
+}

@@ -1,0 +1,259 @@
+//! Shooting and bouncing rays (Ling, Chou, Lee 1989): rays on a grid over the silhouette, reflected as by mirrors; where
+//! each meets the body, the physical-optics integral over its tube's footprint, if the receiver sees it.
+//!
+//! The node is the last facet of every sequence (exit node). Facets are flat, so a tube spreads as from the image of the
+//! antenna: dA = dΩ·L²/|n·d| after a way of length L (dA = da/|n·d| at infinite range). The footprint is the
+//! parallelogram of a = L(g_u − d (n·g_u)/(n·d)) and b alike, g_u = ∂d/∂u·Δu reflected along with the ray; the phase is
+//! taken as linear over it, which gives sinc(w·a/2)·sinc(w·b/2), w = −k(d₁ + d₂) (their shape function).
+
+use super::node::{self, Arrival, Bracket, Node};
+use super::po::check_positive;
+use super::ray_cast::{Body, Hit, ReferenceError};
+use super::station::Aspect;
+use artifact::paths::Amplitude;
+use artifact::scene::Mesh;
+use artifact::settings::Sides;
+use glam::DVec3;
+use rayon::prelude::*;
+
+/// How many rays, how far.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shooting {
+    /// Rays along a wavelength at the body's middle, across the line of sight (the shortest wavelength asked for).
+    pub per_wavelength: f64,
+    /// Highest bounce order.
+    pub bounces: u8,
+    /// Which sides of a facet scatter; the other side absorbs.
+    pub sides: Sides,
+    /// Vector part at the exit node.
+    pub bracket: Bracket,
+}
+
+/// Amplitudes of one aspect.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ByOrder {
+    /// `[order − 1][frequency]`: S in metres of each bounce order alone.
+    pub orders: Vec<Vec<Amplitude>>,
+    /// Rays shot.
+    pub rays: u64,
+}
+
+/// S of each bounce order at each frequency, metres, by `interface.md`, with exit nodes.
+pub fn amplitude(
+    mesh: &Mesh,
+    aspect: &Aspect,
+    frequencies_hz: &[f64],
+    shooting: &Shooting,
+) -> Result<ByOrder, ReferenceError> {
+    let body = Body::of_mesh(mesh)?;
+    check_positive("rays per wavelength", shooting.per_wavelength)?;
+    frequencies_hz.iter().try_for_each(|f| check_positive("frequency", *f))?;
+    let wavenumbers_per_m = node::wavenumbers(frequencies_hz);
+    let spacing_m = node::shortest_wavelength_m(frequencies_hz) / shooting.per_wavelength;
+    let grid = Grid::over(&body, aspect, spacing_m)?;
+    let job = Job { body: &body, aspect, wavenumbers_per_m: &wavenumbers_per_m, grid, shooting };
+    let rows: Vec<Orders> = (0..job.grid.rows).into_par_iter().map(|row| job.shoot_row(row)).collect();
+    let mut sums = job.nothing();
+    for row in &rows {
+        sums.iter_mut().flatten().zip(row.iter().flatten()).for_each(|(sum, term)| node::add(sum, term));
+    }
+    let orders = sums.iter().map(|order| node::scaled(order, &wavenumbers_per_m)).collect();
+    Ok(ByOrder { orders, rays: job.grid.rows * job.grid.columns })
+}
+
+/// `[order − 1][frequency]`, without j√(4π)/λ.
+type Orders = Vec<Vec<Amplitude>>;
+
+/// Rays on a plane through the body's middle, across the line of sight.
+struct Grid {
+    antenna_m: Option<DVec3>,
+    centre_m: DVec3,
+    axes: [DVec3; 2],
+    travel: DVec3,
+    least: [f64; 2],
+    spacing_m: f64,
+    rows: u64,
+    columns: u64,
+}
+
+/// A ray and how its direction (finite range) or its place (infinite range) changes to the next ray of the grid.
+#[derive(Clone, Copy)]
+struct Tube {
+    origin_m: DVec3,
+    travel: DVec3,
+    gradients: [DVec3; 2],
+    fields: [DVec3; 2],
+    length_m: f64,
+    excess_m: f64,
+}
+
+/// The grid is turned against the body by this angle: rows along an edge would gain or lose a whole row at once, and
+/// convergence would be of first order (a plate: error ∝ spacing instead of spacing^1.5).
+const GRID_TURN_RAD: f64 = 0.5;
+
+impl Grid {
+    fn over(body: &Body, aspect: &Aspect, spacing_m: f64) -> Result<Self, ReferenceError> {
+        let antenna_m = aspect.transmitter.position_m();
+        let line = antenna_m.map_or(aspect.transmitter.direction(), |p| p - body.centre_m);
+        if antenna_m.is_some() && line.length() <= body.radius_m {
+            return Err(ReferenceError::AntennaInside { distance_m: line.length(), radius_m: body.radius_m });
+        }
+        let travel = -line / line.length();
+        let first = travel.any_orthonormal_vector();
+        let (sin, cos) = GRID_TURN_RAD.sin_cos();
+        let second = travel.cross(first);
+        let axes = [first * cos + second * sin, second * cos - first * sin];
+        let mut grid = Self {
+            antenna_m,
+            centre_m: body.centre_m,
+            axes,
+            travel,
+            least: [f64::INFINITY; 2],
+            spacing_m,
+            rows: 0,
+            columns: 0,
+        };
+        grid.cover(body);
+        Ok(grid)
+    }
+
+    /// The least rectangle of the grid that holds the body's projection.
+    fn cover(&mut self, body: &Body) {
+        let mut most = [f64::NEG_INFINITY; 2];
+        for corner in body.facets.iter().flat_map(|f| f.corners_m) {
+            let projected = self.projected(corner);
+            for (i, axis) in self.axes.iter().enumerate() {
+                self.least[i] = self.least[i].min(projected.dot(*axis));
+                most[i] = most[i].max(projected.dot(*axis));
+            }
+        }
+        let count = |i: usize| ((most[i] - self.least[i]) / self.spacing_m).ceil().max(0.0) as u64;
+        (self.rows, self.columns) = (count(0), count(1));
+    }
+
+    /// A point of the body, along its ray onto the grid's plane, from the grid's middle.
+    fn projected(&self, point_m: DVec3) -> DVec3 {
+        let Some(antenna_m) = self.antenna_m else { return point_m - self.centre_m };
+        let ray = point_m - antenna_m;
+        antenna_m + ray * ((self.centre_m - antenna_m).dot(self.travel) / ray.dot(self.travel)) - self.centre_m
+    }
+
+    fn tube(&self, aspect: &Aspect, row: u64, column: u64, start_m: f64) -> Tube {
+        let place = |i: usize, n: u64| self.axes[i] * (self.least[i] + (n as f64 + 0.5) * self.spacing_m);
+        let through_m = self.centre_m + place(0, row) + place(1, column);
+        let (origin_m, travel, gradients) = match self.antenna_m {
+            Some(antenna_m) => {
+                let line = through_m - antenna_m;
+                let travel = line / line.length();
+                let across = |axis: DVec3| (axis - travel * travel.dot(axis)) * (self.spacing_m / line.length());
+                (antenna_m, travel, self.axes.map(across))
+            }
+            None => (through_m - start_m * self.travel, self.travel, self.axes.map(|a| a * self.spacing_m)),
+        };
+        let fields = aspect.transmitter.polarizations(-travel);
+        Tube { origin_m, travel, gradients, fields, length_m: 0.0, excess_m: 0.0 }
+    }
+}
+
+struct Job<'a> {
+    body: &'a Body,
+    aspect: &'a Aspect,
+    wavenumbers_per_m: &'a [f64],
+    grid: Grid,
+    shooting: &'a Shooting,
+}
+
+impl Job<'_> {
+    fn nothing(&self) -> Orders {
+        let order = vec![Amplitude::default(); self.wavenumbers_per_m.len()];
+        vec![order; usize::from(self.shooting.bounces)]
+    }
+
+    fn shoot_row(&self, row: u64) -> Orders {
+        let mut sums = self.nothing();
+        for column in 0..self.grid.columns {
+            self.follow(self.grid.tube(self.aspect, row, column, 1.01 * self.body.radius_m), &mut sums);
+        }
+        sums
+    }
+
+    /// One ray from the antenna through its reflections.
+    fn follow(&self, mut tube: Tube, sums: &mut Orders) {
+        let mut left = None;
+        for (order, sum) in sums.iter_mut().enumerate() {
+            let Some(hit) = self.body.nearest(tube.origin_m, tube.travel, left) else { return };
+            tube.advance(&hit, self.aspect, order);
+            if !self.body.scatters(hit.facet, tube.travel, self.shooting.sides) {
+                return;
+            }
+            self.add_footprint(&tube, hit.facet, sum);
+            tube.reflect(self.body.facets[hit.facet as usize].normal);
+            left = Some(hit.facet);
+        }
+    }
+
+    /// Physical optics over the tube's footprint, where the receiver sees it.
+    fn add_footprint(&self, tube: &Tube, facet: u32, sums: &mut [Amplitude]) {
+        let x_m = tube.origin_m;
+        let leg = self.aspect.receiver.leg_from(x_m);
+        let backward = Arrival::direct(&leg, self.aspect.receiver.polarizations(leg.towards));
+        let normal = self.body.facets[facet as usize].normal;
+        let Some(node) = node::node(self.aspect, &tube.arrival(), &backward, normal, self.shooting.bracket) else {
+            return;
+        };
+        if !self.body.scatters(facet, backward.travel, self.shooting.sides)
+            || !self.body.is_clear(x_m, facet, &self.aspect.receiver)
+        {
+            return;
+        }
+        self.add_node(&node, tube.footprint(normal), sums);
+    }
+
+    fn add_node(&self, node: &Node, [a, b]: [DVec3; 2], sums: &mut [Amplitude]) {
+        let area_m2 = a.cross(b).length();
+        for (sum, k) in sums.iter_mut().zip(self.wavenumbers_per_m) {
+            let shape = sinc(0.5 * k * node.travel_sum.dot(a)) * sinc(0.5 * k * node.travel_sum.dot(b));
+            node::add_weighted(sum, &node.weight, node::phasor(*k, node.excess_m) * (area_m2 * shape));
+        }
+    }
+}
+
+impl Tube {
+    /// Moves on to what was hit.
+    fn advance(&mut self, hit: &Hit, aspect: &Aspect, order: usize) {
+        self.origin_m += hit.distance_m * self.travel;
+        self.length_m += hit.distance_m;
+        if order == 0 {
+            // From the point itself: r − R keeps its digits, and at infinite range the ray's start does not matter.
+            self.excess_m = aspect.transmitter.leg_from(self.origin_m).excess_m;
+        } else {
+            self.excess_m += hit.distance_m;
+        }
+        if aspect.transmitter.range_m.is_infinite() {
+            self.length_m = f64::INFINITY;
+        }
+    }
+
+    fn arrival(&self) -> Arrival {
+        Arrival { travel: self.travel, fields: self.fields, excess_m: self.excess_m, length_m: self.length_m }
+    }
+
+    /// Edges of the parallelogram that the tube lights on a plane of this normal.
+    fn footprint(&self, normal: DVec3) -> [DVec3; 2] {
+        let spread = if self.length_m.is_finite() { self.length_m } else { 1.0 };
+        self.gradients.map(|g| (g - self.travel * (normal.dot(g) / normal.dot(self.travel))) * spread)
+    }
+
+    /// As by a mirror; a field tangential to a perfect conductor turns its sign: e → −e + 2n(n·e).
+    fn reflect(&mut self, normal: DVec3) {
+        let mirrored = |v: DVec3| v - 2.0 * normal.dot(v) * normal;
+        self.travel = mirrored(self.travel);
+        self.gradients = self.gradients.map(mirrored);
+        self.fields = self.fields.map(|e| -mirrored(e));
+    }
+}
+
+fn sinc(x: f64) -> f64 {
+    // The series' next term, x⁴/120, is below rounding here.
+    if x.abs() < 1e-3 { 1.0 - x * x / 6.0 } else { x.sin() / x }
+}
