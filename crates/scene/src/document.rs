@@ -1,0 +1,325 @@
+//! A scene file as tables that know their place: reads typed values, notes every broken rule and goes on.
+
+use crate::errors::{Allowed, Place, Position, Rule, SceneError, nearest};
+use crate::keys::{self, Table};
+use std::cell::RefCell;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Broken rules of one file, noted in any order.
+pub(crate) struct Faults<'s> {
+    file: &'s Path,
+    text: &'s str,
+    noted: RefCell<Vec<SceneError>>,
+}
+
+impl<'s> Faults<'s> {
+    pub(crate) fn new(file: &'s Path, text: &'s str) -> Self {
+        Self { file, text, noted: RefCell::default() }
+    }
+
+    pub(crate) fn note(&self, byte: usize, place: Place, rule: Rule) {
+        let position = Some(self.position(byte));
+        self.noted.borrow_mut().push(SceneError { file: PathBuf::from(self.file), position, place, rule });
+    }
+
+    pub(crate) fn position(&self, byte: usize) -> Position {
+        let before = self.text.get(..byte).unwrap_or(self.text);
+        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        Position {
+            line: before.matches('\n').count() as u32 + 1,
+            column: before[line_start..].chars().count() as u32 + 1,
+        }
+    }
+
+    /// All that was noted, in the order of the file. Where the text is not TOML, what else is said of the same line, or
+    /// said to be missing, would only repeat it.
+    pub(crate) fn into_sorted(self) -> Vec<SceneError> {
+        let mut noted = self.noted.into_inner();
+        let line = |error: &SceneError| error.position.map(|p| p.line);
+        let damaged: Vec<_> = noted.iter().filter(|e| matches!(e.rule, Rule::Syntax { .. })).map(line).collect();
+        noted.retain(|e| match e.rule {
+            Rule::Syntax { .. } => true,
+            Rule::Missing { .. } => damaged.is_empty(),
+            _ => !damaged.contains(&line(e)),
+        });
+        noted.sort_by_key(|error| error.position);
+        noted
+    }
+}
+
+/// One table of the file; an absent one reads as empty, so that every key takes its default.
+#[derive(Clone)]
+pub(crate) struct Section<'d> {
+    table: Option<&'d DeTable<'d>>,
+    known: &'static Table,
+    place: Place,
+    start: usize,
+    faults: &'d Faults<'d>,
+}
+
+type Value<'d> = Spanned<DeValue<'d>>;
+
+impl<'d> Section<'d> {
+    /// The file itself. Unknown keys are noted at once, here and in every section opened from it.
+    pub(crate) fn root(table: &'d DeTable<'d>, faults: &'d Faults<'d>) -> Self {
+        Self { table: Some(table), known: &keys::SCENE, place: Place::Scene, start: 0, faults }.checked()
+    }
+
+    /// The table of that name below this one.
+    pub(crate) fn section(&self, known: &'static Table) -> Section<'d> {
+        let key = known.name.rsplit('.').next().unwrap_or(known.name);
+        let found = self.find(key);
+        let table = found.and_then(|value| match value.get_ref() {
+            DeValue::Table(table) => Some(table),
+            other => {
+                self.wrong_type(key_of(known), "a table", other, value.span());
+                None
+            }
+        });
+        let start = found.map_or(self.start, |value| value.span().start);
+        Section { table, known, place: Place::Table(known.name), start, faults: self.faults }.checked()
+    }
+
+    /// The tables of an array of tables, each placed by its `id` or its number.
+    pub(crate) fn sections(&self, known: &'static Table) -> Vec<Section<'d>> {
+        let Some(value) = self.find(known.name) else { return vec![] };
+        let DeValue::Array(array) = value.get_ref() else {
+            self.wrong_type(known.name, "an array of tables, each under `[[target]]`", value.get_ref(), value.span());
+            return vec![];
+        };
+        let numbered = array.iter().enumerate();
+        numbered.filter_map(|(i, element)| self.element(known, i, element)).collect()
+    }
+
+    fn element(&self, known: &'static Table, index: usize, element: &'d Value<'d>) -> Option<Section<'d>> {
+        let DeValue::Table(table) = element.get_ref() else {
+            self.wrong_type(known.name, "an array of tables", element.get_ref(), element.span());
+            return None;
+        };
+        let place = match table.get("id").map(|id| id.get_ref()) {
+            Some(DeValue::String(id)) => Place::Target(id.to_string()),
+            _ => Place::Target(format!("#{}", index + 1)),
+        };
+        let start = element.span().start;
+        Some(Section { table: Some(table), known, place, start, faults: self.faults }.checked())
+    }
+
+    fn checked(self) -> Self {
+        for (key, _) in self.table.into_iter().flat_map(|table| table.iter()) {
+            let found = key.get_ref().as_ref();
+            if !self.known.keys.contains(&found) {
+                self.note_at(key.span(), unknown_key(found, self.known));
+            }
+        }
+        self
+    }
+
+    /// Whether the key is there at all.
+    pub(crate) fn has(&self, key: &'static str) -> bool {
+        self.find(key).is_some()
+    }
+
+    /// Whether the table itself is there.
+    pub(crate) fn exists(&self) -> bool {
+        self.table.is_some()
+    }
+
+    /// Line of the table's heading.
+    pub(crate) fn line(&self) -> u32 {
+        self.faults.position(self.start).line
+    }
+
+    /// Note a broken rule at the value of `key`, or at the table's heading where the key is absent.
+    pub(crate) fn note(&self, key: &'static str, rule: Rule) {
+        let byte = self.find(key).map_or(self.start, |value| value.span().start);
+        self.faults.note(byte, self.place.clone(), rule);
+    }
+
+    /// Note it if `key` is missing.
+    pub(crate) fn require(&self, key: &'static str) {
+        if !self.has(key) {
+            self.note(key, Rule::Missing { key });
+        }
+    }
+
+    /// A finite number in its range; `None` where absent or wrong.
+    pub(crate) fn number(&self, key: &'static str, allowed: Allowed) -> Option<f64> {
+        let value = self.find(key)?;
+        let Some(number) = number_of(value.get_ref()) else {
+            self.wrong_type(key, "a number", value.get_ref(), value.span());
+            return None;
+        };
+        self.in_range(key, number, allowed, value.span())
+    }
+
+    /// A whole number in its range; `None` where absent or wrong.
+    pub(crate) fn integer(&self, key: &'static str, allowed: Allowed) -> Option<u64> {
+        let value = self.find(key)?;
+        self.integer_in(key, value, allowed)
+    }
+
+    /// A text; `None` where absent or wrong.
+    pub(crate) fn text(&self, key: &'static str) -> Option<&'d str> {
+        let value = self.find(key)?;
+        match value.get_ref() {
+            DeValue::String(text) => Some(text.as_ref()),
+            other => {
+                self.wrong_type(key, "a text in quotes", other, value.span());
+                None
+            }
+        }
+    }
+
+    /// A name that can become a file's, a table's cell and a JSON key; `None` where absent or wrong.
+    pub(crate) fn name(&self, key: &'static str) -> Option<&'d str> {
+        let name = self.text(key)?;
+        let plain = |c: char| c.is_alphanumeric() || " -_.+()".contains(c);
+        let good = (1..=64).contains(&name.chars().count()) && name.chars().all(plain) && !name.starts_with(['.', ' ']);
+        if !good {
+            self.note(key, Rule::BadName { key, found: name.to_owned() });
+        }
+        good.then_some(name)
+    }
+
+    /// What a word stands for; `None` where absent or wrong.
+    pub(crate) fn word<T: Copy>(&self, key: &'static str, known: &[(&'static str, T)]) -> Option<T> {
+        let found = self.text(key)?;
+        let meaning = known.iter().find(|(word, _)| *word == found).map(|(_, meaning)| *meaning);
+        if meaning.is_none() {
+            self.unknown_word(key, found, known.iter().map(|(word, _)| *word).collect());
+        }
+        meaning
+    }
+
+    pub(crate) fn unknown_word(&self, key: &'static str, found: &str, known: Vec<&'static str>) {
+        self.note(key, Rule::UnknownWord { key, found: found.to_owned(), known });
+    }
+
+    /// Exactly `N` numbers, each in the range; `None` where absent or wrong.
+    pub(crate) fn vector<const N: usize>(&self, key: &'static str, allowed: Allowed) -> Option<[f64; N]> {
+        let numbers = self.list(key, Allowed::Between(N as f64, N as f64))?;
+        let numbers: Option<Vec<f64>> = numbers.iter().map(|value| self.number_in(key, value, allowed)).collect();
+        numbers?.try_into().ok()
+    }
+
+    /// Exactly `N` whole numbers, each in the range; `None` where absent or wrong.
+    pub(crate) fn counts<const N: usize>(&self, key: &'static str, allowed: Allowed) -> Option<[u64; N]> {
+        let numbers = self.list(key, Allowed::Between(N as f64, N as f64))?;
+        let numbers: Option<Vec<u64>> = numbers.iter().map(|value| self.integer_in(key, value, allowed)).collect();
+        numbers?.try_into().ok()
+    }
+
+    /// A list of numbers of allowed length, each in the range; `None` where absent or wrong.
+    pub(crate) fn numbers(&self, key: &'static str, length: Allowed, allowed: Allowed) -> Option<Vec<f64>> {
+        self.list(key, length)?.iter().map(|value| self.number_in(key, value, allowed)).collect()
+    }
+
+    /// A list of pairs of numbers; `None` where absent or wrong.
+    pub(crate) fn pairs(&self, key: &'static str, length: Allowed, allowed: Allowed) -> Option<Vec<[f64; 2]>> {
+        self.list(key, length)?.iter().map(|value| self.pair(key, value, allowed)).collect()
+    }
+
+    fn pair(&self, key: &'static str, value: &Value<'d>, allowed: Allowed) -> Option<[f64; 2]> {
+        let DeValue::Array(pair) = value.get_ref() else {
+            self.wrong_type(key, "a list of pairs [right, up]", value.get_ref(), value.span());
+            return None;
+        };
+        if pair.len() != 2 {
+            let expected = Allowed::Between(2.0, 2.0);
+            self.note_at(value.span(), Rule::WrongLength { key, expected, found: pair.len() });
+            return None;
+        }
+        let numbers: Option<Vec<f64>> = pair.iter().map(|value| self.number_in(key, value, allowed)).collect();
+        numbers?.try_into().ok()
+    }
+
+    fn list(&self, key: &'static str, length: Allowed) -> Option<&'d [Value<'d>]> {
+        let value = self.find(key)?;
+        let DeValue::Array(array) = value.get_ref() else {
+            self.wrong_type(key, "a list", value.get_ref(), value.span());
+            return None;
+        };
+        if !length.holds(array.len() as f64) {
+            self.note_at(value.span(), Rule::WrongLength { key, expected: length, found: array.len() });
+            return None;
+        }
+        Some(array)
+    }
+
+    fn number_in(&self, key: &'static str, value: &Value<'d>, allowed: Allowed) -> Option<f64> {
+        let Some(number) = number_of(value.get_ref()) else {
+            self.wrong_type(key, "a list of numbers", value.get_ref(), value.span());
+            return None;
+        };
+        self.in_range(key, number, allowed, value.span())
+    }
+
+    fn integer_in(&self, key: &'static str, value: &Value<'d>, allowed: Allowed) -> Option<u64> {
+        let DeValue::Integer(integer) = value.get_ref() else {
+            self.wrong_type(key, "a whole number", value.get_ref(), value.span());
+            return None;
+        };
+        // Beyond i128 the sign is all that matters: the range refuses it.
+        let beyond = if integer.as_str().starts_with('-') { f64::NEG_INFINITY } else { f64::INFINITY };
+        let exact = i128::from_str_radix(integer.as_str(), integer.radix()).ok();
+        self.in_range(key, exact.map_or(beyond, |exact| exact as f64), allowed, value.span())?;
+        exact.and_then(|exact| u64::try_from(exact).ok())
+    }
+
+    fn in_range(&self, key: &'static str, found: f64, allowed: Allowed, span: Range<usize>) -> Option<f64> {
+        if allowed.holds(found) {
+            return Some(found);
+        }
+        self.note_at(span, Rule::OutOfRange { key, found, allowed });
+        None
+    }
+
+    fn wrong_type(&self, key: &'static str, expected: &'static str, found: &DeValue<'_>, span: Range<usize>) {
+        self.note_at(span, Rule::WrongType { key, expected, found: type_of(found) });
+    }
+
+    fn note_at(&self, span: Range<usize>, rule: Rule) {
+        self.faults.note(span.start, self.place.clone(), rule);
+    }
+
+    fn find(&self, key: &str) -> Option<&'d Value<'d>> {
+        self.table.and_then(|table| table.get(key))
+    }
+}
+
+fn key_of(table: &'static Table) -> &'static str {
+    table.name.rsplit('.').next().unwrap_or(table.name)
+}
+
+fn unknown_key(found: &str, table: &Table) -> Rule {
+    let found_here = found.to_owned();
+    match keys::home_of(found, table) {
+        Some(home) => Rule::WrongTable { found: found_here, table: home },
+        None => Rule::UnknownKey { found: found_here, nearest: nearest(found, table.keys) },
+    }
+}
+
+fn number_of(value: &DeValue<'_>) -> Option<f64> {
+    match value {
+        // An integer of any radix; a decimal one also where it exceeds 64 bits.
+        DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
+            .map_or_else(|_| integer.as_str().parse().ok(), |i| Some(i as f64)),
+        DeValue::Float(float) => float.as_str().parse().ok(),
+        _ => None,
+    }
+}
+
+fn type_of(value: &DeValue<'_>) -> &'static str {
+    match value {
+        DeValue::String(_) => "a text",
+        DeValue::Integer(_) => "a whole number",
+        DeValue::Float(_) => "a number with a point",
+        DeValue::Boolean(_) => "true or false",
+        DeValue::Datetime(_) => "a date or time",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
+    }
+}

@@ -1,0 +1,372 @@
+//! What can be wrong with a scene: facts as fields, the sentence made once.
+
+use crate::mesh::MeshError;
+use std::fmt;
+use std::path::PathBuf;
+
+/// Every rule that a scene file breaks, in the order of the file; never empty.
+#[derive(Debug)]
+pub struct SceneErrors(pub Vec<SceneError>);
+
+impl SceneErrors {
+    /// Whether the machine failed (a file is missing or unreadable) and nothing that was read is at fault.
+    pub fn is_system(&self) -> bool {
+        self.0.iter().all(|error| error.rule.is_system())
+    }
+}
+
+impl fmt::Display for SceneErrors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, error) in self.0.iter().enumerate() {
+            if i > 0 {
+                writeln!(f)?;
+            }
+            write!(f, "{error}")?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for SceneErrors {}
+
+/// One broken rule.
+#[derive(Debug)]
+pub struct SceneError {
+    /// The scene file.
+    pub file: PathBuf,
+    /// Where in it; `None` where the file could not be read at all.
+    pub position: Option<Position>,
+    /// The table or target concerned.
+    pub place: Place,
+    /// What is broken.
+    pub rule: Rule,
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:", self.file.display())?;
+        if let Some(position) = self.position {
+            write!(f, "{}:{}:", position.line, position.column)?;
+        }
+        match &self.place {
+            Place::Scene => write!(f, " {}", self.rule),
+            Place::Table(name) => write!(f, " [{name}]: {}", self.rule),
+            Place::Target(id) => write!(f, " target `{id}`: {}", self.rule),
+        }
+    }
+}
+
+impl std::error::Error for SceneError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match &self.rule {
+            Rule::Unreadable(error) => Some(error),
+            Rule::Mesh(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+/// A place in a text file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Position {
+    /// From 1.
+    pub line: u32,
+    /// From 1, in characters.
+    pub column: u32,
+}
+
+/// Which part of a scene a rule concerns.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Place {
+    /// The file, or its keys outside any table.
+    Scene,
+    /// A table, by its dotted name.
+    Table(&'static str),
+    /// A target, by its id or, without one, its number from 1 (`#2`).
+    Target(String),
+}
+
+/// Which numbers a key takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Allowed {
+    /// Both ends included.
+    Between(f64, f64),
+    /// Above the first, up to and including the second.
+    Above(f64, f64),
+    /// Neither end included.
+    Inside(f64, f64),
+    /// From and including the first, below the second.
+    Below(f64, f64),
+}
+
+impl Allowed {
+    /// Whether `value` is allowed; never for NaN.
+    pub fn holds(self, value: f64) -> bool {
+        match self {
+            Self::Between(low, high) => low <= value && value <= high,
+            Self::Above(low, high) => low < value && value <= high,
+            Self::Inside(low, high) => low < value && value < high,
+            Self::Below(low, high) => low <= value && value < high,
+        }
+    }
+}
+
+impl fmt::Display for Allowed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Between(low, high) => write!(f, "from {low} to {high}"),
+            Self::Above(low, high) => write!(f, "above {low}, up to {high}"),
+            Self::Inside(low, high) => write!(f, "above {low} and below {high}"),
+            Self::Below(low, high) => write!(f, "from {low}, below {high}"),
+        }
+    }
+}
+
+/// An axis of a range-Doppler map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MapAxis {
+    /// Chirps.
+    Doppler,
+    /// Samples.
+    Range,
+}
+
+impl fmt::Display for MapAxis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Doppler => "Doppler",
+            Self::Range => "range",
+        })
+    }
+}
+
+/// The rules of a scene, broken.
+#[derive(Debug, thiserror::Error)]
+pub enum Rule {
+    /// The scene file cannot be read.
+    #[error("cannot be read: {0}")]
+    Unreadable(#[source] std::io::Error),
+    /// A scene is a page of text, not this.
+    #[error("has {bytes} bytes; a scene has at most {limit}")]
+    TooLong {
+        /// Of the file.
+        bytes: u64,
+        /// Most that is read.
+        limit: u64,
+    },
+    /// TOML is UTF-8.
+    #[error("is not UTF-8 text from byte {byte} on")]
+    NotText {
+        /// First byte that is not.
+        byte: usize,
+    },
+    /// Not TOML.
+    #[error("not valid TOML: {message}")]
+    Syntax {
+        /// The parser's words.
+        message: String,
+    },
+    /// A key that does not exist here.
+    #[error("unknown key `{found}`{}", nearest_key(.nearest))]
+    UnknownKey {
+        /// As written.
+        found: String,
+        /// Known here and spelt alike.
+        nearest: Option<&'static str>,
+    },
+    /// A key that exists in another table.
+    #[error("unknown key `{found}` here; it belongs into {table}")]
+    WrongTable {
+        /// As written.
+        found: String,
+        /// Where it belongs, as in the file.
+        table: &'static str,
+    },
+    /// A key that exists, but not for this.
+    #[error("key `{key}` has no meaning for {owner}")]
+    Misplaced {
+        /// As written.
+        key: &'static str,
+        /// Where it stands.
+        owner: &'static str,
+    },
+    /// A key without which nothing can be said.
+    #[error("key `{key}` is missing")]
+    Missing {
+        /// Its name.
+        key: &'static str,
+    },
+    /// The wrong type of value.
+    #[error("`{key}` must be {expected}, is {found}")]
+    WrongType {
+        /// Its name.
+        key: &'static str,
+        /// What it takes.
+        expected: &'static str,
+        /// What stands there.
+        found: &'static str,
+    },
+    /// A list of the wrong length.
+    #[error("`{key}` must have {expected} values, has {found}")]
+    WrongLength {
+        /// Its name.
+        key: &'static str,
+        /// How many it takes.
+        expected: Allowed,
+        /// How many stand there.
+        found: usize,
+    },
+    /// A number outside what is allowed, or not finite.
+    #[error("`{key}` must be a number {allowed}, is {found}")]
+    OutOfRange {
+        /// Its name.
+        key: &'static str,
+        /// As read.
+        found: f64,
+        /// What it takes.
+        allowed: Allowed,
+    },
+    /// A word that is not one of a list.
+    #[error("`{key}` cannot be `{found}`; it can be {}", words(.known))]
+    UnknownWord {
+        /// Its name.
+        key: &'static str,
+        /// As written.
+        found: String,
+        /// What it can be.
+        known: Vec<&'static str>,
+    },
+    /// Two keys that exclude one another.
+    #[error("`{key}` and `{other}` exclude one another")]
+    Contradiction {
+        /// One, the place of the error.
+        key: &'static str,
+        /// The other.
+        other: &'static str,
+    },
+    /// A key that means nothing without another.
+    #[error("`{key}` needs `{companion}` beside it")]
+    Alone {
+        /// Given.
+        key: &'static str,
+        /// Not given.
+        companion: &'static str,
+    },
+    /// Names become file names, table cells and JSON.
+    #[error(
+        "`{key}` must be 1 to 64 letters, digits, spaces or any of `-_.+()`, and not begin with a dot or space; is `{found}`"
+    )]
+    BadName {
+        /// Its name.
+        key: &'static str,
+        /// As written.
+        found: String,
+    },
+    /// Two targets of one name.
+    #[error("id `{id}` is taken by the target in line {first_line}")]
+    DuplicateId {
+        /// The id.
+        id: String,
+        /// Of the target that had it first.
+        first_line: u32,
+    },
+    /// Falling chirps.
+    #[error("`slope_mhz_per_us` must be positive, is {0}: falling chirps are not supported")]
+    FallingChirp(f64),
+    /// A cube beyond the memory of the stages.
+    #[error("{channels} channels × {chirps} chirps × {samples} samples are more than {limit} values in a frame")]
+    CubeTooLarge {
+        /// Transmit–receive pairs.
+        channels: u64,
+        /// Of each transmitter.
+        chirps: u64,
+        /// Of each chirp.
+        samples: u64,
+        /// Most values.
+        limit: u64,
+    },
+    /// Frames that would overlap.
+    #[error("`frame_interval_s` is {interval_s}, shorter than a frame of {duration_s} s")]
+    FramesOverlap {
+        /// Asked for.
+        interval_s: f64,
+        /// Of one frame.
+        duration_s: f64,
+    },
+    /// The CFAR window is larger than the map.
+    #[error("guard and training cells need {needed} cells of {axis}, the map has {cells}")]
+    WindowTooLarge {
+        /// Of the map.
+        axis: MapAxis,
+        /// 2·(guard + training) + 1.
+        needed: u64,
+        /// Of the map.
+        cells: u64,
+    },
+    /// A CFAR window that estimates nothing.
+    #[error("`training_cells` are none: noise cannot be estimated")]
+    NoTrainingCells,
+    /// Lanes that share ground.
+    #[error("lanes {first} and {second} overlap: centres {distance_m} m apart, {width_m} m wide")]
+    LanesOverlap {
+        /// Number of one.
+        first: usize,
+        /// Number of the other.
+        second: usize,
+        /// Between centres.
+        distance_m: f64,
+        /// Of a lane.
+        width_m: f64,
+    },
+    /// A lane that the intersection does not have.
+    #[error("lane {lane} does not exist; lanes are numbered 1 to {lanes}")]
+    UnknownLane {
+        /// Asked for.
+        lane: u64,
+        /// How many there are.
+        lanes: usize,
+    },
+    /// Neither a file of a known format nor one of the project's vehicles.
+    #[error("model `{found}` is neither a .glb, .gltf, .stl or .obj file nor a vehicle of the project{}", nearest_key(.nearest))]
+    UnknownModel {
+        /// As written.
+        found: String,
+        /// A vehicle spelt alike.
+        nearest: Option<&'static str>,
+    },
+    /// A mesh file was refused or could not be read.
+    #[error("{0}")]
+    Mesh(#[source] MeshError),
+}
+
+impl Rule {
+    /// Whether the machine is at fault, not the content of a file.
+    pub fn is_system(&self) -> bool {
+        match self {
+            Self::Unreadable(_) => true,
+            Self::Mesh(error) => error.is_system(),
+            _ => false,
+        }
+    }
+}
+
+fn nearest_key(nearest: &Option<&'static str>) -> String {
+    nearest.map_or(String::new(), |nearest| format!("; the nearest is `{nearest}`"))
+}
+
+fn words(known: &[&str]) -> String {
+    known.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ")
+}
+
+/// The word of `known` spelt most like `found`, if any is like it at all.
+pub(crate) fn nearest(found: &str, known: &[&'static str]) -> Option<&'static str> {
+    // 0.6 lets one wrong or missing letter in three pass: `slope` finds `slope_mhz_per_us`, `velocty_mps` finds
+    // `velocity_mps`, `colour` finds nothing. Jaro–Winkler favours common beginnings, where our keys carry their sense.
+    const LIKENESS: f64 = 0.6;
+    known
+        .iter()
+        .map(|word| (strsim::jaro_winkler(found, word), *word))
+        .filter(|(likeness, _)| *likeness >= LIKENESS)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, word)| word)
+}

@@ -1,0 +1,22 @@
+//! The origin that a scene gives to a mesh.
+
+use artifact::scene::Mesh;
+use glam::DVec3;
+
+/// The mesh with the centre of its bounding box, on the ground, at the origin.
+pub fn centred(mut mesh: Mesh) -> Mesh {
+    let (low, high) = bounds(&mesh);
+    let middle = 0.5 * (low + high);
+    let origin_m = DVec3::new(middle.x, middle.y, low.z);
+    for vertex in &mut mesh.vertices_m {
+        *vertex = (DVec3::from(*vertex) - origin_m).into();
+    }
+    mesh
+}
+
+/// Lowest and highest coordinates; zero for a mesh without vertices.
+pub(crate) fn bounds(mesh: &Mesh) -> (DVec3, DVec3) {
+    let mut vertices = mesh.vertices_m.iter().map(|vertex| DVec3::from(*vertex));
+    let first = vertices.next().unwrap_or(DVec3::ZERO);
+    vertices.fold((first, first), |(low, high), vertex| (low.min(vertex), high.max(vertex)))
+}

@@ -1,0 +1,141 @@
+//! Wavefront OBJ: polygons with materials by name, in metres and body axes. Curves, points and lines are left out.
+
+use super::error::{Located, MeshFault, MeshPlace};
+use super::part::Part;
+use glam::DVec3;
+use std::collections::BTreeMap;
+
+/// Keywords that change no polygon (Wavefront's Appendix B1); what is not among them is refused, not guessed.
+const IGNORED: [&str; 10] = ["vt", "vp", "g", "o", "s", "mg", "l", "p", "mtllib", "usemap"];
+
+/// A corner: its vertex and, where given, its normal; from 0.
+type Corner = (u32, Option<u32>);
+
+#[derive(Default)]
+struct Document {
+    vertices: Vec<DVec3>,
+    normals: Vec<DVec3>,
+    /// By material and by whether the corners have normals; materials in the order of their first use.
+    groups: Vec<Group>,
+}
+
+struct Group {
+    material: String,
+    with_normals: bool,
+    triangles: Vec<[Corner; 3]>,
+}
+
+pub(crate) fn read_obj(bytes: &[u8]) -> Result<Vec<Part>, Located> {
+    let text = std::str::from_utf8(bytes).map_err(|_| MeshPlace::File.fault(MeshFault::NotText))?;
+    let mut document = Document::default();
+    let mut material = String::new();
+    for (line, number) in logical_lines(text) {
+        document.read_line(&line, &mut material).map_err(|fault| MeshPlace::Line(number).fault(fault))?;
+    }
+    document.into_parts()
+}
+
+/// Lines with their numbers; one that ends in a backslash goes on in the next.
+fn logical_lines(text: &str) -> impl Iterator<Item = (std::borrow::Cow<'_, str>, u64)> {
+    let mut lines = text.lines().zip(1_u64..);
+    std::iter::from_fn(move || {
+        let (first, number) = lines.next()?;
+        let mut line = std::borrow::Cow::Borrowed(first);
+        while let Some(open) = line.strip_suffix('\\') {
+            let next = lines.next().map_or("", |(next, _)| next);
+            line = std::borrow::Cow::Owned(format!("{open} {next}"));
+        }
+        Some((line, number))
+    })
+}
+
+impl Document {
+    fn read_line(&mut self, line: &str, material: &mut String) -> Result<(), MeshFault> {
+        let content = line.split('#').next().unwrap_or_default();
+        let mut words = content.split_ascii_whitespace();
+        match words.next() {
+            None => {}
+            Some("v") => self.vertices.push(three_numbers(words)?),
+            Some("vn") => self.normals.push(three_numbers(words)?),
+            Some("f") => self.read_face(words, material)?,
+            Some("usemtl") => *material = content.trim().strip_prefix("usemtl").unwrap_or_default().trim().to_owned(),
+            Some(word) if IGNORED.contains(&word) => {}
+            Some(other) => {
+                let expected = "a polygonal OBJ statement (v, vn, vt, f, usemtl, g, o, s, mtllib, l, p)";
+                return Err(MeshFault::Expected { expected, found: other.to_owned() });
+            }
+        }
+        Ok(())
+    }
+
+    fn read_face<'w>(&mut self, words: impl Iterator<Item = &'w str>, material: &str) -> Result<(), MeshFault> {
+        let corners: Vec<Corner> = words.map(|word| self.corner(word)).collect::<Result<_, _>>()?;
+        if corners.len() < 3 {
+            return Err(MeshFault::Corners(corners.len()));
+        }
+        let with_normals = corners.iter().all(|(_, normal)| normal.is_some());
+        let points: Vec<DVec3> = corners.iter().map(|(vertex, _)| self.vertices[*vertex as usize]).collect();
+        let triangles = super::polygon::triangulate(&points).into_iter().map(|ears| ears.map(|i| corners[i]));
+        self.group(material, with_normals).triangles.extend(triangles);
+        Ok(())
+    }
+
+    fn group(&mut self, material: &str, with_normals: bool) -> &mut Group {
+        let same = |group: &Group| group.material == material && group.with_normals == with_normals;
+        let index = self.groups.iter().rposition(same).unwrap_or_else(|| {
+            self.groups.push(Group { material: material.to_owned(), with_normals, triangles: vec![] });
+            self.groups.len() - 1
+        });
+        &mut self.groups[index]
+    }
+
+    /// `v`, `v/vt`, `v//vn` or `v/vt/vn`.
+    fn corner(&self, word: &str) -> Result<Corner, MeshFault> {
+        let mut fields = word.split('/');
+        let vertex = index(fields.next().unwrap_or_default(), self.vertices.len())?;
+        let normal = fields.nth(1).map(|field| index(field, self.normals.len())).transpose()?;
+        Ok((vertex, normal))
+    }
+
+    fn into_parts(self) -> Result<Vec<Part>, Located> {
+        let Self { vertices, normals, groups } = self;
+        let part = |group| into_part(group, &vertices, &normals);
+        groups.into_iter().map(part).collect()
+    }
+}
+
+/// Corners of one vertex and one normal become one vertex of the part; nothing else is joined.
+fn into_part(group: Group, vertices: &[DVec3], normals: &[DVec3]) -> Result<Part, Located> {
+    let mut numbers = BTreeMap::<Corner, u32>::new();
+    group.triangles.iter().flatten().for_each(|corner| {
+        let corner = if group.with_normals { *corner } else { (corner.0, None) };
+        numbers.insert(corner, 0);
+    });
+    numbers.values_mut().zip(0..).for_each(|(number, next)| *number = next);
+    let positions: Vec<DVec3> = numbers.keys().map(|(vertex, _)| vertices[*vertex as usize]).collect();
+    let of_corners: Vec<DVec3> = numbers.keys().filter_map(|(_, normal)| Some(normals[(*normal)? as usize])).collect();
+    let number = |(vertex, normal): Corner| numbers[&(vertex, normal.filter(|_| group.with_normals))];
+    let triangles = group.triangles.iter().map(|corners| corners.map(number)).collect();
+    let of_corners = group.with_normals.then_some(of_corners.as_slice());
+    Part::new(MeshPlace::File, &positions, of_corners, triangles, group.material)
+}
+
+/// From 1, or negative from the end of what stands before.
+fn index(field: &str, count: usize) -> Result<u32, MeshFault> {
+    let written: i64 =
+        field.parse().map_err(|_| MeshFault::Expected { expected: "an index", found: field.to_owned() })?;
+    let from_zero = if written < 0 { written + count as i64 } else { written - 1 };
+    let in_range = u32::try_from(from_zero).ok().filter(|&index| (index as usize) < count);
+    in_range.ok_or(MeshFault::VertexIndex { index: written, vertices: count })
+}
+
+/// The first three numbers; a fourth, a weight or a colour, is left alone.
+pub(crate) fn three_numbers<'w>(words: impl Iterator<Item = &'w str>) -> Result<DVec3, MeshFault> {
+    let mut numbers = [0.0; 3];
+    let mut words = words;
+    for number in &mut numbers {
+        let word = words.next().unwrap_or_default();
+        *number = word.parse().map_err(|_| MeshFault::Expected { expected: "a number", found: word.to_owned() })?;
+    }
+    Ok(DVec3::from(numbers))
+}

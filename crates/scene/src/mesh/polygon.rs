@@ -1,0 +1,77 @@
+//! Triangles of a polygon.
+
+use glam::{DVec2, DVec3};
+
+/// The corners of a polygon's triangles, wound as it is: by cutting ears, so that a polygon with dents keeps its area.
+pub(crate) fn triangulate(points: &[DVec3]) -> Vec<[usize; 3]> {
+    let flat = projected(points);
+    let mut left: Vec<usize> = (0..points.len()).collect();
+    let mut triangles = Vec::with_capacity(points.len().saturating_sub(2));
+    while left.len() > 3 {
+        // A polygon that crosses itself may have no ear: then any corner will do, and none is lost.
+        let ear = (0..left.len()).find(|&i| is_ear(&flat, &left, i)).unwrap_or(1);
+        triangles.push(corners_at(&left, ear));
+        left.remove(ear);
+    }
+    if let [a, b, c] = left[..] {
+        triangles.push([a, b, c]);
+    }
+    triangles
+}
+
+/// Onto the coordinate plane that the polygon covers most of, wound counter-clockwise there.
+fn projected(points: &[DVec3]) -> Vec<DVec2> {
+    let origin = points.first().copied().unwrap_or_default();
+    let area = points.windows(2).fold(DVec3::ZERO, |sum, pair| sum + (pair[0] - origin).cross(pair[1] - origin));
+    let size = area.abs();
+    let flatten = |v: DVec3| match size.max_element() {
+        m if m == size.x => DVec2::new(v.y, v.z * area.x.signum()),
+        m if m == size.y => DVec2::new(v.z, v.x * area.y.signum()),
+        _ => DVec2::new(v.x, v.y * area.z.signum()),
+    };
+    points.iter().map(|point| flatten(*point - origin)).collect()
+}
+
+fn corners_at(left: &[usize], i: usize) -> [usize; 3] {
+    let count = left.len();
+    [left[(i + count - 1) % count], left[i], left[(i + 1) % count]]
+}
+
+/// Whether the corner points outward and no other lies in its triangle.
+fn is_ear(flat: &[DVec2], left: &[usize], i: usize) -> bool {
+    let corners = corners_at(left, i);
+    let [a, b, c] = corners.map(|index| flat[index]);
+    let side = |p: DVec2, q: DVec2, x: DVec2| (q - p).perp_dot(x - p);
+    let inside = |x: DVec2| side(a, b, x) >= 0.0 && side(b, c, x) >= 0.0 && side(c, a, x) >= 0.0;
+    side(a, b, c) > 0.0 && !left.iter().any(|index| !corners.contains(index) && inside(flat[*index]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_dented_polygon_keeps_its_area_and_winding_in_every_plane() {
+        // An L of area 3, counter-clockwise in (u, v); a fan from its first corner would cover area outside.
+        let outline = [(1.0, 1.0), (1.0, 2.0), (0.0, 2.0), (0.0, 0.0), (2.0, 0.0), (2.0, 1.0)];
+        let planes: [fn(f64, f64) -> DVec3; 4] = [
+            |u, v| DVec3::new(u, v, 0.0),
+            |u, v| DVec3::new(v, u, 0.3),
+            |u, v| DVec3::new(0.0, u, v),
+            |u, v| DVec3::new(v, 5.0, u),
+        ];
+        for plane in planes {
+            let points: Vec<DVec3> = outline.iter().map(|&(u, v)| plane(u, v)).collect();
+            let up = (plane(1.0, 0.0) - plane(0.0, 0.0)).cross(plane(0.0, 1.0) - plane(0.0, 0.0));
+            let areas = triangulate(&points).into_iter().map(|t| {
+                let [a, b, c] = t.map(|i| points[i]);
+                0.5 * (b - a).cross(c - a).dot(up)
+            });
+            let areas: Vec<f64> = areas.collect();
+            assert_eq!(areas.len(), 4);
+            assert!(areas.iter().all(|area| *area >= 0.0), "{areas:?}");
+            // Sums of small integers and halves: exact.
+            assert_eq!(areas.iter().sum::<f64>(), 3.0);
+        }
+    }
+}

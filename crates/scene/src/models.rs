@@ -1,0 +1,145 @@
+//! Models of targets: files and the project's own vehicles, each read once however many targets share it.
+
+use crate::document::Section;
+use crate::errors::{Rule, nearest};
+use crate::mesh::{self, MeshOptions, centred, read_mesh};
+use crate::read::{Meshes, ReadOptions, SEEDS};
+use crate::vehicles;
+use artifact::scene::Mesh;
+use artifact::settings::Class;
+use std::path::{Path, PathBuf};
+
+/// What a target's `model` says.
+#[derive(Debug, Clone, PartialEq)]
+enum Model {
+    /// One of the project's own vehicles.
+    Vehicle { name: &'static str, seed: u64 },
+    /// A mesh file, with the scale asked for.
+    File { path: PathBuf, unit_scale: Option<f64> },
+}
+
+impl Model {
+    /// Of the own vehicle or of the file, without folders.
+    fn name(&self) -> String {
+        match self {
+            Self::Vehicle { name, .. } => (*name).to_owned(),
+            Self::File { path, .. } => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        }
+    }
+}
+
+/// The meshes of a scene, in the order in which targets first name them.
+pub(crate) struct Models {
+    folder: PathBuf,
+    options: ReadOptions,
+    known: Vec<Model>,
+    meshes: Vec<Mesh>,
+}
+
+/// A model as a target holds it.
+pub(crate) struct Chosen {
+    /// Of the own vehicle or of the file, without folders.
+    pub name: String,
+    /// Index into the scene's meshes.
+    pub mesh: u32,
+    /// Of an own vehicle.
+    pub class: Option<Class>,
+}
+
+impl Models {
+    /// `folder` holds the scene: relative paths start there.
+    pub(crate) fn new(folder: &Path, options: &ReadOptions) -> Self {
+        Self { folder: folder.to_owned(), options: options.clone(), known: vec![], meshes: vec![] }
+    }
+
+    /// The model of a mesh target; what is wrong with it is noted at its key.
+    pub(crate) fn choose(&mut self, target: &Section<'_>) -> Option<Chosen> {
+        let model = self.named(target)?;
+        let mesh = match self.known.iter().position(|known| *known == model) {
+            Some(index) => index,
+            None => self.add(target, model.clone()),
+        };
+        let name = model.name();
+        Some(Chosen { class: vehicles::class_of(&name), name, mesh: mesh as u32 })
+    }
+
+    /// The meshes, handed over once.
+    pub(crate) fn take_meshes(&mut self) -> Vec<Mesh> {
+        std::mem::take(&mut self.meshes)
+    }
+
+    /// Every file that the models consist of.
+    pub(crate) fn files(&self) -> Vec<PathBuf> {
+        let paths = self.known.iter().filter_map(|model| match model {
+            Model::File { path, .. } => Some(path),
+            Model::Vehicle { .. } => None,
+        });
+        paths.flat_map(|path| mesh::files(path)).collect()
+    }
+
+    /// The model that the options or else the target names, its scale and seed with it.
+    fn named(&self, target: &Section<'_>) -> Option<Model> {
+        let unit_scale = target.number("unit_scale", mesh::UNIT_SCALES);
+        let seed = target.integer("vehicle_seed", SEEDS);
+        let written = target.text("model");
+        if let Some(path) = &self.options.model {
+            return named_model(target, &path.to_string_lossy(), Path::new(""), None, None);
+        }
+        target.require("model");
+        named_model(target, written?, &self.folder, unit_scale, seed)
+    }
+
+    fn add(&mut self, target: &Section<'_>, model: Model) -> usize {
+        let mesh = match self.options.meshes {
+            Meshes::Whole => load(target, &model),
+            Meshes::NamesOnly => Mesh { name: model.name(), ..Mesh::default() },
+        };
+        self.known.push(model);
+        self.meshes.push(mesh);
+        self.meshes.len() - 1
+    }
+}
+
+fn named_model(
+    target: &Section<'_>,
+    written: &str,
+    folder: &Path,
+    unit_scale: Option<f64>,
+    seed: Option<u64>,
+) -> Option<Model> {
+    let name = vehicles::NAMES.into_iter().find(|name| *name == written);
+    match (name, mesh::Format::of(Path::new(written))) {
+        (Some(name), _) => {
+            if unit_scale.is_some() {
+                target
+                    .note("unit_scale", Rule::Misplaced { key: "unit_scale", owner: "one of the project's vehicles" });
+            }
+            Some(Model::Vehicle { name, seed: seed.unwrap_or(0) })
+        }
+        (None, Some(_)) => {
+            if seed.is_some() {
+                target.note("vehicle_seed", Rule::Misplaced { key: "vehicle_seed", owner: "a mesh file" });
+            }
+            Some(Model::File { path: folder.join(written), unit_scale })
+        }
+        (None, None) => {
+            let nearest = nearest(written, &vehicles::NAMES);
+            target.note("model", Rule::UnknownModel { found: written.to_owned(), nearest });
+            None
+        }
+    }
+}
+
+/// The mesh with its origin on the ground under its middle; an empty one where it was refused, and that is noted.
+fn load(target: &Section<'_>, model: &Model) -> Mesh {
+    let mesh = match model {
+        Model::Vehicle { name, seed } => {
+            vehicles::mesh(name, *seed).ok_or_else(|| Rule::UnknownModel { found: (*name).to_owned(), nearest: None })
+        }
+        Model::File { path, unit_scale } => {
+            read_mesh(path, &MeshOptions { unit_scale: *unit_scale }).map_err(Rule::Mesh)
+        }
+    };
+    let mesh = mesh.map_err(|rule| target.note("model", rule));
+    centred(mesh.unwrap_or_default())
+}

@@ -1,0 +1,96 @@
+//! `[radar]`: where the radar stands, what it sends, and its link. Its antenna array is in `array.rs`.
+
+use crate::array::{Mount, read_array};
+use crate::document::Section;
+use crate::errors::{Allowed, Rule};
+use crate::keys;
+use artifact::radar::{Link, Radar, Waveform};
+use artifact::units::watts_from_dbm;
+
+/// Coordinates beyond this are a slip of units; within it f64 resolves 1.5e-11 m, 4e-9 of a wavelength at 77 GHz.
+pub(crate) const COORDINATES_M: Allowed = Allowed::Between(-1e5, 1e5);
+
+/// Values of a frame's cube: at 8 bytes each one GiB, of which the stages hold a few.
+const CUBE_LIMIT: u64 = 1 << 27;
+
+/// The radar of a scene, defaults where it says nothing.
+pub(crate) fn read_radar(root: &Section<'_>) -> Radar {
+    let section = root.section(&keys::RADAR);
+    let waveform_section = section.section(&keys::WAVEFORM);
+    let waveform = read_waveform(&waveform_section);
+    let mount = Mount {
+        position_m: section.vector("position_m", COORDINATES_M).unwrap_or([0.0, 0.0, 6.0]),
+        boresight_az_rad: degrees(&section, "boresight_az_deg", 360.0),
+        boresight_el_rad: degrees(&section, "boresight_el_deg", 90.0),
+        half_wavelength_m: 0.5 * waveform.wavelength_m(),
+    };
+    let radar = Radar {
+        position_m: mount.position_m,
+        boresight_az_rad: mount.boresight_az_rad,
+        boresight_el_rad: mount.boresight_el_rad,
+        waveform,
+        array: read_array(&section.section(&keys::ARRAY), &mount),
+        link: read_link(&section.section(&keys::LINK)),
+    };
+    check_cube(&waveform_section, &radar);
+    radar
+}
+
+fn degrees(section: &Section<'_>, key: &'static str, limit: f64) -> f64 {
+    section.number(key, Allowed::Between(-limit, limit)).unwrap_or(0.0).to_radians()
+}
+
+fn read_waveform(section: &Section<'_>) -> Waveform {
+    let start_ghz = section.number("start_frequency_ghz", Allowed::Between(0.1, 1000.0)).unwrap_or(77.0);
+    let slope_mhz_per_us = section.number("slope_mhz_per_us", Allowed::Between(-1e4, 1e4)).unwrap_or(12.5);
+    let sample_rate_msps = section.number("sample_rate_msps", Allowed::Between(1e-3, 1e5)).unwrap_or(5.12);
+    let idle_us = section.number("idle_us", Allowed::Between(0.0, 1e6)).unwrap_or(10.0);
+    // Fewer than 8 samples leave no range cells for guard and training; 2^16 are beyond any radar's chirp.
+    let samples = section.integer("samples", Allowed::Between(8.0, 65536.0)).unwrap_or(256) as u32;
+    let chirps = section.integer("chirps", Allowed::Between(1.0, 65536.0)).unwrap_or(128) as u32;
+    check_slope(section, slope_mhz_per_us);
+    Waveform {
+        start_frequency_hz: start_ghz * 1e9,
+        slope_hz_per_s: slope_mhz_per_us * 1e12,
+        sample_rate_hz: sample_rate_msps * 1e6,
+        samples,
+        chirp_interval_s: (f64::from(samples) / sample_rate_msps + idle_us) / 1e6,
+        chirps,
+    }
+}
+
+/// A falling chirp's beat frequencies are negative: maps would be mirrored in range, which no stage undoes.
+fn check_slope(section: &Section<'_>, slope_mhz_per_us: f64) {
+    if slope_mhz_per_us < 0.0 {
+        section.note("slope_mhz_per_us", Rule::FallingChirp(slope_mhz_per_us));
+    }
+    if slope_mhz_per_us == 0.0 {
+        let allowed = Allowed::Above(0.0, 1e4);
+        section.note("slope_mhz_per_us", Rule::OutOfRange { key: "slope_mhz_per_us", found: 0.0, allowed });
+    }
+}
+
+fn read_link(section: &Section<'_>) -> Link {
+    let transmit_power_dbm = section.number("transmit_power_dbm", Allowed::Between(-200.0, 200.0)).unwrap_or(12.0);
+    let antenna_gain_db = section.number("antenna_gain_dbi", Allowed::Between(-100.0, 100.0)).unwrap_or(10.0);
+    Link { transmit_power_w: watts_from_dbm(transmit_power_dbm), antenna_gain_db }
+}
+
+fn check_cube(section: &Section<'_>, radar: &Radar) {
+    let channels = radar.virtual_channels() as u64;
+    let (chirps, samples) = (u64::from(radar.waveform.chirps), u64::from(radar.waveform.samples));
+    if channels * chirps * samples > CUBE_LIMIT {
+        section.note("samples", Rule::CubeTooLarge { channels, chirps, samples, limit: CUBE_LIMIT });
+    }
+}
+
+/// Frames and the time from one to the next; a single frame may last longer than that.
+pub(crate) fn read_frames(root: &Section<'_>, radar: &Radar) -> (u32, f64) {
+    let frames = root.integer("frames", Allowed::Between(1.0, 1e6)).unwrap_or(1) as u32;
+    let interval_s = root.number("frame_interval_s", Allowed::Above(0.0, 1e4)).unwrap_or(0.1);
+    let duration_s = radar.frame_duration_s();
+    if frames > 1 && interval_s < duration_s {
+        root.note("frame_interval_s", Rule::FramesOverlap { interval_s, duration_s });
+    }
+    (frames, interval_s)
+}

@@ -1,0 +1,105 @@
+//! Reads a scene file and the meshes that it names; every broken rule is reported, not only the first.
+
+use crate::document::{Faults, Section};
+use crate::errors::{Allowed, Place, Rule, SceneError, SceneErrors};
+use crate::models::Models;
+use crate::radar::{read_frames, read_radar};
+use crate::settings::{read_dsp, read_fidelity, read_intersection, read_noise};
+use crate::targets::read_targets;
+use artifact::scene::SceneHeader;
+use std::path::{Path, PathBuf};
+use toml::de::DeTable;
+
+/// What one run changes in a scene.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ReadOptions {
+    /// Takes the place of the model of every mesh target: a file or the name of one of the project's vehicles. Unlike
+    /// the paths inside a scene this one starts at the working directory.
+    pub model: Option<PathBuf>,
+    /// Whether the models are opened.
+    pub meshes: Meshes,
+}
+
+/// What is read of the models that a scene names.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Meshes {
+    /// All of them.
+    Whole,
+    /// Their names: each mesh stays empty. For those who need the radar and the settings only.
+    NamesOnly,
+}
+
+/// TOML's whole numbers end there.
+pub(crate) const SEEDS: Allowed = Allowed::Between(0.0, i64::MAX as f64);
+
+/// A scene is a page of text; more than this is another file given by mistake.
+const LIMIT_BYTES: u64 = 4 << 20;
+
+/// The scene in `path`, with the meshes of its targets: each in body axes, the centre of its bounding box on the ground
+/// at the origin, a model named twice read once.
+///
+/// # Errors
+/// Every broken rule of the file and of the models it names, with line and column; `is_system` tells a file that is
+/// missing or unreadable from one that is refused.
+pub fn read(path: &Path, options: &ReadOptions) -> Result<SceneHeader, SceneErrors> {
+    read_with_models(path, options).map(|(header, _)| header)
+}
+
+/// The files that [`read`] opens, the scene first: what a result depends on beside the program and its options.
+///
+/// # Errors
+/// As [`read`], but for the content of meshes.
+pub fn inputs(path: &Path, options: &ReadOptions) -> Result<Vec<PathBuf>, SceneErrors> {
+    let names_only = ReadOptions { meshes: Meshes::NamesOnly, ..options.clone() };
+    let (_, models) = read_with_models(path, &names_only)?;
+    Ok(std::iter::once(path.to_owned()).chain(models.files()).collect())
+}
+
+fn read_with_models(path: &Path, options: &ReadOptions) -> Result<(SceneHeader, Models), SceneErrors> {
+    let text = read_text(path).map_err(|rule| at_no_place(path, rule))?;
+    let faults = Faults::new(path, &text);
+    let (document, syntax) = DeTable::parse_recoverable(&text);
+    for error in &syntax {
+        let byte = error.span().map_or(text.len(), |span| span.start);
+        faults.note(byte, Place::Scene, Rule::Syntax { message: error.message().to_owned() });
+    }
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let mut models = Models::new(folder, options);
+    let header = read_header(&Section::root(document.get_ref(), &faults), &mut models);
+    let errors = faults.into_sorted();
+    if errors.is_empty() { Ok((header, models)) } else { Err(SceneErrors(errors)) }
+}
+
+fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
+    let radar = read_radar(root);
+    let (frames, frame_interval_s) = read_frames(root, &radar);
+    let (intersection, lanes) = read_intersection(root);
+    let targets = read_targets(root, &lanes, models);
+    root.require("name");
+    SceneHeader {
+        name: root.name("name").unwrap_or_default().to_owned(),
+        seed: root.integer("seed", SEEDS).unwrap_or(1),
+        frames,
+        frame_interval_s,
+        noise: read_noise(root),
+        dsp: read_dsp(root, &radar.waveform, lanes),
+        fidelity: read_fidelity(root),
+        radar,
+        intersection,
+        meshes: models.take_meshes(),
+        targets,
+    }
+}
+
+fn read_text(path: &Path) -> Result<String, Rule> {
+    let bytes = std::fs::metadata(path).map_err(Rule::Unreadable)?.len();
+    if bytes > LIMIT_BYTES {
+        return Err(Rule::TooLong { bytes, limit: LIMIT_BYTES });
+    }
+    let bytes = std::fs::read(path).map_err(Rule::Unreadable)?;
+    String::from_utf8(bytes).map_err(|error| Rule::NotText { byte: error.utf8_error().valid_up_to() })
+}
+
+fn at_no_place(path: &Path, rule: Rule) -> SceneErrors {
+    SceneErrors(vec![SceneError { file: path.to_owned(), position: None, place: Place::Scene, rule }])
+}

@@ -1,0 +1,151 @@
+//! `[noise]`, `[dsp]`, `[fidelity]` and `[intersection]`.
+
+use crate::document::Section;
+use crate::errors::{Allowed, MapAxis, Rule};
+use crate::keys;
+use artifact::Accuracy;
+use artifact::radar::Waveform;
+use artifact::scene::Intersection;
+use artifact::settings::{
+    Detector, DspSettings, EchoMode, Edges, Fidelity, Lane, NodeRule, Noise, Sides, Surface, Window,
+};
+
+/// The receiver's noise; absent without `[noise]`.
+pub(crate) fn read_noise(root: &Section<'_>) -> Noise {
+    let section = root.section(&keys::NOISE);
+    if !section.exists() {
+        return Noise::Absent;
+    }
+    let figure_db = section.number("noise_figure_db", Allowed::Between(0.0, 100.0));
+    let temperature_k = section.number("temperature_k", Allowed::Above(0.0, 1e6)).unwrap_or(290.0);
+    let snr_db = section.number("snr_db", Allowed::Between(-200.0, 200.0));
+    for key in ["noise_figure_db", "temperature_k"] {
+        if section.has("snr_db") && section.has(key) {
+            section.note(key, Rule::Contradiction { key, other: "snr_db" });
+        }
+    }
+    if !section.has("snr_db") {
+        section.require("noise_figure_db");
+    }
+    match (figure_db, snr_db) {
+        (Some(noise_figure_db), _) => Noise::Figure { noise_figure_db, temperature_k },
+        (None, Some(snr_db)) => Noise::SnrDb(snr_db),
+        (None, None) => Noise::Absent,
+    }
+}
+
+/// Signal processing for a map of this waveform.
+pub(crate) fn read_dsp(root: &Section<'_>, waveform: &Waveform, lanes: Vec<Lane>) -> DspSettings {
+    let section = root.section(&keys::DSP);
+    let map = [waveform.chirps, waveform.samples];
+    let guard_cells = read_cells(&section, "guard_cells").unwrap_or(fitting(map, [0, 0], [2, 2]));
+    // 13 × 21 cells less 5 × 5 of guard: 248 training cells, a CFAR loss of about 0.1 dB at 1e-5 (Richards 2014).
+    let training_cells = read_cells(&section, "training_cells").unwrap_or(fitting(map, guard_cells, [4, 8]));
+    check_window(&section, map, guard_cells, training_cells);
+    let distance = Allowed::Above(0.0, 1e3);
+    DspSettings {
+        range_window: read_window(&section, "range_window"),
+        doppler_window: read_window(&section, "doppler_window"),
+        detector: section.word("detector", &[("ca-cfar", Detector::CaCfar)]).unwrap_or(Detector::CaCfar),
+        false_alarm_rate: section.number("false_alarm_rate", Allowed::Inside(0.0, 1.0)).unwrap_or(1e-5),
+        guard_cells,
+        training_cells,
+        assumed_height_m: section.number("assumed_height_m", Allowed::Between(-100.0, 100.0)).unwrap_or(0.75),
+        // Gaps between the glints of one long vehicle, against the gap that drivers keep (docs/scenes.md).
+        cluster_range_m: section.number("cluster_range_m", distance).unwrap_or(2.5),
+        cluster_velocity_mps: section.number("cluster_velocity_mps", distance).unwrap_or(1.0),
+        cluster_cross_m: section.number("cluster_cross_m", distance).unwrap_or(2.5),
+        lanes,
+    }
+}
+
+/// [doppler, range].
+fn read_cells(section: &Section<'_>, key: &'static str) -> Option<[u32; 2]> {
+    section.counts(key, Allowed::Between(0.0, 65536.0)).map(|cells: [u64; 2]| cells.map(|count| count as u32))
+}
+
+/// The defaults as far as the map holds them beside `inner` cells on each side: a map of few chirps is no error.
+fn fitting(map: [u32; 2], inner: [u32; 2], wanted: [u32; 2]) -> [u32; 2] {
+    let room = |axis: usize| ((map[axis].saturating_sub(1)) / 2).saturating_sub(inner[axis]);
+    [wanted[0].min(room(0)), wanted[1].min(room(1))]
+}
+
+fn check_window(section: &Section<'_>, map: [u32; 2], guard: [u32; 2], training: [u32; 2]) {
+    let key = if section.has("training_cells") { "training_cells" } else { "guard_cells" };
+    for (i, axis) in [MapAxis::Doppler, MapAxis::Range].into_iter().enumerate() {
+        let needed = 2 * (u64::from(guard[i]) + u64::from(training[i])) + 1;
+        let cells = u64::from(map[i]);
+        if needed > cells {
+            section.note(key, Rule::WindowTooLarge { axis, needed, cells });
+        }
+    }
+    if training == [0, 0] {
+        section.note(key, Rule::NoTrainingCells);
+    }
+}
+
+fn read_window(section: &Section<'_>, key: &'static str) -> Window {
+    const NAMES: [&str; 5] = ["rect", "hann", "hamming", "blackman", "chebyshev-80"];
+    let Some(name) = section.text(key) else { return Window::Hann };
+    let window = match name {
+        "rect" => Some(Window::Rect),
+        "hann" => Some(Window::Hann),
+        "hamming" => Some(Window::Hamming),
+        "blackman" => Some(Window::Blackman),
+        other => chebyshev(other),
+    };
+    if window.is_none() {
+        section.unknown_word(key, name, NAMES.to_vec());
+    }
+    window.unwrap_or(Window::Hann)
+}
+
+/// `chebyshev-80`: sidelobes from 20 dB down, where the taper is hardly one, to 200 dB, where f64 ends.
+fn chebyshev(name: &str) -> Option<Window> {
+    let level_db: f64 = name.strip_prefix("chebyshev-")?.parse().ok()?;
+    (20.0..=200.0).contains(&level_db).then_some(Window::Chebyshev(level_db))
+}
+
+/// Accuracy and physics asked for.
+pub(crate) fn read_fidelity(root: &Section<'_>) -> Fidelity {
+    let section = root.section(&keys::FIDELITY);
+    let accuracy_db = section.number("accuracy_db", Allowed::Below(-120.0, 0.0)).unwrap_or(-20.0);
+    Fidelity {
+        accuracy: Accuracy::from_db(accuracy_db),
+        bounces: section.integer("bounces", Allowed::Between(1.0, 5.0)).unwrap_or(3) as u8,
+        edges: section.word("edges", &[("off", Edges::Ignored)]).unwrap_or(Edges::Ignored),
+        surface: section.word("surface", &[("flat", Surface::Flat)]).unwrap_or(Surface::Flat),
+        sides: section.word("sides", &[("two", Sides::Two), ("one", Sides::One)]).unwrap_or(Sides::Two),
+        nodes: section
+            .word("nodes", &[("middle", NodeRule::Middle), ("exit", NodeRule::Exit)])
+            .unwrap_or(NodeRule::Middle),
+        echo: section
+            .word("echo", &[("paths", EchoMode::Paths), ("rcs-table", EchoMode::RcsTable)])
+            .unwrap_or(EchoMode::Paths),
+    }
+}
+
+/// The road: the paper's Table 1 where the scene says nothing.
+pub(crate) fn read_intersection(root: &Section<'_>) -> (Intersection, Vec<Lane>) {
+    let section = root.section(&keys::INTERSECTION);
+    let width_m = section.number("lane_width_m", Allowed::Above(0.0, 100.0)).unwrap_or(3.75);
+    let centres = section.numbers("lane_centres_m", Allowed::Between(0.0, 32.0), Allowed::Between(-1e3, 1e3));
+    let centres = centres.unwrap_or(vec![2.0, 5.75, 9.5]);
+    check_lanes(&section, &centres, width_m);
+    let lanes = centres.iter().zip(1..).map(|(x, number)| Lane { number, centre_x_m: *x, width_m }).collect();
+    let crossing_m = section.number("crossing_width_m", Allowed::Between(0.0, 1e3)).unwrap_or(22.5);
+    (Intersection { width_m: crossing_m }, lanes)
+}
+
+fn check_lanes(section: &Section<'_>, centres: &[f64], width_m: f64) {
+    // Lanes that touch, as the paper's do, may miss by the rounding of their decimals.
+    let rounding_m = 1e-9;
+    for (i, x) in centres.iter().enumerate() {
+        for (j, y) in centres.iter().enumerate().skip(i + 1) {
+            let distance_m = (x - y).abs();
+            if distance_m < width_m - rounding_m {
+                section.note("lane_centres_m", Rule::LanesOverlap { first: i + 1, second: j + 1, distance_m, width_m });
+            }
+        }
+    }
+}

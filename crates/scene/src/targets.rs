@@ -1,0 +1,110 @@
+//! `[[target]]`: vehicles and points, where they are and how they move.
+
+use crate::document::Section;
+use crate::errors::{Allowed, Rule};
+use crate::keys;
+use crate::models::Models;
+use crate::radar::COORDINATES_M;
+use artifact::scene::{Pose, Target, TargetKind};
+use artifact::settings::{Class, Lane};
+
+/// Beyond the speed of sound nothing drives.
+const VELOCITIES_MPS: Allowed = Allowed::Between(-340.0, 340.0);
+
+#[derive(Clone, Copy)]
+enum Kind {
+    Mesh,
+    Point,
+}
+
+/// The scene's targets; those that break a rule are noted and left out.
+pub(crate) fn read_targets(root: &Section<'_>, lanes: &[Lane], models: &mut Models) -> Vec<Target> {
+    let sections = root.sections(&keys::TARGET);
+    let ids = read_ids(&sections);
+    let targets = sections.iter().zip(ids).filter_map(|(section, id)| read_target(section, id, lanes, models));
+    targets.collect()
+}
+
+fn read_ids<'d>(sections: &[Section<'d>]) -> Vec<Option<&'d str>> {
+    let mut ids: Vec<Option<&str>> = vec![];
+    for section in sections {
+        section.require("id");
+        let id = section.name("id");
+        if let Some(first) = id.and_then(|id| ids.iter().position(|known| *known == Some(id))) {
+            let (id, first_line) = (id.unwrap_or_default().to_owned(), sections[first].line());
+            section.note("id", Rule::DuplicateId { id, first_line });
+        }
+        ids.push(id);
+    }
+    ids
+}
+
+fn read_target(section: &Section<'_>, id: Option<&str>, lanes: &[Lane], models: &mut Models) -> Option<Target> {
+    section.require("kind");
+    let kind = section.word("kind", &[("mesh", Kind::Mesh), ("point", Kind::Point)]);
+    let start = read_pose(section, lanes);
+    let kind = match kind? {
+        Kind::Mesh => read_mesh_target(section, models),
+        Kind::Point => read_point_target(section),
+    };
+    Some(Target { id: id?.to_owned(), kind: kind?, start: start? })
+}
+
+fn read_mesh_target(section: &Section<'_>, models: &mut Models) -> Option<TargetKind> {
+    misplaced(section, &["rcs_m2"], "a mesh target");
+    let class = section.word("class", &Class::ALL.map(|class| (class.name(), class)));
+    let chosen = models.choose(section)?;
+    Some(TargetKind::Mesh { class: class.or(chosen.class), model: chosen.name, mesh: chosen.mesh })
+}
+
+fn read_point_target(section: &Section<'_>) -> Option<TargetKind> {
+    misplaced(section, &["class", "model", "vehicle_seed", "unit_scale", "yaw_deg"], "a point target");
+    section.require("rcs_m2");
+    // Sixty dB beyond the largest ship; zero scatters nothing and is allowed.
+    Some(TargetKind::Point { rcs_m2: section.number("rcs_m2", Allowed::Between(0.0, 1e12))? })
+}
+
+fn misplaced(section: &Section<'_>, keys: &[&'static str], owner: &'static str) {
+    for key in keys.iter().filter(|key| section.has(key)) {
+        section.note(key, Rule::Misplaced { key, owner });
+    }
+}
+
+fn read_pose(section: &Section<'_>, lanes: &[Lane]) -> Option<Pose> {
+    let position_m = read_position(section, lanes);
+    let velocity_mps = section.vector("velocity_mps", VELOCITIES_MPS).unwrap_or([0.0; 3]);
+    let yaw = section.number("yaw_deg", Allowed::Between(-360.0, 360.0)).map(f64::to_radians);
+    Some(Pose { position_m: position_m?, yaw_rad: yaw.unwrap_or(yaw_along(velocity_mps)), velocity_mps })
+}
+
+/// At rest towards the radar, down the lane.
+fn yaw_along([vx, vy, _]: [f64; 3]) -> f64 {
+    if vx == 0.0 && vy == 0.0 { -std::f64::consts::FRAC_PI_2 } else { vy.atan2(vx) }
+}
+
+/// `position_m`, or `lane` with `y_m`.
+fn read_position(section: &Section<'_>, lanes: &[Lane]) -> Option<[f64; 3]> {
+    let position_m = section.vector("position_m", COORDINATES_M);
+    let lane = section.integer("lane", Allowed::Between(1.0, 255.0));
+    let y_m = section.number("y_m", COORDINATES_M);
+    for key in ["lane", "y_m"] {
+        if section.has("position_m") && section.has(key) {
+            section.note(key, Rule::Contradiction { key, other: "position_m" });
+        }
+    }
+    match (section.has("lane"), section.has("y_m")) {
+        (true, false) => section.note("lane", Rule::Alone { key: "lane", companion: "y_m" }),
+        (false, true) => section.note("y_m", Rule::Alone { key: "y_m", companion: "lane" }),
+        (false, false) => section.require("position_m"),
+        (true, true) => {}
+    }
+    position_m.or_else(|| Some([lane_centre_m(section, lanes, lane?)?, y_m?, 0.0]))
+}
+
+fn lane_centre_m(section: &Section<'_>, lanes: &[Lane], lane: u64) -> Option<f64> {
+    let found = lanes.iter().find(|known| u64::from(known.number) == lane);
+    if found.is_none() {
+        section.note("lane", Rule::UnknownLane { lane, lanes: lanes.len() });
+    }
+    found.map(|lane| lane.centre_x_m)
+}
