@@ -4,10 +4,15 @@
 //! Frequency and polarization enter later, in the integration.
 
 use crate::antenna::Antenna;
+use crate::brute_force::EveryFacet;
 use crate::error::BartError;
+use crate::plane::Plane;
+use crate::shadow::{Mirror, Scale, window_plane};
+use crate::visibility::{Buffers, ByHierarchy, Part, Parts, View, Visibility};
 use crate::world::World;
 use artifact::settings::Sides;
 use glam::DVec3;
+use rayon::prelude::*;
 use std::ops::Range;
 
 /// What a tree shall hold.
@@ -39,6 +44,10 @@ pub struct Beam {
     pub lit_normal: DVec3,
     /// The antenna mirrored in the facets before this one: it lights `facet` straight.
     pub image: Antenna,
+    /// Area of the polygon across the wave, area·cosθ at its middle, m².
+    pub across_m2: f64,
+    /// Solid angle from the image, sr, or area across the direction, m².
+    pub section: f64,
     /// Corners in the tree's vertices.
     pub(crate) polygon: Range<u32>,
 }
@@ -95,11 +104,13 @@ pub struct OrderAudit {
 
 impl BeamTree {
     /// Everything that `antenna` lights, up to `settings.max_order`.
-    pub fn trace(_world: &World, antenna: Antenna, _settings: &TraceSettings) -> Result<Self, BartError> {
-        if !antenna.is_sound() {
-            return Err(BartError::AntennaNotFinite);
-        }
-        Ok(Self { antenna, beams: Vec::new(), vertices_m: Vec::new(), audit: Audit::default() })
+    pub fn trace(world: &World, antenna: Antenna, settings: &TraceSettings) -> Result<Self, BartError> {
+        trace_by::<ByHierarchy>(world, antenna, settings)
+    }
+
+    /// The same by the slow obvious way: every facet is cut by every other. For tests.
+    pub fn trace_by_brute_force(world: &World, antenna: Antenna, settings: &TraceSettings) -> Result<Self, BartError> {
+        trace_by::<EveryFacet>(world, antenna, settings)
     }
 
     /// The lit polygon: convex, counter-clockwise about the lit normal, world metres.
@@ -114,4 +125,148 @@ impl BeamTree {
         facets.reverse();
         facets
     }
+
+    /// Bytes held, about.
+    pub fn bytes(&self) -> usize {
+        self.beams.len() * size_of::<Beam>() + self.vertices_m.len() * size_of::<DVec3>()
+    }
+}
+
+fn trace_by<V: Visibility>(world: &World, antenna: Antenna, settings: &TraceSettings) -> Result<BeamTree, BartError> {
+    if !antenna.is_sound() {
+        return Err(BartError::AntennaNotFinite);
+    }
+    let scale = Scale { tolerance_m: world.tolerance_m(), sides: settings.sides };
+    let mut growth = Growth::new(antenna, settings);
+    if settings.max_order > 0 {
+        growth.begin_order();
+        for parts in V::direct(world, antenna, &scale) {
+            growth.take(None, antenna, 1, parts)?;
+        }
+        growth.end_order(None);
+    }
+    for order in 2..=settings.max_order {
+        grow_order::<V>(world, &scale, order, &mut growth)?;
+    }
+    Ok(growth.tree)
+}
+
+/// Beams that are reflected at a time, so that unfinished work stays small beside the tree.
+const BATCH: usize = 4096;
+
+/// Reflects every beam of the order before.
+fn grow_order<V: Visibility>(world: &World, scale: &Scale, order: u8, growth: &mut Growth) -> Result<(), BartError> {
+    let parents = growth.begin_order();
+    let mut incident_section = 0.0;
+    for batch in parents.chunks(BATCH) {
+        let reflect = |buffers: &mut Buffers, &(index, ref view): &(u32, View)| {
+            (index, view.antenna, V::reflected(world, view, scale, buffers))
+        };
+        let view = |&index: &u32| Some((index, growth.view(world, index)?));
+        let views: Vec<(u32, View)> = batch.iter().filter_map(view).collect();
+        let met: Vec<_> = views.par_iter().map_init(Buffers::default, reflect).collect();
+        for (parent, image, parts) in met {
+            incident_section += growth.tree.beams[parent as usize].section;
+            growth.take(Some(parent), image, order, parts)?;
+        }
+    }
+    growth.end_order(Some(incident_section));
+    Ok(())
+}
+
+/// A tree that is being grown, and what only its last orders need.
+struct Growth<'a> {
+    tree: BeamTree,
+    settings: &'a TraceSettings,
+    /// The planes of the edges of the two last orders' polygons, from vertex `first_edge` of the tree on.
+    edges: Vec<Plane>,
+    first_edge: usize,
+    /// Where the last order begins.
+    first_beam: usize,
+    audit: OrderAudit,
+}
+
+impl<'a> Growth<'a> {
+    fn new(antenna: Antenna, settings: &'a TraceSettings) -> Self {
+        let tree = BeamTree { antenna, beams: Vec::new(), vertices_m: Vec::new(), audit: Audit::default() };
+        Self { tree, settings, edges: Vec::new(), first_edge: 0, first_beam: 0, audit: OrderAudit::default() }
+    }
+
+    /// Starts an order; gives the beams of the order before that are to be reflected.
+    fn begin_order(&mut self) -> Vec<u32> {
+        let last = self.first_beam..self.tree.beams.len();
+        let first_edge = self.tree.beams.get(last.start).map_or(0, |beam| beam.polygon.start as usize);
+        self.edges.drain(..first_edge.saturating_sub(self.first_edge).min(self.edges.len()));
+        self.first_edge = first_edge;
+        self.first_beam = last.end;
+        self.audit = OrderAudit::default();
+        let least = self.settings.least_mirror_area_m2;
+        let reflected = |&index: &usize| self.tree.beams[index].across_m2 >= least;
+        last.filter(reflected).map(|index| index as u32).collect()
+    }
+
+    /// What a beam of the order before shows as a mirror; `None` where rounding leaves it no window.
+    fn view(&self, world: &World, index: u32) -> Option<View> {
+        let beam = &self.tree.beams[index as usize];
+        let plane = world.facet(beam.facet).plane;
+        let front = if beam.lit_normal == plane.normal { plane } else { -plane };
+        let antenna = beam.image.mirrored(&front);
+        let start = (beam.polygon.start as usize).checked_sub(self.first_edge)?;
+        let edges = self.edges.get(start..start + beam.polygon.len())?;
+        let around = edges.iter().map(|edge| window_plane(edge, &front, antenna));
+        let window = std::iter::once(Some(front)).chain(around).collect::<Option<Vec<_>>>()?;
+        Some(View { antenna, mirror: Some(Mirror { facet: beam.facet, front }), window })
+    }
+
+    /// Adds what one view shows.
+    fn take(&mut self, parent: Option<u32>, image: Antenna, order: u8, parts: Parts) -> Result<(), BartError> {
+        for part in &parts.parts {
+            if part.corners.is_empty() || part.across_m2 < self.settings.least_area_m2 {
+                self.audit.drop(part);
+                continue;
+            }
+            let start = self.tree.vertices_m.len();
+            let corners = &parts.corners[part.corners.clone()];
+            self.tree.vertices_m.extend(corners.iter().map(|corner| corner.point_m));
+            self.edges.extend(corners.iter().map(|corner| corner.edge));
+            let &Part { facet, lit_normal, across_m2, section, .. } = part;
+            let polygon = index(start)?..index(self.tree.vertices_m.len())?;
+            self.tree.beams.push(Beam { parent, order, facet, lit_normal, image, across_m2, section, polygon });
+            self.audit.keep(part, self.settings);
+        }
+        Ok(())
+    }
+
+    /// Closes the books of an order.
+    fn end_order(&mut self, incident_section: Option<f64>) {
+        let mut audit = std::mem::take(&mut self.audit);
+        let found = audit.lit_section + audit.dropped_section;
+        audit.incident_section = incident_section.unwrap_or(found);
+        audit.escaped_section = audit.incident_section - found;
+        self.tree.audit.orders.push(audit);
+    }
+}
+
+impl OrderAudit {
+    fn keep(&mut self, part: &Part, settings: &TraceSettings) {
+        self.beams += 1;
+        self.lit_area_m2 += part.area_m2;
+        self.lit_section += part.section;
+        if part.across_m2 < settings.least_mirror_area_m2 {
+            self.unreflected += 1;
+            self.unreflected_across_m2 += part.across_m2;
+        }
+    }
+
+    fn drop(&mut self, part: &Part) {
+        self.dropped += 1;
+        self.dropped_area_m2 += part.area_m2;
+        self.dropped_across_m2 += part.across_m2;
+        self.dropped_section += part.section;
+    }
+}
+
+/// Vertices and beams are counted in 32 bits.
+fn index(count: usize) -> Result<u32, BartError> {
+    u32::try_from(count).map_err(|_| BartError::TreeTooLarge { vertices: count })
 }

@@ -57,6 +57,12 @@ pub enum BartError {
         /// 2³² − 1.
         most: usize,
     },
+    /// Vertices of a tree are counted in 32 bits.
+    #[error("the beam tree has {vertices} vertices; at most 2³² − 1 can be counted")]
+    TreeTooLarge {
+        /// So far.
+        vertices: usize,
+    },
     /// The antenna's place or direction is NaN, infinite or, for a direction, zero.
     #[error("the antenna's place or direction is not finite or is zero")]
     AntennaNotFinite,

@@ -5,6 +5,11 @@ mod antenna;
 mod plane;
 mod bvh;
 mod world;
+mod clip;
+mod section;
+mod shadow;
+mod visibility;
+mod brute_force;
 mod beam;
 
 pub mod reference;
