@@ -1,0 +1,107 @@
+//! What can be wrong with a cube, a map, or what is asked of them.
+
+use std::fmt;
+
+/// Why a cube or a map could not be processed; every field is a fact about the input.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum DspError {
+    /// The cube's length is not that of its radar.
+    #[error("a frame holds {found} samples, its radar makes {expected} (channels × chirps × samples)")]
+    SampleCount {
+        /// From the header.
+        expected: usize,
+        /// In the frame.
+        found: usize,
+    },
+    /// The map's length is not that of its radar.
+    #[error("a map holds {found} {what}, its radar makes {expected}")]
+    MapSize {
+        /// Values or mask cells.
+        what: &'static str,
+        /// From the header.
+        expected: usize,
+        /// In the frame.
+        found: usize,
+    },
+    /// A NaN or an infinite sample.
+    #[error("channel {channel}, chirp {chirp}, sample {sample} is not finite")]
+    SampleNotFinite {
+        /// Channel of the cube.
+        channel: usize,
+        /// Chirp.
+        chirp: usize,
+        /// Sample.
+        sample: usize,
+    },
+    /// A value of the map that is no number, or does not fit single precision.
+    #[error("cell {cell} of channel {channel} of the map is not finite")]
+    ValueNotFinite {
+        /// Channel of the map.
+        channel: usize,
+        /// doppler · N_s + range.
+        cell: usize,
+    },
+    /// A map without cells or without channels.
+    #[error("the radar has no {what}")]
+    Missing {
+        /// Samples, chirps, transmitters or receivers.
+        what: &'static str,
+    },
+    /// A map whose number of cells no machine can address.
+    #[error("channels × chirps × samples of the radar overflow")]
+    TooLarge,
+    /// A property of the radar that no axis can be made from.
+    #[error("{quantity} must be finite and not zero, is {value}")]
+    Radar {
+        /// Named with its unit.
+        quantity: &'static str,
+        /// As found.
+        value: f64,
+    },
+    /// A false-alarm rate outside (0, 1).
+    #[error("false_alarm_rate must lie between 0 and 1, is {0}")]
+    FalseAlarmRate(f64),
+    /// Nothing to estimate the noise from.
+    #[error("training_cells are [0, 0]: no cell is left to estimate the noise from")]
+    NoTrainingCells,
+    /// Guard and training cells do not fit the map.
+    #[error("guard and training cells need {needed} cells along {axis}, the map has {cells}")]
+    CfarWindow {
+        /// Which side of the map.
+        axis: Axis,
+        /// 2·(guard + training) + 1.
+        needed: u64,
+        /// Cells of the map.
+        cells: usize,
+    },
+    /// A Chebyshev window that cannot be made.
+    #[error("chebyshev sidelobes must lie between 10 and 300 dB below the peak, asked are {0}")]
+    Sidelobes(f64),
+    /// A crop without pixels or extent.
+    #[error("a crop needs a side of 1 to 8192 pixels, positive spans and a ceiling above its floor")]
+    CropFormat,
+    /// An object that no crop can be centred on.
+    #[error("the object's {quantity} is not finite")]
+    ObjectNotFinite {
+        /// Range, velocity or position.
+        quantity: &'static str,
+    },
+}
+
+/// An axis of a range-Doppler map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Axis {
+    /// Rows.
+    Doppler,
+    /// Columns.
+    Range,
+}
+
+impl fmt::Display for Axis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Doppler => "doppler",
+            Self::Range => "range",
+        })
+    }
+}

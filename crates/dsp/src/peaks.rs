@@ -1,0 +1,148 @@
+//! Peaks: detected cells that no neighbour exceeds, placed between cells, without the sidelobes of stronger peaks.
+
+use crate::DspError;
+use crate::cfar::DETECTED;
+use crate::interpolation::Interpolator;
+use crate::window::{response, taper};
+use artifact::cube::CubeHeader;
+use ndarray::ArrayView2;
+
+/// A local maximum of a map.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Peak {
+    /// Doppler cell.
+    pub row: usize,
+    /// Range cell.
+    pub column: usize,
+    /// Interpolated Doppler cell.
+    pub fine_row: f64,
+    /// Interpolated range cell.
+    pub fine_column: f64,
+    /// Power of the cell.
+    pub power: f64,
+    /// Detected cells among it and its eight neighbours.
+    pub cells: u32,
+}
+
+/// Peak curves and sidelobe levels of a radar's two windows.
+pub struct PeakFinder {
+    interpolators: [Interpolator; 2],
+    leakage: [Vec<f64>; 2],
+}
+
+/// A peak this little above the leakage of stronger ones is taken for leakage: two leaks in phase double their power.
+const LEAKAGE_MARGIN: f64 = 2.0;
+/// Windows and transforms are rounded: nothing is told apart farther below a peak than single precision carries
+/// (2⁻²⁴ of the amplitude, −144 dB).
+const LEAKAGE_FLOOR: f64 = 3.6e-15;
+/// Offsets tried between two cells for the worst leakage.
+const OFFSETS: i32 = 8;
+
+impl PeakFinder {
+    /// For the windows that a cube's header asks for.
+    pub fn new(header: &CubeHeader) -> Result<Self, DspError> {
+        let waveform = &header.radar.waveform;
+        let doppler = taper(header.dsp.doppler_window, waveform.chirps as usize)?;
+        let range = taper(header.dsp.range_window, waveform.samples as usize)?;
+        Ok(Self {
+            interpolators: [Interpolator::new(&doppler), Interpolator::new(&range)],
+            leakage: [leakage(&doppler), leakage(&range)],
+        })
+    }
+
+    /// Peaks of a power map `[doppler, range]` among the cells whose mask says detected, strongest first.
+    pub fn peaks(&self, power: ArrayView2<f64>, mask: &[u8]) -> Vec<Peak> {
+        let (rows, columns) = power.dim();
+        let detected = (0..rows * columns).filter(|cell| mask[*cell] == DETECTED);
+        let mut peaks: Vec<Peak> = detected
+            .map(|cell| (cell / columns, cell % columns))
+            .filter(|cell| is_local_maximum(power, *cell))
+            .map(|cell| self.place(power, mask, cell))
+            .collect();
+        peaks.sort_by(|a, b| b.power.total_cmp(&a.power).then((a.row, a.column).cmp(&(b.row, b.column))));
+        self.without_sidelobes(peaks)
+    }
+
+    fn place(&self, power: ArrayView2<f64>, mask: &[u8], (row, column): (usize, usize)) -> Peak {
+        let (rows, columns) = power.dim();
+        let along_rows = (rows > 2).then(|| {
+            let at = |step: usize| power[((row + step) % rows, column)];
+            self.interpolators[0].offset([at(rows - 1), at(0), at(1)])
+        });
+        let along_columns = (column > 0 && column + 1 < columns).then(|| {
+            self.interpolators[1].offset([-1, 0, 1].map(|s: i32| power[(row, column.wrapping_add_signed(s as isize))]))
+        });
+        let cells =
+            neighbourhood(power.dim(), (row, column)).filter(|(r, c)| mask[r * columns + c] == DETECTED).count();
+        Peak {
+            row,
+            column,
+            fine_row: row as f64 + along_rows.unwrap_or(0.0),
+            fine_column: column as f64 + along_columns.unwrap_or(0.0),
+            power: power[(row, column)],
+            cells: 1 + cells as u32,
+        }
+    }
+
+    /// Drops peaks that the leakage of stronger kept ones explains.
+    fn without_sidelobes(&self, peaks: Vec<Peak>) -> Vec<Peak> {
+        let mut kept: Vec<Peak> = Vec::new();
+        for peak in peaks {
+            let leaked: f64 = kept.iter().map(|strong| strong.power * self.leak(strong, &peak)).sum();
+            if peak.power > LEAKAGE_MARGIN * leaked {
+                kept.push(peak);
+            }
+        }
+        kept
+    }
+
+    fn leak(&self, from: &Peak, to: &Peak) -> f64 {
+        self.leakage[0][from.row.abs_diff(to.row)] * self.leakage[1][from.column.abs_diff(to.column)]
+    }
+}
+
+/// Largest share of a peak's power that its window leaves in a cell this many cells away, over all offsets of the tone.
+fn leakage(taper: &[f64]) -> Vec<f64> {
+    let length = taper.len();
+    let fine = fine_response(taper);
+    let per_cell = OFFSETS as usize;
+    let at = |steps: i64| fine[steps.rem_euclid((length * per_cell) as i64) as usize];
+    let worst = |lag: usize| {
+        let offsets = -OFFSETS / 2..=OFFSETS / 2;
+        let share = |offset: i32| {
+            let offset = i64::from(offset);
+            at((lag * per_cell) as i64 - offset) / at(offset).max(f64::MIN_POSITIVE)
+        };
+        offsets.map(share).fold(LEAKAGE_FLOOR, f64::max).min(1.0)
+    };
+    (0..length).map(worst).collect()
+}
+
+/// Response at every eighth of a cell.
+fn fine_response(taper: &[f64]) -> Vec<f64> {
+    let length = taper.len() * OFFSETS as usize;
+    let mut spectrum: Vec<num_complex::Complex64> = taper.iter().map(|w| (*w).into()).collect();
+    spectrum.resize(length, num_complex::Complex64::ZERO);
+    rustfft::FftPlanner::new().plan_fft_forward(length).process(&mut spectrum);
+    let scale = (taper.len() as f64).powi(-2);
+    debug_assert!((spectrum[0].norm_sqr() * scale - response(taper, 0.0)).abs() < 1e-9);
+    spectrum.iter().map(|v| v.norm_sqr() * scale).collect()
+}
+
+/// Of equal neighbours the first in row-major order is the peak.
+fn is_local_maximum(power: ArrayView2<f64>, cell: (usize, usize)) -> bool {
+    let here = power[cell];
+    neighbourhood(power.dim(), cell).all(|other| power[other] < here || (power[other] == here && cell < other))
+}
+
+/// The up to eight cells around one; Doppler wraps, range does not.
+fn neighbourhood((rows, columns): (usize, usize), cell: (usize, usize)) -> impl Iterator<Item = (usize, usize)> {
+    let steps = [(-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1)];
+    steps
+        .into_iter()
+        .map(move |(down, right): (isize, isize)| {
+            let row = (cell.0 + rows).wrapping_add_signed(down) % rows;
+            (row, cell.1.wrapping_add_signed(right))
+        })
+        .filter(move |other| other.1 < columns && *other != cell)
+}

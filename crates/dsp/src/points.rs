@@ -1,0 +1,148 @@
+//! From a map to located points and the objects they form.
+//!
+//! One point per peak: the cells under one main lobe (about 3 × 3 with Hann windows) are one measurement, and only its peak
+//! can be placed between cells. The number of cells above the threshold is kept beside it (`RdmFrame::detections`).
+
+use crate::DspError;
+use crate::angle::{Direction, Snapshot, VirtualArray};
+use crate::axes::{coupling_m, unwrapped, velocity_at, wrapped};
+use crate::clusters::{Member, clusters};
+use crate::doppler_division::fold_is_certain;
+use crate::noncoherent::{noise_power, power_map};
+use crate::peaks::{Peak, PeakFinder};
+use crate::position::{Place, place};
+use artifact::cube::CubeHeader;
+use artifact::points::{Object, Point, PointsFrame};
+use artifact::rdm::RdmFrame;
+use artifact::settings::Window;
+use artifact::units::db_from_power;
+use rayon::prelude::*;
+
+/// Points of a map, strongest first, and objects in the order of their strongest points.
+///
+/// Knows the map and its header alone. A vehicle is one object, its points share the object's index; a detection without
+/// a detected neighbour, as noise makes them, is a point of no object.
+pub fn detect(header: &CubeHeader, map: &RdmFrame) -> Result<PointsFrame, DspError> {
+    let power = power_map(header, map)?;
+    let noise = noise_power(header, map)?;
+    let peaks = PeakFinder::new(header)?.peaks(power.view(), &map.mask);
+    let array = VirtualArray::new(header);
+    let sightings: Vec<Sighting> = peaks.par_iter().map(|peak| sight(header, map, &array, *peak)).collect();
+    let members: Vec<Member> = sightings.iter().map(|s| s.member(header)).collect();
+    let mut groups = clusters(&members, &header.dsp, 2.0 * header.radar.velocity_max_mps());
+    groups.retain(|group| is_supported(header, &sightings, group));
+    let object_of = |index: usize| groups.iter().position(|g| g.binary_search(&index).is_ok()).map(|o| o as u32);
+    let channels = header.radar.virtual_channels() as f64;
+    Ok(PointsFrame {
+        index: map.index,
+        time_s: map.time_s,
+        points: (sightings.iter().enumerate())
+            .map(|(index, sighting)| sighting.point(noise * channels, object_of(index)))
+            .collect(),
+        objects: groups.iter().map(|g| object(header, map, &array, &sightings, g, noise * channels)).collect(),
+    })
+}
+
+/// A peak with what the channels say of it.
+struct Sighting {
+    peak: Peak,
+    range_m: f64,
+    radial_velocity_mps: f64,
+    snapshot: Snapshot,
+    place: Place,
+}
+
+fn sight(header: &CubeHeader, map: &RdmFrame, array: &VirtualArray, peak: Peak) -> Sighting {
+    let radial_velocity_mps = wrapped(header, velocity_at(header, peak.fine_row));
+    let shown_m = peak.fine_column * header.radar.waveform.range_resolution_m();
+    let range_m = (shown_m - coupling_m(header, radial_velocity_mps)).max(0.0);
+    let snapshot = array.snapshot(header, map, [peak.row, peak.column], radial_velocity_mps);
+    let direction = array.direction(std::slice::from_ref(&snapshot), range_m);
+    Sighting { peak, range_m, radial_velocity_mps, snapshot, place: place(header, array, direction, range_m) }
+}
+
+impl Sighting {
+    fn member(&self, header: &CubeHeader) -> Member {
+        let [x, y] = [self.place.position_m.x, self.place.position_m.y];
+        Member {
+            range_m: self.range_m,
+            radial_velocity_mps: self.radial_velocity_mps,
+            cross_m: if header.dsp.lanes.is_empty() { across_boresight_m(header, x, y) } else { x },
+            power: self.peak.power,
+        }
+    }
+
+    fn point(&self, noise: f64, object: Option<u32>) -> Point {
+        Point {
+            range_m: self.range_m,
+            radial_velocity_mps: self.radial_velocity_mps,
+            azimuth_rad: self.place.azimuth_rad,
+            elevation_rad: self.place.elevation_rad,
+            position_m: self.place.position_m.to_array(),
+            snr_db: snr_db(self.peak.power, noise),
+            object,
+            target: None,
+        }
+    }
+}
+
+/// Lanes run along y; without lanes the road is taken to run along the boresight.
+fn across_boresight_m(header: &CubeHeader, x_m: f64, y_m: f64) -> f64 {
+    let (sin, cos) = header.radar.boresight_az_rad.sin_cos();
+    (x_m - header.radar.position_m[0]) * cos - (y_m - header.radar.position_m[1]) * sin
+}
+
+/// Signal over noise: the noise's own mean is taken out of the cell. At least 0.1 of the noise is left to the logarithm.
+fn snr_db(power: f64, noise: f64) -> f64 {
+    if noise > 0.0 { db_from_power((power / noise - 1.0).max(0.1)) } else { f64::INFINITY.min(300.0) }
+}
+
+/// Whether a group is more than a lone cell. A window spreads an echo over neighbours that are at most 8 dB lower, noise
+/// passes in single cells (at a rate of 1e-5, 0.3 a map): such a cell is a point, but no object. Without a window an echo
+/// on a bin's centre is alone too.
+fn is_supported(header: &CubeHeader, sightings: &[Sighting], group: &[usize]) -> bool {
+    let spreads = |window: Window| window != Window::Rect;
+    let lone_is_noise = spreads(header.dsp.range_window) || spreads(header.dsp.doppler_window);
+    !lone_is_noise || group.len() > 1 || group.iter().any(|i| sightings[*i].peak.cells > 1)
+}
+
+fn object(
+    header: &CubeHeader,
+    map: &RdmFrame,
+    array: &VirtualArray,
+    sightings: &[Sighting],
+    group: &[usize],
+    noise: f64,
+) -> Object {
+    let members: Vec<&Sighting> = group.iter().map(|i| &sightings[*i]).collect();
+    let strongest = members[0];
+    let velocities: Vec<f64> =
+        (members.iter()).map(|s| unwrapped(header, s.radial_velocity_mps, strongest.radial_velocity_mps)).collect();
+    let ranges: Vec<f64> = members.iter().map(|s| s.range_m).collect();
+    let weights: Vec<f64> = members.iter().map(|s| s.peak.power).collect();
+    let range_m = weighted_mean(&ranges, &weights);
+    let snapshots: Vec<Snapshot> = members.iter().map(|s| s.snapshot.clone()).collect();
+    let direction: Direction = array.direction(&snapshots, range_m);
+    let place = place(header, array, direction, range_m);
+    Object {
+        range_m,
+        radial_velocity_mps: wrapped(header, weighted_mean(&velocities, &weights)),
+        velocity_resolved: fold_is_certain(header, map, strongest.peak.row, strongest.peak.column),
+        azimuth_rad: place.azimuth_rad,
+        position_m: place.position_m.to_array(),
+        lane: header.dsp.lane_at(place.position_m.x),
+        snr_db: snr_db(strongest.peak.power, noise),
+        points: group.len() as u32,
+        range_extent_m: extent(&ranges),
+        velocity_extent_mps: extent(&velocities),
+    }
+}
+
+fn weighted_mean(values: &[f64], weights: &[f64]) -> f64 {
+    let weight: f64 = weights.iter().sum();
+    values.iter().zip(weights).map(|(v, w)| v * w).sum::<f64>() / weight
+}
+
+fn extent(values: &[f64]) -> [f64; 2] {
+    values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(*v), high.max(*v)])
+}

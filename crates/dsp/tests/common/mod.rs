@@ -1,0 +1,199 @@
+//! Radars and cubes for the tests: point targets' IF samples straight from the formula of `interface.md`.
+#![allow(dead_code, reason = "every test file uses its own part")]
+#![allow(unreachable_pub, reason = "shared by test crates")]
+
+use artifact::ErrorBudget;
+use artifact::cube::{CubeFrame, CubeHeader};
+use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Waveform};
+use artifact::seed::key;
+use artifact::settings::{Detector, DspSettings, Lane, Noise, Window};
+use artifact::units::{BOLTZMANN_J_PER_K, SPEED_OF_LIGHT_MPS, power_from_db};
+use num_complex::{Complex32, Complex64};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+use std::f64::consts::{PI, TAU};
+
+/// A point target; position at the frame's first sample.
+#[derive(Debug, Clone, Copy)]
+pub struct Target {
+    pub position_m: [f64; 3],
+    pub velocity_mps: [f64; 3],
+    pub rcs_m2: f64,
+}
+
+pub fn target(position_m: [f64; 3], velocity_mps: [f64; 3], rcs_m2: f64) -> Target {
+    Target { position_m, velocity_mps, rcs_m2 }
+}
+
+/// Arrays of `interface.md`, λ/2: transmit elements, receive elements.
+pub fn elements_3x4() -> [Vec<[f64; 2]>; 2] {
+    [row(&[0, 4, 8]), row(&[0, 1, 2, 3])]
+}
+
+pub fn elements_6x8() -> [Vec<[f64; 2]>; 2] {
+    let rx = [0, 1, 4, 6].iter().flat_map(|up| [[0.0, f64::from(*up)], [1.0, f64::from(*up)]]).collect();
+    [row(&[0, 2, 4, 6, 8, 10]), rx]
+}
+
+pub fn elements_12x16() -> [Vec<[f64; 2]>; 2] {
+    [row(&(0..12).map(|i| 16 * i).collect::<Vec<_>>()), row(&(0..16).collect::<Vec<_>>())]
+}
+
+pub fn elements_1x1() -> [Vec<[f64; 2]>; 2] {
+    [row(&[0]), row(&[0])]
+}
+
+fn row(places: &[i32]) -> Vec<[f64; 2]> {
+    places.iter().map(|p| [f64::from(*p), 0.0]).collect()
+}
+
+/// Experiment 1, 2 or 3 of Table 2 with these elements, 6 m above the road.
+pub fn header(samples: u32, chirps: u32, elements: [Vec<[f64; 2]>; 2]) -> CubeHeader {
+    let waveform = Waveform {
+        start_frequency_hz: 77e9,
+        slope_hz_per_s: 12.5e12,
+        sample_rate_hz: 5.12e6,
+        samples,
+        chirp_interval_s: f64::from(samples) / 5.12e6 + 10e-6,
+        chirps,
+    };
+    let mut radar = Radar {
+        position_m: [0.0, 0.0, 6.0],
+        boresight_az_rad: 0.0,
+        boresight_el_rad: 0.0,
+        waveform,
+        array: Array {
+            tx_m: vec![],
+            rx_m: vec![],
+            tx_half_wavelengths: elements[0].clone(),
+            rx_half_wavelengths: elements[1].clone(),
+            multiplexing: Multiplexing::Simultaneous,
+            polarization: Polarization::Vv,
+            pattern: Pattern::Isotropic,
+        },
+        link: Link { transmit_power_w: 0.0158489, antenna_gain_db: 10.0 },
+    };
+    place_elements(&mut radar);
+    CubeHeader { radar, noise: Noise::Absent, dsp: settings() }
+}
+
+/// World positions of the elements, each row centred on the radar, for its boresight.
+pub fn place_elements(radar: &mut Radar) {
+    let half = 0.5 * radar.waveform.wavelength_m();
+    let (sa, ca) = radar.boresight_az_rad.sin_cos();
+    let (se, ce) = radar.boresight_el_rad.sin_cos();
+    let (right, up) = ([ca, -sa, 0.0], [-sa * se, -ca * se, ce]);
+    let world = |places: &[[f64; 2]]| -> Vec<[f64; 3]> {
+        let count = places.len() as f64;
+        let centre = [0, 1].map(|a: usize| places.iter().map(|p| p[a]).sum::<f64>() / count);
+        let offset = |p: &[f64; 2], i: usize| half * ((p[0] - centre[0]) * right[i] + (p[1] - centre[1]) * up[i]);
+        places.iter().map(|p| [0, 1, 2].map(|i: usize| radar.position_m[i] + offset(p, i))).collect()
+    };
+    let (tx, rx) = (world(&radar.array.tx_half_wavelengths), world(&radar.array.rx_half_wavelengths));
+    radar.array.tx_m = tx;
+    radar.array.rx_m = rx;
+}
+
+/// The defaults of a scene's `[dsp]`.
+pub fn settings() -> DspSettings {
+    DspSettings {
+        range_window: Window::Hann,
+        doppler_window: Window::Hann,
+        detector: Detector::CaCfar,
+        false_alarm_rate: 1e-5,
+        guard_cells: [2, 2],
+        training_cells: [4, 8],
+        assumed_height_m: 0.75,
+        cluster_range_m: 2.5,
+        cluster_velocity_mps: 1.0,
+        cluster_cross_m: 2.5,
+        lanes: [(1, 2.0), (2, 5.75), (3, 9.5)]
+            .map(|(number, centre_x_m)| Lane { number, centre_x_m, width_m: 3.75 })
+            .to_vec(),
+    }
+}
+
+/// A cube of these targets, with the header's noise (variance k·T·F·f_s per complex sample) of this seed.
+pub fn cube(header: &CubeHeader, targets: &[Target], seed: u64) -> CubeFrame {
+    let [channels, chirps, samples] = header.shape();
+    let mut values = vec![Complex64::ZERO; channels * chirps * samples];
+    for target in targets {
+        for channel in 0..channels {
+            add_channel(header, target, channel, &mut values[channel * chirps * samples..][..chirps * samples]);
+        }
+    }
+    add_noise(header, &mut values, seed);
+    let samples = values.iter().map(|v| Complex32::new(v.re as f32, v.im as f32)).collect();
+    CubeFrame { index: 0, time_s: 0.0, samples, error: ErrorBudget::default() }
+}
+
+fn add_channel(header: &CubeHeader, target: &Target, channel: usize, out: &mut [Complex64]) {
+    let radar = &header.radar;
+    let receivers = radar.array.rx_m.len();
+    if radar.array.multiplexing == Multiplexing::Ddm {
+        for tx in 0..radar.array.tx_m.len() {
+            let turn = tx as f64 / (radar.array.tx_m.len() + 1) as f64;
+            add_pair(header, target, tx, channel, turn, out);
+        }
+    } else {
+        add_pair(header, target, channel / receivers, channel % receivers, 0.0, out);
+    }
+}
+
+/// A·exp j2π[f₀τ + μtτ − ½μτ²] of one transmitter and receiver, turned by `turn` cycles a chirp.
+fn add_pair(header: &CubeHeader, target: &Target, tx: usize, rx: usize, turn: f64, out: &mut [Complex64]) {
+    let w = &header.radar.waveform;
+    let (p_t, p_r) = (header.radar.array.tx_m[tx], header.radar.array.rx_m[rx]);
+    let samples = w.samples as usize;
+    for (at, value) in out.iter_mut().enumerate() {
+        let (chirp, n) = (at / samples, at % samples);
+        let t = n as f64 / w.sample_rate_hz;
+        let [d_t, d_r] = legs(target, p_t, p_r, header.radar.chirp_start_s(tx, chirp) + t);
+        let tau = (d_t + d_r) / SPEED_OF_LIGHT_MPS;
+        let cycles = (w.start_frequency_hz * tau).fract() + w.slope_hz_per_s * (t * tau - 0.5 * tau * tau);
+        *value += Complex64::from_polar(amplitude(header, target, d_t, d_r), TAU * (cycles + turn * chirp as f64));
+    }
+}
+
+/// Lengths of both legs, the target where it was when it scattered.
+fn legs(target: &Target, p_t: [f64; 3], p_r: [f64; 3], time_s: f64) -> [f64; 2] {
+    let at = |t: f64| [0, 1, 2].map(|i: usize| target.position_m[i] + t * target.velocity_mps[i]);
+    let length = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
+    let mut scattered_s = time_s;
+    for _ in 0..3 {
+        scattered_s = time_s - length(at(scattered_s), p_r) / SPEED_OF_LIGHT_MPS;
+    }
+    [length(at(scattered_s), p_t), length(at(scattered_s), p_r)]
+}
+
+fn amplitude(header: &CubeHeader, target: &Target, d_t: f64, d_r: f64) -> f64 {
+    let gain = power_from_db(header.radar.link.antenna_gain_db);
+    let power = header.radar.link.transmit_power_w * gain * gain * target.rcs_m2;
+    (power * header.radar.waveform.wavelength_m().powi(2) / ((4.0 * PI).powi(3) * (d_t * d_r).powi(2))).sqrt()
+}
+
+/// k·T·F·f_s.
+pub fn noise_variance(header: &CubeHeader) -> f64 {
+    match header.noise {
+        Noise::Absent => 0.0,
+        Noise::Figure { noise_figure_db, temperature_k } => {
+            BOLTZMANN_J_PER_K * temperature_k * power_from_db(noise_figure_db) * header.radar.waveform.sample_rate_hz
+        }
+        Noise::SnrDb(_) => panic!("tests give a noise figure"),
+    }
+}
+
+fn add_noise(header: &CubeHeader, values: &mut [Complex64], seed: u64) {
+    let deviation = (0.5 * noise_variance(header)).sqrt();
+    if deviation == 0.0 {
+        return;
+    }
+    let mut random = ChaCha8Rng::from_seed(key(seed, "dsp/test-noise", &[]));
+    for value in values {
+        let (re, im): (f64, f64) = (StandardNormal.sample(&mut random), StandardNormal.sample(&mut random));
+        *value += deviation * Complex64::new(re, im);
+    }
+}
+
+pub const NOISE_12_DB: Noise = Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 };
