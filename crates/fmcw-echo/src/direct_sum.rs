@@ -12,7 +12,7 @@
 //! (channel, chirp) is added by one thread, in the order of the paths: any number of threads gives the same bytes.
 
 use crate::antenna::{boresight, cosine_amplitude, link_amplitude};
-use crate::lanes::{Complex, MAX_LANES, Real};
+use crate::lanes::{Complex, MAX_LANES, Real, Vector};
 use crate::multiplexing::{Transmission, row};
 use artifact::Radar;
 use artifact::paths::Path;
@@ -121,7 +121,11 @@ impl WithSimd for RowSum<'_> {
                 accumulate(chirp.parabolas(group), &mut totals);
             }
         }
-        totals.iter().map(|t| across_lanes(simd, *t)).collect()
+        let mut samples = Vec::with_capacity(totals.len());
+        for total in &totals {
+            samples.push(across_lanes(simd, *total));
+        }
+        samples
     }
 }
 
@@ -169,14 +173,15 @@ struct Chirp<'a, S: Simd> {
     transmission: &'a Transmission,
     /// Samples from the first to the last, at least one.
     steps: f64,
-    position_m: [[&'a [S::f64s]; 3]; 2],
-    velocity: [[&'a [S::f64s]; 3]; 2],
+    tx_m: [&'a [S::f64s]; 3],
+    tx_mps: [&'a [S::f64s]; 3],
+    rx_m: [&'a [S::f64s]; 3],
+    rx_beta: [&'a [S::f64s]; 3],
     amplitude_m: [&'a [S::f64s]; 2],
     slope_m_per_hz: [&'a [S::f64s]; 2],
 }
 
 impl<'a, S: Simd> Chirp<'a, S> {
-    #[inline(always)]
     fn new(simd: S, sum: &'a DirectSum<'a>, transmission: &'a Transmission) -> Self {
         let lanes = |column: &'a Vec<f64>| S::as_simd_f64s(column).0;
         let columns = &sum.columns;
@@ -185,18 +190,20 @@ impl<'a, S: Simd> Chirp<'a, S> {
             sum,
             transmission,
             steps: f64::from(sum.radar.waveform.samples.max(2) - 1),
-            position_m: [columns.tx_m.each_ref().map(lanes), columns.rx_m.each_ref().map(lanes)],
-            velocity: [columns.tx_mps.each_ref().map(lanes), columns.rx_beta.each_ref().map(lanes)],
+            tx_m: columns.tx_m.each_ref().map(lanes),
+            tx_mps: columns.tx_mps.each_ref().map(lanes),
+            rx_m: columns.rx_m.each_ref().map(lanes),
+            rx_beta: columns.rx_beta.each_ref().map(lanes),
             amplitude_m: columns.amplitude_m.each_ref().map(lanes),
             slope_m_per_hz: columns.slope_m_per_hz.each_ref().map(lanes),
         }
     }
 
-    /// With u from 0 to 1 over the chirp, x(u) = x₀ + bu + cu², b = −3x₀ + 4x₁ − x₂, c = 2x₀ − 4x₁ + 2x₂; one sample
-    /// is a step h in u, the first difference bh + ch², the second 2ch².
+    /// With u from 0 to 1 over the chirp, x(u) = x₀ + bu + cu², b = 3(x₁ − x₀) − (x₂ − x₁), c = 2(x₂ − x₁) − 2(x₁ − x₀);
+    /// one sample is a step h in u, the first difference bh + ch², the second 2ch².
     #[inline(always)]
     fn parabolas(&self, group: usize) -> Parabolas<S> {
-        let [first, middle, last] = [0.0, 0.5, 1.0].map(|u| self.instant(group, u));
+        let (first, middle, last) = (self.instant(group, 0.0), self.instant(group, 0.5), self.instant(group, 1.0));
         let h = 1.0 / self.steps;
         // Differences of the three values, small numbers, before anything else: the values are 2e4 cycles.
         let (rise, fall) = (middle.cycles - first.cycles, last.cycles - middle.cycles);
@@ -221,57 +228,65 @@ impl<'a, S: Simd> Chirp<'a, S> {
         let waveform = &self.sum.radar.waveform;
         let (f0, mu) = (waveform.start_frequency_hz, waveform.slope_hz_per_s);
         let t = u * self.steps / waveform.sample_rate_hz;
-        let ([departing, arriving], [l1, l2]) = self.legs(group, self.transmission.start_s + t);
-        let tau = (l1 + l2).scale(1.0 / SPEED_OF_LIGHT_MPS);
+        let legs = self.legs(group, self.transmission.start_s + t);
+        let tau = (legs.departing_length_m + legs.arriving_length_m).scale(1.0 / SPEED_OF_LIGHT_MPS);
         let cycles = tau * tau.mul_add(self.splat(-0.5 * mu), self.splat(f0 + mu * t));
         let offset_hz = self.splat(f0 + mu * t - self.sum.centre_frequency_hz) - tau.scale(mu);
-        let spreading = (l1 * l2).recip().scale(self.sum.link_amplitude);
-        let gain = spreading * self.pattern(departing, l1) * self.pattern(arriving, l2);
-        Instant { cycles, amplitude: self.conjugate_amplitude(group, offset_hz, gain) }
+        Instant { cycles, amplitude: self.conjugate_amplitude(group, offset_hz, self.gain(&legs)) }
     }
 
-    /// Vectors x_a − p_t and x_b − p_r at the scattering time, and their lengths L₁ and L₂.
+    /// Both legs at the scattering time of what is received at `time_s`.
     ///
     /// With d = x_b(T) − p_r and β = v_b/c, |d − βL₂| = L₂ is a quadratic equation in L₂:
     /// L₂ = (√((d·β)² + (1 − β²)d²) − d·β)/(1 − β²).
     #[inline(always)]
-    fn legs(&self, group: usize, time_s: f64) -> ([[Real<S>; 3]; 2], [Real<S>; 2]) {
-        let at = |leg: usize, axis: usize| self.load(self.position_m[leg][axis], group);
-        let speed = |leg: usize, axis: usize| self.load(self.velocity[leg][axis], group);
-        let light_path_m = self.splat(SPEED_OF_LIGHT_MPS * time_s);
-        let (tx_m, rx_m) = (self.transmission.tx_m.to_array(), self.transmission.rx_m.to_array());
-        let beta = [0, 1, 2].map(|i| speed(1, i));
-        let d = [0, 1, 2].map(|i| beta[i].mul_add(light_path_m, at(1, i) - self.splat(rx_m[i])));
-        let (closing, shrink) = (dot(d, beta), self.splat(1.0) - dot(beta, beta));
-        let l2 = (closing.mul_add(closing, shrink * dot(d, d)).sqrt() - closing) * shrink.recip();
-        let scattering_time_s = self.splat(time_s) - l2.scale(1.0 / SPEED_OF_LIGHT_MPS);
-        let arriving = [0, 1, 2].map(|i| beta[i].negate_mul_add(l2, d[i]));
-        let departing = [0, 1, 2].map(|i| speed(0, i).mul_add(scattering_time_s, at(0, i) - self.splat(tx_m[i])));
-        ([departing, arriving], [dot(departing, departing).sqrt(), l2])
+    fn legs(&self, group: usize, time_s: f64) -> Legs<S> {
+        let beta = self.vector(&self.rx_beta, group);
+        let from_element = self.vector(&self.rx_m, group) - Vector::splat(self.simd, self.transmission.rx_m);
+        let d = beta.mul_add(self.splat(SPEED_OF_LIGHT_MPS * time_s), from_element);
+        let (closing, shrink) = (d.dot(beta), self.splat(1.0) - beta.dot(beta));
+        let root = closing.mul_add(closing, shrink * d.dot(d)).sqrt();
+        let arriving_length_m = (root - closing) * shrink.recip();
+        let scattering_time_s = self.splat(time_s) - arriving_length_m.scale(1.0 / SPEED_OF_LIGHT_MPS);
+        let from_element = self.vector(&self.tx_m, group) - Vector::splat(self.simd, self.transmission.tx_m);
+        let departing_m = self.vector(&self.tx_mps, group).mul_add(scattering_time_s, from_element);
+        Legs {
+            departing_m,
+            departing_length_m: departing_m.dot(departing_m).sqrt(),
+            arriving_m: beta.negate_mul_add(arriving_length_m, d),
+            arriving_length_m,
+        }
+    }
+
+    /// Link amplitude and both pattern gains over L₁L₂.
+    #[inline(always)]
+    fn gain(&self, legs: &Legs<S>) -> Real<S> {
+        let spreading = (legs.departing_length_m * legs.arriving_length_m).recip().scale(self.sum.link_amplitude);
+        match self.sum.radar.array.pattern {
+            Pattern::Isotropic => spreading,
+            Pattern::Cosine { exponent } => {
+                let boresight = Vector::splat(self.simd, self.sum.boresight);
+                let departing = legs.departing_m.dot(boresight) * legs.departing_length_m.recip();
+                let arriving = legs.arriving_m.dot(boresight) * legs.arriving_length_m.recip();
+                let gain = |cosine| cosine_amplitude(cosine, exponent);
+                spreading * departing.map(gain) * arriving.map(gain)
+            }
+        }
     }
 
     /// turn·conj(a + (f − f_c)a′)·gain.
     #[inline(always)]
     fn conjugate_amplitude(&self, group: usize, offset_hz: Real<S>, gain: Real<S>) -> Complex<S> {
-        let part = |i: usize| {
-            let slope = self.load(self.slope_m_per_hz[i], group);
-            slope.mul_add(offset_hz, self.load(self.amplitude_m[i], group)) * gain
-        };
         let turn = self.transmission.turn;
-        let (re, im) = (part(0), part(1));
+        let re = self.load(self.slope_m_per_hz[0], group).mul_add(offset_hz, self.load(self.amplitude_m[0], group));
+        let im = self.load(self.slope_m_per_hz[1], group).mul_add(offset_hz, self.load(self.amplitude_m[1], group));
+        let (re, im) = (re * gain, im * gain);
         Complex { re: re.scale(turn.re) + im.scale(turn.im), im: re.scale(turn.im) - im.scale(turn.re) }
     }
 
-    /// Amplitude gain of the elements towards a leg.
     #[inline(always)]
-    fn pattern(&self, leg_m: [Real<S>; 3], length_m: Real<S>) -> Real<S> {
-        match self.sum.radar.array.pattern {
-            Pattern::Isotropic => self.splat(1.0),
-            Pattern::Cosine { exponent } => {
-                let boresight = self.sum.boresight.to_array().map(|b| self.splat(b));
-                (dot(leg_m, boresight) * length_m.recip()).map(|cosine| cosine_amplitude(cosine, exponent))
-            }
-        }
+    fn vector(&self, columns: &[&[S::f64s]; 3], group: usize) -> Vector<S> {
+        Vector { x: self.load(columns[0], group), y: self.load(columns[1], group), z: self.load(columns[2], group) }
     }
 
     #[inline(always)]
@@ -285,7 +300,14 @@ impl<'a, S: Simd> Chirp<'a, S> {
     }
 }
 
-#[inline(always)]
-fn dot<S: Simd>(a: [Real<S>; 3], b: [Real<S>; 3]) -> Real<S> {
-    a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
+/// A group of paths between the elements of a transmission.
+struct Legs<S: Simd> {
+    /// x_a(t_s) − p_t.
+    departing_m: Vector<S>,
+    /// L₁.
+    departing_length_m: Real<S>,
+    /// x_b(t_s) − p_r.
+    arriving_m: Vector<S>,
+    /// L₂.
+    arriving_length_m: Real<S>,
 }

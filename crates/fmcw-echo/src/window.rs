@@ -27,7 +27,7 @@ pub fn noise_bandwidth(weights: &[f64]) -> f64 {
 /// Σ (−1)^k·c_k·cos(2πkn/N).
 fn cosine_sum(coefficients: &[f64], length: usize) -> Vec<f64> {
     let term = |n: usize, k: usize| {
-        let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
         sign * coefficients[k] * (TAU * (k * n) as f64 / length as f64).cos()
     };
     (0..length).map(|n| (0..coefficients.len()).map(|k| term(n, k)).sum()).collect()
