@@ -29,8 +29,8 @@
 //!     seed: n,
 //! };
 //! let settings = TrainSettings {
-//!     input_side: 8,
-//!     channels: [4, 4, 4],
+//!     input_side: 16,
+//!     channels: [4, 8, 16],
 //!     batch: 16,
 //!     iterations: 40,
 //!     learning_rate: 0.02,

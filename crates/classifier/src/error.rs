@@ -1,0 +1,129 @@
+use artifact::ArtifactError;
+use artifact::dataset::Split;
+use artifact::settings::Class;
+
+/// What can be wrong with crops, settings, a dataset or a model.
+#[derive(Debug, thiserror::Error)]
+pub enum ClassifierError {
+    /// A dataset or model file broke a rule, or the system refused.
+    #[error(transparent)]
+    Artifact(#[from] ArtifactError),
+    /// A crop is not as large as its format says.
+    #[error("crop {index} has {found} pixels, its format says {side} x {side}")]
+    CropPixels {
+        /// Of the crop among those handed in.
+        index: usize,
+        /// Pixels it has.
+        found: usize,
+        /// Side that the format tells.
+        side: u32,
+    },
+    /// A setting is outside its range.
+    #[error("{setting} must be {rule}, is {found}")]
+    Setting {
+        /// Name of the setting.
+        setting: &'static str,
+        /// The range.
+        rule: &'static str,
+        /// As given.
+        found: f64,
+    },
+    /// A part of the split that is needed holds no labelled sample.
+    #[error("no labelled sample in split {0:?}")]
+    EmptySplit(Split),
+    /// The network cannot learn what it never sees.
+    #[error("no sample of class {} in the training split", .0.name())]
+    MissingClass(Class),
+    /// Samples of one scene look alike: a split goes by scene, or the test knows its answers.
+    #[error("scene {scene} is in split {first:?} and in split {second:?}: a scene belongs to one")]
+    SceneInTwoSplits {
+        /// The scene.
+        scene: u64,
+        /// Split of its first sample.
+        first: Split,
+        /// Another one.
+        second: Split,
+    },
+    /// The same sample came twice.
+    #[error("sample `{0}` is there twice")]
+    SampleTwice(String),
+    /// The loss is no number any more.
+    #[error("training diverged at iteration {iteration}: the loss is not finite; lower the learning rate")]
+    Diverged {
+        /// From 1.
+        iteration: u32,
+    },
+    /// A model of another layout than this program builds.
+    #[error("the model's network is `{found}`, this program builds `{known}`")]
+    Architecture {
+        /// In the model.
+        found: String,
+        /// Known here.
+        known: &'static str,
+    },
+    /// A model with other classes, or in another order.
+    #[error("the model answers {found:?}, this program knows {:?}", Class::ALL)]
+    Classes {
+        /// In the model.
+        found: Vec<Class>,
+    },
+    /// Not three numbers of channels, each from 1 to the limit.
+    #[error("the model has channels {found:?}, needed are three numbers from 1 to {limit}")]
+    Channels {
+        /// In the model.
+        found: Vec<u32>,
+        /// Largest number of channels.
+        limit: u32,
+    },
+    /// The weights are not a safetensors file.
+    #[error("the weights are no safetensors file: {0}")]
+    Safetensors(#[from] safetensors::SafeTensorError),
+    /// The weights lack a tensor of the network.
+    #[error("the weights lack the tensor `{0}`")]
+    TensorMissing(String),
+    /// The weights hold a tensor that the network has no place for.
+    #[error("the network has no place for the tensor `{0}`")]
+    TensorUnknown(String),
+    /// A tensor of another shape than the header tells.
+    #[error("tensor `{name}` has the shape {found:?}, the model's header tells {expected:?}")]
+    TensorShape {
+        /// Name of the tensor.
+        name: String,
+        /// In the weights.
+        found: Vec<usize>,
+        /// From the header.
+        expected: Vec<usize>,
+    },
+    /// A tensor of another type than 32-bit floats.
+    #[error("tensor `{name}` holds {found}, needed is F32")]
+    TensorType {
+        /// Name of the tensor.
+        name: String,
+        /// In the weights.
+        found: safetensors::Dtype,
+    },
+    /// A parameter that no training gives: not finite, or a negative variance.
+    #[error("tensor `{name}`, element {index}: {value} is no possible parameter")]
+    TensorValue {
+        /// Name of the tensor.
+        name: String,
+        /// Of the element, row-major.
+        index: usize,
+        /// As found.
+        value: f32,
+    },
+    /// The artifact holds no weights, or more than one set.
+    #[error("the model holds {found} sets of weights, needed is one")]
+    WeightSets {
+        /// In the artifact.
+        found: u64,
+    },
+    /// The learning library failed.
+    #[error("the learning library cannot {doing}: {cause}")]
+    Library {
+        /// What was tried.
+        doing: &'static str,
+        /// Its words.
+        cause: Box<dyn std::error::Error + Send + Sync>,
+    },
+}

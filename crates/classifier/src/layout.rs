@@ -1,0 +1,126 @@
+//! The network's shape, told by a model's header: which tensors it has and how large they are.
+
+use crate::ClassifierError;
+use artifact::dataset::CropFormat;
+use artifact::model::ModelHeader;
+use artifact::settings::Class;
+
+/// Name of the layout in [`ModelHeader::architecture`]: three blocks of 3 x 3 convolution, batch normalization,
+/// rectifier and 2 x 2 maximum, then one fully connected layer (the paper's Fig. 7).
+pub const ARCHITECTURE: &str = "3x(conv3x3-batchnorm-relu-maxpool2)-linear";
+/// Channels of the three convolutions where nothing else is wanted (the paper does not tell its own).
+pub const CHANNELS: [u32; 3] = [8, 16, 32];
+/// Largest number of channels: bounds what a header can make this program allocate.
+const CHANNELS_LIMIT: u32 = 512;
+/// Three halvings must leave a pixel.
+const SMALLEST_INPUT_SIDE: u32 = 8;
+/// Largest side of the input: bounds what a header can make this program allocate.
+const LARGEST_INPUT_SIDE: u32 = 1024;
+const KERNEL_SIDE: usize = 3;
+
+/// A checked shape of the network.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Layout {
+    pub(crate) crop_side: usize,
+    pub(crate) input_side: usize,
+    pub(crate) channels: [usize; 3],
+}
+
+impl Layout {
+    /// Refuses what this program cannot build.
+    pub(crate) fn of(header: &ModelHeader) -> Result<Self, ClassifierError> {
+        if header.architecture != ARCHITECTURE {
+            return Err(ClassifierError::Architecture { found: header.architecture.clone(), known: ARCHITECTURE });
+        }
+        if header.classes != Class::ALL {
+            return Err(ClassifierError::Classes { found: header.classes.clone() });
+        }
+        check_sides(&header.format, header.input_side)?;
+        let [crop_side, input_side] = [header.format.side as usize, header.input_side as usize];
+        Ok(Self { crop_side, input_side, channels: checked_channels(&header.channels)? })
+    }
+
+    /// Side of the maps behind the third block.
+    pub(crate) fn last_side(&self) -> usize {
+        self.input_side / 2 / 2 / 2
+    }
+
+    /// Inputs of the fully connected layer.
+    pub(crate) fn features(&self) -> usize {
+        self.channels[2] * self.last_side() * self.last_side()
+    }
+
+    /// Name and shape of every tensor of the network, first layer first.
+    pub(crate) fn tensors(&self) -> Vec<(String, Vec<usize>)> {
+        let mut tensors = Vec::new();
+        let mut inputs = 1;
+        for (block, outputs) in self.channels.into_iter().enumerate() {
+            tensors.push((name::convolution(block), vec![outputs, inputs, KERNEL_SIDE, KERNEL_SIDE]));
+            for name in [name::scale, name::offset, name::mean, name::variance] {
+                tensors.push((name(block), vec![outputs]));
+            }
+            inputs = outputs;
+        }
+        tensors.push((name::LINEAR_WEIGHT.into(), vec![self.features(), Class::ALL.len()]));
+        tensors.push((name::LINEAR_BIAS.into(), vec![Class::ALL.len()]));
+        tensors
+    }
+}
+
+/// Names of tensors in the weights.
+pub(crate) mod name {
+    /// `[in, out]`.
+    pub(crate) const LINEAR_WEIGHT: &str = "linear.weight";
+    pub(crate) const LINEAR_BIAS: &str = "linear.bias";
+
+    /// `[out, in, row, column]`.
+    pub(crate) fn convolution(block: usize) -> String {
+        format!("blocks.{block}.convolution.weight")
+    }
+
+    /// γ.
+    pub(crate) fn scale(block: usize) -> String {
+        format!("blocks.{block}.normalization.scale")
+    }
+
+    /// β.
+    pub(crate) fn offset(block: usize) -> String {
+        format!("blocks.{block}.normalization.offset")
+    }
+
+    pub(crate) fn mean(block: usize) -> String {
+        format!("blocks.{block}.normalization.running_mean")
+    }
+
+    pub(crate) fn variance(block: usize) -> String {
+        format!("blocks.{block}.normalization.running_variance")
+    }
+}
+
+fn check_sides(format: &CropFormat, input_side: u32) -> Result<(), ClassifierError> {
+    if !(SMALLEST_INPUT_SIDE..=LARGEST_INPUT_SIDE).contains(&input_side) {
+        return Err(ClassifierError::Setting {
+            setting: "input_side",
+            rule: "from 8 to 1024 pixels",
+            found: f64::from(input_side),
+        });
+    }
+    // A header must not make a classifier expect crops that no artifact could hold (64 MiB a sample).
+    if format.side < input_side || format.side > 8192 {
+        return Err(ClassifierError::Setting {
+            setting: "crop side",
+            rule: "from input_side to 8192 pixels",
+            found: f64::from(format.side),
+        });
+    }
+    Ok(())
+}
+
+fn checked_channels(channels: &[u32]) -> Result<[usize; 3], ClassifierError> {
+    match *channels {
+        [a, b, c] if [a, b, c].iter().all(|n| (1..=CHANNELS_LIMIT).contains(n)) => {
+            Ok([a as usize, b as usize, c as usize])
+        }
+        _ => Err(ClassifierError::Channels { found: channels.to_vec(), limit: CHANNELS_LIMIT }),
+    }
+}

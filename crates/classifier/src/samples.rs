@@ -1,0 +1,92 @@
+//! A dataset at the network's resolution: 16 KiB a sample at side 128, so that 10⁵ samples fit in 1.6 GB.
+
+use crate::ClassifierError;
+use crate::classify::pooled_crop;
+use crate::layout::Layout;
+use artifact::ArtifactError;
+use artifact::dataset::{Sample, Split};
+use artifact::settings::Class;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A labelled crop.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Example {
+    /// Grey levels `[input_side, input_side]`.
+    pub(crate) pooled: Vec<u8>,
+    /// Index in [`Class::ALL`].
+    pub(crate) class: usize,
+    pub(crate) model: String,
+}
+
+impl AsRef<[u8]> for Example {
+    fn as_ref(&self) -> &[u8] {
+        &self.pooled
+    }
+}
+
+/// Labelled crops by split, in the order in which they came.
+#[derive(Debug, Default)]
+pub(crate) struct Examples {
+    splits: BTreeMap<Split, Vec<Example>>,
+    /// Samples without a class: nothing to learn from and nothing to test against.
+    pub(crate) unlabelled: u64,
+}
+
+impl Examples {
+    /// Reads samples one by one; refuses a scene in two splits and a sample that comes twice.
+    pub(crate) fn read(
+        samples: impl Iterator<Item = Result<Sample, ArtifactError>>,
+        layout: &Layout,
+    ) -> Result<Self, ClassifierError> {
+        let mut examples = Self::default();
+        let mut partition = Partition::default();
+        for (index, sample) in samples.enumerate() {
+            let sample = sample?;
+            partition.add(&sample)?;
+            let pooled = pooled_crop(&sample.crop, layout, index)?;
+            match sample.class.and_then(index_of) {
+                None => examples.unlabelled += 1,
+                Some(class) => {
+                    let example = Example { pooled, class, model: sample.model };
+                    examples.splits.entry(sample.split).or_default().push(example);
+                }
+            }
+        }
+        Ok(examples)
+    }
+
+    /// The examples of a split; may be none.
+    pub(crate) fn of(&self, split: Split) -> &[Example] {
+        self.splits.get(&split).map_or(&[], Vec::as_slice)
+    }
+
+    /// The examples of a split that must not be empty.
+    pub(crate) fn needed(&self, split: Split) -> Result<&[Example], ClassifierError> {
+        let examples = self.of(split);
+        if examples.is_empty() { Err(ClassifierError::EmptySplit(split)) } else { Ok(examples) }
+    }
+}
+
+/// Which scene is in which split, and which samples were there.
+#[derive(Debug, Default)]
+struct Partition {
+    split_of_scene: BTreeMap<u64, Split>,
+    ids: BTreeSet<String>,
+}
+
+impl Partition {
+    fn add(&mut self, sample: &Sample) -> Result<(), ClassifierError> {
+        let first = *self.split_of_scene.entry(sample.scene).or_insert(sample.split);
+        if first != sample.split {
+            return Err(ClassifierError::SceneInTwoSplits { scene: sample.scene, first, second: sample.split });
+        }
+        if !self.ids.insert(sample.id.clone()) {
+            return Err(ClassifierError::SampleTwice(sample.id.clone()));
+        }
+        Ok(())
+    }
+}
+
+fn index_of(class: Class) -> Option<usize> {
+    Class::ALL.iter().position(|c| *c == class)
+}
