@@ -66,4 +66,12 @@ pub enum BartError {
     /// The antenna's place or direction is NaN, infinite or, for a direction, zero.
     #[error("the antenna's place or direction is not finite or is zero")]
     AntennaNotFinite,
+    /// A path record holds a few facets only.
+    #[error("{bounces} bounces asked for; a path record holds {most}")]
+    TooManyBounces {
+        /// Asked for.
+        bounces: u8,
+        /// Held.
+        most: u8,
+    },
 }

@@ -11,10 +11,25 @@ mod shadow;
 mod visibility;
 mod brute_force;
 mod beam;
-
+mod divided_difference;
+mod polygon_phase;
+mod plane_frame;
+mod polarization;
+mod tiling;
+mod physical_optics;
+mod convex_intersection;
+mod join;
+mod scatterer;
+mod path_cells;
+mod nearest_surface;
+mod path;
 pub mod reference;
+#[cfg(test)]
+mod test_quadrature;
+
 pub use antenna::Antenna;
 pub use beam::{Audit, Beam, BeamTree, OrderAudit, TraceSettings};
 pub use error::BartError;
+pub use path::trace_frame;
 pub use plane::Plane;
 pub use world::{FacetGeometry, Models, World};

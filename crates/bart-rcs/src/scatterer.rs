@@ -1,0 +1,189 @@
+//! Joints with their legs: what one trace gives to every frequency and polarization.
+
+use crate::antenna::Antenna;
+use crate::beam::{Beam, BeamTree};
+use crate::error::BartError;
+use crate::join::{Joint, Joints, Reverse, Trees, joints};
+use crate::physical_optics::{Bracket, Estimate, Leg, Node, length_difference_m, node_amplitudes};
+use crate::polarization::Mirrors;
+use crate::world::World;
+use artifact::paths::Amplitude;
+use artifact::settings::NodeRule;
+use glam::DVec3;
+use num_complex::Complex64;
+
+/// A world, the beams of both ends and the way each beam has come.
+pub(crate) struct Scatterer<'a> {
+    pub(crate) world: &'a World,
+    pub(crate) trees: Trees<'a>,
+    transmit_legs: Vec<Leg>,
+    receive_legs: Vec<Leg>,
+}
+
+/// ĥ straight above and below, at each end.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ZenithH {
+    pub(crate) transmit: DVec3,
+    pub(crate) receive: DVec3,
+}
+
+impl<'a> Scatterer<'a> {
+    pub(crate) fn new(world: &'a World, trees: Trees<'a>, zenith_h: ZenithH) -> Self {
+        let transmit_legs = legs(world, trees.transmit(), zenith_h.transmit);
+        let receive_legs = match trees {
+            Trees::Shared(_) => Vec::new(),
+            Trees::Apart(_, tree) => legs(world, tree, zenith_h.receive),
+        };
+        Self { world, trees, transmit_legs, receive_legs }
+    }
+
+    /// Joints of one order that are not smaller than `least_area_m2`.
+    pub(crate) fn joints(&self, order: u8, rule: NodeRule, least_area_m2: f64) -> Joints {
+        joints(self.world, self.trees, order, rule, least_area_m2)
+    }
+
+    pub(crate) fn forward(&self, joint: &Joint) -> &'a Beam {
+        &self.trees.transmit().beams[joint.forward as usize]
+    }
+
+    pub(crate) fn backward(&self, joint: &Joint) -> &'a Beam {
+        &self.trees.receive().beams[joint.backward as usize]
+    }
+
+    pub(crate) fn transmit_leg(&self, joint: &Joint) -> &Leg {
+        &self.transmit_legs[joint.forward as usize]
+    }
+
+    pub(crate) fn receive_leg(&self, joint: &Joint) -> &Leg {
+        let legs = if self.receive_legs.is_empty() { &self.transmit_legs } else { &self.receive_legs };
+        &legs[joint.backward as usize]
+    }
+
+    /// Amplitudes of a part of a joint's polygon about `reference_m`, its weight included; the reverse is not.
+    pub(crate) fn amplitudes(
+        &self,
+        joint: &Joint,
+        part: &Part<'_>,
+        wavenumbers_per_m: &[f64],
+        accuracy: f64,
+    ) -> Estimate<Vec<Amplitude>> {
+        let node = Node {
+            corners_m: part.corners_m,
+            normal: self.forward(joint).lit_normal,
+            transmit: self.transmit_leg(joint),
+            receive: self.receive_leg(joint),
+            bracket: part.bracket,
+        };
+        let mut estimate = node_amplitudes(&node, part.reference_m, wavenumbers_per_m, accuracy);
+        estimate.error *= joint.weight;
+        estimate.value.iter_mut().flatten().flatten().for_each(|a| *a *= joint.weight);
+        estimate
+    }
+
+    /// A joint's share of S, its reverse included: every amplitude with R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)}, R to `origin_m`.
+    pub(crate) fn scattering(
+        &self,
+        joint: &Joint,
+        corners_m: &[DVec3],
+        origin_m: DVec3,
+        request: &Integration<'_>,
+    ) -> Estimate<Vec<Amplitude>> {
+        let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
+        let part = Part { corners_m, reference_m, bracket: request.bracket };
+        let mut estimate = self.amplitudes(joint, &part, request.wavenumbers_per_m, request.accuracy);
+        let apparent_m = self.apparent_m(joint, reference_m);
+        let ends = [self.trees.transmit().antenna, self.trees.receive().antenna];
+        let length_m: f64 = (0..2).map(|i| length_difference_m(ends[i], apparent_m[i], origin_m)).sum();
+        let spread: f64 = (0..2).map(|i| spread(ends[i], apparent_m[i], origin_m)).product();
+        for (amplitude, k) in estimate.value.iter_mut().zip(request.wavenumbers_per_m) {
+            let factor = Complex64::from_polar(spread, -k * length_m);
+            *amplitude = scaled(&with_reverse(joint.reverse, amplitude), factor);
+        }
+        estimate.error *= spread * if joint.reverse == Reverse::Included { 2.0 } else { 1.0 };
+        estimate
+    }
+
+    /// Where a node appears from the transmitter and from the receiver.
+    pub(crate) fn apparent_m(&self, joint: &Joint, x_m: DVec3) -> [DVec3; 2] {
+        [self.transmit_leg(joint).mirrors.unfolded(x_m), self.receive_leg(joint).mirrors.unfolded(x_m)]
+    }
+}
+
+/// A part of a joint's polygon.
+pub(crate) struct Part<'a> {
+    pub(crate) corners_m: &'a [DVec3],
+    pub(crate) reference_m: DVec3,
+    pub(crate) bracket: Bracket,
+}
+
+/// What an integral is asked for.
+#[derive(Clone, Copy)]
+pub(crate) struct Integration<'a> {
+    pub(crate) wavenumbers_per_m: &'a [f64],
+    /// As in [`node_amplitudes`].
+    pub(crate) accuracy: f64,
+    pub(crate) bracket: Bracket,
+}
+
+/// The bracket that belongs to a rule: rays shot from the transmitter know the current that they excite at the exit.
+pub(crate) fn bracket_of(rule: NodeRule) -> Bracket {
+    match rule {
+        NodeRule::Middle => Bracket::Symmetrised,
+        NodeRule::Exit => Bracket::Plain,
+    }
+}
+
+/// The way back has the transposed amplitude.
+pub(crate) fn transposed(a: &Amplitude) -> Amplitude {
+    [[a[0][0], a[1][0]], [a[0][1], a[1][1]]]
+}
+
+pub(crate) fn sum(a: &Amplitude, b: &Amplitude) -> Amplitude {
+    [0, 1].map(|p| [0, 1].map(|q| a[p][q] + b[p][q]))
+}
+
+pub(crate) fn scaled(a: &Amplitude, factor: Complex64) -> Amplitude {
+    a.map(|row| row.map(|x| x * factor))
+}
+
+fn with_reverse(reverse: Reverse, a: &Amplitude) -> Amplitude {
+    match reverse {
+        Reverse::Included => sum(a, &transposed(a)),
+        Reverse::Apart => *a,
+    }
+}
+
+/// R/L; 1 at infinite range.
+fn spread(end: Antenna, x_m: DVec3, origin_m: DVec3) -> f64 {
+    match end {
+        Antenna::Point(p) => p.distance(origin_m) / p.distance(x_m),
+        Antenna::Direction(_) => 1.0,
+    }
+}
+
+/// The way to every beam of a tree: parents come first.
+fn legs(world: &World, tree: &BeamTree, zenith_h: DVec3) -> Vec<Leg> {
+    let mut legs: Vec<Leg> = Vec::with_capacity(tree.beams.len());
+    for beam in &tree.beams {
+        let mirrors = beam.parent.map_or(Mirrors::NONE, |parent| {
+            let mirror = tree.beams[parent as usize].facet;
+            legs[parent as usize].mirrors.and(&world.facet(mirror).plane)
+        });
+        legs.push(Leg { image: beam.image, mirrors, zenith_h });
+    }
+    legs
+}
+
+/// Facets of a path in the order of travel.
+pub(crate) fn sequence(scatterer: &Scatterer<'_>, joint: &Joint) -> Vec<u32> {
+    let mut facets = scatterer.trees.transmit().sequence(scatterer.forward(joint));
+    let back = scatterer.trees.receive().sequence(scatterer.backward(joint));
+    facets.extend(back.into_iter().rev().skip(1));
+    facets
+}
+
+/// Trees traced as far as an order and a rule need.
+pub(crate) fn check_order(bounces: u8) -> Result<(), BartError> {
+    let most = artifact::paths::MAX_ORDER as u8;
+    if bounces > most { Err(BartError::TooManyBounces { bounces, most }) } else { Ok(()) }
+}
