@@ -35,7 +35,7 @@ impl<'s> Faults<'s> {
     }
 
     /// All that was noted, in the order of the file. Where the text is not TOML, what else is said of the same line, or
-    /// said to be missing, would only repeat it.
+    /// said to be missing, only follows from the first that is.
     pub(crate) fn into_sorted(self) -> Vec<SceneError> {
         let mut noted = self.noted.into_inner();
         let line = |error: &SceneError| error.position.map(|p| p.line);
@@ -46,6 +46,8 @@ impl<'s> Faults<'s> {
             _ => !damaged.contains(&line(e)),
         });
         noted.sort_by_key(|error| error.position);
+        let syntax_line = |e: &SceneError| if let Rule::Syntax { .. } = e.rule { line(e) } else { None };
+        noted.dedup_by(|next, kept| syntax_line(next).is_some() && syntax_line(next) == syntax_line(kept));
         noted
     }
 }
@@ -262,9 +264,9 @@ impl<'d> Section<'d> {
             self.wrong_type(key, "a whole number", value.get_ref(), value.span());
             return None;
         };
+        let exact = i128::from_str_radix(integer.as_str(), integer.radix()).ok();
         // Beyond i128 the sign is all that matters: the range refuses it.
         let beyond = if integer.as_str().starts_with('-') { f64::NEG_INFINITY } else { f64::INFINITY };
-        let exact = i128::from_str_radix(integer.as_str(), integer.radix()).ok();
         self.in_range(key, exact.map_or(beyond, |exact| exact as f64), allowed, value.span())?;
         exact.and_then(|exact| u64::try_from(exact).ok())
     }

@@ -113,12 +113,23 @@ impl Allowed {
 
 impl fmt::Display for Allowed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Between(low, high) => write!(f, "from {low} to {high}"),
-            Self::Above(low, high) => write!(f, "above {low}, up to {high}"),
-            Self::Inside(low, high) => write!(f, "above {low} and below {high}"),
-            Self::Below(low, high) => write!(f, "from {low}, below {high}"),
+        match *self {
+            Self::Between(low, high) if low == high => write!(f, "{}", Number(low)),
+            Self::Between(low, high) => write!(f, "from {} to {}", Number(low), Number(high)),
+            Self::Above(low, high) => write!(f, "above {}, up to {}", Number(low), Number(high)),
+            Self::Inside(low, high) => write!(f, "above {} and below {}", Number(low), Number(high)),
+            Self::Below(low, high) => write!(f, "from {}, below {}", Number(low), Number(high)),
         }
+    }
+}
+
+/// A number as a person writes it: with an exponent where the digits would only be zeros.
+pub(crate) struct Number(pub f64);
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let plain = self.0 == 0.0 || !self.0.is_finite() || (1e-5..1e9).contains(&self.0.abs());
+        if plain { write!(f, "{}", self.0) } else { write!(f, "{:e}", self.0) }
     }
 }
 
@@ -217,7 +228,7 @@ pub enum Rule {
         found: usize,
     },
     /// A number outside what is allowed, or not finite.
-    #[error("`{key}` must be a number {allowed}, is {found}")]
+    #[error("`{key}` must be a number {allowed}, is {}", Number(*.found))]
     OutOfRange {
         /// Its name.
         key: &'static str,

@@ -87,10 +87,10 @@ fn read_position(section: &Section<'_>, lanes: &[Lane]) -> Option<[f64; 3]> {
     let position_m = section.vector("position_m", COORDINATES_M);
     let lane = section.integer("lane", Allowed::Between(1.0, 255.0));
     let y_m = section.number("y_m", COORDINATES_M);
-    for key in ["lane", "y_m"] {
-        if section.has("position_m") && section.has(key) {
-            section.note(key, Rule::Contradiction { key, other: "position_m" });
-        }
+    let other = ["lane", "y_m"].into_iter().find(|key| section.has(key));
+    if let Some(key) = other.filter(|_| section.has("position_m")) {
+        section.note(key, Rule::Contradiction { key, other: "position_m" });
+        return None;
     }
     match (section.has("lane"), section.has("y_m")) {
         (true, false) => section.note("lane", Rule::Alone { key: "lane", companion: "y_m" }),

@@ -1,5 +1,6 @@
 //! What can be wrong with a mesh file.
 
+use crate::errors::Number;
 use std::fmt;
 use std::io;
 use std::path::PathBuf;
@@ -243,7 +244,7 @@ pub enum MeshFault {
     #[error("has more than 65535 materials")]
     TooManyMaterials,
     /// Not in metres.
-    #[error("is {size_m} m large; a model in metres has {least_m} to {most_m} m (a unit scale says otherwise)")]
+    #[error("is {} m large, not {} to {} m: say its unit by a scale", Number(*.size_m), Number(*.least_m), Number(*.most_m))]
     Size {
         /// Longest side of the bounding box.
         size_m: f64,

@@ -1,0 +1,222 @@
+//! Broken scenes: each is refused with its line, its column and the rule it breaks, and all rules at once.
+
+use scene::{Meshes, ReadOptions, SceneErrors};
+use std::path::Path;
+
+/// `start` of every case: line 1; what a case adds begins in line 2.
+const NAME: &str = "name = \"broken\"\n";
+/// A sound target up to line 6; what a case adds begins in line 7.
+const POINT: &str =
+    "name = \"broken\"\n[[target]]\nkind = \"point\"\nid = \"p\"\nposition_m = [2, 30, 1]\nrcs_m2 = 1\n";
+/// A sound vehicle up to line 6; what a case adds begins in line 7.
+const CAR: &str =
+    "name = \"broken\"\n[[target]]\nkind = \"mesh\"\nid = \"c\"\nposition_m = [2, 30, 0]\nmodel = \"car-suv\"\n";
+
+/// What a scene holds after its sound beginning, where it is refused (line:column) and in which words.
+type Case = (&'static str, &'static str, &'static str, &'static str);
+
+#[rustfmt::skip]
+const CASES: &[Case] = &[
+    // The text.
+    (NAME, "frames = \n", "2:10", "not valid TOML"),
+    (NAME, "[radar\nposition_m = [0, 0, 6]\n", "2:7", "not valid TOML"),
+    (NAME, "name = \"again\"\n", "2:1", "not valid TOML: duplicate key"),
+    (NAME, "[radar]\n[radar]\n", "3:2", "not valid TOML: duplicate key"),
+    (NAME, "seed = 1 2\n", "2:8", "not valid TOML"),
+    ("", "seed = 2\n", "1:1", "key `name` is missing"),
+    // Keys.
+    (NAME, "frmes = 2\n", "2:1", "unknown key `frmes`; the nearest is `frames`"),
+    (NAME, "samples = 2\n", "2:1", "unknown key `samples` here; it belongs into [radar.waveform]"),
+    (NAME, "[radra]\n", "2:2", "unknown key `radra`; the nearest is `radar`"),
+    (NAME, "[radar]\nposition = [0, 0, 6]\n", "3:1", "[radar]: unknown key `position`; the nearest is `position_m`"),
+    (NAME, "[radar.waveform]\n  slope_mhz_us = 12.5\n", "3:3", "[radar.waveform]: unknown key `slope_mhz_us`; the nearest is `slope_mhz_per_us`"),
+    (NAME, "[radar.link]\nantenna_gain_dB = 1\n", "3:1", "nearest is `antenna_gain_dbi`"),
+    (NAME, "[dsp]\ntraining_cell = [1, 1]\n", "3:1", "nearest is `training_cells`"),
+    (POINT, "  velocty_mps = [0, 0, 0]\n", "7:3", "target `p`: unknown key `velocty_mps`; the nearest is `velocity_mps`"),
+    (NAME, "[noise]\nxyzzy = 1\nnoise_figure_db = 3\n", "3:1", "[noise]: unknown key `xyzzy`"),
+    // Types.
+    (NAME, "frames = 2.5\n", "2:10", "`frames` must be a whole number, is a number with a point"),
+    (NAME, "radar = 3\n", "2:9", "`radar` must be a table, is a whole number"),
+    (NAME, "target = 3\n", "2:10", "`target` must be an array of tables"),
+    (NAME, "[target]\nid = \"p\"\n", "2:1", "`target` must be an array of tables"),
+    (NAME, "[radar]\nposition_m = 6\n", "3:14", "`position_m` must be a list, is a whole number"),
+    (NAME, "[radar]\nposition_m = [0, 6]\n", "3:14", "`position_m` must have 3 values, has 2"),
+    (NAME, "[radar]\nposition_m = [0, \"0\", 6]\n", "3:18", "`position_m` must be a list of numbers, is a text"),
+    (NAME, "[radar]\nboresight_az_deg = \"north\"\n", "3:20", "`boresight_az_deg` must be a number, is a text"),
+    (NAME, "[dsp]\nrange_window = true\n", "3:16", "`range_window` must be a text in quotes, is true or false"),
+    (NAME, "frame_interval_s = 2026-11-21\n", "2:20", "`frame_interval_s` must be a number, is a date or time"),
+    ("", "name = 3\n", "1:8", "`name` must be a text in quotes, is a whole number"),
+    // Values.
+    ("", "name = \"a/b\"\n", "1:8", "`name` must be 1 to 64 letters"),
+    ("", "name = \"\"\n", "1:8", "`name` must be 1 to 64 letters"),
+    ("", "name = \"..\"\n", "1:8", "`name` must be 1 to 64 letters"),
+    (NAME, "seed = -1\n", "2:8", "`seed` must be a number from 0"),
+    (NAME, "frames = 0\n", "2:10", "`frames` must be a number from 1 to 1000000, is 0"),
+    (NAME, "frame_interval_s = 0\n", "2:20", "`frame_interval_s` must be a number above 0"),
+    (NAME, "frames = 2\nframe_interval_s = 1e-3\n", "3:20", "shorter than a frame of 0.00768 s"),
+    (NAME, "[radar]\nposition_m = [0, nan, 6]\n", "3:18", "`position_m` must be a number from -100000 to 100000, is NaN"),
+    (NAME, "[radar]\nposition_m = [0, 0, inf]\n", "3:21", "is inf"),
+    (NAME, "[radar]\nboresight_el_deg = 91\n", "3:20", "`boresight_el_deg` must be a number from -90 to 90, is 91"),
+    (NAME, "[radar.waveform]\nstart_frequency_ghz = 77e9\n", "3:23", "from 0.1 to 1000, is 7.7e10"),
+    (NAME, "[radar.waveform]\nslope_mhz_per_us = -12.5\n", "3:20", "falling chirps are not supported"),
+    (NAME, "[radar.waveform]\nslope_mhz_per_us = 0.0\n", "3:20", "`slope_mhz_per_us` must be a number above 0"),
+    (NAME, "[radar.waveform]\nsample_rate_msps = 0\n", "3:20", "`sample_rate_msps`"),
+    (NAME, "[radar.waveform]\nsamples = 4\n", "3:11", "`samples` must be a number from 8 to 65536, is 4"),
+    (NAME, "[radar.waveform]\nchirps = 99999999999999999999999\n", "3:10", "`chirps` must be a number from 1 to 65536"),
+    (NAME, "[radar.waveform]\nidle_us = -1\n", "3:11", "`idle_us` must be a number from 0"),
+    (NAME, "[radar.waveform]\nsamples = 65536\nchirps = 65536\n", "3:11", "12 channels × 65536 chirps × 65536 samples are more than 134217728 values"),
+    // The array.
+    (NAME, "[radar.array]\npreset = \"4x4\"\n", "3:10", "`preset` cannot be `4x4`; it can be `1x1`, `1x4`, `3x4`, `6x8`, `12x16`"),
+    (NAME, "[radar.array]\npreset = \"1x1\"\ntx_half_wavelengths = [[0, 0]]\nrx_half_wavelengths = [[0, 0]]\n", "3:10", "`preset` and `tx_half_wavelengths` exclude one another"),
+    (NAME, "[radar.array]\ntx_half_wavelengths = [[0, 0]]\n", "3:23", "`tx_half_wavelengths` needs `rx_half_wavelengths` beside it"),
+    (NAME, "[radar.array]\nrx_half_wavelengths = [[0, 0]]\n", "3:23", "`rx_half_wavelengths` needs `tx_half_wavelengths` beside it"),
+    (NAME, "[radar.array]\ntx_half_wavelengths = []\nrx_half_wavelengths = [[0, 0]]\n", "3:23", "must have from 1 to 256 values, has 0"),
+    (NAME, "[radar.array]\ntx_half_wavelengths = [[0, 0, 0]]\nrx_half_wavelengths = [[0, 0]]\n", "3:24", "must have 2 values, has 3"),
+    (NAME, "[radar.array]\ntx_half_wavelengths = [0, 1]\nrx_half_wavelengths = [[0, 0]]\n", "3:24", "must be a list of pairs [right, up]"),
+    (NAME, "[radar.array]\nmultiplexing = \"fdm\"\n", "3:16", "it can be `simultaneous`, `tdm`, `ddm`"),
+    (NAME, "[radar.array]\npolarization = \"v\"\n", "3:16", "it can be `vv`, `hh`, `vh`, `hv`"),
+    (NAME, "[radar.array]\npattern = \"horn\"\n", "3:11", "it can be `isotropic`, `cosine`"),
+    (NAME, "[radar.array]\npattern = \"cosine\"\n", "2:1", "[radar.array]: key `cosine_exponent` is missing"),
+    (NAME, "[radar.array]\ncosine_exponent = 1\n", "3:19", "key `cosine_exponent` has no meaning for an isotropic pattern"),
+    // Noise, processing, fidelity, road.
+    (NAME, "[noise]\n", "2:1", "[noise]: key `noise_figure_db` is missing"),
+    (NAME, "[noise]\nnoise_figure_db = 12\nsnr_db = 20\n", "3:19", "`noise_figure_db` and `snr_db` exclude one another"),
+    (NAME, "[noise]\nsnr_db = 20\ntemperature_k = 290\n", "4:17", "`temperature_k` and `snr_db` exclude one another"),
+    (NAME, "[noise]\nnoise_figure_db = 12\ntemperature_k = 0\n", "4:17", "`temperature_k` must be a number above 0"),
+    (NAME, "[noise]\nnoise_figure_db = -1\n", "3:19", "`noise_figure_db` must be a number from 0"),
+    (NAME, "[dsp]\nrange_window = \"kaiser\"\n", "3:16", "`range_window` cannot be `kaiser`"),
+    (NAME, "[dsp]\ndoppler_window = \"chebyshev\"\n", "3:18", "it can be `rect`, `hann`, `hamming`, `blackman`, `chebyshev-80`"),
+    (NAME, "[dsp]\ndoppler_window = \"chebyshev-nan\"\n", "3:18", "cannot be `chebyshev-nan`"),
+    (NAME, "[dsp]\nfalse_alarm_rate = 1\n", "3:20", "`false_alarm_rate` must be a number above 0 and below 1, is 1"),
+    (NAME, "[dsp]\nfalse_alarm_rate = 0\n", "3:20", "`false_alarm_rate` must be a number above 0 and below 1, is 0"),
+    (NAME, "[dsp]\nguard_cells = [2, -2]\n", "3:19", "`guard_cells` must be a number from 0"),
+    (NAME, "[dsp]\ntraining_cells = [70, 8]\n", "3:18", "guard and training cells need 145 cells of Doppler, the map has 128"),
+    (NAME, "[dsp]\ntraining_cells = [4, 200]\n", "3:18", "guard and training cells need 405 cells of range, the map has 256"),
+    (NAME, "[dsp]\ntraining_cells = [0, 0]\n", "3:18", "`training_cells` are none"),
+    (NAME, "[dsp]\ndetector = \"os-cfar\"\n", "3:12", "`detector` cannot be `os-cfar`; it can be `ca-cfar`"),
+    (NAME, "[dsp]\ncluster_range_m = 0\n", "3:19", "`cluster_range_m` must be a number above 0"),
+    (NAME, "[fidelity]\naccuracy_db = 0\n", "3:15", "`accuracy_db` must be a number from -120, below 0, is 0"),
+    (NAME, "[fidelity]\nbounces = 0\n", "3:11", "`bounces` must be a number from 1"),
+    (NAME, "[fidelity]\nedges = \"on\"\n", "3:9", "`edges` cannot be `on`; it can be `off`"),
+    (NAME, "[fidelity]\nsides = \"both\"\n", "3:9", "it can be `two`, `one`"),
+    (NAME, "[fidelity]\necho = \"table\"\n", "3:8", "it can be `paths`, `rcs-table`"),
+    (NAME, "[intersection]\nlane_centres_m = [2, 5]\n", "3:18", "lanes 1 and 2 overlap: centres 3 m apart, 3.75 m wide"),
+    (NAME, "[intersection]\nlane_width_m = 0\n", "3:16", "`lane_width_m` must be a number above 0"),
+    // Targets.
+    (NAME, "[[target]]\nid = \"p\"\nposition_m = [0, 0, 0]\n", "2:1", "target `p`: key `kind` is missing"),
+    (NAME, "[[target]]\nkind = \"point\"\nrcs_m2 = 1\nposition_m = [0, 9, 0]\n", "2:1", "target `#1`: key `id` is missing"),
+    (NAME, "[[target]]\nkind = \"sphere\"\nid = \"p\"\nposition_m = [0, 9, 0]\n", "3:8", "`kind` cannot be `sphere`; it can be `mesh`, `point`"),
+    (NAME, "[[target]]\nkind = \"point\"\nid = \"p\"\nrcs_m2 = 1\n", "2:1", "target `p`: key `position_m` is missing"),
+    (NAME, "[[target]]\nkind = \"point\"\nid = \"p\"\nposition_m = [0, 9, 0]\n", "2:1", "target `p`: key `rcs_m2` is missing"),
+    (NAME, "[[target]]\nkind = \"mesh\"\nid = \"c\"\nposition_m = [0, 9, 0]\n", "2:1", "target `c`: key `model` is missing"),
+    (NAME, "[[target]]\nkind = \"point\"\nid = \"p,1\"\nrcs_m2 = 1\nposition_m = [0, 9, 0]\n", "4:6", "`id` must be 1 to 64 letters"),
+    (NAME, "[[target]]\nkind = \"point\"\nid = \"p\"\nrcs_m2 = -1\nposition_m = [0, 9, 0]\n", "5:10", "`rcs_m2` must be a number from 0"),
+    (POINT, "[[target]]\nkind = \"point\"\nid = \"p\"\nposition_m = [2, 30, 1]\nrcs_m2 = 1\n", "9:6", "target `p`: id `p` is taken by the target in line 2"),
+    (POINT, "lane = 2\ny_m = 30\n", "7:8", "`lane` and `position_m` exclude one another"),
+    (POINT, "class = \"car\"\n", "7:9", "key `class` has no meaning for a point target"),
+    (POINT, "yaw_deg = 3\n", "7:11", "key `yaw_deg` has no meaning for a point target"),
+    (POINT, "velocity_mps = [0, 3e8, 0]\n", "7:20", "`velocity_mps` must be a number from -340 to 340, is 300000000"),
+    (NAME, "[[target]]\nkind = \"point\"\nid = \"p\"\nrcs_m2 = 1\nlane = 2\n", "6:8", "`lane` needs `y_m` beside it"),
+    (NAME, "[[target]]\nkind = \"point\"\nid = \"p\"\nrcs_m2 = 1\ny_m = 2\n", "6:7", "`y_m` needs `lane` beside it"),
+    (NAME, "[[target]]\nkind = \"point\"\nid = \"p\"\nrcs_m2 = 1\nlane = 4\ny_m = 40\n", "6:8", "lane 4 does not exist; lanes are numbered 1 to 3"),
+    (CAR, "class = \"tram\"\n", "7:9", "it can be `car`, `bus`, `truck`, `motorcycle`"),
+    (CAR, "rcs_m2 = 1\n", "7:10", "key `rcs_m2` has no meaning for a mesh target"),
+    (CAR, "unit_scale = 0\n", "7:14", "`unit_scale` must be a number from 1e-9 to 1000000, is 0"),
+    (CAR, "unit_scale = 0.01\n", "7:14", "key `unit_scale` has no meaning for one of the project's vehicles"),
+    (CAR, "yaw_deg = 1e3\n", "7:11", "`yaw_deg` must be a number from -360 to 360, is 1000"),
+    (CAR, "[[target]]\nkind = \"mesh\"\nid = \"d\"\nposition_m = [2, 30, 0]\nmodel = \"car-suw\"\n", "11:9", "model `car-suw` is neither a .glb, .gltf, .stl or .obj file nor a vehicle of the project; the nearest is `car-suv`"),
+    (CAR, "[[target]]\nkind = \"mesh\"\nid = \"d\"\nposition_m = [2, 30, 0]\nmodel = \"absent.glb\"\n", "11:9", "absent.glb: cannot be read"),
+    (CAR, "[[target]]\nkind = \"mesh\"\nid = \"d\"\nposition_m = [2, 30, 0]\nmodel = \"scene.obj\"\n", "11:9", "scene.obj:1: expected a polygonal OBJ statement"),
+    (CAR, "[[target]]\nkind = \"mesh\"\nid = \"d\"\nposition_m = [2, 30, 0]\nmodel = \"scene.obj\"\nvehicle_seed = 3\n", "12:16", "key `vehicle_seed` has no meaning for a mesh file"),
+];
+
+#[test]
+fn every_broken_scene_is_refused_at_its_place_with_its_rule() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("scene.obj"), "name = \"no mesh\"\n").unwrap();
+    let file = folder.path().join("scene.toml");
+    let mut failures = vec![];
+    for (start, rest, place, words) in CASES {
+        let Err(errors) = read_text(&file, &format!("{start}{rest}")) else {
+            failures.push(format!("accepted: {rest}"));
+            continue;
+        };
+        let beginning = format!("{}:{place}: ", file.display());
+        let lines: Vec<String> = errors.0.iter().map(ToString::to_string).collect();
+        if !lines.iter().any(|line| line.starts_with(&beginning) && line.contains(words)) {
+            failures.push(format!("wanted {place} {words}\n  got {lines:?}"));
+        }
+    }
+    assert!(failures.is_empty(), "{} of {}:\n{}", failures.len(), CASES.len(), failures.join("\n"));
+}
+
+#[test]
+fn one_broken_rule_gives_one_error() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("scene.toml");
+    // A file that is no TOML may be said to break more; the mesh file is not there in this test.
+    let single = CASES.iter().filter(|case| !case.3.contains("TOML") && !case.1.contains("scene.obj"));
+    for (start, rest, ..) in single {
+        let errors = read_text(&file, &format!("{start}{rest}")).unwrap_err();
+        assert_eq!(errors.0.len(), 1, "{rest}: {errors}");
+    }
+}
+
+#[test]
+fn all_broken_rules_are_reported_in_the_order_of_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "\
+seed = -1
+[[target]]
+kind = \"mesh\"
+id = \"bus-2\"
+model = \"absent.glb\"
+position_m = [2, 30, 0]
+velocty_mps = [0, -5, 0]
+[radar.waveform]
+samples = 2.5
+chrips = 64
+[dsp]
+false_alarm_rate = 2
+";
+    let errors = read_text(&folder.path().join("scene.toml"), text).unwrap_err();
+    let places: Vec<_> = errors.0.iter().map(|error| error.position.map(|p| (p.line, p.column)).unwrap()).collect();
+    assert_eq!(places, [(1, 1), (1, 8), (5, 9), (7, 1), (9, 11), (10, 1), (12, 20)], "{errors}");
+    assert_eq!(errors.to_string().lines().count(), 7);
+}
+
+#[test]
+fn damage_to_one_line_does_not_hide_what_is_wrong_in_others() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = format!("{NAME}[radar]\nboresight_az_deg =\n[dsp]\nfalse_alarm_rate = 2\n");
+    let errors = read_text(&folder.path().join("scene.toml"), &text).unwrap_err().to_string();
+    assert!(errors.contains("not valid TOML") && errors.contains("`false_alarm_rate`"), "{errors}");
+}
+
+#[test]
+fn a_missing_file_is_the_systems_fault_and_a_broken_one_is_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let absent = scene::read(&folder.path().join("absent.toml"), &whole()).unwrap_err();
+    assert!(absent.is_system() && absent.to_string().contains("absent.toml: cannot be read"), "{absent}");
+    let a_folder = scene::read(folder.path(), &whole()).unwrap_err();
+    assert!(a_folder.is_system(), "{a_folder}");
+    let file = folder.path().join("scene.toml");
+    let model = CAR.replace("car-suv", "absent.glb");
+    assert!(read_text(&file, &model).unwrap_err().is_system());
+    let both = read_text(&file, &format!("{model}colour = \"red\"\n")).unwrap_err();
+    assert!(!both.is_system(), "what was read is refused too: {both}");
+    std::fs::write(&file, b"name = \"\xff\"\n").unwrap();
+    let not_text = scene::read(&file, &whole()).unwrap_err();
+    assert!(!not_text.is_system() && not_text.to_string().contains("not UTF-8 text from byte 8 on"), "{not_text}");
+    std::fs::write(&file, vec![b'#'; 5 << 20]).unwrap();
+    assert!(scene::read(&file, &whole()).unwrap_err().to_string().contains("a scene has at most 4194304"));
+}
+
+fn read_text(file: &Path, text: &str) -> Result<artifact::scene::SceneHeader, SceneErrors> {
+    std::fs::write(file, text).unwrap();
+    scene::read(file, &whole())
+}
+
+fn whole() -> ReadOptions {
+    ReadOptions { model: None, meshes: Meshes::Whole }
+}
