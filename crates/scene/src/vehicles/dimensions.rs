@@ -1,0 +1,46 @@
+//! Dimensions: nominal for seed 0, spread over real ranges for every other seed.
+
+use std::ops::RangeInclusive;
+
+/// Draws the dimensions of one vehicle.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Draw<'a> {
+    pub(super) model: &'a str,
+    pub(super) seed: u64,
+}
+
+impl Draw<'_> {
+    /// `nominal` for seed 0, else uniform over `range`; `what` names the dimension, so that one drawn more changes no
+    /// other.
+    pub(super) fn value(&self, what: &str, nominal: f64, range: RangeInclusive<f64>) -> f64 {
+        if self.seed == 0 {
+            return nominal;
+        }
+        let key = artifact::seed::key(self.seed, &format!("vehicles/{}/{what}", self.model), &[]);
+        let mut low = [0; 8];
+        low.copy_from_slice(&key[..8]);
+        // 53 bits, so that the fraction is exact and below 1.
+        let fraction = (u64::from_le_bytes(low) >> 11) as f64 / (1_u64 << 53) as f64;
+        range.start() + (range.end() - range.start()) * fraction
+    }
+
+    /// Overall length, width over mirrors (handlebar) and height.
+    pub(super) fn size_m(&self, size: &SizeRange) -> [f64; 3] {
+        ["length", "width", "height"].map(|what| {
+            let k = match what {
+                "length" => 0,
+                "width" => 1,
+                _ => 2,
+            };
+            let [low, high] = size.range_m[k];
+            self.value(what, size.nominal_m[k], low..=high)
+        })
+    }
+}
+
+/// Nominal length, width, height and their ranges.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct SizeRange {
+    pub(super) nominal_m: [f64; 3],
+    pub(super) range_m: [[f64; 2]; 3],
+}
