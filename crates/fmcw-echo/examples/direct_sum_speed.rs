@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release -p fmcw-echo --example direct_sum_speed [paths]` (40 000 without a number).
 
-#[path = "../tests/setting/mod.rs"]
+#[path = "../tests/echo/setting.rs"]
 mod setting;
 
 use artifact::radar::Multiplexing;

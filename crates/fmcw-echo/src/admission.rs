@@ -2,7 +2,7 @@
 
 use crate::error::EchoError;
 use artifact::cube::{Cube, CubeHeader};
-use artifact::paths::{Path, PathsFrame};
+use artifact::paths::Path;
 use artifact::radar::Pattern;
 use artifact::{Radar, Schema};
 use glam::DVec3;
@@ -18,13 +18,16 @@ pub(crate) fn check_header(header: &CubeHeader) -> Result<(), EchoError> {
     check_size(header)
 }
 
+/// Refuses an f_c that no amplitude can refer to.
+pub(crate) fn check_centre_frequency(centre_frequency_hz: f64) -> Result<(), EchoError> {
+    let usable = centre_frequency_hz.is_finite() && centre_frequency_hz > 0.0;
+    if usable { Ok(()) } else { Err(EchoError::CentreFrequency(centre_frequency_hz)) }
+}
+
 /// Refuses frames with a path that has no finite echo.
-pub(crate) fn check_paths(radar: &Radar, centre_frequency_hz: f64, frame: &PathsFrame) -> Result<(), EchoError> {
-    if !(centre_frequency_hz.is_finite() && centre_frequency_hz > 0.0) {
-        return Err(EchoError::CentreFrequency(centre_frequency_hz));
-    }
-    for (index, path) in frame.paths.iter().enumerate() {
-        let at = Place { frame: frame.index, path: index };
+pub(crate) fn check_paths(radar: &Radar, frame: u32, paths: &[Path]) -> Result<(), EchoError> {
+    for (index, path) in paths.iter().enumerate() {
+        let at = Place { frame, path: index };
         at.check_finite(path)?;
         at.check_speed(path)?;
         at.check_distance(radar, path)?;

@@ -51,7 +51,7 @@ pub fn if_sample(
     let tau = legs.delay_s();
     let frequency_hz = waveform.start_frequency_hz + waveform.slope_hz_per_s * (t - tau);
     let amplitude = amplitude_m(radar, path, frequency_hz - centre_frequency_hz).conj();
-    let gain = link_amplitude(radar) * legs.pattern(radar) / (legs.departing_m.length() * legs.arriving_m.length());
+    let gain = link_amplitude(radar) * legs.gain(radar);
     gain * amplitude * Complex64::cis(TAU * if_cycles(radar, t, tau).fract())
 }
 
@@ -76,12 +76,11 @@ impl Legs {
         (self.departing_m.length() + self.arriving_m.length()) / SPEED_OF_LIGHT_MPS
     }
 
-    /// Amplitude gain of both elements towards departure and arrival.
-    fn pattern(&self, radar: &Radar) -> f64 {
-        [self.departing_m, self.arriving_m]
-            .map(|leg| pattern_amplitude(radar.array.pattern, boresight(radar), leg / leg.length()))
-            .iter()
-            .product()
+    /// Amplitude gain of both elements towards departure and arrival, over L₁L₂.
+    pub fn gain(&self, radar: &Radar) -> f64 {
+        let towards = |leg: DVec3| pattern_amplitude(radar.array.pattern, boresight(radar), leg / leg.length());
+        let pattern = towards(self.departing_m) * towards(self.arriving_m);
+        pattern / (self.departing_m.length() * self.arriving_m.length())
     }
 }
 

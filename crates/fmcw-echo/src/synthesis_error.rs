@@ -1,8 +1,12 @@
-//! How far a synthesised cube is from the reference form, measured in the run that made it.
+//! How far a synthesised cube is from what it stands for, measured in the run that made it.
 
+use crate::error::EchoError;
+use crate::rcs_table::{self, TableSum};
 use crate::reference;
 use artifact::Radar;
 use artifact::paths::PathsFrame;
+use artifact::rcs::RcsFrame;
+use artifact::scene::Pose;
 use artifact::seed;
 use num_complex::{Complex32, Complex64};
 use rand::rand_core::{Rng, SeedableRng};
@@ -15,19 +19,34 @@ const PROBES: u64 = 48;
 /// ‖x − x_ref‖/‖x_ref‖ over a few samples of the noise-free cube as stored; `None` where the reference is silent.
 ///
 /// The places follow from the frame's number alone, so that every run of a scene compares the same ones.
-pub(crate) fn measure(
+pub(crate) fn of_paths(
     radar: &Radar,
     centre_frequency_hz: f64,
     frame: &PathsFrame,
     samples: &[Complex32],
 ) -> Option<f64> {
-    let pairs: Vec<[Complex64; 2]> = places(radar, frame.index)
-        .into_par_iter()
-        .map(|at| {
-            let exact = reference::cube_sample(radar, centre_frequency_hz, &frame.paths, at);
-            [stored(radar, samples, at), exact]
-        })
-        .collect();
+    let compare = |at: [usize; 3]| {
+        [stored(radar, samples, at), reference::cube_sample(radar, centre_frequency_hz, &frame.paths, at)]
+    };
+    relative(&places(radar, frame.index).into_par_iter().map(compare).collect::<Vec<_>>())
+}
+
+/// The estimated error of interpolating the tables: a third of what thinning them by two changes.
+pub(crate) fn of_tables(
+    radar: &Radar,
+    poses: &[Pose],
+    frame: &RcsFrame,
+    samples: &[Complex32],
+) -> Result<Option<f64>, EchoError> {
+    let thin = rcs_table::thin(frame);
+    let thin = TableSum::new(radar, poses, &thin)?;
+    let compare = |at: [usize; 3]| Ok([thin.row(at[0], at[1])?[at[2]], stored(radar, samples, at)]);
+    let pairs = places(radar, frame.index).into_iter().map(compare).collect::<Result<Vec<_>, EchoError>>()?;
+    Ok(relative(&pairs).map(|difference| difference / 3.0))
+}
+
+/// ‖first − second‖/‖second‖.
+fn relative(pairs: &[[Complex64; 2]]) -> Option<f64> {
     let error: f64 = pairs.iter().map(|[got, exact]| (got - exact).norm_sqr()).sum();
     let power: f64 = pairs.iter().map(|[_, exact]| exact.norm_sqr()).sum();
     (power > 0.0).then(|| (error / power).sqrt())

@@ -1,12 +1,15 @@
 //! A frame of paths becomes a frame of samples: direct sum, f32, error measured, noise.
 
-use crate::admission::{check_header, check_paths, check_samples};
+use crate::admission::{check_centre_frequency, check_header, check_paths, check_samples};
 use crate::direct_sum::DirectSum;
 use crate::error::EchoError;
+use crate::rcs_table::{self, TableSum};
 use crate::{noise, synthesis_error};
 use artifact::ErrorBudget;
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::paths::PathsFrame;
+use artifact::rcs::RcsFrame;
+use artifact::scene::Pose;
 use num_complex::{Complex32, Complex64};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -26,32 +29,63 @@ pub fn synthesize(
     progress: Progress,
 ) -> Result<CubeFrame, EchoError> {
     check_header(header)?;
-    check_paths(&header.radar, centre_frequency_hz, frame)?;
+    check_centre_frequency(centre_frequency_hz)?;
+    check_paths(&header.radar, frame.index, &frame.paths)?;
     let sum = DirectSum::new(&header.radar, centre_frequency_hz, &frame.paths);
-    let mut samples = rows(header, progress, |channel, chirp| sum.row(channel, chirp));
+    let mut samples = rows(header, progress, |channel, chirp| Ok(sum.row(channel, chirp)))?;
     check_samples(header, frame.index, &samples)?;
-    let synthesis = synthesis_error::measure(&header.radar, centre_frequency_hz, frame, &samples);
+    let synthesis = synthesis_error::of_paths(&header.radar, centre_frequency_hz, frame, &samples);
+    noise::add(header, seed, frame.index, &mut samples)?;
+    let error = frame.error.joined(ErrorBudget { synthesis, ..ErrorBudget::default() });
+    Ok(CubeFrame { index: frame.index, time_s: frame.time_s, samples, error })
+}
+
+/// The cube of one frame from far-field tables, the paper's way; `poses` are those at the frame's first sample, in the
+/// order that the tables' `target` counts.
+///
+/// The share `synthesis` of the error is that of interpolating the tables, estimated by thinning them. Refuses what
+/// [`synthesize`] does, and tables of another polarization, broken shape, or that do not hold the aspects needed.
+pub fn synthesize_tables(
+    header: &CubeHeader,
+    seed: u64,
+    poses: &[Pose],
+    frame: &RcsFrame,
+    progress: Progress,
+) -> Result<CubeFrame, EchoError> {
+    check_header(header)?;
+    check_paths(&header.radar, frame.index, &rcs_table::origins(poses, frame))?;
+    let sum = TableSum::new(&header.radar, poses, frame)?;
+    let mut samples = rows(header, progress, |channel, chirp| sum.row(channel, chirp))?;
+    check_samples(header, frame.index, &samples)?;
+    let synthesis = synthesis_error::of_tables(&header.radar, poses, frame, &samples)?;
     noise::add(header, seed, frame.index, &mut samples)?;
     let error = frame.error.joined(ErrorBudget { synthesis, ..ErrorBudget::default() });
     Ok(CubeFrame { index: frame.index, time_s: frame.time_s, samples, error })
 }
 
 /// Every row `[channel, chirp]` of a cube made by `row`, in parallel, rounded to f32.
-pub(crate) fn rows(
+fn rows(
     header: &CubeHeader,
     progress: Progress,
-    row: impl Fn(usize, usize) -> Vec<Complex64> + Sync,
-) -> Vec<Complex32> {
+    row: impl Fn(usize, usize) -> Result<Vec<Complex64>, EchoError> + Sync,
+) -> Result<Vec<Complex32>, EchoError> {
     let [channels, chirps, length] = header.shape();
     let mut samples = vec![Complex32::ZERO; channels * chirps * length];
     let done = AtomicUsize::new(0);
-    samples.par_chunks_mut(length).enumerate().for_each(|(r, stored)| {
-        for (stored, value) in stored.iter_mut().zip(row(r / chirps, r % chirps)) {
-            *stored = Complex32::new(value.re as f32, value.im as f32);
-        }
-        progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / (channels * chirps) as f64);
-    });
-    samples
+    let made: Vec<Result<(), EchoError>> = samples
+        .par_chunks_mut(length)
+        .enumerate()
+        .map(|(r, stored)| {
+            for (stored, value) in stored.iter_mut().zip(row(r / chirps, r % chirps)?) {
+                *stored = Complex32::new(value.re as f32, value.im as f32);
+            }
+            progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / (channels * chirps) as f64);
+            Ok(())
+        })
+        .collect();
+    // The first fault in the order of rows, whichever thread was first.
+    made.into_iter().collect::<Result<(), EchoError>>()?;
+    Ok(samples)
 }
 
 /// Bytes that making one frame takes at most beside its paths: the cube, the map of one channel for `snr_db`, and a row

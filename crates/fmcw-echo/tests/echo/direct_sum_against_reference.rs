@@ -1,10 +1,8 @@
 //! The direct sum is the formula of interface.md, sample by sample: ≤ −100 dB asked, what is got is printed.
 
-mod setting;
-
+use crate::setting::*;
 use artifact::radar::{Multiplexing, Pattern, Polarization, Radar};
 use fmcw_echo::{direct_sum::DirectSum, reference};
-use setting::*;
 
 /// −100 dB is asked; the direct sum leaves a third difference of phase of 6e-9 rad per metre-scale geometry of
 /// `direct_sum`'s page (−164 dB at 10 m/s and 25 m, as v²/R: −140 dB at 20 m/s and 12 m) and 1e-9 in amplitude.

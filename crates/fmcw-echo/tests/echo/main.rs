@@ -1,0 +1,14 @@
+//! What fmcw-echo promises, one file a subject.
+#![allow(clippy::unwrap_used, reason = "helpers of tests are tests too; clippy knows only marked functions")]
+
+mod setting;
+mod waveform_table;
+mod point_target;
+mod direct_sum_against_reference;
+mod single_precision;
+mod superposition;
+mod multiplexing;
+mod receiver_noise;
+mod rcs_tables;
+mod reproducibility;
+mod refusals;

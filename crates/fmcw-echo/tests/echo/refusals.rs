@@ -1,0 +1,94 @@
+//! Every broken input ends in an error that names it.
+
+use crate::setting::*;
+use artifact::cube::CubeHeader;
+use artifact::paths::Path;
+use artifact::settings::Noise;
+use fmcw_echo::{EchoError, synthesize};
+use num_complex::Complex64;
+
+fn sound_header() -> CubeHeader {
+    header(single_channel(artifact::Waveform { chirps: 2, ..experiment(1) }), Noise::Absent)
+}
+
+fn refusal(header: &CubeHeader, paths: Vec<Path>, f_c: f64) -> EchoError {
+    synthesize(header, 1, &frame(paths), f_c, &|_| ()).unwrap_err()
+}
+
+fn refusal_of_path(change: impl Fn(&mut Path)) -> EchoError {
+    let mut path = point([2.0, 40.0, 1.0], [0.0, -10.0, 0.0], 1.0);
+    change(&mut path);
+    refusal(&sound_header(), vec![point([2.0, 30.0, 1.0], [0.0; 3], 1.0), path], 77e9)
+}
+
+#[test]
+fn numbers_of_a_path_that_are_not_finite_are_refused() {
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let refusals = [
+            refusal_of_path(|p| p.apparent_tx_m[1] = bad),
+            refusal_of_path(|p| p.apparent_rx_m[0] = bad),
+            refusal_of_path(|p| p.apparent_tx_mps[2] = bad),
+            refusal_of_path(|p| p.apparent_rx_mps[2] = bad),
+            refusal_of_path(|p| p.amplitude_m[0][0] = Complex64::new(0.0, bad)),
+            refusal_of_path(|p| p.slope_m_per_hz[1][0] = Complex64::new(bad, 0.0)),
+        ];
+        for refused in refusals {
+            assert!(matches!(refused, EchoError::NonFinitePath { frame: 0, path: 1, .. }), "{refused}");
+        }
+    }
+}
+
+#[test]
+fn a_path_through_an_antenna_is_refused_also_when_it_only_passes() {
+    let at_rest = refusal_of_path(|p| p.apparent_tx_m = [0.0, 0.0, 6.0]);
+    assert!(
+        matches!(at_rest, EchoError::PathThroughAntenna { path: 1, element: "transmit", index: 0, .. }),
+        "{at_rest}"
+    );
+    let passing = refusal_of_path(|p| {
+        (p.apparent_rx_m, p.apparent_rx_mps) = ([0.0, 0.001, 6.0], [0.0, -20.0, 0.0]);
+    });
+    assert!(matches!(passing, EchoError::PathThroughAntenna { element: "receive", .. }), "{passing}");
+}
+
+#[test]
+fn speeds_beyond_the_parabola_are_refused() {
+    let refused = refusal_of_path(|p| p.apparent_rx_mps = [0.0, 3.1e3, 0.0]);
+    assert!(matches!(refused, EchoError::TooFast { path: 1, .. }), "{refused}");
+}
+
+#[test]
+fn samples_beyond_f32_are_refused() {
+    let refused = refusal_of_path(|p| p.amplitude_m[0][0] = Complex64::from(1e200));
+    assert!(matches!(refused, EchoError::SampleOverflow { channel: 0, chirp: 0, sample: 0, .. }), "{refused}");
+}
+
+#[test]
+fn radars_without_samples_or_elements_are_refused() {
+    let broken = |change: &dyn Fn(&mut CubeHeader)| {
+        let mut header = sound_header();
+        change(&mut header);
+        refusal(&header, vec![], 77e9)
+    };
+    let waveform = |e: &EchoError| matches!(e, EchoError::Waveform { .. });
+    assert!(waveform(&broken(&|h| h.radar.waveform.samples = 0)));
+    assert!(waveform(&broken(&|h| h.radar.waveform.chirps = 0)));
+    assert!(waveform(&broken(&|h| h.radar.waveform.sample_rate_hz = f64::NAN)));
+    assert!(waveform(&broken(&|h| h.radar.waveform.slope_hz_per_s = f64::INFINITY)));
+    assert!(waveform(&broken(&|h| h.radar.waveform.slope_hz_per_s = -1e18)));
+    assert!(matches!(broken(&|h| h.radar.array.tx_m.clear()), EchoError::NoElements { transmitters: 0, .. }));
+    assert!(matches!(broken(&|h| h.radar.array.rx_m[0][2] = f64::NAN), EchoError::NonFiniteRadar { .. }));
+    assert!(matches!(broken(&|h| h.radar.link.transmit_power_w = -1.0), EchoError::NonFiniteRadar { .. }));
+    assert!(matches!(broken(&|h| h.noise = Noise::SnrDb(f64::NAN)), EchoError::Noise { quantity: "snr_db", .. }));
+    for f_c in [0.0, -1.0, f64::NAN] {
+        assert!(matches!(refusal(&sound_header(), vec![], f_c), EchoError::CentreFrequency(_)));
+    }
+}
+
+#[test]
+fn a_cube_larger_than_a_record_is_refused_before_it_is_allocated() {
+    let mut header = sound_header();
+    (header.radar.waveform.samples, header.radar.waveform.chirps) = (u32::MAX, u32::MAX);
+    let refused = refusal(&header, vec![], 77e9);
+    assert!(matches!(refused, EchoError::CubeTooLarge { bytes, .. } if bytes > 1 << 66), "{refused}");
+}
