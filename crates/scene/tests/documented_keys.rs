@@ -1,0 +1,30 @@
+//! `docs/scenes.md` and the reader know the same keys.
+
+use std::collections::BTreeSet;
+
+const PAGE: &str = include_str!("../../../docs/scenes.md");
+
+/// Keys of a section: what stands between backticks in the first column of tables headed `key`.
+fn documented_keys(heading: &str) -> BTreeSet<String> {
+    let section = PAGE.split("\n## ").find(|section| section.lines().next() == Some(heading));
+    let lines = section.unwrap_or_else(|| panic!("no section `{heading}`")).lines();
+    let table = lines.skip_while(|line| !line.starts_with("| key |")).skip(2).take_while(|line| line.starts_with('|'));
+    let first_columns = table.filter_map(|line| line.split('|').nth(1));
+    first_columns.flat_map(|column| column.split('`').skip(1).step_by(2).map(str::to_owned)).collect()
+}
+
+#[test]
+fn every_key_of_a_scene_is_documented_and_every_documented_key_is_known() {
+    for table in scene::TABLES {
+        let heading = if table.name.is_empty() { "The beginning of the file" } else { table.heading };
+        let known: BTreeSet<String> = table.keys.iter().map(|key| (*key).to_owned()).collect();
+        assert_eq!(documented_keys(heading), known, "{heading}");
+    }
+}
+
+#[test]
+fn every_vehicle_of_the_project_is_documented() {
+    for name in scene::vehicles::NAMES {
+        assert!(PAGE.contains(&format!("`{name}`")), "{name}");
+    }
+}
