@@ -1,9 +1,76 @@
-//! From radar cubes to range-Doppler maps, detections, point clouds, objects and crops.
+//! From radar cubes to range-Doppler maps, detections, located points, objects and crops for a classifier.
+//!
+//! In goes a [`CubeHeader`](artifact::cube::CubeHeader) (the radar and the settings of its processing) and a
+//! [`CubeFrame`](artifact::cube::CubeFrame) (IF samples `[channel, chirp, sample]`, √W). No truth is in either, so none is
+//! in what comes out:
+//!
+//! - [`range_doppler`]: the map of every transmit–receive pair `[channel, doppler, range]`, zero velocity at N/2, and the
+//!   cells that a cell-averaging CFAR tested and found ([`RdmFrame`](artifact::rdm::RdmFrame));
+//! - [`detect`]: points with range, radial velocity, azimuth, elevation and world position, and the objects that they form
+//!   ([`PointsFrame`](artifact::points::PointsFrame));
+//! - [`crop`]: 24 m × 8 m/s around an object on the map beamformed to it, 451 × 451 grey levels of fixed decibels over the
+//!   noise, which a classifier sees; [`rdm_grayscale`]: the whole map likewise;
+//! - [`power_map`], [`range_axis_m`], [`velocity_axis_mps`], [`noise_power`] for whoever draws or measures.
+//!
+//! Signs, axes and units: `docs/conventions.md`. A growing range is a positive velocity; a target on the + side of the array
+//! reads a positive direction cosine. Everything wrong with an input is a [`DspError`]; nothing panics.
+//!
+//! Reading order is that of the modules: taper and transforms, noncoherent sum, threshold, detector, peaks, direction,
+//! place, clusters, points, pictures.
+//!
+//! ```
+//! use artifact::cube::{CubeFrame, CubeHeader};
+//! use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Waveform};
+//! use artifact::settings::{Detector, DspSettings, Lane, Noise, Window};
+//! use num_complex::Complex32;
+//!
+//! let waveform = Waveform { start_frequency_hz: 77e9, slope_hz_per_s: 12.5e12, sample_rate_hz: 5.12e6,
+//!     samples: 256, chirp_interval_s: 60e-6, chirps: 64 };
+//! let half_wave_m = 0.5 * waveform.wavelength_m();
+//! let radar = Radar {
+//!     position_m: [0.0, 0.0, 6.0], boresight_az_rad: 0.0, boresight_el_rad: 0.0, waveform,
+//!     array: Array {
+//!         tx_m: vec![[0.0, 0.0, 6.0]],
+//!         rx_m: (0..4).map(|i| [(f64::from(i) - 1.5) * half_wave_m, 0.0, 6.0]).collect(),
+//!         tx_half_wavelengths: vec![[0.0, 0.0]],
+//!         rx_half_wavelengths: (0..4).map(|i| [f64::from(i), 0.0]).collect(),
+//!         multiplexing: Multiplexing::Simultaneous, polarization: Polarization::Vv, pattern: Pattern::Isotropic,
+//!     },
+//!     link: Link { transmit_power_w: 0.016, antenna_gain_db: 10.0 },
+//! };
+//! let header = CubeHeader { radar, noise: Noise::Absent, dsp: DspSettings {
+//!     range_window: Window::Hann, doppler_window: Window::Hann, detector: Detector::CaCfar, false_alarm_rate: 1e-5,
+//!     guard_cells: [2, 2], training_cells: [4, 8], assumed_height_m: 0.75,
+//!     cluster_range_m: 2.5, cluster_velocity_mps: 1.0, cluster_cross_m: 2.5,
+//!     lanes: vec![Lane { number: 2, centre_x_m: 5.75, width_m: 3.75 }],
+//! }};
+//!
+//! // A point at 40 m in lane 2 (u = 5.75/40), approaching at 10 m/s: beat, Doppler and element phases of eq. (13).
+//! let (range_m, velocity_mps, u) = (40.0, -10.0, 5.75 / 40.0);
+//! let cycles = |rx: i32, chirp: i32, sample: i32| {
+//!     let time_s = f64::from(sample) / 5.12e6;
+//!     let delay_s = 2.0 * (range_m + velocity_mps * (f64::from(chirp) * 60e-6 + time_s)) / 299_792_458.0;
+//!     77e9 * delay_s + 12.5e12 * (time_s * delay_s - 0.5 * delay_s * delay_s) - 0.5 * f64::from(rx) * u
+//! };
+//! let sample = |i: i32| (cycles(i / 256 / 64, i / 256 % 64, i % 256).fract() * std::f64::consts::TAU) as f32;
+//! let samples = (0..4 * 64 * 256).map(|i| Complex32::from_polar(1e-6, sample(i))).collect();
+//! let frame = CubeFrame { index: 0, time_s: 0.0, samples, error: Default::default() };
+//!
+//! let map = dsp::range_doppler(&header, &frame)?;
+//! let seen = dsp::detect(&header, &map)?;
+//! let object = seen.objects[0];
+//! assert_eq!((seen.objects.len(), object.lane), (1, Some(2)));
+//! assert!((object.range_m - 40.0).abs() < 0.05 && (object.radial_velocity_mps + 10.0).abs() < 0.02);
+//! let crop = dsp::crop(&header, &map, &object, &dsp::PAPER_CROP)?;
+//! assert_eq!(crop.pixels.len(), 451 * 451);
+//! # Ok::<(), dsp::DspError>(())
+//! ```
+
 mod error;
 pub mod axes;
 pub mod window;
 pub mod range_doppler;
-pub mod doppler_division;
+mod doppler_division;
 pub mod noncoherent;
 pub mod cfar_threshold;
 pub mod cfar;

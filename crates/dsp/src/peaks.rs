@@ -1,4 +1,8 @@
-//! Peaks: detected cells that no neighbour exceeds, placed between cells, without the sidelobes of stronger peaks.
+//! Peaks: strong cells that no neighbour exceeds, placed between cells, without the sidelobes of stronger peaks.
+//!
+//! Beside detected cells, those count that the map's own noise level would have let pass: a vehicle fills the training
+//! cells of its own echoes, and cell averaging then hides the weaker ones between the stronger (a gap of 2.8 m in a car of
+//! 5 m). They make no points, but they tell that what lies on both sides of them is one body.
 
 use crate::DspError;
 use crate::cfar::DETECTED;
@@ -22,6 +26,8 @@ pub struct Peak {
     pub power: f64,
     /// Detected cells among it and its eight neighbours.
     pub cells: u32,
+    /// Whether the detector found it, or its neighbours' echoes hid it.
+    pub detected: bool,
 }
 
 /// Peak curves and sidelobe levels of a radar's two windows.
@@ -50,12 +56,12 @@ impl PeakFinder {
         })
     }
 
-    /// Peaks of a power map `[doppler, range]` among the cells whose mask says detected, strongest first.
-    pub fn peaks(&self, power: ArrayView2<f64>, mask: &[u8]) -> Vec<Peak> {
-        let (rows, columns) = power.dim();
-        let detected = (0..rows * columns).filter(|cell| mask[*cell] == DETECTED);
-        let mut peaks: Vec<Peak> = detected
-            .map(|cell| (cell / columns, cell % columns))
+    /// Peaks of a power map `[doppler, range]` among the cells that the mask calls detected and those above
+    /// `noise_threshold`, strongest first.
+    pub fn peaks(&self, power: ArrayView2<f64>, mask: &[u8], noise_threshold: f64) -> Vec<Peak> {
+        let strong = power.indexed_iter().zip(mask).filter(|((_, p), m)| **m == DETECTED || **p > noise_threshold);
+        let mut peaks: Vec<Peak> = strong
+            .map(|((cell, _), _)| cell)
             .filter(|cell| is_local_maximum(power, *cell))
             .map(|cell| self.place(power, mask, cell))
             .collect();
@@ -72,15 +78,16 @@ impl PeakFinder {
         let along_columns = (column > 0 && column + 1 < columns).then(|| {
             self.interpolators[1].offset([-1, 0, 1].map(|s: i32| power[(row, column.wrapping_add_signed(s as isize))]))
         });
-        let cells =
-            neighbourhood(power.dim(), (row, column)).filter(|(r, c)| mask[r * columns + c] == DETECTED).count();
+        let is_detected = |(r, c): (usize, usize)| mask[r * columns + c] == DETECTED;
+        let neighbours = neighbourhood(power.dim(), (row, column)).filter(|cell| is_detected(*cell)).count();
         Peak {
             row,
             column,
             fine_row: row as f64 + along_rows.unwrap_or(0.0),
             fine_column: column as f64 + along_columns.unwrap_or(0.0),
             power: power[(row, column)],
-            cells: 1 + cells as u32,
+            cells: neighbours as u32 + u32::from(is_detected((row, column))),
+            detected: is_detected((row, column)),
         }
     }
 

@@ -6,6 +6,7 @@
 use crate::DspError;
 use crate::angle::{Direction, Snapshot, VirtualArray};
 use crate::axes::{coupling_m, unwrapped, velocity_at, wrapped};
+use crate::cfar_threshold::threshold_factor;
 use crate::clusters::{Member, clusters};
 use crate::doppler_division::fold_is_certain;
 use crate::noncoherent::{noise_power, power_map};
@@ -15,7 +16,7 @@ use artifact::cube::CubeHeader;
 use artifact::points::{Object, Point, PointsFrame};
 use artifact::rdm::RdmFrame;
 use artifact::settings::Window;
-use artifact::units::db_from_power;
+use artifact::units::{LOWEST_DB, db_from_power};
 use rayon::prelude::*;
 
 /// Points of a map, strongest first, and objects in the order of their strongest points.
@@ -24,23 +25,34 @@ use rayon::prelude::*;
 /// a detected neighbour, as noise makes them, is a point of no object.
 pub fn detect(header: &CubeHeader, map: &RdmFrame) -> Result<PointsFrame, DspError> {
     let power = power_map(header, map)?;
-    let noise = noise_power(header, map)?;
-    let peaks = PeakFinder::new(header)?.peaks(power.view(), &map.mask);
+    let noise = noise_power(header, map)? * header.radar.virtual_channels() as f64;
+    let peaks = PeakFinder::new(header)?.peaks(power.view(), &map.mask, known_noise_threshold(header, noise));
     let array = VirtualArray::new(header);
     let sightings: Vec<Sighting> = peaks.par_iter().map(|peak| sight(header, map, &array, *peak)).collect();
-    let members: Vec<Member> = sightings.iter().map(|s| s.member(header)).collect();
-    let mut groups = clusters(&members, &header.dsp, 2.0 * header.radar.velocity_max_mps());
-    groups.retain(|group| is_supported(header, &sightings, group));
+    let groups = groups_of_points(header, &sightings);
     let object_of = |index: usize| groups.iter().position(|g| g.binary_search(&index).is_ok()).map(|o| o as u32);
-    let channels = header.radar.virtual_channels() as f64;
+    let points = sightings.iter().enumerate().filter(|(_, sighting)| sighting.peak.detected);
     Ok(PointsFrame {
         index: map.index,
         time_s: map.time_s,
-        points: (sightings.iter().enumerate())
-            .map(|(index, sighting)| sighting.point(noise * channels, object_of(index)))
-            .collect(),
-        objects: groups.iter().map(|g| object(header, map, &array, &sightings, g, noise * channels)).collect(),
+        points: points.map(|(index, sighting)| sighting.point(noise, object_of(index))).collect(),
+        objects: groups.iter().map(|group| object(header, map, &array, &sightings, group, noise)).collect(),
     })
+}
+
+/// Threshold of the same false-alarm rate were the noise known: that of infinitely many training cells.
+fn known_noise_threshold(header: &CubeHeader, noise: f64) -> f64 {
+    // At 1e9 cells the factor is within 1e-8 of its limit.
+    threshold_factor(1e9, header.radar.virtual_channels(), header.dsp.false_alarm_rate) * noise
+}
+
+/// Indices of the detected points of each object; hidden peaks have joined them and are left out again.
+fn groups_of_points(header: &CubeHeader, sightings: &[Sighting]) -> Vec<Vec<usize>> {
+    let members: Vec<Member> = sightings.iter().map(|s| s.member(header)).collect();
+    let mut groups = clusters(&members, &header.dsp, 2.0 * header.radar.velocity_max_mps());
+    groups.iter_mut().for_each(|group| group.retain(|index| sightings[*index].peak.detected));
+    groups.retain(|group| is_supported(header, sightings, group));
+    groups
 }
 
 /// A peak with what the channels say of it.
@@ -92,9 +104,10 @@ fn across_boresight_m(header: &CubeHeader, x_m: f64, y_m: f64) -> f64 {
     (x_m - header.radar.position_m[0]) * cos - (y_m - header.radar.position_m[1]) * sin
 }
 
-/// Signal over noise: the noise's own mean is taken out of the cell. At least 0.1 of the noise is left to the logarithm.
+/// Signal over noise: the noise's own mean is taken out of the cell. A detection lies above the noise; what little of a
+/// hundredth is kept is for the logarithm's sake. Without any noise to compare with: the highest value, 300 dB.
 fn snr_db(power: f64, noise: f64) -> f64 {
-    if noise > 0.0 { db_from_power((power / noise - 1.0).max(0.1)) } else { f64::INFINITY.min(300.0) }
+    if noise > 0.0 { db_from_power((power / noise - 1.0).max(0.01)) } else { -LOWEST_DB }
 }
 
 /// Whether a group is more than a lone cell. A window spreads an echo over neighbours that are at most 8 dB lower, noise
@@ -103,7 +116,8 @@ fn snr_db(power: f64, noise: f64) -> f64 {
 fn is_supported(header: &CubeHeader, sightings: &[Sighting], group: &[usize]) -> bool {
     let spreads = |window: Window| window != Window::Rect;
     let lone_is_noise = spreads(header.dsp.range_window) || spreads(header.dsp.doppler_window);
-    !lone_is_noise || group.len() > 1 || group.iter().any(|i| sightings[*i].peak.cells > 1)
+    let support: u32 = group.iter().map(|i| sightings[*i].peak.cells).sum();
+    support > u32::from(lone_is_noise)
 }
 
 fn object(

@@ -1,6 +1,6 @@
 //! Radars and cubes for the tests: point targets' IF samples straight from the formula of `interface.md`.
 #![allow(dead_code, reason = "every test file uses its own part")]
-#![allow(unreachable_pub, reason = "shared by test crates")]
+#![allow(unreachable_pub, clippy::panic, reason = "shared by test crates, which fail by panicking")]
 
 use artifact::ErrorBudget;
 use artifact::cube::{CubeFrame, CubeHeader};
@@ -9,7 +9,7 @@ use artifact::seed::key;
 use artifact::settings::{Detector, DspSettings, Lane, Noise, Window};
 use artifact::units::{BOLTZMANN_J_PER_K, SPEED_OF_LIGHT_MPS, power_from_db};
 use num_complex::{Complex32, Complex64};
-use rand::SeedableRng;
+use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use std::f64::consts::{PI, TAU};
@@ -142,18 +142,40 @@ fn add_channel(header: &CubeHeader, target: &Target, channel: usize, out: &mut [
 }
 
 /// A·exp j2π[f₀τ + μtτ − ½μτ²] of one transmitter and receiver, turned by `turn` cycles a chirp.
+///
+/// The delay is taken as linear over a chirp's 50 µs (its curvature there moves the phase by 1e-9 rad), which makes the
+/// phase a parabola in time: three values by the formula, the rest by steps.
 fn add_pair(header: &CubeHeader, target: &Target, tx: usize, rx: usize, turn: f64, out: &mut [Complex64]) {
+    let samples = header.radar.waveform.samples as usize;
+    for (chirp, row) in out.chunks_exact_mut(samples).enumerate() {
+        let at = |n: usize| sample_cycles(header, target, [tx, rx], [chirp, n]);
+        let (amplitude, start) = at(0);
+        let last = samples.max(3) - 1;
+        let (half, whole) = (last / 2, last);
+        let [a, b] = [at(half).1 - start, at(whole).1 - start];
+        let (h, w) = (half as f64, whole as f64);
+        let bend = (b / w - a / h) / (w - h);
+        let slope = a / h - bend * h;
+        let mut value = Complex64::from_polar(amplitude, TAU * (start + turn * chirp as f64).fract());
+        let mut step = Complex64::from_polar(1.0, TAU * (slope + bend).fract());
+        let step_of_step = Complex64::from_polar(1.0, TAU * 2.0 * bend);
+        for out in row {
+            *out += value;
+            value *= step;
+            step *= step_of_step;
+        }
+    }
+}
+
+/// Amplitude and phase in cycles of one sample, by the formula alone.
+pub fn sample_cycles(header: &CubeHeader, target: &Target, [tx, rx]: [usize; 2], [chirp, n]: [usize; 2]) -> (f64, f64) {
     let w = &header.radar.waveform;
     let (p_t, p_r) = (header.radar.array.tx_m[tx], header.radar.array.rx_m[rx]);
-    let samples = w.samples as usize;
-    for (at, value) in out.iter_mut().enumerate() {
-        let (chirp, n) = (at / samples, at % samples);
-        let t = n as f64 / w.sample_rate_hz;
-        let [d_t, d_r] = legs(target, p_t, p_r, header.radar.chirp_start_s(tx, chirp) + t);
-        let tau = (d_t + d_r) / SPEED_OF_LIGHT_MPS;
-        let cycles = (w.start_frequency_hz * tau).fract() + w.slope_hz_per_s * (t * tau - 0.5 * tau * tau);
-        *value += Complex64::from_polar(amplitude(header, target, d_t, d_r), TAU * (cycles + turn * chirp as f64));
-    }
+    let t = n as f64 / w.sample_rate_hz;
+    let [d_t, d_r] = legs(target, p_t, p_r, header.radar.chirp_start_s(tx, chirp) + t);
+    let tau = (d_t + d_r) / SPEED_OF_LIGHT_MPS;
+    let cycles = w.start_frequency_hz * tau + w.slope_hz_per_s * (t * tau - 0.5 * tau * tau);
+    (amplitude(header, target, d_t, d_r), cycles)
 }
 
 /// Lengths of both legs, the target where it was when it scattered.
@@ -197,3 +219,31 @@ fn add_noise(header: &CubeHeader, values: &mut [Complex64], seed: u64) {
 }
 
 pub const NOISE_12_DB: Noise = Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 };
+
+/// Where a target is in the middle of the frame: (range, radial velocity, position).
+pub fn truth(header: &CubeHeader, target: &Target) -> (f64, f64, [f64; 3]) {
+    let middle_s = header.radar.frame_middle_s();
+    let position_m = [0, 1, 2].map(|i: usize| target.position_m[i] + middle_s * target.velocity_mps[i]);
+    let from_radar = [0, 1, 2].map(|i: usize| position_m[i] - header.radar.position_m[i]);
+    let range_m = from_radar.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let radial_mps = from_radar.iter().zip(target.velocity_mps).map(|(x, v)| x * v).sum::<f64>() / range_m;
+    (range_m, radial_mps, position_m)
+}
+
+/// `count` points with random strengths over the outline of a vehicle: a box `length` × `width` × `height` whose centre
+/// stands at `(x, y)` on the road, moving along it.
+pub fn vehicle([x, y]: [f64; 2], [length, width, height]: [f64; 3], velocity_mps: f64, seed: u64) -> Vec<Target> {
+    let mut random = ChaCha8Rng::from_seed(key(seed, "dsp/test-vehicle", &[]));
+    let mut uniform = || (random.next_u32() as f64 + 0.5) / 2f64.powi(32);
+    let count = (12.0 * length) as usize;
+    (0..count)
+        .map(|_| {
+            // The radar sees the near end and the side that faces it; strengths spread as exponentials do.
+            let on_end = uniform() < width / (width + length);
+            let along = if on_end { -0.5 } else { uniform() - 0.5 } * length;
+            let across = if on_end { uniform() - 0.5 } else { -0.5 * x.signum() } * width;
+            let rcs_m2 = -10.0 / count as f64 * uniform().ln();
+            target([x + across, y + along, height * uniform()], [0.0, velocity_mps, 0.0], rcs_m2)
+        })
+        .collect()
+}
