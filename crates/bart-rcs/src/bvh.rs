@@ -8,6 +8,7 @@ use glam::{DVec3, Vec3A};
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::{Bvh2, builder::build_bvh2, node::Bvh2Node};
+use std::ops::ControlFlow;
 use std::time::Duration;
 
 /// Hierarchy over the triangles of a mesh, body frame.
@@ -28,24 +29,32 @@ impl Hierarchy {
         Self { tree }
     }
 
-    /// Appends every triangle whose leaf reaches the positive side of all `planes` (body frame), in the tree's order.
-    pub(crate) fn inside(&self, planes: &[Plane], stack: &mut Vec<u32>, found: &mut Vec<u32>) {
+    /// Calls `visit` with every triangle whose leaf reaches the positive side of all `planes` (body frame), about in the
+    /// order from the far end of `nearer` on, until it breaks.
+    pub(crate) fn inside(
+        &self,
+        planes: &[Plane],
+        nearer: DVec3,
+        stack: &mut Vec<u32>,
+        mut visit: impl FnMut(u32) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
         stack.clear();
-        if !self.tree.nodes.is_empty() {
-            stack.push(0);
-        }
+        stack.extend(self.tree.nodes.first().filter(|root| reaches(root, planes)).map(|_| 0));
         while let Some(index) = stack.pop() {
             let node = &self.tree.nodes[index as usize];
-            if !reaches(node, planes) {
-                continue;
-            }
+            let first = node.first_index as usize;
             if node.is_leaf() {
-                let first = node.first_index as usize;
-                found.extend_from_slice(&self.tree.primitive_indices[first..first + node.prim_count as usize]);
+                let triangles = &self.tree.primitive_indices[first..first + node.prim_count as usize];
+                triangles.iter().try_for_each(|&triangle| visit(triangle))?;
             } else {
-                stack.extend([node.first_index + 1, node.first_index]);
+                let children = [node.first_index, node.first_index + 1];
+                let [a, b] = [0, 1].map(|i| &self.tree.nodes[first + i]);
+                let is_a_nearer = nearer.dot(doubled_middle(a)) > nearer.dot(doubled_middle(b));
+                let far_first = if is_a_nearer { [children[1], children[0]] } else { children };
+                stack.extend(far_first.into_iter().filter(|&i| reaches(&self.tree.nodes[i as usize], planes)));
             }
         }
+        ControlFlow::Continue(())
     }
 
     /// Bytes held, about.
@@ -62,6 +71,10 @@ fn reaches(node: &Bvh2Node, planes: &[Plane]) -> bool {
         let corner = DVec3::select(n.cmpge(DVec3::ZERO), high, low);
         plane.distance_m(corner) >= 0.0
     })
+}
+
+fn doubled_middle(node: &Bvh2Node) -> DVec3 {
+    (node.aabb().min + node.aabb().max).as_dvec3()
 }
 
 /// The smallest box of single-precision coordinates that holds the corners.
@@ -96,7 +109,10 @@ mod tests {
         let planes =
             [Plane { normal: DVec3::new(0.6, 0.8, 0.0), offset_m: 1.5 }, Plane { normal: -DVec3::Z, offset_m: -1.4 }];
         let (mut stack, mut found) = (Vec::new(), Vec::new());
-        hierarchy.inside(&planes, &mut stack, &mut found);
+        let _ = hierarchy.inside(&planes, DVec3::X, &mut stack, |triangle| {
+            found.push(triangle);
+            ControlFlow::Continue(())
+        });
         assert!(found.len() < 100, "the walk prunes");
         for i in 0..100 {
             let reaches = planes.iter().all(|p| triangle(i).iter().any(|&c| p.distance_m(c) >= 0.0));

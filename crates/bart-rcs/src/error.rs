@@ -74,4 +74,16 @@ pub enum BartError {
         /// Held.
         most: u8,
     },
+    /// A wave has a frequency.
+    #[error("a frequency must be positive and finite, is {frequency_hz} Hz")]
+    FrequencyNotPositive {
+        /// Asked for.
+        frequency_hz: f64,
+    },
+    /// An antenna stands away from the origin, or infinitely far.
+    #[error("a range must be positive, is {range_m} m")]
+    RangeNotPositive {
+        /// Asked for.
+        range_m: f64,
+    },
 }

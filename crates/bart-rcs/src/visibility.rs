@@ -13,7 +13,7 @@ use crate::world::{Walk, World};
 use artifact::settings::Sides;
 use glam::DVec3;
 use rayon::prelude::*;
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 
 /// Where one looks from, and through which hole.
 #[derive(Debug, Clone)]
@@ -86,23 +86,23 @@ impl Visibility for ByHierarchy {
         let mut slot_of_facet = vec![NO_SLOT; world.facets().len()];
         (0..).zip(&shadows).for_each(|(slot, shadow)| slot_of_facet[shadow.facet as usize] = slot);
         let table = Table { shadows: &shadows, slot_of_facet: &slot_of_facet };
-        let lit = |(walk, found, cutter): &mut (Walk, Vec<u32>, Cutter), slot: usize| {
+        let lit = |(walk, cutter): &mut (Walk, Cutter), slot: u32| {
             let mut parts = Parts::default();
-            see_facet(world, &view, scale, &table, slot, (walk, found, cutter), &mut parts);
+            see_facet(world, &view, scale, &table, slot, (walk, cutter), &mut parts);
             parts
         };
-        let seen: Vec<Parts> =
-            (0..shadows.len()).into_par_iter().with_min_len(64).map_init(Default::default, lit).collect();
+        let slots = (0..shadows.len() as u32).into_par_iter().with_min_len(64);
+        let seen: Vec<Parts> = slots.map_init(Default::default, lit).collect();
         seen.into_iter().filter(|parts| !parts.parts.is_empty()).collect()
     }
 
     fn reflected(world: &World, view: &View, scale: &Scale, buffers: &mut Buffers) -> Parts {
         buffers.gather(world, view, scale);
-        let Buffers { walk, found, shadows, slot_of_facet, cutter } = buffers;
+        let Buffers { walk, shadows, slot_of_facet, cutter, .. } = buffers;
         let table = Table { shadows, slot_of_facet };
         let mut parts = Parts::default();
-        for slot in 0..shadows.len() {
-            see_facet(world, view, scale, &table, slot, (walk, found, cutter), &mut parts);
+        for slot in 0..shadows.len() as u32 {
+            see_facet(world, view, scale, &table, slot, (walk, cutter), &mut parts);
         }
         shadows.iter().for_each(|shadow| slot_of_facet[shadow.facet as usize] = NO_SLOT);
         parts
@@ -114,7 +114,11 @@ impl Buffers {
     fn gather(&mut self, world: &World, view: &View, scale: &Scale) {
         self.slot_of_facet.resize(world.facets().len(), NO_SLOT);
         self.found.clear();
-        world.facets_inside(&view.window, &mut self.walk, &mut self.found);
+        let found = |facet| {
+            self.found.push(facet);
+            ControlFlow::Continue(())
+        };
+        let _ = world.visit_inside(&view.window, DVec3::ZERO, &mut self.walk, found);
         self.found.sort_unstable();
         let mirror = view.mirror.as_ref().map(|mirror| (mirror, world.facet(mirror.facet)));
         let shadow_of = |&facet: &u32| Shadow::of(facet, world.facet(facet), view.antenna, mirror, scale.tolerance_m);
@@ -187,39 +191,93 @@ fn see_facet(
     view: &View,
     scale: &Scale,
     table: &Table,
-    slot: usize,
-    (walk, found, cutter): (&mut Walk, &mut Vec<u32>, &mut Cutter),
+    slot: u32,
+    (walk, cutter): (&mut Walk, &mut Cutter),
     parts: &mut Parts,
 ) {
-    let target = &table.shadows[slot];
+    let target = &table.shadows[slot as usize];
     let Some(polygon) = clip_to_window(world, view, target, scale, &mut cutter.corners, &mut cutter.distances_m) else {
         return;
     };
-    let corners = &cutter.corners[polygon.clone()];
-    cutter.occluders.clear();
-    let occluders = if view.mirror.is_some() && table.shadows.len() <= MANY_IN_VIEW {
-        find_occluders(world, scale, target, corners, table.shadows, &mut cutter.occluders)
-    } else {
-        walk_towards(world, view, target, corners, walk, found);
-        let slots = found.iter().map(|&facet| table.slot_of_facet[facet as usize]).filter(|&slot| slot != NO_SLOT);
-        let shadows = slots.map(|slot| &table.shadows[slot as usize]);
-        find_occluders(world, scale, target, corners, shadows, &mut cutter.occluders)
-    };
-    if occluders == Cover::Whole {
+    if find_occluders(world, view, scale, table, target, &cutter.corners[polygon.clone()], walk, &mut cutter.occluders)
+        == Cover::Whole
+    {
         return;
     }
-    cutter.cut(polygon, scale, |polygon| parts.push(target, view.antenna, polygon, scale));
+    cutter.cut(polygon, table.shadows, scale, |polygon| parts.push(target, view.antenna, polygon, scale));
 }
 
-/// Facets that may stand between the antenna and a polygon of the target.
-fn walk_towards(
+/// An occluder of one target.
+#[derive(Debug, Clone, Copy)]
+struct Occluder {
+    /// In the table of shadows.
+    slot: u32,
+    hides: Hides,
+    apparent_size: f64,
+}
+
+/// Collects what may hide some of the polygon, the largest first; `Whole` where one facet hides all of it.
+fn find_occluders(
     world: &World,
     view: &View,
+    scale: &Scale,
+    table: &Table,
     target: &Shadow,
     polygon: &[Corner],
     walk: &mut Walk,
-    found: &mut Vec<u32>,
-) {
+    occluders: &mut Vec<Occluder>,
+) -> Cover {
+    occluders.clear();
+    let suspect = |slot: u32| suspect(world, scale, table, target, polygon, slot, occluders);
+    let end = if view.mirror.is_some() && table.shadows.len() <= MANY_IN_VIEW {
+        (0..table.shadows.len() as u32).try_for_each(suspect)
+    } else {
+        walk_towards(world, view, table, target, polygon, walk, suspect)
+    };
+    if end.is_break() {
+        return Cover::Whole;
+    }
+    occluders.sort_unstable_by(|a, b| b.apparent_size.total_cmp(&a.apparent_size).then(a.slot.cmp(&b.slot)));
+    Cover::Partial
+}
+
+/// Takes a facet among the occluders if it may hide some of the polygon; breaks if it hides all of it.
+fn suspect(
+    world: &World,
+    scale: &Scale,
+    table: &Table,
+    target: &Shadow,
+    polygon: &[Corner],
+    slot: u32,
+    occluders: &mut Vec<Occluder>,
+) -> ControlFlow<()> {
+    let shadow = &table.shadows[slot as usize];
+    if shadow.facet == target.facet || shadow.cover(Hides::AllInItsCone, polygon, scale.tolerance_m) == Cover::Apart {
+        return ControlFlow::Continue(());
+    }
+    let (own, other) = (world.facet(shadow.facet), world.facet(target.facet));
+    let hides = shadow.hides(own, target, other, scale);
+    if hides == Hides::Nothing || is_beside(polygon, &own.corners_m, scale.tolerance_m) {
+        return ControlFlow::Continue(());
+    }
+    match shadow.cover(hides, polygon, scale.tolerance_m) {
+        Cover::Apart => {}
+        Cover::Partial => occluders.push(Occluder { slot, hides, apparent_size: shadow.apparent_size }),
+        Cover::Whole => return ControlFlow::Break(()),
+    }
+    ControlFlow::Continue(())
+}
+
+/// Calls `suspect` with all that may stand between the antenna and a polygon of the target, about from the antenna on.
+fn walk_towards(
+    world: &World,
+    view: &View,
+    table: &Table,
+    target: &Shadow,
+    polygon: &[Corner],
+    walk: &mut Walk,
+    mut suspect: impl FnMut(u32) -> ControlFlow<()>,
+) -> ControlFlow<()> {
     let mut planes = [target.front; 16];
     let mut n = 1;
     if let Antenna::Point(p) = view.antenna {
@@ -232,49 +290,12 @@ fn walk_towards(
         planes[n] = corner.edge;
         n += 1;
     }
-    found.clear();
-    world.facets_inside(&planes[..n], walk, found);
-}
-
-/// An occluder of one target.
-#[derive(Debug, Clone, Copy)]
-struct Occluder {
-    shadow: Shadow,
-    hides: Hides,
-}
-
-/// Collects what may hide some of the polygon, the largest first; `Whole` where one facet hides all of it.
-fn find_occluders<'a>(
-    world: &World,
-    scale: &Scale,
-    target: &Shadow,
-    polygon: &[Corner],
-    shadows: impl IntoIterator<Item = &'a Shadow>,
-    occluders: &mut Vec<Occluder>,
-) -> Cover {
-    let facet = world.facet(target.facet);
-    for shadow in shadows {
-        let own = world.facet(shadow.facet);
-        let in_cone = shadow.facet != target.facet
-            && shadow.cover(Hides::AllInItsCone, polygon, scale.tolerance_m) != Cover::Apart
-            && !is_beside(polygon, &own.corners_m, scale.tolerance_m);
-        if !in_cone {
-            continue;
-        }
-        let hides = shadow.hides(own, target, facet, scale);
-        if hides == Hides::Nothing {
-            continue;
-        }
-        match shadow.cover(hides, polygon, scale.tolerance_m) {
-            Cover::Apart => {}
-            Cover::Partial => occluders.push(Occluder { shadow: *shadow, hides }),
-            Cover::Whole => return Cover::Whole,
-        }
-    }
-    occluders.sort_unstable_by(|a, b| {
-        b.shadow.apparent_size.total_cmp(&a.shadow.apparent_size).then(a.shadow.facet.cmp(&b.shadow.facet))
-    });
-    Cover::Partial
+    planes[..n].reverse();
+    let nearer = view.antenna.towards(polygon[0].point_m);
+    world.visit_inside(&planes[..n], nearer, walk, |facet| match table.slot_of_facet[facet as usize] {
+        NO_SLOT => ControlFlow::Continue(()),
+        slot => suspect(slot),
+    })
 }
 
 /// Whether a triangle lies wholly outside one of the planes through the antenna and the polygon's edges.
@@ -303,7 +324,7 @@ struct Piece {
 
 impl Cutter {
     /// Calls `lit` with every piece of `corners[polygon]` that no occluder hides.
-    fn cut(&mut self, polygon: Range<usize>, scale: &Scale, mut lit: impl FnMut(&[Corner])) {
+    fn cut(&mut self, polygon: Range<usize>, shadows: &[Shadow], scale: &Scale, mut lit: impl FnMut(&[Corner])) {
         self.lists.clear();
         self.lists.extend(0..self.occluders.len() as u32);
         self.open.clear();
@@ -313,20 +334,21 @@ impl Cutter {
             self.corners.truncate(piece.polygon.end);
             self.lists.truncate(piece.list.end);
             let list = piece.list.end..self.lists.len();
-            let Some(list) = self.still_reaching(&piece, scale).map(|end| list.start..end) else { continue };
-            if !self.subtract_first_of(list, piece.polygon.clone(), scale) {
+            let Some(list) = self.still_reaching(&piece, shadows, scale).map(|end| list.start..end) else { continue };
+            if !self.subtract_first_of(list, piece.polygon.clone(), shadows, scale) {
                 lit(&self.corners[piece.polygon]);
             }
         }
     }
 
     /// Appends the piece's occluders that still reach it and gives the end of the list; `None` where one hides it all.
-    fn still_reaching(&mut self, piece: &Piece, scale: &Scale) -> Option<usize> {
+    fn still_reaching(&mut self, piece: &Piece, shadows: &[Shadow], scale: &Scale) -> Option<usize> {
         let polygon = &self.corners[piece.polygon.clone()];
         for i in piece.list.clone() {
             let index = self.lists[i];
             let occluder = &self.occluders[index as usize];
-            match occluder.shadow.cover(occluder.hides, polygon, scale.tolerance_m) {
+            let shadow = &shadows[occluder.slot as usize];
+            match shadow.cover(occluder.hides, polygon, scale.tolerance_m) {
                 Cover::Apart => {}
                 Cover::Partial => self.lists.push(index),
                 Cover::Whole => return None,
@@ -336,11 +358,22 @@ impl Cutter {
     }
 
     /// Opens the parts of the polygon outside the first occluder that really overlaps it; `false` where none does.
-    fn subtract_first_of(&mut self, list: Range<usize>, polygon: Range<usize>, scale: &Scale) -> bool {
+    fn subtract_first_of(
+        &mut self,
+        list: Range<usize>,
+        polygon: Range<usize>,
+        shadows: &[Shadow],
+        scale: &Scale,
+    ) -> bool {
         for i in list.clone() {
             let occluder = self.occluders[self.lists[i] as usize];
             let (open, corners) = (self.open.len(), self.corners.len());
-            if self.open_outside_parts(&occluder, polygon.clone(), i + 1..list.end, scale) {
+            if self.open_outside_parts(
+                shadows[occluder.slot as usize].planes(occluder.hides),
+                polygon.clone(),
+                i + 1..list.end,
+                scale,
+            ) {
                 return true;
             }
             self.open.truncate(open);
@@ -349,15 +382,15 @@ impl Cutter {
         false
     }
 
-    /// Cuts the polygon by one occluder's planes, one after the other; `false` where nothing but rounding is hidden.
+    /// Cuts the polygon by an occluder's planes, one after the other; `false` where nothing but rounding is hidden.
     fn open_outside_parts(
         &mut self,
-        occluder: &Occluder,
+        planes: impl Iterator<Item = Plane>,
         mut polygon: Range<usize>,
         list: Range<usize>,
         scale: &Scale,
     ) -> bool {
-        for plane in occluder.shadow.planes(occluder.hides) {
+        for plane in planes {
             match split(&mut self.corners, polygon.clone(), &plane, scale.tolerance_m, &mut self.distances_m) {
                 Split::Inside => {}
                 Split::Outside => return false,

@@ -7,6 +7,7 @@ use artifact::paths::Facet;
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 /// Bodies posed at one instant. Facets are counted through all bodies in the order of the targets.
@@ -96,15 +97,22 @@ impl World {
         self.facets.len() * size_of::<FacetGeometry>() + models
     }
 
-    /// Appends, body by body, every facet that may reach the positive side of all `planes` (world); decides nothing.
-    pub(crate) fn facets_inside(&self, planes: &[Plane], walk: &mut Walk, found: &mut Vec<u32>) {
-        for body in &self.bodies {
+    /// Calls `visit` with every facet that may reach the positive side of all `planes` (world), body by body and about from
+    /// the far end of `nearer` on, until it breaks. Decides nothing.
+    pub(crate) fn visit_inside(
+        &self,
+        planes: &[Plane],
+        nearer: DVec3,
+        walk: &mut Walk,
+        mut visit: impl FnMut(u32) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        self.bodies.iter().try_for_each(|body| {
             walk.planes.clear();
             walk.planes.extend(planes.iter().map(|plane| body.plane_in_body(plane, self.tolerance_m)));
-            let before = found.len();
-            body.mesh.hierarchy.inside(&walk.planes, &mut walk.stack, found);
-            found[before..].iter_mut().for_each(|facet| *facet += body.first_facet);
-        }
+            let nearer = body.world_from_body.transpose() * nearer;
+            let hierarchy = &body.mesh.hierarchy;
+            hierarchy.inside(&walk.planes, nearer, &mut walk.stack, |triangle| visit(body.first_facet + triangle))
+        })
     }
 
     fn of_bodies(mut bodies: Vec<Body>) -> Result<Self, BartError> {
@@ -126,7 +134,7 @@ impl World {
     }
 }
 
-/// Buffers of [`World::facets_inside`].
+/// Buffers of [`World::visit_inside`].
 #[derive(Default)]
 pub(crate) struct Walk {
     planes: Vec<Plane>,

@@ -6,52 +6,54 @@ use artifact::settings::Sides;
 use bart_rcs::{Antenna, BartError, BeamTree, TraceSettings, World};
 use glam::{DMat3, DVec2, DVec3};
 
-pub mod referee;
+pub(crate) mod referee;
+pub(crate) mod scenes;
+pub(crate) mod sums;
 
 /// Both tracers: each test runs over them.
-pub type Tracer = fn(&World, Antenna, &TraceSettings) -> Result<BeamTree, BartError>;
-pub const TRACERS: [(&str, Tracer); 2] =
+pub(crate) type Tracer = fn(&World, Antenna, &TraceSettings) -> Result<BeamTree, BartError>;
+pub(crate) const TRACERS: [(&str, Tracer); 2] =
     [("beam tree", BeamTree::trace), ("every facet against every other", BeamTree::trace_by_brute_force)];
 
 /// Everything is kept.
-pub fn settings(max_order: u8) -> TraceSettings {
+pub(crate) fn settings(max_order: u8) -> TraceSettings {
     TraceSettings { max_order, sides: Sides::Two, least_area_m2: 0.0, least_mirror_area_m2: 0.0 }
 }
 
 /// Triangles by their corners.
 #[derive(Clone, Default)]
-pub struct Triangles(pub Vec<[DVec3; 3]>);
+pub(crate) struct Triangles(pub(crate) Vec<[DVec3; 3]>);
 
 impl Triangles {
-    pub fn mesh(&self) -> Mesh {
+    pub(crate) fn mesh(&self) -> Mesh {
         let vertices_m = self.0.iter().flatten().map(|v| v.to_array()).collect();
         let triangles = (0..self.0.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
         Mesh { name: "test".into(), vertices_m, triangles, ..Mesh::default() }
     }
 
-    pub fn world(&self) -> World {
+    pub(crate) fn world(&self) -> World {
         World::of_mesh(&self.mesh()).unwrap()
     }
 
-    pub fn and(mut self, other: Self) -> Self {
+    pub(crate) fn and(mut self, other: Self) -> Self {
         self.0.extend(other.0);
         self
     }
 
-    pub fn map(&self, f: impl Fn(DVec3) -> DVec3) -> Self {
+    pub(crate) fn map(&self, f: impl Fn(DVec3) -> DVec3) -> Self {
         Self(self.0.iter().map(|t| t.map(&f)).collect())
     }
 
-    pub fn shifted(&self, by: DVec3) -> Self {
+    pub(crate) fn shifted(&self, by: DVec3) -> Self {
         self.map(|v| v + by)
     }
 
-    pub fn flipped(&self) -> Self {
+    pub(crate) fn flipped(&self) -> Self {
         Self(self.0.iter().map(|&[a, b, c]| [a, c, b]).collect())
     }
 
     /// Every triangle in four, `times` times.
-    pub fn refined(&self, times: u32) -> Self {
+    pub(crate) fn refined(&self, times: u32) -> Self {
         (0..times).fold(self.clone(), |t, _| Self(t.0.iter().flat_map(|t| quartered(*t)).collect()))
     }
 }
@@ -68,7 +70,7 @@ fn fan(points: &[DVec3]) -> Vec<[DVec3; 3]> {
 }
 
 /// A closed box, seen from outside counter-clockwise.
-pub fn cuboid(low: DVec3, high: DVec3) -> Triangles {
+pub(crate) fn cuboid(low: DVec3, high: DVec3) -> Triangles {
     extruded(
         &[DVec2::new(low.x, low.z), DVec2::new(high.x, low.z), DVec2::new(high.x, high.z), DVec2::new(low.x, high.z)],
         low.y,
@@ -77,7 +79,7 @@ pub fn cuboid(low: DVec3, high: DVec3) -> Triangles {
 }
 
 /// A closed prism: a convex or star-shaped (about its first corner) outline in x–z, counter-clockwise seen from −y.
-pub fn extruded(outline: &[DVec2], y_low: f64, y_high: f64) -> Triangles {
+pub(crate) fn extruded(outline: &[DVec2], y_low: f64, y_high: f64) -> Triangles {
     let at = |y: f64| move |p: &DVec2| DVec3::new(p.x, y, p.y);
     let near: Vec<DVec3> = outline.iter().map(at(y_low)).collect();
     let far: Vec<DVec3> = outline.iter().map(at(y_high)).collect();
@@ -91,7 +93,7 @@ pub fn extruded(outline: &[DVec2], y_low: f64, y_high: f64) -> Triangles {
 }
 
 /// A sphere of 20·4ⁿ facets.
-pub fn sphere(radius_m: f64, refinements: u32) -> Triangles {
+pub(crate) fn sphere(radius_m: f64, refinements: u32) -> Triangles {
     let g = 0.5 * (1.0 + 5.0_f64.sqrt());
     let v: Vec<DVec3> = [(0.0, 1.0), (0.0, -1.0)]
         .iter()
@@ -125,7 +127,7 @@ fn wheel(centre: DVec3, radius_m: f64, width_m: f64, sides: u32) -> Triangles {
 }
 
 /// A car of closed parts that touch, coincide in places and pass through each other: 4.6 × 1.8 × 1.5 m on z = 0.
-pub fn car(wheel_sides: u32) -> Triangles {
+pub(crate) fn car(wheel_sides: u32) -> Triangles {
     let p = DVec2::new;
     let hull = [
         p(0.0, 0.55),
@@ -152,12 +154,12 @@ pub fn car(wheel_sides: u32) -> Triangles {
 }
 
 /// A rotation that no axis survives.
-pub fn tumbled() -> DMat3 {
+pub(crate) fn tumbled() -> DMat3 {
     DMat3::from_rotation_z(0.7) * DMat3::from_rotation_x(-0.4) * DMat3::from_rotation_y(1.1)
 }
 
 /// Directions that are symmetric to nothing, and some along the axes.
-pub fn directions() -> Vec<DVec3> {
+pub(crate) fn directions() -> Vec<DVec3> {
     let at = |azimuth: f64, elevation: f64| {
         let (sa, ca) = azimuth.to_radians().sin_cos();
         let (se, ce) = elevation.to_radians().sin_cos();
@@ -167,11 +169,11 @@ pub fn directions() -> Vec<DVec3> {
 }
 
 /// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): enough to strew test geometry.
-pub struct Random(pub u64);
+pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
     /// In [0, 1).
-    pub fn unit(&mut self) -> f64 {
+    pub(crate) fn unit(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -180,12 +182,12 @@ impl Random {
     }
 
     /// In the cube [−1, 1)³.
-    pub fn point(&mut self) -> DVec3 {
+    pub(crate) fn point(&mut self) -> DVec3 {
         DVec3::new(self.unit(), self.unit(), self.unit()) * 2.0 - 1.0
     }
 
     /// Below `n`.
-    pub fn below(&mut self, n: usize) -> usize {
+    pub(crate) fn below(&mut self, n: usize) -> usize {
         ((self.unit() * n as f64) as usize).min(n - 1)
     }
 }

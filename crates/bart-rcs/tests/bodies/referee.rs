@@ -7,7 +7,7 @@ use bart_rcs::Antenna;
 use glam::{DVec2, DVec3};
 
 /// Area across the direction, m², or solid angle, sr, of the union of the triangles, all of which lie before the antenna.
-pub fn silhouette(triangles: &[[DVec3; 3]], antenna: Antenna) -> f64 {
+pub(crate) fn silhouette(triangles: &[[DVec3; 3]], antenna: Antenna) -> f64 {
     let view = Projection::towards(triangles, antenna);
     let flat: Vec<[DVec2; 3]> = triangles.iter().map(|t| t.map(|v| view.flat(v))).collect();
     let heights = heights(&flat);
