@@ -1,0 +1,225 @@
+//! Scattering at one aspect: trees, joins and integrals of every order, by the rule asked for and by the other one.
+
+use crate::antenna::Antenna;
+use crate::beam::{BeamTree, TraceSettings};
+use crate::error::BartError;
+use crate::join::{Trees, tree_order};
+use crate::scatterer::{Integration, Scatterer, ZenithH, bracket_of};
+use crate::world::World;
+use artifact::paths::Amplitude;
+use artifact::radar::Polarization;
+use artifact::settings::NodeRule;
+use glam::DVec3;
+use num_complex::Complex64;
+use rayon::prelude::*;
+use std::time::Instant;
+
+/// Where the antennas are, with ĥ straight above and below.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Aspect {
+    pub(crate) transmit: (Antenna, DVec3),
+    /// `None` where it is the transmitter.
+    pub(crate) receive: Option<(Antenna, DVec3)>,
+}
+
+impl Aspect {
+    /// Whether a wave is spherical.
+    pub(crate) fn is_near(&self) -> bool {
+        let near = |antenna: Antenna| matches!(antenna, Antenna::Point(_));
+        near(self.transmit.0) || self.receive.is_some_and(|(antenna, _)| near(antenna))
+    }
+}
+
+/// What is asked at every aspect.
+#[derive(Debug, Clone)]
+pub(crate) struct AspectSettings {
+    pub(crate) trace: TraceSettings,
+    pub(crate) wavenumbers_per_m: Vec<f64>,
+    pub(crate) bounces: u8,
+    pub(crate) nodes: NodeRule,
+    pub(crate) polarization: Polarization,
+    /// Of every node integral.
+    pub(crate) accuracy: f64,
+}
+
+/// S of one aspect.
+#[derive(Debug, Clone)]
+pub(crate) struct Scattering {
+    /// By order from 1, then frequency: the rule asked for.
+    pub(crate) chosen_m: Vec<Vec<Complex64>>,
+    /// The same by the other rule.
+    other_m: Vec<Vec<Complex64>>,
+    /// |S − S(100 times finer)|² over frequency, where it was measured.
+    pub(crate) error_power: Option<f64>,
+    pub(crate) beams: Vec<u64>,
+    /// Independent phases of all beams given up.
+    pub(crate) dropped_m: f64,
+    /// Equal phases of all beams given up.
+    pub(crate) dropped_at_most_m: f64,
+    pub(crate) trace_seconds: f64,
+    pub(crate) integrate_seconds: f64,
+}
+
+/// Whether the error of the integrals is measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Check {
+    /// Against integrals a hundred times finer.
+    Measured,
+    Skipped,
+}
+
+/// Traces and integrates; polarization vectors have z as up, phases are referred to the world's origin.
+pub(crate) fn scattering(
+    world: &World,
+    aspect: &Aspect,
+    settings: &AspectSettings,
+    check: Check,
+) -> Result<Scattering, BartError> {
+    let start = Instant::now();
+    let transmit = BeamTree::trace(world, aspect.transmit.0, &settings.trace)?;
+    let receive = aspect.receive.map(|(antenna, _)| BeamTree::trace(world, antenna, &settings.trace)).transpose()?;
+    let trace_seconds = start.elapsed().as_secs_f64();
+    let trees = receive.as_ref().map_or(Trees::Shared(&transmit), |tree| Trees::Apart(&transmit, tree));
+    let zenith_h =
+        ZenithH { transmit: aspect.transmit.1, receive: aspect.receive.map_or(aspect.transmit.1, |(_, h)| h) };
+    let scatterer = Scatterer::new(world, trees, zenith_h);
+    let start = Instant::now();
+    let by_rule = |rule: NodeRule, settings: &AspectSettings| -> Vec<Vec<Complex64>> {
+        (1..=settings.bounces).map(|order| of_order(&scatterer, order, rule, settings)).collect()
+    };
+    let chosen_m = by_rule(settings.nodes, settings);
+    let other_m = by_rule(other(settings.nodes), settings);
+    let finer = AspectSettings { accuracy: 1e-2 * settings.accuracy, ..settings.clone() };
+    let error_power = (check == Check::Measured).then(|| power_between(&chosen_m, &by_rule(settings.nodes, &finer)));
+    let [dropped_m, dropped_at_most_m] = dropped([Some(&transmit), receive.as_ref()], settings);
+    let beams = beams_of([Some(&transmit), receive.as_ref()]);
+    let integrate_seconds = start.elapsed().as_secs_f64();
+    Ok(Scattering {
+        chosen_m,
+        other_m,
+        error_power,
+        beams,
+        dropped_m,
+        dropped_at_most_m,
+        trace_seconds,
+        integrate_seconds,
+    })
+}
+
+fn other(rule: NodeRule) -> NodeRule {
+    match rule {
+        NodeRule::Middle => NodeRule::Exit,
+        NodeRule::Exit => NodeRule::Middle,
+    }
+}
+
+/// One order's S over frequency, in the polarization asked for.
+fn of_order(scatterer: &Scatterer<'_>, order: u8, rule: NodeRule, settings: &AspectSettings) -> Vec<Complex64> {
+    let (p, q) = settings.polarization.indices();
+    by_polarization(scatterer, order, rule, settings).iter().map(|s| s[p][q]).collect()
+}
+
+/// One order's S over frequency, 2 × 2.
+pub(crate) fn by_polarization(
+    scatterer: &Scatterer<'_>,
+    order: u8,
+    rule: NodeRule,
+    settings: &AspectSettings,
+) -> Vec<Amplitude> {
+    let integration = Integration {
+        wavenumbers_per_m: &settings.wavenumbers_per_m,
+        accuracy: settings.accuracy,
+        bracket: bracket_of(rule),
+    };
+    let joints = scatterer.joints(order, rule, settings.trace.least_area_m2);
+    // Sums of fixed runs of joints, added in their order: the same bits on any number of threads.
+    const RUN: usize = 256;
+    let of_run = |run: &[crate::join::Joint]| {
+        let mut total = vec![Amplitude::default(); settings.wavenumbers_per_m.len()];
+        for joint in run {
+            let share = scatterer.scattering(joint, joints.polygon(joint), DVec3::ZERO, &integration).value;
+            add(&mut total, &share);
+        }
+        total
+    };
+    let runs: Vec<Vec<Amplitude>> = joints.list.par_chunks(RUN).map(of_run).collect();
+    let mut total = vec![Amplitude::default(); settings.wavenumbers_per_m.len()];
+    runs.iter().for_each(|run| add(&mut total, run));
+    total
+}
+
+fn add(total: &mut [Amplitude], share: &[Amplitude]) {
+    for (sum, s) in total.iter_mut().flatten().flatten().zip(share.iter().flatten().flatten()) {
+        *sum += s;
+    }
+}
+
+/// k/√π times the area across the wave of what was dropped, and of mirrors that were not followed: as one sum, and with
+/// the phases of equal pieces independent.
+fn dropped(trees: [Option<&BeamTree>; 2], settings: &AspectSettings) -> [f64; 2] {
+    let highest = settings.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
+    let factor = highest / std::f64::consts::PI.sqrt();
+    let (mut squares, mut sum) = (0.0, 0.0);
+    let needed = usize::from(tree_order(settings.bounces, settings.nodes));
+    for tree in trees.into_iter().flatten() {
+        for (index, order) in tree.audit.orders.iter().take(needed).enumerate() {
+            // The last order is not reflected at all.
+            let unreflected = if index + 1 < needed { order.unreflected_across_m2 } else { 0.0 };
+            for (across_m2, count) in [(order.dropped_across_m2, order.dropped), (unreflected, order.unreflected)] {
+                squares += across_m2 * across_m2 / count.max(1) as f64;
+                sum += across_m2;
+            }
+        }
+    }
+    [factor * squares.sqrt(), factor * sum]
+}
+
+fn beams_of(trees: [Option<&BeamTree>; 2]) -> Vec<u64> {
+    let mut beams = Vec::new();
+    for tree in trees.into_iter().flatten() {
+        beams.resize(beams.len().max(tree.audit.orders.len()), 0);
+        beams.iter_mut().zip(&tree.audit.orders).for_each(|(sum, order)| *sum += order.beams);
+    }
+    beams
+}
+
+impl Scattering {
+    /// All orders at one frequency.
+    pub(crate) fn total_m(&self, frequency: usize) -> Complex64 {
+        self.chosen_m.iter().map(|order| order[frequency]).sum()
+    }
+
+    /// |S|² over frequency.
+    pub(crate) fn mean_power(&self) -> f64 {
+        mean_over_frequencies(self.frequencies(), |f| self.total_m(f))
+    }
+
+    /// |S|² of one order (from 0) over frequency.
+    pub(crate) fn order_power(&self, order: usize) -> f64 {
+        mean_over_frequencies(self.frequencies(), |f| self.chosen_m[order][f])
+    }
+
+    /// |S(this rule) − S(the other)|² of one order (from 0) over frequency.
+    pub(crate) fn order_spread_power(&self, order: usize) -> f64 {
+        mean_over_frequencies(self.frequencies(), |f| self.chosen_m[order][f] - self.other_m[order][f])
+    }
+
+    /// The same for the sum of all orders.
+    pub(crate) fn node_spread_power(&self) -> f64 {
+        power_between(&self.chosen_m, &self.other_m)
+    }
+
+    fn frequencies(&self) -> usize {
+        self.chosen_m.first().map_or(0, Vec::len)
+    }
+}
+
+/// Mean over frequency of the power of a difference of sums over orders.
+fn power_between(a: &[Vec<Complex64>], b: &[Vec<Complex64>]) -> f64 {
+    let total = |orders: &[Vec<Complex64>], f: usize| orders.iter().map(|order| order[f]).sum::<Complex64>();
+    mean_over_frequencies(a.first().map_or(0, Vec::len), |f| total(a, f) - total(b, f))
+}
+
+fn mean_over_frequencies(count: usize, of: impl Fn(usize) -> Complex64) -> f64 {
+    (0..count).map(|f| of(f).norm_sqr()).sum::<f64>() / count.max(1) as f64
+}

@@ -1,0 +1,265 @@
+//! Scattering amplitude of a mesh over frequency, elevation and azimuth: far field or finite range, one antenna or two.
+
+use crate::antenna::Antenna;
+use crate::aspect::{Aspect, AspectSettings, Check, Scattering, scattering};
+use crate::beam::TraceSettings;
+use crate::error::BartError;
+use crate::join::tree_order;
+use crate::polarization::zenith_h;
+use crate::scatterer::check_order;
+use crate::world::World;
+use artifact::radar::Polarization;
+use artifact::scene::Mesh;
+use artifact::settings::{NodeRule, Sides};
+use artifact::units::SPEED_OF_LIGHT_MPS;
+use artifact::{Accuracy, ErrorBudget, ModelError};
+use glam::DVec3;
+use num_complex::Complex64;
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+
+/// S(frequency, elevation, azimuth) that is asked for; body axes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RcsRequest {
+    /// Axis 0.
+    pub frequency_hz: Vec<f64>,
+    /// Axis 1: of the antenna above the horizon.
+    pub elevation_rad: Vec<f64>,
+    /// Axis 2: of the antenna, from body x towards body y.
+    pub azimuth_rad: Vec<f64>,
+    /// Antenna to origin; infinite for the far field.
+    pub range_m: f64,
+    /// A receiver that stands still while the transmitter takes every aspect; `None` where it is the transmitter.
+    pub receiver: Option<Standpoint>,
+    /// Of the result.
+    pub polarization: Polarization,
+    /// Highest bounce order, 1 to 5.
+    pub bounces: u8,
+    /// Node of multiple reflections.
+    pub nodes: NodeRule,
+    /// Which sides of a facet scatter.
+    pub sides: Sides,
+    /// Relative amplitude error allowed over the whole table; not carried below −160 dB.
+    pub accuracy: Accuracy,
+}
+
+/// Where an antenna stands, seen from the body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Standpoint {
+    /// From body x towards body y.
+    pub azimuth_rad: f64,
+    /// Above the horizon.
+    pub elevation_rad: f64,
+    /// To the origin; infinite for the far field.
+    pub range_m: f64,
+}
+
+/// S in metres and what is known of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RcsResult {
+    /// Row-major `[frequency, elevation, azimuth]`, phase at the body's origin.
+    pub amplitude_m: Vec<Complex64>,
+    /// The same by bounce order, from order 1; their sum is `amplitude_m`.
+    pub by_order_m: Vec<Vec<Complex64>>,
+    /// Beams by order of their tree, all aspects and both ends.
+    pub beams: Vec<u64>,
+    /// Work by phase, all threads together.
+    pub seconds: RcsSeconds,
+    /// Numerical error over the table.
+    pub error: ErrorBudget,
+    /// What the model leaves out, over the table.
+    pub model_error: ModelError,
+    /// Per order from 1: ‖S(exit) − S(middle)‖ of that order over ‖S‖ of all.
+    pub node_spread: Vec<f64>,
+    /// Largest sum over one aspect of what dropped beams could scatter at most, over the table's root mean square |S|.
+    pub dropped_at_most: f64,
+}
+
+/// Seconds of work by phase.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct RcsSeconds {
+    /// Hierarchy of the mesh.
+    pub build: f64,
+    /// Beam trees.
+    pub trace: f64,
+    /// Joins and integrals.
+    pub integrate: f64,
+}
+
+/// S of a mesh in body axes.
+///
+/// One tree (two with a receiver apart) serves all frequencies of an aspect. `progress` hears (aspects done, aspects).
+/// The same request gives the same bytes on any number of threads, but for `seconds`.
+///
+/// At finite range the error of the integrals is measured at three aspects of the table against integrals a hundred times
+/// finer; if it exceeds the accuracy asked, everything is integrated finer.
+pub fn rcs(
+    mesh: &Mesh,
+    request: &RcsRequest,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<RcsResult, BartError> {
+    check(request)?;
+    let start = Instant::now();
+    let world = World::of_mesh(mesh)?;
+    let build = start.elapsed().as_secs_f64();
+    let aspects = aspects(request);
+    let asked = request.accuracy.amplitude().max(1e-8);
+    let mut accuracy = asked;
+    loop {
+        let settings = aspect_settings(request, accuracy);
+        let table = sweep(&world, &aspects, &settings, progress)?;
+        let integration = measured_error(&aspects, &table);
+        if integration <= asked || accuracy < 1e-4 * asked {
+            return Ok(result(request, &table, integration, build));
+        }
+        accuracy *= 0.1;
+    }
+}
+
+fn check(request: &RcsRequest) -> Result<(), BartError> {
+    check_order(request.bounces)?;
+    if let Some(&found) = request.frequency_hz.iter().find(|f| !(f.is_finite() && **f > 0.0)) {
+        return Err(BartError::FrequencyNotPositive { frequency_hz: found });
+    }
+    let ranges = request.receiver.iter().map(|r| r.range_m).chain([request.range_m]);
+    if let Some(range_m) = ranges.into_iter().find(|r| r.is_nan() || *r <= 0.0) {
+        return Err(BartError::RangeNotPositive { range_m });
+    }
+    Ok(())
+}
+
+impl Standpoint {
+    /// Unit vector from the origin.
+    fn direction(&self) -> DVec3 {
+        let (sin_el, cos_el) = self.elevation_rad.sin_cos();
+        let (sin_az, cos_az) = self.azimuth_rad.sin_cos();
+        DVec3::new(cos_el * cos_az, cos_el * sin_az, sin_el)
+    }
+
+    fn antenna(&self) -> Antenna {
+        if self.range_m.is_finite() {
+            Antenna::Point(self.range_m * self.direction())
+        } else {
+            Antenna::Direction(self.direction())
+        }
+    }
+}
+
+/// Elevation by elevation, azimuth by azimuth.
+fn aspects(request: &RcsRequest) -> Vec<Aspect> {
+    let of = |elevation_rad: f64, azimuth_rad: f64| {
+        let transmitter = Standpoint { azimuth_rad, elevation_rad, range_m: request.range_m };
+        Aspect {
+            transmit: (transmitter.antenna(), zenith_h(azimuth_rad)),
+            receive: request.receiver.map(|r| (r.antenna(), zenith_h(r.azimuth_rad))),
+        }
+    };
+    request.elevation_rad.iter().flat_map(|el| request.azimuth_rad.iter().map(move |az| of(*el, *az))).collect()
+}
+
+fn aspect_settings(request: &RcsRequest, accuracy: f64) -> AspectSettings {
+    let wavenumbers_per_m: Vec<f64> = request.frequency_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
+    let shortest_m = TAU / wavenumbers_per_m.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+    // λ²/100·accuracy (physics §2); mirrors of a hundred times that size are the smallest that are followed.
+    let least_area_m2 = 1e-2 * shortest_m * shortest_m * request.accuracy.amplitude();
+    let both = tree_order(request.bounces, NodeRule::Exit).max(tree_order(request.bounces, NodeRule::Middle));
+    AspectSettings {
+        trace: TraceSettings {
+            max_order: both,
+            sides: request.sides,
+            least_area_m2,
+            least_mirror_area_m2: 100.0 * least_area_m2,
+        },
+        wavenumbers_per_m,
+        bounces: request.bounces,
+        nodes: request.nodes,
+        polarization: request.polarization,
+        accuracy,
+    }
+}
+
+fn sweep(
+    world: &World,
+    aspects: &[Aspect],
+    settings: &AspectSettings,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Vec<Scattering>, BartError> {
+    let done = AtomicUsize::new(0);
+    let checked = [0, aspects.len() / 2, aspects.len().saturating_sub(1)];
+    let one = |(index, aspect): (usize, &Aspect)| {
+        let check = if checked.contains(&index) && aspect.is_near() { Check::Measured } else { Check::Skipped };
+        let found = scattering(world, aspect, settings, check);
+        progress(done.fetch_add(1, Ordering::Relaxed) + 1, aspects.len());
+        found
+    };
+    aspects.par_iter().enumerate().map(one).collect::<Vec<_>>().into_iter().collect()
+}
+
+/// ‖S − S(100 times finer)‖ per value over the table's root mean square |S|; rounding in the far field, where the closed
+/// form is exact to 1e-12.
+fn measured_error(aspects: &[Aspect], table: &[Scattering]) -> f64 {
+    const ROUNDING: f64 = 1e-12;
+    if !aspects.iter().any(Aspect::is_near) {
+        return ROUNDING;
+    }
+    let mean_power = table.iter().map(Scattering::mean_power).sum::<f64>() / table.len() as f64;
+    let measured: Vec<f64> = table.iter().filter_map(|s| s.error_power).collect();
+    ratio(measured.iter().sum::<f64>() / measured.len().max(1) as f64, mean_power).max(ROUNDING)
+}
+
+/// Amplitude ratio of two powers; 0 of nothing.
+fn ratio(part: f64, whole: f64) -> f64 {
+    if whole > 0.0 { (part / whole).sqrt() } else { 0.0 }
+}
+
+fn result(request: &RcsRequest, table: &[Scattering], integration: f64, build: f64) -> RcsResult {
+    let values = request.frequency_hz.len();
+    let orders = usize::from(request.bounces);
+    let transposed = |of: &dyn Fn(&Scattering, usize) -> Complex64| {
+        (0..values).flat_map(|f| table.iter().map(move |s| (s, f))).map(|(s, f)| of(s, f)).collect::<Vec<_>>()
+    };
+    let power = table.iter().map(Scattering::mean_power).sum::<f64>();
+    let over_all = |of: &dyn Fn(&Scattering) -> f64| ratio(table.iter().map(of).sum::<f64>(), power);
+    let dropped_m2: f64 = table.iter().map(|s| s.dropped_m.powi(2)).sum();
+    let most_m = table.iter().map(|s| s.dropped_at_most_m).fold(0.0, f64::max);
+    RcsResult {
+        amplitude_m: transposed(&|s, f| s.total_m(f)),
+        by_order_m: (0..orders).map(|order| transposed(&|s, f| s.chosen_m[order][f])).collect(),
+        beams: sums(table.iter().map(|s| s.beams.as_slice())),
+        seconds: RcsSeconds {
+            build,
+            trace: table.iter().map(|s| s.trace_seconds).sum(),
+            integrate: table.iter().map(|s| s.integrate_seconds).sum(),
+        },
+        error: ErrorBudget {
+            integration: Some(integration),
+            dropped: Some(ratio(dropped_m2, power)),
+            ..ErrorBudget::default()
+        },
+        model_error: ModelError {
+            nodes: Some(over_all(&Scattering::node_spread_power)),
+            bounces: next_order(&(0..orders).map(|o| over_all(&|s| s.order_power(o))).collect::<Vec<_>>()),
+            ..ModelError::default()
+        },
+        node_spread: (0..orders).map(|order| over_all(&|s| s.order_spread_power(order))).collect(),
+        dropped_at_most: ratio(most_m * most_m, power / table.len() as f64),
+    }
+}
+
+/// What the first order left out would carry if orders went on to decay as the last two did, and no growth is assumed;
+/// `None` from one order alone.
+pub(crate) fn next_order(by_order: &[f64]) -> Option<f64> {
+    let [.., before, last] = by_order else { return None };
+    Some(if last < before { last * last / before } else { *last })
+}
+
+fn sums<'a>(lists: impl Iterator<Item = &'a [u64]>) -> Vec<u64> {
+    let mut total = Vec::new();
+    for list in lists {
+        total.resize(total.len().max(list.len()), 0);
+        total.iter_mut().zip(list).for_each(|(sum, n)| *sum += n);
+    }
+    total
+}
