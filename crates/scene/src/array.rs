@@ -20,8 +20,11 @@ pub(crate) struct Mount {
 /// Elements in half wavelengths, [right, up].
 type Elements = Vec<[f64; 2]>;
 
+/// Name and maker of transmit and receive elements.
+type Preset = (&'static str, fn() -> (Elements, Elements));
+
 /// Transmit and receive elements of the presets (table of `docs/scenes.md`); the last has 192 virtual elements.
-const PRESETS: [(&str, fn() -> (Elements, Elements)); 5] = [
+const PRESETS: [Preset; 5] = [
     ("1x1", || (row(1, 1.0), row(1, 1.0))),
     ("1x4", || (row(1, 1.0), row(4, 1.0))),
     ("3x4", || (row(3, 4.0), row(4, 1.0))),

@@ -1,4 +1,42 @@
-//! From a scene file to bodies in the world: scenes, meshes, the project's own vehicles and their motion.
+//! Scenes: what the radar is, what stands on the road, and how it moves.
+//!
+//! A TOML file (`docs/scenes.md` has every key) and the mesh files it names go in; a
+//! [`SceneHeader`](artifact::scene::SceneHeader) comes out: the radar with its elements in world metres, the settings of
+//! every later stage, meshes in body axes (x forward, y left, z up; the centre of the bounding box, on the ground, at the
+//! origin) and each target's pose at the first sample. [`snapshot`] moves the targets to any frame.
+//!
+//! ```
+//! use scene::{Meshes, ReadOptions, read, snapshot};
+//! # let folder = tempfile::tempdir()?; let file = folder.path().join("crossing.toml");
+//! # std::fs::write(folder.path().join("sign.obj"), "v 0 0 1\nv 0 1 1\nv 0 1 2\nv 0 0 2\nf 1 2 3 4\n")?;
+//! std::fs::write(&file, r#"
+//!     name = "crossing"
+//!     frames = 2
+//!     [[target]]
+//!     kind = "mesh"
+//!     id = "sign"
+//!     model = "sign.obj"            # or one of scene::vehicles::NAMES
+//!     lane = 2
+//!     y_m = 40.0
+//!     velocity_mps = [0.0, -10.0, 0.0]
+//! "#)?;
+//! let scene = read(&file, &ReadOptions { model: None, meshes: Meshes::Whole })?;
+//! assert_eq!(scene.radar.virtual_channels(), 12);
+//! assert_eq!(scene.meshes[0].triangles.len(), 2);
+//! assert_eq!(snapshot(&scene, 1).poses[0].position_m, [5.75, 39.0, 0.0]);
+//!
+//! // Every broken rule is reported, each in its place.
+//! std::fs::write(&file, "name = \"crossing\"\nframes = 0\n[radar]\npositon_m = [0, 0, 6]\n")?;
+//! let errors = read(&file, &ReadOptions { model: None, meshes: Meshes::Whole }).unwrap_err();
+//! assert_eq!(errors.0.len(), 2);
+//! assert!(errors.to_string().ends_with("4:1: [radar]: unknown key `positon_m`; the nearest is `position_m`"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! [`read_mesh`] reads a mesh alone and keeps the file's origin; [`centred`] gives it a scene's.
+//!
+//! To read in this order: `keys` (what a scene may say), `document` (typed values with their places), `read` and the
+//! tables it calls, `models`, then [`mesh`] (glTF, STL, OBJ) and [`vehicles`] (the project's own, made from parameters).
 
 mod errors;
 mod keys;

@@ -1,5 +1,7 @@
 //! Broken scenes: each is refused with its line, its column and the rule it breaks, and all rules at once.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
+
 use scene::{Meshes, ReadOptions, SceneErrors};
 use std::path::Path;
 

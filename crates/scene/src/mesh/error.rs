@@ -173,9 +173,9 @@ pub enum MeshFault {
     #[error("sparse indices must rise and stay below {count}; found {index}")]
     Sparse {
         /// Of the accessor.
-        count: u64,
+        count: usize,
         /// The one that does not.
-        index: u64,
+        index: usize,
     },
     /// Vertices are missing.
     #[error("has no attribute POSITION")]

@@ -46,27 +46,32 @@ impl<'d> Accessors<'d> {
         }
         let accessor = self.accessor(user, index)?;
         let place = MeshPlace::Accessor(index);
-        let component = self.vector_component(accessor).map_err(|fault| place.fault(fault))?;
-        let vector = |bytes: &[u8]| decode_vector(bytes, component, accessor.normalized);
-        let mut vectors: Vec<DVec3> = match self.base(place, accessor, 3 * size_of(component))? {
-            Some(elements) => elements.iter().map(vector).collect(),
+        let encoding = self.encoding(accessor).map_err(|fault| place.fault(fault))?;
+        let mut vectors: Vec<DVec3> = match self.base(place, accessor, encoding.vector_bytes())? {
+            Some(elements) => elements.iter().map(|bytes| encoding.vector(bytes)).collect(),
             None => vec![DVec3::ZERO; accessor.count.0 as usize],
         };
         if let Some(sparse) = &accessor.sparse {
-            let values = self.elements(
-                place,
-                sparse.values.buffer_view,
-                sparse.values.byte_offset.0,
-                sparse.count.0,
-                3 * size_of(component),
-            )?;
-            for (i, bytes) in self.sparse_indices(place, accessor, sparse)?.into_iter().zip(values.iter()) {
-                vectors[i] = vector(bytes);
-            }
+            self.replace_sparse(place, sparse, encoding, &mut vectors)?;
         }
         let vectors = Rc::new(vectors);
         self.vectors.insert(index, vectors.clone());
         Ok(vectors)
+    }
+
+    fn replace_sparse(
+        &self,
+        place: MeshPlace,
+        sparse: &Sparse,
+        encoding: Encoding,
+        vectors: &mut [DVec3],
+    ) -> Result<(), Located> {
+        let (values, count) = (&sparse.values, sparse.count.0);
+        let values = self.elements(place, values.buffer_view, values.byte_offset.0, count, encoding.vector_bytes())?;
+        for (i, bytes) in self.sparse_indices(place, sparse, vectors.len())?.into_iter().zip(values.iter()) {
+            vectors[i] = encoding.vector(bytes);
+        }
+        Ok(())
     }
 
     /// Corners of triangles.
@@ -92,13 +97,13 @@ impl<'d> Accessors<'d> {
     }
 
     /// Three floats, or with KHR_mesh_quantization three small integers.
-    fn vector_component(&self, accessor: &Accessor) -> Result<ComponentType, MeshFault> {
+    fn encoding(&self, accessor: &Accessor) -> Result<Encoding, MeshFault> {
         let quantized = self.root.extensions_used.iter().any(|name| name == "KHR_mesh_quantization");
         match (accessor.type_, accessor.component_type) {
             (Checked::Valid(Type::Vec3), Checked::Valid(GenericComponentType(component)))
                 if component == ComponentType::F32 || (quantized && component != ComponentType::U32) =>
             {
-                Ok(component)
+                Ok(Encoding { component, normalized: accessor.normalized })
             }
             _ => Err(MeshFault::AccessorType { expected: "vectors of three 32-bit floats" }),
         }
@@ -115,7 +120,7 @@ impl<'d> Accessors<'d> {
         }
     }
 
-    fn sparse_indices(&self, place: MeshPlace, accessor: &Accessor, sparse: &Sparse) -> Result<Vec<usize>, Located> {
+    fn sparse_indices(&self, place: MeshPlace, sparse: &Sparse, count: usize) -> Result<Vec<usize>, Located> {
         let Checked::Valid(IndexComponentType(component)) = sparse.indices.component_type else {
             return Err(
                 place.fault(MeshFault::AccessorType { expected: "sparse indices of 8, 16 or 32 unsigned bits" })
@@ -125,11 +130,10 @@ impl<'d> Accessors<'d> {
         let elements =
             self.elements(place, indices.buffer_view, indices.byte_offset.0, sparse.count.0, size_of(component))?;
         let found: Vec<usize> = elements.iter().map(|bytes| decode_index(bytes) as usize).collect();
-        let count = accessor.count.0;
-        let beyond = found.iter().find(|&&i| i as u64 >= count);
+        let beyond = found.iter().find(|&&i| i >= count);
         let falling = found.windows(2).find(|pair| pair[0] >= pair[1]).map(|pair| &pair[1]);
         match beyond.or(falling) {
-            Some(&index) => Err(place.fault(MeshFault::Sparse { count, index: index as u64 })),
+            Some(&index) => Err(place.fault(MeshFault::Sparse { count, index })),
             None => Ok(found),
         }
     }
@@ -186,22 +190,35 @@ fn decode_index(bytes: &[u8]) -> u32 {
     bytes.iter().rev().fold(0, |value, byte| value << 8 | u32::from(*byte))
 }
 
-fn decode_vector(bytes: &[u8], component: ComponentType, normalized: bool) -> DVec3 {
-    let size = component.size();
-    let number = |i: usize| decode_number(&bytes[i * size..(i + 1) * size], component, normalized);
-    DVec3::new(number(0), number(1), number(2))
+/// How a vector's three numbers are stored.
+#[derive(Clone, Copy)]
+struct Encoding {
+    component: ComponentType,
+    normalized: bool,
 }
 
-/// Integers become fractions where normalized (glTF 2.0, 3.6.2.2).
-fn decode_number(bytes: &[u8], component: ComponentType, normalized: bool) -> f64 {
-    let bits = decode_index(bytes);
-    let (value, highest) = match component {
-        ComponentType::F32 => return f64::from(f32::from_bits(bits)),
-        ComponentType::I8 => (f64::from(bits as u8 as i8), 127.0),
-        ComponentType::U8 => (f64::from(bits), 255.0),
-        ComponentType::I16 => (f64::from(bits as u16 as i16), 32767.0),
-        ComponentType::U16 => (f64::from(bits), 65535.0),
-        ComponentType::U32 => (f64::from(bits), 4294967295.0),
-    };
-    if normalized { f64::max(value / highest, -1.0) } else { value }
+impl Encoding {
+    fn vector_bytes(self) -> u64 {
+        3 * size_of(self.component)
+    }
+
+    fn vector(self, bytes: &[u8]) -> DVec3 {
+        let size = self.component.size();
+        let number = |i: usize| self.number(&bytes[i * size..(i + 1) * size]);
+        DVec3::new(number(0), number(1), number(2))
+    }
+
+    /// Integers become fractions where normalized (glTF 2.0, 3.6.2.2).
+    fn number(self, bytes: &[u8]) -> f64 {
+        let bits = decode_index(bytes);
+        let (value, highest) = match self.component {
+            ComponentType::F32 => return f64::from(f32::from_bits(bits)),
+            ComponentType::I8 => (f64::from(bits as u8 as i8), 127.0),
+            ComponentType::U8 => (f64::from(bits), 255.0),
+            ComponentType::I16 => (f64::from(bits as u16 as i16), 32767.0),
+            ComponentType::U16 => (f64::from(bits), 65535.0),
+            ComponentType::U32 => (f64::from(bits), 4294967295.0),
+        };
+        if self.normalized { f64::max(value / highest, -1.0) } else { value }
+    }
 }

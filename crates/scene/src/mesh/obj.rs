@@ -21,8 +21,15 @@ struct Document {
 
 struct Group {
     material: String,
-    with_normals: bool,
+    normals: Normals,
     triangles: Vec<[Corner; 3]>,
+}
+
+/// Whether all corners of a face have normals; those of some only are left out.
+#[derive(Clone, Copy, PartialEq)]
+enum Normals {
+    Given,
+    Absent,
 }
 
 pub(crate) fn read_obj(bytes: &[u8]) -> Result<Vec<Part>, Located> {
@@ -73,17 +80,18 @@ impl Document {
         if corners.len() < 3 {
             return Err(MeshFault::Corners(corners.len()));
         }
-        let with_normals = corners.iter().all(|(_, normal)| normal.is_some());
+        let given = corners.iter().all(|(_, normal)| normal.is_some());
+        let normals = if given { Normals::Given } else { Normals::Absent };
         let points: Vec<DVec3> = corners.iter().map(|(vertex, _)| self.vertices[*vertex as usize]).collect();
         let triangles = super::polygon::triangulate(&points).into_iter().map(|ears| ears.map(|i| corners[i]));
-        self.group(material, with_normals).triangles.extend(triangles);
+        self.group(material, normals).triangles.extend(triangles);
         Ok(())
     }
 
-    fn group(&mut self, material: &str, with_normals: bool) -> &mut Group {
-        let same = |group: &Group| group.material == material && group.with_normals == with_normals;
+    fn group(&mut self, material: &str, normals: Normals) -> &mut Group {
+        let same = |group: &Group| group.material == material && group.normals == normals;
         let index = self.groups.iter().rposition(same).unwrap_or_else(|| {
-            self.groups.push(Group { material: material.to_owned(), with_normals, triangles: vec![] });
+            self.groups.push(Group { material: material.to_owned(), normals, triangles: vec![] });
             self.groups.len() - 1
         });
         &mut self.groups[index]
@@ -106,17 +114,14 @@ impl Document {
 
 /// Corners of one vertex and one normal become one vertex of the part; nothing else is joined.
 fn into_part(group: Group, vertices: &[DVec3], normals: &[DVec3]) -> Result<Part, Located> {
-    let mut numbers = BTreeMap::<Corner, u32>::new();
-    group.triangles.iter().flatten().for_each(|corner| {
-        let corner = if group.with_normals { *corner } else { (corner.0, None) };
-        numbers.insert(corner, 0);
-    });
+    let given = group.normals == Normals::Given;
+    let key = |(vertex, normal): Corner| (vertex, normal.filter(|_| given));
+    let mut numbers: BTreeMap<Corner, u32> = group.triangles.iter().flatten().map(|corner| (key(*corner), 0)).collect();
     numbers.values_mut().zip(0..).for_each(|(number, next)| *number = next);
     let positions: Vec<DVec3> = numbers.keys().map(|(vertex, _)| vertices[*vertex as usize]).collect();
     let of_corners: Vec<DVec3> = numbers.keys().filter_map(|(_, normal)| Some(normals[(*normal)? as usize])).collect();
-    let number = |(vertex, normal): Corner| numbers[&(vertex, normal.filter(|_| group.with_normals))];
-    let triangles = group.triangles.iter().map(|corners| corners.map(number)).collect();
-    let of_corners = group.with_normals.then_some(of_corners.as_slice());
+    let triangles = group.triangles.iter().map(|corners| corners.map(|corner| numbers[&key(corner)])).collect();
+    let of_corners = given.then_some(of_corners.as_slice());
     Part::new(MeshPlace::File, &positions, of_corners, triangles, group.material)
 }
 
