@@ -12,24 +12,18 @@ const LOG_RANGE: f64 = 3.0;
 /// Golden sections: the bracket shrinks to 6 · 0.618⁴⁰ = 3e-8 in the logarithm, below what f32 weights can hold.
 const SECTIONS: u32 = 40;
 
-/// The temperature of the lowest smoothed log loss on `examples`.
+/// The likeliest temperature of `examples`, given that ln T is normal about zero with deviation ln 2.
 ///
-/// A validation split without a mistake would ask for temperature zero. Platt's remedy (Probabilistic Outputs for
-/// Support Vector Machines, 1999, section 2.2) is kept: of n examples each class is given one that was never seen, so
-/// the true class's target is 1 − 3/(n + 4) and each other's 1/(n + 4).
+/// Without that prior a validation split without a mistake would ask for temperature zero, that is for certainty; its
+/// weight is that of about one example.
 pub(crate) fn fitted_temperature(examples: &[Example], logits: &[Logits]) -> f64 {
-    let other = 1.0 / (examples.len() as f64 + 4.0);
     let loss = |log_temperature: f64| {
         let factor = (-log_temperature).exp();
-        let one = |(e, l): (&Example, &Logits)| smoothed_loss(e.class, l.map(|v| f64::from(v) * factor), other);
-        examples.iter().zip(logits).map(one).sum::<f64>()
+        let one = |(e, l): (&Example, &Logits)| -log_softmax(l.map(|v| f64::from(v) * factor))[e.class];
+        let prior = 0.5 * (log_temperature / std::f64::consts::LN_2).powi(2);
+        examples.iter().zip(logits).map(one).sum::<f64>() + prior
     };
     lowest(loss, [-LOG_RANGE, LOG_RANGE]).exp()
-}
-
-fn smoothed_loss(class: usize, logits: [f64; 4], other: f64) -> f64 {
-    let target = |c: usize| if c == class { 1.0 - 3.0 * other } else { other };
-    -log_softmax(logits).iter().enumerate().map(|(c, log_p)| target(c) * log_p).sum::<f64>()
 }
 
 /// Golden-section search; the loss has one minimum, because it is convex in 1/temperature.
@@ -52,22 +46,23 @@ mod tests {
 
     #[test]
     fn answers_that_are_too_sure_are_cooled_to_their_accuracy() {
-        // 70 of 100 right, each with logit 8: e⁸/(e⁸ + 3) = 0.999. Smoothed, the class's target is
-        // p = 0.7 (1 − 3/104) + 0.3/104, and the loss is lowest where e^(8/T)/(e^(8/T) + 3) = p.
-        let examples: Vec<Example> = (0..100).map(|i| example(if i < 70 { 0 } else { 1 + i % 3 })).collect();
-        let logits = vec![[8.0, 0.0, 0.0, 0.0]; 100];
-        let p = 0.7 * (1.0 - 3.0 / 104.0) + 0.3 / 104.0;
-        let expected = 8.0 / (3.0_f64 * p / (1.0 - p)).ln();
-        let temperature = fitted_temperature(&examples, &logits);
-        // A minimum can be seen to the square root of the rounding of the loss, 100 sums of 1e-16: 1e-7; ten times that.
-        assert!((temperature / expected - 1.0).abs() < 1e-6, "{temperature} {expected}");
+        // 70 of 100 right, each with logit 8: e⁸/(e⁸ + 3) = 0.999. The loss is lowest where e^(8/T)/(e^(8/T) + 3) = 0.7.
+        let n = 100_000;
+        let examples: Vec<Example> = (0..n).map(|i| example(if i % 10 < 7 { 0 } else { 1 + i % 3 })).collect();
+        let temperature = fitted_temperature(&examples, &vec![[8.0, 0.0, 0.0, 0.0]; n]);
+        let expected = 8.0 / (3.0_f64 * 0.7 / 0.3).ln();
+        // The prior pulls ln T = 1.41 towards 0 by 1.41/ln²2 over the information n (8/T)² 0.7 · 0.3 = 0.8 n: 3.7e-5.
+        assert!((temperature / expected - 1.0).abs() < 5e-5, "{temperature} {expected}");
     }
 
     #[test]
     fn a_split_without_mistakes_does_not_make_the_classifier_certain() {
-        let logits = vec![[3.0, 0.0, 0.0, 0.0]; 20];
-        let temperature = fitted_temperature(&vec![example(0); 20], &logits);
+        let temperature = fitted_temperature(&vec![example(0); 20], &vec![[3.0, 0.0, 0.0, 0.0]; 20]);
+        // There the pull of 20 right answers equals that of the prior: 20 (3/T)(1 − p) = −ln T / ln²2.
         let p = (3.0 / temperature).exp() / ((3.0 / temperature).exp() + 3.0);
-        assert!((p - 21.0 / 24.0).abs() < 1e-6, "{p}");
+        let pull = 20.0 * 3.0 / temperature * (1.0 - p);
+        let prior = -temperature.ln() / std::f64::consts::LN_2.powi(2);
+        // A minimum is seen to the square root of the rounding of the loss, 1e-8; the slopes change by about 10 per unit.
+        assert!((pull - prior).abs() < 1e-6 && p < 0.99, "{pull} {prior} {p}");
     }
 }
