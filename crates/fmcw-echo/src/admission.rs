@@ -1,14 +1,14 @@
 //! What is looked at before the first sample is made: every number finite, every length meaningful, the cube bounded.
 
+use crate::closest_approach::Leg;
 use crate::error::EchoError;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::paths::Path;
 use artifact::radar::Pattern;
 use artifact::{Radar, Schema};
-use glam::DVec3;
 use num_complex::Complex32;
 
-/// Speeds up to a hundred-thousandth of c, three times a bullet's: beyond, a chirp's phase is no parabola to 1e-7 rad.
+/// A hundred-thousandth of c, three times a bullet's speed: beyond, the scattering time wants more care than it gets here.
 pub(crate) const SPEED_LIMIT_MPS: f64 = 3e3;
 
 /// Refuses radars that make no samples, and cubes that one record of a file could not hold.
@@ -29,7 +29,7 @@ pub(crate) fn check_paths(radar: &Radar, frame: u32, paths: &[Path]) -> Result<(
     for (index, path) in paths.iter().enumerate() {
         let at = Place { frame, path: index };
         at.check_finite(path)?;
-        at.check_speed(path)?;
+        at.check_speed(radar, path)?;
         at.check_distance(radar, path)?;
     }
     Ok(())
@@ -64,8 +64,16 @@ fn check_waveform(radar: &Radar) -> Result<(), EchoError> {
             return Err(EchoError::Waveform { quantity, value });
         }
     }
-    let slope = waveform.slope_hz_per_s;
-    if slope.is_finite() { Ok(()) } else { Err(EchoError::Waveform { quantity: "slope_hz_per_s", value: slope }) }
+    // A ten-millionth is rounding of a chirp without idle time.
+    let sampled_s = f64::from(waveform.samples) / waveform.sample_rate_hz;
+    let more = [
+        ("slope_hz_per_s", waveform.slope_hz_per_s, waveform.slope_hz_per_s.is_finite()),
+        ("chirp_interval_s", waveform.chirp_interval_s, waveform.chirp_interval_s >= sampled_s * (1.0 - 1e-7)),
+    ];
+    match more.iter().find(|(_, _, good)| !good) {
+        None => Ok(()),
+        Some(&(quantity, value, _)) => Err(EchoError::Waveform { quantity, value }),
+    }
 }
 
 fn check_array(radar: &Radar) -> Result<(), EchoError> {
@@ -104,6 +112,7 @@ fn check_size(header: &CubeHeader) -> Result<(), EchoError> {
 }
 
 /// Where a fault lies.
+#[derive(Clone, Copy)]
 struct Place {
     frame: u32,
     path: usize,
@@ -125,9 +134,8 @@ impl Place {
         }
     }
 
-    fn check_speed(&self, path: &Path) -> Result<(), EchoError> {
-        let speeds = [path.apparent_tx_mps, path.apparent_rx_mps].map(|v| DVec3::from_array(v).length());
-        let speed_mps = speeds[0].max(speeds[1]);
+    fn check_speed(&self, radar: &Radar, path: &Path) -> Result<(), EchoError> {
+        let speed_mps = Leg::of(radar, path).map(|leg| leg.speed_mps()).into_iter().fold(0.0, f64::max);
         if speed_mps <= SPEED_LIMIT_MPS {
             return Ok(());
         }
@@ -135,28 +143,13 @@ impl Place {
     }
 
     fn check_distance(&self, radar: &Radar, path: &Path) -> Result<(), EchoError> {
-        let legs = [
-            ("transmit", &radar.array.tx_m, path.apparent_tx_m, path.apparent_tx_mps),
-            ("receive", &radar.array.rx_m, path.apparent_rx_m, path.apparent_rx_mps),
-        ];
-        for (element, elements, point_m, velocity_mps) in legs {
-            for (index, &element_m) in elements.iter().enumerate() {
-                let distance_m = closest_approach_m(radar, point_m, velocity_mps, element_m);
-                if distance_m < radar.waveform.wavelength_m() {
-                    let Self { frame, path } = *self;
-                    return Err(EchoError::PathThroughAntenna { frame, path, element, index, distance_m });
-                }
+        for leg in Leg::of(radar, path) {
+            let (index, distance_m) = leg.nearest(radar);
+            if distance_m < radar.waveform.wavelength_m() {
+                let (Self { frame, path }, element) = (*self, leg.element);
+                return Err(EchoError::PathThroughAntenna { frame, path, element, index, distance_m });
             }
         }
         Ok(())
     }
-}
-
-/// Least distance of a moving point from an element within the frame.
-fn closest_approach_m(radar: &Radar, point_m: [f64; 3], velocity_mps: [f64; 3], element_m: [f64; 3]) -> f64 {
-    let from_element_m = DVec3::from_array(point_m) - DVec3::from_array(element_m);
-    let velocity_mps = DVec3::from_array(velocity_mps);
-    let square = velocity_mps.length_squared();
-    let nearest_s = if square > 0.0 { -from_element_m.dot(velocity_mps) / square } else { 0.0 };
-    (from_element_m + velocity_mps * nearest_s.clamp(0.0, radar.frame_duration_s())).length()
 }

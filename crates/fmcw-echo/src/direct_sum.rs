@@ -7,11 +7,14 @@
 //! 0.048 of it, 6e-9 rad, remain between the three points. The amplitude conj a(f)/(L₁L₂) with both pattern gains is a
 //! parabola through the same three instants; it differs from a straight line by the product of its slopes over the band
 //! and over the way driven (1e-5 at 10 m/s, 25 m and a path that doubles over the band), from a parabola by 1e-9.
+//! Where something passes near and fast, a chirp is cut into several parabolas, so that no path errs by more than 1e-7
+//! (`chirp_segments.rs` has the bound).
 //!
 //! Lanes hold paths, not samples, so that the set-up of a chirp (square roots, phasors) is as wide as the sum. Each row
 //! (channel, chirp) is added by one thread, in the order of the paths: any number of threads gives the same bytes.
 
 use crate::antenna::{boresight, cosine_amplitude, link_amplitude};
+use crate::chirp_segments::samples_per_segment;
 use crate::lanes::{Complex, MAX_LANES, Real, Vector};
 use crate::multiplexing::{Transmission, row};
 use artifact::Radar;
@@ -28,6 +31,7 @@ pub struct DirectSum<'a> {
     centre_frequency_hz: f64,
     link_amplitude: f64,
     boresight: DVec3,
+    samples_per_segment: usize,
     columns: Columns,
 }
 
@@ -35,12 +39,14 @@ impl<'a> DirectSum<'a> {
     /// `centre_frequency_hz` is f_c of the amplitudes. Paths without amplitude in the array's polarization are left
     /// out, so that they change no byte.
     pub fn new(radar: &'a Radar, centre_frequency_hz: f64, paths: &[Path]) -> Self {
+        let heard = heard(radar, paths);
         Self {
             radar,
             centre_frequency_hz,
             link_amplitude: link_amplitude(radar),
             boresight: boresight(radar),
-            columns: Columns::new(radar, paths),
+            samples_per_segment: samples_per_segment(radar, &heard),
+            columns: Columns::new(radar, heard),
         }
     }
 
@@ -74,22 +80,32 @@ struct Columns {
 }
 
 impl Columns {
-    fn new(radar: &Radar, paths: &[Path]) -> Self {
-        let (receive, transmit) = radar.array.polarization.indices();
-        let amplitudes = |p: &Path| (p.amplitude_m[receive][transmit], p.slope_m_per_hz[receive][transmit]);
-        let mut heard: Vec<Path> =
-            paths.iter().filter(|p| amplitudes(p) != (Complex64::ZERO, Complex64::ZERO)).copied().collect();
+    fn new(radar: &Radar, mut heard: Vec<Path>) -> Self {
         pad(&mut heard);
         let column = |number: &dyn Fn(&Path) -> f64| heard.iter().map(number).collect::<Vec<f64>>();
+        let amplitude = |p: &Path| amplitude_and_slope(radar, p).0;
+        let slope = |p: &Path| amplitude_and_slope(radar, p).1;
         Self {
             tx_m: [0, 1, 2].map(|i| column(&|p| p.apparent_tx_m[i])),
             tx_mps: [0, 1, 2].map(|i| column(&|p| p.apparent_tx_mps[i])),
             rx_m: [0, 1, 2].map(|i| column(&|p| p.apparent_rx_m[i])),
             rx_beta: [0, 1, 2].map(|i| column(&|p| p.apparent_rx_mps[i] / SPEED_OF_LIGHT_MPS)),
-            amplitude_m: [column(&|p| amplitudes(p).0.re), column(&|p| amplitudes(p).0.im)],
-            slope_m_per_hz: [column(&|p| amplitudes(p).1.re), column(&|p| amplitudes(p).1.im)],
+            amplitude_m: [column(&|p| amplitude(p).re), column(&|p| amplitude(p).im)],
+            slope_m_per_hz: [column(&|p| slope(p).re), column(&|p| slope(p).im)],
         }
     }
+}
+
+/// The paths that have an amplitude in the array's polarization, in order.
+fn heard(radar: &Radar, paths: &[Path]) -> Vec<Path> {
+    let silent = (Complex64::ZERO, Complex64::ZERO);
+    paths.iter().filter(|path| amplitude_and_slope(radar, path) != silent).copied().collect()
+}
+
+/// a and a′ in the array's polarization.
+fn amplitude_and_slope(radar: &Radar, path: &Path) -> (Complex64, Complex64) {
+    let (receive, transmit) = radar.array.polarization.indices();
+    (path.amplitude_m[receive][transmit], path.slope_m_per_hz[receive][transmit])
 }
 
 /// Silent copies of the last path fill the lanes that are left over.
@@ -118,7 +134,11 @@ impl WithSimd for RowSum<'_> {
         for transmission in self.transmissions {
             let chirp = Chirp::new(simd, self.sum, transmission);
             for group in 0..groups {
-                accumulate(chirp.parabolas(group), &mut totals);
+                let mut first = 0;
+                for segment in totals.chunks_mut(self.sum.samples_per_segment) {
+                    accumulate(chirp.parabolas(group, first, segment.len()), segment);
+                    first += segment.len();
+                }
             }
         }
         let mut samples = Vec::with_capacity(totals.len());
@@ -149,7 +169,7 @@ fn across_lanes<S: Simd>(simd: S, total: Complex<S>) -> Complex64 {
     Complex64::new(simd.reduce_sum_f64s(total.re.value), simd.reduce_sum_f64s(total.im.value))
 }
 
-/// State of the two recurrences at the first sample.
+/// State of the two recurrences at a segment's first sample.
 struct Parabolas<S: Simd> {
     phasor: Complex<S>,
     turn: Complex<S>,
@@ -171,8 +191,6 @@ struct Chirp<'a, S: Simd> {
     simd: S,
     sum: &'a DirectSum<'a>,
     transmission: &'a Transmission,
-    /// Samples from the first to the last, at least one.
-    steps: f64,
     tx_m: [&'a [S::f64s]; 3],
     tx_mps: [&'a [S::f64s]; 3],
     rx_m: [&'a [S::f64s]; 3],
@@ -189,7 +207,6 @@ impl<'a, S: Simd> Chirp<'a, S> {
             simd,
             sum,
             transmission,
-            steps: f64::from(sum.radar.waveform.samples.max(2) - 1),
             tx_m: columns.tx_m.each_ref().map(lanes),
             tx_mps: columns.tx_mps.each_ref().map(lanes),
             rx_m: columns.rx_m.each_ref().map(lanes),
@@ -199,12 +216,16 @@ impl<'a, S: Simd> Chirp<'a, S> {
         }
     }
 
-    /// With u from 0 to 1 over the chirp, x(u) = x₀ + bu + cu², b = 3(x₁ − x₀) − (x₂ − x₁), c = 2(x₂ − x₁) − 2(x₁ − x₀);
+    /// With u from 0 to 1 over the segment, x(u) = x₀ + bu + cu², b = 3(x₁ − x₀) − (x₂ − x₁), c = 2(x₂ − x₁) − 2(x₁ − x₀);
     /// one sample is a step h in u, the first difference bh + ch², the second 2ch².
     #[inline(always)]
-    fn parabolas(&self, group: usize) -> Parabolas<S> {
-        let (first, middle, last) = (self.instant(group, 0.0), self.instant(group, 0.5), self.instant(group, 1.0));
-        let h = 1.0 / self.steps;
+    fn parabolas(&self, group: usize, first: usize, samples: usize) -> Parabolas<S> {
+        // One sample alone has no length: its parabola reaches to the next.
+        let (start, steps) = (first as f64, samples.max(2) as f64 - 1.0);
+        let first = self.instant(group, start);
+        let middle = self.instant(group, start + 0.5 * steps);
+        let last = self.instant(group, start + steps);
+        let h = 1.0 / steps;
         // Differences of the three values, small numbers, before anything else: the values are 2e4 cycles.
         let (rise, fall) = (middle.cycles - first.cycles, last.cycles - middle.cycles);
         let cycles_bend = (fall - rise).scale(2.0 * h * h);
@@ -222,12 +243,12 @@ impl<'a, S: Simd> Chirp<'a, S> {
         }
     }
 
-    /// Exact phase and amplitude at the share `u` of the chirp.
+    /// Exact phase and amplitude at a sample, or between two.
     #[inline(always)]
-    fn instant(&self, group: usize, u: f64) -> Instant<S> {
+    fn instant(&self, group: usize, sample: f64) -> Instant<S> {
         let waveform = &self.sum.radar.waveform;
         let (f0, mu) = (waveform.start_frequency_hz, waveform.slope_hz_per_s);
-        let t = u * self.steps / waveform.sample_rate_hz;
+        let t = sample / waveform.sample_rate_hz;
         let legs = self.legs(group, self.transmission.start_s + t);
         let tau = (legs.departing_length_m + legs.arriving_length_m).scale(1.0 / SPEED_OF_LIGHT_MPS);
         let cycles = tau * tau.mul_add(self.splat(-0.5 * mu), self.splat(f0 + mu * t));

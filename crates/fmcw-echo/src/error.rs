@@ -3,8 +3,8 @@
 /// Why no echo is made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum EchoError {
-    /// A waveform value that no sample can be made from.
-    #[error("radar waveform: {quantity} is {value}, which makes no samples")]
+    /// A waveform value that no sample can be made from, or an interval shorter than the sampled part of a chirp.
+    #[error("radar waveform: {quantity} is {value}, which makes no chirps that follow each other")]
     Waveform {
         /// Name of the value.
         quantity: &'static str,
@@ -81,7 +81,7 @@ pub enum EchoError {
         /// Closest approach.
         distance_m: f64,
     },
-    /// A speed at which a chirp's phase is no quadratic any more.
+    /// A speed that nothing on a road has and that the scattering time is not solved for.
     #[error("path {path} of frame {frame} moves at {speed_mps} m/s; the limit is {limit_mps} m/s")]
     TooFast {
         /// Frame.

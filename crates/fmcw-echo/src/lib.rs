@@ -5,12 +5,12 @@
 //! element at every instant while the body moves; its IF value is eq. (13) of the paper with the amplitude of the radar
 //! equation applied once. Signs, axes and units are those of `docs/conventions.md`.
 //!
-//! Two forms of the sum stand side by side: [`reference`] writes each sample from the formulas, [`direct_sum`] advances
+//! Two forms of the sum stand side by side: [`mod@reference`] writes each sample from the formulas, [`direct_sum`] advances
 //! the phase of a chirp by a quadratic recurrence and is what [`synthesize`] uses. [`synthesize_tables`] is the paper's
 //! other way, far-field tables over aspect and frequency ([`rcs_table`]).
 //!
 //! To read: [`multiplexing`] (which transmissions make a row of the cube), [`antenna`] (radar equation, pattern),
-//! [`reference`], [`direct_sum`], [`rcs_table`], then noise: [`noise`], [`snr_reference`], [`window`].
+//! [`mod@reference`], [`direct_sum`], [`rcs_table`], then noise: [`noise`], [`snr_reference`], [`window`].
 //!
 //! A point target that recedes at 10 m/s turns by 4π·v·T_c/λ from chirp to chirp:
 //!
@@ -83,6 +83,8 @@ pub mod multiplexing;
 pub mod antenna;
 pub mod reference;
 mod lanes;
+mod closest_approach;
+mod chirp_segments;
 pub mod direct_sum;
 pub mod rcs_table;
 pub mod window;

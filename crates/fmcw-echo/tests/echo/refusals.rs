@@ -73,6 +73,7 @@ fn radars_without_samples_or_elements_are_refused() {
     let waveform = |e: &EchoError| matches!(e, EchoError::Waveform { .. });
     assert!(waveform(&broken(&|h| h.radar.waveform.samples = 0)));
     assert!(waveform(&broken(&|h| h.radar.waveform.chirps = 0)));
+    assert!(waveform(&broken(&|h| h.radar.waveform.chirp_interval_s = 49e-6)));
     assert!(waveform(&broken(&|h| h.radar.waveform.sample_rate_hz = f64::NAN)));
     assert!(waveform(&broken(&|h| h.radar.waveform.slope_hz_per_s = f64::INFINITY)));
     assert!(waveform(&broken(&|h| h.radar.waveform.slope_hz_per_s = -1e18)));
@@ -89,6 +90,7 @@ fn radars_without_samples_or_elements_are_refused() {
 fn a_cube_larger_than_a_record_is_refused_before_it_is_allocated() {
     let mut header = sound_header();
     (header.radar.waveform.samples, header.radar.waveform.chirps) = (u32::MAX, u32::MAX);
+    header.radar.waveform.chirp_interval_s = 1e3;
     let refused = refusal(&header, vec![], 77e9);
     assert!(matches!(refused, EchoError::CubeTooLarge { bytes, .. } if bytes > 1 << 66), "{refused}");
 }
