@@ -7,8 +7,8 @@ use crate::antenna::Antenna;
 use crate::brute_force::EveryFacet;
 use crate::error::BartError;
 use crate::plane::Plane;
-use crate::shadow::{Mirror, Scale, window_plane};
-use crate::visibility::{Buffers, ByHierarchy, Part, Parts, View, Visibility};
+use crate::view::{Mirror, View};
+use crate::visibility::{Buffers, ByHierarchy, Part, Parts, Visibility};
 use crate::world::World;
 use artifact::settings::Sides;
 use glam::DVec3;
@@ -136,17 +136,16 @@ fn trace_by<V: Visibility>(world: &World, antenna: Antenna, settings: &TraceSett
     if !antenna.is_sound() {
         return Err(BartError::AntennaNotFinite);
     }
-    let scale = Scale { tolerance_m: world.tolerance_m(), sides: settings.sides };
     let mut growth = Growth::new(antenna, settings);
     if settings.max_order > 0 {
         growth.begin_order();
-        for parts in V::direct(world, antenna, &scale) {
+        for parts in V::direct(&View::direct(world, settings.sides, antenna)) {
             growth.take(None, antenna, 1, parts)?;
         }
         growth.end_order(None);
     }
     for order in 2..=settings.max_order {
-        grow_order::<V>(world, &scale, order, &mut growth)?;
+        grow_order::<V>(world, order, &mut growth)?;
     }
     Ok(growth.tree)
 }
@@ -155,12 +154,12 @@ fn trace_by<V: Visibility>(world: &World, antenna: Antenna, settings: &TraceSett
 const BATCH: usize = 4096;
 
 /// Reflects every beam of the order before.
-fn grow_order<V: Visibility>(world: &World, scale: &Scale, order: u8, growth: &mut Growth) -> Result<(), BartError> {
+fn grow_order<V: Visibility>(world: &World, order: u8, growth: &mut Growth) -> Result<(), BartError> {
     let parents = growth.begin_order();
     let mut incident_section = 0.0;
     for batch in parents.chunks(BATCH) {
         let reflect = |buffers: &mut Buffers, &(index, ref view): &(u32, View)| {
-            (index, view.antenna, V::reflected(world, view, scale, buffers))
+            (index, view.antenna, V::reflected(view, buffers))
         };
         let view = |&index: &u32| Some((index, growth.view(world, index)?));
         let views: Vec<(u32, View)> = batch.iter().filter_map(view).collect();
@@ -205,17 +204,14 @@ impl<'a> Growth<'a> {
         last.filter(reflected).map(|index| index as u32).collect()
     }
 
-    /// What a beam of the order before shows as a mirror; `None` where rounding leaves it no window.
-    fn view(&self, world: &World, index: u32) -> Option<View> {
+    /// What a beam of the order before shows as a mirror; `None` for a beam of an older order.
+    fn view<'w>(&self, world: &'w World, index: u32) -> Option<View<'w>> {
         let beam = &self.tree.beams[index as usize];
-        let plane = world.facet(beam.facet).plane;
-        let front = if beam.lit_normal == plane.normal { plane } else { -plane };
-        let antenna = beam.image.mirrored(&front);
+        let facet = world.facet(beam.facet);
+        let front = if beam.lit_normal == facet.plane.normal { facet.plane } else { -facet.plane };
         let start = (beam.polygon.start as usize).checked_sub(self.first_edge)?;
         let edges = self.edges.get(start..start + beam.polygon.len())?;
-        let around = edges.iter().map(|edge| window_plane(edge, &front, antenna));
-        let window = std::iter::once(Some(front)).chain(around).collect::<Option<Vec<_>>>()?;
-        Some(View { antenna, mirror: Some(Mirror { facet: beam.facet, front }), window })
+        Some(View::reflected(world, self.settings.sides, beam.image, Mirror { facet, front }, edges))
     }
 
     /// Adds what one view shows.

@@ -12,7 +12,7 @@ use std::ops::Range;
 pub(crate) struct Corner {
     /// World metres.
     pub(crate) point_m: DVec3,
-    /// A plane through the edge from here to the next corner, positive on the polygon's side, not the polygon's own.
+    /// The plane through the antenna and the edge from here to the next corner, positive on the polygon's side.
     pub(crate) edge: Plane,
 }
 

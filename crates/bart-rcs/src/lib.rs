@@ -7,6 +7,8 @@ mod bvh;
 mod world;
 mod clip;
 mod section;
+mod depth_order;
+mod view;
 mod shadow;
 mod visibility;
 mod brute_force;

@@ -8,30 +8,19 @@ use crate::antenna::Antenna;
 use crate::clip::{Corner, Split, doubled_area, perimeter_m, split};
 use crate::plane::Plane;
 use crate::section::section;
-use crate::shadow::{Cover, Hides, Mirror, Scale, Seen, Shadow};
-use crate::world::{Walk, World};
-use artifact::settings::Sides;
+use crate::shadow::{Cover, Hides, Shadow};
+use crate::view::View;
+use crate::world::Walk;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::ops::{ControlFlow, Range};
 
-/// Where one looks from, and through which hole.
-#[derive(Debug, Clone)]
-pub(crate) struct View {
-    /// The antenna or its image.
-    pub(crate) antenna: Antenna,
-    /// The facet that reflects; `None` looks straight and all round.
-    pub(crate) mirror: Option<Mirror>,
-    /// Planes around the view, positive inside: through the antenna and the hole's edges, and the mirror's own.
-    pub(crate) window: Vec<Plane>,
-}
-
-/// A way to find what a view shows. Both give the same parts up to how they are cut.
+/// A way to find what a view shows. All give the same up to how they cut it.
 pub(crate) trait Visibility {
-    /// What an antenna sees straight, one entry per facet that it sees any of, in the order of the facets.
-    fn direct(world: &World, antenna: Antenna, scale: &Scale) -> Vec<Parts>;
+    /// What is seen straight, by facet.
+    fn direct(view: &View) -> Vec<Parts>;
     /// What a reflected beam meets.
-    fn reflected(world: &World, view: &View, scale: &Scale, buffers: &mut Buffers) -> Parts;
+    fn reflected(view: &View, buffers: &mut Buffers) -> Parts;
 }
 
 /// By the bodies' hierarchies.
@@ -79,16 +68,15 @@ const MANY_IN_VIEW: usize = 96;
 const NO_SLOT: u32 = u32::MAX;
 
 impl Visibility for ByHierarchy {
-    fn direct(world: &World, antenna: Antenna, scale: &Scale) -> Vec<Parts> {
-        let view = View { antenna, mirror: None, window: Vec::new() };
-        let shadow_of = |(index, facet)| Shadow::of(index as u32, facet, antenna, None, scale.tolerance_m);
-        let shadows: Vec<Shadow> = world.facets().par_iter().enumerate().filter_map(shadow_of).collect();
-        let mut slot_of_facet = vec![NO_SLOT; world.facets().len()];
+    fn direct(view: &View) -> Vec<Parts> {
+        let facets = 0..view.world.facets().len() as u32;
+        let shadows: Vec<Shadow> = facets.clone().into_par_iter().filter_map(|facet| Shadow::of(facet, view)).collect();
+        let mut slot_of_facet = vec![NO_SLOT; facets.len()];
         (0..).zip(&shadows).for_each(|(slot, shadow)| slot_of_facet[shadow.facet as usize] = slot);
         let table = Table { shadows: &shadows, slot_of_facet: &slot_of_facet };
         let lit = |(walk, cutter): &mut (Walk, Cutter), slot: u32| {
             let mut parts = Parts::default();
-            see_facet(world, &view, scale, &table, slot, (walk, cutter), &mut parts);
+            see_facet(view, &table, slot, walk, cutter, &mut parts);
             parts
         };
         let slots = (0..shadows.len() as u32).into_par_iter().with_min_len(64);
@@ -96,13 +84,13 @@ impl Visibility for ByHierarchy {
         seen.into_iter().filter(|parts| !parts.parts.is_empty()).collect()
     }
 
-    fn reflected(world: &World, view: &View, scale: &Scale, buffers: &mut Buffers) -> Parts {
-        buffers.gather(world, view, scale);
+    fn reflected(view: &View, buffers: &mut Buffers) -> Parts {
+        buffers.gather(view);
         let Buffers { walk, shadows, slot_of_facet, cutter, .. } = buffers;
         let table = Table { shadows, slot_of_facet };
         let mut parts = Parts::default();
         for slot in 0..shadows.len() as u32 {
-            see_facet(world, view, scale, &table, slot, (walk, cutter), &mut parts);
+            see_facet(view, &table, slot, walk, cutter, &mut parts);
         }
         shadows.iter().for_each(|shadow| slot_of_facet[shadow.facet as usize] = NO_SLOT);
         parts
@@ -111,19 +99,18 @@ impl Visibility for ByHierarchy {
 
 impl Buffers {
     /// Shadows of all facets that reach into the view, in the order of the facets.
-    fn gather(&mut self, world: &World, view: &View, scale: &Scale) {
-        self.slot_of_facet.resize(world.facets().len(), NO_SLOT);
+    fn gather(&mut self, view: &View) {
+        self.slot_of_facet.resize(view.world.facets().len(), NO_SLOT);
         self.found.clear();
         let found = |facet| {
             self.found.push(facet);
             ControlFlow::Continue(())
         };
-        let _ = world.visit_inside(&view.window, DVec3::ZERO, &mut self.walk, found);
+        let planes = view.window.iter().copied().chain(view.mirror.map(|mirror| mirror.front));
+        let _ = view.world.visit_inside(planes, DVec3::ZERO, &mut self.walk, found);
         self.found.sort_unstable();
-        let mirror = view.mirror.as_ref().map(|mirror| (mirror, world.facet(mirror.facet)));
-        let shadow_of = |&facet: &u32| Shadow::of(facet, world.facet(facet), view.antenna, mirror, scale.tolerance_m);
         self.shadows.clear();
-        self.shadows.extend(self.found.iter().filter_map(shadow_of));
+        self.shadows.extend(self.found.iter().filter_map(|&facet| Shadow::of(facet, view)));
         for (slot, shadow) in (0..).zip(&self.shadows) {
             self.slot_of_facet[shadow.facet as usize] = slot;
         }
@@ -136,75 +123,46 @@ struct Table<'a> {
     slot_of_facet: &'a [u32],
 }
 
-/// The polygon of a facet that the view's window leaves, its range in `corners`; `None` where it leaves none.
-pub(crate) fn clip_to_window(
-    world: &World,
-    view: &View,
-    target: &Shadow,
-    scale: &Scale,
-    corners: &mut Vec<Corner>,
-    distances_m: &mut Vec<f64>,
-) -> Option<Range<usize>> {
-    if scale.sides == Sides::One && target.seen == Seen::Back {
-        return None;
-    }
-    corners.clear();
-    corners.extend(target.polygon(world.facet(target.facet)));
-    view.window.iter().try_fold(0..3, |polygon, plane| {
-        match split(corners, polygon.clone(), plane, scale.tolerance_m, distances_m) {
-            Split::Inside => Some(polygon),
-            Split::Outside => None,
-            Split::Cut { inside, .. } => Some(inside),
-        }
-    })
-}
-
 impl Parts {
     /// Adds a lit polygon. One that is thinner than rounding keeps its area, for the books, and loses its corners.
-    pub(crate) fn push(&mut self, target: &Shadow, antenna: Antenna, polygon: &[Corner], scale: &Scale) {
-        let area_m2 = area_m2(polygon, target.front.normal);
+    pub(crate) fn push(&mut self, target: &Shadow, view: &View, polygon: &[Corner]) {
+        let area_m2 = 0.5 * doubled_area(polygon.iter().map(|c| c.point_m)).dot(target.front.normal).max(0.0);
         let start = self.corners.len();
-        if area_m2 > scale.tolerance_m * perimeter_m(polygon) {
+        if area_m2 > view.tolerance_m() * perimeter_m(polygon) {
             self.corners.extend_from_slice(polygon);
         }
         let middle = polygon.iter().map(|c| c.point_m).sum::<DVec3>() / polygon.len() as f64;
-        let towards = antenna.towards(middle).try_normalize().unwrap_or(DVec3::ZERO);
+        let towards = view.antenna.towards(middle).try_normalize().unwrap_or(DVec3::ZERO);
         self.parts.push(Part {
             facet: target.facet,
             lit_normal: target.front.normal,
             corners: start..self.corners.len(),
             area_m2,
             across_m2: area_m2 * towards.dot(target.front.normal).abs(),
-            section: section(antenna, polygon.iter().map(|c| c.point_m)),
+            section: section(view.antenna, polygon.iter().map(|c| c.point_m)),
         });
     }
 }
 
-/// Area of a polygon about a unit normal, m².
-fn area_m2(polygon: &[Corner], normal: DVec3) -> f64 {
-    0.5 * doubled_area(polygon.iter().map(|c| c.point_m)).dot(normal).max(0.0)
+/// Appends what is seen of the facet in `slot`.
+fn see_facet(view: &View, table: &Table, slot: u32, walk: &mut Walk, cutter: &mut Cutter, parts: &mut Parts) {
+    let target = &table.shadows[slot as usize];
+    let Some(polygon) = view.clip(target, &mut cutter.corners, &mut cutter.distances_m) else { return };
+    cutter.occluders.clear();
+    let mut search =
+        Search { view, table, target, polygon: &cutter.corners[polygon.clone()], occluders: &mut cutter.occluders };
+    if search.find_occluders(walk).is_continue() {
+        cutter.cut(polygon, table.shadows, view.tolerance_m(), |polygon| parts.push(target, view, polygon));
+    }
 }
 
-/// Appends what is seen of the facet in `slot`.
-fn see_facet(
-    world: &World,
-    view: &View,
-    scale: &Scale,
-    table: &Table,
-    slot: u32,
-    (walk, cutter): (&mut Walk, &mut Cutter),
-    parts: &mut Parts,
-) {
-    let target = &table.shadows[slot as usize];
-    let Some(polygon) = clip_to_window(world, view, target, scale, &mut cutter.corners, &mut cutter.distances_m) else {
-        return;
-    };
-    if find_occluders(world, view, scale, table, target, &cutter.corners[polygon.clone()], walk, &mut cutter.occluders)
-        == Cover::Whole
-    {
-        return;
-    }
-    cutter.cut(polygon, table.shadows, scale, |polygon| parts.push(target, view.antenna, polygon, scale));
+/// The search for what hides a polygon.
+struct Search<'a> {
+    view: &'a View<'a>,
+    table: &'a Table<'a>,
+    target: &'a Shadow,
+    polygon: &'a [Corner],
+    occluders: &'a mut Vec<Occluder>,
 }
 
 /// An occluder of one target.
@@ -216,91 +174,60 @@ struct Occluder {
     apparent_size: f64,
 }
 
-/// Collects what may hide some of the polygon, the largest first; `Whole` where one facet hides all of it.
-fn find_occluders(
-    world: &World,
-    view: &View,
-    scale: &Scale,
-    table: &Table,
-    target: &Shadow,
-    polygon: &[Corner],
-    walk: &mut Walk,
-    occluders: &mut Vec<Occluder>,
-) -> Cover {
-    occluders.clear();
-    let suspect = |slot: u32| suspect(world, scale, table, target, polygon, slot, occluders);
-    let end = if view.mirror.is_some() && table.shadows.len() <= MANY_IN_VIEW {
-        (0..table.shadows.len() as u32).try_for_each(suspect)
-    } else {
-        walk_towards(world, view, table, target, polygon, walk, suspect)
-    };
-    if end.is_break() {
-        return Cover::Whole;
+impl Search<'_> {
+    /// Collects what may hide some of the polygon, the largest first; breaks where one facet hides all of it.
+    fn find_occluders(&mut self, walk: &mut Walk) -> ControlFlow<()> {
+        if self.view.mirror.is_some() && self.table.shadows.len() <= MANY_IN_VIEW {
+            (0..self.table.shadows.len() as u32).try_for_each(|slot| self.suspect(slot))?;
+        } else {
+            self.walk(walk)?;
+        }
+        self.occluders.sort_unstable_by(|a, b| b.apparent_size.total_cmp(&a.apparent_size).then(a.slot.cmp(&b.slot)));
+        ControlFlow::Continue(())
     }
-    occluders.sort_unstable_by(|a, b| b.apparent_size.total_cmp(&a.apparent_size).then(a.slot.cmp(&b.slot)));
-    Cover::Partial
-}
 
-/// Takes a facet among the occluders if it may hide some of the polygon; breaks if it hides all of it.
-fn suspect(
-    world: &World,
-    scale: &Scale,
-    table: &Table,
-    target: &Shadow,
-    polygon: &[Corner],
-    slot: u32,
-    occluders: &mut Vec<Occluder>,
-) -> ControlFlow<()> {
-    let shadow = &table.shadows[slot as usize];
-    if shadow.facet == target.facet || shadow.cover(Hides::AllInItsCone, polygon, scale.tolerance_m) == Cover::Apart {
-        return ControlFlow::Continue(());
-    }
-    let (own, other) = (world.facet(shadow.facet), world.facet(target.facet));
-    let hides = shadow.hides(own, target, other, scale);
-    if hides == Hides::Nothing || is_beside(polygon, &own.corners_m, scale.tolerance_m) {
-        return ControlFlow::Continue(());
-    }
-    match shadow.cover(hides, polygon, scale.tolerance_m) {
-        Cover::Apart => {}
-        Cover::Partial => occluders.push(Occluder { slot, hides, apparent_size: shadow.apparent_size }),
-        Cover::Whole => return ControlFlow::Break(()),
-    }
-    ControlFlow::Continue(())
-}
-
-/// Calls `suspect` with all that may stand between the antenna and a polygon of the target, about from the antenna on.
-fn walk_towards(
-    world: &World,
-    view: &View,
-    table: &Table,
-    target: &Shadow,
-    polygon: &[Corner],
-    walk: &mut Walk,
-    mut suspect: impl FnMut(u32) -> ControlFlow<()>,
-) -> ControlFlow<()> {
-    let mut planes = [target.front; 16];
-    let mut n = 1;
-    if let Antenna::Point(p) = view.antenna {
+    /// Suspects all that may stand between the antenna and the polygon, about from the antenna on.
+    fn walk(&mut self, walk: &mut Walk) -> ControlFlow<()> {
+        let front = self.target.front;
         // Nearer to the facet's plane than the antenna is.
-        planes[n] = Plane { normal: -target.front.normal, offset_m: -target.front.normal.dot(p) };
-        n += 1;
+        let nearer = match self.view.antenna {
+            Antenna::Point(p) => Some(Plane { normal: -front.normal, offset_m: -front.normal.dot(p) }),
+            Antenna::Direction(_) => None,
+        };
+        let planes = self.polygon.iter().map(|corner| corner.edge).chain([front]).chain(nearer);
+        let towards = self.view.antenna.towards(self.polygon[0].point_m);
+        self.view.world.visit_inside(planes, towards, walk, |facet| match self.table.slot_of_facet[facet as usize] {
+            NO_SLOT => ControlFlow::Continue(()),
+            slot => self.suspect(slot),
+        })
     }
-    // Fewer planes only find more facets.
-    for corner in polygon.iter().take(planes.len() - n) {
-        planes[n] = corner.edge;
-        n += 1;
-    }
-    planes[..n].reverse();
-    let nearer = view.antenna.towards(polygon[0].point_m);
-    world.visit_inside(&planes[..n], nearer, walk, |facet| match table.slot_of_facet[facet as usize] {
-        NO_SLOT => ControlFlow::Continue(()),
-        slot => suspect(slot),
-    })
-}
 
-/// Whether a triangle lies wholly outside one of the planes through the antenna and the polygon's edges.
-fn is_beside(polygon: &[Corner], corners_m: &[DVec3; 3], tolerance_m: f64) -> bool {
-    polygon.iter().any(|corner| corners_m.iter().all(|&c| corner.edge.distance_m(c) <= tolerance_m))
+    /// Takes a facet among the occluders if it may hide some of the polygon; breaks if it hides all of it.
+    fn suspect(&mut self, slot: u32) -> ControlFlow<()> {
+        let (shadow, tolerance_m) = (&self.table.shadows[slot as usize], self.view.tolerance_m());
+        if shadow.facet == self.target.facet
+            || shadow.cover(Hides::AllInItsCone, self.polygon, tolerance_m) == Cover::Apart
+            || self.is_beside(shadow.facet)
+        {
+            return ControlFlow::Continue(());
+        }
+        let hides = shadow.hides(self.target, self.view);
+        if hides == Hides::Nothing {
+            return ControlFlow::Continue(());
+        }
+        match shadow.cover(hides, self.polygon, tolerance_m) {
+            Cover::Apart => {}
+            Cover::Partial => self.occluders.push(Occluder { slot, hides, apparent_size: shadow.apparent_size }),
+            Cover::Whole => return ControlFlow::Break(()),
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Whether a facet lies wholly outside one of the planes through the antenna and the polygon's edges.
+    fn is_beside(&self, facet: u32) -> bool {
+        let (corners_m, tolerance_m) = (&self.view.world.facet(facet).corners_m, self.view.tolerance_m());
+        self.polygon.iter().any(|corner| corner.edge.extent_m(corners_m).1 <= tolerance_m)
+    }
 }
 
 /// Subtracts occluders from a polygon.
@@ -324,7 +251,7 @@ struct Piece {
 
 impl Cutter {
     /// Calls `lit` with every piece of `corners[polygon]` that no occluder hides.
-    fn cut(&mut self, polygon: Range<usize>, shadows: &[Shadow], scale: &Scale, mut lit: impl FnMut(&[Corner])) {
+    fn cut(&mut self, polygon: Range<usize>, shadows: &[Shadow], tolerance_m: f64, mut lit: impl FnMut(&[Corner])) {
         self.lists.clear();
         self.lists.extend(0..self.occluders.len() as u32);
         self.open.clear();
@@ -333,47 +260,44 @@ impl Cutter {
             // What was appended after this piece belonged to pieces that are done.
             self.corners.truncate(piece.polygon.end);
             self.lists.truncate(piece.list.end);
-            let list = piece.list.end..self.lists.len();
-            let Some(list) = self.still_reaching(&piece, shadows, scale).map(|end| list.start..end) else { continue };
-            if !self.subtract_first_of(list, piece.polygon.clone(), shadows, scale) {
+            if self.list_what_reaches(&piece, shadows, tolerance_m).is_continue()
+                && !self.subtract_first_of(piece.list.end, piece.polygon.clone(), shadows, tolerance_m)
+            {
                 lit(&self.corners[piece.polygon]);
             }
         }
     }
 
-    /// Appends the piece's occluders that still reach it and gives the end of the list; `None` where one hides it all.
-    fn still_reaching(&mut self, piece: &Piece, shadows: &[Shadow], scale: &Scale) -> Option<usize> {
+    /// Appends those of the piece's occluders that still reach it to the lists; breaks where one hides all of it.
+    fn list_what_reaches(&mut self, piece: &Piece, shadows: &[Shadow], tolerance_m: f64) -> ControlFlow<()> {
         let polygon = &self.corners[piece.polygon.clone()];
         for i in piece.list.clone() {
             let index = self.lists[i];
             let occluder = &self.occluders[index as usize];
-            let shadow = &shadows[occluder.slot as usize];
-            match shadow.cover(occluder.hides, polygon, scale.tolerance_m) {
+            match shadows[occluder.slot as usize].cover(occluder.hides, polygon, tolerance_m) {
                 Cover::Apart => {}
                 Cover::Partial => self.lists.push(index),
-                Cover::Whole => return None,
+                Cover::Whole => return ControlFlow::Break(()),
             }
         }
-        Some(self.lists.len())
+        ControlFlow::Continue(())
     }
 
-    /// Opens the parts of the polygon outside the first occluder that really overlaps it; `false` where none does.
+    /// Opens the parts of the polygon outside the first occluder of the last list that really overlaps it; `false` where
+    /// none does.
     fn subtract_first_of(
         &mut self,
-        list: Range<usize>,
+        list_start: usize,
         polygon: Range<usize>,
         shadows: &[Shadow],
-        scale: &Scale,
+        tolerance_m: f64,
     ) -> bool {
-        for i in list.clone() {
+        let list_end = self.lists.len();
+        for i in list_start..list_end {
             let occluder = self.occluders[self.lists[i] as usize];
+            let planes = shadows[occluder.slot as usize].planes(occluder.hides);
             let (open, corners) = (self.open.len(), self.corners.len());
-            if self.open_outside_parts(
-                shadows[occluder.slot as usize].planes(occluder.hides),
-                polygon.clone(),
-                i + 1..list.end,
-                scale,
-            ) {
+            if self.open_outside_parts(planes, polygon.clone(), i + 1..list_end, tolerance_m) {
                 return true;
             }
             self.open.truncate(open);
@@ -388,10 +312,10 @@ impl Cutter {
         planes: impl Iterator<Item = Plane>,
         mut polygon: Range<usize>,
         list: Range<usize>,
-        scale: &Scale,
+        tolerance_m: f64,
     ) -> bool {
         for plane in planes {
-            match split(&mut self.corners, polygon.clone(), &plane, scale.tolerance_m, &mut self.distances_m) {
+            match split(&mut self.corners, polygon.clone(), &plane, tolerance_m, &mut self.distances_m) {
                 Split::Inside => {}
                 Split::Outside => return false,
                 Split::Cut { inside, outside } => {
@@ -401,7 +325,6 @@ impl Cutter {
             }
         }
         let hidden = &self.corners[polygon];
-        let doubled = doubled_area(hidden.iter().map(|c| c.point_m)).length();
-        doubled > 2.0 * scale.tolerance_m * perimeter_m(hidden)
+        doubled_area(hidden.iter().map(|c| c.point_m)).length() > 2.0 * tolerance_m * perimeter_m(hidden)
     }
 }

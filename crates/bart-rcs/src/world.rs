@@ -101,17 +101,20 @@ impl World {
     /// the far end of `nearer` on, until it breaks. Decides nothing.
     pub(crate) fn visit_inside(
         &self,
-        planes: &[Plane],
+        planes: impl Iterator<Item = Plane>,
         nearer: DVec3,
         walk: &mut Walk,
         mut visit: impl FnMut(u32) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
+        walk.planes.clear();
+        walk.planes.extend(planes);
         self.bodies.iter().try_for_each(|body| {
-            walk.planes.clear();
-            walk.planes.extend(planes.iter().map(|plane| body.plane_in_body(plane, self.tolerance_m)));
+            walk.planes_in_body.clear();
+            walk.planes_in_body.extend(walk.planes.iter().map(|plane| body.plane_in_body(plane, self.tolerance_m)));
             let nearer = body.world_from_body.transpose() * nearer;
             let hierarchy = &body.mesh.hierarchy;
-            hierarchy.inside(&walk.planes, nearer, &mut walk.stack, |triangle| visit(body.first_facet + triangle))
+            hierarchy
+                .inside(&walk.planes_in_body, nearer, &mut walk.stack, |triangle| visit(body.first_facet + triangle))
         })
     }
 
@@ -138,6 +141,7 @@ impl World {
 #[derive(Default)]
 pub(crate) struct Walk {
     planes: Vec<Plane>,
+    planes_in_body: Vec<Plane>,
     stack: Vec<u32>,
 }
 

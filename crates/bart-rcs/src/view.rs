@@ -1,0 +1,79 @@
+//! Where one looks from, through which hole, and by which rules.
+
+use crate::antenna::Antenna;
+use crate::clip::{Corner, Split, split};
+use crate::plane::Plane;
+use crate::shadow::{Seen, Shadow};
+use crate::world::{FacetGeometry, World};
+use artifact::settings::Sides;
+use std::ops::Range;
+
+/// A world as an antenna or its image sees it.
+#[derive(Clone)]
+pub(crate) struct View<'w> {
+    /// What is looked at.
+    pub(crate) world: &'w World,
+    /// Which sides of a facet scatter.
+    pub(crate) sides: Sides,
+    /// The antenna or its image.
+    pub(crate) antenna: Antenna,
+    /// The facet that reflects; `None` looks straight and all round.
+    pub(crate) mirror: Option<Mirror<'w>>,
+    /// Planes through the antenna and the edges of the lit polygon on the mirror, positive inside.
+    pub(crate) window: Vec<Plane>,
+}
+
+/// The facet that a beam has just left.
+#[derive(Clone, Copy)]
+pub(crate) struct Mirror<'w> {
+    /// The facet.
+    pub(crate) facet: &'w FacetGeometry,
+    /// Its plane, positive on the lit side.
+    pub(crate) front: Plane,
+}
+
+impl<'w> View<'w> {
+    /// Straight from the antenna, all round.
+    pub(crate) fn direct(world: &'w World, sides: Sides, antenna: Antenna) -> Self {
+        Self { world, sides, antenna, mirror: None, window: Vec::new() }
+    }
+
+    /// From the antenna's image through a lit polygon; the planes of its edges hold the antenna.
+    pub(crate) fn reflected(
+        world: &'w World,
+        sides: Sides,
+        lit_by: Antenna,
+        mirror: Mirror<'w>,
+        edges: &[Plane],
+    ) -> Self {
+        let window = edges.iter().map(|edge| edge.mirrored(&mirror.front)).collect();
+        Self { world, sides, antenna: lit_by.mirrored(&mirror.front), mirror: Some(mirror), window }
+    }
+
+    /// Distances below this are rounding, m.
+    pub(crate) fn tolerance_m(&self) -> f64 {
+        self.world.tolerance_m()
+    }
+
+    /// Puts the polygon that the window leaves of a facet into `corners` and gives its range; `None` where it leaves none.
+    pub(crate) fn clip(
+        &self,
+        target: &Shadow,
+        corners: &mut Vec<Corner>,
+        distances_m: &mut Vec<f64>,
+    ) -> Option<Range<usize>> {
+        if self.sides == Sides::One && target.seen == Seen::Back {
+            return None;
+        }
+        corners.clear();
+        corners.extend(target.polygon(self.world.facet(target.facet)));
+        // A facet that crosses the mirror's plane ends at the plane that also ends its shadow.
+        self.window.iter().chain(&target.beyond_mirror).try_fold(0..3, |polygon, plane| {
+            match split(corners, polygon.clone(), plane, self.tolerance_m(), distances_m) {
+                Split::Inside => Some(polygon),
+                Split::Outside => None,
+                Split::Cut { inside, .. } => Some(inside),
+            }
+        })
+    }
+}
