@@ -3,7 +3,7 @@
 use crate::antenna::Antenna;
 use crate::beam::{BeamTree, TraceSettings};
 use crate::error::BartError;
-use crate::join::{Trees, tree_order};
+use crate::join::{Joint, Joints, Trees, tree_order};
 use crate::scatterer::{Integration, Scatterer, ZenithH, bracket_of};
 use crate::world::World;
 use artifact::paths::Amplitude;
@@ -116,36 +116,37 @@ fn other(rule: NodeRule) -> NodeRule {
 /// One order's S over frequency, in the polarization asked for.
 fn of_order(scatterer: &Scatterer<'_>, order: u8, rule: NodeRule, settings: &AspectSettings) -> Vec<Complex64> {
     let (p, q) = settings.polarization.indices();
-    by_polarization(scatterer, order, rule, settings).iter().map(|s| s[p][q]).collect()
-}
-
-/// One order's S over frequency, 2 × 2.
-pub(crate) fn by_polarization(
-    scatterer: &Scatterer<'_>,
-    order: u8,
-    rule: NodeRule,
-    settings: &AspectSettings,
-) -> Vec<Amplitude> {
     let integration = Integration {
         wavenumbers_per_m: &settings.wavenumbers_per_m,
         accuracy: settings.accuracy,
         bracket: bracket_of(rule),
     };
     let joints = scatterer.joints(order, rule, settings.trace.least_area_m2);
-    // Sums of fixed runs of joints, added in their order: the same bits on any number of threads.
+    sum_of_joints(scatterer, &joints, DVec3::ZERO, &integration).iter().map(|s| s[p][q]).collect()
+}
+
+/// S of all joints over frequency, 2 × 2, its phase referred to `origin_m`.
+///
+/// Fixed runs of joints are added in their order: the same bits on any number of threads.
+pub(crate) fn sum_of_joints(
+    scatterer: &Scatterer<'_>,
+    joints: &Joints,
+    origin_m: DVec3,
+    integration: &Integration<'_>,
+) -> Vec<Amplitude> {
     const RUN: usize = 256;
-    let of_run = |run: &[crate::join::Joint]| {
-        let mut total = vec![Amplitude::default(); settings.wavenumbers_per_m.len()];
-        for joint in run {
-            let share = scatterer.scattering(joint, joints.polygon(joint), DVec3::ZERO, &integration).value;
-            add(&mut total, &share);
-        }
-        total
+    let zero = || vec![Amplitude::default(); integration.wavenumbers_per_m.len()];
+    let of_run = |run: &[Joint]| {
+        run.iter().fold(zero(), |mut total, joint| {
+            add(&mut total, &scatterer.scattering(joint, joints.polygon(joint), origin_m, integration).value);
+            total
+        })
     };
     let runs: Vec<Vec<Amplitude>> = joints.list.par_chunks(RUN).map(of_run).collect();
-    let mut total = vec![Amplitude::default(); settings.wavenumbers_per_m.len()];
-    runs.iter().for_each(|run| add(&mut total, run));
-    total
+    runs.iter().fold(zero(), |mut total, run| {
+        add(&mut total, run);
+        total
+    })
 }
 
 fn add(total: &mut [Amplitude], share: &[Amplitude]) {

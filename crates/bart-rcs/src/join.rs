@@ -245,7 +245,7 @@ enum Side {
 impl Footprint {
     fn new(tree: &BeamTree, index: u32, frame: &PlaneFrame) -> Self {
         let beam: &Beam = &tree.beams[index as usize];
-        let mut corners_m: Vec<DVec2> = tree.polygon(beam).iter().map(|c| frame.from_world(*c)).collect();
+        let mut corners_m: Vec<DVec2> = tree.polygon(beam).iter().map(|c| frame.plane_from_world(*c)).collect();
         let side = if frame.normal().dot(beam.lit_normal) > 0.0 { Side::Front } else { Side::Back };
         if side == Side::Back {
             corners_m.reverse();

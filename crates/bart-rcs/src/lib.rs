@@ -26,6 +26,9 @@ mod aspect;
 mod rcs_table;
 mod path_cells;
 mod nearest_surface;
+mod path_sum;
+mod path_pruning;
+mod frame_error;
 mod path;
 pub mod reference;
 #[cfg(test)]
@@ -35,6 +38,7 @@ pub use antenna::Antenna;
 pub use beam::{Audit, Beam, BeamTree, OrderAudit, TraceSettings};
 pub use error::BartError;
 pub use path::trace_frame;
+pub use path_sum::{PathView, scattering_of_paths};
 pub use plane::Plane;
 pub use rcs_table::{RcsRequest, RcsResult, RcsSeconds, Standpoint, rcs};
 pub use world::{FacetGeometry, Models, World};

@@ -120,7 +120,7 @@ fn mirrored_velocity(world: &World, mirror: u32, v_mps: DVec3) -> DVec3 {
 
 /// Convex parts between the lines of a square grid about the polygon's first corner.
 fn cut_into_squares(frame: &PlaneFrame, corners_m: &[DVec3], size_m: f64) -> Vec<Vec<DVec2>> {
-    let polygon: Vec<DVec2> = corners_m.iter().map(|c| frame.from_world(*c)).collect();
+    let polygon: Vec<DVec2> = corners_m.iter().map(|c| frame.plane_from_world(*c)).collect();
     let strips = cut_along(polygon, DVec2::X, size_m);
     strips.into_iter().flat_map(|strip| cut_along(strip, DVec2::Y, size_m)).collect()
 }
@@ -189,7 +189,7 @@ mod tests {
     fn squares_cover_a_polygon_without_overlap() {
         let corners = [[0.0, 0.0], [1.0, 0.2], [0.7, 0.9], [0.1, 0.5]].map(|[x, y]| DVec3::new(x, y, 0.0));
         let frame = PlaneFrame::new(corners[0], DVec3::Z);
-        let whole = area_m2(&corners.map(|c| frame.from_world(c)));
+        let whole = area_m2(&corners.map(|c| frame.plane_from_world(c)));
         let pieces = cut_into_squares(&frame, &corners, 0.13);
         let total: f64 = pieces.iter().map(|p| area_m2(p)).sum();
         assert!((total - whole).abs() < 1e-14 && pieces.len() > 30);

@@ -146,7 +146,7 @@ impl<'a> Field<'a> {
     pub(crate) fn turning_per_m(&self, x_m: DVec3, reach_m: f64) -> f64 {
         let of = |leg: &Leg| {
             let range_m = leg.image.range_m(x_m);
-            let to_antenna = leg.mirrors.to_antenna(leg.image.travel_direction_at(x_m));
+            let to_antenna = leg.mirrors.antenna_direction(leg.image.travel_direction_at(x_m));
             let least_sine = to_antenna.x.hypot(to_antenna.y) - reach_m / range_m;
             if range_m.is_finite() { 1.0 / ((range_m - reach_m).max(0.0) * least_sine.max(0.0)) } else { 0.0 }
         };

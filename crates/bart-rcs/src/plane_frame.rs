@@ -23,7 +23,7 @@ impl PlaneFrame {
     }
 
     /// Coordinates of a point's foot on the plane.
-    pub(crate) fn from_world(&self, x_m: DVec3) -> DVec2 {
+    pub(crate) fn plane_from_world(&self, x_m: DVec3) -> DVec2 {
         self.tangential(x_m - self.origin_m)
     }
 
@@ -67,7 +67,7 @@ mod tests {
         let frame = PlaneFrame::new(DVec3::new(1.0, 2.0, 3.0), normal);
         let corners = [DVec2::ZERO, DVec2::new(2.0, 0.0), DVec2::new(0.0, 1.0)];
         for c in corners {
-            assert!((frame.from_world(frame.to_world(c)) - c).length() < 1e-15);
+            assert!((frame.plane_from_world(frame.to_world(c)) - c).length() < 1e-15);
         }
         let [a, b, c] = corners.map(|c| frame.to_world(c));
         assert!(((b - a).cross(c - a) - 2.0 * normal).length() < 1e-14);

@@ -55,12 +55,12 @@ impl Mirrors {
 
     /// Unit fields v and h at the node, for the direction of travel there (away from the antenna).
     pub(crate) fn fields_at_node(&self, travel: DVec3, zenith_h: DVec3) -> [DVec3; 2] {
-        let to_antenna = self.to_antenna(travel);
+        let to_antenna = self.antenna_direction(travel);
         polarization_vectors(to_antenna, zenith_h).map(|e| self.sign * (self.node_from_leg * e))
     }
 
     /// r̂ of the antenna's own leg for the direction of travel at the node.
-    pub(crate) fn to_antenna(&self, travel: DVec3) -> DVec3 {
+    pub(crate) fn antenna_direction(&self, travel: DVec3) -> DVec3 {
         -(self.node_from_leg.transpose() * travel)
     }
 }

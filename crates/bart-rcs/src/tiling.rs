@@ -26,7 +26,7 @@ impl Tile<'_> {
 /// The bound is at most `accuracy` but on tiles halved [`HALVINGS_MAX`] times: around a point where the polarization
 /// vectors turn without limit (an antenna straight above) nothing can be expanded, and the area that is left is none.
 pub(crate) fn cut(field: &Field<'_>, wavenumber_per_m: f64, accuracy: f64, give: &mut dyn FnMut(&Tile<'_>, f64)) {
-    let corners_m: Vec<DVec2> = field.node.corners_m.iter().map(|c| field.frame.from_world(*c)).collect();
+    let corners_m: Vec<DVec2> = field.node.corners_m.iter().map(|c| field.frame.plane_from_world(*c)).collect();
     let centre_m = centroid_m(&corners_m);
     let smooth = Smoothness::about(field, centre_m, reach_m(&corners_m, centre_m), wavenumber_per_m);
     if smooth.error_of_constant() <= accuracy {
