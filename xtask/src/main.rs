@@ -1,1 +1,39 @@
-fn main() {}
+//! `cargo xtask`: the only place where the stages meet. It parses, calls a stage, writes an artifact; physics lives in
+//! the stages. Commands and files are promised in `docs/interface.md`.
+
+mod cli;
+mod failure;
+mod interrupt;
+mod output;
+mod progress;
+mod memory;
+mod cache;
+mod keys;
+mod stages;
+mod plan;
+mod chain;
+mod truth;
+mod summary;
+mod products;
+mod expectation;
+mod commands;
+mod pictures;
+mod report;
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments = cli::Arguments::parse_or_exit();
+    interrupt::install();
+    progress::configure(arguments.quiet);
+    match limit_threads(arguments.threads).and_then(|()| commands::dispatch(arguments.command)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}
+
+fn limit_threads(threads: Option<u16>) -> Result<(), failure::Failure> {
+    let Some(threads) = threads else { return Ok(()) };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build_global();
+    pool.map_err(|e| failure::Failure::System(format!("--threads {threads}: {e}")))
+}

@@ -1,0 +1,302 @@
+//! The stages linked: one frame from the scene snapshot to classes, each stage's frame taken from the cache where it is
+//! there. What goes into a stage is what its artifact holds, nothing else.
+
+use crate::cache::Cache;
+use crate::failure::Failure;
+use crate::keys::{FrameKeys, SceneParts, cube_header};
+use crate::plan::FramePlan;
+use crate::progress::Work;
+use crate::stages::Stage;
+use crate::summary::FrameResult;
+use artifact::cube::{Cube, CubeFrame, CubeHeader};
+use artifact::model::{ModelHeader, Weights};
+use artifact::paths::{Paths, PathsFrame, PathsHeader};
+use artifact::points::{Points, PointsFrame, PointsHeader};
+use artifact::rcs::{Rcs, RcsFrame, RcsHeader};
+use artifact::rdm::{Rdm, RdmFrame};
+use artifact::scene::{SceneFrame, SceneHeader};
+use artifact::settings::EchoMode;
+use artifact::{ErrorBudget, ModelError, Schema};
+use classifier::Classifier;
+use std::path::Path;
+use std::sync::OnceLock;
+use std::time::Instant;
+
+/// What the tracer hands to the echo.
+pub(crate) enum Scattering {
+    Paths(PathsFrame),
+    Tables(RcsFrame),
+}
+
+impl Scattering {
+    fn error(&self) -> (ErrorBudget, ModelError) {
+        match self {
+            Self::Paths(frame) => (frame.error, frame.model_error),
+            Self::Tables(frame) => (frame.error, frame.model_error),
+        }
+    }
+}
+
+/// All artifacts of one frame.
+pub(crate) struct FrameProducts {
+    pub(crate) scattering: Scattering,
+    pub(crate) cube: CubeFrame,
+    pub(crate) rdm: RdmFrame,
+    pub(crate) result: FrameResult,
+}
+
+/// A classifier and what names it in a cache key.
+pub(crate) struct LoadedModel {
+    header: ModelHeader,
+    weights: Weights,
+    hash: String,
+    network: OnceLock<Result<Classifier, String>>,
+}
+
+impl LoadedModel {
+    /// Reads a model file, or the one in a model folder.
+    pub(crate) fn read(place: &Path) -> Result<Self, Failure> {
+        let (header, weights) = classifier::load_model(place).map_err(of_classifier)?;
+        let hash = artifact::envelope::fingerprint(&(&header, &weights));
+        Ok(Self { header, weights, hash, network: OnceLock::new() })
+    }
+
+    /// The format of the crops it knows.
+    pub(crate) fn header(&self) -> &ModelHeader {
+        &self.header
+    }
+
+    /// Probabilities of each object of a map, in the order of the points' objects.
+    pub(crate) fn classify(
+        &self,
+        header: &CubeHeader,
+        rdm: &RdmFrame,
+        points: &PointsFrame,
+    ) -> Result<Vec<[f32; 4]>, Failure> {
+        let crop = |object| dsp::crop(header, rdm, object, &self.header.format).map_err(Failure::refused);
+        self.probabilities(&points.objects.iter().map(crop).collect::<Result<Vec<_>, _>>()?)
+    }
+
+    /// Probabilities of crops.
+    pub(crate) fn probabilities(&self, crops: &[artifact::dataset::Crop]) -> Result<Vec<[f32; 4]>, Failure> {
+        let build = || Classifier::from_model(&self.header, &self.weights).map_err(|e| e.to_string());
+        let network = self.network.get_or_init(build).as_ref().map_err(Failure::refused)?;
+        network.probabilities(crops).map_err(Failure::refused)
+    }
+}
+
+/// A model was refused, or the system refused it.
+pub(crate) fn of_classifier(error: classifier::ClassifierError) -> Failure {
+    match error {
+        classifier::ClassifierError::Artifact(error) => error.into(),
+        other => Failure::refused(other),
+    }
+}
+
+/// A scene with everything that its frames share.
+pub(crate) struct Chain<'a> {
+    pub(crate) header: &'a SceneHeader,
+    pub(crate) cube_header: CubeHeader,
+    cache: Option<&'a Cache>,
+    model: Option<&'a LoadedModel>,
+    parts: SceneParts,
+    bodies: OnceLock<Result<bart_rcs::Models, String>>,
+}
+
+impl<'a> Chain<'a> {
+    pub(crate) fn of(header: &'a SceneHeader, cache: Option<&'a Cache>, model: Option<&'a LoadedModel>) -> Self {
+        let (cube_header, parts) = (cube_header(header), SceneParts::of(header));
+        Self { header, cube_header, cache, model, parts, bodies: OnceLock::new() }
+    }
+
+    /// What one frame needs and why.
+    pub(crate) fn plan(&self, index: u32) -> FramePlan {
+        let frame = scene::snapshot(self.header, index);
+        let model = self.model.map_or("", |m| m.hash.as_str());
+        let keys = FrameKeys::of(self.header, &self.parts, &frame, model);
+        FramePlan::of(self.cache, self.header, index, keys)
+    }
+
+    /// Computes what the plan lacks.
+    pub(crate) fn frame(&self, plan: &FramePlan) -> Result<FrameProducts, Failure> {
+        let scene = scene::snapshot(self.header, plan.index);
+        let mut log = Log::default();
+        let scattering = log.time(Stage::BartRcs, || self.scattering(plan, &scene))?;
+        let cube = log.time(Stage::FmcwEcho, || self.cube(plan, &scene, &scattering))?;
+        let (rdm, points) = log.time(Stage::Dsp, || self.maps(plan, &cube))?;
+        let classes = log.time(Stage::Classifier, || self.classes(plan, &rdm, &points))?;
+        let (error, model_error) = scattering.error();
+        let paths = match &scattering {
+            Scattering::Paths(frame) => Some(frame.clone()),
+            Scattering::Tables(_) => None,
+        };
+        let error = error.joined(cube.error);
+        let memory_estimate_mib = self.memory_estimate_mib();
+        let Log { seconds, cached } = log;
+        let result =
+            FrameResult { scene, paths, points, classes, error, model_error, seconds, cached, memory_estimate_mib };
+        Ok(FrameProducts { scattering, cube, rdm, result })
+    }
+
+    /// What a frame is expected to hold at most, MiB.
+    pub(crate) fn memory_estimate_mib(&self) -> f64 {
+        let triangles: usize = self.header.meshes.iter().map(|m| m.triangles.len()).sum();
+        let bytes = triangles as u64 * BYTES_PER_TRIANGLE
+            + fmcw_echo::memory_estimate_bytes(&self.cube_header)
+            + self.map_bytes();
+        crate::memory::mib(bytes) + PROGRAM_MIB
+    }
+
+    /// A map in both precisions: all channels are transformed at once.
+    fn map_bytes(&self) -> u64 {
+        let cells: usize = artifact::rdm::shape(&self.cube_header).iter().product();
+        (cells * (size_of::<num_complex::Complex32>() + size_of::<num_complex::Complex64>())) as u64
+    }
+
+    /// Header of the `.paths` artifact.
+    pub(crate) fn paths_header(&self) -> PathsHeader {
+        PathsHeader {
+            radar: self.header.radar.clone(),
+            centre_frequency_hz: self.header.radar.waveform.centre_frequency_hz(),
+            targets: self.targets(),
+        }
+    }
+
+    /// Header of the `.rcs` artifact.
+    pub(crate) fn rcs_header(&self) -> RcsHeader {
+        RcsHeader { radar: Some(self.header.radar.clone()), targets: self.targets() }
+    }
+
+    /// Header of the `.points` artifact, without truth.
+    pub(crate) fn points_header(&self) -> PointsHeader {
+        PointsHeader { cube: Some(self.cube_header.clone()), targets: vec![] }
+    }
+
+    /// Ids of the scene's targets.
+    pub(crate) fn targets(&self) -> Vec<String> {
+        self.header.targets.iter().map(|t| t.id.clone()).collect()
+    }
+
+    /// Paths or tables of one frame.
+    pub(crate) fn scattering(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<Step<Scattering>, Failure> {
+        let (key, stage) = (&plan.keys.bart_rcs, Stage::BartRcs);
+        match self.header.fidelity.echo {
+            EchoMode::Paths => {
+                let compute = || bart_rcs::trace_frame(self.bodies()?, self.header, scene).map_err(Failure::refused);
+                let step = self.step::<Paths>(plan, stage, key, &self.paths_header(), compute)?;
+                Ok(step.map(Scattering::Paths))
+            }
+            EchoMode::RcsTable => {
+                let compute = || Err(Failure::refused("fidelity.echo = \"rcs-table\" is not built yet"));
+                let step = self.step::<Rcs>(plan, stage, key, &self.rcs_header(), compute)?;
+                Ok(step.map(Scattering::Tables))
+            }
+        }
+    }
+
+    fn bodies(&self) -> Result<&bart_rcs::Models, Failure> {
+        let build = || bart_rcs::Models::build(self.header).map_err(|e| e.to_string());
+        self.bodies.get_or_init(build).as_ref().map_err(Failure::refused)
+    }
+
+    fn cube(&self, plan: &FramePlan, scene: &SceneFrame, scattering: &Scattering) -> Result<Step<CubeFrame>, Failure> {
+        let compute = || self.synthesize(scene, scattering);
+        self.step::<Cube>(plan, Stage::FmcwEcho, &plan.keys.fmcw_echo, &self.cube_header, compute)
+    }
+
+    /// The echo of paths or tables.
+    pub(crate) fn synthesize(&self, scene: &SceneFrame, scattering: &Scattering) -> Result<CubeFrame, Failure> {
+        let work = Work::begin(format!("frame {} echo", scene.index));
+        let progress = |share: f64| work.at((1000.0 * share) as usize, 1000);
+        let (header, seed) = (&self.cube_header, self.header.seed);
+        match scattering {
+            Scattering::Paths(frame) => {
+                let centre_hz = self.header.radar.waveform.centre_frequency_hz();
+                fmcw_echo::synthesize(header, seed, frame, centre_hz, &progress).map_err(Failure::refused)
+            }
+            Scattering::Tables(frame) => {
+                fmcw_echo::synthesize_tables(header, seed, &scene.poses, frame, &progress).map_err(Failure::refused)
+            }
+        }
+    }
+
+    fn maps(&self, plan: &FramePlan, cube: &CubeFrame) -> Result<Step<(RdmFrame, PointsFrame)>, Failure> {
+        let (key, stage) = (&plan.keys.dsp, Stage::Dsp);
+        let compute = || dsp::range_doppler(&self.cube_header, cube).map_err(Failure::refused);
+        let rdm = self.step::<Rdm>(plan, stage, key, &self.cube_header, compute)?;
+        let detect = || dsp::detect(&self.cube_header, &rdm.value).map_err(Failure::refused);
+        let points = self.step::<Points>(plan, stage, key, &self.points_header(), detect)?;
+        Ok(Step { cached: rdm.cached && points.cached, value: (rdm.value, points.value) })
+    }
+
+    fn classes(&self, plan: &FramePlan, rdm: &RdmFrame, points: &PointsFrame) -> Result<Step<Vec<[f32; 4]>>, Failure> {
+        let (key, stage) = (&plan.keys.classifier, Stage::Classifier);
+        let Some(model) = self.model else { return Ok(Step { value: vec![], cached: false }) };
+        let cached = self.cache.filter(|_| !plan.runs(stage)).and_then(|c| c.get_json(stage, key));
+        if let Some(value) = cached {
+            return Ok(Step { value, cached: true });
+        }
+        let value = model.classify(&self.cube_header, rdm, points)?;
+        if let Some(cache) = self.cache {
+            cache.put_json(stage, key, &value);
+            cache.remember_key(stage, &self.header.name, plan.index, key);
+        }
+        Ok(Step { value, cached: false })
+    }
+
+    fn step<S: Schema>(
+        &self,
+        plan: &FramePlan,
+        stage: Stage,
+        key: &crate::keys::Key,
+        header: &S::Header,
+        compute: impl FnOnce() -> Result<S::Frame, Failure>,
+    ) -> Result<Step<S::Frame>, Failure> {
+        if let Some(value) = self.cache.filter(|_| !plan.runs(stage)).and_then(|c| c.get::<S>(stage, key)) {
+            return Ok(Step { value, cached: true });
+        }
+        let value = compute()?;
+        if let Some(cache) = self.cache {
+            cache.put::<S>(stage, key, header, &value);
+            cache.remember_key(stage, &self.header.name, plan.index, key);
+        }
+        Ok(Step { value, cached: false })
+    }
+}
+
+/// Facets, hierarchy, beams and paths of a triangle: 4 KiB on the project's vehicles at −20 dB, three bounces.
+const BYTES_PER_TRIANGLE: u64 = 4096;
+
+/// What the program holds beside a frame's data: code, thread stacks, the learning library's buffers (measured 40 MiB).
+const PROGRAM_MIB: f64 = 48.0;
+
+/// A stage's value and whether it came from the cache.
+pub(crate) struct Step<T> {
+    pub(crate) value: T,
+    cached: bool,
+}
+
+impl<T> Step<T> {
+    fn map<U>(self, convert: impl FnOnce(T) -> U) -> Step<U> {
+        Step { value: convert(self.value), cached: self.cached }
+    }
+}
+
+/// Seconds of each stage, and which came from the cache.
+#[derive(Default)]
+struct Log {
+    seconds: Vec<(Stage, f64)>,
+    cached: Vec<Stage>,
+}
+
+impl Log {
+    fn time<T>(&mut self, stage: Stage, work: impl FnOnce() -> Result<Step<T>, Failure>) -> Result<T, Failure> {
+        let start = Instant::now();
+        let step = work()?;
+        self.seconds.push((stage, start.elapsed().as_secs_f64()));
+        if step.cached {
+            self.cached.push(stage);
+        }
+        Ok(step.value)
+    }
+}

@@ -1,0 +1,472 @@
+//! The words a user types. What they mean is in `docs/interface.md`; the defaults here are the promise made there.
+
+use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// From a 3D model to a vehicle class: scattering at 77 GHz, FMCW echoes, detection, classification.
+#[derive(Debug, Parser)]
+#[command(name = "cargo xtask", bin_name = "cargo xtask", version, max_term_width = 110)]
+pub(crate) struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) command: Command,
+    /// Threads to use; the result does not depend on it, to the byte.
+    #[arg(long, global = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
+    /// No progress, no remarks.
+    #[arg(long, global = true)]
+    pub(crate) quiet: bool,
+}
+
+impl Arguments {
+    /// Ends the program with exit code 2 on wrong words, 0 after `--help`. Option values may begin with a minus.
+    pub(crate) fn parse_or_exit() -> Self {
+        let command = with_negative_values(Self::command());
+        let matches = command.get_matches();
+        Self::from_arg_matches(&matches).unwrap_or_else(|e| e.exit())
+    }
+}
+
+fn with_negative_values(command: clap::Command) -> clap::Command {
+    command
+        .mut_subcommands(with_negative_values)
+        .mut_args(|a| if a.get_action().takes_values() && !a.is_positional() { a.allow_hyphen_values(true) } else { a })
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// A scene file to every stage's artifacts, summary.json, report.html and pictures.
+    Run(RunArguments),
+    /// A mesh to its scattering amplitude over frequency and aspect (.npy).
+    Rcs(Box<RcsArguments>),
+    /// A scene file to the scattering paths of each frame.
+    Paths(PathsArguments),
+    /// A scene file, and paths if given, to radar cubes.
+    Echo(EchoArguments),
+    /// Radar cubes to range-Doppler maps and points.
+    Dsp(DspArguments),
+    /// A dataset recipe to labelled crops of range-Doppler maps; resumes where it stopped.
+    Dataset(DatasetArguments),
+    /// A dataset to a trained model with its curves and its evaluation.
+    Train(TrainArguments),
+    /// Range-Doppler maps or a dataset to classes and probabilities, one JSON line each.
+    Classify(ClassifyArguments),
+    /// A complex64 array [frame, channel, chirp, sample] from anywhere to a radar cube.
+    Import(ImportArguments),
+    /// Any artifact to a format that others read.
+    Export(ExportArguments),
+    /// Header, provenance, shape, units and a sanity line of any artifact.
+    Inspect(InspectArguments),
+    /// Writes the project's own vehicles (.glb) and their manifest.
+    Vehicles(VehiclesArguments),
+    /// Speed against accuracy: chart.csv, pictures, a page.
+    Chart(StudyArguments),
+    /// Where each method fails: atlas.csv, pictures, a page.
+    Atlas(StudyArguments),
+    /// Benchmarks as ratios measured in one run.
+    Bench(BenchArguments),
+    /// What the cache holds.
+    Cache(CacheArguments),
+    /// Every check of the project, cheapest first.
+    Ci,
+}
+
+#[derive(Debug, Clone, Args)]
+pub(crate) struct SceneArguments {
+    /// Scene file.
+    #[arg(value_name = "SCENE.toml")]
+    pub(crate) scene: PathBuf,
+    /// Replaces the model of every target.
+    #[arg(long, value_name = "FILE.glb")]
+    pub(crate) model: Option<PathBuf>,
+    /// Replaces the scene's seed.
+    #[arg(long)]
+    pub(crate) seed: Option<u64>,
+}
+
+#[derive(Debug, Clone, Args)]
+pub(crate) struct CacheLocation {
+    /// Folder of cached frames [default: .cache in the project's root].
+    #[arg(long, value_name = "DIR")]
+    pub(crate) cache: Option<PathBuf>,
+    /// Largest size of the cache; the oldest frames go first.
+    #[arg(long, value_name = "MIB", default_value_t = 8192)]
+    pub(crate) cache_limit_mib: u64,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct RunArguments {
+    #[command(flatten)]
+    pub(crate) scene: SceneArguments,
+    /// Where everything goes [default: out/<scene name>].
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Model of the classifier [default: fixtures/classifier.model].
+    #[arg(long, value_name = "FILE.model")]
+    pub(crate) classifier: Option<PathBuf>,
+    /// Says what would be done, in which time and memory, and does nothing.
+    #[arg(long)]
+    pub(crate) dry_run: bool,
+    /// Says why each stage runs or not.
+    #[arg(long)]
+    pub(crate) explain: bool,
+    /// Neither reads nor writes the cache.
+    #[arg(long)]
+    pub(crate) no_cache: bool,
+    #[command(flatten)]
+    pub(crate) cache: CacheLocation,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct RcsArguments {
+    /// Mesh (.glb, .gltf, .stl, .obj) or the name of an own vehicle.
+    #[arg(value_name = "MESH")]
+    pub(crate) mesh: PathBuf,
+    /// Frequencies, GHz: one number or START:STOP:N.
+    #[arg(long, value_parser = axis)]
+    pub(crate) freq_ghz: Axis,
+    /// Azimuths, degrees; 0 looks at the front of the body.
+    #[arg(long, value_parser = axis, default_value = "0:360:361")]
+    pub(crate) az_deg: Axis,
+    /// Elevations above the horizon, degrees.
+    #[arg(long, value_parser = axis, default_value = "0")]
+    pub(crate) el_deg: Axis,
+    /// Antenna to the mesh's origin, m, or inf.
+    #[arg(long, value_parser = range, default_value = "inf")]
+    pub(crate) range_m: f64,
+    /// First letter receives, second transmits.
+    #[arg(long, value_enum, default_value = "vv")]
+    pub(crate) pol: PolarizationWord,
+    /// Highest bounce order.
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u8).range(1..=5))]
+    pub(crate) bounces: u8,
+    /// Beam tracing, or one of the slow references.
+    #[arg(long, value_enum, default_value = "bart")]
+    pub(crate) method: MethodWord,
+    /// Samples or rays per wavelength of the references.
+    #[arg(long, default_value_t = 6.0)]
+    pub(crate) density: f64,
+    /// Diffraction by edges (`on` comes with a later version).
+    #[arg(long, value_enum, default_value = "off")]
+    pub(crate) edges: EdgesWord,
+    /// Facet on which a multiple reflection is integrated.
+    #[arg(long, value_enum, default_value = "middle")]
+    pub(crate) nodes: NodesWord,
+    /// What the facets stand for (`smooth` comes with a later version).
+    #[arg(long, value_enum, default_value = "flat")]
+    pub(crate) surface: SurfaceWord,
+    /// Sides from which a facet scatters.
+    #[arg(long, value_enum, default_value = "two")]
+    pub(crate) sides: SidesWord,
+    /// Fixed receiver: azimuth, degrees.
+    #[arg(long, requires = "rx_el_deg")]
+    pub(crate) rx_az_deg: Option<f64>,
+    /// Fixed receiver: elevation, degrees.
+    #[arg(long, requires = "rx_az_deg")]
+    pub(crate) rx_el_deg: Option<f64>,
+    /// Fixed receiver: distance, m [default: that of the transmitter].
+    #[arg(long, value_parser = range, requires = "rx_az_deg")]
+    pub(crate) rx_range_m: Option<f64>,
+    /// Relative amplitude error allowed, dB.
+    #[arg(long, default_value_t = -40.0)]
+    pub(crate) accuracy_db: f64,
+    /// Metres per unit of the mesh file.
+    #[arg(long)]
+    pub(crate) unit_scale: Option<f64>,
+    /// Result; S.json is written beside it.
+    #[arg(long, value_name = "S.npy")]
+    pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct PathsArguments {
+    #[command(flatten)]
+    pub(crate) scene: SceneArguments,
+    /// Result.
+    #[arg(long, value_name = "F.paths")]
+    pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct EchoArguments {
+    #[command(flatten)]
+    pub(crate) scene: SceneArguments,
+    /// Paths to use instead of tracing them.
+    #[arg(long, value_name = "F.paths")]
+    pub(crate) paths: Option<PathBuf>,
+    /// Result.
+    #[arg(long, value_name = "F.cube")]
+    pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct DspArguments {
+    /// Radar cubes.
+    #[arg(value_name = "F.cube")]
+    pub(crate) cube: PathBuf,
+    /// Scene whose [dsp] replaces the settings that the cubes carry.
+    #[arg(long, value_name = "SCENE.toml")]
+    pub(crate) scene: Option<PathBuf>,
+    /// Where the maps and points go.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: PathBuf,
+    /// Pictures too.
+    #[arg(long)]
+    pub(crate) pictures: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct DatasetArguments {
+    /// Recipe.
+    #[arg(value_name = "SPEC.toml")]
+    pub(crate) spec: PathBuf,
+    /// Where the dataset goes.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: PathBuf,
+    /// Part K of N.
+    #[arg(long, value_name = "K/N", value_parser = shard, default_value = "1/1")]
+    pub(crate) shard: Shard,
+    /// Replaces the recipe's seed.
+    #[arg(long)]
+    pub(crate) seed: Option<u64>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct TrainArguments {
+    /// Dataset folder.
+    #[arg(value_name = "DIR")]
+    pub(crate) dataset: PathBuf,
+    /// Model folder.
+    #[arg(long, value_name = "MODEL")]
+    pub(crate) out: PathBuf,
+    /// Of the initial weights and the order of samples.
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// Steps of the optimizer; the paper's number.
+    #[arg(long, default_value_t = 1440)]
+    pub(crate) iterations: u32,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ClassifyArguments {
+    /// Model file or folder.
+    #[arg(value_name = "MODEL")]
+    pub(crate) model: PathBuf,
+    /// Range-Doppler maps or datasets.
+    #[arg(value_name = "FILE", required = true)]
+    pub(crate) files: Vec<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ImportArguments {
+    /// complex64 [frame, channel, chirp, sample].
+    #[arg(value_name = "F.npy")]
+    pub(crate) array: PathBuf,
+    /// Scene that tells the radar and the processing.
+    #[arg(long, value_name = "SCENE.toml")]
+    pub(crate) scene: PathBuf,
+    /// Result.
+    #[arg(long, value_name = "F.cube")]
+    pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ExportArguments {
+    /// Artifact.
+    #[arg(value_name = "FILE")]
+    pub(crate) file: PathBuf,
+    /// Format.
+    #[arg(long)]
+    pub(crate) to: FormatWord,
+    /// Result.
+    #[arg(long, value_name = "PATH")]
+    pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct InspectArguments {
+    /// Artifact.
+    #[arg(value_name = "FILE")]
+    pub(crate) file: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct VehiclesArguments {
+    /// Where the vehicles go.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: PathBuf,
+    /// 0 gives the nominal dimensions, others spread them over real ranges.
+    #[arg(long, default_value_t = 0)]
+    pub(crate) seed: u64,
+    /// How many of each model, from the seed on.
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
+    pub(crate) count: u64,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct StudyArguments {
+    /// Fewer and smaller cases.
+    #[arg(long)]
+    pub(crate) quick: bool,
+    /// Where the table and pictures go [default: out/chart or out/atlas].
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Refreshes the page in docs/ too.
+    #[arg(long)]
+    pub(crate) docs: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct BenchArguments {
+    /// Fewer and smaller cases.
+    #[arg(long)]
+    pub(crate) quick: bool,
+    /// Result.
+    #[arg(long, value_name = "F.json")]
+    pub(crate) out: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CacheArguments {
+    #[command(flatten)]
+    pub(crate) location: CacheLocation,
+    /// Empties it.
+    #[arg(long)]
+    pub(crate) clear: bool,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(crate) enum PolarizationWord {
+    Vv,
+    Hh,
+    Vh,
+    Hv,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum MethodWord {
+    Bart,
+    Sbr,
+    Po,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum EdgesWord {
+    On,
+    Off,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum NodesWord {
+    Middle,
+    Exit,
+    OwnEdge,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SurfaceWord {
+    Flat,
+    Smooth,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SidesWord {
+    Two,
+    One,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum FormatWord {
+    Npy,
+    Exr,
+    Png,
+    Csv,
+    Pcd,
+    Ply,
+    Json,
+    Safetensors,
+}
+
+/// Values of an axis and the text they were given as.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Axis {
+    pub(crate) values: Vec<f64>,
+}
+
+/// Longest axis: a table of 10⁶ values per axis is a mistake of typing.
+const AXIS_LIMIT: usize = 1_000_000;
+
+fn axis(text: &str) -> Result<Axis, String> {
+    let parts: Vec<&str> = text.split(':').collect();
+    match parts[..] {
+        [one] => Ok(Axis { values: vec![finite(one)?] }),
+        [start, stop, count] => {
+            let (start, stop) = (finite(start)?, finite(stop)?);
+            let count: usize = count.parse().map_err(|_| format!("`{count}` is not a number of values"))?;
+            match count {
+                1 if start == stop => Ok(Axis { values: vec![start] }),
+                2..=AXIS_LIMIT => Ok(Axis { values: evenly(start, stop, count) }),
+                _ => Err(format!("START:STOP:N needs N from 2 to {AXIS_LIMIT}, both ends included; N is {count}")),
+            }
+        }
+        _ => Err("one number, or START:STOP:N".into()),
+    }
+}
+
+fn evenly(start: f64, stop: f64, count: usize) -> Vec<f64> {
+    let last = (count - 1) as f64;
+    (0..count).map(|i| (start * (last - i as f64) + stop * i as f64) / last).collect()
+}
+
+fn finite(text: &str) -> Result<f64, String> {
+    let value: f64 = text.parse().map_err(|_| format!("`{text}` is not a number"))?;
+    if value.is_finite() { Ok(value) } else { Err(format!("`{text}` is not finite")) }
+}
+
+fn range(text: &str) -> Result<f64, String> {
+    if matches!(text, "inf" | "infinite") {
+        return Ok(f64::INFINITY);
+    }
+    let value = finite(text)?;
+    if value > 0.0 { Ok(value) } else { Err(format!("a range must be positive, is {value}")) }
+}
+
+/// Part `number` of `of`, from 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Shard {
+    pub(crate) number: u32,
+    pub(crate) of: u32,
+}
+
+fn shard(text: &str) -> Result<Shard, String> {
+    let parsed = text.split_once('/').and_then(|(k, n)| Some(Shard { number: k.parse().ok()?, of: n.parse().ok()? }));
+    match parsed {
+        Some(s) if s.number >= 1 && s.number <= s.of => Ok(s),
+        _ => Err("K/N with 1 ≤ K ≤ N".into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_axis_includes_both_its_ends() {
+        assert_eq!(axis("77:78:3").unwrap().values, [77.0, 77.5, 78.0]);
+        assert_eq!(axis("-10").unwrap().values, [-10.0]);
+        for bad in ["", "1:2", "1:2:0", "1:2:1", "nan", "1:inf:3", "a", "1:2:3:4"] {
+            assert!(axis(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn the_command_line_is_consistent_and_takes_values_that_begin_with_a_minus() {
+        let command = with_negative_values(Arguments::command());
+        command.clone().debug_assert();
+        let words = "xtask rcs m.glb --freq-ghz 77 --az-deg -10:10:21 --accuracy-db -60 --out s.npy";
+        let matches = command.try_get_matches_from(words.split(' ')).unwrap();
+        let parsed = Arguments::from_arg_matches(&matches).unwrap();
+        let Command::Rcs(rcs) = parsed.command else { panic!("not rcs") };
+        assert_eq!((rcs.az_deg.values[0], rcs.accuracy_db), (-10.0, -60.0));
+    }
+}

@@ -1,0 +1,45 @@
+//! One file per command.
+
+mod bench;
+mod cache;
+mod ci;
+mod classify;
+mod dataset;
+mod dsp;
+mod echo;
+pub(crate) mod export;
+mod import;
+mod inspect;
+pub(crate) mod load;
+mod paths;
+mod rcs;
+mod run;
+mod study;
+mod train;
+mod vehicles;
+
+use crate::cli::Command;
+use crate::failure::Failure;
+
+/// Does what was asked.
+pub(crate) fn dispatch(command: Command) -> Result<(), Failure> {
+    match command {
+        Command::Run(arguments) => run::run(&arguments),
+        Command::Rcs(arguments) => rcs::run(&arguments),
+        Command::Paths(arguments) => paths::run(&arguments),
+        Command::Echo(arguments) => echo::run(&arguments),
+        Command::Dsp(arguments) => dsp::run(&arguments),
+        Command::Dataset(arguments) => dataset::run(&arguments),
+        Command::Train(arguments) => train::run(&arguments),
+        Command::Classify(arguments) => classify::run(&arguments),
+        Command::Import(arguments) => import::run(&arguments),
+        Command::Export(arguments) => export::run(&arguments),
+        Command::Inspect(arguments) => inspect::run(&arguments),
+        Command::Vehicles(arguments) => vehicles::run(&arguments),
+        Command::Chart(arguments) => study::chart(&arguments),
+        Command::Atlas(arguments) => study::atlas(&arguments),
+        Command::Bench(arguments) => bench::run(&arguments),
+        Command::Cache(arguments) => cache::run(&arguments),
+        Command::Ci => ci::run(),
+    }
+}

@@ -1,0 +1,26 @@
+//! `cache`: what is kept, by stage, and how to be rid of it.
+
+use crate::cache::Cache;
+use crate::cli::CacheArguments;
+use crate::failure::Failure;
+use crate::memory::mib;
+use crate::output;
+use crate::stages::Stage;
+
+pub(crate) fn run(arguments: &CacheArguments) -> Result<(), Failure> {
+    let cache = Cache::open(&arguments.location);
+    if arguments.clear {
+        cache.clear()?;
+    }
+    let entries = cache.entries();
+    for stage in Stage::ALL {
+        let folder = cache.root().join(stage.name());
+        let own: Vec<_> = entries.iter().filter(|e| e.file.starts_with(&folder)).collect();
+        let bytes = own.iter().map(|e| e.bytes).sum();
+        output::line(format!("{:<12}{:>8} files {:>10.1} MiB", stage.name(), own.len(), mib(bytes)));
+    }
+    let total = entries.iter().map(|e| e.bytes).sum();
+    let limit = arguments.location.cache_limit_mib;
+    output::line(format!("{} holds {:.1} MiB; its limit is {limit} MiB", cache.root().display(), mib(total)));
+    Ok(())
+}

@@ -1,0 +1,145 @@
+//! The scenes of a dataset: one vehicle each, drawn from the recipe, sent through the whole chain.
+
+use super::recipe::Recipe;
+use crate::chain::{Chain, FrameProducts};
+use crate::failure::Failure;
+use crate::truth::{self, Truth};
+use artifact::dataset::{Sample, Split};
+use artifact::points::Object;
+use artifact::scene::{Pose, SceneHeader, Target, TargetKind};
+use artifact::settings::Class;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// A scene before it is computed.
+pub(super) struct Drawn {
+    number: u64,
+    class: Class,
+    model: String,
+    vehicle_seed: u64,
+    lane: u8,
+    range_m: f64,
+    speed_mps: f64,
+}
+
+/// A scene after it.
+pub(super) struct Shot {
+    /// The crop, if the vehicle was found.
+    pub(super) sample: Option<Sample>,
+    /// Truth and estimate.
+    pub(super) line: Value,
+}
+
+/// All scenes, class by class in turn, so that any beginning is balanced.
+pub(super) fn draw(recipe: &Recipe) -> Vec<Drawn> {
+    let mut scenes = Vec::new();
+    for round in 0..u64::from(recipe.scenes_per_class) {
+        for (class, models) in &recipe.models {
+            scenes.push(draw_one(recipe, scenes.len() as u64, *class, &models[round as usize % models.len()]));
+        }
+    }
+    scenes
+}
+
+fn draw_one(recipe: &Recipe, number: u64, class: Class, model: &str) -> Drawn {
+    let mut random = ChaCha8Rng::from_seed(artifact::seed::key(recipe.seed, "dataset/scene", &[number]));
+    let within = |[low, high]: [f64; 2], share: f64| low + (high - low) * share;
+    Drawn {
+        number,
+        class,
+        model: model.to_owned(),
+        vehicle_seed: random.random_range(0..recipe.vehicle_seeds),
+        lane: recipe.lanes[random.random_range(0..recipe.lanes.len())],
+        range_m: within(recipe.range_m, random.random()),
+        speed_mps: within(recipe.speed_mps, random.random()),
+    }
+}
+
+/// Computes one scene and cuts its crop.
+pub(super) fn shoot(recipe: &Recipe, drawn: &Drawn, shard: &Path) -> Result<Shot, Failure> {
+    let header = header(recipe, drawn)?;
+    let chain = Chain::of(&header, None, None);
+    let products = chain.frame(&chain.plan(0))?;
+    let truths = truth::truths(&header, &products.result.scene, products.result.paths.as_ref());
+    let objects = &products.result.points.objects;
+    let object = truth::assign(&truths, objects)[0].map(|o| &objects[o]);
+    let sample = object.map(|object| sample(drawn, &chain, &products, object, &truths[0], recipe.seed)).transpose()?;
+    Ok(Shot { line: line(drawn, &truths[0], object, &products, shard, recipe.seed), sample })
+}
+
+/// The base scene with this vehicle as its only target. The range is the slant range of the body's origin.
+fn header(recipe: &Recipe, drawn: &Drawn) -> Result<SceneHeader, Failure> {
+    let mesh = scene::vehicles::mesh(&drawn.model, drawn.vehicle_seed);
+    let mesh = mesh.ok_or_else(|| Failure::refused(format!("`{}` is none of the project's vehicles", drawn.model)))?;
+    let [radar_x, radar_y, radar_z] = recipe.base.radar.position_m;
+    let lane = recipe.base.dsp.lanes.iter().find(|l| l.number == drawn.lane);
+    let x_m = lane.map_or(radar_x, |l| l.centre_x_m);
+    let along = (drawn.range_m.powi(2) - radar_z.powi(2) - (x_m - radar_x).powi(2)).max(1.0).sqrt();
+    let start = Pose {
+        position_m: [x_m, radar_y + along, 0.0],
+        yaw_rad: -std::f64::consts::FRAC_PI_2,
+        velocity_mps: [0.0, -drawn.speed_mps, 0.0],
+    };
+    let kind = TargetKind::Mesh { class: Some(drawn.class), model: drawn.model.clone(), mesh: 0 };
+    Ok(SceneHeader {
+        name: format!("dataset-{}", drawn.number),
+        seed: recipe.seed.wrapping_add(drawn.number),
+        frames: 1,
+        meshes: vec![mesh],
+        targets: vec![Target { id: "vehicle".into(), kind, start }],
+        ..recipe.base.clone()
+    })
+}
+
+fn sample(
+    drawn: &Drawn,
+    chain: &Chain,
+    products: &FrameProducts,
+    object: &Object,
+    truth: &Truth,
+    seed: u64,
+) -> Result<Sample, Failure> {
+    let crop = dsp::crop(&chain.cube_header, &products.rdm, object, &dsp::PAPER_CROP).map_err(Failure::refused)?;
+    Ok(Sample {
+        id: format!("scene-{:05}", drawn.number),
+        crop,
+        class: Some(drawn.class),
+        model: drawn.model.clone(),
+        scene: drawn.number,
+        split: split(drawn, seed),
+        range_m: truth.range_m,
+        radial_velocity_mps: truth.radial_velocity_mps,
+        lane: truth.lane,
+        seed,
+    })
+}
+
+fn split(drawn: &Drawn, seed: u64) -> Split {
+    classifier::split_of_scene(drawn.number, seed)
+}
+
+fn line(
+    drawn: &Drawn,
+    truth: &Truth,
+    object: Option<&Object>,
+    products: &FrameProducts,
+    shard: &Path,
+    seed: u64,
+) -> Value {
+    let echo = truth.echo;
+    json!({
+        "file": shard.file_name().unwrap_or_default().to_string_lossy(),
+        "sample": object.is_some(), "id": format!("scene-{:05}", drawn.number), "scene": drawn.number,
+        "class": drawn.class.name(), "model": drawn.model, "vehicle_seed": drawn.vehicle_seed,
+        "range_m": truth.range_m, "velocity_mps": truth.radial_velocity_mps, "lane": truth.lane,
+        "x_m": truth.position_m.x, "seed": seed, "split": split(drawn, seed),
+        "echo_range_m": echo.map(|e| e.range_m), "echo_velocity_mps": echo.map(|e| e.radial_velocity_mps),
+        "objects": products.result.points.objects.len(), "points": products.result.points.points.len(),
+        "paths": products.result.paths.as_ref().map(|p| p.paths.len()),
+        "seconds": products.result.seconds.iter().map(|(_, s)| s).sum::<f64>(),
+        "estimate": object.map(|o| json!({ "range_m": o.range_m, "velocity_mps": o.radial_velocity_mps,
+            "x_m": o.position_m[0], "lane": o.lane, "snr_db": o.snr_db, "points": o.points })),
+    })
+}

@@ -1,0 +1,60 @@
+//! `dsp`: range-Doppler maps and points of any radar cube, from the cube alone.
+
+use super::load;
+use crate::cli::DspArguments;
+use crate::failure::Failure;
+use crate::output;
+use crate::pictures;
+use crate::stages::Stage;
+use artifact::cube::{Cube, CubeHeader};
+use artifact::points::{Points, PointsHeader};
+use artifact::rdm::Rdm;
+use artifact::{Provenance, Reader, Writer};
+use std::path::Path;
+
+pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
+    let reader = Reader::<Cube>::open(&arguments.cube)?;
+    let mut header = reader.header().clone();
+    if let Some(file) = &arguments.scene {
+        header.dsp = load::radar_only(file)?.dsp;
+    }
+    let from = provenance_of(&reader, &header);
+    let stem = arguments.cube.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let place = |kind: &str| arguments.out.join(format!("{stem}.{kind}"));
+    let mut maps = Writer::<Rdm>::create(&place("rdm"), &from, &header)?;
+    let cloud_header = PointsHeader { cube: Some(header.clone()), targets: vec![] };
+    let mut clouds = Writer::<Points>::create(&place("points"), &from, &cloud_header)?;
+    for cube in reader {
+        let rdm = dsp::range_doppler(&header, &cube?).map_err(|e| refused(&arguments.cube, &e))?;
+        let points = dsp::detect(&header, &rdm).map_err(|e| refused(&arguments.cube, &e))?;
+        output::line(format!(
+            "frame {}: {} cells above the threshold, {} points, {} objects",
+            rdm.index,
+            rdm.detections,
+            points.points.len(),
+            points.objects.len()
+        ));
+        if arguments.pictures {
+            pictures::of_map(&header, &rdm, &points, &arguments.out.join("pictures"))?;
+        }
+        maps.write(&rdm)?;
+        clouds.write(&points)?;
+    }
+    maps.finish()?;
+    Ok(clouds.finish()?)
+}
+
+fn refused(file: &Path, error: &dyn std::fmt::Display) -> Failure {
+    Failure::Refused(format!("{}: {error}", file.display()))
+}
+
+fn provenance_of(reader: &Reader<Cube>, header: &CubeHeader) -> Provenance {
+    let cube = &reader.preamble().provenance;
+    Provenance {
+        stage: Stage::Dsp.name().into(),
+        program_version: env!("CARGO_PKG_VERSION").into(),
+        inputs: cube.inputs.clone(),
+        settings: serde_json::to_string(&header.dsp).unwrap_or_default(),
+        seed: cube.seed,
+    }
+}

@@ -1,0 +1,70 @@
+//! Radar cubes as complex64 `[frame, channel, chirp, sample]`.
+
+use super::{NpyStream, fail, write_sidecar};
+use crate::failure::Failure;
+use artifact::Reader;
+use artifact::cube::{Cube, CubeHeader};
+use artifact::radar::Multiplexing;
+use num_complex::Complex32;
+use serde_json::{Value, json};
+use std::path::Path;
+
+pub(crate) fn npy(reader: Reader<Cube>, out: &Path) -> Result<(), Failure> {
+    let header = reader.header().clone();
+    let [channels, chirps, samples] = header.shape();
+    let shape = [reader.frames() as usize, channels, chirps, samples];
+    let mut times = Vec::new();
+    let mut failed = None;
+    let written = NpyStream::write::<Complex32>(out, &shape, |stream| {
+        for frame in reader {
+            let frame = frame.map_err(|e| fail(&mut failed, e))?;
+            times.push(frame.time_s);
+            stream.append(&frame.samples)?;
+        }
+        Ok(())
+    });
+    failed.map_or(written, |error| Err(error.into()))?;
+    write_sidecar(out, &axes(&header, &times))
+}
+
+fn axes(header: &CubeHeader, frame_times_s: &[f64]) -> Value {
+    let waveform = &header.radar.waveform;
+    let sample_times: Vec<f64> = (0..waveform.samples).map(|n| f64::from(n) / waveform.sample_rate_hz).collect();
+    json!({
+        "shape": ["frame", "channel", "chirp", "sample"],
+        "unit": "sqrt(W)",
+        "frame_times_s": frame_times_s,
+        "sample_times_s": sample_times,
+        "times_s": chirp_times(header),
+        "channels": channels(header),
+        "start_frequency_hz": waveform.start_frequency_hz,
+        "slope_hz_per_s": waveform.slope_hz_per_s,
+        "sample_rate_hz": waveform.sample_rate_hz,
+    })
+}
+
+/// Start of each chirp from the frame's first sample: `[chirp]`, with tdm `[tx][chirp]`.
+fn chirp_times(header: &CubeHeader) -> Value {
+    let radar = &header.radar;
+    let of = |tx: usize| -> Vec<f64> {
+        (0..radar.waveform.chirps as usize).map(|chirp| radar.chirp_start_s(tx, chirp)).collect()
+    };
+    match radar.array.multiplexing {
+        Multiplexing::Tdm => json!((0..radar.array.tx_m.len()).map(of).collect::<Vec<_>>()),
+        Multiplexing::Simultaneous | Multiplexing::Ddm => json!(of(0)),
+    }
+}
+
+fn channels(header: &CubeHeader) -> Value {
+    match header.radar.array.multiplexing {
+        Multiplexing::Ddm => header.radar.array.rx_m.iter().map(|rx| json!({ "tx_m": null, "rx_m": rx })).collect(),
+        Multiplexing::Simultaneous | Multiplexing::Tdm => virtual_channels(header),
+    }
+}
+
+/// Transmit–receive pairs, channel = tx·N_rx + rx.
+pub(crate) fn virtual_channels(header: &CubeHeader) -> Value {
+    let array = &header.radar.array;
+    let pairs = array.tx_m.iter().flat_map(|tx| array.rx_m.iter().map(move |rx| json!({ "tx_m": tx, "rx_m": rx })));
+    pairs.collect()
+}

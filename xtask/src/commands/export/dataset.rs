@@ -1,0 +1,45 @@
+//! Crops as uint8 `[sample, velocity, range]`, or as pictures.
+
+use super::{NpyStream, fail, write_sidecar};
+use crate::failure::Failure;
+use artifact::Reader;
+use artifact::dataset::{Dataset, Sample};
+use serde_json::{Value, json};
+use std::path::Path;
+
+pub(crate) fn npy(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
+    let format = *reader.header();
+    let side = format.side as usize;
+    let mut labels = Vec::new();
+    let mut failed = None;
+    let written = NpyStream::write::<u8>(out, &[reader.frames() as usize, side, side], |stream| {
+        for sample in reader {
+            let sample = sample.map_err(|e| fail(&mut failed, e))?;
+            labels.push(label(&sample));
+            stream.append(&sample.crop.pixels)?;
+        }
+        Ok(())
+    });
+    failed.map_or(written, |error| Err(error.into()))?;
+    write_sidecar(out, &json!({ "shape": ["sample", "velocity", "range"], "format": format, "samples": labels }))
+}
+
+/// What a line of `manifest.jsonl` tells of a sample.
+pub(crate) fn label(sample: &Sample) -> Value {
+    json!({
+        "id": sample.id, "class": sample.class.map(|c| c.name()), "model": sample.model, "scene": sample.scene,
+        "range_m": sample.range_m, "velocity_mps": sample.radial_velocity_mps, "lane": sample.lane,
+        "seed": sample.seed, "split": sample.split,
+    })
+}
+
+/// One grey picture a sample, in the folder `out`.
+pub(crate) fn png(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
+    let side = reader.header().side;
+    for sample in reader {
+        let sample = sample?;
+        let place = out.join(format!("{}.png", sample.id));
+        crate::pictures::write_gray(&place, side, side, sample.crop.pixels)?;
+    }
+    Ok(())
+}

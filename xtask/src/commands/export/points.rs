@@ -1,0 +1,75 @@
+//! Points as tables and clouds.
+
+use super::fail;
+use crate::failure::Failure;
+use crate::output;
+use artifact::Reader;
+use artifact::points::{Point, Points, PointsFrame};
+use std::io::Write;
+use std::path::Path;
+
+const COLUMNS: &str = "frame,time_s,range_m,radial_velocity_mps,az_deg,el_deg,x_m,y_m,z_m,snr_db,object,target";
+
+pub(crate) fn csv(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
+    let targets = reader.header().targets.clone();
+    let mut failed = None;
+    let written = output::write_with(out, |stream| {
+        writeln!(stream, "{COLUMNS}")?;
+        for frame in reader {
+            write_csv(stream, &frame.map_err(|e| fail(&mut failed, e))?, &targets)?;
+        }
+        Ok(())
+    });
+    failed.map_or(written, |error| Err(error.into()))
+}
+
+/// Rows of one frame.
+pub(crate) fn write_csv(sink: &mut dyn Write, frame: &PointsFrame, targets: &[String]) -> std::io::Result<()> {
+    for p in &frame.points {
+        let object = p.object.map_or_else(String::new, |o| o.to_string());
+        let target = p.target.and_then(|t| targets.get(t as usize)).map_or("", String::as_str);
+        let [x, y, z] = p.position_m;
+        let (az, el) = (p.azimuth_rad.to_degrees(), p.elevation_rad.to_degrees());
+        let (frame, time, range, velocity) = (frame.index, frame.time_s, p.range_m, p.radial_velocity_mps);
+        let snr = p.snr_db;
+        writeln!(sink, "{frame},{time},{range},{velocity},{az},{el},{x},{y},{z},{snr},{object},{target}")?;
+    }
+    Ok(())
+}
+
+/// Point Cloud Data file, version 0.7, ASCII, all frames.
+pub(crate) fn pcd(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
+    let rows = rows(reader)?;
+    let n = rows.len();
+    output::write_with(out, |s| {
+        writeln!(s, "VERSION .7\nFIELDS x y z velocity snr frame object\nSIZE 4 4 4 4 4 4 4\nTYPE F F F F F U I")?;
+        writeln!(s, "COUNT 1 1 1 1 1 1 1\nWIDTH {n}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {n}\nDATA ascii")?;
+        rows.iter().try_for_each(|row| writeln!(s, "{row}"))
+    })
+}
+
+/// Stanford polygon file, ASCII, all frames.
+pub(crate) fn ply(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
+    let rows = rows(reader)?;
+    output::write_with(out, |s| {
+        writeln!(s, "ply\nformat ascii 1.0\nelement vertex {}", rows.len())?;
+        writeln!(s, "property float x\nproperty float y\nproperty float z\nproperty float velocity")?;
+        writeln!(s, "property float snr\nproperty uint frame\nproperty int object\nend_header")?;
+        rows.iter().try_for_each(|row| writeln!(s, "{row}"))
+    })
+}
+
+fn rows(reader: Reader<Points>) -> Result<Vec<String>, Failure> {
+    let mut rows = Vec::new();
+    for frame in reader {
+        let frame = frame?;
+        rows.extend(frame.points.iter().map(|p| row(frame.index, p)));
+    }
+    Ok(rows)
+}
+
+fn row(frame: u32, p: &Point) -> String {
+    let [x, y, z] = p.position_m;
+    let object = p.object.map_or(-1, i64::from);
+    format!("{x:.4} {y:.4} {z:.4} {:.4} {:.2} {frame} {object}", p.radial_velocity_mps, p.snr_db)
+}

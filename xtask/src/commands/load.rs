@@ -1,0 +1,103 @@
+//! A scene from its file, through the cache.
+
+use crate::cache::{Cache, project_root};
+use crate::chain::LoadedModel;
+use crate::cli::SceneArguments;
+use crate::failure::Failure;
+use crate::keys::{self, Key};
+use crate::stages::Stage;
+use artifact::scene::{Scene, SceneHeader};
+use artifact::{Provenance, Reader, Writer};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// A scene and how it was come by.
+pub(crate) struct LoadedScene {
+    pub(crate) header: SceneHeader,
+    pub(crate) cached: bool,
+    pub(crate) seconds: f64,
+    /// Name and hash of the files it was read from.
+    pub(crate) files: Vec<(String, String)>,
+}
+
+/// Reads the scene, or takes it from the cache where no file that it reads has changed.
+pub(crate) fn scene(arguments: &SceneArguments, cache: Option<&Cache>) -> Result<LoadedScene, Failure> {
+    let start = Instant::now();
+    let options = scene::ReadOptions { model: arguments.model.clone(), meshes: scene::Meshes::Whole };
+    let files = hashed(&scene::inputs(&arguments.scene, &options).map_err(of_scene)?)?;
+    let key = keys::scene(&files, &arguments.model);
+    let known = cache.and_then(|c| known(c, &key));
+    let cached = known.is_some();
+    let mut header = match known {
+        Some(header) => header,
+        None => scene::read(&arguments.scene, &options).map_err(of_scene)?,
+    };
+    if let (Some(cache), false) = (cache, cached) {
+        keep(cache, &key, &header);
+    }
+    header.seed = arguments.seed.unwrap_or(header.seed);
+    Ok(LoadedScene { header, cached, seconds: start.elapsed().as_secs_f64(), files })
+}
+
+/// Radar and settings of a scene, its models unopened.
+pub(crate) fn radar_only(file: &Path) -> Result<SceneHeader, Failure> {
+    let options = scene::ReadOptions { model: None, meshes: scene::Meshes::NamesOnly };
+    scene::read(file, &options).map_err(of_scene)
+}
+
+/// A scene's rules were broken, or the system refused.
+pub(crate) fn of_scene(errors: scene::SceneErrors) -> Failure {
+    if errors.is_system() { Failure::System(errors.to_string()) } else { Failure::Refused(errors.to_string()) }
+}
+
+/// Name and content hash of files.
+pub(crate) fn hashed(files: &[PathBuf]) -> Result<Vec<(String, String)>, Failure> {
+    let hash = |file: &PathBuf| {
+        let bytes = std::fs::read(file).map_err(|e| Failure::system(file, "read", e))?;
+        let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        Ok((name, blake3::hash(&bytes).to_hex().to_string()))
+    };
+    files.iter().map(hash).collect()
+}
+
+fn known(cache: &Cache, key: &Key) -> Option<SceneHeader> {
+    let reader = Reader::<Scene>::open(&cache.place(Stage::Scene, key, "scene")).ok()?;
+    Some(reader.header().clone())
+}
+
+fn keep(cache: &Cache, key: &Key, header: &SceneHeader) {
+    let place = cache.place(Stage::Scene, key, "scene");
+    let written = Writer::<Scene>::create(&place, &Provenance::default(), header).and_then(Writer::finish);
+    if let Err(error) = written {
+        crate::progress::note(format!("note: not cached: {error}"));
+    }
+}
+
+/// The model that was asked for, else the project's; without either, vehicles are located but not classified.
+pub(crate) fn model(asked: Option<&Path>) -> Result<Option<LoadedModel>, Failure> {
+    let place = asked.map_or_else(|| project_root().join("fixtures/classifier.model"), Path::to_owned);
+    if asked.is_none() && !place.exists() {
+        crate::progress::note(format!("note: {}: no model here, vehicles are not classified", place.display()));
+        return Ok(None);
+    }
+    LoadedModel::read(&place).map(Some)
+}
+
+/// Where an artifact came from.
+pub(crate) fn provenance(stage: Stage, header: &SceneHeader, inputs: Vec<(String, String)>) -> Provenance {
+    Provenance {
+        stage: stage.name().into(),
+        program_version: env!("CARGO_PKG_VERSION").into(),
+        inputs,
+        settings: serde_json::to_string(&(&header.fidelity, &header.dsp)).unwrap_or_default(),
+        seed: header.seed,
+    }
+}
+
+/// The shards of a dataset folder, in the order of their names.
+pub(crate) fn shards(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|e| e.path());
+    let mut shards: Vec<PathBuf> = entries.filter(|p| p.extension().is_some_and(|e| e == "dataset")).collect();
+    shards.sort();
+    shards
+}

@@ -1,0 +1,28 @@
+//! `paths`: the scattering paths of each frame of a scene.
+
+use super::load::{self, provenance};
+use crate::chain::{Chain, Scattering};
+use crate::cli::PathsArguments;
+use crate::failure::Failure;
+use crate::progress::Work;
+use crate::stages::Stage;
+use artifact::Writer;
+use artifact::paths::Paths;
+use artifact::settings::EchoMode;
+
+pub(crate) fn run(arguments: &PathsArguments) -> Result<(), Failure> {
+    let mut loaded = load::scene(&arguments.scene, None)?;
+    loaded.header.fidelity.echo = EchoMode::Paths; // that is what was asked for
+    let chain = Chain::of(&loaded.header, None, None);
+    let from = provenance(Stage::BartRcs, &loaded.header, loaded.files.clone());
+    let mut writer = Writer::<Paths>::create(&arguments.out, &from, &chain.paths_header())?;
+    let work = Work::begin("paths");
+    for index in 0..loaded.header.frames {
+        work.at(index as usize, loaded.header.frames as usize);
+        let scene = scene::snapshot(&loaded.header, index);
+        if let Scattering::Paths(frame) = chain.scattering(&chain.plan(index), &scene)?.value {
+            writer.write(&frame)?;
+        }
+    }
+    Ok(writer.finish()?)
+}

@@ -1,0 +1,108 @@
+//! `rcs`: scattering amplitude of a mesh over frequency, elevation and azimuth.
+
+mod answer;
+mod references;
+
+use super::export::{NpyStream, sidecar};
+use crate::cli::{EdgesWord, MethodWord, NodesWord, PolarizationWord, RcsArguments, SidesWord, SurfaceWord};
+use crate::failure::Failure;
+use crate::output;
+use crate::progress::Work;
+use answer::Answer;
+use artifact::Accuracy;
+use artifact::radar::Polarization;
+use artifact::scene::Mesh;
+use artifact::settings::{NodeRule, Sides};
+use bart_rcs::{RcsRequest, Standpoint};
+use num_complex::Complex64;
+use std::path::Path;
+use std::time::Instant;
+
+pub(crate) fn run(arguments: &RcsArguments) -> Result<(), Failure> {
+    let start = Instant::now();
+    let request = request(arguments)?;
+    let mesh = mesh(&arguments.mesh, arguments.unit_scale)?;
+    let load = start.elapsed().as_secs_f64();
+    let answer = match arguments.method {
+        MethodWord::Bart => traced(&mesh, &request)?,
+        MethodWord::Po | MethodWord::Sbr => references::answer(arguments, &mesh, &request)?,
+    };
+    let shape = [request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len()];
+    NpyStream::write::<Complex64>(&arguments.out, &shape, |stream| stream.append(&answer.amplitude_m))?;
+    let described = answer.json(arguments, &mesh, load, start.elapsed().as_secs_f64());
+    let text = serde_json::to_string_pretty(&described).map_err(Failure::refused)?;
+    output::write_file(&sidecar(&arguments.out), text.as_bytes())?;
+    answer.tell(&arguments.out);
+    Ok(())
+}
+
+fn traced(mesh: &Mesh, request: &RcsRequest) -> Result<Answer, Failure> {
+    let work = Work::begin("rcs");
+    let progress = |done: usize, of: usize| work.at(done, of);
+    bart_rcs::rcs(mesh, request, &progress).map(Answer::of_bart).map_err(Failure::refused)
+}
+
+/// A mesh file as it is, or an own vehicle by its name.
+fn mesh(place: &Path, unit_scale: Option<f64>) -> Result<Mesh, Failure> {
+    if let Some(mesh) = place.to_str().filter(|_| !place.exists()).and_then(|name| scene::vehicles::mesh(name, 0)) {
+        return Ok(mesh);
+    }
+    scene::read_mesh(place, &scene::MeshOptions { unit_scale }).map_err(|error| match error.is_system() {
+        true => Failure::System(error.to_string()),
+        false => Failure::refused(error),
+    })
+}
+
+fn request(arguments: &RcsArguments) -> Result<RcsRequest, Failure> {
+    let radians = |degrees: &[f64]| degrees.iter().map(|d| d.to_radians()).collect::<Vec<_>>();
+    if !(arguments.accuracy_db < 0.0 && arguments.accuracy_db.is_finite()) {
+        return Err(Failure::System(format!("--accuracy-db must be below 0, is {}", arguments.accuracy_db)));
+    }
+    Ok(RcsRequest {
+        frequency_hz: arguments.freq_ghz.values.iter().map(|f| f * 1e9).collect(),
+        elevation_rad: radians(&arguments.el_deg.values),
+        azimuth_rad: radians(&arguments.az_deg.values),
+        range_m: arguments.range_m,
+        receiver: receiver(arguments),
+        polarization: polarization(arguments.pol),
+        bounces: arguments.bounces,
+        nodes: nodes(arguments)?,
+        sides: sides(arguments.sides),
+        accuracy: Accuracy::from_db(arguments.accuracy_db),
+    })
+}
+
+fn receiver(arguments: &RcsArguments) -> Option<Standpoint> {
+    let (azimuth, elevation) = (arguments.rx_az_deg?, arguments.rx_el_deg?);
+    let range_m = arguments.rx_range_m.unwrap_or(arguments.range_m);
+    Some(Standpoint { azimuth_rad: azimuth.to_radians(), elevation_rad: elevation.to_radians(), range_m })
+}
+
+pub(super) fn polarization(word: PolarizationWord) -> Polarization {
+    match word {
+        PolarizationWord::Vv => Polarization::Vv,
+        PolarizationWord::Hh => Polarization::Hh,
+        PolarizationWord::Vh => Polarization::Vh,
+        PolarizationWord::Hv => Polarization::Hv,
+    }
+}
+
+pub(super) fn sides(word: SidesWord) -> Sides {
+    match word {
+        SidesWord::Two => Sides::Two,
+        SidesWord::One => Sides::One,
+    }
+}
+
+/// What is promised for later is refused by name, not ignored.
+fn nodes(arguments: &RcsArguments) -> Result<NodeRule, Failure> {
+    let unbuilt =
+        |option: &str| Err(Failure::Refused(format!("{option} is not built yet; docs/interface.md says what is")));
+    match (arguments.edges, arguments.surface, arguments.nodes) {
+        (EdgesWord::On, _, _) => unbuilt("--edges on"),
+        (_, SurfaceWord::Smooth, _) => unbuilt("--surface smooth"),
+        (_, _, NodesWord::OwnEdge) => unbuilt("--nodes own-edge"),
+        (_, _, NodesWord::Middle) => Ok(NodeRule::Middle),
+        (_, _, NodesWord::Exit) => Ok(NodeRule::Exit),
+    }
+}

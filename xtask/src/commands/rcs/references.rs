@@ -1,0 +1,91 @@
+//! `rcs --method po` and `--method sbr`: the slow references, aspect by aspect.
+
+use super::answer::Answer;
+use crate::cli::{MethodWord, RcsArguments};
+use crate::failure::Failure;
+use crate::progress::Work;
+use artifact::paths::Amplitude;
+use artifact::scene::Mesh;
+use artifact::settings::NodeRule;
+use artifact::{ErrorBudget, ModelError};
+use bart_rcs::RcsRequest;
+use bart_rcs::reference::{Aspect, Bracket, ReferenceError, Station, po, sbr};
+use num_complex::Complex64;
+use std::time::Instant;
+
+/// Halvings of a cell that a shadow's border crosses (`reference::po`).
+const SHADOW_LEVELS: u32 = 3;
+
+pub(super) fn answer(arguments: &RcsArguments, mesh: &Mesh, request: &RcsRequest) -> Result<Answer, Failure> {
+    let start = Instant::now();
+    let work = Work::begin("rcs");
+    let (elevations, azimuths) = (&request.elevation_rad, &request.azimuth_rad);
+    let aspects = elevations.len() * azimuths.len();
+    let mut table = vec![Complex64::ZERO; request.frequency_hz.len() * aspects];
+    let (receive, transmit) = request.polarization.indices();
+    let pairs = elevations.iter().flat_map(|el| azimuths.iter().map(move |az| (*el, *az)));
+    for (number, (elevation_rad, azimuth_rad)) in pairs.enumerate() {
+        let aspect = aspect(request, elevation_rad, azimuth_rad);
+        let amplitudes = amplitudes(arguments, mesh, request, &aspect).map_err(Failure::refused)?;
+        for (f, amplitude) in amplitudes.iter().enumerate() {
+            table[f * aspects + number] = amplitude[receive][transmit];
+        }
+        work.at(number + 1, aspects);
+    }
+    Ok(Answer {
+        amplitude_m: table,
+        beams: vec![],
+        build_seconds: 0.0,
+        trace_seconds: start.elapsed().as_secs_f64(),
+        integrate_seconds: 0.0,
+        error: ErrorBudget::default(),
+        model_error: ModelError::default(),
+        node_spread: vec![],
+        dropped_at_most: None,
+    })
+}
+
+fn aspect(request: &RcsRequest, elevation_rad: f64, azimuth_rad: f64) -> Aspect {
+    let transmitter = Station { azimuth_rad, elevation_rad, range_m: request.range_m };
+    let receiver = request.receiver.map_or(transmitter, |r| Station {
+        azimuth_rad: r.azimuth_rad,
+        elevation_rad: r.elevation_rad,
+        range_m: r.range_m,
+    });
+    Aspect { transmitter, receiver }
+}
+
+fn amplitudes(
+    arguments: &RcsArguments,
+    mesh: &Mesh,
+    request: &RcsRequest,
+    aspect: &Aspect,
+) -> Result<Vec<Amplitude>, ReferenceError> {
+    let (per_wavelength, sides) = (arguments.density, request.sides);
+    let bracket = match request.nodes {
+        NodeRule::Middle => Bracket::Symmetrised,
+        NodeRule::Exit => Bracket::Plain,
+    };
+    match arguments.method {
+        MethodWord::Sbr => {
+            let shooting = sbr::Shooting { per_wavelength, bounces: request.bounces, sides, bracket };
+            let by_order = sbr::amplitude(mesh, aspect, &request.frequency_hz, &shooting)?;
+            Ok(summed(&by_order.orders, request.frequency_hz.len()))
+        }
+        MethodWord::Po | MethodWord::Bart => {
+            let sampling = po::Sampling { per_wavelength, shadow_levels: SHADOW_LEVELS, sides, bracket };
+            po::amplitude(mesh, aspect, &request.frequency_hz, &sampling)
+        }
+    }
+}
+
+/// Sum over orders at each frequency.
+fn summed(orders: &[Vec<Amplitude>], frequencies: usize) -> Vec<Amplitude> {
+    let mut sums = vec![Amplitude::default(); frequencies];
+    for (sum, term) in orders.iter().flat_map(|order| (0..frequencies).map(|f| (f, &order[f]))) {
+        for (r, t) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            sums[sum][r][t] += term[r][t];
+        }
+    }
+    sums
+}

@@ -1,0 +1,15 @@
+//! Ctrl-C and SIGTERM: nothing half-written stays behind, exit code 130.
+
+/// From now on an interrupt removes the temporary files of open writers and ends the program.
+pub(crate) fn install() {
+    let handler = || {
+        artifact::envelope::abandon_all();
+        crate::output::abandon_all();
+        crate::progress::finish();
+        eprintln!("interrupted; whole frames are kept, the next run goes on from there");
+        std::process::exit(130);
+    };
+    if let Err(error) = ctrlc::set_handler(handler) {
+        eprintln!("note: interrupts are not handled: {error}");
+    }
+}

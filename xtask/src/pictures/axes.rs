@@ -1,0 +1,95 @@
+//! A box with axes: where a number lies on the sheet.
+
+use super::svg::Svg;
+
+/// One axis: its range in numbers and in pixels.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Axis {
+    pub(crate) from: f64,
+    pub(crate) to: f64,
+    pub(crate) start_px: f64,
+    pub(crate) end_px: f64,
+}
+
+impl Axis {
+    /// Pixel of a number.
+    pub(crate) fn at(&self, value: f64) -> f64 {
+        self.start_px + (value - self.from) / (self.to - self.from) * (self.end_px - self.start_px)
+    }
+
+    /// Round numbers inside, about one every 70 pixels.
+    pub(crate) fn ticks(&self) -> Vec<f64> {
+        let (low, high) = (self.from.min(self.to), self.from.max(self.to));
+        let step = round_step((high - low) * 70.0 / (self.end_px - self.start_px).abs());
+        let first = (low / step).ceil() as i64;
+        let last = (high / step).floor() as i64;
+        (first..=last).take(100).map(|i| i as f64 * step).collect()
+    }
+}
+
+/// 1, 2 or 5 times a power of ten, at least `step`.
+fn round_step(step: f64) -> f64 {
+    let power = 10.0_f64.powf(step.max(1e-300).log10().floor());
+    let round = [1.0, 2.0, 5.0, 10.0].into_iter().find(|m| m * power >= step * (1.0 - 1e-9)).unwrap_or(10.0);
+    round * power
+}
+
+/// A box with a horizontal and a vertical axis.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Axes {
+    pub(crate) x: Axis,
+    pub(crate) y: Axis,
+}
+
+impl Axes {
+    /// Frame, ticks, numbers and labels.
+    pub(crate) fn draw(&self, sheet: &mut Svg, x_label: &str, y_label: &str) {
+        self.draw_with(sheet, x_label, y_label, &tick_text, &tick_text);
+    }
+
+    /// As [`Axes::draw`] with other words at the ticks.
+    pub(crate) fn draw_with(
+        &self,
+        sheet: &mut Svg,
+        x_label: &str,
+        y_label: &str,
+        x_text: &dyn Fn(f64) -> String,
+        y_text: &dyn Fn(f64) -> String,
+    ) {
+        let (left, right) = (self.x.start_px, self.x.end_px);
+        let (bottom, top) = (self.y.start_px, self.y.end_px);
+        sheet.rectangle("ink", [left, top], [right - left, bottom - top]);
+        for value in self.x.ticks() {
+            let x = self.x.at(value);
+            sheet.line("ink", [x, bottom], [x, bottom + 4.0]);
+            sheet.words([x, bottom + 16.0], 11.0, "middle", &x_text(value));
+        }
+        for value in self.y.ticks() {
+            let y = self.y.at(value);
+            sheet.line("ink", [left - 4.0, y], [left, y]);
+            sheet.words([left - 7.0, y + 4.0], 11.0, "end", &y_text(value));
+        }
+        sheet.words([0.5 * (left + right), bottom + 33.0], 12.0, "middle", x_label);
+        sheet.words_upwards([left - 38.0, 0.5 * (top + bottom)], 12.0, y_label);
+    }
+}
+
+/// A number without digits that say nothing.
+pub(crate) fn tick_text(value: f64) -> String {
+    let text = format!("{value:.3}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".into() } else { text.replace('-', "−") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_round_and_lie_inside() {
+        let axis = Axis { from: -16.2, to: 16.2, start_px: 500.0, end_px: 0.0 };
+        assert_eq!(axis.ticks(), [-15.0, -10.0, -5.0, 0.0, 5.0, 10.0, 15.0]);
+        assert_eq!((axis.at(-16.2), axis.at(16.2)), (500.0, 0.0));
+        assert_eq!([tick_text(-0.25), tick_text(3.0), tick_text(-0.0)], ["−0.25", "3", "0"]);
+    }
+}

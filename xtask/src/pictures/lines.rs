@@ -1,0 +1,104 @@
+//! Lines over linear or logarithmic axes.
+
+use super::axes::{Axes, Axis, tick_text};
+use super::colours::line_colour;
+use super::svg::Svg;
+
+/// How an axis runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Scale {
+    /// Evenly.
+    Linear,
+    /// By powers of ten.
+    Logarithmic,
+}
+
+/// A named line.
+#[derive(Debug, Clone)]
+pub(crate) struct Line {
+    pub(crate) name: String,
+    pub(crate) points: Vec<[f64; 2]>,
+    /// Whether its points are marked.
+    pub(crate) marked: bool,
+}
+
+/// Lines with axes and a legend.
+#[derive(Debug, Clone)]
+pub(crate) struct LinePlot {
+    pub(crate) title: String,
+    pub(crate) x_label: String,
+    pub(crate) y_label: String,
+    pub(crate) x_scale: Scale,
+    pub(crate) y_scale: Scale,
+    pub(crate) lines: Vec<Line>,
+}
+
+impl LinePlot {
+    /// The picture; points that an axis cannot show are left out.
+    pub(crate) fn draw(&self) -> Svg {
+        let mut sheet = Svg::new(self.title.clone(), 760.0, 380.0);
+        let lines: Vec<Vec<[f64; 2]>> = self.lines.iter().map(|l| self.scaled(l)).collect();
+        let all: Vec<[f64; 2]> = lines.concat();
+        let (x, y) = (span(&all, 0), span(&all, 1));
+        let named = self.lines.iter().any(|l| !l.name.is_empty());
+        let right = if named { 560.0 } else { 740.0 };
+        let axes = Axes {
+            x: Axis { from: x.0, to: x.1, start_px: 62.0, end_px: right },
+            y: Axis { from: y.0, to: y.1, start_px: 338.0, end_px: 18.0 },
+        };
+        let (x_text, y_text) = (text_of(self.x_scale), text_of(self.y_scale));
+        axes.draw_with(&mut sheet, &self.x_label, &self.y_label, &x_text, &y_text);
+        for (n, (line, points)) in self.lines.iter().zip(&lines).enumerate() {
+            draw_line(&mut sheet, &axes, line_colour(n), line, points);
+            legend(&mut sheet, right, n, &line.name);
+        }
+        sheet
+    }
+
+    fn scaled(&self, line: &Line) -> Vec<[f64; 2]> {
+        let place = |[x, y]: &[f64; 2]| [number(self.x_scale, *x), number(self.y_scale, *y)];
+        line.points.iter().map(place).filter(|p| p.iter().all(|v| v.is_finite())).collect()
+    }
+}
+
+fn number(scale: Scale, value: f64) -> f64 {
+    match scale {
+        Scale::Linear => value,
+        Scale::Logarithmic => value.log10(),
+    }
+}
+
+fn text_of(scale: Scale) -> impl Fn(f64) -> String {
+    move |value| match scale {
+        Scale::Linear => tick_text(value),
+        Scale::Logarithmic if (-3.5..4.5).contains(&value) => tick_text((10.0_f64.powf(value) * 1e3).round() / 1e3),
+        Scale::Logarithmic => format!("{:.0e}", 10.0_f64.powf(value)),
+    }
+}
+
+/// Least and greatest, with a little room.
+fn span(points: &[[f64; 2]], axis: usize) -> (f64, f64) {
+    let values = || points.iter().map(|p| p[axis]);
+    let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+    match high - low {
+        width if !width.is_finite() => (0.0, 1.0),
+        0.0 => (low - 1.0, high + 1.0),
+        width => (low - 0.04 * width, high + 0.04 * width),
+    }
+}
+
+fn draw_line(sheet: &mut Svg, axes: &Axes, colour: &str, line: &Line, points: &[[f64; 2]]) {
+    let places: Vec<[f64; 2]> = points.iter().map(|[x, y]| [axes.x.at(*x), axes.y.at(*y)]).collect();
+    sheet.polyline(colour, 1.6, &places);
+    if line.marked {
+        places.iter().for_each(|place| sheet.disc(colour, *place, 3.5));
+    }
+}
+
+fn legend(sheet: &mut Svg, right: f64, n: usize, name: &str) {
+    if !name.is_empty() {
+        let y = 30.0 + 20.0 * n as f64;
+        sheet.disc(line_colour(n), [right + 16.0, y - 4.0], 4.5);
+        sheet.words([right + 26.0, y], 11.5, "start", name);
+    }
+}

@@ -1,0 +1,148 @@
+//! The report's tables, filled from `summary.json` alone.
+
+use maud::{Markup, html};
+use serde_json::Value;
+
+/// Columns of the paper's Table 2 for this radar.
+pub(super) fn radar(radar: &Value, frames: &[&Value]) -> Markup {
+    let number = |key: &str, factor: f64, digits: usize| scaled(&radar[key], factor, digits);
+    let state = frames.first().and_then(|f| f["rdm_state"].as_str()).unwrap_or("–");
+    let points = frames.first().map_or(Value::Null, |f| f["points"].clone());
+    let rows = [
+        ("Sampling points", radar["samples_per_chirp"].to_string()),
+        ("Pulse time", format!("{} µs", number("chirp_interval_s", 1e6, 1))),
+        ("Bandwidth", format!("{} GHz", number("bandwidth_hz", 1e-9, 4))),
+        ("Distance resolution", format!("{} m", number("range_resolution_m", 1.0, 2))),
+        ("Measurement speed (max)", format!("{} m/s", number("velocity_max_mps", 1.0, 2))),
+        ("RDM display", state.into()),
+        ("Point cloud points", points.to_string()),
+        ("Carrier (sweep centre)", format!("{} GHz", number("carrier_hz", 1e-9, 4))),
+        ("Chirps × channels", format!("{} × {}", radar["chirps"], radar["channels"])),
+        ("Velocity resolution", format!("{} m/s", number("velocity_resolution_mps", 1.0, 3))),
+        ("Range limit", format!("{} m", number("range_max_m", 1.0, 1))),
+    ];
+    html! {
+        h3 { "Radar" }
+        div.scroll { table { tbody { @for (name, value) in rows { tr { th { (name) } td { (value) } } } } } }
+    }
+}
+
+/// Truth beside estimate with the error, a row per target.
+pub(super) fn targets(frame: &Value) -> Markup {
+    let targets = frame["targets"].as_array().cloned().unwrap_or_default();
+    html! {
+        div.scroll { table {
+            thead { tr {
+                th { "target" } th { "range, m" } th { "true" } th { "error" } th { "velocity, m/s" } th { "true" } th { "error" }
+                th { "x, m" } th { "true" } th { "error" } th { "lane" } th { "true" } th { "SNR, dB" } th { "points" }
+            } }
+            tbody { @for target in &targets { (target_row(target)) } }
+        } }
+    }
+}
+
+fn target_row(target: &Value) -> Markup {
+    let (truth, estimate) = (&target["truth"], &target["estimate"]);
+    let id = target["id"].as_str().unwrap_or_default();
+    if estimate.is_null() {
+        return html! { tr { td { (id) } td.bad colspan="13" { "not detected" } } };
+    }
+    let range = if truth["echo_range_m"].is_null() { &truth["range_m"] } else { &truth["echo_range_m"] };
+    let echo = &truth["echo_radial_velocity_mps"];
+    let velocity = if echo.is_null() { &truth["radial_velocity_mps"] } else { echo };
+    let wrong_lane = estimate["lane"] != truth["lane"];
+    html! { tr {
+        td { (id) }
+        (compared(&estimate["range_m"], range, 2))
+        (compared(&estimate["radial_velocity_mps"], velocity, 3))
+        (compared(&estimate["x_m"], &truth["x_m"], 2))
+        td.bad[wrong_lane] { (whole(&estimate["lane"])) } td { (whole(&truth["lane"])) }
+        td { (rounded(&estimate["snr_db"], 1)) } td { (whole(&estimate["points"])) }
+    } }
+}
+
+fn compared(estimate: &Value, truth: &Value, digits: usize) -> Markup {
+    let error = estimate.as_f64().zip(truth.as_f64()).map(|(e, t)| e - t);
+    let error = error.map_or("–".into(), |e| format!("{e:+.digits$}").replace('-', "−"));
+    html! { td { (rounded(estimate, digits)) } td { (rounded(truth, digits)) } td { (error) } }
+}
+
+/// Probabilities as bars, a row per vehicle.
+pub(super) fn classes(frame: &Value) -> Markup {
+    let targets = frame["targets"].as_array().cloned().unwrap_or_default();
+    html! {
+        div.scroll { table {
+            thead { tr { th { "target" } th { "class" } th { "told" } @for c in CLASSES { th { (c) } } } }
+            tbody { @for target in targets.iter().filter(|t| !t["class"].is_null()) { (class_row(target)) } }
+        } }
+    }
+}
+
+const CLASSES: [&str; 4] = ["car", "bus", "truck", "motorcycle"];
+
+fn class_row(target: &Value) -> Markup {
+    let wrong = target["predicted_class"] != target["class"];
+    html! { tr {
+        td { (target["id"].as_str().unwrap_or_default()) }
+        td { (target["class"].as_str().unwrap_or("–")) }
+        td.bad[wrong] { (target["predicted_class"].as_str().unwrap_or("–")) }
+        @for class in CLASSES { td { (bar(&target["probabilities"][class])) } }
+    } }
+}
+
+fn bar(probability: &Value) -> Markup {
+    match probability.as_f64() {
+        Some(p) => html! { span.bar style=(format!("width:{:.2}em", 4.0 * p)) {} (format!("{p:.3}")) },
+        None => html! { "–" },
+    }
+}
+
+/// Numerical error by source and what the model leaves out, dB.
+pub(super) fn errors(frame: &Value) -> Markup {
+    let rows = |group: &str| {
+        let entries = frame[group].as_object().cloned().unwrap_or_default();
+        entries.into_iter().map(|(name, value)| (name.replace('_', " "), value)).collect::<Vec<_>>()
+    };
+    html! { div.scroll { table {
+        thead { tr { th { "relative to the echo" } th { "dB" } } }
+        tbody {
+            @for (name, value) in rows("error_db") { tr { td { (name) } td { (rounded_or(&value, 1, "not estimated")) } } }
+            @for (name, value) in rows("model_error_db") { tr { td { "model: " (name) } td { (rounded_or(&value, 1, "not estimated")) } } }
+        }
+    } } }
+}
+
+/// Seconds by stage, memory at most.
+pub(super) fn costs(frame: &Value) -> Markup {
+    let stages = frame["stage_seconds"].as_object().cloned().unwrap_or_default();
+    let cached = frame["cached"].as_array().cloned().unwrap_or_default();
+    html! { div.scroll { table {
+        thead { tr { th { "stage" } th { "seconds" } th { "" } } }
+        tbody {
+            @for (stage, seconds) in &stages {
+                tr { td { (stage.replace('_', "-")) } td { (rounded(seconds, 3)) }
+                    td { @if cached.iter().any(|c| c == stage) { "cached" } } }
+            }
+            tr { td { "paths" } td { (whole(&frame["paths"])) } td {} }
+            tr { td { "memory, MiB" } td { (rounded_or(&frame["peak_memory_mib"], 0, "–")) }
+                td { "at most; " (rounded(&frame["memory_estimate_mib"], 0)) " said before" } }
+        }
+    } } }
+}
+
+/// A number with so many digits; a dash where there is none.
+pub(super) fn rounded(value: &Value, digits: usize) -> String {
+    rounded_or(value, digits, "–")
+}
+
+fn rounded_or(value: &Value, digits: usize, otherwise: &str) -> String {
+    value.as_f64().map_or(otherwise.into(), |v| format!("{v:.digits$}").replace('-', "−"))
+}
+
+fn scaled(value: &Value, factor: f64, digits: usize) -> String {
+    value.as_f64().map_or("–".into(), |v| format!("{:.digits$}", v * factor))
+}
+
+fn whole(value: &Value) -> String {
+    value.as_i64().map_or("–".into(), |v| v.to_string())
+}

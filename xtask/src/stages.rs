@@ -1,0 +1,38 @@
+//! The five stages, as the plan and the cache name them.
+
+/// A stage of the chain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Stage {
+    Scene,
+    BartRcs,
+    FmcwEcho,
+    Dsp,
+    Classifier,
+}
+
+impl Stage {
+    /// All, in the order of the chain.
+    pub(crate) const ALL: [Self; 5] = [Self::Scene, Self::BartRcs, Self::FmcwEcho, Self::Dsp, Self::Classifier];
+
+    /// As `summary.json` and the cache's folders name it.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Scene => "scene",
+            Self::BartRcs => "bart_rcs",
+            Self::FmcwEcho => "fmcw_echo",
+            Self::Dsp => "dsp",
+            Self::Classifier => "classifier",
+        }
+    }
+
+    /// Hash of the stage's sources and of those of `artifact`, made by `build.rs`.
+    pub(crate) fn sources(self) -> &'static str {
+        match self {
+            Self::Scene => env!("SOURCES_OF_SCENE"),
+            Self::BartRcs => env!("SOURCES_OF_BART_RCS"),
+            Self::FmcwEcho => env!("SOURCES_OF_FMCW_ECHO"),
+            Self::Dsp => env!("SOURCES_OF_DSP"),
+            Self::Classifier => env!("SOURCES_OF_CLASSIFIER"),
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! `summary.json`: its keys are promised in `docs/interface.md`.
+
+use crate::stages::Stage;
+use crate::truth::{Truth, assign, truths};
+use artifact::accuracy::{ErrorBudget, ModelError};
+use artifact::paths::PathsFrame;
+use artifact::points::{Object, PointsFrame};
+use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
+use artifact::settings::Class;
+use artifact::units::db_from_amplitude;
+use serde_json::{Map, Value, json};
+
+/// What a run knows of one frame when it is done.
+pub(crate) struct FrameResult {
+    pub(crate) scene: SceneFrame,
+    pub(crate) paths: Option<PathsFrame>,
+    pub(crate) points: PointsFrame,
+    /// Probabilities of each object, in the order of [`Class::ALL`]; empty without a classifier.
+    pub(crate) classes: Vec<[f32; 4]>,
+    pub(crate) error: ErrorBudget,
+    pub(crate) model_error: ModelError,
+    pub(crate) seconds: Vec<(Stage, f64)>,
+    pub(crate) cached: Vec<Stage>,
+    pub(crate) memory_estimate_mib: f64,
+}
+
+/// The file's first level without its frames.
+pub(crate) fn head(header: &SceneHeader) -> Map<String, Value> {
+    let mut map = Map::new();
+    map.insert("scene".into(), json!(header.name));
+    map.insert("seed".into(), json!(header.seed));
+    map.insert("radar".into(), radar(header));
+    map
+}
+
+fn radar(header: &SceneHeader) -> Value {
+    let (radar, waveform) = (&header.radar, &header.radar.waveform);
+    json!({
+        "carrier_hz": waveform.centre_frequency_hz(),
+        "bandwidth_hz": waveform.bandwidth_hz(),
+        "chirp_interval_s": waveform.chirp_interval_s,
+        "samples_per_chirp": waveform.samples,
+        "chirps": waveform.chirps,
+        "channels": radar.virtual_channels(),
+        "range_resolution_m": waveform.range_resolution_m(),
+        "range_max_m": waveform.range_max_m(),
+        "velocity_resolution_mps": radar.velocity_resolution_mps(),
+        "velocity_max_mps": radar.velocity_max_mps(),
+        "sample_rate_hz": waveform.sample_rate_hz,
+    })
+}
+
+/// One frame with its targets, truth beside estimate.
+pub(crate) fn frame(header: &SceneHeader, result: &FrameResult) -> Value {
+    let truths = truths(header, &result.scene, result.paths.as_ref());
+    let chosen = assign(&truths, &result.points.objects);
+    let objects = || chosen.iter().map(|c| c.map(|o| &result.points.objects[o]));
+    let abnormal = truths.iter().zip(objects()).any(|(t, o)| is_aliased(header, t, o));
+    let resolved = !result.points.objects.is_empty() && result.points.objects.iter().all(|o| o.velocity_resolved);
+    let targets: Vec<Value> = (0..truths.len()).map(|i| target(header, result, i, &truths[i], chosen[i])).collect();
+    json!({
+        "time_s": result.scene.time_s,
+        "stage_seconds": seconds(&result.seconds),
+        "cached": result.cached.iter().map(|s| s.name()).collect::<Vec<_>>(),
+        "paths": result.paths.as_ref().map(|p| p.paths.len()),
+        "points": result.points.points.len(),
+        "rdm_state": if abnormal { "abnormal" } else { "normal" },
+        "velocity_resolved": resolved,
+        "error_db": error_db(&result.error),
+        "model_error_db": model_error_db(&result.model_error),
+        "memory_estimate_mib": result.memory_estimate_mib,
+        "peak_memory_mib": crate::memory::peak_mib(),
+        "targets": targets,
+    })
+}
+
+fn seconds(seconds: &[(Stage, f64)]) -> Value {
+    seconds.iter().map(|(stage, s)| (stage.name().to_owned(), json!(s))).collect::<Map<_, _>>().into()
+}
+
+fn db(amplitude: Option<f64>) -> Value {
+    amplitude.map_or(Value::Null, |a| json!(db_from_amplitude(a)))
+}
+
+/// `{total, tessellation, integration, dropped, freezing, synthesis}` in dB, null where not estimated.
+pub(crate) fn error_db(error: &ErrorBudget) -> Value {
+    let mut map = Map::new();
+    map.insert("total".into(), db(error.total()));
+    map.extend(error.shares().iter().map(|(name, share)| ((*name).to_owned(), db(*share))));
+    map.into()
+}
+
+/// `{bounces, nodes, edges, far_field}` in dB, null where not estimated.
+pub(crate) fn model_error_db(error: &ModelError) -> Value {
+    error.sources().iter().map(|(name, source)| ((*name).to_owned(), db(*source))).collect::<Map<_, _>>().into()
+}
+
+/// The map's velocity minus the truth's, rounded to multiples of the unambiguous span, is not zero. Without an
+/// estimate the truth itself decides: a velocity beyond the span cannot show right.
+fn is_aliased(header: &SceneHeader, truth: &Truth, object: Option<&Object>) -> bool {
+    let span = 2.0 * header.radar.velocity_max_mps();
+    let shown = object.map(|o| header.radar.folded_velocity_mps(o.radial_velocity_mps));
+    let difference = shown.unwrap_or_else(|| header.radar.folded_velocity_mps(truth.radial_velocity_mps))
+        - truth.radial_velocity_mps;
+    (difference / span).round() != 0.0
+}
+
+fn target(header: &SceneHeader, result: &FrameResult, index: usize, truth: &Truth, chosen: Option<usize>) -> Value {
+    let described = &header.targets[index];
+    let (class, model) = match &described.kind {
+        TargetKind::Mesh { class, model, .. } => (class.map(Class::name), Some(model.as_str())),
+        TargetKind::Point { .. } => (None, None),
+    };
+    let probabilities = chosen.filter(|_| model.is_some()).and_then(|o| result.classes.get(o));
+    json!({
+        "id": described.id,
+        "class": class,
+        "model": model,
+        "truth": truth_json(truth),
+        "estimate": chosen.map(|o| estimate(&result.points.objects[o])),
+        "predicted_class": probabilities.map(|p| predicted(p).name()),
+        "probabilities": self::probabilities(probabilities),
+    })
+}
+
+fn truth_json(truth: &Truth) -> Value {
+    json!({
+        "range_m": truth.range_m,
+        "radial_velocity_mps": truth.radial_velocity_mps,
+        "x_m": truth.position_m.x,
+        "y_m": truth.position_m.y,
+        "z_m": truth.position_m.z,
+        "lane": truth.lane,
+        "nearest_range_m": truth.nearest_range_m,
+        "echo_range_m": truth.echo.map(|e| e.range_m),
+        "echo_radial_velocity_mps": truth.echo.map(|e| e.radial_velocity_mps),
+    })
+}
+
+fn estimate(object: &Object) -> Value {
+    let [x, y, z] = object.position_m;
+    json!({
+        "range_m": object.range_m,
+        "radial_velocity_mps": object.radial_velocity_mps,
+        "x_m": x,
+        "y_m": y,
+        "z_m": z,
+        "lane": object.lane,
+        "snr_db": object.snr_db,
+        "points": object.points,
+    })
+}
+
+/// The class of the highest probability.
+pub(crate) fn predicted(probabilities: &[f32; 4]) -> Class {
+    let best = (0..4).fold(0, |best, i| if probabilities[i] > probabilities[best] { i } else { best });
+    Class::ALL[best]
+}
+
+/// `{car, bus, truck, motorcycle}`, null where there is no crop of the target.
+pub(crate) fn probabilities(values: Option<&[f32; 4]>) -> Value {
+    let of = |(i, class): (usize, &Class)| (class.name().to_owned(), values.map_or(Value::Null, |v| json!(v[i])));
+    Class::ALL.iter().enumerate().map(of).collect::<Map<_, _>>().into()
+}
+
+/// A line per target: what a person wants to know first.
+pub(crate) fn tell(root: &Value) {
+    for (number, frame) in root["frames"].as_array().into_iter().flatten().enumerate() {
+        let (points, state) = (&frame["points"], frame["rdm_state"].as_str().unwrap_or("?"));
+        crate::output::line(format!("frame {number}: {points} points, map {state}"));
+        for target in frame["targets"].as_array().into_iter().flatten() {
+            crate::output::line(format!("  {}", target_line(target)));
+        }
+    }
+}
+
+fn target_line(target: &Value) -> String {
+    let id = target["id"].as_str().unwrap_or("?");
+    let (truth, estimate) = (&target["truth"], &target["estimate"]);
+    if estimate.is_null() {
+        return format!("{id:<14} not detected");
+    }
+    let number = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
+    let range = if truth["echo_range_m"].is_null() { &truth["range_m"] } else { &truth["echo_range_m"] };
+    let class = target["predicted_class"].as_str().unwrap_or("unclassified");
+    let lane = estimate["lane"].as_u64().map_or("none".into(), |l| l.to_string());
+    format!(
+        "{id:<14} range {:7.2} m (true {:7.2}), velocity {:+7.3} m/s (true {:+7.3}), lane {lane} (true {}), {class} (true {})",
+        number(&estimate["range_m"]),
+        number(range),
+        number(&estimate["radial_velocity_mps"]),
+        number(&truth["radial_velocity_mps"]),
+        truth["lane"].as_u64().map_or("none".into(), |l| l.to_string()),
+        target["class"].as_str().unwrap_or("-"),
+    )
+}

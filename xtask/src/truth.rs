@@ -1,0 +1,138 @@
+//! What is true of each target, and which detected object it is compared with. Only reports come here: nothing behind
+//! the radar cube reads it.
+
+use artifact::paths::{Path, PathsFrame};
+use artifact::points::Object;
+use artifact::scene::{Pose, SceneFrame, SceneHeader};
+use glam::DVec3;
+
+/// An object further away than this in range is another vehicle's (interface.md).
+const RANGE_GATE_M: f64 = 4.0;
+/// An object further away than this across is another lane's (interface.md).
+const CROSS_GATE_M: f64 = 3.75;
+
+/// Truth of one target at the frame's middle, seen from the radar's position.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Truth {
+    pub(crate) position_m: DVec3,
+    pub(crate) range_m: f64,
+    pub(crate) radial_velocity_mps: f64,
+    pub(crate) lane: Option<u8>,
+    pub(crate) nearest_range_m: Option<f64>,
+    pub(crate) echo: Option<Echo>,
+}
+
+/// Power-weighted means over a target's paths.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Echo {
+    pub(crate) range_m: f64,
+    pub(crate) radial_velocity_mps: f64,
+}
+
+/// In the order of the scene's targets; `paths` is `None` where the echo was made from tables.
+pub(crate) fn truths(header: &SceneHeader, frame: &SceneFrame, paths: Option<&PathsFrame>) -> Vec<Truth> {
+    let of = |(i, pose): (usize, &Pose)| truth(header, i, pose, paths);
+    frame.poses.iter().enumerate().map(of).collect()
+}
+
+fn truth(header: &SceneHeader, index: usize, pose: &Pose, paths: Option<&PathsFrame>) -> Truth {
+    let position_m = DVec3::from(pose.position_m) + DVec3::from(pose.velocity_mps) * header.radar.frame_middle_s();
+    let away = position_m - DVec3::from(header.radar.position_m);
+    let range_m = away.length();
+    Truth {
+        position_m,
+        range_m,
+        radial_velocity_mps: DVec3::from(pose.velocity_mps).dot(away) / range_m,
+        lane: header.dsp.lane_at(position_m.x),
+        nearest_range_m: paths.and_then(|p| p.nearest_range_m.get(index).copied().flatten()),
+        echo: paths.and_then(|p| echo(header, index, &p.paths)),
+    }
+}
+
+fn echo(header: &SceneHeader, target: usize, paths: &[Path]) -> Option<Echo> {
+    let (mut weight, mut range, mut velocity) = (0.0, 0.0, 0.0);
+    for path in paths.iter().filter(|p| p.target as usize == target) {
+        let (power, echo) = received(header, path);
+        weight += power;
+        range += power * echo.range_m;
+        velocity += power * echo.radial_velocity_mps;
+    }
+    (weight > 0.0).then(|| Echo { range_m: range / weight, radial_velocity_mps: velocity / weight })
+}
+
+/// Power of a path up to a common factor, |a|²/(L₁L₂)², and half its length and rate at the frame's middle.
+fn received(header: &SceneHeader, path: &Path) -> (f64, Echo) {
+    let (there_m, there_mps) = leg(header, path.apparent_tx_m, path.apparent_tx_mps);
+    let (back_m, back_mps) = leg(header, path.apparent_rx_m, path.apparent_rx_mps);
+    let (receive, transmit) = header.radar.array.polarization.indices();
+    let power = path.amplitude_m[receive][transmit].norm_sqr() / (there_m * back_m).powi(2);
+    let echo = Echo { range_m: 0.5 * (there_m + back_m), radial_velocity_mps: 0.5 * (there_mps + back_mps) };
+    (power, echo)
+}
+
+fn leg(header: &SceneHeader, apparent_m: [f64; 3], apparent_mps: [f64; 3]) -> (f64, f64) {
+    let velocity = DVec3::from(apparent_mps);
+    let at_middle = DVec3::from(apparent_m) + velocity * header.radar.frame_middle_s();
+    let away = at_middle - DVec3::from(header.radar.position_m);
+    (away.length(), away.dot(velocity) / away.length())
+}
+
+/// For each truth the object it is compared with: the nearest within the gates; no object serves two targets.
+pub(crate) fn assign(truths: &[Truth], objects: &[Object]) -> Vec<Option<usize>> {
+    let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
+    for (t, truth) in truths.iter().enumerate() {
+        pairs.extend(objects.iter().enumerate().filter_map(|(o, object)| Some((distance(truth, object)?, t, o))));
+    }
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+    let mut chosen = vec![None; truths.len()];
+    for (_, t, o) in pairs {
+        if chosen[t].is_none() && !chosen.contains(&Some(o)) {
+            chosen[t] = Some(o);
+        }
+    }
+    chosen
+}
+
+/// Distance in gates; `None` outside. Range is that of the echo where it is known: a bus's origin lies 6 m behind its front.
+fn distance(truth: &Truth, object: &Object) -> Option<f64> {
+    let range = (object.range_m - truth.echo.map_or(truth.range_m, |e| e.range_m)).abs() / RANGE_GATE_M;
+    let cross = (object.position_m[0] - truth.position_m.x).abs() / CROSS_GATE_M;
+    (range <= 1.0 && cross <= 1.0).then(|| range.hypot(cross))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn truth_at(range_m: f64, x_m: f64) -> Truth {
+        let position_m = DVec3::new(x_m, range_m, 0.0);
+        Truth { position_m, range_m, radial_velocity_mps: 0.0, lane: None, nearest_range_m: None, echo: None }
+    }
+
+    fn object_at(range_m: f64, x_m: f64) -> Object {
+        Object {
+            range_m,
+            radial_velocity_mps: 0.0,
+            velocity_resolved: false,
+            azimuth_rad: 0.0,
+            position_m: [x_m, range_m, 0.75],
+            lane: None,
+            snr_db: 20.0,
+            points: 1,
+            range_extent_m: [range_m; 2],
+            velocity_extent_mps: [0.0; 2],
+        }
+    }
+
+    #[test]
+    fn the_nearest_object_is_taken_and_serves_one_target_only() {
+        let truths = [truth_at(40.0, 2.0), truth_at(41.0, 2.0)];
+        let objects = [object_at(40.9, 2.0), object_at(44.5, 2.0)];
+        assert_eq!(assign(&truths, &objects), [None, Some(0)]);
+    }
+
+    #[test]
+    fn an_object_outside_the_gates_is_nobodys() {
+        assert_eq!(assign(&[truth_at(40.0, 2.0)], &[object_at(44.1, 2.0), object_at(40.0, 5.8)]), [None]);
+    }
+}
