@@ -47,6 +47,14 @@ pub enum ClassifierError {
     /// The same sample came twice.
     #[error("sample `{0}` is there twice")]
     SampleTwice(String),
+    /// The same image in two splits: a scene was made twice, or a file was copied.
+    #[error("samples `{first}` and `{second}` show the same pixels in different splits")]
+    CropInTwoSplits {
+        /// Sample that came first.
+        first: String,
+        /// Its copy.
+        second: String,
+    },
     /// The loss is no number any more.
     #[error("training diverged at iteration {iteration}: the loss is not finite; lower the learning rate")]
     Diverged {

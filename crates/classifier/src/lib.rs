@@ -15,7 +15,7 @@
 //!
 //! let format = CropFormat { side: 16, range_span_m: 24.0, velocity_span_mps: 8.0, floor_db: 0.0, ceiling_db: 50.0 };
 //! // Four bright rows at a height that tells the class: as easy as it gets.
-//! let pixels = |n: u64| (0..256_u64).map(|p| if p / 64 == n % 4 { 220 } else { p as u8 % 50 + n as u8 % 9 }).collect();
+//! let pixels = |n: u64| (0..256_u64).map(|p| if p / 64 == n % 4 { 220 } else { p as u8 % 50 + n as u8 }).collect();
 //! let sample = |n: u64| Sample {
 //!     id: n.to_string(),
 //!     crop: Crop { pixels: pixels(n), range_m: 40.0, radial_velocity_mps: 0.0 },

@@ -7,6 +7,7 @@ use artifact::ArtifactError;
 use artifact::dataset::{Sample, Split};
 use artifact::settings::Class;
 use std::collections::{BTreeMap, BTreeSet};
+use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// A labelled crop.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,7 +34,7 @@ pub(crate) struct Examples {
 }
 
 impl Examples {
-    /// Reads samples one by one; refuses a scene in two splits and a sample that comes twice.
+    /// Reads samples one by one; refuses a scene or an image in two splits and a sample that comes twice.
     pub(crate) fn read(
         samples: impl Iterator<Item = Result<Sample, ArtifactError>>,
         layout: &Layout,
@@ -67,10 +68,12 @@ impl Examples {
     }
 }
 
-/// Which scene is in which split, and which samples were there.
+/// Which scene and which image is in which split, and which samples were there.
 #[derive(Debug, Default)]
 struct Partition {
     split_of_scene: BTreeMap<u64, Split>,
+    /// By the hash of the pixels: of 10⁵ different images two share one with a probability of 3e-10.
+    first_of_image: BTreeMap<u64, (Split, String)>,
     ids: BTreeSet<String>,
 }
 
@@ -83,8 +86,18 @@ impl Partition {
         if !self.ids.insert(sample.id.clone()) {
             return Err(ClassifierError::SampleTwice(sample.id.clone()));
         }
-        Ok(())
+        let image = (sample.split, sample.id.clone());
+        match self.first_of_image.entry(hash_of(&sample.crop.pixels)).or_insert(image) {
+            (split, _) if *split == sample.split => Ok(()),
+            (_, first) => Err(ClassifierError::CropInTwoSplits { first: first.clone(), second: sample.id.clone() }),
+        }
     }
+}
+
+fn hash_of(pixels: &[u8]) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    pixels.hash(&mut hasher);
+    hasher.finish()
 }
 
 fn index_of(class: Class) -> Option<usize> {

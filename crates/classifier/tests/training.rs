@@ -66,6 +66,18 @@ fn a_scene_in_two_splits_is_refused() {
 }
 
 #[test]
+fn the_same_image_in_two_splits_is_refused() {
+    let mut samples = samples(200);
+    let copied = samples.iter().position(|s| s.split != samples[0].split).unwrap();
+    samples[copied].crop = samples[0].crop.clone();
+    let expected = (samples[0].id.clone(), samples[copied].id.clone());
+    let error = trained(samples, &quick(), 1).unwrap_err();
+    assert!(
+        matches!(error, ClassifierError::CropInTwoSplits { first, second } if (&first, &second) == (&expected.0, &expected.1))
+    );
+}
+
+#[test]
 fn a_sample_that_comes_twice_is_refused() {
     let mut samples = samples(200);
     samples.push(samples[7].clone());
