@@ -48,11 +48,18 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<SceneHeader, SceneErro
 /// The files that [`read`] opens, the scene first: what a result depends on beside the program and its options.
 ///
 /// # Errors
-/// As [`read`], but for the content of meshes.
+/// As [`read`]. Meshes are opened only where something is wrong already, so that this too reports all there is.
 pub fn inputs(path: &Path, options: &ReadOptions) -> Result<Vec<PathBuf>, SceneErrors> {
     let names_only = ReadOptions { meshes: Meshes::NamesOnly, ..options.clone() };
-    let (_, models) = read_with_models(path, &names_only)?;
-    Ok(std::iter::once(path.to_owned()).chain(models.files()).collect())
+    let files = read_with_models(path, &names_only)
+        .map(|(_, models)| std::iter::once(path.to_owned()).chain(models.files()).collect::<Vec<_>>());
+    match files {
+        Ok(files) if files.iter().all(|file| file.is_file()) => Ok(files),
+        incomplete => match options.meshes {
+            Meshes::Whole => read(path, options).and(incomplete),
+            Meshes::NamesOnly => incomplete,
+        },
+    }
 }
 
 fn read_with_models(path: &Path, options: &ReadOptions) -> Result<(SceneHeader, Models), SceneErrors> {

@@ -4,6 +4,7 @@ use crate::document::Section;
 use crate::errors::{Allowed, MapAxis, Rule};
 use crate::keys;
 use artifact::Accuracy;
+use artifact::paths::MAX_ORDER;
 use artifact::radar::Waveform;
 use artifact::scene::Intersection;
 use artifact::settings::{
@@ -112,7 +113,7 @@ pub(crate) fn read_fidelity(root: &Section<'_>) -> Fidelity {
     let accuracy_db = section.number("accuracy_db", Allowed::Below(-120.0, 0.0)).unwrap_or(-20.0);
     Fidelity {
         accuracy: Accuracy::from_db(accuracy_db),
-        bounces: section.integer("bounces", Allowed::Between(1.0, 5.0)).unwrap_or(3) as u8,
+        bounces: section.integer("bounces", Allowed::Between(1.0, MAX_ORDER as f64)).unwrap_or(3) as u8,
         edges: section.word("edges", &[("off", Edges::Ignored)]).unwrap_or(Edges::Ignored),
         surface: section.word("surface", &[("flat", Surface::Flat)]).unwrap_or(Surface::Flat),
         sides: section.word("sides", &[("two", Sides::Two), ("one", Sides::One)]).unwrap_or(Sides::Two),

@@ -164,6 +164,7 @@ fn stl_and_obj_cases() -> Vec<Case> {
         ("negative.obj", obj("f -1 -2 -5\n"), ":5: ", "vertex index -5 is out of range"),
         ("normal.obj", obj("f 1//1 2//1 3//1\n"), ":5: ", "vertex index 1 is out of range: there are 0 vertices"),
         ("two.obj", obj("f 1 2\n"), ":5: ", "2 corners are no whole triangles"),
+        ("polygon.obj", obj(&format!("f{}\n", " 1 2 3".repeat(1366))), ":5: ", "is a polygon of 4098 corners; at most 4096"),
         ("word.obj", obj("f 1 two 3\n"), ":5: ", "expected an index, found `two`"),
         ("curve.obj", obj("cstype bezier\n"), ":5: ", "expected a polygonal OBJ statement"),
         ("nan.obj", obj("v nan 0 0\nf 1 2 5\n"), ": ", "vertex 2 is not finite"),
@@ -200,6 +201,21 @@ fn a_missing_mesh_or_buffer_file_is_the_systems_fault() {
     std::fs::write(&file, serde_json::to_vec(&document.json).unwrap()).unwrap();
     let error = scene::read_mesh(&file, &METRES).unwrap_err();
     assert!(error.is_system() && error.to_string().contains("buffers[0]: buffer file"), "{error}");
+}
+
+#[test]
+fn a_small_file_that_shows_one_mesh_many_times_is_refused_before_it_fills_the_memory() {
+    // 32 767 triangles over and over the same four corners, in 1000 nodes: twice the limit from 230 kB.
+    let mut file = GlbFile::tetrahedron();
+    let corners: Vec<u8> = (0..98_301_u32).flat_map(|i| ((i % 4) as u16).to_le_bytes()).collect();
+    let indices = file.add_accessor(corners, 98_301, 5123, "SCALAR");
+    let nodes: Vec<Value> = (0..1000).map(|_| json!({ "mesh": 0 })).collect();
+    let file = file
+        .set("/meshes/0/primitives/0/indices", json!(indices))
+        .set("/scenes/0/nodes", json!((0..1000).collect::<Vec<_>>()))
+        .set("/nodes", json!(nodes));
+    let error = mesh_from_bytes(&file.bytes(), Format::Glb, Path::new("many.glb"), &METRES).unwrap_err();
+    assert!(error.to_string().contains("has more than 16777216 triangles"), "{error}");
 }
 
 #[test]

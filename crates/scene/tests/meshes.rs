@@ -298,10 +298,8 @@ fn vertices_that_no_triangle_uses_move_no_bounding_box() {
     let mesh = read(&file.set("/meshes/0/primitives/0/attributes", json!({ "POSITION": positions })));
     assert_eq!(mesh.vertices_m.len(), 4);
     let centred = centred(mesh);
-    let side =
-        |axis: usize, pick: fn(f64, f64) -> f64| centred.vertices_m.iter().map(|v| v[axis]).reduce(pick).unwrap();
-    let sides = [0, 1, 2].map(|axis| (side(axis, f64::min), side(axis, f64::max)));
-    assert_eq!(sides, [(-1.5, 1.5), (-0.5, 0.5), (0.0, 2.0)]);
+    let sides = [0, 1, 2].map(|axis| extent(&centred, axis));
+    assert_eq!(sides, [[-1.5, 1.5], [-0.5, 0.5], [0.0, 2.0]]);
 }
 
 #[test]
@@ -339,6 +337,30 @@ fn obj_normals_and_polygons_are_read() {
 }
 
 #[test]
+fn the_projects_vehicles_come_back_from_their_files() {
+    for name in scene::vehicles::NAMES {
+        let made = scene::vehicles::mesh(name, 0).unwrap();
+        let bytes = scene::vehicles::glb(&made);
+        let back = mesh_from_bytes(&bytes, Format::Glb, Path::new(name), &METRES).unwrap();
+        assert_eq!((back.triangles.len(), back.statistics.degenerate), (made.triangles.len(), 0), "{name}");
+        let names = |mesh: &Mesh| mesh.materials.iter().cloned().collect::<BTreeSet<_>>();
+        assert_eq!(names(&back), names(&made), "{name}");
+        let extents = |mesh: &Mesh| [0, 1, 2].map(|axis| extent(mesh, axis));
+        for (read, written) in extents(&back).into_iter().flatten().zip(extents(&made).into_iter().flatten()) {
+            // Files hold 32-bit floats.
+            assert!((read - written).abs() <= f64::from(f32::EPSILON) * written.abs(), "{name}: {read} {written}");
+        }
+        assert_eq!(back.normals.len(), back.vertices_m.len(), "{name} is smooth");
+    }
+}
+
+/// Lowest and highest coordinate along an axis.
+fn extent(mesh: &Mesh, axis: usize) -> [f64; 2] {
+    let ends = |[low, high]: [f64; 2], v: &[f64; 3]| [low.min(v[axis]), high.max(v[axis])];
+    mesh.vertices_m.iter().fold([f64::MAX, f64::MIN], ends)
+}
+
+#[test]
 fn the_shared_vehicles_read_with_the_sizes_of_their_manifest() {
     let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/vehicles"));
     let Ok(manifest) = std::fs::read_to_string(folder.join("manifest.toml")) else {
@@ -351,11 +373,7 @@ fn the_shared_vehicles_read_with_the_sizes_of_their_manifest() {
     for vehicle in vehicles {
         let name = vehicle["name"].as_str().unwrap();
         let mesh = read_mesh(&folder.join(format!("{name}.glb")), &METRES).unwrap();
-        let size = |axis: usize| {
-            let (low, high) =
-                mesh.vertices_m.iter().fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v[axis]), h.max(v[axis])));
-            high - low
-        };
+        let size = |axis: usize| extent(&mesh, axis)[1] - extent(&mesh, axis)[0];
         for (axis, key) in ["length_m", "width_m", "height_m"].into_iter().enumerate() {
             // The manifest is rounded to millimetres.
             assert!(

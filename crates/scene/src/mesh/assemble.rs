@@ -1,22 +1,18 @@
 //! Parts into one mesh: triangles without area dropped, size checked, open edges counted, nothing welded.
 
 use super::error::{Located, MeshFault, MeshPlace};
-use super::part::Part;
+use super::part::{Part, check_count};
 use super::{MeshOptions, centre::bounds};
 use artifact::scene::{Mesh, MeshStatistics};
 use glam::DVec3;
 
-/// 16 million triangles take 2 GiB in the stages; the most detailed vehicle at hand has 79 200.
-const TRIANGLE_LIMIT: usize = 1 << 24;
 /// Models that claim metres.
 const SIZES_M: std::ops::RangeInclusive<f64> = 1e-3..=1e3;
 
 pub(crate) fn assemble(name: String, parts: Vec<Part>, options: &MeshOptions) -> Result<Mesh, Located> {
     let refuse = |fault| MeshPlace::File.fault(fault);
     let triangles_read: usize = parts.iter().map(|part| part.triangles.len()).sum();
-    if triangles_read > TRIANGLE_LIMIT {
-        return Err(refuse(MeshFault::TooManyTriangles { limit: TRIANGLE_LIMIT }));
-    }
+    check_count(triangles_read)?;
     let mut joined = Joined::default();
     let any_normals = parts.iter().any(|part| part.normals.is_some());
     for part in parts {

@@ -194,6 +194,14 @@ pub enum MeshFault {
     /// Left-over corners.
     #[error("{0} corners are no whole triangles")]
     Corners(usize),
+    /// A polygon beyond what is cut into triangles.
+    #[error("is a polygon of {corners} corners; at most {limit} are cut into triangles")]
+    TooManyCorners {
+        /// Of the polygon.
+        corners: usize,
+        /// Most that are cut.
+        limit: usize,
+    },
     /// A corner that is no vertex.
     #[error("vertex index {index} is out of range: there are {vertices} vertices")]
     VertexIndex {

@@ -5,7 +5,7 @@ use super::error::{Located, MeshFault, MeshPlace};
 use super::gltf_accessor::Accessors;
 use super::gltf_buffers::{self, read_buffers};
 use super::gltf_nodes::{Instance, instances};
-use super::part::Part;
+use super::part::{Part, check_count};
 use glam::{DMat3, DVec3};
 use gltf::json::mesh::{Mode, Primitive, Semantic};
 use gltf::json::validation::Checked;
@@ -31,11 +31,18 @@ fn read_document(json: &[u8], binary: Option<Vec<u8>>, path: &Path) -> Result<Ve
     check_version(&root).and_then(|()| check_extensions(&root)).map_err(|fault| MeshPlace::File.fault(fault))?;
     let buffers = read_buffers(&root, binary, path)?;
     let mut accessors = Accessors::new(&root, &buffers);
-    let mut parts = vec![];
+    let mut shown = Shown::default();
     for instance in instances(&root)? {
-        read_mesh_instance(&root, &mut accessors, &instance, &mut parts)?;
+        read_mesh_instance(&root, &mut accessors, &instance, &mut shown)?;
     }
-    Ok(parts)
+    Ok(shown.parts)
+}
+
+/// Parts gathered so far.
+#[derive(Default)]
+struct Shown {
+    parts: Vec<Part>,
+    triangles: usize,
 }
 
 fn check_version(root: &Root) -> Result<(), MeshFault> {
@@ -60,7 +67,7 @@ fn read_mesh_instance(
     root: &Root,
     accessors: &mut Accessors<'_>,
     instance: &Instance,
-    parts: &mut Vec<Part>,
+    shown: &mut Shown,
 ) -> Result<(), Located> {
     let mesh = &root.meshes[instance.mesh];
     if mesh.weights.iter().flatten().any(|weight| *weight != 0.0) {
@@ -69,7 +76,10 @@ fn read_mesh_instance(
     }
     for (primitive, content) in mesh.primitives.iter().enumerate() {
         let place = MeshPlace::Primitive { mesh: instance.mesh, primitive };
-        parts.extend(read_primitive(root, accessors, instance, place, content)?);
+        let Some(part) = read_primitive(root, accessors, instance, place, content)? else { continue };
+        shown.triangles += part.triangles.len();
+        check_count(shown.triangles)?;
+        shown.parts.push(part);
     }
     Ok(())
 }

@@ -8,6 +8,9 @@ use std::collections::BTreeMap;
 /// Keywords that change no polygon (Wavefront's Appendix B1); what is not among them is refused, not guessed.
 const IGNORED: [&str; 10] = ["vt", "vp", "g", "o", "s", "mg", "l", "p", "mtllib", "usemap"];
 
+/// Cutting ears takes the square of a polygon's corners, its cube where it is very dented.
+const CORNER_LIMIT: usize = 4096;
+
 /// A corner: its vertex and, where given, its normal; from 0.
 type Corner = (u32, Option<u32>);
 
@@ -79,6 +82,9 @@ impl Document {
         let corners: Vec<Corner> = words.map(|word| self.corner(word)).collect::<Result<_, _>>()?;
         if corners.len() < 3 {
             return Err(MeshFault::Corners(corners.len()));
+        }
+        if corners.len() > CORNER_LIMIT {
+            return Err(MeshFault::TooManyCorners { corners: corners.len(), limit: CORNER_LIMIT });
         }
         let given = corners.iter().all(|(_, normal)| normal.is_some());
         let normals = if given { Normals::Given } else { Normals::Absent };
