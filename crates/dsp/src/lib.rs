@@ -4,11 +4,11 @@
 //! [`CubeFrame`](artifact::cube::CubeFrame) (IF samples `[channel, chirp, sample]`, √W). No truth is in either, so none is
 //! in what comes out:
 //!
-//! - [`range_doppler`]: the map of every transmit–receive pair `[channel, doppler, range]`, zero velocity at N/2, and the
+//! - [`range_doppler()`]: the map of every transmit–receive pair `[channel, doppler, range]`, zero velocity at N/2, and the
 //!   cells that a cell-averaging CFAR tested and found ([`RdmFrame`](artifact::rdm::RdmFrame));
 //! - [`detect`]: points with range, radial velocity, azimuth, elevation and world position, and the objects that they form
 //!   ([`PointsFrame`](artifact::points::PointsFrame));
-//! - [`crop`]: 24 m × 8 m/s around an object on the map beamformed to it, 451 × 451 grey levels of fixed decibels over the
+//! - [`crop()`]: 24 m × 8 m/s around an object on the map beamformed to it, 451 × 451 grey levels of fixed decibels over the
 //!   noise, which a classifier sees; [`rdm_grayscale`]: the whole map likewise;
 //! - [`power_map`], [`range_axis_m`], [`velocity_axis_mps`], [`noise_power`] for whoever draws or measures.
 //!

@@ -30,6 +30,13 @@ pub struct Peak {
     pub detected: bool,
 }
 
+impl Peak {
+    /// A detected cell on a slope, taken at its centre.
+    pub(crate) fn at_centre(row: usize, column: usize, power: f64) -> Self {
+        Self { row, column, fine_row: row as f64, fine_column: column as f64, power, cells: 1, detected: true }
+    }
+}
+
 /// Peak curves and sidelobe levels of a radar's two windows.
 pub struct PeakFinder {
     interpolators: [Interpolator; 2],
@@ -67,6 +74,20 @@ impl PeakFinder {
             .collect();
         peaks.sort_by(|a, b| b.power.total_cmp(&a.power).then((a.row, a.column).cmp(&(b.row, b.column))));
         self.without_sidelobes(peaks)
+    }
+
+    /// Detected cells and the peak whose slope each stands on, in row-major order; those that climb to a sidelobe are left out.
+    pub fn slopes(&self, power: ArrayView2<f64>, mask: &[u8], peaks: &[Peak]) -> Vec<([usize; 2], usize)> {
+        let (rows, columns) = power.dim();
+        let mut peak_at = vec![None; rows * columns];
+        peaks.iter().enumerate().for_each(|(index, peak)| peak_at[peak.row * columns + peak.column] = Some(index));
+        let detected = (0..rows * columns).filter(|cell| mask[*cell] == DETECTED);
+        detected
+            .filter_map(|cell| {
+                let (row, column) = summit(power, (cell / columns, cell % columns));
+                peak_at[row * columns + column].map(|peak| ([cell / columns, cell % columns], peak))
+            })
+            .collect()
     }
 
     fn place(&self, power: ArrayView2<f64>, mask: &[u8], (row, column): (usize, usize)) -> Peak {
@@ -138,8 +159,21 @@ fn fine_response(taper: &[f64]) -> Vec<f64> {
 
 /// Of equal neighbours the first in row-major order is the peak.
 fn is_local_maximum(power: ArrayView2<f64>, cell: (usize, usize)) -> bool {
-    let here = power[cell];
-    neighbourhood(power.dim(), cell).all(|other| power[other] < here || (power[other] == here && cell < other))
+    neighbourhood(power.dim(), cell).all(|other| exceeds(power, cell, other))
+}
+
+/// The local maximum that the steepest climb from a cell reaches.
+fn summit(power: ArrayView2<f64>, mut cell: (usize, usize)) -> (usize, usize) {
+    // Of equal powers the first cell counts as the higher one, so that every step climbs and the walk ends.
+    while !is_local_maximum(power, cell) {
+        let steeper = |a: (usize, usize), b: (usize, usize)| if exceeds(power, b, a) { b } else { a };
+        cell = neighbourhood(power.dim(), cell).fold(cell, steeper);
+    }
+    cell
+}
+
+fn exceeds(power: ArrayView2<f64>, a: (usize, usize), b: (usize, usize)) -> bool {
+    power[a] > power[b] || (power[a] == power[b] && a < b)
 }
 
 /// The up to eight cells around one; Doppler wraps, range does not.

@@ -1,7 +1,8 @@
 //! From a map to located points and the objects they form.
 //!
-//! One point per peak: the cells under one main lobe (about 3 × 3 with Hann windows) are one measurement, and only its peak
-//! can be placed between cells. The number of cells above the threshold is kept beside it (`RdmFrame::detections`).
+//! One point per detected cell, as in the paper's clouds (14, 15, 18 points for a car; its flow sends every cell that
+//! passes the detector to the angle FFT). The cells under one main lobe, about 3 × 3 with Hann windows, are one measurement:
+//! its peak is placed between cells, the others stand at their cells' centres. Objects are made of peaks alone.
 
 use crate::DspError;
 use crate::angle::{Direction, Snapshot, VirtualArray};
@@ -19,25 +20,42 @@ use artifact::settings::Window;
 use artifact::units::{LOWEST_DB, db_from_power};
 use rayon::prelude::*;
 
-/// Points of a map, strongest first, and objects in the order of their strongest points.
+/// Points of a map, strongest first, and objects in the order of their strongest peaks.
 ///
 /// Knows the map and its header alone. A vehicle is one object, its points share the object's index; a detection without
-/// a detected neighbour, as noise makes them, is a point of no object.
+/// a detected neighbour, as noise makes them, is a point of no object. Detected cells on sidelobes are no points.
 pub fn detect(header: &CubeHeader, map: &RdmFrame) -> Result<PointsFrame, DspError> {
     let power = power_map(header, map)?;
     let noise = noise_power(header, map)? * header.radar.virtual_channels() as f64;
-    let peaks = PeakFinder::new(header)?.peaks(power.view(), &map.mask, known_noise_threshold(header, noise));
+    let finder = PeakFinder::new(header)?;
+    let peaks = finder.peaks(power.view(), &map.mask, known_noise_threshold(header, noise));
     let array = VirtualArray::new(header);
-    let sightings: Vec<Sighting> = peaks.par_iter().map(|peak| sight(header, map, &array, *peak)).collect();
-    let groups = groups_of_points(header, &sightings);
-    let object_of = |index: usize| groups.iter().position(|g| g.binary_search(&index).is_ok()).map(|o| o as u32);
-    let points = sightings.iter().enumerate().filter(|(_, sighting)| sighting.peak.detected);
-    Ok(PointsFrame {
-        index: map.index,
-        time_s: map.time_s,
-        points: points.map(|(index, sighting)| sighting.point(noise, object_of(index))).collect(),
-        objects: groups.iter().map(|group| object(header, map, &array, &sightings, group, noise)).collect(),
-    })
+    let sighted: Vec<Sighting> = peaks.par_iter().map(|peak| sight(header, map, &array, *peak)).collect();
+    let groups = groups_of_peaks(header, &sighted);
+    let object_of = |peak: usize| groups.iter().position(|g| g.binary_search(&peak).is_ok()).map(|o| o as u32);
+    let points: Vec<Point> = finder
+        .slopes(power.view(), &map.mask, &peaks)
+        .par_iter()
+        .map(|([row, column], peak)| {
+            let is_peak = [peaks[*peak].row, peaks[*peak].column] == [*row, *column];
+            let centre = Peak::at_centre(*row, *column, power[(*row, *column)]);
+            let point = |sighting: &Sighting| sighting.point(noise, object_of(*peak));
+            if is_peak { point(&sighted[*peak]) } else { point(&sight(header, map, &array, centre)) }
+        })
+        .collect();
+    let objects = groups.iter().enumerate().map(|(index, group)| {
+        let members: Vec<&Sighting> = group.iter().map(|i| &sighted[*i]).filter(|s| s.peak.detected).collect();
+        let own: Vec<&Point> = points.iter().filter(|p| p.object == Some(index as u32)).collect();
+        object(header, map, &array, &members, &own, noise)
+    });
+    let objects = objects.collect();
+    Ok(PointsFrame { index: map.index, time_s: map.time_s, points: strongest_first(points), objects })
+}
+
+/// Of equal strength in the order of the map.
+fn strongest_first(mut points: Vec<Point>) -> Vec<Point> {
+    points.sort_by(|a, b| b.snr_db.total_cmp(&a.snr_db));
+    points
 }
 
 /// Threshold of the same false-alarm rate were the noise known: that of infinitely many training cells.
@@ -46,12 +64,11 @@ fn known_noise_threshold(header: &CubeHeader, noise: f64) -> f64 {
     threshold_factor(1e9, header.radar.virtual_channels(), header.dsp.false_alarm_rate) * noise
 }
 
-/// Indices of the detected points of each object; hidden peaks have joined them and are left out again.
-fn groups_of_points(header: &CubeHeader, sightings: &[Sighting]) -> Vec<Vec<usize>> {
-    let members: Vec<Member> = sightings.iter().map(|s| s.member(header)).collect();
+/// Indices of the peaks of each object, those hidden from the detector among them.
+fn groups_of_peaks(header: &CubeHeader, sighted: &[Sighting]) -> Vec<Vec<usize>> {
+    let members: Vec<Member> = sighted.iter().map(|s| s.member(header)).collect();
     let mut groups = clusters(&members, &header.dsp, 2.0 * header.radar.velocity_max_mps());
-    groups.iter_mut().for_each(|group| group.retain(|index| sightings[*index].peak.detected));
-    groups.retain(|group| is_supported(header, sightings, group));
+    groups.retain(|group| is_supported(header, sighted, group));
     groups
 }
 
@@ -113,50 +130,49 @@ fn snr_db(power: f64, noise: f64) -> f64 {
 /// Whether a group is more than a lone cell. A window spreads an echo over neighbours that are at most 8 dB lower, noise
 /// passes in single cells (at a rate of 1e-5, 0.3 a map): such a cell is a point, but no object. Without a window an echo
 /// on a bin's centre is alone too.
-fn is_supported(header: &CubeHeader, sightings: &[Sighting], group: &[usize]) -> bool {
+fn is_supported(header: &CubeHeader, sighted: &[Sighting], group: &[usize]) -> bool {
     let spreads = |window: Window| window != Window::Rect;
     let lone_is_noise = spreads(header.dsp.range_window) || spreads(header.dsp.doppler_window);
-    let support: u32 = group.iter().map(|i| sightings[*i].peak.cells).sum();
-    support > u32::from(lone_is_noise)
+    let detected = group.iter().map(|i| &sighted[*i].peak).filter(|peak| peak.detected);
+    detected.map(|peak| peak.cells).sum::<u32>() > u32::from(lone_is_noise)
 }
 
+/// The object of detected peaks, strongest first, and of the points on their slopes.
 fn object(
     header: &CubeHeader,
     map: &RdmFrame,
     array: &VirtualArray,
-    sightings: &[Sighting],
-    group: &[usize],
+    peaks: &[&Sighting],
+    points: &[&Point],
     noise: f64,
 ) -> Object {
-    let members: Vec<&Sighting> = group.iter().map(|i| &sightings[*i]).collect();
-    let strongest = members[0];
-    let velocities: Vec<f64> =
-        (members.iter()).map(|s| unwrapped(header, s.radial_velocity_mps, strongest.radial_velocity_mps)).collect();
-    let ranges: Vec<f64> = members.iter().map(|s| s.range_m).collect();
-    let weights: Vec<f64> = members.iter().map(|s| s.peak.power).collect();
-    let range_m = weighted_mean(&ranges, &weights);
-    let snapshots: Vec<Snapshot> = members.iter().map(|s| s.snapshot.clone()).collect();
+    let strongest = peaks[0];
+    let near_strongest = |velocity_mps: f64| unwrapped(header, velocity_mps, strongest.radial_velocity_mps);
+    let weights: Vec<f64> = peaks.iter().map(|s| s.peak.power).collect();
+    let range_m = weighted_mean(peaks.iter().map(|s| s.range_m), &weights);
+    let velocity_mps = weighted_mean(peaks.iter().map(|s| near_strongest(s.radial_velocity_mps)), &weights);
+    let snapshots: Vec<Snapshot> = peaks.iter().map(|s| s.snapshot.clone()).collect();
     let direction: Direction = array.direction(&snapshots, range_m);
     let place = place(header, array, direction, range_m);
     Object {
         range_m,
-        radial_velocity_mps: wrapped(header, weighted_mean(&velocities, &weights)),
+        radial_velocity_mps: wrapped(header, velocity_mps),
         velocity_resolved: fold_is_certain(header, map, strongest.peak.row, strongest.peak.column),
         azimuth_rad: place.azimuth_rad,
         position_m: place.position_m.to_array(),
         lane: header.dsp.lane_at(place.position_m.x),
         snr_db: snr_db(strongest.peak.power, noise),
-        points: group.len() as u32,
-        range_extent_m: extent(&ranges),
-        velocity_extent_mps: extent(&velocities),
+        points: points.len() as u32,
+        range_extent_m: extent(points.iter().map(|p| p.range_m)),
+        velocity_extent_mps: extent(points.iter().map(|p| near_strongest(p.radial_velocity_mps))),
     }
 }
 
-fn weighted_mean(values: &[f64], weights: &[f64]) -> f64 {
+fn weighted_mean(values: impl Iterator<Item = f64>, weights: &[f64]) -> f64 {
     let weight: f64 = weights.iter().sum();
-    values.iter().zip(weights).map(|(v, w)| v * w).sum::<f64>() / weight
+    values.zip(weights).map(|(v, w)| v * w).sum::<f64>() / weight
 }
 
-fn extent(values: &[f64]) -> [f64; 2] {
-    values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(*v), high.max(*v)])
+fn extent(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
 }
