@@ -1,28 +1,51 @@
-//! The project's own vehicles: twelve parametric models of four classes.
+//! The project's own vehicles: twelve parametric models of four classes, drawn as a coachbuilder would, from lines.
+//!
+//! A name and a seed go in, a closed-looking body of some 10⁴ facets comes out: a [`Mesh`] in body axes (x forward, y left,
+//! z up, metres, origin in the middle of the bounding box on the ground) with a unit normal per vertex and named
+//! materials. Seed 0 has the nominal dimensions, any other seed draws them from the ranges of real vehicles, so that a
+//! data set does not hold one shape a hundred times. Equal names and seeds give equal bytes.
+//!
+//! Reading order: [`curve`](self) lines, `shell` lofts them to a skin, `stencil` cuts panes, arches and lamps into it along
+//! exact outlines, `solids` adds what is bolted on, `mesh_builder` fits, smooths and rounds the whole, `glb` writes it.
+//! Facets are small where the skin is curved (5 to 10 cm on bodies, 2 to 5 cm on roundings) and as large as they like
+//! where it is flat; at 77 GHz that is a faceted vehicle, not a smooth one (chord over √(ρλ) is above 0.7 below ρ ≈ 5 m):
+//! the stored normals are there for whoever rebuilds the curved skin first.
+//!
+//! ```
+//! let suv = scene::vehicles::mesh("car-suv", 0).ok_or("unknown name")?;
+//! let front = suv.vertices_m.iter().map(|v| v[0]).fold(0.0, f64::max);
+//! assert!((front - 2.5).abs() < 1e-6);
+//! let bytes = scene::vehicles::glb(&suv);
+//! assert_eq!(&bytes[..4], b"glTF");
+//! # Ok::<(), &str>(())
+//! ```
 
-mod curve;
 mod dimensions;
+mod curve;
 mod surface;
 mod stencil;
-mod solids;
-mod shell;
-mod mesh_builder;
 mod openings;
+mod shell;
+mod solids;
 mod wheel;
 mod car;
 mod bus;
 mod truck;
 mod rider;
 mod motorcycle;
+mod mesh_builder;
 mod glb;
+#[cfg(test)]
+mod tests;
 
 pub use glb::glb;
 
 use artifact::scene::Mesh;
 use artifact::settings::Class;
-use dimensions::Draw;
+use dimensions::{Draw, SizeRange};
+use mesh_builder::Assembly;
 
-/// Names, by class.
+/// Names of the vehicles, three of each class.
 pub const NAMES: [&str; 12] = [
     "car-suv",
     "car-sedan",
@@ -44,15 +67,36 @@ pub fn class_of(name: &str) -> Option<Class> {
     Class::ALL.into_iter().find(|class| Some(class.name()) == kind)
 }
 
-/// One of [`NAMES`]; `None` for any other name.
+/// One of [`NAMES`] in body axes, its bounding box (mirrors, handlebar and rider included) of the nominal dimensions for
+/// seed 0 and of dimensions drawn from [`ranges_m`] for any other; `None` for any other name.
 pub fn mesh(name: &str, seed: u64) -> Option<Mesh> {
     let name = NAMES.into_iter().find(|known| *known == name)?;
-    let draw = Draw { model: name, seed };
-    let (parts, size_m) = match name {
-        "car-suv" | "car-sedan" | "car-hatchback" => car::draw(&draw),
-        "bus-city" | "bus-coach" | "bus-mini" => bus::draw(&draw),
-        "truck-box" | "truck-tanker" | "truck-semi" => truck::draw(&draw),
-        _ => motorcycle::draw(&draw),
-    };
+    let (parts, size_m) = drawing(&Draw { model: name, seed })?;
     Some(parts.finish(name, size_m))
+}
+
+/// Least and largest length, width and height that seeds other than 0 draw, in metres; `None` for a name not in [`NAMES`].
+pub fn ranges_m(name: &str) -> Option<[[f64; 2]; 3]> {
+    size_range(name).map(|size| size.range_m)
+}
+
+fn size_range(name: &str) -> Option<SizeRange> {
+    match class_of(name)? {
+        Class::Car => Some(car::size_range(name)),
+        Class::Bus => Some(bus::size_range(name)),
+        Class::Truck => Some(truck::size_range(name)),
+        Class::Motorcycle => Some(motorcycle::size_range(name)),
+    }
+}
+
+/// Parts and the size they are to be fitted to.
+fn drawing(draw: &Draw) -> Option<(Assembly, [f64; 3])> {
+    let size_m = draw.size_m(&size_range(draw.model)?);
+    let parts = match class_of(draw.model)? {
+        Class::Car => car::draw(draw, size_m),
+        Class::Bus => bus::draw(draw, size_m),
+        Class::Truck => truck::draw(draw, size_m),
+        Class::Motorcycle => motorcycle::draw(draw, size_m),
+    };
+    Some((parts, size_m))
 }

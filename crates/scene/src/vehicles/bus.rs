@@ -6,17 +6,18 @@ mod trim;
 
 use super::dimensions::Draw;
 use super::mesh_builder::Assembly;
-use super::wheel::{Drive, Rim, Wheel, arch_liner, axle};
+use super::wheel::{Drive, Lining, Rim, Wheel, arch_lining, axle};
 use form::Form;
+pub(super) use form::size_range;
 
-/// A whole bus in its drawing's axes and the size it is to be fitted to.
-pub(super) fn draw(draw: &Draw) -> (Assembly, [f64; 3]) {
-    let form = Form::of(draw);
+/// A whole bus in its drawing's axes, made to the size given.
+pub(super) fn draw(draw: &Draw, size_m: [f64; 3]) -> Assembly {
+    let form = Form::of(draw, size_m);
     let mut bus = Assembly::default();
     bus.add(skin::cut_skin(&form));
     running_gear(&form, &mut bus);
     trim::add(&form, &mut bus);
-    (bus, form.size_m)
+    bus
 }
 
 fn running_gear(form: &Form, bus: &mut Assembly) {
@@ -27,16 +28,19 @@ fn running_gear(form: &Form, bus: &mut Assembly) {
             width_m: form.tyre_width_m,
             rim_radius_m: 0.58 * form.wheel_radius_m,
             rim,
-            sectors: 24,
+            sectors: 22,
         };
         wheel.add_pair(bus, axle_x, outer_y);
-        let mut depth = form.tyre_width_m + 0.08;
         if matches!(rim, Rim::SteelConcave) {
             wheel.add_inner_pair(bus, axle_x, outer_y - form.tyre_width_m - 0.03);
-            depth += form.tyre_width_m + 0.03;
         }
-        let arch = form.arch_radius_m() + 0.008;
-        bus.add_pair(arch_liner(axle_x, form.wheel_radius_m, arch, outer_y - depth, form.half_width_m - 0.045));
+        bus.add_pair(arch_lining(&Lining {
+            axle: [axle_x, form.wheel_radius_m],
+            radius_m: form.arch_radius_m() + 0.008,
+            low_z: form.clearance_m + 0.01,
+            inner_y: form.arch_inner_y() - 0.005,
+            outer_y: form.half_width_m - 0.045,
+        }));
         let half_track_m = outer_y - 0.7 * form.tyre_width_m;
         bus.add(axle(axle_x, form.wheel_radius_m, half_track_m, Drive::Driven { casing_radius_m: 0.2 }));
     }

@@ -26,12 +26,7 @@ impl Draw<'_> {
 
     /// Overall length, width over mirrors (handlebar) and height.
     pub(super) fn size_m(&self, size: &SizeRange) -> [f64; 3] {
-        ["length", "width", "height"].map(|what| {
-            let k = match what {
-                "length" => 0,
-                "width" => 1,
-                _ => 2,
-            };
+        [(0, "length"), (1, "width"), (2, "height")].map(|(k, what)| {
             let [low, high] = size.range_m[k];
             self.value(what, size.nominal_m[k], low..=high)
         })

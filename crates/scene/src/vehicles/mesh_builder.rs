@@ -34,6 +34,12 @@ impl Assembly {
         self.parts.extend(other.parts.into_iter().map(change));
     }
 
+    /// What has been added so far.
+    #[cfg(test)]
+    pub(super) fn parts(&self) -> &[Surface] {
+        &self.parts
+    }
+
     /// The mesh, its bounding box exactly `size_m` (length, width, height), its origin in the middle of that box on the
     /// ground.
     pub(super) fn finish(self, name: &str, size_m: [f64; 3]) -> Mesh {

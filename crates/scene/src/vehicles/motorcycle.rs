@@ -15,7 +15,7 @@ use parts::CycleWheel;
 /// 2.1 × 0.75); scooters of 110 to 350 cm³ (Honda SH125, PCX, Yamaha XMAX: 1.9 to 2.2 × 0.75); tourers (BMW R 1250 RT
 /// 2.2 × 1.0, Honda Gold Wing 2.5 × 0.95). The height over the helmet is that of a seat 0.75 to 0.85 m high and a sitting
 /// height of 0.80 to 0.95 m (5th to 95th percentile of adults) with the helmet, less the lean.
-fn size_range(model: &str) -> SizeRange {
+pub(super) fn size_range(model: &str) -> SizeRange {
     match model {
         "motorcycle-street" => {
             SizeRange { nominal_m: [2.1, 0.8, 1.65], range_m: [[2.0, 2.2], [0.75, 0.85], [1.55, 1.75]] }
@@ -35,21 +35,20 @@ struct Machine {
     rear: CycleWheel,
 }
 
-/// A whole motorcycle in its drawing's axes and the size it is to be fitted to.
-pub(super) fn draw(draw: &Draw) -> (Assembly, [f64; 3]) {
-    let size = size_range(draw.model);
-    let size_m = draw.size_m(&size);
+/// A whole motorcycle in its drawing's axes, made to the size given.
+pub(super) fn draw(draw: &Draw, size_m: [f64; 3]) -> Assembly {
+    let nominal_m = size_range(draw.model).nominal_m;
     let machine = match draw.model {
         "motorcycle-street" => street::machine(draw),
         "motorcycle-scooter" => scooter::machine(draw),
         _ => touring::machine(draw),
     };
-    let stretch = DVec3::from_array(size_m) / DVec3::from_array(size.nominal_m);
+    let stretch = DVec3::from_array(size_m) / DVec3::from_array(nominal_m);
     let mut motorcycle = Assembly::default();
     motorcycle.add_all(machine.parts, |part| part.map(|p| p * stretch));
     for wheel in [machine.front, machine.rear] {
         // Wheels stay round, wherever the axle goes.
         CycleWheel { axle_x: wheel.axle_x * stretch.x, ..wheel }.add(&mut motorcycle);
     }
-    (motorcycle, size_m)
+    motorcycle
 }

@@ -1,5 +1,6 @@
 //! Closed solids: boxes with rounded edges, solids of revolution, tubes and limbs along a path.
 
+use super::curve::Curve;
 use super::surface::{Material, Surface};
 use glam::{DQuat, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -93,6 +94,26 @@ pub(super) fn section(centre_m: [f64; 3], half_width_m: f64, half_height_m: f64)
     Section { centre_m: DVec3::from_array(centre_m), half_width_m, half_height_m }
 }
 
+/// The sections with `between` more in every gap, on smooth curves through the given ones.
+pub(super) fn smoothed(sections: &[Section], between: usize) -> Vec<Section> {
+    let mut along = vec![0.0];
+    for pair in sections.windows(2) {
+        along.push(along[along.len() - 1] + pair[0].centre_m.distance(pair[1].centre_m));
+    }
+    let curve = |value: &dyn Fn(&Section) -> f64| {
+        let points: Vec<_> = along.iter().zip(sections).map(|(s, section)| (*s, value(section))).collect();
+        Curve::through(&points)
+    };
+    let [x, y, z] = [0, 1, 2].map(|k| curve(&move |s: &Section| s.centre_m[k]));
+    let (width, height) = (curve(&|s| s.half_width_m), curve(&|s| s.half_height_m));
+    let at = |s: f64| section([x.at(s), y.at(s), z.at(s)], width.at(s), height.at(s));
+    let gap = |pair: &[f64]| {
+        let (from, step) = (pair[0], (pair[1] - pair[0]) / (between + 1) as f64);
+        (0..=between).map(move |k| from + step * k as f64)
+    };
+    along.windows(2).flat_map(gap).chain(along.last().copied()).map(at).collect()
+}
+
 /// A limb through elliptical cross sections, with domed ends.
 pub(super) fn limb(sections: &[Section], sectors: usize, material: Material) -> Surface {
     let tangents = tangents(sections);
@@ -150,9 +171,9 @@ fn ring(s: &Section, tangent: DVec3, sectors: usize) -> Vec<DVec3> {
     (0..=sectors).map(at).collect()
 }
 
-/// Rings from the end section outwards to the tip, a quarter ellipse of half the smaller axis.
+/// Rings from the end section outwards to the tip, a quarter ellipse a little flatter than round.
 fn dome(s: &Section, outwards: DVec3, tangent: DVec3, sectors: usize) -> Vec<Vec<DVec3>> {
-    let height = 0.5 * s.half_width_m.min(s.half_height_m);
+    let height = 0.7 * s.half_width_m.min(s.half_height_m);
     let smaller = |k: usize| {
         let angle = FRAC_PI_2 * k as f64 / 2.0;
         let share = if k == 2 { 0.0 } else { angle.cos() };

@@ -19,14 +19,18 @@ pub(super) enum Inside {
     Opened { flange_m: f64 },
 }
 
+/// Where two outlines meet they leave edges that nobody drew; all that is drawn is larger.
+const SHORTEST_EDGE_M: f64 = 0.0025;
+
 /// Cuts `skin` along the zero line of `outline`.
 pub(super) fn cut(skin: Surface, outline: impl Fn(DVec3) -> f64, inside: Inside) -> Surface {
     let split = Split::along(skin, &outline);
-    match inside {
+    let result = match inside {
         Inside::Recoloured(material) => split.recoloured(material),
         Inside::Inset { material, rim, depth_m } => split.inset(material, rim, depth_m),
         Inside::Opened { flange_m } => split.opened(flange_m),
-    }
+    };
+    result.without_short_edges(SHORTEST_EDGE_M)
 }
 
 /// Triangles on either side of the outline over common points.

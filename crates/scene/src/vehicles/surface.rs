@@ -21,22 +21,6 @@ pub(super) enum Material {
 }
 
 impl Material {
-    /// In the order of the meshes' primitives.
-    pub(super) const ALL: [Self; 12] = [
-        Self::Paint,
-        Self::Glass,
-        Self::Rubber,
-        Self::Steel,
-        Self::Aluminium,
-        Self::Chrome,
-        Self::Plastic,
-        Self::Lamp,
-        Self::TailLamp,
-        Self::Plate,
-        Self::Fabric,
-        Self::Leather,
-    ];
-
     /// As written to files.
     pub(super) fn name(self) -> &'static str {
         match self {
@@ -126,6 +110,24 @@ impl Surface {
         };
         let triangles = self.triangles.iter().map(renamed).filter(whole).collect();
         Self { points_m, triangles }
+    }
+
+    /// Edges under `shortest_m` drawn together into one of their ends, each point at most once.
+    pub(super) fn without_short_edges(self, shortest_m: f64) -> Self {
+        let mut end_of: Vec<u32> = (0..self.points_m.len() as u32).collect();
+        let mut touched = vec![false; end_of.len()];
+        for t in &self.triangles {
+            let [a, b, c] = t.corners;
+            for (from, to) in [(a, b), (b, c), (c, a)] {
+                let (low, high) = (from.min(to) as usize, from.max(to) as usize);
+                if !touched[low] && !touched[high] && self.points_m[low].distance(self.points_m[high]) < shortest_m {
+                    end_of[high] = low as u32;
+                    (touched[low], touched[high]) = (true, true);
+                }
+            }
+        }
+        let points_m = end_of.iter().map(|i| self.points_m[*i as usize]).collect();
+        Self { points_m, triangles: self.triangles }.welded()
     }
 
     /// Every point moved by `to`, which must keep the handedness.

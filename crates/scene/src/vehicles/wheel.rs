@@ -4,6 +4,7 @@ use super::mesh_builder::Assembly;
 use super::solids::{disc, lathe};
 use super::stencil::{Inside, cut, soft_minimum};
 use super::surface::{Material, Surface};
+use glam::DVec3;
 use std::f64::consts::TAU;
 
 /// What the rim looks like.
@@ -38,23 +39,30 @@ impl Wheel {
 
     /// The inner wheels of twins: of these only the tyres can be seen.
     pub(super) fn add_inner_pair(&self, to: &mut Assembly, axle_x: f64, outer_y: f64) {
-        to.add_pair(self.tyre().moved(axle_x, outer_y - 0.5 * self.width_m, self.radius_m));
+        let half = 0.5 * self.width_m;
+        let outer = [(self.rim_radius_m, 0.8 * half), (0.9 * self.radius_m, half), (self.radius_m, 0.6 * half)];
+        let tyre = lathe(&mirrored_profile(&outer), self.sectors, Material::Rubber);
+        to.add_pair(tyre.moved(axle_x, outer_y - half, self.radius_m));
     }
 
     /// A closed ring: bead, side wall, shoulder, tread and back through the bore.
     fn tyre(&self) -> Surface {
         let (r, bead, half) = (self.radius_m, self.rim_radius_m, 0.5 * self.width_m);
         let wall = r - bead;
-        let outer = [
-            (bead, 0.80 * half),
-            (bead + 0.50 * wall, half),
-            (r - 0.13 * wall, 0.90 * half),
-            (r - 0.02 * wall, 0.68 * half),
-            (r, 0.25 * half),
-        ];
-        let inner = outer.iter().rev().map(|(radius, y)| (*radius, -y));
-        let profile: Vec<_> = outer.iter().copied().chain(inner).chain([outer[0]]).collect();
-        lathe(&profile, self.sectors, Material::Rubber)
+        // A car's tread is crowned between round shoulders, a truck's is flat.
+        let outer = match self.rim {
+            Rim::Spoked { .. } => vec![
+                (bead, 0.80 * half),
+                (bead + 0.50 * wall, half),
+                (r - 0.13 * wall, 0.90 * half),
+                (r - 0.02 * wall, 0.68 * half),
+                (r, 0.25 * half),
+            ],
+            Rim::SteelConvex | Rim::SteelConcave => {
+                vec![(bead, 0.80 * half), (bead + 0.50 * wall, half), (r - 0.09 * wall, 0.92 * half), (r, 0.78 * half)]
+            }
+        };
+        lathe(&mirrored_profile(&outer), self.sectors, Material::Rubber)
     }
 
     fn rim(&self) -> Surface {
@@ -70,10 +78,8 @@ impl Wheel {
         let face = 0.62 * half;
         let profile = [
             (0.0, face + 0.012),
-            (0.16 * r, face + 0.010),
             (0.20 * r, face - 0.008),
             (0.34 * r, face - 0.006),
-            (0.55 * r, face + 0.003),
             (0.76 * r, face + 0.004),
             (0.86 * r, face - 0.004),
             (0.92 * r, 0.84 * half),
@@ -82,7 +88,7 @@ impl Wheel {
             (0.0, -0.5 * half),
         ];
         let rim = lathe(&profile, self.sectors, Material::Aluminium);
-        let gaps = |p: glam::DVec3| {
+        let gaps = |p: DVec3| {
             let radius = p.x.hypot(p.z);
             let turn = p.z.atan2(p.x) / TAU * f64::from(spokes);
             let from_spoke = 0.5 - (turn - turn.floor() - 0.5).abs();
@@ -110,7 +116,7 @@ impl Wheel {
             (0.0, -0.5 * half),
         ];
         let rim = lathe(&profile, self.sectors, Material::Steel);
-        let holes = |p: glam::DVec3| {
+        let holes = |p: DVec3| {
             let turn = p.z.atan2(p.x) / TAU * 8.0;
             let along = (turn - turn.floor() - 0.5).abs() * TAU * 0.67 * r / 8.0;
             let from_middle = (p.x.hypot(p.z) - 0.67 * r).hypot(along);
@@ -120,16 +126,56 @@ impl Wheel {
     }
 }
 
-/// The lining of a wheel arch: a half drum open towards the outside and the ground, seen from the wheel, on the left.
-pub(super) fn arch_liner(axle_x: f64, axle_z: f64, radius_m: f64, inner_y: f64, outer_y: f64) -> Surface {
-    let steps = 12;
-    let at = |k: usize, radius: f64, y: f64| {
-        let angle = TAU * (0.5 * k as f64 / steps as f64 * 1.16 - 0.04);
-        glam::DVec3::new(axle_x + radius * angle.cos(), y, axle_z + radius * angle.sin())
+/// The outer half of a ring's outline, its mirror image, and the first point again.
+fn mirrored_profile(outer: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let inner = outer.iter().rev().map(|(radius, y)| (*radius, -y));
+    outer.iter().copied().chain(inner).chain([outer[0]]).collect()
+}
+
+/// Where an arch's lining runs.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Lining {
+    pub(super) axle: [f64; 2],
+    pub(super) radius_m: f64,
+    /// Its lower ends, level with the underside.
+    pub(super) low_z: f64,
+    /// Its wall towards the middle, and its open side.
+    pub(super) inner_y: f64,
+    pub(super) outer_y: f64,
+}
+
+/// The lining of the arch on the left: a half drum of sheet, open towards the wheel.
+pub(super) fn arch_lining(lining: &Lining) -> Surface {
+    let (steps, sheet) = (12, 0.012);
+    let Lining { axle, radius_m, low_z, inner_y, outer_y } = *lining;
+    let dip = ((axle[1] - low_z) / radius_m).clamp(-0.9, 0.9).asin();
+    let row = |k: usize| {
+        let angle = -dip + (std::f64::consts::PI + 2.0 * dip) * k as f64 / steps as f64;
+        let at = |radius: f64, y: f64| DVec3::new(axle[0] + radius * angle.cos(), y, axle[1] + radius * angle.sin());
+        let (core, outside) = (0.3 * radius_m, radius_m + sheet);
+        let section = [
+            at(core, inner_y),
+            at(radius_m, inner_y),
+            at(radius_m, outer_y),
+            at(outside, outer_y),
+            at(outside, inner_y - sheet),
+            at(core, inner_y - sheet),
+        ];
+        section.into_iter().chain([at(core, inner_y)]).collect::<Vec<_>>()
     };
-    let row = |radius: f64, y: f64| (0..=steps).map(|k| at(k, radius, y)).collect::<Vec<_>>();
-    let rows = [row(0.25 * radius_m, inner_y), row(radius_m, inner_y), row(radius_m, outer_y)];
-    Surface::from_rows(&rows, Material::Plastic)
+    let rows: Vec<_> = (0..=steps).map(row).collect();
+    let mut surface = Surface::from_rows(&rows, Material::Plastic);
+    for (row, last) in [(&rows[0], false), (&rows[steps], true)] {
+        // The section is an L of two rectangles.
+        for quad in [[0, 1, 4, 5], [1, 2, 3, 4]] {
+            let corners = quad.map(|k: usize| row[k]);
+            surface.push_quad(
+                if last { [corners[3], corners[2], corners[1], corners[0]] } else { corners },
+                Material::Plastic,
+            );
+        }
+    }
+    surface.welded().outward()
 }
 
 /// A live axle with its differential, or a plain beam.

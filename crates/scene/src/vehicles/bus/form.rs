@@ -5,7 +5,7 @@ use crate::vehicles::dimensions::{Draw, SizeRange};
 
 /// Kind of bus.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(in crate::vehicles) enum Kind {
     City,
     Coach,
     Mini,
@@ -13,28 +13,28 @@ pub(crate) enum Kind {
 
 /// A bus's proportions, in a drawing with x = 0 half way along the body and z = 0 on the ground.
 #[derive(Debug, Clone)]
-pub(crate) struct Form {
-    pub(crate) kind: Kind,
-    pub(crate) size_m: [f64; 3],
+pub(in crate::vehicles) struct Form {
+    pub(in crate::vehicles) kind: Kind,
+    pub(in crate::vehicles) size_m: [f64; 3],
     /// Front and rear end of the body; mirrors may reach beyond.
-    pub(crate) ends_x: [f64; 2],
-    pub(crate) half_width_m: f64,
+    pub(in crate::vehicles) ends_x: [f64; 2],
+    pub(in crate::vehicles) half_width_m: f64,
     /// Middle of the roof, without what stands on it.
-    pub(crate) roof_z: f64,
-    pub(crate) clearance_m: f64,
-    pub(crate) wheel_radius_m: f64,
-    pub(crate) tyre_width_m: f64,
-    pub(crate) front_axle_x: f64,
-    pub(crate) rear_axle_x: f64,
+    pub(in crate::vehicles) roof_z: f64,
+    pub(in crate::vehicles) clearance_m: f64,
+    pub(in crate::vehicles) wheel_radius_m: f64,
+    pub(in crate::vehicles) tyre_width_m: f64,
+    pub(in crate::vehicles) front_axle_x: f64,
+    pub(in crate::vehicles) rear_axle_x: f64,
     /// Lower and upper edge of the side panes.
-    pub(crate) panes_z: [f64; 2],
+    pub(in crate::vehicles) panes_z: [f64; 2],
     /// Lower and upper edge of the windscreen.
-    pub(crate) windscreen_z: [f64; 2],
+    pub(in crate::vehicles) windscreen_z: [f64; 2],
     /// Lean of the front above the bumper, metres back per metre up.
-    pub(crate) lean: f64,
-    pub(crate) pane_width_m: f64,
+    pub(in crate::vehicles) lean: f64,
+    pub(in crate::vehicles) pane_width_m: f64,
     /// Doors on the right, [rear, front] along x.
-    pub(crate) doors_x: Vec<[f64; 2]>,
+    pub(in crate::vehicles) doors_x: Vec<[f64; 2]>,
 }
 
 /// Overall length, width over mirrors, height. The body is 2.55 m wide (the limit of Directive 96/53/EC) in city bus and
@@ -42,26 +42,25 @@ pub(crate) struct Form {
 /// as Mercedes Citaro and MAN Lion's City; coaches from 10.5 m to 13.5 m (the Directive's limit with two axles), 3.4 to
 /// 3.85 m high, as Setra's Comfort and Top Class; minibuses on the vans Mercedes Sprinter, Iveco Daily: 5.9 to 7.4 m,
 /// 2.6 to 2.9 m high. Rounded to 5 cm.
-pub(crate) fn size_range(kind: Kind) -> SizeRange {
-    match kind {
-        Kind::City => SizeRange { nominal_m: [12.1, 2.95, 3.15], range_m: [[10.5, 12.3], [2.9, 3.05], [2.95, 3.4]] },
-        Kind::Coach => SizeRange { nominal_m: [12.4, 2.95, 3.75], range_m: [[10.5, 13.5], [2.9, 3.05], [3.4, 3.85]] },
-        Kind::Mini => SizeRange { nominal_m: [6.95, 2.4, 2.75], range_m: [[5.9, 7.4], [2.35, 2.5], [2.6, 2.9]] },
+pub(in crate::vehicles) fn size_range(model: &str) -> SizeRange {
+    match model {
+        "bus-city" => SizeRange { nominal_m: [12.1, 2.95, 3.15], range_m: [[10.5, 12.3], [2.9, 3.05], [2.95, 3.4]] },
+        "bus-coach" => SizeRange { nominal_m: [12.4, 2.95, 3.75], range_m: [[10.5, 13.5], [2.9, 3.05], [3.4, 3.85]] },
+        _ => SizeRange { nominal_m: [6.95, 2.4, 2.75], range_m: [[5.9, 7.4], [2.35, 2.5], [2.6, 2.9]] },
     }
 }
 
 impl Form {
-    /// Drawn for the model and seed.
-    pub(crate) fn of(draw: &Draw) -> Self {
+    /// Drawn for the model and seed, made to the size given.
+    pub(in crate::vehicles) fn of(draw: &Draw, size_m: [f64; 3]) -> Self {
         match draw.model {
-            "bus-city" => Self::city(draw),
-            "bus-coach" => Self::coach(draw),
-            _ => Self::mini(draw),
+            "bus-city" => Self::city(draw, size_m),
+            "bus-coach" => Self::coach(draw, size_m),
+            _ => Self::mini(draw, size_m),
         }
     }
 
-    fn city(draw: &Draw) -> Self {
-        let size_m = draw.size_m(&size_range(Kind::City));
+    fn city(draw: &Draw, size_m: [f64; 3]) -> Self {
         let front = 0.5 * size_m[0] - 0.1;
         let rear = -0.5 * size_m[0];
         let front_axle_x = front - draw.value("front overhang", 2.70, 2.55..=2.8);
@@ -86,8 +85,7 @@ impl Form {
         }
     }
 
-    fn coach(draw: &Draw) -> Self {
-        let size_m = draw.size_m(&size_range(Kind::Coach));
+    fn coach(draw: &Draw, size_m: [f64; 3]) -> Self {
         let front = 0.5 * size_m[0] - 0.3;
         let rear = -0.5 * size_m[0];
         let front_axle_x = front - draw.value("front overhang", 2.80, 2.6..=2.9);
@@ -110,8 +108,7 @@ impl Form {
         }
     }
 
-    fn mini(draw: &Draw) -> Self {
-        let size_m = draw.size_m(&size_range(Kind::Mini));
+    fn mini(draw: &Draw, size_m: [f64; 3]) -> Self {
         let (front, rear) = (0.5 * size_m[0], -0.5 * size_m[0]);
         Self {
             kind: Kind::Mini,
@@ -133,12 +130,17 @@ impl Form {
     }
 
     /// Room to steer and to spring.
-    pub(crate) fn arch_radius_m(&self) -> f64 {
+    pub(in crate::vehicles) fn arch_radius_m(&self) -> f64 {
         self.wheel_radius_m + 0.07
     }
 
+    /// How far towards the middle an arch reaches: twin tyres need twice the room.
+    pub(in crate::vehicles) fn arch_inner_y(&self) -> f64 {
+        self.half_width_m - 2.0 * self.tyre_width_m - 0.16
+    }
+
     /// Silhouette in the middle plane.
-    pub(crate) fn top_z(&self) -> Curve {
+    pub(in crate::vehicles) fn top_z(&self) -> Curve {
         let [front, rear] = self.ends_x;
         let roof = self.roof_z;
         if self.kind != Kind::Mini {
@@ -166,12 +168,12 @@ impl Form {
     }
 
     /// Foot of a minibus's windscreen.
-    pub(crate) fn cowl_x(&self) -> f64 {
+    pub(in crate::vehicles) fn cowl_x(&self) -> f64 {
         self.ends_x[0] - 0.72
     }
 
     /// Top of a minibus's windscreen.
-    pub(crate) fn header_x(&self) -> f64 {
+    pub(in crate::vehicles) fn header_x(&self) -> f64 {
         self.ends_x[0] - 1.52
     }
 }

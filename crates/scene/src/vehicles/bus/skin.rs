@@ -14,10 +14,9 @@ pub(super) fn cut_skin(form: &Form) -> Surface {
     let skin = shell.skin(&layout(form)).map(|p| leaning(form, p));
     let skin = skirt(form, skin);
     let skin = [form.front_axle_x, form.rear_axle_x].into_iter().fold(skin, |skin, axle_x| {
-        let inner_y = form.half_width_m - 2.0 * form.tyre_width_m - 0.16;
-        wheel_arch(skin, [axle_x, form.wheel_radius_m], form.arch_radius_m(), inner_y)
+        wheel_arch(skin, [axle_x, form.wheel_radius_m], form.arch_radius_m(), form.arch_inner_y())
     });
-    let skin = panes(form, doors(form, skin));
+    let skin = panes(form, doors(form, glazing_band(form, skin)));
     let skin = if form.kind == Kind::Mini { van_windscreen(form, &shell, skin) } else { windscreen(form, skin) };
     rear_face(form, front_lamps(form, skin))
 }
@@ -30,7 +29,7 @@ pub(super) fn shell(form: &Form) -> Shell {
         let samples: Vec<_> = spaced(rear, front, 0.12).into_iter().map(|x| (x, top_z.at(x) - drop)).collect();
         Curve::through(&samples)
     };
-    let waist = form.panes_z[0] - 0.06;
+    let waist = form.panes_z[0] - WAIST_BELOW_PANES_M;
     let waist_samples: Vec<_> =
         spaced(rear, front, 0.12).into_iter().map(|x| (x, waist.min(top_z.at(x) - 0.24))).collect();
     let lean_in = if form.kind == Kind::City { 0.05 } else { 0.12 };
@@ -49,7 +48,7 @@ pub(super) fn shell(form: &Form) -> Shell {
             (front, clearance + lift),
         ]),
         waist_z: Curve::through(&waist_samples),
-        rail_z: below(0.17),
+        rail_z: below(RAIL_BELOW_ROOF_M),
         sill_y: plan(0.03),
         belly_y: plan(0.0),
         waist_y: plan(0.01),
@@ -67,23 +66,47 @@ pub(super) fn shell(form: &Form) -> Shell {
 /// the flat flanks between.
 fn layout(form: &Form) -> Layout {
     let [front, rear] = form.ends_x;
-    let mut stations_x = spaced(rear, front, 0.7);
+    let mut stations_x = spaced(rear, front, 0.8);
     for axle_x in [form.front_axle_x, form.rear_axle_x] {
         let reach = form.arch_radius_m() + 0.06;
         stations_x.retain(|x| (x - axle_x).abs() > reach);
-        stations_x.extend(spaced(axle_x - reach, axle_x + reach, 0.11));
+        stations_x.extend(spaced(axle_x - reach, axle_x + reach, 0.13));
     }
-    let nose = if form.kind == Kind::Mini { (front - 2.3, 0.11) } else { (front - 0.9, 0.14) };
-    stations_x.retain(|x| *x < nose.0);
-    stations_x.extend(spaced(nose.0, front, nose.1));
-    stations_x.extend(spaced(rear, rear + 0.6, 0.15));
-    for [behind, ahead] in pane_spans(form).into_iter().chain(form.doors_x.iter().copied()) {
-        stations_x.extend([behind, behind + 0.06, ahead - 0.06, ahead]);
-    }
-    stations_x.sort_by(f64::total_cmp);
-    stations_x.dedup_by(|b, a| *b - *a < 0.03);
-    Layout { stations_x, lower: even(9), upper: vec![0.0, 0.05, 0.12, 0.3, 0.5, 0.7, 0.86, 0.94, 1.0], half_columns: 7 }
+    let (nose_x, step) = if form.kind == Kind::Mini { (front - 2.3, 0.12) } else { (front - 0.9, 0.18) };
+    stations_x.retain(|x| *x < nose_x);
+    stations_x.extend(spaced(nose_x, front, step));
+    stations_x.extend(spaced(rear, rear + 0.6, 0.2));
+    let mut edges_x: Vec<f64> = pane_spans(form)
+        .into_iter()
+        .chain(form.doors_x.iter().copied())
+        .flat_map(|[behind, ahead]| [behind, behind + corner_m(form), ahead - corner_m(form), ahead])
+        .filter(|x| *x < nose_x)
+        .collect();
+    edges_x.sort_by(f64::total_cmp);
+    edges_x.dedup_by(|b, a| *b - *a < 0.02);
+    // An edge that a pane asks for goes before one that only divides the flank.
+    stations_x.retain(|x| edges_x.iter().all(|edge| (x - edge).abs() > 0.06));
+    stations_x.extend(edges_x);
+    Layout { stations_x, lower: even(7), upper: upper_rows(form), half_columns: 5 }
 }
+
+/// Radius of the panes' corners; a row and a section of the skin stand that far inside every pane's edge. Behind a dark
+/// band corners are square.
+fn corner_m(form: &Form) -> f64 {
+    if form.kind == Kind::Mini { 0.07 } else { 0.0 }
+}
+
+/// Rows at the panes' edges, as shares of the way from waist to rail.
+fn upper_rows(form: &Form) -> Vec<f64> {
+    let [low, high] = form.panes_z;
+    let (waist, rail) = (low - WAIST_BELOW_PANES_M, form.roof_z - RAIL_BELOW_ROOF_M);
+    let inner = spaced(low + 0.07, high - 0.07, 0.5);
+    let rows = [waist, low].into_iter().chain(inner).chain([high, rail]);
+    rows.map(|z| (z - waist) / (rail - waist)).collect()
+}
+
+const WAIST_BELOW_PANES_M: f64 = 0.06;
+const RAIL_BELOW_ROOF_M: f64 = 0.17;
 
 /// The front leans back above the bumper and is bowed in plan; the rear a little.
 fn leaning(form: &Form, p: DVec3) -> DVec3 {
@@ -120,19 +143,32 @@ fn pane_spans(form: &Form) -> Vec<[f64; 2]> {
     (0..count as i32).map(span).collect()
 }
 
+/// City buses and coaches hide the posts between their panes behind dark trim.
+fn glazing_band(form: &Form, skin: Surface) -> Surface {
+    let spans = pane_spans(form);
+    let ends = spans.first().zip(spans.last()).map(|(first, last)| [last[0] - 0.05, first[1] + 0.05]);
+    match (form.kind, ends) {
+        (Kind::Mini, _) | (_, None) => skin,
+        (_, Some(along)) => {
+            let [low, high] = form.panes_z;
+            let band = panel(along, [low - 0.03, high + 0.04], 0.0);
+            flank_panel(skin, Flank::Both, band, Inside::Recoloured(Material::Plastic))
+        }
+    }
+}
+
 fn panes(form: &Form, skin: Surface) -> Surface {
-    let radius = 0.07;
     let door_free =
         |span: &[f64; 2]| form.doors_x.iter().all(|door| span[1] < door[0] - 0.02 || span[0] > door[1] + 0.02);
     pane_spans(form).into_iter().fold(skin, |skin, span| {
-        let skin = flank_panel(skin, Flank::Left, panel(span, form.panes_z, radius), PANE);
+        let skin = flank_panel(skin, Flank::Left, panel(span, form.panes_z, corner_m(form)), PANE);
         // The coach's doors end below its panes.
         if form.kind == Kind::Coach || door_free(&span) {
-            return flank_panel(skin, Flank::Right, panel(span, form.panes_z, radius), PANE);
+            return flank_panel(skin, Flank::Right, panel(span, form.panes_z, corner_m(form)), PANE);
         }
         clipped_by_doors(form, span)
             .into_iter()
-            .fold(skin, |skin, rest| flank_panel(skin, Flank::Right, panel(rest, form.panes_z, radius), PANE))
+            .fold(skin, |skin, rest| flank_panel(skin, Flank::Right, panel(rest, form.panes_z, corner_m(form)), PANE))
     })
 }
 
@@ -162,7 +198,9 @@ fn doors(form: &Form, skin: Surface) -> Surface {
         } else {
             vec![[*behind, *ahead]]
         };
-        leaves.into_iter().fold(skin, |skin, leaf| flank_panel(skin, Flank::Right, panel(leaf, [low, top], 0.06), PANE))
+        leaves
+            .into_iter()
+            .fold(skin, |skin, leaf| flank_panel(skin, Flank::Right, panel(leaf, [low, top], corner_m(form)), PANE))
     })
 }
 
@@ -204,7 +242,8 @@ fn front_lamps(form: &Form, skin: Surface) -> Surface {
         Kind::City => ([0.58, 0.78], panel([-0.55, 0.55], [0.46, 0.60], 0.05)),
         Kind::Coach => ([0.62, 0.84], panel([-0.60, 0.60], [0.48, 0.66], 0.05)),
     };
-    let lamp = Inside::Inset { material: Material::Lamp, rim: Material::Plastic, depth_m: 0.01 };
+    // Lamps follow the skin around its corners: lowered there they would fold.
+    let lamp = Inside::Recoloured(Material::Lamp);
     let skin = end_panel_pair(skin, reach, panel([0.62 * half, 0.95 * half], lamp_z, 0.06), lamp);
     let slots = Inside::Inset { material: Material::Plastic, rim: Material::Plastic, depth_m: 0.03 };
     end_panel(skin, reach, grille, slots)

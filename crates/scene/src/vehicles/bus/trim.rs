@@ -64,7 +64,7 @@ fn roof(form: &Form, bus: &mut Assembly) {
 
 fn plates(form: &Form, bus: &mut Assembly) {
     let [front, rear] = form.ends_x;
-    let plate = || rounded_box([0.014, 0.52, 0.11], 0.004, Material::Plate);
+    let plate = || sharp_box([0.014, 0.52, 0.11], Material::Plate);
     let z = form.clearance_m + 0.38;
     bus.add(plate().moved(front + 0.004, 0.0, z));
     bus.add(plate().moved(rear - 0.004, 0.0, z + 0.2));

@@ -5,7 +5,7 @@ use crate::vehicles::dimensions::{Draw, SizeRange};
 
 /// Kind of body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Body {
+pub(in crate::vehicles) enum Body {
     SportUtility,
     Saloon,
     Hatchback,
@@ -13,44 +13,40 @@ pub(crate) enum Body {
 
 /// A car's proportions, in a drawing with x = 0 half way along and z = 0 on the ground.
 #[derive(Debug, Clone)]
-pub(crate) struct Form {
-    pub(crate) body: Body,
-    pub(crate) size_m: [f64; 3],
+pub(in crate::vehicles) struct Form {
+    pub(in crate::vehicles) body: Body,
+    pub(in crate::vehicles) size_m: [f64; 3],
     /// Of the body without mirrors.
-    pub(crate) half_width_m: f64,
-    pub(crate) wheel_radius_m: f64,
-    pub(crate) tyre_width_m: f64,
-    pub(crate) spokes: u32,
-    pub(crate) front_axle_x: f64,
-    pub(crate) rear_axle_x: f64,
-    pub(crate) clearance_m: f64,
+    pub(in crate::vehicles) half_width_m: f64,
+    pub(in crate::vehicles) wheel_radius_m: f64,
+    pub(in crate::vehicles) tyre_width_m: f64,
+    pub(in crate::vehicles) spokes: u32,
+    pub(in crate::vehicles) front_axle_x: f64,
+    pub(in crate::vehicles) rear_axle_x: f64,
+    pub(in crate::vehicles) clearance_m: f64,
     /// Bottom and top of the windscreen in the car's middle.
-    pub(crate) cowl: (f64, f64),
-    pub(crate) header: (f64, f64),
+    pub(in crate::vehicles) cowl: (f64, f64),
+    pub(in crate::vehicles) header: (f64, f64),
     /// Top and bottom of the rear window.
-    pub(crate) roof_end: (f64, f64),
-    pub(crate) deck: (f64, f64),
-    pub(crate) nose_z: f64,
-    pub(crate) tail_z: f64,
-    pub(crate) waist_front_z: f64,
-    pub(crate) waist_rear_z: f64,
+    pub(in crate::vehicles) roof_end: (f64, f64),
+    pub(in crate::vehicles) deck: (f64, f64),
+    pub(in crate::vehicles) nose_z: f64,
+    pub(in crate::vehicles) tail_z: f64,
+    pub(in crate::vehicles) waist_front_z: f64,
+    pub(in crate::vehicles) waist_rear_z: f64,
     /// Half width of the roof at its rail.
-    pub(crate) roof_y: f64,
+    pub(in crate::vehicles) roof_y: f64,
 }
 
 /// Overall length, width over mirrors, height. Ranges: published figures of cars sold in Europe in the 2010s and 2020s,
 /// rounded to 5 cm. Sport utility: from Kia Sportage (4.5 × 2.1 × 1.65) to Toyota Land Cruiser (5.0 × 2.2 × 1.95); nominal
 /// the 5 × 2 × 1.8 m of the paper's car. Saloon: Toyota Corolla (4.65 × 2.0 × 1.45) to BMW 5 (4.95 × 2.15 × 1.5).
 /// Hatchback: VW Polo (4.05 × 1.95 × 1.45) to VW Golf (4.3 × 2.05 × 1.5).
-pub(crate) fn size_range(body: Body) -> SizeRange {
-    match body {
-        Body::SportUtility => {
-            SizeRange { nominal_m: [5.0, 2.0, 1.8], range_m: [[4.5, 5.05], [2.0, 2.2], [1.65, 1.95]] }
-        }
-        Body::Saloon => SizeRange { nominal_m: [4.8, 2.05, 1.46], range_m: [[4.6, 4.95], [2.0, 2.15], [1.43, 1.5]] },
-        Body::Hatchback => {
-            SizeRange { nominal_m: [4.2, 2.0, 1.48], range_m: [[3.95, 4.35], [1.9, 2.05], [1.44, 1.55]] }
-        }
+pub(in crate::vehicles) fn size_range(model: &str) -> SizeRange {
+    match model {
+        "car-suv" => SizeRange { nominal_m: [5.0, 2.0, 1.8], range_m: [[4.5, 5.05], [2.0, 2.2], [1.65, 1.95]] },
+        "car-sedan" => SizeRange { nominal_m: [4.8, 2.05, 1.46], range_m: [[4.6, 4.95], [2.0, 2.15], [1.43, 1.5]] },
+        _ => SizeRange { nominal_m: [4.2, 2.0, 1.48], range_m: [[3.95, 4.35], [1.9, 2.05], [1.44, 1.55]] },
     }
 }
 
@@ -58,43 +54,41 @@ pub(crate) fn size_range(body: Body) -> SizeRange {
 const MIRROR_OVERHANG_M: f64 = 0.09;
 
 impl Form {
-    /// Drawn for the model and seed.
-    pub(crate) fn of(draw: &Draw) -> Self {
+    /// Drawn for the model and seed, made to the size given.
+    pub(in crate::vehicles) fn of(draw: &Draw, size_m: [f64; 3]) -> Self {
         match draw.model {
-            "car-suv" => Self::sport_utility(draw),
-            "car-sedan" => Self::saloon(draw),
-            _ => Self::hatchback(draw),
+            "car-suv" => Self::sport_utility(draw, size_m),
+            "car-sedan" => Self::saloon(draw, size_m),
+            _ => Self::hatchback(draw, size_m),
         }
     }
 
-    fn sport_utility(draw: &Draw) -> Self {
-        let size_m = draw.size_m(&size_range(Body::SportUtility));
+    fn sport_utility(draw: &Draw, size_m: [f64; 3]) -> Self {
         let [length, width, height] = size_m;
         let (front, roof) = (0.5 * length, height - 0.045);
         Self {
             body: Body::SportUtility,
             size_m,
             half_width_m: 0.5 * width - MIRROR_OVERHANG_M,
-            wheel_radius_m: draw.value("wheel radius", 0.38, 0.34..=0.40),
+            wheel_radius_m: draw.value("wheel radius", 0.39, 0.35..=0.41),
             tyre_width_m: draw.value("tyre width", 0.255, 0.225..=0.285),
             spokes: draw.value("spokes", 5.0, 5.0..=7.9) as u32,
             front_axle_x: front - draw.value("front overhang", 0.92, 0.85..=0.95),
             rear_axle_x: -front + draw.value("rear overhang", 1.04, 0.92..=1.06),
-            clearance_m: draw.value("clearance", 0.22, 0.18..=0.25),
-            cowl: (0.215 * length, roof - 0.60),
-            header: (0.215 * length - draw.value("windscreen", 0.80, 0.70..=0.90), roof - 0.055),
-            roof_end: (-0.425 * length, roof - 0.08),
-            deck: (-0.425 * length - 0.26, roof - 0.62),
-            nose_z: roof - 0.78,
-            tail_z: roof - 0.72,
-            waist_front_z: roof - 0.70,
-            waist_rear_z: roof - 0.63,
+            clearance_m: draw.value("clearance", 0.24, 0.19..=0.26),
+            cowl: (0.205 * length, roof - 0.555),
+            header: (0.205 * length - draw.value("windscreen", 0.70, 0.62..=0.80), roof - 0.055),
+            roof_end: (-0.437 * length, roof - 0.07),
+            deck: (-0.437 * length - 0.17, roof - 0.58),
+            nose_z: roof - 0.68,
+            tail_z: roof - 0.66,
+            waist_front_z: roof - 0.63,
+            waist_rear_z: roof - 0.57,
             roof_y: 0.5 * width - MIRROR_OVERHANG_M - draw.value("tumblehome", 0.27, 0.22..=0.30),
         }
     }
 
-    fn saloon(draw: &Draw) -> Self {
-        let size_m = draw.size_m(&size_range(Body::Saloon));
+    fn saloon(draw: &Draw, size_m: [f64; 3]) -> Self {
         let [length, width, height] = size_m;
         let front = 0.5 * length;
         let deck_x = -front + draw.value("boot", 0.62, 0.5..=0.7);
@@ -109,10 +103,10 @@ impl Form {
             rear_axle_x: -front + draw.value("rear overhang", 1.08, 1.0..=1.12),
             clearance_m: draw.value("clearance", 0.16, 0.14..=0.18),
             cowl: (0.205 * length, height - 0.48),
-            header: (0.205 * length - draw.value("windscreen", 0.95, 0.85..=1.0), height - 0.045),
-            roof_end: (deck_x + draw.value("rear window", 0.85, 0.75..=0.9), height - 0.07),
+            header: (0.205 * length - draw.value("windscreen", 0.84, 0.78..=0.92), height - 0.04),
+            roof_end: (deck_x + draw.value("rear window", 0.78, 0.7..=0.85), height - 0.055),
             deck: (deck_x, height - 0.41),
-            nose_z: height - 0.70,
+            nose_z: height - 0.66,
             tail_z: height - 0.46,
             waist_front_z: height - 0.58,
             waist_rear_z: height - 0.51,
@@ -120,11 +114,10 @@ impl Form {
         }
     }
 
-    fn hatchback(draw: &Draw) -> Self {
-        let size_m = draw.size_m(&size_range(Body::Hatchback));
+    fn hatchback(draw: &Draw, size_m: [f64; 3]) -> Self {
         let [length, width, height] = size_m;
         let front = 0.5 * length;
-        let roof_end_x = -front + draw.value("tailgate", 0.42, 0.34..=0.5);
+        let roof_end_x = -front + draw.value("tailgate", 0.56, 0.48..=0.62);
         Self {
             body: Body::Hatchback,
             size_m,
@@ -138,8 +131,8 @@ impl Form {
             cowl: (0.235 * length, height - 0.47),
             header: (0.235 * length - draw.value("windscreen", 0.88, 0.8..=0.95), height - 0.045),
             roof_end: (roof_end_x, height - 0.08),
-            deck: (roof_end_x - 0.34, height - 0.52),
-            nose_z: height - 0.72,
+            deck: (roof_end_x - 0.46, height - 0.53),
+            nose_z: height - 0.69,
             tail_z: height - 0.64,
             waist_front_z: height - 0.58,
             waist_rear_z: height - 0.51,
@@ -148,24 +141,34 @@ impl Form {
     }
 
     /// Front and rear axle.
-    pub(crate) fn axles_x(&self) -> [f64; 2] {
+    pub(in crate::vehicles) fn axles_x(&self) -> [f64; 2] {
         [self.front_axle_x, self.rear_axle_x]
     }
 
     /// Tyres need room to steer and to spring.
-    pub(crate) fn arch_radius_m(&self) -> f64 {
+    pub(in crate::vehicles) fn arch_radius_m(&self) -> f64 {
         self.wheel_radius_m + 0.055
     }
 
+    /// Post between the front and the rear door.
+    pub(in crate::vehicles) fn door_post_x(&self) -> f64 {
+        self.front_axle_x - 0.355 * self.size_m[0]
+    }
+
+    /// How far towards the middle an arch reaches.
+    pub(in crate::vehicles) fn arch_inner_y(&self) -> f64 {
+        self.half_width_m - self.tyre_width_m - 0.10
+    }
+
     /// Front and rear end of the body.
-    pub(crate) fn ends_x(&self) -> [f64; 2] {
+    pub(in crate::vehicles) fn ends_x(&self) -> [f64; 2] {
         [0.5 * self.size_m[0], -0.5 * self.size_m[0]]
     }
 
     /// Silhouette in the middle plane: bonnet, windscreen, roof, rear window, boot.
-    pub(crate) fn top_z(&self) -> Curve {
+    pub(in crate::vehicles) fn top_z(&self) -> Curve {
         let [front, rear] = self.ends_x();
-        let roof = self.header.1 + 0.055;
+        let roof = self.header.1 + if self.body == Body::SportUtility { 0.055 } else { 0.042 };
         let ((cx, cz), (hx, hz)) = (self.cowl, self.header);
         let ((rx, rz), (dx, dz)) = (self.roof_end, self.deck);
         let (up, down) = ((hz - cz) / (hx - cx), (rz - dz) / (rx - dx));
@@ -190,7 +193,7 @@ impl Form {
     }
 
     /// 1 where the cabin stands, 0 over bonnet and boot.
-    pub(crate) fn cabin(&self, x: f64) -> f64 {
+    pub(in crate::vehicles) fn cabin(&self, x: f64) -> f64 {
         let front = smooth_step(self.cowl.0 + 0.05, self.header.0, x);
         let rear = smooth_step(self.deck.0 - 0.05, self.roof_end.0, x);
         front.min(rear)

@@ -2,12 +2,11 @@
 
 use super::form::{Body, Form};
 use crate::vehicles::curve::{Curve, smooth_step};
+use crate::vehicles::openings::PANE;
 use crate::vehicles::shell::{Layout, Shell, even};
 use crate::vehicles::stencil::{Inside, cut, rounded_rectangle, soft_minimum};
 use crate::vehicles::surface::{Material, Surface};
 use glam::DVec3;
-
-const PANE: Inside = Inside::Inset { material: Material::Glass, rim: Material::Plastic, depth_m: 0.008 };
 
 /// The whole skin.
 pub(super) fn cut_skin(form: &Form) -> Surface {
@@ -74,12 +73,19 @@ fn layout(form: &Form, shell: &Shell) -> Layout {
     while x < front {
         x += 0.005;
         walked += 0.005 * (1.0 + (0.6 * shell.top_z.slope(x)).powi(2)).sqrt();
-        if walked > 0.095 {
+        if walked > 0.105 {
             stations_x.push(x);
             walked = 0.0;
         }
     }
-    Layout { stations_x, lower: even(7), upper: even(5), half_columns: 6 }
+    let pane_edges =
+        pane_spans(form).into_iter().flat_map(|[behind, ahead]| [behind, behind + 0.06, ahead - 0.06, ahead]);
+    let edges_x: Vec<f64> = pane_edges.filter(|x| *x < form.header.0).collect();
+    stations_x.retain(|x| edges_x.iter().all(|edge| (x - edge).abs() > 0.04));
+    stations_x.extend(edges_x);
+    // Rows where the side panes begin and end, 2.5 cm above the waist and 5 cm below the rail of a side half a metre high.
+    let upper = vec![0.0, 0.05, 0.17, 0.5, 0.78, 0.90, 1.0];
+    Layout { stations_x, lower: even(7), upper, half_columns: 5 }
 }
 
 /// Ends bowed in plan and shaped in profile: the bumper stands out, the nose above it leans back.
@@ -96,9 +102,13 @@ fn bowed(form: &Form, p: DVec3) -> DVec3 {
 
 /// Unpainted sills, and on a sport utility the lips around the arches.
 fn cladding(form: &Form, skin: Surface) -> Surface {
-    let sill_z = form.clearance_m + if form.body == Body::SportUtility { 0.14 } else { 0.07 };
-    let lip = if form.body == Body::SportUtility { 0.055 } else { 0.0 };
+    let sill_z = form.clearance_m + if form.body == Body::SportUtility { 0.16 } else { 0.07 };
+    let lip = if form.body == Body::SportUtility { 0.065 } else { 0.0 };
+    let [front, rear] = form.ends_x();
+    let bumper = if form.body == Body::SportUtility { 0.14 } else { 0.0 };
     let outline = |p: DVec3| {
+        let near_end = smooth_step(front - 0.75, front - 0.45, p.x) + smooth_step(rear + 0.75, rear + 0.45, p.x);
+        let sill_z = sill_z + bumper * near_end;
         let around = form.axles_x().map(|x| form.arch_radius_m() + lip - (p.x - x).hypot(p.z - form.wheel_radius_m));
         (sill_z - p.z).max(around[0]).max(around[1])
     };
@@ -106,11 +116,10 @@ fn cladding(form: &Form, skin: Surface) -> Surface {
 }
 
 fn arches(form: &Form, skin: Surface) -> Surface {
-    let inner_y = form.half_width_m - form.tyre_width_m - 0.10;
     form.axles_x().into_iter().fold(skin, |skin, axle_x| {
         let outline = |p: DVec3| {
             let circle = form.arch_radius_m() - (p.x - axle_x).hypot(p.z - form.wheel_radius_m);
-            circle.min(p.y.abs() - inner_y)
+            circle.min(p.y.abs() - form.arch_inner_y())
         };
         cut(skin, outline, Inside::Opened { flange_m: 0.05 })
     })
@@ -118,18 +127,16 @@ fn arches(form: &Form, skin: Surface) -> Surface {
 
 /// Ends of the side panes along x, front to rear: between them stand the pillars.
 fn pane_spans(form: &Form) -> Vec<[f64; 2]> {
-    let (front, rear) = (form.cowl.0, form.deck.0);
-    let pillar_b = 0.5 * (form.header.0 + form.cowl.0) - 0.24 * (form.cowl.0 - form.roof_end.0);
-    let pillar_c = form.rear_axle_x + 0.40;
+    let front = form.cowl.0;
+    let pillar_b = form.door_post_x();
+    let pillar_c = form.rear_axle_x + 0.36;
     match form.body {
         Body::SportUtility => {
+            let rear = form.roof_end.0 + 0.02;
             vec![[pillar_b + 0.05, front], [pillar_c + 0.05, pillar_b - 0.05], [rear, pillar_c - 0.06]]
         }
         Body::Saloon => vec![[pillar_b + 0.05, front], [form.roof_end.0 - 0.22, pillar_b - 0.05]],
-        Body::Hatchback => {
-            let quarter = form.rear_axle_x + 0.27;
-            vec![[pillar_b + 0.05, front], [quarter, pillar_b - 0.05], [form.roof_end.0 + 0.04, quarter - 0.06]]
-        }
+        Body::Hatchback => vec![[pillar_b + 0.05, front], [form.rear_axle_x + 0.02, pillar_b - 0.05]],
     }
 }
 
@@ -174,8 +181,10 @@ fn front_face(form: &Form, skin: Surface) -> Surface {
         rounded_rectangle(p.y, p.z, [-0.62 * half, 0.62 * half], [low + 0.13, low + 0.25], 0.05).min(p.x - ahead)
     };
     let skin = cut(skin, grille, Inside::Inset { material: Material::Plastic, rim: Material::Chrome, depth_m: 0.025 });
-    let skin = cut(skin, lamps, Inside::Inset { material: Material::Lamp, rim: Material::Plastic, depth_m: 0.008 });
-    cut(skin, intake, Inside::Inset { material: Material::Plastic, rim: Material::Plastic, depth_m: 0.03 })
+    let skin = cut(skin, lamps, Inside::Recoloured(Material::Lamp));
+    let (trim, depth_m) =
+        if form.body == Body::SportUtility { (Material::Aluminium, 0.012) } else { (Material::Plastic, 0.03) };
+    cut(skin, intake, Inside::Inset { material: trim, rim: Material::Plastic, depth_m })
 }
 
 fn rear_face(form: &Form, skin: Surface) -> Surface {
@@ -188,7 +197,7 @@ fn rear_face(form: &Form, skin: Surface) -> Surface {
         };
         rounded_rectangle(p.y.abs(), p.z, span, heights, 0.04).min(behind - 0.18 - p.x)
     };
-    let skin = cut(skin, lamps, Inside::Inset { material: Material::TailLamp, rim: Material::Plastic, depth_m: 0.006 });
+    let skin = cut(skin, lamps, Inside::Recoloured(Material::TailLamp));
     let recess =
         |p: DVec3| rounded_rectangle(p.y, p.z, [-0.33, 0.33], [low + 0.36, low + 0.51], 0.03).min(behind - p.x);
     cut(skin, recess, Inside::Inset { material: Material::Paint, rim: Material::Paint, depth_m: 0.02 })

@@ -4,7 +4,7 @@ use super::form::{Body, Form};
 use super::skin::shell;
 use crate::vehicles::mesh_builder::Assembly;
 use crate::vehicles::shell::Shell;
-use crate::vehicles::solids::{bent, disc, ellipsoid, rounded_box, tube};
+use crate::vehicles::solids::{bent, disc, ellipsoid, rounded_box, sharp_box, tube};
 use crate::vehicles::surface::{Material, Surface};
 
 pub(super) fn add(form: &Form, car: &mut Assembly) {
@@ -32,12 +32,10 @@ fn mirrors(form: &Form, shell: &Shell, car: &mut Assembly) {
 }
 
 fn handles(form: &Form, shell: &Shell, car: &mut Assembly) {
-    for x in
-        [0.5 * (form.header.0 + form.cowl.0) - 0.22 * (form.cowl.0 - form.roof_end.0) + 0.12, form.rear_axle_x + 0.45]
-    {
+    for x in [form.door_post_x() + 0.15, form.rear_axle_x + 0.42] {
         let z = shell.waist_z.at(x) - 0.12;
-        let handle = rounded_box([0.19, 0.03, 0.028], 0.01, Material::Chrome);
-        car.add_pair(handle.moved(x, shell.side_y(x, z) + 0.012, z));
+        let y = shell.side_y(x, z) + 0.012;
+        car.add_pair(tube(&[[x - 0.09, y, z], [x + 0.09, y, z]], 0.016, 6, Material::Chrome));
     }
 }
 
@@ -45,7 +43,7 @@ fn plates(form: &Form, car: &mut Assembly) {
     let [front, rear] = form.ends_x();
     let low = form.clearance_m;
     // 520 × 110 mm: the European plate (Council Regulation (EC) 2411/98 leaves the size to the member states' common one).
-    let plate = || rounded_box([0.012, 0.52, 0.11], 0.004, Material::Plate);
+    let plate = || sharp_box([0.012, 0.52, 0.11], Material::Plate);
     car.add(plate().moved(front + 0.004, 0.0, low + 0.33));
     car.add(plate().moved(rear + 0.026, 0.0, low + 0.435));
 }

@@ -1,7 +1,7 @@
 //! Parts that every motorcycle has: wheels, forks, handlebar, mudguards, plate.
 
 use crate::vehicles::mesh_builder::Assembly;
-use crate::vehicles::solids::{bent, disc, ellipsoid, lathe, limb, rounded_box, section, tube};
+use crate::vehicles::solids::{bent, disc, ellipsoid, lathe, limb, section, sharp_box, tube};
 use crate::vehicles::surface::{Material, Surface};
 use glam::DVec3;
 use std::f64::consts::TAU;
@@ -37,7 +37,7 @@ impl CycleWheel {
             let angle = TAU * (k % 12) as f64 / 12.0;
             (middle + height * angle.cos(), half * angle.sin())
         };
-        lathe(&(0..=12).map(at).collect::<Vec<_>>(), 36, Material::Rubber)
+        lathe(&(0..=12).map(at).collect::<Vec<_>>(), 34, Material::Rubber)
     }
 
     fn rim(&self) -> Surface {
@@ -76,7 +76,7 @@ pub(super) fn forks(axle: [f64; 2], head: [f64; 2], half_gap_m: f64, to: &mut As
     to.add_pair(tube(&[at(0.40), at(1.02)], 0.022, 10, Material::Chrome));
     for t in [0.78, 1.0] {
         let [x, _, z] = at(t);
-        to.add(rounded_box([0.07, 2.0 * half_gap_m + 0.08, 0.035], 0.012, Material::Aluminium).moved(x, 0.0, z));
+        to.add(sharp_box([0.07, 2.0 * half_gap_m + 0.08, 0.035], Material::Aluminium).moved(x, 0.0, z));
     }
 }
 
@@ -129,9 +129,9 @@ pub(super) fn mudguard(axle: [f64; 2], radius_m: f64, half_width_m: f64, [from, 
 
 /// Rear plate (German single-line two-wheeler plate, 180 × 200 mm) and lamp.
 pub(super) fn tail(x: f64, lamp_z: f64, plate_z: f64, to: &mut Assembly) {
-    to.add(rounded_box([0.05, 0.16, 0.05], 0.015, Material::TailLamp).moved(x, 0.0, lamp_z));
-    to.add(rounded_box([0.008, 0.18, 0.20], 0.003, Material::Plate).moved(x - 0.02, 0.0, plate_z));
-    to.add(tube(&[[x + 0.06, 0.0, lamp_z - 0.02], [x - 0.01, 0.0, plate_z + 0.02]], 0.018, 8, Material::Plastic));
+    to.add(sharp_box([0.05, 0.16, 0.05], Material::TailLamp).moved(x, 0.0, lamp_z));
+    to.add(sharp_box([0.008, 0.18, 0.20], Material::Plate).moved(x - 0.02, 0.0, plate_z));
+    to.add(tube(&[[x + 0.06, 0.0, lamp_z - 0.02], [x + 0.01, 0.0, plate_z + 0.04]], 0.018, 8, Material::Plastic));
     for k in [-1.0, 1.0] {
         to.add(ellipsoid([0.03, 0.035, 0.02], 10, Material::Lamp).moved(x, 0.14 * k, lamp_z - 0.01));
         to.add(tube(&[[x, 0.0, lamp_z - 0.01], [x, 0.12 * k, lamp_z - 0.01]], 0.006, 6, Material::Plastic));

@@ -5,7 +5,7 @@ use super::parts::{CycleWheel, forks, handlebar, mirror, mudguard, tail};
 use crate::vehicles::dimensions::Draw;
 use crate::vehicles::mesh_builder::Assembly;
 use crate::vehicles::rider::Rider;
-use crate::vehicles::solids::{ellipsoid, limb, rounded_box, section, tube};
+use crate::vehicles::solids::{ellipsoid, limb, rounded_box, section, sharp_box, smoothed, tube};
 use crate::vehicles::surface::Material;
 
 const HALF_WHEELBASE_M: f64 = 0.665;
@@ -54,19 +54,19 @@ fn front(radius_m: f64, parts: &mut Assembly) {
         section([0.43, 0.0, 0.78], 0.23, 0.06),
         section([0.39, 0.0, 0.92], 0.13, 0.05),
     ];
-    parts.add(limb(&shield, 24, Material::Paint));
+    parts.add(limb(&smoothed(&shield, 1), 24, Material::Paint));
     let nose = [
         section([0.60, 0.0, 0.66], 0.06, 0.07),
         section([0.53, 0.0, 0.70], 0.13, 0.12),
         section([0.42, 0.0, 0.74], 0.16, 0.15),
     ];
-    parts.add(limb(&nose, 20, Material::Paint));
+    parts.add(limb(&smoothed(&nose, 1), 20, Material::Paint));
     let headset = [
         section([0.44, 0.0, 0.99], 0.09, 0.06),
         section([0.38, 0.0, 1.00], 0.13, 0.07),
         section([0.28, 0.0, 1.0], 0.11, 0.05),
     ];
-    parts.add(limb(&headset, 18, Material::Paint));
+    parts.add(limb(&smoothed(&headset, 1), 18, Material::Paint));
     parts.add(ellipsoid([0.05, 0.08, 0.055], 16, Material::Lamp).moved(0.455, 0.0, 0.985));
     parts.add_pair(ellipsoid([0.03, 0.05, 0.03], 12, Material::Lamp).moved(0.53, 0.13, 0.74));
     handlebar([0.33, 0.0, 1.02], [0.24, 0.37, 1.03], parts);
@@ -76,12 +76,12 @@ fn front(radius_m: f64, parts: &mut Assembly) {
         section([0.38, 0.0, 1.18], 0.16, 0.008),
         section([0.33, 0.0, 1.26], 0.11, 0.008),
     ];
-    parts.add(limb(&screen, 18, Material::Glass));
+    parts.add(limb(&smoothed(&screen, 1), 18, Material::Glass));
 }
 
 fn floor(parts: &mut Assembly) {
     parts.add(rounded_box([0.55, 0.38, 0.10], 0.035, Material::Plastic).moved(0.12, 0.0, 0.29));
-    parts.add(rounded_box([0.48, 0.30, 0.012], 0.004, Material::Rubber).moved(0.12, 0.0, 0.345));
+    parts.add(sharp_box([0.48, 0.30, 0.012], Material::Rubber).moved(0.12, 0.0, 0.345));
     parts.add(tube(&[[0.40, 0.0, 0.75], [0.34, 0.0, 0.30], [-0.20, 0.0, 0.27]], 0.035, 10, Material::Steel));
 }
 
@@ -93,7 +93,7 @@ fn rear_body(parts: &mut Assembly) {
         section([-0.65, 0.0, 0.67], 0.18, 0.11),
         section([-0.86, 0.0, 0.73], 0.10, 0.06),
     ];
-    parts.add(limb(&cowl, 24, Material::Paint));
+    parts.add(limb(&smoothed(&cowl, 1), 24, Material::Paint));
     let seat = [
         section([-0.06, 0.0, 0.755], 0.10, 0.04),
         section([-0.22, 0.0, 0.765], 0.155, 0.05),
@@ -101,7 +101,7 @@ fn rear_body(parts: &mut Assembly) {
         section([-0.62, 0.0, 0.83], 0.14, 0.05),
         section([-0.80, 0.0, 0.84], 0.10, 0.04),
     ];
-    parts.add(limb(&seat, 20, Material::Leather));
+    parts.add(limb(&smoothed(&seat, 1), 20, Material::Leather));
     tail(-0.93, 0.75, 0.52, parts);
     let grab = [
         [-0.62, 0.15, 0.79],
@@ -123,7 +123,7 @@ fn engine(radius_m: f64, parts: &mut Assembly) {
         section([-0.46, -0.18, 0.27], 0.055, 0.065),
         section([-0.80, -0.18, 0.36], 0.05, 0.06),
     ];
-    parts.add(limb(&silencer, 14, Material::Steel));
+    parts.add(limb(&smoothed(&silencer, 1), 14, Material::Steel));
     parts.add(tube(&[[-0.20, -0.10, 0.24], [-0.38, -0.17, 0.25]], 0.018, 8, Material::Steel));
     parts.add_pair(tube(&[[-0.60, 0.13, 0.62], [-0.66, 0.13, 0.30]], 0.025, 8, Material::Steel));
     parts.add(mudguard([-HALF_WHEELBASE_M, radius_m], radius_m + 0.03, 0.08, [60.0, 175.0]));

@@ -5,7 +5,7 @@ use super::parts::{CycleWheel, foot_rest, forks, handlebar, mirror, mudguard, ta
 use crate::vehicles::dimensions::Draw;
 use crate::vehicles::mesh_builder::Assembly;
 use crate::vehicles::rider::Rider;
-use crate::vehicles::solids::{bent, disc, ellipsoid, limb, pitched, rounded_box, section, tube};
+use crate::vehicles::solids::{bent, disc, ellipsoid, limb, pitched, rounded_box, section, sharp_box, smoothed, tube};
 use crate::vehicles::surface::Material;
 use glam::DVec3;
 
@@ -52,7 +52,7 @@ fn front(axle_x: f64, radius_m: f64, parts: &mut Assembly) {
     let lamp = ellipsoid([0.10, 0.095, 0.095], 18, Material::Paint);
     parts.add(lamp.moved(0.545, 0.0, 0.90));
     let lens = disc(0.082, 0.02, 18, Material::Lamp).map(|p| DVec3::new(p.y, -p.x, p.z)).outward();
-    parts.add(lens.moved(0.625, 0.0, 0.90));
+    parts.add(lens.moved(0.638, 0.0, 0.90));
     parts.add(pitched(rounded_box([0.05, 0.20, 0.10], 0.02, Material::Plastic), 0.5).moved(0.46, 0.0, 1.05));
     for side in [-1.0, 1.0] {
         parts.add(ellipsoid([0.03, 0.035, 0.022], 10, Material::Lamp).moved(0.50, 0.19 * side, 0.88));
@@ -68,7 +68,7 @@ fn body(parts: &mut Assembly) {
         section([-0.05, 0.0, 0.84], 0.115, 0.085),
         section([-0.13, 0.0, 0.81], 0.085, 0.06),
     ];
-    parts.add(limb(&tank, 22, Material::Paint));
+    parts.add(limb(&smoothed(&tank, 1), 22, Material::Paint));
     let seat = [
         section([-0.10, 0.0, 0.79], 0.085, 0.04),
         section([-0.25, 0.0, 0.785], 0.135, 0.045),
@@ -76,13 +76,13 @@ fn body(parts: &mut Assembly) {
         section([-0.55, 0.0, 0.85], 0.12, 0.045),
         section([-0.74, 0.0, 0.89], 0.095, 0.04),
     ];
-    parts.add(limb(&seat, 18, Material::Leather));
+    parts.add(limb(&smoothed(&seat, 1), 18, Material::Leather));
     let hump = [
         section([-0.30, 0.0, 0.72], 0.10, 0.06),
         section([-0.60, 0.0, 0.79], 0.105, 0.055),
         section([-0.86, 0.0, 0.87], 0.06, 0.03),
     ];
-    parts.add(limb(&hump, 16, Material::Paint));
+    parts.add(limb(&smoothed(&hump, 1), 16, Material::Paint));
     tail(-0.93, 0.86, 0.66, parts);
     parts.add(mudguard([-0.715, 0.305], 0.345, 0.08, [75.0, 160.0]));
     parts.add(rounded_box([0.30, 0.22, 0.20], 0.04, Material::Plastic).moved(-0.22, 0.0, 0.65));
@@ -107,11 +107,8 @@ fn frame(half_wheelbase: f64, radius_m: f64, parts: &mut Assembly) {
     parts.add(tube(&[[-0.30, 0.09, 0.62], [-0.34, 0.09, 0.42]], 0.035, 10, Material::Steel));
     foot_rest([-0.12, 0.23, 0.36], 0.13, parts);
     foot_rest([-0.42, 0.22, 0.44], 0.10, parts);
-    parts.add(tube(&[[-0.02, 0.15, 0.33], [0.04, 0.32, 0.05]], 0.012, 8, Material::Steel).map(|p| {
-        // The side stand, folded up along the frame.
-        DVec3::new(p.x - 0.8 * (0.33 - p.z), 0.17, 0.30)
-            + DVec3::new(0.0, 0.02, 0.12) * ((p - DVec3::new(-0.02, 0.15, 0.33)).length() - 0.17)
-    }));
+    // The side stand, folded up.
+    parts.add(tube(&[[-0.02, 0.15, 0.28], [-0.30, 0.18, 0.21]], 0.012, 8, Material::Steel));
 }
 
 fn engine(parts: &mut Assembly) {
@@ -121,7 +118,7 @@ fn engine(parts: &mut Assembly) {
     parts.add(block.moved(0.16, 0.0, 0.58));
     let head = pitched(rounded_box([0.22, 0.36, 0.08], 0.025, Material::Aluminium), 0.35);
     parts.add(head.moved(0.21, 0.0, 0.715));
-    parts.add(pitched(rounded_box([0.045, 0.36, 0.26], 0.012, Material::Steel), -0.15).moved(0.375, 0.0, 0.57));
+    parts.add(pitched(sharp_box([0.045, 0.36, 0.26], Material::Steel), -0.15).moved(0.375, 0.0, 0.57));
 }
 
 fn exhaust(parts: &mut Assembly) {
@@ -136,5 +133,5 @@ fn exhaust(parts: &mut Assembly) {
         section([-0.40, -0.205, 0.325], 0.055, 0.065),
         section([-0.78, -0.215, 0.47], 0.052, 0.062),
     ];
-    parts.add(limb(&silencer, 16, Material::Chrome));
+    parts.add(limb(&smoothed(&silencer, 1), 16, Material::Chrome));
 }

@@ -8,14 +8,18 @@ use crate::vehicles::shell::{Layout, Shell, even, spaced};
 use crate::vehicles::solids::{bent, rounded_box, sharp_box, tube};
 use crate::vehicles::stencil::{Inside, cut};
 use crate::vehicles::surface::{Material, Surface};
-use crate::vehicles::wheel::arch_liner;
+use crate::vehicles::wheel::{Lining, arch_lining};
 use glam::DVec3;
 
 pub(super) fn add(form: &Form, truck: &mut Assembly) {
     truck.add(skin(form));
-    let arch = arch_radius_m(form);
-    let at = [form.front_axle_x, form.wheel_radius_m];
-    truck.add_pair(arch_liner(at[0], at[1], arch + 0.008, 0.72, form.half_width_m - 0.045));
+    truck.add_pair(arch_lining(&Lining {
+        axle: [form.front_axle_x, form.wheel_radius_m],
+        radius_m: arch_radius_m(form) + 0.008,
+        low_z: BOTTOM_Z + 0.02,
+        inner_y: ARCH_INNER_Y - 0.005,
+        outer_y: form.half_width_m - 0.045,
+    }));
     mirrors(form, truck);
     steps(form, truck);
     visor_and_plate(form, truck);
@@ -25,6 +29,7 @@ pub(super) fn add(form: &Form, truck: &mut Assembly) {
 }
 
 const BOTTOM_Z: f64 = 0.36;
+const ARCH_INNER_Y: f64 = 0.72;
 
 fn arch_radius_m(form: &Form) -> f64 {
     form.wheel_radius_m + 0.08
@@ -40,7 +45,7 @@ fn skin(form: &Form) -> Surface {
     let [front, rear] = [form.ends_x[0], form.cab_rear_x()];
     let skin = shell(form).skin(&layout(form)).map(|p| leaning(form, p));
     let skin = cut(skin, |p| 0.62 - p.z, Inside::Recoloured(Material::Plastic));
-    let skin = wheel_arch(skin, [form.front_axle_x, form.wheel_radius_m], arch_radius_m(form), 0.70);
+    let skin = wheel_arch(skin, [form.front_axle_x, form.wheel_radius_m], arch_radius_m(form), ARCH_INNER_Y);
     let [low, high] = panes_z(form);
     let window = panel([front - 1.22, front - 0.30], [low - 0.06, high - 0.05], 0.10);
     let skin = flank_panel(skin, Flank::Both, window, PANE);
@@ -66,7 +71,7 @@ fn shell(form: &Form) -> Shell {
             (form.front_axle_x + 0.35, BOTTOM_Z),
             (front, BOTTOM_Z),
         ]),
-        waist_z: Curve::flat(panes_z(form)[0] - 0.10),
+        waist_z: Curve::flat(panes_z(form)[0] - WAIST_BELOW_PANES_M),
         rail_z: Curve::through(&[(rear, roof - 0.17), (front - 0.9, roof - 0.18), (front, roof - 0.17 - roof_slope)]),
         top_z: Curve::through(&[
             (rear, roof - 0.02),
@@ -88,8 +93,17 @@ fn shell(form: &Form) -> Shell {
 
 fn layout(form: &Form) -> Layout {
     let [front, rear] = [form.ends_x[0], form.cab_rear_x()];
-    Layout { stations_x: spaced(rear, front, 0.12), lower: even(11), upper: even(7), half_columns: 7 }
+    Layout { stations_x: spaced(rear, front, 0.13), lower: lower_rows(form), upper: even(6), half_columns: 5 }
 }
+
+/// Rows at the edges of bumper and lamps, as shares of the way from the underside to the waist.
+fn lower_rows(form: &Form) -> Vec<f64> {
+    let waist = panes_z(form)[0] - WAIST_BELOW_PANES_M;
+    let rows = [BOTTOM_Z, 0.50, 0.62, 0.68, 0.86, 1.02].into_iter().chain(spaced(1.16, waist, 0.2));
+    rows.map(|z| (z - BOTTOM_Z) / (waist - BOTTOM_Z)).collect()
+}
+
+const WAIST_BELOW_PANES_M: f64 = 0.10;
 
 /// Flat-nosed, but bowed in plan and leaning back above the grille.
 fn leaning(form: &Form, p: DVec3) -> DVec3 {
@@ -114,20 +128,16 @@ fn mirrors(form: &Form, truck: &mut Assembly) {
 }
 
 fn steps(form: &Form, truck: &mut Assembly) {
-    let x = form.ends_x[0] - 0.45;
+    let front = form.ends_x[0];
     for z in [0.50, 0.80] {
-        truck.add_pair(rounded_box([0.46, 0.05, 0.05], 0.015, Material::Aluminium).moved(
-            x,
+        truck.add_pair(sharp_box([0.46, 0.05, 0.05], Material::Aluminium).moved(
+            front - 0.45,
             form.half_width_m - 0.01,
             z,
         ));
     }
-    let handle = [
-        [x - 0.42, form.half_width_m - 0.03, 1.3],
-        [x - 0.42, form.half_width_m + 0.03, 1.35],
-        [x - 0.42, form.half_width_m + 0.02, 2.0],
-        [x - 0.42, form.half_width_m - 0.05, 2.05],
-    ];
+    let (x, side) = (front - 1.32, form.half_width_m);
+    let handle = [[x, side - 0.03, 1.3], [x, side + 0.03, 1.35], [x, side + 0.02, 2.0], [x, side - 0.05, 2.05]];
     truck.add_pair(tube(&handle, 0.014, 6, Material::Chrome));
 }
 
@@ -135,8 +145,8 @@ fn visor_and_plate(form: &Form, truck: &mut Assembly) {
     let front = form.ends_x[0];
     let [_, high] = panes_z(form);
     let lean = 0.10 * (high - 1.1) + 0.02 * (high - 1.1_f64).powi(2);
-    truck.add(rounded_box([0.22, 2.0, 0.04], 0.015, Material::Plastic).moved(front - lean - 0.02, 0.0, high + 0.07));
-    truck.add(rounded_box([0.014, 0.52, 0.11], 0.004, Material::Plate).moved(front + 0.004, 0.0, 0.50));
+    truck.add(sharp_box([0.22, 2.0, 0.04], Material::Plastic).moved(front - lean - 0.02, 0.0, high + 0.07));
+    truck.add(sharp_box([0.014, 0.52, 0.11], Material::Plate).moved(front + 0.004, 0.0, 0.50));
 }
 
 /// Wind deflector that leads up to the load.
@@ -164,6 +174,6 @@ fn deflector(form: &Form, truck: &mut Assembly) {
         end_radius_m: [0.03, 0.03],
         ends_x: [front, rear],
     };
-    let layout = Layout { stations_x: spaced(rear, front, 0.15), lower: even(2), upper: even(3), half_columns: 6 };
+    let layout = Layout { stations_x: spaced(rear, front, 0.2), lower: even(1), upper: even(3), half_columns: 5 };
     truck.add(shell.skin(&layout));
 }

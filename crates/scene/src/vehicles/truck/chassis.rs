@@ -42,7 +42,7 @@ fn wheels(form: &Form, truck: &mut Assembly) {
         width_m,
         rim_radius_m: 0.58 * form.wheel_radius_m,
         rim,
-        sectors: 22,
+        sectors: 18,
     };
     wheel(Rim::SteelConvex, 0.31).add_pair(truck, form.front_axle_x, outer_y);
     truck.add(axle(form.front_axle_x, form.wheel_radius_m, 0.95, Drive::Plain { radius_m: 0.06 }));
@@ -103,14 +103,14 @@ fn mudguard(form: &Form, axle_x: f64, truck: &mut Assembly) {
 fn rear_guard(form: &Form, truck: &mut Assembly) {
     let rear = form.ends_x[1];
     let z = 0.50;
-    let bar = rounded_box([0.10, 2.36, 0.12], 0.02, Material::Steel);
+    let bar = sharp_box([0.10, 2.36, 0.12], Material::Steel);
     truck.add(bar.moved(rear + 0.12, 0.0, z));
     let frame_z = if form.kind == Kind::Semi { form.load_floor_z } else { form.frame_z } - 0.2;
     truck.add_pair(sharp_box([0.08, 0.06, frame_z - z], Material::Steel).moved(rear + 0.14, 0.42, 0.5 * (frame_z + z)));
     let lamp_z = 0.5 * (z + 0.06 + frame_z) + 0.06;
-    truck.add_pair(rounded_box([0.07, 0.44, 0.15], 0.02, Material::TailLamp).moved(rear + 0.10, 0.95, lamp_z));
-    truck.add(rounded_box([0.03, 2.3, 0.05], 0.01, Material::Steel).moved(rear + 0.14, 0.0, lamp_z));
-    truck.add(rounded_box([0.014, 0.52, 0.11], 0.004, Material::Plate).moved(rear + 0.10, 0.0, lamp_z));
+    truck.add_pair(sharp_box([0.07, 0.44, 0.15], Material::TailLamp).moved(rear + 0.10, 0.95, lamp_z));
+    truck.add(sharp_box([0.03, 2.3, 0.05], Material::Steel).moved(rear + 0.14, 0.0, lamp_z));
+    truck.add(sharp_box([0.014, 0.52, 0.11], Material::Plate).moved(rear + 0.10, 0.0, lamp_z));
 }
 
 /// Rails between the axles that keep cyclists out (UN Regulation 73).
@@ -124,7 +124,7 @@ fn side_guards(form: &Form, truck: &mut Assembly) {
     }
     let (length, middle, y) = (front - rear, 0.5 * (front + rear), form.half_width_m - 0.05);
     for z in [0.50, 0.80] {
-        truck.add_pair(rounded_box([length, 0.035, 0.11], 0.012, Material::Aluminium).moved(middle, y, z));
+        truck.add_pair(sharp_box([length, 0.035, 0.11], Material::Aluminium).moved(middle, y, z));
     }
     for x in [front - 0.2, rear + 0.2] {
         truck.add_pair(sharp_box([0.05, 0.03, 0.68], Material::Steel).moved(x, y - 0.035, 0.78));
@@ -136,6 +136,6 @@ fn landing_legs(form: &Form, truck: &mut Assembly) {
     let x = form.load_x[0] - 2.9;
     let (foot, top) = (0.38, form.load_floor_z - 0.05);
     truck.add_pair(sharp_box([0.12, 0.12, top - foot], Material::Steel).moved(x, 0.62, 0.5 * (top + foot)));
-    truck.add_pair(rounded_box([0.26, 0.24, 0.03], 0.01, Material::Steel).moved(x, 0.62, foot));
+    truck.add_pair(sharp_box([0.26, 0.24, 0.03], Material::Steel).moved(x, 0.62, foot));
     truck.add(tube(&[[x, -0.62, 0.75], [x, 0.62, 0.75]], 0.025, 6, Material::Steel));
 }

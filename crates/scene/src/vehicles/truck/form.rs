@@ -4,7 +4,7 @@ use crate::vehicles::dimensions::{Draw, SizeRange};
 
 /// Kind of truck.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(in crate::vehicles) enum Kind {
     Box,
     Tanker,
     Semi,
@@ -12,55 +12,54 @@ pub(crate) enum Kind {
 
 /// A truck's proportions, in a drawing with x = 0 half way along and z = 0 on the ground.
 #[derive(Debug, Clone)]
-pub(crate) struct Form {
-    pub(crate) kind: Kind,
-    pub(crate) size_m: [f64; 3],
+pub(in crate::vehicles) struct Form {
+    pub(in crate::vehicles) kind: Kind,
+    pub(in crate::vehicles) size_m: [f64; 3],
     /// Front and rear end of the whole.
-    pub(crate) ends_x: [f64; 2],
+    pub(in crate::vehicles) ends_x: [f64; 2],
     /// Half width of cab and load.
-    pub(crate) half_width_m: f64,
-    pub(crate) cab_length_m: f64,
-    pub(crate) cab_roof_z: f64,
-    pub(crate) wheel_radius_m: f64,
-    pub(crate) front_axle_x: f64,
+    pub(in crate::vehicles) half_width_m: f64,
+    pub(in crate::vehicles) cab_length_m: f64,
+    pub(in crate::vehicles) cab_roof_z: f64,
+    pub(in crate::vehicles) wheel_radius_m: f64,
+    pub(in crate::vehicles) front_axle_x: f64,
     /// Driven axles with twin wheels.
-    pub(crate) twin_axles_x: Vec<f64>,
+    pub(in crate::vehicles) twin_axles_x: Vec<f64>,
     /// Trailer's axles with single wheels.
-    pub(crate) single_axles_x: Vec<f64>,
+    pub(in crate::vehicles) single_axles_x: Vec<f64>,
     /// Top of the ladder frame.
-    pub(crate) frame_z: f64,
+    pub(in crate::vehicles) frame_z: f64,
     /// Front and rear end of the truck's or tractor's own frame.
-    pub(crate) frame_x: [f64; 2],
+    pub(in crate::vehicles) frame_x: [f64; 2],
     /// Front and rear end of the load.
-    pub(crate) load_x: [f64; 2],
-    pub(crate) load_floor_z: f64,
-    pub(crate) load_top_z: f64,
+    pub(in crate::vehicles) load_x: [f64; 2],
+    pub(in crate::vehicles) load_floor_z: f64,
+    pub(in crate::vehicles) load_top_z: f64,
 }
 
 /// Overall length, width over mirrors, height. Body 2.5 m wide; the law's limits are 2.55 m (2.6 m refrigerated), 4.0 m
 /// high, 12 m long, with semitrailer 16.5 m (Directive 96/53/EC). Ranges: box trucks of 7.5 to 18 t from 7 to 9.5 m and
 /// 3.3 to 3.8 m high; three-axle fuel tankers 8.8 to 10 m and 3.1 to 3.5 m; semitrailers 13.6 m long behind two-axle
 /// tractors, 15.9 to 16.5 m, 3.8 to 4.0 m high. Mirrors reach 0.2 to 0.25 m beyond the cab. Rounded to 5 cm.
-pub(crate) fn size_range(kind: Kind) -> SizeRange {
-    match kind {
-        Kind::Box => SizeRange { nominal_m: [8.5, 2.95, 3.6], range_m: [[7.0, 9.5], [2.9, 3.05], [3.3, 3.8]] },
-        Kind::Tanker => SizeRange { nominal_m: [9.4, 2.95, 3.3], range_m: [[8.8, 10.0], [2.9, 3.05], [3.1, 3.5]] },
-        Kind::Semi => SizeRange { nominal_m: [16.5, 2.95, 4.0], range_m: [[15.9, 16.5], [2.9, 3.05], [3.8, 4.0]] },
+pub(in crate::vehicles) fn size_range(model: &str) -> SizeRange {
+    match model {
+        "truck-box" => SizeRange { nominal_m: [8.5, 2.95, 3.6], range_m: [[7.0, 9.5], [2.9, 3.05], [3.3, 3.8]] },
+        "truck-tanker" => SizeRange { nominal_m: [9.4, 2.95, 3.3], range_m: [[8.8, 10.0], [2.9, 3.05], [3.1, 3.5]] },
+        _ => SizeRange { nominal_m: [16.5, 2.95, 4.0], range_m: [[15.9, 16.5], [2.9, 3.05], [3.8, 4.0]] },
     }
 }
 
 impl Form {
-    /// Drawn for the model and seed.
-    pub(crate) fn of(draw: &Draw) -> Self {
+    /// Drawn for the model and seed, made to the size given.
+    pub(in crate::vehicles) fn of(draw: &Draw, size_m: [f64; 3]) -> Self {
         match draw.model {
-            "truck-box" => Self::box_truck(draw),
-            "truck-tanker" => Self::tanker(draw),
-            _ => Self::semi(draw),
+            "truck-box" => Self::box_truck(draw, size_m),
+            "truck-tanker" => Self::tanker(draw, size_m),
+            _ => Self::semi(draw, size_m),
         }
     }
 
-    fn box_truck(draw: &Draw) -> Self {
-        let size_m = draw.size_m(&size_range(Kind::Box));
+    fn box_truck(draw: &Draw, size_m: [f64; 3]) -> Self {
         let (front, rear) = (0.5 * size_m[0], -0.5 * size_m[0]);
         let cab_length_m = draw.value("cab", 1.75, 1.65..=2.1);
         let rear_axle_x = rear + draw.value("rear overhang", 0.26, 0.22..=0.30) * size_m[0];
@@ -83,8 +82,7 @@ impl Form {
         }
     }
 
-    fn tanker(draw: &Draw) -> Self {
-        let size_m = draw.size_m(&size_range(Kind::Tanker));
+    fn tanker(draw: &Draw, size_m: [f64; 3]) -> Self {
         let (front, rear) = (0.5 * size_m[0], -0.5 * size_m[0]);
         let cab_length_m = draw.value("cab", 1.95, 1.8..=2.2);
         let tandem_x = rear + draw.value("rear overhang", 2.15, 2.0..=2.3);
@@ -107,8 +105,7 @@ impl Form {
         }
     }
 
-    fn semi(draw: &Draw) -> Self {
-        let size_m = draw.size_m(&size_range(Kind::Semi));
+    fn semi(draw: &Draw, size_m: [f64; 3]) -> Self {
         let (front, rear) = (0.5 * size_m[0], -0.5 * size_m[0]);
         let cab_length_m = draw.value("cab", 2.25, 2.1..=2.3);
         let front_axle_x = front - draw.value("front overhang", 1.42, 1.38..=1.45);
@@ -134,7 +131,7 @@ impl Form {
     }
 
     /// Rear wall of the cab.
-    pub(crate) fn cab_rear_x(&self) -> f64 {
+    pub(in crate::vehicles) fn cab_rear_x(&self) -> f64 {
         self.ends_x[0] - self.cab_length_m
     }
 }

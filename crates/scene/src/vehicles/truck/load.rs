@@ -35,7 +35,7 @@ fn van_body(form: &Form, truck: &mut Assembly) {
         high - 0.10,
     ));
     for x in [front - 0.07, rear + 0.09] {
-        truck.add_pair(rounded_box([0.10, 0.04, height - 0.12], 0.015, Material::Aluminium).moved(
+        truck.add_pair(sharp_box([0.10, 0.04, height - 0.12], Material::Aluminium).moved(
             x,
             0.5 * width - 0.005,
             0.5 * (low + high),
@@ -50,7 +50,7 @@ fn rear_doors(form: &Form, truck: &mut Assembly) {
     for y in [0.28, 0.92] {
         let bar = [[rear - 0.022, y, low + 0.06], [rear - 0.022, y, high - 0.06]];
         truck.add_pair(tube(&bar, 0.017, 8, Material::Steel));
-        truck.add_pair(rounded_box([0.03, 0.26, 0.03], 0.01, Material::Steel).moved(rear - 0.02, y - 0.1, low + 0.55));
+        truck.add_pair(sharp_box([0.03, 0.26, 0.03], Material::Steel).moved(rear - 0.02, y - 0.1, low + 0.55));
     }
     truck.add(sharp_box([0.02, 0.04, high - low - 0.12], Material::Rubber).moved(
         rear - 0.004,
@@ -58,11 +58,7 @@ fn rear_doors(form: &Form, truck: &mut Assembly) {
         0.5 * (low + high),
     ));
     for z in [low + 0.3, 0.5 * (low + high), high - 0.3] {
-        truck.add_pair(rounded_box([0.03, 0.16, 0.06], 0.01, Material::Steel).moved(
-            rear - 0.01,
-            form.half_width_m - 0.09,
-            z,
-        ));
+        truck.add_pair(sharp_box([0.03, 0.16, 0.06], Material::Steel).moved(rear - 0.01, form.half_width_m - 0.09, z));
     }
 }
 
@@ -95,11 +91,11 @@ fn vessel([front, rear]: [f64; 2], z: f64, half_width: f64, half_height: f64) ->
     let rings = ((last - first) / 0.9).ceil() as u32;
     let at = |x: f64, share: f64| section([x, 0.0, z], half_width * share, half_height * share);
     // Half ellipsoids at the ends: how far a section of that share of the full one stands out.
-    let ends = [0.16_f64, 0.42, 0.66, 0.84, 0.96].map(|share| (share, dome * (1.0 - share * share).sqrt()));
+    let ends = [0.06_f64, 0.36, 0.62, 0.82, 0.95].map(|share| (share, dome * (1.0 - share * share).sqrt()));
     let mut sections: Vec<_> = ends.iter().map(|(share, out)| at(first - out, *share)).collect();
     sections.extend((0..=rings).map(|k| at(first + (last - first) * f64::from(k) / f64::from(rings), 1.0)));
     sections.extend(ends.iter().rev().map(|(share, out)| at(last + out, *share)));
-    limb(&sections, 48, Material::Aluminium)
+    limb(&sections, 44, Material::Aluminium)
 }
 
 fn saddles(form: &Form, low_z: f64, truck: &mut Assembly) {
@@ -115,7 +111,7 @@ fn top_fittings(form: &Form, truck: &mut Assembly) {
     let [front, rear] = form.load_x;
     let top = form.load_top_z;
     let (length, middle) = (front - rear - 1.6, 0.5 * (front + rear));
-    truck.add_pair(rounded_box([length, 0.07, 0.16], 0.02, Material::Aluminium).moved(middle, 0.42, top + 0.01));
+    truck.add_pair(sharp_box([length, 0.07, 0.16], Material::Aluminium).moved(middle, 0.42, top + 0.01));
     for k in 0..4 {
         let x = middle + length * (f64::from(k) / 3.0 - 0.5) * 0.78;
         let cover = disc(0.27, 0.12, 18, Material::Steel).map(|p| DVec3::new(p.x, -p.z, p.y)).outward();
