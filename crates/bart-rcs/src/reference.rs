@@ -6,7 +6,8 @@
 //!
 //! ```
 //! use artifact::{scene::Mesh, settings::Sides};
-//! use bart_rcs::reference::{Aspect, Bracket, Station, po};
+//! use bart_rcs::Standpoint;
+//! use bart_rcs::reference::{Aspect, Bracket, po};
 //! // A square of 2 cm seen square: S = +j√(4π)·A/λ (docs/physics.md §0).
 //! let corner = |y: f64, z: f64| [0.0, 0.01 * y, 0.01 * z];
 //! let plate = Mesh {
@@ -14,7 +15,7 @@
 //!     triangles: vec![[0, 1, 2], [0, 2, 3]],
 //!     ..Mesh::default()
 //! };
-//! let ahead = Station { azimuth_rad: 0.0, elevation_rad: 0.0, range_m: f64::INFINITY };
+//! let ahead = Standpoint { azimuth_rad: 0.0, elevation_rad: 0.0, range_m: f64::INFINITY };
 //! let sampling =
 //!     po::Sampling { per_wavelength: 2.0, shadow_levels: 0, sides: Sides::Two, bracket: Bracket::Symmetrised };
 //! let s = po::amplitude(&plate, &Aspect::monostatic(ahead), &[77e9], &sampling)?;
@@ -23,7 +24,7 @@
 //! # Ok::<(), bart_rcs::reference::ReferenceError>(())
 //! ```
 
-pub mod station;
+mod standpoint;
 mod node;
 mod ray_cast;
 pub mod po;
@@ -33,4 +34,4 @@ mod verification;
 
 pub use node::Bracket;
 pub use ray_cast::ReferenceError;
-pub use station::{Aspect, Station};
+pub use standpoint::Aspect;

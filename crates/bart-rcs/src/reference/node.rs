@@ -1,6 +1,6 @@
 //! The physical-optics integrand at one surface point (docs/physics.md §1, node integral).
 
-use super::station::{Aspect, Leg};
+use super::standpoint::{Ends, Leg};
 use artifact::paths::Amplitude;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
@@ -48,7 +48,7 @@ impl Arrival {
 /// The node between a forward and a backward wave on a facet of unit normal `normal`; `None` where they meet different
 /// sides of it.
 pub(crate) fn node(
-    aspect: &Aspect,
+    ends: &Ends,
     forward: &Arrival,
     backward: &Arrival,
     normal: DVec3,
@@ -58,7 +58,7 @@ pub(crate) fn node(
     if normal.dot(backward.travel) >= 0.0 {
         return None;
     }
-    let spreading = aspect.transmitter.spreading(forward.length_m) * aspect.receiver.spreading(backward.length_m);
+    let spreading = ends.transmitter.spreading(forward.length_m) * ends.receiver().spreading(backward.length_m);
     let mut weight = [[0.0; 2]; 2];
     for (p, row) in weight.iter_mut().enumerate() {
         for (q, value) in row.iter_mut().enumerate() {

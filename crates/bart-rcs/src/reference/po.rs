@@ -3,7 +3,7 @@
 
 use super::node::{self, Arrival, Bracket};
 use super::ray_cast::{Body, ReferenceError};
-use super::station::Aspect;
+use super::standpoint::{Aspect, Ends, Post};
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::Sides;
@@ -39,7 +39,7 @@ pub fn amplitude(
     frequencies_hz.iter().try_for_each(|f| check_positive("frequency", *f))?;
     let wavenumbers_per_m = node::wavenumbers(frequencies_hz);
     let edge_m = node::shortest_wavelength_m(frequencies_hz) / sampling.per_wavelength;
-    let job = Job { body: &body, aspect, wavenumbers_per_m: &wavenumbers_per_m, edge_m, sampling };
+    let job = Job { body: &body, ends: Ends::of(aspect), wavenumbers_per_m: &wavenumbers_per_m, edge_m, sampling };
     let patches: Vec<Cell> = (0..body.facets.len() as u32).flat_map(|f| job.patches(f)).collect();
     let parts: Vec<Vec<Amplitude>> = patches.par_iter().map(|patch| job.integrate(patch)).collect();
     let mut sums = vec![Amplitude::default(); frequencies_hz.len()];
@@ -63,7 +63,7 @@ struct Cell {
 
 struct Job<'a> {
     body: &'a Body,
-    aspect: &'a Aspect,
+    ends: Ends,
     wavenumbers_per_m: &'a [f64],
     edge_m: f64,
     sampling: &'a Sampling,
@@ -76,10 +76,9 @@ impl Job<'_> {
     /// A facet cut into units of work; nothing where the facet cannot scatter from one antenna to the other.
     fn patches(&self, facet: u32) -> Vec<Cell> {
         let corners_m = self.body.facets[facet as usize].corners_m;
-        let travel = |station: &super::Station| -station.leg_from(corners_m[0]).towards;
-        let scatters = |station| self.body.scatters(facet, travel(station), self.sampling.sides);
+        let travel = |post: &Post| -post.leg_from(corners_m[0]).towards;
         let mut patches = Vec::new();
-        if scatters(&self.aspect.transmitter) && scatters(&self.aspect.receiver) {
+        if self.ends.antennas().all(|post| self.body.scatters(facet, travel(post), self.sampling.sides)) {
             let whole = Cell { facet, corners_m };
             whole.split_to(CELLS_PER_PATCH_EDGE * self.edge_m, &mut |cell| patches.push(cell));
         }
@@ -104,9 +103,7 @@ impl Job<'_> {
     }
 
     fn is_lit(&self, cell: &Cell, point_m: DVec3) -> bool {
-        self.body.is_clear(point_m, cell.facet, &self.aspect.transmitter)
-            && (self.aspect.receiver == self.aspect.transmitter
-                || self.body.is_clear(point_m, cell.facet, &self.aspect.receiver))
+        self.ends.antennas().all(|post| self.body.is_clear(point_m, cell.facet, post))
     }
 
     fn add_lit(&self, cell: &Cell, sums: &mut [Amplitude]) {
@@ -121,12 +118,12 @@ impl Job<'_> {
     }
 
     fn node_at(&self, cell: &Cell, x_m: DVec3) -> Option<node::Node> {
-        let [forward, backward] = [self.aspect.transmitter, self.aspect.receiver].map(|station| {
-            let leg = station.leg_from(x_m);
-            Arrival::direct(&leg, station.polarizations(leg.towards))
+        let [forward, backward] = [&self.ends.transmitter, self.ends.receiver()].map(|post| {
+            let leg = post.leg_from(x_m);
+            Arrival::direct(&leg, post.polarizations(leg.towards))
         });
         let normal = self.body.facets[cell.facet as usize].normal;
-        node::node(self.aspect, &forward, &backward, normal, self.sampling.bracket)
+        node::node(&self.ends, &forward, &backward, normal, self.sampling.bracket)
     }
 }
 

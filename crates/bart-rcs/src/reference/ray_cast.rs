@@ -1,6 +1,6 @@
 //! The references' own ray caster: obvhs finds candidates in single precision, a hit is decided in double precision.
 
-use super::station::Station;
+use super::standpoint::Post;
 use artifact::scene::Mesh;
 use artifact::settings::Sides;
 use glam::{DVec3, Vec3A};
@@ -123,8 +123,8 @@ impl Body {
 
     /// Whether the straight line from a point of `facet` to the antenna is free. A facet that touches the point hides it
     /// only if its index is lower: of coincident facets exactly one is lit.
-    pub(crate) fn is_clear(&self, point_m: DVec3, facet: u32, station: &Station) -> bool {
-        let leg = station.leg_from(point_m);
+    pub(crate) fn is_clear(&self, point_m: DVec3, facet: u32, post: &Post) -> bool {
+        let leg = post.leg_from(point_m);
         let ray = self.single_precision(point_m, leg.towards, f32::INFINITY);
         self.bvh.ray_traverse_miss(ray, |_, slot| {
             let other = self.bvh.primitive_indices[slot];

@@ -9,7 +9,7 @@
 use super::node::{self, Arrival, Bracket, Node};
 use super::po::check_positive;
 use super::ray_cast::{Body, Hit, ReferenceError};
-use super::station::Aspect;
+use super::standpoint::{Aspect, Ends, Post};
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::Sides;
@@ -50,8 +50,9 @@ pub fn amplitude(
     frequencies_hz.iter().try_for_each(|f| check_positive("frequency", *f))?;
     let wavenumbers_per_m = node::wavenumbers(frequencies_hz);
     let spacing_m = node::shortest_wavelength_m(frequencies_hz) / shooting.per_wavelength;
-    let grid = Grid::over(&body, aspect, spacing_m)?;
-    let job = Job { body: &body, aspect, wavenumbers_per_m: &wavenumbers_per_m, grid, shooting };
+    let ends = Ends::of(aspect);
+    let grid = Grid::over(&body, &ends.transmitter, spacing_m)?;
+    let job = Job { body: &body, ends, wavenumbers_per_m: &wavenumbers_per_m, grid, shooting };
     let rows: Vec<Orders> = (0..job.grid.rows).into_par_iter().map(|row| job.shoot_row(row)).collect();
     let mut sums = job.nothing();
     for row in &rows {
@@ -92,9 +93,9 @@ struct Tube {
 const GRID_TURN_RAD: f64 = 0.5;
 
 impl Grid {
-    fn over(body: &Body, aspect: &Aspect, spacing_m: f64) -> Result<Self, ReferenceError> {
-        let antenna_m = aspect.transmitter.position_m();
-        let line = antenna_m.map_or(aspect.transmitter.direction(), |p| p - body.centre_m);
+    fn over(body: &Body, transmitter: &Post, spacing_m: f64) -> Result<Self, ReferenceError> {
+        let antenna_m = transmitter.antenna_m;
+        let line = antenna_m.map_or(transmitter.towards, |p| p - body.centre_m);
         if antenna_m.is_some() && line.length() <= body.radius_m {
             return Err(ReferenceError::AntennaInside { distance_m: line.length(), radius_m: body.radius_m });
         }
@@ -138,7 +139,7 @@ impl Grid {
         antenna_m + ray * ((self.centre_m - antenna_m).dot(self.travel) / ray.dot(self.travel)) - self.centre_m
     }
 
-    fn tube(&self, aspect: &Aspect, row: u64, column: u64, start_m: f64) -> Tube {
+    fn tube(&self, transmitter: &Post, row: u64, column: u64, start_m: f64) -> Tube {
         let place = |i: usize, n: u64| self.axes[i] * (self.least[i] + (n as f64 + 0.5) * self.spacing_m);
         let through_m = self.centre_m + place(0, row) + place(1, column);
         let (origin_m, travel, gradients) = match self.antenna_m {
@@ -150,14 +151,14 @@ impl Grid {
             }
             None => (through_m - start_m * self.travel, self.travel, self.axes.map(|a| a * self.spacing_m)),
         };
-        let fields = aspect.transmitter.polarizations(-travel);
+        let fields = transmitter.polarizations(-travel);
         Tube { origin_m, travel, gradients, fields, length_m: 0.0, excess_m: 0.0 }
     }
 }
 
 struct Job<'a> {
     body: &'a Body,
-    aspect: &'a Aspect,
+    ends: Ends,
     wavenumbers_per_m: &'a [f64],
     grid: Grid,
     shooting: &'a Shooting,
@@ -172,7 +173,7 @@ impl Job<'_> {
     fn shoot_row(&self, row: u64) -> Orders {
         let mut sums = self.nothing();
         for column in 0..self.grid.columns {
-            self.follow(self.grid.tube(self.aspect, row, column, 1.01 * self.body.radius_m), &mut sums);
+            self.follow(self.grid.tube(&self.ends.transmitter, row, column, 1.01 * self.body.radius_m), &mut sums);
         }
         sums
     }
@@ -182,7 +183,7 @@ impl Job<'_> {
         let mut left = None;
         for (order, sum) in sums.iter_mut().enumerate() {
             let Some(hit) = self.body.nearest(tube.origin_m, tube.travel, left) else { return };
-            tube.advance(&hit, self.aspect, order);
+            tube.advance(&hit, &self.ends.transmitter, order);
             if !self.body.scatters(hit.facet, tube.travel, self.shooting.sides) {
                 return;
             }
@@ -195,14 +196,14 @@ impl Job<'_> {
     /// Physical optics over the tube's footprint, where the receiver sees it.
     fn add_footprint(&self, tube: &Tube, facet: u32, sums: &mut [Amplitude]) {
         let x_m = tube.origin_m;
-        let leg = self.aspect.receiver.leg_from(x_m);
-        let backward = Arrival::direct(&leg, self.aspect.receiver.polarizations(leg.towards));
+        let receiver = self.ends.receiver();
+        let leg = receiver.leg_from(x_m);
+        let backward = Arrival::direct(&leg, receiver.polarizations(leg.towards));
         let normal = self.body.facets[facet as usize].normal;
-        let Some(node) = node::node(self.aspect, &tube.arrival(), &backward, normal, self.shooting.bracket) else {
+        let Some(node) = node::node(&self.ends, &tube.arrival(), &backward, normal, self.shooting.bracket) else {
             return;
         };
-        if !self.body.scatters(facet, backward.travel, self.shooting.sides)
-            || !self.body.is_clear(x_m, facet, &self.aspect.receiver)
+        if !self.body.scatters(facet, backward.travel, self.shooting.sides) || !self.body.is_clear(x_m, facet, receiver)
         {
             return;
         }
@@ -220,16 +221,16 @@ impl Job<'_> {
 
 impl Tube {
     /// Moves on to what was hit.
-    fn advance(&mut self, hit: &Hit, aspect: &Aspect, order: usize) {
+    fn advance(&mut self, hit: &Hit, transmitter: &Post, order: usize) {
         self.origin_m += hit.distance_m * self.travel;
         self.length_m += hit.distance_m;
         if order == 0 {
             // From the point itself: r − R keeps its digits, and at infinite range the ray's start does not matter.
-            self.excess_m = aspect.transmitter.leg_from(self.origin_m).excess_m;
+            self.excess_m = transmitter.leg_from(self.origin_m).excess_m;
         } else {
             self.excess_m += hit.distance_m;
         }
-        if aspect.transmitter.range_m.is_infinite() {
+        if transmitter.antenna_m.is_none() {
             self.length_m = f64::INFINITY;
         }
     }

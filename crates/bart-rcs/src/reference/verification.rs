@@ -1,7 +1,9 @@
 //! Both references against closed forms, as their densities grow.
 
 use super::ray_cast::Body;
-use super::{Aspect, Bracket, ReferenceError, Station, po, sbr};
+use super::standpoint::Ends;
+use super::{Aspect, Bracket, ReferenceError, po, sbr};
+use crate::Standpoint;
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::Sides;
@@ -13,12 +15,12 @@ use std::f64::consts::PI;
 const FREQUENCY_HZ: f64 = 77e9;
 const WAVELENGTH_M: f64 = SPEED_OF_LIGHT_MPS / FREQUENCY_HZ;
 
-fn station(az_deg: f64, el_deg: f64, range_m: f64) -> Station {
-    Station { azimuth_rad: az_deg.to_radians(), elevation_rad: el_deg.to_radians(), range_m }
+fn standpoint(az_deg: f64, el_deg: f64, range_m: f64) -> Standpoint {
+    Standpoint { azimuth_rad: az_deg.to_radians(), elevation_rad: el_deg.to_radians(), range_m }
 }
 
 fn far(az_deg: f64, el_deg: f64) -> Aspect {
-    Aspect::monostatic(station(az_deg, el_deg, f64::INFINITY))
+    Aspect::monostatic(standpoint(az_deg, el_deg, f64::INFINITY))
 }
 
 fn by_po(mesh: &Mesh, aspect: &Aspect, per_wavelength: f64, shadow_levels: u32) -> Amplitude {
@@ -78,7 +80,7 @@ fn triangular_trihedral(side_m: f64) -> Mesh {
 /// S of a plate in the plane x = 0 far away (physics.md P1): j√(4π)/λ·cos·∬e^{2jk r̂·x} over `y` and `z` limits.
 fn screen_far(az_deg: f64, el_deg: f64, x: f64, y: [f64; 2], z: [f64; 2]) -> Complex64 {
     let k = 2.0 * PI / WAVELENGTH_M;
-    let r = far(az_deg, el_deg).transmitter.direction();
+    let r = Ends::of(&far(az_deg, el_deg)).transmitter.towards;
     let strip = |slope: f64, [a, b]: [f64; 2]| {
         let half_phase = 0.5 * slope * (b - a);
         let sinc = if half_phase.abs() < 1e-9 { 1.0 } else { half_phase.sin() / half_phase };
@@ -105,7 +107,7 @@ fn po_of_a_plate_converges_to_the_closed_form_at_any_angle() {
 fn po_of_a_plate_at_finite_range_has_the_published_levels() {
     // P2 and the plate anchors: 0.3 m square, dBsm.
     for (range_m, level) in [(1e3, 38.2703), (100.0, 38.1685), (30.0, 37.1286), (5.0, 19.7382)] {
-        let got = by_po(&square(0.3), &Aspect::monostatic(station(0.0, 0.0, range_m)), 0.5, 0);
+        let got = by_po(&square(0.3), &Aspect::monostatic(standpoint(0.0, 0.0, range_m)), 0.5, 0);
         // At 1 km the Fresnel term is still there: 1e-3 dB.
         assert!((dbsm(got[0][0]) - level).abs() < 1.1e-3, "{range_m} m: {}", dbsm(got[0][0]));
         assert!((got[0][0] - got[1][1]).norm() < 1e-12 * got[0][0].norm());
@@ -142,7 +144,7 @@ fn sbr_of_first_order_converges_to_po() {
         .map(|density| (by_sbr(&mesh, &far(0.0, 0.0), density, Bracket::Plain)[0][0][0] - exact).norm() / exact.norm());
     // (spacing)^1.5 from borders at random places; the constant is of order one of borders·spacing^1.5/√area.
     assert!(errors[2] < 2e-3 && errors[2] < errors[0] / 8.0, "{errors:?}");
-    let near = Aspect::monostatic(station(10.0, 5.0, 2.0));
+    let near = Aspect::monostatic(standpoint(10.0, 5.0, 2.0));
     let po = by_po(&mesh, &near, 8.0, 8)[0][0];
     let sbr = by_sbr(&mesh, &near, 32.0, Bracket::Plain)[0][0][0];
     assert!((po - sbr).norm() < 4e-3 * exact.norm(), "{po} {sbr}");
@@ -157,7 +159,7 @@ fn d1_a_dihedral_has_its_level_and_its_signs() {
         assert!((s[0][0] + s[1][1]).norm() < 1e-9 * s[0][0].norm(), "S_vv = −S_hh");
         assert!(s[0][0].im < 0.0 && s[0][0].re.abs() < 0.01 * s[0][0].norm(), "S_vv = −j|S|: {}", s[0][0]);
     }
-    let near = by_sbr(&mesh, &Aspect::monostatic(station(7.0, 0.0, 30.0)), 4.0, Bracket::Plain)[1];
+    let near = by_sbr(&mesh, &Aspect::monostatic(standpoint(7.0, 0.0, 30.0)), 4.0, Bracket::Plain)[1];
     assert!((dbsm(near[0][0]) - 27.94).abs() < 0.03, "{}", dbsm(near[0][0]));
 }
 
@@ -187,7 +189,7 @@ fn both_amplitudes_survive_doubled_facets() {
     let single = triangular_trihedral(0.03);
     let mut doubled = single.clone();
     doubled.triangles.extend(single.triangles.iter().map(|[a, b, c]| [*b, *a, *c]));
-    let aspect = Aspect::monostatic(station(40.0, 30.0, 3.0));
+    let aspect = Aspect::monostatic(standpoint(40.0, 30.0, 3.0));
     let po = [&single, &doubled].map(|m| by_po(m, &aspect, 4.0, 2)[0][0]);
     assert!((po[0] - po[1]).norm() < 1e-9 * po[0].norm(), "{po:?}");
     let [one, two] = [&single, &doubled].map(|m| by_sbr(m, &aspect, 4.0, Bracket::Plain));
@@ -199,7 +201,7 @@ fn both_amplitudes_survive_doubled_facets() {
 #[test]
 fn bistatic_amplitudes_are_reciprocal_in_first_order() {
     let (mesh, _) = hidden_middle();
-    let [a, b] = [station(8.0, 3.0, 4.0), station(-14.0, 20.0, 7.0)];
+    let [a, b] = [standpoint(8.0, 3.0, 4.0), standpoint(-14.0, 20.0, 7.0)];
     let there = by_po(&mesh, &Aspect { transmitter: a, receiver: b }, 8.0, 4);
     let back = by_po(&mesh, &Aspect { transmitter: b, receiver: a }, 8.0, 4);
     let scale = there[0][0].norm();
@@ -211,7 +213,7 @@ fn bistatic_amplitudes_are_reciprocal_in_first_order() {
 #[test]
 fn the_same_bytes_on_any_number_of_threads() {
     let mesh = triangular_trihedral(0.05);
-    let aspect = Aspect::monostatic(station(40.0, 30.0, 3.0));
+    let aspect = Aspect::monostatic(standpoint(40.0, 30.0, 3.0));
     let run = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| (by_po(&mesh, &aspect, 4.0, 2), by_sbr(&mesh, &aspect, 4.0, Bracket::Plain)))
@@ -292,7 +294,7 @@ fn bad_input_is_refused_with_its_place() {
     assert!(matches!(run(&square(0.1), -1.0), Err(ReferenceError::NotPositive { .. })));
     mesh.vertices_m[2][1] = f64::NAN;
     assert_eq!(run(&mesh, 77e9), Err(ReferenceError::NotFinite { vertex: 2 }));
-    let inside = Aspect::monostatic(station(0.0, 0.0, 0.05));
+    let inside = Aspect::monostatic(standpoint(0.0, 0.0, 0.05));
     let shooting = sbr::Shooting { per_wavelength: 1.0, bounces: 1, sides: Sides::Two, bracket: Bracket::Plain };
     let refused = sbr::amplitude(&square(0.1), &inside, &[77e9], &shooting);
     assert!(matches!(refused, Err(ReferenceError::AntennaInside { .. })));

@@ -1,0 +1,104 @@
+//! Two standpoints, and the straight lines between surface points and an antenna.
+
+use crate::Standpoint;
+use glam::DVec3;
+
+/// A transmitter and a receiver.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Aspect {
+    /// Where the wave comes from.
+    pub transmitter: Standpoint,
+    /// Where it is received.
+    pub receiver: Standpoint,
+}
+
+/// The straight line between a surface point and an antenna.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Leg {
+    /// r̂: unit, from the surface point to the antenna.
+    pub(crate) towards: DVec3,
+    /// r − R, metres; −r̂·x at infinite range.
+    pub(crate) excess_m: f64,
+    /// r, metres; infinite at infinite range.
+    pub(crate) length_m: f64,
+}
+
+impl Aspect {
+    /// One antenna sends and receives.
+    pub fn monostatic(standpoint: Standpoint) -> Self {
+        Self { transmitter: standpoint, receiver: standpoint }
+    }
+}
+
+/// An antenna ready for many legs.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Post {
+    /// r̂: unit, from the origin to the antenna.
+    pub(crate) towards: DVec3,
+    /// Place of an antenna at finite range.
+    pub(crate) antenna_m: Option<DVec3>,
+    range_m: f64,
+    zenith_h: DVec3,
+}
+
+/// Both ends of a way.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Ends {
+    pub(crate) transmitter: Post,
+    /// `None` where it is the transmitter.
+    apart: Option<Post>,
+}
+
+impl Ends {
+    pub(crate) fn of(aspect: &Aspect) -> Self {
+        let apart = (aspect.receiver != aspect.transmitter).then(|| Post::at(&aspect.receiver));
+        Self { transmitter: Post::at(&aspect.transmitter), apart }
+    }
+
+    pub(crate) fn receiver(&self) -> &Post {
+        self.apart.as_ref().unwrap_or(&self.transmitter)
+    }
+
+    /// Each antenna once.
+    pub(crate) fn antennas(&self) -> impl Iterator<Item = &Post> {
+        [&self.transmitter].into_iter().chain(&self.apart)
+    }
+}
+
+impl Post {
+    fn at(standpoint: &Standpoint) -> Self {
+        let (sin_az, cos_az) = standpoint.azimuth_rad.sin_cos();
+        let (sin_el, cos_el) = standpoint.elevation_rad.sin_cos();
+        let towards = DVec3::new(cos_el * cos_az, cos_el * sin_az, sin_el);
+        let range_m = standpoint.range_m;
+        let antenna_m = range_m.is_finite().then(|| range_m * towards);
+        Self { towards, antenna_m, range_m, zenith_h: DVec3::new(-sin_az, cos_az, 0.0) }
+    }
+
+    /// The leg from surface point `x_m`.
+    pub(crate) fn leg_from(&self, x_m: DVec3) -> Leg {
+        let Some(antenna_m) = self.antenna_m else {
+            return Leg { towards: self.towards, excess_m: -self.towards.dot(x_m), length_m: f64::INFINITY };
+        };
+        let line = antenna_m - x_m;
+        let length_m = line.length();
+        // r − R = (r² − R²)/(r + R): the difference of two lengths would lose four digits at 30 m.
+        let excess_m = (x_m.length_squared() - 2.0 * antenna_m.dot(x_m)) / (length_m + self.range_m);
+        Leg { towards: line / length_m, excess_m, length_m }
+    }
+
+    /// R/r of a length r; 1 at infinite range.
+    pub(crate) fn spreading(&self, length_m: f64) -> f64 {
+        if self.antenna_m.is_some() { self.range_m / length_m } else { 1.0 }
+    }
+
+    /// v̂ and ĥ of a path that reaches the antenna along `towards`: ĥ = unit(ẑ × r̂), v̂ = r̂ × ĥ; straight above or below,
+    /// the azimuth asked for decides.
+    pub(crate) fn polarizations(&self, towards: DVec3) -> [DVec3; 2] {
+        // Below 1e-9 rad off the zenith ẑ × r̂ is rounding.
+        let horizontal = DVec3::Z.cross(towards);
+        let length = horizontal.length();
+        let h = if length > 1e-9 { horizontal / length } else { self.zenith_h };
+        [towards.cross(h), h]
+    }
+}
