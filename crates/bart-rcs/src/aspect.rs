@@ -49,7 +49,7 @@ pub(crate) struct Scattering {
     pub(crate) chosen_m: Vec<Vec<Complex64>>,
     /// The same by the other rule.
     other_m: Vec<Vec<Complex64>>,
-    /// |S − S(100 times finer)|² over frequency, where it was measured.
+    /// |S − S(ten times finer)|² over frequency, where it was measured.
     pub(crate) error_power: Option<f64>,
     pub(crate) beams: Vec<u64>,
     /// Independent phases of all beams given up.
@@ -63,7 +63,7 @@ pub(crate) struct Scattering {
 /// Whether the error of the integrals is measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Check {
-    /// Against integrals a hundred times finer.
+    /// Against integrals ten times finer.
     Measured,
     Skipped,
 }
@@ -89,7 +89,7 @@ pub(crate) fn scattering(
     };
     let chosen_m = by_rule(settings.nodes, settings);
     let other_m = by_rule(other(settings.nodes), settings);
-    let finer = AspectSettings { accuracy: 1e-2 * settings.accuracy, ..settings.clone() };
+    let finer = AspectSettings { accuracy: 0.1 * settings.accuracy, ..settings.clone() };
     let error_power = (check == Check::Measured).then(|| power_between(&chosen_m, &by_rule(settings.nodes, &finer)));
     let [dropped_m, dropped_at_most_m] = dropped([Some(&transmit), receive.as_ref()], settings);
     let beams = beams_of([Some(&transmit), receive.as_ref()]);

@@ -7,13 +7,14 @@
 use crate::aspect::sum_of_joints;
 use crate::path::Plan;
 use crate::path_pruning::power_over_frame;
-use crate::path_sum::{copolar_difference, copolar_power, scattering_of_paths};
+use crate::path_sum::scattering_of_paths;
 use crate::rcs_table::next_order;
-use crate::scatterer::{Integration, Scatterer, bracket_of, sum};
-use artifact::paths::{Amplitude, Path};
+use crate::scatterer::{Integration, Scatterer, bracket_of};
+use artifact::paths::Path;
 use artifact::settings::NodeRule;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use artifact::{ErrorBudget, ModelError};
+use num_complex::Complex64;
 use std::f64::consts::TAU;
 
 /// The moment after the frame's middle whose error is the root mean square of the frame's.
@@ -33,9 +34,9 @@ const MARGIN: f64 = 1.6;
 pub(crate) struct Reference {
     frequencies_hz: Vec<f64>,
     /// By order from 1, then frequency.
-    by_order_m: Vec<Vec<Amplitude>>,
+    by_order_m: Vec<Vec<Complex64>>,
     /// Exit rule, where the tree reaches that far: by order from 1.
-    exit_m: Vec<Option<Vec<Amplitude>>>,
+    exit_m: Vec<Option<Vec<Complex64>>>,
 }
 
 /// What was measured of one table of paths, as amplitudes relative to the frame's.
@@ -51,7 +52,7 @@ pub(crate) struct FrameError {
     pub(crate) dropped_at_most: f64,
 }
 
-/// Powers that do not come from the comparison, co-polar.
+/// Powers that do not come from the comparison.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GivenUp {
     pub(crate) paths_power: f64,
@@ -80,8 +81,7 @@ pub(crate) fn integration_power(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> f
         let orders = 1..=plan.header.fidelity.bounces;
         total(orders.map(|o| of_order(scatterer, plan, o, plan.header.fidelity.nodes, fineness)), wavenumbers.len())
     };
-    let (fine, coarse) = (all(&fine), all(&coarse));
-    fine.iter().zip(&coarse).map(|(a, b)| copolar_difference(a, b)).sum::<f64>() / fine.len() as f64
+    mean_difference(&all(&fine), &all(&coarse))
 }
 
 #[derive(Clone, Copy)]
@@ -102,34 +102,39 @@ fn of_order(
     order: u8,
     rule: NodeRule,
     fineness: &Fineness<'_>,
-) -> Vec<Amplitude> {
+) -> Vec<Complex64> {
     let integration = Integration {
         wavenumbers_per_m: fineness.wavenumbers_per_m,
         accuracy: fineness.accuracy,
         bracket: bracket_of(rule),
     };
     let joints = scatterer.joints(order, rule, plan.trace.least_area_m2);
-    sum_of_joints(scatterer, &joints, plan.view(0.0).origin_m, &integration)
+    let amplitudes = sum_of_joints(scatterer, &joints, plan.view(0.0).origin_m, &integration);
+    amplitudes.iter().map(|s| plan.seen(s)).collect()
 }
 
 /// Sum over orders, at each of `count` frequencies.
-fn total(orders: impl Iterator<Item = Vec<Amplitude>>, count: usize) -> Vec<Amplitude> {
-    let zero = vec![Amplitude::default(); count];
-    orders.fold(zero, |all, order| all.iter().zip(&order).map(|(a, b)| sum(a, b)).collect())
+fn total(orders: impl Iterator<Item = Vec<Complex64>>, count: usize) -> Vec<Complex64> {
+    orders.fold(vec![Complex64::ZERO; count], |all, order| all.iter().zip(&order).map(|(a, b)| a + b).collect())
+}
+
+fn mean_difference(a: &[Complex64], b: &[Complex64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).norm_sqr()).sum::<f64>() / a.len().max(1) as f64
+}
+
+fn mean(values: &[Complex64]) -> f64 {
+    values.iter().map(|s| s.norm_sqr()).sum::<f64>() / values.len().max(1) as f64
 }
 
 impl Reference {
     /// Spread between exit and middle where both are known, and the order that is missing by the decay of those that are
     /// there; both relative to all orders.
     pub(crate) fn model_error(&self) -> ModelError {
-        let total = mean(&self.total_m(), copolar_power);
-        let relative = |power: f64| if total > 0.0 { (power / total).sqrt() } else { 0.0 };
-        let by_order: Vec<f64> = self.by_order_m.iter().map(|s| relative(mean(s, copolar_power))).collect();
-        let spread = |(middle, exit): (&Vec<Amplitude>, &Option<Vec<Amplitude>>)| {
-            let pairs = middle.iter().zip(exit.as_ref()?);
-            Some(pairs.map(|(a, b)| copolar_difference(a, b)).sum::<f64>() / middle.len() as f64)
-        };
-        let spreads: Vec<f64> = self.by_order_m.iter().zip(&self.exit_m).filter_map(spread).collect();
+        let power = mean(&self.total_m());
+        let relative = |part: f64| if power > 0.0 { (part / power).sqrt() } else { 0.0 };
+        let by_order: Vec<f64> = self.by_order_m.iter().map(|s| relative(mean(s))).collect();
+        let both = self.by_order_m.iter().zip(&self.exit_m);
+        let spreads: Vec<f64> = both.filter_map(|(m, e)| e.as_ref().map(|e| mean_difference(m, e))).collect();
         ModelError {
             nodes: (spreads.len() > 1).then(|| relative(spreads.iter().sum())),
             bounces: next_order(&by_order),
@@ -138,7 +143,7 @@ impl Reference {
     }
 
     /// All orders, over frequency.
-    fn total_m(&self) -> Vec<Amplitude> {
+    fn total_m(&self) -> Vec<Complex64> {
         total(self.by_order_m.iter().cloned(), self.frequencies_hz.len())
     }
 }
@@ -156,18 +161,14 @@ impl FrameError {
         let power = power_over_frame(paths, plan);
         let relative = |part: f64| if power > 0.0 { (part / power).sqrt() } else { 0.0 };
         let view = plan.view(plan.check_s);
-        let of_paths = |f: &f64| scattering_of_paths(paths, &view, *f);
-        let of_points = |f: &f64| scattering_of_paths(points, &view, *f);
-        let exact = reference
-            .total_m()
-            .iter()
-            .zip(&reference.frequencies_hz)
-            .map(|(s, f)| sum(s, &of_points(f)))
-            .collect::<Vec<_>>();
-        let differences = exact.iter().zip(&reference.frequencies_hz).map(|(s, f)| copolar_difference(s, &of_paths(f)));
-        let error_power = differences.sum::<f64>() / exact.len() as f64;
+        let sum_at = |paths: &[Path], f: &f64| plan.seen(&scattering_of_paths(paths, &view, *f));
+        let bodies = reference.total_m();
+        let with_points = bodies.iter().zip(&reference.frequencies_hz).map(|(s, f)| s + sum_at(points, f));
+        let exact: Vec<Complex64> = with_points.collect();
+        let got: Vec<Complex64> = reference.frequencies_hz.iter().map(|f| sum_at(paths, f)).collect();
+        let error_power = mean_difference(&exact, &got);
         let [beams_m2, beams_at_most_m2] = dropped_area_m2(scatterer, plan);
-        let scale = 2.0 * (TAU / plan.band.wavelength_m()).powi(2) / std::f64::consts::PI;
+        let scale = (TAU / plan.band.wavelength_m()).powi(2) / std::f64::consts::PI;
         Self {
             total: relative(error_power),
             integration: relative(given_up.integration_power),
@@ -213,12 +214,9 @@ pub(crate) fn frequencies_hz(centre_hz: f64, bandwidth_hz: f64, count: usize) ->
     (0..count).map(|i| centre_hz + bandwidth_hz * ((i as f64 + 0.5) / count as f64 - 0.5)).collect()
 }
 
-/// Mean over frequency of |S(paths)|², co-polar.
-pub(crate) fn mean_power(paths: &[Path], view: &crate::path_sum::PathView, frequencies_hz: &[f64]) -> f64 {
-    let of = |f: &f64| copolar_power(&scattering_of_paths(paths, view, *f));
+/// Mean over frequency of |S(paths)|², as the radar sees it.
+pub(crate) fn mean_power(paths: &[Path], plan: &Plan<'_>, seconds: f64, frequencies_hz: &[f64]) -> f64 {
+    let view = plan.view(seconds);
+    let of = |f: &f64| plan.seen(&scattering_of_paths(paths, &view, *f)).norm_sqr();
     frequencies_hz.iter().map(of).sum::<f64>() / frequencies_hz.len() as f64
-}
-
-fn mean(values: &[Amplitude], of: impl Fn(&Amplitude) -> f64) -> f64 {
-    values.iter().map(of).sum::<f64>() / values.len().max(1) as f64
 }

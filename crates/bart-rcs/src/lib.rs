@@ -1,18 +1,56 @@
-//! Scattering of vehicles at millimetre waves by bidirectional analytic ray tracing (BART)
+//! Scattering of vehicles at millimetre waves by bidirectional analytic ray tracing (BART; Xu and Jin, IEEE T-AP 57 (2009)
+//! 1495).
+//!
+//! A mesh goes in, the scattering amplitude S in metres comes out ([`rcs`]); |S|² is the radar cross section in m². Or a
+//! scene's frame goes in and its scattering paths come out ([`trace_frame`]), from which echoes are made. Signs, axes and
+//! units: `docs/conventions.md`; formulas: `docs/physics.md`.
+//!
+//! ```
+//! use artifact::{Accuracy, radar::Polarization, scene::Mesh, settings::{NodeRule, Sides}};
+//! use bart_rcs::{RcsRequest, rcs};
+//! // A square of 0.3 m seen square at 77 GHz: σ = 4πA²/λ², 38.27 dBsm.
+//! let plate = Mesh {
+//!     vertices_m: vec![[0.0, -0.15, -0.15], [0.0, 0.15, -0.15], [0.0, 0.15, 0.15], [0.0, -0.15, 0.15]],
+//!     triangles: vec![[0, 1, 2], [0, 2, 3]],
+//!     ..Mesh::default()
+//! };
+//! let ahead = RcsRequest {
+//!     frequency_hz: vec![77e9],
+//!     elevation_rad: vec![0.0],
+//!     azimuth_rad: vec![0.0],
+//!     range_m: f64::INFINITY,
+//!     receiver: None,
+//!     polarization: Polarization::Vv,
+//!     bounces: 3,
+//!     nodes: NodeRule::Middle,
+//!     sides: Sides::Two,
+//!     accuracy: Accuracy::from_db(-40.0),
+//! };
+//! let amplitude_m = rcs(&plate, &ahead, &|_, _| {})?.amplitude_m[0];
+//! assert!((10.0 * amplitude_m.norm_sqr().log10() - 38.2703).abs() < 1e-3);
+//! # Ok::<(), bart_rcs::BartError>(())
+//! ```
+//!
+//! How it works, and in which order to read: a [`World`] holds every facet of every body at one instant. From an
+//! [`Antenna`] a [`BeamTree`] grows: each facet is clipped exactly against those that hide it, and each lit polygon is a
+//! mirror for the next order. No ray is sampled; what is lit is the silhouette to rounding. The tree knows no frequency and
+//! no polarization. Where a beam from the transmitter and one from the receiver end on the same facet, they are joined, and
+//! physical optics is integrated over the common polygon in closed form. [`mod@reference`] holds slow, obvious rivals that
+//! share none of this.
 
-mod error;
-mod antenna;
-mod plane;
-mod bvh;
-mod world;
-mod clip;
-mod section;
-mod depth_order;
-mod view;
-mod shadow;
-mod visibility;
-mod brute_force;
-mod beam;
+mod error;           // what can be wrong with a body or an antenna
+mod antenna;         // a point or a direction, and its images
+mod plane;           // of facets, and through antenna and edge
+mod bvh;             // obvhs proposes candidates in single precision
+mod world;           // facets of posed bodies
+mod clip;            // a convex polygon cut by a plane
+mod section;         // solid angle, or area across a direction
+mod depth_order;     // which of two facets is in front, decided once
+mod view;            // from where and through which hole
+mod shadow;          // what one facet hides
+mod visibility;      // what a view shows
+mod brute_force;     // the same by trying all pairs
+mod beam;            // trees of lit polygons and their mirrors
 mod divided_difference;
 mod polygon_phase;
 mod plane_frame;
@@ -30,6 +68,7 @@ mod path_sum;
 mod path_pruning;
 mod frame_error;
 mod path;
+mod rcs_frame;
 pub mod reference;
 #[cfg(test)]
 mod test_quadrature;
@@ -40,5 +79,6 @@ pub use error::BartError;
 pub use path::trace_frame;
 pub use path_sum::{PathView, scattering_of_paths};
 pub use plane::Plane;
+pub use rcs_frame::rcs_frame;
 pub use rcs_table::{RcsRequest, RcsResult, RcsSeconds, Standpoint, rcs};
 pub use world::{FacetGeometry, Models, World};

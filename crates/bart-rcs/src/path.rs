@@ -93,6 +93,12 @@ impl<'a> Plan<'a> {
         Self { header, position_m: DVec3::from_array(header.radar.position_m), band, trace, middle_s, check_s }
     }
 
+    /// The element of a 2 × 2 amplitude that the radar's antennas send and receive: errors are told of it.
+    pub(crate) fn seen(&self, amplitude: &Amplitude) -> Complex64 {
+        let (receive, transmit) = self.header.radar.array.polarization.indices();
+        amplitude[receive][transmit]
+    }
+
     /// ĥ straight above and below the radar: to the left of its boresight.
     fn zenith_h(&self) -> DVec3 {
         let azimuth_rad = self.header.radar.boresight_az_rad;

@@ -2,7 +2,7 @@
 
 use crate::frame_error::{frequencies_hz, mean_power};
 use crate::path::Plan;
-use crate::path_sum::{PathView, copolar_power};
+use crate::path_sum::PathView;
 use artifact::paths::Path;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -10,7 +10,7 @@ use rayon::prelude::*;
 /// Paths kept, in their order, and the power of the others.
 pub(crate) struct Kept {
     pub(crate) paths: Vec<Path>,
-    /// Σ|a·R²/(L₁L₂)|² of the dropped paths, both co-polarizations: their power, as their phases are independent.
+    /// Σ|a·R²/(L₁L₂)|² of the dropped paths in the radar's polarization: their power, as their phases are independent.
     pub(crate) dropped_power: f64,
 }
 
@@ -22,7 +22,7 @@ const SHARE: f64 = 0.3;
 pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>) -> Kept {
     let view = plan.view(plan.middle_s);
     let most = (SHARE * plan.header.fidelity.accuracy.amplitude()).powi(2);
-    let powers: Vec<f64> = paths.iter().map(|path| power(path, &view)).collect();
+    let powers: Vec<f64> = paths.iter().map(|path| power(path, plan, &view)).collect();
     let mut keep = vec![true; paths.len()];
     let mut dropped_power = 0.0;
     for target in 0..plan.header.targets.len() as u32 {
@@ -50,14 +50,14 @@ pub(crate) fn power_over_frame(paths: &[Path], plan: &Plan<'_>) -> f64 {
     const FREQUENCIES: usize = 24;
     let frequencies = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FREQUENCIES);
     let moments = [0.0, plan.middle_s, 2.0 * plan.middle_s];
-    let of: Vec<f64> = moments.par_iter().map(|t| mean_power(paths, &plan.view(*t), &frequencies)).collect();
+    let of: Vec<f64> = moments.par_iter().map(|t| mean_power(paths, plan, *t, &frequencies)).collect();
     of.iter().sum::<f64>() / of.len() as f64
 }
 
-fn power(path: &Path, view: &PathView) -> f64 {
+fn power(path: &Path, plan: &Plan<'_>, view: &PathView) -> f64 {
     let place = |x: [f64; 3], v: [f64; 3]| DVec3::from_array(x) + view.seconds * DVec3::from_array(v);
     let l1 = place(path.apparent_tx_m, path.apparent_tx_mps).distance(view.transmitter_m);
     let l2 = place(path.apparent_rx_m, path.apparent_rx_mps).distance(view.receiver_m);
     let ranges = view.origin_m.distance(view.transmitter_m) * view.origin_m.distance(view.receiver_m);
-    copolar_power(&path.amplitude_m) * (ranges / (l1 * l2)).powi(2)
+    plan.seen(&path.amplitude_m).norm_sqr() * (ranges / (l1 * l2)).powi(2)
 }

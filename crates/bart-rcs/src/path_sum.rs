@@ -50,13 +50,3 @@ impl PathView {
         Complex64::from_polar(r_t * r_r / (l1 * l2), -wavenumber_per_m * (l1 + l2 - r_t - r_r))
     }
 }
-
-/// Power of both co-polarizations.
-pub(crate) fn copolar_power(s: &Amplitude) -> f64 {
-    s[0][0].norm_sqr() + s[1][1].norm_sqr()
-}
-
-/// The same of a difference.
-pub(crate) fn copolar_difference(a: &Amplitude, b: &Amplitude) -> f64 {
-    (a[0][0] - b[0][0]).norm_sqr() + (a[1][1] - b[1][1]).norm_sqr()
-}

@@ -53,6 +53,11 @@ impl Mirrors {
         self.node_from_leg.transpose() * (x_m - self.offset_m)
     }
 
+    /// r̂ of an infinitely distant antenna as its image has it.
+    pub(crate) fn image_direction(&self, r: DVec3) -> DVec3 {
+        self.node_from_leg * r
+    }
+
     /// Unit fields v and h at the node, for the direction of travel there (away from the antenna).
     pub(crate) fn fields_at_node(&self, travel: DVec3, zenith_h: DVec3) -> [DVec3; 2] {
         let to_antenna = self.antenna_direction(travel);

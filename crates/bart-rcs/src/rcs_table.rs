@@ -93,7 +93,7 @@ pub struct RcsSeconds {
 /// One tree (two with a receiver apart) serves all frequencies of an aspect. `progress` hears (aspects done, aspects).
 /// The same request gives the same bytes on any number of threads, but for `seconds`.
 ///
-/// At finite range the error of the integrals is measured at three aspects of the table against integrals a hundred times
+/// At finite range the error of the integrals is measured at three aspects of the table against integrals ten times
 /// finer; if it exceeds the accuracy asked, everything is integrated finer.
 pub fn rcs(
     mesh: &Mesh,
@@ -197,7 +197,7 @@ fn sweep(
     aspects.par_iter().enumerate().map(one).collect::<Vec<_>>().into_iter().collect()
 }
 
-/// ‖S − S(100 times finer)‖ per value over the table's root mean square |S|; rounding in the far field, where the closed
+/// ‖S − S(ten times finer)‖ per value over the table's root mean square |S|; rounding in the far field, where the closed
 /// form is exact to 1e-12.
 fn measured_error(aspects: &[Aspect], table: &[Scattering]) -> f64 {
     const ROUNDING: f64 = 1e-12;

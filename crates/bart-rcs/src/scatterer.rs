@@ -16,6 +16,8 @@ use num_complex::Complex64;
 pub(crate) struct Scatterer<'a> {
     pub(crate) world: &'a World,
     pub(crate) trees: Trees<'a>,
+    /// Transmitter, receiver.
+    ends: [Antenna; 2],
     transmit_legs: Vec<Leg>,
     receive_legs: Vec<Leg>,
 }
@@ -34,7 +36,21 @@ impl<'a> Scatterer<'a> {
             Trees::Shared(_) => Vec::new(),
             Trees::Apart(_, tree) => legs(world, tree, zenith_h.receive),
         };
-        Self { world, trees, transmit_legs, receive_legs }
+        let ends = [trees.transmit().antenna, trees.receive().antenna];
+        Self { world, trees, ends, transmit_legs, receive_legs }
+    }
+
+    /// The same beams with plane waves from another direction: what is lit stays lit.
+    ///
+    /// For directions so near to the traced one that shadows have moved by less than matters; one antenna only.
+    pub(crate) fn turned_to(&self, direction: DVec3) -> Self {
+        let turned = |leg: &Leg| Leg { image: Antenna::Direction(leg.mirrors.image_direction(direction)), ..*leg };
+        Self {
+            ends: [Antenna::Direction(direction); 2],
+            transmit_legs: self.transmit_legs.iter().map(turned).collect(),
+            receive_legs: Vec::new(),
+            ..*self
+        }
     }
 
     /// Joints of one order that are not smaller than `least_area_m2`.
@@ -92,9 +108,8 @@ impl<'a> Scatterer<'a> {
         let part = Part { corners_m, reference_m, bracket: request.bracket };
         let mut estimate = self.amplitudes(joint, &part, request.wavenumbers_per_m, request.accuracy);
         let apparent_m = self.apparent_m(joint, reference_m);
-        let ends = [self.trees.transmit().antenna, self.trees.receive().antenna];
-        let length_m: f64 = (0..2).map(|i| length_difference_m(ends[i], apparent_m[i], origin_m)).sum();
-        let spread: f64 = (0..2).map(|i| spread(ends[i], apparent_m[i], origin_m)).product();
+        let length_m: f64 = (0..2).map(|i| length_difference_m(self.ends[i], apparent_m[i], origin_m)).sum();
+        let spread: f64 = (0..2).map(|i| spread(self.ends[i], apparent_m[i], origin_m)).product();
         for (amplitude, k) in estimate.value.iter_mut().zip(request.wavenumbers_per_m) {
             let factor = Complex64::from_polar(spread, -k * length_m);
             *amplitude = scaled(&with_reverse(joint.reverse, amplitude), factor);

@@ -1,0 +1,396 @@
+//! What the paths of a frame promise: they are S, they move with the bodies, and the error that they print is true.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+
+use artifact::paths::{Amplitude, PathsFrame};
+use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization};
+use artifact::scene::{Intersection, Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
+use artifact::settings::{Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Sides, Surface, Window};
+use artifact::{Accuracy, Radar, Waveform};
+use bart_rcs::{Models, PathView, RcsRequest, Standpoint, rcs, rcs_frame, scattering_of_paths, trace_frame};
+use glam::DVec3;
+use num_complex::Complex64;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+const RADAR_M: [f64; 3] = [0.0, 0.0, 6.0];
+
+fn waveform() -> Waveform {
+    Waveform {
+        start_frequency_hz: 77e9,
+        slope_hz_per_s: 12.5e12,
+        sample_rate_hz: 5.12e6,
+        samples: 256,
+        chirp_interval_s: 60e-6,
+        chirps: 128,
+    }
+}
+
+fn pose(position_m: [f64; 3], velocity_mps: [f64; 3], yaw_rad: f64) -> Pose {
+    Pose { position_m, yaw_rad, velocity_mps }
+}
+
+/// A scene of bodies, each with its own mesh, and of points.
+fn scene(bodies: &[(Mesh, Pose)], points: &[(f64, Pose)], accuracy_db: f64, bounces: u8) -> (SceneHeader, SceneFrame) {
+    let mesh_target = |(mesh, (_, start)): (u32, &(Mesh, Pose))| Target {
+        id: format!("body-{mesh}"),
+        kind: TargetKind::Mesh { class: None, model: "test".into(), mesh },
+        start: *start,
+    };
+    let point_target = |(rcs_m2, start): &(f64, Pose)| Target {
+        id: "point".into(),
+        kind: TargetKind::Point { rcs_m2: *rcs_m2 },
+        start: *start,
+    };
+    let targets: Vec<Target> = (0..).zip(bodies).map(mesh_target).chain(points.iter().map(point_target)).collect();
+    let poses = targets.iter().map(|target| target.start).collect();
+    let header = SceneHeader {
+        name: "test".into(),
+        seed: 1,
+        frames: 1,
+        frame_interval_s: 0.1,
+        radar: radar(),
+        noise: Noise::Absent,
+        dsp: dsp(),
+        fidelity: Fidelity {
+            accuracy: Accuracy::from_db(accuracy_db),
+            bounces,
+            edges: Edges::Ignored,
+            surface: Surface::Flat,
+            sides: Sides::Two,
+            nodes: NodeRule::Middle,
+            echo: EchoMode::Paths,
+        },
+        intersection: Intersection { width_m: 22.5 },
+        meshes: bodies.iter().map(|(mesh, _)| mesh.clone()).collect(),
+        targets,
+    };
+    (header, SceneFrame { index: 0, time_s: 0.0, poses })
+}
+
+fn radar() -> Radar {
+    Radar {
+        position_m: RADAR_M,
+        boresight_az_rad: 0.0,
+        boresight_el_rad: 0.0,
+        waveform: waveform(),
+        array: Array {
+            tx_m: vec![RADAR_M],
+            rx_m: vec![RADAR_M],
+            tx_half_wavelengths: vec![[0.0; 2]],
+            rx_half_wavelengths: vec![[0.0; 2]],
+            multiplexing: Multiplexing::Simultaneous,
+            polarization: Polarization::Vv,
+            pattern: Pattern::Isotropic,
+        },
+        link: Link { transmit_power_w: 0.016, antenna_gain_db: 10.0 },
+    }
+}
+
+fn dsp() -> DspSettings {
+    DspSettings {
+        range_window: Window::Hann,
+        doppler_window: Window::Hann,
+        detector: Detector::CaCfar,
+        false_alarm_rate: 1e-5,
+        guard_cells: [2, 2],
+        training_cells: [8, 8],
+        assumed_height_m: 0.75,
+        cluster_range_m: 1.0,
+        cluster_velocity_mps: 1.0,
+        cluster_cross_m: 1.0,
+        lanes: vec![],
+    }
+}
+
+fn trace(scene: &(SceneHeader, SceneFrame)) -> PathsFrame {
+    trace_frame(&Models::build(&scene.0).unwrap(), &scene.0, &scene.1).unwrap()
+}
+
+/// S of the paths about the first target's origin at a moment.
+fn of_paths(scene: &(SceneHeader, SceneFrame), frame: &PathsFrame, seconds: f64, frequency_hz: f64) -> Amplitude {
+    let start = scene.1.poses[0];
+    let origin_m = DVec3::from_array(start.position_m) + seconds * DVec3::from_array(start.velocity_mps);
+    let (transmitter_m, receiver_m) = (DVec3::from_array(RADAR_M), DVec3::from_array(RADAR_M));
+    let view = PathView {
+        transmitter_m,
+        receiver_m,
+        origin_m,
+        seconds,
+        centre_frequency_hz: scene.0.radar.waveform.centre_frequency_hz(),
+    };
+    scattering_of_paths(&frame.paths, &view, frequency_hz)
+}
+
+/// S of the first body alone, traced and integrated where it is at that moment.
+fn anew(
+    scene: &(SceneHeader, SceneFrame),
+    seconds: f64,
+    frequency_hz: &[f64],
+    polarization: Polarization,
+) -> Vec<Complex64> {
+    let start = scene.1.poses[0];
+    let origin_m = DVec3::from_array(start.position_m) + seconds * DVec3::from_array(start.velocity_mps);
+    let to_radar = glam::DMat3::from_rotation_z(-start.yaw_rad) * (DVec3::from_array(RADAR_M) - origin_m);
+    let request = RcsRequest {
+        frequency_hz: frequency_hz.to_vec(),
+        elevation_rad: vec![(to_radar.z / to_radar.length()).asin()],
+        azimuth_rad: vec![to_radar.y.atan2(to_radar.x)],
+        range_m: to_radar.length(),
+        receiver: None,
+        polarization,
+        bounces: scene.0.fidelity.bounces,
+        nodes: scene.0.fidelity.nodes,
+        sides: scene.0.fidelity.sides,
+        accuracy: Accuracy::from_db(-45.0),
+    };
+    rcs(&scene.0.meshes[0], &request, &|_, _| ()).unwrap().amplitude_m
+}
+
+fn mesh(vertices_m: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Mesh {
+    Mesh { vertices_m, triangles, ..Mesh::default() }
+}
+
+fn joined(parts: &[Mesh]) -> Mesh {
+    let mut all = mesh(vec![], vec![]);
+    for part in parts {
+        let first = all.vertices_m.len() as u32;
+        all.vertices_m.extend_from_slice(&part.vertices_m);
+        all.triangles.extend(part.triangles.iter().map(|t| t.map(|i| i + first)));
+    }
+    all
+}
+
+fn parallelogram(corner: [f64; 3], u: [f64; 3], v: [f64; 3]) -> Mesh {
+    let add = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|i| a[i] + b[i]);
+    mesh(vec![corner, add(corner, u), add(add(corner, u), v), add(corner, v)], vec![[0, 1, 2], [0, 2, 3]])
+}
+
+/// A barrel about an upright axis: curved in two directions, facets of about `size_m`.
+fn barrel(centre_m: [f64; 3], radius_m: f64, height_m: f64, size_m: f64) -> Mesh {
+    let around = (2.0 * PI * radius_m / size_m).ceil() as u32;
+    let rows = (height_m / size_m).ceil() as u32;
+    let mut vertices = Vec::new();
+    for i in 0..=rows {
+        let z = height_m * (f64::from(i) / f64::from(rows) - 0.5);
+        let bulge = radius_m * (1.0 - 0.3 * (2.0 * z / height_m).powi(2));
+        for j in 0..around {
+            let (sin, cos) = (2.0 * PI * f64::from(j) / f64::from(around)).sin_cos();
+            vertices.push([centre_m[0] + bulge * cos, centre_m[1] + bulge * sin, centre_m[2] + z]);
+        }
+    }
+    let index = |i: u32, j: u32| i * around + j % around;
+    let square = |i: u32, j: u32| {
+        let [a, b, c, d] = [index(i, j), index(i, j + 1), index(i + 1, j + 1), index(i + 1, j)];
+        [[a, b, c], [a, c, d]]
+    };
+    let triangles = (0..rows).flat_map(|i| (0..around).flat_map(move |j| square(i, j))).collect();
+    mesh(vertices, triangles)
+}
+
+/// A cart: a deck, an upright wall, barrels. Facets large and small, one to three bounces, shadows.
+fn cart(wall_lean: f64) -> Mesh {
+    joined(&[
+        parallelogram([-0.8, -0.5, 0.3], [1.6, 0.0, 0.0], [0.0, 1.0, 0.0]),
+        parallelogram([-0.2, -0.5, 0.3], [0.0, 1.0, 0.0], [wall_lean, 0.0, 0.7]),
+        barrel([0.45, 0.15, 0.55], 0.2, 0.4, 0.06),
+        barrel([0.3, -0.3, 0.5], 0.12, 0.3, 0.05),
+    ])
+}
+
+fn relative(a: Complex64, b: Complex64) -> f64 {
+    (a - b).norm() / b.norm()
+}
+
+/// A path's amplitude a against S by its definition: at the frame's middle, over the band, in all polarizations.
+#[test]
+fn paths_add_up_to_the_scattering_amplitude_by_their_definition() {
+    for accuracy_db in [-20.0, -35.0] {
+        let frequencies: Vec<f64> = (0..9).map(|i| 77e9 + 0.625e9 * f64::from(i) / 8.0).collect();
+        for polarization in [Polarization::Vv, Polarization::Hh, Polarization::Vh] {
+            let mut scene = scene(&[(cart(0.1), pose([5.75, 30.0, 0.0], [0.0; 3], -FRAC_PI_2))], &[], accuracy_db, 3);
+            scene.0.radar.array.polarization = polarization;
+            let frame = trace(&scene);
+            let (p, q) = polarization.indices();
+            let exact = anew(&scene, 0.0, &frequencies, polarization);
+            let (mut error, mut power) = (0.0, 0.0);
+            for (s, f) in exact.iter().zip(&frequencies) {
+                error += (of_paths(&scene, &frame, 0.0, *f)[p][q] - s).norm_sqr();
+                power += s.norm_sqr();
+            }
+            let db = 10.0 * (error / power).log10();
+            println!(
+                "a against S, {polarization:?}: asked {accuracy_db} dB, got {db:.1} dB, {} paths",
+                frame.paths.len()
+            );
+            assert!(db <= accuracy_db, "{polarization:?} {db}");
+        }
+    }
+}
+
+#[test]
+fn looser_accuracy_needs_fewer_paths() {
+    let count = |accuracy_db| {
+        trace(&scene(&[(cart(0.1), pose([5.75, 30.0, 0.0], [0.0, -10.0, 0.0], -FRAC_PI_2))], &[], accuracy_db, 2))
+            .paths
+            .len()
+    };
+    let (loose, tight) = (count(-10.0), count(-30.0));
+    println!("{loose} paths at −10 dB, {tight} at −30 dB");
+    assert!(loose < tight && loose > 0);
+}
+
+/// Two walls of a dihedral that move apart: each bounce has its own Doppler.
+#[test]
+fn the_delay_of_a_double_bounce_follows_both_moving_bodies() {
+    let wall = |side: f64| parallelogram([0.0, 0.0, -0.2], [-0.4, side * 0.4, 0.0], [0.0, 0.0, 0.4]);
+    // The bodies' x axes look at the radar; the walls open towards it at right angles.
+    let ahead = pose([2.0, 20.0, 6.0], [0.0, -10.0, 0.0], FRAC_PI_2);
+    let slower = Pose { velocity_mps: [1.0, -9.0, 0.0], ..ahead };
+    let turned = |mesh: Mesh| Mesh { vertices_m: mesh.vertices_m.iter().map(|&[x, y, z]| [x, y, z]).collect(), ..mesh };
+    let scene = scene(&[(turned(wall(1.0)), ahead), (turned(wall(-1.0)), slower)], &[], -40.0, 2);
+    let frame = trace(&scene);
+    let double: Vec<_> = frame.paths.iter().filter(|path| path.order == 2).copied().collect();
+    assert!(!double.is_empty(), "the walls see each other");
+    let later = |seconds: f64| {
+        let moved = |pose: &Pose| Pose {
+            position_m: [0, 1, 2].map(|i| pose.position_m[i] + seconds * pose.velocity_mps[i]),
+            ..*pose
+        };
+        let (mut header, mut at) = scene.clone();
+        header.radar.waveform.chirps = 1;
+        at.poses = at.poses.iter().map(|p| Pose { velocity_mps: [0.0; 3], ..moved(p) }).collect();
+        (header, at)
+    };
+    let duration = scene.0.radar.frame_duration_s();
+    let centre = scene.0.radar.waveform.centre_frequency_hz();
+    let view = |seconds: f64| PathView {
+        transmitter_m: DVec3::from_array(RADAR_M),
+        receiver_m: DVec3::from_array(RADAR_M),
+        origin_m: DVec3::new(2.0, 20.0, 6.0),
+        seconds,
+        centre_frequency_hz: centre,
+    };
+    for seconds in [0.0, 0.5 * duration, duration] {
+        let still = trace(&later(seconds));
+        let exact = scattering_of_paths(still.paths.iter().filter(|p| p.order == 2), &view(0.0), centre)[0][0];
+        let moving = scattering_of_paths(&double, &view(seconds), centre)[0][0];
+        println!(
+            "moving dihedral after {:.2} ms: asked −20 dB, got {:.1} dB",
+            1e3 * seconds,
+            20.0 * relative(moving, exact).log10()
+        );
+        assert!(relative(moving, exact) < 0.1, "{moving} {exact}");
+    }
+}
+
+#[test]
+fn a_point_target_is_a_path_of_order_zero_with_the_root_of_its_cross_section() {
+    let scene = scene(&[], &[(4.0, pose([2.0, 30.0, 1.0], [0.5, -3.0, 0.0], 0.0))], -20.0, 3);
+    let frame = trace(&scene);
+    assert_eq!(frame.paths.len(), 1);
+    let path = frame.paths[0];
+    assert_eq!((path.order, path.apparent_tx_m, path.apparent_rx_mps), (0, [2.0, 30.0, 1.0], [0.5, -3.0, 0.0]));
+    assert_eq!(path.amplitude_m[0][0], Complex64::from(2.0));
+    assert_eq!(path.amplitude_m[0][1], Complex64::ZERO);
+    assert_eq!(frame.nearest_range_m, [None]);
+}
+
+#[test]
+fn a_hidden_body_gives_no_paths_and_no_nearest_surface() {
+    let wall = parallelogram([0.0, -2.0, -2.0], [0.0, 4.0, 0.0], [0.0, 0.0, 4.0]);
+    let behind = parallelogram([0.0, -0.5, -0.5], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
+    let facing = |y: f64| pose([0.0, y, 6.0], [0.0; 3], -FRAC_PI_2);
+    let frame = trace(&scene(&[(wall, facing(20.0)), (behind, facing(25.0))], &[], -20.0, 1));
+    assert!(frame.paths.iter().all(|path| path.target == 0));
+    assert!((frame.nearest_range_m[0].unwrap() - 20.0).abs() < 1e-9);
+    assert_eq!(frame.nearest_range_m[1], None);
+}
+
+#[test]
+fn paths_are_the_same_bytes_on_one_and_two_threads() {
+    let scene = scene(&[(cart(0.2), pose([2.0, 25.0, 0.0], [0.0, -10.0, 0.0], -FRAC_PI_2))], &[], -20.0, 3);
+    let on = |threads: usize| {
+        rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(|| trace(&scene))
+    };
+    assert_eq!(on(1), on(2));
+}
+
+/// The printed error against bodies traced and integrated anew at several moments and frequencies of the frame.
+#[test]
+fn the_error_printed_with_paths_covers_the_true_one() {
+    const CASES: u32 = 10;
+    let (mut covered, mut excess_db) = (0, Vec::new());
+    for case in 0..CASES {
+        // A low-discrepancy walk over lanes, distances, headings, leans and accuracies: no two cases are alike.
+        let share = |prime: f64| (f64::from(case) * prime.sqrt() + 0.37).fract();
+        let place = [2.0 + 7.5 * share(2.0), 25.0 + 30.0 * share(3.0), 0.0];
+        let motion = [0.0, -0.5 - 12.0 * share(5.0), 0.0];
+        let accuracy_db = -15.0 - 15.0 * share(7.0);
+        let start = pose(place, motion, -FRAC_PI_2 + 0.8 * (share(11.0) - 0.5));
+        let scene = scene(&[(cart(0.4 * share(13.0)), start)], &[], accuracy_db, 3);
+        let frame = trace(&scene);
+        let printed = frame.error.total().unwrap();
+        let duration = scene.0.radar.frame_duration_s();
+        let frequencies: Vec<f64> = (0..12).map(|i| 77e9 + 0.625e9 * (f64::from(i) + 0.37) / 12.0).collect();
+        let (mut error, mut power) = (0.0, 0.0);
+        for moment in [0.03, 0.32, 0.97] {
+            let exact = anew(&scene, moment * duration, &frequencies, Polarization::Vv);
+            for (s, f) in exact.iter().zip(&frequencies) {
+                error += (of_paths(&scene, &frame, moment * duration, *f)[0][0] - s).norm_sqr();
+                power += s.norm_sqr();
+            }
+        }
+        let true_error = (error / power).sqrt();
+        println!(
+            "case {case}: asked {accuracy_db:.1} dB, true {:.1} dB, printed {:.1} dB, {} paths",
+            20.0 * true_error.log10(),
+            20.0 * printed.log10(),
+            frame.paths.len()
+        );
+        covered += u32::from(true_error <= printed);
+        excess_db.push(20.0 * (printed / true_error).log10());
+    }
+    excess_db.sort_by(f64::total_cmp);
+    println!("covered {covered} of {CASES}, median excess {:.1} dB", excess_db[CASES as usize / 2]);
+    assert!(covered + 1 >= CASES);
+    assert!(excess_db[CASES as usize / 2] <= 10.0);
+}
+
+/// The paper's table at the frame's middle is the far-field amplitude there.
+#[test]
+fn a_frames_table_holds_the_far_field_amplitude_and_says_how_far_from_the_spherical_wave_it_is() {
+    let start = pose([5.75, 30.0, 0.0], [0.0, -10.0, 0.0], -FRAC_PI_2);
+    let (header, frame) = scene(&[(cart(0.1), start)], &[(1.0, start)], -20.0, 2);
+    let tables = rcs_frame(&header, &frame).unwrap();
+    assert_eq!(tables.tables.len(), 2);
+    assert_eq!(tables.tables[1].amplitude_m, [Complex64::from(1.0)]);
+    let table = &tables.tables[0];
+    let (last_el, last_az) = (table.elevation_rad.len() - 1, table.azimuth_rad.len() - 1);
+    let request = RcsRequest {
+        frequency_hz: table.frequency_hz.clone(),
+        elevation_rad: vec![table.elevation_rad[last_el]],
+        azimuth_rad: vec![table.azimuth_rad[last_az]],
+        range_m: f64::INFINITY,
+        receiver: None::<Standpoint>,
+        polarization: Polarization::Vv,
+        bounces: 2,
+        nodes: NodeRule::Middle,
+        sides: Sides::Two,
+        accuracy: Accuracy::from_db(-20.0),
+    };
+    let exact = rcs(&header.meshes[0], &request, &|_, _| ()).unwrap().amplitude_m;
+    let columns = table.elevation_rad.len() * table.azimuth_rad.len();
+    let (mut error, mut power) = (0.0, 0.0);
+    for (f, s) in exact.iter().enumerate() {
+        error += (table.amplitude_m[f * columns + columns - 1] - s).norm_sqr();
+        power += s.norm_sqr();
+    }
+    let error = (error / power).sqrt();
+    println!(
+        "table at the sweep's corner: {:.1} dB, printed {:.1} dB",
+        20.0 * error.log10(),
+        20.0 * tables.error.total().unwrap().log10()
+    );
+    assert!(error < 0.1);
+    // Cart of 1.6 m at 25 m: 2D²/λ is 1.3 km, the spherical wave is another answer.
+    assert!(tables.model_error.far_field.unwrap() > 0.1);
+}
