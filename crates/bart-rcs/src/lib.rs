@@ -38,19 +38,19 @@
 //! physical optics is integrated over the common polygon in closed form. [`mod@reference`] holds slow, obvious rivals that
 //! share none of this.
 
-mod error;           // what can be wrong with a body or an antenna
-mod antenna;         // a point or a direction, and its images
-mod plane;           // of facets, and through antenna and edge
-mod bvh;             // obvhs proposes candidates in single precision
-mod world;           // facets of posed bodies
-mod clip;            // a convex polygon cut by a plane
-mod section;         // solid angle, or area across a direction
-mod depth_order;     // which of two facets is in front, decided once
-mod view;            // from where and through which hole
-mod shadow;          // what one facet hides
-mod visibility;      // what a view shows
-mod brute_force;     // the same by trying all pairs
-mod beam;            // trees of lit polygons and their mirrors
+mod error; // what can be wrong with a body or an antenna
+mod antenna; // a point or a direction, and its images
+mod plane; // of facets, and through antenna and edge
+mod bvh; // obvhs proposes candidates in single precision
+mod world; // facets of posed bodies
+mod clip; // a convex polygon cut by a plane
+mod section; // solid angle, or area across a direction
+mod depth_order; // which of two facets is in front, decided once
+mod view; // from where and through which hole
+mod shadow; // what one facet hides
+mod visibility; // what a view shows
+mod brute_force; // the same by trying all pairs
+mod beam; // trees of lit polygons and their mirrors
 mod divided_difference;
 mod polygon_phase;
 mod plane_frame;

@@ -101,22 +101,15 @@ impl Shadow {
 
     /// Where a polygon of the target lies.
     pub(crate) fn cover(&self, hides: Hides, polygon: &[Corner], tolerance_m: f64) -> Cover {
-        let mut cover = Cover::Whole;
-        for plane in self.planes(hides) {
-            let (mut any_inside, mut any_outside) = (false, false);
-            for corner in polygon {
-                let d = plane.distance_m(corner.point_m);
-                any_inside |= d > tolerance_m;
-                any_outside |= d < -tolerance_m;
-            }
-            if !any_inside {
-                return Cover::Apart;
-            }
-            if any_outside {
-                cover = Cover::Partial;
-            }
+        let cover = self
+            .edges
+            .iter()
+            .chain(&self.beyond_mirror)
+            .try_fold(Cover::Whole, |cover, plane| cover.and(plane, polygon, tolerance_m));
+        match (cover, &hides) {
+            (Some(cover), Hides::InItsConeAnd(plane)) => cover.and(plane, polygon, tolerance_m).unwrap_or(Cover::Apart),
+            (cover, _) => cover.unwrap_or(Cover::Apart),
         }
-        cover
     }
 
     /// The planes that bound what is hidden, positive inside.
@@ -129,6 +122,24 @@ impl Shadow {
     fn is_before(&self, other: &Self, sides: Sides) -> bool {
         let key = |shadow: &Self| ((sides == Sides::One).then_some(shadow.seen), shadow.facet);
         key(self) < key(other)
+    }
+}
+
+impl Cover {
+    /// What is left of a cover on the positive side of one more plane; `None` where nothing is.
+    #[inline]
+    fn and(self, plane: &Plane, polygon: &[Corner], tolerance_m: f64) -> Option<Self> {
+        let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+        for corner in polygon {
+            let d = plane.distance_m(corner.point_m);
+            least = if d < least { d } else { least };
+            greatest = if d > greatest { d } else { greatest };
+        }
+        match () {
+            () if greatest <= tolerance_m => None,
+            () if least < -tolerance_m => Some(Self::Partial),
+            () => Some(self),
+        }
     }
 }
 

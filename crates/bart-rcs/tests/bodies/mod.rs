@@ -32,7 +32,7 @@ impl Triangles {
     }
 
     pub(crate) fn world(&self) -> World {
-        World::of_mesh(&self.mesh()).unwrap()
+        World::of_mesh(&self.mesh()).expect("finite vertices, indices in range")
     }
 
     pub(crate) fn and(mut self, other: Self) -> Self {

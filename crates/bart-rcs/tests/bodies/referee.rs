@@ -83,7 +83,7 @@ fn crossing_height([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> Option<f64> {
     let t = (c - a).perp_dot(v) / u.perp_dot(v);
     let s = (c - a).perp_dot(u) / u.perp_dot(v);
     // A little beyond the ends does no harm: one height too many.
-    ((-1e-9..=1.0 + 1e-9).contains(&t) && (-1e-9..=1.0 + 1e-9).contains(&s)).then(|| a.y + t * u.y)
+    ((-1e-9..=1.0 + 1e-9).contains(&t) && (-1e-9..=1.0 + 1e-9).contains(&s)).then_some(a.y + t * u.y)
 }
 
 /// A side of a triangle within a slab: x at its lower, middle and upper height.
