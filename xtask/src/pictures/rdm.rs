@@ -12,24 +12,25 @@ use artifact::rdm::RdmFrame;
 use artifact::units::db_from_power;
 use ndarray::Array2;
 
-/// Decibels shown below the brightest cell.
+/// Decibels shown below the brightest cell at most, and below the noise.
 const SPAN_DB: f64 = 60.0;
+const BELOW_NOISE_DB: f64 = 4.0;
 
 /// Map with axes in metres and m/s; every object is ringed.
 pub(super) fn draw(header: &CubeHeader, rdm: &RdmFrame, points: &PointsFrame) -> Result<Svg, Failure> {
     let map = decibels(header, rdm)?;
-    let peak = map.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let levels = levels(&map);
     let axes = axes(header);
     let mut sheet = Svg::new(format!("Range-Doppler map of frame {}", rdm.index), 760.0, 470.0);
     let corner = [axes.x.start_px, axes.y.end_px];
     let size = [axes.x.end_px - axes.x.start_px, axes.y.start_px - axes.y.end_px];
-    sheet.image(corner, size, &heat_png(&map, peak)?);
+    sheet.image(corner, size, &heat_png(&map, levels)?);
     axes.draw(&mut sheet, "range, m", "radial velocity, m/s");
     for object in &points.objects {
         let velocity = header.radar.folded_velocity_mps(object.radial_velocity_mps);
         sheet.ring("#39d0ff", [axes.x.at(object.range_m), axes.y.at(velocity)], 11.0);
     }
-    scale_bar(&mut sheet, peak);
+    scale_bar(&mut sheet, levels);
     Ok(sheet)
 }
 
@@ -68,19 +69,30 @@ fn ends(axis: &[f64]) -> (f64, f64) {
     (first - half, last + half)
 }
 
-fn heat_png(map: &Array2<f64>, peak: f64) -> Result<Vec<u8>, Failure> {
+/// Darkest and brightest level: from a little below the median cell, which is noise, to the peak.
+fn levels(map: &Array2<f64>) -> [f64; 2] {
+    let mut cells: Vec<f64> = map.iter().copied().collect();
+    cells.sort_by(f64::total_cmp);
+    let (peak, median) = (cells[cells.len() - 1], cells[cells.len() / 2]);
+    [(median - BELOW_NOISE_DB).clamp(peak - SPAN_DB, peak - 10.0), peak]
+}
+
+fn heat_png(map: &Array2<f64>, [dark, bright]: [f64; 2]) -> Result<Vec<u8>, Failure> {
     let (rows, columns) = map.dim();
-    let colour = |x: u32, y: u32| image::Rgb(heat(1.0 + (map[[rows - 1 - y as usize, x as usize]] - peak) / SPAN_DB));
+    let colour = |x: u32, y: u32| {
+        let level = map[[rows - 1 - y as usize, x as usize]];
+        image::Rgb(heat((level - dark) / (bright - dark)))
+    };
     let picture = image::RgbImage::from_fn(columns as u32, rows as u32, colour);
     raster::encode(picture.into()).map_err(Failure::refused)
 }
 
-fn scale_bar(sheet: &mut Svg, peak: f64) {
+fn scale_bar(sheet: &mut Svg, [dark, bright]: [f64; 2]) {
     let column = image::RgbImage::from_fn(1, 64, |_, y| image::Rgb(heat(1.0 - f64::from(y) / 63.0)));
     if let Ok(png) = raster::encode(column.into()) {
         sheet.image([680.0, 20.0], [14.0, 405.0], &png);
     }
-    let axis = Axis { from: peak - SPAN_DB, to: peak, start_px: 425.0, end_px: 20.0 };
+    let axis = Axis { from: dark, to: bright, start_px: 425.0, end_px: 20.0 };
     for value in axis.ticks() {
         sheet.words([698.0, axis.at(value) + 4.0], 11.0, "start", &format!("{value:.0}").replace('-', "−"));
     }

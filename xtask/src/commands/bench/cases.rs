@@ -7,8 +7,8 @@ use artifact::radar::{Polarization, Radar};
 use artifact::scene::Mesh;
 use artifact::settings::{NodeRule, Sides};
 use artifact::{Accuracy, Waveform};
-use bart_rcs::reference::{Aspect, Bracket, Station, po, sbr};
-use bart_rcs::{RcsRequest, RcsResult};
+use bart_rcs::reference::{Aspect, Bracket, po, sbr};
+use bart_rcs::{RcsRequest, RcsResult, Standpoint};
 use num_complex::Complex64;
 use std::time::Instant;
 
@@ -42,7 +42,7 @@ fn traced(mesh: &Mesh, bounces: u8, nodes: NodeRule) -> Result<RcsResult, Failur
 }
 
 fn aspect() -> Aspect {
-    Aspect::monostatic(Station { azimuth_rad: AZIMUTH_RAD, elevation_rad: ELEVATION_RAD, range_m: RANGE_M })
+    Aspect::monostatic(Standpoint { azimuth_rad: AZIMUTH_RAD, elevation_rad: ELEVATION_RAD, range_m: RANGE_M })
 }
 
 fn timed<T>(work: impl FnOnce() -> Result<T, Failure>) -> Result<(T, f64), Failure> {

@@ -8,8 +8,8 @@ use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::NodeRule;
 use artifact::{ErrorBudget, ModelError};
-use bart_rcs::RcsRequest;
-use bart_rcs::reference::{Aspect, Bracket, ReferenceError, Station, po, sbr};
+use bart_rcs::reference::{Aspect, Bracket, ReferenceError, po, sbr};
+use bart_rcs::{RcsRequest, Standpoint};
 use num_complex::Complex64;
 use std::time::Instant;
 
@@ -46,13 +46,8 @@ pub(super) fn answer(arguments: &RcsArguments, mesh: &Mesh, request: &RcsRequest
 }
 
 fn aspect(request: &RcsRequest, elevation_rad: f64, azimuth_rad: f64) -> Aspect {
-    let transmitter = Station { azimuth_rad, elevation_rad, range_m: request.range_m };
-    let receiver = request.receiver.map_or(transmitter, |r| Station {
-        azimuth_rad: r.azimuth_rad,
-        elevation_rad: r.elevation_rad,
-        range_m: r.range_m,
-    });
-    Aspect { transmitter, receiver }
+    let transmitter = Standpoint { azimuth_rad, elevation_rad, range_m: request.range_m };
+    Aspect { transmitter, receiver: request.receiver.unwrap_or(transmitter) }
 }
 
 fn amplitudes(
