@@ -112,7 +112,7 @@ impl<'a> Chain<'a> {
     /// What one frame needs and why.
     pub(crate) fn plan(&self, index: u32) -> FramePlan {
         let frame = scene::snapshot(self.header, index);
-        let model = self.model.map_or("", |m| m.hash.as_str());
+        let model = self.model.map(|m| m.hash.as_str());
         let keys = FrameKeys::of(self.header, &self.parts, &frame, model);
         FramePlan::of(self.cache, self.header, index, keys)
     }
@@ -187,7 +187,7 @@ impl<'a> Chain<'a> {
                 Ok(step.map(Scattering::Paths))
             }
             EchoMode::RcsTable => {
-                let compute = || Err(Failure::refused("fidelity.echo = \"rcs-table\" is not built yet"));
+                let compute = || bart_rcs::rcs_frame(self.header, scene).map_err(Failure::refused);
                 let step = self.step::<Rcs>(plan, stage, key, &self.rcs_header(), compute)?;
                 Ok(step.map(Scattering::Tables))
             }
@@ -230,8 +230,10 @@ impl<'a> Chain<'a> {
     }
 
     fn classes(&self, plan: &FramePlan, rdm: &RdmFrame, points: &PointsFrame) -> Result<Step<Vec<[f32; 4]>>, Failure> {
-        let (key, stage) = (&plan.keys.classifier, Stage::Classifier);
-        let Some(model) = self.model else { return Ok(Step { value: vec![], cached: false }) };
+        let stage = Stage::Classifier;
+        let Some((model, key)) = self.model.zip(plan.keys.classifier.as_ref()) else {
+            return Ok(Step { value: vec![], cached: false });
+        };
         let cached = self.cache.filter(|_| !plan.runs(stage)).and_then(|c| c.get_json(stage, key));
         if let Some(value) = cached {
             return Ok(Step { value, cached: true });

@@ -58,15 +58,17 @@ pub(crate) struct FrameKeys {
     pub(crate) bart_rcs: Key,
     pub(crate) fmcw_echo: Key,
     pub(crate) dsp: Key,
-    pub(crate) classifier: Key,
+    /// `None` without a model.
+    pub(crate) classifier: Option<Key>,
 }
 
 impl FrameKeys {
-    pub(crate) fn of(header: &SceneHeader, parts: &SceneParts, frame: &SceneFrame, model: &str) -> Self {
+    pub(crate) fn of(header: &SceneHeader, parts: &SceneParts, frame: &SceneFrame, model: Option<&str>) -> Self {
         let bart_rcs = bart_rcs(parts, frame);
         let fmcw_echo = fmcw_echo(header, parts, &bart_rcs, frame);
         let dsp = Key::of(Stage::Dsp, vec![("echo", fmcw_echo.id()), ("dsp settings", fingerprint(&header.dsp))]);
-        let classifier = Key::of(Stage::Classifier, vec![("maps", dsp.id()), ("model", model.to_owned())]);
+        let of_model = |model: &str| Key::of(Stage::Classifier, vec![("maps", dsp.id()), ("model", model.to_owned())]);
+        let classifier = model.map(of_model);
         Self { bart_rcs, fmcw_echo, dsp, classifier }
     }
 
@@ -76,7 +78,7 @@ impl FrameKeys {
             Stage::BartRcs => Some(&self.bart_rcs),
             Stage::FmcwEcho => Some(&self.fmcw_echo),
             Stage::Dsp => Some(&self.dsp),
-            Stage::Classifier => Some(&self.classifier),
+            Stage::Classifier => self.classifier.as_ref(),
         }
     }
 }

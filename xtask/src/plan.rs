@@ -19,7 +19,7 @@ const PER_FRAME: [Stage; 4] = [Stage::BartRcs, Stage::FmcwEcho, Stage::Dsp, Stag
 pub(crate) struct FramePlan {
     pub(crate) index: u32,
     pub(crate) keys: FrameKeys,
-    /// For each stage, `None` if its frame is cached, else why it runs.
+    /// For each stage that is part of the run, `None` if its frame is cached, else why it runs.
     pub(crate) steps: Vec<(Stage, Option<String>)>,
 }
 
@@ -27,7 +27,7 @@ impl FramePlan {
     /// Looks each stage's frame up; `cache` is `None` with `--no-cache`.
     pub(crate) fn of(cache: Option<&Cache>, header: &SceneHeader, index: u32, keys: FrameKeys) -> Self {
         let reason = |stage: &Stage| (*stage, why_it_runs(cache, header, index, *stage, &keys));
-        let steps = PER_FRAME.iter().map(reason).collect();
+        let steps = PER_FRAME.iter().filter(|stage| keys.get(**stage).is_some()).map(reason).collect();
         Self { index, keys, steps }
     }
 
@@ -64,8 +64,8 @@ fn why_it_runs(
     stage: Stage,
     keys: &FrameKeys,
 ) -> Option<String> {
-    let Some(cache) = cache else { return Some("--no-cache".into()) };
     let key = keys.get(stage)?;
+    let Some(cache) = cache else { return Some("--no-cache".into()) };
     let maps_missing = stage == Stage::Dsp && !cache.holds(stage, key, artifact::rdm::Rdm::NAME);
     if cache.holds(stage, key, kind(stage, header.fidelity.echo)) && !maps_missing {
         return None;

@@ -27,7 +27,7 @@ fn broken_scenes_are_refused_with_line_column_and_rule() {
         ("rcs_m2 = 10.0", "rcs_m2 = -1.0", "rcs_m2"),
         ("id = \"reflector\"", "id = \"corner-1\"", "corner-1"),
         ("model = \"corner.obj\"", "model = \"corner.abc\"", "corner.abc"),
-        ("training_cells = [3, 6]", "training_cells = [30, 60]", "training_cells"),
+        ("training_cells = [3, 6]", "training_cells = [30, 60]", "training cells"),
         ("frames = 2", "frames = two", "small.toml:4"),
     ];
     for (right, wrong, word) in broken {
@@ -155,7 +155,7 @@ fn an_array_of_another_shape_or_with_nan_is_refused() {
         place.try_run("import a.npy --scene small.toml --out a.cube")
     };
     refused(&write(ndarray::Array4::zeros((1, 4, 16, 32))), 1, &["[4, 16, 32]", "[4, 16, 64]"], "shape");
-    let mut sick = ndarray::Array4::zeros((1, 4, 16, 64));
+    let mut sick = ndarray::Array4::<num_complex::Complex32>::zeros((1, 4, 16, 64));
     sick[[0, 1, 2, 3]].im = f32::NAN;
     refused(&write(sick), 1, &["(0, 1, 2, 3)", "finite"], "NaN");
     std::fs::write(place.path("a.npy"), "no array").unwrap();
