@@ -51,24 +51,24 @@ mod shadow; // what one facet hides
 mod visibility; // what a view shows
 mod brute_force; // the same by trying all pairs
 mod beam; // trees of lit polygons and their mirrors
-mod divided_difference;
-mod polygon_phase;
-mod plane_frame;
-mod polarization;
-mod tiling;
-mod physical_optics;
-mod convex_intersection;
-mod join;
-mod scatterer;
-mod aspect;
-mod rcs_table;
-mod path_cells;
-mod nearest_surface;
-mod path_sum;
-mod path_pruning;
-mod frame_error;
-mod path;
-mod rcs_frame;
+mod divided_difference; // of exp: phase and polynomial over a triangle
+mod polygon_phase; // a linear phase over a polygon, exactly
+mod plane_frame; // coordinates in a facet's plane
+mod polarization; // v and h of a leg, through its mirrors
+mod tiling; // how far a polygon must be cut
+mod physical_optics; // the integral over a lit polygon
+mod convex_intersection; // where two beams overlap
+mod join; // beams of both ends meet on a facet
+mod scatterer; // joints with the way to them
+mod aspect; // S at one aspect, by order and node rule
+mod rcs_table; // S over frequency and aspect
+mod path_cells; // lit polygons as cells with one node each
+mod nearest_surface; // nearest lit point of a body
+mod path_sum; // S from path records, by definition
+mod path_pruning; // paths too weak to matter
+mod frame_error; // what a frame's paths miss, measured
+mod path; // the path table of a frame
+mod rcs_frame; // the paper's table of a frame
 pub mod reference;
 #[cfg(test)]
 mod test_quadrature;

@@ -49,8 +49,9 @@ pub(crate) fn cells(scatterer: &Scatterer<'_>, joints: &Joints, settings: &CellS
 
 /// Cells whose apparent points lie in one cube, seen through the same bodies and as fast, become one.
 pub(crate) fn gathered(mut cells: Vec<Cell>, ends: [Antenna; 2], settings: &CellSettings<'_>) -> Vec<Cell> {
-    cells.sort_by_cached_key(|cell| key(cell, settings));
-    cells.chunk_by(|a, b| key(a, settings) == key(b, settings)).map(|group| one_of(group, ends, settings)).collect()
+    let key = |cell: &Cell| key(cell, ends, settings);
+    cells.sort_by_cached_key(key);
+    cells.chunk_by(|a, b| key(a) == key(b)).map(|group| one_of(group, ends, settings)).collect()
 }
 
 fn cells_of(scatterer: &Scatterer<'_>, joint: &Joint, corners_m: &[DVec3], settings: &CellSettings<'_>) -> Vec<Cell> {
@@ -144,9 +145,10 @@ fn cut_along(polygon: Vec<DVec2>, axis: DVec2, size_m: f64) -> Vec<Vec<DVec2>> {
 /// What cells must have in common to be gathered.
 type Key = (u8, [u32; MAX_ORDER], [[i64; 3]; 4]);
 
-fn key(cell: &Cell, settings: &CellSettings<'_>) -> Key {
+/// Cubes are counted from the antennas, so that a scene moved as a whole keeps its cells.
+fn key(cell: &Cell, ends: [Antenna; 2], settings: &CellSettings<'_>) -> Key {
     let cube = |v: DVec3, side: f64| (v / side).round().to_array().map(|x| x as i64);
-    let places = cell.apparent_m.map(|x| cube(x, settings.size_m));
+    let places = [0, 1].map(|end| cube(-ends[end].towards(cell.apparent_m[end]), settings.size_m));
     let speeds = cell.velocity_mps.map(|v| cube(v, settings.velocity_quantum_mps));
     (cell.order, cell.facets.map(|facet| facet.body), [places[0], places[1], speeds[0], speeds[1]])
 }

@@ -229,13 +229,13 @@ mod tests {
     }
 
     const HARD_CASES: [Case; 7] = [
-        case("broadside, 1 m away", [0.03, 0.03], [0.0, 0.001, 1.0], [0.0, 0.001, 1.0], 60),
-        case("grazing, 1 m away", [0.03, 0.03], [0.9998, 0.0, 0.02], [0.9998, 0.0, 0.02], 80),
-        case("sliver", [0.1, 1e-4], [15.0, 0.0, 20.0], [15.0, 0.0, 20.0], 120),
+        case("broadside, 1 m away", [0.005, 0.005], [0.0, 0.001, 1.0], [0.0, 0.001, 1.0], 60),
+        case("grazing, 1 m away", [0.005, 0.005], [0.9998, 0.0, 0.02], [0.9998, 0.0, 0.02], 80),
+        case("sliver", [0.1, 1e-4], [15.0, 0.0, 20.0], [15.0, 0.0, 20.0], 200),
         case("one wavelength wide", [0.0039, 0.0039], [0.5, 0.3, 0.8], [0.5, 0.3, 0.8], 30),
-        case("300 m away, broadside", [0.2, 0.2], [0.0, 1.0, 300.0], [0.0, 1.0, 300.0], 120),
-        case("300 m away, oblique", [0.2, 0.2], [150.0, 80.0, 240.0], [150.0, 80.0, 240.0], 220),
-        case("bistatic", [0.02, 0.05], [1.0, 0.4, 1.5], [-0.2, -2.0, 1.0], 120),
+        case("300 m away, broadside", [0.1, 0.1], [0.0, 1.0, 300.0], [0.0, 1.0, 300.0], 60),
+        case("300 m away, oblique", [0.1, 0.1], [150.0, 80.0, 240.0], [150.0, 80.0, 240.0], 130),
+        case("bistatic", [0.005, 0.01], [1.0, 0.4, 1.5], [-0.2, -2.0, 1.0], 120),
     ];
 
     impl Case {
@@ -302,7 +302,7 @@ mod tests {
     fn error_stays_below_the_accuracy_asked_and_below_the_bound_printed_over_ten_decades() {
         for case in HARD_CASES {
             let exact = case.exact();
-            for decade in 1..=6 {
+            for decade in 1..=10 {
                 let asked = 10_f64.powi(-decade);
                 let got = case.amplitude(asked);
                 let error = distance(&got.value[0], &exact) / case.scale_m();
