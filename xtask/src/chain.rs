@@ -266,8 +266,9 @@ impl<'a> Chain<'a> {
     }
 }
 
-/// Facets, hierarchy, beams and paths of a triangle: 4 KiB on the project's vehicles at −20 dB, three bounces.
-const BYTES_PER_TRIANGLE: u64 = 4096;
+/// Facets, hierarchy, beams, joints and paths of a triangle, at most: 22 KiB where four vehicles reflect each other at
+/// −20 dB and three bounces (`scenes/intersection.toml`), 3 KiB for a car alone.
+const BYTES_PER_TRIANGLE: u64 = 24 << 10;
 
 /// What the program holds beside a frame's data: code, thread stacks, the learning library's buffers (measured 40 MiB).
 const PROGRAM_MIB: f64 = 48.0;

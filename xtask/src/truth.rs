@@ -22,7 +22,7 @@ pub(crate) struct Truth {
     pub(crate) echo: Option<Echo>,
 }
 
-/// Power-weighted means over a target's paths.
+/// Power-weighted means over the paths that touch this target only.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Echo {
     pub(crate) range_m: f64,
@@ -51,13 +51,18 @@ fn truth(header: &SceneHeader, index: usize, pose: &Pose, paths: Option<&PathsFr
 
 fn echo(header: &SceneHeader, target: usize, paths: &[Path]) -> Option<Echo> {
     let (mut weight, mut range, mut velocity) = (0.0, 0.0, 0.0);
-    for path in paths.iter().filter(|p| p.target as usize == target) {
+    for path in paths.iter().filter(|p| is_wholly_on(target, p)) {
         let (power, echo) = received(header, path);
         weight += power;
         range += power * echo.range_m;
         velocity += power * echo.radial_velocity_mps;
     }
     (weight > 0.0).then(|| Echo { range_m: range / weight, radial_velocity_mps: velocity / weight })
+}
+
+/// A way over two vehicles shows at neither: it is a ghost, not an echo of one of them.
+fn is_wholly_on(target: usize, path: &Path) -> bool {
+    path.target as usize == target && path.sequence().iter().all(|facet| facet.body as usize == target)
 }
 
 /// Power of a path up to a common factor, |a|²/(L₁L₂)², and half its length and rate at the frame's middle.

@@ -3,6 +3,7 @@
 
 mod recipe;
 mod scenes;
+mod table;
 
 use crate::cli::DatasetArguments;
 use crate::failure::Failure;
@@ -72,7 +73,7 @@ fn provenance(recipe: &Recipe) -> Provenance {
     }
 }
 
-/// `manifest.jsonl`: a line a sample; `scenes.jsonl`: a line a scene, found or not.
+/// `manifest.jsonl`: a line a sample; `scenes.jsonl`: a line a scene, found or not; `detection.md`: their errors.
 fn conclude(out: &Path, shards: &[(usize, &[Drawn])]) -> Result<(), Failure> {
     let mut lines = Vec::new();
     for (number, _) in shards {
@@ -86,6 +87,7 @@ fn conclude(out: &Path, shards: &[(usize, &[Drawn])]) -> Result<(), Failure> {
     let found: Vec<&String> = lines.iter().filter(|l| l.contains("\"sample\":true")).collect();
     output::write_with(&out.join("manifest.jsonl"), |s| found.iter().try_for_each(|l| writeln!(s, "{l}")))?;
     output::write_with(&out.join("scenes.jsonl"), |s| lines.iter().try_for_each(|l| writeln!(s, "{l}")))?;
+    output::write_file(&out.join("detection.md"), table::detection(&lines).as_bytes())?;
     output::line(format!("{} of {} scenes gave a sample: {}", found.len(), lines.len(), out.display()));
     Ok(())
 }

@@ -32,10 +32,8 @@ fn settings(arguments: &TrainArguments) -> TrainSettings {
     TrainSettings {
         input_side: 113,
         iterations: arguments.iterations,
-        schedule: Schedule::Cosine { warm_up: arguments.iterations / 20 },
-        learning_rate: 0.002,
-        weight_decay: 0.01,
-        augmentation: Augmentation { range_shift_m: 1.0, velocity_shift_mps: 0.4, gain_db: 6.0, noise_db: 1.5 },
+        schedule: Schedule::Cosine { warm_up: 20.min(arguments.iterations) },
+        augmentation: Augmentation { range_shift_m: 0.75, velocity_shift_mps: 0.2, gain_db: 3.0, noise_db: 1.0 },
         ..TrainSettings::PAPER
     }
 }

@@ -64,7 +64,7 @@ impl PlanView {
         self.axes.draw(&mut self.sheet, "y along the road, m", "x across, m");
         let radar = header.radar.position_m;
         let at = self.place(DVec2::new(radar[1], radar[0]));
-        self.sheet.disc("#111111", at, 5.0);
+        self.sheet.disc("#777777", at, 5.0);
         self.sheet.words([at[0] + 8.0, at[1] + 4.0], 11.0, "start", "radar");
     }
 
