@@ -20,7 +20,7 @@ fn hash_of<'a>(places: impl Iterator<Item = &'a PathBuf>) -> String {
     for place in places {
         println!("cargo::rerun-if-changed={}", place.display());
         for file in sources(place) {
-            let bytes = std::fs::read(&file).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
+            let bytes = std::fs::read(&file).unwrap_or_else(|e| fail(&file, &e));
             hasher.update(file.file_name().unwrap_or_default().as_encoded_bytes()).update(&bytes);
         }
     }
@@ -32,10 +32,16 @@ fn sources(place: &Path) -> Vec<PathBuf> {
     if place.is_file() {
         return vec![place.to_owned()];
     }
-    let entries = std::fs::read_dir(place).unwrap_or_else(|e| panic!("{}: {e}", place.display()));
+    let entries = std::fs::read_dir(place).unwrap_or_else(|e| fail(place, &e));
     let mut entries: Vec<PathBuf> = entries.flatten().map(|e| e.path()).collect();
     entries.sort();
     entries.into_iter().filter(|p| is_source(p)).flat_map(|p| sources(&p)).collect()
+}
+
+/// Ends the build with a sentence.
+fn fail(place: &Path, error: &std::io::Error) -> ! {
+    println!("cargo::error={}: {error}", place.display());
+    std::process::exit(1);
 }
 
 fn is_source(path: &Path) -> bool {
