@@ -98,7 +98,7 @@ pub(crate) struct CacheLocation {
 pub(crate) struct RunArguments {
     #[command(flatten)]
     pub(crate) scene: SceneArguments,
-    /// Where everything goes [default: out/<scene name>].
+    /// Where everything goes [default: out/ and the scene's name].
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
     /// Model of the classifier [default: fixtures/classifier.model].

@@ -25,7 +25,7 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     let arguments = cli::Arguments::parse_or_exit();
     interrupt::install();
-    progress::configure(arguments.quiet);
+    progress::configure(&arguments);
     match limit_threads(arguments.threads).and_then(|()| commands::dispatch(arguments.command)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),

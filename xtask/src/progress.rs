@@ -1,5 +1,6 @@
 //! Long work shows a bar with the time left on a terminal and plain lines elsewhere; `--quiet` silences both.
 
+use crate::cli::Arguments;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::sync::{Mutex, OnceLock, PoisonError};
@@ -16,8 +17,8 @@ static VOICE: OnceLock<Voice> = OnceLock::new();
 static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
 
 /// Chooses the voice once, from `--quiet` and the terminal.
-pub(crate) fn configure(quiet: bool) {
-    let voice = match quiet {
+pub(crate) fn configure(arguments: &Arguments) {
+    let voice = match arguments.quiet {
         true => Voice::Silent,
         false if std::io::stderr().is_terminal() => Voice::Bar,
         false => Voice::Lines,

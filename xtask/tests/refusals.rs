@@ -134,7 +134,7 @@ fn flipped(whole: &[u8]) -> Vec<u8> {
 /// A folder may have been made; no file may stand in it.
 fn is_absent_or_empty(place: &Workplace, name: &str) -> bool {
     let path = place.path(name);
-    !path.exists() || path.is_dir() && std::fs::read_dir(path).unwrap().next().is_none()
+    !path.exists() || std::fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_none())
 }
 
 #[test]

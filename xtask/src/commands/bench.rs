@@ -20,7 +20,7 @@ pub(crate) struct Comparison {
 }
 
 pub(crate) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
-    let comparisons = cases::all(arguments.quick)?;
+    let comparisons = cases::all(arguments)?;
     for c in &comparisons {
         let ratio = c.rival_s / c.ours_s;
         output::line(format!(

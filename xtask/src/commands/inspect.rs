@@ -15,6 +15,9 @@ use artifact::units::db_from_power;
 use artifact::{Preamble, Radar, Reader, Schema, read_preamble};
 use std::path::Path;
 
+/// What is said of content that is not, and that is as it should be.
+const SANITY: [&str; 2] = ["NOT complete and finite", "complete and finite"];
+
 pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
     let file = &arguments.file;
     let preamble = read_preamble(file)?;
@@ -80,7 +83,13 @@ fn scene(reader: Reader<Scene>) -> Result<(), Failure> {
     for frame in reader {
         let frame = frame?;
         let finite = frame.poses.iter().all(|p| p.position_m.iter().chain(&p.velocity_mps).all(|v| v.is_finite()));
-        line(format!("frame {:<6} {:.6} s, {} poses, {}", frame.index, frame.time_s, frame.poses.len(), sane(finite)));
+        line(format!(
+            "frame {:<6} {:.6} s, {} poses, {}",
+            frame.index,
+            frame.time_s,
+            frame.poses.len(),
+            SANITY[usize::from(finite)]
+        ));
     }
     Ok(())
 }
@@ -102,7 +111,7 @@ fn paths(reader: Reader<Paths>) -> Result<(), Failure> {
             frame.paths.len(),
             frame.trace.paths,
             db_from_power(power),
-            sane(power.is_finite())
+            SANITY[usize::from(power.is_finite())]
         ));
     }
     Ok(())
@@ -121,7 +130,7 @@ fn rcs(reader: Reader<Rcs>) -> Result<(), Failure> {
                 "frame {:<6} {name}: S in m, [frequency, elevation, azimuth] = {shape:?}, peak {:.2} dBsm, {}",
                 frame.index,
                 db_from_power(peak),
-                sane(complete)
+                SANITY[usize::from(complete)]
             ));
         }
     }
@@ -156,7 +165,11 @@ fn rdm(reader: Reader<Rdm>) -> Result<(), Failure> {
 fn samples(index: u32, time_s: f64, values: &[num_complex::Complex32], shape: [usize; 3]) {
     let power = values.iter().map(|v| f64::from(v.norm_sqr())).sum::<f64>() / values.len().max(1) as f64;
     let complete = values.len() == shape.iter().product::<usize>() && power.is_finite();
-    line(format!("frame {index:<6} {time_s:.6} s, mean power {:.2} dBW, {}", db_from_power(power), sane(complete)));
+    line(format!(
+        "frame {index:<6} {time_s:.6} s, mean power {:.2} dBW, {}",
+        db_from_power(power),
+        SANITY[usize::from(complete)]
+    ));
 }
 
 fn points(reader: Reader<Points>) -> Result<(), Failure> {
@@ -172,7 +185,7 @@ fn points(reader: Reader<Points>) -> Result<(), Failure> {
             "frame {:<6} {:.6} s, {points} points, {objects} objects, {}",
             frame.index,
             frame.time_s,
-            sane(finite)
+            SANITY[usize::from(finite)]
         ));
     }
     Ok(())
@@ -194,7 +207,7 @@ fn dataset(reader: Reader<Dataset>) -> Result<(), Failure> {
     for ((split, class), count) in counts {
         line(format!("samples      {count:>6} {split:?} {}", class.map_or("unlabelled", |c| c.name())));
     }
-    line(format!("sanity       {}", sane(complete)));
+    line(format!("sanity       {}", SANITY[usize::from(complete)]));
     Ok(())
 }
 
@@ -208,10 +221,6 @@ fn model(mut reader: Reader<Model>) -> Result<(), Failure> {
     line(format!("classes      {}", classes.join(", ")));
     let weights = reader.next_frame()?;
     let bytes = weights.as_ref().map_or(0, |w| w.safetensors.len());
-    line(format!("weights      {bytes} bytes of safetensors, {}", sane(bytes > 0)));
+    line(format!("weights      {bytes} bytes of safetensors, {}", SANITY[usize::from(bytes > 0)]));
     Ok(())
-}
-
-fn sane(good: bool) -> &'static str {
-    if good { "complete and finite" } else { "NOT complete and finite" }
 }

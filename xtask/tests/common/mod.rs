@@ -1,10 +1,13 @@
 //! A folder of its own for each test, and the program to run in it.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a helper of tests fails the test")]
+#![allow(dead_code, reason = "each test file uses a part of it")]
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 /// A scene that takes a tenth of a second: a small radar (cells of 0.96 m × 5.4 m/s), a corner reflector and a point.
-pub const SMALL_SCENE: &str = r#"
+pub(crate) const SMALL_SCENE: &str = r#"
 name = "small"
 seed = 3
 frames = 2
@@ -39,32 +42,32 @@ velocity_mps = [0.0, 0.0, 0.0]
 "#;
 
 /// Three square plates of half a metre that meet at right angles, open towards the front and above.
-pub const CORNER: &str = "v 0 0 0\nv 0.5 0 0\nv 0 0.5 0\nv 0.5 0.5 0\nv 0 0 0.5\nv 0.5 0 0.5\nv 0 0.5 0.5\n\
+pub(crate) const CORNER: &str = "v 0 0 0\nv 0.5 0 0\nv 0 0.5 0\nv 0.5 0.5 0\nv 0 0 0.5\nv 0.5 0 0.5\nv 0 0.5 0.5\n\
 f 1 2 4 3\nf 1 5 6 2\nf 1 3 7 5\n";
 
-pub struct Workplace {
+pub(crate) struct Workplace {
     folder: tempfile::TempDir,
 }
 
 impl Workplace {
     /// A folder with the small scene in it.
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("small.toml"), SMALL_SCENE).unwrap();
         std::fs::write(folder.path().join("corner.obj"), CORNER).unwrap();
         Self { folder }
     }
 
-    pub fn path(&self, name: &str) -> PathBuf {
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
         self.folder.path().join(name)
     }
 
-    pub fn root(&self) -> &Path {
+    pub(crate) fn root(&self) -> &Path {
         self.folder.path()
     }
 
     /// The program in this folder, with a cache of its own, words split at blanks.
-    pub fn command(&self, words: &str) -> Command {
+    pub(crate) fn command(&self, words: &str) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_xtask"));
         command.args(words.split_whitespace()).current_dir(self.folder.path());
         if words.starts_with("run") || words.starts_with("cache") {
@@ -73,23 +76,23 @@ impl Workplace {
         command
     }
 
-    pub fn try_run(&self, words: &str) -> Output {
+    pub(crate) fn try_run(&self, words: &str) -> Output {
         self.command(words).output().unwrap()
     }
 
     /// Standard output of a command that has to succeed.
-    pub fn run(&self, words: &str) -> String {
+    pub(crate) fn run(&self, words: &str) -> String {
         let output = self.try_run(words);
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(output.status.success(), "`{words}`: {} {said}", output.status);
         String::from_utf8(output.stdout).unwrap()
     }
 
-    pub fn bytes(&self, name: &str) -> Vec<u8> {
+    pub(crate) fn bytes(&self, name: &str) -> Vec<u8> {
         std::fs::read(self.path(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
     }
 
-    pub fn summary(&self, name: &str) -> serde_json::Value {
+    pub(crate) fn summary(&self, name: &str) -> serde_json::Value {
         serde_json::from_slice(&self.bytes(name)).unwrap()
     }
 }

@@ -1,6 +1,7 @@
 //! The comparisons: the tracer against dense sampling and ray shooting, the echo's recurrence against its reference.
 
 use super::Comparison;
+use crate::cli::BenchArguments;
 use crate::failure::Failure;
 use artifact::paths::Amplitude;
 use artifact::radar::{Polarization, Radar};
@@ -17,11 +18,11 @@ const RANGE_M: f64 = 30.0;
 const AZIMUTH_RAD: f64 = 0.4;
 const ELEVATION_RAD: f64 = 0.15;
 
-pub(super) fn all(quick: bool) -> Result<Vec<Comparison>, Failure> {
-    let (model, density) = if quick { ("motorcycle-street", 2.0) } else { ("car-suv", 4.0) };
+pub(super) fn all(arguments: &BenchArguments) -> Result<Vec<Comparison>, Failure> {
+    let (model, density) = if arguments.quick { ("motorcycle-street", 2.0) } else { ("car-suv", 4.0) };
     let mesh = scene::vehicles::mesh(model, 0).ok_or_else(|| Failure::refused(format!("`{model}` is missing")))?;
     let mut list = vec![against_po(model, &mesh, density)?, against_sbr(model, &mesh, density)?];
-    list.push(echo(if quick { 500 } else { 20_000 })?);
+    list.push(echo(if arguments.quick { 500 } else { 20_000 })?);
     Ok(list)
 }
 

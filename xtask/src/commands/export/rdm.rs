@@ -50,7 +50,7 @@ fn axes(header: &CubeHeader, told: &[(f64, u64, u64)]) -> serde_json::Value {
 
 /// One file a frame; a single frame keeps the name that was asked for.
 pub(crate) fn exr(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
-    each_frame(reader, out, |header, frame, place| write_exr(header, frame, place))
+    each_frame(reader, out, write_exr)
 }
 
 pub(crate) fn png(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
