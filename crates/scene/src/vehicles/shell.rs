@@ -175,11 +175,29 @@ fn cap(ring: &[DVec3], layout: &Layout) -> Surface {
     let left = |j: usize| at(half + j);
     let roof = |i: usize| at(half + rows + (columns - i));
     let right = |j: usize| at(ring.len() - half - j);
+    // By lengths along the outline, not by counts: rows crowd at the waist, and a grid by counts would fold there.
+    let across = shares(&(0..=columns).map(|i| 0.5 * (floor(i) + roof(i))).collect::<Vec<_>>());
+    let up = shares(&(0..=rows).map(left).collect::<Vec<_>>());
     let point = |i: usize, j: usize| {
-        let (u, v) = (i as f64 / columns as f64, j as f64 / rows as f64);
+        let (u, v) = (across[i], up[j]);
         let ruled = right(j).lerp(left(j), u) + floor(i).lerp(roof(i), v);
         ruled - right(0).lerp(left(0), u).lerp(right(rows).lerp(left(rows), u), v)
     };
     let grid: Vec<Vec<DVec3>> = (0..=rows).map(|j| (0..=columns).map(|i| point(i, j)).collect()).collect();
     Surface::from_rows(&grid, Material::Paint).flipped()
+}
+
+/// How far along the polyline each of its points lies, from 0 to 1.
+fn shares(polyline: &[DVec3]) -> Vec<f64> {
+    let steps = polyline.windows(2).map(|pair| pair[0].distance(pair[1]));
+    let lengths: Vec<f64> = [0.0]
+        .into_iter()
+        .chain(steps)
+        .scan(0.0, |sum, step| {
+            *sum += step;
+            Some(*sum)
+        })
+        .collect();
+    let whole = lengths[lengths.len() - 1];
+    lengths.into_iter().map(|length| length / whole).collect()
 }

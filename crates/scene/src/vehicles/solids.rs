@@ -116,14 +116,11 @@ pub(super) fn smoothed(sections: &[Section], between: usize) -> Vec<Section> {
 
 /// A limb through elliptical cross sections, with domed ends.
 pub(super) fn limb(sections: &[Section], sectors: usize, material: Material) -> Surface {
-    let tangents = tangents(sections);
-    let mut rows = Vec::new();
+    let frames = frames(sections);
     let last = sections.len() - 1;
-    rows.extend(dome(&sections[0], -tangents[0], tangents[0], sectors).into_iter().rev());
-    for (s, tangent) in sections.iter().zip(&tangents) {
-        rows.push(ring(s, *tangent, sectors));
-    }
-    rows.extend(dome(&sections[last], tangents[last], tangents[last], sectors));
+    let mut rows: Vec<_> = dome(&sections[0], &frames[0], -1.0, sectors).into_iter().rev().collect();
+    rows.extend(sections.iter().zip(&frames).map(|(s, frame)| ring(s, frame, sectors)));
+    rows.extend(dome(&sections[last], &frames[last], 1.0, sectors));
     Surface::from_rows(&rows, material).outward()
 }
 
@@ -148,42 +145,68 @@ pub(super) fn bent(path_m: &[[f64; 3]], share: f64) -> Vec<[f64; 3]> {
     bent
 }
 
-fn tangents(sections: &[Section]) -> Vec<DVec3> {
-    let last = sections.len() - 1;
-    let chord = |k: usize| {
-        let (from, to) = (k.saturating_sub(1), (k + 1).min(last));
-        (sections[to].centre_m - sections[from].centre_m).try_normalize().unwrap_or(DVec3::X)
-    };
-    (0..=last).map(chord).collect()
+/// Direction of a limb at a section, and that of the section's width.
+struct Frame {
+    tangent: DVec3,
+    across: DVec3,
 }
 
-/// Points of an ellipse across `tangent`; its width lies in the horizontal plane unless the limb is upright.
-fn ring(s: &Section, tangent: DVec3, sectors: usize) -> Vec<DVec3> {
+/// Frames that do not twist from one section to the next.
+fn frames(sections: &[Section]) -> Vec<Frame> {
+    let last = sections.len() - 1;
+    let mut frames: Vec<Frame> = Vec::with_capacity(sections.len());
+    for k in 0..=last {
+        let (from, to) = (k.saturating_sub(1), (k + 1).min(last));
+        let chord = sections[to].centre_m - sections[from].centre_m;
+        let tangent = chord.try_normalize().unwrap_or(DVec3::X);
+        let across = match frames.last() {
+            None => level_across(tangent),
+            Some(before) => continued_across(tangent, before.across),
+        };
+        frames.push(Frame { tangent, across });
+    }
+    frames
+}
+
+/// Horizontal, towards the left; of an upright limb straight to the left.
+fn level_across(tangent: DVec3) -> DVec3 {
     let upright = tangent.cross(DVec3::Z).length() < 0.2;
     let across = if upright { DVec3::Y } else { tangent.cross(DVec3::Z) };
     let across = (across - tangent * across.dot(tangent)).try_normalize().unwrap_or(DVec3::Y);
-    let across = if across.y < 0.0 { -across } else { across };
-    let up = tangent.cross(across);
+    if across.y < 0.0 { -across } else { across }
+}
+
+/// Horizontal again on the same side as before; where the limb turns away too far for that, carried along without twist.
+fn continued_across(tangent: DVec3, before: DVec3) -> DVec3 {
+    let level = level_across(tangent);
+    let level = if level.dot(before) < 0.0 { -level } else { level };
+    let carried = (before - tangent * before.dot(tangent)).try_normalize().unwrap_or(level);
+    if level.dot(carried) > 0.8 { level } else { carried }
+}
+
+/// Points of an ellipse across the frame's tangent.
+fn ring(s: &Section, frame: &Frame, sectors: usize) -> Vec<DVec3> {
+    let up = frame.tangent.cross(frame.across);
     let at = |k: usize| {
         let angle = TAU * (k % sectors) as f64 / sectors as f64;
-        s.centre_m + s.half_width_m * angle.cos() * across + s.half_height_m * angle.sin() * up
+        s.centre_m + s.half_width_m * angle.cos() * frame.across + s.half_height_m * angle.sin() * up
     };
     (0..=sectors).map(at).collect()
 }
 
-/// Rings from the end section outwards to the tip, a quarter ellipse a little flatter than round.
-fn dome(s: &Section, outwards: DVec3, tangent: DVec3, sectors: usize) -> Vec<Vec<DVec3>> {
+/// Rings from the end section outwards (`sign` along the tangent) to the tip, a quarter ellipse a little flatter than round.
+fn dome(s: &Section, frame: &Frame, sign: f64, sectors: usize) -> Vec<Vec<DVec3>> {
     let height = 0.7 * s.half_width_m.min(s.half_height_m);
     let smaller = |k: usize| {
         let angle = FRAC_PI_2 * k as f64 / 2.0;
         let share = if k == 2 { 0.0 } else { angle.cos() };
         Section {
-            centre_m: s.centre_m + height * angle.sin() * outwards,
+            centre_m: s.centre_m + sign * height * angle.sin() * frame.tangent,
             half_width_m: share * s.half_width_m,
             half_height_m: share * s.half_height_m,
         }
     };
-    (1..=2).map(|k| ring(&smaller(k), tangent, sectors)).collect()
+    (1..=2).map(|k| ring(&smaller(k), frame, sectors)).collect()
 }
 
 /// Turned about the y axis through the origin; a positive angle lowers the front.

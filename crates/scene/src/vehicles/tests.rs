@@ -77,16 +77,24 @@ fn the_origin_is_the_middle_of_the_bounding_box_on_the_ground() {
 #[test]
 fn other_seeds_spread_every_dimension_within_its_range() {
     for name in NAMES {
-        let range_m = size_range(name).unwrap().range_m;
-        let sizes: Vec<DVec3> =
-            (1..=8).map(|seed| bounds_m(&mesh(name, seed).unwrap())).map(|(low, high)| high - low).collect();
+        let size = size_range(name).unwrap();
+        let sizes_m: Vec<[f64; 3]> = (1..=8).map(|seed| Draw { model: name, seed }.size_m(&size)).collect();
         for k in 0..3 {
-            let [low, high] = range_m[k];
-            let (least, most) = sizes.iter().fold((f64::INFINITY, 0.0_f64), |(a, b), s| (a.min(s[k]), b.max(s[k])));
-            assert!(least >= low - 1e-6 && most <= high + 1e-6, "{name}: {least}..{most} outside {low}..{high}");
+            let [low, high] = size.range_m[k];
+            let (least, most) = sizes_m.iter().fold((f64::INFINITY, 0.0_f64), |(a, b), s| (a.min(s[k]), b.max(s[k])));
+            assert!(least >= low && most <= high, "{name}: {least}..{most} outside {low}..{high}");
             // Eight uniform draws cover less than a quarter of their range once in 2600 (8·¼⁷ − 7·¼⁸); the seeds are fixed.
             assert!(most - least > 0.25 * (high - low), "{name}: {least}..{most} of {low}..{high}");
         }
+    }
+}
+
+#[test]
+fn a_mesh_has_the_dimensions_its_seed_draws() {
+    for (name, seed, mesh) in every() {
+        let asked_m = Draw { model: name, seed: *seed }.size_m(&size_range(name).unwrap());
+        let (low, high) = bounds_m(mesh);
+        assert!((high - low).abs_diff_eq(DVec3::from_array(asked_m), 2e-6), "{name} {seed}: {}", high - low);
     }
 }
 
@@ -104,10 +112,11 @@ fn drawings_are_made_to_size_and_only_trimmed_by_the_last_fit() {
 
 #[test]
 fn the_same_seed_gives_the_same_bytes_and_another_seed_others() {
-    for name in NAMES {
-        let bytes = |seed| glb(&mesh(name, seed).unwrap());
-        assert_eq!(bytes(5), bytes(5), "{name}");
-        assert_ne!(bytes(5), bytes(6), "{name}");
+    for (name, seed, drawn_before) in every().filter(|(_, seed, _)| *seed == 1) {
+        assert_eq!(glb(&mesh(name, *seed).unwrap()), glb(drawn_before), "{name}");
+    }
+    for pair in EVERY.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+        assert_ne!(glb(&pair[0].2), glb(&pair[1].2), "{} {} and {}", pair[0].0, pair[0].1, pair[1].1);
     }
 }
 
@@ -151,32 +160,33 @@ fn normals_are_unit_vectors_on_the_outer_side_of_their_facets() {
 
 #[test]
 fn parts_are_wound_outwards() {
-    // A body hides its inside: seen from far ahead, behind, aside and above, the nearest facet on a ray faces the viewer.
+    // A body hides its inside: seen from ahead, behind, aside, above and below the nearest facet faces the viewer.
     for (name, seed, mesh) in every().filter(|(_, seed, _)| *seed == 0) {
-        let (low, high) = bounds_m(mesh);
         for axis in 0..3 {
-            let (turned, total) = facing_away(mesh, axis, low, high);
-            // Single sheets do not exist but for the arches' open floors, which none of these rays enters.
+            let (turned, total) = facing_away(mesh, axis);
+            // Where outlines cross a rounded corner slivers may fold: of 1000 rays one at most may meet such a one.
             assert!(
-                turned * 200 <= total,
+                turned * 1000 <= total,
                 "{name} {seed} axis {axis}: {turned} of {total} rays meet a facet from behind"
             );
         }
     }
 }
 
-/// Rays along `axis` from its positive side on a grid of 24 × 24: how many meet a facet's inner side first, how many meet
-/// any.
-fn facing_away(mesh: &Mesh, axis: usize, low: DVec3, high: DVec3) -> (usize, usize) {
+/// Rays along `axis`, both ways, on a grid of 24 × 24: how many meet a facet's inner side first, how many meet any.
+fn facing_away(mesh: &Mesh, axis: usize) -> (usize, usize) {
+    let (low, high) = bounds_m(mesh);
     let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
     let (mut turned, mut total) = (0, 0);
     for k in 0..576 {
         let share = |n: usize| (n as f64 + 0.4817) / 24.0;
         let (at_u, at_v) = (low[u] + (high[u] - low[u]) * share(k % 24), low[v] + (high[v] - low[v]) * share(k / 24));
-        let hits = mesh.triangles.iter().filter_map(|t| crossing(corners_m(mesh, *t), [axis, u, v], [at_u, at_v]));
-        if let Some((_, area)) = hits.reduce(|a, b| if a.0 >= b.0 { a } else { b }) {
-            total += 1;
-            turned += usize::from(area < 0.0);
+        let crossed = |t: &[u32; 3]| crossing(corners_m(mesh, *t), [axis, u, v], [at_u, at_v]);
+        let mut hits: Vec<(f64, f64)> = mesh.triangles.iter().filter_map(crossed).collect();
+        hits.sort_by(|a, b| a.0.total_cmp(&b.0));
+        if let (Some(lowest), Some(highest)) = (hits.first(), hits.last()) {
+            total += 2;
+            turned += usize::from(highest.1 < 0.0) + usize::from(lowest.1 > 0.0);
         }
     }
     (turned, total)
@@ -229,7 +239,7 @@ fn both_sides_of_a_vehicle_weigh_the_same_but_for_doors_exhausts_and_tanks() {
 }
 
 #[test]
-fn what_is_written_is_read_back_to_the_bit() {
+fn what_is_written_is_read_back() {
     let folder = tempfile::tempdir().unwrap();
     for name in NAMES {
         let written = mesh(name, 0).unwrap();
@@ -239,7 +249,10 @@ fn what_is_written_is_read_back_to_the_bit() {
         assert_eq!(read.materials, written.materials, "{name}");
         assert_eq!(read.triangles, written.triangles, "{name}");
         assert_eq!(read.vertices_m, written.vertices_m, "{name}");
-        assert_eq!(read.normals, written.normals, "{name}");
+        for (got, asked) in read.normals.iter().zip(&written.normals) {
+            // The reader makes them unit vectors again: an ulp or two of single precision.
+            assert!((0..3).all(|k| (got[k] - asked[k]).abs() <= 2.4e-7), "{name}: {got:?} for {asked:?}");
+        }
         assert_eq!(read.material_of_triangle, written.material_of_triangle, "{name}");
         assert_eq!(read.statistics, written.statistics, "{name}");
     }

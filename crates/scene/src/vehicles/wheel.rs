@@ -165,12 +165,12 @@ pub(super) fn arch_lining(lining: &Lining) -> Surface {
     };
     let rows: Vec<_> = (0..=steps).map(row).collect();
     let mut surface = Surface::from_rows(&rows, Material::Plastic);
-    for (row, last) in [(&rows[0], false), (&rows[steps], true)] {
+    for (row, first) in [(&rows[0], true), (&rows[steps], false)] {
         // The section is an L of two rectangles.
         for quad in [[0, 1, 4, 5], [1, 2, 3, 4]] {
             let corners = quad.map(|k: usize| row[k]);
             surface.push_quad(
-                if last { [corners[3], corners[2], corners[1], corners[0]] } else { corners },
+                if first { [corners[3], corners[2], corners[1], corners[0]] } else { corners },
                 Material::Plastic,
             );
         }

@@ -32,7 +32,7 @@ pub(super) fn shell(form: &Form) -> Shell {
     let waist = form.panes_z[0] - WAIST_BELOW_PANES_M;
     let waist_samples: Vec<_> =
         spaced(rear, front, 0.12).into_iter().map(|x| (x, waist.min(top_z.at(x) - 0.24))).collect();
-    let lean_in = if form.kind == Kind::City { 0.05 } else { 0.12 };
+    let lean_in: f64 = if form.kind == Kind::City { 0.05 } else { 0.12 };
     let narrow = if form.kind == Kind::Mini { 0.12 } else { 0.0 };
     let plan = |inset: f64| {
         Curve::through(&[(front, half - inset - narrow), (front - 1.2, half - inset), (rear, half - inset)])
@@ -52,7 +52,12 @@ pub(super) fn shell(form: &Form) -> Shell {
         sill_y: plan(0.03),
         belly_y: plan(0.0),
         waist_y: plan(0.01),
-        rail_y: plan(lean_in),
+        // Over a van's bonnet the rail stays above the flank.
+        rail_y: Curve::through(&[
+            (front, half - narrow - lean_in.min(0.05)),
+            (front - 1.2, half - lean_in),
+            (rear, half - lean_in),
+        ]),
         upper_bow_m: 0.012,
         roof_exponent: 3.2,
         sill_radius_m: 0.06,

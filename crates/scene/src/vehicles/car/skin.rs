@@ -45,7 +45,7 @@ pub(super) fn shell(form: &Form) -> Shell {
     ]);
     let lift = |x: f64| 0.10 * smooth_step(front - 0.75, front, x) + 0.13 * smooth_step(rear + 0.9, rear, x);
     let rail = |x: f64| {
-        let bonnet = plan.at(x) - 0.13;
+        let bonnet = plan.at(x) - 0.09;
         bonnet + (form.roof_y - bonnet) * form.cabin(x)
     };
     Shell {

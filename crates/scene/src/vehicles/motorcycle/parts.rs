@@ -124,7 +124,16 @@ pub(super) fn mudguard(axle: [f64; 2], radius_m: f64, half_width_m: f64, [from, 
         points.push(points[0]);
         points
     };
-    Surface::from_rows(&(0..=steps).map(row).collect::<Vec<_>>(), Material::Paint).outward()
+    let rows: Vec<_> = (0..=steps).map(row).collect();
+    let mut guard = Surface::from_rows(&rows, Material::Paint);
+    for (row, first) in [(&rows[0], true), (&rows[steps], false)] {
+        for k in 0..4 {
+            // Between the outer line, left to right, and the inner one.
+            let quad = [row[k], row[k + 1], row[8 - k], row[9 - k]];
+            guard.push_quad(if first { [quad[3], quad[2], quad[1], quad[0]] } else { quad }, Material::Paint);
+        }
+    }
+    guard.welded().outward()
 }
 
 /// Rear plate (German single-line two-wheeler plate, 180 × 200 mm) and lamp.

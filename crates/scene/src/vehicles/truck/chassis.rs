@@ -89,7 +89,7 @@ fn mudguard(form: &Form, axle_x: f64, truck: &mut Assembly) {
         vec![a, b, d, c, a]
     };
     let mut guard = Surface::from_rows(&(0..=8).map(row).collect::<Vec<_>>(), Material::Plastic);
-    for (k, turned) in [(0, false), (8, true)] {
+    for (k, turned) in [(0, true), (8, false)] {
         let ([a, b], [c, d]) = (outer(k), inner(k));
         let mut end = Surface::default();
         end.push_quad(if turned { [a, c, d, b] } else { [a, b, d, c] }, Material::Plastic);
