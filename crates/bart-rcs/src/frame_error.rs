@@ -5,9 +5,11 @@
 //! the mean square of the whole frame.
 
 use crate::aspect::sum_of_joints;
-use crate::path::Plan;
+use crate::join::Joints;
+use crate::path_plan::Plan;
 use crate::path_pruning::power_over_frame;
 use crate::path_sum::scattering_of_paths;
+use crate::physical_optics::Bracket;
 use crate::rcs_table::next_order;
 use crate::scatterer::{Integration, Scatterer, bracket_of};
 use artifact::paths::Path;
@@ -65,8 +67,11 @@ pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference
     let fidelity = &plan.header.fidelity;
     let frequencies_hz = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, CHECKED_FREQUENCIES);
     let wavenumbers: Vec<f64> = frequencies_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
-    let by_rule =
-        |order: u8, rule: NodeRule| of_order(scatterer, plan, order, rule, &Fineness::ten_times(&wavenumbers, plan));
+    let fineness = Fineness::ten_times(&wavenumbers, plan);
+    let by_rule = |order: u8, rule: NodeRule| {
+        let joints = scatterer.joints(order, rule, plan.trace.least_area_m2);
+        of_joints(scatterer, plan, &joints, bracket_of(rule), &fineness)
+    };
     let by_order_m = (1..=fidelity.bounces).map(|order| by_rule(order, fidelity.nodes)).collect();
     let reaches = |order: u8| order > 1 && order <= plan.trace.max_order;
     let exit_m = (1..=fidelity.bounces).map(|o| reaches(o).then(|| by_rule(o, NodeRule::Exit))).collect();
@@ -74,13 +79,13 @@ pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference
 }
 
 /// Mean over the band's three points of |S − S(ten times finer)|², at the moment of `scatterer`.
-pub(crate) fn integration_power(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> f64 {
+pub(crate) fn integration_power(scatterer: &Scatterer<'_>, plan: &Plan<'_>, joints: &[Joints]) -> f64 {
     let wavenumbers = plan.band.wavenumbers_per_m();
     let fine = Fineness::ten_times(&wavenumbers, plan);
     let coarse = Fineness { accuracy: 10.0 * fine.accuracy, ..fine };
     let all = |fineness: &Fineness<'_>| {
-        let orders = 1..=plan.header.fidelity.bounces;
-        total(orders.map(|o| of_order(scatterer, plan, o, plan.header.fidelity.nodes, fineness)), wavenumbers.len())
+        let bracket = bracket_of(plan.header.fidelity.nodes);
+        total(joints.iter().map(|joints| of_joints(scatterer, plan, joints, bracket, fineness)), wavenumbers.len())
     };
     mean_difference(&all(&fine), &all(&coarse))
 }
@@ -97,20 +102,17 @@ impl<'a> Fineness<'a> {
     }
 }
 
-fn of_order(
+/// S of joints over frequency, as the radar sees it.
+fn of_joints(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
-    order: u8,
-    rule: NodeRule,
+    joints: &Joints,
+    bracket: Bracket,
     fineness: &Fineness<'_>,
 ) -> Vec<Complex64> {
-    let integration = Integration {
-        wavenumbers_per_m: fineness.wavenumbers_per_m,
-        accuracy: fineness.accuracy,
-        bracket: bracket_of(rule),
-    };
-    let joints = scatterer.joints(order, rule, plan.trace.least_area_m2);
-    let amplitudes = sum_of_joints(scatterer, &joints, plan.view(0.0).origin_m, &integration);
+    let integration =
+        Integration { wavenumbers_per_m: fineness.wavenumbers_per_m, accuracy: fineness.accuracy, bracket };
+    let amplitudes = sum_of_joints(scatterer, joints, plan.view(0.0).origin_m, &integration);
     amplitudes.iter().map(|s| plan.seen(s)).collect()
 }
 

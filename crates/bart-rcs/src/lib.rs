@@ -65,8 +65,10 @@ mod rcs_table; // S over frequency and aspect
 mod path_cells; // lit polygons as cells with one node each
 mod nearest_surface; // nearest lit point of a body
 mod path_sum; // S from path records, by definition
+mod path_plan; // what a frame is traced with
 mod path_pruning; // paths too weak to matter
 mod frame_error; // what a frame's paths miss, measured
+mod path_table; // the largest cells that meet the accuracy
 mod path; // the path table of a frame
 mod rcs_frame; // the paper's table of a frame
 pub mod reference;

@@ -1,7 +1,7 @@
 //! Paths too weak to matter: a table is no larger than the accuracy asked for needs.
 
 use crate::frame_error::{frequencies_hz, mean_power};
-use crate::path::Plan;
+use crate::path_plan::Plan;
 use crate::path_sum::PathView;
 use artifact::paths::Path;
 use glam::DVec3;

@@ -199,17 +199,14 @@ impl<'a> Body<'a> {
         axis(from.min(to), from.max(to), count)
     }
 
-    /// The sampled sweep, and below it what a chirp's delay takes away: μτ, 1/40 of the band at 60 m of 128 µs…; a step is
-    /// more, and the echo extrapolates by up to one.
+    /// The sampled sweep. A chirp's delay takes it below f₀ by μτ, 5 MHz at 60 m: less than a step, by which the echo goes
+    /// beyond the ends of an axis.
     fn frequency_axis(&self) -> Vec<f64> {
         let waveform = &self.header.radar.waveform;
-        let (start, end) = (
-            waveform.start_frequency_hz,
-            waveform.start_frequency_hz
-                + waveform.slope_hz_per_s * f64::from(waveform.samples) / waveform.sample_rate_hz,
-        );
-        let turn = 2.0 * TAU * self.radius_m * (end - start).abs() / SPEED_OF_LIGHT_MPS;
-        axis(start.min(end), start.max(end), self.steps(turn, FREQUENCIES_MAX))
+        let half_hz = 0.5 * waveform.bandwidth_hz().abs();
+        let turn = 4.0 * TAU * self.radius_m * half_hz / SPEED_OF_LIGHT_MPS;
+        let centre_hz = waveform.centre_frequency_hz();
+        axis(centre_hz - half_hz, centre_hz + half_hz, self.steps(turn, FREQUENCIES_MAX))
     }
 
     /// Between two values a phasor that turns by Δφ is missed by Δφ²/8 at most.
