@@ -1,0 +1,77 @@
+//! The three methods on the same question: S in vv at some frequencies, by bounce order with exit nodes.
+
+use artifact::Accuracy;
+use artifact::paths::Amplitude;
+use artifact::radar::Polarization;
+use artifact::scene::Mesh;
+use artifact::settings::{NodeRule, Sides};
+use bart_rcs::reference::{self, Aspect, Bracket};
+use bart_rcs::{RcsRequest, Standpoint, rcs};
+use num_complex::Complex64;
+use std::time::Instant;
+
+/// What one method found.
+pub(crate) struct Run {
+    pub(crate) name: String,
+    pub(crate) seconds: f64,
+    /// `[order − 1][frequency]`.
+    pub(crate) orders: Vec<Vec<Complex64>>,
+}
+
+pub(crate) fn request(place: Standpoint, frequencies_hz: &[f64], bounces: u8, nodes: NodeRule, db: f64) -> RcsRequest {
+    RcsRequest {
+        frequency_hz: frequencies_hz.to_vec(),
+        elevation_rad: vec![place.elevation_rad],
+        azimuth_rad: vec![place.azimuth_rad],
+        range_m: place.range_m,
+        receiver: None,
+        polarization: Polarization::Vv,
+        bounces,
+        nodes,
+        sides: Sides::Two,
+        accuracy: Accuracy::from_db(db),
+    }
+}
+
+pub(crate) fn bart(mesh: &Mesh, place: Standpoint, frequencies_hz: &[f64], bounces: u8, db: f64) -> Run {
+    let start = Instant::now();
+    let result = rcs(mesh, &request(place, frequencies_hz, bounces, NodeRule::Exit, db), &|_, _| {}).unwrap();
+    Run { name: format!("BART, {db} dB asked"), seconds: start.elapsed().as_secs_f64(), orders: result.by_order_m }
+}
+
+pub(crate) fn po(
+    mesh: &Mesh,
+    place: Standpoint,
+    frequencies_hz: &[f64],
+    per_wavelength: f64,
+    shadow_levels: u32,
+) -> Run {
+    let sampling =
+        reference::po::Sampling { per_wavelength, shadow_levels, sides: Sides::Two, bracket: Bracket::Symmetrised };
+    let start = Instant::now();
+    let s = reference::po::amplitude(mesh, &Aspect::monostatic(place), frequencies_hz, &sampling).unwrap();
+    let name = format!("po, {per_wavelength} cells per λ, borders halved {shadow_levels} times");
+    Run { name, seconds: start.elapsed().as_secs_f64(), orders: vec![vv(&s)] }
+}
+
+pub(crate) fn sbr(mesh: &Mesh, place: Standpoint, frequencies_hz: &[f64], per_wavelength: f64, bounces: u8) -> Run {
+    let shooting = reference::sbr::Shooting { per_wavelength, bounces, sides: Sides::Two, bracket: Bracket::Plain };
+    let start = Instant::now();
+    let found = reference::sbr::amplitude(mesh, &Aspect::monostatic(place), frequencies_hz, &shooting).unwrap();
+    let name = format!("sbr, {per_wavelength} rays per λ ({:.2} million)", found.rays as f64 * 1e-6);
+    Run { name, seconds: start.elapsed().as_secs_f64(), orders: found.orders.iter().map(|order| vv(order)).collect() }
+}
+
+fn vv(amplitudes: &[Amplitude]) -> Vec<Complex64> {
+    amplitudes.iter().map(|s| s[0][0]).collect()
+}
+
+/// ‖S − S_ref‖/‖S_ref‖ (docs/conventions.md).
+pub(crate) fn error(got: &[Complex64], reference: &[Complex64]) -> f64 {
+    let difference: f64 = got.iter().zip(reference).map(|(g, r)| (g - r).norm_sqr()).sum();
+    (difference / reference.iter().map(|r| r.norm_sqr()).sum::<f64>()).sqrt()
+}
+
+pub(crate) fn decibels(ratio: f64) -> f64 {
+    artifact::units::db_from_amplitude(ratio)
+}
