@@ -170,13 +170,13 @@ impl FrameError {
         let exact: Vec<Complex64> = with_points.collect();
         let got: Vec<Complex64> = reference.frequencies_hz.iter().map(|f| sum_at(paths, f)).collect();
         let error_power = mean_difference(&exact, &got);
-        let [beams_m2, beams_at_most_m2] = dropped_area_m2(scatterer, plan);
+        let [beams, beams_at_most] = dropped_sections(scatterer, plan);
         let scale = (TAU / plan.band.wavelength_m()).powi(2) / std::f64::consts::PI;
         Self {
             total: relative(error_power),
             integration: relative(given_up.integration_power),
-            dropped: relative(given_up.paths_power + scale * beams_m2.powi(2)),
-            dropped_at_most: relative(given_up.paths_power + scale * beams_at_most_m2.powi(2)),
+            dropped: relative(given_up.paths_power + scale * beams.powi(2)),
+            dropped_at_most: relative(given_up.paths_power + scale * beams_at_most.powi(2)),
         }
     }
 
@@ -197,16 +197,20 @@ impl FrameError {
     }
 }
 
-/// Area across the wave of the beams given up: with independent phases, with equal ones.
-fn dropped_area_m2(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> [f64; 2] {
-    let audit = &scatterer.trees.transmit().audit;
+/// Area across the wave of the beams given up, over L₁L₂ of the nearest facet as S is over that of [`Plan::view`]: with
+/// independent phases, with equal ones.
+fn dropped_sections(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> [f64; 2] {
+    let distances_m2 = scatterer.world.facets().iter().map(|f| f.corners_m[0].distance_squared(plan.position_m));
+    let nearest_m2 = distances_m2.fold(f64::INFINITY, f64::min);
     let needed = usize::from(plan.trace.max_order);
     let (mut squares, mut sum) = (0.0, 0.0);
-    for (index, order) in audit.orders.iter().take(needed).enumerate() {
+    for (index, order) in scatterer.trees.transmit().audit.orders.iter().take(needed).enumerate() {
+        // The last order is not reflected at all.
         let unreflected = if index + 1 < needed { order.unreflected_across_m2 } else { 0.0 };
         for (across_m2, count) in [(order.dropped_across_m2, order.dropped), (unreflected, order.unreflected)] {
-            squares += across_m2 * across_m2 / count.max(1) as f64;
-            sum += across_m2;
+            let section = across_m2 / nearest_m2;
+            squares += section * section / count.max(1) as f64;
+            sum += section;
         }
     }
     [squares.sqrt(), sum]

@@ -183,7 +183,7 @@ fn sphere_physical_optics(radius_m: f64) -> Complex64 {
 
 /// An aspect off the cube's symmetries: at az 0 the rim's staircase would add up in phase, 0.7 dB with these facets.
 fn sphere_request(range_m: f64) -> RcsRequest {
-    RcsRequest { range_m, accuracy: Accuracy::from_db(-40.0), ..at(10.0, 20.0) }
+    RcsRequest { range_m, accuracy: Accuracy::from_db(-30.0), ..at(10.0, 20.0) }
 }
 
 /// P4 and P5: 0.1 m with facets of 1.7 mm; a sphere nearby grows by (R/(R − ρ))², the divergence of its wave.
