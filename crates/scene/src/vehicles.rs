@@ -5,7 +5,7 @@
 //! materials. Seed 0 has the nominal dimensions, any other seed draws them from the ranges of real vehicles, so that a
 //! data set does not hold one shape a hundred times. Equal names and seeds give equal bytes.
 //!
-//! Reading order: [`curve`](self) lines, `shell` lofts them to a skin, `stencil` cuts panes, arches and lamps into it along
+//! Reading order: `curve` draws lines, `shell` lofts them to a skin, `stencil` cuts panes, arches and lamps into it along
 //! exact outlines, `solids` adds what is bolted on, `mesh_builder` fits, smooths and rounds the whole, `glb` writes it.
 //! Facets are small where the skin is curved (5 to 10 cm on bodies, 2 to 5 cm on roundings) and as large as they like
 //! where it is flat; at 77 GHz that is a faceted vehicle, not a smooth one (chord over √(ρλ) is above 0.7 below ρ ≈ 5 m):
