@@ -108,7 +108,8 @@ pub(crate) fn scattering(
     })
 }
 
-fn other(rule: NodeRule) -> NodeRule {
+/// The rule that a run is compared with.
+pub(crate) fn other(rule: NodeRule) -> NodeRule {
     match rule {
         NodeRule::Middle => NodeRule::Exit,
         NodeRule::Exit => NodeRule::Middle,

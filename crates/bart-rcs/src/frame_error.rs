@@ -4,8 +4,8 @@
 //! amplitudes and apparent velocities err in proportion to the time from the frame's middle; the moment T/√12 after it has
 //! the mean square of the whole frame.
 
-use crate::aspect::sum_of_joints;
-use crate::join::Joints;
+use crate::aspect::{other, sum_of_joints};
+use crate::join::{Joints, tree_order};
 use crate::path_plan::Plan;
 use crate::path_pruning::power_over_frame;
 use crate::path_sum::scattering_of_paths;
@@ -38,8 +38,8 @@ pub(crate) struct Reference {
     frequencies_hz: Vec<f64>,
     /// By order from 1, then frequency.
     by_order_m: Vec<Vec<Complex64>>,
-    /// Exit rule, where there is a choice and the tree reaches that far: by order from 1.
-    exit_m: Vec<Option<Vec<Complex64>>>,
+    /// The other node rule, where there is a choice and the tree reaches that far: by order from 1.
+    other_m: Vec<Option<Vec<Complex64>>>,
 }
 
 /// What was measured of one table of paths, as amplitudes relative to the frame's.
@@ -73,9 +73,10 @@ pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference
         of_joints(scatterer, plan, &joints, bracket_of(rule), &fineness)
     };
     let by_order_m = (1..=fidelity.bounces).map(|order| by_rule(order, fidelity.nodes)).collect();
-    let reaches = |order: u8| order > 1 && order <= plan.trace.max_order;
-    let exit_m = (1..=fidelity.bounces).map(|o| reaches(o).then(|| by_rule(o, NodeRule::Exit))).collect();
-    Reference { by_order_m, exit_m, frequencies_hz }
+    let other = other(fidelity.nodes);
+    let reaches = |order: u8| order > 1 && tree_order(order, other) <= plan.trace.max_order;
+    let other_m = (1..=fidelity.bounces).map(|o| reaches(o).then(|| by_rule(o, other))).collect();
+    Reference { by_order_m, other_m, frequencies_hz }
 }
 
 /// Mean over the band's three points of |S − S(ten times finer)|², at the moment of `scatterer`.
@@ -130,13 +131,13 @@ fn mean(values: &[Complex64]) -> f64 {
 }
 
 impl Reference {
-    /// Spread between exit and middle where both are known, and the order that is missing by the decay of those that are
+    /// Spread between the node rules where both are known, and the order that is missing by the decay of those that are
     /// there; both relative to all orders.
     pub(crate) fn model_error(&self) -> ModelError {
         let power = mean(&self.total_m());
         let relative = |part: f64| if power > 0.0 { (part / power).sqrt() } else { 0.0 };
         let by_order: Vec<f64> = self.by_order_m.iter().map(|s| relative(mean(s))).collect();
-        let both = self.by_order_m.iter().zip(&self.exit_m);
+        let both = self.by_order_m.iter().zip(&self.other_m);
         let spreads: Vec<f64> = both.filter_map(|(m, e)| e.as_ref().map(|e| mean_difference(m, e))).collect();
         ModelError {
             nodes: (!spreads.is_empty()).then(|| relative(spreads.iter().sum())),
