@@ -21,8 +21,8 @@ use std::f64::consts::TAU;
 /// Far-field tables of one frame, one per target.
 ///
 /// The tree is traced at the frame's middle; over the milliradians of a frame the same facets stay lit. Axes are so fine
-/// that linear interpolation meets the accuracy asked, as far as [`AZIMUTHS_MAX`] and its like allow. Bodies neither hide
-/// one another nor is the wave spherical: `model_error.far_field` compares each table's middle with the spherical wave. A
+/// that linear interpolation meets the accuracy asked, up to 9 azimuths, 5 elevations and 256 frequencies. Bodies neither
+/// hide one another nor is the wave spherical: `model_error.far_field` compares each table's middle with the spherical wave. A
 /// point target has a table of one value, +√σ.
 pub fn rcs_frame(header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, BartError> {
     check_order(header.fidelity.bounces)?;

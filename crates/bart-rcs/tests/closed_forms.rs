@@ -270,13 +270,16 @@ fn a_dihedral_off_ninety_degrees_has_the_level_of_the_symmetrised_node() {
     }
 }
 
-fn trihedral(triangular: bool) -> Mesh {
-    let a = 0.1;
+const TRIHEDRAL_SIDE_M: f64 = 0.1;
+
+fn triangular_trihedral() -> Mesh {
+    let a = TRIHEDRAL_SIDE_M;
+    mesh(vec![[0.0; 3], [a, 0.0, 0.0], [0.0, a, 0.0], [0.0, 0.0, a]], vec![[0, 1, 2], [0, 2, 3], [0, 3, 1]])
+}
+
+fn square_trihedral() -> Mesh {
+    let a = TRIHEDRAL_SIDE_M;
     let axes = [[a, 0.0, 0.0], [0.0, a, 0.0], [0.0, 0.0, a]];
-    if triangular {
-        let vertices = vec![[0.0; 3], axes[0], axes[1], axes[2]];
-        return mesh(vertices, vec![[0, 1, 2], [0, 2, 3], [0, 3, 1]]);
-    }
     parallelograms(&[[[0.0; 3], axes[0], axes[1]], [[0.0; 3], axes[1], axes[2]], [[0.0; 3], axes[2], axes[0]]])
 }
 
@@ -288,7 +291,7 @@ fn a_trihedral_of_order_three_has_its_closed_forms_on_and_off_axis() {
         dbsm(run(mesh, &request).by_order_m[2][0])
     };
     let axis = (0.5_f64.sqrt()).atan().to_degrees();
-    let (triangular, square) = (trihedral(true), trihedral(false));
+    let (triangular, square) = (triangular_trihedral(), square_trihedral());
     let a4 = 1e-4 / (WAVELENGTH_M * WAVELENGTH_M);
     check("D2 triangular", 10.0 * (4.0 * PI / 3.0 * a4).log10(), triple(&triangular, 45.0, axis), 0.01);
     check("D2 square", 10.0 * (12.0 * PI * a4).log10(), triple(&square, 45.0, axis), 0.01);
