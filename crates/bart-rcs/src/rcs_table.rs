@@ -108,7 +108,7 @@ pub fn rcs(
     let asked = request.accuracy.amplitude().max(1e-8);
     let mut accuracy = asked;
     loop {
-        let settings = aspect_settings(request, accuracy);
+        let settings = aspect_settings(request, &world, accuracy);
         let table = sweep(&world, &aspects, &settings, progress)?;
         let integration = measured_error(&aspects, &table);
         if integration <= asked || accuracy < 1e-4 * asked {
@@ -159,11 +159,17 @@ fn aspects(request: &RcsRequest) -> Vec<Aspect> {
     request.elevation_rad.iter().flat_map(|el| request.azimuth_rad.iter().map(move |az| of(*el, *az))).collect()
 }
 
-fn aspect_settings(request: &RcsRequest, accuracy: f64) -> AspectSettings {
+fn mean_facet_m2(world: &World) -> f64 {
+    let facets = world.facets();
+    facets.iter().map(|facet| facet.area_m2).sum::<f64>() / facets.len().max(1) as f64
+}
+
+fn aspect_settings(request: &RcsRequest, world: &World, accuracy: f64) -> AspectSettings {
     let wavenumbers_per_m: Vec<f64> = request.frequency_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
     let shortest_m = TAU / wavenumbers_per_m.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-    // λ²/100·accuracy (physics §2); mirrors of a hundred times that size are the smallest that are followed.
-    let least_area_m2 = 1e-2 * shortest_m * shortest_m * request.accuracy.amplitude();
+    // λ²/100·accuracy (physics §2), or that part of the mean facet where facets are smaller than the wavelength: a fine
+    // mesh must not be dropped whole. Mirrors of a hundred times that size are the smallest that are followed.
+    let least_area_m2 = 1e-2 * mean_facet_m2(world).min(shortest_m * shortest_m) * request.accuracy.amplitude();
     let both = tree_order(request.bounces, NodeRule::Exit).max(tree_order(request.bounces, NodeRule::Middle));
     AspectSettings {
         trace: TraceSettings {
