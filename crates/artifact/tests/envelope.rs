@@ -1,5 +1,7 @@
 //! What the envelope promises, on artifacts made here.
 
+#![allow(clippy::unwrap_used, reason = "a helper of tests fails the test")]
+
 use artifact::points::{Point, Points, PointsFrame, PointsHeader};
 use artifact::rdm::Rdm;
 use artifact::{Fault, Provenance, Reader, Schema, Writer, read_preamble};

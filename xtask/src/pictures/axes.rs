@@ -44,34 +44,38 @@ pub(crate) struct Axes {
 impl Axes {
     /// Frame, ticks, numbers and labels.
     pub(crate) fn draw(&self, sheet: &mut Svg, x_label: &str, y_label: &str) {
-        self.draw_with(sheet, x_label, y_label, &tick_text, &tick_text);
+        self.draw_with(sheet, [x_label, y_label], [&marks(&self.x), &marks(&self.y)]);
     }
 
-    /// As [`Axes::draw`] with other words at the ticks.
-    pub(crate) fn draw_with(
-        &self,
-        sheet: &mut Svg,
-        x_label: &str,
-        y_label: &str,
-        x_text: &dyn Fn(f64) -> String,
-        y_text: &dyn Fn(f64) -> String,
-    ) {
+    /// As [`Axes::draw`] with other marks, [x, y].
+    pub(crate) fn draw_with(&self, sheet: &mut Svg, labels: [&str; 2], marks: [&[Mark]; 2]) {
         let (left, right) = (self.x.start_px, self.x.end_px);
         let (bottom, top) = (self.y.start_px, self.y.end_px);
         sheet.rectangle("ink", [left, top], [right - left, bottom - top]);
-        for value in self.x.ticks() {
-            let x = self.x.at(value);
-            sheet.line("ink", [x, bottom], [x, bottom + 4.0]);
-            sheet.words([x, bottom + 16.0], 11.0, "middle", &x_text(value));
+        for (value, text) in marks[0] {
+            let x = self.x.at(*value);
+            sheet.line("ink", [x, bottom], [x, bottom + tick_px(text)]);
+            sheet.words([x, bottom + 16.0], 11.0, "middle", text);
         }
-        for value in self.y.ticks() {
-            let y = self.y.at(value);
-            sheet.line("ink", [left - 4.0, y], [left, y]);
-            sheet.words([left - 7.0, y + 4.0], 11.0, "end", &y_text(value));
+        for (value, text) in marks[1] {
+            let y = self.y.at(*value);
+            sheet.line("ink", [left - tick_px(text), y], [left, y]);
+            sheet.words([left - 7.0, y + 4.0], 11.0, "end", text);
         }
-        sheet.words([0.5 * (left + right), bottom + 33.0], 12.0, "middle", x_label);
-        sheet.words_upwards([left - 38.0, 0.5 * (top + bottom)], 12.0, y_label);
+        sheet.words([0.5 * (left + right), bottom + 33.0], 12.0, "middle", labels[0]);
+        sheet.words_upwards([left - 38.0, 0.5 * (top + bottom)], 12.0, labels[1]);
     }
+}
+
+/// A place on an axis and what is written there; without words it is a minor tick.
+pub(crate) type Mark = (f64, String);
+
+fn marks(axis: &Axis) -> Vec<Mark> {
+    axis.ticks().into_iter().map(|value| (value, tick_text(value))).collect()
+}
+
+fn tick_px(text: &str) -> f64 {
+    if text.is_empty() { 2.5 } else { 4.0 }
 }
 
 /// A number without digits that say nothing.

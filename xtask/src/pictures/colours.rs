@@ -13,9 +13,11 @@ pub(crate) fn class_colour(class: Option<Class>) -> &'static str {
     }
 }
 
-/// Colour of the n-th line of a plot, of the same palette.
+/// Colour of the n-th line of a plot, of the same palette; darker ones follow where it ends.
 pub(crate) fn line_colour(n: usize) -> &'static str {
-    ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#777777"][n % 7]
+    const COLOURS: [&str; 10] =
+        ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#777777", "#000000", "#7a3b00", "#4b2e83"];
+    COLOURS[n % COLOURS.len()]
 }
 
 /// Dark to bright for 0 to 1: eight samples of matplotlib's `inferno`, linear between (perceptually even).

@@ -1,6 +1,6 @@
 //! Lines over linear or logarithmic axes.
 
-use super::axes::{Axes, Axis, tick_text};
+use super::axes::{Axes, Axis, Mark, tick_text};
 use super::colours::line_colour;
 use super::svg::Svg;
 
@@ -46,8 +46,8 @@ impl LinePlot {
             x: Axis { from: x.0, to: x.1, start_px: 62.0, end_px: right },
             y: Axis { from: y.0, to: y.1, start_px: 338.0, end_px: 18.0 },
         };
-        let (x_text, y_text) = (text_of(self.x_scale), text_of(self.y_scale));
-        axes.draw_with(&mut sheet, &self.x_label, &self.y_label, &x_text, &y_text);
+        let (x_marks, y_marks) = (marks(self.x_scale, &axes.x), marks(self.y_scale, &axes.y));
+        axes.draw_with(&mut sheet, [&self.x_label, &self.y_label], [&x_marks, &y_marks]);
         for (n, (line, points)) in self.lines.iter().zip(&lines).enumerate() {
             draw_line(&mut sheet, &axes, line_colour(n), line, points);
             legend(&mut sheet, right, n, &line.name);
@@ -68,11 +68,34 @@ fn number(scale: Scale, value: f64) -> f64 {
     }
 }
 
-fn text_of(scale: Scale) -> impl Fn(f64) -> String {
-    move |value| match scale {
-        Scale::Linear => tick_text(value),
-        Scale::Logarithmic if (-3.5..4.5).contains(&value) => tick_text((10.0_f64.powf(value) * 1e3).round() / 1e3),
-        Scale::Logarithmic => format!("{:.0e}", 10.0_f64.powf(value)),
+fn marks(scale: Scale, axis: &Axis) -> Vec<Mark> {
+    match scale {
+        Scale::Linear => axis.ticks().into_iter().map(|value| (value, tick_text(value))).collect(),
+        Scale::Logarithmic => powers(axis),
+    }
+}
+
+/// Powers of ten in words, their multiples as minor ticks; an axis shorter than a power of ten has words at 2 and 5 too.
+fn powers(axis: &Axis) -> Vec<Mark> {
+    let (low, high) = (axis.from.min(axis.to), axis.from.max(axis.to));
+    let is_short = high - low < 1.5;
+    let places = (low.floor() as i32..=high.ceil() as i32).take(100).flat_map(|p| (1..10).map(move |m| (p, m)));
+    places
+        .map(|(power, multiple)| (power, multiple, f64::from(power) + f64::from(multiple).log10()))
+        .filter(|(_, _, value)| (low..=high).contains(value))
+        .map(|(power, multiple, value)| match multiple {
+            1 => (value, power_text(power, multiple)),
+            2 | 5 if is_short => (value, power_text(power, multiple)),
+            _ => (value, String::new()),
+        })
+        .collect()
+}
+
+fn power_text(power: i32, multiple: i32) -> String {
+    if (-3..5).contains(&power) {
+        tick_text(f64::from(multiple) * 10.0_f64.powi(power))
+    } else {
+        format!("{multiple}e{power}").replace('-', "−")
     }
 }
 

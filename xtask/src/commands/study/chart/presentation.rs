@@ -1,0 +1,80 @@
+//! The chart as CSV, page and picture.
+
+use super::{Extent, Row};
+use crate::commands::study::table;
+use crate::pictures::{Line, LinePlot, Scale, Svg};
+use artifact::units::db_from_amplitude;
+
+/// Columns of interface.md.
+pub(in super::super) fn csv(rows: &[Row]) -> String {
+    table::csv("stage,scene,method,setting,seconds,peak_mib,error_db,reference", rows.iter().map(fields))
+}
+
+fn fields(row: &Row) -> Vec<String> {
+    let peak = row.peak_mib.map_or(String::new(), |m| format!("{m:.0}"));
+    let (seconds, error) = (format!("{:.3e}", row.seconds), table::decibels(Some(row.error)));
+    let words = [row.stage, &row.scene, row.method, &row.setting, &seconds, &peak, &error, &row.reference];
+    words.map(str::to_owned).to_vec()
+}
+
+pub(in super::super) fn page(rows: &[Row], extent: Extent) -> String {
+    let header = ["stage", "scene", "method", "setting", "seconds", "peak, MiB", "error, dB", "reference"];
+    let command = match extent {
+        Extent::Quick => "cargo xtask chart --quick --docs",
+        Extent::Full => "cargo xtask chart --docs",
+    };
+    format!(
+        "# Chart: speed against accuracy\n\n\
+         Made by `{command}` on {}. Seconds are those of one run, all threads, building of hierarchies included. The peak is \
+         the largest resident size of the whole program while a row ran (empty where the system does not count it). Errors \
+         are complex amplitude errors as in `conventions.md`, against another method or a form of at least ten times the least density; \
+         never against a method's own next setting. Beams use the exit node here, because rays do.\n\n\
+         ![seconds against error](pictures/chart.svg)\n\n{}",
+        machine(),
+        table::markdown(&header, rows.iter().map(fields))
+    )
+}
+
+/// Cores and instructions: what times depend on most.
+fn machine() -> String {
+    let cores = std::thread::available_parallelism().map_or(1, |n| n.get());
+    format!("{cores} cores, {}", instructions())
+}
+
+#[cfg(target_arch = "x86_64")]
+fn instructions() -> &'static str {
+    if std::arch::is_x86_feature_detected!("avx512f") {
+        "x86-64 with AVX-512"
+    } else if std::arch::is_x86_feature_detected!("avx2") {
+        "x86-64 with AVX2"
+    } else {
+        "x86-64"
+    }
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn instructions() -> &'static str {
+    std::env::consts::ARCH
+}
+
+/// Seconds (by powers of ten) over error in dB, which is by powers of ten too; a line for each method.
+pub(in super::super) fn picture(rows: &[Row]) -> Svg {
+    let mut lines: Vec<Line> = Vec::new();
+    for row in rows {
+        let place = [db_from_amplitude(row.error), row.seconds];
+        match lines.iter_mut().find(|line| line.name == row.method) {
+            Some(line) => line.points.push(place),
+            None => lines.push(Line { name: row.method.into(), points: vec![place], marked: true }),
+        }
+    }
+    lines.iter_mut().for_each(|line| line.points.sort_by(|a, b| a[0].total_cmp(&b[0])));
+    let plot = LinePlot {
+        title: "Seconds against error".into(),
+        x_label: "error, dB (complex amplitude)".into(),
+        y_label: "seconds".into(),
+        x_scale: Scale::Linear,
+        y_scale: Scale::Logarithmic,
+        lines,
+    };
+    plot.draw()
+}
