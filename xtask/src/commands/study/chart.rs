@@ -36,9 +36,12 @@ pub(super) struct Row {
     pub(super) reference: String,
 }
 
+/// One method's rows over a subject.
+type Part = fn(&Subject) -> Result<Vec<Row>, Failure>;
+
 /// Every row, method by method.
 pub(super) fn rows(extent: Extent) -> Result<Vec<Row>, Failure> {
-    const PARTS: [fn(&Subject) -> Result<Vec<Row>, Failure>; 5] =
+    const PARTS: [Part; 5] =
         [scattering::first_order, scattering::by_order, echo::paths, echo::tables, echo::synthesis];
     let work = Work::begin("chart");
     let subject = Subject::of(extent)?;

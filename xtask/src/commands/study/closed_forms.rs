@@ -69,7 +69,7 @@ pub(super) fn mie_sphere(radius_m: f64) -> f64 {
     let term = |n: usize| {
         let order = n as f64;
         let electric = (x * j[n - 1] - order * j[n]) / (x * h(n - 1) - order * h(n));
-        let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if n.is_multiple_of(2) { 1.0 } else { -1.0 };
         sign * (2.0 * order + 1.0) * (j[n] / h(n) - electric)
     };
     PI.sqrt() / K * (1..=orders).map(term).sum::<Complex64>().norm()
