@@ -62,7 +62,7 @@ const LEFT_PX: f64 = 430.0;
 const RIGHT_PX: f64 = 880.0;
 const TOP_PX: f64 = 58.0;
 /// Errors shown; smaller ones stand at the left end.
-const SPAN_DB: [f64; 2] = [-120.0, 20.0];
+const SPAN_DB: [f64; 2] = [-120.0, 45.0];
 
 /// A line for each case, a mark for each row: its error and its verdict.
 pub(in super::super) fn picture(rows: &[Row]) -> Svg {
@@ -114,7 +114,7 @@ fn mark(sheet: &mut Svg, verdict: Verdict, at: [f64; 2]) {
 }
 
 fn scale(sheet: &mut Svg, bottom: f64) {
-    for error_db in (-6..=1).map(|i| 20.0 * f64::from(i)) {
+    for error_db in (-6..=2).map(|i| 20.0 * f64::from(i)) {
         let x = at(error_db);
         sheet.line(if error_db == -20.0 { "ink" } else { "faint" }, [x, TOP_PX - 6.0], [x, bottom]);
         let text = format!("{error_db:.0}").replace('-', "−");

@@ -27,7 +27,7 @@ pub(in super::super) fn page(rows: &[Row], extent: Extent) -> String {
         "# Chart: speed against accuracy\n\n\
          Made by `{command}` on {}. Seconds are those of one run, all threads, building of hierarchies included. The peak is \
          the largest resident size of the whole program while a row ran (empty where the system does not count it). Errors \
-         are complex amplitude errors as in `conventions.md`, against another method or a form of at least ten times the least density; \
+         are complex amplitude errors as in `conventions.md`, against another method, carried to convergence as far as it goes; \
          never against a method's own next setting. Beams use the exit node here, because rays do.\n\n\
          ![seconds against error](pictures/chart.svg)\n\n{}",
         machine(),
@@ -57,20 +57,22 @@ fn instructions() -> &'static str {
     std::env::consts::ARCH
 }
 
+/// Errors below are rounding, and the picture's room is for the others.
+const LEAST_DB: f64 = -120.0;
+
 /// Seconds (by powers of ten) over error in dB, which is by powers of ten too; a line for each method.
 pub(in super::super) fn picture(rows: &[Row]) -> Svg {
     let mut lines: Vec<Line> = Vec::new();
     for row in rows {
-        let place = [db_from_amplitude(row.error), row.seconds];
+        let place = [db_from_amplitude(row.error).max(LEAST_DB), row.seconds];
         match lines.iter_mut().find(|line| line.name == row.method) {
             Some(line) => line.points.push(place),
             None => lines.push(Line { name: row.method.into(), points: vec![place], marked: true }),
         }
     }
-    lines.iter_mut().for_each(|line| line.points.sort_by(|a, b| a[0].total_cmp(&b[0])));
     let plot = LinePlot {
         title: "Seconds against error".into(),
-        x_label: "error, dB (complex amplitude)".into(),
+        x_label: "error, dB (complex amplitude; −120 stands for less)".into(),
         y_label: "seconds".into(),
         x_scale: Scale::Linear,
         y_scale: Scale::Logarithmic,

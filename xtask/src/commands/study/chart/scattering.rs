@@ -65,9 +65,9 @@ fn row<T>(
 
 /// First order: beams by the accuracy asked against the densest sampling; sampling by its density against beams.
 pub(super) fn first_order(subject: &Subject) -> Result<Vec<Row>, Failure> {
-    let dense = sampled(subject, subject.fine, SHADOW_LEVELS + 2)?;
+    let dense = sampled(subject, subject.fine_samples, SHADOW_LEVELS + 2)?;
     let exact = traced(subject, 1, FINE_DB)?.value.amplitude_m;
-    let dense_name = format!("po, {} samples per wavelength", subject.fine);
+    let dense_name = format!("po, {} samples per wavelength", subject.fine_samples);
     let mut rows = Vec::new();
     for accuracy_db in [-20.0, -40.0, -60.0] {
         let found = traced(subject, 1, accuracy_db)?;
@@ -83,16 +83,17 @@ pub(super) fn first_order(subject: &Subject) -> Result<Vec<Row>, Failure> {
     Ok(rows)
 }
 
-/// Orders 1 to 3, each alone, with the exit node that rays have; errors are over the field of that order.
+/// Orders by themselves, with the exit node that rays have; errors are over the field of that order. Beams of order 1 are
+/// in [`first_order`]: against rays they would show the error of the rays, whose first order converges slowly.
 pub(super) fn by_order(subject: &Subject) -> Result<Vec<Row>, Failure> {
-    let dense = shot(subject, subject.fine)?;
+    let dense = shot(subject, subject.fine_rays)?;
     let exact = traced(subject, 3, FINE_DB)?;
     let mut rows = Vec::new();
-    for order in 1..=3_u8 {
+    for order in 2..=3_u8 {
         let found = traced(subject, order, -40.0)?;
         let of_order = usize::from(order) - 1;
         let error = looks::relative_error(&found.value.by_order_m[of_order], &dense.value[of_order]);
-        let reference = format!("sbr, order {order}, {} rays per wavelength", subject.fine);
+        let reference = format!("sbr, order {order}, {} rays per wavelength", subject.fine_rays);
         rows.push(row(subject, "bart, by order", format!("order {order}, −40 dB asked"), &found, error, reference));
     }
     for density in subject.densities {

@@ -16,8 +16,9 @@ pub(super) struct Subject {
     pub(super) range_m: f64,
     /// Samples and rays along a wavelength.
     pub(super) densities: &'static [f64],
-    /// Of the references of other methods: ten times the least that is charted, or more.
-    pub(super) fine: f64,
+    /// Samples of the reference of beams at first order, rays of that at higher orders, along a wavelength.
+    pub(super) fine_samples: f64,
+    pub(super) fine_rays: f64,
     /// Paths of the echo's two forms.
     pub(super) echo_paths: usize,
     /// Chirps between two tracings of the echo's reference.
@@ -42,7 +43,8 @@ impl Subject {
             elevation_deg: 30.0,
             range_m: 30.0,
             densities: &[1.0, 2.0, 4.0, 8.0],
-            fine: 20.0,
+            fine_samples: 20.0,
+            fine_rays: 40.0,
             echo_paths: 300,
             retraced_chirps: 16,
         }
@@ -57,7 +59,8 @@ impl Subject {
             elevation_deg: 9.0,
             range_m: 30.0,
             densities: &[1.0, 2.0, 4.0],
-            fine: 10.0,
+            fine_samples: 10.0,
+            fine_rays: 16.0,
             echo_paths: 5000,
             retraced_chirps: 16,
         })
