@@ -32,8 +32,12 @@ pub(crate) fn chart(arguments: &StudyArguments) -> Result<(), Failure> {
 pub(crate) fn atlas(arguments: &StudyArguments) -> Result<(), Failure> {
     let extent = if arguments.quick { atlas::Extent::Quick } else { atlas::Extent::Full };
     let rows = atlas::rows(extent)?;
-    let study =
-        Study { name: "atlas", csv: atlas::csv(&rows), page: atlas::page(&rows), picture: atlas::picture(&rows) };
+    let study = Study {
+        name: "atlas",
+        csv: atlas::csv(&rows),
+        page: atlas::page(&rows, extent),
+        picture: atlas::picture(&rows),
+    };
     study.write(arguments)?;
     match atlas::count(&rows, atlas::Verdict::Wrong) {
         0 => Ok(()),

@@ -1,6 +1,6 @@
 //! The atlas as CSV, page and picture.
 
-use super::{Row, Verdict};
+use super::{Extent, Row, Verdict};
 use crate::commands::study::table;
 use crate::pictures::Svg;
 use artifact::units::db_from_amplitude;
@@ -21,7 +21,7 @@ pub(in super::super) fn csv(rows: &[Row]) -> String {
 const RULE: &str = "\
 # Atlas: where each method fails
 
-Made by `cargo xtask atlas --docs`. Each case has an answer that is known without the method under trial: a closed form,
+Each case has an answer that is known without the method under trial: a closed form,
 a series, an integral carried to convergence, another method, or the truth of a scene.
 
 - **good**: the error is at most −20 dB, the default accuracy of a scene.
@@ -35,7 +35,11 @@ Errors are complex amplitude errors as in `conventions.md`, of the level where a
 errors of an estimate where a case is about estimates.
 ";
 
-pub(in super::super) fn page(rows: &[Row]) -> String {
+pub(in super::super) fn page(rows: &[Row], extent: Extent) -> String {
+    let command = match extent {
+        Extent::Quick => "cargo xtask atlas --quick --docs",
+        Extent::Full => "cargo xtask atlas --docs",
+    };
     let counts: Vec<String> = Verdict::ALL.map(|v| format!("{} {}", count(rows, v), v.name())).to_vec();
     let fields = |r: &Row| {
         let words =
@@ -44,7 +48,7 @@ pub(in super::super) fn page(rows: &[Row]) -> String {
     };
     let header = ["stage", "method", "case", "parameter", "value", "error, dB", "verdict", "what the program says"];
     format!(
-        "{RULE}\n{} cases, {} rows: {}.\n\n![verdicts](pictures/atlas.svg)\n\n{}",
+        "{RULE}\nMade by `{command}`. {} cases, {} rows: {}.\n\n![verdicts](pictures/atlas.svg)\n\n{}",
         cases(rows).len(),
         rows.len(),
         counts.join(", "),
