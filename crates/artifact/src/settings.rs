@@ -33,6 +33,8 @@ pub enum EchoMode {
 pub enum Edges {
     /// Left out.
     Ignored,
+    /// Fringe currents of open edges and wedges, first order (physical theory of diffraction).
+    FirstOrder,
 }
 
 /// What the facets stand for.
@@ -40,6 +42,8 @@ pub enum Edges {
 pub enum Surface {
     /// Themselves.
     Flat,
+    /// The curved skin that the vertex normals tell of.
+    Smooth,
 }
 
 /// From which sides a facet scatters.
@@ -58,6 +62,8 @@ pub enum NodeRule {
     Middle,
     /// The last facet, as shooting and bouncing rays do.
     Exit,
+    /// Every node of a sequence, weighted by the share of its outline that is its facet's own edge.
+    OwnEdge,
 }
 
 /// Accuracy asked of a run and the physics it shall hold.

@@ -111,7 +111,7 @@ pub(crate) fn scattering(
 /// The rule that a run is compared with.
 pub(crate) fn other(rule: NodeRule) -> NodeRule {
     match rule {
-        NodeRule::Middle => NodeRule::Exit,
+        NodeRule::Middle | NodeRule::OwnEdge => NodeRule::Exit,
         NodeRule::Exit => NodeRule::Middle,
     }
 }

@@ -3,6 +3,12 @@
 /// Why a scene cannot be traced.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BartError {
+    /// A choice of the interface that this version does not have.
+    #[error("{choice} is not built yet; docs/interface.md says what is")]
+    NotBuilt {
+        /// As the user writes it.
+        choice: &'static str,
+    },
     /// A coordinate is NaN or infinite.
     #[error("mesh `{mesh}`: vertex {vertex} is not finite")]
     VertexNotFinite {

@@ -117,7 +117,7 @@ pub(crate) fn joints(world: &World, trees: Trees<'_>, order: u8, rule: NodeRule,
 pub(crate) fn tree_order(bounces: u8, rule: NodeRule) -> u8 {
     match rule {
         NodeRule::Middle => bounces / 2 + 1,
-        NodeRule::Exit => bounces,
+        NodeRule::Exit | NodeRule::OwnEdge => bounces,
     }
 }
 

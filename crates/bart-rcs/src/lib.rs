@@ -6,7 +6,7 @@
 //! units: `docs/conventions.md`; formulas: `docs/physics.md`.
 //!
 //! ```
-//! use artifact::{Accuracy, radar::Polarization, scene::Mesh, settings::{NodeRule, Sides}};
+//! use artifact::{Accuracy, radar::Polarization, scene::Mesh, settings::{Edges, NodeRule, Sides, Surface}};
 //! use bart_rcs::{RcsRequest, rcs};
 //! // A square of 0.3 m seen square at 77 GHz: σ = 4πA²/λ², 38.27 dBsm.
 //! let plate = Mesh {
@@ -24,6 +24,8 @@
 //!     bounces: 3,
 //!     nodes: NodeRule::Middle,
 //!     sides: Sides::Two,
+//!     edges: Edges::Ignored,
+//!     surface: Surface::Flat,
 //!     accuracy: Accuracy::from_db(-40.0),
 //! };
 //! let amplitude_m = rcs(&plate, &ahead, &|_, _| {})?.amplitude_m[0];

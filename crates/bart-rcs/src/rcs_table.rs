@@ -6,11 +6,11 @@ use crate::beam::TraceSettings;
 use crate::error::BartError;
 use crate::join::tree_order;
 use crate::polarization::zenith_h;
-use crate::scatterer::check_order;
+use crate::scatterer::{check_built, check_order};
 use crate::world::World;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{NodeRule, Sides};
+use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use artifact::{Accuracy, ErrorBudget, ModelError};
 use glam::DVec3;
@@ -41,6 +41,10 @@ pub struct RcsRequest {
     pub nodes: NodeRule,
     /// Which sides of a facet scatter.
     pub sides: Sides,
+    /// Diffraction by edges.
+    pub edges: Edges,
+    /// What the facets stand for.
+    pub surface: Surface,
     /// Relative amplitude error allowed over the whole table; not carried below −160 dB.
     pub accuracy: Accuracy,
 }
@@ -120,6 +124,7 @@ pub fn rcs(
 
 fn check(request: &RcsRequest) -> Result<(), BartError> {
     check_order(request.bounces)?;
+    check_built(request.edges, request.surface, request.nodes)?;
     if let Some(&found) = request.frequency_hz.iter().find(|f| !(f.is_finite() && **f > 0.0)) {
         return Err(BartError::FrequencyNotPositive { frequency_hz: found });
     }

@@ -8,7 +8,7 @@ use crate::physical_optics::{Bracket, Estimate, Leg, Node, length_difference_m, 
 use crate::polarization::Mirrors;
 use crate::world::World;
 use artifact::paths::Amplitude;
-use artifact::settings::NodeRule;
+use artifact::settings::{Edges, NodeRule, Surface};
 use glam::DVec3;
 use num_complex::Complex64;
 
@@ -143,7 +143,7 @@ pub(crate) struct Integration<'a> {
 /// The bracket that belongs to a rule: rays shot from the transmitter know the current that they excite at the exit.
 pub(crate) fn bracket_of(rule: NodeRule) -> Bracket {
     match rule {
-        NodeRule::Middle => Bracket::Symmetrised,
+        NodeRule::Middle | NodeRule::OwnEdge => Bracket::Symmetrised,
         NodeRule::Exit => Bracket::Plain,
     }
 }
@@ -201,4 +201,14 @@ pub(crate) fn sequence(scatterer: &Scatterer<'_>, joint: &Joint) -> Vec<u32> {
 pub(crate) fn check_order(bounces: u8) -> Result<(), BartError> {
     let most = artifact::paths::MAX_ORDER as u8;
     if bounces > most { Err(BartError::TooManyBounces { bounces, most }) } else { Ok(()) }
+}
+
+/// What is promised for later is refused by name, not ignored.
+pub(crate) fn check_built(edges: Edges, surface: Surface, nodes: NodeRule) -> Result<(), BartError> {
+    match (edges, surface, nodes) {
+        (Edges::FirstOrder, _, _) => Err(BartError::NotBuilt { choice: "edges = \"on\"" }),
+        (_, Surface::Smooth, _) => Err(BartError::NotBuilt { choice: "surface = \"smooth\"" }),
+        (_, _, NodeRule::OwnEdge) => Err(BartError::NotBuilt { choice: "nodes = \"own-edge\"" }),
+        (Edges::Ignored, Surface::Flat, NodeRule::Middle | NodeRule::Exit) => Ok(()),
+    }
 }

@@ -4,7 +4,7 @@
 use artifact::Accuracy;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{NodeRule, Sides};
+use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use bart_rcs::{RcsRequest, RcsResult, Standpoint, rcs};
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -25,6 +25,8 @@ fn request() -> RcsRequest {
         bounces: 1,
         nodes: NodeRule::Middle,
         sides: Sides::Two,
+        edges: Edges::Ignored,
+        surface: Surface::Flat,
         accuracy: Accuracy::from_db(-60.0),
     }
 }

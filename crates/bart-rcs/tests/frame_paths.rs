@@ -140,6 +140,8 @@ fn anew(
         bounces: scene.0.fidelity.bounces,
         nodes: scene.0.fidelity.nodes,
         sides: scene.0.fidelity.sides,
+        edges: Edges::Ignored,
+        surface: Surface::Flat,
         accuracy: Accuracy::from_db(-45.0),
     };
     rcs(&scene.0.meshes[0], &request, &|_, _| ()).unwrap().amplitude_m
@@ -378,6 +380,8 @@ fn a_frames_table_holds_the_far_field_amplitude_and_says_how_far_from_the_spheri
         bounces: 2,
         nodes: NodeRule::Middle,
         sides: Sides::Two,
+        edges: Edges::Ignored,
+        surface: Surface::Flat,
         accuracy: Accuracy::from_db(-20.0),
     };
     let exact = rcs(&header.meshes[0], &request, &|_, _| ()).unwrap().amplitude_m;

@@ -114,11 +114,13 @@ pub(crate) fn read_fidelity(root: &Section<'_>) -> Fidelity {
     Fidelity {
         accuracy: Accuracy::from_db(accuracy_db),
         bounces: section.integer("bounces", Allowed::Between(1.0, MAX_ORDER as f64)).unwrap_or(3) as u8,
-        edges: section.word("edges", &[("off", Edges::Ignored)]).unwrap_or(Edges::Ignored),
-        surface: section.word("surface", &[("flat", Surface::Flat)]).unwrap_or(Surface::Flat),
+        edges: section.word("edges", &[("off", Edges::Ignored), ("on", Edges::FirstOrder)]).unwrap_or(Edges::Ignored),
+        surface: section
+            .word("surface", &[("flat", Surface::Flat), ("smooth", Surface::Smooth)])
+            .unwrap_or(Surface::Flat),
         sides: section.word("sides", &[("two", Sides::Two), ("one", Sides::One)]).unwrap_or(Sides::Two),
         nodes: section
-            .word("nodes", &[("middle", NodeRule::Middle), ("exit", NodeRule::Exit)])
+            .word("nodes", &[("middle", NodeRule::Middle), ("exit", NodeRule::Exit), ("own-edge", NodeRule::OwnEdge)])
             .unwrap_or(NodeRule::Middle),
         echo: section
             .word("echo", &[("paths", EchoMode::Paths), ("rcs-table", EchoMode::RcsTable)])

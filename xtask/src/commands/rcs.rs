@@ -12,7 +12,7 @@ use answer::Answer;
 use artifact::Accuracy;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{NodeRule, Sides};
+use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use bart_rcs::{RcsRequest, Standpoint};
 use num_complex::Complex64;
 use std::path::Path;
@@ -66,7 +66,9 @@ fn request(arguments: &RcsArguments) -> Result<RcsRequest, Failure> {
         receiver: receiver(arguments),
         polarization: polarization(arguments.pol),
         bounces: arguments.bounces,
-        nodes: nodes(arguments)?,
+        nodes: nodes(arguments.nodes),
+        edges: edges(arguments.edges),
+        surface: surface(arguments.surface),
         sides: sides(arguments.sides),
         accuracy: Accuracy::from_db(arguments.accuracy_db),
     })
@@ -94,15 +96,24 @@ pub(super) fn sides(word: SidesWord) -> Sides {
     }
 }
 
-/// What is promised for later is refused by name, not ignored.
-fn nodes(arguments: &RcsArguments) -> Result<NodeRule, Failure> {
-    let unbuilt =
-        |option: &str| Err(Failure::Refused(format!("{option} is not built yet; docs/interface.md says what is")));
-    match (arguments.edges, arguments.surface, arguments.nodes) {
-        (EdgesWord::On, _, _) => unbuilt("--edges on"),
-        (_, SurfaceWord::Smooth, _) => unbuilt("--surface smooth"),
-        (_, _, NodesWord::OwnEdge) => unbuilt("--nodes own-edge"),
-        (_, _, NodesWord::Middle) => Ok(NodeRule::Middle),
-        (_, _, NodesWord::Exit) => Ok(NodeRule::Exit),
+fn nodes(word: NodesWord) -> NodeRule {
+    match word {
+        NodesWord::Middle => NodeRule::Middle,
+        NodesWord::Exit => NodeRule::Exit,
+        NodesWord::OwnEdge => NodeRule::OwnEdge,
+    }
+}
+
+fn edges(word: EdgesWord) -> Edges {
+    match word {
+        EdgesWord::Off => Edges::Ignored,
+        EdgesWord::On => Edges::FirstOrder,
+    }
+}
+
+fn surface(word: SurfaceWord) -> Surface {
+    match word {
+        SurfaceWord::Flat => Surface::Flat,
+        SurfaceWord::Smooth => Surface::Smooth,
     }
 }

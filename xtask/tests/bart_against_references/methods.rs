@@ -4,7 +4,7 @@ use artifact::Accuracy;
 use artifact::paths::Amplitude;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{NodeRule, Sides};
+use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use bart_rcs::reference::{self, Aspect, Bracket};
 use bart_rcs::{RcsRequest, Standpoint, rcs};
 use num_complex::Complex64;
@@ -29,6 +29,8 @@ pub(crate) fn request(place: Standpoint, frequencies_hz: &[f64], bounces: u8, no
         bounces,
         nodes,
         sides: Sides::Two,
+        edges: Edges::Ignored,
+        surface: Surface::Flat,
         accuracy: Accuracy::from_db(db),
     }
 }

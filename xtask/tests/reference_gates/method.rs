@@ -4,7 +4,7 @@ use artifact::Accuracy;
 use artifact::paths::Amplitude;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{NodeRule, Sides};
+use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use bart_rcs::{RcsRequest, Standpoint, rcs};
 use num_complex::Complex64;
 
@@ -73,6 +73,8 @@ impl<'a> Bart<'a> {
             bounces: self.bounces,
             nodes: self.nodes,
             sides: Sides::Two,
+            edges: Edges::Ignored,
+            surface: Surface::Flat,
             accuracy: Accuracy::from_db(self.accuracy_db),
         };
         rcs(self.mesh, &request, &|_, _| {}).unwrap().by_order_m

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use artifact::paths::Amplitude;
 use artifact::radar::{Polarization, Radar};
 use artifact::scene::Mesh;
-use artifact::settings::{NodeRule, Sides};
+use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use artifact::{Accuracy, Waveform};
 use bart_rcs::reference::{Aspect, Bracket, po, sbr};
 use bart_rcs::{RcsRequest, RcsResult, Standpoint};
@@ -37,6 +37,8 @@ fn traced(mesh: &Mesh, bounces: u8, nodes: NodeRule) -> Result<RcsResult, Failur
         bounces,
         nodes,
         sides: Sides::Two,
+        edges: Edges::Ignored,
+        surface: Surface::Flat,
         accuracy: Accuracy::from_db(-40.0),
     };
     bart_rcs::rcs(mesh, &request, &|_, _| ()).map_err(Failure::refused)

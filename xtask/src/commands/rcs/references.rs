@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::progress::Work;
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
-use artifact::settings::NodeRule;
+use artifact::settings::{Edges, NodeRule, Surface};
 use artifact::{ErrorBudget, ModelError};
 use bart_rcs::reference::{Aspect, Bracket, ReferenceError, po, sbr};
 use bart_rcs::{RcsRequest, Standpoint};
@@ -17,6 +17,7 @@ use std::time::Instant;
 const SHADOW_LEVELS: u32 = 3;
 
 pub(super) fn answer(arguments: &RcsArguments, mesh: &Mesh, request: &RcsRequest) -> Result<Answer, Failure> {
+    check(request)?;
     let start = Instant::now();
     let work = Work::begin("rcs");
     let (elevations, azimuths) = (&request.elevation_rad, &request.azimuth_rad);
@@ -45,6 +46,16 @@ pub(super) fn answer(arguments: &RcsArguments, mesh: &Mesh, request: &RcsRequest
     })
 }
 
+/// The references know flat facets and no edges; what they cannot do is refused, not ignored.
+fn check(request: &RcsRequest) -> Result<(), Failure> {
+    let refused = |option: &str| Err(Failure::Refused(format!("{option} is for --method bart alone")));
+    match (request.edges, request.surface) {
+        (Edges::FirstOrder, _) => refused("--edges on"),
+        (_, Surface::Smooth) => refused("--surface smooth"),
+        (Edges::Ignored, Surface::Flat) => Ok(()),
+    }
+}
+
 fn aspect(request: &RcsRequest, elevation_rad: f64, azimuth_rad: f64) -> Aspect {
     let transmitter = Standpoint { azimuth_rad, elevation_rad, range_m: request.range_m };
     Aspect { transmitter, receiver: request.receiver.unwrap_or(transmitter) }
@@ -58,7 +69,7 @@ fn amplitudes(
 ) -> Result<Vec<Amplitude>, ReferenceError> {
     let (per_wavelength, sides) = (arguments.density, request.sides);
     let bracket = match request.nodes {
-        NodeRule::Middle => Bracket::Symmetrised,
+        NodeRule::Middle | NodeRule::OwnEdge => Bracket::Symmetrised,
         NodeRule::Exit => Bracket::Plain,
     };
     match arguments.method {

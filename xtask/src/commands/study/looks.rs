@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use artifact::Accuracy;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{NodeRule, Sides};
+use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use bart_rcs::{RcsRequest, RcsResult, Standpoint};
 use num_complex::Complex64;
@@ -27,6 +27,8 @@ pub(super) fn first_order(azimuth_deg: f64, elevation_deg: f64) -> RcsRequest {
         bounces: 1,
         nodes: NodeRule::Middle,
         sides: Sides::Two,
+        edges: Edges::Ignored,
+        surface: Surface::Flat,
         accuracy: Accuracy::from_db(-60.0),
     }
 }
