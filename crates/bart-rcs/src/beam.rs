@@ -4,6 +4,7 @@
 //! Frequency and polarization enter later, in the integration.
 
 use crate::antenna::Antenna;
+use crate::border::Border;
 use crate::brute_force::EveryFacet;
 use crate::error::BartError;
 use crate::plane::Plane;
@@ -61,6 +62,8 @@ pub struct BeamTree {
     pub beams: Vec<Beam>,
     /// Corners of all polygons, world metres.
     pub(crate) vertices_m: Vec<DVec3>,
+    /// What ends a polygon from each vertex to the next.
+    pub(crate) borders: Vec<Border>,
     /// What became of the power.
     pub audit: Audit,
 }
@@ -118,17 +121,26 @@ impl BeamTree {
         &self.vertices_m[beam.polygon.start as usize..beam.polygon.end as usize]
     }
 
+    /// What ends the lit polygon from each of its corners to the next.
+    pub(crate) fn borders(&self, beam: &Beam) -> &[Border] {
+        &self.borders[beam.polygon.start as usize..beam.polygon.end as usize]
+    }
+
     /// Facets from the antenna to this beam, its own last: indices into [`World::facets`].
     pub fn sequence(&self, beam: &Beam) -> Vec<u32> {
-        let up = |b: &&Beam| b.parent.map(|parent| &self.beams[parent as usize]);
-        let mut facets: Vec<u32> = std::iter::successors(Some(beam), up).map(|b| b.facet).collect();
+        let mut facets: Vec<u32> = self.way_back(beam).map(|b| b.facet).collect();
         facets.reverse();
         facets
     }
 
+    /// A beam, its mirror's, and so on to the antenna.
+    pub(crate) fn way_back<'a>(&'a self, beam: &'a Beam) -> impl Iterator<Item = &'a Beam> {
+        std::iter::successors(Some(beam), |b| b.parent.map(|parent| &self.beams[parent as usize]))
+    }
+
     /// Bytes held, about.
     pub fn bytes(&self) -> usize {
-        self.beams.len() * size_of::<Beam>() + self.vertices_m.len() * size_of::<DVec3>()
+        self.beams.len() * size_of::<Beam>() + self.vertices_m.len() * (size_of::<DVec3>() + size_of::<Border>())
     }
 }
 
@@ -177,8 +189,8 @@ fn grow_order<V: Visibility>(world: &World, order: u8, growth: &mut Growth) -> R
 struct Growth<'a> {
     tree: BeamTree,
     settings: &'a TraceSettings,
-    /// The planes of the edges of the two last orders' polygons, from vertex `first_edge` of the tree on.
-    edges: Vec<Plane>,
+    /// The edges of the two last orders' polygons, from vertex `first_edge` of the tree on.
+    edges: Vec<(Plane, Border)>,
     first_edge: usize,
     /// Where the last order begins.
     first_beam: usize,
@@ -187,7 +199,13 @@ struct Growth<'a> {
 
 impl<'a> Growth<'a> {
     fn new(antenna: Antenna, settings: &'a TraceSettings) -> Self {
-        let tree = BeamTree { antenna, beams: Vec::new(), vertices_m: Vec::new(), audit: Audit::default() };
+        let tree = BeamTree {
+            antenna,
+            beams: Vec::new(),
+            vertices_m: Vec::new(),
+            borders: Vec::new(),
+            audit: Audit::default(),
+        };
         Self { tree, settings, edges: Vec::new(), first_edge: 0, first_beam: 0, audit: OrderAudit::default() }
     }
 
@@ -224,7 +242,8 @@ impl<'a> Growth<'a> {
             let start = self.tree.vertices_m.len();
             let corners = &parts.corners[part.corners.clone()];
             self.tree.vertices_m.extend(corners.iter().map(|corner| corner.point_m));
-            self.edges.extend(corners.iter().map(|corner| corner.edge));
+            self.tree.borders.extend(corners.iter().map(|corner| corner.border));
+            self.edges.extend(corners.iter().map(|corner| (corner.edge, corner.border)));
             let &Part { facet, lit_normal, across_m2, section, .. } = part;
             let polygon = index(start)?..index(self.tree.vertices_m.len())?;
             self.tree.beams.push(Beam { parent, order, facet, lit_normal, image, across_m2, section, polygon });

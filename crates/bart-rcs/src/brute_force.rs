@@ -1,5 +1,6 @@
 //! The slow obvious reference of [`crate::visibility`]: every facet is cut by every other, without hierarchy or lists.
 
+use crate::border::Border;
 use crate::clip::{Corner, Split, split};
 use crate::shadow::{Hides, Shadow};
 use crate::view::View;
@@ -43,7 +44,7 @@ fn outside(piece: Vec<Corner>, occluder: &Shadow, hides: Hides, tolerance_m: f64
     let (mut kept, mut rest) = (Vec::new(), piece.clone());
     for plane in occluder.planes(hides) {
         let mut corners = rest.clone();
-        match split(&mut corners, 0..rest.len(), &plane, tolerance_m, &mut Vec::new()) {
+        match split(&mut corners, 0..rest.len(), &plane, Border::SHADOW, tolerance_m, &mut Vec::new()) {
             Split::Inside => {}
             Split::Outside => return vec![piece],
             Split::Cut { inside, outside } => {

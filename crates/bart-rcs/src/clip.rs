@@ -3,6 +3,7 @@
 //! Every edge of a polygon remembers the plane that made it. Later decisions are taken on these original planes, never on
 //! planes through constructed corners: an edge of a nanometre still has the exact direction of its maker.
 
+use crate::border::Border;
 use crate::plane::Plane;
 use glam::DVec3;
 use std::ops::Range;
@@ -14,6 +15,8 @@ pub(crate) struct Corner {
     pub(crate) point_m: DVec3,
     /// The plane through the antenna and the edge from here to the next corner, positive on the polygon's side.
     pub(crate) edge: Plane,
+    /// What ends the polygon there.
+    pub(crate) border: Border,
 }
 
 /// What a plane makes of a polygon.
@@ -32,12 +35,14 @@ pub(crate) enum Split {
     },
 }
 
-/// Cuts the convex polygon `corners[polygon]` and appends the parts to `corners`. Corners nearer to the plane than
-/// `tolerance_m` count as on it and belong to both parts, so that no part is thinner than that.
+/// Cuts the convex polygon `corners[polygon]` and appends the parts to `corners`; the new edges are `borders` of the part
+/// inside and of the one outside. Corners nearer to the plane than `tolerance_m` count as on it and belong to both parts,
+/// so that no part is thinner than that.
 pub(crate) fn split(
     corners: &mut Vec<Corner>,
     polygon: Range<usize>,
     plane: &Plane,
+    borders: [Border; 2],
     tolerance_m: f64,
     distances_m: &mut Vec<f64>,
 ) -> Split {
@@ -50,10 +55,10 @@ pub(crate) fn split(
         return Split::Inside;
     }
     let start = corners.len();
-    append_part(corners, polygon.clone(), plane, distances_m);
+    append_part(corners, polygon.clone(), (plane, borders[0]), distances_m);
     let middle = corners.len();
     distances_m.iter_mut().for_each(|d| *d = -*d);
-    append_part(corners, polygon, &-*plane, distances_m);
+    append_part(corners, polygon, (&-*plane, borders[1]), distances_m);
     Split::Cut { inside: start..middle, outside: middle..corners.len() }
 }
 
@@ -81,19 +86,26 @@ fn snapped(distance_m: f64, tolerance_m: f64) -> f64 {
 }
 
 /// Sutherland and Hodgman's clip of one convex polygon: keeps what is not on the negative side.
-fn append_part(corners: &mut Vec<Corner>, polygon: Range<usize>, plane: &Plane, distances_m: &[f64]) {
+fn append_part(
+    corners: &mut Vec<Corner>,
+    polygon: Range<usize>,
+    (plane, border): (&Plane, Border),
+    distances_m: &[f64],
+) {
+    let new = (*plane, border);
     let n = polygon.len();
     for i in 0..n {
         let (here, d) = (corners[polygon.start + i], distances_m[i]);
         let (next, d_next) = (corners[polygon.start + (i + 1) % n], distances_m[(i + 1) % n]);
         if d >= 0.0 {
             // A corner on the plane whose edge leaves the part begins the new edge.
-            let edge = if d == 0.0 && d_next < 0.0 { *plane } else { here.edge };
-            corners.push(Corner { edge, ..here });
+            let (edge, border) = if d == 0.0 && d_next < 0.0 { new } else { (here.edge, here.border) };
+            corners.push(Corner { edge, border, ..here });
         }
         if (d > 0.0 && d_next < 0.0) || (d < 0.0 && d_next > 0.0) {
             let point_m = here.point_m.lerp(next.point_m, d / (d - d_next));
-            corners.push(Corner { point_m, edge: if d > 0.0 { *plane } else { here.edge } });
+            let (edge, border) = if d > 0.0 { new } else { (here.edge, here.border) };
+            corners.push(Corner { point_m, edge, border });
         }
     }
 }
@@ -108,6 +120,7 @@ mod tests {
         let corner = |x: f64, y: f64, inward: DVec3| Corner {
             point_m: DVec3::new(x, y, 0.0),
             edge: Plane { normal: inward, offset_m: inward.dot(DVec3::new(x, y, 0.0)) },
+            border: Border::Own,
         };
         vec![
             corner(0.0, 0.0, DVec3::Y),
@@ -128,7 +141,7 @@ mod tests {
             let normal = DVec3::new(cos, sin, 0.3).normalize_or_zero();
             let plane = Plane { normal, offset_m: normal.dot(DVec3::new(0.4, 0.6, 0.0)) };
             let mut corners = square();
-            let split = split(&mut corners, 0..4, &plane, TOLERANCE_M, &mut Vec::new());
+            let split = split(&mut corners, 0..4, &plane, Border::SHADOW, TOLERANCE_M, &mut Vec::new());
             let Split::Cut { inside, outside } = split else { panic!("{k}: {split:?}") };
             let (inside, outside) = (&corners[inside], &corners[outside]);
             assert!((area(inside) + area(outside) - 1.0).abs() < 4.0 * f64::EPSILON, "{k}");
@@ -147,8 +160,8 @@ mod tests {
     fn a_plane_along_an_edge_or_through_a_corner_cuts_nothing_off() {
         let mut corners = square();
         let along = Plane { normal: DVec3::X, offset_m: 0.5 * TOLERANCE_M };
-        assert_eq!(split(&mut corners, 0..4, &along, TOLERANCE_M, &mut Vec::new()), Split::Inside);
-        assert_eq!(split(&mut corners, 0..4, &-along, TOLERANCE_M, &mut Vec::new()), Split::Outside);
+        assert_eq!(split(&mut corners, 0..4, &along, Border::SHADOW, TOLERANCE_M, &mut Vec::new()), Split::Inside);
+        assert_eq!(split(&mut corners, 0..4, &-along, Border::SHADOW, TOLERANCE_M, &mut Vec::new()), Split::Outside);
         assert_eq!(corners.len(), 4);
     }
 
@@ -156,7 +169,8 @@ mod tests {
     fn a_cut_through_two_corners_makes_two_triangles() {
         let normal = DVec3::new(1.0, -1.0, 0.0) / 2.0_f64.sqrt();
         let mut corners = square();
-        let split = split(&mut corners, 0..4, &Plane { normal, offset_m: 0.0 }, TOLERANCE_M, &mut Vec::new());
+        let split =
+            split(&mut corners, 0..4, &Plane { normal, offset_m: 0.0 }, Border::SHADOW, TOLERANCE_M, &mut Vec::new());
         let Split::Cut { inside, outside } = split else { panic!("{split:?}") };
         assert_eq!((inside.len(), outside.len()), (3, 3));
         assert!((area(&corners[inside]) - 0.5).abs() < 1e-15 && (area(&corners[outside]) - 0.5).abs() < 1e-15);

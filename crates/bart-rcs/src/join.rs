@@ -3,16 +3,18 @@
 //! A sequence of K facets has K facets that its integral could be taken on. For smooth mirrors these are one contribution
 //! seen at different nodes, not K contributions, so a rule picks:
 //!
-//! | K | middle: (order of b1, order of b2), weight | exit |
-//! |---|---|---|
-//! | odd | ((K+1)/2, (K+1)/2), 1 | (K, 1), 1 |
-//! | even | (K/2+1, K/2) and (K/2, K/2+1), ½ each | (K, 1), 1 |
+//! | K | middle: (order of b1, order of b2), weight | exit | own edge |
+//! |---|---|---|---|
+//! | odd | ((K+1)/2, (K+1)/2), 1 | (K, 1), 1 | (m, K+1−m) for every m, weights of [`crate::own_edge`] |
+//! | even | (K/2+1, K/2) and (K/2, K/2+1), ½ each | (K, 1), 1 | the same |
 //!
-//! Where transmitter and receiver share a tree, every middle join is the reverse of another one, which is its transpose:
-//! only one of both is made.
+//! Where transmitter and receiver share a tree, every middle join is the reverse of another one, which is its transpose, and
+//! so is every join of the own-edge rule: only one of both is made.
 
 use crate::beam::{Beam, BeamTree};
+use crate::border::Border;
 use crate::convex_intersection::{bounds, intersection};
+use crate::own_edge::{Bordered, Outline, weigh};
 use crate::plane_frame::{PlaneFrame, area_m2};
 use crate::world::World;
 use artifact::settings::NodeRule;
@@ -69,6 +71,8 @@ pub(crate) struct Joint {
 pub(crate) struct Joints {
     pub(crate) list: Vec<Joint>,
     corners_m: Vec<DVec3>,
+    /// Of every joint, where the rule weighs nodes by them.
+    outlines: Vec<Outline>,
     /// Area of overlaps that were given up for their size, m².
     pub(crate) dropped_m2: f64,
 }
@@ -79,11 +83,17 @@ impl Joints {
         &self.corners_m[joint.corners.clone()]
     }
 
+    /// Forgets joints that count nothing.
+    pub(crate) fn drop_weightless(&mut self) {
+        self.list.retain(|joint| joint.weight > 0.0);
+    }
+
     fn append(&mut self, other: Self) {
         let shift = self.corners_m.len();
         let moved = |joint: Joint| Joint { corners: joint.corners.start + shift..joint.corners.end + shift, ..joint };
         self.list.extend(other.list.into_iter().map(moved));
         self.corners_m.extend(other.corners_m);
+        self.outlines.extend(other.outlines);
         self.dropped_m2 += other.dropped_m2;
     }
 
@@ -98,6 +108,8 @@ impl Joints {
 /// Every joint of `order` bounces; overlaps below `least_area_m2` are dropped.
 pub(crate) fn joints(world: &World, trees: Trees<'_>, order: u8, rule: NodeRule, least_area_m2: f64) -> Joints {
     let mut all = Joints::default();
+    let tolerance_m = ONE_LINE * world.tolerance_m();
+    let limits = Limits { least_area_m2, one_line_m: (rule == NodeRule::OwnEdge).then_some(tolerance_m) };
     for meeting in meetings(trees, order, rule) {
         let forward = ByFacet::of_order(trees.transmit(), meeting.orders[0]);
         let backward = ByFacet::of_order(trees.receive(), meeting.orders[1]);
@@ -105,12 +117,28 @@ pub(crate) fn joints(world: &World, trees: Trees<'_>, order: u8, rule: NodeRule,
         let on_facet = |&(facet, ref left, ref right): &(u32, Range<usize>, Range<usize>)| {
             let frame = PlaneFrame::new(world.facet(facet).corners_m[0], world.facet(facet).normal());
             let beams = [&forward.beams[left.clone()], &backward.beams[right.clone()]];
-            on_one_facet(trees, &meeting, &frame, beams, least_area_m2)
+            on_one_facet(trees, &meeting, &frame, beams, limits)
         };
         let parts: Vec<Joints> = common.par_iter().map(on_facet).collect();
         parts.into_iter().for_each(|part| all.append(part));
     }
+    if rule == NodeRule::OwnEdge && order > 1 {
+        let outlines = std::mem::take(&mut all.outlines);
+        weigh(world, trees, order, &mut all, &outlines);
+    }
     all
+}
+
+/// Edges of two beams that are one line of the mesh differ by roundings of mirrored planes, which grow with the length over
+/// the mirror: at most a few thousand tolerances, 3e-8 m at 60 m and 1e-5 of a wavelength.
+const ONE_LINE: f64 = 1e4;
+
+/// What is too small to count.
+#[derive(Clone, Copy)]
+struct Limits {
+    least_area_m2: f64,
+    /// Edges nearer than this are one line, m; `None` where outlines are not asked for.
+    one_line_m: Option<f64>,
 }
 
 /// Highest order of beams that a rule needs for `bounces`.
@@ -141,7 +169,15 @@ enum Pairs {
 
 fn meetings(trees: Trees<'_>, order: u8, rule: NodeRule) -> Vec<Meeting> {
     let half = order / 2;
+    let with = |orders: [u8; 2], pairs: Pairs| Meeting { orders, weight: 1.0, pairs };
     match (rule, order % 2, trees) {
+        (NodeRule::OwnEdge, _, Trees::Apart(..)) => {
+            (1..=order).map(|m| with([m, order + 1 - m], Pairs::Ordered)).collect()
+        }
+        (NodeRule::OwnEdge, _, Trees::Shared(_)) if order != 1 => (order.div_ceil(2)..=order)
+            .filter(|m| 2 * m > order)
+            .map(|m| with([m, order + 1 - m], if 2 * m == order + 1 { Pairs::Unordered } else { Pairs::WithReverse }))
+            .collect(),
         (NodeRule::Exit, ..) if order != 1 => vec![Meeting { orders: [order, 1], weight: 1.0, pairs: Pairs::Ordered }],
         (_, 1, Trees::Shared(_)) => vec![Meeting { orders: [half + 1; 2], weight: 1.0, pairs: Pairs::Unordered }],
         (_, 1, Trees::Apart(..)) => vec![Meeting { orders: [half + 1; 2], weight: 1.0, pairs: Pairs::Ordered }],
@@ -193,7 +229,7 @@ fn on_one_facet(
     meeting: &Meeting,
     frame: &PlaneFrame,
     beams: [&[(u32, u32)]; 2],
-    least_area_m2: f64,
+    limits: Limits,
 ) -> Joints {
     let mut joints = Joints::default();
     if meeting.orders == [1, 1] && meeting.pairs == Pairs::Unordered {
@@ -214,9 +250,12 @@ fn on_one_facet(
         };
         let part = intersection(&left.corners_m, &right.corners_m);
         let area = area_m2(&part);
-        if area < least_area_m2 || part.is_empty() {
+        if area < limits.least_area_m2 || part.is_empty() {
             joints.dropped_m2 += area;
             continue;
+        }
+        if let Some(one_line_m) = limits.one_line_m {
+            joints.outlines.push(Outline::of_overlap(&part, [&left.bordered(), &right.bordered()], one_line_m));
         }
         joints.push((left.beam, right.beam), meeting.weight, reverse, left.in_world(frame, part));
     }
@@ -232,6 +271,7 @@ struct Footprint {
     beam: u32,
     /// Counter-clockwise about the facet's own normal.
     corners_m: Vec<DVec2>,
+    borders: Vec<Border>,
     side: Side,
     bounds_m: [DVec2; 2],
 }
@@ -247,10 +287,18 @@ impl Footprint {
         let beam: &Beam = &tree.beams[index as usize];
         let mut corners_m: Vec<DVec2> = tree.polygon(beam).iter().map(|c| frame.plane_from_world(*c)).collect();
         let side = if frame.normal().dot(beam.lit_normal) > 0.0 { Side::Front } else { Side::Back };
+        let mut borders = tree.borders(beam).to_vec();
         if side == Side::Back {
+            // The edge from corner i to the next becomes the one from their places in the reversed order.
             corners_m.reverse();
+            borders.reverse();
+            borders.rotate_left(1);
         }
-        Self { beam: index, bounds_m: bounds(&corners_m), corners_m, side }
+        Self { beam: index, bounds_m: bounds(&corners_m), corners_m, borders, side }
+    }
+
+    fn bordered(&self) -> Bordered<'_> {
+        Bordered { corners_m: &self.corners_m, borders: &self.borders }
     }
 
     /// Corners that run about the facet's normal, back in the world and about the lit normal.

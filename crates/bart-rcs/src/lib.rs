@@ -44,7 +44,9 @@ mod error; // what can be wrong with a body or an antenna
 mod antenna; // a point or a direction, and its images
 mod plane; // of facets, and through antenna and edge
 mod bvh; // obvhs proposes candidates in single precision
+mod patch; // coplanar facets that are one flat
 mod world; // facets of posed bodies
+mod border; // what ends a lit polygon
 mod clip; // a convex polygon cut by a plane
 mod section; // solid angle, or area across a direction
 mod depth_order; // which of two facets is in front, decided once
@@ -60,6 +62,7 @@ mod polarization; // v and h of a leg, through its mirrors
 mod tiling; // how far a polygon must be cut
 mod physical_optics; // the integral over a lit polygon
 mod convex_intersection; // where two beams overlap
+mod own_edge; // weights of a sequence's nodes
 mod join; // beams of both ends meet on a facet
 mod scatterer; // joints with the way to them
 mod aspect; // S at one aspect, by order and node rule

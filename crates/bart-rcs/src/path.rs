@@ -23,7 +23,7 @@ use num_complex::Complex64;
 /// `error.tessellation` is `None`.
 pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> Result<PathsFrame, BartError> {
     check_order(header.fidelity.bounces)?;
-    check_built(header.fidelity.edges, header.fidelity.surface, header.fidelity.nodes)?;
+    check_built(header.fidelity.edges, header.fidelity.surface)?;
     let plan = Plan::of(header);
     let snapshot = Snapshot::at(models, header, frame, plan.middle_s, &plan)?;
     let check = Snapshot::at(models, header, frame, plan.check_s, &plan)?;

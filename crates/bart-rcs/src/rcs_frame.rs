@@ -26,7 +26,7 @@ use std::f64::consts::TAU;
 /// point target has a table of one value, +√σ.
 pub fn rcs_frame(header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, BartError> {
     check_order(header.fidelity.bounces)?;
-    check_built(header.fidelity.edges, header.fidelity.surface, header.fidelity.nodes)?;
+    check_built(header.fidelity.edges, header.fidelity.surface)?;
     if frame.poses.len() != header.targets.len() {
         let (poses, targets) = (frame.poses.len(), header.targets.len());
         return Err(BartError::PosesDoNotMatch { frame: frame.index, poses, targets });

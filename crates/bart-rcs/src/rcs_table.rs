@@ -124,7 +124,7 @@ pub fn rcs(
 
 fn check(request: &RcsRequest) -> Result<(), BartError> {
     check_order(request.bounces)?;
-    check_built(request.edges, request.surface, request.nodes)?;
+    check_built(request.edges, request.surface)?;
     if let Some(&found) = request.frequency_hz.iter().find(|f| !(f.is_finite() && **f > 0.0)) {
         return Err(BartError::FrequencyNotPositive { frequency_hz: found });
     }

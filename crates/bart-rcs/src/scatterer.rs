@@ -204,11 +204,10 @@ pub(crate) fn check_order(bounces: u8) -> Result<(), BartError> {
 }
 
 /// What is promised for later is refused by name, not ignored.
-pub(crate) fn check_built(edges: Edges, surface: Surface, nodes: NodeRule) -> Result<(), BartError> {
-    match (edges, surface, nodes) {
-        (Edges::FirstOrder, _, _) => Err(BartError::NotBuilt { choice: "edges = \"on\"" }),
-        (_, Surface::Smooth, _) => Err(BartError::NotBuilt { choice: "surface = \"smooth\"" }),
-        (_, _, NodeRule::OwnEdge) => Err(BartError::NotBuilt { choice: "nodes = \"own-edge\"" }),
-        (Edges::Ignored, Surface::Flat, NodeRule::Middle | NodeRule::Exit) => Ok(()),
+pub(crate) fn check_built(edges: Edges, surface: Surface) -> Result<(), BartError> {
+    match (edges, surface) {
+        (Edges::FirstOrder, _) => Err(BartError::NotBuilt { choice: "edges = \"on\"" }),
+        (_, Surface::Smooth) => Err(BartError::NotBuilt { choice: "surface = \"smooth\"" }),
+        (Edges::Ignored, Surface::Flat) => Ok(()),
     }
 }

@@ -7,11 +7,12 @@
 //! what one facet's shadow loses at such a plane, its neighbour's takes, bit by bit.
 
 use crate::antenna::Antenna;
+use crate::border::Border;
 use crate::clip::Corner;
 use crate::depth_order::{DepthOrder, are_coincident, depth_order};
 use crate::plane::Plane;
 use crate::view::{Mirror, View};
-use crate::world::FacetGeometry;
+use crate::world::{FacetGeometry, World};
 use artifact::settings::Sides;
 
 /// The planes of a facet's shadow.
@@ -81,10 +82,13 @@ impl Shadow {
     }
 
     /// The facet as a polygon, counter-clockwise as the antenna sees it.
-    pub(crate) fn polygon(&self, facet: &FacetGeometry) -> [Corner; 3] {
-        let [a, b, c] = facet.corners_m;
+    pub(crate) fn polygon(&self, world: &World) -> [Corner; 3] {
+        let [a, b, c] = world.facet(self.facet).corners_m;
         let points = if self.seen == Seen::Front { [a, b, c] } else { [a, c, b] };
-        [0, 1, 2].map(|i| Corner { point_m: points[i], edge: self.edges[i] })
+        // Edge i of the facet runs from corner i; seen from the back they run the other way and in the other order.
+        let order = if self.seen == Seen::Front { [0, 1, 2] } else { [2, 1, 0] };
+        let border = |edge| if world.is_inside_patch(self.facet, edge) { Border::Inner } else { Border::Own };
+        [0, 1, 2].map(|i| Corner { point_m: points[i], edge: self.edges[i], border: border(order[i]) })
     }
 
     /// What this facet may hide of another.

@@ -1,6 +1,7 @@
 //! Where one looks from, through which hole, and by which rules.
 
 use crate::antenna::Antenna;
+use crate::border::Border;
 use crate::clip::{Corner, Split, split};
 use crate::plane::Plane;
 use crate::shadow::{Seen, Shadow};
@@ -19,8 +20,8 @@ pub(crate) struct View<'w> {
     pub(crate) antenna: Antenna,
     /// The facet that reflects; `None` looks straight and all round.
     pub(crate) mirror: Option<Mirror<'w>>,
-    /// Planes through the antenna and the edges of the lit polygon on the mirror, positive inside.
-    pub(crate) window: Vec<Plane>,
+    /// Planes through the antenna and the edges of the lit polygon on the mirror, positive inside, and what they end.
+    pub(crate) window: Vec<(Plane, Border)>,
 }
 
 /// The facet that a beam has just left.
@@ -44,9 +45,10 @@ impl<'w> View<'w> {
         sides: Sides,
         lit_by: Antenna,
         mirror: Mirror<'w>,
-        edges: &[Plane],
+        edges: &[(Plane, Border)],
     ) -> Self {
-        let window = edges.iter().map(|edge| edge.mirrored(&mirror.front)).collect();
+        let window =
+            edges.iter().map(|(edge, border)| (edge.mirrored(&mirror.front), border.through_mirror())).collect();
         Self { world, sides, antenna: lit_by.mirrored(&mirror.front), mirror: Some(mirror), window }
     }
 
@@ -66,10 +68,11 @@ impl<'w> View<'w> {
             return None;
         }
         corners.clear();
-        corners.extend(target.polygon(self.world.facet(target.facet)));
+        corners.extend(target.polygon(self.world));
         // A facet that crosses the mirror's plane ends at the plane that also ends its shadow.
-        self.window.iter().chain(&target.beyond_mirror).try_fold(0..3, |polygon, plane| {
-            match split(corners, polygon.clone(), plane, self.tolerance_m(), distances_m) {
+        let beyond = target.beyond_mirror.map(|plane| (plane, Border::Own));
+        self.window.iter().copied().chain(beyond).try_fold(0..3, |polygon, (plane, border)| {
+            match split(corners, polygon.clone(), &plane, [border; 2], self.tolerance_m(), distances_m) {
                 Split::Inside => Some(polygon),
                 Split::Outside => None,
                 Split::Cut { inside, .. } => Some(inside),

@@ -5,6 +5,7 @@
 //! costs the outline of its shadow, not the number of facets in front.
 
 use crate::antenna::Antenna;
+use crate::border::Border;
 use crate::clip::{Corner, Split, doubled_area, perimeter_m, split};
 use crate::plane::Plane;
 use crate::section::section;
@@ -106,7 +107,7 @@ impl Buffers {
             self.found.push(facet);
             ControlFlow::Continue(())
         };
-        let planes = view.window.iter().copied().chain(view.mirror.map(|mirror| mirror.front));
+        let planes = view.window.iter().map(|(plane, _)| *plane).chain(view.mirror.map(|mirror| mirror.front));
         let _ = view.world.visit_inside(planes, DVec3::ZERO, &mut self.walk, found);
         self.found.sort_unstable();
         self.shadows.clear();
@@ -315,7 +316,8 @@ impl Cutter {
         tolerance_m: f64,
     ) -> bool {
         for plane in planes {
-            match split(&mut self.corners, polygon.clone(), &plane, tolerance_m, &mut self.distances_m) {
+            let shadow = Border::SHADOW;
+            match split(&mut self.corners, polygon.clone(), &plane, shadow, tolerance_m, &mut self.distances_m) {
                 Split::Inside => {}
                 Split::Outside => return false,
                 Split::Cut { inside, outside } => {

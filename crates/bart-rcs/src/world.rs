@@ -2,6 +2,7 @@
 
 use crate::bvh::Hierarchy;
 use crate::error::BartError;
+use crate::patch::Patches;
 use crate::plane::Plane;
 use artifact::paths::Facet;
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
@@ -76,10 +77,20 @@ impl World {
         &self.facets
     }
 
+    /// The flat patch that a facet is part of, by its first facet.
+    pub(crate) fn patch(&self, facet: u32) -> u32 {
+        self.body_of(facet)
+            .map_or(facet, |body| body.first_facet + body.mesh.patches.of_triangle(facet - body.first_facet))
+    }
+
+    /// Whether a patch goes on beyond the facet's edge from corner `edge` to the next.
+    pub(crate) fn is_inside_patch(&self, facet: u32, edge: usize) -> bool {
+        self.body_of(facet).is_some_and(|body| body.mesh.patches.is_inside(facet - body.first_facet, edge))
+    }
+
     /// Velocity of the body that a facet belongs to, m/s.
     pub fn velocity_mps(&self, facet: u32) -> DVec3 {
-        let after = self.bodies.partition_point(|body| body.first_facet <= facet);
-        after.checked_sub(1).map_or(DVec3::ZERO, |body| self.bodies[body].velocity_mps)
+        self.body_of(facet).map_or(DVec3::ZERO, |body| body.velocity_mps)
     }
 
     /// Distances below this are rounding, m: points so near a plane count as on it.
@@ -116,6 +127,11 @@ impl World {
             hierarchy
                 .inside(&walk.planes_in_body, nearer, &mut walk.stack, |triangle| visit(body.first_facet + triangle))
         })
+    }
+
+    fn body_of(&self, facet: u32) -> Option<&Body> {
+        let after = self.bodies.partition_point(|body| body.first_facet <= facet);
+        after.checked_sub(1).map(|body| &self.bodies[body])
     }
 
     fn of_bodies(mut bodies: Vec<Body>) -> Result<Self, BartError> {
@@ -195,6 +211,7 @@ impl Models {
 /// A mesh in its body frame.
 struct BodyMesh {
     triangles_m: Vec<[DVec3; 3]>,
+    patches: Patches,
     hierarchy: Hierarchy,
 }
 
@@ -207,7 +224,8 @@ impl BodyMesh {
         }
         let corners = |(index, triangle): (usize, &[u32; 3])| corners_of(mesh, index, triangle);
         let triangles_m = mesh.triangles.iter().enumerate().map(corners).collect::<Result<Vec<_>, _>>()?;
-        Ok(Self { hierarchy: Hierarchy::over(triangles_m.iter().copied()), triangles_m })
+        let hierarchy = Hierarchy::over(triangles_m.iter().copied());
+        Ok(Self { hierarchy, patches: Patches::of(&triangles_m), triangles_m })
     }
 }
 

@@ -235,9 +235,16 @@ fn a_large_plate_nearby_acts_as_a_mirror() {
 /// D1.
 #[test]
 fn a_right_dihedral_has_its_closed_form_off_axis_and_its_signs() {
+    RULES.into_iter().for_each(right_dihedral);
+}
+
+/// Rules that leave closed forms as they are and are reciprocal.
+const RULES: [NodeRule; 2] = [NodeRule::Middle, NodeRule::OwnEdge];
+
+fn right_dihedral(nodes: NodeRule) {
     let body = dihedral(90.0);
     let double = |azimuth_deg: f64, elevation_deg: f64, polarization| {
-        let request = RcsRequest { bounces: 2, polarization, ..at(azimuth_deg, elevation_deg) };
+        let request = RcsRequest { bounces: 2, polarization, nodes, ..at(azimuth_deg, elevation_deg) };
         run(&body, &request).by_order_m[1][0]
     };
     let area = 0.15_f64.powi(2);
@@ -250,7 +257,7 @@ fn a_right_dihedral_has_its_closed_form_off_axis_and_its_signs() {
         assert!((vv / Complex64::new(0.0, -vv.norm()) - 1.0).norm() < 1e-3, "S_vv = −j|S|: {vv}");
     }
     check("D1 az 7 el 2", 8.65, dbsm(double(7.0, 2.0, Polarization::Vv)), 0.05);
-    let near = RcsRequest { bounces: 2, range_m: 30.0, ..at(7.0, 0.0) };
+    let near = RcsRequest { bounces: 2, range_m: 30.0, nodes, ..at(7.0, 0.0) };
     check("D1 30 m", 27.94, dbsm(run(&body, &near).by_order_m[1][0]), 0.03);
 }
 
@@ -288,8 +295,12 @@ fn square_trihedral() -> Mesh {
 /// D2.
 #[test]
 fn a_trihedral_of_order_three_has_its_closed_forms_on_and_off_axis() {
+    RULES.into_iter().for_each(trihedral);
+}
+
+fn trihedral(nodes: NodeRule) {
     let triple = |mesh: &Mesh, azimuth_deg: f64, elevation_deg: f64| {
-        let request = RcsRequest { bounces: 3, ..at(azimuth_deg, elevation_deg) };
+        let request = RcsRequest { bounces: 3, nodes, ..at(azimuth_deg, elevation_deg) };
         dbsm(run(mesh, &request).by_order_m[2][0])
     };
     let axis = (0.5_f64.sqrt()).atan().to_degrees();
@@ -319,8 +330,6 @@ fn relative(a: Complex64, b: Complex64) -> f64 {
 #[test]
 fn relabelled_split_and_doubled_facets_leave_the_amplitude_unchanged() {
     let body = odd_corner();
-    let request = RcsRequest { bounces: 3, ..at(40.0, 30.0) };
-    let whole = s(&body, &request);
     let mut relabelled = body.clone();
     relabelled.triangles.reverse();
     relabelled.triangles.iter_mut().for_each(|t| t.rotate_left(1));
@@ -334,9 +343,12 @@ fn relabelled_split_and_doubled_facets_leave_the_amplitude_unchanged() {
     let mut doubled = body.clone();
     doubled.triangles.extend(body.triangles.clone());
     for (name, other) in [("relabelled", relabelled), ("split", split), ("doubled", doubled)] {
-        let error = relative(s(&other, &request), whole);
-        println!("D4 {name}: asked 1e-9, got {error:.1e}");
-        assert!(error < 1e-9, "{name}: {error:e}");
+        for nodes in RULES {
+            let request = RcsRequest { bounces: 3, nodes, ..at(40.0, 30.0) };
+            let error = relative(s(&other, &request), s(&body, &request));
+            println!("D4 {name}, {nodes:?}: asked 1e-9, got {error:.1e}");
+            assert!(error < 1e-9, "{name}: {error:e}");
+        }
     }
 }
 
@@ -353,12 +365,26 @@ fn turning_mesh_and_antenna_together_leaves_the_amplitude_unchanged() {
     assert!(error < 1e-9);
 }
 
-/// A wrong node rule fails here and nowhere else: transmitter and receiver 22° apart on an 88° dihedral.
+/// A wrong node rule fails here and nowhere else: transmitter and receiver 22° apart on an 88° dihedral, and at two places
+/// before a corner of odd shape for the higher orders.
 #[test]
 fn swapping_transmitter_and_receiver_transposes_the_amplitude() {
-    let stations = [(-11.0_f64, 3.0_f64), (11.0, -2.0)].map(|(az, el)| (az.to_radians(), el.to_radians()));
-    let of = |from: usize, to: usize, polarization, range_m: f64, bounces| {
-        let receiver = Standpoint { azimuth_rad: stations[to].0, elevation_rad: stations[to].1, range_m };
+    for nodes in RULES {
+        for (range_m, bounces) in [(f64::INFINITY, 2), (f64::INFINITY, 3), (30.0, 2)] {
+            reciprocal(&dihedral(88.0), [(-11.0, 3.0), (11.0, -2.0)], range_m, bounces, nodes);
+        }
+        for (range_m, bounces) in [(f64::INFINITY, 4), (f64::INFINITY, 5), (3.0, 3), (3.0, 5)] {
+            reciprocal(&odd_corner(), [(40.0, 30.0), (55.0, 21.0)], range_m, bounces, nodes);
+        }
+    }
+}
+
+/// S(0, 1) = S(1, 0)ᵀ to −100 dB of the co-polarized amplitude; (azimuth, elevation) in degrees.
+fn reciprocal(body: &Mesh, stations_deg: [(f64, f64); 2], range_m: f64, bounces: u8, nodes: NodeRule) {
+    let stations = stations_deg.map(|(az, el)| (az.to_radians(), el.to_radians()));
+    let of = |from: usize, to: usize, polarization| {
+        let (azimuth_rad, elevation_rad) = stations[to];
+        let receiver = Standpoint { azimuth_rad, elevation_rad, range_m };
         let request = RcsRequest {
             azimuth_rad: vec![stations[from].0],
             elevation_rad: vec![stations[from].1],
@@ -366,39 +392,48 @@ fn swapping_transmitter_and_receiver_transposes_the_amplitude() {
             range_m,
             polarization,
             bounces,
+            nodes,
             accuracy: Accuracy::from_db(-80.0),
             ..request()
         };
-        s(&dihedral(88.0), &request)
+        s(body, &request)
     };
-    for (range_m, bounces) in [(f64::INFINITY, 2), (f64::INFINITY, 3), (30.0, 2)] {
-        let pairs = [
-            (Polarization::Vv, Polarization::Vv),
-            (Polarization::Vh, Polarization::Hv),
-            (Polarization::Hh, Polarization::Hh),
-        ];
-        let scale = of(0, 1, Polarization::Vv, range_m, bounces).norm();
-        for (there, back) in pairs {
-            let error = (of(0, 1, there, range_m, bounces) - of(1, 0, back, range_m, bounces)).norm() / scale;
-            println!("reciprocity at {range_m} m, {bounces} bounces, {there:?}: {:.0} dB", 20.0 * error.log10());
-            assert!(error < 1e-5);
-        }
+    let pairs = [
+        (Polarization::Vv, Polarization::Vv),
+        (Polarization::Vh, Polarization::Hv),
+        (Polarization::Hh, Polarization::Hh),
+    ];
+    let scale = of(0, 1, Polarization::Vv).norm();
+    for (there, back) in pairs {
+        let error = (of(0, 1, there) - of(1, 0, back)).norm() / scale;
+        let level_db = 20.0 * error.log10();
+        println!("reciprocity, {nodes:?}, {range_m} m, {bounces} bounces, {there:?}: asked -100 dB, got {level_db:.0}");
+        assert!(scale > 0.0 && error < 1e-5);
     }
 }
 
 /// Monostatic reciprocity, to rounding, on a body that depolarises.
 #[test]
 fn cross_polarizations_of_one_antenna_are_equal() {
-    let of = |polarization| s(&odd_corner(), &RcsRequest { bounces: 3, polarization, ..at(40.0, 30.0) });
-    let (vh, hv) = (of(Polarization::Vh), of(Polarization::Hv));
-    assert!((vh - hv).norm() <= 1e-10 * of(Polarization::Vv).norm() && vh.norm() > 0.0);
+    for (nodes, bounces) in RULES.into_iter().flat_map(|nodes| [(nodes, 3), (nodes, 5)]) {
+        for range_m in [f64::INFINITY, 2.0] {
+            let accuracy = Accuracy::from_db(-40.0);
+            let request =
+                |polarization| RcsRequest { bounces, polarization, nodes, range_m, accuracy, ..at(40.0, 30.0) };
+            let of = |polarization| s(&odd_corner(), &request(polarization));
+            let (vh, hv) = (of(Polarization::Vh), of(Polarization::Hv));
+            let error = (vh - hv).norm() / of(Polarization::Vv).norm();
+            println!("{nodes:?}, {bounces} bounces, {range_m} m: asked 1e-10, got {error:.1e}");
+            assert!(error <= 1e-10 && vh.norm() > 0.0);
+        }
+    }
 }
 
 /// The two-tree form of the same place is the one-tree form: nothing is doubled or lost by the symmetries.
 #[test]
 fn a_receiver_beside_the_transmitter_gives_the_monostatic_amplitude() {
-    for bounces in 1..=4 {
-        for nodes in [NodeRule::Middle, NodeRule::Exit] {
+    for bounces in 1..=5 {
+        for nodes in [NodeRule::Middle, NodeRule::Exit, NodeRule::OwnEdge] {
             let one = RcsRequest { bounces, nodes, ..at(40.0, 30.0) };
             let (azimuth_rad, elevation_rad) = (one.azimuth_rad[0], one.elevation_rad[0]);
             let receiver = Some(Standpoint { azimuth_rad, elevation_rad, range_m: f64::INFINITY });
