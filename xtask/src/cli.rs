@@ -173,6 +173,9 @@ pub(crate) struct RcsArguments {
     /// Metres per unit of the mesh file.
     #[arg(long)]
     pub(crate) unit_scale: Option<f64>,
+    /// Pictures beside the result: level over azimuth and frequency, range profile, ISAR image, the facets that make the level.
+    #[arg(long)]
+    pub(crate) pictures: bool,
     /// Result; S.json is written beside it.
     #[arg(long, value_name = "S.npy")]
     pub(crate) out: PathBuf,

@@ -4,6 +4,8 @@ mod colours;
 mod svg;
 mod axes;
 mod raster;
+mod heat_map;
+mod polar;
 mod rdm;
 mod points;
 mod plan_view;
@@ -18,7 +20,10 @@ use artifact::points::PointsFrame;
 use artifact::rdm::RdmFrame;
 use std::path::Path;
 
+pub(crate) use colours::heat;
+pub(crate) use heat_map::{HeatMap, Shape};
 pub(crate) use lines::{Line, LinePlot, Scale};
+pub(crate) use polar::PolarPlot;
 pub(crate) use svg::Svg;
 
 /// What is drawn of one frame.

@@ -67,6 +67,7 @@ mod join; // beams of both ends meet on a facet
 mod scatterer; // joints with the way to them
 mod aspect; // S at one aspect, by order and node rule
 mod rcs_table; // S over frequency and aspect
+mod contributions; // S of one aspect by facet sequence
 mod path_cells; // lit polygons as cells with one node each
 mod nearest_surface; // nearest lit point of a body
 mod path_sum; // S from path records, by definition
@@ -82,6 +83,7 @@ mod test_quadrature;
 
 pub use antenna::Antenna;
 pub use beam::{Audit, Beam, BeamTree, OrderAudit, TraceSettings};
+pub use contributions::{Contribution, contributions};
 pub use error::BartError;
 pub use path::trace_frame;
 pub use path_sum::{PathView, scattering_of_paths};

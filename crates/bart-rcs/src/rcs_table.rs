@@ -122,7 +122,7 @@ pub fn rcs(
     }
 }
 
-fn check(request: &RcsRequest) -> Result<(), BartError> {
+pub(crate) fn check(request: &RcsRequest) -> Result<(), BartError> {
     check_order(request.bounces)?;
     check_built(request.edges, request.surface)?;
     if let Some(&found) = request.frequency_hz.iter().find(|f| !(f.is_finite() && **f > 0.0)) {
@@ -135,9 +135,16 @@ fn check(request: &RcsRequest) -> Result<(), BartError> {
     Ok(())
 }
 
+impl RcsRequest {
+    /// k = 2πf/c.
+    pub(crate) fn wavenumbers_per_m(&self) -> Vec<f64> {
+        self.frequency_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect()
+    }
+}
+
 impl Standpoint {
     /// Unit vector from the origin.
-    fn direction(&self) -> DVec3 {
+    pub fn direction(&self) -> DVec3 {
         let (sin_el, cos_el) = self.elevation_rad.sin_cos();
         let (sin_az, cos_az) = self.azimuth_rad.sin_cos();
         DVec3::new(cos_el * cos_az, cos_el * sin_az, sin_el)
@@ -153,7 +160,7 @@ impl Standpoint {
 }
 
 /// Elevation by elevation, azimuth by azimuth.
-fn aspects(request: &RcsRequest) -> Vec<Aspect> {
+pub(crate) fn aspects(request: &RcsRequest) -> Vec<Aspect> {
     let of = |elevation_rad: f64, azimuth_rad: f64| {
         let transmitter = Standpoint { azimuth_rad, elevation_rad, range_m: request.range_m };
         Aspect {
@@ -169,8 +176,8 @@ fn mean_facet_m2(world: &World) -> f64 {
     facets.iter().map(|facet| facet.area_m2).sum::<f64>() / facets.len().max(1) as f64
 }
 
-fn aspect_settings(request: &RcsRequest, world: &World, accuracy: f64) -> AspectSettings {
-    let wavenumbers_per_m: Vec<f64> = request.frequency_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
+pub(crate) fn aspect_settings(request: &RcsRequest, world: &World, accuracy: f64) -> AspectSettings {
+    let wavenumbers_per_m = request.wavenumbers_per_m();
     let shortest_m = TAU / wavenumbers_per_m.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
     // λ²/100·accuracy (physics §2), or that part of the mean facet where facets are smaller than the wavelength: a fine
     // mesh must not be dropped whole. Mirrors of a hundred times that size are the smallest that are followed.

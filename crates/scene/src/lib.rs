@@ -49,10 +49,13 @@ mod targets;
 mod models;
 mod motion;
 pub mod mesh;
+mod glb;
+mod painted;
 pub mod vehicles;
 
 pub use errors::{Allowed, MapAxis, Place, Position, Rule, SceneError, SceneErrors};
 pub use keys::{TABLES, Table};
 pub use mesh::{MeshError, MeshOptions, centred, read_mesh};
 pub use motion::{pose_after, snapshot};
+pub use painted::{Painted, PaintedLine, painted_glb};
 pub use read::{Meshes, ReadOptions, inputs, read};

@@ -1,6 +1,8 @@
 //! `rcs`: scattering amplitude of a mesh over frequency, elevation and azimuth.
 
 mod answer;
+mod isar;
+mod pictures;
 mod references;
 
 use super::export::{NpyStream, sidecar};
@@ -32,6 +34,10 @@ pub(crate) fn run(arguments: &RcsArguments) -> Result<(), Failure> {
     let described = answer.json(arguments, &mesh, load, start.elapsed().as_secs_f64());
     let text = serde_json::to_string_pretty(&described).map_err(Failure::refused)?;
     output::write_file(&sidecar(&arguments.out), text.as_bytes())?;
+    if arguments.pictures {
+        pictures::write(&arguments.out, &mesh, &request, &answer.amplitude_m)?;
+        pictures::write_facets(&arguments.out, &mesh, &request)?;
+    }
     answer.tell(&arguments.out);
     Ok(())
 }

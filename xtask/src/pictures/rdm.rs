@@ -1,9 +1,8 @@
 //! The range-Doppler map and its profile.
 
 use super::axes::{Axes, Axis};
-use super::colours::heat;
+use super::heat_map::{heat_png, scale_bar};
 use super::lines::{Line, LinePlot, Scale};
-use super::raster;
 use super::svg::Svg;
 use crate::failure::Failure;
 use artifact::cube::CubeHeader;
@@ -30,7 +29,7 @@ pub(super) fn draw(header: &CubeHeader, rdm: &RdmFrame, points: &PointsFrame) ->
         let velocity = header.radar.folded_velocity_mps(object.radial_velocity_mps);
         sheet.ring("#39d0ff", [axes.x.at(object.range_m), axes.y.at(velocity)], 11.0);
     }
-    scale_bar(&mut sheet, levels);
+    scale_bar(&mut sheet, levels, "dBW");
     Ok(sheet)
 }
 
@@ -75,26 +74,4 @@ fn levels(map: &Array2<f64>) -> [f64; 2] {
     cells.sort_by(f64::total_cmp);
     let (peak, median) = (cells[cells.len() - 1], cells[cells.len() / 2]);
     [(median - BELOW_NOISE_DB).clamp(peak - SPAN_DB, peak - 10.0), peak]
-}
-
-fn heat_png(map: &Array2<f64>, [dark, bright]: [f64; 2]) -> Result<Vec<u8>, Failure> {
-    let (rows, columns) = map.dim();
-    let colour = |x: u32, y: u32| {
-        let level = map[[rows - 1 - y as usize, x as usize]];
-        image::Rgb(heat((level - dark) / (bright - dark)))
-    };
-    let picture = image::RgbImage::from_fn(columns as u32, rows as u32, colour);
-    raster::encode(picture.into()).map_err(Failure::refused)
-}
-
-fn scale_bar(sheet: &mut Svg, [dark, bright]: [f64; 2]) {
-    let column = image::RgbImage::from_fn(1, 64, |_, y| image::Rgb(heat(1.0 - f64::from(y) / 63.0)));
-    if let Ok(png) = raster::encode(column.into()) {
-        sheet.image([680.0, 20.0], [14.0, 405.0], &png);
-    }
-    let axis = Axis { from: dark, to: bright, start_px: 425.0, end_px: 20.0 };
-    for value in axis.ticks() {
-        sheet.words([698.0, axis.at(value) + 4.0], 11.0, "start", &format!("{value:.0}").replace('-', "−"));
-    }
-    sheet.words([680.0, 446.0], 11.0, "start", "dBW");
 }

@@ -1,9 +1,12 @@
-//! Random vehicles, aspects, frequencies, orders and accuracies: the error that is printed beside the true one.
+//! Random vehicles, aspects, frequencies, orders and accuracies: the error that is printed beside the true one, of S and of
+//! a frame's map.
 
 use crate::methods::{decibels, error, request};
-use artifact::scene::Mesh;
+use artifact::scene::{Mesh, Pose, SceneHeader};
 use artifact::settings::NodeRule;
-use bart_rcs::{Standpoint, rcs};
+use bart_rcs::{Models, PathView, Standpoint, rcs, scattering_of_paths, trace_frame};
+use glam::{DMat3, DVec3};
+use num_complex::Complex64;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 use std::f64::consts::TAU;
@@ -48,6 +51,104 @@ impl std::fmt::Display for Found {
         let Standpoint { azimuth_rad, elevation_rad, range_m } = self.place;
         write!(f, "| {} | {:.1} | {:.1} |", self.name, azimuth_rad.to_degrees(), elevation_rad.to_degrees())?;
         write!(f, " {range_m:.1} | {} | {} |", self.bounces, self.asked_db)?;
+        write!(f, " {:.1} | {:.1} | {:.1} |", self.printed_db, self.true_db, self.printed_db - self.true_db)
+    }
+}
+
+/// A frame of one moving vehicle.
+#[derive(Debug)]
+pub(crate) struct FoundFrame {
+    name: String,
+    pose: Pose,
+    bounces: u8,
+    asked_db: f64,
+    paths: usize,
+    pub(crate) printed_db: f64,
+    pub(crate) true_db: f64,
+}
+
+/// Frame number `case`: its paths against the body traced and integrated anew, 25 dB finer, where it is at four random
+/// moments of the frame.
+///
+/// A map is a unitary transform of the frame's samples (Parseval), so its relative error is that of the samples; each is S
+/// at its moment and frequency.
+pub(crate) fn try_frame(case: u64, meshes: &[(&str, Mesh)], empty: &SceneHeader) -> FoundFrame {
+    let mut rng = ChaCha12Rng::from_seed(artifact::seed::key(11, "validation/random-frames", &[case]));
+    let (name, mesh) = &meshes[rng.random_range(0..meshes.len())];
+    let speed_mps = rng.random_range(0.5..15.0);
+    let yaw_rad = rng.random_range(0.0..TAU);
+    let pose = Pose {
+        position_m: [rng.random_range(0.0..11.0), rng.random_range(25.0..60.0), 0.0],
+        yaw_rad,
+        velocity_mps: [speed_mps * f64::cos(yaw_rad), speed_mps * f64::sin(yaw_rad), 0.0],
+    };
+    let mut header = empty.clone();
+    header.fidelity.bounces = rng.random_range(1..=3);
+    let asked_db = rng.random_range(-30.0..-15.0);
+    header.fidelity.accuracy = artifact::Accuracy::from_db(asked_db);
+    header.meshes = vec![mesh.clone()];
+    header.targets[0].start = pose;
+    let frame = scene::snapshot(&header, 0);
+    let paths = trace_frame(&Models::build(&header).unwrap(), &header, &frame).unwrap();
+    let (mut of_paths, mut anew) = (Vec::new(), Vec::new());
+    for _ in 0..4 {
+        let seconds = rng.random_range(0.0..header.radar.frame_duration_s());
+        let frequencies_hz: Vec<f64> = (0..12).map(|_| random_frequency_hz(&header, &mut rng)).collect();
+        of_paths.extend(frequencies_hz.iter().map(|f| at(&header, &paths.paths, &pose, seconds, *f)));
+        anew.extend(traced_anew(&header, &pose, seconds, &frequencies_hz));
+    }
+    FoundFrame {
+        name: (*name).to_owned(),
+        pose,
+        bounces: header.fidelity.bounces,
+        asked_db,
+        paths: paths.paths.len(),
+        printed_db: decibels(paths.error.total().unwrap()),
+        true_db: decibels(error(&of_paths, &anew)),
+    }
+}
+
+fn random_frequency_hz(header: &SceneHeader, rng: &mut ChaCha12Rng) -> f64 {
+    let waveform = &header.radar.waveform;
+    waveform.start_frequency_hz + rng.random_range(0.0..1.0) * waveform.bandwidth_hz()
+}
+
+fn origin_m(pose: &Pose, seconds: f64) -> DVec3 {
+    DVec3::from_array(pose.position_m) + seconds * DVec3::from_array(pose.velocity_mps)
+}
+
+fn at(header: &SceneHeader, paths: &[artifact::paths::Path], pose: &Pose, seconds: f64, f_hz: f64) -> Complex64 {
+    let radar_m = DVec3::from_array(header.radar.position_m);
+    let view = PathView {
+        transmitter_m: radar_m,
+        receiver_m: radar_m,
+        origin_m: origin_m(pose, seconds),
+        seconds,
+        centre_frequency_hz: header.radar.waveform.centre_frequency_hz(),
+    };
+    scattering_of_paths(paths, &view, f_hz)[0][0]
+}
+
+fn traced_anew(header: &SceneHeader, pose: &Pose, seconds: f64, frequencies_hz: &[f64]) -> Vec<Complex64> {
+    let away = DVec3::from_array(header.radar.position_m) - origin_m(pose, seconds);
+    let to_radar = DMat3::from_rotation_z(-pose.yaw_rad) * away;
+    let place = Standpoint {
+        azimuth_rad: to_radar.y.atan2(to_radar.x),
+        elevation_rad: (to_radar.z / to_radar.length()).asin(),
+        range_m: to_radar.length(),
+    };
+    let fidelity = &header.fidelity;
+    let finer_db = fidelity.accuracy.db() - 25.0;
+    let request = request(place, frequencies_hz, fidelity.bounces, fidelity.nodes, finer_db);
+    rcs(&header.meshes[0], &request, &|_, _| {}).unwrap().amplitude_m
+}
+
+impl std::fmt::Display for FoundFrame {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let [x, y, _] = self.pose.position_m;
+        let speed_mps = DVec3::from_array(self.pose.velocity_mps).length();
+        write!(f, "| {} | {x:.1}, {y:.1} | {:.0} | {speed_mps:.1} |", self.name, self.pose.yaw_rad.to_degrees())?;
+        write!(f, " {} | {:.1} | {} |", self.bounces, self.asked_db, self.paths)?;
         write!(f, " {:.1} | {:.1} | {:.1} |", self.printed_db, self.true_db, self.printed_db - self.true_db)
     }
 }
