@@ -223,13 +223,14 @@ impl<'a> Growth<'a> {
     }
 
     /// What a beam of the order before shows as a mirror; `None` for a beam of an older order.
-    fn view<'w>(&self, world: &'w World, index: u32) -> Option<View<'w>> {
+    fn view<'w>(&'w self, world: &'w World, index: u32) -> Option<View<'w>> {
         let beam = &self.tree.beams[index as usize];
         let facet = world.facet(beam.facet);
         let front = if beam.lit_normal == facet.plane.normal { facet.plane } else { -facet.plane };
         let start = (beam.polygon.start as usize).checked_sub(self.first_edge)?;
         let edges = self.edges.get(start..start + beam.polygon.len())?;
-        Some(View::reflected(world, self.settings.sides, beam.image, Mirror { facet, front }, edges))
+        let opening_m = self.tree.polygon(beam);
+        Some(View::reflected(world, self.settings.sides, beam.image, Mirror { facet, front }, edges, opening_m))
     }
 
     /// Adds what one view shows.

@@ -52,6 +52,7 @@ mod section; // solid angle, or area across a direction
 mod depth_order; // which of two facets is in front, decided once
 mod view; // from where and through which hole
 mod shadow; // what one facet hides
+mod projection_grid; // what may stand before what in a direct view
 mod visibility; // what a view shows
 mod brute_force; // the same by trying all pairs
 mod beam; // trees of lit polygons and their mirrors

@@ -105,15 +105,20 @@ impl Shadow {
 
     /// Where a polygon of the target lies.
     pub(crate) fn cover(&self, hides: Hides, polygon: &[Corner], tolerance_m: f64) -> Cover {
-        let cover = self
-            .edges
-            .iter()
-            .chain(&self.beyond_mirror)
-            .try_fold(Cover::Whole, |cover, plane| cover.and(plane, polygon, tolerance_m));
-        match (cover, &hides) {
-            (Some(cover), Hides::InItsConeAnd(plane)) => cover.and(plane, polygon, tolerance_m).unwrap_or(Cover::Apart),
-            (cover, _) => cover.unwrap_or(Cover::Apart),
+        let mut cover = Cover::Whole;
+        for plane in &self.edges {
+            cover = cover.and(plane, polygon, tolerance_m);
+            if cover == Cover::Apart {
+                return cover;
+            }
         }
+        if let Some(plane) = &self.beyond_mirror {
+            cover = cover.and(plane, polygon, tolerance_m);
+        }
+        if let Hides::InItsConeAnd(plane) = &hides {
+            cover = cover.and(plane, polygon, tolerance_m);
+        }
+        cover
     }
 
     /// The planes that bound what is hidden, positive inside.
@@ -130,9 +135,9 @@ impl Shadow {
 }
 
 impl Cover {
-    /// What is left of a cover on the positive side of one more plane; `None` where nothing is.
+    /// What is left of a cover on the positive side of one more plane.
     #[inline]
-    fn and(self, plane: &Plane, polygon: &[Corner], tolerance_m: f64) -> Option<Self> {
+    fn and(self, plane: &Plane, polygon: &[Corner], tolerance_m: f64) -> Self {
         let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
         for corner in polygon {
             let d = plane.distance_m(corner.point_m);
@@ -140,9 +145,9 @@ impl Cover {
             greatest = if d > greatest { d } else { greatest };
         }
         match () {
-            () if greatest <= tolerance_m => None,
-            () if least < -tolerance_m => Some(Self::Partial),
-            () => Some(self),
+            () if self == Self::Apart || greatest <= tolerance_m => Self::Apart,
+            () if least < -tolerance_m => Self::Partial,
+            () => self,
         }
     }
 }

@@ -7,6 +7,7 @@ use crate::plane::Plane;
 use crate::shadow::{Seen, Shadow};
 use crate::world::{FacetGeometry, World};
 use artifact::settings::Sides;
+use glam::DVec3;
 use std::ops::Range;
 
 /// A world as an antenna or its image sees it.
@@ -22,6 +23,8 @@ pub(crate) struct View<'w> {
     pub(crate) mirror: Option<Mirror<'w>>,
     /// Planes through the antenna and the edges of the lit polygon on the mirror, positive inside, and what they end.
     pub(crate) window: Vec<(Plane, Border)>,
+    /// Corners of the lit polygon on the mirror; none without one.
+    pub(crate) opening_m: &'w [DVec3],
 }
 
 /// The facet that a beam has just left.
@@ -36,7 +39,7 @@ pub(crate) struct Mirror<'w> {
 impl<'w> View<'w> {
     /// Straight from the antenna, all round.
     pub(crate) fn direct(world: &'w World, sides: Sides, antenna: Antenna) -> Self {
-        Self { world, sides, antenna, mirror: None, window: Vec::new() }
+        Self { world, sides, antenna, mirror: None, window: Vec::new(), opening_m: &[] }
     }
 
     /// From the antenna's image through a lit polygon; the planes of its edges hold the antenna.
@@ -46,15 +49,39 @@ impl<'w> View<'w> {
         lit_by: Antenna,
         mirror: Mirror<'w>,
         edges: &[(Plane, Border)],
+        opening_m: &'w [DVec3],
     ) -> Self {
         let window =
             edges.iter().map(|(edge, border)| (edge.mirrored(&mirror.front), border.through_mirror())).collect();
-        Self { world, sides, antenna: lit_by.mirrored(&mirror.front), mirror: Some(mirror), window }
+        Self { world, sides, antenna: lit_by.mirrored(&mirror.front), mirror: Some(mirror), window, opening_m }
     }
 
     /// Distances below this are rounding, m.
     pub(crate) fn tolerance_m(&self) -> f64 {
         self.world.tolerance_m()
+    }
+
+    /// Whether a facet reaches into the view: outside no plane of the window, and with no edge that has all of the window on
+    /// its far side. What is refused touches the view in rounding at most.
+    pub(crate) fn reaches(&self, facet: &FacetGeometry) -> bool {
+        let tolerance_m = self.tolerance_m();
+        let mut planes =
+            self.window.iter().map(|(plane, _)| plane).chain(self.mirror.iter().map(|mirror| &mirror.front));
+        planes.all(|plane| plane.extent_m(&facet.corners_m).1 > tolerance_m) && !self.is_beside_opening(facet)
+    }
+
+    /// Whether one of the planes through the antenna and a facet's edges parts the facet from the mirror's lit polygon.
+    fn is_beside_opening(&self, facet: &FacetGeometry) -> bool {
+        let [a, b, c] = facet.corners_m;
+        [(a, b, c), (b, c, a), (c, a, b)].into_iter().any(|(from, to, opposite)| {
+            let normal = self.antenna.towards(from).cross(to - from);
+            let side = normal.dot(opposite - from);
+            // Of a plane that is not made of rounding.
+            let least = self.tolerance_m() * normal.length();
+            side.abs() > least
+                && !self.opening_m.is_empty()
+                && self.opening_m.iter().all(|x| side.signum() * normal.dot(x - from) < -least)
+        })
     }
 
     /// Puts the polygon that the window leaves of a facet into `corners` and gives its range; `None` where it leaves none.

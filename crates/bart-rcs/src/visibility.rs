@@ -8,6 +8,7 @@ use crate::antenna::Antenna;
 use crate::border::Border;
 use crate::clip::{Corner, Split, doubled_area, perimeter_m, split};
 use crate::plane::Plane;
+use crate::projection_grid::ProjectionGrid;
 use crate::section::section;
 use crate::shadow::{Cover, Hides, Shadow};
 use crate::view::View;
@@ -74,7 +75,8 @@ impl Visibility for ByHierarchy {
         let shadows: Vec<Shadow> = facets.clone().into_par_iter().filter_map(|facet| Shadow::of(facet, view)).collect();
         let mut slot_of_facet = vec![NO_SLOT; facets.len()];
         (0..).zip(&shadows).for_each(|(slot, shadow)| slot_of_facet[shadow.facet as usize] = slot);
-        let table = Table { shadows: &shadows, slot_of_facet: &slot_of_facet };
+        let grid = ProjectionGrid::over(&shadows, view);
+        let table = Table { shadows: &shadows, slot_of_facet: &slot_of_facet, grid: grid.as_ref() };
         let lit = |(walk, cutter): &mut (Walk, Cutter), slot: u32| {
             let mut parts = Parts::default();
             see_facet(view, &table, slot, walk, cutter, &mut parts);
@@ -88,7 +90,7 @@ impl Visibility for ByHierarchy {
     fn reflected(view: &View, buffers: &mut Buffers) -> Parts {
         buffers.gather(view);
         let Buffers { walk, shadows, slot_of_facet, cutter, .. } = buffers;
-        let table = Table { shadows, slot_of_facet };
+        let table = Table { shadows, slot_of_facet, grid: None };
         let mut parts = Parts::default();
         for slot in 0..shadows.len() as u32 {
             see_facet(view, &table, slot, walk, cutter, &mut parts);
@@ -103,11 +105,14 @@ impl Buffers {
     fn gather(&mut self, view: &View) {
         self.slot_of_facet.resize(view.world.facets().len(), NO_SLOT);
         self.found.clear();
+        let planes = view.window.iter().map(|(plane, _)| *plane).chain(view.mirror.map(|mirror| mirror.front));
+        // Most of what the hierarchy proposes is outside, and a shadow costs more than to see that.
         let found = |facet| {
-            self.found.push(facet);
+            if view.reaches(view.world.facet(facet)) {
+                self.found.push(facet);
+            }
             ControlFlow::Continue(())
         };
-        let planes = view.window.iter().map(|(plane, _)| *plane).chain(view.mirror.map(|mirror| mirror.front));
         let _ = view.world.visit_inside(planes, DVec3::ZERO, &mut self.walk, found);
         self.found.sort_unstable();
         self.shadows.clear();
@@ -122,6 +127,8 @@ impl Buffers {
 struct Table<'a> {
     shadows: &'a [Shadow],
     slot_of_facet: &'a [u32],
+    /// Of a direct view with all facets before the antenna.
+    grid: Option<&'a ProjectionGrid>,
 }
 
 impl Parts {
@@ -150,8 +157,14 @@ fn see_facet(view: &View, table: &Table, slot: u32, walk: &mut Walk, cutter: &mu
     let target = &table.shadows[slot as usize];
     let Some(polygon) = view.clip(target, &mut cutter.corners, &mut cutter.distances_m) else { return };
     cutter.occluders.clear();
-    let mut search =
-        Search { view, table, target, polygon: &cutter.corners[polygon.clone()], occluders: &mut cutter.occluders };
+    let mut search = Search {
+        view,
+        table,
+        slot,
+        target,
+        polygon: &cutter.corners[polygon.clone()],
+        occluders: &mut cutter.occluders,
+    };
     if search.find_occluders(walk).is_continue() {
         cutter.cut(polygon, table.shadows, view.tolerance_m(), |polygon| parts.push(target, view, polygon));
     }
@@ -161,6 +174,7 @@ fn see_facet(view: &View, table: &Table, slot: u32, walk: &mut Walk, cutter: &mu
 struct Search<'a> {
     view: &'a View<'a>,
     table: &'a Table<'a>,
+    slot: u32,
     target: &'a Shadow,
     polygon: &'a [Corner],
     occluders: &'a mut Vec<Occluder>,
@@ -178,7 +192,9 @@ struct Occluder {
 impl Search<'_> {
     /// Collects what may hide some of the polygon, the largest first; breaks where one facet hides all of it.
     fn find_occluders(&mut self, walk: &mut Walk) -> ControlFlow<()> {
-        if self.view.mirror.is_some() && self.table.shadows.len() <= MANY_IN_VIEW {
+        if let Some(grid) = self.table.grid {
+            grid.visit_before(self.slot, |slot| self.suspect(slot))?;
+        } else if self.view.mirror.is_some() && self.table.shadows.len() <= MANY_IN_VIEW {
             (0..self.table.shadows.len() as u32).try_for_each(|slot| self.suspect(slot))?;
         } else {
             self.walk(walk)?;

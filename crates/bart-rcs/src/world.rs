@@ -1,6 +1,6 @@
 //! The geometry of one instant: every facet of every body in world metres, and each body's hierarchy in its own frame.
 
-use crate::bvh::Hierarchy;
+use crate::bvh::{Hierarchy, Stack};
 use crate::error::BartError;
 use crate::patch::Patches;
 use crate::plane::Plane;
@@ -158,7 +158,7 @@ impl World {
 pub(crate) struct Walk {
     planes: Vec<Plane>,
     planes_in_body: Vec<Plane>,
-    stack: Vec<u32>,
+    stack: Stack,
 }
 
 impl FacetGeometry {
