@@ -2,13 +2,14 @@
 
 use crate::antenna::Antenna;
 use crate::beam::{BeamTree, TraceSettings};
+use crate::edge_scattering::{self, sum_of_edges};
 use crate::error::BartError;
 use crate::join::{Joint, Joints, Trees, tree_order};
 use crate::scatterer::{Integration, Scatterer, ZenithH, bracket_of};
 use crate::world::World;
 use artifact::paths::Amplitude;
 use artifact::radar::Polarization;
-use artifact::settings::NodeRule;
+use artifact::settings::{Edges, NodeRule};
 use glam::DVec3;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -37,6 +38,7 @@ pub(crate) struct AspectSettings {
     pub(crate) wavenumbers_per_m: Vec<f64>,
     pub(crate) bounces: u8,
     pub(crate) nodes: NodeRule,
+    pub(crate) edges: Edges,
     pub(crate) polarization: Polarization,
     /// Of every node integral.
     pub(crate) accuracy: f64,
@@ -125,7 +127,12 @@ fn of_order(scatterer: &Scatterer<'_>, order: u8, rule: NodeRule, settings: &Asp
         bracket: bracket_of(rule),
     };
     let joints = scatterer.joints(order, rule, settings.trace.least_area_m2);
-    sum_of_joints(scatterer, &joints, DVec3::ZERO, &integration).iter().map(|s| s[p][q]).collect()
+    let mut s = sum_of_joints(scatterer, &joints, DVec3::ZERO, &integration);
+    if settings.edges == Edges::FirstOrder {
+        let edges = edge_scattering::joints(scatterer, order);
+        add(&mut s, &sum_of_edges(scatterer, &edges, DVec3::ZERO, &integration));
+    }
+    s.iter().map(|s| s[p][q]).collect()
 }
 
 /// S of all joints over frequency, 2 × 2, its phase referred to `origin_m`.

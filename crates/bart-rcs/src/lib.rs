@@ -66,6 +66,15 @@ mod convex_intersection; // where two beams overlap
 mod own_edge; // weights of a sequence's nodes
 mod join; // beams of both ends meet on a facet
 mod scatterer; // joints with the way to them
+mod weld; // corners that are one point
+mod surface_topology; // triangles by shared lines, and flat patches
+mod fringe; // currents of a wedge beyond physical optics
+mod body_edges; // which edges of a mesh diffract
+mod line_integral; // of a weight under a fast phase
+mod world_edges; // edges of posed bodies
+mod lit_edge; // which parts of edges both ends light
+mod edge_currents; // the fringe integral along an edge
+mod edge_scattering; // S of all edges
 mod aspect; // S at one aspect, by order and node rule
 mod rcs_table; // S over frequency and aspect
 mod contributions; // S of one aspect by facet sequence

@@ -8,7 +8,7 @@ use crate::join::Trees;
 use crate::nearest_surface::nearest_range_m;
 use crate::path_plan::Plan;
 use crate::path_table::Fit;
-use crate::scatterer::{Scatterer, ZenithH, check_built, check_order};
+use crate::scatterer::{Scatterer, ZenithH, check_built, check_no_edges, check_order};
 use crate::world::{Models, World};
 use artifact::paths::{Amplitude, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
 use artifact::scene::{Pose, SceneFrame, SceneHeader, Target, TargetKind};
@@ -23,7 +23,8 @@ use num_complex::Complex64;
 /// `error.tessellation` is `None`.
 pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> Result<PathsFrame, BartError> {
     check_order(header.fidelity.bounces)?;
-    check_built(header.fidelity.edges, header.fidelity.surface)?;
+    check_built(header.fidelity.surface)?;
+    check_no_edges(header.fidelity.edges)?;
     let plan = Plan::of(header);
     let snapshot = Snapshot::at(models, header, frame, plan.middle_s, &plan)?;
     let check = Snapshot::at(models, header, frame, plan.check_s, &plan)?;

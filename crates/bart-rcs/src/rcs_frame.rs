@@ -7,7 +7,7 @@ use crate::error::BartError;
 use crate::join::{Joints, Trees, tree_order};
 use crate::polarization::zenith_h;
 use crate::rcs_table::next_order;
-use crate::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_built, check_order};
+use crate::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_built, check_no_edges, check_order};
 use crate::world::World;
 use artifact::rcs::{RcsFrame, RcsTable};
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, TargetKind};
@@ -26,7 +26,8 @@ use std::f64::consts::TAU;
 /// point target has a table of one value, +√σ.
 pub fn rcs_frame(header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, BartError> {
     check_order(header.fidelity.bounces)?;
-    check_built(header.fidelity.edges, header.fidelity.surface)?;
+    check_built(header.fidelity.surface)?;
+    check_no_edges(header.fidelity.edges)?;
     if frame.poses.len() != header.targets.len() {
         let (poses, targets) = (frame.poses.len(), header.targets.len());
         return Err(BartError::PosesDoNotMatch { frame: frame.index, poses, targets });

@@ -124,7 +124,7 @@ pub fn rcs(
 
 pub(crate) fn check(request: &RcsRequest) -> Result<(), BartError> {
     check_order(request.bounces)?;
-    check_built(request.edges, request.surface)?;
+    check_built(request.surface)?;
     if let Some(&found) = request.frequency_hz.iter().find(|f| !(f.is_finite() && **f > 0.0)) {
         return Err(BartError::FrequencyNotPositive { frequency_hz: found });
     }
@@ -193,6 +193,7 @@ pub(crate) fn aspect_settings(request: &RcsRequest, world: &World, accuracy: f64
         wavenumbers_per_m,
         bounces: request.bounces,
         nodes: request.nodes,
+        edges: request.edges,
         polarization: request.polarization,
         accuracy,
     }

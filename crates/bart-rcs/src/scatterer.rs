@@ -107,15 +107,26 @@ impl<'a> Scatterer<'a> {
         let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
         let part = Part { corners_m, reference_m, bracket: request.bracket };
         let mut estimate = self.amplitudes(joint, &part, request.wavenumbers_per_m, request.accuracy);
-        let apparent_m = self.apparent_m(joint, reference_m);
-        let length_m: f64 = (0..2).map(|i| length_difference_m(self.ends[i], apparent_m[i], origin_m)).sum();
-        let spread: f64 = (0..2).map(|i| spread(self.ends[i], apparent_m[i], origin_m)).product();
+        let (spread, length_m) = self.way_from(origin_m, self.apparent_m(joint, reference_m));
         for (amplitude, k) in estimate.value.iter_mut().zip(request.wavenumbers_per_m) {
             let factor = Complex64::from_polar(spread, -k * length_m);
             *amplitude = scaled(&with_reverse(joint.reverse, amplitude), factor);
         }
         estimate.error *= spread * if joint.reverse == Reverse::Included { 2.0 } else { 1.0 };
         estimate
+    }
+
+    /// R_tR_r/(L₁L₂) and L₁ + L₂ − R_t − R_r of a node that appears at these points, R to `origin_m`.
+    pub(crate) fn way_from(&self, origin_m: DVec3, apparent_m: [DVec3; 2]) -> (f64, f64) {
+        let length_m = (0..2).map(|i| length_difference_m(self.ends[i], apparent_m[i], origin_m)).sum();
+        let spread = (0..2).map(|i| spread(self.ends[i], apparent_m[i], origin_m)).product();
+        (spread, length_m)
+    }
+
+    /// The ways of a transmitter's and of a receiver's beam.
+    pub(crate) fn legs(&self, forward: u32, backward: u32) -> [&Leg; 2] {
+        let receive = if self.receive_legs.is_empty() { &self.transmit_legs } else { &self.receive_legs };
+        [&self.transmit_legs[forward as usize], &receive[backward as usize]]
     }
 
     /// Where a node appears from the transmitter and from the receiver.
@@ -161,7 +172,7 @@ pub(crate) fn scaled(a: &Amplitude, factor: Complex64) -> Amplitude {
     a.map(|row| row.map(|x| x * factor))
 }
 
-fn with_reverse(reverse: Reverse, a: &Amplitude) -> Amplitude {
+pub(crate) fn with_reverse(reverse: Reverse, a: &Amplitude) -> Amplitude {
     match reverse {
         Reverse::Included => sum(a, &transposed(a)),
         Reverse::Apart => *a,
@@ -204,10 +215,17 @@ pub(crate) fn check_order(bounces: u8) -> Result<(), BartError> {
 }
 
 /// What is promised for later is refused by name, not ignored.
-pub(crate) fn check_built(edges: Edges, surface: Surface) -> Result<(), BartError> {
-    match (edges, surface) {
-        (Edges::FirstOrder, _) => Err(BartError::NotBuilt { choice: "edges = \"on\"" }),
-        (_, Surface::Smooth) => Err(BartError::NotBuilt { choice: "surface = \"smooth\"" }),
-        (Edges::Ignored, Surface::Flat) => Ok(()),
+pub(crate) fn check_built(surface: Surface) -> Result<(), BartError> {
+    match surface {
+        Surface::Smooth => Err(BartError::NotBuilt { choice: "surface = \"smooth\"" }),
+        Surface::Flat => Ok(()),
+    }
+}
+
+/// Frames have no edges yet.
+pub(crate) fn check_no_edges(edges: Edges) -> Result<(), BartError> {
+    match edges {
+        Edges::FirstOrder => Err(BartError::NotBuilt { choice: "edges = \"on\" in a scene" }),
+        Edges::Ignored => Ok(()),
     }
 }

@@ -1,21 +1,24 @@
 //! The geometry of one instant: every facet of every body in world metres, and each body's hierarchy in its own frame.
 
+use crate::body_edges::{BodyEdges, body_edges};
 use crate::bvh::{Hierarchy, Stack};
 use crate::error::BartError;
 use crate::patch::Patches;
 use crate::plane::Plane;
+use crate::world_edges::WorldEdges;
 use artifact::paths::Facet;
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec3, Vec3};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Bodies posed at one instant. Facets are counted through all bodies in the order of the targets.
 pub struct World {
     facets: Vec<FacetGeometry>,
     bodies: Vec<Body>,
     tolerance_m: f64,
+    edges: OnceLock<WorldEdges>,
 }
 
 /// A triangle in the world.
@@ -108,6 +111,17 @@ impl World {
         self.facets.len() * size_of::<FacetGeometry>() + models
     }
 
+    /// The edges that diffract; found when they are first asked for, once per mesh.
+    pub(crate) fn edges(&self) -> &WorldEdges {
+        self.edges.get_or_init(|| {
+            let mut all = WorldEdges::for_facets(self.facets.len());
+            for body in &self.bodies {
+                all.add(body.mesh.edges(), body.world_from_body, body.position_m, body.first_facet);
+            }
+            all
+        })
+    }
+
     /// Calls `visit` with every facet that may reach the positive side of all `planes` (world), body by body and about from
     /// the far end of `nearer` on, until it breaks. Decides nothing.
     pub(crate) fn visit_inside(
@@ -149,7 +163,7 @@ impl World {
         let largest = facets.iter().flat_map(|f| f.corners_m).fold(0.0, |m, c| c.abs().max_element().max(m));
         let tolerance_m = 256.0 * f64::EPSILON * largest;
         facets.par_iter_mut().for_each(|facet| facet.refuse_if_thinner_than(4.0 * tolerance_m));
-        Ok(Self { facets, bodies, tolerance_m })
+        Ok(Self { facets, bodies, tolerance_m, edges: OnceLock::new() })
     }
 }
 
@@ -212,7 +226,10 @@ impl Models {
 struct BodyMesh {
     triangles_m: Vec<[DVec3; 3]>,
     patches: Patches,
+    /// As the file stores them; empty where it does not.
+    corner_normals: Vec<[DVec3; 3]>,
     hierarchy: Hierarchy,
+    edges: OnceLock<BodyEdges>,
 }
 
 impl BodyMesh {
@@ -224,8 +241,19 @@ impl BodyMesh {
         }
         let corners = |(index, triangle): (usize, &[u32; 3])| corners_of(mesh, index, triangle);
         let triangles_m = mesh.triangles.iter().enumerate().map(corners).collect::<Result<Vec<_>, _>>()?;
-        let hierarchy = Hierarchy::over(triangles_m.iter().copied());
-        Ok(Self { hierarchy, patches: Patches::of(&triangles_m), triangles_m })
+        let normal = |vertex: &u32| mesh.normals.get(*vertex as usize).map(|n| Vec3::from_array(*n).as_dvec3());
+        let corner_normals = mesh.triangles.iter().map_while(|[a, b, c]| Some([normal(a)?, normal(b)?, normal(c)?]));
+        Ok(Self {
+            hierarchy: Hierarchy::over(triangles_m.iter().copied()),
+            patches: Patches::of(&triangles_m),
+            corner_normals: corner_normals.collect(),
+            edges: OnceLock::new(),
+            triangles_m,
+        })
+    }
+
+    fn edges(&self) -> &BodyEdges {
+        self.edges.get_or_init(|| body_edges(&self.triangles_m, &self.corner_normals))
     }
 }
 

@@ -1,0 +1,189 @@
+//! Integrals of a slowly varying weight under a fast phase along a straight line (Filon 1928), cut where the weight or the
+//! phase's curvature asks for it.
+
+use num_complex::Complex64;
+
+/// Weight and length along a line.
+pub(crate) trait Integrand {
+    /// What a point costs once for all wavenumbers.
+    type Sample;
+    /// At a coordinate along the line, m.
+    fn sample(&self, at_m: f64) -> Self::Sample;
+    /// L of the phase −kL, m.
+    fn length_m(sample: &Self::Sample) -> f64;
+    /// [vv, vh, hv, hh] without that phase.
+    fn weights(&self, sample: &Self::Sample, wavenumber_per_m: f64) -> [Complex64; 4];
+}
+
+/// 2⁻²⁴ of a line: where a weight jumps, what is left is below any accuracy asked.
+const HALVINGS_MAX: u32 = 24;
+
+/// ∫ weight·e^{−jkL} over `span_m` for every wavenumber, added to `sums`; gives a bound of the error of every element, m.
+///
+/// A piece takes weight times the remainder of the phase as the quadratic through its ends and middle, exactly under the
+/// linear phase; it is halved until the values at its quarters, at the highest wavenumber, are met to `accuracy`. A cubic
+/// error has 97 % of its greatest value there: h³/16 of h³/9√3 times a sixth of its third derivative.
+pub(crate) fn add_line_integral<I: Integrand>(
+    integrand: &I,
+    span_m: [f64; 2],
+    wavenumbers_per_m: &[f64],
+    accuracy: f64,
+    sums: &mut [[Complex64; 4]],
+) -> f64 {
+    let highest = wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
+    let [from, to] = span_m;
+    let ends = [from, 0.5 * (from + to), to].map(|at| integrand.sample(at));
+    let mut left = vec![(span_m, ends, 0)];
+    let mut error_m = 0.0;
+    while let Some(([from, to], [start, middle, end], halvings)) = left.pop() {
+        let half_m = 0.5 * (to - from);
+        let centre = from + half_m;
+        let quarters = [from + 0.5 * half_m, centre + 0.5 * half_m].map(|at| integrand.sample(at));
+        let piece = Piece::new(integrand, [&start, &middle, &end], half_m, highest);
+        let missed = (0..2).map(|i| piece.missed_by(&quarters[i], integrand, i)).fold(0.0, f64::max);
+        if missed <= accuracy || halvings == HALVINGS_MAX {
+            error_m += missed * 2.0 * half_m;
+            for (k, sum) in wavenumbers_per_m.iter().zip(&mut *sums) {
+                let piece = Piece::new(integrand, [&start, &middle, &end], half_m, *k);
+                piece.add_to(sum);
+            }
+        } else {
+            let [first, second] = quarters;
+            let middle_again = integrand.sample(centre);
+            left.push(([centre, to], [middle, second, end], halvings + 1));
+            left.push(([from, centre], [start, first, middle_again], halvings + 1));
+        }
+    }
+    error_m
+}
+
+/// Values at the start, middle and end of a piece, with the linear phase between the ends taken out.
+struct Piece {
+    values: [[Complex64; 4]; 3],
+    half_m: f64,
+    wavenumber_per_m: f64,
+    middle_length_m: f64,
+    /// dL/ds of the straight line between the ends.
+    slope: f64,
+}
+
+impl Piece {
+    fn new<I: Integrand>(integrand: &I, samples: [&I::Sample; 3], half_m: f64, wavenumber_per_m: f64) -> Self {
+        let lengths_m = samples.map(I::length_m);
+        let slope = (lengths_m[2] - lengths_m[0]) / (2.0 * half_m);
+        let mut piece =
+            Self { values: [[Complex64::ZERO; 4]; 3], half_m, wavenumber_per_m, middle_length_m: lengths_m[1], slope };
+        piece.values = [0, 1, 2].map(|i| piece.value(integrand, samples[i], (i as f64 - 1.0) * half_m));
+        piece
+    }
+
+    /// weight·e^{−jk(L − linear part)} at `at_m` from the middle.
+    fn value<I: Integrand>(&self, integrand: &I, sample: &I::Sample, at_m: f64) -> [Complex64; 4] {
+        let remainder_m = I::length_m(sample) - self.middle_length_m - self.slope * at_m;
+        let turned = Complex64::cis(-self.wavenumber_per_m * remainder_m);
+        integrand.weights(sample, self.wavenumber_per_m).map(|weight| weight * turned)
+    }
+
+    /// Greatest difference between a quarter's value and the quadratic.
+    fn missed_by<I: Integrand>(&self, quarter: &I::Sample, integrand: &I, index: usize) -> f64 {
+        let side = if index == 0 { -0.5 } else { 0.5 };
+        let value = self.value(integrand, quarter, side * self.half_m);
+        let basis = [0.5 * side * (side - 1.0), 1.0 - side * side, 0.5 * side * (side + 1.0)];
+        let missed = |e: usize| ((0..3).map(|i| basis[i] * self.values[i][e]).sum::<Complex64>() - value[e]).norm();
+        (0..4).map(missed).fold(0.0, f64::max)
+    }
+
+    /// Adds ∫ quadratic·e^{−jkL}, the phase of the middle included.
+    fn add_to(&self, sum: &mut [Complex64; 4]) {
+        let [m0, m1, m2] = moments(self.wavenumber_per_m * self.slope * self.half_m);
+        let odd = Complex64::new(0.0, -m1);
+        let nodes = [0.5 * (m2 - odd), Complex64::from(m0 - m2), 0.5 * (m2 + odd)];
+        let scale = Complex64::from_polar(self.half_m, -self.wavenumber_per_m * self.middle_length_m);
+        for (e, total) in sum.iter_mut().enumerate() {
+            *total += scale * (0..3).map(|i| nodes[i] * self.values[i][e]).sum::<Complex64>();
+        }
+    }
+}
+
+/// ∫cos θu, ∫u sin θu, ∫u² cos θu over −1 < u < 1.
+fn moments(theta: f64) -> [f64; 3] {
+    // Below, the closed forms lose ε/θ³; the series' next terms are θ⁸/181440 and below: 4e-10·ε... at 0.1.
+    if theta.abs() < 0.1 {
+        let t2 = theta * theta;
+        return [
+            2.0 * (1.0 - t2 / 6.0 * (1.0 - t2 / 20.0 * (1.0 - t2 / 42.0))),
+            2.0 * theta * (1.0 / 3.0 - t2 * (1.0 / 30.0 - t2 * (1.0 / 840.0 - t2 / 45360.0))),
+            2.0 * (1.0 / 3.0 - t2 * (1.0 / 10.0 - t2 * (1.0 / 168.0 - t2 / 6480.0))),
+        ];
+    }
+    let (sin, cos) = theta.sin_cos();
+    let (s, c) = (sin / theta, cos / theta);
+    [2.0 * s, 2.0 * (s - cos) / theta, 2.0 * (s + 2.0 * (c - s / theta) / theta)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_quadrature::gauss_legendre;
+
+    /// A spherical wave's phase from `distance_m` beside the line, and a weight with a bend of its own.
+    struct Wave {
+        distance_m: f64,
+        foot_m: f64,
+    }
+
+    impl Integrand for Wave {
+        type Sample = [f64; 2];
+        fn sample(&self, at_m: f64) -> [f64; 2] {
+            let length_m = self.distance_m.hypot(at_m - self.foot_m);
+            [length_m, (at_m - self.foot_m) / length_m]
+        }
+        fn length_m(sample: &[f64; 2]) -> f64 {
+            2.0 * sample[0]
+        }
+        fn weights(&self, sample: &[f64; 2], _: f64) -> [Complex64; 4] {
+            [1.0, sample[1], sample[1] * sample[1], 1.0 / (1.5 + sample[1])].map(Complex64::from)
+        }
+    }
+
+    const SPAN_M: [f64; 2] = [-0.2, 0.3];
+
+    fn exact(wave: &Wave, k: f64) -> [Complex64; 4] {
+        let (nodes, weights) = gauss_legendre(600);
+        let mut sum = [Complex64::ZERO; 4];
+        for (node, w) in nodes.iter().zip(weights) {
+            let at = wave.sample(0.5 * (SPAN_M[0] + SPAN_M[1]) + 0.25 * node);
+            let phase = Complex64::cis(-k * Wave::length_m(&at)) * 0.25 * w;
+            let weight = wave.weights(&at, k);
+            sum.iter_mut().zip(weight).for_each(|(sum, weight)| *sum += weight * phase);
+        }
+        sum
+    }
+
+    #[test]
+    fn the_error_stays_below_the_accuracy_asked_and_the_bound_printed_over_ten_decades() {
+        let wavenumbers = [1.0, 400.0, 1613.8];
+        for (distance_m, foot_m) in [(0.7, 0.0), (3.0, 10.0), (30.0, 0.1), (200.0, 200.0)] {
+            let wave = Wave { distance_m, foot_m };
+            let known = wavenumbers.map(|k| exact(&wave, k));
+            for decade in 1..=10 {
+                let asked = 10_f64.powi(-decade);
+                let mut got = [[Complex64::ZERO; 4]; 3];
+                let printed = add_line_integral(&wave, SPAN_M, &wavenumbers, asked, &mut got);
+                let errors = got.iter().flatten().zip(known.iter().flatten()).map(|(g, e)| (g - e).norm());
+                let error = errors.fold(0.0, f64::max) / 0.5;
+                println!("{distance_m} m: asked {asked:.0e}, got {error:.1e}, printed {:.1e}", printed / 0.5);
+                // 600 Gauss points leave 1e-13.
+                assert!(error <= asked && error <= 1.1 * printed / 0.5 + 1e-13, "{distance_m}: {asked:e} {error:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_moments_meet_at_the_switch_of_their_forms() {
+        let theta = 0.1_f64;
+        for (below, above) in moments(theta.next_down()).into_iter().zip(moments(theta)) {
+            assert!((below - above).abs() < 2e-13, "{below} {above}");
+        }
+    }
+}
