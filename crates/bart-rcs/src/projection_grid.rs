@@ -29,10 +29,14 @@ struct Extent {
     far_m: f64,
 }
 
+/// As much of a box as the search looks at, small: single precision, rounded outwards.
 #[derive(Debug, Clone, Copy)]
 struct Entry {
     slot: u32,
-    extent: Extent,
+    first_cell: [u16; 2],
+    low: [f32; 2],
+    high: [f32; 2],
+    near_m: f32,
 }
 
 /// A facet whose depths differ by more than this factor from another's, or that reaches behind the antenna, has no place on
@@ -58,7 +62,7 @@ impl ProjectionGrid {
             let scaled: Vec<Extent> = boxes.iter().map(|b| b.in_cells(low, cell)).collect();
             let [columns, rows] = ((span / cell).floor() + 1.0).to_array().map(|n| n as usize);
             let entries: usize = scaled.iter().map(Extent::cell_count).sum();
-            if entries <= ENTRIES_PER_FACET * shadows.len() {
+            if entries <= ENTRIES_PER_FACET * shadows.len() && columns.max(rows) <= usize::from(u16::MAX) {
                 return Some(Self::filled(scaled, columns, rows));
             }
             cell *= 2.0;
@@ -67,19 +71,17 @@ impl ProjectionGrid {
 
     /// Calls `visit` with the slot of every shadow that may lie before the one in `slot`, until it breaks.
     pub(crate) fn visit_before(&self, slot: u32, mut visit: impl FnMut(u32) -> ControlFlow<()>) -> ControlFlow<()> {
-        let target = &self.boxes[slot as usize];
-        let [from_column, from_row] = target.first_cell();
-        for (column, row) in target.cells() {
+        let extent = &self.boxes[slot as usize];
+        let target = Entry::of(slot, extent);
+        let far_m = (extent.far_m as f32).next_up();
+        for (column, row) in extent.cells() {
             for entry in &self.entries[self.cell(column, row)] {
-                if entry.extent.near_m > target.far_m {
+                if entry.near_m > far_m {
                     break;
                 }
-                if !entry.extent.overlaps(target) {
-                    continue;
-                }
                 // A pair meets in many cells; it counts in the first that both reach.
-                let [first_column, first_row] = entry.extent.first_cell();
-                if column == first_column.max(from_column) && row == first_row.max(from_row) {
+                let first = |axis: usize| usize::from(entry.first_cell[axis].max(target.first_cell[axis]));
+                if entry.overlaps(&target) && column == first(0) && row == first(1) {
                     visit(entry.slot)?;
                 }
             }
@@ -94,13 +96,13 @@ impl ProjectionGrid {
         (0..columns * rows).for_each(|cell| starts[cell + 1] += starts[cell]);
         let mut by_depth: Vec<u32> = (0..boxes.len() as u32).collect();
         by_depth.sort_by(|&a, &b| boxes[a as usize].near_m.total_cmp(&boxes[b as usize].near_m));
-        let Some(&first) = boxes.first() else { return Self { boxes, columns, starts, entries: Vec::new() } };
-        let mut entries = vec![Entry { slot: 0, extent: first }; starts[columns * rows] as usize];
+        let nothing = Entry { slot: 0, first_cell: [0; 2], low: [0.0; 2], high: [0.0; 2], near_m: 0.0 };
+        let mut entries = vec![nothing; starts[columns * rows] as usize];
         let mut next = starts.clone();
         for slot in by_depth {
             let extent = boxes[slot as usize];
             for cell in cells(extent) {
-                entries[next[cell] as usize] = Entry { slot, extent };
+                entries[next[cell] as usize] = Entry::of(slot, &extent);
                 next[cell] += 1;
             }
         }
@@ -131,12 +133,24 @@ impl Extent {
         let ([column, row], [last_column, last_row]) = (self.first_cell(), self.high.to_array().map(|x| x as usize));
         (last_column - column + 1).saturating_mul(last_row - row + 1)
     }
+}
+
+impl Entry {
+    fn of(slot: u32, extent: &Extent) -> Self {
+        Self {
+            slot,
+            first_cell: extent.first_cell().map(|n| n as u16),
+            low: extent.low.to_array().map(|x| (x as f32).next_down()),
+            high: extent.high.to_array().map(|x| (x as f32).next_up()),
+            near_m: (extent.near_m as f32).next_down(),
+        }
+    }
 
     fn overlaps(&self, other: &Self) -> bool {
-        self.low.x <= other.high.x
-            && other.low.x <= self.high.x
-            && self.low.y <= other.high.y
-            && other.low.y <= self.high.y
+        self.low[0] <= other.high[0]
+            && other.low[0] <= self.high[0]
+            && self.low[1] <= other.high[1]
+            && other.low[1] <= self.high[1]
     }
 }
 

@@ -137,7 +137,7 @@ impl Shadow {
 impl Cover {
     /// What is left of a cover on the positive side of one more plane.
     #[inline]
-    fn and(self, plane: &Plane, polygon: &[Corner], tolerance_m: f64) -> Self {
+    pub(crate) fn and(self, plane: &Plane, polygon: &[Corner], tolerance_m: f64) -> Self {
         let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
         for corner in polygon {
             let d = plane.distance_m(corner.point_m);

@@ -222,17 +222,17 @@ impl Search<'_> {
     /// Takes a facet among the occluders if it may hide some of the polygon; breaks if it hides all of it.
     fn suspect(&mut self, slot: u32) -> ControlFlow<()> {
         let (shadow, tolerance_m) = (&self.table.shadows[slot as usize], self.view.tolerance_m());
-        if shadow.facet == self.target.facet
-            || shadow.cover(Hides::AllInItsCone, self.polygon, tolerance_m) == Cover::Apart
-            || self.is_beside(shadow.facet)
-        {
+        let of_cone = shadow.cover(Hides::AllInItsCone, self.polygon, tolerance_m);
+        if shadow.facet == self.target.facet || of_cone == Cover::Apart || self.is_beside(shadow.facet) {
             return ControlFlow::Continue(());
         }
         let hides = shadow.hides(self.target, self.view);
-        if hides == Hides::Nothing {
-            return ControlFlow::Continue(());
-        }
-        match shadow.cover(hides, self.polygon, tolerance_m) {
+        let cover = match hides {
+            Hides::Nothing => Cover::Apart,
+            Hides::AllInItsCone => of_cone,
+            Hides::InItsConeAnd(plane) => of_cone.and(&plane, self.polygon, tolerance_m),
+        };
+        match cover {
             Cover::Apart => {}
             Cover::Partial => self.occluders.push(Occluder { slot, hides, apparent_size: shadow.apparent_size }),
             Cover::Whole => return ControlFlow::Break(()),
@@ -267,12 +267,14 @@ struct Piece {
 }
 
 impl Cutter {
-    /// Calls `lit` with every piece of `corners[polygon]` that no occluder hides.
+    /// Calls `lit` with every piece of `corners[polygon]` that no occluder hides; all occluders reach the polygon.
     fn cut(&mut self, polygon: Range<usize>, shadows: &[Shadow], tolerance_m: f64, mut lit: impl FnMut(&[Corner])) {
         self.lists.clear();
         self.lists.extend(0..self.occluders.len() as u32);
         self.open.clear();
-        self.open.push(Piece { polygon, list: 0..self.lists.len() });
+        if !self.subtract_first_of(0, polygon.clone(), shadows, tolerance_m) {
+            return lit(&self.corners[polygon]);
+        }
         while let Some(piece) = self.open.pop() {
             // What was appended after this piece belonged to pieces that are done.
             self.corners.truncate(piece.polygon.end);
