@@ -6,10 +6,11 @@ use crate::surface_topology::{Blade, Side, Topology};
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// Edges that diffract, body frame.
+/// Edges that diffract and the flat patches that they bound, body frame.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct BodyEdges {
     pub(crate) edges: Vec<BodyEdge>,
+    pub(crate) patches: Vec<Patch>,
 }
 
 /// A straight edge.
@@ -21,6 +22,13 @@ pub(crate) struct BodyEdge {
     pub(crate) patches: [u32; 2],
     /// (triangle, side) of every facet that ends here: from that corner to the next.
     pub(crate) sides: Vec<(u32, u8)>,
+}
+
+/// Triangles in one plane that hang together.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Patch {
+    /// Where currents on it end, in no order: its outline but for where a smooth skin goes on.
+    pub(crate) ends_m: Vec<[DVec3; 2]>,
 }
 
 /// Facets whose planes turn by less are one surface: the fringe of such a bend is below 1 % of an open edge's.
@@ -40,7 +48,8 @@ pub(crate) fn body_edges(triangles_m: &[[DVec3; 3]], corner_normals: &[[DVec3; 3
     let by_patch = by_patch(&bends, topology.patches());
     let is_edge = |bend: &&Bend| !is_curve(bend, &bends, &by_patch, corner_normals);
     let pieces: Vec<BodyEdge> = bends.iter().filter(is_edge).map(|bend| bend.edge.clone()).collect();
-    BodyEdges { edges: merged(pieces, tolerance_m) }
+    let patches = ends_of_patches(&topology, &pieces);
+    BodyEdges { edges: merged(pieces, tolerance_m), patches }
 }
 
 /// Corners nearer than this are one: four ε of single precision, in which meshes are stored, of the body's extent (10 µm
@@ -208,6 +217,25 @@ fn continues(edge: &BodyEdge, piece: &BodyEdge, tolerance_m: f64) -> bool {
     edge.ends_m[1].distance(piece.ends_m[0]) <= 2.0 * tolerance_m
         && edge.wedge.along.dot(piece.wedge.along) > 0.0
         && across(piece.ends_m[0]) <= 2.0 * tolerance_m
+}
+
+/// Currents of a patch end at its edges and at walls that stand on it, not at a bend of a smooth skin.
+fn ends_of_patches(topology: &Topology<'_>, pieces: &[BodyEdge]) -> Vec<Patch> {
+    let mut patches = vec![Patch::default(); topology.patches()];
+    for piece in pieces {
+        let [first, second] = piece.patches;
+        patches[first as usize].ends_m.push(piece.ends_m);
+        if second != first {
+            patches[second as usize].ends_m.push(piece.ends_m);
+        }
+    }
+    for line in topology.lines().filter(|line| topology.fan(line).is_some_and(|fan| fan.blades.len() > 2)) {
+        let mut here: Vec<u32> = line.iter().map(|side| topology.patch_of(side.triangle)).collect();
+        here.sort_unstable();
+        here.dedup();
+        here.into_iter().for_each(|patch| patches[patch as usize].ends_m.push(topology.ends_m(line)));
+    }
+    patches
 }
 
 #[cfg(test)]

@@ -5,17 +5,22 @@
 //! S(tx, rx) = S(rx, tx)ᵀ, the fringe currents have it at right angles to the edge only (docs/physics.md §4).
 
 use crate::antenna::Antenna;
+use crate::end_current::EndCurrent;
+use crate::face_end::FaceEnds;
+use crate::fringe::{FaceView, Wedge};
 use crate::line_integral::{Integrand, add_line_integral};
 use crate::physical_optics::{Estimate, Leg, length_difference_m};
 use crate::world_edges::EdgeGeometry;
 use artifact::paths::Amplitude;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use num_complex::Complex64;
 
 /// A part of an edge with its two legs.
 #[derive(Clone, Copy)]
 pub(crate) struct EdgeNode<'a> {
     pub(crate) edge: &'a EdgeGeometry,
+    /// Where currents on its two faces end.
+    pub(crate) ends_m: [&'a [[DVec3; 2]]; 2],
     pub(crate) span_m: [f64; 2],
     pub(crate) transmit: &'a Leg,
     pub(crate) receive: &'a Leg,
@@ -31,15 +36,26 @@ pub(crate) fn edge_amplitudes(
     wavenumbers_per_m: &[f64],
     accuracy: f64,
 ) -> Estimate<Vec<Amplitude>> {
+    let accuracy = accuracy.max(1e-12);
     let mut sums = vec![[Complex64::ZERO; 4]; wavenumbers_per_m.len()];
     let fringe = Fringe { node, reference_m };
-    let error = add_line_integral(&fringe, node.span_m, wavenumbers_per_m, accuracy.max(1e-12), &mut sums);
+    let mut error_m = add_line_integral(&fringe, node.span_m, wavenumbers_per_m, accuracy, &mut sums);
+    for (face, ends_m) in node.ends_m.into_iter().enumerate() {
+        let Wedge { along, inward, .. } = node.edge.wedge;
+        let ends = FaceEnds::seen_from(node.edge.from_m, along, inward[face], ends_m);
+        for way in fringe.ways() {
+            let beyond = BeyondEnd { fringe: &fringe, face, ends: &ends, way };
+            for span_m in beyond.pieces() {
+                error_m += add_line_integral(&beyond, span_m, wavenumbers_per_m, accuracy, &mut sums);
+            }
+        }
+    }
     let per_root_pi = std::f64::consts::FRAC_2_SQRT_PI * 0.5;
     let of = |sum: &[Complex64; 4]| {
         let [vv, vh, hv, hh] = sum.map(|s| s * per_root_pi);
         [[vv, vh], [hv, hh]]
     };
-    Estimate { value: sums.iter().map(of).collect(), error: error * per_root_pi }
+    Estimate { value: sums.iter().map(of).collect(), error: error_m * per_root_pi }
 }
 
 /// Fringe currents of both faces, each without end.
@@ -97,6 +113,106 @@ impl Fringe<'_> {
     }
 }
 
+/// From which end the wave comes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Way {
+    /// From the transmitter to the receiver.
+    Forth,
+    /// From the receiver to the transmitter, transposed.
+    Back,
+    /// One antenna: back is forth, transposed.
+    Both,
+}
+
+impl Fringe<'_> {
+    fn ways(&self) -> impl Iterator<Item = Way> {
+        let shared = std::ptr::eq(self.node.transmit, self.node.receive);
+        let ways: &[Way] = if shared { &[Way::Both] } else { &[Way::Forth, Way::Back] };
+        ways.iter().copied()
+    }
+}
+
+/// What the currents beyond the ends of a face would add; it is taken away.
+struct BeyondEnd<'a> {
+    fringe: &'a Fringe<'a>,
+    face: usize,
+    ends: &'a FaceEnds,
+    way: Way,
+}
+
+/// The ray along the face to its end, and the currents beyond.
+struct Beyond {
+    length_m: f64,
+    /// Length along the face, current, spread; `None` where the face has no end or the edge is not lit.
+    current: Option<(f64, EndCurrent, f64)>,
+}
+
+impl BeyondEnd<'_> {
+    /// Where the wave comes from, where it goes.
+    fn legs(&self) -> [&Leg; 2] {
+        let EdgeNode { transmit, receive, .. } = *self.fringe.node;
+        if self.way == Way::Back { [receive, transmit] } else { [transmit, receive] }
+    }
+
+    /// The face as the wave meets it at a point.
+    fn face_at(&self, x_m: DVec3) -> Option<FaceView> {
+        let [from, to] = self.legs().map(|leg| leg.image.travel_direction_at(x_m));
+        Some(self.fringe.node.edge.wedge.faces(from, -to)?[self.face])
+    }
+
+    /// Direction of the wave along the face in the coordinates of its ends.
+    fn direction(&self, face: &FaceView) -> DVec2 {
+        DVec2::new(face.sin_in, face.along_face().dot(self.fringe.node.edge.wedge.along))
+    }
+
+    /// The span between the places where rays along the face change from one end to the next.
+    fn pieces(&self) -> Vec<[f64; 2]> {
+        let span_m = self.fringe.node.span_m;
+        let middle_m = self.fringe.node.edge.point_m(0.5 * (span_m[0] + span_m[1]));
+        let Some(face) = self.face_at(middle_m) else { return Vec::new() };
+        let mut cuts = vec![span_m[0]];
+        cuts.extend(self.ends.changes_m(self.direction(&face), span_m));
+        cuts.push(span_m[1]);
+        cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+    }
+}
+
+impl Integrand for BeyondEnd<'_> {
+    type Sample = Beyond;
+
+    fn sample(&self, at_m: f64) -> Beyond {
+        let (x_m, reference_m) = (self.fringe.node.edge.point_m(at_m), self.fringe.reference_m);
+        let [from, to] = self.legs();
+        let lit = self.face_at(x_m).map(|face| (self.ends.way_m(at_m, self.direction(&face)), face));
+        let Some((way_m, face)) = lit.filter(|(way_m, _)| way_m.is_finite()) else {
+            return Beyond { length_m: 0.0, current: None };
+        };
+        let end_m = x_m + way_m * face.along_face();
+        let [travel, back] = [from, to].map(|leg| leg.image.travel_direction_at(x_m));
+        let sent = from.mirrors.fields_at_node(travel, from.zenith_h);
+        let received = to.mirrors.fields_at_node(back, to.zenith_h);
+        let length_m = length_difference_m(from.image, x_m, reference_m)
+            + way_m
+            + length_difference_m(to.image, end_m, reference_m);
+        let spread = spread(from.image, x_m, reference_m) * spread(to.image, end_m, reference_m);
+        Beyond { length_m, current: Some((way_m, EndCurrent::new(&face, travel, &sent, &received), spread)) }
+    }
+
+    fn length_m(sample: &Beyond) -> f64 {
+        sample.length_m
+    }
+
+    fn weights(&self, sample: &Beyond, wavenumber_per_m: f64) -> [Complex64; 4] {
+        let Some((way_m, current, spread)) = &sample.current else { return [Complex64::ZERO; 4] };
+        let [vv, vh, hv, hh] = current.beyond(*way_m, wavenumber_per_m).map(|w| -0.5 * spread * w);
+        match self.way {
+            Way::Forth => [vv, vh, hv, hh],
+            Way::Back => [vv, hv, vh, hh],
+            Way::Both => [2.0 * vv, vh + hv, vh + hv, 2.0 * hh],
+        }
+    }
+}
+
 /// L(reference)/L.
 fn spread(image: Antenna, x_m: DVec3, reference_m: DVec3) -> f64 {
     match image {
@@ -125,7 +241,7 @@ mod tests {
         let mut sum = Amplitude::default();
         let mut long = 0;
         for edge in world.edges().edges.iter().filter(|e| e.wedge.along.z.abs() > 0.5) {
-            let node = EdgeNode { edge, span_m: [0.0, edge.length_m], transmit: &leg, receive: &leg };
+            let node = EdgeNode { edge, ends_m: [&[]; 2], span_m: [0.0, edge.length_m], transmit: &leg, receive: &leg };
             let share = edge_amplitudes(&node, DVec3::ZERO, &[TAU], 1e-10).value[0];
             sum = [0, 1].map(|p| [0, 1].map(|q| sum[p][q] + share[p][q]));
             long += 1;

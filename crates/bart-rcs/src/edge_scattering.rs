@@ -39,10 +39,17 @@ fn scattering(
     origin_m: DVec3,
     integration: &Integration<'_>,
 ) -> Estimate<Vec<Amplitude>> {
-    let edge = &scatterer.world.edges().edges[joint.edge as usize];
+    let edges = scatterer.world.edges();
+    let edge = &edges.edges[joint.edge as usize];
     let [transmit, receive] = scatterer.legs(joint.forward, joint.backward);
     let reference_m = edge.point_m(0.5 * (joint.span_m[0] + joint.span_m[1]));
-    let node = EdgeNode { edge, span_m: joint.span_m, transmit, receive };
+    let node = EdgeNode {
+        edge,
+        ends_m: [0, 1].map(|face| edges.ends_of_face(edge, face)),
+        span_m: joint.span_m,
+        transmit,
+        receive,
+    };
     let mut estimate = edge_amplitudes(&node, reference_m, integration.wavenumbers_per_m, integration.accuracy);
     let apparent_m = [transmit, receive].map(|leg| leg.mirrors.unfolded(reference_m));
     let (spread, length_m) = scatterer.way_from(origin_m, apparent_m);

@@ -33,6 +33,7 @@ pub(crate) struct Wedge {
 pub(crate) struct FaceView {
     /// N.
     pub(crate) exterior: f64,
+    pub(crate) inward: DVec3,
     pub(crate) along: DVec3,
     /// φ′ of the incident wave, from this face.
     pub(crate) angle_in: f64,
@@ -87,7 +88,7 @@ impl Wedge {
             let out = DVec3::new(out.dot(inward), out.dot(normal), out.dot(along));
             let off = (1.0 - out.x * sin_in - out.z * cos_in) / (sin_in * sin_in);
             let off_grazing = off.max(LEAST_GRAZING);
-            FaceView { exterior: self.exterior, along, angle_in, cos_in, sin_in, out, off_grazing }
+            FaceView { exterior: self.exterior, inward, along, angle_in, cos_in, sin_in, out, off_grazing }
         };
         Some([face(0, self.along, angle_in), face(1, -self.along, span - angle_in)])
     }
@@ -96,6 +97,11 @@ impl Wedge {
 impl FaceView {
     fn lighting(&self) -> Lighting {
         if self.angle_in > 0.0 && self.angle_in < PI { Lighting::Lit } else { Lighting::Shadowed }
+    }
+
+    /// Unit direction of travel of the wave along the face.
+    pub(crate) fn along_face(&self) -> DVec3 {
+        self.inward * self.sin_in + self.along * self.cos_in
     }
 
     /// E and Z·H of the incident wave along the edge.

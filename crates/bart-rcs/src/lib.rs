@@ -73,6 +73,9 @@ mod body_edges; // which edges of a mesh diffract
 mod line_integral; // of a weight under a fast phase
 mod world_edges; // edges of posed bodies
 mod lit_edge; // which parts of edges both ends light
+mod fresnel; // the Fresnel integral of an edge wave
+mod face_end; // how far a face goes
+mod end_current; // what is not there beyond the end of a face
 mod edge_currents; // the fringe integral along an edge
 mod edge_scattering; // S of all edges
 mod aspect; // S at one aspect, by order and node rule

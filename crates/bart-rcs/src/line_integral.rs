@@ -18,6 +18,9 @@ pub(crate) trait Integrand {
 /// 2⁻²⁴ of a line: where a weight jumps, what is left is below any accuracy asked.
 const HALVINGS_MAX: u32 = 24;
 
+/// A piece may spend this share of the error, however small it is: a root at an end would be halved without end.
+const SMALLEST_SHARE: f64 = 1.0 / 64.0;
+
 /// ∫ weight·e^{−jkL} over `span_m` for every wavenumber, added to `sums`; gives a bound of the error of every element, m.
 ///
 /// A piece takes weight times the remainder of the phase as the quadratic through its ends and middle, exactly under the
@@ -41,7 +44,8 @@ pub(crate) fn add_line_integral<I: Integrand>(
         let quarters = [from + 0.5 * half_m, centre + 0.5 * half_m].map(|at| integrand.sample(at));
         let piece = Piece::new(integrand, [&start, &middle, &end], half_m, highest);
         let missed = (0..2).map(|i| piece.missed_by(&quarters[i], integrand, i)).fold(0.0, f64::max);
-        if missed <= accuracy || halvings == HALVINGS_MAX {
+        let share = (2.0 * half_m / (span_m[1] - span_m[0])).max(SMALLEST_SHARE);
+        if missed * 2.0 * half_m <= accuracy * share * (span_m[1] - span_m[0]) || halvings == HALVINGS_MAX {
             error_m += missed * 2.0 * half_m;
             for (k, sum) in wavenumbers_per_m.iter().zip(&mut *sums) {
                 let piece = Piece::new(integrand, [&start, &middle, &end], half_m, *k);

@@ -90,8 +90,8 @@ fn exchanging_transmitter_and_receiver_transposes_the_amplitude() {
             let back = amplitude(&mesh, ends[1], Some(ends[0]), transposed, Edges::FirstOrder);
             let error = (forth - back).norm() / forth.norm();
             println!("{pol:?} at {range_m} m: {error:.1e}");
-            // Far away to rounding; at finite range to the accuracy of the integrals, −80 dB of the plate's S.
-            assert!(error < if range_m.is_finite() { 1e-3 } else { 1e-12 }, "{error:e}");
+            // The same integrals are added, only their order differs.
+            assert!(error < 1e-12, "{error:e}");
         }
     }
 }
@@ -126,7 +126,8 @@ fn a_distant_antenna_sees_the_edges_as_one_infinitely_far_away() {
     let error = (of(3e6) - of(FAR)).norm() / of(FAR).norm();
     // Curvature of the wavefront: k·D²/4R = 1614·0.0034/1.2e7 = 5e-7 of the main lobe, which is some 40 dB higher.
     println!("at 3000 km: {error:.1e}");
-    assert!(error < 1e-4);
+    // Each is asked for at −80 dB of itself.
+    assert!(error < 3e-4);
 }
 
 #[test]
@@ -147,7 +148,8 @@ fn an_edge_cut_into_pieces_scatters_as_one() {
         for (name, other) in [("cut", &halves), ("doubled", &doubled)] {
             let error = (of(other) - known).norm() / known.norm();
             println!("{pol:?}, {name}: {error:.1e}");
-            assert!(error < 1e-9, "{name}: {error:e}");
+            // Both are asked for at −80 dB: currents that end on the plate are integrated in other pieces.
+            assert!(error < 2e-4, "{name}: {error:e}");
         }
     }
 }
