@@ -152,7 +152,7 @@ pub(crate) struct RcsArguments {
     /// Facet on which a multiple reflection is integrated.
     #[arg(long, value_enum, default_value = "middle")]
     pub(crate) nodes: NodesWord,
-    /// What the facets stand for (`smooth` comes with a later version).
+    /// What the facets stand for: themselves, or the curved skin that the vertex normals tell of.
     #[arg(long, value_enum, default_value = "flat")]
     pub(crate) surface: SurfaceWord,
     /// Sides from which a facet scatters.

@@ -164,13 +164,8 @@ fn an_array_of_another_shape_or_with_nan_is_refused() {
 }
 
 #[test]
-fn what_is_promised_for_later_is_refused_not_ignored() {
+fn what_a_reference_method_does_not_have_is_refused_not_ignored() {
     let place = Workplace::new();
-    let choices = [("--surface smooth", "surface = \"smooth\"")];
-    for (option, choice) in choices {
-        let output = place.try_run(&format!("rcs corner.obj --freq-ghz 77 --az-deg 0 {option} --out s.npy"));
-        refused(&output, 1, &[choice, "not built yet"], option);
-    }
     for option in ["--edges on", "--surface smooth"] {
         let output =
             place.try_run(&format!("rcs corner.obj --freq-ghz 77 --az-deg 0 --method po {option} --out s.npy"));

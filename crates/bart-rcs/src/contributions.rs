@@ -5,7 +5,7 @@ use crate::aspect::Aspect;
 use crate::beam::{Beam, BeamTree};
 use crate::error::BartError;
 use crate::join::{Joint, Trees};
-use crate::rcs_table::{RcsRequest, aspect_settings, aspects, check};
+use crate::rcs_table::{RcsRequest, aspect_settings, aspects, check, skin};
 use crate::scatterer::{Integration, Scatterer, ZenithH, bracket_of, sequence};
 use crate::world::World;
 use artifact::scene::Mesh;
@@ -28,7 +28,7 @@ pub struct Contribution {
 /// sequence, the strongest first. Their sum is [`crate::rcs`]'s value without edges.
 pub fn contributions(mesh: &Mesh, request: &RcsRequest, aspect: usize) -> Result<Vec<Contribution>, BartError> {
     check(request)?;
-    let world = World::of_mesh(mesh)?;
+    let world = World::of_skin(mesh, skin(request))?;
     let aspects = aspects(request);
     let Some(aspect) = aspects.get(aspect) else { return Ok(Vec::new()) };
     let settings = aspect_settings(request, &world, request.accuracy.amplitude());

@@ -45,6 +45,13 @@ mod antenna; // a point or a direction, and its images
 mod plane; // of facets, and through antenna and edge
 mod bvh; // obvhs proposes candidates in single precision
 mod patch; // coplanar facets that are one flat
+mod welding; // vertices of one place
+mod mesh_edges; // and the triangles at each edge
+mod made_normals; // creases, and normals where a mesh stores none
+mod curved_edge; // an edge bent by the normals at its ends
+mod refinement; // bent triangles cut until they are flat
+mod curved_skin; // a mesh's triangles, bent
+mod skin; // what facets stand for
 mod world; // facets of posed bodies
 mod border; // what ends a lit polygon
 mod clip; // a convex polygon cut by a plane
@@ -103,4 +110,5 @@ pub use path_sum::{PathView, scattering_of_paths};
 pub use plane::Plane;
 pub use rcs_frame::rcs_frame;
 pub use rcs_table::{RcsRequest, RcsResult, RcsSeconds, Standpoint, rcs};
+pub use skin::Skin;
 pub use world::{FacetGeometry, Models, World};

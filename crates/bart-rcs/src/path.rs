@@ -8,10 +8,13 @@ use crate::join::Trees;
 use crate::nearest_surface::nearest_range_m;
 use crate::path_plan::Plan;
 use crate::path_table::Fit;
-use crate::scatterer::{Scatterer, ZenithH, check_built, check_no_edges, check_order};
+use crate::scatterer::{Scatterer, ZenithH, check_no_edges, check_order};
+use crate::skin::Skin;
 use crate::world::{Models, World};
+use artifact::ErrorBudget;
 use artifact::paths::{Amplitude, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
 use artifact::scene::{Pose, SceneFrame, SceneHeader, Target, TargetKind};
+use artifact::settings::Surface;
 use num_complex::Complex64;
 
 /// Paths of one frame from the radar's position and back, referred to the frame's first sample.
@@ -19,11 +22,10 @@ use num_complex::Complex64;
 /// The world is frozen at the frame's middle; what is lit then is lit all through. Amplitudes are fitted over the sampled
 /// sweep. A point target is a path of order 0 with +√σ in vv and hh; bodies do not hide it. Cells are as large as the
 /// accuracy asked for lets them be, by measurement: paths are compared with the bodies traced and integrated anew at
-/// another moment of the frame, and that is the error that is returned. Facets are taken as the surface itself, so
-/// `error.tessellation` is `None`.
+/// another moment of the frame, and that is the error that is returned. `error.tessellation` is the bound that a smooth
+/// surface was cut to; `None` where facets are the surface itself.
 pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> Result<PathsFrame, BartError> {
     check_order(header.fidelity.bounces)?;
-    check_built(header.fidelity.surface)?;
     check_no_edges(header.fidelity.edges)?;
     let plan = Plan::of(header);
     let snapshot = Snapshot::at(models, header, frame, plan.middle_s, &plan)?;
@@ -33,11 +35,13 @@ pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) ->
     let table = Fit::new(&snapshot.scatterer(&plan), &plan, &points, &reference).table();
     let counts = (1..=header.fidelity.bounces).map(|order| count(&table.paths, order)).collect();
     let dropped_power_ratio = table.error.dropped_at_most.powi(2);
+    let bent = (header.fidelity.surface == Surface::Smooth)
+        .then(|| Skin::error_of(snapshot.world.sagitta_m(), header.radar.waveform.wavelength_m()));
     Ok(PathsFrame {
         index: frame.index,
         time_s: frame.time_s,
         nearest_range_m: nearest_range_m(&snapshot.world, &snapshot.tree, plan.position_m, header.targets.len()),
-        error: table.error.budget(),
+        error: ErrorBudget { tessellation: bent, ..table.error.budget() },
         model_error: reference.model_error(),
         trace: TraceStatistics {
             triangles: snapshot.world.facets().len() as u64,

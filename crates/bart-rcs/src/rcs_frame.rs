@@ -7,7 +7,8 @@ use crate::error::BartError;
 use crate::join::{Joints, Trees, tree_order};
 use crate::polarization::zenith_h;
 use crate::rcs_table::next_order;
-use crate::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_built, check_no_edges, check_order};
+use crate::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_no_edges, check_order};
+use crate::skin::Skin;
 use crate::world::World;
 use artifact::rcs::{RcsFrame, RcsTable};
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, TargetKind};
@@ -26,7 +27,6 @@ use std::f64::consts::TAU;
 /// point target has a table of one value, +√σ.
 pub fn rcs_frame(header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, BartError> {
     check_order(header.fidelity.bounces)?;
-    check_built(header.fidelity.surface)?;
     check_no_edges(header.fidelity.edges)?;
     if frame.poses.len() != header.targets.len() {
         let (poses, targets) = (frame.poses.len(), header.targets.len());
@@ -83,7 +83,9 @@ struct Powers {
 
 impl<'a> Body<'a> {
     fn new(header: &'a SceneHeader, mesh: &Mesh, pose: &'a Pose) -> Result<Self, BartError> {
-        let world = World::of_mesh(mesh)?;
+        let fidelity = &header.fidelity;
+        let skin = Skin::of(fidelity.surface, fidelity.accuracy, header.radar.waveform.wavelength_m());
+        let world = World::of_skin(mesh, skin)?;
         let radius_m = mesh.vertices_m.iter().map(|v| DVec3::from_array(*v).length()).fold(0.0, f64::max);
         Ok(Self { header, pose, world, radius_m })
     }

@@ -6,7 +6,8 @@ use crate::beam::TraceSettings;
 use crate::error::BartError;
 use crate::join::tree_order;
 use crate::polarization::zenith_h;
-use crate::scatterer::{check_built, check_order};
+use crate::scatterer::check_order;
+use crate::skin::Skin;
 use crate::world::World;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
@@ -106,7 +107,7 @@ pub fn rcs(
 ) -> Result<RcsResult, BartError> {
     check(request)?;
     let start = Instant::now();
-    let world = World::of_mesh(mesh)?;
+    let world = World::of_skin(mesh, skin(request))?;
     let build = start.elapsed().as_secs_f64();
     let aspects = aspects(request);
     let asked = request.accuracy.amplitude().max(1e-8);
@@ -116,15 +117,33 @@ pub fn rcs(
         let table = sweep(&world, &aspects, &settings, progress)?;
         let integration = measured_error(&table);
         if integration <= asked || accuracy < 1e-4 * asked {
-            return Ok(result(request, &table, integration, build));
+            let mut result = result(request, &table, integration, build);
+            result.error.tessellation = tessellation(request, &world);
+            return Ok(result);
         }
         accuracy *= 0.1;
     }
 }
 
+/// Fine enough at the highest frequency.
+pub(crate) fn skin(request: &RcsRequest) -> Skin {
+    Skin::of(request.surface, request.accuracy, shortest_wavelength_m(request))
+}
+
+fn shortest_wavelength_m(request: &RcsRequest) -> f64 {
+    SPEED_OF_LIGHT_MPS / request.frequency_hz.iter().copied().fold(0.0, f64::max)
+}
+
+/// A bound where facets stand for a skin; facets that are the surface itself have no such error.
+fn tessellation(request: &RcsRequest, world: &World) -> Option<f64> {
+    match request.surface {
+        Surface::Flat => None,
+        Surface::Smooth => Some(Skin::error_of(world.sagitta_m(), shortest_wavelength_m(request))),
+    }
+}
+
 pub(crate) fn check(request: &RcsRequest) -> Result<(), BartError> {
     check_order(request.bounces)?;
-    check_built(request.surface)?;
     if let Some(&found) = request.frequency_hz.iter().find(|f| !(f.is_finite() && **f > 0.0)) {
         return Err(BartError::FrequencyNotPositive { frequency_hz: found });
     }

@@ -8,7 +8,7 @@ use crate::physical_optics::{Bracket, Estimate, Leg, Node, length_difference_m, 
 use crate::polarization::Mirrors;
 use crate::world::World;
 use artifact::paths::Amplitude;
-use artifact::settings::{Edges, NodeRule, Surface};
+use artifact::settings::{Edges, NodeRule};
 use glam::DVec3;
 use num_complex::Complex64;
 
@@ -214,15 +214,7 @@ pub(crate) fn check_order(bounces: u8) -> Result<(), BartError> {
     if bounces > most { Err(BartError::TooManyBounces { bounces, most }) } else { Ok(()) }
 }
 
-/// What is promised for later is refused by name, not ignored.
-pub(crate) fn check_built(surface: Surface) -> Result<(), BartError> {
-    match surface {
-        Surface::Smooth => Err(BartError::NotBuilt { choice: "surface = \"smooth\"" }),
-        Surface::Flat => Ok(()),
-    }
-}
-
-/// Frames have no edges yet.
+/// What is promised for later is refused by name, not ignored: frames have no edges yet.
 pub(crate) fn check_no_edges(edges: Edges) -> Result<(), BartError> {
     match edges {
         Edges::FirstOrder => Err(BartError::NotBuilt { choice: "edges = \"on\" in a scene" }),

@@ -5,10 +5,11 @@ use crate::bvh::{Hierarchy, Stack};
 use crate::error::BartError;
 use crate::patch::Patches;
 use crate::plane::Plane;
+use crate::skin::{Skin, SkinTriangles};
 use crate::world_edges::WorldEdges;
 use artifact::paths::Facet;
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
-use glam::{DMat3, DVec3, Vec3};
+use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
@@ -31,7 +32,7 @@ pub struct FacetGeometry {
     pub plane: Plane,
     /// m².
     pub area_m2: f64,
-    /// Target and triangle in its mesh.
+    /// Target and triangle in its mesh, which may have been cut into several facets.
     pub id: Facet,
 }
 
@@ -63,10 +64,15 @@ impl World {
         Self::of_bodies(bodies)
     }
 
-    /// A mesh alone, its body axes the world's; the target's index is 0.
+    /// A mesh alone as it is, its body axes the world's; the target's index is 0.
     pub fn of_mesh(mesh: &Mesh) -> Result<Self, BartError> {
+        Self::of_skin(mesh, Skin::Flat)
+    }
+
+    /// The same with its facets bent.
+    pub fn of_skin(mesh: &Mesh, skin: Skin) -> Result<Self, BartError> {
         let pose = Pose { position_m: [0.0; 3], yaw_rad: 0.0, velocity_mps: [0.0; 3] };
-        let body = Body::posed(0, Arc::new(BodyMesh::build(mesh)?), &pose, 0.0, &mesh.name)?;
+        let body = Body::posed(0, Arc::new(BodyMesh::build(mesh, skin)?), &pose, 0.0, &mesh.name)?;
         Self::of_bodies(vec![body])
     }
 
@@ -105,9 +111,14 @@ impl World {
         self.tolerance_m
     }
 
+    /// How far facets may be from the skin that they stand for, m; 0 where they are the surface.
+    pub fn sagitta_m(&self) -> f64 {
+        self.bodies.iter().map(|body| body.mesh.skin.sagitta_m).fold(0.0, f64::max)
+    }
+
     /// Bytes held, about.
     pub fn bytes(&self) -> usize {
-        let models: usize = self.bodies.iter().map(|body| body.mesh.hierarchy.bytes()).sum();
+        let models: usize = self.bodies.iter().map(|body| body.mesh.hierarchy.bytes() + body.mesh.skin.bytes()).sum();
         self.facets.len() * size_of::<FacetGeometry>() + models
     }
 
@@ -151,7 +162,7 @@ impl World {
     fn of_bodies(mut bodies: Vec<Body>) -> Result<Self, BartError> {
         let mut facets: Vec<FacetGeometry> = Vec::new();
         for body in &mut bodies {
-            let triangles = facets.len() + body.mesh.triangles_m.len();
+            let triangles = facets.len() + body.mesh.skin.triangles_m.len();
             let most = u32::MAX as usize;
             body.first_facet =
                 u32::try_from(facets.len()).map_err(|_| BartError::TooManyTriangles { triangles, most })?;
@@ -208,9 +219,11 @@ pub struct Models {
 }
 
 impl Models {
-    /// All meshes of the header.
+    /// All meshes of the header, with the skin that it asks for.
     pub fn build(header: &SceneHeader) -> Result<Self, BartError> {
-        let meshes = header.meshes.par_iter().map(|mesh| BodyMesh::build(mesh).map(Arc::new)).collect::<Vec<_>>();
+        let skin = Skin::of(header.fidelity.surface, header.fidelity.accuracy, header.radar.waveform.wavelength_m());
+        let build = |mesh: &Mesh| BodyMesh::build(mesh, skin).map(Arc::new);
+        let meshes = header.meshes.par_iter().map(build).collect::<Vec<_>>();
         Ok(Self { meshes: meshes.into_iter().collect::<Result<_, _>>()? })
     }
 
@@ -224,36 +237,32 @@ impl Models {
 
 /// A mesh in its body frame.
 struct BodyMesh {
-    triangles_m: Vec<[DVec3; 3]>,
+    skin: SkinTriangles,
     patches: Patches,
-    /// As the file stores them; empty where it does not.
-    corner_normals: Vec<[DVec3; 3]>,
     hierarchy: Hierarchy,
     edges: OnceLock<BodyEdges>,
 }
 
 impl BodyMesh {
-    fn build(mesh: &Mesh) -> Result<Self, BartError> {
+    fn build(mesh: &Mesh, skin: Skin) -> Result<Self, BartError> {
         // obvhs panics on infinite and swallows NaN coordinates; single precision ends at 3.4e38.
         let not_finite = |v: &[f64; 3]| v.iter().any(|x| !(*x as f32).is_finite());
         if let Some(vertex) = mesh.vertices_m.iter().position(not_finite) {
             return Err(BartError::VertexNotFinite { mesh: mesh.name.clone(), vertex });
         }
         let corners = |(index, triangle): (usize, &[u32; 3])| corners_of(mesh, index, triangle);
-        let triangles_m = mesh.triangles.iter().enumerate().map(corners).collect::<Result<Vec<_>, _>>()?;
-        let normal = |vertex: &u32| mesh.normals.get(*vertex as usize).map(|n| Vec3::from_array(*n).as_dvec3());
-        let corner_normals = mesh.triangles.iter().map_while(|[a, b, c]| Some([normal(a)?, normal(b)?, normal(c)?]));
+        let corners_m = mesh.triangles.iter().enumerate().map(corners).collect::<Result<Vec<_>, _>>()?;
+        let skin = skin.triangles(mesh, corners_m);
         Ok(Self {
-            hierarchy: Hierarchy::over(triangles_m.iter().copied()),
-            patches: Patches::of(&triangles_m),
-            corner_normals: corner_normals.collect(),
+            hierarchy: Hierarchy::over(skin.triangles_m.iter().copied()),
+            patches: Patches::of(&skin.triangles_m),
             edges: OnceLock::new(),
-            triangles_m,
+            skin,
         })
     }
 
     fn edges(&self) -> &BodyEdges {
-        self.edges.get_or_init(|| body_edges(&self.triangles_m, &self.corner_normals))
+        self.edges.get_or_init(|| body_edges(&self.skin.triangles_m, &self.skin.corner_normals))
     }
 }
 
@@ -290,9 +299,10 @@ impl Body {
     }
 
     fn facets(&self) -> impl IndexedParallelIterator<Item = FacetGeometry> {
-        self.mesh.triangles_m.par_iter().enumerate().map(|(triangle, corners_m)| {
+        let SkinTriangles { triangles_m, triangle_of, .. } = &self.mesh.skin;
+        triangles_m.par_iter().zip(triangle_of).map(|(corners_m, &triangle)| {
             let corners_m = corners_m.map(|corner| self.position_m + self.world_from_body * corner);
-            FacetGeometry::of_triangle(corners_m, Facet { body: self.target, triangle: triangle as u32 })
+            FacetGeometry::of_triangle(corners_m, Facet { body: self.target, triangle })
         })
     }
 

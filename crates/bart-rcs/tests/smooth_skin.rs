@@ -1,0 +1,184 @@
+//! Bodies with a curved skin from coarse meshes (docs/physics.md §3): each test prints what was asked and what was got.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+
+mod bodies;
+
+use artifact::Accuracy;
+use artifact::radar::Polarization;
+use artifact::scene::Mesh;
+use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use bart_rcs::{RcsRequest, Skin, World, rcs};
+use bodies::{Triangles, sphere};
+use glam::DVec3;
+use num_complex::Complex64;
+use std::f64::consts::{PI, TAU};
+
+const FREQUENCY_HZ: f64 = 77e9;
+const WAVELENGTH_M: f64 = 299_792_458.0 / FREQUENCY_HZ;
+const K: f64 = TAU / WAVELENGTH_M;
+
+fn request(azimuth_deg: f64, elevation_deg: f64, accuracy_db: f64) -> RcsRequest {
+    RcsRequest {
+        frequency_hz: vec![FREQUENCY_HZ],
+        elevation_rad: vec![elevation_deg.to_radians()],
+        azimuth_rad: vec![azimuth_deg.to_radians()],
+        range_m: f64::INFINITY,
+        receiver: None,
+        polarization: Polarization::Vv,
+        bounces: 1,
+        nodes: NodeRule::Middle,
+        sides: Sides::Two,
+        edges: Edges::Ignored,
+        surface: Surface::Smooth,
+        accuracy: Accuracy::from_db(accuracy_db),
+    }
+}
+
+fn s(mesh: &Mesh, request: &RcsRequest) -> Complex64 {
+    rcs(mesh, request, &|_, _| ()).unwrap().amplitude_m[0]
+}
+
+fn dbsm(s: Complex64) -> f64 {
+    10.0 * s.norm_sqr().log10()
+}
+
+/// With the normals that `of` gives at each vertex.
+fn with_normals(triangles: &Triangles, of: impl Fn(DVec3) -> DVec3) -> Mesh {
+    let mut mesh = triangles.mesh();
+    let normal = |v: &[f64; 3]| of(DVec3::from_array(*v)).as_vec3().to_array();
+    mesh.normals = mesh.vertices_m.iter().map(normal).collect();
+    mesh
+}
+
+/// S = j√(4π)/λ·2πρ²[e^{ju}(1/(ju) + 1/u²) − 1/u²], u = 2kρ.
+fn sphere_physical_optics(radius_m: f64) -> Complex64 {
+    let u = 2.0 * K * radius_m;
+    let j = Complex64::I;
+    let bracket = Complex64::cis(u) * (1.0 / (j * u) + 1.0 / (u * u)) - 1.0 / (u * u);
+    j * (4.0 * PI).sqrt() / WAVELENGTH_M * TAU * radius_m * radius_m * bracket
+}
+
+fn check(what: &str, asked: f64, got: f64, tolerance: f64) {
+    println!("{what}: asked {asked:.4}, got {got:.4}, tolerance {tolerance:.4}");
+    assert!((asked - got).abs() <= tolerance, "{what}: asked {asked}, got {got}, tolerance {tolerance}");
+}
+
+/// P4: the amplitude with its phase, from meshes whose own facets have q = 1.4, 0.7 and 0.35.
+#[test]
+fn a_coarse_sphere_has_the_amplitude_of_physical_optics_with_stored_normals_and_without() {
+    let exact = sphere_physical_optics(0.1);
+    for refinements in [2, 3, 4] {
+        let coarse = sphere(0.1, refinements);
+        for (normals, mesh) in [("stored", with_normals(&coarse, |x| x / 0.1)), ("made", coarse.mesh())] {
+            let got = s(&mesh, &request(10.0, 20.0, -20.0));
+            let error = (got - exact).norm() / exact.norm();
+            println!("{} triangles, {normals} normals: asked 0.1, got {error:.4}", mesh.triangles.len());
+            assert!(error <= 0.1);
+        }
+    }
+}
+
+/// A body of revolution about z: (radius, height) from top to bottom, open at both ends.
+fn revolved(outline: &[(f64, f64)], sides: u32) -> Triangles {
+    let at = |(radius, z): (f64, f64), i: u32| {
+        let angle = TAU * f64::from(i % sides) / f64::from(sides);
+        DVec3::new(radius * angle.cos(), radius * angle.sin(), z)
+    };
+    let mut triangles = Vec::new();
+    for (above, below) in outline.iter().zip(&outline[1..]) {
+        for i in 0..sides {
+            let [a, b, c, d] = [at(*above, i), at(*below, i), at(*below, i + 1), at(*above, i + 1)];
+            triangles
+                .extend([[a, b, c], [a, c, d]].into_iter().filter(|[p, q, r]| (*q - *p).cross(*r - *p) != DVec3::ZERO));
+        }
+    }
+    Triangles(triangles)
+}
+
+/// P6: kρL². Its own error is 1/(8kρ) of the amplitude (Debye), 0.03 dB at kρ = 32.
+#[test]
+fn the_flash_of_a_coarse_cylinder_is_that_of_a_round_one_with_caps_and_without() {
+    for (radius_m, sides) in [(0.1, 24), (0.5, 48)] {
+        let wall = [(radius_m, 0.05), (radius_m, -0.05)];
+        let capped = [(0.0, 0.05), wall[0], wall[1], (0.0, -0.05)];
+        let asked = 10.0 * (K * radius_m * 0.01).log10();
+        for (name, outline) in [("open", &wall[..]), ("capped", &capped[..])] {
+            let got = dbsm(s(&revolved(outline, sides).mesh(), &request(3.0, 0.0, -30.0)));
+            check(&format!("{name}, {radius_m} m, {sides} sides"), asked, got, 0.3);
+        }
+    }
+}
+
+/// σ = 8π sin α (z₂^{3/2} − z₁^{3/2})²/(9λ cos⁴α) seen at a right angle to the side (Knott, Shaeffer, Tuley, ch. 6).
+#[test]
+fn the_flash_of_a_coarse_cone_is_that_of_a_round_one() {
+    let half_angle = 20_f64.to_radians();
+    for (from_m, sides) in [(0.1, 24), (0.0, 24)] {
+        let to_m: f64 = 0.4;
+        let outline = [(from_m * half_angle.tan(), -from_m), (to_m * half_angle.tan(), -to_m)];
+        let length: f64 = to_m.powf(1.5) - f64::powf(from_m, 1.5);
+        let asked = 8.0 * PI * half_angle.sin() * length * length / (9.0 * WAVELENGTH_M * half_angle.cos().powi(4));
+        let got = dbsm(s(&revolved(&outline, sides).mesh(), &request(3.0, 20.0, -30.0)));
+        check(&format!("cone from {from_m} m"), 10.0 * asked.log10(), got, 0.3);
+    }
+}
+
+/// Every side of a facet is the side of exactly one other, walked back, bit by bit.
+#[test]
+fn a_closed_body_stays_closed_when_its_skin_is_cut() {
+    let capped = [(0.0, 0.3), (0.2, 0.3), (0.25, 0.0), (0.2, -0.3), (0.0, -0.3)];
+    for (name, body) in
+        [("sphere", sphere(0.3, 1)), ("tun", revolved(&capped, 16)), ("car", bodies::cuboid(-DVec3::ONE, DVec3::ONE))]
+    {
+        let world = World::of_skin(&body.mesh(), Skin::Smooth { sagitta_m: 1e-4 }).unwrap();
+        let bits = |v: DVec3| v.to_array().map(|x| (x + 0.0).to_bits());
+        let mut sides = std::collections::BTreeMap::new();
+        for facet in world.facets() {
+            for k in 0..3 {
+                let side = (bits(facet.corners_m[k]), bits(facet.corners_m[(k + 1) % 3]));
+                assert!(sides.insert(side, facet.id).is_none(), "{name}: a side is walked twice");
+            }
+        }
+        let open = sides.keys().filter(|(a, b)| !sides.contains_key(&(*b, *a))).count();
+        println!("{name}: {} triangles became {}, {open} open sides", body.0.len(), world.facets().len());
+        assert_eq!(open, 0);
+    }
+}
+
+#[test]
+fn what_is_flat_stays_what_it_is_bit_for_bit() {
+    let box_with_normals = with_normals(&bodies::cuboid(-DVec3::ONE, DVec3::ONE), |x| x / x.length());
+    let flat_normals = {
+        let mut mesh = bodies::cuboid(-DVec3::ONE, DVec3::ONE).mesh();
+        let normals = bodies::cuboid(-DVec3::ONE, DVec3::ONE).0.into_iter().flat_map(|[a, b, c]| {
+            let n = (b - a).cross(c - a);
+            [(n / n.length()).as_vec3().to_array(); 3]
+        });
+        mesh.normals = normals.collect();
+        mesh
+    };
+    for mesh in [&flat_normals, &bodies::cuboid(-DVec3::ONE, DVec3::ONE).mesh()] {
+        let flat = World::of_mesh(mesh).unwrap();
+        let smooth = World::of_skin(mesh, Skin::Smooth { sagitta_m: 1e-6 }).unwrap();
+        assert!(flat.facets() == smooth.facets());
+    }
+    // And a box that is told to be round is not.
+    assert!(World::of_skin(&box_with_normals, Skin::Smooth { sagitta_m: 1e-2 }).unwrap().facets().len() > 100);
+}
+
+/// Long facets whose rulings converge four to one are the hardest case: rows of less taper fall with its fourth power.
+#[test]
+fn the_skin_of_a_coarse_cone_lies_closer_to_it_the_more_rows_it_has() {
+    let t = 20_f64.to_radians();
+    let off = |x: DVec3| (x.truncate().length() + x.z * t.tan()) * t.cos();
+    let worst = |rows: u32| {
+        let row = |i: u32| 0.1 + 0.3 * f64::from(i) / f64::from(rows);
+        let outline: Vec<(f64, f64)> = (0..=rows).map(row).map(|z| (z * t.tan(), -z)).collect();
+        let world = World::of_skin(&revolved(&outline, 24).mesh(), Skin::Smooth { sagitta_m: 1e-5 }).unwrap();
+        world.facets().iter().flat_map(|f| f.corners_m).fold(0.0_f64, |most, x| most.max(off(x).abs()))
+    };
+    // The facets' own corners leave ρ(1 − cos ½θ) = 1.17 mm at the wide end.
+    let [one, two, four] = [1, 2, 4].map(worst);
+    println!("rows 1, 2, 4: {one:.1e}, {two:.1e}, {four:.1e} m off the cone");
+    assert!(one < 0.1 * 1.17e-3 && two < one && four < two);
+}
