@@ -2,9 +2,9 @@
 
 use crate::antenna::Antenna;
 use crate::beam::{BeamTree, TraceSettings};
-use crate::edge_scattering::{self, sum_of_edges};
 use crate::error::BartError;
 use crate::join::{Joint, Joints, Trees, tree_order};
+use crate::meeting::{Meeting, MeetingSettings};
 use crate::scatterer::{Integration, Scatterer, ZenithH, bracket_of};
 use crate::world::World;
 use artifact::paths::Amplitude;
@@ -126,13 +126,9 @@ fn of_order(scatterer: &Scatterer<'_>, order: u8, rule: NodeRule, settings: &Asp
         accuracy: settings.accuracy,
         bracket: bracket_of(rule),
     };
-    let joints = scatterer.joints(order, rule, settings.trace.least_area_m2);
-    let mut s = sum_of_joints(scatterer, &joints, DVec3::ZERO, &integration);
-    if settings.edges == Edges::FirstOrder {
-        let edges = edge_scattering::joints(scatterer, order);
-        add(&mut s, &sum_of_edges(scatterer, &edges, DVec3::ZERO, &integration));
-    }
-    s.iter().map(|s| s[p][q]).collect()
+    let least_area_m2 = settings.trace.least_area_m2;
+    let meeting = Meeting::of(scatterer, order, &MeetingSettings { nodes: rule, edges: settings.edges, least_area_m2 });
+    meeting.sum(scatterer, DVec3::ZERO, &integration).iter().map(|s| s[p][q]).collect()
 }
 
 /// S of all joints over frequency, 2 × 2, its phase referred to `origin_m`.
@@ -159,7 +155,8 @@ pub(crate) fn sum_of_joints(
     })
 }
 
-fn add(total: &mut [Amplitude], share: &[Amplitude]) {
+/// Adds element by element.
+pub(crate) fn add(total: &mut [Amplitude], share: &[Amplitude]) {
     for (sum, s) in total.iter_mut().flatten().flatten().zip(share.iter().flatten().flatten()) {
         *sum += s;
     }

@@ -61,7 +61,7 @@ fn contribution(scatterer: &Scatterer<'_>, joint: &Joint, corners_m: &[DVec3], r
     let amplitudes = scatterer.scattering(joint, corners_m, DVec3::ZERO, &integration).value;
     let triangle = |facet: u32| scatterer.world.facet(facet).id.triangle;
     Contribution {
-        triangles: sequence(scatterer, joint).into_iter().map(triangle).collect(),
+        triangles: sequence(scatterer, joint.forward, joint.backward).into_iter().map(triangle).collect(),
         points_m: touched_m(scatterer, joint, corners_m.iter().sum::<DVec3>() / corners_m.len() as f64),
         amplitude_m: amplitudes.first().map_or(Complex64::ZERO, |s| s[p][q]),
     }
@@ -157,7 +157,7 @@ mod tests {
         let all = contributions(&corner(), &request(), 1).unwrap();
         let double = all.iter().find(|c| c.triangles.len() == 2).unwrap();
         let [a, b] = double.points_m[..] else { panic!("{double:?}") };
-        let (came, left) = ((a - antenna).normalize(), (b - a).normalize());
+        let (came, left) = ((a - antenna).normalize_or_zero(), (b - a).normalize_or_zero());
         // One mirror is the plane y = 0, the other x = 0; the way turns in the first one only, the second is the node.
         assert!((came.z - left.z).abs() < 1e-12 && (came.x.abs() - left.x.abs()).abs() < 1e-12, "{came} {left}");
         assert!(a.x.abs().min(a.y.abs()) < 1e-12 && b.x.abs().min(b.y.abs()) < 1e-12);

@@ -1,10 +1,12 @@
 //! S of all edges that both ends light.
 
+use crate::aspect::add;
 use crate::edge_currents::{EdgeNode, edge_amplitudes};
 use crate::lit_edge::{EdgeJoint, edge_joints};
 use crate::physical_optics::Estimate;
 use crate::scatterer::{Integration, Scatterer, scaled, with_reverse};
 use artifact::paths::Amplitude;
+use artifact::settings::Edges;
 use glam::DVec3;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -21,15 +23,41 @@ pub(crate) fn sum_of_edges(
     const RUN: usize = 64;
     let zero = || vec![Amplitude::default(); integration.wavenumbers_per_m.len()];
     let of_run = |run: &[EdgeJoint]| {
-        run.iter().fold(zero(), |total, joint| added(total, &scattering(scatterer, joint, origin_m, integration).value))
+        run.iter().fold(zero(), |mut total, joint| {
+            add(&mut total, &scattering(scatterer, joint, origin_m, integration).value);
+            total
+        })
     };
     let runs: Vec<Vec<Amplitude>> = joints.par_chunks(RUN).map(of_run).collect();
-    runs.iter().fold(zero(), |total, run| added(total, run))
+    runs.iter().fold(zero(), |mut total, run| {
+        add(&mut total, run);
+        total
+    })
 }
 
-/// Where both ends meet on edges, in ways of `order`.
-pub(crate) fn joints(scatterer: &Scatterer<'_>, order: u8) -> Vec<EdgeJoint> {
-    edge_joints(scatterer.world, scatterer.trees, order)
+/// Where both ends meet on edges in ways of `order`; nowhere where edges are ignored.
+pub(crate) fn edge_meetings(scatterer: &Scatterer<'_>, order: u8, edges: Edges) -> Vec<EdgeJoint> {
+    match edges {
+        Edges::FirstOrder => edge_joints(scatterer.world, scatterer.trees, order),
+        Edges::Ignored => Vec::new(),
+    }
+}
+
+/// Amplitudes of a part of a joint about its middle, at that middle; the reverse is not included.
+pub(crate) fn part_amplitudes(
+    scatterer: &Scatterer<'_>,
+    joint: &EdgeJoint,
+    span_m: [f64; 2],
+    wavenumbers_per_m: &[f64],
+    accuracy: f64,
+) -> (DVec3, Estimate<Vec<Amplitude>>) {
+    let edges = scatterer.world.edges();
+    let edge = &edges.edges[joint.edge as usize];
+    let [transmit, receive] = scatterer.legs(joint.forward, joint.backward);
+    let reference_m = edge.point_m(0.5 * (span_m[0] + span_m[1]));
+    let ends_m = [0, 1].map(|face| edges.ends_of_face(edge, face));
+    let node = EdgeNode { edge, ends_m, span_m, transmit, receive };
+    (reference_m, edge_amplitudes(&node, reference_m, wavenumbers_per_m, accuracy))
 }
 
 /// An edge's share of S, its reverse included.
@@ -39,29 +67,12 @@ fn scattering(
     origin_m: DVec3,
     integration: &Integration<'_>,
 ) -> Estimate<Vec<Amplitude>> {
-    let edges = scatterer.world.edges();
-    let edge = &edges.edges[joint.edge as usize];
-    let [transmit, receive] = scatterer.legs(joint.forward, joint.backward);
-    let reference_m = edge.point_m(0.5 * (joint.span_m[0] + joint.span_m[1]));
-    let node = EdgeNode {
-        edge,
-        ends_m: [0, 1].map(|face| edges.ends_of_face(edge, face)),
-        span_m: joint.span_m,
-        transmit,
-        receive,
-    };
-    let mut estimate = edge_amplitudes(&node, reference_m, integration.wavenumbers_per_m, integration.accuracy);
-    let apparent_m = [transmit, receive].map(|leg| leg.mirrors.unfolded(reference_m));
+    let Integration { wavenumbers_per_m, accuracy, .. } = *integration;
+    let (middle_m, mut estimate) = part_amplitudes(scatterer, joint, joint.span_m, wavenumbers_per_m, accuracy);
+    let apparent_m = scatterer.legs(joint.forward, joint.backward).map(|leg| leg.mirrors.unfolded(middle_m));
     let (spread, length_m) = scatterer.way_from(origin_m, apparent_m);
-    for (amplitude, k) in estimate.value.iter_mut().zip(integration.wavenumbers_per_m) {
+    for (amplitude, k) in estimate.value.iter_mut().zip(wavenumbers_per_m) {
         *amplitude = scaled(&with_reverse(joint.reverse, amplitude), Complex64::from_polar(spread, -k * length_m));
     }
     estimate
-}
-
-fn added(mut total: Vec<Amplitude>, share: &[Amplitude]) -> Vec<Amplitude> {
-    for (sum, s) in total.iter_mut().flatten().flatten().zip(share.iter().flatten().flatten()) {
-        *sum += s;
-    }
-    total
 }

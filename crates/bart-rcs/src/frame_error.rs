@@ -4,8 +4,9 @@
 //! amplitudes and apparent velocities err in proportion to the time from the frame's middle; the moment T/√12 after it has
 //! the mean square of the whole frame.
 
-use crate::aspect::{other, sum_of_joints};
-use crate::join::{Joints, tree_order};
+use crate::aspect::other;
+use crate::join::tree_order;
+use crate::meeting::{Meeting, MeetingSettings};
 use crate::path_plan::Plan;
 use crate::path_pruning::power_over_frame;
 use crate::path_sum::scattering_of_paths;
@@ -69,8 +70,8 @@ pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference
     let wavenumbers: Vec<f64> = frequencies_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
     let fineness = Fineness::ten_times(&wavenumbers, plan);
     let by_rule = |order: u8, rule: NodeRule| {
-        let joints = scatterer.joints(order, rule, plan.trace.least_area_m2);
-        of_joints(scatterer, plan, &joints, bracket_of(rule), &fineness)
+        let meeting = Meeting::of(scatterer, order, &MeetingSettings { nodes: rule, ..plan.meetings() });
+        of_meeting(scatterer, plan, &meeting, bracket_of(rule), &fineness)
     };
     let by_order_m = (1..=fidelity.bounces).map(|order| by_rule(order, fidelity.nodes)).collect();
     let other = other(fidelity.nodes);
@@ -80,13 +81,13 @@ pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference
 }
 
 /// Mean over the band's three points of |S − S(ten times finer)|², at the moment of `scatterer`.
-pub(crate) fn integration_power(scatterer: &Scatterer<'_>, plan: &Plan<'_>, joints: &[Joints]) -> f64 {
+pub(crate) fn integration_power(scatterer: &Scatterer<'_>, plan: &Plan<'_>, meetings: &[Meeting]) -> f64 {
     let wavenumbers = plan.band.wavenumbers_per_m();
     let fine = Fineness::ten_times(&wavenumbers, plan);
     let coarse = Fineness { accuracy: 10.0 * fine.accuracy, ..fine };
     let all = |fineness: &Fineness<'_>| {
         let bracket = bracket_of(plan.header.fidelity.nodes);
-        total(joints.iter().map(|joints| of_joints(scatterer, plan, joints, bracket, fineness)), wavenumbers.len())
+        total(meetings.iter().map(|m| of_meeting(scatterer, plan, m, bracket, fineness)), wavenumbers.len())
     };
     mean_difference(&all(&fine), &all(&coarse))
 }
@@ -103,17 +104,17 @@ impl<'a> Fineness<'a> {
     }
 }
 
-/// S of joints over frequency, as the radar sees it.
-fn of_joints(
+/// S of one order over frequency, as the radar sees it.
+fn of_meeting(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
-    joints: &Joints,
+    meeting: &Meeting,
     bracket: Bracket,
     fineness: &Fineness<'_>,
 ) -> Vec<Complex64> {
     let integration =
         Integration { wavenumbers_per_m: fineness.wavenumbers_per_m, accuracy: fineness.accuracy, bracket };
-    let amplitudes = sum_of_joints(scatterer, joints, plan.view(0.0).origin_m, &integration);
+    let amplitudes = meeting.sum(scatterer, plan.view(0.0).origin_m, &integration);
     amplitudes.iter().map(|s| plan.seen(s)).collect()
 }
 

@@ -85,10 +85,12 @@ mod face_end; // how far a face goes
 mod end_current; // what is not there beyond the end of a face
 mod edge_currents; // the fringe integral along an edge
 mod edge_scattering; // S of all edges
+mod meeting; // of both ends, in ways of one order
 mod aspect; // S at one aspect, by order and node rule
 mod rcs_table; // S over frequency and aspect
 mod contributions; // S of one aspect by facet sequence
 mod path_cells; // lit polygons as cells with one node each
+mod edge_cells; // the same for lit edges
 mod nearest_surface; // nearest lit point of a body
 mod path_sum; // S from path records, by definition
 mod path_plan; // what a frame is traced with

@@ -56,8 +56,8 @@ pub(crate) fn gathered(mut cells: Vec<Cell>, ends: [Antenna; 2], settings: &Cell
 
 fn cells_of(scatterer: &Scatterer<'_>, joint: &Joint, corners_m: &[DVec3], settings: &CellSettings<'_>) -> Vec<Cell> {
     let frame = PlaneFrame::new(corners_m[0], scatterer.forward(joint).lit_normal);
-    let facets = facets_of(scatterer, joint);
-    let velocity_mps = velocities(scatterer, joint);
+    let facets = facets_of(scatterer, joint.forward, joint.backward);
+    let velocity_mps = velocities(scatterer, joint.forward, joint.backward);
     let mut cells = Vec::new();
     for piece in cut_into_squares(&frame, corners_m, settings.size_m) {
         let reference_m = frame.to_world(centroid_m(&piece));
@@ -81,7 +81,8 @@ fn cells_of(scatterer: &Scatterer<'_>, joint: &Joint, corners_m: &[DVec3], setti
     cells
 }
 
-fn reversed(cell: &Cell) -> Cell {
+/// The way back.
+pub(crate) fn reversed(cell: &Cell) -> Cell {
     let mut facets = cell.facets;
     facets[..usize::from(cell.order)].reverse();
     Cell {
@@ -93,25 +94,27 @@ fn reversed(cell: &Cell) -> Cell {
     }
 }
 
-fn facets_of(scatterer: &Scatterer<'_>, joint: &Joint) -> Vec<Facet> {
-    sequence(scatterer, joint).into_iter().map(|facet| scatterer.world.facet(facet).id).collect()
+/// The facets of a way in the order of travel, by its beams.
+pub(crate) fn facets_of(scatterer: &Scatterer<'_>, forward: u32, backward: u32) -> Vec<Facet> {
+    sequence(scatterer, forward, backward).into_iter().map(|facet| scatterer.world.facet(facet).id).collect()
 }
 
-fn padded(facets: &[Facet]) -> [Facet; MAX_ORDER] {
+/// As a path record holds them.
+pub(crate) fn padded(facets: &[Facet]) -> [Facet; MAX_ORDER] {
     let mut all = [Facet::default(); MAX_ORDER];
     all.iter_mut().zip(facets).for_each(|(place, facet)| *place = *facet);
     all
 }
 
-/// A plane moving with v_p turns the velocity v of a point into v − 2((v − v_p)·n)n.
-fn velocities(scatterer: &Scatterer<'_>, joint: &Joint) -> [DVec3; 2] {
+/// Of the apparent points: a plane moving with v_p turns the velocity v of a point into v − 2((v − v_p)·n)n.
+pub(crate) fn velocities(scatterer: &Scatterer<'_>, forward: u32, backward: u32) -> [DVec3; 2] {
     let world = scatterer.world;
-    let node_mps = world.velocity_mps(scatterer.forward(joint).facet);
+    let node_mps = world.velocity_mps(scatterer.trees.transmit().beams[forward as usize].facet);
     let through = |tree: &BeamTree, beam: u32| {
         let mirrors = std::iter::successors(tree.beams[beam as usize].parent, |b| tree.beams[*b as usize].parent);
         mirrors.fold(node_mps, |v, mirror| mirrored_velocity(world, tree.beams[mirror as usize].facet, v))
     };
-    [through(scatterer.trees.transmit(), joint.forward), through(scatterer.trees.receive(), joint.backward)]
+    [through(scatterer.trees.transmit(), forward), through(scatterer.trees.receive(), backward)]
 }
 
 fn mirrored_velocity(world: &World, mirror: u32, v_mps: DVec3) -> DVec3 {

@@ -3,10 +3,12 @@
 use crate::beam::TraceSettings;
 use crate::frame_error::check_offset_s;
 use crate::join::tree_order;
+use crate::meeting::MeetingSettings;
 use crate::path_sum::PathView;
 use artifact::Waveform;
 use artifact::paths::Amplitude;
 use artifact::scene::SceneHeader;
+use artifact::settings::Fidelity;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 use num_complex::Complex64;
@@ -44,6 +46,12 @@ impl<'a> Plan<'a> {
     pub(crate) fn seen(&self, amplitude: &Amplitude) -> Complex64 {
         let (receive, transmit) = self.header.radar.array.polarization.indices();
         amplitude[receive][transmit]
+    }
+
+    /// What of the bodies scatters.
+    pub(crate) fn meetings(&self) -> MeetingSettings {
+        let Fidelity { nodes, edges, .. } = self.header.fidelity;
+        MeetingSettings { nodes, edges, least_area_m2: self.trace.least_area_m2 }
     }
 
     /// ĥ straight above and below the radar: to the left of its boresight.

@@ -1,8 +1,9 @@
 //! The path table with the largest cells that the accuracy asked for lets be.
 
 use crate::antenna::Antenna;
+use crate::edge_cells::edge_cells;
 use crate::frame_error::{FrameError, GivenUp, Reference, integration_power};
-use crate::join::Joints;
+use crate::meeting::Meeting;
 use crate::path_cells::{Cell, CellSettings, cells, gathered};
 use crate::path_plan::{Band, Plan};
 use crate::path_pruning::pruned;
@@ -28,7 +29,7 @@ pub(crate) struct Fit<'a> {
     points: &'a [Path],
     reference: &'a Reference,
     /// By order from 1.
-    joints: Vec<Joints>,
+    meetings: Vec<Meeting>,
     integration_power: f64,
 }
 
@@ -40,10 +41,10 @@ impl<'a> Fit<'a> {
         reference: &'a Reference,
     ) -> Self {
         let fidelity = &plan.header.fidelity;
-        let of_order = |order: u8| scatterer.joints(order, fidelity.nodes, plan.trace.least_area_m2);
-        let joints: Vec<Joints> = (1..=fidelity.bounces).map(of_order).collect();
-        let integration_power = integration_power(scatterer, plan, &joints);
-        Self { scatterer, plan, points, reference, joints, integration_power }
+        let of_order = |order: u8| Meeting::of(scatterer, order, &plan.meetings());
+        let meetings: Vec<Meeting> = (1..=fidelity.bounces).map(of_order).collect();
+        let integration_power = integration_power(scatterer, plan, &meetings);
+        Self { scatterer, plan, points, reference, meetings, integration_power }
     }
 
     /// The table with the largest cells that meet the accuracy; the best found where none does within a few attempts.
@@ -78,8 +79,12 @@ impl<'a> Fit<'a> {
             bracket: bracket_of(self.plan.header.fidelity.nodes),
         };
         let ends = [Antenna::Point(self.plan.position_m); 2];
-        let of_order = |joints: &Joints| gathered(cells(self.scatterer, joints, &settings), ends, &settings);
-        let found = self.joints.iter().flat_map(of_order);
+        let of_order = |meeting: &Meeting| {
+            let mut found = cells(self.scatterer, &meeting.facets, &settings);
+            found.extend(edge_cells(self.scatterer, &meeting.edges, &settings));
+            gathered(found, ends, &settings)
+        };
+        let found = self.meetings.iter().flat_map(of_order);
         let kept = pruned(found.map(|cell| path_of(&cell, &self.plan.band, self.plan.middle_s)).collect(), self.plan);
         let mut paths = kept.paths;
         paths.extend_from_slice(self.points);

@@ -1,13 +1,13 @@
 //! The paper's σ_f for one frame: far-field tables of every target over frequency and the aspects that it sweeps.
 
 use crate::antenna::Antenna;
-use crate::aspect::sum_of_joints;
 use crate::beam::{BeamTree, TraceSettings};
 use crate::error::BartError;
-use crate::join::{Joints, Trees, tree_order};
+use crate::join::{Trees, tree_order};
+use crate::meeting::{Meeting, MeetingSettings};
 use crate::polarization::zenith_h;
 use crate::rcs_table::next_order;
-use crate::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_no_edges, check_order};
+use crate::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_order};
 use crate::skin::Skin;
 use crate::world::World;
 use artifact::rcs::{RcsFrame, RcsTable};
@@ -27,7 +27,6 @@ use std::f64::consts::TAU;
 /// point target has a table of one value, +√σ.
 pub fn rcs_frame(header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, BartError> {
     check_order(header.fidelity.bounces)?;
-    check_no_edges(header.fidelity.edges)?;
     if frame.poses.len() != header.targets.len() {
         let (poses, targets) = (frame.poses.len(), header.targets.len());
         return Err(BartError::PosesDoNotMatch { frame: frame.index, poses, targets });
@@ -105,10 +104,10 @@ impl<'a> Body<'a> {
         let middle = self.to_radar_m(self.header.radar.frame_middle_s());
         let tree = self.trace(Antenna::Direction(middle / middle.length()))?;
         let scatterer = self.scatterer(&tree, middle);
-        let joints = self.joints(&scatterer);
+        let meetings = self.meetings(&scatterer);
         let aspects: Vec<DVec3> =
             elevation_rad.iter().flat_map(|el| azimuth_rad.iter().map(|az| direction(*el, *az))).collect();
-        let of = |r: &DVec3| self.sums(&scatterer.turned_to(*r), &joints, &wavenumbers);
+        let of = |r: &DVec3| self.sums(&scatterer.turned_to(*r), &meetings, &wavenumbers);
         let by_aspect: Vec<Vec<Complex64>> = aspects.par_iter().map(of).collect();
         let amplitude_m = (0..frequency_hz.len()).flat_map(|f| by_aspect.iter().map(move |s| s[f])).collect();
         Ok(RcsTable {
@@ -133,10 +132,10 @@ impl<'a> Body<'a> {
         let [middle_r, last_r] = [middle, last].map(|x| x / x.length());
         let tree = self.trace(Antenna::Direction(middle_r))?;
         let scatterer = self.scatterer(&tree, middle);
-        let joints = self.joints(&scatterer);
-        let by_order = self.by_order(&scatterer, &joints, &wavenumbers);
+        let meetings = self.meetings(&scatterer);
+        let by_order = self.by_order(&scatterer, &meetings, &wavenumbers);
         let table = total(&by_order, wavenumbers.len());
-        let frozen = self.sums(&scatterer.turned_to(last_r), &joints, &wavenumbers);
+        let frozen = self.sums(&scatterer.turned_to(last_r), &meetings, &wavenumbers);
         let anew = self.anew(Antenna::Direction(last_r), last, &wavenumbers)?;
         let spherical = self.anew(Antenna::Point(middle), middle, &wavenumbers)?;
         let weight = middle.length().powi(-4);
@@ -152,7 +151,7 @@ impl<'a> Body<'a> {
     fn anew(&self, antenna: Antenna, to_radar_m: DVec3, wavenumbers: &[f64]) -> Result<Vec<Complex64>, BartError> {
         let tree = self.trace(antenna)?;
         let scatterer = self.scatterer(&tree, to_radar_m);
-        Ok(self.sums(&scatterer, &self.joints(&scatterer), wavenumbers))
+        Ok(self.sums(&scatterer, &self.meetings(&scatterer), wavenumbers))
     }
 
     fn trace(&self, antenna: Antenna) -> Result<BeamTree, BartError> {
@@ -176,10 +175,11 @@ impl<'a> Body<'a> {
         Scatterer::new(&self.world, Trees::Shared(tree), ZenithH { transmit: h, receive: h })
     }
 
-    fn joints(&self, scatterer: &Scatterer<'_>) -> Vec<Joints> {
+    fn meetings(&self, scatterer: &Scatterer<'_>) -> Vec<Meeting> {
         let least_area_m2 = self.trace_settings().least_area_m2;
         let fidelity = &self.header.fidelity;
-        (1..=fidelity.bounces).map(|order| scatterer.joints(order, fidelity.nodes, least_area_m2)).collect()
+        let settings = MeetingSettings { nodes: fidelity.nodes, edges: fidelity.edges, least_area_m2 };
+        (1..=fidelity.bounces).map(|order| Meeting::of(scatterer, order, &settings)).collect()
     }
 
     fn integration<'b>(&self, wavenumbers_per_m: &'b [f64]) -> Integration<'b> {
@@ -187,16 +187,16 @@ impl<'a> Body<'a> {
         Integration { wavenumbers_per_m, accuracy: fidelity.accuracy.amplitude(), bracket: bracket_of(fidelity.nodes) }
     }
 
-    fn sums(&self, scatterer: &Scatterer<'_>, joints: &[Joints], wavenumbers: &[f64]) -> Vec<Complex64> {
-        total(&self.by_order(scatterer, joints, wavenumbers), wavenumbers.len())
+    fn sums(&self, scatterer: &Scatterer<'_>, meetings: &[Meeting], wavenumbers: &[f64]) -> Vec<Complex64> {
+        total(&self.by_order(scatterer, meetings, wavenumbers), wavenumbers.len())
     }
 
     /// S of each order over frequency, in the radar's polarization.
-    fn by_order(&self, scatterer: &Scatterer<'_>, joints: &[Joints], wavenumbers: &[f64]) -> Vec<Vec<Complex64>> {
+    fn by_order(&self, scatterer: &Scatterer<'_>, meetings: &[Meeting], wavenumbers: &[f64]) -> Vec<Vec<Complex64>> {
         let integration = self.integration(wavenumbers);
         let (p, q) = self.header.radar.array.polarization.indices();
-        let of = |j: &Joints| sum_of_joints(scatterer, j, DVec3::ZERO, &integration).iter().map(|s| s[p][q]).collect();
-        joints.iter().map(of).collect()
+        let of = |m: &Meeting| m.sum(scatterer, DVec3::ZERO, &integration).iter().map(|s| s[p][q]).collect();
+        meetings.iter().map(of).collect()
     }
 
     /// Steps of phase 2kr·Δangle that linear interpolation takes with the accuracy asked; both ends, ascending.

@@ -8,7 +8,7 @@ use crate::physical_optics::{Bracket, Estimate, Leg, Node, length_difference_m, 
 use crate::polarization::Mirrors;
 use crate::world::World;
 use artifact::paths::Amplitude;
-use artifact::settings::{Edges, NodeRule};
+use artifact::settings::NodeRule;
 use glam::DVec3;
 use num_complex::Complex64;
 
@@ -200,10 +200,11 @@ fn legs(world: &World, tree: &BeamTree, zenith_h: DVec3) -> Vec<Leg> {
     legs
 }
 
-/// Facets of a path in the order of travel.
-pub(crate) fn sequence(scatterer: &Scatterer<'_>, joint: &Joint) -> Vec<u32> {
-    let mut facets = scatterer.trees.transmit().sequence(scatterer.forward(joint));
-    let back = scatterer.trees.receive().sequence(scatterer.backward(joint));
+/// Facets of a path in the order of travel, by the beams of both ends.
+pub(crate) fn sequence(scatterer: &Scatterer<'_>, forward: u32, backward: u32) -> Vec<u32> {
+    let of = |tree: &BeamTree, beam: u32| tree.sequence(&tree.beams[beam as usize]);
+    let mut facets = of(scatterer.trees.transmit(), forward);
+    let back = of(scatterer.trees.receive(), backward);
     facets.extend(back.into_iter().rev().skip(1));
     facets
 }
@@ -212,12 +213,4 @@ pub(crate) fn sequence(scatterer: &Scatterer<'_>, joint: &Joint) -> Vec<u32> {
 pub(crate) fn check_order(bounces: u8) -> Result<(), BartError> {
     let most = artifact::paths::MAX_ORDER as u8;
     if bounces > most { Err(BartError::TooManyBounces { bounces, most }) } else { Ok(()) }
-}
-
-/// What is promised for later is refused by name, not ignored: frames have no edges yet.
-pub(crate) fn check_no_edges(edges: Edges) -> Result<(), BartError> {
-    match edges {
-        Edges::FirstOrder => Err(BartError::NotBuilt { choice: "edges = \"on\" in a scene" }),
-        Edges::Ignored => Ok(()),
-    }
 }

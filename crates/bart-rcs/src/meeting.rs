@@ -1,0 +1,46 @@
+//! Where both ends meet in ways of one order: on facets and, where they are asked for, on edges.
+
+use crate::aspect::{add, sum_of_joints};
+use crate::edge_scattering::{edge_meetings, sum_of_edges};
+use crate::join::Joints;
+use crate::lit_edge::EdgeJoint;
+use crate::scatterer::{Integration, Scatterer};
+use artifact::paths::Amplitude;
+use artifact::settings::{Edges, NodeRule};
+use glam::DVec3;
+
+/// The joints of one order.
+pub(crate) struct Meeting {
+    pub(crate) facets: Joints,
+    pub(crate) edges: Vec<EdgeJoint>,
+}
+
+/// What meetings are looked for.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct MeetingSettings {
+    pub(crate) nodes: NodeRule,
+    pub(crate) edges: Edges,
+    /// Overlaps of beams below are dropped.
+    pub(crate) least_area_m2: f64,
+}
+
+impl Meeting {
+    pub(crate) fn of(scatterer: &Scatterer<'_>, order: u8, settings: &MeetingSettings) -> Self {
+        Self {
+            facets: scatterer.joints(order, settings.nodes, settings.least_area_m2),
+            edges: edge_meetings(scatterer, order, settings.edges),
+        }
+    }
+
+    /// S over frequency, 2 × 2, its phase referred to `origin_m`.
+    pub(crate) fn sum(
+        &self,
+        scatterer: &Scatterer<'_>,
+        origin_m: DVec3,
+        integration: &Integration<'_>,
+    ) -> Vec<Amplitude> {
+        let mut total = sum_of_joints(scatterer, &self.facets, origin_m, integration);
+        add(&mut total, &sum_of_edges(scatterer, &self.edges, origin_m, integration));
+        total
+    }
+}
