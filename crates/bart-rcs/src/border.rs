@@ -13,6 +13,8 @@ pub(crate) enum Border {
     Own,
     /// The occluder's side of a line that cuts out a shadow.
     OwnInside,
+    /// Patch and mirror end in one line, as both do at the fold of a corner: a node has the right phase there on either.
+    Tied,
     /// A mirror before ends, or a shadow on it begins.
     Mirror,
     /// The occluder's side of a line that cuts out a shadow on a mirror before.
@@ -26,15 +28,25 @@ impl Border {
     /// The same edge as it cuts the beam behind the mirror.
     pub(crate) fn through_mirror(self) -> Self {
         match self {
-            Self::Own => Self::Mirror,
+            Self::Own | Self::Tied => Self::Mirror,
             Self::OwnInside => Self::MirrorInside,
             Self::Inner | Self::Mirror | Self::MirrorInside => self,
+        }
+    }
+
+    /// The same edge where the window of a beam ends along it.
+    pub(crate) fn met_by(self, window: Self) -> Self {
+        match (self, window) {
+            (Self::Own, Self::Mirror | Self::MirrorInside) => Self::Tied,
+            (Self::Inner, _) => window,
+            _ => self,
         }
     }
 
     /// What ends the overlap of two polygons where an edge of both is the same line: the surface before the beams.
     pub(crate) fn and(self, other: Self) -> Self {
         let rank = |border: Self| match border {
+            Self::Tied => 5,
             Self::Own => 4,
             Self::OwnInside => 3,
             Self::Mirror => 2,
@@ -44,15 +56,10 @@ impl Border {
         if rank(self) >= rank(other) { self } else { other }
     }
 
-    /// Whether the facet's surface or a shadow on it ends there.
-    pub(crate) fn is_own(self) -> bool {
-        matches!(self, Self::Own | Self::OwnInside)
-    }
-
     /// How often the edge counts in the outline of all pieces together: seams cancel.
     pub(crate) fn sign(self) -> f64 {
         match self {
-            Self::Own | Self::Mirror => 1.0,
+            Self::Own | Self::Tied | Self::Mirror => 1.0,
             Self::OwnInside | Self::MirrorInside => -1.0,
             Self::Inner => 0.0,
         }

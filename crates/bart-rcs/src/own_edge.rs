@@ -2,24 +2,30 @@
 //!
 //! The edges that truncate a multiple reflection belong to one of its facets, and only a node there has the right phase
 //! along them. So each node is weighted by the share of its lit polygon's outline that is that flat patch's own edge or an
-//! occluder's shadow line on it; what other facets' beams cut does not count (docs/physics.md §2, docs/decisions/node-rule.md).
-//! Weights are normalised over the nodes that exist; where none has an edge of its own, the middle nodes share equally. Where
-//! planes are exact all nodes are equal, and so is every normalised weight.
+//! occluder's shadow line on it; what other facets' beams cut does not count, and a line where both end, as at a fold, is
+//! left out: along it either node is right. Weights are normalised over all K nodes of the sequence; one that does not exist
+//! holds a mean share of nothing, so that a sequence that is seen from one node of three counts a third. Without that, the
+//! many sequences that only one node has (round a duct of narrow facets) would each count whole, once per node: +3 dB
+//! (docs/decisions/node-rule.md). Where planes are exact all nodes are equal, and so is every choice of weights.
+//!
+//! Facets of a curved skin reflect parallel strips with gaps, and a node after them misses the divergence. There the node is
+//! on the facet with the smaller radius: weights are the squares of the curvatures.
 
 use crate::border::Border;
+use crate::clip::doubled_area;
 use crate::join::{Joint, Joints, Reverse, Trees};
 use crate::world::World;
 use artifact::paths::MAX_ORDER;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 
-/// Outline of a polygon, or of many pieces together, m.
+/// Outline of a polygon, or of many pieces together, m; edges that end facet and beam alike are left out.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Outline {
     /// Along the facet's own edges and shadow lines on it.
     pub(crate) own_m: f64,
-    /// All of it.
-    pub(crate) whole_m: f64,
+    /// Along what mirrors before cut.
+    pub(crate) cut_m: f64,
 }
 
 /// A convex polygon in a plane and what ends it from each corner to the next.
@@ -40,20 +46,24 @@ impl Outline {
             let borders = polygons.into_iter().filter_map(|polygon| polygon.border_along(from, to, tolerance_m));
             let Some(border) = borders.reduce(Border::and) else { continue };
             let length_m = border.sign() * from.distance(to);
-            outline.whole_m += length_m;
-            outline.own_m += if border.is_own() { length_m } else { 0.0 };
+            match border {
+                Border::Own | Border::OwnInside => outline.own_m += length_m,
+                Border::Mirror | Border::MirrorInside => outline.cut_m += length_m,
+                Border::Tied | Border::Inner => {}
+            }
         }
         outline
     }
 
     fn add(&mut self, other: Self) {
         self.own_m += other.own_m;
-        self.whole_m += other.whole_m;
+        self.cut_m += other.cut_m;
     }
 
     /// Between 0 and 1.
     fn own_share(self) -> f64 {
-        if self.whole_m > 0.0 { (self.own_m / self.whole_m).clamp(0.0, 1.0) } else { 0.0 }
+        let (own_m, cut_m) = (self.own_m.max(0.0), self.cut_m.max(0.0));
+        if own_m > 0.0 { own_m / (own_m + cut_m) } else { 0.0 }
     }
 }
 
@@ -74,8 +84,15 @@ impl Bordered<'_> {
 /// Patches of a sequence from the transmitter on; places beyond its order are `u32::MAX`.
 type Sequence = [u32; MAX_ORDER];
 
-/// The nodes of one sequence, in the order of travel; `None` where there is none.
-type Nodes = [Option<Outline>; MAX_ORDER];
+/// What is known of one node of a sequence, all its pieces together.
+#[derive(Debug, Clone, Copy, Default)]
+struct Node {
+    outline: Outline,
+    /// Area across the wave, mean of both legs, m².
+    across_m2: f64,
+}
+
+type Nodes = [Node; MAX_ORDER];
 
 /// Sets the weights of all joints of one order, of which `outlines` are in the joints' order.
 pub(crate) fn weigh(world: &World, trees: Trees<'_>, order: u8, joints: &mut Joints, outlines: &[Outline]) {
@@ -83,8 +100,11 @@ pub(crate) fn weigh(world: &World, trees: Trees<'_>, order: u8, joints: &mut Joi
     let count = usize::from(order);
     for (joint, outline) in joints.list.iter().zip(outlines) {
         let (sequence, node) = place(world, trees, joint);
+        let across_m2 = across_m2(trees, joint, joints.polygon(joint));
         let mut take = |sequence: Sequence, node: usize| {
-            nodes_of.entry(sequence).or_default()[node].get_or_insert_default().add(*outline);
+            let node = &mut nodes_of.entry(sequence).or_default()[node];
+            node.outline.add(*outline);
+            node.across_m2 += across_m2;
         };
         take(sequence, node);
         if joint.reverse == Reverse::Included {
@@ -93,22 +113,48 @@ pub(crate) fn weigh(world: &World, trees: Trees<'_>, order: u8, joints: &mut Joi
     }
     for joint in &mut joints.list {
         let (sequence, node) = place(world, trees, joint);
-        joint.weight = nodes_of.get(&sequence).map_or(0.0, |nodes| weight(&nodes[..count], node));
+        let curvatures = sequence[..count].iter().map(|patch| world.curvature_per_m(*patch));
+        joint.weight = curved_weight(curvatures, node)
+            .or_else(|| nodes_of.get(&sequence).map(|nodes| flat_weight(&nodes[..count], node)))
+            .unwrap_or(0.0);
     }
     joints.drop_weightless();
 }
 
-/// Share of one node among those that exist.
-fn weight(nodes: &[Option<Outline>], node: usize) -> f64 {
-    let share = |node: &Option<Outline>| node.map_or(0.0, Outline::own_share);
-    let all: f64 = nodes.iter().map(share).sum();
-    if all > 0.0 {
-        return share(&nodes[node]) / all;
-    }
-    let middles = [(nodes.len() - 1) / 2, nodes.len() / 2];
-    let existing = middles.into_iter().filter(|&middle| nodes[middle].is_some());
-    let here = existing.clone().filter(|&middle| middle == node).count();
-    here as f64 / existing.count().max(1) as f64
+/// Share of one node of a sequence with curved facets; `None` where all are flat.
+fn curved_weight(curvatures_per_m: impl Iterator<Item = f64> + Clone, node: usize) -> Option<f64> {
+    let mut squares = curvatures_per_m.map(|curvature| curvature * curvature);
+    let all: f64 = squares.clone().sum();
+    squares.nth(node).filter(|_| all > 0.0).map(|own| own / all)
+}
+
+/// A node narrower than this part of the widest of its sequence fades out, so that nothing jumps when it vanishes.
+const FADING: f64 = 0.1;
+
+/// A node counts as if this share of its outline were its own at least: where none has an edge of its own all count alike.
+/// Both figures were chosen for continuity; 0.03 … 0.4 and 0.001 … 0.05 change the error against full wave by 0.05 dB.
+const LEAST_SHARE: f64 = 0.02;
+
+/// Share of one node among the K of a sequence of flat patches.
+fn flat_weight(nodes: &[Node], node: usize) -> f64 {
+    let widest_m2 = nodes.iter().map(|node| node.across_m2).fold(f64::MIN_POSITIVE, f64::max);
+    let presence = |node: &Node| (node.across_m2 / (FADING * widest_m2)).min(1.0);
+    let share = |node: &Node| node.outline.own_share().max(LEAST_SHARE);
+    let present: f64 = nodes.iter().map(presence).sum();
+    let mean = nodes.iter().map(|node| presence(node) * share(node)).sum::<f64>() / present;
+    let held = |node: &Node| presence(node) * share(node) + (1.0 - presence(node)) * mean;
+    held(&nodes[node]) / nodes.iter().map(held).sum::<f64>()
+}
+
+/// Area of a joint's polygon across the wave, mean of both legs.
+fn across_m2(trees: Trees<'_>, joint: &Joint, corners_m: &[DVec3]) -> f64 {
+    let area = 0.5 * doubled_area(corners_m.iter().copied());
+    let forward = &trees.transmit().beams[joint.forward as usize];
+    let backward = &trees.receive().beams[joint.backward as usize];
+    0.5 * [forward, backward]
+        .map(|beam| area.dot(beam.image.travel_direction_at(corners_m[0])).abs())
+        .iter()
+        .sum::<f64>()
 }
 
 /// The patches that a joint's path meets, and which of them is its node.
@@ -139,7 +185,6 @@ mod tests {
     use crate::beam::{BeamTree, TraceSettings};
     use artifact::scene::Mesh;
     use artifact::settings::Sides;
-    use glam::DVec3;
 
     /// Squares of this side about (x, y) at height z, seen from above.
     fn outline_of_lowest(squares: &[(f64, [f64; 3])]) -> Outline {
@@ -165,23 +210,50 @@ mod tests {
     #[test]
     fn a_square_has_its_rim_and_not_its_diagonal() {
         let outline = outline_of_lowest(&[(2.0, [0.0; 3])]);
-        assert!((outline.own_m - 8.0).abs() < 1e-12 && (outline.whole_m - 8.0).abs() < 1e-12, "{outline:?}");
+        assert!((outline.own_m - 8.0).abs() < 1e-12 && outline.cut_m == 0.0, "{outline:?}");
     }
 
     #[test]
     fn seams_between_pieces_around_a_shadow_cancel() {
         // A shadow of 0.6 in the middle, and one that bites 0.1 × 0.4 out of the rim: 8 + 2.4 + 0.2.
         let outline = outline_of_lowest(&[(2.0, [0.0; 3]), (0.6, [0.1, 0.2, 0.3]), (0.4, [-1.1, -0.4, 0.2])]);
-        assert!((outline.own_m - 10.6).abs() < 1e-9, "{outline:?}");
-        assert_eq!(outline.own_m, outline.whole_m);
+        assert!((outline.own_m - 10.6).abs() < 1e-9 && outline.cut_m == 0.0, "{outline:?}");
+    }
+
+    fn node(own_m: f64, across_m2: f64) -> Node {
+        Node { outline: Outline { own_m, cut_m: 4.0 - own_m }, across_m2 }
+    }
+
+    fn weights(nodes: &[Node]) -> Vec<f64> {
+        (0..nodes.len()).map(|i| flat_weight(nodes, i)).collect()
+    }
+
+    fn assert_near(got: &[f64], asked: &[f64]) {
+        let near = got.iter().zip(asked).all(|(g, a)| (g - a).abs() < 1e-12);
+        assert!(near && got.len() == asked.len(), "asked {asked:?}, got {got:?}");
     }
 
     #[test]
-    fn nodes_without_an_edge_of_their_own_leave_the_middle() {
-        let node = |own_m: f64| Some(Outline { own_m, whole_m: 4.0 });
-        assert_eq!([0, 1, 2].map(|i| weight(&[node(0.0), node(0.0), node(0.0)], i)), [0.0, 1.0, 0.0]);
-        assert_eq!([0, 1, 2, 3].map(|i| weight(&[node(0.0); 4], i)), [0.0, 0.5, 0.5, 0.0]);
-        assert_eq!([0, 1].map(|i| weight(&[None, node(0.0)], i)), [0.0, 1.0]);
-        assert_eq!([0, 1, 2].map(|i| weight(&[node(1.0), None, node(3.0)], i)), [0.25, 0.0, 0.75]);
+    fn a_node_counts_by_its_own_edges_and_without_any_all_count_alike() {
+        assert_near(&weights(&[node(1.0, 1.0), node(3.0, 2.0)]), &[0.25, 0.75]);
+        assert_near(&weights(&[node(0.0, 1.0); 3]), &[1.0 / 3.0; 3]);
+    }
+
+    #[test]
+    fn a_missing_node_holds_a_mean_share_and_one_that_vanishes_comes_to_it() {
+        let missing = Node::default();
+        let [first, _, last] = weights(&[node(1.0, 1.0), missing, node(3.0, 2.0)])[..] else { panic!("three nodes") };
+        assert_near(&[first, last], &[0.25 * 2.0 / 3.0, 0.75 * 2.0 / 3.0]);
+        let vanishing = weights(&[node(1.0, 1.0), node(4.0, 1e-15), node(3.0, 2.0)]);
+        assert_near(&[vanishing[0], vanishing[2]], &[first, last]);
+    }
+
+    #[test]
+    fn of_curved_facets_the_one_with_the_smaller_radius_has_the_node() {
+        let weights =
+            |list: &[f64]| (0..list.len()).map(|i| curved_weight(list.iter().copied(), i)).collect::<Vec<_>>();
+        assert_eq!(weights(&[0.0, 2.0]), [Some(0.0), Some(1.0)]);
+        assert_eq!(weights(&[2.0, 2.0]), [Some(0.5), Some(0.5)]);
+        assert_eq!(weights(&[0.0, 0.0]), [None, None]);
     }
 }

@@ -1,4 +1,5 @@
-//! Flat patches of a mesh: coplanar neighbours are one facet of the body, and the diagonals between them are no edges.
+//! Flat patches of a mesh: coplanar neighbours are one facet of the body, and the diagonals between them are no edges; and how
+//! much a patch that is a strip of a tessellated curve is bent.
 
 use glam::DVec3;
 
@@ -9,6 +10,8 @@ pub(crate) struct Patches {
     first: Vec<u32>,
     /// Bit i of each triangle: the patch goes on beyond the edge from corner i to the next.
     inside: Vec<u8>,
+    /// 1/m, of each triangle's patch.
+    curvature_per_m: Vec<f64>,
 }
 
 /// Sine of the angle that two neighbours of a flat patch may differ by: over the Fresnel zone of 0.22 m (25 m, 77 GHz) a
@@ -23,7 +26,11 @@ impl Patches {
     pub(crate) fn of(triangles_m: &[[DVec3; 3]]) -> Self {
         let edges = Edges::of(triangles_m);
         let normals: Vec<DVec3> = triangles_m.iter().map(unit_normal).collect();
-        let mut patches = Self { first: vec![u32::MAX; triangles_m.len()], inside: vec![0; triangles_m.len()] };
+        let mut patches = Self {
+            first: vec![u32::MAX; triangles_m.len()],
+            inside: vec![0; triangles_m.len()],
+            curvature_per_m: Vec::new(),
+        };
         let mut open = Vec::new();
         for seed in 0..triangles_m.len() as u32 {
             if patches.first[seed as usize] != u32::MAX {
@@ -43,6 +50,7 @@ impl Patches {
             }
         }
         patches.mark_inside(triangles_m, &edges, &normals);
+        patches.curvature_per_m = curvatures(triangles_m, &edges, &normals, &patches.first);
         patches
     }
 
@@ -54,6 +62,11 @@ impl Patches {
     /// Whether the patch goes on beyond the edge from corner `edge` to the next.
     pub(crate) fn is_inside(&self, triangle: u32, edge: usize) -> bool {
         self.inside[triangle as usize] & (1 << edge) != 0
+    }
+
+    /// Curvature of the surface that the triangle's patch is a facet of, 1/m; 0 where the patch stands for itself.
+    pub(crate) fn curvature_per_m(&self, triangle: u32) -> f64 {
+        self.curvature_per_m[triangle as usize]
     }
 
     /// An edge is inside where a triangle of the same patch lies on its other side; a twin of the triangle does not.
@@ -80,6 +93,78 @@ fn side(triangles_m: &[[DVec3; 3]], triangle: u32, edge: usize, normal: DVec3, o
     let [from, to] = [corners[edge], corners[(edge + 1) % 3]];
     let [a, b, c] = triangles_m[other as usize];
     (to - from).cross((a - from) + (b - from) + (c - from)).dot(normal)
+}
+
+/// Bends above are edges of the body, not facets of a curve: twelve facets round a cylinder bend by 30°.
+const CURVE_BEND_RAD: f64 = 35.0 * std::f64::consts::PI / 180.0;
+
+/// Two bends of one curve differ by less: where an arc ends in a plane its last bend is half of the others.
+const CURVE_RATIO: f64 = 3.0;
+
+/// Where two patches meet.
+#[derive(Clone, Copy)]
+struct Bend {
+    patch: u32,
+    neighbour: u32,
+    /// Angle between the planes, positive where the neighbour rises to the side of the patch's normal.
+    turn_rad: f64,
+    curvature_per_m: f64,
+}
+
+/// The curvature of every triangle's patch: the largest of its bends that goes on, the same way and about as much, at
+/// another neighbour; a bend at one side alone is an edge of the body.
+fn curvatures(triangles_m: &[[DVec3; 3]], edges: &Edges, normals: &[DVec3], first: &[u32]) -> Vec<f64> {
+    let bends = bends(triangles_m, edges, normals, first);
+    let mut of_patch = vec![0.0_f64; triangles_m.len()];
+    for group in bends.chunk_by(|a, b| a.patch == b.patch) {
+        let goes_on = |bend: &&Bend| {
+            let like = |other: &Bend| (1.0 / CURVE_RATIO..=CURVE_RATIO).contains(&(other.turn_rad / bend.turn_rad));
+            group.iter().any(|other| other.neighbour != bend.neighbour && like(other))
+        };
+        let curved = group.iter().filter(goes_on).map(|bend| bend.curvature_per_m);
+        of_patch[group[0].patch as usize] = curved.fold(0.0, f64::max);
+    }
+    first.iter().map(|&patch| of_patch[patch as usize]).collect()
+}
+
+/// Bends of all patches that may be of a curve, by patch.
+fn bends(triangles_m: &[[DVec3; 3]], edges: &Edges, normals: &[DVec3], first: &[u32]) -> Vec<Bend> {
+    let middles = middles(triangles_m, first);
+    let mut bends = Vec::new();
+    for (triangle, edge) in (0..triangles_m.len() as u32).flat_map(|triangle| (0..3).map(move |edge| (triangle, edge)))
+    {
+        let patch = first[triangle as usize];
+        for neighbour in edges.neighbours(triangle, edge).map(|other| (other, first[other as usize])) {
+            if neighbour.1 == patch {
+                continue;
+            }
+            let corners = triangles_m[triangle as usize];
+            let along = corners[(edge + 1) % 3] - corners[edge];
+            let across = |x: DVec3| (x - corners[edge]).reject_from(along);
+            let [own, other] =
+                [triangle, neighbour.0].map(|t| across(triangles_m[t as usize].iter().sum::<DVec3>() / 3.0));
+            let [normal, other_normal] = [patch, neighbour.1].map(|p| normals[p as usize]);
+            let turn_rad = normal.cross(other_normal).length().atan2(normal.dot(other_normal).abs());
+            let apart_m = (middles[neighbour.1 as usize] - middles[patch as usize]).reject_from(along).length();
+            if own.dot(other) < 0.0 && turn_rad <= CURVE_BEND_RAD && turn_rad > 0.0 && apart_m > 0.0 {
+                let turn_rad = turn_rad.copysign(normal.dot(other));
+                bends.push(Bend { patch, neighbour: neighbour.1, turn_rad, curvature_per_m: turn_rad.abs() / apart_m });
+            }
+        }
+    }
+    bends.sort_by_key(|bend| bend.patch);
+    bends
+}
+
+/// Centre of area of every patch, at the index of its first triangle.
+fn middles(triangles_m: &[[DVec3; 3]], first: &[u32]) -> Vec<DVec3> {
+    let mut sums = vec![(DVec3::ZERO, 0.0); triangles_m.len()];
+    for ([a, b, c], &patch) in triangles_m.iter().zip(first) {
+        let area = (*b - *a).cross(*c - *a).length();
+        let sum = &mut sums[patch as usize];
+        *sum = (sum.0 + area * (*a + *b + *c) / 3.0, sum.1 + area);
+    }
+    sums.into_iter().map(|(sum, area)| if area > 0.0 { sum / area } else { DVec3::ZERO }).collect()
 }
 
 fn unit_normal([a, b, c]: &[DVec3; 3]) -> DVec3 {
@@ -160,6 +245,26 @@ mod tests {
         };
         let patches = Patches::of(&(0..10).flat_map(strip).collect::<Vec<_>>());
         assert_eq!(patches.of_triangle(19), 16, "every second strip starts a patch");
+    }
+
+    #[test]
+    fn the_curvature_of_a_cylinder_is_that_of_its_radius_and_panels_about_one_bend_have_none() {
+        let (radius_m, step) = (0.5, 0.1_f64);
+        let point = |i: u32, z: f64| {
+            let (sin, cos) = (step * f64::from(i)).sin_cos();
+            DVec3::new(radius_m * cos, radius_m * sin, z)
+        };
+        let strip = |i| {
+            let [a, b, c, d] = [point(i, 0.0), point(i + 1, 0.0), point(i + 1, 1.0), point(i, 1.0)];
+            [[a, b, c], [a, c, d]]
+        };
+        let patches = Patches::of(&(0..10).flat_map(strip).collect::<Vec<_>>());
+        for triangle in [8, 9] {
+            let radius = 1.0 / patches.curvature_per_m(triangle);
+            assert!((radius / radius_m - 1.0).abs() < 1e-2, "{radius}");
+        }
+        let panels = Patches::of(&bent_strip(0.2));
+        assert_eq!([0, 1, 2, 3].map(|triangle| panels.curvature_per_m(triangle)), [0.0; 4]);
     }
 
     #[test]

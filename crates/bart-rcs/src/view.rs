@@ -97,13 +97,24 @@ impl<'w> View<'w> {
         corners.clear();
         corners.extend(target.polygon(self.world));
         // A facet that crosses the mirror's plane ends at the plane that also ends its shadow.
-        let beyond = target.beyond_mirror.map(|plane| (plane, Border::Own));
+        let beyond = target.beyond_mirror.map(|plane| (plane, Border::Tied));
         self.window.iter().copied().chain(beyond).try_fold(0..3, |polygon, (plane, border)| {
             match split(corners, polygon.clone(), &plane, [border; 2], self.tolerance_m(), distances_m) {
-                Split::Inside => Some(polygon),
+                Split::Inside => {
+                    meet(&mut corners[polygon.clone()], distances_m, border);
+                    Some(polygon)
+                }
                 Split::Outside => None,
                 Split::Cut { inside, .. } => Some(inside),
             }
         })
+    }
+}
+
+/// Marks edges that lie on a plane of the window, whose distances from the corners are given.
+fn meet(corners: &mut [Corner], distances_m: &[f64], window: Border) {
+    let n = corners.len();
+    for i in (0..n).filter(|&i| distances_m[i] == 0.0 && distances_m[(i + 1) % n] == 0.0) {
+        corners[i].border = corners[i].border.met_by(window);
     }
 }

@@ -92,6 +92,11 @@ impl World {
             .map_or(facet, |body| body.first_facet + body.mesh.patches.of_triangle(facet - body.first_facet))
     }
 
+    /// Curvature of the surface that a facet is a piece of, 1/m; 0 where it stands for itself.
+    pub(crate) fn curvature_per_m(&self, facet: u32) -> f64 {
+        self.body_of(facet).map_or(0.0, |body| body.mesh.patches.curvature_per_m(facet - body.first_facet))
+    }
+
     /// Whether a patch goes on beyond the facet's edge from corner `edge` to the next.
     pub(crate) fn is_inside_patch(&self, facet: u32, edge: usize) -> bool {
         self.body_of(facet).is_some_and(|body| body.mesh.patches.is_inside(facet - body.first_facet, edge))

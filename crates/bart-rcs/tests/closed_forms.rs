@@ -313,6 +313,45 @@ fn trihedral(nodes: NodeRule) {
     check("D2 square far off axis", 16.99, triple(&square, 30.0, 20.0), 0.05);
 }
 
+/// A cylinder about z that stands on a square plate, with a lid: strips of one chord, corners on the surface.
+fn top_hat(radius_m: f64, height_m: f64, strips: u32, half_plate_m: f64) -> Mesh {
+    let step = TAU / f64::from(strips);
+    let ring = |z: f64| (0..strips).map(move |i| (step * (f64::from(i) + 0.5), z));
+    let on_ring = |(angle, z): (f64, f64)| [radius_m * angle.cos(), radius_m * angle.sin(), z];
+    let mut body = parallelograms(&[[
+        [-half_plate_m, -half_plate_m, 0.0],
+        [2.0 * half_plate_m, 0.0, 0.0],
+        [0.0, 2.0 * half_plate_m, 0.0],
+    ]]);
+    body.vertices_m.extend(ring(0.0).chain(ring(height_m)).map(on_ring));
+    body.vertices_m.push([0.0, 0.0, height_m]);
+    let (low, high, tip) = (4, 4 + strips, 4 + 2 * strips);
+    for i in 0..strips {
+        let next = (i + 1) % strips;
+        body.triangles.extend([[low + i, low + next, high + next], [low + i, high + next, high + i]]);
+        body.triangles.push([high + i, high + next, tip]);
+    }
+    body
+}
+
+/// D3: 8πρh²cos(el)/λ. A node on the plate misses the divergence behind the cylinder: facets reflect parallel strips.
+#[test]
+fn d3_a_top_hat_has_its_node_on_the_curved_facet() {
+    // Facets of q = a/√(ρλ) = 0.18; the plate reaches beyond what the lower rim's ray meets, h/tan(el) = 0.17 m.
+    for (radius_m, strips, half_plate_m) in [(0.5, 396, 0.75), (2.0, 792, 2.25)] {
+        let (height_m, elevation_deg) = (0.1, 30.0_f64);
+        let exact = 8.0 * PI * radius_m * height_m * height_m * elevation_deg.to_radians().cos() / WAVELENGTH_M;
+        let body = top_hat(radius_m, height_m, strips, half_plate_m);
+        let of = |nodes| {
+            let request =
+                RcsRequest { bounces: 2, nodes, accuracy: Accuracy::from_db(-40.0), ..at(0.0, elevation_deg) };
+            dbsm(run(&body, &request).by_order_m[1][0])
+        };
+        check(&format!("D3 radius {radius_m} m"), 10.0 * exact.log10(), of(NodeRule::OwnEdge), 0.1);
+        println!("D3 radius {radius_m} m: middle {:.2}, exit {:.2}", of(NodeRule::Middle), of(NodeRule::Exit));
+    }
+}
+
 /// D4, doubled mesh, additivity and reciprocity share a body with several orders: an open box of odd shape.
 fn odd_corner() -> Mesh {
     parallelograms(&[

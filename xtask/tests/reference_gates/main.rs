@@ -23,7 +23,8 @@ use std::path::PathBuf;
 
 /// `../shared/reference`, or `None` with a word about it.
 fn reference_folder() -> Option<PathBuf> {
-    let folder = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/reference"));
+    let shared = std::env::var("WAYSIDE_SHARED").unwrap_or(format!("{}/../../shared", env!("CARGO_MANIFEST_DIR")));
+    let folder = PathBuf::from(shared).join("reference");
     let found = folder.is_dir().then_some(folder);
     if found.is_none() {
         println!("skipped: ../shared is not here");
