@@ -1,18 +1,16 @@
 //! Scattering at one aspect: trees, joins and integrals of every order, by the rule asked for and by the other one.
 
 use crate::antenna::Antenna;
-use crate::beam::{BeamTree, TraceSettings};
+use crate::beam::{BeamTree, GrowingTree, TraceSettings};
 use crate::error::BartError;
-use crate::join::{Joint, Joints, Trees, tree_order};
+use crate::join::{Trees, tree_order};
 use crate::meeting::{Meeting, MeetingSettings};
 use crate::scatterer::{Integration, Scatterer, ZenithH, bracket_of};
 use crate::world::World;
-use artifact::paths::Amplitude;
 use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule};
 use glam::DVec3;
 use num_complex::Complex64;
-use rayon::prelude::*;
 use std::time::Instant;
 
 /// Where the antennas are, with ĥ straight above and below.
@@ -49,8 +47,8 @@ pub(crate) struct AspectSettings {
 pub(crate) struct Scattering {
     /// By order from 1, then frequency: the rule asked for.
     pub(crate) chosen_m: Vec<Vec<Complex64>>,
-    /// The same by the other rule.
-    other_m: Vec<Vec<Complex64>>,
+    /// The same by the other rule, where it was measured.
+    other_m: Option<Vec<Vec<Complex64>>>,
     /// |S − S(ten times finer)|² over frequency, where it was measured.
     pub(crate) error_power: Option<f64>,
     pub(crate) beams: Vec<u64>,
@@ -60,12 +58,21 @@ pub(crate) struct Scattering {
     pub(crate) dropped_at_most_m: f64,
     pub(crate) trace_seconds: f64,
     pub(crate) integrate_seconds: f64,
+    pub(crate) check_seconds: f64,
 }
 
-/// Whether the error of the integrals is measured.
+/// What is measured at an aspect beside S.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Checks {
+    /// The integrals against ones ten times finer.
+    pub(crate) integrals: Check,
+    /// The node rule against the other one.
+    pub(crate) nodes: Check,
+}
+
+/// Whether a measurement is made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Check {
-    /// Against integrals ten times finer.
     Measured,
     Skipped,
 }
@@ -75,39 +82,83 @@ pub(crate) fn scattering(
     world: &World,
     aspect: &Aspect,
     settings: &AspectSettings,
-    check: Check,
+    checks: Checks,
 ) -> Result<Scattering, BartError> {
     let start = Instant::now();
-    let transmit = BeamTree::trace(world, aspect.transmit.0, &settings.trace)?;
-    let receive = aspect.receive.map(|(antenna, _)| BeamTree::trace(world, antenna, &settings.trace)).transpose()?;
+    let mut ends = Ends::new(world, aspect, settings)?;
+    ends.grow_to(tree_order(settings.bounces, settings.nodes))?;
     let trace_seconds = start.elapsed().as_secs_f64();
-    let trees = receive.as_ref().map_or(Trees::Shared(&transmit), |tree| Trees::Apart(&transmit, tree));
-    let zenith_h =
-        ZenithH { transmit: aspect.transmit.1, receive: aspect.receive.map_or(aspect.transmit.1, |(_, h)| h) };
-    let scatterer = Scatterer::new(world, trees, zenith_h);
     let start = Instant::now();
-    let orders = |from: u8, rule: NodeRule, settings: &AspectSettings| -> Vec<Vec<Complex64>> {
-        (from..=settings.bounces).map(|order| of_order(&scatterer, order, rule, settings)).collect()
-    };
-    let chosen_m = orders(1, settings.nodes, settings);
-    // One bounce has one node.
-    let mut other_m = chosen_m[..chosen_m.len().min(1)].to_vec();
-    other_m.extend(orders(2, other(settings.nodes), settings));
-    let finer = AspectSettings { accuracy: 0.1 * settings.accuracy, ..settings.clone() };
-    let error_power = (check == Check::Measured).then(|| power_between(&chosen_m, &orders(1, settings.nodes, &finer)));
-    let [dropped_m, dropped_at_most_m] = dropped([Some(&transmit), receive.as_ref()], settings);
-    let beams = beams_of([Some(&transmit), receive.as_ref()]);
+    let chosen_m = ends.orders(1, settings.nodes, settings);
     let integrate_seconds = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    let finer = AspectSettings { accuracy: 0.1 * settings.accuracy, ..settings.clone() };
+    let error_power = (checks.integrals == Check::Measured)
+        .then(|| power_between(&chosen_m, &ends.orders(1, settings.nodes, &finer)));
+    let [dropped_m, dropped_at_most_m] = dropped(ends.trees(), settings);
+    let other_m = match checks.nodes {
+        Check::Measured => Some(ends.by_other_rule(&chosen_m, settings)?),
+        Check::Skipped => None,
+    };
     Ok(Scattering {
         chosen_m,
         other_m,
         error_power,
-        beams,
+        beams: beams_of(ends.trees()),
         dropped_m,
         dropped_at_most_m,
         trace_seconds,
         integrate_seconds,
+        check_seconds: start.elapsed().as_secs_f64(),
     })
+}
+
+/// The trees of an aspect, grown as far as they were needed so far.
+struct Ends<'a> {
+    world: &'a World,
+    transmit: GrowingTree<'a>,
+    receive: Option<GrowingTree<'a>>,
+    zenith_h: ZenithH,
+}
+
+impl<'a> Ends<'a> {
+    fn new(world: &'a World, aspect: &Aspect, settings: &'a AspectSettings) -> Result<Self, BartError> {
+        let tree = |antenna: Antenna| GrowingTree::new(world, antenna, &settings.trace);
+        let transmit_h = aspect.transmit.1;
+        let zenith_h = ZenithH { transmit: transmit_h, receive: aspect.receive.map_or(transmit_h, |(_, h)| h) };
+        let receive = aspect.receive.map(|(antenna, _)| tree(antenna)).transpose()?;
+        Ok(Self { world, transmit: tree(aspect.transmit.0)?, receive, zenith_h })
+    }
+
+    fn grow_to(&mut self, order: u8) -> Result<(), BartError> {
+        self.transmit.grow_to(order)?;
+        self.receive.as_mut().map_or(Ok(()), |tree| tree.grow_to(order))
+    }
+
+    fn trees(&self) -> [Option<&BeamTree>; 2] {
+        [Some(self.transmit.tree()), self.receive.as_ref().map(GrowingTree::tree)]
+    }
+
+    /// S by order from `from` on, then frequency.
+    fn orders(&self, from: u8, rule: NodeRule, settings: &AspectSettings) -> Vec<Vec<Complex64>> {
+        let transmit = self.transmit.tree();
+        let trees = self.receive.as_ref().map_or(Trees::Shared(transmit), |tree| Trees::Apart(transmit, tree.tree()));
+        let scatterer = Scatterer::new(self.world, trees, self.zenith_h);
+        (from..=settings.bounces).map(|order| of_order(&scatterer, order, rule, settings)).collect()
+    }
+
+    fn by_other_rule(
+        &mut self,
+        chosen_m: &[Vec<Complex64>],
+        settings: &AspectSettings,
+    ) -> Result<Vec<Vec<Complex64>>, BartError> {
+        let other = other(settings.nodes);
+        self.grow_to(tree_order(settings.bounces, other))?;
+        // One bounce has one node.
+        let mut other_m = chosen_m[..chosen_m.len().min(1)].to_vec();
+        other_m.extend(self.orders(2, other, settings));
+        Ok(other_m)
+    }
 }
 
 /// The rule that a run is compared with.
@@ -129,37 +180,6 @@ fn of_order(scatterer: &Scatterer<'_>, order: u8, rule: NodeRule, settings: &Asp
     let least_area_m2 = settings.trace.least_area_m2;
     let meeting = Meeting::of(scatterer, order, &MeetingSettings { nodes: rule, edges: settings.edges, least_area_m2 });
     meeting.sum(scatterer, DVec3::ZERO, &integration).iter().map(|s| s[p][q]).collect()
-}
-
-/// S of all joints over frequency, 2 × 2, its phase referred to `origin_m`.
-///
-/// Fixed runs of joints are added in their order: the same bits on any number of threads.
-pub(crate) fn sum_of_joints(
-    scatterer: &Scatterer<'_>,
-    joints: &Joints,
-    origin_m: DVec3,
-    integration: &Integration<'_>,
-) -> Vec<Amplitude> {
-    const RUN: usize = 256;
-    let zero = || vec![Amplitude::default(); integration.wavenumbers_per_m.len()];
-    let of_run = |run: &[Joint]| {
-        run.iter().fold(zero(), |mut total, joint| {
-            add(&mut total, &scatterer.scattering(joint, joints.polygon(joint), origin_m, integration).value);
-            total
-        })
-    };
-    let runs: Vec<Vec<Amplitude>> = joints.list.par_chunks(RUN).map(of_run).collect();
-    runs.iter().fold(zero(), |mut total, run| {
-        add(&mut total, run);
-        total
-    })
-}
-
-/// Adds element by element.
-pub(crate) fn add(total: &mut [Amplitude], share: &[Amplitude]) {
-    for (sum, s) in total.iter_mut().flatten().flatten().zip(share.iter().flatten().flatten()) {
-        *sum += s;
-    }
 }
 
 /// k/√π times the area across the wave of what was dropped, and of mirrors that were not followed: as one sum, and with
@@ -207,14 +227,15 @@ impl Scattering {
         mean_over_frequencies(self.frequencies(), |f| self.chosen_m[order][f])
     }
 
-    /// |S(this rule) − S(the other)|² of one order (from 0) over frequency.
-    pub(crate) fn order_spread_power(&self, order: usize) -> f64 {
-        mean_over_frequencies(self.frequencies(), |f| self.chosen_m[order][f] - self.other_m[order][f])
+    /// |S(this rule) − S(the other)|² of one order (from 0) over frequency, where both are known.
+    pub(crate) fn order_spread_power(&self, order: usize) -> Option<f64> {
+        let other_m = &self.other_m.as_ref()?[order];
+        Some(mean_over_frequencies(self.frequencies(), |f| self.chosen_m[order][f] - other_m[f]))
     }
 
     /// The same for the sum of all orders.
-    pub(crate) fn node_spread_power(&self) -> f64 {
-        power_between(&self.chosen_m, &self.other_m)
+    pub(crate) fn node_spread_power(&self) -> Option<f64> {
+        self.other_m.as_ref().map(|other_m| power_between(&self.chosen_m, other_m))
     }
 
     fn frequencies(&self) -> usize {
@@ -235,6 +256,7 @@ fn mean_over_frequencies(count: usize, of: impl Fn(usize) -> Complex64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::joint_sum::sum_of_joints;
     use artifact::scene::Mesh;
     use artifact::settings::Sides;
 

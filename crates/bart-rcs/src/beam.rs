@@ -149,17 +149,47 @@ fn trace_by<V: Visibility>(world: &World, antenna: Antenna, settings: &TraceSett
         return Err(BartError::AntennaNotFinite);
     }
     let mut growth = Growth::new(antenna, settings);
-    if settings.max_order > 0 {
+    grow_to::<V>(world, settings.max_order, &mut growth)?;
+    Ok(growth.tree)
+}
+
+/// A tree that grows as its orders are needed.
+pub(crate) struct GrowingTree<'a> {
+    world: &'a World,
+    growth: Growth<'a>,
+}
+
+impl<'a> GrowingTree<'a> {
+    /// Of no order yet.
+    pub(crate) fn new(world: &'a World, antenna: Antenna, settings: &'a TraceSettings) -> Result<Self, BartError> {
+        if antenna.is_sound() {
+            Ok(Self { world, growth: Growth::new(antenna, settings) })
+        } else {
+            Err(BartError::AntennaNotFinite)
+        }
+    }
+
+    /// Traces up to an order, which is not above that of the settings.
+    pub(crate) fn grow_to(&mut self, order: u8) -> Result<(), BartError> {
+        grow_to::<ByHierarchy>(self.world, order.min(self.growth.settings.max_order), &mut self.growth)
+    }
+
+    pub(crate) fn tree(&self) -> &BeamTree {
+        &self.growth.tree
+    }
+}
+
+fn grow_to<V: Visibility>(world: &World, order: u8, growth: &mut Growth<'_>) -> Result<(), BartError> {
+    let done = growth.tree.audit.orders.len() as u8;
+    if done == 0 && order > 0 {
+        let antenna = growth.tree.antenna;
         growth.begin_order();
-        for parts in V::direct(&View::direct(world, settings.sides, antenna)) {
+        for parts in V::direct(&View::direct(world, growth.settings.sides, antenna)) {
             growth.take(None, antenna, 1, parts)?;
         }
         growth.end_order(None);
     }
-    for order in 2..=settings.max_order {
-        grow_order::<V>(world, order, &mut growth)?;
-    }
-    Ok(growth.tree)
+    (done.max(1) + 1..=order).try_for_each(|order| grow_order::<V>(world, order, growth))
 }
 
 /// Beams that are reflected at a time, so that unfinished work stays small beside the tree.

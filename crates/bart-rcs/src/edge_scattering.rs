@@ -1,7 +1,7 @@
 //! S of all edges that both ends light.
 
-use crate::aspect::add;
 use crate::edge_currents::{EdgeNode, edge_amplitudes};
+use crate::joint_sum::add;
 use crate::lit_edge::{EdgeJoint, edge_joints};
 use crate::physical_optics::Estimate;
 use crate::scatterer::{Integration, Scatterer, scaled, with_reverse};

@@ -85,6 +85,7 @@ mod face_end; // how far a face goes
 mod end_current; // what is not there beyond the end of a face
 mod edge_currents; // the fringe integral along an edge
 mod edge_scattering; // S of all edges
+mod joint_sum; // of many frequencies from few
 mod meeting; // of both ends, in ways of one order
 mod aspect; // S at one aspect, by order and node rule
 mod rcs_table; // S over frequency and aspect

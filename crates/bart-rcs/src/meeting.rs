@@ -1,8 +1,8 @@
 //! Where both ends meet in ways of one order: on facets and, where they are asked for, on edges.
 
-use crate::aspect::{add, sum_of_joints};
 use crate::edge_scattering::{edge_meetings, sum_of_edges};
 use crate::join::Joints;
+use crate::joint_sum::{add, sum_of_joints};
 use crate::lit_edge::EdgeJoint;
 use crate::scatterer::{Integration, Scatterer};
 use artifact::paths::Amplitude;

@@ -70,12 +70,22 @@ pub(crate) fn node_amplitudes(
     let highest = wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
     let mut sums = vec![[0.0; 4].map(Complex64::from); wavenumbers_per_m.len()];
     let mut error_m2 = 0.0;
-    tiling::cut(&field, highest, accuracy.max(1e-12), &mut |tile, error| {
+    for_each_tile(&field, highest, accuracy, &mut |tile, error| {
         error_m2 += error * tile.area_m2();
         field.add(tile, wavenumbers_per_m, &mut sums);
     });
     let value = sums.iter().zip(wavenumbers_per_m).map(|(sum, k)| amplitude_of(sum, *k)).collect();
     Estimate { value, error: error_m2 * highest / std::f64::consts::PI.sqrt() }
+}
+
+/// Calls `give` with the tiles of a node as [`node_amplitudes`] takes them, each with a bound of the error of weight·phase.
+pub(crate) fn for_each_tile(
+    field: &Field<'_>,
+    highest_per_m: f64,
+    accuracy: f64,
+    give: &mut dyn FnMut(&Tile<'_>, f64),
+) {
+    tiling::cut(field, highest_per_m, accuracy.max(1e-12), give);
 }
 
 /// j√(4π)/λ = jk/√π before the integrals.
@@ -92,6 +102,9 @@ pub(crate) fn length_difference_m(antenna: Antenna, x_m: DVec3, y_m: DVec3) -> f
         Antenna::Direction(r) => -r.dot(x_m - y_m),
     }
 }
+
+/// As many as the points of a small tile, with some to spare.
+const WAVENUMBERS_AT_ONCE: usize = 16;
 
 /// The integrand of a node: real weights that vary slowly, and a length that the phase follows.
 pub(crate) struct Field<'a> {
@@ -157,6 +170,23 @@ impl<'a> Field<'a> {
         match image {
             Antenna::Point(p) => p.distance(self.reference_m) / p.distance(x_m),
             Antenna::Direction(_) => 1.0,
+        }
+    }
+
+    /// Calls `give` with the index of every wavenumber and the amplitude of a tile alone, as in [`node_amplitudes`].
+    pub(crate) fn for_each_amplitude(
+        &self,
+        tile: &Tile<'_>,
+        wavenumbers_per_m: &[f64],
+        give: &mut dyn FnMut(usize, &Amplitude),
+    ) {
+        // A few wavenumbers at a time need no memory of the heap.
+        for (chunk, some) in wavenumbers_per_m.chunks(WAVENUMBERS_AT_ONCE).enumerate() {
+            let mut sums = [[Complex64::ZERO; 4]; WAVENUMBERS_AT_ONCE];
+            self.add(tile, some, &mut sums[..some.len()]);
+            for (i, (sum, k)) in sums.iter().zip(some).enumerate() {
+                give(chunk * WAVENUMBERS_AT_ONCE + i, &amplitude_of(sum, *k));
+            }
         }
     }
 

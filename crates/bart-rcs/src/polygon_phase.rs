@@ -1,6 +1,6 @@
 //! Closed forms of the integral of a phase over a flat convex polygon.
 
-use crate::divided_difference::DividedDifferences;
+use crate::divided_difference::{DividedDifferences, second_moments};
 use glam::DVec2;
 use num_complex::Complex64;
 
@@ -29,9 +29,8 @@ pub(crate) fn linear_phase_integral(corners_m: &[DVec2], gradient_per_m: DVec2) 
 /// With g in Bernstein form (corner values, and 2g(middle) minus the mean of the two corners) each term is one divided
 /// difference with five points.
 pub(crate) fn six_point_weights(phases: [f64; 3]) -> [Complex64; 6] {
-    let mut at = DividedDifferences::new(phases);
-    let squares = [at.of([3, 1, 1]), at.of([1, 3, 1]), at.of([1, 1, 3])];
-    let products = [at.of([1, 2, 2]), at.of([2, 1, 2]), at.of([2, 2, 1])];
+    let [s0, s1, s2, p0, p1, p2] = second_moments(phases);
+    let (squares, products) = ([s0, s1, s2], [p0, p1, p2]);
     let all: Complex64 = products.iter().sum();
     let corner = |i: usize| 4.0 * squares[i] - 2.0 * (all - products[i]);
     let middle = |i: usize| 8.0 * products[i];

@@ -1,7 +1,7 @@
 //! Scattering amplitude of a mesh over frequency, elevation and azimuth: far field or finite range, one antenna or two.
 
 use crate::antenna::Antenna;
-use crate::aspect::{Aspect, AspectSettings, Check, Scattering, scattering};
+use crate::aspect::{Aspect, AspectSettings, Check, Checks, Scattering, scattering};
 use crate::beam::TraceSettings;
 use crate::error::BartError;
 use crate::join::tree_order;
@@ -68,7 +68,8 @@ pub struct RcsResult {
     pub amplitude_m: Vec<Complex64>,
     /// The same by bounce order, from order 1; their sum is `amplitude_m`.
     pub by_order_m: Vec<Vec<Complex64>>,
-    /// Beams by order of their tree, all aspects and both ends.
+    /// Beams by order of their tree, all aspects and both ends; orders that only the comparison of node rules needs are
+    /// traced where that is made.
     pub beams: Vec<u64>,
     /// Work by phase, all threads together.
     pub seconds: RcsSeconds,
@@ -76,7 +77,7 @@ pub struct RcsResult {
     pub error: ErrorBudget,
     /// What the model leaves out, over the table.
     pub model_error: ModelError,
-    /// Per order from 1: ‖S(exit) − S(middle)‖ of that order over ‖S‖ of all.
+    /// Per order from 1: ‖S(exit) − S(middle)‖ of that order over ‖S‖ of all; over 32 to 64 aspects of a larger table.
     pub node_spread: Vec<f64>,
     /// Largest sum over one aspect of what dropped beams could scatter at most, over the table's root mean square |S|.
     pub dropped_at_most: f64,
@@ -91,6 +92,8 @@ pub struct RcsSeconds {
     pub trace: f64,
     /// Joins and integrals.
     pub integrate: f64,
+    /// What the errors are measured by: finer integrals, the other node rule and the deeper trees that it needs.
+    pub check: f64,
 }
 
 /// S of a mesh in body axes.
@@ -98,8 +101,9 @@ pub struct RcsSeconds {
 /// One tree (two with a receiver apart) serves all frequencies of an aspect. `progress` hears (aspects done, aspects).
 /// The same request gives the same bytes on any number of threads, but for `seconds`.
 ///
-/// At finite range, and with edges, the error of the integrals is measured at three aspects of the table against integrals ten times
-/// finer; if it exceeds the accuracy asked, everything is integrated finer.
+/// At finite range, and with edges, the error of the integrals is measured at three aspects of the table against integrals
+/// ten times finer; if it exceeds the accuracy asked, everything is integrated finer. The node rule is compared with the
+/// other one at every n-th aspect of a table of more than 64.
 pub fn rcs(
     mesh: &Mesh,
     request: &RcsRequest,
@@ -218,6 +222,11 @@ pub(crate) fn aspect_settings(request: &RcsRequest, world: &World, accuracy: f64
     }
 }
 
+/// Aspects of a table at which the node rule is compared with the other one, which needs a deeper tree: all, or every n-th so
+/// that at least half as many are. The spread is a ratio of powers over them: 32 aspects of independent phases know it to
+/// 1/√32, 0.8 dB.
+const COMPARED_ASPECTS: usize = 64;
+
 fn sweep(
     world: &World,
     aspects: &[Aspect],
@@ -225,12 +234,15 @@ fn sweep(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Vec<Scattering>, BartError> {
     let done = AtomicUsize::new(0);
+    let stride = aspects.len().div_ceil(COMPARED_ASPECTS);
     let checked = [0, aspects.len() / 2, aspects.len().saturating_sub(1)];
     let one = |(index, aspect): (usize, &Aspect)| {
         // Far away the polygons' closed form is exact; the currents that end on a face are integrated by pieces.
         let is_exact = !aspect.is_near() && settings.edges == Edges::Ignored;
-        let check = if checked.contains(&index) && !is_exact { Check::Measured } else { Check::Skipped };
-        let found = scattering(world, aspect, settings, check);
+        let measured = |is_measured| if is_measured { Check::Measured } else { Check::Skipped };
+        let checks =
+            Checks { integrals: measured(checked.contains(&index) && !is_exact), nodes: measured(index % stride == 0) };
+        let found = scattering(world, aspect, settings, checks);
         progress(done.fetch_add(1, Ordering::Relaxed) + 1, aspects.len());
         found
     };
@@ -268,6 +280,10 @@ fn result(request: &RcsRequest, table: &[Scattering], integration: f64, build: f
     };
     let power = table.iter().map(Scattering::mean_power).sum::<f64>();
     let over_all = |of: &dyn Fn(&Scattering) -> f64| ratio(table.iter().map(of).sum::<f64>(), power);
+    let compared = || table.iter().filter(|s| s.node_spread_power().is_some());
+    let compared_power = compared().map(Scattering::mean_power).sum::<f64>();
+    let spread =
+        |of: &dyn Fn(&Scattering) -> Option<f64>| ratio(compared().filter_map(of).sum::<f64>(), compared_power);
     let dropped_m2: f64 = table.iter().map(|s| s.dropped_m.powi(2)).sum();
     let most_m = table.iter().map(|s| s.dropped_at_most_m).fold(0.0, f64::max);
     RcsResult {
@@ -278,6 +294,7 @@ fn result(request: &RcsRequest, table: &[Scattering], integration: f64, build: f
             build,
             trace: table.iter().map(|s| s.trace_seconds).sum(),
             integrate: table.iter().map(|s| s.integrate_seconds).sum(),
+            check: table.iter().map(|s| s.check_seconds).sum(),
         },
         error: ErrorBudget {
             integration: Some(integration),
@@ -285,11 +302,11 @@ fn result(request: &RcsRequest, table: &[Scattering], integration: f64, build: f
             ..ErrorBudget::default()
         },
         model_error: ModelError {
-            nodes: Some(over_all(&Scattering::node_spread_power)),
+            nodes: Some(spread(&Scattering::node_spread_power)),
             bounces: next_order(&(0..orders).map(|o| over_all(&|s| s.order_power(o))).collect::<Vec<_>>()),
             ..ModelError::default()
         },
-        node_spread: (0..orders).map(|order| over_all(&|s| s.order_spread_power(order))).collect(),
+        node_spread: (0..orders).map(|order| spread(&|s| s.order_spread_power(order))).collect(),
         dropped_at_most: ratio(most_m * most_m, power / table.len() as f64),
     }
 }

@@ -4,8 +4,11 @@ use crate::antenna::Antenna;
 use crate::beam::{Beam, BeamTree};
 use crate::error::BartError;
 use crate::join::{Joint, Joints, Reverse, Trees, joints};
-use crate::physical_optics::{Bracket, Estimate, Leg, Node, length_difference_m, node_amplitudes};
+use crate::physical_optics::{
+    Bracket, Estimate, Field, Leg, Node, for_each_tile, length_difference_m, node_amplitudes,
+};
 use crate::polarization::Mirrors;
+use crate::tiling::Tile;
 use crate::world::World;
 use artifact::paths::Amplitude;
 use artifact::settings::NodeRule;
@@ -83,13 +86,7 @@ impl<'a> Scatterer<'a> {
         wavenumbers_per_m: &[f64],
         accuracy: f64,
     ) -> Estimate<Vec<Amplitude>> {
-        let node = Node {
-            corners_m: part.corners_m,
-            normal: self.forward(joint).lit_normal,
-            transmit: self.transmit_leg(joint),
-            receive: self.receive_leg(joint),
-            bracket: part.bracket,
-        };
+        let node = self.node(joint, part);
         let mut estimate = node_amplitudes(&node, part.reference_m, wavenumbers_per_m, accuracy);
         estimate.error *= joint.weight;
         estimate.value.iter_mut().flatten().flatten().for_each(|a| *a *= joint.weight);
@@ -116,6 +113,40 @@ impl<'a> Scatterer<'a> {
         estimate
     }
 
+    /// Whether all waves are plane.
+    pub(crate) fn is_far(&self) -> bool {
+        self.ends.iter().all(|end| matches!(end, Antenna::Direction(_)))
+    }
+
+    /// Calls `give` with every tile of a joint's polygon, cut for `highest_per_m`: together they are [`Self::scattering`].
+    pub(crate) fn for_each_tile(
+        &self,
+        joint: &Joint,
+        corners_m: &[DVec3],
+        origin_m: DVec3,
+        highest_per_m: f64,
+        request: &Integration<'_>,
+        give: &mut dyn FnMut(&JointTile<'_>),
+    ) {
+        let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
+        let node = self.node(joint, &Part { corners_m, reference_m, bracket: request.bracket });
+        let field = Field::new(&node, reference_m);
+        let (spread, length_m) = self.way_from(origin_m, self.apparent_m(joint, reference_m));
+        for_each_tile(&field, highest_per_m, request.accuracy, &mut |tile, _| {
+            give(&JointTile { field: &field, tile, joint, spread, length_m });
+        });
+    }
+
+    fn node<'p>(&'p self, joint: &Joint, part: &Part<'p>) -> Node<'p> {
+        Node {
+            corners_m: part.corners_m,
+            normal: self.forward(joint).lit_normal,
+            transmit: self.transmit_leg(joint),
+            receive: self.receive_leg(joint),
+            bracket: part.bracket,
+        }
+    }
+
     /// R_tR_r/(L₁L₂) and L₁ + L₂ − R_t − R_r of a node that appears at these points, R to `origin_m`.
     pub(crate) fn way_from(&self, origin_m: DVec3, apparent_m: [DVec3; 2]) -> (f64, f64) {
         let length_m = (0..2).map(|i| length_difference_m(self.ends[i], apparent_m[i], origin_m)).sum();
@@ -132,6 +163,47 @@ impl<'a> Scatterer<'a> {
     /// Where a node appears from the transmitter and from the receiver.
     pub(crate) fn apparent_m(&self, joint: &Joint, x_m: DVec3) -> [DVec3; 2] {
         [self.transmit_leg(joint).mirrors.unfolded(x_m), self.receive_leg(joint).mirrors.unfolded(x_m)]
+    }
+}
+
+/// A tile of a joint's polygon.
+pub(crate) struct JointTile<'a> {
+    field: &'a Field<'a>,
+    tile: &'a Tile<'a>,
+    joint: &'a Joint,
+    /// R_tR_r/(L₁L₂) and L₁ + L₂ − R_t − R_r at the polygon's reference point.
+    spread: f64,
+    length_m: f64,
+}
+
+/// How long the way over a tile is.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Way {
+    /// L₁ + L₂ − R_t − R_r at a point of it, m.
+    pub(crate) length_m: f64,
+    /// How far that of any point may differ, m.
+    pub(crate) extent_m: f64,
+}
+
+impl JointTile<'_> {
+    pub(crate) fn way(&self) -> Way {
+        let (middle_m, reach_m) = self.tile.middle_and_reach_m();
+        let at_middle_m = self.field.length_m(self.field.frame.to_world(middle_m));
+        let gradient = self.field.length_gradient(self.field.frame.to_world(middle_m)).length();
+        // Beyond its tangent plane a length grows by reach²/2L at most, L of the nearest point; there are two.
+        let ranges_m = self.field.ranges_m(self.field.frame.to_world(middle_m));
+        let curved_m: f64 =
+            ranges_m.map(|l| 0.5 * reach_m * reach_m / (l - reach_m).max(f64::MIN_POSITIVE)).iter().sum();
+        Way { length_m: self.length_m + at_middle_m, extent_m: gradient * reach_m + curved_m }
+    }
+
+    /// Adds the tile's share of S, its reverse included.
+    pub(crate) fn add_to(&self, sums: &mut [Amplitude], wavenumbers_per_m: &[f64]) {
+        self.field.for_each_amplitude(self.tile, wavenumbers_per_m, &mut |index, amplitude| {
+            let phase_rad = -wavenumbers_per_m[index] * self.length_m;
+            let factor = Complex64::from_polar(self.spread * self.joint.weight, phase_rad);
+            sums[index] = sum(&sums[index], &scaled(&with_reverse(self.joint.reverse, amplitude), factor));
+        });
     }
 }
 

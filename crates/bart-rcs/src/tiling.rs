@@ -13,6 +13,17 @@ pub(crate) enum Tile<'a> {
 }
 
 impl Tile<'_> {
+    /// A point of it and the greatest distance of others, m.
+    pub(crate) fn middle_and_reach_m(&self) -> (DVec2, f64) {
+        match self {
+            Self::Whole { corners_m, centre_m } => (*centre_m, reach_m(corners_m, *centre_m)),
+            Self::Triangle(corners_m) => {
+                let centre_m = (corners_m[0] + corners_m[1] + corners_m[2]) / 3.0;
+                (centre_m, reach_m(corners_m, centre_m))
+            }
+        }
+    }
+
     pub(crate) fn area_m2(&self) -> f64 {
         match self {
             Self::Whole { corners_m, .. } => area_m2(corners_m),
