@@ -178,7 +178,9 @@ fn of_order(scatterer: &Scatterer<'_>, order: u8, rule: NodeRule, settings: &Asp
         bracket: bracket_of(rule),
     };
     let least_area_m2 = settings.trace.least_area_m2;
-    let meeting = Meeting::of(scatterer, order, &MeetingSettings { nodes: rule, edges: settings.edges, least_area_m2 });
+    let wavenumber_per_m = settings.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
+    let what = MeetingSettings { nodes: rule, edges: settings.edges, least_area_m2, wavenumber_per_m };
+    let meeting = Meeting::of(scatterer, order, &what);
     meeting.sum(scatterer, DVec3::ZERO, &integration).iter().map(|s| s[p][q]).collect()
 }
 

@@ -20,15 +20,32 @@ pub(crate) struct BodyEdge {
     pub(crate) wedge: Wedge,
     /// The patches of face 1 and face 2.
     pub(crate) patches: [u32; 2],
-    /// (triangle, side) of every facet that ends here: from that corner to the next.
-    pub(crate) sides: Vec<(u32, u8)>,
+    /// Every facet that ends here.
+    pub(crate) sides: Vec<EdgeSide>,
+}
+
+/// A side of a triangle at an edge.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct EdgeSide {
+    pub(crate) triangle: u32,
+    /// From this corner to the next.
+    pub(crate) side: u8,
+    pub(crate) patch: u32,
 }
 
 /// Triangles in one plane that hang together.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Patch {
     /// Where currents on it end, in no order: its outline but for where a smooth skin goes on.
-    pub(crate) ends_m: Vec<[DVec3; 2]>,
+    pub(crate) ends: Vec<PatchEnd>,
+}
+
+/// A line that ends a patch.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct PatchEnd {
+    pub(crate) ends_m: [DVec3; 2],
+    /// In [`BodyEdges::edges`]; `None` for a wall that stands on the patch.
+    pub(crate) edge: Option<u32>,
 }
 
 /// Facets whose planes turn by less are one surface: the fringe of such a bend is below 1 % of an open edge's.
@@ -48,8 +65,8 @@ pub(crate) fn body_edges(triangles_m: &[[DVec3; 3]], corner_normals: &[[DVec3; 3
     let by_patch = by_patch(&bends, topology.patches());
     let is_edge = |bend: &&Bend| !is_curve(bend, &bends, &by_patch, corner_normals);
     let pieces: Vec<BodyEdge> = bends.iter().filter(is_edge).map(|bend| bend.edge.clone()).collect();
-    let patches = ends_of_patches(&topology, &pieces);
-    BodyEdges { edges: merged(pieces, tolerance_m), patches }
+    let edges = merged(pieces, tolerance_m);
+    BodyEdges { patches: ends_of_patches(&topology, &edges), edges }
 }
 
 /// Corners nearer than this are one: four ε of single precision, in which meshes are stored, of the body's extent (10 µm
@@ -73,6 +90,12 @@ struct Bend {
     turn_rad: f64,
 }
 
+impl EdgeSide {
+    fn of(topology: &Topology<'_>, &Side { triangle, side, .. }: &Side) -> Self {
+        Self { triangle, side, patch: topology.patch_of(triangle) }
+    }
+}
+
 impl Bend {
     fn of(topology: &Topology<'_>, line: &[Side]) -> Option<Self> {
         if topology.is_inside_a_patch(line) {
@@ -90,7 +113,7 @@ impl Bend {
             ends_m: topology.ends_m(line),
             wedge: Wedge { along, inward, normal, exterior: gap_rad / PI },
             patches: blades.map(|blade| topology.patch_of(blade.side.triangle)),
-            sides: line.iter().map(|side| (side.triangle, side.side)).collect(),
+            sides: line.iter().map(|side| EdgeSide::of(topology, side)).collect(),
         };
         Some(Self { edge, blades, turn_rad: gap_rad - PI })
     }
@@ -220,20 +243,22 @@ fn continues(edge: &BodyEdge, piece: &BodyEdge, tolerance_m: f64) -> bool {
 }
 
 /// Currents of a patch end at its edges and at walls that stand on it, not at a bend of a smooth skin.
-fn ends_of_patches(topology: &Topology<'_>, pieces: &[BodyEdge]) -> Vec<Patch> {
+fn ends_of_patches(topology: &Topology<'_>, edges: &[BodyEdge]) -> Vec<Patch> {
     let mut patches = vec![Patch::default(); topology.patches()];
-    for piece in pieces {
-        let [first, second] = piece.patches;
-        patches[first as usize].ends_m.push(piece.ends_m);
+    for (index, edge) in (0..).zip(edges) {
+        let [first, second] = edge.patches;
+        let end = PatchEnd { ends_m: edge.ends_m, edge: Some(index) };
+        patches[first as usize].ends.push(end);
         if second != first {
-            patches[second as usize].ends_m.push(piece.ends_m);
+            patches[second as usize].ends.push(end);
         }
     }
     for line in topology.lines().filter(|line| topology.fan(line).is_some_and(|fan| fan.blades.len() > 2)) {
         let mut here: Vec<u32> = line.iter().map(|side| topology.patch_of(side.triangle)).collect();
         here.sort_unstable();
         here.dedup();
-        here.into_iter().for_each(|patch| patches[patch as usize].ends_m.push(topology.ends_m(line)));
+        let end = PatchEnd { ends_m: topology.ends_m(line), edge: None };
+        here.into_iter().for_each(|patch| patches[patch as usize].ends.push(end));
     }
     patches
 }

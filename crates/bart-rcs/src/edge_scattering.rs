@@ -3,6 +3,7 @@
 use crate::edge_currents::{EdgeNode, edge_amplitudes};
 use crate::joint_sum::add;
 use crate::lit_edge::{EdgeJoint, edge_joints};
+use crate::meeting::MeetingSettings;
 use crate::physical_optics::Estimate;
 use crate::scatterer::{Integration, Scatterer, scaled, with_reverse};
 use artifact::paths::Amplitude;
@@ -36,9 +37,10 @@ pub(crate) fn sum_of_edges(
 }
 
 /// Where both ends meet on edges in ways of `order`; nowhere where edges are ignored.
-pub(crate) fn edge_meetings(scatterer: &Scatterer<'_>, order: u8, edges: Edges) -> Vec<EdgeJoint> {
-    match edges {
-        Edges::FirstOrder => edge_joints(scatterer.world, scatterer.trees, order),
+pub(crate) fn edge_meetings(scatterer: &Scatterer<'_>, order: u8, settings: &MeetingSettings) -> Vec<EdgeJoint> {
+    let world = scatterer.world;
+    match settings.edges {
+        Edges::FirstOrder => edge_joints(world, world.edges(settings.wavenumber_per_m), scatterer.trees, order),
         Edges::Ignored => Vec::new(),
     }
 }
@@ -51,12 +53,11 @@ pub(crate) fn part_amplitudes(
     wavenumbers_per_m: &[f64],
     accuracy: f64,
 ) -> (DVec3, Estimate<Vec<Amplitude>>) {
-    let edges = scatterer.world.edges();
+    let edges = scatterer.world.edges(highest(wavenumbers_per_m));
     let edge = &edges.edges[joint.edge as usize];
     let [transmit, receive] = scatterer.legs(joint.forward, joint.backward);
     let reference_m = edge.point_m(0.5 * (span_m[0] + span_m[1]));
-    let ends_m = [0, 1].map(|face| edges.ends_of_face(edge, face));
-    let node = EdgeNode { edge, ends_m, span_m, transmit, receive };
+    let node = EdgeNode { edge, edges, span_m, transmit, receive };
     (reference_m, edge_amplitudes(&node, reference_m, wavenumbers_per_m, accuracy))
 }
 
@@ -75,4 +76,8 @@ fn scattering(
         *amplitude = scaled(&with_reverse(joint.reverse, amplitude), Complex64::from_polar(spread, -k * length_m));
     }
     estimate
+}
+
+fn highest(wavenumbers_per_m: &[f64]) -> f64 {
+    wavenumbers_per_m.iter().copied().fold(0.0, f64::max)
 }

@@ -26,6 +26,8 @@ pub(crate) struct EndCurrent {
     /// Factors of τ and of √(2/b)·W by [received][sent].
     of_wave: [f64; 4],
     of_edge: [f64; 4],
+    /// The current along the ray far from the edge over W(√(κd(a + b))), by what was sent; per unit Z·H.
+    pub(crate) along_ray: [f64; 2],
 }
 
 impl EndCurrent {
@@ -48,7 +50,8 @@ impl EndCurrent {
             of_wave[i] = -0.5 * (p_x * hard * h / s + p_z * (2.0 * soft * half_cosine * e - z_hard * (ab - 1.0)));
             of_edge[i] = 0.5 * p_z * (soft * e - z_hard * half_cosine);
         }
-        Self { ab, b, square_in: s * s, of_wave, of_edge }
+        let along_ray = [0, 1].map(|q| -hard * face.incident(travel, sent[q])[1] / s);
+        Self { ab, b, square_in: s * s, of_wave, of_edge, along_ray }
     }
 
     /// By [received][sent].
@@ -57,6 +60,11 @@ impl EndCurrent {
         let edge = edge_wave((kd * self.b).sqrt());
         let (tau, edge_part) = (self.tau(kd, edge), (2.0 / self.b).sqrt() * edge);
         [0, 1, 2, 3].map(|i| self.of_wave[i] * tau + self.of_edge[i] * edge_part)
+    }
+
+    /// W(√(κd(a + b))): how the edge wave has fallen off after a way.
+    pub(crate) fn falloff(&self, way_m: f64, wavenumber_per_m: f64) -> Complex64 {
+        edge_wave((wavenumber_per_m * self.square_in * way_m * self.ab).sqrt())
     }
 
     fn tau(&self, kd: f64, edge: Complex64) -> Complex64 {

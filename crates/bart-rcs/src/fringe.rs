@@ -34,6 +34,7 @@ pub(crate) struct FaceView {
     /// N.
     pub(crate) exterior: f64,
     pub(crate) inward: DVec3,
+    pub(crate) normal: DVec3,
     pub(crate) along: DVec3,
     /// φ′ of the incident wave, from this face.
     pub(crate) angle_in: f64,
@@ -59,6 +60,9 @@ const LEAST_GRAZING: f64 = 1e-9;
 /// A leg along the edge itself has no angle φ; within this sine of it the edge is left out (its amplitude is bounded).
 const LEAST_SINE: f64 = 1e-6;
 
+/// Planes of one flat patch differ by less.
+const SAME_FACE_COSINE: f64 = 0.999;
+
 impl Wedge {
     /// The same wedge on a turned body.
     pub(crate) fn turned(&self, world_from_body: DMat3) -> Self {
@@ -82,21 +86,35 @@ impl Wedge {
         if angle_in > span || angle_out > span || sines.into_iter().any(|sine| sine < LEAST_SINE) {
             return None;
         }
-        let face = |index: usize, along: DVec3, angle_in: f64| {
-            let (inward, normal) = (self.inward[index], self.normal[index]);
-            let (cos_in, sin_in) = (travel.dot(along), sines[0]);
-            let out = DVec3::new(out.dot(inward), out.dot(normal), out.dot(along));
-            let off = (1.0 - out.x * sin_in - out.z * cos_in) / (sin_in * sin_in);
-            let off_grazing = off.max(LEAST_GRAZING);
-            FaceView { exterior: self.exterior, inward, along, angle_in, cos_in, sin_in, out, off_grazing }
-        };
-        Some([face(0, self.along, angle_in), face(1, -self.along, span - angle_in)])
+        Some([self.face(0, travel, out, angle_in), self.face(1, travel, out, span - angle_in)])
+    }
+
+    /// Both faces for a wave that comes along `travel` on the face that looks along `normal`, at grazing incidence; `None` as
+    /// for [`Self::faces`], and where no face of the wedge looks that way.
+    pub(crate) fn faces_from_face(&self, travel: DVec3, normal: DVec3, out: DVec3) -> Option<[FaceView; 2]> {
+        let span = self.exterior * PI;
+        let is_seen = self.angle_of(out) <= span;
+        let is_sound = [travel, out].iter().all(|d| d.cross(self.along).length() >= LEAST_SINE);
+        let alignment = self.normal.map(|n| n.dot(normal));
+        let first = if alignment[0] >= alignment[1] { 0.0 } else { span };
+        let looks = alignment[0].max(alignment[1]) > SAME_FACE_COSINE;
+        let faces = || [self.face(0, travel, out, first), self.face(1, travel, out, span - first)];
+        (is_seen && is_sound && looks).then(faces)
+    }
+
+    fn face(&self, index: usize, travel: DVec3, out: DVec3, angle_in: f64) -> FaceView {
+        let along = if index == 0 { self.along } else { -self.along };
+        let (inward, normal) = (self.inward[index], self.normal[index]);
+        let (cos_in, sin_in) = (travel.dot(along), travel.cross(along).length());
+        let out = DVec3::new(out.dot(inward), out.dot(normal), out.dot(along));
+        let off_grazing = ((1.0 - out.x * sin_in - out.z * cos_in) / (sin_in * sin_in)).max(LEAST_GRAZING);
+        FaceView { exterior: self.exterior, inward, normal, along, angle_in, cos_in, sin_in, out, off_grazing }
     }
 }
 
 impl FaceView {
     fn lighting(&self) -> Lighting {
-        if self.angle_in > 0.0 && self.angle_in < PI { Lighting::Lit } else { Lighting::Shadowed }
+        if (0.0..PI).contains(&self.angle_in) { Lighting::Lit } else { Lighting::Shadowed }
     }
 
     /// Unit direction of travel of the wave along the face.

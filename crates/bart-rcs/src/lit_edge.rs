@@ -7,7 +7,7 @@
 use crate::beam::{Beam, BeamTree};
 use crate::join::{Reverse, Trees};
 use crate::world::World;
-use crate::world_edges::{EdgeGeometry, FacetSide};
+use crate::world_edges::{EdgeGeometry, FacetSide, WorldEdges};
 use glam::DVec3;
 
 /// A part of an edge that one end lights along one way.
@@ -36,17 +36,18 @@ pub(crate) struct EdgeJoint {
 }
 
 /// Every way of `order` reflections and one edge; each counts, as an edge is no mirror (docs/physics.md §2).
-pub(crate) fn edge_joints(world: &World, trees: Trees<'_>, order: u8) -> Vec<EdgeJoint> {
-    let forward = lit_edges(world, trees.transmit(), order);
+pub(crate) fn edge_joints(world: &World, edges: &WorldEdges, trees: Trees<'_>, order: u8) -> Vec<EdgeJoint> {
+    let forward = lit_edges(world, edges, trees.transmit(), order);
     match trees {
         Trees::Shared(_) => joints_of(&forward, &forward, order, Pairs::Unordered),
-        Trees::Apart(_, receive) => joints_of(&forward, &lit_edges(world, receive, order), order, Pairs::Ordered),
+        Trees::Apart(_, receive) => {
+            joints_of(&forward, &lit_edges(world, edges, receive, order), order, Pairs::Ordered)
+        }
     }
 }
 
 /// Parts of edges that a tree's beams up to `max_order` reach; by edge, order, mirror and place.
-pub(crate) fn lit_edges(world: &World, tree: &BeamTree, max_order: u8) -> Vec<LitEdge> {
-    let edges = world.edges();
+pub(crate) fn lit_edges(world: &World, edges: &WorldEdges, tree: &BeamTree, max_order: u8) -> Vec<LitEdge> {
     let mut found = Vec::new();
     for (index, beam) in (0..).zip(&tree.beams).take_while(|(_, beam)| beam.order <= max_order) {
         for side in edges.sides_of(beam.facet) {

@@ -22,13 +22,15 @@ pub(crate) struct MeetingSettings {
     pub(crate) edges: Edges,
     /// Overlaps of beams below are dropped.
     pub(crate) least_area_m2: f64,
+    /// The highest that is asked for: sides narrower than its inverse are thin.
+    pub(crate) wavenumber_per_m: f64,
 }
 
 impl Meeting {
     pub(crate) fn of(scatterer: &Scatterer<'_>, order: u8, settings: &MeetingSettings) -> Self {
         Self {
             facets: scatterer.joints(order, settings.nodes, settings.least_area_m2),
-            edges: edge_meetings(scatterer, order, settings.edges),
+            edges: edge_meetings(scatterer, order, settings),
         }
     }
 

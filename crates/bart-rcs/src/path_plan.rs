@@ -51,7 +51,8 @@ impl<'a> Plan<'a> {
     /// What of the bodies scatters.
     pub(crate) fn meetings(&self) -> MeetingSettings {
         let Fidelity { nodes, edges, .. } = self.header.fidelity;
-        MeetingSettings { nodes, edges, least_area_m2: self.trace.least_area_m2 }
+        let wavenumber_per_m = TAU / self.band.wavelength_m();
+        MeetingSettings { nodes, edges, least_area_m2: self.trace.least_area_m2, wavenumber_per_m }
     }
 
     /// ĥ straight above and below the radar: to the left of its boresight.

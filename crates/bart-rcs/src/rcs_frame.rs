@@ -178,7 +178,9 @@ impl<'a> Body<'a> {
     fn meetings(&self, scatterer: &Scatterer<'_>) -> Vec<Meeting> {
         let least_area_m2 = self.trace_settings().least_area_m2;
         let fidelity = &self.header.fidelity;
-        let settings = MeetingSettings { nodes: fidelity.nodes, edges: fidelity.edges, least_area_m2 };
+        let wavenumber_per_m = TAU / self.header.radar.waveform.wavelength_m();
+        let settings =
+            MeetingSettings { nodes: fidelity.nodes, edges: fidelity.edges, least_area_m2, wavenumber_per_m };
         (1..=fidelity.bounces).map(|order| Meeting::of(scatterer, order, &settings)).collect()
     }
 

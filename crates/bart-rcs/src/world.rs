@@ -6,7 +6,7 @@ use crate::error::BartError;
 use crate::patch::Patches;
 use crate::plane::Plane;
 use crate::skin::{Skin, SkinTriangles};
-use crate::world_edges::WorldEdges;
+use crate::world_edges::{Placed, WorldEdges};
 use artifact::paths::Facet;
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
 use glam::{DMat3, DVec3};
@@ -127,12 +127,15 @@ impl World {
         self.facets.len() * size_of::<FacetGeometry>() + models
     }
 
-    /// The edges that diffract; found when they are first asked for, once per mesh.
-    pub(crate) fn edges(&self) -> &WorldEdges {
+    /// The edges that diffract at about this wavenumber; found when they are first asked for, once per mesh.
+    ///
+    /// A world serves one band: the first wavenumber asked for decides which sides are thin.
+    pub(crate) fn edges(&self, wavenumber_per_m: f64) -> &WorldEdges {
         self.edges.get_or_init(|| {
             let mut all = WorldEdges::for_facets(self.facets.len());
             for body in &self.bodies {
-                all.add(body.mesh.edges(), body.world_from_body, body.position_m, body.first_facet);
+                let place = Placed { world_from_body: body.world_from_body, position_m: body.position_m };
+                all.add(body.mesh.edges(), &place, body.first_facet, 1.0 / wavenumber_per_m);
             }
             all
         })
