@@ -155,6 +155,12 @@ pub(crate) struct RcsArguments {
     /// What the facets stand for: themselves, or the curved skin that the vertex normals tell of.
     #[arg(long, value_enum, default_value = "flat")]
     pub(crate) surface: SurfaceWord,
+    /// What the mesh's materials stand for (docs/materials.md); without it everything conducts.
+    #[arg(long, value_name = "FILE.toml")]
+    pub(crate) materials: Option<PathBuf>,
+    /// Whether waves are followed through sheets.
+    #[arg(long, value_enum, default_value = "off", requires = "materials")]
+    pub(crate) transmission: TransmissionWord,
     /// Sides from which a facet scatters.
     #[arg(long, value_enum, default_value = "two")]
     pub(crate) sides: SidesWord,
@@ -355,6 +361,12 @@ pub(crate) enum MethodWord {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum EdgesWord {
+    On,
+    Off,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TransmissionWord {
     On,
     Off,
 }

@@ -30,6 +30,8 @@ mod codec;
 pub mod envelope;
 pub mod radar;
 pub mod settings;
+pub mod material;
+pub mod permittivity;
 pub mod scene;
 pub mod paths;
 pub mod rcs;

@@ -1,6 +1,7 @@
 //! Scene snapshot: bodies, each with its own mesh, pose and velocity, and the radar that looks at them.
 
 use crate::Schema;
+use crate::material::{MaterialMap, Road, Makeup};
 use crate::radar::Radar;
 use crate::settings::{Class, DspSettings, Fidelity, Noise};
 use serde::{Deserialize, Serialize};
@@ -10,7 +11,7 @@ pub struct Scene;
 
 impl Schema for Scene {
     const NAME: &'static str = "scene";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     type Header = SceneHeader;
     type Frame = SceneFrame;
 }
@@ -34,8 +35,12 @@ pub struct SceneHeader {
     pub dsp: DspSettings,
     /// Accuracy and physics asked for.
     pub fidelity: Fidelity,
-    /// The road.
+    /// The road's lanes.
     pub intersection: Intersection,
+    /// What the meshes' materials stand for; each mesh has its own share as [`Mesh::makeup`].
+    pub materials: MaterialMap,
+    /// The road as a mirror; `None` leaves its reflections out.
+    pub road: Option<Road>,
     /// Meshes that targets share.
     pub meshes: Vec<Mesh>,
     /// What may be seen, in the order of [`SceneFrame::poses`].
@@ -116,6 +121,8 @@ pub struct Mesh {
     pub material_of_triangle: Vec<u16>,
     /// Names of materials; an empty name is a perfect conductor.
     pub materials: Vec<String>,
+    /// What these names stand for.
+    pub makeup: Makeup,
     /// What was found when the file was read.
     pub statistics: MeshStatistics,
 }

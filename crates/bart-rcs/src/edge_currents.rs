@@ -262,6 +262,7 @@ fn spread(image: Antenna, x_m: DVec3, reference_m: DVec3) -> f64 {
 mod tests {
     use super::*;
     use crate::polarization::Mirrors;
+    use crate::steps::Steps;
     use crate::world::World;
     use artifact::scene::Mesh;
     use std::f64::consts::{PI, TAU};
@@ -274,7 +275,7 @@ mod tests {
         let world = World::of_mesh(&mesh).unwrap();
         let angle: f64 = 0.6;
         let r = DVec3::new(angle.cos(), angle.sin(), 0.0);
-        let leg = Leg { image: Antenna::Direction(r), mirrors: Mirrors::NONE, zenith_h: DVec3::Y };
+        let leg = Leg { image: Antenna::Direction(r), mirrors: Mirrors::NONE, steps: Steps::default(), zenith_h: DVec3::Y };
         let mut sum = [Complex64::ZERO; 4];
         let mut long = 0;
         for edge in world.edges(TAU).edges.iter().filter(|e| e.wedge.along.z.abs() > 0.5) {

@@ -17,6 +17,14 @@ pub enum BartError {
         /// Index of the vertex.
         vertex: usize,
     },
+    /// A permittivity below that of air, one that gains power, or a layer of no thickness.
+    #[error("mesh `{mesh}`: material `{material}` needs ε′ ≥ 1, ε″ ≥ 0 and layers of positive thickness")]
+    MaterialNotSound {
+        /// Name of the mesh.
+        mesh: String,
+        /// Name of the material.
+        material: String,
+    },
     /// A triangle names a vertex that is not there.
     #[error("mesh `{mesh}`: triangle {triangle} names vertex {vertex} of {vertices}")]
     VertexOutOfRange {

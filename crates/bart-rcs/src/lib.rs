@@ -67,8 +67,14 @@ mod divided_difference; // of exp: phase and polynomial over a triangle
 mod polygon_phase; // a linear phase over a polygon, exactly
 mod plane_frame; // coordinates in a facet's plane
 mod polarization; // v and h of a leg, through its mirrors
+mod complex_vector; // fields with phase
+mod reflection_coefficients; // of a plane boundary
+mod layers; // coefficients of plane layers
+mod surface_response; // a material's coefficients, and what they do to a field
+mod steps; // surfaces between an antenna and a node
 mod tiling; // how far a polygon must be cut
 mod physical_optics; // the integral over a lit polygon
+mod lossy_node; // the same with reflection coefficients
 mod convex_intersection; // where two beams overlap
 mod own_edge; // weights of a sequence's nodes
 mod join; // beams of both ends meet on a facet

@@ -8,7 +8,7 @@ use crate::join::Trees;
 use crate::nearest_surface::nearest_range_m;
 use crate::path_plan::Plan;
 use crate::path_table::Fit;
-use crate::scatterer::{Scatterer, ZenithH, check_order};
+use crate::scatterer::{Scatterer, ZenithH, check_order, check_road};
 use crate::skin::Skin;
 use crate::world::{Models, World};
 use artifact::ErrorBudget;
@@ -26,6 +26,7 @@ use num_complex::Complex64;
 /// surface was cut to; `None` where facets are the surface itself.
 pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> Result<PathsFrame, BartError> {
     check_order(header.fidelity.bounces)?;
+    check_road(header)?;
     let plan = Plan::of(header);
     let snapshot = Snapshot::at(models, header, frame, plan.middle_s, &plan)?;
     let check = Snapshot::at(models, header, frame, plan.check_s, &plan)?;

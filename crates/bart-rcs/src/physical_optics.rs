@@ -8,10 +8,13 @@
 //! R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)} taken at that point. So nothing far away enters but small differences.
 
 use crate::antenna::Antenna;
+use crate::complex_vector::ComplexVector;
 use crate::plane_frame::PlaneFrame;
-use crate::polarization::Mirrors;
+use crate::polarization::{Mirrors, polarization_vectors};
 use crate::polygon_phase::{linear_phase_integral, six_point_weights};
 use crate::tiling::{self, Tile};
+use crate::steps::Steps;
+use artifact::material::Material;
 use artifact::paths::Amplitude;
 use glam::{DVec2, DVec3};
 use num_complex::Complex64;
@@ -24,14 +27,27 @@ pub(crate) struct Estimate<T> {
 }
 
 /// One end of a path as its node sees it.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct Leg {
     /// The antenna mirrored in the facets between.
     pub(crate) image: Antenna,
-    /// Those facets.
+    /// Those facets, as perfect mirrors.
     pub(crate) mirrors: Mirrors,
+    /// What they and the sheets between are, where that matters.
+    pub(crate) steps: Steps,
     /// ĥ straight above and below.
     pub(crate) zenith_h: DVec3,
+}
+
+impl Leg {
+    /// The fields that arrive of sent unit v and h, for the direction of travel at the node.
+    pub(crate) fn arriving_fields(&self, travel: DVec3, wavenumber_per_m: f64) -> [ComplexVector; 2] {
+        if self.steps.is_perfect() {
+            return self.mirrors.fields_at_node(travel, self.zenith_h).map(ComplexVector::from);
+        }
+        let to_antenna = self.mirrors.antenna_direction(travel);
+        polarization_vectors(to_antenna, self.zenith_h).map(|e| self.steps.carry(e, -to_antenna, wavenumber_per_m))
+    }
 }
 
 /// How the current at the node is projected on the receiver.
@@ -50,6 +66,8 @@ pub(crate) struct Node<'a> {
     pub(crate) corners_m: &'a [DVec3],
     /// Unit normal on the lit side.
     pub(crate) normal: DVec3,
+    /// `None` is a perfect conductor.
+    pub(crate) material: Option<&'a Material>,
     pub(crate) transmit: &'a Leg,
     pub(crate) receive: &'a Leg,
     pub(crate) bracket: Bracket,
@@ -166,7 +184,7 @@ impl<'a> Field<'a> {
         of(self.node.transmit).max(of(self.node.receive))
     }
 
-    fn spread(&self, image: Antenna, x_m: DVec3) -> f64 {
+    pub(crate) fn spread(&self, image: Antenna, x_m: DVec3) -> f64 {
         match image {
             Antenna::Point(p) => p.distance(self.reference_m) / p.distance(x_m),
             Antenna::Direction(_) => 1.0,
@@ -193,6 +211,7 @@ impl<'a> Field<'a> {
     /// Adds a tile's integrals of weight·e^{−jkL} for every wavenumber.
     fn add(&self, tile: &Tile<'_>, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {
         match tile {
+            _ if !self.is_perfect() => self.add_lossy(tile, wavenumbers_per_m, sums),
             Tile::Whole { corners_m, centre_m } => self.add_whole(corners_m, *centre_m, wavenumbers_per_m, sums),
             Tile::Triangle(corners_m) => self.add_triangle(*corners_m, wavenumbers_per_m, sums),
         }
@@ -275,10 +294,12 @@ mod tests {
         }
 
         fn amplitude(&self, accuracy: f64) -> Estimate<Vec<Amplitude>> {
-            let leg = |p| Leg { image: Antenna::Point(p), mirrors: Mirrors::NONE, zenith_h: DVec3::Y };
+            let leg =
+                |p| Leg { image: Antenna::Point(p), mirrors: Mirrors::NONE, steps: Steps::default(), zenith_h: DVec3::Y };
             let node = Node {
                 corners_m: &self.corners_m(),
                 normal: DVec3::X,
+                material: None,
                 transmit: &leg(self.transmitter_m),
                 receive: &leg(self.receiver_m),
                 bracket: Bracket::Plain,

@@ -7,7 +7,7 @@ use crate::join::{Trees, tree_order};
 use crate::meeting::{Meeting, MeetingSettings};
 use crate::polarization::zenith_h;
 use crate::rcs_table::next_order;
-use crate::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_order};
+use crate::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_order, check_road};
 use crate::skin::Skin;
 use crate::world::World;
 use artifact::rcs::{RcsFrame, RcsTable};
@@ -27,6 +27,7 @@ use std::f64::consts::TAU;
 /// point target has a table of one value, +√σ.
 pub fn rcs_frame(header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, BartError> {
     check_order(header.fidelity.bounces)?;
+    check_road(header)?;
     if frame.poses.len() != header.targets.len() {
         let (poses, targets) = (frame.poses.len(), header.targets.len());
         return Err(BartError::PosesDoNotMatch { frame: frame.index, poses, targets });

@@ -8,12 +8,16 @@ use crate::physical_optics::{
     Bracket, Estimate, Field, Leg, Node, for_each_tile, length_difference_m, node_amplitudes,
 };
 use crate::polarization::Mirrors;
+use crate::steps::{Step, Steps};
 use crate::tiling::Tile;
 use crate::world::World;
+use artifact::material::{Makeup, Transmission};
 use artifact::paths::Amplitude;
+use artifact::scene::SceneHeader;
 use artifact::settings::NodeRule;
 use glam::DVec3;
 use num_complex::Complex64;
+use std::sync::Arc;
 
 /// A world, the beams of both ends and the way each beam has come.
 pub(crate) struct Scatterer<'a> {
@@ -47,7 +51,7 @@ impl<'a> Scatterer<'a> {
     ///
     /// For directions so near to the traced one that shadows have moved by less than matters; one antenna only.
     pub(crate) fn turned_to(&self, direction: DVec3) -> Self {
-        let turned = |leg: &Leg| Leg { image: Antenna::Direction(leg.mirrors.image_direction(direction)), ..*leg };
+        let turned = |leg: &Leg| Leg { image: Antenna::Direction(leg.mirrors.image_direction(direction)), ..leg.clone() };
         Self {
             ends: [Antenna::Direction(direction); 2],
             transmit_legs: self.transmit_legs.iter().map(turned).collect(),
@@ -141,6 +145,7 @@ impl<'a> Scatterer<'a> {
         Node {
             corners_m: part.corners_m,
             normal: self.forward(joint).lit_normal,
+            material: self.world.lossy_material(self.forward(joint).facet).map(Arc::as_ref),
             transmit: self.transmit_leg(joint),
             receive: self.receive_leg(joint),
             bracket: part.bracket,
@@ -194,7 +199,7 @@ impl JointTile<'_> {
         let ranges_m = self.field.ranges_m(self.field.frame.to_world(middle_m));
         let curved_m: f64 =
             ranges_m.map(|l| 0.5 * reach_m * reach_m / (l - reach_m).max(f64::MIN_POSITIVE)).iter().sum();
-        Way { length_m: self.length_m + at_middle_m, extent_m: gradient * reach_m + curved_m }
+        Way { length_m: self.length_m + at_middle_m, extent_m: gradient * reach_m + curved_m + self.field.turning_length_m() }
     }
 
     /// Adds the tile's share of S, its reverse included.
@@ -267,9 +272,20 @@ fn legs(world: &World, tree: &BeamTree, zenith_h: DVec3) -> Vec<Leg> {
             let mirror = tree.beams[parent as usize].facet;
             legs[parent as usize].mirrors.and(&world.facet(mirror).plane)
         });
-        legs.push(Leg { image: beam.image, mirrors, zenith_h });
+        legs.push(Leg { image: beam.image, mirrors, steps: steps(world, tree, beam), zenith_h });
     }
     legs
+}
+
+/// What a beam has met before it came to its facet.
+fn steps(world: &World, tree: &BeamTree, beam: &Beam) -> Steps {
+    let mirrors = || tree.way_back(beam).skip(1).map(|b| b.facet);
+    if world.is_conductor() || mirrors().all(|facet| world.lossy_material(facet).is_none()) {
+        return Steps::default();
+    }
+    let mut steps: Vec<Step> = mirrors().map(|facet| Step::reflected(world, facet)).collect();
+    steps.reverse();
+    Steps::over(steps)
 }
 
 /// Facets of a path in the order of travel, by the beams of both ends.
@@ -285,4 +301,19 @@ pub(crate) fn sequence(scatterer: &Scatterer<'_>, forward: u32, backward: u32) -
 pub(crate) fn check_order(bounces: u8) -> Result<(), BartError> {
     let most = artifact::paths::MAX_ORDER as u8;
     if bounces > most { Err(BartError::TooManyBounces { bounces, most }) } else { Ok(()) }
+}
+
+/// What is promised for later is refused by name, not ignored: of a mesh's materials,
+pub(crate) fn check_transmission(makeup: &Makeup) -> Result<(), BartError> {
+    match makeup.transmission {
+        Transmission::Followed if !makeup.conducts_all_over() => {
+            Err(BartError::NotBuilt { choice: "transmission = \"on\"" })
+        }
+        Transmission::Followed | Transmission::Ignored => Ok(()),
+    }
+}
+
+/// and of a scene.
+pub(crate) fn check_road(header: &SceneHeader) -> Result<(), BartError> {
+    if header.road.is_some() { Err(BartError::NotBuilt { choice: "[road]" }) } else { Ok(()) }
 }

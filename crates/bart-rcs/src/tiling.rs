@@ -79,10 +79,8 @@ impl Smoothness {
         let spread = |range_m: f64| if range_m.is_finite() { range_m / (range_m - reach_m).max(0.0) } else { 1.0 };
         let nearness_per_m = ranges_m.map(|range_m| 1.0 / (range_m - reach_m).max(0.0));
         let turning_per_m = field.turning_per_m(x_m, reach_m);
-        // 1/L₁, 1/L₂, d, e_q, e_p each change by at most the turning t in the first derivative; the product of five by
-        // 5t, (5 + 5·4 + 5)t² and so on; third derivatives of a unit vector stay below 6/L³.
-        let t = turning_per_m;
-        let weight_derivatives = [5.0 * t, 35.0 * t * t, 300.0 * t * t * t];
+        let (t, turns) = (turning_per_m, field.weight_turns(wavenumber_per_m));
+        let weight_derivatives = [turns[0] * t, turns[1] * t * t, turns[2] * t * t * t];
         let curvature: f64 = nearness_per_m.iter().map(|n| wavenumber_per_m * n).sum();
         // d³L/ds³ = −3 sin²θ cosθ/L², at most 2/√3 of 1/L².
         let third: f64 = nearness_per_m.iter().map(|n| wavenumber_per_m * 1.155 * n * n).sum();

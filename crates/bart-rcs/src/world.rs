@@ -5,11 +5,14 @@ use crate::bvh::{Hierarchy, Stack};
 use crate::error::BartError;
 use crate::patch::Patches;
 use crate::plane::Plane;
+use crate::scatterer::check_transmission;
 use crate::skin::{Skin, SkinTriangles};
 use crate::world_edges::{Placed, WorldEdges};
+use artifact::material::{Layer, Makeup, Material};
 use artifact::paths::Facet;
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
 use glam::{DMat3, DVec3};
+use num_complex::Complex64;
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
@@ -18,6 +21,8 @@ use std::sync::{Arc, OnceLock};
 pub struct World {
     facets: Vec<FacetGeometry>,
     bodies: Vec<Body>,
+    /// Whether every body is a perfect conductor.
+    is_conductor: bool,
     tolerance_m: f64,
     edges: OnceLock<WorldEdges>,
 }
@@ -84,6 +89,17 @@ impl World {
     /// All facets.
     pub fn facets(&self) -> &[FacetGeometry] {
         &self.facets
+    }
+
+    /// Whether everything is a perfect conductor.
+    pub(crate) fn is_conductor(&self) -> bool {
+        self.is_conductor
+    }
+
+    /// What a facet is made of; `None` is a perfect conductor.
+    pub(crate) fn lossy_material(&self, facet: u32) -> Option<&Arc<Material>> {
+        let body = self.body_of(facet).filter(|_| !self.is_conductor)?;
+        body.mesh.material(facet - body.first_facet)
     }
 
     /// The flat patch that a facet is part of, by its first facet.
@@ -182,7 +198,8 @@ impl World {
         let largest = facets.iter().flat_map(|f| f.corners_m).fold(0.0, |m, c| c.abs().max_element().max(m));
         let tolerance_m = 256.0 * f64::EPSILON * largest;
         facets.par_iter_mut().for_each(|facet| facet.refuse_if_thinner_than(4.0 * tolerance_m));
-        Ok(Self { facets, bodies, tolerance_m, edges: OnceLock::new() })
+        let is_conductor = bodies.iter().all(|body| body.mesh.materials.is_empty());
+        Ok(Self { facets, bodies, is_conductor, tolerance_m, edges: OnceLock::new() })
     }
 }
 
@@ -249,10 +266,16 @@ struct BodyMesh {
     patches: Patches,
     hierarchy: Hierarchy,
     edges: OnceLock<BodyEdges>,
+    /// By slot, `None` for a perfect conductor; empty where all are.
+    materials: Vec<Option<Arc<Material>>>,
+    /// Of the mesh's own triangles.
+    slot_of_triangle: Vec<u16>,
 }
 
 impl BodyMesh {
     fn build(mesh: &Mesh, skin: Skin) -> Result<Self, BartError> {
+        check_transmission(&mesh.makeup)?;
+        check_materials(mesh)?;
         // obvhs panics on infinite and swallows NaN coordinates; single precision ends at 3.4e38.
         let not_finite = |v: &[f64; 3]| v.iter().any(|x| !(*x as f32).is_finite());
         if let Some(vertex) = mesh.vertices_m.iter().position(not_finite) {
@@ -265,13 +288,46 @@ impl BodyMesh {
             hierarchy: Hierarchy::over(skin.triangles_m.iter().copied()),
             patches: Patches::of(&skin.triangles_m),
             edges: OnceLock::new(),
+            materials: lossy_materials(&mesh.makeup),
+            slot_of_triangle: mesh.material_of_triangle.clone(),
             skin,
         })
+    }
+
+    fn material(&self, facet: u32) -> Option<&Arc<Material>> {
+        let triangle = *self.skin.triangle_of.get(facet as usize)?;
+        let slot = self.slot_of_triangle.get(triangle as usize)?;
+        self.materials.get(usize::from(*slot))?.as_ref()
     }
 
     fn edges(&self) -> &BodyEdges {
         self.edges.get_or_init(|| body_edges(&self.skin.triangles_m, &self.skin.corner_normals))
     }
+}
+
+fn check_materials(mesh: &Mesh) -> Result<(), BartError> {
+    let sound = |e: Complex64| e.is_finite() && e.re >= 1.0 && e.im <= 0.0;
+    let is_sound = |material: &Material| match material {
+        Material::Conductor => true,
+        Material::HalfSpace { permittivity } => sound(*permittivity),
+        Material::Layers { layers, .. } => {
+            let thick = |layer: &Layer| layer.thickness_m.is_finite() && layer.thickness_m > 0.0;
+            !layers.is_empty() && layers.iter().all(|layer| thick(layer) && sound(layer.permittivity))
+        }
+    };
+    let wrong = |slot: usize| {
+        let material = mesh.materials.get(slot).cloned().unwrap_or_default();
+        Err(BartError::MaterialNotSound { mesh: mesh.name.clone(), material })
+    };
+    mesh.makeup.materials.iter().position(|material| !is_sound(material)).map_or(Ok(()), wrong)
+}
+
+fn lossy_materials(makeup: &Makeup) -> Vec<Option<Arc<Material>>> {
+    if makeup.conducts_all_over() {
+        return Vec::new();
+    }
+    let lossy = |m: &Material| (*m != Material::Conductor).then(|| Arc::new(m.clone()));
+    makeup.materials.iter().map(lossy).collect()
 }
 
 fn corners_of(mesh: &Mesh, index: usize, triangle: &[u32; 3]) -> Result<[DVec3; 3], BartError> {

@@ -1,6 +1,7 @@
 //! What the paths of a frame promise: they are S, they move with the bodies, and the error that they print is true.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
 
+use artifact::material::MaterialMap;
 use artifact::paths::{Amplitude, PathsFrame};
 use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization};
 use artifact::scene::{Intersection, Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
@@ -60,6 +61,8 @@ fn scene(bodies: &[(Mesh, Pose)], points: &[(f64, Pose)], accuracy_db: f64, boun
             echo: EchoMode::Paths,
         },
         intersection: Intersection { width_m: 22.5 },
+        materials: MaterialMap::default(),
+        road: None,
         meshes: bodies.iter().map(|(mesh, _)| mesh.clone()).collect(),
         targets,
     };

@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeString, DeTable, DeValue};
 
 /// Broken rules of one file, noted in any order.
 pub(crate) struct Faults<'s> {
@@ -66,8 +66,8 @@ type Value<'d> = Spanned<DeValue<'d>>;
 
 impl<'d> Section<'d> {
     /// The file itself. Unknown keys are noted at once, here and in every section opened from it.
-    pub(crate) fn root(table: &'d DeTable<'d>, faults: &'d Faults<'d>) -> Self {
-        Self { table: Some(table), known: &keys::SCENE, place: Place::Scene, start: 0, faults }.checked()
+    pub(crate) fn root(table: &'d DeTable<'d>, known: &'static Table, faults: &'d Faults<'d>) -> Self {
+        Self { table: Some(table), known, place: Place::Scene, start: 0, faults }.checked()
     }
 
     /// The table of that name below this one.
@@ -94,6 +94,44 @@ impl<'d> Section<'d> {
         };
         let numbered = array.iter().enumerate();
         numbered.filter_map(|(i, element)| self.element(known, i, element)).collect()
+    }
+
+    /// The tables of a table whose keys are names of materials.
+    pub(crate) fn materials(&self) -> Vec<(&'d str, Section<'d>)> {
+        let known = &keys::MATERIAL;
+        let Some(value) = self.find(known.name) else { return vec![] };
+        let DeValue::Table(table) = value.get_ref() else {
+            self.wrong_type(known.name, "a table of materials", value.get_ref(), value.span());
+            return vec![];
+        };
+        let material = |(name, value): (&'d Spanned<DeString<'d>>, &'d Value<'d>)| {
+            let name: &'d str = name.get_ref().as_ref();
+            let place = Place::Material(name.to_owned());
+            let DeValue::Table(table) = value.get_ref() else {
+                let expected = "a table such as { substance = \"glass\", thickness_mm = 5.0 }";
+                let rule = Rule::WrongType { key: "material", expected, found: type_of(value.get_ref()) };
+                self.faults.note(value.span().start, place, rule);
+                return None;
+            };
+            let start = value.span().start;
+            Some((name, Section { table: Some(table), known, place, start, faults: self.faults }.checked()))
+        };
+        table.iter().filter_map(material).collect()
+    }
+
+    /// The tables of a list of layers, in the same place as this one.
+    pub(crate) fn layers(&self) -> Option<Vec<Section<'d>>> {
+        // A windscreen has three, a painted bumper four.
+        let layers = self.list("layers", Allowed::Between(1.0, 32.0))?;
+        let layer = |value: &'d Value<'d>| {
+            let DeValue::Table(table) = value.get_ref() else {
+                self.wrong_type("layers", "a list of tables", value.get_ref(), value.span());
+                return None;
+            };
+            let (place, start) = (self.place.clone(), value.span().start);
+            Some(Section { table: Some(table), known: &keys::LAYER, place, start, faults: self.faults }.checked())
+        };
+        layers.iter().map(layer).collect()
     }
 
     fn element(&self, known: &'static Table, index: usize, element: &'d Value<'d>) -> Option<Section<'d>> {
@@ -170,6 +208,18 @@ impl<'d> Section<'d> {
             DeValue::String(text) => Some(text.as_ref()),
             other => {
                 self.wrong_type(key, "a text in quotes", other, value.span());
+                None
+            }
+        }
+    }
+
+    /// `true` or `false`; `None` where absent or wrong.
+    pub(crate) fn truth(&self, key: &'static str) -> Option<bool> {
+        let value = self.find(key)?;
+        match value.get_ref() {
+            DeValue::Boolean(truth) => Some(*truth),
+            other => {
+                self.wrong_type(key, "true or false", other, value.span());
                 None
             }
         }

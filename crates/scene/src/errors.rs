@@ -52,6 +52,7 @@ impl fmt::Display for SceneError {
             Place::Scene => write!(f, " {}", self.rule),
             Place::Table(name) => write!(f, " [{name}]: {}", self.rule),
             Place::Target(id) => write!(f, " target `{id}`: {}", self.rule),
+            Place::Material(name) => write!(f, " material `{name}`: {}", self.rule),
         }
     }
 }
@@ -84,6 +85,8 @@ pub enum Place {
     Table(&'static str),
     /// A target, by its id or, without one, its number from 1 (`#2`).
     Target(String),
+    /// A material, by its name.
+    Material(String),
 }
 
 /// Which numbers a key takes.
@@ -345,6 +348,17 @@ pub enum Rule {
         /// A vehicle spelt alike.
         nearest: Option<&'static str>,
     },
+    /// Not a substance of the table of permittivities.
+    #[error("there is no substance `{found}`{}; docs/materials.md has them all", nearest_key(.nearest))]
+    UnknownSubstance {
+        /// As written.
+        found: String,
+        /// One spelt alike.
+        nearest: Option<&'static str>,
+    },
+    /// A file of materials was refused or could not be read.
+    #[error("{0}")]
+    Materials(#[source] SceneErrors),
     /// A mesh file was refused or could not be read.
     #[error("{0}")]
     Mesh(#[source] MeshError),
@@ -356,6 +370,7 @@ impl Rule {
         match self {
             Self::Unreadable(_) => true,
             Self::Mesh(error) => error.is_system(),
+            Self::Materials(errors) => errors.is_system(),
             _ => false,
         }
     }

@@ -12,7 +12,8 @@ pub struct Table {
 }
 
 /// All tables, in the order of `docs/scenes.md`.
-pub const TABLES: &[Table] = &[SCENE, RADAR, WAVEFORM, ARRAY, LINK, NOISE, DSP, FIDELITY, INTERSECTION, TARGET];
+pub const TABLES: &[Table] =
+    &[SCENE, RADAR, WAVEFORM, ARRAY, LINK, NOISE, DSP, FIDELITY, MATERIAL, LAYER, INTERSECTION, ROAD, TARGET];
 
 pub(crate) const SCENE: Table = Table {
     name: "",
@@ -26,7 +27,9 @@ pub(crate) const SCENE: Table = Table {
         "noise",
         "dsp",
         "fidelity",
+        "materials",
         "intersection",
+        "road",
         "target",
     ],
 };
@@ -83,8 +86,28 @@ pub(crate) const DSP: Table = Table {
 pub(crate) const FIDELITY: Table = Table {
     name: "fidelity",
     heading: "[fidelity]",
-    keys: &["accuracy_db", "bounces", "edges", "surface", "sides", "nodes", "echo"],
+    keys: &["accuracy_db", "bounces", "edges", "surface", "sides", "nodes", "echo", "materials", "transmission"],
 };
+
+/// Each entry of `[materials]`.
+pub(crate) const MATERIAL: Table = Table {
+    name: "materials",
+    heading: "[materials]",
+    keys: &["substance", "permittivity", "thickness_mm", "layers", "backing", "coherent"],
+};
+
+/// Each of the `layers` of an entry.
+pub(crate) const LAYER: Table = Table {
+    name: "materials.layers",
+    heading: "layers of [materials]",
+    keys: &["substance", "permittivity", "thickness_mm"],
+};
+
+/// A file of materials.
+pub(crate) const MATERIAL_FILE: Table = Table { name: "", heading: "the beginning of the file", keys: &["materials"] };
+
+pub(crate) const ROAD: Table =
+    Table { name: "road", heading: "[road]", keys: &["substance", "permittivity", "rms_height_mm"] };
 
 pub(crate) const INTERSECTION: Table = Table {
     name: "intersection",

@@ -47,6 +47,7 @@ mod array;
 mod settings;
 mod targets;
 mod models;
+mod materials;
 mod motion;
 pub mod mesh;
 mod glb;
@@ -55,6 +56,7 @@ pub mod vehicles;
 
 pub use errors::{Allowed, MapAxis, Place, Position, Rule, SceneError, SceneErrors};
 pub use keys::{TABLES, Table};
+pub use materials::read_materials;
 pub use mesh::{MeshError, MeshOptions, centred, read_mesh};
 pub use motion::{pose_after, snapshot};
 pub use painted::{Painted, PaintedLine, painted_glb};

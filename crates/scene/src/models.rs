@@ -5,6 +5,7 @@ use crate::errors::{Rule, nearest};
 use crate::mesh::{self, MeshOptions, centred, read_mesh};
 use crate::read::{Meshes, ReadOptions, SEEDS};
 use crate::vehicles;
+use artifact::material::MaterialMap;
 use artifact::scene::Mesh;
 use artifact::settings::Class;
 use std::path::{Path, PathBuf};
@@ -32,6 +33,7 @@ impl Model {
 pub(crate) struct Models {
     folder: PathBuf,
     options: ReadOptions,
+    beside: Vec<PathBuf>,
     known: Vec<Model>,
     meshes: Vec<Mesh>,
 }
@@ -49,7 +51,7 @@ pub(crate) struct Chosen {
 impl Models {
     /// `folder` holds the scene: relative paths start there.
     pub(crate) fn new(folder: &Path, options: &ReadOptions) -> Self {
-        Self { folder: folder.to_owned(), options: options.clone(), known: vec![], meshes: vec![] }
+        Self { folder: folder.to_owned(), options: options.clone(), beside: vec![], known: vec![], meshes: vec![] }
     }
 
     /// The model of a mesh target; what is wrong with it is noted at its key.
@@ -63,18 +65,26 @@ impl Models {
         Some(Chosen { class: vehicles::class_of(&name), name, mesh: mesh as u32 })
     }
 
-    /// The meshes, handed over once.
-    pub(crate) fn take_meshes(&mut self) -> Vec<Mesh> {
-        std::mem::take(&mut self.meshes)
+    /// The meshes in their materials, handed over once.
+    pub(crate) fn take_meshes(&mut self, materials: &MaterialMap) -> Vec<Mesh> {
+        let dressed = |mesh: Mesh| Mesh { makeup: materials.makeup(&mesh.materials), ..mesh };
+        std::mem::take(&mut self.meshes).into_iter().map(dressed).collect()
     }
 
-    /// Every file that the models consist of.
+    /// A file beside the scene, of which the result depends too.
+    pub(crate) fn file_beside(&mut self, written: &str) -> PathBuf {
+        let path = self.folder.join(written);
+        self.beside.push(path.clone());
+        path
+    }
+
+    /// Every file that the models and their materials consist of.
     pub(crate) fn files(&self) -> Vec<PathBuf> {
         let paths = self.known.iter().filter_map(|model| match model {
             Model::File { path, .. } => Some(path),
             Model::Vehicle { .. } => None,
         });
-        paths.flat_map(|path| mesh::files(path)).collect()
+        self.beside.iter().cloned().chain(paths.flat_map(|path| mesh::files(path))).collect()
     }
 
     /// The model that the options or else the target names, its scale and seed with it.

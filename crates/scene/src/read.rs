@@ -2,6 +2,8 @@
 
 use crate::document::{Faults, Section};
 use crate::errors::{Allowed, Place, Rule, SceneError, SceneErrors};
+use crate::keys;
+use crate::materials::{read_road, read_scene_materials};
 use crate::models::Models;
 use crate::radar::{read_frames, read_radar};
 use crate::settings::{read_dsp, read_fidelity, read_intersection, read_noise};
@@ -72,7 +74,7 @@ fn read_with_models(path: &Path, options: &ReadOptions) -> Result<(SceneHeader, 
     }
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut models = Models::new(folder, options);
-    let header = read_header(&Section::root(document.get_ref(), &faults), &mut models);
+    let header = read_header(&Section::root(document.get_ref(), &keys::SCENE, &faults), &mut models);
     let errors = faults.into_sorted();
     if errors.is_empty() { Ok((header, models)) } else { Err(SceneErrors(errors)) }
 }
@@ -82,6 +84,7 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let (frames, frame_interval_s) = read_frames(root, &radar);
     let (intersection, lanes) = read_intersection(root);
     let targets = read_targets(root, &lanes, models);
+    let materials = read_scene_materials(root, models);
     root.require("name");
     SceneHeader {
         name: root.name("name").unwrap_or_default().to_owned(),
@@ -93,12 +96,14 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
         fidelity: read_fidelity(root),
         radar,
         intersection,
-        meshes: models.take_meshes(),
+        meshes: models.take_meshes(&materials),
+        materials,
+        road: read_road(root),
         targets,
     }
 }
 
-fn read_text(path: &Path) -> Result<String, Rule> {
+pub(crate) fn read_text(path: &Path) -> Result<String, Rule> {
     let bytes = std::fs::metadata(path).map_err(Rule::Unreadable)?.len();
     if bytes > LIMIT_BYTES {
         return Err(Rule::TooLong { bytes, limit: LIMIT_BYTES });
@@ -107,6 +112,6 @@ fn read_text(path: &Path) -> Result<String, Rule> {
     String::from_utf8(bytes).map_err(|error| Rule::NotText { byte: error.utf8_error().valid_up_to() })
 }
 
-fn at_no_place(path: &Path, rule: Rule) -> SceneErrors {
+pub(crate) fn at_no_place(path: &Path, rule: Rule) -> SceneErrors {
     SceneErrors(vec![SceneError { file: path.to_owned(), position: None, place: Place::Scene, rule }])
 }

@@ -30,3 +30,13 @@ fn every_vehicle_of_the_project_is_documented() {
         assert!(PAGE.contains(&format!("`{name}`")), "{name}");
     }
 }
+
+#[test]
+fn every_substance_is_documented_with_its_permittivity() {
+    const MATERIALS: &str = include_str!("../../../docs/materials.md");
+    for s in artifact::permittivity::SUBSTANCES {
+        let value = s.permittivity.map_or("conductor".into(), |e| format!("{:?} − {}j", e.re, -e.im));
+        let row = format!("| `{}` | {value} | ", s.name);
+        assert!(MATERIALS.contains(&row), "{row}");
+    }
+}

@@ -6,12 +6,13 @@ mod pictures;
 mod references;
 
 use super::export::{NpyStream, sidecar};
-use crate::cli::{EdgesWord, MethodWord, NodesWord, PolarizationWord, RcsArguments, SidesWord, SurfaceWord};
+use crate::cli::{EdgesWord, MethodWord, NodesWord, PolarizationWord, RcsArguments, SidesWord, SurfaceWord, TransmissionWord};
 use crate::failure::Failure;
 use crate::output;
 use crate::progress::Work;
 use answer::Answer;
 use artifact::Accuracy;
+use artifact::material::{MaterialMap, Transmission};
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
@@ -23,7 +24,7 @@ use std::time::Instant;
 pub(crate) fn run(arguments: &RcsArguments) -> Result<(), Failure> {
     let start = Instant::now();
     let request = request(arguments)?;
-    let mesh = mesh(&arguments.mesh, arguments.unit_scale)?;
+    let mesh = dressed(mesh(&arguments.mesh, arguments.unit_scale)?, arguments)?;
     let load = start.elapsed().as_secs_f64();
     let answer = match arguments.method {
         MethodWord::Bart => traced(&mesh, &request)?,
@@ -57,6 +58,21 @@ fn mesh(place: &Path, unit_scale: Option<f64>) -> Result<Mesh, Failure> {
         true => Failure::System(error.to_string()),
         false => Failure::refused(error),
     })
+}
+
+/// The mesh in the materials asked for.
+fn dressed(mesh: Mesh, arguments: &RcsArguments) -> Result<Mesh, Failure> {
+    let Some(file) = &arguments.materials else { return Ok(mesh) };
+    let map = scene::read_materials(file).map_err(|errors| match errors.is_system() {
+        true => Failure::System(errors.to_string()),
+        false => Failure::refused(errors),
+    })?;
+    let transmission = match arguments.transmission {
+        TransmissionWord::On => Transmission::Followed,
+        TransmissionWord::Off => Transmission::Ignored,
+    };
+    let makeup = MaterialMap { transmission, ..map }.makeup(&mesh.materials);
+    Ok(Mesh { makeup, ..mesh })
 }
 
 fn request(arguments: &RcsArguments) -> Result<RcsRequest, Failure> {

@@ -38,6 +38,9 @@ pub enum ReferenceError {
         /// Of the sphere.
         radius_m: f64,
     },
+    /// The references know perfect conductors only.
+    #[error("materials are for --method bart alone")]
+    Materials,
     /// Densities and frequencies are positive and finite.
     #[error("{what} must be positive and finite, is {value}")]
     NotPositive {
@@ -80,6 +83,9 @@ const BOX_MARGIN: f64 = 2e-6;
 
 impl Body {
     pub(crate) fn of_mesh(mesh: &Mesh) -> Result<Self, ReferenceError> {
+        if !mesh.makeup.conducts_all_over() {
+            return Err(ReferenceError::Materials);
+        }
         let facets = facets(mesh)?;
         let corners = || facets.iter().flat_map(|f| f.corners_m);
         let least = corners().fold(DVec3::INFINITY, DVec3::min);

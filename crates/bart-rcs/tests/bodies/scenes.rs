@@ -1,6 +1,7 @@
 //! Scenes of posed bodies; radar and processing are not asked.
 
 use artifact::Accuracy;
+use artifact::material::MaterialMap;
 use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Waveform};
 use artifact::scene::{Intersection, Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Sides, Surface, Window};
@@ -26,6 +27,8 @@ pub(crate) fn scene(mesh: &Mesh, places: &[Placed]) -> (SceneHeader, SceneFrame)
         dsp: dsp(),
         fidelity: fidelity(),
         intersection: Intersection { width_m: 22.5 },
+        materials: MaterialMap::default(),
+        road: None,
         meshes: vec![mesh.clone()],
         targets: poses.iter().enumerate().map(target).collect(),
     };

@@ -3,6 +3,7 @@
 use super::error::{Located, MeshFault, MeshPlace};
 use super::part::{Part, check_count};
 use super::{MeshOptions, centre::bounds};
+use artifact::material::Makeup;
 use artifact::scene::{Mesh, MeshStatistics};
 use glam::DVec3;
 
@@ -108,6 +109,7 @@ impl Joined {
             triangles: self.triangles,
             material_of_triangle: self.material_of_triangle,
             materials: self.materials,
+            makeup: Makeup::default(),
             statistics: MeshStatistics::default(),
         }
     }

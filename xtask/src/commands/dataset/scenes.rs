@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::truth::{self, Truth};
 use artifact::dataset::{Sample, Split};
 use artifact::points::Object;
-use artifact::scene::{Pose, SceneHeader, Target, TargetKind};
+use artifact::scene::{Mesh, Pose, SceneHeader, Target, TargetKind};
 use artifact::settings::Class;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -73,6 +73,7 @@ pub(super) fn shoot(recipe: &Recipe, drawn: &Drawn, shard: &Path) -> Result<Shot
 fn header(recipe: &Recipe, drawn: &Drawn) -> Result<SceneHeader, Failure> {
     let mesh = scene::vehicles::mesh(&drawn.model, drawn.vehicle_seed);
     let mesh = mesh.ok_or_else(|| Failure::refused(format!("`{}` is none of the project's vehicles", drawn.model)))?;
+    let mesh = Mesh { makeup: recipe.base.materials.makeup(&mesh.materials), ..mesh };
     let [radar_x, radar_y, radar_z] = recipe.base.radar.position_m;
     let lane = recipe.base.dsp.lanes.iter().find(|l| l.number == drawn.lane);
     let x_m = lane.map_or(radar_x, |l| l.centre_x_m);

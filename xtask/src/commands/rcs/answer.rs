@@ -84,6 +84,7 @@ fn settings(arguments: &RcsArguments) -> Value {
         "mesh": arguments.mesh, "range_m": finite(arguments.range_m), "pol": lower(&arguments.pol),
         "bounces": arguments.bounces, "method": lower(&arguments.method), "edges": lower(&arguments.edges),
         "nodes": lower(&arguments.nodes), "surface": lower(&arguments.surface), "sides": lower(&arguments.sides),
+        "materials": arguments.materials, "transmission": lower(&arguments.transmission),
         "accuracy_db": arguments.accuracy_db, "rx_az_deg": arguments.rx_az_deg, "rx_el_deg": arguments.rx_el_deg,
         "rx_range_m": arguments.rx_range_m.map(finite), "density_per_wavelength": arguments.density,
     })

@@ -1,0 +1,48 @@
+//! Fields with phase: complex vectors that are only turned, projected and scaled.
+
+use glam::DVec3;
+use num_complex::Complex64;
+use std::ops::Add;
+
+/// A vector with complex components.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ComplexVector {
+    re: DVec3,
+    im: DVec3,
+}
+
+impl ComplexVector {
+    /// Component along a real direction.
+    pub(crate) fn along(self, direction: DVec3) -> Complex64 {
+        Complex64::new(self.re.dot(direction), self.im.dot(direction))
+    }
+
+    /// A real direction times a complex amplitude.
+    pub(crate) fn of(direction: DVec3, amplitude: Complex64) -> Self {
+        Self { re: direction * amplitude.re, im: direction * amplitude.im }
+    }
+
+    /// Σ aᵢbᵢ, nothing conjugated: reciprocity knows no direction of time.
+    pub(crate) fn dot(self, other: Self) -> Complex64 {
+        Complex64::new(self.re.dot(other.re) - self.im.dot(other.im), self.re.dot(other.im) + self.im.dot(other.re))
+    }
+
+    /// `direction` × self.
+    pub(crate) fn crossed_by(self, direction: DVec3) -> Self {
+        Self { re: direction.cross(self.re), im: direction.cross(self.im) }
+    }
+}
+
+impl From<DVec3> for ComplexVector {
+    fn from(re: DVec3) -> Self {
+        Self { re, im: DVec3::ZERO }
+    }
+}
+
+impl Add for ComplexVector {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { re: self.re + other.re, im: self.im + other.im }
+    }
+}
