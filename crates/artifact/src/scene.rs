@@ -1,7 +1,7 @@
 //! Scene snapshot: bodies, each with its own mesh, pose and velocity, and the radar that looks at them.
 
 use crate::Schema;
-use crate::material::{MaterialMap, Road, Makeup};
+use crate::material::{Makeup, MaterialMap, Road};
 use crate::radar::Radar;
 use crate::settings::{Class, DspSettings, Fidelity, Noise};
 use serde::{Deserialize, Serialize};

@@ -275,7 +275,8 @@ mod tests {
         let world = World::of_mesh(&mesh).unwrap();
         let angle: f64 = 0.6;
         let r = DVec3::new(angle.cos(), angle.sin(), 0.0);
-        let leg = Leg { image: Antenna::Direction(r), mirrors: Mirrors::NONE, steps: Steps::default(), zenith_h: DVec3::Y };
+        let leg =
+            Leg { image: Antenna::Direction(r), mirrors: Mirrors::NONE, steps: Steps::default(), zenith_h: DVec3::Y };
         let mut sum = [Complex64::ZERO; 4];
         let mut long = 0;
         for edge in world.edges(TAU).edges.iter().filter(|e| e.wedge.along.z.abs() > 0.5) {

@@ -54,7 +54,7 @@ impl Field<'_> {
 
     fn add_lossy_whole(&self, corners_m: &[DVec2], centre_m: DVec2, wavenumbers_per_m: &[f64], sums: &mut [Weights]) {
         let centre_in_world_m = self.frame.to_world(centre_m);
-                let gradient = self.length_gradient(centre_in_world_m);
+        let gradient = self.length_gradient(centre_in_world_m);
         let length_m = self.length_m(centre_in_world_m);
         let about_centre: Vec<DVec2> = corners_m.iter().map(|c| *c - centre_m).collect();
         for (k, sum) in wavenumbers_per_m.iter().zip(sums) {

@@ -12,8 +12,8 @@ use crate::complex_vector::ComplexVector;
 use crate::plane_frame::PlaneFrame;
 use crate::polarization::{Mirrors, polarization_vectors};
 use crate::polygon_phase::{linear_phase_integral, six_point_weights};
-use crate::tiling::{self, Tile};
 use crate::steps::Steps;
+use crate::tiling::{self, Tile};
 use artifact::material::Material;
 use artifact::paths::Amplitude;
 use glam::{DVec2, DVec3};
@@ -294,8 +294,12 @@ mod tests {
         }
 
         fn amplitude(&self, accuracy: f64) -> Estimate<Vec<Amplitude>> {
-            let leg =
-                |p| Leg { image: Antenna::Point(p), mirrors: Mirrors::NONE, steps: Steps::default(), zenith_h: DVec3::Y };
+            let leg = |p| Leg {
+                image: Antenna::Point(p),
+                mirrors: Mirrors::NONE,
+                steps: Steps::default(),
+                zenith_h: DVec3::Y,
+            };
             let node = Node {
                 corners_m: &self.corners_m(),
                 normal: DVec3::X,

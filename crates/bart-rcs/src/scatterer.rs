@@ -51,7 +51,8 @@ impl<'a> Scatterer<'a> {
     ///
     /// For directions so near to the traced one that shadows have moved by less than matters; one antenna only.
     pub(crate) fn turned_to(&self, direction: DVec3) -> Self {
-        let turned = |leg: &Leg| Leg { image: Antenna::Direction(leg.mirrors.image_direction(direction)), ..leg.clone() };
+        let turned =
+            |leg: &Leg| Leg { image: Antenna::Direction(leg.mirrors.image_direction(direction)), ..leg.clone() };
         Self {
             ends: [Antenna::Direction(direction); 2],
             transmit_legs: self.transmit_legs.iter().map(turned).collect(),
@@ -199,7 +200,10 @@ impl JointTile<'_> {
         let ranges_m = self.field.ranges_m(self.field.frame.to_world(middle_m));
         let curved_m: f64 =
             ranges_m.map(|l| 0.5 * reach_m * reach_m / (l - reach_m).max(f64::MIN_POSITIVE)).iter().sum();
-        Way { length_m: self.length_m + at_middle_m, extent_m: gradient * reach_m + curved_m + self.field.turning_length_m() }
+        Way {
+            length_m: self.length_m + at_middle_m,
+            extent_m: gradient * reach_m + curved_m + self.field.turning_length_m(),
+        }
     }
 
     /// Adds the tile's share of S, its reverse included.

@@ -1,8 +1,8 @@
 //! What a material does to a plane wave, and to the field vectors of one.
 
 use crate::complex_vector::ComplexVector;
-use crate::reflection_coefficients::{CONDUCTOR, Pair, half_space};
 use crate::layers::{Passed, averaged, coherent};
+use crate::reflection_coefficients::{CONDUCTOR, Pair, half_space};
 use artifact::material::{Layer, Material, Thickness};
 use glam::DVec3;
 use num_complex::Complex64;

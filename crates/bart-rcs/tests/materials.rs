@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
 
 use artifact::Accuracy;
-use artifact::material::{Backing, Layer, Material, Makeup, Thickness, Transmission};
+use artifact::material::{Backing, Layer, Makeup, Material, Thickness, Transmission};
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};

@@ -6,7 +6,9 @@ mod pictures;
 mod references;
 
 use super::export::{NpyStream, sidecar};
-use crate::cli::{EdgesWord, MethodWord, NodesWord, PolarizationWord, RcsArguments, SidesWord, SurfaceWord, TransmissionWord};
+use crate::cli::{
+    EdgesWord, MethodWord, NodesWord, PolarizationWord, RcsArguments, SidesWord, SurfaceWord, TransmissionWord,
+};
 use crate::failure::Failure;
 use crate::output;
 use crate::progress::Work;
