@@ -136,7 +136,7 @@ impl<'a> Chain<'a> {
     /// What a frame is expected to hold at most, MiB.
     pub(crate) fn memory_estimate_mib(&self) -> f64 {
         let triangles: usize = self.header.meshes.iter().map(|m| m.triangles.len()).sum();
-        let bytes = triangles as u64 * BYTES_PER_TRIANGLE
+        let bytes = triangles as u64 * u64::from(self.header.fidelity.bounces) * BYTES_PER_TRIANGLE_AND_ORDER
             + fmcw_echo::memory_estimate_bytes(&self.cube_header)
             + self.map_bytes();
         crate::memory::mib(bytes) + PROGRAM_MIB
@@ -189,8 +189,13 @@ impl<'a> Chain<'a> {
         }
     }
 
+    /// The models of all targets; refused where the frame is not expected to fit into the memory that it may take.
     fn bodies(&self) -> Result<&bart_rcs::Models, Failure> {
-        let build = || bart_rcs::Models::build(self.header).map_err(|e| e.to_string());
+        crate::memory::check(self.memory_estimate_mib())?;
+        let build = || {
+            let models = bart_rcs::Models::build(self.header).map_err(|e| e.to_string())?;
+            Ok(models.within(crate::memory::limit()))
+        };
         self.bodies.get_or_init(build).as_ref().map_err(Failure::refused)
     }
 
@@ -261,9 +266,9 @@ impl<'a> Chain<'a> {
     }
 }
 
-/// Facets, hierarchy, beams, joints and paths of a triangle, at most: 33 KiB where four vehicles reflect each other at
-/// −20 dB and three bounces (`scenes/intersection.toml`), 3 KiB for a car alone.
-const BYTES_PER_TRIANGLE: u64 = 36 << 10;
+/// Facets, hierarchy, beams, joints, cells and paths of a triangle and an order, at most: 3.3 KiB where four vehicles reflect
+/// each other at −20 dB (`scenes/intersection.toml`), 1 KiB for a car alone.
+const BYTES_PER_TRIANGLE_AND_ORDER: u64 = 4 << 10;
 
 /// What the program holds beside a frame's data: code, thread stacks, the learning library's buffers (measured 40 MiB).
 const PROGRAM_MIB: f64 = 48.0;

@@ -13,6 +13,9 @@ pub(crate) struct Arguments {
     /// Threads to use; the result does not depend on it, to the byte.
     #[arg(long, global = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
+    /// Memory that tracing may take; what cannot fit is refused with figures [default: nine tenths of what is free].
+    #[arg(long, global = true, value_name = "MIB", value_parser = clap::value_parser!(u64).range(1..=1 << 24))]
+    pub(crate) memory_limit: Option<u64>,
     /// No progress, no remarks.
     #[arg(long, global = true)]
     pub(crate) quiet: bool,

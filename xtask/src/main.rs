@@ -26,6 +26,7 @@ fn main() -> ExitCode {
     let arguments = cli::Arguments::parse_or_exit();
     interrupt::install();
     progress::configure(&arguments);
+    memory::set_limit(arguments.memory_limit);
     match limit_threads(arguments.threads).and_then(|()| commands::dispatch(arguments.command)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),

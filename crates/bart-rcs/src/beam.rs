@@ -187,6 +187,7 @@ fn grow_to<V: Visibility>(world: &World, order: u8, growth: &mut Growth<'_>) -> 
         for parts in V::direct(&View::direct(world, growth.settings.sides, antenna)) {
             growth.take(None, antenna, 1, parts)?;
         }
+        growth.check_memory(world, 1)?;
         growth.end_order(None);
     }
     (done.max(1) + 1..=order).try_for_each(|order| grow_order::<V>(world, order, growth))
@@ -210,6 +211,7 @@ fn grow_order<V: Visibility>(world: &World, order: u8, growth: &mut Growth) -> R
             incident_section += growth.tree.beams[parent as usize].section;
             growth.take(Some(parent), image, order, parts)?;
         }
+        growth.check_memory(world, order)?;
     }
     growth.end_order(Some(incident_section));
     Ok(())
@@ -281,6 +283,12 @@ impl<'a> Growth<'a> {
             self.audit.keep(part, self.settings);
         }
         Ok(())
+    }
+
+    /// Refuses a tree that has outgrown the world's limit.
+    fn check_memory(&self, world: &World, order: u8) -> Result<(), BartError> {
+        let bytes = self.tree.bytes() + self.edges.capacity() * size_of::<(Plane, Border)>();
+        world.memory_limit().check_tree(order, self.tree.beams.len(), bytes)
     }
 
     /// Closes the books of an order.

@@ -71,6 +71,33 @@ pub enum BartError {
         /// 2³² − 1.
         most: usize,
     },
+    /// A body is larger than the memory that it may take.
+    #[error("{triangles} triangles are expected to take {} MiB; the limit is {} MiB", bytes >> 20, limit_bytes >> 20)]
+    NeedsTooMuchMemory {
+        /// In all bodies.
+        triangles: usize,
+        /// Expected.
+        bytes: u64,
+        /// Allowed.
+        limit_bytes: u64,
+    },
+    /// A tree has grown beyond the memory that it may take.
+    #[error(
+        "{beams} beams at order {order} and what is joined from them take {} MiB; a tree may take {} MiB here: fewer \
+         bounces, a coarser mesh, a looser accuracy, fewer threads or a higher limit help",
+        bytes >> 20,
+        limit_bytes >> 20
+    )]
+    BeamsTakeTooMuchMemory {
+        /// Order being traced.
+        order: u8,
+        /// So far.
+        beams: usize,
+        /// With what will be joined.
+        bytes: u64,
+        /// Allowed.
+        limit_bytes: u64,
+    },
     /// Vertices of a tree are counted in 32 bits.
     #[error("the beam tree has {vertices} vertices; at most 2³² − 1 can be counted")]
     TreeTooLarge {

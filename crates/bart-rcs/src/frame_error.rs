@@ -9,7 +9,7 @@ use crate::join::tree_order;
 use crate::meeting::{Meeting, MeetingSettings};
 use crate::path_plan::Plan;
 use crate::path_pruning::power_over_frame;
-use crate::path_sum::scattering_of_paths;
+use crate::path_sum::element_over_band;
 use crate::physical_optics::Bracket;
 use crate::rcs_table::next_order;
 use crate::scatterer::{Integration, Scatterer, bracket_of};
@@ -166,12 +166,11 @@ impl FrameError {
         let power = power_over_frame(paths, plan);
         let relative = |part: f64| if power > 0.0 { (part / power).sqrt() } else { 0.0 };
         let view = plan.view(plan.check_s);
-        let sum_at = |paths: &[Path], f: &f64| plan.seen(&scattering_of_paths(paths, &view, *f));
+        let element = plan.header.radar.array.polarization.indices();
+        let sum_of = |paths: &[Path]| element_over_band(paths, &view, element, &reference.frequencies_hz);
         let bodies = reference.total_m();
-        let with_points = bodies.iter().zip(&reference.frequencies_hz).map(|(s, f)| s + sum_at(points, f));
-        let exact: Vec<Complex64> = with_points.collect();
-        let got: Vec<Complex64> = reference.frequencies_hz.iter().map(|f| sum_at(paths, f)).collect();
-        let error_power = mean_difference(&exact, &got);
+        let exact: Vec<Complex64> = bodies.iter().zip(sum_of(points)).map(|(s, of_points)| s + of_points).collect();
+        let error_power = mean_difference(&exact, &sum_of(paths));
         let [beams, beams_at_most] = dropped_sections(scatterer, plan);
         let scale = (TAU / plan.band.wavelength_m()).powi(2) / std::f64::consts::PI;
         Self {
@@ -226,6 +225,6 @@ pub(crate) fn frequencies_hz(centre_hz: f64, bandwidth_hz: f64, count: usize) ->
 /// Mean over frequency of |S(paths)|², as the radar sees it.
 pub(crate) fn mean_power(paths: &[Path], plan: &Plan<'_>, seconds: f64, frequencies_hz: &[f64]) -> f64 {
     let view = plan.view(seconds);
-    let of = |f: &f64| plan.seen(&scattering_of_paths(paths, &view, *f)).norm_sqr();
-    frequencies_hz.iter().map(of).sum::<f64>() / frequencies_hz.len() as f64
+    let seen = element_over_band(paths, &view, plan.header.radar.array.polarization.indices(), frequencies_hz);
+    seen.iter().map(|s| s.norm_sqr()).sum::<f64>() / frequencies_hz.len() as f64
 }

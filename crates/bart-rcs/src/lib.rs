@@ -43,6 +43,7 @@
 mod error; // what can be wrong with a body or an antenna
 mod antenna; // a point or a direction, and its images
 mod plane; // of facets, and through antenna and edge
+mod memory; // expected, watched, refused
 mod bvh; // obvhs proposes candidates in single precision
 mod patch; // coplanar facets that are one flat
 mod welding; // vertices of one place
@@ -114,10 +115,11 @@ pub use antenna::Antenna;
 pub use beam::{Audit, Beam, BeamTree, OrderAudit, TraceSettings};
 pub use contributions::{Contribution, contributions};
 pub use error::BartError;
+pub use memory::{MemoryLimit, memory_estimate_bytes};
 pub use path::trace_frame;
 pub use path_sum::{PathView, scattering_of_paths};
 pub use plane::Plane;
 pub use rcs_frame::rcs_frame;
-pub use rcs_table::{RcsRequest, RcsResult, RcsSeconds, Standpoint, rcs};
+pub use rcs_table::{RcsRequest, RcsResult, RcsSeconds, Standpoint, rcs, rcs_within};
 pub use skin::Skin;
 pub use world::{FacetGeometry, Models, World};

@@ -28,9 +28,12 @@ pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) ->
     check_order(header.fidelity.bounces)?;
     check_road(header)?;
     let plan = Plan::of(header);
+    // One moment's bodies and beams at a time.
+    let (reference, check_bytes) = {
+        let check = Snapshot::at(models, header, frame, plan.check_s, &plan)?;
+        (reference(&check.scatterer(&plan), &plan), check.bytes())
+    };
     let snapshot = Snapshot::at(models, header, frame, plan.middle_s, &plan)?;
-    let check = Snapshot::at(models, header, frame, plan.check_s, &plan)?;
-    let reference = reference(&check.scatterer(&plan), &plan);
     let points = point_paths(header, frame);
     let table = Fit::new(&snapshot.scatterer(&plan), &plan, &points, &reference).table();
     let counts = (1..=header.fidelity.bounces).map(|order| count(&table.paths, order)).collect();
@@ -48,7 +51,7 @@ pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) ->
             beams: snapshot.tree.audit.orders.iter().map(|order| order.beams).collect(),
             paths: counts,
             dropped_power_ratio,
-            bytes: snapshot.bytes() + check.bytes(),
+            bytes: snapshot.bytes().max(check_bytes),
         },
         paths: table.paths,
     })

@@ -5,7 +5,6 @@ use crate::path_plan::Plan;
 use crate::path_sum::PathView;
 use artifact::paths::Path;
 use glam::DVec3;
-use rayon::prelude::*;
 
 /// Paths kept, in their order, and the power of the others.
 pub(crate) struct Kept {
@@ -50,7 +49,7 @@ pub(crate) fn power_over_frame(paths: &[Path], plan: &Plan<'_>) -> f64 {
     const FREQUENCIES: usize = 24;
     let frequencies = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FREQUENCIES);
     let moments = [0.0, plan.middle_s, 2.0 * plan.middle_s];
-    let of: Vec<f64> = moments.par_iter().map(|t| mean_power(paths, plan, *t, &frequencies)).collect();
+    let of = moments.map(|t| mean_power(paths, plan, t, &frequencies));
     of.iter().sum::<f64>() / of.len() as f64
 }
 

@@ -4,6 +4,7 @@ use artifact::paths::{Amplitude, Path};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 use num_complex::Complex64;
+use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 /// Where and when paths are summed.
@@ -40,13 +41,95 @@ pub fn scattering_of_paths<'a>(
     total
 }
 
+/// One element of [`scattering_of_paths`] at equally spaced frequencies: one turn per path leads from each to the next.
+///
+/// Runs of paths are added in their order: the same bits on any number of threads.
+pub(crate) fn element_over_band(
+    paths: &[Path],
+    view: &PathView,
+    (p, q): (usize, usize),
+    frequencies_hz: &[f64],
+) -> Vec<Complex64> {
+    const RUN: usize = 4096;
+    let (Some(&first_hz), Some(&last_hz)) = (frequencies_hz.first(), frequencies_hz.last()) else { return Vec::new() };
+    let step_hz = (last_hz - first_hz) / (frequencies_hz.len() - 1).max(1) as f64;
+    let zero = || vec![Complex64::ZERO; frequencies_hz.len()];
+    let of_run = |run: &[Path]| {
+        let mut sums = zero();
+        for path in run {
+            let (spread, length_m) = view.spread_and_length_m(path);
+            let mut factor = Complex64::from_polar(spread, -wavenumber_per_m(first_hz) * length_m);
+            let turn = Complex64::cis(-wavenumber_per_m(step_hz) * length_m);
+            for (sum, f) in sums.iter_mut().zip(frequencies_hz) {
+                let slope = path.slope_m_per_hz[p][q] * (f - view.centre_frequency_hz);
+                *sum += (path.amplitude_m[p][q] + slope) * factor;
+                factor *= turn;
+            }
+        }
+        sums
+    };
+    let runs: Vec<Vec<Complex64>> = paths.par_chunks(RUN).map(of_run).collect();
+    runs.iter().fold(zero(), |sums, run| sums.iter().zip(run).map(|(a, b)| a + b).collect())
+}
+
+fn wavenumber_per_m(frequency_hz: f64) -> f64 {
+    TAU * frequency_hz / SPEED_OF_LIGHT_MPS
+}
+
 impl PathView {
     fn factor(&self, path: &Path, frequency_hz: f64) -> Complex64 {
+        let (spread, length_m) = self.spread_and_length_m(path);
+        Complex64::from_polar(spread, -wavenumber_per_m(frequency_hz) * length_m)
+    }
+
+    /// R_tR_r/(L₁L₂), and L₁ + L₂ − R_t − R_r.
+    fn spread_and_length_m(&self, path: &Path) -> (f64, f64) {
         let place = |x: [f64; 3], v: [f64; 3]| DVec3::from_array(x) + self.seconds * DVec3::from_array(v);
         let l1 = place(path.apparent_tx_m, path.apparent_tx_mps).distance(self.transmitter_m);
         let l2 = place(path.apparent_rx_m, path.apparent_rx_mps).distance(self.receiver_m);
         let (r_t, r_r) = (self.origin_m.distance(self.transmitter_m), self.origin_m.distance(self.receiver_m));
-        let wavenumber_per_m = TAU * frequency_hz / SPEED_OF_LIGHT_MPS;
-        Complex64::from_polar(r_t * r_r / (l1 * l2), -wavenumber_per_m * (l1 + l2 - r_t - r_r))
+        (r_t * r_r / (l1 * l2), l1 + l2 - r_t - r_r)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use artifact::paths::{Facet, MAX_ORDER};
+
+    #[test]
+    fn a_band_by_turns_is_that_of_every_frequency() {
+        let path = |i: u32| {
+            let at = |step: f64| (f64::from(i) * step).fract();
+            let apparent_m = [20.0 * at(0.618_034), 25.0 + 30.0 * at(0.414_214), 3.0 * at(0.732_051)];
+            Path {
+                target: 0,
+                order: 1,
+                apparent_tx_m: apparent_m,
+                apparent_tx_mps: [0.0, -10.0 * at(0.3), 0.0],
+                apparent_rx_m: apparent_m.map(|x| x + 0.1),
+                apparent_rx_mps: [1.0, -10.0, 0.0],
+                amplitude_m: [[Complex64::from_polar(1.0, 6.0 * at(0.236_068)); 2]; 2],
+                slope_m_per_hz: [[Complex64::new(1e-10 * at(0.5), -2e-10); 2]; 2],
+                facets: [Facet::default(); MAX_ORDER],
+            }
+        };
+        let paths: Vec<Path> = (0..9000).map(path).collect();
+        let view = PathView {
+            transmitter_m: DVec3::Z * 6.0,
+            receiver_m: DVec3::new(0.1, 0.0, 6.0),
+            origin_m: DVec3::Y,
+            seconds: 3e-3,
+            centre_frequency_hz: 77e9,
+        };
+        let frequencies: Vec<f64> = (0..24).map(|i| 76.5e9 + 4e7 * f64::from(i)).collect();
+        let got = element_over_band(&paths, &view, (0, 1), &frequencies);
+        for (value, f) in got.iter().zip(&frequencies) {
+            let exact = scattering_of_paths(&paths, &view, *f)[0][1];
+            // Phases of k·120 m, rounded at ε, in a sum of amplitudes of 0.002 of 9,000 paths.
+            let allowed = 9000.0 * 0.002 * 4.0 * 1613.0 * 120.0 * f64::EPSILON;
+            assert!((value - exact).norm() < allowed, "{:e}", (value - exact).norm());
+        }
+        assert!(element_over_band(&paths, &view, (0, 0), &[]).is_empty());
     }
 }

@@ -5,6 +5,7 @@ use crate::aspect::{Aspect, AspectSettings, Check, Checks, Scattering, scatterin
 use crate::beam::TraceSettings;
 use crate::error::BartError;
 use crate::join::tree_order;
+use crate::memory::{MemoryLimit, memory_estimate_bytes};
 use crate::polarization::zenith_h;
 use crate::scatterer::check_order;
 use crate::skin::Skin;
@@ -109,11 +110,30 @@ pub fn rcs(
     request: &RcsRequest,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<RcsResult, BartError> {
+    rcs_within(mesh, request, MemoryLimit::NONE, progress)
+}
+
+/// The same within a limit of memory: a mesh that is expected to need more is refused before it is traced, and trees that
+/// grow beyond their share are given up with an error.
+pub fn rcs_within(
+    mesh: &Mesh,
+    request: &RcsRequest,
+    limit: MemoryLimit,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<RcsResult, BartError> {
     check(request)?;
     let start = Instant::now();
-    let world = World::of_skin(mesh, skin(request))?;
-    let build = start.elapsed().as_secs_f64();
     let aspects = aspects(request);
+    let at_a_time = aspects.len().min(rayon::current_num_threads());
+    let fits = |triangles: usize| {
+        limit.check_estimate(triangles, memory_estimate_bytes(triangles, request.bounces, at_a_time))
+    };
+    fits(mesh.triangles.len())?;
+    let world = World::of_skin(mesh, skin(request))?;
+    fits(world.facets().len())?;
+    let limit = limit.shared(world.bytes() as u64, at_a_time);
+    let world = world.within(limit);
+    let build = start.elapsed().as_secs_f64();
     let asked = request.accuracy.amplitude().max(1e-8);
     let mut accuracy = asked;
     loop {

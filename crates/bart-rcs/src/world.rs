@@ -3,6 +3,7 @@
 use crate::body_edges::{BodyEdges, body_edges};
 use crate::bvh::{Hierarchy, Stack};
 use crate::error::BartError;
+use crate::memory::MemoryLimit;
 use crate::patch::Patches;
 use crate::plane::Plane;
 use crate::scatterer::check_transmission;
@@ -24,6 +25,8 @@ pub struct World {
     /// Whether every body is a perfect conductor.
     is_conductor: bool,
     tolerance_m: f64,
+    /// Of every tree.
+    memory_limit: MemoryLimit,
     edges: OnceLock<WorldEdges>,
 }
 
@@ -66,7 +69,9 @@ impl World {
                 bodies.push(Body::posed(index, model, pose, seconds_into_frame, &target.id)?);
             }
         }
-        Self::of_bodies(bodies)
+        let world = Self::of_bodies(bodies)?;
+        let limit = models.memory_limit.shared(world.bytes() as u64, 1);
+        Ok(world.within(limit))
     }
 
     /// A mesh alone as it is, its body axes the world's; the target's index is 0.
@@ -157,6 +162,16 @@ impl World {
         })
     }
 
+    /// The same with a limit of what one tree and its joints may hold.
+    pub fn within(self, limit: MemoryLimit) -> Self {
+        Self { memory_limit: limit, ..self }
+    }
+
+    /// What one tree and its joints may hold.
+    pub(crate) fn memory_limit(&self) -> MemoryLimit {
+        self.memory_limit
+    }
+
     /// Calls `visit` with every facet that may reach the positive side of all `planes` (world), body by body and about from
     /// the far end of `nearer` on, until it breaks. Decides nothing.
     pub(crate) fn visit_inside(
@@ -199,7 +214,8 @@ impl World {
         let tolerance_m = 256.0 * f64::EPSILON * largest;
         facets.par_iter_mut().for_each(|facet| facet.refuse_if_thinner_than(4.0 * tolerance_m));
         let is_conductor = bodies.iter().all(|body| body.mesh.materials.is_empty());
-        Ok(Self { facets, bodies, is_conductor, tolerance_m, edges: OnceLock::new() })
+        let memory_limit = MemoryLimit::NONE;
+        Ok(Self { facets, bodies, is_conductor, tolerance_m, memory_limit, edges: OnceLock::new() })
     }
 }
 
@@ -241,6 +257,7 @@ impl FacetGeometry {
 /// The meshes of a scene, each with its hierarchy, shared by all frames and poses.
 pub struct Models {
     meshes: Vec<Arc<BodyMesh>>,
+    memory_limit: MemoryLimit,
 }
 
 impl Models {
@@ -249,7 +266,13 @@ impl Models {
         let skin = Skin::of(header.fidelity.surface, header.fidelity.accuracy, header.radar.waveform.wavelength_m());
         let build = |mesh: &Mesh| BodyMesh::build(mesh, skin).map(Arc::new);
         let meshes = header.meshes.par_iter().map(build).collect::<Vec<_>>();
-        Ok(Self { meshes: meshes.into_iter().collect::<Result<_, _>>()? })
+        let memory_limit = MemoryLimit::NONE;
+        Ok(Self { meshes: meshes.into_iter().collect::<Result<_, _>>()?, memory_limit })
+    }
+
+    /// The same with a limit of what the bodies and beams of a frame may hold.
+    pub fn within(self, limit: MemoryLimit) -> Self {
+        Self { memory_limit: limit, ..self }
     }
 
     /// The model of a target; `None` for a point.
