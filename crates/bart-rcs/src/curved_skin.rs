@@ -3,11 +3,12 @@
 //! Every edge becomes a curve by the normals at its ends ([`CurvedEdge`]); triangles are cut where their edges bend
 //! ([`refined`]). What is flat stays what it is, bit for bit. Why so: `docs/decisions/curved-skin.md`.
 
+use crate::bend::ControlHeights;
 use crate::curved_edge::{Curve, CurvedEdge, rejected};
 use crate::made_normals::{Facets, made_normals};
 use crate::mesh_edges::{MeshEdge, MeshEdges, Side};
 use crate::plane::Plane;
-use crate::refinement::{BentSide, BentTriangle, Walk, expected, refined};
+use crate::refinement::{BentSide, BentTriangle, Limits, Walk, expected, refined};
 use crate::skin::SkinTriangles;
 use crate::welding::welded;
 use artifact::scene::Mesh;
@@ -56,26 +57,40 @@ impl CurvedSkin {
         Self { triangles: (0..corners_m.len()).into_par_iter().map(bent).collect() }
     }
 
-    /// About how many triangles [`CurvedSkin::triangles`] makes.
-    pub(crate) fn expected(&self, sagitta_m: f64) -> f64 {
-        self.triangles.iter().map(|bent| bent.as_ref().map_or(1.0, |b| expected(b, sagitta_m))).sum()
+    /// About how many triangles [`CurvedSkin::facets`] makes.
+    pub(crate) fn expected(&self, limits: &Limits) -> f64 {
+        self.triangles.iter().map(|bent| bent.as_ref().map_or(1.0, |b| expected(b, limits))).sum()
     }
 
-    /// Flat triangles whose sides are within `sagitta_m` of the skin's curves; those that need no cut keep their corners.
-    pub(crate) fn triangles(&self, corners_m: &[[DVec3; 3]], sagitta_m: f64) -> SkinTriangles {
+    /// Facets whose sides bend no more than the limits allow; what needs no cut keeps its corners, bit for bit.
+    pub(crate) fn facets(&self, corners_m: &[[DVec3; 3]], limits: &Limits) -> SkinTriangles {
         let of = |(bent, corners): (&Option<BentTriangle>, &[DVec3; 3])| {
-            let Some(bent) = bent else { return vec![([*corners, [DVec3::ZERO; 3]])] };
-            let cut = refined(*bent, sagitta_m);
-            // What needs no cut keeps its corners, bit for bit.
+            let Some(bent) = bent else { return vec![(*corners, [DVec3::ZERO; 3], [0.0; 6])] };
+            let cut = refined(*bent, limits);
             let whole = cut.len() == 1;
-            cut.iter().map(|t| [if whole { *corners } else { t.corners_m }, t.normals]).collect()
+            let facet = |t: &BentTriangle| {
+                (if whole { *corners } else { t.corners_m }, t.normals, heights_above_rounding(t, limits))
+            };
+            cut.iter().map(facet).collect()
         };
-        let parts: Vec<Vec<[[DVec3; 3]; 2]>> = self.triangles.par_iter().zip(corners_m).map(of).collect();
-        let triangle_of = (0..).zip(&parts).flat_map(|(triangle, part)| part.iter().map(move |_| triangle)).collect();
-        let (triangles_m, corner_normals) =
-            parts.into_iter().flatten().map(|[corners, normals]| (corners, normals)).unzip();
-        SkinTriangles { triangles_m, triangle_of, corner_normals, sagitta_m }
+        let parts: Vec<Vec<_>> = self.triangles.par_iter().zip(corners_m).map(of).collect();
+        let mut all = SkinTriangles::default();
+        for (triangle, part) in (0..).zip(parts) {
+            for (corners_m, normals, heights_m) in part {
+                all.triangles_m.push(corners_m);
+                all.triangle_of.push(triangle);
+                all.corner_normals.push(normals);
+                all.heights_m.push(heights_m);
+            }
+        }
+        all
     }
+}
+
+/// A facet whose skin rises by a hundredth of what is allowed is flat.
+fn heights_above_rounding(bent: &BentTriangle, limits: &Limits) -> ControlHeights {
+    let heights_m = bent.control_heights_m();
+    if heights_m.iter().all(|h| h.abs() < 0.01 * limits.offset_m) { [0.0; 6] } else { heights_m }
 }
 
 /// Unit normals at the corners of every triangle on the side of its winding: stored ones where they are any, made ones else.

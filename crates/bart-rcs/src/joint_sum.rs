@@ -25,8 +25,9 @@ pub(crate) fn sum_of_joints(
     origin_m: DVec3,
     integration: &Integration<'_>,
 ) -> Vec<Amplitude> {
-    // What a plane wave gives is exact, and stays so.
-    let error = if scatterer.is_far() { f64::EPSILON } else { INTERPOLATION_ERROR * integration.accuracy };
+    // What a plane wave gives on flat facets is exact, and stays so.
+    let is_exact = scatterer.is_far() && scatterer.world.skin_error() == 0.0;
+    let error = if is_exact { f64::EPSILON } else { INTERPOLATION_ERROR * integration.accuracy };
     let classes = classes(integration.wavenumbers_per_m, error.max(f64::EPSILON));
     if classes.is_empty() {
         return sum_at_each(scatterer, joints, origin_m, integration);

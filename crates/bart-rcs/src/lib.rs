@@ -50,6 +50,7 @@ mod welding; // vertices of one place
 mod mesh_edges; // and the triangles at each edge
 mod made_normals; // creases, and normals where a mesh stores none
 mod curved_edge; // an edge bent by the normals at its ends
+mod bend; // the skin's height over a facet
 mod refinement; // bent triangles cut until they are flat
 mod curved_skin; // a mesh's triangles, bent
 mod skin; // what facets stand for
@@ -121,5 +122,5 @@ pub use path_sum::{PathView, scattering_of_paths};
 pub use plane::Plane;
 pub use rcs_frame::rcs_frame;
 pub use rcs_table::{RcsRequest, RcsResult, RcsSeconds, Standpoint, rcs, rcs_within};
-pub use skin::Skin;
+pub use skin::{Role, Skin};
 pub use world::{FacetGeometry, Models, World};

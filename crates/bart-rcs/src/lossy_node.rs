@@ -9,7 +9,7 @@
 //! A conductor, e + e_r = 2n(n·e), gives the other bracket back.
 
 use crate::complex_vector::ComplexVector;
-use crate::physical_optics::{Bracket, Field, Leg};
+use crate::physical_optics::{Bracket, Field, Leg, SurfacePoint};
 use crate::polygon_phase::{linear_phase_integral, six_point_weights};
 use crate::surface_response::{phase_length_m, reflected_field, reflection, steepness};
 use crate::tiling::Tile;
@@ -53,12 +53,12 @@ impl Field<'_> {
     }
 
     fn add_lossy_whole(&self, corners_m: &[DVec2], centre_m: DVec2, wavenumbers_per_m: &[f64], sums: &mut [Weights]) {
-        let centre_in_world_m = self.frame.to_world(centre_m);
-        let gradient = self.length_gradient(centre_in_world_m);
-        let length_m = self.length_m(centre_in_world_m);
+        let centre = self.surface_at(centre_m);
+        let gradient = self.length_gradient(&centre);
+        let length_m = self.length_m(centre.x_m);
         let about_centre: Vec<DVec2> = corners_m.iter().map(|c| *c - centre_m).collect();
         for (k, sum) in wavenumbers_per_m.iter().zip(sums) {
-            let weights = self.lossy_weight(centre_in_world_m, *k);
+            let weights = self.lossy_weight(&centre, *k);
             let integral = Complex64::cis(-k * length_m) * linear_phase_integral(&about_centre, -k * gradient);
             sum.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * integral);
         }
@@ -69,14 +69,14 @@ impl Field<'_> {
         let centre_m = (a + b + c) / 3.0;
         let area_m2 = 0.5 * (b - a).perp_dot(c - a);
         let points_m = [a, b, c, 0.5 * (b + c), 0.5 * (c + a), 0.5 * (a + b)];
-        let gradient = self.length_gradient(self.frame.to_world(centre_m));
+        let gradient = self.length_gradient(&self.surface_at(centre_m));
         let linear_m = points_m.map(|p| gradient.dot(p - centre_m));
-        let in_world_m = points_m.map(|p| self.frame.to_world(p));
-        let lengths_m = in_world_m.map(|x| self.length_m(x));
+        let points = points_m.map(|p| self.surface_at(p));
+        let lengths_m = points.map(|at| self.length_m(at.x_m));
         for (k, sum) in wavenumbers_per_m.iter().zip(sums) {
             let under_phase = six_point_weights([0, 1, 2].map(|i| -k * linear_m[i]));
             for i in 0..6 {
-                let weights = self.lossy_weight(in_world_m[i], *k);
+                let weights = self.lossy_weight(&points[i], *k);
                 let remainder = Complex64::cis(-k * (lengths_m[i] - linear_m[i]));
                 let value = under_phase[i] * remainder * area_m2;
                 sum.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * value);
@@ -93,13 +93,17 @@ impl Field<'_> {
     }
 
     /// Bracket times 1/(L₁L₂), relative to 1/(L₁L₂) at the reference point.
-    fn lossy_weight(&self, x_m: DVec3, wavenumber_per_m: f64) -> Weights {
+    fn lossy_weight(&self, at: &SurfacePoint, wavenumber_per_m: f64) -> Weights {
+        let x_m = at.x_m;
+        // Area of the skin per area of the polygon, and its unit normal.
+        let size = at.area.length();
+        let normal = at.area / size;
         let [transmit, receive] = [self.node.transmit, self.node.receive];
         let (d1, d2) = (transmit.image.travel_direction_at(x_m), receive.image.travel_direction_at(x_m));
         let sent = transmit.arriving_fields(d1, wavenumber_per_m);
         let received = receive.arriving_fields(d2, wavenumber_per_m);
-        let spread = self.spread(transmit.image, x_m) * self.spread(receive.image, x_m);
-        let current = |d: DVec3, e: ComplexVector| self.surface_current(d, e, wavenumber_per_m);
+        let spread = size * self.spread(transmit.image, x_m) * self.spread(receive.image, x_m);
+        let current = |d: DVec3, e: ComplexVector| self.surface_current(normal, d, e, wavenumber_per_m);
         let forth = sent.map(|e| current(d1, e));
         let back = received.map(|e| current(d2, e));
         [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(p, q)| {
@@ -112,9 +116,8 @@ impl Field<'_> {
         })
     }
 
-    fn surface_current(&self, travel: DVec3, e: ComplexVector, wavenumber_per_m: f64) -> Current {
+    fn surface_current(&self, n: DVec3, travel: DVec3, e: ComplexVector, wavenumber_per_m: f64) -> Current {
         const CONDUCTOR: &Material = &Material::Conductor;
-        let n = self.node.normal;
         let r = reflection(self.node.material.unwrap_or(CONDUCTOR), n.dot(travel).abs(), wavenumber_per_m);
         let reflected = reflected_field(e, travel, n, r);
         let onwards = travel - 2.0 * n.dot(travel) * n;

@@ -191,9 +191,7 @@ fn is_flat_towards(facets: &Facets<'_>, turns: &[[Turn; 3]], side: Side) -> bool
     wide || (ends(side) && !ends(other))
 }
 
-/// Mean of the facets around a place that no crease parts from this one, weighted by their angle there (G. Thürmer, C.
-/// Wüthrich, J. Graphics Tools 3 (1998) 43): a quad counts the same whichever way it is cut, so that normals of cylinders
-/// and cones are exact. Flats that a round joins outvote it.
+/// Mean of the facets around a place that no crease parts from this one; flats that a round joins outvote it.
 fn corner_normal(facets: &Facets<'_>, turns: &[[Turn; 3]], fans: &Fans, triangle: usize, k: usize) -> DVec3 {
     let own = facets.normals[triangle];
     let Some(places) = facets.places[triangle] else { return own };
@@ -203,10 +201,12 @@ fn corner_normal(facets: &Facets<'_>, turns: &[[Turn; 3]], fans: &Fans, triangle
     let flats: Vec<bool> = group.iter().map(is_flat).collect();
     let any_flat = flats.iter().any(|flat| *flat);
     let voting = group.iter().zip(&flats).filter(|(_, flat)| **flat || !any_flat);
-    let sum = voting.fold(DVec3::ZERO, |sum, ((t, k, sign), _)| sum + *sign * weighted_normal(facets, *t, *k));
+    let turn = |s: Side| turns[s.triangle as usize][usize::from(s.side)];
+    let has_quads = group.iter().flat_map(at_corner).any(|s| turn(s).kind == TurnKind::Flat);
+    let vote = if has_quads { by_angle } else { by_sphere };
+    let sum = voting.fold(DVec3::ZERO, |sum, ((t, k, sign), _)| sum + *sign * vote(facets, *t, *k));
     let normal = sum.try_normalize().unwrap_or(own);
     // An apex has no normal: a skin's is no further from a facet's than the turns around.
-    let turn = |s: Side| turns[s.triangle as usize][usize::from(s.side)];
     let smooth = group.iter().flat_map(at_corner).map(turn).filter(|turn| turn.kind == TurnKind::Smooth);
     let most = 2.0 * smooth.fold(0.0, |most, turn| turn.angle.max(most));
     if normal.angle_between(own) <= most { normal } else { own }
@@ -236,10 +236,22 @@ fn smooth_group(facets: &Facets<'_>, turns: &[[Turn; 3]], fan: &[(u32, u8)], sta
     group
 }
 
-/// The facet's normal times its angle at a corner.
-fn weighted_normal(facets: &Facets<'_>, triangle: u32, k: u8) -> DVec3 {
-    let corners = &facets.corners_m[triangle as usize];
-    let k = usize::from(k);
-    let (u, v) = (corners[(k + 1) % 3] - corners[k], corners[(k + 2) % 3] - corners[k]);
+/// The facet's normal times its angle at a corner (G. Thürmer, C. Wüthrich, J. Graphics Tools 3 (1998) 43): a quad counts the
+/// same whichever way it is cut, so that normals of cylinders and cones are exact.
+fn by_angle(facets: &Facets<'_>, triangle: u32, k: u8) -> DVec3 {
+    let [u, v] = leaving(facets, triangle, k);
     facets.normals[triangle as usize] * u.angle_between(v)
+}
+
+/// u × v/(|u|²|v|²) of the edges that leave a corner (N. Max, J. Graphics Tools 4 (1999) 1): where all vertices lie on a sphere
+/// their sum is its normal, whatever the triangles.
+fn by_sphere(facets: &Facets<'_>, triangle: u32, k: u8) -> DVec3 {
+    let [u, v] = leaving(facets, triangle, k);
+    let squares = u.length_squared() * v.length_squared();
+    if squares > 0.0 { u.cross(v) / squares } else { DVec3::ZERO }
+}
+
+fn leaving(facets: &Facets<'_>, triangle: u32, k: u8) -> [DVec3; 2] {
+    let (corners, k) = (&facets.corners_m[triangle as usize], usize::from(k));
+    [corners[(k + 1) % 3] - corners[k], corners[(k + 2) % 3] - corners[k]]
 }

@@ -9,7 +9,6 @@ use crate::nearest_surface::nearest_range_m;
 use crate::path_plan::Plan;
 use crate::path_table::Fit;
 use crate::scatterer::{Scatterer, ZenithH, check_order, check_road};
-use crate::skin::Skin;
 use crate::world::{Models, World};
 use artifact::ErrorBudget;
 use artifact::paths::{Amplitude, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
@@ -38,8 +37,7 @@ pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) ->
     let table = Fit::new(&snapshot.scatterer(&plan), &plan, &points, &reference).table();
     let counts = (1..=header.fidelity.bounces).map(|order| count(&table.paths, order)).collect();
     let dropped_power_ratio = table.error.dropped_at_most.powi(2);
-    let bent = (header.fidelity.surface == Surface::Smooth)
-        .then(|| Skin::error_of(snapshot.world.sagitta_m(), header.radar.waveform.wavelength_m()));
+    let bent = (header.fidelity.surface == Surface::Smooth).then(|| snapshot.world.skin_error());
     Ok(PathsFrame {
         index: frame.index,
         time_s: frame.time_s,

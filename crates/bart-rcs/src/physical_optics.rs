@@ -5,9 +5,11 @@
 //! ```
 //! p and q are v or h of the receiver's and transmitter's own legs, carried to the node by the mirrors; L, d belong to the
 //! image antennas. Computed is the amplitude `a` of a path whose node is a reference point of the polygon: S without
-//! R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)} taken at that point. So nothing far away enters but small differences.
+//! R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)} taken at that point. So nothing far away enters but small differences. Over a bent
+//! facet x is the skin above the polygon's point, and n·dA its area vector.
 
 use crate::antenna::Antenna;
+use crate::bend::Bend;
 use crate::complex_vector::ComplexVector;
 use crate::plane_frame::PlaneFrame;
 use crate::polarization::{Mirrors, polarization_vectors};
@@ -68,6 +70,8 @@ pub(crate) struct Node<'a> {
     pub(crate) normal: DVec3,
     /// `None` is a perfect conductor.
     pub(crate) material: Option<&'a Material>,
+    /// The skin that is integrated over where it is not the polygon itself.
+    pub(crate) bend: Option<Bend>,
     pub(crate) transmit: &'a Leg,
     pub(crate) receive: &'a Leg,
     pub(crate) bracket: Bracket,
@@ -132,9 +136,34 @@ pub(crate) struct Field<'a> {
     reference_m: DVec3,
 }
 
+/// A point of the scattering surface.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct SurfacePoint {
+    pub(crate) x_m: DVec3,
+    /// Area vector on the lit side, per area of the polygon.
+    pub(crate) area: DVec3,
+    /// Rise of the surface along the facet's plane; zero where it is flat.
+    slope: DVec3,
+    /// Direction that the slope is along: the normal of the facet's winding.
+    up: DVec3,
+}
+
 impl<'a> Field<'a> {
     pub(crate) fn new(node: &'a Node<'a>, reference_m: DVec3) -> Self {
         Self { node, frame: PlaneFrame::new(reference_m, node.normal), reference_m }
+    }
+
+    /// The surface over a point of the polygon's plane.
+    pub(crate) fn surface_at(&self, plane_m: DVec2) -> SurfacePoint {
+        let x_m = self.frame.to_world(plane_m);
+        let normal = self.node.normal;
+        let Some(bend) = &self.node.bend else {
+            return SurfacePoint { x_m, area: normal, slope: DVec3::ZERO, up: normal };
+        };
+        let (height_m, slope) = bend.at(x_m);
+        let up = bend.normal;
+        let area = (up - slope) * up.dot(normal).signum();
+        SurfacePoint { x_m: x_m + height_m * up, area, slope, up }
     }
 
     /// Distances over which both waves have spread.
@@ -143,8 +172,9 @@ impl<'a> Field<'a> {
     }
 
     /// Bracket times 1/(L₁L₂), relative to 1/(L₁L₂) at the reference point: [vv, vh, hv, hh], receiver first.
-    pub(crate) fn weights(&self, x_m: DVec3) -> [f64; 4] {
-        let Node { normal, transmit, receive, bracket, .. } = *self.node;
+    fn weights(&self, at: &SurfacePoint) -> [f64; 4] {
+        let Node { transmit, receive, bracket, .. } = *self.node;
+        let SurfacePoint { x_m, area: normal, .. } = *at;
         let (d1, d2) = (transmit.image.travel_direction_at(x_m), receive.image.travel_direction_at(x_m));
         let sent = transmit.mirrors.fields_at_node(d1, transmit.zenith_h);
         let received = receive.mirrors.fields_at_node(d2, receive.zenith_h);
@@ -166,10 +196,15 @@ impl<'a> Field<'a> {
             + length_difference_m(self.node.receive.image, x_m, self.reference_m)
     }
 
-    /// Gradient of L₁ + L₂ in the plane.
-    pub(crate) fn length_gradient(&self, x_m: DVec3) -> DVec2 {
-        let d1 = self.node.transmit.image.travel_direction_at(x_m);
-        self.frame.tangential(d1 + self.node.receive.image.travel_direction_at(x_m))
+    /// Gradient of L₁ + L₂ along the polygon's plane.
+    pub(crate) fn length_gradient(&self, at: &SurfacePoint) -> DVec2 {
+        let both = self.both_directions(at.x_m);
+        self.frame.tangential(both + both.dot(at.up) * at.slope)
+    }
+
+    /// d₁ + d₂.
+    pub(crate) fn both_directions(&self, x_m: DVec3) -> DVec3 {
+        self.node.transmit.image.travel_direction_at(x_m) + self.node.receive.image.travel_direction_at(x_m)
     }
 
     /// Bound of the derivative of every direction and unit field within `reach_m`, rad/m: 1/L of the nearer antenna, and
@@ -219,10 +254,10 @@ impl<'a> Field<'a> {
 
     /// Weight and curvature of the phase as at the centre: Gordon over the whole polygon.
     fn add_whole(&self, corners_m: &[DVec2], centre_m: DVec2, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {
-        let centre_in_world_m = self.frame.to_world(centre_m);
-        let weights = self.weights(centre_in_world_m);
-        let gradient = self.length_gradient(centre_in_world_m);
-        let length_m = self.length_m(centre_in_world_m);
+        let centre = self.surface_at(centre_m);
+        let weights = self.weights(&centre);
+        let gradient = self.length_gradient(&centre);
+        let length_m = self.length_m(centre.x_m);
         let about_centre: Vec<DVec2> = corners_m.iter().map(|c| *c - centre_m).collect();
         for (k, sum) in wavenumbers_per_m.iter().zip(sums) {
             let integral = Complex64::cis(-k * length_m) * linear_phase_integral(&about_centre, -k * gradient);
@@ -236,12 +271,11 @@ impl<'a> Field<'a> {
         let centre_m = (a + b + c) / 3.0;
         let area_m2 = 0.5 * (b - a).perp_dot(c - a);
         let points_m = [a, b, c, 0.5 * (b + c), 0.5 * (c + a), 0.5 * (a + b)];
-        let centre_in_world_m = self.frame.to_world(centre_m);
-        let gradient = self.length_gradient(centre_in_world_m);
+        let gradient = self.length_gradient(&self.surface_at(centre_m));
         let linear_m = points_m.map(|p| gradient.dot(p - centre_m));
-        let in_world_m = points_m.map(|p| self.frame.to_world(p));
-        let weights = in_world_m.map(|x| self.weights(x));
-        let lengths_m = in_world_m.map(|x| self.length_m(x));
+        let points = points_m.map(|p| self.surface_at(p));
+        let weights = points.map(|at| self.weights(&at));
+        let lengths_m = points.map(|at| self.length_m(at.x_m));
         for (k, sum) in wavenumbers_per_m.iter().zip(sums) {
             let under_phase = six_point_weights([0, 1, 2].map(|i| -k * linear_m[i]));
             for i in 0..6 {
@@ -303,6 +337,7 @@ mod tests {
             let node = Node {
                 corners_m: &self.corners_m(),
                 normal: DVec3::X,
+                bend: None,
                 material: None,
                 transmit: &leg(self.transmitter_m),
                 receive: &leg(self.receiver_m),

@@ -84,7 +84,8 @@ struct Powers {
 impl<'a> Body<'a> {
     fn new(header: &'a SceneHeader, mesh: &Mesh, pose: &'a Pose) -> Result<Self, BartError> {
         let fidelity = &header.fidelity;
-        let skin = Skin::of(fidelity.surface, fidelity.accuracy, header.radar.waveform.wavelength_m());
+        let wavelength_m = header.radar.waveform.wavelength_m();
+        let skin = Skin::of(fidelity.surface, fidelity.accuracy, wavelength_m, fidelity.bounces);
         let world = World::of_skin(mesh, skin)?;
         let radius_m = mesh.vertices_m.iter().map(|v| DVec3::from_array(*v).length()).fold(0.0, f64::max);
         Ok(Self { header, pose, world, radius_m })

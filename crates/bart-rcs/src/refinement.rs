@@ -2,6 +2,7 @@
 //!
 //! An edge is halved by what it is itself, never by what its triangle is: both its triangles halve it, and no crack opens.
 
+use crate::bend::ControlHeights;
 use crate::curved_edge::{Curve, CurvedEdge};
 use glam::DVec3;
 
@@ -30,15 +31,26 @@ pub(crate) enum Walk {
     Back,
 }
 
+/// How far sides may bend before they are cut.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Limits {
+    /// Of a flat facet in place of the skin, m.
+    pub(crate) sagitta_m: f64,
+    /// Between the ends of a side, rad.
+    pub(crate) turn_rad: f64,
+    /// Of a bent facet in place of the skin, and of a facet's outline in its own plane, m.
+    pub(crate) offset_m: f64,
+}
+
 /// 2⁻¹⁰ of an edge: by then its sagitta is a millionth.
 const HALVINGS_MAX: u8 = 10;
 
-/// Triangles whose sides are nowhere further than `sagitta_m` from the skin's curves, in its winding.
-pub(crate) fn refined(whole: BentTriangle, sagitta_m: f64) -> Vec<BentTriangle> {
+/// Parts whose sides bend no more than the limits allow, in its winding.
+pub(crate) fn refined(whole: BentTriangle, limits: &Limits) -> Vec<BentTriangle> {
     let mut good = Vec::new();
     let mut left = vec![whole];
     while let Some(bent) = left.pop() {
-        let split = bent.sides.map(|side| is_split(&side.edge, sagitta_m));
+        let split = bent.sides.map(|side| is_split(&side.edge, limits));
         if split == [false; 3] {
             good.push(bent);
         } else {
@@ -48,21 +60,32 @@ pub(crate) fn refined(whole: BentTriangle, sagitta_m: f64) -> Vec<BentTriangle> 
     good
 }
 
-/// About how many triangles [`refined`] makes: sagittas fall to a quarter with each halving.
-pub(crate) fn expected(bent: &BentTriangle, sagitta_m: f64) -> f64 {
-    let steps = |side: &BentSide| {
-        let halvings = (side.edge.sagitta_m() / sagitta_m).log2().max(0.0) / 2.0;
-        halvings.ceil().min(f64::from(HALVINGS_MAX)).exp2()
-    };
-    let mut steps = bent.sides.each_ref().map(steps);
+/// About how many triangles [`refined`] makes.
+pub(crate) fn expected(bent: &BentTriangle, limits: &Limits) -> f64 {
+    let mut steps = bent.sides.each_ref().map(|side| halvings(&side.edge, limits).exp2());
     steps.sort_by(f64::total_cmp);
     // One curved side makes a fan, two make strips, three a grid.
     let [least, middle, most] = steps;
     most * middle.min(2.0 * least).max(1.0)
 }
 
-fn is_split(edge: &CurvedEdge, sagitta_m: f64) -> bool {
-    edge.halvings < HALVINGS_MAX && edge.sagitta_m() > sagitta_m
+fn is_split(edge: &CurvedEdge, limits: &Limits) -> bool {
+    edge.halvings < HALVINGS_MAX && halvings(edge, limits) > 0.0
+}
+
+/// How often an edge is to be halved: sagittas fall to a quarter each time, turns to a half, and what a cubic over the facet
+/// misses to a sixteenth.
+fn halvings(edge: &CurvedEdge, limits: &Limits) -> f64 {
+    let (sagitta_m, turn) = (edge.sagitta_m(), edge.turn_rad());
+    let offset_m = match edge.curve {
+        Curve::Straight => return 0.0,
+        Curve::OnSkin(_) => edge.cubic_error_m(),
+        Curve::Crease(_) => sagitta_m * sagitta_m / limits.offset_m,
+    };
+    let by_sagitta = 0.5 * (sagitta_m / limits.sagitta_m).log2();
+    let by_turn = (turn / limits.turn_rad).log2();
+    let by_offset = 0.25 * (offset_m / limits.offset_m).log2();
+    by_sagitta.max(by_turn).max(by_offset).ceil().clamp(0.0, f64::from(HALVINGS_MAX))
 }
 
 impl BentSide {
@@ -96,6 +119,18 @@ struct Corner {
 }
 
 impl BentTriangle {
+    /// Of the skin over the flat triangle, by the slopes of its sides at their ends.
+    pub(crate) fn control_heights_m(&self) -> ControlHeights {
+        let [a, b, c] = self.corners_m;
+        let normal = (b - a).cross(c - a).try_normalize().unwrap_or(DVec3::ZERO);
+        let mut heights = [0.0; 6];
+        for (pair, side) in heights.chunks_exact_mut(2).zip(&self.sides) {
+            let [first, second] = side.edge.control_heights_m(normal);
+            pair.copy_from_slice(&if side.walk == Walk::Forth { [first, second] } else { [second, first] });
+        }
+        heights
+    }
+
     fn corner(&self, k: usize) -> Corner {
         Corner { at_m: self.corners_m[k % 3], normal: self.normals[k % 3] }
     }
@@ -134,15 +169,22 @@ impl BentTriangle {
         }
     }
 
-    /// Side 0 is halved. The other two are as good as straight, and so is what runs between them: a fan of a cone, whose
-    /// apex has no normal that could tell.
+    /// Side 0 is halved.
     fn cut_in_two(&self, into: &mut Vec<Self>) {
         let [first, second] = self.sides[0].halves();
         let m = self.middle(0, &first);
         let [a, b, c] = [0, 1, 2].map(|k| self.corner(k));
-        let inner = BentSide::straight(m, c, first.edge.halvings);
+        let halvings = first.edge.halvings;
+        let inner = if self.is_fan() { BentSide::straight(m, c, halvings) } else { BentSide::within(m, c, halvings) };
         into.push(Self::of([a, m, c], [first, inner, self.sides[2]]));
         into.push(Self::of([m, b, c], [second, self.sides[1], inner.reversed()]));
+    }
+
+    /// Whether sides 1 and 2 are rulings of a cone that meet in its apex, which has no normal that could tell: then so is what
+    /// runs between them. They rise from their chords by less than a quarter of side 0.
+    fn is_fan(&self) -> bool {
+        let [base, left, right] = self.sides.each_ref().map(|side| side.edge.sagitta_m());
+        left.max(right) < 0.25 * base
     }
 
     /// Sides 0 and 1 are halved: corner 1 is cut off, and what is left by its shorter diagonal.

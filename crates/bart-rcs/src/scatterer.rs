@@ -147,6 +147,7 @@ impl<'a> Scatterer<'a> {
             corners_m: part.corners_m,
             normal: self.forward(joint).lit_normal,
             material: self.world.lossy_material(self.forward(joint).facet).map(Arc::as_ref),
+            bend: self.world.bend(self.forward(joint).facet),
             transmit: self.transmit_leg(joint),
             receive: self.receive_leg(joint),
             bracket: part.bracket,
@@ -194,15 +195,18 @@ pub(crate) struct Way {
 impl JointTile<'_> {
     pub(crate) fn way(&self) -> Way {
         let (middle_m, reach_m) = self.tile.middle_and_reach_m();
-        let at_middle_m = self.field.length_m(self.field.frame.to_world(middle_m));
-        let gradient = self.field.length_gradient(self.field.frame.to_world(middle_m)).length();
+        let middle = self.field.surface_at(middle_m);
+        let at_middle_m = self.field.length_m(middle.x_m);
+        let gradient = self.field.length_gradient(&middle).length();
         // Beyond its tangent plane a length grows by reach²/2L at most, L of the nearest point; there are two.
-        let ranges_m = self.field.ranges_m(self.field.frame.to_world(middle_m));
+        let ranges_m = self.field.ranges_m(middle.x_m);
         let curved_m: f64 =
             ranges_m.map(|l| 0.5 * reach_m * reach_m / (l - reach_m).max(f64::MIN_POSITIVE)).iter().sum();
+        // And a skin leaves it by half its second derivative, there and back.
+        let bent_m = self.field.node.bend.as_ref().map_or(0.0, |bend| bend.derivatives()[0]) * reach_m * reach_m;
         Way {
             length_m: self.length_m + at_middle_m,
-            extent_m: gradient * reach_m + curved_m + self.field.turning_length_m(),
+            extent_m: gradient * reach_m + curved_m + bent_m + self.field.turning_length_m(),
         }
     }
 

@@ -1,5 +1,6 @@
 //! How far a lit polygon has to be cut for the integrand to be what the closed forms take it for.
 
+use crate::bend::Bend;
 use crate::physical_optics::Field;
 use crate::plane_frame::{area_m2, centroid_m};
 use glam::DVec2;
@@ -74,18 +75,34 @@ struct Smoothness {
 
 impl Smoothness {
     fn about(field: &Field<'_>, centre_m: DVec2, reach_m: f64, wavenumber_per_m: f64) -> Self {
-        let x_m = field.frame.to_world(centre_m);
+        let at = field.surface_at(centre_m);
+        let x_m = at.x_m;
         let ranges_m = field.ranges_m(x_m);
         let spread = |range_m: f64| if range_m.is_finite() { range_m / (range_m - reach_m).max(0.0) } else { 1.0 };
         let nearness_per_m = ranges_m.map(|range_m| 1.0 / (range_m - reach_m).max(0.0));
         let turning_per_m = field.turning_per_m(x_m, reach_m);
         let (t, turns) = (turning_per_m, field.weight_turns(wavenumber_per_m));
-        let weight_derivatives = [turns[0] * t, turns[1] * t * t, turns[2] * t * t * t];
-        let curvature: f64 = nearness_per_m.iter().map(|n| wavenumber_per_m * n).sum();
+        // The area vector of a skin changes by its second derivative b, once more by its third, c; the weight follows it w
+        // times as fast, for the reflection's coefficient turns with it.
+        let [b, c] = field.node.bend.as_ref().map_or([0.0; 2], Bend::derivatives);
+        let w = turns[0] - 4.0;
+        let [once, twice, thrice] = [w * b, w * w * b * b + w * c, w.powi(3) * b.powi(3) + 3.0 * w * w * b * c];
+        let weight_derivatives = [
+            turns[0] * t + once,
+            turns[1] * t * t + 2.0 * turns[0] * t * once + twice,
+            turns[2] * t * t * t + 3.0 * turns[1] * t * t * once + 3.0 * turns[0] * t * twice + thrice,
+        ];
+        // A way of ds along the plane is (1 + slope²)^½ ds along the skin, whose height follows the wave along its normal.
+        let steep = at.area.length() + b * reach_m;
+        let nearness: f64 = nearness_per_m.iter().sum();
+        let along_normal = field.both_directions(x_m).dot(field.node.normal).abs() + nearness * reach_m;
+        let curvature = wavenumber_per_m * (nearness * steep * steep + along_normal * b);
         // d³L/ds³ = −3 sin²θ cosθ/L², at most 2/√3 of 1/L².
-        let third: f64 = nearness_per_m.iter().map(|n| wavenumber_per_m * 1.155 * n * n).sum();
+        let squares: f64 = nearness_per_m.iter().map(|n| 1.155 * n * n).sum();
+        let third = wavenumber_per_m * (squares * steep.powi(3) + 3.0 * nearness * steep * b + along_normal * c);
         let phase_derivatives = [(curvature + 0.5 * third * reach_m) * reach_m, curvature, third];
-        Self { weight: 2.0 * spread(ranges_m[0]) * spread(ranges_m[1]), weight_derivatives, phase_derivatives, reach_m }
+        let weight = 2.0 * steep * spread(ranges_m[0]) * spread(ranges_m[1]);
+        Self { weight, weight_derivatives, phase_derivatives, reach_m }
     }
 
     /// |g − g(centre)| for g = weight·e^{jψ}, ψ the phase beyond its tangent plane at the centre.

@@ -1,5 +1,6 @@
 //! The geometry of one instant: every facet of every body in world metres, and each body's hierarchy in its own frame.
 
+use crate::bend::Bend;
 use crate::body_edges::{BodyEdges, body_edges};
 use crate::bvh::{Hierarchy, Stack};
 use crate::error::BartError;
@@ -137,9 +138,16 @@ impl World {
         self.tolerance_m
     }
 
-    /// How far facets may be from the skin that they stand for, m; 0 where they are the surface.
-    pub fn sagitta_m(&self) -> f64 {
-        self.bodies.iter().map(|body| body.mesh.skin.sagitta_m).fold(0.0, f64::max)
+    /// Relative amplitude error that facets in place of a skin were cut for; 0 where they are the surface.
+    pub fn skin_error(&self) -> f64 {
+        self.bodies.iter().map(|body| body.mesh.skin.error).fold(0.0, f64::max)
+    }
+
+    /// The skin over a facet; `None` where the facet is the surface.
+    pub(crate) fn bend(&self, facet: u32) -> Option<Bend> {
+        let body = self.body_of(facet)?;
+        let heights_m = body.mesh.skin.heights_m.get((facet - body.first_facet) as usize)?;
+        Bend::over(self.facet(facet), heights_m)
     }
 
     /// Bytes held, about.
@@ -263,7 +271,8 @@ pub struct Models {
 impl Models {
     /// All meshes of the header, with the skin that it asks for.
     pub fn build(header: &SceneHeader) -> Result<Self, BartError> {
-        let skin = Skin::of(header.fidelity.surface, header.fidelity.accuracy, header.radar.waveform.wavelength_m());
+        let (fidelity, wavelength_m) = (&header.fidelity, header.radar.waveform.wavelength_m());
+        let skin = Skin::of(fidelity.surface, fidelity.accuracy, wavelength_m, fidelity.bounces);
         let build = |mesh: &Mesh| BodyMesh::build(mesh, skin).map(Arc::new);
         let meshes = header.meshes.par_iter().map(build).collect::<Vec<_>>();
         let memory_limit = MemoryLimit::NONE;

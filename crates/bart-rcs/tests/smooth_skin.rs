@@ -7,7 +7,7 @@ use artifact::Accuracy;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
-use bart_rcs::{RcsRequest, Skin, World, rcs};
+use bart_rcs::{RcsRequest, Role, Skin, World, rcs};
 use bodies::{Triangles, sphere};
 use glam::DVec3;
 use num_complex::Complex64;
@@ -32,6 +32,10 @@ fn request(azimuth_deg: f64, elevation_deg: f64, accuracy_db: f64) -> RcsRequest
         surface: Surface::Smooth,
         accuracy: Accuracy::from_db(accuracy_db),
     }
+}
+
+fn skin(accuracy_db: f64) -> Skin {
+    Skin::Smooth { accuracy: Accuracy::from_db(accuracy_db), wavelength_m: WAVELENGTH_M, role: Role::Mirrors }
 }
 
 fn s(mesh: &Mesh, request: &RcsRequest) -> Complex64 {
@@ -130,7 +134,7 @@ fn a_closed_body_stays_closed_when_its_skin_is_cut() {
     for (name, body) in
         [("sphere", sphere(0.3, 1)), ("tun", revolved(&capped, 16)), ("car", bodies::cuboid(-DVec3::ONE, DVec3::ONE))]
     {
-        let world = World::of_skin(&body.mesh(), Skin::Smooth { sagitta_m: 1e-4 }).unwrap();
+        let world = World::of_skin(&body.mesh(), skin(-30.0)).unwrap();
         let bits = |v: DVec3| v.to_array().map(|x| (x + 0.0).to_bits());
         let mut sides = std::collections::BTreeMap::new();
         for facet in world.facets() {
@@ -159,11 +163,11 @@ fn what_is_flat_stays_what_it_is_bit_for_bit() {
     };
     for mesh in [&flat_normals, &bodies::cuboid(-DVec3::ONE, DVec3::ONE).mesh()] {
         let flat = World::of_mesh(mesh).unwrap();
-        let smooth = World::of_skin(mesh, Skin::Smooth { sagitta_m: 1e-6 }).unwrap();
+        let smooth = World::of_skin(mesh, skin(-60.0)).unwrap();
         assert!(flat.facets() == smooth.facets());
     }
     // And a box that is told to be round is not.
-    assert!(World::of_skin(&box_with_normals, Skin::Smooth { sagitta_m: 1e-2 }).unwrap().facets().len() > 100);
+    assert!(World::of_skin(&box_with_normals, skin(-20.0)).unwrap().facets().len() > 100);
 }
 
 /// Long facets whose rulings converge four to one are the hardest case: rows of less taper fall with its fourth power.
@@ -174,11 +178,32 @@ fn the_skin_of_a_coarse_cone_lies_closer_to_it_the_more_rows_it_has() {
     let worst = |rows: u32| {
         let row = |i: u32| 0.1 + 0.3 * f64::from(i) / f64::from(rows);
         let outline: Vec<(f64, f64)> = (0..=rows).map(row).map(|z| (z * t.tan(), -z)).collect();
-        let world = World::of_skin(&revolved(&outline, 24).mesh(), Skin::Smooth { sagitta_m: 1e-5 }).unwrap();
+        let world = World::of_skin(&revolved(&outline, 24).mesh(), skin(-40.0)).unwrap();
         world.facets().iter().flat_map(|f| f.corners_m).fold(0.0_f64, |most, x| most.max(off(x).abs()))
     };
     // The facets' own corners leave ρ(1 − cos ½θ) = 1.17 mm at the wide end.
     let [one, two, four] = [1, 2, 4].map(worst);
     println!("rows 1, 2, 4: {one:.1e}, {two:.1e}, {four:.1e} m off the cone");
     assert!(one < 0.1 * 1.17e-3 && two < one && four < two);
+}
+
+/// Complex error against the closed form.
+#[test]
+fn the_accuracy_asked_of_a_coarse_sphere_is_got_from_minus_20_to_minus_50_db() {
+    for (radius_m, refinements) in [(0.1, 2), (0.5, 4)] {
+        let mesh = sphere(radius_m, refinements).mesh();
+        let exact = sphere_physical_optics(radius_m);
+        for asked_db in [-20.0, -30.0, -40.0, -50.0] {
+            let result = rcs(&mesh, &request(10.0, 20.0, asked_db), &|_, _| ()).unwrap();
+            let error = (result.amplitude_m[0] - exact).norm() / exact.norm();
+            let printed = result.error.total().unwrap();
+            let [got_db, printed_db] = [error, printed].map(|e| 20.0 * e.log10());
+            let count = mesh.triangles.len();
+            println!(
+                "{radius_m} m, {count} triangles: asked {asked_db} dB, got {got_db:.1}, printed {printed_db:.1}, {} beams",
+                result.beams[0]
+            );
+            assert!(got_db <= asked_db && error <= printed);
+        }
+    }
 }
