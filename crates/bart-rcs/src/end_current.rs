@@ -12,7 +12,7 @@
 //! the shadow boundary φ′ = π (where both ratios are 1), and at μ = 1 the singularities of the endless face and of its rest cancel.
 
 use crate::fresnel::edge_wave;
-use crate::fringe::FaceView;
+use crate::fringe::{FaceView, Lighting};
 use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::PI;
@@ -38,7 +38,7 @@ impl EndCurrent {
         // cosφ′/N − cosπ/N = 2 sin((π + φ′)/2N) sin((π − φ′)/2N), so that φ′ = π is no special case.
         let widened = if half.abs() < 1e-9 { n } else { half.sin() / (half / n).sin() };
         let ratio = (PI / n).sin() / n * widened / (0.5 * (PI + face.angle_in) / n).sin();
-        let sign = if half < 0.0 { -1.0 } else { 1.0 };
+        let sign = if face.lighting() == Lighting::Lit { 1.0 } else { -1.0 };
         // r_h with the sign of F, and r_s·sin(φ′/2).
         let (hard, soft) = (sign * ratio, ratio * ratio * (face.angle_in / n).sin() / (PI / n).sin());
         let (ab, b, half_cosine) = (1.0 + face.angle_in.cos(), face.off_grazing, half.sin().abs());

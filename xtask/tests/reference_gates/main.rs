@@ -17,6 +17,7 @@ mod closed_form;
 mod austin;
 mod corners;
 mod full_wave;
+mod edges;
 
 use row::Row;
 use std::path::PathBuf;
@@ -35,10 +36,11 @@ fn reference_folder() -> Option<PathBuf> {
 type Check = fn(&std::path::Path) -> Vec<Row>;
 
 /// Every check, in the page's order, under its heading.
-const CHECKS: [(&str, Check); 4] = [
+const CHECKS: [(&str, Check); 5] = [
     ("First order against closed forms", closed_form::rows),
     ("First order against the Austin suite", austin::rows),
     ("Multiple bounces against closed forms", corners::rows),
+    ("Edges against exact, measured and full-wave solutions", edges::rows),
     ("Multiple bounces against full wave and the duct box", full_wave::rows),
 ];
 
@@ -58,6 +60,11 @@ fn first_order_lands_on_the_closed_forms() {
 #[test]
 fn first_order_has_the_known_error_of_physical_optics_on_measured_bodies() {
     hold(austin::rows);
+}
+
+#[test]
+fn edges_come_nearer_to_exact_and_full_wave_solutions_than_their_gates() {
+    hold(edges::rows);
 }
 
 #[test]

@@ -26,6 +26,7 @@ pub(crate) struct Bart<'a> {
     pub(crate) frequency_hz: f64,
     pub(crate) bounces: u8,
     pub(crate) nodes: NodeRule,
+    pub(crate) edges: Edges,
     pub(crate) accuracy_db: f64,
 }
 
@@ -37,7 +38,19 @@ impl<'a> Bart<'a> {
 
     /// Orders up to `bounces` at 77 GHz, middle nodes.
     pub(crate) fn bounces(mesh: &'a Mesh, bounces: u8) -> Self {
-        Self { mesh, frequency_hz: FREQUENCY_HZ, bounces, nodes: NodeRule::Middle, accuracy_db: ACCURACY_DB }
+        Self {
+            mesh,
+            frequency_hz: FREQUENCY_HZ,
+            bounces,
+            nodes: NodeRule::Middle,
+            edges: Edges::Ignored,
+            accuracy_db: ACCURACY_DB,
+        }
+    }
+
+    /// First order with edges, as exact as a mean over decibels asks for.
+    pub(crate) fn with_edges(mesh: &'a Mesh) -> Self {
+        Self { edges: Edges::FirstOrder, accuracy_db: -50.0, ..Self::first_order(mesh) }
     }
 
     /// vv and hh at every antenna: `[antenna][order − 1]`; vh and hv stay 0.
@@ -73,7 +86,7 @@ impl<'a> Bart<'a> {
             bounces: self.bounces,
             nodes: self.nodes,
             sides: Sides::Two,
-            edges: Edges::Ignored,
+            edges: self.edges,
             surface: Surface::Flat,
             accuracy: Accuracy::from_db(self.accuracy_db),
         };
