@@ -153,7 +153,7 @@ pub(crate) struct RcsArguments {
     #[arg(long, value_enum, default_value = "off")]
     pub(crate) edges: EdgesWord,
     /// Facet on which a multiple reflection is integrated.
-    #[arg(long, value_enum, default_value = "middle")]
+    #[arg(long, value_enum, default_value = "own-edge")]
     pub(crate) nodes: NodesWord,
     /// What the facets stand for: themselves, or the curved skin that the vertex normals tell of.
     #[arg(long, value_enum, default_value = "flat")]

@@ -51,6 +51,8 @@ pub(crate) struct Scattering {
     other_m: Option<Vec<Vec<Complex64>>>,
     /// |S − S(ten times finer)|² over frequency, where it was measured.
     pub(crate) error_power: Option<f64>,
+    /// |S|² over frequency of the first order that is left out, where it was measured.
+    pub(crate) left_out_power: Option<f64>,
     pub(crate) beams: Vec<u64>,
     /// Independent phases of all beams given up.
     pub(crate) dropped_m: f64,
@@ -66,8 +68,8 @@ pub(crate) struct Scattering {
 pub(crate) struct Checks {
     /// The integrals against ones ten times finer.
     pub(crate) integrals: Check,
-    /// The node rule against the other one.
-    pub(crate) nodes: Check,
+    /// The node rule against the other one, and what the order after the last would add.
+    pub(crate) model: Check,
 }
 
 /// Whether a measurement is made.
@@ -96,14 +98,15 @@ pub(crate) fn scattering(
     let error_power = (checks.integrals == Check::Measured)
         .then(|| power_between(&chosen_m, &ends.orders(1, settings.nodes, &finer)));
     let [dropped_m, dropped_at_most_m] = dropped(ends.trees(), settings);
-    let other_m = match checks.nodes {
-        Check::Measured => Some(ends.by_other_rule(&chosen_m, settings)?),
-        Check::Skipped => None,
+    let (other_m, left_out_power) = match checks.model {
+        Check::Measured => (Some(ends.by_other_rule(&chosen_m, settings)?), ends.left_out_power(settings)),
+        Check::Skipped => (None, None),
     };
     Ok(Scattering {
         chosen_m,
         other_m,
         error_power,
+        left_out_power,
         beams: beams_of(ends.trees()),
         dropped_m,
         dropped_at_most_m,
@@ -159,6 +162,19 @@ impl<'a> Ends<'a> {
         other_m.extend(self.orders(2, other, settings));
         Ok(other_m)
     }
+
+    /// |S|² over frequency of the order after the last, if the trees hold its nodes.
+    fn left_out_power(&self, settings: &AspectSettings) -> Option<f64> {
+        let order = left_out_order(settings.bounces, self.transmit.tree().audit.orders.len() as u8)?;
+        let settings = AspectSettings { bounces: order, edges: Edges::Ignored, ..settings.clone() };
+        let left_out_m = self.orders(order, NodeRule::Middle, &settings).pop()?;
+        Some(mean_over_frequencies(left_out_m.len(), |f| left_out_m[f]))
+    }
+}
+
+/// The order after the last one asked for, where trees of `tree_orders` hold its middle nodes: after every one but the first.
+pub(crate) fn left_out_order(bounces: u8, tree_orders: u8) -> Option<u8> {
+    Some(bounces + 1).filter(|order| bounces > 0 && tree_order(*order, NodeRule::Middle) <= tree_orders)
 }
 
 /// The rule that a run is compared with.
@@ -222,11 +238,6 @@ impl Scattering {
     /// |S|² over frequency.
     pub(crate) fn mean_power(&self) -> f64 {
         mean_over_frequencies(self.frequencies(), |f| self.total_m(f))
-    }
-
-    /// |S|² of one order (from 0) over frequency.
-    pub(crate) fn order_power(&self, order: usize) -> f64 {
-        mean_over_frequencies(self.frequencies(), |f| self.chosen_m[order][f])
     }
 
     /// |S(this rule) − S(the other)|² of one order (from 0) over frequency, where both are known.

@@ -4,17 +4,16 @@
 //! amplitudes and apparent velocities err in proportion to the time from the frame's middle; the moment T/√12 after it has
 //! the mean square of the whole frame.
 
-use crate::aspect::other;
+use crate::aspect::{left_out_order, other};
 use crate::join::tree_order;
 use crate::meeting::{Meeting, MeetingSettings};
 use crate::path_plan::Plan;
 use crate::path_pruning::power_over_frame;
 use crate::path_sum::element_over_band;
 use crate::physical_optics::Bracket;
-use crate::rcs_table::next_order;
 use crate::scatterer::{Integration, Scatterer, bracket_of};
 use artifact::paths::Path;
-use artifact::settings::NodeRule;
+use artifact::settings::{Edges, NodeRule};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use artifact::{ErrorBudget, ModelError};
 use num_complex::Complex64;
@@ -41,6 +40,8 @@ pub(crate) struct Reference {
     by_order_m: Vec<Vec<Complex64>>,
     /// The other node rule, where there is a choice and the tree reaches that far: by order from 1.
     other_m: Vec<Option<Vec<Complex64>>>,
+    /// The order after the last by the middle rule, facets alone, where the tree reaches that far.
+    left_out_m: Option<Vec<Complex64>>,
 }
 
 /// What was measured of one table of paths, as amplitudes relative to the frame's.
@@ -77,7 +78,11 @@ pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference
     let other = other(fidelity.nodes);
     let reaches = |order: u8| order > 1 && tree_order(order, other) <= plan.trace.max_order;
     let other_m = (1..=fidelity.bounces).map(|o| reaches(o).then(|| by_rule(o, other))).collect();
-    Reference { by_order_m, other_m, frequencies_hz }
+    let left_out_m = left_out_order(fidelity.bounces, plan.trace.max_order).map(|order| {
+        let alone = MeetingSettings { nodes: NodeRule::Middle, edges: Edges::Ignored, ..plan.meetings() };
+        of_meeting(scatterer, plan, &Meeting::of(scatterer, order, &alone), bracket_of(alone.nodes), &fineness)
+    });
+    Reference { by_order_m, other_m, left_out_m, frequencies_hz }
 }
 
 /// Mean over the band's three points of |S − S(ten times finer)|², at the moment of `scatterer`.
@@ -132,17 +137,16 @@ fn mean(values: &[Complex64]) -> f64 {
 }
 
 impl Reference {
-    /// Spread between the node rules where both are known, and the order that is missing by the decay of those that are
-    /// there; both relative to all orders.
+    /// Spread between the node rules where both are known, and the first order that is missing; both relative to all
+    /// orders.
     pub(crate) fn model_error(&self) -> ModelError {
         let power = mean(&self.total_m());
         let relative = |part: f64| if power > 0.0 { (part / power).sqrt() } else { 0.0 };
-        let by_order: Vec<f64> = self.by_order_m.iter().map(|s| relative(mean(s))).collect();
         let both = self.by_order_m.iter().zip(&self.other_m);
         let spreads: Vec<f64> = both.filter_map(|(m, e)| e.as_ref().map(|e| mean_difference(m, e))).collect();
         ModelError {
             nodes: (!spreads.is_empty()).then(|| relative(spreads.iter().sum())),
-            bounces: next_order(&by_order),
+            bounces: self.left_out_m.as_ref().map(|s| relative(mean(s))),
             ..ModelError::default()
         }
     }

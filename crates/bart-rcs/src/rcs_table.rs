@@ -240,7 +240,7 @@ pub(crate) fn aspect_settings(request: &RcsRequest, world: &World, accuracy: f64
     }
 }
 
-/// Aspects of a table at which the node rule is compared with the other one, which needs a deeper tree: all, or every n-th so
+/// Aspects of a table at which the node rule is compared with the other one, and the first order left out is added up: all, or every n-th so
 /// that at least half as many are. The spread is a ratio of powers over them: 32 aspects of independent phases know it to
 /// 1/√32, 0.8 dB.
 const COMPARED_ASPECTS: usize = 64;
@@ -259,7 +259,7 @@ fn sweep(
         let is_exact = !aspect.is_near() && settings.edges == Edges::Ignored && world.skin_error() == 0.0;
         let measured = |is_measured| if is_measured { Check::Measured } else { Check::Skipped };
         let checks =
-            Checks { integrals: measured(checked.contains(&index) && !is_exact), nodes: measured(index % stride == 0) };
+            Checks { integrals: measured(checked.contains(&index) && !is_exact), model: measured(index % stride == 0) };
         let found = scattering(world, aspect, settings, checks);
         progress(done.fetch_add(1, Ordering::Relaxed) + 1, aspects.len());
         found
@@ -297,7 +297,6 @@ fn result(request: &RcsRequest, table: &[Scattering], integration: f64, build: f
         (0..values).flat_map(|f| table.iter().map(move |s| (s, f))).map(|(s, f)| of(s, f)).collect::<Vec<_>>()
     };
     let power = table.iter().map(Scattering::mean_power).sum::<f64>();
-    let over_all = |of: &dyn Fn(&Scattering) -> f64| ratio(table.iter().map(of).sum::<f64>(), power);
     let compared = || table.iter().filter(|s| s.node_spread_power().is_some());
     let compared_power = compared().map(Scattering::mean_power).sum::<f64>();
     let spread =
@@ -321,12 +320,19 @@ fn result(request: &RcsRequest, table: &[Scattering], integration: f64, build: f
         },
         model_error: ModelError {
             nodes: Some(spread(&Scattering::node_spread_power)),
-            bounces: next_order(&(0..orders).map(|o| over_all(&|s| s.order_power(o))).collect::<Vec<_>>()),
+            bounces: left_out(table),
             ..ModelError::default()
         },
         node_spread: (0..orders).map(|order| spread(&|s| s.order_spread_power(order))).collect(),
         dropped_at_most: ratio(most_m * most_m, power / table.len() as f64),
     }
+}
+
+/// ‖S‖ of the first order left out over ‖S‖, at the aspects where it was measured.
+fn left_out(table: &[Scattering]) -> Option<f64> {
+    let measured = || table.iter().filter_map(|s| s.left_out_power.map(|power| (power, s.mean_power())));
+    let (left_out, all) = measured().fold((0.0, 0.0), |sum, (left_out, all)| (sum.0 + left_out, sum.1 + all));
+    measured().next().map(|_| ratio(left_out, all))
 }
 
 /// What the first order left out would carry if orders went on to decay as the last two did, and no growth is assumed;

@@ -121,7 +121,7 @@ pub(crate) fn read_fidelity(root: &Section<'_>) -> Fidelity {
         sides: section.word("sides", &[("two", Sides::Two), ("one", Sides::One)]).unwrap_or(Sides::Two),
         nodes: section
             .word("nodes", &[("middle", NodeRule::Middle), ("exit", NodeRule::Exit), ("own-edge", NodeRule::OwnEdge)])
-            .unwrap_or(NodeRule::Middle),
+            .unwrap_or(NodeRule::OwnEdge),
         echo: section
             .word("echo", &[("paths", EchoMode::Paths), ("rcs-table", EchoMode::RcsTable)])
             .unwrap_or(EchoMode::Paths),

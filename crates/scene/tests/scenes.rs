@@ -53,7 +53,7 @@ fn a_scene_of_a_name_alone_takes_the_documented_defaults() {
     assert_eq!(scene.intersection.width_m, 22.5);
     let fidelity = scene.fidelity;
     assert_close(fidelity.accuracy.amplitude(), 0.1, 0.1);
-    assert_eq!((fidelity.bounces, fidelity.sides, fidelity.nodes), (3, Sides::Two, NodeRule::Middle));
+    assert_eq!((fidelity.bounces, fidelity.sides, fidelity.nodes), (3, Sides::Two, NodeRule::OwnEdge));
     assert_eq!(fidelity.echo, EchoMode::Paths);
     assert!(scene.targets.is_empty() && scene.meshes.is_empty());
 }

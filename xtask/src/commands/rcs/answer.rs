@@ -68,9 +68,16 @@ impl Answer {
         let (mean, peak) = (db_from_power(mean), db_from_power(powers().fold(0.0, f64::max)));
         output::line(format!("{}: mean {mean:.2} dBsm, peak {peak:.2} dBsm", out.display()));
         let total = self.error.total().map_or("not estimated".into(), |e| format!("{:.1} dB", db_from_amplitude(e)));
-        let nodes =
-            self.model_error.nodes.map_or("not estimated".into(), |e| format!("{:.1} dB", db_from_amplitude(e)));
-        output::line(format!("numerical error {total}; spread of node rules {nodes}"));
+        let told = |e: Option<f64>| e.map_or("not estimated".into(), |e| format!("{:.1} dB", db_from_amplitude(e)));
+        let (nodes, bounces) = (told(self.model_error.nodes), told(self.model_error.bounces));
+        let by_order = self.node_spread.iter().enumerate().skip(1);
+        let by_order: Vec<String> =
+            by_order.map(|(i, e)| format!("order {} {:.1} dB", i + 1, db_from_amplitude(*e))).collect();
+        output::line(format!("numerical error {total}"));
+        output::line(format!(
+            "model: spread of node rules {nodes} ({}), first order left out {bounces}",
+            by_order.join(", ")
+        ));
         if let Some(dropped) = self.dropped_at_most {
             output::line(format!("dropped beams scatter at most {:.1} dB of the level", db_from_amplitude(dropped)));
         }
