@@ -153,3 +153,32 @@ fn an_edge_cut_into_pieces_scatters_as_one() {
         }
     }
 }
+
+/// Triangles on a coarse grid: shared, doubled, folded and crossing ones, needles and T-junctions come by themselves.
+#[test]
+fn random_soups_have_finite_edges() {
+    const CASES: u32 = 150;
+    let mut state = 12345_u64;
+    let mut random = |below: u64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) % below
+    };
+    let mut scatter = 0;
+    for case in 0..CASES {
+        let count = 1 + random(10);
+        let vertices_m = (0..3 * count).map(|_| [0, 1, 2].map(|_| 0.01 * random(4) as f64)).collect();
+        let triangles = (0..count as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+        let mesh = Mesh { vertices_m, triangles, ..Mesh::default() };
+        let range_m = if case % 3 == 0 { 1.5 } else { FAR };
+        let seen = standpoint(random(360) as f64, random(170) as f64 - 85.0, range_m);
+        let [with, without] =
+            [Edges::FirstOrder, Edges::Ignored].map(|edges| amplitude(&mesh, seen, None, Polarization::Hh, edges));
+        assert!(with.is_finite(), "case {case}: {with}");
+        // Ten triangles have at most 30 sides of 5 cm; an edge without end scatters 1.2 of its length/√π at most, and as much
+        // again where its face ends.
+        assert!((with - without).norm() < 30.0 * 0.052 * 2.4 / 1.77, "case {case}: {with} {without}");
+        scatter += u32::from(with != without);
+    }
+    println!("edges of {scatter} of {CASES} soups scatter");
+    assert!(scatter > CASES * 8 / 10);
+}
