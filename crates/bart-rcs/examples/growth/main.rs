@@ -1,0 +1,169 @@
+//! How the cost of one aspect grows: `RAYON_NUM_THREADS=1 cargo run --release -p bart-rcs --example growth -- car.stl OUT`
+//! writes OUT/growth.csv and OUT/growth.svg. Triangles are those of the mesh, each cut in four again and again; the other
+//! sweeps take the mesh as it is. Processor time of the whole process, as the system counts it.
+
+#[path = "../profile/stl.rs"]
+mod stl;
+
+use artifact::Accuracy;
+use artifact::radar::Polarization;
+use artifact::scene::Mesh;
+use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use bart_rcs::{RcsRequest, rcs};
+use std::fmt::Write as _;
+use std::io::{Error, ErrorKind};
+
+type Failure = Box<dyn std::error::Error>;
+
+/// A sweep and what it has measured: (value, beams, processor seconds).
+struct Sweep {
+    name: &'static str,
+    unit: &'static str,
+    points: Vec<(f64, u64, f64)>,
+}
+
+fn main() -> Result<(), Failure> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [file, out] = &arguments[..] else { return Err(Error::new(ErrorKind::InvalidInput, "car.stl OUT").into()) };
+    let car = stl::binary(&std::fs::read(file)?).ok_or_else(|| Error::new(ErrorKind::InvalidData, "no binary .stl"))?;
+    let sweeps = [triangles(&car)?, frequency(&car)?, orders(&car)?, distance(&car)?];
+    let mut csv = String::from("sweep,value,unit,beams,processor_seconds\n");
+    for sweep in &sweeps {
+        for (value, beams, seconds) in &sweep.points {
+            writeln!(csv, "{},{value},{},{beams},{seconds:.4}", sweep.name, sweep.unit)?;
+        }
+    }
+    print!("{csv}");
+    std::fs::write(format!("{out}/growth.csv"), csv)?;
+    std::fs::write(format!("{out}/growth.svg"), picture(&sweeps))?;
+    Ok(())
+}
+
+fn triangles(car: &Mesh) -> Result<Sweep, Failure> {
+    let mut points = Vec::new();
+    let mut mesh = thinned(car, 8);
+    for next in [
+        thinned(car, 3),
+        car.clone(),
+        quartered(car),
+        quartered(&quartered(car)),
+        quartered(&quartered(&quartered(car))),
+    ] {
+        points.push(measured(mesh.triangles.len() as f64, &mesh, &request(77e9, 30.0, 3))?);
+        mesh = next;
+    }
+    points.push(measured(mesh.triangles.len() as f64, &mesh, &request(77e9, 30.0, 3))?);
+    Ok(Sweep { name: "triangles", unit: "1", points })
+}
+
+fn frequency(car: &Mesh) -> Result<Sweep, Failure> {
+    let of = |ghz: &f64| measured(*ghz, car, &request(ghz * 1e9, 30.0, 3));
+    let points = [10.0, 20.0, 40.0, 77.0, 150.0, 300.0].iter().map(of).collect::<Result<_, _>>()?;
+    Ok(Sweep { name: "frequency", unit: "GHz", points })
+}
+
+fn orders(car: &Mesh) -> Result<Sweep, Failure> {
+    let of = |bounces: u8| measured(f64::from(bounces), car, &request(77e9, 30.0, bounces));
+    Ok(Sweep { name: "orders", unit: "1", points: (1..=5).map(of).collect::<Result<_, _>>()? })
+}
+
+fn distance(car: &Mesh) -> Result<Sweep, Failure> {
+    let of = |range_m: &f64| measured(*range_m, car, &request(77e9, *range_m, 3));
+    let points = [7.0, 15.0, 30.0, 60.0, 120.0, 500.0, 5000.0].iter().map(of).collect::<Result<_, _>>()?;
+    Ok(Sweep { name: "distance", unit: "m", points })
+}
+
+fn measured(value: f64, mesh: &Mesh, request: &RcsRequest) -> Result<(f64, u64, f64), Failure> {
+    let start = processor_seconds()?;
+    let result = rcs(mesh, request, &|_, _| ())?;
+    Ok((value, result.beams.iter().sum(), processor_seconds()? - start))
+}
+
+/// Of all threads, from `/proc/self/task/*/schedstat` (nanoseconds on a processor come first).
+fn processor_seconds() -> Result<f64, Failure> {
+    let mut nanoseconds = 0;
+    for task in std::fs::read_dir("/proc/self/task")? {
+        let text = std::fs::read_to_string(task?.path().join("schedstat"))?;
+        nanoseconds += text.split_whitespace().next().map_or(Ok(0), str::parse::<u64>)?;
+    }
+    Ok(nanoseconds as f64 * 1e-9)
+}
+
+fn request(frequency_hz: f64, range_m: f64, bounces: u8) -> RcsRequest {
+    RcsRequest {
+        frequency_hz: vec![frequency_hz],
+        elevation_rad: vec![0.15],
+        azimuth_rad: vec![0.4],
+        range_m,
+        receiver: None,
+        polarization: Polarization::Vv,
+        bounces,
+        nodes: NodeRule::Middle,
+        sides: Sides::Two,
+        edges: Edges::Ignored,
+        surface: Surface::Flat,
+        accuracy: Accuracy::from_db(-30.0),
+    }
+}
+
+/// Every n-th triangle.
+fn thinned(mesh: &Mesh, n: usize) -> Mesh {
+    Mesh { triangles: mesh.triangles.iter().step_by(n).copied().collect(), ..mesh.clone() }
+}
+
+/// Every triangle in four.
+fn quartered(mesh: &Mesh) -> Mesh {
+    let mut fine = Mesh { triangles: Vec::new(), ..mesh.clone() };
+    let mut known = std::collections::HashMap::new();
+    for &[a, b, c] in &mesh.triangles {
+        let mut middle = |i: u32, j: u32| {
+            *known.entry((i.min(j), i.max(j))).or_insert_with(|| {
+                let [p, q] = [i.min(j), i.max(j)].map(|k| mesh.vertices_m[k as usize]);
+                fine.vertices_m.push([0, 1, 2].map(|axis| 0.5 * (p[axis] + q[axis])));
+                fine.vertices_m.len() as u32 - 1
+            })
+        };
+        let (ab, bc, ca) = (middle(a, b), middle(b, c), middle(c, a));
+        fine.triangles.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
+    }
+    fine
+}
+
+/// Processor seconds over each sweep's value, both logarithmic, side by side.
+fn picture(sweeps: &[Sweep]) -> String {
+    const SIDE: f64 = 260.0;
+    let all = || sweeps.iter().flat_map(|s| s.points.iter().map(|p| p.2.log10()));
+    let [low, high] = [all().fold(f64::INFINITY, f64::min).floor(), all().fold(f64::NEG_INFINITY, f64::max).ceil()];
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"340\" font-family=\"sans-serif\" font-size=\"12\">\n\
+         <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+        60.0 + (SIDE + 40.0) * sweeps.len() as f64
+    );
+    for (number, sweep) in sweeps.iter().enumerate() {
+        let left = 60.0 + (SIDE + 40.0) * number as f64;
+        let values: Vec<f64> = sweep.points.iter().map(|p| p.0.log10()).collect();
+        let (first, last) = (values[0], values[values.len() - 1]);
+        let x = |value: f64| left + SIDE * (value - first) / (last - first);
+        let y = |seconds: f64| 290.0 - SIDE * (seconds.log10() - low) / (high - low);
+        let _ = writeln!(
+            svg,
+            "<rect x=\"{left}\" y=\"30\" width=\"{SIDE}\" height=\"{SIDE}\" fill=\"none\" stroke=\"black\"/>"
+        );
+        let _ =
+            writeln!(svg, "<text x=\"{left}\" y=\"20\">processor seconds over {} [{}]</text>", sweep.name, sweep.unit);
+        for decade in low as i32..=high as i32 {
+            let at = y(10.0_f64.powi(decade));
+            let _ = writeln!(svg, "<text x=\"{}\" y=\"{at:.1}\" text-anchor=\"end\">1e{decade}</text>", left - 4.0);
+        }
+        let mut line = String::new();
+        for ((value, _, seconds), log) in sweep.points.iter().zip(&values) {
+            let (px, py) = (x(*log), y(*seconds));
+            let _ = write!(line, "{px:.1},{py:.1} ");
+            let _ = writeln!(svg, "<circle cx=\"{px:.1}\" cy=\"{py:.1}\" r=\"3\"/>");
+            let _ =
+                writeln!(svg, "<text x=\"{px:.1}\" y=\"306\" text-anchor=\"middle\" font-size=\"9\">{value}</text>");
+        }
+        let _ = writeln!(svg, "<polyline points=\"{line}\" fill=\"none\" stroke=\"black\"/>");
+    }
+    svg + "</svg>\n"
+}
