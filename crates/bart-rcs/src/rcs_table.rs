@@ -78,7 +78,8 @@ pub struct RcsResult {
     pub error: ErrorBudget,
     /// What the model leaves out, over the table.
     pub model_error: ModelError,
-    /// Per order from 1: ‖S(exit) − S(middle)‖ of that order over ‖S‖ of all; over 32 to 64 aspects of a larger table.
+    /// Per order from 1: ‖S − S(by the other node rule)‖ of that order over ‖S‖ of all, the other rule exit, and middle for
+    /// exit; over 32 to 64 aspects of a larger table.
     pub node_spread: Vec<f64>,
     /// Largest sum over one aspect of what dropped beams could scatter at most, over the table's root mean square |S|.
     pub dropped_at_most: f64,
