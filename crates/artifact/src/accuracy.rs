@@ -92,12 +92,20 @@ pub struct ModelError {
     pub edges: Option<f64>,
     /// A far-field table in place of spherical waves.
     pub far_field: Option<f64>,
+    /// Reflections by the road.
+    pub road: Option<f64>,
 }
 
 impl ModelError {
     /// The sources, named as in `summary.json`.
-    pub fn sources(&self) -> [(&'static str, Option<f64>); 4] {
-        [("bounces", self.bounces), ("nodes", self.nodes), ("edges", self.edges), ("far_field", self.far_field)]
+    pub fn sources(&self) -> [(&'static str, Option<f64>); 5] {
+        [
+            ("bounces", self.bounces),
+            ("nodes", self.nodes),
+            ("edges", self.edges),
+            ("far_field", self.far_field),
+            ("road", self.road),
+        ]
     }
 }
 

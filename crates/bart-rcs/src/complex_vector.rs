@@ -27,6 +27,11 @@ impl ComplexVector {
         Complex64::new(self.re.dot(other.re) - self.im.dot(other.im), self.re.dot(other.im) + self.im.dot(other.re))
     }
 
+    /// Turned over at a plane z = const.
+    pub(crate) fn with_z_turned(self) -> Self {
+        Self { re: self.re.with_z(-self.re.z), im: self.im.with_z(-self.im.z) }
+    }
+
     /// `direction` × self.
     pub(crate) fn crossed_by(self, direction: DVec3) -> Self {
         Self { re: direction.cross(self.re), im: direction.cross(self.im) }

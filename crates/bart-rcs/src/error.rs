@@ -104,6 +104,12 @@ pub enum BartError {
         /// So far.
         vertices: usize,
     },
+    /// A road reflects what is above it.
+    #[error("the radar stands {height_m} m above the road z = 0, which is not above it")]
+    AntennaBelowRoad {
+        /// Of the radar's position.
+        height_m: f64,
+    },
     /// The antenna's place or direction is NaN, infinite or, for a direction, zero.
     #[error("the antenna's place or direction is not finite or is zero")]
     AntennaNotFinite,

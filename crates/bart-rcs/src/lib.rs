@@ -54,6 +54,7 @@ mod bend; // the skin's height over a facet
 mod refinement; // bent triangles cut until they are flat
 mod curved_skin; // a mesh's triangles, bent
 mod skin; // what facets stand for
+mod road; // a mirror, unfolded
 mod world; // facets of posed bodies
 mod border; // what ends a lit polygon
 mod clip; // a convex polygon cut by a plane

@@ -14,6 +14,7 @@
 use crate::border::Border;
 use crate::clip::doubled_area;
 use crate::join::{Joint, Joints, Reverse, Trees};
+use crate::road::{Half, origin};
 use crate::world::World;
 use artifact::paths::MAX_ORDER;
 use glam::{DVec2, DVec3};
@@ -83,6 +84,9 @@ impl Bordered<'_> {
 
 /// Patches of a sequence from the transmitter on; places beyond its order are `u32::MAX`.
 type Sequence = [u32; MAX_ORDER];
+
+/// Marks the end of a path to the antenna's image below the road; facets are far fewer than 2³¹.
+const BY_ROAD: u32 = 1 << 31;
 
 /// What is known of one node of a sequence, all its pieces together.
 #[derive(Debug, Clone, Copy, Default)]
@@ -169,6 +173,10 @@ fn place(world: &World, trees: Trees<'_>, joint: &Joint) -> (Sequence, usize) {
     }
     for (place, beam) in (node..MAX_ORDER).zip(receive.way_back(backward)) {
         sequence[place] = world.patch(beam.facet);
+    }
+    if origin(receive, backward) == Half::Below {
+        // The same patches with the road at the end are another path.
+        sequence[node + usize::from(backward.order) - 1] |= BY_ROAD;
     }
     (sequence, node)
 }

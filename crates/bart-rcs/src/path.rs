@@ -8,12 +8,13 @@ use crate::join::Trees;
 use crate::nearest_surface::nearest_range_m;
 use crate::path_plan::Plan;
 use crate::path_table::Fit;
-use crate::scatterer::{Scatterer, ZenithH, check_order, check_road};
+use crate::road::{check_road, image, left_out, with_image};
+use crate::scatterer::{Scatterer, ZenithH, check_order};
 use crate::world::{Models, World};
-use artifact::ErrorBudget;
 use artifact::paths::{Amplitude, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
 use artifact::scene::{Pose, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::Surface;
+use artifact::{ErrorBudget, ModelError};
 use num_complex::Complex64;
 
 /// Paths of one frame from the radar's position and back, referred to the frame's first sample.
@@ -43,9 +44,9 @@ pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) ->
         time_s: frame.time_s,
         nearest_range_m: nearest_range_m(&snapshot.world, &snapshot.tree, plan.position_m, header.targets.len()),
         error: ErrorBudget { tessellation: bent, ..table.error.budget() },
-        model_error: reference.model_error(),
+        model_error: ModelError { road: left_out(header, &frame.poses), ..reference.model_error() },
         trace: TraceStatistics {
-            triangles: snapshot.world.facets().len() as u64,
+            triangles: snapshot.world.triangles() as u64,
             beams: snapshot.tree.audit.orders.iter().map(|order| order.beams).collect(),
             paths: counts,
             dropped_power_ratio,
@@ -59,6 +60,8 @@ pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) ->
 struct Snapshot {
     world: World,
     tree: BeamTree,
+    /// With that of the antenna's image, where there is a road.
+    received: Option<BeamTree>,
 }
 
 impl Snapshot {
@@ -71,16 +74,21 @@ impl Snapshot {
     ) -> Result<Self, BartError> {
         let world = World::posed(models, header, frame, seconds)?;
         let tree = BeamTree::trace(&world, Antenna::Point(plan.position_m), &plan.trace)?;
-        Ok(Self { world, tree })
+        let received = match world.road() {
+            Some(_) => Some(with_image(&tree, &BeamTree::trace(&world, image(tree.antenna), &plan.trace)?)),
+            None => None,
+        };
+        Ok(Self { world, tree, received })
     }
 
     fn scatterer(&self, plan: &Plan<'_>) -> Scatterer<'_> {
         let h = plan.zenith_h();
-        Scatterer::new(&self.world, Trees::Shared(&self.tree), ZenithH { transmit: h, receive: h })
+        let trees = self.received.as_ref().map_or(Trees::Shared(&self.tree), |tree| Trees::Apart(&self.tree, tree));
+        Scatterer::new(&self.world, trees, ZenithH { transmit: h, receive: h })
     }
 
     fn bytes(&self) -> u64 {
-        (self.world.bytes() + self.tree.bytes()) as u64
+        (self.world.bytes() + self.tree.bytes() + self.received.as_ref().map_or(0, BeamTree::bytes)) as u64
     }
 }
 

@@ -7,6 +7,7 @@ use crate::convex_intersection::{bounds, left_of};
 use crate::join::{Joint, Joints, Reverse};
 use crate::physical_optics::{Bracket, length_difference_m};
 use crate::plane_frame::{PlaneFrame, area_m2, centroid_m};
+use crate::road::{Half, below, origin};
 use crate::scatterer::{Part, Scatterer, scaled, sequence, sum, transposed};
 use crate::world::World;
 use artifact::paths::{Amplitude, Facet, MAX_ORDER};
@@ -112,7 +113,12 @@ pub(crate) fn velocities(scatterer: &Scatterer<'_>, forward: u32, backward: u32)
     let node_mps = world.velocity_mps(scatterer.trees.transmit().beams[forward as usize].facet);
     let through = |tree: &BeamTree, beam: u32| {
         let mirrors = std::iter::successors(tree.beams[beam as usize].parent, |b| tree.beams[*b as usize].parent);
-        mirrors.fold(node_mps, |v, mirror| mirrored_velocity(world, tree.beams[mirror as usize].facet, v))
+        let at_antenna =
+            mirrors.fold(node_mps, |v, mirror| mirrored_velocity(world, tree.beams[mirror as usize].facet, v));
+        match origin(tree, &tree.beams[beam as usize]) {
+            Half::Above => at_antenna,
+            Half::Below => below(at_antenna),
+        }
     };
     [through(scatterer.trees.transmit(), forward), through(scatterer.trees.receive(), backward)]
 }

@@ -37,6 +37,10 @@ impl Mirrors {
     /// No mirror: first order.
     pub(crate) const NONE: Self = Self { node_from_leg: DMat3::IDENTITY, offset_m: DVec3::ZERO, sign: 1.0 };
 
+    /// Of the antenna's image below the road z = 0: its own leg is turned over. What the road does to the field is told apart.
+    pub(crate) const BELOW_ROAD: Self =
+        Self { node_from_leg: DMat3::from_cols(DVec3::X, DVec3::Y, DVec3::NEG_Z), offset_m: DVec3::ZERO, sign: 1.0 };
+
     /// These mirrors and one more after them.
     pub(crate) fn and(self, plane: &Plane) -> Self {
         let n = plane.normal;

@@ -7,7 +7,8 @@ use crate::join::{Trees, tree_order};
 use crate::meeting::{Meeting, MeetingSettings};
 use crate::polarization::zenith_h;
 use crate::rcs_table::next_order;
-use crate::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_order, check_road};
+use crate::road::{check_road, left_out};
+use crate::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_order};
 use crate::skin::Skin;
 use crate::world::World;
 use artifact::rcs::{RcsFrame, RcsTable};
@@ -51,7 +52,7 @@ pub fn rcs_frame(header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, B
         time_s: frame.time_s,
         tables,
         error: powers.error(),
-        model_error: powers.model_error(header.fidelity.bounces),
+        model_error: ModelError { road: left_out(header, &frame.poses), ..powers.model_error(header.fidelity.bounces) },
     })
 }
 

@@ -8,12 +8,12 @@ use crate::physical_optics::{
     Bracket, Estimate, Field, Leg, Node, for_each_tile, length_difference_m, node_amplitudes,
 };
 use crate::polarization::Mirrors;
+use crate::road::{Half, half_of, origin};
 use crate::steps::{Step, Steps};
 use crate::tiling::Tile;
 use crate::world::World;
 use artifact::material::{Makeup, Transmission};
 use artifact::paths::Amplitude;
-use artifact::scene::SceneHeader;
 use artifact::settings::NodeRule;
 use glam::DVec3;
 use num_complex::Complex64;
@@ -276,7 +276,8 @@ fn spread(end: Antenna, x_m: DVec3, origin_m: DVec3) -> f64 {
 fn legs(world: &World, tree: &BeamTree, zenith_h: DVec3) -> Vec<Leg> {
     let mut legs: Vec<Leg> = Vec::with_capacity(tree.beams.len());
     for beam in &tree.beams {
-        let mirrors = beam.parent.map_or(Mirrors::NONE, |parent| {
+        let first = || if origin(tree, beam) == Half::Above { Mirrors::NONE } else { Mirrors::BELOW_ROAD };
+        let mirrors = beam.parent.map_or_else(first, |parent| {
             let mirror = tree.beams[parent as usize].facet;
             legs[parent as usize].mirrors.and(&world.facet(mirror).plane)
         });
@@ -287,13 +288,22 @@ fn legs(world: &World, tree: &BeamTree, zenith_h: DVec3) -> Vec<Leg> {
 
 /// What a beam has met before it came to its facet.
 fn steps(world: &World, tree: &BeamTree, beam: &Beam) -> Steps {
-    let mirrors = || tree.way_back(beam).skip(1).map(|b| b.facet);
-    if world.is_conductor() || mirrors().all(|facet| world.lossy_material(facet).is_none()) {
+    if world.is_conductor() {
         return Steps::default();
     }
-    let mut steps: Vec<Step> = mirrors().map(|facet| Step::reflected(world, facet)).collect();
-    steps.reverse();
-    Steps::over(steps)
+    let mut half = origin(tree, beam);
+    let mut steps: Vec<Step> = (half == Half::Below).then(Step::started_below).into_iter().collect();
+    let facets = tree.sequence(beam);
+    for (i, &facet) in facets.iter().enumerate() {
+        if half_of(world, facet) != half {
+            half = half_of(world, facet);
+            steps.extend(world.road().map(Step::crossed));
+        }
+        if i + 1 < facets.len() {
+            steps.push(Step::reflected(world, facet));
+        }
+    }
+    if steps.iter().all(Step::is_perfect) { Steps::default() } else { Steps::over(steps) }
 }
 
 /// Facets of a path in the order of travel, by the beams of both ends.
@@ -311,7 +321,7 @@ pub(crate) fn check_order(bounces: u8) -> Result<(), BartError> {
     if bounces > most { Err(BartError::TooManyBounces { bounces, most }) } else { Ok(()) }
 }
 
-/// What is promised for later is refused by name, not ignored: of a mesh's materials,
+/// What is promised for later is refused by name, not ignored.
 pub(crate) fn check_transmission(makeup: &Makeup) -> Result<(), BartError> {
     match makeup.transmission {
         Transmission::Followed if !makeup.conducts_all_over() => {
@@ -319,9 +329,4 @@ pub(crate) fn check_transmission(makeup: &Makeup) -> Result<(), BartError> {
         }
         Transmission::Followed | Transmission::Ignored => Ok(()),
     }
-}
-
-/// and of a scene.
-pub(crate) fn check_road(header: &SceneHeader) -> Result<(), BartError> {
-    if header.road.is_some() { Err(BartError::NotBuilt { choice: "[road]" }) } else { Ok(()) }
 }

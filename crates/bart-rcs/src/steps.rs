@@ -1,11 +1,12 @@
 //! What a wave meets on its way between an antenna and a node, where not everything is a perfect mirror.
 
 use crate::complex_vector::ComplexVector;
+use crate::road::{below, crossing};
 use crate::surface_response::{
     phase_length_m, reflected_field, reflection, steepness, transmission, transmitted_field,
 };
 use crate::world::World;
-use artifact::material::Material;
+use artifact::material::{Material, Road};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -26,12 +27,19 @@ pub(crate) struct Step {
 
 /// What becomes of a wave at a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[expect(dead_code, reason = "transmission is refused until beams remember what they passed")]
 pub(crate) enum Event {
     /// It goes on reflected.
     Reflected,
     /// It goes on as it came, behind a sheet.
+    #[expect(dead_code, reason = "transmission is refused until beams remember what they passed")]
     Passed,
+    /// It starts at the antenna's image below the road.
+    StartedBelow,
+    /// It is reflected by the road, and goes on as it came in the picture below it.
+    Crossed {
+        /// Of the road.
+        rms_height_m: f64,
+    },
 }
 
 impl Steps {
@@ -73,6 +81,22 @@ impl Step {
         Self { normal: world.facet(facet).normal(), material, event: Event::Reflected }
     }
 
+    /// At the antenna's image.
+    pub(crate) fn started_below() -> Self {
+        Self { normal: DVec3::Z, material: Arc::default(), event: Event::StartedBelow }
+    }
+
+    /// At the road.
+    pub(crate) fn crossed(road: &Road) -> Self {
+        let event = Event::Crossed { rms_height_m: road.rms_height_m };
+        Self { normal: DVec3::Z, material: Arc::new(road.material.clone()), event }
+    }
+
+    /// Whether it is a perfect mirror.
+    pub(crate) fn is_perfect(&self) -> bool {
+        self.event == Event::Reflected && *self.material == Material::Conductor
+    }
+
     fn pass(&self, field: ComplexVector, travel: DVec3, wavenumber_per_m: f64) -> (ComplexVector, DVec3) {
         let Self { normal, material, event } = self;
         let cosine = normal.dot(travel).abs();
@@ -80,6 +104,11 @@ impl Step {
             Event::Reflected => {
                 let r = reflection(material, cosine, wavenumber_per_m);
                 (reflected_field(field, travel, *normal, r), travel - 2.0 * normal.dot(travel) * *normal)
+            }
+            Event::StartedBelow => (field.with_z_turned(), below(travel)),
+            Event::Crossed { rms_height_m } => {
+                let r = crossing(material, *rms_height_m, cosine, wavenumber_per_m);
+                (transmitted_field(field, travel, *normal, r), travel)
             }
             Event::Passed => {
                 let t = transmission(material, cosine, wavenumber_per_m);

@@ -7,10 +7,11 @@ use crate::error::BartError;
 use crate::memory::MemoryLimit;
 use crate::patch::Patches;
 use crate::plane::Plane;
+use crate::road::below;
 use crate::scatterer::check_transmission;
 use crate::skin::{Skin, SkinTriangles};
 use crate::world_edges::{Placed, WorldEdges};
-use artifact::material::{Layer, Makeup, Material};
+use artifact::material::{Layer, Makeup, Material, Road};
 use artifact::paths::Facet;
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
 use glam::{DMat3, DVec3};
@@ -25,6 +26,8 @@ pub struct World {
     bodies: Vec<Body>,
     /// Whether every body is a perfect conductor.
     is_conductor: bool,
+    /// Where there is one, the second half of the bodies and facets are images of the first.
+    road: Option<Road>,
     tolerance_m: f64,
     /// Of every tree.
     memory_limit: MemoryLimit,
@@ -70,7 +73,11 @@ impl World {
                 bodies.push(Body::posed(index, model, pose, seconds_into_frame, &target.id)?);
             }
         }
-        let world = Self::of_bodies(bodies)?;
+        if header.road.is_some() {
+            let images: Vec<Body> = bodies.iter().map(Body::below_road).collect();
+            bodies.extend(images);
+        }
+        let world = Self::of_bodies(bodies, header.road.clone())?;
         let limit = models.memory_limit.shared(world.bytes() as u64, 1);
         Ok(world.within(limit))
     }
@@ -84,7 +91,7 @@ impl World {
     pub fn of_skin(mesh: &Mesh, skin: Skin) -> Result<Self, BartError> {
         let pose = Pose { position_m: [0.0; 3], yaw_rad: 0.0, velocity_mps: [0.0; 3] };
         let body = Body::posed(0, Arc::new(BodyMesh::build(mesh, skin)?), &pose, 0.0, &mesh.name)?;
-        Self::of_bodies(vec![body])
+        Self::of_bodies(vec![body], None)
     }
 
     /// A facet by its index in [`World::facets`].
@@ -100,6 +107,21 @@ impl World {
     /// Whether everything is a perfect conductor.
     pub(crate) fn is_conductor(&self) -> bool {
         self.is_conductor
+    }
+
+    /// The road that bodies have images below, if any.
+    pub(crate) fn road(&self) -> Option<&Road> {
+        self.road.as_ref()
+    }
+
+    /// Whether a facet is an image below the road.
+    pub(crate) fn is_image(&self, facet: u32) -> bool {
+        facet as usize >= self.triangles()
+    }
+
+    /// Facets without the images below the road.
+    pub(crate) fn triangles(&self) -> usize {
+        if self.road.is_some() { self.facets.len() / 2 } else { self.facets.len() }
     }
 
     /// What a facet is made of; `None` is a perfect conductor.
@@ -147,7 +169,9 @@ impl World {
     pub(crate) fn bend(&self, facet: u32) -> Option<Bend> {
         let body = self.body_of(facet)?;
         let heights_m = body.mesh.skin.heights_m.get((facet - body.first_facet) as usize)?;
-        Bend::over(self.facet(facet), heights_m)
+        // Heights are along the winding's normal, which turns over in the road's mirror.
+        let up = if self.is_image(facet) { -1.0 } else { 1.0 };
+        Bend::over(self.facet(facet), &heights_m.map(|h| up * h))
     }
 
     /// Bytes held, about.
@@ -206,7 +230,7 @@ impl World {
         after.checked_sub(1).map(|body| &self.bodies[body])
     }
 
-    fn of_bodies(mut bodies: Vec<Body>) -> Result<Self, BartError> {
+    fn of_bodies(mut bodies: Vec<Body>, road: Option<Road>) -> Result<Self, BartError> {
         let mut facets: Vec<FacetGeometry> = Vec::new();
         for body in &mut bodies {
             let triangles = facets.len() + body.mesh.skin.triangles_m.len();
@@ -221,9 +245,9 @@ impl World {
         let largest = facets.iter().flat_map(|f| f.corners_m).fold(0.0, |m, c| c.abs().max_element().max(m));
         let tolerance_m = 256.0 * f64::EPSILON * largest;
         facets.par_iter_mut().for_each(|facet| facet.refuse_if_thinner_than(4.0 * tolerance_m));
-        let is_conductor = bodies.iter().all(|body| body.mesh.materials.is_empty());
+        let is_conductor = road.is_none() && bodies.iter().all(|body| body.mesh.materials.is_empty());
         let memory_limit = MemoryLimit::NONE;
-        Ok(Self { facets, bodies, is_conductor, tolerance_m, memory_limit, edges: OnceLock::new() })
+        Ok(Self { facets, bodies, is_conductor, road, tolerance_m, memory_limit, edges: OnceLock::new() })
     }
 }
 
@@ -392,6 +416,18 @@ impl Body {
         }
         let world_from_body = DMat3::from_rotation_z(pose.yaw_rad);
         Ok(Self { target, mesh, world_from_body, position_m, velocity_mps, first_facet: 0 })
+    }
+
+    /// Its image in the plane z = 0; windings turn over with it.
+    fn below_road(&self) -> Self {
+        Self {
+            target: self.target,
+            mesh: Arc::clone(&self.mesh),
+            world_from_body: DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0)) * self.world_from_body,
+            position_m: below(self.position_m),
+            velocity_mps: below(self.velocity_mps),
+            first_facet: 0,
+        }
     }
 
     fn facets(&self) -> impl IndexedParallelIterator<Item = FacetGeometry> {

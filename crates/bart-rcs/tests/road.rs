@@ -1,0 +1,185 @@
+//! The road as a mirror, against bistatic physical optics of another code, path by path.
+
+#![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
+
+use artifact::Accuracy;
+use artifact::material::{Material, Road};
+use artifact::paths::{Amplitude, Path, PathsFrame};
+use artifact::scene::{Mesh, SceneFrame, SceneHeader};
+use artifact::settings::Sides;
+use artifact::units::SPEED_OF_LIGHT_MPS;
+use bart_rcs::reference::{Aspect, Bracket, po};
+use bart_rcs::{Models, PathView, Standpoint, scattering_of_paths, trace_frame};
+use glam::DVec3;
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+mod bodies;
+
+const RADAR_M: DVec3 = DVec3::new(0.0, 0.0, 6.0);
+/// Slant range 25 m, height 0.5 m.
+const PLATE_M: DVec3 = DVec3::new(0.0, 24.387_496, 0.5);
+const ASPHALT: Complex64 = Complex64::new(9.5, -0.3);
+
+/// A plate of 3 cm that leans towards the radar; its body's origin is its middle.
+fn plate() -> Mesh {
+    let corner = |across: f64, up: f64| [0.003 * up, 0.015 * across, 0.015 * up];
+    Mesh {
+        name: "plate".into(),
+        vertices_m: vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)],
+        triangles: vec![[0, 1, 2], [0, 2, 3]],
+        ..Mesh::default()
+    }
+}
+
+fn scene(road: Option<Road>) -> (SceneHeader, SceneFrame) {
+    let yaw = -std::f64::consts::FRAC_PI_2;
+    let (mut header, frame) = bodies::scenes::scene(&plate(), &[(PLATE_M.to_array(), yaw, [0.0; 3])]);
+    header.road = road;
+    // Weak paths are dropped as far as the accuracy allows: 3e-2 of it.
+    header.fidelity.accuracy = Accuracy::from_db(-60.0);
+    (header, frame)
+}
+
+fn traced(road: Option<Road>) -> PathsFrame {
+    let (header, frame) = scene(road);
+    trace_frame(&Models::build(&header).unwrap(), &header, &frame).unwrap()
+}
+
+fn smooth(material: Material) -> Option<Road> {
+    Some(Road { material, rms_height_m: 0.0 })
+}
+
+fn centre_hz() -> f64 {
+    scene(None).0.radar.waveform.centre_frequency_hz()
+}
+
+/// S with R the distance of radar and plate.
+fn sum<'a>(paths: impl IntoIterator<Item = &'a Path>) -> Amplitude {
+    let view = PathView {
+        transmitter_m: RADAR_M,
+        receiver_m: RADAR_M,
+        origin_m: PLATE_M,
+        seconds: 0.0,
+        centre_frequency_hz: centre_hz(),
+    };
+    scattering_of_paths(paths, &view, centre_hz())
+}
+
+/// S from `from` to `to` by sampling, the phase that of |x − to| less that of the plate's distance from the radar.
+fn sampled(from: DVec3, to: DVec3) -> Amplitude {
+    // In the plate's axes: forward is −y of the world.
+    let place = |p: DVec3| {
+        let (x, y, z) = (-(p.y - PLATE_M.y), p.x - PLATE_M.x, p.z - PLATE_M.z);
+        let range_m = DVec3::new(x, y, z).length();
+        Standpoint { azimuth_rad: y.atan2(x), elevation_rad: (z / range_m).asin(), range_m }
+    };
+    let aspect = Aspect { transmitter: place(from), receiver: place(to) };
+    let sampling =
+        po::Sampling { per_wavelength: 4.0, shadow_levels: 0, sides: Sides::Two, bracket: Bracket::Symmetrised };
+    let s = po::amplitude(&plate(), &aspect, &[centre_hz()], &sampling).unwrap()[0];
+    let radar_m = RADAR_M.distance(PLATE_M);
+    let wavenumber = TAU * centre_hz() / SPEED_OF_LIGHT_MPS;
+    let factor =
+        |p: DVec3| Complex64::from_polar(radar_m / p.distance(PLATE_M), -wavenumber * (p.distance(PLATE_M) - radar_m));
+    s.map(|row| row.map(|x| x * factor(from) * factor(to)))
+}
+
+/// r on E of h, r on H of v at the plate's middle.
+fn fresnel() -> [Complex64; 2] {
+    let way = PLATE_M - RADAR_M.with_z(-RADAR_M.z);
+    let cos = way.z / way.length();
+    let s = (ASPHALT - (1.0 - cos * cos)).sqrt();
+    [(ASPHALT * cos - s) / (ASPHALT * cos + s), (cos - s) / (cos + s)]
+}
+
+#[test]
+fn g2_a_way_by_the_road_is_0_239_m_longer() {
+    let lengths: Vec<[f64; 2]> = traced(smooth(Material::Conductor))
+        .paths
+        .iter()
+        .map(|path| [path.apparent_tx_m, path.apparent_rx_m].map(|x| DVec3::from_array(x).distance(RADAR_M)))
+        .collect();
+    let excess = |of: fn(&[f64; 2]) -> f64| lengths.iter().map(of).fold(0.0, f64::max) - 25.0;
+    let (there, back) = (excess(|l| l[0]), excess(|l| l[1]));
+    println!("G2: asked 0.239 m, got {there:.4} m there, {back:.4} m back");
+    // Cells stand for parts of the plate: within 0.2 mm of its middle's length; printed to the millimetre.
+    assert!((there - 0.239).abs() < 1e-3 && (back - 0.239).abs() < 1e-3);
+    let ways = [(false, false), (false, true), (true, false), (true, true)];
+    for (tx, rx) in ways {
+        let is = |l: &&[f64; 2]| (l[0] > 25.1) == tx && (l[1] > 25.1) == rx;
+        assert!(lengths.iter().any(|l| is(&l)), "road on the way there {tx}, back {rx}");
+    }
+}
+
+#[test]
+fn direct_vehicle_road_road_vehicle_and_both_add_up_as_bistatic_physical_optics_says() {
+    let below = RADAR_M.with_z(-RADAR_M.z);
+    let [direct, once, twice] = [sampled(RADAR_M, RADAR_M), sampled(RADAR_M, below), sampled(below, below)];
+    for (material, [tm, te]) in [
+        (Material::Conductor, [Complex64::ONE, -Complex64::ONE]),
+        (Material::HalfSpace { permittivity: ASPHALT }, fresnel()),
+    ] {
+        let got = sum(&traced(smooth(material.clone())).paths);
+        for (i, r) in [(0, tm), (1, te)] {
+            let asked = direct[i][i] + 2.0 * r * once[i][i] + r * r * twice[i][i];
+            let error = (got[i][i] - asked).norm() / asked.norm().max(direct[i][i].norm());
+            println!("{material:?}, element {i}: asked {asked:.5}, got {:.5}, error {error:.1e}", got[i][i]);
+            // r of v changes by 1.8 per radian near Brewster's angle, and the plate's rim is 0.6 mrad off its middle: 2·1e-3
+            // of the share by the road, which is 1.5 times the sum.
+            assert!(error < 3.2e-3, "{material:?} {i}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn the_two_ways_by_the_road_come_in_pairs_that_add() {
+    let paths = traced(smooth(Material::HalfSpace { permittivity: ASPHALT })).paths;
+    let by_road = |x: [f64; 3]| DVec3::from_array(x).distance(RADAR_M) > 25.1;
+    let of = |tx: bool, rx: bool| {
+        sum(paths.iter().filter(|p| by_road(p.apparent_tx_m) == tx && by_road(p.apparent_rx_m) == rx))
+    };
+    let (there, back) = (of(true, false), of(false, true));
+    for i in [0, 1] {
+        let error = (there[i][i] - back[i][i]).norm() / there[i][i].norm();
+        println!("element {i}: |S| there {:.3e}, difference {error:.1e}", there[i][i].norm());
+        assert!(error < 1e-9, "one is the other's reverse");
+    }
+    // 2|r| against the direct 1 (physics.md §5), as the plate scatters alike towards both.
+    let pair = there[1][1] + back[1][1];
+    println!(
+        "h: pair over direct {:.3}, 2|r| {:.3}",
+        pair.norm() / of(false, false)[1][1].norm(),
+        2.0 * fresnel()[1].norm()
+    );
+}
+
+#[test]
+fn a_rough_road_reflects_less_by_ament_s_factor() {
+    let road = |rms_height_m| Some(Road { material: Material::HalfSpace { permittivity: ASPHALT }, rms_height_m });
+    let by_road = |x: [f64; 3]| DVec3::from_array(x).distance(RADAR_M) > 25.1;
+    let level = |road| {
+        let paths = traced(road).paths;
+        sum(paths.iter().filter(|p| by_road(p.apparent_tx_m) && !by_road(p.apparent_rx_m)))[1][1].norm()
+    };
+    let way = PLATE_M - RADAR_M.with_z(-RADAR_M.z);
+    let g = 2.0 * TAU * centre_hz() / SPEED_OF_LIGHT_MPS * 1e-3 * way.z / way.length();
+    let (asked, got) = ((-0.5 * g * g).exp(), level(road(1e-3)) / level(road(0.0)));
+    println!("1 mm: asked {:.3} dB, got {:.3} dB", 20.0 * asked.log10(), 20.0 * got.log10());
+    // The grazing angle changes by 1e-3 over the plate.
+    assert!((got / asked - 1.0).abs() < 2e-3);
+    // physics.md §5: 1 mm costs 0.5 to 3.4 dB.
+    assert!((-3.5..-0.5).contains(&(20.0 * got.log10())));
+}
+
+#[test]
+fn without_a_road_its_cost_is_estimated_and_with_one_it_is_not() {
+    let printed = traced(None).model_error.road.unwrap();
+    let road = Road { material: Material::HalfSpace { permittivity: ASPHALT }, rms_height_m: 5e-4 };
+    let (direct, all) = (sum(&traced(None).paths)[0][0], sum(&traced(Some(road.clone())).paths)[0][0]);
+    let true_error = (all - direct).norm() / direct.norm();
+    println!("road left out: printed {printed:.3}, true {true_error:.3}");
+    assert_eq!(traced(Some(road)).model_error.road, None);
+    // The estimate takes the plate to scatter alike in all directions; it leans up to the radar.
+    assert!(printed > 0.3 * true_error && printed < 10.0 * true_error);
+}
