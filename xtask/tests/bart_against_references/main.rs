@@ -13,6 +13,7 @@ mod methods;
 #[path = "../reference_gates/bodies.rs"]
 #[expect(dead_code, reason = "only the polygons are wanted here")]
 mod bodies;
+mod continuity;
 mod random_cases;
 
 use artifact::scene::Mesh;
@@ -177,4 +178,66 @@ fn a_hundred_random_frames_are_tried() {
         (found.printed_db, found.true_db)
     };
     judge(&cases().map(try_one).collect::<Vec<_>>());
+}
+
+/// The rows of docs/validation/continuity.md: name, increment error in rad against BART 60 dB below the field with as many
+/// bounces, spectral floor in dB.
+fn continuity_rows(slide: &continuity::Slide<'_>, methods: &[(&str, u8, Box<Method<'_>>)]) -> Vec<(String, f64, f64)> {
+    let fine = |bounces: u8| continuity::echoes(slide, &|mesh, place, f| bart(mesh, place, f, bounces, -60.0));
+    let references = [fine(1), fine(3)];
+    let row = |(name, bounces, method): &(&str, u8, Box<Method<'_>>)| {
+        let found = continuity::echoes(slide, method);
+        let reference = &references[usize::from(*bounces > 1)];
+        (name.to_string(), continuity::increment_error_rad(&found, reference), continuity::spectral_floor_db(&found))
+    };
+    let mut rows: Vec<_> = methods.iter().map(row).collect();
+    let names = ["BART, one bounce, −60 dB asked (reference)", "BART, three bounces, −60 dB asked (reference)"];
+    rows.extend(names.iter().zip(&references).map(|(n, s)| (n.to_string(), 0.0, continuity::spectral_floor_db(s))));
+    rows.iter().for_each(|(name, error_rad, floor_db)| println!("| {name} | {error_rad:.1e} | {floor_db:.1} |"));
+    rows
+}
+
+type Method<'a> = dyn Fn(&Mesh, Standpoint, &[f64]) -> Run + 'a;
+
+#[test]
+fn the_field_of_beams_runs_on_from_chirp_to_chirp_where_rays_jump() {
+    let mesh = boxes_on_a_plate();
+    let slide = continuity::Slide {
+        mesh: &mesh,
+        antenna_m: glam::DVec3::new(26.0, 12.0, 10.0),
+        velocity_mps: glam::DVec3::new(10.0, 0.0, 0.0),
+        frequency_hz: 10e9,
+        chirp_interval_s: 60e-6,
+        chirps: 32,
+    };
+    let methods: [(&str, u8, Box<Method<'_>>); 2] = [
+        ("BART, −30 dB asked", 3, Box::new(|m, p, f| bart(m, p, f, 3, -30.0))),
+        ("sbr, three bounces, 4 rays per λ", 3, Box::new(|m, p, f| sbr(m, p, f, 4.0, 3))),
+    ];
+    let rows = continuity_rows(&slide, &methods);
+    assert!(rows[0].1 < 0.3 * rows[1].1, "{rows:?}");
+    assert!(rows[0].2 < rows[1].2 - 10.0, "{rows:?}");
+}
+
+#[test]
+#[ignore = "prints the table of docs/validation/continuity.md: many minutes"]
+fn the_continuity_of_a_moving_car_is_measured() {
+    let mesh = own("car-suv");
+    let slide = continuity::Slide {
+        mesh: &mesh,
+        antenna_m: glam::DVec3::new(27.0, 12.0, 5.0),
+        velocity_mps: glam::DVec3::new(10.0, 0.0, 0.0),
+        frequency_hz: 24e9,
+        chirp_interval_s: 60e-6,
+        chirps: 64,
+    };
+    let methods: [(&str, u8, Box<Method<'_>>); 6] = [
+        ("BART, three bounces, −20 dB asked", 3, Box::new(|m, p, f| bart(m, p, f, 3, -20.0))),
+        ("BART, three bounces, −40 dB asked", 3, Box::new(|m, p, f| bart(m, p, f, 3, -40.0))),
+        ("po, one bounce, 2 cells per λ", 1, Box::new(|m, p, f| po(m, p, f, 2.0, 0))),
+        ("po, one bounce, 2 cells per λ, borders halved 3 times", 1, Box::new(|m, p, f| po(m, p, f, 2.0, 3))),
+        ("sbr, three bounces, 1 ray per λ", 3, Box::new(|m, p, f| sbr(m, p, f, 1.0, 3))),
+        ("sbr, three bounces, 4 rays per λ", 3, Box::new(|m, p, f| sbr(m, p, f, 4.0, 3))),
+    ];
+    continuity_rows(&slide, &methods);
 }
