@@ -22,7 +22,8 @@ pub(crate) struct Found {
     pub(crate) true_db: f64,
 }
 
-/// Case number `case`: S at the accuracy asked against S asked 30 dB finer, whose own error is 3 % of what is measured.
+/// Case number `case`: S at the accuracy asked against S asked 15 dB finer: where both are just met, the reference's own error is 18 % of what
+/// is measured, and blurs it by 1.5 dB at most.
 pub(crate) fn try_case(case: u64, meshes: &[(&str, Mesh)], band_hz: [f64; 2]) -> Found {
     let mut rng = ChaCha12Rng::from_seed(artifact::seed::key(7, "validation/random-cases", &[case]));
     let (name, mesh) = &meshes[rng.random_range(0..meshes.len())];
@@ -32,10 +33,10 @@ pub(crate) fn try_case(case: u64, meshes: &[(&str, Mesh)], band_hz: [f64; 2]) ->
         range_m: if rng.random_bool(0.4) { f64::INFINITY } else { 10.0_f64.powf(rng.random_range(1.1..2.0)) },
     };
     let bounces = rng.random_range(1..=3);
-    let asked_db = [-20.0, -40.0][rng.random_range(0..2)];
+    let asked_db = rng.random_range(-40.0..-15.0);
     let frequencies_hz: Vec<f64> = (0..3).map(|_| rng.random_range(band_hz[0]..band_hz[1])).collect();
     let at = |db: f64| rcs(mesh, &request(place, &frequencies_hz, bounces, NodeRule::Middle, db), &|_, _| {}).unwrap();
-    let (got, truth) = (at(asked_db), at(asked_db - 30.0));
+    let (got, truth) = (at(asked_db), at(asked_db - 15.0));
     Found {
         name: (*name).to_owned(),
         place,
@@ -67,7 +68,7 @@ pub(crate) struct FoundFrame {
     pub(crate) true_db: f64,
 }
 
-/// Frame number `case`: its paths against the body traced and integrated anew, 25 dB finer, where it is at four random
+/// Frame number `case`: its paths against the body traced and integrated anew, 15 dB finer, where it is at three random
 /// moments of the frame.
 ///
 /// A map is a unitary transform of the frame's samples (Parseval), so its relative error is that of the samples; each is S
@@ -84,14 +85,14 @@ pub(crate) fn try_frame(case: u64, meshes: &[(&str, Mesh)], empty: &SceneHeader)
     };
     let mut header = empty.clone();
     header.fidelity.bounces = rng.random_range(1..=3);
-    let asked_db = rng.random_range(-30.0..-15.0);
+    let asked_db = rng.random_range(-25.0..-10.0);
     header.fidelity.accuracy = artifact::Accuracy::from_db(asked_db);
     header.meshes = vec![mesh.clone()];
     header.targets[0].start = pose;
     let frame = scene::snapshot(&header, 0);
     let paths = trace_frame(&Models::build(&header).unwrap(), &header, &frame).unwrap();
     let (mut of_paths, mut anew) = (Vec::new(), Vec::new());
-    for _ in 0..4 {
+    for _ in 0..3 {
         let seconds = rng.random_range(0.0..header.radar.frame_duration_s());
         let frequencies_hz: Vec<f64> = (0..12).map(|_| random_frequency_hz(&header, &mut rng)).collect();
         of_paths.extend(frequencies_hz.iter().map(|f| at(&header, &paths.paths, &pose, seconds, *f)));
@@ -138,7 +139,7 @@ fn traced_anew(header: &SceneHeader, pose: &Pose, seconds: f64, frequencies_hz: 
         range_m: to_radar.length(),
     };
     let fidelity = &header.fidelity;
-    let finer_db = fidelity.accuracy.db() - 25.0;
+    let finer_db = fidelity.accuracy.db() - 15.0;
     let request = request(place, frequencies_hz, fidelity.bounces, fidelity.nodes, finer_db);
     rcs(&header.meshes[0], &request, &|_, _| {}).unwrap().amplitude_m
 }
