@@ -267,7 +267,7 @@ impl<'a> Chain<'a> {
 }
 
 /// Facets, hierarchy, beams, joints, cells and paths of a triangle and an order, at most: 3.3 KiB where four vehicles reflect
-/// each other at −20 dB (`scenes/intersection.toml`), 1 KiB for a car alone.
+/// each other at −20 dB (`scenes/intersection.toml`).
 const BYTES_PER_TRIANGLE_AND_ORDER: u64 = 4 << 10;
 
 /// What the program holds beside a frame's data: code, thread stacks, the learning library's buffers (measured 40 MiB).

@@ -44,8 +44,8 @@ impl MemoryLimit {
     }
 }
 
-/// Joints and their polygons, legs and sums beside a tree's own bytes (measured 1.2 on vehicles of 14,000 to 79,000
-/// triangles, orders 1 to 5, and at most 2 in a scene whose vehicles reflect each other).
+/// Joints and their polygons, legs and sums beside a tree's own bytes. Assumed, not measured apart: the vehicles and scenes of
+/// `docs/speed.md` stay below their estimates with it.
 const JOINED_PER_TREE: u64 = 2;
 
 /// Bodies at rest: mesh, facets, hierarchy and topology of a triangle (measured 0.9 to 1.1 KiB).
