@@ -65,7 +65,8 @@ impl CurvedEdge {
         let Curve::OnSkin(normals) = self.curve else { return 0.0 };
         let (chord, turn) = (self.chord_m(), self.turn_rad());
         let [a, b] = slopes(chord, normals);
-        let harmonic = if a * b > 0.0 { 4.0 * a * b / (a + b) } else { 0.0 };
+        // A side that winds is a cubic's own.
+        let harmonic = if a * b > 0.0 { 4.0 * a * b / (a + b) } else { a + b };
         self.sagitta_m() * turn * turn / 4.5 + 0.125 * chord.length() * (a + b - harmonic).abs()
     }
 

@@ -8,7 +8,7 @@ use crate::curved_edge::{Curve, CurvedEdge, rejected};
 use crate::made_normals::{Facets, made_normals};
 use crate::mesh_edges::{MeshEdge, MeshEdges, Side};
 use crate::plane::Plane;
-use crate::refinement::{BentSide, BentTriangle, Limits, Walk, expected, refined};
+use crate::refinement::{BentSide, BentTriangle, Limits, Walk, count, refined};
 use crate::skin::SkinTriangles;
 use crate::welding::welded;
 use artifact::scene::Mesh;
@@ -57,9 +57,10 @@ impl CurvedSkin {
         Self { triangles: (0..corners_m.len()).into_par_iter().map(bent).collect() }
     }
 
-    /// About how many triangles [`CurvedSkin::facets`] makes.
-    pub(crate) fn expected(&self, limits: &Limits) -> f64 {
-        self.triangles.iter().map(|bent| bent.as_ref().map_or(1.0, |b| expected(b, limits))).sum()
+    /// How many facets [`CurvedSkin::facets`] makes.
+    pub(crate) fn count(&self, limits: &Limits) -> usize {
+        let of = |bent: &Option<BentTriangle>| bent.as_ref().map_or(1, |b| count(b, limits));
+        self.triangles.par_iter().map(of).collect::<Vec<_>>().into_iter().sum()
     }
 
     /// Facets whose sides bend no more than the limits allow; what needs no cut keeps its corners, bit for bit.

@@ -42,8 +42,8 @@ pub(crate) struct Limits {
     pub(crate) offset_m: f64,
 }
 
-/// 2⁻¹⁰ of an edge: by then its sagitta is a millionth.
-const HALVINGS_MAX: u8 = 10;
+/// Sides in 32 parts turn by a degree where the whole turned by 35°, and no triangle becomes more than 1024.
+const HALVINGS_MAX: u8 = 5;
 
 /// Parts whose sides bend no more than the limits allow, in its winding.
 pub(crate) fn refined(whole: BentTriangle, limits: &Limits) -> Vec<BentTriangle> {
@@ -60,13 +60,17 @@ pub(crate) fn refined(whole: BentTriangle, limits: &Limits) -> Vec<BentTriangle>
     good
 }
 
-/// About how many triangles [`refined`] makes.
-pub(crate) fn expected(bent: &BentTriangle, limits: &Limits) -> f64 {
-    let mut steps = bent.sides.each_ref().map(|side| halvings(&side.edge, limits).exp2());
-    steps.sort_by(f64::total_cmp);
-    // One curved side makes a fan, two make strips, three a grid.
-    let [least, middle, most] = steps;
-    most * middle.min(2.0 * least).max(1.0)
+/// How many triangles [`refined`] makes.
+pub(crate) fn count(whole: &BentTriangle, limits: &Limits) -> usize {
+    let mut left = vec![*whole];
+    let mut good = 0;
+    while let Some(bent) = left.pop() {
+        match bent.sides.map(|side| is_split(&side.edge, limits)) {
+            [false, false, false] => good += 1,
+            split => bent.cut(split, &mut left),
+        }
+    }
+    good
 }
 
 fn is_split(edge: &CurvedEdge, limits: &Limits) -> bool {

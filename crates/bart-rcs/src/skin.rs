@@ -51,7 +51,7 @@ pub(crate) struct SkinTriangles {
 
 /// Most facets that a mesh is cut into, about: a facet and its beam take some 3 kB (measured on a car of 10 077 triangles in
 /// 0.9 million facets), so these are 1.5 GiB. A skin that asks for more is cut as fine as this allows, and says so.
-const FACETS_MAX: f64 = (1 << 19) as f64;
+const FACETS_MAX: usize = 1 << 19;
 
 impl Skin {
     /// What a run asks for.
@@ -67,10 +67,10 @@ impl Skin {
     pub(crate) fn triangles(self, mesh: &Mesh, corners_m: Vec<[DVec3; 3]>) -> SkinTriangles {
         let Self::Smooth { accuracy, wavelength_m, role } = self else { return flat(mesh, corners_m) };
         let skin = CurvedSkin::of(mesh, &corners_m);
-        let most = FACETS_MAX.max(2.0 * corners_m.len() as f64);
+        let most = FACETS_MAX.max(2 * corners_m.len());
         let mut error = accuracy.amplitude().max(1e-6);
         let mut limits = limits(error, wavelength_m, role);
-        while skin.expected(&limits) > most {
+        while skin.count(&limits) > most {
             error *= 2.0;
             limits = limits_coarser(limits);
         }
