@@ -2,6 +2,7 @@
 
 use crate::antenna::Antenna;
 use crate::beam::{BeamTree, GrowingTree, TraceSettings};
+use crate::edge_scattering::{edge_meetings, sum_of_edges};
 use crate::error::BartError;
 use crate::join::{Trees, tree_order};
 use crate::meeting::{Meeting, MeetingSettings};
@@ -53,6 +54,8 @@ pub(crate) struct Scattering {
     pub(crate) error_power: Option<f64>,
     /// |S|² over frequency of the first order that is left out, where it was measured.
     pub(crate) left_out_power: Option<f64>,
+    /// |S of the edges that are left out|² at the middle frequency.
+    pub(crate) edges_power: Option<f64>,
     pub(crate) beams: Vec<u64>,
     /// Independent phases of all beams given up.
     pub(crate) dropped_m: f64,
@@ -98,6 +101,7 @@ pub(crate) fn scattering(
     let error_power = (checks.integrals == Check::Measured)
         .then(|| power_between(&chosen_m, &ends.orders(1, settings.nodes, &finer)));
     let [dropped_m, dropped_at_most_m] = dropped(ends.trees(), settings);
+    let edges_power = (checks.model == Check::Measured).then(|| ends.edges_power(settings)).flatten();
     let (other_m, left_out_power) = match checks.model {
         Check::Measured => (Some(ends.by_other_rule(&chosen_m, settings)?), ends.left_out_power(settings)),
         Check::Skipped => (None, None),
@@ -107,6 +111,7 @@ pub(crate) fn scattering(
         other_m,
         error_power,
         left_out_power,
+        edges_power,
         beams: beams_of(ends.trees()),
         dropped_m,
         dropped_at_most_m,
@@ -163,6 +168,28 @@ impl<'a> Ends<'a> {
         Ok(other_m)
     }
 
+    /// |S|² of the edges seen straight at the middle frequency, where they are left out and cheap to ask for.
+    fn edges_power(&self, settings: &AspectSettings) -> Option<f64> {
+        let (p, q) = settings.polarization.indices();
+        let wavenumber_per_m = *settings.wavenumbers_per_m.get(settings.wavenumbers_per_m.len() / 2)?;
+        if settings.edges == Edges::FirstOrder || self.world.facets().len() > FACETS_WITH_CHEAP_EDGES {
+            return None;
+        }
+        let transmit = self.transmit.tree();
+        let trees = self.receive.as_ref().map_or(Trees::Shared(transmit), |tree| Trees::Apart(transmit, tree.tree()));
+        let scatterer = Scatterer::new(self.world, trees, self.zenith_h);
+        let least_area_m2 = settings.trace.least_area_m2;
+        let edges = Edges::FirstOrder;
+        let what = MeetingSettings { nodes: settings.nodes, edges, least_area_m2, wavenumber_per_m };
+        let integration = Integration {
+            wavenumbers_per_m: &[wavenumber_per_m],
+            accuracy: EDGES_LEFT_OUT_ACCURACY,
+            bracket: bracket_of(settings.nodes),
+        };
+        let s = sum_of_edges(&scatterer, &edge_meetings(&scatterer, 1, &what), DVec3::ZERO, &integration);
+        Some(s[0][p][q].norm_sqr())
+    }
+
     /// |S|² over frequency of the order after the last, if the trees hold its nodes.
     fn left_out_power(&self, settings: &AspectSettings) -> Option<f64> {
         let order = left_out_order(settings.bounces, self.transmit.tree().audit.orders.len() as u8)?;
@@ -171,6 +198,11 @@ impl<'a> Ends<'a> {
         Some(mean_over_frequencies(left_out_m.len(), |f| left_out_m[f]))
     }
 }
+
+/// On more facets the edges cost more than a tenth of a second, as much as the rest of an aspect.
+const FACETS_WITH_CHEAP_EDGES: usize = 2_000;
+/// What is left out is told to 10 %.
+const EDGES_LEFT_OUT_ACCURACY: f64 = 0.1;
 
 /// The order after the last one asked for, where trees of `tree_orders` hold its middle nodes: after every one but the first.
 pub(crate) fn left_out_order(bounces: u8, tree_orders: u8) -> Option<u8> {

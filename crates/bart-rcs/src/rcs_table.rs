@@ -321,7 +321,8 @@ fn result(request: &RcsRequest, table: &[Scattering], integration: f64, build: f
         },
         model_error: ModelError {
             nodes: Some(spread(&Scattering::node_spread_power)),
-            bounces: left_out(table),
+            bounces: left_out(table, |s| s.left_out_power),
+            edges: left_out(table, |s| s.edges_power),
             ..ModelError::default()
         },
         node_spread: (0..orders).map(|order| spread(&|s| s.order_spread_power(order))).collect(),
@@ -329,9 +330,9 @@ fn result(request: &RcsRequest, table: &[Scattering], integration: f64, build: f
     }
 }
 
-/// ‖S‖ of the first order left out over ‖S‖, at the aspects where it was measured.
-fn left_out(table: &[Scattering]) -> Option<f64> {
-    let measured = || table.iter().filter_map(|s| s.left_out_power.map(|power| (power, s.mean_power())));
+/// ‖S‖ of what is left out over ‖S‖, at the aspects where it was measured.
+fn left_out(table: &[Scattering], power: impl Fn(&Scattering) -> Option<f64>) -> Option<f64> {
+    let measured = || table.iter().filter_map(|s| power(s).map(|power| (power, s.mean_power())));
     let (left_out, all) = measured().fold((0.0, 0.0), |sum, (left_out, all)| (sum.0 + left_out, sum.1 + all));
     measured().next().map(|_| ratio(left_out, all))
 }
