@@ -272,6 +272,11 @@ impl Scattering {
         mean_over_frequencies(self.frequencies(), |f| self.total_m(f))
     }
 
+    /// |S − S(other)|² over frequency, all orders.
+    pub(crate) fn difference_power(&self, other: &Self) -> f64 {
+        power_between(&self.chosen_m, &other.chosen_m)
+    }
+
     /// |S(this rule) − S(the other)|² of one order (from 0) over frequency, where both are known.
     pub(crate) fn order_spread_power(&self, order: usize) -> Option<f64> {
         let other_m = &self.other_m.as_ref()?[order];

@@ -8,6 +8,7 @@ use crate::border::Border;
 use crate::brute_force::EveryFacet;
 use crate::error::BartError;
 use crate::plane::Plane;
+use crate::sheets::parted;
 use crate::view::{Mirror, View};
 use crate::visibility::{Buffers, ByHierarchy, Part, Parts, Visibility};
 use crate::world::World;
@@ -49,6 +50,8 @@ pub struct Beam {
     pub across_m2: f64,
     /// Solid angle from the image, sr, or area across the direction, m².
     pub section: f64,
+    /// Sheets that the wave has passed since the mirror before, in its order: indices into [`World::facets`].
+    pub sheets: Vec<u32>,
     /// Corners in the tree's vertices.
     pub(crate) polygon: Range<u32>,
 }
@@ -184,7 +187,9 @@ fn grow_to<V: Visibility>(world: &World, order: u8, growth: &mut Growth<'_>) -> 
     if done == 0 && order > 0 {
         let antenna = growth.tree.antenna;
         growth.begin_order();
-        for parts in V::direct(&View::direct(world, growth.settings.sides, antenna)) {
+        let view = View::direct(world, growth.settings.sides, antenna);
+        let seen: Vec<Parts> = V::direct(&view).into_par_iter().map(|parts| parted(&view, parts)).collect();
+        for parts in seen {
             growth.take(None, antenna, 1, parts)?;
         }
         growth.check_memory(world, 1)?;
@@ -202,7 +207,7 @@ fn grow_order<V: Visibility>(world: &World, order: u8, growth: &mut Growth) -> R
     let mut incident_section = 0.0;
     for batch in parents.chunks(BATCH) {
         let reflect = |buffers: &mut Buffers, &(index, ref view): &(u32, View)| {
-            (index, view.antenna, V::reflected(view, buffers))
+            (index, view.antenna, parted(view, V::reflected(view, buffers)))
         };
         let view = |&index: &u32| Some((index, growth.view(world, index)?));
         let views: Vec<(u32, View)> = batch.iter().filter_map(view).collect();
@@ -277,9 +282,10 @@ impl<'a> Growth<'a> {
             self.tree.vertices_m.extend(corners.iter().map(|corner| corner.point_m));
             self.tree.borders.extend(corners.iter().map(|corner| corner.border));
             self.edges.extend(corners.iter().map(|corner| (corner.edge, corner.border)));
-            let &Part { facet, lit_normal, across_m2, section, .. } = part;
+            let &Part { facet, lit_normal, across_m2, section, ref sheets, .. } = part;
+            let sheets = sheets.clone();
             let polygon = index(start)?..index(self.tree.vertices_m.len())?;
-            self.tree.beams.push(Beam { parent, order, facet, lit_normal, image, across_m2, section, polygon });
+            self.tree.beams.push(Beam { parent, order, facet, lit_normal, image, across_m2, section, sheets, polygon });
             self.audit.keep(part, self.settings);
         }
         Ok(())

@@ -63,6 +63,7 @@ mod depth_order; // which of two facets is in front, decided once
 mod view; // from where and through which hole
 mod shadow; // what one facet hides
 mod projection_grid; // what may stand before what in a direct view
+mod sheets; // what waves have passed
 mod visibility; // what a view shows
 mod brute_force; // the same by trying all pairs
 mod beam; // trees of lit polygons and their mirrors

@@ -10,6 +10,7 @@ use crate::polarization::zenith_h;
 use crate::scatterer::check_order;
 use crate::skin::Skin;
 use crate::world::World;
+use artifact::material::{Makeup, Material, Transmission};
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
@@ -145,10 +146,39 @@ pub fn rcs_within(
         if integration <= asked || accuracy < 1e-4 * asked {
             let mut result = result(request, &table, integration, build);
             result.error.tessellation = tessellation(request, &world);
+            result.model_error.transmission = transmission_left_out(mesh, request, &aspects, &settings, &table)?;
             return Ok(result);
         }
         accuracy *= 0.1;
     }
+}
+
+/// ‖S(through sheets) − S‖ over ‖S(through sheets)‖ at the first, middle and last aspect; `None` where there is no sheet or
+/// waves are followed.
+fn transmission_left_out(
+    mesh: &Mesh,
+    request: &RcsRequest,
+    aspects: &[Aspect],
+    settings: &AspectSettings,
+    table: &[Scattering],
+) -> Result<Option<f64>, BartError> {
+    let makeup = &mesh.makeup;
+    if makeup.transmission == Transmission::Followed || !makeup.materials.iter().any(Material::is_sheet) {
+        return Ok(None);
+    }
+    let makeup = Makeup { transmission: Transmission::Followed, ..makeup.clone() };
+    let world = World::of_skin(&Mesh { makeup, ..mesh.clone() }, skin(request))?;
+    let mut checked = vec![0, aspects.len() / 2, aspects.len().saturating_sub(1)];
+    checked.dedup();
+    checked.retain(|&i| i < aspects.len());
+    let (mut missing, mut whole) = (0.0, 0.0);
+    for i in checked {
+        let checks = Checks { integrals: Check::Skipped, model: Check::Skipped };
+        let through = scattering(&world, &aspects[i], settings, checks)?;
+        missing += through.difference_power(&table[i]);
+        whole += through.mean_power();
+    }
+    Ok(Some(ratio(missing, whole)))
 }
 
 /// Fine enough at the highest frequency.

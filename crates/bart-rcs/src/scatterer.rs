@@ -12,7 +12,6 @@ use crate::road::{Half, half_of, origin};
 use crate::steps::{Step, Steps};
 use crate::tiling::Tile;
 use crate::world::World;
-use artifact::material::{Makeup, Transmission};
 use artifact::paths::Amplitude;
 use artifact::settings::NodeRule;
 use glam::DVec3;
@@ -293,14 +292,17 @@ fn steps(world: &World, tree: &BeamTree, beam: &Beam) -> Steps {
     }
     let mut half = origin(tree, beam);
     let mut steps: Vec<Step> = (half == Half::Below).then(Step::started_below).into_iter().collect();
-    let facets = tree.sequence(beam);
-    for (i, &facet) in facets.iter().enumerate() {
-        if half_of(world, facet) != half {
-            half = half_of(world, facet);
+    let mut beams: Vec<&Beam> = tree.way_back(beam).collect();
+    beams.reverse();
+    for (i, of_leg) in beams.iter().enumerate() {
+        // On a leg with both, the road is taken before the sheets: another order mixes polarizations a little differently.
+        if half_of(world, of_leg.facet) != half {
+            half = half_of(world, of_leg.facet);
             steps.extend(world.road().map(Step::crossed));
         }
-        if i + 1 < facets.len() {
-            steps.push(Step::reflected(world, facet));
+        steps.extend(of_leg.sheets.iter().map(|&sheet| Step::passed(world, sheet)));
+        if i + 1 < beams.len() {
+            steps.push(Step::reflected(world, of_leg.facet));
         }
     }
     if steps.iter().all(Step::is_perfect) { Steps::default() } else { Steps::over(steps) }
@@ -319,14 +321,4 @@ pub(crate) fn sequence(scatterer: &Scatterer<'_>, forward: u32, backward: u32) -
 pub(crate) fn check_order(bounces: u8) -> Result<(), BartError> {
     let most = artifact::paths::MAX_ORDER as u8;
     if bounces > most { Err(BartError::TooManyBounces { bounces, most }) } else { Ok(()) }
-}
-
-/// What is promised for later is refused by name, not ignored.
-pub(crate) fn check_transmission(makeup: &Makeup) -> Result<(), BartError> {
-    match makeup.transmission {
-        Transmission::Followed if !makeup.conducts_all_over() => {
-            Err(BartError::NotBuilt { choice: "transmission = \"on\"" })
-        }
-        Transmission::Followed | Transmission::Ignored => Ok(()),
-    }
 }

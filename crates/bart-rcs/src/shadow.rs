@@ -91,8 +91,13 @@ impl Shadow {
         [0, 1, 2].map(|i| Corner { point_m: points[i], edge: self.edges[i], border: border(order[i]) })
     }
 
-    /// What this facet may hide of another.
+    /// What this facet may hide of another; a sheet that waves are followed through hides nothing.
     pub(crate) fn hides(&self, target: &Self, view: &View) -> Hides {
+        if view.world.is_passed(self.facet) { Hides::Nothing } else { self.stands_before(target, view) }
+    }
+
+    /// What of another facet this one stands before.
+    pub(crate) fn stands_before(&self, target: &Self, view: &View) -> Hides {
         let [own, other] = [self, target].map(|shadow| (&shadow.front, view.world.facet(shadow.facet)));
         match depth_order(own, other, view.antenna, view.tolerance_m()) {
             DepthOrder::FirstInFront => Hides::AllInItsCone,

@@ -31,7 +31,6 @@ pub(crate) enum Event {
     /// It goes on reflected.
     Reflected,
     /// It goes on as it came, behind a sheet.
-    #[expect(dead_code, reason = "transmission is refused until beams remember what they passed")]
     Passed,
     /// It starts at the antenna's image below the road.
     StartedBelow,
@@ -79,6 +78,11 @@ impl Step {
     pub(crate) fn reflected(world: &World, facet: u32) -> Self {
         let material = world.lossy_material(facet).cloned().unwrap_or_default();
         Self { normal: world.facet(facet).normal(), material, event: Event::Reflected }
+    }
+
+    /// Through a sheet.
+    pub(crate) fn passed(world: &World, facet: u32) -> Self {
+        Self { event: Event::Passed, ..Self::reflected(world, facet) }
     }
 
     /// At the antenna's image.

@@ -52,6 +52,8 @@ pub(crate) struct Part {
     pub(crate) across_m2: f64,
     /// Solid angle, sr, or area across the direction, m².
     pub(crate) section: f64,
+    /// Sheets that the wave has passed since the mirror before, in its order.
+    pub(crate) sheets: Vec<u32>,
 }
 
 /// Memory that is used again from view to view.
@@ -148,7 +150,15 @@ impl Parts {
             area_m2,
             across_m2: area_m2 * towards.dot(target.front.normal).abs(),
             section: section(view.antenna, polygon.iter().map(|c| c.point_m)),
+            sheets: Vec::new(),
         });
+    }
+
+    /// Adds a part of others as it is.
+    pub(crate) fn append(&mut self, others: &Self, part: &Part) {
+        let start = self.corners.len();
+        self.corners.extend_from_slice(&others.corners[part.corners.clone()]);
+        self.parts.push(Part { corners: start..self.corners.len(), ..part.clone() });
     }
 }
 

@@ -8,10 +8,9 @@ use crate::memory::MemoryLimit;
 use crate::patch::Patches;
 use crate::plane::Plane;
 use crate::road::below;
-use crate::scatterer::check_transmission;
 use crate::skin::{Skin, SkinTriangles};
 use crate::world_edges::{Placed, WorldEdges};
-use artifact::material::{Layer, Makeup, Material, Road};
+use artifact::material::{Layer, Makeup, Material, Road, Transmission};
 use artifact::paths::Facet;
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
 use glam::{DMat3, DVec3};
@@ -28,6 +27,8 @@ pub struct World {
     is_conductor: bool,
     /// Where there is one, the second half of the bodies and facets are images of the first.
     road: Option<Road>,
+    /// Facets that waves are followed through, ascending.
+    sheets: Vec<u32>,
     tolerance_m: f64,
     /// Of every tree.
     memory_limit: MemoryLimit,
@@ -77,7 +78,7 @@ impl World {
             let images: Vec<Body> = bodies.iter().map(Body::below_road).collect();
             bodies.extend(images);
         }
-        let world = Self::of_bodies(bodies, header.road.clone())?;
+        let world = Self::of_bodies(bodies, header.road.clone())?.with_sheets(header.materials.transmission);
         let limit = models.memory_limit.shared(world.bytes() as u64, 1);
         Ok(world.within(limit))
     }
@@ -91,7 +92,7 @@ impl World {
     pub fn of_skin(mesh: &Mesh, skin: Skin) -> Result<Self, BartError> {
         let pose = Pose { position_m: [0.0; 3], yaw_rad: 0.0, velocity_mps: [0.0; 3] };
         let body = Body::posed(0, Arc::new(BodyMesh::build(mesh, skin)?), &pose, 0.0, &mesh.name)?;
-        Self::of_bodies(vec![body], None)
+        Ok(Self::of_bodies(vec![body], None)?.with_sheets(mesh.makeup.transmission))
     }
 
     /// A facet by its index in [`World::facets`].
@@ -122,6 +123,25 @@ impl World {
     /// Facets without the images below the road.
     pub(crate) fn triangles(&self) -> usize {
         if self.road.is_some() { self.facets.len() / 2 } else { self.facets.len() }
+    }
+
+    /// Facets that waves are followed through, ascending.
+    pub(crate) fn sheets(&self) -> &[u32] {
+        &self.sheets
+    }
+
+    /// Whether waves are followed through a facet.
+    pub(crate) fn is_passed(&self, facet: u32) -> bool {
+        !self.sheets.is_empty() && self.sheets.binary_search(&facet).is_ok()
+    }
+
+    fn with_sheets(mut self, transmission: Transmission) -> Self {
+        if transmission == Transmission::Followed && !self.is_conductor {
+            let facets = 0..self.facets.len() as u32;
+            let is_sheet = |&facet: &u32| self.lossy_material(facet).is_some_and(|material| material.is_sheet());
+            self.sheets = facets.filter(is_sheet).collect();
+        }
+        self
     }
 
     /// What a facet is made of; `None` is a perfect conductor.
@@ -247,7 +267,16 @@ impl World {
         facets.par_iter_mut().for_each(|facet| facet.refuse_if_thinner_than(4.0 * tolerance_m));
         let is_conductor = road.is_none() && bodies.iter().all(|body| body.mesh.materials.is_empty());
         let memory_limit = MemoryLimit::NONE;
-        Ok(Self { facets, bodies, is_conductor, road, tolerance_m, memory_limit, edges: OnceLock::new() })
+        Ok(Self {
+            facets,
+            bodies,
+            is_conductor,
+            road,
+            sheets: Vec::new(),
+            tolerance_m,
+            memory_limit,
+            edges: OnceLock::new(),
+        })
     }
 }
 
@@ -330,7 +359,6 @@ struct BodyMesh {
 
 impl BodyMesh {
     fn build(mesh: &Mesh, skin: Skin) -> Result<Self, BartError> {
-        check_transmission(&mesh.makeup)?;
         check_materials(mesh)?;
         // obvhs panics on infinite and swallows NaN coordinates; single precision ends at 3.4e38.
         let not_finite = |v: &[f64; 3]| v.iter().any(|x| !(*x as f32).is_finite());

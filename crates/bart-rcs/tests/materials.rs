@@ -269,3 +269,98 @@ fn a_skin_that_names_only_conductors_changes_no_bit() {
     let [named, bare] = [body.clone(), in_metal(&body)].map(|b| rcs(&b, &asked, &|_, _| {}).unwrap().amplitude_m);
     assert_eq!(named, bare);
 }
+
+fn through_sheets(mesh: Mesh) -> Mesh {
+    Mesh { makeup: Makeup { transmission: Transmission::Followed, ..mesh.makeup.clone() }, ..mesh }
+}
+
+/// r and t·e^{jkd} of a sheet at 0°, written down once more.
+fn slab(permittivity: Complex64, thickness_m: f64) -> [Complex64; 2] {
+    let k = 2.0 * PI * FREQUENCY_HZ / SPEED_OF_LIGHT_MPS;
+    let r = fresnel(permittivity, 0.0)[0];
+    let way = (Complex64::new(0.0, -k * thickness_m) * permittivity.sqrt()).exp();
+    let echoes = 1.0 - r * r * way * way;
+    [r * (1.0 - way * way) / echoes, (1.0 - r * r) * way / echoes * Complex64::cis(k * thickness_m)]
+}
+
+#[test]
+fn metal_behind_a_bumper_is_seen_through_it_twice_weakened() {
+    const PLASTIC: Complex64 = Complex64::new(2.3, -0.01);
+    let k = 2.0 * PI * FREQUENCY_HZ / SPEED_OF_LIGHT_MPS;
+    let bumper = || sheet(PLASTIC, 3e-3, Thickness::Exact);
+    let [r, t] = slab(PLASTIC, 3e-3);
+    let metal = matrix(&mesh(&[(screen(0.0, 0.02, 0.02), Material::Conductor)]), &request(0.0, 0.0), 1)[0];
+    // A bumper four times the plate; half of one; two in line.
+    let left = |x_m: f64| vec![[x_m, -0.04, -0.04], [x_m, 0.0, -0.04], [x_m, 0.0, 0.04], [x_m, -0.04, 0.04]];
+    let ahead = |x_m: f64, share: f64| share * -r * Complex64::cis(2.0 * k * x_m);
+    let cases = [
+        ("whole", vec![screen(0.05, 0.04, 0.04)], ahead(0.05, 4.0) + t * t),
+        ("half", vec![left(0.05)], ahead(0.05, 2.0) + 0.5 * (1.0 + t * t)),
+        (
+            "two",
+            vec![screen(0.05, 0.04, 0.04), screen(0.09, 0.04, 0.04)],
+            ahead(0.09, 4.0) + t * t * ahead(0.05, 4.0) + t.powi(4),
+        ),
+    ];
+    for (name, bumpers, asked) in cases {
+        let mut polygons = vec![(screen(0.0, 0.02, 0.02), Material::Conductor)];
+        polygons.extend(bumpers.into_iter().map(|polygon| (polygon, bumper())));
+        let body = mesh(&polygons);
+        let got = matrix(&through_sheets(body.clone()), &request(0.0, 0.0), 1)[0] / metal;
+        println!("{name}: asked {asked:.6}, got {got:.6}");
+        // Phases of 2k·0.09 m, 290 rad, from lengths of 1e-17 m.
+        assert!((got - asked).norm() < 1e-8, "{name}");
+        let hidden = matrix(&body, &request(0.0, 0.0), 1)[0] / metal;
+        assert!((hidden - got).norm() > 0.1, "{name}: a sheet that is not followed hides what is behind");
+    }
+}
+
+#[test]
+fn swapping_transmitter_and_receiver_transposes_s_through_sheets_too() {
+    let [a, b] = dihedral(95.0, 15.0);
+    let pane = vec![[0.12, -0.02, -0.06], [0.13, 0.05, -0.06], [0.12, 0.05, 0.06], [0.11, -0.02, 0.06]];
+    let body = through_sheets(mesh(&[
+        (a, half_space(GLASS)),
+        (b, Material::Conductor),
+        (pane, sheet(GLASS, 4.7e-3, Thickness::Exact)),
+    ]));
+    let place = |azimuth_deg: f64, elevation_deg: f64| Standpoint {
+        azimuth_rad: azimuth_deg.to_radians(),
+        elevation_rad: elevation_deg.to_radians(),
+        range_m: f64::INFINITY,
+    };
+    let (here, there) = (place(10.0, 20.0), place(-15.0, 12.0));
+    let of = |from: Standpoint, to: Standpoint, order: usize| {
+        let asked = RcsRequest {
+            azimuth_rad: vec![from.azimuth_rad],
+            elevation_rad: vec![from.elevation_rad],
+            receiver: Some(to),
+            ..request(0.0, 0.0)
+        };
+        matrix(&body, &asked, order)
+    };
+    for order in 1..=3 {
+        let (forth, back) = (of(here, there, order), of(there, here, order));
+        let scale = forth.iter().map(|s| s.norm()).fold(0.0, f64::max);
+        let differences = [(0, 0), (1, 2), (2, 1), (3, 3)].map(|(i, j)| (forth[i] - back[j]).norm());
+        let error_db = 20.0 * (differences.into_iter().fold(0.0, f64::max) / scale).log10();
+        println!("reciprocity of order {order} through a pane: asked −100 dB, got {error_db:.0} dB");
+        assert!(scale > 1e-7 && error_db < -100.0, "order {order}: {error_db}");
+    }
+}
+
+#[test]
+fn what_is_left_out_behind_sheets_is_measured() {
+    let body = mesh(&[
+        (screen(0.0, 0.02, 0.02), Material::Conductor),
+        (screen(0.05, 0.04, 0.04), sheet(Complex64::new(2.3, -0.01), 3e-3, Thickness::Exact)),
+    ]);
+    let asked = RcsRequest { bounces: 1, ..request(0.0, 0.0) };
+    let printed = rcs(&body, &asked, &|_, _| {}).unwrap().model_error.transmission.unwrap();
+    let through = rcs(&through_sheets(body.clone()), &asked, &|_, _| {}).unwrap();
+    let without = rcs(&body, &asked, &|_, _| {}).unwrap();
+    let error = (through.amplitude_m[0] - without.amplitude_m[0]).norm() / through.amplitude_m[0].norm();
+    println!("transmission left out: printed {printed:.4}, true {error:.4}");
+    assert!((printed - error).abs() < 1e-12 && through.model_error.transmission.is_none());
+    assert_eq!(rcs(&in_metal(&body), &asked, &|_, _| {}).unwrap().model_error.transmission, None);
+}

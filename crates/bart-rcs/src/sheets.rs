@@ -1,0 +1,97 @@
+//! Lit polygons parted by the sheets that their waves have passed.
+//!
+//! Where waves are followed through sheets, these hide nothing. Each polygon is then cut along the outlines of the sheets before
+//! it, so that every piece has passed the same ones, and remembers them. What a sheet makes of the field is for the integration.
+
+use crate::border::Border;
+use crate::clip::{Corner, Split, split};
+use crate::shadow::{Cover, Hides, Shadow};
+use crate::view::View;
+use crate::visibility::{Part, Parts};
+use glam::DVec3;
+
+/// A part of a lit polygon and the sheets before it, in any order.
+struct Piece {
+    corners: Vec<Corner>,
+    sheets: Vec<u32>,
+}
+
+/// The polygons of a view parted by the sheets before them.
+pub(crate) fn parted(view: &View, parts: Parts) -> Parts {
+    if view.world.sheets().is_empty() {
+        return parts;
+    }
+    let sheets: Vec<Shadow> = view.world.sheets().iter().filter_map(|&facet| Shadow::of(facet, view)).collect();
+    let mut all = Parts::default();
+    for part in &parts.parts {
+        match Shadow::of(part.facet, view) {
+            Some(target) if !part.corners.is_empty() => part_one(view, &parts, part, &target, &sheets, &mut all),
+            _ => all.append(&parts, part),
+        }
+    }
+    all
+}
+
+fn part_one(view: &View, parts: &Parts, part: &Part, target: &Shadow, sheets: &[Shadow], all: &mut Parts) {
+    let mut pieces = vec![Piece { corners: parts.corners[part.corners.clone()].to_vec(), sheets: Vec::new() }];
+    for sheet in sheets.iter().filter(|sheet| sheet.facet != part.facet) {
+        // Most sheets are elsewhere: this is cheap.
+        if sheet.cover(Hides::AllInItsCone, &parts.corners[part.corners.clone()], view.tolerance_m()) == Cover::Apart {
+            continue;
+        }
+        let before = sheet.stands_before(target, view);
+        if before != Hides::Nothing {
+            pieces = pieces.into_iter().flat_map(|piece| piece.behind(sheet, before, view.tolerance_m())).collect();
+        }
+    }
+    for piece in pieces {
+        all.push(target, view, &piece.corners);
+        if let Some(pushed) = all.parts.last_mut() {
+            pushed.sheets = in_order(view, &piece);
+        }
+    }
+}
+
+impl Piece {
+    /// The parts that have passed the sheet, and those that have not.
+    fn behind(mut self, sheet: &Shadow, before: Hides, tolerance_m: f64) -> Vec<Self> {
+        match sheet.cover(before, &self.corners, tolerance_m) {
+            Cover::Apart => return vec![self],
+            Cover::Whole => {
+                self.sheets.push(sheet.facet);
+                return vec![self];
+            }
+            Cover::Partial => {}
+        }
+        let mut pieces = Vec::new();
+        let mut inside = self.corners.clone();
+        for plane in sheet.planes(before) {
+            let mut corners = inside.clone();
+            // The lit surface goes on beyond such an edge.
+            match split(&mut corners, 0..inside.len(), &plane, [Border::Inner; 2], tolerance_m, &mut Vec::new()) {
+                Split::Inside => {}
+                Split::Outside => return vec![self],
+                Split::Cut { inside: kept, outside } => {
+                    pieces.push(Self { corners: corners[outside].to_vec(), sheets: self.sheets.clone() });
+                    inside = corners[kept].to_vec();
+                }
+            }
+        }
+        self.sheets.push(sheet.facet);
+        pieces.push(Self { corners: inside, sheets: self.sheets });
+        pieces
+    }
+}
+
+/// The sheets of a piece as a wave to its middle meets them; equal distances by index.
+fn in_order(view: &View, piece: &Piece) -> Vec<u32> {
+    let middle = piece.corners.iter().map(|c| c.point_m).sum::<DVec3>() / piece.corners.len().max(1) as f64;
+    let back = view.antenna.towards(middle).try_normalize().unwrap_or(DVec3::ZERO);
+    let before_middle = |facet: u32| {
+        let plane = view.world.facet(facet).plane;
+        -plane.distance_m(middle) / plane.normal.dot(back)
+    };
+    let mut sheets = piece.sheets.clone();
+    sheets.sort_by(|&a, &b| before_middle(b).total_cmp(&before_middle(a)).then(a.cmp(&b)));
+    sheets
+}
