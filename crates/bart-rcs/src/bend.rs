@@ -21,6 +21,21 @@ pub(crate) struct Bend {
     heights_m: ControlHeights,
     /// Of the control point in the middle: with it the cubic has every quadratic exactly (Farin 1986).
     middle_m: f64,
+    /// Second derivatives H at the corners, 1/m; between them they are linear.
+    second_per_m: [DMat3; 3],
+}
+
+/// What a skin does along some steps, anywhere over its facet: the largest of each.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Along {
+    /// e·He, m: twice what it rises beyond its tangent plane.
+    pub(crate) rise_m: f64,
+    /// Third derivative of the height, m.
+    pub(crate) third_m: f64,
+    /// |He|: change of the slope.
+    pub(crate) turn: f64,
+    /// Second derivative of the slope.
+    pub(crate) turn_second: f64,
 }
 
 impl Bend {
@@ -33,7 +48,10 @@ impl Bend {
         let opposite = |i: usize| corners_m[(i + 2) % 3] - corners_m[(i + 1) % 3];
         let gradients = [0, 1, 2].map(|i| normal.cross(opposite(i)) / (2.0 * facet.area_m2));
         let middle_m = 0.25 * heights_m.iter().sum::<f64>();
-        Some(Self { corners_m, normal, gradients, heights_m: *heights_m, middle_m })
+        let second_per_m = [DMat3::ZERO; 3];
+        let mut bend = Self { corners_m, normal, gradients, heights_m: *heights_m, middle_m, second_per_m };
+        bend.second_per_m = [0, 1, 2].map(|corner| bend.second(corner));
+        Some(bend)
     }
 
     /// Height of the skin over a point of the facet's plane, m along `normal`, and its gradient in the plane.
@@ -50,14 +68,25 @@ impl Bend {
         (height, (0..3).map(|i| by_lambda[i] * self.gradients[i]).sum())
     }
 
-    /// Bounds of the height's second and third derivatives in any directions, 1/m and 1/m². Second ones are linear over
-    /// the facet and so the largest at a corner.
-    pub(crate) fn derivatives(&self) -> [f64; 2] {
-        let at_corners = [0, 1, 2].map(|corner| self.second(corner));
-        let mean = (at_corners[0] + at_corners[1] + at_corners[2]) * (1.0 / 3.0);
-        let second = at_corners.map(norm).into_iter().fold(0.0, f64::max);
-        let third = (0..3).map(|i| norm(at_corners[i] - mean) * self.gradients[i].length()).sum();
-        [second, third]
+    /// Bounds over the facet for these steps in its plane. A long facet bent across has none along it.
+    pub(crate) fn along(&self, steps_m: impl Iterator<Item = DVec3>) -> Along {
+        steps_m.map(|step| self.along_one(step)).fold(Along::default(), |most, one| Along {
+            rise_m: most.rise_m.max(one.rise_m),
+            third_m: most.third_m.max(one.third_m),
+            turn: most.turn.max(one.turn),
+            turn_second: most.turn_second.max(one.turn_second),
+        })
+    }
+
+    fn along_one(&self, step_m: DVec3) -> Along {
+        let turns = self.second_per_m.map(|h| h * step_m);
+        let change: DVec3 = (0..3).map(|i| turns[i] * self.gradients[i].dot(step_m)).sum();
+        Along {
+            rise_m: turns.iter().map(|turn| turn.dot(step_m).abs()).fold(0.0, f64::max),
+            third_m: change.dot(step_m).abs(),
+            turn: turns.iter().map(|turn| turn.length()).fold(0.0, f64::max),
+            turn_second: change.length(),
+        }
     }
 
     /// Second derivatives at a corner.
@@ -85,11 +114,6 @@ impl Bend {
 
 const SIDES: [(usize, usize); 3] = [(0, 1), (1, 2), (2, 0)];
 
-/// Frobenius: at least the largest of all directions.
-fn norm(m: DMat3) -> f64 {
-    (m.x_axis.length_squared() + m.y_axis.length_squared() + m.z_axis.length_squared()).sqrt()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -112,18 +136,18 @@ mod tests {
             let [a, b, c] = bend.corners_m;
             a + u * (b - a) + v * (c - a)
         };
-        let [second, third] = bend.derivatives();
-        let mut largest = 0.0_f64;
         for (u, v) in [(0.2, 0.3), (0.6, 0.1), (0.1, 0.8)] {
-            let (x, step) = (inside(u, v), 1e-5 * (inside(1.0, 0.0) - inside(0.0, 1.0)));
+            let (x, step) = (inside(u, v), 1e-2 * (inside(1.0, 0.0) - inside(0.0, 1.0)));
             let [(low, from), (high, to)] = [bend.at(x - step), bend.at(x + step)];
-            let (_, gradient) = bend.at(x);
-            // Central differences of a cubic err by the third derivative's step²/6.
-            assert!((high - low - 2.0 * gradient.dot(step)).abs() < third * step.length().powi(3));
-            largest = largest.max((to - from).length() / (2.0 * step.length()));
+            let ((middle, gradient), along) = (bend.at(x), bend.along([step].into_iter()));
+            // Central differences of a cubic err by a sixth of its third derivative, and by nothing at the second.
+            let first = 0.5 * (high - low) - gradient.dot(step);
+            assert!((first.abs() - along.third_m / 6.0).abs() < 1e-14);
+            let [second, turn] = [(high - 2.0 * middle + low).abs(), 0.5 * (to - from).length()];
+            println!("rise {second:.2e} of {:.2e} m, turn {turn:.2e} of {:.2e}", along.rise_m, along.turn);
+            assert!(second <= along.rise_m && turn <= along.turn + 1e-15);
+            assert!(along.turn < 10.0 * turn);
         }
-        println!("second derivatives up to {largest:.3}/m, bound {second:.3}/m");
-        assert!(largest <= second && largest > 0.2 * second);
         assert!(bend.corners_m.iter().all(|c| bend.at(*c).0.abs() < 1e-17));
     }
 }

@@ -9,7 +9,7 @@
 //! facet x is the skin above the polygon's point, and n·dA its area vector.
 
 use crate::antenna::Antenna;
-use crate::bend::Bend;
+use crate::bend::{Along, Bend};
 use crate::complex_vector::ComplexVector;
 use crate::plane_frame::PlaneFrame;
 use crate::polarization::{Mirrors, polarization_vectors};
@@ -164,6 +164,13 @@ impl<'a> Field<'a> {
         let up = bend.normal;
         let area = (up - slope) * up.dot(normal).signum();
         SurfacePoint { x_m: x_m + height_m * up, area, slope, up }
+    }
+
+    /// What the skin does along some steps in the polygon's plane; nothing where it is flat.
+    pub(crate) fn along(&self, steps_m: impl Iterator<Item = DVec2>) -> Along {
+        let origin = self.frame.to_world(DVec2::ZERO);
+        let in_world = steps_m.map(|step| self.frame.to_world(step) - origin);
+        self.node.bend.as_ref().map_or_else(Along::default, |bend| bend.along(in_world))
     }
 
     /// Distances over which both waves have spread.

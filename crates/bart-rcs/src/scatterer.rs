@@ -202,7 +202,7 @@ impl JointTile<'_> {
         let curved_m: f64 =
             ranges_m.map(|l| 0.5 * reach_m * reach_m / (l - reach_m).max(f64::MIN_POSITIVE)).iter().sum();
         // And a skin leaves it by half its second derivative, there and back.
-        let bent_m = self.field.node.bend.as_ref().map_or(0.0, |bend| bend.derivatives()[0]) * reach_m * reach_m;
+        let bent_m = self.field.along(self.tile.steps_m().into_iter()).rise_m;
         Way {
             length_m: self.length_m + at_middle_m,
             extent_m: gradient * reach_m + curved_m + bent_m + self.field.turning_length_m(),

@@ -1,6 +1,6 @@
 //! How far a lit polygon has to be cut for the integrand to be what the closed forms take it for.
 
-use crate::bend::Bend;
+use crate::bend::Along;
 use crate::physical_optics::Field;
 use crate::plane_frame::{area_m2, centroid_m};
 use glam::DVec2;
@@ -25,6 +25,14 @@ impl Tile<'_> {
         }
     }
 
+    /// From the middle to the corners, or along the edges.
+    pub(crate) fn steps_m(&self) -> Vec<DVec2> {
+        match self {
+            Self::Whole { corners_m, centre_m } => corners_m.iter().map(|c| *c - *centre_m).collect(),
+            Self::Triangle(corners_m) => edges_m(corners_m).into(),
+        }
+    }
+
     pub(crate) fn area_m2(&self) -> f64 {
         match self {
             Self::Whole { corners_m, .. } => area_m2(corners_m),
@@ -40,7 +48,8 @@ impl Tile<'_> {
 pub(crate) fn cut(field: &Field<'_>, wavenumber_per_m: f64, accuracy: f64, give: &mut dyn FnMut(&Tile<'_>, f64)) {
     let corners_m: Vec<DVec2> = field.node.corners_m.iter().map(|c| field.frame.plane_from_world(*c)).collect();
     let centre_m = centroid_m(&corners_m);
-    let smooth = Smoothness::about(field, centre_m, reach_m(&corners_m, centre_m), wavenumber_per_m);
+    let along = field.along(corners_m.iter().map(|c| *c - centre_m));
+    let smooth = Smoothness::about(field, centre_m, reach_m(&corners_m, centre_m), along, wavenumber_per_m);
     if smooth.error_of_constant() <= accuracy {
         give(&Tile::Whole { corners_m: &corners_m, centre_m }, smooth.error_of_constant());
         return;
@@ -49,12 +58,14 @@ pub(crate) fn cut(field: &Field<'_>, wavenumber_per_m: f64, accuracy: f64, give:
         corners_m[1..].windows(2).rev().map(|pair| ([corners_m[0], pair[0], pair[1]], 0)).collect();
     while let Some((triangle, halvings)) = left.pop() {
         let centre_m = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
-        let smooth = Smoothness::about(field, centre_m, reach_m(&triangle, centre_m), wavenumber_per_m);
+        let along = field.along(edges_m(&triangle).into_iter());
+        let smooth = Smoothness::about(field, centre_m, reach_m(&triangle, centre_m), along, wavenumber_per_m);
         let error = smooth.error_of_quadratic(longest_edge_m(&triangle));
         if error <= accuracy || halvings == HALVINGS_MAX {
             give(&Tile::Triangle(triangle), error.min(2.0 * smooth.weight));
         } else {
-            left.extend(halves(triangle).into_iter().rev().map(|half| (half, halvings + 1)));
+            let worst = smooth.worst_edge(field, &edges_m(&triangle));
+            left.extend(halves(triangle, worst).into_iter().rev().map(|half| (half, halvings + 1)));
         }
     }
 }
@@ -71,10 +82,16 @@ struct Smoothness {
     /// Of the phase's remainder: first, second, third derivative.
     phase_derivatives: [f64; 3],
     reach_m: f64,
+    /// What a bent facet adds along the tile: of the phase its second and third derivative, rad.
+    bent_phase: [f64; 2],
+    /// And of the weight its first and second.
+    bent_weight: [f64; 2],
+    /// Phase for each metre of height, rad/m.
+    phase_of_height_per_m: f64,
 }
 
 impl Smoothness {
-    fn about(field: &Field<'_>, centre_m: DVec2, reach_m: f64, wavenumber_per_m: f64) -> Self {
+    fn about(field: &Field<'_>, centre_m: DVec2, reach_m: f64, along: Along, wavenumber_per_m: f64) -> Self {
         let at = field.surface_at(centre_m);
         let x_m = at.x_m;
         let ranges_m = field.ranges_m(x_m);
@@ -82,41 +99,59 @@ impl Smoothness {
         let nearness_per_m = ranges_m.map(|range_m| 1.0 / (range_m - reach_m).max(0.0));
         let turning_per_m = field.turning_per_m(x_m, reach_m);
         let (t, turns) = (turning_per_m, field.weight_turns(wavenumber_per_m));
-        // The area vector of a skin changes by its second derivative b, once more by its third, c; the weight follows it w
-        // times as fast, for the reflection's coefficient turns with it.
-        let [b, c] = field.node.bend.as_ref().map_or([0.0; 2], Bend::derivatives);
-        let w = turns[0] - 4.0;
-        let [once, twice, thrice] = [w * b, w * w * b * b + w * c, w.powi(3) * b.powi(3) + 3.0 * w * w * b * c];
-        let weight_derivatives = [
-            turns[0] * t + once,
-            turns[1] * t * t + 2.0 * turns[0] * t * once + twice,
-            turns[2] * t * t * t + 3.0 * turns[1] * t * t * once + 3.0 * turns[0] * t * twice + thrice,
-        ];
-        // A way of ds along the plane is (1 + slope²)^½ ds along the skin, whose height follows the wave along its normal.
-        let steep = at.area.length() + b * reach_m;
+        let weight_derivatives = [turns[0] * t, turns[1] * t * t, turns[2] * t * t * t];
+        // A way of ds along the plane is (1 + slope²)^½ ds along the skin, whose height follows the wave along its normal; the
+        // area vector turns with the slope, and the weight w times as fast, for the reflection's coefficient turns with it.
+        let (steep, w) = (at.area.length() + along.turn, turns[0] - 4.0);
         let nearness: f64 = nearness_per_m.iter().sum();
-        let along_normal = field.both_directions(x_m).dot(field.node.normal).abs() + nearness * reach_m;
-        let curvature = wavenumber_per_m * (nearness * steep * steep + along_normal * b);
+        let phase_of_height_per_m =
+            wavenumber_per_m * (field.both_directions(x_m).dot(field.node.normal).abs() + nearness * reach_m);
+        let curvature = wavenumber_per_m * nearness * steep * steep;
         // d³L/ds³ = −3 sin²θ cosθ/L², at most 2/√3 of 1/L².
         let squares: f64 = nearness_per_m.iter().map(|n| 1.155 * n * n).sum();
-        let third = wavenumber_per_m * (squares * steep.powi(3) + 3.0 * nearness * steep * b + along_normal * c);
-        let phase_derivatives = [(curvature + 0.5 * third * reach_m) * reach_m, curvature, third];
-        let weight = 2.0 * steep * spread(ranges_m[0]) * spread(ranges_m[1]);
-        Self { weight, weight_derivatives, phase_derivatives, reach_m }
+        let third = wavenumber_per_m * squares * steep.powi(3);
+        let slanting = 3.0 * wavenumber_per_m * nearness * steep * reach_m;
+        Self {
+            weight: 2.0 * steep * spread(ranges_m[0]) * spread(ranges_m[1]),
+            weight_derivatives,
+            phase_derivatives: [(curvature + 0.5 * third * reach_m) * reach_m, curvature, third],
+            reach_m,
+            bent_phase: [
+                phase_of_height_per_m * along.rise_m,
+                phase_of_height_per_m * along.third_m + slanting * along.rise_m,
+            ],
+            bent_weight: [w * along.turn, w * along.turn_second],
+            phase_of_height_per_m,
+        }
     }
 
     /// |g − g(centre)| for g = weight·e^{jψ}, ψ the phase beyond its tangent plane at the centre.
     fn error_of_constant(&self) -> f64 {
         let [_, second, third] = self.phase_derivatives;
         let phase = (0.5 * second + third * self.reach_m / 6.0) * self.reach_m * self.reach_m;
-        self.weight * (phase + self.weight_derivatives[0] * self.reach_m)
+        let bent = 0.5 * self.bent_phase[0] + self.bent_weight[0];
+        self.weight * (phase + self.weight_derivatives[0] * self.reach_m + bent)
     }
 
-    /// Remainder of six-point interpolation: sup|D³g|·h³/6·Σ|x − xᵢ|³|ℓᵢ|/h³ (Ciarlet, Raviart 1972).
+    /// Remainder of six-point interpolation: sup|D³g|·h³/6·Σ|x − xᵢ|³|ℓᵢ|/h³ (Ciarlet, Raviart 1972). It does not change under
+    /// affine maps, so that derivatives along the edges stand for what is not the same in all directions.
     fn error_of_quadratic(&self, longest_m: f64) -> f64 {
-        let ([p1, p2, p3], [w1, w2, w3]) = (self.phase_derivatives, self.weight_derivatives);
+        let (h, [p1, p2, p3], [w1, w2, w3]) = (longest_m, self.phase_derivatives, self.weight_derivatives);
+        let ([b2, b3], [v1, v2]) = (self.bent_phase, self.bent_weight);
+        let [p1, p2, p3] = [p1 * h + b2, p2 * h * h + b2, p3 * h * h * h + b3];
+        let [w1, w2, w3] = [w1 * h + v1, w2 * h * h + v1 * v1 + v2, w3 * h * h * h + v1 * v1 * v1 + 3.0 * v1 * v2];
         let third_derivative = p1 * p1 * p1 + 3.0 * p1 * p2 + p3 + 3.0 * w1 * (p1 * p1 + p2) + 3.0 * w2 * p1 + w3;
-        self.weight * third_derivative * longest_m * longest_m * longest_m * SIX_POINT_REMAINDER
+        self.weight * third_derivative * SIX_POINT_REMAINDER
+    }
+
+    /// The edge along which the integrand changes most.
+    fn worst_edge(&self, field: &Field<'_>, edges_m: &[DVec2; 3]) -> usize {
+        let squares = self.phase_derivatives[1] + self.weight_derivatives[0].powi(2);
+        let change = edges_m.map(|edge| {
+            let along = field.along([edge].into_iter());
+            squares * edge.length_squared() + self.phase_of_height_per_m * along.rise_m + along.turn * along.turn
+        });
+        (0..3).fold(0, |most, i| if change[i] > change[most] { i } else { most })
     }
 }
 
@@ -127,15 +162,17 @@ fn reach_m(corners_m: &[DVec2], centre_m: DVec2) -> f64 {
     corners_m.iter().map(|c| c.distance_squared(centre_m)).fold(0.0, f64::max).sqrt()
 }
 
-fn longest_edge_m(triangle_m: &[DVec2; 3]) -> f64 {
-    (0..3).map(|i| triangle_m[i].distance(triangle_m[(i + 1) % 3])).fold(0.0, f64::max)
+fn edges_m(triangle_m: &[DVec2; 3]) -> [DVec2; 3] {
+    [0, 1, 2].map(|i| triangle_m[(i + 1) % 3] - triangle_m[i])
 }
 
-/// Two halves by the middle of the longest edge.
-fn halves(triangle_m: [DVec2; 3]) -> [[DVec2; 3]; 2] {
-    let length = |i: usize| triangle_m[i].distance_squared(triangle_m[(i + 1) % 3]);
-    let longest = (0..3).fold(0, |longest, i| if length(i) > length(longest) { i } else { longest });
-    let [a, b, c] = [0, 1, 2].map(|i| triangle_m[(longest + i) % 3]);
+fn longest_edge_m(triangle_m: &[DVec2; 3]) -> f64 {
+    edges_m(triangle_m).map(DVec2::length).into_iter().fold(0.0, f64::max)
+}
+
+/// Two halves by the middle of an edge.
+fn halves(triangle_m: [DVec2; 3], edge: usize) -> [[DVec2; 3]; 2] {
+    let [a, b, c] = [0, 1, 2].map(|i| triangle_m[(edge + i) % 3]);
     let middle = 0.5 * (a + b);
     [[a, middle, c], [middle, b, c]]
 }

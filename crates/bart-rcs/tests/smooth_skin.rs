@@ -82,6 +82,15 @@ fn a_coarse_sphere_has_the_amplitude_of_physical_optics_with_stored_normals_and_
     }
 }
 
+/// The exact series (docs/physics.md P4; 0.5 m: Ruck, Radar Cross Section Handbook, ch. 3), with the accuracy that `rcs` has by default.
+#[test]
+fn a_sphere_of_5120_triangles_is_within_a_fifth_of_a_decibel_of_mie() {
+    for (radius_m, mie_dbsm) in [(0.1, -15.0280), (0.5, -1.0491)] {
+        let got = dbsm(s(&sphere(radius_m, 4).mesh(), &request(10.0, 20.0, -40.0)));
+        check(&format!("Mie {radius_m} m"), mie_dbsm, got, 0.2);
+    }
+}
+
 /// A body of revolution about z: (radius, height) from top to bottom, open at both ends.
 fn revolved(outline: &[(f64, f64)], sides: u32) -> Triangles {
     let at = |(radius, z): (f64, f64), i: u32| {
