@@ -149,7 +149,7 @@ pub(crate) struct RcsArguments {
     /// Samples or rays per wavelength of the references.
     #[arg(long, default_value_t = 6.0)]
     pub(crate) density: f64,
-    /// Diffraction by edges (`on` comes with a later version).
+    /// Diffraction by edges (physical theory of diffraction).
     #[arg(long, value_enum, default_value = "off")]
     pub(crate) edges: EdgesWord,
     /// Facet on which a multiple reflection is integrated.

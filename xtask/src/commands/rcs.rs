@@ -48,7 +48,9 @@ pub(crate) fn run(arguments: &RcsArguments) -> Result<(), Failure> {
 fn traced(mesh: &Mesh, request: &RcsRequest) -> Result<Answer, Failure> {
     let work = Work::begin("rcs");
     let progress = |done: usize, of: usize| work.at(done, of);
-    bart_rcs::rcs_within(mesh, request, crate::memory::limit(), &progress).map(Answer::of_bart).map_err(Failure::refused)
+    bart_rcs::rcs_within(mesh, request, crate::memory::limit(), &progress)
+        .map(Answer::of_bart)
+        .map_err(Failure::refused)
 }
 
 /// A mesh file as it is, or an own vehicle by its name.

@@ -2,11 +2,13 @@
 
 use crate::cli::RcsArguments;
 use crate::output;
+
 use crate::summary::{error_db, model_error_db};
 use artifact::scene::Mesh;
 use artifact::units::{db_from_amplitude, db_from_power};
 use artifact::{ErrorBudget, ModelError};
 use bart_rcs::RcsResult;
+use clap::ValueEnum;
 use num_complex::Complex64;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -67,30 +69,35 @@ impl Answer {
         let mean = powers().sum::<f64>() / self.amplitude_m.len().max(1) as f64;
         let (mean, peak) = (db_from_power(mean), db_from_power(powers().fold(0.0, f64::max)));
         output::line(format!("{}: mean {mean:.2} dBsm, peak {peak:.2} dBsm", out.display()));
-        let total = self.error.total().map_or("not estimated".into(), |e| format!("{:.1} dB", db_from_amplitude(e)));
-        let told = |e: Option<f64>| e.map_or("not estimated".into(), |e| format!("{:.1} dB", db_from_amplitude(e)));
+        let told = |e: Option<f64>| e.map_or("not estimated".into(), decibels);
+        let total = told(self.error.total());
         let (nodes, bounces) = (told(self.model_error.nodes), told(self.model_error.bounces));
         let by_order = self.node_spread.iter().enumerate().skip(1);
-        let by_order: Vec<String> =
-            by_order.map(|(i, e)| format!("order {} {:.1} dB", i + 1, db_from_amplitude(*e))).collect();
+        let by_order: Vec<String> = by_order.map(|(i, e)| format!("order {} {}", i + 1, decibels(*e))).collect();
         output::line(format!("numerical error {total}"));
         output::line(format!(
             "model: spread of node rules {nodes} ({}), first order left out {bounces}",
             by_order.join(", ")
         ));
         if let Some(dropped) = self.dropped_at_most {
-            output::line(format!("dropped beams scatter at most {:.1} dB of the level", db_from_amplitude(dropped)));
+            output::line(format!("dropped beams scatter at most: {}", decibels(dropped)));
         }
     }
 }
 
+/// An amplitude relative to the level.
+fn decibels(ratio: f64) -> String {
+    if ratio > 0.0 { format!("{:.1} dB", db_from_amplitude(ratio)) } else { "none".into() }
+}
+
 fn settings(arguments: &RcsArguments) -> Value {
     let lower = |word: &dyn std::fmt::Debug| format!("{word:?}").to_lowercase();
+    let nodes = arguments.nodes.to_possible_value().map(|word| word.get_name().to_owned());
     let finite = |range: f64| if range.is_finite() { json!(range) } else { json!("inf") };
     json!({
         "mesh": arguments.mesh, "range_m": finite(arguments.range_m), "pol": lower(&arguments.pol),
         "bounces": arguments.bounces, "method": lower(&arguments.method), "edges": lower(&arguments.edges),
-        "nodes": lower(&arguments.nodes), "surface": lower(&arguments.surface), "sides": lower(&arguments.sides),
+        "nodes": nodes, "surface": lower(&arguments.surface), "sides": lower(&arguments.sides),
         "materials": arguments.materials, "transmission": lower(&arguments.transmission),
         "accuracy_db": arguments.accuracy_db, "rx_az_deg": arguments.rx_az_deg, "rx_el_deg": arguments.rx_el_deg,
         "rx_range_m": arguments.rx_range_m.map(finite), "density_per_wavelength": arguments.density,
