@@ -2,7 +2,6 @@
 
 use crate::cli::RcsArguments;
 use crate::output;
-
 use crate::summary::{error_db, model_error_db};
 use artifact::scene::Mesh;
 use artifact::units::{db_from_amplitude, db_from_power};
