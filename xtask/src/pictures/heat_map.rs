@@ -60,7 +60,7 @@ pub(super) fn heat_png(map: &Array2<f64>, [dark, bright]: [f64; 2]) -> Result<Ve
     raster::encode(picture.into()).map_err(Failure::refused)
 }
 
-/// The colours' levels beside a picture of [`PICTURE_PX`].
+/// The colours' levels, right of the picture.
 pub(super) fn scale_bar(sheet: &mut Svg, [dark, bright]: [f64; 2], unit: &str) {
     let column = image::RgbImage::from_fn(1, 64, |_, y| image::Rgb(heat(1.0 - f64::from(y) / 63.0)));
     if let Ok(png) = raster::encode(column.into()) {
