@@ -94,13 +94,14 @@ pub(crate) fn scattering(
     ends.grow_to(tree_order(settings.bounces, settings.nodes))?;
     let trace_seconds = start.elapsed().as_secs_f64();
     let start = Instant::now();
-    let chosen_m = ends.orders(1, settings.nodes, settings);
+    let chosen = ends.met(1, settings.nodes, settings);
     let integrate_seconds = start.elapsed().as_secs_f64();
+    let [dropped_m, dropped_at_most_m] = dropped(ends.trees(), &chosen, settings);
+    let chosen_m: Vec<Vec<Complex64>> = chosen.into_iter().map(|order| order.s_m).collect();
     let start = Instant::now();
     let finer = AspectSettings { accuracy: 0.1 * settings.accuracy, ..settings.clone() };
     let error_power = (checks.integrals == Check::Measured)
         .then(|| power_between(&chosen_m, &ends.orders(1, settings.nodes, &finer)));
-    let [dropped_m, dropped_at_most_m] = dropped(ends.trees(), settings);
     let edges_power = (checks.model == Check::Measured).then(|| ends.edges_power(settings)).flatten();
     let (other_m, left_out_power) = match checks.model {
         Check::Measured => (Some(ends.by_other_rule(&chosen_m, settings)?), ends.left_out_power(settings)),
@@ -149,6 +150,10 @@ impl<'a> Ends<'a> {
 
     /// S by order from `from` on, then frequency.
     fn orders(&self, from: u8, rule: NodeRule, settings: &AspectSettings) -> Vec<Vec<Complex64>> {
+        self.met(from, rule, settings).into_iter().map(|order| order.s_m).collect()
+    }
+
+    fn met(&self, from: u8, rule: NodeRule, settings: &AspectSettings) -> Vec<OfOrder> {
         let transmit = self.transmit.tree();
         let trees = self.receive.as_ref().map_or(Trees::Shared(transmit), |tree| Trees::Apart(transmit, tree.tree()));
         let scatterer = Scatterer::new(self.world, trees, self.zenith_h);
@@ -218,7 +223,7 @@ pub(crate) fn other(rule: NodeRule) -> NodeRule {
 }
 
 /// One order's S over frequency, in the polarization asked for.
-fn of_order(scatterer: &Scatterer<'_>, order: u8, rule: NodeRule, settings: &AspectSettings) -> Vec<Complex64> {
+fn of_order(scatterer: &Scatterer<'_>, order: u8, rule: NodeRule, settings: &AspectSettings) -> OfOrder {
     let (p, q) = settings.polarization.indices();
     let integration = Integration {
         wavenumbers_per_m: &settings.wavenumbers_per_m,
@@ -229,27 +234,28 @@ fn of_order(scatterer: &Scatterer<'_>, order: u8, rule: NodeRule, settings: &Asp
     let wavenumber_per_m = settings.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
     let what = MeetingSettings { nodes: rule, edges: settings.edges, least_area_m2, wavenumber_per_m };
     let meeting = Meeting::of(scatterer, order, &what);
-    meeting.sum(scatterer, DVec3::ZERO, &integration).iter().map(|s| s[p][q]).collect()
+    let s_m = meeting.sum(scatterer, DVec3::ZERO, &integration).iter().map(|s| s[p][q]).collect();
+    OfOrder { s_m, given_up: meeting.facets.given_up }
 }
 
-/// k/√π times the area across the wave of what was dropped, and of mirrors that were not followed: as one sum, and with
-/// the phases of equal pieces independent.
-fn dropped(trees: [Option<&BeamTree>; 2], settings: &AspectSettings) -> [f64; 2] {
+/// What one order adds.
+struct OfOrder {
+    /// S over frequency.
+    s_m: Vec<Complex64>,
+    /// Of overlaps, as in [`Joints::given_up`](crate::join::Joints).
+    given_up: [f64; 2],
+}
+
+/// k/√π times the area across the wave of what was dropped, of mirrors that were not followed and of overlaps too small to
+/// be joined: with independent phases, and as one sum.
+fn dropped(trees: [Option<&BeamTree>; 2], orders: &[OfOrder], settings: &AspectSettings) -> [f64; 2] {
     let highest = settings.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
     let factor = highest / std::f64::consts::PI.sqrt();
-    let (mut squares, mut sum) = (0.0, 0.0);
     let needed = usize::from(tree_order(settings.bounces, settings.nodes));
-    for tree in trees.into_iter().flatten() {
-        for (index, order) in tree.audit.orders.iter().take(needed).enumerate() {
-            // The last order is not reflected at all.
-            let unreflected = if index + 1 < needed { order.unreflected_across_m2 } else { 0.0 };
-            for (across_m2, count) in [(order.dropped_across_m2, order.dropped), (unreflected, order.unreflected)] {
-                squares += across_m2 * across_m2 / count.max(1) as f64;
-                sum += across_m2;
-            }
-        }
-    }
-    [factor * squares.sqrt(), factor * sum]
+    let of_trees = trees.into_iter().flatten().map(|tree| tree.audit.given_up(needed));
+    let all = of_trees.chain(orders.iter().map(|order| order.given_up));
+    let [sum_m2, squares_m4] = all.fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
+    [factor * squares_m4.sqrt(), factor * sum_m2]
 }
 
 fn beams_of(trees: [Option<&BeamTree>; 2]) -> Vec<u64> {

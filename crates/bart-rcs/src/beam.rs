@@ -100,12 +100,16 @@ pub struct OrderAudit {
     pub dropped_area_m2: f64,
     /// Their area across the wave, Σ area·cosθ, m²: |S| dropped ≤ √(4π)/λ · this · R²/(L₁L₂).
     pub dropped_across_m2: f64,
+    /// Sum of the squares of these areas, m⁴: with independent phases the square of what they scatter goes with it.
+    pub dropped_across_squared_m4: f64,
     /// Their section.
     pub dropped_section: f64,
     /// Beams of this order kept but too small to be reflected further.
     pub unreflected: u64,
     /// Their area across the wave, m².
     pub unreflected_across_m2: f64,
+    /// Sum of the squares of these areas, m⁴.
+    pub unreflected_across_squared_m4: f64,
 }
 
 impl BeamTree {
@@ -308,6 +312,18 @@ impl<'a> Growth<'a> {
 }
 
 impl OrderAudit {
+    /// Area across the wave of what was dropped and of mirrors that were not followed: its sum, m², and the sum of its
+    /// squares, m⁴. The last order is not reflected at all: nothing is missing behind its mirrors.
+    pub(crate) fn given_up(&self, mirrors: Mirrors) -> [f64; 2] {
+        match mirrors {
+            Mirrors::Followed => [
+                self.dropped_across_m2 + self.unreflected_across_m2,
+                self.dropped_across_squared_m4 + self.unreflected_across_squared_m4,
+            ],
+            Mirrors::Last => [self.dropped_across_m2, self.dropped_across_squared_m4],
+        }
+    }
+
     fn keep(&mut self, part: &Part, settings: &TraceSettings) {
         self.beams += 1;
         self.lit_area_m2 += part.area_m2;
@@ -315,6 +331,7 @@ impl OrderAudit {
         if part.across_m2 < settings.least_mirror_area_m2 {
             self.unreflected += 1;
             self.unreflected_across_m2 += part.across_m2;
+            self.unreflected_across_squared_m4 += part.across_m2.powi(2);
         }
     }
 
@@ -322,7 +339,24 @@ impl OrderAudit {
         self.dropped += 1;
         self.dropped_area_m2 += part.area_m2;
         self.dropped_across_m2 += part.across_m2;
+        self.dropped_across_squared_m4 += part.across_m2.powi(2);
         self.dropped_section += part.section;
+    }
+}
+
+/// Whether an order's beams are reflected.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Mirrors {
+    Followed,
+    Last,
+}
+
+impl Audit {
+    /// [`OrderAudit::given_up`] of the first `needed` orders together.
+    pub(crate) fn given_up(&self, needed: usize) -> [f64; 2] {
+        let last = |index: usize| if index + 1 < needed { Mirrors::Followed } else { Mirrors::Last };
+        let of = |(index, order): (usize, &OrderAudit)| order.given_up(last(index));
+        self.orders.iter().take(needed).enumerate().map(of).fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])
     }
 }
 

@@ -207,18 +207,8 @@ impl FrameError {
 fn dropped_sections(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> [f64; 2] {
     let distances_m2 = scatterer.world.facets().iter().map(|f| f.corners_m[0].distance_squared(plan.position_m));
     let nearest_m2 = distances_m2.fold(f64::INFINITY, f64::min);
-    let needed = usize::from(plan.trace.max_order);
-    let (mut squares, mut sum) = (0.0, 0.0);
-    for (index, order) in scatterer.trees.transmit().audit.orders.iter().take(needed).enumerate() {
-        // The last order is not reflected at all.
-        let unreflected = if index + 1 < needed { order.unreflected_across_m2 } else { 0.0 };
-        for (across_m2, count) in [(order.dropped_across_m2, order.dropped), (unreflected, order.unreflected)] {
-            let section = across_m2 / nearest_m2;
-            squares += section * section / count.max(1) as f64;
-            sum += section;
-        }
-    }
-    [squares.sqrt(), sum]
+    let [sum_m2, squares_m4] = scatterer.trees.transmit().audit.given_up(usize::from(plan.trace.max_order));
+    [squares_m4.sqrt() / nearest_m2, sum_m2 / nearest_m2]
 }
 
 /// Middles of equal parts of the sampled sweep.

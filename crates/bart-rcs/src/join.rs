@@ -73,8 +73,8 @@ pub(crate) struct Joints {
     corners_m: Vec<DVec3>,
     /// Of every joint, where the rule weighs nodes by them.
     outlines: Vec<Outline>,
-    /// Area of overlaps that were given up for their size, m².
-    pub(crate) dropped_m2: f64,
+    /// Area of overlaps that were given up for their size, both ways: its sum, m², and the sum of its squares, m⁴.
+    pub(crate) given_up: [f64; 2],
 }
 
 impl Joints {
@@ -94,7 +94,7 @@ impl Joints {
         self.list.extend(other.list.into_iter().map(moved));
         self.corners_m.extend(other.corners_m);
         self.outlines.extend(other.outlines);
-        self.dropped_m2 += other.dropped_m2;
+        (0..2).for_each(|i| self.given_up[i] += other.given_up[i]);
     }
 
     fn push(&mut self, pair: (u32, u32), weight: f64, reverse: Reverse, corners_m: impl IntoIterator<Item = DVec3>) {
@@ -251,7 +251,8 @@ fn on_one_facet(
         let part = intersection(&left.corners_m, &right.corners_m);
         let area = area_m2(&part);
         if area < limits.least_area_m2 || part.is_empty() {
-            joints.dropped_m2 += area;
+            let both_ways = if reverse == Reverse::Included { 2.0 * area } else { area };
+            joints.given_up = [joints.given_up[0] + both_ways, joints.given_up[1] + both_ways.powi(2)];
             continue;
         }
         if let Some(one_line_m) = limits.one_line_m {
