@@ -45,7 +45,7 @@ pub(crate) struct SceneParts {
 impl SceneParts {
     pub(crate) fn of(header: &SceneHeader) -> Self {
         Self {
-            bodies: fingerprint(&(&header.meshes, &header.targets)),
+            bodies: fingerprint(&(&header.meshes, &header.targets, &header.materials, &header.road)),
             radar: fingerprint(&header.radar),
             fidelity: fingerprint(&header.fidelity),
         }

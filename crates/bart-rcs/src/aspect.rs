@@ -278,9 +278,9 @@ impl Scattering {
         mean_over_frequencies(self.frequencies(), |f| self.total_m(f))
     }
 
-    /// |S − S(other)|² over frequency, all orders.
-    pub(crate) fn difference_power(&self, other: &Self) -> f64 {
-        power_between(&self.chosen_m, &other.chosen_m)
+    /// |S − S(other)|² over frequency, first order.
+    pub(crate) fn first_order_difference(&self, other: &Self) -> f64 {
+        power_between(&self.chosen_m[..1], &other.chosen_m[..1])
     }
 
     /// |S(this rule) − S(the other)|² of one order (from 0) over frequency, where both are known.

@@ -117,7 +117,7 @@ pub(crate) fn weigh(world: &World, trees: Trees<'_>, order: u8, joints: &mut Joi
     }
     for joint in &mut joints.list {
         let (sequence, node) = place(world, trees, joint);
-        let curvatures = sequence[..count].iter().map(|patch| world.curvature_per_m(*patch));
+        let curvatures = sequence[..count].iter().map(|patch| world.curvature_per_m(*patch & !BY_ROAD));
         joint.weight = curved_weight(curvatures, node)
             .or_else(|| nodes_of.get(&sequence).map(|nodes| flat_weight(&nodes[..count], node)))
             .unwrap_or(0.0);

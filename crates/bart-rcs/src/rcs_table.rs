@@ -153,7 +153,7 @@ pub fn rcs_within(
     }
 }
 
-/// ‖S(through sheets) − S‖ over ‖S(through sheets)‖ at the first, middle and last aspect; `None` where there is no sheet or
+/// ‖S(through sheets) − S‖ over ‖S(through sheets)‖ of first order at the first, middle and last aspect; `None` where there is no sheet or
 /// waves are followed.
 fn transmission_left_out(
     mesh: &Mesh,
@@ -171,11 +171,12 @@ fn transmission_left_out(
     let mut checked = vec![0, aspects.len() / 2, aspects.len().saturating_sub(1)];
     checked.dedup();
     checked.retain(|&i| i < aspects.len());
+    let first = AspectSettings { bounces: 1, ..settings.clone() };
     let (mut missing, mut whole) = (0.0, 0.0);
     for i in checked {
         let checks = Checks { integrals: Check::Skipped, model: Check::Skipped };
-        let through = scattering(&world, &aspects[i], settings, checks)?;
-        missing += through.difference_power(&table[i]);
+        let through = scattering(&world, &aspects[i], &first, checks)?;
+        missing += through.first_order_difference(&table[i]);
         whole += through.mean_power();
     }
     Ok(Some(ratio(missing, whole)))

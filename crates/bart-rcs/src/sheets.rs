@@ -7,8 +7,10 @@ use crate::border::Border;
 use crate::clip::{Corner, Split, split};
 use crate::shadow::{Cover, Hides, Shadow};
 use crate::view::View;
-use crate::visibility::{Part, Parts};
+use crate::visibility::Parts;
+use crate::world::Walk;
 use glam::DVec3;
+use std::ops::ControlFlow;
 
 /// A part of a lit polygon and the sheets before it, in any order.
 struct Piece {
@@ -21,22 +23,37 @@ pub(crate) fn parted(view: &View, parts: Parts) -> Parts {
     if view.world.sheets().is_empty() {
         return parts;
     }
-    let sheets: Vec<Shadow> = view.world.sheets().iter().filter_map(|&facet| Shadow::of(facet, view)).collect();
+    let mut walk = Walk::default();
     let mut all = Parts::default();
     for part in &parts.parts {
         match Shadow::of(part.facet, view) {
-            Some(target) if !part.corners.is_empty() => part_one(view, &parts, part, &target, &sheets, &mut all),
+            Some(target) if !part.corners.is_empty() => {
+                let polygon = &parts.corners[part.corners.clone()];
+                let sheets = sheets_about(view, polygon, &target, &mut walk);
+                part_one(view, polygon, &target, &sheets, &mut all);
+            }
             _ => all.append(&parts, part),
         }
     }
     all
 }
 
-fn part_one(view: &View, parts: &Parts, part: &Part, target: &Shadow, sheets: &[Shadow], all: &mut Parts) {
-    let mut pieces = vec![Piece { corners: parts.corners[part.corners.clone()].to_vec(), sheets: Vec::new() }];
-    for sheet in sheets.iter().filter(|sheet| sheet.facet != part.facet) {
-        // Most sheets are elsewhere: this is cheap.
-        if sheet.cover(Hides::AllInItsCone, &parts.corners[part.corners.clone()], view.tolerance_m()) == Cover::Apart {
+/// Sheets that may reach between the antenna and a polygon, by index.
+fn sheets_about(view: &View, polygon: &[Corner], target: &Shadow, walk: &mut Walk) -> Vec<Shadow> {
+    let mut found = Vec::new();
+    let planes = polygon.iter().map(|corner| corner.edge).chain([target.front]);
+    let _ = view.world.visit_inside(planes, DVec3::ZERO, walk, |facet| {
+        found.extend((facet != target.facet && view.world.is_passed(facet)).then_some(facet));
+        ControlFlow::Continue(())
+    });
+    found.sort_unstable();
+    found.into_iter().filter_map(|facet| Shadow::of(facet, view)).collect()
+}
+
+fn part_one(view: &View, polygon: &[Corner], target: &Shadow, sheets: &[Shadow], all: &mut Parts) {
+    let mut pieces = vec![Piece { corners: polygon.to_vec(), sheets: Vec::new() }];
+    for sheet in sheets {
+        if sheet.cover(Hides::AllInItsCone, polygon, view.tolerance_m()) == Cover::Apart {
             continue;
         }
         let before = sheet.stands_before(target, view);
