@@ -41,17 +41,27 @@ pub(crate) struct Along {
 impl Bend {
     /// `None` over a facet without a plane and where the skin is the facet.
     pub(crate) fn over(facet: &FacetGeometry, heights_m: &ControlHeights) -> Option<Self> {
-        if !facet.has_plane() || heights_m.iter().all(|h| *h == 0.0) {
-            return None;
-        }
-        let (corners_m, normal) = (facet.corners_m, facet.normal());
+        let is_bent = facet.has_plane() && heights_m.iter().any(|h| *h != 0.0);
+        is_bent.then(|| Self::new(facet.corners_m, facet.normal(), heights_m))
+    }
+
+    /// Over a triangle that has an area.
+    pub(crate) fn new(corners_m: [DVec3; 3], normal: DVec3, heights_m: &ControlHeights) -> Self {
+        let [a, b, c] = corners_m;
+        let doubled_area_m2 = (b - a).cross(c - a).length();
         let opposite = |i: usize| corners_m[(i + 2) % 3] - corners_m[(i + 1) % 3];
-        let gradients = [0, 1, 2].map(|i| normal.cross(opposite(i)) / (2.0 * facet.area_m2));
+        let gradients = [0, 1, 2].map(|i| normal.cross(opposite(i)) / doubled_area_m2);
         let middle_m = 0.25 * heights_m.iter().sum::<f64>();
         let second_per_m = [DMat3::ZERO; 3];
         let mut bend = Self { corners_m, normal, gradients, heights_m: *heights_m, middle_m, second_per_m };
         bend.second_per_m = [0, 1, 2].map(|corner| bend.second(corner));
-        Some(bend)
+        bend
+    }
+
+    /// The largest slope at the corners and in the middle.
+    pub(crate) fn steepest(&self) -> f64 {
+        let [a, b, c] = self.corners_m;
+        [a, b, c, (a + b + c) / 3.0].map(|x| self.at(x).1.length()).into_iter().fold(0.0, f64::max)
     }
 
     /// Height of the skin over a point of the facet's plane, m along `normal`, and its gradient in the plane.

@@ -3,7 +3,7 @@
 //! Every edge becomes a curve by the normals at its ends ([`CurvedEdge`]); triangles are cut where their edges bend
 //! ([`refined`]). What is flat stays what it is, bit for bit. Why so: `docs/decisions/curved-skin.md`.
 
-use crate::bend::ControlHeights;
+use crate::bend::{Bend, ControlHeights};
 use crate::curved_edge::{Curve, CurvedEdge, rejected};
 use crate::made_normals::{Facets, made_normals};
 use crate::mesh_edges::{MeshEdge, MeshEdges, Side};
@@ -70,7 +70,7 @@ impl CurvedSkin {
             let cut = refined(*bent, limits);
             let whole = cut.len() == 1;
             let facet = |t: &BentTriangle| {
-                (if whole { *corners } else { t.corners_m }, t.normals, heights_above_rounding(t, limits))
+                (if whole { *corners } else { t.corners_m }, t.normals, control_heights_m(t, limits))
             };
             cut.iter().map(facet).collect()
         };
@@ -88,10 +88,17 @@ impl CurvedSkin {
     }
 }
 
-/// A facet whose skin rises by a hundredth of what is allowed is flat.
-fn heights_above_rounding(bent: &BentTriangle, limits: &Limits) -> ControlHeights {
+/// A skin steeper than this over its facet stands on a sliver: its height is that of the long sides, its slope made of nothing.
+const STEEP: f64 = 1.0;
+
+/// Where the skin rises by a hundredth of what is allowed, or stands on a sliver, the facet is flat.
+fn control_heights_m(bent: &BentTriangle, limits: &Limits) -> ControlHeights {
     let heights_m = bent.control_heights_m();
-    if heights_m.iter().all(|h| h.abs() < 0.01 * limits.offset_m) { [0.0; 6] } else { heights_m }
+    let [a, b, c] = bent.corners_m;
+    let is_low = heights_m.iter().all(|h| h.abs() < 0.01 * limits.offset_m);
+    let normal = (b - a).cross(c - a).try_normalize().filter(|_| !is_low);
+    let is_bent = normal.is_some_and(|normal| Bend::new(bent.corners_m, normal, &heights_m).steepest() <= STEEP);
+    if is_bent { heights_m } else { [0.0; 6] }
 }
 
 /// Unit normals at the corners of every triangle on the side of its winding: stored ones where they are any, made ones else.
