@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 const STAGES: [&str; 5] = ["scene", "bart-rcs", "fmcw-echo", "dsp", "classifier"];
 
 fn main() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    // Read when it runs: a build script kept from another checkout must not look there.
+    let manifest = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
+    let root = Path::new(&manifest).join("..");
     let common = [root.join("crates/artifact"), root.join("Cargo.lock")];
     for stage in STAGES {
         let own = root.join("crates").join(stage);

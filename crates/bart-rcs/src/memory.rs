@@ -66,9 +66,9 @@ pub fn memory_estimate_bytes(triangles: usize, orders: u8, aspects_at_a_time: us
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::antenna::Antenna;
-    use crate::beam::{BeamTree, TraceSettings};
-    use crate::world::World;
+    use crate::beams::beam::{BeamTree, TraceSettings};
+    use crate::bodies::world::World;
+    use crate::geometry::antenna::Antenna;
     use artifact::scene::Mesh;
     use artifact::settings::Sides;
     use glam::DVec3;

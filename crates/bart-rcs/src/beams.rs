@@ -1,0 +1,10 @@
+//! Lit polygons and their mirrors.
+
+pub(crate) mod depth_order; // which of two facets is in front, decided once
+pub(crate) mod view; // from where and through which hole
+pub(crate) mod shadow; // what one facet hides
+pub(crate) mod projection_grid; // what may stand before what in a direct view
+pub(crate) mod sheets; // what waves have passed
+pub(crate) mod visibility; // what a view shows
+pub(crate) mod brute_force; // the same by trying all pairs
+pub(crate) mod beam; // trees of lit polygons and their mirrors

@@ -1,0 +1,366 @@
+//! Beam trees: what an antenna lights, and what these facets light as mirrors.
+//!
+//! A beam is a convex lit polygon on a facet, seen straight from the antenna's image behind the facets before it.
+//! Frequency and polarization enter later, in the integration.
+
+use crate::beams::brute_force::EveryFacet;
+use crate::beams::sheets::parted;
+use crate::beams::view::{Mirror, View};
+use crate::beams::visibility::{Buffers, ByHierarchy, Part, Parts, Visibility};
+use crate::bodies::world::World;
+use crate::error::BartError;
+use crate::geometry::antenna::Antenna;
+use crate::geometry::border::Border;
+use crate::geometry::plane::Plane;
+use artifact::settings::Sides;
+use glam::DVec3;
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// What a tree shall hold.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TraceSettings {
+    /// Highest number of facets in a beam's sequence: 1 is what the antenna lights directly.
+    pub max_order: u8,
+    /// Which sides of a facet scatter.
+    pub sides: Sides,
+    /// Beams of less area across the wave (area·cosθ) are dropped, and counted in [`Audit`]; m².
+    ///
+    /// A beam scatters at most |S| = √(4π)/λ · area·cosθ · R²/(L₁L₂), so a bound on S over the expected number of dropped
+    /// beams gives this bound. Physics §2 has λ²/100 · accuracy.
+    pub least_area_m2: f64,
+    /// Beams of less area across the wave are kept but not reflected further; m², at least `least_area_m2`.
+    pub least_mirror_area_m2: f64,
+}
+
+/// A convex lit polygon at the end of a sequence of mirrors.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Beam {
+    /// Index of the beam that was reflected into this one; `None` at order 1.
+    pub parent: Option<u32>,
+    /// Facets in the sequence, this one included.
+    pub order: u8,
+    /// Index into [`World::facets`].
+    pub facet: u32,
+    /// Unit normal of the facet on the lit side.
+    pub lit_normal: DVec3,
+    /// The antenna mirrored in the facets before this one: it lights `facet` straight.
+    pub image: Antenna,
+    /// Area of the polygon across the wave, area·cosθ at its middle, m².
+    pub across_m2: f64,
+    /// Solid angle from the image, sr, or area across the direction, m².
+    pub section: f64,
+    /// Sheets that the wave has passed since the mirror before, in its order: indices into [`World::facets`].
+    pub sheets: Vec<u32>,
+    /// Corners in the tree's vertices.
+    pub(crate) polygon: Range<u32>,
+}
+
+/// Every beam of one antenna.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BeamTree {
+    /// Where it was traced from.
+    pub antenna: Antenna,
+    /// Parents before children; by order, parent, facet and piece.
+    pub beams: Vec<Beam>,
+    /// Corners of all polygons, world metres.
+    pub(crate) vertices_m: Vec<DVec3>,
+    /// What ends a polygon from each vertex to the next.
+    pub(crate) borders: Vec<Border>,
+    /// What became of the power.
+    pub audit: Audit,
+}
+
+/// Where the power of a tree went, by order (index 0 is order 1).
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Audit {
+    /// One entry per order traced.
+    pub orders: Vec<OrderAudit>,
+}
+
+/// Where the power of one order went.
+///
+/// "Section" is what an antenna's wave front loses to a polygon: the solid angle at a finite range, sr, or the area across
+/// the direction, m². A mirror leaves it as it is.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct OrderAudit {
+    /// Beams kept.
+    pub beams: u64,
+    /// Area of the polygons kept, m².
+    pub lit_area_m2: f64,
+    /// Section of the beams kept.
+    pub lit_section: f64,
+    /// Section of the beams of the order before that were reflected; at order 1 the section kept and dropped.
+    pub incident_section: f64,
+    /// Section that met no facet: incident − lit − dropped; 0 at order 1.
+    pub escaped_section: f64,
+    /// Polygons given up for their size.
+    pub dropped: u64,
+    /// Their area, m².
+    pub dropped_area_m2: f64,
+    /// Their area across the wave, Σ area·cosθ, m²: |S| dropped ≤ √(4π)/λ · this · R²/(L₁L₂).
+    pub dropped_across_m2: f64,
+    /// Sum of the squares of these areas, m⁴: with independent phases the square of what they scatter goes with it.
+    pub dropped_across_squared_m4: f64,
+    /// Their section.
+    pub dropped_section: f64,
+    /// Beams of this order kept but too small to be reflected further.
+    pub unreflected: u64,
+    /// Their area across the wave, m².
+    pub unreflected_across_m2: f64,
+    /// Sum of the squares of these areas, m⁴.
+    pub unreflected_across_squared_m4: f64,
+}
+
+impl BeamTree {
+    /// Everything that `antenna` lights, up to `settings.max_order`.
+    pub fn trace(world: &World, antenna: Antenna, settings: &TraceSettings) -> Result<Self, BartError> {
+        trace_by::<ByHierarchy>(world, antenna, settings)
+    }
+
+    /// The same by the slow obvious way: every facet is cut by every other. For tests.
+    pub fn trace_by_brute_force(world: &World, antenna: Antenna, settings: &TraceSettings) -> Result<Self, BartError> {
+        trace_by::<EveryFacet>(world, antenna, settings)
+    }
+
+    /// The lit polygon: convex, counter-clockwise about the lit normal, world metres.
+    pub fn polygon(&self, beam: &Beam) -> &[DVec3] {
+        &self.vertices_m[beam.polygon.start as usize..beam.polygon.end as usize]
+    }
+
+    /// What ends the lit polygon from each of its corners to the next.
+    pub(crate) fn borders(&self, beam: &Beam) -> &[Border] {
+        &self.borders[beam.polygon.start as usize..beam.polygon.end as usize]
+    }
+
+    /// Facets from the antenna to this beam, its own last: indices into [`World::facets`].
+    pub fn sequence(&self, beam: &Beam) -> Vec<u32> {
+        let mut facets: Vec<u32> = self.way_back(beam).map(|b| b.facet).collect();
+        facets.reverse();
+        facets
+    }
+
+    /// A beam, its mirror's, and so on to the antenna.
+    pub(crate) fn way_back<'a>(&'a self, beam: &'a Beam) -> impl Iterator<Item = &'a Beam> {
+        std::iter::successors(Some(beam), |b| b.parent.map(|parent| &self.beams[parent as usize]))
+    }
+
+    /// Bytes held, about.
+    pub fn bytes(&self) -> usize {
+        self.beams.len() * size_of::<Beam>() + self.vertices_m.len() * (size_of::<DVec3>() + size_of::<Border>())
+    }
+}
+
+fn trace_by<V: Visibility>(world: &World, antenna: Antenna, settings: &TraceSettings) -> Result<BeamTree, BartError> {
+    if !antenna.is_sound() {
+        return Err(BartError::AntennaNotFinite);
+    }
+    let mut growth = Growth::new(antenna, settings);
+    grow_to::<V>(world, settings.max_order, &mut growth)?;
+    Ok(growth.tree)
+}
+
+/// A tree that grows as its orders are needed.
+pub(crate) struct GrowingTree<'a> {
+    world: &'a World,
+    growth: Growth<'a>,
+}
+
+impl<'a> GrowingTree<'a> {
+    /// Of no order yet.
+    pub(crate) fn new(world: &'a World, antenna: Antenna, settings: &'a TraceSettings) -> Result<Self, BartError> {
+        if antenna.is_sound() {
+            Ok(Self { world, growth: Growth::new(antenna, settings) })
+        } else {
+            Err(BartError::AntennaNotFinite)
+        }
+    }
+
+    /// Traces up to an order, which is not above that of the settings.
+    pub(crate) fn grow_to(&mut self, order: u8) -> Result<(), BartError> {
+        grow_to::<ByHierarchy>(self.world, order.min(self.growth.settings.max_order), &mut self.growth)
+    }
+
+    pub(crate) fn tree(&self) -> &BeamTree {
+        &self.growth.tree
+    }
+}
+
+fn grow_to<V: Visibility>(world: &World, order: u8, growth: &mut Growth<'_>) -> Result<(), BartError> {
+    let done = growth.tree.audit.orders.len() as u8;
+    if done == 0 && order > 0 {
+        let antenna = growth.tree.antenna;
+        growth.begin_order();
+        let view = View::direct(world, growth.settings.sides, antenna);
+        let seen: Vec<Parts> = V::direct(&view).into_par_iter().map(|parts| parted(&view, parts)).collect();
+        for parts in seen {
+            growth.take(None, antenna, 1, parts)?;
+        }
+        growth.check_memory(world, 1)?;
+        growth.end_order(None);
+    }
+    (done.max(1) + 1..=order).try_for_each(|order| grow_order::<V>(world, order, growth))
+}
+
+/// Beams that are reflected at a time, so that unfinished work stays small beside the tree.
+const BATCH: usize = 4096;
+
+/// Reflects every beam of the order before.
+fn grow_order<V: Visibility>(world: &World, order: u8, growth: &mut Growth) -> Result<(), BartError> {
+    let parents = growth.begin_order();
+    let mut incident_section = 0.0;
+    for batch in parents.chunks(BATCH) {
+        let reflect = |buffers: &mut Buffers, &(index, ref view): &(u32, View)| {
+            (index, view.antenna, parted(view, V::reflected(view, buffers)))
+        };
+        let view = |&index: &u32| Some((index, growth.view(world, index)?));
+        let views: Vec<(u32, View)> = batch.iter().filter_map(view).collect();
+        let met: Vec<_> = views.par_iter().map_init(Buffers::default, reflect).collect();
+        for (parent, image, parts) in met {
+            incident_section += growth.tree.beams[parent as usize].section;
+            growth.take(Some(parent), image, order, parts)?;
+        }
+        growth.check_memory(world, order)?;
+    }
+    growth.end_order(Some(incident_section));
+    Ok(())
+}
+
+/// A tree that is being grown, and what only its last orders need.
+struct Growth<'a> {
+    tree: BeamTree,
+    settings: &'a TraceSettings,
+    /// The edges of the two last orders' polygons, from vertex `first_edge` of the tree on.
+    edges: Vec<(Plane, Border)>,
+    first_edge: usize,
+    /// Where the last order begins.
+    first_beam: usize,
+    audit: OrderAudit,
+}
+
+impl<'a> Growth<'a> {
+    fn new(antenna: Antenna, settings: &'a TraceSettings) -> Self {
+        let tree = BeamTree {
+            antenna,
+            beams: Vec::new(),
+            vertices_m: Vec::new(),
+            borders: Vec::new(),
+            audit: Audit::default(),
+        };
+        Self { tree, settings, edges: Vec::new(), first_edge: 0, first_beam: 0, audit: OrderAudit::default() }
+    }
+
+    /// Starts an order; gives the beams of the order before that are to be reflected.
+    fn begin_order(&mut self) -> Vec<u32> {
+        let last = self.first_beam..self.tree.beams.len();
+        let first_edge = self.tree.beams.get(last.start).map_or(0, |beam| beam.polygon.start as usize);
+        self.edges.drain(..first_edge.saturating_sub(self.first_edge).min(self.edges.len()));
+        self.first_edge = first_edge;
+        self.first_beam = last.end;
+        self.audit = OrderAudit::default();
+        let least = self.settings.least_mirror_area_m2;
+        let reflected = |&index: &usize| self.tree.beams[index].across_m2 >= least;
+        last.filter(reflected).map(|index| index as u32).collect()
+    }
+
+    /// What a beam of the order before shows as a mirror; `None` for a beam of an older order.
+    fn view<'w>(&'w self, world: &'w World, index: u32) -> Option<View<'w>> {
+        let beam = &self.tree.beams[index as usize];
+        let facet = world.facet(beam.facet);
+        let front = if beam.lit_normal == facet.plane.normal { facet.plane } else { -facet.plane };
+        let start = (beam.polygon.start as usize).checked_sub(self.first_edge)?;
+        let edges = self.edges.get(start..start + beam.polygon.len())?;
+        let opening_m = self.tree.polygon(beam);
+        Some(View::reflected(world, self.settings.sides, beam.image, Mirror { facet, front }, edges, opening_m))
+    }
+
+    /// Adds what one view shows.
+    fn take(&mut self, parent: Option<u32>, image: Antenna, order: u8, parts: Parts) -> Result<(), BartError> {
+        for part in &parts.parts {
+            if part.corners.is_empty() || part.across_m2 < self.settings.least_area_m2 {
+                self.audit.drop(part);
+                continue;
+            }
+            let start = self.tree.vertices_m.len();
+            let corners = &parts.corners[part.corners.clone()];
+            self.tree.vertices_m.extend(corners.iter().map(|corner| corner.point_m));
+            self.tree.borders.extend(corners.iter().map(|corner| corner.border));
+            self.edges.extend(corners.iter().map(|corner| (corner.edge, corner.border)));
+            let &Part { facet, lit_normal, across_m2, section, ref sheets, .. } = part;
+            let sheets = sheets.clone();
+            let polygon = index(start)?..index(self.tree.vertices_m.len())?;
+            self.tree.beams.push(Beam { parent, order, facet, lit_normal, image, across_m2, section, sheets, polygon });
+            self.audit.keep(part, self.settings);
+        }
+        Ok(())
+    }
+
+    /// Refuses a tree that has outgrown the world's limit.
+    fn check_memory(&self, world: &World, order: u8) -> Result<(), BartError> {
+        let bytes = self.tree.bytes() + self.edges.capacity() * size_of::<(Plane, Border)>();
+        world.memory_limit().check_tree(order, self.tree.beams.len(), bytes)
+    }
+
+    /// Closes the books of an order.
+    fn end_order(&mut self, incident_section: Option<f64>) {
+        let mut audit = std::mem::take(&mut self.audit);
+        let found = audit.lit_section + audit.dropped_section;
+        audit.incident_section = incident_section.unwrap_or(found);
+        audit.escaped_section = audit.incident_section - found;
+        self.tree.audit.orders.push(audit);
+    }
+}
+
+impl OrderAudit {
+    /// Area across the wave of what was dropped and of mirrors that were not followed: its sum, m², and the sum of its
+    /// squares, m⁴. The last order is not reflected at all: nothing is missing behind its mirrors.
+    pub(crate) fn given_up(&self, mirrors: Mirrors) -> [f64; 2] {
+        match mirrors {
+            Mirrors::Followed => [
+                self.dropped_across_m2 + self.unreflected_across_m2,
+                self.dropped_across_squared_m4 + self.unreflected_across_squared_m4,
+            ],
+            Mirrors::Last => [self.dropped_across_m2, self.dropped_across_squared_m4],
+        }
+    }
+
+    fn keep(&mut self, part: &Part, settings: &TraceSettings) {
+        self.beams += 1;
+        self.lit_area_m2 += part.area_m2;
+        self.lit_section += part.section;
+        if part.across_m2 < settings.least_mirror_area_m2 {
+            self.unreflected += 1;
+            self.unreflected_across_m2 += part.across_m2;
+            self.unreflected_across_squared_m4 += part.across_m2.powi(2);
+        }
+    }
+
+    fn drop(&mut self, part: &Part) {
+        self.dropped += 1;
+        self.dropped_area_m2 += part.area_m2;
+        self.dropped_across_m2 += part.across_m2;
+        self.dropped_across_squared_m4 += part.across_m2.powi(2);
+        self.dropped_section += part.section;
+    }
+}
+
+/// Whether an order's beams are reflected.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Mirrors {
+    Followed,
+    Last,
+}
+
+impl Audit {
+    /// [`OrderAudit::given_up`] of the first `needed` orders together.
+    pub(crate) fn given_up(&self, needed: usize) -> [f64; 2] {
+        let last = |index: usize| if index + 1 < needed { Mirrors::Followed } else { Mirrors::Last };
+        let of = |(index, order): (usize, &OrderAudit)| order.given_up(last(index));
+        self.orders.iter().take(needed).enumerate().map(of).fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])
+    }
+}
+
+/// Vertices and beams are counted in 32 bits.
+fn index(count: usize) -> Result<u32, BartError> {
+    u32::try_from(count).map_err(|_| BartError::TreeTooLarge { vertices: count })
+}

@@ -1,0 +1,360 @@
+//! What an antenna sees: every facet clipped to the view, less what other facets hide, as convex polygons.
+//!
+//! For each facet the hierarchy proposes what may stand in front. The facet's polygon is then cut by one occluder after
+//! the other, the largest first, and every piece carries on only those that may still reach it: a facet behind a dense mesh
+//! costs the outline of its shadow, not the number of facets in front.
+
+use crate::beams::projection_grid::ProjectionGrid;
+use crate::beams::shadow::{Cover, Hides, Shadow};
+use crate::beams::view::View;
+use crate::bodies::world::Walk;
+use crate::geometry::antenna::Antenna;
+use crate::geometry::border::Border;
+use crate::geometry::clip::{Corner, Split, doubled_area, perimeter_m, split};
+use crate::geometry::plane::Plane;
+use crate::geometry::section::section;
+use glam::DVec3;
+use rayon::prelude::*;
+use std::ops::{ControlFlow, Range};
+
+/// A way to find what a view shows. All give the same up to how they cut it.
+pub(crate) trait Visibility {
+    /// What is seen straight, by facet.
+    fn direct(view: &View) -> Vec<Parts>;
+    /// What a reflected beam meets.
+    fn reflected(view: &View, buffers: &mut Buffers) -> Parts;
+}
+
+/// By the bodies' hierarchies.
+pub(crate) struct ByHierarchy;
+
+/// Lit polygons of one view.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Parts {
+    /// By facet, then piece.
+    pub(crate) parts: Vec<Part>,
+    /// Their corners.
+    pub(crate) corners: Vec<Corner>,
+}
+
+/// A lit polygon.
+#[derive(Debug, Clone)]
+pub(crate) struct Part {
+    /// Index into the world's facets.
+    pub(crate) facet: u32,
+    /// Unit, on the lit side.
+    pub(crate) lit_normal: DVec3,
+    /// In [`Parts::corners`]; empty where the polygon is nothing but rounding.
+    pub(crate) corners: Range<usize>,
+    /// m².
+    pub(crate) area_m2: f64,
+    /// Area across the wave, area·cosθ at the middle, m².
+    pub(crate) across_m2: f64,
+    /// Solid angle, sr, or area across the direction, m².
+    pub(crate) section: f64,
+    /// Sheets that the wave has passed since the mirror before, in its order.
+    pub(crate) sheets: Vec<u32>,
+}
+
+/// Memory that is used again from view to view.
+#[derive(Default)]
+pub(crate) struct Buffers {
+    walk: Walk,
+    found: Vec<u32>,
+    shadows: Vec<Shadow>,
+    slot_of_facet: Vec<u32>,
+    cutter: Cutter,
+}
+
+/// Beams with more facets than this in view walk the hierarchy again for each of them; below, trying all pairs is cheaper
+/// than the walks (one walk costs about as much as a hundred pairs).
+const MANY_IN_VIEW: usize = 96;
+const NO_SLOT: u32 = u32::MAX;
+
+impl Visibility for ByHierarchy {
+    fn direct(view: &View) -> Vec<Parts> {
+        let facets = 0..view.world.facets().len() as u32;
+        let shadows: Vec<Shadow> = facets.clone().into_par_iter().filter_map(|facet| Shadow::of(facet, view)).collect();
+        let mut slot_of_facet = vec![NO_SLOT; facets.len()];
+        (0..).zip(&shadows).for_each(|(slot, shadow)| slot_of_facet[shadow.facet as usize] = slot);
+        let grid = ProjectionGrid::over(&shadows, view);
+        let table = Table { shadows: &shadows, slot_of_facet: &slot_of_facet, grid: grid.as_ref() };
+        let lit = |(walk, cutter): &mut (Walk, Cutter), slot: u32| {
+            let mut parts = Parts::default();
+            see_facet(view, &table, slot, walk, cutter, &mut parts);
+            parts
+        };
+        let slots = (0..shadows.len() as u32).into_par_iter().with_min_len(64);
+        let seen: Vec<Parts> = slots.map_init(Default::default, lit).collect();
+        seen.into_iter().filter(|parts| !parts.parts.is_empty()).collect()
+    }
+
+    fn reflected(view: &View, buffers: &mut Buffers) -> Parts {
+        buffers.gather(view);
+        let Buffers { walk, shadows, slot_of_facet, cutter, .. } = buffers;
+        let table = Table { shadows, slot_of_facet, grid: None };
+        let mut parts = Parts::default();
+        for slot in 0..shadows.len() as u32 {
+            see_facet(view, &table, slot, walk, cutter, &mut parts);
+        }
+        shadows.iter().for_each(|shadow| slot_of_facet[shadow.facet as usize] = NO_SLOT);
+        parts
+    }
+}
+
+impl Buffers {
+    /// Shadows of all facets that reach into the view, in the order of the facets.
+    fn gather(&mut self, view: &View) {
+        self.slot_of_facet.resize(view.world.facets().len(), NO_SLOT);
+        self.found.clear();
+        let planes = view.window.iter().map(|(plane, _)| *plane).chain(view.mirror.map(|mirror| mirror.front));
+        // Most of what the hierarchy proposes is outside, and a shadow costs more than to see that.
+        let found = |facet| {
+            if view.reaches(view.world.facet(facet)) {
+                self.found.push(facet);
+            }
+            ControlFlow::Continue(())
+        };
+        let _ = view.world.visit_inside(planes, DVec3::ZERO, &mut self.walk, found);
+        self.found.sort_unstable();
+        self.shadows.clear();
+        self.shadows.extend(self.found.iter().filter_map(|&facet| Shadow::of(facet, view)));
+        for (slot, shadow) in (0..).zip(&self.shadows) {
+            self.slot_of_facet[shadow.facet as usize] = slot;
+        }
+    }
+}
+
+/// Shadows of what is in view.
+struct Table<'a> {
+    shadows: &'a [Shadow],
+    slot_of_facet: &'a [u32],
+    /// Of a direct view with all facets before the antenna.
+    grid: Option<&'a ProjectionGrid>,
+}
+
+impl Parts {
+    /// Adds a lit polygon. One that is thinner than rounding keeps its area, for the books, and loses its corners.
+    pub(crate) fn push(&mut self, target: &Shadow, view: &View, polygon: &[Corner]) {
+        let area_m2 = 0.5 * doubled_area(polygon.iter().map(|c| c.point_m)).dot(target.front.normal).max(0.0);
+        let start = self.corners.len();
+        if area_m2 > view.tolerance_m() * perimeter_m(polygon) {
+            self.corners.extend_from_slice(polygon);
+        }
+        let middle = polygon.iter().map(|c| c.point_m).sum::<DVec3>() / polygon.len() as f64;
+        let towards = view.antenna.towards(middle).try_normalize().unwrap_or(DVec3::ZERO);
+        self.parts.push(Part {
+            facet: target.facet,
+            lit_normal: target.front.normal,
+            corners: start..self.corners.len(),
+            area_m2,
+            across_m2: area_m2 * towards.dot(target.front.normal).abs(),
+            section: section(view.antenna, polygon.iter().map(|c| c.point_m)),
+            sheets: Vec::new(),
+        });
+    }
+
+    /// Adds a part of others as it is.
+    pub(crate) fn append(&mut self, others: &Self, part: &Part) {
+        let start = self.corners.len();
+        self.corners.extend_from_slice(&others.corners[part.corners.clone()]);
+        self.parts.push(Part { corners: start..self.corners.len(), ..part.clone() });
+    }
+}
+
+/// Appends what is seen of the facet in `slot`.
+fn see_facet(view: &View, table: &Table, slot: u32, walk: &mut Walk, cutter: &mut Cutter, parts: &mut Parts) {
+    let target = &table.shadows[slot as usize];
+    let Some(polygon) = view.clip(target, &mut cutter.corners, &mut cutter.distances_m) else { return };
+    cutter.occluders.clear();
+    let mut search = Search {
+        view,
+        table,
+        slot,
+        target,
+        polygon: &cutter.corners[polygon.clone()],
+        occluders: &mut cutter.occluders,
+    };
+    if search.find_occluders(walk).is_continue() {
+        cutter.cut(polygon, table.shadows, view.tolerance_m(), |polygon| parts.push(target, view, polygon));
+    }
+}
+
+/// The search for what hides a polygon.
+struct Search<'a> {
+    view: &'a View<'a>,
+    table: &'a Table<'a>,
+    slot: u32,
+    target: &'a Shadow,
+    polygon: &'a [Corner],
+    occluders: &'a mut Vec<Occluder>,
+}
+
+/// An occluder of one target.
+#[derive(Debug, Clone, Copy)]
+struct Occluder {
+    /// In the table of shadows.
+    slot: u32,
+    hides: Hides,
+    apparent_size: f64,
+}
+
+impl Search<'_> {
+    /// Collects what may hide some of the polygon, the largest first; breaks where one facet hides all of it.
+    fn find_occluders(&mut self, walk: &mut Walk) -> ControlFlow<()> {
+        if let Some(grid) = self.table.grid {
+            grid.visit_before(self.slot, |slot| self.suspect(slot))?;
+        } else if self.view.mirror.is_some() && self.table.shadows.len() <= MANY_IN_VIEW {
+            (0..self.table.shadows.len() as u32).try_for_each(|slot| self.suspect(slot))?;
+        } else {
+            self.walk(walk)?;
+        }
+        self.occluders.sort_unstable_by(|a, b| b.apparent_size.total_cmp(&a.apparent_size).then(a.slot.cmp(&b.slot)));
+        ControlFlow::Continue(())
+    }
+
+    /// Suspects all that may stand between the antenna and the polygon, about from the antenna on.
+    fn walk(&mut self, walk: &mut Walk) -> ControlFlow<()> {
+        let front = self.target.front;
+        // Nearer to the facet's plane than the antenna is.
+        let nearer = match self.view.antenna {
+            Antenna::Point(p) => Some(Plane { normal: -front.normal, offset_m: -front.normal.dot(p) }),
+            Antenna::Direction(_) => None,
+        };
+        let planes = self.polygon.iter().map(|corner| corner.edge).chain([front]).chain(nearer);
+        let towards = self.view.antenna.towards(self.polygon[0].point_m);
+        self.view.world.visit_inside(planes, towards, walk, |facet| match self.table.slot_of_facet[facet as usize] {
+            NO_SLOT => ControlFlow::Continue(()),
+            slot => self.suspect(slot),
+        })
+    }
+
+    /// Takes a facet among the occluders if it may hide some of the polygon; breaks if it hides all of it.
+    fn suspect(&mut self, slot: u32) -> ControlFlow<()> {
+        let (shadow, tolerance_m) = (&self.table.shadows[slot as usize], self.view.tolerance_m());
+        let of_cone = shadow.cover(Hides::AllInItsCone, self.polygon, tolerance_m);
+        if shadow.facet == self.target.facet || of_cone == Cover::Apart || self.is_beside(shadow.facet) {
+            return ControlFlow::Continue(());
+        }
+        let hides = shadow.hides(self.target, self.view);
+        let cover = match hides {
+            Hides::Nothing => Cover::Apart,
+            Hides::AllInItsCone => of_cone,
+            Hides::InItsConeAnd(plane) => of_cone.and(&plane, self.polygon, tolerance_m),
+        };
+        match cover {
+            Cover::Apart => {}
+            Cover::Partial => self.occluders.push(Occluder { slot, hides, apparent_size: shadow.apparent_size }),
+            Cover::Whole => return ControlFlow::Break(()),
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Whether a facet lies wholly outside one of the planes through the antenna and the polygon's edges.
+    fn is_beside(&self, facet: u32) -> bool {
+        let (corners_m, tolerance_m) = (&self.view.world.facet(facet).corners_m, self.view.tolerance_m());
+        self.polygon.iter().any(|corner| corner.edge.extent_m(corners_m).1 <= tolerance_m)
+    }
+}
+
+/// Subtracts occluders from a polygon.
+#[derive(Default)]
+struct Cutter {
+    /// Polygons, those of the open pieces first.
+    corners: Vec<Corner>,
+    distances_m: Vec<f64>,
+    occluders: Vec<Occluder>,
+    /// Lists of indices into `occluders`, those of the open pieces first.
+    lists: Vec<u32>,
+    open: Vec<Piece>,
+}
+
+/// A polygon and the occluders that may still reach it.
+#[derive(Debug, Clone)]
+struct Piece {
+    polygon: Range<usize>,
+    list: Range<usize>,
+}
+
+impl Cutter {
+    /// Calls `lit` with every piece of `corners[polygon]` that no occluder hides; all occluders reach the polygon.
+    fn cut(&mut self, polygon: Range<usize>, shadows: &[Shadow], tolerance_m: f64, mut lit: impl FnMut(&[Corner])) {
+        self.lists.clear();
+        self.lists.extend(0..self.occluders.len() as u32);
+        self.open.clear();
+        if !self.subtract_first_of(0, polygon.clone(), shadows, tolerance_m) {
+            return lit(&self.corners[polygon]);
+        }
+        while let Some(piece) = self.open.pop() {
+            // What was appended after this piece belonged to pieces that are done.
+            self.corners.truncate(piece.polygon.end);
+            self.lists.truncate(piece.list.end);
+            if self.list_what_reaches(&piece, shadows, tolerance_m).is_continue()
+                && !self.subtract_first_of(piece.list.end, piece.polygon.clone(), shadows, tolerance_m)
+            {
+                lit(&self.corners[piece.polygon]);
+            }
+        }
+    }
+
+    /// Appends those of the piece's occluders that still reach it to the lists; breaks where one hides all of it.
+    fn list_what_reaches(&mut self, piece: &Piece, shadows: &[Shadow], tolerance_m: f64) -> ControlFlow<()> {
+        let polygon = &self.corners[piece.polygon.clone()];
+        for i in piece.list.clone() {
+            let index = self.lists[i];
+            let occluder = &self.occluders[index as usize];
+            match shadows[occluder.slot as usize].cover(occluder.hides, polygon, tolerance_m) {
+                Cover::Apart => {}
+                Cover::Partial => self.lists.push(index),
+                Cover::Whole => return ControlFlow::Break(()),
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Opens the parts of the polygon outside the first occluder of the last list that really overlaps it; `false` where
+    /// none does.
+    fn subtract_first_of(
+        &mut self,
+        list_start: usize,
+        polygon: Range<usize>,
+        shadows: &[Shadow],
+        tolerance_m: f64,
+    ) -> bool {
+        let list_end = self.lists.len();
+        for i in list_start..list_end {
+            let occluder = self.occluders[self.lists[i] as usize];
+            let planes = shadows[occluder.slot as usize].planes(occluder.hides);
+            let (open, corners) = (self.open.len(), self.corners.len());
+            if self.open_outside_parts(planes, polygon.clone(), i + 1..list_end, tolerance_m) {
+                return true;
+            }
+            self.open.truncate(open);
+            self.corners.truncate(corners);
+        }
+        false
+    }
+
+    /// Cuts the polygon by an occluder's planes, one after the other; `false` where nothing but rounding is hidden.
+    fn open_outside_parts(
+        &mut self,
+        planes: impl Iterator<Item = Plane>,
+        mut polygon: Range<usize>,
+        list: Range<usize>,
+        tolerance_m: f64,
+    ) -> bool {
+        for plane in planes {
+            let shadow = Border::SHADOW;
+            match split(&mut self.corners, polygon.clone(), &plane, shadow, tolerance_m, &mut self.distances_m) {
+                Split::Inside => {}
+                Split::Outside => return false,
+                Split::Cut { inside, outside } => {
+                    self.open.push(Piece { polygon: outside, list: list.clone() });
+                    polygon = inside;
+                }
+            }
+        }
+        let hidden = &self.corners[polygon];
+        doubled_area(hidden.iter().map(|c| c.point_m)).length() > 2.0 * tolerance_m * perimeter_m(hidden)
+    }
+}

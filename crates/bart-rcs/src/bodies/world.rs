@@ -1,0 +1,474 @@
+//! The geometry of one instant: every facet of every body in world metres, and each body's hierarchy in its own frame.
+
+use crate::bodies::road::below;
+use crate::edges::body_edges::{BodyEdges, body_edges};
+use crate::edges::world_edges::{Placed, WorldEdges};
+use crate::error::BartError;
+use crate::geometry::bvh::{Hierarchy, Stack};
+use crate::geometry::plane::Plane;
+use crate::memory::MemoryLimit;
+use crate::mesh::patch::Patches;
+use crate::surface::bend::Bend;
+use crate::surface::skin::{Skin, SkinTriangles};
+use artifact::material::{Layer, Makeup, Material, Road, Transmission};
+use artifact::paths::Facet;
+use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
+use glam::{DMat3, DVec3};
+use num_complex::Complex64;
+use rayon::prelude::*;
+use std::ops::ControlFlow;
+use std::sync::{Arc, OnceLock};
+
+/// Bodies posed at one instant. Facets are counted through all bodies in the order of the targets.
+pub struct World {
+    facets: Vec<FacetGeometry>,
+    bodies: Vec<Body>,
+    /// Whether every body is a perfect conductor.
+    is_conductor: bool,
+    /// Where there is one, the second half of the bodies and facets are images of the first.
+    road: Option<Road>,
+    /// Facets that waves are followed through, ascending.
+    sheets: Vec<u32>,
+    tolerance_m: f64,
+    /// Of every tree.
+    memory_limit: MemoryLimit,
+    edges: OnceLock<WorldEdges>,
+}
+
+/// A triangle in the world.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FacetGeometry {
+    /// World metres, in the mesh's winding.
+    pub corners_m: [DVec3; 3],
+    /// The plane through the corners; its unit normal follows the winding. A normal of zero marks a triangle without a
+    /// plane: it neither scatters nor hides.
+    pub plane: Plane,
+    /// m².
+    pub area_m2: f64,
+    /// Target and triangle in its mesh, which may have been cut into several facets.
+    pub id: Facet,
+}
+
+impl World {
+    /// Every mesh target of a frame, `seconds_into_frame` after the frame's first sample.
+    ///
+    /// Builds the hierarchies of all meshes: for many frames build [`Models`] once and use [`World::posed`].
+    pub fn at(header: &SceneHeader, frame: &SceneFrame, seconds_into_frame: f64) -> Result<Self, BartError> {
+        Self::posed(&Models::build(header)?, header, frame, seconds_into_frame)
+    }
+
+    /// As [`World::at`], with models that were built before from the same header.
+    pub fn posed(
+        models: &Models,
+        header: &SceneHeader,
+        frame: &SceneFrame,
+        seconds_into_frame: f64,
+    ) -> Result<Self, BartError> {
+        if frame.poses.len() != header.targets.len() {
+            let (poses, targets) = (frame.poses.len(), header.targets.len());
+            return Err(BartError::PosesDoNotMatch { frame: frame.index, poses, targets });
+        }
+        let mut bodies = Vec::new();
+        for (index, (target, pose)) in (0..).zip(header.targets.iter().zip(&frame.poses)) {
+            if let Some(model) = models.of(target)? {
+                bodies.push(Body::posed(index, model, pose, seconds_into_frame, &target.id)?);
+            }
+        }
+        if header.road.is_some() {
+            let images: Vec<Body> = bodies.iter().map(Body::below_road).collect();
+            bodies.extend(images);
+        }
+        let world = Self::of_bodies(bodies, header.road.clone())?.with_sheets(header.materials.transmission);
+        let limit = models.memory_limit.shared(world.bytes() as u64, 1);
+        Ok(world.within(limit))
+    }
+
+    /// A mesh alone as it is, its body axes the world's; the target's index is 0.
+    pub fn of_mesh(mesh: &Mesh) -> Result<Self, BartError> {
+        Self::of_skin(mesh, Skin::Flat)
+    }
+
+    /// The same with its facets bent.
+    pub fn of_skin(mesh: &Mesh, skin: Skin) -> Result<Self, BartError> {
+        let pose = Pose { position_m: [0.0; 3], yaw_rad: 0.0, velocity_mps: [0.0; 3] };
+        let body = Body::posed(0, Arc::new(BodyMesh::build(mesh, skin)?), &pose, 0.0, &mesh.name)?;
+        Ok(Self::of_bodies(vec![body], None)?.with_sheets(mesh.makeup.transmission))
+    }
+
+    /// A facet by its index in [`World::facets`].
+    pub fn facet(&self, index: u32) -> &FacetGeometry {
+        &self.facets[index as usize]
+    }
+
+    /// All facets.
+    pub fn facets(&self) -> &[FacetGeometry] {
+        &self.facets
+    }
+
+    /// Whether everything is a perfect conductor.
+    pub(crate) fn is_conductor(&self) -> bool {
+        self.is_conductor
+    }
+
+    /// The road that bodies have images below, if any.
+    pub(crate) fn road(&self) -> Option<&Road> {
+        self.road.as_ref()
+    }
+
+    /// Whether a facet is an image below the road.
+    pub(crate) fn is_image(&self, facet: u32) -> bool {
+        facet as usize >= self.triangles()
+    }
+
+    /// Facets without the images below the road.
+    pub(crate) fn triangles(&self) -> usize {
+        if self.road.is_some() { self.facets.len() / 2 } else { self.facets.len() }
+    }
+
+    /// Facets that waves are followed through, ascending.
+    pub(crate) fn sheets(&self) -> &[u32] {
+        &self.sheets
+    }
+
+    /// Whether waves are followed through a facet.
+    pub(crate) fn is_passed(&self, facet: u32) -> bool {
+        !self.sheets.is_empty() && self.sheets.binary_search(&facet).is_ok()
+    }
+
+    fn with_sheets(mut self, transmission: Transmission) -> Self {
+        if transmission == Transmission::Followed && !self.is_conductor {
+            let facets = 0..self.facets.len() as u32;
+            let is_sheet = |&facet: &u32| self.lossy_material(facet).is_some_and(|material| material.is_sheet());
+            self.sheets = facets.filter(is_sheet).collect();
+        }
+        self
+    }
+
+    /// What a facet is made of; `None` is a perfect conductor.
+    pub(crate) fn lossy_material(&self, facet: u32) -> Option<&Arc<Material>> {
+        let body = self.body_of(facet).filter(|_| !self.is_conductor)?;
+        body.mesh.material(facet - body.first_facet)
+    }
+
+    /// The flat patch that a facet is part of, by its first facet.
+    pub(crate) fn patch(&self, facet: u32) -> u32 {
+        self.body_of(facet)
+            .map_or(facet, |body| body.first_facet + body.mesh.patches.of_triangle(facet - body.first_facet))
+    }
+
+    /// Curvature of the surface that a facet is a piece of, 1/m; 0 where it stands for itself.
+    pub(crate) fn curvature_per_m(&self, facet: u32) -> f64 {
+        self.body_of(facet).map_or(0.0, |body| body.mesh.patches.curvature_per_m(facet - body.first_facet))
+    }
+
+    /// Whether a patch goes on beyond the facet's edge from corner `edge` to the next.
+    pub(crate) fn is_inside_patch(&self, facet: u32, edge: usize) -> bool {
+        self.body_of(facet).is_some_and(|body| body.mesh.patches.is_inside(facet - body.first_facet, edge))
+    }
+
+    /// Velocity of the body that a facet belongs to, m/s.
+    pub fn velocity_mps(&self, facet: u32) -> DVec3 {
+        self.body_of(facet).map_or(DVec3::ZERO, |body| body.velocity_mps)
+    }
+
+    /// Distances below this are rounding, m: points so near a plane count as on it.
+    ///
+    /// Rounding of a coordinate is ½ε of the largest, C; the plane through three rounded corners adds as much for each
+    /// length of its triangle that one goes outside, and a point that was constructed by a cut has it twice: 256 εC covers
+    /// triangles seen from 60 of their own lengths away (3.4e-12 m at C = 60 m, far below the 3.9e-3 m of a wavelength).
+    pub fn tolerance_m(&self) -> f64 {
+        self.tolerance_m
+    }
+
+    /// Relative amplitude error that facets in place of a skin were cut for; 0 where they are the surface.
+    pub fn skin_error(&self) -> f64 {
+        self.bodies.iter().map(|body| body.mesh.skin.error).fold(0.0, f64::max)
+    }
+
+    /// The skin over a facet; `None` where the facet is the surface.
+    pub(crate) fn bend(&self, facet: u32) -> Option<Bend> {
+        let body = self.body_of(facet)?;
+        let heights_m = body.mesh.skin.heights_m.get((facet - body.first_facet) as usize)?;
+        // Heights are along the winding's normal, which turns over in the road's mirror.
+        let up = if self.is_image(facet) { -1.0 } else { 1.0 };
+        Bend::over(self.facet(facet), &heights_m.map(|h| up * h))
+    }
+
+    /// Bytes held, about.
+    pub fn bytes(&self) -> usize {
+        let models: usize = self.bodies.iter().map(|body| body.mesh.hierarchy.bytes() + body.mesh.skin.bytes()).sum();
+        self.facets.len() * size_of::<FacetGeometry>() + models
+    }
+
+    /// The edges that diffract at about this wavenumber; found when they are first asked for, once per mesh.
+    ///
+    /// A world serves one band: the first wavenumber asked for decides which sides are thin.
+    pub(crate) fn edges(&self, wavenumber_per_m: f64) -> &WorldEdges {
+        self.edges.get_or_init(|| {
+            let mut all = WorldEdges::for_facets(self.facets.len());
+            for body in &self.bodies {
+                let place = Placed { world_from_body: body.world_from_body, position_m: body.position_m };
+                all.add(body.mesh.edges(), &place, body.first_facet, 1.0 / wavenumber_per_m);
+            }
+            all
+        })
+    }
+
+    /// The same with a limit of what one tree and its joints may hold.
+    pub fn within(self, limit: MemoryLimit) -> Self {
+        Self { memory_limit: limit, ..self }
+    }
+
+    /// What one tree and its joints may hold.
+    pub(crate) fn memory_limit(&self) -> MemoryLimit {
+        self.memory_limit
+    }
+
+    /// Calls `visit` with every facet that may reach the positive side of all `planes` (world), body by body and about from
+    /// the far end of `nearer` on, until it breaks. Decides nothing.
+    pub(crate) fn visit_inside(
+        &self,
+        planes: impl Iterator<Item = Plane>,
+        nearer: DVec3,
+        walk: &mut Walk,
+        mut visit: impl FnMut(u32) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        walk.planes.clear();
+        walk.planes.extend(planes);
+        self.bodies.iter().try_for_each(|body| {
+            walk.planes_in_body.clear();
+            walk.planes_in_body.extend(walk.planes.iter().map(|plane| body.plane_in_body(plane, self.tolerance_m)));
+            let nearer = body.world_from_body.transpose() * nearer;
+            let hierarchy = &body.mesh.hierarchy;
+            hierarchy
+                .inside(&walk.planes_in_body, nearer, &mut walk.stack, |triangle| visit(body.first_facet + triangle))
+        })
+    }
+
+    fn body_of(&self, facet: u32) -> Option<&Body> {
+        let after = self.bodies.partition_point(|body| body.first_facet <= facet);
+        after.checked_sub(1).map(|body| &self.bodies[body])
+    }
+
+    fn of_bodies(mut bodies: Vec<Body>, road: Option<Road>) -> Result<Self, BartError> {
+        let mut facets: Vec<FacetGeometry> = Vec::new();
+        for body in &mut bodies {
+            let triangles = facets.len() + body.mesh.skin.triangles_m.len();
+            let most = u32::MAX as usize;
+            body.first_facet =
+                u32::try_from(facets.len()).map_err(|_| BartError::TooManyTriangles { triangles, most })?;
+            if triangles > most {
+                return Err(BartError::TooManyTriangles { triangles, most });
+            }
+            facets.par_extend(body.facets());
+        }
+        let largest = facets.iter().flat_map(|f| f.corners_m).fold(0.0, |m, c| c.abs().max_element().max(m));
+        let tolerance_m = 256.0 * f64::EPSILON * largest;
+        facets.par_iter_mut().for_each(|facet| facet.refuse_if_thinner_than(4.0 * tolerance_m));
+        let is_conductor = road.is_none() && bodies.iter().all(|body| body.mesh.materials.is_empty());
+        let memory_limit = MemoryLimit::NONE;
+        Ok(Self {
+            facets,
+            bodies,
+            is_conductor,
+            road,
+            sheets: Vec::new(),
+            tolerance_m,
+            memory_limit,
+            edges: OnceLock::new(),
+        })
+    }
+}
+
+/// Buffers of [`World::visit_inside`].
+#[derive(Default)]
+pub(crate) struct Walk {
+    planes: Vec<Plane>,
+    planes_in_body: Vec<Plane>,
+    stack: Stack,
+}
+
+impl FacetGeometry {
+    /// Unit normal by the winding, or zero.
+    pub fn normal(&self) -> DVec3 {
+        self.plane.normal
+    }
+
+    /// Whether the triangle spans a plane.
+    pub fn has_plane(&self) -> bool {
+        self.plane.normal != DVec3::ZERO
+    }
+
+    fn of_triangle(corners_m: [DVec3; 3], id: Facet) -> Self {
+        let [a, b, c] = corners_m;
+        let plane = Plane::of_triangle(&corners_m).unwrap_or(Plane { normal: DVec3::ZERO, offset_m: 0.0 });
+        Self { corners_m, plane, area_m2: 0.5 * (b - a).cross(c - a).length(), id }
+    }
+
+    /// A triangle whose height is rounding has a normal made of rounding.
+    fn refuse_if_thinner_than(&mut self, height_m: f64) {
+        let [a, b, c] = self.corners_m;
+        let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
+        if 2.0 * self.area_m2 <= height_m * longest {
+            self.plane = Plane { normal: DVec3::ZERO, offset_m: 0.0 };
+        }
+    }
+}
+
+/// The meshes of a scene, each with its hierarchy, shared by all frames and poses.
+pub struct Models {
+    meshes: Vec<Arc<BodyMesh>>,
+    memory_limit: MemoryLimit,
+}
+
+impl Models {
+    /// All meshes of the header, with the skin that it asks for.
+    pub fn build(header: &SceneHeader) -> Result<Self, BartError> {
+        let (fidelity, wavelength_m) = (&header.fidelity, header.radar.waveform.wavelength_m());
+        let skin = Skin::of(fidelity.surface, fidelity.accuracy, wavelength_m, fidelity.bounces);
+        let build = |mesh: &Mesh| BodyMesh::build(mesh, skin).map(Arc::new);
+        let meshes = header.meshes.par_iter().map(build).collect::<Vec<_>>();
+        let memory_limit = MemoryLimit::NONE;
+        Ok(Self { meshes: meshes.into_iter().collect::<Result<_, _>>()?, memory_limit })
+    }
+
+    /// The same with a limit of what the bodies and beams of a frame may hold.
+    pub fn within(self, limit: MemoryLimit) -> Self {
+        Self { memory_limit: limit, ..self }
+    }
+
+    /// The model of a target; `None` for a point.
+    fn of(&self, target: &Target) -> Result<Option<Arc<BodyMesh>>, BartError> {
+        let TargetKind::Mesh { mesh, .. } = target.kind else { return Ok(None) };
+        let missing = || BartError::MeshOutOfRange { target: target.id.clone(), mesh, meshes: self.meshes.len() };
+        self.meshes.get(mesh as usize).cloned().ok_or_else(missing).map(Some)
+    }
+}
+
+/// A mesh in its body frame.
+struct BodyMesh {
+    skin: SkinTriangles,
+    patches: Patches,
+    hierarchy: Hierarchy,
+    edges: OnceLock<BodyEdges>,
+    /// By slot, `None` for a perfect conductor; empty where all are.
+    materials: Vec<Option<Arc<Material>>>,
+    /// Of the mesh's own triangles.
+    slot_of_triangle: Vec<u16>,
+}
+
+impl BodyMesh {
+    fn build(mesh: &Mesh, skin: Skin) -> Result<Self, BartError> {
+        check_materials(mesh)?;
+        // obvhs panics on infinite and swallows NaN coordinates; single precision ends at 3.4e38.
+        let not_finite = |v: &[f64; 3]| v.iter().any(|x| !(*x as f32).is_finite());
+        if let Some(vertex) = mesh.vertices_m.iter().position(not_finite) {
+            return Err(BartError::VertexNotFinite { mesh: mesh.name.clone(), vertex });
+        }
+        let corners = |(index, triangle): (usize, &[u32; 3])| corners_of(mesh, index, triangle);
+        let corners_m = mesh.triangles.iter().enumerate().map(corners).collect::<Result<Vec<_>, _>>()?;
+        let skin = skin.triangles(mesh, corners_m);
+        Ok(Self {
+            hierarchy: Hierarchy::over(skin.triangles_m.iter().copied()),
+            patches: Patches::of(&skin.triangles_m),
+            edges: OnceLock::new(),
+            materials: lossy_materials(&mesh.makeup),
+            slot_of_triangle: mesh.material_of_triangle.clone(),
+            skin,
+        })
+    }
+
+    fn material(&self, facet: u32) -> Option<&Arc<Material>> {
+        let triangle = *self.skin.triangle_of.get(facet as usize)?;
+        let slot = self.slot_of_triangle.get(triangle as usize)?;
+        self.materials.get(usize::from(*slot))?.as_ref()
+    }
+
+    fn edges(&self) -> &BodyEdges {
+        self.edges.get_or_init(|| body_edges(&self.skin.triangles_m, &self.skin.corner_normals))
+    }
+}
+
+fn check_materials(mesh: &Mesh) -> Result<(), BartError> {
+    let sound = |e: Complex64| e.is_finite() && e.re >= 1.0 && e.im <= 0.0;
+    let is_sound = |material: &Material| match material {
+        Material::Conductor => true,
+        Material::HalfSpace { permittivity } => sound(*permittivity),
+        Material::Layers { layers, .. } => {
+            let thick = |layer: &Layer| layer.thickness_m.is_finite() && layer.thickness_m > 0.0;
+            !layers.is_empty() && layers.iter().all(|layer| thick(layer) && sound(layer.permittivity))
+        }
+    };
+    let wrong = |slot: usize| {
+        let material = mesh.materials.get(slot).cloned().unwrap_or_default();
+        Err(BartError::MaterialNotSound { mesh: mesh.name.clone(), material })
+    };
+    mesh.makeup.materials.iter().position(|material| !is_sound(material)).map_or(Ok(()), wrong)
+}
+
+fn lossy_materials(makeup: &Makeup) -> Vec<Option<Arc<Material>>> {
+    if makeup.conducts_all_over() {
+        return Vec::new();
+    }
+    let lossy = |m: &Material| (*m != Material::Conductor).then(|| Arc::new(m.clone()));
+    makeup.materials.iter().map(lossy).collect()
+}
+
+fn corners_of(mesh: &Mesh, index: usize, triangle: &[u32; 3]) -> Result<[DVec3; 3], BartError> {
+    let mut corners_m = [DVec3::ZERO; 3];
+    for (corner, &vertex) in corners_m.iter_mut().zip(triangle) {
+        let vertices = mesh.vertices_m.len();
+        let out_of_range =
+            || BartError::VertexOutOfRange { mesh: mesh.name.clone(), triangle: index, vertex, vertices };
+        *corner = DVec3::from_array(*mesh.vertices_m.get(vertex as usize).ok_or_else(out_of_range)?);
+    }
+    Ok(corners_m)
+}
+
+/// A mesh at its place.
+struct Body {
+    target: u32,
+    mesh: Arc<BodyMesh>,
+    world_from_body: DMat3,
+    position_m: DVec3,
+    velocity_mps: DVec3,
+    first_facet: u32,
+}
+
+impl Body {
+    fn posed(target: u32, mesh: Arc<BodyMesh>, pose: &Pose, seconds: f64, id: &str) -> Result<Self, BartError> {
+        let velocity_mps = DVec3::from_array(pose.velocity_mps);
+        let position_m = DVec3::from_array(pose.position_m) + seconds * velocity_mps;
+        if !(position_m.is_finite() && velocity_mps.is_finite() && pose.yaw_rad.is_finite()) {
+            return Err(BartError::PoseNotFinite { target: id.to_owned() });
+        }
+        let world_from_body = DMat3::from_rotation_z(pose.yaw_rad);
+        Ok(Self { target, mesh, world_from_body, position_m, velocity_mps, first_facet: 0 })
+    }
+
+    /// Its image in the plane z = 0; windings turn over with it.
+    fn below_road(&self) -> Self {
+        Self {
+            target: self.target,
+            mesh: Arc::clone(&self.mesh),
+            world_from_body: DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0)) * self.world_from_body,
+            position_m: below(self.position_m),
+            velocity_mps: below(self.velocity_mps),
+            first_facet: 0,
+        }
+    }
+
+    fn facets(&self) -> impl IndexedParallelIterator<Item = FacetGeometry> {
+        let SkinTriangles { triangles_m, triangle_of, .. } = &self.mesh.skin;
+        triangles_m.par_iter().zip(triangle_of).map(|(corners_m, &triangle)| {
+            let corners_m = corners_m.map(|corner| self.position_m + self.world_from_body * corner);
+            FacetGeometry::of_triangle(corners_m, Facet { body: self.target, triangle })
+        })
+    }
+
+    /// A world plane in this body's frame, moved back by `slack_m` so that rounding loses nothing.
+    fn plane_in_body(&self, plane: &Plane, slack_m: f64) -> Plane {
+        let normal = self.world_from_body.transpose() * plane.normal;
+        Plane { normal, offset_m: plane.offset_m - plane.normal.dot(self.position_m) - slack_m }
+    }
+}

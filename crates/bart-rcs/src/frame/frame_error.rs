@@ -1,0 +1,224 @@
+//! What a frame's paths miss, measured: they are compared with the same bodies traced and integrated anew at another moment.
+//!
+//! A map's error is that of its samples (Parseval), so it is enough to look at some frequencies and moments. Visibility,
+//! amplitudes and apparent velocities err in proportion to the time from the frame's middle; the moment T/√12 after it has
+//! the mean square of the whole frame.
+
+use crate::frame::path_plan::Plan;
+use crate::frame::path_pruning::power_over_frame;
+use crate::frame::path_sum::element_over_band;
+use crate::integral::physical_optics::Bracket;
+use crate::joins::join::tree_order;
+use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
+use crate::table::aspect::{left_out_order, other};
+use crate::table::meeting::{Meeting, MeetingSettings};
+use artifact::paths::Path;
+use artifact::settings::{Edges, NodeRule};
+use artifact::units::SPEED_OF_LIGHT_MPS;
+use artifact::{ErrorBudget, ModelError};
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// The moment after the frame's middle whose error is the root mean square of the frame's.
+pub(crate) fn check_offset_s(frame_duration_s: f64) -> f64 {
+    frame_duration_s / 12.0_f64.sqrt()
+}
+
+/// Frequencies that the comparison is made at: more would repeat what the extent of a vehicle correlates, c/(2·5 m) = 30 MHz
+/// of the 625 MHz of the narrowest band of Table 2.
+const CHECKED_FREQUENCIES: usize = 12;
+
+/// The ratio of two mean powers of n complex Gaussian samples follows the F distribution with (2n, 2n) degrees of freedom.
+/// Scatterers of one vehicle that lie in a few range cells leave about 4 of the 12 frequencies independent: 95 of 100 ratios
+/// stay below F(0.95; 8, 8) = 3.44, as an amplitude 1.85.
+const MARGIN: f64 = 1.85;
+
+/// The frame's bodies at the moment of the check.
+pub(crate) struct Reference {
+    frequencies_hz: Vec<f64>,
+    /// By order from 1, then frequency.
+    by_order_m: Vec<Vec<Complex64>>,
+    /// The other node rule, where there is a choice and the tree reaches that far: by order from 1.
+    other_m: Vec<Option<Vec<Complex64>>>,
+    /// The order after the last by the middle rule, facets alone, where the tree reaches that far.
+    left_out_m: Option<Vec<Complex64>>,
+}
+
+/// What was measured of one table of paths, as amplitudes relative to the frame's.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct FrameError {
+    /// Against the reference, at the moment of the check.
+    total: f64,
+    /// Of the integrals alone, at the frame's middle.
+    integration: f64,
+    /// Paths and beams given up, with independent phases.
+    dropped: f64,
+    /// The same, with equal phases of the beams.
+    pub(crate) dropped_at_most: f64,
+}
+
+/// Powers that do not come from the comparison.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct GivenUp {
+    pub(crate) paths_power: f64,
+    pub(crate) integration_power: f64,
+}
+
+/// Bodies of another moment, traced and integrated ten times finer than the paths.
+pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference {
+    let fidelity = &plan.header.fidelity;
+    let frequencies_hz = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, CHECKED_FREQUENCIES);
+    let wavenumbers: Vec<f64> = frequencies_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
+    let fineness = Fineness::ten_times(&wavenumbers, plan);
+    let by_rule = |order: u8, rule: NodeRule| {
+        let meeting = Meeting::of(scatterer, order, &MeetingSettings { nodes: rule, ..plan.meetings() });
+        of_meeting(scatterer, plan, &meeting, bracket_of(rule), &fineness)
+    };
+    let by_order_m = (1..=fidelity.bounces).map(|order| by_rule(order, fidelity.nodes)).collect();
+    let other = other(fidelity.nodes);
+    let reaches = |order: u8| order > 1 && tree_order(order, other) <= plan.trace.max_order;
+    let other_m = (1..=fidelity.bounces).map(|o| reaches(o).then(|| by_rule(o, other))).collect();
+    let left_out_m = left_out_order(fidelity.bounces, plan.trace.max_order).map(|order| {
+        let alone = MeetingSettings { nodes: NodeRule::Middle, edges: Edges::Ignored, ..plan.meetings() };
+        of_meeting(scatterer, plan, &Meeting::of(scatterer, order, &alone), bracket_of(alone.nodes), &fineness)
+    });
+    Reference { by_order_m, other_m, left_out_m, frequencies_hz }
+}
+
+/// Mean over the band's three points of |S − S(ten times finer)|², at the moment of `scatterer`.
+pub(crate) fn integration_power(scatterer: &Scatterer<'_>, plan: &Plan<'_>, meetings: &[Meeting]) -> f64 {
+    let wavenumbers = plan.band.wavenumbers_per_m();
+    let fine = Fineness::ten_times(&wavenumbers, plan);
+    let coarse = Fineness { accuracy: 10.0 * fine.accuracy, ..fine };
+    let all = |fineness: &Fineness<'_>| {
+        let bracket = bracket_of(plan.header.fidelity.nodes);
+        total(meetings.iter().map(|m| of_meeting(scatterer, plan, m, bracket, fineness)), wavenumbers.len())
+    };
+    mean_difference(&all(&fine), &all(&coarse))
+}
+
+#[derive(Clone, Copy)]
+struct Fineness<'a> {
+    wavenumbers_per_m: &'a [f64],
+    accuracy: f64,
+}
+
+impl<'a> Fineness<'a> {
+    fn ten_times(wavenumbers_per_m: &'a [f64], plan: &Plan<'_>) -> Self {
+        Self { wavenumbers_per_m, accuracy: 0.1 * plan.header.fidelity.accuracy.amplitude() }
+    }
+}
+
+/// S of one order over frequency, as the radar sees it.
+fn of_meeting(
+    scatterer: &Scatterer<'_>,
+    plan: &Plan<'_>,
+    meeting: &Meeting,
+    bracket: Bracket,
+    fineness: &Fineness<'_>,
+) -> Vec<Complex64> {
+    let integration =
+        Integration { wavenumbers_per_m: fineness.wavenumbers_per_m, accuracy: fineness.accuracy, bracket };
+    let amplitudes = meeting.sum(scatterer, plan.view(0.0).origin_m, &integration);
+    amplitudes.iter().map(|s| plan.seen(s)).collect()
+}
+
+/// Sum over orders, at each of `count` frequencies.
+fn total(orders: impl Iterator<Item = Vec<Complex64>>, count: usize) -> Vec<Complex64> {
+    orders.fold(vec![Complex64::ZERO; count], |all, order| all.iter().zip(&order).map(|(a, b)| a + b).collect())
+}
+
+fn mean_difference(a: &[Complex64], b: &[Complex64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).norm_sqr()).sum::<f64>() / a.len().max(1) as f64
+}
+
+fn mean(values: &[Complex64]) -> f64 {
+    values.iter().map(|s| s.norm_sqr()).sum::<f64>() / values.len().max(1) as f64
+}
+
+impl Reference {
+    /// Spread between the node rules where both are known, and the first order that is missing; both relative to all
+    /// orders.
+    pub(crate) fn model_error(&self) -> ModelError {
+        let power = mean(&self.total_m());
+        let relative = |part: f64| if power > 0.0 { (part / power).sqrt() } else { 0.0 };
+        let both = self.by_order_m.iter().zip(&self.other_m);
+        let spreads: Vec<f64> = both.filter_map(|(m, e)| e.as_ref().map(|e| mean_difference(m, e))).collect();
+        ModelError {
+            nodes: (!spreads.is_empty()).then(|| relative(spreads.iter().sum())),
+            bounces: self.left_out_m.as_ref().map(|s| relative(mean(s))),
+            ..ModelError::default()
+        }
+    }
+
+    /// All orders, over frequency.
+    fn total_m(&self) -> Vec<Complex64> {
+        total(self.by_order_m.iter().cloned(), self.frequencies_hz.len())
+    }
+}
+
+impl FrameError {
+    /// `points` are among `paths`, and exact.
+    pub(crate) fn measured_on(
+        scatterer: &Scatterer<'_>,
+        plan: &Plan<'_>,
+        paths: &[Path],
+        points: &[Path],
+        reference: &Reference,
+        given_up: &GivenUp,
+    ) -> Self {
+        let power = power_over_frame(paths, plan);
+        let relative = |part: f64| if power > 0.0 { (part / power).sqrt() } else { 0.0 };
+        let view = plan.view(plan.check_s);
+        let element = plan.header.radar.array.polarization.indices();
+        let sum_of = |paths: &[Path]| element_over_band(paths, &view, element, &reference.frequencies_hz);
+        let bodies = reference.total_m();
+        let exact: Vec<Complex64> = bodies.iter().zip(sum_of(points)).map(|(s, of_points)| s + of_points).collect();
+        let error_power = mean_difference(&exact, &sum_of(paths));
+        let [beams, beams_at_most] = dropped_sections(scatterer, plan);
+        let scale = (TAU / plan.band.wavelength_m()).powi(2) / std::f64::consts::PI;
+        Self {
+            total: relative(error_power),
+            integration: relative(given_up.integration_power),
+            dropped: relative(given_up.paths_power + scale * beams.powi(2)),
+            dropped_at_most: relative(given_up.paths_power + scale * beams_at_most.powi(2)),
+        }
+    }
+
+    /// The error of the frame that is covered with the margin of the measurement.
+    pub(crate) fn measured(&self) -> f64 {
+        MARGIN * self.total
+    }
+
+    /// Named shares: what is neither integration nor dropped is freezing.
+    pub(crate) fn budget(&self) -> ErrorBudget {
+        let known = self.integration.powi(2) + self.dropped.powi(2);
+        ErrorBudget {
+            integration: Some(MARGIN * self.integration),
+            dropped: Some(MARGIN * self.dropped),
+            freezing: Some(MARGIN * (self.total.powi(2) - known).max(0.0).sqrt()),
+            ..ErrorBudget::default()
+        }
+    }
+}
+
+/// Area across the wave of the beams given up, over L₁L₂ of the nearest facet as S is over that of [`Plan::view`]: with
+/// independent phases, with equal ones.
+fn dropped_sections(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> [f64; 2] {
+    let distances_m2 = scatterer.world.facets().iter().map(|f| f.corners_m[0].distance_squared(plan.position_m));
+    let nearest_m2 = distances_m2.fold(f64::INFINITY, f64::min);
+    let [sum_m2, squares_m4] = scatterer.trees.transmit().audit.given_up(usize::from(plan.trace.max_order));
+    [squares_m4.sqrt() / nearest_m2, sum_m2 / nearest_m2]
+}
+
+/// Middles of equal parts of the sampled sweep.
+pub(crate) fn frequencies_hz(centre_hz: f64, bandwidth_hz: f64, count: usize) -> Vec<f64> {
+    (0..count).map(|i| centre_hz + bandwidth_hz * ((i as f64 + 0.5) / count as f64 - 0.5)).collect()
+}
+
+/// Mean over frequency of |S(paths)|², as the radar sees it.
+pub(crate) fn mean_power(paths: &[Path], plan: &Plan<'_>, seconds: f64, frequencies_hz: &[f64]) -> f64 {
+    let view = plan.view(seconds);
+    let seen = element_over_band(paths, &view, plan.header.radar.array.polarization.indices(), frequencies_hz);
+    seen.iter().map(|s| s.norm_sqr()).sum::<f64>() / frequencies_hz.len() as f64
+}

@@ -1,0 +1,117 @@
+//! The path table of a frame: bodies frozen at the frame's middle, every cell of their lit facets a path that moves.
+
+use crate::beams::beam::BeamTree;
+use crate::bodies::road::{check_road, image, left_out, with_image};
+use crate::bodies::world::{Models, World};
+use crate::error::BartError;
+use crate::frame::frame_error::reference;
+use crate::frame::nearest_surface::nearest_range_m;
+use crate::frame::path_plan::Plan;
+use crate::frame::path_table::Fit;
+use crate::geometry::antenna::Antenna;
+use crate::joins::join::Trees;
+use crate::joins::scatterer::{Scatterer, ZenithH, check_order};
+use artifact::paths::{Amplitude, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
+use artifact::scene::{Pose, SceneFrame, SceneHeader, Target, TargetKind};
+use artifact::settings::Surface;
+use artifact::{ErrorBudget, ModelError};
+use num_complex::Complex64;
+
+/// Paths of one frame from the radar's position and back, referred to the frame's first sample.
+///
+/// The world is frozen at the frame's middle; what is lit then is lit all through. Amplitudes are fitted over the sampled
+/// sweep. A point target is a path of order 0 with +√σ in vv and hh; bodies do not hide it. Cells are as large as the
+/// accuracy asked for lets them be, by measurement: paths are compared with the bodies traced and integrated anew at
+/// another moment of the frame, and that is the error that is returned. `error.tessellation` is the bound that a smooth
+/// surface was cut to; `None` where facets are the surface itself.
+pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> Result<PathsFrame, BartError> {
+    check_order(header.fidelity.bounces)?;
+    check_road(header)?;
+    let plan = Plan::of(header);
+    // One moment's bodies and beams at a time.
+    let (reference, check_bytes) = {
+        let check = Snapshot::at(models, header, frame, plan.check_s, &plan)?;
+        (reference(&check.scatterer(&plan), &plan), check.bytes())
+    };
+    let snapshot = Snapshot::at(models, header, frame, plan.middle_s, &plan)?;
+    let points = point_paths(header, frame);
+    let table = Fit::new(&snapshot.scatterer(&plan), &plan, &points, &reference).table();
+    let counts = (1..=header.fidelity.bounces).map(|order| count(&table.paths, order)).collect();
+    let dropped_power_ratio = table.error.dropped_at_most.powi(2);
+    let bent = (header.fidelity.surface == Surface::Smooth).then(|| snapshot.world.skin_error());
+    Ok(PathsFrame {
+        index: frame.index,
+        time_s: frame.time_s,
+        nearest_range_m: nearest_range_m(&snapshot.world, &snapshot.tree, plan.position_m, header.targets.len()),
+        error: ErrorBudget { tessellation: bent, ..table.error.budget() },
+        model_error: ModelError { road: left_out(header, &frame.poses), ..reference.model_error() },
+        trace: TraceStatistics {
+            triangles: snapshot.world.triangles() as u64,
+            beams: snapshot.tree.audit.orders.iter().map(|order| order.beams).collect(),
+            paths: counts,
+            dropped_power_ratio,
+            bytes: snapshot.bytes().max(check_bytes),
+        },
+        paths: table.paths,
+    })
+}
+
+/// Bodies and beams of one moment.
+struct Snapshot {
+    world: World,
+    tree: BeamTree,
+    /// With that of the antenna's image, where there is a road.
+    received: Option<BeamTree>,
+}
+
+impl Snapshot {
+    fn at(
+        models: &Models,
+        header: &SceneHeader,
+        frame: &SceneFrame,
+        seconds: f64,
+        plan: &Plan<'_>,
+    ) -> Result<Self, BartError> {
+        let world = World::posed(models, header, frame, seconds)?;
+        let tree = BeamTree::trace(&world, Antenna::Point(plan.position_m), &plan.trace)?;
+        let received = match world.road() {
+            Some(_) => Some(with_image(&tree, &BeamTree::trace(&world, image(tree.antenna), &plan.trace)?)),
+            None => None,
+        };
+        Ok(Self { world, tree, received })
+    }
+
+    fn scatterer(&self, plan: &Plan<'_>) -> Scatterer<'_> {
+        let h = plan.zenith_h();
+        let trees = self.received.as_ref().map_or(Trees::Shared(&self.tree), |tree| Trees::Apart(&self.tree, tree));
+        Scatterer::new(&self.world, trees, ZenithH { transmit: h, receive: h })
+    }
+
+    fn bytes(&self) -> u64 {
+        (self.world.bytes() + self.tree.bytes() + self.received.as_ref().map_or(0, BeamTree::bytes)) as u64
+    }
+}
+
+fn point_paths(header: &SceneHeader, frame: &SceneFrame) -> Vec<Path> {
+    let targets = (0..).zip(header.targets.iter().zip(&frame.poses));
+    let of = |(target, (kind, pose)): (u32, (&Target, &Pose))| {
+        let TargetKind::Point { rcs_m2 } = kind.kind else { return None };
+        let root = Complex64::from(rcs_m2.sqrt());
+        Some(Path {
+            target,
+            order: 0,
+            apparent_tx_m: pose.position_m,
+            apparent_tx_mps: pose.velocity_mps,
+            apparent_rx_m: pose.position_m,
+            apparent_rx_mps: pose.velocity_mps,
+            amplitude_m: [[root, Complex64::ZERO], [Complex64::ZERO, root]],
+            slope_m_per_hz: Amplitude::default(),
+            facets: [Facet::default(); MAX_ORDER],
+        })
+    };
+    targets.filter_map(of).collect()
+}
+
+fn count(paths: &[Path], order: u8) -> u64 {
+    paths.iter().filter(|path| path.order == order).count() as u64
+}

@@ -1,0 +1,112 @@
+//! What the paths of a frame are traced with: fixed by the scene's header.
+
+use crate::beams::beam::TraceSettings;
+use crate::frame::frame_error::check_offset_s;
+use crate::frame::path_sum::PathView;
+use crate::joins::join::tree_order;
+use crate::table::meeting::MeetingSettings;
+use artifact::Waveform;
+use artifact::paths::Amplitude;
+use artifact::scene::SceneHeader;
+use artifact::settings::Fidelity;
+use artifact::units::SPEED_OF_LIGHT_MPS;
+use glam::DVec3;
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// What a frame is traced with, from its header.
+pub(crate) struct Plan<'a> {
+    pub(crate) header: &'a SceneHeader,
+    pub(crate) position_m: DVec3,
+    pub(crate) band: Band,
+    pub(crate) trace: TraceSettings,
+    /// After the frame's first sample: when paths are traced, and when they are checked.
+    pub(crate) middle_s: f64,
+    pub(crate) check_s: f64,
+}
+
+impl<'a> Plan<'a> {
+    pub(crate) fn of(header: &'a SceneHeader) -> Self {
+        let band = Band::of(&header.radar.waveform);
+        let middle_s = header.radar.frame_middle_s();
+        let fidelity = &header.fidelity;
+        // Slivers below λ²/100·accuracy are dropped (physics.md §2), mirrors below a hundred times that are not followed.
+        let least_area_m2 = 1e-2 * band.wavelength_m().powi(2) * fidelity.accuracy.amplitude();
+        let trace = TraceSettings {
+            max_order: tree_order(fidelity.bounces, fidelity.nodes),
+            sides: fidelity.sides,
+            least_area_m2,
+            least_mirror_area_m2: 100.0 * least_area_m2,
+        };
+        let check_s = middle_s + check_offset_s(header.radar.frame_duration_s());
+        Self { header, position_m: DVec3::from_array(header.radar.position_m), band, trace, middle_s, check_s }
+    }
+
+    /// The element of a 2 × 2 amplitude that the radar's antennas send and receive: errors are told of it.
+    pub(crate) fn seen(&self, amplitude: &Amplitude) -> Complex64 {
+        let (receive, transmit) = self.header.radar.array.polarization.indices();
+        amplitude[receive][transmit]
+    }
+
+    /// What of the bodies scatters.
+    pub(crate) fn meetings(&self) -> MeetingSettings {
+        let Fidelity { nodes, edges, .. } = self.header.fidelity;
+        let wavenumber_per_m = TAU / self.band.wavelength_m();
+        MeetingSettings { nodes, edges, least_area_m2: self.trace.least_area_m2, wavenumber_per_m }
+    }
+
+    /// ĥ straight above and below the radar: to the left of its boresight.
+    pub(crate) fn zenith_h(&self) -> DVec3 {
+        let azimuth_rad = self.header.radar.boresight_az_rad;
+        DVec3::new(-azimuth_rad.cos(), azimuth_rad.sin(), 0.0)
+    }
+
+    /// Where paths are summed at a moment of the frame; R_t = R_r = 1 m, as only ratios are looked at.
+    pub(crate) fn view(&self, seconds: f64) -> PathView {
+        PathView {
+            transmitter_m: self.position_m,
+            receiver_m: self.position_m,
+            origin_m: self.position_m + DVec3::Y,
+            seconds,
+            centre_frequency_hz: self.band.centre_hz,
+        }
+    }
+}
+
+/// Sampled sweep: amplitudes are taken at the Chebyshev points of its band, where a straight line errs least.
+pub(crate) struct Band {
+    pub(crate) centre_hz: f64,
+    pub(crate) bandwidth_hz: f64,
+    /// From the centre to the outer points.
+    offset_hz: f64,
+}
+
+impl Band {
+    pub(crate) fn of(waveform: &Waveform) -> Self {
+        let half_hz = 0.5 * waveform.bandwidth_hz().abs();
+        Self {
+            centre_hz: waveform.centre_frequency_hz(),
+            bandwidth_hz: 2.0 * half_hz,
+            offset_hz: half_hz * 0.75_f64.sqrt(),
+        }
+    }
+
+    pub(crate) fn wavelength_m(&self) -> f64 {
+        SPEED_OF_LIGHT_MPS / self.centre_hz
+    }
+
+    pub(crate) fn wavenumbers_per_m(&self) -> [f64; 3] {
+        [-1.0, 0.0, 1.0].map(|side| TAU * (self.centre_hz + side * self.offset_hz) / SPEED_OF_LIGHT_MPS)
+    }
+
+    /// Value at the centre and slope of the straight line nearest to three samples.
+    pub(crate) fn line(&self, samples: &[Amplitude]) -> (Amplitude, Amplitude) {
+        let of = |fit: &dyn Fn(usize, usize) -> Complex64| [0, 1].map(|p| [0, 1].map(|q| fit(p, q)));
+        let value = of(&|p, q| samples.iter().map(|a| a[p][q]).sum::<Complex64>() / samples.len() as f64);
+        let slope = of(&|p, q| match samples {
+            [low, _, high] if self.offset_hz > 0.0 => (high[p][q] - low[p][q]) / (2.0 * self.offset_hz),
+            _ => Complex64::ZERO,
+        });
+        (value, slope)
+    }
+}

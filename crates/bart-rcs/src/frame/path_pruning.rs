@@ -1,0 +1,62 @@
+//! Paths too weak to matter: a table is no larger than the accuracy asked for needs.
+
+use crate::frame::frame_error::{frequencies_hz, mean_power};
+use crate::frame::path_plan::Plan;
+use crate::frame::path_sum::PathView;
+use artifact::paths::Path;
+use glam::DVec3;
+
+/// Paths kept, in their order, and the power of the others.
+pub(crate) struct Kept {
+    pub(crate) paths: Vec<Path>,
+    /// Σ|a·R²/(L₁L₂)|² of the dropped paths in the radar's polarization: their power, as their phases are independent.
+    pub(crate) dropped_power: f64,
+}
+
+/// Share of the accuracy asked for that may be dropped, as an amplitude.
+const SHARE: f64 = 0.3;
+
+/// Drops the weakest paths of every target as long as their powers add up to less than (0.3·accuracy)² of that target's:
+/// a weak target loses no more of itself than a strong one.
+pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>) -> Kept {
+    let view = plan.view(plan.middle_s);
+    let most = (SHARE * plan.header.fidelity.accuracy.amplitude()).powi(2);
+    let powers: Vec<f64> = paths.iter().map(|path| power(path, plan, &view)).collect();
+    let mut keep = vec![true; paths.len()];
+    let mut dropped_power = 0.0;
+    for target in 0..plan.header.targets.len() as u32 {
+        let own: Vec<Path> = paths.iter().filter(|path| path.target == target).copied().collect();
+        let budget = most * power_over_frame(&own, plan);
+        let mut order: Vec<usize> = (0..paths.len()).filter(|&i| paths[i].target == target).collect();
+        order.sort_by(|&a, &b| powers[a].total_cmp(&powers[b]).then(a.cmp(&b)));
+        let mut sum = 0.0;
+        for i in order {
+            sum += powers[i];
+            if sum > budget {
+                sum -= powers[i];
+                break;
+            }
+            keep[i] = false;
+        }
+        dropped_power += sum;
+    }
+    let paths = paths.into_iter().zip(keep).filter_map(|(path, keep)| keep.then_some(path)).collect();
+    Kept { paths, dropped_power }
+}
+
+/// Mean power of the sum over the band at the frame's ends and middle.
+pub(crate) fn power_over_frame(paths: &[Path], plan: &Plan<'_>) -> f64 {
+    const FREQUENCIES: usize = 24;
+    let frequencies = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FREQUENCIES);
+    let moments = [0.0, plan.middle_s, 2.0 * plan.middle_s];
+    let of = moments.map(|t| mean_power(paths, plan, t, &frequencies));
+    of.iter().sum::<f64>() / of.len() as f64
+}
+
+fn power(path: &Path, plan: &Plan<'_>, view: &PathView) -> f64 {
+    let place = |x: [f64; 3], v: [f64; 3]| DVec3::from_array(x) + view.seconds * DVec3::from_array(v);
+    let l1 = place(path.apparent_tx_m, path.apparent_tx_mps).distance(view.transmitter_m);
+    let l2 = place(path.apparent_rx_m, path.apparent_rx_mps).distance(view.receiver_m);
+    let ranges = view.origin_m.distance(view.transmitter_m) * view.origin_m.distance(view.receiver_m);
+    plan.seen(&path.amplitude_m).norm_sqr() * (ranges / (l1 * l2)).powi(2)
+}

@@ -1,0 +1,149 @@
+//! The path table with the largest cells that the accuracy asked for lets be.
+
+use crate::bodies::world::World;
+use crate::frame::edge_cells::edge_cells;
+use crate::frame::frame_error::{FrameError, GivenUp, Reference, integration_power};
+use crate::frame::path_cells::{Cell, CellSettings, cells, gathered};
+use crate::frame::path_plan::{Band, Plan};
+use crate::frame::path_pruning::pruned;
+use crate::geometry::antenna::Antenna;
+use crate::joins::scatterer::{Scatterer, bracket_of};
+use crate::table::meeting::Meeting;
+use artifact::paths::Path;
+use artifact::scene::SceneHeader;
+use artifact::units::SPEED_OF_LIGHT_MPS;
+use glam::DVec3;
+use std::f64::consts::TAU;
+
+/// Paths with what was measured of them.
+pub(crate) struct PathTable {
+    pub(crate) paths: Vec<Path>,
+    pub(crate) error: FrameError,
+}
+
+/// What every attempt at a table starts from.
+pub(crate) struct Fit<'a> {
+    scatterer: &'a Scatterer<'a>,
+    plan: &'a Plan<'a>,
+    /// Paths of point targets: exact, and part of the frame.
+    points: &'a [Path],
+    reference: &'a Reference,
+    /// By order from 1.
+    meetings: Vec<Meeting>,
+    integration_power: f64,
+}
+
+impl<'a> Fit<'a> {
+    pub(crate) fn new(
+        scatterer: &'a Scatterer<'a>,
+        plan: &'a Plan<'a>,
+        points: &'a [Path],
+        reference: &'a Reference,
+    ) -> Self {
+        let fidelity = &plan.header.fidelity;
+        let of_order = |order: u8| Meeting::of(scatterer, order, &plan.meetings());
+        let meetings: Vec<Meeting> = (1..=fidelity.bounces).map(of_order).collect();
+        let integration_power = integration_power(scatterer, plan, &meetings);
+        Self { scatterer, plan, points, reference, meetings, integration_power }
+    }
+
+    /// The table with the largest cells that meet the accuracy; the best found where none does within a few attempts.
+    pub(crate) fn table(&self) -> PathTable {
+        const ATTEMPTS: usize = 4;
+        let asked = self.plan.header.fidelity.accuracy.amplitude();
+        let smallest_m = self.plan.band.wavelength_m();
+        let mut size_m = largest_cell_m(self.plan, self.scatterer.world);
+        let mut best = self.table_of(size_m);
+        for _ in 1..ATTEMPTS {
+            let error = best.error.measured();
+            if error <= asked || size_m <= smallest_m {
+                break;
+            }
+            // Errors of freezing and of the straight line over frequency grow with the first to second power of the size.
+            size_m *= (0.7 * asked / error).sqrt().clamp(0.4, 0.8);
+            let finer = self.table_of(size_m);
+            if finer.error.measured() < best.error.measured() {
+                best = finer;
+            }
+        }
+        best
+    }
+
+    fn table_of(&self, size_m: f64) -> PathTable {
+        let wavenumbers = self.plan.band.wavenumbers_per_m();
+        let settings = CellSettings {
+            size_m,
+            velocity_quantum_mps: velocity_quantum_mps(self.plan.header),
+            wavenumbers_per_m: &wavenumbers,
+            accuracy: self.plan.header.fidelity.accuracy.amplitude(),
+            bracket: bracket_of(self.plan.header.fidelity.nodes),
+        };
+        let ends = [Antenna::Point(self.plan.position_m); 2];
+        let of_order = |meeting: &Meeting| {
+            let mut found = cells(self.scatterer, &meeting.facets, &settings);
+            found.extend(edge_cells(self.scatterer, &meeting.edges, &settings));
+            gathered(found, ends, &settings)
+        };
+        let found = self.meetings.iter().flat_map(of_order);
+        let kept = pruned(found.map(|cell| path_of(&cell, &self.plan.band, self.plan.middle_s)).collect(), self.plan);
+        let mut paths = kept.paths;
+        paths.extend_from_slice(self.points);
+        let given_up = GivenUp { paths_power: kept.dropped_power, integration_power: self.integration_power };
+        let error = FrameError::measured_on(self.scatterer, self.plan, &paths, self.points, self.reference, &given_up);
+        PathTable { paths, error }
+    }
+}
+
+/// Largest side of the cells that one node, one amplitude and its slope may stand for; smaller ones are tried where the
+/// measured error asks for it.
+///
+/// Within D/2 of its node a lit point's length differs from the node's by up to D, there and back: over the band, ±Δk with
+/// Δk = πB/c, its phase runs over ±ΔkD, and a straight line over frequency leaves at most (ΔkD)²/4 of it. While the node
+/// moves by vT/2 at a right angle, or is seen from an element δ off the radar's position, both legs turn by (vT/2 + δ)/R:
+/// the phase between node and point runs over kD(vT/2 + δ)/R. Neighbouring cells cancel most of both (physics.md §6 has
+/// −41 dB with cells of 12 cm where this bound says −14 dB), so either may reach four times the accuracy asked.
+fn largest_cell_m(plan: &Plan<'_>, world: &World) -> f64 {
+    let waveform = &plan.header.radar.waveform;
+    let allowed = 4.0 * plan.header.fidelity.accuracy.amplitude();
+    let band_per_m = std::f64::consts::PI * waveform.bandwidth_hz().abs() / SPEED_OF_LIGHT_MPS;
+    let by_band = 2.0 * allowed.sqrt() / band_per_m;
+    let wavenumber = TAU / waveform.wavelength_m();
+    let range_m = world.facets().iter().map(|f| plan.position_m.distance(f.corners_m[0])).fold(f64::INFINITY, f64::min);
+    let way_m = 0.5 * plan.header.radar.frame_duration_s() * fastest_mps(plan.header) + element_offset_m(plan.header);
+    let by_motion = allowed * range_m / (wavenumber * way_m);
+    by_band.min(by_motion).clamp(2.0 * waveform.wavelength_m(), waveform.range_resolution_m())
+}
+
+fn fastest_mps(header: &SceneHeader) -> f64 {
+    header.targets.iter().map(|t| DVec3::from_array(t.start.velocity_mps).length()).fold(0.0, f64::max)
+}
+
+fn element_offset_m(header: &SceneHeader) -> f64 {
+    let array = &header.radar.array;
+    let centre = DVec3::from_array(header.radar.position_m);
+    let elements = array.tx_m.iter().chain(&array.rx_m);
+    elements.map(|p| DVec3::from_array(*p).distance(centre)).fold(0.0, f64::max)
+}
+
+/// Velocities that differ by less leave a phase of k·Δv·T/2 in each leg below the accuracy.
+fn velocity_quantum_mps(header: &SceneHeader) -> f64 {
+    let half_frame_s = 0.5 * header.radar.frame_duration_s();
+    let wavenumber = TAU / header.radar.waveform.wavelength_m();
+    header.fidelity.accuracy.amplitude() / (2.0 * wavenumber * half_frame_s)
+}
+
+fn path_of(cell: &Cell, band: &Band, middle_s: f64) -> Path {
+    let (amplitude_m, slope_m_per_hz) = band.line(&cell.amplitudes_m);
+    let at_first_sample = |end: usize| (cell.apparent_m[end] - middle_s * cell.velocity_mps[end]).to_array();
+    Path {
+        target: cell.facets[0].body,
+        order: cell.order,
+        apparent_tx_m: at_first_sample(0),
+        apparent_tx_mps: cell.velocity_mps[0].to_array(),
+        apparent_rx_m: at_first_sample(1),
+        apparent_rx_mps: cell.velocity_mps[1].to_array(),
+        amplitude_m,
+        slope_m_per_hz,
+        facets: cell.facets,
+    }
+}

@@ -1,0 +1,140 @@
+//! The node integral where something on the path is no perfect conductor: weights with phase, by frequency.
+//!
+//! Kirchhoff's currents of a surface that reflects e_r of e (Beckmann, Spizzichino 1963; `docs/physics.md` §5) in place of
+//! the bracket of [`crate::integral::physical_optics`]:
+//!
+//! ```text
+//! ½{ e_p·[n×(d₁×e + d_r×e_r)] + (d₂×e_p)·[n×(e + e_r)] }
+//! ```
+//! A conductor, e + e_r = 2n(n·e), gives the other bracket back.
+
+use crate::geometry::complex_vector::ComplexVector;
+use crate::integral::physical_optics::{Bracket, Field, Leg, SurfacePoint};
+use crate::integral::polygon_phase::{linear_phase_integral, six_point_weights};
+use crate::integral::tiling::Tile;
+use crate::materials::surface_response::{phase_length_m, reflected_field, reflection, steepness};
+use artifact::material::Material;
+use glam::{DVec2, DVec3};
+use num_complex::Complex64;
+
+/// Receiver first: [vv, vh, hv, hh].
+type Weights = [Complex64; 4];
+
+impl Field<'_> {
+    /// Whether weights are real and know no frequency.
+    pub(crate) fn is_perfect(&self) -> bool {
+        let node = self.node;
+        node.material.is_none() && node.transmit.steps.is_perfect() && node.receive.steps.is_perfect()
+    }
+
+    /// How much faster than directions and fields the weights turn: of derivatives one to three, in units of the turning.
+    ///
+    /// 1/L₁, 1/L₂, d, e_q, e_p each change by at most the turning t in the first derivative; the product of five by 5t,
+    /// (5 + 5·4 + 5)t² and so on; third derivatives of a unit vector stay below 6/L³. Coefficients of exponential type m
+    /// multiply that (Leibniz).
+    pub(crate) fn weight_turns(&self, wavenumber_per_m: f64) -> [f64; 3] {
+        if self.is_perfect() {
+            return [5.0, 35.0, 300.0];
+        }
+        let own = self.node.material.map_or(0.0, |material| steepness(material, wavenumber_per_m));
+        let ways = [self.node.transmit, self.node.receive].map(|leg| leg.steps.steepness(wavenumber_per_m));
+        let m = own + ways[0] + ways[1];
+        [5.0 + m, 35.0 + 10.0 * m + m * m, 300.0 + 105.0 * m + 15.0 * m * m + m * m * m]
+    }
+
+    /// As [`Field::add`] with weights of every frequency.
+    pub(crate) fn add_lossy(&self, tile: &Tile<'_>, wavenumbers_per_m: &[f64], sums: &mut [Weights]) {
+        match tile {
+            Tile::Whole { corners_m, centre_m } => {
+                self.add_lossy_whole(corners_m, *centre_m, wavenumbers_per_m, sums);
+            }
+            Tile::Triangle(corners_m) => self.add_lossy_triangle(*corners_m, wavenumbers_per_m, sums),
+        }
+    }
+
+    fn add_lossy_whole(&self, corners_m: &[DVec2], centre_m: DVec2, wavenumbers_per_m: &[f64], sums: &mut [Weights]) {
+        let centre = self.surface_at(centre_m);
+        let gradient = self.length_gradient(&centre);
+        let length_m = self.length_m(centre.x_m);
+        let about_centre: Vec<DVec2> = corners_m.iter().map(|c| *c - centre_m).collect();
+        for (k, sum) in wavenumbers_per_m.iter().zip(sums) {
+            let weights = self.lossy_weight(&centre, *k);
+            let integral = Complex64::cis(-k * length_m) * linear_phase_integral(&about_centre, -k * gradient);
+            sum.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * integral);
+        }
+    }
+
+    fn add_lossy_triangle(&self, corners_m: [DVec2; 3], wavenumbers_per_m: &[f64], sums: &mut [Weights]) {
+        let [a, b, c] = corners_m;
+        let centre_m = (a + b + c) / 3.0;
+        let area_m2 = 0.5 * (b - a).perp_dot(c - a);
+        let points_m = [a, b, c, 0.5 * (b + c), 0.5 * (c + a), 0.5 * (a + b)];
+        let gradient = self.length_gradient(&self.surface_at(centre_m));
+        let linear_m = points_m.map(|p| gradient.dot(p - centre_m));
+        let points = points_m.map(|p| self.surface_at(p));
+        let lengths_m = points.map(|at| self.length_m(at.x_m));
+        for (k, sum) in wavenumbers_per_m.iter().zip(sums) {
+            let under_phase = six_point_weights([0, 1, 2].map(|i| -k * linear_m[i]));
+            for i in 0..6 {
+                let weights = self.lossy_weight(&points[i], *k);
+                let remainder = Complex64::cis(-k * (lengths_m[i] - linear_m[i]));
+                let value = under_phase[i] * remainder * area_m2;
+                sum.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * value);
+            }
+        }
+    }
+
+    /// How much longer than the way the layers on it make the phase turn with frequency, m: their own length back and forth,
+    /// twice, as the echoes inside of one that has gone round once more are still seen and of two hardly.
+    pub(crate) fn turning_length_m(&self) -> f64 {
+        let own = self.node.material.map_or(0.0, phase_length_m);
+        let of = |leg: &Leg| leg.steps.phase_length_m();
+        2.0 * (own + of(self.node.transmit) + of(self.node.receive))
+    }
+
+    /// Bracket times 1/(L₁L₂), relative to 1/(L₁L₂) at the reference point.
+    fn lossy_weight(&self, at: &SurfacePoint, wavenumber_per_m: f64) -> Weights {
+        let x_m = at.x_m;
+        // Area of the skin per area of the polygon, and its unit normal.
+        let size = at.area.length();
+        let normal = at.area / size;
+        let [transmit, receive] = [self.node.transmit, self.node.receive];
+        let (d1, d2) = (transmit.image.travel_direction_at(x_m), receive.image.travel_direction_at(x_m));
+        let sent = transmit.arriving_fields(d1, wavenumber_per_m);
+        let received = receive.arriving_fields(d2, wavenumber_per_m);
+        let spread = size * self.spread(transmit.image, x_m) * self.spread(receive.image, x_m);
+        let current = |d: DVec3, e: ComplexVector| self.surface_current(normal, d, e, wavenumber_per_m);
+        let forth = sent.map(|e| current(d1, e));
+        let back = received.map(|e| current(d2, e));
+        [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(p, q)| {
+            let plain = forth[q].radiated(d2, received[p]);
+            spread
+                * match self.node.bracket {
+                    Bracket::Plain => plain,
+                    Bracket::Symmetrised => 0.5 * (plain + back[p].radiated(d1, sent[q])),
+                }
+        })
+    }
+
+    fn surface_current(&self, n: DVec3, travel: DVec3, e: ComplexVector, wavenumber_per_m: f64) -> Current {
+        const CONDUCTOR: &Material = &Material::Conductor;
+        let r = reflection(self.node.material.unwrap_or(CONDUCTOR), n.dot(travel).abs(), wavenumber_per_m);
+        let reflected = reflected_field(e, travel, n, r);
+        let onwards = travel - 2.0 * n.dot(travel) * n;
+        let magnetic = e.crossed_by(travel) + reflected.crossed_by(onwards);
+        Current { electric: magnetic.crossed_by(n), magnetic: (e + reflected).crossed_by(n) }
+    }
+}
+
+/// n×H and n×E on the lit side.
+#[derive(Clone, Copy)]
+struct Current {
+    electric: ComplexVector,
+    magnetic: ComplexVector,
+}
+
+impl Current {
+    fn radiated(self, travel: DVec3, e: ComplexVector) -> Complex64 {
+        0.5 * (e.dot(self.electric) + e.crossed_by(travel).dot(self.magnetic))
+    }
+}

@@ -1,0 +1,342 @@
+//! Joins: a forward and a backward beam that end on one facet make a path of every facet sequence, each counted once.
+//!
+//! A sequence of K facets has K facets that its integral could be taken on. For smooth mirrors these are one contribution
+//! seen at different nodes, not K contributions, so a rule picks:
+//!
+//! | K | middle: (order of b1, order of b2), weight | exit | own edge |
+//! |---|---|---|---|
+//! | odd | ((K+1)/2, (K+1)/2), 1 | (K, 1), 1 | (m, K+1−m) for every m, weights of [`crate::joins::own_edge`] |
+//! | even | (K/2+1, K/2) and (K/2, K/2+1), ½ each | (K, 1), 1 | the same |
+//!
+//! Where transmitter and receiver share a tree, every middle join is the reverse of another one, which is its transpose, and
+//! so is every join of the own-edge rule: only one of both is made.
+
+use crate::beams::beam::{Beam, BeamTree};
+use crate::bodies::world::World;
+use crate::geometry::border::Border;
+use crate::geometry::convex_intersection::{bounds, intersection};
+use crate::geometry::plane_frame::{PlaneFrame, area_m2};
+use crate::joins::own_edge::{Bordered, Outline, weigh};
+use artifact::settings::NodeRule;
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// The beams of both ends.
+#[derive(Clone, Copy)]
+pub(crate) enum Trees<'a> {
+    /// Transmitter and receiver at one place.
+    Shared(&'a BeamTree),
+    /// Transmitter, receiver.
+    Apart(&'a BeamTree, &'a BeamTree),
+}
+
+impl<'a> Trees<'a> {
+    pub(crate) fn transmit(self) -> &'a BeamTree {
+        match self {
+            Self::Shared(tree) | Self::Apart(tree, _) => tree,
+        }
+    }
+
+    pub(crate) fn receive(self) -> &'a BeamTree {
+        match self {
+            Self::Shared(tree) | Self::Apart(_, tree) => tree,
+        }
+    }
+}
+
+/// Whether a joint stands for its reverse as well.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Reverse {
+    /// Also for the transposed amplitude of the way back.
+    Included,
+    /// For itself only.
+    Apart,
+}
+
+/// A polygon lit by a forward and by a backward beam.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Joint {
+    /// Index of the transmitter's beam.
+    pub(crate) forward: u32,
+    /// Index of the receiver's beam.
+    pub(crate) backward: u32,
+    pub(crate) weight: f64,
+    pub(crate) reverse: Reverse,
+    corners: Range<usize>,
+}
+
+/// All joints of one order.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Joints {
+    pub(crate) list: Vec<Joint>,
+    corners_m: Vec<DVec3>,
+    /// Of every joint, where the rule weighs nodes by them.
+    outlines: Vec<Outline>,
+    /// Area of overlaps that were given up for their size, both ways: its sum, m², and the sum of its squares, m⁴.
+    pub(crate) given_up: [f64; 2],
+}
+
+impl Joints {
+    /// Convex, counter-clockwise about the forward beam's lit normal, world metres.
+    pub(crate) fn polygon(&self, joint: &Joint) -> &[DVec3] {
+        &self.corners_m[joint.corners.clone()]
+    }
+
+    /// Forgets joints that count nothing.
+    pub(crate) fn drop_weightless(&mut self) {
+        self.list.retain(|joint| joint.weight > 0.0);
+    }
+
+    fn append(&mut self, other: Self) {
+        let shift = self.corners_m.len();
+        let moved = |joint: Joint| Joint { corners: joint.corners.start + shift..joint.corners.end + shift, ..joint };
+        self.list.extend(other.list.into_iter().map(moved));
+        self.corners_m.extend(other.corners_m);
+        self.outlines.extend(other.outlines);
+        (0..2).for_each(|i| self.given_up[i] += other.given_up[i]);
+    }
+
+    fn push(&mut self, pair: (u32, u32), weight: f64, reverse: Reverse, corners_m: impl IntoIterator<Item = DVec3>) {
+        let start = self.corners_m.len();
+        self.corners_m.extend(corners_m);
+        let corners = start..self.corners_m.len();
+        self.list.push(Joint { forward: pair.0, backward: pair.1, weight, reverse, corners });
+    }
+}
+
+/// Every joint of `order` bounces; overlaps below `least_area_m2` are dropped.
+pub(crate) fn joints(world: &World, trees: Trees<'_>, order: u8, rule: NodeRule, least_area_m2: f64) -> Joints {
+    let mut all = Joints::default();
+    let tolerance_m = ONE_LINE * world.tolerance_m();
+    let limits = Limits { least_area_m2, one_line_m: (rule == NodeRule::OwnEdge).then_some(tolerance_m) };
+    for meeting in meetings(trees, order, rule) {
+        let forward = ByFacet::of_order(trees.transmit(), meeting.orders[0]);
+        let backward = ByFacet::of_order(trees.receive(), meeting.orders[1]);
+        let common = forward.common(&backward);
+        let on_facet = |&(facet, ref left, ref right): &(u32, Range<usize>, Range<usize>)| {
+            let frame = PlaneFrame::new(world.facet(facet).corners_m[0], world.facet(facet).normal());
+            let beams = [&forward.beams[left.clone()], &backward.beams[right.clone()]];
+            on_one_facet(trees, &meeting, &frame, beams, limits)
+        };
+        let parts: Vec<Joints> = common.par_iter().map(on_facet).collect();
+        parts.into_iter().for_each(|part| all.append(part));
+    }
+    if rule == NodeRule::OwnEdge && order > 1 {
+        let outlines = std::mem::take(&mut all.outlines);
+        weigh(world, trees, order, &mut all, &outlines);
+    }
+    all
+}
+
+/// Edges of two beams that are one line of the mesh differ by roundings of mirrored planes, which grow with the length over
+/// the mirror: at most a few thousand tolerances, 3e-8 m at 60 m and 1e-5 of a wavelength.
+const ONE_LINE: f64 = 1e4;
+
+/// What is too small to count.
+#[derive(Clone, Copy)]
+struct Limits {
+    least_area_m2: f64,
+    /// Edges nearer than this are one line, m; `None` where outlines are not asked for.
+    one_line_m: Option<f64>,
+}
+
+/// Highest order of beams that a rule needs for `bounces`.
+pub(crate) fn tree_order(bounces: u8, rule: NodeRule) -> u8 {
+    match rule {
+        NodeRule::Middle => bounces / 2 + 1,
+        NodeRule::Exit | NodeRule::OwnEdge => bounces,
+    }
+}
+
+/// One row of the table above.
+struct Meeting {
+    orders: [u8; 2],
+    weight: f64,
+    pairs: Pairs,
+}
+
+/// Which pairs of beams on a facet are joined.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Pairs {
+    /// All; each for itself.
+    Ordered,
+    /// All; each with its reverse.
+    WithReverse,
+    /// One tree, one order: each unordered pair with its reverse, and each beam with itself.
+    Unordered,
+}
+
+fn meetings(trees: Trees<'_>, order: u8, rule: NodeRule) -> Vec<Meeting> {
+    let half = order / 2;
+    let with = |orders: [u8; 2], pairs: Pairs| Meeting { orders, weight: 1.0, pairs };
+    match (rule, order % 2, trees) {
+        (NodeRule::OwnEdge, _, Trees::Apart(..)) => {
+            (1..=order).map(|m| with([m, order + 1 - m], Pairs::Ordered)).collect()
+        }
+        (NodeRule::OwnEdge, _, Trees::Shared(_)) if order != 1 => (order.div_ceil(2)..=order)
+            .filter(|m| 2 * m > order)
+            .map(|m| with([m, order + 1 - m], if 2 * m == order + 1 { Pairs::Unordered } else { Pairs::WithReverse }))
+            .collect(),
+        (NodeRule::Exit, ..) if order != 1 => vec![Meeting { orders: [order, 1], weight: 1.0, pairs: Pairs::Ordered }],
+        (_, 1, Trees::Shared(_)) => vec![Meeting { orders: [half + 1; 2], weight: 1.0, pairs: Pairs::Unordered }],
+        (_, 1, Trees::Apart(..)) => vec![Meeting { orders: [half + 1; 2], weight: 1.0, pairs: Pairs::Ordered }],
+        (_, _, Trees::Shared(_)) => vec![Meeting { orders: [half + 1, half], weight: 0.5, pairs: Pairs::WithReverse }],
+        (_, _, Trees::Apart(..)) => [[half + 1, half], [half, half + 1]]
+            .map(|orders| Meeting { orders, weight: 0.5, pairs: Pairs::Ordered })
+            .into(),
+    }
+}
+
+/// Beams of one order sorted by facet.
+struct ByFacet {
+    /// (facet, beam), ascending.
+    beams: Vec<(u32, u32)>,
+}
+
+impl ByFacet {
+    fn of_order(tree: &BeamTree, order: u8) -> Self {
+        let start = tree.beams.partition_point(|beam| beam.order < order);
+        let end = tree.beams.partition_point(|beam| beam.order <= order);
+        let mut beams: Vec<(u32, u32)> = (start..end).map(|i| (tree.beams[i].facet, i as u32)).collect();
+        beams.sort_unstable();
+        Self { beams }
+    }
+
+    /// Facets that occur on both sides, with the places of their beams.
+    fn common(&self, other: &Self) -> Vec<(u32, Range<usize>, Range<usize>)> {
+        let (mut i, mut j) = (0, 0);
+        let mut found = Vec::new();
+        while let (Some(&(left, _)), Some(&(right, _))) = (self.beams.get(i), other.beams.get(j)) {
+            let (i_end, j_end) = (self.end_of(i), other.end_of(j));
+            if left == right {
+                found.push((left, i..i_end, j..j_end));
+            }
+            i = if left <= right { i_end } else { i };
+            j = if right <= left { j_end } else { j };
+        }
+        found
+    }
+
+    fn end_of(&self, start: usize) -> usize {
+        let facet = self.beams[start].0;
+        start + self.beams[start..].partition_point(|(f, _)| *f == facet)
+    }
+}
+
+fn on_one_facet(
+    trees: Trees<'_>,
+    meeting: &Meeting,
+    frame: &PlaneFrame,
+    beams: [&[(u32, u32)]; 2],
+    limits: Limits,
+) -> Joints {
+    let mut joints = Joints::default();
+    if meeting.orders == [1, 1] && meeting.pairs == Pairs::Unordered {
+        for &(_, beam) in beams[0] {
+            joints.push((beam, beam), meeting.weight, Reverse::Apart, polygon(trees.transmit(), beam).iter().copied());
+        }
+        return joints;
+    }
+    let forward: Vec<Footprint> = beams[0].iter().map(|&(_, b)| Footprint::new(trees.transmit(), b, frame)).collect();
+    let backward: Vec<Footprint> = beams[1].iter().map(|&(_, b)| Footprint::new(trees.receive(), b, frame)).collect();
+    for (i, j) in overlapping(&forward, &backward) {
+        let (left, right) = (&forward[i], &backward[j]);
+        let reverse = match meeting.pairs {
+            Pairs::Unordered if left.beam > right.beam => continue,
+            Pairs::Unordered if left.beam == right.beam => Reverse::Apart,
+            Pairs::Unordered | Pairs::WithReverse => Reverse::Included,
+            Pairs::Ordered => Reverse::Apart,
+        };
+        let part = intersection(&left.corners_m, &right.corners_m);
+        let area = area_m2(&part);
+        if area < limits.least_area_m2 || part.is_empty() {
+            let both_ways = if reverse == Reverse::Included { 2.0 * area } else { area };
+            joints.given_up = [joints.given_up[0] + both_ways, joints.given_up[1] + both_ways.powi(2)];
+            continue;
+        }
+        if let Some(one_line_m) = limits.one_line_m {
+            joints.outlines.push(Outline::of_overlap(&part, [&left.bordered(), &right.bordered()], one_line_m));
+        }
+        joints.push((left.beam, right.beam), meeting.weight, reverse, left.in_world(frame, part));
+    }
+    joints
+}
+
+fn polygon(tree: &BeamTree, beam: u32) -> &[DVec3] {
+    tree.polygon(&tree.beams[beam as usize])
+}
+
+/// A beam's polygon on the plane of its facet, seen from the side of the facet's own normal.
+struct Footprint {
+    beam: u32,
+    /// Counter-clockwise about the facet's own normal.
+    corners_m: Vec<DVec2>,
+    borders: Vec<Border>,
+    side: Side,
+    bounds_m: [DVec2; 2],
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Front,
+    Back,
+}
+
+impl Footprint {
+    fn new(tree: &BeamTree, index: u32, frame: &PlaneFrame) -> Self {
+        let beam: &Beam = &tree.beams[index as usize];
+        let mut corners_m: Vec<DVec2> = tree.polygon(beam).iter().map(|c| frame.plane_from_world(*c)).collect();
+        let side = if frame.normal().dot(beam.lit_normal) > 0.0 { Side::Front } else { Side::Back };
+        let mut borders = tree.borders(beam).to_vec();
+        if side == Side::Back {
+            // The edge from corner i to the next becomes the one from their places in the reversed order.
+            corners_m.reverse();
+            borders.reverse();
+            borders.rotate_left(1);
+        }
+        Self { beam: index, bounds_m: bounds(&corners_m), corners_m, borders, side }
+    }
+
+    fn bordered(&self) -> Bordered<'_> {
+        Bordered { corners_m: &self.corners_m, borders: &self.borders }
+    }
+
+    /// Corners that run about the facet's normal, back in the world and about the lit normal.
+    fn in_world(&self, frame: &PlaneFrame, mut corners_m: Vec<DVec2>) -> impl Iterator<Item = DVec3> {
+        if self.side == Side::Back {
+            corners_m.reverse();
+        }
+        let frame = *frame;
+        corners_m.into_iter().map(move |c| frame.to_world(c))
+    }
+
+    fn meets(&self, other: &Self) -> bool {
+        let overlaps = |low: f64, high: f64, other_low: f64, other_high: f64| low < other_high && other_low < high;
+        let ([a, b], [c, d]) = (self.bounds_m, other.bounds_m);
+        self.side == other.side && overlaps(a.x, b.x, c.x, d.x) && overlaps(a.y, b.y, c.y, d.y)
+    }
+}
+
+/// Pairs whose boxes overlap, ascending: a sweep along x keeps both lists' open boxes.
+fn overlapping(left: &[Footprint], right: &[Footprint]) -> Vec<(usize, usize)> {
+    let mut starts: Vec<(f64, usize, bool)> =
+        left.iter().enumerate().map(|(i, f)| (f.bounds_m[0].x, i, true)).collect();
+    starts.extend(right.iter().enumerate().map(|(i, f)| (f.bounds_m[0].x, i, false)));
+    starts.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(b.2.cmp(&a.2)));
+    let (mut open_left, mut open_right): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
+    let mut pairs = Vec::new();
+    for (x, i, of_left) in starts {
+        if of_left {
+            open_right.retain(|&j| right[j].bounds_m[1].x > x);
+            pairs.extend(open_right.iter().filter(|&&j| left[i].meets(&right[j])).map(|&j| (i, j)));
+            open_left.push(i);
+        } else {
+            open_left.retain(|&j| left[j].bounds_m[1].x > x);
+            pairs.extend(open_left.iter().filter(|&&j| left[j].meets(&right[i])).map(|&j| (j, i)));
+            open_right.push(i);
+        }
+    }
+    pairs.sort_unstable();
+    pairs
+}

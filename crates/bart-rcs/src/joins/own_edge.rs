@@ -1,0 +1,267 @@
+//! Own-edge weights: every node of a sequence counts by how much of its outline is its own facet's edge.
+//!
+//! The edges that truncate a multiple reflection belong to one of its facets, and only a node there has the right phase
+//! along them. So each node is weighted by the share of its lit polygon's outline that is that flat patch's own edge or an
+//! occluder's shadow line on it; what other facets' beams cut does not count, and a line where both end, as at a fold, is
+//! left out: along it either node is right. Weights are normalised over all K nodes of the sequence; one that does not exist
+//! holds a mean share of nothing, so that a sequence that is seen from one node of three counts a third. Without that, the
+//! many sequences that only one node has (round a duct of narrow facets) would each count whole, once per node: +3 dB
+//! (docs/decisions/node-rule.md). Where planes are exact all nodes are equal, and so is every choice of weights.
+//!
+//! Facets of a curved skin reflect parallel strips with gaps, and a node after them misses the divergence. There the node is
+//! on the facet with the smaller radius: weights are the squares of the curvatures.
+
+use crate::bodies::road::{Half, origin};
+use crate::bodies::world::World;
+use crate::geometry::border::Border;
+use crate::geometry::clip::doubled_area;
+use crate::joins::join::{Joint, Joints, Reverse, Trees};
+use artifact::paths::MAX_ORDER;
+use glam::{DVec2, DVec3};
+use std::collections::HashMap;
+
+/// Outline of a polygon, or of many pieces together, m; edges that end facet and beam alike are left out.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Outline {
+    /// Along the facet's own edges and shadow lines on it.
+    pub(crate) own_m: f64,
+    /// Along what mirrors before cut.
+    pub(crate) cut_m: f64,
+}
+
+/// A convex polygon in a plane and what ends it from each corner to the next.
+pub(crate) struct Bordered<'a> {
+    pub(crate) corners_m: &'a [DVec2],
+    pub(crate) borders: &'a [Border],
+}
+
+impl Outline {
+    /// The outline of the overlap of two polygons; seams count negatively on one side, so that pieces add up to their
+    /// union.
+    ///
+    /// Edges nearer to each other than `tolerance_m` are one line.
+    pub(crate) fn of_overlap(overlap_m: &[DVec2], polygons: [&Bordered<'_>; 2], tolerance_m: f64) -> Self {
+        let mut outline = Self::default();
+        for (i, &from) in overlap_m.iter().enumerate() {
+            let to = overlap_m[(i + 1) % overlap_m.len()];
+            let borders = polygons.into_iter().filter_map(|polygon| polygon.border_along(from, to, tolerance_m));
+            let Some(border) = borders.reduce(Border::and) else { continue };
+            let length_m = border.sign() * from.distance(to);
+            match border {
+                Border::Own | Border::OwnInside => outline.own_m += length_m,
+                Border::Mirror | Border::MirrorInside => outline.cut_m += length_m,
+                Border::Tied | Border::Inner => {}
+            }
+        }
+        outline
+    }
+
+    fn add(&mut self, other: Self) {
+        self.own_m += other.own_m;
+        self.cut_m += other.cut_m;
+    }
+
+    /// Between 0 and 1.
+    fn own_share(self) -> f64 {
+        let (own_m, cut_m) = (self.own_m.max(0.0), self.cut_m.max(0.0));
+        if own_m > 0.0 { own_m / (own_m + cut_m) } else { 0.0 }
+    }
+}
+
+impl Bordered<'_> {
+    /// What ends the polygon along a line that may lie on one of its edges; several edges of a polygon can lie in a line.
+    fn border_along(&self, from: DVec2, to: DVec2, tolerance_m: f64) -> Option<Border> {
+        let n = self.corners_m.len();
+        let on_edge = |&i: &usize| {
+            let (corner, edge) = (self.corners_m[i], self.corners_m[(i + 1) % n] - self.corners_m[i]);
+            let near = |x: DVec2| edge.perp_dot(x - corner).abs() <= tolerance_m * edge.length();
+            let along = edge.dot(0.5 * (from + to) - corner);
+            near(from) && near(to) && (0.0..edge.length_squared()).contains(&along)
+        };
+        (0..n).filter(on_edge).map(|i| self.borders[i]).reduce(Border::and)
+    }
+}
+
+/// Patches of a sequence from the transmitter on; places beyond its order are `u32::MAX`.
+type Sequence = [u32; MAX_ORDER];
+
+/// Marks the end of a path to the antenna's image below the road; facets are far fewer than 2³¹.
+const BY_ROAD: u32 = 1 << 31;
+
+/// What is known of one node of a sequence, all its pieces together.
+#[derive(Debug, Clone, Copy, Default)]
+struct Node {
+    outline: Outline,
+    /// Area across the wave, mean of both legs, m².
+    across_m2: f64,
+}
+
+type Nodes = [Node; MAX_ORDER];
+
+/// Sets the weights of all joints of one order, of which `outlines` are in the joints' order.
+pub(crate) fn weigh(world: &World, trees: Trees<'_>, order: u8, joints: &mut Joints, outlines: &[Outline]) {
+    let mut nodes_of: HashMap<Sequence, Nodes> = HashMap::new();
+    let count = usize::from(order);
+    for (joint, outline) in joints.list.iter().zip(outlines) {
+        let (sequence, node) = place(world, trees, joint);
+        let across_m2 = across_m2(trees, joint, joints.polygon(joint));
+        let mut take = |sequence: Sequence, node: usize| {
+            let node = &mut nodes_of.entry(sequence).or_default()[node];
+            node.outline.add(*outline);
+            node.across_m2 += across_m2;
+        };
+        take(sequence, node);
+        if joint.reverse == Reverse::Included {
+            take(reversed(sequence, count), count - 1 - node);
+        }
+    }
+    for joint in &mut joints.list {
+        let (sequence, node) = place(world, trees, joint);
+        let curvatures = sequence[..count].iter().map(|patch| world.curvature_per_m(*patch & !BY_ROAD));
+        joint.weight = curved_weight(curvatures, node)
+            .or_else(|| nodes_of.get(&sequence).map(|nodes| flat_weight(&nodes[..count], node)))
+            .unwrap_or(0.0);
+    }
+    joints.drop_weightless();
+}
+
+/// Share of one node of a sequence with curved facets; `None` where all are flat.
+fn curved_weight(curvatures_per_m: impl Iterator<Item = f64> + Clone, node: usize) -> Option<f64> {
+    let mut squares = curvatures_per_m.map(|curvature| curvature * curvature);
+    let all: f64 = squares.clone().sum();
+    squares.nth(node).filter(|_| all > 0.0).map(|own| own / all)
+}
+
+/// A node narrower than this part of the widest of its sequence fades out, so that nothing jumps when it vanishes.
+const FADING: f64 = 0.1;
+
+/// A node counts as if this share of its outline were its own at least: where none has an edge of its own all count alike.
+/// Both figures were chosen for continuity; 0.03 … 0.4 and 0.001 … 0.05 change the error against full wave by 0.05 dB.
+const LEAST_SHARE: f64 = 0.02;
+
+/// Share of one node among the K of a sequence of flat patches.
+fn flat_weight(nodes: &[Node], node: usize) -> f64 {
+    let widest_m2 = nodes.iter().map(|node| node.across_m2).fold(f64::MIN_POSITIVE, f64::max);
+    let presence = |node: &Node| (node.across_m2 / (FADING * widest_m2)).min(1.0);
+    let share = |node: &Node| node.outline.own_share().max(LEAST_SHARE);
+    let present: f64 = nodes.iter().map(presence).sum();
+    let mean = nodes.iter().map(|node| presence(node) * share(node)).sum::<f64>() / present;
+    let held = |node: &Node| presence(node) * share(node) + (1.0 - presence(node)) * mean;
+    held(&nodes[node]) / nodes.iter().map(held).sum::<f64>()
+}
+
+/// Area of a joint's polygon across the wave, mean of both legs.
+fn across_m2(trees: Trees<'_>, joint: &Joint, corners_m: &[DVec3]) -> f64 {
+    let area = 0.5 * doubled_area(corners_m.iter().copied());
+    let forward = &trees.transmit().beams[joint.forward as usize];
+    let backward = &trees.receive().beams[joint.backward as usize];
+    0.5 * [forward, backward]
+        .map(|beam| area.dot(beam.image.travel_direction_at(corners_m[0])).abs())
+        .iter()
+        .sum::<f64>()
+}
+
+/// The patches that a joint's path meets, and which of them is its node.
+fn place(world: &World, trees: Trees<'_>, joint: &Joint) -> (Sequence, usize) {
+    let (transmit, receive) = (trees.transmit(), trees.receive());
+    let forward = &transmit.beams[joint.forward as usize];
+    let backward = &receive.beams[joint.backward as usize];
+    let node = usize::from(forward.order) - 1;
+    let mut sequence = [u32::MAX; MAX_ORDER];
+    for (place, beam) in (0..=node).rev().zip(transmit.way_back(forward)) {
+        sequence[place] = world.patch(beam.facet);
+    }
+    for (place, beam) in (node..MAX_ORDER).zip(receive.way_back(backward)) {
+        sequence[place] = world.patch(beam.facet);
+    }
+    if origin(receive, backward) == Half::Below {
+        // The same patches with the road at the end are another path.
+        sequence[node + usize::from(backward.order) - 1] |= BY_ROAD;
+    }
+    (sequence, node)
+}
+
+fn reversed(mut sequence: Sequence, count: usize) -> Sequence {
+    sequence[..count].reverse();
+    sequence
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::beams::beam::{BeamTree, TraceSettings};
+    use crate::geometry::antenna::Antenna;
+    use artifact::scene::Mesh;
+    use artifact::settings::Sides;
+
+    /// Squares of this side about (x, y) at height z, seen from above.
+    fn outline_of_lowest(squares: &[(f64, [f64; 3])]) -> Outline {
+        let mut mesh = Mesh::default();
+        for (side, [x, y, z]) in squares {
+            let first = mesh.vertices_m.len() as u32;
+            let corner = |i: f64, j: f64| [x + 0.5 * side * i, y + 0.5 * side * j, *z];
+            mesh.vertices_m.extend([corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)]);
+            mesh.triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
+        }
+        let world = World::of_mesh(&mesh).unwrap();
+        let settings = TraceSettings { max_order: 1, sides: Sides::Two, least_area_m2: 0.0, least_mirror_area_m2: 0.0 };
+        let tree = BeamTree::trace(&world, Antenna::Direction(DVec3::Z), &settings).unwrap();
+        let mut all = Outline::default();
+        for beam in tree.beams.iter().filter(|beam| beam.facet < 2) {
+            let corners_m: Vec<DVec2> = tree.polygon(beam).iter().map(|c| c.truncate()).collect();
+            let bordered = Bordered { corners_m: &corners_m, borders: tree.borders(beam) };
+            all.add(Outline::of_overlap(&corners_m, [&bordered, &bordered], 1e-9));
+        }
+        all
+    }
+
+    #[test]
+    fn a_square_has_its_rim_and_not_its_diagonal() {
+        let outline = outline_of_lowest(&[(2.0, [0.0; 3])]);
+        assert!((outline.own_m - 8.0).abs() < 1e-12 && outline.cut_m == 0.0, "{outline:?}");
+    }
+
+    #[test]
+    fn seams_between_pieces_around_a_shadow_cancel() {
+        // A shadow of 0.6 in the middle, and one that bites 0.1 × 0.4 out of the rim: 8 + 2.4 + 0.2.
+        let outline = outline_of_lowest(&[(2.0, [0.0; 3]), (0.6, [0.1, 0.2, 0.3]), (0.4, [-1.1, -0.4, 0.2])]);
+        assert!((outline.own_m - 10.6).abs() < 1e-9 && outline.cut_m == 0.0, "{outline:?}");
+    }
+
+    fn node(own_m: f64, across_m2: f64) -> Node {
+        Node { outline: Outline { own_m, cut_m: 4.0 - own_m }, across_m2 }
+    }
+
+    fn weights(nodes: &[Node]) -> Vec<f64> {
+        (0..nodes.len()).map(|i| flat_weight(nodes, i)).collect()
+    }
+
+    fn assert_near(got: &[f64], asked: &[f64]) {
+        let near = got.iter().zip(asked).all(|(g, a)| (g - a).abs() < 1e-12);
+        assert!(near && got.len() == asked.len(), "asked {asked:?}, got {got:?}");
+    }
+
+    #[test]
+    fn a_node_counts_by_its_own_edges_and_without_any_all_count_alike() {
+        assert_near(&weights(&[node(1.0, 1.0), node(3.0, 2.0)]), &[0.25, 0.75]);
+        assert_near(&weights(&[node(0.0, 1.0); 3]), &[1.0 / 3.0; 3]);
+    }
+
+    #[test]
+    fn a_missing_node_holds_a_mean_share_and_one_that_vanishes_comes_to_it() {
+        let missing = Node::default();
+        let [first, _, last] = weights(&[node(1.0, 1.0), missing, node(3.0, 2.0)])[..] else { panic!("three nodes") };
+        assert_near(&[first, last], &[0.25 * 2.0 / 3.0, 0.75 * 2.0 / 3.0]);
+        let vanishing = weights(&[node(1.0, 1.0), node(4.0, 1e-15), node(3.0, 2.0)]);
+        assert_near(&[vanishing[0], vanishing[2]], &[first, last]);
+    }
+
+    #[test]
+    fn of_curved_facets_the_one_with_the_smaller_radius_has_the_node() {
+        let weights =
+            |list: &[f64]| (0..list.len()).map(|i| curved_weight(list.iter().copied(), i)).collect::<Vec<_>>();
+        assert_eq!(weights(&[0.0, 2.0]), [Some(0.0), Some(1.0)]);
+        assert_eq!(weights(&[2.0, 2.0]), [Some(0.5), Some(0.5)]);
+        assert_eq!(weights(&[0.0, 0.0]), [None, None]);
+    }
+}

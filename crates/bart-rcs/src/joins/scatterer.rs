@@ -1,0 +1,324 @@
+//! Joints with their legs: what one trace gives to every frequency and polarization.
+
+use crate::beams::beam::{Beam, BeamTree};
+use crate::bodies::road::{Half, half_of, origin};
+use crate::bodies::world::World;
+use crate::error::BartError;
+use crate::geometry::antenna::Antenna;
+use crate::integral::physical_optics::{
+    Bracket, Estimate, Field, Leg, Node, for_each_tile, length_difference_m, node_amplitudes,
+};
+use crate::integral::polarization::Mirrors;
+use crate::integral::steps::{Step, Steps};
+use crate::integral::tiling::Tile;
+use crate::joins::join::{Joint, Joints, Reverse, Trees, joints};
+use artifact::paths::Amplitude;
+use artifact::settings::NodeRule;
+use glam::DVec3;
+use num_complex::Complex64;
+use std::sync::Arc;
+
+/// A world, the beams of both ends and the way each beam has come.
+pub(crate) struct Scatterer<'a> {
+    pub(crate) world: &'a World,
+    pub(crate) trees: Trees<'a>,
+    /// Transmitter, receiver.
+    ends: [Antenna; 2],
+    transmit_legs: Vec<Leg>,
+    receive_legs: Vec<Leg>,
+}
+
+/// ĥ straight above and below, at each end.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ZenithH {
+    pub(crate) transmit: DVec3,
+    pub(crate) receive: DVec3,
+}
+
+impl<'a> Scatterer<'a> {
+    pub(crate) fn new(world: &'a World, trees: Trees<'a>, zenith_h: ZenithH) -> Self {
+        let transmit_legs = legs(world, trees.transmit(), zenith_h.transmit);
+        let receive_legs = match trees {
+            Trees::Shared(_) => Vec::new(),
+            Trees::Apart(_, tree) => legs(world, tree, zenith_h.receive),
+        };
+        let ends = [trees.transmit().antenna, trees.receive().antenna];
+        Self { world, trees, ends, transmit_legs, receive_legs }
+    }
+
+    /// The same beams with plane waves from another direction: what is lit stays lit.
+    ///
+    /// For directions so near to the traced one that shadows have moved by less than matters; one antenna only.
+    pub(crate) fn turned_to(&self, direction: DVec3) -> Self {
+        let turned =
+            |leg: &Leg| Leg { image: Antenna::Direction(leg.mirrors.image_direction(direction)), ..leg.clone() };
+        Self {
+            ends: [Antenna::Direction(direction); 2],
+            transmit_legs: self.transmit_legs.iter().map(turned).collect(),
+            receive_legs: Vec::new(),
+            ..*self
+        }
+    }
+
+    /// Joints of one order that are not smaller than `least_area_m2`.
+    pub(crate) fn joints(&self, order: u8, rule: NodeRule, least_area_m2: f64) -> Joints {
+        joints(self.world, self.trees, order, rule, least_area_m2)
+    }
+
+    pub(crate) fn forward(&self, joint: &Joint) -> &'a Beam {
+        &self.trees.transmit().beams[joint.forward as usize]
+    }
+
+    pub(crate) fn backward(&self, joint: &Joint) -> &'a Beam {
+        &self.trees.receive().beams[joint.backward as usize]
+    }
+
+    pub(crate) fn transmit_leg(&self, joint: &Joint) -> &Leg {
+        &self.transmit_legs[joint.forward as usize]
+    }
+
+    pub(crate) fn receive_leg(&self, joint: &Joint) -> &Leg {
+        let legs = if self.receive_legs.is_empty() { &self.transmit_legs } else { &self.receive_legs };
+        &legs[joint.backward as usize]
+    }
+
+    /// Amplitudes of a part of a joint's polygon about `reference_m`, its weight included; the reverse is not.
+    pub(crate) fn amplitudes(
+        &self,
+        joint: &Joint,
+        part: &Part<'_>,
+        wavenumbers_per_m: &[f64],
+        accuracy: f64,
+    ) -> Estimate<Vec<Amplitude>> {
+        let node = self.node(joint, part);
+        let mut estimate = node_amplitudes(&node, part.reference_m, wavenumbers_per_m, accuracy);
+        estimate.error *= joint.weight;
+        estimate.value.iter_mut().flatten().flatten().for_each(|a| *a *= joint.weight);
+        estimate
+    }
+
+    /// A joint's share of S, its reverse included: every amplitude with R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)}, R to `origin_m`.
+    pub(crate) fn scattering(
+        &self,
+        joint: &Joint,
+        corners_m: &[DVec3],
+        origin_m: DVec3,
+        request: &Integration<'_>,
+    ) -> Estimate<Vec<Amplitude>> {
+        let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
+        let part = Part { corners_m, reference_m, bracket: request.bracket };
+        let mut estimate = self.amplitudes(joint, &part, request.wavenumbers_per_m, request.accuracy);
+        let (spread, length_m) = self.way_from(origin_m, self.apparent_m(joint, reference_m));
+        for (amplitude, k) in estimate.value.iter_mut().zip(request.wavenumbers_per_m) {
+            let factor = Complex64::from_polar(spread, -k * length_m);
+            *amplitude = scaled(&with_reverse(joint.reverse, amplitude), factor);
+        }
+        estimate.error *= spread * if joint.reverse == Reverse::Included { 2.0 } else { 1.0 };
+        estimate
+    }
+
+    /// Whether all waves are plane.
+    pub(crate) fn is_far(&self) -> bool {
+        self.ends.iter().all(|end| matches!(end, Antenna::Direction(_)))
+    }
+
+    /// Calls `give` with every tile of a joint's polygon, cut for `highest_per_m`: together they are [`Self::scattering`].
+    pub(crate) fn for_each_tile(
+        &self,
+        joint: &Joint,
+        corners_m: &[DVec3],
+        origin_m: DVec3,
+        highest_per_m: f64,
+        request: &Integration<'_>,
+        give: &mut dyn FnMut(&JointTile<'_>),
+    ) {
+        let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
+        let node = self.node(joint, &Part { corners_m, reference_m, bracket: request.bracket });
+        let field = Field::new(&node, reference_m);
+        let (spread, length_m) = self.way_from(origin_m, self.apparent_m(joint, reference_m));
+        for_each_tile(&field, highest_per_m, request.accuracy, &mut |tile, _| {
+            give(&JointTile { field: &field, tile, joint, spread, length_m });
+        });
+    }
+
+    fn node<'p>(&'p self, joint: &Joint, part: &Part<'p>) -> Node<'p> {
+        Node {
+            corners_m: part.corners_m,
+            normal: self.forward(joint).lit_normal,
+            material: self.world.lossy_material(self.forward(joint).facet).map(Arc::as_ref),
+            bend: self.world.bend(self.forward(joint).facet),
+            transmit: self.transmit_leg(joint),
+            receive: self.receive_leg(joint),
+            bracket: part.bracket,
+        }
+    }
+
+    /// R_tR_r/(L₁L₂) and L₁ + L₂ − R_t − R_r of a node that appears at these points, R to `origin_m`.
+    pub(crate) fn way_from(&self, origin_m: DVec3, apparent_m: [DVec3; 2]) -> (f64, f64) {
+        let length_m = (0..2).map(|i| length_difference_m(self.ends[i], apparent_m[i], origin_m)).sum();
+        let spread = (0..2).map(|i| spread(self.ends[i], apparent_m[i], origin_m)).product();
+        (spread, length_m)
+    }
+
+    /// The ways of a transmitter's and of a receiver's beam.
+    pub(crate) fn legs(&self, forward: u32, backward: u32) -> [&Leg; 2] {
+        let receive = if self.receive_legs.is_empty() { &self.transmit_legs } else { &self.receive_legs };
+        [&self.transmit_legs[forward as usize], &receive[backward as usize]]
+    }
+
+    /// Where a node appears from the transmitter and from the receiver.
+    pub(crate) fn apparent_m(&self, joint: &Joint, x_m: DVec3) -> [DVec3; 2] {
+        [self.transmit_leg(joint).mirrors.unfolded(x_m), self.receive_leg(joint).mirrors.unfolded(x_m)]
+    }
+}
+
+/// A tile of a joint's polygon.
+pub(crate) struct JointTile<'a> {
+    field: &'a Field<'a>,
+    tile: &'a Tile<'a>,
+    joint: &'a Joint,
+    /// R_tR_r/(L₁L₂) and L₁ + L₂ − R_t − R_r at the polygon's reference point.
+    spread: f64,
+    length_m: f64,
+}
+
+/// How long the way over a tile is.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Way {
+    /// L₁ + L₂ − R_t − R_r at a point of it, m.
+    pub(crate) length_m: f64,
+    /// How far that of any point may differ, m.
+    pub(crate) extent_m: f64,
+}
+
+impl JointTile<'_> {
+    pub(crate) fn way(&self) -> Way {
+        let (middle_m, reach_m) = self.tile.middle_and_reach_m();
+        let middle = self.field.surface_at(middle_m);
+        let at_middle_m = self.field.length_m(middle.x_m);
+        let gradient = self.field.length_gradient(&middle).length();
+        // Beyond its tangent plane a length grows by reach²/2L at most, L of the nearest point; there are two.
+        let ranges_m = self.field.ranges_m(middle.x_m);
+        let curved_m: f64 =
+            ranges_m.map(|l| 0.5 * reach_m * reach_m / (l - reach_m).max(f64::MIN_POSITIVE)).iter().sum();
+        // And a skin leaves it by half its second derivative, there and back.
+        let bent_m = self.field.along(self.tile.steps_m().into_iter()).rise_m;
+        Way {
+            length_m: self.length_m + at_middle_m,
+            extent_m: gradient * reach_m + curved_m + bent_m + self.field.turning_length_m(),
+        }
+    }
+
+    /// Adds the tile's share of S, its reverse included.
+    pub(crate) fn add_to(&self, sums: &mut [Amplitude], wavenumbers_per_m: &[f64]) {
+        self.field.for_each_amplitude(self.tile, wavenumbers_per_m, &mut |index, amplitude| {
+            let phase_rad = -wavenumbers_per_m[index] * self.length_m;
+            let factor = Complex64::from_polar(self.spread * self.joint.weight, phase_rad);
+            sums[index] = sum(&sums[index], &scaled(&with_reverse(self.joint.reverse, amplitude), factor));
+        });
+    }
+}
+
+/// A part of a joint's polygon.
+pub(crate) struct Part<'a> {
+    pub(crate) corners_m: &'a [DVec3],
+    pub(crate) reference_m: DVec3,
+    pub(crate) bracket: Bracket,
+}
+
+/// What an integral is asked for.
+#[derive(Clone, Copy)]
+pub(crate) struct Integration<'a> {
+    pub(crate) wavenumbers_per_m: &'a [f64],
+    /// As in [`node_amplitudes`].
+    pub(crate) accuracy: f64,
+    pub(crate) bracket: Bracket,
+}
+
+/// The bracket that belongs to a rule: rays shot from the transmitter know the current that they excite at the exit.
+pub(crate) fn bracket_of(rule: NodeRule) -> Bracket {
+    match rule {
+        NodeRule::Middle | NodeRule::OwnEdge => Bracket::Symmetrised,
+        NodeRule::Exit => Bracket::Plain,
+    }
+}
+
+/// The way back has the transposed amplitude.
+pub(crate) fn transposed(a: &Amplitude) -> Amplitude {
+    [[a[0][0], a[1][0]], [a[0][1], a[1][1]]]
+}
+
+pub(crate) fn sum(a: &Amplitude, b: &Amplitude) -> Amplitude {
+    [0, 1].map(|p| [0, 1].map(|q| a[p][q] + b[p][q]))
+}
+
+pub(crate) fn scaled(a: &Amplitude, factor: Complex64) -> Amplitude {
+    a.map(|row| row.map(|x| x * factor))
+}
+
+pub(crate) fn with_reverse(reverse: Reverse, a: &Amplitude) -> Amplitude {
+    match reverse {
+        Reverse::Included => sum(a, &transposed(a)),
+        Reverse::Apart => *a,
+    }
+}
+
+/// R/L; 1 at infinite range.
+fn spread(end: Antenna, x_m: DVec3, origin_m: DVec3) -> f64 {
+    match end {
+        Antenna::Point(p) => p.distance(origin_m) / p.distance(x_m),
+        Antenna::Direction(_) => 1.0,
+    }
+}
+
+/// The way to every beam of a tree: parents come first.
+fn legs(world: &World, tree: &BeamTree, zenith_h: DVec3) -> Vec<Leg> {
+    let mut legs: Vec<Leg> = Vec::with_capacity(tree.beams.len());
+    for beam in &tree.beams {
+        let first = || if origin(tree, beam) == Half::Above { Mirrors::NONE } else { Mirrors::BELOW_ROAD };
+        let mirrors = beam.parent.map_or_else(first, |parent| {
+            let mirror = tree.beams[parent as usize].facet;
+            legs[parent as usize].mirrors.and(&world.facet(mirror).plane)
+        });
+        legs.push(Leg { image: beam.image, mirrors, steps: steps(world, tree, beam), zenith_h });
+    }
+    legs
+}
+
+/// What a beam has met before it came to its facet.
+fn steps(world: &World, tree: &BeamTree, beam: &Beam) -> Steps {
+    if world.is_conductor() {
+        return Steps::default();
+    }
+    let mut half = origin(tree, beam);
+    let mut steps: Vec<Step> = (half == Half::Below).then(Step::started_below).into_iter().collect();
+    let mut beams: Vec<&Beam> = tree.way_back(beam).collect();
+    beams.reverse();
+    for (i, of_leg) in beams.iter().enumerate() {
+        // On a leg with both, the road is taken before the sheets: another order mixes polarizations a little differently.
+        if half_of(world, of_leg.facet) != half {
+            half = half_of(world, of_leg.facet);
+            steps.extend(world.road().map(Step::crossed));
+        }
+        steps.extend(of_leg.sheets.iter().map(|&sheet| Step::passed(world, sheet)));
+        if i + 1 < beams.len() {
+            steps.push(Step::reflected(world, of_leg.facet));
+        }
+    }
+    if steps.iter().all(Step::is_perfect) { Steps::default() } else { Steps::over(steps) }
+}
+
+/// Facets of a path in the order of travel, by the beams of both ends.
+pub(crate) fn sequence(scatterer: &Scatterer<'_>, forward: u32, backward: u32) -> Vec<u32> {
+    let of = |tree: &BeamTree, beam: u32| tree.sequence(&tree.beams[beam as usize]);
+    let mut facets = of(scatterer.trees.transmit(), forward);
+    let back = of(scatterer.trees.receive(), backward);
+    facets.extend(back.into_iter().rev().skip(1));
+    facets
+}
+
+/// Trees traced as far as an order and a rule need.
+pub(crate) fn check_order(bounces: u8) -> Result<(), BartError> {
+    let most = artifact::paths::MAX_ORDER as u8;
+    if bounces > most { Err(BartError::TooManyBounces { bounces, most }) } else { Ok(()) }
+}

@@ -1,0 +1,96 @@
+//! What a material does to a plane wave, and to the field vectors of one.
+
+use crate::geometry::complex_vector::ComplexVector;
+use crate::materials::layers::{Passed, averaged, coherent};
+use crate::materials::reflection_coefficients::{CONDUCTOR, Pair, half_space};
+use artifact::material::{Layer, Material, Thickness};
+use glam::DVec3;
+use num_complex::Complex64;
+
+/// Reflection coefficients at a cosine of the angle to the normal.
+pub(crate) fn reflection(material: &Material, cosine: f64, wavenumber_per_m: f64) -> Pair {
+    match material {
+        Material::Conductor => CONDUCTOR,
+        Material::HalfSpace { permittivity } => half_space(*permittivity, cosine),
+        Material::Layers { .. } => passed(material, cosine, wavenumber_per_m).reflected,
+    }
+}
+
+/// What a sheet without thickness in its place lets through: t_slab·e^{+jkd cosθ}. Nothing but layers on air lets
+/// anything through.
+///
+/// The thickness is put on the side that the wave comes from: t_slab relates points of both faces straight behind one
+/// another, and the line that goes on behind the sheet already has the phase of the way d·cosθ that the wave did in glass.
+pub(crate) fn transmission(material: &Material, cosine: f64, wavenumber_per_m: f64) -> Pair {
+    let Pair { te, tm } = passed(material, cosine, wavenumber_per_m).transmitted;
+    let thickness_m: f64 = layers_of(material).iter().map(|layer| layer.thickness_m).sum();
+    let way = Complex64::cis(wavenumber_per_m * thickness_m * cosine);
+    Pair { te: te * way, tm: tm * way }
+}
+
+fn passed(material: &Material, cosine: f64, wavenumber_per_m: f64) -> Passed {
+    const NOTHING: Pair = Pair { te: Complex64::ZERO, tm: Complex64::ZERO };
+    match material {
+        Material::Layers { layers, backing, thickness: Thickness::Exact } => {
+            coherent(layers, *backing, cosine, wavenumber_per_m)
+        }
+        Material::Layers { layers, backing, thickness: Thickness::Averaged } => {
+            averaged(layers, *backing, cosine, wavenumber_per_m)
+        }
+        Material::Conductor | Material::HalfSpace { .. } => Passed { reflected: CONDUCTOR, transmitted: NOTHING },
+    }
+}
+
+/// Layers of a material, outermost first; none of a half-space or a conductor.
+pub(crate) fn layers_of(material: &Material) -> &[Layer] {
+    match material {
+        Material::Layers { layers, .. } => layers,
+        Material::Conductor | Material::HalfSpace { .. } => &[],
+    }
+}
+
+/// The reflected field: e_r = r_TE(e·ŝ)ŝ + r_TM(e·p̂)p̂_r with ŝ = unit(n×d), p̂ = ŝ×d, p̂_r = ŝ×d_r.
+pub(crate) fn reflected_field(e: ComplexVector, travel: DVec3, normal: DVec3, r: Pair) -> ComplexVector {
+    let across = across(travel, normal);
+    let onwards = travel - 2.0 * normal.dot(travel) * normal;
+    ComplexVector::of(across, r.te * e.along(across))
+        + ComplexVector::of(across.cross(onwards), r.tm * e.along(across.cross(travel)))
+}
+
+/// The field behind a sheet, its direction as before.
+pub(crate) fn transmitted_field(e: ComplexVector, travel: DVec3, normal: DVec3, t: Pair) -> ComplexVector {
+    let across = across(travel, normal);
+    let in_plane = across.cross(travel);
+    ComplexVector::of(across, t.te * e.along(across)) + ComplexVector::of(in_plane, t.tm * e.along(in_plane))
+}
+
+/// ŝ; along the normal, where the polarizations are alike, any direction across.
+fn across(travel: DVec3, normal: DVec3) -> DVec3 {
+    let cross = normal.cross(travel);
+    // Below this ŝ is rounding. te and −tm differ there by the square of it.
+    const SINE: f64 = 1e-9;
+    if cross.length_squared() < SINE * SINE { travel.any_orthonormal_vector() } else { cross / cross.length() }
+}
+
+/// How fast the coefficients change with the angle, per radian: the exponential type m in |dⁿr/dθⁿ| ≤ mⁿ (Bernstein).
+///
+/// A half-space changes fastest at grazing incidence in TM, by 2ε/√(ε − 1) ≈ 2√ε; the phase 2kds of a layer by up to
+/// kd/|√(ε − 1)|, and the resonance of its faces sharpens that by (1 + |r|)/(1 − |r|). The vectors ŝ and p̂ turn once with
+/// each of both directions. It decides where polygons are cut, and what comes of it is measured.
+pub(crate) fn steepness(material: &Material, wavenumber_per_m: f64) -> f64 {
+    let index = |permittivity: Complex64| permittivity.norm().sqrt();
+    match material {
+        Material::Conductor => 0.0,
+        Material::HalfSpace { permittivity } => 2.0 + 2.0 * index(*permittivity),
+        Material::Layers { layers, .. } => layers.iter().fold(2.0, |m, layer| {
+            let n = index(layer.permittivity);
+            let turns = wavenumber_per_m * layer.thickness_m / (layer.permittivity - 1.0).norm().sqrt().max(0.1);
+            m + 2.0 * n + turns * n
+        }),
+    }
+}
+
+/// Way there and back in the layers times their refractive index, m: how fast the coefficients turn with the wavenumber.
+pub(crate) fn phase_length_m(material: &Material) -> f64 {
+    layers_of(material).iter().map(|layer| 2.0 * layer.thickness_m * layer.permittivity.norm().sqrt()).sum()
+}

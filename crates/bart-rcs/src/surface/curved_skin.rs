@@ -1,0 +1,182 @@
+//! The curved skin that a mesh's normals tell of, as flat triangles so small that it does not matter.
+//!
+//! Every edge becomes a curve by the normals at its ends ([`CurvedEdge`]); triangles are cut where their edges bend
+//! ([`refined`]). What is flat stays what it is, bit for bit. Why so: `docs/decisions/curved-skin.md`.
+
+use crate::geometry::plane::Plane;
+use crate::mesh::mesh_edges::{MeshEdge, MeshEdges, Side};
+use crate::mesh::welding::welded;
+use crate::surface::bend::{Bend, ControlHeights};
+use crate::surface::curved_edge::{Curve, CurvedEdge, rejected};
+use crate::surface::made_normals::{Facets, made_normals};
+use crate::surface::refinement::{BentSide, BentTriangle, Limits, Walk, count, refined};
+use crate::surface::skin::SkinTriangles;
+use artifact::scene::Mesh;
+use glam::DVec3;
+use rayon::prelude::*;
+
+/// The triangles of a mesh, bent.
+pub(crate) struct CurvedSkin {
+    /// By triangle; `None` for one without a plane.
+    triangles: Vec<Option<BentTriangle>>,
+}
+
+/// Normals that differ by less are one: a thousandth moves a skin by 1/8000 of an edge.
+const SAME_NORMAL: f64 = 1e-3;
+/// A stored normal further than this from its facet's is none.
+const LEAN_MAX: f64 = 75.0 * std::f64::consts::PI / 180.0;
+/// Two skins whose normals differ by less at an edge that no crease can follow are one skin with careless normals.
+const CARELESS: f64 = 20.0 * std::f64::consts::PI / 180.0;
+
+impl CurvedSkin {
+    /// Of a mesh whose triangles have these corners.
+    pub(crate) fn of(mesh: &Mesh, corners_m: &[[DVec3; 3]]) -> Self {
+        let vertices_m: Vec<DVec3> = mesh.vertices_m.iter().map(|v| DVec3::from_array(*v)).collect();
+        let place_of = welded(&vertices_m);
+        let planes: Vec<Option<Plane>> = corners_m.par_iter().map(Plane::of_triangle).collect();
+        let with_plane = planes.iter().zip(&mesh.triangles);
+        let places: Vec<Option<[u32; 3]>> =
+            with_plane.map(|(plane, t)| plane.map(|_| t.map(|v| place_of[v as usize]))).collect();
+        let edges = MeshEdges::of(&places);
+        let face_normals: Vec<DVec3> = planes.iter().map(|p| p.map_or(DVec3::ZERO, |p| p.normal)).collect();
+        let facets = Facets { corners_m, normals: &face_normals, places: &places, edges: &edges };
+        let normals = corner_normals(mesh, &facets);
+        let at_m = |place: u32| vertices_m[place as usize];
+        let curves: Vec<CurvedEdge> =
+            edges.edges.par_iter().map(|edge| curved(edge, edge.ends.map(at_m), &places, &normals)).collect();
+        let bent = |triangle: usize| {
+            let places = places[triangle]?;
+            let side = |k: usize| {
+                let edge = curves[edges.of_triangle[triangle][k]? as usize];
+                let is_forth = places[k] < places[(k + 1) % 3];
+                Some(BentSide { edge, walk: if is_forth { Walk::Forth } else { Walk::Back } })
+            };
+            let sides = [side(0)?, side(1)?, side(2)?];
+            Some(BentTriangle { corners_m: places.map(at_m), normals: normals[triangle], sides })
+        };
+        Self { triangles: (0..corners_m.len()).into_par_iter().map(bent).collect() }
+    }
+
+    /// How many facets [`CurvedSkin::facets`] makes.
+    pub(crate) fn count(&self, limits: &Limits) -> usize {
+        let of = |bent: &Option<BentTriangle>| bent.as_ref().map_or(1, |b| count(b, limits));
+        self.triangles.par_iter().map(of).collect::<Vec<_>>().into_iter().sum()
+    }
+
+    /// Facets whose sides bend no more than the limits allow; what needs no cut keeps its corners, bit for bit.
+    pub(crate) fn facets(&self, corners_m: &[[DVec3; 3]], limits: &Limits) -> SkinTriangles {
+        let of = |(bent, corners): (&Option<BentTriangle>, &[DVec3; 3])| {
+            let Some(bent) = bent else { return vec![(*corners, [DVec3::ZERO; 3], [0.0; 6])] };
+            let cut = refined(*bent, limits);
+            let whole = cut.len() == 1;
+            let facet = |t: &BentTriangle| {
+                (if whole { *corners } else { t.corners_m }, t.normals, control_heights_m(t, limits))
+            };
+            cut.iter().map(facet).collect()
+        };
+        let parts: Vec<Vec<_>> = self.triangles.par_iter().zip(corners_m).map(of).collect();
+        let mut all = SkinTriangles::default();
+        for (triangle, part) in (0..).zip(parts) {
+            for (corners_m, normals, heights_m) in part {
+                all.triangles_m.push(corners_m);
+                all.triangle_of.push(triangle);
+                all.corner_normals.push(normals);
+                all.heights_m.push(heights_m);
+            }
+        }
+        all
+    }
+}
+
+/// A skin steeper than this over its facet stands on a sliver: its height is that of the long sides, its slope made of nothing.
+const STEEP: f64 = 1.0;
+
+/// Where the skin rises by a hundredth of what is allowed, or stands on a sliver, the facet is flat.
+fn control_heights_m(bent: &BentTriangle, limits: &Limits) -> ControlHeights {
+    let heights_m = bent.control_heights_m();
+    let [a, b, c] = bent.corners_m;
+    let is_low = heights_m.iter().all(|h| h.abs() < 0.01 * limits.offset_m);
+    let normal = (b - a).cross(c - a).try_normalize().filter(|_| !is_low);
+    let is_bent = normal.is_some_and(|normal| Bend::new(bent.corners_m, normal, &heights_m).steepest() <= STEEP);
+    if is_bent { heights_m } else { [0.0; 6] }
+}
+
+/// Unit normals at the corners of every triangle on the side of its winding: stored ones where they are any, made ones else.
+fn corner_normals(mesh: &Mesh, facets: &Facets<'_>) -> Vec<[DVec3; 3]> {
+    let stored = |triangle: usize, k: usize| {
+        let vertex = mesh.triangles[triangle][k] as usize;
+        let normal = DVec3::from_array(mesh.normals.get(vertex)?.map(f64::from)).try_normalize()?;
+        let own = facets.normals[triangle];
+        let normal = if normal.dot(own) < 0.0 { -normal } else { normal };
+        (normal.angle_between(own) <= LEAN_MAX).then_some(normal)
+    };
+    let stored: Vec<[Option<DVec3>; 3]> = (0..mesh.triangles.len()).map(|t| [0, 1, 2].map(|k| stored(t, k))).collect();
+    if stored.iter().flatten().all(Option::is_some) {
+        return stored.into_iter().map(|corners| corners.map(|n| n.unwrap_or(DVec3::ZERO))).collect();
+    }
+    let made = made_normals(facets);
+    let either = |(stored, made): (&[Option<DVec3>; 3], &[DVec3; 3])| [0, 1, 2].map(|k| stored[k].unwrap_or(made[k]));
+    stored.iter().zip(&made).map(either).collect()
+}
+
+/// The curve of an edge from the normals of all triangles that have it.
+fn curved(edge: &MeshEdge, ends_m: [DVec3; 2], places: &[Option<[u32; 3]>], normals: &[[DVec3; 3]]) -> CurvedEdge {
+    let is_forth =
+        |side: &Side| places[side.triangle as usize].is_some_and(|p| p[usize::from(side.side)] == edge.ends[0]);
+    let of_side = |side: &Side| {
+        let (t, k) = (side.triangle as usize, usize::from(side.side));
+        let walked = [normals[t][k], normals[t][(k + 1) % 3]];
+        if is_forth(side) { walked } else { [walked[1], walked[0]] }
+    };
+    let mut sides: Vec<[DVec3; 2]> = edge.sides.iter().map(of_side).collect();
+    // Two triangles that walk an edge the same way are wound differently; of more, some lie on one another.
+    let first = sides[0][0];
+    let is_turned = |i: usize, normals: &[DVec3; 2]| match edge.sides.as_slice() {
+        [a, b] => is_forth(a) == is_forth(b),
+        _ => normals[0].dot(first) < 0.0,
+    } && i > 0;
+    for (i, normals) in sides.iter_mut().enumerate() {
+        if is_turned(i, normals) {
+            *normals = normals.map(|n| -n);
+        }
+    }
+    CurvedEdge { ends_m, curve: curve_between(ends_m[1] - ends_m[0], &sides), halvings: 0 }
+}
+
+/// `sides` are the normals at both ends, all on one side of the skin.
+fn curve_between(chord: DVec3, sides: &[[DVec3; 2]]) -> Curve {
+    let Some((&first, others)) = sides.split_first() else { return Curve::Straight };
+    // Skins bend by less than a right angle between two vertices.
+    if first[0].dot(first[1]) <= 0.0 {
+        return Curve::Straight;
+    }
+    let apart = |end: usize| others.iter().map(|n| n[end].angle_between(first[end])).fold(0.0, f64::max);
+    match (apart(0).max(apart(1)), others) {
+        (most, _) if most <= SAME_NORMAL => Curve::OnSkin(first),
+        (most, [second]) => crease(chord, &first, second).unwrap_or_else(|| match most {
+            most if most <= CARELESS => Curve::OnSkin([0, 1].map(|end| mean(first[end], second[end]))),
+            _ => Curve::Straight,
+        }),
+        _ => Curve::Straight,
+    }
+}
+
+fn mean(a: DVec3, b: DVec3) -> DVec3 {
+    (a + b).try_normalize().unwrap_or(a)
+}
+
+/// Where two skins meet: along the line that lies in both tangent planes, or in the one where they touch. `None` where that
+/// line leaves the chord by much more than the skins do.
+fn crease(chord: DVec3, a: &[DVec3; 2], b: &[DVec3; 2]) -> Option<Curve> {
+    let along = chord.try_normalize()?;
+    let lean = |n: &[DVec3; 2]| n.map(|n| n.dot(along).abs().min(1.0).asin()).into_iter().fold(0.0, f64::max);
+    let most = 2.0 * lean(a).max(lean(b)) + SAME_NORMAL;
+    let tangent = |end: usize| {
+        let both = a[end].cross(b[end]);
+        let tangent = if both.length() > SAME_NORMAL { both } else { rejected(chord, a[end]) };
+        let tangent = tangent.try_normalize()?;
+        let tangent = if tangent.dot(along) < 0.0 { -tangent } else { tangent };
+        (tangent.angle_between(along) <= most).then_some(tangent)
+    };
+    Some(Curve::Crease([tangent(0)?, tangent(1)?]))
+}

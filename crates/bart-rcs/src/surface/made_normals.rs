@@ -1,0 +1,257 @@
+//! Corner normals of a mesh that stores none: which edges are creases, and what the skin's normal is elsewhere.
+//!
+//! A tessellated round turns on from edge to edge about as much; a crease turns once. And a facet beside a round that is
+//! much wider than the round's own, or that goes on flat, is a flat with a round joined to it: it keeps its normal, and
+//! the round takes it over.
+
+use crate::mesh::mesh_edges::{MeshEdges, Side};
+use glam::DVec3;
+
+/// No smooth skin is cut so coarsely that it turns more than this at an edge: a round of eight sides turns 45°, an
+/// icosahedron 41.8°.
+const TURN_MAX: f64 = 50.0 * std::f64::consts::PI / 180.0;
+/// A round goes on turning at least by this part of its last turn.
+const GOES_ON: f64 = 0.25;
+/// A facet this many times as wide as its neighbour is no step of the same round.
+const WIDER: f64 = 3.0;
+/// An edge tells what a facet's skin does across another one if the two ways across are at least this parallel (cosine).
+const SAME_WAY: f64 = 0.4;
+
+/// Facets with their planes.
+pub(crate) struct Facets<'a> {
+    /// By triangle; those left out of `edges` are not read.
+    pub(crate) corners_m: &'a [[DVec3; 3]],
+    /// Unit, by the winding; zero where a triangle is left out.
+    pub(crate) normals: &'a [DVec3],
+    pub(crate) places: &'a [Option<[u32; 3]>],
+    pub(crate) edges: &'a MeshEdges,
+}
+
+/// The turn from one facet to the next.
+#[derive(Debug, Clone, Copy)]
+struct Turn {
+    angle: f64,
+    /// Below what single precision of the corners makes of a flat edge.
+    kind: TurnKind,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum TurnKind {
+    Flat,
+    Smooth,
+    Crease,
+}
+
+/// Unit normals at the corners of every triangle, on the side of its own winding.
+pub(crate) fn made_normals(facets: &Facets<'_>) -> Vec<[DVec3; 3]> {
+    let turns = turns(facets);
+    let fans = Fans::of(facets.places);
+    let corner = |triangle: usize, k: usize| corner_normal(facets, &turns, &fans, triangle, k);
+    use rayon::prelude::*;
+    (0..facets.normals.len()).into_par_iter().map(|t| [0, 1, 2].map(|k| corner(t, k))).collect()
+}
+
+/// Triangles around each place.
+struct Fans {
+    starts: Vec<usize>,
+    corners: Vec<(u32, u8)>,
+}
+
+impl Fans {
+    fn of(places: &[Option<[u32; 3]>]) -> Self {
+        let count = places.iter().flatten().flatten().max().map_or(0, |most| *most as usize + 1);
+        let mut starts = vec![0; count + 1];
+        places.iter().flatten().flatten().for_each(|place| starts[*place as usize + 1] += 1);
+        (0..count).for_each(|i| starts[i + 1] += starts[i]);
+        let mut next = starts.clone();
+        let mut corners = vec![(0, 0); *starts.last().unwrap_or(&0)];
+        for (triangle, corner_places) in (0..).zip(places) {
+            for (k, &place) in (0..).zip(corner_places.iter().flatten()) {
+                corners[next[place as usize]] = (triangle, k);
+                next[place as usize] += 1;
+            }
+        }
+        Self { starts, corners }
+    }
+
+    fn around(&self, place: u32) -> &[(u32, u8)] {
+        &self.corners[self.starts[place as usize]..self.starts[place as usize + 1]]
+    }
+}
+
+impl Facets<'_> {
+    /// The other facet at a side that has two, and +1, or −1 where its winding is the other way round.
+    fn across(&self, side: Side) -> Option<(Side, f64)> {
+        let edge = self.edges.of_triangle[side.triangle as usize][usize::from(side.side)]?;
+        let &[a, b] = self.edges.edges[edge as usize].sides.as_slice() else { return None };
+        let other = if a == side { b } else { a };
+        let start = |s: Side| self.places[s.triangle as usize].map(|places| places[usize::from(s.side)]);
+        Some((other, if start(side) == start(other) { -1.0 } else { 1.0 }))
+    }
+
+    fn normal(&self, side: Side) -> DVec3 {
+        self.normals[side.triangle as usize]
+    }
+
+    /// From the side's start to its end.
+    fn along_m(&self, side: Side) -> DVec3 {
+        let corners = &self.corners_m[side.triangle as usize];
+        corners[(usize::from(side.side) + 1) % 3] - corners[usize::from(side.side)]
+    }
+
+    /// Unit, in the facet's plane, out of the facet.
+    fn outwards(&self, side: Side) -> DVec3 {
+        self.along_m(side).cross(self.normal(side)).try_normalize().unwrap_or(DVec3::ZERO)
+    }
+
+    /// Of the facet across the side: the height over it.
+    fn width_m(&self, side: Side) -> f64 {
+        let corners = &self.corners_m[side.triangle as usize];
+        let third = corners[(usize::from(side.side) + 2) % 3];
+        -(third - corners[usize::from(side.side)]).dot(self.outwards(side))
+    }
+}
+
+fn other_sides(side: Side) -> [Side; 2] {
+    [1, 2].map(|i| Side { side: (side.side + i) % 3, ..side })
+}
+
+/// By triangle and side.
+fn turns(facets: &Facets<'_>) -> Vec<[Turn; 3]> {
+    let sides = |triangle: usize| [0, 1, 2].map(|side| Side { triangle: triangle as u32, side });
+    let largest = facets.corners_m.iter().flatten().fold(0.0, |m, c| c.abs().max_element().max(m));
+    let rounding_m = largest * f64::from(f32::EPSILON);
+    let angle = |side: Side| {
+        let Some((other, sign)) = facets.across(side) else { return Turn { angle: 0.0, kind: TurnKind::Crease } };
+        let angle = facets.normal(side).angle_between(sign * facets.normal(other));
+        let noise = 4.0 * rounding_m / facets.width_m(side).min(facets.width_m(other));
+        Turn { angle, kind: if angle <= noise { TurnKind::Flat } else { TurnKind::Crease } }
+    };
+    let plain: Vec<[Turn; 3]> = (0..facets.normals.len()).map(|t| sides(t).map(angle)).collect();
+    let judged = |side: Side| {
+        let turn = plain[side.triangle as usize][usize::from(side.side)];
+        let Some((other, _)) = facets.across(side) else { return turn };
+        let smooth = turn.kind == TurnKind::Crease
+            && turn.angle <= TURN_MAX
+            && [side, other].iter().any(|s| goes_on(facets, &plain, *s).is_some_and(|on| on >= GOES_ON * turn.angle));
+        if smooth { Turn { kind: TurnKind::Smooth, ..turn } } else { turn }
+    };
+    (0..facets.normals.len()).map(|t| sides(t).map(judged)).collect()
+}
+
+/// How much the skin turns the same way where it leaves a facet that was entered at `side`, rad; `None` where no edge tells.
+///
+/// A diagonal that is no bend is stepped over once.
+fn goes_on(facets: &Facets<'_>, turns: &[[Turn; 3]], side: Side) -> Option<f64> {
+    let (behind, sign) = facets.across(side)?;
+    // Across the side the normal has turned by this vector.
+    let way = -facets.outwards(side);
+    let bend = (facets.normal(side) - sign * facets.normal(behind)).dot(way);
+    let exits = other_sides(side).into_iter().flat_map(|exit| {
+        let turn = turns[exit.triangle as usize][usize::from(exit.side)];
+        match facets.across(exit) {
+            Some((next, _)) if turn.kind == TurnKind::Flat => other_sides(next).to_vec(),
+            _ => vec![exit],
+        }
+    });
+    let on = exits.filter_map(|exit| {
+        let (next, sign_next) = facets.across(exit)?;
+        let turn = turns[exit.triangle as usize][usize::from(exit.side)];
+        if facets.outwards(exit).dot(way) < SAME_WAY {
+            return None;
+        }
+        let own = facets.normal(exit) * facets.normal(exit).dot(facets.normal(side)).signum();
+        let next_normal = sign_next * facets.normal(next) * facets.normal(exit).dot(facets.normal(side)).signum();
+        let further = (next_normal - own).dot(way) * bend.signum();
+        Some(if turn.angle <= TURN_MAX { further } else { 0.0 })
+    });
+    on.fold(None, |most: Option<f64>, x| Some(most.map_or(x, |m| m.max(x))))
+}
+
+/// How far a facet and what goes on flat beyond its other sides reach from a side.
+fn patch_width_m(facets: &Facets<'_>, turns: &[[Turn; 3]], side: Side) -> f64 {
+    let (out, from) = (facets.outwards(side), facets.corners_m[side.triangle as usize][usize::from(side.side)]);
+    let beyond = other_sides(side).into_iter().filter_map(|exit| {
+        let is_flat = turns[exit.triangle as usize][usize::from(exit.side)].kind == TurnKind::Flat;
+        facets.across(exit).filter(|_| is_flat).map(|(next, _)| next.triangle)
+    });
+    let corners = beyond.chain([side.triangle]).flat_map(|t| facets.corners_m[t as usize]);
+    corners.map(|corner| (from - corner).dot(out)).fold(0.0, f64::max)
+}
+
+/// Whether the facet of `side` is a flat with a round behind that side.
+fn is_flat_towards(facets: &Facets<'_>, turns: &[[Turn; 3]], side: Side) -> bool {
+    let turn = turns[side.triangle as usize][usize::from(side.side)];
+    let Some((other, _)) = facets.across(side) else { return false };
+    if turn.kind != TurnKind::Smooth {
+        return false;
+    }
+    let wide = patch_width_m(facets, turns, side) > WIDER * patch_width_m(facets, turns, other);
+    let ends = |s: Side| goes_on(facets, turns, s).is_some_and(|on| on < GOES_ON * turn.angle);
+    wide || (ends(side) && !ends(other))
+}
+
+/// Mean of the facets around a place that no crease parts from this one; flats that a round joins outvote it.
+fn corner_normal(facets: &Facets<'_>, turns: &[[Turn; 3]], fans: &Fans, triangle: usize, k: usize) -> DVec3 {
+    let own = facets.normals[triangle];
+    let Some(places) = facets.places[triangle] else { return own };
+    let group = smooth_group(facets, turns, fans.around(places[k]), triangle as u32);
+    let at_corner = |(t, k, _): &(u32, u8, f64)| [*k, (*k + 2) % 3].map(|side| Side { triangle: *t, side });
+    let is_flat = |member: &(u32, u8, f64)| at_corner(member).iter().any(|s| is_flat_towards(facets, turns, *s));
+    let flats: Vec<bool> = group.iter().map(is_flat).collect();
+    let any_flat = flats.iter().any(|flat| *flat);
+    let voting = group.iter().zip(&flats).filter(|(_, flat)| **flat || !any_flat);
+    let turn = |s: Side| turns[s.triangle as usize][usize::from(s.side)];
+    let has_quads = group.iter().flat_map(at_corner).any(|s| turn(s).kind == TurnKind::Flat);
+    let vote = if has_quads { by_angle } else { by_sphere };
+    let sum = voting.fold(DVec3::ZERO, |sum, ((t, k, sign), _)| sum + *sign * vote(facets, *t, *k));
+    let normal = sum.try_normalize().unwrap_or(own);
+    // An apex has no normal: a skin's is no further from a facet's than the turns around.
+    let smooth = group.iter().flat_map(at_corner).map(turn).filter(|turn| turn.kind == TurnKind::Smooth);
+    let most = 2.0 * smooth.fold(0.0, |most, turn| turn.angle.max(most));
+    if normal.angle_between(own) <= most { normal } else { own }
+}
+
+/// Triangles of a fan that are joined to `start` by edges at the fan's place that are no creases: corner, and the sign
+/// that brings their winding to that of `start`; ascending.
+fn smooth_group(facets: &Facets<'_>, turns: &[[Turn; 3]], fan: &[(u32, u8)], start: u32) -> Vec<(u32, u8, f64)> {
+    let corner_of = |triangle: u32| fan.iter().find(|(t, _)| *t == triangle).map(|(_, k)| *k);
+    let mut group: Vec<(u32, u8, f64)> = corner_of(start).map(|k| (start, k, 1.0)).into_iter().collect();
+    let mut next = 0;
+    while let Some(&(triangle, k, sign)) = group.get(next) {
+        next += 1;
+        for side in [k, (k + 2) % 3] {
+            let side = Side { triangle, side };
+            if turns[triangle as usize][usize::from(side.side)].kind == TurnKind::Crease {
+                continue;
+            }
+            let Some((other, turned)) = facets.across(side) else { continue };
+            let Some(corner) = corner_of(other.triangle) else { continue };
+            if !group.iter().any(|(t, ..)| *t == other.triangle) {
+                group.push((other.triangle, corner, sign * turned));
+            }
+        }
+    }
+    group.sort_by_key(|member| member.0);
+    group
+}
+
+/// The facet's normal times its angle at a corner (G. Thürmer, C. Wüthrich, J. Graphics Tools 3 (1998) 43): a quad counts the
+/// same whichever way it is cut, so that normals of cylinders and cones are exact.
+fn by_angle(facets: &Facets<'_>, triangle: u32, k: u8) -> DVec3 {
+    let [u, v] = leaving(facets, triangle, k);
+    facets.normals[triangle as usize] * u.angle_between(v)
+}
+
+/// u × v/(|u|²|v|²) of the edges that leave a corner (N. Max, J. Graphics Tools 4 (1999) 1): where all vertices lie on a sphere
+/// their sum is its normal, whatever the triangles.
+fn by_sphere(facets: &Facets<'_>, triangle: u32, k: u8) -> DVec3 {
+    let [u, v] = leaving(facets, triangle, k);
+    let squares = u.length_squared() * v.length_squared();
+    if squares > 0.0 { u.cross(v) / squares } else { DVec3::ZERO }
+}
+
+fn leaving(facets: &Facets<'_>, triangle: u32, k: u8) -> [DVec3; 2] {
+    let (corners, k) = (&facets.corners_m[triangle as usize], usize::from(k));
+    [corners[(k + 1) % 3] - corners[k], corners[(k + 2) % 3] - corners[k]]
+}

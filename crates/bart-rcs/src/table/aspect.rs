@@ -1,0 +1,350 @@
+//! Scattering at one aspect: trees, joins and integrals of every order, by the rule asked for and by the other one.
+
+use crate::beams::beam::{BeamTree, GrowingTree, TraceSettings};
+use crate::bodies::world::World;
+use crate::edges::edge_scattering::{edge_meetings, sum_of_edges};
+use crate::error::BartError;
+use crate::geometry::antenna::Antenna;
+use crate::joins::join::{Trees, tree_order};
+use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of};
+use crate::table::meeting::{Meeting, MeetingSettings};
+use artifact::radar::Polarization;
+use artifact::settings::{Edges, NodeRule};
+use glam::DVec3;
+use num_complex::Complex64;
+use std::time::Instant;
+
+/// Where the antennas are, with ĥ straight above and below.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Aspect {
+    pub(crate) transmit: (Antenna, DVec3),
+    /// `None` where it is the transmitter.
+    pub(crate) receive: Option<(Antenna, DVec3)>,
+}
+
+impl Aspect {
+    /// Whether a wave is spherical.
+    pub(crate) fn is_near(&self) -> bool {
+        let near = |antenna: Antenna| matches!(antenna, Antenna::Point(_));
+        near(self.transmit.0) || self.receive.is_some_and(|(antenna, _)| near(antenna))
+    }
+}
+
+/// What is asked at every aspect.
+#[derive(Debug, Clone)]
+pub(crate) struct AspectSettings {
+    pub(crate) trace: TraceSettings,
+    pub(crate) wavenumbers_per_m: Vec<f64>,
+    pub(crate) bounces: u8,
+    pub(crate) nodes: NodeRule,
+    pub(crate) edges: Edges,
+    pub(crate) polarization: Polarization,
+    /// Of every node integral.
+    pub(crate) accuracy: f64,
+}
+
+/// S of one aspect.
+#[derive(Debug, Clone)]
+pub(crate) struct Scattering {
+    /// By order from 1, then frequency: the rule asked for.
+    pub(crate) chosen_m: Vec<Vec<Complex64>>,
+    /// The same by the other rule, where it was measured.
+    other_m: Option<Vec<Vec<Complex64>>>,
+    /// |S − S(ten times finer)|² over frequency, where it was measured.
+    pub(crate) error_power: Option<f64>,
+    /// |S|² over frequency of the first order that is left out, where it was measured.
+    pub(crate) left_out_power: Option<f64>,
+    /// |S of the edges that are left out|² at the middle frequency.
+    pub(crate) edges_power: Option<f64>,
+    pub(crate) beams: Vec<u64>,
+    /// Independent phases of all beams given up.
+    pub(crate) dropped_m: f64,
+    /// Equal phases of all beams given up.
+    pub(crate) dropped_at_most_m: f64,
+    pub(crate) trace_seconds: f64,
+    pub(crate) integrate_seconds: f64,
+    pub(crate) check_seconds: f64,
+}
+
+/// What is measured at an aspect beside S.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Checks {
+    /// The integrals against ones ten times finer.
+    pub(crate) integrals: Check,
+    /// The node rule against the other one, and what the order after the last would add.
+    pub(crate) model: Check,
+}
+
+/// Whether a measurement is made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Check {
+    Measured,
+    Skipped,
+}
+
+/// Traces and integrates; polarization vectors have z as up, phases are referred to the world's origin.
+pub(crate) fn scattering(
+    world: &World,
+    aspect: &Aspect,
+    settings: &AspectSettings,
+    checks: Checks,
+) -> Result<Scattering, BartError> {
+    let start = Instant::now();
+    let mut ends = Ends::new(world, aspect, settings)?;
+    ends.grow_to(tree_order(settings.bounces, settings.nodes))?;
+    let trace_seconds = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    let chosen = ends.met(1, settings.nodes, settings);
+    let integrate_seconds = start.elapsed().as_secs_f64();
+    let [dropped_m, dropped_at_most_m] = dropped(ends.trees(), &chosen, settings);
+    let chosen_m: Vec<Vec<Complex64>> = chosen.into_iter().map(|order| order.s_m).collect();
+    let start = Instant::now();
+    let finer = AspectSettings { accuracy: 0.1 * settings.accuracy, ..settings.clone() };
+    let error_power = (checks.integrals == Check::Measured)
+        .then(|| power_between(&chosen_m, &ends.orders(1, settings.nodes, &finer)));
+    let edges_power = (checks.model == Check::Measured).then(|| ends.edges_power(settings)).flatten();
+    let (other_m, left_out_power) = match checks.model {
+        Check::Measured => (Some(ends.by_other_rule(&chosen_m, settings)?), ends.left_out_power(settings)),
+        Check::Skipped => (None, None),
+    };
+    Ok(Scattering {
+        chosen_m,
+        other_m,
+        error_power,
+        left_out_power,
+        edges_power,
+        beams: beams_of(ends.trees()),
+        dropped_m,
+        dropped_at_most_m,
+        trace_seconds,
+        integrate_seconds,
+        check_seconds: start.elapsed().as_secs_f64(),
+    })
+}
+
+/// The trees of an aspect, grown as far as they were needed so far.
+struct Ends<'a> {
+    world: &'a World,
+    transmit: GrowingTree<'a>,
+    receive: Option<GrowingTree<'a>>,
+    zenith_h: ZenithH,
+}
+
+impl<'a> Ends<'a> {
+    fn new(world: &'a World, aspect: &Aspect, settings: &'a AspectSettings) -> Result<Self, BartError> {
+        let tree = |antenna: Antenna| GrowingTree::new(world, antenna, &settings.trace);
+        let transmit_h = aspect.transmit.1;
+        let zenith_h = ZenithH { transmit: transmit_h, receive: aspect.receive.map_or(transmit_h, |(_, h)| h) };
+        let receive = aspect.receive.map(|(antenna, _)| tree(antenna)).transpose()?;
+        Ok(Self { world, transmit: tree(aspect.transmit.0)?, receive, zenith_h })
+    }
+
+    fn grow_to(&mut self, order: u8) -> Result<(), BartError> {
+        self.transmit.grow_to(order)?;
+        self.receive.as_mut().map_or(Ok(()), |tree| tree.grow_to(order))
+    }
+
+    fn trees(&self) -> [Option<&BeamTree>; 2] {
+        [Some(self.transmit.tree()), self.receive.as_ref().map(GrowingTree::tree)]
+    }
+
+    /// S by order from `from` on, then frequency.
+    fn orders(&self, from: u8, rule: NodeRule, settings: &AspectSettings) -> Vec<Vec<Complex64>> {
+        self.met(from, rule, settings).into_iter().map(|order| order.s_m).collect()
+    }
+
+    fn met(&self, from: u8, rule: NodeRule, settings: &AspectSettings) -> Vec<OfOrder> {
+        let transmit = self.transmit.tree();
+        let trees = self.receive.as_ref().map_or(Trees::Shared(transmit), |tree| Trees::Apart(transmit, tree.tree()));
+        let scatterer = Scatterer::new(self.world, trees, self.zenith_h);
+        (from..=settings.bounces).map(|order| of_order(&scatterer, order, rule, settings)).collect()
+    }
+
+    fn by_other_rule(
+        &mut self,
+        chosen_m: &[Vec<Complex64>],
+        settings: &AspectSettings,
+    ) -> Result<Vec<Vec<Complex64>>, BartError> {
+        let other = other(settings.nodes);
+        self.grow_to(tree_order(settings.bounces, other))?;
+        // One bounce has one node.
+        let mut other_m = chosen_m[..chosen_m.len().min(1)].to_vec();
+        other_m.extend(self.orders(2, other, settings));
+        Ok(other_m)
+    }
+
+    /// |S|² of the edges seen straight at the middle frequency, where they are left out and cheap to ask for.
+    fn edges_power(&self, settings: &AspectSettings) -> Option<f64> {
+        let (p, q) = settings.polarization.indices();
+        let wavenumber_per_m = *settings.wavenumbers_per_m.get(settings.wavenumbers_per_m.len() / 2)?;
+        if settings.edges == Edges::FirstOrder || self.world.facets().len() > FACETS_WITH_CHEAP_EDGES {
+            return None;
+        }
+        let transmit = self.transmit.tree();
+        let trees = self.receive.as_ref().map_or(Trees::Shared(transmit), |tree| Trees::Apart(transmit, tree.tree()));
+        let scatterer = Scatterer::new(self.world, trees, self.zenith_h);
+        let least_area_m2 = settings.trace.least_area_m2;
+        let edges = Edges::FirstOrder;
+        let what = MeetingSettings { nodes: settings.nodes, edges, least_area_m2, wavenumber_per_m };
+        let integration = Integration {
+            wavenumbers_per_m: &[wavenumber_per_m],
+            accuracy: EDGES_LEFT_OUT_ACCURACY,
+            bracket: bracket_of(settings.nodes),
+        };
+        let s = sum_of_edges(&scatterer, &edge_meetings(&scatterer, 1, &what), DVec3::ZERO, &integration);
+        Some(s[0][p][q].norm_sqr())
+    }
+
+    /// |S|² over frequency of the order after the last, if the trees hold its nodes.
+    fn left_out_power(&self, settings: &AspectSettings) -> Option<f64> {
+        let order = left_out_order(settings.bounces, self.transmit.tree().audit.orders.len() as u8)?;
+        let settings = AspectSettings { bounces: order, edges: Edges::Ignored, ..settings.clone() };
+        let left_out_m = self.orders(order, NodeRule::Middle, &settings).pop()?;
+        Some(mean_over_frequencies(left_out_m.len(), |f| left_out_m[f]))
+    }
+}
+
+/// On more facets the edges cost more than a tenth of a second, as much as the rest of an aspect.
+const FACETS_WITH_CHEAP_EDGES: usize = 2_000;
+/// What is left out is told to 10 %.
+const EDGES_LEFT_OUT_ACCURACY: f64 = 0.1;
+
+/// The order after the last one asked for, where trees of `tree_orders` hold its middle nodes: after every one but the first.
+pub(crate) fn left_out_order(bounces: u8, tree_orders: u8) -> Option<u8> {
+    Some(bounces + 1).filter(|order| bounces > 0 && tree_order(*order, NodeRule::Middle) <= tree_orders)
+}
+
+/// The rule that a run is compared with.
+pub(crate) fn other(rule: NodeRule) -> NodeRule {
+    match rule {
+        NodeRule::Middle | NodeRule::OwnEdge => NodeRule::Exit,
+        NodeRule::Exit => NodeRule::Middle,
+    }
+}
+
+/// One order's S over frequency, in the polarization asked for.
+fn of_order(scatterer: &Scatterer<'_>, order: u8, rule: NodeRule, settings: &AspectSettings) -> OfOrder {
+    let (p, q) = settings.polarization.indices();
+    let integration = Integration {
+        wavenumbers_per_m: &settings.wavenumbers_per_m,
+        accuracy: settings.accuracy,
+        bracket: bracket_of(rule),
+    };
+    let least_area_m2 = settings.trace.least_area_m2;
+    let wavenumber_per_m = settings.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
+    let what = MeetingSettings { nodes: rule, edges: settings.edges, least_area_m2, wavenumber_per_m };
+    let meeting = Meeting::of(scatterer, order, &what);
+    let s_m = meeting.sum(scatterer, DVec3::ZERO, &integration).iter().map(|s| s[p][q]).collect();
+    OfOrder { s_m, given_up: meeting.facets.given_up }
+}
+
+/// What one order adds.
+struct OfOrder {
+    /// S over frequency.
+    s_m: Vec<Complex64>,
+    /// Of overlaps, as in [`Joints::given_up`](crate::joins::join::Joints).
+    given_up: [f64; 2],
+}
+
+/// k/√π times the area across the wave of what was dropped, of mirrors that were not followed and of overlaps too small to
+/// be joined: with independent phases, and as one sum.
+fn dropped(trees: [Option<&BeamTree>; 2], orders: &[OfOrder], settings: &AspectSettings) -> [f64; 2] {
+    let highest = settings.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
+    let factor = highest / std::f64::consts::PI.sqrt();
+    let needed = usize::from(tree_order(settings.bounces, settings.nodes));
+    let of_trees = trees.into_iter().flatten().map(|tree| tree.audit.given_up(needed));
+    let all = of_trees.chain(orders.iter().map(|order| order.given_up));
+    let [sum_m2, squares_m4] = all.fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
+    [factor * squares_m4.sqrt(), factor * sum_m2]
+}
+
+fn beams_of(trees: [Option<&BeamTree>; 2]) -> Vec<u64> {
+    let mut beams = Vec::new();
+    for tree in trees.into_iter().flatten() {
+        beams.resize(beams.len().max(tree.audit.orders.len()), 0);
+        beams.iter_mut().zip(&tree.audit.orders).for_each(|(sum, order)| *sum += order.beams);
+    }
+    beams
+}
+
+impl Scattering {
+    /// All orders at one frequency.
+    pub(crate) fn total_m(&self, frequency: usize) -> Complex64 {
+        self.chosen_m.iter().map(|order| order[frequency]).sum()
+    }
+
+    /// |S|² over frequency.
+    pub(crate) fn mean_power(&self) -> f64 {
+        mean_over_frequencies(self.frequencies(), |f| self.total_m(f))
+    }
+
+    /// |S − S(other)|² over frequency, first order.
+    pub(crate) fn first_order_difference(&self, other: &Self) -> f64 {
+        power_between(&self.chosen_m[..1], &other.chosen_m[..1])
+    }
+
+    /// |S(this rule) − S(the other)|² of one order (from 0) over frequency, where both are known.
+    pub(crate) fn order_spread_power(&self, order: usize) -> Option<f64> {
+        let other_m = &self.other_m.as_ref()?[order];
+        Some(mean_over_frequencies(self.frequencies(), |f| self.chosen_m[order][f] - other_m[f]))
+    }
+
+    /// The same for the sum of all orders.
+    pub(crate) fn node_spread_power(&self) -> Option<f64> {
+        self.other_m.as_ref().map(|other_m| power_between(&self.chosen_m, other_m))
+    }
+
+    fn frequencies(&self) -> usize {
+        self.chosen_m.first().map_or(0, Vec::len)
+    }
+}
+
+/// Mean over frequency of the power of a difference of sums over orders.
+fn power_between(a: &[Vec<Complex64>], b: &[Vec<Complex64>]) -> f64 {
+    let total = |orders: &[Vec<Complex64>], f: usize| orders.iter().map(|order| order[f]).sum::<Complex64>();
+    mean_over_frequencies(a.first().map_or(0, Vec::len), |f| total(a, f) - total(b, f))
+}
+
+fn mean_over_frequencies(count: usize, of: impl Fn(usize) -> Complex64) -> f64 {
+    (0..count).map(|f| of(f).norm_sqr()).sum::<f64>() / count.max(1) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table::joint_sum::sum_of_joints;
+    use artifact::scene::Mesh;
+    use artifact::settings::Sides;
+
+    /// D5: a body and its antenna moved by a kilometre; single precision of the candidates and double precision of the
+    /// clipping both see other coordinates.
+    #[test]
+    fn a_scene_moved_by_a_kilometre_keeps_its_amplitude_to_1e_minus_7() {
+        let corner = |shift: DVec3| {
+            let at = |x: f64, y: f64, z: f64| (DVec3::new(x, y, z) + shift).to_array();
+            let vertices_m = vec![at(0.0, 0.0, 0.0), at(0.1, 0.02, 0.0), at(0.0, 0.1, 0.01), at(0.01, 0.0, 0.1)];
+            Mesh { vertices_m, triangles: vec![[0, 1, 2], [0, 2, 3], [0, 3, 1]], ..Mesh::default() }
+        };
+        let amplitude = |shift: DVec3| {
+            let world = World::of_mesh(&corner(shift)).unwrap();
+            let trace =
+                TraceSettings { max_order: 2, sides: Sides::Two, least_area_m2: 1e-12, least_mirror_area_m2: 1e-12 };
+            let antenna = Antenna::Point(shift + DVec3::new(14.0, 13.0, 15.0));
+            let tree = BeamTree::trace(&world, antenna, &trace).unwrap();
+            let h = ZenithH { transmit: DVec3::Y, receive: DVec3::Y };
+            let scatterer = Scatterer::new(&world, Trees::Shared(&tree), h);
+            let wavenumbers_per_m = &[1613.8];
+            let integration = Integration { wavenumbers_per_m, accuracy: 1e-3, bracket: bracket_of(NodeRule::Middle) };
+            let of = |order: u8| {
+                let joints = scatterer.joints(order, NodeRule::Middle, 1e-12);
+                sum_of_joints(&scatterer, &joints, shift, &integration)[0][0][0]
+            };
+            (1..=3).map(of).sum::<Complex64>()
+        };
+        let here = amplitude(DVec3::ZERO);
+        let there = amplitude(DVec3::new(600.0, -800.0, 0.0));
+        let error = (there - here).norm() / here.norm();
+        println!("D5: asked 1e-7, got {error:.1e}");
+        assert!(here.norm() > 1e-3 && error < 1e-7);
+    }
+}

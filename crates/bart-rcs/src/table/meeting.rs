@@ -1,0 +1,48 @@
+//! Where both ends meet in ways of one order: on facets and, where they are asked for, on edges.
+
+use crate::edges::edge_scattering::{edge_meetings, sum_of_edges};
+use crate::edges::lit_edge::EdgeJoint;
+use crate::joins::join::Joints;
+use crate::joins::scatterer::{Integration, Scatterer};
+use crate::table::joint_sum::{add, sum_of_joints};
+use artifact::paths::Amplitude;
+use artifact::settings::{Edges, NodeRule};
+use glam::DVec3;
+
+/// The joints of one order.
+pub(crate) struct Meeting {
+    pub(crate) facets: Joints,
+    pub(crate) edges: Vec<EdgeJoint>,
+}
+
+/// What meetings are looked for.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct MeetingSettings {
+    pub(crate) nodes: NodeRule,
+    pub(crate) edges: Edges,
+    /// Overlaps of beams below are dropped.
+    pub(crate) least_area_m2: f64,
+    /// The highest that is asked for: sides narrower than its inverse are thin.
+    pub(crate) wavenumber_per_m: f64,
+}
+
+impl Meeting {
+    pub(crate) fn of(scatterer: &Scatterer<'_>, order: u8, settings: &MeetingSettings) -> Self {
+        Self {
+            facets: scatterer.joints(order, settings.nodes, settings.least_area_m2),
+            edges: edge_meetings(scatterer, order, settings),
+        }
+    }
+
+    /// S over frequency, 2 × 2, its phase referred to `origin_m`.
+    pub(crate) fn sum(
+        &self,
+        scatterer: &Scatterer<'_>,
+        origin_m: DVec3,
+        integration: &Integration<'_>,
+    ) -> Vec<Amplitude> {
+        let mut total = sum_of_joints(scatterer, &self.facets, origin_m, integration);
+        add(&mut total, &sum_of_edges(scatterer, &self.edges, origin_m, integration));
+        total
+    }
+}

@@ -1,0 +1,385 @@
+//! Scattering amplitude of a mesh over frequency, elevation and azimuth: far field or finite range, one antenna or two.
+
+use crate::beams::beam::TraceSettings;
+use crate::bodies::world::World;
+use crate::error::BartError;
+use crate::geometry::antenna::Antenna;
+use crate::integral::polarization::zenith_h;
+use crate::joins::join::tree_order;
+use crate::joins::scatterer::check_order;
+use crate::memory::{MemoryLimit, memory_estimate_bytes};
+use crate::surface::skin::Skin;
+use crate::table::aspect::{Aspect, AspectSettings, Check, Checks, Scattering, scattering};
+use artifact::material::{Makeup, Material, Transmission};
+use artifact::radar::Polarization;
+use artifact::scene::Mesh;
+use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::units::SPEED_OF_LIGHT_MPS;
+use artifact::{Accuracy, ErrorBudget, ModelError};
+use glam::DVec3;
+use num_complex::Complex64;
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+
+/// S(frequency, elevation, azimuth) that is asked for; body axes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RcsRequest {
+    /// Axis 0.
+    pub frequency_hz: Vec<f64>,
+    /// Axis 1: of the antenna above the horizon.
+    pub elevation_rad: Vec<f64>,
+    /// Axis 2: of the antenna, from body x towards body y.
+    pub azimuth_rad: Vec<f64>,
+    /// Antenna to origin; infinite for the far field.
+    pub range_m: f64,
+    /// A receiver that stands still while the transmitter takes every aspect; `None` where it is the transmitter.
+    pub receiver: Option<Standpoint>,
+    /// Of the result.
+    pub polarization: Polarization,
+    /// Highest bounce order, 1 to 5.
+    pub bounces: u8,
+    /// Node of multiple reflections.
+    pub nodes: NodeRule,
+    /// Which sides of a facet scatter.
+    pub sides: Sides,
+    /// Diffraction by edges.
+    pub edges: Edges,
+    /// What the facets stand for.
+    pub surface: Surface,
+    /// Relative amplitude error allowed over the whole table; not carried below −160 dB.
+    pub accuracy: Accuracy,
+}
+
+/// Where an antenna stands, seen from the body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Standpoint {
+    /// From body x towards body y.
+    pub azimuth_rad: f64,
+    /// Above the horizon.
+    pub elevation_rad: f64,
+    /// To the origin; infinite for the far field.
+    pub range_m: f64,
+}
+
+/// S in metres and what is known of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RcsResult {
+    /// Row-major `[frequency, elevation, azimuth]`, phase at the body's origin.
+    pub amplitude_m: Vec<Complex64>,
+    /// The same by bounce order, from order 1; their sum is `amplitude_m`.
+    pub by_order_m: Vec<Vec<Complex64>>,
+    /// Beams by order of their tree, all aspects and both ends; orders that only the comparison of node rules needs are
+    /// traced where that is made.
+    pub beams: Vec<u64>,
+    /// Work by phase, all threads together.
+    pub seconds: RcsSeconds,
+    /// Numerical error over the table.
+    pub error: ErrorBudget,
+    /// What the model leaves out, over the table.
+    pub model_error: ModelError,
+    /// Per order from 1: ‖S − S(by the other node rule)‖ of that order over ‖S‖ of all, the other rule exit, and middle for
+    /// exit; over 32 to 64 aspects of a larger table.
+    pub node_spread: Vec<f64>,
+    /// Largest sum over one aspect of what dropped beams could scatter at most, over the table's root mean square |S|.
+    pub dropped_at_most: f64,
+}
+
+/// Seconds of work by phase.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct RcsSeconds {
+    /// Hierarchy of the mesh.
+    pub build: f64,
+    /// Beam trees.
+    pub trace: f64,
+    /// Joins and integrals.
+    pub integrate: f64,
+    /// What the errors are measured by: finer integrals, the other node rule and the deeper trees that it needs.
+    pub check: f64,
+}
+
+/// S of a mesh in body axes.
+///
+/// One tree (two with a receiver apart) serves all frequencies of an aspect. `progress` hears (aspects done, aspects).
+/// The same request gives the same bytes on any number of threads, but for `seconds`.
+///
+/// At finite range, and with edges, the error of the integrals is measured at three aspects of the table against integrals
+/// ten times finer; if it exceeds the accuracy asked, everything is integrated finer. The node rule is compared with the
+/// other one at every n-th aspect of a table of more than 64.
+pub fn rcs(
+    mesh: &Mesh,
+    request: &RcsRequest,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<RcsResult, BartError> {
+    rcs_within(mesh, request, MemoryLimit::NONE, progress)
+}
+
+/// The same within a limit of memory: a mesh that is expected to need more is refused before it is traced, and trees that
+/// grow beyond their share are given up with an error.
+pub fn rcs_within(
+    mesh: &Mesh,
+    request: &RcsRequest,
+    limit: MemoryLimit,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<RcsResult, BartError> {
+    check(request)?;
+    let start = Instant::now();
+    let aspects = aspects(request);
+    let at_a_time = aspects.len().min(rayon::current_num_threads());
+    let fits = |triangles: usize| {
+        limit.check_estimate(triangles, memory_estimate_bytes(triangles, request.bounces, at_a_time))
+    };
+    fits(mesh.triangles.len())?;
+    let world = World::of_skin(mesh, skin(request))?;
+    fits(world.facets().len())?;
+    let limit = limit.shared(world.bytes() as u64, at_a_time);
+    let world = world.within(limit);
+    let build = start.elapsed().as_secs_f64();
+    let asked = request.accuracy.amplitude().max(1e-8);
+    // Bounds of bent facets are far above their errors, which cancel from facet to facet: spheres asked for -20 dB have -64 dB.
+    let mut accuracy = if world.skin_error() > 0.0 { 10.0 * asked } else { asked };
+    loop {
+        let settings = aspect_settings(request, &world, accuracy);
+        let table = sweep(&world, &aspects, &settings, progress)?;
+        let integration = measured_error(&table);
+        if integration <= asked || accuracy < 1e-4 * asked {
+            let mut result = result(request, &table, integration, build);
+            result.error.tessellation = tessellation(request, &world);
+            result.model_error.transmission = transmission_left_out(mesh, request, &aspects, &settings, &table)?;
+            return Ok(result);
+        }
+        accuracy *= 0.1;
+    }
+}
+
+/// ‖S(through sheets) − S‖ over ‖S(through sheets)‖ of first order at the first, middle and last aspect; `None` where there is no sheet or
+/// waves are followed.
+fn transmission_left_out(
+    mesh: &Mesh,
+    request: &RcsRequest,
+    aspects: &[Aspect],
+    settings: &AspectSettings,
+    table: &[Scattering],
+) -> Result<Option<f64>, BartError> {
+    let makeup = &mesh.makeup;
+    if makeup.transmission == Transmission::Followed || !makeup.materials.iter().any(Material::is_sheet) {
+        return Ok(None);
+    }
+    let makeup = Makeup { transmission: Transmission::Followed, ..makeup.clone() };
+    let world = World::of_skin(&Mesh { makeup, ..mesh.clone() }, skin(request))?;
+    let mut checked = vec![0, aspects.len() / 2, aspects.len().saturating_sub(1)];
+    checked.dedup();
+    checked.retain(|&i| i < aspects.len());
+    let first = AspectSettings { bounces: 1, ..settings.clone() };
+    let (mut missing, mut whole) = (0.0, 0.0);
+    for i in checked {
+        let checks = Checks { integrals: Check::Skipped, model: Check::Skipped };
+        let through = scattering(&world, &aspects[i], &first, checks)?;
+        missing += through.first_order_difference(&table[i]);
+        whole += through.mean_power();
+    }
+    Ok(Some(ratio(missing, whole)))
+}
+
+/// Fine enough at the highest frequency.
+pub(crate) fn skin(request: &RcsRequest) -> Skin {
+    let highest_hz = request.frequency_hz.iter().copied().fold(0.0, f64::max);
+    Skin::of(request.surface, request.accuracy, SPEED_OF_LIGHT_MPS / highest_hz, request.bounces)
+}
+
+/// A bound where facets stand for a skin; facets that are the surface itself have no such error.
+fn tessellation(request: &RcsRequest, world: &World) -> Option<f64> {
+    match request.surface {
+        Surface::Flat => None,
+        Surface::Smooth => Some(world.skin_error()),
+    }
+}
+
+pub(crate) fn check(request: &RcsRequest) -> Result<(), BartError> {
+    check_order(request.bounces)?;
+    if let Some(&found) = request.frequency_hz.iter().find(|f| !(f.is_finite() && **f > 0.0)) {
+        return Err(BartError::FrequencyNotPositive { frequency_hz: found });
+    }
+    let ranges = request.receiver.iter().map(|r| r.range_m).chain([request.range_m]);
+    if let Some(range_m) = ranges.into_iter().find(|r| r.is_nan() || *r <= 0.0) {
+        return Err(BartError::RangeNotPositive { range_m });
+    }
+    Ok(())
+}
+
+impl RcsRequest {
+    /// k = 2πf/c.
+    pub(crate) fn wavenumbers_per_m(&self) -> Vec<f64> {
+        self.frequency_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect()
+    }
+}
+
+impl Standpoint {
+    /// Unit vector from the origin.
+    pub fn direction(&self) -> DVec3 {
+        let (sin_el, cos_el) = self.elevation_rad.sin_cos();
+        let (sin_az, cos_az) = self.azimuth_rad.sin_cos();
+        DVec3::new(cos_el * cos_az, cos_el * sin_az, sin_el)
+    }
+
+    fn antenna(&self) -> Antenna {
+        if self.range_m.is_finite() {
+            Antenna::Point(self.range_m * self.direction())
+        } else {
+            Antenna::Direction(self.direction())
+        }
+    }
+}
+
+/// Elevation by elevation, azimuth by azimuth.
+pub(crate) fn aspects(request: &RcsRequest) -> Vec<Aspect> {
+    let of = |elevation_rad: f64, azimuth_rad: f64| {
+        let transmitter = Standpoint { azimuth_rad, elevation_rad, range_m: request.range_m };
+        Aspect {
+            transmit: (transmitter.antenna(), zenith_h(azimuth_rad)),
+            receive: request.receiver.map(|r| (r.antenna(), zenith_h(r.azimuth_rad))),
+        }
+    };
+    request.elevation_rad.iter().flat_map(|el| request.azimuth_rad.iter().map(move |az| of(*el, *az))).collect()
+}
+
+fn mean_facet_m2(world: &World) -> f64 {
+    let facets = world.facets();
+    facets.iter().map(|facet| facet.area_m2).sum::<f64>() / facets.len().max(1) as f64
+}
+
+pub(crate) fn aspect_settings(request: &RcsRequest, world: &World, accuracy: f64) -> AspectSettings {
+    let wavenumbers_per_m = request.wavenumbers_per_m();
+    let shortest_m = TAU / wavenumbers_per_m.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+    // λ²/100·accuracy (physics §2), or that part of the mean facet where facets are smaller than the wavelength: a fine
+    // mesh must not be dropped whole. Mirrors of a hundred times that size are the smallest that are followed.
+    let least_area_m2 = 1e-2 * mean_facet_m2(world).min(shortest_m * shortest_m) * request.accuracy.amplitude();
+    let both = tree_order(request.bounces, NodeRule::Exit).max(tree_order(request.bounces, NodeRule::Middle));
+    AspectSettings {
+        trace: TraceSettings {
+            max_order: both,
+            sides: request.sides,
+            least_area_m2,
+            least_mirror_area_m2: 100.0 * least_area_m2,
+        },
+        wavenumbers_per_m,
+        bounces: request.bounces,
+        nodes: request.nodes,
+        edges: request.edges,
+        polarization: request.polarization,
+        accuracy,
+    }
+}
+
+/// Aspects of a table at which the node rule is compared with the other one, and the first order left out is added up: all, or every n-th so
+/// that at least half as many are. The spread is a ratio of powers over them: 32 aspects of independent phases know it to
+/// 1/√32, 0.8 dB.
+const COMPARED_ASPECTS: usize = 64;
+
+fn sweep(
+    world: &World,
+    aspects: &[Aspect],
+    settings: &AspectSettings,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Vec<Scattering>, BartError> {
+    let done = AtomicUsize::new(0);
+    let stride = aspects.len().div_ceil(COMPARED_ASPECTS);
+    let checked = [0, aspects.len() / 2, aspects.len().saturating_sub(1)];
+    let one = |(index, aspect): (usize, &Aspect)| {
+        // Far away the polygons' closed form is exact; bent facets and currents that end on a face are integrated by pieces.
+        let is_exact = !aspect.is_near() && settings.edges == Edges::Ignored && world.skin_error() == 0.0;
+        let measured = |is_measured| if is_measured { Check::Measured } else { Check::Skipped };
+        let checks =
+            Checks { integrals: measured(checked.contains(&index) && !is_exact), model: measured(index % stride == 0) };
+        let found = scattering(world, aspect, settings, checks);
+        progress(done.fetch_add(1, Ordering::Relaxed) + 1, aspects.len());
+        found
+    };
+    aspects.par_iter().enumerate().map(one).collect::<Vec<_>>().into_iter().collect()
+}
+
+/// ‖S − S(ten times finer)‖ per value over the table's root mean square |S|; rounding in the far field, where the closed
+/// form is exact to 1e-12.
+fn measured_error(table: &[Scattering]) -> f64 {
+    const ROUNDING: f64 = 1e-12;
+    if table.iter().all(|s| s.error_power.is_none()) {
+        return ROUNDING;
+    }
+    let mean_power = table.iter().map(Scattering::mean_power).sum::<f64>() / table.len() as f64;
+    let measured: Vec<f64> = table.iter().filter_map(|s| s.error_power).collect();
+    // The finer integrals have a tenth of the error themselves: the true one is at most measured/(1 − 0.1).
+    const OWN_ERROR: f64 = 0.1;
+    let difference = ratio(measured.iter().sum::<f64>() / measured.len().max(1) as f64, mean_power);
+    (difference / (1.0 - OWN_ERROR)).max(ROUNDING)
+}
+
+/// A sum of independent phases is Rayleigh distributed: in 95 of 100 cases it is below √(ln 20) of its root mean square.
+const RAYLEIGH_95: f64 = 1.730_818;
+
+/// Amplitude ratio of two powers; 0 of nothing.
+fn ratio(part: f64, whole: f64) -> f64 {
+    if whole > 0.0 { (part / whole).sqrt() } else { 0.0 }
+}
+
+fn result(request: &RcsRequest, table: &[Scattering], integration: f64, build: f64) -> RcsResult {
+    let values = request.frequency_hz.len();
+    let orders = usize::from(request.bounces);
+    let transposed = |of: &dyn Fn(&Scattering, usize) -> Complex64| {
+        (0..values).flat_map(|f| table.iter().map(move |s| (s, f))).map(|(s, f)| of(s, f)).collect::<Vec<_>>()
+    };
+    let power = table.iter().map(Scattering::mean_power).sum::<f64>();
+    let compared = || table.iter().filter(|s| s.node_spread_power().is_some());
+    let compared_power = compared().map(Scattering::mean_power).sum::<f64>();
+    let spread =
+        |of: &dyn Fn(&Scattering) -> Option<f64>| ratio(compared().filter_map(of).sum::<f64>(), compared_power);
+    let dropped_m2: f64 = table.iter().map(|s| s.dropped_m.powi(2)).sum();
+    let most_m = table.iter().map(|s| s.dropped_at_most_m).fold(0.0, f64::max);
+    RcsResult {
+        amplitude_m: transposed(&|s, f| s.total_m(f)),
+        by_order_m: (0..orders).map(|order| transposed(&|s, f| s.chosen_m[order][f])).collect(),
+        beams: sums(table.iter().map(|s| s.beams.as_slice())),
+        seconds: RcsSeconds {
+            build,
+            trace: table.iter().map(|s| s.trace_seconds).sum(),
+            integrate: table.iter().map(|s| s.integrate_seconds).sum(),
+            check: table.iter().map(|s| s.check_seconds).sum(),
+        },
+        error: ErrorBudget {
+            integration: Some(integration),
+            dropped: Some(RAYLEIGH_95 * ratio(dropped_m2, power)),
+            ..ErrorBudget::default()
+        },
+        model_error: ModelError {
+            nodes: Some(spread(&Scattering::node_spread_power)),
+            bounces: left_out(table, |s| s.left_out_power),
+            edges: left_out(table, |s| s.edges_power),
+            ..ModelError::default()
+        },
+        node_spread: (0..orders).map(|order| spread(&|s| s.order_spread_power(order))).collect(),
+        dropped_at_most: ratio(most_m * most_m, power / table.len() as f64),
+    }
+}
+
+/// ‖S‖ of what is left out over ‖S‖, at the aspects where it was measured.
+fn left_out(table: &[Scattering], power: impl Fn(&Scattering) -> Option<f64>) -> Option<f64> {
+    let measured = || table.iter().filter_map(|s| power(s).map(|power| (power, s.mean_power())));
+    let (left_out, all) = measured().fold((0.0, 0.0), |sum, (left_out, all)| (sum.0 + left_out, sum.1 + all));
+    measured().next().map(|_| ratio(left_out, all))
+}
+
+/// What the first order left out would carry if orders went on to decay as the last two did, and no growth is assumed;
+/// `None` from one order alone.
+pub(crate) fn next_order(by_order: &[f64]) -> Option<f64> {
+    let [.., before, last] = by_order else { return None };
+    Some(if last < before { last * last / before } else { *last })
+}
+
+fn sums<'a>(lists: impl Iterator<Item = &'a [u64]>) -> Vec<u64> {
+    let mut total = Vec::new();
+    for list in lists {
+        total.resize(total.len().max(list.len()), 0);
+        total.iter_mut().zip(list).for_each(|(sum, n)| *sum += n);
+    }
+    total
+}
