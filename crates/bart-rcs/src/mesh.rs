@@ -1,7 +1,8 @@
 //! What belongs together in a mesh.
 
+pub(crate) mod welding; // points of one place
+pub(crate) mod mesh_edges; // triangles that meet at an edge
+pub(crate) mod t_junction; // sides cut at their neighbours' corners
+pub(crate) mod curve_bend; // bends that are steps of one curve
 pub(crate) mod patch; // coplanar facets that are one flat
-pub(crate) mod welding; // vertices of one place
-pub(crate) mod weld; // corners that are one point
-pub(crate) mod mesh_edges; // and the triangles at each edge
-pub(crate) mod surface_topology; // triangles by shared lines, and flat patches
+pub(crate) mod surface_topology; // facets about a line, and the planes of the surface

@@ -2,7 +2,10 @@
 //! a tessellated curve (docs/decisions/edges.md).
 
 use crate::edges::fringe::Wedge;
-use crate::mesh::surface_topology::{Blade, Side, Topology};
+use crate::mesh::curve_bend::{may_be_a_step, may_be_of_one_curve};
+use crate::mesh::mesh_edges::{MeshEdge, Side};
+use crate::mesh::surface_topology::{Blade, Topology};
+use crate::mesh::welding::rounding_m;
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -50,35 +53,19 @@ pub(crate) struct PatchEnd {
 
 /// Facets whose planes turn by less are one surface: the fringe of such a bend is below 1 % of an open edge's.
 const LEAST_BEND_RAD: f64 = 1.0 * PI / 180.0;
-/// Bends above are edges, unless the file's normals run smoothly over them: twelve facets round a cylinder bend by 30°.
-const CURVE_BEND_RAD: f64 = 35.0 * PI / 180.0;
 /// Bends above are edges whatever the file's normals say: a box with averaged normals stays a box, a hexagon may be round.
 const SHADED_BEND_RAD: f64 = 65.0 * PI / 180.0;
-/// Two bends of one curve differ by less: where an arc ends in a plane its last bend is half of the others.
-const CURVE_RATIO: f64 = 3.0;
 
 /// The edges of a mesh; `corner_normals` are those stored for the corners of its triangles, empty where there are none.
 pub(crate) fn body_edges(triangles_m: &[[DVec3; 3]], corner_normals: &[[DVec3; 3]]) -> BodyEdges {
-    let tolerance_m = tolerance_m(triangles_m);
+    let tolerance_m = rounding_m(triangles_m.as_flattened());
     let topology = Topology::of(triangles_m, tolerance_m);
-    let bends: Vec<Bend> = topology.lines().filter_map(|line| Bend::of(&topology, line)).collect();
+    let bends: Vec<Bend> = topology.lines().filter_map(|line| Bend::of(&topology, &line)).collect();
     let by_patch = by_patch(&bends, topology.patches());
     let is_edge = |bend: &&Bend| !is_curve(bend, &bends, &by_patch, corner_normals);
     let pieces: Vec<BodyEdge> = bends.iter().filter(is_edge).map(|bend| bend.edge.clone()).collect();
     let edges = merged(pieces, tolerance_m);
     BodyEdges { patches: ends_of_patches(&topology, &edges), edges }
-}
-
-/// Corners nearer than this are one: four ε of single precision, in which meshes are stored, of the body's extent (10 µm
-/// for a bus, λ/400 at 77 GHz), and rounding of double precision.
-pub(crate) fn tolerance_m(triangles_m: &[[DVec3; 3]]) -> f64 {
-    let corners = || triangles_m.iter().flatten();
-    let low = corners().fold(DVec3::INFINITY, |low, c| low.min(*c));
-    let high = corners().fold(DVec3::NEG_INFINITY, |high, c| high.max(*c));
-    let extent_m = (high - low).max_element().max(0.0);
-    let largest_m = low.abs().max(high.abs()).max_element();
-    let sum_m = 4.0 * f64::from(f32::EPSILON) * extent_m + 256.0 * f64::EPSILON * largest_m;
-    if sum_m.is_finite() && sum_m > 0.0 { sum_m } else { 1.0 }
 }
 
 /// A line about which free space spans more than a half turn.
@@ -91,13 +78,13 @@ struct Bend {
 }
 
 impl EdgeSide {
-    fn of(topology: &Topology<'_>, &Side { triangle, side, .. }: &Side) -> Self {
+    fn of(topology: &Topology<'_>, &Side { triangle, side }: &Side) -> Self {
         Self { triangle, side, patch: topology.patch_of(triangle) }
     }
 }
 
 impl Bend {
-    fn of(topology: &Topology<'_>, line: &[Side]) -> Option<Self> {
+    fn of(topology: &Topology<'_>, line: &MeshEdge<'_>) -> Option<Self> {
         if topology.is_inside_a_patch(line) {
             return None;
         }
@@ -113,7 +100,7 @@ impl Bend {
             ends_m: topology.ends_m(line),
             wedge: Wedge { along, inward, normal, exterior: gap_rad / PI },
             patches: blades.map(|blade| topology.patch_of(blade.side.triangle)),
-            sides: line.iter().map(|side| EdgeSide::of(topology, side)).collect(),
+            sides: line.sides.iter().map(|side| EdgeSide::of(topology, side)).collect(),
         };
         Some(Self { edge, blades, turn_rad: gap_rad - PI })
     }
@@ -145,7 +132,7 @@ fn is_curve(bend: &Bend, bends: &[Bend], by_patch: &[Vec<u32>], corner_normals: 
     match shading(bend, corner_normals) {
         Shading::Smooth => true,
         Shading::Creased => false,
-        Shading::Flat => bend.turn_rad <= CURVE_BEND_RAD && goes_on(bend, bends, by_patch),
+        Shading::Flat => may_be_a_step(bend.turn_rad) && goes_on(bend, bends, by_patch),
     }
 }
 
@@ -185,10 +172,8 @@ fn goes_on(bend: &Bend, bends: &[Bend], by_patch: &[Vec<u32>]) -> bool {
     bend.edge.patches.iter().any(|&patch| {
         let outward = bend.outward_of(patch);
         by_patch[patch as usize].iter().map(|index| &bends[*index as usize]).any(|other| {
-            let ratio = other.turn_rad / bend.turn_rad;
             !other.is_of_the_edge(bend)
-                && (1.0 / CURVE_RATIO..=CURVE_RATIO).contains(&ratio)
-                && other.turn_rad <= CURVE_BEND_RAD
+                && may_be_of_one_curve(bend.turn_rad, other.turn_rad)
                 && other.outward_of(patch).dot(outward) > 0.0
         })
     })
@@ -254,10 +239,10 @@ fn ends_of_patches(topology: &Topology<'_>, edges: &[BodyEdge]) -> Vec<Patch> {
         }
     }
     for line in topology.lines().filter(|line| topology.fan(line).is_some_and(|fan| fan.blades.len() > 2)) {
-        let mut here: Vec<u32> = line.iter().map(|side| topology.patch_of(side.triangle)).collect();
+        let mut here: Vec<u32> = line.sides.iter().map(|side| topology.patch_of(side.triangle)).collect();
         here.sort_unstable();
         here.dedup();
-        let end = PatchEnd { ends_m: topology.ends_m(line), edge: None };
+        let end = PatchEnd { ends_m: topology.ends_m(&line), edge: None };
         here.into_iter().for_each(|patch| patches[patch as usize].ends.push(end));
     }
     patches

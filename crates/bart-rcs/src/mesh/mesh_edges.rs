@@ -1,52 +1,181 @@
-//! Edges of a mesh by place, with the triangles at each.
+//! Which triangles meet at an edge: the one topology of a mesh, from the places of its corners alone.
+//!
+//! Any mesh has an answer: open, doubled, wound either way, with many facets at one edge. What a patch, a crease or a
+//! diffracting edge is, others decide.
 
-/// A side of a triangle: edge `side` runs from corner `side` to the next.
+use std::ops::Range;
+
+/// A side of a triangle: it runs from corner `side` to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Side {
     pub(crate) triangle: u32,
     pub(crate) side: u8,
 }
 
-/// Two places and the triangles that have both.
-#[derive(Debug, Clone)]
-pub(crate) struct MeshEdge {
-    /// Ascending.
+/// A side, or the part of one between corners of its neighbours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Part {
+    /// Places, ascending.
     pub(crate) ends: [u32; 2],
-    /// Ascending by triangle.
-    pub(crate) sides: Vec<Side>,
+    pub(crate) of: Side,
 }
 
-/// All edges of a mesh, and those of each triangle.
+/// Two places and the triangles that have both.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct MeshEdge<'a> {
+    /// Ascending.
+    pub(crate) ends: [u32; 2],
+    /// Ascending by triangle; none twice but of triangles without a height.
+    pub(crate) sides: &'a [Side],
+}
+
+/// How two triangles at an edge are wound.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Winding {
+    /// They walk along the edge in opposite ways: their normals are on one side of the surface.
+    Alike,
+    Opposite,
+}
+
+/// All edges of a mesh in the order of their ends, and those of each triangle.
+#[derive(Debug, Default)]
 pub(crate) struct MeshEdges {
-    pub(crate) edges: Vec<MeshEdge>,
-    /// Of side 0, 1, 2; `None` for a side without length and for triangles left out.
-    pub(crate) of_triangle: Vec<[Option<u32>; 3]>,
+    ends: Vec<[u32; 2]>,
+    /// Where in `sides` those of each edge begin, and the end.
+    starts: Vec<u32>,
+    sides: Vec<Side>,
+    /// Edges of every side of every triangle, `edges_of_sides[starts_of_sides[3·triangle + side]..]`.
+    edges_of_sides: Vec<u32>,
+    starts_of_sides: Vec<u32>,
 }
 
 impl MeshEdges {
-    /// `places` are a triangle's corners; `None` leaves it out.
+    /// `places` are a triangle's corners; `None` leaves it out. Sides without length are no edges.
     pub(crate) fn of(places: &[Option<[u32; 3]>]) -> Self {
-        let mut all: Vec<([u32; 2], Side)> = Vec::with_capacity(3 * places.len());
-        for (triangle, corners) in (0..).zip(places) {
-            let Some(corners) = corners else { continue };
-            let sides = (0..3_u8).map(|side| (between(corners, side), Side { triangle, side }));
-            all.extend(sides.filter(|(ends, _)| ends[0] != ends[1]));
-        }
-        all.sort_unstable();
-        let mut of_triangle = vec![[None; 3]; places.len()];
-        let mut edges = Vec::new();
-        for group in all.chunk_by(|a, b| a.0 == b.0) {
-            for (_, side) in group {
-                of_triangle[side.triangle as usize][usize::from(side.side)] = Some(edges.len() as u32);
-            }
-            edges.push(MeshEdge { ends: group[0].0, sides: group.iter().map(|(_, side)| *side).collect() });
-        }
-        Self { edges, of_triangle }
+        Self::of_parts(parts(places), places.len())
     }
+
+    /// Of sides that may have been cut, of so many triangles.
+    pub(crate) fn of_parts(mut parts: Vec<Part>, triangles: usize) -> Self {
+        parts.sort_unstable();
+        let mut edges = Self { starts: vec![0], ..Self::default() };
+        let mut of_sides: Vec<(Side, u32)> = Vec::with_capacity(parts.len());
+        for group in parts.chunk_by(|a, b| a.ends == b.ends) {
+            let edge = edges.ends.len() as u32;
+            of_sides.extend(group.iter().map(|part| (part.of, edge)));
+            edges.ends.push(group[0].ends);
+            edges.sides.extend(group.iter().map(|part| part.of));
+            edges.starts.push(edges.sides.len() as u32);
+        }
+        of_sides.sort_unstable();
+        edges.starts_of_sides = starts_by(of_sides.iter().map(|(side, _)| slot(*side)), 3 * triangles);
+        edges.edges_of_sides = of_sides.into_iter().map(|(_, edge)| edge).collect();
+        edges
+    }
+
+    /// How many there are.
+    pub(crate) fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// By its number.
+    pub(crate) fn edge(&self, edge: usize) -> MeshEdge<'_> {
+        MeshEdge { ends: self.ends[edge], sides: &self.sides[range(&self.starts, edge)] }
+    }
+
+    /// All of them.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = MeshEdge<'_>> {
+        (0..self.len()).map(|edge| self.edge(edge))
+    }
+
+    /// The edges that a side consists of: one, several where it is cut, none where it has no length or its triangle is left
+    /// out.
+    pub(crate) fn of_side(&self, side: Side) -> &[u32] {
+        &self.edges_of_sides[range(&self.starts_of_sides, slot(side))]
+    }
+
+    /// Other triangles along a side.
+    pub(crate) fn neighbours(&self, side: Side) -> impl Iterator<Item = u32> {
+        let sides = self.of_side(side).iter().flat_map(|edge| self.edge(*edge as usize).sides);
+        sides.map(|other| other.triangle).filter(move |other| *other != side.triangle)
+    }
+
+    /// For every triangle the first of `seeds` that it hangs together with, by edges, through others that `belongs(seed, other)`
+    /// lets in and that no seed before has taken; [`MeshEdges::NO_SEED`] for what none of them reaches.
+    pub(crate) fn hanging_together(
+        &self,
+        seeds: impl Iterator<Item = u32>,
+        belongs: impl Fn(u32, u32) -> bool,
+    ) -> Vec<u32> {
+        let mut seed_of = vec![Self::NO_SEED; self.starts_of_sides.len() / 3];
+        let mut left = Vec::new();
+        for seed in seeds {
+            if seed_of[seed as usize] != Self::NO_SEED {
+                continue;
+            }
+            seed_of[seed as usize] = seed;
+            left.push(seed);
+            while let Some(triangle) = left.pop() {
+                for other in sides_of(triangle).into_iter().flat_map(|side| self.neighbours(side)) {
+                    if seed_of[other as usize] == Self::NO_SEED && belongs(seed, other) {
+                        seed_of[other as usize] = seed;
+                        left.push(other);
+                    }
+                }
+            }
+        }
+        seed_of
+    }
+
+    /// No triangle.
+    pub(crate) const NO_SEED: u32 = u32::MAX;
+}
+
+impl MeshEdge<'_> {
+    /// The other triangle of two, and how both are wound; `places` are the corners of all triangles.
+    pub(crate) fn across(&self, side: Side, places: &[Option<[u32; 3]>]) -> Option<(Side, Winding)> {
+        let &[a, b] = self.sides else { return None };
+        let start = |s: Side| places[s.triangle as usize].map(|places| places[usize::from(s.side)]);
+        let winding = if start(a) == start(b) { Winding::Opposite } else { Winding::Alike };
+        Some((if a == side { b } else { a }, winding))
+    }
+}
+
+/// All three.
+pub(crate) fn sides_of(triangle: u32) -> [Side; 3] {
+    [0, 1, 2].map(|side| Side { triangle, side })
+}
+
+/// Whole sides that have a length.
+pub(crate) fn parts(places: &[Option<[u32; 3]>]) -> Vec<Part> {
+    let of = |(triangle, corners): (u32, &Option<[u32; 3]>)| {
+        let corners = *corners;
+        let part = move |corners: [u32; 3]| {
+            sides_of(triangle).map(|of| Part { ends: between(&corners, of.side), of }).into_iter()
+        };
+        corners.into_iter().flat_map(part)
+    };
+    (0..).zip(places).flat_map(of).filter(|part| part.ends[0] != part.ends[1]).collect()
 }
 
 /// Ends of a side, ascending.
 fn between(corners: &[u32; 3], side: u8) -> [u32; 2] {
     let (a, b) = (corners[usize::from(side)], corners[(usize::from(side) + 1) % 3]);
     [a.min(b), a.max(b)]
+}
+
+fn slot(side: Side) -> usize {
+    3 * side.triangle as usize + usize::from(side.side)
+}
+
+fn range(starts: &[u32], index: usize) -> Range<usize> {
+    starts[index] as usize..starts[index + 1] as usize
+}
+
+/// Where each slot begins in a list that is sorted by slot, and the end.
+fn starts_by(slots: impl Iterator<Item = usize>, count: usize) -> Vec<u32> {
+    let mut starts = vec![0; count + 1];
+    slots.for_each(|slot| starts[slot + 1] += 1);
+    (0..count).for_each(|i| starts[i + 1] += starts[i]);
+    starts
 }

@@ -1,6 +1,9 @@
 //! Flat patches of a mesh: coplanar neighbours are one facet of the body, and the diagonals between them are no edges; and how
 //! much a patch that is a strip of a tessellated curve is bent.
 
+use crate::mesh::curve_bend::{may_be_a_step, may_be_of_one_curve};
+use crate::mesh::mesh_edges::{MeshEdges, Side, sides_of};
+use crate::mesh::welding::Welding;
 use glam::DVec3;
 
 /// Which triangles are one flat patch, and which of their edges lie inside it.
@@ -24,31 +27,15 @@ impl Patches {
     ///
     /// Flat is measured against the first triangle, so that a finely tessellated cylinder does not become one patch.
     pub(crate) fn of(triangles_m: &[[DVec3; 3]]) -> Self {
-        let edges = Edges::of(triangles_m);
+        let places = Welding::Exact.places(triangles_m.as_flattened());
+        let edges = MeshEdges::of(&places.as_chunks::<3>().0.iter().map(|corners| Some(*corners)).collect::<Vec<_>>());
         let normals: Vec<DVec3> = triangles_m.iter().map(unit_normal).collect();
-        let mut patches = Self {
-            first: vec![u32::MAX; triangles_m.len()],
-            inside: vec![0; triangles_m.len()],
-            curvature_per_m: Vec::new(),
+        let is_flat = |seed: u32, other: u32| {
+            let [seed, other] = [seed, other].map(|triangle| normals[triangle as usize]);
+            seed != DVec3::ZERO && other != DVec3::ZERO && seed.cross(other).length() <= FLAT_SINE
         };
-        let mut open = Vec::new();
-        for seed in 0..triangles_m.len() as u32 {
-            if patches.first[seed as usize] != u32::MAX {
-                continue;
-            }
-            patches.first[seed as usize] = seed;
-            open.push(seed);
-            while let Some(triangle) = open.pop() {
-                for neighbour in (0..3).flat_map(|edge| edges.neighbours(triangle, edge)) {
-                    let place = &mut patches.first[neighbour as usize];
-                    let sine = normals[seed as usize].cross(normals[neighbour as usize]).length();
-                    if *place == u32::MAX && sine <= FLAT_SINE && normals[neighbour as usize] != DVec3::ZERO {
-                        *place = seed;
-                        open.push(neighbour);
-                    }
-                }
-            }
-        }
+        let first = edges.hanging_together(0..triangles_m.len() as u32, is_flat);
+        let mut patches = Self { first, inside: vec![0; triangles_m.len()], curvature_per_m: Vec::new() };
         patches.mark_inside(triangles_m, &edges, &normals);
         patches.curvature_per_m = curvatures(triangles_m, &edges, &normals, &patches.first);
         patches
@@ -70,36 +57,30 @@ impl Patches {
     }
 
     /// An edge is inside where a triangle of the same patch lies on its other side; a twin of the triangle does not.
-    fn mark_inside(&mut self, triangles_m: &[[DVec3; 3]], edges: &Edges, normals: &[DVec3]) {
-        for triangle in 0..triangles_m.len() as u32 {
-            let normal = normals[self.first[triangle as usize] as usize];
-            for edge in 0..3 {
-                let own_side = side(triangles_m, triangle, edge, normal, triangle);
-                let goes_on = |&other: &u32| {
-                    self.first[other as usize] == self.first[triangle as usize]
-                        && own_side * side(triangles_m, triangle, edge, normal, other) < 0.0
-                };
-                if edges.neighbours(triangle, edge).any(|other| goes_on(&other)) {
-                    self.inside[triangle as usize] |= 1 << edge;
-                }
+    fn mark_inside(&mut self, triangles_m: &[[DVec3; 3]], edges: &MeshEdges, normals: &[DVec3]) {
+        for side in (0..triangles_m.len() as u32).flat_map(sides_of) {
+            let patch = self.first[side.triangle as usize];
+            let left_m3 = |triangle: u32| left_of_m3(triangles_m, side, normals[patch as usize], triangle);
+            let own_m3 = left_m3(side.triangle);
+            let goes_on = |other: u32| self.first[other as usize] == patch && own_m3 * left_m3(other) < 0.0;
+            if edges.neighbours(side).any(goes_on) {
+                self.inside[side.triangle as usize] |= 1 << side.side;
             }
         }
     }
 }
 
-/// On which side of an edge, seen along `normal`, the middle of another triangle lies.
-fn side(triangles_m: &[[DVec3; 3]], triangle: u32, edge: usize, normal: DVec3, other: u32) -> f64 {
-    let corners = triangles_m[triangle as usize];
-    let [from, to] = [corners[edge], corners[(edge + 1) % 3]];
+/// How far to the left of a side, seen along `normal`, the middle of another triangle lies, times three lengths of the side.
+fn left_of_m3(triangles_m: &[[DVec3; 3]], side: Side, normal: DVec3, other: u32) -> f64 {
+    let [from, to] = ends_m(triangles_m, side);
     let [a, b, c] = triangles_m[other as usize];
     (to - from).cross((a - from) + (b - from) + (c - from)).dot(normal)
 }
 
-/// Bends above are edges of the body, not facets of a curve: twelve facets round a cylinder bend by 30°.
-const CURVE_BEND_RAD: f64 = 35.0 * std::f64::consts::PI / 180.0;
-
-/// Two bends of one curve differ by less: where an arc ends in a plane its last bend is half of the others.
-const CURVE_RATIO: f64 = 3.0;
+fn ends_m(triangles_m: &[[DVec3; 3]], Side { triangle, side }: Side) -> [DVec3; 2] {
+    let corners = triangles_m[triangle as usize];
+    [corners[usize::from(side)], corners[(usize::from(side) + 1) % 3]]
+}
 
 /// Where two patches meet.
 #[derive(Clone, Copy)]
@@ -113,13 +94,14 @@ struct Bend {
 
 /// The curvature of every triangle's patch: the largest of its bends that goes on, the same way and about as much, at
 /// another neighbour; a bend at one side alone is an edge of the body.
-fn curvatures(triangles_m: &[[DVec3; 3]], edges: &Edges, normals: &[DVec3], first: &[u32]) -> Vec<f64> {
+fn curvatures(triangles_m: &[[DVec3; 3]], edges: &MeshEdges, normals: &[DVec3], first: &[u32]) -> Vec<f64> {
     let bends = bends(triangles_m, edges, normals, first);
     let mut of_patch = vec![0.0_f64; triangles_m.len()];
     for group in bends.chunk_by(|a, b| a.patch == b.patch) {
         let goes_on = |bend: &&Bend| {
-            let like = |other: &Bend| (1.0 / CURVE_RATIO..=CURVE_RATIO).contains(&(other.turn_rad / bend.turn_rad));
-            group.iter().any(|other| other.neighbour != bend.neighbour && like(other))
+            let is_next =
+                |next: &Bend| next.neighbour != bend.neighbour && may_be_of_one_curve(bend.turn_rad, next.turn_rad);
+            group.iter().any(is_next)
         };
         let curved = group.iter().filter(goes_on).map(|bend| bend.curvature_per_m);
         of_patch[group[0].patch as usize] = curved.fold(0.0, f64::max);
@@ -128,30 +110,24 @@ fn curvatures(triangles_m: &[[DVec3; 3]], edges: &Edges, normals: &[DVec3], firs
 }
 
 /// Bends of all patches that may be of a curve, by patch.
-fn bends(triangles_m: &[[DVec3; 3]], edges: &Edges, normals: &[DVec3], first: &[u32]) -> Vec<Bend> {
+fn bends(triangles_m: &[[DVec3; 3]], edges: &MeshEdges, normals: &[DVec3], first: &[u32]) -> Vec<Bend> {
     let middles = middles(triangles_m, first);
-    let mut bends = Vec::new();
-    for (triangle, edge) in (0..triangles_m.len() as u32).flat_map(|triangle| (0..3).map(move |edge| (triangle, edge)))
-    {
-        let patch = first[triangle as usize];
-        for neighbour in edges.neighbours(triangle, edge).map(|other| (other, first[other as usize])) {
-            if neighbour.1 == patch {
-                continue;
-            }
-            let corners = triangles_m[triangle as usize];
-            let along = corners[(edge + 1) % 3] - corners[edge];
-            let across = |x: DVec3| (x - corners[edge]).reject_from(along);
-            let [own, other] =
-                [triangle, neighbour.0].map(|t| across(triangles_m[t as usize].iter().sum::<DVec3>() / 3.0));
-            let [normal, other_normal] = [patch, neighbour.1].map(|p| normals[p as usize]);
-            let turn_rad = normal.cross(other_normal).length().atan2(normal.dot(other_normal).abs());
-            let apart_m = (middles[neighbour.1 as usize] - middles[patch as usize]).reject_from(along).length();
-            if own.dot(other) < 0.0 && turn_rad <= CURVE_BEND_RAD && turn_rad > 0.0 && apart_m > 0.0 {
-                let turn_rad = turn_rad.copysign(normal.dot(other));
-                bends.push(Bend { patch, neighbour: neighbour.1, turn_rad, curvature_per_m: turn_rad.abs() / apart_m });
-            }
-        }
-    }
+    let centre_m = |triangle: u32| triangles_m[triangle as usize].iter().sum::<DVec3>() / 3.0;
+    let bend = |side: Side, other: u32| {
+        let [patch, neighbour] = [side.triangle, other].map(|triangle| first[triangle as usize]);
+        let [from, to] = ends_m(triangles_m, side);
+        let across = |x: DVec3| (x - from).reject_from(to - from);
+        let [normal, other_normal] = [patch, neighbour].map(|p| normals[p as usize]);
+        let turn_rad = normal.cross(other_normal).length().atan2(normal.dot(other_normal).abs());
+        let apart_m = (middles[neighbour as usize] - middles[patch as usize]).reject_from(to - from).length();
+        let [own, beyond] = [side.triangle, other].map(|triangle| across(centre_m(triangle)));
+        let is_bent = patch != neighbour && turn_rad > 0.0 && may_be_a_step(turn_rad);
+        let turn_rad = turn_rad.copysign(normal.dot(beyond));
+        let bend = Bend { patch, neighbour, turn_rad, curvature_per_m: turn_rad.abs() / apart_m };
+        (is_bent && own.dot(beyond) < 0.0 && apart_m > 0.0).then_some(bend)
+    };
+    let of_side = |side: Side| edges.neighbours(side).filter_map(move |other| bend(side, other));
+    let mut bends: Vec<Bend> = (0..triangles_m.len() as u32).flat_map(sides_of).flat_map(of_side).collect();
     bends.sort_by_key(|bend| bend.patch);
     bends
 }
@@ -169,45 +145,6 @@ fn middles(triangles_m: &[[DVec3; 3]], first: &[u32]) -> Vec<DVec3> {
 
 fn unit_normal([a, b, c]: &[DVec3; 3]) -> DVec3 {
     (*b - *a).cross(*c - *a).try_normalize().unwrap_or(DVec3::ZERO)
-}
-
-/// Triangles by the edges that they share.
-struct Edges {
-    /// (both ends, triangle), sorted: equal ends stand together.
-    sorted: Vec<([[u64; 3]; 2], u32)>,
-    /// Where each triangle's three edges stand.
-    place: Vec<[u32; 3]>,
-}
-
-impl Edges {
-    fn of(triangles_m: &[[DVec3; 3]]) -> Self {
-        let mut all: Vec<([[u64; 3]; 2], u32, u8)> = Vec::with_capacity(3 * triangles_m.len());
-        for (index, corners) in (0..).zip(triangles_m) {
-            let bits = corners.map(|corner| bits(&corner));
-            all.extend((0..3u8).map(|i| {
-                let (a, b) = (bits[usize::from(i)], bits[usize::from(i + 1) % 3]);
-                ([a.min(b), a.max(b)], index, i)
-            }));
-        }
-        all.sort_unstable();
-        let mut place = vec![[0; 3]; triangles_m.len()];
-        (0..).zip(&all).for_each(|(at, &(_, triangle, edge))| place[triangle as usize][usize::from(edge)] = at);
-        Self { sorted: all.into_iter().map(|(ends, triangle, _)| (ends, triangle)).collect(), place }
-    }
-
-    /// Other triangles on the same edge.
-    fn neighbours(&self, triangle: u32, edge: usize) -> impl Iterator<Item = u32> {
-        let at = self.place[triangle as usize][edge] as usize;
-        let ends = self.sorted[at].0;
-        let same = move |entry: &&([[u64; 3]; 2], u32)| entry.0 == ends;
-        let before = self.sorted[..at].iter().rev().take_while(same);
-        before.chain(self.sorted[at + 1..].iter().take_while(same)).map(|entry| entry.1)
-    }
-}
-
-/// A point by its bits; both zeros are one.
-fn bits(x_m: &DVec3) -> [u64; 3] {
-    x_m.to_array().map(|c| (c + 0.0).to_bits())
 }
 
 #[cfg(test)]
@@ -265,6 +202,26 @@ mod tests {
         }
         let panels = Patches::of(&bent_strip(0.2));
         assert_eq!([0, 1, 2, 3].map(|triangle| panels.curvature_per_m(triangle)), [0.0; 4]);
+    }
+
+    #[test]
+    fn a_corrugated_sheet_is_no_curve() {
+        let at = |i: u32, y: f64| DVec3::new(f64::from(i), y, if i.is_multiple_of(2) { 0.1 } else { 0.0 });
+        let strip = |i| {
+            let [a, b, c, d] = [at(i, 0.0), at(i + 1, 0.0), at(i + 1, 1.0), at(i, 1.0)];
+            [[a, b, c], [a, c, d]]
+        };
+        let patches = Patches::of(&(0..6).flat_map(strip).collect::<Vec<_>>());
+        assert_eq!([4, 5, 6, 7].map(|triangle| patches.curvature_per_m(triangle)), [0.0; 4]);
+    }
+
+    #[test]
+    fn a_triangle_without_a_plane_joins_no_patches() {
+        let mut triangles = bent_strip(0.5);
+        let [_, b, c] = triangles[0];
+        triangles.insert(0, [b, c, b]);
+        let patches = Patches::of(&triangles);
+        assert_eq!([0, 1, 2, 3, 4].map(|t| patches.of_triangle(t)), [0, 1, 1, 3, 3]);
     }
 
     #[test]

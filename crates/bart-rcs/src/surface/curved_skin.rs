@@ -5,7 +5,7 @@
 
 use crate::geometry::plane::Plane;
 use crate::mesh::mesh_edges::{MeshEdge, MeshEdges, Side};
-use crate::mesh::welding::welded;
+use crate::mesh::welding::Welding;
 use crate::surface::bend::{Bend, ControlHeights};
 use crate::surface::curved_edge::{Curve, CurvedEdge, rejected};
 use crate::surface::made_normals::{Facets, made_normals};
@@ -32,7 +32,7 @@ impl CurvedSkin {
     /// Of a mesh whose triangles have these corners.
     pub(crate) fn of(mesh: &Mesh, corners_m: &[[DVec3; 3]]) -> Self {
         let vertices_m: Vec<DVec3> = mesh.vertices_m.iter().map(|v| DVec3::from_array(*v)).collect();
-        let place_of = welded(&vertices_m);
+        let place_of = Welding::of_rounded(&vertices_m).places(&vertices_m);
         let planes: Vec<Option<Plane>> = corners_m.par_iter().map(Plane::of_triangle).collect();
         let with_plane = planes.iter().zip(&mesh.triangles);
         let places: Vec<Option<[u32; 3]>> =
@@ -43,11 +43,12 @@ impl CurvedSkin {
         let normals = corner_normals(mesh, &facets);
         let at_m = |place: u32| vertices_m[place as usize];
         let curves: Vec<CurvedEdge> =
-            edges.edges.par_iter().map(|edge| curved(edge, edge.ends.map(at_m), &places, &normals)).collect();
+            (0..edges.len()).into_par_iter().map(|edge| curved(&edges.edge(edge), at_m, &places, &normals)).collect();
         let bent = |triangle: usize| {
             let places = places[triangle]?;
             let side = |k: usize| {
-                let edge = curves[edges.of_triangle[triangle][k]? as usize];
+                let own = Side { triangle: triangle as u32, side: k as u8 };
+                let edge = curves[*edges.of_side(own).first()? as usize];
                 let is_forth = places[k] < places[(k + 1) % 3];
                 Some(BentSide { edge, walk: if is_forth { Walk::Forth } else { Walk::Back } })
             };
@@ -120,7 +121,13 @@ fn corner_normals(mesh: &Mesh, facets: &Facets<'_>) -> Vec<[DVec3; 3]> {
 }
 
 /// The curve of an edge from the normals of all triangles that have it.
-fn curved(edge: &MeshEdge, ends_m: [DVec3; 2], places: &[Option<[u32; 3]>], normals: &[[DVec3; 3]]) -> CurvedEdge {
+fn curved(
+    edge: &MeshEdge<'_>,
+    at_m: impl Fn(u32) -> DVec3,
+    places: &[Option<[u32; 3]>],
+    normals: &[[DVec3; 3]],
+) -> CurvedEdge {
+    let ends_m = edge.ends.map(at_m);
     let is_forth =
         |side: &Side| places[side.triangle as usize].is_some_and(|p| p[usize::from(side.side)] == edge.ends[0]);
     let of_side = |side: &Side| {
@@ -131,7 +138,7 @@ fn curved(edge: &MeshEdge, ends_m: [DVec3; 2], places: &[Option<[u32; 3]>], norm
     let mut sides: Vec<[DVec3; 2]> = edge.sides.iter().map(of_side).collect();
     // Two triangles that walk an edge the same way are wound differently; of more, some lie on one another.
     let first = sides[0][0];
-    let is_turned = |i: usize, normals: &[DVec3; 2]| match edge.sides.as_slice() {
+    let is_turned = |i: usize, normals: &[DVec3; 2]| match edge.sides {
         [a, b] => is_forth(a) == is_forth(b),
         _ => normals[0].dot(first) < 0.0,
     } && i > 0;

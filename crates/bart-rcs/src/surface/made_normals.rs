@@ -4,7 +4,7 @@
 //! much wider than the round's own, or that goes on flat, is a flat with a round joined to it: it keeps its normal, and
 //! the round takes it over.
 
-use crate::mesh::mesh_edges::{MeshEdges, Side};
+use crate::mesh::mesh_edges::{MeshEdges, Side, Winding, sides_of};
 use glam::DVec3;
 
 /// No smooth skin is cut so coarsely that it turns more than this at an edge: a round of eight sides turns 45°, an
@@ -82,11 +82,9 @@ impl Fans {
 impl Facets<'_> {
     /// The other facet at a side that has two, and +1, or −1 where its winding is the other way round.
     fn across(&self, side: Side) -> Option<(Side, f64)> {
-        let edge = self.edges.of_triangle[side.triangle as usize][usize::from(side.side)]?;
-        let &[a, b] = self.edges.edges[edge as usize].sides.as_slice() else { return None };
-        let other = if a == side { b } else { a };
-        let start = |s: Side| self.places[s.triangle as usize].map(|places| places[usize::from(s.side)]);
-        Some((other, if start(side) == start(other) { -1.0 } else { 1.0 }))
+        let edge = *self.edges.of_side(side).first()?;
+        let (other, winding) = self.edges.edge(edge as usize).across(side, self.places)?;
+        Some((other, if winding == Winding::Alike { 1.0 } else { -1.0 }))
     }
 
     fn normal(&self, side: Side) -> DVec3 {
@@ -118,7 +116,7 @@ fn other_sides(side: Side) -> [Side; 2] {
 
 /// By triangle and side.
 fn turns(facets: &Facets<'_>) -> Vec<[Turn; 3]> {
-    let sides = |triangle: usize| [0, 1, 2].map(|side| Side { triangle: triangle as u32, side });
+    let sides = |triangle: usize| sides_of(triangle as u32);
     let largest = facets.corners_m.iter().flatten().fold(0.0, |m, c| c.abs().max_element().max(m));
     let rounding_m = largest * f64::from(f32::EPSILON);
     let angle = |side: Side| {

@@ -1,0 +1,18 @@
+//! What tells the steps of a tessellated curve from the edges of a body: a curve goes on bending, an edge bends once.
+
+/// Bends above are edges of the body, not facets of a curve: twelve facets round a cylinder bend by 30°.
+const CURVE_BEND_RAD: f64 = 35.0 * std::f64::consts::PI / 180.0;
+
+/// Two bends of one curve differ by less: where an arc ends in a plane its last bend is half of the others.
+const CURVE_RATIO: f64 = 3.0;
+
+/// Whether a bend is so small that it may be a step of a curve.
+pub(crate) fn may_be_a_step(turn_rad: f64) -> bool {
+    turn_rad.abs() <= CURVE_BEND_RAD
+}
+
+/// Whether two bends, signed alike where they bend the same way, may be steps of one curve.
+pub(crate) fn may_be_of_one_curve(turn_rad: f64, other_rad: f64) -> bool {
+    let ratio = other_rad / turn_rad;
+    may_be_a_step(turn_rad) && may_be_a_step(other_rad) && (1.0 / CURVE_RATIO..=CURVE_RATIO).contains(&ratio)
+}

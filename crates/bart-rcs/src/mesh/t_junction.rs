@@ -1,0 +1,85 @@
+//! T-junctions: a side that passes corners of its neighbours is cut there.
+
+use crate::geometry::bvh::{Hierarchy, Stack};
+use crate::geometry::plane::Plane;
+use crate::mesh::mesh_edges::Part;
+use glam::DVec3;
+use std::ops::ControlFlow;
+
+/// Cuts sides that no other facet shares where corners of such sides lie on them: T-junctions.
+///
+/// `points_m` are those of the places that the sides name.
+pub(crate) fn cut_at_corners(sides: &mut Vec<Part>, points_m: &[DVec3], tolerance_m: f64) {
+    sides.sort_unstable();
+    let open = alone(sides);
+    let mut corners: Vec<u32> = open.iter().flat_map(|side| sides[*side].ends).collect();
+    corners.sort_unstable();
+    corners.dedup();
+    let hierarchy = Hierarchy::over(corners.iter().map(|c| [points_m[*c as usize]; 3]));
+    let mut stack = Stack::default();
+    let mut parts = Vec::new();
+    for &index in &open {
+        let side = sides[index];
+        let mut on_side = corners_on(&side, &hierarchy, &corners, points_m, tolerance_m, &mut stack);
+        if on_side.is_empty() {
+            continue;
+        }
+        on_side.push(side.ends[1]);
+        let mut from = side.ends[0];
+        for to in on_side {
+            let part = Part { ends: [from.min(to), from.max(to)], ..side };
+            if from == side.ends[0] {
+                sides[index] = part
+            } else {
+                parts.push(part)
+            }
+            from = to;
+        }
+    }
+    sides.extend(parts);
+}
+
+/// Which of sorted sides have ends that no other has.
+fn alone(sides: &[Part]) -> Vec<usize> {
+    let differs = |a: usize, b: usize| sides.get(a).map(|side| side.ends) != sides.get(b).map(|side| side.ends);
+    (0..sides.len()).filter(|&i| (i == 0 || differs(i - 1, i)) && differs(i, i + 1)).collect()
+}
+
+/// Corners strictly between the ends of a side, in its order.
+fn corners_on(
+    side: &Part,
+    hierarchy: &Hierarchy,
+    corners: &[u32],
+    points_m: &[DVec3],
+    tolerance_m: f64,
+    stack: &mut Stack,
+) -> Vec<u32> {
+    let [a, b] = side.ends.map(|end| points_m[end as usize]);
+    let Some(along) = (b - a).try_normalize() else { return Vec::new() };
+    let length_m = a.distance(b);
+    let planes = tube_around(a, along, length_m, tolerance_m);
+    let mut found: Vec<(f64, u32)> = Vec::new();
+    let _ = hierarchy.inside(&planes, along, stack, |index| {
+        let corner = corners[index as usize];
+        let arm = points_m[corner as usize] - a;
+        let at_m = arm.dot(along);
+        let is_between = at_m > tolerance_m && at_m < length_m - tolerance_m && !side.ends.contains(&corner);
+        if is_between && (arm - at_m * along).length() <= tolerance_m {
+            found.push((at_m, corner));
+        }
+        ControlFlow::Continue(())
+    });
+    found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    found.dedup_by_key(|(_, corner)| *corner);
+    found.into_iter().map(|(_, corner)| corner).collect()
+}
+
+/// A box about a line, as wide as the tolerance.
+fn tube_around(from: DVec3, along: DVec3, length_m: f64, tolerance_m: f64) -> [Plane; 6] {
+    let u = along.any_orthonormal_vector();
+    let v = along.cross(u);
+    let from_on = |normal: DVec3, slack_m: f64| Plane { normal, offset_m: normal.dot(from) - slack_m };
+    let end = Plane { normal: -along, offset_m: -along.dot(from) - length_m - tolerance_m };
+    let [a, b, c, d] = [u, -u, v, -v].map(|normal| from_on(normal, tolerance_m));
+    [a, b, c, d, from_on(along, tolerance_m), end]
+}
