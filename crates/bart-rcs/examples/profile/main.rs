@@ -1,5 +1,5 @@
 //! One aspect of a mesh, timed by phase: `cargo run --release -p bart-rcs --example profile -- car.stl [azimuth_deg
-//! [range_m [frequencies [bounces]]]]`, a binary STL in body axes; fit for `valgrind --tool=callgrind` and `perf`.
+//! [range_m [frequencies [bounces [edges]]]]]`, a binary STL in body axes, the last word `edges` for their diffraction; fit for `valgrind --tool=callgrind` and `perf`.
 
 mod stl;
 
@@ -17,7 +17,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let file = arguments.first().ok_or_else(|| Error::new(ErrorKind::InvalidInput, "name a binary .stl"))?;
     let mesh =
         stl::binary(&std::fs::read(file)?).ok_or_else(|| Error::new(ErrorKind::InvalidData, "no binary .stl"))?;
-    let request = request(number(1, 23.0)?, number(2, 30.0)?, number(3, 1.0)? as usize, number(4, 3.0)? as u8);
+    let edges = if arguments.get(5).is_some_and(|word| word == "edges") { Edges::FirstOrder } else { Edges::Ignored };
+    let plain = request(number(1, 23.0)?, number(2, 30.0)?, number(3, 1.0)? as usize, number(4, 3.0)? as u8);
+    let request = RcsRequest { edges, ..plain };
     let traced_s = traced(&mesh, &request)?;
     let start_s = processor_seconds()?;
     let result = rcs(&mesh, &request, &|_, _| ())?;

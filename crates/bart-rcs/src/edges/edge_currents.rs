@@ -11,10 +11,11 @@
 use crate::edges::end_current::EndCurrent;
 use crate::edges::face_end::{FaceEnds, Met};
 use crate::edges::fringe::{FaceView, Wedge};
-use crate::edges::line_integral::{Integrand, add_line_integral};
+use crate::edges::line_integral::{Integrand, Piece, for_each_piece};
 use crate::edges::world_edges::{EdgeGeometry, WorldEdges};
 use crate::geometry::antenna::Antenna;
 use crate::integral::physical_optics::{Estimate, Leg, length_difference_m};
+use crate::joins::scatterer::Way;
 use artifact::paths::Amplitude;
 use glam::{DVec2, DVec3};
 use num_complex::Complex64;
@@ -30,6 +31,22 @@ pub(crate) struct EdgeNode<'a> {
     pub(crate) receive: &'a Leg,
 }
 
+impl EdgeNode<'_> {
+    /// The reference point of its amplitudes.
+    pub(crate) fn middle_m(&self) -> DVec3 {
+        self.edge.point_m(0.5 * (self.span_m[0] + self.span_m[1]))
+    }
+
+    fn legs(&self) -> [&Leg; 2] {
+        [self.transmit, self.receive]
+    }
+
+    /// Whether the way back is the way there.
+    fn has_one_leg(&self) -> bool {
+        std::ptr::eq(self.transmit, self.receive)
+    }
+}
+
 /// Amplitudes about `reference_m` at several wavenumbers.
 ///
 /// `accuracy` bounds the error of every element as a fraction of length/√π, the amplitude of an edge that is seen square;
@@ -40,27 +57,66 @@ pub(crate) fn edge_amplitudes(
     wavenumbers_per_m: &[f64],
     accuracy: f64,
 ) -> Estimate<Vec<Amplitude>> {
-    let accuracy = accuracy.max(1e-12);
+    let highest = wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
     let mut sums = vec![[Complex64::ZERO; 4]; wavenumbers_per_m.len()];
+    let mut error_m = 0.0;
+    for_each_part(node, reference_m, highest, accuracy, &mut |part, error| {
+        error_m += error;
+        part.add_to(wavenumbers_per_m, &mut sums);
+    });
+    Estimate { value: sums.iter().map(amplitude_of).collect(), error: error_m * PER_ROOT_PI }
+}
+
+/// Calls `give` with the parts of an edge's integrals, cut for `highest_per_m`, and a bound of the error of each, √π·m: together they
+/// are [`edge_amplitudes`].
+pub(crate) fn for_each_part(
+    node: &EdgeNode<'_>,
+    reference_m: DVec3,
+    highest_per_m: f64,
+    accuracy: f64,
+    give: &mut dyn FnMut(&dyn EdgePart, f64),
+) {
+    let accuracy = accuracy.max(1e-12);
     let fringe = Fringe { node, reference_m };
-    let mut error_m = add_line_integral(&fringe, node.span_m, wavenumbers_per_m, accuracy, &mut sums);
+    for_each_piece(&fringe, node.span_m, highest_per_m, accuracy, &mut |piece, error| give(piece, error));
     for face in 0..2 {
         let Wedge { along, inward, .. } = node.edge.wedge;
         let ends_of_face = node.edges.ends_of_face(node.edge, face);
         let ends = FaceEnds::seen_from(node.edge.from_m, along, inward[face], ends_of_face);
-        for way in fringe.ways() {
-            let beyond = BeyondEnd { fringe: &fringe, face, ends: &ends, way };
+        for sense in fringe.senses() {
+            let beyond = BeyondEnd { fringe: &fringe, face, ends: &ends, sense };
             for span_m in beyond.pieces() {
-                error_m += add_line_integral(&beyond, span_m, wavenumbers_per_m, accuracy, &mut sums);
+                for_each_piece(&beyond, span_m, highest_per_m, accuracy, &mut |piece, error| give(piece, error));
             }
         }
     }
-    let per_root_pi = std::f64::consts::FRAC_2_SQRT_PI * 0.5;
-    let of = |sum: &[Complex64; 4]| {
-        let [vv, vh, hv, hh] = sum.map(|s| s * per_root_pi);
-        [[vv, vh], [hv, hh]]
-    };
-    Estimate { value: sums.iter().map(of).collect(), error: error_m * per_root_pi }
+}
+
+/// A part of an edge's integrals.
+pub(crate) trait EdgePart {
+    /// L₁ + L₂ of its middle, less that of the reference point.
+    fn way(&self) -> Way;
+    /// Adds √π·S without the way of the reference point: [vv, vh, hv, hh].
+    fn add_to(&self, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]);
+}
+
+impl<I: Integrand> EdgePart for Piece<'_, I> {
+    fn way(&self) -> Way {
+        Way { length_m: self.length_m(), extent_m: self.extent_m() }
+    }
+
+    fn add_to(&self, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {
+        Piece::add_to(self, wavenumbers_per_m, sums);
+    }
+}
+
+/// 1/√π.
+const PER_ROOT_PI: f64 = std::f64::consts::FRAC_2_SQRT_PI * 0.5;
+
+/// What [`EdgePart::add_to`] adds, as an amplitude.
+pub(crate) fn amplitude_of(sum: &[Complex64; 4]) -> Amplitude {
+    let [vv, vh, hv, hh] = sum.map(|s| s * PER_ROOT_PI);
+    [[vv, vh], [hv, hh]]
 }
 
 /// Fringe currents of both faces, each without end.
@@ -70,6 +126,7 @@ struct Fringe<'a> {
 }
 
 /// Length from the reference point and √π·K over the spread.
+#[derive(Clone, Copy)]
 struct Sample {
     length_m: f64,
     weights: [f64; 4],
@@ -80,9 +137,8 @@ impl Integrand for Fringe<'_> {
 
     fn sample(&self, at_m: f64) -> Sample {
         let x_m = self.node.edge.point_m(at_m);
-        let [transmit, receive] = [self.node.transmit, self.node.receive];
-        let length_m = [transmit, receive].map(|leg| length_difference_m(leg.image, x_m, self.reference_m));
-        let spread: f64 = [transmit, receive].map(|leg| spread(leg.image, x_m, self.reference_m)).iter().product();
+        let length_m = self.node.legs().map(|leg| length_difference_m(leg.image, x_m, self.reference_m));
+        let spread: f64 = self.node.legs().map(|leg| spread(leg.image, x_m, self.reference_m)).iter().product();
         Sample { length_m: length_m[0] + length_m[1], weights: self.kernel(x_m).map(|k| spread * k) }
     }
 
@@ -98,11 +154,12 @@ impl Integrand for Fringe<'_> {
 impl Fringe<'_> {
     /// √π·K: [vv, vh, hv, hh], receiver first.
     fn kernel(&self, x_m: DVec3) -> [f64; 4] {
-        let ends = [self.node.transmit, self.node.receive].map(|leg| {
+        let ends = self.node.legs().map(|leg| {
             let travel = leg.image.travel_direction_at(x_m);
             (travel, leg.mirrors.fields_at_node(travel, leg.zenith_h))
         });
-        let [forth, back] = [self.one_way(&ends[0], &ends[1]), self.one_way(&ends[1], &ends[0])];
+        let forth = self.one_way(&ends[0], &ends[1]);
+        let back = if self.node.has_one_leg() { forth } else { self.one_way(&ends[1], &ends[0]) };
         [forth[0] + back[0], forth[1] + back[2], forth[2] + back[1], forth[3] + back[3]].map(|twice| 0.5 * twice)
     }
 
@@ -110,18 +167,17 @@ impl Fringe<'_> {
     fn one_way(&self, sent: &(DVec3, [DVec3; 2]), received: &(DVec3, [DVec3; 2])) -> [f64; 4] {
         let (travel, out) = (sent.0, -received.0);
         let Some(faces) = self.node.edge.wedge.faces(travel, out) else { return [0.0; 4] };
-        [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(p, q)| {
-            let of = |face: &crate::edges::fringe::FaceView| {
-                face.coefficient(face.incident(travel, sent.1[q]), out, received.1[p])
-            };
-            faces.iter().map(of).sum()
-        })
+        let [one, other] = faces.map(|face| {
+            let incident = sent.1.map(|field| face.incident(travel, field));
+            face.coefficients(incident, out, received.1)
+        });
+        [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(p, q)| one[p][q] + other[p][q])
     }
 }
 
 /// From which end the wave comes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Way {
+enum Sense {
     /// From the transmitter to the receiver.
     Forth,
     /// From the receiver to the transmitter, transposed.
@@ -131,10 +187,9 @@ enum Way {
 }
 
 impl Fringe<'_> {
-    fn ways(&self) -> impl Iterator<Item = Way> {
-        let shared = std::ptr::eq(self.node.transmit, self.node.receive);
-        let ways: &[Way] = if shared { &[Way::Both] } else { &[Way::Forth, Way::Back] };
-        ways.iter().copied()
+    fn senses(&self) -> impl Iterator<Item = Sense> {
+        let senses: &[Sense] = if self.node.has_one_leg() { &[Sense::Both] } else { &[Sense::Forth, Sense::Back] };
+        senses.iter().copied()
     }
 }
 
@@ -143,10 +198,11 @@ struct BeyondEnd<'a> {
     fringe: &'a Fringe<'a>,
     face: usize,
     ends: &'a FaceEnds,
-    way: Way,
+    sense: Sense,
 }
 
 /// The ray along the face to its end, and the currents beyond.
+#[derive(Clone)]
 struct Beyond {
     length_m: f64,
     /// `None` where the face has no end or the edge is not lit.
@@ -154,6 +210,7 @@ struct Beyond {
 }
 
 /// The edge wave at the end of a face.
+#[derive(Clone)]
 struct AtEnd {
     way_m: f64,
     current: EndCurrent,
@@ -166,7 +223,7 @@ impl BeyondEnd<'_> {
     /// Where the wave comes from, where it goes.
     fn legs(&self) -> [&Leg; 2] {
         let EdgeNode { transmit, receive, .. } = *self.fringe.node;
-        if self.way == Way::Back { [receive, transmit] } else { [transmit, receive] }
+        if self.sense == Sense::Back { [receive, transmit] } else { [transmit, receive] }
     }
 
     /// The face as the wave meets it at a point.
@@ -191,10 +248,8 @@ impl BeyondEnd<'_> {
         let Some(faces) = wedge.faces_from_face(travel, face.normal, -back) else { return [0.0; 2] };
         let width = face.sin_in / travel.cross(wedge.along).length();
         let received = to.mirrors.fields_at_node(back, to.zenith_h);
-        received.map(|received| {
-            let of = |f: &FaceView| f.coefficient(f.incident(travel, 0.5 * face.normal), -back, received);
-            width * faces.iter().map(of).sum::<f64>()
-        })
+        let [one, other] = faces.map(|f| f.coefficients([f.incident(travel, 0.5 * face.normal)], -back, received));
+        [0, 1].map(|p| width * (one[p][0] + other[p][0]))
     }
 
     /// The span between the places where rays along the face change from one end to the next.
@@ -238,15 +293,14 @@ impl Integrand for BeyondEnd<'_> {
 
     fn weights(&self, sample: &Beyond, wavenumber_per_m: f64) -> [Complex64; 4] {
         let Some(AtEnd { way_m, current, spread, next }) = &sample.current else { return [Complex64::ZERO; 4] };
-        let beyond = current.beyond(*way_m, wavenumber_per_m);
-        let falloff = current.falloff(*way_m, wavenumber_per_m);
+        let (beyond, falloff) = current.beyond(*way_m, wavenumber_per_m);
         let second = |p: usize, q: usize| next[p] * current.along_ray[q] * falloff;
         let [vv, vh, hv, hh] =
             [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(p, q)| 0.5 * spread * (second(p, q) - beyond[2 * p + q]));
-        match self.way {
-            Way::Forth => [vv, vh, hv, hh],
-            Way::Back => [vv, hv, vh, hh],
-            Way::Both => [2.0 * vv, vh + hv, vh + hv, 2.0 * hh],
+        match self.sense {
+            Sense::Forth => [vv, vh, hv, hh],
+            Sense::Back => [vv, hv, vh, hh],
+            Sense::Both => [2.0 * vv, vh + hv, vh + hv, 2.0 * hh],
         }
     }
 }
@@ -263,6 +317,7 @@ fn spread(image: Antenna, x_m: DVec3, reference_m: DVec3) -> f64 {
 mod tests {
     use super::*;
     use crate::bodies::world::World;
+    use crate::edges::line_integral::add_line_integral;
     use crate::integral::polarization::Mirrors;
     use crate::integral::steps::Steps;
     use artifact::scene::Mesh;

@@ -1,10 +1,10 @@
 //! S of all edges that both ends light.
 
-use crate::edges::edge_currents::{EdgeNode, edge_amplitudes};
+use crate::edges::edge_currents::{EdgeNode, amplitude_of, edge_amplitudes, for_each_part};
 use crate::edges::lit_edge::{EdgeJoint, edge_joints};
 use crate::integral::physical_optics::Estimate;
-use crate::joins::scatterer::{Integration, Scatterer, scaled, with_reverse};
-use crate::table::joint_sum::add;
+use crate::joins::scatterer::{Integration, Scatterer, Way, scaled, sum as sum_of, with_reverse};
+use crate::table::band::{Band, Groups, INTERPOLATION_ERROR, Kind, add};
 use crate::table::meeting::MeetingSettings;
 use artifact::paths::Amplitude;
 use artifact::settings::Edges;
@@ -12,7 +12,8 @@ use glam::DVec3;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-/// S of the edges in ways of `order` over frequency, 2 × 2, its phase referred to `origin_m`.
+/// S of the edges in ways of `order` over frequency, 2 × 2, its phase referred to `origin_m`: as that of facets, from few
+/// frequencies (see [`crate::table::band`]).
 ///
 /// Fixed runs are added in their order: the same bits on any number of threads.
 pub(crate) fn sum_of_edges(
@@ -21,7 +22,53 @@ pub(crate) fn sum_of_edges(
     origin_m: DVec3,
     integration: &Integration<'_>,
 ) -> Vec<Amplitude> {
-    const RUN: usize = 64;
+    let error = INTERPOLATION_ERROR * integration.accuracy;
+    let Some(band) = Band::new(integration.wavenumbers_per_m, error, Kind::Edges) else {
+        return sum_at_each(scatterer, joints, origin_m, integration);
+    };
+    let of_run = |run: &[EdgeJoint]| {
+        let mut groups = Groups::new();
+        run.iter().for_each(|joint| add_joint(scatterer, joint, origin_m, integration.accuracy, &band, &mut groups));
+        groups
+    };
+    band.sum(joints.par_chunks(RUN).map(of_run).collect())
+}
+
+/// Joints that are added by one thread.
+const RUN: usize = 64;
+
+/// Adds the parts of a joint to their groups, its reverse included.
+fn add_joint(
+    scatterer: &Scatterer<'_>,
+    joint: &EdgeJoint,
+    origin_m: DVec3,
+    accuracy: f64,
+    band: &Band<'_>,
+    groups: &mut Groups,
+) {
+    let node = node(scatterer, joint, joint.span_m, band.highest_per_m());
+    let (spread, length_m) = way_from(scatterer, joint, node.middle_m(), origin_m);
+    let mut some = Vec::new();
+    for_each_part(&node, node.middle_m(), band.highest_per_m(), accuracy, &mut |part, _| {
+        let way = part.way();
+        let (sums, wavenumbers_per_m) = band.group(Way { length_m: way.length_m + length_m, ..way }, groups);
+        some.clear();
+        some.resize(wavenumbers_per_m.len(), [Complex64::ZERO; 4]);
+        part.add_to(wavenumbers_per_m, &mut some);
+        for ((sum, part), k) in sums.iter_mut().zip(&some).zip(wavenumbers_per_m) {
+            let both = with_reverse(joint.reverse, &amplitude_of(part));
+            *sum = sum_of(sum, &scaled(&both, Complex64::from_polar(spread, -k * length_m)));
+        }
+    });
+}
+
+/// The same at every frequency for itself: what the interpolation is compared with.
+fn sum_at_each(
+    scatterer: &Scatterer<'_>,
+    joints: &[EdgeJoint],
+    origin_m: DVec3,
+    integration: &Integration<'_>,
+) -> Vec<Amplitude> {
     let zero = || vec![Amplitude::default(); integration.wavenumbers_per_m.len()];
     let of_run = |run: &[EdgeJoint]| {
         run.iter().fold(zero(), |mut total, joint| {
@@ -53,12 +100,21 @@ pub(crate) fn part_amplitudes(
     wavenumbers_per_m: &[f64],
     accuracy: f64,
 ) -> (DVec3, Estimate<Vec<Amplitude>>) {
-    let edges = scatterer.world.edges(highest(wavenumbers_per_m));
-    let edge = &edges.edges[joint.edge as usize];
+    let highest = wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
+    let node = node(scatterer, joint, span_m, highest);
+    (node.middle_m(), edge_amplitudes(&node, node.middle_m(), wavenumbers_per_m, accuracy))
+}
+
+fn node<'a>(scatterer: &'a Scatterer<'_>, joint: &EdgeJoint, span_m: [f64; 2], highest_per_m: f64) -> EdgeNode<'a> {
+    let edges = scatterer.world.edges(highest_per_m);
     let [transmit, receive] = scatterer.legs(joint.forward, joint.backward);
-    let reference_m = edge.point_m(0.5 * (span_m[0] + span_m[1]));
-    let node = EdgeNode { edge, edges, span_m, transmit, receive };
-    (reference_m, edge_amplitudes(&node, reference_m, wavenumbers_per_m, accuracy))
+    EdgeNode { edge: &edges.edges[joint.edge as usize], edges, span_m, transmit, receive }
+}
+
+/// R_tR_r/(L₁L₂) and L₁ + L₂ − R_t − R_r of a joint's reference point.
+fn way_from(scatterer: &Scatterer<'_>, joint: &EdgeJoint, middle_m: DVec3, origin_m: DVec3) -> (f64, f64) {
+    let apparent_m = scatterer.legs(joint.forward, joint.backward).map(|leg| leg.mirrors.unfolded(middle_m));
+    scatterer.way_from(origin_m, apparent_m)
 }
 
 /// An edge's share of S, its reverse included.
@@ -70,14 +126,88 @@ fn scattering(
 ) -> Estimate<Vec<Amplitude>> {
     let Integration { wavenumbers_per_m, accuracy, .. } = *integration;
     let (middle_m, mut estimate) = part_amplitudes(scatterer, joint, joint.span_m, wavenumbers_per_m, accuracy);
-    let apparent_m = scatterer.legs(joint.forward, joint.backward).map(|leg| leg.mirrors.unfolded(middle_m));
-    let (spread, length_m) = scatterer.way_from(origin_m, apparent_m);
+    let (spread, length_m) = way_from(scatterer, joint, middle_m, origin_m);
     for (amplitude, k) in estimate.value.iter_mut().zip(wavenumbers_per_m) {
         *amplitude = scaled(&with_reverse(joint.reverse, amplitude), Complex64::from_polar(spread, -k * length_m));
     }
     estimate
 }
 
-fn highest(wavenumbers_per_m: &[f64]) -> f64 {
-    wavenumbers_per_m.iter().copied().fold(0.0, f64::max)
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::beams::beam::{BeamTree, TraceSettings};
+    use crate::bodies::world::World;
+    use crate::geometry::antenna::Antenna;
+    use crate::integral::physical_optics::Bracket;
+    use crate::joins::join::Trees;
+    use crate::joins::scatterer::ZenithH;
+    use artifact::scene::Mesh;
+    use artifact::settings::{NodeRule, Sides};
+
+    /// Panels of 2 mm to 2 m, each with a fin of half its height that stands on it: open edges, ends of faces at edges and walls,
+    /// edges seen in mirrors.
+    fn panels() -> World {
+        let mut mesh = Mesh::default();
+        let mut quad = |at: DVec3, u: DVec3, v: DVec3| {
+            let first = mesh.vertices_m.len() as u32;
+            mesh.vertices_m.extend([at, at + u, at + u + v, at + v].map(|c| c.to_array()));
+            mesh.triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
+        };
+        for (i, size_m) in [0.002, 0.01, 0.05, 0.3, 2.0].into_iter().enumerate() {
+            let at = DVec3::new(0.3 * i as f64, -0.5 * size_m, 0.7 * i as f64 - 1.4);
+            quad(at, size_m * DVec3::Y, size_m * DVec3::new(-0.1, 0.0, 0.6));
+            quad(at + 0.4 * size_m * DVec3::Y, 0.5 * size_m * DVec3::X, size_m * DVec3::new(0.0, 0.1, 0.5));
+        }
+        World::of_mesh(&mesh).unwrap()
+    }
+
+    fn relative_difference(fast: &[Amplitude], slow: &[Amplitude], scale: f64) -> f64 {
+        let pairs = fast.iter().flatten().flatten().zip(slow.iter().flatten().flatten());
+        pairs.map(|(a, b)| (a - b).norm()).fold(0.0, f64::max) / scale
+    }
+
+    #[test]
+    fn edges_at_many_frequencies_from_few_are_those_of_every_one_over_seven_decades() {
+        let world = panels();
+        // A chirp, all of 76 to 81 GHz, and a band of 1 : 3, in which √k is no line.
+        let bands = [(1603.0, 21.0, 40), (1592.9, 104.8, 40), (600.0, 1200.0, 60)];
+        let places = [Antenna::Point(DVec3::new(6.0, 1.1, 0.9)), Antenna::Direction(DVec3::new(0.96, 0.0, 0.28))];
+        for ((low, width, count), antenna) in bands.into_iter().flat_map(|band| places.map(|place| (band, place))) {
+            let wavenumbers_per_m: Vec<f64> =
+                (0..count).map(|i| low + width * f64::from(i) / f64::from(count - 1)).collect();
+            let trace =
+                TraceSettings { max_order: 2, sides: Sides::Two, least_area_m2: 1e-9, least_mirror_area_m2: 1e-7 };
+            let tree = BeamTree::trace(&world, antenna, &trace).unwrap();
+            let scatterer =
+                Scatterer::new(&world, Trees::Shared(&tree), ZenithH { transmit: DVec3::Y, receive: DVec3::Y });
+            let settings = MeetingSettings {
+                nodes: NodeRule::Middle,
+                edges: Edges::FirstOrder,
+                least_area_m2: 1e-9,
+                wavenumber_per_m: low + width,
+            };
+            let joints = [1, 2].map(|order| edge_meetings(&scatterer, order, &settings)).concat();
+            // Accuracy is a part of this: every edge seen square. No integral of the two is exact, but both are the same one.
+            let length_m: f64 = joints.iter().map(|joint| joint.span_m[1] - joint.span_m[0]).sum();
+            for accuracy in [1e-1, 1e-3, 1e-5, 1e-7] {
+                let integration =
+                    Integration { wavenumbers_per_m: &wavenumbers_per_m, accuracy, bracket: Bracket::Symmetrised };
+                let of = |sum: Sum| sum(&scatterer, &joints, DVec3::ZERO, &integration);
+                let (fast, slow) = (of(sum_of_edges), of(sum_at_each));
+                let scale = length_m / std::f64::consts::PI.sqrt();
+                let error = relative_difference(&fast, &slow, scale);
+                let asked = INTERPOLATION_ERROR * accuracy;
+                let size = relative_difference(&slow, &vec![Amplitude::default(); slow.len()], scale);
+                println!(
+                    "{low}+{width}/m, {antenna:?}, {} joints: asked {asked:.0e}, got {error:.1e} of {size:.1e}",
+                    joints.len()
+                );
+                // Rounding of phases of k·4 m.
+                assert!(error < asked.max(1800.0 * 4.0 * f64::EPSILON) && size > 1e-3);
+            }
+        }
+    }
+
+    type Sum = fn(&Scatterer<'_>, &[EdgeJoint], DVec3, &Integration<'_>) -> Vec<Amplitude>;
 }

@@ -18,6 +18,7 @@ use num_complex::Complex64;
 use std::f64::consts::PI;
 
 /// √π·dS/dl of the current beyond a way along a face, its phase that of the ray along the face to there.
+#[derive(Clone)]
 pub(crate) struct EndCurrent {
     /// a + b = 1 + cosφ′ and b.
     ab: f64,
@@ -54,29 +55,25 @@ impl EndCurrent {
         Self { ab, b, square_in: s * s, of_wave, of_edge, along_ray }
     }
 
-    /// By [received][sent].
-    pub(crate) fn beyond(&self, way_m: f64, wavenumber_per_m: f64) -> [Complex64; 4] {
+    /// By [received][sent], and W(√(κd(a + b))): how the edge wave has fallen off after the way.
+    pub(crate) fn beyond(&self, way_m: f64, wavenumber_per_m: f64) -> ([Complex64; 4], Complex64) {
         let kd = wavenumber_per_m * self.square_in * way_m;
-        let edge = edge_wave((kd * self.b).sqrt());
-        let (tau, edge_part) = (self.tau(kd, edge), (2.0 / self.b).sqrt() * edge);
-        [0, 1, 2, 3].map(|i| self.of_wave[i] * tau + self.of_edge[i] * edge_part)
+        let [edge, falloff] = [self.b, self.ab].map(|share| edge_wave((kd * share).sqrt()));
+        let (tau, edge_part) = (self.tau(kd, edge, falloff), (2.0 / self.b).sqrt() * edge);
+        ([0, 1, 2, 3].map(|i| self.of_wave[i] * tau + self.of_edge[i] * edge_part), falloff)
     }
 
-    /// W(√(κd(a + b))): how the edge wave has fallen off after a way.
-    pub(crate) fn falloff(&self, way_m: f64, wavenumber_per_m: f64) -> Complex64 {
-        edge_wave((wavenumber_per_m * self.square_in * way_m * self.ab).sqrt())
-    }
-
-    fn tau(&self, kd: f64, edge: Complex64) -> Complex64 {
-        let at = |ab: f64| ((ab / self.b).sqrt() * edge - edge_wave((kd * ab).sqrt())) / (ab - self.b);
+    fn tau(&self, kd: f64, edge: Complex64, falloff: Complex64) -> Complex64 {
+        let of = |ab: f64, falloff: Complex64| ((ab / self.b).sqrt() * edge - falloff) / (ab - self.b);
         let step = 1e-4 * self.b;
         let a = self.ab - self.b;
         // 0/0 at the reflection boundary; the straight line between both sides errs by (1e-4)² of it.
         if a.abs() < step {
             let share = 0.5 * (1.0 + a / step);
+            let at = |ab: f64| of(ab, edge_wave((kd * ab).sqrt()));
             at(self.b + step) * share + at(self.b - step) * (1.0 - share)
         } else {
-            at(self.ab)
+            of(self.ab, falloff)
         }
     }
 }
@@ -104,10 +101,9 @@ mod tests {
                 let mut whole = [0.0; 4];
                 let mut from_currents = [Complex64::ZERO; 4];
                 for face in &faces {
-                    for (i, (p, q)) in [(0, 0), (0, 1), (1, 0), (1, 1)].into_iter().enumerate() {
-                        whole[i] += face.coefficient(face.incident(travel, sent[q]), out, received[p]);
-                    }
-                    let beyond = EndCurrent::new(face, travel, &sent, &received).beyond(0.0, 1.0);
+                    let shares = face.coefficients(sent.map(|sent| face.incident(travel, sent)), out, received);
+                    whole.iter_mut().zip(shares.as_flattened()).for_each(|(sum, share)| *sum += share);
+                    let beyond = EndCurrent::new(face, travel, &sent, &received).beyond(0.0, 1.0).0;
                     from_currents.iter_mut().zip(beyond).for_each(|(sum, b)| *sum += b);
                 }
                 for (got, known) in from_currents.iter().zip(whole) {

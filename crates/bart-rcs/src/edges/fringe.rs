@@ -130,20 +130,31 @@ impl FaceView {
         [field.dot(self.along), travel.cross(field).dot(self.along)]
     }
 
-    /// Share of this face, without end, in √π·dS/dl: for an incident field with E and Z·H along the edge, seen along `out`
-    /// by the unit field `received`.
+    /// Share of this face, without end, in √π·dS/dl: for incident fields with E and Z·H along the edge, seen along `out` by each of
+    /// the unit fields `received`; by [received][sent].
     ///
     /// S = (1/√π)∫[−A p·t + B p·(s×t)]dl with A, B the currents of docs/physics.md §4 without their 2j/k.
-    pub(crate) fn coefficient(&self, [e, h]: [f64; 2], out: DVec3, received: DVec3) -> f64 {
+    pub(crate) fn coefficients<const N: usize>(
+        &self,
+        sent: [[f64; 2]; N],
+        out: DVec3,
+        received: [DVec3; 2],
+    ) -> [[f64; N]; 2] {
         let (electric, magnetic) = self.fringe_functions();
         let cot_in = self.cos_in / self.sin_in;
         let square_out = 1.0 - self.out.z * self.out.z;
         let mu = 1.0 - self.off_grazing;
         let lit = if self.lighting() == Lighting::Lit { 1.0 } else { 0.0 };
         let turned = (mu * cot_in - self.out.z * self.out.x / square_out) * magnetic + lit * cot_in;
-        let a = e * electric / (self.sin_in * self.sin_in) + h / self.sin_in * turned;
-        let b = -h * self.out.y / (square_out * self.sin_in) * magnetic;
-        -a * received.dot(self.along) + b * received.dot(out.cross(self.along))
+        let across = out.cross(self.along);
+        received.map(|received| {
+            let [parallel, square] = [received.dot(self.along), received.dot(across)];
+            sent.map(|[e, h]| {
+                let a = e * electric / (self.sin_in * self.sin_in) + h / self.sin_in * turned;
+                let b = -h * self.out.y / (square_out * self.sin_in) * magnetic;
+                -a * parallel + b * square
+            })
+        })
     }
 
     /// D − U sinφ′/(cosφ′ + μ) and G − U/(cosφ′ + μ).
@@ -201,7 +212,7 @@ mod tests {
         let (travel, out) = (-away(angle_in), away(angle_out));
         let faces = wedge(n).faces(travel, out).unwrap();
         let of = |field: DVec3, received: DVec3| -> f64 {
-            faces.iter().map(|f| f.coefficient(f.incident(travel, field), out, received)).sum()
+            faces.iter().map(|f| f.coefficients([f.incident(travel, field)], out, [received; 2])[0][0]).sum()
         };
         // E ∥: S = −(L/√π)f. H ∥: E is ẑ × out (as ĥ is), S = +(L/√π)g for H received as it was sent.
         let h = |r: DVec3| DVec3::Z.cross(r);
@@ -238,8 +249,8 @@ mod tests {
         for out in [DVec3::new(0.36, 0.48, 0.8), DVec3::new(-0.6, 0.64, -0.48), -travel] {
             let faces = wedge(1.0).faces(travel, out).unwrap();
             let e = travel.any_orthonormal_vector();
-            let total: f64 =
-                faces.iter().map(|f| f.coefficient(f.incident(travel, e), out, out.any_orthonormal_vector())).sum();
+            let received = [out.any_orthonormal_vector(); 2];
+            let total: f64 = faces.iter().map(|f| f.coefficients([f.incident(travel, e)], out, received)[0][0]).sum();
             assert!(total.abs() < 1e-13, "{total:e}");
         }
     }

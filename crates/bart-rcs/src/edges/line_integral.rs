@@ -6,7 +6,7 @@ use num_complex::Complex64;
 /// Weight and length along a line.
 pub(crate) trait Integrand {
     /// What a point costs once for all wavenumbers.
-    type Sample;
+    type Sample: Clone;
     /// At a coordinate along the line, m.
     fn sample(&self, at_m: f64) -> Self::Sample;
     /// L of the phase −kL, m.
@@ -22,10 +22,7 @@ const HALVINGS_MAX: u32 = 24;
 const SMALLEST_SHARE: f64 = 1.0 / 64.0;
 
 /// ∫ weight·e^{−jkL} over `span_m` for every wavenumber, added to `sums`; gives a bound of the error of every element, m.
-///
-/// A piece takes weight times the remainder of the phase as the quadratic through its ends and middle, exactly under the
-/// linear phase; it is halved until the values at its quarters, at the highest wavenumber, are met to `accuracy`. A cubic
-/// error has 97 % of its greatest value there: h³/16 of h³/9√3 times a sixth of its third derivative.
+#[cfg(test)]
 pub(crate) fn add_line_integral<I: Integrand>(
     integrand: &I,
     span_m: [f64; 2],
@@ -34,11 +31,30 @@ pub(crate) fn add_line_integral<I: Integrand>(
     sums: &mut [[Complex64; 4]],
 ) -> f64 {
     let highest = wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
+    let mut error_m = 0.0;
+    for_each_piece(integrand, span_m, highest, accuracy, &mut |piece, error| {
+        error_m += error;
+        piece.add_to(wavenumbers_per_m, sums);
+    });
+    error_m
+}
+
+/// Cuts a line into pieces fit for wavenumbers up to `highest_per_m`; `give` gets each with a bound of its error, m.
+///
+/// A piece takes weight times the remainder of the phase as the quadratic through its ends and middle, exactly under the
+/// linear phase; it is halved until the values at its quarters, at the highest wavenumber, are met to `accuracy`. A cubic
+/// error has 97 % of its greatest value there: h³/16 of h³/9√3 times a sixth of its third derivative.
+pub(crate) fn for_each_piece<I: Integrand>(
+    integrand: &I,
+    span_m: [f64; 2],
+    highest_per_m: f64,
+    accuracy: f64,
+    give: &mut dyn FnMut(&Piece<'_, I>, f64),
+) {
     let [from, to] = span_m;
     let ends = [from, 0.5 * (from + to), to].map(|at| integrand.sample(at));
     let mut left = vec![(span_m, ends, 0)];
-    let mut error_m = 0.0;
-    while let Some(([from, to], [start, middle, end], halvings)) = left.pop() {
+    while let Some(([from, to], samples, halvings)) = left.pop() {
         // A weight that jumps at an end leaves a piece between neighbouring numbers.
         if to - from <= 1e-12 * (span_m[1] - span_m[0]).max(to.abs()) {
             continue;
@@ -46,69 +62,83 @@ pub(crate) fn add_line_integral<I: Integrand>(
         let half_m = 0.5 * (to - from);
         let centre = from + half_m;
         let quarters = [from + 0.5 * half_m, centre + 0.5 * half_m].map(|at| integrand.sample(at));
-        let piece = Piece::new(integrand, [&start, &middle, &end], half_m, highest);
-        let missed = (0..2).map(|i| piece.missed_by(&quarters[i], integrand, i)).fold(0.0, f64::max);
+        let piece = Piece::new(integrand, &samples, half_m);
+        let missed = piece.missed_by(&quarters, highest_per_m);
         let share = (2.0 * half_m / (span_m[1] - span_m[0])).max(SMALLEST_SHARE);
         if missed * 2.0 * half_m <= accuracy * share * (span_m[1] - span_m[0]) || halvings == HALVINGS_MAX {
-            error_m += missed * 2.0 * half_m;
-            for (k, sum) in wavenumbers_per_m.iter().zip(&mut *sums) {
-                let piece = Piece::new(integrand, [&start, &middle, &end], half_m, *k);
-                piece.add_to(sum);
-            }
+            give(&piece, missed * 2.0 * half_m);
         } else {
-            let [first, second] = quarters;
-            let middle_again = integrand.sample(centre);
-            left.push(([centre, to], [middle, second, end], halvings + 1));
-            left.push(([from, centre], [start, first, middle_again], halvings + 1));
+            let ([start, middle, end], [first, second]) = (samples, quarters);
+            left.push(([centre, to], [middle.clone(), second, end], halvings + 1));
+            left.push(([from, centre], [start, first, middle], halvings + 1));
         }
     }
-    error_m
 }
 
-/// Values at the start, middle and end of a piece, with the linear phase between the ends taken out.
-struct Piece {
-    values: [[Complex64; 4]; 3],
+/// A part of a line by its start, middle and end, with the linear phase between the ends taken out.
+pub(crate) struct Piece<'a, I: Integrand> {
+    integrand: &'a I,
+    samples: &'a [I::Sample; 3],
     half_m: f64,
-    wavenumber_per_m: f64,
     middle_length_m: f64,
     /// dL/ds of the straight line between the ends.
     slope: f64,
+    /// L of the ends beyond that line, the same at both.
+    bend_m: f64,
 }
 
-impl Piece {
-    fn new<I: Integrand>(integrand: &I, samples: [&I::Sample; 3], half_m: f64, wavenumber_per_m: f64) -> Self {
-        let lengths_m = samples.map(I::length_m);
-        let slope = (lengths_m[2] - lengths_m[0]) / (2.0 * half_m);
-        let mut piece =
-            Self { values: [[Complex64::ZERO; 4]; 3], half_m, wavenumber_per_m, middle_length_m: lengths_m[1], slope };
-        piece.values = [0, 1, 2].map(|i| piece.value(integrand, samples[i], (i as f64 - 1.0) * half_m));
-        piece
+/// Weights of the quadratic through three values, at the quarters.
+const AT_QUARTERS: [[f64; 3]; 2] = [[0.375, 0.75, -0.125], [-0.125, 0.75, 0.375]];
+
+impl<'a, I: Integrand> Piece<'a, I> {
+    fn new(integrand: &'a I, samples: &'a [I::Sample; 3], half_m: f64) -> Self {
+        let [start_m, middle_length_m, end_m] = [0, 1, 2].map(|i| I::length_m(&samples[i]));
+        let slope = (end_m - start_m) / (2.0 * half_m);
+        let bend_m = 0.5 * (start_m + end_m) - middle_length_m;
+        Self { integrand, samples, half_m, middle_length_m, slope, bend_m }
     }
 
-    /// weight·e^{−jk(L − linear part)} at `at_m` from the middle.
-    fn value<I: Integrand>(&self, integrand: &I, sample: &I::Sample, at_m: f64) -> [Complex64; 4] {
-        let remainder_m = I::length_m(sample) - self.middle_length_m - self.slope * at_m;
-        let turned = Complex64::cis(-self.wavenumber_per_m * remainder_m);
-        integrand.weights(sample, self.wavenumber_per_m).map(|weight| weight * turned)
+    /// L in the middle.
+    pub(crate) fn length_m(&self) -> f64 {
+        self.middle_length_m
+    }
+
+    /// How far L of other points is from that.
+    pub(crate) fn extent_m(&self) -> f64 {
+        self.slope.abs() * self.half_m + self.bend_m.abs()
+    }
+
+    /// weight·e^{−jk(L − linear part)} at the ends and in the middle.
+    fn values(&self, wavenumber_per_m: f64) -> [[Complex64; 4]; 3] {
+        let turned = Complex64::cis(-wavenumber_per_m * self.bend_m);
+        let at = |i: usize| self.integrand.weights(&self.samples[i], wavenumber_per_m);
+        [at(0).map(|weight| weight * turned), at(1), at(2).map(|weight| weight * turned)]
     }
 
     /// Greatest difference between a quarter's value and the quadratic.
-    fn missed_by<I: Integrand>(&self, quarter: &I::Sample, integrand: &I, index: usize) -> f64 {
-        let side = if index == 0 { -0.5 } else { 0.5 };
-        let value = self.value(integrand, quarter, side * self.half_m);
-        let basis = [0.5 * side * (side - 1.0), 1.0 - side * side, 0.5 * side * (side + 1.0)];
-        let missed = |e: usize| ((0..3).map(|i| basis[i] * self.values[i][e]).sum::<Complex64>() - value[e]).norm();
-        (0..4).map(missed).fold(0.0, f64::max)
+    fn missed_by(&self, quarters: &[I::Sample; 2], wavenumber_per_m: f64) -> f64 {
+        let values = self.values(wavenumber_per_m);
+        let missed = |(i, quarter): (usize, &I::Sample)| {
+            let linear_m = self.middle_length_m + self.slope * (i as f64 - 0.5) * self.half_m;
+            let turned = Complex64::cis(-wavenumber_per_m * (I::length_m(quarter) - linear_m));
+            let value = self.integrand.weights(quarter, wavenumber_per_m).map(|weight| weight * turned);
+            let quadratic = |e: usize| (0..3).map(|n| AT_QUARTERS[i][n] * values[n][e]).sum::<Complex64>();
+            (0..4).map(|e| (quadratic(e) - value[e]).norm()).fold(0.0, f64::max)
+        };
+        quarters.iter().enumerate().map(missed).fold(0.0, f64::max)
     }
 
-    /// Adds ∫ quadratic·e^{−jkL}, the phase of the middle included.
-    fn add_to(&self, sum: &mut [Complex64; 4]) {
-        let [m0, m1, m2] = moments(self.wavenumber_per_m * self.slope * self.half_m);
-        let odd = Complex64::new(0.0, -m1);
-        let nodes = [0.5 * (m2 - odd), Complex64::from(m0 - m2), 0.5 * (m2 + odd)];
-        let scale = Complex64::from_polar(self.half_m, -self.wavenumber_per_m * self.middle_length_m);
-        for (e, total) in sum.iter_mut().enumerate() {
-            *total += scale * (0..3).map(|i| nodes[i] * self.values[i][e]).sum::<Complex64>();
+    /// Adds ∫ quadratic·e^{−jkL} for every wavenumber, the phase of the middle included.
+    pub(crate) fn add_to(&self, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {
+        for (k, sum) in wavenumbers_per_m.iter().zip(sums) {
+            let [m0, m1, m2] = moments(k * self.slope * self.half_m);
+            let odd = Complex64::new(0.0, -m1);
+            let nodes = [0.5 * (m2 - odd), Complex64::from(m0 - m2), 0.5 * (m2 + odd)];
+            let scale = Complex64::from_polar(self.half_m, -k * self.middle_length_m);
+            let values = self.values(*k);
+            for (e, total) in sum.iter_mut().enumerate() {
+                *total += scale * (0..3).map(|i| nodes[i] * values[i][e]).sum::<Complex64>();
+            }
         }
     }
 }

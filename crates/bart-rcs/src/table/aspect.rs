@@ -97,16 +97,14 @@ pub(crate) fn scattering(
     let chosen = ends.met(1, settings.nodes, settings);
     let integrate_seconds = start.elapsed().as_secs_f64();
     let [dropped_m, dropped_at_most_m] = dropped(ends.trees(), &chosen, settings);
-    let chosen_m: Vec<Vec<Complex64>> = chosen.into_iter().map(|order| order.s_m).collect();
     let start = Instant::now();
-    let finer = AspectSettings { accuracy: 0.1 * settings.accuracy, ..settings.clone() };
-    let error_power = (checks.integrals == Check::Measured)
-        .then(|| power_between(&chosen_m, &ends.orders(1, settings.nodes, &finer)));
+    let error_power = (checks.integrals == Check::Measured).then(|| ends.error_power(&chosen, aspect, settings));
     let edges_power = (checks.model == Check::Measured).then(|| ends.edges_power(settings)).flatten();
     let (other_m, left_out_power) = match checks.model {
-        Check::Measured => (Some(ends.by_other_rule(&chosen_m, settings)?), ends.left_out_power(settings)),
+        Check::Measured => (Some(ends.by_other_rule(&chosen, settings)?), ends.left_out_power(settings)),
         Check::Skipped => (None, None),
     };
+    let chosen_m: Vec<Vec<Complex64>> = chosen.into_iter().map(|order| order.s_m).collect();
     Ok(Scattering {
         chosen_m,
         other_m,
@@ -154,45 +152,60 @@ impl<'a> Ends<'a> {
     }
 
     fn met(&self, from: u8, rule: NodeRule, settings: &AspectSettings) -> Vec<OfOrder> {
-        let transmit = self.transmit.tree();
-        let trees = self.receive.as_ref().map_or(Trees::Shared(transmit), |tree| Trees::Apart(transmit, tree.tree()));
-        let scatterer = Scatterer::new(self.world, trees, self.zenith_h);
+        let scatterer = self.scatterer();
         (from..=settings.bounces).map(|order| of_order(&scatterer, order, rule, settings)).collect()
     }
 
+    fn scatterer(&self) -> Scatterer<'_> {
+        let transmit = self.transmit.tree();
+        let trees = self.receive.as_ref().map_or(Trees::Shared(transmit), |tree| Trees::Apart(transmit, tree.tree()));
+        Scatterer::new(self.world, trees, self.zenith_h)
+    }
+
+    /// |S − S(ten times finer)|² over frequency; of the edges alone where facets are exact.
+    fn error_power(&self, chosen: &[OfOrder], aspect: &Aspect, settings: &AspectSettings) -> f64 {
+        let finer = AspectSettings { accuracy: 0.1 * settings.accuracy, ..settings.clone() };
+        let of =
+            |part: fn(&OfOrder) -> &Vec<Complex64>| chosen.iter().map(|order| part(order).clone()).collect::<Vec<_>>();
+        if aspect.is_near() || self.world.skin_error() > 0.0 {
+            return power_between(&of(|order| &order.s_m), &self.orders(1, settings.nodes, &finer));
+        }
+        let scatterer = self.scatterer();
+        let edges = |order: u8| edges_of_order(&scatterer, order, &finer);
+        power_between(&of(|order| &order.edges_m), &(1..=settings.bounces).map(edges).collect::<Vec<_>>())
+    }
+
+    /// Edges are no mirrors: what they add is the same by any rule.
     fn by_other_rule(
         &mut self,
-        chosen_m: &[Vec<Complex64>],
+        chosen: &[OfOrder],
         settings: &AspectSettings,
     ) -> Result<Vec<Vec<Complex64>>, BartError> {
         let other = other(settings.nodes);
         self.grow_to(tree_order(settings.bounces, other))?;
         // One bounce has one node.
-        let mut other_m = chosen_m[..chosen_m.len().min(1)].to_vec();
-        other_m.extend(self.orders(2, other, settings));
+        let mut other_m: Vec<_> = chosen.iter().take(1).map(|order| order.s_m.clone()).collect();
+        let facets = self.orders(2, other, &AspectSettings { edges: Edges::Ignored, ..settings.clone() });
+        let both = |(facets_m, order): (&Vec<Complex64>, &OfOrder)| {
+            facets_m.iter().zip(&order.edges_m).map(|(facets, edges)| facets + edges).collect()
+        };
+        other_m.extend(facets.iter().zip(chosen.iter().skip(1)).map(both));
         Ok(other_m)
     }
 
     /// |S|² of the edges seen straight at the middle frequency, where they are left out and cheap to ask for.
     fn edges_power(&self, settings: &AspectSettings) -> Option<f64> {
-        let (p, q) = settings.polarization.indices();
         let wavenumber_per_m = *settings.wavenumbers_per_m.get(settings.wavenumbers_per_m.len() / 2)?;
         if settings.edges == Edges::FirstOrder || self.world.facets().len() > FACETS_WITH_CHEAP_EDGES {
             return None;
         }
-        let transmit = self.transmit.tree();
-        let trees = self.receive.as_ref().map_or(Trees::Shared(transmit), |tree| Trees::Apart(transmit, tree.tree()));
-        let scatterer = Scatterer::new(self.world, trees, self.zenith_h);
-        let least_area_m2 = settings.trace.least_area_m2;
-        let edges = Edges::FirstOrder;
-        let what = MeetingSettings { nodes: settings.nodes, edges, least_area_m2, wavenumber_per_m };
-        let integration = Integration {
-            wavenumbers_per_m: &[wavenumber_per_m],
+        let cheap = AspectSettings {
+            wavenumbers_per_m: vec![wavenumber_per_m],
+            edges: Edges::FirstOrder,
             accuracy: EDGES_LEFT_OUT_ACCURACY,
-            bracket: bracket_of(settings.nodes),
+            ..settings.clone()
         };
-        let s = sum_of_edges(&scatterer, &edge_meetings(&scatterer, 1, &what), DVec3::ZERO, &integration);
-        Some(s[0][p][q].norm_sqr())
+        Some(edges_of_order(&self.scatterer(), 1, &cheap)[0].norm_sqr())
     }
 
     /// |S|² over frequency of the order after the last, if the trees hold its nodes.
@@ -225,23 +238,39 @@ pub(crate) fn other(rule: NodeRule) -> NodeRule {
 /// One order's S over frequency, in the polarization asked for.
 fn of_order(scatterer: &Scatterer<'_>, order: u8, rule: NodeRule, settings: &AspectSettings) -> OfOrder {
     let (p, q) = settings.polarization.indices();
-    let integration = Integration {
-        wavenumbers_per_m: &settings.wavenumbers_per_m,
-        accuracy: settings.accuracy,
-        bracket: bracket_of(rule),
-    };
-    let least_area_m2 = settings.trace.least_area_m2;
-    let wavenumber_per_m = settings.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
-    let what = MeetingSettings { nodes: rule, edges: settings.edges, least_area_m2, wavenumber_per_m };
-    let meeting = Meeting::of(scatterer, order, &what);
-    let s_m = meeting.sum(scatterer, DVec3::ZERO, &integration).iter().map(|s| s[p][q]).collect();
-    OfOrder { s_m, given_up: meeting.facets.given_up }
+    let meeting = Meeting::of(scatterer, order, &settings.meeting(rule));
+    let sums = meeting.sums(scatterer, DVec3::ZERO, &settings.integration(rule));
+    let [mut s_m, edges_m] = sums.map(|sum| sum.iter().map(|s| s[p][q]).collect::<Vec<_>>());
+    s_m.iter_mut().zip(&edges_m).for_each(|(s, edges)| *s += edges);
+    OfOrder { s_m, edges_m, given_up: meeting.facets.given_up }
+}
+
+/// What edges add to one order.
+fn edges_of_order(scatterer: &Scatterer<'_>, order: u8, settings: &AspectSettings) -> Vec<Complex64> {
+    let (p, q) = settings.polarization.indices();
+    let edges = edge_meetings(scatterer, order, &settings.meeting(settings.nodes));
+    let sum = sum_of_edges(scatterer, &edges, DVec3::ZERO, &settings.integration(settings.nodes));
+    sum.iter().map(|s| s[p][q]).collect()
+}
+
+impl AspectSettings {
+    fn meeting(&self, nodes: NodeRule) -> MeetingSettings {
+        let wavenumber_per_m = self.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
+        let least_area_m2 = self.trace.least_area_m2;
+        MeetingSettings { nodes, edges: self.edges, least_area_m2, wavenumber_per_m }
+    }
+
+    fn integration(&self, nodes: NodeRule) -> Integration<'_> {
+        Integration { wavenumbers_per_m: &self.wavenumbers_per_m, accuracy: self.accuracy, bracket: bracket_of(nodes) }
+    }
 }
 
 /// What one order adds.
 struct OfOrder {
     /// S over frequency.
     s_m: Vec<Complex64>,
+    /// What of it is due to edges.
+    edges_m: Vec<Complex64>,
     /// Of overlaps, as in [`Joints::given_up`](crate::joins::join::Joints).
     given_up: [f64; 2],
 }

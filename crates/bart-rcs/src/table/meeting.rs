@@ -4,7 +4,8 @@ use crate::edges::edge_scattering::{edge_meetings, sum_of_edges};
 use crate::edges::lit_edge::EdgeJoint;
 use crate::joins::join::Joints;
 use crate::joins::scatterer::{Integration, Scatterer};
-use crate::table::joint_sum::{add, sum_of_joints};
+use crate::table::band::add;
+use crate::table::joint_sum::sum_of_joints;
 use artifact::paths::Amplitude;
 use artifact::settings::{Edges, NodeRule};
 use glam::DVec3;
@@ -41,8 +42,19 @@ impl Meeting {
         origin_m: DVec3,
         integration: &Integration<'_>,
     ) -> Vec<Amplitude> {
-        let mut total = sum_of_joints(scatterer, &self.facets, origin_m, integration);
-        add(&mut total, &sum_of_edges(scatterer, &self.edges, origin_m, integration));
+        let [mut total, edges] = self.sums(scatterer, origin_m, integration);
+        add(&mut total, &edges);
         total
+    }
+
+    /// The same of facets, and of edges.
+    pub(crate) fn sums(
+        &self,
+        scatterer: &Scatterer<'_>,
+        origin_m: DVec3,
+        integration: &Integration<'_>,
+    ) -> [Vec<Amplitude>; 2] {
+        let facets = sum_of_joints(scatterer, &self.facets, origin_m, integration);
+        [facets, sum_of_edges(scatterer, &self.edges, origin_m, integration)]
     }
 }
