@@ -6,7 +6,7 @@ pub(crate) fn install() {
         artifact::envelope::abandon_all();
         crate::output::abandon_all();
         crate::progress::finish();
-        eprintln!("interrupted; whole frames are kept, the next run goes on from there");
+        eprintln!("interrupted; whole frames and aspects are kept, the next run goes on from there");
         std::process::exit(130);
     };
     if let Err(error) = ctrlc::set_handler(handler) {

@@ -8,6 +8,7 @@ mod output;
 mod progress;
 mod memory;
 mod cache;
+mod checkpoint;
 mod keys;
 mod stages;
 mod plan;

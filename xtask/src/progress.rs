@@ -52,11 +52,18 @@ pub(crate) struct Work {
     name: String,
     last_line: Mutex<Instant>,
     started: Instant,
+    /// Steps that an earlier run has done.
+    found: usize,
 }
 
 impl Work {
     /// Begins work of the given name; a previous bar is removed.
     pub(crate) fn begin(name: impl Into<String>) -> Self {
+        Self::resumed(name, 0)
+    }
+
+    /// The same where so many steps are there already.
+    pub(crate) fn resumed(name: impl Into<String>, found: usize) -> Self {
         let name = name.into();
         finish();
         if voice() == Voice::Bar {
@@ -65,7 +72,7 @@ impl Work {
             bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
             *BAR.lock().unwrap_or_else(PoisonError::into_inner) = Some(bar);
         }
-        Self { name, last_line: Mutex::new(Instant::now()), started: Instant::now() }
+        Self { name, last_line: Mutex::new(Instant::now()), started: Instant::now(), found }
     }
 
     /// `done` of `of` steps are done; callable from any thread.
@@ -89,7 +96,8 @@ impl Work {
             return;
         }
         *last = Instant::now();
-        let left = self.started.elapsed().as_secs_f64() * (of - done.min(of)) as f64 / done as f64;
+        let here = done.saturating_sub(self.found).max(1);
+        let left = self.started.elapsed().as_secs_f64() * (of - done.min(of)) as f64 / here as f64;
         eprintln!("{}: {done} of {of}, about {left:.0} s left", self.name);
     }
 }

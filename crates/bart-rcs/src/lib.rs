@@ -68,4 +68,6 @@ pub use geometry::plane::Plane;
 pub use memory::{MemoryLimit, memory_estimate_bytes};
 pub use surface::skin::{Role, Skin};
 pub use table::contributions::{Contribution, contributions};
-pub use table::rcs_table::{RcsRequest, RcsResult, RcsSeconds, Standpoint, rcs, rcs_within};
+pub use table::far_field_error::{FarFieldError, Spread};
+pub use table::keeper::{Keeper, NothingKept, Piece};
+pub use table::rcs_table::{RcsRequest, RcsResult, RcsSeconds, Standpoint, Surroundings, rcs, rcs_within};

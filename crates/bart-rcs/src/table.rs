@@ -4,5 +4,7 @@ pub(crate) mod band; // many frequencies from few
 pub(crate) mod joint_sum; // of all joints of one order
 pub(crate) mod meeting; // of both ends, in ways of one order
 pub(crate) mod aspect; // S at one aspect, by order and node rule
+pub(crate) mod keeper; // what is done of a table, for another run
+pub(crate) mod far_field_error; // what a far-field table misses near by
 pub(crate) mod rcs_table; // S over frequency and aspect
 pub(crate) mod contributions; // S of one aspect by facet sequence

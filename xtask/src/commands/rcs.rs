@@ -6,19 +6,22 @@ mod pictures;
 mod references;
 
 use super::export::{NpyStream, sidecar};
+use crate::checkpoint::Checkpoint;
 use crate::cli::{
     EdgesWord, MethodWord, NodesWord, PolarizationWord, RcsArguments, SidesWord, SurfaceWord, TransmissionWord,
 };
 use crate::failure::Failure;
 use crate::output;
-use crate::progress::Work;
+use crate::progress::{self, Work};
+use crate::stages::Stage;
 use answer::Answer;
 use artifact::Accuracy;
+use artifact::envelope::fingerprint;
 use artifact::material::{MaterialMap, Transmission};
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
-use bart_rcs::{RcsRequest, Standpoint};
+use bart_rcs::{RcsRequest, Standpoint, Surroundings};
 use num_complex::Complex64;
 use std::path::Path;
 use std::time::Instant;
@@ -28,27 +31,43 @@ pub(crate) fn run(arguments: &RcsArguments) -> Result<(), Failure> {
     let request = request(arguments)?;
     let mesh = dressed(mesh(&arguments.mesh, arguments.unit_scale)?, arguments)?;
     let load = start.elapsed().as_secs_f64();
+    let checkpoint = checkpoint(arguments, &mesh, &request);
     let answer = match arguments.method {
-        MethodWord::Bart => traced(&mesh, &request)?,
-        MethodWord::Po | MethodWord::Sbr => references::answer(arguments, &mesh, &request)?,
+        MethodWord::Bart => traced(&mesh, &request, &checkpoint)?,
+        MethodWord::Po | MethodWord::Sbr => references::answer(arguments, &mesh, &request, &checkpoint)?,
     };
     let shape = [request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len()];
     NpyStream::write::<Complex64>(&arguments.out, &shape, |stream| stream.append(&answer.amplitude_m))?;
+    let answer = Answer { cached: checkpoint.aspects(), ..answer };
     let described = answer.json(arguments, &mesh, load, start.elapsed().as_secs_f64());
     let text = serde_json::to_string_pretty(&described).map_err(Failure::refused)?;
     output::write_file(&sidecar(&arguments.out), text.as_bytes())?;
+    checkpoint.finish();
     if arguments.pictures {
         pictures::write(&arguments.out, &mesh, &request, &answer.amplitude_m)?;
         pictures::write_facets(&arguments.out, &mesh, &request)?;
     }
-    answer.tell(&arguments.out);
+    answer.tell(arguments, &mesh);
     Ok(())
 }
 
-fn traced(mesh: &Mesh, request: &RcsRequest) -> Result<Answer, Failure> {
-    let work = Work::begin("rcs");
+/// What is done of this very table, by these very sources.
+fn checkpoint(arguments: &RcsArguments, mesh: &Mesh, request: &RcsRequest) -> Checkpoint {
+    let sources = Stage::BartRcs.sources();
+    let method = format!("{:?} {:?} {request:?}", arguments.method, arguments.density);
+    let checkpoint = Checkpoint::open(&arguments.out, &fingerprint(&(sources, mesh, method)));
+    if checkpoint.aspects() > 0 {
+        let of = request.elevation_rad.len() * request.azimuth_rad.len();
+        progress::note(format!("resumed: {} of {of} aspects were there", checkpoint.aspects()));
+    }
+    checkpoint
+}
+
+fn traced(mesh: &Mesh, request: &RcsRequest, checkpoint: &Checkpoint) -> Result<Answer, Failure> {
+    let work = Work::resumed("rcs", checkpoint.aspects());
     let progress = |done: usize, of: usize| work.at(done, of);
-    bart_rcs::rcs_within(mesh, request, crate::memory::limit(), &progress)
+    let memory_limit = crate::memory::limit();
+    bart_rcs::rcs_within(mesh, request, &Surroundings { memory_limit, keeper: checkpoint, progress: &progress })
         .map(Answer::of_bart)
         .map_err(Failure::refused)
 }

@@ -9,8 +9,9 @@ use crate::integral::polarization::zenith_h;
 use crate::joins::join::{Trees, tree_order};
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_order};
 use crate::surface::skin::Skin;
+use crate::table::far_field_error::Compared;
 use crate::table::meeting::{Meeting, MeetingSettings};
-use crate::table::rcs_table::next_order;
+use crate::table::rcs_table::{next_order, ratio};
 use artifact::rcs::{RcsFrame, RcsTable};
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, TargetKind};
 use artifact::units::SPEED_OF_LIGHT_MPS;
@@ -76,8 +77,7 @@ struct Powers {
     by_order: Vec<f64>,
     /// Frozen shadows at the end of the sweep.
     freezing: f64,
-    /// Difference from the spherical wave, and that wave's own power: the truth that a relative error is told of. Over the
-    /// table's power the figure would stop at 0 dB where the table is far too strong (a 1.5 m plate at 25 m: +35 dB).
+    /// Difference from the spherical wave, and that wave's own power: the truth that a relative error is told of.
     far_field: f64,
     spherical: f64,
 }
@@ -141,13 +141,14 @@ impl<'a> Body<'a> {
         let frozen = self.sums(&scatterer.turned_to(last_r), &meetings, &wavenumbers);
         let anew = self.anew(Antenna::Direction(last_r), last, &wavenumbers)?;
         let spherical = self.anew(Antenna::Point(middle), middle, &wavenumbers)?;
+        let near = Compared::of(&table, &spherical);
         let weight = middle.length().powi(-4);
         Ok(Powers {
             total: weight * power(&table),
             by_order: by_order.iter().map(|s| weight * power(s)).collect(),
             freezing: weight * difference(&frozen, &anew),
-            far_field: weight * difference(&table, &spherical),
-            spherical: weight * power(&spherical),
+            far_field: weight * near.difference,
+            spherical: weight * near.spherical,
         })
     }
 
@@ -302,11 +303,6 @@ fn total(by_order: &[Vec<Complex64>], count: usize) -> Vec<Complex64> {
 
 fn power(values: &[Complex64]) -> f64 {
     values.iter().map(|s| s.norm_sqr()).sum()
-}
-
-/// Amplitude ratio of two powers; 0 of nothing.
-fn ratio(part: f64, whole: f64) -> f64 {
-    if whole > 0.0 { (part / whole).sqrt() } else { 0.0 }
 }
 
 fn difference(a: &[Complex64], b: &[Complex64]) -> f64 {

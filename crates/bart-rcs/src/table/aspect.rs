@@ -49,7 +49,7 @@ pub(crate) struct Scattering {
     /// By order from 1, then frequency: the rule asked for.
     pub(crate) chosen_m: Vec<Vec<Complex64>>,
     /// The same by the other rule, where it was measured.
-    other_m: Option<Vec<Vec<Complex64>>>,
+    pub(crate) other_m: Option<Vec<Vec<Complex64>>>,
     /// |S − S(ten times finer)|² over frequency, where it was measured.
     pub(crate) error_power: Option<f64>,
     /// |S|² over frequency of the first order that is left out, where it was measured.

@@ -10,6 +10,8 @@ use crate::joins::scatterer::check_order;
 use crate::memory::{MemoryLimit, memory_estimate_bytes};
 use crate::surface::skin::Skin;
 use crate::table::aspect::{Aspect, AspectSettings, Check, Checks, Scattering, scattering};
+use crate::table::far_field_error::{FarFieldError, far_field_error};
+use crate::table::keeper::{Keeper, NothingKept, Piece};
 use artifact::material::{Makeup, Material, Transmission};
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
@@ -84,6 +86,8 @@ pub struct RcsResult {
     pub node_spread: Vec<f64>,
     /// Largest sum over one aspect of what dropped beams could scatter at most, over the table's root mean square |S|.
     pub dropped_at_most: f64,
+    /// What the table errs by at the ranges of a road; `None` where it is of a finite range, or too small to measure it.
+    pub far_field: Option<FarFieldError>,
 }
 
 /// Seconds of work by phase.
@@ -112,18 +116,24 @@ pub fn rcs(
     request: &RcsRequest,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<RcsResult, BartError> {
-    rcs_within(mesh, request, MemoryLimit::NONE, progress)
+    rcs_within(mesh, request, &Surroundings { memory_limit: MemoryLimit::NONE, keeper: &NothingKept, progress })
 }
 
-/// The same within a limit of memory: a mesh that is expected to need more is refused before it is traced, and trees that
-/// grow beyond their share are given up with an error.
-pub fn rcs_within(
-    mesh: &Mesh,
-    request: &RcsRequest,
-    limit: MemoryLimit,
-    progress: &(dyn Fn(usize, usize) + Sync),
-) -> Result<RcsResult, BartError> {
+/// What a table is made in.
+pub struct Surroundings<'a> {
+    /// A mesh that is expected to need more is refused before it is traced, and trees that grow beyond their share are given
+    /// up with an error.
+    pub memory_limit: MemoryLimit,
+    /// Aspects that it has are not made again; the result is the same to the byte.
+    pub keeper: &'a dyn Keeper,
+    /// Hears (aspects done, aspects).
+    pub progress: &'a (dyn Fn(usize, usize) + Sync),
+}
+
+/// The same in surroundings that may limit it and keep what is done.
+pub fn rcs_within(mesh: &Mesh, request: &RcsRequest, surroundings: &Surroundings<'_>) -> Result<RcsResult, BartError> {
     check(request)?;
+    let limit = surroundings.memory_limit;
     let start = Instant::now();
     let aspects = aspects(request);
     let at_a_time = aspects.len().min(rayon::current_num_threads());
@@ -139,17 +149,22 @@ pub fn rcs_within(
     let asked = request.accuracy.amplitude().max(1e-8);
     // Bounds of bent facets are far above their errors, which cancel from facet to facet: spheres asked for -20 dB have -64 dB.
     let mut accuracy = if world.skin_error() > 0.0 { 10.0 * asked } else { asked };
+    let mut pass = 0;
     loop {
         let settings = aspect_settings(request, &world, accuracy);
-        let table = sweep(&world, &aspects, &settings, progress)?;
+        let table = sweep(&world, &aspects, &settings, surroundings, pass)?;
         let integration = measured_error(&table);
         if integration <= asked || accuracy < 1e-4 * asked {
             let mut result = result(request, &table, integration, build);
             result.error.tessellation = tessellation(request, &world);
             result.model_error.transmission = transmission_left_out(mesh, request, &aspects, &settings, &table)?;
+            let start = Instant::now();
+            result.far_field = far_field_error(&world, request, &settings, &table)?;
+            result.seconds.check += start.elapsed().as_secs_f64();
             return Ok(result);
         }
         accuracy *= 0.1;
+        pass += 1;
     }
 }
 
@@ -212,6 +227,13 @@ impl RcsRequest {
     /// k = 2πf/c.
     pub(crate) fn wavenumbers_per_m(&self) -> Vec<f64> {
         self.frequency_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect()
+    }
+
+    /// The same with antennas that are infinitely far at this range instead.
+    pub(crate) fn at_range(&self, range_m: f64) -> Self {
+        let moved = |at: f64| if at.is_finite() { at } else { range_m };
+        let receiver = self.receiver.map(|r| Standpoint { range_m: moved(r.range_m), ..r });
+        Self { range_m: moved(self.range_m), receiver, ..self.clone() }
     }
 }
 
@@ -281,8 +303,10 @@ fn sweep(
     world: &World,
     aspects: &[Aspect],
     settings: &AspectSettings,
-    progress: &(dyn Fn(usize, usize) + Sync),
+    surroundings: &Surroundings<'_>,
+    pass: u32,
 ) -> Result<Vec<Scattering>, BartError> {
+    let Surroundings { keeper, progress, .. } = surroundings;
     let done = AtomicUsize::new(0);
     let stride = aspects.len().div_ceil(COMPARED_ASPECTS);
     let checked = [0, aspects.len() / 2, aspects.len().saturating_sub(1)];
@@ -292,7 +316,11 @@ fn sweep(
         let measured = |is_measured| if is_measured { Check::Measured } else { Check::Skipped };
         let checks =
             Checks { integrals: measured(checked.contains(&index) && !is_exact), model: measured(index % stride == 0) };
-        let found = scattering(world, aspect, settings, checks);
+        let piece = Piece { pass, aspect: index as u32 };
+        let found = keeper.kept(piece).and_then(Scattering::from_bytes).map_or_else(
+            || scattering(world, aspect, settings, checks).inspect(|done| keeper.keep(piece, &done.to_bytes())),
+            Ok,
+        );
         progress(done.fetch_add(1, Ordering::Relaxed) + 1, aspects.len());
         found
     };
@@ -318,7 +346,7 @@ fn measured_error(table: &[Scattering]) -> f64 {
 const RAYLEIGH_95: f64 = 1.730_818;
 
 /// Amplitude ratio of two powers; 0 of nothing.
-fn ratio(part: f64, whole: f64) -> f64 {
+pub(crate) fn ratio(part: f64, whole: f64) -> f64 {
     if whole > 0.0 { (part / whole).sqrt() } else { 0.0 }
 }
 
@@ -358,6 +386,7 @@ fn result(request: &RcsRequest, table: &[Scattering], integration: f64, build: f
         },
         node_spread: (0..orders).map(|order| spread(&|s| s.order_spread_power(order))).collect(),
         dropped_at_most: ratio(most_m * most_m, power / table.len() as f64),
+        far_field: None,
     }
 }
 

@@ -4,13 +4,12 @@ use crate::cli::RcsArguments;
 use crate::output;
 use crate::summary::{error_db, model_error_db};
 use artifact::scene::Mesh;
-use artifact::units::{db_from_amplitude, db_from_power};
+use artifact::units::{SPEED_OF_LIGHT_MPS, db_from_amplitude, db_from_power};
 use artifact::{ErrorBudget, ModelError};
-use bart_rcs::RcsResult;
+use bart_rcs::{FarFieldError, RcsResult, Spread};
 use clap::ValueEnum;
 use num_complex::Complex64;
 use serde_json::{Value, json};
-use std::path::Path;
 
 /// S and the figures beside it, by whatever method.
 pub(super) struct Answer {
@@ -23,6 +22,10 @@ pub(super) struct Answer {
     pub(super) model_error: ModelError,
     pub(super) node_spread: Vec<f64>,
     pub(super) dropped_at_most: Option<f64>,
+    pub(super) far_field: Option<FarFieldError>,
+    pub(super) check_seconds: f64,
+    /// Aspects that an interrupted run had done.
+    pub(super) cached: usize,
 }
 
 impl Answer {
@@ -37,6 +40,9 @@ impl Answer {
             model_error: result.model_error,
             node_spread: result.node_spread,
             dropped_at_most: Some(result.dropped_at_most),
+            far_field: result.far_field,
+            check_seconds: result.seconds.check,
+            cached: 0,
         }
     }
 
@@ -52,18 +58,22 @@ impl Answer {
             "mesh": { "triangles_read": s.triangles_read, "degenerate": s.degenerate, "open_edges": s.open_edges,
                 "triangles_traced": mesh.triangles.len() },
             "seconds": { "load": load, "build": self.build_seconds, "trace": self.trace_seconds,
-                "integrate": self.integrate_seconds, "total": total },
+                "integrate": self.integrate_seconds, "check": self.check_seconds, "total": total },
+            "cached": self.cached,
             "beams": self.beams,
             "peak_memory_mib": crate::memory::peak_mib(),
             "error_db": error_db(&self.error),
             "model_error_db": model_error_db(&self.model_error),
             "node_spread_db": spread,
             "dropped_at_most_db": self.dropped_at_most.map(db_from_amplitude),
+            "far_field_from_m": arguments.range_m.is_infinite().then(|| far_field_from_m(mesh, &frequency_hz)),
+            "far_field_error": self.far_field.as_ref().map(far_field_error),
         })
     }
 
     /// Level and errors, for a person.
-    pub(super) fn tell(&self, out: &Path) {
+    pub(super) fn tell(&self, arguments: &RcsArguments, mesh: &Mesh) {
+        let out = &arguments.out;
         let powers = || self.amplitude_m.iter().map(|s| s.norm_sqr());
         let mean = powers().sum::<f64>() / self.amplitude_m.len().max(1) as f64;
         let (mean, peak) = (db_from_power(mean), db_from_power(powers().fold(0.0, f64::max)));
@@ -81,7 +91,53 @@ impl Answer {
         if let Some(dropped) = self.dropped_at_most {
             output::line(format!("dropped beams scatter at most: {}", decibels(dropped)));
         }
+        if arguments.range_m.is_infinite() {
+            output::line(self.warning(arguments, mesh));
+        }
     }
+
+    /// What a far-field table is not: said by every run that makes one.
+    fn warning(&self, arguments: &RcsArguments, mesh: &Mesh) -> String {
+        let frequency_hz: Vec<f64> = arguments.freq_ghz.values.iter().map(|f| f * 1e9).collect();
+        let from_m = far_field_from_m(mesh, &frequency_hz);
+        let Some(error) = &self.far_field else {
+            return format!("far field: right from 2D²/λ = {from_m:.0} m on; its error near by was not measured");
+        };
+        let listed = |digits: usize, of: &mut dyn Iterator<Item = f64>| {
+            of.map(|value| format!("{value:.digits$}")).collect::<Vec<_>>().join(", ")
+        };
+        format!(
+            "far field: right from 2D²/λ = {from_m:.0} m on; at {} m its complex error is {} dB and its level is off by {} dB \
+             (medians of {} aspects; worst {} dB, {} dB)",
+            listed(0, &mut error.range_m.iter().copied()),
+            listed(1, &mut error.complex.iter().map(|s| db_from_amplitude(s.median))),
+            listed(1, &mut error.level_db.iter().map(|s| s.median)),
+            error.aspects,
+            listed(1, &mut error.complex.iter().map(|s| db_from_amplitude(s.worst))),
+            listed(1, &mut error.level_db.iter().map(|s| s.worst)),
+        )
+    }
+}
+
+/// 2D²/λ at the highest frequency, D the diagonal of the box about the mesh.
+fn far_field_from_m(mesh: &Mesh, frequency_hz: &[f64]) -> f64 {
+    let side_m = |axis: usize| {
+        let along = || mesh.vertices_m.iter().map(|v| v[axis]);
+        along().fold(f64::MIN, f64::max) - along().fold(f64::MAX, f64::min)
+    };
+    let highest_hz = frequency_hz.iter().copied().fold(0.0, f64::max);
+    2.0 * (0..3).map(|axis| side_m(axis).powi(2)).sum::<f64>() * highest_hz / SPEED_OF_LIGHT_MPS
+}
+
+fn far_field_error(error: &FarFieldError) -> Value {
+    let complex = |of: fn(&Spread) -> f64| error.complex.iter().map(|s| db_from_amplitude(of(s))).collect::<Vec<_>>();
+    let level = |of: fn(&Spread) -> f64| error.level_db.iter().map(of).collect::<Vec<_>>();
+    json!({
+        "range_m": error.range_m,
+        "complex_db": complex(|s| s.median), "complex_worst_db": complex(|s| s.worst),
+        "level_db": level(|s| s.median), "level_worst_db": level(|s| s.worst),
+        "aspects": error.aspects, "frequencies": error.frequencies,
+    })
 }
 
 /// An amplitude relative to the level.

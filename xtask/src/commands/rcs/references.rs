@@ -1,6 +1,7 @@
 //! `rcs --method po` and `--method sbr`: the slow references, aspect by aspect.
 
 use super::answer::Answer;
+use crate::checkpoint::Checkpoint;
 use crate::cli::{MethodWord, RcsArguments};
 use crate::failure::Failure;
 use crate::progress::Work;
@@ -9,28 +10,40 @@ use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Surface};
 use artifact::{ErrorBudget, ModelError};
 use bart_rcs::reference::{Aspect, Bracket, ReferenceError, po, sbr};
-use bart_rcs::{RcsRequest, Standpoint};
+use bart_rcs::{Keeper, Piece, RcsRequest, Standpoint};
 use num_complex::Complex64;
 use std::time::Instant;
 
 /// Halvings of a cell that a shadow's border crosses (`reference::po`).
 const SHADOW_LEVELS: u32 = 3;
 
-pub(super) fn answer(arguments: &RcsArguments, mesh: &Mesh, request: &RcsRequest) -> Result<Answer, Failure> {
+pub(super) fn answer(
+    arguments: &RcsArguments,
+    mesh: &Mesh,
+    request: &RcsRequest,
+    checkpoint: &Checkpoint,
+) -> Result<Answer, Failure> {
     check(request)?;
     let start = Instant::now();
-    let work = Work::begin("rcs");
+    let work = Work::resumed("rcs", checkpoint.aspects());
     let (elevations, azimuths) = (&request.elevation_rad, &request.azimuth_rad);
     let aspects = elevations.len() * azimuths.len();
     let mut table = vec![Complex64::ZERO; request.frequency_hz.len() * aspects];
     let (receive, transmit) = request.polarization.indices();
     let pairs = elevations.iter().flat_map(|el| azimuths.iter().map(move |az| (*el, *az)));
     for (number, (elevation_rad, azimuth_rad)) in pairs.enumerate() {
-        let aspect = aspect(request, elevation_rad, azimuth_rad);
-        let amplitudes = amplitudes(arguments, mesh, request, &aspect).map_err(Failure::refused)?;
-        for (f, amplitude) in amplitudes.iter().enumerate() {
-            table[f * aspects + number] = amplitude[receive][transmit];
-        }
+        let piece = Piece { pass: 0, aspect: number as u32 };
+        let values = match checkpoint.kept(piece) {
+            Some(bytes) => from_bytes(bytes),
+            None => {
+                let aspect = aspect(request, elevation_rad, azimuth_rad);
+                let amplitudes = amplitudes(arguments, mesh, request, &aspect).map_err(Failure::refused)?;
+                let values: Vec<Complex64> = amplitudes.iter().map(|a| a[receive][transmit]).collect();
+                checkpoint.keep(piece, &to_bytes(&values));
+                values
+            }
+        };
+        values.iter().enumerate().for_each(|(f, value)| table[f * aspects + number] = *value);
         work.at(number + 1, aspects);
     }
     Ok(Answer {
@@ -43,7 +56,19 @@ pub(super) fn answer(arguments: &RcsArguments, mesh: &Mesh, request: &RcsRequest
         model_error: ModelError::default(),
         node_spread: vec![],
         dropped_at_most: None,
+        far_field: None,
+        check_seconds: 0.0,
+        cached: 0,
     })
+}
+
+fn to_bytes(values: &[Complex64]) -> Vec<u8> {
+    values.iter().flat_map(|s| [s.re, s.im]).flat_map(f64::to_le_bytes).collect()
+}
+
+fn from_bytes(bytes: &[u8]) -> Vec<Complex64> {
+    let numbers: Vec<f64> = bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
+    numbers.as_chunks().0.iter().map(|[re, im]| Complex64::new(*re, *im)).collect()
 }
 
 /// The references know flat facets and no edges; what they cannot do is refused, not ignored.

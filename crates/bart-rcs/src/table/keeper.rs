@@ -1,0 +1,170 @@
+//! What a table that is made in several runs leaves to the next one.
+
+use crate::table::aspect::Scattering;
+use num_complex::Complex64;
+
+/// Keeps the aspects of a table as they are done, for a run that goes on where another one ended.
+///
+/// Nothing is checked here: a keeper answers only with bytes that it was given for the same mesh, the same request and the
+/// same program.
+pub trait Keeper: Sync {
+    /// What was kept of a piece; `None` makes it anew.
+    fn kept(&self, piece: Piece) -> Option<&[u8]>;
+    /// A piece that has just been done.
+    fn keep(&self, piece: Piece, bytes: &[u8]);
+}
+
+/// An aspect of a table, which may be integrated again and finer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Piece {
+    /// How often the whole table was integrated before.
+    pub pass: u32,
+    /// Row-major `[elevation, azimuth]`.
+    pub aspect: u32,
+}
+
+/// Every run begins anew.
+pub struct NothingKept;
+
+impl Keeper for NothingKept {
+    fn kept(&self, _: Piece) -> Option<&[u8]> {
+        None
+    }
+
+    fn keep(&self, _: Piece, _: &[u8]) {}
+}
+
+impl Scattering {
+    /// Every number exactly, little endian.
+    pub(crate) fn to_bytes(&self) -> Vec<u8> {
+        let mut words = Words::default();
+        words.orders(&self.chosen_m);
+        words.option(self.other_m.as_ref(), |words, orders| words.orders(orders));
+        for power in [self.error_power, self.left_out_power, self.edges_power] {
+            words.option(power, |words, power| words.number(power));
+        }
+        words.count(self.beams.len());
+        self.beams.iter().for_each(|n| words.0.push(*n));
+        [self.dropped_m, self.dropped_at_most_m].iter().for_each(|m| words.number(*m));
+        [self.trace_seconds, self.integrate_seconds, self.check_seconds].iter().for_each(|s| words.number(*s));
+        words.0.iter().flat_map(|word| word.to_le_bytes()).collect()
+    }
+
+    /// `None` unless these are exactly the bytes of one.
+    pub(crate) fn from_bytes(bytes: &[u8]) -> Option<Self> {
+        let mut words = Reading { left: bytes };
+        let found = Self {
+            chosen_m: words.orders()?,
+            other_m: words.option(Reading::orders)?,
+            error_power: words.option(Reading::number)?,
+            left_out_power: words.option(Reading::number)?,
+            edges_power: words.option(Reading::number)?,
+            beams: words.list(Reading::word)?,
+            dropped_m: words.number()?,
+            dropped_at_most_m: words.number()?,
+            trace_seconds: words.number()?,
+            integrate_seconds: words.number()?,
+            check_seconds: words.number()?,
+        };
+        words.left.is_empty().then_some(found)
+    }
+}
+
+/// Numbers of 64 bits in a row.
+#[derive(Default)]
+struct Words(Vec<u64>);
+
+impl Words {
+    fn count(&mut self, count: usize) {
+        self.0.push(count as u64);
+    }
+
+    fn number(&mut self, number: f64) {
+        self.0.push(number.to_bits());
+    }
+
+    fn option<T>(&mut self, value: Option<T>, add: impl FnOnce(&mut Self, T)) {
+        self.count(usize::from(value.is_some()));
+        if let Some(value) = value {
+            add(self, value);
+        }
+    }
+
+    fn orders(&mut self, orders: &Vec<Vec<Complex64>>) {
+        self.count(orders.len());
+        for order in orders {
+            self.count(order.len());
+            order.iter().flat_map(|s| [s.re, s.im]).for_each(|part| self.number(part));
+        }
+    }
+}
+
+/// What is not read yet of [`Words`].
+struct Reading<'a> {
+    left: &'a [u8],
+}
+
+impl Reading<'_> {
+    fn word(&mut self) -> Option<u64> {
+        let (word, left) = self.left.split_first_chunk()?;
+        self.left = left;
+        Some(u64::from_le_bytes(*word))
+    }
+
+    fn number(&mut self) -> Option<f64> {
+        self.word().map(f64::from_bits)
+    }
+
+    fn option<T>(&mut self, value: impl FnOnce(&mut Self) -> Option<T>) -> Option<Option<T>> {
+        match self.word()? {
+            0 => Some(None),
+            1 => value(self).map(Some),
+            _ => None,
+        }
+    }
+
+    /// A length cannot claim more than is there: every element takes a word.
+    fn list<T>(&mut self, mut element: impl FnMut(&mut Self) -> Option<T>) -> Option<Vec<T>> {
+        let count = usize::try_from(self.word()?).ok().filter(|count| *count <= self.left.len() / size_of::<u64>())?;
+        (0..count).map(|_| element(self)).collect()
+    }
+
+    fn orders(&mut self) -> Option<Vec<Vec<Complex64>>> {
+        self.list(|words| words.list(|words| Some(Complex64::new(words.number()?, words.number()?))))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scattering() -> Scattering {
+        let order = |of: f64| vec![Complex64::new(of, -0.0), Complex64::new(1.0 / 3.0, f64::MIN_POSITIVE)];
+        Scattering {
+            chosen_m: vec![order(1.0), order(-2.5)],
+            other_m: Some(vec![order(0.1), vec![]]),
+            error_power: None,
+            left_out_power: Some(1e-300),
+            edges_power: Some(0.0),
+            beams: vec![7, u64::MAX],
+            dropped_m: 1e-9,
+            dropped_at_most_m: 2e-9,
+            trace_seconds: 0.5,
+            integrate_seconds: 0.25,
+            check_seconds: 0.0,
+        }
+    }
+
+    #[test]
+    fn an_aspect_comes_back_from_its_bytes_to_the_bit_and_from_no_others() {
+        let whole = scattering();
+        let bytes = whole.to_bytes();
+        let back = Scattering::from_bytes(&bytes).unwrap();
+        assert_eq!(format!("{back:?}"), format!("{whole:?}"));
+        assert_eq!(back.to_bytes(), bytes);
+        (0..bytes.len()).for_each(|cut| assert!(Scattering::from_bytes(&bytes[..cut]).is_none(), "{cut}"));
+        assert!(Scattering::from_bytes(&[bytes.as_slice(), &[0; 8]].concat()).is_none());
+        let claims_too_much = [&u64::MAX.to_le_bytes(), &bytes[8..]].concat();
+        assert!(Scattering::from_bytes(&claims_too_much).is_none());
+    }
+}

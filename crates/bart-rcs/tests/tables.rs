@@ -1,0 +1,129 @@
+//! Tables over aspect: made in one run or in several, and what they are not good for.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+
+mod bodies;
+
+use artifact::Accuracy;
+use artifact::radar::Polarization;
+use artifact::scene::Mesh;
+use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use bart_rcs::{
+    Keeper, MemoryLimit, NothingKept, Piece, RcsRequest, RcsResult, RcsSeconds, Surroundings, rcs, rcs_within,
+};
+use bodies::car;
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+use std::sync::Mutex;
+
+/// `count` azimuths over the circle, far away, three bounces.
+fn request(count: usize, accuracy_db: f64) -> RcsRequest {
+    RcsRequest {
+        frequency_hz: vec![76.5e9, 77e9, 77.5e9],
+        elevation_rad: vec![0.1],
+        azimuth_rad: (0..count).map(|i| TAU * i as f64 / count as f64).collect(),
+        range_m: f64::INFINITY,
+        receiver: None,
+        polarization: Polarization::Vv,
+        bounces: 3,
+        nodes: NodeRule::OwnEdge,
+        sides: Sides::Two,
+        edges: Edges::Ignored,
+        surface: Surface::Flat,
+        accuracy: Accuracy::from_db(accuracy_db),
+    }
+}
+
+/// What was given and what is given.
+#[derive(Default)]
+struct Memory {
+    found: BTreeMap<Piece, Vec<u8>>,
+    made: Mutex<BTreeMap<Piece, Vec<u8>>>,
+}
+
+impl Keeper for Memory {
+    fn kept(&self, piece: Piece) -> Option<&[u8]> {
+        self.found.get(&piece).map(Vec::as_slice)
+    }
+
+    fn keep(&self, piece: Piece, bytes: &[u8]) {
+        self.made.lock().unwrap().insert(piece, bytes.to_vec());
+    }
+}
+
+fn made_with(mesh: &Mesh, request: &RcsRequest, keeper: &dyn Keeper) -> RcsResult {
+    let surroundings = Surroundings { memory_limit: MemoryLimit::NONE, keeper, progress: &|_, _| () };
+    RcsResult { seconds: RcsSeconds::default(), ..rcs_within(mesh, request, &surroundings).unwrap() }
+}
+
+/// Runs once, then again from some of its pieces.
+fn resumed(mesh: &Mesh, request: &RcsRequest) -> BTreeMap<Piece, Vec<u8>> {
+    let first = Memory::default();
+    let whole = made_with(mesh, request, &first);
+    assert_eq!(whole, made_with(mesh, request, &NothingKept), "keeping changes something");
+    let all = first.made.into_inner().unwrap();
+    let parts: [fn(usize) -> bool; 4] = [|i| i < 1, |i| i % 3 == 1, |i| i != 5, |_| true];
+    for (number, part) in parts.into_iter().enumerate() {
+        let found: BTreeMap<_, _> =
+            all.clone().into_iter().enumerate().filter(|(i, _)| part(*i)).map(|(_, entry)| entry).collect();
+        let (there, of) = (found.len(), all.len());
+        let keeper = Memory { found, made: Mutex::default() };
+        assert_eq!(made_with(mesh, request, &keeper), whole, "part {number}");
+        let made = keeper.made.into_inner().unwrap().len();
+        println!("{there} of {of} pieces were there, {made} made");
+        assert_eq!(made, of - there);
+    }
+    all
+}
+
+#[test]
+fn a_table_that_goes_on_from_some_of_its_aspects_is_the_same_to_the_bit() {
+    let far = request(48, -20.0);
+    assert_eq!(resumed(&car(12).mesh(), &far).len(), 48);
+    // Near by, the errors of the integrals at three of the aspects are part of what is kept.
+    let near = RcsRequest { range_m: 5.0, bounces: 2, ..request(6, -20.0) };
+    assert_eq!(resumed(&car(6).mesh(), &near).len(), 6);
+}
+
+#[test]
+fn damaged_bytes_of_a_keeper_are_made_anew() {
+    let (mesh, request) = (car(6).mesh(), request(3, -20.0));
+    let first = Memory::default();
+    let whole = made_with(&mesh, &request, &first);
+    let cut = |bytes: Vec<u8>| bytes[..bytes.len() - 8].to_vec();
+    let found = first.made.into_inner().unwrap().into_iter().map(|(piece, bytes)| (piece, cut(bytes))).collect();
+    let keeper = Memory { found, made: Mutex::default() };
+    assert_eq!(made_with(&mesh, &request, &keeper), whole);
+    assert_eq!(keeper.made.into_inner().unwrap().len(), 3);
+}
+
+/// The plate of docs/physics.md §0, 1.5 m seen square: 66.23 dBsm far away, 31.59 at 25 m, 37.35 at 40 m.
+#[test]
+fn a_far_field_table_says_what_it_errs_by_near_by() {
+    let plate = Mesh {
+        vertices_m: vec![[0.0, -0.75, -0.75], [0.0, 0.75, -0.75], [0.0, 0.75, 0.75], [0.0, -0.75, 0.75]],
+        triangles: vec![[0, 1, 2], [0, 2, 3]],
+        ..Mesh::default()
+    };
+    // 41 aspects within a hundredth of the lobe's width λ/2D.
+    let square = RcsRequest {
+        frequency_hz: vec![77e9],
+        elevation_rad: vec![0.0],
+        azimuth_rad: (0..41).map(|i| 1e-5 * f64::from(i - 20) / 20.0).collect(),
+        bounces: 1,
+        ..request(1, -40.0)
+    };
+    let of = |request: &RcsRequest| rcs(&plate, request, &|_, _| ()).unwrap().far_field;
+    let found = of(&square).unwrap();
+    for (range_m, level_db) in [(25.0, 66.23 - 31.59), (40.0, 66.23 - 37.35)] {
+        let at = found.range_m.iter().position(|r| *r == range_m).unwrap();
+        let (level, complex) = (found.level_db[at].median, 20.0 * found.complex[at].median.log10());
+        println!("{range_m} m: asked {level_db:.2} dB, got {level:.2}; complex {complex:.2} dB");
+        // Closed forms to two digits, and the spherical wave integrated to 1 %: 0.09 dB.
+        assert!((level - level_db).abs() < 0.1);
+        // |far − near| is |far| to the share of near, −29 dB: 0.3 dB.
+        assert!((complex - level_db).abs() < 0.1 + 0.32);
+    }
+    assert_eq!((found.aspects, found.frequencies), (1, 1));
+    assert_eq!(of(&RcsRequest { range_m: 30.0, ..square.clone() }), None, "it is right at its range");
+    assert_eq!(of(&RcsRequest { azimuth_rad: vec![0.0; 39], ..square }), None, "too small to bear the cost");
+}
