@@ -3,6 +3,7 @@
 pub(crate) mod depth_order; // which of two facets is in front, decided once
 pub(crate) mod view; // from where and through which hole
 pub(crate) mod shadow; // what one facet hides
+pub(crate) mod projected_triangle; // and whether two are apart
 pub(crate) mod projection_grid; // what may stand before what in a direct view
 pub(crate) mod sheets; // what waves have passed
 pub(crate) mod visibility; // what a view shows

@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let result = rcs(&mesh, &request, &|_, _| ())?;
     let all_s = processor_seconds()? - start_s;
     println!("{file}: {} triangles, beams {:?}", mesh.triangles.len(), result.beams);
-    println!("processor seconds: tree of the middle node {traced_s:.3}, everything with its checks {all_s:.3}");
+    println!("processor seconds: tree {traced_s:.3}, everything with its checks {all_s:.3}");
     println!("{:?}", result.seconds);
     let s = result.amplitude_m[0];
     println!("S {s:.12e}, {:.6} dBsm, by order:", units::db_from_amplitude(s.norm()));
@@ -34,7 +34,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// Processor seconds of the tree that the middle node rule needs.
+/// Processor seconds of the tree that own-edge nodes need.
 fn traced(mesh: &Mesh, request: &RcsRequest) -> Result<f64, Box<dyn std::error::Error>> {
     let world = World::of_mesh(mesh)?;
     let (azimuth, elevation) = (request.azimuth_rad[0], request.elevation_rad[0]);
@@ -42,7 +42,7 @@ fn traced(mesh: &Mesh, request: &RcsRequest) -> Result<f64, Box<dyn std::error::
     let antenna = if request.range_m.is_finite() { Antenna::Point(request.range_m * r) } else { Antenna::Direction(r) };
     let least_area_m2 = 1e-2 * (units::SPEED_OF_LIGHT_MPS / 77e9).powi(2) * request.accuracy.amplitude();
     let settings = TraceSettings {
-        max_order: request.bounces / 2 + 1,
+        max_order: request.bounces,
         sides: request.sides,
         least_area_m2,
         least_mirror_area_m2: 100.0 * least_area_m2,
@@ -72,7 +72,7 @@ fn request(azimuth_deg: f64, range_m: f64, frequencies: usize, bounces: u8) -> R
         receiver: None,
         polarization: Polarization::Vv,
         bounces,
-        nodes: NodeRule::Middle,
+        nodes: NodeRule::OwnEdge,
         sides: Sides::Two,
         edges: Edges::Ignored,
         surface: Surface::Flat,

@@ -1,28 +1,46 @@
 //! Facets sorted by where an antenna sees them: what may hide a polygon shares a cell of a grid across the view with it.
 //!
-//! A box across the view is as tight around a facet as the view can tell, a box in space is not: for the shadow on each
-//! facet of a van of 55,000 the hierarchy proposes 86 others, the grid 40. Like the hierarchy it decides nothing.
+//! A box across the view is as tight around a facet as the view can tell, a box in space is not. Cells come in sizes that
+//! double; a facet is listed where the cells are just larger than it is, so in four at most: details crowd in few places of the
+//! view, and panels that span hundreds of details are listed once. Like the hierarchy it decides nothing.
 
+use crate::beams::projected_triangle::ProjectedTriangle;
 use crate::beams::shadow::Shadow;
 use crate::beams::view::View;
 use crate::geometry::antenna::Antenna;
-use glam::{DVec2, DVec3};
-use std::ops::{ControlFlow, Range};
+use glam::{DVec2, DVec3, Vec4};
+use std::ops::ControlFlow;
 
-/// Shadows of a direct view by the cells that they reach.
+/// Shadows of a view by the cells that they reach.
 pub(crate) struct ProjectionGrid {
-    /// Boxes in units of the cells, in the order of the shadows.
+    /// Boxes in units of the finest cells, in the order of the shadows.
     boxes: Vec<Extent>,
-    columns: usize,
-    /// Where each cell's entries begin, row by row, and where the last one's end.
+    /// In the same units and order.
+    triangles: Vec<ProjectedTriangle>,
+    /// From the finest on.
+    levels: Vec<Level>,
+    /// Where each cell's entries begin, level by level and row by row, and where the last one's end.
     starts: Vec<u32>,
     /// By cell, the nearest first.
     entries: Vec<Entry>,
 }
 
-/// Where a facet appears: in units of the cells, and its depth in metres.
+/// Cells of one size.
+#[derive(Debug, Clone, Copy)]
+struct Level {
+    /// Cells per finest cell.
+    scale: f64,
+    columns: usize,
+    /// Its first cell among those of all levels.
+    first: usize,
+}
+
+/// Where a facet appears: in units of the finest cells, and its depth in metres.
 #[derive(Debug, Clone, Copy)]
 struct Extent {
+    corners: [DVec2; 3],
+    /// How far off the corners may be.
+    slack: f64,
     low: DVec2,
     high: DVec2,
     near_m: f64,
@@ -32,11 +50,18 @@ struct Extent {
 /// As much of a box as the search looks at, small: single precision, rounded outwards.
 #[derive(Debug, Clone, Copy)]
 struct Entry {
+    /// Low x, low y, −high x, −high y: one instruction compares two boxes.
+    bounds: Vec4,
     slot: u32,
     first_cell: [u16; 2],
-    low: [f32; 2],
-    high: [f32; 2],
     near_m: f32,
+}
+
+/// Columns and rows of cells, both ends included.
+#[derive(Debug, Clone, Copy)]
+struct Cells {
+    first: [usize; 2],
+    last: [usize; 2],
 }
 
 /// A facet whose depths differ by more than this factor from another's, or that reaches behind the antenna, has no place on
@@ -44,11 +69,11 @@ struct Entry {
 const NEAREST_OF_FARTHEST: f64 = 1e-3;
 /// Details crowd in few places of the view: with more cells than facets there, most cells are empty and few are crowded.
 const CELLS_PER_FACET: f64 = 8.0;
-/// Entries per facet that a grid may hold at most; else its cells are made larger.
-const ENTRIES_PER_FACET: usize = 16;
+/// Finest cells per facet that are looked at at most; else they are made larger.
+const LOOKS_PER_FACET: usize = 64;
 
 impl ProjectionGrid {
-    /// Of all shadows of a direct view; `None` where the antenna stands among the facets.
+    /// Of all shadows of a view; `None` where the antenna stands among the facets.
     pub(crate) fn over(shadows: &[Shadow], view: &View) -> Option<Self> {
         let boxes = projected(shadows, view)?;
         let across = boxes.iter().map(|b| (b.low, b.high)).reduce(|(a, b), (c, d)| (a.min(c), b.max(d)));
@@ -60,10 +85,10 @@ impl ProjectionGrid {
         }
         loop {
             let scaled: Vec<Extent> = boxes.iter().map(|b| b.in_cells(low, cell)).collect();
-            let [columns, rows] = ((span / cell).floor() + 1.0).to_array().map(|n| n as usize);
-            let entries: usize = scaled.iter().map(Extent::cell_count).sum();
-            if entries <= ENTRIES_PER_FACET * shadows.len() && columns.max(rows) <= usize::from(u16::MAX) {
-                return Some(Self::filled(scaled, columns, rows));
+            let looks: usize = scaled.iter().map(|b| Cells::of(b, 1.0).count()).sum();
+            let size = span / cell;
+            if looks <= LOOKS_PER_FACET * shadows.len() && size.max_element() < f64::from(u16::MAX) {
+                return Some(Self::filled(scaled, size));
             }
             cell *= 2.0;
         }
@@ -72,85 +97,137 @@ impl ProjectionGrid {
     /// Calls `visit` with the slot of every shadow that may lie before the one in `slot`, until it breaks.
     pub(crate) fn visit_before(&self, slot: u32, mut visit: impl FnMut(u32) -> ControlFlow<()>) -> ControlFlow<()> {
         let extent = &self.boxes[slot as usize];
-        let target = Entry::of(slot, extent);
-        let far_m = (extent.far_m as f32).next_up();
-        for (column, row) in extent.cells() {
-            for entry in &self.entries[self.cell(column, row)] {
-                if entry.near_m > far_m {
-                    break;
-                }
-                // A pair meets in many cells; it counts in the first that both reach.
-                let first = |axis: usize| usize::from(entry.first_cell[axis].max(target.first_cell[axis]));
-                if entry.overlaps(&target) && column == first(0) && row == first(1) {
-                    visit(entry.slot)?;
+        let triangle = &self.triangles[slot as usize];
+        // From the largest on: one of them may hide all.
+        for level in self.levels.iter().rev() {
+            let cells = Cells::of(extent, level.scale);
+            let target = Entry::of(slot, extent, &cells);
+            let most = target.most();
+            for (column, row) in cells.all() {
+                for entry in self.before(level.cell(column, row), extent) {
+                    // A pair meets in many cells; it counts in the first that both reach.
+                    let first = |axis: usize| usize::from(entry.first_cell[axis].max(target.first_cell[axis]));
+                    if entry.bounds.cmple(most).all()
+                        && column == first(0)
+                        && row == first(1)
+                        && !triangle.is_apart_from(&self.triangles[entry.slot as usize])
+                    {
+                        visit(entry.slot)?;
+                    }
                 }
             }
         }
         ControlFlow::Continue(())
     }
 
-    fn filled(boxes: Vec<Extent>, columns: usize, rows: usize) -> Self {
-        let mut starts = vec![0_u32; columns * rows + 1];
-        let cells = |b: Extent| b.cells().map(move |(column, row)| row * columns + column);
-        boxes.iter().copied().flat_map(cells).for_each(|cell| starts[cell + 1] += 1);
-        (0..columns * rows).for_each(|cell| starts[cell + 1] += starts[cell]);
+    /// Of the entries of a cell those that begin nearer than a box ends.
+    fn before(&self, cell: usize, extent: &Extent) -> impl Iterator<Item = &Entry> {
+        let far_m = (extent.far_m as f32).next_up();
+        let entries = &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize];
+        entries.iter().take_while(move |entry| entry.near_m <= far_m)
+    }
+
+    fn filled(boxes: Vec<Extent>, size: DVec2) -> Self {
+        let levels = levels(size);
+        let count = levels.last().map_or(0, |last| last.first + last.cells_in(size));
+        let own: Vec<(&Level, Cells)> = boxes.iter().map(|b| b.listed(&levels)).collect();
+        let mut starts = vec![0_u32; count + 1];
+        let cells = |slot: usize| {
+            own[slot].1.all().map({
+                let level = own[slot].0;
+                move |(column, row)| level.cell(column, row)
+            })
+        };
+        (0..boxes.len()).flat_map(cells).for_each(|cell| starts[cell + 1] += 1);
+        (0..count).for_each(|cell| starts[cell + 1] += starts[cell]);
         let mut by_depth: Vec<u32> = (0..boxes.len() as u32).collect();
         by_depth.sort_by(|&a, &b| boxes[a as usize].near_m.total_cmp(&boxes[b as usize].near_m));
-        let nothing = Entry { slot: 0, first_cell: [0; 2], low: [0.0; 2], high: [0.0; 2], near_m: 0.0 };
-        let mut entries = vec![nothing; starts[columns * rows] as usize];
+        let nothing = Entry { bounds: Vec4::ZERO, slot: 0, first_cell: [0; 2], near_m: 0.0 };
+        let mut entries = vec![nothing; starts[count] as usize];
         let mut next = starts.clone();
         for slot in by_depth {
-            let extent = boxes[slot as usize];
-            for cell in cells(extent) {
-                entries[next[cell] as usize] = Entry::of(slot, &extent);
+            let entry = Entry::of(slot, &boxes[slot as usize], &own[slot as usize].1);
+            for cell in cells(slot as usize) {
+                entries[next[cell] as usize] = entry;
                 next[cell] += 1;
             }
         }
-        Self { boxes, columns, starts, entries }
+        let triangles =
+            boxes.iter().map(|b| ProjectedTriangle::new(b.corners, size.max_element() + 1.0, b.slack)).collect();
+        Self { boxes, triangles, levels, starts, entries }
+    }
+}
+
+/// From the finest cells to one that holds the view.
+fn levels(size: DVec2) -> Vec<Level> {
+    let mut levels = Vec::new();
+    let (mut scale, mut first) = (1.0, 0);
+    loop {
+        let level = Level { scale, columns: (size.x * scale) as usize + 1, first };
+        levels.push(level);
+        if (size.max_element() * scale) < 1.0 {
+            return levels;
+        }
+        first += level.cells_in(size);
+        scale *= 0.5;
+    }
+}
+
+impl Level {
+    fn cell(&self, column: usize, row: usize) -> usize {
+        self.first + row * self.columns + column
     }
 
-    fn cell(&self, column: usize, row: usize) -> Range<usize> {
-        let cell = row * self.columns + column;
-        self.starts[cell] as usize..self.starts[cell + 1] as usize
+    fn cells_in(&self, size: DVec2) -> usize {
+        self.columns * ((size.y * self.scale) as usize + 1)
+    }
+}
+
+impl Cells {
+    fn of(extent: &Extent, scale: f64) -> Self {
+        let at = |x: DVec2| (x * scale).to_array().map(|x| x as usize);
+        Self { first: at(extent.low), last: at(extent.high) }
+    }
+
+    fn all(self) -> impl Iterator<Item = (usize, usize)> {
+        let ([column, row], [last_column, last_row]) = (self.first, self.last);
+        (row..=last_row).flat_map(move |row| (column..=last_column).map(move |column| (column, row)))
+    }
+
+    fn count(&self) -> usize {
+        (self.last[0] - self.first[0] + 1).saturating_mul(self.last[1] - self.first[1] + 1)
     }
 }
 
 impl Extent {
     fn in_cells(&self, origin: DVec2, cell: f64) -> Self {
-        Self { low: (self.low - origin) / cell, high: (self.high - origin) / cell, ..*self }
+        let scaled = |x: DVec2| (x - origin) / cell;
+        let corners = self.corners.map(scaled);
+        Self { corners, slack: self.slack / cell, low: scaled(self.low), high: scaled(self.high), ..*self }
     }
 
-    fn first_cell(&self) -> [usize; 2] {
-        self.low.to_array().map(|x| x as usize)
-    }
-
-    fn cells(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
-        let ([column, row], [last_column, last_row]) = (self.first_cell(), self.high.to_array().map(|x| x as usize));
-        (row..=last_row).flat_map(move |row| (column..=last_column).map(move |column| (column, row)))
-    }
-
-    fn cell_count(&self) -> usize {
-        let ([column, row], [last_column, last_row]) = (self.first_cell(), self.high.to_array().map(|x| x as usize));
-        (last_column - column + 1).saturating_mul(last_row - row + 1)
+    /// Where it is listed: in the finest cells that are not smaller.
+    fn listed<'l>(&self, levels: &'l [Level]) -> (&'l Level, Cells) {
+        let longest = (self.high - self.low).max_element();
+        let index = levels.partition_point(|level| longest * level.scale > 1.0).min(levels.len() - 1);
+        (&levels[index], Cells::of(self, levels[index].scale))
     }
 }
 
 impl Entry {
-    fn of(slot: u32, extent: &Extent) -> Self {
+    fn of(slot: u32, extent: &Extent, cells: &Cells) -> Self {
+        let ([low_x, low_y], [high_x, high_y]) = (extent.low.to_array(), extent.high.to_array());
         Self {
+            bounds: Vec4::from_array([low_x, low_y, -high_x, -high_y].map(|x| (x as f32).next_down())),
             slot,
-            first_cell: extent.first_cell().map(|n| n as u16),
-            low: extent.low.to_array().map(|x| (x as f32).next_down()),
-            high: extent.high.to_array().map(|x| (x as f32).next_up()),
+            first_cell: cells.first.map(|n| n as u16),
             near_m: (extent.near_m as f32).next_down(),
         }
     }
 
-    fn overlaps(&self, other: &Self) -> bool {
-        self.low[0] <= other.high[0]
-            && other.low[0] <= self.high[0]
-            && self.low[1] <= other.high[1]
-            && other.low[1] <= self.high[1]
+    /// The bounds that another's may not exceed if both overlap: high x, high y, −low x, −low y.
+    fn most(&self) -> Vec4 {
+        -Vec4::new(self.bounds.z, self.bounds.w, self.bounds.x, self.bounds.y)
     }
 }
 
@@ -189,11 +266,11 @@ impl Extent {
         let (near_m, far_m) = (da.min(db).min(dc), da.max(db).max(dc));
         let slack_m = 4.0 * view.tolerance_m();
         let slack = match view.antenna {
-            Antenna::Point(_) => DVec2::splat(slack_m / near_m.max(f64::MIN_POSITIVE)),
-            Antenna::Direction(_) => DVec2::splat(slack_m),
+            Antenna::Point(_) => slack_m / near_m.max(f64::MIN_POSITIVE),
+            Antenna::Direction(_) => slack_m,
         };
         let (low, high) = (a.min(b).min(c) - slack, a.max(b).max(c) + slack);
-        Self { low, high, near_m: near_m - slack_m, far_m: far_m + slack_m }
+        Self { corners: [a, b, c], slack, low, high, near_m: near_m - slack_m, far_m: far_m + slack_m }
     }
 }
 

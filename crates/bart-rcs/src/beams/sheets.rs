@@ -42,7 +42,7 @@ pub(crate) fn parted(view: &View, parts: Parts) -> Parts {
 fn sheets_about(view: &View, polygon: &[Corner], target: &Shadow, walk: &mut Walk) -> Vec<Shadow> {
     let mut found = Vec::new();
     let planes = polygon.iter().map(|corner| corner.edge).chain([target.front]);
-    let _ = view.world.visit_inside(planes, DVec3::ZERO, walk, |facet| {
+    let _ = view.world.visit_inside(planes, None, DVec3::ZERO, walk, |facet| {
         found.extend((facet != target.facet && view.world.is_passed(facet)).then_some(facet));
         ControlFlow::Continue(())
     });

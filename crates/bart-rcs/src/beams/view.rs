@@ -61,6 +61,11 @@ impl<'w> View<'w> {
         self.world.tolerance_m()
     }
 
+    /// The antenna and what it looks through, if that is not all round.
+    pub(crate) fn opening(&self) -> Option<(Antenna, &'w [DVec3])> {
+        (!self.opening_m.is_empty()).then_some((self.antenna, self.opening_m))
+    }
+
     /// Whether a facet reaches into the view: outside no plane of the window, and with no edge that has all of the window on
     /// its far side. What is refused touches the view in rounding at most.
     pub(crate) fn reaches(&self, facet: &FacetGeometry) -> bool {

@@ -68,7 +68,7 @@ pub(crate) struct Buffers {
 
 /// Beams with more facets than this in view walk the hierarchy again for each of them; below, trying all pairs is cheaper
 /// than the walks (one walk costs about as much as a hundred pairs).
-const MANY_IN_VIEW: usize = 96;
+const MANY_IN_VIEW: usize = 24;
 const NO_SLOT: u32 = u32::MAX;
 
 impl Visibility for ByHierarchy {
@@ -92,7 +92,8 @@ impl Visibility for ByHierarchy {
     fn reflected(view: &View, buffers: &mut Buffers) -> Parts {
         buffers.gather(view);
         let Buffers { walk, shadows, slot_of_facet, cutter, .. } = buffers;
-        let table = Table { shadows, slot_of_facet, grid: None };
+        let grid = (shadows.len() > MANY_IN_VIEW).then(|| ProjectionGrid::over(shadows, view)).flatten();
+        let table = Table { shadows, slot_of_facet, grid: grid.as_ref() };
         let mut parts = Parts::default();
         for slot in 0..shadows.len() as u32 {
             see_facet(view, &table, slot, walk, cutter, &mut parts);
@@ -115,7 +116,7 @@ impl Buffers {
             }
             ControlFlow::Continue(())
         };
-        let _ = view.world.visit_inside(planes, DVec3::ZERO, &mut self.walk, found);
+        let _ = view.world.visit_inside(planes, view.opening(), DVec3::ZERO, &mut self.walk, found);
         self.found.sort_unstable();
         self.shadows.clear();
         self.shadows.extend(self.found.iter().filter_map(|&facet| Shadow::of(facet, view)));
@@ -223,9 +224,11 @@ impl Search<'_> {
         };
         let planes = self.polygon.iter().map(|corner| corner.edge).chain([front]).chain(nearer);
         let towards = self.view.antenna.towards(self.polygon[0].point_m);
-        self.view.world.visit_inside(planes, towards, walk, |facet| match self.table.slot_of_facet[facet as usize] {
-            NO_SLOT => ControlFlow::Continue(()),
-            slot => self.suspect(slot),
+        self.view.world.visit_inside(planes, None, towards, walk, |facet| {
+            match self.table.slot_of_facet[facet as usize] {
+                NO_SLOT => ControlFlow::Continue(()),
+                slot => self.suspect(slot),
+            }
         })
     }
 

@@ -4,8 +4,10 @@ use crate::bodies::road::below;
 use crate::edges::body_edges::{BodyEdges, body_edges};
 use crate::edges::world_edges::{Placed, WorldEdges};
 use crate::error::BartError;
+use crate::geometry::antenna::Antenna;
 use crate::geometry::bvh::{Hierarchy, Stack};
 use crate::geometry::plane::Plane;
+use crate::geometry::sweep::Sweep;
 use crate::memory::MemoryLimit;
 use crate::mesh::patch::Patches;
 use crate::surface::bend::Bend;
@@ -224,11 +226,12 @@ impl World {
         self.memory_limit
     }
 
-    /// Calls `visit` with every facet that may reach the positive side of all `planes` (world), body by body and about from
-    /// the far end of `nearer` on, until it breaks. Decides nothing.
+    /// Calls `visit` with every facet that may reach the positive side of all `planes` (world) and what a wave lights behind an
+    /// `opening`, body by body and about from the far end of `nearer` on, until it breaks. Decides nothing.
     pub(crate) fn visit_inside(
         &self,
         planes: impl Iterator<Item = Plane>,
+        opening: Option<(Antenna, &[DVec3])>,
         nearer: DVec3,
         walk: &mut Walk,
         mut visit: impl FnMut(u32) -> ControlFlow<()>,
@@ -238,10 +241,13 @@ impl World {
         self.bodies.iter().try_for_each(|body| {
             walk.planes_in_body.clear();
             walk.planes_in_body.extend(walk.planes.iter().map(|plane| body.plane_in_body(plane, self.tolerance_m)));
-            let nearer = body.world_from_body.transpose() * nearer;
-            let hierarchy = &body.mesh.hierarchy;
-            hierarchy
-                .inside(&walk.planes_in_body, nearer, &mut walk.stack, |triangle| visit(body.first_facet + triangle))
+            let body_from_world = body.world_from_body.transpose();
+            let sweep = opening.map(|(antenna, opening_m)| {
+                Sweep::behind(opening_m, antenna, &body_from_world, body.position_m, self.tolerance_m)
+            });
+            let nearer = body_from_world * nearer;
+            let of_body = |triangle: u32| visit(body.first_facet + triangle);
+            body.mesh.hierarchy.inside(&walk.planes_in_body, sweep.as_ref(), nearer, &mut walk.stack, of_body)
         })
     }
 

@@ -5,6 +5,7 @@
 //! precision may lose, and every decision is made again in double precision on the facets themselves.
 
 use crate::geometry::plane::Plane;
+use crate::geometry::sweep::{SlabTest, Sweep};
 use glam::{DVec3, Vec3A, Vec4};
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
@@ -67,16 +68,18 @@ impl Hierarchy {
         Self { nodes, middle_m, reach_m }
     }
 
-    /// Calls `visit` with every triangle whose box reaches the positive side of each of the `planes` (body frame), about in
-    /// the order from the far end of `nearer` on, until it breaks.
+    /// Calls `visit` with every triangle whose box reaches the positive side of each of the `planes` and the `sweep` (body
+    /// frame), about in the order from the far end of `nearer` on, until it breaks.
     pub(crate) fn inside(
         &self,
         planes: &[Plane],
+        sweep: Option<&Sweep>,
         nearer: DVec3,
         stack: &mut Stack,
         mut visit: impl FnMut(u32) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         let Stack { tests, open } = stack;
+        let slabs = sweep.map(|sweep| sweep.slabs(self.middle_m, self.reach_m));
         tests.clear();
         tests.extend(planes.iter().map(|plane| self.test(plane)));
         open.clear();
@@ -86,7 +89,7 @@ impl Hierarchy {
             match child {
                 Child::None => {}
                 Child::Triangle(triangle) => visit(triangle)?,
-                Child::Node(index) => self.nodes[index as usize].open(tests, &nearer, open),
+                Child::Node(index) => self.nodes[index as usize].open(tests, slabs.as_ref(), &nearer, open),
             }
         }
         ControlFlow::Continue(())
@@ -112,10 +115,13 @@ impl Hierarchy {
 }
 
 impl Node {
-    /// Appends the children that reach the positive side of every plane, the nearest last.
+    /// Appends the children that reach the positive side of every plane and the sweep, the nearest last.
     #[inline]
-    fn open(&self, tests: &[Test], nearer: &[Vec4; 3], open: &mut Vec<Child>) {
-        let mut outside = 0;
+    fn open(&self, tests: &[Test], slabs: Option<&SlabTest>, nearer: &[Vec4; 3], open: &mut Vec<Child>) {
+        let mut outside = slabs.map_or(0, |slabs| slabs.missed(&self.bounds));
+        if outside == 0b1111 {
+            return;
+        }
         for Test { bounds, normal, offset } in tests {
             let [x, y, z] = bounds.map(|bound| self.bounds[bound]);
             // What overflows is not a number and not outside.
@@ -222,7 +228,7 @@ mod tests {
         let planes =
             [Plane { normal: DVec3::new(0.6, 0.8, 0.0), offset_m: 1.5 }, Plane { normal: -DVec3::Z, offset_m: -1.4 }];
         let (mut stack, mut found) = (Stack::default(), Vec::new());
-        let _ = hierarchy.inside(&planes, DVec3::X, &mut stack, |triangle| {
+        let _ = hierarchy.inside(&planes, None, DVec3::X, &mut stack, |triangle| {
             found.push(triangle);
             ControlFlow::Continue(())
         });

@@ -50,8 +50,9 @@ pub(crate) fn cut(field: &Field<'_>, wavenumber_per_m: f64, accuracy: f64, give:
     let centre_m = centroid_m(&corners_m);
     let along = field.along(corners_m.iter().map(|c| *c - centre_m));
     let smooth = Smoothness::about(field, centre_m, reach_m(&corners_m, centre_m), along, wavenumber_per_m);
-    if smooth.error_of_constant() <= accuracy {
-        give(&Tile::Whole { corners_m: &corners_m, centre_m }, smooth.error_of_constant());
+    let error = smooth.error_of_constant(mean_square_m2(&corners_m, centre_m));
+    if error <= accuracy {
+        give(&Tile::Whole { corners_m: &corners_m, centre_m }, error);
         return;
     }
     let mut left: Vec<([DVec2; 3], u32)> =
@@ -125,12 +126,13 @@ impl Smoothness {
         }
     }
 
-    /// |g − g(centre)| for g = weight·e^{jψ}, ψ the phase beyond its tangent plane at the centre.
-    fn error_of_constant(&self) -> f64 {
+    /// Mean of |g − g(centre)| for g = weight·e^{jψ}, ψ the phase beyond its tangent plane at the centre: the mean of the
+    /// distance from there is at most the root of its mean square, a half or a third of the reach.
+    fn error_of_constant(&self, mean_square_m2: f64) -> f64 {
         let [_, second, third] = self.phase_derivatives;
-        let phase = (0.5 * second + third * self.reach_m / 6.0) * self.reach_m * self.reach_m;
+        let phase = (0.5 * second + third * self.reach_m / 6.0) * mean_square_m2;
         let bent = 0.5 * self.bent_phase[0] + self.bent_weight[0];
-        self.weight * (phase + self.weight_derivatives[0] * self.reach_m + bent)
+        self.weight * (phase + self.weight_derivatives[0] * mean_square_m2.sqrt() + bent)
     }
 
     /// Remainder of six-point interpolation: sup|D³g|·h³/6·Σ|x − xᵢ|³|ℓᵢ|/h³ (Ciarlet, Raviart 1972). It does not change under
@@ -157,6 +159,19 @@ impl Smoothness {
 
 /// sup Σ|x − xᵢ|³|ℓᵢ(x)|/6 over all triangles with longest edge 1 (scanned in the tests).
 const SIX_POINT_REMAINDER: f64 = 0.025;
+
+/// Mean of |x − centre|² over a polygon: for each triangle about the centre (|a|² + a·b + |b|²)/6.
+fn mean_square_m2(corners_m: &[DVec2], centre_m: DVec2) -> f64 {
+    let (mut area, mut moment) = (0.0, 0.0);
+    for (i, corner) in corners_m.iter().enumerate() {
+        let (a, b) = (*corner - centre_m, corners_m[(i + 1) % corners_m.len()] - centre_m);
+        let part = a.perp_dot(b);
+        area += part;
+        moment += part * (a.length_squared() + a.dot(b) + b.length_squared()) / 6.0;
+    }
+    let reach_m = reach_m(corners_m, centre_m);
+    if area > 0.0 { (moment / area).clamp(0.0, reach_m * reach_m) } else { reach_m * reach_m }
+}
 
 fn reach_m(corners_m: &[DVec2], centre_m: DVec2) -> f64 {
     corners_m.iter().map(|c| c.distance_squared(centre_m)).fold(0.0, f64::max).sqrt()

@@ -59,7 +59,7 @@ fn corners_on(
     let length_m = a.distance(b);
     let planes = tube_around(a, along, length_m, tolerance_m);
     let mut found: Vec<(f64, u32)> = Vec::new();
-    let _ = hierarchy.inside(&planes, along, stack, |index| {
+    let _ = hierarchy.inside(&planes, None, along, stack, |index| {
         let corner = corners[index as usize];
         let arm = points_m[corner as usize] - a;
         let at_m = arm.dot(along);

@@ -38,7 +38,7 @@ pub(crate) type Groups = BTreeMap<Place, Vec<Amplitude>>;
 /// a plane wave takes the side of a lorry as one. What turns farther is integrated at every frequency.
 const TURNS_RAD: [f64; 4] = [0.25, 1.0, 4.0, 16.0];
 /// Of a group's largest amplitude, as a part of the accuracy that its integrals are asked for.
-pub(crate) const INTERPOLATION_ERROR: f64 = 1e-3;
+pub(crate) const INTERPOLATION_ERROR: f64 = 0.01;
 
 /// Groups that turn alike.
 struct Class {
