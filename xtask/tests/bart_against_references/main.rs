@@ -116,6 +116,60 @@ fn the_table_is_made() {
     }
 }
 
+/// Both references as they grow denser, against BART and rays against rays; `WAYSIDE_CARS=NAME,NAME`.
+#[test]
+#[ignore = "prints the table of real cars of docs/validation/bart-against-references.md: an hour"]
+fn real_cars_are_compared_at_four_aspects() {
+    let names = std::env::var("WAYSIDE_CARS").unwrap_or("gazebo_prius,modern_hatchback".into());
+    let meshes = vehicles();
+    let frequencies_hz = [76.5e9, 76.83e9, 77.17e9, 77.5e9];
+    println!("| car | azimuth | method | processor seconds | order 1 | order 2 | order 3 | orders 2 and 3 |");
+    println!("|---|---|---|---|---|---|---|---|");
+    for (name, mesh) in meshes.iter().filter(|(name, _)| names.split(',').any(|asked| asked == name)) {
+        for az_deg in [0.0, 30.0, 90.0, 180.0] {
+            let place = standpoint(az_deg, 8.0, 30.0);
+            let exact = bart(mesh, place, &frequencies_hz, 3, -60.0);
+            let of_field = |order: &[num_complex::Complex64]| decibels(size(order) / size(&exact.orders[0]));
+            let levels: Vec<String> = exact.orders.iter().map(|o| format!("{:.1} dB", of_field(o))).collect();
+            println!("| {name} | {az_deg}° | level over order 1 | | {} | |", levels.join(" | "));
+            let row = |run: &Run, reference: &Run, method: &str| {
+                println!("| {name} | {az_deg}° | {method} | {:.1} | {} |", run.seconds, columns(run, reference));
+            };
+            row(&bart(mesh, place, &frequencies_hz, 3, -20.0), &exact, "BART, −20 dB asked");
+            for levels in [0, 4] {
+                let run = po(mesh, place, &frequencies_hz, 1.0, levels);
+                row(&run, &exact, &run.name);
+            }
+            let mut before: Option<Run> = None;
+            for density in [1.0, 2.0, 4.0, 8.0] {
+                let run = sbr(mesh, place, &frequencies_hz, density, 3);
+                row(&run, &exact, &run.name);
+                if let Some(coarser) = before.replace(run) {
+                    before.iter().for_each(|finer| row(&coarser, finer, "the line before the last against the last"));
+                }
+            }
+        }
+    }
+}
+
+fn size(s: &[num_complex::Complex64]) -> f64 {
+    s.iter().map(|s| s.norm_sqr()).sum::<f64>().sqrt()
+}
+
+/// Errors of orders 1, 2, 3 for themselves, and of orders 2 and 3 together.
+fn columns(run: &Run, reference: &Run) -> String {
+    let of = |order: usize| {
+        run.orders.get(order).map_or("–".into(), |s| format!("{:.1} dB", decibels(error(s, &reference.orders[order]))))
+    };
+    let both = |run: &Run| run.orders[1].iter().zip(&run.orders[2]).map(|(a, b)| a + b).collect::<Vec<_>>();
+    let together = if run.orders.len() < 3 {
+        "–".into()
+    } else {
+        format!("{:.1} dB", decibels(error(&both(run), &both(reference))))
+    };
+    [of(0), of(1), of(2), together].join(" | ")
+}
+
 /// Own vehicles, and the real ones where they are there.
 fn vehicles() -> Vec<(String, Mesh)> {
     let mut meshes: Vec<(String, Mesh)> = scene::vehicles::NAMES.map(|name| (name.to_owned(), own(name))).into();
@@ -227,14 +281,14 @@ fn the_continuity_of_a_moving_car_is_measured() {
         mesh: &mesh,
         antenna_m: glam::DVec3::new(27.0, 12.0, 5.0),
         velocity_mps: glam::DVec3::new(10.0, 0.0, 0.0),
-        frequency_hz: 24e9,
+        frequency_hz: 10e9,
         chirp_interval_s: 60e-6,
-        chirps: 64,
+        chirps: 32,
     };
     let methods: [(&str, u8, Box<Method<'_>>); 6] = [
         ("BART, three bounces, −20 dB asked", 3, Box::new(|m, p, f| bart(m, p, f, 3, -20.0))),
         ("BART, three bounces, −40 dB asked", 3, Box::new(|m, p, f| bart(m, p, f, 3, -40.0))),
-        ("po, one bounce, 2 cells per λ", 1, Box::new(|m, p, f| po(m, p, f, 2.0, 0))),
+        ("po, one bounce, 2 cells per λ, borders not halved", 1, Box::new(|m, p, f| po(m, p, f, 2.0, 0))),
         ("po, one bounce, 2 cells per λ, borders halved 3 times", 1, Box::new(|m, p, f| po(m, p, f, 2.0, 3))),
         ("sbr, three bounces, 1 ray per λ", 3, Box::new(|m, p, f| sbr(m, p, f, 1.0, 3))),
         ("sbr, three bounces, 4 rays per λ", 3, Box::new(|m, p, f| sbr(m, p, f, 4.0, 3))),
