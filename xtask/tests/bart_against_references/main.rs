@@ -136,7 +136,7 @@ fn real_cars_are_compared_at_four_aspects() {
                 println!("| {name} | {az_deg}° | {method} | {:.1} | {} |", run.seconds, columns(run, reference));
             };
             row(&bart(mesh, place, &frequencies_hz, 3, -20.0), &exact, "BART, −20 dB asked");
-            for levels in [0, 4] {
+            for levels in [0, 6, 12] {
                 let run = po(mesh, place, &frequencies_hz, 1.0, levels);
                 row(&run, &exact, &run.name);
             }
