@@ -159,7 +159,9 @@ fn size(s: &[num_complex::Complex64]) -> f64 {
 /// Errors of orders 1, 2, 3 for themselves, and of orders 2 and 3 together.
 fn columns(run: &Run, reference: &Run) -> String {
     let of = |order: usize| {
-        run.orders.get(order).map_or("–".into(), |s| format!("{:.1} dB", decibels(error(s, &reference.orders[order]))))
+        run.orders
+            .get(order)
+            .map_or("–".into(), |s| format!("{:.1} dB", decibels(error(s, &reference.orders[order]))))
     };
     let both = |run: &Run| run.orders[1].iter().zip(&run.orders[2]).map(|(a, b)| a + b).collect::<Vec<_>>();
     let together = if run.orders.len() < 3 {

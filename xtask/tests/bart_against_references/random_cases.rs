@@ -95,8 +95,10 @@ pub(crate) fn try_frame(case: u64, meshes: &[(&str, Mesh)], empty: &SceneHeader)
     for _ in 0..3 {
         let seconds = rng.random_range(0.0..header.radar.frame_duration_s());
         let frequencies_hz: Vec<f64> = (0..12).map(|_| random_frequency_hz(&header, &mut rng)).collect();
-        of_paths.extend(frequencies_hz.iter().map(|f| at(&header, &paths.paths, &pose, seconds, *f)));
-        anew.extend(traced_anew(&header, &pose, seconds, &frequencies_hz));
+        let array = &header.radar.array;
+        let pair = [&array.tx_m, &array.rx_m].map(|from| DVec3::from_array(from[rng.random_range(0..from.len())]));
+        of_paths.extend(frequencies_hz.iter().map(|f| at(&header, &paths.paths, &pose, pair, seconds, *f)));
+        anew.extend(traced_anew(&header, &pose, pair, seconds, &frequencies_hz));
     }
     FoundFrame {
         name: (*name).to_owned(),
@@ -118,11 +120,17 @@ fn origin_m(pose: &Pose, seconds: f64) -> DVec3 {
     DVec3::from_array(pose.position_m) + seconds * DVec3::from_array(pose.velocity_mps)
 }
 
-fn at(header: &SceneHeader, paths: &[artifact::paths::Path], pose: &Pose, seconds: f64, f_hz: f64) -> Complex64 {
-    let radar_m = DVec3::from_array(header.radar.position_m);
+fn at(
+    header: &SceneHeader,
+    paths: &[artifact::paths::Path],
+    pose: &Pose,
+    [transmitter_m, receiver_m]: [DVec3; 2],
+    seconds: f64,
+    f_hz: f64,
+) -> Complex64 {
     let view = PathView {
-        transmitter_m: radar_m,
-        receiver_m: radar_m,
+        transmitter_m,
+        receiver_m,
         origin_m: origin_m(pose, seconds),
         seconds,
         centre_frequency_hz: header.radar.waveform.centre_frequency_hz(),
@@ -130,17 +138,26 @@ fn at(header: &SceneHeader, paths: &[artifact::paths::Path], pose: &Pose, second
     scattering_of_paths(paths, &view, f_hz)[0][0]
 }
 
-fn traced_anew(header: &SceneHeader, pose: &Pose, seconds: f64, frequencies_hz: &[f64]) -> Vec<Complex64> {
-    let away = DVec3::from_array(header.radar.position_m) - origin_m(pose, seconds);
-    let to_radar = DMat3::from_rotation_z(-pose.yaw_rad) * away;
-    let place = Standpoint {
-        azimuth_rad: to_radar.y.atan2(to_radar.x),
-        elevation_rad: (to_radar.z / to_radar.length()).asin(),
-        range_m: to_radar.length(),
-    };
+/// Between two elements, from trees of their own.
+fn traced_anew(
+    header: &SceneHeader,
+    pose: &Pose,
+    pair_m: [DVec3; 2],
+    seconds: f64,
+    frequencies_hz: &[f64],
+) -> Vec<Complex64> {
+    let [transmitter, receiver] = pair_m.map(|antenna_m| {
+        let to_antenna = DMat3::from_rotation_z(-pose.yaw_rad) * (antenna_m - origin_m(pose, seconds));
+        Standpoint {
+            azimuth_rad: to_antenna.y.atan2(to_antenna.x),
+            elevation_rad: (to_antenna.z / to_antenna.length()).asin(),
+            range_m: to_antenna.length(),
+        }
+    });
     let fidelity = &header.fidelity;
     let finer_db = fidelity.accuracy.db() - 15.0;
-    let request = request(place, frequencies_hz, fidelity.bounces, fidelity.nodes, finer_db);
+    let request = request(transmitter, frequencies_hz, fidelity.bounces, fidelity.nodes, finer_db);
+    let request = bart_rcs::RcsRequest { receiver: Some(receiver), ..request };
     rcs(&header.meshes[0], &request, &|_, _| {}).unwrap().amplitude_m
 }
 

@@ -1,4 +1,5 @@
-//! What a frame's paths miss, measured: they are compared with the same bodies traced and integrated anew at another moment.
+//! What a frame's paths miss, measured: they are compared with the same bodies traced and integrated anew at another moment
+//! and from another element of the array.
 //!
 //! A map's error is that of its samples (Parseval), so it is enough to look at some frequencies and moments. Visibility,
 //! amplitudes and apparent velocities err in proportion to the time from the frame's middle; the moment T/√12 after it has
@@ -169,7 +170,7 @@ impl FrameError {
     ) -> Self {
         let power = power_over_frame(paths, plan);
         let relative = |part: f64| if power > 0.0 { (part / power).sqrt() } else { 0.0 };
-        let view = plan.view(plan.check_s);
+        let view = plan.check_view();
         let element = plan.header.radar.array.polarization.indices();
         let sum_of = |paths: &[Path]| element_over_band(paths, &view, element, &reference.frequencies_hz);
         let bodies = reference.total_m();

@@ -15,6 +15,7 @@ use artifact::paths::{Amplitude, Facet, MAX_ORDER, Path, PathsFrame, TraceStatis
 use artifact::scene::{Pose, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::Surface;
 use artifact::{ErrorBudget, ModelError};
+use glam::DVec3;
 use num_complex::Complex64;
 
 /// Paths of one frame from the radar's position and back, referred to the frame's first sample.
@@ -22,7 +23,8 @@ use num_complex::Complex64;
 /// The world is frozen at the frame's middle; what is lit then is lit all through. Amplitudes are fitted over the sampled
 /// sweep. A point target is a path of order 0 with +√σ in vv and hh; bodies do not hide it. Cells are as large as the
 /// accuracy asked for lets them be, by measurement: paths are compared with the bodies traced and integrated anew at
-/// another moment of the frame, and that is the error that is returned. `error.tessellation` is the bound that a smooth
+/// another moment of the frame and from another element of the array, and that is the error that is returned: shadows move with
+/// both, and the paths of one tree do not follow ("freezing"). `error.tessellation` is the bound that a smooth
 /// surface was cut to; `None` where facets are the surface itself.
 pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> Result<PathsFrame, BartError> {
     check_order(header.fidelity.bounces)?;
@@ -30,10 +32,10 @@ pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) ->
     let plan = Plan::of(header);
     // One moment's bodies and beams at a time.
     let (reference, check_bytes) = {
-        let check = Snapshot::at(models, header, frame, plan.check_s, &plan)?;
+        let check = Snapshot::at(models, header, frame, (plan.check_s, plan.check_m), &plan)?;
         (reference(&check.scatterer(&plan), &plan), check.bytes())
     };
-    let snapshot = Snapshot::at(models, header, frame, plan.middle_s, &plan)?;
+    let snapshot = Snapshot::at(models, header, frame, (plan.middle_s, plan.position_m), &plan)?;
     let points = point_paths(header, frame);
     let table = Fit::new(&snapshot.scatterer(&plan), &plan, &points, &reference).table();
     let counts = (1..=header.fidelity.bounces).map(|order| count(&table.paths, order)).collect();
@@ -56,7 +58,7 @@ pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) ->
     })
 }
 
-/// Bodies and beams of one moment.
+/// Bodies and beams of one moment and place.
 struct Snapshot {
     world: World,
     tree: BeamTree,
@@ -69,11 +71,11 @@ impl Snapshot {
         models: &Models,
         header: &SceneHeader,
         frame: &SceneFrame,
-        seconds: f64,
+        (seconds, place_m): (f64, DVec3),
         plan: &Plan<'_>,
     ) -> Result<Self, BartError> {
         let world = World::posed(models, header, frame, seconds)?;
-        let tree = BeamTree::trace(&world, Antenna::Point(plan.position_m), &plan.trace)?;
+        let tree = BeamTree::trace(&world, Antenna::Point(place_m), &plan.trace)?;
         let received = match world.road() {
             Some(_) => Some(with_image(&tree, &BeamTree::trace(&world, image(tree.antenna), &plan.trace)?)),
             None => None,

@@ -5,11 +5,11 @@ use crate::frame::frame_error::check_offset_s;
 use crate::frame::path_sum::PathView;
 use crate::joins::join::tree_order;
 use crate::table::meeting::MeetingSettings;
-use artifact::Waveform;
 use artifact::paths::Amplitude;
 use artifact::scene::SceneHeader;
 use artifact::settings::Fidelity;
 use artifact::units::SPEED_OF_LIGHT_MPS;
+use artifact::{Radar, Waveform};
 use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -23,6 +23,8 @@ pub(crate) struct Plan<'a> {
     /// After the frame's first sample: when paths are traced, and when they are checked.
     pub(crate) middle_s: f64,
     pub(crate) check_s: f64,
+    /// Where they are checked from.
+    pub(crate) check_m: DVec3,
 }
 
 impl<'a> Plan<'a> {
@@ -39,7 +41,8 @@ impl<'a> Plan<'a> {
             least_mirror_area_m2: 100.0 * least_area_m2,
         };
         let check_s = middle_s + check_offset_s(header.radar.frame_duration_s());
-        Self { header, position_m: DVec3::from_array(header.radar.position_m), band, trace, middle_s, check_s }
+        let position_m = DVec3::from_array(header.radar.position_m);
+        Self { header, position_m, band, trace, middle_s, check_s, check_m: checked_from_m(&header.radar) }
     }
 
     /// The element of a 2 × 2 amplitude that the radar's antennas send and receive: errors are told of it.
@@ -61,16 +64,37 @@ impl<'a> Plan<'a> {
         DVec3::new(-azimuth_rad.cos(), azimuth_rad.sin(), 0.0)
     }
 
-    /// Where paths are summed at a moment of the frame; R_t = R_r = 1 m, as only ratios are looked at.
+    /// Where paths are summed at a moment of the frame; R_t and R_r are about 1 m, as only ratios are looked at.
     pub(crate) fn view(&self, seconds: f64) -> PathView {
+        self.view_from(self.position_m, seconds)
+    }
+
+    /// The moment and the place of the check.
+    pub(crate) fn check_view(&self) -> PathView {
+        self.view_from(self.check_m, self.check_s)
+    }
+
+    fn view_from(&self, place_m: DVec3, seconds: f64) -> PathView {
         PathView {
-            transmitter_m: self.position_m,
-            receiver_m: self.position_m,
+            transmitter_m: place_m,
+            receiver_m: place_m,
             origin_m: self.position_m + DVec3::Y,
             seconds,
             centre_frequency_hz: self.band.centre_hz,
         }
     }
+}
+
+/// The middle of a transmitter and a receiver whose distance from the radar's position is about the root mean square of all
+/// pairs': as with time, what errs in proportion to the distance errs there as the whole array does.
+fn checked_from_m(radar: &Radar) -> DVec3 {
+    let place = |m: &[f64; 3]| DVec3::from_array(*m);
+    let centre = place(&radar.position_m);
+    let of_tx = |tx: &[f64; 3]| radar.array.rx_m.iter().map(|rx| 0.5 * (place(tx) + place(rx))).collect::<Vec<_>>();
+    let pairs: Vec<DVec3> = radar.array.tx_m.iter().flat_map(of_tx).collect();
+    let mean_square = pairs.iter().map(|p| p.distance_squared(centre)).sum::<f64>() / pairs.len().max(1) as f64;
+    let miss = |p: &DVec3| (p.distance(centre) - mean_square.sqrt()).abs();
+    pairs.into_iter().min_by(|a, b| miss(a).total_cmp(&miss(b))).unwrap_or(centre)
 }
 
 /// Sampled sweep: amplitudes are taken at the Chebyshev points of its band, where a straight line errs least.
