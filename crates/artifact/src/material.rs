@@ -98,6 +98,19 @@ impl Material {
     pub fn is_sheet(&self) -> bool {
         matches!(self, Self::Layers { backing: Backing::Air, .. })
     }
+
+    /// Whether it can be: no permittivity below that of air or with a gain, and layers with a thickness.
+    pub fn is_sound(&self) -> bool {
+        let can_be = |e: Complex64| e.is_finite() && e.re >= 1.0 && e.im <= 0.0;
+        match self {
+            Self::Conductor => true,
+            Self::HalfSpace { permittivity } => can_be(*permittivity),
+            Self::Layers { layers, .. } => {
+                let is_thick = |layer: &Layer| layer.thickness_m.is_finite() && layer.thickness_m > 0.0;
+                !layers.is_empty() && layers.iter().all(|layer| is_thick(layer) && can_be(layer.permittivity))
+            }
+        }
+    }
 }
 
 impl Makeup {

@@ -2,7 +2,8 @@
 //!
 //! A mesh, an aspect and frequencies go in, the scattering amplitude S in metres comes out, 2 × 2 over polarization. They
 //! share no visibility and no integration code with the beam tracer: rays of their own decide what is lit, and sums over
-//! small cells take the place of closed forms. They are right as their density grows, and are compared as they converge.
+//! small cells take the place of closed forms; reflection by materials has formulas of its own. They are right as their
+//! density grows, and are compared as they converge.
 //!
 //! ```
 //! use artifact::{scene::Mesh, settings::Sides};
@@ -27,6 +28,8 @@
 mod standpoint;
 mod node;
 mod ray_cast;
+mod plane_layers;
+mod coated;
 pub mod po;
 pub mod sbr;
 #[cfg(test)]

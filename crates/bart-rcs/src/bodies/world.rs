@@ -12,11 +12,10 @@ use crate::memory::MemoryLimit;
 use crate::mesh::patch::Patches;
 use crate::surface::bend::Bend;
 use crate::surface::skin::{Skin, SkinTriangles};
-use artifact::material::{Layer, Makeup, Material, Road, Transmission};
+use artifact::material::{Makeup, Material, Road, Transmission};
 use artifact::paths::Facet;
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
 use glam::{DMat3, DVec3};
-use num_complex::Complex64;
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
@@ -396,20 +395,11 @@ impl BodyMesh {
 }
 
 fn check_materials(mesh: &Mesh) -> Result<(), BartError> {
-    let sound = |e: Complex64| e.is_finite() && e.re >= 1.0 && e.im <= 0.0;
-    let is_sound = |material: &Material| match material {
-        Material::Conductor => true,
-        Material::HalfSpace { permittivity } => sound(*permittivity),
-        Material::Layers { layers, .. } => {
-            let thick = |layer: &Layer| layer.thickness_m.is_finite() && layer.thickness_m > 0.0;
-            !layers.is_empty() && layers.iter().all(|layer| thick(layer) && sound(layer.permittivity))
-        }
-    };
     let wrong = |slot: usize| {
         let material = mesh.materials.get(slot).cloned().unwrap_or_default();
         Err(BartError::MaterialNotSound { mesh: mesh.name.clone(), material })
     };
-    mesh.makeup.materials.iter().position(|material| !is_sound(material)).map_or(Ok(()), wrong)
+    mesh.makeup.materials.iter().position(|material| !material.is_sound()).map_or(Ok(()), wrong)
 }
 
 fn lossy_materials(makeup: &Makeup) -> Vec<Option<Arc<Material>>> {

@@ -32,7 +32,12 @@ pub(crate) struct Arrival {
 /// What a node adds to S per square metre, without frequency: S = Σ j√(4π)/λ·`weight`·e^{−jk·excess}·dA.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Node {
+    /// On a perfect conductor, by waves that have met nothing else.
     pub(crate) weight: [[f64; 2]; 2],
+    /// R_t·R_r over the lengths of both ways.
+    pub(crate) spreading: f64,
+    /// The facet's, on the side of both waves.
+    pub(crate) normal: DVec3,
     pub(crate) excess_m: f64,
     /// d₁ + d₂: its tangential part is −∇φ/k.
     pub(crate) travel_sum: DVec3,
@@ -72,7 +77,7 @@ pub(crate) fn node(
         }
     }
     let excess_m = forward.excess_m + backward.excess_m;
-    Some(Node { weight, excess_m, travel_sum: forward.travel + backward.travel })
+    Some(Node { weight, spreading, normal, excess_m, travel_sum: forward.travel + backward.travel })
 }
 
 /// e_out·[d (n·e_in) − e_in (n·d)].
@@ -107,6 +112,11 @@ pub(crate) fn add(sum: &mut Amplitude, term: &Amplitude) {
     for (to, from) in sum.iter_mut().flatten().zip(term.iter().flatten()) {
         *to += from;
     }
+}
+
+/// Adds `value`·`weight` to `sum`, weights with phase.
+pub(crate) fn add_with_phase(sum: &mut Amplitude, weight: &Amplitude, value: Complex64) {
+    add(sum, &weight.map(|row| row.map(|w| w * value)));
 }
 
 /// Adds `value`·`weight` to `sum`.

@@ -1,9 +1,11 @@
 //! First-order physical optics by dense sampling: every facet is cut into small cells, a shadow ray goes from each cell
 //! to the antennas, and the integrand is taken as it is at the points of a quadrature rule.
 
+use super::coated::{self, Surface};
 use super::node::{self, Arrival, Bracket};
 use super::ray_cast::{Body, ReferenceError};
 use super::standpoint::{Aspect, Ends, Post};
+use crate::geometry::complex_vector::ComplexVector;
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::Sides;
@@ -109,21 +111,30 @@ impl Job<'_> {
     fn add_lit(&self, cell: &Cell, sums: &mut [Amplitude]) {
         let area_m2 = cell.area_m2();
         for (barycentric, share) in quadrature_points() {
-            let Some(node) = self.node_at(cell, cell.at(barycentric)) else { continue };
-            for (sum, k) in sums.iter_mut().zip(self.wavenumbers_per_m) {
-                let value: Complex64 = node::phasor(*k, node.excess_m) * (area_m2 * share);
-                node::add_weighted(sum, &node.weight, value);
-            }
+            self.add_point(cell.facet, cell.at(barycentric), area_m2 * share, sums);
         }
     }
 
-    fn node_at(&self, cell: &Cell, x_m: DVec3) -> Option<node::Node> {
+    fn add_point(&self, facet: u32, x_m: DVec3, area_m2: f64, sums: &mut [Amplitude]) {
         let [forward, backward] = [&self.ends.transmitter, self.ends.receiver()].map(|post| {
             let leg = post.leg_from(x_m);
             Arrival::direct(&leg, post.polarizations(leg.towards))
         });
-        let normal = self.body.facets[cell.facet as usize].normal;
-        node::node(&self.ends, &forward, &backward, normal, self.sampling.bracket)
+        let normal = self.body.facets[facet as usize].normal;
+        let bracket = self.sampling.bracket;
+        let Some(node) = node::node(&self.ends, &forward, &backward, normal, bracket) else { return };
+        let material = self.body.material(facet);
+        let sent = forward.fields.map(ComplexVector::from);
+        for (sum, &wavenumber_per_m) in sums.iter_mut().zip(self.wavenumbers_per_m) {
+            let value: Complex64 = node::phasor(wavenumber_per_m, node.excess_m) * area_m2;
+            let Some(material) = material else {
+                node::add_weighted(sum, &node.weight, value);
+                continue;
+            };
+            let surface = Surface { material, wavenumber_per_m };
+            let weight = coated::weight(&node, (&forward, &sent), &backward, &surface, bracket);
+            node::add_with_phase(sum, &weight, value);
+        }
     }
 }
 

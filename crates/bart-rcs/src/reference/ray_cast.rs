@@ -1,6 +1,7 @@
 //! The references' own ray caster: obvhs finds candidates in single precision, a hit is decided in double precision.
 
 use super::standpoint::Post;
+use artifact::material::{Makeup, Material, Transmission};
 use artifact::scene::Mesh;
 use artifact::settings::Sides;
 use glam::{DVec3, Vec3A};
@@ -38,9 +39,18 @@ pub enum ReferenceError {
         /// Of the sphere.
         radius_m: f64,
     },
-    /// The references know perfect conductors only.
-    #[error("materials are for --method bart alone")]
-    Materials,
+    /// The references reflect at a sheet and follow nothing through it.
+    #[error("material `{material}` is a sheet, and waves through sheets are for --method bart alone")]
+    Transmission {
+        /// Its name.
+        material: String,
+    },
+    /// A permittivity that grows waves, or a layer without a thickness.
+    #[error("material `{material}`: permittivities need a real part of 1 or more and no gain, layers a thickness")]
+    MaterialNotSound {
+        /// Its name.
+        material: String,
+    },
     /// Densities and frequencies are positive and finite.
     #[error("{what} must be positive and finite, is {value}")]
     NotPositive {
@@ -56,6 +66,8 @@ pub enum ReferenceError {
 pub(crate) struct Facet {
     pub(crate) corners_m: [DVec3; 3],
     pub(crate) normal: DVec3,
+    /// Its triangle in the mesh.
+    triangle: u32,
 }
 
 /// What a ray meets first.
@@ -72,6 +84,8 @@ pub(crate) struct Body {
     pub(crate) radius_m: f64,
     bvh: Bvh2,
     touching_m: f64,
+    makeup: Makeup,
+    slot_of_triangle: Vec<u16>,
 }
 
 /// Coincident facets count as touching within this share of the body's radius: their hit distances differ by rounding,
@@ -83,9 +97,7 @@ const BOX_MARGIN: f64 = 2e-6;
 
 impl Body {
     pub(crate) fn of_mesh(mesh: &Mesh) -> Result<Self, ReferenceError> {
-        if !mesh.makeup.conducts_all_over() {
-            return Err(ReferenceError::Materials);
-        }
+        check_materials(mesh)?;
         let facets = facets(mesh)?;
         let corners = || facets.iter().flat_map(|f| f.corners_m);
         let least = corners().fold(DVec3::INFINITY, DVec3::min);
@@ -94,7 +106,15 @@ impl Body {
         let radius_m = corners().fold(0.0, |r: f64, c| r.max(c.distance(centre_m)));
         let boxes: Vec<Aabb> = facets.iter().map(|f| inflated_box(f, centre_m, radius_m)).collect();
         let bvh = build_bvh2(&boxes, BvhBuildParams::fast_build(), &mut Duration::default());
-        Ok(Self { facets, centre_m, radius_m, bvh, touching_m: TOUCHING * radius_m })
+        let touching_m = TOUCHING * radius_m;
+        let (makeup, slot_of_triangle) = (mesh.makeup.clone(), mesh.material_of_triangle.clone());
+        Ok(Self { facets, centre_m, radius_m, bvh, touching_m, makeup, slot_of_triangle })
+    }
+
+    /// What a facet is made of; `None` for a perfect conductor.
+    pub(crate) fn material(&self, facet: u32) -> Option<&Material> {
+        let slot = *self.slot_of_triangle.get(self.facets[facet as usize].triangle as usize)?;
+        Some(self.makeup.material(slot)).filter(|material| **material != Material::Conductor)
     }
 
     /// The first facet that a ray from `origin_m` along unit `direction` meets beyond the touching zone, other than
@@ -158,7 +178,7 @@ impl Body {
 
     /// Distance along the line at which it meets a facet, from just behind its origin on.
     fn distance(&self, origin_m: DVec3, direction: DVec3, facet: u32) -> Option<f64> {
-        let Facet { corners_m: [a, b, c], normal } = self.facets[facet as usize];
+        let Facet { corners_m: [a, b, c], normal, .. } = self.facets[facet as usize];
         let sides = [(a, b), (b, c), (c, a)].map(|(from, to)| side(origin_m, direction, from, to));
         let inside = sides.iter().all(|s| *s >= 0.0) || sides.iter().all(|s| *s <= 0.0);
         if !inside {
@@ -175,6 +195,19 @@ fn side(origin_m: DVec3, direction: DVec3, from: DVec3, to: DVec3) -> f64 {
     let coordinates = |p: DVec3| Coord3D { x: p.x, y: p.y, z: p.z };
     let [origin, through, from, to] = [origin_m, origin_m + direction, from, to].map(coordinates);
     orient3d(origin, through, from, to)
+}
+
+fn check_materials(mesh: &Mesh) -> Result<(), ReferenceError> {
+    let name = |slot: usize| mesh.materials.get(slot).cloned().unwrap_or_default();
+    for (slot, material) in mesh.makeup.materials.iter().enumerate() {
+        if !material.is_sound() {
+            return Err(ReferenceError::MaterialNotSound { material: name(slot) });
+        }
+        if material.is_sheet() && mesh.makeup.transmission == Transmission::Followed {
+            return Err(ReferenceError::Transmission { material: name(slot) });
+        }
+    }
+    Ok(())
 }
 
 /// Facets of positive area, in the mesh's order.
@@ -195,7 +228,11 @@ fn facets(mesh: &Mesh) -> Result<Vec<Facet>, ReferenceError> {
             })?;
         }
         let [a, b, c] = corners_m;
-        facets.extend((b - a).cross(c - a).try_normalize().map(|normal| Facet { corners_m, normal }));
+        facets.extend((b - a).cross(c - a).try_normalize().map(|normal| Facet {
+            corners_m,
+            normal,
+            triangle: triangle as u32,
+        }));
     }
     Ok(facets)
 }

@@ -6,14 +6,17 @@
 //! parallelogram of a = L(g_u − d (n·g_u)/(n·d)) and b alike, g_u = ∂d/∂u·Δu reflected along with the ray; the phase is
 //! taken as linear over it, which gives sinc(w·a/2)·sinc(w·b/2), w = −k(d₁ + d₂) (their shape function).
 
+use super::coated::{self, Fields, Surface, fields_at_all};
 use super::node::{self, Arrival, Bracket, Node};
 use super::po::check_positive;
 use super::ray_cast::{Body, Hit, ReferenceError};
 use super::standpoint::{Aspect, Ends, Post};
+use artifact::material::Material;
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::Sides;
 use glam::DVec3;
+use num_complex::Complex64;
 use rayon::prelude::*;
 
 /// How many rays, how far.
@@ -181,20 +184,39 @@ impl Job<'_> {
     /// One ray from the antenna through its reflections.
     fn follow(&self, mut tube: Tube, sums: &mut Orders) {
         let mut left = None;
+        // From the first reflection on that no perfect conductor made.
+        let mut coated: Option<Fields> = None;
         for (order, sum) in sums.iter_mut().enumerate() {
             let Some(hit) = self.body.nearest(tube.origin_m, tube.travel, left) else { return };
             tube.advance(&hit, &self.ends.transmitter, order);
             if !self.body.scatters(hit.facet, tube.travel, self.shooting.sides) {
                 return;
             }
-            self.add_footprint(&tube, hit.facet, sum);
+            self.add_footprint(&tube, coated.as_ref(), hit.facet, sum);
+            coated = self.reflected(&tube, coated, hit.facet);
             tube.reflect(self.body.facets[hit.facet as usize].normal);
             left = Some(hit.facet);
         }
     }
 
+    /// Fields behind a reflection where they differ from those between perfect conductors.
+    fn reflected(&self, tube: &Tube, coated: Option<Fields>, facet: u32) -> Option<Fields> {
+        const CONDUCTOR: &Material = &Material::Conductor;
+        let material = self.body.material(facet);
+        if coated.is_none() && material.is_none() {
+            return None;
+        }
+        let mut fields = coated.unwrap_or_else(|| fields_at_all(tube.fields, self.wavenumbers_per_m));
+        let normal = self.body.facets[facet as usize].normal;
+        for (pair, &wavenumber_per_m) in fields.iter_mut().zip(self.wavenumbers_per_m) {
+            let surface = Surface { material: material.unwrap_or(CONDUCTOR), wavenumber_per_m };
+            *pair = pair.map(|e| surface.reflected(normal, tube.travel, e));
+        }
+        Some(fields)
+    }
+
     /// Physical optics over the tube's footprint, where the receiver sees it.
-    fn add_footprint(&self, tube: &Tube, facet: u32, sums: &mut [Amplitude]) {
+    fn add_footprint(&self, tube: &Tube, coated: Option<&Fields>, facet: u32, sums: &mut [Amplitude]) {
         let x_m = tube.origin_m;
         let receiver = self.ends.receiver();
         let leg = receiver.leg_from(x_m);
@@ -207,16 +229,47 @@ impl Job<'_> {
         {
             return;
         }
-        self.add_node(&node, tube.footprint(normal), sums);
-    }
-
-    fn add_node(&self, node: &Node, [a, b]: [DVec3; 2], sums: &mut [Amplitude]) {
-        let area_m2 = a.cross(b).length();
-        for (sum, k) in sums.iter_mut().zip(self.wavenumbers_per_m) {
-            let shape = sinc(0.5 * k * node.travel_sum.dot(a)) * sinc(0.5 * k * node.travel_sum.dot(b));
-            node::add_weighted(sum, &node.weight, node::phasor(*k, node.excess_m) * (area_m2 * shape));
+        let footprint = tube.footprint(normal);
+        match (coated, self.body.material(facet)) {
+            (None, None) => self.add_node(&node, footprint, sums),
+            (coated, material) => {
+                let conductor = Material::Conductor;
+                let own = fields_at_all(tube.fields, self.wavenumbers_per_m);
+                let met =
+                    Met { tube, sent: coated.unwrap_or(&own), backward, material: material.unwrap_or(&conductor) };
+                self.add_coated(&node, &met, footprint, sums);
+            }
         }
     }
+
+    fn add_node(&self, node: &Node, footprint: [DVec3; 2], sums: &mut [Amplitude]) {
+        for (sum, k) in sums.iter_mut().zip(self.wavenumbers_per_m) {
+            node::add_weighted(sum, &node.weight, integral(node, footprint, *k));
+        }
+    }
+
+    fn add_coated(&self, node: &Node, met: &Met<'_>, footprint: [DVec3; 2], sums: &mut [Amplitude]) {
+        let forward = met.tube.arrival();
+        for ((sum, &wavenumber_per_m), sent) in sums.iter_mut().zip(self.wavenumbers_per_m).zip(met.sent) {
+            let surface = Surface { material: met.material, wavenumber_per_m };
+            let weight = coated::weight(node, (&forward, sent), &met.backward, &surface, self.shooting.bracket);
+            node::add_with_phase(sum, &weight, integral(node, footprint, wavenumber_per_m));
+        }
+    }
+}
+
+/// Two waves on a facet, one of which has met something else than perfect conductors.
+struct Met<'a> {
+    tube: &'a Tube,
+    sent: &'a Fields,
+    backward: Arrival,
+    material: &'a Material,
+}
+
+/// e^{−jk·way} over the parallelogram of a footprint.
+fn integral(node: &Node, [a, b]: [DVec3; 2], wavenumber_per_m: f64) -> Complex64 {
+    let shape = [a, b].map(|edge| sinc(0.5 * wavenumber_per_m * node.travel_sum.dot(edge)));
+    node::phasor(wavenumber_per_m, node.excess_m) * (a.cross(b).length() * shape[0] * shape[1])
 }
 
 impl Tube {
