@@ -72,7 +72,7 @@ fn sum_at_each(
     let zero = || vec![Amplitude::default(); integration.wavenumbers_per_m.len()];
     let of_run = |run: &[EdgeJoint]| {
         run.iter().fold(zero(), |mut total, joint| {
-            add(&mut total, &scattering(scatterer, joint, origin_m, integration).value);
+            add(&mut total, &edge_share(scatterer, joint, origin_m, integration).value);
             total
         })
     };
@@ -118,7 +118,7 @@ fn way_from(scatterer: &Scatterer<'_>, joint: &EdgeJoint, middle_m: DVec3, origi
 }
 
 /// An edge's share of S, its reverse included.
-fn scattering(
+pub(crate) fn edge_share(
     scatterer: &Scatterer<'_>,
     joint: &EdgeJoint,
     origin_m: DVec3,

@@ -69,10 +69,6 @@ impl<'a> Scatterer<'a> {
         &self.trees.transmit().beams[joint.forward as usize]
     }
 
-    pub(crate) fn backward(&self, joint: &Joint) -> &'a Beam {
-        &self.trees.receive().beams[joint.backward as usize]
-    }
-
     pub(crate) fn transmit_leg(&self, joint: &Joint) -> &Leg {
         &self.transmit_legs[joint.forward as usize]
     }
