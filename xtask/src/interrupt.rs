@@ -1,10 +1,9 @@
 //! Ctrl-C and SIGTERM: nothing half-written stays behind, exit code 130.
 
-/// From now on an interrupt removes the temporary files of open writers and ends the program.
+/// From now on an interrupt removes the temporary files of what is being written and ends the program.
 pub(crate) fn install() {
     let handler = || {
-        artifact::envelope::abandon_all();
-        crate::output::abandon_all();
+        artifact::whole_file::abandon_all();
         crate::progress::finish();
         eprintln!("interrupted; whole frames and aspects are kept, the next run goes on from there");
         std::process::exit(130);

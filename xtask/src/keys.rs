@@ -106,3 +106,127 @@ fn fmcw_echo(header: &SceneHeader, parts: &SceneParts, scattering: &Key, frame: 
 pub(crate) fn cube_header(header: &SceneHeader) -> CubeHeader {
     CubeHeader { radar: header.radar.clone(), noise: header.noise, dsp: header.dsp.clone() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use artifact::material::{Backing, Layer, Makeup, Material, MaterialMap, Road, Thickness, Transmission};
+    use artifact::scene::{Mesh, TargetKind};
+    use num_complex::Complex64;
+    use serde_json::Value;
+
+    /// A scene in which nothing that could be told is left out.
+    fn full_scene() -> SceneHeader {
+        let options = scene::ReadOptions { model: None, meshes: scene::Meshes::NamesOnly };
+        let file = crate::cache::project_root().join("scenes/intersection.toml");
+        let mut header = scene::read(&file, &options).unwrap();
+        let glass = Layer { thickness_m: 4e-3, permittivity: Complex64::new(6.5, -0.15) };
+        let pane = Material::Layers { layers: vec![glass], backing: Backing::Air, thickness: Thickness::Exact };
+        let asphalt = Material::HalfSpace { permittivity: Complex64::new(5.0, -0.3) };
+        let materials = vec![pane.clone(), asphalt.clone()];
+        header.meshes = vec![Mesh {
+            name: "car".into(),
+            vertices_m: vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+            normals: vec![[0.0, 0.0, 1.0]; 3],
+            triangles: vec![[0, 1, 2]],
+            material_of_triangle: vec![0],
+            materials: vec!["glass".into(), "floor".into()],
+            makeup: Makeup { materials, transmission: Transmission::Ignored },
+            ..Mesh::default()
+        }];
+        let by_name = vec![("glass".to_owned(), pane), ("floor".to_owned(), asphalt.clone())];
+        header.materials = MaterialMap { by_name, transmission: Transmission::Ignored };
+        header.road = Some(Road { material: asphalt, rms_height_m: 1e-3 });
+        header.noise = Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 };
+        header.targets.truncate(2);
+        header.targets[1].kind = TargetKind::Point { rcs_m2: 1.0 };
+        header
+    }
+
+    /// JSON pointers of all values that hold no others.
+    fn leaves(value: &Value, at: &str, found: &mut Vec<String>) {
+        let mut inner = |key: &str, value: &Value| leaves(value, &format!("{at}/{key}"), found);
+        match value {
+            Value::Object(map) if !map.is_empty() => map.iter().for_each(|(key, value)| inner(key, value)),
+            Value::Array(list) if !list.is_empty() => {
+                list.iter().enumerate().for_each(|(i, value)| inner(&i.to_string(), value));
+            }
+            Value::Object(_) | Value::Array(_) | Value::Null => panic!("{at} is empty: tell something of it"),
+            Value::Bool(_) | Value::Number(_) | Value::String(_) => found.push(at.to_owned()),
+        }
+    }
+
+    /// The same with another value at a leaf; `None` where it can have one value only.
+    fn changed<T: serde::Serialize + serde::de::DeserializeOwned + PartialEq>(whole: &T, leaf: &str) -> Option<T> {
+        let json = serde_json::to_value(whole).unwrap();
+        let with = |value: Value| {
+            let mut other = json.clone();
+            *other.pointer_mut(leaf).unwrap() = value;
+            serde_json::from_value::<T>(other)
+        };
+        let candidates = match json.pointer(leaf).unwrap() {
+            Value::Bool(told) => vec![Value::from(!told)],
+            Value::Number(told) if told.is_f64() => vec![Value::from(1.25 * told.as_f64().unwrap() + 0.5)],
+            Value::Number(told) => vec![Value::from(told.as_i64().unwrap() + 1)],
+            // A name, or the name of a case: the error tells the other cases.
+            Value::String(told) => match with(Value::from(format!("{told}x"))) {
+                Ok(_) => vec![Value::from(format!("{told}x"))],
+                Err(error) => error.to_string().split('`').skip(1).step_by(2).map(Value::from).collect(),
+            },
+            Value::Null | Value::Array(_) | Value::Object(_) => vec![],
+        };
+        candidates.into_iter().filter_map(|value| with(value).ok()).find(|other| other != whole)
+    }
+
+    /// The first stage whose frames depend on a value of the header; `None` where what it does to a frame is told by the
+    /// frame itself, or it is for the report alone.
+    fn first_stage(leaf: &str) -> Option<Stage> {
+        match leaf.split('/').nth(1)? {
+            "name" | "frames" | "frame_interval_s" | "intersection" => None,
+            "seed" | "noise" => Some(Stage::FmcwEcho),
+            "dsp" => Some(Stage::Dsp),
+            _ => Some(Stage::BartRcs),
+        }
+    }
+
+    fn keys(header: &SceneHeader, frame: &SceneFrame) -> FrameKeys {
+        FrameKeys::of(header, &SceneParts::of(header), frame, Some("model"))
+    }
+
+    #[test]
+    fn every_value_of_a_scene_changes_the_key_of_the_first_stage_that_knows_it() {
+        let header = full_scene();
+        let frame = scene::snapshot(&header, 0);
+        let asked = keys(&header, &frame);
+        let mut all = Vec::new();
+        leaves(&serde_json::to_value(&header).unwrap(), "", &mut all);
+        let mut single = Vec::new();
+        for leaf in &all {
+            let Some(other) = changed(&header, leaf) else {
+                single.push(leaf.as_str());
+                continue;
+            };
+            let got = keys(&other, &frame);
+            let differs = |stage: &Stage| asked.get(*stage).map(Key::id) != got.get(*stage).map(Key::id);
+            let first = Stage::ALL.into_iter().find(differs);
+            assert_eq!(first, first_stage(leaf), "{leaf} changes the keys from this stage on, asked is the other");
+        }
+        println!("{} values, of one case only: {single:?}", all.len());
+        let must_be_there = ["/fidelity/edges", "/fidelity/surface", "/fidelity/nodes", "/road/rms_height_m"];
+        assert!(must_be_there.iter().all(|leaf| all.iter().any(|found| found == leaf)));
+        assert_eq!(single, ["/dsp/detector", "/radar/array/pattern"]);
+    }
+
+    #[test]
+    fn every_value_of_a_frame_changes_the_key_of_its_paths() {
+        let header = full_scene();
+        let frame = scene::snapshot(&header, 0);
+        let mut all = Vec::new();
+        leaves(&serde_json::to_value(&frame).unwrap(), "", &mut all);
+        for leaf in &all {
+            let other = changed(&frame, leaf).unwrap();
+            let [asked, got] = [&frame, &other].map(|frame| keys(&header, frame).bart_rcs.id());
+            assert_ne!(asked, got, "{leaf}");
+        }
+    }
+}

@@ -18,7 +18,7 @@ mod reader;
 
 pub use fault::{ArtifactError, Fault};
 pub use reader::{Reader, read_preamble};
-pub use writer::{Writer, abandon_all};
+pub use writer::Writer;
 
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 

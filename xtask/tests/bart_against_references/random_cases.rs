@@ -51,7 +51,7 @@ impl std::fmt::Display for Found {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Standpoint { azimuth_rad, elevation_rad, range_m } = self.place;
         write!(f, "| {} | {:.1} | {:.1} |", self.name, azimuth_rad.to_degrees(), elevation_rad.to_degrees())?;
-        write!(f, " {range_m:.1} | {} | {} |", self.bounces, self.asked_db)?;
+        write!(f, " {range_m:.1} | {} | {:.1} |", self.bounces, self.asked_db)?;
         write!(f, " {:.1} | {:.1} | {:.1} |", self.printed_db, self.true_db, self.printed_db - self.true_db)
     }
 }
