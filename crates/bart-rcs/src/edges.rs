@@ -1,12 +1,9 @@
 //! What edges add to physical optics.
 
 pub(crate) mod fringe; // currents of a wedge beyond physical optics
-pub(crate) mod body_edges; // which edges of a mesh diffract
-pub(crate) mod world_edges; // edges of posed bodies
 pub(crate) mod line_integral; // of a weight under a fast phase
 pub(crate) mod lit_edge; // which parts of edges both ends light
 pub(crate) mod fresnel; // the Fresnel integral of an edge wave
-pub(crate) mod face_end; // how far a face goes
 pub(crate) mod end_current; // what is not there beyond the end of a face
 pub(crate) mod edge_currents; // the fringe integral along an edge
 pub(crate) mod edge_scattering; // S of all edges

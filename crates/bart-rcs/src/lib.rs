@@ -41,29 +41,31 @@
 //! share none of this.
 
 mod error; // what can be wrong with a body or an antenna
+mod memory; // expected, watched, refused
 mod geometry; // points, planes, polygons
 mod mesh; // what belongs together in a mesh
+mod materials; // reflection and transmission
 mod surface; // what facets stand for: themselves, or a curved surface
+mod wedges; // where bodies have edges
 mod bodies; // posed meshes, and the road under them
 mod beams; // lit polygons and their mirrors
-mod materials; // reflection and transmission
 mod integral; // a field over a lit polygon, in closed form
 mod joins; // beams of both ends meet on a facet
 mod edges; // what edges add to physical optics
 mod table; // S at aspects, over frequency
 mod frame; // paths of a frame, or its table
-mod memory; // expected, watched, refused
 pub mod reference;
 #[cfg(test)]
 mod test_quadrature;
 
 pub use beams::beam::{Audit, Beam, BeamTree, OrderAudit, TraceSettings};
-pub use bodies::world::{FacetGeometry, Models, World};
+pub use bodies::world::{Models, World};
 pub use error::BartError;
 pub use frame::path::trace_frame;
 pub use frame::path_sum::{PathView, scattering_of_paths};
 pub use frame::rcs_frame::rcs_frame;
 pub use geometry::antenna::Antenna;
+pub use geometry::facet_geometry::FacetGeometry;
 pub use geometry::plane::Plane;
 pub use memory::{MemoryLimit, memory_estimate_bytes};
 pub use surface::skin::{Role, Skin};

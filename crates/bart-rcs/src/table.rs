@@ -1,6 +1,5 @@
 //! S at aspects, over frequency.
 
-pub(crate) mod band; // many frequencies from few
 pub(crate) mod joint_sum; // of all joints of one order
 pub(crate) mod meeting; // of both ends, in ways of one order
 pub(crate) mod aspect; // S at one aspect, by order and node rule

@@ -3,6 +3,7 @@
 mod features;
 mod layers;
 mod readme;
+mod rooms;
 mod size;
 
 use crate::cache::project_root;
@@ -14,9 +15,10 @@ use std::time::Instant;
 
 type Check = fn(&mut Tally) -> Result<(), Failure>;
 
-const CHECKS: [(&str, Check); 8] = [
+const CHECKS: [(&str, Check); 9] = [
     ("format", |_| cargo(&["fmt", "--all", "--check"])),
     ("layer rule", |_| layers::check()),
+    ("room rule", |_| rooms::check()),
     ("sizes of files and functions", |_| size::check()),
     ("one set of features", |_| features::check()),
     ("lints", |_| cargo(&["clippy", "--release", "--workspace", "--all-targets", "--", "-D", "warnings"])),

@@ -5,8 +5,8 @@
 //! So there is one answer for the pair, and where the facets pass through each other one plane parts them, the one
 //! through the antenna and the line where their planes meet.
 
-use crate::bodies::world::FacetGeometry;
 use crate::geometry::antenna::Antenna;
+use crate::geometry::facet_geometry::FacetGeometry;
 use crate::geometry::plane::Plane;
 
 /// Along any ray that meets both facets.

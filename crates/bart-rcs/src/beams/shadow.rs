@@ -8,10 +8,11 @@
 
 use crate::beams::depth_order::{DepthOrder, are_coincident, depth_order};
 use crate::beams::view::{Mirror, View};
-use crate::bodies::world::{FacetGeometry, World};
+use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::border::Border;
 use crate::geometry::clip::Corner;
+use crate::geometry::facet_geometry::FacetGeometry;
 use crate::geometry::plane::Plane;
 use artifact::settings::Sides;
 

@@ -1,10 +1,11 @@
 //! Where one looks from, through which hole, and by which rules.
 
 use crate::beams::shadow::{Seen, Shadow};
-use crate::bodies::world::{FacetGeometry, World};
+use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::border::Border;
 use crate::geometry::clip::{Corner, Split, split};
+use crate::geometry::facet_geometry::FacetGeometry;
 use crate::geometry::plane::Plane;
 use artifact::settings::Sides;
 use glam::DVec3;

@@ -8,7 +8,6 @@
 //! Where a leg crosses, the field takes the road's coefficients. Seen unfolded, r_TE stays on E across the plane of incidence
 //! and r_TM changes its sign, for the mirror turns the other vector over (`docs/physics.md` §5).
 
-use crate::beams::beam::{Beam, BeamTree};
 use crate::bodies::world::World;
 use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
@@ -39,27 +38,6 @@ pub(crate) fn crossing(road: &Material, rms_height_m: f64, sine: f64, wavenumber
     Pair { te: loss * te, tm: -loss * tm }
 }
 
-/// The beams of the antenna and of its image as those of one antenna, by order.
-pub(crate) fn with_image(direct: &BeamTree, image: &BeamTree) -> BeamTree {
-    let mut both = BeamTree { beams: Vec::new(), ..direct.clone() };
-    let shift = both.vertices_m.len() as u32;
-    both.vertices_m.extend_from_slice(&image.vertices_m);
-    both.borders.extend_from_slice(&image.borders);
-    let highest = [direct, image].iter().filter_map(|tree| tree.beams.last()).map(|beam| beam.order).max().unwrap_or(0);
-    let mut place_of = [vec![0_u32; direct.beams.len()], vec![0_u32; image.beams.len()]];
-    for order in 1..=highest {
-        for (tree, (beams, shift)) in [(&direct.beams, 0), (&image.beams, shift)].into_iter().enumerate() {
-            for (index, beam) in beams.iter().enumerate().filter(|(_, beam)| beam.order == order) {
-                place_of[tree][index] = both.beams.len() as u32;
-                let parent = beam.parent.map(|parent| place_of[tree][parent as usize]);
-                let polygon = beam.polygon.start + shift..beam.polygon.end + shift;
-                both.beams.push(Beam { parent, polygon, ..beam.clone() });
-            }
-        }
-    }
-    both
-}
-
 /// On which side of the road something stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Half {
@@ -67,12 +45,6 @@ pub(crate) enum Half {
     Above,
     /// Where their images are.
     Below,
-}
-
-/// Which of the two antennas a beam came from.
-pub(crate) fn origin(tree: &BeamTree, beam: &Beam) -> Half {
-    let is_direct = tree.way_back(beam).last().is_none_or(|first| first.image == tree.antenna);
-    if is_direct { Half::Above } else { Half::Below }
 }
 
 /// The image of an antenna.

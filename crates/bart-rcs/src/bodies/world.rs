@@ -1,17 +1,18 @@
 //! The geometry of one instant: every facet of every body in world metres, and each body's hierarchy in its own frame.
 
 use crate::bodies::road::below;
-use crate::edges::body_edges::{BodyEdges, body_edges};
-use crate::edges::world_edges::{Placed, WorldEdges};
 use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::bvh::{Hierarchy, Stack};
+use crate::geometry::facet_geometry::FacetGeometry;
 use crate::geometry::plane::Plane;
 use crate::geometry::sweep::Sweep;
 use crate::memory::MemoryLimit;
 use crate::mesh::patch::Patches;
 use crate::surface::bend::Bend;
 use crate::surface::skin::{Skin, SkinTriangles};
+use crate::wedges::body_edges::{BodyEdges, body_edges};
+use crate::wedges::world_edges::{Placed, WorldEdges};
 use artifact::material::{Makeup, Material, Road, Transmission};
 use artifact::paths::Facet;
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
@@ -34,20 +35,6 @@ pub struct World {
     /// Of every tree.
     memory_limit: MemoryLimit,
     edges: OnceLock<WorldEdges>,
-}
-
-/// A triangle in the world.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FacetGeometry {
-    /// World metres, in the mesh's winding.
-    pub corners_m: [DVec3; 3],
-    /// The plane through the corners; its unit normal follows the winding. A normal of zero marks a triangle without a
-    /// plane: it neither scatters nor hides.
-    pub plane: Plane,
-    /// m².
-    pub area_m2: f64,
-    /// Target and triangle in its mesh, which may have been cut into several facets.
-    pub id: Facet,
 }
 
 impl World {
@@ -291,33 +278,6 @@ pub(crate) struct Walk {
     planes: Vec<Plane>,
     planes_in_body: Vec<Plane>,
     stack: Stack,
-}
-
-impl FacetGeometry {
-    /// Unit normal by the winding, or zero.
-    pub fn normal(&self) -> DVec3 {
-        self.plane.normal
-    }
-
-    /// Whether the triangle spans a plane.
-    pub fn has_plane(&self) -> bool {
-        self.plane.normal != DVec3::ZERO
-    }
-
-    fn of_triangle(corners_m: [DVec3; 3], id: Facet) -> Self {
-        let [a, b, c] = corners_m;
-        let plane = Plane::of_triangle(&corners_m).unwrap_or(Plane { normal: DVec3::ZERO, offset_m: 0.0 });
-        Self { corners_m, plane, area_m2: 0.5 * (b - a).cross(c - a).length(), id }
-    }
-
-    /// A triangle whose height is rounding has a normal made of rounding.
-    fn refuse_if_thinner_than(&mut self, height_m: f64) {
-        let [a, b, c] = self.corners_m;
-        let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-        if 2.0 * self.area_m2 <= height_m * longest {
-            self.plane = Plane { normal: DVec3::ZERO, offset_m: 0.0 };
-        }
-    }
 }
 
 /// The meshes of a scene, each with its hierarchy, shared by all frames and poses.

@@ -9,13 +9,14 @@
 //! S(tx, rx) = S(rx, tx)ᵀ, the fringe currents have it at right angles to the edge only (docs/physics.md §4).
 
 use crate::edges::end_current::EndCurrent;
-use crate::edges::face_end::{FaceEnds, Met};
-use crate::edges::fringe::{FaceView, Wedge};
+use crate::edges::fringe::FaceView;
 use crate::edges::line_integral::{Integrand, Piece, for_each_piece};
-use crate::edges::world_edges::{EdgeGeometry, WorldEdges};
 use crate::geometry::antenna::Antenna;
 use crate::integral::physical_optics::{Estimate, Leg, length_difference_m};
 use crate::joins::scatterer::Way;
+use crate::wedges::face_end::{FaceEnds, Met};
+use crate::wedges::wedge::Wedge;
+use crate::wedges::world_edges::{EdgeGeometry, WorldEdges};
 use artifact::paths::Amplitude;
 use glam::{DVec2, DVec3};
 use num_complex::Complex64;

@@ -1,19 +1,17 @@
 //! S of all edges that both ends light.
 
 use crate::edges::edge_currents::{EdgeNode, amplitude_of, edge_amplitudes, for_each_part};
-use crate::edges::lit_edge::{EdgeJoint, edge_joints};
+use crate::edges::lit_edge::EdgeJoint;
 use crate::integral::physical_optics::Estimate;
+use crate::joins::band::{Band, Groups, INTERPOLATION_ERROR, Kind, add};
 use crate::joins::scatterer::{Integration, Scatterer, Way, scaled, sum as sum_of, with_reverse};
-use crate::table::band::{Band, Groups, INTERPOLATION_ERROR, Kind, add};
-use crate::table::meeting::MeetingSettings;
 use artifact::paths::Amplitude;
-use artifact::settings::Edges;
 use glam::DVec3;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
 /// S of the edges in ways of `order` over frequency, 2 × 2, its phase referred to `origin_m`: as that of facets, from few
-/// frequencies (see [`crate::table::band`]).
+/// frequencies (see [`crate::joins::band`]).
 ///
 /// Fixed runs are added in their order: the same bits on any number of threads.
 pub(crate) fn sum_of_edges(
@@ -83,15 +81,6 @@ fn sum_at_each(
     })
 }
 
-/// Where both ends meet on edges in ways of `order`; nowhere where edges are ignored.
-pub(crate) fn edge_meetings(scatterer: &Scatterer<'_>, order: u8, settings: &MeetingSettings) -> Vec<EdgeJoint> {
-    let world = scatterer.world;
-    match settings.edges {
-        Edges::FirstOrder => edge_joints(world, world.edges(settings.wavenumber_per_m), scatterer.trees, order),
-        Edges::Ignored => Vec::new(),
-    }
-}
-
 /// Amplitudes of a part of a joint about its middle, at that middle; the reverse is not included.
 pub(crate) fn part_amplitudes(
     scatterer: &Scatterer<'_>,
@@ -138,12 +127,13 @@ mod tests {
     use super::*;
     use crate::beams::beam::{BeamTree, TraceSettings};
     use crate::bodies::world::World;
+    use crate::edges::lit_edge::edge_joints;
     use crate::geometry::antenna::Antenna;
     use crate::integral::physical_optics::Bracket;
     use crate::joins::join::Trees;
     use crate::joins::scatterer::ZenithH;
     use artifact::scene::Mesh;
-    use artifact::settings::{NodeRule, Sides};
+    use artifact::settings::Sides;
 
     /// Panels of 2 mm to 2 m, each with a fin of half its height that stands on it: open edges, ends of faces at edges and walls,
     /// edges seen in mirrors.
@@ -181,13 +171,8 @@ mod tests {
             let tree = BeamTree::trace(&world, antenna, &trace).unwrap();
             let scatterer =
                 Scatterer::new(&world, Trees::Shared(&tree), ZenithH { transmit: DVec3::Y, receive: DVec3::Y });
-            let settings = MeetingSettings {
-                nodes: NodeRule::Middle,
-                edges: Edges::FirstOrder,
-                least_area_m2: 1e-9,
-                wavenumber_per_m: low + width,
-            };
-            let joints = [1, 2].map(|order| edge_meetings(&scatterer, order, &settings)).concat();
+            let edges = world.edges(low + width);
+            let joints = [1, 2].map(|order| edge_joints(&world, edges, scatterer.trees, order)).concat();
             // Accuracy is a part of this: every edge seen square. No integral of the two is exact, but both are the same one.
             let length_m: f64 = joints.iter().map(|joint| joint.span_m[1] - joint.span_m[0]).sum();
             for accuracy in [1e-1, 1e-3, 1e-5, 1e-7] {

@@ -11,22 +11,10 @@
 //! ψ is imaginary, c(h) = −conj c(m), and both stay real. Left is μ = 1, the direction in which the wave along the face
 //! travels: there the current of a face without end has no finite sum, and [`LEAST_GRAZING`] clamps it.
 
-use glam::{DMat3, DVec3};
+use crate::wedges::wedge::Wedge;
+use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
-
-/// A wedge as its edge sees it. Face 1 lies along `inward[0]`; its exterior angle φ turns about `along` to Nπ at face 2.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Wedge {
-    /// Unit vector t along the edge.
-    pub(crate) along: DVec3,
-    /// Unit vectors in the faces, square to the edge and away from it.
-    pub(crate) inward: [DVec3; 2],
-    /// Unit normals of the faces, out of the wedge.
-    pub(crate) normal: [DVec3; 2],
-    /// N: the exterior angle over π; 2 for an open edge, 3/2 for the edge of a box.
-    pub(crate) exterior: f64,
-}
 
 /// A face with the directions of both legs in its coordinates: x̂ into the face, ŷ its normal, ẑ = x̂ × ŷ along the edge.
 #[derive(Debug, Clone, Copy)]
@@ -66,12 +54,6 @@ const LEAST_SINE: f64 = 1e-6;
 const SAME_FACE_COSINE: f64 = 0.999;
 
 impl Wedge {
-    /// The same wedge on a turned body.
-    pub(crate) fn turned(&self, world_from_body: DMat3) -> Self {
-        let turn = |v: DVec3| world_from_body * v;
-        Self { along: turn(self.along), inward: self.inward.map(turn), normal: self.normal.map(turn), ..*self }
-    }
-
     /// Exterior angle of a direction away from the edge, in [0, 2π).
     fn angle_of(&self, away: DVec3) -> f64 {
         let up = self.along.cross(self.inward[0]);

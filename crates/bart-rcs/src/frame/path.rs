@@ -1,7 +1,8 @@
 //! The path table of a frame: bodies frozen at the frame's middle, every cell of their lit facets a path that moves.
 
 use crate::beams::beam::BeamTree;
-use crate::bodies::road::{check_road, image, left_out, with_image};
+use crate::beams::image_tree::with_image;
+use crate::bodies::road::{check_road, image, left_out};
 use crate::bodies::world::{Models, World};
 use crate::error::BartError;
 use crate::frame::frame_error::reference;

@@ -2,7 +2,8 @@
 //! frame.
 
 use crate::beams::beam::BeamTree;
-use crate::bodies::road::{Half, below, origin};
+use crate::beams::image_tree::origin;
+use crate::bodies::road::{Half, below};
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::convex_intersection::{bounds, left_of};

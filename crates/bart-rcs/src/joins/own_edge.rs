@@ -11,7 +11,8 @@
 //! Facets of a curved skin reflect parallel strips with gaps, and a node after them misses the divergence. There the node is
 //! on the facet with the smaller radius: weights are the squares of the curvatures.
 
-use crate::bodies::road::{Half, origin};
+use crate::beams::image_tree::origin;
+use crate::bodies::road::Half;
 use crate::bodies::world::World;
 use crate::geometry::border::Border;
 use crate::geometry::clip::doubled_area;

@@ -1,7 +1,8 @@
 //! Joints with their legs: what one trace gives to every frequency and polarization.
 
 use crate::beams::beam::{Beam, BeamTree};
-use crate::bodies::road::{Half, half_of, origin};
+use crate::beams::image_tree::origin;
+use crate::bodies::road::{Half, half_of};
 use crate::bodies::world::World;
 use crate::error::BartError;
 use crate::geometry::antenna::Antenna;

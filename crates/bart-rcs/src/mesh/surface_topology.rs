@@ -161,7 +161,7 @@ impl Fan {
     }
 }
 
-/// The same as [`crate::bodies::world::FacetGeometry`]: a triangle whose height is rounding has no plane.
+/// The same as [`crate::geometry::facet_geometry::FacetGeometry`]: a triangle whose height is rounding has no plane.
 fn normal_of(corners_m: &[DVec3; 3], tolerance_m: f64) -> DVec3 {
     let [a, b, c] = *corners_m;
     let longest_m = a.distance(b).max(b.distance(c)).max(c.distance(a));

@@ -3,7 +3,7 @@
 //! Beams end on the flat facet; physical optics is integrated over the skin above it, point for point along the facet's
 //! normal. With h the height, its points are x + h·n and its area vector per area of the facet is n − ∇h.
 
-use crate::bodies::world::FacetGeometry;
+use crate::geometry::facet_geometry::FacetGeometry;
 use glam::{DMat3, DVec3};
 
 /// Heights of the six control points beside a cubic's corners: on side k (from corner k to the next) the one nearer to its

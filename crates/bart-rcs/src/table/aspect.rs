@@ -2,12 +2,12 @@
 
 use crate::beams::beam::{BeamTree, GrowingTree, TraceSettings};
 use crate::bodies::world::World;
-use crate::edges::edge_scattering::{edge_meetings, sum_of_edges};
+use crate::edges::edge_scattering::sum_of_edges;
 use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
 use crate::joins::join::{Trees, tree_order};
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of};
-use crate::table::meeting::{Meeting, MeetingSettings};
+use crate::table::meeting::{Meeting, MeetingSettings, edge_meetings};
 use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule};
 use glam::DVec3;

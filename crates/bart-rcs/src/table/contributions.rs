@@ -6,6 +6,7 @@ use crate::edges::edge_scattering::edge_share;
 use crate::edges::lit_edge::EdgeJoint;
 use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
+use crate::geometry::facet_geometry::FacetGeometry;
 use crate::joins::join::{Joint, Trees};
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of, sequence};
 use crate::table::aspect::Aspect;
@@ -143,7 +144,7 @@ fn back_to_antenna(world: &World, tree: &BeamTree, beam: &Beam, node_m: DVec3) -
     points
 }
 
-fn meeting_m(x_m: DVec3, image: Antenna, mirror: &crate::bodies::world::FacetGeometry) -> DVec3 {
+fn meeting_m(x_m: DVec3, image: Antenna, mirror: &FacetGeometry) -> DVec3 {
     let towards = image.towards(x_m);
     let share = -mirror.plane.distance_m(x_m) / mirror.normal().dot(towards);
     if share.is_finite() { x_m + share * towards } else { x_m }

@@ -1,8 +1,8 @@
-//! S of joints over frequency: tiles gathered by their length, taken at few frequencies (see [`crate::table::band`]).
+//! S of joints over frequency: tiles gathered by their length, taken at few frequencies (see [`crate::joins::band`]).
 
+use crate::joins::band::{Band, Groups, INTERPOLATION_ERROR, Kind, add};
 use crate::joins::join::{Joint, Joints};
 use crate::joins::scatterer::{Integration, JointTile, Scatterer};
-use crate::table::band::{Band, Groups, INTERPOLATION_ERROR, Kind, add};
 use artifact::paths::Amplitude;
 use glam::DVec3;
 use rayon::prelude::*;

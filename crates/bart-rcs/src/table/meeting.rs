@@ -1,10 +1,10 @@
 //! Where both ends meet in ways of one order: on facets and, where they are asked for, on edges.
 
-use crate::edges::edge_scattering::{edge_meetings, sum_of_edges};
-use crate::edges::lit_edge::EdgeJoint;
+use crate::edges::edge_scattering::sum_of_edges;
+use crate::edges::lit_edge::{EdgeJoint, edge_joints};
+use crate::joins::band::add;
 use crate::joins::join::Joints;
 use crate::joins::scatterer::{Integration, Scatterer};
-use crate::table::band::add;
 use crate::table::joint_sum::sum_of_joints;
 use artifact::paths::Amplitude;
 use artifact::settings::{Edges, NodeRule};
@@ -56,5 +56,14 @@ impl Meeting {
     ) -> [Vec<Amplitude>; 2] {
         let facets = sum_of_joints(scatterer, &self.facets, origin_m, integration);
         [facets, sum_of_edges(scatterer, &self.edges, origin_m, integration)]
+    }
+}
+
+/// Where both ends meet on edges in ways of `order`; nowhere where edges are ignored.
+pub(crate) fn edge_meetings(scatterer: &Scatterer<'_>, order: u8, settings: &MeetingSettings) -> Vec<EdgeJoint> {
+    let world = scatterer.world;
+    match settings.edges {
+        Edges::FirstOrder => edge_joints(world, world.edges(settings.wavenumber_per_m), scatterer.trees, order),
+        Edges::Ignored => Vec::new(),
     }
 }

@@ -86,7 +86,8 @@ fn body_length(lines: &[&str], depth: usize) -> usize {
     end.saturating_sub(opens + 1)
 }
 
-fn sources(folder: &Path, files: &mut Vec<PathBuf>) {
+/// Rust files of a folder and of those in it.
+pub(super) fn sources(folder: &Path, files: &mut Vec<PathBuf>) {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|e| e.path());
     for entry in entries {
         match entry.extension() {

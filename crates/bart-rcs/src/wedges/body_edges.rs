@@ -1,11 +1,11 @@
 //! The edges of a body: open edges and wedges of its surface, but neither seams, diagonals, concave corners nor the bends of
 //! a tessellated curve (docs/decisions/edges.md).
 
-use crate::edges::fringe::Wedge;
 use crate::mesh::curve_bend::{may_be_a_step, may_be_of_one_curve};
 use crate::mesh::mesh_edges::{MeshEdge, Side};
 use crate::mesh::surface_topology::{Blade, Topology};
 use crate::mesh::welding::rounding_m;
+use crate::wedges::wedge::Wedge;
 use glam::DVec3;
 use std::f64::consts::PI;
 
