@@ -172,19 +172,21 @@ impl<'a> Chain<'a> {
         self.header.targets.iter().map(|t| t.id.clone()).collect()
     }
 
-    /// Paths or tables of one frame.
+    /// Paths or tables of one frame; a frame whose bodies stand and move as in another one has that one's, found in the cache.
     pub(crate) fn scattering(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<Step<Scattering>, Failure> {
         let (key, stage) = (&plan.keys.bart_rcs, Stage::BartRcs);
         match self.header.fidelity.echo {
             EchoMode::Paths => {
                 let compute = || bart_rcs::trace_frame(self.bodies()?, self.header, scene).map_err(Failure::refused);
                 let step = self.step::<Paths>(plan, stage, key, &self.paths_header(), compute)?;
-                Ok(step.map(Scattering::Paths))
+                let (index, time_s) = (scene.index, scene.time_s);
+                Ok(step.map(|frame| Scattering::Paths(PathsFrame { index, time_s, ..frame })))
             }
             EchoMode::RcsTable => {
-                let compute = || bart_rcs::rcs_frame(self.header, scene).map_err(Failure::refused);
+                let compute = || bart_rcs::rcs_frame(self.bodies()?, self.header, scene).map_err(Failure::refused);
                 let step = self.step::<Rcs>(plan, stage, key, &self.rcs_header(), compute)?;
-                Ok(step.map(Scattering::Tables))
+                let (index, time_s) = (scene.index, scene.time_s);
+                Ok(step.map(|frame| Scattering::Tables(RcsFrame { index, time_s, ..frame })))
             }
         }
     }
@@ -254,7 +256,8 @@ impl<'a> Chain<'a> {
         header: &S::Header,
         compute: impl FnOnce() -> Result<S::Frame, Failure>,
     ) -> Result<Step<S::Frame>, Failure> {
-        if let Some(value) = self.cache.filter(|_| !plan.runs(stage)).and_then(|c| c.get::<S>(stage, key)) {
+        // Looked for even where the plan found nothing: an equal frame of this run may have put it there since.
+        if let Some(value) = self.cache.and_then(|c| c.get::<S>(stage, key)) {
             return Ok(Step { value, cached: true });
         }
         let value = compute()?;

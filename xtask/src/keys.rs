@@ -83,8 +83,9 @@ impl FrameKeys {
     }
 }
 
+/// Without the frame's number and time: bodies that stand still scatter the same in every frame.
 fn bart_rcs(parts: &SceneParts, frame: &SceneFrame) -> Key {
-    let poses = fingerprint(&(frame.index, frame.time_s, &frame.poses));
+    let poses = fingerprint(&frame.poses);
     let parts = [("bodies", &parts.bodies), ("radar", &parts.radar), ("fidelity", &parts.fidelity), ("poses", &poses)];
     Key::of(Stage::BartRcs, parts.map(|(name, hash)| (name, hash.clone())).to_vec())
 }
@@ -95,10 +96,16 @@ fn fmcw_echo(header: &SceneHeader, parts: &SceneParts, scattering: &Key, frame: 
         Noise::SnrDb(_) => fingerprint(&(header.dsp.range_window, header.dsp.doppler_window)),
         Noise::Absent | Noise::Figure { .. } => String::new(),
     };
-    let noise = fingerprint(&(header.noise, header.seed, frame.index, windows));
+    let noise = fingerprint(&(header.noise, header.seed, windows));
+    let number = fingerprint(&(frame.index, frame.time_s));
     Key::of(
         Stage::FmcwEcho,
-        vec![("scattering", scattering.id()), ("radar", parts.radar.clone()), ("noise and seed", noise)],
+        vec![
+            ("scattering", scattering.id()),
+            ("radar", parts.radar.clone()),
+            ("noise and seed", noise),
+            ("frame and time", number),
+        ],
     )
 }
 

@@ -145,6 +145,26 @@ fn a_run_that_is_killed_leaves_nothing_half_written_and_the_next_goes_on() {
 }
 
 #[test]
+fn frames_of_bodies_at_rest_are_traced_once_and_are_the_same_bytes() {
+    let place = Workplace::new();
+    let at_rest = SMALL_SCENE.replace("velocity_mps = [0.0, -3.0, 0.0]", "velocity_mps = [0.0, 0.0, 0.0]");
+    for echo in ["paths", "rcs-table"] {
+        let text = format!("{}\n[fidelity]\necho = \"{echo}\"\n", at_rest.replace("frames = 2", "frames = 3"));
+        std::fs::write(place.path("small.toml"), text).unwrap();
+        place.run(&format!("run small.toml --out shared-{echo} --quiet"));
+        place.run(&format!("run small.toml --out apart-{echo} --no-cache --quiet"));
+        let frames = place.summary(&format!("shared-{echo}/summary.json"))["frames"].as_array().unwrap().clone();
+        let is_shared = |frame: &Value| frame["cached"].as_array().unwrap().contains(&"bart_rcs".into());
+        assert_eq!(frames.iter().map(is_shared).collect::<Vec<_>>(), [false, true, true]);
+        let traced = if echo == "paths" { "frames.paths" } else { "frames.rcs" };
+        for artifact in [traced, "frames.cube", "frames.rdm", "frames.points"] {
+            let of = |how: &str| place.bytes(&format!("{how}-{echo}/{artifact}"));
+            assert_eq!(of("shared"), of("apart"), "{echo} {artifact}");
+        }
+    }
+}
+
+#[test]
 fn two_runs_at_once_do_not_hurt_each_other() {
     let place = Workplace::new();
     let start = |out: &str| place.command(&format!("run small.toml --out {out} --quiet")).spawn().unwrap();

@@ -2,6 +2,7 @@
 
 pub(crate) mod joint_sum; // of all joints of one order
 pub(crate) mod meeting; // of both ends, in ways of one order
+pub(crate) mod end_tree; // of an aspect, or of all with one receiver
 pub(crate) mod aspect; // S at one aspect, by order and node rule
 pub(crate) mod keeper; // what is done of a table, for another run
 pub(crate) mod far_field_error; // what a far-field table misses near by

@@ -460,7 +460,7 @@ fn paths_of_edges_move_with_the_body_and_add_up_to_its_amplitude() {
         without.paths.len()
     );
     assert!(error <= printed && error < 0.1 && missed > 3.0 * error);
-    let tables = rcs_frame(&scene.0, &scene.1).unwrap();
+    let tables = rcs_frame(&Models::build(&scene.0).unwrap(), &scene.0, &scene.1).unwrap();
     assert!(tables.tables[0].amplitude_m.iter().all(|s| s.is_finite()));
 }
 
@@ -469,7 +469,7 @@ fn paths_of_edges_move_with_the_body_and_add_up_to_its_amplitude() {
 fn a_frames_table_holds_the_far_field_amplitude_and_says_how_far_from_the_spherical_wave_it_is() {
     let start = pose([5.75, 30.0, 0.0], [0.0, -10.0, 0.0], -FRAC_PI_2);
     let (header, frame) = scene(&[(cart(0.1), start)], &[(1.0, start)], -20.0, 2);
-    let tables = rcs_frame(&header, &frame).unwrap();
+    let tables = rcs_frame(&Models::build(&header).unwrap(), &header, &frame).unwrap();
     assert_eq!(tables.tables.len(), 2);
     assert_eq!(tables.tables[1].amplitude_m, [Complex64::from(1.0)]);
     let table = &tables.tables[0];
@@ -517,7 +517,8 @@ fn the_far_field_error_of_a_large_plate_is_told_of_the_spherical_wave() {
     let radar_height_m = radar().position_m[2];
     let start = pose([0.0, 25.0, radar_height_m], [0.0; 3], -FRAC_PI_2);
     let (header, frame) = scene(&[(plate, start)], &[], -20.0, 1);
-    let error_db = 20.0 * rcs_frame(&header, &frame).unwrap().model_error.far_field.unwrap().log10();
+    let error_db = 20.0
+        * rcs_frame(&Models::build(&header).unwrap(), &header, &frame).unwrap().model_error.far_field.unwrap().log10();
     println!("asked 34.6 dB ± 1.5 dB (the ripple of the plate's edges over the band), got {error_db:.1} dB");
     assert!((error_db - 34.6).abs() < 1.5);
 }

@@ -78,9 +78,14 @@ impl World {
 
     /// The same with its facets bent.
     pub fn of_skin(mesh: &Mesh, skin: Skin) -> Result<Self, BartError> {
-        let pose = Pose { position_m: [0.0; 3], yaw_rad: 0.0, velocity_mps: [0.0; 3] };
-        let body = Body::posed(0, Arc::new(BodyMesh::build(mesh, skin)?), &pose, 0.0, &mesh.name)?;
+        let body = Body::posed(0, Arc::new(BodyMesh::build(mesh, skin)?), &AT_ORIGIN, 0.0, &mesh.name)?;
         Ok(Self::of_bodies(vec![body], None)?.with_sheets(mesh.makeup.transmission))
+    }
+
+    /// The model of a target alone in its own axes, as [`World::of_skin`] of its mesh; without facets for a point.
+    pub(crate) fn alone(models: &Models, target: &Target, transmission: Transmission) -> Result<Self, BartError> {
+        let bodies = models.of(target)?.map(|model| Body::posed(0, model, &AT_ORIGIN, 0.0, &target.id)).transpose()?;
+        Ok(Self::of_bodies(bodies.into_iter().collect(), None)?.with_sheets(transmission))
     }
 
     /// A facet by its index in [`World::facets`].
@@ -380,6 +385,8 @@ fn corners_of(mesh: &Mesh, index: usize, triangle: &[u32; 3]) -> Result<[DVec3; 
     }
     Ok(corners_m)
 }
+
+const AT_ORIGIN: Pose = Pose { position_m: [0.0; 3], yaw_rad: 0.0, velocity_mps: [0.0; 3] };
 
 /// A mesh at its place.
 struct Body {

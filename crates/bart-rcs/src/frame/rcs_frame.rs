@@ -2,13 +2,12 @@
 
 use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::road::{check_road, left_out};
-use crate::bodies::world::World;
+use crate::bodies::world::{Models, World};
 use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
 use crate::integral::polarization::zenith_h;
 use crate::joins::join::{Trees, tree_order};
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_order};
-use crate::surface::skin::Skin;
 use crate::table::far_field_error::Compared;
 use crate::table::meeting::{Meeting, MeetingSettings};
 use crate::table::rcs_table::{next_order, ratio};
@@ -27,7 +26,7 @@ use std::f64::consts::TAU;
 /// that linear interpolation meets the accuracy asked, up to 9 azimuths, 5 elevations and 256 frequencies. Bodies neither
 /// hide one another nor is the wave spherical: `model_error.far_field` compares each table's middle with the spherical wave. A
 /// point target has a table of one value, +√σ.
-pub fn rcs_frame(header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, BartError> {
+pub fn rcs_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, BartError> {
     check_order(header.fidelity.bounces)?;
     check_road(header)?;
     if frame.poses.len() != header.targets.len() {
@@ -42,9 +41,12 @@ pub fn rcs_frame(header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, B
             TargetKind::Mesh { mesh, .. } => {
                 let meshes = header.meshes.len();
                 let missing = || BartError::MeshOutOfRange { target: target.id.clone(), mesh, meshes };
-                let body = Body::new(header, header.meshes.get(mesh as usize).ok_or_else(missing)?, pose)?;
-                powers.add(&body.powers()?);
-                body.table(index)?
+                let mesh = header.meshes.get(mesh as usize).ok_or_else(missing)?;
+                let world = World::alone(models, target, mesh.makeup.transmission)?;
+                let body = Body::new(header, mesh, world, pose);
+                let (of_body, table) = body.measured_table(index)?;
+                powers.add(&of_body);
+                table
             }
         });
     }
@@ -83,13 +85,18 @@ struct Powers {
 }
 
 impl<'a> Body<'a> {
-    fn new(header: &'a SceneHeader, mesh: &Mesh, pose: &'a Pose) -> Result<Self, BartError> {
-        let fidelity = &header.fidelity;
-        let wavelength_m = header.radar.waveform.wavelength_m();
-        let skin = Skin::of(fidelity.surface, fidelity.accuracy, wavelength_m, fidelity.bounces);
-        let world = World::of_skin(mesh, skin)?;
+    fn new(header: &'a SceneHeader, mesh: &Mesh, world: World, pose: &'a Pose) -> Self {
         let radius_m = mesh.vertices_m.iter().map(|v| DVec3::from_array(*v).length()).fold(0.0, f64::max);
-        Ok(Self { header, pose, world, radius_m })
+        Self { header, pose, world, radius_m }
+    }
+
+    /// One tree at the middle aspect serves the table and what its errors are told from.
+    fn measured_table(&self, target: u32) -> Result<(Powers, RcsTable), BartError> {
+        let middle = self.to_radar_m(self.header.radar.frame_middle_s());
+        let tree = self.trace(Antenna::Direction(middle / middle.length()))?;
+        let scatterer = self.scatterer(&tree, middle);
+        let meetings = self.meetings(&scatterer);
+        Ok((self.powers(&scatterer, &meetings)?, self.table(target, &scatterer, &meetings)))
     }
 
     /// Vector from the body's origin to the radar, body axes.
@@ -98,22 +105,18 @@ impl<'a> Body<'a> {
         DMat3::from_rotation_z(-self.pose.yaw_rad) * (DVec3::from_array(self.header.radar.position_m) - origin)
     }
 
-    fn table(&self, target: u32) -> Result<RcsTable, BartError> {
+    fn table(&self, target: u32, scatterer: &Scatterer<'_>, meetings: &[Meeting]) -> RcsTable {
         let [first, last] = [0.0, self.header.radar.frame_duration_s()].map(|t| angles(self.to_radar_m(t)));
         let elevation_rad = self.angle_axis(first[0], last[0], ELEVATIONS_MAX);
         let azimuth_rad = self.angle_axis(first[1], nearest_turn(last[1], first[1]), AZIMUTHS_MAX);
         let frequency_hz = self.frequency_axis();
         let wavenumbers: Vec<f64> = frequency_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
-        let middle = self.to_radar_m(self.header.radar.frame_middle_s());
-        let tree = self.trace(Antenna::Direction(middle / middle.length()))?;
-        let scatterer = self.scatterer(&tree, middle);
-        let meetings = self.meetings(&scatterer);
         let aspects: Vec<DVec3> =
             elevation_rad.iter().flat_map(|el| azimuth_rad.iter().map(|az| direction(*el, *az))).collect();
-        let of = |r: &DVec3| self.sums(&scatterer.turned_to(*r), &meetings, &wavenumbers);
+        let of = |r: &DVec3| self.sums(&scatterer.turned_to(*r), meetings, &wavenumbers);
         let by_aspect: Vec<Vec<Complex64>> = aspects.par_iter().map(of).collect();
         let amplitude_m = (0..frequency_hz.len()).flat_map(|f| by_aspect.iter().map(move |s| s[f])).collect();
-        Ok(RcsTable {
+        RcsTable {
             target,
             frequency_hz,
             elevation_rad,
@@ -121,24 +124,21 @@ impl<'a> Body<'a> {
             range_m: f64::INFINITY,
             polarization: self.header.radar.array.polarization,
             amplitude_m,
-        })
+        }
     }
 
     /// What the errors of the table are told from, at a few frequencies.
-    fn powers(&self) -> Result<Powers, BartError> {
+    fn powers(&self, scatterer: &Scatterer<'_>, meetings: &[Meeting]) -> Result<Powers, BartError> {
         const FREQUENCIES: usize = 12;
         let waveform = &self.header.radar.waveform;
         let (centre_hz, bandwidth_hz) = (waveform.centre_frequency_hz(), waveform.bandwidth_hz());
         let frequencies = crate::frame::frame_error::frequencies_hz(centre_hz, bandwidth_hz, FREQUENCIES);
         let wavenumbers: Vec<f64> = frequencies.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
         let [middle, last] = [0.5, 1.0].map(|share| self.to_radar_m(share * self.header.radar.frame_duration_s()));
-        let [middle_r, last_r] = [middle, last].map(|x| x / x.length());
-        let tree = self.trace(Antenna::Direction(middle_r))?;
-        let scatterer = self.scatterer(&tree, middle);
-        let meetings = self.meetings(&scatterer);
-        let by_order = self.by_order(&scatterer, &meetings, &wavenumbers);
+        let last_r = last / last.length();
+        let by_order = self.by_order(scatterer, meetings, &wavenumbers);
         let table = total(&by_order, wavenumbers.len());
-        let frozen = self.sums(&scatterer.turned_to(last_r), &meetings, &wavenumbers);
+        let frozen = self.sums(&scatterer.turned_to(last_r), meetings, &wavenumbers);
         let anew = self.anew(Antenna::Direction(last_r), last, &wavenumbers)?;
         let spherical = self.anew(Antenna::Point(middle), middle, &wavenumbers)?;
         let near = Compared::of(&table, &spherical);

@@ -1,12 +1,13 @@
 //! Scattering at one aspect: trees, joins and integrals of every order, by the rule asked for and by the other one.
 
-use crate::beams::beam::{BeamTree, GrowingTree, TraceSettings};
+use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::world::World;
 use crate::edges::edge_scattering::sum_of_edges;
 use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
 use crate::joins::join::{Trees, tree_order};
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of};
+use crate::table::end_tree::EndTree;
 use crate::table::meeting::{Meeting, MeetingSettings, edge_meetings};
 use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule};
@@ -89,8 +90,19 @@ pub(crate) fn scattering(
     settings: &AspectSettings,
     checks: Checks,
 ) -> Result<Scattering, BartError> {
+    scattering_with(world, aspect, None, settings, checks)
+}
+
+/// The same with the receiver's tree where it was traced before, by the same settings, up to their last order.
+pub(crate) fn scattering_with(
+    world: &World,
+    aspect: &Aspect,
+    received: Option<&BeamTree>,
+    settings: &AspectSettings,
+    checks: Checks,
+) -> Result<Scattering, BartError> {
     let start = Instant::now();
-    let mut ends = Ends::new(world, aspect, settings)?;
+    let mut ends = Ends::new(world, aspect, received, settings)?;
     ends.grow_to(tree_order(settings.bounces, settings.nodes))?;
     let trace_seconds = start.elapsed().as_secs_f64();
     let start = Instant::now();
@@ -111,7 +123,7 @@ pub(crate) fn scattering(
         error_power,
         left_out_power,
         edges_power,
-        beams: beams_of(ends.trees()),
+        beams: ends.beams(),
         dropped_m,
         dropped_at_most_m,
         trace_seconds,
@@ -123,17 +135,23 @@ pub(crate) fn scattering(
 /// The trees of an aspect, grown as far as they were needed so far.
 struct Ends<'a> {
     world: &'a World,
-    transmit: GrowingTree<'a>,
-    receive: Option<GrowingTree<'a>>,
+    transmit: EndTree<'a>,
+    receive: Option<EndTree<'a>>,
     zenith_h: ZenithH,
 }
 
 impl<'a> Ends<'a> {
-    fn new(world: &'a World, aspect: &Aspect, settings: &'a AspectSettings) -> Result<Self, BartError> {
-        let tree = |antenna: Antenna| GrowingTree::new(world, antenna, &settings.trace);
+    fn new(
+        world: &'a World,
+        aspect: &Aspect,
+        received: Option<&'a BeamTree>,
+        settings: &'a AspectSettings,
+    ) -> Result<Self, BartError> {
+        let tree = |antenna: Antenna| EndTree::growing(world, antenna, &settings.trace);
         let transmit_h = aspect.transmit.1;
         let zenith_h = ZenithH { transmit: transmit_h, receive: aspect.receive.map_or(transmit_h, |(_, h)| h) };
-        let receive = aspect.receive.map(|(antenna, _)| tree(antenna)).transpose()?;
+        let of_receiver = |(antenna, _)| received.map_or_else(|| tree(antenna), |tree| Ok(EndTree::shared(tree)));
+        let receive = aspect.receive.map(of_receiver).transpose()?;
         Ok(Self { world, transmit: tree(aspect.transmit.0)?, receive, zenith_h })
     }
 
@@ -143,7 +161,17 @@ impl<'a> Ends<'a> {
     }
 
     fn trees(&self) -> [Option<&BeamTree>; 2] {
-        [Some(self.transmit.tree()), self.receive.as_ref().map(GrowingTree::tree)]
+        [Some(self.transmit.tree()), self.receive.as_ref().map(EndTree::tree)]
+    }
+
+    /// By order, both ends together.
+    fn beams(&self) -> Vec<u64> {
+        let mut beams = Vec::new();
+        for end in [Some(&self.transmit), self.receive.as_ref()].into_iter().flatten() {
+            beams.resize(beams.len().max(end.beams().count()), 0);
+            beams.iter_mut().zip(end.beams()).for_each(|(sum, beams)| *sum += beams);
+        }
+        beams
     }
 
     /// S by order from `from` on, then frequency.
@@ -287,15 +315,6 @@ fn dropped(trees: [Option<&BeamTree>; 2], orders: &[OfOrder], settings: &AspectS
     [factor * squares_m4.sqrt(), factor * sum_m2]
 }
 
-fn beams_of(trees: [Option<&BeamTree>; 2]) -> Vec<u64> {
-    let mut beams = Vec::new();
-    for tree in trees.into_iter().flatten() {
-        beams.resize(beams.len().max(tree.audit.orders.len()), 0);
-        beams.iter_mut().zip(&tree.audit.orders).for_each(|(sum, order)| *sum += order.beams);
-    }
-    beams
-}
-
 impl Scattering {
     /// All orders at one frequency.
     pub(crate) fn total_m(&self, frequency: usize) -> Complex64 {
@@ -344,6 +363,43 @@ mod tests {
     use crate::table::joint_sum::sum_of_joints;
     use artifact::scene::Mesh;
     use artifact::settings::Sides;
+
+    /// Two plates that reflect each other, seen from two places.
+    #[test]
+    fn a_receiver_that_stands_still_is_traced_once_and_no_bit_changes() {
+        let vertices_m = vec![[0.0, 0.0, 0.0], [0.4, 0.1, 0.0], [0.0, 0.5, 0.0], [0.0, 0.0, 0.3], [0.1, 0.0, 0.6]];
+        let triangles = vec![[0, 1, 2], [0, 2, 3], [0, 4, 1]];
+        let world = World::of_mesh(&Mesh { vertices_m, triangles, ..Mesh::default() }).unwrap();
+        let settings = |nodes: NodeRule| AspectSettings {
+            trace: TraceSettings { max_order: 3, sides: Sides::Two, least_area_m2: 1e-9, least_mirror_area_m2: 1e-9 },
+            wavenumbers_per_m: vec![1600.0, 1613.0],
+            bounces: 3,
+            nodes,
+            edges: Edges::Ignored,
+            polarization: Polarization::Vv,
+            accuracy: 1e-3,
+        };
+        let receiver = Antenna::Point(DVec3::new(3.0, 4.0, 5.0));
+        for (nodes, edges) in [
+            (NodeRule::Middle, Edges::Ignored),
+            (NodeRule::OwnEdge, Edges::Ignored),
+            (NodeRule::Exit, Edges::FirstOrder),
+        ] {
+            let settings = AspectSettings { edges, ..settings(nodes) };
+            let tree = BeamTree::trace(&world, receiver, &settings.trace).unwrap();
+            for (x, model) in [(3.0, Check::Measured), (3.5, Check::Skipped), (2.0, Check::Skipped)] {
+                let transmitter = Antenna::Point(DVec3::new(x, 4.5, 4.0));
+                let aspect = Aspect { transmit: (transmitter, DVec3::Y), receive: Some((receiver, DVec3::Y)) };
+                let checks = Checks { integrals: Check::Measured, model };
+                let [own, shared] = [None, Some(&tree)].map(|received| {
+                    let found = scattering_with(&world, &aspect, received, &settings, checks).unwrap();
+                    Scattering { trace_seconds: 0.0, integrate_seconds: 0.0, check_seconds: 0.0, ..found }
+                });
+                assert!(own.mean_power() > 0.0);
+                assert_eq!(own.to_bytes(), shared.to_bytes(), "{nodes:?} {x} {model:?}");
+            }
+        }
+    }
 
     /// D5: a body and its antenna moved by a kilometre; single precision of the candidates and double precision of the
     /// clipping both see other coordinates.

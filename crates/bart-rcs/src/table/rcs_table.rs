@@ -1,6 +1,6 @@
 //! Scattering amplitude of a mesh over frequency, elevation and azimuth: far field or finite range, one antenna or two.
 
-use crate::beams::beam::TraceSettings;
+use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::world::World;
 use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
@@ -9,7 +9,7 @@ use crate::joins::join::tree_order;
 use crate::joins::scatterer::check_order;
 use crate::memory::{MemoryLimit, memory_estimate_bytes};
 use crate::surface::skin::Skin;
-use crate::table::aspect::{Aspect, AspectSettings, Check, Checks, Scattering, scattering};
+use crate::table::aspect::{Aspect, AspectSettings, Check, Checks, Scattering, scattering, scattering_with};
 use crate::table::far_field_error::{FarFieldError, far_field_error};
 use crate::table::keeper::{Keeper, NothingKept, Piece};
 use artifact::material::{Makeup, Material, Transmission};
@@ -149,10 +149,14 @@ pub fn rcs_within(mesh: &Mesh, request: &RcsRequest, surroundings: &Surroundings
     let asked = request.accuracy.amplitude().max(1e-8);
     // Bounds of bent facets are far above their errors, which cancel from facet to facet: spheres asked for -20 dB have -64 dB.
     let mut accuracy = if world.skin_error() > 0.0 { 10.0 * asked } else { asked };
+    let start = Instant::now();
+    let received = tree_of_receiver(&world, &aspects, &aspect_settings(request, &world, accuracy))?;
+    let trace = start.elapsed().as_secs_f64();
+    let sweep = Sweep { world: &world, aspects: &aspects, received: received.as_ref(), surroundings };
     let mut pass = 0;
     loop {
         let settings = aspect_settings(request, &world, accuracy);
-        let table = sweep(&world, &aspects, &settings, surroundings, pass)?;
+        let table = sweep.table(&settings, pass)?;
         let integration = measured_error(&table);
         if integration <= asked || accuracy < 1e-4 * asked {
             let mut result = result(request, &table, integration, build);
@@ -160,6 +164,7 @@ pub fn rcs_within(mesh: &Mesh, request: &RcsRequest, surroundings: &Surroundings
             result.model_error.transmission = transmission_left_out(mesh, request, &aspects, &settings, &table)?;
             let start = Instant::now();
             result.far_field = far_field_error(&world, request, &settings, &table)?;
+            result.seconds.trace += trace;
             result.seconds.check += start.elapsed().as_secs_f64();
             return Ok(result);
         }
@@ -299,32 +304,62 @@ pub(crate) fn aspect_settings(request: &RcsRequest, world: &World, accuracy: f64
 /// 1/√32, 0.8 dB.
 const COMPARED_ASPECTS: usize = 64;
 
-fn sweep(
+/// What all aspects of a table share: bodies, hierarchy, patches, edges and skin are the world's, built once.
+struct Sweep<'a> {
+    world: &'a World,
+    aspects: &'a [Aspect],
+    /// Of a receiver that stands still: it does not depend on the aspect.
+    received: Option<&'a BeamTree>,
+    surroundings: &'a Surroundings<'a>,
+}
+
+/// What a receiver that stands still lights, where more than one aspect asks for it.
+fn tree_of_receiver(
     world: &World,
     aspects: &[Aspect],
     settings: &AspectSettings,
-    surroundings: &Surroundings<'_>,
-    pass: u32,
-) -> Result<Vec<Scattering>, BartError> {
-    let Surroundings { keeper, progress, .. } = surroundings;
-    let done = AtomicUsize::new(0);
-    let stride = aspects.len().div_ceil(COMPARED_ASPECTS);
-    let checked = [0, aspects.len() / 2, aspects.len().saturating_sub(1)];
-    let one = |(index, aspect): (usize, &Aspect)| {
-        // Far away the polygons' closed form is exact; bent facets and currents that end on a face are integrated by pieces.
-        let is_exact = !aspect.is_near() && settings.edges == Edges::Ignored && world.skin_error() == 0.0;
-        let measured = |is_measured| if is_measured { Check::Measured } else { Check::Skipped };
-        let checks =
-            Checks { integrals: measured(checked.contains(&index) && !is_exact), model: measured(index % stride == 0) };
+) -> Result<Option<BeamTree>, BartError> {
+    match aspects {
+        [Aspect { receive: Some((antenna, _)), .. }, _, ..] => {
+            BeamTree::trace(world, *antenna, &settings.trace).map(Some)
+        }
+        _ => Ok(None),
+    }
+}
+
+impl Sweep<'_> {
+    fn table(&self, settings: &AspectSettings, pass: u32) -> Result<Vec<Scattering>, BartError> {
+        let done = AtomicUsize::new(0);
+        let one = |index: usize| {
+            let found = self.aspect(index, settings, pass);
+            (self.surroundings.progress)(done.fetch_add(1, Ordering::Relaxed) + 1, self.aspects.len());
+            found
+        };
+        (0..self.aspects.len()).into_par_iter().map(one).collect::<Vec<_>>().into_iter().collect()
+    }
+
+    /// As it was kept, or made now and kept.
+    fn aspect(&self, index: usize, settings: &AspectSettings, pass: u32) -> Result<Scattering, BartError> {
+        let keeper = self.surroundings.keeper;
         let piece = Piece { pass, aspect: index as u32 };
-        let found = keeper.kept(piece).and_then(Scattering::from_bytes).map_or_else(
-            || scattering(world, aspect, settings, checks).inspect(|done| keeper.keep(piece, &done.to_bytes())),
-            Ok,
-        );
-        progress(done.fetch_add(1, Ordering::Relaxed) + 1, aspects.len());
-        found
-    };
-    aspects.par_iter().enumerate().map(one).collect::<Vec<_>>().into_iter().collect()
+        if let Some(kept) = keeper.kept(piece).and_then(Scattering::from_bytes) {
+            return Ok(kept);
+        }
+        let (aspect, checks) = (&self.aspects[index], self.checks(index, settings));
+        scattering_with(self.world, aspect, self.received, settings, checks)
+            .inspect(|done| keeper.keep(piece, &done.to_bytes()))
+    }
+
+    fn checks(&self, index: usize, settings: &AspectSettings) -> Checks {
+        let count = self.aspects.len();
+        let is_checked = [0, count / 2, count - 1].contains(&index);
+        let is_compared = index.is_multiple_of(count.div_ceil(COMPARED_ASPECTS));
+        // Far away the polygons' closed form is exact; bent facets and currents that end on a face are integrated by pieces.
+        let is_near = self.aspects[index].is_near();
+        let is_exact = !is_near && settings.edges == Edges::Ignored && self.world.skin_error() == 0.0;
+        let measured = |is_measured| if is_measured { Check::Measured } else { Check::Skipped };
+        Checks { integrals: measured(is_checked && !is_exact), model: measured(is_compared) }
+    }
 }
 
 /// ‖S − S(ten times finer)‖ per value over the table's root mean square |S|; rounding in the far field, where the closed

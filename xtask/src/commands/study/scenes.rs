@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::paths::PathsFrame;
 use artifact::points::PointsFrame;
+use artifact::rcs::RcsFrame;
 use artifact::rdm::RdmFrame;
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
 use scene::{Meshes, ReadOptions};
@@ -60,6 +61,12 @@ pub(super) fn paths_of(header: &SceneHeader) -> Result<PathsFrame, Failure> {
 pub(super) fn paths_at(header: &SceneHeader, frame: &SceneFrame) -> Result<PathsFrame, Failure> {
     let models = bart_rcs::Models::build(header).map_err(Failure::refused)?;
     bart_rcs::trace_frame(&models, header, frame).map_err(Failure::refused)
+}
+
+/// The paper's σ_f at a frame.
+pub(super) fn tables_at(header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, Failure> {
+    let models = bart_rcs::Models::build(header).map_err(Failure::refused)?;
+    bart_rcs::rcs_frame(&models, header, frame).map_err(Failure::refused)
 }
 
 pub(super) fn cube_header(header: &SceneHeader) -> CubeHeader {

@@ -2,7 +2,7 @@
 
 use super::verdict::Trial;
 use super::{Extent, Row, Says};
-use crate::commands::study::scenes::{frame_of, paths_of, scene_of, with_body};
+use crate::commands::study::scenes::{frame_of, paths_of, scene_of, tables_at, with_body};
 use crate::commands::study::{bodies, closed_forms, looks};
 use crate::failure::Failure;
 use artifact::scene::SceneHeader;
@@ -31,7 +31,7 @@ pub(super) fn table_over_range(_: Extent) -> Result<Vec<Row>, Failure> {
     let far = closed_forms::plate_far(SIDE_M, 0.0);
     let row = |range_m: f64| {
         let header = scene_at(range_m)?;
-        let table = bart_rcs::rcs_frame(&header, &frame_of(&header)).map_err(Failure::refused)?;
+        let table = tables_at(&header, &frame_of(&header))?;
         let says = table.model_error.far_field.map_or(Says::Nothing, Says::About);
         let near = closed_forms::plate_near(SIDE_M, range_m, 0.0);
         // The table's own S at its middle aspect is far away's closed form; its comparison is over the band.

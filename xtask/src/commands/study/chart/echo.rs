@@ -3,7 +3,9 @@
 use super::Row;
 use super::work::{Measured, Subject, measured};
 use crate::commands::study::looks;
-use crate::commands::study::scenes::{cube_header, cube_of, frame_of, paths_at, paths_of, scene_of, with_body};
+use crate::commands::study::scenes::{
+    cube_header, cube_of, frame_of, paths_at, paths_of, scene_of, tables_at, with_body,
+};
 use crate::failure::Failure;
 use artifact::Accuracy;
 use artifact::cube::CubeFrame;
@@ -83,7 +85,7 @@ pub(super) fn tables(subject: &Subject) -> Result<Vec<Row>, Failure> {
     let header = scene(subject, -20.0)?;
     let frame = frame_of(&header);
     let cube = measured(|| {
-        let tables = bart_rcs::rcs_frame(&header, &frame).map_err(Failure::refused)?;
+        let tables = tables_at(&header, &frame)?;
         fmcw_echo::synthesize_tables(&cube_header(&header), header.seed, &frame.poses, &tables, &|_| ())
             .map_err(Failure::refused)
     })?;
