@@ -1,27 +1,61 @@
-//! Beams of an antenna above the road and of its image below, as one tree.
+//! The beams of the antenna's image below the road, beside the antenna's own.
 
 use crate::beams::beam::{Beam, BeamTree};
-use crate::bodies::road::Half;
+use crate::bodies::road::{Half, below, image};
+use crate::bodies::world::World;
 
-/// The beams of the antenna and of its image as those of one antenna, by order.
-pub(crate) fn with_image(direct: &BeamTree, image: &BeamTree) -> BeamTree {
-    let mut both = BeamTree { beams: Vec::new(), ..direct.clone() };
-    let shift = both.vertices_m.len() as u32;
-    both.vertices_m.extend_from_slice(&image.vertices_m);
-    both.borders.extend_from_slice(&image.borders);
-    let highest = [direct, image].iter().filter_map(|tree| tree.beams.last()).map(|beam| beam.order).max().unwrap_or(0);
-    let mut place_of = [vec![0_u32; direct.beams.len()], vec![0_u32; image.beams.len()]];
-    for order in 1..=highest {
-        for (tree, (beams, shift)) in [(&direct.beams, 0), (&image.beams, shift)].into_iter().enumerate() {
-            for (index, beam) in beams.iter().enumerate().filter(|(_, beam)| beam.order == order) {
-                place_of[tree][index] = both.beams.len() as u32;
-                let parent = beam.parent.map(|parent| place_of[tree][parent as usize]);
-                let polygon = beam.polygon.start + shift..beam.polygon.end + shift;
-                both.beams.push(Beam { parent, polygon, ..beam.clone() });
+/// What arrives at the antenna, straight and by the road.
+pub(crate) struct Received {
+    /// The beams of the antenna and of its image as those of one antenna, by order.
+    pub(crate) tree: BeamTree,
+    /// Of every beam: itself among the antenna's, or the one whose image it is.
+    pub(crate) twins: Vec<u32>,
+}
+
+impl Received {
+    /// The antenna's image sees the images of what the antenna sees: its beams are not traced but mirrored.
+    pub(crate) fn with_image(world: &World, direct: &BeamTree) -> Self {
+        let mut tree = BeamTree { beams: Vec::new(), ..direct.clone() };
+        let mut twins = Vec::with_capacity(2 * direct.beams.len());
+        let mut places = [vec![0_u32; direct.beams.len()], vec![0_u32; direct.beams.len()]];
+        let of_order = |a: &(usize, &Beam), b: &(usize, &Beam)| a.1.order == b.1.order;
+        let beams: Vec<(usize, &Beam)> = direct.beams.iter().enumerate().collect();
+        for order in beams.chunk_by(of_order) {
+            for (half, places) in [Half::Above, Half::Below].into_iter().zip(&mut places) {
+                for &(index, beam) in order {
+                    let beam =
+                        if half == Half::Below { below_road(world, direct, beam, &mut tree) } else { beam.clone() };
+                    places[index] = tree.beams.len() as u32;
+                    let parent = beam.parent.map(|parent| places[parent as usize]);
+                    tree.beams.push(Beam { parent, ..beam });
+                    twins.push(index as u32);
+                }
             }
         }
+        Self { tree, twins }
     }
-    both
+
+    /// Bytes held, about.
+    pub(crate) fn bytes(&self) -> usize {
+        self.tree.bytes() + self.twins.len() * size_of::<u32>()
+    }
+}
+
+/// The image of a beam, its corners put behind those of `tree`.
+fn below_road(world: &World, direct: &BeamTree, beam: &Beam, tree: &mut BeamTree) -> Beam {
+    let start = tree.vertices_m.len();
+    tree.vertices_m.extend(direct.polygon(beam).iter().rev().map(|corner| below(*corner)));
+    // Seen from the other side the edge from a corner to the next runs from the next to the corner.
+    tree.borders.extend(direct.borders(beam).iter().rev());
+    tree.borders[start..].rotate_left(1);
+    Beam {
+        facet: world.image_of(beam.facet),
+        lit_normal: below(beam.lit_normal),
+        image: image(beam.image),
+        sheets: beam.sheets.iter().map(|sheet| world.image_of(*sheet)).collect(),
+        polygon: start as u32..tree.vertices_m.len() as u32,
+        ..beam.clone()
+    }
 }
 
 /// Which of the two antennas a beam came from.

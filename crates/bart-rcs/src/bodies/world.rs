@@ -62,11 +62,11 @@ impl World {
                 bodies.push(Body::posed(index, model, pose, seconds_into_frame, &target.id)?);
             }
         }
-        if header.road.is_some() {
-            let images: Vec<Body> = bodies.iter().map(Body::below_road).collect();
-            bodies.extend(images);
-        }
-        let world = Self::of_bodies(bodies, header.road.clone())?.with_sheets(header.materials.transmission);
+        let world = Self::of_bodies(bodies, None)?.with_sheets(header.materials.transmission);
+        let world = match &header.road {
+            Some(road) => world.over(road)?,
+            None => world,
+        };
         let limit = models.memory_limit.shared(world.bytes() as u64, 1);
         Ok(world.within(limit))
     }
@@ -86,6 +86,15 @@ impl World {
     pub(crate) fn alone(models: &Models, target: &Target, transmission: Transmission) -> Result<Self, BartError> {
         let bodies = models.of(target)?.map(|model| Body::posed(0, model, &AT_ORIGIN, 0.0, &target.id)).transpose()?;
         Ok(Self::of_bodies(bodies.into_iter().collect(), None)?.with_sheets(transmission))
+    }
+
+    /// The same bodies over a road, with their images below it.
+    pub(crate) fn over(&self, road: &Road) -> Result<Self, BartError> {
+        let images = self.bodies.iter().map(Body::below_road);
+        let bodies = self.bodies.iter().cloned().chain(images).collect();
+        let transmission = if self.sheets.is_empty() { Transmission::Ignored } else { Transmission::Followed };
+        let world = Self::of_bodies(bodies, Some(road.clone()))?.with_sheets(transmission);
+        Ok(world.within(self.memory_limit))
     }
 
     /// A facet by its index in [`World::facets`].
@@ -111,6 +120,12 @@ impl World {
     /// Whether a facet is an image below the road.
     pub(crate) fn is_image(&self, facet: u32) -> bool {
         facet as usize >= self.triangles()
+    }
+
+    /// The image of a facet below the road, or the facet whose image it is; where there is a road.
+    pub(crate) fn image_of(&self, facet: u32) -> u32 {
+        let half = self.triangles() as u32;
+        if facet < half { facet + half } else { facet - half }
     }
 
     /// Facets without the images below the road.
@@ -389,6 +404,7 @@ fn corners_of(mesh: &Mesh, index: usize, triangle: &[u32; 3]) -> Result<[DVec3; 
 const AT_ORIGIN: Pose = Pose { position_m: [0.0; 3], yaw_rad: 0.0, velocity_mps: [0.0; 3] };
 
 /// A mesh at its place.
+#[derive(Clone)]
 struct Body {
     target: u32,
     mesh: Arc<BodyMesh>,

@@ -40,8 +40,8 @@ pub(crate) fn edge_joints(world: &World, edges: &WorldEdges, trees: Trees<'_>, o
     let forward = lit_edges(world, edges, trees.transmit(), order);
     match trees {
         Trees::Shared(_) => joints_of(&forward, &forward, order, Pairs::Unordered),
-        Trees::Apart(_, receive) => {
-            joints_of(&forward, &lit_edges(world, edges, receive, order), order, Pairs::Ordered)
+        Trees::Apart(..) | Trees::ByRoad(..) => {
+            joints_of(&forward, &lit_edges(world, edges, trees.receive(), order), order, Pairs::Ordered)
         }
     }
 }

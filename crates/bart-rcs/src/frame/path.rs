@@ -1,8 +1,8 @@
 //! The path table of a frame: bodies frozen at the frame's middle, every cell of their lit facets a path that moves.
 
 use crate::beams::beam::BeamTree;
-use crate::beams::image_tree::with_image;
-use crate::bodies::road::{check_road, image, left_out};
+use crate::beams::image_tree::Received;
+use crate::bodies::road::{check_road, left_out};
 use crate::bodies::world::{Models, World};
 use crate::error::BartError;
 use crate::frame::frame_error::reference;
@@ -64,7 +64,7 @@ struct Snapshot {
     world: World,
     tree: BeamTree,
     /// With that of the antenna's image, where there is a road.
-    received: Option<BeamTree>,
+    received: Option<Received>,
 }
 
 impl Snapshot {
@@ -77,21 +77,19 @@ impl Snapshot {
     ) -> Result<Self, BartError> {
         let world = World::posed(models, header, frame, seconds)?;
         let tree = BeamTree::trace(&world, Antenna::Point(place_m), &plan.trace)?;
-        let received = match world.road() {
-            Some(_) => Some(with_image(&tree, &BeamTree::trace(&world, image(tree.antenna), &plan.trace)?)),
-            None => None,
-        };
+        let received = world.road().map(|_| Received::with_image(&world, &tree));
         Ok(Self { world, tree, received })
     }
 
     fn scatterer(&self, plan: &Plan<'_>) -> Scatterer<'_> {
         let h = plan.zenith_h();
-        let trees = self.received.as_ref().map_or(Trees::Shared(&self.tree), |tree| Trees::Apart(&self.tree, tree));
+        let trees =
+            self.received.as_ref().map_or(Trees::Shared(&self.tree), |received| Trees::ByRoad(&self.tree, received));
         Scatterer::new(&self.world, trees, ZenithH { transmit: h, receive: h })
     }
 
     fn bytes(&self) -> u64 {
-        (self.world.bytes() + self.tree.bytes() + self.received.as_ref().map_or(0, BeamTree::bytes)) as u64
+        (self.world.bytes() + self.tree.bytes() + self.received.as_ref().map_or(0, Received::bytes)) as u64
     }
 }
 

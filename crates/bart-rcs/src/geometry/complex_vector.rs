@@ -1,6 +1,6 @@
 //! Fields with phase: complex vectors that are only turned, projected and scaled.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use num_complex::Complex64;
 use std::ops::Add;
 
@@ -30,6 +30,11 @@ impl ComplexVector {
     /// Turned over at a plane z = const.
     pub(crate) fn with_z_turned(self) -> Self {
         Self { re: self.re.with_z(-self.re.z), im: self.im.with_z(-self.im.z) }
+    }
+
+    /// A matrix times it.
+    pub(crate) fn turned(self, by: DMat3) -> Self {
+        Self { re: by * self.re, im: by * self.im }
     }
 
     /// `direction` × self.

@@ -9,10 +9,11 @@
 //! A conductor, e + e_r = 2n(n·e), gives the other bracket back.
 
 use crate::geometry::complex_vector::ComplexVector;
+use crate::integral::chebyshev::{self, Chebyshev, middle_and_half};
 use crate::integral::physical_optics::{Bracket, Field, Leg, SurfacePoint};
 use crate::integral::polygon_phase::{linear_phase_integral, six_point_weights};
 use crate::integral::tiling::Tile;
-use crate::materials::surface_response::{phase_length_m, reflected_field, reflection, steepness};
+use crate::materials::surface_response::{phase_length_m, reflected_fields, reflection, steepness};
 use artifact::material::Material;
 use glam::{DVec2, DVec3};
 use num_complex::Complex64;
@@ -57,9 +58,10 @@ impl Field<'_> {
         let gradient = self.length_gradient(&centre);
         let length_m = self.length_m(centre.x_m);
         let about_centre: Vec<DVec2> = corners_m.iter().map(|c| *c - centre_m).collect();
-        for (k, sum) in wavenumbers_per_m.iter().zip(sums) {
-            let weights = self.lossy_weight(&centre, *k);
+        let weights = self.lossy_weights(&[centre], wavenumbers_per_m);
+        for (i, (k, sum)) in wavenumbers_per_m.iter().zip(sums).enumerate() {
             let integral = Complex64::cis(-k * length_m) * linear_phase_integral(&about_centre, -k * gradient);
+            let [weights] = weights.at(*k, i);
             sum.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * integral);
         }
     }
@@ -73,15 +75,31 @@ impl Field<'_> {
         let linear_m = points_m.map(|p| gradient.dot(p - centre_m));
         let points = points_m.map(|p| self.surface_at(p));
         let lengths_m = points.map(|at| self.length_m(at.x_m));
-        for (k, sum) in wavenumbers_per_m.iter().zip(sums) {
+        let weights = self.lossy_weights(&points, wavenumbers_per_m);
+        for (place, (k, sum)) in wavenumbers_per_m.iter().zip(sums).enumerate() {
             let under_phase = six_point_weights([0, 1, 2].map(|i| -k * linear_m[i]));
+            let weights = weights.at(*k, place);
             for i in 0..6 {
-                let weights = self.lossy_weight(&points[i], *k);
                 let remainder = Complex64::cis(-k * (lengths_m[i] - linear_m[i]));
                 let value = under_phase[i] * remainder * area_m2;
-                sum.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * value);
+                sum.iter_mut().zip(weights[i]).for_each(|(sum, weight)| *sum += weight * value);
             }
         }
+    }
+
+    /// Weights of some points at every wavenumber, taken at few where the materials turn little over the band.
+    ///
+    /// Layers turn the phase by their length; half-spaces know no frequency; the road's loss e^{−g²/2} is below 1 where
+    /// |Im k| < Re k, so within ρ = k/Δk.
+    fn lossy_weights<const N: usize>(&self, points: &[SurfacePoint; N], wavenumbers_per_m: &[f64]) -> OverBand<N> {
+        let of = |k: &f64| points.map(|at| self.lossy_weight(&at, *k));
+        let few = middle_and_half(wavenumbers_per_m).and_then(|(middle, half)| {
+            let error = (WEIGHTS_ERROR * self.accuracy).max(f64::EPSILON);
+            let count = chebyshev::points(half * self.turning_length_m(), middle / half, error);
+            (count < wavenumbers_per_m.len()).then(|| Chebyshev::over(middle, half, count))
+        });
+        let wavenumbers_per_m = few.as_ref().map_or(wavenumbers_per_m, |few| &few.nodes_per_m);
+        OverBand { samples: wavenumbers_per_m.iter().map(of).collect(), few }
     }
 
     /// How much longer than the way the layers on it make the phase turn with frequency, m: their own length back and forth,
@@ -103,27 +121,64 @@ impl Field<'_> {
         let sent = transmit.arriving_fields(d1, wavenumber_per_m);
         let received = receive.arriving_fields(d2, wavenumber_per_m);
         let spread = size * self.spread(transmit.image, x_m) * self.spread(receive.image, x_m);
-        let current = |d: DVec3, e: ComplexVector| self.surface_current(normal, d, e, wavenumber_per_m);
-        let forth = sent.map(|e| current(d1, e));
-        let back = received.map(|e| current(d2, e));
-        [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(p, q)| {
-            let plain = forth[q].radiated(d2, received[p]);
-            spread
-                * match self.node.bracket {
-                    Bracket::Plain => plain,
-                    Bracket::Symmetrised => 0.5 * (plain + back[p].radiated(d1, sent[q])),
-                }
-        })
+        let forth = self.bracket(normal, (d1, sent), (d2, received), wavenumber_per_m);
+        match self.node.bracket {
+            Bracket::Plain => forth.map(|weight| spread * weight),
+            Bracket::Symmetrised => {
+                let [vv, vh, hv, hh] = self.bracket(normal, (d2, received), (d1, sent), wavenumber_per_m);
+                let back = [vv, hv, vh, hh];
+                [0, 1, 2, 3].map(|i| 0.5 * spread * (forth[i] + back[i]))
+            }
+        }
     }
 
-    fn surface_current(&self, n: DVec3, travel: DVec3, e: ComplexVector, wavenumber_per_m: f64) -> Current {
-        const CONDUCTOR: &Material = &Material::Conductor;
-        let r = reflection(self.node.material.unwrap_or(CONDUCTOR), n.dot(travel).abs(), wavenumber_per_m);
-        let reflected = reflected_field(e, travel, n, r);
-        let onwards = travel - 2.0 * n.dot(travel) * n;
-        let magnetic = e.crossed_by(travel) + reflected.crossed_by(onwards);
-        Current { electric: magnetic.crossed_by(n), magnetic: (e + reflected).crossed_by(n) }
+    /// From the one end to the other, each with its direction of travel and its fields: [at the other][at the one].
+    fn bracket(&self, normal: DVec3, from: End, to: End, wavenumber_per_m: f64) -> Weights {
+        const PAIRS: [(usize, usize); 4] = [(0, 0), (0, 1), (1, 0), (1, 1)];
+        let Some(material) = self.node.material else {
+            let (along, across) = (to.1.map(|e| e.along(from.0)), from.1.map(|e| e.along(normal)));
+            let facing = normal.dot(from.0);
+            return PAIRS.map(|(p, q)| along[p] * across[q] - to.1[p].dot(from.1[q]) * facing);
+        };
+        let currents = surface_currents(material, normal, from, wavenumber_per_m);
+        PAIRS.map(|(p, q)| currents[q].radiated(to.0, to.1[p]))
     }
+}
+
+/// Direction of travel, and the fields of v and h.
+type End = (DVec3, [ComplexVector; 2]);
+
+/// Of the accuracy asked for, as in [`crate::table::band`].
+const WEIGHTS_ERROR: f64 = 1e-3;
+
+/// Weights of N points over a band.
+struct OverBand<const N: usize> {
+    samples: Vec<[Weights; N]>,
+    /// Where they were taken; at every wavenumber where there is none.
+    few: Option<Chebyshev>,
+}
+
+impl<const N: usize> OverBand<N> {
+    /// At a wavenumber, the one at `place` of those asked for.
+    fn at(&self, wavenumber_per_m: f64, place: usize) -> [Weights; N] {
+        let Some(few) = &self.few else { return self.samples[place] };
+        let mut total = [[Complex64::ZERO; 4]; N];
+        few.shares(wavenumber_per_m, |i, share| {
+            let terms = total.as_flattened_mut().iter_mut().zip(self.samples[i].as_flattened());
+            terms.for_each(|(sum, sample)| *sum += share * sample);
+        });
+        total
+    }
+}
+
+fn surface_currents(material: &Material, n: DVec3, (travel, e): End, wavenumber_per_m: f64) -> [Current; 2] {
+    let r = reflection(material, n.dot(travel).abs(), wavenumber_per_m);
+    let reflected = reflected_fields(e, travel, n, r);
+    let onwards = travel - 2.0 * n.dot(travel) * n;
+    [0, 1].map(|q| {
+        let magnetic = e[q].crossed_by(travel) + reflected[q].crossed_by(onwards);
+        Current { electric: magnetic.crossed_by(n), magnetic: (e[q] + reflected[q]).crossed_by(n) }
+    })
 }
 
 /// n×H and n×E on the lit side.

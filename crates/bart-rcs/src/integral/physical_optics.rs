@@ -48,7 +48,16 @@ impl Leg {
             return self.mirrors.fields_at_node(travel, self.zenith_h).map(ComplexVector::from);
         }
         let to_antenna = self.mirrors.antenna_direction(travel);
-        polarization_vectors(to_antenna, self.zenith_h).map(|e| self.steps.carry(e, -to_antenna, wavenumber_per_m))
+        let sent = polarization_vectors(to_antenna, self.zenith_h);
+        self.steps.carry(sent, -to_antenna, wavenumber_per_m)
+    }
+}
+
+impl Leg {
+    /// What is left at a point of a field that was sent, at most.
+    fn strength(&self, at_m: DVec3, wavenumber_per_m: f64) -> f64 {
+        let to_antenna = self.mirrors.antenna_direction(self.image.travel_direction_at(at_m));
+        self.steps.strength(-to_antenna, wavenumber_per_m)
     }
 }
 
@@ -77,6 +86,18 @@ pub(crate) struct Node<'a> {
     pub(crate) bracket: Bracket,
 }
 
+impl Node<'_> {
+    /// What is to be asked of the integral so that its error is `accuracy` of an unweakened one: what arrives over the road or through
+    /// glass at a tenth may be wrong by ten times as much of itself.
+    pub(crate) fn accuracy(&self, at_m: DVec3, wavenumbers_per_m: &[f64], accuracy: f64) -> f64 {
+        let middle_per_m = wavenumbers_per_m.get(wavenumbers_per_m.len() / 2).copied().unwrap_or(0.0);
+        let legs = [self.transmit, self.receive].map(|leg| leg.strength(at_m, middle_per_m));
+        // Coefficients change over a polygon; half of itself is left as the least that is asked.
+        let strength = (legs[0] * legs[1]).clamp(1e-6, 1.0);
+        (accuracy / strength).min(accuracy.max(0.5))
+    }
+}
+
 /// Amplitudes at several wavenumbers, on one tiling, of a node that is cut as far as `accuracy` asks.
 ///
 /// `accuracy` bounds the error of every element of the 2 × 2 amplitude as a fraction of √(4π)·area/λ at the highest
@@ -88,11 +109,11 @@ pub(crate) fn node_amplitudes(
     wavenumbers_per_m: &[f64],
     accuracy: f64,
 ) -> Estimate<Vec<Amplitude>> {
-    let field = Field::new(node, reference_m);
+    let field = Field::new(node, reference_m, accuracy);
     let highest = wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
     let mut sums = vec![[0.0; 4].map(Complex64::from); wavenumbers_per_m.len()];
     let mut error_m2 = 0.0;
-    for_each_tile(&field, highest, accuracy, &mut |tile, error| {
+    for_each_tile(&field, highest, &mut |tile, error| {
         error_m2 += error * tile.area_m2();
         field.add(tile, wavenumbers_per_m, &mut sums);
     });
@@ -101,13 +122,8 @@ pub(crate) fn node_amplitudes(
 }
 
 /// Calls `give` with the tiles of a node as [`node_amplitudes`] takes them, each with a bound of the error of weight·phase.
-pub(crate) fn for_each_tile(
-    field: &Field<'_>,
-    highest_per_m: f64,
-    accuracy: f64,
-    give: &mut dyn FnMut(&Tile<'_>, f64),
-) {
-    tiling::cut(field, highest_per_m, accuracy.max(1e-12), give);
+pub(crate) fn for_each_tile(field: &Field<'_>, highest_per_m: f64, give: &mut dyn FnMut(&Tile<'_>, f64)) {
+    tiling::cut(field, highest_per_m, field.accuracy.max(1e-12), give);
 }
 
 /// j√(4π)/λ = jk/√π before the integrals.
@@ -134,6 +150,8 @@ pub(crate) struct Field<'a> {
     /// Plane coordinates about the reference point.
     pub(crate) frame: PlaneFrame,
     reference_m: DVec3,
+    /// As in [`node_amplitudes`].
+    pub(crate) accuracy: f64,
 }
 
 /// A point of the scattering surface.
@@ -149,8 +167,8 @@ pub(crate) struct SurfacePoint {
 }
 
 impl<'a> Field<'a> {
-    pub(crate) fn new(node: &'a Node<'a>, reference_m: DVec3) -> Self {
-        Self { node, frame: PlaneFrame::new(reference_m, node.normal), reference_m }
+    pub(crate) fn new(node: &'a Node<'a>, reference_m: DVec3, accuracy: f64) -> Self {
+        Self { node, frame: PlaneFrame::new(reference_m, node.normal), reference_m, accuracy }
     }
 
     /// The surface over a point of the polygon's plane.

@@ -3,11 +3,12 @@
 use crate::bodies::road::{below, crossing};
 use crate::bodies::world::World;
 use crate::geometry::complex_vector::ComplexVector;
+use crate::materials::reflection_coefficients::Pair;
 use crate::materials::surface_response::{
-    phase_length_m, reflected_field, reflection, steepness, transmission, transmitted_field,
+    phase_length_m, reflected_fields, reflection, steepness, transmission, transmitted_fields,
 };
 use artifact::material::{Material, Road};
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use std::sync::Arc;
 
 /// The surfaces between an antenna and a node, the antenna's first.
@@ -39,12 +40,19 @@ pub(crate) enum Event {
         /// Of the road.
         rms_height_m: f64,
     },
+    /// It is turned as by perfect mirrors: its travel by this matrix, its field by `sign` times it.
+    Turned { turn: DMat3, sign: f64 },
 }
 
 impl Steps {
-    /// A way over these surfaces; all of them, the perfect mirrors too.
-    pub(crate) fn over(steps: Vec<Step>) -> Self {
-        Self { steps: Some(steps.into()) }
+    /// A way over these surfaces; all of them, the perfect mirrors too. What stands between two that are not perfect becomes one turn.
+    pub(crate) fn over(steps: &[Step]) -> Self {
+        if steps.iter().all(Step::is_perfect) {
+            return Self::default();
+        }
+        let runs = steps.chunk_by(|a, b| a.is_perfect() && b.is_perfect());
+        let joined = |run: &[Step]| if run[0].is_perfect() { Step::turned(run) } else { run[0].clone() };
+        Self { steps: Some(runs.map(joined).collect()) }
     }
 
     /// Whether there are perfect mirrors only, or nothing at all.
@@ -52,10 +60,18 @@ impl Steps {
         self.steps.is_none()
     }
 
-    /// The field that arrives where `sent` left along `travel`.
-    pub(crate) fn carry(&self, sent: DVec3, travel: DVec3, wavenumber_per_m: f64) -> ComplexVector {
-        let start = (ComplexVector::from(sent), travel);
-        self.steps().iter().fold(start, |(field, travel), step| step.pass(field, travel, wavenumber_per_m)).0
+    /// The fields that arrive where `sent` left along `travel`.
+    pub(crate) fn carry(&self, sent: [DVec3; 2], travel: DVec3, wavenumber_per_m: f64) -> [ComplexVector; 2] {
+        let start = (sent.map(ComplexVector::from), travel);
+        self.steps().iter().fold(start, |(fields, travel), step| step.pass(fields, travel, wavenumber_per_m)).0
+    }
+
+    /// What is left of a field that left along `travel`, at most.
+    pub(crate) fn strength(&self, travel: DVec3, wavenumber_per_m: f64) -> f64 {
+        let weakened = |(strength, travel): (f64, DVec3), step: &Step| {
+            (strength * step.strength(travel, wavenumber_per_m), step.turn(travel))
+        };
+        self.steps().iter().fold((1.0, travel), weakened).0
     }
 
     /// Sum of the surfaces' [`steepness`].
@@ -96,28 +112,55 @@ impl Step {
         Self { normal: DVec3::Z, material: Arc::new(road.material.clone()), event }
     }
 
-    /// Whether it is a perfect mirror.
-    pub(crate) fn is_perfect(&self) -> bool {
-        self.event == Event::Reflected && *self.material == Material::Conductor
+    /// Whether it is a perfect mirror; the image of the antenna is one.
+    fn is_perfect(&self) -> bool {
+        let is_mirror = matches!(self.event, Event::Reflected | Event::StartedBelow | Event::Turned { .. });
+        is_mirror && *self.material == Material::Conductor
     }
 
-    fn pass(&self, field: ComplexVector, travel: DVec3, wavenumber_per_m: f64) -> (ComplexVector, DVec3) {
-        let Self { normal, material, event } = self;
-        let cosine = normal.dot(travel).abs();
-        match event {
-            Event::Reflected => {
-                let r = reflection(material, cosine, wavenumber_per_m);
-                (reflected_field(field, travel, *normal, r), travel - 2.0 * normal.dot(travel) * *normal)
-            }
-            Event::StartedBelow => (field.with_z_turned(), below(travel)),
-            Event::Crossed { rms_height_m } => {
-                let r = crossing(material, *rms_height_m, cosine, wavenumber_per_m);
-                (transmitted_field(field, travel, *normal, r), travel)
-            }
-            Event::Passed => {
-                let t = transmission(material, cosine, wavenumber_per_m);
-                (transmitted_field(field, travel, *normal, t), travel)
-            }
+    /// Perfect mirrors together.
+    fn turned(mirrors: &[Self]) -> Self {
+        let start = (DMat3::IDENTITY, 1.0);
+        let (turn, sign) = mirrors.iter().fold(start, |(turn, sign), mirror| {
+            let of_mirror = DMat3::from_cols(mirror.turn(DVec3::X), mirror.turn(DVec3::Y), mirror.turn(DVec3::Z));
+            // A conductor turns e into −e + 2n(n·e), minus the reflection.
+            (of_mirror * turn, if mirror.event == Event::Reflected { -sign } else { sign })
+        });
+        Self { normal: DVec3::Z, material: Arc::default(), event: Event::Turned { turn, sign } }
+    }
+
+    /// The direction of travel behind it.
+    fn turn(&self, travel: DVec3) -> DVec3 {
+        match self.event {
+            Event::Reflected => travel - 2.0 * self.normal.dot(travel) * self.normal,
+            Event::StartedBelow => below(travel),
+            Event::Turned { turn, .. } => turn * travel,
+            Event::Crossed { .. } | Event::Passed => travel,
         }
+    }
+
+    /// Its coefficients; `None` of a turn.
+    fn coefficients(&self, travel: DVec3, wavenumber_per_m: f64) -> Option<Pair> {
+        let cosine = self.normal.dot(travel).abs();
+        match self.event {
+            Event::Reflected => Some(reflection(&self.material, cosine, wavenumber_per_m)),
+            Event::Passed => Some(transmission(&self.material, cosine, wavenumber_per_m)),
+            Event::Crossed { rms_height_m } => Some(crossing(&self.material, rms_height_m, cosine, wavenumber_per_m)),
+            Event::StartedBelow | Event::Turned { .. } => None,
+        }
+    }
+
+    fn strength(&self, travel: DVec3, wavenumber_per_m: f64) -> f64 {
+        self.coefficients(travel, wavenumber_per_m).map_or(1.0, |r| r.te.norm().max(r.tm.norm()))
+    }
+
+    fn pass(&self, fields: [ComplexVector; 2], travel: DVec3, wavenumber_per_m: f64) -> ([ComplexVector; 2], DVec3) {
+        let fields = match (self.event, self.coefficients(travel, wavenumber_per_m)) {
+            (Event::Reflected, Some(r)) => reflected_fields(fields, travel, self.normal, r),
+            (_, Some(t)) => transmitted_fields(fields, travel, self.normal, t),
+            (Event::Turned { turn, sign }, None) => fields.map(|field| field.turned(turn * sign)),
+            (_, None) => fields.map(ComplexVector::with_z_turned),
+        };
+        (fields, self.turn(travel))
     }
 }

@@ -2,11 +2,10 @@
 //! turning is smooth.
 //!
 //! Shares are gathered by their length L₁ + L₂. Less its common phase e^{−jkL}, the sum of a group turns over the band by
-//! θ = Δk·(how far the lengths spread) at most, Δk half the band. n points of Chebyshev meet f(x)e^{jθx}, f analytic and
-//! |f| ≤ 1 in an ellipse about the band with half axes (ρ ± 1/ρ)/2, to 4e^{θ(ρ − 1/ρ)/2}ρ^{1−n}/(ρ − 1), whichever ρ is
-//! taken (Trefethen, Approximation Theory and Approximation Practice (2013), theorem 8.2). 256 frequencies of a chirp so cost six
-//! for a small facet at −60 dB of the accuracy.
+//! θ = Δk·(how far the lengths spread) at most, Δk half the band, and few points of Chebyshev meet that
+//! ([`crate::integral::chebyshev`]). 256 frequencies of a chirp so cost six for a small facet at −60 dB of the accuracy.
 
+use crate::integral::chebyshev::{Chebyshev, middle_and_half, points};
 use crate::joins::scatterer::{Way, sum};
 use artifact::paths::Amplitude;
 use num_complex::Complex64;
@@ -44,10 +43,8 @@ pub(crate) const INTERPOLATION_ERROR: f64 = 0.01;
 struct Class {
     /// Farthest that the length of a member or of a point on it may be from the group's, m.
     reach_m: f64,
-    /// Chebyshev points of the second kind over the band, its ends among them: shares are cut for the highest frequency.
-    nodes_per_m: Vec<f64>,
-    /// Barycentric weights.
-    weights: Vec<f64>,
+    /// Over the band, its ends among them: shares are cut for the highest frequency.
+    points: Chebyshev,
 }
 
 /// The group of a share.
@@ -84,7 +81,7 @@ impl<'a> Band<'a> {
         let bin = |class: &Class| (way.length_m / class.reach_m).round() as i64;
         let behind = Place { class: self.classes.len(), bin: 0 };
         let place = class.map_or(behind, |i| Place { class: i, bin: bin(&self.classes[i]) });
-        let wavenumbers_per_m = class.map_or(self.wavenumbers_per_m, |i| &self.classes[i].nodes_per_m);
+        let wavenumbers_per_m = class.map_or(self.wavenumbers_per_m, |i| &self.classes[i].points.nodes_per_m);
         let sums = groups.entry(place).or_insert_with(|| vec![Amplitude::default(); wavenumbers_per_m.len()]);
         (sums, wavenumbers_per_m)
     }
@@ -113,7 +110,7 @@ impl<'a> Band<'a> {
     fn interpolated(&self, class: &Class, samples: &[Amplitude], length_m: f64) -> Vec<Amplitude> {
         let factor = |k: f64| if self.kind == Kind::Facets { k } else { 1.0 };
         let still = |(a, k): (&Amplitude, &f64)| turned(a, 1.0 / factor(*k), k * length_m);
-        let still: Vec<Amplitude> = samples.iter().zip(&class.nodes_per_m).map(still).collect();
+        let still: Vec<Amplitude> = samples.iter().zip(&class.points.nodes_per_m).map(still).collect();
         let at = |k: &f64| turned(&class.at(*k, &still), factor(*k), -k * length_m);
         self.wavenumbers_per_m.iter().map(at).collect()
     }
@@ -121,12 +118,7 @@ impl<'a> Band<'a> {
 
 /// Those with fewer points than there are frequencies, from the one with fewest points on.
 fn classes(wavenumbers_per_m: &[f64], error: f64, kind: Kind) -> Vec<Class> {
-    let start = [f64::INFINITY, f64::NEG_INFINITY];
-    let [low, high] = wavenumbers_per_m.iter().fold(start, |[low, high], &k| [low.min(k), high.max(k)]);
-    if low >= high {
-        return Vec::new();
-    }
-    let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
+    let Some((middle, half)) = middle_and_half(wavenumbers_per_m) else { return Vec::new() };
     let most = match kind {
         Kind::Facets => f64::INFINITY,
         // The ellipse that touches k = 0.
@@ -134,44 +126,20 @@ fn classes(wavenumbers_per_m: &[f64], error: f64, kind: Kind) -> Vec<Class> {
     };
     let of = |turn_rad: &f64| {
         let count = points(*turn_rad, most, error);
-        let angle = |i: usize| std::f64::consts::PI * i as f64 / (count - 1) as f64;
-        let mut nodes_per_m: Vec<f64> = (0..count).map(|i| middle + half * angle(i).cos()).collect();
-        nodes_per_m[0] = high;
-        let end = |i: usize| if i == 0 || i == count - 1 { 0.5 } else { 1.0 };
-        let sign = |i: usize| if i.is_multiple_of(2) { 1.0 } else { -1.0 };
-        Class { reach_m: turn_rad / half, nodes_per_m, weights: (0..count).map(|i| sign(i) * end(i)).collect() }
+        (count < wavenumbers_per_m.len())
+            .then(|| Class { reach_m: turn_rad / half, points: Chebyshev::over(middle, half, count) })
     };
-    TURNS_RAD.iter().map(of).filter(|class| class.nodes_per_m.len() < wavenumbers_per_m.len()).collect()
-}
-
-/// More points than any band has frequencies.
-const POINTS_MAX: u32 = 1 << 16;
-
-/// Points that meet a turn of θ over half the band to an error relative to the amplitude, by an ellipse with ρ ≤ `most`.
-fn points(turn_rad: f64, most: f64, error: f64) -> usize {
-    let bound = |count: u32| {
-        // Without the limit ρ = 2n/θ is best; the logarithm does not overflow.
-        let rho = most.min(2.0 * f64::from(count) / turn_rad);
-        let power = 0.5 * turn_rad * (rho - 1.0 / rho) - f64::from(count - 1) * rho.ln();
-        if rho > 1.0 { (power + (4.0 / (rho - 1.0)).ln()).exp() } else { f64::INFINITY }
-    };
-    let enough = |count: &u32| bound(*count) <= error;
-    (2..POINTS_MAX).find(enough).unwrap_or(POINTS_MAX) as usize
+    TURNS_RAD.iter().filter_map(of).collect()
 }
 
 impl Class {
-    /// The polynomial through the samples (barycentric formula; Berrut, Trefethen, SIAM Review 46 (2004) 501).
+    /// The polynomial through the samples.
     fn at(&self, wavenumber_per_m: f64, samples: &[Amplitude]) -> Amplitude {
-        let (mut total, mut weights) = (Amplitude::default(), 0.0);
-        for ((sample, node), weight) in samples.iter().zip(&self.nodes_per_m).zip(&self.weights) {
-            if wavenumber_per_m == *node {
-                return *sample;
-            }
-            let share = weight / (wavenumber_per_m - node);
-            weights += share;
-            total = sum(&total, &sample.map(|row| row.map(|a| share * a)));
-        }
-        total.map(|row| row.map(|a| a / weights))
+        let mut total = Amplitude::default();
+        self.points.shares(wavenumber_per_m, |i, share| {
+            total = sum(&total, &samples[i].map(|row| row.map(|a| share * a)));
+        });
+        total
     }
 }
 
@@ -199,7 +167,7 @@ mod tests {
             assert!(classes(&[]).is_empty() && classes(&[1613.0]).is_empty() && classes(&[1613.0; 300]).is_empty());
             assert!(classes(&[1600.0, 1605.0, 1610.0]).is_empty());
             let many: Vec<f64> = (1..=256).map(|i| 1600.0 + f64::from(i)).collect();
-            let counts: Vec<usize> = classes(&many).iter().map(|class| class.nodes_per_m.len()).collect();
+            let counts: Vec<usize> = classes(&many).iter().map(|class| class.points.nodes_per_m.len()).collect();
             println!("{kind:?}: points for a turn of {TURNS_RAD:?} rad: {counts:?}");
             assert_eq!(counts.len(), TURNS_RAD.len());
         }

@@ -9,9 +9,10 @@
 //! | even | (K/2+1, K/2) and (K/2, K/2+1), ½ each | (K, 1), 1 | the same |
 //!
 //! Where transmitter and receiver share a tree, every middle join is the reverse of another one, which is its transpose, and
-//! so is every join of the own-edge rule: only one of both is made.
+//! so is every join of the own-edge rule: only one of both is made. So it is with a road, in whose mirror the way back is.
 
 use crate::beams::beam::{Beam, BeamTree};
+use crate::beams::image_tree::Received;
 use crate::bodies::world::World;
 use crate::geometry::border::Border;
 use crate::geometry::convex_intersection::{bounds, intersection};
@@ -29,18 +30,30 @@ pub(crate) enum Trees<'a> {
     Shared(&'a BeamTree),
     /// Transmitter, receiver.
     Apart(&'a BeamTree, &'a BeamTree),
+    /// Both at one place, and the road: what arrives at the receiver also comes over it.
+    ByRoad(&'a BeamTree, &'a Received),
 }
 
 impl<'a> Trees<'a> {
     pub(crate) fn transmit(self) -> &'a BeamTree {
         match self {
-            Self::Shared(tree) | Self::Apart(tree, _) => tree,
+            Self::Shared(tree) | Self::Apart(tree, _) | Self::ByRoad(tree, _) => tree,
         }
     }
 
     pub(crate) fn receive(self) -> &'a BeamTree {
         match self {
             Self::Shared(tree) | Self::Apart(_, tree) => tree,
+            Self::ByRoad(_, received) => &received.tree,
+        }
+    }
+
+    /// The receiver's beam as one of the transmitter's: the way back of a joint (f, b) is the joint (twin of b, f), in the road's
+    /// mirror where b came over the road. Where the ends are apart there is no such thing.
+    fn twin(self, backward: u32) -> u32 {
+        match self {
+            Self::Shared(_) | Self::Apart(..) => backward,
+            Self::ByRoad(_, received) => received.twins[backward as usize],
         }
     }
 }
@@ -85,7 +98,12 @@ impl Joints {
 
     /// Forgets joints that count nothing.
     pub(crate) fn drop_weightless(&mut self) {
-        self.list.retain(|joint| joint.weight > 0.0);
+        self.retain(|joint| joint.weight > 0.0);
+    }
+
+    /// Forgets all others.
+    pub(crate) fn retain(&mut self, is_kept: impl FnMut(&Joint) -> bool) {
+        self.list.retain(is_kept);
     }
 
     fn append(&mut self, other: Self) {
@@ -169,23 +187,32 @@ enum Pairs {
 
 fn meetings(trees: Trees<'_>, order: u8, rule: NodeRule) -> Vec<Meeting> {
     let half = order / 2;
+    let place = if matches!(trees, Trees::Apart(..)) { Place::Apart } else { Place::Shared };
     let with = |orders: [u8; 2], pairs: Pairs| Meeting { orders, weight: 1.0, pairs };
-    match (rule, order % 2, trees) {
-        (NodeRule::OwnEdge, _, Trees::Apart(..)) => {
-            (1..=order).map(|m| with([m, order + 1 - m], Pairs::Ordered)).collect()
-        }
-        (NodeRule::OwnEdge, _, Trees::Shared(_)) if order != 1 => (order.div_ceil(2)..=order)
+    match (rule, order % 2, place) {
+        (NodeRule::OwnEdge, _, Place::Apart) => (1..=order).map(|m| with([m, order + 1 - m], Pairs::Ordered)).collect(),
+        (NodeRule::OwnEdge, _, Place::Shared) if order != 1 => (order.div_ceil(2)..=order)
             .filter(|m| 2 * m > order)
             .map(|m| with([m, order + 1 - m], if 2 * m == order + 1 { Pairs::Unordered } else { Pairs::WithReverse }))
             .collect(),
-        (NodeRule::Exit, ..) if order != 1 => vec![Meeting { orders: [order, 1], weight: 1.0, pairs: Pairs::Ordered }],
-        (_, 1, Trees::Shared(_)) => vec![Meeting { orders: [half + 1; 2], weight: 1.0, pairs: Pairs::Unordered }],
-        (_, 1, Trees::Apart(..)) => vec![Meeting { orders: [half + 1; 2], weight: 1.0, pairs: Pairs::Ordered }],
-        (_, _, Trees::Shared(_)) => vec![Meeting { orders: [half + 1, half], weight: 0.5, pairs: Pairs::WithReverse }],
-        (_, _, Trees::Apart(..)) => [[half + 1, half], [half, half + 1]]
+        // Its bracket is not reciprocal: by a road not even one bounce has the transposed amplitude backwards.
+        (NodeRule::Exit, ..) if order != 1 || matches!(trees, Trees::ByRoad(..)) => {
+            vec![Meeting { orders: [order, 1], weight: 1.0, pairs: Pairs::Ordered }]
+        }
+        (_, 1, Place::Shared) => vec![Meeting { orders: [half + 1; 2], weight: 1.0, pairs: Pairs::Unordered }],
+        (_, 1, Place::Apart) => vec![Meeting { orders: [half + 1; 2], weight: 1.0, pairs: Pairs::Ordered }],
+        (_, _, Place::Shared) => vec![Meeting { orders: [half + 1, half], weight: 0.5, pairs: Pairs::WithReverse }],
+        (_, _, Place::Apart) => [[half + 1, half], [half, half + 1]]
             .map(|orders| Meeting { orders, weight: 0.5, pairs: Pairs::Ordered })
             .into(),
     }
+}
+
+/// Whether both ends stand at one place.
+#[derive(Clone, Copy)]
+enum Place {
+    Shared,
+    Apart,
 }
 
 /// Beams of one order sorted by facet.
@@ -232,7 +259,7 @@ fn on_one_facet(
     limits: Limits,
 ) -> Joints {
     let mut joints = Joints::default();
-    if meeting.orders == [1, 1] && meeting.pairs == Pairs::Unordered {
+    if meeting.orders == [1, 1] && meeting.pairs == Pairs::Unordered && matches!(trees, Trees::Shared(_)) {
         for &(_, beam) in beams[0] {
             joints.push((beam, beam), meeting.weight, Reverse::Apart, polygon(trees.transmit(), beam).iter().copied());
         }
@@ -243,8 +270,8 @@ fn on_one_facet(
     for (i, j) in overlapping(&forward, &backward) {
         let (left, right) = (&forward[i], &backward[j]);
         let reverse = match meeting.pairs {
-            Pairs::Unordered if left.beam > right.beam => continue,
-            Pairs::Unordered if left.beam == right.beam => Reverse::Apart,
+            Pairs::Unordered if left.beam > trees.twin(right.beam) => continue,
+            Pairs::Unordered if left.beam == trees.twin(right.beam) => Reverse::Apart,
             Pairs::Unordered | Pairs::WithReverse => Reverse::Included,
             Pairs::Ordered => Reverse::Apart,
         };

@@ -113,7 +113,7 @@ pub(crate) fn weigh(world: &World, trees: Trees<'_>, order: u8, joints: &mut Joi
         };
         take(sequence, node);
         if joint.reverse == Reverse::Included {
-            take(reversed(sequence, count), count - 1 - node);
+            take(reversed(world, sequence, count), count - 1 - node);
         }
     }
     for joint in &mut joints.list {
@@ -182,8 +182,15 @@ fn place(world: &World, trees: Trees<'_>, joint: &Joint) -> (Sequence, usize) {
     (sequence, node)
 }
 
-fn reversed(mut sequence: Sequence, count: usize) -> Sequence {
+/// The way back; one that ends at the antenna's image begins there, and is taken in the road's mirror.
+fn reversed(world: &World, mut sequence: Sequence, count: usize) -> Sequence {
+    let is_by_road = sequence[count - 1] & BY_ROAD != 0;
     sequence[..count].reverse();
+    if is_by_road {
+        sequence[0] &= !BY_ROAD;
+        sequence[..count].iter_mut().for_each(|patch| *patch = world.image_of(*patch));
+        sequence[count - 1] |= BY_ROAD;
+    }
     sequence
 }
 

@@ -41,7 +41,7 @@ impl<'a> Scatterer<'a> {
         let transmit_legs = legs(world, trees.transmit(), zenith_h.transmit);
         let receive_legs = match trees {
             Trees::Shared(_) => Vec::new(),
-            Trees::Apart(_, tree) => legs(world, tree, zenith_h.receive),
+            Trees::Apart(..) | Trees::ByRoad(..) => legs(world, trees.receive(), zenith_h.receive),
         };
         let ends = [trees.transmit().antenna, trees.receive().antenna];
         Self { world, trees, ends, transmit_legs, receive_legs }
@@ -88,6 +88,7 @@ impl<'a> Scatterer<'a> {
         accuracy: f64,
     ) -> Estimate<Vec<Amplitude>> {
         let node = self.node(joint, part);
+        let accuracy = node.accuracy(part.reference_m, wavenumbers_per_m, accuracy);
         let mut estimate = node_amplitudes(&node, part.reference_m, wavenumbers_per_m, accuracy);
         estimate.error *= joint.weight;
         estimate.value.iter_mut().flatten().flatten().for_each(|a| *a *= joint.weight);
@@ -131,9 +132,10 @@ impl<'a> Scatterer<'a> {
     ) {
         let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
         let node = self.node(joint, &Part { corners_m, reference_m, bracket: request.bracket });
-        let field = Field::new(&node, reference_m);
+        let accuracy = node.accuracy(reference_m, request.wavenumbers_per_m, request.accuracy);
+        let field = Field::new(&node, reference_m, accuracy);
         let (spread, length_m) = self.way_from(origin_m, self.apparent_m(joint, reference_m));
-        for_each_tile(&field, highest_per_m, request.accuracy, &mut |tile, _| {
+        for_each_tile(&field, highest_per_m, &mut |tile, _| {
             give(&JointTile { field: &field, tile, joint, spread, length_m });
         });
     }
@@ -302,7 +304,7 @@ fn steps(world: &World, tree: &BeamTree, beam: &Beam) -> Steps {
             steps.push(Step::reflected(world, of_leg.facet));
         }
     }
-    if steps.iter().all(Step::is_perfect) { Steps::default() } else { Steps::over(steps) }
+    Steps::over(&steps)
 }
 
 /// Facets of a path in the order of travel, by the beams of both ends.

@@ -49,19 +49,19 @@ pub(crate) fn layers_of(material: &Material) -> &[Layer] {
     }
 }
 
-/// The reflected field: e_r = r_TE(e·ŝ)ŝ + r_TM(e·p̂)p̂_r with ŝ = unit(n×d), p̂ = ŝ×d, p̂_r = ŝ×d_r.
-pub(crate) fn reflected_field(e: ComplexVector, travel: DVec3, normal: DVec3, r: Pair) -> ComplexVector {
+/// Reflected fields: e_r = r_TE(e·ŝ)ŝ + r_TM(e·p̂)p̂_r with ŝ = unit(n×d), p̂ = ŝ×d, p̂_r = ŝ×d_r.
+pub(crate) fn reflected_fields(e: [ComplexVector; 2], travel: DVec3, normal: DVec3, r: Pair) -> [ComplexVector; 2] {
     let across = across(travel, normal);
     let onwards = travel - 2.0 * normal.dot(travel) * normal;
-    ComplexVector::of(across, r.te * e.along(across))
-        + ComplexVector::of(across.cross(onwards), r.tm * e.along(across.cross(travel)))
+    let [before, after] = [across.cross(travel), across.cross(onwards)];
+    e.map(|e| ComplexVector::of(across, r.te * e.along(across)) + ComplexVector::of(after, r.tm * e.along(before)))
 }
 
-/// The field behind a sheet, its direction as before.
-pub(crate) fn transmitted_field(e: ComplexVector, travel: DVec3, normal: DVec3, t: Pair) -> ComplexVector {
+/// Fields behind a sheet, their direction as before.
+pub(crate) fn transmitted_fields(e: [ComplexVector; 2], travel: DVec3, normal: DVec3, t: Pair) -> [ComplexVector; 2] {
     let across = across(travel, normal);
     let in_plane = across.cross(travel);
-    ComplexVector::of(across, t.te * e.along(across)) + ComplexVector::of(in_plane, t.tm * e.along(in_plane))
+    e.map(|e| ComplexVector::of(across, t.te * e.along(across)) + ComplexVector::of(in_plane, t.tm * e.along(in_plane)))
 }
 
 /// ŝ; along the normal, where the polarizations are alike, any direction across.
