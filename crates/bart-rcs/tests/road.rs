@@ -173,15 +173,15 @@ fn a_rough_road_reflects_less_by_ament_s_factor() {
 }
 
 #[test]
-fn without_a_road_its_cost_is_estimated_and_with_one_it_is_not() {
+fn without_a_road_its_cost_is_added_up_and_with_one_it_is_not() {
     let printed = traced(None).model_error.road.unwrap();
     let road = Road { material: Material::HalfSpace { permittivity: ASPHALT }, rms_height_m: 5e-4 };
     let (direct, all) = (sum(&traced(None).paths)[0][0], sum(&traced(Some(road.clone())).paths)[0][0]);
     let true_error = (all - direct).norm() / direct.norm();
     println!("road left out: printed {printed:.3}, true {true_error:.3}");
     assert_eq!(traced(Some(road)).model_error.road, None);
-    // The estimate takes the plate to scatter alike in all directions; it leans up to the radar.
-    assert!(printed > 0.3 * true_error && printed < 10.0 * true_error);
+    // Above by the margin 1.85 of the measurement, 5.3 dB; a quarter of every integral may miss.
+    assert!(printed > true_error && printed < 1.85 * 1.25 * true_error);
 }
 
 #[test]

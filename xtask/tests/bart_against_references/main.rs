@@ -15,6 +15,7 @@ mod methods;
 mod bodies;
 mod continuity;
 mod random_cases;
+mod road_cases;
 
 use artifact::scene::Mesh;
 use bart_rcs::Standpoint;
@@ -204,12 +205,18 @@ fn cases() -> std::ops::Range<u64> {
 }
 
 fn judge(printed_and_true_db: &[(f64, f64)]) {
+    let (inside, median) = told(printed_and_true_db);
+    assert!(100 * inside >= 95 * printed_and_true_db.len() && median <= 10.0);
+}
+
+/// How many true errors are below the printed ones, and the median excess in dB.
+fn told(printed_and_true_db: &[(f64, f64)]) -> (usize, f64) {
     let inside = printed_and_true_db.iter().filter(|(printed, truth)| truth <= printed).count();
     let mut excess: Vec<f64> = printed_and_true_db.iter().map(|(printed, truth)| printed - truth).collect();
     excess.sort_by(f64::total_cmp);
     let median = excess[excess.len() / 2];
     println!("inside: {inside} of {}; median excess {median:.1} dB", excess.len());
-    assert!(100 * inside >= 95 * excess.len() && median <= 10.0);
+    (inside, median)
 }
 
 #[test]
@@ -237,6 +244,23 @@ fn a_hundred_random_frames_are_tried() {
         (found.printed_db, found.true_db)
     };
     judge(&cases().map(try_one).collect::<Vec<_>>());
+}
+
+#[test]
+#[ignore = "prints the third table of docs/validation/error-estimates.md: many minutes"]
+fn random_roads_are_left_out() {
+    let meshes: Vec<(String, Mesh)> =
+        scene::vehicles::NAMES.iter().map(|name| ((*name).to_owned(), own(name))).collect();
+    let place = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/experiment-1.toml");
+    let options = scene::ReadOptions { model: None, meshes: scene::Meshes::NamesOnly };
+    let header = scene::read(std::path::Path::new(place), &options).unwrap();
+    let try_one = |case| {
+        let found = road_cases::try_road(case, &named(&meshes), &header);
+        println!("{found}");
+        (found.printed_db, found.true_db)
+    };
+    // The figure is of dry asphalt, and the roads are not: how many it covers is found, not promised.
+    told(&cases().map(try_one).collect::<Vec<_>>());
 }
 
 /// The rows of docs/validation/continuity.md: name, increment error in rad against BART 60 dB below the field with as many

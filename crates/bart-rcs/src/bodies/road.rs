@@ -16,11 +16,9 @@ use crate::materials::reflection_coefficients::Pair;
 use crate::materials::surface_response::reflection;
 use artifact::material::{Material, Road};
 use artifact::permittivity::substance;
-use artifact::radar::Polarization;
-use artifact::scene::{SceneHeader, TargetKind};
+use artifact::scene::SceneHeader;
 use artifact::settings::{EchoMode, Edges, Sides};
 use glam::DVec3;
-use std::f64::consts::TAU;
 
 /// z = 0.
 pub(crate) const ROAD_PLANE: Plane = Plane { normal: DVec3::Z, offset_m: 0.0 };
@@ -68,41 +66,10 @@ pub(crate) fn check_road(header: &SceneHeader) -> Result<(), BartError> {
     }
 }
 
-/// What leaving the road out costs, as an amplitude relative to the direct echo: √((2|r|)² + |r|⁴), r at the height of each
-/// body's middle, dry asphalt of 0.5 mm; bodies weighted by 1/R⁴. An estimate: it takes a body to scatter as much towards
-/// the road as back to the radar. `None` where the road is there, or no body.
-pub(crate) fn left_out(header: &SceneHeader, poses: &[artifact::scene::Pose]) -> Option<f64> {
-    if header.road.is_some() {
-        return None;
-    }
+/// Dry asphalt of 0.5 mm: what a scene without a road is told to leave out.
+pub(crate) fn usual_road() -> Option<Road> {
     let asphalt = Material::HalfSpace { permittivity: substance("asphalt")?.permittivity? };
-    let road = Road { material: asphalt, rms_height_m: 5e-4 };
-    let (mut sum, mut weights) = (0.0, 0.0);
-    for (target, pose) in header.targets.iter().zip(poses) {
-        let TargetKind::Mesh { mesh, .. } = target.kind else { continue };
-        let top_m = header.meshes.get(mesh as usize)?.vertices_m.iter().map(|v| v[2]).fold(0.0, f64::max);
-        let middle = DVec3::from_array(pose.position_m) + DVec3::Z * 0.5 * top_m;
-        let (share, range_m) = share(header, &road, middle);
-        let weight = range_m.powi(-4);
-        sum += weight * share;
-        weights += weight;
-    }
-    (weights > 0.0).then(|| (sum / weights).sqrt())
-}
-
-/// Power of the road's paths over that of the direct one, and the range.
-fn share(header: &SceneHeader, road: &Road, at: DVec3) -> (f64, f64) {
-    let from = DVec3::from_array(header.radar.position_m);
-    let way = at - below(from);
-    let wavenumber = TAU / header.radar.waveform.wavelength_m();
-    let sine = (way.z / way.length()).abs();
-    let Pair { te, tm } = crossing(&road.material, road.rms_height_m, sine, wavenumber);
-    let r = match header.radar.array.polarization {
-        Polarization::Hh => te.norm(),
-        Polarization::Vv => tm.norm(),
-        Polarization::Vh | Polarization::Hv => (te.norm() * tm.norm()).sqrt(),
-    };
-    ((2.0 * r).powi(2) + r.powi(4), at.distance(from))
+    Some(Road { material: asphalt, rms_height_m: 5e-4 })
 }
 
 /// Which side a facet is on.

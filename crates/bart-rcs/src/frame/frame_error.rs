@@ -152,6 +152,22 @@ impl Reference {
         }
     }
 
+    /// ‖S(of)‖ of the orders up to `orders` over ‖S‖ of all, raised by what the later orders are to these: each is taken to
+    /// gain as much. `of` gives S of an order over the wavenumbers. `None` where nothing scatters.
+    pub(crate) fn relative_to_first_orders(
+        &self,
+        orders: u8,
+        of: impl Fn(u8, &[f64]) -> Vec<Complex64>,
+    ) -> Option<f64> {
+        let wavenumbers: Vec<f64> = self.frequencies_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
+        let added = total((1..=orders).map(|order| of(order, &wavenumbers)), wavenumbers.len());
+        let power = |orders: &[Vec<Complex64>]| orders.iter().map(|order| mean(order)).sum::<f64>();
+        let (first, all) = (power(&self.by_order_m[..usize::from(orders)]), power(&self.by_order_m));
+        let raised = if first > 0.0 { all / first } else { 1.0 };
+        let whole = mean(&self.total_m());
+        (whole > 0.0).then(|| MARGIN * (mean(&added) * raised / whole).sqrt())
+    }
+
     /// All orders, over frequency.
     fn total_m(&self) -> Vec<Complex64> {
         total(self.by_order_m.iter().cloned(), self.frequencies_hz.len())

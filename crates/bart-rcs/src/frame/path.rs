@@ -2,13 +2,14 @@
 
 use crate::beams::beam::BeamTree;
 use crate::beams::image_tree::Received;
-use crate::bodies::road::{check_road, left_out};
+use crate::bodies::road::check_road;
 use crate::bodies::world::{Models, World};
 use crate::error::BartError;
 use crate::frame::frame_error::reference;
 use crate::frame::nearest_surface::nearest_range_m;
 use crate::frame::path_plan::Plan;
 use crate::frame::path_table::Fit;
+use crate::frame::road_left_out::road_left_out;
 use crate::geometry::antenna::Antenna;
 use crate::joins::join::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH, check_order};
@@ -32,9 +33,11 @@ pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) ->
     check_road(header)?;
     let plan = Plan::of(header);
     // One moment's bodies and beams at a time.
-    let (reference, check_bytes) = {
+    let (reference, road, check_bytes) = {
         let check = Snapshot::at(models, header, frame, (plan.check_s, plan.check_m), &plan)?;
-        (reference(&check.scatterer(&plan), &plan), check.bytes())
+        let reference = reference(&check.scatterer(&plan), &plan);
+        let road = road_left_out(&check.world, &plan, &reference)?;
+        (reference, road, check.bytes())
     };
     let snapshot = Snapshot::at(models, header, frame, (plan.middle_s, plan.position_m), &plan)?;
     let points = point_paths(header, frame);
@@ -47,7 +50,7 @@ pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) ->
         time_s: frame.time_s,
         nearest_range_m: nearest_range_m(&snapshot.world, &snapshot.tree, plan.position_m, header.targets.len()),
         error: ErrorBudget { tessellation: bent, ..table.error.budget() },
-        model_error: ModelError { road: left_out(header, &frame.poses), ..reference.model_error() },
+        model_error: ModelError { road, ..reference.model_error() },
         trace: TraceStatistics {
             triangles: snapshot.world.triangles() as u64,
             beams: snapshot.tree.audit.orders.iter().map(|order| order.beams).collect(),

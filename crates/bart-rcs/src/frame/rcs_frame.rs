@@ -1,7 +1,7 @@
 //! The paper's σ_f for one frame: far-field tables of every target over frequency and the aspects that it sweeps.
 
 use crate::beams::beam::{BeamTree, TraceSettings};
-use crate::bodies::road::{check_road, left_out};
+use crate::bodies::road::check_road;
 use crate::bodies::world::{Models, World};
 use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
@@ -55,7 +55,7 @@ pub fn rcs_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> R
         time_s: frame.time_s,
         tables,
         error: powers.error(),
-        model_error: ModelError { road: left_out(header, &frame.poses), ..powers.model_error(header.fidelity.bounces) },
+        model_error: powers.model_error(header.fidelity.bounces),
     })
 }
 

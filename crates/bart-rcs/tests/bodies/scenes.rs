@@ -6,6 +6,8 @@ use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, W
 use artifact::scene::{Intersection, Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Sides, Surface, Window};
 
+const RADAR_M: [f64; 3] = [0.0, 0.0, 6.0];
+
 /// A pose: position, yaw, velocity.
 pub(crate) type Placed = ([f64; 3], f64, [f64; 3]);
 
@@ -37,7 +39,7 @@ pub(crate) fn scene(mesh: &Mesh, places: &[Placed]) -> (SceneHeader, SceneFrame)
 
 fn radar() -> Radar {
     Radar {
-        position_m: [0.0, 0.0, 6.0],
+        position_m: RADAR_M,
         boresight_az_rad: 0.0,
         boresight_el_rad: 0.0,
         waveform: Waveform {
@@ -49,8 +51,8 @@ fn radar() -> Radar {
             chirps: 128,
         },
         array: Array {
-            tx_m: vec![[0.0; 3]],
-            rx_m: vec![[0.0; 3]],
+            tx_m: vec![RADAR_M],
+            rx_m: vec![RADAR_M],
             tx_half_wavelengths: vec![[0.0; 2]],
             rx_half_wavelengths: vec![[0.0; 2]],
             multiplexing: Multiplexing::Simultaneous,
