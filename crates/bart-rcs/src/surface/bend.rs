@@ -58,10 +58,19 @@ impl Bend {
         bend
     }
 
-    /// The largest slope at the corners and in the middle.
+    /// A bound of the slope anywhere: the slope is of second degree, and nowhere larger than its largest control vector
+    /// (Farin 1986). A needle can be flat at its corners and in its middle, and stand upright between them.
     pub(crate) fn steepest(&self) -> f64 {
-        let [a, b, c] = self.corners_m;
-        [a, b, c, (a + b + c) / 3.0].map(|x| self.at(x).1.length()).into_iter().fold(0.0, f64::max)
+        let [next, before] = [|k: usize| (k + 1) % 3, |k: usize| (k + 2) % 3];
+        let of_corner = |k: usize| {
+            let (from, to) = (self.of_side(k)[0], self.of_side(before(k))[1]);
+            from * self.gradients[next(k)] + to * self.gradients[before(k)]
+        };
+        let of_side = |k: usize| {
+            let [from, to] = self.of_side(k);
+            from * self.gradients[k] + to * self.gradients[next(k)] + self.middle_m * self.gradients[before(k)]
+        };
+        (0..3).flat_map(|k| [of_corner(k), of_side(k)]).map(|slope| 3.0 * slope.length()).fold(0.0, f64::max)
     }
 
     /// Height of the skin over a point of the facet's plane, m along `normal`, and its gradient in the plane.
@@ -159,5 +168,16 @@ mod tests {
             assert!(along.turn < 10.0 * turn);
         }
         assert!(bend.corners_m.iter().all(|c| bend.at(*c).0.abs() < 1e-17));
+    }
+
+    #[test]
+    fn no_slope_of_the_skin_is_steeper_than_its_bound_nor_half_as_steep() {
+        let bend = bend();
+        let [a, b, c] = bend.corners_m;
+        let places = (0..=20).flat_map(|i| (0..=20 - i).map(move |j| (f64::from(i) / 20.0, f64::from(j) / 20.0)));
+        let slopes = places.map(|(u, v)| bend.at(a + u * (b - a) + v * (c - a)).1.length());
+        let (found, bound) = (slopes.fold(0.0, f64::max), bend.steepest());
+        println!("steepest {found:.4}, bound {bound:.4}");
+        assert!(found <= bound * (1.0 + 1e-12) && bound < 2.0 * found);
     }
 }
