@@ -58,9 +58,15 @@ impl Bend {
         bend
     }
 
+    /// The largest slope at the corners and in the middle.
+    pub(crate) fn steepest(&self) -> f64 {
+        let [a, b, c] = self.corners_m;
+        [a, b, c, (a + b + c) / 3.0].map(|x| self.at(x).1.length()).into_iter().fold(0.0, f64::max)
+    }
+
     /// A bound of the slope anywhere: the slope is of second degree, and nowhere larger than its largest control vector
     /// (Farin 1986). A needle can be flat at its corners and in its middle, and stand upright between them.
-    pub(crate) fn steepest(&self) -> f64 {
+    pub(crate) fn steepest_bound(&self) -> f64 {
         let [next, before] = [|k: usize| (k + 1) % 3, |k: usize| (k + 2) % 3];
         let of_corner = |k: usize| {
             let (from, to) = (self.of_side(k)[0], self.of_side(before(k))[1]);
@@ -176,7 +182,7 @@ mod tests {
         let [a, b, c] = bend.corners_m;
         let places = (0..=20).flat_map(|i| (0..=20 - i).map(move |j| (f64::from(i) / 20.0, f64::from(j) / 20.0)));
         let slopes = places.map(|(u, v)| bend.at(a + u * (b - a) + v * (c - a)).1.length());
-        let (found, bound) = (slopes.fold(0.0, f64::max), bend.steepest());
+        let (found, bound) = (slopes.fold(0.0, f64::max), bend.steepest_bound());
         println!("steepest {found:.4}, bound {bound:.4}");
         assert!(found <= bound * (1.0 + 1e-12) && bound < 2.0 * found);
     }

@@ -91,6 +91,8 @@ impl CurvedSkin {
 
 /// A skin steeper than this over its facet stands on a sliver: its height is that of the long sides, its slope made of nothing.
 const STEEP: f64 = 1.0;
+/// So does one that may be as steep as this anywhere; bounds of round skins are up to twice their slopes.
+const STEEP_BOUND: f64 = 2.0;
 
 /// Where the skin rises by a hundredth of what is allowed, or stands on a sliver, the facet is flat.
 fn control_heights_m(bent: &BentTriangle, limits: &Limits) -> ControlHeights {
@@ -98,7 +100,10 @@ fn control_heights_m(bent: &BentTriangle, limits: &Limits) -> ControlHeights {
     let [a, b, c] = bent.corners_m;
     let is_low = heights_m.iter().all(|h| h.abs() < 0.01 * limits.offset_m);
     let normal = (b - a).cross(c - a).try_normalize().filter(|_| !is_low);
-    let is_bent = normal.is_some_and(|normal| Bend::new(bent.corners_m, normal, &heights_m).steepest() <= STEEP);
+    let is_bent = normal.is_some_and(|normal| {
+        let bend = Bend::new(bent.corners_m, normal, &heights_m);
+        bend.steepest() <= STEEP && bend.steepest_bound() <= STEEP_BOUND
+    });
     if is_bent { heights_m } else { [0.0; 6] }
 }
 
