@@ -130,15 +130,34 @@ fn anew(
     frequency_hz: &[f64],
     polarization: Polarization,
 ) -> Vec<Complex64> {
+    exact(scene, seconds, [RADAR_M; 2], frequency_hz, polarization)
+}
+
+/// S of the first body alone at a moment between two points, from trees of their own.
+fn exact(
+    scene: &(SceneHeader, SceneFrame),
+    seconds: f64,
+    [tx_m, rx_m]: [[f64; 3]; 2],
+    frequency_hz: &[f64],
+    polarization: Polarization,
+) -> Vec<Complex64> {
     let start = scene.1.poses[0];
     let origin_m = DVec3::from_array(start.position_m) + seconds * DVec3::from_array(start.velocity_mps);
-    let to_radar = glam::DMat3::from_rotation_z(-start.yaw_rad) * (DVec3::from_array(RADAR_M) - origin_m);
+    let place = |x_m: [f64; 3]| {
+        let way = glam::DMat3::from_rotation_z(-start.yaw_rad) * (DVec3::from_array(x_m) - origin_m);
+        Standpoint {
+            azimuth_rad: way.y.atan2(way.x),
+            elevation_rad: (way.z / way.length()).asin(),
+            range_m: way.length(),
+        }
+    };
+    let transmitter = place(tx_m);
     let request = RcsRequest {
         frequency_hz: frequency_hz.to_vec(),
-        elevation_rad: vec![(to_radar.z / to_radar.length()).asin()],
-        azimuth_rad: vec![to_radar.y.atan2(to_radar.x)],
-        range_m: to_radar.length(),
-        receiver: None,
+        elevation_rad: vec![transmitter.elevation_rad],
+        azimuth_rad: vec![transmitter.azimuth_rad],
+        range_m: transmitter.range_m,
+        receiver: (tx_m != rx_m).then(|| place(rx_m)),
         polarization,
         bounces: scene.0.fidelity.bounces,
         nodes: scene.0.fidelity.nodes,
@@ -249,7 +268,7 @@ fn the_paths_of_one_tree_serve_every_pair_of_an_array_within_the_printed_error()
     let frequencies: Vec<f64> = (0..9).map(|i| 77e9 + 0.625e9 * f64::from(i) / 8.0).collect();
     let [mut error, mut power, mut turned] = [0.0; 3];
     for (tx, rx) in tx_m.iter().flat_map(|tx| rx_m.iter().map(move |rx| (*tx, *rx))) {
-        let exact = between(&scene, tx, rx, &frequencies);
+        let exact = exact(&scene, 0.0, [tx, rx], &frequencies, Polarization::Vv);
         let view = PathView {
             transmitter_m: DVec3::from_array(tx),
             receiver_m: DVec3::from_array(rx),
@@ -269,36 +288,6 @@ fn the_paths_of_one_tree_serve_every_pair_of_an_array_within_the_printed_error()
         "12 pairs: asked {accuracy_db} dB, printed {printed_db:.1} dB, got {db:.1} dB; S of the middle: {of_one_db:.1} dB"
     );
     assert!(db <= printed_db && printed_db < db + 10.0 && of_one_db > db + 3.0);
-}
-
-/// S of the first body alone at rest between two points, from trees of their own.
-fn between(scene: &(SceneHeader, SceneFrame), tx_m: [f64; 3], rx_m: [f64; 3], frequency_hz: &[f64]) -> Vec<Complex64> {
-    let start = scene.1.poses[0];
-    let place = |x_m: [f64; 3]| {
-        let way = DVec3::from_array(x_m) - DVec3::from_array(start.position_m);
-        let way = glam::DMat3::from_rotation_z(-start.yaw_rad) * way;
-        Standpoint {
-            azimuth_rad: way.y.atan2(way.x),
-            elevation_rad: (way.z / way.length()).asin(),
-            range_m: way.length(),
-        }
-    };
-    let transmitter = place(tx_m);
-    let request = RcsRequest {
-        frequency_hz: frequency_hz.to_vec(),
-        elevation_rad: vec![transmitter.elevation_rad],
-        azimuth_rad: vec![transmitter.azimuth_rad],
-        range_m: transmitter.range_m,
-        receiver: Some(place(rx_m)),
-        polarization: Polarization::Vv,
-        bounces: scene.0.fidelity.bounces,
-        nodes: scene.0.fidelity.nodes,
-        sides: scene.0.fidelity.sides,
-        edges: scene.0.fidelity.edges,
-        surface: Surface::Flat,
-        accuracy: Accuracy::from_db(-45.0),
-    };
-    rcs(&scene.0.meshes[0], &request, &|_, _| ()).unwrap().amplitude_m
 }
 
 #[test]

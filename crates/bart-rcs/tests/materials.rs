@@ -196,33 +196,36 @@ fn mixed_corner() -> Mesh {
     mesh(&[(a, sheet(GLASS, 4.7e-3, Thickness::Exact)), (b, coat), (floor, Material::Conductor)])
 }
 
-#[test]
-fn swapping_transmitter_and_receiver_transposes_s_with_materials_at_every_order() {
-    let body = mixed_corner();
+/// The largest element of S of one order between two directions, and what it differs from that of the way back, transposed.
+fn scale_and_reciprocity_db(body: &Mesh, bounces: u8, order: usize) -> (f64, f64) {
+    // Far away, where integrals are closed: near by, polygons begin at other corners from the other end and are cut another way.
     let place = |azimuth_deg: f64, elevation_deg: f64| Standpoint {
         azimuth_rad: azimuth_deg.to_radians(),
         elevation_rad: elevation_deg.to_radians(),
-        // Where integrals are closed: near by, polygons begin at other corners from the other end and are cut another way.
         range_m: f64::INFINITY,
     };
     let (here, there) = (place(10.0, 20.0), place(-15.0, 12.0));
-    let of = |from: Standpoint, to: Standpoint, order: usize| {
+    let of = |from: Standpoint, to: Standpoint| {
         let asked = RcsRequest {
             azimuth_rad: vec![from.azimuth_rad],
             elevation_rad: vec![from.elevation_rad],
-            range_m: from.range_m,
             receiver: Some(to),
-            bounces: 4,
+            bounces,
             ..request(0.0, 0.0)
         };
-        matrix(&body, &asked, order)
+        matrix(body, &asked, order)
     };
+    let (forth, back) = (of(here, there), of(there, here));
+    let scale = forth.iter().map(|s| s.norm()).fold(0.0, f64::max);
+    let differences = [(0, 0), (1, 2), (2, 1), (3, 3)].map(|(i, j)| (forth[i] - back[j]).norm());
+    (scale, 20.0 * (differences.into_iter().fold(0.0, f64::max) / scale).log10())
+}
+
+#[test]
+fn swapping_transmitter_and_receiver_transposes_s_with_materials_at_every_order() {
+    let body = mixed_corner();
     for order in 1..=4 {
-        let (forth, back) = (of(here, there, order), of(there, here, order));
-        let scale = forth.iter().map(|s| s.norm()).fold(0.0, f64::max);
-        let error =
-            [(0, 0), (1, 2), (2, 1), (3, 3)].map(|(i, j)| (forth[i] - back[j]).norm()).into_iter().fold(0.0, f64::max);
-        let error_db = 20.0 * (error / scale).log10();
+        let (scale, error_db) = scale_and_reciprocity_db(&body, 4, order);
         println!("reciprocity of order {order}: asked −100 dB, got {error_db:.0} dB");
         assert!(scale > 1e-7 && error_db < -100.0, "order {order}: {error_db}");
     }
@@ -324,26 +327,8 @@ fn swapping_transmitter_and_receiver_transposes_s_through_sheets_too() {
         (b, Material::Conductor),
         (pane, sheet(GLASS, 4.7e-3, Thickness::Exact)),
     ]));
-    let place = |azimuth_deg: f64, elevation_deg: f64| Standpoint {
-        azimuth_rad: azimuth_deg.to_radians(),
-        elevation_rad: elevation_deg.to_radians(),
-        range_m: f64::INFINITY,
-    };
-    let (here, there) = (place(10.0, 20.0), place(-15.0, 12.0));
-    let of = |from: Standpoint, to: Standpoint, order: usize| {
-        let asked = RcsRequest {
-            azimuth_rad: vec![from.azimuth_rad],
-            elevation_rad: vec![from.elevation_rad],
-            receiver: Some(to),
-            ..request(0.0, 0.0)
-        };
-        matrix(&body, &asked, order)
-    };
     for order in 1..=3 {
-        let (forth, back) = (of(here, there, order), of(there, here, order));
-        let scale = forth.iter().map(|s| s.norm()).fold(0.0, f64::max);
-        let differences = [(0, 0), (1, 2), (2, 1), (3, 3)].map(|(i, j)| (forth[i] - back[j]).norm());
-        let error_db = 20.0 * (differences.into_iter().fold(0.0, f64::max) / scale).log10();
+        let (scale, error_db) = scale_and_reciprocity_db(&body, 3, order);
         println!("reciprocity of order {order} through a pane: asked −100 dB, got {error_db:.0} dB");
         assert!(scale > 1e-7 && error_db < -100.0, "order {order}: {error_db}");
     }

@@ -14,6 +14,8 @@ mod methods;
 #[expect(dead_code, reason = "only the polygons are wanted here")]
 mod bodies;
 mod continuity;
+#[path = "../../../crates/bart-rcs/examples/profile/processor_time.rs"]
+mod processor_time;
 mod random_cases;
 mod road_cases;
 
@@ -176,9 +178,20 @@ fn columns(run: &Run, reference: &Run) -> String {
     [of(0), of(1), of(2), together].join(" | ")
 }
 
+fn own_vehicles() -> Vec<(String, Mesh)> {
+    scene::vehicles::NAMES.map(|name| (name.to_owned(), own(name))).into()
+}
+
+/// The header that random frames fill with one vehicle.
+fn experiment_1() -> artifact::scene::SceneHeader {
+    let place = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/experiment-1.toml");
+    let options = scene::ReadOptions { model: None, meshes: scene::Meshes::NamesOnly };
+    scene::read(std::path::Path::new(place), &options).unwrap()
+}
+
 /// Own vehicles, and the real ones where they are there.
 fn vehicles() -> Vec<(String, Mesh)> {
-    let mut meshes: Vec<(String, Mesh)> = scene::vehicles::NAMES.map(|name| (name.to_owned(), own(name))).into();
+    let mut meshes = own_vehicles();
     let folder = std::env::var("WAYSIDE_SHARED").unwrap_or(format!("{}/../../shared", env!("CARGO_MANIFEST_DIR")));
     let Ok(files) = std::fs::read_dir(format!("{folder}/vehicles")) else {
         println!("skipped: {folder}/vehicles is not here; own vehicles only");
@@ -235,9 +248,7 @@ fn a_hundred_random_cases_are_tried() {
 #[ignore = "prints the second table of docs/validation/error-estimates.md: many minutes"]
 fn a_hundred_random_frames_are_tried() {
     let meshes = vehicles();
-    let place = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/experiment-1.toml");
-    let options = scene::ReadOptions { model: None, meshes: scene::Meshes::NamesOnly };
-    let header = scene::read(std::path::Path::new(place), &options).unwrap();
+    let header = experiment_1();
     let try_one = |case| {
         let found = random_cases::try_frame(case, &named(&meshes), &header);
         println!("{found}");
@@ -249,11 +260,8 @@ fn a_hundred_random_frames_are_tried() {
 #[test]
 #[ignore = "prints the third table of docs/validation/error-estimates.md: many minutes"]
 fn random_roads_are_left_out() {
-    let meshes: Vec<(String, Mesh)> =
-        scene::vehicles::NAMES.iter().map(|name| ((*name).to_owned(), own(name))).collect();
-    let place = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/experiment-1.toml");
-    let options = scene::ReadOptions { model: None, meshes: scene::Meshes::NamesOnly };
-    let header = scene::read(std::path::Path::new(place), &options).unwrap();
+    let meshes = own_vehicles();
+    let header = experiment_1();
     let try_one = |case| {
         let found = road_cases::try_road(case, &named(&meshes), &header);
         println!("{found}");

@@ -1,5 +1,6 @@
 //! The three methods on the same question: S in vv at some frequencies, by bounce order with exit nodes.
 
+use crate::processor_time::processor_seconds;
 use artifact::Accuracy;
 use artifact::paths::Amplitude;
 use artifact::radar::Polarization;
@@ -12,7 +13,7 @@ use num_complex::Complex64;
 /// What one method found.
 pub(crate) struct Run {
     pub(crate) name: String,
-    /// Of processors, all threads together: other work beside does not count.
+    /// Of processors; not a number where the system does not tell.
     pub(crate) seconds: f64,
     /// `[order − 1][frequency]`.
     pub(crate) orders: Vec<Vec<Complex64>>,
@@ -36,9 +37,13 @@ pub(crate) fn request(place: Standpoint, frequencies_hz: &[f64], bounces: u8, no
 }
 
 pub(crate) fn bart(mesh: &Mesh, place: Standpoint, frequencies_hz: &[f64], bounces: u8, db: f64) -> Run {
-    let start_s = processor_seconds();
+    let start_s = processor_seconds().unwrap_or(f64::NAN);
     let result = rcs(mesh, &request(place, frequencies_hz, bounces, NodeRule::Exit, db), &|_, _| {}).unwrap();
-    Run { name: format!("BART, {db} dB asked"), seconds: processor_seconds() - start_s, orders: result.by_order_m }
+    Run {
+        name: format!("BART, {db} dB asked"),
+        seconds: processor_seconds().unwrap_or(f64::NAN) - start_s,
+        orders: result.by_order_m,
+    }
 }
 
 pub(crate) fn po(
@@ -50,29 +55,22 @@ pub(crate) fn po(
 ) -> Run {
     let sampling =
         reference::po::Sampling { per_wavelength, shadow_levels, sides: Sides::Two, bracket: Bracket::Symmetrised };
-    let start_s = processor_seconds();
+    let start_s = processor_seconds().unwrap_or(f64::NAN);
     let s = reference::po::amplitude(mesh, &Aspect::monostatic(place), frequencies_hz, &sampling).unwrap();
     let name = format!("po, {per_wavelength} cells per λ, borders halved {shadow_levels} times");
-    Run { name, seconds: processor_seconds() - start_s, orders: vec![vv(&s)] }
+    Run { name, seconds: processor_seconds().unwrap_or(f64::NAN) - start_s, orders: vec![vv(&s)] }
 }
 
 pub(crate) fn sbr(mesh: &Mesh, place: Standpoint, frequencies_hz: &[f64], per_wavelength: f64, bounces: u8) -> Run {
     let shooting = reference::sbr::Shooting { per_wavelength, bounces, sides: Sides::Two, bracket: Bracket::Plain };
-    let start_s = processor_seconds();
+    let start_s = processor_seconds().unwrap_or(f64::NAN);
     let found = reference::sbr::amplitude(mesh, &Aspect::monostatic(place), frequencies_hz, &shooting).unwrap();
     let name = format!("sbr, {per_wavelength} rays per λ ({:.2} million)", found.rays as f64 * 1e-6);
-    Run { name, seconds: processor_seconds() - start_s, orders: found.orders.iter().map(|order| vv(order)).collect() }
-}
-
-/// That all threads of this process have had, from `/proc/self/task/*/schedstat` (nanoseconds on a processor come first);
-/// not a number where there is none.
-fn processor_seconds() -> f64 {
-    let Ok(tasks) = std::fs::read_dir("/proc/self/task") else { return f64::NAN };
-    let of = |task: std::fs::DirEntry| {
-        let text = std::fs::read_to_string(task.path().join("schedstat")).unwrap_or_default();
-        text.split_whitespace().next().and_then(|n| n.parse::<u64>().ok()).unwrap_or(0)
-    };
-    tasks.flatten().map(of).sum::<u64>() as f64 * 1e-9
+    Run {
+        name,
+        seconds: processor_seconds().unwrap_or(f64::NAN) - start_s,
+        orders: found.orders.iter().map(|order| vv(order)).collect(),
+    }
 }
 
 fn vv(amplitudes: &[Amplitude]) -> Vec<Complex64> {

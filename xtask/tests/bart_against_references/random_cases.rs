@@ -120,7 +120,8 @@ fn origin_m(pose: &Pose, seconds: f64) -> DVec3 {
     DVec3::from_array(pose.position_m) + seconds * DVec3::from_array(pose.velocity_mps)
 }
 
-fn at(
+/// S of the paths between two elements, as the radar sees it.
+pub(crate) fn at(
     header: &SceneHeader,
     paths: &[artifact::paths::Path],
     pose: &Pose,
@@ -135,7 +136,8 @@ fn at(
         seconds,
         centre_frequency_hz: header.radar.waveform.centre_frequency_hz(),
     };
-    scattering_of_paths(paths, &view, f_hz)[0][0]
+    let (p, q) = header.radar.array.polarization.indices();
+    scattering_of_paths(paths, &view, f_hz)[p][q]
 }
 
 /// Between two elements, from trees of their own.

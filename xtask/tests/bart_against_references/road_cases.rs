@@ -1,11 +1,11 @@
 //! Random frames of one vehicle over a road: what leaving it out is said to cost, beside what it does.
 
 use crate::methods::decibels;
+use crate::random_cases::at;
 use artifact::Radar;
 use artifact::material::{Material, Road};
-use artifact::paths::Path;
 use artifact::scene::{Mesh, Pose, SceneHeader};
-use bart_rcs::{Models, PathView, scattering_of_paths, trace_frame};
+use bart_rcs::{Models, trace_frame};
 use glam::DVec3;
 use num_complex::Complex64;
 use rand::{RngExt, SeedableRng};
@@ -54,8 +54,10 @@ pub(crate) fn try_road(case: u64, meshes: &[(&str, Mesh)], empty: &SceneHeader) 
         let waveform = &header.radar.waveform;
         waveform.start_frequency_hz + (f64::from(i) + 0.5) / 24.0 * waveform.bandwidth_hz()
     });
+    let radar_m = DVec3::from_array(header.radar.position_m);
     let powers = frequencies_hz.map(|f| {
-        let [with, without] = [&with.paths, &without.paths].map(|paths| at(&header, paths, &pose, f));
+        let [with, without] = [&with.paths, &without.paths]
+            .map(|paths| at(&header, paths, &pose, [radar_m; 2], header.radar.frame_middle_s(), f));
         [(with - without).norm_sqr(), without.norm_sqr()]
     });
     let [added, whole] = powers.fold([0.0; 2], |sum, p| [sum[0] + p[0], sum[1] + p[1]]);
@@ -75,19 +77,6 @@ fn lift(radar: &mut Radar, height_m: f64) {
     let up_m = height_m - radar.position_m[2];
     let elements = radar.array.tx_m.iter_mut().chain(&mut radar.array.rx_m);
     elements.chain([&mut radar.position_m]).for_each(|place| place[2] += up_m);
-}
-
-fn at(header: &SceneHeader, paths: &[Path], pose: &Pose, f_hz: f64) -> Complex64 {
-    let radar_m = DVec3::from_array(header.radar.position_m);
-    let view = PathView {
-        transmitter_m: radar_m,
-        receiver_m: radar_m,
-        origin_m: DVec3::from_array(pose.position_m),
-        seconds: header.radar.frame_middle_s(),
-        centre_frequency_hz: header.radar.waveform.centre_frequency_hz(),
-    };
-    let (p, q) = header.radar.array.polarization.indices();
-    scattering_of_paths(paths, &view, f_hz)[p][q]
 }
 
 impl std::fmt::Display for FoundRoad {

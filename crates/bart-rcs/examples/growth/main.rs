@@ -2,6 +2,8 @@
 //! writes OUT/growth.csv and OUT/growth.svg. Triangles are those of the mesh, each cut in four again and again; the other
 //! sweeps take the mesh as it is. Processor time of the whole process, as the system counts it.
 
+#[path = "../profile/processor_time.rs"]
+mod processor_time;
 #[path = "../profile/stl.rs"]
 mod stl;
 
@@ -10,6 +12,7 @@ use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use bart_rcs::{RcsRequest, rcs};
+use processor_time::processor_seconds;
 use std::fmt::Write as _;
 use std::io::{Error, ErrorKind};
 
@@ -77,16 +80,6 @@ fn measured(value: f64, mesh: &Mesh, request: &RcsRequest) -> Result<(f64, u64, 
     let start = processor_seconds()?;
     let result = rcs(mesh, request, &|_, _| ())?;
     Ok((value, result.beams.iter().sum(), processor_seconds()? - start))
-}
-
-/// Of all threads, from `/proc/self/task/*/schedstat` (nanoseconds on a processor come first).
-fn processor_seconds() -> Result<f64, Failure> {
-    let mut nanoseconds = 0;
-    for task in std::fs::read_dir("/proc/self/task")? {
-        let text = std::fs::read_to_string(task?.path().join("schedstat"))?;
-        nanoseconds += text.split_whitespace().next().map_or(Ok(0), str::parse::<u64>)?;
-    }
-    Ok(nanoseconds as f64 * 1e-9)
 }
 
 fn request(frequency_hz: f64, range_m: f64, bounces: u8) -> RcsRequest {

@@ -1,6 +1,7 @@
 //! One aspect of a mesh, timed by phase: `cargo run --release -p bart-rcs --example profile -- car.stl [azimuth_deg
 //! [range_m [frequencies [bounces [edges]]]]]`, a binary STL in body axes, the last word `edges` for their diffraction; fit for `valgrind --tool=callgrind` and `perf`.
 
+mod processor_time;
 mod stl;
 
 use artifact::radar::Polarization;
@@ -9,6 +10,7 @@ use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use artifact::{Accuracy, units};
 use bart_rcs::{Antenna, BeamTree, RcsRequest, TraceSettings, World, rcs};
 use glam::DVec3;
+use processor_time::processor_seconds;
 use std::io::{Error, ErrorKind};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -50,16 +52,6 @@ fn traced(mesh: &Mesh, request: &RcsRequest) -> Result<f64, Box<dyn std::error::
     let start_s = processor_seconds()?;
     BeamTree::trace(&world, antenna, &settings)?;
     Ok(processor_seconds()? - start_s)
-}
-
-/// Of all threads, from `/proc/self/task/*/schedstat` (nanoseconds on a processor come first).
-fn processor_seconds() -> Result<f64, Box<dyn std::error::Error>> {
-    let mut nanoseconds = 0;
-    for task in std::fs::read_dir("/proc/self/task")? {
-        let text = std::fs::read_to_string(task?.path().join("schedstat"))?;
-        nanoseconds += text.split_whitespace().next().map_or(Ok(0), str::parse::<u64>)?;
-    }
-    Ok(nanoseconds as f64 * 1e-9)
 }
 
 /// The middle of the 76–78 GHz band, and as many frequencies about it as a chirp of 1 GHz has samples.

@@ -50,7 +50,7 @@ struct Extent {
 /// As much of a box as the search looks at, small: single precision, rounded outwards.
 #[derive(Debug, Clone, Copy)]
 struct Entry {
-    /// Low x, low y, −high x, −high y: one instruction compares two boxes.
+    /// Of its extent: one instruction compares two boxes.
     bounds: Vec4,
     slot: u32,
     first_cell: [u16; 2],
@@ -98,15 +98,14 @@ impl ProjectionGrid {
     pub(crate) fn visit_before(&self, slot: u32, mut visit: impl FnMut(u32) -> ControlFlow<()>) -> ControlFlow<()> {
         let extent = &self.boxes[slot as usize];
         let triangle = &self.triangles[slot as usize];
+        let most = extent.most();
         // From the largest on: one of them may hide all.
         for level in self.levels.iter().rev() {
             let cells = Cells::of(extent, level.scale);
-            let target = Entry::of(slot, extent, &cells);
-            let most = target.most();
             for (column, row) in cells.all() {
                 for entry in self.before(level.cell(column, row), extent) {
                     // A pair meets in many cells; it counts in the first that both reach.
-                    let first = |axis: usize| usize::from(entry.first_cell[axis].max(target.first_cell[axis]));
+                    let first = |axis: usize| usize::from(entry.first_cell[axis]).max(cells.first[axis]);
                     if entry.bounds.cmple(most).all()
                         && column == first(0)
                         && row == first(1)
@@ -206,6 +205,18 @@ impl Extent {
         Self { corners, slack: self.slack / cell, low: scaled(self.low), high: scaled(self.high), ..*self }
     }
 
+    /// Low x, low y, −high x, −high y, rounded outwards.
+    fn bounds(&self) -> Vec4 {
+        let ([low_x, low_y], [high_x, high_y]) = (self.low.to_array(), self.high.to_array());
+        Vec4::from_array([low_x, low_y, -high_x, -high_y].map(|x| (x as f32).next_down()))
+    }
+
+    /// The bounds that another's may not exceed if both overlap: high x, high y, −low x, −low y.
+    fn most(&self) -> Vec4 {
+        let bounds = self.bounds();
+        -Vec4::new(bounds.z, bounds.w, bounds.x, bounds.y)
+    }
+
     /// Where it is listed: in the finest cells that are not smaller.
     fn listed<'l>(&self, levels: &'l [Level]) -> (&'l Level, Cells) {
         let longest = (self.high - self.low).max_element();
@@ -216,18 +227,12 @@ impl Extent {
 
 impl Entry {
     fn of(slot: u32, extent: &Extent, cells: &Cells) -> Self {
-        let ([low_x, low_y], [high_x, high_y]) = (extent.low.to_array(), extent.high.to_array());
         Self {
-            bounds: Vec4::from_array([low_x, low_y, -high_x, -high_y].map(|x| (x as f32).next_down())),
+            bounds: extent.bounds(),
             slot,
             first_cell: cells.first.map(|n| n as u16),
             near_m: (extent.near_m as f32).next_down(),
         }
-    }
-
-    /// The bounds that another's may not exceed if both overlap: high x, high y, −low x, −low y.
-    fn most(&self) -> Vec4 {
-        -Vec4::new(self.bounds.z, self.bounds.w, self.bounds.x, self.bounds.y)
     }
 }
 

@@ -66,8 +66,8 @@ pub(crate) struct Buffers {
     cutter: Cutter,
 }
 
-/// Beams with more facets than this in view walk the hierarchy again for each of them; below, trying all pairs is cheaper
-/// than the walks (one walk costs about as much as a hundred pairs).
+/// Beams with more facets than this in view sort them into a grid of their own, or walk the hierarchy again for each of them
+/// where there can be none; below, trying all pairs is cheaper.
 const MANY_IN_VIEW: usize = 24;
 const NO_SLOT: u32 = u32::MAX;
 

@@ -3,7 +3,7 @@
 use crate::edges::edge_currents::{EdgeNode, amplitude_of, edge_amplitudes, for_each_part};
 use crate::edges::lit_edge::EdgeJoint;
 use crate::integral::physical_optics::Estimate;
-use crate::joins::band::{Band, Groups, INTERPOLATION_ERROR, Kind, add};
+use crate::joins::band::{self, Band, Groups, INTERPOLATION_ERROR, Kind};
 use crate::joins::scatterer::{Integration, Scatterer, Way, scaled, sum as sum_of, with_reverse};
 use artifact::paths::Amplitude;
 use glam::DVec3;
@@ -67,17 +67,8 @@ fn sum_at_each(
     origin_m: DVec3,
     integration: &Integration<'_>,
 ) -> Vec<Amplitude> {
-    let zero = || vec![Amplitude::default(); integration.wavenumbers_per_m.len()];
-    let of_run = |run: &[EdgeJoint]| {
-        run.iter().fold(zero(), |mut total, joint| {
-            add(&mut total, &edge_share(scatterer, joint, origin_m, integration).value);
-            total
-        })
-    };
-    let runs: Vec<Vec<Amplitude>> = joints.par_chunks(RUN).map(of_run).collect();
-    runs.iter().fold(zero(), |mut total, run| {
-        add(&mut total, run);
-        total
+    band::sum_at_each(joints, RUN, integration.wavenumbers_per_m.len(), |joint| {
+        edge_share(scatterer, joint, origin_m, integration).value
     })
 }
 

@@ -11,7 +11,6 @@
 use crate::geometry::complex_vector::ComplexVector;
 use crate::integral::chebyshev::{self, Chebyshev, middle_and_half};
 use crate::integral::physical_optics::{Bracket, Field, Leg, SurfacePoint};
-use crate::integral::polygon_phase::{linear_phase_integral, six_point_weights};
 use crate::integral::tiling::Tile;
 use crate::materials::surface_response::{phase_length_m, reflected_fields, reflection, steepness};
 use artifact::material::Material;
@@ -54,35 +53,21 @@ impl Field<'_> {
     }
 
     fn add_lossy_whole(&self, corners_m: &[DVec2], centre_m: DVec2, wavenumbers_per_m: &[f64], sums: &mut [Weights]) {
-        let centre = self.surface_at(centre_m);
-        let gradient = self.length_gradient(&centre);
-        let length_m = self.length_m(centre.x_m);
-        let about_centre: Vec<DVec2> = corners_m.iter().map(|c| *c - centre_m).collect();
-        let weights = self.lossy_weights(&[centre], wavenumbers_per_m);
+        let whole = self.whole(corners_m, centre_m);
+        let weights = self.lossy_weights(&[whole.centre], wavenumbers_per_m);
         for (i, (k, sum)) in wavenumbers_per_m.iter().zip(sums).enumerate() {
-            let integral = Complex64::cis(-k * length_m) * linear_phase_integral(&about_centre, -k * gradient);
+            let integral = whole.integral_m2(*k);
             let [weights] = weights.at(*k, i);
             sum.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * integral);
         }
     }
 
     fn add_lossy_triangle(&self, corners_m: [DVec2; 3], wavenumbers_per_m: &[f64], sums: &mut [Weights]) {
-        let [a, b, c] = corners_m;
-        let centre_m = (a + b + c) / 3.0;
-        let area_m2 = 0.5 * (b - a).perp_dot(c - a);
-        let points_m = [a, b, c, 0.5 * (b + c), 0.5 * (c + a), 0.5 * (a + b)];
-        let gradient = self.length_gradient(&self.surface_at(centre_m));
-        let linear_m = points_m.map(|p| gradient.dot(p - centre_m));
-        let points = points_m.map(|p| self.surface_at(p));
-        let lengths_m = points.map(|at| self.length_m(at.x_m));
-        let weights = self.lossy_weights(&points, wavenumbers_per_m);
+        let six = self.six_points(corners_m);
+        let weights = self.lossy_weights(&six.points, wavenumbers_per_m);
         for (place, (k, sum)) in wavenumbers_per_m.iter().zip(sums).enumerate() {
-            let under_phase = six_point_weights([0, 1, 2].map(|i| -k * linear_m[i]));
-            let weights = weights.at(*k, place);
-            for i in 0..6 {
-                let remainder = Complex64::cis(-k * (lengths_m[i] - linear_m[i]));
-                let value = under_phase[i] * remainder * area_m2;
-                sum.iter_mut().zip(weights[i]).for_each(|(sum, weight)| *sum += weight * value);
+            for (value, weights) in six.integrals_m2(*k).into_iter().zip(weights.at(*k, place)) {
+                sum.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * value);
             }
         }
     }
@@ -148,7 +133,7 @@ impl Field<'_> {
 /// Direction of travel, and the fields of v and h.
 type End = (DVec3, [ComplexVector; 2]);
 
-/// Of the accuracy asked for, as in [`crate::table::band`].
+/// Of the accuracy asked for: weights are interpolated inside of what [`crate::joins::band`] interpolates again.
 const WEIGHTS_ERROR: f64 = 1e-3;
 
 /// Weights of N points over a band.

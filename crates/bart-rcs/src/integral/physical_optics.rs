@@ -279,37 +279,87 @@ impl<'a> Field<'a> {
 
     /// Weight and curvature of the phase as at the centre: Gordon over the whole polygon.
     fn add_whole(&self, corners_m: &[DVec2], centre_m: DVec2, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {
-        let centre = self.surface_at(centre_m);
-        let weights = self.weights(&centre);
-        let gradient = self.length_gradient(&centre);
-        let length_m = self.length_m(centre.x_m);
-        let about_centre: Vec<DVec2> = corners_m.iter().map(|c| *c - centre_m).collect();
+        let whole = self.whole(corners_m, centre_m);
+        let weights = self.weights(&whole.centre);
         for (k, sum) in wavenumbers_per_m.iter().zip(sums) {
-            let integral = Complex64::cis(-k * length_m) * linear_phase_integral(&about_centre, -k * gradient);
+            let integral = whole.integral_m2(*k);
             sum.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * integral);
         }
     }
 
     /// Weight times the remainder of the phase as the quadratic through six points, under the linear phase exactly.
     fn add_triangle(&self, corners_m: [DVec2; 3], wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {
-        let [a, b, c] = corners_m;
-        let centre_m = (a + b + c) / 3.0;
-        let area_m2 = 0.5 * (b - a).perp_dot(c - a);
-        let points_m = [a, b, c, 0.5 * (b + c), 0.5 * (c + a), 0.5 * (a + b)];
-        let gradient = self.length_gradient(&self.surface_at(centre_m));
-        let linear_m = points_m.map(|p| gradient.dot(p - centre_m));
-        let points = points_m.map(|p| self.surface_at(p));
-        let weights = points.map(|at| self.weights(&at));
-        let lengths_m = points.map(|at| self.length_m(at.x_m));
+        let six = self.six_points(corners_m);
+        let weights = six.points.map(|at| self.weights(&at));
         for (k, sum) in wavenumbers_per_m.iter().zip(sums) {
-            let under_phase = six_point_weights([0, 1, 2].map(|i| -k * linear_m[i]));
-            for i in 0..6 {
-                // The linear part is inside `under_phase`; what the length does beyond it turns the sampled value.
-                let remainder = Complex64::cis(-k * (lengths_m[i] - linear_m[i]));
-                let value = under_phase[i] * remainder * area_m2;
-                sum.iter_mut().zip(weights[i]).for_each(|(sum, weight)| *sum += weight * value);
+            for (value, weights) in six.integrals_m2(*k).into_iter().zip(weights) {
+                sum.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * value);
             }
         }
+    }
+
+    pub(crate) fn whole(&self, corners_m: &[DVec2], centre_m: DVec2) -> Whole {
+        let centre = self.surface_at(centre_m);
+        Whole {
+            centre,
+            gradient: self.length_gradient(&centre),
+            length_m: self.length_m(centre.x_m),
+            about_centre_m: corners_m.iter().map(|c| *c - centre_m).collect(),
+        }
+    }
+
+    pub(crate) fn six_points(&self, [a, b, c]: [DVec2; 3]) -> SixPoints {
+        let centre_m = (a + b + c) / 3.0;
+        let points_m = [a, b, c, 0.5 * (b + c), 0.5 * (c + a), 0.5 * (a + b)];
+        let gradient = self.length_gradient(&self.surface_at(centre_m));
+        let points = points_m.map(|p| self.surface_at(p));
+        SixPoints {
+            points,
+            linear_m: points_m.map(|p| gradient.dot(p - centre_m)),
+            lengths_m: points.map(|at| self.length_m(at.x_m)),
+            area_m2: 0.5 * (b - a).perp_dot(c - a),
+        }
+    }
+}
+
+/// A polygon whose phase is linear.
+pub(crate) struct Whole {
+    /// Where the weight is taken.
+    pub(crate) centre: SurfacePoint,
+    /// Of L₁ + L₂ there, and its value.
+    gradient: DVec2,
+    length_m: f64,
+    about_centre_m: Vec<DVec2>,
+}
+
+impl Whole {
+    /// ∫ e^{−jkL} dA.
+    pub(crate) fn integral_m2(&self, wavenumber_per_m: f64) -> Complex64 {
+        Complex64::cis(-wavenumber_per_m * self.length_m)
+            * linear_phase_integral(&self.about_centre_m, -wavenumber_per_m * self.gradient)
+    }
+}
+
+/// A triangle over which weight times the remainder of the phase is a quadratic.
+pub(crate) struct SixPoints {
+    /// Where the weights are taken: corners, and the middles of the edges opposite to them.
+    pub(crate) points: [SurfacePoint; 6],
+    /// L₁ + L₂ there: its linear part, and all of it.
+    linear_m: [f64; 6],
+    lengths_m: [f64; 6],
+    area_m2: f64,
+}
+
+impl SixPoints {
+    /// What the weight at each point is to be multiplied with: together ∫ weight·e^{−jkL} dA.
+    pub(crate) fn integrals_m2(&self, wavenumber_per_m: f64) -> [Complex64; 6] {
+        let k = wavenumber_per_m;
+        let under_phase = six_point_weights([0, 1, 2].map(|i| -k * self.linear_m[i]));
+        std::array::from_fn(|i| {
+            // The linear part is inside `under_phase`; what the length does beyond it turns the sampled value.
+            let remainder = Complex64::cis(-k * (self.lengths_m[i] - self.linear_m[i]));
+            under_phase[i] * remainder * self.area_m2
+        })
     }
 }
 

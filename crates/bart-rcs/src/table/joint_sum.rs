@@ -1,6 +1,6 @@
 //! S of joints over frequency: tiles gathered by their length, taken at few frequencies (see [`crate::joins::band`]).
 
-use crate::joins::band::{Band, Groups, INTERPOLATION_ERROR, Kind, add};
+use crate::joins::band::{self, Band, Groups, INTERPOLATION_ERROR, Kind};
 use crate::joins::join::{Joint, Joints};
 use crate::joins::scatterer::{Integration, JointTile, Scatterer};
 use artifact::paths::Amplitude;
@@ -50,17 +50,8 @@ pub(crate) fn sum_at_each(
     origin_m: DVec3,
     integration: &Integration<'_>,
 ) -> Vec<Amplitude> {
-    let zero = || vec![Amplitude::default(); integration.wavenumbers_per_m.len()];
-    let of_run = |run: &[Joint]| {
-        run.iter().fold(zero(), |mut total, joint| {
-            add(&mut total, &scatterer.scattering(joint, joints.polygon(joint), origin_m, integration).value);
-            total
-        })
-    };
-    let runs: Vec<Vec<Amplitude>> = joints.list.par_chunks(RUN).map(of_run).collect();
-    runs.iter().fold(zero(), |mut total, run| {
-        add(&mut total, run);
-        total
+    band::sum_at_each(&joints.list, RUN, integration.wavenumbers_per_m.len(), |joint| {
+        scatterer.scattering(joint, joints.polygon(joint), origin_m, integration).value
     })
 }
 
