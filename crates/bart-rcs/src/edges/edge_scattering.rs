@@ -49,13 +49,14 @@ fn add_joint(
     let mut some = Vec::new();
     for_each_part(&node, node.middle_m(), band.highest_per_m(), accuracy, &mut |part, _| {
         let way = part.way();
-        let (sums, wavenumbers_per_m) = band.group(Way { length_m: way.length_m + length_m, ..way }, groups);
+        let group = band.group(Way { length_m: way.length_m + length_m, ..way }, groups);
         some.clear();
-        some.resize(wavenumbers_per_m.len(), [Complex64::ZERO; 4]);
-        part.add_to(wavenumbers_per_m, &mut some);
-        for ((sum, part), k) in sums.iter_mut().zip(&some).zip(wavenumbers_per_m) {
+        some.resize(group.wavenumbers_per_m.len(), [Complex64::ZERO; 4]);
+        part.add_to(group.wavenumbers_per_m, &mut some);
+        let turned_m = length_m - group.length_m;
+        for ((sum, part), k) in group.sums.iter_mut().zip(&some).zip(group.wavenumbers_per_m) {
             let both = with_reverse(joint.reverse, &amplitude_of(part));
-            *sum = sum_of(sum, &scaled(&both, Complex64::from_polar(spread, -k * length_m)));
+            *sum = sum_of(sum, &scaled(&both, Complex64::from_polar(spread, -k * turned_m)));
         }
     });
 }

@@ -25,6 +25,13 @@ impl Tile<'_> {
         }
     }
 
+    pub(crate) fn corners_m(&self) -> &[DVec2] {
+        match self {
+            Self::Whole { corners_m, .. } => corners_m,
+            Self::Triangle(corners_m) => corners_m,
+        }
+    }
+
     /// From the middle to the corners, or along the edges.
     pub(crate) fn steps_m(&self) -> Vec<DVec2> {
         match self {

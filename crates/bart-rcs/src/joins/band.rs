@@ -3,9 +3,10 @@
 //!
 //! Shares are gathered by their length L₁ + L₂. Less its common phase e^{−jkL}, the sum of a group turns over the band by
 //! θ = Δk·(how far the lengths spread) at most, Δk half the band, and few points of Chebyshev meet that
-//! ([`crate::integral::chebyshev`]). 256 frequencies of a chirp so cost five for a small facet at −60 dB of the accuracy.
+//! ([`crate::integral::chebyshev`]). Groups come in classes, each as wide as its number of points can meet: a share takes the
+//! class with fewest points, and groups are gathered again into ones of a wider class until few are left.
 
-use crate::integral::chebyshev::{Chebyshev, middle_and_half, points};
+use crate::integral::chebyshev::{Chebyshev, middle_and_half, turn_in_ellipse_rad, turn_of_exponentials_rad};
 use crate::joins::scatterer::{Way, sum};
 use artifact::paths::Amplitude;
 use num_complex::Complex64;
@@ -17,13 +18,12 @@ use std::collections::btree_map::Entry;
 pub(crate) struct Band<'a> {
     wavenumbers_per_m: &'a [f64],
     classes: Vec<Class>,
-    kind: Kind,
 }
 
 /// What a share of S is beside its turning.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
-    /// k times an entire function: integrals over facets.
+    /// k times a sum of exponentials, as large together as the share can be: integrals over facets.
     Facets,
     /// Analytic and bounded where Re k > 0, for its edge waves know √k: W(√(kc)) = e^{jkc}erfc(√(jkc)) is below 1 there, and so are
     /// the edge currents made of it, relative to the whole current of the edge (their integrands are Laplace transforms of one sign).
@@ -33,18 +33,23 @@ pub(crate) enum Kind {
 /// Sums by group, in the order of the groups.
 pub(crate) type Groups = BTreeMap<Place, Vec<Amplitude>>;
 
-/// Turns over the band that a group may take, rad. At finite range tiles are a few centimetres long and belong to the first;
-/// a plane wave takes the side of a lorry as one. What turns farther is integrated at every frequency.
-const TURNS_RAD: [f64; 4] = [0.25, 1.0, 4.0, 16.0];
-/// Of a group's largest amplitude, as a part of the accuracy that its integrals are asked for.
+/// Points of the classes. At finite range tiles are a few centimetres long and need less than ten; a plane wave takes the side of a
+/// lorry as one. What turns farther than the last class allows is integrated at every frequency.
+const POINTS: [usize; 15] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 20, 24, 32, 48, 64];
+/// Of a group's largest amplitude, as a part of the accuracy that its integrals are asked for; as much again each time that it is
+/// gathered into a wider one, five times at most.
 pub(crate) const INTERPOLATION_ERROR: f64 = 0.01;
 
 /// Groups that turn alike.
 struct Class {
     /// Farthest that the length of a member or of a point on it may be from the group's, m.
     reach_m: f64,
-    /// Over the band, its ends among them: shares are cut for the highest frequency.
-    points: Chebyshev,
+    /// Over the band.
+    nodes_per_m: Vec<f64>,
+    /// The class that its groups are gathered into, wide enough for all of one.
+    wider: Option<usize>,
+    /// Shares of the nodes (inner) in the values at the nodes of the wider class, or at every wavenumber asked for.
+    shares: Vec<Vec<f64>>,
 }
 
 /// The group of a share.
@@ -55,17 +60,19 @@ pub(crate) struct Place {
     bin: i64,
 }
 
-impl Place {
-    fn length_m(&self, class: &Class) -> f64 {
-        self.bin as f64 * class.reach_m
-    }
+/// A group that a share is to be added to.
+pub(crate) struct Group<'g> {
+    /// By wavenumber, each without e^{−jk·length}.
+    pub(crate) sums: &'g mut [Amplitude],
+    pub(crate) wavenumbers_per_m: &'g [f64],
+    pub(crate) length_m: f64,
 }
 
 impl<'a> Band<'a> {
     /// `None` where there are too few frequencies to save any; `error` is that of the interpolation, relative.
     pub(crate) fn new(wavenumbers_per_m: &'a [f64], error: f64, kind: Kind) -> Option<Self> {
         let classes = classes(wavenumbers_per_m, error.max(f64::EPSILON), kind);
-        (!classes.is_empty()).then_some(Self { wavenumbers_per_m, classes, kind })
+        (!classes.is_empty()).then_some(Self { wavenumbers_per_m, classes })
     }
 
     /// For shares to be cut for.
@@ -73,80 +80,115 @@ impl<'a> Band<'a> {
         self.wavenumbers_per_m.iter().copied().fold(0.0, f64::max)
     }
 
-    /// The sums that a share belongs to and their wavenumbers; what belongs to no class is of the group behind all classes, at every
-    /// frequency.
-    pub(crate) fn group<'g>(&'g self, way: Way, groups: &'g mut Groups) -> (&'g mut [Amplitude], &'g [f64]) {
+    /// The group that a share belongs to; what belongs to no class is of the group behind all classes, at every frequency.
+    pub(crate) fn group<'g>(&'g self, way: Way, groups: &'g mut Groups) -> Group<'g> {
         // Half a reach for the way from the group's length to the share's, half for the share itself.
         let class = self.classes.iter().position(|class| way.extent_m <= 0.5 * class.reach_m);
-        let bin = |class: &Class| (way.length_m / class.reach_m).round() as i64;
-        let behind = Place { class: self.classes.len(), bin: 0 };
-        let place = class.map_or(behind, |i| Place { class: i, bin: bin(&self.classes[i]) });
-        let wavenumbers_per_m = class.map_or(self.wavenumbers_per_m, |i| &self.classes[i].points.nodes_per_m);
+        let place = class.map_or(self.behind(), |class| self.place(class, way.length_m));
+        let wavenumbers_per_m = class.map_or(self.wavenumbers_per_m, |i| &self.classes[i].nodes_per_m);
+        let length_m = self.length_m(place);
         let sums = groups.entry(place).or_insert_with(|| vec![Amplitude::default(); wavenumbers_per_m.len()]);
-        (sums, wavenumbers_per_m)
+        Group { sums, wavenumbers_per_m, length_m }
     }
 
     /// S at every frequency; runs are added in their order.
     pub(crate) fn sum(&self, runs: Vec<Groups>) -> Vec<Amplitude> {
         let mut groups = Groups::new();
-        for (place, share) in runs.into_iter().flatten() {
-            match groups.entry(place) {
-                Entry::Vacant(empty) => _ = empty.insert(share),
-                Entry::Occupied(mut sum) => add(sum.get_mut(), &share),
+        runs.into_iter().flatten().for_each(|(place, share)| add_to_group(&mut groups, place, share));
+        let mut total = vec![Amplitude::default(); self.wavenumbers_per_m.len()];
+        // A wider class comes later.
+        while let Some((place, samples)) = groups.pop_first() {
+            match self.classes.get(place.class) {
+                None => add(&mut total, &samples),
+                Some(class) => match class.wider {
+                    None => add(&mut total, &self.at_all(class, place, &samples)),
+                    Some(wider) => self.gather(class, place, wider, &samples, &mut groups),
+                },
             }
         }
-        let groups: Vec<(Place, Vec<Amplitude>)> = groups.into_iter().collect();
-        let interpolated = |(place, samples): &(Place, Vec<Amplitude>)| match self.classes.get(place.class) {
-            Some(class) => self.interpolated(class, samples, place.length_m(class)),
-            None => samples.clone(),
-        };
-        let parts: Vec<Vec<Amplitude>> = groups.par_iter().map(interpolated).collect();
-        let mut sum = vec![Amplitude::default(); self.wavenumbers_per_m.len()];
-        parts.iter().for_each(|part| add(&mut sum, part));
-        sum
-    }
-
-    /// Samples at the points, of ways about `length_m`, at every wavenumber asked for.
-    fn interpolated(&self, class: &Class, samples: &[Amplitude], length_m: f64) -> Vec<Amplitude> {
-        let factor = |k: f64| if self.kind == Kind::Facets { k } else { 1.0 };
-        let still = |(a, k): (&Amplitude, &f64)| turned(a, 1.0 / factor(*k), k * length_m);
-        let still: Vec<Amplitude> = samples.iter().zip(&class.points.nodes_per_m).map(still).collect();
-        let at = |k: &f64| turned(&class.at(*k, &still), factor(*k), -k * length_m);
-        self.wavenumbers_per_m.iter().map(at).collect()
-    }
-}
-
-/// Those with fewer points than there are frequencies, from the one with fewest points on.
-fn classes(wavenumbers_per_m: &[f64], error: f64, kind: Kind) -> Vec<Class> {
-    let Some((middle, half)) = middle_and_half(wavenumbers_per_m) else { return Vec::new() };
-    let most = match kind {
-        Kind::Facets => f64::INFINITY,
-        // The ellipse that touches k = 0.
-        Kind::Edges => middle / half + (middle * middle / (half * half) - 1.0).sqrt(),
-    };
-    let of = |turn_rad: &f64| {
-        let count = points(*turn_rad, most, error);
-        (count < wavenumbers_per_m.len())
-            .then(|| Class { reach_m: turn_rad / half, points: Chebyshev::over(middle, half, count) })
-    };
-    TURNS_RAD.iter().filter_map(of).collect()
-}
-
-impl Class {
-    /// The polynomial through the samples.
-    fn at(&self, wavenumber_per_m: f64, samples: &[Amplitude]) -> Amplitude {
-        let mut total = Amplitude::default();
-        self.points.shares(wavenumber_per_m, |i, share| {
-            total = sum(&total, &samples[i].map(|row| row.map(|a| share * a)));
-        });
         total
     }
+
+    /// Adds a group to one of a wider class.
+    fn gather(&self, class: &Class, place: Place, wider: usize, samples: &[Amplitude], groups: &mut Groups) {
+        let length_m = self.length_m(place);
+        let into = self.place(wider, length_m);
+        let turned_m = length_m - self.length_m(into);
+        let at = class.shares.iter().zip(&self.classes[wider].nodes_per_m);
+        let share = at.map(|(shares, k)| turned(&interpolated(shares, samples), -k * turned_m)).collect();
+        add_to_group(groups, into, share);
+    }
+
+    fn at_all(&self, class: &Class, place: Place, samples: &[Amplitude]) -> Vec<Amplitude> {
+        let length_m = self.length_m(place);
+        let at = class.shares.iter().zip(self.wavenumbers_per_m);
+        at.map(|(shares, k)| turned(&interpolated(shares, samples), -k * length_m)).collect()
+    }
+
+    fn place(&self, class: usize, length_m: f64) -> Place {
+        Place { class, bin: (length_m / self.classes[class].reach_m).round() as i64 }
+    }
+
+    fn behind(&self) -> Place {
+        Place { class: self.classes.len(), bin: 0 }
+    }
+
+    fn length_m(&self, place: Place) -> f64 {
+        self.classes.get(place.class).map_or(0.0, |class| place.bin as f64 * class.reach_m)
+    }
 }
 
-/// Less its factor, or with it again, and turned.
-fn turned(a: &Amplitude, size: f64, phase_rad: f64) -> Amplitude {
-    let factor = Complex64::from_polar(size, phase_rad);
+/// Those with half as many points as there are frequencies at most, from the one with fewest points on.
+fn classes(wavenumbers_per_m: &[f64], error: f64, kind: Kind) -> Vec<Class> {
+    let Some((middle, half)) = middle_and_half(wavenumbers_per_m) else { return Vec::new() };
+    let counts = POINTS.into_iter().filter(|count| 2 * *count <= wavenumbers_per_m.len());
+    let all: Vec<(f64, Chebyshev)> = counts
+        .map(|count| match kind {
+            Kind::Facets => {
+                (turn_of_exponentials_rad(count, error) / half, Chebyshev::of_first_kind(middle, half, count))
+            }
+            Kind::Edges => {
+                // The ellipse that touches k = 0.
+                let most = middle / half + (middle * middle / (half * half) - 1.0).sqrt();
+                (turn_in_ellipse_rad(count, most, error) / half, Chebyshev::over(middle, half, count))
+            }
+        })
+        .filter(|(reach_m, _)| *reach_m > 0.0)
+        .collect();
+    let class = |(i, (reach_m, points)): (usize, &(f64, Chebyshev))| {
+        // A group's members and half of the wider one's reach.
+        let wider = (i + 1..all.len()).find(|&j| all[j].0 >= 2.0 * reach_m);
+        let at = wider.map_or(wavenumbers_per_m, |j| &all[j].1.nodes_per_m);
+        let shares = at.iter().map(|k| shares(points, *k, kind)).collect();
+        Class { reach_m: *reach_m, nodes_per_m: points.nodes_per_m.clone(), wider, shares }
+    };
+    all.iter().enumerate().map(class).collect()
+}
+
+/// Of every node in the value at a wavenumber; what facets give is k times the polynomial through their values over k.
+fn shares(points: &Chebyshev, wavenumber_per_m: f64, kind: Kind) -> Vec<f64> {
+    let mut shares = vec![0.0; points.nodes_per_m.len()];
+    points.shares(wavenumber_per_m, |i, share| {
+        shares[i] = if kind == Kind::Facets { share * wavenumber_per_m / points.nodes_per_m[i] } else { share };
+    });
+    shares
+}
+
+fn interpolated(shares: &[f64], samples: &[Amplitude]) -> Amplitude {
+    let share = |(share, sample): (&f64, &Amplitude)| sample.map(|row| row.map(|a| share * a));
+    shares.iter().zip(samples).map(share).fold(Amplitude::default(), |total, a| sum(&total, &a))
+}
+
+fn turned(a: &Amplitude, phase_rad: f64) -> Amplitude {
+    let factor = Complex64::cis(phase_rad);
     a.map(|row| row.map(|x| x * factor))
+}
+
+fn add_to_group(groups: &mut Groups, place: Place, share: Vec<Amplitude>) {
+    match groups.entry(place) {
+        Entry::Vacant(empty) => _ = empty.insert(share),
+        Entry::Occupied(mut sum) => add(sum.get_mut(), &share),
+    }
 }
 
 /// Shares at every frequency for themselves, without groups: what the interpolation is compared with. Runs of `run` shares are
@@ -185,9 +227,9 @@ mod tests {
             assert!(classes(&[]).is_empty() && classes(&[1613.0]).is_empty() && classes(&[1613.0; 300]).is_empty());
             assert!(classes(&[1600.0, 1605.0, 1610.0]).is_empty());
             let many: Vec<f64> = (1..=256).map(|i| 1600.0 + f64::from(i)).collect();
-            let counts: Vec<usize> = classes(&many).iter().map(|class| class.points.nodes_per_m.len()).collect();
-            println!("{kind:?}: points for a turn of {TURNS_RAD:?} rad: {counts:?}");
-            assert_eq!(counts.len(), TURNS_RAD.len());
+            let reaches_m: Vec<f64> = classes(&many).iter().map(|class| class.reach_m).collect();
+            println!("{kind:?}: reaches of {POINTS:?} points: {reaches_m:?}");
+            assert!(reaches_m.is_sorted() && reaches_m.len() > 10);
         }
     }
 }

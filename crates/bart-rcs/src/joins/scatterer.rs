@@ -12,6 +12,7 @@ use crate::integral::physical_optics::{
 use crate::integral::polarization::Mirrors;
 use crate::integral::steps::{Step, Steps};
 use crate::integral::tiling::Tile;
+use crate::joins::band::Group;
 use crate::joins::join::{Joint, Joints, Reverse, Trees, joints};
 use artifact::paths::Amplitude;
 use artifact::settings::NodeRule;
@@ -184,7 +185,7 @@ pub(crate) struct JointTile<'a> {
 /// How long the way over a tile is.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Way {
-    /// L₁ + L₂ − R_t − R_r at a point of it, m.
+    /// L₁ + L₂ − R_t − R_r halfway between its least and its greatest, m.
     pub(crate) length_m: f64,
     /// How far that of any point may differ, m.
     pub(crate) extent_m: f64,
@@ -195,7 +196,10 @@ impl JointTile<'_> {
         let (middle_m, reach_m) = self.tile.middle_and_reach_m();
         let middle = self.field.surface_at(middle_m);
         let at_middle_m = self.field.length_m(middle.x_m);
-        let gradient = self.field.length_gradient(&middle).length();
+        let gradient = self.field.length_gradient(&middle);
+        // Of the length as if it grew by its gradient alone: the least and the greatest are at corners.
+        let lengths_m = self.tile.corners_m().iter().map(|corner| gradient.dot(*corner - middle_m));
+        let [low_m, high_m] = lengths_m.fold([0.0_f64; 2], |[low, high], l| [low.min(l), high.max(l)]);
         // Beyond its tangent plane a length grows by reach²/2L at most, L of the nearest point; there are two.
         let ranges_m = self.field.ranges_m(middle.x_m);
         let curved_m: f64 =
@@ -203,17 +207,19 @@ impl JointTile<'_> {
         // And a skin leaves it by half its second derivative, there and back.
         let bent_m = self.field.along(self.tile.steps_m().into_iter()).rise_m;
         Way {
-            length_m: self.length_m + at_middle_m,
-            extent_m: gradient * reach_m + curved_m + bent_m + self.field.turning_length_m(),
+            length_m: self.length_m + at_middle_m + 0.5 * (low_m + high_m),
+            extent_m: 0.5 * (high_m - low_m) + curved_m + bent_m + self.field.turning_length_m(),
         }
     }
 
     /// Adds the tile's share of S, its reverse included.
-    pub(crate) fn add_to(&self, sums: &mut [Amplitude], wavenumbers_per_m: &[f64]) {
-        self.field.for_each_amplitude(self.tile, wavenumbers_per_m, &mut |index, amplitude| {
-            let phase_rad = -wavenumbers_per_m[index] * self.length_m;
+    pub(crate) fn add_to(&self, group: &mut Group<'_>) {
+        let length_m = self.length_m - group.length_m;
+        self.field.for_each_amplitude(self.tile, group.wavenumbers_per_m, &mut |index, amplitude| {
+            let phase_rad = -group.wavenumbers_per_m[index] * length_m;
             let factor = Complex64::from_polar(self.spread * self.joint.weight, phase_rad);
-            sums[index] = sum(&sums[index], &scaled(&with_reverse(self.joint.reverse, amplitude), factor));
+            let total = &mut group.sums[index];
+            *total = sum(total, &scaled(&with_reverse(self.joint.reverse, amplitude), factor));
         });
     }
 }
