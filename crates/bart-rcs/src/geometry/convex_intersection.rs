@@ -5,11 +5,17 @@ use glam::DVec2;
 /// The part of `subject` inside `window`; both convex and counter-clockwise; empty where they do not meet.
 pub(crate) fn intersection(subject: &[DVec2], window: &[DVec2]) -> Vec<DVec2> {
     let mut part = subject.to_vec();
+    let mut cut = Vec::new();
     for (i, &from) in window.iter().enumerate() {
         let edge = window[(i + 1) % window.len()] - from;
-        part = left_of(&part, from, edge);
+        if part.iter().all(|&corner| edge.perp_dot(corner - from) >= 0.0) {
+            continue;
+        }
+        cut_left_of(&part, from, edge, &mut cut);
+        std::mem::swap(&mut part, &mut cut);
         if part.len() < 3 {
-            return Vec::new();
+            part.clear();
+            break;
         }
     }
     part
@@ -17,8 +23,15 @@ pub(crate) fn intersection(subject: &[DVec2], window: &[DVec2]) -> Vec<DVec2> {
 
 /// The part of a convex polygon to the left of the line from `from` along `edge`, the line included.
 pub(crate) fn left_of(corners: &[DVec2], from: DVec2, edge: DVec2) -> Vec<DVec2> {
-    let height = |c: DVec2| edge.perp_dot(c - from);
     let mut part = Vec::with_capacity(corners.len() + 1);
+    cut_left_of(corners, from, edge, &mut part);
+    part
+}
+
+/// The same into a list that is emptied first.
+fn cut_left_of(corners: &[DVec2], from: DVec2, edge: DVec2, part: &mut Vec<DVec2>) {
+    let height = |c: DVec2| edge.perp_dot(c - from);
+    part.clear();
     for (i, &corner) in corners.iter().enumerate() {
         let next = corners[(i + 1) % corners.len()];
         let (here, there) = (height(corner), height(next));
@@ -29,7 +42,6 @@ pub(crate) fn left_of(corners: &[DVec2], from: DVec2, edge: DVec2) -> Vec<DVec2>
             part.push(corner.lerp(next, here / (here - there)));
         }
     }
-    part
 }
 
 /// Smallest box around a polygon: lowest and highest coordinates.

@@ -118,13 +118,13 @@ fn weighted_by_factorials(homogeneous: &[f64], n: usize) -> Complex64 {
 }
 
 /// The six second moments of a triangle, exp[jφ₁, jφ₂, jφ₃] with two phases more: corner i twice more at i, the other two
-/// corners once more at 3 + i. All of [`DividedDifferences::of`] at once, without its table: most of the time of a sweep
+/// corners once more at 3 + i; `turns` are e^{jφ}. All of [`DividedDifferences::of`] at once, without its table: most of the time of a sweep
 /// goes here.
-pub(crate) fn second_moments(phases: [f64; 3]) -> [Complex64; 6] {
+pub(crate) fn second_moments(phases: [f64; 3], turns: [Complex64; 3]) -> [Complex64; 6] {
     let mut corner_at = [0, 1, 2];
     corner_at.sort_unstable_by(|&a, &b| phases[a].total_cmp(&phases[b]));
-    let sorted = corner_at.map(|corner| phases[corner]);
-    let found = if sorted[2] - sorted[0] < SERIES_SPAN { near(sorted) } else { far(sorted) };
+    let (sorted, turns) = (corner_at.map(|corner| phases[corner]), corner_at.map(|corner| turns[corner]));
+    let found = if sorted[2] - sorted[0] < SERIES_SPAN { near(sorted) } else { far(sorted, turns) };
     let mut moments = [Complex64::ZERO; 6];
     for (place, corner) in corner_at.into_iter().enumerate() {
         moments[corner] = found[place];
@@ -134,8 +134,7 @@ pub(crate) fn second_moments(phases: [f64; 3]) -> [Complex64; 6] {
 }
 
 /// By recursion from the pairs of neighbours; sorted phases.
-fn far([a, b, c]: [f64; 3]) -> [Complex64; 6] {
-    let [ea, eb, ec] = [a, b, c].map(Complex64::cis);
+fn far([a, b, c]: [f64; 3], [ea, eb, ec]: [Complex64; 3]) -> [Complex64; 6] {
     let [ab, bc] = [Pair::of((a, ea), (b, eb)), Pair::of((b, eb), (c, ec))];
     let per_span = 1.0 / (c - a);
     let step = |without_low: Complex64, without_high: Complex64| over_j(without_low - without_high, per_span);
@@ -388,7 +387,7 @@ mod tests {
                 let ascending = [-2.0, -2.0 + low, -2.0 + low + high];
                 for order in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
                     let phases = order.map(|place: usize| ascending[place]);
-                    let at_once = second_moments(phases);
+                    let at_once = second_moments(phases, phases.map(Complex64::cis));
                     let mut one_by_one = DividedDifferences::new(phases);
                     for (value, times) in at_once.iter().zip(SECOND_MOMENTS) {
                         worst = worst.max((value - one_by_one.of(times)).norm() * 24.0);

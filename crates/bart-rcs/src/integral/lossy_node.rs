@@ -55,21 +55,20 @@ impl Field<'_> {
     fn add_lossy_whole(&self, corners_m: &[DVec2], centre_m: DVec2, wavenumbers_per_m: &[f64], sums: &mut [Weights]) {
         let whole = self.whole(corners_m, centre_m);
         let weights = self.lossy_weights(&[whole.centre], wavenumbers_per_m);
-        for (i, (k, sum)) in wavenumbers_per_m.iter().zip(sums).enumerate() {
-            let integral = whole.integral_m2(*k);
-            let [weights] = weights.at(*k, i);
-            sum.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * integral);
-        }
+        whole.for_each_integral(wavenumbers_per_m, &mut |i, integral_m2| {
+            let [weights] = weights.at(wavenumbers_per_m[i], i);
+            sums[i].iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * integral_m2);
+        });
     }
 
     fn add_lossy_triangle(&self, corners_m: [DVec2; 3], wavenumbers_per_m: &[f64], sums: &mut [Weights]) {
         let six = self.six_points(corners_m);
         let weights = self.lossy_weights(&six.points, wavenumbers_per_m);
-        for (place, (k, sum)) in wavenumbers_per_m.iter().zip(sums).enumerate() {
-            for (value, weights) in six.integrals_m2(*k).into_iter().zip(weights.at(*k, place)) {
-                sum.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * value);
+        six.for_each_integral(wavenumbers_per_m, &mut |i, integrals_m2| {
+            for (integral_m2, weights) in integrals_m2.into_iter().zip(weights.at(wavenumbers_per_m[i], i)) {
+                sums[i].iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * integral_m2);
             }
-        }
+        });
     }
 
     /// Weights of some points at every wavenumber, taken at few where the materials turn little over the band.

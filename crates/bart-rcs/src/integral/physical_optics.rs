@@ -12,9 +12,10 @@ use crate::geometry::antenna::Antenna;
 use crate::geometry::complex_vector::ComplexVector;
 use crate::geometry::plane_frame::PlaneFrame;
 use crate::integral::polarization::{Mirrors, polarization_vectors};
-use crate::integral::polygon_phase::{linear_phase_integral, six_point_weights};
+use crate::integral::polygon_phase::{linear_phase_integrals, six_point_weights};
 use crate::integral::steps::Steps;
 use crate::integral::tiling::{self, Tile};
+use crate::integral::turns::{TOGETHER, Turns, turns};
 use crate::surface::bend::{Along, Bend};
 use artifact::material::Material;
 use artifact::paths::Amplitude;
@@ -141,9 +142,6 @@ pub(crate) fn length_difference_m(antenna: Antenna, x_m: DVec3, y_m: DVec3) -> f
     }
 }
 
-/// As many as the points of a small tile, with some to spare.
-const WAVENUMBERS_AT_ONCE: usize = 16;
-
 /// The integrand of a node: real weights that vary slowly, and a length that the phase follows.
 pub(crate) struct Field<'a> {
     pub(crate) node: &'a Node<'a>,
@@ -182,6 +180,10 @@ impl<'a> Field<'a> {
         let up = bend.normal;
         let area = (up - slope) * up.dot(normal).signum();
         SurfacePoint { x_m: x_m + height_m * up, area, slope, up }
+    }
+
+    pub(crate) fn is_bent(&self) -> bool {
+        self.node.bend.is_some()
     }
 
     /// What the skin does along some steps in the polygon's plane; nothing where it is flat.
@@ -259,11 +261,11 @@ impl<'a> Field<'a> {
         give: &mut dyn FnMut(usize, &Amplitude),
     ) {
         // A few wavenumbers at a time need no memory of the heap.
-        for (chunk, some) in wavenumbers_per_m.chunks(WAVENUMBERS_AT_ONCE).enumerate() {
-            let mut sums = [[Complex64::ZERO; 4]; WAVENUMBERS_AT_ONCE];
+        for (chunk, some) in wavenumbers_per_m.chunks(TOGETHER).enumerate() {
+            let mut sums = [[Complex64::ZERO; 4]; TOGETHER];
             self.add(tile, some, &mut sums[..some.len()]);
             for (i, (sum, k)) in sums.iter().zip(some).enumerate() {
-                give(chunk * WAVENUMBERS_AT_ONCE + i, &amplitude_of(sum, *k));
+                give(chunk * TOGETHER + i, &amplitude_of(sum, *k));
             }
         }
     }
@@ -281,21 +283,20 @@ impl<'a> Field<'a> {
     fn add_whole(&self, corners_m: &[DVec2], centre_m: DVec2, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {
         let whole = self.whole(corners_m, centre_m);
         let weights = self.weights(&whole.centre);
-        for (k, sum) in wavenumbers_per_m.iter().zip(sums) {
-            let integral = whole.integral_m2(*k);
-            sum.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * integral);
-        }
+        whole.for_each_integral(wavenumbers_per_m, &mut |i, integral_m2| {
+            sums[i].iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * integral_m2);
+        });
     }
 
     /// Weight times the remainder of the phase as the quadratic through six points, under the linear phase exactly.
     fn add_triangle(&self, corners_m: [DVec2; 3], wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {
         let six = self.six_points(corners_m);
         let weights = six.points.map(|at| self.weights(&at));
-        for (k, sum) in wavenumbers_per_m.iter().zip(sums) {
-            for (value, weights) in six.integrals_m2(*k).into_iter().zip(weights) {
-                sum.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * value);
+        six.for_each_integral(wavenumbers_per_m, &mut |i, integrals_m2| {
+            for (integral_m2, weights) in integrals_m2.into_iter().zip(weights) {
+                sums[i].iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * integral_m2);
             }
-        }
+        });
     }
 
     pub(crate) fn whole(&self, corners_m: &[DVec2], centre_m: DVec2) -> Whole {
@@ -333,10 +334,13 @@ pub(crate) struct Whole {
 }
 
 impl Whole {
-    /// ∫ e^{−jkL} dA.
-    pub(crate) fn integral_m2(&self, wavenumber_per_m: f64) -> Complex64 {
-        Complex64::cis(-wavenumber_per_m * self.length_m)
-            * linear_phase_integral(&self.about_centre_m, -wavenumber_per_m * self.gradient)
+    /// Calls `give` with the place of every wavenumber and ∫ e^{−jkL} dA.
+    pub(crate) fn for_each_integral(&self, wavenumbers_per_m: &[f64], give: &mut dyn FnMut(usize, Complex64)) {
+        for (chunk, some) in wavenumbers_per_m.chunks(TOGETHER).enumerate() {
+            let at_centre = turns(self.length_m, some);
+            let about_centre_m2 = linear_phase_integrals(&self.about_centre_m, self.gradient, some);
+            (0..some.len()).for_each(|i| give(chunk * TOGETHER + i, at_centre[i] * about_centre_m2[i]));
+        }
     }
 }
 
@@ -351,15 +355,20 @@ pub(crate) struct SixPoints {
 }
 
 impl SixPoints {
-    /// What the weight at each point is to be multiplied with: together ∫ weight·e^{−jkL} dA.
-    pub(crate) fn integrals_m2(&self, wavenumber_per_m: f64) -> [Complex64; 6] {
-        let k = wavenumber_per_m;
-        let under_phase = six_point_weights([0, 1, 2].map(|i| -k * self.linear_m[i]));
-        std::array::from_fn(|i| {
-            // The linear part is inside `under_phase`; what the length does beyond it turns the sampled value.
-            let remainder = Complex64::cis(-k * (self.lengths_m[i] - self.linear_m[i]));
-            under_phase[i] * remainder * self.area_m2
-        })
+    /// Calls `give` with the place of every wavenumber and what the weight at each point is to be multiplied with: together
+    /// ∫ weight·e^{−jkL} dA.
+    pub(crate) fn for_each_integral(&self, wavenumbers_per_m: &[f64], give: &mut dyn FnMut(usize, [Complex64; 6])) {
+        for (chunk, some) in wavenumbers_per_m.chunks(TOGETHER).enumerate() {
+            let at_corners = [0, 1, 2].map(|i| turns(self.linear_m[i], some));
+            // The linear part is in the weights; what the length does beyond it turns the sampled value.
+            let beyond: [Turns; 6] = std::array::from_fn(|i| turns(self.lengths_m[i] - self.linear_m[i], some));
+            for (i, k) in some.iter().enumerate() {
+                let phases = [0, 1, 2].map(|corner| -k * self.linear_m[corner]);
+                let under_phase = six_point_weights(phases, at_corners.map(|turns| turns[i]));
+                let integrals_m2 = std::array::from_fn(|point| under_phase[point] * beyond[point][i] * self.area_m2);
+                give(chunk * TOGETHER + i, integrals_m2);
+            }
+        }
     }
 }
 

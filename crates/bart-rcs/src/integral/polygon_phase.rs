@@ -1,6 +1,7 @@
 //! Closed forms of the integral of a phase over a flat convex polygon.
 
 use crate::integral::divided_difference::{DividedDifferences, second_moments};
+use crate::integral::turns::{SHORT, TOGETHER, Turns, short_sinc, short_turn, turns};
 use glam::DVec2;
 use num_complex::Complex64;
 
@@ -9,27 +10,30 @@ use num_complex::Complex64;
 /// (For a body as wide as long this is the ε/(|w|D) of physics.md §1; a needle loses more, by its aspect.)
 const SERIES_BELOW: f64 = 1e-2;
 
-/// I = ∫_P e^{jw·x} dA over the convex polygon `corners_m`, counter-clockwise; `gradient_per_m` is w.
+/// I = ∫_P e^{−jkg·x} dA at the first [`TOGETHER`] of some wavenumbers k, P the convex polygon `corners_m`, counter-clockwise,
+/// and g the `gradient` of a length.
 ///
-/// Gordon (1975): Stokes' theorem turns the integral into a sum over edges,
-/// I = (−j/|w|²) Σ (w·(e × n)) e^{jw·c} sinc(w·e/2) with edges e and their midpoints c. An edge along the wavefront is
+/// Gordon (1975): Stokes' theorem turns the integral into a sum over edges, with w = −kg
+/// I = (−j/|w|²) Σ (w·(e × n)) ∫₀¹ e^{jw·(a + te)} dt with edges e from corners a. An edge along the wavefront is
 /// no special case; only a vanishing |w|·width is, and there all moments of the polygon are summed until rounding.
 /// The phase is that of the coordinates' origin, which should lie in or near the polygon. Error: 1e-13 of the area.
-pub(crate) fn linear_phase_integral(corners_m: &[DVec2], gradient_per_m: DVec2) -> Complex64 {
-    if gradient_per_m.length() * width_m(corners_m) < SERIES_BELOW {
-        moment_series(corners_m, gradient_per_m)
-    } else {
-        gordon(corners_m, gradient_per_m)
+pub(crate) fn linear_phase_integrals(corners_m: &[DVec2], gradient: DVec2, wavenumbers_per_m: &[f64]) -> Turns {
+    let width = gradient.length() * width_m(corners_m);
+    let mut integrals_m2 = gordon(corners_m, gradient, wavenumbers_per_m);
+    for (integral, k) in integrals_m2.iter_mut().zip(wavenumbers_per_m).filter(|(_, k)| *k * width < SERIES_BELOW) {
+        *integral = moment_series(corners_m, -k * gradient);
     }
+    integrals_m2
 }
 
 /// Weights W of the six values of a function g at a triangle's corners and edge middles (opposite to the corners) such
-/// that ∫ g e^{jφ} dA = A Σ W_i g_i, exactly for every g of second degree; `phases` are those of the linear φ at the corners.
+/// that ∫ g e^{jφ} dA = A Σ W_i g_i, exactly for every g of second degree; `phases` are those of the linear φ at the corners,
+/// `turns` their e^{jφ}.
 ///
 /// With g in Bernstein form (corner values, and 2g(middle) minus the mean of the two corners) each term is one divided
 /// difference with five points.
-pub(crate) fn six_point_weights(phases: [f64; 3]) -> [Complex64; 6] {
-    let [s0, s1, s2, p0, p1, p2] = second_moments(phases);
+pub(crate) fn six_point_weights(phases: [f64; 3], turns: [Complex64; 3]) -> [Complex64; 6] {
+    let [s0, s1, s2, p0, p1, p2] = second_moments(phases, turns);
     let (squares, products) = ([s0, s1, s2], [p0, p1, p2]);
     let all: Complex64 = products.iter().sum();
     let corner = |i: usize| 4.0 * squares[i] - 2.0 * (all - products[i]);
@@ -37,15 +41,36 @@ pub(crate) fn six_point_weights(phases: [f64; 3]) -> [Complex64; 6] {
     [corner(0), corner(1), corner(2), middle(0), middle(1), middle(2)]
 }
 
-fn gordon(corners_m: &[DVec2], gradient_per_m: DVec2) -> Complex64 {
-    let sum: Complex64 = edges(corners_m)
-        .map(|(start, end)| {
-            let edge = end - start;
-            let flux = gradient_per_m.perp_dot(edge);
-            Complex64::cis(gradient_per_m.dot(0.5 * (start + end))) * (flux * sinc(0.5 * gradient_per_m.dot(edge)))
-        })
-        .sum();
-    Complex64::new(sum.im, -sum.re) / gradient_per_m.length_squared()
+fn gordon(corners_m: &[DVec2], gradient: DVec2, wavenumbers_per_m: &[f64]) -> Turns {
+    let mut sums = [Complex64::ZERO; TOGETHER];
+    let first_m = gradient.dot(corners_m[0]);
+    let first = turns(first_m, wavenumbers_per_m);
+    let (mut from_m, mut from) = (first_m, first);
+    for (i, (start, end)) in edges(corners_m).enumerate() {
+        let last = i + 1 == corners_m.len();
+        let to_m = if last { first_m } else { gradient.dot(end) };
+        let to = if last { first } else { turns(to_m, wavenumbers_per_m) };
+        let flux_m = gradient.perp_dot(end - start);
+        for (n, k) in wavenumbers_per_m.iter().take(TOGETHER).enumerate() {
+            sums[n] += flux_m * along_edge(k * (from_m - to_m), from[n], to[n]);
+        }
+        (from_m, from) = (to_m, to);
+    }
+    for (sum, k) in sums.iter_mut().zip(wavenumbers_per_m) {
+        *sum = Complex64::new(-sum.im, sum.re) / (k * gradient.length_squared());
+    }
+    sums
+}
+
+/// ∫₀¹ e^{j(φ + tΔ)} dt of e^{jφ} and e^{j(φ + Δ)}.
+fn along_edge(further: f64, from: Complex64, to: Complex64) -> Complex64 {
+    let half = 0.5 * further;
+    if half.abs() <= SHORT {
+        from * short_turn(half) * short_sinc(half)
+    } else {
+        let difference = to - from;
+        Complex64::new(difference.im, -difference.re) / further
+    }
 }
 
 /// Triangles about the first corner; the divided difference of each sums its moments of all orders.
@@ -73,14 +98,13 @@ fn width_m(corners_m: &[DVec2]) -> f64 {
     if length > 0.0 { area / length } else { 0.0 }
 }
 
-fn sinc(x: f64) -> f64 {
-    // sin x/x = 1 − x²/6 to rounding below 1e-5, where the quotient is 0/0 at worst.
-    if x.abs() < 1e-5 { 1.0 - x * x / 6.0 } else { x.sin() / x }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn linear_phase_integral(corners_m: &[DVec2], gradient_per_m: DVec2) -> Complex64 {
+        linear_phase_integrals(corners_m, -gradient_per_m, &[1.0])[0]
+    }
 
     fn disc_polygon(sides: u32, stretch: f64) -> Vec<DVec2> {
         (0..sides)
@@ -124,9 +148,24 @@ mod tests {
     }
 
     #[test]
+    fn several_wavenumbers_together_are_each_for_itself() {
+        let corners = disc_polygon(5, 0.4);
+        let wavenumbers_per_m: Vec<f64> = (0..12).map(|i| 1603.0 + f64::from(i)).collect();
+        for exponent in -7..=0 {
+            let gradient = DVec2::new(0.6, -0.8) * 10_f64.powi(exponent);
+            let together = linear_phase_integrals(&corners, gradient, &wavenumbers_per_m);
+            for (integral, k) in together.iter().zip(&wavenumbers_per_m) {
+                let error = (integral - linear_phase_integral(&corners, -k * gradient)).norm();
+                // Phases of up to k radians are rounded.
+                assert!(error < 1e-13, "{exponent} {k}: {error:e}");
+            }
+        }
+    }
+
+    #[test]
     fn six_points_integrate_every_quadratic_under_a_linear_phase() {
         let phases = [0.3, 40.0, -7.0];
-        let weights = six_point_weights(phases);
+        let weights = six_point_weights(phases, phases.map(Complex64::cis));
         let (nodes, gauss) = crate::test_quadrature::gauss_legendre(60);
         let quadratic = |l: [f64; 3]| 1.0 + l[0] - 3.0 * l[1] * l[2] + 2.0 * l[2] * l[2];
         let mut exact = Complex64::ZERO;

@@ -19,6 +19,7 @@ use crate::geometry::clip::doubled_area;
 use crate::joins::join::{Joint, Joints, Reverse, Trees};
 use artifact::paths::MAX_ORDER;
 use glam::{DVec2, DVec3};
+use rayon::prelude::*;
 use std::collections::HashMap;
 
 /// Outline of a polygon, or of many pieces together, m; edges that end facet and beam alike are left out.
@@ -101,11 +102,30 @@ type Nodes = [Node; MAX_ORDER];
 
 /// Sets the weights of all joints of one order, of which `outlines` are in the joints' order.
 pub(crate) fn weigh(world: &World, trees: Trees<'_>, order: u8, joints: &mut Joints, outlines: &[Outline]) {
-    let mut nodes_of: HashMap<Sequence, Nodes> = HashMap::new();
     let count = usize::from(order);
-    for (joint, outline) in joints.list.iter().zip(outlines) {
-        let (sequence, node) = place(world, trees, joint);
-        let across_m2 = across_m2(trees, joint, joints.polygon(joint));
+    let placed = joints.list.par_iter().map(|joint| place(world, trees, joint, joints.polygon(joint)));
+    let placed: Vec<Placed> = placed.collect();
+    let nodes_of = gathered(world, count, &joints.list, &placed, outlines);
+    let weight = |Placed { sequence, node, .. }: &Placed| {
+        let curvatures = sequence[..count].iter().map(|patch| world.curvature_per_m(*patch & !BY_ROAD));
+        curved_weight(curvatures, *node)
+            .or_else(|| nodes_of.get(sequence).map(|nodes| flat_weight(&nodes[..count], *node)))
+            .unwrap_or(0.0)
+    };
+    joints.list.par_iter_mut().zip(&placed).for_each(|(joint, placed)| joint.weight = weight(placed));
+    joints.drop_weightless();
+}
+
+/// What is known of the nodes of every sequence.
+fn gathered(
+    world: &World,
+    count: usize,
+    joints: &[Joint],
+    placed: &[Placed],
+    outlines: &[Outline],
+) -> HashMap<Sequence, Nodes> {
+    let mut nodes_of: HashMap<Sequence, Nodes> = HashMap::with_capacity(joints.len());
+    for ((joint, &Placed { sequence, node, across_m2 }), outline) in joints.iter().zip(placed).zip(outlines) {
         let mut take = |sequence: Sequence, node: usize| {
             let node = &mut nodes_of.entry(sequence).or_default()[node];
             node.outline.add(*outline);
@@ -116,14 +136,7 @@ pub(crate) fn weigh(world: &World, trees: Trees<'_>, order: u8, joints: &mut Joi
             take(reversed(world, sequence, count), count - 1 - node);
         }
     }
-    for joint in &mut joints.list {
-        let (sequence, node) = place(world, trees, joint);
-        let curvatures = sequence[..count].iter().map(|patch| world.curvature_per_m(*patch & !BY_ROAD));
-        joint.weight = curved_weight(curvatures, node)
-            .or_else(|| nodes_of.get(&sequence).map(|nodes| flat_weight(&nodes[..count], node)))
-            .unwrap_or(0.0);
-    }
-    joints.drop_weightless();
+    nodes_of
 }
 
 /// Share of one node of a sequence with curved facets; `None` where all are flat.
@@ -162,8 +175,17 @@ fn across_m2(trees: Trees<'_>, joint: &Joint, corners_m: &[DVec3]) -> f64 {
         .sum::<f64>()
 }
 
-/// The patches that a joint's path meets, and which of them is its node.
-fn place(world: &World, trees: Trees<'_>, joint: &Joint) -> (Sequence, usize) {
+/// A joint among the sequences.
+struct Placed {
+    /// The patches that its path meets.
+    sequence: Sequence,
+    /// Which of them is its node.
+    node: usize,
+    /// Of its polygon, mean of both legs.
+    across_m2: f64,
+}
+
+fn place(world: &World, trees: Trees<'_>, joint: &Joint, corners_m: &[DVec3]) -> Placed {
     let (transmit, receive) = (trees.transmit(), trees.receive());
     let forward = &transmit.beams[joint.forward as usize];
     let backward = &receive.beams[joint.backward as usize];
@@ -179,7 +201,7 @@ fn place(world: &World, trees: Trees<'_>, joint: &Joint) -> (Sequence, usize) {
         // The same patches with the road at the end are another path.
         sequence[node + usize::from(backward.order) - 1] |= BY_ROAD;
     }
-    (sequence, node)
+    Placed { sequence, node, across_m2: across_m2(trees, joint, corners_m) }
 }
 
 /// The way back; one that ends at the antenna's image begins there, and is taken in the road's mirror.

@@ -205,7 +205,7 @@ impl JointTile<'_> {
         let curved_m: f64 =
             ranges_m.map(|l| 0.5 * reach_m * reach_m / (l - reach_m).max(f64::MIN_POSITIVE)).iter().sum();
         // And a skin leaves it by half its second derivative, there and back.
-        let bent_m = self.field.along(self.tile.steps_m().into_iter()).rise_m;
+        let bent_m = if self.field.is_bent() { self.field.along(self.tile.steps_m().into_iter()).rise_m } else { 0.0 };
         Way {
             length_m: self.length_m + at_middle_m + 0.5 * (low_m + high_m),
             extent_m: 0.5 * (high_m - low_m) + curved_m + bent_m + self.field.turning_length_m(),

@@ -13,6 +13,7 @@ use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule};
 use glam::DVec3;
 use num_complex::Complex64;
+use rayon::prelude::*;
 use std::time::Instant;
 
 /// Where the antennas are, with ĥ straight above and below.
@@ -181,7 +182,9 @@ impl<'a> Ends<'a> {
 
     fn met(&self, from: u8, rule: NodeRule, settings: &AspectSettings) -> Vec<OfOrder> {
         let scatterer = self.scatterer();
-        (from..=settings.bounces).map(|order| of_order(&scatterer, order, rule, settings)).collect()
+        // Side by side: where one order is weighed by one thread, others are integrated.
+        let orders = (from..=settings.bounces).into_par_iter();
+        orders.map(|order| of_order(&scatterer, order, rule, settings)).collect()
     }
 
     fn scatterer(&self) -> Scatterer<'_> {
