@@ -2,6 +2,7 @@
 
 pub(crate) mod joint_sum; // of all joints of one order
 pub(crate) mod meeting; // of both ends, in ways of one order
+pub(crate) mod small_mirrors; // too small to be followed: what they would have added
 pub(crate) mod end_tree; // of an aspect, or of all with one receiver
 pub(crate) mod aspect; // S at one aspect, by order and node rule
 pub(crate) mod keeper; // what is done of a table, for another run

@@ -1,5 +1,6 @@
 //! One aspect of a mesh, timed by phase: `cargo run --release -p bart-rcs --example profile -- car.stl [azimuth_deg
-//! [range_m [frequencies [bounces [edges]]]]]`, a binary STL in body axes, the last word `edges` for their diffraction; fit for `valgrind --tool=callgrind` and `perf`.
+//! [range_m [frequencies [bounces [edges|no [accuracy_db]]]]]]`, a binary STL in body axes, the word `edges` for their diffraction; fit
+//! for `valgrind --tool=callgrind` and `perf`.
 
 mod processor_time;
 mod stl;
@@ -21,7 +22,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         stl::binary(&std::fs::read(file)?).ok_or_else(|| Error::new(ErrorKind::InvalidData, "no binary .stl"))?;
     let edges = if arguments.get(5).is_some_and(|word| word == "edges") { Edges::FirstOrder } else { Edges::Ignored };
     let plain = request(number(1, 23.0)?, number(2, 30.0)?, number(3, 1.0)? as usize, number(4, 3.0)? as u8);
-    let request = RcsRequest { edges, ..plain };
+    let request = RcsRequest { edges, accuracy: Accuracy::from_db(number(6, -30.0)?), ..plain };
     let traced_s = traced(&mesh, &request)?;
     let start_s = processor_seconds()?;
     let result = rcs(&mesh, &request, &|_, _| ())?;

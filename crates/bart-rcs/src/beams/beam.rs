@@ -313,12 +313,13 @@ impl<'a> Growth<'a> {
 
 impl OrderAudit {
     /// Area across the wave of what was dropped and of mirrors that were not followed: its sum, m², and the sum of its
-    /// squares, m⁴. The last order is not reflected at all: nothing is missing behind its mirrors.
+    /// squares, m⁴, those of mirrors times the share of them that scatters. The last order is not reflected at all: nothing is
+    /// missing behind its mirrors.
     pub(crate) fn given_up(&self, mirrors: Mirrors) -> [f64; 2] {
         match mirrors {
-            Mirrors::Followed => [
+            Mirrors::Followed { share } => [
                 self.dropped_across_m2 + self.unreflected_across_m2,
-                self.dropped_across_squared_m4 + self.unreflected_across_squared_m4,
+                self.dropped_across_squared_m4 + share * self.unreflected_across_squared_m4,
             ],
             Mirrors::Last => [self.dropped_across_m2, self.dropped_across_squared_m4],
         }
@@ -345,18 +346,22 @@ impl OrderAudit {
 }
 
 /// Whether an order's beams are reflected.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Mirrors {
-    Followed,
+    /// Those that are large enough; of the power that the others could scatter at most they would scatter this share.
+    Followed {
+        share: f64,
+    },
     Last,
 }
 
 impl Audit {
-    /// [`OrderAudit::given_up`] of the first `needed` orders together.
-    pub(crate) fn given_up(&self, needed: usize) -> [f64; 2] {
-        let last = |index: usize| if index + 1 < needed { Mirrors::Followed } else { Mirrors::Last };
-        let of = |(index, order): (usize, &OrderAudit)| order.given_up(last(index));
-        self.orders.iter().take(needed).enumerate().map(of).fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])
+    /// [`OrderAudit::given_up`] of the first `needed` orders together; `share` tells of each from 1.
+    pub(crate) fn given_up(&self, needed: u8, share: impl Fn(u8) -> f64) -> [f64; 2] {
+        let mirrors =
+            |order: u8| if order < needed { Mirrors::Followed { share: share(order) } } else { Mirrors::Last };
+        let of = |(order, audit): (u8, &OrderAudit)| audit.given_up(mirrors(order));
+        (1..=needed).zip(&self.orders).map(of).fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])
     }
 }
 

@@ -13,6 +13,7 @@ use crate::joins::join::tree_order;
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
 use crate::table::aspect::{left_out_order, other};
 use crate::table::meeting::{Meeting, MeetingSettings};
+use crate::table::small_mirrors::SmallMirrors;
 use artifact::paths::Path;
 use artifact::settings::{Edges, NodeRule};
 use artifact::units::SPEED_OF_LIGHT_MPS;
@@ -63,6 +64,9 @@ pub(crate) struct FrameError {
 pub(crate) struct GivenUp {
     pub(crate) paths_power: f64,
     pub(crate) integration_power: f64,
+    /// Area across the wave of beams over L₁L₂ of the nearest facet, as S is over that of [`Plan::view`]: with independent
+    /// phases, with equal ones.
+    pub(crate) beams: [f64; 2],
 }
 
 /// Bodies of another moment, traced and integrated ten times finer than the paths.
@@ -108,6 +112,10 @@ impl<'a> Fineness<'a> {
     fn ten_times(wavenumbers_per_m: &'a [f64], plan: &Plan<'_>) -> Self {
         Self { wavenumbers_per_m, accuracy: 0.1 * plan.header.fidelity.accuracy.amplitude() }
     }
+
+    fn integration(&self, bracket: Bracket) -> Integration<'a> {
+        Integration { wavenumbers_per_m: self.wavenumbers_per_m, accuracy: self.accuracy, bracket }
+    }
 }
 
 /// S of one order over frequency, as the radar sees it.
@@ -118,9 +126,7 @@ fn of_meeting(
     bracket: Bracket,
     fineness: &Fineness<'_>,
 ) -> Vec<Complex64> {
-    let integration =
-        Integration { wavenumbers_per_m: fineness.wavenumbers_per_m, accuracy: fineness.accuracy, bracket };
-    let amplitudes = meeting.sum(scatterer, plan.view(0.0).origin_m, &integration);
+    let amplitudes = meeting.sum(scatterer, plan.view(0.0).origin_m, &fineness.integration(bracket));
     amplitudes.iter().map(|s| plan.seen(s)).collect()
 }
 
@@ -177,7 +183,6 @@ impl Reference {
 impl FrameError {
     /// `points` are among `paths`, and exact.
     pub(crate) fn measured_on(
-        scatterer: &Scatterer<'_>,
         plan: &Plan<'_>,
         paths: &[Path],
         points: &[Path],
@@ -192,7 +197,7 @@ impl FrameError {
         let bodies = reference.total_m();
         let exact: Vec<Complex64> = bodies.iter().zip(sum_of(points)).map(|(s, of_points)| s + of_points).collect();
         let error_power = mean_difference(&exact, &sum_of(paths));
-        let [beams, beams_at_most] = dropped_sections(scatterer, plan);
+        let [beams, beams_at_most] = given_up.beams;
         let scale = (TAU / plan.band.wavelength_m()).powi(2) / std::f64::consts::PI;
         Self {
             total: relative(error_power),
@@ -219,12 +224,20 @@ impl FrameError {
     }
 }
 
-/// Area across the wave of the beams given up, over L₁L₂ of the nearest facet as S is over that of [`Plan::view`]: with
-/// independent phases, with equal ones.
-fn dropped_sections(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> [f64; 2] {
+/// [`GivenUp::beams`], as much of the mirrors that were not followed as their likes scatter.
+pub(crate) fn dropped_sections(scatterer: &Scatterer<'_>, plan: &Plan<'_>, meetings: &[Meeting]) -> [f64; 2] {
     let distances_m2 = scatterer.world.facets().iter().map(|f| f.corners_m[0].distance_squared(plan.position_m));
     let nearest_m2 = distances_m2.fold(f64::INFINITY, f64::min);
-    let [sum_m2, squares_m4] = scatterer.trees.transmit().audit.given_up(usize::from(plan.trace.max_order));
+    let needed = plan.trace.max_order;
+    let mut mirrors = SmallMirrors::of(scatterer.trees, needed, plan.trace.least_mirror_area_m2);
+    let wavenumbers = plan.band.wavenumbers_per_m();
+    let bracket = bracket_of(plan.header.fidelity.nodes);
+    let fineness = Fineness::ten_times(&wavenumbers, plan);
+    let integration = fineness.integration(bracket);
+    for meeting in meetings {
+        mirrors.add(mirrors.hits(scatterer, &meeting.facets, &integration, plan.header.radar.array.polarization));
+    }
+    let [sum_m2, squares_m4] = scatterer.trees.transmit().audit.given_up(needed, mirrors.shares(0));
     [squares_m4.sqrt() / nearest_m2, sum_m2 / nearest_m2]
 }
 

@@ -2,7 +2,7 @@
 
 use crate::bodies::world::World;
 use crate::frame::edge_cells::edge_cells;
-use crate::frame::frame_error::{FrameError, GivenUp, Reference, integration_power};
+use crate::frame::frame_error::{FrameError, GivenUp, Reference, dropped_sections, integration_power};
 use crate::frame::path_cells::{Cell, CellSettings, cells, gathered};
 use crate::frame::path_plan::{Band, Plan};
 use crate::frame::path_pruning::pruned;
@@ -31,6 +31,7 @@ pub(crate) struct Fit<'a> {
     /// By order from 1.
     meetings: Vec<Meeting>,
     integration_power: f64,
+    beams_given_up: [f64; 2],
 }
 
 impl<'a> Fit<'a> {
@@ -44,7 +45,8 @@ impl<'a> Fit<'a> {
         let of_order = |order: u8| Meeting::of(scatterer, order, &plan.meetings());
         let meetings: Vec<Meeting> = (1..=fidelity.bounces).map(of_order).collect();
         let integration_power = integration_power(scatterer, plan, &meetings);
-        Self { scatterer, plan, points, reference, meetings, integration_power }
+        let beams_given_up = dropped_sections(scatterer, plan, &meetings);
+        Self { scatterer, plan, points, reference, meetings, integration_power, beams_given_up }
     }
 
     /// The table with the largest cells that meet the accuracy; the best found where none does within a few attempts.
@@ -88,8 +90,12 @@ impl<'a> Fit<'a> {
         let kept = pruned(found.map(|cell| path_of(&cell, &self.plan.band, self.plan.middle_s)).collect(), self.plan);
         let mut paths = kept.paths;
         paths.extend_from_slice(self.points);
-        let given_up = GivenUp { paths_power: kept.dropped_power, integration_power: self.integration_power };
-        let error = FrameError::measured_on(self.scatterer, self.plan, &paths, self.points, self.reference, &given_up);
+        let given_up = GivenUp {
+            paths_power: kept.dropped_power,
+            integration_power: self.integration_power,
+            beams: self.beams_given_up,
+        };
+        let error = FrameError::measured_on(self.plan, &paths, self.points, self.reference, &given_up);
         PathTable { paths, error }
     }
 }

@@ -50,7 +50,7 @@ impl<'a> Trees<'a> {
 
     /// The receiver's beam as one of the transmitter's: the way back of a joint (f, b) is the joint (twin of b, f), in the road's
     /// mirror where b came over the road. Where the ends are apart there is no such thing.
-    fn twin(self, backward: u32) -> u32 {
+    pub(crate) fn twin(self, backward: u32) -> u32 {
         match self {
             Self::Shared(_) | Self::Apart(..) => backward,
             Self::ByRoad(_, received) => received.twins[backward as usize],

@@ -9,6 +9,7 @@ use crate::joins::join::{Trees, tree_order};
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of};
 use crate::table::end_tree::EndTree;
 use crate::table::meeting::{Meeting, MeetingSettings, edge_meetings};
+use crate::table::small_mirrors::SmallMirrors;
 use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule};
 use glam::DVec3;
@@ -107,9 +108,9 @@ pub(crate) fn scattering_with(
     ends.grow_to(tree_order(settings.bounces, settings.nodes))?;
     let trace_seconds = start.elapsed().as_secs_f64();
     let start = Instant::now();
-    let chosen = ends.met(1, settings.nodes, settings);
+    let (chosen, mirrors) = ends.chosen(settings);
     let integrate_seconds = start.elapsed().as_secs_f64();
-    let [dropped_m, dropped_at_most_m] = dropped(ends.trees(), &chosen, settings);
+    let [dropped_m, dropped_at_most_m] = dropped(ends.trees(), &chosen, &mirrors, settings);
     let start = Instant::now();
     let error_power = (checks.integrals == Check::Measured).then(|| ends.error_power(&chosen, aspect, settings));
     let edges_power = (checks.model == Check::Measured).then(|| ends.edges_power(settings)).flatten();
@@ -177,14 +178,29 @@ impl<'a> Ends<'a> {
 
     /// S by order from `from` on, then frequency.
     fn orders(&self, from: u8, rule: NodeRule, settings: &AspectSettings) -> Vec<Vec<Complex64>> {
-        self.met(from, rule, settings).into_iter().map(|order| order.s_m).collect()
+        let scatterer = self.scatterer();
+        let meeting = |order: u8| Meeting::of(&scatterer, order, &settings.meeting(rule));
+        let orders = (from..=settings.bounces).into_par_iter();
+        orders.map(|order| of_meeting(&scatterer, &meeting(order), rule, settings).s_m).collect()
     }
 
-    fn met(&self, from: u8, rule: NodeRule, settings: &AspectSettings) -> Vec<OfOrder> {
-        let scatterer = self.scatterer();
+    /// Every order by the rule asked for, and what small mirrors add to them.
+    fn chosen(&self, settings: &AspectSettings) -> (Vec<OfOrder>, SmallMirrors) {
+        let (scatterer, rule) = (self.scatterer(), settings.nodes);
+        let needed = tree_order(settings.bounces, rule);
+        let mut mirrors = SmallMirrors::of(scatterer.trees, needed, settings.trace.least_mirror_area_m2);
+        let of_order = |order: u8| {
+            let meeting = Meeting::of(&scatterer, order, &settings.meeting(rule));
+            let hits = mirrors.hits(&scatterer, &meeting.facets, &settings.integration(rule), settings.polarization);
+            (of_meeting(&scatterer, &meeting, rule, settings), hits)
+        };
         // Side by side: where one order is weighed by one thread, others are integrated.
-        let orders = (from..=settings.bounces).into_par_iter();
-        orders.map(|order| of_order(&scatterer, order, rule, settings)).collect()
+        let found: Vec<_> = (1..=settings.bounces).into_par_iter().map(of_order).collect();
+        let take = |(order, hits)| {
+            mirrors.add(hits);
+            order
+        };
+        (found.into_iter().map(take).collect(), mirrors)
     }
 
     fn scatterer(&self) -> Scatterer<'_> {
@@ -267,9 +283,8 @@ pub(crate) fn other(rule: NodeRule) -> NodeRule {
 }
 
 /// One order's S over frequency, in the polarization asked for.
-fn of_order(scatterer: &Scatterer<'_>, order: u8, rule: NodeRule, settings: &AspectSettings) -> OfOrder {
+fn of_meeting(scatterer: &Scatterer<'_>, meeting: &Meeting, rule: NodeRule, settings: &AspectSettings) -> OfOrder {
     let (p, q) = settings.polarization.indices();
-    let meeting = Meeting::of(scatterer, order, &settings.meeting(rule));
     let sums = meeting.sums(scatterer, DVec3::ZERO, &settings.integration(rule));
     let [mut s_m, edges_m] = sums.map(|sum| sum.iter().map(|s| s[p][q]).collect::<Vec<_>>());
     s_m.iter_mut().zip(&edges_m).for_each(|(s, edges)| *s += edges);
@@ -307,12 +322,18 @@ struct OfOrder {
 }
 
 /// k/√π times the area across the wave of what was dropped, of mirrors that were not followed and of overlaps too small to
-/// be joined: with independent phases, and as one sum.
-fn dropped(trees: [Option<&BeamTree>; 2], orders: &[OfOrder], settings: &AspectSettings) -> [f64; 2] {
+/// be joined: with independent phases and as much of the mirrors as their likes scatter, and all as one sum.
+fn dropped(
+    trees: [Option<&BeamTree>; 2],
+    orders: &[OfOrder],
+    mirrors: &SmallMirrors,
+    settings: &AspectSettings,
+) -> [f64; 2] {
     let highest = settings.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
     let factor = highest / std::f64::consts::PI.sqrt();
-    let needed = usize::from(tree_order(settings.bounces, settings.nodes));
-    let of_trees = trees.into_iter().flatten().map(|tree| tree.audit.given_up(needed));
+    let needed = tree_order(settings.bounces, settings.nodes);
+    let of_tree = |(end, tree): (usize, &BeamTree)| tree.audit.given_up(needed, mirrors.shares(end));
+    let of_trees = trees.into_iter().flatten().enumerate().map(of_tree);
     let all = of_trees.chain(orders.iter().map(|order| order.given_up));
     let [sum_m2, squares_m4] = all.fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
     [factor * squares_m4.sqrt(), factor * sum_m2]
