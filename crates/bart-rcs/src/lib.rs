@@ -72,4 +72,4 @@ pub use surface::skin::{Role, Skin};
 pub use table::contributions::{Contribution, contributions};
 pub use table::far_field_error::{FarFieldError, Spread};
 pub use table::keeper::{Keeper, NothingKept, Piece};
-pub use table::rcs_table::{RcsRequest, RcsResult, RcsSeconds, Standpoint, Surroundings, rcs, rcs_within};
+pub use table::rcs_table::{Followed, RcsRequest, RcsResult, RcsSeconds, Standpoint, Surroundings, rcs, rcs_within};

@@ -127,3 +127,48 @@ fn a_far_field_table_says_what_it_errs_by_near_by() {
     assert_eq!(of(&RcsRequest { range_m: 30.0, ..square.clone() }), None, "it is right at its range");
     assert_eq!(of(&RcsRequest { azimuth_rad: vec![0.0; 39], ..square }), None, "too small to bear the cost");
 }
+
+/// A floor of 900 plates of 2 mm before a wall of 0.5 m.
+fn small_mirrors_before_a_wall() -> Mesh {
+    let mut mesh = Mesh::default();
+    let mut face = |corners: [[f64; 3]; 4]| {
+        let first = mesh.vertices_m.len() as u32;
+        mesh.vertices_m.extend_from_slice(&corners);
+        mesh.triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
+    };
+    for i in 0..900 {
+        let (x, y) = (4e-3 * f64::from(i % 30), 4e-3 * f64::from(i / 30));
+        face([[x, y, 0.0], [x + 2e-3, y, 0.0], [x + 2e-3, y + 2e-3, 0.0], [x, y + 2e-3, 0.0]]);
+    }
+    face([[-0.02, -0.2, 0.0], [-0.02, 0.3, 0.0], [-0.02, 0.3, 0.3], [-0.02, -0.2, 0.3]]);
+    mesh
+}
+
+/// All of the plates are below the least mirror area for −10 dB, λ²·accuracy, and nearly all of S goes over them.
+#[test]
+fn what_drops_more_than_was_asked_is_traced_again_with_smaller_mirrors() {
+    let mesh = small_mirrors_before_a_wall();
+    // The first looks at the inner side, the others along the floor's and the wall's backs.
+    let azimuths = vec![0.45, 2.5, 3.5];
+    let at = |db: f64| {
+        made_with(
+            &mesh,
+            &RcsRequest { azimuth_rad: azimuths.clone(), elevation_rad: vec![0.6], ..request(1, db) },
+            &NothingKept,
+        )
+    };
+    let (got, exact) = (at(-10.0), at(-60.0));
+    let norm = |s: &mut dyn Iterator<Item = f64>| s.sum::<f64>().sqrt();
+    let missed = norm(&mut got.amplitude_m.iter().zip(&exact.amplitude_m).map(|(a, b)| (a - b).norm_sqr()));
+    let truth = missed / norm(&mut exact.amplitude_m.iter().map(|s| s.norm_sqr()));
+    let dropped = got.error.dropped.unwrap();
+    println!("asked 0.316, dropped {dropped:.3}, true {truth:.3}, {:?}", got.mirrors);
+    assert!(dropped <= Accuracy::from_db(-10.0).amplitude() && truth <= dropped);
+    assert!(got.mirrors.traced_again == 1 && got.mirrors.least_area_m2 < 1e-6);
+    let resumed =
+        resumed(&mesh, &RcsRequest { azimuth_rad: azimuths.clone(), elevation_rad: vec![0.6], ..request(1, -10.0) });
+    assert_eq!(
+        resumed.keys().map(|piece| (piece.pass, piece.aspect)).collect::<Vec<_>>(),
+        [(0, 0), (0, 1), (0, 2), (1, 0)]
+    );
+}

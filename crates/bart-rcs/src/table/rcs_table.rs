@@ -11,6 +11,7 @@ use crate::memory::{MemoryLimit, memory_estimate_bytes};
 use crate::surface::skin::Skin;
 use crate::table::aspect::{Aspect, AspectSettings, Check, Checks, Scattering, scattering, scattering_with};
 use crate::table::far_field_error::{FarFieldError, far_field_error};
+use crate::table::finer_mirrors::{FinerMirrors, dropped_error};
 use crate::table::keeper::{Keeper, NothingKept, Piece};
 use artifact::material::{Makeup, Material, Transmission};
 use artifact::radar::Polarization;
@@ -86,8 +87,19 @@ pub struct RcsResult {
     pub node_spread: Vec<f64>,
     /// Largest sum over one aspect of what dropped beams could scatter at most, over the table's root mean square |S|.
     pub dropped_at_most: f64,
+    /// How far it went to keep what is dropped within the accuracy.
+    pub mirrors: Followed,
     /// What the table errs by at the ranges of a road; `None` where it is of a finite range, or too small to measure it.
     pub far_field: Option<FarFieldError>,
+}
+
+/// What mirrors were followed.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Followed {
+    /// The smallest area across the wave of any aspect, m².
+    pub least_area_m2: f64,
+    /// Aspects that were traced again with smaller ones than the rest.
+    pub traced_again: u64,
 }
 
 /// Seconds of work by phase.
@@ -109,7 +121,8 @@ pub struct RcsSeconds {
 /// The same request gives the same bytes on any number of threads, but for `seconds`.
 ///
 /// At finite range, and with edges, the error of the integrals is measured at three aspects of the table against integrals
-/// ten times finer; if it exceeds the accuracy asked, everything is integrated finer. The node rule is compared with the
+/// ten times finer; if it exceeds the accuracy asked, everything is integrated finer. If what was dropped does, the aspects that
+/// drop too much are traced again with smaller mirrors, at most three times and as far as memory lets them. The node rule is compared with the
 /// other one at every n-th aspect of a table of more than 64.
 pub fn rcs(
     mesh: &Mesh,
@@ -148,29 +161,23 @@ pub fn rcs_within(mesh: &Mesh, request: &RcsRequest, surroundings: &Surroundings
     let build = start.elapsed().as_secs_f64();
     let asked = request.accuracy.amplitude().max(1e-8);
     // Bounds of bent facets are far above their errors, which cancel from facet to facet: spheres asked for -20 dB have -64 dB.
-    let mut accuracy = if world.skin_error() > 0.0 { 10.0 * asked } else { asked };
+    let accuracy = if world.skin_error() > 0.0 { 10.0 * asked } else { asked };
     let start = Instant::now();
-    let received = tree_of_receiver(&world, &aspects, &aspect_settings(request, &world, accuracy))?;
+    let first = aspect_settings(request, &world, accuracy);
+    let received = tree_of_receiver(&world, &aspects, &first)?;
     let trace = start.elapsed().as_secs_f64();
     let sweep = Sweep { world: &world, aspects: &aspects, received: received.as_ref(), surroundings };
-    let mut pass = 0;
-    loop {
-        let settings = aspect_settings(request, &world, accuracy);
-        let table = sweep.table(&settings, pass)?;
-        let integration = measured_error(&table);
-        if integration <= asked || accuracy < 1e-4 * asked {
-            let mut result = result(request, &table, integration, build);
-            result.error.tessellation = tessellation(request, &world);
-            result.model_error.transmission = transmission_left_out(mesh, request, &aspects, &settings, &table)?;
-            let start = Instant::now();
-            result.far_field = far_field_error(&world, request, &settings, &table)?;
-            result.seconds.trace += trace;
-            result.seconds.check += start.elapsed().as_secs_f64();
-            return Ok(result);
-        }
-        accuracy *= 0.1;
-        pass += 1;
-    }
+    let FineTable { table, settings, mirrors } = sweep.fine_table(first, asked)?;
+    let mut result = result(request, &table, build);
+    let (traced_again, share) = mirrors.reached();
+    result.mirrors = Followed { least_area_m2: share * settings.trace.least_mirror_area_m2, traced_again };
+    result.error.tessellation = tessellation(request, &world);
+    result.model_error.transmission = transmission_left_out(mesh, request, &aspects, &settings, &table)?;
+    let start = Instant::now();
+    result.far_field = far_field_error(&world, request, &settings, &table)?;
+    result.seconds.trace += trace;
+    result.seconds.check += start.elapsed().as_secs_f64();
+    Ok(result)
 }
 
 /// ‖S(through sheets) − S‖ over ‖S(through sheets)‖ of first order at the first, middle and last aspect; `None` where there is no sheet or
@@ -327,26 +334,66 @@ fn tree_of_receiver(
     }
 }
 
+/// A table with what it was made with at last.
+struct FineTable {
+    table: Vec<Scattering>,
+    /// Before mirrors were made smaller anywhere.
+    settings: AspectSettings,
+    mirrors: FinerMirrors,
+}
+
 impl Sweep<'_> {
-    fn table(&self, settings: &AspectSettings, pass: u32) -> Result<Vec<Scattering>, BartError> {
+    /// All aspects integrated finer, and those that need it traced finer, until both errors are as asked or no more is to be had.
+    fn fine_table(&self, mut settings: AspectSettings, asked: f64) -> Result<FineTable, BartError> {
+        let all: Vec<usize> = (0..self.aspects.len()).collect();
+        let mut mirrors = FinerMirrors::of_none(all.len());
+        let mut table = self.made(&all, &settings, &mirrors, 0).into_iter().collect::<Result<Vec<_>, _>>()?;
+        for pass in 1.. {
+            let is_coarse = measured_error(&table) > asked && settings.accuracy >= 1e-4 * asked;
+            let again = if is_coarse { all.clone() } else { mirrors.asked_for(&table, asked) };
+            if again.is_empty() {
+                break;
+            }
+            settings.accuracy *= if is_coarse { 0.1 } else { 1.0 };
+            let found = self.made(&again, &settings, &mirrors, pass);
+            again.iter().zip(found).try_for_each(|(&index, found)| mirrors.take(index, found, &mut table))?;
+        }
+        Ok(FineTable { table, settings, mirrors })
+    }
+
+    /// Some aspects, in their order.
+    fn made(
+        &self,
+        which: &[usize],
+        settings: &AspectSettings,
+        mirrors: &FinerMirrors,
+        pass: u32,
+    ) -> Vec<Result<Scattering, BartError>> {
         let done = AtomicUsize::new(0);
-        let one = |index: usize| {
-            let found = self.aspect(index, settings, pass);
-            (self.surroundings.progress)(done.fetch_add(1, Ordering::Relaxed) + 1, self.aspects.len());
+        let one = |&index: &usize| {
+            let received = self.received.filter(|_| mirrors.is_first(index));
+            let found = self.aspect(index, received, &mirrors.settings(index, settings), pass);
+            (self.surroundings.progress)(done.fetch_add(1, Ordering::Relaxed) + 1, which.len());
             found
         };
-        (0..self.aspects.len()).into_par_iter().map(one).collect::<Vec<_>>().into_iter().collect()
+        which.par_iter().map(one).collect()
     }
 
     /// As it was kept, or made now and kept.
-    fn aspect(&self, index: usize, settings: &AspectSettings, pass: u32) -> Result<Scattering, BartError> {
+    fn aspect(
+        &self,
+        index: usize,
+        received: Option<&BeamTree>,
+        settings: &AspectSettings,
+        pass: u32,
+    ) -> Result<Scattering, BartError> {
         let keeper = self.surroundings.keeper;
         let piece = Piece { pass, aspect: index as u32 };
         if let Some(kept) = keeper.kept(piece).and_then(Scattering::from_bytes) {
             return Ok(kept);
         }
         let (aspect, checks) = (&self.aspects[index], self.checks(index, settings));
-        scattering_with(self.world, aspect, self.received, settings, checks)
+        scattering_with(self.world, aspect, received, settings, checks)
             .inspect(|done| keeper.keep(piece, &done.to_bytes()))
     }
 
@@ -377,15 +424,12 @@ fn measured_error(table: &[Scattering]) -> f64 {
     (difference / (1.0 - OWN_ERROR)).max(ROUNDING)
 }
 
-/// A sum of independent phases is Rayleigh distributed: in 95 of 100 cases it is below √(ln 20) of its root mean square.
-const RAYLEIGH_95: f64 = 1.730_818;
-
 /// Amplitude ratio of two powers; 0 of nothing.
 pub(crate) fn ratio(part: f64, whole: f64) -> f64 {
     if whole > 0.0 { (part / whole).sqrt() } else { 0.0 }
 }
 
-fn result(request: &RcsRequest, table: &[Scattering], integration: f64, build: f64) -> RcsResult {
+fn result(request: &RcsRequest, table: &[Scattering], build: f64) -> RcsResult {
     let values = request.frequency_hz.len();
     let orders = usize::from(request.bounces);
     let transposed = |of: &dyn Fn(&Scattering, usize) -> Complex64| {
@@ -396,7 +440,6 @@ fn result(request: &RcsRequest, table: &[Scattering], integration: f64, build: f
     let compared_power = compared().map(Scattering::mean_power).sum::<f64>();
     let spread =
         |of: &dyn Fn(&Scattering) -> Option<f64>| ratio(compared().filter_map(of).sum::<f64>(), compared_power);
-    let dropped_m2: f64 = table.iter().map(|s| s.dropped_m.powi(2)).sum();
     let most_m = table.iter().map(|s| s.dropped_at_most_m).fold(0.0, f64::max);
     RcsResult {
         amplitude_m: transposed(&|s, f| s.total_m(f)),
@@ -409,8 +452,8 @@ fn result(request: &RcsRequest, table: &[Scattering], integration: f64, build: f
             check: table.iter().map(|s| s.check_seconds).sum(),
         },
         error: ErrorBudget {
-            integration: Some(integration),
-            dropped: Some(RAYLEIGH_95 * ratio(dropped_m2, power)),
+            integration: Some(measured_error(table)),
+            dropped: Some(dropped_error(table)),
             ..ErrorBudget::default()
         },
         model_error: ModelError {
@@ -421,6 +464,7 @@ fn result(request: &RcsRequest, table: &[Scattering], integration: f64, build: f
         },
         node_spread: (0..orders).map(|order| spread(&|s| s.order_spread_power(order))).collect(),
         dropped_at_most: ratio(most_m * most_m, power / table.len() as f64),
+        mirrors: Followed::default(),
         far_field: None,
     }
 }

@@ -6,7 +6,7 @@ use crate::summary::{error_db, model_error_db};
 use artifact::scene::Mesh;
 use artifact::units::{SPEED_OF_LIGHT_MPS, db_from_amplitude, db_from_power};
 use artifact::{ErrorBudget, ModelError};
-use bart_rcs::{FarFieldError, RcsResult, Spread};
+use bart_rcs::{FarFieldError, Followed, RcsResult, Spread};
 use clap::ValueEnum;
 use num_complex::Complex64;
 use serde_json::{Value, json};
@@ -22,6 +22,7 @@ pub(super) struct Answer {
     pub(super) model_error: ModelError,
     pub(super) node_spread: Vec<f64>,
     pub(super) dropped_at_most: Option<f64>,
+    pub(super) mirrors: Option<Followed>,
     pub(super) far_field: Option<FarFieldError>,
     pub(super) check_seconds: f64,
     /// Aspects that an interrupted run had done.
@@ -40,6 +41,7 @@ impl Answer {
             model_error: result.model_error,
             node_spread: result.node_spread,
             dropped_at_most: Some(result.dropped_at_most),
+            mirrors: Some(result.mirrors),
             far_field: result.far_field,
             check_seconds: result.seconds.check,
             cached: 0,
@@ -66,6 +68,7 @@ impl Answer {
             "model_error_db": model_error_db(&self.model_error),
             "node_spread_db": spread,
             "dropped_at_most_db": self.dropped_at_most.map(db_from_amplitude),
+            "mirrors": self.mirrors.map(|m| json!({ "least_area_m2": m.least_area_m2, "traced_again": m.traced_again })),
             "far_field_from_m": arguments.range_m.is_infinite().then(|| far_field_from_m(mesh, &frequency_hz)),
             "far_field_error": self.far_field.as_ref().map(far_field_error),
         })
@@ -90,6 +93,12 @@ impl Answer {
         ));
         if let Some(dropped) = self.dropped_at_most {
             output::line(format!("dropped beams scatter at most: {}", decibels(dropped)));
+        }
+        if let Some(Followed { least_area_m2, traced_again: again @ 1.. }) = self.mirrors {
+            output::line(format!(
+                "{again} aspects traced again with smaller mirrors, from {:.1e} mm² on",
+                1e6 * least_area_m2
+            ));
         }
         if arguments.range_m.is_infinite() {
             output::line(self.warning(arguments, mesh));

@@ -56,6 +56,7 @@ pub(super) fn answer(
         model_error: ModelError::default(),
         node_spread: vec![],
         dropped_at_most: None,
+        mirrors: None,
         far_field: None,
         check_seconds: 0.0,
         cached: 0,

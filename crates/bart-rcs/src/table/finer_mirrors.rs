@@ -1,0 +1,115 @@
+//! Aspects where what was dropped scatters more than the accuracy lets it, traced again with smaller mirrors.
+//!
+//! Least areas are chosen before a trace, and what is dropped is told by it: over a weak body it may be more than was asked
+//! for. Where mirrors are as many in every octave of area as among large facets, Σa² of those not followed falls with the
+//! square of the least area; where all facets are small it falls with the area itself. The second is slower, and asked for.
+
+use crate::error::BartError;
+use crate::table::aspect::{AspectSettings, Scattering};
+use crate::table::rcs_table::ratio;
+
+/// Least areas of the aspects of a table.
+pub(crate) struct FinerMirrors {
+    aspects: Vec<Fineness>,
+    times: u32,
+}
+
+#[derive(Clone, Copy)]
+struct Fineness {
+    /// Of the least areas that the table began with.
+    share: f64,
+    before: f64,
+    limit: Limit,
+}
+
+/// Whether an aspect may be traced with still smaller mirrors.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Limit {
+    Open,
+    Reached,
+}
+
+/// Most often that an aspect is traced again.
+const MOST_TIMES: u32 = 3;
+/// At a time mirrors become at most a tenth as long: the estimate is of those near the threshold and may be wrong far below.
+const SMALLEST_STEP: f64 = 1e-2;
+/// And together at most a hundredth. At −60 dB asked that is a micrometre, a hundred thousand times the rounding of coordinates.
+const SMALLEST: f64 = 1e-4;
+
+/// A sum of independent phases is Rayleigh distributed: in 95 of 100 cases it is below √(ln 20) of its root mean square.
+const RAYLEIGH_95: f64 = 1.730_818;
+
+/// What beams given up scatter over the table's root mean square |S|: more in 5 of 100 cases.
+pub(crate) fn dropped_error(table: &[Scattering]) -> f64 {
+    let dropped_m2: f64 = table.iter().map(|s| s.dropped_m.powi(2)).sum();
+    RAYLEIGH_95 * ratio(dropped_m2, table.iter().map(Scattering::mean_power).sum())
+}
+
+impl FinerMirrors {
+    /// Of so many aspects that are all traced with the areas asked for.
+    pub(crate) fn of_none(aspects: usize) -> Self {
+        Self { aspects: vec![Fineness { share: 1.0, before: 1.0, limit: Limit::Open }; aspects], times: 0 }
+    }
+
+    /// Aspects to be traced again, ascending: those that drop more than `asked` of the table's level, if all together do.
+    pub(crate) fn asked_for(&mut self, table: &[Scattering], asked: f64) -> Vec<usize> {
+        if dropped_error(table) <= asked || self.times == MOST_TIMES {
+            return Vec::new();
+        }
+        self.times += 1;
+        let power = table.iter().map(Scattering::mean_power).sum::<f64>() / table.len() as f64;
+        let allowed_m = asked / RAYLEIGH_95 * power.sqrt();
+        let mut again = Vec::new();
+        for (index, (aspect, s)) in self.aspects.iter_mut().zip(table).enumerate() {
+            if s.dropped_m > allowed_m && aspect.limit == Limit::Open {
+                aspect.before = aspect.share;
+                aspect.share *= (allowed_m / s.dropped_m).powi(2).max(SMALLEST_STEP);
+                if aspect.share <= SMALLEST {
+                    (aspect.share, aspect.limit) = (SMALLEST, Limit::Reached);
+                }
+                again.push(index);
+            }
+        }
+        again
+    }
+
+    /// What an aspect is traced with.
+    pub(crate) fn settings(&self, aspect: usize, settings: &AspectSettings) -> AspectSettings {
+        let share = self.aspects[aspect].share;
+        let mut finer = settings.clone();
+        finer.trace.least_area_m2 *= share;
+        finer.trace.least_mirror_area_m2 *= share;
+        finer
+    }
+
+    /// Whether an aspect is traced as all are.
+    pub(crate) fn is_first(&self, aspect: usize) -> bool {
+        self.aspects[aspect].share == 1.0
+    }
+
+    /// Takes an aspect traced again. One whose beams do not fit into memory stays as it was; any other error is one.
+    pub(crate) fn take(
+        &mut self,
+        aspect: usize,
+        found: Result<Scattering, BartError>,
+        table: &mut [Scattering],
+    ) -> Result<(), BartError> {
+        let is_too_large =
+            |e: &BartError| matches!(e, BartError::BeamsTakeTooMuchMemory { .. } | BartError::TreeTooLarge { .. });
+        match found {
+            Err(error) if is_too_large(&error) && !self.is_first(aspect) => {
+                let Fineness { before, .. } = self.aspects[aspect];
+                self.aspects[aspect] = Fineness { share: before, before, limit: Limit::Reached };
+            }
+            Err(error) => return Err(error),
+            Ok(found) => table[aspect] = found,
+        }
+        Ok(())
+    }
+
+    /// Aspects that ended with smaller mirrors than the first, and the smallest share of the least areas.
+    pub(crate) fn reached(&self) -> (u64, f64) {
+        let finer = self.aspects.iter().filter(|aspect| aspect.share < 1.0);
+        (finer.clone().count() as u64, finer.map(|aspect| aspect.share).fold(1.0, f64::min))
+    }
+}
