@@ -2,6 +2,7 @@
 
 pub(crate) mod welding; // points of one place
 pub(crate) mod mesh_edges; // triangles that meet at an edge
+pub(crate) mod neighbours; // the one triangle across a side
 pub(crate) mod t_junction; // sides cut at their neighbours' corners
 pub(crate) mod curve_bend; // bends that are steps of one curve
 pub(crate) mod patch; // coplanar facets that are one flat

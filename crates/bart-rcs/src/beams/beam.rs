@@ -210,13 +210,12 @@ fn grow_order<V: Visibility>(world: &World, order: u8, growth: &mut Growth) -> R
     let parents = growth.begin_order();
     let mut incident_section = 0.0;
     for batch in parents.chunks(BATCH) {
-        let reflect = |buffers: &mut Buffers, &(index, ref view): &(u32, View)| {
-            (index, view.antenna, parted(view, V::reflected(view, buffers)))
+        let reflect = |buffers: &mut Buffers, &index: &u32| {
+            let view = growth.view(world, index)?;
+            Some((index, view.antenna, parted(&view, V::reflected(&view, buffers))))
         };
-        let view = |&index: &u32| Some((index, growth.view(world, index)?));
-        let views: Vec<(u32, View)> = batch.iter().filter_map(view).collect();
-        let met: Vec<_> = views.par_iter().map_init(Buffers::default, reflect).collect();
-        for (parent, image, parts) in met {
+        let met: Vec<_> = batch.par_iter().map_init(Buffers::default, reflect).collect();
+        for (parent, image, parts) in met.into_iter().flatten() {
             incident_section += growth.tree.beams[parent as usize].section;
             growth.take(Some(parent), image, order, parts)?;
         }

@@ -5,10 +5,11 @@
 //! view, and panels that span hundreds of details are listed once. Like the hierarchy it decides nothing.
 
 use crate::beams::projected_triangle::ProjectedTriangle;
+use crate::beams::prospect::{Extent, Outlook, across};
 use crate::beams::shadow::Shadow;
 use crate::beams::view::View;
-use crate::geometry::antenna::Antenna;
-use glam::{DVec2, DVec3, Vec4};
+use glam::{DVec2, Vec4};
+use rayon::prelude::*;
 use std::ops::ControlFlow;
 
 /// Shadows of a view by the cells that they reach.
@@ -35,18 +36,6 @@ struct Level {
     first: usize,
 }
 
-/// Where a facet appears: in units of the finest cells, and its depth in metres.
-#[derive(Debug, Clone, Copy)]
-struct Extent {
-    corners: [DVec2; 3],
-    /// How far off the corners may be.
-    slack: f64,
-    low: DVec2,
-    high: DVec2,
-    near_m: f64,
-    far_m: f64,
-}
-
 /// As much of a box as the search looks at, small: single precision, rounded outwards.
 #[derive(Debug, Clone, Copy)]
 struct Entry {
@@ -64,30 +53,37 @@ struct Cells {
     last: [usize; 2],
 }
 
-/// A facet whose depths differ by more than this factor from another's, or that reaches behind the antenna, has no place on
-/// one plane across the view: such a view has no grid.
-const NEAREST_OF_FARTHEST: f64 = 1e-3;
 /// Details crowd in few places of the view: with more cells than facets there, most cells are empty and few are crowded.
 const CELLS_PER_FACET: f64 = 8.0;
+/// Facets that one thread looks at, at least.
+const FEW: usize = 1024;
 /// Finest cells per facet that are looked at at most; else they are made larger.
 const LOOKS_PER_FACET: usize = 64;
 
 impl ProjectionGrid {
     /// Of all shadows of a view; `None` where the antenna stands among the facets.
     pub(crate) fn over(shadows: &[Shadow], view: &View) -> Option<Self> {
-        let boxes = projected(shadows, view)?;
-        let across = boxes.iter().map(|b| (b.low, b.high)).reduce(|(a, b), (c, d)| (a.min(c), b.max(d)));
-        let (low, high) = across?;
+        let corners = shadows.iter().flat_map(|shadow| view.world.facet(shadow.facet).corners_m);
+        let around = corners.map(|c| [c, c]).reduce(|[a, b], [c, d]| [a.min(c), b.max(d)])?;
+        let outlook = Outlook::onto(around, view.antenna)?;
+        let extent = |shadow: &Shadow| outlook.sight(shadow.facet, shadow.seen, view).extent;
+        let boxes: Vec<Extent> = shadows.iter().map(extent).collect();
+        if outlook.holds(boxes.iter()) { Self::of(&boxes) } else { None }
+    }
+
+    /// Of shadows that appear here, in their order.
+    pub(crate) fn of(boxes: &[Extent]) -> Option<Self> {
+        let (low, high) = across(boxes.iter())?;
         let span = (high - low).max(DVec2::splat((high - low).max_element() * 1e-6));
-        let mut cell = (span.x * span.y / (CELLS_PER_FACET * shadows.len() as f64)).sqrt();
+        let mut cell = (span.x * span.y / (CELLS_PER_FACET * boxes.len() as f64)).sqrt();
         if !(cell.is_finite() && cell > 0.0) {
             return None;
         }
         loop {
-            let scaled: Vec<Extent> = boxes.iter().map(|b| b.in_cells(low, cell)).collect();
+            let scaled: Vec<Extent> = boxes.par_iter().with_min_len(FEW).map(|b| b.in_cells(low, cell)).collect();
             let looks: usize = scaled.iter().map(|b| Cells::of(b, 1.0).count()).sum();
             let size = span / cell;
-            if looks <= LOOKS_PER_FACET * shadows.len() && size.max_element() < f64::from(u16::MAX) {
+            if looks <= LOOKS_PER_FACET * boxes.len() && size.max_element() < f64::from(u16::MAX) {
                 return Some(Self::filled(scaled, size));
             }
             cell *= 2.0;
@@ -151,8 +147,8 @@ impl ProjectionGrid {
                 next[cell] += 1;
             }
         }
-        let triangles =
-            boxes.iter().map(|b| ProjectedTriangle::new(b.corners, size.max_element() + 1.0, b.slack)).collect();
+        let triangle = |b: &Extent| ProjectedTriangle::new(b.corners, size.max_element() + 1.0, b.slack);
+        let triangles = boxes.par_iter().with_min_len(FEW).map(triangle).collect();
         Self { boxes, triangles, levels, starts, entries }
     }
 }
@@ -199,12 +195,6 @@ impl Cells {
 }
 
 impl Extent {
-    fn in_cells(&self, origin: DVec2, cell: f64) -> Self {
-        let scaled = |x: DVec2| (x - origin) / cell;
-        let corners = self.corners.map(scaled);
-        Self { corners, slack: self.slack / cell, low: scaled(self.low), high: scaled(self.high), ..*self }
-    }
-
     /// Low x, low y, −high x, −high y, rounded outwards.
     fn bounds(&self) -> Vec4 {
         let ([low_x, low_y], [high_x, high_y]) = (self.low.to_array(), self.high.to_array());
@@ -236,55 +226,14 @@ impl Entry {
     }
 }
 
-/// Tangents of the angles to the middle of the view, or metres across a direction.
-fn projected(shadows: &[Shadow], view: &View) -> Option<Vec<Extent>> {
-    let corners = |shadow: &Shadow| view.world.facet(shadow.facet).corners_m;
-    let all = shadows
-        .iter()
-        .flat_map(corners)
-        .fold(None, |range: Option<[DVec3; 2]>, c| Some(range.map_or([c, c], |[low, high]| [low.min(c), high.max(c)])));
-    let [low, high] = all?;
-    let forward = -view.antenna.towards(0.5 * low + 0.5 * high).try_normalize()?;
-    let right = forward.any_orthonormal_vector();
-    let up = forward.cross(right);
-    let place = |x: DVec3| match view.antenna {
-        Antenna::Point(p) => {
-            let way = x - p;
-            let depth_m = way.dot(forward);
-            (DVec2::new(way.dot(right), way.dot(up)) / depth_m, depth_m)
-        }
-        Antenna::Direction(_) => (DVec2::new(x.dot(right), x.dot(up)), x.dot(forward)),
-    };
-    let boxes: Vec<Extent> = shadows.iter().map(|shadow| Extent::around(corners(shadow).map(place), view)).collect();
-    let (near_m, far_m) = boxes.iter().fold((f64::INFINITY, 0.0), |(n, f), b| (b.near_m.min(n), b.far_m.max(f)));
-    let is_apart = match view.antenna {
-        Antenna::Point(_) => near_m > NEAREST_OF_FARTHEST * far_m,
-        Antenna::Direction(_) => true,
-    };
-    (is_apart && boxes.iter().all(|b| b.low.is_finite() && b.high.is_finite())).then_some(boxes)
-}
-
-impl Extent {
-    /// Widened by what is rounding.
-    fn around(corners: [(DVec2, f64); 3], view: &View) -> Self {
-        let [(a, da), (b, db), (c, dc)] = corners;
-        let (near_m, far_m) = (da.min(db).min(dc), da.max(db).max(dc));
-        let slack_m = 4.0 * view.tolerance_m();
-        let slack = match view.antenna {
-            Antenna::Point(_) => slack_m / near_m.max(f64::MIN_POSITIVE),
-            Antenna::Direction(_) => slack_m,
-        };
-        let (low, high) = (a.min(b).min(c) - slack, a.max(b).max(c) + slack);
-        Self { corners: [a, b, c], slack, low, high, near_m: near_m - slack_m, far_m: far_m + slack_m }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::bodies::world::World;
+    use crate::geometry::antenna::Antenna;
     use artifact::scene::Mesh;
     use artifact::settings::Sides;
+    use glam::DVec3;
 
     /// Triangles of any size about the origin, from the fractions of multiples of irrational numbers.
     fn strewn(count: usize) -> World {

@@ -159,7 +159,7 @@ impl Cover {
 }
 
 /// The side that is seen and the plane towards the antenna; `None` where it is seen edge-on.
-fn seen_side(facet: &FacetGeometry, antenna: Antenna, tolerance_m: f64) -> Option<(Seen, Plane)> {
+pub(crate) fn seen_side(facet: &FacetGeometry, antenna: Antenna, tolerance_m: f64) -> Option<(Seen, Plane)> {
     // Directions are rounded to ε; a facet this close to edge-on has no area across the wave.
     let least = if matches!(antenna, Antenna::Point(_)) { tolerance_m } else { 16.0 * f64::EPSILON };
     let height = facet.plane.side_of(antenna);

@@ -5,7 +5,9 @@
 //! costs the outline of its shadow, not the number of facets in front.
 
 use crate::beams::projection_grid::ProjectionGrid;
+use crate::beams::prospect::{Extent, Prospect, Sight};
 use crate::beams::shadow::{Cover, Hides, Shadow};
+use crate::beams::solid_cells::visible;
 use crate::beams::view::View;
 use crate::bodies::world::Walk;
 use crate::geometry::antenna::Antenna;
@@ -73,11 +75,9 @@ const NO_SLOT: u32 = u32::MAX;
 
 impl Visibility for ByHierarchy {
     fn direct(view: &View) -> Vec<Parts> {
-        let facets = 0..view.world.facets().len() as u32;
-        let shadows: Vec<Shadow> = facets.clone().into_par_iter().filter_map(|facet| Shadow::of(facet, view)).collect();
-        let mut slot_of_facet = vec![NO_SLOT; facets.len()];
+        let (shadows, grid) = in_sight(view);
+        let mut slot_of_facet = vec![NO_SLOT; view.world.facets().len()];
         (0..).zip(&shadows).for_each(|(slot, shadow)| slot_of_facet[shadow.facet as usize] = slot);
-        let grid = ProjectionGrid::over(&shadows, view);
         let table = Table { shadows: &shadows, slot_of_facet: &slot_of_facet, grid: grid.as_ref() };
         let lit = |(walk, cutter): &mut (Walk, Cutter), slot: u32| {
             let mut parts = Parts::default();
@@ -101,6 +101,18 @@ impl Visibility for ByHierarchy {
         shadows.iter().for_each(|shadow| slot_of_facet[shadow.facet as usize] = NO_SLOT);
         parts
     }
+}
+
+/// Shadows of all facets that may be seen straight, in their order.
+fn in_sight(view: &View) -> (Vec<Shadow>, Option<ProjectionGrid>) {
+    let Some(prospect) = Prospect::of_all(view) else {
+        let facets = (0..view.world.facets().len() as u32).into_par_iter();
+        return (facets.filter_map(|facet| Shadow::of(facet, view)).collect(), None);
+    };
+    let shadow = |sight: &Sight| Some((Shadow::of(sight.facet, view)?, sight.extent));
+    let (shadows, extents): (Vec<Shadow>, Vec<Extent>) = visible(&prospect, view).par_iter().filter_map(shadow).unzip();
+    let grid = ProjectionGrid::of(&extents);
+    (shadows, grid)
 }
 
 impl Buffers {

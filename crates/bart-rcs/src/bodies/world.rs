@@ -8,6 +8,8 @@ use crate::geometry::facet_geometry::FacetGeometry;
 use crate::geometry::plane::Plane;
 use crate::geometry::sweep::Sweep;
 use crate::memory::MemoryLimit;
+use crate::mesh::mesh_edges::{MeshEdges, Winding, exact_places};
+use crate::mesh::neighbours::Neighbours;
 use crate::mesh::patch::Patches;
 use crate::surface::bend::Bend;
 use crate::surface::skin::{Skin, SkinTriangles};
@@ -174,6 +176,13 @@ impl World {
         self.body_of(facet).is_some_and(|body| body.mesh.patches.is_inside(facet - body.first_facet, edge))
     }
 
+    /// The facet across the side from corner `side` to the next, and how it is wound; `None` where there is none or several.
+    pub(crate) fn across(&self, facet: u32, side: usize) -> Option<(u32, Winding)> {
+        let body = self.body_of(facet)?;
+        let (triangle, winding) = body.mesh.neighbours.across(facet - body.first_facet, side)?;
+        Some((body.first_facet + triangle, winding))
+    }
+
     /// Velocity of the body that a facet belongs to, m/s.
     pub fn velocity_mps(&self, facet: u32) -> DVec3 {
         self.body_of(facet).map_or(DVec3::ZERO, |body| body.velocity_mps)
@@ -204,7 +213,7 @@ impl World {
 
     /// Bytes held, about.
     pub fn bytes(&self) -> usize {
-        let models: usize = self.bodies.iter().map(|body| body.mesh.hierarchy.bytes() + body.mesh.skin.bytes()).sum();
+        let models: usize = self.bodies.iter().map(|body| body.mesh.bytes()).sum();
         self.facets.len() * size_of::<FacetGeometry>() + models
     }
 
@@ -334,6 +343,7 @@ impl Models {
 struct BodyMesh {
     skin: SkinTriangles,
     patches: Patches,
+    neighbours: Neighbours,
     hierarchy: Hierarchy,
     edges: OnceLock<BodyEdges>,
     /// By slot, `None` for a perfect conductor; empty where all are.
@@ -353,14 +363,21 @@ impl BodyMesh {
         let corners = |(index, triangle): (usize, &[u32; 3])| corners_of(mesh, index, triangle);
         let corners_m = mesh.triangles.iter().enumerate().map(corners).collect::<Result<Vec<_>, _>>()?;
         let skin = skin.triangles(mesh, corners_m);
+        let hierarchy = || Hierarchy::over(skin.triangles_m.iter().copied());
+        let (hierarchy, (patches, neighbours)) = rayon::join(hierarchy, || topology(&skin.triangles_m));
         Ok(Self {
-            hierarchy: Hierarchy::over(skin.triangles_m.iter().copied()),
-            patches: Patches::of(&skin.triangles_m),
+            hierarchy,
+            patches,
+            neighbours,
             edges: OnceLock::new(),
             materials: lossy_materials(&mesh.makeup),
             slot_of_triangle: mesh.material_of_triangle.clone(),
             skin,
         })
+    }
+
+    fn bytes(&self) -> usize {
+        self.hierarchy.bytes() + self.neighbours.bytes() + self.skin.bytes()
     }
 
     fn material(&self, facet: u32) -> Option<&Arc<Material>> {
@@ -372,6 +389,12 @@ impl BodyMesh {
     fn edges(&self) -> &BodyEdges {
         self.edges.get_or_init(|| body_edges(&self.skin.triangles_m, &self.skin.corner_normals))
     }
+}
+
+fn topology(triangles_m: &[[DVec3; 3]]) -> (Patches, Neighbours) {
+    let places = exact_places(triangles_m);
+    let edges = MeshEdges::of(&places);
+    rayon::join(|| Patches::of(triangles_m, &edges), || Neighbours::of(&edges, &places))
 }
 
 fn check_materials(mesh: &Mesh) -> Result<(), BartError> {

@@ -3,6 +3,8 @@
 //! Any mesh has an answer: open, doubled, wound either way, with many facets at one edge. What a patch, a crease or a
 //! diffracting edge is, others decide.
 
+use crate::mesh::welding::Welding;
+use glam::DVec3;
 use std::ops::Range;
 
 /// A side of a triangle: it runs from corner `side` to the next.
@@ -139,6 +141,12 @@ impl MeshEdge<'_> {
         let winding = if start(a) == start(b) { Winding::Opposite } else { Winding::Alike };
         Some((if a == side { b } else { a }, winding))
     }
+}
+
+/// Corners that are the same to the last bit are one place.
+pub(crate) fn exact_places(triangles_m: &[[DVec3; 3]]) -> Vec<Option<[u32; 3]>> {
+    let places = Welding::Exact.places(triangles_m.as_flattened());
+    places.as_chunks::<3>().0.iter().map(|corners| Some(*corners)).collect()
 }
 
 /// All three.

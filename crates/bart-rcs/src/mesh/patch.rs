@@ -3,7 +3,6 @@
 
 use crate::mesh::curve_bend::{may_be_a_step, may_be_of_one_curve};
 use crate::mesh::mesh_edges::{MeshEdges, Side, sides_of};
-use crate::mesh::welding::Welding;
 use glam::DVec3;
 
 /// Which triangles are one flat patch, and which of their edges lie inside it.
@@ -26,9 +25,7 @@ impl Patches {
     /// Floods every patch from its first triangle over edges whose two ends are the same points.
     ///
     /// Flat is measured against the first triangle, so that a finely tessellated cylinder does not become one patch.
-    pub(crate) fn of(triangles_m: &[[DVec3; 3]]) -> Self {
-        let places = Welding::Exact.places(triangles_m.as_flattened());
-        let edges = MeshEdges::of(&places.as_chunks::<3>().0.iter().map(|corners| Some(*corners)).collect::<Vec<_>>());
+    pub(crate) fn of(triangles_m: &[[DVec3; 3]], edges: &MeshEdges) -> Self {
         let normals: Vec<DVec3> = triangles_m.iter().map(unit_normal).collect();
         let is_flat = |seed: u32, other: u32| {
             let [seed, other] = [seed, other].map(|triangle| normals[triangle as usize]);
@@ -36,8 +33,8 @@ impl Patches {
         };
         let first = edges.hanging_together(0..triangles_m.len() as u32, is_flat);
         let mut patches = Self { first, inside: vec![0; triangles_m.len()], curvature_per_m: Vec::new() };
-        patches.mark_inside(triangles_m, &edges, &normals);
-        patches.curvature_per_m = curvatures(triangles_m, &edges, &normals, &patches.first);
+        patches.mark_inside(triangles_m, edges, &normals);
+        patches.curvature_per_m = curvatures(triangles_m, edges, &normals, &patches.first);
         patches
     }
 
@@ -150,6 +147,11 @@ fn unit_normal([a, b, c]: &[DVec3; 3]) -> DVec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mesh::mesh_edges::exact_places;
+
+    fn patches_of(triangles_m: &[[DVec3; 3]]) -> Patches {
+        Patches::of(triangles_m, &MeshEdges::of(&exact_places(triangles_m)))
+    }
 
     /// A square of two triangles in z = 0, and a wall of two on one of its sides, leaning by `sine` from straight on.
     fn bent_strip(sine: f64) -> Vec<[DVec3; 3]> {
@@ -160,7 +162,7 @@ mod tests {
 
     #[test]
     fn a_square_is_one_patch_whose_diagonal_is_no_edge() {
-        let patches = Patches::of(&bent_strip(0.5));
+        let patches = patches_of(&bent_strip(0.5));
         assert_eq!([0, 1, 2, 3].map(|t| patches.of_triangle(t)), [0, 0, 2, 2]);
         let inside = |triangle| [0, 1, 2].map(|edge| patches.is_inside(triangle, edge));
         assert_eq!([0, 1].map(inside), [[false, false, true], [true, false, false]]);
@@ -169,7 +171,7 @@ mod tests {
     #[test]
     fn neighbours_that_differ_by_less_than_a_milliradian_are_one_patch() {
         for (sine, patch) in [(0.5e-3, 0), (2e-3, 2)] {
-            assert_eq!(Patches::of(&bent_strip(sine)).of_triangle(3), patch, "{sine}");
+            assert_eq!(patches_of(&bent_strip(sine)).of_triangle(3), patch, "{sine}");
         }
     }
 
@@ -180,7 +182,7 @@ mod tests {
         let strip = |i| {
             [[point(i, 0.0), point(i + 1, 0.0), point(i + 1, 1.0)], [point(i, 0.0), point(i + 1, 1.0), point(i, 1.0)]]
         };
-        let patches = Patches::of(&(0..10).flat_map(strip).collect::<Vec<_>>());
+        let patches = patches_of(&(0..10).flat_map(strip).collect::<Vec<_>>());
         assert_eq!(patches.of_triangle(19), 16, "every second strip starts a patch");
     }
 
@@ -195,12 +197,12 @@ mod tests {
             let [a, b, c, d] = [point(i, 0.0), point(i + 1, 0.0), point(i + 1, 1.0), point(i, 1.0)];
             [[a, b, c], [a, c, d]]
         };
-        let patches = Patches::of(&(0..10).flat_map(strip).collect::<Vec<_>>());
+        let patches = patches_of(&(0..10).flat_map(strip).collect::<Vec<_>>());
         for triangle in [8, 9] {
             let radius = 1.0 / patches.curvature_per_m(triangle);
             assert!((radius / radius_m - 1.0).abs() < 1e-2, "{radius}");
         }
-        let panels = Patches::of(&bent_strip(0.2));
+        let panels = patches_of(&bent_strip(0.2));
         assert_eq!([0, 1, 2, 3].map(|triangle| panels.curvature_per_m(triangle)), [0.0; 4]);
     }
 
@@ -211,7 +213,7 @@ mod tests {
             let [a, b, c, d] = [at(i, 0.0), at(i + 1, 0.0), at(i + 1, 1.0), at(i, 1.0)];
             [[a, b, c], [a, c, d]]
         };
-        let patches = Patches::of(&(0..6).flat_map(strip).collect::<Vec<_>>());
+        let patches = patches_of(&(0..6).flat_map(strip).collect::<Vec<_>>());
         assert_eq!([4, 5, 6, 7].map(|triangle| patches.curvature_per_m(triangle)), [0.0; 4]);
     }
 
@@ -220,7 +222,7 @@ mod tests {
         let mut triangles = bent_strip(0.5);
         let [_, b, c] = triangles[0];
         triangles.insert(0, [b, c, b]);
-        let patches = Patches::of(&triangles);
+        let patches = patches_of(&triangles);
         assert_eq!([0, 1, 2, 3, 4].map(|t| patches.of_triangle(t)), [0, 1, 1, 3, 3]);
     }
 
@@ -229,7 +231,7 @@ mod tests {
         let square = bent_strip(0.5)[..2].to_vec();
         let flipped = square.iter().map(|[a, b, c]| [*a, *c, *b]);
         let both: Vec<_> = square.iter().copied().chain(flipped).collect();
-        let patches = Patches::of(&both);
+        let patches = patches_of(&both);
         assert!(!patches.is_inside(0, 0) && !patches.is_inside(0, 1) && patches.is_inside(0, 2));
         assert!(!patches.is_inside(2, 1) && !patches.is_inside(2, 2) && patches.is_inside(2, 0));
     }
