@@ -16,7 +16,7 @@ use artifact::rcs::{Rcs, RcsFrame, RcsHeader};
 use artifact::rdm::{Rdm, RdmFrame};
 use artifact::scene::{SceneFrame, SceneHeader};
 use artifact::settings::EchoMode;
-use artifact::{ErrorBudget, ModelError, Schema};
+use artifact::{Accuracy, ErrorBudget, ModelError, Schema};
 use classifier::Classifier;
 use std::path::Path;
 use std::sync::OnceLock;
@@ -43,6 +43,12 @@ pub(crate) struct FrameProducts {
     pub(crate) cube: CubeFrame,
     pub(crate) rdm: RdmFrame,
     pub(crate) result: FrameResult,
+}
+
+/// What the sum over paths may err by: a tenth of what the paths themselves may, and no more than −60 dB, so that nothing of it
+/// is seen above the floor of a map without noise.
+pub(crate) fn echo_accuracy(header: &SceneHeader) -> Accuracy {
+    Accuracy::from_db((header.fidelity.accuracy.db() - 20.0).min(-60.0))
 }
 
 /// A classifier and what names it in a cache key.
@@ -137,7 +143,7 @@ impl<'a> Chain<'a> {
     pub(crate) fn memory_estimate_mib(&self) -> f64 {
         let triangles: usize = self.header.meshes.iter().map(|m| m.triangles.len()).sum();
         let bytes = triangles as u64 * u64::from(self.header.fidelity.bounces) * BYTES_PER_TRIANGLE_AND_ORDER
-            + fmcw_echo::memory_estimate_bytes(&self.cube_header)
+            + fmcw_echo::memory_estimate_bytes(&self.cube_header, echo_accuracy(self.header))
             + self.map_bytes();
         crate::memory::mib(bytes) + PROGRAM_MIB
     }
@@ -214,7 +220,8 @@ impl<'a> Chain<'a> {
         match scattering {
             Scattering::Paths(frame) => {
                 let centre_hz = self.header.radar.waveform.centre_frequency_hz();
-                fmcw_echo::synthesize(header, seed, frame, centre_hz, &progress).map_err(Failure::refused)
+                let accuracy = echo_accuracy(self.header);
+                fmcw_echo::synthesize(header, seed, frame, centre_hz, accuracy, &progress).map_err(Failure::refused)
             }
             Scattering::Tables(frame) => {
                 fmcw_echo::synthesize_tables(header, seed, &scene.poses, frame, &progress).map_err(Failure::refused)

@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     let header = setting::header(radar, Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 });
     let start = Clock::now();
-    let cube = synthesize(&header, 1, &setting::frame(paths), f_c, &|_| ())?;
+    let cube = synthesize(&header, 1, &setting::frame(paths), f_c, setting::asked(), &|_| ())?;
     print_rate("synthesize, whole cube with noise and error", start, cube.samples.len() * count);
     println!("  threads: {}, error.synthesis: {:?}", rayon::current_num_threads(), cube.error.synthesis);
     Ok(())

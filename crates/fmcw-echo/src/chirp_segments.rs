@@ -14,7 +14,7 @@ const REMAINDER: f64 = 1e-7;
 ///
 /// The parabola through three equidistant instants leaves max|x‴|·(T/2)³/(9√3) of a chirp of length T, and a third of
 /// the length leaves a 27th of it. The antenna pattern's own curvature is not in the bound.
-pub(crate) fn samples_per_segment(radar: &Radar, paths: &[Path]) -> usize {
+pub(crate) fn samples_per_segment(radar: &Radar, paths: &[&Path]) -> usize {
     let worst = paths.iter().map(|path| third_derivative(radar, path)).fold(0.0, f64::max);
     let remainder = worst / (8.0 * 9.0 * 3.0_f64.sqrt());
     let segments = (remainder / REMAINDER).cbrt().ceil().max(1.0);
@@ -82,7 +82,7 @@ mod tests {
             slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
             facets: Default::default(),
         };
-        samples_per_segment(&radar, &[path])
+        samples_per_segment(&radar, &[&path])
     }
 
     #[test]

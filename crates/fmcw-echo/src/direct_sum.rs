@@ -24,6 +24,7 @@ use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 use num_complex::Complex64;
 use pulp::{Arch, Simd, WithSimd};
+use rayon::prelude::*;
 
 /// Paths laid out for the sum over one frame.
 pub struct DirectSum<'a> {
@@ -39,13 +40,19 @@ impl<'a> DirectSum<'a> {
     /// `centre_frequency_hz` is f_c of the amplitudes. Paths without amplitude in the array's polarization are left
     /// out, so that they change no byte.
     pub fn new(radar: &'a Radar, centre_frequency_hz: f64, paths: &[Path]) -> Self {
-        let heard = heard(radar, paths);
+        let heard: Vec<&Path> = paths.iter().filter(|path| is_heard(radar, path)).collect();
+        let samples_per_segment = samples_per_segment(radar, &heard);
+        Self { samples_per_segment, ..Self::for_moments(radar, centre_frequency_hz, &heard) }
+    }
+
+    /// Of paths that are all heard, in their order, to be asked for [`Self::values`] alone.
+    pub(crate) fn for_moments(radar: &'a Radar, centre_frequency_hz: f64, heard: &[&Path]) -> Self {
         Self {
             radar,
             centre_frequency_hz,
             link_amplitude: link_amplitude(radar),
             boresight: boresight(radar),
-            samples_per_segment: samples_per_segment(radar, &heard),
+            samples_per_segment: radar.waveform.samples as usize,
             columns: Columns::new(radar, heard),
         }
     }
@@ -54,6 +61,16 @@ impl<'a> DirectSum<'a> {
     pub fn row(&self, channel: usize, chirp: usize) -> Vec<Complex64> {
         let transmissions = row(self.radar, channel, chirp);
         Arch::new().dispatch(RowSum { sum: self, transmissions: &transmissions })
+    }
+
+    /// IF values of every path at one moment, each less some cycles of its own: `cycles` in the order of the paths, as many as
+    /// there are, none of them without amplitude.
+    pub(crate) fn values(&self, transmission: &Transmission, sample: f64, cycles: &[f64]) -> Vec<Complex64> {
+        let mut padded = cycles.to_vec();
+        padded.resize(self.columns.amplitude_m[0].len(), 0.0);
+        let mut values = Arch::new().dispatch(Moment { sum: self, transmission, sample, cycles: &padded });
+        values.truncate(cycles.len());
+        values
     }
 
     /// All rows in order, √W, noise-free, row-major `[channel, chirp, sample]`; one thread.
@@ -80,9 +97,17 @@ struct Columns {
 }
 
 impl Columns {
-    fn new(radar: &Radar, mut heard: Vec<Path>) -> Self {
-        pad(&mut heard);
-        let column = |number: &dyn Fn(&Path) -> f64| heard.iter().map(number).collect::<Vec<f64>>();
+    /// Silent copies of the last path fill the lanes that are left over.
+    fn new(radar: &Radar, heard: &[&Path]) -> Self {
+        let lanes = heard.len().next_multiple_of(MAX_LANES);
+        let filled = |number: &(dyn Fn(&Path) -> f64 + Sync), fill: Option<f64>| {
+            let mut column: Vec<f64> = heard.par_iter().map(|path| number(path)).collect();
+            let last = column.last().copied().unwrap_or_default();
+            column.resize(lanes, fill.unwrap_or(last));
+            column
+        };
+        let column = |number: &(dyn Fn(&Path) -> f64 + Sync)| filled(number, None);
+        let silent = |number: &(dyn Fn(&Path) -> f64 + Sync)| filled(number, Some(0.0));
         let amplitude = |p: &Path| amplitude_and_slope(radar, p).0;
         let slope = |p: &Path| amplitude_and_slope(radar, p).1;
         Self {
@@ -90,31 +115,21 @@ impl Columns {
             tx_mps: [0, 1, 2].map(|i| column(&|p| p.apparent_tx_mps[i])),
             rx_m: [0, 1, 2].map(|i| column(&|p| p.apparent_rx_m[i])),
             rx_beta: [0, 1, 2].map(|i| column(&|p| p.apparent_rx_mps[i] / SPEED_OF_LIGHT_MPS)),
-            amplitude_m: [column(&|p| amplitude(p).re), column(&|p| amplitude(p).im)],
-            slope_m_per_hz: [column(&|p| slope(p).re), column(&|p| slope(p).im)],
+            amplitude_m: [silent(&|p| amplitude(p).re), silent(&|p| amplitude(p).im)],
+            slope_m_per_hz: [silent(&|p| slope(p).re), silent(&|p| slope(p).im)],
         }
     }
 }
 
-/// The paths that have an amplitude in the array's polarization, in order.
-fn heard(radar: &Radar, paths: &[Path]) -> Vec<Path> {
-    let silent = (Complex64::ZERO, Complex64::ZERO);
-    paths.iter().filter(|path| amplitude_and_slope(radar, path) != silent).copied().collect()
+/// Whether a path has an amplitude in the array's polarization.
+pub(crate) fn is_heard(radar: &Radar, path: &Path) -> bool {
+    amplitude_and_slope(radar, path) != (Complex64::ZERO, Complex64::ZERO)
 }
 
 /// a and a′ in the array's polarization.
 fn amplitude_and_slope(radar: &Radar, path: &Path) -> (Complex64, Complex64) {
     let (receive, transmit) = radar.array.polarization.indices();
     (path.amplitude_m[receive][transmit], path.slope_m_per_hz[receive][transmit])
-}
-
-/// Silent copies of the last path fill the lanes that are left over.
-fn pad(paths: &mut Vec<Path>) {
-    if let Some(&last) = paths.last() {
-        let silent = [[Complex64::ZERO; 2]; 2];
-        let filler = Path { amplitude_m: silent, slope_m_per_hz: silent, ..last };
-        paths.resize(paths.len().next_multiple_of(MAX_LANES), filler);
-    }
 }
 
 /// The sum of one row.
@@ -146,6 +161,35 @@ impl WithSimd for RowSum<'_> {
             samples.push(across_lanes(simd, *total));
         }
         samples
+    }
+}
+
+/// One moment of all paths.
+struct Moment<'a> {
+    sum: &'a DirectSum<'a>,
+    transmission: &'a Transmission,
+    sample: f64,
+    cycles: &'a [f64],
+}
+
+impl WithSimd for Moment<'_> {
+    type Output = Vec<Complex64>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> Vec<Complex64> {
+        let chirp = Chirp::new(simd, self.sum, self.transmission);
+        let mut values = Vec::with_capacity(self.cycles.len());
+        for (group, cycles) in S::as_simd_f64s(self.cycles).0.iter().enumerate() {
+            let instant = chirp.instant(group, self.sample);
+            let value = instant.amplitude * Complex::from_cycles(instant.cycles - Real::new(simd, *cycles));
+            let (mut re, mut im) = ([0.0; MAX_LANES], [0.0; MAX_LANES]);
+            simd.partial_store_f64s(&mut re[..S::F64_LANES], value.re.value);
+            simd.partial_store_f64s(&mut im[..S::F64_LANES], value.im.value);
+            for lane in 0..S::F64_LANES {
+                values.push(Complex64::new(re[lane], im[lane]));
+            }
+        }
+        values
     }
 }
 

@@ -36,6 +36,12 @@ pub struct Transmission {
 }
 
 impl Transmission {
+    /// At a moment between chirps: chirp `chirp` of the transmitter, or a part of one more.
+    pub(crate) fn between(radar: &Radar, tx: usize, rx: usize, chirp: f64) -> Self {
+        let whole = Self::new(radar, tx, rx, 0, Complex64::ONE);
+        Self { start_s: whole.start_s + chirp * radar.repetition_interval_s(), ..whole }
+    }
+
     fn new(radar: &Radar, tx: usize, rx: usize, chirp: usize, turn: Complex64) -> Self {
         Self {
             tx_m: DVec3::from_array(radar.array.tx_m[tx]),

@@ -1,15 +1,15 @@
-//! A frame of paths becomes a frame of samples: direct sum, f32, error measured, noise.
+//! A frame of paths becomes a frame of samples: sum, f32, error measured, noise.
 
 use crate::admission::{check_centre_frequency, check_header, check_paths, check_samples};
-use crate::direct_sum::DirectSum;
 use crate::error::EchoError;
+use crate::fast::fast_sum;
 use crate::rcs_table::{self, TableSum};
 use crate::{noise, synthesis_error};
-use artifact::ErrorBudget;
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::paths::PathsFrame;
 use artifact::rcs::RcsFrame;
 use artifact::scene::Pose;
+use artifact::{Accuracy, ErrorBudget};
 use num_complex::{Complex32, Complex64};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -17,7 +17,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Is told the share of the work done, 0 … 1, from several threads.
 pub type Progress<'a> = &'a (dyn Fn(f64) + Sync);
 
-/// The cube of one frame, noise included; `seed` is the scene's, `centre_frequency_hz` f_c of the paths' amplitudes.
+/// The cube of one frame, noise included; `seed` is the scene's, `centre_frequency_hz` f_c of the paths' amplitudes, `accuracy`
+/// that of the sum over the paths.
 ///
 /// The frame's error budget gets its share `synthesis` from a comparison with [`crate::reference`] in this run.
 /// Refuses paths that have no finite echo, radars without samples, and cubes that do not fit into a file's record.
@@ -26,13 +27,14 @@ pub fn synthesize(
     seed: u64,
     frame: &PathsFrame,
     centre_frequency_hz: f64,
+    accuracy: Accuracy,
     progress: Progress,
 ) -> Result<CubeFrame, EchoError> {
     check_header(header)?;
     check_centre_frequency(centre_frequency_hz)?;
     check_paths(&header.radar, frame.index, &frame.paths)?;
-    let sum = DirectSum::new(&header.radar, centre_frequency_hz, &frame.paths);
-    let mut samples = rows(header, progress, |channel, chirp| Ok(sum.row(channel, chirp)))?;
+    let mut samples = fast_sum::single_cube(&header.radar, centre_frequency_hz, &frame.paths, accuracy);
+    progress(1.0);
     check_samples(header, frame.index, &samples)?;
     let synthesis = synthesis_error::of_paths(&header.radar, centre_frequency_hz, frame, &samples);
     noise::add(header, seed, frame.index, &mut samples)?;
@@ -88,12 +90,12 @@ fn rows(
     Ok(samples)
 }
 
-/// Bytes that making one frame takes at most beside its paths: the cube, the map of one channel for `snr_db`, and a row
-/// of sums for each thread.
-pub fn memory_estimate_bytes(header: &CubeHeader) -> u64 {
+/// Bytes that making one frame takes at most beside its paths: the cube and its sums, the map of one channel for `snr_db`, and a
+/// row of sums for each thread.
+pub fn memory_estimate_bytes(header: &CubeHeader, accuracy: Accuracy) -> u64 {
     let [channels, chirps, length] = header.shape().map(|n| n as u64);
     let cube = channels * chirps * length * size_of::<Complex32>() as u64;
     let map = 2 * chirps * length * size_of::<Complex64>() as u64;
     let row = length * (crate::lanes::MAX_LANES as u64 + 1) * size_of::<Complex64>() as u64;
-    cube + map + row * rayon::current_num_threads() as u64
+    cube + map + row * rayon::current_num_threads() as u64 + fast_sum::memory_estimate_bytes(&header.radar, accuracy)
 }

@@ -5,6 +5,7 @@ mod setting;
 mod waveform_table;
 mod point_target;
 mod direct_sum_against_reference;
+mod fast_sum_against_direct;
 mod single_precision;
 mod superposition;
 mod multiplexing;

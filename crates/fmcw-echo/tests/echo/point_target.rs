@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 fn samples(radar: &Radar, position_m: [f64; 3], velocity_mps: [f64; 3], rcs_m2: f64) -> Vec<Complex64> {
     let paths = vec![point(position_m, velocity_mps, rcs_m2)];
     let f_c = radar.waveform.centre_frequency_hz();
-    let cube = synthesize(&header(radar.clone(), Noise::Absent), 1, &frame(paths), f_c, &|_| ()).unwrap();
+    let cube = synthesize(&header(radar.clone(), Noise::Absent), 1, &frame(paths), f_c, asked(), &|_| ()).unwrap();
     widened(&cube.samples)
 }
 

@@ -55,7 +55,9 @@ fn samples_of_tables(radar: &Radar, pose: Pose, frame: &RcsFrame) -> (Vec<Comple
 
 fn samples_of_paths(radar: &Radar, paths: Vec<artifact::paths::Path>) -> Vec<Complex64> {
     let f_c = radar.waveform.centre_frequency_hz();
-    widened(&synthesize(&header(radar.clone(), Noise::Absent), 1, &frame(paths), f_c, &|_| ()).unwrap().samples)
+    widened(
+        &synthesize(&header(radar.clone(), Noise::Absent), 1, &frame(paths), f_c, asked(), &|_| ()).unwrap().samples,
+    )
 }
 
 #[test]

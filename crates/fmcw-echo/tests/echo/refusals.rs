@@ -12,7 +12,7 @@ fn sound_header() -> CubeHeader {
 }
 
 fn refusal(header: &CubeHeader, paths: Vec<Path>, f_c: f64) -> EchoError {
-    synthesize(header, 1, &frame(paths), f_c, &|_| ()).unwrap_err()
+    synthesize(header, 1, &frame(paths), f_c, asked(), &|_| ()).unwrap_err()
 }
 
 fn refusal_of_path(change: impl Fn(&mut Path)) -> EchoError {

@@ -60,7 +60,7 @@ fn x4_the_stored_cube_loses_only_the_rounding_of_its_samples() {
     let f_c = radar.waveform.centre_frequency_hz();
     let paths = random_paths(3, 50);
     let exact = DirectSum::new(&radar, f_c, &paths).cube();
-    let stored = synthesize(&header(radar, Noise::Absent), 1, &frame(paths), f_c, &|_| ()).unwrap();
+    let stored = synthesize(&header(radar, Noise::Absent), 1, &frame(paths), f_c, asked(), &|_| ()).unwrap();
     let db = error_db(&widened(&stored.samples), &exact);
     // Rounding moves a number by at most 2⁻²⁴ of itself; evenly spread mantissas make it about 0.42·2⁻²⁴ rms: −152 dB.
     let bound_db = 20.0 * 2.0_f64.powi(-24).log10();

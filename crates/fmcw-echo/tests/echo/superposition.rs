@@ -18,7 +18,7 @@ fn cube(paths: Vec<Path>) -> CubeFrame {
     let radar = small_radar();
     let f_c = radar.waveform.centre_frequency_hz();
     let noise = Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 };
-    synthesize(&header(radar, noise), 5, &frame(paths), f_c, &|_| ()).unwrap()
+    synthesize(&header(radar, noise), 5, &frame(paths), f_c, asked(), &|_| ()).unwrap()
 }
 
 fn noise_free(paths: &[Path]) -> Vec<Complex64> {

@@ -75,7 +75,9 @@ pub(super) fn cube_header(header: &SceneHeader) -> CubeHeader {
 
 pub(super) fn cube_of(header: &SceneHeader, paths: &PathsFrame) -> Result<CubeFrame, Failure> {
     let centre_hz = header.radar.waveform.centre_frequency_hz();
-    fmcw_echo::synthesize(&cube_header(header), header.seed, paths, centre_hz, &|_| ()).map_err(Failure::refused)
+    let accuracy = crate::chain::echo_accuracy(header);
+    fmcw_echo::synthesize(&cube_header(header), header.seed, paths, centre_hz, accuracy, &|_| ())
+        .map_err(Failure::refused)
 }
 
 /// What a radar sees of the first frame.

@@ -60,7 +60,8 @@ fn noise_map(header: &SceneHeader, seed: u64) -> Result<Vec<u8>, Failure> {
     let nothing = paths_of(header)?;
     let centre_hz = header.radar.waveform.centre_frequency_hz();
     let cube: CubeFrame =
-        fmcw_echo::synthesize(&cube_header, seed, &nothing, centre_hz, &|_| ()).map_err(Failure::refused)?;
+        fmcw_echo::synthesize(&cube_header, seed, &nothing, centre_hz, crate::chain::echo_accuracy(header), &|_| ())
+            .map_err(Failure::refused)?;
     Ok(dsp::range_doppler(&cube_header, &cube).map_err(Failure::refused)?.mask)
 }
 

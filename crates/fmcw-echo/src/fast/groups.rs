@@ -1,0 +1,54 @@
+//! Paths that move alike, so that a few instants tell all of them.
+
+use crate::fast::instants::{Link, Listener};
+use crate::fast::smooth_part::{Asked, SmoothPart};
+use artifact::paths::Path;
+
+/// Paths and their slow part; `None` where no few instants tell them, or where they are fewer than a transform pays for.
+pub(crate) struct Group<'p> {
+    pub(crate) paths: Vec<&'p Path>,
+    pub(crate) smooth: Option<SmoothPart>,
+}
+
+/// Paths of one target each, halved by velocity and by range until their slow parts are told by few instants.
+pub(crate) fn groups<'p>(listener: &Listener<'_>, paths: &[&'p Path], links: &[Link], asked: Asked) -> Vec<Group<'p>> {
+    let mut by_target = paths.to_vec();
+    by_target.sort_by_key(|path| path.target);
+    by_target
+        .chunk_by(|a, b| a.target == b.target)
+        .flat_map(|paths| split(listener, paths.to_vec(), links, asked))
+        .collect()
+}
+
+/// Fewer are summed one by one: the transforms of a group's instants cost as much, whatever the channels, chirps and samples.
+pub(crate) const PATHS_MIN: usize = 256;
+
+fn split<'p>(listener: &Listener<'_>, paths: Vec<&'p Path>, links: &[Link], asked: Asked) -> Vec<Group<'p>> {
+    if paths.len() < PATHS_MIN {
+        return vec![Group { paths, smooth: None }];
+    }
+    if let Some(smooth) = SmoothPart::of(listener, &paths, links, asked) {
+        return vec![Group { paths, smooth: Some(smooth) }];
+    }
+    let (slow, fast) = halves(listener, paths);
+    [slow, fast].into_iter().flat_map(|half| split(listener, half, links, asked)).collect()
+}
+
+/// About the median of the tone that spreads over more of its cells: by chirps it is the velocity, by samples the range.
+fn halves<'p>(listener: &Listener<'_>, paths: Vec<&'p Path>) -> (Vec<&'p Path>, Vec<&'p Path>) {
+    let waveform = &listener.radar.waveform;
+    let cells = |path: &Path| {
+        let tone = listener.tone(path);
+        [tone.per_chirp * f64::from(waveform.chirps), tone.per_sample * f64::from(waveform.samples)]
+    };
+    let mut of: Vec<([f64; 2], &Path)> = paths.into_iter().map(|path| (cells(path), path)).collect();
+    let span = |axis: usize| {
+        let all = of.iter().map(|(cells, _)| cells[axis]);
+        all.clone().fold(f64::MIN, f64::max) - all.fold(f64::MAX, f64::min)
+    };
+    let axis = usize::from(span(1) > span(0));
+    of.sort_by(|a, b| a.0[axis].total_cmp(&b.0[axis]));
+    let fast = of.split_off(of.len() / 2);
+    let paths = |half: Vec<([f64; 2], &'p Path)>| half.into_iter().map(|(_, path)| path).collect();
+    (paths(of), paths(fast))
+}

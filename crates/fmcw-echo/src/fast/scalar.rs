@@ -1,0 +1,37 @@
+//! The precision of a grid: single down to −100 dB, double below.
+
+use num_complex::Complex;
+use rustfft::FftNum;
+
+/// f32 or f64.
+pub(crate) trait Scalar: FftNum + Default {
+    /// The nearest value.
+    fn of(value: f64) -> Self;
+    /// As it is stored.
+    fn stored(value: Complex<Self>) -> Complex<f64>;
+}
+
+impl Scalar for f32 {
+    fn of(value: f64) -> Self {
+        value as Self
+    }
+
+    fn stored(value: Complex<Self>) -> Complex<f64> {
+        Complex::new(value.re.into(), value.im.into())
+    }
+}
+
+impl Scalar for f64 {
+    fn of(value: f64) -> Self {
+        value
+    }
+
+    fn stored(value: Complex<Self>) -> Complex<f64> {
+        value
+    }
+}
+
+/// A value in the grid's precision.
+pub(crate) fn rounded<T: Scalar>(value: Complex<f64>) -> Complex<T> {
+    Complex::new(T::of(value.re), T::of(value.im))
+}
