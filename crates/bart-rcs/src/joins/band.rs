@@ -38,7 +38,7 @@ pub(crate) type Groups = BTreeMap<Place, Vec<Amplitude>>;
 const POINTS: [usize; 15] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 20, 24, 32, 48, 64];
 /// Of a group's largest amplitude, as a part of the accuracy that its integrals are asked for; as much again each time that it is
 /// gathered into a wider one, five times at most.
-pub(crate) const INTERPOLATION_ERROR: f64 = 0.01;
+pub(crate) const INTERPOLATION_ERROR: f64 = 0.003;
 
 /// Groups that turn alike.
 struct Class {
