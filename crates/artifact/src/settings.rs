@@ -103,8 +103,14 @@ pub enum Window {
 /// Detector of the range-Doppler map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Detector {
-    /// Cell averaging.
+    /// Cell averaging: the mean of the training cells.
     CaCfar,
+    /// Greatest of: the greater mean of the halves before and behind the cell.
+    GoCfar,
+    /// Smallest of: the smaller mean of the halves before and behind the cell.
+    SoCfar,
+    /// Ordered statistic: the training cell of rank ¾N.
+    OsCfar,
 }
 
 /// Signal processing of a radar cube.

@@ -1,24 +1,34 @@
-//! Two-dimensional cell-averaging CFAR with the false-alarm rate asked for in every cell.
+//! Two-dimensional CFAR with the false-alarm rate asked for in every cell: CA, GO, SO and OS.
 //!
 //! Doppler wraps, range does not: near the first and last range cell the training region is cut, and each cell uses its
-//! own number of training cells (with the middle's number the rate is 28 times too high at range cell 0). Windows
-//! correlate neighbouring cells in two ways, both put right per range cell:
+//! own number of training cells (with the middle's number the rate is 28 times too high at range cell 0). What is taken
+//! for the noise:
 //!
-//! - Training cells are fewer independent ones. A mean of N cells with power correlations κ_ij = |ρ_ij|² has the variance
-//!   of N_eff = N²/Σκ_ij independent ones (Hann on both axes: 248 → 72), and α is that of N_eff.
+//! - `ca-cfar`: the mean of all training cells;
+//! - `go-cfar`, `so-cfar`: the greater or smaller mean of two halves, the rectangles before and behind the guard in range
+//!   over all Doppler cells of the region (where training cells lie along Doppler alone: above and below it). Where the
+//!   map's edge leaves one half, it is that half's mean;
+//! - `os-cfar`: the cell of rank ¾N (Rohling, IEEE T-AES 19 (1983) 608).
+//!
+//! Windows correlate neighbouring cells in two ways, both put right per range cell:
+//!
+//! - Training cells are fewer independent ones ([`crate::correlated_cells`], [`crate::noise_estimate`]).
 //! - The cell under test leaks into its own estimate where the guard is narrower than the window's main lobe. Given its
 //!   power y, the training mean is c·y + (1 − c)·(noise), c = Σκ_0i/N, so y > α·mean holds where
 //!   y > α(1−c)/(1−αc)·(noise): solved for α, it is α′/(1 − c + α′c) with α′ of the independent case.
 
 use crate::axes::checked_shape;
 use crate::cfar_threshold::threshold_factor;
-use crate::doppler_division::band_cycles;
-use crate::window::{noise_correlation, taper};
+use crate::correlated_cells::{Correlation, Rectangle, Region};
+use crate::noise_estimate::{
+    averaged_factor, correlated_ordered_factor, greatest_of_factor, ordered_factor, smallest_of_factor,
+};
 use crate::{Axis, DspError};
 use artifact::cube::CubeHeader;
-use artifact::radar::Multiplexing;
 use artifact::settings::Detector;
 use rayon::prelude::*;
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex};
 
 /// Mask of a cell that no threshold was made for.
 pub const UNTESTED: u8 = 0;
@@ -28,71 +38,236 @@ pub const TESTED: u8 = 1;
 pub const DETECTED: u8 = 2;
 
 /// A detector for all frames of one radar.
-pub struct CaCfar {
+pub struct Cfar {
     chirps: usize,
     samples: usize,
-    guard: [usize; 2],
-    outer: [usize; 2],
-    /// Of each range cell: threshold over the *sum* of its training cells, and their number.
-    factors: Vec<(f64, f64)>,
+    detector: Detector,
+    /// Of each range cell.
+    zones: Arc<Vec<Zone>>,
 }
 
-impl CaCfar {
+/// Where a range cell takes its noise from, and its threshold over it.
+#[derive(Debug, Clone)]
+struct Zone {
+    /// One region, or two halves.
+    regions: Vec<Region>,
+    /// Over the mean, the chosen mean, or the cell of this rank.
+    factor: f64,
+    /// Rank of the cell that is compared, counted from 1.
+    rank: usize,
+}
+
+impl Cfar {
     /// Thresholds that a cube's header asks for.
     pub fn new(header: &CubeHeader) -> Result<Self, DspError> {
-        let [channels, chirps, samples] = checked_shape(header)?;
-        let Detector::CaCfar = header.dsp.detector;
+        let [_, chirps, samples] = checked_shape(header)?;
         let rate = header.dsp.false_alarm_rate;
         if !(rate > 0.0 && rate < 1.0) {
             return Err(DspError::FalseAlarmRate(rate));
         }
-        let (guard, outer) = regions(header, [chirps, samples])?;
-        let correlation = Correlation::new(header, outer)?;
-        let zone = |column: usize| {
-            let region = |half: usize| [half.min(column), half.min(samples - 1 - column)];
-            let (cells, leak, effective) = correlation.training(guard, outer, region(guard[1]), region(outer[1]));
-            let independent = threshold_factor(effective, channels, rate);
-            (independent / (1.0 - leak + independent * leak) / cells, cells)
-        };
-        let interior = (samples > 2 * outer[1]).then(|| zone(outer[1]));
-        let factors = (0..samples)
-            .map(|column| match interior {
-                Some(factor) if column >= outer[1] && column + outer[1] < samples => factor,
-                _ => zone(column),
-            })
-            .collect();
-        Ok(Self { chirps, samples, guard, outer, factors })
+        Ok(Self { chirps, samples, detector: header.dsp.detector, zones: kept_zones(header)? })
     }
 
     /// Mask `[doppler, range]` of a power map; `floor` is added to the noise estimate (0 where there is noise).
     pub fn mask(&self, power: &[f64], floor: f64) -> Vec<u8> {
-        let table = SummedArea::new(power, self.samples);
-        let row = |row: usize| -> Vec<u8> {
-            let state = |column: usize| {
-                let (factor, cells) = self.factors[column];
-                let training =
-                    (self.sum(&table, row, column, self.outer) - self.sum(&table, row, column, self.guard)).max(0.0);
-                let threshold = factor * (training + floor * cells);
-                if power[row * self.samples + column] > threshold { DETECTED } else { TESTED }
-            };
-            (0..self.samples).map(state).collect()
-        };
-        (0..self.chirps).into_par_iter().flat_map_iter(row).collect()
+        match self.detector {
+            Detector::OsCfar => self.by_cells(|row, column| self.passes_ordered(power, floor, row, column)),
+            Detector::CaCfar | Detector::GoCfar | Detector::SoCfar => {
+                let table = SummedArea::new(power, self.samples);
+                self.by_cells(|row, column| {
+                    let noise = self.mean(&table, row, column) + floor;
+                    power[row * self.samples + column] > self.zones[column].factor * noise
+                })
+            }
+        }
     }
 
-    /// Power in the region of these half sizes around a cell.
-    fn sum(&self, table: &SummedArea, row: usize, column: usize, half: [usize; 2]) -> f64 {
-        let columns = column.saturating_sub(half[1])..(column + half[1] + 1).min(self.samples);
-        let (first, length) = (row + self.chirps - half[0], 2 * half[0] + 1);
-        let first = first % self.chirps;
-        let end = first + length;
+    /// Noise estimate of every cell of a power map, cell by cell: what [`Self::mask`] finds without making it, slowly.
+    pub fn estimates(&self, power: &[f64]) -> Vec<f64> {
+        let estimate = |cell: usize| {
+            let (row, column) = (cell / self.samples, cell % self.samples);
+            let zone = &self.zones[column];
+            let of = |region: &Region| {
+                let mut cells = self.training_cells(power, row, column, region);
+                match self.detector {
+                    Detector::OsCfar => *cells.select_nth_unstable_by(zone.rank - 1, f64::total_cmp).1,
+                    _ => cells.iter().sum::<f64>() / cells.len() as f64,
+                }
+            };
+            self.chosen(zone.regions.iter().map(of))
+        };
+        (0..power.len()).into_par_iter().map(estimate).collect()
+    }
+
+    /// Of a range cell: threshold over noise estimate.
+    pub fn factor(&self, column: usize) -> f64 {
+        self.zones[column].factor
+    }
+
+    /// The estimate of one region, or the greater or smaller of two.
+    fn chosen(&self, estimates: impl Iterator<Item = f64>) -> f64 {
+        match self.detector {
+            Detector::SoCfar => estimates.fold(f64::INFINITY, f64::min),
+            _ => estimates.fold(0.0, f64::max),
+        }
+    }
+
+    fn training_cells(&self, power: &[f64], row: usize, column: usize, region: &Region) -> Vec<f64> {
+        let inside = |at: [i64; 2], [rows, columns]: &Rectangle| {
+            (rows[0]..=rows[1]).contains(&at[0]) && (columns[0]..=columns[1]).contains(&at[1])
+        };
+        let [rows, columns] = region.whole;
+        let offsets = (rows[0]..=rows[1]).flat_map(|row| (columns[0]..=columns[1]).map(move |column| [row, column]));
+        let training = offsets.filter(|at| !region.hole.as_ref().is_some_and(|hole| inside(*at, hole)));
+        training
+            .map(|at| {
+                let row = (row as i64 + at[0]).rem_euclid(self.chirps as i64) as usize;
+                power[row * self.samples + (column as i64 + at[1]) as usize]
+            })
+            .collect()
+    }
+
+    fn by_cells(&self, passes: impl Fn(usize, usize) -> bool + Sync) -> Vec<u8> {
+        let state = |row: usize, column: usize| if passes(row, column) { DETECTED } else { TESTED };
+        let row = |row: usize| (0..self.samples).map(move |column| (row, column));
+        (0..self.chirps).into_par_iter().flat_map_iter(row).map(|(row, column)| state(row, column)).collect()
+    }
+
+    /// Mean of the training cells, or of the half that the detector chooses.
+    fn mean(&self, table: &SummedArea, row: usize, column: usize) -> f64 {
+        let mean = |region: &Region| {
+            let hole = region.hole.as_ref().map_or(0.0, |hole| self.sum(table, row, column, hole));
+            (self.sum(table, row, column, &region.whole) - hole).max(0.0) / region.cells() as f64
+        };
+        self.chosen(self.zones[column].regions.iter().map(mean))
+    }
+
+    /// Power in a rectangle around a cell.
+    fn sum(&self, table: &SummedArea, row: usize, column: usize, [doppler, range]: &Rectangle) -> f64 {
+        let at = |offset: i64| (column as i64 + offset) as usize;
+        let columns = at(range[0])..at(range[1]) + 1;
+        let first = (row as i64 + doppler[0]).rem_euclid(self.chirps as i64) as usize;
+        let end = first + (doppler[1] - doppler[0] + 1) as usize;
         if end <= self.chirps {
             table.sum(first..end, columns)
         } else {
             table.sum(first..self.chirps, columns.clone()) + table.sum(0..end - self.chirps, columns)
         }
     }
+
+    /// y > α(x_k + floor) holds where k cells at least lie below y/α − floor: no cell need be sorted, and the count ends
+    /// as soon as N − k + 1 cells lie above (for noise alone after two rows or three).
+    fn passes_ordered(&self, power: &[f64], floor: f64, row: usize, column: usize) -> bool {
+        let zone = &self.zones[column];
+        let level = power[row * self.samples + column] / zone.factor - floor;
+        let region = &zone.regions[0];
+        let [doppler, range] = region.whole;
+        let mut may_lie_above = region.cells() - zone.rank;
+        let mut at = (row as i64 + doppler[0]).rem_euclid(self.chirps as i64) as usize;
+        for offset in doppler[0]..=doppler[1] {
+            let cells = &power[at * self.samples..(at + 1) * self.samples];
+            let above = |span: [i64; 2]| {
+                let place = |offset: i64| (column as i64 + offset) as usize;
+                let span = cells.get(place(span[0])..place(span[1] + 1)).unwrap_or_default();
+                span.iter().map(|x| usize::from(*x >= level)).sum::<usize>()
+            };
+            let count = match &region.hole {
+                Some([rows, columns]) if (rows[0]..=rows[1]).contains(&offset) => {
+                    above([range[0], columns[0] - 1]) + above([columns[1] + 1, range[1]])
+                }
+                _ => above(range),
+            };
+            if count > may_lie_above {
+                return false;
+            }
+            may_lie_above -= count;
+            at = if at + 1 == self.chirps { 0 } else { at + 1 };
+        }
+        true
+    }
 }
+
+/// Thresholds of the last settings asked for, newest last: a sequence of frames asks for the same ones.
+static KEPT: Mutex<VecDeque<(CubeHeader, Arc<Vec<Zone>>)>> = Mutex::new(VecDeque::new());
+/// Settings whose thresholds are kept: more than the radars of one scene.
+const KEPT_SETTINGS: usize = 32;
+
+fn kept_zones(header: &CubeHeader) -> Result<Arc<Vec<Zone>>, DspError> {
+    // A poisoned lock means that another thread ended while it held the lock; what it kept is whole or not there.
+    let kept = || KEPT.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    if let Some((_, zones)) = kept().iter().find(|(known, _)| known == header) {
+        return Ok(Arc::clone(zones));
+    }
+    let zones = Arc::new(zones(header)?);
+    let mut kept = kept();
+    if kept.len() == KEPT_SETTINGS {
+        kept.pop_front();
+    }
+    kept.push_back((header.clone(), Arc::clone(&zones)));
+    Ok(zones)
+}
+
+/// The zones of all range cells: cells as far from both ends share their thresholds.
+fn zones(header: &CubeHeader) -> Result<Vec<Zone>, DspError> {
+    let [channels, chirps, samples] = checked_shape(header)?;
+    let (guard, outer) = regions(header, [chirps, samples])?;
+    let correlation = Correlation::new(header, outer)?;
+    let reach = |column: usize| [column.min(outer[1]), (samples - 1 - column).min(outer[1])];
+    let mut reaches: Vec<[usize; 2]> = (0..samples).map(reach).collect();
+    reaches.sort_unstable();
+    reaches.dedup();
+    let zones: Vec<Zone> = reaches
+        .par_iter()
+        .map(|reach| {
+            let regions = training_regions(header, guard, outer, *reach);
+            let (factor, rank) = threshold(header, &correlation, &regions, channels);
+            Zone { regions, factor, rank }
+        })
+        .collect();
+    let place = |column: usize| reaches.binary_search(&reach(column)).unwrap_or_default();
+    Ok((0..samples).map(|column| zones[place(column)].clone()).collect())
+}
+
+/// The ring of CA and OS, or the halves of GO and SO that have cells, where the range axis reaches this far both ways.
+fn training_regions(header: &CubeHeader, guard: [usize; 2], outer: [usize; 2], reach: [usize; 2]) -> Vec<Region> {
+    let sides = |back: usize, ahead: usize| [-(back as i64), ahead as i64];
+    let whole = [sides(outer[0], outer[0]), sides(reach[0], reach[1])];
+    let near = |half: usize| half.min(guard[1]);
+    let hole = [sides(guard[0], guard[0]), sides(near(reach[0]), near(reach[1]))];
+    match header.dsp.detector {
+        Detector::CaCfar | Detector::OsCfar => vec![Region { whole, hole: Some(hole) }],
+        Detector::GoCfar | Detector::SoCfar => {
+            let axis = usize::from(header.dsp.training_cells[1] > 0);
+            let (mut before, mut behind) = (whole, whole);
+            before[axis][1] = hole[axis][0] - 1;
+            behind[axis][0] = hole[axis][1] + 1;
+            let halves = [before, behind].map(|whole| Region { whole, hole: None });
+            halves.into_iter().filter(|half| half.cells() > 0).collect()
+        }
+    }
+}
+
+/// Threshold factor, and the rank of the compared cell.
+fn threshold(header: &CubeHeader, correlation: &Correlation, regions: &[Region], channels: usize) -> (f64, usize) {
+    let rate = header.dsp.false_alarm_rate;
+    let cells: usize = regions.iter().map(Region::cells).sum();
+    let rank = ((OS_RANK * cells as f64).round() as usize).clamp(1, cells);
+    let mean = |region: &Region| correlation.mean_power(region, channels);
+    let half = |region: &Region| correlation.rectangle_power(&region.whole, channels);
+    let independent = match (header.dsp.detector, regions) {
+        (Detector::OsCfar, [ring, ..]) if correlation.is_white() => ordered_factor(ring.cells(), rank, channels, rate),
+        (Detector::OsCfar, [ring, ..]) => correlated_ordered_factor(correlation, ring, rank, channels, rate),
+        (Detector::GoCfar, [a, b]) => greatest_of_factor([&half(a), &half(b)], channels, rate),
+        (Detector::SoCfar, [a, b]) => smallest_of_factor([&half(a), &half(b)], channels, rate),
+        _ if correlation.is_white() => threshold_factor(cells as f64, channels, rate),
+        _ => averaged_factor(&regions.iter().flat_map(mean).collect::<Vec<_>>(), channels, rate),
+    };
+    let leak: f64 = regions.iter().map(|r| correlation.leak(r) * r.cells() as f64).sum::<f64>() / cells as f64;
+    (independent / (1.0 - leak + independent * leak), rank)
+}
+
+/// Rank over number of cells: Rohling (1983) finds the least loss in noise, and room for targets, near ¾.
+const OS_RANK: f64 = 0.75;
 
 /// Half sizes [doppler, range] of the guard region and of the whole, if they fit the map.
 fn regions(header: &CubeHeader, cells: [usize; 2]) -> Result<([usize; 2], [usize; 2]), DspError> {
@@ -109,67 +284,6 @@ fn regions(header: &CubeHeader, cells: [usize; 2]) -> Result<([usize; 2], [usize
         outer[i] = half as usize;
     }
     Ok((header.dsp.guard_cells.map(|g| g as usize), outer))
-}
-
-/// Power correlation κ of noise cells over their distance, [doppler, range]; cells correlate as the product.
-struct Correlation {
-    axes: [Vec<f64>; 2],
-}
-
-impl Correlation {
-    fn new(header: &CubeHeader, outer: [usize; 2]) -> Result<Self, DspError> {
-        let waveform = &header.radar.waveform;
-        let doppler = taper(header.dsp.doppler_window, waveform.chirps as usize)?;
-        let range = taper(header.dsp.range_window, waveform.samples as usize)?;
-        Ok(Self {
-            axes: [
-                (0..=2 * outer[0]).map(|lag| doppler_correlation(header, &doppler, lag as f64)).collect(),
-                (0..=2 * outer[1]).map(|lag| noise_correlation(&range, lag as f64)).collect(),
-            ],
-        })
-    }
-
-    /// Number of training cells, the share c of the cell under test in their mean, and N_eff.
-    ///
-    /// The region is a rectangle without a rectangle, so its sums of κ are products of sums along the axes.
-    fn training(
-        &self,
-        guard: [usize; 2],
-        outer: [usize; 2],
-        guard_range: [usize; 2],
-        outer_range: [usize; 2],
-    ) -> (f64, f64, f64) {
-        let (whole, hole) = ([[outer[0]; 2], outer_range], [[guard[0]; 2], guard_range]);
-        let pairs = |a: [[usize; 2]; 2], b: [[usize; 2]; 2]| -> f64 {
-            (0..2).map(|axis| pair_sum(&self.axes[axis], a[axis], b[axis])).product()
-        };
-        let size = |a: [[usize; 2]; 2]| -> f64 { a.iter().map(|[l, r]| (l + r + 1) as f64).product() };
-        let cells = size(whole) - size(hole);
-        let centre = [[0; 2]; 2];
-        let leak = (pairs(whole, centre) - pairs(hole, centre)) / cells;
-        let among = pairs(whole, whole) - 2.0 * pairs(whole, hole) + pairs(hole, hole);
-        (cells, leak.max(0.0), (cells * cells / among).min(cells))
-    }
-}
-
-/// With Doppler division a summed cell holds bands of one receiver, i/M apart: cells correlate where bands meet.
-fn doppler_correlation(header: &CubeHeader, taper: &[f64], lag: f64) -> f64 {
-    if header.radar.array.multiplexing != Multiplexing::Ddm {
-        return noise_correlation(taper, lag);
-    }
-    let transmitters = header.radar.array.tx_m.len() as i64;
-    let band_rows = band_cycles(header, 1) * taper.len() as f64;
-    let weighted = |shift: i64| {
-        let pairs = (transmitters - shift.abs()) as f64 / transmitters as f64;
-        pairs * noise_correlation(taper, lag + shift as f64 * band_rows)
-    };
-    (1 - transmitters..transmitters).map(weighted).sum()
-}
-
-/// Σκ(i − j) over i in −a..=a', j in −b..=b'.
-fn pair_sum(correlation: &[f64], a: [usize; 2], b: [usize; 2]) -> f64 {
-    let interval = |[left, right]: [usize; 2]| -(left as i64)..=right as i64;
-    interval(a).map(|i| interval(b).map(|j| correlation[i.abs_diff(j) as usize]).sum::<f64>()).sum()
 }
 
 /// Sums over rectangles in four look-ups (Crow, SIGGRAPH 1984).

@@ -4,7 +4,7 @@
 //! (a 12-channel map takes 4 ms), and Parseval's sum then holds to rounding (1e-15) instead of 1e-7.
 
 use crate::axes::checked_shape;
-use crate::cfar::{self, CaCfar};
+use crate::cfar::{self, Cfar};
 use crate::noncoherent::{FLOOR_BELOW_PEAK_DB, sum_over_channels};
 use crate::window::taper;
 use crate::{DspError, doppler_division};
@@ -22,7 +22,7 @@ use std::sync::Arc;
 /// The map of one frame, with the cells that the header's detector tested and those it found.
 pub fn range_doppler(header: &CubeHeader, frame: &CubeFrame) -> Result<RdmFrame, DspError> {
     let transform = RangeDoppler::new(header)?;
-    let detector = CaCfar::new(header)?;
+    let detector = Cfar::new(header)?;
     check_samples(header, &frame.samples)?;
     let values = all_channels(header, &transform, &frame.samples)?;
     let power = sum_over_channels(&values, transform.cells());

@@ -35,6 +35,13 @@ pub(crate) fn read_noise(root: &Section<'_>) -> Noise {
     }
 }
 
+const DETECTORS: [(&str, Detector); 4] = [
+    ("ca-cfar", Detector::CaCfar),
+    ("go-cfar", Detector::GoCfar),
+    ("so-cfar", Detector::SoCfar),
+    ("os-cfar", Detector::OsCfar),
+];
+
 /// Signal processing for a map of this waveform.
 pub(crate) fn read_dsp(root: &Section<'_>, waveform: &Waveform, lanes: Vec<Lane>) -> DspSettings {
     let section = root.section(&keys::DSP);
@@ -47,7 +54,7 @@ pub(crate) fn read_dsp(root: &Section<'_>, waveform: &Waveform, lanes: Vec<Lane>
     DspSettings {
         range_window: read_window(&section, "range_window"),
         doppler_window: read_window(&section, "doppler_window"),
-        detector: section.word("detector", &[("ca-cfar", Detector::CaCfar)]).unwrap_or(Detector::CaCfar),
+        detector: section.word("detector", &DETECTORS).unwrap_or(Detector::CaCfar),
         false_alarm_rate: section.number("false_alarm_rate", Allowed::Inside(0.0, 1.0)).unwrap_or(1e-5),
         guard_cells,
         training_cells,
