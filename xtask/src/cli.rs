@@ -54,7 +54,7 @@ pub(crate) enum Command {
     Train(TrainArguments),
     /// Range-Doppler maps or a dataset to classes and probabilities, one JSON line each.
     Classify(ClassifyArguments),
-    /// A complex64 array [frame, channel, chirp, sample] from anywhere to a radar cube.
+    /// Samples from anywhere (.npy, DCA1000 .bin, SigMF) to a radar cube.
     Import(ImportArguments),
     /// Any artifact to a format that others read.
     Export(ExportArguments),
@@ -271,9 +271,12 @@ pub(crate) struct ClassifyArguments {
 
 #[derive(Debug, Args)]
 pub(crate) struct ImportArguments {
-    /// complex64 [frame, channel, chirp, sample].
+    /// complex64 [frame, channel, chirp, sample]; or a DCA1000EVM's .bin, or a .sigmf-meta, of receivers.
     #[arg(value_name = "F.npy")]
     pub(crate) array: PathBuf,
+    /// √W of one step of integer samples, where no file beside them says it; 1 else.
+    #[arg(long, value_name = "SQRT_W")]
+    pub(crate) step: Option<f32>,
     /// Scene that tells the radar and the processing.
     #[arg(long, value_name = "SCENE.toml")]
     pub(crate) scene: PathBuf,
@@ -403,6 +406,10 @@ pub(crate) enum FormatWord {
     Ply,
     Json,
     Safetensors,
+    /// The .bin of a DCA1000EVM.
+    Dca1000,
+    /// .sigmf-data and .sigmf-meta.
+    Sigmf,
 }
 
 /// Values of an axis and the text they were given as.

@@ -12,6 +12,7 @@ mod import;
 mod inspect;
 pub(crate) mod load;
 mod paths;
+mod raw_data;
 mod rcs;
 mod run;
 mod study;

@@ -8,6 +8,7 @@ mod points;
 mod rcs;
 mod rdm;
 
+use super::raw_data::{dca1000, sigmf};
 use crate::cli::{ExportArguments, FormatWord};
 use crate::failure::Failure;
 use crate::output;
@@ -19,11 +20,13 @@ pub(crate) use npy_stream::NpyStream;
 pub(crate) use rdm::write_exr as rdm_exr;
 
 pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
-    use FormatWord::{Csv, Exr, Json, Npy, Pcd, Ply, Png, Safetensors};
+    use FormatWord::{Csv, Dca1000, Exr, Json, Npy, Pcd, Ply, Png, Safetensors, Sigmf};
     let (file, out) = (arguments.file.as_path(), arguments.out.as_path());
     let schema = read_preamble(file)?.schema;
     match (schema.as_str(), arguments.to) {
         ("cube", Npy) => cube::npy(Reader::open(file)?, out),
+        ("cube", Dca1000) => dca1000::write(file, out),
+        ("cube", Sigmf) => sigmf::write(file, out),
         ("rdm", Npy) => rdm::npy(Reader::open(file)?, out),
         ("rdm", Exr) => rdm::exr(Reader::open(file)?, out),
         ("rdm", Png) => rdm::png(Reader::open(file)?, out),
@@ -45,7 +48,7 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
 
 fn refuse(file: &Path, schema: &str, to: FormatWord) -> Failure {
     let formats = match schema {
-        "cube" => "npy",
+        "cube" => "npy, dca1000, sigmf",
         "rdm" => "npy, exr, png",
         "points" => "csv, pcd, ply, json",
         "paths" => "csv, json",
