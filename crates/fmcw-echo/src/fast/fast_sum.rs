@@ -1,7 +1,7 @@
 //! A cube by transforms: tones of all paths at once, what changes slowly at a few instants.
 //!
-//! x(n, m) = Σ_groups Σ_i shape_i(n, m)·Σ_p value_p(instant i)·e^{j2π(α_p n + β_p m)}: see [`crate::fast::smooth_part`] for the
-//! outer sum, [`crate::fast::tone_grid`] for the inner. Values are exact at their instants, for every pair of elements. Links are
+//! x(n, m) = Σ_groups Σ_i shape_i(n, m)·Σ_p value_p(instant i)·e^{j2π(α_p n + β_p m)}: see `smooth_part.rs` for the
+//! outer sum, `tone_grid.rs` for the inner. Values are exact at their instants, for every pair of elements. Links are
 //! taken in fixed blocks, one thread each: any number of threads gives the same bytes.
 
 use crate::direct_sum::{DirectSum, is_heard};
