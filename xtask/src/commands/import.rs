@@ -31,7 +31,7 @@ pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
     let mut writer = Writer::<Cube>::create(&arguments.out, &from, &header)?;
     for (index, samples) in frames.into_iter().enumerate() {
         let time_s = index as f64 * scene.frame_interval_s;
-        check(file, &samples, header.shape())?;
+        check(file, index, &samples, header.shape())?;
         writer.write(&CubeFrame { index: index as u32, time_s, samples, error: ErrorBudget::default() })?;
     }
     Ok(writer.finish()?)
@@ -54,11 +54,11 @@ fn read(file: &Path) -> Result<Array4<Complex32>, Failure> {
         .map_err(|e| Failure::Refused(format!("{}: {e}: {rule}", file.display())))
 }
 
-fn check(file: &Path, samples: &[Complex32], [_, chirps, length]: [usize; 3]) -> Result<(), Failure> {
+fn check(file: &Path, frame: usize, samples: &[Complex32], [_, chirps, length]: [usize; 3]) -> Result<(), Failure> {
     match samples.iter().position(|v| !(v.re.is_finite() && v.im.is_finite())) {
         Some(at) => {
-            let place = [at / (chirps * length), at / length % chirps, at % length];
-            let text = format!("{} at [channel, chirp, sample] {place:?}: samples must be finite", samples[at]);
+            let place = (frame, at / (chirps * length), at / length % chirps, at % length);
+            let text = format!("{} at [frame, channel, chirp, sample] {place:?}: samples must be finite", samples[at]);
             Err(Failure::Refused(format!("{}: {text}", file.display())))
         }
         None => Ok(()),
