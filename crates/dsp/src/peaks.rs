@@ -6,10 +6,11 @@
 
 use crate::DspError;
 use crate::cfar::DETECTED;
-use crate::interpolation::Interpolator;
+use crate::interpolation::{Interpolator, Trio};
 use crate::window::{response, taper};
 use artifact::cube::CubeHeader;
 use ndarray::ArrayView2;
+use num_complex::{Complex32, Complex64};
 
 /// A local maximum of a map.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,13 +65,13 @@ impl PeakFinder {
     }
 
     /// Peaks of a power map `[doppler, range]` among the cells that the mask calls detected and those above
-    /// `noise_threshold`, strongest first.
-    pub fn peaks(&self, power: ArrayView2<f64>, mask: &[u8], noise_threshold: f64) -> Vec<Peak> {
+    /// `noise_threshold`, strongest first; `values` `[channel, doppler, range]` tell where between cells they lie.
+    pub fn peaks(&self, power: ArrayView2<f64>, values: &[Complex32], mask: &[u8], noise_threshold: f64) -> Vec<Peak> {
         let strong = power.indexed_iter().zip(mask).filter(|((_, p), m)| **m == DETECTED || **p > noise_threshold);
         let mut peaks: Vec<Peak> = strong
             .map(|((cell, _), _)| cell)
             .filter(|cell| is_local_maximum(power, *cell))
-            .map(|cell| self.place(power, mask, cell))
+            .map(|cell| self.place(power, values, mask, cell))
             .collect();
         peaks.sort_by(|a, b| b.power.total_cmp(&a.power).then((a.row, a.column).cmp(&(b.row, b.column))));
         self.without_sidelobes(peaks)
@@ -90,15 +91,17 @@ impl PeakFinder {
             .collect()
     }
 
-    fn place(&self, power: ArrayView2<f64>, mask: &[u8], (row, column): (usize, usize)) -> Peak {
+    fn place(&self, power: ArrayView2<f64>, values: &[Complex32], mask: &[u8], (row, column): (usize, usize)) -> Peak {
         let (rows, columns) = power.dim();
+        let trios = |cells: [(usize, usize); 3]| {
+            values.chunks_exact(rows * columns).map(move |channel| trio(channel, cells.map(|(r, c)| r * columns + c)))
+        };
         let along_rows = (rows > 2).then(|| {
-            let at = |step: usize| power[((row + step) % rows, column)];
-            self.interpolators[0].offset([at(rows - 1), at(0), at(1)])
+            let at = |step: usize| ((row + step) % rows, column);
+            self.interpolators[0].offset(trios([at(rows - 1), at(0), at(1)]))
         });
-        let along_columns = (column > 0 && column + 1 < columns).then(|| {
-            self.interpolators[1].offset([-1, 0, 1].map(|s: i32| power[(row, column.wrapping_add_signed(s as isize))]))
-        });
+        let along_columns = (column > 0 && column + 1 < columns)
+            .then(|| self.interpolators[1].offset(trios([(row, column - 1), (row, column), (row, column + 1)])));
         let is_detected = |(r, c): (usize, usize)| mask[r * columns + c] == DETECTED;
         let neighbours = neighbourhood(power.dim(), (row, column)).filter(|cell| is_detected(*cell)).count();
         Peak {
@@ -127,6 +130,10 @@ impl PeakFinder {
     fn leak(&self, from: &Peak, to: &Peak) -> f64 {
         self.leakage[0][from.row.abs_diff(to.row)] * self.leakage[1][from.column.abs_diff(to.column)]
     }
+}
+
+fn trio(channel: &[Complex32], cells: [usize; 3]) -> Trio {
+    cells.map(|cell| Complex64::new(f64::from(channel[cell].re), f64::from(channel[cell].im)))
 }
 
 /// Largest share of a peak's power that its window leaves in a cell this many cells away, over all offsets of the tone.

@@ -28,7 +28,7 @@ pub fn detect(header: &CubeHeader, map: &RdmFrame) -> Result<PointsFrame, DspErr
     let power = power_map(header, map)?;
     let noise = noise_power(header, map)? * header.radar.virtual_channels() as f64;
     let finder = PeakFinder::new(header)?;
-    let peaks = finder.peaks(power.view(), &map.mask, known_noise_threshold(header, noise));
+    let peaks = finder.peaks(power.view(), &map.values, &map.mask, known_noise_threshold(header, noise));
     let array = VirtualArray::new(header);
     let sighted: Vec<Sighting> = peaks.par_iter().map(|peak| sight(header, map, &array, *peak)).collect();
     let groups = groups_of_peaks(header, &sighted);

@@ -31,9 +31,13 @@ pub fn noise_bandwidth_bins(taper: &[f64]) -> f64 {
 
 /// Power that a tone `offset_bins` from a cell's centre leaves in it, 1 at the centre.
 pub(crate) fn response(taper: &[f64], offset_bins: f64) -> f64 {
-    let step = -TAU * offset_bins / taper.len() as f64;
-    let sum: Complex64 = taper.iter().enumerate().map(|(n, w)| Complex64::from_polar(*w, step * n as f64)).sum();
-    sum.norm_sqr() / (taper.len() as f64).powi(2)
+    transform(taper, offset_bins).norm_sqr() / (taper.len() as f64).powi(2)
+}
+
+/// W(δ) = Σ wₙ e^{j2πδn/N}: what a tone δ cells above a cell's centre leaves in it.
+pub(crate) fn transform(taper: &[f64], offset_bins: f64) -> Complex64 {
+    let step = TAU * offset_bins / taper.len() as f64;
+    taper.iter().enumerate().map(|(n, w)| Complex64::from_polar(*w, step * n as f64)).sum()
 }
 
 /// |ρ|² between the noise of two cells `lag_bins` apart: white samples keep the correlation of the window squared.

@@ -27,6 +27,10 @@ pub fn target(position_m: [f64; 3], velocity_mps: [f64; 3], rcs_m2: f64) -> Targ
 }
 
 /// Arrays of `interface.md`, λ/2: transmit elements, receive elements.
+pub fn elements_1x4() -> [Vec<[f64; 2]>; 2] {
+    [row(&[0]), row(&[0, 1, 2, 3])]
+}
+
 pub fn elements_3x4() -> [Vec<[f64; 2]>; 2] {
     [row(&[0, 4, 8]), row(&[0, 1, 2, 3])]
 }
