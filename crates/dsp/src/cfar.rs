@@ -18,6 +18,7 @@
 //!   y > α(1−c)/(1−αc)·(noise): solved for α, it is α′/(1 − c + α′c) with α′ of the independent case.
 
 use crate::axes::checked_shape;
+use crate::box_sums::BoxSums;
 use crate::cfar_threshold::threshold_factor;
 use crate::correlated_cells::{Correlation, Rectangle, Region};
 use crate::noise_estimate::{
@@ -36,6 +37,9 @@ pub const UNTESTED: u8 = 0;
 pub const TESTED: u8 = 1;
 /// Mask of a cell above its threshold.
 pub const DETECTED: u8 = 2;
+
+/// Rows that one thread marks; its first sums are added up anew.
+const ROWS: usize = 32;
 
 /// A detector for all frames of one radar.
 pub struct Cfar {
@@ -71,14 +75,18 @@ impl Cfar {
     /// Mask `[doppler, range]` of a power map; `floor` is added to the noise estimate (0 where there is noise).
     pub fn mask(&self, power: &[f64], floor: f64) -> Vec<u8> {
         match self.detector {
-            Detector::OsCfar => self.by_cells(|row, column| self.passes_ordered(power, floor, row, column)),
-            Detector::CaCfar | Detector::GoCfar | Detector::SoCfar => {
-                let table = SummedArea::new(power, self.samples);
-                self.by_cells(|row, column| {
-                    let noise = self.mean(&table, row, column) + floor;
-                    power[row * self.samples + column] > self.zones[column].factor * noise
+            Detector::OsCfar => {
+                let usual = typical(power);
+                let above: Vec<f64> = power.par_iter().map(|x| f64::from(u8::from(*x >= usual))).collect();
+                self.by_rows(&above, |sums, row, column| {
+                    let level = self.level(power, floor, row, column);
+                    !(level <= usual && self.lie_above(sums, column)) && self.passes_ordered(power, level, row, column)
                 })
             }
+            Detector::CaCfar | Detector::GoCfar | Detector::SoCfar => self.by_rows(power, |sums, row, column| {
+                let noise = self.mean(sums, column) + floor;
+                power[row * self.samples + column] > self.zones[column].factor * noise
+            }),
         }
     }
 
@@ -127,39 +135,60 @@ impl Cfar {
             .collect()
     }
 
-    fn by_cells(&self, passes: impl Fn(usize, usize) -> bool + Sync) -> Vec<u8> {
-        let state = |row: usize, column: usize| if passes(row, column) { DETECTED } else { TESTED };
-        let row = |row: usize| (0..self.samples).map(move |column| (row, column));
-        (0..self.chirps).into_par_iter().flat_map_iter(row).map(|(row, column)| state(row, column)).collect()
+    /// Marks every cell by sums over rectangles of a map.
+    fn by_rows(&self, map: &[f64], passes: impl Fn(&BoxSums<'_>, usize, usize) -> bool + Sync) -> Vec<u8> {
+        let heights = self.heights();
+        let mut mask = vec![UNTESTED; map.len()];
+        mask.par_chunks_mut(ROWS * self.samples).enumerate().for_each(|(run, mask)| {
+            let first = run * ROWS;
+            let mut sums = BoxSums::at_row(map, self.samples, &heights, first);
+            for (row, mask) in (first..).zip(mask.chunks_mut(self.samples)) {
+                for (column, state) in mask.iter_mut().enumerate() {
+                    *state = if passes(&sums, row, column) { DETECTED } else { TESTED };
+                }
+                sums.slide_from(row);
+            }
+        });
+        mask
+    }
+
+    /// Rows of all rectangles that noise is taken from.
+    fn heights(&self) -> Vec<[i64; 2]> {
+        let rectangles = |region: &Region| [Some(region.whole[0]), region.hole.map(|hole| hole[0])];
+        let mut heights: Vec<[i64; 2]> =
+            self.zones.iter().flat_map(|zone| zone.regions.iter().flat_map(rectangles)).flatten().collect();
+        heights.sort_unstable();
+        heights.dedup();
+        heights
     }
 
     /// Mean of the training cells, or of the half that the detector chooses.
-    fn mean(&self, table: &SummedArea, row: usize, column: usize) -> f64 {
+    #[inline]
+    fn mean(&self, sums: &BoxSums<'_>, column: usize) -> f64 {
         let mean = |region: &Region| {
-            let hole = region.hole.as_ref().map_or(0.0, |hole| self.sum(table, row, column, hole));
-            (self.sum(table, row, column, &region.whole) - hole).max(0.0) / region.cells() as f64
+            let hole = region.hole.as_ref().map_or(0.0, |hole| sums.sum(column, hole));
+            (sums.sum(column, &region.whole) - hole).max(0.0) / region.cells() as f64
         };
         self.chosen(self.zones[column].regions.iter().map(mean))
     }
 
-    /// Power in a rectangle around a cell.
-    fn sum(&self, table: &SummedArea, row: usize, column: usize, [doppler, range]: &Rectangle) -> f64 {
-        let at = |offset: i64| (column as i64 + offset) as usize;
-        let columns = at(range[0])..at(range[1]) + 1;
-        let first = (row as i64 + doppler[0]).rem_euclid(self.chirps as i64) as usize;
-        let end = first + (doppler[1] - doppler[0] + 1) as usize;
-        if end <= self.chirps {
-            table.sum(first..end, columns)
-        } else {
-            table.sum(first..self.chirps, columns.clone()) + table.sum(0..end - self.chirps, columns)
-        }
+    /// y/α − floor: y > α(x_k + floor) holds where k cells at least lie below it.
+    fn level(&self, power: &[f64], floor: f64, row: usize, column: usize) -> f64 {
+        power[row * self.samples + column] / self.zones[column].factor - floor
     }
 
-    /// y > α(x_k + floor) holds where k cells at least lie below y/α − floor: no cell need be sorted, and the count ends
-    /// as soon as N − k + 1 cells lie above (for noise alone after two rows or three).
-    fn passes_ordered(&self, power: &[f64], floor: f64, row: usize, column: usize) -> bool {
+    /// Whether N − k + 1 training cells at least are counted, in sums of ones and zeros: then what lies no higher than they do
+    /// does not pass, and in noise that is a look at almost every cell.
+    #[inline]
+    fn lie_above(&self, counts: &BoxSums<'_>, column: usize) -> bool {
+        let Zone { regions, rank, .. } = &self.zones[column];
+        let hole = regions[0].hole.as_ref().map_or(0.0, |hole| counts.sum(column, hole));
+        counts.sum(column, &regions[0].whole) - hole > (regions[0].cells() - rank) as f64 + 0.5
+    }
+
+    /// No cell need be sorted, and the count ends as soon as N − k + 1 cells lie above the level.
+    fn passes_ordered(&self, power: &[f64], level: f64, row: usize, column: usize) -> bool {
         let zone = &self.zones[column];
-        let level = power[row * self.samples + column] / zone.factor - floor;
         let region = &zone.regions[0];
         let [doppler, range] = region.whole;
         let mut may_lie_above = region.cells() - zone.rank;
@@ -185,6 +214,13 @@ impl Cfar {
         }
         true
     }
+}
+
+/// About the median of a map, of every 13th cell: whatever it is, no mask depends on it.
+fn typical(power: &[f64]) -> f64 {
+    let mut some: Vec<f64> = power.iter().copied().step_by(13).collect();
+    let middle = some.len() / 2;
+    if some.is_empty() { 0.0 } else { *some.select_nth_unstable_by(middle, f64::total_cmp).1 }
 }
 
 /// Thresholds of the last settings asked for, newest last: a sequence of frames asks for the same ones.
@@ -284,33 +320,4 @@ fn regions(header: &CubeHeader, cells: [usize; 2]) -> Result<([usize; 2], [usize
         outer[i] = half as usize;
     }
     Ok((header.dsp.guard_cells.map(|g| g as usize), outer))
-}
-
-/// Sums over rectangles in four look-ups (Crow, SIGGRAPH 1984).
-struct SummedArea {
-    width: usize,
-    sums: Vec<f64>,
-}
-
-impl SummedArea {
-    fn new(power: &[f64], columns: usize) -> Self {
-        let width = columns + 1;
-        let mut sums = vec![0.0; width];
-        for (row, values) in power.chunks_exact(columns).enumerate() {
-            sums.push(0.0);
-            let mut along = 0.0;
-            for (column, value) in values.iter().enumerate() {
-                along += value;
-                let above = sums[row * width + column + 1];
-                sums.push(above + along);
-            }
-        }
-        Self { width, sums }
-    }
-
-    fn sum(&self, rows: std::ops::Range<usize>, columns: std::ops::Range<usize>) -> f64 {
-        let at = |row: usize, column: usize| self.sums[row * self.width + column];
-        at(rows.end, columns.end) - at(rows.start, columns.end) - at(rows.end, columns.start)
-            + at(rows.start, columns.start)
-    }
 }

@@ -69,7 +69,7 @@ fn empty_band(header: &CubeHeader, transform: &RangeDoppler, samples: &[Complex3
     let turn_cycles = band_cycles(header, header.radar.array.tx_m.len());
     let maps: Vec<Vec<f64>> = samples
         .par_chunks_exact(transform.cells())
-        .map(|receiver| transform.channel(receiver, turn_cycles).iter().map(|v| v.norm_sqr()).collect())
+        .map(|receiver| sum_over_channels(&transform.channel(receiver, turn_cycles), transform.cells()))
         .collect();
     let mut sum = vec![0.0; transform.cells()];
     for map in &maps {

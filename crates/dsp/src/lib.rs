@@ -69,6 +69,7 @@
 mod error;
 pub mod axes;
 pub mod window;
+mod finite;
 pub mod range_doppler;
 mod doppler_division;
 pub mod noncoherent;
@@ -76,6 +77,7 @@ pub mod gamma_forms;
 pub mod correlated_cells;
 pub mod noise_estimate;
 pub mod cfar_threshold;
+mod box_sums;
 pub mod cfar;
 pub mod interpolation;
 pub mod peaks;

@@ -2,10 +2,12 @@
 
 use crate::DspError;
 use crate::axes::checked_shape;
+use crate::finite::first_not_finite;
 use artifact::cube::CubeHeader;
 use artifact::rdm::RdmFrame;
 use ndarray::Array2;
 use num_complex::Complex32;
+use rayon::prelude::*;
 
 /// What stands in for noise in a noise-free map lies this far below its peak, dB.
 pub const FLOOR_BELOW_PEAK_DB: f64 = 60.0;
@@ -36,13 +38,18 @@ pub fn noise_power(header: &CubeHeader, map: &RdmFrame) -> Result<f64, DspError>
     Ok(*median / gamma_median(channels))
 }
 
+/// Cells that one thread adds up, over all channels in their order.
+const RUN: usize = 4096;
+
 pub(crate) fn sum_over_channels(values: &[Complex32], cells: usize) -> Vec<f64> {
     let mut sum = vec![0.0; cells];
-    for channel in values.chunks_exact(cells) {
-        for (total, value) in sum.iter_mut().zip(channel) {
-            *total += f64::from(value.re).powi(2) + f64::from(value.im).powi(2);
+    sum.par_chunks_mut(RUN).enumerate().for_each(|(run, sum)| {
+        for channel in values.chunks_exact(cells) {
+            for (total, value) in sum.iter_mut().zip(&channel[run * RUN..]) {
+                *total += f64::from(value.re).powi(2) + f64::from(value.im).powi(2);
+            }
         }
-    }
+    });
     sum
 }
 
@@ -57,7 +64,7 @@ pub(crate) fn checked_map(header: &CubeHeader, map: &RdmFrame) -> Result<[usize;
             return Err(DspError::MapSize { what, expected, found });
         }
     }
-    match map.values.iter().position(|v| !v.is_finite()) {
+    match first_not_finite(&map.values) {
         None => Ok(shape),
         Some(at) => Err(DspError::ValueNotFinite { channel: at / cells, cell: at % cells }),
     }

@@ -109,7 +109,7 @@ fn channels_header(window: Window, channels: u32) -> CubeHeader {
 
 /// Noise summed over the channels in units of one channel's mean, `[doppler, range]`.
 fn noise_power_map(header: &CubeHeader, seed: u64) -> Vec<f64> {
-    let transform = RangeDoppler::new(header).unwrap();
+    let transform = RangeDoppler::<f64>::new(header).unwrap();
     let [channels, chirps, samples] = header.shape();
     let energy = |window: Window, length: usize| -> f64 {
         dsp::window::taper(window, length).unwrap().iter().map(|w| w * w).sum()

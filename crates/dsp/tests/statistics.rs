@@ -8,6 +8,7 @@ use common::*;
 use dsp::range_doppler::RangeDoppler;
 use dsp::window::{noise_bandwidth_bins, taper};
 use dsp::{detect, noise_power, power_map, range_doppler};
+use num_complex::{Complex32, Complex64};
 
 #[test]
 fn s4_the_unwindowed_map_keeps_the_energy_of_the_samples() {
@@ -17,10 +18,32 @@ fn s4_the_unwindowed_map_keeps_the_energy_of_the_samples() {
         header.dsp.range_window = Window::Rect;
         header.dsp.doppler_window = Window::Rect;
         let frame = cube(&header, &[target([2.0, 20.0, 1.0], [0.0, -3.0, 0.0], 1.0)], 4);
-        let map = RangeDoppler::new(&header).unwrap().channel(&frame.samples, 0.0);
+        let map = RangeDoppler::<f64>::new(&header).unwrap().channel(&frame.samples, 0.0);
         let before: f64 = frame.samples.iter().map(|x| f64::from(x.re).powi(2) + f64::from(x.im).powi(2)).sum();
         let after: f64 = map.iter().map(|v| v.norm_sqr()).sum();
-        assert!((after / (before * map.len() as f64) - 1.0).abs() < 1e-12);
+        let error = (after / (before * map.len() as f64) - 1.0).abs();
+        println!("S4, {samples} × {chirps}: asked 1e-12, got {error:.1e}");
+        assert!(error < 1e-12);
+    }
+}
+
+#[test]
+fn a_map_in_single_precision_errs_by_what_rounding_its_cube_costs() {
+    for (samples, chirps) in [(256, 128), (512, 256), (101, 37), (1024, 8)] {
+        let mut header = header(samples, chirps, elements_1x1());
+        header.noise = NOISE_12_DB;
+        header.dsp.range_window = Window::Chebyshev(80.0);
+        let frame = cube(&header, &[target([2.0, 20.0, 1.0], [0.0, -3.0, 0.0], 1.0)], 4);
+        let narrow = RangeDoppler::<f32>::new(&header).unwrap().channel(&frame.samples, 0.1);
+        let wide = RangeDoppler::<f64>::new(&header).unwrap().channel(&frame.samples, 0.1);
+        let energy: f64 = wide.iter().map(|v| v.norm_sqr()).sum();
+        let difference = |(n, w): (&Complex32, &Complex64)| (Complex64::new(n.re.into(), n.im.into()) - w).norm_sqr();
+        let error = (narrow.iter().zip(&wide).map(difference).sum::<f64>() / energy).sqrt();
+        // ε/2 for each of four roundings of input and windows, and of every other stage of the transforms.
+        let stages = f64::from(samples * chirps).log2();
+        let asked = 0.5 * f64::from(f32::EPSILON) * (4.0 + stages).sqrt() * 2.0;
+        println!("{samples} × {chirps}: asked {asked:.1e} of the map's energy, got {error:.1e}");
+        assert!(error < asked);
     }
 }
 
@@ -32,13 +55,11 @@ fn a_tone_on_a_bins_centre_gives_amplitude_times_cells_with_every_window() {
         header.dsp.doppler_window = window;
         let tone = |chirp: usize, n: usize| {
             let cycles = 9.0 * n as f64 / 64.0 - 5.0 * chirp as f64 / 32.0;
-            num_complex::Complex64::from_polar(0.25, std::f64::consts::TAU * cycles)
+            Complex64::from_polar(0.25, std::f64::consts::TAU * cycles)
         };
-        let samples: Vec<_> = (0..32 * 64)
-            .map(|at| tone(at / 64, at % 64))
-            .map(|v| num_complex::Complex32::new(v.re as f32, v.im as f32))
-            .collect();
-        let map = RangeDoppler::new(&header).unwrap().channel(&samples, 0.0);
+        let samples: Vec<_> =
+            (0..32 * 64).map(|at| tone(at / 64, at % 64)).map(|v| Complex32::new(v.re as f32, v.im as f32)).collect();
+        let map = RangeDoppler::<f64>::new(&header).unwrap().channel(&samples, 0.0);
         // Single-precision samples: 6e-8 of the amplitude each.
         assert!((map[(16 - 5) * 64 + 9].norm() / (0.25 * 32.0 * 64.0) - 1.0).abs() < 1e-6, "{window:?}");
     }
@@ -114,7 +135,7 @@ fn the_cubes_of_these_tests_are_those_of_the_formula() {
     let frame = cube(&header, &[moving], 1);
     for (channel, chirp, n) in [(0, 0, 0), (5, 7, 31), (11, 15, 255), (3, 8, 128)] {
         let (amplitude, cycles) = sample_cycles(&header, &moving, [channel / 4, channel % 4], [chirp, n]);
-        let asked = num_complex::Complex64::from_polar(amplitude, std::f64::consts::TAU * cycles);
+        let asked = Complex64::from_polar(amplitude, std::f64::consts::TAU * cycles);
         let got = frame.samples[(channel * 16 + chirp) * 256 + n];
         let error = (num_complex::Complex64::new(got.re.into(), got.im.into()) - asked).norm() / amplitude;
         // Single precision 6e-8; the amplitude's change over a chirp (0.6 mm of 25 m) 5e-5.

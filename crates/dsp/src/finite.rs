@@ -1,0 +1,39 @@
+//! The first value that is no number, found at the speed of memory.
+
+use num_complex::Complex32;
+use rayon::prelude::*;
+
+/// Values that are looked at together.
+const RUN: usize = 4096;
+
+/// Index of the first value that is infinite or NaN.
+pub(crate) fn first_not_finite(values: &[Complex32]) -> Option<usize> {
+    let run = values.par_chunks(RUN).position_first(|run| !all_finite(run))?;
+    let start = run * RUN;
+    values[start..].iter().position(|v| !v.is_finite()).map(|at| start + at)
+}
+
+/// Without a branch per value: wide instructions compare exponents.
+fn all_finite(values: &[Complex32]) -> bool {
+    let beyond = |x: f32| u32::from(x.to_bits() & EXPONENT == EXPONENT);
+    values.iter().fold(0, |any, v| any | beyond(v.re) | beyond(v.im)) == 0
+}
+
+/// All ones in what is infinite or NaN (IEEE 754).
+const EXPONENT: u32 = 0x7f80_0000;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_of_several_is_found_wherever_it_is() {
+        let mut values = vec![Complex32::ONE; 3 * RUN + 7];
+        assert_eq!(first_not_finite(&values), None);
+        for at in [3 * RUN + 6, 2 * RUN, RUN - 1, 0] {
+            values[at].im = if at % 2 == 0 { f32::NAN } else { f32::NEG_INFINITY };
+            assert_eq!(first_not_finite(&values), Some(at));
+        }
+        assert_eq!(first_not_finite(&[]), None);
+    }
+}
