@@ -6,6 +6,7 @@
 
 #[path = "../../tests/common/mod.rs"]
 mod common;
+mod alarms;
 mod mmwcore_way;
 mod our_way;
 mod python_way;
@@ -28,6 +29,9 @@ pub(crate) const GUARD: u32 = 2;
 pub(crate) const CANDIDATES: usize = 1000;
 
 fn main() {
+    if std::env::args().any(|argument| argument == "alarms") {
+        return alarms::print_table();
+    }
     let mut all = Vec::new();
     for (elements, chirps, samples) in [(common::elements_3x4(), 128, 256), (common::elements_12x16(), 256, 512)] {
         let header = header(elements, chirps, samples);

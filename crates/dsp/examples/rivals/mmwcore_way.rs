@@ -35,6 +35,17 @@ fn cfar(power: &[Complex32], [_, chirps, samples]: [usize; 3]) -> usize {
     found.unwrap().magnitudes.len()
 }
 
+/// Cells of a power map that the detector finds at a factor over the mean.
+pub(crate) fn alarms_of_map(power: &[f64], [chirps, samples]: [usize; 2], factor: f32) -> impl Iterator<Item = usize> {
+    let power: Vec<Complex32> = power.iter().map(|p| Complex32::new((p / power[0].max(1e-300)) as f32, 0.0)).collect();
+    let axes = RangeDopplerAxes { frame: 0, doppler: 1, receiver: 2, range: 3 };
+    let config = Cfar2DConfig::new(TRAINING as usize, GUARD as usize, factor).unwrap();
+    let shape = [1, chirps, 1, samples];
+    let found = detect_cfar_2d_complex(&power, &shape, axes, ReceiverAggregation::Sum, config).unwrap();
+    let cells: Vec<usize> = found.indices.chunks_exact(3).map(|at| at[1] * samples + at[2]).collect();
+    cells.into_iter()
+}
+
 fn azimuths(map: &[Complex32], [channels, chirps, samples]: [usize; 3]) -> Vec<f32> {
     let positions: Vec<f32> = (0..channels).flat_map(|i| [0.5 * i as f32, 0.0, 0.0]).collect();
     let candidates: Vec<f32> =
