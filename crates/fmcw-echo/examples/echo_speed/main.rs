@@ -1,7 +1,9 @@
 //! Seconds and error of the fast sum beside the direct one: `cargo run --release -p fmcw-echo --example echo_speed -- [paths
-//! [bodies [direct]]]`, 3 × 4 elements, 128 chirps of 256 samples; the last word also times the direct sum.
+//! [bodies [direct|finufft]]]`, 3 × 4 elements, 128 chirps of 256 samples; the last word also times the direct sum, or FINUFFT's
+//! transforms of the same tones at -60 dB, where `python3` finds it.
 
-#[path = "../tests/echo/setting.rs"]
+mod finufft;
+#[path = "../../tests/echo/setting.rs"]
 mod setting;
 
 use artifact::Accuracy;
@@ -53,5 +55,8 @@ fn main() {
             (0..12 * chirps).into_par_iter().map(|r| sum.row(r / chirps, r % chirps)).collect();
         let seconds = start.elapsed().as_secs_f64();
         println!("direct: {:.1} dB, {:.1} ms", error_db(&rows.concat()), 1e3 * seconds);
+    }
+    if arguments.get(2).is_some_and(|word| word == "finufft") {
+        finufft::print_seconds(&radar, &paths);
     }
 }
