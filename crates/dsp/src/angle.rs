@@ -23,6 +23,8 @@ pub struct VirtualArray {
     elements: Vec<[DVec3; 2]>,
     /// Delay of each channel's chirps after those of the first transmitter, s.
     slot_s: Vec<f64>,
+    /// |tx|² + |rx|² of each channel, m².
+    squares_m2: Vec<f64>,
     lattices: [Lattice; 2],
     transforms: [Arc<dyn Fft<f64>>; 2],
 }
@@ -65,7 +67,8 @@ impl VirtualArray {
         });
         let mut planner = FftPlanner::new();
         let transforms = [0, 1].map(|axis: usize| planner.plan_fft_inverse(lattices[axis].cells()));
-        Self { wavelength_m, axes, elements, slot_s, lattices, transforms }
+        let squares_m2 = elements.iter().map(|[tx, rx]| tx.length_squared() + rx.length_squared()).collect();
+        Self { wavelength_m, axes, elements, slot_s, squares_m2, lattices, transforms }
     }
 
     /// Values of one cell; `velocity_mps` turns the later slots of time division back to the first.
@@ -74,13 +77,18 @@ impl VirtualArray {
         let doppler_hz = 2.0 * velocity_mps / self.wavelength_m;
         let value = |(channel, slot_s): (usize, &f64)| {
             let value = map.values[(channel * chirps + cell[0]) * samples + cell[1]];
-            let turn = Complex64::from_polar(1.0, -TAU * (doppler_hz * slot_s).fract());
-            Complex64::new(f64::from(value.re), f64::from(value.im)) * turn
+            Complex64::new(f64::from(value.re), f64::from(value.im)) * turned_back(doppler_hz * slot_s)
         };
         self.slot_s.iter().enumerate().map(value).collect()
     }
 
-    /// Direction of the strongest beam over one or more cells, their powers added.
+    /// The strongest cell of the angle FFT over one or more cells of a map, their powers added: right to half a cell of the FFT.
+    pub fn fft_direction(&self, snapshots: &[Snapshot], range_m: f64) -> Direction {
+        let found = self.coarse(snapshots, range_m);
+        Direction { right: found.x, up: self.lattices[1].has_extent().then_some(found.y) }
+    }
+
+    /// Direction of the strongest beam over one or more cells, their powers added: the FFT's, climbed.
     pub fn direction(&self, snapshots: &[Snapshot], range_m: f64) -> Direction {
         let mut found = self.coarse(snapshots, range_m);
         let mut step = [0, 1].map(|axis: usize| self.lattices[axis].step());
@@ -137,42 +145,67 @@ impl VirtualArray {
     fn coarse(&self, snapshots: &[Snapshot], range_m: f64) -> DVec2 {
         let [columns, rows] = [0, 1].map(|axis: usize| self.lattices[axis].cells());
         let mut power = vec![0.0; rows * columns];
+        let mut work = AngleFft::default();
         for snapshot in snapshots {
-            for (sum, value) in power.iter_mut().zip(self.spectrum(snapshot, range_m)) {
-                *sum += value.norm_sqr();
-            }
+            let spectrum = self.spectrum(snapshot, range_m, &mut work);
+            power.iter_mut().zip(spectrum).for_each(|(sum, value)| *sum += value.norm_sqr());
         }
         let mut best = (DVec2::ZERO, -1.0);
-        for (cell, power) in power.iter().enumerate() {
-            let at = DVec2::new(self.lattices[0].cosine(cell % columns), self.lattices[1].cosine(cell / columns));
-            if *power > best.1 && at.length_squared() <= 1.0 {
-                best = (at, *power);
+        for (row, power) in power.chunks_exact(columns).enumerate() {
+            let up = self.lattices[1].cosine(row);
+            for (column, power) in power.iter().enumerate() {
+                if *power > best.1 {
+                    let at = DVec2::new(self.lattices[0].cosine(column), up);
+                    best = if at.length_squared() <= 1.0 { (at, *power) } else { best };
+                }
             }
         }
         best.0
     }
 
     /// Angle spectrum `[up, right]` on the lattices' cells.
-    fn spectrum(&self, snapshot: &[Complex64], range_m: f64) -> Vec<Complex64> {
+    fn spectrum<'w>(&self, snapshot: &[Complex64], range_m: f64, work: &'w mut AngleFft) -> &'w [Complex64] {
         let [columns, rows] = [0, 1].map(|axis: usize| self.lattices[axis].cells());
-        let mut grid = vec![Complex64::ZERO; rows * columns];
+        let AngleFft { grid, column, scratch } = work;
+        grid.clear();
+        grid.resize(rows * columns, Complex64::ZERO);
+        let scratch_cells = self.transforms.iter().map(|t| t.get_inplace_scratch_len()).max().unwrap_or(0);
+        scratch.resize(scratch_cells, Complex64::ZERO);
+        let per_square_m2 = 1.0 / (2.0 * range_m.max(1e-3) * self.wavelength_m);
         for (channel, value) in snapshot.iter().enumerate() {
-            let [tx, rx] = self.elements[channel];
             // Curvature of the wavefront as for a target ahead; what is left at the side is climbed.
-            let curvature = (tx.length_squared() + rx.length_squared()) / (2.0 * range_m.max(1e-3) * self.wavelength_m);
-            let turn = Complex64::from_polar(1.0, -TAU * curvature.fract());
+            let cycles = self.squares_m2[channel] * per_square_m2;
+            let turn = turned_back(if cycles < FLAT { 0.0 } else { cycles });
             grid[self.lattices[1].places[channel] * columns + self.lattices[0].places[channel]] += value * turn;
         }
-        self.transforms[0].process(&mut grid);
-        let mut column = vec![Complex64::ZERO; rows];
-        for first in 0..columns {
-            (0..rows).for_each(|row| column[row] = grid[row * columns + first]);
-            self.transforms[1].process(&mut column);
-            (0..rows).for_each(|row| grid[row * columns + first] = column[row]);
+        self.transforms[0].process_with_scratch(grid, scratch);
+        if rows > 1 {
+            column.resize(rows, Complex64::ZERO);
+            for first in 0..columns {
+                (0..rows).for_each(|row| column[row] = grid[row * columns + first]);
+                self.transforms[1].process_with_scratch(column, scratch);
+                (0..rows).for_each(|row| grid[row * columns + first] = column[row]);
+            }
         }
         grid
     }
 }
+
+/// Memory of angle FFTs.
+#[derive(Default)]
+struct AngleFft {
+    grid: Vec<Complex64>,
+    column: Vec<Complex64>,
+    scratch: Vec<Complex64>,
+}
+
+/// e^{−j2π·cycles}.
+fn turned_back(cycles: f64) -> Complex64 {
+    if cycles == 0.0 { Complex64::ONE } else { Complex64::from_polar(1.0, -TAU * cycles.fract()) }
+}
+
+/// A curvature of so many cycles moves no cell of an FFT: it costs 1e-5 of the beam.
+const FLAT: f64 = 1e-3;
 
 /// |point − element| − range, without the cancellation of two lengths.
 fn excess_m(point: DVec3, element: DVec3, range_m: f64) -> f64 {

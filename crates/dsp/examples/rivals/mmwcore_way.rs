@@ -18,7 +18,7 @@ pub(crate) fn measured(header: &CubeHeader, frame: &CubeFrame) -> Vec<Measuremen
     vec![
         of("range-Doppler", quickest_s(|| maps(&frame.samples, shape))),
         of("CA-CFAR", quickest_s(|| cfar(&power, shape))),
-        of("angles of 1000 cells", quickest_s(|| azimuths(&map, shape))),
+        of("angle FFT of 1000 cells", quickest_s(|| azimuths(&map, shape))),
     ]
 }
 

@@ -29,7 +29,7 @@ bins = 1 << (4 * channels - 1).bit_length()
 rows, columns = np.divmod(np.arange(candidates), samples)
 def numpy_angles():
     return np.abs(np.fft.fft(maps[:, rows, columns], bins, axis=0)).argmax(0)
-quickest("angles of 1000 cells", f"NumPy {np.__version__}", numpy_angles)
+quickest("angle FFT of 1000 cells", f"NumPy {np.__version__}", numpy_angles)
 
 try:
     import scipy, scipy.fft, scipy.ndimage
