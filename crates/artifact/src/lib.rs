@@ -39,6 +39,7 @@ pub mod rcs;
 pub mod cube;
 pub mod rdm;
 pub mod points;
+pub mod tracks;
 pub mod dataset;
 pub mod model;
 

@@ -80,11 +80,19 @@ pub enum DspError {
     /// A crop without pixels or extent.
     #[error("a crop needs a side of 1 to 8192 pixels, positive spans and a ceiling above its floor")]
     CropFormat,
-    /// An object that no crop can be centred on.
+    /// An object that no crop can be centred on and no track can follow.
     #[error("the object's {quantity} is not finite")]
     ObjectNotFinite {
         /// Range, velocity or position.
         quantity: &'static str,
+    },
+    /// A frame that cannot follow the one before it.
+    #[error("a frame at {found_s} s cannot follow one at {last_s:?} s: tracks go forward in time")]
+    FrameTime {
+        /// Of the frame before, if there was one.
+        last_s: Option<f64>,
+        /// Of the frame.
+        found_s: f64,
     },
 }
 

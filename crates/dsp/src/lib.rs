@@ -8,6 +8,8 @@
 //!   cells that a cell-averaging CFAR tested and found ([`RdmFrame`](artifact::rdm::RdmFrame));
 //! - [`detect`]: points with range, radial velocity, azimuth, elevation and world position, and the objects that they form
 //!   ([`PointsFrame`](artifact::points::PointsFrame));
+//! - [`Tracker`]: vehicles followed over frames, with identity, velocity, box and lane
+//!   ([`TracksFrame`](artifact::tracks::TracksFrame));
 //! - [`crop()`]: 24 m × 8 m/s around an object on the map beamformed to it, 451 × 451 grey levels of fixed decibels over the
 //!   noise, which a classifier sees; [`rdm_grayscale`]: the whole map likewise;
 //! - [`power_map`], [`range_axis_m`], [`velocity_axis_mps`], [`noise_power`] for whoever draws or measures.
@@ -16,7 +18,7 @@
 //! reads a positive direction cosine. Everything wrong with an input is a [`DspError`]; nothing panics.
 //!
 //! Reading order is that of the modules: taper and transforms, noncoherent sum, threshold, detector, peaks, direction,
-//! place, clusters, points, pictures.
+//! place, clusters, points, tracks, pictures.
 //!
 //! ```
 //! use artifact::cube::{CubeFrame, CubeHeader};
@@ -85,6 +87,9 @@ pub mod angle;
 pub mod position;
 pub mod clusters;
 pub mod points;
+pub mod assignment;
+pub mod kalman;
+pub mod tracks;
 pub mod crop;
 pub mod grayscale;
 
@@ -95,3 +100,4 @@ pub use grayscale::rdm_grayscale;
 pub use noncoherent::{noise_power, power_map};
 pub use points::detect;
 pub use range_doppler::range_doppler;
+pub use tracks::{ROAD_TRAFFIC, Tracker};
