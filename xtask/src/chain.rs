@@ -233,7 +233,7 @@ impl<'a> Chain<'a> {
         let (key, stage) = (&plan.keys.dsp, Stage::Dsp);
         let compute = || dsp::range_doppler(&self.cube_header, cube).map_err(Failure::refused);
         let rdm = self.step::<Rdm>(plan, stage, key, &self.cube_header, compute)?;
-        let detect = || dsp::detect(&self.cube_header, &rdm.value).map_err(Failure::refused);
+        let detect = || dsp::detect_refined(&self.cube_header, cube, &rdm.value).map_err(Failure::refused);
         let points = self.step::<Points>(plan, stage, key, &self.points_header(), detect)?;
         Ok(Step { cached: rdm.cached && points.cached, value: (rdm.value, points.value) })
     }

@@ -113,6 +113,24 @@ pub enum Detector {
     OsCfar,
 }
 
+/// How directions are found in a cell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Angle {
+    /// One echo a cell: the strongest beam, by FFT over the array.
+    Fft,
+    /// Up to three echoes a cell, nearer than a beam, by maximum likelihood.
+    MaximumLikelihood,
+}
+
+/// Which estimates are made finer than the map's peaks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Refine {
+    /// None: peaks are placed between cells.
+    Off,
+    /// Range, velocity and direction of peaks that stand alone, by maximum likelihood on the unwindowed samples.
+    Isolated,
+}
+
 /// Signal processing of a radar cube.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DspSettings {
@@ -128,6 +146,10 @@ pub struct DspSettings {
     pub guard_cells: [u32; 2],
     /// Cells on each side beyond the guard that make the noise estimate, [doppler, range].
     pub training_cells: [u32; 2],
+    /// How directions are found.
+    pub angle: Angle,
+    /// What is estimated finer than by peaks.
+    pub refine: Refine,
     /// Height given to points where the array has no elevation rows.
     pub assumed_height_m: f64,
     /// Detections closer than this join one object, m in range.

@@ -5,7 +5,9 @@ use artifact::material::MaterialMap;
 use artifact::paths::{Amplitude, PathsFrame};
 use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization};
 use artifact::scene::{Intersection, Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
-use artifact::settings::{Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Sides, Surface, Window};
+use artifact::settings::{
+    Angle, Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Refine, Sides, Surface, Window,
+};
 use artifact::{Accuracy, Radar, Waveform};
 use bart_rcs::{Models, PathView, RcsRequest, Standpoint, rcs, rcs_frame, scattering_of_paths, trace_frame};
 use glam::DVec3;
@@ -96,6 +98,8 @@ fn dsp() -> DspSettings {
         false_alarm_rate: 1e-5,
         guard_cells: [2, 2],
         training_cells: [8, 8],
+        angle: Angle::Fft,
+        refine: Refine::Off,
         assumed_height_m: 0.75,
         cluster_range_m: 1.0,
         cluster_velocity_mps: 1.0,

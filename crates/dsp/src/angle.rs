@@ -110,15 +110,47 @@ impl VirtualArray {
 
     /// Turns that bring the echo of a point at this direction and range into phase on all channels.
     pub fn steering(&self, direction: Direction, range_m: f64) -> Vec<Complex64> {
+        let turn = |excess_m: f64| Complex64::from_polar(1.0, -TAU * (excess_m / self.wavelength_m).fract());
+        self.excess_m(direction, range_m).into_iter().map(turn).collect()
+    }
+
+    /// How much longer the way to a point and back is by each channel's elements than by the array's centre, m.
+    pub fn excess_m(&self, direction: Direction, range_m: f64) -> Vec<f64> {
         let [right, up, ahead] = self.axes;
         let (u, w) = (direction.right, direction.up.unwrap_or(0.0));
         let out_of_plane = (1.0 - u * u - w * w).max(0.0).sqrt();
         let point = range_m * (u * right + w * up + out_of_plane * ahead);
-        let turn = |[tx, rx]: &[DVec3; 2]| {
-            let excess_m = excess_m(point, *tx, range_m) + excess_m(point, *rx, range_m);
-            Complex64::from_polar(1.0, -TAU * (excess_m / self.wavelength_m).fract())
+        self.elements.iter().map(|[tx, rx]| excess_m(point, *tx, range_m) + excess_m(point, *rx, range_m)).collect()
+    }
+
+    /// Change of [`Self::excess_m`] with the direction cosines, m; 0 along axes on which the array has no extent.
+    pub fn excess_slopes_m(&self, direction: Direction, range_m: f64) -> Vec<[f64; 2]> {
+        // Central difference: the third derivative leaves 1e-12 of the slope, rounding of lengths below 1 m 1e-10.
+        let small = 1e-6;
+        let along = |right: f64, up: f64| {
+            let [more, less] = [small, -small].map(|h| {
+                let up = direction.up.map(|w| w + h * up);
+                self.excess_m(Direction { right: direction.right + h * right, up }, range_m)
+            });
+            more.into_iter().zip(less).map(|(a, b)| (a - b) / (2.0 * small)).collect::<Vec<f64>>()
         };
-        self.elements.iter().map(turn).collect()
+        let [right, up] = [(0, 1.0, 0.0), (1, 0.0, 1.0)].map(|(axis, r, u): (usize, f64, f64)| {
+            if self.lattices[axis].has_extent() { along(r, u) } else { vec![0.0; self.elements.len()] }
+        });
+        right.into_iter().zip(up).map(|(right, up)| [right, up]).collect()
+    }
+
+    /// Width of a beam in direction cosines along right and up, λ over the virtual extent; infinite without extent.
+    pub fn beams(&self) -> [f64; 2] {
+        [0, 1].map(|axis: usize| {
+            let lattice = &self.lattices[axis];
+            if lattice.has_extent() { 1.0 / (lattice.spacing * (lattice.extent + 1) as f64) } else { f64::INFINITY }
+        })
+    }
+
+    /// At the centre of the sampled sweep.
+    pub fn wavelength_m(&self) -> f64 {
+        self.wavelength_m
     }
 
     /// Unit vectors right, up and ahead of the aperture in world axes.

@@ -6,7 +6,7 @@
 //!
 //! - [`range_doppler()`]: the map of every transmit–receive pair `[channel, doppler, range]`, zero velocity at N/2, and the
 //!   cells that a cell-averaging CFAR tested and found ([`RdmFrame`](artifact::rdm::RdmFrame));
-//! - [`detect`]: points with range, radial velocity, azimuth, elevation and world position, and the objects that they form
+//! - [`detect`], or [`detect_refined`] where the samples are at hand: points with range, radial velocity, azimuth, elevation and world position, and the objects that they form
 //!   ([`PointsFrame`](artifact::points::PointsFrame));
 //! - [`Tracker`]: vehicles followed over frames, with identity, velocity, box and lane
 //!   ([`TracksFrame`](artifact::tracks::TracksFrame));
@@ -19,11 +19,12 @@
 //!
 //! Reading order is that of the modules: taper and transforms, noncoherent sum, threshold, detector, peaks, direction,
 //! place, clusters, points, tracks, pictures.
+//! refinement, place, clusters, points, pictures.
 //!
 //! ```
 //! use artifact::cube::{CubeFrame, CubeHeader};
 //! use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Waveform};
-//! use artifact::settings::{Detector, DspSettings, Lane, Noise, Window};
+//! use artifact::settings::{Angle, Detector, DspSettings, Lane, Noise, Refine, Window};
 //! use num_complex::Complex32;
 //!
 //! let waveform = Waveform { start_frequency_hz: 77e9, slope_hz_per_s: 12.5e12, sample_rate_hz: 5.12e6,
@@ -42,7 +43,7 @@
 //! };
 //! let header = CubeHeader { radar, noise: Noise::Absent, dsp: DspSettings {
 //!     range_window: Window::Hann, doppler_window: Window::Hann, detector: Detector::CaCfar, false_alarm_rate: 1e-5,
-//!     guard_cells: [2, 2], training_cells: [4, 8], assumed_height_m: 0.75,
+//!     guard_cells: [2, 2], training_cells: [4, 8], angle: Angle::Fft, refine: Refine::Off, assumed_height_m: 0.75,
 //!     cluster_range_m: 2.5, cluster_velocity_mps: 1.0, cluster_cross_m: 2.5,
 //!     lanes: vec![Lane { number: 2, centre_x_m: 5.75, width_m: 3.75 }],
 //! }};
@@ -84,6 +85,11 @@ pub mod cfar;
 pub mod interpolation;
 pub mod peaks;
 pub mod angle;
+mod normal_equations;
+pub mod point_sources;
+pub mod point_echo;
+pub mod refinement;
+pub mod cramer_rao;
 pub mod position;
 pub mod clusters;
 pub mod points;
@@ -98,6 +104,6 @@ pub use crop::{PAPER_CROP, crop};
 pub use error::{Axis, DspError};
 pub use grayscale::rdm_grayscale;
 pub use noncoherent::{noise_power, power_map};
-pub use points::detect;
+pub use points::{detect, detect_refined};
 pub use range_doppler::range_doppler;
 pub use tracks::{ROAD_TRAFFIC, Tracker};

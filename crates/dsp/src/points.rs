@@ -12,12 +12,17 @@ use crate::clusters::{Member, clusters};
 use crate::doppler_division::fold_is_certain;
 use crate::noncoherent::{noise_power, power_map};
 use crate::peaks::{Peak, PeakFinder};
+use crate::point_echo::PointEcho;
+use crate::point_sources::sources;
 use crate::position::{Place, place};
-use artifact::cube::CubeHeader;
+use crate::range_doppler::check_samples;
+use crate::refinement::{is_isolated, refined};
+use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::points::{Object, Point, PointsFrame};
 use artifact::rdm::RdmFrame;
-use artifact::settings::Window;
+use artifact::settings::{Angle, Refine, Window};
 use artifact::units::{LOWEST_DB, db_from_power};
+use num_complex::Complex32;
 use rayon::prelude::*;
 
 /// Points of a map, strongest first, and objects in the order of their strongest peaks.
@@ -25,28 +30,41 @@ use rayon::prelude::*;
 /// Knows the map and its header alone. A vehicle is one object, its points share the object's index; a detection without
 /// a detected neighbour, as noise makes them, is a point of no object. Detected cells on sidelobes are no points.
 pub fn detect(header: &CubeHeader, map: &RdmFrame) -> Result<PointsFrame, DspError> {
+    detect_in(header, map, None)
+}
+
+/// The same with the samples that the map was made of: where the settings ask for it, peaks that stand alone are refined
+/// on them ([`crate::refinement`]).
+pub fn detect_refined(header: &CubeHeader, cube: &CubeFrame, map: &RdmFrame) -> Result<PointsFrame, DspError> {
+    check_samples(header, &cube.samples)?;
+    detect_in(header, map, (header.dsp.refine == Refine::Isolated).then_some(cube.samples.as_slice()))
+}
+
+fn detect_in(header: &CubeHeader, map: &RdmFrame, samples: Option<&[Complex32]>) -> Result<PointsFrame, DspError> {
     let power = power_map(header, map)?;
     let noise = noise_power(header, map)? * header.radar.virtual_channels() as f64;
     let finder = PeakFinder::new(header)?;
     let peaks = finder.peaks(power.view(), &map.values, &map.mask, known_noise_threshold(header, noise));
-    let array = VirtualArray::new(header);
-    let sighted: Vec<Sighting> = peaks.par_iter().map(|peak| sight(header, map, &array, *peak)).collect();
+    let view = View { header, map, array: &VirtualArray::new(header), noise };
+    let mut sighted = view.sight_all(&peaks);
+    if let Some(samples) = samples {
+        refine_isolated(&view, samples, &peaks, &mut sighted);
+    }
     let groups = groups_of_peaks(header, &sighted);
-    let object_of = |peak: usize| groups.iter().position(|g| g.binary_search(&peak).is_ok()).map(|o| o as u32);
+    let object_of = |index: usize| groups.iter().position(|g| g.binary_search(&index).is_ok()).map(|o| o as u32);
     let points: Vec<Point> = finder
         .slopes(power.view(), &map.mask, &peaks)
         .par_iter()
-        .map(|([row, column], peak)| {
-            let is_peak = [peaks[*peak].row, peaks[*peak].column] == [*row, *column];
-            let centre = Peak::at_centre(*row, *column, power[(*row, *column)]);
-            let point = |sighting: &Sighting| sighting.point(noise, object_of(*peak));
-            if is_peak { point(&sighted[*peak]) } else { point(&sight(header, map, &array, centre)) }
+        .flat_map_iter(|(cell, peak)| {
+            let seen =
+                view.on_slope(&sighted, power[(cell[0], cell[1])], *cell, [peaks[*peak].row, peaks[*peak].column]);
+            seen.into_iter().map(|(sighting, index)| sighting.point(noise, object_of(index))).collect::<Vec<_>>()
         })
         .collect();
     let objects = groups.iter().enumerate().map(|(index, group)| {
         let members: Vec<&Sighting> = group.iter().map(|i| &sighted[*i]).filter(|s| s.peak.detected).collect();
         let own: Vec<&Point> = points.iter().filter(|p| p.object == Some(index as u32)).collect();
-        object(header, map, &array, &members, &own, noise)
+        view.object(&members, &own)
     });
     let objects = objects.collect();
     Ok(PointsFrame { index: map.index, time_s: map.time_s, points: strongest_first(points), objects })
@@ -72,22 +90,108 @@ fn groups_of_peaks(header: &CubeHeader, sighted: &[Sighting]) -> Vec<Vec<usize>>
     groups
 }
 
-/// A peak with what the channels say of it.
+/// An echo of a peak, or of a cell on its slope, with what the channels say of it.
+#[derive(Clone)]
 struct Sighting {
+    /// Of its own power, where the cell holds several echoes.
     peak: Peak,
     range_m: f64,
     radial_velocity_mps: f64,
     snapshot: Snapshot,
+    direction: Direction,
     place: Place,
 }
 
-fn sight(header: &CubeHeader, map: &RdmFrame, array: &VirtualArray, peak: Peak) -> Sighting {
-    let radial_velocity_mps = wrapped(header, velocity_at(header, peak.fine_row));
-    let shown_m = peak.fine_column * header.radar.waveform.range_resolution_m();
-    let range_m = (shown_m - coupling_m(header, radial_velocity_mps)).max(0.0);
-    let snapshot = array.snapshot(header, map, [peak.row, peak.column], radial_velocity_mps);
-    let direction = array.direction(std::slice::from_ref(&snapshot), range_m);
-    Sighting { peak, range_m, radial_velocity_mps, snapshot, place: place(header, array, direction, range_m) }
+/// What every step looks at; `noise` is summed over channels.
+struct View<'a> {
+    header: &'a CubeHeader,
+    map: &'a RdmFrame,
+    array: &'a VirtualArray,
+    noise: f64,
+}
+
+impl View<'_> {
+    /// Echoes of all peaks, strongest first.
+    fn sight_all(&self, peaks: &[Peak]) -> Vec<Sighting> {
+        let of_peaks: Vec<Vec<Sighting>> = peaks.par_iter().map(|peak| self.sight(*peak)).collect();
+        let mut sighted = of_peaks.concat();
+        sighted.sort_by(|a, b| b.peak.power.total_cmp(&a.peak.power));
+        sighted
+    }
+
+    /// Echoes of one cell, at least one.
+    fn sight(&self, peak: Peak) -> Vec<Sighting> {
+        let header = self.header;
+        let radial_velocity_mps = wrapped(header, velocity_at(header, peak.fine_row));
+        let shown_m = peak.fine_column * header.radar.waveform.range_resolution_m();
+        let range_m = (shown_m - coupling_m(header, radial_velocity_mps)).max(0.0);
+        let snapshot = self.array.snapshot(header, self.map, [peak.row, peak.column], radial_velocity_mps);
+        let echoes = self.directions(&snapshot, range_m).into_iter().map(|(direction, share)| Sighting {
+            peak: Peak { power: share * peak.power, ..peak },
+            range_m,
+            radial_velocity_mps,
+            snapshot: snapshot.clone(),
+            direction,
+            place: place(header, self.array, direction, range_m),
+        });
+        echoes.collect()
+    }
+
+    /// Directions of a cell's echoes and their shares of its power.
+    fn directions(&self, snapshot: &Snapshot, range_m: f64) -> Vec<(Direction, f64)> {
+        match self.header.dsp.angle {
+            Angle::Fft => vec![(self.array.direction(std::slice::from_ref(snapshot), range_m), 1.0)],
+            Angle::MaximumLikelihood => {
+                let found = sources(self.array, snapshot, range_m, self.noise / snapshot.len() as f64);
+                let total: f64 = found.iter().map(|s| s.power).sum();
+                let share = |power: f64| if total > 0.0 { power / total } else { 1.0 };
+                found.into_iter().map(|s| (s.direction, share(s.power))).collect()
+            }
+        }
+    }
+
+    /// Echoes of a detected cell, each with the peak's echo that it belongs to: its own, or the nearest across.
+    fn on_slope(
+        &self,
+        sighted: &[Sighting],
+        power: f64,
+        [row, column]: [usize; 2],
+        peak: [usize; 2],
+    ) -> Vec<(Sighting, usize)> {
+        let own = || (0..sighted.len()).filter(|i| [sighted[*i].peak.row, sighted[*i].peak.column] == peak);
+        if peak == [row, column] {
+            return own().map(|index| (sighted[index].clone(), index)).collect();
+        }
+        let across = |a: &Sighting, b: &Sighting| (a.direction.right - b.direction.right).abs();
+        let echoes = self.sight(Peak::at_centre(row, column, power)).into_iter();
+        let nearest = |s: &Sighting| own().min_by(|a, b| across(&sighted[*a], s).total_cmp(&across(&sighted[*b], s)));
+        echoes.filter_map(|echo| nearest(&echo).map(|index| (echo, index))).collect()
+    }
+}
+
+/// Puts refined estimates in the place of those of detected peaks that no other peak leaks into.
+fn refine_isolated(view: &View<'_>, samples: &[Complex32], peaks: &[Peak], sighted: &mut [Sighting]) {
+    let (header, array) = (view.header, view.array);
+    let rows = header.radar.waveform.chirps as usize;
+    let cells: Vec<[usize; 2]> = sighted.iter().map(|s| [s.peak.row, s.peak.column]).collect();
+    for sighting in sighted.iter_mut() {
+        let cell = [sighting.peak.row, sighting.peak.column];
+        let alone = cells.iter().filter(|other| **other == cell).count() == 1;
+        if !(alone && sighting.peak.detected && is_isolated(&sighting.peak, peaks, rows, view.noise)) {
+            continue;
+        }
+        let start = PointEcho {
+            range_m: sighting.range_m,
+            radial_velocity_mps: sighting.radial_velocity_mps,
+            direction: sighting.direction,
+        };
+        if let Some(point) = refined(header, array, samples, start) {
+            sighting.range_m = point.range_m;
+            sighting.radial_velocity_mps = wrapped(header, point.radial_velocity_mps);
+            sighting.direction = point.direction;
+            sighting.place = place(header, array, point.direction, point.range_m);
+        }
+    }
 }
 
 impl Sighting {
@@ -137,35 +241,48 @@ fn is_supported(header: &CubeHeader, sighted: &[Sighting], group: &[usize]) -> b
     detected.map(|peak| peak.cells).sum::<u32>() > u32::from(lone_is_noise)
 }
 
-/// The object of detected peaks, strongest first, and of the points on their slopes.
-fn object(
-    header: &CubeHeader,
-    map: &RdmFrame,
-    array: &VirtualArray,
-    peaks: &[&Sighting],
-    points: &[&Point],
-    noise: f64,
-) -> Object {
-    let strongest = peaks[0];
-    let near_strongest = |velocity_mps: f64| unwrapped(header, velocity_mps, strongest.radial_velocity_mps);
-    let weights: Vec<f64> = peaks.iter().map(|s| s.peak.power).collect();
-    let range_m = weighted_mean(peaks.iter().map(|s| s.range_m), &weights);
-    let velocity_mps = weighted_mean(peaks.iter().map(|s| near_strongest(s.radial_velocity_mps)), &weights);
-    let snapshots: Vec<Snapshot> = peaks.iter().map(|s| s.snapshot.clone()).collect();
-    let direction: Direction = array.direction(&snapshots, range_m);
-    let place = place(header, array, direction, range_m);
-    Object {
-        range_m,
-        radial_velocity_mps: wrapped(header, velocity_mps),
-        velocity_resolved: fold_is_certain(header, map, strongest.peak.row, strongest.peak.column),
-        azimuth_rad: place.azimuth_rad,
-        position_m: place.position_m.to_array(),
-        lane: header.dsp.lane_at(place.position_m.x),
-        snr_db: snr_db(strongest.peak.power, noise),
-        points: points.len() as u32,
-        range_extent_m: extent(points.iter().map(|p| p.range_m)),
-        velocity_extent_mps: extent(points.iter().map(|p| near_strongest(p.radial_velocity_mps))),
+impl View<'_> {
+    /// The object of detected peaks, strongest first, and of the points on their slopes.
+    fn object(&self, peaks: &[&Sighting], points: &[&Point]) -> Object {
+        let (header, strongest) = (self.header, peaks[0]);
+        let near_strongest = |velocity_mps: f64| unwrapped(header, velocity_mps, strongest.radial_velocity_mps);
+        let weights: Vec<f64> = peaks.iter().map(|s| s.peak.power).collect();
+        let range_m = weighted_mean(peaks.iter().map(|s| s.range_m), &weights);
+        let velocity_mps = weighted_mean(peaks.iter().map(|s| near_strongest(s.radial_velocity_mps)), &weights);
+        let place = place(header, self.array, self.direction(peaks, &weights, range_m), range_m);
+        Object {
+            range_m,
+            radial_velocity_mps: wrapped(header, velocity_mps),
+            velocity_resolved: fold_is_certain(header, self.map, strongest.peak.row, strongest.peak.column),
+            azimuth_rad: place.azimuth_rad,
+            position_m: place.position_m.to_array(),
+            lane: header.dsp.lane_at(place.position_m.x),
+            snr_db: snr_db(strongest.peak.power, self.noise),
+            points: points.len() as u32,
+            range_extent_m: extent(points.iter().map(|p| p.range_m)),
+            velocity_extent_mps: extent(points.iter().map(|p| near_strongest(p.radial_velocity_mps))),
+        }
     }
+
+    /// Of all peaks: the strongest beam of their cells, or the mean of the echoes told apart in them.
+    fn direction(&self, peaks: &[&Sighting], weights: &[f64], range_m: f64) -> Direction {
+        match (peaks, self.header.dsp.angle) {
+            ([lone], _) => lone.direction,
+            (_, Angle::Fft) => {
+                self.array.direction(&peaks.iter().map(|s| s.snapshot.clone()).collect::<Vec<_>>(), range_m)
+            }
+            (_, Angle::MaximumLikelihood) => Direction {
+                right: weighted_mean(peaks.iter().map(|s| s.direction.right), weights),
+                up: strongest_up(peaks)
+                    .map(|_| weighted_mean(peaks.iter().map(|s| s.direction.up.unwrap_or(0.0)), weights)),
+            },
+        }
+    }
+}
+
+/// The strongest echo's elevation, if the array measures any.
+fn strongest_up(peaks: &[&Sighting]) -> Option<f64> {
+    peaks.first().and_then(|s| s.direction.up)
 }
 
 fn weighted_mean(values: impl Iterator<Item = f64>, weights: &[f64]) -> f64 {

@@ -185,7 +185,7 @@ impl<T: Precision> RangeDoppler<T> {
     }
 }
 
-fn check_samples(header: &CubeHeader, samples: &[Complex32]) -> Result<(), DspError> {
+pub(crate) fn check_samples(header: &CubeHeader, samples: &[Complex32]) -> Result<(), DspError> {
     let [channels, chirps, length] = header.shape();
     let expected = channels * chirps * length;
     if samples.len() != expected {

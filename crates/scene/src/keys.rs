@@ -76,6 +76,8 @@ pub(crate) const DSP: Table = Table {
         "false_alarm_rate",
         "guard_cells",
         "training_cells",
+        "angle",
+        "refine",
         "assumed_height_m",
         "cluster_range_m",
         "cluster_velocity_mps",

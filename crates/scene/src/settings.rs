@@ -8,7 +8,7 @@ use artifact::paths::MAX_ORDER;
 use artifact::radar::Waveform;
 use artifact::scene::Intersection;
 use artifact::settings::{
-    Detector, DspSettings, EchoMode, Edges, Fidelity, Lane, NodeRule, Noise, Sides, Surface, Window,
+    Angle, Detector, DspSettings, EchoMode, Edges, Fidelity, Lane, NodeRule, Noise, Refine, Sides, Surface, Window,
 };
 
 /// The receiver's noise; absent without `[noise]`.
@@ -58,6 +58,10 @@ pub(crate) fn read_dsp(root: &Section<'_>, waveform: &Waveform, lanes: Vec<Lane>
         false_alarm_rate: section.number("false_alarm_rate", Allowed::Inside(0.0, 1.0)).unwrap_or(1e-5),
         guard_cells,
         training_cells,
+        angle: section
+            .word("angle", &[("fft", Angle::Fft), ("max-likelihood", Angle::MaximumLikelihood)])
+            .unwrap_or(Angle::Fft),
+        refine: section.word("refine", &[("off", Refine::Off), ("on", Refine::Isolated)]).unwrap_or(Refine::Off),
         assumed_height_m: section.number("assumed_height_m", Allowed::Between(-100.0, 100.0)).unwrap_or(0.75),
         // Gaps between the glints of one long vehicle, against the gap that drivers keep (docs/scenes.md).
         cluster_range_m: section.number("cluster_range_m", distance).unwrap_or(2.5),

@@ -25,8 +25,9 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     let cloud_header = PointsHeader { cube: Some(header.clone()), targets: vec![] };
     let mut clouds = Writer::<Points>::create(&place("points"), &from, &cloud_header)?;
     for cube in reader {
-        let rdm = dsp::range_doppler(&header, &cube?).map_err(|e| refused(&arguments.cube, &e))?;
-        let points = dsp::detect(&header, &rdm).map_err(|e| refused(&arguments.cube, &e))?;
+        let cube = cube?;
+        let rdm = dsp::range_doppler(&header, &cube).map_err(|e| refused(&arguments.cube, &e))?;
+        let points = dsp::detect_refined(&header, &cube, &rdm).map_err(|e| refused(&arguments.cube, &e))?;
         output::line(format!(
             "frame {}: {} cells above the threshold, {} points, {} objects",
             rdm.index,

@@ -4,7 +4,9 @@ use artifact::Accuracy;
 use artifact::material::MaterialMap;
 use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Waveform};
 use artifact::scene::{Intersection, Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
-use artifact::settings::{Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Sides, Surface, Window};
+use artifact::settings::{
+    Angle, Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Refine, Sides, Surface, Window,
+};
 
 const RADAR_M: [f64; 3] = [0.0, 0.0, 6.0];
 
@@ -71,6 +73,8 @@ fn dsp() -> DspSettings {
         false_alarm_rate: 1e-6,
         guard_cells: [2, 2],
         training_cells: [8, 8],
+        angle: Angle::Fft,
+        refine: Refine::Off,
         assumed_height_m: 0.5,
         cluster_range_m: 1.0,
         cluster_velocity_mps: 1.0,

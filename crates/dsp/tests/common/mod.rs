@@ -6,7 +6,7 @@ use artifact::ErrorBudget;
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Waveform};
 use artifact::seed::key;
-use artifact::settings::{Detector, DspSettings, Lane, Noise, Window};
+use artifact::settings::{Angle, Detector, DspSettings, Lane, Noise, Refine, Window};
 use artifact::units::{BOLTZMANN_J_PER_K, SPEED_OF_LIGHT_MPS, power_from_db};
 use num_complex::{Complex32, Complex64};
 use rand::{Rng, SeedableRng};
@@ -108,6 +108,8 @@ pub fn settings() -> DspSettings {
         false_alarm_rate: 1e-5,
         guard_cells: [2, 2],
         training_cells: [4, 8],
+        angle: Angle::Fft,
+        refine: Refine::Off,
         assumed_height_m: 0.75,
         cluster_range_m: 2.5,
         cluster_velocity_mps: 1.0,

@@ -4,7 +4,7 @@
 use artifact::cube::CubeHeader;
 use artifact::paths::{Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
 use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Waveform};
-use artifact::settings::{Detector, DspSettings, Noise, Window};
+use artifact::settings::{Angle, Detector, DspSettings, Noise, Refine, Window};
 use artifact::units::{power_from_db, watts_from_dbm};
 use artifact::{Accuracy, ErrorBudget, ModelError};
 use num_complex::{Complex32, Complex64};
@@ -100,6 +100,8 @@ pub fn header(radar: Radar, noise: Noise) -> CubeHeader {
             false_alarm_rate: 1e-5,
             guard_cells: [2, 2],
             training_cells: [6, 10],
+            angle: Angle::Fft,
+            refine: Refine::Off,
             assumed_height_m: 0.75,
             cluster_range_m: 2.0,
             cluster_velocity_mps: 1.0,

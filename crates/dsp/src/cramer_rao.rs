@@ -1,0 +1,65 @@
+//! Cramér–Rao bound of a lone point echo: the smallest standard error that any unbiased estimate can have.
+//!
+//! A tone of unknown amplitude and phase over N regular samples has var(cycles per sample) ≥ 6/(4π²·γ·N(N² − 1)), γ the
+//! power ratio of one sample (Rife and Boorstyn, IEEE Trans. IT 20 (1974) 591, eq. 16; Kay, Fundamentals of Statistical Signal Processing
+//! (1993), example 3.14). Over samples × chirps × elements the phase is a sum of one term for each axis, whose moments
+//! about their means do not mix, so the bounds of the three axes hold side by side, each with the signal-to-noise ratio of
+//! all values together. `docs/physics.md` §8 counts it per cell of one channel: γ·N_s·N_c.
+
+use artifact::cube::CubeHeader;
+
+/// Least standard errors.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bound {
+    /// In the frame's middle, with the velocity's share through the coupling.
+    pub range_m: f64,
+    /// Radial.
+    pub velocity_mps: f64,
+    /// Direction cosines along right and up; infinite where the array has no extent.
+    pub cosines: [f64; 2],
+}
+
+/// Bound at a power ratio of signal to noise per cell of one channel's unwindowed map, for simultaneous transmitters.
+pub fn cramer_rao(header: &CubeHeader, snr_per_cell: f64) -> Bound {
+    let (radar, waveform) = (&header.radar, &header.radar.waveform);
+    let snr = snr_per_cell * radar.virtual_channels() as f64;
+    let cells = |count: u32| {
+        let squared = f64::from(count).powi(2);
+        (6.0 * squared / ((squared - 1.0) * snr)).sqrt() / std::f64::consts::TAU
+    };
+    let velocity_mps = radar.velocity_resolution_mps() * cells(waveform.chirps);
+    let shown_m = waveform.range_resolution_m() * cells(waveform.samples);
+    let coupled_m = velocity_mps * waveform.centre_frequency_hz() / waveform.slope_hz_per_s;
+    Bound { range_m: shown_m.hypot(coupled_m), velocity_mps, cosines: cosines(header, snr) }
+}
+
+/// Inverse of 2·SNR·(2π/λ)²·M₂, M₂ the 2 × 2 central second moments of the virtual elements (Kay (1993), example 3.15, for any array).
+fn cosines(header: &CubeHeader, snr: f64) -> [f64; 2] {
+    let array = &header.radar.array;
+    let places: Vec<[f64; 2]> = (array.tx_half_wavelengths.iter())
+        .flat_map(|t| {
+            array.rx_half_wavelengths.iter().map(move |r| [0, 1].map(|axis: usize| 0.5 * (t[axis] + r[axis])))
+        })
+        .collect();
+    let count = places.len() as f64;
+    let mean = [0, 1].map(|axis: usize| places.iter().map(|p| p[axis]).sum::<f64>() / count);
+    let moment = |a: usize, b: usize| places.iter().map(|p| (p[a] - mean[a]) * (p[b] - mean[b])).sum::<f64>() / count;
+    let [along, across, mixed] = [moment(0, 0), moment(1, 1), moment(0, 1)];
+    let information = 2.0 * snr * std::f64::consts::TAU.powi(2);
+    let left = |own: f64, other: f64| if other > 0.0 { own - mixed * mixed / other } else { own };
+    [left(along, across), left(across, along)].map(|moment| (information * moment.max(0.0)).sqrt().recip())
+}
+
+#[cfg(test)]
+mod tests {
+    /// 12 half-wavelength elements: var(u) = 6/(π²·SNR·M(M² − 1)), SNR per element (Kay (1993), eq. 3.43 at broadside).
+    #[test]
+    fn a_filled_rows_bound_is_the_textbooks() {
+        let elements: Vec<f64> = (0..12).map(|i| 0.5 * f64::from(i)).collect();
+        let mean = elements.iter().sum::<f64>() / 12.0;
+        let moment = elements.iter().map(|p| (p - mean).powi(2)).sum::<f64>() / 12.0;
+        let ours = (2.0 * 12.0 * 100.0 * std::f64::consts::TAU.powi(2) * moment).recip();
+        let textbook = 6.0 / (std::f64::consts::PI.powi(2) * 100.0 * 12.0 * 143.0);
+        assert!((ours / textbook - 1.0).abs() < 1e-12, "{ours} against {textbook}");
+    }
+}

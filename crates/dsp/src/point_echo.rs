@@ -1,0 +1,125 @@
+//! Phase of a lone point's echo in every sample, and a cube's samples with it taken out, summed over blocks.
+//!
+//! cycles = f₀τ + μtτ − ½μτ², cτ = 2R(T) + what the channel's elements are nearer or farther than the array's centre
+//! (`docs/interface.md`; the point's place in the frame's middle decides that part). R(T) is linear, so a chirp's phase is
+//! a parabola in t exactly.
+
+use crate::angle::{Direction, VirtualArray};
+use crate::doppler_division::source_of;
+use artifact::cube::CubeHeader;
+use artifact::units::SPEED_OF_LIGHT_MPS;
+use num_complex::{Complex32, Complex64};
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// Where a point is in the frame's middle, and how fast it recedes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointEcho {
+    /// From the array's centre.
+    pub range_m: f64,
+    /// Not folded.
+    pub radial_velocity_mps: f64,
+    /// Seen from the array.
+    pub direction: Direction,
+}
+
+/// Sum over some samples of some chirps of one channel.
+#[derive(Debug, Clone, Copy)]
+pub struct Block {
+    /// Σ sample · e^{−j·phase of the point}.
+    pub sum: Complex64,
+    /// Samples in it.
+    pub weight: f64,
+    /// Channel.
+    pub channel: usize,
+    /// Mean time into the sampled sweep.
+    pub sweep_s: f64,
+    /// Mean time from the frame's middle.
+    pub frame_s: f64,
+}
+
+/// Blocks along each axis: a point half a cell beside the phase taken out turns by 1/32 cycle within a block, which takes
+/// 1.6e-3 of its amplitude.
+const BLOCKS: usize = 16;
+
+/// Blocks of all channels, the point's phase taken out, in order of channel, chirp and sample.
+pub fn blocks(header: &CubeHeader, array: &VirtualArray, samples: &[Complex32], point: &PointEcho) -> Vec<Block> {
+    let excess_m = array.excess_m(point.direction, point.range_m);
+    let channels = 0..header.radar.virtual_channels();
+    let of_channels: Vec<Vec<Block>> =
+        channels.into_par_iter().map(|c| blocks_of_channel(header, samples, point, c, excess_m[c])).collect();
+    of_channels.concat()
+}
+
+fn blocks_of_channel(
+    header: &CubeHeader,
+    samples: &[Complex32],
+    point: &PointEcho,
+    channel: usize,
+    excess_m: f64,
+) -> Vec<Block> {
+    let [_, chirps, length] = header.shape();
+    let (source, turn_cycles) = source_of(header, channel);
+    let own = &samples[source * chirps * length..][..chirps * length];
+    let [rows, columns] = [chirps.div_ceil(BLOCKS), length.div_ceil(BLOCKS)];
+    let transmitter = channel / header.radar.array.rx_m.len();
+    let row_blocks = (0..chirps).step_by(rows).map(|first| first..(first + rows).min(chirps));
+    row_blocks
+        .flat_map(|chirps| {
+            let mut sums = vec![Complex64::ZERO; length.div_ceil(columns)];
+            let mut frame_s = 0.0;
+            for chirp in chirps.clone() {
+                let start_s = header.radar.chirp_start_s(transmitter, chirp) - header.radar.frame_middle_s();
+                let phase = ChirpPhase::new(header, point, excess_m, start_s, turn_cycles * chirp as f64);
+                frame_s += start_s / chirps.len() as f64;
+                add_chirp(&own[chirp * length..][..length], columns, &phase, &mut sums);
+            }
+            let rate_hz = header.radar.waveform.sample_rate_hz;
+            sums.into_iter().enumerate().map(move |(index, sum)| {
+                let width = columns.min(length - index * columns);
+                let sweep_s = (index as f64 * columns as f64 + 0.5 * (width - 1) as f64) / rate_hz;
+                let weight = (width * chirps.len()) as f64;
+                Block { sum, weight, channel, sweep_s, frame_s: frame_s + sweep_s }
+            })
+        })
+        .collect()
+}
+
+fn add_chirp(row: &[Complex32], columns: usize, phase: &ChirpPhase, sums: &mut [Complex64]) {
+    let (mut turn, mut step, step_of_step) = phase.turns();
+    for (values, sum) in row.chunks(columns).zip(sums) {
+        for value in values {
+            *sum += Complex64::new(f64::from(value.re), f64::from(value.im)) * turn;
+            turn *= step;
+            step *= step_of_step;
+        }
+    }
+}
+
+/// Cycles of one chirp's samples: a parabola in the sample's number.
+struct ChirpPhase {
+    start: f64,
+    slope: f64,
+    bend: f64,
+}
+
+impl ChirpPhase {
+    fn new(header: &CubeHeader, point: &PointEcho, excess_m: f64, start_s: f64, turn_cycles: f64) -> Self {
+        let waveform = &header.radar.waveform;
+        let (f0, mu) = (waveform.start_frequency_hz, waveform.slope_hz_per_s);
+        let tau_s = (2.0 * (point.range_m + point.radial_velocity_mps * start_s) + excess_m) / SPEED_OF_LIGHT_MPS;
+        let rate = 2.0 * point.radial_velocity_mps / SPEED_OF_LIGHT_MPS;
+        let sample_s = 1.0 / waveform.sample_rate_hz;
+        Self {
+            start: f0 * tau_s - 0.5 * mu * tau_s * tau_s + turn_cycles,
+            slope: (f0 * rate + mu * tau_s * (1.0 - rate)) * sample_s,
+            bend: mu * rate * (1.0 - 0.5 * rate) * sample_s * sample_s,
+        }
+    }
+
+    /// e^{−j·phase} of the first sample, its first step, and the step of the step.
+    fn turns(&self) -> (Complex64, Complex64, Complex64) {
+        let turn = |cycles: f64| Complex64::from_polar(1.0, -TAU * cycles.fract());
+        (turn(self.start), turn(self.slope + self.bend), turn(2.0 * self.bend))
+    }
+}
