@@ -96,6 +96,7 @@ pub mod points;
 pub mod assignment;
 pub mod kalman;
 pub mod tracks;
+pub mod velocity_folds;
 pub mod crop;
 pub mod grayscale;
 
