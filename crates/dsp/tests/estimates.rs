@@ -209,5 +209,9 @@ A point in radial motion, place and speed drawn at random (20–45 m, ±17°, ±
 the truth in range and velocity; others (missed or beaten by noise) are left out of the errors. Maps are small (64 × 32 and 32 × 16 cells): the bound counts
 cells, so the size matters only through N² − 1.
 
+What the tables say: refined estimates stay within 0.25 dB of the bound from 5 to 10 dB per cell up, where detection begins to be certain; peaks stay 8 dB (range, velocity: Hann
+costs 3.5 dB, three cells hold only part of the rest) and 4.5 dB (direction) above it. Beside a second echo the gain is lost below 12 cells, where refining is refused. From 12 cells
+on it is allowed, and the range is then off by the other's leakage where both lie in the same direction: the rule counts the leakage of a cell, and the array adds it in phase. That is a limit of the rule, not of the estimate.
+
 `cargo test --release -p dsp --test estimates -- --ignored --nocapture study` writes this page.
 ";
