@@ -5,7 +5,7 @@ use artifact::material::MaterialMap;
 use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Waveform};
 use artifact::scene::{Intersection, Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
-    Angle, Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Refine, Sides, Surface, Window,
+    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Refine, Sides, Surface, Window,
 };
 
 const RADAR_M: [f64; 3] = [0.0, 0.0, 6.0];
@@ -92,5 +92,6 @@ fn fidelity() -> Fidelity {
         sides: Sides::Two,
         nodes: NodeRule::Middle,
         echo: EchoMode::Paths,
+        detail: Detail::Paths,
     }
 }
