@@ -123,6 +123,7 @@ pub(crate) fn cube_header(header: &SceneHeader) -> CubeHeader {
 mod tests {
     use super::*;
     use artifact::material::{Backing, Layer, Makeup, Material, MaterialMap, Road, Thickness, Transmission};
+    use artifact::radar::Schedule;
     use artifact::scene::{Mesh, TargetKind};
     use num_complex::Complex64;
     use serde_json::Value;
@@ -150,6 +151,7 @@ mod tests {
         header.materials = MaterialMap { by_name, transmission: Transmission::Ignored };
         header.road = Some(Road { material: asphalt, rms_height_m: 1e-3 });
         header.noise = Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 };
+        header.radar.schedule = Schedule { sub_frame_intervals_s: vec![60e-6, 85e-6], stagger_s: vec![0.0, 1e-6] };
         header.targets.truncate(2);
         header.targets[1].kind = TargetKind::Point { rcs_m2: 1.0 };
         header

@@ -36,7 +36,7 @@ pub(crate) struct FrameFigures {
 
 /// Draws one frame.
 pub(crate) fn figures(chain: &Chain, frame: &FrameProducts) -> Result<FrameFigures, Failure> {
-    let (header, points) = (&chain.cube_header, &frame.result.points);
+    let (header, points) = (&chain.cube_header.in_frame(frame.rdm.index), &frame.result.points);
     Ok(FrameFigures {
         plan: plan_view::of_frame(chain.header, &frame.result),
         rdm: rdm::draw(header, &frame.rdm, points)?,
@@ -61,7 +61,7 @@ pub(crate) fn write_frame(
 
 /// Map and points of one frame: what can be drawn without truth.
 pub(crate) fn of_map(header: &CubeHeader, rdm: &RdmFrame, points: &PointsFrame, folder: &Path) -> Result<(), Failure> {
-    let number = rdm.index;
+    let (header, number) = (&header.in_frame(rdm.index), rdm.index);
     write_png(&folder.join(format!("rdm-{number:04}.png")), &rdm::draw(header, rdm, points)?)?;
     write_png(&folder.join(format!("points-{number:04}.png")), &points::draw(header, points))?;
     rdm_exr(header, rdm, &folder.join(format!("rdm-{number:04}.exr")))

@@ -102,7 +102,8 @@ impl ScatteringWriter {
 
 fn join_truth(chain: &Chain, frame: &mut FrameProducts) {
     let result = &mut frame.result;
-    let truths = truth::truths(chain.header, &result.scene, result.paths.as_ref());
+    let header = chain.header.in_frame(result.scene.index);
+    let truths = truth::truths(&header, &result.scene, result.paths.as_ref());
     let chosen = truth::assign(&truths, &result.points.objects);
     for point in &mut result.points.points {
         let target = chosen.iter().position(|c| c.is_some() && c.map(|o| o as u32) == point.object);

@@ -52,6 +52,7 @@ fn radar(header: &SceneHeader) -> Value {
 
 /// One frame with its targets, truth beside estimate.
 pub(crate) fn frame(header: &SceneHeader, result: &FrameResult) -> Value {
+    let header = &header.in_frame(result.scene.index);
     let truths = truths(header, &result.scene, result.paths.as_ref());
     let chosen = assign(&truths, &result.points.objects);
     let objects = || chosen.iter().map(|c| c.map(|o| &result.points.objects[o]));

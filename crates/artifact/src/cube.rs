@@ -41,6 +41,11 @@ pub struct CubeFrame {
 }
 
 impl CubeHeader {
+    /// The header of frame record `index` alone: its sub-frame's radar ([`Radar::in_frame`]).
+    pub fn in_frame(&self, index: u32) -> Self {
+        Self { radar: self.radar.in_frame(index), ..self.clone() }
+    }
+
     /// `[channel, chirp, sample]` of every frame.
     pub fn shape(&self) -> [usize; 3] {
         [self.radar.cube_channels(), self.radar.waveform.chirps as usize, self.radar.waveform.samples as usize]

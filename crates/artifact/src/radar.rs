@@ -14,6 +14,8 @@ pub struct Radar {
     pub boresight_el_rad: f64,
     /// What is sent.
     pub waveform: Waveform,
+    /// When it is sent, where not at one interval.
+    pub schedule: Schedule,
     /// What it is sent and received with.
     pub array: Array,
     /// Power and gain.
@@ -31,7 +33,7 @@ pub struct Waveform {
     pub sample_rate_hz: f64,
     /// N_s: samples of a chirp.
     pub samples: u32,
-    /// T_c: from one chirp of any transmitter to the next.
+    /// T_c: from one chirp of any transmitter to the next; of several intervals their mean ([`Schedule`]).
     pub chirp_interval_s: f64,
     /// N_c: chirps that each transmitter sends in a frame.
     pub chirps: u32,
@@ -61,6 +63,28 @@ impl Waveform {
     /// Range at which the complex beat frequency reaches f_s and folds: c·f_s/2|μ|.
     pub fn range_max_m(&self) -> f64 {
         SPEED_OF_LIGHT_MPS * self.sample_rate_hz / (2.0 * self.slope_hz_per_s.abs())
+    }
+}
+
+/// Starts of chirps that do not follow each other at one interval; by default they do.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Schedule {
+    /// T_c of each sub-frame, which follow each other without a pause; each is a frame record of its own ([`Radar::in_frame`]).
+    /// Empty: there is one, of the waveform's T_c.
+    pub sub_frame_intervals_s: Vec<f64>,
+    /// By how much chirp k of any transmitter starts later than k·T_c, s: k modulo their number, the first is 0. Empty: none does.
+    pub stagger_s: Vec<f64>,
+}
+
+impl Schedule {
+    /// Sub-frames of a cycle, at least one.
+    pub fn sub_frames(&self) -> u32 {
+        self.sub_frame_intervals_s.len().max(1) as u32
+    }
+
+    /// Whether all intervals of a frame are equal.
+    pub fn is_uniform(&self) -> bool {
+        self.stagger_s.iter().all(|later_s| *later_s == 0.0)
     }
 }
 
@@ -180,20 +204,50 @@ impl Radar {
 
     /// Start of chirp `chirp` of transmitter `tx`, from the frame's first sample, s.
     pub fn chirp_start_s(&self, tx: usize, chirp: usize) -> f64 {
-        let slot = match self.array.multiplexing {
+        self.slot_start_s(match self.array.multiplexing {
             Multiplexing::Tdm => chirp * self.array.tx_m.len() + tx,
             Multiplexing::Simultaneous | Multiplexing::Ddm => chirp,
-        };
-        slot as f64 * self.waveform.chirp_interval_s
+        })
     }
 
-    /// From the frame's first sample to the end of its last chirp, s.
+    /// From the frame's first sample to the end of its last chirp and its idle time, s.
     pub fn frame_duration_s(&self) -> f64 {
-        self.repetition_interval_s() * f64::from(self.waveform.chirps)
+        let chirps = self.waveform.chirps as usize;
+        self.slot_start_s(match self.array.multiplexing {
+            Multiplexing::Tdm => chirps * self.array.tx_m.len(),
+            Multiplexing::Simultaneous | Multiplexing::Ddm => chirps,
+        })
     }
 
     /// The moment, from the frame's first sample, that truth and frozen paths refer to, s.
     pub fn frame_middle_s(&self) -> f64 {
         0.5 * self.frame_duration_s()
+    }
+
+    /// The radar as it is in frame record `index`: its sub-frame's chirp interval, and no sub-frames beside it.
+    pub fn in_frame(&self, index: u32) -> Self {
+        let mut radar = self.clone();
+        let intervals_s = std::mem::take(&mut radar.schedule.sub_frame_intervals_s);
+        if let Some(interval_s) = intervals_s.get((index % self.schedule.sub_frames()) as usize) {
+            radar.waveform.chirp_interval_s = *interval_s;
+        }
+        radar
+    }
+
+    /// From the first sample of a cycle's first sub-frame to that of record `index`, s.
+    pub fn sub_frame_start_s(&self, index: u32) -> f64 {
+        (0..index % self.schedule.sub_frames()).map(|earlier| self.in_frame(earlier).frame_duration_s()).sum()
+    }
+
+    /// From the first sample of a cycle's first sub-frame to the end of its last, s.
+    pub fn cycle_duration_s(&self) -> f64 {
+        (0..self.schedule.sub_frames()).map(|index| self.in_frame(index).frame_duration_s()).sum()
+    }
+
+    /// Start of the chirp that any transmitter sends as number `slot`, s.
+    fn slot_start_s(&self, slot: usize) -> f64 {
+        let stagger_s = &self.schedule.stagger_s;
+        let later_s = if stagger_s.is_empty() { 0.0 } else { stagger_s[slot % stagger_s.len()] };
+        slot as f64 * self.waveform.chirp_interval_s + later_s
     }
 }

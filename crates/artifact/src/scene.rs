@@ -5,6 +5,7 @@ use crate::material::{Makeup, MaterialMap, Road};
 use crate::radar::Radar;
 use crate::settings::{Class, DspSettings, Fidelity, Noise};
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// The `.scene` artifact.
 pub struct Scene;
@@ -23,9 +24,9 @@ pub struct SceneHeader {
     pub name: String,
     /// Noise and everything random.
     pub seed: u64,
-    /// Number of radar frames.
+    /// Number of frame records: of radar frames, or of their sub-frames.
     pub frames: u32,
-    /// From one frame's first sample to the next's.
+    /// From one radar frame's first sample to the next's.
     pub frame_interval_s: f64,
     /// The radar.
     pub radar: Radar,
@@ -45,6 +46,22 @@ pub struct SceneHeader {
     pub meshes: Vec<Mesh>,
     /// What may be seen, in the order of [`SceneFrame::poses`].
     pub targets: Vec<Target>,
+}
+
+impl SceneHeader {
+    /// First sample of frame record `index`, from that of the first.
+    pub fn frame_time_s(&self, index: u32) -> f64 {
+        let cycle = index / self.radar.schedule.sub_frames();
+        f64::from(cycle) * self.frame_interval_s + self.radar.sub_frame_start_s(index)
+    }
+
+    /// The scene of frame record `index` alone: its sub-frame's radar ([`Radar::in_frame`]).
+    pub fn in_frame(&self, index: u32) -> Cow<'_, Self> {
+        if self.radar.schedule.sub_frames() == 1 {
+            return Cow::Borrowed(self);
+        }
+        Cow::Owned(Self { radar: self.radar.in_frame(index), ..self.clone() })
+    }
 }
 
 /// The road of Table 1 (lanes are in [`DspSettings::lanes`]).

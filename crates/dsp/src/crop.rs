@@ -29,6 +29,7 @@ const LARGEST_SIDE: u32 = 8192;
 pub fn crop(header: &CubeHeader, map: &RdmFrame, object: &Object, format: &CropFormat) -> Result<Crop, DspError> {
     check_format(format)?;
     check_object(object)?;
+    let header = &header.in_frame(map.index);
     let noise = noise_power(header, map)?;
     let centre_mps = object.radial_velocity_mps;
     let columns = pixel_centres(object.range_m + coupling_m(header, centre_mps), format.range_span_m, format.side)

@@ -58,6 +58,9 @@ pub enum DspError {
         /// As found.
         value: f64,
     },
+    /// Chirps at changing intervals, transmitters told apart by their turn from chirp to chirp.
+    #[error("staggered chirps and Doppler division exclude one another: a band is no velocity then")]
+    StaggeredDivision,
     /// A false-alarm rate outside (0, 1).
     #[error("false_alarm_rate must lie between 0 and 1, is {0}")]
     FalseAlarmRate(f64),

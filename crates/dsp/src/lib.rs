@@ -73,6 +73,7 @@ mod error;
 pub mod axes;
 pub mod window;
 mod finite;
+mod doppler_transform;
 pub mod range_doppler;
 mod doppler_division;
 pub mod noncoherent;

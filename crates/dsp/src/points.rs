@@ -41,6 +41,7 @@ pub fn detect_refined(header: &CubeHeader, cube: &CubeFrame, map: &RdmFrame) -> 
 }
 
 fn detect_in(header: &CubeHeader, map: &RdmFrame, samples: Option<&[Complex32]>) -> Result<PointsFrame, DspError> {
+    let header = &header.in_frame(map.index);
     let power = power_map(header, map)?;
     let noise = noise_power(header, map)? * header.radar.virtual_channels() as f64;
     let finder = PeakFinder::new(header)?;

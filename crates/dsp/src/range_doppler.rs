@@ -7,6 +7,7 @@
 
 use crate::axes::checked_shape;
 use crate::cfar::{self, Cfar};
+use crate::doppler_transform::DopplerTransform;
 use crate::finite::first_not_finite;
 use crate::noncoherent::{FLOOR_BELOW_PEAK_DB, sum_over_channels};
 use crate::window::taper;
@@ -26,6 +27,7 @@ use std::sync::Arc;
 
 /// The map of one frame, with the cells that the header's detector tested and those it found.
 pub fn range_doppler(header: &CubeHeader, frame: &CubeFrame) -> Result<RdmFrame, DspError> {
+    let header = &header.in_frame(frame.index);
     let transform = RangeDoppler::<f32>::new(header)?;
     let detector = Cfar::new(header)?;
     let values = all_channels(header, &transform, &frame.samples)?;
@@ -54,7 +56,7 @@ pub struct RangeDoppler<T = f32> {
     range_taper: Vec<T>,
     doppler_taper: Vec<f64>,
     range_fft: Arc<dyn Fft<T>>,
-    doppler_fft: Arc<dyn Fft<T>>,
+    doppler: DopplerTransform<T>,
 }
 
 /// Memory of one channel's transforms, used again from channel to channel.
@@ -110,7 +112,7 @@ impl<T: Precision> RangeDoppler<T> {
             range_taper: taper(header.dsp.range_window, samples)?.into_iter().map(T::of).collect(),
             doppler_taper: taper(header.dsp.doppler_window, chirps)?,
             range_fft: planner.plan_fft_forward(samples),
-            doppler_fft: planner.plan_fft_forward(chirps),
+            doppler: DopplerTransform::new(&header.radar, &mut planner)?,
         })
     }
 
@@ -118,27 +120,32 @@ impl<T: Precision> RangeDoppler<T> {
     ///
     /// `turn_cycles` is taken out per chirp first: the offset of a transmitter under Doppler division.
     pub fn channel(&self, samples: &[Complex32], turn_cycles: f64) -> Vec<Complex<T>> {
+        self.channel_of(0, samples, turn_cycles)
+    }
+
+    /// The same of a channel of any transmitter: staggered chirps of another than the first may differ.
+    pub fn channel_of(&self, transmitter: usize, samples: &[Complex32], turn_cycles: f64) -> Vec<Complex<T>> {
         let mut map = vec![Complex::zero(); self.cells()];
         let mut work = Workspace { spectra: Vec::new(), columns: Vec::new(), scratch: Vec::new() };
-        self.fill(samples, turn_cycles, &mut work, &mut map);
+        self.fill(transmitter, (samples, turn_cycles), &mut work, &mut map);
         map
     }
 
     /// The same into a map that is there.
     pub(crate) fn fill(
         &self,
-        samples: &[Complex32],
-        turn_cycles: f64,
+        transmitter: usize,
+        (samples, turn_cycles): (&[Complex32], f64),
         work: &mut Workspace<T>,
         map: &mut [Complex<T>],
     ) {
-        let scratch = self.range_fft.get_inplace_scratch_len().max(self.doppler_fft.get_inplace_scratch_len());
+        let scratch = self.range_fft.get_inplace_scratch_len().max(self.doppler.scratch_len());
         work.scratch.resize(scratch, Complex::zero());
         work.spectra.resize(self.cells(), Complex::zero());
         work.columns.resize(COLUMNS * self.chirps, Complex::zero());
         self.range_spectra(samples, turn_cycles, work);
         for first in (0..self.samples).step_by(COLUMNS) {
-            self.doppler_columns(first..self.samples.min(first + COLUMNS), work, map);
+            self.doppler_columns(transmitter, first..self.samples.min(first + COLUMNS), work, map);
         }
     }
 
@@ -170,13 +177,19 @@ impl<T: Precision> RangeDoppler<T> {
         values.for_each(|((tapered, x), w)| *tapered = weight * (x * *w));
     }
 
-    fn doppler_columns(&self, ranges: Range<usize>, work: &mut Workspace<T>, map: &mut [Complex<T>]) {
+    fn doppler_columns(
+        &self,
+        transmitter: usize,
+        ranges: Range<usize>,
+        work: &mut Workspace<T>,
+        map: &mut [Complex<T>],
+    ) {
         let columns = &mut work.columns[..ranges.len() * self.chirps];
         for (chirp, row) in work.spectra.chunks_exact(self.samples).enumerate() {
             let column = columns[chirp..].iter_mut().step_by(self.chirps);
             column.zip(&row[ranges.clone()]).for_each(|(to, from)| *to = *from);
         }
-        self.doppler_fft.process_with_scratch(columns, &mut work.scratch);
+        self.doppler.process(transmitter, columns, &mut work.scratch);
         for bin in 0..self.chirps {
             let row = (bin + self.chirps / 2) % self.chirps * self.samples;
             let column = columns[bin..].iter().step_by(self.chirps);
@@ -212,7 +225,8 @@ pub fn all_channels(
     let mut values = blank(header.radar.virtual_channels() * cells);
     let fill = |work: &mut Workspace<f32>, (channel, map): (usize, &mut [Complex32])| {
         let (source, turn_cycles) = doppler_division::source_of(header, channel);
-        transform.fill(&samples[source * cells..(source + 1) * cells], turn_cycles, work, map);
+        let transmitter = channel / header.radar.array.rx_m.len();
+        transform.fill(transmitter, (&samples[source * cells..(source + 1) * cells], turn_cycles), work, map);
     };
     values.par_chunks_mut(cells).enumerate().for_each_init(Workspace::default, fill);
     match first_not_finite(&values) {

@@ -71,9 +71,24 @@ fn check_waveform(radar: &Radar) -> Result<(), EchoError> {
         ("chirp_interval_s", waveform.chirp_interval_s, waveform.chirp_interval_s >= sampled_s * (1.0 - 1e-7)),
     ];
     match more.iter().find(|(_, _, good)| !good) {
-        None => Ok(()),
+        None => check_schedule(radar),
         Some(&(quantity, value, _)) => Err(EchoError::Waveform { quantity, value }),
     }
+}
+
+/// Refuses chirps that start before the one before them has ended.
+fn check_schedule(radar: &Radar) -> Result<(), EchoError> {
+    let (waveform, stagger_s) = (&radar.waveform, &radar.schedule.stagger_s);
+    let sampled_s = f64::from(waveform.samples) / waveform.sample_rate_hz;
+    for (slot, later_s) in stagger_s.iter().enumerate() {
+        let next_s = waveform.chirp_interval_s + stagger_s[(slot + 1) % stagger_s.len()];
+        // What is no number follows nothing.
+        let follows = next_s - later_s >= sampled_s * (1.0 - 1e-7);
+        if !follows || (slot == 0 && *later_s != 0.0) {
+            return Err(EchoError::Stagger { chirp: slot, later_s: *later_s });
+        }
+    }
+    Ok(())
 }
 
 fn check_array(radar: &Radar) -> Result<(), EchoError> {

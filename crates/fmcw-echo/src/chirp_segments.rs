@@ -46,7 +46,7 @@ fn third_derivative(radar: &Radar, path: &Path) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Waveform};
+    use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Schedule, Waveform};
     use num_complex::Complex64;
 
     fn samples_for(range_m: f64, speed_mps: f64) -> usize {
@@ -69,8 +69,15 @@ mod tests {
             pattern: Pattern::Isotropic,
         };
         let link = Link { transmit_power_w: 1.0, antenna_gain_db: 0.0 };
-        let radar =
-            Radar { position_m: element_m, boresight_az_rad: 0.0, boresight_el_rad: 0.0, waveform, array, link };
+        let radar = Radar {
+            position_m: element_m,
+            boresight_az_rad: 0.0,
+            boresight_el_rad: 0.0,
+            waveform,
+            schedule: Schedule::default(),
+            array,
+            link,
+        };
         let path = Path {
             target: 0,
             order: 0,

@@ -11,6 +11,16 @@ pub enum EchoError {
         /// The value.
         value: f64,
     },
+    /// Staggered chirps of which one would start within another, or the first not at 0.
+    #[error(
+        "radar schedule: chirp {chirp} of the stagger starts {later_s} s late: the first must start at 0, none within another"
+    )]
+    Stagger {
+        /// Index in the stagger.
+        chirp: usize,
+        /// As given.
+        later_s: f64,
+    },
     /// Power, gain, boresight or an element position that is NaN or infinite.
     #[error("radar: {quantity} is not finite")]
     NonFiniteRadar {

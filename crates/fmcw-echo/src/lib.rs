@@ -18,7 +18,7 @@
 //! ```
 //! use artifact::cube::CubeHeader;
 //! use artifact::paths::{Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
-//! use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Waveform};
+//! use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
 //! use artifact::settings::{Angle, Detector, DspSettings, Noise, Refine, Window};
 //! # use artifact::{ErrorBudget, ModelError};
 //! use num_complex::Complex64;
@@ -37,6 +37,7 @@
 //!     boresight_az_rad: 0.0,
 //!     boresight_el_rad: 0.0,
 //!     waveform,
+//!     schedule: Schedule::default(),
 //!     array: Array {
 //!         tx_m: vec![element_m],
 //!         rx_m: vec![element_m],

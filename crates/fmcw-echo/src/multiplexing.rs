@@ -36,10 +36,9 @@ pub struct Transmission {
 }
 
 impl Transmission {
-    /// At a moment between chirps: chirp `chirp` of the transmitter, or a part of one more.
-    pub(crate) fn between(radar: &Radar, tx: usize, rx: usize, chirp: f64) -> Self {
-        let whole = Self::new(radar, tx, rx, 0, Complex64::ONE);
-        Self { start_s: whole.start_s + chirp * radar.repetition_interval_s(), ..whole }
+    /// A chirp that would start at any moment.
+    pub(crate) fn starting_at(radar: &Radar, tx: usize, rx: usize, start_s: f64) -> Self {
+        Self { start_s, ..Self::new(radar, tx, rx, 0, Complex64::ONE) }
     }
 
     fn new(radar: &Radar, tx: usize, rx: usize, chirp: usize, turn: Complex64) -> Self {

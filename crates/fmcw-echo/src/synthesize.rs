@@ -30,6 +30,7 @@ pub fn synthesize(
     accuracy: Accuracy,
     progress: Progress,
 ) -> Result<CubeFrame, EchoError> {
+    let header = &header.in_frame(frame.index);
     check_header(header)?;
     check_centre_frequency(centre_frequency_hz)?;
     check_paths(&header.radar, frame.index, &frame.paths)?;
@@ -54,6 +55,7 @@ pub fn synthesize_tables(
     frame: &RcsFrame,
     progress: Progress,
 ) -> Result<CubeFrame, EchoError> {
+    let header = &header.in_frame(frame.index);
     check_header(header)?;
     check_paths(&header.radar, frame.index, &rcs_table::origins(poses, frame))?;
     let sum = TableSum::new(&header.radar, poses, frame)?;

@@ -287,6 +287,9 @@ pub enum Rule {
     /// Falling chirps.
     #[error("`slope_mhz_per_us` must be positive, is {0}: falling chirps are not supported")]
     FallingChirp(f64),
+    /// A turn from chirp to chirp is no velocity where the chirps' intervals change.
+    #[error("`stagger_us` and the multiplexing `ddm` exclude one another")]
+    StaggeredDivision,
     /// A cube beyond the memory of the stages.
     #[error("{channels} channels × {chirps} chirps × {samples} samples are more than {limit} values in a frame")]
     CubeTooLarge {

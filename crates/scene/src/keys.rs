@@ -43,7 +43,16 @@ pub(crate) const RADAR: Table = Table {
 pub(crate) const WAVEFORM: Table = Table {
     name: "radar.waveform",
     heading: "[radar.waveform]",
-    keys: &["start_frequency_ghz", "slope_mhz_per_us", "sample_rate_msps", "samples", "idle_us", "chirps"],
+    keys: &[
+        "start_frequency_ghz",
+        "slope_mhz_per_us",
+        "sample_rate_msps",
+        "samples",
+        "idle_us",
+        "chirps",
+        "sub_frame_idle_us",
+        "stagger_us",
+    ],
 };
 
 pub(crate) const ARRAY: Table = Table {

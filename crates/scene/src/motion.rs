@@ -4,7 +4,7 @@ use artifact::scene::{Pose, SceneFrame, SceneHeader};
 
 /// Poses at the first sample of frame `frame_index`, in the order of the scene's targets.
 pub fn snapshot(scene: &SceneHeader, frame_index: u32) -> SceneFrame {
-    let time_s = f64::from(frame_index) * scene.frame_interval_s;
+    let time_s = scene.frame_time_s(frame_index);
     let poses = scene.targets.iter().map(|target| pose_after(&target.start, time_s)).collect();
     SceneFrame { index: frame_index, time_s, poses }
 }

@@ -4,7 +4,7 @@ use crate::array::{Mount, read_array};
 use crate::document::Section;
 use crate::errors::{Allowed, Rule};
 use crate::keys;
-use artifact::radar::{Link, Radar, Waveform};
+use artifact::radar::{Link, Multiplexing, Radar, Schedule, Waveform};
 use artifact::units::watts_from_dbm;
 
 /// Coordinates beyond this are a slip of units; within it f64 resolves 1.5e-11 m, 4e-9 of a wavelength at 77 GHz.
@@ -17,7 +17,7 @@ const CUBE_LIMIT: u64 = 1 << 27;
 pub(crate) fn read_radar(root: &Section<'_>) -> Radar {
     let section = root.section(&keys::RADAR);
     let waveform_section = section.section(&keys::WAVEFORM);
-    let waveform = read_waveform(&waveform_section);
+    let (waveform, schedule) = read_waveform(&waveform_section);
     let mount = Mount {
         position_m: section.vector("position_m", COORDINATES_M).unwrap_or([0.0, 0.0, 6.0]),
         boresight_az_rad: degrees(&section, "boresight_az_deg", 360.0),
@@ -29,10 +29,14 @@ pub(crate) fn read_radar(root: &Section<'_>) -> Radar {
         boresight_az_rad: mount.boresight_az_rad,
         boresight_el_rad: mount.boresight_el_rad,
         waveform,
+        schedule,
         array: read_array(&section.section(&keys::ARRAY), &mount),
         link: read_link(&section.section(&keys::LINK)),
     };
     check_cube(&waveform_section, &radar);
+    if radar.array.multiplexing == Multiplexing::Ddm && !radar.schedule.is_uniform() {
+        waveform_section.note("stagger_us", Rule::StaggeredDivision);
+    }
     radar
 }
 
@@ -40,7 +44,7 @@ fn degrees(section: &Section<'_>, key: &'static str, limit: f64) -> f64 {
     section.number(key, Allowed::Between(-limit, limit)).unwrap_or(0.0).to_radians()
 }
 
-fn read_waveform(section: &Section<'_>) -> Waveform {
+fn read_waveform(section: &Section<'_>) -> (Waveform, Schedule) {
     let start_ghz = section.number("start_frequency_ghz", Allowed::Between(0.1, 1000.0)).unwrap_or(77.0);
     let slope_mhz_per_us = section.number("slope_mhz_per_us", Allowed::Between(-1e4, 1e4)).unwrap_or(12.5);
     let sample_rate_msps = section.number("sample_rate_msps", Allowed::Between(1e-3, 1e5)).unwrap_or(5.12);
@@ -49,14 +53,42 @@ fn read_waveform(section: &Section<'_>) -> Waveform {
     let samples = section.integer("samples", Allowed::Between(8.0, 65536.0)).unwrap_or(256) as u32;
     let chirps = section.integer("chirps", Allowed::Between(1.0, 65536.0)).unwrap_or(128) as u32;
     check_slope(section, slope_mhz_per_us);
-    Waveform {
+    let (stagger_s, later_us) = read_stagger(section);
+    let interval_s = |idle_us: f64| (f64::from(samples) / sample_rate_msps + idle_us + later_us) / 1e6;
+    let sub_frame_intervals_s: Vec<f64> = read_sub_frames(section).into_iter().map(interval_s).collect();
+    let waveform = Waveform {
         start_frequency_hz: start_ghz * 1e9,
         slope_hz_per_s: slope_mhz_per_us * 1e12,
         sample_rate_hz: sample_rate_msps * 1e6,
         samples,
-        chirp_interval_s: (f64::from(samples) / sample_rate_msps + idle_us) / 1e6,
+        chirp_interval_s: sub_frame_intervals_s.first().copied().unwrap_or(interval_s(idle_us)),
         chirps,
+    };
+    (waveform, Schedule { sub_frame_intervals_s, stagger_s })
+}
+
+/// Idle time of each sub-frame, µs; empty where the frame has no parts.
+fn read_sub_frames(section: &Section<'_>) -> Vec<f64> {
+    // Two tell a velocity; more than eight no radar sends.
+    let idle_us = section.numbers("sub_frame_idle_us", Allowed::Between(2.0, 8.0), Allowed::Between(0.0, 1e6));
+    if section.has("sub_frame_idle_us") && section.has("idle_us") {
+        section.note("sub_frame_idle_us", Rule::Contradiction { key: "sub_frame_idle_us", other: "idle_us" });
     }
+    idle_us.unwrap_or_default()
+}
+
+/// By how much each chirp of a turn starts later than at the mean interval, s, and by how much that is longer than without, µs.
+fn read_stagger(section: &Section<'_>) -> (Vec<f64>, f64) {
+    let longer_us = section.numbers("stagger_us", Allowed::Between(2.0, 64.0), Allowed::Between(0.0, 1e6));
+    let longer_us = longer_us.unwrap_or_default();
+    let mean_us = longer_us.iter().sum::<f64>() / longer_us.len().max(1) as f64;
+    let mut later_us = 0.0;
+    let stagger_s = longer_us.iter().map(|longer_us| {
+        let this_us = later_us;
+        later_us += longer_us - mean_us;
+        this_us / 1e6
+    });
+    (stagger_s.collect(), mean_us)
 }
 
 /// A falling chirp's beat frequencies are negative: maps would be mirrored in range, which no stage undoes.
@@ -88,9 +120,9 @@ fn check_cube(section: &Section<'_>, radar: &Radar) {
 pub(crate) fn read_frames(root: &Section<'_>, radar: &Radar) -> (u32, f64) {
     let frames = root.integer("frames", Allowed::Between(1.0, 1e6)).unwrap_or(1) as u32;
     let interval_s = root.number("frame_interval_s", Allowed::Above(0.0, 1e4)).unwrap_or(0.1);
-    let duration_s = radar.frame_duration_s();
+    let duration_s = radar.cycle_duration_s();
     if frames > 1 && interval_s < duration_s {
         root.note("frame_interval_s", Rule::FramesOverlap { interval_s, duration_s });
     }
-    (frames, interval_s)
+    (frames * radar.schedule.sub_frames(), interval_s)
 }

@@ -36,6 +36,11 @@ const CASES: &[Case] = &[
     (NAME, "[dsp]\ntraining_cell = [1, 1]\n", "3:1", "nearest is `training_cells`"),
     (POINT, "  velocty_mps = [0, 0, 0]\n", "7:3", "target `p`: unknown key `velocty_mps`; the nearest is `velocity_mps`"),
     (NAME, "[noise]\nxyzzy = 1\nnoise_figure_db = 3\n", "3:1", "[noise]: unknown key `xyzzy`"),
+    // Schedules.
+    (NAME, "[radar.waveform]\nsub_frame_idle_us = [10]\n", "3:21", "`sub_frame_idle_us` must have from 2 to 8 values, has 1"),
+    (NAME, "[radar.waveform]\nsub_frame_idle_us = [10, 35]\nidle_us = 10\n", "3:21", "`sub_frame_idle_us` and `idle_us` exclude one another"),
+    (NAME, "[radar.waveform]\nstagger_us = [-1, 3]\n", "3:15", "`stagger_us` must be a number from 0 to 1000000, is -1"),
+    (NAME, "[radar.waveform]\nstagger_us = [1, 3]\n[radar.array]\nmultiplexing = \"ddm\"\n", "3:14", "`stagger_us` and the multiplexing `ddm` exclude one another"),
     // Types.
     (NAME, "frames = 2.5\n", "2:10", "`frames` must be a whole number, is a number with a point"),
     (NAME, "radar = 3\n", "2:9", "`radar` must be a table, is a whole number"),

@@ -97,6 +97,29 @@ fn every_setting_is_taken_from_its_key() {
 }
 
 #[test]
+fn sub_frames_are_records_of_their_own_one_after_the_other() {
+    let scene = read_text(
+        "frames = 3\nframe_interval_s = 0.05\n[radar.waveform]\nchirps = 64\nsub_frame_idle_us = [10, 35]\n\
+         [radar.array]\nmultiplexing = \"tdm\"\n",
+    );
+    assert_eq!(scene.frames, 6);
+    let intervals_s: Vec<f64> = (0..4).map(|index| scene.radar.in_frame(index).waveform.chirp_interval_s).collect();
+    assert_eq!(intervals_s, [60e-6, 85e-6, 60e-6, 85e-6]);
+    // Three transmitters take turns, so that the first sub-frame lasts 192 chirps.
+    assert_eq!(scene::snapshot(&scene, 5).time_s, 2.0 * 0.05 + 192.0 * 60e-6);
+    assert_close(scene.radar.cycle_duration_s(), 192.0 * 145e-6, 192.0 * 145e-6);
+}
+
+#[test]
+fn a_stagger_is_told_as_delays_after_the_mean_interval() {
+    let schedule = read_text("[radar.waveform]\nstagger_us = [9, 0, 0]\n").radar;
+    assert_close(schedule.waveform.chirp_interval_s, 63e-6, 1e-4);
+    for (chirp, start_s) in [0.0, 69e-6, 129e-6, 189e-6, 258e-6].into_iter().enumerate() {
+        assert_close(schedule.chirp_start_s(0, chirp), start_s, 1e-3);
+    }
+}
+
+#[test]
 fn default_cfar_windows_shrink_to_a_small_map_and_given_ones_stay() {
     let small = read_text("[radar.waveform]\nsamples = 16\nchirps = 4\n");
     assert_eq!((small.dsp.guard_cells, small.dsp.training_cells), ([1, 2], [0, 5]));

@@ -30,7 +30,7 @@ pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
     let from = provenance(Stage::FmcwEcho, &scene, inputs);
     let mut writer = Writer::<Cube>::create(&arguments.out, &from, &header)?;
     for (index, samples) in frames.into_iter().enumerate() {
-        let time_s = index as f64 * scene.frame_interval_s;
+        let time_s = scene.frame_time_s(index as u32);
         check(file, index, &samples, header.shape())?;
         writer.write(&CubeFrame { index: index as u32, time_s, samples, error: ErrorBudget::default() })?;
     }

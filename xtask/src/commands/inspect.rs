@@ -53,6 +53,15 @@ fn provenance(preamble: &Preamble) {
 }
 
 fn radar(radar: &Radar) {
+    let sub_frames = radar.schedule.sub_frames();
+    for index in (0..sub_frames).filter(|_| sub_frames > 1) {
+        let (of_one, start_s) = (radar.in_frame(index), radar.sub_frame_start_s(index));
+        let (interval_us, velocity_mps) = (of_one.waveform.chirp_interval_s * 1e6, of_one.velocity_max_mps());
+        line(format!(
+            "sub-frame    {index}: from {:.4} ms, a chirp every {interval_us:.3} µs, ±{velocity_mps:.3} m/s",
+            start_s * 1e3
+        ));
+    }
     let w = &radar.waveform;
     line(format!(
         "radar        {:.4} GHz centre, {:.4} MHz bandwidth, {} samples, {} chirps every {:.3} µs",

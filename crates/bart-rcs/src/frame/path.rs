@@ -29,6 +29,7 @@ use num_complex::Complex64;
 /// both, and the paths of one tree do not follow ("freezing"). `error.tessellation` is the bound that a smooth
 /// surface was cut to; `None` where facets are the surface itself.
 pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> Result<PathsFrame, BartError> {
+    let header = &header.in_frame(frame.index);
     check_order(header.fidelity.bounces)?;
     check_road(header)?;
     let plan = Plan::of(header);

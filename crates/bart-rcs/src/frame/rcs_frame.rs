@@ -27,6 +27,7 @@ use std::f64::consts::TAU;
 /// hide one another nor is the wave spherical: `model_error.far_field` compares each table's middle with the spherical wave. A
 /// point target has a table of one value, +√σ.
 pub fn rcs_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, BartError> {
+    let header = &header.in_frame(frame.index);
     check_order(header.fidelity.bounces)?;
     check_road(header)?;
     if frame.poses.len() != header.targets.len() {

@@ -5,6 +5,7 @@
 //! taken in fixed blocks, one thread each: any number of threads gives the same bytes.
 
 use crate::direct_sum::{DirectSum, is_heard};
+use crate::fast::equal_steps::EqualSteps;
 use crate::fast::groups::{Group, groups};
 use crate::fast::instants::{Instant, Link, Listener, Tone};
 use crate::fast::kernel::CELLS_MAX;
@@ -21,12 +22,11 @@ use rayon::prelude::*;
 /// The noise-free cube, √W, `[channel][chirp][sample]`, to an error of `accuracy` of its root mean square, as long as paths do
 /// not cancel each other.
 pub fn cube(radar: &Radar, centre_frequency_hz: f64, paths: &[Path], accuracy: Accuracy) -> Vec<Complex64> {
-    let listener = Listener::new(radar, centre_frequency_hz);
     if accuracy.amplitude() >= SINGLE {
-        let cube = cube_in::<f32>(&listener, paths, accuracy.amplitude());
+        let cube = cube_in::<f32>(radar, centre_frequency_hz, paths, accuracy.amplitude());
         cube.into_iter().map(f32::stored).collect()
     } else {
-        cube_in::<f64>(&listener, paths, accuracy.amplitude())
+        cube_in::<f64>(radar, centre_frequency_hz, paths, accuracy.amplitude())
     }
 }
 
@@ -37,11 +37,10 @@ pub(crate) fn single_cube(
     paths: &[Path],
     accuracy: Accuracy,
 ) -> Vec<Complex32> {
-    let listener = Listener::new(radar, centre_frequency_hz);
     if accuracy.amplitude() >= SINGLE {
-        return cube_in::<f32>(&listener, paths, accuracy.amplitude());
+        return cube_in::<f32>(radar, centre_frequency_hz, paths, accuracy.amplitude());
     }
-    let cube = cube_in::<f64>(&listener, paths, accuracy.amplitude());
+    let cube = cube_in::<f64>(radar, centre_frequency_hz, paths, accuracy.amplitude());
     cube.into_iter().map(|value| Complex32::new(value.re as f32, value.im as f32)).collect()
 }
 
@@ -51,9 +50,9 @@ pub(crate) fn memory_estimate_bytes(radar: &Radar, accuracy: Accuracy) -> u64 {
         [radar.virtual_channels() as u64, radar.waveform.chirps.into(), radar.waveform.samples.into()];
     let is_single = accuracy.amplitude() >= SINGLE;
     let value = if is_single { size_of::<Complex32>() } else { size_of::<Complex64>() } as u64;
-    // Sums of single precision are the cube, but for links that are added up.
-    let sums =
-        if is_single && radar.array.multiplexing != Multiplexing::Ddm { 0 } else { links * chirps * samples * value };
+    // Sums of single precision are the cube, but for links that are added up and chirps that are laid into one another.
+    let are_the_cube = is_single && radar.array.multiplexing != Multiplexing::Ddm && radar.schedule.is_uniform();
+    let sums = if are_the_cube { 0 } else { links * chirps * samples * value };
     let grid = 2 * chirps * (2 * samples + CELLS_MAX as u64) * SETS as u64 * value;
     let of_a_set = 4 * chirps * samples * value;
     sums + (grid + of_a_set) * rayon::current_num_threads() as u64
@@ -64,12 +63,32 @@ const SINGLE: f64 = 1e-5;
 /// Instants of one group; more mean that it is to be halved.
 const INSTANTS_MAX: usize = 12;
 
-fn cube_in<T: Scalar>(listener: &Listener<'_>, paths: &[Path], error: f64) -> Vec<Complex<T>> {
+/// Chirps at equal steps, one set after the other, laid into one another.
+fn cube_in<T: Scalar>(radar: &Radar, centre_frequency_hz: f64, paths: &[Path], error: f64) -> Vec<Complex<T>> {
+    let (chirps, samples) = (radar.waveform.chirps as usize, radar.waveform.samples as usize);
+    let mut listeners: Vec<Listener<'_>> =
+        EqualSteps::of(radar).into_iter().map(|steps| Listener::new(radar, centre_frequency_hz, steps)).collect();
+    if listeners.len() == 1 {
+        return part_of_cube(&listeners.remove(0), paths, error);
+    }
+    let mut cube = vec![Complex::new(T::zero(), T::zero()); radar.cube_channels() * chirps * samples];
+    for listener in &listeners {
+        let rows = part_of_cube::<T>(listener, paths, error);
+        for (r, row) in rows.chunks_exact(samples).enumerate() {
+            let (channel, chirp) = (r / listener.steps.chirps, listener.steps.in_frame(r % listener.steps.chirps));
+            cube[(channel * chirps + chirp) * samples..][..samples].copy_from_slice(row);
+        }
+    }
+    cube
+}
+
+/// The rows of chirps at equal steps.
+fn part_of_cube<T: Scalar>(listener: &Listener<'_>, paths: &[Path], error: f64) -> Vec<Complex<T>> {
     let radar = listener.radar;
     let links = links(radar);
     let heard: Vec<&Path> = paths.iter().filter(|path| is_heard(radar, path)).collect();
     let groups = groups(listener, &heard, &links, Asked { error: 0.6 * error, instants_max: INSTANTS_MAX });
-    let length = radar.waveform.chirps as usize * radar.waveform.samples as usize;
+    let length = listener.steps.chirps * radar.waveform.samples as usize;
     let mut of_links = vec![Complex::new(T::zero(), T::zero()); links.len() * length];
     let mut alone: Vec<Path> = Vec::new();
     for group in &groups {
@@ -78,17 +97,17 @@ fn cube_in<T: Scalar>(listener: &Listener<'_>, paths: &[Path], error: f64) -> Ve
             None => alone.extend(group.paths.iter().copied()),
         }
     }
-    let mut cube = channels(radar, of_links, length);
+    let mut cube = channels(listener, of_links, length);
     if !alone.is_empty() {
-        add_one_by_one(&DirectSum::new(radar, listener.centre_frequency_hz, &alone), radar, &mut cube);
+        add_one_by_one(&DirectSum::new(radar, listener.centre_frequency_hz, &alone), listener, &mut cube);
     }
     cube
 }
 
-fn add_one_by_one<T: Scalar>(direct: &DirectSum<'_>, radar: &Radar, cube: &mut [Complex<T>]) {
-    let (chirps, samples) = (radar.waveform.chirps as usize, radar.waveform.samples as usize);
+fn add_one_by_one<T: Scalar>(direct: &DirectSum<'_>, listener: &Listener<'_>, cube: &mut [Complex<T>]) {
+    let (steps, samples) = (&listener.steps, listener.radar.waveform.samples as usize);
     cube.par_chunks_mut(samples).enumerate().for_each(|(r, total)| {
-        let values = direct.row(r / chirps, r % chirps);
+        let values = direct.row(r / steps.chirps, steps.in_frame(r % steps.chirps));
         total.iter_mut().zip(values).for_each(|(sum, value)| *sum = *sum + rounded(value));
     });
 }
@@ -108,8 +127,7 @@ fn add_group<T: Scalar>(
     error: f64,
     of_links: &mut [Complex<T>],
 ) {
-    let waveform = &listener.radar.waveform;
-    let modes = [waveform.chirps as usize, waveform.samples as usize];
+    let modes = [listener.steps.chirps, listener.radar.waveform.samples as usize];
     let tones: Vec<Tone> = group.paths.par_iter().map(|path| listener.tone(path)).collect();
     let grid = ToneGrid::<T>::new(&tones, modes, error);
     let ordered: Vec<&Path> = grid.order().map(|i| group.paths[i]).collect();
@@ -147,21 +165,22 @@ fn strengths<T: Scalar>(
 ) -> Vec<Complex<T>> {
     let middle = listener.middle();
     let cycles: Vec<f64> = tones.iter().map(|tone| cycles_of(*tone, at, middle)).collect();
-    let transmission = Transmission::between(listener.radar, link.tx, link.rx, at.chirp);
+    let start_s = listener.steps.start_s(link.tx, at.chirp);
+    let transmission = Transmission::starting_at(listener.radar, link.tx, link.rx, start_s);
     exact.values(&transmission, at.sample, &cycles).into_iter().map(rounded).collect()
 }
 
 /// Links as channels; with Doppler division a receiver's channel is the sum of all its links, each turned chirp by chirp.
-fn channels<T: Scalar>(radar: &Radar, of_links: Vec<Complex<T>>, length: usize) -> Vec<Complex<T>> {
+fn channels<T: Scalar>(listener: &Listener<'_>, of_links: Vec<Complex<T>>, length: usize) -> Vec<Complex<T>> {
+    let (radar, steps) = (listener.radar, &listener.steps);
     if radar.array.multiplexing != Multiplexing::Ddm {
         return of_links;
     }
     let (receivers, samples) = (radar.array.rx_m.len(), radar.waveform.samples as usize);
     let mut cube = vec![Complex::new(T::zero(), T::zero()); receivers * length];
     cube.par_chunks_mut(samples).enumerate().for_each(|(r, total)| {
-        let chirps = radar.waveform.chirps as usize;
-        let (rx, chirp) = (r / chirps, r % chirps);
-        for (tx, transmission) in row(radar, rx, chirp).iter().enumerate() {
+        let (rx, chirp) = (r / steps.chirps, r % steps.chirps);
+        for (tx, transmission) in row(radar, rx, steps.in_frame(chirp)).iter().enumerate() {
             let start = (tx * receivers + rx) * length + chirp * samples;
             let (values, turn) = (&of_links[start..start + samples], rounded::<T>(transmission.turn));
             total.iter_mut().zip(values).for_each(|(sum, value)| *sum = *sum + turn * *value);

@@ -39,7 +39,7 @@ fn halves<'p>(listener: &Listener<'_>, paths: Vec<&'p Path>) -> (Vec<&'p Path>, 
     let waveform = &listener.radar.waveform;
     let cells = |path: &Path| {
         let tone = listener.tone(path);
-        [tone.per_chirp * f64::from(waveform.chirps), tone.per_sample * f64::from(waveform.samples)]
+        [tone.per_chirp * listener.steps.chirps as f64, tone.per_sample * f64::from(waveform.samples)]
     };
     let mut of: Vec<([f64; 2], &Path)> = paths.into_iter().map(|path| (cells(path), path)).collect();
     let span = |axis: usize| {

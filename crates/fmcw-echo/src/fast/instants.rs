@@ -4,9 +4,9 @@
 //! change from pair to pair is taken once per element: a leg's length, its gain, its rate.
 
 use crate::antenna::{boresight, link_amplitude, pattern_amplitude};
+use crate::fast::equal_steps::EqualSteps;
 use artifact::Radar;
 use artifact::paths::Path;
-use artifact::radar::Multiplexing;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 use num_complex::Complex64;
@@ -18,7 +18,7 @@ pub(crate) struct Link {
     pub(crate) rx: usize,
 }
 
-/// A moment of a frame: chirp and sample, counted from 0, parts of them allowed.
+/// A moment of a frame: chirp (of those at equal steps) and sample, counted from 0, parts of them allowed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Instant {
     pub(crate) chirp: f64,
@@ -43,6 +43,8 @@ pub(crate) struct Tone {
 pub(crate) struct Listener<'a> {
     pub(crate) radar: &'a Radar,
     pub(crate) centre_frequency_hz: f64,
+    /// The chirps it listens to.
+    pub(crate) steps: EqualSteps,
     link_amplitude: f64,
     boresight: DVec3,
 }
@@ -57,15 +59,14 @@ struct Leg {
 }
 
 impl<'a> Listener<'a> {
-    pub(crate) fn new(radar: &'a Radar, centre_frequency_hz: f64) -> Self {
+    pub(crate) fn new(radar: &'a Radar, centre_frequency_hz: f64, steps: EqualSteps) -> Self {
         let (link_amplitude, boresight) = (link_amplitude(radar), boresight(radar));
-        Self { radar, centre_frequency_hz, link_amplitude, boresight }
+        Self { radar, centre_frequency_hz, steps, link_amplitude, boresight }
     }
 
     /// The middle of the frame.
     pub(crate) fn middle(&self) -> Instant {
-        let waveform = &self.radar.waveform;
-        Instant { chirp: f64::from(waveform.chirps / 2), sample: f64::from(waveform.samples / 2) }
+        Instant { chirp: (self.steps.chirps / 2) as f64, sample: f64::from(self.radar.waveform.samples / 2) }
     }
 
     /// Calls `give` with the place of every link, which come transmitter by transmitter, and the value of a path there.
@@ -73,7 +74,7 @@ impl<'a> Listener<'a> {
         let t = at.sample / self.radar.waveform.sample_rate_hz;
         let mut place = 0;
         for of_tx in links.chunk_by(|a, b| a.tx == b.tx) {
-            let time_s = self.start_s(of_tx[0].tx, at.chirp) + t;
+            let time_s = self.steps.start_s(of_tx[0].tx, at.chirp) + t;
             let arriving = |rx: usize| self.arriving(path, DVec3::from_array(self.radar.array.rx_m[rx]), time_s);
             let first = arriving(of_tx[0].rx);
             // The scattering time differs by the way to another element, over which a leg is straight.
@@ -97,16 +98,13 @@ impl<'a> Listener<'a> {
         let waveform = &self.radar.waveform;
         let at = self.middle();
         let t = at.sample / waveform.sample_rate_hz;
-        let time_s = self.start_s(0, at.chirp) + t;
+        let time_s = self.steps.start_s(0, at.chirp) + t;
         let position_m = DVec3::from_array(self.radar.position_m);
         let legs = [self.departing(path, position_m, time_s), self.arriving(path, position_m, time_s)];
         let (tau, rate) = ((legs[0].length_m + legs[1].length_m) / C, (legs[0].rate_mps + legs[1].rate_mps) / C);
         let beat_hz = waveform.slope_hz_per_s * tau;
         let doppler_hz = rate * (waveform.start_frequency_hz + waveform.slope_hz_per_s * (t - tau));
-        Tone {
-            per_chirp: doppler_hz * self.radar.repetition_interval_s(),
-            per_sample: (beat_hz + doppler_hz) / waveform.sample_rate_hz,
-        }
+        Tone { per_chirp: doppler_hz * self.steps.step_s, per_sample: (beat_hz + doppler_hz) / waveform.sample_rate_hz }
     }
 
     /// Eq. (13): √(P_tG_tG_r)·λ/(4π)^{3/2}·conj a(f)·gain, and f₀τ + μtτ − ½μτ².
@@ -117,15 +115,6 @@ impl<'a> Listener<'a> {
         let amplitude_m = path.amplitude_m[receive][transmit] + offset_hz * path.slope_m_per_hz[receive][transmit];
         let amplitude = self.link_amplitude * gain_per_m2 * amplitude_m.conj();
         Value { amplitude, cycles: f0 * tau + mu * t * tau - 0.5 * mu * tau * tau }
-    }
-
-    /// The start of a chirp of a transmitter, as [`Radar::chirp_start_s`] has it for whole chirps.
-    fn start_s(&self, tx: usize, chirp: f64) -> f64 {
-        let first_s = match self.radar.array.multiplexing {
-            Multiplexing::Tdm => tx as f64 * self.radar.waveform.chirp_interval_s,
-            Multiplexing::Simultaneous | Multiplexing::Ddm => 0.0,
-        };
-        first_s + chirp * self.radar.repetition_interval_s()
     }
 
     fn departing(&self, path: &Path, element_m: DVec3, scattering_time_s: f64) -> Leg {

@@ -146,7 +146,7 @@ fn grid_for(
     links: &[Link],
     error: f64,
 ) -> Option<[ChebyshevAxis; 2]> {
-    let (chirps, samples) = (listener.radar.waveform.chirps as usize, listener.radar.waveform.samples as usize);
+    let (chirps, samples) = (listener.steps.chirps, listener.radar.waveform.samples as usize);
     let one = [links[links.len() - 1]];
     let paths: Vec<&Path> = some.iter().take(8).copied().chain([middle]).collect();
     // Places of the golden ratio: between the points of any grid.
@@ -250,9 +250,10 @@ const SPREAD: usize = 48;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fast::equal_steps::EqualSteps;
     use crate::fast::instants::Link;
     use artifact::paths::{Facet, MAX_ORDER};
-    use artifact::radar::{Array, Link as Power, Multiplexing, Pattern, Polarization, Radar, Waveform};
+    use artifact::radar::{Array, Link as Power, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
 
     /// Experiment 3's waveform from one element.
     fn radar() -> Radar {
@@ -275,14 +276,23 @@ mod tests {
             pattern: Pattern::Isotropic,
         };
         let link = Power { transmit_power_w: 1.0, antenna_gain_db: 0.0 };
-        Radar { position_m: element_m, boresight_az_rad: 0.0, boresight_el_rad: 0.0, waveform, array, link }
+        Radar {
+            position_m: element_m,
+            boresight_az_rad: 0.0,
+            boresight_el_rad: 0.0,
+            waveform,
+            schedule: Schedule::default(),
+            array,
+            link,
+        }
     }
 
     /// X5: a body of 5 m whose points differ by ±0.3 m/s, straight ahead and so far away that nothing but the bilinear phase is left.
     #[test]
     fn x5_one_two_and_three_instants_leave_39_78_and_116_db() {
         let radar = radar();
-        let listener = Listener::new(&radar, radar.waveform.centre_frequency_hz());
+        let steps = EqualSteps::of(&radar).remove(0);
+        let listener = Listener::new(&radar, radar.waveform.centre_frequency_hz(), steps);
         let fraction = |i: usize, step: f64| (i as f64 * step).fract() - 0.5;
         let path = |i: usize| Path {
             target: 0,

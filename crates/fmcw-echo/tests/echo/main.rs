@@ -9,6 +9,7 @@ mod fast_sum_against_direct;
 mod single_precision;
 mod superposition;
 mod multiplexing;
+mod schedules;
 mod receiver_noise;
 mod rcs_tables;
 mod reproducibility;

@@ -4,7 +4,7 @@ use super::{NpyStream, fail, write_sidecar};
 use crate::failure::Failure;
 use artifact::Reader;
 use artifact::cube::{Cube, CubeHeader};
-use artifact::radar::Multiplexing;
+use artifact::radar::{Multiplexing, Radar};
 use num_complex::Complex32;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -43,9 +43,15 @@ fn axes(header: &CubeHeader, frame_times_s: &[f64]) -> Value {
     })
 }
 
-/// Start of each chirp from the frame's first sample: `[chirp]`, with tdm `[tx][chirp]`.
+/// Start of each chirp from the record's first sample: `[chirp]`, with tdm `[tx][chirp]`; with sub-frames a list of these.
 fn chirp_times(header: &CubeHeader) -> Value {
-    let radar = &header.radar;
+    match header.radar.schedule.sub_frames() {
+        1 => times_of(&header.radar),
+        count => (0..count).map(|index| times_of(&header.radar.in_frame(index))).collect(),
+    }
+}
+
+fn times_of(radar: &Radar) -> Value {
     let of = |tx: usize| -> Vec<f64> {
         (0..radar.waveform.chirps as usize).map(|chirp| radar.chirp_start_s(tx, chirp)).collect()
     };

@@ -42,10 +42,18 @@ fn axes(header: &CubeHeader, told: &[(f64, u64, u64)]) -> serde_json::Value {
         "frame_times_s": told.iter().map(|t| t.0).collect::<Vec<_>>(),
         "detections": told.iter().map(|t| t.1).collect::<Vec<_>>(),
         "cells": told.iter().map(|t| t.2).collect::<Vec<_>>(),
-        "velocity_mps": dsp::velocity_axis_mps(header),
+        "velocity_mps": velocities(header),
         "range_m": dsp::range_axis_m(header),
         "channels": virtual_channels(header),
     })
+}
+
+/// Of every row; with sub-frames a list of these.
+fn velocities(header: &CubeHeader) -> serde_json::Value {
+    match header.radar.schedule.sub_frames() {
+        1 => json!(dsp::velocity_axis_mps(header)),
+        count => (0..count).map(|index| json!(dsp::velocity_axis_mps(&header.in_frame(index)))).collect(),
+    }
 }
 
 /// One file a frame; a single frame keeps the name that was asked for.
