@@ -124,7 +124,7 @@ mod tests {
     use super::*;
     use artifact::material::{Backing, Layer, Makeup, Material, MaterialMap, Road, Thickness, Transmission};
     use artifact::radar::Schedule;
-    use artifact::scene::{Mesh, TargetKind};
+    use artifact::scene::{Mesh, TargetKind, Wheel};
     use num_complex::Complex64;
     use serde_json::Value;
 
@@ -153,7 +153,11 @@ mod tests {
         header.noise = Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 };
         header.radar.schedule = Schedule { sub_frame_intervals_s: vec![60e-6, 85e-6], stagger_s: vec![0.0, 1e-6] };
         header.targets.truncate(2);
-        header.targets[1].kind = TargetKind::Point { rcs_m2: 1.0 };
+        header.targets[1].kind = TargetKind::Point {
+            rcs_m2: 1.0,
+            acceleration_mps2: [0.0; 3],
+            wheel: Some(Wheel { radius_m: 0.3, angle_rad: 0.0 }),
+        };
         header
     }
 

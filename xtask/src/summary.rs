@@ -37,7 +37,7 @@ fn radar(header: &SceneHeader) -> Value {
     let (radar, waveform) = (&header.radar, &header.radar.waveform);
     json!({
         "carrier_hz": waveform.centre_frequency_hz(),
-        "bandwidth_hz": waveform.bandwidth_hz(),
+        "bandwidth_hz": waveform.bandwidth_hz().abs(),
         "chirp_interval_s": waveform.chirp_interval_s,
         "samples_per_chirp": waveform.samples,
         "chirps": waveform.chirps,

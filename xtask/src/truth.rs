@@ -36,7 +36,8 @@ pub(crate) fn truths(header: &SceneHeader, frame: &SceneFrame, paths: Option<&Pa
 }
 
 fn truth(header: &SceneHeader, index: usize, pose: &Pose, paths: Option<&PathsFrame>) -> Truth {
-    let position_m = DVec3::from(pose.position_m) + DVec3::from(pose.velocity_mps) * header.radar.frame_middle_s();
+    let pose = &scene::moved(&header.targets[index].kind, pose, header.radar.frame_middle_s());
+    let position_m = DVec3::from(pose.position_m);
     let away = position_m - DVec3::from(header.radar.position_m);
     let range_m = away.length();
     Truth {
@@ -67,17 +68,20 @@ fn is_wholly_on(target: usize, path: &Path) -> bool {
 
 /// Power of a path up to a common factor, |a|²/(L₁L₂)², and half its length and rate at the frame's middle.
 fn received(header: &SceneHeader, path: &Path) -> (f64, Echo) {
-    let (there_m, there_mps) = leg(header, path.apparent_tx_m, path.apparent_tx_mps);
-    let (back_m, back_mps) = leg(header, path.apparent_rx_m, path.apparent_rx_mps);
+    let (there_m, there_mps) = leg(header, path.apparent_tx_m, path.apparent_tx_mps, path.curve.apparent_tx_mps2);
+    let (back_m, back_mps) = leg(header, path.apparent_rx_m, path.apparent_rx_mps, path.curve.apparent_rx_mps2);
     let (receive, transmit) = header.radar.array.polarization.indices();
     let power = path.amplitude_m[receive][transmit].norm_sqr() / (there_m * back_m).powi(2);
     let echo = Echo { range_m: 0.5 * (there_m + back_m), radial_velocity_mps: 0.5 * (there_mps + back_mps) };
     (power, echo)
 }
 
-fn leg(header: &SceneHeader, apparent_m: [f64; 3], apparent_mps: [f64; 3]) -> (f64, f64) {
-    let velocity = DVec3::from(apparent_mps);
-    let at_middle = DVec3::from(apparent_m) + velocity * header.radar.frame_middle_s();
+/// Of a wheel that of its hub.
+fn leg(header: &SceneHeader, apparent_m: [f64; 3], apparent_mps: [f64; 3], apparent_mps2: [f64; 3]) -> (f64, f64) {
+    let middle_s = header.radar.frame_middle_s();
+    let gained = DVec3::from(apparent_mps2) * middle_s;
+    let velocity = DVec3::from(apparent_mps) + gained;
+    let at_middle = DVec3::from(apparent_m) + (velocity - 0.5 * gained) * middle_s;
     let away = at_middle - DVec3::from(header.radar.position_m);
     (away.length(), away.dot(velocity) / away.length())
 }

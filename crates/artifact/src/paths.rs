@@ -11,7 +11,7 @@ pub struct Paths;
 
 impl Schema for Paths {
     const NAME: &'static str = "paths";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     type Header = PathsHeader;
     type Frame = PathsFrame;
 }
@@ -86,6 +86,31 @@ pub struct Path {
     pub slope_m_per_hz: Amplitude,
     /// The facets in the order of travel; the first `order` are meant.
     pub facets: [Facet; MAX_ORDER],
+    /// What of its movement is not at constant velocity.
+    pub curve: Curve,
+}
+
+/// What of a path's movement is not at constant velocity; nothing by default.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Curve {
+    /// Constant acceleration of x_a.
+    pub apparent_tx_mps2: [f64; 3],
+    /// Constant acceleration of x_b.
+    pub apparent_rx_mps2: [f64; 3],
+    /// The node goes round with a wheel; x_a and x_b are then where its hub appears.
+    pub rim: Option<Rim>,
+}
+
+/// A point on the rim of a wheel that rolls upright without slipping: hub + r·(cos φ·forward + sin φ·up), φ = φ₀ − (way of the hub
+/// along forward)/r.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Rim {
+    /// r.
+    pub radius_m: f64,
+    /// Unit vector in the plane of the wheel, horizontal.
+    pub forward: [f64; 3],
+    /// φ₀, at the frame's first sample: from forward towards up.
+    pub angle_rad: f64,
 }
 
 impl Path {

@@ -12,7 +12,7 @@ pub struct Scene;
 
 impl Schema for Scene {
     const NAME: &'static str = "scene";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     type Header = SceneHeader;
     type Frame = SceneFrame;
 }
@@ -98,7 +98,20 @@ pub enum TargetKind {
     Point {
         /// σ.
         rcs_m2: f64,
+        /// Constant, from the first frame's first sample on.
+        acceleration_mps2: [f64; 3],
+        /// The point goes round with a wheel; its pose is then that of the hub.
+        wheel: Option<Wheel>,
     },
+}
+
+/// A wheel that rolls along its yaw without slipping, and the place on its rim that scatters.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Wheel {
+    /// Of the rim.
+    pub radius_m: f64,
+    /// At the first frame's first sample, from forward towards up.
+    pub angle_rad: f64,
 }
 
 /// Pose of every target at the frame's first sample.

@@ -40,7 +40,7 @@ fn scene(bodies: &[(Mesh, Pose)], points: &[(f64, Pose)], accuracy_db: f64, boun
     };
     let point_target = |(rcs_m2, start): &(f64, Pose)| Target {
         id: "point".into(),
-        kind: TargetKind::Point { rcs_m2: *rcs_m2 },
+        kind: TargetKind::Point { rcs_m2: *rcs_m2, acceleration_mps2: [0.0; 3], wheel: None },
         start: *start,
     };
     let targets: Vec<Target> = (0..).zip(bodies).map(mesh_target).chain(points.iter().map(point_target)).collect();

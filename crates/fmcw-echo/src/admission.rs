@@ -3,7 +3,7 @@
 use crate::closest_approach::Leg;
 use crate::error::EchoError;
 use artifact::cube::{Cube, CubeHeader};
-use artifact::paths::Path;
+use artifact::paths::{Path, Rim};
 use artifact::radar::Pattern;
 use artifact::{Radar, Schema};
 use num_complex::Complex32;
@@ -138,7 +138,15 @@ impl Place {
         let points = [path.apparent_tx_m, path.apparent_rx_m];
         let velocities = [path.apparent_tx_mps, path.apparent_rx_mps];
         let amplitudes = [path.amplitude_m, path.slope_m_per_hz];
+        let curve = &path.curve;
+        let bends = [curve.apparent_tx_mps2, curve.apparent_rx_mps2];
+        let is_wheel = |rim: Rim| {
+            let finite = rim.forward.iter().all(|x| x.is_finite()) && rim.angle_rad.is_finite();
+            finite && rim.radius_m.is_finite() && rim.radius_m > 0.0
+        };
         let parts = [
+            ("an acceleration", bends.iter().flatten().all(|x| x.is_finite())),
+            ("the rim of a wheel", curve.rim.is_none_or(is_wheel)),
             ("an apparent point", points.iter().flatten().all(|x| x.is_finite())),
             ("a velocity", velocities.iter().flatten().all(|x| x.is_finite())),
             ("the amplitude or its slope", amplitudes.iter().flatten().flatten().all(|x| x.is_finite())),
@@ -150,7 +158,7 @@ impl Place {
     }
 
     fn check_speed(&self, radar: &Radar, path: &Path) -> Result<(), EchoError> {
-        let speed_mps = Leg::of(radar, path).map(|leg| leg.speed_mps()).into_iter().fold(0.0, f64::max);
+        let speed_mps = Leg::of(radar, path).map(|leg| leg.speed_mps(radar)).into_iter().fold(0.0, f64::max);
         if speed_mps <= SPEED_LIMIT_MPS {
             return Ok(());
         }

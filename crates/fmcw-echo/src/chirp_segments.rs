@@ -24,10 +24,10 @@ pub(crate) fn samples_per_segment(radar: &Radar, paths: &[&Path]) -> usize {
 
 /// Bound of |x‴|·T³ over phase in rad and relative amplitude.
 ///
-/// A leg of length L whose point moves at v has |L̈| ≤ v²/L and |L⃛| ≤ 3v³/L². With e = vT/L, of phase
-/// 2π(f₀τ + μtτ − …): 2π(f·τ⃛ + 3μτ̈)T³ ≤ 2π·Σ(3fe³ + 3μTe²)L/c. Of 1/(L₁L₂) relative to itself: second derivative
+/// A leg of length L whose point moves at v and is accelerated by a has |L̈| ≤ v²/L + a and |L⃛| ≤ 3(v/L)(v²/L + a). With e = vT/L and
+/// b = aT²/L, of phase 2π(f₀τ + μtτ − …): 2π(f·τ⃛ + 3μτ̈)T³ ≤ 2π·Σ(3fe + 3μT)(e² + b)L/c. Of 1/(L₁L₂) relative to itself: second derivative
 /// ≤ 3(Σe)², third ≤ 15(Σe)³; times an amplitude that is straight over the band and changes by at most twice its greatest
-/// value: 18(Σe)² + 15(Σe)³.
+/// value: 18(Σe)² + 15(Σe)³, with √(e² + b) for e.
 fn third_derivative(radar: &Radar, path: &Path) -> f64 {
     let waveform = &radar.waveform;
     let chirp_s = f64::from(waveform.samples) / waveform.sample_rate_hz;
@@ -36,9 +36,10 @@ fn third_derivative(radar: &Radar, path: &Path) -> f64 {
     let (mut phase, mut sum) = (0.0, 0.0);
     for leg in Leg::of(radar, path) {
         let length_m = leg.nearest(radar).1;
-        let e = leg.speed_mps() * chirp_s / length_m;
-        phase += TAU * 3.0 * e * e * (highest_hz * e + sweep_hz) * length_m / SPEED_OF_LIGHT_MPS;
-        sum += e;
+        let e = leg.speed_mps(radar) * chirp_s / length_m;
+        let bend = e * e + leg.acceleration_mps2() * chirp_s * chirp_s / length_m;
+        phase += TAU * 3.0 * bend * (highest_hz * e + sweep_hz) * length_m / SPEED_OF_LIGHT_MPS;
+        sum += bend.sqrt();
     }
     phase + sum * sum * (18.0 + 15.0 * sum)
 }
@@ -46,6 +47,7 @@ fn third_derivative(radar: &Radar, path: &Path) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use artifact::paths::Curve;
     use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Schedule, Waveform};
     use num_complex::Complex64;
 
@@ -88,6 +90,7 @@ mod tests {
             amplitude_m: [[Complex64::ONE; 2]; 2],
             slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
             facets: Default::default(),
+            curve: Curve::default(),
         };
         samples_per_segment(&radar, &[&path])
     }

@@ -11,20 +11,26 @@ pub(crate) struct Leg<'a> {
     elements_m: &'a [[f64; 3]],
     point_m: DVec3,
     velocity_mps: DVec3,
+    acceleration_mps2: f64,
+    rim_radius_m: Option<f64>,
 }
 
 impl<'a> Leg<'a> {
     /// Both legs of a path.
     pub(crate) fn of(radar: &'a Radar, path: &Path) -> [Self; 2] {
-        let leg = |element, elements_m, point_m, velocity_mps| Leg {
+        let curve = &path.curve;
+        let leg = |element, elements_m, point_m, velocity_mps, acceleration_mps2| Leg {
             element,
             elements_m,
             point_m: DVec3::from_array(point_m),
             velocity_mps: DVec3::from_array(velocity_mps),
+            acceleration_mps2: DVec3::from_array(acceleration_mps2).length(),
+            rim_radius_m: curve.rim.map(|rim| rim.radius_m),
         };
+        let (tx_m, rx_m) = (&radar.array.tx_m, &radar.array.rx_m);
         [
-            leg("transmit", &radar.array.tx_m, path.apparent_tx_m, path.apparent_tx_mps),
-            leg("receive", &radar.array.rx_m, path.apparent_rx_m, path.apparent_rx_mps),
+            leg("transmit", tx_m, path.apparent_tx_m, path.apparent_tx_mps, curve.apparent_tx_mps2),
+            leg("receive", rx_m, path.apparent_rx_m, path.apparent_rx_mps, curve.apparent_rx_mps2),
         ]
     }
 
@@ -40,15 +46,25 @@ impl<'a> Leg<'a> {
         nearest
     }
 
-    /// |v|, m/s.
-    pub(crate) fn speed_mps(&self) -> f64 {
-        self.velocity_mps.length()
+    /// The greatest speed in a frame, m/s: the top of a rolling wheel is twice as fast as its hub.
+    pub(crate) fn speed_mps(&self, radar: &Radar) -> f64 {
+        let of_hub_mps = self.velocity_mps.length() + self.acceleration_mps2 * radar.frame_duration_s();
+        if self.rim_radius_m.is_some() { 2.0 * of_hub_mps } else { of_hub_mps }
+    }
+
+    /// |a|, m/s².
+    pub(crate) fn acceleration_mps2(&self) -> f64 {
+        self.acceleration_mps2
     }
 
     fn closest_approach_m(&self, radar: &Radar, element_m: DVec3) -> f64 {
         let from_element_m = self.point_m - element_m;
         let square = self.velocity_mps.length_squared();
         let nearest_s = if square > 0.0 { -from_element_m.dot(self.velocity_mps) / square } else { 0.0 };
-        (from_element_m + self.velocity_mps * nearest_s.clamp(0.0, radar.frame_duration_s())).length()
+        let straight_m = (from_element_m + self.velocity_mps * nearest_s.clamp(0.0, radar.frame_duration_s())).length();
+        // No nearer than that less what acceleration and wheel can move it.
+        let aside_m =
+            0.5 * self.acceleration_mps2 * radar.frame_duration_s().powi(2) + self.rim_radius_m.unwrap_or(0.0);
+        (straight_m - aside_m).max(0.0)
     }
 }

@@ -17,6 +17,7 @@ use crate::antenna::{boresight, cosine_amplitude, link_amplitude};
 use crate::chirp_segments::samples_per_segment;
 use crate::lanes::{Complex, MAX_LANES, Real, Vector};
 use crate::multiplexing::{Transmission, row};
+use crate::reference::if_sample;
 use artifact::Radar;
 use artifact::paths::Path;
 use artifact::radar::Pattern;
@@ -34,18 +35,22 @@ pub struct DirectSum<'a> {
     boresight: DVec3,
     samples_per_segment: usize,
     columns: Columns,
+    /// Points on rims are few, and no parabola is theirs: each of their samples is written from the formulas.
+    on_rims: Vec<Path>,
 }
 
 impl<'a> DirectSum<'a> {
     /// `centre_frequency_hz` is f_c of the amplitudes. Paths without amplitude in the array's polarization are left
     /// out, so that they change no byte.
     pub fn new(radar: &'a Radar, centre_frequency_hz: f64, paths: &[Path]) -> Self {
-        let heard: Vec<&Path> = paths.iter().filter(|path| is_heard(radar, path)).collect();
-        let samples_per_segment = samples_per_segment(radar, &heard);
-        Self { samples_per_segment, ..Self::for_moments(radar, centre_frequency_hz, &heard) }
+        let heard = paths.iter().filter(|path| is_heard(radar, path));
+        let (on_rims, steady): (Vec<&Path>, Vec<&Path>) = heard.partition(|path| path.curve.rim.is_some());
+        let samples_per_segment = samples_per_segment(radar, &steady);
+        let on_rims = on_rims.into_iter().copied().collect();
+        Self { samples_per_segment, on_rims, ..Self::for_moments(radar, centre_frequency_hz, &steady) }
     }
 
-    /// Of paths that are all heard, in their order, to be asked for [`Self::values`] alone.
+    /// Of paths that are all heard and none on a rim, in their order, to be asked for [`Self::values`] alone.
     pub(crate) fn for_moments(radar: &'a Radar, centre_frequency_hz: f64, heard: &[&Path]) -> Self {
         Self {
             radar,
@@ -54,13 +59,20 @@ impl<'a> DirectSum<'a> {
             boresight: boresight(radar),
             samples_per_segment: radar.waveform.samples as usize,
             columns: Columns::new(radar, heard),
+            on_rims: vec![],
         }
     }
 
     /// The samples of one row of the cube, √W, noise-free.
     pub fn row(&self, channel: usize, chirp: usize) -> Vec<Complex64> {
         let transmissions = row(self.radar, channel, chirp);
-        Arch::new().dispatch(RowSum { sum: self, transmissions: &transmissions })
+        let mut samples = Arch::new().dispatch(RowSum { sum: self, transmissions: &transmissions });
+        for (transmission, path) in transmissions.iter().flat_map(|t| self.on_rims.iter().map(move |path| (t, path))) {
+            for (n, sample) in samples.iter_mut().enumerate() {
+                *sample += transmission.turn * if_sample(self.radar, self.centre_frequency_hz, path, transmission, n);
+            }
+        }
+        samples
     }
 
     /// IF values of every path at one moment, each less some cycles of its own: `cycles` in the order of the paths, as many as
@@ -90,6 +102,8 @@ struct Columns {
     rx_m: [Vec<f64>; 3],
     /// Its velocity over c.
     rx_beta: [Vec<f64>; 3],
+    /// Half the accelerations of x_a, and of x_b over c; `None` where there are none.
+    bends: Option<[[Vec<f64>; 3]; 2]>,
     /// a, real and imaginary.
     amplitude_m: [Vec<f64>; 2],
     /// a′, real and imaginary.
@@ -115,10 +129,20 @@ impl Columns {
             tx_mps: [0, 1, 2].map(|i| column(&|p| p.apparent_tx_mps[i])),
             rx_m: [0, 1, 2].map(|i| column(&|p| p.apparent_rx_m[i])),
             rx_beta: [0, 1, 2].map(|i| column(&|p| p.apparent_rx_mps[i] / SPEED_OF_LIGHT_MPS)),
+            bends: heard.iter().any(|path| accelerates(path)).then(|| {
+                [
+                    [0, 1, 2].map(|i| column(&|p| 0.5 * p.curve.apparent_tx_mps2[i])),
+                    [0, 1, 2].map(|i| column(&|p| 0.5 * p.curve.apparent_rx_mps2[i] / SPEED_OF_LIGHT_MPS)),
+                ]
+            }),
             amplitude_m: [silent(&|p| amplitude(p).re), silent(&|p| amplitude(p).im)],
             slope_m_per_hz: [silent(&|p| slope(p).re), silent(&|p| slope(p).im)],
         }
     }
+}
+
+fn accelerates(path: &Path) -> bool {
+    path.curve.apparent_tx_mps2 != [0.0; 3] || path.curve.apparent_rx_mps2 != [0.0; 3]
 }
 
 /// Whether a path has an amplitude in the array's polarization.
@@ -239,6 +263,7 @@ struct Chirp<'a, S: Simd> {
     tx_mps: [&'a [S::f64s]; 3],
     rx_m: [&'a [S::f64s]; 3],
     rx_beta: [&'a [S::f64s]; 3],
+    bends: Option<[[&'a [S::f64s]; 3]; 2]>,
     amplitude_m: [&'a [S::f64s]; 2],
     slope_m_per_hz: [&'a [S::f64s]; 2],
 }
@@ -255,6 +280,7 @@ impl<'a, S: Simd> Chirp<'a, S> {
             tx_mps: columns.tx_mps.each_ref().map(lanes),
             rx_m: columns.rx_m.each_ref().map(lanes),
             rx_beta: columns.rx_beta.each_ref().map(lanes),
+            bends: columns.bends.as_ref().map(|ends| ends.each_ref().map(|end| end.each_ref().map(lanes))),
             amplitude_m: columns.amplitude_m.each_ref().map(lanes),
             slope_m_per_hz: columns.slope_m_per_hz.each_ref().map(lanes),
         }
@@ -303,18 +329,32 @@ impl<'a, S: Simd> Chirp<'a, S> {
     /// Both legs at the scattering time of what is received at `time_s`.
     ///
     /// With d = x_b(T) − p_r and β = v_b/c, |d − βL₂| = L₂ is a quadratic equation in L₂:
-    /// L₂ = (√((d·β)² + (1 − β²)d²) − d·β)/(1 − β²).
+    /// L₂ = (√((d·β)² + (1 − β²)d²) − d·β)/(1 − β²). β is that at T: acceleration on the way back moves a point by ½a(L₂/c)², 1e-12 m
+    /// at 100 m/s² and 40 m.
     #[inline(always)]
     fn legs(&self, group: usize, time_s: f64) -> Legs<S> {
         let beta = self.vector(&self.rx_beta, group);
         let from_element = self.vector(&self.rx_m, group) - Vector::splat(self.simd, self.transmission.rx_m);
-        let d = beta.mul_add(self.splat(SPEED_OF_LIGHT_MPS * time_s), from_element);
+        let (beta, d) = match &self.bends {
+            None => (beta, beta.mul_add(self.splat(SPEED_OF_LIGHT_MPS * time_s), from_element)),
+            Some([_, rx]) => {
+                let bend = self.vector(rx, group);
+                let mean = bend.mul_add(self.splat(time_s), beta);
+                let d = mean.mul_add(self.splat(SPEED_OF_LIGHT_MPS * time_s), from_element);
+                (bend.mul_add(self.splat(time_s), mean), d)
+            }
+        };
         let (closing, shrink) = (d.dot(beta), self.splat(1.0) - beta.dot(beta));
         let root = closing.mul_add(closing, shrink * d.dot(d)).sqrt();
         let arriving_length_m = (root - closing) * shrink.recip();
         let scattering_time_s = self.splat(time_s) - arriving_length_m.scale(1.0 / SPEED_OF_LIGHT_MPS);
         let from_element = self.vector(&self.tx_m, group) - Vector::splat(self.simd, self.transmission.tx_m);
-        let departing_m = self.vector(&self.tx_mps, group).mul_add(scattering_time_s, from_element);
+        let tx_mps = self.vector(&self.tx_mps, group);
+        let mean_mps = match &self.bends {
+            None => tx_mps,
+            Some([tx, _]) => self.vector(tx, group).mul_add(scattering_time_s, tx_mps),
+        };
+        let departing_m = mean_mps.mul_add(scattering_time_s, from_element);
         Legs {
             departing_m,
             departing_length_m: departing_m.dot(departing_m).sqrt(),

@@ -17,7 +17,7 @@
 //!
 //! ```
 //! use artifact::cube::CubeHeader;
-//! use artifact::paths::{Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
+//! use artifact::paths::{Curve, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
 //! use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
 //! use artifact::settings::{Angle, Detector, DspSettings, Noise, Refine, Window};
 //! # use artifact::{ErrorBudget, ModelError};
@@ -60,6 +60,7 @@
 //!     amplitude_m: one,
 //!     slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
 //!     facets: [Facet::default(); MAX_ORDER],
+//!     curve: Curve::default(),
 //! };
 //! # let dsp = DspSettings {
 //! #     range_window: Window::Hann, doppler_window: Window::Hann, detector: Detector::CaCfar, false_alarm_rate: 1e-5,

@@ -11,7 +11,7 @@ use crate::error::EchoError;
 use crate::multiplexing::{Transmission, row};
 use crate::reference::{if_cycles, legs_at};
 use artifact::Radar;
-use artifact::paths::{Facet, MAX_ORDER, Path};
+use artifact::paths::{Curve, Facet, MAX_ORDER, Path};
 use artifact::rcs::{RcsFrame, RcsTable};
 use artifact::scene::Pose;
 use glam::{DQuat, DVec3};
@@ -183,6 +183,7 @@ fn origin_path(pose: &Pose) -> Path {
         amplitude_m: [[Complex64::ONE; 2]; 2],
         slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
         facets: [Facet::default(); MAX_ORDER],
+        curve: Curve::default(),
     }
 }
 

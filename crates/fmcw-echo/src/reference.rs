@@ -6,7 +6,7 @@
 use crate::antenna::{boresight, link_amplitude, pattern_amplitude};
 use crate::multiplexing::{Transmission, row};
 use artifact::Radar;
-use artifact::paths::Path;
+use artifact::paths::{Path, Rim};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 use num_complex::Complex64;
@@ -89,18 +89,29 @@ impl Legs {
 /// The scattering time t_s = T − |x_b(t_s) − p_r|/c is iterated from T. One step divides its error by c/v (3e7 at
 /// 10 m/s), so that four steps leave nothing at any speed this crate accepts (1e-5·c).
 pub fn legs_at(path: &Path, transmission: &Transmission, time_s: f64) -> Legs {
-    let at = |point_m: [f64; 3], velocity_mps: [f64; 3], time_s: f64| {
-        DVec3::from_array(point_m) + DVec3::from_array(velocity_mps) * time_s
+    let (curve, rim) = (&path.curve, path.curve.rim);
+    let at = |point_m: [f64; 3], velocity_mps: [f64; 3], acceleration_mps2: [f64; 3], t: f64| {
+        let way_m = DVec3::from_array(velocity_mps) * t + DVec3::from_array(acceleration_mps2) * (0.5 * t * t);
+        DVec3::from_array(point_m) + way_m + rim.map_or(DVec3::ZERO, |rim| from_hub_m(&rim, way_m))
     };
-    let arriving_m = |t: f64| at(path.apparent_rx_m, path.apparent_rx_mps, t) - transmission.rx_m;
+    let arriving_m =
+        |t: f64| at(path.apparent_rx_m, path.apparent_rx_mps, curve.apparent_rx_mps2, t) - transmission.rx_m;
     let mut scattering_time_s = time_s;
     for _ in 0..4 {
         scattering_time_s = time_s - arriving_m(scattering_time_s).length() / SPEED_OF_LIGHT_MPS;
     }
     Legs {
-        departing_m: at(path.apparent_tx_m, path.apparent_tx_mps, scattering_time_s) - transmission.tx_m,
+        departing_m: at(path.apparent_tx_m, path.apparent_tx_mps, curve.apparent_tx_mps2, scattering_time_s)
+            - transmission.tx_m,
         arriving_m: arriving_m(scattering_time_s),
     }
+}
+
+/// From the hub of a rolling wheel to the point on its rim, `way_m` after the frame's first sample.
+fn from_hub_m(rim: &Rim, way_m: DVec3) -> DVec3 {
+    let forward = DVec3::from_array(rim.forward);
+    let (sin, cos) = (rim.angle_rad - way_m.dot(forward) / rim.radius_m).sin_cos();
+    rim.radius_m * (cos * forward + sin * DVec3::Z)
 }
 
 /// a + (f − f_c)·a′ in the array's polarization, metres.

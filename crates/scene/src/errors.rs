@@ -284,9 +284,15 @@ pub enum Rule {
         /// Of the target that had it first.
         first_line: u32,
     },
-    /// Falling chirps.
-    #[error("`slope_mhz_per_us` must be positive, is {0}: falling chirps are not supported")]
-    FallingChirp(f64),
+    /// A tone tells no range.
+    #[error("`slope_mhz_per_us` must not be 0: a tone tells no range")]
+    NoSlope,
+    /// A sweep down to nothing.
+    #[error("the sweep ends at {end_ghz} GHz; `slope_mhz_per_us` must leave 0.1 GHz or more")]
+    SweepTooLong {
+        /// Last sample's frequency.
+        end_ghz: f64,
+    },
     /// A turn from chirp to chirp is no velocity where the chirps' intervals change.
     #[error("`stagger_us` and the multiplexing `ddm` exclude one another")]
     StaggeredDivision,

@@ -152,6 +152,9 @@ pub(crate) const TARGET: Table = Table {
         "lane",
         "y_m",
         "velocity_mps",
+        "acceleration_mps2",
+        "wheel_radius_m",
+        "wheel_angle_deg",
         "yaw_deg",
     ],
 };

@@ -58,6 +58,6 @@ pub use errors::{Allowed, MapAxis, Place, Position, Rule, SceneError, SceneError
 pub use keys::{TABLES, Table};
 pub use materials::read_materials;
 pub use mesh::{MeshError, MeshOptions, centred, read_mesh};
-pub use motion::{pose_after, snapshot};
+pub use motion::{moved, pose_after, snapshot};
 pub use painted::{Painted, PaintedLine, painted_glb};
 pub use read::{Meshes, ReadOptions, inputs, read};

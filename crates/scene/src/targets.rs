@@ -5,11 +5,14 @@ use crate::errors::{Allowed, Rule};
 use crate::keys;
 use crate::models::Models;
 use crate::radar::COORDINATES_M;
-use artifact::scene::{Pose, Target, TargetKind};
+use artifact::scene::{Pose, Target, TargetKind, Wheel};
 use artifact::settings::{Class, Lane};
 
 /// Beyond the speed of sound nothing drives.
 const VELOCITIES_MPS: Allowed = Allowed::Between(-340.0, 340.0);
+
+/// Ten times what brakes and falls.
+const ACCELERATIONS_MPS2: Allowed = Allowed::Between(-100.0, 100.0);
 
 #[derive(Clone, Copy)]
 enum Kind {
@@ -51,17 +54,33 @@ fn read_target(section: &Section<'_>, id: Option<&str>, lanes: &[Lane], models: 
 }
 
 fn read_mesh_target(section: &Section<'_>, models: &mut Models) -> Option<TargetKind> {
-    misplaced(section, &["rcs_m2"], "a mesh target");
+    misplaced(section, &["rcs_m2", "acceleration_mps2", "wheel_radius_m", "wheel_angle_deg"], "a mesh target");
     let class = section.word("class", &Class::ALL.map(|class| (class.name(), class)));
     let chosen = models.choose(section)?;
     Some(TargetKind::Mesh { class: class.or(chosen.class), model: chosen.name, mesh: chosen.mesh })
 }
 
 fn read_point_target(section: &Section<'_>) -> Option<TargetKind> {
-    misplaced(section, &["class", "model", "vehicle_seed", "unit_scale", "yaw_deg"], "a point target");
+    misplaced(section, &["class", "model", "vehicle_seed", "unit_scale"], "a point target");
+    if section.has("yaw_deg") && !section.has("wheel_radius_m") {
+        section.note("yaw_deg", Rule::Misplaced { key: "yaw_deg", owner: "a point target that is on no wheel" });
+    }
     section.require("rcs_m2");
+    let acceleration_mps2 = section.vector("acceleration_mps2", ACCELERATIONS_MPS2).unwrap_or([0.0; 3]);
+    let wheel = read_wheel(section);
     // Sixty dB beyond the largest ship; zero scatters nothing and is allowed.
-    Some(TargetKind::Point { rcs_m2: section.number("rcs_m2", Allowed::Between(0.0, 1e12))? })
+    let rcs_m2 = section.number("rcs_m2", Allowed::Between(0.0, 1e12))?;
+    Some(TargetKind::Point { rcs_m2, acceleration_mps2, wheel })
+}
+
+/// A point on the rim of a wheel, whose hub the target's position is.
+fn read_wheel(section: &Section<'_>) -> Option<Wheel> {
+    if section.has("wheel_angle_deg") && !section.has("wheel_radius_m") {
+        section.note("wheel_angle_deg", Rule::Alone { key: "wheel_angle_deg", companion: "wheel_radius_m" });
+    }
+    let angle_deg = section.number("wheel_angle_deg", Allowed::Between(-360.0, 360.0)).unwrap_or(0.0);
+    let radius_m = section.number("wheel_radius_m", Allowed::Between(0.01, 10.0))?;
+    Some(Wheel { radius_m, angle_rad: angle_deg.to_radians() })
 }
 
 fn misplaced(section: &Section<'_>, keys: &[&'static str], owner: &'static str) {

@@ -111,6 +111,22 @@ fn sub_frames_are_records_of_their_own_one_after_the_other() {
 }
 
 #[test]
+fn an_accelerated_point_and_a_rolling_wheel_are_read_and_moved() {
+    let scene = read_text(
+        "frames = 2\n[[target]]\nkind = \"point\"\nid = \"rim\"\nrcs_m2 = 1\nposition_m = [2, 30, 0.3]\nvelocity_mps = [0, -10, 0]\n\
+         acceleration_mps2 = [0, 5, 0]\nwheel_radius_m = 0.3\nwheel_angle_deg = 90\n\
+         [radar.waveform]\nslope_mhz_per_us = -12.5\n",
+    );
+    let wheel = Some(artifact::scene::Wheel { radius_m: 0.3, angle_rad: FRAC_PI_2 });
+    assert_eq!(scene.targets[0].kind, TargetKind::Point { rcs_m2: 1.0, acceleration_mps2: [0.0, 5.0, 0.0], wheel });
+    let pose = scene::snapshot(&scene, 1).poses[0];
+    // After 0.1 s: 30 − 1 + 0.025 m at −9.5 m/s.
+    assert_close(pose.position_m[1], 29.025, 30.0);
+    assert_close(pose.velocity_mps[1], -9.5, 10.0);
+    assert_eq!(scene.radar.waveform.slope_hz_per_s, -12.5e12);
+}
+
+#[test]
 fn a_stagger_is_told_as_delays_after_the_mean_interval() {
     let schedule = read_text("[radar.waveform]\nstagger_us = [9, 0, 0]\n").radar;
     assert_close(schedule.waveform.chirp_interval_s, 63e-6, 1e-4);
@@ -240,7 +256,7 @@ fn targets_keep_the_order_of_the_file_and_share_meshes() {
     let kinds: Vec<_> = scene.targets.iter().map(|target| (target.id.as_str(), target.kind.clone())).collect();
     let expected = [
         ("a", of_mesh(Some(Class::Truck), 0)),
-        ("p", TargetKind::Point { rcs_m2: 0.5 }),
+        ("p", TargetKind::Point { rcs_m2: 0.5, acceleration_mps2: [0.0; 3], wheel: None }),
         ("b", of_mesh(None, 0)),
         ("c", of_mesh(None, 1)),
     ];

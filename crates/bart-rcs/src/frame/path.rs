@@ -13,12 +13,13 @@ use crate::frame::road_left_out::road_left_out;
 use crate::geometry::antenna::Antenna;
 use crate::joins::join::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH, check_order};
-use artifact::paths::{Amplitude, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
-use artifact::scene::{Pose, SceneFrame, SceneHeader, Target, TargetKind};
+use artifact::paths::{Amplitude, Curve, Facet, MAX_ORDER, Path, PathsFrame, Rim, TraceStatistics};
+use artifact::scene::{Pose, SceneFrame, SceneHeader, Target, TargetKind, Wheel};
 use artifact::settings::Surface;
 use artifact::{ErrorBudget, ModelError};
 use glam::DVec3;
 use num_complex::Complex64;
+use std::f64::consts::TAU;
 
 /// Paths of one frame from the radar's position and back, referred to the frame's first sample.
 ///
@@ -101,7 +102,7 @@ impl Snapshot {
 fn point_paths(header: &SceneHeader, frame: &SceneFrame) -> Vec<Path> {
     let targets = (0..).zip(header.targets.iter().zip(&frame.poses));
     let of = |(target, (kind, pose)): (u32, (&Target, &Pose))| {
-        let TargetKind::Point { rcs_m2 } = kind.kind else { return None };
+        let TargetKind::Point { rcs_m2, acceleration_mps2, wheel } = kind.kind else { return None };
         let root = Complex64::from(rcs_m2.sqrt());
         Some(Path {
             target,
@@ -113,9 +114,23 @@ fn point_paths(header: &SceneHeader, frame: &SceneFrame) -> Vec<Path> {
             amplitude_m: [[root, Complex64::ZERO], [Complex64::ZERO, root]],
             slope_m_per_hz: Amplitude::default(),
             facets: [Facet::default(); MAX_ORDER],
+            curve: Curve {
+                apparent_tx_mps2: acceleration_mps2,
+                apparent_rx_mps2: acceleration_mps2,
+                rim: wheel.map(|wheel| rim(&wheel, &kind.start, pose)),
+            },
         })
     };
     targets.filter_map(of).collect()
+}
+
+/// The rim as it has rolled since the scene's beginning.
+fn rim(wheel: &Wheel, start: &Pose, pose: &Pose) -> Rim {
+    let (sin, cos) = pose.yaw_rad.sin_cos();
+    let forward = DVec3::new(cos, sin, 0.0);
+    let way_m = (DVec3::from_array(pose.position_m) - DVec3::from_array(start.position_m)).dot(forward);
+    let angle_rad = (wheel.angle_rad - way_m / wheel.radius_m).rem_euclid(TAU);
+    Rim { radius_m: wheel.radius_m, forward: forward.to_array(), angle_rad }
 }
 
 fn count(paths: &[Path], order: u8) -> u64 {

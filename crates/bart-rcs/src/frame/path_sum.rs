@@ -95,7 +95,7 @@ impl PathView {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use artifact::paths::{Facet, MAX_ORDER};
+    use artifact::paths::{Curve, Facet, MAX_ORDER};
 
     #[test]
     fn a_band_by_turns_is_that_of_every_frequency() {
@@ -112,6 +112,7 @@ mod tests {
                 amplitude_m: [[Complex64::from_polar(1.0, 6.0 * at(0.236_068)); 2]; 2],
                 slope_m_per_hz: [[Complex64::new(1e-10 * at(0.5), -2e-10); 2]; 2],
                 facets: [Facet::default(); MAX_ORDER],
+                curve: Curve::default(),
             }
         };
         let paths: Vec<Path> = (0..9000).map(path).collect();

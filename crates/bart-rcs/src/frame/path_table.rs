@@ -9,7 +9,7 @@ use crate::frame::path_pruning::pruned;
 use crate::geometry::antenna::Antenna;
 use crate::joins::scatterer::{Scatterer, bracket_of};
 use crate::table::meeting::Meeting;
-use artifact::paths::Path;
+use artifact::paths::{Curve, Path};
 use artifact::scene::SceneHeader;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
@@ -151,5 +151,6 @@ fn path_of(cell: &Cell, band: &Band, middle_s: f64) -> Path {
         amplitude_m,
         slope_m_per_hz,
         facets: cell.facets,
+        curve: Curve::default(),
     }
 }

@@ -38,7 +38,7 @@ pub fn rcs_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> R
     let mut powers = Powers::default();
     for (index, (target, pose)) in (0..).zip(header.targets.iter().zip(&frame.poses)) {
         tables.push(match target.kind {
-            TargetKind::Point { rcs_m2 } => point_table(header, index, rcs_m2),
+            TargetKind::Point { rcs_m2, .. } => point_table(header, index, rcs_m2),
             TargetKind::Mesh { mesh, .. } => {
                 let meshes = header.meshes.len();
                 let missing = || BartError::MeshOutOfRange { target: target.id.clone(), mesh, meshes };

@@ -86,11 +86,12 @@ fn cube_in<T: Scalar>(radar: &Radar, centre_frequency_hz: f64, paths: &[Path], e
 fn part_of_cube<T: Scalar>(listener: &Listener<'_>, paths: &[Path], error: f64) -> Vec<Complex<T>> {
     let radar = listener.radar;
     let links = links(radar);
-    let heard: Vec<&Path> = paths.iter().filter(|path| is_heard(radar, path)).collect();
+    let heard = paths.iter().filter(|path| is_heard(radar, path));
+    let (on_rims, heard): (Vec<&Path>, Vec<&Path>) = heard.partition(|path| path.curve.rim.is_some());
     let groups = groups(listener, &heard, &links, Asked { error: 0.6 * error, instants_max: INSTANTS_MAX });
     let length = listener.steps.chirps * radar.waveform.samples as usize;
     let mut of_links = vec![Complex::new(T::zero(), T::zero()); links.len() * length];
-    let mut alone: Vec<Path> = Vec::new();
+    let mut alone: Vec<Path> = on_rims.into_iter().copied().collect();
     for group in &groups {
         match &group.smooth {
             Some(smooth) => add_group(listener, group, smooth, &links, error, &mut of_links),

@@ -118,16 +118,18 @@ impl<'a> Listener<'a> {
     }
 
     fn departing(&self, path: &Path, element_m: DVec3, scattering_time_s: f64) -> Leg {
-        let velocity_mps = DVec3::from_array(path.apparent_tx_mps);
-        let way_m = DVec3::from_array(path.apparent_tx_m) + velocity_mps * scattering_time_s - element_m;
+        let (position_m, velocity_mps) =
+            at(path.apparent_tx_m, path.apparent_tx_mps, path.curve.apparent_tx_mps2, scattering_time_s);
+        let way_m = position_m - element_m;
         let length_m = way_m.length();
         self.leg(way_m / length_m, length_m, velocity_mps)
     }
 
     /// At the scattering time t_s = T − |x(t_s) − p|/c: |x(t_s) − p| = |x(T) − p|/(1 + v·d/c), but for (v/c)².
     fn arriving(&self, path: &Path, element_m: DVec3, time_s: f64) -> Leg {
-        let velocity_mps = DVec3::from_array(path.apparent_rx_mps);
-        let way_m = DVec3::from_array(path.apparent_rx_m) + velocity_mps * time_s - element_m;
+        let (position_m, velocity_mps) =
+            at(path.apparent_rx_m, path.apparent_rx_mps, path.curve.apparent_rx_mps2, time_s);
+        let way_m = position_m - element_m;
         let length_m = way_m.length();
         let direction = way_m / length_m;
         self.leg(direction, length_m / (1.0 + velocity_mps.dot(direction) / C), velocity_mps)
@@ -137,6 +139,12 @@ impl<'a> Listener<'a> {
         let pattern = pattern_amplitude(self.radar.array.pattern, self.boresight, direction);
         Leg { length_m, rate_mps: velocity_mps.dot(direction), gain_per_m: pattern / length_m }
     }
+}
+
+/// Place and velocity of an apparent point.
+fn at(point_m: [f64; 3], velocity_mps: [f64; 3], acceleration_mps2: [f64; 3], time_s: f64) -> (DVec3, DVec3) {
+    let (velocity_mps, gained_mps) = (DVec3::from_array(velocity_mps), DVec3::from_array(acceleration_mps2) * time_s);
+    (DVec3::from_array(point_m) + (velocity_mps + 0.5 * gained_mps) * time_s, velocity_mps + gained_mps)
 }
 
 const C: f64 = SPEED_OF_LIGHT_MPS;

@@ -8,7 +8,7 @@
 use crate::fast::instants::{Instant, Link, Listener, Tone};
 use crate::fast::scalar::{Scalar, rounded};
 use crate::fast::skeleton::{Skeleton, root_mean_square};
-use artifact::paths::Path;
+use artifact::paths::{Curve, Path};
 use num_complex::{Complex, Complex64};
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
@@ -226,6 +226,11 @@ fn middle_of(paths: &[&Path]) -> Option<Path> {
         apparent_rx_mps: mean(|p| p.apparent_rx_mps),
         amplitude_m: [[Complex64::ONE; 2]; 2],
         slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
+        curve: Curve {
+            apparent_tx_mps2: mean(|p| p.curve.apparent_tx_mps2),
+            apparent_rx_mps2: mean(|p| p.curve.apparent_rx_mps2),
+            rim: None,
+        },
         ..*first
     })
 }
@@ -304,6 +309,7 @@ mod tests {
             amplitude_m: [[Complex64::ONE; 2]; 2],
             slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
             facets: [Facet::default(); MAX_ORDER],
+            curve: Curve::default(),
         };
         let paths: Vec<Path> = (1..=200).map(path).collect();
         let paths: Vec<&Path> = paths.iter().collect();

@@ -10,6 +10,8 @@ mod single_precision;
 mod superposition;
 mod multiplexing;
 mod schedules;
+mod chirp_phases;
+mod large_arrays;
 mod receiver_noise;
 mod rcs_tables;
 mod reproducibility;

@@ -2,7 +2,7 @@
 #![allow(dead_code, unreachable_pub, reason = "each test file takes the part that it needs as a module of its own")]
 
 use artifact::cube::CubeHeader;
-use artifact::paths::{Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
+use artifact::paths::{Curve, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
 use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
 use artifact::settings::{Angle, Detector, DspSettings, Noise, Refine, Window};
 use artifact::units::{power_from_db, watts_from_dbm};
@@ -125,6 +125,7 @@ pub fn point(position_m: [f64; 3], velocity_mps: [f64; 3], rcs_m2: f64) -> Path 
         amplitude_m: [[a, Complex64::ZERO], [Complex64::ZERO, a]],
         slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
         facets: [Facet::default(); MAX_ORDER],
+        curve: Curve::default(),
     }
 }
 
@@ -168,6 +169,7 @@ pub fn body(seed: u64, count: usize, middle_m: [f64; 3], velocity_mps: [f64; 3])
                 amplitude_m: random.amplitude(1.0),
                 slope_m_per_hz: random.amplitude(2e-10),
                 facets: [Facet::default(); MAX_ORDER],
+                curve: Curve::default(),
             }
         })
         .collect()
@@ -206,6 +208,7 @@ impl Random {
             amplitude_m: self.amplitude(1.0),
             slope_m_per_hz: self.amplitude(3e-9),
             facets: [Facet::default(); MAX_ORDER],
+            curve: Curve::default(),
         }
     }
 }

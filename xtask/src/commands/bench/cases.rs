@@ -156,5 +156,6 @@ fn point(number: usize) -> artifact::paths::Path {
         amplitude_m,
         slope_m_per_hz: Amplitude::default(),
         facets: Default::default(),
+        curve: artifact::paths::Curve::default(),
     }
 }

@@ -28,7 +28,8 @@ pub(crate) fn csv(reader: Reader<Paths>, out: &Path) -> Result<(), Failure> {
     });
     failed.map_or(written, |error| Err(error.into()))?;
     let axes = json!({ "f_c_hz": header.centre_frequency_hz, "positions_at": "the frame's first sample",
-        "delay_at": "the frame's middle, from the array's centre", "facets": "body:triangle in the order of travel" });
+        "delay_at": "the frame's middle, from the array's centre", "facets": "body:triangle in the order of travel",
+        "left_out": "accelerations, but for delay and rate; the turning of a wheel, whose hub is told (export to json has them)" });
     write_sidecar(out, &axes)
 }
 
@@ -54,12 +55,13 @@ fn rows(sink: &mut dyn Write, header: &PathsHeader, frame: u32, path: &Record) -
 fn delay_at_middle(header: &PathsHeader, path: &Record) -> (f64, f64) {
     let centre = DVec3::from(header.radar.position_m);
     let middle_s = header.radar.frame_middle_s();
-    let leg = |x: [f64; 3], v: [f64; 3]| {
-        let velocity = DVec3::from(v);
-        let away = DVec3::from(x) + velocity * middle_s - centre;
+    let leg = |x: [f64; 3], v: [f64; 3], a: [f64; 3]| {
+        let gained = DVec3::from(a) * middle_s;
+        let velocity = DVec3::from(v) + gained;
+        let away = DVec3::from(x) + (velocity - 0.5 * gained) * middle_s - centre;
         (away.length(), away.dot(velocity) / away.length())
     };
-    let (there_m, there_mps) = leg(path.apparent_tx_m, path.apparent_tx_mps);
-    let (back_m, back_mps) = leg(path.apparent_rx_m, path.apparent_rx_mps);
+    let (there_m, there_mps) = leg(path.apparent_tx_m, path.apparent_tx_mps, path.curve.apparent_tx_mps2);
+    let (back_m, back_mps) = leg(path.apparent_rx_m, path.apparent_rx_mps, path.curve.apparent_rx_mps2);
     ((there_m + back_m) / SPEED_OF_LIGHT_MPS, (there_mps + back_mps) / SPEED_OF_LIGHT_MPS)
 }

@@ -45,7 +45,11 @@ pub(super) fn with_point(
 ) -> SceneHeader {
     let id = format!("point-{}", header.targets.len());
     let start = Pose { position_m, yaw_rad: 0.0, velocity_mps };
-    header.targets.push(Target { id, kind: TargetKind::Point { rcs_m2 }, start });
+    header.targets.push(Target {
+        id,
+        kind: TargetKind::Point { rcs_m2, acceleration_mps2: [0.0; 3], wheel: None },
+        start,
+    });
     header
 }
 

@@ -9,7 +9,7 @@ use crate::commands::study::scenes::{
 use crate::failure::Failure;
 use artifact::Accuracy;
 use artifact::cube::CubeFrame;
-use artifact::paths::{Facet, MAX_ORDER, Path};
+use artifact::paths::{Curve, Facet, MAX_ORDER, Path};
 use artifact::scene::SceneHeader;
 use num_complex::Complex64;
 
@@ -136,5 +136,6 @@ fn point(number: usize) -> Path {
         amplitude_m: one,
         slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
         facets: [Facet::default(); MAX_ORDER],
+        curve: Curve::default(),
     }
 }
