@@ -3,7 +3,7 @@
 
 use crate::cache::Cache;
 use crate::failure::Failure;
-use crate::keys::{FrameKeys, SceneParts, cube_header};
+use crate::keys::{FrameKeys, SceneParts, cube_header, echo_header};
 use crate::plan::FramePlan;
 use crate::progress::Work;
 use crate::stages::Stage;
@@ -98,6 +98,7 @@ pub(crate) fn of_classifier(error: classifier::ClassifierError) -> Failure {
 pub(crate) struct Chain<'a> {
     pub(crate) header: &'a SceneHeader,
     pub(crate) cube_header: CubeHeader,
+    echo_header: CubeHeader,
     cache: Option<&'a Cache>,
     model: Option<&'a LoadedModel>,
     parts: SceneParts,
@@ -107,7 +108,7 @@ pub(crate) struct Chain<'a> {
 impl<'a> Chain<'a> {
     pub(crate) fn of(header: &'a SceneHeader, cache: Option<&'a Cache>, model: Option<&'a LoadedModel>) -> Self {
         let (cube_header, parts) = (cube_header(header), SceneParts::of(header));
-        Self { header, cube_header, cache, model, parts, bodies: OnceLock::new() }
+        Self { header, cube_header, echo_header: echo_header(header), cache, model, parts, bodies: OnceLock::new() }
     }
 
     /// What one frame needs and why.
@@ -219,7 +220,7 @@ impl<'a> Chain<'a> {
     pub(crate) fn synthesize(&self, scene: &SceneFrame, scattering: &Scattering) -> Result<CubeFrame, Failure> {
         let work = Work::begin(format!("frame {} echo", scene.index));
         let progress = |share: f64| work.at((1000.0 * share) as usize, 1000);
-        let (header, seed) = (&self.cube_header, self.header.seed);
+        let (header, seed) = (&self.echo_header, self.header.seed);
         match scattering {
             Scattering::Paths(frame) => {
                 let centre_hz = self.header.radar.waveform.centre_frequency_hz();

@@ -3,6 +3,7 @@
 use crate::stages::Stage;
 use artifact::cube::CubeHeader;
 use artifact::envelope::fingerprint;
+use artifact::radar::Hardware;
 use artifact::scene::{SceneFrame, SceneHeader};
 use artifact::settings::{Detail, Noise};
 
@@ -114,8 +115,15 @@ fn fmcw_echo(header: &SceneHeader, parts: &SceneParts, scattering: &Key, frame: 
     )
 }
 
-/// What a detector may know of a scene.
+/// What a detector may know of a scene: not the errors of its radar.
 pub(crate) fn cube_header(header: &SceneHeader) -> CubeHeader {
+    let mut known = echo_header(header);
+    known.radar.hardware = Hardware::default();
+    known
+}
+
+/// What an echo is made with.
+pub(crate) fn echo_header(header: &SceneHeader) -> CubeHeader {
     CubeHeader { radar: header.radar.clone(), noise: header.noise, dsp: header.dsp.clone() }
 }
 
@@ -123,7 +131,7 @@ pub(crate) fn cube_header(header: &SceneHeader) -> CubeHeader {
 mod tests {
     use super::*;
     use artifact::material::{Backing, Layer, Makeup, Material, MaterialMap, Road, Thickness, Transmission};
-    use artifact::radar::Schedule;
+    use artifact::radar::{Adc, ElementError, Schedule};
     use artifact::scene::{Mesh, TargetKind, Wheel};
     use num_complex::Complex64;
     use serde_json::Value;
@@ -152,6 +160,9 @@ mod tests {
         header.road = Some(Road { material: asphalt, rms_height_m: 1e-3 });
         header.noise = Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 };
         header.radar.schedule = Schedule { sub_frame_intervals_s: vec![60e-6, 85e-6], stagger_s: vec![0.0, 1e-6] };
+        let error = ElementError { gain_db: 1.0, phase_rad: 0.1, delay_s: 1e-12 };
+        let adc = Some(Adc { bits: 12, full_scale: 1e-3 });
+        header.radar.hardware = Hardware { tx: vec![error; 3], rx: vec![error; 4], adc };
         header.targets.truncate(2);
         header.targets[1].kind = TargetKind::Point {
             rcs_m2: 1.0,

@@ -11,7 +11,7 @@ pub struct Paths;
 
 impl Schema for Paths {
     const NAME: &'static str = "paths";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     type Header = PathsHeader;
     type Frame = PathsFrame;
 }

@@ -9,7 +9,7 @@ pub struct Points;
 
 impl Schema for Points {
     const NAME: &'static str = "points";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     type Header = PointsHeader;
     type Frame = PointsFrame;
 }

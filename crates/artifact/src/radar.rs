@@ -20,6 +20,8 @@ pub struct Radar {
     pub array: Array,
     /// Power and gain.
     pub link: Link,
+    /// What of it is not ideal.
+    pub hardware: Hardware,
 }
 
 /// Linear chirps. Sampled time runs from the start of the sampled part of a chirp (`docs/conventions.md`).
@@ -86,6 +88,38 @@ impl Schedule {
     pub fn is_uniform(&self) -> bool {
         self.stagger_s.iter().all(|later_s| *later_s == 0.0)
     }
+}
+
+/// What of a radar is not ideal; by default nothing. The headers of cubes that a scene is made into leave it out: a detector
+/// knows it no more than that of a real radar.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Hardware {
+    /// Of each transmit element; empty: ideal.
+    pub tx: Vec<ElementError>,
+    /// Of each receive element; empty: ideal.
+    pub rx: Vec<ElementError>,
+    /// `None`: samples are not rounded.
+    pub adc: Option<Adc>,
+}
+
+/// How an element differs from an ideal one.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct ElementError {
+    /// Of its amplitude.
+    pub gain_db: f64,
+    /// Of the IF value of its echoes.
+    pub phase_rad: f64,
+    /// Of its line.
+    pub delay_s: f64,
+}
+
+/// An analogue-to-digital converter for each part of a complex sample.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Adc {
+    /// b: 2^b codes.
+    pub bits: u8,
+    /// Largest part of a sample, √W.
+    pub full_scale: f64,
 }
 
 /// How the transmitters share the air.

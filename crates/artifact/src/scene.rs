@@ -12,7 +12,7 @@ pub struct Scene;
 
 impl Schema for Scene {
     const NAME: &'static str = "scene";
-    const VERSION: u32 = 4;
+    const VERSION: u32 = 5;
     type Header = SceneHeader;
     type Frame = SceneFrame;
 }

@@ -3,7 +3,7 @@
 
 use artifact::material::MaterialMap;
 use artifact::paths::{Amplitude, PathsFrame};
-use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Schedule};
+use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Schedule};
 use artifact::scene::{Intersection, Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
     Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Refine, Sides, Surface, Window,
@@ -79,6 +79,7 @@ fn radar() -> Radar {
         boresight_el_rad: 0.0,
         waveform: waveform(),
         schedule: Schedule::default(),
+        hardware: Hardware::default(),
         array: Array {
             tx_m: vec![RADAR_M],
             rx_m: vec![RADAR_M],

@@ -23,7 +23,7 @@
 //!
 //! ```
 //! use artifact::cube::{CubeFrame, CubeHeader};
-//! use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Waveform};
+//! use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
 //! use artifact::settings::{Angle, Detector, DspSettings, Lane, Noise, Refine, Window};
 //! use num_complex::Complex32;
 //!
@@ -32,6 +32,7 @@
 //! let half_wave_m = 0.5 * waveform.wavelength_m();
 //! let radar = Radar {
 //!     position_m: [0.0, 0.0, 6.0], boresight_az_rad: 0.0, boresight_el_rad: 0.0, waveform,
+//!     schedule: Schedule::default(), hardware: Hardware::default(),
 //!     array: Array {
 //!         tx_m: vec![[0.0, 0.0, 6.0]],
 //!         rx_m: (0..4).map(|i| [(f64::from(i) - 1.5) * half_wave_m, 0.0, 6.0]).collect(),

@@ -100,13 +100,20 @@ fn check_array(radar: &Radar) -> Result<(), EchoError> {
         Pattern::Isotropic => 0.0,
         Pattern::Cosine { exponent } => exponent,
     };
-    let link = &radar.link;
+    let (link, hardware) = (&radar.link, &radar.hardware);
+    let errors = || hardware.tx.iter().chain(&hardware.rx);
     let finite = [
         ("an element position", tx.iter().chain(rx).flatten().all(|x| x.is_finite())),
         ("the pattern's exponent", exponent.is_finite() && exponent >= 0.0),
         ("the boresight", (radar.boresight_az_rad + radar.boresight_el_rad).is_finite()),
         ("the transmit power", link.transmit_power_w.is_finite() && link.transmit_power_w >= 0.0),
         ("the antenna gain", link.antenna_gain_db.is_finite()),
+        ("an element's error", errors().all(|e| (e.gain_db + e.phase_rad + e.delay_s).is_finite())),
+        (
+            "the converter's full scale",
+            hardware.adc.is_none_or(|adc| adc.full_scale.is_finite() && adc.full_scale > 0.0),
+        ),
+        ("the converter's number of bits", hardware.adc.is_none_or(|adc| (1..=24).contains(&adc.bits))),
     ];
     match finite.iter().find(|(_, good)| !good) {
         None => Ok(()),

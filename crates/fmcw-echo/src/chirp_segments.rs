@@ -48,7 +48,7 @@ fn third_derivative(radar: &Radar, path: &Path) -> f64 {
 mod tests {
     use super::*;
     use artifact::paths::Curve;
-    use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Schedule, Waveform};
+    use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Schedule, Waveform};
     use num_complex::Complex64;
 
     fn samples_for(range_m: f64, speed_mps: f64) -> usize {
@@ -77,6 +77,7 @@ mod tests {
             boresight_el_rad: 0.0,
             waveform,
             schedule: Schedule::default(),
+            hardware: Hardware::default(),
             array,
             link,
         };

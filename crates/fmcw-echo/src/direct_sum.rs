@@ -319,8 +319,9 @@ impl<'a, S: Simd> Chirp<'a, S> {
         let waveform = &self.sum.radar.waveform;
         let (f0, mu) = (waveform.start_frequency_hz, waveform.slope_hz_per_s);
         let t = sample / waveform.sample_rate_hz;
-        let legs = self.legs(group, self.transmission.start_s + t);
-        let tau = (legs.departing_length_m + legs.arriving_length_m).scale(1.0 / SPEED_OF_LIGHT_MPS);
+        let legs = self.legs(group, self.transmission.start_s + t - self.transmission.receiver_delay_s);
+        let way_s = (legs.departing_length_m + legs.arriving_length_m).scale(1.0 / SPEED_OF_LIGHT_MPS);
+        let tau = way_s + self.splat(self.transmission.line_delay_s);
         let cycles = tau * tau.mul_add(self.splat(-0.5 * mu), self.splat(f0 + mu * t));
         let offset_hz = self.splat(f0 + mu * t - self.sum.centre_frequency_hz) - tau.scale(mu);
         Instant { cycles, amplitude: self.conjugate_amplitude(group, offset_hz, self.gain(&legs)) }

@@ -18,7 +18,7 @@
 //! ```
 //! use artifact::cube::CubeHeader;
 //! use artifact::paths::{Curve, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
-//! use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
+//! use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
 //! use artifact::settings::{Angle, Detector, DspSettings, Noise, Refine, Window};
 //! # use artifact::{ErrorBudget, ModelError};
 //! use num_complex::Complex64;
@@ -37,7 +37,7 @@
 //!     boresight_az_rad: 0.0,
 //!     boresight_el_rad: 0.0,
 //!     waveform,
-//!     schedule: Schedule::default(),
+//!     schedule: Schedule::default(), hardware: Hardware::default(),
 //!     array: Array {
 //!         tx_m: vec![element_m],
 //!         rx_m: vec![element_m],
@@ -95,6 +95,7 @@ pub mod rcs_table;
 pub mod window;
 pub mod snr_reference;
 pub mod noise;
+pub mod adc;
 mod admission;
 mod synthesis_error;
 mod synthesize;

@@ -1,7 +1,8 @@
 //! Which transmissions make up one row (channel, chirp) of a cube, and when each starts (interface.md, tdm and ddm).
 
 use artifact::Radar;
-use artifact::radar::Multiplexing;
+use artifact::radar::{ElementError, Multiplexing};
+use artifact::units::amplitude_from_db;
 use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -12,11 +13,11 @@ pub fn row(radar: &Radar, channel: usize, chirp: usize) -> Vec<Transmission> {
     match radar.array.multiplexing {
         Multiplexing::Simultaneous | Multiplexing::Tdm => {
             let (tx, rx) = (channel / receivers, channel % receivers);
-            vec![Transmission::new(radar, tx, rx, chirp, Complex64::ONE)]
+            vec![Transmission::new(radar, tx, rx, chirp, element_factor(radar, tx, rx))]
         }
         Multiplexing::Ddm => {
             let transmitters = radar.array.tx_m.len();
-            let turn = |tx| doppler_division_turn(tx, chirp, transmitters);
+            let turn = |tx| doppler_division_turn(tx, chirp, transmitters) * element_factor(radar, tx, channel);
             (0..transmitters).map(|tx| Transmission::new(radar, tx, channel, chirp, turn(tx))).collect()
         }
     }
@@ -33,10 +34,14 @@ pub struct Transmission {
     pub start_s: f64,
     /// Factor of its IF value.
     pub turn: Complex64,
+    /// Of the lines of both elements, s: it adds to the way's.
+    pub line_delay_s: f64,
+    /// That of the receiver, s: the wave arrived as much earlier.
+    pub receiver_delay_s: f64,
 }
 
 impl Transmission {
-    /// A chirp that would start at any moment.
+    /// A chirp that would start at any moment, by elements without errors of gain and phase.
     pub(crate) fn starting_at(radar: &Radar, tx: usize, rx: usize, start_s: f64) -> Self {
         Self { start_s, ..Self::new(radar, tx, rx, 0, Complex64::ONE) }
     }
@@ -47,8 +52,23 @@ impl Transmission {
             rx_m: DVec3::from_array(radar.array.rx_m[rx]),
             start_s: radar.chirp_start_s(tx, chirp),
             turn,
+            line_delay_s: line_delay_s(&radar.hardware.tx, tx) + line_delay_s(&radar.hardware.rx, rx),
+            receiver_delay_s: line_delay_s(&radar.hardware.rx, rx),
         }
     }
+}
+
+/// Gain and phase of the errors of both elements.
+pub(crate) fn element_factor(radar: &Radar, tx: usize, rx: usize) -> Complex64 {
+    let of = |errors: &[ElementError], element: usize| {
+        let error = errors.get(element).copied().unwrap_or_default();
+        Complex64::from_polar(amplitude_from_db(error.gain_db), error.phase_rad)
+    };
+    of(&radar.hardware.tx, tx) * of(&radar.hardware.rx, rx)
+}
+
+pub(crate) fn line_delay_s(errors: &[ElementError], element: usize) -> f64 {
+    errors.get(element).map_or(0.0, |error| error.delay_s)
 }
 
 /// e^{+j2πim/M}, M = N_tx + 1, with im reduced modulo M in integers.

@@ -100,7 +100,7 @@ impl<'a> Body<'a> {
         for (n, sample) in samples.iter_mut().enumerate() {
             let t = n as f64 / waveform.sample_rate_hz;
             let legs = legs_at(&self.origin, transmission, transmission.start_s + t);
-            let tau = legs.delay_s();
+            let tau = legs.delay_s() + transmission.line_delay_s;
             let frequency_hz = waveform.start_frequency_hz + waveform.slope_hz_per_s * (t - tau);
             let gain = link_amplitude(radar) * legs.gain(radar);
             let phasor = Complex64::cis(TAU * if_cycles(radar, t, tau).fract());

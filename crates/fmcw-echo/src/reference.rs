@@ -48,7 +48,7 @@ pub fn if_sample(
     let waveform = &radar.waveform;
     let t = sample as f64 / waveform.sample_rate_hz;
     let legs = legs_at(path, transmission, transmission.start_s + t);
-    let tau = legs.delay_s();
+    let tau = legs.delay_s() + transmission.line_delay_s;
     let frequency_hz = waveform.start_frequency_hz + waveform.slope_hz_per_s * (t - tau);
     let amplitude = amplitude_m(radar, path, frequency_hz - centre_frequency_hz).conj();
     let gain = link_amplitude(radar) * legs.gain(radar);
@@ -96,9 +96,10 @@ pub fn legs_at(path: &Path, transmission: &Transmission, time_s: f64) -> Legs {
     };
     let arriving_m =
         |t: f64| at(path.apparent_rx_m, path.apparent_rx_mps, curve.apparent_rx_mps2, t) - transmission.rx_m;
-    let mut scattering_time_s = time_s;
+    let arrival_s = time_s - transmission.receiver_delay_s;
+    let mut scattering_time_s = arrival_s;
     for _ in 0..4 {
-        scattering_time_s = time_s - arriving_m(scattering_time_s).length() / SPEED_OF_LIGHT_MPS;
+        scattering_time_s = arrival_s - arriving_m(scattering_time_s).length() / SPEED_OF_LIGHT_MPS;
     }
     Legs {
         departing_m: at(path.apparent_tx_m, path.apparent_tx_mps, curve.apparent_tx_mps2, scattering_time_s)

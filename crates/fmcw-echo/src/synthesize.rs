@@ -4,7 +4,7 @@ use crate::admission::{check_centre_frequency, check_header, check_paths, check_
 use crate::error::EchoError;
 use crate::fast::fast_sum;
 use crate::rcs_table::{self, TableSum};
-use crate::{noise, synthesis_error};
+use crate::{adc, noise, synthesis_error};
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::paths::PathsFrame;
 use artifact::rcs::RcsFrame;
@@ -39,6 +39,9 @@ pub fn synthesize(
     check_samples(header, frame.index, &samples)?;
     let synthesis = synthesis_error::of_paths(&header.radar, centre_frequency_hz, frame, &samples);
     noise::add(header, seed, frame.index, &mut samples)?;
+    if let Some(converter) = &header.radar.hardware.adc {
+        adc::convert(converter, &mut samples);
+    }
     let error = frame.error.joined(ErrorBudget { synthesis, ..ErrorBudget::default() });
     Ok(CubeFrame { index: frame.index, time_s: frame.time_s, samples, error })
 }
@@ -63,6 +66,9 @@ pub fn synthesize_tables(
     check_samples(header, frame.index, &samples)?;
     let synthesis = synthesis_error::of_tables(&header.radar, poses, frame, &samples)?;
     noise::add(header, seed, frame.index, &mut samples)?;
+    if let Some(converter) = &header.radar.hardware.adc {
+        adc::convert(converter, &mut samples);
+    }
     let error = frame.error.joined(ErrorBudget { synthesis, ..ErrorBudget::default() });
     Ok(CubeFrame { index: frame.index, time_s: frame.time_s, samples, error })
 }

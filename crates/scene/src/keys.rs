@@ -13,7 +13,7 @@ pub struct Table {
 
 /// All tables, in the order of `docs/scenes.md`.
 pub const TABLES: &[Table] =
-    &[SCENE, RADAR, WAVEFORM, ARRAY, LINK, NOISE, DSP, FIDELITY, MATERIAL, LAYER, INTERSECTION, ROAD, TARGET];
+    &[SCENE, RADAR, WAVEFORM, ARRAY, LINK, RECEIVER, NOISE, DSP, FIDELITY, MATERIAL, LAYER, INTERSECTION, ROAD, TARGET];
 
 pub(crate) const SCENE: Table = Table {
     name: "",
@@ -37,7 +37,7 @@ pub(crate) const SCENE: Table = Table {
 pub(crate) const RADAR: Table = Table {
     name: "radar",
     heading: "[radar]",
-    keys: &["position_m", "boresight_az_deg", "boresight_el_deg", "waveform", "array", "link"],
+    keys: &["position_m", "boresight_az_deg", "boresight_el_deg", "waveform", "array", "link", "receiver"],
 };
 
 pub(crate) const WAVEFORM: Table = Table {
@@ -66,11 +66,20 @@ pub(crate) const ARRAY: Table = Table {
         "polarization",
         "pattern",
         "cosine_exponent",
+        "tx_gain_errors_db",
+        "tx_phase_errors_deg",
+        "tx_delays_ps",
+        "rx_gain_errors_db",
+        "rx_phase_errors_deg",
+        "rx_delays_ps",
     ],
 };
 
 pub(crate) const LINK: Table =
     Table { name: "radar.link", heading: "[radar.link]", keys: &["transmit_power_dbm", "antenna_gain_dbi"] };
+
+pub(crate) const RECEIVER: Table =
+    Table { name: "radar.receiver", heading: "[radar.receiver]", keys: &["adc_bits", "full_scale_dbm"] };
 
 pub(crate) const NOISE: Table =
     Table { name: "noise", heading: "[noise]", keys: &["noise_figure_db", "temperature_k", "snr_db"] };

@@ -44,6 +44,7 @@ mod document;
 mod read;
 mod radar;
 mod array;
+mod hardware;
 mod settings;
 mod targets;
 mod models;

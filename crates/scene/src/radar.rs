@@ -3,8 +3,9 @@
 use crate::array::{Mount, read_array};
 use crate::document::Section;
 use crate::errors::{Allowed, Rule};
+use crate::hardware::read_hardware;
 use crate::keys;
-use artifact::radar::{Link, Multiplexing, Radar, Schedule, Waveform};
+use artifact::radar::{Hardware, Link, Multiplexing, Radar, Schedule, Waveform};
 use artifact::units::watts_from_dbm;
 
 /// Coordinates beyond this are a slip of units; within it f64 resolves 1.5e-11 m, 4e-9 of a wavelength at 77 GHz.
@@ -24,15 +25,19 @@ pub(crate) fn read_radar(root: &Section<'_>) -> Radar {
         boresight_el_rad: degrees(&section, "boresight_el_deg", 90.0),
         half_wavelength_m: 0.5 * waveform.wavelength_m(),
     };
-    let radar = Radar {
+    let array_section = section.section(&keys::ARRAY);
+    let mut radar = Radar {
         position_m: mount.position_m,
         boresight_az_rad: mount.boresight_az_rad,
         boresight_el_rad: mount.boresight_el_rad,
         waveform,
         schedule,
-        array: read_array(&section.section(&keys::ARRAY), &mount),
+        array: read_array(&array_section, &mount),
         link: read_link(&section.section(&keys::LINK)),
+        hardware: Hardware::default(),
     };
+    let elements = [radar.array.tx_m.len(), radar.array.rx_m.len()];
+    radar.hardware = read_hardware(&section, &array_section, elements);
     check_cube(&waveform_section, &radar);
     if radar.array.multiplexing == Multiplexing::Ddm && !radar.schedule.is_uniform() {
         waveform_section.note("stagger_us", Rule::StaggeredDivision);

@@ -36,6 +36,9 @@ const CASES: &[Case] = &[
     (NAME, "[dsp]\ntraining_cell = [1, 1]\n", "3:1", "nearest is `training_cells`"),
     (POINT, "  velocty_mps = [0, 0, 0]\n", "7:3", "target `p`: unknown key `velocty_mps`; the nearest is `velocity_mps`"),
     (NAME, "[noise]\nxyzzy = 1\nnoise_figure_db = 3\n", "3:1", "[noise]: unknown key `xyzzy`"),
+    // Hardware.
+    (NAME, "[radar.array]\npreset = \"1x4\"\nrx_delays_ps = [1, 2]\n", "4:16", "`rx_delays_ps` must have 4 values, has 2"),
+    (NAME, "[radar.receiver]\nadc_bits = 12\n", "3:12", "`adc_bits` needs `full_scale_dbm` beside it"),
     // Schedules.
     (NAME, "[radar.waveform]\nsub_frame_idle_us = [10]\n", "3:21", "`sub_frame_idle_us` must have from 2 to 8 values, has 1"),
     (NAME, "[radar.waveform]\nsub_frame_idle_us = [10, 35]\nidle_us = 10\n", "3:21", "`sub_frame_idle_us` and `idle_us` exclude one another"),

@@ -127,6 +127,21 @@ fn an_accelerated_point_and_a_rolling_wheel_are_read_and_moved() {
 }
 
 #[test]
+fn errors_of_elements_and_the_converter_are_read() {
+    let scene = read_text(
+        "[radar.array]\npreset = \"1x4\"\nrx_gain_errors_db = [0, 1, -1, 0.5]\nrx_delays_ps = [0, 10, 20, 30]\n\
+         [radar.receiver]\nadc_bits = 12\nfull_scale_dbm = -60\n",
+    );
+    let hardware = scene.radar.hardware;
+    assert_eq!((hardware.tx.len(), hardware.rx.len()), (0, 4));
+    assert_eq!((hardware.rx[1].gain_db, hardware.rx[1].phase_rad), (1.0, 0.0));
+    assert_close(hardware.rx[3].delay_s, 30e-12, 30e-12);
+    let adc = hardware.adc.unwrap();
+    assert_eq!(adc.bits, 12);
+    assert_close(adc.full_scale, 10_f64.powf(-4.5), 1e-3); // √(1 nW)
+}
+
+#[test]
 fn a_stagger_is_told_as_delays_after_the_mean_interval() {
     let schedule = read_text("[radar.waveform]\nstagger_us = [9, 0, 0]\n").radar;
     assert_close(schedule.waveform.chirp_interval_s, 63e-6, 1e-4);

@@ -2,7 +2,7 @@
 
 use artifact::Accuracy;
 use artifact::material::MaterialMap;
-use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
+use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
 use artifact::scene::{Intersection, Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
     Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Refine, Sides, Surface, Window,
@@ -45,6 +45,7 @@ fn radar() -> Radar {
         boresight_az_rad: 0.0,
         boresight_el_rad: 0.0,
         schedule: Schedule::default(),
+        hardware: Hardware::default(),
         waveform: Waveform {
             start_frequency_hz: 77e9,
             slope_hz_per_s: 12.5e12,

@@ -4,7 +4,7 @@
 
 use artifact::ErrorBudget;
 use artifact::cube::{CubeFrame, CubeHeader};
-use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
+use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
 use artifact::seed::key;
 use artifact::settings::{Angle, Detector, DspSettings, Lane, Noise, Refine, Window};
 use artifact::units::{BOLTZMANN_J_PER_K, SPEED_OF_LIGHT_MPS, power_from_db};
@@ -68,6 +68,7 @@ pub fn header(samples: u32, chirps: u32, elements: [Vec<[f64; 2]>; 2]) -> CubeHe
         boresight_el_rad: 0.0,
         waveform,
         schedule: Schedule::default(),
+        hardware: Hardware::default(),
         array: Array {
             tx_m: vec![],
             rx_m: vec![],

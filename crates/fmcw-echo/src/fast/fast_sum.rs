@@ -12,7 +12,7 @@ use crate::fast::kernel::CELLS_MAX;
 use crate::fast::scalar::{Scalar, rounded};
 use crate::fast::smooth_part::{Asked, SmoothPart, cycles_of};
 use crate::fast::tone_grid::{SETS, ToneGrid};
-use crate::multiplexing::{Transmission, row};
+use crate::multiplexing::{Transmission, element_factor, row};
 use artifact::paths::Path;
 use artifact::radar::Multiplexing;
 use artifact::{Accuracy, Radar};
@@ -172,9 +172,15 @@ fn strengths<T: Scalar>(
 }
 
 /// Links as channels; with Doppler division a receiver's channel is the sum of all its links, each turned chirp by chirp.
-fn channels<T: Scalar>(listener: &Listener<'_>, of_links: Vec<Complex<T>>, length: usize) -> Vec<Complex<T>> {
+fn channels<T: Scalar>(listener: &Listener<'_>, mut of_links: Vec<Complex<T>>, length: usize) -> Vec<Complex<T>> {
     let (radar, steps) = (listener.radar, &listener.steps);
     if radar.array.multiplexing != Multiplexing::Ddm {
+        for (link, values) in links(radar).iter().zip(of_links.chunks_exact_mut(length)) {
+            let factor = element_factor(radar, link.tx, link.rx);
+            if factor != Complex64::ONE {
+                values.iter_mut().for_each(|value| *value = *value * rounded::<T>(factor));
+            }
+        }
         return of_links;
     }
     let (receivers, samples) = (radar.array.rx_m.len(), radar.waveform.samples as usize);

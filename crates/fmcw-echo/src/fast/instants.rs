@@ -5,6 +5,7 @@
 
 use crate::antenna::{boresight, link_amplitude, pattern_amplitude};
 use crate::fast::equal_steps::EqualSteps;
+use crate::multiplexing::line_delay_s;
 use artifact::Radar;
 use artifact::paths::Path;
 use artifact::units::SPEED_OF_LIGHT_MPS;
@@ -75,18 +76,25 @@ impl<'a> Listener<'a> {
         let mut place = 0;
         for of_tx in links.chunk_by(|a, b| a.tx == b.tx) {
             let time_s = self.steps.start_s(of_tx[0].tx, at.chirp) + t;
-            let arriving = |rx: usize| self.arriving(path, DVec3::from_array(self.radar.array.rx_m[rx]), time_s);
+            let hardware = &self.radar.hardware;
+            let arriving = |rx: usize| {
+                let arrival_s = time_s - line_delay_s(&hardware.rx, rx);
+                self.arriving(path, DVec3::from_array(self.radar.array.rx_m[rx]), arrival_s)
+            };
             let first = arriving(of_tx[0].rx);
             // The scattering time differs by the way to another element, over which a leg is straight.
             let departing = self.departing(
                 path,
                 DVec3::from_array(self.radar.array.tx_m[of_tx[0].tx]),
-                time_s - first.length_m / C,
+                time_s - line_delay_s(&hardware.rx, of_tx[0].rx) - first.length_m / C,
             );
             for link in of_tx {
                 let arriving = arriving(link.rx);
-                let later_s = (first.length_m - arriving.length_m) / C;
-                let tau = (departing.length_m + departing.rate_mps * later_s + arriving.length_m) / C;
+                let line_s = line_delay_s(&hardware.rx, link.rx);
+                let later_s =
+                    (first.length_m - arriving.length_m) / C + line_delay_s(&hardware.rx, of_tx[0].rx) - line_s;
+                let way_s = (departing.length_m + departing.rate_mps * later_s + arriving.length_m) / C;
+                let tau = way_s + line_delay_s(&hardware.tx, link.tx) + line_s;
                 give(place, self.value(path, t, tau, departing.gain_per_m * arriving.gain_per_m));
                 place += 1;
             }

@@ -258,7 +258,9 @@ mod tests {
     use crate::fast::equal_steps::EqualSteps;
     use crate::fast::instants::Link;
     use artifact::paths::{Facet, MAX_ORDER};
-    use artifact::radar::{Array, Link as Power, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
+    use artifact::radar::{
+        Array, Hardware, Link as Power, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform,
+    };
 
     /// Experiment 3's waveform from one element.
     fn radar() -> Radar {
@@ -287,6 +289,7 @@ mod tests {
             boresight_el_rad: 0.0,
             waveform,
             schedule: Schedule::default(),
+            hardware: Hardware::default(),
             array,
             link,
         }

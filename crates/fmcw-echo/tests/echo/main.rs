@@ -12,6 +12,7 @@ mod multiplexing;
 mod schedules;
 mod chirp_phases;
 mod large_arrays;
+mod hardware;
 mod receiver_noise;
 mod rcs_tables;
 mod reproducibility;

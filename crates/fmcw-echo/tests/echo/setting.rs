@@ -3,7 +3,7 @@
 
 use artifact::cube::CubeHeader;
 use artifact::paths::{Curve, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
-use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
+use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
 use artifact::settings::{Angle, Detector, DspSettings, Noise, Refine, Window};
 use artifact::units::{power_from_db, watts_from_dbm};
 use artifact::{Accuracy, ErrorBudget, ModelError};
@@ -71,6 +71,7 @@ pub fn radar(waveform: Waveform, layout: &Layout, multiplexing: Multiplexing) ->
         boresight_el_rad: 0.0,
         waveform,
         schedule: Schedule::default(),
+        hardware: Hardware::default(),
         array: Array {
             tx_m: placed(&layout.tx),
             rx_m: placed(&layout.rx),

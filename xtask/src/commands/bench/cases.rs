@@ -113,13 +113,14 @@ fn echo(count: usize) -> Result<Comparison, Failure> {
 }
 
 fn radar() -> Radar {
-    use artifact::radar::{Array, Link, Multiplexing, Pattern, Schedule};
+    use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Schedule};
     let position_m = [0.0, 0.0, 6.0];
     Radar {
         position_m,
         boresight_az_rad: 0.0,
         boresight_el_rad: 0.0,
         schedule: Schedule::default(),
+        hardware: Hardware::default(),
         waveform: Waveform {
             start_frequency_hz: 77e9,
             slope_hz_per_s: 12.5e12,

@@ -1,0 +1,49 @@
+//! What of the radar is not ideal: errors of its elements in `[radar.array]`, the converter in `[radar.receiver]`.
+
+use crate::document::Section;
+use crate::errors::{Allowed, Rule};
+use crate::keys;
+use artifact::radar::{Adc, ElementError, Hardware};
+use artifact::units::watts_from_dbm;
+
+/// Beyond this an element is dead or wrongly built: a decade of amplitude, a nanosecond (30 cm) of line.
+const GAINS_DB: Allowed = Allowed::Between(-20.0, 20.0);
+const PHASES_DEG: Allowed = Allowed::Between(-360.0, 360.0);
+const DELAYS_PS: Allowed = Allowed::Between(0.0, 1000.0);
+
+/// Errors of `transmitters` and `receivers` elements and the converter; ideal where the scene says nothing.
+pub(crate) fn read_hardware(radar: &Section<'_>, array: &Section<'_>, [tx, rx]: [usize; 2]) -> Hardware {
+    Hardware {
+        tx: read_elements(array, ["tx_gain_errors_db", "tx_phase_errors_deg", "tx_delays_ps"], tx),
+        rx: read_elements(array, ["rx_gain_errors_db", "rx_phase_errors_deg", "rx_delays_ps"], rx),
+        adc: read_adc(&radar.section(&keys::RECEIVER)),
+    }
+}
+
+/// As many as there are elements, or none where no key is there.
+fn read_elements(section: &Section<'_>, [gains, phases, delays]: [&'static str; 3], count: usize) -> Vec<ElementError> {
+    let length = Allowed::Between(count as f64, count as f64);
+    let listed = |key, allowed| section.numbers(key, length, allowed).unwrap_or(vec![0.0; count]);
+    let (gains_db, phases_deg, delays_ps) =
+        (listed(gains, GAINS_DB), listed(phases, PHASES_DEG), listed(delays, DELAYS_PS));
+    if ![gains, phases, delays].iter().any(|key| section.has(key)) {
+        return vec![];
+    }
+    let element = |i: usize| ElementError {
+        gain_db: gains_db[i],
+        phase_rad: phases_deg[i].to_radians(),
+        delay_s: delays_ps[i] * 1e-12,
+    };
+    (0..count).map(element).collect()
+}
+
+fn read_adc(section: &Section<'_>) -> Option<Adc> {
+    let bits = section.integer("adc_bits", Allowed::Between(1.0, 24.0));
+    let full_scale_dbm = section.number("full_scale_dbm", Allowed::Between(-300.0, 200.0));
+    for (key, companion) in [("adc_bits", "full_scale_dbm"), ("full_scale_dbm", "adc_bits")] {
+        if section.has(key) && !section.has(companion) {
+            section.note(key, Rule::Alone { key, companion });
+        }
+    }
+    bits.zip(full_scale_dbm).map(|(bits, dbm)| Adc { bits: bits as u8, full_scale: watts_from_dbm(dbm).sqrt() })
+}
