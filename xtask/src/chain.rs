@@ -14,7 +14,7 @@ use artifact::paths::{Paths, PathsFrame, PathsHeader};
 use artifact::points::{Points, PointsFrame, PointsHeader};
 use artifact::rcs::{Rcs, RcsFrame, RcsHeader};
 use artifact::rdm::{Rdm, RdmFrame};
-use artifact::scene::{SceneFrame, SceneHeader};
+use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
 use artifact::settings::EchoMode;
 use artifact::{Accuracy, ErrorBudget, ModelError, Schema};
 use classifier::Classifier;
@@ -39,6 +39,8 @@ impl Scattering {
 
 /// All artifacts of one frame.
 pub(crate) struct FrameProducts {
+    /// The scene as this frame has it: vehicles in view are targets.
+    pub(crate) view: SceneHeader,
     pub(crate) scattering: Scattering,
     pub(crate) cube: CubeFrame,
     pub(crate) rdm: RdmFrame,
@@ -133,20 +135,38 @@ impl<'a> Chain<'a> {
             Scattering::Tables(_) => None,
         };
         let error = error.joined(cube.error);
-        let memory_estimate_mib = self.memory_estimate_mib();
+        let memory_estimate_mib = self.memory_estimate_mib(plan.index);
         let Log { seconds, cached } = log;
         let result =
             FrameResult { scene, paths, points, classes, error, model_error, seconds, cached, memory_estimate_mib };
-        Ok(FrameProducts { scattering, cube, rdm, result })
+        Ok(FrameProducts { view: scene::frame_view(self.header, plan.index), scattering, cube, rdm, result })
+    }
+
+    /// Triangles of all bodies in view of a frame, points counting as one.
+    pub(crate) fn triangles(&self, index: u32) -> usize {
+        let vehicles = scene::vehicles_in_view(self.header, index).into_iter().map(|vehicle| &vehicle.kind);
+        let triangles = |kind: &TargetKind| match kind {
+            TargetKind::Mesh { mesh, .. } => self.header.meshes.get(*mesh as usize).map_or(0, |m| m.triangles.len()),
+            TargetKind::Point { .. } => 1,
+        };
+        self.header.targets.iter().map(|target| &target.kind).chain(vehicles).map(triangles).sum()
     }
 
     /// What a frame is expected to hold at most, MiB.
-    pub(crate) fn memory_estimate_mib(&self) -> f64 {
-        let triangles: usize = self.header.meshes.iter().map(|m| m.triangles.len()).sum();
-        let bytes = triangles as u64 * u64::from(self.header.fidelity.bounces) * BYTES_PER_TRIANGLE_AND_ORDER
-            + fmcw_echo::memory_estimate_bytes(&self.cube_header, echo_accuracy(self.header))
-            + self.map_bytes();
+    pub(crate) fn memory_estimate_mib(&self, index: u32) -> f64 {
+        let bytes =
+            self.triangles(index) as u64 * u64::from(self.header.fidelity.bounces) * BYTES_PER_TRIANGLE_AND_ORDER
+                + fmcw_echo::memory_estimate_bytes(&self.cube_header, echo_accuracy(self.header))
+                + self.map_bytes();
         crate::memory::mib(bytes) + PROGRAM_MIB
+    }
+
+    /// How many frames are computed at a time: one a thread, as many as are expected to fit into the memory that they may
+    /// take. A frame's own work is in parallel too; what of it is not, is done beside another frame.
+    pub(crate) fn side_by_side(&self) -> usize {
+        let most_mib = (0..self.header.frames).map(|i| self.memory_estimate_mib(i)).fold(1.0, f64::max);
+        let fitting = crate::memory::limit_mib().map_or(usize::MAX, |limit| (limit / most_mib) as usize);
+        rayon::current_num_threads().min(fitting).min(self.header.frames as usize).max(1)
     }
 
     /// A map in both precisions: all channels are transformed at once.
@@ -174,26 +194,51 @@ impl<'a> Chain<'a> {
         PointsHeader { cube: Some(self.cube_header.clone()), targets: vec![] }
     }
 
-    /// Ids of the scene's targets.
+    /// Ids of the scene's targets and of every vehicle that is in view in some frame.
     pub(crate) fn targets(&self) -> Vec<String> {
-        self.header.targets.iter().map(|t| t.id.clone()).collect()
+        let vehicles = self.header.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|v| v.id.clone());
+        self.header.targets.iter().map(|t| t.id.clone()).chain(vehicles).collect()
+    }
+
+    /// The same scattering with bodies counted as in [`Chain::targets`], not as in the frame's view.
+    pub(crate) fn counted_through(&self, scattering: Scattering) -> Scattering {
+        match scattering {
+            Scattering::Paths(mut frame) => {
+                let bodies = scene::bodies_in_view(self.header, frame.index);
+                let renumber = |body: &mut u32| *body = bodies.get(*body as usize).copied().unwrap_or(*body);
+                for path in &mut frame.paths {
+                    renumber(&mut path.target);
+                    path.facets[..usize::from(path.order)].iter_mut().for_each(|facet| renumber(&mut facet.body));
+                }
+                Scattering::Paths(frame)
+            }
+            Scattering::Tables(mut frame) => {
+                let bodies = scene::bodies_in_view(self.header, frame.index);
+                for table in &mut frame.tables {
+                    table.target = bodies.get(table.target as usize).copied().unwrap_or(table.target);
+                }
+                Scattering::Tables(frame)
+            }
+        }
     }
 
     /// Paths or tables of one frame; a frame whose bodies stand and move as in another one has that one's, found in the cache.
     pub(crate) fn scattering(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<Step<Scattering>, Failure> {
         let (key, stage) = (&plan.keys.bart_rcs, Stage::BartRcs);
+        let view = || scene::frame_view(self.header, scene.index);
         match self.header.fidelity.echo {
             EchoMode::Paths => {
                 let compute = || {
-                    let traced = bart_rcs::trace_frame(self.bodies()?, self.header, scene).map_err(Failure::refused)?;
-                    Ok(bart_rcs::reduced(self.header, traced))
+                    let traced =
+                        bart_rcs::trace_frame(self.bodies(scene)?, &view(), scene).map_err(Failure::refused)?;
+                    Ok(bart_rcs::reduced(&view(), traced))
                 };
                 let step = self.step::<Paths>(plan, stage, key, &self.paths_header(), compute)?;
                 let (index, time_s) = (scene.index, scene.time_s);
                 Ok(step.map(|frame| Scattering::Paths(PathsFrame { index, time_s, ..frame })))
             }
             EchoMode::RcsTable => {
-                let compute = || bart_rcs::rcs_frame(self.bodies()?, self.header, scene).map_err(Failure::refused);
+                let compute = || bart_rcs::rcs_frame(self.bodies(scene)?, &view(), scene).map_err(Failure::refused);
                 let step = self.step::<Rcs>(plan, stage, key, &self.rcs_header(), compute)?;
                 let (index, time_s) = (scene.index, scene.time_s);
                 Ok(step.map(|frame| Scattering::Tables(RcsFrame { index, time_s, ..frame })))
@@ -202,11 +247,11 @@ impl<'a> Chain<'a> {
     }
 
     /// The models of all targets; refused where the frame is not expected to fit into the memory that it may take.
-    fn bodies(&self) -> Result<&bart_rcs::Models, Failure> {
-        crate::memory::check(self.memory_estimate_mib())?;
+    fn bodies(&self, frame: &SceneFrame) -> Result<&bart_rcs::Models, Failure> {
+        crate::memory::check(self.memory_estimate_mib(frame.index))?;
         let build = || {
             let models = bart_rcs::Models::build(self.header).map_err(|e| e.to_string())?;
-            Ok(models.within(crate::memory::limit()))
+            Ok(models.within(crate::memory::limit().share_of(self.side_by_side())))
         };
         self.bodies.get_or_init(build).as_ref().map_err(Failure::refused)
     }

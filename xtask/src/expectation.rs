@@ -6,7 +6,6 @@ use crate::failure::Failure;
 use crate::output;
 use crate::plan::FramePlan;
 use crate::stages::Stage;
-use artifact::scene::TargetKind;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -24,13 +23,14 @@ pub(crate) fn tell(chain: &Chain, cache: Option<&Cache>, plans: &[FramePlan]) ->
     let mut seconds = 0.0;
     for plan in plans {
         let running: Vec<Stage> = plan.steps.iter().filter(|(_, why)| why.is_some()).map(|(s, _)| *s).collect();
-        let expected: f64 = running.iter().map(|s| rate(&rates, *s) * work(chain, *s)).sum();
+        let expected: f64 = running.iter().map(|s| rate(&rates, *s) * work(chain, plan.index, *s)).sum();
         seconds += expected;
         let names: Vec<_> = running.iter().map(|s| s.name()).collect();
         let stages = if names.is_empty() { "nothing".into() } else { names.join(", ") };
         output::line(format!("frame {}: runs {stages}, about {expected:.1} s", plan.index));
     }
-    let memory = chain.memory_estimate_mib();
+    let memory = plans.iter().map(|plan| chain.memory_estimate_mib(plan.index)).fold(0.0, f64::max);
+    let memory = memory * chain.side_by_side() as f64;
     output::line(format!("{} frames, about {seconds:.1} s, at most about {memory:.0} MiB", plans.len()));
     Ok(())
 }
@@ -38,12 +38,12 @@ pub(crate) fn tell(chain: &Chain, cache: Option<&Cache>, plans: &[FramePlan]) ->
 /// Learns from the frames of a run that computed.
 pub(crate) fn learn(cache: &Cache, chain: &Chain, frames: &[Value]) {
     let mut rates = read(cache);
-    for frame in frames {
+    for (index, frame) in (0..).zip(frames) {
         let cached: Vec<&str> = frame["cached"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
         for (stage, _) in FIRST_GUESS {
             let seconds = frame["stage_seconds"][stage.name()].as_f64();
             if let (Some(seconds), false) = (seconds, cached.contains(&stage.name())) {
-                rates.insert(stage.name().into(), seconds / work(chain, stage));
+                rates.insert(stage.name().into(), seconds / work(chain, index, stage));
             }
         }
     }
@@ -65,20 +65,13 @@ fn rate(rates: &Rates, stage: Stage) -> f64 {
 }
 
 /// Units of work: triangles in view; triangles times samples; samples; one.
-fn work(chain: &Chain, stage: Stage) -> f64 {
-    let triangles: usize = chain.header.targets.iter().map(|t| triangles(chain, &t.kind)).sum();
+fn work(chain: &Chain, index: u32, stage: Stage) -> f64 {
+    let triangles = chain.triangles(index);
     let samples = chain.cube_header.shape().iter().product::<usize>() as f64;
     match stage {
         Stage::BartRcs => triangles as f64,
         Stage::FmcwEcho => triangles as f64 * samples,
         Stage::Dsp => samples,
         Stage::Scene | Stage::Classifier => 1.0,
-    }
-}
-
-fn triangles(chain: &Chain, kind: &TargetKind) -> usize {
-    match kind {
-        TargetKind::Mesh { mesh, .. } => chain.header.meshes.get(*mesh as usize).map_or(0, |m| m.triangles.len()),
-        TargetKind::Point { .. } => 1,
     }
 }

@@ -4,7 +4,7 @@ use crate::stages::Stage;
 use artifact::cube::CubeHeader;
 use artifact::envelope::fingerprint;
 use artifact::radar::Hardware;
-use artifact::scene::{SceneFrame, SceneHeader};
+use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
 use artifact::settings::{Detail, Noise};
 
 /// Everything that one frame of one stage depends on.
@@ -39,6 +39,7 @@ pub(crate) fn scene(files: &[(String, String)], overrides: &impl serde::Serializ
 /// What all frames of a scene share, fingerprinted once: meshes are large.
 pub(crate) struct SceneParts {
     bodies: String,
+    meshes: Vec<String>,
     radar: String,
     fidelity: String,
 }
@@ -46,7 +47,8 @@ pub(crate) struct SceneParts {
 impl SceneParts {
     pub(crate) fn of(header: &SceneHeader) -> Self {
         Self {
-            bodies: fingerprint(&(&header.meshes, &header.targets, &header.materials, &header.road)),
+            bodies: fingerprint(&(&header.targets, &header.materials, &header.road)),
+            meshes: header.meshes.iter().map(fingerprint).collect(),
             radar: fingerprint(&header.radar),
             fidelity: fingerprint(&(&header.fidelity, seed_of_points(header))),
         }
@@ -70,7 +72,7 @@ pub(crate) struct FrameKeys {
 
 impl FrameKeys {
     pub(crate) fn of(header: &SceneHeader, parts: &SceneParts, frame: &SceneFrame, model: Option<&str>) -> Self {
-        let bart_rcs = bart_rcs(parts, frame);
+        let bart_rcs = bart_rcs(header, parts, frame);
         let fmcw_echo = fmcw_echo(header, parts, &bart_rcs, frame);
         let dsp = Key::of(Stage::Dsp, vec![("echo", fmcw_echo.id()), ("dsp settings", fingerprint(&header.dsp))]);
         let of_model = |model: &str| Key::of(Stage::Classifier, vec![("maps", dsp.id()), ("model", model.to_owned())]);
@@ -89,11 +91,28 @@ impl FrameKeys {
     }
 }
 
-/// Without the frame's number and time: bodies that stand still scatter the same in every frame.
-fn bart_rcs(parts: &SceneParts, frame: &SceneFrame) -> Key {
+/// Without the frame's number and time: bodies that stand still scatter the same in every frame. Of recorded vehicles only
+/// those in view: a longer recording leaves the frames that it had as they are.
+fn bart_rcs(header: &SceneHeader, parts: &SceneParts, frame: &SceneFrame) -> Key {
     let poses = fingerprint(&frame.poses);
-    let parts = [("bodies", &parts.bodies), ("radar", &parts.radar), ("fidelity", &parts.fidelity), ("poses", &poses)];
-    Key::of(Stage::BartRcs, parts.map(|(name, hash)| (name, hash.clone())).to_vec())
+    let vehicles = scene::vehicles_in_view(header, frame.index);
+    let kinds = header.targets.iter().map(|target| &target.kind).chain(vehicles.iter().map(|vehicle| &vehicle.kind));
+    let meshes: Vec<_> = kinds.map(|kind| mesh_of(parts, kind)).collect();
+    let (vehicles, meshes) = (fingerprint(&vehicles), fingerprint(&meshes));
+    let all = [
+        ("bodies", &parts.bodies),
+        ("vehicles", &vehicles),
+        ("meshes", &meshes),
+        ("radar", &parts.radar),
+        ("fidelity", &parts.fidelity),
+        ("poses", &poses),
+    ];
+    Key::of(Stage::BartRcs, all.map(|(name, hash)| (name, hash.clone())).to_vec())
+}
+
+fn mesh_of<'a>(parts: &'a SceneParts, kind: &TargetKind) -> Option<&'a str> {
+    let TargetKind::Mesh { mesh, .. } = kind else { return None };
+    parts.meshes.get(*mesh as usize).map(String::as_str)
 }
 
 fn fmcw_echo(header: &SceneHeader, parts: &SceneParts, scattering: &Key, frame: &SceneFrame) -> Key {
@@ -132,7 +151,7 @@ mod tests {
     use super::*;
     use artifact::material::{Backing, Layer, Makeup, Material, MaterialMap, Road, Thickness, Transmission};
     use artifact::radar::{Adc, ElementError, Schedule};
-    use artifact::scene::{Mesh, TargetKind, Wheel};
+    use artifact::scene::{Mesh, Placed, Traffic, Vehicle, Wheel};
     use num_complex::Complex64;
     use serde_json::Value;
 
@@ -154,7 +173,8 @@ mod tests {
             materials: vec!["glass".into(), "floor".into()],
             makeup: Makeup { materials, transmission: Transmission::Ignored },
             ..Mesh::default()
-        }];
+        }]
+        .into();
         let by_name = vec![("glass".to_owned(), pane), ("floor".to_owned(), asphalt.clone())];
         header.materials = MaterialMap { by_name, transmission: Transmission::Ignored };
         header.road = Some(Road { material: asphalt, rms_height_m: 1e-3 });
@@ -169,6 +189,10 @@ mod tests {
             acceleration_mps2: [0.0; 3],
             wheel: Some(Wheel { radius_m: 0.3, angle_rad: 0.0 }),
         };
+        let kind = TargetKind::Point { rcs_m2: 2.0, acceleration_mps2: [0.0; 3], wheel: None };
+        let vehicles = ["flow.0", "flow.1"].map(|id| Vehicle { id: id.into(), kind: kind.clone() }).to_vec();
+        let placed = Placed { vehicle: 0, pose: header.targets[0].start };
+        header.traffic = Some(Traffic { vehicles, frames: vec![vec![placed]; 2] });
         header
     }
 
@@ -212,6 +236,8 @@ mod tests {
     fn first_stage(leaf: &str) -> Option<Stage> {
         match leaf.split('/').nth(1)? {
             "name" | "frames" | "frame_interval_s" | "intersection" => None,
+            // What is not in view of the frame, and poses: those are the frame's.
+            "traffic" if ["/vehicles/1/", "/frames/1/", "/pose/"].iter().any(|part| leaf.contains(part)) => None,
             "seed" | "noise" => Some(Stage::FmcwEcho),
             "dsp" => Some(Stage::Dsp),
             _ => Some(Stage::BartRcs),

@@ -33,9 +33,14 @@ pub(crate) fn limit() -> MemoryLimit {
     limit_bytes().map_or(MemoryLimit::NONE, MemoryLimit::of_bytes)
 }
 
+/// The same in MiB; `None` where there is none.
+pub(crate) fn limit_mib() -> Option<f64> {
+    limit_bytes().map(mib)
+}
+
 /// Refuses what is expected to need more.
 pub(crate) fn check(estimate_mib: f64) -> Result<(), Failure> {
-    match limit_bytes().map(mib) {
+    match limit_mib() {
         Some(limit_mib) if estimate_mib > limit_mib => Err(Failure::Refused(format!(
             "a frame is expected to hold {estimate_mib:.0} MiB; the limit is {limit_mib:.0} MiB (--memory-limit): fewer \
              bounces or coarser models need less"

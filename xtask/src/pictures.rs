@@ -38,7 +38,7 @@ pub(crate) struct FrameFigures {
 pub(crate) fn figures(chain: &Chain, frame: &FrameProducts) -> Result<FrameFigures, Failure> {
     let (header, points) = (&chain.cube_header.in_frame(frame.rdm.index), &frame.result.points);
     Ok(FrameFigures {
-        plan: plan_view::of_frame(chain.header, &frame.result),
+        plan: plan_view::of_frame(&frame.view, &frame.result),
         rdm: rdm::draw(header, &frame.rdm, points)?,
         profile: rdm::range_profile(header, &frame.rdm)?,
         points: points::draw(header, points),

@@ -3,7 +3,7 @@
 use crate::chain::{Chain, FrameProducts, Scattering};
 use crate::commands::load::provenance;
 use crate::failure::Failure;
-use crate::pictures::{self, FrameFigures};
+use crate::pictures::{self, FrameFigures, Svg};
 use crate::report;
 use crate::stages::Stage;
 use crate::truth;
@@ -25,8 +25,16 @@ pub(crate) struct Products {
     cube: Writer<Cube>,
     rdm: Writer<Rdm>,
     points: Writer<Points>,
-    /// For the report; only of the first frames.
-    pub(crate) figures: Vec<FrameFigures>,
+    figures: Figures,
+}
+
+/// Pictures for the report.
+#[derive(Default)]
+pub(crate) struct Figures {
+    /// Of the first frames, in order.
+    pub(crate) frames: Vec<FrameFigures>,
+    /// Number and view from above of every n-th frame of a long scene.
+    pub(crate) strip: Vec<(u32, Svg)>,
 }
 
 enum ScatteringWriter {
@@ -45,28 +53,31 @@ impl Products {
             cube: Writer::create(&out.join("frames.cube"), &from(Stage::FmcwEcho), &chain.cube_header)?,
             rdm: Writer::create(&out.join("frames.rdm"), &from(Stage::Dsp), &chain.cube_header)?,
             points: Writer::create(&out.join("frames.points"), &from(Stage::Dsp), &with_truth)?,
-            figures: Vec::new(),
+            figures: Figures::default(),
         })
     }
 
     /// Writes one frame; its points learn here whose they are, when nothing can look at it any more.
-    pub(crate) fn write(&mut self, chain: &Chain, frame: &mut FrameProducts) -> Result<(), Failure> {
-        join_truth(chain, frame);
+    pub(crate) fn write(&mut self, chain: &Chain, mut frame: FrameProducts) -> Result<(), Failure> {
+        join_truth(chain, &mut frame);
         self.scene.write(&frame.result.scene)?;
-        self.scattering.write(&frame.scattering)?;
         self.cube.write(&frame.cube)?;
         self.rdm.write(&frame.rdm)?;
         self.points.write(&frame.result.points)?;
-        let figures = pictures::figures(chain, frame)?;
+        let figures = pictures::figures(chain, &frame)?;
         pictures::write_frame(&figures, &chain.cube_header, &frame.rdm, &self.out.join("pictures"))?;
-        if self.figures.len() < report::FRAMES_DRAWN {
-            self.figures.push(figures);
+        let number = frame.result.scene.index;
+        if report::is_in_strip(number, chain.header.frames) {
+            self.figures.strip.push((number, figures.plan.clone()));
         }
-        Ok(())
+        if self.figures.frames.len() < report::FRAMES_DRAWN {
+            self.figures.frames.push(figures);
+        }
+        self.scattering.write(chain.counted_through(frame.scattering))
     }
 
     /// Puts every artifact in its place and hands out the figures.
-    pub(crate) fn finish(self) -> Result<Vec<FrameFigures>, Failure> {
+    pub(crate) fn finish(self) -> Result<Figures, Failure> {
         self.scene.finish()?;
         self.scattering.finish()?;
         self.cube.finish()?;
@@ -84,10 +95,10 @@ impl ScatteringWriter {
         })
     }
 
-    fn write(&mut self, scattering: &Scattering) -> Result<(), Failure> {
+    fn write(&mut self, scattering: Scattering) -> Result<(), Failure> {
         match (self, scattering) {
-            (Self::Paths(writer), Scattering::Paths(frame)) => Ok(writer.write(frame)?),
-            (Self::Tables(writer), Scattering::Tables(frame)) => Ok(writer.write(frame)?),
+            (Self::Paths(writer), Scattering::Paths(frame)) => Ok(writer.write(&frame)?),
+            (Self::Tables(writer), Scattering::Tables(frame)) => Ok(writer.write(&frame)?),
             _ => Err(Failure::refused("the frame's kind of scattering is not the scene's")),
         }
     }
@@ -102,11 +113,11 @@ impl ScatteringWriter {
 
 fn join_truth(chain: &Chain, frame: &mut FrameProducts) {
     let result = &mut frame.result;
-    let header = chain.header.in_frame(result.scene.index);
-    let truths = truth::truths(&header, &result.scene, result.paths.as_ref());
+    let truths = truth::truths(&frame.view.in_frame(result.scene.index), &result.scene, result.paths.as_ref());
+    let bodies = scene::bodies_in_view(chain.header, result.scene.index);
     let chosen = truth::assign(&truths, &result.points.objects);
     for point in &mut result.points.points {
         let target = chosen.iter().position(|c| c.is_some() && c.map(|o| o as u32) == point.object);
-        point.target = target.map(|t| t as u32);
+        point.target = target.and_then(|t| bodies.get(t).copied());
     }
 }

@@ -36,7 +36,8 @@ pub struct PathsFrame {
     pub time_s: f64,
     /// In the tracer's order: body, facet sequence, cell; where detail was taken from them, target by target.
     pub paths: Vec<Path>,
-    /// Nearest lit surface of each target from the radar's position at the frame's middle, m; `None` if all is hidden.
+    /// Nearest lit surface of each body from the radar's position at the frame's middle, m, in the order of the scene
+    /// frame's poses; `None` if all is hidden.
     pub nearest_range_m: Vec<Option<f64>>,
     /// Numerical error of this frame's paths.
     pub error: ErrorBudget,

@@ -4,15 +4,17 @@ use crate::Schema;
 use crate::material::{Makeup, MaterialMap, Road};
 use crate::radar::Radar;
 use crate::settings::{Class, DspSettings, Fidelity, Noise};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::borrow::Cow;
+use std::ops::{Deref, DerefMut};
+use std::sync::Arc;
 
 /// The `.scene` artifact.
 pub struct Scene;
 
 impl Schema for Scene {
     const NAME: &'static str = "scene";
-    const VERSION: u32 = 5;
+    const VERSION: u32 = 6;
     type Header = SceneHeader;
     type Frame = SceneFrame;
 }
@@ -43,9 +45,74 @@ pub struct SceneHeader {
     /// The road as a mirror; `None` leaves its reflections out.
     pub road: Option<Road>,
     /// Meshes that targets share.
-    pub meshes: Vec<Mesh>,
-    /// What may be seen, in the order of [`SceneFrame::poses`].
+    pub meshes: Meshes,
+    /// What is there in every frame; it comes first in [`SceneFrame::poses`].
     pub targets: Vec<Target>,
+    /// Recorded traffic, if any; in [`SceneFrame::poses`] it follows the targets.
+    pub traffic: Option<Traffic>,
+}
+
+/// Recorded traffic, as far as the radar has it in view.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Traffic {
+    /// Every vehicle that is in view in some frame, in the order of appearance.
+    pub vehicles: Vec<Vehicle>,
+    /// For each frame of the scene the vehicles in view, in the order of the recording.
+    pub frames: Vec<Vec<Placed>>,
+}
+
+/// A vehicle of recorded traffic.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Vehicle {
+    /// The recording's, unique in the scene.
+    pub id: String,
+    /// What scatters.
+    pub kind: TargetKind,
+}
+
+/// A vehicle in one frame.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Placed {
+    /// Index into [`Traffic::vehicles`].
+    pub vehicle: u32,
+    /// At the frame's first sample.
+    pub pose: Pose,
+}
+
+/// Meshes of a scene; copies of a header share them.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Meshes(Arc<Vec<Mesh>>);
+
+impl From<Vec<Mesh>> for Meshes {
+    fn from(meshes: Vec<Mesh>) -> Self {
+        Self(Arc::new(meshes))
+    }
+}
+
+impl Deref for Meshes {
+    type Target = Vec<Mesh>;
+
+    fn deref(&self) -> &Vec<Mesh> {
+        &self.0
+    }
+}
+
+impl DerefMut for Meshes {
+    fn deref_mut(&mut self) -> &mut Vec<Mesh> {
+        Arc::make_mut(&mut self.0)
+    }
+}
+
+impl Serialize for Meshes {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.0.serialize(serializer)
+    }
+}
+
+impl<'d> Deserialize<'d> for Meshes {
+    fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
+        Vec::deserialize(deserializer).map(Self::from)
+    }
 }
 
 impl SceneHeader {
@@ -114,14 +181,14 @@ pub struct Wheel {
     pub angle_rad: f64,
 }
 
-/// Pose of every target at the frame's first sample.
+/// Pose of every target, and of every vehicle in view, at the frame's first sample.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SceneFrame {
     /// From 0.
     pub index: u32,
     /// The frame's first sample.
     pub time_s: f64,
-    /// In the order of [`SceneHeader::targets`].
+    /// In the order of [`SceneHeader::targets`], then of the frame's [`Traffic::frames`].
     pub poses: Vec<Pose>,
 }
 

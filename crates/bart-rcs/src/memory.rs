@@ -17,6 +17,11 @@ impl MemoryLimit {
         Self { bytes }
     }
 
+    /// An equal share for each of `count` frames that are traced side by side.
+    pub fn share_of(self, count: usize) -> Self {
+        self.shared(0, count)
+    }
+
     /// Equal shares of what is left beside `held_bytes`, for `count` trees at a time.
     pub(crate) fn shared(self, held_bytes: u64, count: usize) -> Self {
         if self == Self::NONE {

@@ -66,8 +66,9 @@ fn scene(bodies: &[(Mesh, Pose)], points: &[(f64, Pose)], accuracy_db: f64, boun
         intersection: Intersection { width_m: 22.5 },
         materials: MaterialMap::default(),
         road: None,
-        meshes: bodies.iter().map(|(mesh, _)| mesh.clone()).collect(),
+        meshes: bodies.iter().map(|(mesh, _)| mesh.clone()).collect::<Vec<_>>().into(),
         targets,
+        traffic: None,
     };
     (header, SceneFrame { index: 0, time_s: 0.0, poses })
 }

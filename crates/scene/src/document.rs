@@ -62,6 +62,16 @@ pub(crate) struct Section<'d> {
     faults: &'d Faults<'d>,
 }
 
+/// Models that vehicles of one type may have.
+pub(crate) struct ModelChoice<'d> {
+    /// The recording's vType.
+    pub(crate) kind: &'d str,
+    /// At least one.
+    pub(crate) names: Vec<&'d str>,
+    /// What else is said of them.
+    pub(crate) section: Section<'d>,
+}
+
 type Value<'d> = Spanned<DeValue<'d>>;
 
 impl<'d> Section<'d> {
@@ -117,6 +127,42 @@ impl<'d> Section<'d> {
             Some((name, Section { table: Some(table), known, place, start, faults: self.faults }.checked()))
         };
         table.iter().filter_map(material).collect()
+    }
+
+    /// What the `models` of recorded traffic say: for each type a name, a list of names, or a table with more.
+    pub(crate) fn model_choices(&self) -> Vec<ModelChoice<'d>> {
+        let Some(value) = self.find("models") else { return vec![] };
+        let DeValue::Table(table) = value.get_ref() else {
+            self.wrong_type("models", "a table such as { car = \"car-suv\" }", value.get_ref(), value.span());
+            return vec![];
+        };
+        table.iter().filter_map(|(kind, value)| self.model_choice(kind.get_ref().as_ref(), value)).collect()
+    }
+
+    fn model_choice(&self, kind: &'d str, value: &'d Value<'d>) -> Option<ModelChoice<'d>> {
+        let table = if let DeValue::Table(table) = value.get_ref() { Some(table) } else { None };
+        let (place, start) = (Place::Table("traffic.models"), value.span().start);
+        let known = &keys::MODEL_OF_TYPE;
+        let section = Section { table, known, place, start, faults: self.faults }.checked();
+        if table.is_some() {
+            section.require("model");
+        }
+        let written = if table.is_some() { section.find("model")? } else { value };
+        let names = section.names(written)?;
+        Some(ModelChoice { kind, names, section })
+    }
+
+    /// A text or a list of texts, not empty.
+    fn names(&self, value: &'d Value<'d>) -> Option<Vec<&'d str>> {
+        let names: Option<Vec<&str>> = match value.get_ref() {
+            DeValue::String(name) => Some(vec![name.as_ref()]),
+            DeValue::Array(names) if !names.is_empty() => names.iter().map(text_of).collect(),
+            _ => None,
+        };
+        if names.is_none() {
+            self.wrong_type("model", "a text or a list of texts in quotes", value.get_ref(), value.span());
+        }
+        names
     }
 
     /// The tables of a list of layers, in the same place as this one.
@@ -352,6 +398,10 @@ fn unknown_key(found: &str, table: &Table) -> Rule {
         Some(home) => Rule::WrongTable { found: found_here, table: home },
         None => Rule::UnknownKey { found: found_here, nearest: nearest(found, table.keys) },
     }
+}
+
+fn text_of<'d>(value: &'d Value<'d>) -> Option<&'d str> {
+    if let DeValue::String(text) = value.get_ref() { Some(text.as_ref()) } else { None }
 }
 
 fn number_of(value: &DeValue<'_>) -> Option<f64> {

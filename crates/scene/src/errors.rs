@@ -1,6 +1,7 @@
 //! What can be wrong with a scene: facts as fields, the sentence made once.
 
 use crate::mesh::MeshError;
+use crate::traffic::fcd::FcdError;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -62,6 +63,7 @@ impl std::error::Error for SceneError {
         match &self.rule {
             Rule::Unreadable(error) => Some(error),
             Rule::Mesh(error) => Some(error),
+            Rule::Traffic(error) => Some(error),
             _ => None,
         }
     }
@@ -368,6 +370,17 @@ pub enum Rule {
     /// A file of materials was refused or could not be read.
     #[error("{0}")]
     Materials(#[source] SceneErrors),
+    /// A time that runs backwards.
+    #[error("`end_s` is {end_s}, before `begin_s`, which is {begin_s}")]
+    EndsBeforeItBegins {
+        /// Of the first frame.
+        begin_s: f64,
+        /// Of the last.
+        end_s: f64,
+    },
+    /// A recording of traffic was refused or could not be read.
+    #[error("{0}")]
+    Traffic(#[source] FcdError),
     /// A mesh file was refused or could not be read.
     #[error("{0}")]
     Mesh(#[source] MeshError),
@@ -379,6 +392,7 @@ impl Rule {
         match self {
             Self::Unreadable(_) => true,
             Self::Mesh(error) => error.is_system(),
+            Self::Traffic(error) => error.is_system(),
             Self::Materials(errors) => errors.is_system(),
             _ => false,
         }

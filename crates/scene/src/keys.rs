@@ -12,8 +12,24 @@ pub struct Table {
 }
 
 /// All tables, in the order of `docs/scenes.md`.
-pub const TABLES: &[Table] =
-    &[SCENE, RADAR, WAVEFORM, ARRAY, LINK, RECEIVER, NOISE, DSP, FIDELITY, MATERIAL, LAYER, INTERSECTION, ROAD, TARGET];
+pub const TABLES: &[Table] = &[
+    SCENE,
+    RADAR,
+    WAVEFORM,
+    ARRAY,
+    LINK,
+    RECEIVER,
+    NOISE,
+    DSP,
+    FIDELITY,
+    MATERIAL,
+    LAYER,
+    INTERSECTION,
+    ROAD,
+    TARGET,
+    TRAFFIC,
+    MODEL_OF_TYPE,
+];
 
 pub(crate) const SCENE: Table = Table {
     name: "",
@@ -31,6 +47,7 @@ pub(crate) const SCENE: Table = Table {
         "intersection",
         "road",
         "target",
+        "traffic",
     ],
 };
 
@@ -166,6 +183,19 @@ pub(crate) const TARGET: Table = Table {
         "wheel_angle_deg",
         "yaw_deg",
     ],
+};
+
+pub(crate) const TRAFFIC: Table = Table {
+    name: "traffic",
+    heading: "[traffic]",
+    keys: &["fcd", "begin_s", "end_s", "models", "view_range_m", "view_half_angle_deg"],
+};
+
+/// Each entry of `models` in `[traffic]` that is a table.
+pub(crate) const MODEL_OF_TYPE: Table = Table {
+    name: "traffic.models",
+    heading: "models of [traffic]",
+    keys: &["model", "class", "vehicle_seed", "unit_scale"],
 };
 
 /// The heading of a table, other than `here`, that knows `key`.

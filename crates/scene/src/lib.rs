@@ -3,7 +3,8 @@
 //! A TOML file (`docs/scenes.md` has every key) and the mesh files it names go in; a
 //! [`SceneHeader`](artifact::scene::SceneHeader) comes out: the radar with its elements in world metres, the settings of
 //! every later stage, meshes in body axes (x forward, y left, z up; the centre of the bounding box, on the ground, at the
-//! origin) and each target's pose at the first sample. [`snapshot`] moves the targets to any frame.
+//! origin) and each target's pose at the first sample. [`snapshot`] moves the targets to any frame; vehicles of recorded
+//! [`traffic`] stand in it as far as the radar has them in view, and [`frame_view`] has what else is known of them.
 //!
 //! ```
 //! use scene::{Meshes, ReadOptions, read, snapshot};
@@ -49,6 +50,7 @@ mod settings;
 mod targets;
 mod models;
 mod materials;
+pub mod traffic;
 mod motion;
 pub mod mesh;
 mod glb;
@@ -59,6 +61,6 @@ pub use errors::{Allowed, MapAxis, Place, Position, Rule, SceneError, SceneError
 pub use keys::{TABLES, Table};
 pub use materials::read_materials;
 pub use mesh::{MeshError, MeshOptions, centred, read_mesh};
-pub use motion::{moved, pose_after, snapshot};
+pub use motion::{bodies_in_view, frame_view, moved, pose_after, snapshot, vehicles_in_view};
 pub use painted::{Painted, PaintedLine, painted_glb};
 pub use read::{Meshes, ReadOptions, inputs, read};

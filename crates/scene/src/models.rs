@@ -56,13 +56,32 @@ impl Models {
 
     /// The model of a mesh target; what is wrong with it is noted at its key.
     pub(crate) fn choose(&mut self, target: &Section<'_>) -> Option<Chosen> {
-        let model = self.named(target)?;
+        if self.options.model.is_none() {
+            target.require("model");
+        }
+        let written = target.text("model");
+        self.choose_written(target, written.or(self.options.model.is_some().then_some(""))?)
+    }
+
+    /// The model of that name, its scale and seed from the section; what is wrong with it is noted there.
+    pub(crate) fn choose_written(&mut self, target: &Section<'_>, written: &str) -> Option<Chosen> {
+        let model = self.named(target, written)?;
         let mesh = match self.known.iter().position(|known| *known == model) {
             Some(index) => index,
             None => self.add(target, model.clone()),
         };
         let name = model.name();
         Some(Chosen { class: vehicles::class_of(&name), name, mesh: mesh as u32 })
+    }
+
+    /// The meshes so far, without their materials; empty where only names were asked for.
+    pub(crate) fn meshes(&self) -> &[Mesh] {
+        &self.meshes
+    }
+
+    /// Whether models are opened.
+    pub(crate) fn are_opened(&self) -> bool {
+        self.options.meshes == Meshes::Whole
     }
 
     /// The meshes in their materials, handed over once.
@@ -88,15 +107,13 @@ impl Models {
     }
 
     /// The model that the options or else the target names, its scale and seed with it.
-    fn named(&self, target: &Section<'_>) -> Option<Model> {
+    fn named(&self, target: &Section<'_>, written: &str) -> Option<Model> {
         let unit_scale = target.number("unit_scale", mesh::UNIT_SCALES);
         let seed = target.integer("vehicle_seed", SEEDS);
-        let written = target.text("model");
         if let Some(path) = &self.options.model {
             return named_model(target, &path.to_string_lossy(), Path::new(""), None, None);
         }
-        target.require("model");
-        named_model(target, written?, &self.folder, unit_scale, seed)
+        named_model(target, written, &self.folder, unit_scale, seed)
     }
 
     fn add(&mut self, target: &Section<'_>, model: Model) -> usize {

@@ -1,11 +1,12 @@
-//! Motion: constant velocity and yaw; points may be accelerated.
+//! Motion: constant velocity and yaw of targets, points that may be accelerated, the recorded places of traffic.
 
-use artifact::scene::{Pose, SceneFrame, SceneHeader, TargetKind};
+use artifact::scene::{Placed, Pose, SceneFrame, SceneHeader, Target, TargetKind, Vehicle};
 
-/// Poses at the first sample of frame `frame_index`, in the order of the scene's targets.
+/// Poses at the first sample of frame `frame_index`: the scene's targets, then the vehicles in view.
 pub fn snapshot(scene: &SceneHeader, frame_index: u32) -> SceneFrame {
     let time_s = scene.frame_time_s(frame_index);
-    let poses = scene.targets.iter().map(|target| moved(&target.kind, &target.start, time_s)).collect();
+    let targets = scene.targets.iter().map(|target| moved(&target.kind, &target.start, time_s));
+    let poses = targets.chain(placed(scene, frame_index).map(|placed| placed.pose)).collect();
     SceneFrame { index: frame_index, time_s, poses }
 }
 
@@ -18,6 +19,54 @@ pub fn moved(kind: &TargetKind, pose: &Pose, elapsed_s: f64) -> Pose {
         position_m: [0, 1, 2].map(|axis| pose.position_m[axis] + 0.5 * gained_mps[axis] * elapsed_s),
         velocity_mps: [0, 1, 2].map(|axis| pose.velocity_mps[axis] + gained_mps[axis]),
         ..pose
+    }
+}
+
+/// Vehicles in view of a frame, at its first sample; none without traffic. A recording has a place for each cycle of sub-frames.
+fn placed(scene: &SceneHeader, frame_index: u32) -> impl Iterator<Item = Placed> {
+    let cycle = (frame_index / scene.radar.schedule.sub_frames()) as usize;
+    let later_s = scene.radar.sub_frame_start_s(frame_index);
+    let recorded = scene.traffic.iter().flat_map(move |traffic| traffic.frames.get(cycle)).flatten();
+    recorded.map(move |placed| Placed { pose: pose_after(&placed.pose, later_s), ..*placed })
+}
+
+/// The vehicles in view of a frame, in the order of the snapshot's poses, where they follow the targets.
+pub fn vehicles_in_view(scene: &SceneHeader, frame_index: u32) -> Vec<&Vehicle> {
+    let vehicles = scene.traffic.as_ref().map_or(&[][..], |traffic| &traffic.vehicles);
+    placed(scene, frame_index).filter_map(|placed| vehicles.get(placed.vehicle as usize)).collect()
+}
+
+/// For each pose of a frame's snapshot the place of its body among all of the scene: targets first, then every vehicle that
+/// is in view in some frame.
+pub fn bodies_in_view(scene: &SceneHeader, frame_index: u32) -> Vec<u32> {
+    let targets = scene.targets.len() as u32;
+    (0..targets).chain(placed(scene, frame_index).map(|placed| targets + placed.vehicle)).collect()
+}
+
+/// The scene of one frame alone: vehicles in view are targets like any other, in the order of the snapshot's poses, `start`
+/// their pose in that frame. What a frame costs then grows with what is in view, not with the recording.
+pub fn frame_view(scene: &SceneHeader, frame_index: u32) -> SceneHeader {
+    let in_view = vehicles_in_view(scene, frame_index).into_iter().zip(placed(scene, frame_index));
+    let in_view = in_view.map(|(vehicle, placed)| Target {
+        id: vehicle.id.clone(),
+        kind: vehicle.kind.clone(),
+        start: placed.pose,
+    });
+    SceneHeader {
+        name: scene.name.clone(),
+        seed: scene.seed,
+        frames: scene.frames,
+        frame_interval_s: scene.frame_interval_s,
+        radar: scene.radar.clone(),
+        noise: scene.noise,
+        dsp: scene.dsp.clone(),
+        fidelity: scene.fidelity,
+        intersection: scene.intersection,
+        materials: scene.materials.clone(),
+        road: scene.road.clone(),
+        meshes: scene.meshes.clone(),
+        targets: scene.targets.iter().cloned().chain(in_view).collect(),
+        traffic: None,
     }
 }
 

@@ -8,6 +8,7 @@ use crate::models::Models;
 use crate::radar::{read_frames, read_radar};
 use crate::settings::{read_dsp, read_fidelity, read_intersection, read_noise};
 use crate::targets::read_targets;
+use crate::traffic::read_traffic;
 use artifact::scene::SceneHeader;
 use std::path::{Path, PathBuf};
 use toml::de::DeTable;
@@ -84,6 +85,10 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let (frames, frame_interval_s) = read_frames(root, &radar);
     let (intersection, lanes) = read_intersection(root);
     let targets = read_targets(root, &lanes, models);
+    let recording = read_traffic(root, &radar, frame_interval_s, models);
+    let recording = recording.filter(|_| models.are_opened());
+    let traffic = recording.map(|recording| recording.frames(models, &targets));
+    let frames = traffic.as_ref().map_or(frames, |traffic| (traffic.frames.len() as u32).max(1));
     let materials = read_scene_materials(root, models);
     root.require("name");
     SceneHeader {
@@ -96,10 +101,11 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
         fidelity: read_fidelity(root),
         radar,
         intersection,
-        meshes: models.take_meshes(&materials),
+        meshes: models.take_meshes(&materials).into(),
         materials,
         road: read_road(root),
         targets,
+        traffic,
     }
 }
 

@@ -445,7 +445,7 @@ fn the_intersection_holds_one_vehicle_of_each_class_in_its_lanes() {
 
 #[test]
 fn the_projects_scenes_read_whole() {
-    for name in ["experiment-1", "experiment-2", "experiment-3", "intersection"] {
+    for name in ["experiment-1", "experiment-2", "experiment-3", "intersection", "traffic"] {
         let scene = scene::read(&scenes_folder().join(format!("{name}.toml")), &WHOLE);
         let scene = scene.unwrap_or_else(|errors| panic!("{errors}"));
         assert!(scene.meshes.iter().all(|mesh| !mesh.triangles.is_empty()), "{name}");

@@ -81,10 +81,15 @@ fn radar(radar: &Radar) {
 }
 
 fn scene(reader: Reader<Scene>) -> Result<(), Failure> {
-    let SceneHeader { name, seed, meshes, targets, radar: r, .. } = reader.header();
+    let SceneHeader { name, seed, meshes, targets, traffic, radar: r, .. } = reader.header();
     line(format!("scene        {name}, seed {seed}, {} targets, {} meshes", targets.len(), meshes.len()));
+    if let Some(traffic) = traffic {
+        let (vehicles, frames) = (traffic.vehicles.len(), traffic.frames.len());
+        let placed: usize = traffic.frames.iter().map(Vec::len).sum();
+        line(format!("traffic      {vehicles} vehicles in {frames} frames, {placed} times in view"));
+    }
     radar(r);
-    for mesh in meshes {
+    for mesh in meshes.iter() {
         let s = mesh.statistics;
         let (kept, dropped, open) = (mesh.triangles.len(), s.degenerate, s.open_edges);
         line(format!("mesh         {}: {kept} triangles, {dropped} degenerate dropped, {open} open edges", mesh.name));

@@ -53,11 +53,17 @@ pub(crate) fn of_scene(errors: scene::SceneErrors) -> Failure {
 /// Name and content hash of files.
 pub(crate) fn hashed(files: &[PathBuf]) -> Result<Vec<(String, String)>, Failure> {
     let hash = |file: &PathBuf| {
-        let bytes = std::fs::read(file).map_err(|e| Failure::system(file, "read", e))?;
         let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        Ok((name, blake3::hash(&bytes).to_hex().to_string()))
+        Ok((name, content_hash(file).map_err(|e| Failure::system(file, "read", e))?))
     };
     files.iter().map(hash).collect()
+}
+
+/// By pieces: a recording of traffic may be larger than memory.
+fn content_hash(file: &Path) -> std::io::Result<String> {
+    let mut hasher = blake3::Hasher::new();
+    std::io::copy(&mut std::fs::File::open(file)?, &mut hasher)?;
+    Ok(hasher.finalize().to_hex().to_string())
 }
 
 fn known(cache: &Cache, key: &Key) -> Option<SceneHeader> {

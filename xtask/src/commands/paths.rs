@@ -20,7 +20,8 @@ pub(crate) fn run(arguments: &PathsArguments) -> Result<(), Failure> {
     for index in 0..loaded.header.frames {
         work.at(index as usize, loaded.header.frames as usize);
         let scene = scene::snapshot(&loaded.header, index);
-        if let Scattering::Paths(frame) = chain.scattering(&chain.plan(index), &scene)?.value {
+        let scattering = chain.scattering(&chain.plan(index), &scene)?.value;
+        if let Scattering::Paths(frame) = chain.counted_through(scattering) {
             writer.write(&frame)?;
         }
     }

@@ -7,15 +7,15 @@ use crate::cli::RunArguments;
 use crate::expectation;
 use crate::failure::Failure;
 use crate::output;
-use crate::pictures::FrameFigures;
 use crate::plan::FramePlan;
-use crate::products::Products;
+use crate::products::{Figures, Products};
 use crate::progress;
 use crate::report;
 use crate::stages::Stage;
 use crate::summary;
 use serde_json::{Map, Value};
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let cache = (!arguments.no_cache).then(|| Cache::open(&arguments.cache));
@@ -32,38 +32,71 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         return expectation::tell(&chain, cache.as_ref(), &plans);
     }
     let out = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&loaded.header.name));
+    let start = Instant::now();
     let (frames, figures) = compute(&chain, &loaded, &plans, &out)?;
+    let frames_seconds = start.elapsed().as_secs_f64();
     if let Some(cache) = &cache {
         expectation::learn(cache, &chain, &frames);
         cache.trim();
     }
-    conclude(&loaded, frames, &figures, &out)
+    conclude(&loaded, frames, frames_seconds, &figures, &out)
 }
 
-/// Frame after frame, so that memory does not grow with their number.
+/// A few frames at a time, so that memory does not grow with their number; written in their order.
 fn compute(
     chain: &Chain,
     loaded: &LoadedScene,
     plans: &[FramePlan],
     out: &Path,
-) -> Result<(Vec<Value>, Vec<FrameFigures>), Failure> {
+) -> Result<(Vec<Value>, Figures), Failure> {
     let mut products = Products::create(chain, out, &loaded.files)?;
     let mut frames = Vec::new();
-    for plan in plans {
-        progress::note(format!("frame {} of {}", plan.index + 1, plans.len()));
-        let mut frame: FrameProducts = chain.frame(plan)?;
-        frame.result.seconds.insert(0, (Stage::Scene, if plan.index == 0 { loaded.seconds } else { 0.0 }));
-        if loaded.cached {
-            frame.result.cached.insert(0, Stage::Scene);
+    for plans_at_once in plans.chunks(chain.side_by_side()) {
+        let first = plans_at_once.first().map_or(0, |plan| plan.index + 1);
+        progress::note(format!("frame {first} of {}", plans.len()));
+        for mut frame in side_by_side(chain, plans_at_once)? {
+            let is_first = frame.result.scene.index == 0;
+            frame.result.seconds.insert(0, (Stage::Scene, if is_first { loaded.seconds } else { 0.0 }));
+            if loaded.cached {
+                frame.result.cached.insert(0, Stage::Scene);
+            }
+            frames.push(summary::frame(&frame.view, &frame.result));
+            products.write(chain, frame)?;
         }
-        products.write(chain, &mut frame)?;
-        frames.push(summary::frame(chain.header, &frame.result));
     }
     Ok((frames, products.finish()?))
 }
 
-fn conclude(loaded: &LoadedScene, frames: Vec<Value>, figures: &[FrameFigures], out: &Path) -> Result<(), Failure> {
+/// Frames computed at the same time, in their order. Where bodies stand as in another of them, a frame waits for that one's
+/// paths and finds them in the cache.
+fn side_by_side(chain: &Chain, plans: &[FramePlan]) -> Result<Vec<FrameProducts>, Failure> {
+    let is_new = |i: usize| plans[..i].iter().all(|earlier| earlier.keys.bart_rcs != plans[i].keys.bart_rcs);
+    let (new, known): (Vec<usize>, Vec<usize>) = (0..plans.len()).partition(|i| is_new(*i));
+    let mut frames = at_once(chain, new.into_iter().map(|i| &plans[i]))?;
+    frames.extend(at_once(chain, known.into_iter().map(|i| &plans[i]))?);
+    frames.sort_by_key(|frame| frame.result.scene.index);
+    Ok(frames)
+}
+
+/// Each frame on a thread of its own: threads of the pool would take up a further frame while they wait for a part of one,
+/// and hold more than was allowed.
+fn at_once<'a>(chain: &Chain, plans: impl Iterator<Item = &'a FramePlan>) -> Result<Vec<FrameProducts>, Failure> {
+    std::thread::scope(|scope| {
+        let threads: Vec<_> = plans.map(|plan| scope.spawn(|| chain.frame(plan))).collect();
+        let joined = threads.into_iter().map(|thread| thread.join().unwrap_or_else(|p| std::panic::resume_unwind(p)));
+        joined.collect()
+    })
+}
+
+fn conclude(
+    loaded: &LoadedScene,
+    frames: Vec<Value>,
+    frames_seconds: f64,
+    figures: &Figures,
+    out: &Path,
+) -> Result<(), Failure> {
     let mut root: Map<String, Value> = summary::head(&loaded.header);
+    root.insert("frames_seconds".into(), frames_seconds.into());
     root.insert("frames".into(), frames.into());
     let root = Value::Object(root);
     let text = serde_json::to_string_pretty(&root).map_err(Failure::refused)?;

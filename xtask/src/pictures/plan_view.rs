@@ -15,7 +15,8 @@ pub(crate) struct PlanView {
 
 /// Truth, points and estimates of one frame.
 pub(super) fn of_frame(header: &SceneHeader, result: &FrameResult) -> Svg {
-    let mut view = PlanView::new(header, format!("Scene of frame {} from above", result.scene.index));
+    let title = format!("Scene of frame {} from above", result.scene.index);
+    let mut view = PlanView::new(header, title, extent(header, result));
     for point in &result.points.points {
         view.point(point.position_m);
     }
@@ -28,18 +29,46 @@ pub(super) fn of_frame(header: &SceneHeader, result: &FrameResult) -> Svg {
     view.finish()
 }
 
+/// How far the sheet reaches across.
+#[derive(Clone, Copy, PartialEq)]
+enum Extent {
+    /// The lanes.
+    Lanes,
+    /// As far as along.
+    Crossing,
+}
+
+/// The lanes are enough where every target is in them or near.
+fn extent(header: &SceneHeader, result: &FrameResult) -> Extent {
+    let [left, right] = across_m(header);
+    let is_near = |pose: &Pose| (left - 2.0..=right + 2.0).contains(&pose.position_m[0]);
+    if result.scene.poses.iter().all(is_near) { Extent::Lanes } else { Extent::Crossing }
+}
+
+/// Left and right rim of the lanes.
+fn across_m(header: &SceneHeader) -> [f64; 2] {
+    let lanes = &header.dsp.lanes;
+    let left = lanes.iter().map(|l| l.centre_x_m - 0.5 * l.width_m).fold(-2.0, f64::min);
+    let right = lanes.iter().map(|l| l.centre_x_m + 0.5 * l.width_m).fold(4.0, f64::max);
+    [left, right]
+}
+
 impl PlanView {
     /// The empty road.
-    pub(crate) fn new(header: &SceneHeader, title: String) -> Self {
-        let lanes = &header.dsp.lanes;
-        let left = lanes.iter().map(|l| l.centre_x_m - 0.5 * l.width_m).fold(-2.0, f64::min);
-        let right = lanes.iter().map(|l| l.centre_x_m + 0.5 * l.width_m).fold(4.0, f64::max);
+    fn new(header: &SceneHeader, title: String, extent: Extent) -> Self {
         let far = header.radar.waveform.range_max_m().clamp(10.0, 120.0);
-        let axes = Axes {
-            x: Axis { from: -2.0, to: far, start_px: 60.0, end_px: 740.0 },
-            y: Axis { from: right + 2.0, to: left - 2.0, start_px: 265.0, end_px: 45.0 },
+        let [left, right] = if extent == Extent::Lanes { across_m(header) } else { [-far, far] };
+        // Lanes are drawn wider than they are, so that labels have room; a crossing is drawn to scale.
+        const PX_PER_M: f64 = 8.0;
+        let [end_px, bottom_px] = match extent {
+            Extent::Lanes => [740.0, 265.0],
+            Extent::Crossing => [60.0 + PX_PER_M * (far + 2.0), 45.0 + PX_PER_M * (2.0 * far + 4.0)],
         };
-        let mut view = Self { sheet: Svg::new(title, 760.0, 310.0), axes };
+        let axes = Axes {
+            x: Axis { from: -2.0, to: far, start_px: 60.0, end_px },
+            y: Axis { from: right + 2.0, to: left - 2.0, start_px: bottom_px, end_px: 45.0 },
+        };
+        let mut view = Self { sheet: Svg::new(title, end_px + 20.0, bottom_px + 45.0), axes };
         view.road(header);
         view
     }

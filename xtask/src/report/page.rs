@@ -2,13 +2,14 @@
 
 use super::tables;
 use crate::pictures::{FrameFigures, Svg};
+use crate::products::Figures;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use serde_json::Value;
 
 const STYLE: &str = include_str!("style.css");
 
 /// The whole page.
-pub(super) fn page(summary: &Value, figures: &[FrameFigures]) -> String {
+pub(super) fn page(summary: &Value, figures: &Figures) -> String {
     let name = summary["scene"].as_str().unwrap_or_default();
     let frames: Vec<&Value> = summary["frames"].as_array().into_iter().flatten().collect();
     let markup = html! {
@@ -24,13 +25,35 @@ pub(super) fn page(summary: &Value, figures: &[FrameFigures]) -> String {
                 h1 { (name) }
                 p.lead { (lead(&frames)) }
                 (tables::radar(&summary["radar"], &frames))
-                @for (number, frame) in frames.iter().enumerate() { (section(number, frame, figures.get(number))) }
+                @if !figures.strip.is_empty() { (strip(&frames, figures)) }
+                @for (number, frame) in frames.iter().take(FRAMES_TOLD).enumerate() {
+                    (section(number, frame, figures.frames.get(number)))
+                }
+                @if frames.len() > FRAMES_TOLD {
+                    p { "Frames " (FRAMES_TOLD) " to " (frames.len() - 1) " stand in summary.json." }
+                }
                 footer { "Seed " (summary["seed"]) ". Ranges and velocities of the truth are power-weighted means over each "
                     "target's echo; signs, axes and units as in docs/conventions.md." }
             }
         }
     };
     markup.into_string()
+}
+
+/// Frames that have tables in the report: a page of more opens slowly.
+const FRAMES_TOLD: usize = 24;
+
+/// How a long scene goes on: what was found and where, and every n-th frame from above.
+fn strip(frames: &[&Value], figures: &Figures) -> Markup {
+    html! {
+        section {
+            h2 { "The whole scene" }
+            (tables::scene(frames))
+            @for (number, plan) in &figures.strip {
+                (figure(&format!("Frame {number}: truth, detected points and objects"), plan))
+            }
+        }
+    }
 }
 
 fn lead(frames: &[&Value]) -> String {

@@ -27,6 +27,26 @@ pub(super) fn radar(radar: &Value, frames: &[&Value]) -> Markup {
     }
 }
 
+/// What was found of the targets over all frames, and in which lane.
+pub(super) fn scene(frames: &[&Value]) -> Markup {
+    let all = || frames.iter().flat_map(|frame| frame["targets"].as_array().into_iter().flatten());
+    let count = |of: &dyn Fn(&&Value) -> bool| all().filter(|target| of(target)).count();
+    let is_seen = |t: &&Value| !t["truth"]["nearest_range_m"].is_null();
+    let is_found = |t: &&Value| !t["estimate"].is_null();
+    let in_lane = |t: &&Value| is_found(t) && !t["truth"]["lane"].is_null();
+    let lane_is_right = |t: &&Value| in_lane(t) && t["estimate"]["lane"] == t["truth"]["lane"];
+    let share = |part: usize, of: usize| format!("{part} of {of}");
+    let rows = [
+        ("Bodies in view, frame by frame", all().count().to_string()),
+        ("With a lit surface", share(count(&is_seen), all().count())),
+        ("Found, of those with a lit surface", share(count(&|t| is_seen(t) && is_found(t)), count(&is_seen))),
+        ("In the right lane, of those found in a lane", share(count(&lane_is_right), count(&in_lane))),
+    ];
+    html! {
+        div.scroll { table { tbody { @for (name, value) in rows { tr { th { (name) } td { (value) } } } } } }
+    }
+}
+
 /// Truth beside estimate with the error, a row per target.
 pub(super) fn targets(frame: &Value) -> Markup {
     let targets = frame["targets"].as_array().cloned().unwrap_or_default();

@@ -87,7 +87,7 @@ pub(crate) fn try_frame(case: u64, meshes: &[(&str, Mesh)], empty: &SceneHeader)
     header.fidelity.bounces = rng.random_range(1..=3);
     let asked_db = rng.random_range(-25.0..-10.0);
     header.fidelity.accuracy = artifact::Accuracy::from_db(asked_db);
-    header.meshes = vec![mesh.clone()];
+    header.meshes = vec![mesh.clone()].into();
     header.targets[0].start = pose;
     let frame = scene::snapshot(&header, 0);
     let paths = trace_frame(&Models::build(&header).unwrap(), &header, &frame).unwrap();

@@ -41,7 +41,7 @@ pub(crate) fn try_road(case: u64, meshes: &[(&str, Mesh)], empty: &SceneHeader) 
     let mut header = empty.clone();
     lift(&mut header.radar, rng.random_range(0.5..7.0));
     header.fidelity.bounces = rng.random_range(1..=3);
-    header.meshes = vec![mesh.clone()];
+    header.meshes = vec![mesh.clone()].into();
     header.targets[0].start = pose;
     let (road, [real, loss]) = ROADS[rng.random_range(0..ROADS.len())];
     let frame = scene::snapshot(&header, 0);

@@ -33,8 +33,9 @@ pub(crate) fn scene(mesh: &Mesh, places: &[Placed]) -> (SceneHeader, SceneFrame)
         intersection: Intersection { width_m: 22.5 },
         materials: MaterialMap::default(),
         road: None,
-        meshes: vec![mesh.clone()],
+        meshes: vec![mesh.clone()].into(),
         targets: poses.iter().enumerate().map(target).collect(),
+        traffic: None,
     };
     (header, SceneFrame { index: 0, time_s: 0.0, poses })
 }

@@ -88,8 +88,9 @@ fn header(recipe: &Recipe, drawn: &Drawn) -> Result<SceneHeader, Failure> {
         name: format!("dataset-{}", drawn.number),
         seed: recipe.seed.wrapping_add(drawn.number),
         frames: 1,
-        meshes: vec![mesh],
+        meshes: vec![mesh].into(),
         targets: vec![Target { id: "vehicle".into(), kind, start }],
+        traffic: None,
         ..recipe.base.clone()
     })
 }

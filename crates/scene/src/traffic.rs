@@ -1,0 +1,229 @@
+//! `[traffic]`: vehicles that move as SUMO recorded them.
+//!
+//! The recording is read once, step by step ([`fcd`]); of every step only what the radar has in view at a frame's first
+//! sample is kept ([`in_view`]), placed between the steps by [`interpolation`]. So memory grows with what is in view in the
+//! frames asked for, not with the recording.
+
+pub mod fcd;
+pub mod interpolation;
+mod clock;
+mod in_view;
+
+use crate::document::{ModelChoice, Section};
+use crate::errors::{Allowed, Rule};
+use crate::keys;
+use crate::models::{Chosen, Models};
+use artifact::radar::Radar;
+use artifact::scene::{Placed, Target, TargetKind, Traffic, Vehicle};
+use artifact::seed;
+use artifact::settings::Class;
+use clock::{Clock, Times};
+use fcd::{FcdError, FcdReader, FcdRule, FcdVehicle};
+use glam::DVec2;
+use in_view::View;
+use interpolation::Interval;
+use std::collections::HashMap;
+use std::path::PathBuf;
+
+/// Models of SUMO's vTypes and vehicle classes where `models` says nothing: those of the project of about that length.
+const DEFAULT_MODELS: [(&str, &str); 11] = [
+    ("car", "car-sedan"),
+    ("passenger", "car-sedan"),
+    ("DEFAULT_VEHTYPE", "car-sedan"),
+    ("taxi", "car-sedan"),
+    ("bus", "bus-city"),
+    ("coach", "bus-coach"),
+    ("truck", "truck-box"),
+    ("delivery", "truck-box"),
+    ("trailer", "truck-semi"),
+    ("motorcycle", "motorcycle-street"),
+    ("moped", "motorcycle-scooter"),
+];
+
+/// What `[traffic]` says.
+pub(crate) struct Recording<'d> {
+    section: Section<'d>,
+    file: PathBuf,
+    models: Vec<ModelsOfType>,
+    times: Times,
+    view: View,
+}
+
+/// The models that vehicles of a vType may have.
+struct ModelsOfType {
+    name: String,
+    models: Vec<Model>,
+}
+
+/// A model with what places it: its origin is in the middle of its bounding box.
+#[derive(Clone)]
+struct Model {
+    kind: TargetKind,
+    /// From the origin to the front bumper.
+    reach_m: f64,
+    /// From the origin to the furthest corner, seen from above.
+    radius_m: f64,
+}
+
+/// `[traffic]` of a scene, the models that it names loaded, its recording not yet opened; `None` without the table, or where
+/// the recording is not named.
+pub(crate) fn read_traffic<'d>(
+    root: &Section<'d>,
+    radar: &Radar,
+    interval_s: f64,
+    models: &mut Models,
+) -> Option<Recording<'d>> {
+    let section = root.section(&keys::TRAFFIC);
+    if !section.exists() {
+        return None;
+    }
+    section.require("fcd");
+    let times = read_times(root, &section, interval_s);
+    let view = View::read(&section, radar);
+    let models_of_types = section.model_choices().iter().map(|choice| models_of_type(choice, models)).collect();
+    let file = models.file_beside(section.text("fcd")?);
+    Some(Recording { section, file, models: models_of_types, times, view })
+}
+
+fn read_times(root: &Section<'_>, section: &Section<'_>, interval_s: f64) -> Times {
+    let seconds = Allowed::Between(-1e9, 1e9);
+    let (begin_s, end_s) = (section.number("begin_s", seconds), section.number("end_s", seconds));
+    if let (Some(begin_s), Some(end_s)) = (begin_s, end_s)
+        && end_s < begin_s
+    {
+        section.note("end_s", Rule::EndsBeforeItBegins { begin_s, end_s });
+    }
+    let frames = root.has("frames").then(|| root.integer("frames", Allowed::Between(1.0, 1e6)).unwrap_or(1) as u32);
+    Times { frames, interval_s, begin_s, end_s }
+}
+
+fn models_of_type(choice: &ModelChoice<'_>, models: &mut Models) -> ModelsOfType {
+    let class = choice.section.word("class", &Class::ALL.map(|class| (class.name(), class)));
+    let chosen = choice.names.iter().filter_map(|name| models.choose_written(&choice.section, name));
+    let chosen: Vec<Chosen> = chosen.collect();
+    let models = chosen.into_iter().map(|chosen| Model::of(chosen, class, models)).collect();
+    ModelsOfType { name: choice.kind.to_owned(), models }
+}
+
+impl Model {
+    fn of(chosen: Chosen, class: Option<Class>, models: &Models) -> Self {
+        let Chosen { name, mesh, class: own } = chosen;
+        let vertices = || models.meshes().get(mesh as usize).into_iter().flat_map(|mesh| &mesh.vertices_m);
+        Self {
+            kind: TargetKind::Mesh { class: class.or(own), model: name, mesh },
+            reach_m: vertices().map(|v| v[0]).fold(0.0, f64::max),
+            radius_m: vertices().map(|v| v[0].hypot(v[1])).fold(0.0, f64::max),
+        }
+    }
+}
+
+impl Recording<'_> {
+    /// Frames of the recording with what is in view in each; what is wrong with it is noted.
+    pub(crate) fn frames(mut self, models: &mut Models, targets: &[Target]) -> Traffic {
+        self.read(models, targets).unwrap_or_else(|error| {
+            self.section.note("fcd", Rule::Traffic(error));
+            Traffic::default()
+        })
+    }
+
+    fn read(&mut self, models: &mut Models, targets: &[Target]) -> Result<Traffic, FcdError> {
+        let mut reader = FcdReader::open(&self.file)?;
+        let (mut cast, mut interval, mut clock) = (Cast::new(targets), Interval::default(), None);
+        while let Some(step) = reader.next_step()? {
+            let clock = clock.get_or_insert_with(|| Clock::of(self.times, step.time_s));
+            interval.advance(step);
+            while let Some(time_s) = clock.frame_until(interval.end_s()) {
+                let kept = self.keep_frame(&mut cast, models, &interval, time_s);
+                kept.map_err(|(line, rule)| reader.error_at(line, rule))?;
+            }
+            if clock.is_done() {
+                break;
+            }
+        }
+        let clock = clock.ok_or_else(|| reader.error_at(1, FcdRule::NoSteps))?;
+        clock.checked(interval.end_s()).map_err(|rule| reader.error_at(1, rule))?;
+        Ok(cast.traffic)
+    }
+
+    /// Keeps what is in view at a moment; an error has the line of the vehicle it is about.
+    fn keep_frame(
+        &mut self,
+        cast: &mut Cast<'_>,
+        models: &mut Models,
+        interval: &Interval,
+        time_s: f64,
+    ) -> Result<(), (u64, FcdRule)> {
+        let mut placed = vec![];
+        for vehicle in interval.vehicles() {
+            let Some(bumper) = interval.bumper(vehicle, time_s) else { continue };
+            let model = self.model_of(vehicle, models).map_err(|rule| (vehicle.line, rule))?;
+            let pose = bumper.pose(model.reach_m);
+            let [x, y, _] = pose.position_m;
+            if self.view.touches(DVec2::new(x, y), model.radius_m) {
+                let vehicle = cast.place_of(vehicle, &model).map_err(|rule| (vehicle.line, rule))?;
+                placed.push(Placed { vehicle, pose });
+            }
+        }
+        cast.traffic.frames.push(placed);
+        Ok(())
+    }
+
+    /// One of the models of its type, always the same for the same id.
+    fn model_of(&mut self, vehicle: &FcdVehicle, models: &mut Models) -> Result<Model, FcdRule> {
+        // A vType that was changed for one vehicle is called `car@flow.3`.
+        let name = vehicle.kind.split('@').next().unwrap_or_default();
+        if !self.models.iter().any(|known| known.name == name) {
+            self.add_default(name, models);
+        }
+        let found = self.models.iter().find(|known| known.name == name && !known.models.is_empty());
+        let models = &found.ok_or_else(|| self.unknown_type(vehicle))?.models;
+        let key = seed::key(0, &format!("scene/model of {}", vehicle.id), &[]);
+        let draw = u64::from_le_bytes([key[0], key[1], key[2], key[3], key[4], key[5], key[6], key[7]]);
+        Ok(models[(draw % models.len() as u64) as usize].clone())
+    }
+
+    /// Default models are loaded where a vehicle needs them.
+    fn add_default(&mut self, name: &str, models: &mut Models) {
+        let Some((_, model)) = DEFAULT_MODELS.iter().find(|(known, _)| *known == name) else { return };
+        let chosen = models.choose_written(&self.section, model);
+        let of_type = chosen.into_iter().map(|chosen| Model::of(chosen, None, models)).collect();
+        self.models.push(ModelsOfType { name: name.to_owned(), models: of_type });
+    }
+
+    fn unknown_type(&self, vehicle: &FcdVehicle) -> FcdRule {
+        let own = self.models.iter().map(|known| known.name.as_str());
+        let known = own.chain(DEFAULT_MODELS.map(|(name, _)| name)).map(str::to_owned).collect();
+        FcdRule::UnknownType { found: vehicle.kind.clone(), id: vehicle.id.clone(), known }
+    }
+}
+
+/// Vehicles as they come into view.
+struct Cast<'a> {
+    targets: &'a [Target],
+    known: HashMap<String, u32>,
+    traffic: Traffic,
+}
+
+impl<'a> Cast<'a> {
+    fn new(targets: &'a [Target]) -> Self {
+        Self { targets, known: HashMap::new(), traffic: Traffic::default() }
+    }
+
+    /// Index of a vehicle, new or known.
+    fn place_of(&mut self, vehicle: &FcdVehicle, model: &Model) -> Result<u32, FcdRule> {
+        if let Some(known) = self.known.get(&vehicle.id) {
+            return Ok(*known);
+        }
+        // Ids stand in tables of results, one beside the other.
+        if vehicle.id.chars().any(|c| c.is_control() || ",\"'".contains(c)) {
+            return Err(FcdRule::BadId(vehicle.id.clone()));
+        }
+        if self.targets.iter().any(|target| target.id == vehicle.id) {
+            return Err(FcdRule::IdOfTarget(vehicle.id.clone()));
+        }
+        let index = self.traffic.vehicles.len() as u32;
+        self.traffic.vehicles.push(Vehicle { id: vehicle.id.clone(), kind: model.kind.clone() });
+        self.known.insert(vehicle.id.clone(), index);
+        Ok(index)
+    }
+}

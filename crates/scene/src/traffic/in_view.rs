@@ -1,0 +1,76 @@
+//! What of recorded traffic a radar may see: what stands within range and on the side it looks to.
+
+use crate::document::Section;
+use crate::errors::Allowed;
+use artifact::radar::Radar;
+use glam::DVec2;
+
+/// A sector on the ground, its tip at the radar's foot.
+pub(crate) struct View {
+    foot_m: DVec2,
+    /// Unit vector.
+    boresight: DVec2,
+    range_m: f64,
+    half_angle_rad: f64,
+}
+
+impl View {
+    /// By default the range up to which a complex beat frequency does not fold, and the half plane before the array.
+    pub(crate) fn read(section: &Section<'_>, radar: &Radar) -> Self {
+        let range_m = section.number("view_range_m", Allowed::Above(0.0, 1e5));
+        let half_angle_deg = section.number("view_half_angle_deg", Allowed::Above(0.0, 180.0)).unwrap_or(90.0);
+        let (sin, cos) = radar.boresight_az_rad.sin_cos();
+        Self {
+            foot_m: DVec2::new(radar.position_m[0], radar.position_m[1]),
+            boresight: DVec2::new(sin, cos),
+            range_m: range_m.unwrap_or(radar.waveform.range_max_m()),
+            half_angle_rad: half_angle_deg.to_radians(),
+        }
+    }
+
+    /// Whether a disc on the ground has a part in the sector.
+    pub(crate) fn touches(&self, centre_m: DVec2, radius_m: f64) -> bool {
+        let away = centre_m - self.foot_m;
+        if away.length() - radius_m > self.range_m {
+            return false;
+        }
+        // The sector's own half with the disc in it, boresight to the right.
+        let at = DVec2::new(away.dot(self.boresight), away.perp_dot(self.boresight).abs());
+        if at.y.atan2(at.x) <= self.half_angle_rad {
+            return true;
+        }
+        let side = DVec2::from_angle(self.half_angle_rad);
+        at.distance(side * at.dot(side).max(0.0)) <= radius_m
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn view(half_angle_deg: f64) -> View {
+        let half_angle_rad = f64::to_radians(half_angle_deg);
+        View { foot_m: DVec2::new(1.0, 0.0), boresight: DVec2::Y, range_m: 50.0, half_angle_rad }
+    }
+
+    #[test]
+    fn a_disc_is_in_view_as_soon_as_its_rim_is() {
+        let half_plane = view(90.0);
+        for (centre, radius, expected) in [
+            ([1.0, 52.0], 2.1, true),
+            ([1.0, 52.0], 1.9, false),
+            ([20.0, -2.0], 2.1, true),
+            ([20.0, -2.0], 1.9, false),
+            ([-20.0, 0.1], 0.0, true),
+        ] {
+            assert_eq!(half_plane.touches(DVec2::from(centre), radius), expected, "{centre:?} {radius}");
+        }
+        // 45° to either side: the disc at 10 m across and none ahead is 10/√2 m from the edge.
+        for x in [11.0, -9.0] {
+            assert!(!view(45.0).touches(DVec2::new(x, 0.0), 7.0));
+            assert!(view(45.0).touches(DVec2::new(x, 0.0), 7.1));
+        }
+        assert!(view(45.0).touches(DVec2::new(1.0, -3.0), 3.1), "the foot is the sector's tip");
+        assert!(!view(45.0).touches(DVec2::new(1.0, -3.0), 2.9));
+    }
+}
