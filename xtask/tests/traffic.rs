@@ -1,5 +1,6 @@
 //! Recorded traffic through the chain: a queue in which vehicles hide others, and the same bytes however many frames are
 //! computed side by side.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
 
 mod common;
 

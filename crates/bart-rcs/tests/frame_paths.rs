@@ -8,6 +8,7 @@ use artifact::scene::{Intersection, Mesh, Pose, SceneFrame, SceneHeader, Target,
 use artifact::settings::{
     Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Refine, Sides, Surface, Window,
 };
+use artifact::units::SPEED_OF_LIGHT_MPS;
 use artifact::{Accuracy, Radar, Waveform};
 use bart_rcs::{Models, PathView, RcsRequest, Standpoint, rcs, rcs_frame, scattering_of_paths, trace_frame};
 use glam::DVec3;

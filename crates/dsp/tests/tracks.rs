@@ -1,4 +1,5 @@
 //! Tracks of bodies that move as the filter believes: what it says of its own errors, identities, births and deaths.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
 
 mod common;
 

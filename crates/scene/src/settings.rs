@@ -8,7 +8,8 @@ use artifact::paths::MAX_ORDER;
 use artifact::radar::Waveform;
 use artifact::scene::Intersection;
 use artifact::settings::{
-    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lane, NodeRule, Noise, Refine, Sides, Surface, Window,
+    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lane, NodeRule, Noise, Refine, Sides, Surface,
+    Window,
 };
 
 /// The receiver's noise; absent without `[noise]`.

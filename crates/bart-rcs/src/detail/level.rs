@@ -211,8 +211,8 @@ const CANDIDATES_RAD: f64 = 0.6;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use artifact::paths::{Facet, MAX_ORDER};
-    use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Waveform};
+    use artifact::paths::{Curve, Facet, MAX_ORDER};
+    use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Schedule, Waveform};
     use std::f64::consts::TAU;
 
     /// 3 × 4 elements, 128 chirps of 256 samples over 0.6 GHz.
@@ -241,6 +241,8 @@ mod tests {
                 pattern: Pattern::Cosine { exponent: 2.0 },
             },
             link: Link { transmit_power_w: 0.016, antenna_gain_db: 10.0 },
+            schedule: Schedule::default(),
+            hardware: Hardware::default(),
         }
     }
 
@@ -260,6 +262,7 @@ mod tests {
                 apparent_rx_mps: [0.0, -10.0, 0.0],
                 amplitude_m: [[value; 2]; 2],
                 slope_m_per_hz: [[value * 1e-10; 2]; 2],
+                curve: Curve::default(),
                 facets: [Facet::default(); MAX_ORDER],
             }
         };

@@ -5,7 +5,7 @@ mod presentation;
 pub(super) use presentation::{csv, page, picture};
 
 use super::looks;
-use super::scenes::{cube_header, frame_of, paths_of, scene_of, with_body};
+use super::scenes::{cube_header, paths_of, scene_of, with_body};
 use crate::cache::project_root;
 use crate::chain::echo_accuracy;
 use crate::failure::Failure;
