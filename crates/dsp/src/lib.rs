@@ -18,8 +18,7 @@
 //! reads a positive direction cosine. Everything wrong with an input is a [`DspError`]; nothing panics.
 //!
 //! Reading order is that of the modules: taper and transforms, noncoherent sum, threshold, detector, peaks, direction,
-//! place, clusters, points, tracks, pictures.
-//! refinement, place, clusters, points, pictures.
+//! refinement, place, clusters, points, tracks, pictures.
 //!
 //! ```
 //! use artifact::cube::{CubeFrame, CubeHeader};
