@@ -15,6 +15,7 @@ mod plan;
 mod chain;
 mod truth;
 mod summary;
+mod sub_frames;
 mod products;
 mod expectation;
 mod commands;

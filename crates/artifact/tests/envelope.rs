@@ -55,7 +55,10 @@ fn what_is_written_is_read_back() {
     assert_eq!(read(&file).unwrap(), (0..FRAMES).map(frame).collect::<Vec<_>>());
     assert_eq!(Reader::<Points>::open(&file).unwrap().frames(), u64::from(FRAMES));
     let preamble = read_preamble(&file).unwrap();
-    assert_eq!((preamble.schema.as_str(), preamble.version, preamble.provenance), ("points", 1, provenance()));
+    assert_eq!(
+        (preamble.schema.as_str(), preamble.version, preamble.provenance),
+        ("points", Points::VERSION, provenance())
+    );
 }
 
 #[test]
@@ -120,7 +123,7 @@ struct Later;
 
 impl Schema for Later {
     const NAME: &'static str = "points";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = Points::VERSION + 1;
     type Header = PointsHeader;
     type Frame = PointsFrame;
 }
@@ -131,7 +134,9 @@ fn a_newer_version_is_refused_naming_both() {
     let file = folder.path().join("new.points");
     Writer::<Later>::create(&file, &provenance(), &PointsHeader::default()).unwrap().finish().unwrap();
     let error = Reader::<Points>::open(&file).map(drop).unwrap_err();
-    assert!(error.to_string().ends_with("`points` version 2; this program reads version 1"), "{error}");
+    let [newer, known] = [Later::VERSION, Points::VERSION];
+    let expected = format!("`points` version {newer}; this program reads version {known}");
+    assert!(error.to_string().ends_with(&expected), "{error}");
 }
 
 #[test]

@@ -88,7 +88,8 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let recording = read_traffic(root, &radar, frame_interval_s, models);
     let recording = recording.filter(|_| models.are_opened());
     let traffic = recording.map(|recording| recording.frames(models, &targets));
-    let frames = traffic.as_ref().map_or(frames, |traffic| (traffic.frames.len() as u32).max(1));
+    let sub_frames = radar.schedule.sub_frames();
+    let frames = traffic.as_ref().map_or(frames, |traffic| (traffic.frames.len() as u32).max(1) * sub_frames);
     let materials = read_scene_materials(root, models);
     root.require("name");
     SceneHeader {

@@ -6,9 +6,10 @@ use crate::failure::Failure;
 use crate::output;
 use crate::pictures;
 use crate::stages::Stage;
+use crate::sub_frames;
 use artifact::cube::{Cube, CubeHeader};
-use artifact::points::{Points, PointsHeader};
-use artifact::rdm::Rdm;
+use artifact::points::{Points, PointsFrame, PointsHeader};
+use artifact::rdm::{Rdm, RdmFrame};
 use artifact::{Provenance, Reader, Writer};
 use std::path::Path;
 
@@ -24,25 +25,36 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     let mut maps = Writer::<Rdm>::create(&place("rdm"), &from, &header)?;
     let cloud_header = PointsHeader { cube: Some(header.clone()), targets: vec![] };
     let mut clouds = Writer::<Points>::create(&place("points"), &from, &cloud_header)?;
+    let mut cycle = Vec::new();
     for cube in reader {
         let cube = cube?;
         let rdm = dsp::range_doppler(&header, &cube).map_err(|e| refused(&arguments.cube, &e))?;
         let points = dsp::detect_refined(&header, &cube, &rdm).map_err(|e| refused(&arguments.cube, &e))?;
-        output::line(format!(
-            "frame {}: {} cells above the threshold, {} points, {} objects",
-            rdm.index,
-            rdm.detections,
-            points.points.len(),
-            points.objects.len()
-        ));
-        if arguments.pictures {
-            pictures::of_map(&header, &rdm, &points, &arguments.out.join("pictures"))?;
+        cycle.push((rdm, points));
+        if cycle.len() == sub_frames::in_cycle(&header) {
+            let (rdms, points): (Vec<_>, Vec<_>) = std::mem::take(&mut cycle).into_iter().unzip();
+            for (rdm, points) in rdms.iter().zip(sub_frames::with_velocities(&header, points)) {
+                tell(rdm, &points);
+                if arguments.pictures {
+                    pictures::of_map(&header, rdm, &points, &arguments.out.join("pictures"))?;
+                }
+                maps.write(rdm)?;
+                clouds.write(&points)?;
+            }
         }
-        maps.write(&rdm)?;
-        clouds.write(&points)?;
     }
     maps.finish()?;
     Ok(clouds.finish()?)
+}
+
+fn tell(rdm: &RdmFrame, points: &PointsFrame) {
+    output::line(format!(
+        "frame {}: {} cells above the threshold, {} points, {} objects",
+        rdm.index,
+        rdm.detections,
+        points.points.len(),
+        points.objects.len()
+    ));
 }
 
 fn refused(file: &Path, error: &dyn std::fmt::Display) -> Failure {

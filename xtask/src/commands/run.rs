@@ -12,6 +12,7 @@ use crate::products::{Figures, Products};
 use crate::progress;
 use crate::report;
 use crate::stages::Stage;
+use crate::sub_frames;
 use crate::summary;
 use serde_json::{Map, Value};
 use std::path::{Path, PathBuf};
@@ -50,7 +51,7 @@ fn compute(
     out: &Path,
 ) -> Result<(Vec<Value>, Figures), Failure> {
     let mut products = Products::create(chain, out, &loaded.files)?;
-    let mut frames = Vec::new();
+    let (mut frames, mut cycle) = (Vec::new(), Vec::new());
     for plans_at_once in plans.chunks(chain.side_by_side()) {
         let first = plans_at_once.first().map_or(0, |plan| plan.index + 1);
         progress::note(format!("frame {first} of {}", plans.len()));
@@ -60,11 +61,24 @@ fn compute(
             if loaded.cached {
                 frame.result.cached.insert(0, Stage::Scene);
             }
-            frames.push(summary::frame(&frame.view, &frame.result));
-            products.write(chain, frame)?;
+            cycle.push(frame);
+            if cycle.len() == sub_frames::in_cycle(&chain.cube_header) {
+                for frame in resolved(chain, std::mem::take(&mut cycle)) {
+                    frames.push(summary::frame(&frame.view, &frame.result));
+                    products.write(chain, frame)?;
+                }
+            }
         }
     }
     Ok((frames, products.finish()?))
+}
+
+/// The sub-frames of a cycle, which tell each other's velocities.
+fn resolved(chain: &Chain, mut cycle: Vec<FrameProducts>) -> Vec<FrameProducts> {
+    let points = cycle.iter().map(|frame| frame.result.points.clone()).collect();
+    let points = sub_frames::with_velocities(&chain.cube_header, points);
+    cycle.iter_mut().zip(points).for_each(|(frame, points)| frame.result.points = points);
+    cycle
 }
 
 /// Frames computed at the same time, in their order. Where bodies stand as in another of them, a frame waits for that one's
