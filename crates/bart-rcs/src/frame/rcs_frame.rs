@@ -212,14 +212,15 @@ impl<'a> Body<'a> {
         axis(from.min(to), from.max(to), count)
     }
 
-    /// The sampled sweep. A chirp's delay takes it below f₀ by μτ, 5 MHz at 60 m: less than a step, by which the echo goes
-    /// beyond the ends of an axis.
+    /// The sampled sweep, and below it what a chirp's delay takes off: μτ, 5 MHz at 60 m.
     fn frequency_axis(&self) -> Vec<f64> {
         let waveform = &self.header.radar.waveform;
-        let half_hz = 0.5 * waveform.bandwidth_hz().abs();
-        let turn = 4.0 * TAU * self.radius_m * half_hz / SPEED_OF_LIGHT_MPS;
-        let centre_hz = waveform.centre_frequency_hz();
-        axis(centre_hz - half_hz, centre_hz + half_hz, self.steps(turn, FREQUENCIES_MAX))
+        let ends_s = [0.0, self.header.radar.frame_duration_s()];
+        let farthest_m = ends_s.map(|t| self.to_radar_m(t).length()).into_iter().fold(0.0, f64::max);
+        let behind_hz = waveform.slope_hz_per_s.abs() * 2.0 * farthest_m / SPEED_OF_LIGHT_MPS;
+        let (centre_hz, half_hz) = (waveform.centre_frequency_hz(), 0.5 * waveform.bandwidth_hz().abs());
+        let turn = 2.0 * TAU * self.radius_m * (2.0 * half_hz + behind_hz) / SPEED_OF_LIGHT_MPS;
+        axis(centre_hz - half_hz - behind_hz, centre_hz + half_hz, self.steps(turn, FREQUENCIES_MAX))
     }
 
     /// Between two values a phasor that turns by Δφ is missed by Δφ²/8 at most.

@@ -3,6 +3,7 @@
 mod work;
 mod scattering;
 mod echo;
+mod both_ways;
 mod presentation;
 
 pub(super) use presentation::{csv, page, picture};
@@ -47,8 +48,10 @@ pub(super) fn rows(extent: Extent) -> Result<Vec<Row>, Failure> {
     let subject = Subject::of(extent)?;
     let mut all = Vec::new();
     for (number, part) in PARTS.iter().enumerate() {
-        work.at(number, PARTS.len());
+        work.at(number, PARTS.len() + 1);
         all.extend(part(&subject)?);
     }
+    work.at(PARTS.len(), PARTS.len() + 1);
+    all.extend(both_ways::rows()?);
     Ok(all)
 }

@@ -29,6 +29,9 @@ pub(in super::super) fn page(rows: &[Row], extent: Extent) -> String {
          the largest resident size of the whole program while a row ran (empty where the system does not count it). Errors \
          are complex amplitude errors as in `conventions.md`, against another method, carried to convergence as far as it goes; \
          never against a method's own next setting. Beams use the exit node here, because rays do.\n\n\
+         \"frame by …\" are whole frames of vehicles in lane 2, path by path and by the paper's table (`echo = \"rcs-table\"`): the \
+         cube's complex error, and that of the magnitudes of its range-Doppler maps; seconds are of tracing + echo. \
+         The table errs by as much as there is to see at any range of a road ([why](rcs-tables.md)).\n\n\
          ![seconds against error](pictures/chart.svg)\n\n{}",
         machine(),
         table::markdown(&header, rows.iter().map(fields))
