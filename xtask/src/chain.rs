@@ -183,7 +183,10 @@ impl<'a> Chain<'a> {
         let (key, stage) = (&plan.keys.bart_rcs, Stage::BartRcs);
         match self.header.fidelity.echo {
             EchoMode::Paths => {
-                let compute = || bart_rcs::trace_frame(self.bodies()?, self.header, scene).map_err(Failure::refused);
+                let compute = || {
+                    let traced = bart_rcs::trace_frame(self.bodies()?, self.header, scene).map_err(Failure::refused)?;
+                    Ok(bart_rcs::reduced(self.header, traced))
+                };
                 let step = self.step::<Paths>(plan, stage, key, &self.paths_header(), compute)?;
                 let (index, time_s) = (scene.index, scene.time_s);
                 Ok(step.map(|frame| Scattering::Paths(PathsFrame { index, time_s, ..frame })))

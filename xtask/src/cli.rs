@@ -66,6 +66,8 @@ pub(crate) enum Command {
     Chart(StudyArguments),
     /// Where each method fails: atlas.csv, pictures, a page.
     Atlas(StudyArguments),
+    /// Levels of detail, their error and cost: levels-of-detail.csv, a picture, a page.
+    Levels(StudyArguments),
     /// Benchmarks as ratios measured in one run.
     Bench(BenchArguments),
     /// What the cache holds.
@@ -323,7 +325,7 @@ pub(crate) struct StudyArguments {
     /// Fewer and smaller cases.
     #[arg(long)]
     pub(crate) quick: bool,
-    /// Where the table and pictures go [default: out/chart or out/atlas].
+    /// Where the table and pictures go [default: out/ and the study's name].
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
     /// Refreshes the page in docs/ too.

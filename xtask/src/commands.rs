@@ -39,6 +39,7 @@ pub(crate) fn dispatch(command: Command) -> Result<(), Failure> {
         Command::Vehicles(arguments) => vehicles::run(&arguments),
         Command::Chart(arguments) => study::chart(&arguments),
         Command::Atlas(arguments) => study::atlas(&arguments),
+        Command::Levels(arguments) => study::levels(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Cache(arguments) => cache::run(&arguments),
         Command::Ci => ci::run(),

@@ -4,7 +4,7 @@ use crate::stages::Stage;
 use artifact::cube::CubeHeader;
 use artifact::envelope::fingerprint;
 use artifact::scene::{SceneFrame, SceneHeader};
-use artifact::settings::Noise;
+use artifact::settings::{Detail, Noise};
 
 /// Everything that one frame of one stage depends on.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -47,9 +47,14 @@ impl SceneParts {
         Self {
             bodies: fingerprint(&(&header.meshes, &header.targets, &header.materials, &header.road)),
             radar: fingerprint(&header.radar),
-            fidelity: fingerprint(&header.fidelity),
+            fidelity: fingerprint(&(&header.fidelity, seed_of_points(header))),
         }
     }
+}
+
+/// The seed where points are drawn with it; nothing else of a frame's paths is random.
+fn seed_of_points(header: &SceneHeader) -> Option<u64> {
+    (header.fidelity.detail == Detail::Statistical).then_some(header.seed)
 }
 
 /// Keys of one frame along the chain.
@@ -222,6 +227,15 @@ mod tests {
         let must_be_there = ["/fidelity/edges", "/fidelity/surface", "/fidelity/nodes", "/road/rms_height_m"];
         assert!(must_be_there.iter().all(|leaf| all.iter().any(|found| found == leaf)));
         assert_eq!(single, ["/radar/array/pattern"]);
+    }
+
+    #[test]
+    fn the_seed_changes_paths_where_they_are_drawn_with_it() {
+        let mut header = full_scene();
+        header.fidelity.detail = Detail::Statistical;
+        let other = SceneHeader { seed: header.seed + 1, ..header.clone() };
+        let frame = scene::snapshot(&header, 0);
+        assert_ne!(keys(&header, &frame).bart_rcs.id(), keys(&other, &frame).bart_rcs.id());
     }
 
     /// Its number and its time those of its echo: bodies that stand still scatter the same in every frame.

@@ -3,7 +3,7 @@
 use crate::stages::Stage;
 use crate::truth::{Truth, assign, truths};
 use artifact::accuracy::{ErrorBudget, ModelError};
-use artifact::paths::PathsFrame;
+use artifact::paths::{PathsFrame, TargetDetail};
 use artifact::points::{Object, PointsFrame};
 use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
 use artifact::settings::Class;
@@ -63,6 +63,7 @@ pub(crate) fn frame(header: &SceneHeader, result: &FrameResult) -> Value {
         "stage_seconds": seconds(&result.seconds),
         "cached": result.cached.iter().map(|s| s.name()).collect::<Vec<_>>(),
         "paths": result.paths.as_ref().map(|p| p.paths.len()),
+        "detail": result.paths.as_ref().map(detail),
         "points": result.points.points.len(),
         "rdm_state": if abnormal { "abnormal" } else { "normal" },
         "velocity_resolved": resolved,
@@ -74,6 +75,15 @@ pub(crate) fn frame(header: &SceneHeader, result: &FrameResult) -> Value {
     })
 }
 
+/// Each target's level of detail.
+fn detail(paths: &PathsFrame) -> Value {
+    let of = |target: &TargetDetail| {
+        let (level, error_db) = (target.level.name(), db(target.error));
+        json!({ "level": level, "paths_traced": target.traced, "paths": target.kept, "error_db": error_db })
+    };
+    paths.trace.detail.iter().map(of).collect()
+}
+
 fn seconds(seconds: &[(Stage, f64)]) -> Value {
     seconds.iter().map(|(stage, s)| (stage.name().to_owned(), json!(s))).collect::<Map<_, _>>().into()
 }
@@ -82,7 +92,7 @@ fn db(amplitude: Option<f64>) -> Value {
     amplitude.map_or(Value::Null, |a| json!(db_from_amplitude(a)))
 }
 
-/// `{total, tessellation, integration, dropped, freezing, synthesis}` in dB, null where not estimated.
+/// `{total, tessellation, integration, dropped, freezing, detail, synthesis}` in dB, null where not estimated.
 pub(crate) fn error_db(error: &ErrorBudget) -> Value {
     let mut map = Map::new();
     map.insert("total".into(), db(error.total()));

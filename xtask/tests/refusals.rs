@@ -89,7 +89,7 @@ fn help_is_given_for_every_command() {
     let place = Workplace::new();
     let commands = [
         "run", "rcs", "paths", "echo", "dsp", "dataset", "train", "classify", "import", "export", "inspect",
-        "vehicles", "chart", "atlas", "bench", "cache", "ci",
+        "vehicles", "chart", "atlas", "levels", "bench", "cache", "ci",
     ];
     commands.iter().for_each(|c| assert!(place.run(&format!("{c} --help")).contains("Usage"), "{c}"));
 }

@@ -47,18 +47,21 @@ pub struct ErrorBudget {
     pub dropped: Option<f64>,
     /// Paths frozen for a frame while the bodies move.
     pub freezing: Option<f64>,
+    /// Fewer paths in place of all that were traced.
+    pub detail: Option<f64>,
     /// Echo synthesis in place of the exact sum over paths.
     pub synthesis: Option<f64>,
 }
 
 impl ErrorBudget {
     /// The shares, named as in `summary.json`.
-    pub fn shares(&self) -> [(&'static str, Option<f64>); 5] {
+    pub fn shares(&self) -> [(&'static str, Option<f64>); 6] {
         [
             ("tessellation", self.tessellation),
             ("integration", self.integration),
             ("dropped", self.dropped),
             ("freezing", self.freezing),
+            ("detail", self.detail),
             ("synthesis", self.synthesis),
         ]
     }
@@ -76,6 +79,7 @@ impl ErrorBudget {
             integration: later.integration.or(self.integration),
             dropped: later.dropped.or(self.dropped),
             freezing: later.freezing.or(self.freezing),
+            detail: later.detail.or(self.detail),
             synthesis: later.synthesis.or(self.synthesis),
         }
     }

@@ -1,6 +1,7 @@
 //! Scattering paths: exact for any bounce order, antenna element, chirp and moving body (`docs/decisions/path-record.md`).
 
 use crate::radar::Radar;
+use crate::settings::Detail;
 use crate::{ErrorBudget, ModelError, Schema};
 use num_complex::Complex64;
 use serde::{Deserialize, Serialize};
@@ -10,7 +11,7 @@ pub struct Paths;
 
 impl Schema for Paths {
     const NAME: &'static str = "paths";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     type Header = PathsHeader;
     type Frame = PathsFrame;
 }
@@ -33,7 +34,7 @@ pub struct PathsFrame {
     pub index: u32,
     /// The frame's first sample.
     pub time_s: f64,
-    /// In the tracer's order: body, facet sequence, cell.
+    /// In the tracer's order: body, facet sequence, cell; where detail was taken from them, target by target.
     pub paths: Vec<Path>,
     /// Nearest lit surface of each target from the radar's position at the frame's middle, m; `None` if all is hidden.
     pub nearest_range_m: Vec<Option<f64>>,
@@ -107,4 +108,19 @@ pub struct TraceStatistics {
     pub dropped_power_ratio: f64,
     /// Bytes that the tracer's own structures held at most, estimated.
     pub bytes: u64,
+    /// What became of each target's paths; empty where nothing was asked of them.
+    pub detail: Vec<TargetDetail>,
+}
+
+/// A target's level of detail.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct TargetDetail {
+    /// Never `Auto`.
+    pub level: Detail,
+    /// Paths that were traced.
+    pub traced: u64,
+    /// Paths of the frame.
+    pub kept: u64,
+    /// Of the target's echo against that of all its paths, relative amplitude; `None` where these were kept.
+    pub error: Option<f64>,
 }

@@ -11,7 +11,7 @@ pub struct Scene;
 
 impl Schema for Scene {
     const NAME: &'static str = "scene";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     type Header = SceneHeader;
     type Frame = SceneFrame;
 }

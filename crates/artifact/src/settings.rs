@@ -28,6 +28,34 @@ pub enum EchoMode {
     RcsTable,
 }
 
+/// How much of a frame's paths the echo is made of (`docs/decisions/levels-of-detail.md`).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Detail {
+    /// The cheapest of the next three that keeps the accuracy asked for.
+    Auto,
+    /// All that were traced.
+    Paths,
+    /// Paths whose phases stay together as one.
+    Merged,
+    /// Scattering centres, fitted.
+    Centres,
+    /// Points drawn like the body's own: another field of the same mean level.
+    Statistical,
+}
+
+impl Detail {
+    /// As people write it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::Paths => "paths",
+            Self::Merged => "merged",
+            Self::Centres => "centres",
+            Self::Statistical => "statistical",
+        }
+    }
+}
+
 /// Diffraction by edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Edges {
@@ -83,6 +111,8 @@ pub struct Fidelity {
     pub nodes: NodeRule,
     /// Paths or the paper's table.
     pub echo: EchoMode,
+    /// How much of the paths the echo is made of.
+    pub detail: Detail,
 }
 
 /// Taper of an FFT axis, periodic, of unit coherent gain.

@@ -54,12 +54,14 @@ mod joins; // beams of both ends meet on a facet
 mod edges; // what edges add to physical optics
 mod table; // S at aspects, over frequency
 mod frame; // paths of a frame, or its table
+mod detail; // fewer paths for the same echo
 pub mod reference;
 #[cfg(test)]
 mod test_quadrature;
 
 pub use beams::beam::{Audit, Beam, BeamTree, OrderAudit, TraceSettings};
 pub use bodies::world::{Models, World};
+pub use detail::level::reduced;
 pub use error::BartError;
 pub use frame::path::trace_frame;
 pub use frame::path_sum::{PathView, scattering_of_paths};

@@ -5,7 +5,10 @@ use artifact::material::MaterialMap;
 use artifact::paths::{Amplitude, PathsFrame};
 use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization};
 use artifact::scene::{Intersection, Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
-use artifact::settings::{Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Sides, Surface, Window};
+use artifact::settings::{
+    Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Sides, Surface, Window,
+};
+use artifact::units::SPEED_OF_LIGHT_MPS;
 use artifact::{Accuracy, Radar, Waveform};
 use bart_rcs::{Models, PathView, RcsRequest, Standpoint, rcs, rcs_frame, scattering_of_paths, trace_frame};
 use glam::DVec3;
@@ -59,6 +62,7 @@ fn scene(bodies: &[(Mesh, Pose)], points: &[(f64, Pose)], accuracy_db: f64, boun
             sides: Sides::Two,
             nodes: NodeRule::Middle,
             echo: EchoMode::Paths,
+            detail: Detail::Paths,
         },
         intersection: Intersection { width_m: 22.5 },
         materials: MaterialMap::default(),
@@ -493,6 +497,19 @@ fn a_frames_table_holds_the_far_field_amplitude_and_says_how_far_from_the_spheri
     assert!(error < 0.1);
     // Cart of 1.6 m at 25 m: 2D²/λ is 1.3 km, the spherical wave is another answer.
     assert!(tables.model_error.far_field.unwrap() > 0.1);
+}
+
+/// At 300 m a sample's frequency is 25 MHz below what is sent: more than a step of a long body's axis.
+#[test]
+fn a_frames_table_reaches_below_the_sweep_by_what_the_delay_takes_off() {
+    let start = pose([5.75, 300.0, 0.0], [0.0, 10.0, 0.0], -FRAC_PI_2);
+    let (header, frame) = scene(&[(cart(0.1), start)], &[], -20.0, 1);
+    let tables = rcs_frame(&Models::build(&header).unwrap(), &header, &frame).unwrap();
+    let waveform = &header.radar.waveform;
+    let lowest_hz = waveform.start_frequency_hz - waveform.slope_hz_per_s * 2.0 * 300.0 / SPEED_OF_LIGHT_MPS;
+    let got_hz = tables.tables[0].frequency_hz[0];
+    println!("asked {lowest_hz} Hz or less, got {got_hz}");
+    assert!(got_hz <= lowest_hz);
 }
 
 /// The plate of docs/physics.md §0 at 25 m, 66.23 dBsm far away and 31.59 there: the figure is over the spherical wave, so

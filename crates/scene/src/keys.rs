@@ -86,7 +86,18 @@ pub(crate) const DSP: Table = Table {
 pub(crate) const FIDELITY: Table = Table {
     name: "fidelity",
     heading: "[fidelity]",
-    keys: &["accuracy_db", "bounces", "edges", "surface", "sides", "nodes", "echo", "materials", "transmission"],
+    keys: &[
+        "accuracy_db",
+        "bounces",
+        "edges",
+        "surface",
+        "sides",
+        "nodes",
+        "echo",
+        "detail",
+        "materials",
+        "transmission",
+    ],
 };
 
 /// Each entry of `[materials]`.

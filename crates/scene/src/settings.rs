@@ -8,7 +8,7 @@ use artifact::paths::MAX_ORDER;
 use artifact::radar::Waveform;
 use artifact::scene::Intersection;
 use artifact::settings::{
-    Detector, DspSettings, EchoMode, Edges, Fidelity, Lane, NodeRule, Noise, Sides, Surface, Window,
+    Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lane, NodeRule, Noise, Sides, Surface, Window,
 };
 
 /// The receiver's noise; absent without `[noise]`.
@@ -132,6 +132,13 @@ pub(crate) fn read_fidelity(root: &Section<'_>) -> Fidelity {
         echo: section
             .word("echo", &[("paths", EchoMode::Paths), ("rcs-table", EchoMode::RcsTable)])
             .unwrap_or(EchoMode::Paths),
+        detail: section
+            .word(
+                "detail",
+                &[Detail::Auto, Detail::Paths, Detail::Merged, Detail::Centres, Detail::Statistical]
+                    .map(|d| (d.name(), d)),
+            )
+            .unwrap_or(Detail::Auto),
     }
 }
 

@@ -6,12 +6,12 @@ use crate::output::line;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::dataset::Dataset;
 use artifact::model::Model;
-use artifact::paths::Paths;
+use artifact::paths::{Paths, TargetDetail};
 use artifact::points::Points;
 use artifact::rcs::Rcs;
 use artifact::rdm::Rdm;
 use artifact::scene::{Scene, SceneHeader};
-use artifact::units::db_from_power;
+use artifact::units::{db_from_amplitude, db_from_power};
 use artifact::{Preamble, Radar, Reader, Schema, read_preamble};
 use std::path::Path;
 
@@ -113,8 +113,14 @@ fn paths(reader: Reader<Paths>) -> Result<(), Failure> {
             db_from_power(power),
             SANITY[usize::from(power.is_finite())]
         ));
+        frame.trace.detail.iter().enumerate().for_each(|(target, detail)| line(of_detail(target, detail)));
     }
     Ok(())
+}
+
+fn of_detail(target: usize, detail: &TargetDetail) -> String {
+    let error = detail.error.map_or(String::new(), |e| format!(", {:.1} dB", db_from_amplitude(e)));
+    format!("  target {target:<4} {}: {} of {} paths{error}", detail.level.name(), detail.kept, detail.traced)
 }
 
 fn rcs(reader: Reader<Rcs>) -> Result<(), Failure> {

@@ -1,4 +1,5 @@
-//! `chart` and `atlas`: speed against accuracy, and where each method fails; each a table, a picture and a page.
+//! `chart`, `atlas` and `levels`: speed against accuracy, where each method fails, and levels of detail; each a table,
+//! a picture and a page.
 
 mod looks;
 mod bodies;
@@ -7,6 +8,7 @@ mod scenes;
 mod table;
 mod chart;
 mod atlas;
+mod levels;
 
 use crate::cache::project_root;
 use crate::cli::StudyArguments;
@@ -21,6 +23,7 @@ pub(crate) fn chart(arguments: &StudyArguments) -> Result<(), Failure> {
     let rows = chart::rows(extent)?;
     let study = Study {
         name: "chart",
+        page_in: "",
         csv: chart::csv(&rows),
         page: chart::page(&rows, extent),
         picture: chart::picture(&rows),
@@ -34,6 +37,7 @@ pub(crate) fn atlas(arguments: &StudyArguments) -> Result<(), Failure> {
     let rows = atlas::rows(extent)?;
     let study = Study {
         name: "atlas",
+        page_in: "",
         csv: atlas::csv(&rows),
         page: atlas::page(&rows, extent),
         picture: atlas::picture(&rows),
@@ -45,9 +49,25 @@ pub(crate) fn atlas(arguments: &StudyArguments) -> Result<(), Failure> {
     }
 }
 
+/// Levels of detail: error, seconds, which was taken.
+pub(crate) fn levels(arguments: &StudyArguments) -> Result<(), Failure> {
+    let extent = if arguments.quick { levels::Extent::Quick } else { levels::Extent::Full };
+    let rows = levels::rows(extent)?;
+    let study = Study {
+        name: "levels-of-detail",
+        page_in: "validation",
+        csv: levels::csv(&rows),
+        page: levels::page(&rows, extent),
+        picture: levels::picture(&rows),
+    };
+    study.write(arguments)
+}
+
 /// What a study leaves.
 struct Study {
     name: &'static str,
+    /// Folder of the page within docs/.
+    page_in: &'static str,
     csv: String,
     page: String,
     picture: Svg,
@@ -65,7 +85,8 @@ impl Study {
     }
 
     fn write_docs(&self, docs: &Path) -> Result<(), Failure> {
-        output::write_file(&docs.join(format!("{}.md", self.name)), self.page.as_bytes())?;
+        let page = docs.join(self.page_in).join(format!("{}.md", self.name));
+        output::write_file(&page, self.page.as_bytes())?;
         output::write_file(&docs.join("pictures").join(format!("{}.svg", self.name)), self.picture.text().as_bytes())
     }
 }

@@ -57,6 +57,7 @@ pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) ->
             paths: counts,
             dropped_power_ratio,
             bytes: snapshot.bytes().max(check_bytes),
+            detail: vec![],
         },
         paths: table.paths,
     })

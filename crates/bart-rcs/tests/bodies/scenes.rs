@@ -4,7 +4,9 @@ use artifact::Accuracy;
 use artifact::material::MaterialMap;
 use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Radar, Waveform};
 use artifact::scene::{Intersection, Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
-use artifact::settings::{Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Sides, Surface, Window};
+use artifact::settings::{
+    Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Sides, Surface, Window,
+};
 
 const RADAR_M: [f64; 3] = [0.0, 0.0, 6.0];
 
@@ -88,5 +90,6 @@ fn fidelity() -> Fidelity {
         sides: Sides::Two,
         nodes: NodeRule::Middle,
         echo: EchoMode::Paths,
+        detail: Detail::Paths,
     }
 }

@@ -1,0 +1,37 @@
+//! What levels of detail cost, in processor seconds: figures of one machine, so that the same scene takes the same
+//! level on every machine and any number of threads. Measured: docs/validation/levels-of-detail.md.
+
+use artifact::Radar;
+
+/// Of the sum over paths one by one, for each path and sample of the cube.
+const ONE_BY_ONE_S: f64 = 1.1e-9;
+/// Of transforms, for each sample of the cube: some instants of two-dimensional transforms on grids four times as
+/// large.
+const TRANSFORMS_S: f64 = 8e-8;
+/// Of a path's values and its share of the grids, for each pair of elements.
+const VALUES_S: f64 = 2.5e-7;
+/// Paths of one target from which on transforms are taken.
+const TRANSFORMED: usize = 256;
+/// Of finding a path its cell and comparing the tables, all attempts.
+const MERGING_S: f64 = 3e-6;
+/// Of fitting centres to a path's field and comparing the tables, all attempts.
+const FITTING_S: f64 = 6e-6;
+
+/// Echo of one target's paths.
+pub(crate) fn echo_s(radar: &Radar, paths: usize) -> f64 {
+    let waveform = &radar.waveform;
+    let pairs = radar.virtual_channels() as f64;
+    let samples = pairs * f64::from(waveform.chirps) * f64::from(waveform.samples);
+    let count = paths as f64;
+    if paths < TRANSFORMED { count * samples * ONE_BY_ONE_S } else { samples * TRANSFORMS_S + count * pairs * VALUES_S }
+}
+
+/// Merging one target's paths.
+pub(crate) fn merging_s(paths: usize) -> f64 {
+    MERGING_S * paths as f64
+}
+
+/// Finding scattering centres of one target's paths.
+pub(crate) fn centres_s(paths: usize) -> f64 {
+    FITTING_S * paths as f64
+}

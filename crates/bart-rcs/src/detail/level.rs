@@ -1,0 +1,354 @@
+//! The cheapest level of detail whose error, measured in the run and added to the frame's others, is within the
+//! accuracy asked for.
+
+use crate::detail::detail_cost::{centres_s, echo_s, merging_s};
+use crate::detail::looks::{Looks, difference, power};
+use crate::detail::merged_paths::merged;
+use crate::detail::scattering_centres::centres;
+use crate::detail::statistical_points::PointModel;
+use artifact::paths::{Path, PathsFrame, TargetDetail, TraceStatistics};
+use artifact::scene::SceneHeader;
+use artifact::settings::Detail;
+use artifact::{ErrorBudget, Radar};
+use num_complex::Complex64;
+
+/// A frame's paths with no more detail than the scene asks for: fewer paths for the same echo.
+///
+/// Each target has its own level, and none loses more of itself than the frame may. `Detail::Auto` reduces where that
+/// is cheaper than the echo of all paths, and by no more than what the frame's other errors leave of the accuracy asked
+/// for; where these are beyond it already, by a fifth of them, which adds 2 %. A level asked for by name may take 0.3
+/// of the accuracy at least, statistical points as much as they need. Point targets stay as they are. `error.detail` is
+/// measured: reduced paths against all of them, at pairs of elements, moments and frequencies other than those that
+/// they were made with. `trace.detail` tells each target's level.
+pub fn reduced(header: &SceneHeader, frame: PathsFrame) -> PathsFrame {
+    let asked = header.fidelity.detail;
+    let left = left_by_others(header, &frame.error);
+    let allowed = match asked {
+        Detail::Paths => return frame,
+        Detail::Auto => left,
+        Detail::Merged | Detail::Centres | Detail::Statistical => {
+            left.max(LEAST_SHARE * header.fidelity.accuracy.amplitude())
+        }
+    };
+    let of_target = |target: u32| {
+        let paths: Vec<Path> = frame.paths.iter().filter(|path| path.target == target).copied().collect();
+        Choice::new(&header.radar, paths, allowed).made(asked, header.seed, target)
+    };
+    let targets: Vec<Made> = (0..header.targets.len() as u32).map(of_target).collect();
+    with(targets, frame)
+}
+
+/// Of the accuracy asked for, for a level that was asked for by name.
+const LEAST_SHARE: f64 = 0.3;
+
+/// What the other errors of a frame leave of the accuracy asked for, as an amplitude.
+fn left_by_others(header: &SceneHeader, error: &ErrorBudget) -> f64 {
+    let asked = header.fidelity.accuracy.amplitude();
+    let others = error.total().unwrap_or(0.0);
+    if others < asked { (asked.powi(2) - others.powi(2)).sqrt() } else { BEYOND_SHARE * others }
+}
+
+/// Of other errors that are beyond the accuracy asked for: √(1 + 0.2²) is 1.02 of them.
+const BEYOND_SHARE: f64 = 0.2;
+
+fn with(targets: Vec<Made>, frame: PathsFrame) -> PathsFrame {
+    let of = |target: &Made| TargetDetail {
+        level: target.level,
+        traced: target.traced as u64,
+        kept: target.paths.len() as u64,
+        error: target.measured.map(Measured::error),
+    };
+    let trace = TraceStatistics { detail: targets.iter().map(of).collect(), ..frame.trace };
+    let measured: Vec<Measured> = targets.iter().filter_map(|target| target.measured).collect();
+    if measured.is_empty() {
+        return PathsFrame { trace, ..frame };
+    }
+    let all =
+        Measured { missed: measured.iter().map(|m| m.missed).sum(), power: measured.iter().map(|m| m.power).sum() };
+    let error = ErrorBudget { detail: Some(all.error()), ..frame.error };
+    PathsFrame { paths: targets.into_iter().flat_map(|target| target.paths).collect(), error, trace, ..frame }
+}
+
+/// A target's paths at a level of detail.
+struct Made {
+    level: Detail,
+    traced: usize,
+    paths: Vec<Path>,
+    /// `None` of all paths.
+    measured: Option<Measured>,
+}
+
+/// Power that reduced paths miss of what all of them have.
+#[derive(Debug, Clone, Copy)]
+struct Measured {
+    missed: f64,
+    power: f64,
+}
+
+/// The ratio of two mean powers of n complex Gaussian samples follows the F distribution with (2n, 2n) degrees of
+/// freedom. The looks are taken anywhere in the frame: of their 192 samples about 32 are independent where a vehicle
+/// fills few cells of range and angle, and 95 of 100 ratios stay below F(0.95; 64, 64) = 1.51, as an amplitude 1.23.
+const MARGIN: f64 = 1.23;
+const LOOKS: usize = 12;
+const INSTANTS: usize = 16;
+
+impl Measured {
+    /// Relative amplitude, with the margin of the measurement; none of what scatters nothing.
+    fn error(self) -> f64 {
+        if self.power > 0.0 { MARGIN * (self.missed / self.power).sqrt() } else { 0.0 }
+    }
+}
+
+/// One target's paths, and what a level may miss of them.
+struct Choice<'a> {
+    radar: &'a Radar,
+    paths: Vec<Path>,
+    looks: Looks<'a>,
+    allowed: f64,
+}
+
+/// A level with its error.
+struct Found {
+    level: Detail,
+    paths: Vec<Path>,
+    measured: Measured,
+}
+
+/// A level's error falls about as fast as its setting; the next attempt aims a little lower than what is allowed.
+const AIM: f64 = 0.7;
+
+impl<'a> Choice<'a> {
+    fn new(radar: &'a Radar, paths: Vec<Path>, allowed: f64) -> Self {
+        Self { radar, paths, looks: Looks::new(radar, LOOKS, INSTANTS, 0.0), allowed }
+    }
+
+    fn made(self, asked: Detail, seed: u64, target: u32) -> Made {
+        let is_exact = self.paths.iter().all(|path| path.order == 0);
+        let found = match asked {
+            _ if is_exact => None,
+            Detail::Paths => None,
+            Detail::Auto => self.cheapest(),
+            Detail::Merged => self.merged(&self.field()),
+            Detail::Centres => self.centres(&self.field()),
+            Detail::Statistical => self.statistical(&self.field(), seed, target),
+        };
+        let traced = self.paths.len();
+        match found {
+            Some(Found { level, paths, measured }) => Made { level, traced, paths, measured: Some(measured) },
+            None => Made { level: Detail::Paths, traced, paths: self.paths, measured: None },
+        }
+    }
+
+    /// Nothing is tried whose making costs more than all that it could save. Centres come first: they are fewer than
+    /// merged paths.
+    fn cheapest(&self) -> Option<Found> {
+        let count = self.paths.len();
+        let echo = |paths: usize| echo_s(self.radar, paths);
+        let saved = |found: &Found| echo(found.paths.len()) < echo(count);
+        let most = echo(count) - echo(1);
+        if self.allowed <= 0.0 || most <= merging_s(count).min(centres_s(count)) {
+            return None;
+        }
+        let field = self.field();
+        let fitted = if most > centres_s(count) { self.centres(&field).filter(saved) } else { None };
+        fitted.or_else(|| self.merged(&field).filter(saved))
+    }
+
+    /// All paths, as the looks see them.
+    fn field(&self) -> Vec<Complex64> {
+        self.looks.field(&self.paths)
+    }
+
+    fn found(&self, level: Detail, paths: Vec<Path>, field: &[Complex64]) -> Found {
+        let missed = power(&difference(field, &self.looks.field(&paths)));
+        Found { level, paths, measured: Measured { missed, power: power(field) } }
+    }
+
+    /// The first of several tables that misses no more than is allowed, each made with a finer setting than the last.
+    fn first_within(&self, first: f64, attempts: usize, make: &dyn Fn(f64) -> Option<Found>) -> Option<Found> {
+        let mut setting = first;
+        for _ in 0..attempts {
+            let found = make(setting)?;
+            let error = found.measured.error();
+            if error <= self.allowed {
+                return Some(found);
+            }
+            setting *= (AIM * self.allowed / error).clamp(0.4, 0.8);
+        }
+        None
+    }
+
+    /// `None` where no merging of few enough paths is within what is allowed.
+    fn merged(&self, field: &[Complex64]) -> Option<Found> {
+        const ATTEMPTS: usize = 6;
+        // Phases in a cell are spread evenly and cancel: their mean is off by less than a quarter of the spread.
+        self.first_within((4.0 * self.allowed).min(1.0), ATTEMPTS, &|spread_rad| {
+            let paths = merged(self.radar, &self.paths, spread_rad);
+            (paths.len() < self.paths.len()).then(|| self.found(Detail::Merged, paths, field))
+        })
+    }
+
+    /// `None` where no few centres are within what is allowed.
+    fn centres(&self, field: &[Complex64]) -> Option<Found> {
+        const ATTEMPTS: usize = 4;
+        let finest_rad = CANDIDATES_RAD * (self.allowed / 0.1).powf(0.25).min(1.0);
+        let first = AIM * self.allowed / MARGIN;
+        self.first_within(first, ATTEMPTS, &|left| {
+            let spread_rad = (left / first).sqrt() * finest_rad;
+            let paths = centres(self.radar, &self.paths, spread_rad, left * left);
+            (paths.len() < self.paths.len()).then(|| self.found(Detail::Centres, paths, field))
+        })
+    }
+
+    fn statistical(&self, field: &[Complex64], seed: u64, target: u32) -> Option<Found> {
+        let points = PointModel::of(self.radar, &self.paths, &self.looks)?.drawn(self.radar, &self.looks, seed, target);
+        Some(self.found(Detail::Statistical, points, field))
+    }
+}
+
+/// Phases of the paths that are merged into one candidate, at −20 dB: about two candidates for each cell that samples
+/// tell apart. Values between candidates are interpolated from them, the better the denser they are.
+const CANDIDATES_RAD: f64 = 0.6;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use artifact::paths::{Facet, MAX_ORDER};
+    use artifact::radar::{Array, Link, Multiplexing, Pattern, Polarization, Waveform};
+    use std::f64::consts::TAU;
+
+    /// 3 × 4 elements, 128 chirps of 256 samples over 0.6 GHz.
+    fn radar() -> Radar {
+        let position_m = [0.0, 0.0, 6.0];
+        let row = |steps: &[f64]| steps.iter().map(|x| [x * 1.94e-3, 0.0, 6.0]).collect::<Vec<[f64; 3]>>();
+        Radar {
+            position_m,
+            boresight_az_rad: 0.0,
+            boresight_el_rad: 0.0,
+            waveform: Waveform {
+                start_frequency_hz: 77e9,
+                slope_hz_per_s: 12.5e12,
+                sample_rate_hz: 5.12e6,
+                samples: 256,
+                chirp_interval_s: 60e-6,
+                chirps: 128,
+            },
+            array: Array {
+                tx_m: row(&[-4.0, 0.0, 4.0]),
+                rx_m: row(&[-1.5, -0.5, 0.5, 1.5]),
+                tx_half_wavelengths: vec![[0.0; 2]; 3],
+                rx_half_wavelengths: vec![[0.0; 2]; 4],
+                multiplexing: Multiplexing::Simultaneous,
+                polarization: Polarization::Vv,
+                pattern: Pattern::Cosine { exponent: 2.0 },
+            },
+            link: Link { transmit_power_w: 0.016, antenna_gain_db: 10.0 },
+        }
+    }
+
+    /// Anywhere in a car 40 m ahead that approaches at 10 m/s, the nearer end stronger; every third with two bounces.
+    fn body(count: u32) -> Vec<Path> {
+        let path = |i: u32| {
+            let at = |step: f64| (f64::from(i) * step).fract();
+            let (order, beside_m) = if i.is_multiple_of(3) { (2, 0.1) } else { (1, 0.0) };
+            let place_m = [4.8 + 1.9 * at(0.618_034), 38.0 + 5.0 * at(0.414_214), 1.8 * at(0.732_051)];
+            let value = Complex64::from_polar((-3.0 * at(0.414_214)).exp(), TAU * at(0.236_068));
+            Path {
+                target: 0,
+                order,
+                apparent_tx_m: place_m,
+                apparent_tx_mps: [0.0, -10.0, 0.0],
+                apparent_rx_m: place_m.map(|x| x + beside_m),
+                apparent_rx_mps: [0.0, -10.0, 0.0],
+                amplitude_m: [[value; 2]; 2],
+                slope_m_per_hz: [[value * 1e-10; 2]; 2],
+                facets: [Facet::default(); MAX_ORDER],
+            }
+        };
+        (0..count).map(path).collect()
+    }
+
+    /// At looks that no level was made or measured with.
+    fn error_elsewhere(radar: &Radar, paths: &[Path], all: &[Path]) -> f64 {
+        let looks = Looks::new(radar, 40, 29, 0.271_828);
+        let field = looks.field(all);
+        (power(&difference(&field, &looks.field(paths))) / power(&field)).sqrt()
+    }
+
+    type Level = fn(&Choice<'_>, &[Complex64]) -> Option<Found>;
+
+    #[test]
+    fn merged_paths_and_centres_err_by_no_more_than_is_told_and_allowed() {
+        let (radar, all) = (radar(), body(2000));
+        let levels: [(&str, Level); 2] =
+            [("merged", |of, field| of.merged(field)), ("centres", |of, field| of.centres(field))];
+        for (name, level) in levels {
+            let mut last = 0;
+            for allowed_db in [-10.0, -20.0, -30.0] {
+                let choice = Choice::new(&radar, all.clone(), artifact::units::amplitude_from_db(allowed_db));
+                let found = level(&choice, &choice.field()).unwrap();
+                let (told, error) = (found.measured.error(), error_elsewhere(&radar, &found.paths, &all));
+                let [told_db, error_db] = [told, error].map(artifact::units::db_from_amplitude);
+                let count = found.paths.len();
+                println!("{name}: asked {allowed_db} dB, told {told_db:.1}, got {error_db:.1}, {count} paths");
+                assert!(told <= choice.allowed && error <= told, "{name} at {allowed_db} dB: {told} told, {error}");
+                assert!(count >= last && count < all.len(), "{name}: looser must not take more");
+                last = count;
+            }
+        }
+    }
+
+    #[test]
+    fn centres_are_five_times_fewer_than_merged_paths() {
+        let (radar, all) = (radar(), body(2000));
+        let choice = Choice::new(&radar, all, 0.1);
+        let field = choice.field();
+        let [merged, centres] = [choice.merged(&field), choice.centres(&field)].map(|found| found.unwrap().paths.len());
+        assert!(5 * centres <= merged, "{centres} centres, {merged} merged paths");
+    }
+
+    #[test]
+    fn merging_keeps_every_polarization_and_what_one_cell_holds() {
+        let (radar, all) = (radar(), body(40));
+        let near: Vec<Path> = all
+            .iter()
+            .filter(|path| path.order == 1)
+            .map(|path| Path { apparent_tx_m: all[1].apparent_tx_m, apparent_rx_m: all[1].apparent_rx_m, ..*path })
+            .collect();
+        let one = merged(&radar, &near, 0.1);
+        let sum: Complex64 = near.iter().map(|path| path.amplitude_m[1][0]).sum();
+        assert_eq!(one.len(), 1);
+        // The band's line is fitted to three points: rounding of 27 amplitudes of about 1, and of phases of 0.
+        assert!(
+            (one[0].amplitude_m[1][0] - sum).norm() < 1e-12 && one[0].amplitude_m[0][0] == one[0].amplitude_m[1][1]
+        );
+    }
+
+    #[test]
+    fn points_have_the_body_s_mean_power_and_follow_the_seed() {
+        let (radar, all) = (radar(), body(1000));
+        let choice = Choice::new(&radar, all.clone(), 1.0);
+        let field = choice.field();
+        let looks = Looks::new(&radar, 40, 29, 0.271_828);
+        let exact = power(&looks.field(&all));
+        let draw = |seed: u64| choice.statistical(&field, seed, 0).unwrap().paths;
+        assert_eq!(draw(1), draw(1));
+        assert_ne!(draw(1), draw(2));
+        // Of 100 draws; each field's power over the looks is spread by its own mean at most, their mean by a tenth of
+        // it: three times that.
+        let mean = (0..100).map(|seed| power(&looks.field(&draw(seed)))).sum::<f64>() / 100.0;
+        assert!((mean / exact - 1.0).abs() < 0.3, "{}", mean / exact);
+        let error = (0..100).map(|seed| error_elsewhere(&radar, &draw(seed), &all).powi(2)).sum::<f64>() / 100.0;
+        // Two independent fields of one power: 2, as above.
+        assert!((error - 2.0).abs() < 0.6, "{error}");
+    }
+
+    #[test]
+    fn nothing_is_reduced_that_few_paths_or_no_room_make_not_worth_it() {
+        let radar = radar();
+        assert!(Choice::new(&radar, body(3), 0.1).cheapest().is_none());
+        assert!(Choice::new(&radar, body(4000), 0.0).cheapest().is_none());
+        let found = Choice::new(&radar, body(4000), 0.1).cheapest().unwrap();
+        assert!(echo_s(&radar, found.paths.len()) < echo_s(&radar, 4000));
+    }
+}

@@ -1,0 +1,178 @@
+//! Path tables as some samples of a cube see them: pairs of elements, moments of the frame, instants of the sweep.
+
+use artifact::Radar;
+use artifact::paths::Path;
+use artifact::radar::Pattern;
+use artifact::units::SPEED_OF_LIGHT_MPS;
+use glam::DVec3;
+use num_complex::Complex64;
+use rayon::prelude::*;
+use std::f64::consts::{PI, TAU};
+
+/// A pair of elements at a moment after the frame's first sample.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Look {
+    pub(crate) tx_m: DVec3,
+    pub(crate) rx_m: DVec3,
+    pub(crate) seconds: f64,
+}
+
+impl Look {
+    /// From the radar's position at the frame's middle.
+    pub(crate) fn middle(radar: &Radar) -> Self {
+        let place_m = DVec3::from_array(radar.position_m);
+        Self { tx_m: place_m, rx_m: place_m, seconds: radar.frame_middle_s() }
+    }
+
+    /// x_a − p_t and x_b − p_r.
+    pub(crate) fn legs_m(&self, path: &Path) -> [DVec3; 2] {
+        let place = |x: [f64; 3], v: [f64; 3]| DVec3::from_array(x) + self.seconds * DVec3::from_array(v);
+        let departing_m = place(path.apparent_tx_m, path.apparent_tx_mps) - self.tx_m;
+        [departing_m, place(path.apparent_rx_m, path.apparent_rx_mps) - self.rx_m]
+    }
+}
+
+/// Both elements' gain over L₁L₂, 1/m².
+pub(crate) fn strength(radar: &Radar, legs_m: [DVec3; 2]) -> f64 {
+    legs_m.iter().map(|leg| gain(radar, *leg / leg.length()) / leg.length()).product()
+}
+
+/// Amplitude gain of an element towards a unit direction, over that at boresight.
+fn gain(radar: &Radar, direction: DVec3) -> f64 {
+    match radar.array.pattern {
+        Pattern::Isotropic => 1.0,
+        Pattern::Cosine { exponent } => axes(radar)[1].dot(direction).max(0.0).powf(exponent),
+    }
+}
+
+/// Right, ahead along the boresight, up.
+pub(crate) fn axes(radar: &Radar) -> [DVec3; 3] {
+    let (sin_az, cos_az) = radar.boresight_az_rad.sin_cos();
+    let (sin_el, cos_el) = radar.boresight_el_rad.sin_cos();
+    let right = DVec3::new(cos_az, -sin_az, 0.0);
+    let ahead = DVec3::new(sin_az * cos_el, cos_az * cos_el, sin_el);
+    [right, ahead, right.cross(ahead)]
+}
+
+/// Looks, each over equally spaced instants of the sampled sweep.
+pub(crate) struct Looks<'a> {
+    radar: &'a Radar,
+    looks: Vec<Look>,
+    instants: usize,
+}
+
+impl<'a> Looks<'a> {
+    /// `count` looks evenly spread over pairs and moments; sequences of different `start`s share no look.
+    ///
+    /// Moments crowd at the frame's ends, as Chebyshev's points do: a fit that knows them does not run away between.
+    pub(crate) fn new(radar: &'a Radar, count: usize, instants: usize, start: f64) -> Self {
+        let pick = |list: &[[f64; 3]], share: f64| {
+            let element = list.get((share * list.len() as f64) as usize);
+            DVec3::from_array(*element.unwrap_or(&radar.position_m))
+        };
+        // The plastic number's powers: the lowest discrepancy known for three dimensions (M. Roberts 2018).
+        let look = |i: usize| {
+            let share = |step: f64| (start + step * (i as f64 + 1.0)).fract();
+            let moment = 0.5 - 0.5 * (PI * share(0.819_172_513)).cos();
+            Look {
+                tx_m: pick(&radar.array.tx_m, share(0.671_043_607)),
+                rx_m: pick(&radar.array.rx_m, share(0.549_700_478)),
+                seconds: moment * radar.frame_duration_s(),
+            }
+        };
+        Self { radar, looks: (0..count).map(look).collect(), instants }
+    }
+
+    /// Values of a field.
+    pub(crate) fn len(&self) -> usize {
+        self.looks.len() * self.instants
+    }
+
+    /// The conjugate IF samples of all paths without the link's amplitude, in the radar's polarization,
+    /// `[look][instant]`.
+    ///
+    /// Runs of paths are added in their order: the same bits on any number of threads.
+    pub(crate) fn field(&self, paths: &[Path]) -> Vec<Complex64> {
+        const RUN: usize = 1024;
+        let zero = || vec![Complex64::ZERO; self.len()];
+        let of_run = |run: &[Path]| {
+            let mut sums = zero();
+            run.iter().for_each(|path| self.add(path, &mut sums));
+            sums
+        };
+        let runs: Vec<Vec<Complex64>> = paths.par_chunks(RUN).map(of_run).collect();
+        runs.iter().fold(zero(), |sums, run| sums.iter().zip(run).map(|(a, b)| a + b).collect())
+    }
+
+    /// The field of a path of a = 1 m, and of one of a′ = 1 m per half of the band.
+    pub(crate) fn columns(&self, path: &Path) -> [Vec<Complex64>; 2] {
+        let mut columns = [Vec::with_capacity(self.len()), Vec::with_capacity(self.len())];
+        let half_band_hz = self.half_band_hz();
+        for look in &self.looks {
+            let mut tone = self.tone(look, path);
+            for _ in 0..self.instants {
+                columns[0].push(tone.value);
+                columns[1].push(tone.value * (tone.offset_hz / half_band_hz));
+                tone.advance();
+            }
+        }
+        columns
+    }
+
+    pub(crate) fn half_band_hz(&self) -> f64 {
+        0.5 * self.radar.waveform.bandwidth_hz().abs()
+    }
+
+    fn add(&self, path: &Path, sums: &mut [Complex64]) {
+        let (p, q) = self.radar.array.polarization.indices();
+        let (amplitude_m, slope_m_per_hz) = (path.amplitude_m[p][q], path.slope_m_per_hz[p][q]);
+        for (look, sums) in self.looks.iter().zip(sums.chunks_mut(self.instants)) {
+            let mut tone = self.tone(look, path);
+            for sum in sums {
+                *sum += (amplitude_m + slope_m_per_hz * tone.offset_hz) * tone.value;
+                tone.advance();
+            }
+        }
+    }
+
+    /// A path through the sweep: e^{−j2π[(f₀ + μt)τ − ½μτ²]} at f = f₀ + μ(t − τ).
+    fn tone(&self, look: &Look, path: &Path) -> Tone {
+        let waveform = &self.radar.waveform;
+        let legs_m = look.legs_m(path);
+        let delay_s = legs_m.iter().map(|leg| leg.length()).sum::<f64>() / SPEED_OF_LIGHT_MPS;
+        let step_s = f64::from(waveform.samples) / waveform.sample_rate_hz / self.instants as f64;
+        let (first_hz, step_hz) = (0.5 * step_s * waveform.slope_hz_per_s, step_s * waveform.slope_hz_per_s);
+        let cycles = (waveform.start_frequency_hz + first_hz - 0.5 * waveform.slope_hz_per_s * delay_s) * delay_s;
+        let behind_hz = waveform.slope_hz_per_s * delay_s;
+        Tone {
+            value: Complex64::from_polar(strength(self.radar, legs_m), -TAU * cycles.fract()),
+            turn: Complex64::cis(-TAU * step_hz * delay_s),
+            offset_hz: waveform.start_frequency_hz + first_hz - behind_hz - waveform.centre_frequency_hz(),
+            step_hz,
+        }
+    }
+}
+
+/// A unit path at an instant of the sweep.
+struct Tone {
+    value: Complex64,
+    turn: Complex64,
+    /// f − f_c.
+    offset_hz: f64,
+    step_hz: f64,
+}
+
+impl Tone {
+    fn advance(&mut self) {
+        self.value *= self.turn;
+        self.offset_hz += self.step_hz;
+    }
+}
+
+pub(crate) fn power(field: &[Complex64]) -> f64 {
+    field.iter().map(|x| x.norm_sqr()).sum()
+}
+
+pub(crate) fn difference(a: &[Complex64], b: &[Complex64]) -> Vec<Complex64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}

@@ -1,0 +1,97 @@
+//! A body as points drawn like its own: their number, the distribution of their levels and where they lie come from its
+//! paths, the rest from the seed.
+//!
+//! It keeps the mean level and what of range, angle and velocity the body fills; its field is another one, so that its
+//! complex error is that of two independent fields of one power, +3 dB.
+
+use crate::detail::looks::{Looks, power};
+use crate::detail::merged_paths::merged;
+use artifact::Radar;
+use artifact::paths::{Amplitude, Path};
+use artifact::seed;
+use num_complex::Complex64;
+use std::f64::consts::{PI, TAU};
+
+/// Phases that differ by less stay within one cell of range, Doppler and angle: such paths are one centre with one
+/// level.
+const CENTRE_RAD: f64 = 0.5 * PI;
+/// Share of the centres' power that those carry whose number and levels are told.
+const TOLD: f64 = 0.99;
+
+/// What is told of a body: of its centres that carry 99 % of the power.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct PointModel {
+    pub(crate) points: usize,
+    /// Mean and standard deviation of ln σ: levels of a vehicle's centres are spread by tens of decibels, as log-normal
+    /// ones.
+    pub(crate) log_level: [f64; 2],
+    /// Where a point can be, with the share of points there.
+    places: Vec<Path>,
+    /// Mean power of the whole, as the looks see it.
+    power: f64,
+}
+
+impl PointModel {
+    /// Of the paths of one target; `None` where they scatter nothing.
+    pub(crate) fn of(radar: &Radar, paths: &[Path], looks: &Looks<'_>) -> Option<Self> {
+        let mut places = merged(radar, paths, CENTRE_RAD);
+        places.sort_by(|a, b| level(radar, b).total_cmp(&level(radar, a)));
+        let total: f64 = places.iter().map(|path| level(radar, path)).sum();
+        let mut sum = 0.0;
+        let points = places.iter().take_while(|path| {
+            let is_told = sum < TOLD * total;
+            sum += level(radar, path);
+            is_told
+        });
+        let points = points.count();
+        places.truncate(points);
+        let logarithms: Vec<f64> = places.iter().map(|path| level(radar, path).ln()).collect();
+        let mean = logarithms.iter().sum::<f64>() / points.max(1) as f64;
+        let variance = logarithms.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / points.max(1) as f64;
+        let power = power(&looks.field(paths));
+        (points > 0 && power > 0.0).then(|| Self { points, log_level: [mean, variance.sqrt()], places, power })
+    }
+
+    /// Points of `seed` and `target`, all of one bounce order of the place that they were drawn for; their mean power
+    /// is the body's.
+    ///
+    /// Levels are log-normal, phases even, places drawn among the body's own by equal chance.
+    pub(crate) fn drawn(&self, radar: &Radar, looks: &Looks<'_>, seed: u64, target: u32) -> Vec<Path> {
+        let mut points: Vec<Path> = (0..self.points as u64).map(|i| self.point(radar, seed, target, i)).collect();
+        // Of independent phases the powers add up: what the draw of the levels missed is put right for all alike.
+        let drawn: f64 = points.iter().map(|point| power(&looks.field(std::slice::from_ref(point)))).sum();
+        let factor = if drawn > 0.0 { (self.power / drawn).sqrt() } else { 0.0 };
+        points.iter_mut().flat_map(|point| point.amplitude_m.as_flattened_mut()).for_each(|a| *a *= factor);
+        points
+    }
+
+    fn point(&self, radar: &Radar, seed: u64, target: u32, index: u64) -> Path {
+        let [place, phase, radius, angle] = shares(seed, target, index);
+        // Box and Muller (1958); 1 − radius is never 0.
+        let normal = (-2.0 * (1.0 - radius).ln()).sqrt() * (TAU * angle).cos();
+        let [mean, deviation] = self.log_level;
+        let root = (0.5 * (mean + deviation * normal)).exp();
+        let place = &self.places[((place * self.places.len() as f64) as usize).min(self.places.len() - 1)];
+        let (p, q) = radar.array.polarization.indices();
+        let mut amplitude_m = Amplitude::default();
+        amplitude_m[p][q] = Complex64::from_polar(root, TAU * phase);
+        Path { amplitude_m, slope_m_per_hz: Amplitude::default(), ..*place }
+    }
+}
+
+/// σ of a path in the radar's polarization.
+fn level(radar: &Radar, path: &Path) -> f64 {
+    let (p, q) = radar.array.polarization.indices();
+    path.amplitude_m[p][q].norm_sqr()
+}
+
+/// Four numbers in [0, 1).
+fn shares(seed: u64, target: u32, index: u64) -> [f64; 4] {
+    let key = seed::key(seed, "bart-rcs/statistical points", &[target.into(), index]);
+    let mut shares = [0.0; 4];
+    for (share, bytes) in shares.iter_mut().zip(key.chunks_exact(8)) {
+        let bits = bytes.iter().fold(0_u64, |all, byte| all << 8 | u64::from(*byte));
+        *share = (bits >> 11) as f64 / (1_u64 << 53) as f64;
+    }
+    shares
+}
