@@ -189,7 +189,8 @@ mod tests {
             acceleration_mps2: [0.0; 3],
             wheel: Some(Wheel { radius_m: 0.3, angle_rad: 0.0 }),
         };
-        let kind = TargetKind::Point { rcs_m2: 2.0, acceleration_mps2: [0.0; 3], wheel: None };
+        let wheel = Some(Wheel { radius_m: 0.4, angle_rad: 0.1 });
+        let kind = TargetKind::Point { rcs_m2: 2.0, acceleration_mps2: [0.0; 3], wheel };
         let vehicles = ["flow.0", "flow.1"].map(|id| Vehicle { id: id.into(), kind: kind.clone() }).to_vec();
         let placed = Placed { vehicle: 0, pose: header.targets[0].start };
         header.traffic = Some(Traffic { vehicles, frames: vec![vec![placed]; 2] });

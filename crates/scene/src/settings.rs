@@ -143,7 +143,7 @@ pub(crate) fn read_fidelity(root: &Section<'_>) -> Fidelity {
                 &[Detail::Auto, Detail::Paths, Detail::Merged, Detail::Centres, Detail::Statistical]
                     .map(|d| (d.name(), d)),
             )
-            .unwrap_or(Detail::Auto),
+            .unwrap_or(Detail::Paths),
     }
 }
 

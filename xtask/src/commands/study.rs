@@ -1,5 +1,5 @@
-//! `chart`, `atlas` and `levels`: speed against accuracy, where each method fails, and levels of detail; each a table, a
-//! picture and a page.
+//! `chart`, `atlas` and `levels`: speed against accuracy, where each method fails, and levels of detail; each a table,
+//! a picture and a page.
 
 mod looks;
 mod bodies;

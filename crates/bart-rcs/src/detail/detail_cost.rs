@@ -1,11 +1,12 @@
-//! What levels of detail cost, in processor seconds: figures of one machine, so that the same scene takes the same level on every
-//! machine and any number of threads. Measured: docs/validation/levels-of-detail.md.
+//! What levels of detail cost, in processor seconds: figures of one machine, so that the same scene takes the same
+//! level on every machine and any number of threads. Measured: docs/validation/levels-of-detail.md.
 
 use artifact::Radar;
 
 /// Of the sum over paths one by one, for each path and sample of the cube.
 const ONE_BY_ONE_S: f64 = 1.1e-9;
-/// Of transforms, for each sample of the cube: some instants of two-dimensional transforms on grids four times as large.
+/// Of transforms, for each sample of the cube: some instants of two-dimensional transforms on grids four times as
+/// large.
 const TRANSFORMS_S: f64 = 8e-8;
 /// Of a path's values and its share of the grids, for each pair of elements.
 const VALUES_S: f64 = 2.5e-7;

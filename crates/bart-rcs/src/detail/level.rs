@@ -1,4 +1,5 @@
-//! The cheapest level of detail whose error, measured in the run and added to the frame's others, is within the accuracy asked for.
+//! The cheapest level of detail whose error, measured in the run and added to the frame's others, is within the
+//! accuracy asked for.
 
 use crate::detail::detail_cost::{centres_s, echo_s, merging_s};
 use crate::detail::looks::{Looks, difference, power};
@@ -13,12 +14,12 @@ use num_complex::Complex64;
 
 /// A frame's paths with no more detail than the scene asks for: fewer paths for the same echo.
 ///
-/// Each target has its own level, and none loses more of itself than the frame may. `Detail::Auto` reduces where that is cheaper than
-/// the echo of all paths, and by no more than what the frame's other errors leave of the accuracy asked for; where these are beyond it
-/// already, by a fifth of them, which adds 2 %. A level asked for by name may take 0.3 of the accuracy at least, statistical points
-/// as much as they need. Point targets stay as they are. `error.detail` is
-/// measured: reduced paths against all of them, at pairs of elements, moments and frequencies other than those that they
-/// were made with. `trace.detail` tells each target's level.
+/// Each target has its own level, and none loses more of itself than the frame may. `Detail::Auto` reduces where that
+/// is cheaper than the echo of all paths, and by no more than what the frame's other errors leave of the accuracy asked
+/// for; where these are beyond it already, by a fifth of them, which adds 2 %. A level asked for by name may take 0.3
+/// of the accuracy at least, statistical points as much as they need. Point targets stay as they are. `error.detail` is
+/// measured: reduced paths against all of them, at pairs of elements, moments and frequencies other than those that
+/// they were made with. `trace.detail` tells each target's level.
 pub fn reduced(header: &SceneHeader, frame: PathsFrame) -> PathsFrame {
     let asked = header.fidelity.detail;
     let left = left_by_others(header, &frame.error);
@@ -84,9 +85,9 @@ struct Measured {
     power: f64,
 }
 
-/// The ratio of two mean powers of n complex Gaussian samples follows the F distribution with (2n, 2n) degrees of freedom. The
-/// looks are taken anywhere in the frame: of their 192 samples about 32 are independent where a vehicle fills few cells of range
-/// and angle, and 95 of 100 ratios stay below F(0.95; 64, 64) = 1.51, as an amplitude 1.23.
+/// The ratio of two mean powers of n complex Gaussian samples follows the F distribution with (2n, 2n) degrees of
+/// freedom. The looks are taken anywhere in the frame: of their 192 samples about 32 are independent where a vehicle
+/// fills few cells of range and angle, and 95 of 100 ratios stay below F(0.95; 64, 64) = 1.51, as an amplitude 1.23.
 const MARGIN: f64 = 1.23;
 const LOOKS: usize = 12;
 const INSTANTS: usize = 16;
@@ -138,7 +139,8 @@ impl<'a> Choice<'a> {
         }
     }
 
-    /// Nothing is tried whose making costs more than all that it could save. Centres come first: they are fewer than merged paths.
+    /// Nothing is tried whose making costs more than all that it could save. Centres come first: they are fewer than
+    /// merged paths.
     fn cheapest(&self) -> Option<Found> {
         let count = self.paths.len();
         let echo = |paths: usize| echo_s(self.radar, paths);
@@ -204,8 +206,8 @@ impl<'a> Choice<'a> {
     }
 }
 
-/// Phases of the paths that are merged into one candidate, at −20 dB: about two candidates for each cell that samples tell apart.
-/// Values between candidates are interpolated from them, the better the denser they are.
+/// Phases of the paths that are merged into one candidate, at −20 dB: about two candidates for each cell that samples
+/// tell apart. Values between candidates are interpolated from them, the better the denser they are.
 const CANDIDATES_RAD: f64 = 0.6;
 
 #[cfg(test)]
@@ -335,7 +337,8 @@ mod tests {
         let draw = |seed: u64| choice.statistical(&field, seed, 0).unwrap().paths;
         assert_eq!(draw(1), draw(1));
         assert_ne!(draw(1), draw(2));
-        // Of 100 draws; each field's power over the looks is spread by its own mean at most, their mean by a tenth of it: three times that.
+        // Of 100 draws; each field's power over the looks is spread by its own mean at most, their mean by a tenth of
+        // it: three times that.
         let mean = (0..100).map(|seed| power(&looks.field(&draw(seed)))).sum::<f64>() / 100.0;
         assert!((mean / exact - 1.0).abs() < 0.3, "{}", mean / exact);
         let error = (0..100).map(|seed| error_elsewhere(&radar, &draw(seed), &all).powi(2)).sum::<f64>() / 100.0;

@@ -88,7 +88,8 @@ impl<'a> Looks<'a> {
         self.looks.len() * self.instants
     }
 
-    /// The conjugate IF samples of all paths without the link's amplitude, in the radar's polarization, `[look][instant]`.
+    /// The conjugate IF samples of all paths without the link's amplitude, in the radar's polarization,
+    /// `[look][instant]`.
     ///
     /// Runs of paths are added in their order: the same bits on any number of threads.
     pub(crate) fn field(&self, paths: &[Path]) -> Vec<Complex64> {

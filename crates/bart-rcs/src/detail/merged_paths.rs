@@ -59,8 +59,8 @@ impl<'a> Extents<'a> {
     }
 }
 
-/// Paths of one target and order whose phases differ by at most about `spread_rad` from their mean's at the ends of band, rows and frame are
-/// merged into one; in the order of their cells.
+/// Paths of one target and order whose phases differ by at most about `spread_rad` from their mean's at the ends of
+/// band, rows and frame are merged into one; in the order of their cells.
 ///
 /// With slope a′ a path follows a straight line over the band: of a phase that runs over ±θ there it leaves θ²/4.
 pub(crate) fn merged(radar: &Radar, paths: &[Path], spread_rad: f64) -> Vec<Path> {
@@ -81,7 +81,8 @@ pub(crate) fn merged(radar: &Radar, paths: &[Path], spread_rad: f64) -> Vec<Path
     groups.iter().map(|group| one_of(radar, &band, &extents.middle, group)).collect()
 }
 
-/// The sum of a group as seen from the mean of its points, which are weighed by amplitude; named by its strongest member.
+/// The sum of a group as seen from the mean of its points, which are weighed by amplitude; named by its strongest
+/// member.
 fn one_of(radar: &Radar, band: &Band, middle: &Look, group: &[&Path]) -> Path {
     if let [alone] = group {
         return **alone;

@@ -1,8 +1,8 @@
 //! Scattering centres of a target: orthogonal matching pursuit over band, elements and frame.
 //!
-//! Pati, Rezaiifar, Krishnaprasad (1993); here with every candidate kept orthogonal to what was taken, so that each step takes the
-//! centre that leaves the least (orthogonal least squares; Chen, Billings, Luo (1989)). Blocks of range are fitted one by one: what
-//! lies cells apart does not take part in the same samples' fit.
+//! Pati, Rezaiifar, Krishnaprasad (1993); here with every candidate kept orthogonal to what was taken, so that each
+//! step takes the centre that leaves the least (orthogonal least squares; Chen, Billings, Luo (1989)). Blocks of range
+//! are fitted one by one: what lies cells apart does not take part in the same samples' fit.
 
 use crate::detail::looks::{Looks, power};
 use crate::detail::merged_paths::{Extents, Turns, merged};
@@ -14,7 +14,8 @@ use rayon::prelude::*;
 
 /// Length of a block in range cells: longer ones have more candidates for each sample, shorter ones more ends.
 const BLOCK_CELLS: f64 = 6.0;
-/// A column of which less is new, of its amplitude, is left: its coefficient would be twenty times what it adds, and cancel others.
+/// A column of which less is new, of its amplitude, is left: its coefficient would be twenty times what it adds, and
+/// cancel others.
 const LEAST_NEW: f64 = 0.05;
 
 /// Paths of one target that stand close in range, and what they are fitted at.
@@ -164,8 +165,8 @@ impl Pursuit {
         self.directions.push(direction);
     }
 
-    /// Least squares on the columns of the directions: these are the columns' QR factors, so that back substitution is left. Both
-    /// directions of a candidate follow one another.
+    /// Least squares on the columns of the directions: these are the columns' QR factors, so that back substitution is
+    /// left. Both directions of a candidate follow one another.
     fn coefficients(&self) -> Vec<(usize, [Complex64; 2])> {
         let column = |d: &Direction| &self.columns[d.column.0][d.column.1];
         let mut rest = self.field.clone();

@@ -10,10 +10,10 @@ use crate::cache::project_root;
 use crate::chain::echo_accuracy;
 use crate::failure::Failure;
 use crate::progress::Work;
-use artifact::Accuracy;
 use artifact::paths::{Path, PathsFrame};
 use artifact::scene::SceneHeader;
 use artifact::settings::{Detail, Noise};
+use artifact::{Accuracy, ErrorBudget};
 use num_complex::Complex64;
 use scene::{Meshes, ReadOptions};
 use std::time::Instant;
@@ -21,7 +21,7 @@ use std::time::Instant;
 /// How much is tried.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Extent {
-    /// The car down to −20 dB.
+    /// The car.
     Quick,
     /// Car, bus and intersection, and vehicles at other aspects.
     Full,
@@ -45,29 +45,28 @@ pub(super) struct Row {
     pub(super) seconds: [f64; 3],
 }
 
-/// A scene and the accuracies that are tried.
+/// A scene, and the finest accuracy that it is traced with: beyond, the reduction alone is asked for more.
 struct Case {
     name: &'static str,
     header: SceneHeader,
-    asked_db: &'static [f64],
+    traced_db: f64,
 }
 
 fn cases(extent: Extent) -> Result<Vec<Case>, Failure> {
-    const ASKED_DB: [f64; 5] = [-10.0, -20.0, -30.0, -40.0, -50.0];
-    let case = |name, header, count: usize| Case { name, header, asked_db: &ASKED_DB[..count] };
+    let case = |name, header, traced_db| Case { name, header, traced_db };
     let car = || vehicle("car-suv", 10.0, APPROACHING_DEG);
     if extent == Extent::Quick {
-        return Ok(vec![case("car-suv, 40 m", car()?, 2)]);
+        return Ok(vec![case("car-suv, 40 m", car()?, -20.0)]);
     }
     Ok(vec![
-        case("car-suv, 40 m", car()?, 5),
-        case("bus-city, 40 m", vehicle("bus-city", 8.0, APPROACHING_DEG)?, 5),
-        case("intersection", intersection()?, 2),
-        case("car-suv, 40 m, 12 × 16 elements", wide(car()?)?, 3),
-        case("car-suv, turned by 30°", vehicle("car-suv", 10.0, APPROACHING_DEG + 30.0)?, 3),
-        case("car-suv, turned by 90°", vehicle("car-suv", 10.0, APPROACHING_DEG + 90.0)?, 3),
-        case("car-sedan, turned by 180°", vehicle("car-sedan", 10.0, APPROACHING_DEG + 180.0)?, 3),
-        case("motorcycle-street, turned by 10°", vehicle("motorcycle-street", 10.0, APPROACHING_DEG + 10.0)?, 3),
+        case("car-suv, 40 m", car()?, -30.0),
+        case("bus-city, 40 m", vehicle("bus-city", 8.0, APPROACHING_DEG)?, -30.0),
+        case("intersection", intersection()?, -20.0),
+        case("car-suv, 40 m, 12 × 16 elements", wide(car()?)?, -20.0),
+        case("car-suv, turned by 30°", vehicle("car-suv", 10.0, APPROACHING_DEG + 30.0)?, -20.0),
+        case("car-suv, turned by 90°", vehicle("car-suv", 10.0, APPROACHING_DEG + 90.0)?, -20.0),
+        case("car-sedan, turned by 180°", vehicle("car-sedan", 10.0, APPROACHING_DEG + 180.0)?, -20.0),
+        case("motorcycle-street, turned by 10°", vehicle("motorcycle-street", 10.0, APPROACHING_DEG + 10.0)?, -20.0),
     ])
 }
 
@@ -98,22 +97,44 @@ fn intersection() -> Result<SceneHeader, Failure> {
 pub(super) fn rows(extent: Extent) -> Result<Vec<Row>, Failure> {
     let work = Work::begin("levels");
     let cases = cases(extent)?;
-    let count: usize = cases.iter().map(|case| case.asked_db.len()).sum();
     let mut all = Vec::new();
-    for (number, (case, asked_db)) in cases.iter().flat_map(|c| c.asked_db.iter().map(move |db| (c, *db))).enumerate() {
-        work.at(number, count);
-        all.extend(of_frame(case, asked_db)?);
+    for (number, case) in cases.iter().enumerate() {
+        work.at(number, cases.len());
+        all.extend(of_case(case)?);
     }
     Ok(all)
 }
 
-fn of_frame(case: &Case, asked_db: f64) -> Result<Vec<Row>, Failure> {
+/// By the accuracy asked: paths traced with it, down to what the case is traced with.
+fn of_case(case: &Case) -> Result<Vec<Row>, Failure> {
+    const ASKED_DB: [f64; 5] = [-10.0, -20.0, -30.0, -40.0, -50.0];
     let mut header = case.header.clone();
-    header.fidelity.accuracy = Accuracy::from_db(asked_db);
-    let (traced, trace_s) = timed(|| paths_of(&header))?;
+    let mut rows = Vec::new();
+    let mut traced = None;
+    for asked_db in ASKED_DB {
+        header.fidelity.accuracy = Accuracy::from_db(asked_db);
+        let of_frame = match traced.take() {
+            Some((frame, seconds)) if asked_db < case.traced_db => {
+                (PathsFrame { error: ErrorBudget::default(), ..frame }, seconds)
+            }
+            _ => timed(|| paths_of(&header))?,
+        };
+        rows.extend(of_levels(case.name, asked_db, &header, &of_frame)?);
+        traced = Some(of_frame);
+    }
+    Ok(rows)
+}
+
+fn of_levels(
+    scene: &'static str,
+    asked_db: f64,
+    header: &SceneHeader,
+    (traced, trace_s): &(PathsFrame, f64),
+) -> Result<Vec<Row>, Failure> {
+    let (mut header, trace_s) = (header.clone(), *trace_s);
     let (exact, all_s) = timed(|| Ok(cube(&header, &traced.paths)))?;
     let mut rows = vec![Row {
-        scene: case.name,
+        scene,
         asked_db,
         level: Detail::Paths,
         chosen: String::new(),
@@ -129,7 +150,7 @@ fn of_frame(case: &Case, asked_db: f64) -> Result<Vec<Row>, Failure> {
         let (reduced, reduce_s) = timed(|| Ok(bart_rcs::reduced(&header, frame)))?;
         let (got, echo_s) = timed(|| Ok(cube(&header, &reduced.paths)))?;
         rows.push(Row {
-            scene: case.name,
+            scene,
             asked_db,
             level,
             chosen: chosen(&reduced),

@@ -92,7 +92,7 @@ fn by_paths(case: &Case, exact: &CubeFrame) -> Result<Vec<Row>, Failure> {
     let cube = measured(|| cube_of(&header, &paths.value))?;
     let count = paths.value.paths.len();
     let size = format!("{count} paths, {} kB", count * size_of::<Path>() / 1000);
-    let methods = ["frame by paths, cube", "frame by paths, levels of the map"];
+    let methods = ["frame by paths, cube", "frame by paths, levels"];
     compared(case, methods, &size, &paths, &cube, exact)
 }
 
@@ -104,7 +104,7 @@ fn by_tables(case: &Case, exact: &CubeFrame) -> Result<Vec<Row>, Failure> {
         fmcw_echo::synthesize_tables(&cube_header(&header), header.seed, &frame.poses, &tables.value, &|_| ())
             .map_err(Failure::refused)
     })?;
-    let methods = ["frame by rcs-table, cube", "frame by rcs-table, levels of the map"];
+    let methods = ["frame by table, cube", "frame by table, levels"];
     compared(case, methods, &size_of_tables(&tables.value), &tables, &cube, exact)
 }
 
