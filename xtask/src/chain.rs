@@ -15,7 +15,7 @@ use artifact::points::{Points, PointsFrame, PointsHeader};
 use artifact::rcs::{Rcs, RcsFrame, RcsHeader};
 use artifact::rdm::{Rdm, RdmFrame};
 use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
-use artifact::settings::EchoMode;
+use artifact::settings::{Class, EchoMode};
 use artifact::{Accuracy, ErrorBudget, ModelError, Schema};
 use classifier::Classifier;
 use std::path::Path;
@@ -191,13 +191,23 @@ impl<'a> Chain<'a> {
 
     /// Header of the `.points` artifact, without truth.
     pub(crate) fn points_header(&self) -> PointsHeader {
-        PointsHeader { cube: Some(self.cube_header.clone()), targets: vec![] }
+        PointsHeader { cube: Some(self.cube_header.clone()), targets: vec![], classes: vec![] }
     }
 
     /// Ids of the scene's targets and of every vehicle that is in view in some frame.
     pub(crate) fn targets(&self) -> Vec<String> {
         let vehicles = self.header.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|v| v.id.clone());
         self.header.targets.iter().map(|t| t.id.clone()).chain(vehicles).collect()
+    }
+
+    /// Classes of the same, where they are told.
+    pub(crate) fn classes_of_targets(&self) -> Vec<Option<Class>> {
+        let vehicles = self.header.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|v| &v.kind);
+        let class = |kind: &TargetKind| match kind {
+            TargetKind::Mesh { class, .. } => *class,
+            TargetKind::Point { .. } => None,
+        };
+        self.header.targets.iter().map(|t| &t.kind).chain(vehicles).map(class).collect()
     }
 
     /// The same scattering with bodies counted as in [`Chain::targets`], not as in the frame's view.

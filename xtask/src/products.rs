@@ -3,6 +3,7 @@
 use crate::chain::{Chain, FrameProducts, Scattering};
 use crate::commands::load::provenance;
 use crate::failure::Failure;
+use crate::labels;
 use crate::pictures::{self, FrameFigures, Svg};
 use crate::report;
 use crate::stages::Stage;
@@ -14,6 +15,7 @@ use artifact::rcs::Rcs;
 use artifact::rdm::Rdm;
 use artifact::scene::Scene;
 use artifact::settings::EchoMode;
+use artifact::tracks::{Tracks, TracksFrame, TracksHeader};
 use artifact::{Provenance, Writer};
 use std::path::{Path, PathBuf};
 
@@ -25,6 +27,7 @@ pub(crate) struct Products {
     cube: Writer<Cube>,
     rdm: Writer<Rdm>,
     points: Writer<Points>,
+    tracks: Writer<Tracks>,
     figures: Figures,
 }
 
@@ -45,7 +48,9 @@ enum ScatteringWriter {
 impl Products {
     pub(crate) fn create(chain: &Chain, out: &Path, inputs: &[(String, String)]) -> Result<Self, Failure> {
         let from = |stage| provenance(stage, chain.header, inputs.to_vec());
-        let with_truth = PointsHeader { targets: chain.targets(), ..chain.points_header() };
+        let (targets, classes) = (chain.targets(), chain.classes_of_targets());
+        let with_truth = PointsHeader { targets, classes, ..chain.points_header() };
+        let followed = TracksHeader { cube: Some(chain.cube_header.clone()) };
         Ok(Self {
             out: out.to_owned(),
             scene: Writer::create(&out.join("scene.scene"), &from(Stage::Scene), chain.header)?,
@@ -53,17 +58,24 @@ impl Products {
             cube: Writer::create(&out.join("frames.cube"), &from(Stage::FmcwEcho), &chain.cube_header)?,
             rdm: Writer::create(&out.join("frames.rdm"), &from(Stage::Dsp), &chain.cube_header)?,
             points: Writer::create(&out.join("frames.points"), &from(Stage::Dsp), &with_truth)?,
+            tracks: Writer::create(&out.join("frames.tracks"), &from(Stage::Dsp), &followed)?,
             figures: Figures::default(),
         })
     }
 
     /// Writes one frame; its points learn here whose they are, when nothing can look at it any more.
-    pub(crate) fn write(&mut self, chain: &Chain, mut frame: FrameProducts) -> Result<(), Failure> {
-        join_truth(chain, &mut frame);
+    pub(crate) fn write(
+        &mut self,
+        chain: &Chain,
+        mut frame: FrameProducts,
+        tracks: &TracksFrame,
+    ) -> Result<(), Failure> {
+        join_truth(chain, &mut frame)?;
         self.scene.write(&frame.result.scene)?;
         self.cube.write(&frame.cube)?;
         self.rdm.write(&frame.rdm)?;
         self.points.write(&frame.result.points)?;
+        self.tracks.write(tracks)?;
         let figures = pictures::figures(chain, &frame)?;
         pictures::write_frame(&figures, &chain.cube_header, &frame.rdm, &self.out.join("pictures"))?;
         let number = frame.result.scene.index;
@@ -83,6 +95,7 @@ impl Products {
         self.cube.finish()?;
         self.rdm.finish()?;
         self.points.finish()?;
+        self.tracks.finish()?;
         Ok(self.figures)
     }
 }
@@ -111,7 +124,7 @@ impl ScatteringWriter {
     }
 }
 
-fn join_truth(chain: &Chain, frame: &mut FrameProducts) {
+fn join_truth(chain: &Chain, frame: &mut FrameProducts) -> Result<(), Failure> {
     let result = &mut frame.result;
     let truths = truth::truths(&frame.view.in_frame(result.scene.index), &result.scene, result.paths.as_ref());
     let bodies = scene::bodies_in_view(chain.header, result.scene.index);
@@ -120,4 +133,12 @@ fn join_truth(chain: &Chain, frame: &mut FrameProducts) {
         let target = chosen.iter().position(|c| c.is_some() && c.map(|o| o as u32) == point.object);
         point.target = target.and_then(|t| bodies.get(t).copied());
     }
+    let Some(paths) = &result.paths else { return Ok(()) };
+    let header = chain.cube_header.in_frame(result.scene.index);
+    let noise = dsp::noise_power(&header, &frame.rdm).map_err(Failure::refused)?;
+    labels::label(&header, paths, noise, &mut result.points.points).map_err(Failure::refused)?;
+    for label in result.points.points.iter_mut().filter_map(|point| point.label.as_mut()) {
+        label.target = bodies.get(label.target as usize).copied().unwrap_or(label.target);
+    }
+    Ok(())
 }

@@ -2,6 +2,7 @@
 
 mod page;
 mod tables;
+mod tracks;
 
 use crate::failure::Failure;
 use crate::output;

@@ -20,6 +20,8 @@ pub(crate) struct Truth {
     pub(crate) lane: Option<u8>,
     pub(crate) nearest_range_m: Option<f64>,
     pub(crate) echo: Option<Echo>,
+    /// Whether it has an echo of its own; echoes of tables are not traced, and taken for granted.
+    pub(crate) sends_back: bool,
 }
 
 /// Power-weighted means over the paths that touch this target only.
@@ -40,13 +42,15 @@ fn truth(header: &SceneHeader, index: usize, pose: &Pose, paths: Option<&PathsFr
     let position_m = DVec3::from(pose.position_m);
     let away = position_m - DVec3::from(header.radar.position_m);
     let range_m = away.length();
+    let echo = paths.and_then(|p| echo(header, index, &p.paths));
     Truth {
         position_m,
         range_m,
         radial_velocity_mps: DVec3::from(pose.velocity_mps).dot(away) / range_m,
         lane: header.dsp.lane_at(position_m.x),
         nearest_range_m: paths.and_then(|p| p.nearest_range_m.get(index).copied().flatten()),
-        echo: paths.and_then(|p| echo(header, index, &p.paths)),
+        echo,
+        sends_back: paths.is_none() || echo.is_some(),
     }
 }
 
@@ -115,7 +119,15 @@ mod tests {
 
     fn truth_at(range_m: f64, x_m: f64) -> Truth {
         let position_m = DVec3::new(x_m, range_m, 0.0);
-        Truth { position_m, range_m, radial_velocity_mps: 0.0, lane: None, nearest_range_m: None, echo: None }
+        Truth {
+            position_m,
+            range_m,
+            radial_velocity_mps: 0.0,
+            lane: None,
+            nearest_range_m: None,
+            echo: None,
+            sends_back: true,
+        }
     }
 
     fn object_at(range_m: f64, x_m: f64) -> Object {

@@ -5,7 +5,8 @@ mod common;
 use common::{SMALL_SCENE, Workplace};
 use serde_json::Value;
 
-const ARTIFACTS: [&str; 5] = ["scene.scene", "frames.paths", "frames.cube", "frames.rdm", "frames.points"];
+const ARTIFACTS: [&str; 6] =
+    ["scene.scene", "frames.paths", "frames.cube", "frames.rdm", "frames.points", "frames.tracks"];
 
 #[test]
 fn a_run_writes_every_artifact_and_picture_that_is_promised() {
@@ -205,6 +206,8 @@ fn every_artifact_is_inspected_and_exported() {
         ("frames.points", "csv"),
         ("frames.points", "pcd"),
         ("frames.points", "ply"),
+        ("frames.tracks", "csv"),
+        ("frames.tracks", "json"),
     ];
     for (artifact, format) in exports {
         place.run(&format!("export a/{artifact} --to {format} --out x/{artifact}.{format}"));

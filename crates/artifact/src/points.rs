@@ -2,6 +2,7 @@
 
 use crate::Schema;
 use crate::cube::CubeHeader;
+use crate::settings::Class;
 use serde::{Deserialize, Serialize};
 
 /// The `.points` artifact.
@@ -9,7 +10,7 @@ pub struct Points;
 
 impl Schema for Points {
     const NAME: &'static str = "points";
-    const VERSION: u32 = 3;
+    const VERSION: u32 = 4;
     type Header = PointsHeader;
     type Frame = PointsFrame;
 }
@@ -19,8 +20,10 @@ impl Schema for Points {
 pub struct PointsHeader {
     /// The radar and settings that made the points; `None` for points from elsewhere.
     pub cube: Option<CubeHeader>,
-    /// Ids that [`Point::target`] points to; empty until a report joins the truth.
+    /// Ids that [`Point::target`] and [`Label::target`] point to; empty until a report joins the truth.
     pub targets: Vec<String>,
+    /// Their classes, where the scene tells them.
+    pub classes: Vec<Option<Class>>,
 }
 
 /// Points of one frame.
@@ -53,8 +56,21 @@ pub struct Point {
     pub snr_db: f64,
     /// Index into [`PointsFrame::objects`]; `None` for a lone detection that forms none.
     pub object: Option<u32>,
-    /// True target, joined afterwards by a report; never set by a detector.
+    /// True target of its object, joined afterwards by a report; never set by a detector.
     pub target: Option<u32>,
+    /// What echoes in its own cell, joined afterwards by a report; never set by a detector.
+    pub label: Option<Label>,
+}
+
+/// True origin of a point: whose echo, after how many bounces, fills its cell most.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Label {
+    /// Index into [`PointsHeader::targets`]; of the first facet of ways over several bodies.
+    pub target: u32,
+    /// Bounces; 0 of a point target.
+    pub order: u8,
+    /// Of the power that all targets and orders have in the cell, each for itself.
+    pub share: f64,
 }
 
 /// A cluster of points: one vehicle, as far as the radar can tell.

@@ -94,10 +94,10 @@ pub mod cramer_rao;
 pub mod position;
 pub mod clusters;
 pub mod points;
+pub mod velocity_folds;
 pub mod assignment;
 pub mod kalman;
 pub mod tracks;
-pub mod velocity_folds;
 pub mod crop;
 pub mod grayscale;
 

@@ -216,6 +216,7 @@ impl Sighting {
             snr_db: snr_db(self.peak.power, noise),
             object,
             target: None,
+            label: None,
         }
     }
 }

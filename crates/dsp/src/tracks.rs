@@ -113,6 +113,7 @@ impl Tracker {
     pub fn step(&mut self, frame: &PointsFrame) -> Result<TracksFrame, DspError> {
         frame.objects.iter().try_for_each(check_object)?;
         let interval_s = self.interval_s(frame.time_s)?;
+        self.site = Site::new(&self.header.in_frame(frame.index));
         let measurements: Vec<Measurement> =
             frame.objects.iter().map(|o| self.site.measurement(o, &self.settings)).collect();
         self.predict(interval_s);

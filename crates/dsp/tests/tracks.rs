@@ -1,5 +1,4 @@
 //! Tracks of bodies that move as the filter believes: what it says of its own errors, identities, births and deaths.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
 
 mod common;
 
@@ -84,6 +83,7 @@ fn point(object: &Object, index: u32) -> Point {
         snr_db: object.snr_db,
         object: Some(index),
         target: None,
+        label: None,
     }
 }
 

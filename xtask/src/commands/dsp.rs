@@ -10,7 +10,9 @@ use crate::sub_frames;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::points::{Points, PointsFrame, PointsHeader};
 use artifact::rdm::{Rdm, RdmFrame};
+use artifact::tracks::{Tracks, TracksFrame, TracksHeader};
 use artifact::{Provenance, Reader, Writer};
+use dsp::{ROAD_TRAFFIC, Tracker};
 use std::path::Path;
 
 pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
@@ -23,37 +25,45 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     let stem = arguments.cube.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let place = |kind: &str| arguments.out.join(format!("{stem}.{kind}"));
     let mut maps = Writer::<Rdm>::create(&place("rdm"), &from, &header)?;
-    let cloud_header = PointsHeader { cube: Some(header.clone()), targets: vec![] };
+    let cloud_header = PointsHeader { cube: Some(header.clone()), targets: vec![], classes: vec![] };
     let mut clouds = Writer::<Points>::create(&place("points"), &from, &cloud_header)?;
+    let followed_header = TracksHeader { cube: Some(header.clone()) };
+    let mut followed = Writer::<Tracks>::create(&place("tracks"), &from, &followed_header)?;
+    let mut tracker = Tracker::new(&header, ROAD_TRAFFIC).map_err(|e| refused(&arguments.cube, &e))?;
     let mut cycle = Vec::new();
     for cube in reader {
         let cube = cube?;
         let rdm = dsp::range_doppler(&header, &cube).map_err(|e| refused(&arguments.cube, &e))?;
         let points = dsp::detect_refined(&header, &cube, &rdm).map_err(|e| refused(&arguments.cube, &e))?;
         cycle.push((rdm, points));
-        if cycle.len() == sub_frames::in_cycle(&header) {
-            let (rdms, points): (Vec<_>, Vec<_>) = std::mem::take(&mut cycle).into_iter().unzip();
-            for (rdm, points) in rdms.iter().zip(sub_frames::with_velocities(&header, points)) {
-                tell(rdm, &points);
-                if arguments.pictures {
-                    pictures::of_map(&header, rdm, &points, &arguments.out.join("pictures"))?;
-                }
-                maps.write(rdm)?;
-                clouds.write(&points)?;
+        if cycle.len() < sub_frames::in_cycle(&header) {
+            continue;
+        }
+        let (rdms, points): (Vec<_>, Vec<_>) = std::mem::take(&mut cycle).into_iter().unzip();
+        for (rdm, points) in rdms.iter().zip(sub_frames::with_velocities(&header, points)) {
+            let tracks = tracker.step(&points).map_err(|e| refused(&arguments.cube, &e))?;
+            tell(rdm, &points, &tracks);
+            if arguments.pictures {
+                pictures::of_map(&header, rdm, &points, &arguments.out.join("pictures"))?;
             }
+            maps.write(rdm)?;
+            clouds.write(&points)?;
+            followed.write(&tracks)?;
         }
     }
+    followed.finish()?;
     maps.finish()?;
     Ok(clouds.finish()?)
 }
 
-fn tell(rdm: &RdmFrame, points: &PointsFrame) {
+fn tell(rdm: &RdmFrame, points: &PointsFrame, tracks: &TracksFrame) {
     output::line(format!(
-        "frame {}: {} cells above the threshold, {} points, {} objects",
+        "frame {}: {} cells above the threshold, {} points, {} objects, {} tracks",
         rdm.index,
         rdm.detections,
         points.points.len(),
-        points.objects.len()
+        points.objects.len(),
+        tracks.tracks.len()
     ));
 }
 

@@ -7,6 +7,7 @@ mod paths;
 mod points;
 mod rcs;
 mod rdm;
+mod tracks;
 
 use super::raw_data::{dca1000, sigmf};
 use crate::cli::{ExportArguments, FormatWord};
@@ -33,6 +34,8 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
         ("points", Csv) => points::csv(Reader::open(file)?, out),
         ("points", Pcd) => points::pcd(Reader::open(file)?, out),
         ("points", Ply) => points::ply(Reader::open(file)?, out),
+        ("tracks", Csv) => tracks::csv(Reader::open(file)?, out),
+        ("tracks", Json) => as_json::<artifact::tracks::Tracks>(file, out),
         ("paths", Csv) => paths::csv(Reader::open(file)?, out),
         ("rcs", Npy) => rcs::npy(Reader::open(file)?, out),
         ("dataset", Npy) => dataset::npy(Reader::open(file)?, out),
@@ -51,7 +54,7 @@ fn refuse(file: &Path, schema: &str, to: FormatWord) -> Failure {
         "cube" => "npy, dca1000, sigmf",
         "rdm" => "npy, exr, png",
         "points" => "csv, pcd, ply, json",
-        "paths" => "csv, json",
+        "tracks" | "paths" => "csv, json",
         "rcs" => "npy, json",
         "dataset" => "npy, png",
         "model" => "safetensors",

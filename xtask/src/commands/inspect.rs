@@ -11,6 +11,7 @@ use artifact::points::Points;
 use artifact::rcs::Rcs;
 use artifact::rdm::Rdm;
 use artifact::scene::{Scene, SceneHeader};
+use artifact::tracks::{TrackState, Tracks};
 use artifact::units::{db_from_amplitude, db_from_power};
 use artifact::{Preamble, Radar, Reader, Schema, read_preamble};
 use std::path::Path;
@@ -29,6 +30,7 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
         Cube::NAME => cube(Reader::open(file)?),
         Rdm::NAME => rdm(Reader::open(file)?),
         Points::NAME => points(Reader::open(file)?),
+        Tracks::NAME => tracks(Reader::open(file)?),
         Dataset::NAME => dataset(Reader::open(file)?),
         Model::NAME => model(Reader::open(file)?),
         other => Err(unknown(file, other)),
@@ -203,6 +205,27 @@ fn points(reader: Reader<Points>) -> Result<(), Failure> {
         let (points, objects) = (frame.points.len(), frame.objects.len());
         line(format!(
             "frame {:<6} {:.6} s, {points} points, {objects} objects, {}",
+            frame.index,
+            frame.time_s,
+            SANITY[usize::from(finite)]
+        ));
+    }
+    Ok(())
+}
+
+fn tracks(reader: Reader<Tracks>) -> Result<(), Failure> {
+    if let Some(cube) = &reader.header().cube {
+        radar(&cube.radar);
+    }
+    line("units        m, m/s, rad; world axes");
+    for frame in reader {
+        let frame = frame?;
+        let finite = frame.tracks.iter().all(|t| t.position_m.iter().chain(&t.velocity_mps).all(|v| v.is_finite()));
+        let count = |state: TrackState| frame.tracks.iter().filter(|t| t.state == state).count();
+        let [confirmed, coasting, tentative] =
+            [TrackState::Confirmed, TrackState::Coasting, TrackState::Tentative].map(count);
+        line(format!(
+            "frame {:<6} {:.6} s, {confirmed} confirmed, {coasting} coasting, {tentative} tentative, {}",
             frame.index,
             frame.time_s,
             SANITY[usize::from(finite)]

@@ -14,6 +14,7 @@ use crate::report;
 use crate::stages::Stage;
 use crate::sub_frames;
 use crate::summary;
+use crate::tracking::Tracking;
 use serde_json::{Map, Value};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -34,13 +35,19 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     }
     let out = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&loaded.header.name));
     let start = Instant::now();
-    let (frames, figures) = compute(&chain, &loaded, &plans, &out)?;
+    let (computed, figures) = compute(&chain, &loaded, &plans, &out)?;
     let frames_seconds = start.elapsed().as_secs_f64();
     if let Some(cache) = &cache {
-        expectation::learn(cache, &chain, &frames);
+        expectation::learn(cache, &chain, &computed.frames);
         cache.trim();
     }
-    conclude(&loaded, frames, frames_seconds, &figures, &out)
+    conclude(&loaded, computed, frames_seconds, &figures, &out)
+}
+
+/// What `summary.json` tells of all frames.
+struct Computed {
+    frames: Vec<Value>,
+    metrics: Value,
 }
 
 /// A few frames at a time, so that memory does not grow with their number; written in their order.
@@ -49,8 +56,9 @@ fn compute(
     loaded: &LoadedScene,
     plans: &[FramePlan],
     out: &Path,
-) -> Result<(Vec<Value>, Figures), Failure> {
+) -> Result<(Computed, Figures), Failure> {
     let mut products = Products::create(chain, out, &loaded.files)?;
+    let mut tracking = Tracking::of(chain)?;
     let (mut frames, mut cycle) = (Vec::new(), Vec::new());
     for plans_at_once in plans.chunks(chain.side_by_side()) {
         let first = plans_at_once.first().map_or(0, |plan| plan.index + 1);
@@ -64,13 +72,16 @@ fn compute(
             cycle.push(frame);
             if cycle.len() == sub_frames::in_cycle(&chain.cube_header) {
                 for frame in resolved(chain, std::mem::take(&mut cycle)) {
-                    frames.push(summary::frame(&frame.view, &frame.result));
-                    products.write(chain, frame)?;
+                    let (tracks, told_of_tracks) = tracking.follow(chain, &frame)?;
+                    let mut told = summary::frame(&frame.view, &frame.result);
+                    told["tracks"] = told_of_tracks;
+                    frames.push(told);
+                    products.write(chain, frame, &tracks)?;
                 }
             }
         }
     }
-    Ok((frames, products.finish()?))
+    Ok((Computed { frames, metrics: tracking.metrics() }, products.finish()?))
 }
 
 /// The sub-frames of a cycle, which tell each other's velocities.
@@ -104,14 +115,15 @@ fn at_once<'a>(chain: &Chain, plans: impl Iterator<Item = &'a FramePlan>) -> Res
 
 fn conclude(
     loaded: &LoadedScene,
-    frames: Vec<Value>,
+    computed: Computed,
     frames_seconds: f64,
     figures: &Figures,
     out: &Path,
 ) -> Result<(), Failure> {
     let mut root: Map<String, Value> = summary::head(&loaded.header);
     root.insert("frames_seconds".into(), frames_seconds.into());
-    root.insert("frames".into(), frames.into());
+    root.insert("metrics".into(), computed.metrics);
+    root.insert("frames".into(), computed.frames.into());
     let root = Value::Object(root);
     let text = serde_json::to_string_pretty(&root).map_err(Failure::refused)?;
     output::write_file(&out.join("summary.json"), text.as_bytes())?;

@@ -1,6 +1,6 @@
 //! The page around the figures and tables.
 
-use super::tables;
+use super::{tables, tracks};
 use crate::pictures::{FrameFigures, Svg};
 use crate::products::Figures;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -25,6 +25,7 @@ pub(super) fn page(summary: &Value, figures: &Figures) -> String {
                 h1 { (name) }
                 p.lead { (lead(&frames)) }
                 (tables::radar(&summary["radar"], &frames))
+                @if frames.len() > 1 { (tracks::section(&summary["metrics"])) }
                 @if !figures.strip.is_empty() { (strip(&frames, figures)) }
                 @for (number, frame) in frames.iter().take(FRAMES_TOLD).enumerate() {
                     (section(number, frame, figures.frames.get(number)))

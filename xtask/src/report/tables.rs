@@ -163,6 +163,6 @@ fn scaled(value: &Value, factor: f64, digits: usize) -> String {
     value.as_f64().map_or("–".into(), |v| format!("{:.digits$}", v * factor))
 }
 
-fn whole(value: &Value) -> String {
+pub(super) fn whole(value: &Value) -> String {
     value.as_i64().map_or("–".into(), |v| v.to_string())
 }

@@ -4,19 +4,21 @@ use super::fail;
 use crate::failure::Failure;
 use crate::output;
 use artifact::Reader;
-use artifact::points::{Point, Points, PointsFrame};
+use artifact::points::{Label, Point, Points, PointsFrame, PointsHeader};
+use artifact::settings::Class;
 use std::io::Write;
 use std::path::Path;
 
-const COLUMNS: &str = "frame,time_s,range_m,radial_velocity_mps,az_deg,el_deg,x_m,y_m,z_m,snr_db,object,target";
+const COLUMNS: &str = "frame,time_s,range_m,radial_velocity_mps,az_deg,el_deg,x_m,y_m,z_m,snr_db,object,target,\
+true_target,true_class,true_order,true_share";
 
 pub(crate) fn csv(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
-    let targets = reader.header().targets.clone();
+    let header = reader.header().clone();
     let mut failed = None;
     let written = output::write_with(out, |stream| {
         writeln!(stream, "{COLUMNS}")?;
         for frame in reader {
-            write_csv(stream, &frame.map_err(|e| fail(&mut failed, e))?, &targets)?;
+            write_csv(stream, &frame.map_err(|e| fail(&mut failed, e))?, &header)?;
         }
         Ok(())
     });
@@ -24,17 +26,26 @@ pub(crate) fn csv(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
 }
 
 /// Rows of one frame.
-pub(crate) fn write_csv(sink: &mut dyn Write, frame: &PointsFrame, targets: &[String]) -> std::io::Result<()> {
+pub(crate) fn write_csv(sink: &mut dyn Write, frame: &PointsFrame, header: &PointsHeader) -> std::io::Result<()> {
     for p in &frame.points {
         let object = p.object.map_or_else(String::new, |o| o.to_string());
-        let target = p.target.and_then(|t| targets.get(t as usize)).map_or("", String::as_str);
+        let target = p.target.and_then(|t| header.targets.get(t as usize)).map_or("", String::as_str);
+        let label = p.label.map_or_else(|| ",,,".into(), |label| label_text(&label, header));
         let [x, y, z] = p.position_m;
         let (az, el) = (p.azimuth_rad.to_degrees(), p.elevation_rad.to_degrees());
         let (frame, time, range, velocity) = (frame.index, frame.time_s, p.range_m, p.radial_velocity_mps);
         let snr = p.snr_db;
-        writeln!(sink, "{frame},{time},{range},{velocity},{az},{el},{x},{y},{z},{snr},{object},{target}")?;
+        writeln!(sink, "{frame},{time},{range},{velocity},{az},{el},{x},{y},{z},{snr},{object},{target},{label}")?;
     }
     Ok(())
+}
+
+/// Target, class, order and share.
+fn label_text(label: &Label, header: &PointsHeader) -> String {
+    let at = label.target as usize;
+    let target = header.targets.get(at).map_or("", String::as_str);
+    let class = header.classes.get(at).copied().flatten().map_or("", Class::name);
+    format!("{target},{class},{},{:.4}", label.order, label.share)
 }
 
 /// Point Cloud Data file, version 0.7, ASCII, all frames.

@@ -1,0 +1,183 @@
+//! What each detected point is in truth: the target, its class and the bounce order whose echo fills the point's cell most, from
+//! the paths that made the echo. Only reports come here: nothing behind the radar cube reads it.
+//!
+//! A cell of the map, seen in the point's direction, holds Σ over paths of conj a/(L₁L₂)·e^{j2π(f_cτ − ½μτ²)}, each with what
+//! the two windows and the array leave of it there (`docs/interface.md`, eq. of a path, at the middle of frame and sweep). The
+//! sum is taken apart by target and order, coherently within each: cells of one surface cancel away from its mirror direction,
+//! and powers of single paths would say nothing of it. A point whose paths all together stay below the noise is a false alarm
+//! and has no label.
+
+use artifact::cube::CubeHeader;
+use artifact::paths::{Path, PathsFrame};
+use artifact::points::{Label, Point};
+use artifact::radar::Radar;
+use artifact::units::{SPEED_OF_LIGHT_MPS, power_from_db};
+use dsp::DspError;
+use dsp::window::taper;
+use glam::DVec3;
+use num_complex::Complex64;
+use std::collections::BTreeMap;
+use std::f64::consts::{PI, TAU};
+
+/// Labels of points that paths made; `noise_power` is that of one cell of one channel of the map, in its units.
+pub(crate) fn label(
+    header: &CubeHeader,
+    paths: &PathsFrame,
+    noise_power: f64,
+    points: &mut [Point],
+) -> Result<(), DspError> {
+    let map = MapResponse::new(header)?;
+    let echoes: Vec<Echo> = paths.paths.iter().map(|path| Echo::of(&header.radar, path)).collect();
+    for point in points {
+        let shares = map.shares(&header.radar, &echoes, point);
+        // The beam averages over channels: so does its noise.
+        let floor = noise_power / header.radar.virtual_channels() as f64;
+        point.label = strongest(&shares, floor / map.gain.powi(2));
+    }
+    Ok(())
+}
+
+/// Powers by target and order; the strongest, where all together reach the noise.
+fn strongest(powers: &BTreeMap<(u32, u8), f64>, noise: f64) -> Option<Label> {
+    let sum: f64 = powers.values().sum();
+    let best = powers.iter().fold(None, |best: Option<(&(u32, u8), &f64)>, new| match best {
+        Some(best) if best.1 >= new.1 => Some(best),
+        _ => Some(new),
+    });
+    let ((target, order), power) = best.filter(|_| sum > 0.0 && sum >= noise)?;
+    Some(Label { target: *target, order: *order, share: power / sum })
+}
+
+/// A path at the frame's middle, as a map shows it; of a wheel its hub.
+struct Echo {
+    group: (u32, u8),
+    /// √W, with its phase in the middle of the sweep.
+    value: Complex64,
+    range_m: f64,
+    radial_velocity_mps: f64,
+    /// From the array to where it appears from the transmitter and from the receiver.
+    directions: [DVec3; 2],
+}
+
+impl Echo {
+    fn of(radar: &Radar, path: &Path) -> Self {
+        let leg = |x: [f64; 3], v: [f64; 3], a: [f64; 3]| {
+            let middle_s = radar.frame_middle_s();
+            let gained = DVec3::from(a) * middle_s;
+            let velocity = DVec3::from(v) + gained;
+            let away = DVec3::from(x) + (velocity - 0.5 * gained) * middle_s - DVec3::from(radar.position_m);
+            (away.length(), away.dot(velocity) / away.length(), away / away.length())
+        };
+        let curve = &path.curve;
+        let (there_m, there_mps, there) = leg(path.apparent_tx_m, path.apparent_tx_mps, curve.apparent_tx_mps2);
+        let (back_m, back_mps, back) = leg(path.apparent_rx_m, path.apparent_rx_mps, curve.apparent_rx_mps2);
+        let (w, delay_s) = (&radar.waveform, (there_m + back_m) / SPEED_OF_LIGHT_MPS);
+        let (receive, transmit) = radar.array.polarization.indices();
+        let cycles = w.centre_frequency_hz() * delay_s - 0.5 * w.slope_hz_per_s * delay_s * delay_s;
+        let strength = path.amplitude_m[receive][transmit].conj() / (there_m * back_m);
+        Self {
+            group: (path.target, path.order),
+            value: link_amplitude(radar) * strength * Complex64::from_polar(1.0, TAU * cycles.fract()),
+            range_m: 0.5 * (there_m + back_m),
+            radial_velocity_mps: 0.5 * (there_mps + back_mps),
+            directions: [there, back],
+        }
+    }
+}
+
+/// √(P_t G_t G_r λ²/(4π)³).
+fn link_amplitude(radar: &Radar) -> f64 {
+    let gain = power_from_db(radar.link.antenna_gain_db);
+    let wavelength_m = radar.waveform.wavelength_m();
+    (radar.link.transmit_power_w * gain * gain * wavelength_m.powi(2) / (4.0 * PI).powi(3)).sqrt()
+}
+
+/// What the windows leave of a tone near a cell.
+struct MapResponse {
+    /// Doppler, range: at steps of [`STEP`] cells from the centre on.
+    along: [Vec<f64>; 2],
+    cells: [f64; 2],
+    /// Value of a cell over the amplitude of a tone in its centre.
+    gain: f64,
+}
+
+/// Cells from the peak within which a tone counts: the main lobe of all windows here and a sidelobe.
+const REACH_CELLS: f64 = 4.0;
+/// Finer than what a point is placed to.
+const STEP: f64 = 1.0 / 64.0;
+
+impl MapResponse {
+    fn new(header: &CubeHeader) -> Result<Self, DspError> {
+        let waveform = &header.radar.waveform;
+        let doppler = taper(header.dsp.doppler_window, waveform.chirps as usize)?;
+        let range = taper(header.dsp.range_window, waveform.samples as usize)?;
+        Ok(Self {
+            along: [response(&doppler), response(&range)],
+            cells: [header.radar.velocity_resolution_mps(), waveform.range_resolution_m()],
+            gain: (doppler.len() * range.len()) as f64,
+        })
+    }
+
+    /// Power of each group in the cell of a point, seen in its direction, √W squared.
+    fn shares(&self, radar: &Radar, echoes: &[Echo], point: &Point) -> BTreeMap<(u32, u8), f64> {
+        let toward = direction(point);
+        let mut sums: BTreeMap<(u32, u8), Complex64> = BTreeMap::new();
+        for echo in echoes {
+            if let Some(left) = self.left_of(radar, echo, point) {
+                *sums.entry(echo.group).or_default() += echo.value * left * beam(radar, echo, toward);
+            }
+        }
+        sums.into_iter().map(|(group, sum)| (group, sum.norm_sqr())).collect()
+    }
+
+    /// Share of the amplitude; `None` beyond the reach of the windows.
+    fn left_of(&self, radar: &Radar, echo: &Echo, point: &Point) -> Option<f64> {
+        // Both as the map shows them: a moving echo stands f_c/μ metres farther for each m/s.
+        let w = &radar.waveform;
+        let coupling = w.centre_frequency_hz() / w.slope_hz_per_s;
+        let apart_mps = echo.radial_velocity_mps - point.radial_velocity_mps;
+        let columns = (echo.range_m - point.range_m + coupling * apart_mps) / self.cells[1];
+        if columns.abs() >= REACH_CELLS {
+            return None;
+        }
+        let span = f64::from(w.chirps);
+        let rows = apart_mps / self.cells[0];
+        let rows = rows - span * (rows / span).round();
+        (rows.abs() < REACH_CELLS).then(|| at(&self.along[0], rows) * at(&self.along[1], columns))
+    }
+}
+
+fn at(response: &[f64], cells: f64) -> f64 {
+    response.get((cells.abs() / STEP).round() as usize).copied().unwrap_or(0.0)
+}
+
+/// Amplitude that a tone so far from a cell's centre leaves in it, about the window's middle, where it is real.
+fn response(taper: &[f64]) -> Vec<f64> {
+    let length = taper.len() as f64;
+    let steps = (REACH_CELLS / STEP) as usize;
+    let of = |step: usize| {
+        let turn = TAU * STEP * step as f64 / length;
+        taper.iter().enumerate().map(|(n, w)| w * (turn * (n as f64 - 0.5 * length)).cos()).sum::<f64>() / length
+    };
+    (0..=steps).map(of).collect()
+}
+
+/// Unit vector from the array to a point.
+fn direction(point: &Point) -> DVec3 {
+    let (sin, cos) = point.azimuth_rad.sin_cos();
+    let (up, level) = point.elevation_rad.sin_cos();
+    DVec3::new(sin * level, cos * level, up)
+}
+
+/// What is left of an echo in the beam to a direction: the mean over transmitters times the mean over receivers.
+fn beam(radar: &Radar, echo: &Echo, toward: DVec3) -> Complex64 {
+    let wavenumber = TAU / radar.waveform.wavelength_m();
+    let mean = |elements: &[[f64; 3]], direction: DVec3| {
+        let phase = |element: &[f64; 3]| {
+            let offset = DVec3::from(*element) - DVec3::from(radar.position_m);
+            Complex64::from_polar(1.0, -wavenumber * offset.dot(direction - toward))
+        };
+        elements.iter().map(phase).sum::<Complex64>() / elements.len().max(1) as f64
+    };
+    mean(&radar.array.tx_m, echo.directions[0]) * mean(&radar.array.rx_m, echo.directions[1])
+}
