@@ -20,6 +20,7 @@ fn point(i: u32) -> Point {
         snr_db: 20.0,
         object: Some(i),
         target: None,
+        label: None,
     }
 }
 

@@ -13,7 +13,7 @@ use artifact::rdm::{Rdm, RdmFrame};
 use artifact::tracks::{Tracks, TracksFrame, TracksHeader};
 use artifact::{Provenance, Reader, Writer};
 use dsp::{ROAD_TRAFFIC, Tracker};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     let reader = Reader::<Cube>::open(&arguments.cube)?;
@@ -24,36 +24,63 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     let from = provenance_of(&reader, &header);
     let stem = arguments.cube.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let place = |kind: &str| arguments.out.join(format!("{stem}.{kind}"));
-    let mut maps = Writer::<Rdm>::create(&place("rdm"), &from, &header)?;
     let cloud_header = PointsHeader { cube: Some(header.clone()), targets: vec![], classes: vec![] };
-    let mut clouds = Writer::<Points>::create(&place("points"), &from, &cloud_header)?;
     let followed_header = TracksHeader { cube: Some(header.clone()) };
-    let mut followed = Writer::<Tracks>::create(&place("tracks"), &from, &followed_header)?;
-    let mut tracker = Tracker::new(&header, ROAD_TRAFFIC).map_err(|e| refused(&arguments.cube, &e))?;
+    let mut products = Products {
+        header: &header,
+        pictures: arguments.pictures.then(|| arguments.out.join("pictures")),
+        maps: Writer::create(&place("rdm"), &from, &header)?,
+        clouds: Writer::create(&place("points"), &from, &cloud_header)?,
+        followed: Writer::create(&place("tracks"), &from, &followed_header)?,
+        tracker: Tracker::new(&header, ROAD_TRAFFIC).map_err(|e| refused(&arguments.cube, &e))?,
+    };
     let mut cycle = Vec::new();
     for cube in reader {
         let cube = cube?;
         let rdm = dsp::range_doppler(&header, &cube).map_err(|e| refused(&arguments.cube, &e))?;
         let points = dsp::detect_refined(&header, &cube, &rdm).map_err(|e| refused(&arguments.cube, &e))?;
         cycle.push((rdm, points));
-        if cycle.len() < sub_frames::in_cycle(&header) {
-            continue;
-        }
-        let (rdms, points): (Vec<_>, Vec<_>) = std::mem::take(&mut cycle).into_iter().unzip();
-        for (rdm, points) in rdms.iter().zip(sub_frames::with_velocities(&header, points)) {
-            let tracks = tracker.step(&points).map_err(|e| refused(&arguments.cube, &e))?;
-            tell(rdm, &points, &tracks);
-            if arguments.pictures {
-                pictures::of_map(&header, rdm, &points, &arguments.out.join("pictures"))?;
-            }
-            maps.write(rdm)?;
-            clouds.write(&points)?;
-            followed.write(&tracks)?;
+        if cycle.len() == sub_frames::in_cycle(&header) {
+            products.write(std::mem::take(&mut cycle))?;
         }
     }
-    followed.finish()?;
-    maps.finish()?;
-    Ok(clouds.finish()?)
+    // A recording may end within a cycle.
+    products.write(cycle)?;
+    products.finish()
+}
+
+/// What comes out of a cube.
+struct Products<'a> {
+    header: &'a CubeHeader,
+    pictures: Option<PathBuf>,
+    maps: Writer<Rdm>,
+    clouds: Writer<Points>,
+    followed: Writer<Tracks>,
+    tracker: Tracker,
+}
+
+impl Products<'_> {
+    /// Writes the records of a cycle, whose points tell each other's velocities.
+    fn write(&mut self, cycle: Vec<(RdmFrame, PointsFrame)>) -> Result<(), Failure> {
+        let (rdms, points): (Vec<_>, Vec<_>) = cycle.into_iter().unzip();
+        for (rdm, points) in rdms.iter().zip(sub_frames::with_velocities(self.header, points)) {
+            let tracks = self.tracker.step(&points).map_err(Failure::refused)?;
+            tell(rdm, &points, &tracks);
+            if let Some(folder) = &self.pictures {
+                pictures::of_map(self.header, rdm, &points, folder)?;
+            }
+            self.maps.write(rdm)?;
+            self.clouds.write(&points)?;
+            self.followed.write(&tracks)?;
+        }
+        Ok(())
+    }
+
+    fn finish(self) -> Result<(), Failure> {
+        self.followed.finish()?;
+        self.maps.finish()?;
+        Ok(self.clouds.finish()?)
+    }
 }
 
 fn tell(rdm: &RdmFrame, points: &PointsFrame, tracks: &TracksFrame) {
