@@ -242,9 +242,14 @@ impl Tracker {
         }
     }
 
-    /// Whether an object reaches over the range and velocity at which a track expects its own.
+    /// Whether an object reaches over the range and velocity at which a track expects its own, in its direction: points that near
+    /// across are one object to the clusters.
     fn covers(&self, object: &Object, measurement: &Measurement, followed: &Followed) -> bool {
         let range_m = self.range_m(followed, measurement.up_m);
+        let across_m = measurement.azimuth_residual_rad(followed.bank.best()).sin().abs() * range_m;
+        if across_m > self.header.dsp.cluster_cross_m {
+            return false;
+        }
         let [near, far] = object.range_extent_m;
         let reach = near - self.site.range_cell_m()..=far + self.site.range_cell_m();
         reach.contains(&range_m) && rate_apart_mps(followed, measurement).abs() <= PIECE_MPS

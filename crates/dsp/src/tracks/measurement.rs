@@ -148,6 +148,11 @@ impl Measurement {
         apart_mps - self.span_mps.map_or(0.0, |span| span * (apart_mps / span).round())
     }
 
+    /// Measured azimuth less that of a state.
+    pub fn azimuth_residual_rad(&self, state: &Estimate) -> f64 {
+        turned(self.azimuth_rad - Sight::of(self, state).azimuth_rad)
+    }
+
     /// Extended Kalman filter, each number with the derivatives where the ones before it have led.
     pub fn updated(&self, expected: &Estimate) -> Update {
         let sight = Sight::of(self, expected);
