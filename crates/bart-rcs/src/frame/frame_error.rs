@@ -90,16 +90,57 @@ pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference
     Reference { by_order_m, other_m, left_out_m, frequencies_hz }
 }
 
-/// Mean over the band's three points of |S − S(ten times finer)|², at the moment of `scatterer`.
-pub(crate) fn integration_power(scatterer: &Scatterer<'_>, plan: &Plan<'_>, meetings: &[Meeting]) -> f64 {
-    let wavenumbers = plan.band.wavenumbers_per_m();
-    let fine = Fineness::ten_times(&wavenumbers, plan);
-    let coarse = Fineness { accuracy: 10.0 * fine.accuracy, ..fine };
-    let all = |fineness: &Fineness<'_>| {
-        let bracket = bracket_of(plan.header.fidelity.nodes);
-        total(meetings.iter().map(|m| of_meeting(scatterer, plan, m, bracket, fineness)), wavenumbers.len())
+/// Integrals of one fineness against ones ten times finer, at the moment of `scatterer`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct IntegrationError {
+    /// Of every node integral.
+    pub(crate) accuracy: f64,
+    /// Mean over the band's three points of |S − S(ten times finer)|².
+    pub(crate) power: f64,
+    /// The same of |S|².
+    of: f64,
+}
+
+impl IntegrationError {
+    /// Whether it leaves the frame's other errors their part of what is asked for.
+    fn is_within(self, asked: f64) -> bool {
+        MARGIN * self.power.sqrt() <= INTEGRATION_SHARE * asked * self.of.sqrt()
+    }
+}
+
+/// Of the accuracy asked for; freezing and what is dropped have the rest, √(1 − 0.7²) = 0.71.
+const INTEGRATION_SHARE: f64 = 0.7;
+/// Steps by which integrals are made finer where they err by too much, and how many are tried.
+const FINER: f64 = 0.25;
+const FINER_MOST: u32 = 3;
+
+/// As fine as the accuracy asked for needs: bounds of tiles are relative to what tiles scatter, and where large parts of a body
+/// cancel, what is left of the sum is known to less.
+pub(crate) fn integration_error(scatterer: &Scatterer<'_>, plan: &Plan<'_>, meetings: &[Meeting]) -> IntegrationError {
+    let asked = plan.header.fidelity.accuracy.amplitude();
+    let mut found = integration_error_at(scatterer, plan, meetings, asked);
+    for _ in 0..FINER_MOST {
+        if found.is_within(asked) {
+            break;
+        }
+        found = integration_error_at(scatterer, plan, meetings, FINER * found.accuracy);
+    }
+    found
+}
+
+fn integration_error_at(
+    scatterer: &Scatterer<'_>,
+    plan: &Plan<'_>,
+    meetings: &[Meeting],
+    accuracy: f64,
+) -> IntegrationError {
+    let wavenumbers_per_m = &plan.band.wavenumbers_per_m();
+    let all = |accuracy: f64| {
+        let (bracket, fineness) = (bracket_of(plan.header.fidelity.nodes), Fineness { wavenumbers_per_m, accuracy });
+        total(meetings.iter().map(|m| of_meeting(scatterer, plan, m, bracket, &fineness)), wavenumbers_per_m.len())
     };
-    mean_difference(&all(&fine), &all(&coarse))
+    let fine = all(0.1 * accuracy);
+    IntegrationError { accuracy, power: mean_difference(&fine, &all(accuracy)), of: mean(&fine) }
 }
 
 #[derive(Clone, Copy)]

@@ -2,7 +2,9 @@
 
 use crate::bodies::world::World;
 use crate::frame::edge_cells::edge_cells;
-use crate::frame::frame_error::{FrameError, GivenUp, Reference, dropped_sections, integration_power};
+use crate::frame::frame_error::{
+    FrameError, GivenUp, IntegrationError, Reference, dropped_sections, integration_error,
+};
 use crate::frame::path_cells::{Cell, CellSettings, cells, gathered};
 use crate::frame::path_plan::{Band, Plan};
 use crate::frame::path_pruning::pruned;
@@ -30,7 +32,7 @@ pub(crate) struct Fit<'a> {
     reference: &'a Reference,
     /// By order from 1.
     meetings: Vec<Meeting>,
-    integration_power: f64,
+    integration: IntegrationError,
     beams_given_up: [f64; 2],
 }
 
@@ -44,9 +46,9 @@ impl<'a> Fit<'a> {
         let fidelity = &plan.header.fidelity;
         let of_order = |order: u8| Meeting::of(scatterer, order, &plan.meetings());
         let meetings: Vec<Meeting> = (1..=fidelity.bounces).map(of_order).collect();
-        let integration_power = integration_power(scatterer, plan, &meetings);
+        let integration = integration_error(scatterer, plan, &meetings);
         let beams_given_up = dropped_sections(scatterer, plan, &meetings);
-        Self { scatterer, plan, points, reference, meetings, integration_power, beams_given_up }
+        Self { scatterer, plan, points, reference, meetings, integration, beams_given_up }
     }
 
     /// The table with the largest cells that meet the accuracy; the best found where none does within a few attempts.
@@ -77,7 +79,7 @@ impl<'a> Fit<'a> {
             size_m,
             velocity_quantum_mps: velocity_quantum_mps(self.plan.header),
             wavenumbers_per_m: &wavenumbers,
-            accuracy: self.plan.header.fidelity.accuracy.amplitude(),
+            accuracy: self.integration.accuracy,
             bracket: bracket_of(self.plan.header.fidelity.nodes),
         };
         let ends = [Antenna::Point(self.plan.position_m); 2];
@@ -92,7 +94,7 @@ impl<'a> Fit<'a> {
         paths.extend_from_slice(self.points);
         let given_up = GivenUp {
             paths_power: kept.dropped_power,
-            integration_power: self.integration_power,
+            integration_power: self.integration.power,
             beams: self.beams_given_up,
         };
         let error = FrameError::measured_on(self.plan, &paths, self.points, self.reference, &given_up);
