@@ -1,7 +1,7 @@
 //! `[traffic]`: vehicles that move as SUMO recorded them.
 //!
 //! The recording is read once, step by step ([`fcd`]); of every step only what the radar has in view at a frame's first
-//! sample is kept ([`in_view`]), placed between the steps by [`interpolation`]. So memory grows with what is in view in the
+//! sample is kept (`in_view`), placed between the steps by `interpolation`. So memory grows with what is in view in the
 //! frames asked for, not with the recording.
 
 pub mod fcd;
