@@ -268,7 +268,7 @@ impl Tracker {
             let (place, velocity) = (DVec2::new(state.mean.x, state.mean.y), DVec2::new(state.mean.z, state.mean.w));
             let older = kept.iter_mut().filter(|f| f.is_believed).find(|f| {
                 let mean = f.bank.best().mean;
-                f.body.holds(f.bank.best(), place, self.settings.body_width_m, 0.0)
+                f.body.holds(f.bank.best(), place, self.settings.body_width_m, PIECE_MARGIN_M)
                     && (DVec2::new(mean.z, mean.w) - velocity).length() <= PIECE_MPS
             });
             match older {

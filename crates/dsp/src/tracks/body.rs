@@ -22,6 +22,8 @@ const OUTWARDS: f64 = 0.5;
 const INWARDS: f64 = 0.05;
 /// Slower bodies keep their heading: a standing one has none of its own.
 const SLOWEST_MPS: f64 = 1.0;
+/// Of cars; which end of one is seen is not known, so half of what is not is allowed for on either side.
+const SHORTEST_M: f64 = 4.0;
 /// A heading is believed when the velocity is this many standard deviations from none.
 const SURE: f64 = 3.0;
 
@@ -68,11 +70,13 @@ impl Body {
         self.is_seen = true;
     }
 
-    /// Whether a place lies in the box, widened by `margin_m` on all sides.
+    /// Whether a place lies in the box, widened by `margin_m` on all sides; a box of which little was seen reaches as far as the
+    /// shortest car.
     pub(super) fn holds(&self, state: &Estimate, place: DVec2, width_m: f64, margin_m: f64) -> bool {
         let away = place - DVec2::new(state.mean.x, state.mean.y);
         let (along, across) = (away.dot(self.forward()), away.perp_dot(self.forward()));
-        let [back, front] = self.ends_m;
+        let unseen_m = 0.5 * (SHORTEST_M - (self.ends_m[1] - self.ends_m[0])).max(0.0);
+        let [back, front] = [self.ends_m[0] - unseen_m, self.ends_m[1] + unseen_m];
         (back - margin_m..=front + margin_m).contains(&along) && across.abs() <= 0.5 * width_m + margin_m
     }
 
