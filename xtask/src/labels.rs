@@ -7,6 +7,7 @@
 //! and powers of single paths would say nothing of it. A point whose paths all together stay below the noise is a false alarm
 //! and has no label.
 
+use crate::path_legs::legs;
 use artifact::cube::CubeHeader;
 use artifact::paths::{Path, PathsFrame};
 use artifact::points::{Label, Point};
@@ -61,26 +62,18 @@ struct Echo {
 
 impl Echo {
     fn of(radar: &Radar, path: &Path) -> Self {
-        let leg = |x: [f64; 3], v: [f64; 3], a: [f64; 3]| {
-            let middle_s = radar.frame_middle_s();
-            let gained = DVec3::from(a) * middle_s;
-            let velocity = DVec3::from(v) + gained;
-            let away = DVec3::from(x) + (velocity - 0.5 * gained) * middle_s - DVec3::from(radar.position_m);
-            (away.length(), away.dot(velocity) / away.length(), away / away.length())
-        };
-        let curve = &path.curve;
-        let (there_m, there_mps, there) = leg(path.apparent_tx_m, path.apparent_tx_mps, curve.apparent_tx_mps2);
-        let (back_m, back_mps, back) = leg(path.apparent_rx_m, path.apparent_rx_mps, curve.apparent_rx_mps2);
-        let (w, delay_s) = (&radar.waveform, (there_m + back_m) / SPEED_OF_LIGHT_MPS);
+        let [there, back] = legs(radar, path);
+        let (w, length_m) = (&radar.waveform, there.length_m + back.length_m);
+        let delay_s = length_m / SPEED_OF_LIGHT_MPS;
         let (receive, transmit) = radar.array.polarization.indices();
         let cycles = w.centre_frequency_hz() * delay_s - 0.5 * w.slope_hz_per_s * delay_s * delay_s;
-        let strength = path.amplitude_m[receive][transmit].conj() / (there_m * back_m);
+        let strength = path.amplitude_m[receive][transmit].conj() / (there.length_m * back.length_m);
         Self {
             group: (path.target, path.order),
             value: link_amplitude(radar) * strength * Complex64::from_polar(1.0, TAU * cycles.fract()),
-            range_m: 0.5 * (there_m + back_m),
-            radial_velocity_mps: 0.5 * (there_mps + back_mps),
-            directions: [there, back],
+            range_m: 0.5 * length_m,
+            radial_velocity_mps: 0.5 * (there.rate_mps + back.rate_mps),
+            directions: [there.direction, back.direction],
         }
     }
 }

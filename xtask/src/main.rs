@@ -13,6 +13,7 @@ mod keys;
 mod stages;
 mod plan;
 mod chain;
+mod path_legs;
 mod truth;
 mod labels;
 mod metrics;

@@ -1,6 +1,7 @@
 //! What is true of each target, and which detected object it is compared with. Only reports come here: nothing behind
 //! the radar cube reads it.
 
+use crate::path_legs::legs;
 use artifact::paths::{Path, PathsFrame};
 use artifact::points::Object;
 use artifact::scene::{Pose, SceneFrame, SceneHeader};
@@ -72,22 +73,12 @@ fn is_wholly_on(target: usize, path: &Path) -> bool {
 
 /// Power of a path up to a common factor, |a|²/(L₁L₂)², and half its length and rate at the frame's middle.
 fn received(header: &SceneHeader, path: &Path) -> (f64, Echo) {
-    let (there_m, there_mps) = leg(header, path.apparent_tx_m, path.apparent_tx_mps, path.curve.apparent_tx_mps2);
-    let (back_m, back_mps) = leg(header, path.apparent_rx_m, path.apparent_rx_mps, path.curve.apparent_rx_mps2);
+    let [there, back] = legs(&header.radar, path);
     let (receive, transmit) = header.radar.array.polarization.indices();
-    let power = path.amplitude_m[receive][transmit].norm_sqr() / (there_m * back_m).powi(2);
-    let echo = Echo { range_m: 0.5 * (there_m + back_m), radial_velocity_mps: 0.5 * (there_mps + back_mps) };
+    let power = path.amplitude_m[receive][transmit].norm_sqr() / (there.length_m * back.length_m).powi(2);
+    let range_m = 0.5 * (there.length_m + back.length_m);
+    let echo = Echo { range_m, radial_velocity_mps: 0.5 * (there.rate_mps + back.rate_mps) };
     (power, echo)
-}
-
-/// Of a wheel that of its hub.
-fn leg(header: &SceneHeader, apparent_m: [f64; 3], apparent_mps: [f64; 3], apparent_mps2: [f64; 3]) -> (f64, f64) {
-    let middle_s = header.radar.frame_middle_s();
-    let gained = DVec3::from(apparent_mps2) * middle_s;
-    let velocity = DVec3::from(apparent_mps) + gained;
-    let at_middle = DVec3::from(apparent_m) + (velocity - 0.5 * gained) * middle_s;
-    let away = at_middle - DVec3::from(header.radar.position_m);
-    (away.length(), away.dot(velocity) / away.length())
 }
 
 /// For each truth the object it is compared with: the nearest within the gates; no object serves two targets.

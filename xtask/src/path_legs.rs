@@ -1,0 +1,33 @@
+//! Where a path's node appears in the frame's middle, seen from the radar's position.
+
+use artifact::paths::Path;
+use artifact::radar::Radar;
+use glam::DVec3;
+
+/// The way to a node as it appears from one end.
+pub(crate) struct Leg {
+    pub(crate) length_m: f64,
+    /// Positive where the length grows.
+    pub(crate) rate_mps: f64,
+    /// Unit vector away from the radar.
+    pub(crate) direction: DVec3,
+}
+
+/// From the transmitter, from the receiver; of a wheel those of its hub.
+pub(crate) fn legs(radar: &Radar, path: &Path) -> [Leg; 2] {
+    let curve = &path.curve;
+    [
+        leg(radar, path.apparent_tx_m, path.apparent_tx_mps, curve.apparent_tx_mps2),
+        leg(radar, path.apparent_rx_m, path.apparent_rx_mps, curve.apparent_rx_mps2),
+    ]
+}
+
+fn leg(radar: &Radar, apparent_m: [f64; 3], apparent_mps: [f64; 3], apparent_mps2: [f64; 3]) -> Leg {
+    let middle_s = radar.frame_middle_s();
+    let gained = DVec3::from(apparent_mps2) * middle_s;
+    let velocity = DVec3::from(apparent_mps) + gained;
+    let at_middle = DVec3::from(apparent_m) + (velocity - 0.5 * gained) * middle_s;
+    let away = at_middle - DVec3::from(radar.position_m);
+    let length_m = away.length();
+    Leg { length_m, rate_mps: away.dot(velocity) / length_m, direction: away / length_m }
+}
