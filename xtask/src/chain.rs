@@ -4,6 +4,7 @@
 use crate::cache::Cache;
 use crate::failure::Failure;
 use crate::keys::{FrameKeys, SceneParts, cube_header, echo_header};
+use crate::measured_frames::MeasuredFrames;
 use crate::plan::FramePlan;
 use crate::progress::Work;
 use crate::stages::Stage;
@@ -19,7 +20,7 @@ use artifact::settings::{Class, EchoMode};
 use artifact::{Accuracy, ErrorBudget, ModelError, Schema};
 use classifier::Classifier;
 use std::path::Path;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 use std::time::Instant;
 
 /// What the tracer hands to the echo.
@@ -105,12 +106,14 @@ pub(crate) struct Chain<'a> {
     model: Option<&'a LoadedModel>,
     parts: SceneParts,
     bodies: OnceLock<Result<bart_rcs::Models, String>>,
+    measured: MeasuredFrames,
 }
 
 impl<'a> Chain<'a> {
     pub(crate) fn of(header: &'a SceneHeader, cache: Option<&'a Cache>, model: Option<&'a LoadedModel>) -> Self {
         let (cube_header, parts) = (cube_header(header), SceneParts::of(header));
-        Self { header, cube_header, echo_header: echo_header(header), cache, model, parts, bodies: OnceLock::new() }
+        let (echo_header, bodies, measured) = (echo_header(header), OnceLock::new(), MeasuredFrames::default());
+        Self { header, cube_header, echo_header, cache, model, parts, bodies, measured }
     }
 
     /// What one frame needs and why.
@@ -238,12 +241,9 @@ impl<'a> Chain<'a> {
         let view = || scene::frame_view(self.header, scene.index);
         match self.header.fidelity.echo {
             EchoMode::Paths => {
-                let compute = || {
-                    let traced =
-                        bart_rcs::trace_frame(self.bodies(scene)?, &view(), scene).map_err(Failure::refused)?;
-                    Ok(bart_rcs::reduced(&view(), traced))
-                };
+                let compute = || Ok(bart_rcs::reduced(&view(), self.traced(scene)?));
                 let step = self.step::<Paths>(plan, stage, key, &self.paths_header(), compute)?;
+                self.measured.keep(self.header, scene.index, &step.value);
                 let (index, time_s) = (scene.index, scene.time_s);
                 Ok(step.map(|frame| Scattering::Paths(PathsFrame { index, time_s, ..frame })))
             }
@@ -254,6 +254,27 @@ impl<'a> Chain<'a> {
                 Ok(step.map(|frame| Scattering::Tables(RcsFrame { index, time_s, ..frame })))
             }
         }
+    }
+
+    /// Measured, or like the frame that was.
+    fn traced(&self, scene: &SceneFrame) -> Result<PathsFrame, Failure> {
+        let (view, bodies) = (scene::frame_view(self.header, scene.index), self.bodies(scene)?);
+        let measured_in = self.header.measured_in(scene.index);
+        let traced = if measured_in == scene.index {
+            bart_rcs::trace_frame(bodies, &view, scene)
+        } else {
+            bart_rcs::trace_frame_like(bodies, &view, scene, &*self.measured_frame(measured_in)?)
+        };
+        traced.map_err(Failure::refused)
+    }
+
+    /// What was measured in a frame; computed where no earlier frame of this run needed it.
+    fn measured_frame(&self, index: u32) -> Result<Arc<PathsFrame>, Failure> {
+        if let Some(known) = self.measured.get(index) {
+            return Ok(known);
+        }
+        self.scattering(&self.plan(index), &scene::snapshot(self.header, index))?;
+        self.measured.get(index).ok_or_else(|| Failure::refused(format!("frame {index} has no paths")))
     }
 
     /// The models of all targets; refused where the frame is not expected to fit into the memory that it may take.

@@ -5,7 +5,7 @@ use artifact::cube::CubeHeader;
 use artifact::envelope::fingerprint;
 use artifact::radar::Hardware;
 use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
-use artifact::settings::{Detail, Noise};
+use artifact::settings::{Detail, EchoMode, Noise};
 
 /// Everything that one frame of one stage depends on.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -72,7 +72,7 @@ pub(crate) struct FrameKeys {
 
 impl FrameKeys {
     pub(crate) fn of(header: &SceneHeader, parts: &SceneParts, frame: &SceneFrame, model: Option<&str>) -> Self {
-        let bart_rcs = bart_rcs(header, parts, frame);
+        let bart_rcs = measured_or_like(header, parts, frame);
         let fmcw_echo = fmcw_echo(header, parts, &bart_rcs, frame);
         let dsp = Key::of(Stage::Dsp, vec![("echo", fmcw_echo.id()), ("dsp settings", fingerprint(&header.dsp))]);
         let of_model = |model: &str| Key::of(Stage::Classifier, vec![("maps", dsp.id()), ("model", model.to_owned())]);
@@ -89,6 +89,22 @@ impl FrameKeys {
             Stage::Classifier => self.classifier.as_ref(),
         }
     }
+}
+
+/// A frame that takes over what was measured in another one depends on that one too; where nothing moved in between it is that
+/// one.
+fn measured_or_like(header: &SceneHeader, parts: &SceneParts, frame: &SceneFrame) -> Key {
+    let own = bart_rcs(header, parts, frame);
+    let measured_in = header.measured_in(frame.index);
+    if measured_in == frame.index || header.fidelity.echo == EchoMode::RcsTable {
+        return own;
+    }
+    let measured = bart_rcs(header, parts, &scene::snapshot(header, measured_in));
+    if measured == own {
+        return own;
+    }
+    let also = ("measured frame".to_owned(), measured.id());
+    Key { parts: own.parts.into_iter().chain([also]).collect() }
 }
 
 /// Without the frame's number and time: bodies that stand still scatter the same in every frame. Of recorded vehicles only

@@ -6,6 +6,7 @@ mod failure;
 mod interrupt;
 mod output;
 mod progress;
+mod measured_frames;
 mod memory;
 mod cache;
 mod checkpoint;

@@ -1,5 +1,6 @@
 //! `summary.json`: its keys are promised in `docs/interface.md`.
 
+use crate::measured_frames::errors_of_frame;
 use crate::stages::Stage;
 use crate::truth::{Truth, assign, truths};
 use artifact::accuracy::{ErrorBudget, ModelError};
@@ -52,6 +53,7 @@ fn radar(header: &SceneHeader) -> Value {
 
 /// One frame with its targets, truth beside estimate.
 pub(crate) fn frame(header: &SceneHeader, result: &FrameResult) -> Value {
+    let measured_in = result.paths.as_ref().map(|paths| errors_of_frame(header, result.scene.index, paths));
     let header = &header.in_frame(result.scene.index);
     let truths = truths(header, &result.scene, result.paths.as_ref());
     let chosen = assign(&truths, &result.points.objects);
@@ -69,6 +71,7 @@ pub(crate) fn frame(header: &SceneHeader, result: &FrameResult) -> Value {
         "rdm_state": if abnormal { "abnormal" } else { "normal" },
         "velocity_resolved": resolved,
         "error_db": error_db(&result.error),
+        "error_measured_in": measured_in,
         "model_error_db": model_error_db(&result.model_error),
         "memory_estimate_mib": result.memory_estimate_mib,
         "peak_memory_mib": crate::memory::peak_mib(),

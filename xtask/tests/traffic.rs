@@ -102,6 +102,32 @@ fn frames_side_by_side_have_the_bytes_of_frames_one_by_one() {
     assert_eq!(ids.collect::<Vec<_>>(), ["a", "b"]);
 }
 
+/// With `measured_every = 3`: frames between take over, and whatever was computed first, with a cache, without one, or one frame
+/// alone, they are the same.
+#[test]
+fn frames_between_measured_ones_tell_whose_error_they_have_and_have_the_same_bytes_in_any_order() {
+    let place = Workplace::new();
+    let vehicles = [("a", "motorcycle", 2.0, 30.0), ("b", "motorcycle", 5.75, 33.0)];
+    write(&place, "drive", &recording(&vehicles, 8.0, 5));
+    let every_third = scene("drive").replace("bounces = 1", "bounces = 1\nmeasured_every = 3");
+    std::fs::write(place.path("drive.toml"), every_third).unwrap();
+    place.run("run drive.toml --out together --threads 3 --no-cache --quiet");
+    place.run("paths drive.toml --out alone.paths --quiet");
+    place.run("run drive.toml --out cached --threads 1 --quiet");
+    place.run("run drive.toml --out again --threads 1 --quiet");
+    for other in ["alone.paths", "cached/frames.paths", "again/frames.paths"] {
+        assert_eq!(place.bytes("together/frames.paths"), place.bytes(other), "{other}");
+    }
+    let summary = place.summary("together/summary.json");
+    let frames = summary["frames"].as_array().unwrap();
+    let measured_in: Vec<_> = frames.iter().map(|f| f["error_measured_in"].as_u64().unwrap()).collect();
+    assert_eq!(measured_in, [0, 0, 0, 3, 3]);
+    for (frame, measured_in) in frames.iter().zip(&measured_in) {
+        assert_eq!(frame["error_db"]["freezing"], frames[*measured_in as usize]["error_db"]["freezing"]);
+    }
+    assert_ne!(frames[0]["error_db"]["freezing"], frames[3]["error_db"]["freezing"], "each is measured itself");
+}
+
 /// Of two recordings one has more vehicles out of view and goes on for longer: frames that both have are found in the cache.
 #[test]
 fn a_longer_recording_leaves_the_frames_that_it_had_in_the_cache() {

@@ -11,7 +11,7 @@ pub struct Paths;
 
 impl Schema for Paths {
     const NAME: &'static str = "paths";
-    const VERSION: u32 = 4;
+    const VERSION: u32 = 5;
     type Header = PathsHeader;
     type Frame = PathsFrame;
 }
@@ -134,8 +134,31 @@ pub struct TraceStatistics {
     pub dropped_power_ratio: f64,
     /// Bytes that the tracer's own structures held at most, estimated.
     pub bytes: u64,
+    /// How finely bodies were cut and integrated; `None` where there was no body.
+    pub fineness: Option<Fineness>,
+    /// Where `error` and `model_error` come from.
+    pub origin: ErrorOrigin,
     /// What became of each target's paths; empty where nothing was asked of them.
     pub detail: Vec<TargetDetail>,
+}
+
+/// What the accuracy asked for turned out to need.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Fineness {
+    /// Largest side of the parts of a facet that are one path.
+    pub cell_m: f64,
+    /// Relative accuracy of every integral.
+    pub integrals: f64,
+}
+
+/// Whether a frame's errors were measured in it.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum ErrorOrigin {
+    /// In this frame.
+    #[default]
+    Measured,
+    /// In another frame, whose fineness this one has.
+    TakenOver,
 }
 
 /// A target's level of detail.

@@ -122,6 +122,12 @@ impl SceneHeader {
         f64::from(cycle) * self.frame_interval_s + self.radar.sub_frame_start_s(index)
     }
 
+    /// The frame record whose measured error record `index` takes over; itself where its own is measured.
+    pub fn measured_in(&self, index: u32) -> u32 {
+        let sub_frames = self.radar.schedule.sub_frames();
+        index - index / sub_frames % self.fidelity.measured_every.max(1) * sub_frames
+    }
+
     /// The scene of frame record `index` alone: its sub-frame's radar ([`Radar::in_frame`]).
     pub fn in_frame(&self, index: u32) -> Cow<'_, Self> {
         if self.radar.schedule.sub_frames() == 1 {

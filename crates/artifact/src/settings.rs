@@ -113,6 +113,8 @@ pub struct Fidelity {
     pub echo: EchoMode,
     /// How much of the paths the echo is made of.
     pub detail: Detail,
+    /// The error of the paths is measured in every n-th frame ([`SceneHeader::measured_in`](crate::scene::SceneHeader)).
+    pub measured_every: u32,
 }
 
 /// Taper of an FFT axis, periodic, of unit coherent gain.

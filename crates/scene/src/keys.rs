@@ -132,6 +132,7 @@ pub(crate) const FIDELITY: Table = Table {
         "nodes",
         "echo",
         "detail",
+        "measured_every",
         "materials",
         "transmission",
     ],

@@ -144,6 +144,7 @@ pub(crate) fn read_fidelity(root: &Section<'_>) -> Fidelity {
                     .map(|d| (d.name(), d)),
             )
             .unwrap_or(Detail::Paths),
+        measured_every: section.integer("measured_every", Allowed::Between(1.0, 1e6)).unwrap_or(1) as u32,
     }
 }
 

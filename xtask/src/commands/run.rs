@@ -93,9 +93,12 @@ fn resolved(chain: &Chain, mut cycle: Vec<FrameProducts>) -> Vec<FrameProducts> 
 }
 
 /// Frames computed at the same time, in their order. Where bodies stand as in another of them, a frame waits for that one's
-/// paths and finds them in the cache.
+/// paths and finds them in the cache; so does one that takes over what is measured in another.
 fn side_by_side(chain: &Chain, plans: &[FramePlan]) -> Result<Vec<FrameProducts>, Failure> {
-    let is_new = |i: usize| plans[..i].iter().all(|earlier| earlier.keys.bart_rcs != plans[i].keys.bart_rcs);
+    let waits_for = |i: usize, earlier: &FramePlan| {
+        earlier.keys.bart_rcs == plans[i].keys.bart_rcs || earlier.index == chain.header.measured_in(plans[i].index)
+    };
+    let is_new = |i: usize| plans[..i].iter().all(|earlier| !waits_for(i, earlier));
     let (new, known): (Vec<usize>, Vec<usize>) = (0..plans.len()).partition(|i| is_new(*i));
     let mut frames = at_once(chain, new.into_iter().map(|i| &plans[i]))?;
     frames.extend(at_once(chain, known.into_iter().map(|i| &plans[i]))?);

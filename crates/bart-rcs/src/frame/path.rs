@@ -8,12 +8,14 @@ use crate::error::BartError;
 use crate::frame::frame_error::reference;
 use crate::frame::nearest_surface::nearest_range_m;
 use crate::frame::path_plan::Plan;
-use crate::frame::path_table::Fit;
+use crate::frame::path_table::{Fit, paths_as_fine};
 use crate::frame::road_left_out::road_left_out;
 use crate::geometry::antenna::Antenna;
 use crate::joins::join::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH, check_order};
-use artifact::paths::{Amplitude, Curve, Facet, MAX_ORDER, Path, PathsFrame, Rim, TraceStatistics};
+use artifact::paths::{
+    Amplitude, Curve, ErrorOrigin, Facet, Fineness, MAX_ORDER, Path, PathsFrame, Rim, TraceStatistics,
+};
 use artifact::scene::{Pose, SceneFrame, SceneHeader, Target, TargetKind, Wheel};
 use artifact::settings::Surface;
 use artifact::{ErrorBudget, ModelError};
@@ -44,25 +46,84 @@ pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) ->
     let snapshot = Snapshot::at(models, header, frame, (plan.middle_s, plan.position_m), &plan)?;
     let points = point_paths(header, frame);
     let table = Fit::new(&snapshot.scatterer(&plan), &plan, &points, &reference).table();
-    let counts = (1..=header.fidelity.bounces).map(|order| count(&table.paths, order)).collect();
-    let dropped_power_ratio = table.error.dropped_at_most.powi(2);
     let bent = (header.fidelity.surface == Surface::Smooth).then(|| snapshot.world.skin_error());
-    Ok(PathsFrame {
-        index: frame.index,
-        time_s: frame.time_s,
-        nearest_range_m: nearest_range_m(&snapshot.world, &snapshot.tree, plan.position_m, header.targets.len()),
+    let has_bodies = !snapshot.world.facets().is_empty();
+    let measured = Measured {
         error: ErrorBudget { tessellation: bent, ..table.error.budget() },
         model_error: ModelError { road, ..reference.model_error() },
+        dropped_power_ratio: table.error.dropped_at_most.powi(2),
+        fineness: has_bodies.then_some(table.fineness),
+        origin: ErrorOrigin::Measured,
+        bytes: check_bytes,
+    };
+    Ok(paths_frame(&plan, frame, &snapshot, table.paths, measured))
+}
+
+/// The same with what was `measured` in another frame of the scene near this one: its cells and integrals are as fine, and its
+/// errors are told as this one's. Nothing is traced or integrated twice, which makes such a frame three to six times cheaper.
+/// Where that frame had no bodies this one is measured itself; `trace.origin` says so.
+pub fn trace_frame_like(
+    models: &Models,
+    header: &SceneHeader,
+    frame: &SceneFrame,
+    measured: &PathsFrame,
+) -> Result<PathsFrame, BartError> {
+    let Some(fineness) = measured.trace.fineness else { return trace_frame(models, header, frame) };
+    let header = &header.in_frame(frame.index);
+    check_order(header.fidelity.bounces)?;
+    check_road(header)?;
+    let plan = Plan::of(header);
+    let snapshot = Snapshot::at(models, header, frame, (plan.middle_s, plan.position_m), &plan)?;
+    let mut paths = paths_as_fine(&snapshot.scatterer(&plan), &plan, fineness);
+    paths.extend(point_paths(header, frame));
+    let taken_over = Measured {
+        error: ErrorBudget { detail: None, ..measured.error },
+        model_error: measured.model_error,
+        dropped_power_ratio: measured.trace.dropped_power_ratio,
+        fineness: Some(fineness),
+        origin: ErrorOrigin::TakenOver,
+        bytes: 0,
+    };
+    Ok(paths_frame(&plan, frame, &snapshot, paths, taken_over))
+}
+
+/// What is told of a frame's paths beside themselves.
+struct Measured {
+    error: ErrorBudget,
+    model_error: ModelError,
+    dropped_power_ratio: f64,
+    fineness: Option<Fineness>,
+    origin: ErrorOrigin,
+    /// Held at most by what they were compared with.
+    bytes: u64,
+}
+
+fn paths_frame(
+    plan: &Plan<'_>,
+    frame: &SceneFrame,
+    snapshot: &Snapshot,
+    paths: Vec<Path>,
+    measured: Measured,
+) -> PathsFrame {
+    let bodies = plan.header.targets.len();
+    PathsFrame {
+        index: frame.index,
+        time_s: frame.time_s,
+        nearest_range_m: nearest_range_m(&snapshot.world, &snapshot.tree, plan.position_m, bodies),
+        error: measured.error,
+        model_error: measured.model_error,
         trace: TraceStatistics {
             triangles: snapshot.world.triangles() as u64,
             beams: snapshot.tree.audit.orders.iter().map(|order| order.beams).collect(),
-            paths: counts,
-            dropped_power_ratio,
-            bytes: snapshot.bytes().max(check_bytes),
+            paths: (1..=plan.header.fidelity.bounces).map(|order| count(&paths, order)).collect(),
+            dropped_power_ratio: measured.dropped_power_ratio,
+            bytes: snapshot.bytes().max(measured.bytes),
+            fineness: measured.fineness,
+            origin: measured.origin,
             detail: vec![],
         },
-        paths: table.paths,
-    })
+        paths,
+    }
 }
 
 /// Bodies and beams of one moment and place.

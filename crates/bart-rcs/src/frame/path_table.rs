@@ -7,11 +7,11 @@ use crate::frame::frame_error::{
 };
 use crate::frame::path_cells::{Cell, CellSettings, cells, gathered};
 use crate::frame::path_plan::{Band, Plan};
-use crate::frame::path_pruning::pruned;
+use crate::frame::path_pruning::{Kept, pruned};
 use crate::geometry::antenna::Antenna;
 use crate::joins::scatterer::{Scatterer, bracket_of};
 use crate::table::meeting::Meeting;
-use artifact::paths::{Curve, Path};
+use artifact::paths::{Curve, Fineness, Path};
 use artifact::scene::SceneHeader;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
@@ -20,18 +20,56 @@ use std::f64::consts::TAU;
 /// Paths with what was measured of them.
 pub(crate) struct PathTable {
     pub(crate) paths: Vec<Path>,
+    pub(crate) fineness: Fineness,
     pub(crate) error: FrameError,
+}
+
+/// Paths of bodies as fine as was enough in another frame, in no larger cells than this frame's motion and band allow.
+pub(crate) fn paths_as_fine(scatterer: &Scatterer<'_>, plan: &Plan<'_>, fineness: Fineness) -> Vec<Path> {
+    let cell_m = fineness.cell_m.min(largest_cell_m(plan, scatterer.world));
+    Parts::of(scatterer, plan).paths(Fineness { cell_m, ..fineness }).paths
+}
+
+/// What paths are cut from.
+struct Parts<'a> {
+    scatterer: &'a Scatterer<'a>,
+    plan: &'a Plan<'a>,
+    /// By order from 1.
+    meetings: Vec<Meeting>,
+}
+
+impl<'a> Parts<'a> {
+    fn of(scatterer: &'a Scatterer<'a>, plan: &'a Plan<'a>) -> Self {
+        let of_order = |order: u8| Meeting::of(scatterer, order, &plan.meetings());
+        Self { scatterer, plan, meetings: (1..=plan.header.fidelity.bounces).map(of_order).collect() }
+    }
+
+    fn paths(&self, fineness: Fineness) -> Kept {
+        let wavenumbers = self.plan.band.wavenumbers_per_m();
+        let settings = CellSettings {
+            size_m: fineness.cell_m,
+            velocity_quantum_mps: velocity_quantum_mps(self.plan.header),
+            wavenumbers_per_m: &wavenumbers,
+            accuracy: fineness.integrals,
+            bracket: bracket_of(self.plan.header.fidelity.nodes),
+        };
+        let ends = [Antenna::Point(self.plan.position_m); 2];
+        let of_order = |meeting: &Meeting| {
+            let mut found = cells(self.scatterer, &meeting.facets, &settings);
+            found.extend(edge_cells(self.scatterer, &meeting.edges, &settings));
+            gathered(found, ends, &settings)
+        };
+        let found = self.meetings.iter().flat_map(of_order);
+        pruned(found.map(|cell| path_of(&cell, &self.plan.band, self.plan.middle_s)).collect(), self.plan)
+    }
 }
 
 /// What every attempt at a table starts from.
 pub(crate) struct Fit<'a> {
-    scatterer: &'a Scatterer<'a>,
-    plan: &'a Plan<'a>,
+    parts: Parts<'a>,
     /// Paths of point targets: exact, and part of the frame.
     points: &'a [Path],
     reference: &'a Reference,
-    /// By order from 1.
-    meetings: Vec<Meeting>,
     integration: IntegrationError,
     beams_given_up: [f64; 2],
 }
@@ -43,20 +81,19 @@ impl<'a> Fit<'a> {
         points: &'a [Path],
         reference: &'a Reference,
     ) -> Self {
-        let fidelity = &plan.header.fidelity;
-        let of_order = |order: u8| Meeting::of(scatterer, order, &plan.meetings());
-        let meetings: Vec<Meeting> = (1..=fidelity.bounces).map(of_order).collect();
-        let integration = integration_error(scatterer, plan, &meetings);
-        let beams_given_up = dropped_sections(scatterer, plan, &meetings);
-        Self { scatterer, plan, points, reference, meetings, integration, beams_given_up }
+        let parts = Parts::of(scatterer, plan);
+        let integration = integration_error(scatterer, plan, &parts.meetings);
+        let beams_given_up = dropped_sections(scatterer, plan, &parts.meetings);
+        Self { parts, points, reference, integration, beams_given_up }
     }
 
     /// The table with the largest cells that meet the accuracy; the best found where none does within a few attempts.
     pub(crate) fn table(&self) -> PathTable {
         const ATTEMPTS: usize = 4;
-        let asked = self.plan.header.fidelity.accuracy.amplitude();
-        let smallest_m = self.plan.band.wavelength_m();
-        let mut size_m = largest_cell_m(self.plan, self.scatterer.world);
+        let Parts { scatterer, plan, .. } = self.parts;
+        let asked = plan.header.fidelity.accuracy.amplitude();
+        let smallest_m = plan.band.wavelength_m();
+        let mut size_m = largest_cell_m(plan, scatterer.world);
         let mut best = self.table_of(size_m);
         for _ in 1..ATTEMPTS {
             let error = best.error.measured();
@@ -73,32 +110,17 @@ impl<'a> Fit<'a> {
         best
     }
 
-    fn table_of(&self, size_m: f64) -> PathTable {
-        let wavenumbers = self.plan.band.wavenumbers_per_m();
-        let settings = CellSettings {
-            size_m,
-            velocity_quantum_mps: velocity_quantum_mps(self.plan.header),
-            wavenumbers_per_m: &wavenumbers,
-            accuracy: self.integration.accuracy,
-            bracket: bracket_of(self.plan.header.fidelity.nodes),
-        };
-        let ends = [Antenna::Point(self.plan.position_m); 2];
-        let of_order = |meeting: &Meeting| {
-            let mut found = cells(self.scatterer, &meeting.facets, &settings);
-            found.extend(edge_cells(self.scatterer, &meeting.edges, &settings));
-            gathered(found, ends, &settings)
-        };
-        let found = self.meetings.iter().flat_map(of_order);
-        let kept = pruned(found.map(|cell| path_of(&cell, &self.plan.band, self.plan.middle_s)).collect(), self.plan);
-        let mut paths = kept.paths;
+    fn table_of(&self, cell_m: f64) -> PathTable {
+        let fineness = Fineness { cell_m, integrals: self.integration.accuracy };
+        let Kept { mut paths, dropped_power } = self.parts.paths(fineness);
         paths.extend_from_slice(self.points);
         let given_up = GivenUp {
-            paths_power: kept.dropped_power,
+            paths_power: dropped_power,
             integration_power: self.integration.power,
             beams: self.beams_given_up,
         };
-        let error = FrameError::measured_on(self.plan, &paths, self.points, self.reference, &given_up);
-        PathTable { paths, error }
+        let error = FrameError::measured_on(self.parts.plan, &paths, self.points, self.reference, &given_up);
+        PathTable { paths, fineness, error }
     }
 }
 

@@ -96,5 +96,6 @@ fn fidelity() -> Fidelity {
         nodes: NodeRule::Middle,
         echo: EchoMode::Paths,
         detail: Detail::Paths,
+        measured_every: 1,
     }
 }

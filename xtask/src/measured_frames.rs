@@ -1,0 +1,41 @@
+//! What was measured in some frames, for the frames that take it over.
+
+use artifact::paths::{ErrorOrigin, PathsFrame};
+use artifact::scene::SceneHeader;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// Frames whose error was measured in this run, without their paths.
+#[derive(Default)]
+pub(crate) struct MeasuredFrames(Mutex<BTreeMap<u32, Arc<PathsFrame>>>);
+
+impl MeasuredFrames {
+    /// Remembers frame record `index` if others take over what was measured in it.
+    pub(crate) fn keep(&self, header: &SceneHeader, index: u32, frame: &PathsFrame) {
+        if header.fidelity.measured_every > 1 && header.measured_in(index) == index {
+            let without_paths = PathsFrame {
+                paths: vec![],
+                nearest_range_m: frame.nearest_range_m.clone(),
+                trace: frame.trace.clone(),
+                ..*frame
+            };
+            self.known().insert(index, Arc::new(without_paths));
+        }
+    }
+
+    pub(crate) fn get(&self, index: u32) -> Option<Arc<PathsFrame>> {
+        self.known().get(&index).cloned()
+    }
+
+    fn known(&self) -> MutexGuard<'_, BTreeMap<u32, Arc<PathsFrame>>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// The frame record in which the errors that are told of record `index` were measured.
+pub(crate) fn errors_of_frame(header: &SceneHeader, index: u32, paths: &PathsFrame) -> u32 {
+    match paths.trace.origin {
+        ErrorOrigin::Measured => index,
+        ErrorOrigin::TakenOver => header.measured_in(index),
+    }
+}
