@@ -10,8 +10,8 @@ const ONE_BY_ONE_S: f64 = 1.1e-9;
 const TRANSFORMS_S: f64 = 8e-8;
 /// Of a path's values and its share of the grids, for each pair of elements.
 const VALUES_S: f64 = 2.5e-7;
-/// Paths of one target from which on transforms are taken.
-const TRANSFORMED: usize = 256;
+/// Paths of one target from which on transforms are taken, at −60 dB.
+const TRANSFORMED: usize = 40;
 /// Of finding a path its cell and comparing the tables, all attempts.
 const MERGING_S: f64 = 3e-6;
 /// Of fitting centres to a path's field and comparing the tables, all attempts.

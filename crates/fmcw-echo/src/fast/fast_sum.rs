@@ -6,7 +6,7 @@
 
 use crate::direct_sum::{DirectSum, is_heard};
 use crate::fast::equal_steps::EqualSteps;
-use crate::fast::groups::{Group, groups};
+use crate::fast::groups::{Group, groups, paths_min};
 use crate::fast::instants::{Instant, Link, Listener, Tone};
 use crate::fast::kernel::CELLS_MAX;
 use crate::fast::scalar::{Scalar, rounded};
@@ -88,7 +88,8 @@ fn part_of_cube<T: Scalar>(listener: &Listener<'_>, paths: &[Path], error: f64) 
     let links = links(radar);
     let heard = paths.iter().filter(|path| is_heard(radar, path));
     let (on_rims, heard): (Vec<&Path>, Vec<&Path>) = heard.partition(|path| path.curve.rim.is_some());
-    let groups = groups(listener, &heard, &links, Asked { error: 0.6 * error, instants_max: INSTANTS_MAX });
+    let asked = Asked { error: 0.6 * error, instants_max: INSTANTS_MAX, paths_min: paths_min(error) };
+    let groups = groups(listener, &heard, &links, asked);
     let length = listener.steps.chirps * radar.waveform.samples as usize;
     let mut of_links = vec![Complex::new(T::zero(), T::zero()); links.len() * length];
     let mut alone: Vec<Path> = on_rims.into_iter().copied().collect();

@@ -21,10 +21,19 @@ pub(crate) fn groups<'p>(listener: &Listener<'_>, paths: &[&'p Path], links: &[L
 }
 
 /// Fewer are summed one by one: the transforms of a group's instants cost as much, whatever the channels, chirps and samples.
-pub(crate) const PATHS_MIN: usize = 256;
+/// Measured with 3 × 4 elements, 128 chirps of 256 samples: equal at 32 paths for −40 dB, 40 for −60, 64 for −80, 100 for −100
+/// and, in double precision, 200 for −120 dB (`echo_speed -- 64 1`).
+pub(crate) fn paths_min(error: f64) -> usize {
+    match error {
+        _ if error >= 1e-3 => 40,
+        _ if error >= 1e-4 => 64,
+        _ if error >= 1e-5 => 100,
+        _ => 200,
+    }
+}
 
 fn split<'p>(listener: &Listener<'_>, paths: Vec<&'p Path>, links: &[Link], asked: Asked) -> Vec<Group<'p>> {
-    if paths.len() < PATHS_MIN {
+    if paths.len() < asked.paths_min {
         return vec![Group { paths, smooth: None }];
     }
     if let Some(smooth) = SmoothPart::of(listener, &paths, links, asked) {

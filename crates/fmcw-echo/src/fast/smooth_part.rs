@@ -28,6 +28,8 @@ pub(crate) struct Asked {
     /// Root mean square, relative to each path at its strongest.
     pub(crate) error: f64,
     pub(crate) instants_max: usize,
+    /// Fewer paths have none.
+    pub(crate) paths_min: usize,
 }
 
 impl SmoothPart {
