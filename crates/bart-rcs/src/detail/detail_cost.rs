@@ -7,15 +7,18 @@ use artifact::Radar;
 const ONE_BY_ONE_S: f64 = 1.1e-9;
 /// Of transforms, for each sample of the cube: some instants of two-dimensional transforms on grids four times as
 /// large.
-const TRANSFORMS_S: f64 = 8e-8;
+const TRANSFORMS_S: f64 = 4e-8;
 /// Of a path's values and its share of the grids, for each pair of elements.
-const VALUES_S: f64 = 2.5e-7;
+const VALUES_S: f64 = 2e-7;
 /// Paths of one target from which on transforms are taken, at −60 dB.
 const TRANSFORMED: usize = 40;
 /// Of finding a path its cell and comparing the tables, all attempts.
-const MERGING_S: f64 = 3e-6;
-/// Of fitting centres to a path's field and comparing the tables, all attempts.
-const FITTING_S: f64 = 6e-6;
+const MERGING_S: f64 = 5.5e-6;
+/// Of fitting centres to anything, and to a path's field with twelve pairs of elements, comparing the tables, all attempts.
+const FITTING_LEAST_S: f64 = 3e-3;
+const FITTING_S: f64 = 7e-6;
+/// Wider arrays are looked at from more pairs, up to 64 of them.
+const FITTING_PAIRS: [f64; 2] = [12.0, 64.0];
 
 /// Echo of one target's paths.
 pub(crate) fn echo_s(radar: &Radar, paths: usize) -> f64 {
@@ -32,6 +35,8 @@ pub(crate) fn merging_s(paths: usize) -> f64 {
 }
 
 /// Finding scattering centres of one target's paths.
-pub(crate) fn centres_s(paths: usize) -> f64 {
-    FITTING_S * paths as f64
+pub(crate) fn centres_s(radar: &Radar, paths: usize) -> f64 {
+    let [usual, most] = FITTING_PAIRS;
+    let wider = (radar.virtual_channels() as f64).clamp(usual, most) / usual;
+    FITTING_LEAST_S + FITTING_S * wider * paths as f64
 }

@@ -139,19 +139,20 @@ impl<'a> Choice<'a> {
         }
     }
 
-    /// Nothing is tried whose making costs more than all that it could save. Centres come first: they are fewer than
+    /// Nothing is tried whose making costs more than what it may be expected to save. Centres come first: they are fewer than
     /// merged paths.
     fn cheapest(&self) -> Option<Found> {
         let count = self.paths.len();
         let echo = |paths: usize| echo_s(self.radar, paths);
         let saved = |found: &Found| echo(found.paths.len()) < echo(count);
-        let most = echo(count) - echo(1);
-        if self.allowed <= 0.0 || most <= merging_s(count).min(centres_s(count)) {
+        let are_centres_worth_it = echo(count) - echo(FEW_CENTRES) > centres_s(self.radar, count);
+        let is_merging_worth_it = echo(count) - echo(count / 2) > merging_s(count);
+        if self.allowed <= 0.0 || !(are_centres_worth_it || is_merging_worth_it) {
             return None;
         }
         let field = self.field();
-        let fitted = if most > centres_s(count) { self.centres(&field).filter(saved) } else { None };
-        fitted.or_else(|| self.merged(&field).filter(saved))
+        let fitted = are_centres_worth_it.then(|| self.centres(&field)).flatten().filter(saved);
+        fitted.or_else(|| is_merging_worth_it.then(|| self.merged(&field)).flatten().filter(saved))
     }
 
     /// All paths, as the looks see them.
@@ -205,6 +206,9 @@ impl<'a> Choice<'a> {
         Some(self.found(Detail::Statistical, points, field))
     }
 }
+
+/// A car's centres at −20 dB; merging keeps half of the paths where it succeeds (docs/validation/levels-of-detail.md).
+const FEW_CENTRES: usize = 15;
 
 /// Phases of the paths that are merged into one candidate, at −20 dB: about two candidates for each cell that samples
 /// tell apart. Values between candidates are interpolated from them, the better the denser they are.
@@ -351,7 +355,9 @@ mod tests {
         let radar = radar();
         assert!(Choice::new(&radar, body(3), 0.1).cheapest().is_none());
         assert!(Choice::new(&radar, body(4000), 0.0).cheapest().is_none());
-        let found = Choice::new(&radar, body(4000), 0.1).cheapest().unwrap();
-        assert!(echo_s(&radar, found.paths.len()) < echo_s(&radar, 4000));
+        let found = Choice::new(&radar, body(800), 0.1).cheapest().unwrap();
+        assert!(echo_s(&radar, found.paths.len()) < echo_s(&radar, 800));
+        // Fitting 20,000 paths takes longer than their echo on twelve channels.
+        assert!(Choice::new(&radar, body(20_000), 0.1).cheapest().is_none());
     }
 }
