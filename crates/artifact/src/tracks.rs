@@ -86,7 +86,7 @@ impl TrackState {
 pub struct Footprint {
     /// Of its middle, world metres.
     pub centre_m: [f64; 2],
-    /// Along the heading, as far as it was seen.
+    /// Along the heading: as far as it was seen, and no shorter than a car of 4 m.
     pub length_m: f64,
     /// Across; assumed, for no beam here is as narrow as a vehicle.
     pub width_m: f64,

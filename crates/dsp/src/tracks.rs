@@ -15,11 +15,12 @@ mod body;
 use crate::DspError;
 use crate::assignment::assignment;
 use crate::axes::checked_shape;
+use crate::kalman::Estimate;
 use artifact::cube::CubeHeader;
 use artifact::points::{Object, PointsFrame};
 use artifact::tracks::{Track, TrackState, TracksFrame};
 use body::Body;
-use glam::DVec2;
+use glam::{DMat2, DVec2};
 use measurement::{Measurement, Site};
 use ndarray::Array2;
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -46,8 +47,10 @@ pub struct TrackerSettings {
     pub confirmed_by: u32,
     /// … in as many first frames.
     pub confirmed_within: u32,
-    /// Believed tracks outlive their last object by this, s.
-    pub coast_s: f64,
+    /// Believed tracks outlive their last object by this share of the time that they were seen …
+    pub coast_share: f64,
+    /// … but by no less and no more than these, s.
+    pub coast_s: [f64; 2],
 }
 
 /// Vehicles on roads. Acceleration: 3 m/s² that lasts about a second, σ²τ = 9 (Singer 1970, IEEE Trans. AES 6, 473, halves it
@@ -63,7 +66,8 @@ pub const ROAD_TRAFFIC: TrackerSettings = TrackerSettings {
     new_object_density: 1.0 / (60.0 * 30.0),
     confirmed_by: 3,
     confirmed_within: 5,
-    coast_s: 1.0,
+    coast_share: 0.25,
+    coast_s: [0.25, 1.0],
 };
 
 /// An object of an equal velocity this near to a believed track's box is a piece of it: cars in a queue leave 2 m between them.
@@ -93,6 +97,7 @@ struct Followed {
     seen_frames: u32,
     missed_frames: u32,
     unseen_s: f64,
+    seen_s: f64,
     is_believed: bool,
     bank: VelocityBank,
     body: Body,
@@ -207,6 +212,7 @@ impl Tracker {
                 seen_frames: 0,
                 missed_frames: 0,
                 unseen_s: 0.0,
+                seen_s: 0.0,
                 is_believed: false,
                 bank,
                 body,
@@ -237,6 +243,7 @@ impl Tracker {
             } else {
                 (followed.missed_frames, followed.unseen_s) = (0, 0.0);
                 followed.seen_frames += 1;
+                followed.seen_s += interval_s;
                 followed.is_believed |= followed.seen_frames >= self.settings.confirmed_by;
             }
         }
@@ -265,11 +272,10 @@ impl Tracker {
         let mut kept: Vec<Followed> = Vec::new();
         for younger in std::mem::take(&mut self.followed) {
             let state = younger.bank.best();
-            let (place, velocity) = (DVec2::new(state.mean.x, state.mean.y), DVec2::new(state.mean.z, state.mean.w));
+            let place = DVec2::new(state.mean.x, state.mean.y);
             let older = kept.iter_mut().filter(|f| f.is_believed).find(|f| {
-                let mean = f.bank.best().mean;
                 f.body.holds(f.bank.best(), place, self.settings.body_width_m, PIECE_MARGIN_M)
-                    && (DVec2::new(mean.z, mean.w) - velocity).length() <= PIECE_MPS
+                    && moves_like(state, f.bank.best())
             });
             match older {
                 Some(older) => older.objects.extend(younger.objects),
@@ -280,20 +286,24 @@ impl Tracker {
     }
 
     fn bury(&mut self) {
-        let far_m = self.header.radar.waveform.range_max_m();
-        let (settings, place_m) = (self.settings, self.site.place_m());
+        let radar = &self.header.radar;
+        let ahead = DVec2::new(radar.boresight_az_rad.sin(), radar.boresight_az_rad.cos());
+        let (settings, site, far_m) = (self.settings, &self.site, radar.waveform.range_max_m());
         self.followed.retain(|f| {
             let mean = f.bank.best().mean;
-            let is_in_view = (DVec2::new(mean.x, mean.y) - place_m).length() <= far_m;
-            let lives =
-                if f.is_believed { f.unseen_s < settings.coast_s } else { f.age_frames < settings.confirmed_within };
+            let away_m = DVec2::new(mean.x, mean.y) - site.place_m();
+            // No array sees what is behind it.
+            let is_in_view = away_m.length() <= far_m && away_m.dot(ahead) > 0.0;
+            let [least_s, most_s] = settings.coast_s;
+            let coast_s = (settings.coast_share * f.seen_s).clamp(least_s, most_s);
+            let lives = if f.is_believed { f.unseen_s < coast_s } else { f.age_frames < settings.confirmed_within };
             mean.is_finite() && lives && (is_in_view || f.missed_frames == 0)
         });
     }
 
     fn track(&self, followed: &Followed) -> Track {
         let state = followed.bank.best();
-        let footprint = followed.body.footprint(state, self.settings.body_width_m);
+        let footprint = followed.body.footprint(state, self.settings.body_width_m, self.site.place_m());
         Track {
             id: followed.id,
             state: match (followed.is_believed, followed.objects.is_empty()) {
@@ -322,6 +332,15 @@ impl Followed {
         let own = frame.points.iter().filter(|p| p.object.is_some_and(|o| self.objects.contains(&o)));
         self.body.see(&state, own.map(|p| DVec2::new(p.position_m[0], p.position_m[1])), cell_m);
     }
+}
+
+/// Whether two velocities are one within [`PIECE_MPS`] or within what is known of them: two degrees of freedom, 99 of 100.
+fn moves_like(a: &Estimate, b: &Estimate) -> bool {
+    let apart = DVec2::new(a.mean.z - b.mean.z, a.mean.w - b.mean.w);
+    let both = a.covariance + b.covariance;
+    let covariance =
+        DMat2::from_cols(DVec2::new(both.z_axis.z, both.z_axis.w), DVec2::new(both.w_axis.z, both.w_axis.w));
+    apart.length() <= PIECE_MPS || apart.dot(covariance.inverse() * apart) <= 9.2
 }
 
 /// Measured radial velocity less the expected one, on the velocity circle.

@@ -80,10 +80,15 @@ impl Body {
         (back - margin_m..=front + margin_m).contains(&along) && across.abs() <= 0.5 * width_m + margin_m
     }
 
-    /// The box.
-    pub(super) fn footprint(&self, state: &Estimate, width_m: f64) -> Footprint {
-        let [back, front] = self.ends_m;
-        let centre = DVec2::new(state.mean.x, state.mean.y) + self.forward() * (0.5 * (back + front));
+    /// The box, as seen from a radar's place: no shorter than a car. What of a car was not seen lies behind what was, as much
+    /// more so as the radar looks along the body.
+    pub(super) fn footprint(&self, state: &Estimate, width_m: f64, radar_m: DVec2) -> Footprint {
+        let middle = DVec2::new(state.mean.x, state.mean.y);
+        let away = (middle - radar_m).normalize_or_zero().dot(self.forward());
+        let unseen_m = (SHORTEST_M - (self.ends_m[1] - self.ends_m[0])).max(0.0);
+        let back = self.ends_m[0] - 0.5 * (1.0 - away) * unseen_m;
+        let front = self.ends_m[1] + 0.5 * (1.0 + away) * unseen_m;
+        let centre = middle + self.forward() * (0.5 * (back + front));
         Footprint { centre_m: centre.to_array(), length_m: front - back, width_m, heading_rad: self.heading_rad }
     }
 
