@@ -26,7 +26,7 @@ pub(crate) fn chart(arguments: &StudyArguments) -> Result<(), Failure> {
         page_in: "",
         csv: chart::csv(&rows),
         page: chart::page(&rows, extent),
-        picture: chart::picture(&rows),
+        pictures: vec![("chart", chart::picture(&rows)), ("chart-frames", chart::picture_of_frames(&rows))],
     };
     study.write(arguments)
 }
@@ -40,7 +40,7 @@ pub(crate) fn atlas(arguments: &StudyArguments) -> Result<(), Failure> {
         page_in: "",
         csv: atlas::csv(&rows),
         page: atlas::page(&rows, extent),
-        picture: atlas::picture(&rows),
+        pictures: vec![("atlas", atlas::picture(&rows))],
     };
     study.write(arguments)?;
     match atlas::count(&rows, atlas::Verdict::Wrong) {
@@ -58,7 +58,7 @@ pub(crate) fn levels(arguments: &StudyArguments) -> Result<(), Failure> {
         page_in: "validation",
         csv: levels::csv(&rows),
         page: levels::page(&rows, extent),
-        picture: levels::picture(&rows),
+        pictures: vec![("levels-of-detail", levels::picture(&rows))],
     };
     study.write(arguments)
 }
@@ -70,16 +70,19 @@ struct Study {
     page_in: &'static str,
     csv: String,
     page: String,
-    picture: Svg,
+    /// With their names.
+    pictures: Vec<(&'static str, Svg)>,
 }
 
 impl Study {
     fn write(&self, arguments: &StudyArguments) -> Result<(), Failure> {
         let folder = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(self.name));
-        let named = |kind: &str| folder.join(format!("{}.{kind}", self.name));
-        output::write_file(&named("csv"), self.csv.as_bytes())?;
-        output::write_file(&named("svg"), self.picture.text().as_bytes())?;
-        write_png(&named("png"), &self.picture)?;
+        let named = |name: &str, kind: &str| folder.join(format!("{name}.{kind}"));
+        output::write_file(&named(self.name, "csv"), self.csv.as_bytes())?;
+        for (name, picture) in &self.pictures {
+            output::write_file(&named(name, "svg"), picture.text().as_bytes())?;
+            write_png(&named(name, "png"), picture)?;
+        }
         output::line(&self.page);
         if arguments.docs { self.write_docs(&project_root().join("docs")) } else { Ok(()) }
     }
@@ -87,6 +90,10 @@ impl Study {
     fn write_docs(&self, docs: &Path) -> Result<(), Failure> {
         let page = docs.join(self.page_in).join(format!("{}.md", self.name));
         output::write_file(&page, self.page.as_bytes())?;
-        output::write_file(&docs.join("pictures").join(format!("{}.svg", self.name)), self.picture.text().as_bytes())
+        for (name, picture) in &self.pictures {
+            let place = docs.join("pictures").join(format!("{name}.svg"));
+            output::write_file(&place, picture.text().as_bytes())?;
+        }
+        Ok(())
     }
 }

@@ -6,7 +6,7 @@ mod echo;
 mod both_ways;
 mod presentation;
 
-pub(super) use presentation::{csv, page, picture};
+pub(super) use presentation::{csv, page, picture, picture_of_frames};
 
 use crate::failure::Failure;
 use crate::progress::Work;
