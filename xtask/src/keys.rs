@@ -200,13 +200,10 @@ mod tests {
         let adc = Some(Adc { bits: 12, full_scale: 1e-3 });
         header.radar.hardware = Hardware { tx: vec![error; 3], rx: vec![error; 4], adc };
         header.targets.truncate(2);
-        header.targets[1].kind = TargetKind::Point {
-            rcs_m2: 1.0,
-            acceleration_mps2: [0.0; 3],
-            wheel: Some(Wheel { radius_m: 0.3, angle_rad: 0.0 }),
-        };
+        header.targets[1].kind =
+            TargetKind::Point { rcs_m2: 1.0, wheel: Some(Wheel { radius_m: 0.3, angle_rad: 0.0 }) };
         let wheel = Some(Wheel { radius_m: 0.4, angle_rad: 0.1 });
-        let kind = TargetKind::Point { rcs_m2: 2.0, acceleration_mps2: [0.0; 3], wheel };
+        let kind = TargetKind::Point { rcs_m2: 2.0, wheel };
         let vehicles = ["flow.0", "flow.1"].map(|id| Vehicle { id: id.into(), kind: kind.clone() }).to_vec();
         let placed = Placed { vehicle: 0, pose: header.targets[0].start };
         header.traffic = Some(Traffic { vehicles, frames: vec![vec![placed]; 2] });

@@ -39,7 +39,7 @@ pub(crate) fn truths(header: &SceneHeader, frame: &SceneFrame, paths: Option<&Pa
 }
 
 fn truth(header: &SceneHeader, index: usize, pose: &Pose, paths: Option<&PathsFrame>) -> Truth {
-    let pose = &scene::moved(&header.targets[index].kind, pose, header.radar.frame_middle_s());
+    let pose = &scene::pose_after(pose, header.radar.frame_middle_s());
     let position_m = DVec3::from(pose.position_m);
     let away = position_m - DVec3::from(header.radar.position_m);
     let range_m = away.length();

@@ -14,7 +14,7 @@ pub struct Scene;
 
 impl Schema for Scene {
     const NAME: &'static str = "scene";
-    const VERSION: u32 = 6;
+    const VERSION: u32 = 7;
     type Header = SceneHeader;
     type Frame = SceneFrame;
 }
@@ -151,7 +151,7 @@ pub struct Target {
     pub id: String,
     /// What scatters.
     pub kind: TargetKind,
-    /// Where it is at the first frame's first sample; velocity and yaw stay as they are from then on.
+    /// Where it is at the first frame's first sample; acceleration and yaw stay as they are from then on.
     pub start: Pose,
 }
 
@@ -171,8 +171,6 @@ pub enum TargetKind {
     Point {
         /// σ.
         rcs_m2: f64,
-        /// Constant, from the first frame's first sample on.
-        acceleration_mps2: [f64; 3],
         /// The point goes round with a wheel; its pose is then that of the hub.
         wheel: Option<Wheel>,
     },
@@ -205,8 +203,10 @@ pub struct Pose {
     pub position_m: [f64; 3],
     /// Body x axis (forward) from world +x towards +y.
     pub yaw_rad: f64,
-    /// Constant over the frame.
+    /// At the moment of the pose.
     pub velocity_mps: [f64; 3],
+    /// Constant over the frame.
+    pub acceleration_mps2: [f64; 3],
 }
 
 /// Triangles in body axes: x forward, y left, z up, origin at the centre of the bounding box on the ground.

@@ -1,4 +1,5 @@
 //! Posed meshes, and the road under them.
 
+pub(crate) mod motion; // how bodies, and their images in each other, move
 pub(crate) mod road; // a mirror, unfolded
 pub(crate) mod world; // facets of posed bodies

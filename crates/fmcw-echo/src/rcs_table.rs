@@ -126,8 +126,9 @@ impl<'a> Body<'a> {
 
     /// Elevation and azimuth of the radar in body axes.
     fn aspect(&self, radar: &Radar, time_s: f64) -> (f64, f64) {
-        let origin_m =
-            DVec3::from_array(self.origin.apparent_tx_m) + DVec3::from_array(self.origin.apparent_tx_mps) * time_s;
+        let Path { apparent_tx_m, apparent_tx_mps, curve, .. } = &self.origin;
+        let [at_m, mps, mps2] = [*apparent_tx_m, *apparent_tx_mps, curve.apparent_tx_mps2].map(DVec3::from_array);
+        let origin_m = at_m + time_s * (mps + 0.5 * time_s * mps2);
         let to_radar = self.body_from_world * (DVec3::from_array(radar.position_m) - origin_m);
         (to_radar.z.atan2(to_radar.truncate().length()), to_radar.y.atan2(to_radar.x))
     }
@@ -183,7 +184,11 @@ fn origin_path(pose: &Pose) -> Path {
         amplitude_m: [[Complex64::ONE; 2]; 2],
         slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
         facets: [Facet::default(); MAX_ORDER],
-        curve: Curve::default(),
+        curve: Curve {
+            apparent_tx_mps2: pose.acceleration_mps2,
+            apparent_rx_mps2: pose.acceleration_mps2,
+            ..Curve::default()
+        },
     }
 }
 

@@ -61,6 +61,6 @@ pub use errors::{Allowed, MapAxis, Place, Position, Rule, SceneError, SceneError
 pub use keys::{TABLES, Table};
 pub use materials::read_materials;
 pub use mesh::{MeshError, MeshOptions, centred, read_mesh};
-pub use motion::{bodies_in_view, frame_view, moved, pose_after, snapshot, vehicles_in_view};
+pub use motion::{bodies_in_view, frame_view, pose_after, snapshot, vehicles_in_view};
 pub use painted::{Painted, PaintedLine, painted_glb};
 pub use read::{Meshes, ReadOptions, inputs, read};

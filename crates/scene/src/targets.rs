@@ -54,7 +54,7 @@ fn read_target(section: &Section<'_>, id: Option<&str>, lanes: &[Lane], models: 
 }
 
 fn read_mesh_target(section: &Section<'_>, models: &mut Models) -> Option<TargetKind> {
-    misplaced(section, &["rcs_m2", "acceleration_mps2", "wheel_radius_m", "wheel_angle_deg"], "a mesh target");
+    misplaced(section, &["rcs_m2", "wheel_radius_m", "wheel_angle_deg"], "a mesh target");
     let class = section.word("class", &Class::ALL.map(|class| (class.name(), class)));
     let chosen = models.choose(section)?;
     Some(TargetKind::Mesh { class: class.or(chosen.class), model: chosen.name, mesh: chosen.mesh })
@@ -66,11 +66,10 @@ fn read_point_target(section: &Section<'_>) -> Option<TargetKind> {
         section.note("yaw_deg", Rule::Misplaced { key: "yaw_deg", owner: "a point target that is on no wheel" });
     }
     section.require("rcs_m2");
-    let acceleration_mps2 = section.vector("acceleration_mps2", ACCELERATIONS_MPS2).unwrap_or([0.0; 3]);
     let wheel = read_wheel(section);
     // Sixty dB beyond the largest ship; zero scatters nothing and is allowed.
     let rcs_m2 = section.number("rcs_m2", Allowed::Between(0.0, 1e12))?;
-    Some(TargetKind::Point { rcs_m2, acceleration_mps2, wheel })
+    Some(TargetKind::Point { rcs_m2, wheel })
 }
 
 /// A point on the rim of a wheel, whose hub the target's position is.
@@ -92,8 +91,10 @@ fn misplaced(section: &Section<'_>, keys: &[&'static str], owner: &'static str) 
 fn read_pose(section: &Section<'_>, lanes: &[Lane]) -> Option<Pose> {
     let position_m = read_position(section, lanes);
     let velocity_mps = section.vector("velocity_mps", VELOCITIES_MPS).unwrap_or([0.0; 3]);
+    let acceleration_mps2 = section.vector("acceleration_mps2", ACCELERATIONS_MPS2).unwrap_or([0.0; 3]);
     let yaw = section.number("yaw_deg", Allowed::Between(-360.0, 360.0)).map(f64::to_radians);
-    Some(Pose { position_m: position_m?, yaw_rad: yaw.unwrap_or(yaw_along(velocity_mps)), velocity_mps })
+    let yaw_rad = yaw.unwrap_or(yaw_along(velocity_mps));
+    Some(Pose { position_m: position_m?, yaw_rad, velocity_mps, acceleration_mps2 })
 }
 
 /// At rest towards the radar, down the lane.

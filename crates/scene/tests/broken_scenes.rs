@@ -134,7 +134,7 @@ const CASES: &[Case] = &[
     (CAR, "unit_scale = 0\n", "7:14", "`unit_scale` must be a number from 1e-9 to 1000000, is 0"),
     (CAR, "unit_scale = 0.01\n", "7:14", "key `unit_scale` has no meaning for one of the project's vehicles"),
     (POINT, "wheel_angle_deg = 3\n", "7:19", "`wheel_angle_deg` needs `wheel_radius_m` beside it"),
-    (CAR, "acceleration_mps2 = [0, 1, 0]\n", "7:21", "key `acceleration_mps2` has no meaning for a mesh target"),
+    (CAR, "acceleration_mps2 = [0, 101, 0]\n", "7:25", "`acceleration_mps2` must be a number from -100 to 100, is 101"),
     (CAR, "yaw_deg = 1e3\n", "7:11", "`yaw_deg` must be a number from -360 to 360, is 1000"),
     (CAR, "[[target]]\nkind = \"mesh\"\nid = \"d\"\nposition_m = [2, 30, 0]\nmodel = \"car-suw\"\n", "11:9", "model `car-suw` is neither a .glb, .gltf, .stl or .obj file nor a vehicle of the project; the nearest is `car-suv`"),
     (CAR, "[[target]]\nkind = \"mesh\"\nid = \"d\"\nposition_m = [2, 30, 0]\nmodel = \"absent.glb\"\n", "11:9", "absent.glb: cannot be read"),

@@ -118,7 +118,8 @@ fn an_accelerated_point_and_a_rolling_wheel_are_read_and_moved() {
          [radar.waveform]\nslope_mhz_per_us = -12.5\n",
     );
     let wheel = Some(artifact::scene::Wheel { radius_m: 0.3, angle_rad: FRAC_PI_2 });
-    assert_eq!(scene.targets[0].kind, TargetKind::Point { rcs_m2: 1.0, acceleration_mps2: [0.0, 5.0, 0.0], wheel });
+    assert_eq!(scene.targets[0].kind, TargetKind::Point { rcs_m2: 1.0, wheel });
+    assert_eq!(scene.targets[0].start.acceleration_mps2, [0.0, 5.0, 0.0]);
     let pose = scene::snapshot(&scene, 1).poses[0];
     // After 0.1 s: 30 − 1 + 0.025 m at −9.5 m/s.
     assert_close(pose.position_m[1], 29.025, 30.0);
@@ -271,7 +272,7 @@ fn targets_keep_the_order_of_the_file_and_share_meshes() {
     let kinds: Vec<_> = scene.targets.iter().map(|target| (target.id.as_str(), target.kind.clone())).collect();
     let expected = [
         ("a", of_mesh(Some(Class::Truck), 0)),
-        ("p", TargetKind::Point { rcs_m2: 0.5, acceleration_mps2: [0.0; 3], wheel: None }),
+        ("p", TargetKind::Point { rcs_m2: 0.5, wheel: None }),
         ("b", of_mesh(None, 0)),
         ("c", of_mesh(None, 1)),
     ];
@@ -371,7 +372,12 @@ fn frames_follow_one_another_at_constant_velocity_and_yaw() {
 
 #[test]
 fn a_pose_is_exact_to_half_a_unit_in_the_last_place_at_any_time() {
-    let pose = Pose { position_m: [0.1, 40.0, 0.0], yaw_rad: 0.0, velocity_mps: [1.1, -10.3, 0.0] };
+    let pose = Pose {
+        position_m: [0.1, 40.0, 0.0],
+        yaw_rad: 0.0,
+        velocity_mps: [1.1, -10.3, 0.0],
+        acceleration_mps2: [0.0; 3],
+    };
     for time_s in [1e-9, 1.25e-7, 0.1, 0.3, 7.7, 3600.1, 1e6] {
         let got = pose_after(&pose, time_s).position_m;
         let exact = [0, 1, 2].map(|axis| exactly(pose.velocity_mps[axis], time_s, pose.position_m[axis]));

@@ -82,6 +82,7 @@ pub(crate) fn try_frame(case: u64, meshes: &[(&str, Mesh)], empty: &SceneHeader)
         position_m: [rng.random_range(0.0..11.0), rng.random_range(25.0..60.0), 0.0],
         yaw_rad,
         velocity_mps: [speed_mps * f64::cos(yaw_rad), speed_mps * f64::sin(yaw_rad), 0.0],
+        acceleration_mps2: [0.0; 3],
     };
     let mut header = empty.clone();
     header.fidelity.bounces = rng.random_range(1..=3);

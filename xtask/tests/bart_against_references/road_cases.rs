@@ -37,6 +37,7 @@ pub(crate) fn try_road(case: u64, meshes: &[(&str, Mesh)], empty: &SceneHeader) 
         position_m: [range_m * bearing_rad.sin(), range_m * bearing_rad.cos(), 0.0],
         yaw_rad: rng.random_range(0.0..TAU),
         velocity_mps: [0.0; 3],
+        acceleration_mps2: [0.0; 3],
     };
     let mut header = empty.clone();
     lift(&mut header.radar, rng.random_range(0.5..7.0));

@@ -1,5 +1,6 @@
 //! The geometry of one instant: every facet of every body in world metres, and each body's hierarchy in its own frame.
 
+use crate::bodies::motion::{Motion, position_m};
 use crate::bodies::road::below;
 use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
@@ -183,9 +184,14 @@ impl World {
         Some((body.first_facet + triangle, winding))
     }
 
-    /// Velocity of the body that a facet belongs to, m/s.
-    pub fn velocity_mps(&self, facet: u32) -> DVec3 {
-        self.body_of(facet).map_or(DVec3::ZERO, |body| body.velocity_mps)
+    /// How the body that a facet belongs to moves.
+    pub(crate) fn motion(&self, facet: u32) -> Motion {
+        self.body_of(facet).map_or(Motion::REST, |body| body.motion)
+    }
+
+    /// Of all bodies, m/s.
+    pub(crate) fn fastest_mps(&self) -> f64 {
+        self.bodies.iter().map(|body| body.motion.velocity_mps.length()).fold(0.0, f64::max)
     }
 
     /// Distances below this are rounding, m: points so near a plane count as on it.
@@ -424,7 +430,8 @@ fn corners_of(mesh: &Mesh, index: usize, triangle: &[u32; 3]) -> Result<[DVec3; 
     Ok(corners_m)
 }
 
-const AT_ORIGIN: Pose = Pose { position_m: [0.0; 3], yaw_rad: 0.0, velocity_mps: [0.0; 3] };
+const AT_ORIGIN: Pose =
+    Pose { position_m: [0.0; 3], yaw_rad: 0.0, velocity_mps: [0.0; 3], acceleration_mps2: [0.0; 3] };
 
 /// A mesh at its place.
 #[derive(Clone)]
@@ -433,19 +440,19 @@ struct Body {
     mesh: Arc<BodyMesh>,
     world_from_body: DMat3,
     position_m: DVec3,
-    velocity_mps: DVec3,
+    motion: Motion,
     first_facet: u32,
 }
 
 impl Body {
     fn posed(target: u32, mesh: Arc<BodyMesh>, pose: &Pose, seconds: f64, id: &str) -> Result<Self, BartError> {
-        let velocity_mps = DVec3::from_array(pose.velocity_mps);
-        let position_m = DVec3::from_array(pose.position_m) + seconds * velocity_mps;
-        if !(position_m.is_finite() && velocity_mps.is_finite() && pose.yaw_rad.is_finite()) {
+        let motion = Motion::of(pose, seconds);
+        let position_m = position_m(pose, seconds);
+        if !(position_m.is_finite() && motion.is_finite() && pose.yaw_rad.is_finite()) {
             return Err(BartError::PoseNotFinite { target: id.to_owned() });
         }
         let world_from_body = DMat3::from_rotation_z(pose.yaw_rad);
-        Ok(Self { target, mesh, world_from_body, position_m, velocity_mps, first_facet: 0 })
+        Ok(Self { target, mesh, world_from_body, position_m, motion, first_facet: 0 })
     }
 
     /// Its image in the plane z = 0; windings turn over with it.
@@ -455,7 +462,7 @@ impl Body {
             mesh: Arc::clone(&self.mesh),
             world_from_body: DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0)) * self.world_from_body,
             position_m: below(self.position_m),
-            velocity_mps: below(self.velocity_mps),
+            motion: self.motion.below_road(),
             first_facet: 0,
         }
     }

@@ -1,5 +1,6 @@
 //! Path tables as some samples of a cube see them: pairs of elements, moments of the frame, instants of the sweep.
 
+use crate::frame::path_sum::apparent_m;
 use artifact::Radar;
 use artifact::paths::Path;
 use artifact::radar::Pattern;
@@ -26,9 +27,8 @@ impl Look {
 
     /// x_a − p_t and x_b − p_r.
     pub(crate) fn legs_m(&self, path: &Path) -> [DVec3; 2] {
-        let place = |x: [f64; 3], v: [f64; 3]| DVec3::from_array(x) + self.seconds * DVec3::from_array(v);
-        let departing_m = place(path.apparent_tx_m, path.apparent_tx_mps) - self.tx_m;
-        [departing_m, place(path.apparent_rx_m, path.apparent_rx_mps) - self.rx_m]
+        let [from_tx_m, from_rx_m] = apparent_m(path, self.seconds);
+        [from_tx_m - self.tx_m, from_rx_m - self.rx_m]
     }
 }
 

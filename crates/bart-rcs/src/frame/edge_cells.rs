@@ -2,7 +2,7 @@
 
 use crate::edges::edge_scattering::part_amplitudes;
 use crate::edges::lit_edge::EdgeJoint;
-use crate::frame::path_cells::{Cell, CellSettings, facets_of, padded, reversed, velocities};
+use crate::frame::path_cells::{Cell, CellSettings, facets_of, motions, padded, reversed};
 use crate::joins::join::Reverse;
 use crate::joins::scatterer::Scatterer;
 use rayon::prelude::*;
@@ -16,7 +16,7 @@ pub(crate) fn edge_cells(scatterer: &Scatterer<'_>, joints: &[EdgeJoint], settin
 
 fn cells_of(scatterer: &Scatterer<'_>, joint: &EdgeJoint, settings: &CellSettings<'_>) -> Vec<Cell> {
     let facets = facets_of(scatterer, joint.forward, joint.backward);
-    let velocity_mps = velocities(scatterer, joint.forward, joint.backward);
+    let motion = motions(scatterer, joint.forward, joint.backward);
     let [from, to] = joint.span_m;
     let count = ((to - from) / settings.size_m).ceil().max(1.0);
     let place = |i: f64| from + (to - from) * i / count;
@@ -29,7 +29,7 @@ fn cells_of(scatterer: &Scatterer<'_>, joint: &EdgeJoint, settings: &CellSetting
             order: facets.len() as u8,
             facets: padded(&facets),
             apparent_m: scatterer.legs(joint.forward, joint.backward).map(|leg| leg.mirrors.unfolded(middle_m)),
-            velocity_mps,
+            motion,
             amplitudes_m: estimate.value,
             area_m2: as_area_m2(span_m, settings),
             error_m: estimate.error,

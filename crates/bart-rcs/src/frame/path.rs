@@ -163,7 +163,7 @@ impl Snapshot {
 fn point_paths(header: &SceneHeader, frame: &SceneFrame) -> Vec<Path> {
     let targets = (0..).zip(header.targets.iter().zip(&frame.poses));
     let of = |(target, (kind, pose)): (u32, (&Target, &Pose))| {
-        let TargetKind::Point { rcs_m2, acceleration_mps2, wheel } = kind.kind else { return None };
+        let TargetKind::Point { rcs_m2, wheel } = kind.kind else { return None };
         let root = Complex64::from(rcs_m2.sqrt());
         Some(Path {
             target,
@@ -176,8 +176,8 @@ fn point_paths(header: &SceneHeader, frame: &SceneFrame) -> Vec<Path> {
             slope_m_per_hz: Amplitude::default(),
             facets: [Facet::default(); MAX_ORDER],
             curve: Curve {
-                apparent_tx_mps2: acceleration_mps2,
-                apparent_rx_mps2: acceleration_mps2,
+                apparent_tx_mps2: pose.acceleration_mps2,
+                apparent_rx_mps2: pose.acceleration_mps2,
                 rim: wheel.map(|wheel| rim(&wheel, &kind.start, pose)),
             },
         })

@@ -3,8 +3,8 @@
 
 use crate::beams::beam::BeamTree;
 use crate::beams::image_tree::origin;
-use crate::bodies::road::{Half, below};
-use crate::bodies::world::World;
+use crate::bodies::motion::Motion;
+use crate::bodies::road::Half;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::convex_intersection::{bounds, left_of};
 use crate::geometry::plane_frame::{PlaneFrame, area_m2, centroid_m};
@@ -23,7 +23,7 @@ pub(crate) struct Cell {
     pub(crate) facets: [Facet; MAX_ORDER],
     /// From the transmitter, from the receiver; world metres at the world's instant.
     pub(crate) apparent_m: [DVec3; 2],
-    pub(crate) velocity_mps: [DVec3; 2],
+    pub(crate) motion: [Motion; 2],
     /// `a` of a path record at each wavenumber.
     pub(crate) amplitudes_m: Vec<Amplitude>,
     pub(crate) area_m2: f64,
@@ -59,7 +59,7 @@ pub(crate) fn gathered(mut cells: Vec<Cell>, ends: [Antenna; 2], settings: &Cell
 fn cells_of(scatterer: &Scatterer<'_>, joint: &Joint, corners_m: &[DVec3], settings: &CellSettings<'_>) -> Vec<Cell> {
     let frame = PlaneFrame::new(corners_m[0], scatterer.forward(joint).lit_normal);
     let facets = facets_of(scatterer, joint.forward, joint.backward);
-    let velocity_mps = velocities(scatterer, joint.forward, joint.backward);
+    let motion = motions(scatterer, joint.forward, joint.backward);
     let mut cells = Vec::new();
     for piece in cut_into_squares(&frame, corners_m, settings.size_m) {
         let reference_m = frame.to_world(centroid_m(&piece));
@@ -70,7 +70,7 @@ fn cells_of(scatterer: &Scatterer<'_>, joint: &Joint, corners_m: &[DVec3], setti
             order: facets.len() as u8,
             facets: padded(&facets),
             apparent_m: scatterer.apparent_m(joint, reference_m),
-            velocity_mps,
+            motion,
             amplitudes_m: estimate.value,
             area_m2: area_m2(&piece),
             error_m: estimate.error,
@@ -90,7 +90,7 @@ pub(crate) fn reversed(cell: &Cell) -> Cell {
     Cell {
         facets,
         apparent_m: [cell.apparent_m[1], cell.apparent_m[0]],
-        velocity_mps: [cell.velocity_mps[1], cell.velocity_mps[0]],
+        motion: [cell.motion[1], cell.motion[0]],
         amplitudes_m: cell.amplitudes_m.iter().map(transposed).collect(),
         ..*cell
     }
@@ -108,25 +108,22 @@ pub(crate) fn padded(facets: &[Facet]) -> [Facet; MAX_ORDER] {
     all
 }
 
-/// Of the apparent points: a plane moving with v_p turns the velocity v of a point into v − 2((v − v_p)·n)n.
-pub(crate) fn velocities(scatterer: &Scatterer<'_>, forward: u32, backward: u32) -> [DVec3; 2] {
+/// Of the apparent points.
+pub(crate) fn motions(scatterer: &Scatterer<'_>, forward: u32, backward: u32) -> [Motion; 2] {
     let world = scatterer.world;
-    let node_mps = world.velocity_mps(scatterer.trees.transmit().beams[forward as usize].facet);
+    let of_node = world.motion(scatterer.trees.transmit().beams[forward as usize].facet);
     let through = |tree: &BeamTree, beam: u32| {
         let mirrors = std::iter::successors(tree.beams[beam as usize].parent, |b| tree.beams[*b as usize].parent);
-        let at_antenna =
-            mirrors.fold(node_mps, |v, mirror| mirrored_velocity(world, tree.beams[mirror as usize].facet, v));
+        let at_antenna = mirrors.fold(of_node, |motion, mirror| {
+            let facet = tree.beams[mirror as usize].facet;
+            motion.mirrored(&world.motion(facet), world.facet(facet).normal())
+        });
         match origin(tree, &tree.beams[beam as usize]) {
             Half::Above => at_antenna,
-            Half::Below => below(at_antenna),
+            Half::Below => at_antenna.below_road(),
         }
     };
     [through(scatterer.trees.transmit(), forward), through(scatterer.trees.receive(), backward)]
-}
-
-fn mirrored_velocity(world: &World, mirror: u32, v_mps: DVec3) -> DVec3 {
-    let n = world.facet(mirror).normal();
-    v_mps - 2.0 * (v_mps - world.velocity_mps(mirror)).dot(n) * n
 }
 
 /// Convex parts between the lines of a square grid about the polygon's first corner.
@@ -159,7 +156,7 @@ type Key = (u8, [u32; MAX_ORDER], [[i64; 3]; 4]);
 fn key(cell: &Cell, ends: [Antenna; 2], settings: &CellSettings<'_>) -> Key {
     let cube = |v: DVec3, side: f64| (v / side).round().to_array().map(|x| x as i64);
     let places = [0, 1].map(|end| cube(-ends[end].towards(cell.apparent_m[end]), settings.size_m));
-    let speeds = cell.velocity_mps.map(|v| cube(v, settings.velocity_quantum_mps));
+    let speeds = cell.motion.map(|motion| cube(motion.velocity_mps, settings.velocity_quantum_mps));
     (cell.order, cell.facets.map(|facet| facet.body), [places[0], places[1], speeds[0], speeds[1]])
 }
 
@@ -168,7 +165,7 @@ fn one_of(group: &[Cell], ends: [Antenna; 2], settings: &CellSettings<'_>) -> Ce
     let area_m2: f64 = group.iter().map(|cell| cell.area_m2).sum();
     let mean = |of: &dyn Fn(&Cell) -> DVec3| group.iter().map(|c| c.area_m2 * of(c)).sum::<DVec3>() / area_m2;
     let apparent_m = [0, 1].map(|end| mean(&|cell: &Cell| cell.apparent_m[end]));
-    let velocity_mps = [0, 1].map(|end| mean(&|cell: &Cell| cell.velocity_mps[end]));
+    let motion = [0, 1].map(|end| Motion::weighed(group.iter().map(|c| (c.area_m2 / area_m2, c.motion[end]))));
     let strongest =
         group.iter().fold(&group[0], |best, cell| if strength(cell) > strength(best) { cell } else { best });
     let mut amplitudes_m = vec![Amplitude::default(); settings.wavenumbers_per_m.len()];
@@ -184,7 +181,7 @@ fn one_of(group: &[Cell], ends: [Antenna; 2], settings: &CellSettings<'_>) -> Ce
         }
         error_m += spread * cell.error_m;
     }
-    Cell { apparent_m, velocity_mps, amplitudes_m, area_m2, error_m, ..*strongest }
+    Cell { apparent_m, motion, amplitudes_m, area_m2, error_m, ..*strongest }
 }
 
 /// Power of the middle frequency, both co-polarizations.

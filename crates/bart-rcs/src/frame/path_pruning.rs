@@ -2,9 +2,8 @@
 
 use crate::frame::frame_error::{frequencies_hz, mean_power};
 use crate::frame::path_plan::Plan;
-use crate::frame::path_sum::PathView;
+use crate::frame::path_sum::{PathView, apparent_m};
 use artifact::paths::Path;
-use glam::DVec3;
 
 /// Paths kept, in their order, and the power of the others.
 pub(crate) struct Kept {
@@ -54,9 +53,8 @@ pub(crate) fn power_over_frame(paths: &[Path], plan: &Plan<'_>) -> f64 {
 }
 
 fn power(path: &Path, plan: &Plan<'_>, view: &PathView) -> f64 {
-    let place = |x: [f64; 3], v: [f64; 3]| DVec3::from_array(x) + view.seconds * DVec3::from_array(v);
-    let l1 = place(path.apparent_tx_m, path.apparent_tx_mps).distance(view.transmitter_m);
-    let l2 = place(path.apparent_rx_m, path.apparent_rx_mps).distance(view.receiver_m);
+    let [from_tx_m, from_rx_m] = apparent_m(path, view.seconds);
+    let (l1, l2) = (from_tx_m.distance(view.transmitter_m), from_rx_m.distance(view.receiver_m));
     let ranges = view.origin_m.distance(view.transmitter_m) * view.origin_m.distance(view.receiver_m);
     plan.seen(&path.amplitude_m).norm_sqr() * (ranges / (l1 * l2)).powi(2)
 }

@@ -76,6 +76,18 @@ fn wavenumber_per_m(frequency_hz: f64) -> f64 {
     TAU * frequency_hz / SPEED_OF_LIGHT_MPS
 }
 
+/// x_a and x_b some seconds after the frame's first sample; of a wheel those of its hub.
+pub(crate) fn apparent_m(path: &Path, seconds: f64) -> [DVec3; 2] {
+    let at = |x_m: [f64; 3], v_mps: [f64; 3], a_mps2: [f64; 3]| {
+        DVec3::from_array(x_m) + seconds * (DVec3::from_array(v_mps) + 0.5 * seconds * DVec3::from_array(a_mps2))
+    };
+    let curve = &path.curve;
+    [
+        at(path.apparent_tx_m, path.apparent_tx_mps, curve.apparent_tx_mps2),
+        at(path.apparent_rx_m, path.apparent_rx_mps, curve.apparent_rx_mps2),
+    ]
+}
+
 impl PathView {
     fn factor(&self, path: &Path, frequency_hz: f64) -> Complex64 {
         let (spread, length_m) = self.spread_and_length_m(path);
@@ -84,9 +96,8 @@ impl PathView {
 
     /// R_tR_r/(L₁L₂), and L₁ + L₂ − R_t − R_r.
     fn spread_and_length_m(&self, path: &Path) -> (f64, f64) {
-        let place = |x: [f64; 3], v: [f64; 3]| DVec3::from_array(x) + self.seconds * DVec3::from_array(v);
-        let l1 = place(path.apparent_tx_m, path.apparent_tx_mps).distance(self.transmitter_m);
-        let l2 = place(path.apparent_rx_m, path.apparent_rx_mps).distance(self.receiver_m);
+        let [from_tx_m, from_rx_m] = apparent_m(path, self.seconds);
+        let (l1, l2) = (from_tx_m.distance(self.transmitter_m), from_rx_m.distance(self.receiver_m));
         let (r_t, r_r) = (self.origin_m.distance(self.transmitter_m), self.origin_m.distance(self.receiver_m));
         (r_t * r_r / (l1 * l2), l1 + l2 - r_t - r_r)
     }

@@ -139,13 +139,9 @@ fn largest_cell_m(plan: &Plan<'_>, world: &World) -> f64 {
     let by_band = 2.0 * allowed.sqrt() / band_per_m;
     let wavenumber = TAU / waveform.wavelength_m();
     let range_m = world.facets().iter().map(|f| plan.position_m.distance(f.corners_m[0])).fold(f64::INFINITY, f64::min);
-    let way_m = 0.5 * plan.header.radar.frame_duration_s() * fastest_mps(plan.header) + element_offset_m(plan.header);
+    let way_m = 0.5 * plan.header.radar.frame_duration_s() * world.fastest_mps() + element_offset_m(plan.header);
     let by_motion = allowed * range_m / (wavenumber * way_m);
     by_band.min(by_motion).clamp(2.0 * waveform.wavelength_m(), waveform.range_resolution_m())
-}
-
-fn fastest_mps(header: &SceneHeader) -> f64 {
-    header.targets.iter().map(|t| DVec3::from_array(t.start.velocity_mps).length()).fold(0.0, f64::max)
 }
 
 fn element_offset_m(header: &SceneHeader) -> f64 {
@@ -164,17 +160,19 @@ fn velocity_quantum_mps(header: &SceneHeader) -> f64 {
 
 fn path_of(cell: &Cell, band: &Band, middle_s: f64) -> Path {
     let (amplitude_m, slope_m_per_hz) = band.line(&cell.amplitudes_m);
-    let at_first_sample = |end: usize| (cell.apparent_m[end] - middle_s * cell.velocity_mps[end]).to_array();
+    let at_first_sample = [0, 1].map(|end| cell.motion[end].earlier(cell.apparent_m[end], middle_s));
+    let [(tx_m, tx_mps), (rx_m, rx_mps)] = at_first_sample.map(|(at_m, mps)| (at_m.to_array(), mps.to_array()));
+    let [tx_mps2, rx_mps2] = cell.motion.map(|motion| motion.acceleration_mps2.to_array());
     Path {
         target: cell.facets[0].body,
         order: cell.order,
-        apparent_tx_m: at_first_sample(0),
-        apparent_tx_mps: cell.velocity_mps[0].to_array(),
-        apparent_rx_m: at_first_sample(1),
-        apparent_rx_mps: cell.velocity_mps[1].to_array(),
+        apparent_tx_m: tx_m,
+        apparent_tx_mps: tx_mps,
+        apparent_rx_m: rx_m,
+        apparent_rx_mps: rx_mps,
         amplitude_m,
         slope_m_per_hz,
         facets: cell.facets,
-        curve: Curve::default(),
+        curve: Curve { apparent_tx_mps2: tx_mps2, apparent_rx_mps2: rx_mps2, rim: None },
     }
 }

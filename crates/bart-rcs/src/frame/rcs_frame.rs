@@ -1,6 +1,7 @@
 //! The paper's σ_f for one frame: far-field tables of every target over frequency and the aspects that it sweeps.
 
 use crate::beams::beam::{BeamTree, TraceSettings};
+use crate::bodies::motion::position_m;
 use crate::bodies::road::check_road;
 use crate::bodies::world::{Models, World};
 use crate::error::BartError;
@@ -102,7 +103,7 @@ impl<'a> Body<'a> {
 
     /// Vector from the body's origin to the radar, body axes.
     fn to_radar_m(&self, seconds: f64) -> DVec3 {
-        let origin = DVec3::from_array(self.pose.position_m) + seconds * DVec3::from_array(self.pose.velocity_mps);
+        let origin = position_m(self.pose, seconds);
         DMat3::from_rotation_z(-self.pose.yaw_rad) * (DVec3::from_array(self.header.radar.position_m) - origin)
     }
 

@@ -15,7 +15,12 @@ pub(crate) type Placed = ([f64; 3], f64, [f64; 3]);
 
 /// The same mesh at every place.
 pub(crate) fn scene(mesh: &Mesh, places: &[Placed]) -> (SceneHeader, SceneFrame) {
-    let pose = |&(position_m, yaw_rad, velocity_mps): &Placed| Pose { position_m, yaw_rad, velocity_mps };
+    let pose = |&(position_m, yaw_rad, velocity_mps): &Placed| Pose {
+        position_m,
+        yaw_rad,
+        velocity_mps,
+        acceleration_mps2: [0.0; 3],
+    };
     let poses: Vec<Pose> = places.iter().map(pose).collect();
     let target = |(i, &start): (usize, &Pose)| {
         let kind = TargetKind::Mesh { class: None, model: mesh.name.clone(), mesh: 0 };

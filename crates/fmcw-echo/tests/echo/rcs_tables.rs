@@ -64,7 +64,12 @@ fn samples_of_paths(radar: &Radar, paths: Vec<artifact::paths::Path>) -> Vec<Com
 fn a_table_of_one_value_is_a_point_target() {
     for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm] {
         let radar = radar(artifact::Waveform { chirps: 4, ..experiment(1) }, &presets()[2], multiplexing);
-        let pose = Pose { position_m: [5.75, 40.0, 0.5], yaw_rad: -FRAC_PI_2, velocity_mps: [0.0, -10.0, 0.0] };
+        let pose = Pose {
+            position_m: [5.75, 40.0, 0.5],
+            yaw_rad: -FRAC_PI_2,
+            velocity_mps: [0.0, -10.0, 0.0],
+            acceleration_mps2: [0.0; 3],
+        };
         let table = constant_table(Complex64::from(2.0));
         let (got, _) = samples_of_tables(&radar, pose, &rcs_frame(vec![table]));
         let exact = samples_of_paths(&radar, vec![point(pose.position_m, pose.velocity_mps, 4.0)]);
@@ -83,7 +88,12 @@ struct FarCase {
 impl FarCase {
     fn new() -> Self {
         let radar = radar(artifact::Waveform { chirps: 4, ..experiment(1) }, &presets()[1], Multiplexing::Simultaneous);
-        let pose = Pose { position_m: [0.0, 2000.0, 6.0], yaw_rad: -1.4, velocity_mps: [0.0, -10.0, 0.0] };
+        let pose = Pose {
+            position_m: [0.0, 2000.0, 6.0],
+            yaw_rad: -1.4,
+            velocity_mps: [0.0, -10.0, 0.0],
+            acceleration_mps2: [0.0; 3],
+        };
         let points_m = [DVec3::new(0.3, 0.02, 0.0), DVec3::new(-0.2, 0.01, 0.03), DVec3::new(0.1, -0.02, -0.02)];
         Self { radar, pose, points_m }
     }
@@ -124,7 +134,7 @@ type IsExpected = fn(&EchoError) -> bool;
 #[test]
 fn tables_that_cannot_answer_are_refused() {
     let radar = single_channel(artifact::Waveform { chirps: 2, ..experiment(1) });
-    let pose = Pose { position_m: [0.0, 40.0, 6.0], yaw_rad: 0.0, velocity_mps: [0.0; 3] };
+    let pose = Pose { position_m: [0.0, 40.0, 6.0], yaw_rad: 0.0, velocity_mps: [0.0; 3], acceleration_mps2: [0.0; 3] };
     let whole = table_of_points(&[DVec3::ZERO], steps(76.9e9, 77.7e9, 9), [vec![0.0], steps(-3.15, 3.15, 9)]);
     let refuse = |table: RcsTable| {
         synthesize_tables(&header(radar.clone(), Noise::Absent), 1, &[pose], &rcs_frame(vec![table]), &|_| ())

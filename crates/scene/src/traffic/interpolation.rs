@@ -66,6 +66,8 @@ impl Bumper {
             position_m: (self.front_m - (ahead * reach_m).extend(0.0)).into(),
             yaw_rad: self.yaw_rad,
             velocity_mps: (self.velocity_mps - (turning * reach_m).extend(0.0)).into(),
+            // Between two steps velocities stay as they are.
+            acceleration_mps2: [0.0; 3],
         }
     }
 }

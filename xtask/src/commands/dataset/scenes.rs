@@ -82,6 +82,7 @@ fn header(recipe: &Recipe, drawn: &Drawn) -> Result<SceneHeader, Failure> {
         position_m: [x_m, radar_y + along, 0.0],
         yaw_rad: -std::f64::consts::FRAC_PI_2,
         velocity_mps: [0.0, -drawn.speed_mps, 0.0],
+        acceleration_mps2: [0.0; 3],
     };
     let kind = TargetKind::Mesh { class: Some(drawn.class), model: drawn.model.clone(), mesh: 0 };
     Ok(SceneHeader {

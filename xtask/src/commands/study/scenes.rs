@@ -31,7 +31,7 @@ pub(super) fn with_body(
     let mesh = header.meshes.len() as u32;
     header.meshes.push(body.clone());
     let kind = TargetKind::Mesh { class: None, model: body.name.clone(), mesh };
-    let start = Pose { position_m, yaw_rad: -FRAC_PI_2, velocity_mps };
+    let start = Pose { position_m, yaw_rad: -FRAC_PI_2, velocity_mps, acceleration_mps2: [0.0; 3] };
     header.targets.push(Target { id: format!("body-{mesh}"), kind, start });
     header
 }
@@ -44,12 +44,8 @@ pub(super) fn with_point(
     velocity_mps: [f64; 3],
 ) -> SceneHeader {
     let id = format!("point-{}", header.targets.len());
-    let start = Pose { position_m, yaw_rad: 0.0, velocity_mps };
-    header.targets.push(Target {
-        id,
-        kind: TargetKind::Point { rcs_m2, acceleration_mps2: [0.0; 3], wheel: None },
-        start,
-    });
+    let start = Pose { position_m, yaw_rad: 0.0, velocity_mps, acceleration_mps2: [0.0; 3] };
+    header.targets.push(Target { id, kind: TargetKind::Point { rcs_m2, wheel: None }, start });
     header
 }
 
