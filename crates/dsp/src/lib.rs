@@ -90,6 +90,7 @@ mod normal_equations;
 pub mod point_sources;
 pub mod point_echo;
 pub mod refinement;
+pub mod isolation;
 pub mod cramer_rao;
 pub mod position;
 pub mod clusters;

@@ -10,13 +10,15 @@ use crate::axes::{coupling_m, unwrapped, velocity_at, wrapped};
 use crate::cfar_threshold::threshold_factor;
 use crate::clusters::{Member, clusters};
 use crate::doppler_division::fold_is_certain;
+use crate::isolation::{Neighbours, fits_alone};
 use crate::noncoherent::{noise_power, power_map};
 use crate::peaks::{Peak, PeakFinder};
 use crate::point_echo::PointEcho;
 use crate::point_sources::sources;
 use crate::position::{Place, place};
 use crate::range_doppler::check_samples;
-use crate::refinement::{is_isolated, refined};
+use crate::refinement::refined;
+use crate::window::{noise_bandwidth_bins, taper};
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::points::{Object, Point, PointsFrame};
 use artifact::rdm::RdmFrame;
@@ -49,7 +51,7 @@ fn detect_in(header: &CubeHeader, map: &RdmFrame, samples: Option<&[Complex32]>)
     let view = View { header, map, array: &VirtualArray::new(header), noise };
     let mut sighted = view.sight_all(&peaks);
     if let Some(samples) = samples {
-        refine_isolated(&view, samples, &peaks, &mut sighted);
+        refine_isolated(&view, samples, &peaks, &mut sighted)?;
     }
     let groups = groups_of_peaks(header, &sighted);
     let object_of = |index: usize| groups.iter().position(|g| g.binary_search(&index).is_ok()).map(|o| o as u32);
@@ -170,32 +172,49 @@ impl View<'_> {
     }
 }
 
-/// Puts refined estimates in the place of those of detected peaks that no other peak leaks into.
-fn refine_isolated(view: &View<'_>, samples: &[Complex32], peaks: &[Peak], sighted: &mut [Sighting]) {
+/// Puts refined estimates in the place of those of detected peaks that stand alone.
+fn refine_isolated(
+    view: &View<'_>,
+    samples: &[Complex32],
+    peaks: &[Peak],
+    sighted: &mut [Sighting],
+) -> Result<(), DspError> {
     let (header, array) = (view.header, view.array);
-    let rows = header.radar.waveform.chirps as usize;
+    let bandwidth_cells = noise_bandwidth_cells(header)?;
+    let neighbours = Neighbours { header, map: view.map, array, peaks, noise: view.noise, bandwidth_cells };
+    let sample_noise = view.noise / (bandwidth_cells * view.map.values.len() as f64);
     let cells: Vec<[usize; 2]> = sighted.iter().map(|s| [s.peak.row, s.peak.column]).collect();
     for sighting in sighted.iter_mut() {
         let cell = [sighting.peak.row, sighting.peak.column];
         let alone = cells.iter().filter(|other| **other == cell).count() == 1;
-        if !(alone && sighting.peak.detected && is_isolated(&sighting.peak, peaks, rows, view.noise)) {
+        let start = sighting.echo();
+        if !(alone && sighting.peak.detected && neighbours.leave_alone(&sighting.peak, start)) {
             continue;
         }
-        let start = PointEcho {
-            range_m: sighting.range_m,
-            radial_velocity_mps: sighting.radial_velocity_mps,
-            direction: sighting.direction,
-        };
-        if let Some(point) = refined(header, array, samples, start) {
+        let point = refined(header, array, samples, start);
+        if let Some(point) = point.filter(|point| fits_alone(header, array, samples, point, sample_noise)) {
             sighting.range_m = point.range_m;
             sighting.radial_velocity_mps = wrapped(header, point.radial_velocity_mps);
             sighting.direction = point.direction;
             sighting.place = place(header, array, point.direction, point.range_m);
         }
     }
+    Ok(())
+}
+
+/// Of a cell of the map, by its two windows.
+fn noise_bandwidth_cells(header: &CubeHeader) -> Result<f64, DspError> {
+    let waveform = &header.radar.waveform;
+    let doppler = taper(header.dsp.doppler_window, waveform.chirps as usize)?;
+    let range = taper(header.dsp.range_window, waveform.samples as usize)?;
+    Ok(noise_bandwidth_bins(&doppler) * noise_bandwidth_bins(&range))
 }
 
 impl Sighting {
+    fn echo(&self) -> PointEcho {
+        PointEcho { range_m: self.range_m, radial_velocity_mps: self.radial_velocity_mps, direction: self.direction }
+    }
+
     fn member(&self, header: &CubeHeader) -> Member {
         let [x, y] = [self.place.position_m.x, self.place.position_m.y];
         Member {

@@ -4,16 +4,15 @@
 //! left turns slowly from block to block, and the score's zero is found on a few thousand sums instead of a million samples
 //! (Kay, Fundamentals of Statistical Signal Processing (1993), §7.7). Twice over, so that nothing is left of
 //! linearising the phase about the start. On a lone echo in white noise this reaches the Cramér–Rao bound
-//! (`docs/validation/estimates.md`); it knows of one echo only, so peaks that others leak into are left as they are.
+//! (`docs/validation/estimates.md`); it knows of one echo only, so peaks that others bias are left as they are ([`crate::isolation`]).
 
 use crate::angle::{Direction, VirtualArray};
 use crate::normal_equations::solve;
-use crate::peaks::Peak;
 use crate::point_echo::{Block, PointEcho, blocks};
 use artifact::cube::CubeHeader;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use num_complex::{Complex32, Complex64};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// Range, velocity, direction cosines along right and up.
 const PARAMETERS: usize = 4;
@@ -21,8 +20,6 @@ const PARAMETERS: usize = 4;
 const PASSES: usize = 2;
 /// Scoring steps of a pass. From a tenth of a cell each leaves the square of what it finds: 0.3 rad becomes 1e-6 in four.
 const STEPS: usize = 6;
-/// What others may leak into a peak, over the noise: 0.4 dB of error more.
-const MOST_LEAKAGE: f64 = 0.1;
 
 /// The echo that fits the samples best, near `start`; `None` where they do not settle within a cell of it.
 pub fn refined(
@@ -39,19 +36,6 @@ pub fn refined(
         is_near(header, &start, &point).then_some(())?;
     }
     Some(point)
-}
-
-/// Whether other peaks leave so little in a peak's cell of an unwindowed map that it may count as alone.
-///
-/// Rect sidelobes n cells away are at most 1/(πn)² (the Dirichlet kernel's envelope); `noise` is the sum over channels.
-pub fn is_isolated(peak: &Peak, peaks: &[Peak], rows: usize, noise: f64) -> bool {
-    let share = |cells: usize| if cells == 0 { 1.0 } else { (PI * cells as f64).powi(-2) };
-    let leaked = |other: &Peak| {
-        let down = peak.row.abs_diff(other.row);
-        other.power * share(down.min(rows - down)) * share(peak.column.abs_diff(other.column))
-    };
-    let others = peaks.iter().filter(|other| (other.row, other.column) != (peak.row, peak.column));
-    others.map(leaked).sum::<f64>() <= MOST_LEAKAGE * noise
 }
 
 /// Change of the parameters that maximises |Σ blocks · e^{−j·what they turn by}|.
