@@ -94,6 +94,7 @@ pub mod isolation;
 pub mod cramer_rao;
 pub mod position;
 pub mod clusters;
+pub mod time_division_folds;
 pub mod points;
 pub mod velocity_folds;
 pub mod assignment;

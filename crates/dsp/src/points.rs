@@ -18,6 +18,7 @@ use crate::point_sources::sources;
 use crate::position::{Place, place};
 use crate::range_doppler::check_samples;
 use crate::refinement::refined;
+use crate::time_division_folds::{self, Choice, Folds};
 use crate::window::{noise_bandwidth_bins, taper};
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::points::{Object, Point, PointsFrame};
@@ -26,6 +27,7 @@ use artifact::settings::{Angle, Refine, Window};
 use artifact::units::{LOWEST_DB, db_from_power};
 use num_complex::Complex32;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 /// Points of a map, strongest first, and objects in the order of their strongest peaks.
 ///
@@ -49,7 +51,7 @@ fn detect_in(header: &CubeHeader, map: &RdmFrame, samples: Option<&[Complex32]>)
     let finder = PeakFinder::new(header)?;
     let peaks = finder.peaks(power.view(), &map.values, &map.mask, known_noise_threshold(header, noise));
     let view = View { header, map, array: &VirtualArray::new(header), noise };
-    let mut sighted = view.sight_all(&peaks);
+    let mut sighted = view.in_one_fold(view.sight_all(&peaks), &peaks);
     if let Some(samples) = samples {
         refine_isolated(&view, samples, &peaks, &mut sighted)?;
     }
@@ -103,6 +105,8 @@ struct Sighting {
     snapshot: Snapshot,
     direction: Direction,
     place: Place,
+    /// Of its cell, where time division tells them.
+    folds: Option<Folds>,
 }
 
 /// What every step looks at; `noise` is summed over channels.
@@ -116,18 +120,25 @@ struct View<'a> {
 impl View<'_> {
     /// Echoes of all peaks, strongest first.
     fn sight_all(&self, peaks: &[Peak]) -> Vec<Sighting> {
-        let of_peaks: Vec<Vec<Sighting>> = peaks.par_iter().map(|peak| self.sight(*peak)).collect();
-        let mut sighted = of_peaks.concat();
-        sighted.sort_by(|a, b| b.peak.power.total_cmp(&a.peak.power));
-        sighted
+        by_strength(peaks.par_iter().map(|peak| self.sight(*peak)).collect())
     }
 
-    /// Echoes of one cell, at least one.
+    /// Echoes of one cell, at least one, at the likeliest fold of its velocity.
     fn sight(&self, peak: Peak) -> Vec<Sighting> {
         let header = self.header;
-        let radial_velocity_mps = wrapped(header, velocity_at(header, peak.fine_row));
-        let shown_m = peak.fine_column * header.radar.waveform.range_resolution_m();
-        let range_m = (shown_m - coupling_m(header, radial_velocity_mps)).max(0.0);
+        let shown_mps = wrapped(header, velocity_at(header, peak.fine_row));
+        let range_m = self.range_m(&peak, shown_mps);
+        let cell = [peak.row, peak.column];
+        let of_cell = || Folds::of_cell(header, self.map, self.array, cell, (shown_mps, range_m));
+        let folds = time_division_folds::are_told(header).then(of_cell);
+        let velocity_mps = folds.as_ref().map_or(shown_mps, |folds| self.choice(folds).velocity_mps);
+        self.sight_at(peak, velocity_mps, folds)
+    }
+
+    /// The same at a velocity that is known.
+    fn sight_at(&self, peak: Peak, radial_velocity_mps: f64, folds: Option<Folds>) -> Vec<Sighting> {
+        let header = self.header;
+        let range_m = self.range_m(&peak, radial_velocity_mps);
         let snapshot = self.array.snapshot(header, self.map, [peak.row, peak.column], radial_velocity_mps);
         let echoes = self.directions(&snapshot, range_m).into_iter().map(|(direction, share)| Sighting {
             peak: Peak { power: share * peak.power, ..peak },
@@ -136,8 +147,47 @@ impl View<'_> {
             snapshot: snapshot.clone(),
             direction,
             place: place(header, self.array, direction, range_m),
+            folds: folds.clone(),
         });
         echoes.collect()
+    }
+
+    fn range_m(&self, peak: &Peak, velocity_mps: f64) -> f64 {
+        let shown_m = peak.fine_column * self.header.radar.waveform.range_resolution_m();
+        (shown_m - coupling_m(self.header, velocity_mps)).max(0.0)
+    }
+
+    fn choice(&self, folds: &Folds) -> Choice {
+        folds.choice(self.noise / self.header.radar.virtual_channels() as f64)
+    }
+
+    /// The peaks of an object moved to the one fold that explains all of them best.
+    fn in_one_fold(&self, sighted: Vec<Sighting>, peaks: &[Peak]) -> Vec<Sighting> {
+        let mut moved: BTreeMap<[usize; 2], (f64, Option<Folds>)> = BTreeMap::new();
+        for group in groups_of_peaks(self.header, &sighted) {
+            let members: Vec<&Sighting> = group.iter().map(|index| &sighted[*index]).collect();
+            let Some(choice) = joined(&members).map(|folds| self.choice(&folds)) else {
+                return sighted;
+            };
+            for member in members {
+                let velocity_mps = unwrapped(self.header, member.radial_velocity_mps, choice.velocity_mps);
+                let cell = [member.peak.row, member.peak.column];
+                moved.entry(cell).or_insert_with(|| (velocity_mps, member.folds.clone()));
+            }
+        }
+        let again = |peak: &Peak| match moved.get(&[peak.row, peak.column]) {
+            Some((velocity_mps, folds)) => self.sight_at(*peak, *velocity_mps, folds.clone()),
+            None => self.sight(*peak),
+        };
+        by_strength(peaks.par_iter().map(again).collect())
+    }
+
+    /// A velocity of this map as near as it can be to one whose fold was told, else within the map's span.
+    fn unfolded(&self, velocity_mps: f64, near: &Sighting) -> f64 {
+        match near.folds {
+            Some(_) => unwrapped(self.header, velocity_mps, near.radial_velocity_mps),
+            None => wrapped(self.header, velocity_mps),
+        }
     }
 
     /// Directions of a cell's echoes and their shares of its power.
@@ -166,10 +216,26 @@ impl View<'_> {
             return own().map(|index| (sighted[index].clone(), index)).collect();
         }
         let across = |a: &Sighting, b: &Sighting| (a.direction.right - b.direction.right).abs();
-        let echoes = self.sight(Peak::at_centre(row, column, power)).into_iter();
+        let Some(owner) = own().next() else { return vec![] };
+        let velocity_mps = self.unfolded(velocity_at(self.header, row as f64), &sighted[owner]);
+        let echoes = self.sight_at(Peak::at_centre(row, column, power), velocity_mps, None).into_iter();
         let nearest = |s: &Sighting| own().min_by(|a, b| across(&sighted[*a], s).total_cmp(&across(&sighted[*b], s)));
         echoes.filter_map(|echo| nearest(&echo).map(|index| (echo, index))).collect()
     }
+}
+
+/// Folds of several cells of one body.
+fn joined(members: &[&Sighting]) -> Option<Folds> {
+    let mut folds = members.iter().filter_map(|member| member.folds.as_ref());
+    let mut all = folds.next()?.clone();
+    folds.for_each(|more| all.join(more));
+    Some(all)
+}
+
+fn by_strength(of_peaks: Vec<Vec<Sighting>>) -> Vec<Sighting> {
+    let mut sighted = of_peaks.concat();
+    sighted.sort_by(|a, b| b.peak.power.total_cmp(&a.peak.power));
+    sighted
 }
 
 /// Puts refined estimates in the place of those of detected peaks that stand alone.
@@ -194,7 +260,7 @@ fn refine_isolated(
         let point = refined(header, array, samples, start);
         if let Some(point) = point.filter(|point| fits_alone(header, array, samples, point, sample_noise)) {
             sighting.range_m = point.range_m;
-            sighting.radial_velocity_mps = wrapped(header, point.radial_velocity_mps);
+            sighting.radial_velocity_mps = view.unfolded(point.radial_velocity_mps, sighting);
             sighting.direction = point.direction;
             sighting.place = place(header, array, point.direction, point.range_m);
         }
@@ -273,8 +339,11 @@ impl View<'_> {
         let place = place(header, self.array, self.direction(peaks, &weights, range_m), range_m);
         Object {
             range_m,
-            radial_velocity_mps: wrapped(header, velocity_mps),
-            velocity_resolved: fold_is_certain(header, self.map, strongest.peak.row, strongest.peak.column),
+            radial_velocity_mps: self.unfolded(velocity_mps, strongest),
+            velocity_resolved: match joined(peaks) {
+                Some(folds) => self.choice(&folds).is_certain,
+                None => fold_is_certain(header, self.map, strongest.peak.row, strongest.peak.column),
+            },
             azimuth_rad: place.azimuth_rad,
             position_m: place.position_m.to_array(),
             lane: header.dsp.lane_at(place.position_m.x),

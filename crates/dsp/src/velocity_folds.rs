@@ -1,14 +1,16 @@
 //! Velocity ambiguity resolved from two sub-frames of different chirp intervals.
 //!
-//! Each shows a velocity up to a multiple of its own span (λ/2T); the multiples at which both agree, and with them the ranges, directions
+//! Each shows a velocity up to a multiple of its own span (λ/2T, under time division too once the phases between transmitters
+//! have told the folds of a transmitter's longer repetition: [`crate::time_division_folds`]); the multiples at which both agree, and with them the ranges, directions
 //! and levels, tell the velocity (the Chinese remainder with tolerance: Richards, Fundamentals of Radar Signal Processing
 //! (2014), §5.3.2). A vehicle is many points, so a hypothesis is scored by how well *all* points of an object find partners in the
 //! other sub-frame; vehicles that share range cells are decided together, so that no echo serves two. Also the range
 //! speaks: a hypothesis one span higher is f_c/μ·span nearer (0.11 m at 17.6 m/s) and moves on between the sub-frames.
 
 use crate::angle::{Direction, VirtualArray};
-use crate::axes::{coupling_m, unwrapped, wrapped};
+use crate::axes::coupling_m;
 use crate::position::place;
+use crate::time_division_folds::ambiguity_mps;
 use artifact::cube::CubeHeader;
 use artifact::points::{Object, Point, PointsFrame};
 use artifact::units::amplitude_from_db;
@@ -80,7 +82,7 @@ impl<'a> Scorer<'a> {
 
     /// Folds that stay below the fastest vehicle, and their scores.
     fn choices(&self, object: Option<u32>) -> Choice {
-        let span_mps = 2.0 * self.own.header.radar.velocity_max_mps();
+        let span_mps = ambiguity_mps(self.own.header);
         let points: Vec<&Point> = self.own.points.points.iter().filter(|p| p.object == object).collect();
         let strongest_mps = points.first().map_or(0.0, |p| p.radial_velocity_mps);
         let most = (2.0 * FASTEST_MPS / span_mps).ceil() as i32;
@@ -244,6 +246,16 @@ impl<'a> Scorer<'a> {
             (DVec3::from(position_m) - DVec3::from(self.own.header.radar.position_m)) / range_m.max(f64::MIN_POSITIVE);
         Direction { right: away.dot(right), up: self.array.beams()[1].is_finite().then(|| away.dot(up)) }
     }
+}
+
+/// `velocity_mps` moved by whole ambiguities until it is nearest to `near_mps`.
+fn unwrapped(header: &CubeHeader, velocity_mps: f64, near_mps: f64) -> f64 {
+    near_mps + wrapped(header, velocity_mps - near_mps)
+}
+
+fn wrapped(header: &CubeHeader, velocity_mps: f64) -> f64 {
+    let span_mps = ambiguity_mps(header);
+    velocity_mps - span_mps * (velocity_mps / span_mps).round()
 }
 
 fn best_of(scores: &[f64]) -> usize {
