@@ -5,6 +5,10 @@
 //! the *whole* object's power-weighted mean across the lanes: chains must not creep from one lane to the next, which
 //! density clustering (DBSCAN) in all three allows as soon as one weak point between them is badly placed.
 //!
+//! A body whose echoes leave a longer gap, or one of which stood too far aside when it was met, is two groups then. They are joined
+//! if they stand in one strip (their means within half a lane), move alike (their mean velocities within half a reach) and are apart by less than
+//! two cars of a queue are.
+//!
 //! What is left behind a group, in its strip and at its velocity, but twenty times weaker, is its tail: the far end of a long
 //! body, which sends little back beside the front, or an echo of several bounces. (A box truck of 8 m at 30 m: the front at
 //! 25 dB, the rear 6 m behind the last echo before it at 11 dB.) A follower of like strength stays its own object; one that
@@ -39,7 +43,8 @@ pub fn clusters(members: &[Member], settings: &DspSettings, velocity_span_mps: f
             groups.push(group);
         }
     }
-    with_tails(members, settings, velocity_span_mps, groups)
+    let groups = joined_to_earlier(groups, |piece, body| is_piece(members, settings, velocity_span_mps, piece, body));
+    joined_to_earlier(groups, |tail, body| is_tail(members, settings, velocity_span_mps, tail, body))
 }
 
 /// A tail is at least this much weaker than the strongest point ahead.
@@ -47,25 +52,49 @@ const TAIL_POWER: f64 = 0.05;
 /// A tail follows the last point ahead within this many reaches in range: 6.25 m of the default 2.5 m.
 const TAIL_REACHES: f64 = 2.5;
 
-/// Groups, strongest first, each joined to the strongest earlier one whose tail it is.
-fn with_tails(
-    members: &[Member],
-    settings: &DspSettings,
-    velocity_span_mps: f64,
-    groups: Vec<Vec<usize>>,
-) -> Vec<Vec<usize>> {
+/// Groups, strongest first, each joined to the strongest earlier one that it belongs to.
+fn joined_to_earlier(groups: Vec<Vec<usize>>, belongs: impl Fn(&[usize], &[usize]) -> bool) -> Vec<Vec<usize>> {
     let mut joined: Vec<Vec<usize>> = Vec::new();
     for group in groups {
-        let ahead = joined.iter_mut().find(|g| is_tail(members, settings, velocity_span_mps, &group, g));
-        match ahead {
-            Some(ahead) => {
-                ahead.extend(group);
-                ahead.sort_unstable();
+        match joined.iter_mut().find(|earlier| belongs(&group, earlier)) {
+            Some(earlier) => {
+                earlier.extend(group);
+                earlier.sort_unstable();
             }
             None => joined.push(group),
         }
     }
     joined
+}
+
+/// Two pieces of one body are this many reaches apart at most: 4.4 m of the default 2.5 m. The rear of a car is hidden from the front, so that
+/// the echoes of two that stand a metre apart are farther from each other.
+const PIECE_REACHES: f64 = 1.75;
+/// Their means are apart by at most this part of the reach across: 1.5 m, two fifths of a lane.
+const PIECE_STRIP: f64 = 0.6;
+/// And by this part of the reach in velocity.
+const PIECE_VELOCITY: f64 = 0.5;
+
+fn is_piece(members: &[Member], settings: &DspSettings, velocity_span_mps: f64, a: &[usize], b: &[usize]) -> bool {
+    let gaps = a.iter().flat_map(|i| b.iter().map(|j| (members[*i].range_m - members[*j].range_m).abs()));
+    let [(cross_a_m, velocity_a), (cross_b_m, velocity_b)] =
+        [a, b].map(|group| means(members, velocity_span_mps, group));
+    let apart = on_circle(velocity_a - velocity_b, velocity_span_mps).abs();
+    apart <= PIECE_VELOCITY * settings.cluster_velocity_mps
+        && (cross_a_m - cross_b_m).abs() <= PIECE_STRIP * settings.cluster_cross_m
+        && gaps.fold(f64::INFINITY, f64::min) <= PIECE_REACHES * settings.cluster_range_m
+}
+
+/// Power-weighted means of a group: across the lanes, and of velocities about its strongest member's.
+fn means(members: &[Member], velocity_span_mps: f64, group: &[usize]) -> (f64, f64) {
+    let strongest_mps = members[group[0]].radial_velocity_mps;
+    let (mut cross, mut velocity, mut weight) = (0.0, 0.0, 0.0);
+    for member in group.iter().map(|i| &members[*i]) {
+        cross += member.power * member.cross_m;
+        velocity += member.power * on_circle(member.radial_velocity_mps - strongest_mps, velocity_span_mps);
+        weight += member.power;
+    }
+    (cross / weight, strongest_mps + velocity / weight)
 }
 
 fn is_tail(members: &[Member], settings: &DspSettings, velocity_span_mps: f64, tail: &[usize], body: &[usize]) -> bool {
@@ -124,6 +153,10 @@ fn near(a: &Member, b: &Member, settings: &DspSettings, velocity_span_mps: f64) 
 
 /// Distance of two velocities on their circle.
 fn apart_mps(a: &Member, b: &Member, velocity_span_mps: f64) -> f64 {
+    on_circle(a.radial_velocity_mps - b.radial_velocity_mps, velocity_span_mps).abs()
+}
+
+fn on_circle(difference_mps: f64, velocity_span_mps: f64) -> f64 {
     let half = 0.5 * velocity_span_mps;
-    ((a.radial_velocity_mps - b.radial_velocity_mps + half).rem_euclid(velocity_span_mps) - half).abs()
+    (difference_mps + half).rem_euclid(velocity_span_mps) - half
 }
