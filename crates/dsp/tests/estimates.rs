@@ -274,8 +274,13 @@ A point in radial motion, place and speed drawn at random (20–45 m, ±17°, ±
 the truth in range and velocity; others (missed or beaten by noise) are left out of the errors. Maps are small (64 × 32 and 32 × 16 cells): the bound counts
 cells, so the size matters only through N² − 1.
 
-What the tables say: refined estimates stay within 0.25 dB of the bound from 5 to 10 dB per cell up, where detection begins to be certain; peaks stay 8 dB (range, velocity: Hann
-costs 3.5 dB, three cells hold only part of the rest) and 4.5 dB (direction) above it. Beside a second echo (last table) TODO
+What the tables say: refined estimates stay within two standard errors of the bound from 5 to 10 dB per cell up, where detection begins to be certain; peaks stay 8 dB (range, velocity: Hann
+costs 3.5 dB, three cells hold only part of the rest) and 4.5 dB (direction) above it.
+
+Beside a second, equal echo (last table) nothing is refined that the other biases: its correlation with the slopes of the estimates, over the array and along both axes, may add a tenth of the bound's square (0.4 dB), and what is left of the
+samples around the fitted echo must hold no second one (`crates/dsp/src/isolation.rs`). At 36 dB an equal echo in the same direction and Doppler row forbids it at every distance of this map (24 cells away the old rule,
+leakage into one cell, allowed it and the range was 6.4 dB over the bound); aside by a beam and a half from 12 cells on, 8 Doppler cells away from 2 on. Two limits: echoes less than half a cell or half a beam apart look like one
+and are refined as one, in the middle of both; and beside an echo 6 cells away and a beam and a half aside, whose beam falls near a null, a fifth is refined at 3.4 dB over the bound in range.
 
 `cargo test --release -p dsp --test estimates -- --ignored --nocapture study` writes this page.
 ";

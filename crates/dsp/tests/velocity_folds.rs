@@ -257,31 +257,20 @@ fn study_of_velocities_beyond_the_span() {
             row(&mut page, name, what, sum(0), count * trials as usize, Some(sum(1)));
         }
     }
-    for (what, count, trials) in [("vehicles", 1, 150), ("vehicles, two in the same range cells", 2, 150)] {
-        let name = "experiment 1, 3 × 4 in turn, 60 and 75 µs";
-        let headers = in_turn_twice();
-        let right = |seed: u64| isolated_is_right(&headers, seed);
-        if count == 1 {
-            row(
-                &mut page,
-                name,
-                "lone points",
-                (0..1000_u64).into_par_iter().filter(|s| right(*s)).count(),
-                1000,
-                None,
-            );
-        }
-        let all: Vec<[usize; 2]> =
-            (0..trials).into_par_iter().map(|seed| vehicles_right(&headers, count, 1000 + seed)).collect();
-        let sum = |i: usize| all.iter().map(|t| t[i]).sum::<usize>();
-        row(&mut page, name, what, sum(0), count * trials as usize, Some(sum(1)));
-    }
-    page.push_str(IN_TURN);
+    page.push_str(CHAIN);
+    std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/validation/ambiguity.md"), page).unwrap();
+}
+
+/// Writes `docs/validation/transmitters-in-turn.md`.
+#[test]
+#[ignore = "some minutes"]
+fn in_turn_study() {
+    let mut page = String::from(IN_TURN);
     arrays_in_turn(&mut page);
     page.push_str(VEHICLES_IN_TURN);
     vehicles_in_turn(&mut page);
-    page.push_str(CHAIN);
-    std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/validation/ambiguity.md"), page).unwrap();
+    std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/validation/transmitters-in-turn.md"), page)
+        .unwrap();
 }
 
 /// What arrays can tell, and what they told of lone points.
@@ -289,13 +278,13 @@ fn arrays_in_turn(page: &mut String) {
     let row = |places: &[f64]| places.iter().map(|p| [*p, 0.0]).collect::<Vec<_>>();
     let directions: Vec<Direction> = (-10..=10).map(|i| Direction { right: 0.05 * f64::from(i), up: None }).collect();
     for (name, elements, trials) in [
-        ("2x4: 0, 4", [row(&[0.0, 4.0]), row(&[0.0, 1.0, 2.0, 3.0])], 1000),
-        ("3x4: 0, 4, 8", elements_3x4(), 3000),
-        ("3x4, one overlapping: 0, 3, 6", [row(&[0.0, 3.0, 6.0]), row(&[0.0, 1.0, 2.0, 3.0])], 1000),
-        ("3x4, wide receivers: 0, 1, 2 by 0, 3, 6, 9", [row(&[0.0, 1.0, 2.0]), row(&[0.0, 3.0, 6.0, 9.0])], 1000),
-        ("6x8 with elevation", elements_6x8(), 1000),
-        ("12x16", elements_12x16(), 100),
-        ("4x1: 0, 1, 2, 3", [row(&[0.0, 1.0, 2.0, 3.0]), row(&[0.0])], 1000),
+        ("2x4: 0, 4", [row(&[0.0, 4.0]), row(&[0.0, 1.0, 2.0, 3.0])], 300),
+        ("3x4: 0, 4, 8", elements_3x4(), 1000),
+        ("3x4, one overlapping: 0, 3, 6", [row(&[0.0, 3.0, 6.0]), row(&[0.0, 1.0, 2.0, 3.0])], 300),
+        ("3x4, wide receivers: 0, 1, 2 by 0, 3, 6, 9", [row(&[0.0, 1.0, 2.0]), row(&[0.0, 3.0, 6.0, 9.0])], 300),
+        ("6x8 with elevation", elements_6x8(), 300),
+        ("12x16", elements_12x16(), 40),
+        ("4x1: 0, 1, 2, 3", [row(&[0.0, 1.0, 2.0, 3.0]), row(&[0.0])], 300),
     ] {
         let mut header = in_turn(elements);
         let slots = header.radar.array.tx_m.len() as u32;
@@ -315,15 +304,23 @@ fn arrays_in_turn(page: &mut String) {
 }
 
 fn vehicles_in_turn(page: &mut String) {
-    for (name, elements) in [("3x4", elements_3x4()), ("6x8", elements_6x8())] {
+    let all_of = |right: &(dyn Fn(u64) -> [usize; 2] + Sync)| {
+        let all: Vec<[usize; 2]> = (1000..1060_u64).into_par_iter().map(right).collect();
+        [0, 1].map(|i: usize| all.iter().map(|t| t[i]).sum::<usize>())
+    };
+    for (name, elements) in [("3x4, 29 µs", elements_3x4()), ("6x8, 29 µs", elements_6x8())] {
         let header = in_turn(elements);
         for (what, count) in [("vehicles", 1), ("vehicles, two in the same range cells", 2)] {
-            let trials = 150;
-            let all: Vec<[usize; 2]> =
-                (0..trials).into_par_iter().map(|seed| folds_of_vehicles(&header, count, 1000 + seed)).collect();
-            let sum = |i: usize| all.iter().map(|t| t[i]).sum::<usize>();
-            row(page, name, what, sum(0), count * trials as usize, Some(sum(1)));
+            let [right, wrong] = all_of(&|seed| folds_of_vehicles(&header, count, seed));
+            row(page, name, what, right, count * 60, Some(wrong));
         }
+    }
+    let (name, headers) = ("3x4, 60 and 75 µs", in_turn_twice());
+    let lone = (0..500_u64).into_par_iter().filter(|seed| isolated_is_right(&headers, *seed)).count();
+    row(page, name, "lone points", lone, 500, None);
+    for (what, count) in [("vehicles", 1), ("vehicles, two in the same range cells", 2)] {
+        let [right, wrong] = all_of(&|seed| vehicles_right(&headers, count, seed));
+        row(page, name, what, right, count * 60, Some(wrong));
     }
 }
 
@@ -349,36 +346,34 @@ so a wrong fold is far outside. *Certain and wrong*: objects that say `velocity_
 |---|---|---|---|---|
 ";
 
-const IN_TURN: &str = "
-*In turn*: three transmitters by time division, whose own spans are 10.8 and 8.7 m/s; the phases between them tell these folds, the two intervals the rest (below).
-
-## Transmitters in turn: what the phases between them tell
+const IN_TURN: &str = "# Transmitters in turn: velocity folds told by the phases between them
 
 N transmitters in turn, each repeated after N·T, show velocities up to multiples of λ/2NT. With k multiples too many, 2πk/N is left between one transmitter
 and the next. Every fold is tried on a cell: the one whose strongest beam leaves least of the cell's power is taken (generalised likelihood ratio of one echo in white noise; over an object its cells
 together), and it is *certain* if the next one is behind by 9 in the logarithm of the likelihood, what even the best fold leaves counted as noise (`crates/dsp/src/time_division_folds.rs`). What remains is the
-ambiguity of a single transmitter, λ/2T: `velocity_resolved` is only said where that is beyond 33.4 m/s too.
+ambiguity of a single transmitter, λ/2T: `velocity_resolved` is only said where that is beyond 33.4 m/s too, or two sub-frames tell it.
 
 How well that works is the array's. *A wrong fold loses*: the least part of the power, over all folds and directions up to u = ±0.5. With one receiver and a regular row of transmitters a wrong fold **is** another direction: nothing tells,
-and nothing is claimed. So it is where receivers stand N transmitter spacings apart. Contiguous arrays lose about 3/N² (the receivers' own beam is as wide as the transmitters' grating lobes are apart): 3 × 4 keeps 1.4 dB to tell by, 12 × 16 0.1 dB. Two elements of the virtual array in one place help.
+and nothing is claimed; so it is where receivers stand N transmitter spacings apart. Contiguous arrays lose about 3/N² (the receivers' own beam is as wide as the transmitters' grating lobes are apart): 3 × 4 keeps 1.4 dB to tell by, 12 × 16 0.1 dB. Two elements of the virtual array in one place help.
 
-Lone points as above, −30 to 30 m/s, 20–55 m, 128 samples, T = 29 µs (λ/2T = 67 m/s), 192/N chirps of each transmitter, at least 32.
+Lone points of −30 to 30 m/s along the road, 20–55 m away, noise figure 12 dB, 128 samples, T = 29 µs (λ/2T = 67 m/s), 192/N chirps of each transmitter, at least 32. *Right*: within 1 m/s; the folds are 67/N m/s apart.
+
+`cargo test --release -p dsp --test velocity_folds -- --ignored --nocapture in_turn_study` writes this page.
 
 | array: transmitters by receivers, λ/2 | a wrong fold loses | found | right | certain | certain and wrong |
 |---|---|---|---|---|---|
 ";
 
 const VEHICLES_IN_TURN: &str = "
-Vehicles as above, T = 29 µs, 64 chirps of each transmitter; one frame, no second interval. Several echoes in a cell fit no fold well, so vehicles are more often uncertain:
-they are right more often than they are certain, and hardly ever certain and wrong.
+Vehicles as in [ambiguity](ambiguity.md), 64 chirps of each transmitter; at 29 µs one frame alone, at 60 and 75 µs two sub-frames, whose maps span 10.8 and 8.7 m/s and whose λ/2T are 32.5 and 26 m/s. Several echoes in a cell fit no fold well.
 
 | array | targets | number | right | certain and wrong |
 |---|---|---|---|---|
 ";
 
 const CHAIN: &str = "
-## In the whole chain
+Transmitters in turn have their own folds, told by the phases between them: [transmitters in turn](transmitters-in-turn.md).
 
-`cargo xtask run scenes/experiment-3-two-intervals.toml`, the car of experiment 3 by 110 and 137 µs: −9.801 m/s in both sub-frames (the echo's −9.801 and −9.800; the body's −9.790), map abnormal, velocity resolved;
+In the whole chain: `cargo xtask run scenes/experiment-3-two-intervals.toml`, the car of experiment 3 by 110 and 137 µs: −9.801 m/s in both sub-frames (the echo's −9.801 and −9.800; the body's −9.790), map abnormal, velocity resolved;
 `experiment-3.toml` with one interval shows +7.752 m/s.
 ";
