@@ -29,6 +29,7 @@ pub mod seed;
 mod codec;
 pub mod whole_file;
 pub mod envelope;
+pub mod pattern;
 pub mod radar;
 pub mod settings;
 pub mod material;

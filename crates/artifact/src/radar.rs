@@ -1,5 +1,6 @@
 //! The radar: waveform, antenna array and link, as every stage needs them.
 
+pub use crate::pattern::{Pattern, PatternTable};
 use crate::units::SPEED_OF_LIGHT_MPS;
 use serde::{Deserialize, Serialize};
 
@@ -156,18 +157,6 @@ impl Polarization {
             Self::Hv => (1, 0),
         }
     }
-}
-
-/// Gain of an element over direction, relative to [`Link::antenna_gain_db`].
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub enum Pattern {
-    /// The same in every direction.
-    Isotropic,
-    /// Amplitude cosⁿ of the angle off boresight, nothing behind.
-    Cosine {
-        /// n.
-        exponent: f64,
-    },
 }
 
 /// Antenna elements.

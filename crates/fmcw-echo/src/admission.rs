@@ -96,15 +96,13 @@ fn check_array(radar: &Radar) -> Result<(), EchoError> {
     if tx.is_empty() || rx.is_empty() {
         return Err(EchoError::NoElements { transmitters: tx.len(), receivers: rx.len() });
     }
-    let exponent = match radar.array.pattern {
-        Pattern::Isotropic => 0.0,
-        Pattern::Cosine { exponent } => exponent,
-    };
+    if !is_usable(&radar.array.pattern) {
+        return Err(EchoError::Pattern);
+    }
     let (link, hardware) = (&radar.link, &radar.hardware);
     let errors = || hardware.tx.iter().chain(&hardware.rx);
     let finite = [
         ("an element position", tx.iter().chain(rx).flatten().all(|x| x.is_finite())),
-        ("the pattern's exponent", exponent.is_finite() && exponent >= 0.0),
         ("the boresight", (radar.boresight_az_rad + radar.boresight_el_rad).is_finite()),
         ("the transmit power", link.transmit_power_w.is_finite() && link.transmit_power_w >= 0.0),
         ("the antenna gain", link.antenna_gain_db.is_finite()),
@@ -118,6 +116,21 @@ fn check_array(radar: &Radar) -> Result<(), EchoError> {
     match finite.iter().find(|(_, good)| !good) {
         None => Ok(()),
         Some((quantity, _)) => Err(EchoError::NonFiniteRadar { quantity }),
+    }
+}
+
+fn is_usable(pattern: &Pattern) -> bool {
+    match pattern {
+        Pattern::Isotropic => true,
+        Pattern::Cosine { exponent } => exponent.is_finite() && *exponent >= 0.0,
+        Pattern::Table(table) => {
+            let axes = [&table.azimuth_rad, &table.elevation_rad];
+            let grows = |axis: &[f64]| axis.windows(2).all(|pair| pair[0] < pair[1]);
+            let numbers = axes.into_iter().chain([&table.amplitude]).flatten();
+            axes.iter().all(|axis| (axis.len() == 1 || axis.len() >= 3) && grows(axis))
+                && table.amplitude.len() == axes[0].len() * axes[1].len()
+                && numbers.copied().all(f64::is_finite)
+        }
     }
 }
 

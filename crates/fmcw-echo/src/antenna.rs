@@ -1,7 +1,6 @@
 //! Radar equation without σ and without lengths (physics.md §6), and the elements' pattern.
 
 use artifact::Radar;
-use artifact::radar::Pattern;
 use artifact::units::power_from_db;
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -15,21 +14,15 @@ pub fn link_amplitude(radar: &Radar) -> f64 {
 }
 
 /// Amplitude gain of an element towards a unit direction, relative to boresight.
-pub fn pattern_amplitude(pattern: Pattern, boresight: DVec3, direction: DVec3) -> f64 {
-    match pattern {
-        Pattern::Isotropic => 1.0,
-        Pattern::Cosine { exponent } => cosine_amplitude(boresight.dot(direction), exponent),
-    }
+pub fn pattern_amplitude(radar: &Radar, axes: &[DVec3; 3], direction: DVec3) -> f64 {
+    radar.array.pattern.amplitude(axes.map(|axis| axis.dot(direction)))
 }
 
-/// cosⁿ in front, nothing behind.
-pub(crate) fn cosine_amplitude(cosine: f64, exponent: f64) -> f64 {
-    if cosine > 0.0 { cosine.powf(exponent) } else { 0.0 }
-}
-
-/// Unit vector of the boresight: azimuth from +y towards +x, elevation above the horizon.
-pub fn boresight(radar: &Radar) -> DVec3 {
+/// Unit vectors to the right, along the boresight (azimuth from +y towards +x, elevation above the horizon), and up.
+pub fn axes(radar: &Radar) -> [DVec3; 3] {
     let (sin_az, cos_az) = radar.boresight_az_rad.sin_cos();
     let (sin_el, cos_el) = radar.boresight_el_rad.sin_cos();
-    DVec3::new(sin_az * cos_el, cos_az * cos_el, sin_el)
+    let right = DVec3::new(cos_az, -sin_az, 0.0);
+    let boresight = DVec3::new(sin_az * cos_el, cos_az * cos_el, sin_el);
+    [right, boresight, right.cross(boresight)]
 }

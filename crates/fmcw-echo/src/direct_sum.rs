@@ -13,7 +13,7 @@
 //! Lanes hold paths, not samples, so that the set-up of a chirp (square roots, phasors) is as wide as the sum. Each row
 //! (channel, chirp) is added by one thread, in the order of the paths: any number of threads gives the same bytes.
 
-use crate::antenna::{boresight, cosine_amplitude, link_amplitude};
+use crate::antenna::{axes, link_amplitude};
 use crate::chirp_segments::samples_per_segment;
 use crate::lanes::{Complex, MAX_LANES, Real, Vector};
 use crate::multiplexing::{Transmission, row};
@@ -32,7 +32,7 @@ pub struct DirectSum<'a> {
     radar: &'a Radar,
     centre_frequency_hz: f64,
     link_amplitude: f64,
-    boresight: DVec3,
+    axes: [DVec3; 3],
     samples_per_segment: usize,
     columns: Columns,
     /// Points on rims are few, and no parabola is theirs: each of their samples is written from the formulas.
@@ -56,7 +56,7 @@ impl<'a> DirectSum<'a> {
             radar,
             centre_frequency_hz,
             link_amplitude: link_amplitude(radar),
-            boresight: boresight(radar),
+            axes: axes(radar),
             samples_per_segment: radar.waveform.samples as usize,
             columns: Columns::new(radar, heard),
             on_rims: vec![],
@@ -368,16 +368,21 @@ impl<'a, S: Simd> Chirp<'a, S> {
     #[inline(always)]
     fn gain(&self, legs: &Legs<S>) -> Real<S> {
         let spreading = (legs.departing_length_m * legs.arriving_length_m).recip().scale(self.sum.link_amplitude);
-        match self.sum.radar.array.pattern {
+        match &self.sum.radar.array.pattern {
             Pattern::Isotropic => spreading,
-            Pattern::Cosine { exponent } => {
-                let boresight = Vector::splat(self.simd, self.sum.boresight);
-                let departing = legs.departing_m.dot(boresight) * legs.departing_length_m.recip();
-                let arriving = legs.arriving_m.dot(boresight) * legs.arriving_length_m.recip();
-                let gain = |cosine| cosine_amplitude(cosine, exponent);
-                spreading * departing.map(gain) * arriving.map(gain)
+            pattern => {
+                let departing = self.pattern_gain(pattern, legs.departing_m, legs.departing_length_m);
+                spreading * departing * self.pattern_gain(pattern, legs.arriving_m, legs.arriving_length_m)
             }
         }
+    }
+
+    #[inline(always)]
+    fn pattern_gain(&self, pattern: &Pattern, leg_m: Vector<S>, length_m: Real<S>) -> Real<S> {
+        let shrink = length_m.recip();
+        let [right, ahead, up] = self.sum.axes;
+        let along = |axis: DVec3| leg_m.dot(Vector::splat(self.simd, axis)) * shrink;
+        Real::map3([along(right), along(ahead), along(up)], |direction| pattern.amplitude(direction))
     }
 
     /// turn·conj(a + (f − f_c)a′)·gain.

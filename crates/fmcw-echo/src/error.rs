@@ -27,6 +27,11 @@ pub enum EchoError {
         /// Name of the value.
         quantity: &'static str,
     },
+    /// An antenna pattern that does not tell a gain.
+    #[error(
+        "radar array: the antenna pattern has numbers that are not finite, axes that do not grow, or not one value a direction"
+    )]
+    Pattern,
     /// An array without a transmitter or without a receiver.
     #[error("radar array: {transmitters} transmitters and {receivers} receivers; at least one of each is needed")]
     NoElements {

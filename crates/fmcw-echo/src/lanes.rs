@@ -62,11 +62,17 @@ impl<S: Simd> Real<S> {
 
     /// Lane by lane through `f`: for the rare function that has no vector form.
     #[inline(always)]
-    pub(crate) fn map(self, f: impl Fn(f64) -> f64) -> Self {
-        let mut lanes = [0.0; MAX_LANES];
-        self.simd.partial_store_f64s(&mut lanes[..S::F64_LANES], self.value);
-        lanes.iter_mut().for_each(|lane| *lane = f(*lane));
-        Self { value: self.simd.partial_load_f64s(&lanes[..S::F64_LANES]), ..self }
+    pub(crate) fn map3(of: [Self; 3], f: impl Fn([f64; 3]) -> f64) -> Self {
+        let simd = of[0].simd;
+        let mut lanes = [[0.0; MAX_LANES]; 3];
+        for (lanes, part) in lanes.iter_mut().zip(&of) {
+            simd.partial_store_f64s(&mut lanes[..S::F64_LANES], part.value);
+        }
+        let mut results = [0.0; MAX_LANES];
+        for (i, result) in results.iter_mut().enumerate().take(S::F64_LANES) {
+            *result = f([lanes[0][i], lanes[1][i], lanes[2][i]]);
+        }
+        Self { value: simd.partial_load_f64s(&results[..S::F64_LANES]), ..of[0] }
     }
 }
 
@@ -275,9 +281,10 @@ mod tests {
         impl WithSimd for Map {
             type Output = f64;
             fn with_simd<S: Simd>(self, simd: S) -> f64 {
-                simd.reduce_sum_f64s(Real::splat(simd, 3.0).map(|x| x * x).value) / S::F64_LANES as f64
+                let three = [1.0, 2.0, 3.0].map(|x| Real::splat(simd, x));
+                simd.reduce_sum_f64s(Real::map3(three, |[x, y, z]| x + y * z).value) / S::F64_LANES as f64
             }
         }
-        assert_eq!(Arch::new().dispatch(Map), 9.0);
+        assert_eq!(Arch::new().dispatch(Map), 7.0);
     }
 }

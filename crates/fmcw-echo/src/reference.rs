@@ -3,7 +3,7 @@
 //! Nothing here is shared with [`crate::direct_sum`] but the radar's data, the link amplitude and the schedule of
 //! transmissions. Never optimised.
 
-use crate::antenna::{boresight, link_amplitude, pattern_amplitude};
+use crate::antenna::{axes, link_amplitude, pattern_amplitude};
 use crate::multiplexing::{Transmission, row};
 use artifact::Radar;
 use artifact::paths::{Path, Rim};
@@ -78,7 +78,8 @@ impl Legs {
 
     /// Amplitude gain of both elements towards departure and arrival, over L₁L₂.
     pub fn gain(&self, radar: &Radar) -> f64 {
-        let towards = |leg: DVec3| pattern_amplitude(radar.array.pattern, boresight(radar), leg / leg.length());
+        let axes = axes(radar);
+        let towards = |leg: DVec3| pattern_amplitude(radar, &axes, leg / leg.length());
         let pattern = towards(self.departing_m) * towards(self.arriving_m);
         pattern / (self.departing_m.length() * self.arriving_m.length())
     }

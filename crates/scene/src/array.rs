@@ -2,7 +2,9 @@
 
 use crate::document::Section;
 use crate::errors::{Allowed, Rule};
-use artifact::radar::{Array, Multiplexing, Pattern, Polarization};
+use crate::models::Models;
+use crate::pattern_table::read_pattern_table;
+use artifact::radar::{Array, Multiplexing, Pattern, PatternTable, Polarization};
 use glam::DVec3;
 
 /// Where the elements are mounted.
@@ -38,7 +40,7 @@ const ELEMENTS: Allowed = Allowed::Between(1.0, 256.0);
 const OFFSETS: Allowed = Allowed::Between(-1e4, 1e4);
 
 /// The array of a scene, 3x4 where it says nothing.
-pub(crate) fn read_array(section: &Section<'_>, mount: &Mount) -> Array {
+pub(crate) fn read_array(section: &Section<'_>, mount: &Mount, models: &mut Models) -> Array {
     let (tx_half_wavelengths, rx_half_wavelengths) = read_elements(section);
     let multiplexing =
         [("simultaneous", Multiplexing::Simultaneous), ("tdm", Multiplexing::Tdm), ("ddm", Multiplexing::Ddm)];
@@ -51,7 +53,7 @@ pub(crate) fn read_array(section: &Section<'_>, mount: &Mount) -> Array {
         rx_half_wavelengths,
         multiplexing: section.word("multiplexing", &multiplexing).unwrap_or(Multiplexing::Simultaneous),
         polarization: section.word("polarization", &polarization).unwrap_or(Polarization::Vv),
-        pattern: read_pattern(section),
+        pattern: read_pattern(section, models),
     }
 }
 
@@ -107,13 +109,43 @@ fn golomb_rows() -> Elements {
     [0.0, 1.0, 4.0, 6.0].iter().flat_map(|up| [[0.0, *up], [1.0, *up]]).collect()
 }
 
-fn read_pattern(section: &Section<'_>) -> Pattern {
+fn read_pattern(section: &Section<'_>, models: &mut Models) -> Pattern {
     let exponent = section.number("cosine_exponent", Allowed::Above(0.0, 100.0));
-    let cosine = section.word("pattern", &[("isotropic", false), ("cosine", true)]).unwrap_or(false);
-    if cosine {
-        section.require("cosine_exponent");
-    } else if section.has("cosine_exponent") {
-        section.note("cosine_exponent", Rule::Misplaced { key: "cosine_exponent", owner: "an isotropic pattern" });
+    let words = [("isotropic", Form::Isotropic), ("cosine", Form::Cosine), ("table", Form::Table)];
+    let form = section.word("pattern", &words).unwrap_or(Form::Isotropic);
+    for (key, of) in [("cosine_exponent", Form::Cosine), ("pattern_file", Form::Table)] {
+        if form == of {
+            section.require(key);
+        } else if section.has(key) {
+            section.note(key, Rule::Misplaced { key, owner: form.owner() });
+        }
     }
-    if cosine { Pattern::Cosine { exponent: exponent.unwrap_or(1.0) } } else { Pattern::Isotropic }
+    match form {
+        Form::Isotropic => Pattern::Isotropic,
+        Form::Cosine => Pattern::Cosine { exponent: exponent.unwrap_or(1.0) },
+        Form::Table => read_table(section, models).map_or(Pattern::Isotropic, Pattern::Table),
+    }
+}
+
+/// What tells a pattern.
+#[derive(Clone, Copy, PartialEq)]
+enum Form {
+    Isotropic,
+    Cosine,
+    Table,
+}
+
+impl Form {
+    fn owner(self) -> &'static str {
+        match self {
+            Self::Isotropic => "an isotropic pattern",
+            Self::Cosine => "a cosine pattern",
+            Self::Table => "a pattern from a table",
+        }
+    }
+}
+
+fn read_table(section: &Section<'_>, models: &mut Models) -> Option<PatternTable> {
+    let file = models.file_beside(section.text("pattern_file")?);
+    read_pattern_table(&file).map_err(|error| section.note("pattern_file", Rule::Pattern(error))).ok()
 }

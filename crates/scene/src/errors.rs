@@ -1,6 +1,7 @@
 //! What can be wrong with a scene: facts as fields, the sentence made once.
 
 use crate::mesh::MeshError;
+use crate::pattern_table::PatternFileError;
 use crate::traffic::fcd::FcdError;
 use std::fmt;
 use std::path::PathBuf;
@@ -64,6 +65,7 @@ impl std::error::Error for SceneError {
             Rule::Unreadable(error) => Some(error),
             Rule::Mesh(error) => Some(error),
             Rule::Traffic(error) => Some(error),
+            Rule::Pattern(error) => Some(error),
             _ => None,
         }
     }
@@ -370,6 +372,9 @@ pub enum Rule {
     /// A file of materials was refused or could not be read.
     #[error("{0}")]
     Materials(#[source] SceneErrors),
+    /// A table of an antenna pattern was refused or could not be read.
+    #[error("{0}")]
+    Pattern(#[source] PatternFileError),
     /// A time that runs backwards.
     #[error("`end_s` is {end_s}, before `begin_s`, which is {begin_s}")]
     EndsBeforeItBegins {
@@ -394,6 +399,7 @@ impl Rule {
             Self::Mesh(error) => error.is_system(),
             Self::Traffic(error) => error.is_system(),
             Self::Materials(errors) => errors.is_system(),
+            Self::Pattern(error) => error.is_system(),
             _ => false,
         }
     }

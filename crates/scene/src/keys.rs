@@ -83,6 +83,7 @@ pub(crate) const ARRAY: Table = Table {
         "polarization",
         "pattern",
         "cosine_exponent",
+        "pattern_file",
         "tx_gain_errors_db",
         "tx_phase_errors_deg",
         "tx_delays_ps",

@@ -5,6 +5,7 @@ use crate::document::Section;
 use crate::errors::{Allowed, Rule};
 use crate::hardware::read_hardware;
 use crate::keys;
+use crate::models::Models;
 use artifact::radar::{Hardware, Link, Multiplexing, Radar, Schedule, Waveform};
 use artifact::units::watts_from_dbm;
 
@@ -15,7 +16,7 @@ pub(crate) const COORDINATES_M: Allowed = Allowed::Between(-1e5, 1e5);
 const CUBE_LIMIT: u64 = 1 << 27;
 
 /// The radar of a scene, defaults where it says nothing.
-pub(crate) fn read_radar(root: &Section<'_>) -> Radar {
+pub(crate) fn read_radar(root: &Section<'_>, models: &mut Models) -> Radar {
     let section = root.section(&keys::RADAR);
     let waveform_section = section.section(&keys::WAVEFORM);
     let (waveform, schedule) = read_waveform(&waveform_section);
@@ -32,7 +33,7 @@ pub(crate) fn read_radar(root: &Section<'_>) -> Radar {
         boresight_el_rad: mount.boresight_el_rad,
         waveform,
         schedule,
-        array: read_array(&array_section, &mount),
+        array: read_array(&array_section, &mount, models),
         link: read_link(&section.section(&keys::LINK)),
         hardware: Hardware::default(),
     };

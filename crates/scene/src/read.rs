@@ -81,7 +81,7 @@ fn read_with_models(path: &Path, options: &ReadOptions) -> Result<(SceneHeader, 
 }
 
 fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
-    let radar = read_radar(root);
+    let radar = read_radar(root, models);
     let (frames, frame_interval_s) = read_frames(root, &radar);
     let (intersection, lanes) = read_intersection(root);
     let targets = read_targets(root, &lanes, models);

@@ -3,7 +3,6 @@
 use crate::frame::path_sum::apparent_m;
 use artifact::Radar;
 use artifact::paths::Path;
-use artifact::radar::Pattern;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 use num_complex::Complex64;
@@ -39,10 +38,7 @@ pub(crate) fn strength(radar: &Radar, legs_m: [DVec3; 2]) -> f64 {
 
 /// Amplitude gain of an element towards a unit direction, over that at boresight.
 fn gain(radar: &Radar, direction: DVec3) -> f64 {
-    match radar.array.pattern {
-        Pattern::Isotropic => 1.0,
-        Pattern::Cosine { exponent } => axes(radar)[1].dot(direction).max(0.0).powf(exponent),
-    }
+    radar.array.pattern.amplitude(axes(radar).map(|axis| axis.dot(direction)))
 }
 
 /// Right, ahead along the boresight, up.

@@ -3,7 +3,7 @@
 //! The formulas are those of [`mod@crate::reference`]; an instant is a chirp and a sample that need not be whole. What does not
 //! change from pair to pair is taken once per element: a leg's length, its gain, its rate.
 
-use crate::antenna::{boresight, link_amplitude, pattern_amplitude};
+use crate::antenna::{axes, link_amplitude, pattern_amplitude};
 use crate::fast::equal_steps::EqualSteps;
 use crate::multiplexing::line_delay_s;
 use artifact::Radar;
@@ -47,7 +47,7 @@ pub(crate) struct Listener<'a> {
     /// The chirps it listens to.
     pub(crate) steps: EqualSteps,
     link_amplitude: f64,
-    boresight: DVec3,
+    axes: [DVec3; 3],
 }
 
 /// A leg to one element.
@@ -61,8 +61,8 @@ struct Leg {
 
 impl<'a> Listener<'a> {
     pub(crate) fn new(radar: &'a Radar, centre_frequency_hz: f64, steps: EqualSteps) -> Self {
-        let (link_amplitude, boresight) = (link_amplitude(radar), boresight(radar));
-        Self { radar, centre_frequency_hz, steps, link_amplitude, boresight }
+        let (link_amplitude, axes) = (link_amplitude(radar), axes(radar));
+        Self { radar, centre_frequency_hz, steps, link_amplitude, axes }
     }
 
     /// The middle of the frame.
@@ -144,7 +144,7 @@ impl<'a> Listener<'a> {
     }
 
     fn leg(&self, direction: DVec3, length_m: f64, velocity_mps: DVec3) -> Leg {
-        let pattern = pattern_amplitude(self.radar.array.pattern, self.boresight, direction);
+        let pattern = pattern_amplitude(self.radar, &self.axes, direction);
         Leg { length_m, rate_mps: velocity_mps.dot(direction), gain_per_m: pattern / length_m }
     }
 }

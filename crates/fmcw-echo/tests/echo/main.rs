@@ -13,6 +13,7 @@ mod schedules;
 mod chirp_phases;
 mod large_arrays;
 mod hardware;
+mod pattern_tables;
 mod receiver_noise;
 mod rcs_tables;
 mod reproducibility;

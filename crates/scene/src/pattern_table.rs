@@ -1,0 +1,287 @@
+//! `pattern_file` of `[radar.array]`: gain over direction as data sheets give it, a table or two cuts.
+//!
+//! ```text
+//! az_deg, el_deg, gain_db     the first line
+//! -90, 0, -24.5               one direction a line, in any order; # begins a comment
+//! ```
+//!
+//! Lines for every pair of some azimuths and elevations are a table. Otherwise every line lies on one of the two cuts, el_deg = 0
+//! or az_deg = 0, and beside them the gain is the sum of both in dB less that at the crossing.
+
+use artifact::radar::PatternTable;
+use artifact::units::amplitude_from_db;
+use std::path::{Path, PathBuf};
+
+/// The table in a file.
+///
+/// # Errors
+/// The first rule that the file breaks, with its line.
+pub(crate) fn read_pattern_table(file: &Path) -> Result<PatternTable, PatternFileError> {
+    let at = |line, rule| PatternFileError { file: file.to_owned(), line, rule };
+    let text = text_of(file).map_err(|rule| at(0, rule))?;
+    let lines = text.lines().zip(1..).map(|(line, number)| (number, line.split('#').next().unwrap_or_default().trim()));
+    let mut lines = lines.filter(|(_, line)| !line.is_empty());
+    let Some((first, heading)) = lines.next() else { return Err(at(0, PatternRule::NoHeading)) };
+    if heading.split(',').map(str::trim).ne(COLUMNS) {
+        return Err(at(first, PatternRule::NoHeading));
+    }
+    let direction = |(number, line)| direction(number, line).map_err(|rule| at(number, rule));
+    let directions: Vec<Direction> = lines.map(direction).collect::<Result<_, _>>()?;
+    table(&directions).map_err(|(line, rule)| at(line, rule))
+}
+
+/// Why a pattern file is refused.
+#[derive(Debug, thiserror::Error)]
+#[error("{}:{line}: {rule}", file.display())]
+pub struct PatternFileError {
+    /// As the scene names it.
+    pub file: PathBuf,
+    /// From 1; 0 where no line is at fault.
+    pub line: u32,
+    /// What is broken.
+    pub rule: PatternRule,
+}
+
+/// The rules of a pattern file, broken.
+#[derive(Debug, thiserror::Error)]
+pub enum PatternRule {
+    /// The file cannot be read.
+    #[error("cannot be read: {0}")]
+    Unreadable(#[source] std::io::Error),
+    /// More than any table of the size allowed takes.
+    #[error("has {bytes} bytes; a pattern file has at most {limit}")]
+    TooLong {
+        /// Of the file.
+        bytes: u64,
+        /// Most that is read.
+        limit: u64,
+    },
+    /// Another table, or none.
+    #[error("the first line must be `az_deg,el_deg,gain_db`")]
+    NoHeading,
+    /// Not three numbers.
+    #[error("must be three numbers az_deg,el_deg,gain_db, is `{found}`")]
+    NotNumbers {
+        /// The line.
+        found: String,
+    },
+    /// An angle or a gain that is none.
+    #[error("{column} must lie within ±{limit}, is {found}")]
+    OutOfRange {
+        /// Its name.
+        column: &'static str,
+        /// As read.
+        found: f64,
+        /// Largest size.
+        limit: f64,
+    },
+    /// A direction told twice, with two gains.
+    #[error("direction {azimuth_deg}, {elevation_deg} has another gain in line {first_line}")]
+    ToldTwice {
+        /// Of the direction.
+        azimuth_deg: f64,
+        /// Of the direction.
+        elevation_deg: f64,
+        /// Where it was told first.
+        first_line: u32,
+    },
+    /// A cubic needs three values.
+    #[error("{column} takes {found} values; one or at least three are needed")]
+    TooFew {
+        /// Which axis.
+        column: &'static str,
+        /// How many there are.
+        found: usize,
+    },
+    /// Neither a table nor cuts.
+    #[error(
+        "not every pair of azimuth and elevation is there, and this direction lies on neither cut, el_deg = 0 or az_deg = 0"
+    )]
+    NeitherTableNorCuts,
+    /// Cuts that do not cross.
+    #[error("the cuts el_deg = 0 and az_deg = 0 need a line for 0,0, where they cross")]
+    NoCrossing,
+    /// A table beyond what headers of artifacts should hold.
+    #[error("{azimuths} azimuths × {elevations} elevations are more than {limit} values")]
+    TooLarge {
+        /// Of the table.
+        azimuths: usize,
+        /// Of the table.
+        elevations: usize,
+        /// Most values.
+        limit: usize,
+    },
+}
+
+impl PatternFileError {
+    /// Whether the machine failed, not the content of the file.
+    pub fn is_system(&self) -> bool {
+        matches!(self.rule, PatternRule::Unreadable(_))
+    }
+}
+
+const COLUMNS: [&str; 3] = ["az_deg", "el_deg", "gain_db"];
+/// Largest sizes of each column. Below −200 dB nothing is left of an echo in f32.
+const LIMITS: [f64; 3] = [180.0, 90.0, 200.0];
+/// A degree all around is 361 × 181 values; every artifact behind the scene carries them.
+const VALUES_MAX: usize = 1 << 16;
+const LIMIT_BYTES: u64 = 16 << 20;
+
+type Fault = (u32, PatternRule);
+
+/// A line of the file.
+#[derive(Debug, Clone, Copy)]
+struct Direction {
+    line: u32,
+    azimuth_deg: f64,
+    elevation_deg: f64,
+    gain_db: f64,
+}
+
+fn text_of(file: &Path) -> Result<String, PatternRule> {
+    let bytes = std::fs::metadata(file).map_err(PatternRule::Unreadable)?.len();
+    if bytes > LIMIT_BYTES {
+        return Err(PatternRule::TooLong { bytes, limit: LIMIT_BYTES });
+    }
+    let bytes = std::fs::read(file).map_err(PatternRule::Unreadable)?;
+    // What is not UTF-8 is no number either, and is refused at its line.
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+fn direction(line: u32, text: &str) -> Result<Direction, PatternRule> {
+    let not_numbers = || PatternRule::NotNumbers { found: text.chars().take(80).collect() };
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse::<f64>()).collect();
+    let numbers: [f64; 3] = numbers.map_err(|_| not_numbers())?.try_into().map_err(|_| not_numbers())?;
+    for ((found, limit), column) in numbers.into_iter().zip(LIMITS).zip(COLUMNS) {
+        // What is no number lies within nothing.
+        if !(-limit..=limit).contains(&found) {
+            return Err(PatternRule::OutOfRange { column, found, limit });
+        }
+    }
+    // −0 is 0, and so are the bits that directions are told apart by.
+    let [azimuth_deg, elevation_deg, gain_db] = numbers.map(|number| number + 0.0);
+    Ok(Direction { line, azimuth_deg, elevation_deg, gain_db })
+}
+
+fn table(directions: &[Direction]) -> Result<PatternTable, Fault> {
+    let told = distinct(directions)?;
+    let axis = |of: fn(&Direction) -> f64| {
+        let mut values: Vec<f64> = told.iter().map(of).collect();
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        values
+    };
+    let (azimuths, elevations) = (axis(|d| d.azimuth_deg), axis(|d| d.elevation_deg));
+    for (column, found) in [(COLUMNS[0], azimuths.len()), (COLUMNS[1], elevations.len())] {
+        if found == 0 || found == 2 {
+            return Err((0, PatternRule::TooFew { column, found }));
+        }
+    }
+    let values = azimuths.len() * elevations.len();
+    if values > VALUES_MAX {
+        let (azimuths, elevations) = (azimuths.len(), elevations.len());
+        return Err((0, PatternRule::TooLarge { azimuths, elevations, limit: VALUES_MAX }));
+    }
+    let gains_db = if told.len() == values { row_by_row(&told) } else { from_cuts(&told)? };
+    let radians = |degrees: Vec<f64>| degrees.into_iter().map(f64::to_radians).collect();
+    Ok(PatternTable {
+        azimuth_rad: radians(azimuths),
+        elevation_rad: radians(elevations),
+        amplitude: gains_db.into_iter().map(amplitude_from_db).collect(),
+    })
+}
+
+/// Elevation by elevation, each direction once.
+fn distinct(directions: &[Direction]) -> Result<Vec<Direction>, Fault> {
+    let mut sorted = directions.to_vec();
+    sorted.sort_by(|a, b| {
+        let by_elevation = a.elevation_deg.total_cmp(&b.elevation_deg);
+        by_elevation.then(a.azimuth_deg.total_cmp(&b.azimuth_deg)).then(a.line.cmp(&b.line))
+    });
+    let is_same = |a: &Direction, b: &Direction| [a.elevation_deg, a.azimuth_deg] == [b.elevation_deg, b.azimuth_deg];
+    let twice = sorted.windows(2).find(|pair| is_same(&pair[0], &pair[1]) && pair[0].gain_db != pair[1].gain_db);
+    if let Some([first, second]) = twice {
+        let Direction { line, azimuth_deg, elevation_deg, .. } = *second;
+        return Err((line, PatternRule::ToldTwice { azimuth_deg, elevation_deg, first_line: first.line }));
+    }
+    sorted.dedup_by(|next, kept| is_same(next, kept));
+    Ok(sorted)
+}
+
+fn row_by_row(sorted: &[Direction]) -> Vec<f64> {
+    sorted.iter().map(|direction| direction.gain_db).collect()
+}
+
+/// Gains beside the cuts: those of both less that where they cross.
+fn from_cuts(sorted: &[Direction]) -> Result<Vec<f64>, Fault> {
+    if let Some(stray) = sorted.iter().find(|d| d.azimuth_deg != 0.0 && d.elevation_deg != 0.0) {
+        return Err((stray.line, PatternRule::NeitherTableNorCuts));
+    }
+    let along_azimuth: Vec<&Direction> = sorted.iter().filter(|d| d.elevation_deg == 0.0).collect();
+    let along_elevation = sorted.iter().filter(|d| d.azimuth_deg == 0.0);
+    let crossing = along_azimuth.iter().find(|d| d.azimuth_deg == 0.0).ok_or((0, PatternRule::NoCrossing))?.gain_db;
+    let row = |up: &Direction| along_azimuth.iter().map(move |d| d.gain_db + up.gain_db - crossing).collect::<Vec<_>>();
+    Ok(along_elevation.flat_map(row).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use artifact::radar::Pattern;
+
+    fn read(text: &str) -> Result<PatternTable, String> {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("p.csv");
+        std::fs::write(&file, text).unwrap();
+        read_pattern_table(&file).map_err(|error| {
+            let text = error.to_string();
+            text[text.find("p.csv").unwrap()..].to_owned()
+        })
+    }
+
+    /// The gain at the given directions of cos², whose cuts are cos² and which is their product.
+    fn lines(directions: impl Iterator<Item = [i32; 2]>) -> String {
+        let gain_db = |[az, el]: [i32; 2]| {
+            40.0 * (f64::from(az).to_radians().cos() * f64::from(el).to_radians().cos()).max(1e-5).log10()
+        };
+        let line = |d: [i32; 2]| format!("{}, {}, {}\n", d[0], d[1], gain_db(d));
+        directions.fold("# a horn\naz_deg, el_deg, gain_db\n".to_owned(), |text, d| text + &line(d))
+    }
+
+    #[test]
+    fn cuts_and_a_whole_table_of_the_cosine_are_the_same_pattern() {
+        let steps = || (-90..=90).step_by(5);
+        let whole = read(&lines(steps().flat_map(|az| steps().map(move |el| [az, el])))).unwrap();
+        let cuts = read(&lines(steps().map(|az| [az, 0]).chain(steps().map(|el| [0, el])))).unwrap();
+        assert_eq!(whole.azimuth_rad, cuts.azimuth_rad);
+        assert_eq!((cuts.azimuth_rad.len(), cuts.elevation_rad.len()), (37, 37));
+        // The gains are told in f64 decimals; beyond cos = 1e-5 the test's own floor of −200 dB is all that differs.
+        let missed = whole.amplitude.iter().zip(&cuts.amplitude).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(missed < 1e-9, "{missed:e}");
+        let ahead = Pattern::Table(cuts).amplitude([0.0, 1.0, 0.0]);
+        assert!((ahead - 1.0).abs() < 1e-14, "{ahead}");
+    }
+
+    #[test]
+    fn a_broken_file_is_refused_with_its_line_and_the_rule() {
+        const HEADING: &str = "az_deg,el_deg,gain_db\n";
+        let cases = [
+            ("", "p.csv:0: the first line must be `az_deg,el_deg,gain_db`"),
+            ("az_deg,gain_db\n0,1\n", "p.csv:1: the first line must be"),
+            ("0,0,0\n", "p.csv:1: the first line must be"),
+            (&format!("{HEADING}0,0\n"), "p.csv:2: must be three numbers az_deg,el_deg,gain_db, is `0,0`"),
+            (&format!("{HEADING}\n0,0,x\n"), "p.csv:3: must be three numbers"),
+            (&format!("{HEADING}181,0,0\n"), "p.csv:2: az_deg must lie within ±180, is 181"),
+            (&format!("{HEADING}0,0,NaN\n"), "p.csv:2: gain_db must lie within ±200, is NaN"),
+            (&format!("{HEADING}0,0,0\n1,0,0\n0,-0,1\n"), "p.csv:4: direction 0, 0 has another gain in line 2"),
+            (&format!("{HEADING}0,0,0\n1,0,0\n"), "p.csv:0: az_deg takes 2 values; one or at least three"),
+            (HEADING, "p.csv:0: az_deg takes 0 values"),
+            (&format!("{HEADING}-9,0,0\n0,0,0\n9,0,0\n0,-9,0\n0,9,0\n5,5,0\n"), "p.csv:7: not every pair"),
+            (&format!("{HEADING}-9,0,0\n3,0,0\n9,0,0\n0,-9,0\n0,9,0\n0,8,0\n"), "p.csv:0: the cuts"),
+        ];
+        for (text, expected) in cases {
+            let got = read(text).unwrap_err();
+            assert!(got.starts_with(expected), "{text:?}: {got}");
+        }
+    }
+}
