@@ -101,6 +101,18 @@ pub struct Hardware {
     pub rx: Vec<ElementError>,
     /// `None`: samples are not rounded.
     pub adc: Option<Adc>,
+    /// Of the oscillator that all elements share, growing in offset; empty: none.
+    pub phase_noise: Vec<PhaseNoise>,
+}
+
+/// Single-sideband phase noise at an offset from the carrier: straight in dB over the offset's logarithm from one to the next,
+/// constant before the first and behind the last.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct PhaseNoise {
+    /// From the carrier.
+    pub offset_hz: f64,
+    /// L, dBc/Hz: half the one-sided density of the phase in rad²/Hz.
+    pub dbc_per_hz: f64,
 }
 
 /// How an element differs from an ideal one.

@@ -17,7 +17,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let paths = setting::random_paths(1, count);
 
     let start = Clock::now();
-    let reference: Vec<_> = (0..length).map(|n| reference::cube_sample(&radar, f_c, &paths, [5, 64, n])).collect();
+    let reference: Vec<_> =
+        (0..length).map(|n| reference::cube_sample(&radar, f_c, &paths, [5, 64, n], None)).collect();
     print_rate("reference form, one row, one thread", start, count * length);
 
     let sum = DirectSum::new(&radar, f_c, &paths);

@@ -2,9 +2,10 @@
 
 use crate::closest_approach::Leg;
 use crate::error::EchoError;
+use crate::oscillator;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::paths::{Path, Rim};
-use artifact::radar::Pattern;
+use artifact::radar::{Pattern, PhaseNoise};
 use artifact::{Radar, Schema};
 use num_complex::Complex32;
 
@@ -15,6 +16,7 @@ pub(crate) const SPEED_LIMIT_MPS: f64 = 3e3;
 pub(crate) fn check_header(header: &CubeHeader) -> Result<(), EchoError> {
     check_waveform(&header.radar)?;
     check_array(&header.radar)?;
+    check_phase_noise(&header.radar)?;
     check_size(header)
 }
 
@@ -132,6 +134,20 @@ fn is_usable(pattern: &Pattern) -> bool {
                 && numbers.copied().all(f64::is_finite)
         }
     }
+}
+
+/// Refuses phase noise that is no density over growing offsets, and frames whose oscillator would not fit into memory.
+fn check_phase_noise(radar: &Radar) -> Result<(), EchoError> {
+    let told = &radar.hardware.phase_noise;
+    let is_density = |point: &PhaseNoise| point.offset_hz > 0.0 && (point.offset_hz + point.dbc_per_hz).is_finite();
+    if !told.iter().all(is_density) || !told.windows(2).all(|pair| pair[0].offset_hz < pair[1].offset_hz) {
+        return Err(EchoError::PhaseNoise);
+    }
+    let needed = radar.frame_duration_s() * radar.waveform.sample_rate_hz;
+    if !told.is_empty() && needed > oscillator::SAMPLES_MAX as f64 / 2.0 {
+        return Err(EchoError::OscillatorTooLong { samples: needed, limit: oscillator::SAMPLES_MAX / 2 });
+    }
+    Ok(())
 }
 
 fn check_size(header: &CubeHeader) -> Result<(), EchoError> {

@@ -32,6 +32,17 @@ pub enum EchoError {
         "radar array: the antenna pattern has numbers that are not finite, axes that do not grow, or not one value a direction"
     )]
     Pattern,
+    /// Phase noise that is no density over growing offsets from the carrier.
+    #[error("radar: phase noise needs finite levels at growing offsets above 0 Hz")]
+    PhaseNoise,
+    /// Phase noise is drawn for a whole frame at once.
+    #[error("radar: with phase noise a frame lasts at most {limit} sample intervals, this one {samples:.0}")]
+    OscillatorTooLong {
+        /// Of the frame.
+        samples: f64,
+        /// Most of them.
+        limit: usize,
+    },
     /// An array without a transmitter or without a receiver.
     #[error("radar array: {transmitters} transmitters and {receivers} receivers; at least one of each is needed")]
     NoElements {

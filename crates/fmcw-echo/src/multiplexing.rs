@@ -60,11 +60,17 @@ impl Transmission {
 
 /// Gain and phase of the errors of both elements.
 pub(crate) fn element_factor(radar: &Radar, tx: usize, rx: usize) -> Complex64 {
-    let of = |errors: &[ElementError], element: usize| {
-        let error = errors.get(element).copied().unwrap_or_default();
-        Complex64::from_polar(amplitude_from_db(error.gain_db), error.phase_rad)
-    };
-    of(&radar.hardware.tx, tx) * of(&radar.hardware.rx, rx)
+    factor(&radar.hardware.tx, tx) * receiver_factor(radar, rx)
+}
+
+/// Those of a receive element alone.
+pub(crate) fn receiver_factor(radar: &Radar, rx: usize) -> Complex64 {
+    factor(&radar.hardware.rx, rx)
+}
+
+fn factor(errors: &[ElementError], element: usize) -> Complex64 {
+    let error = errors.get(element).copied().unwrap_or_default();
+    Complex64::from_polar(amplitude_from_db(error.gain_db), error.phase_rad)
 }
 
 pub(crate) fn line_delay_s(errors: &[ElementError], element: usize) -> f64 {

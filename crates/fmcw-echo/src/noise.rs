@@ -61,8 +61,12 @@ pub struct NoiseStream(ChaCha8Rng);
 impl NoiseStream {
     /// The stream of a row.
     pub fn new(seed: u64, frame: u32, channel: usize, chirp: usize) -> Self {
-        let index = [u64::from(frame), channel as u64, chirp as u64];
-        Self(ChaCha8Rng::from_seed(seed::key(seed, "fmcw-echo/noise", &index)))
+        Self::of(seed, "fmcw-echo/noise", &[u64::from(frame), channel as u64, chirp as u64])
+    }
+
+    /// The stream of another use.
+    pub(crate) fn of(seed: u64, stage: &str, index: &[u64]) -> Self {
+        Self(ChaCha8Rng::from_seed(seed::key(seed, stage, index)))
     }
 
     /// The next complex normal value of mean power `variance_w`: Box and Muller's transform, which takes exactly two

@@ -9,6 +9,7 @@
 use crate::antenna::link_amplitude;
 use crate::error::EchoError;
 use crate::multiplexing::{Transmission, row};
+use crate::oscillator::Oscillator;
 use crate::reference::{if_cycles, legs_at};
 use artifact::Radar;
 use artifact::paths::{Curve, Facet, MAX_ORDER, Path};
@@ -22,14 +23,20 @@ use std::f64::consts::TAU;
 pub struct TableSum<'a> {
     radar: &'a Radar,
     bodies: Vec<Body<'a>>,
+    oscillator: Option<&'a Oscillator>,
 }
 
 impl<'a> TableSum<'a> {
-    /// `poses` are those at the frame's first sample, in the order that the tables' `target` counts.
-    pub fn new(radar: &'a Radar, poses: &[Pose], frame: &'a RcsFrame) -> Result<Self, EchoError> {
+    /// `poses` are those at the frame's first sample, in the order that the tables' `target` counts; `None` is an ideal oscillator.
+    pub fn new(
+        radar: &'a Radar,
+        poses: &[Pose],
+        frame: &'a RcsFrame,
+        oscillator: Option<&'a Oscillator>,
+    ) -> Result<Self, EchoError> {
         let body = |(index, table): (usize, &'a RcsTable)| Body::new(radar, poses, index, table);
         let bodies = frame.tables.iter().enumerate().map(body).collect::<Result<_, _>>()?;
-        Ok(Self { radar, bodies })
+        Ok(Self { radar, bodies, oscillator })
     }
 
     /// The samples of one row of the cube, √W, noise-free.
@@ -37,7 +44,7 @@ impl<'a> TableSum<'a> {
         let mut samples = vec![Complex64::ZERO; self.radar.waveform.samples as usize];
         for transmission in row(self.radar, channel, chirp) {
             for body in &self.bodies {
-                body.add_to(self.radar, &transmission, &mut samples)?;
+                body.add_to(self, &transmission, &mut samples)?;
             }
         }
         Ok(samples)
@@ -93,18 +100,26 @@ impl<'a> Body<'a> {
     }
 
     /// Adds the body's echo of one transmission.
-    fn add_to(&self, radar: &Radar, transmission: &Transmission, samples: &mut [Complex64]) -> Result<(), EchoError> {
+    fn add_to(
+        &self,
+        sum: &TableSum<'_>,
+        transmission: &Transmission,
+        samples: &mut [Complex64],
+    ) -> Result<(), EchoError> {
+        let radar = sum.radar;
         let waveform = &radar.waveform;
         let half_chirp_s = 0.5 * (samples.len() - 1) as f64 / waveform.sample_rate_hz;
         let response = self.response(radar, transmission.start_s + half_chirp_s)?;
         for (n, sample) in samples.iter_mut().enumerate() {
             let t = n as f64 / waveform.sample_rate_hz;
-            let legs = legs_at(&self.origin, transmission, transmission.start_s + t);
+            let time_s = transmission.start_s + t;
+            let legs = legs_at(&self.origin, transmission, time_s);
             let tau = legs.delay_s() + transmission.line_delay_s;
             let frequency_hz = waveform.start_frequency_hz + waveform.slope_hz_per_s * (t - tau);
             let gain = link_amplitude(radar) * legs.gain(radar);
             let phasor = Complex64::cis(TAU * if_cycles(radar, t, tau).fract());
-            *sample += transmission.turn * gain * self.at_frequency(&response, frequency_hz)?.conj() * phasor;
+            let turn = sum.oscillator.map_or(Complex64::ONE, |oscillator| oscillator.turn(time_s, tau));
+            *sample += transmission.turn * turn * gain * self.at_frequency(&response, frequency_hz)?.conj() * phasor;
         }
         Ok(())
     }

@@ -5,6 +5,7 @@
 
 use crate::antenna::{axes, link_amplitude, pattern_amplitude};
 use crate::multiplexing::{Transmission, row};
+use crate::oscillator::Oscillator;
 use artifact::Radar;
 use artifact::paths::{Path, Rim};
 use artifact::units::SPEED_OF_LIGHT_MPS;
@@ -18,20 +19,30 @@ pub fn cube(radar: &Radar, centre_frequency_hz: f64, paths: &[Path]) -> Vec<Comp
     for channel in 0..radar.cube_channels() {
         for chirp in 0..radar.waveform.chirps as usize {
             for sample in 0..radar.waveform.samples as usize {
-                samples.push(cube_sample(radar, centre_frequency_hz, paths, [channel, chirp, sample]));
+                samples.push(cube_sample(radar, centre_frequency_hz, paths, [channel, chirp, sample], None));
             }
         }
     }
     samples
 }
 
-/// One sample of a cube at `[channel, chirp, sample]`: the sum over its transmissions and all paths, √W.
-pub fn cube_sample(radar: &Radar, centre_frequency_hz: f64, paths: &[Path], at: [usize; 3]) -> Complex64 {
+/// One sample of a cube at `[channel, chirp, sample]`: the sum over its transmissions and all paths, √W, each turned by the
+/// oscillator's phase as it is less as it was, where there is one.
+pub fn cube_sample(
+    radar: &Radar,
+    centre_frequency_hz: f64,
+    paths: &[Path],
+    at: [usize; 3],
+    oscillator: Option<&Oscillator>,
+) -> Complex64 {
     let [channel, chirp, sample] = at;
     let mut sum = Complex64::ZERO;
     for transmission in row(radar, channel, chirp) {
+        let time_s = transmission.start_s + sample as f64 / radar.waveform.sample_rate_hz;
         for path in paths {
-            sum += transmission.turn * if_sample(radar, centre_frequency_hz, path, &transmission, sample);
+            let value = transmission.turn * if_sample(radar, centre_frequency_hz, path, &transmission, sample);
+            let delay_s = || legs_at(path, &transmission, time_s).delay_s() + transmission.line_delay_s;
+            sum += oscillator.map_or(value, |oscillator| value * oscillator.turn(time_s, delay_s()));
         }
     }
     sum

@@ -1,6 +1,7 @@
 //! How far a synthesised cube is from what it stands for, measured in the run that made it.
 
 use crate::error::EchoError;
+use crate::oscillator::Oscillator;
 use crate::rcs_table::{self, TableSum};
 use crate::reference;
 use artifact::Radar;
@@ -24,10 +25,10 @@ pub(crate) fn of_paths(
     centre_frequency_hz: f64,
     frame: &PathsFrame,
     samples: &[Complex32],
+    oscillator: Option<&Oscillator>,
 ) -> Option<f64> {
-    let compare = |at: [usize; 3]| {
-        [stored(radar, samples, at), reference::cube_sample(radar, centre_frequency_hz, &frame.paths, at)]
-    };
+    let exact = |at| reference::cube_sample(radar, centre_frequency_hz, &frame.paths, at, oscillator);
+    let compare = |at: [usize; 3]| [stored(radar, samples, at), exact(at)];
     relative(&places(radar, frame.index).into_par_iter().map(compare).collect::<Vec<_>>())
 }
 
@@ -37,9 +38,10 @@ pub(crate) fn of_tables(
     poses: &[Pose],
     frame: &RcsFrame,
     samples: &[Complex32],
+    oscillator: Option<&Oscillator>,
 ) -> Result<Option<f64>, EchoError> {
     let thin = rcs_table::thin(frame);
-    let thin = TableSum::new(radar, poses, &thin)?;
+    let thin = TableSum::new(radar, poses, &thin, oscillator)?;
     let compare = |at: [usize; 3]| Ok([thin.row(at[0], at[1])?[at[2]], stored(radar, samples, at)]);
     let pairs = places(radar, frame.index).into_iter().map(compare).collect::<Result<Vec<_>, EchoError>>()?;
     Ok(relative(&pairs).map(|difference| difference / 3.0))

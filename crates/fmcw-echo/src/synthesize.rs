@@ -3,8 +3,9 @@
 use crate::admission::{check_centre_frequency, check_header, check_paths, check_samples};
 use crate::error::EchoError;
 use crate::fast::fast_sum;
+use crate::oscillator::{self, Oscillator};
 use crate::rcs_table::{self, TableSum};
-use crate::{adc, noise, synthesis_error};
+use crate::{adc, noise, phase_noise, synthesis_error};
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::paths::PathsFrame;
 use artifact::rcs::RcsFrame;
@@ -34,10 +35,15 @@ pub fn synthesize(
     check_header(header)?;
     check_centre_frequency(centre_frequency_hz)?;
     check_paths(&header.radar, frame.index, &frame.paths)?;
-    let mut samples = fast_sum::single_cube(&header.radar, centre_frequency_hz, &frame.paths, accuracy);
+    let oscillator = Oscillator::of(&header.radar, seed, frame.index);
+    let (radar, paths) = (&header.radar, &frame.paths);
+    let mut samples = match &oscillator {
+        None => fast_sum::single_cube(radar, centre_frequency_hz, paths, accuracy),
+        Some(oscillator) => phase_noise::single_cube(radar, centre_frequency_hz, paths, accuracy, oscillator),
+    };
     progress(1.0);
     check_samples(header, frame.index, &samples)?;
-    let synthesis = synthesis_error::of_paths(&header.radar, centre_frequency_hz, frame, &samples);
+    let synthesis = synthesis_error::of_paths(radar, centre_frequency_hz, frame, &samples, oscillator.as_ref());
     noise::add(header, seed, frame.index, &mut samples)?;
     if let Some(converter) = &header.radar.hardware.adc {
         adc::convert(converter, &mut samples);
@@ -61,10 +67,11 @@ pub fn synthesize_tables(
     let header = &header.in_frame(frame.index);
     check_header(header)?;
     check_paths(&header.radar, frame.index, &rcs_table::origins(poses, frame))?;
-    let sum = TableSum::new(&header.radar, poses, frame)?;
+    let oscillator = Oscillator::of(&header.radar, seed, frame.index);
+    let sum = TableSum::new(&header.radar, poses, frame, oscillator.as_ref())?;
     let mut samples = rows(header, progress, |channel, chirp| sum.row(channel, chirp))?;
     check_samples(header, frame.index, &samples)?;
-    let synthesis = synthesis_error::of_tables(&header.radar, poses, frame, &samples)?;
+    let synthesis = synthesis_error::of_tables(&header.radar, poses, frame, &samples, oscillator.as_ref())?;
     noise::add(header, seed, frame.index, &mut samples)?;
     if let Some(converter) = &header.radar.hardware.adc {
         adc::convert(converter, &mut samples);
@@ -105,5 +112,8 @@ pub fn memory_estimate_bytes(header: &CubeHeader, accuracy: Accuracy) -> u64 {
     let cube = channels * chirps * length * size_of::<Complex32>() as u64;
     let map = 2 * chirps * length * size_of::<Complex64>() as u64;
     let row = length * (crate::lanes::MAX_LANES as u64 + 1) * size_of::<Complex64>() as u64;
-    cube + map + row * rayon::current_num_threads() as u64 + fast_sum::memory_estimate_bytes(&header.radar, accuracy)
+    // With phase noise a sum in double precision and a part of it.
+    let sums = if header.radar.hardware.phase_noise.is_empty() { 0 } else { 4 * cube };
+    let sum = fast_sum::memory_estimate_bytes(&header.radar, accuracy) + sums;
+    cube + map + row * rayon::current_num_threads() as u64 + sum + oscillator::memory_estimate_bytes(&header.radar)
 }

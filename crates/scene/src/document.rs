@@ -322,7 +322,7 @@ impl<'d> Section<'d> {
 
     fn pair(&self, key: &'static str, value: &Value<'d>, allowed: Allowed) -> Option<[f64; 2]> {
         let DeValue::Array(pair) = value.get_ref() else {
-            self.wrong_type(key, "a list of pairs [right, up]", value.get_ref(), value.span());
+            self.wrong_type(key, "a list of pairs of numbers", value.get_ref(), value.span());
             return None;
         };
         if pair.len() != 2 {

@@ -270,6 +270,12 @@ pub enum Rule {
         /// Not given.
         companion: &'static str,
     },
+    /// Pairs out of order.
+    #[error("the first numbers of the pairs of `{key}` must grow")]
+    NotGrowing {
+        /// Its name.
+        key: &'static str,
+    },
     /// Names become file names, table cells and JSON.
     #[error(
         "`{key}` must be 1 to 64 letters, digits, spaces or any of `-_.+()`, and not begin with a dot or space; is `{found}`"

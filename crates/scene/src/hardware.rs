@@ -1,9 +1,9 @@
-//! What of the radar is not ideal: errors of its elements in `[radar.array]`, the converter in `[radar.receiver]`.
+//! What of the radar is not ideal: errors of its elements in `[radar.array]`, converter and oscillator in `[radar.receiver]`.
 
 use crate::document::Section;
 use crate::errors::{Allowed, Rule};
 use crate::keys;
-use artifact::radar::{Adc, ElementError, Hardware};
+use artifact::radar::{Adc, ElementError, Hardware, PhaseNoise};
 use artifact::units::watts_from_dbm;
 
 /// Beyond this an element is dead or wrongly built: a decade of amplitude, a nanosecond (30 cm) of line.
@@ -13,10 +13,12 @@ const DELAYS_PS: Allowed = Allowed::Between(0.0, 1000.0);
 
 /// Errors of `transmitters` and `receivers` elements and the converter; ideal where the scene says nothing.
 pub(crate) fn read_hardware(radar: &Section<'_>, array: &Section<'_>, [tx, rx]: [usize; 2]) -> Hardware {
+    let receiver = radar.section(&keys::RECEIVER);
     Hardware {
         tx: read_elements(array, ["tx_gain_errors_db", "tx_phase_errors_deg", "tx_delays_ps"], tx),
         rx: read_elements(array, ["rx_gain_errors_db", "rx_phase_errors_deg", "rx_delays_ps"], rx),
-        adc: read_adc(&radar.section(&keys::RECEIVER)),
+        adc: read_adc(&receiver),
+        phase_noise: read_phase_noise(&receiver),
     }
 }
 
@@ -46,4 +48,20 @@ fn read_adc(section: &Section<'_>) -> Option<Adc> {
         }
     }
     bits.zip(full_scale_dbm).map(|(bits, dbm)| Adc { bits: bits as u8, full_scale: watts_from_dbm(dbm).sqrt() })
+}
+
+/// Offsets from the carrier up to a terahertz, levels below the carrier's own.
+fn read_phase_noise(section: &Section<'_>) -> Vec<PhaseNoise> {
+    const KEY: &str = "phase_noise_dbc_hz";
+    let (offsets, levels) = (Allowed::Above(0.0, 1e12), Allowed::Between(-300.0, 0.0));
+    let told = section.pairs(KEY, Allowed::Between(1.0, 64.0), Allowed::Between(-300.0, 1e12)).unwrap_or_default();
+    for (found, allowed) in told.iter().flat_map(|[offset, level]| [(*offset, offsets), (*level, levels)]) {
+        if !allowed.holds(found) {
+            section.note(KEY, Rule::OutOfRange { key: KEY, found, allowed });
+        }
+    }
+    if !told.windows(2).all(|pair| pair[0][0] < pair[1][0]) {
+        section.note(KEY, Rule::NotGrowing { key: KEY });
+    }
+    told.into_iter().map(|[offset_hz, dbc_per_hz]| PhaseNoise { offset_hz, dbc_per_hz }).collect()
 }

@@ -96,8 +96,11 @@ pub(crate) const ARRAY: Table = Table {
 pub(crate) const LINK: Table =
     Table { name: "radar.link", heading: "[radar.link]", keys: &["transmit_power_dbm", "antenna_gain_dbi"] };
 
-pub(crate) const RECEIVER: Table =
-    Table { name: "radar.receiver", heading: "[radar.receiver]", keys: &["adc_bits", "full_scale_dbm"] };
+pub(crate) const RECEIVER: Table = Table {
+    name: "radar.receiver",
+    heading: "[radar.receiver]",
+    keys: &["adc_bits", "full_scale_dbm", "phase_noise_dbc_hz"],
+};
 
 pub(crate) const NOISE: Table =
     Table { name: "noise", heading: "[noise]", keys: &["noise_figure_db", "temperature_k", "snr_db"] };

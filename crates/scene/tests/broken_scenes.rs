@@ -39,6 +39,9 @@ const CASES: &[Case] = &[
     // Hardware.
     (NAME, "[radar.array]\npreset = \"1x4\"\nrx_delays_ps = [1, 2]\n", "4:16", "`rx_delays_ps` must have 4 values, has 2"),
     (NAME, "[radar.receiver]\nadc_bits = 12\n", "3:12", "`adc_bits` needs `full_scale_dbm` beside it"),
+    (NAME, "[radar.receiver]\nphase_noise_dbc_hz = [[1e5, -80], [0, -90]]\n", "3:22", "`phase_noise_dbc_hz` must be a number above 0, up to 1e12, is 0"),
+    (NAME, "[radar.receiver]\nphase_noise_dbc_hz = [[1e5, 3]]\n", "3:22", "`phase_noise_dbc_hz` must be a number from -300 to 0, is 3"),
+    (NAME, "[radar.receiver]\nphase_noise_dbc_hz = [[1e5, -80], [1e4, -90]]\n", "3:22", "the first numbers of the pairs of `phase_noise_dbc_hz` must grow"),
     // Schedules.
     (NAME, "[radar.waveform]\nsub_frame_idle_us = [10]\n", "3:21", "`sub_frame_idle_us` must have from 2 to 8 values, has 1"),
     (NAME, "[radar.waveform]\nsub_frame_idle_us = [10, 35]\nidle_us = 10\n", "3:21", "`sub_frame_idle_us` and `idle_us` exclude one another"),
@@ -82,7 +85,7 @@ const CASES: &[Case] = &[
     (NAME, "[radar.array]\nrx_half_wavelengths = [[0, 0]]\n", "3:23", "`rx_half_wavelengths` needs `tx_half_wavelengths` beside it"),
     (NAME, "[radar.array]\ntx_half_wavelengths = []\nrx_half_wavelengths = [[0, 0]]\n", "3:23", "must have from 1 to 256 values, has 0"),
     (NAME, "[radar.array]\ntx_half_wavelengths = [[0, 0, 0]]\nrx_half_wavelengths = [[0, 0]]\n", "3:24", "must have 2 values, has 3"),
-    (NAME, "[radar.array]\ntx_half_wavelengths = [0, 1]\nrx_half_wavelengths = [[0, 0]]\n", "3:24", "must be a list of pairs [right, up]"),
+    (NAME, "[radar.array]\ntx_half_wavelengths = [0, 1]\nrx_half_wavelengths = [[0, 0]]\n", "3:24", "must be a list of pairs of numbers"),
     (NAME, "[radar.array]\nmultiplexing = \"fdm\"\n", "3:16", "it can be `simultaneous`, `tdm`, `ddm`"),
     (NAME, "[radar.array]\npolarization = \"v\"\n", "3:16", "it can be `vv`, `hh`, `vh`, `hv`"),
     (NAME, "[radar.array]\npattern = \"horn\"\n", "3:11", "it can be `isotropic`, `cosine`, `table`"),

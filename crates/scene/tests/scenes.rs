@@ -41,7 +41,7 @@ fn a_scene_of_a_name_alone_takes_the_documented_defaults() {
     );
     assert_eq!((waveform.samples, waveform.chirps, waveform.chirp_interval_s), (256, 128, 60e-6));
     assert_eq!((radar.array.multiplexing, radar.array.polarization), (Multiplexing::Simultaneous, Polarization::Vv));
-    assert_eq!((radar.array.pattern, radar.virtual_channels()), (Pattern::Isotropic, 12));
+    assert_eq!((&radar.array.pattern, radar.virtual_channels()), (&Pattern::Isotropic, 12));
     assert_close(radar.link.transmit_power_w, 10_f64.powf(-1.8), 0.02);
     assert_eq!(radar.link.antenna_gain_db, 10.0);
     assert_eq!(scene.noise, Noise::Absent);

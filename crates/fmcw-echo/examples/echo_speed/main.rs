@@ -31,7 +31,7 @@ fn main() {
     let (chirps, samples) = (128, 256);
     let probes: Vec<[usize; 3]> = (0..40).map(|i| [i * 5 % 12, i * 37 % chirps, i * 101 % samples]).collect();
     let exact: Vec<Complex64> =
-        probes.par_iter().map(|at| reference::cube_sample(&radar, centre_hz, &paths, *at)).collect();
+        probes.par_iter().map(|at| reference::cube_sample(&radar, centre_hz, &paths, *at, None)).collect();
     let error_db = |cube: &[Complex64]| {
         let got: Vec<Complex64> = probes.iter().map(|[c, n, m]| cube[(c * chirps + n) * samples + m]).collect();
         setting::error_db(&got, &exact)

@@ -99,7 +99,8 @@ fn every_chirp_has_the_phase_of_the_exact_distance_to_1e_6_rad() {
         for (i, value) in formulas.iter_mut().enumerate() {
             let (n, r) = (i % 256, i / 256);
             if [0, 1, 85, 255].contains(&n) {
-                *value = reference::cube_sample(&radar, f_c, &[path], [r / CHIRPS as usize, r % CHIRPS as usize, n]);
+                *value =
+                    reference::cube_sample(&radar, f_c, &[path], [r / CHIRPS as usize, r % CHIRPS as usize, n], None);
             }
         }
         for (sum, cube) in [("formulas", &formulas), ("direct", &direct), ("fast", &fast)] {

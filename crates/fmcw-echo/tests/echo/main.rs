@@ -14,6 +14,7 @@ mod chirp_phases;
 mod large_arrays;
 mod hardware;
 mod pattern_tables;
+mod phase_noise;
 mod receiver_noise;
 mod rcs_tables;
 mod reproducibility;

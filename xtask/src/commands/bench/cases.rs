@@ -98,7 +98,7 @@ fn echo(count: usize) -> Result<Comparison, Failure> {
     let sum = fmcw_echo::direct_sum::DirectSum::new(&radar, centre_hz, &paths);
     let (ours, ours_s) = timed(|| Ok(sum.row(0, 0)))?;
     let samples = radar.waveform.samples as usize;
-    let slow = |n| fmcw_echo::reference::cube_sample(&radar, centre_hz, &paths, [0, 0, n]);
+    let slow = |n| fmcw_echo::reference::cube_sample(&radar, centre_hz, &paths, [0, 0, n], None);
     let (rival, rival_s) = timed(|| Ok((0..samples).map(slow).collect::<Vec<Complex64>>()))?;
     let norm = |v: &mut dyn Iterator<Item = Complex64>| v.map(|z| z.norm_sqr()).sum::<f64>().sqrt();
     let error = norm(&mut ours.iter().zip(&rival).map(|(a, b)| a - b)) / norm(&mut rival.iter().copied());
