@@ -166,7 +166,7 @@ pub(crate) fn echo_header(header: &SceneHeader) -> CubeHeader {
 mod tests {
     use super::*;
     use artifact::material::{Backing, Layer, Makeup, Material, MaterialMap, Road, Thickness, Transmission};
-    use artifact::radar::{Adc, ElementError, Pattern, PatternTable, PhaseNoise, Schedule};
+    use artifact::radar::{Adc, ElementError, Interferer, Pattern, PatternTable, PhaseNoise, Schedule};
     use artifact::scene::{Mesh, Placed, Traffic, Vehicle, Wheel};
     use num_complex::Complex64;
     use serde_json::Value;
@@ -201,8 +201,20 @@ mod tests {
         header.radar.schedule = Schedule { sub_frame_intervals_s: vec![60e-6, 85e-6], stagger_s: vec![0.0, 1e-6] };
         let error = ElementError { gain_db: 1.0, phase_rad: 0.1, delay_s: 1e-12 };
         let adc = Some(Adc { bits: 12, full_scale: 1e-3 });
+        let (place, hz) = ([0.0, 80.0, 1.0], 77e9);
+        let other = Interferer {
+            position_m: place,
+            velocity_mps: [0.0; 3],
+            eirp_w: 1.0,
+            start_frequency_hz: hz,
+            slope_hz_per_s: 1e12,
+            sweep_s: 5e-5,
+            chirp_interval_s: 6e-5,
+            offset_s: 0.0,
+        };
         let phase_noise = vec![PhaseNoise { offset_hz: 1e6, dbc_per_hz: -95.0 }];
-        header.radar.hardware = Hardware { tx: vec![error; 3], rx: vec![error; 4], adc, phase_noise };
+        header.radar.hardware =
+            Hardware { tx: vec![error; 3], rx: vec![error; 4], adc, phase_noise, interferers: vec![other] };
         header.targets.truncate(2);
         header.targets[1].kind =
             TargetKind::Point { rcs_m2: 1.0, wheel: Some(Wheel { radius_m: 0.3, angle_rad: 0.0 }) };

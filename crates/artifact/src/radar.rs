@@ -91,7 +91,7 @@ impl Schedule {
     }
 }
 
-/// What of a radar is not ideal; by default nothing. The headers of cubes that a scene is made into leave it out: a detector
+/// What of a radar, and of the air that it listens to, is not ideal; by default nothing. The headers of cubes that a scene is made into leave it out: a detector
 /// knows it no more than that of a real radar.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Hardware {
@@ -103,6 +103,29 @@ pub struct Hardware {
     pub adc: Option<Adc>,
     /// Of the oscillator that all elements share, growing in offset; empty: none.
     pub phase_noise: Vec<PhaseNoise>,
+    /// Other radars that are heard.
+    pub interferers: Vec<Interferer>,
+}
+
+/// Another FMCW radar: chirps that follow each other at one interval, before the scene's first sample too.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Interferer {
+    /// World metres, at the scene's first sample.
+    pub position_m: [f64; 3],
+    /// World, constant.
+    pub velocity_mps: [f64; 3],
+    /// Transmit power times antenna gain, in our direction.
+    pub eirp_w: f64,
+    /// Frequency at which its chirps begin.
+    pub start_frequency_hz: f64,
+    /// Of its chirps; 0 is a tone.
+    pub slope_hz_per_s: f64,
+    /// Length of a chirp.
+    pub sweep_s: f64,
+    /// From the beginning of one chirp to that of the next.
+    pub chirp_interval_s: f64,
+    /// Beginning of one of them after the scene's first sample.
+    pub offset_s: f64,
 }
 
 /// Single-sideband phase noise at an offset from the carrier: straight in dB over the offset's logarithm from one to the next,

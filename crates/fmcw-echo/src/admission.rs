@@ -7,6 +7,7 @@ use artifact::cube::{Cube, CubeHeader};
 use artifact::paths::{Path, Rim};
 use artifact::radar::{Pattern, PhaseNoise};
 use artifact::{Radar, Schema};
+use glam::DVec3;
 use num_complex::Complex32;
 
 /// A hundred-thousandth of c, three times a bullet's speed: beyond, the scattering time wants more care than it gets here.
@@ -17,6 +18,7 @@ pub(crate) fn check_header(header: &CubeHeader) -> Result<(), EchoError> {
     check_waveform(&header.radar)?;
     check_array(&header.radar)?;
     check_phase_noise(&header.radar)?;
+    check_interferers(&header.radar)?;
     check_size(header)
 }
 
@@ -134,6 +136,26 @@ fn is_usable(pattern: &Pattern) -> bool {
                 && numbers.copied().all(f64::is_finite)
         }
     }
+}
+
+/// Refuses radars whose chirps do not follow each other, or that stand within a metre of ours.
+fn check_interferers(radar: &Radar) -> Result<(), EchoError> {
+    for (index, other) in radar.hardware.interferers.iter().enumerate() {
+        let numbers = [other.eirp_w, other.start_frequency_hz, other.slope_hz_per_s, other.sweep_s, other.offset_s];
+        let all = numbers.iter().chain(&other.position_m).chain(&other.velocity_mps).chain([&other.chirp_interval_s]);
+        let away_m = DVec3::from_array(other.position_m).distance(DVec3::from_array(radar.position_m));
+        let rules = [
+            ("a number is not finite", all.copied().all(f64::is_finite)),
+            ("its power is negative", other.eirp_w >= 0.0),
+            ("its chirps have no length", other.sweep_s > 0.0),
+            ("its chirps begin before the one before has ended", other.chirp_interval_s >= other.sweep_s),
+            ("it is nearer than a metre", away_m >= 1.0),
+        ];
+        if let Some((quantity, _)) = rules.iter().find(|(_, kept)| !kept) {
+            return Err(EchoError::Interferer { index, quantity });
+        }
+    }
+    Ok(())
 }
 
 /// Refuses phase noise that is no density over growing offsets, and frames whose oscillator would not fit into memory.

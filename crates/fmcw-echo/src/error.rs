@@ -43,6 +43,14 @@ pub enum EchoError {
         /// Most of them.
         limit: usize,
     },
+    /// Another radar that sends no chirps one after the other, or from where ours stands.
+    #[error("interferer {index}: {quantity}")]
+    Interferer {
+        /// Index in the list.
+        index: usize,
+        /// What is broken.
+        quantity: &'static str,
+    },
     /// An array without a transmitter or without a receiver.
     #[error("radar array: {transmitters} transmitters and {receivers} receivers; at least one of each is needed")]
     NoElements {

@@ -11,7 +11,7 @@
 //! other way, far-field tables over aspect and frequency ([`rcs_table`]).
 //!
 //! To read: [`multiplexing`] (which transmissions make a row of the cube), [`antenna`] (radar equation, pattern),
-//! [`mod@reference`], [`direct_sum`], [`fast_sum`], [`rcs_table`], [`oscillator`] and [`phase_noise`], then noise: [`noise`], [`snr_reference`], [`window`].
+//! [`mod@reference`], [`direct_sum`], [`fast_sum`], [`rcs_table`], [`oscillator`] and [`phase_noise`], then noise: [`noise`], [`snr_reference`], [`window`]; [`interference`] and [`adc`] come last.
 //!
 //! A point target that recedes at 10 m/s turns by 4π·v·T_c/λ from chirp to chirp:
 //!
@@ -97,6 +97,7 @@ pub mod rcs_table;
 pub mod window;
 pub mod snr_reference;
 pub mod noise;
+pub mod interference;
 pub mod adc;
 mod admission;
 mod synthesis_error;

@@ -5,7 +5,7 @@ use crate::error::EchoError;
 use crate::fast::fast_sum;
 use crate::oscillator::{self, Oscillator};
 use crate::rcs_table::{self, TableSum};
-use crate::{adc, noise, phase_noise, synthesis_error};
+use crate::{adc, interference, noise, phase_noise, synthesis_error};
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::paths::PathsFrame;
 use artifact::rcs::RcsFrame;
@@ -44,10 +44,7 @@ pub fn synthesize(
     progress(1.0);
     check_samples(header, frame.index, &samples)?;
     let synthesis = synthesis_error::of_paths(radar, centre_frequency_hz, frame, &samples, oscillator.as_ref());
-    noise::add(header, seed, frame.index, &mut samples)?;
-    if let Some(converter) = &header.radar.hardware.adc {
-        adc::convert(converter, &mut samples);
-    }
+    receive(header, seed, (frame.index, frame.time_s), &mut samples)?;
     let error = frame.error.joined(ErrorBudget { synthesis, ..ErrorBudget::default() });
     Ok(CubeFrame { index: frame.index, time_s: frame.time_s, samples, error })
 }
@@ -72,12 +69,25 @@ pub fn synthesize_tables(
     let mut samples = rows(header, progress, |channel, chirp| sum.row(channel, chirp))?;
     check_samples(header, frame.index, &samples)?;
     let synthesis = synthesis_error::of_tables(&header.radar, poses, frame, &samples, oscillator.as_ref())?;
-    noise::add(header, seed, frame.index, &mut samples)?;
-    if let Some(converter) = &header.radar.hardware.adc {
-        adc::convert(converter, &mut samples);
-    }
+    receive(header, seed, (frame.index, frame.time_s), &mut samples)?;
     let error = frame.error.joined(ErrorBudget { synthesis, ..ErrorBudget::default() });
     Ok(CubeFrame { index: frame.index, time_s: frame.time_s, samples, error })
+}
+
+/// What comes to the echoes in the receiver: noise, other radars, the converter.
+fn receive(
+    header: &CubeHeader,
+    seed: u64,
+    (frame, time_s): (u32, f64),
+    samples: &mut [Complex32],
+) -> Result<(), EchoError> {
+    noise::add(header, seed, frame, samples)?;
+    interference::add(&header.radar, time_s, samples);
+    check_samples(header, frame, samples)?;
+    if let Some(converter) = &header.radar.hardware.adc {
+        adc::convert(converter, samples);
+    }
+    Ok(())
 }
 
 /// Every row `[channel, chirp]` of a cube made by `row`, in parallel, rounded to f32.

@@ -97,9 +97,10 @@ impl<'d> Section<'d> {
 
     /// The tables of an array of tables, each placed by its `id` or its number.
     pub(crate) fn sections(&self, known: &'static Table) -> Vec<Section<'d>> {
-        let Some(value) = self.find(known.name) else { return vec![] };
+        let Some(value) = self.find(key_of(known)) else { return vec![] };
         let DeValue::Array(array) = value.get_ref() else {
-            self.wrong_type(known.name, "an array of tables, each under `[[target]]`", value.get_ref(), value.span());
+            let expected = "an array of tables, each under a heading in double brackets";
+            self.wrong_type(key_of(known), expected, value.get_ref(), value.span());
             return vec![];
         };
         let numbered = array.iter().enumerate();
@@ -182,10 +183,11 @@ impl<'d> Section<'d> {
 
     fn element(&self, known: &'static Table, index: usize, element: &'d Value<'d>) -> Option<Section<'d>> {
         let DeValue::Table(table) = element.get_ref() else {
-            self.wrong_type(known.name, "an array of tables", element.get_ref(), element.span());
+            self.wrong_type(key_of(known), "an array of tables", element.get_ref(), element.span());
             return None;
         };
         let place = match table.get("id").map(|id| id.get_ref()) {
+            _ if *known != keys::TARGET => Place::Table(known.name),
             Some(DeValue::String(id)) => Place::Target(id.to_string()),
             _ => Place::Target(format!("#{}", index + 1)),
         };

@@ -318,6 +318,14 @@ pub enum Rule {
         /// Most values.
         limit: u64,
     },
+    /// Another radar's chirps that would overlap.
+    #[error("`chirp_interval_us` is {interval_us}, shorter than a chirp of {sweep_us} µs")]
+    ChirpsOverlap {
+        /// Of a chirp.
+        sweep_us: f64,
+        /// From one to the next.
+        interval_us: f64,
+    },
     /// Frames that would overlap.
     #[error("`frame_interval_s` is {interval_s}, shorter than a frame of {duration_s} s")]
     FramesOverlap {

@@ -1,9 +1,11 @@
-//! What of the radar is not ideal: errors of its elements in `[radar.array]`, converter and oscillator in `[radar.receiver]`.
+//! What of the radar is not ideal: errors of its elements in `[radar.array]`, converter and oscillator in `[radar.receiver]`,
+//! and other radars, `[[radar.interferer]]`.
 
 use crate::document::Section;
 use crate::errors::{Allowed, Rule};
 use crate::keys;
-use artifact::radar::{Adc, ElementError, Hardware, PhaseNoise};
+use crate::radar::COORDINATES_M;
+use artifact::radar::{Adc, ElementError, Hardware, Interferer, PhaseNoise};
 use artifact::units::watts_from_dbm;
 
 /// Beyond this an element is dead or wrongly built: a decade of amplitude, a nanosecond (30 cm) of line.
@@ -19,6 +21,7 @@ pub(crate) fn read_hardware(radar: &Section<'_>, array: &Section<'_>, [tx, rx]: 
         rx: read_elements(array, ["rx_gain_errors_db", "rx_phase_errors_deg", "rx_delays_ps"], rx),
         adc: read_adc(&receiver),
         phase_noise: read_phase_noise(&receiver),
+        interferers: radar.sections(&keys::INTERFERER).iter().map(read_interferer).collect(),
     }
 }
 
@@ -64,4 +67,30 @@ fn read_phase_noise(section: &Section<'_>) -> Vec<PhaseNoise> {
         section.note(KEY, Rule::NotGrowing { key: KEY });
     }
     told.into_iter().map(|[offset_hz, dbc_per_hz]| PhaseNoise { offset_hz, dbc_per_hz }).collect()
+}
+
+/// Another radar; its waveform is by default like ours.
+fn read_interferer(section: &Section<'_>) -> Interferer {
+    for key in ["position_m", "eirp_dbm"] {
+        section.require(key);
+    }
+    let number = |key, allowed, default| section.number(key, allowed).unwrap_or(default);
+    // A tenth of a microsecond: more of its chirps in one of ours no radar sends.
+    let (sweep_us, interval_us) = (
+        number("sweep_us", Allowed::Between(0.1, 1e6), 50.0),
+        number("chirp_interval_us", Allowed::Between(0.1, 1e6), 60.0),
+    );
+    if interval_us < sweep_us {
+        section.note("chirp_interval_us", Rule::ChirpsOverlap { sweep_us, interval_us });
+    }
+    Interferer {
+        position_m: section.vector("position_m", COORDINATES_M).unwrap_or_default(),
+        velocity_mps: section.vector("velocity_mps", Allowed::Between(-340.0, 340.0)).unwrap_or_default(),
+        eirp_w: watts_from_dbm(number("eirp_dbm", Allowed::Between(-200.0, 200.0), 0.0)),
+        start_frequency_hz: 1e9 * number("start_frequency_ghz", Allowed::Between(0.1, 1000.0), 77.0),
+        slope_hz_per_s: 1e12 * number("slope_mhz_per_us", Allowed::Between(-1e4, 1e4), 12.5),
+        sweep_s: 1e-6 * sweep_us,
+        chirp_interval_s: 1e-6 * interval_us,
+        offset_s: 1e-6 * number("offset_us", Allowed::Between(-1e9, 1e9), 0.0),
+    }
 }

@@ -19,6 +19,7 @@ pub const TABLES: &[Table] = &[
     ARRAY,
     LINK,
     RECEIVER,
+    INTERFERER,
     NOISE,
     DSP,
     FIDELITY,
@@ -54,7 +55,16 @@ pub(crate) const SCENE: Table = Table {
 pub(crate) const RADAR: Table = Table {
     name: "radar",
     heading: "[radar]",
-    keys: &["position_m", "boresight_az_deg", "boresight_el_deg", "waveform", "array", "link", "receiver"],
+    keys: &[
+        "position_m",
+        "boresight_az_deg",
+        "boresight_el_deg",
+        "waveform",
+        "array",
+        "link",
+        "receiver",
+        "interferer",
+    ],
 };
 
 pub(crate) const WAVEFORM: Table = Table {
@@ -100,6 +110,22 @@ pub(crate) const RECEIVER: Table = Table {
     name: "radar.receiver",
     heading: "[radar.receiver]",
     keys: &["adc_bits", "full_scale_dbm", "phase_noise_dbc_hz"],
+};
+
+/// Each of the `[[radar.interferer]]`.
+pub(crate) const INTERFERER: Table = Table {
+    name: "radar.interferer",
+    heading: "[[radar.interferer]]",
+    keys: &[
+        "position_m",
+        "velocity_mps",
+        "eirp_dbm",
+        "start_frequency_ghz",
+        "slope_mhz_per_us",
+        "sweep_us",
+        "chirp_interval_us",
+        "offset_us",
+    ],
 };
 
 pub(crate) const NOISE: Table =

@@ -42,6 +42,11 @@ const CASES: &[Case] = &[
     (NAME, "[radar.receiver]\nphase_noise_dbc_hz = [[1e5, -80], [0, -90]]\n", "3:22", "`phase_noise_dbc_hz` must be a number above 0, up to 1e12, is 0"),
     (NAME, "[radar.receiver]\nphase_noise_dbc_hz = [[1e5, 3]]\n", "3:22", "`phase_noise_dbc_hz` must be a number from -300 to 0, is 3"),
     (NAME, "[radar.receiver]\nphase_noise_dbc_hz = [[1e5, -80], [1e4, -90]]\n", "3:22", "the first numbers of the pairs of `phase_noise_dbc_hz` must grow"),
+    // Other radars.
+    (NAME, "[[radar.interferer]]\nposition_m = [0, 80, 1]\n", "2:1", "[radar.interferer]: key `eirp_dbm` is missing"),
+    (NAME, "[[radar.interferer]]\nposition_m = [0, 80, 1]\neirp_dbm = 30\nchirp_interval_us = 40\n", "5:21", "`chirp_interval_us` is 40, shorter than a chirp of 50 µs"),
+    (NAME, "[[radar.interferer]]\nposition_m = [0, 80, 1]\neirp_dbm = 30\nslope = 40\n", "5:1", "[radar.interferer]: unknown key `slope`; the nearest is `slope_mhz_per_us`"),
+    (NAME, "[radar]\ninterferer = 3\n", "3:14", "`interferer` must be an array of tables"),
     // Schedules.
     (NAME, "[radar.waveform]\nsub_frame_idle_us = [10]\n", "3:21", "`sub_frame_idle_us` must have from 2 to 8 values, has 1"),
     (NAME, "[radar.waveform]\nsub_frame_idle_us = [10, 35]\nidle_us = 10\n", "3:21", "`sub_frame_idle_us` and `idle_us` exclude one another"),

@@ -15,6 +15,7 @@ mod large_arrays;
 mod hardware;
 mod pattern_tables;
 mod phase_noise;
+mod interferers;
 mod receiver_noise;
 mod rcs_tables;
 mod reproducibility;

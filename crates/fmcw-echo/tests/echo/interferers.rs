@@ -1,0 +1,120 @@
+//! Other radars, against closed forms.
+
+use crate::setting::*;
+use artifact::Waveform;
+use artifact::radar::{Interferer, Multiplexing, Radar};
+use artifact::settings::Noise;
+use artifact::units::{SPEED_OF_LIGHT_MPS, watts_from_dbm};
+use fmcw_echo::{EchoError, interference, synthesize};
+use num_complex::Complex64;
+use rustfft::FftPlanner;
+use std::f64::consts::PI;
+
+/// Straight ahead at 80 m, the same sweep of the same length as ours, 20 µs after it.
+fn interferer() -> Interferer {
+    Interferer {
+        position_m: [0.0, 80.0, 6.0],
+        velocity_mps: [0.0; 3],
+        eirp_w: watts_from_dbm(30.0),
+        start_frequency_hz: 77e9,
+        slope_hz_per_s: 12.5e12,
+        sweep_s: 50e-6,
+        chirp_interval_s: 60e-6,
+        offset_s: 0.0,
+    }
+}
+
+fn disturbed(layout: usize, interferers: Vec<Interferer>) -> Radar {
+    let mut radar = radar(Waveform { chirps: 4, ..experiment(1) }, &presets()[layout], Multiplexing::Simultaneous);
+    radar.hardware.interferers = interferers;
+    radar
+}
+
+#[test]
+fn a_crossing_lasts_the_band_over_the_difference_of_slopes_and_has_the_power_of_one_way() {
+    // Falls as fast as ours rises: 5.12 MHz over 25 MHz/µs, 0.2 µs: one sample or two. A tenth of the difference: ten times.
+    for slope_hz_per_s in [-12.5e12, 11.25e12, 13.5e12, 14e12, 3e12] {
+        let start_frequency_hz = 77e9 + (12.5e12 - slope_hz_per_s) * 22e-6;
+        let radar = disturbed(0, vec![Interferer { slope_hz_per_s, start_frequency_hz, ..interferer() }]);
+        let heard: Vec<f64> =
+            interference::row(&radar, 0.0, 0, 0).iter().map(|x| x.norm_sqr()).filter(|power| *power > 0.0).collect();
+        // Difference f₀ − f₁ + μt − μ₁(t − τ) is 0 at (22 µs·Δμ − μ₁τ)/Δμ, within our 50 µs for all of them.
+        let expected = 5.12e6 * 5.12e6 / (12.5e12 - slope_hz_per_s).abs();
+        println!("slope {slope_hz_per_s:e}: {} samples, {expected:.2} by the band", heard.len());
+        assert!((heard.len() as f64 - expected).abs() <= 1.0, "{} against {expected}", heard.len());
+        let way = radar.waveform.wavelength_m() / (4.0 * PI * 80.0);
+        let power = heard.len() as f64 * watts_from_dbm(30.0) * 10.0 * way * way;
+        let energy: f64 = heard.iter().sum();
+        assert!((energy / power - 1.0).abs() < 1e-12, "{energy:e} W against {power:e}");
+    }
+}
+
+#[test]
+fn an_equal_slope_is_a_target_at_half_the_way_and_half_the_lateness() {
+    // f₀ + μt − f₁ − μ(t − τ − late): μ·(τ + late), as of an echo from c/2 of both.
+    let near = Interferer { position_m: [0.0, 20.0, 6.0], offset_s: 60e-9, ..interferer() };
+    let radar = disturbed(0, vec![near]);
+    let mut row = interference::row(&radar, 0.0, 0, 1);
+    FftPlanner::new().plan_fft_forward(256).process(&mut row);
+    let peak = (0..256).max_by(|a, b| row[*a].norm_sqr().total_cmp(&row[*b].norm_sqr())).unwrap();
+    let ghost_m = 0.5 * (20.0 + SPEED_OF_LIGHT_MPS * 60e-9);
+    let cell = ghost_m / radar.waveform.range_resolution_m();
+    println!("ghost at {ghost_m:.2} m, cell {cell:.2}, peak in {peak}");
+    assert!((peak as f64 - cell).abs() <= 0.5 + 1e-9);
+    // The band ends at half the sample rate, a ghost at 30.7 m.
+    let beyond = disturbed(0, vec![Interferer { offset_s: 150e-9, ..near }]);
+    assert!(interference::row(&beyond, 0.0, 0, 1).iter().all(|x| *x == Complex64::ZERO));
+}
+
+#[test]
+fn interferers_add_and_come_from_their_direction() {
+    let sine: f64 = 0.3;
+    let aside = [80.0 * sine, 80.0 * (1.0 - sine * sine).sqrt(), 6.0];
+    // 3 MHz higher: μτ of 80 m and the difference of slopes cross the band within 22 µs.
+    let start_frequency_hz = 77.003e9;
+    let one = Interferer { position_m: aside, slope_hz_per_s: 12.4e12, start_frequency_hz, ..interferer() };
+    let other = Interferer { slope_hz_per_s: 12.6e12, velocity_mps: [0.0, -20.0, 0.0], ..interferer() };
+    let of = |interferers: Vec<Interferer>, channel| interference::row(&disturbed(2, interferers), 0.3, channel, 2);
+    for channel in [0, 5, 11] {
+        let (both, [a, b]) = (of(vec![one, other], channel), [one, other].map(|i| of(vec![i], channel)));
+        assert!(a.iter().chain(&b).filter(|x| **x != Complex64::ZERO).count() > 100);
+        for ((both, a), b) in both.iter().zip(a).zip(b) {
+            assert_eq!(*both, a + b);
+        }
+    }
+    // Half a wavelength further right: e^{−jπu}, as an echo has it. Left out: the wavefront's curvature and f for f_c, 0.01 rad.
+    let rows: Vec<Vec<Complex64>> = (0..4).map(|channel| of(vec![one], channel)).collect();
+    let n = (0..256).find(|n| rows.iter().all(|row| row[*n] != Complex64::ZERO)).unwrap();
+    for pair in rows.windows(2) {
+        let turn = (pair[1][n] * pair[0][n].conj()).arg();
+        assert!((turn + PI * sine).abs() < 0.01, "{turn}");
+    }
+}
+
+#[test]
+fn an_interferer_is_in_the_cube_beside_echoes_and_noise_and_refused_where_it_means_nothing() {
+    let radar = disturbed(0, vec![Interferer { slope_hz_per_s: 12.4e12, ..interferer() }]);
+    let cube = |radar: &Radar| {
+        let header = header(radar.clone(), Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 });
+        synthesize(&header, 1, &frame(vec![point([0.0, 40.0, 6.0], [0.0; 3], 10.0)]), 77.3125e9, asked(), &|_| ())
+    };
+    let (with, without) = (cube(&radar).unwrap().samples, cube(&disturbed(0, vec![])).unwrap().samples);
+    for chirp in 0..4 {
+        let heard = interference::row(&radar, 0.0, 0, chirp);
+        for (n, heard) in heard.iter().enumerate() {
+            let [with, without] = [&with, &without].map(|cube| widened(&cube[chirp * 256 + n..][..1])[0]);
+            // One sum in f32.
+            assert!((with - without - heard).norm() <= 1.2e-7 * (with.norm() + without.norm() + heard.norm()));
+        }
+    }
+    let wrong = [
+        Interferer { position_m: radar.position_m, ..interferer() },
+        Interferer { eirp_w: f64::NAN, ..interferer() },
+        Interferer { chirp_interval_s: 0.0, ..interferer() },
+        Interferer { sweep_s: 61e-6, ..interferer() },
+    ];
+    for wrong in wrong {
+        let refused = cube(&disturbed(0, vec![wrong]));
+        assert!(matches!(refused, Err(EchoError::Interferer { index: 0, .. })), "{refused:?}");
+    }
+}
