@@ -11,7 +11,7 @@ use crate::path_legs::legs;
 use artifact::cube::CubeHeader;
 use artifact::paths::{Path, PathsFrame};
 use artifact::points::{Label, Point};
-use artifact::radar::Radar;
+use artifact::radar::{Radar, Sampling};
 use artifact::units::{SPEED_OF_LIGHT_MPS, power_from_db};
 use dsp::DspError;
 use dsp::window::taper;
@@ -99,6 +99,14 @@ const REACH_CELLS: f64 = 4.0;
 /// Finer than what a point is placed to.
 const STEP: f64 = 1.0 / 64.0;
 
+/// Of a tone's amplitude in the line that maps show: real samples have another at the image.
+fn line_share(header: &CubeHeader) -> f64 {
+    match header.radar.waveform.sampling {
+        Sampling::Complex => 1.0,
+        Sampling::Real => 0.5,
+    }
+}
+
 impl MapResponse {
     fn new(header: &CubeHeader) -> Result<Self, DspError> {
         let waveform = &header.radar.waveform;
@@ -107,7 +115,7 @@ impl MapResponse {
         Ok(Self {
             along: [response(&doppler), response(&range)],
             cells: [header.radar.velocity_resolution_mps(), waveform.range_resolution_m()],
-            gain: (doppler.len() * range.len()) as f64,
+            gain: line_share(header) * (doppler.len() * range.len()) as f64,
         })
     }
 

@@ -6,6 +6,7 @@ use crate::truth::{Truth, assign, truths};
 use artifact::accuracy::{ErrorBudget, ModelError};
 use artifact::paths::{PathsFrame, TargetDetail};
 use artifact::points::{Object, PointsFrame};
+use artifact::radar::Sampling;
 use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
 use artifact::settings::Class;
 use artifact::units::db_from_amplitude;
@@ -41,6 +42,10 @@ fn radar(header: &SceneHeader) -> Value {
         "bandwidth_hz": waveform.bandwidth_hz().abs(),
         "chirp_interval_s": waveform.chirp_interval_s,
         "samples_per_chirp": waveform.samples,
+        "sampling": match waveform.sampling {
+            Sampling::Complex => "complex",
+            Sampling::Real => "real",
+        },
         "chirps": waveform.chirps,
         "channels": radar.virtual_channels(),
         "range_resolution_m": waveform.range_resolution_m(),

@@ -32,8 +32,10 @@ pub struct Waveform {
     pub start_frequency_hz: f64,
     /// μ.
     pub slope_hz_per_s: f64,
-    /// f_s of complex samples.
+    /// f_s, of complex or of real samples.
     pub sample_rate_hz: f64,
+    /// What of the mixer's product is sampled.
+    pub sampling: Sampling,
     /// N_s: samples of a chirp.
     pub samples: u32,
     /// T_c: from one chirp of any transmitter to the next; of several intervals their mean ([`Schedule`]).
@@ -63,10 +65,31 @@ impl Waveform {
         SPEED_OF_LIGHT_MPS / (2.0 * self.bandwidth_hz().abs())
     }
 
-    /// Range at which the complex beat frequency reaches f_s and folds: c·f_s/2|μ|.
+    /// Range at which the beat frequency folds: at f_s where samples are complex, c·f_s/2|μ|; at half of it where they are real.
     pub fn range_max_m(&self) -> f64 {
-        SPEED_OF_LIGHT_MPS * self.sample_rate_hz / (2.0 * self.slope_hz_per_s.abs())
+        let band_hz = match self.sampling {
+            Sampling::Complex => self.sample_rate_hz,
+            Sampling::Real => 0.5 * self.sample_rate_hz,
+        };
+        SPEED_OF_LIGHT_MPS * band_hz / (2.0 * self.slope_hz_per_s.abs())
     }
+
+    /// Range cells of a map: of real samples the half of the spectrum that is not the other's image.
+    pub fn range_cells(&self) -> usize {
+        match self.sampling {
+            Sampling::Complex => self.samples as usize,
+            Sampling::Real => self.samples.div_ceil(2) as usize,
+        }
+    }
+}
+
+/// What of the mixer's product is sampled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Sampling {
+    /// Both parts: an I and a Q channel.
+    Complex,
+    /// The real part alone; imaginary parts of a cube's samples are 0. Noise of the image band folds in (3 dB).
+    Real,
 }
 
 /// Starts of chirps that do not follow each other at one interval; by default they do.

@@ -14,7 +14,7 @@ pub struct Scene;
 
 impl Schema for Scene {
     const NAME: &'static str = "scene";
-    const VERSION: u32 = 7;
+    const VERSION: u32 = 8;
     type Header = SceneHeader;
     type Frame = SceneFrame;
 }

@@ -73,7 +73,7 @@ impl VirtualArray {
 
     /// Values of one cell; `velocity_mps` turns the later slots of time division back to the first.
     pub fn snapshot(&self, header: &CubeHeader, map: &RdmFrame, cell: [usize; 2], velocity_mps: f64) -> Snapshot {
-        let [chirps, samples] = [header.radar.waveform.chirps as usize, header.radar.waveform.samples as usize];
+        let [chirps, samples] = [header.radar.waveform.chirps as usize, header.radar.waveform.range_cells()];
         let doppler_hz = 2.0 * velocity_mps / self.wavelength_m;
         let value = |(channel, slot_s): (usize, &f64)| {
             let value = map.values[(channel * chirps + cell[0]) * samples + cell[1]];

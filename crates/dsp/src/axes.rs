@@ -4,10 +4,10 @@ use crate::DspError;
 use artifact::cube::CubeHeader;
 use artifact::rdm;
 
-/// Range of every column, m: k·ΔR. The complex beat frequency folds at the last column.
+/// Range of every column, m: k·ΔR. The beat frequency folds at the last column.
 pub fn range_axis_m(header: &CubeHeader) -> Vec<f64> {
     let step_m = header.radar.waveform.range_resolution_m();
-    (0..header.radar.waveform.samples).map(|k| f64::from(k) * step_m).collect()
+    (0..header.radar.waveform.range_cells()).map(|k| k as f64 * step_m).collect()
 }
 
 /// Radial velocity of every row, m/s, positive when the range grows; zero at row N/2.

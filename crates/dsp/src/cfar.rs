@@ -10,6 +10,8 @@
 //!   map's edge leaves one half, it is that half's mean;
 //! - `os-cfar`: the cell of rank ¾N (Rohling, IEEE T-AES 19 (1983) 608).
 //!
+//! Of real samples the cells about range 0 and the last ones are not tested: noise is not circular there.
+//!
 //! Windows correlate neighbouring cells in two ways, both put right per range cell:
 //!
 //! - Training cells are fewer independent ones ([`crate::correlated_cells`], [`crate::noise_estimate`]).
@@ -24,8 +26,10 @@ use crate::correlated_cells::{Correlation, Rectangle, Region};
 use crate::noise_estimate::{
     averaged_factor, correlated_ordered_factor, greatest_of_factor, ordered_factor, smallest_of_factor,
 };
+use crate::window::{noise_correlation, taper};
 use crate::{Axis, DspError};
 use artifact::cube::CubeHeader;
+use artifact::radar::Sampling;
 use artifact::settings::Detector;
 use rayon::prelude::*;
 use std::collections::VecDeque;
@@ -48,6 +52,8 @@ pub struct Cfar {
     detector: Detector,
     /// Of each range cell.
     zones: Arc<Vec<Zone>>,
+    /// Of each range cell, whether its noise is circular.
+    tested: Vec<bool>,
 }
 
 /// Where a range cell takes its noise from, and its threshold over it.
@@ -69,7 +75,8 @@ impl Cfar {
         if !(rate > 0.0 && rate < 1.0) {
             return Err(DspError::FalseAlarmRate(rate));
         }
-        Ok(Self { chirps, samples, detector: header.dsp.detector, zones: kept_zones(header)? })
+        let tested = circular_columns(header, samples)?;
+        Ok(Self { chirps, samples, detector: header.dsp.detector, zones: kept_zones(header)?, tested })
     }
 
     /// Mask `[doppler, range]` of a power map; `floor` is added to the noise estimate (0 where there is noise).
@@ -144,7 +151,9 @@ impl Cfar {
             let mut sums = BoxSums::at_row(map, self.samples, &heights, first);
             for (row, mask) in (first..).zip(mask.chunks_mut(self.samples)) {
                 for (column, state) in mask.iter_mut().enumerate() {
-                    *state = if passes(&sums, row, column) { DETECTED } else { TESTED };
+                    if self.tested[column] {
+                        *state = if passes(&sums, row, column) { DETECTED } else { TESTED };
+                    }
                 }
                 sums.slide_from(row);
             }
@@ -214,6 +223,18 @@ impl Cfar {
         }
         true
     }
+}
+
+/// Columns that are tested: of complex samples all. Of real samples x the spectrum at 0 and at half the sample rate is real, and its
+/// noise has longer tails than thresholds know; windows carry that to cells beside them. There |E[X²]| is |Σw²e^{−j4πnk/N}| over Σw²,
+/// and a hundredth of it is too little to count.
+fn circular_columns(header: &CubeHeader, columns: usize) -> Result<Vec<bool>, DspError> {
+    let waveform = &header.radar.waveform;
+    if waveform.sampling == Sampling::Complex {
+        return Ok(vec![true; columns]);
+    }
+    let range = taper(header.dsp.range_window, waveform.samples as usize)?;
+    Ok((0..columns).map(|column| noise_correlation(&range, 2.0 * column as f64) < 1e-4).collect())
 }
 
 /// About the median of a map, of every 13th cell: whatever it is, no mask depends on it.

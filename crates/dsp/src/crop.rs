@@ -90,7 +90,7 @@ impl Patch {
     fn beamformed(header: &CubeHeader, map: &RdmFrame, object: &Object, rows: &[f64], columns: &[f64]) -> Self {
         let [first_row, last_row] = reach(rows);
         let [first_column, last_column] = reach(columns);
-        let samples = i64::from(header.radar.waveform.samples);
+        let samples = header.radar.waveform.range_cells() as i64;
         let (first_column, end_column) = (first_column.clamp(0, samples), (last_column + 1).clamp(0, samples));
         let array = VirtualArray::new(header);
         let steering = array.steering(direction_of(header, &array, object), object.range_m);

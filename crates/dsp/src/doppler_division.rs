@@ -48,7 +48,7 @@ pub(crate) fn fold_is_certain(header: &CubeHeader, map: &RdmFrame, row: usize, c
     if header.radar.array.multiplexing != Multiplexing::Ddm {
         return false;
     }
-    let [chirps, samples] = [header.radar.waveform.chirps as usize, header.radar.waveform.samples as usize];
+    let [chirps, samples] = [header.radar.waveform.chirps as usize, header.radar.waveform.range_cells()];
     let (transmitters, receivers) = (header.radar.array.tx_m.len(), header.radar.array.rx_m.len());
     let power = |tx: usize, row: usize| -> f64 {
         let channels = tx * receivers..(tx + 1) * receivers;
@@ -68,7 +68,7 @@ pub(crate) fn band_cycles(header: &CubeHeader, transmitter: usize) -> f64 {
 fn empty_band(header: &CubeHeader, transform: &RangeDoppler, samples: &[Complex32]) -> Vec<f64> {
     let turn_cycles = band_cycles(header, header.radar.array.tx_m.len());
     let maps: Vec<Vec<f64>> = samples
-        .par_chunks_exact(transform.cells())
+        .par_chunks_exact(transform.samples())
         .map(|receiver| sum_over_channels(&transform.channel(receiver, turn_cycles), transform.cells()))
         .collect();
     let mut sum = vec![0.0; transform.cells()];

@@ -5,6 +5,19 @@ use std::fmt;
 /// Why a cube or a map could not be processed; every field is a fact about the input.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum DspError {
+    /// Samples said to be real that have an imaginary part.
+    #[error("sample {sample} of channel {channel}, chirp {chirp} has an imaginary part; the radar's sampling is real")]
+    NotReal {
+        /// Channel.
+        channel: usize,
+        /// Chirp.
+        chirp: usize,
+        /// Sample.
+        sample: usize,
+    },
+    /// Refinement on samples that are not one tone an echo.
+    #[error("peaks are refined on complex samples whose transmitters are told apart without codes")]
+    Refinement,
     /// The cube's length is not that of its radar.
     #[error("a frame holds {found} samples, its radar makes {expected} (channels × chirps × samples)")]
     SampleCount {

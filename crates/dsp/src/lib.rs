@@ -22,11 +22,11 @@
 //!
 //! ```
 //! use artifact::cube::{CubeFrame, CubeHeader};
-//! use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
+//! use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Sampling, Schedule, Waveform};
 //! use artifact::settings::{Angle, Detector, DspSettings, Lane, Noise, Refine, Window};
 //! use num_complex::Complex32;
 //!
-//! let waveform = Waveform { start_frequency_hz: 77e9, slope_hz_per_s: 12.5e12, sample_rate_hz: 5.12e6,
+//! let waveform = Waveform { start_frequency_hz: 77e9, slope_hz_per_s: 12.5e12, sample_rate_hz: 5.12e6, sampling: Sampling::Complex,
 //!     samples: 256, chirp_interval_s: 60e-6, chirps: 64 };
 //! let half_wave_m = 0.5 * waveform.wavelength_m();
 //! let radar = Radar {

@@ -22,6 +22,7 @@ use crate::time_division_folds::{self, Choice, Folds};
 use crate::window::{noise_bandwidth_bins, taper};
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::points::{Object, Point, PointsFrame};
+use artifact::radar::Sampling;
 use artifact::rdm::RdmFrame;
 use artifact::settings::{Angle, Refine, Window};
 use artifact::units::{LOWEST_DB, db_from_power};
@@ -41,7 +42,15 @@ pub fn detect(header: &CubeHeader, map: &RdmFrame) -> Result<PointsFrame, DspErr
 /// on them ([`crate::refinement`]).
 pub fn detect_refined(header: &CubeHeader, cube: &CubeFrame, map: &RdmFrame) -> Result<PointsFrame, DspError> {
     check_samples(header, &cube.samples)?;
+    if header.dsp.refine == Refine::Isolated && !is_one_tone(header) {
+        return Err(DspError::Refinement);
+    }
     detect_in(header, map, (header.dsp.refine == Refine::Isolated).then_some(cube.samples.as_slice()))
+}
+
+/// Whether an echo is one tone in every channel's samples.
+fn is_one_tone(header: &CubeHeader) -> bool {
+    header.radar.waveform.sampling == Sampling::Complex
 }
 
 fn detect_in(header: &CubeHeader, map: &RdmFrame, samples: Option<&[Complex32]>) -> Result<PointsFrame, DspError> {

@@ -13,7 +13,7 @@ use crate::noncoherent::{FLOOR_BELOW_PEAK_DB, sum_over_channels};
 use crate::window::taper;
 use crate::{DspError, doppler_division};
 use artifact::cube::{CubeFrame, CubeHeader};
-use artifact::radar::Multiplexing;
+use artifact::radar::{Multiplexing, Sampling};
 use artifact::rdm::RdmFrame;
 use artifact::settings::Noise;
 use artifact::units::power_from_db;
@@ -52,6 +52,8 @@ pub fn range_doppler(header: &CubeHeader, frame: &CubeFrame) -> Result<RdmFrame,
 pub struct RangeDoppler<T = f32> {
     chirps: usize,
     samples: usize,
+    /// Range cells: as many as samples, or where these are real half as many.
+    columns: usize,
     falling_slope: bool,
     range_taper: Vec<T>,
     doppler_taper: Vec<f64>,
@@ -64,6 +66,8 @@ pub struct RangeDoppler<T = f32> {
 pub(crate) struct Workspace<T> {
     /// `[chirp, range]`.
     spectra: Vec<Complex<T>>,
+    /// The whole spectrum of a chirp whose half is kept.
+    whole: Vec<Complex<T>>,
     /// [`COLUMNS`] Doppler columns, one after the other.
     columns: Vec<Complex<T>>,
     scratch: Vec<Complex<T>>,
@@ -103,11 +107,13 @@ impl Precision for f64 {
 impl<T: Precision> RangeDoppler<T> {
     /// Windows and transforms that a cube's header asks for.
     pub fn new(header: &CubeHeader) -> Result<Self, DspError> {
-        let [_, chirps, samples] = checked_shape(header)?;
+        let [_, chirps, columns] = checked_shape(header)?;
+        let samples = header.radar.waveform.samples as usize;
         let mut planner = FftPlanner::new();
         Ok(Self {
             chirps,
             samples,
+            columns,
             falling_slope: header.radar.waveform.slope_hz_per_s < 0.0,
             range_taper: taper(header.dsp.range_window, samples)?.into_iter().map(T::of).collect(),
             doppler_taper: taper(header.dsp.doppler_window, chirps)?,
@@ -126,7 +132,7 @@ impl<T: Precision> RangeDoppler<T> {
     /// The same of a channel of any transmitter: staggered chirps of another than the first may differ.
     pub fn channel_of(&self, transmitter: usize, samples: &[Complex32], turn_cycles: f64) -> Vec<Complex<T>> {
         let mut map = vec![Complex::zero(); self.cells()];
-        let mut work = Workspace { spectra: Vec::new(), columns: Vec::new(), scratch: Vec::new() };
+        let mut work = Workspace { spectra: vec![], whole: vec![], columns: vec![], scratch: vec![] };
         self.fill(transmitter, (samples, turn_cycles), &mut work, &mut map);
         map
     }
@@ -144,17 +150,25 @@ impl<T: Precision> RangeDoppler<T> {
         work.spectra.resize(self.cells(), Complex::zero());
         work.columns.resize(COLUMNS * self.chirps, Complex::zero());
         self.range_spectra(samples, turn_cycles, work);
-        for first in (0..self.samples).step_by(COLUMNS) {
-            self.doppler_columns(transmitter, first..self.samples.min(first + COLUMNS), work, map);
+        for first in (0..self.columns).step_by(COLUMNS) {
+            self.doppler_columns(transmitter, first..self.columns.min(first + COLUMNS), work, map);
         }
     }
 
     /// Cells of one channel.
     pub(crate) fn cells(&self) -> usize {
+        self.chirps * self.columns
+    }
+
+    /// Samples of one channel.
+    pub(crate) fn samples(&self) -> usize {
         self.chirps * self.samples
     }
 
     fn range_spectra(&self, samples: &[Complex32], turn_cycles: f64, work: &mut Workspace<T>) {
+        if self.columns < self.samples {
+            return self.half_spectra(samples, turn_cycles, work);
+        }
         let rows = samples.chunks_exact(self.samples).zip(work.spectra.chunks_exact_mut(self.samples));
         for (chirp, (row, spectrum)) in rows.enumerate() {
             self.tapered(row, chirp, turn_cycles, spectrum);
@@ -163,6 +177,20 @@ impl<T: Precision> RangeDoppler<T> {
                 // It puts growing ranges at falling frequencies.
                 spectrum[1..].reverse();
             }
+        }
+    }
+
+    /// Of real samples the frequencies of growing range: the others are their image.
+    fn half_spectra(&self, samples: &[Complex32], turn_cycles: f64, work: &mut Workspace<T>) {
+        work.whole.resize(self.samples, Complex::zero());
+        let rows = samples.chunks_exact(self.samples).zip(work.spectra.chunks_exact_mut(self.columns));
+        for (chirp, (row, half)) in rows.enumerate() {
+            self.tapered(row, chirp, turn_cycles, &mut work.whole);
+            self.range_fft.process_with_scratch(&mut work.whole, &mut work.scratch);
+            if self.falling_slope {
+                work.whole[1..].reverse();
+            }
+            half.copy_from_slice(&work.whole[..self.columns]);
         }
     }
 
@@ -185,13 +213,13 @@ impl<T: Precision> RangeDoppler<T> {
         map: &mut [Complex<T>],
     ) {
         let columns = &mut work.columns[..ranges.len() * self.chirps];
-        for (chirp, row) in work.spectra.chunks_exact(self.samples).enumerate() {
+        for (chirp, row) in work.spectra.chunks_exact(self.columns).enumerate() {
             let column = columns[chirp..].iter_mut().step_by(self.chirps);
             column.zip(&row[ranges.clone()]).for_each(|(to, from)| *to = *from);
         }
         self.doppler.process(transmitter, columns, &mut work.scratch);
         for bin in 0..self.chirps {
-            let row = (bin + self.chirps / 2) % self.chirps * self.samples;
+            let row = (bin + self.chirps / 2) % self.chirps * self.columns;
             let column = columns[bin..].iter().step_by(self.chirps);
             map[row..][ranges.clone()].iter_mut().zip(column).for_each(|(to, from)| *to = *from);
         }
@@ -203,6 +231,15 @@ pub(crate) fn check_samples(header: &CubeHeader, samples: &[Complex32]) -> Resul
     let expected = channels * chirps * length;
     if samples.len() != expected {
         return Err(DspError::SampleCount { expected, found: samples.len() });
+    }
+    if header.radar.waveform.sampling == Sampling::Real
+        && let Some(at) = samples.iter().position(|sample| sample.im != 0.0)
+    {
+        return Err(DspError::NotReal {
+            channel: at / (chirps * length),
+            chirp: at / length % chirps,
+            sample: at % length,
+        });
     }
     match first_not_finite(samples) {
         None => Ok(()),
@@ -226,7 +263,8 @@ pub fn all_channels(
     let fill = |work: &mut Workspace<f32>, (channel, map): (usize, &mut [Complex32])| {
         let (source, turn_cycles) = doppler_division::source_of(header, channel);
         let transmitter = channel / header.radar.array.rx_m.len();
-        transform.fill(transmitter, (&samples[source * cells..(source + 1) * cells], turn_cycles), work, map);
+        let own = &samples[source * transform.samples()..][..transform.samples()];
+        transform.fill(transmitter, (own, turn_cycles), work, map);
     };
     values.par_chunks_mut(cells).enumerate().for_each_init(Workspace::default, fill);
     match first_not_finite(&values) {

@@ -18,7 +18,7 @@
 //! ```
 //! use artifact::cube::CubeHeader;
 //! use artifact::paths::{Curve, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
-//! use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
+//! use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Sampling, Schedule, Waveform};
 //! use artifact::settings::{Angle, Detector, DspSettings, Noise, Refine, Window};
 //! # use artifact::{ErrorBudget, ModelError};
 //! use num_complex::Complex64;
@@ -26,7 +26,7 @@
 //! let waveform = Waveform {
 //!     start_frequency_hz: 77e9,
 //!     slope_hz_per_s: 12.5e12,
-//!     sample_rate_hz: 5.12e6,
+//!     sample_rate_hz: 5.12e6, sampling: Sampling::Complex,
 //!     samples: 256,
 //!     chirp_interval_s: 60e-6,
 //!     chirps: 4,

@@ -2,6 +2,7 @@
 
 use crate::window::{noise_bandwidth, weights};
 use artifact::cube::CubeHeader;
+use artifact::radar::Sampling;
 use num_complex::{Complex32, Complex64};
 use rustfft::FftPlanner;
 
@@ -15,9 +16,18 @@ pub fn peak_cell_over_noise(header: &CubeHeader, samples: &[Complex32]) -> Optio
     let [_, chirps, length] = header.shape();
     let range_weights = weights(header.dsp.range_window, length);
     let doppler_weights = weights(header.dsp.doppler_window, chirps);
-    let map = range_doppler(samples.get(..chirps * length)?, &range_weights, &doppler_weights);
+    let samples = samples.get(..chirps * length)?;
+    // Of a real mixer half of the noise arrives, and the echo is told by one of two lines.
+    let (map, arrives) = match header.radar.waveform.sampling {
+        Sampling::Complex => (range_doppler(samples, &range_weights, &doppler_weights), 1.0),
+        Sampling::Real => {
+            let real: Vec<Complex32> = samples.iter().map(|sample| sample.re.into()).collect();
+            (range_doppler(&real, &range_weights, &doppler_weights), 0.5)
+        }
+    };
     let peak = map.iter().map(|cell| cell.norm_sqr()).fold(0.0, f64::max);
-    let noise = (chirps * length) as f64 * noise_bandwidth(&range_weights) * noise_bandwidth(&doppler_weights);
+    let noise =
+        arrives * (chirps * length) as f64 * noise_bandwidth(&range_weights) * noise_bandwidth(&doppler_weights);
     (peak > 0.0).then_some(peak / noise)
 }
 

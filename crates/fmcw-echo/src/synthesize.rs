@@ -8,6 +8,7 @@ use crate::rcs_table::{self, TableSum};
 use crate::{adc, interference, noise, phase_noise, synthesis_error};
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::paths::PathsFrame;
+use artifact::radar::Sampling;
 use artifact::rcs::RcsFrame;
 use artifact::scene::Pose;
 use artifact::{Accuracy, ErrorBudget};
@@ -74,7 +75,10 @@ pub fn synthesize_tables(
     Ok(CubeFrame { index: frame.index, time_s: frame.time_s, samples, error })
 }
 
-/// What comes to the echoes in the receiver: noise, other radars, the converter.
+/// What comes to the echoes in the receiver: noise, other radars; of a real mixer one part of it all; the converter.
+///
+/// Half of an echo's power is in that part and half of the noise's, but the echo's is shared by two lines of the spectrum: 3 dB
+/// less signal to noise than complex samples have (physics.md §9).
 fn receive(
     header: &CubeHeader,
     seed: u64,
@@ -84,6 +88,9 @@ fn receive(
     noise::add(header, seed, frame, samples)?;
     interference::add(&header.radar, time_s, samples);
     check_samples(header, frame, samples)?;
+    if header.radar.waveform.sampling == Sampling::Real {
+        samples.iter_mut().for_each(|sample| sample.im = 0.0);
+    }
     if let Some(converter) = &header.radar.hardware.adc {
         adc::convert(converter, samples);
     }

@@ -14,13 +14,17 @@ const PHASES_DEG: Allowed = Allowed::Between(-360.0, 360.0);
 const DELAYS_PS: Allowed = Allowed::Between(0.0, 1000.0);
 
 /// Errors of `transmitters` and `receivers` elements and the converter; ideal where the scene says nothing.
-pub(crate) fn read_hardware(radar: &Section<'_>, array: &Section<'_>, [tx, rx]: [usize; 2]) -> Hardware {
-    let receiver = radar.section(&keys::RECEIVER);
+pub(crate) fn read_hardware(
+    radar: &Section<'_>,
+    receiver: &Section<'_>,
+    array: &Section<'_>,
+    [tx, rx]: [usize; 2],
+) -> Hardware {
     Hardware {
         tx: read_elements(array, ["tx_gain_errors_db", "tx_phase_errors_deg", "tx_delays_ps"], tx),
         rx: read_elements(array, ["rx_gain_errors_db", "rx_phase_errors_deg", "rx_delays_ps"], rx),
-        adc: read_adc(&receiver),
-        phase_noise: read_phase_noise(&receiver),
+        adc: read_adc(receiver),
+        phase_noise: read_phase_noise(receiver),
         interferers: radar.sections(&keys::INTERFERER).iter().map(read_interferer).collect(),
     }
 }

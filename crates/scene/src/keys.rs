@@ -109,7 +109,7 @@ pub(crate) const LINK: Table =
 pub(crate) const RECEIVER: Table = Table {
     name: "radar.receiver",
     heading: "[radar.receiver]",
-    keys: &["adc_bits", "full_scale_dbm", "phase_noise_dbc_hz"],
+    keys: &["sampling", "adc_bits", "full_scale_dbm", "phase_noise_dbc_hz"],
 };
 
 /// Each of the `[[radar.interferer]]`.

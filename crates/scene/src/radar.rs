@@ -6,7 +6,7 @@ use crate::errors::{Allowed, Rule};
 use crate::hardware::read_hardware;
 use crate::keys;
 use crate::models::Models;
-use artifact::radar::{Hardware, Link, Multiplexing, Radar, Schedule, Waveform};
+use artifact::radar::{Hardware, Link, Multiplexing, Radar, Sampling, Schedule, Waveform};
 use artifact::units::watts_from_dbm;
 
 /// Coordinates beyond this are a slip of units; within it f64 resolves 1.5e-11 m, 4e-9 of a wavelength at 77 GHz.
@@ -19,7 +19,10 @@ const CUBE_LIMIT: u64 = 1 << 27;
 pub(crate) fn read_radar(root: &Section<'_>, models: &mut Models) -> Radar {
     let section = root.section(&keys::RADAR);
     let waveform_section = section.section(&keys::WAVEFORM);
-    let (waveform, schedule) = read_waveform(&waveform_section);
+    let receiver = section.section(&keys::RECEIVER);
+    let words = [("complex", Sampling::Complex), ("real", Sampling::Real)];
+    let sampling = receiver.word("sampling", &words).unwrap_or(Sampling::Complex);
+    let (waveform, schedule) = read_waveform(&waveform_section, sampling);
     let mount = Mount {
         position_m: section.vector("position_m", COORDINATES_M).unwrap_or([0.0, 0.0, 6.0]),
         boresight_az_rad: degrees(&section, "boresight_az_deg", 360.0),
@@ -38,7 +41,7 @@ pub(crate) fn read_radar(root: &Section<'_>, models: &mut Models) -> Radar {
         hardware: Hardware::default(),
     };
     let elements = [radar.array.tx_m.len(), radar.array.rx_m.len()];
-    radar.hardware = read_hardware(&section, &array_section, elements);
+    radar.hardware = read_hardware(&section, &receiver, &array_section, elements);
     check_cube(&waveform_section, &radar);
     if radar.array.multiplexing == Multiplexing::Ddm && !radar.schedule.is_uniform() {
         waveform_section.note("stagger_us", Rule::StaggeredDivision);
@@ -50,7 +53,7 @@ fn degrees(section: &Section<'_>, key: &'static str, limit: f64) -> f64 {
     section.number(key, Allowed::Between(-limit, limit)).unwrap_or(0.0).to_radians()
 }
 
-fn read_waveform(section: &Section<'_>) -> (Waveform, Schedule) {
+fn read_waveform(section: &Section<'_>, sampling: Sampling) -> (Waveform, Schedule) {
     let start_ghz = section.number("start_frequency_ghz", Allowed::Between(0.1, 1000.0)).unwrap_or(77.0);
     let slope_mhz_per_us = section.number("slope_mhz_per_us", Allowed::Between(-1e4, 1e4)).unwrap_or(12.5);
     let sample_rate_msps = section.number("sample_rate_msps", Allowed::Between(1e-3, 1e5)).unwrap_or(5.12);
@@ -72,6 +75,7 @@ fn read_waveform(section: &Section<'_>) -> (Waveform, Schedule) {
         start_frequency_hz: start_ghz * 1e9,
         slope_hz_per_s: slope_mhz_per_us * 1e12,
         sample_rate_hz: sample_rate_msps * 1e6,
+        sampling,
         samples,
         chirp_interval_s: sub_frame_intervals_s.first().copied().unwrap_or(interval_s(idle_us)),
         chirps,

@@ -5,7 +5,7 @@ use crate::errors::{Allowed, MapAxis, Rule};
 use crate::keys;
 use artifact::Accuracy;
 use artifact::paths::MAX_ORDER;
-use artifact::radar::Waveform;
+use artifact::radar::{Sampling, Waveform};
 use artifact::scene::Intersection;
 use artifact::settings::{
     Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lane, NodeRule, Noise, Refine, Sides, Surface,
@@ -46,7 +46,10 @@ const DETECTORS: [(&str, Detector); 4] = [
 /// Signal processing for a map of this waveform.
 pub(crate) fn read_dsp(root: &Section<'_>, waveform: &Waveform, lanes: Vec<Lane>) -> DspSettings {
     let section = root.section(&keys::DSP);
-    let map = [waveform.chirps, waveform.samples];
+    let map = [waveform.chirps, waveform.range_cells() as u32];
+    if waveform.sampling == Sampling::Real && section.text("refine") == Some("on") {
+        section.note("refine", Rule::Contradiction { key: "refine", other: "sampling = \"real\"" });
+    }
     let guard_cells = read_cells(&section, "guard_cells").unwrap_or(fitting(map, [0, 0], [2, 2]));
     // 13 × 21 cells less 5 × 5 of guard: 248 training cells, a CFAR loss of about 0.1 dB at 1e-5 (Richards 2014).
     let training_cells = read_cells(&section, "training_cells").unwrap_or(fitting(map, guard_cells, [4, 8]));

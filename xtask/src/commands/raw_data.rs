@@ -8,7 +8,7 @@ pub(crate) mod sigmf;
 
 use crate::failure::Failure;
 use artifact::cube::CubeHeader;
-use artifact::radar::Multiplexing;
+use artifact::radar::{Multiplexing, Sampling};
 use num_complex::Complex32;
 use std::path::Path;
 
@@ -25,6 +25,10 @@ pub(crate) struct Recording {
 impl Recording {
     /// Refused where a cube holds what no device can record: transmitters that send at once and are told apart all the same.
     pub(crate) fn of(file: &Path, header: &CubeHeader) -> Result<Self, Failure> {
+        if header.radar.waveform.sampling == Sampling::Real {
+            let text = "samples are real: recordings of complex samples alone are read and written";
+            return Err(Failure::Refused(format!("{}: {text}", file.display())));
+        }
         let array = &header.radar.array;
         let transmitters = match array.multiplexing {
             Multiplexing::Tdm => array.tx_m.len(),

@@ -56,6 +56,7 @@ fn radar() -> Radar {
             start_frequency_hz: 77e9,
             slope_hz_per_s: 12.5e12,
             sample_rate_hz: 5.12e6,
+            sampling: artifact::radar::Sampling::Complex,
             samples: 256,
             chirp_interval_s: 60e-6,
             chirps: 128,

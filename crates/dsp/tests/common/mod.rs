@@ -58,6 +58,7 @@ pub fn header(samples: u32, chirps: u32, elements: [Vec<[f64; 2]>; 2]) -> CubeHe
         start_frequency_hz: 77e9,
         slope_hz_per_s: 12.5e12,
         sample_rate_hz: 5.12e6,
+        sampling: artifact::radar::Sampling::Complex,
         samples,
         chirp_interval_s: f64::from(samples) / 5.12e6 + 10e-6,
         chirps,

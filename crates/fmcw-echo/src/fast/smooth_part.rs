@@ -271,6 +271,7 @@ mod tests {
             start_frequency_hz: 77e9,
             slope_hz_per_s: 12.5e12,
             sample_rate_hz: 5.12e6,
+            sampling: artifact::radar::Sampling::Complex,
             samples: 512,
             chirp_interval_s: 110e-6,
             chirps: 128,

@@ -16,6 +16,7 @@ mod hardware;
 mod pattern_tables;
 mod phase_noise;
 mod interferers;
+mod real_sampling;
 mod receiver_noise;
 mod rcs_tables;
 mod reproducibility;

@@ -4,7 +4,7 @@ use super::{NpyStream, fail, write_sidecar};
 use crate::failure::Failure;
 use artifact::Reader;
 use artifact::cube::{Cube, CubeHeader};
-use artifact::radar::{Multiplexing, Radar};
+use artifact::radar::{Multiplexing, Radar, Sampling};
 use num_complex::Complex32;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -40,6 +40,7 @@ fn axes(header: &CubeHeader, frame_times_s: &[f64]) -> Value {
         "start_frequency_hz": waveform.start_frequency_hz,
         "slope_hz_per_s": waveform.slope_hz_per_s,
         "sample_rate_hz": waveform.sample_rate_hz,
+        "samples_are_real": waveform.sampling == Sampling::Real,
     })
 }
 

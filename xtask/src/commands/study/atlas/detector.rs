@@ -43,7 +43,7 @@ fn false_alarms(extent: Extent, name: &str, window: Window) -> Result<Vec<Row>, 
 /// Detections over cells tested, at the edges of the range axis and inside.
 fn counted(header: &SceneHeader, frames: u64) -> Result<[f64; 2], Failure> {
     let (mut hits, mut cells) = ([0_u64; 2], [0_u64; 2]);
-    let samples = header.radar.waveform.samples as usize;
+    let samples = header.radar.waveform.range_cells();
     for seed in 0..frames {
         for (i, mask) in noise_map(header, seed)?.iter().enumerate() {
             let column = i % samples;
