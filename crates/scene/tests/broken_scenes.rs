@@ -39,7 +39,7 @@ const CASES: &[Case] = &[
     // Hardware.
     (NAME, "[radar.array]\npreset = \"1x4\"\nrx_delays_ps = [1, 2]\n", "4:16", "`rx_delays_ps` must have 4 values, has 2"),
     (NAME, "[radar.receiver]\nadc_bits = 12\n", "3:12", "`adc_bits` needs `full_scale_dbm` beside it"),
-    (NAME, "[radar.receiver]\nphase_noise_dbc_hz = [[1e5, -80], [0, -90]]\n", "3:22", "`phase_noise_dbc_hz` must be a number above 0, up to 1e12, is 0"),
+    (NAME, "[radar.receiver]\nphase_noise_dbc_hz = [[0, -80], [1e5, -90]]\n", "3:22", "`phase_noise_dbc_hz` must be a number above 0, up to 1e12, is 0"),
     (NAME, "[radar.receiver]\nphase_noise_dbc_hz = [[1e5, 3]]\n", "3:22", "`phase_noise_dbc_hz` must be a number from -300 to 0, is 3"),
     (NAME, "[radar.receiver]\nphase_noise_dbc_hz = [[1e5, -80], [1e4, -90]]\n", "3:22", "the first numbers of the pairs of `phase_noise_dbc_hz` must grow"),
     (NAME, "[radar.receiver]\nsampling = \"i\"\n", "3:12", "`sampling` cannot be `i`; it can be `complex`, `real`"),
