@@ -19,6 +19,7 @@ use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
 use artifact::settings::{Class, EchoMode};
 use artifact::{Accuracy, ErrorBudget, ModelError, Schema};
 use classifier::Classifier;
+use std::borrow::Cow;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 use std::time::Instant;
@@ -106,14 +107,16 @@ pub(crate) struct Chain<'a> {
     model: Option<&'a LoadedModel>,
     parts: SceneParts,
     bodies: OnceLock<Result<bart_rcs::Models, String>>,
+    ground: OnceLock<Result<Vec<artifact::paths::Path>, String>>,
     measured: MeasuredFrames,
 }
 
 impl<'a> Chain<'a> {
     pub(crate) fn of(header: &'a SceneHeader, cache: Option<&'a Cache>, model: Option<&'a LoadedModel>) -> Self {
         let (cube_header, parts) = (cube_header(header), SceneParts::of(header));
-        let (echo_header, bodies, measured) = (echo_header(header), OnceLock::new(), MeasuredFrames::default());
-        Self { header, cube_header, echo_header, cache, model, parts, bodies, measured }
+        let (echo_header, measured) = (echo_header(header), MeasuredFrames::default());
+        let (bodies, ground) = (OnceLock::new(), OnceLock::new());
+        Self { header, cube_header, echo_header, cache, model, parts, bodies, ground, measured }
     }
 
     /// What one frame needs and why.
@@ -160,7 +163,8 @@ impl<'a> Chain<'a> {
         let bytes =
             self.triangles(index) as u64 * u64::from(self.header.fidelity.bounces) * BYTES_PER_TRIANGLE_AND_ORDER
                 + fmcw_echo::memory_estimate_bytes(&self.cube_header, echo_accuracy(self.header))
-                + self.map_bytes();
+                + self.map_bytes()
+                + self.ground_bytes();
         crate::memory::mib(bytes) + PROGRAM_MIB
     }
 
@@ -176,6 +180,12 @@ impl<'a> Chain<'a> {
     fn map_bytes(&self) -> u64 {
         let cells: usize = artifact::rdm::shape(&self.cube_header).iter().product();
         (cells * (size_of::<num_complex::Complex32>() + size_of::<num_complex::Complex64>())) as u64
+    }
+
+    /// Paths of the ground, once for the run and once among those of the frame.
+    fn ground_bytes(&self) -> u64 {
+        let patches = self.header.backscatter.map_or(0, |_| fmcw_echo::ground::patches(&self.header.radar));
+        (2 * patches * size_of::<artifact::paths::Path>()) as u64
     }
 
     /// Header of the `.paths` artifact.
@@ -301,12 +311,26 @@ impl<'a> Chain<'a> {
             Scattering::Paths(frame) => {
                 let centre_hz = self.header.radar.waveform.centre_frequency_hz();
                 let accuracy = echo_accuracy(self.header);
-                fmcw_echo::synthesize(header, seed, frame, centre_hz, accuracy, &progress).map_err(Failure::refused)
+                let all = &self.with_ground(frame)?;
+                fmcw_echo::synthesize(header, seed, all, centre_hz, accuracy, &progress).map_err(Failure::refused)
             }
             Scattering::Tables(frame) => {
                 fmcw_echo::synthesize_tables(header, seed, &scene.poses, frame, &progress).map_err(Failure::refused)
             }
         }
+    }
+
+    /// The paths of a frame and those of the road's own backscatter, which no `.paths` holds: the seed tells them.
+    pub(crate) fn with_ground<'p>(&self, frame: &'p PathsFrame) -> Result<Cow<'p, PathsFrame>, Failure> {
+        let Some(backscatter) = &self.header.backscatter else { return Ok(Cow::Borrowed(frame)) };
+        let draw = || {
+            let drawn = fmcw_echo::ground::paths(&self.header.radar, backscatter, self.header.seed);
+            drawn.map_err(|error| error.to_string())
+        };
+        let ground = self.ground.get_or_init(draw).as_ref().map_err(Failure::refused)?;
+        let mut all = frame.clone();
+        all.paths.extend_from_slice(ground);
+        Ok(Cow::Owned(all))
     }
 
     fn maps(&self, plan: &FramePlan, cube: &CubeFrame) -> Result<Step<(RdmFrame, PointsFrame)>, Failure> {

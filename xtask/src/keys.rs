@@ -145,6 +145,7 @@ fn fmcw_echo(header: &SceneHeader, parts: &SceneParts, scattering: &Key, frame: 
             ("scattering", scattering.id()),
             ("radar", parts.radar.clone()),
             ("noise and seed", noise),
+            ("backscatter", fingerprint(&header.backscatter)),
             ("frame and time", number),
         ],
     )
@@ -167,7 +168,7 @@ mod tests {
     use super::*;
     use artifact::material::{Backing, Layer, Makeup, Material, MaterialMap, Road, Thickness, Transmission};
     use artifact::radar::{Adc, ElementError, Interferer, Pattern, PatternTable, PhaseNoise, Schedule};
-    use artifact::scene::{Mesh, Placed, Traffic, Vehicle, Wheel};
+    use artifact::scene::{Backscatter, Mesh, Placed, Traffic, Vehicle, Wheel};
     use num_complex::Complex64;
     use serde_json::Value;
 
@@ -194,6 +195,7 @@ mod tests {
         let by_name = vec![("glass".to_owned(), pane), ("floor".to_owned(), asphalt.clone())];
         header.materials = MaterialMap { by_name, transmission: Transmission::Ignored };
         header.road = Some(Road { material: asphalt, rms_height_m: 1e-3 });
+        header.backscatter = Some(Backscatter { gamma: 0.01 });
         header.noise = Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 };
         let (azimuth_rad, elevation_rad) = (vec![-1.0, 0.0, 1.0], vec![0.0]);
         let table = PatternTable { azimuth_rad, elevation_rad, amplitude: vec![0.1, 1.0, 0.1] };
@@ -268,7 +270,7 @@ mod tests {
             "name" | "frames" | "frame_interval_s" | "intersection" => None,
             // What is not in view of the frame, and poses: those are the frame's.
             "traffic" if ["/vehicles/1/", "/frames/1/", "/pose/"].iter().any(|part| leaf.contains(part)) => None,
-            "seed" | "noise" => Some(Stage::FmcwEcho),
+            "seed" | "noise" | "backscatter" => Some(Stage::FmcwEcho),
             "dsp" => Some(Stage::Dsp),
             _ => Some(Stage::BartRcs),
         }

@@ -31,9 +31,10 @@ pub(crate) fn label(
     let echoes: Vec<Echo> = paths.paths.iter().map(|path| Echo::of(&header.radar, path)).collect();
     for point in points {
         let shares = map.shares(&header.radar, &echoes, point);
-        // The beam averages over channels: so does its noise.
+        // Where the road itself is strongest, the point is no target's. The beam averages over channels: so does its noise.
         let floor = noise_power / header.radar.virtual_channels() as f64;
-        point.label = strongest(&shares, floor / map.gain.powi(2));
+        let label = strongest(&shares, floor / map.gain.powi(2));
+        point.label = label.filter(|label| label.target != fmcw_echo::ground::GROUND);
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! How well objects and tracks agree with the truth over a run. Only reports come here: nothing behind the radar cube reads it.
 //!
 //! Truths of a frame are the bodies that send back any echo from within the radar's range, at the middle of their outline on the
-//! ground; estimates are the middles of the boxes of believed tracks, and beside them the places of the frame's objects.
+//! ground, clutter left out: what is found of it counts as false; estimates are the middles of the boxes of believed tracks, and beside them the places of the frame's objects.
 
 mod gospa;
 mod identities;
@@ -9,6 +9,7 @@ mod ospa;
 
 use crate::truth::Truth;
 use artifact::points::Object;
+use artifact::scene::Role;
 use artifact::tracks::{Track, TrackState, TracksFrame};
 use glam::DVec2;
 use gospa::{Gospa, gospa};
@@ -143,7 +144,7 @@ impl Sums {
 
 fn shown(truths: &[Truth], body_of: impl Fn(usize) -> u32, range_max_m: f64) -> Vec<Shown> {
     let range_m = |t: &Truth| t.echo.map_or(t.range_m, |e| e.range_m);
-    let is_shown = |t: &Truth| t.sends_back && range_m(t) <= range_max_m;
+    let is_shown = |t: &Truth| t.role == Role::Target && t.sends_back && range_m(t) <= range_max_m;
     let of = |(i, t): (usize, &Truth)| Shown { body: body_of(i), place_m: t.position_m.truncate(), lane: t.lane };
     truths.iter().enumerate().filter(|(_, t)| is_shown(t)).map(of).collect()
 }

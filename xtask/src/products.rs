@@ -134,6 +134,7 @@ fn join_truth(chain: &Chain, frame: &mut FrameProducts) -> Result<(), Failure> {
         point.target = target.and_then(|t| bodies.get(t).copied());
     }
     let Some(paths) = &result.paths else { return Ok(()) };
+    let paths = &chain.with_ground(paths)?;
     let header = chain.cube_header.in_frame(result.scene.index);
     let noise = dsp::noise_power(&header, &frame.rdm).map_err(Failure::refused)?;
     labels::label(&header, paths, noise, &mut result.points.points).map_err(Failure::refused)?;

@@ -7,7 +7,7 @@ use artifact::accuracy::{ErrorBudget, ModelError};
 use artifact::paths::{PathsFrame, TargetDetail};
 use artifact::points::{Object, PointsFrame};
 use artifact::radar::Sampling;
-use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
+use artifact::scene::{Role, SceneFrame, SceneHeader, TargetKind};
 use artifact::settings::Class;
 use artifact::units::db_from_amplitude;
 use serde_json::{Map, Value, json};
@@ -65,7 +65,10 @@ pub(crate) fn frame(header: &SceneHeader, result: &FrameResult) -> Value {
     let objects = || chosen.iter().map(|c| c.map(|o| &result.points.objects[o]));
     let abnormal = truths.iter().zip(objects()).any(|(t, o)| is_aliased(header, t, o));
     let resolved = !result.points.objects.is_empty() && result.points.objects.iter().all(|o| o.velocity_resolved);
-    let targets: Vec<Value> = (0..truths.len()).map(|i| target(header, result, i, &truths[i], chosen[i])).collect();
+    let of_role = |role: Role| (0..truths.len()).filter(move |i| header.targets[*i].role == role);
+    let targets = of_role(Role::Target).map(|i| target(header, result, i, &truths[i], chosen[i]));
+    let targets: Vec<Value> = targets.collect();
+    let clutter: Vec<Value> = of_role(Role::Clutter).map(|i| clutter(header, i, &truths[i])).collect();
     json!({
         "time_s": result.scene.time_s,
         "stage_seconds": seconds(&result.seconds),
@@ -81,6 +84,7 @@ pub(crate) fn frame(header: &SceneHeader, result: &FrameResult) -> Value {
         "memory_estimate_mib": result.memory_estimate_mib,
         "peak_memory_mib": crate::memory::peak_mib(),
         "targets": targets,
+        "clutter": clutter,
     })
 }
 
@@ -139,6 +143,20 @@ fn target(header: &SceneHeader, result: &FrameResult, index: usize, truth: &Trut
         "estimate": chosen.map(|o| estimate(&result.points.objects[o])),
         "predicted_class": probabilities.map(|p| predicted(p).name()),
         "probabilities": self::probabilities(probabilities),
+    })
+}
+
+/// What stands about: where it is and from where its echo comes.
+fn clutter(header: &SceneHeader, index: usize, truth: &Truth) -> Value {
+    let described = &header.targets[index];
+    let TargetKind::Mesh { model, .. } = &described.kind else { return Value::Null };
+    json!({
+        "id": described.id,
+        "model": model,
+        "x_m": truth.position_m.x,
+        "y_m": truth.position_m.y,
+        "nearest_range_m": truth.nearest_range_m,
+        "echo_range_m": truth.echo.map(|e| e.range_m),
     })
 }
 

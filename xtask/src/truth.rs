@@ -4,7 +4,7 @@
 use crate::path_legs::legs;
 use artifact::paths::{Path, PathsFrame};
 use artifact::points::Object;
-use artifact::scene::{Pose, SceneFrame, SceneHeader};
+use artifact::scene::{Pose, Role, SceneFrame, SceneHeader};
 use glam::DVec3;
 
 /// An object further away than this in range is another vehicle's (interface.md).
@@ -21,6 +21,8 @@ pub(crate) struct Truth {
     pub(crate) lane: Option<u8>,
     pub(crate) nearest_range_m: Option<f64>,
     pub(crate) echo: Option<Echo>,
+    /// Clutter is what results are not compared with.
+    pub(crate) role: Role,
     /// Whether it has an echo of its own; echoes of tables are not traced, and taken for granted.
     pub(crate) sends_back: bool,
 }
@@ -45,6 +47,7 @@ fn truth(header: &SceneHeader, index: usize, pose: &Pose, paths: Option<&PathsFr
     let range_m = away.length();
     let echo = paths.and_then(|p| echo(header, index, &p.paths));
     Truth {
+        role: header.targets[index].role,
         position_m,
         range_m,
         radial_velocity_mps: DVec3::from(pose.velocity_mps).dot(away) / range_m,
@@ -81,10 +84,10 @@ fn received(header: &SceneHeader, path: &Path) -> (f64, Echo) {
     (power, echo)
 }
 
-/// For each truth the object it is compared with: the nearest within the gates; no object serves two targets.
+/// For each truth the object it is compared with: the nearest within the gates; no object serves two targets, and none clutter.
 pub(crate) fn assign(truths: &[Truth], objects: &[Object]) -> Vec<Option<usize>> {
     let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
-    for (t, truth) in truths.iter().enumerate() {
+    for (t, truth) in truths.iter().enumerate().filter(|(_, truth)| truth.role == Role::Target) {
         pairs.extend(objects.iter().enumerate().filter_map(|(o, object)| Some((distance(truth, object)?, t, o))));
     }
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
@@ -111,6 +114,7 @@ mod tests {
     fn truth_at(range_m: f64, x_m: f64) -> Truth {
         let position_m = DVec3::new(x_m, range_m, 0.0);
         Truth {
+            role: Role::Target,
             position_m,
             range_m,
             radial_velocity_mps: 0.0,
@@ -141,6 +145,12 @@ mod tests {
         let truths = [truth_at(40.0, 2.0), truth_at(41.0, 2.0)];
         let objects = [object_at(40.9, 2.0), object_at(44.5, 2.0)];
         assert_eq!(assign(&truths, &objects), [None, Some(0)]);
+    }
+
+    #[test]
+    fn clutter_has_no_object_however_near_it_stands() {
+        let pole = Truth { role: Role::Clutter, ..truth_at(40.0, 2.0) };
+        assert_eq!(assign(&[pole, truth_at(41.0, 2.0)], &[object_at(40.0, 2.0)]), [None, Some(0)]);
     }
 
     #[test]

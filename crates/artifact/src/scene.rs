@@ -14,7 +14,7 @@ pub struct Scene;
 
 impl Schema for Scene {
     const NAME: &'static str = "scene";
-    const VERSION: u32 = 8;
+    const VERSION: u32 = 9;
     type Header = SceneHeader;
     type Frame = SceneFrame;
 }
@@ -44,6 +44,8 @@ pub struct SceneHeader {
     pub materials: MaterialMap,
     /// The road as a mirror; `None` leaves its reflections out.
     pub road: Option<Road>,
+    /// What the road sends back of itself; `None` leaves it out.
+    pub backscatter: Option<Backscatter>,
     /// Meshes that targets share.
     pub meshes: Meshes,
     /// What is there in every frame; it comes first in [`SceneFrame::poses`].
@@ -144,15 +146,33 @@ pub struct Intersection {
     pub width_m: f64,
 }
 
-/// A target of the scene.
+/// The road's own backscatter: the plane z = 0 with σ⁰ = γ·sin ψ, ψ the grazing angle, in vv and hh alike.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Backscatter {
+    /// γ, of power.
+    pub gamma: f64,
+}
+
+/// A target of the scene, or what stands about.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Target {
     /// Unique in the scene.
     pub id: String,
+    /// Whether the radar is to find it.
+    pub role: Role,
     /// What scatters.
     pub kind: TargetKind,
     /// Where it is at the first frame's first sample; acceleration and yaw stay as they are from then on.
     pub start: Pose,
+}
+
+/// Whether a body is what the radar is to find. For all that scatters it is the same.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Role {
+    /// It is: results are compared with it.
+    Target,
+    /// A pole, a rail, a kerb: nothing is asked of it.
+    Clutter,
 }
 
 /// What a target is.

@@ -4,7 +4,7 @@
 use artifact::material::MaterialMap;
 use artifact::paths::{Amplitude, ErrorOrigin, PathsFrame};
 use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Schedule};
-use artifact::scene::{Intersection, Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
+use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
     Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Refine, Sides, Surface, Window,
 };
@@ -39,11 +39,13 @@ fn pose(position_m: [f64; 3], velocity_mps: [f64; 3], yaw_rad: f64) -> Pose {
 fn scene(bodies: &[(Mesh, Pose)], points: &[(f64, Pose)], accuracy_db: f64, bounces: u8) -> (SceneHeader, SceneFrame) {
     let mesh_target = |(mesh, (_, start)): (u32, &(Mesh, Pose))| Target {
         id: format!("body-{mesh}"),
+        role: Role::Target,
         kind: TargetKind::Mesh { class: None, model: "test".into(), mesh },
         start: *start,
     };
     let point_target = |(rcs_m2, start): &(f64, Pose)| Target {
         id: "point".into(),
+        role: Role::Target,
         kind: TargetKind::Point { rcs_m2: *rcs_m2, wheel: None },
         start: *start,
     };
@@ -71,6 +73,7 @@ fn scene(bodies: &[(Mesh, Pose)], points: &[(f64, Pose)], accuracy_db: f64, boun
         intersection: Intersection { width_m: 22.5 },
         materials: MaterialMap::default(),
         road: None,
+        backscatter: None,
         meshes: bodies.iter().map(|(mesh, _)| mesh.clone()).collect::<Vec<_>>().into(),
         targets,
         traffic: None,

@@ -75,6 +75,14 @@ pub enum EchoError {
         /// What a record may take.
         limit: u64,
     },
+    /// Patches of the ground beyond any memory.
+    #[error("the ground takes {patches} patches at this range resolution and beam; the limit is {limit}")]
+    GroundTooFine {
+        /// Two to a range cell, times two to a beam.
+        patches: usize,
+        /// Most that are made.
+        limit: usize,
+    },
     /// A noise setting that gives no power.
     #[error("noise: {quantity} is {value}")]
     Noise {

@@ -11,7 +11,7 @@
 //! other way, far-field tables over aspect and frequency ([`rcs_table`]).
 //!
 //! To read: [`multiplexing`] (which transmissions make a row of the cube), [`antenna`] (radar equation, pattern),
-//! [`mod@reference`], [`direct_sum`], [`fast_sum`], [`rcs_table`], [`oscillator`] and [`phase_noise`], then noise: [`noise`], [`snr_reference`], [`window`]; [`interference`] and [`adc`] come last.
+//! [`mod@reference`], [`direct_sum`], [`fast_sum`], [`rcs_table`], [`ground`] (paths of the road itself), [`oscillator`] and [`phase_noise`], then noise: [`noise`], [`snr_reference`], [`window`]; [`interference`] and [`adc`] come last.
 //!
 //! A point target that recedes at 10 m/s turns by 4π·v·T_c/λ from chirp to chirp:
 //!
@@ -94,6 +94,7 @@ pub mod direct_sum;
 mod fast;
 pub mod phase_noise;
 pub mod rcs_table;
+pub mod ground;
 pub mod window;
 pub mod snr_reference;
 pub mod noise;

@@ -186,10 +186,14 @@ impl<'d> Section<'d> {
             self.wrong_type(key_of(known), "an array of tables", element.get_ref(), element.span());
             return None;
         };
-        let place = match table.get("id").map(|id| id.get_ref()) {
-            _ if *known != keys::TARGET => Place::Table(known.name),
-            Some(DeValue::String(id)) => Place::Target(id.to_string()),
-            _ => Place::Target(format!("#{}", index + 1)),
+        let name = match table.get("id").map(|id| id.get_ref()) {
+            Some(DeValue::String(id)) => id.to_string(),
+            _ => format!("#{}", index + 1),
+        };
+        let place = match *known {
+            keys::TARGET => Place::Target(name),
+            keys::CLUTTER => Place::Clutter(name),
+            _ => Place::Table(known.name),
         };
         let start = element.span().start;
         Some(Section { table: Some(table), known, place, start, faults: self.faults }.checked())

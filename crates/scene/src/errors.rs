@@ -54,6 +54,7 @@ impl fmt::Display for SceneError {
             Place::Scene => write!(f, " {}", self.rule),
             Place::Table(name) => write!(f, " [{name}]: {}", self.rule),
             Place::Target(id) => write!(f, " target `{id}`: {}", self.rule),
+            Place::Clutter(id) => write!(f, " clutter `{id}`: {}", self.rule),
             Place::Material(name) => write!(f, " material `{name}`: {}", self.rule),
         }
     }
@@ -89,6 +90,8 @@ pub enum Place {
     Table(&'static str),
     /// A target, by its id or, without one, its number from 1 (`#2`).
     Target(String),
+    /// A piece of clutter, likewise.
+    Clutter(String),
     /// A material, by its name.
     Material(String),
 }
@@ -286,12 +289,12 @@ pub enum Rule {
         /// As written.
         found: String,
     },
-    /// Two targets of one name.
-    #[error("id `{id}` is taken by the target in line {first_line}")]
+    /// Two bodies of one name.
+    #[error("id `{id}` is taken by the one in line {first_line}")]
     DuplicateId {
         /// The id.
         id: String,
-        /// Of the target that had it first.
+        /// Of the body that had it first.
         first_line: u32,
     },
     /// A tone tells no range.
@@ -367,12 +370,14 @@ pub enum Rule {
         /// How many there are.
         lanes: usize,
     },
-    /// Neither a file of a known format nor one of the project's vehicles.
-    #[error("model `{found}` is neither a .glb, .gltf, .stl or .obj file nor a vehicle of the project{}", nearest_key(.nearest))]
+    /// Neither a file of a known format nor one of the project's own.
+    #[error("model `{found}` is neither a .glb, .gltf, .stl or .obj file nor one of the project's {own}{}", nearest_key(.nearest))]
     UnknownModel {
         /// As written.
         found: String,
-        /// A vehicle spelt alike.
+        /// What of the project's own it could be.
+        own: &'static str,
+        /// One spelt alike.
         nearest: Option<&'static str>,
     },
     /// Not a substance of the table of permittivities.

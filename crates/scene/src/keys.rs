@@ -28,6 +28,7 @@ pub const TABLES: &[Table] = &[
     INTERSECTION,
     ROAD,
     TARGET,
+    CLUTTER,
     TRAFFIC,
     MODEL_OF_TYPE,
 ];
@@ -48,6 +49,7 @@ pub(crate) const SCENE: Table = Table {
         "intersection",
         "road",
         "target",
+        "clutter",
         "traffic",
     ],
 };
@@ -185,8 +187,11 @@ pub(crate) const LAYER: Table = Table {
 /// A file of materials.
 pub(crate) const MATERIAL_FILE: Table = Table { name: "", heading: "the beginning of the file", keys: &["materials"] };
 
-pub(crate) const ROAD: Table =
-    Table { name: "road", heading: "[road]", keys: &["substance", "permittivity", "rms_height_mm"] };
+pub(crate) const ROAD: Table = Table {
+    name: "road",
+    heading: "[road]",
+    keys: &["mirror", "substance", "permittivity", "rms_height_mm", "backscatter", "backscatter_gamma_db"],
+};
 
 pub(crate) const INTERSECTION: Table = Table {
     name: "intersection",
@@ -214,6 +219,12 @@ pub(crate) const TARGET: Table = Table {
         "wheel_angle_deg",
         "yaw_deg",
     ],
+};
+
+pub(crate) const CLUTTER: Table = Table {
+    name: "clutter",
+    heading: "[[clutter]]",
+    keys: &["id", "model", "position_m", "yaw_deg", "length_m", "height_m", "diameter_m", "unit_scale"],
 };
 
 pub(crate) const TRAFFIC: Table = Table {

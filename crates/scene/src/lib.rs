@@ -37,7 +37,7 @@
 //! [`read_mesh`] reads a mesh alone and keeps the file's origin; [`centred`] gives it a scene's.
 //!
 //! To read in this order: `keys` (what a scene may say), `document` (typed values with their places), `read` and the
-//! tables it calls, `models`, then [`mesh`] (glTF, STL, OBJ) and [`vehicles`] (the project's own, made from parameters).
+//! tables it calls, `models`, then [`mesh`] (glTF, STL, OBJ), [`vehicles`] and [`street`] (the project's own, made from parameters).
 
 mod errors;
 mod keys;
@@ -49,6 +49,7 @@ mod pattern_table;
 mod hardware;
 mod settings;
 mod targets;
+mod clutter;
 mod models;
 mod materials;
 pub mod traffic;
@@ -57,6 +58,7 @@ pub mod mesh;
 mod glb;
 mod painted;
 pub mod vehicles;
+pub mod street;
 
 pub use errors::{Allowed, MapAxis, Place, Position, Rule, SceneError, SceneErrors};
 pub use keys::{TABLES, Table};

@@ -7,6 +7,10 @@ use crate::models::Models;
 use crate::read::{at_no_place, read_text};
 use artifact::material::{Backing, Layer, Material, MaterialMap, Road, Thickness, Transmission};
 use artifact::permittivity::{SUBSTANCES, substance};
+use artifact::radar::{Polarization, Radar};
+use artifact::scene::Backscatter;
+use artifact::settings::EchoMode;
+use artifact::units::power_from_db;
 use num_complex::Complex64;
 use std::path::Path;
 use toml::de::DeTable;
@@ -62,20 +66,54 @@ fn by_name(root: &Section<'_>) -> Vec<(String, Material)> {
     materials.iter().filter_map(|(name, section)| Some(((*name).to_owned(), read_material(section)?))).collect()
 }
 
-/// The road; `None` where the scene has none.
-pub(crate) fn read_road(root: &Section<'_>) -> Option<Road> {
+/// The road as a mirror and what it sends back of itself; `None` where the scene has none of it.
+pub(crate) fn read_road(root: &Section<'_>, radar: &Radar, echo: EchoMode) -> (Option<Road>, Option<Backscatter>) {
     let section = root.section(&keys::ROAD);
     if !section.exists() {
+        return (None, None);
+    }
+    (read_mirror(&section), read_backscatter(&section, radar, echo))
+}
+
+fn read_mirror(section: &Section<'_>) -> Option<Road> {
+    if section.word("mirror", &[("on", true), ("off", false)]) == Some(false) {
+        for key in ["substance", "permittivity", "rms_height_mm"].into_iter().filter(|key| section.has(key)) {
+            section.note(key, Rule::Misplaced { key, owner: "a road that is no mirror" });
+        }
         return None;
     }
     const ASPHALT: &str = "asphalt";
     let named = section.has("substance") || section.has("permittivity");
     let of_asphalt = || substance(ASPHALT).and_then(|asphalt| asphalt.permittivity);
-    let permittivity = if named { read_permittivity(&section)? } else { of_asphalt() };
+    let permittivity = if named { read_permittivity(section)? } else { of_asphalt() };
     let material = permittivity.map_or(Material::Conductor, |permittivity| Material::HalfSpace { permittivity });
     // 0.5 mm costs 0.1 to 0.9 dB at the grazing angles of 60 to 25 m (docs/physics.md §5).
     let rms_height_mm = section.number("rms_height_mm", Allowed::Between(0.0, 100.0)).unwrap_or(0.5);
     Some(Road { material, rms_height_m: 1e-3 * rms_height_mm })
+}
+
+fn read_backscatter(section: &Section<'_>, radar: &Radar, echo: EchoMode) -> Option<Backscatter> {
+    let is_floor = section.word("backscatter", &[("off", false), ("floor", true)]).unwrap_or(false);
+    let gamma_db = section.number("backscatter_gamma_db", Allowed::Between(-100.0, 30.0));
+    if !is_floor {
+        if section.has("backscatter_gamma_db") {
+            let companion = "backscatter = \"floor\"";
+            section.note("backscatter_gamma_db", Rule::Alone { key: "backscatter_gamma_db", companion });
+        }
+        return None;
+    }
+    let refuse = |other| section.note("backscatter", Rule::Contradiction { key: "backscatter", other });
+    if echo == EchoMode::RcsTable {
+        refuse("echo = \"rcs-table\"");
+    }
+    if matches!(radar.array.polarization, Polarization::Vh | Polarization::Hv) {
+        refuse("a cross polarization");
+    }
+    if radar.position_m[2] <= 0.0 {
+        refuse("a radar that is not above the road");
+    }
+    // What is usual for flat ground (docs/scenes.md).
+    Some(Backscatter { gamma: power_from_db(gamma_db.unwrap_or(-20.0)) })
 }
 
 fn read_material(section: &Section<'_>) -> Option<Material> {

@@ -1,9 +1,11 @@
-//! Models of targets: files and the project's own vehicles, each read once however many targets share it.
+//! Models of bodies: files and the project's own vehicles and street furniture, each read once however many targets share it.
 
+use crate::clutter::read_size;
 use crate::document::Section;
 use crate::errors::{Rule, nearest};
 use crate::mesh::{self, MeshOptions, centred, read_mesh};
 use crate::read::{Meshes, ReadOptions, SEEDS};
+use crate::street;
 use crate::vehicles;
 use artifact::material::MaterialMap;
 use artifact::scene::Mesh;
@@ -15,6 +17,8 @@ use std::path::{Path, PathBuf};
 enum Model {
     /// One of the project's own vehicles.
     Vehicle { name: &'static str, seed: u64 },
+    /// A piece of the project's own street furniture.
+    Street(street::Piece),
     /// A mesh file, with the scale asked for.
     File { path: PathBuf, unit_scale: Option<f64> },
 }
@@ -24,6 +28,7 @@ impl Model {
     fn name(&self) -> String {
         match self {
             Self::Vehicle { name, .. } => (*name).to_owned(),
+            Self::Street(piece) => piece.name().to_owned(),
             Self::File { path, .. } => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
         }
     }
@@ -66,12 +71,40 @@ impl Models {
     /// The model of that name, its scale and seed from the section; what is wrong with it is noted there.
     pub(crate) fn choose_written(&mut self, target: &Section<'_>, written: &str) -> Option<Chosen> {
         let model = self.named(target, written)?;
+        Some(self.chosen(target, model))
+    }
+
+    fn chosen(&mut self, target: &Section<'_>, model: Model) -> Chosen {
+        let name = model.name();
         let mesh = match self.known.iter().position(|known| *known == model) {
             Some(index) => index,
-            None => self.add(target, model.clone()),
+            None => self.add(target, model),
         };
-        let name = model.name();
-        Some(Chosen { class: vehicles::class_of(&name), name, mesh: mesh as u32 })
+        Chosen { class: vehicles::class_of(&name), name, mesh: mesh as u32 }
+    }
+
+    /// A mesh file; sizes are its own.
+    fn named_clutter(&self, clutter: &Section<'_>, written: &str) -> Option<Model> {
+        for key in ["length_m", "height_m", "diameter_m"].into_iter().filter(|key| clutter.has(key)) {
+            clutter.note(key, Rule::Misplaced { key, owner: "a mesh file" });
+        }
+        if mesh::Format::of(Path::new(written)).is_none() {
+            let (found, nearest) = (written.to_owned(), nearest(written, &street::NAMES));
+            clutter.note("model", Rule::UnknownModel { found, own: "street furniture", nearest });
+            return None;
+        }
+        let unit_scale = clutter.number("unit_scale", mesh::UNIT_SCALES);
+        Some(Model::File { path: self.folder.join(written), unit_scale })
+    }
+
+    /// The model of a piece of clutter, which no option replaces; what is wrong with it is noted at its key.
+    pub(crate) fn choose_clutter(&mut self, clutter: &Section<'_>, written: &str) -> Option<Chosen> {
+        let model = if street::NAMES.contains(&written) {
+            Model::Street(read_size(clutter, written)?)
+        } else {
+            self.named_clutter(clutter, written)?
+        };
+        Some(self.chosen(clutter, model))
     }
 
     /// The meshes so far, without their materials; empty where only names were asked for.
@@ -101,7 +134,7 @@ impl Models {
     pub(crate) fn files(&self) -> Vec<PathBuf> {
         let paths = self.known.iter().filter_map(|model| match model {
             Model::File { path, .. } => Some(path),
-            Model::Vehicle { .. } => None,
+            Model::Vehicle { .. } | Model::Street(_) => None,
         });
         self.beside.iter().cloned().chain(paths.flat_map(|path| mesh::files(path))).collect()
     }
@@ -151,7 +184,7 @@ fn named_model(
         }
         (None, None) => {
             let nearest = nearest(written, &vehicles::NAMES);
-            target.note("model", Rule::UnknownModel { found: written.to_owned(), nearest });
+            target.note("model", Rule::UnknownModel { found: written.to_owned(), own: "vehicles", nearest });
             None
         }
     }
@@ -161,8 +194,10 @@ fn named_model(
 fn load(target: &Section<'_>, model: &Model) -> Mesh {
     let mesh = match model {
         Model::Vehicle { name, seed } => {
-            vehicles::mesh(name, *seed).ok_or_else(|| Rule::UnknownModel { found: (*name).to_owned(), nearest: None })
+            let unknown = || Rule::UnknownModel { found: (*name).to_owned(), own: "vehicles", nearest: None };
+            vehicles::mesh(name, *seed).ok_or_else(unknown)
         }
+        Model::Street(piece) => Ok(street::mesh(piece)),
         Model::File { path, unit_scale } => {
             read_mesh(path, &MeshOptions { unit_scale: *unit_scale }).map_err(Rule::Mesh)
         }

@@ -1,6 +1,6 @@
 //! Motion: constant acceleration and yaw of targets, the recorded places of traffic.
 
-use artifact::scene::{Placed, Pose, SceneFrame, SceneHeader, Target, Vehicle};
+use artifact::scene::{Placed, Pose, Role, SceneFrame, SceneHeader, Target, Vehicle};
 
 /// Poses at the first sample of frame `frame_index`: the scene's targets, then the vehicles in view.
 pub fn snapshot(scene: &SceneHeader, frame_index: u32) -> SceneFrame {
@@ -37,6 +37,7 @@ pub fn frame_view(scene: &SceneHeader, frame_index: u32) -> SceneHeader {
     let in_view = vehicles_in_view(scene, frame_index).into_iter().zip(placed(scene, frame_index));
     let in_view = in_view.map(|(vehicle, placed)| Target {
         id: vehicle.id.clone(),
+        role: Role::Target,
         kind: vehicle.kind.clone(),
         start: placed.pose,
     });
@@ -52,6 +53,7 @@ pub fn frame_view(scene: &SceneHeader, frame_index: u32) -> SceneHeader {
         intersection: scene.intersection,
         materials: scene.materials.clone(),
         road: scene.road.clone(),
+        backscatter: scene.backscatter,
         meshes: scene.meshes.clone(),
         targets: scene.targets.iter().cloned().chain(in_view).collect(),
         traffic: None,

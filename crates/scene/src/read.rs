@@ -91,6 +91,8 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let sub_frames = radar.schedule.sub_frames();
     let frames = traffic.as_ref().map_or(frames, |traffic| (traffic.frames.len() as u32).max(1) * sub_frames);
     let materials = read_scene_materials(root, models);
+    let fidelity = read_fidelity(root);
+    let (road, backscatter) = read_road(root, &radar, fidelity.echo);
     root.require("name");
     SceneHeader {
         name: root.name("name").unwrap_or_default().to_owned(),
@@ -99,12 +101,13 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
         frame_interval_s,
         noise: read_noise(root),
         dsp: read_dsp(root, &radar.waveform, lanes),
-        fidelity: read_fidelity(root),
+        fidelity,
         radar,
         intersection,
         meshes: models.take_meshes(&materials).into(),
         materials,
-        road: read_road(root),
+        road,
+        backscatter,
         targets,
         traffic,
     }

@@ -1,11 +1,12 @@
 //! `[[target]]`: vehicles and points, where they are and how they move.
 
+use crate::clutter::read_clutter;
 use crate::document::Section;
 use crate::errors::{Allowed, Rule};
 use crate::keys;
 use crate::models::Models;
 use crate::radar::COORDINATES_M;
-use artifact::scene::{Pose, Target, TargetKind, Wheel};
+use artifact::scene::{Pose, Role, Target, TargetKind, Wheel};
 use artifact::settings::{Class, Lane};
 
 /// Beyond the speed of sound nothing drives.
@@ -20,12 +21,15 @@ enum Kind {
     Point,
 }
 
-/// The scene's targets; those that break a rule are noted and left out.
+/// The scene's targets, then its clutter; those that break a rule are noted and left out.
 pub(crate) fn read_targets(root: &Section<'_>, lanes: &[Lane], models: &mut Models) -> Vec<Target> {
-    let sections = root.sections(&keys::TARGET);
-    let ids = read_ids(&sections);
-    let targets = sections.iter().zip(ids).filter_map(|(section, id)| read_target(section, id, lanes, models));
-    targets.collect()
+    let (sections, clutter) = (root.sections(&keys::TARGET), root.sections(&keys::CLUTTER));
+    let ids = read_ids(&[&sections[..], &clutter[..]].concat());
+    let (ids, ids_of_clutter) = ids.split_at(sections.len());
+    let targets = sections.iter().zip(ids).filter_map(|(section, id)| read_target(section, *id, lanes, models));
+    let mut targets: Vec<Target> = targets.collect();
+    targets.extend(read_clutter(&clutter, ids_of_clutter, models));
+    targets
 }
 
 fn read_ids<'d>(sections: &[Section<'d>]) -> Vec<Option<&'d str>> {
@@ -50,7 +54,7 @@ fn read_target(section: &Section<'_>, id: Option<&str>, lanes: &[Lane], models: 
         Kind::Mesh => read_mesh_target(section, models),
         Kind::Point => read_point_target(section),
     };
-    Some(Target { id: id?.to_owned(), kind: kind?, start: start? })
+    Some(Target { id: id?.to_owned(), role: Role::Target, kind: kind?, start: start? })
 }
 
 fn read_mesh_target(section: &Section<'_>, models: &mut Models) -> Option<TargetKind> {

@@ -3,8 +3,9 @@
 #![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
 
 use artifact::material::{Backing, Layer, Material, Road, Thickness, Transmission};
-use artifact::scene::SceneHeader;
+use artifact::scene::{Backscatter, SceneHeader};
 use num_complex::Complex64;
+use scene::street::Piece;
 use scene::{Meshes, ReadOptions, read, read_materials};
 use std::path::{Path, PathBuf};
 
@@ -78,12 +79,25 @@ fn a_road_is_asphalt_unless_it_says_otherwise() {
 }
 
 #[test]
-fn the_map_of_the_own_vehicles_names_every_material_of_theirs() {
+fn a_road_sends_back_of_itself_where_it_is_told_to_mirror_or_not() {
+    let road = |table: &str| scene(&format!("name = \"s\"\n{table}\n"));
+    assert_eq!(road("[road]").backscatter, None);
+    let floor = road("[road]\nmirror = \"off\"\nbackscatter = \"floor\"");
+    assert_eq!((floor.road, floor.backscatter), (None, Some(Backscatter { gamma: 0.01 })));
+    let both = road("[road]\nbackscatter = \"floor\"\nbackscatter_gamma_db = -30.0");
+    assert!(both.road.is_some() && both.backscatter == Some(Backscatter { gamma: 1e-3 }));
+}
+
+#[test]
+fn the_map_of_the_own_vehicles_and_street_furniture_names_every_material_of_theirs() {
     let file = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/vehicles.materials.toml"));
     let map = read_materials(file).unwrap();
-    for name in scene::vehicles::NAMES {
-        for material in scene::vehicles::mesh(name, 0).unwrap().materials {
-            assert!(map.by_name.iter().any(|(known, _)| *known == material), "{name}: {material}");
+    let [pole, sign] = [Piece::Pole { height_m: 6.0, diameter_m: 0.1 }, Piece::Sign { height_m: 3.0 }];
+    let street = [pole, sign, Piece::GuardRail { length_m: 4.0 }, Piece::Kerb { length_m: 4.0 }];
+    let vehicles = scene::vehicles::NAMES.map(|name| scene::vehicles::mesh(name, 0).unwrap());
+    for mesh in vehicles.into_iter().chain(street.iter().map(scene::street::mesh)) {
+        for material in mesh.materials {
+            assert!(map.by_name.iter().any(|(known, _)| *known == material), "{}: {material}", mesh.name);
         }
     }
 }

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 
 use artifact::radar::{Multiplexing, Pattern, Polarization};
-use artifact::scene::{Pose, SceneHeader, TargetKind};
+use artifact::scene::{Pose, Role, SceneHeader, Target, TargetKind};
 use artifact::settings::{Class, EchoMode, NodeRule, Noise, Sides, Window};
 use scene::{Meshes, ReadOptions, pose_after, snapshot};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -282,6 +282,32 @@ fn targets_keep_the_order_of_the_file_and_share_meshes() {
     let corners: Vec<_> = scene.meshes.iter().map(|mesh| mesh.vertices_m.clone()).collect();
     assert_eq!(corners[0], [[-2.0, -1.0, 0.0], [2.0, -1.0, 1.0], [2.0, 1.0, 1.0], [-2.0, 1.0, 0.0]]);
     assert_eq!(corners[1], [[-1.0, -0.5, 0.0], [1.0, -0.5, 0.5], [1.0, 0.5, 0.5], [-1.0, 0.5, 0.0]]);
+}
+
+#[test]
+fn clutter_follows_the_targets_stands_still_and_shares_meshes_of_one_size() {
+    let piece = |id: &str, rest: &str| format!("[[clutter]]\nid = \"{id}\"\nposition_m = [12, 30, 0]\n{rest}");
+    let pole = "model = \"pole\"\nheight_m = 4\n";
+    let point = "[[target]]\nkind = \"point\"\nid = \"q\"\nposition_m = [2, 30, 1]\nrcs_m2 = 0.5\n";
+    let kerb = "model = \"kerb\"\nlength_m = 30\nyaw_deg = 90\n";
+    let text =
+        [piece("a", pole), piece("b", kerb), piece("c", pole), piece("d", "model = \"sheet.obj\"\n"), point.into()];
+    let scene = read_text(&text.concat());
+    let of_mesh = |target: &Target| match &target.kind {
+        TargetKind::Mesh { class: None, model, mesh } => Some((model.clone(), *mesh)),
+        _ => None,
+    };
+    let told: Vec<_> = scene.targets.iter().map(|t| (t.id.as_str(), t.role, of_mesh(t))).collect();
+    let mesh = |model: &str, mesh| Some((model.to_owned(), mesh));
+    assert_eq!(told[0], ("q", Role::Target, None));
+    assert_eq!(told[1], ("a", Role::Clutter, mesh("pole", 0)));
+    assert_eq!(told[2], ("b", Role::Clutter, mesh("kerb", 1)));
+    assert_eq!(told[3], ("c", Role::Clutter, mesh("pole", 0)));
+    assert_eq!(told[4], ("d", Role::Clutter, mesh("sheet.obj", 2)));
+    let (down, up) = (-std::f64::consts::FRAC_PI_2, std::f64::consts::FRAC_PI_2);
+    let yaws: Vec<f64> = scene.targets[1..].iter().map(|t| t.start.yaw_rad).collect();
+    assert_eq!(yaws, [down, up, down, down]);
+    assert!(scene.targets[1..].iter().all(|t| t.start.velocity_mps == [0.0; 3]));
 }
 
 #[test]

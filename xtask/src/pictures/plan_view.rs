@@ -4,8 +4,11 @@ use super::axes::{Axes, Axis};
 use super::colours::class_colour;
 use super::svg::Svg;
 use crate::summary::FrameResult;
-use artifact::scene::{Mesh, Pose, SceneHeader, TargetKind};
+use artifact::scene::{Mesh, Pose, Role, SceneHeader, Target, TargetKind};
 use glam::{DVec2, DVec3};
+
+/// Darker than a body of no class.
+const CLUTTER_COLOUR: &str = "#333333";
 
 /// A sheet with the road on it: y runs to the right and x downwards, as seen from above.
 pub(crate) struct PlanView {
@@ -21,7 +24,7 @@ pub(super) fn of_frame(header: &SceneHeader, result: &FrameResult) -> Svg {
         view.point(point.position_m);
     }
     for (target, pose) in header.targets.iter().zip(&result.scene.poses) {
-        view.target(header, &target.id, &target.kind, pose);
+        view.body(header, target, pose);
     }
     for object in &result.points.objects {
         view.object(object.position_m);
@@ -117,19 +120,20 @@ impl PlanView {
         self.sheet.ring("#d62728", at, 7.0);
     }
 
-    fn target(&mut self, header: &SceneHeader, id: &str, kind: &TargetKind, pose: &Pose) {
+    fn body(&mut self, header: &SceneHeader, body: &Target, pose: &Pose) {
         let origin = DVec3::from(pose.position_m);
         let mut label = self.place(DVec2::new(origin.y, origin.x));
-        match kind {
+        match &body.kind {
             TargetKind::Point { .. } => self.sheet.disc(class_colour(None), label, 4.0),
             TargetKind::Mesh { class, mesh, .. } => {
                 let outline = header.meshes.get(*mesh as usize).map(|m| footprint(m, pose)).unwrap_or_default();
                 let outline: Vec<[f64; 2]> = outline.into_iter().map(|p| self.place(DVec2::new(p.y, p.x))).collect();
                 label[1] = outline.iter().map(|p| p[1]).fold(label[1], f64::min) - 5.0;
-                self.sheet.outline(class_colour(*class), &outline);
+                let colour = if body.role == Role::Clutter { CLUTTER_COLOUR } else { class_colour(*class) };
+                self.sheet.outline(colour, &outline);
             }
         }
-        self.sheet.words(label, 11.0, "middle", id);
+        self.sheet.words(label, 11.0, "middle", &body.id);
     }
 
     /// The picture with its legend.

@@ -3,7 +3,7 @@
 use artifact::Accuracy;
 use artifact::material::MaterialMap;
 use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
-use artifact::scene::{Intersection, Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
+use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
     Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Refine, Sides, Surface, Window,
 };
@@ -24,7 +24,7 @@ pub(crate) fn scene(mesh: &Mesh, places: &[Placed]) -> (SceneHeader, SceneFrame)
     let poses: Vec<Pose> = places.iter().map(pose).collect();
     let target = |(i, &start): (usize, &Pose)| {
         let kind = TargetKind::Mesh { class: None, model: mesh.name.clone(), mesh: 0 };
-        Target { id: format!("car-{i}"), kind, start }
+        Target { id: format!("car-{i}"), role: Role::Target, kind, start }
     };
     let header = SceneHeader {
         name: "test".into(),
@@ -38,6 +38,7 @@ pub(crate) fn scene(mesh: &Mesh, places: &[Placed]) -> (SceneHeader, SceneFrame)
         intersection: Intersection { width_m: 22.5 },
         materials: MaterialMap::default(),
         road: None,
+        backscatter: None,
         meshes: vec![mesh.clone()].into(),
         targets: poses.iter().enumerate().map(target).collect(),
         traffic: None,

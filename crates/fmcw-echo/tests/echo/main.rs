@@ -19,5 +19,6 @@ mod interferers;
 mod real_sampling;
 mod receiver_noise;
 mod rcs_tables;
+mod ground;
 mod reproducibility;
 mod refusals;

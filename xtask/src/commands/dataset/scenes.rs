@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::truth::{self, Truth};
 use artifact::dataset::{Sample, Split};
 use artifact::points::Object;
-use artifact::scene::{Mesh, Pose, SceneHeader, Target, TargetKind};
+use artifact::scene::{Mesh, Pose, Role, SceneHeader, Target, TargetKind};
 use artifact::settings::Class;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -90,7 +90,7 @@ fn header(recipe: &Recipe, drawn: &Drawn) -> Result<SceneHeader, Failure> {
         seed: recipe.seed.wrapping_add(drawn.number),
         frames: 1,
         meshes: vec![mesh].into(),
-        targets: vec![Target { id: "vehicle".into(), kind, start }],
+        targets: vec![Target { id: "vehicle".into(), role: Role::Target, kind, start }],
         traffic: None,
         ..recipe.base.clone()
     })

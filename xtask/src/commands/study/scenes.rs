@@ -6,7 +6,7 @@ use artifact::paths::PathsFrame;
 use artifact::points::PointsFrame;
 use artifact::rcs::RcsFrame;
 use artifact::rdm::RdmFrame;
-use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
+use artifact::scene::{Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use scene::{Meshes, ReadOptions};
 use std::f64::consts::FRAC_PI_2;
 
@@ -32,7 +32,7 @@ pub(super) fn with_body(
     header.meshes.push(body.clone());
     let kind = TargetKind::Mesh { class: None, model: body.name.clone(), mesh };
     let start = Pose { position_m, yaw_rad: -FRAC_PI_2, velocity_mps, acceleration_mps2: [0.0; 3] };
-    header.targets.push(Target { id: format!("body-{mesh}"), kind, start });
+    header.targets.push(Target { id: format!("body-{mesh}"), role: Role::Target, kind, start });
     header
 }
 
@@ -45,7 +45,7 @@ pub(super) fn with_point(
 ) -> SceneHeader {
     let id = format!("point-{}", header.targets.len());
     let start = Pose { position_m, yaw_rad: 0.0, velocity_mps, acceleration_mps2: [0.0; 3] };
-    header.targets.push(Target { id, kind: TargetKind::Point { rcs_m2, wheel: None }, start });
+    header.targets.push(Target { id, role: Role::Target, kind: TargetKind::Point { rcs_m2, wheel: None }, start });
     header
 }
 

@@ -1,0 +1,126 @@
+//! The road's own backscatter: patches of the plane z = 0, smaller than what the radar resolves, each a point that scatters at random.
+//!
+//! On a plane that is h below the radar, slant ranges from R on by δR over an azimuth δφ cover the area R·δR·δφ exactly (ρdρ = RdR).
+//! With σ⁰ = γ·sin ψ and sin ψ = h/R a patch therefore has the mean RCS γ·h·δR·δφ, wherever it lies. Its amplitude is √σ·g, g a circular complex
+//! Gaussian number of unit power: then every sum over patches is Gaussian, whatever the windows, channels and antenna patterns, a cell's
+//! amplitude has Rayleigh's distribution, and its mean power is the radar equation's integral ∫σ⁰G²λ²/((4π)³R⁴)dA over what it sees.
+//!
+//! The ground is at rest and so is the radar: a seed draws the same patches in every frame, and all of it is at zero Doppler.
+
+use crate::error::EchoError;
+use artifact::paths::{Curve, Facet, MAX_ORDER, Path};
+use artifact::radar::Radar;
+use artifact::scene::Backscatter;
+use artifact::seed;
+use num_complex::Complex64;
+use rand::rand_core::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// [`Path::target`] of the ground, which is no target.
+pub const GROUND: u32 = u32::MAX;
+
+/// Patches along one range cell and across one beam.
+const PATCHES_PER_CELL: f64 = 2.0;
+
+/// At 296 bytes each a gibibyte.
+const PATCH_LIMIT: usize = 1 << 22;
+
+/// Paths of the ground that the array faces, from below the radar to the range limit of its waveform, beyond which beat frequencies
+/// fold; none where the radar is not above the ground. In the order of ranges, then of azimuths.
+///
+/// # Errors
+/// More patches than [`EchoError::GroundTooFine`] names.
+pub fn paths(radar: &Radar, backscatter: &Backscatter, seed: u64) -> Result<Vec<Path>, EchoError> {
+    let grid = Grid::of(radar);
+    if grid.patches() > PATCH_LIMIT {
+        return Err(EchoError::GroundTooFine { patches: grid.patches(), limit: PATCH_LIMIT });
+    }
+    let amplitude_m = (backscatter.gamma * grid.height_m * grid.ring_m * grid.sector_rad).sqrt();
+    let ring = |ring: usize| grid.ring(radar, ring, amplitude_m, seed);
+    Ok((0..grid.rings).into_par_iter().map(ring).collect::<Vec<_>>().concat())
+}
+
+/// How many paths [`paths`] makes.
+pub fn patches(radar: &Radar) -> usize {
+    Grid::of(radar).patches()
+}
+
+/// Rings of equal slant range, sectors of equal azimuth.
+struct Grid {
+    height_m: f64,
+    rings: usize,
+    ring_m: f64,
+    sectors: usize,
+    sector_rad: f64,
+}
+
+impl Grid {
+    fn of(radar: &Radar) -> Self {
+        let height_m = radar.position_m[2];
+        let deep_m = if height_m > 0.0 { (radar.waveform.range_max_m() - height_m).max(0.0) } else { 0.0 };
+        let rings = (PATCHES_PER_CELL * deep_m / radar.waveform.range_resolution_m()).ceil() as usize;
+        // A row of n virtual elements half a wavelength apart has beams of 2/n rad straight ahead, where they are narrowest.
+        let sectors = (PATCHES_PER_CELL * PI * 0.5 * virtual_row(radar)).ceil() as usize;
+        Self { height_m, rings, ring_m: deep_m / rings.max(1) as f64, sectors, sector_rad: PI / sectors as f64 }
+    }
+
+    fn patches(&self) -> usize {
+        self.rings.saturating_mul(self.sectors)
+    }
+
+    fn ring(&self, radar: &Radar, ring: usize, amplitude_m: f64, seed: u64) -> Vec<Path> {
+        let mut draw = Draw(ChaCha8Rng::from_seed(seed::key(seed, "fmcw-echo/ground", &[ring as u64])));
+        let [x, y, _] = radar.position_m;
+        let patch = |sector: usize| {
+            let range_m = self.height_m + self.ring_m * (ring as f64 + draw.uniform());
+            let azimuth = radar.boresight_az_rad - FRAC_PI_2 + self.sector_rad * (sector as f64 + draw.uniform());
+            let away_m = ((range_m - self.height_m) * (range_m + self.height_m)).sqrt();
+            let place_m = [x + away_m * azimuth.sin(), y + away_m * azimuth.cos(), 0.0];
+            let [vv, hh] = [draw.normal() * amplitude_m, draw.normal() * amplitude_m];
+            path(place_m, [[vv, Complex64::ZERO], [Complex64::ZERO, hh]])
+        };
+        (0..self.sectors).map(patch).collect()
+    }
+}
+
+/// Elements of the virtual array from end to end, horizontally, half a wavelength apart.
+fn virtual_row(radar: &Radar) -> f64 {
+    let span = |row: &[[f64; 2]]| {
+        let across = || row.iter().map(|element| element[0]);
+        across().fold(f64::NEG_INFINITY, f64::max) - across().fold(f64::INFINITY, f64::min)
+    };
+    1.0 + span(&radar.array.tx_half_wavelengths).max(0.0) + span(&radar.array.rx_half_wavelengths).max(0.0)
+}
+
+fn path(place_m: [f64; 3], amplitude_m: artifact::paths::Amplitude) -> Path {
+    Path {
+        target: GROUND,
+        order: 0,
+        apparent_tx_m: place_m,
+        apparent_tx_mps: [0.0; 3],
+        apparent_rx_m: place_m,
+        apparent_rx_mps: [0.0; 3],
+        amplitude_m,
+        slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
+        facets: [Facet::default(); MAX_ORDER],
+        curve: Curve::default(),
+    }
+}
+
+/// Random numbers of one ring.
+struct Draw(ChaCha8Rng);
+
+impl Draw {
+    /// 0 … 1 without 1, 53 bits.
+    fn uniform(&mut self) -> f64 {
+        (self.0.next_u64() >> 11) as f64 * (0.5_f64).powi(53)
+    }
+
+    /// Circular complex Gaussian of unit power (Box and Muller).
+    fn normal(&mut self) -> Complex64 {
+        let power = -(1.0 - self.uniform()).ln();
+        Complex64::from_polar(power.sqrt(), TAU * self.uniform())
+    }
+}
