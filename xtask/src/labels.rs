@@ -17,7 +17,7 @@ use dsp::DspError;
 use dsp::window::taper;
 use glam::DVec3;
 use num_complex::Complex64;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::{PI, TAU};
 
 /// Labels of points that paths made; `noise_power` is that of one cell of one channel of the map, in its units.
@@ -40,19 +40,34 @@ pub(crate) fn label(
 }
 
 /// Powers by target and order; the strongest, where all together reach the noise.
-fn strongest(powers: &BTreeMap<(u32, u8), f64>, noise: f64) -> Option<Label> {
+fn strongest(powers: &BTreeMap<Group, f64>, noise: f64) -> Option<Label> {
     let sum: f64 = powers.values().sum();
-    let best = powers.iter().fold(None, |best: Option<(&(u32, u8), &f64)>, new| match best {
+    let best = powers.iter().fold(None, |best: Option<(&Group, &f64)>, new| match best {
         Some(best) if best.1 >= new.1 => Some(best),
         _ => Some(new),
     });
-    let ((target, order), power) = best.filter(|_| sum > 0.0 && sum >= noise)?;
-    Some(Label { target: *target, order: *order, share: power / sum })
+    let (group, power) = best.filter(|_| sum > 0.0 && sum >= noise)?;
+    Some(Label { target: group.target, order: group.order, bodies: group.bodies, share: power / sum })
+}
+
+/// What ways have in common whose echoes are added: the first target, bounces, and how many different targets they meet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Group {
+    target: u32,
+    order: u8,
+    bodies: u8,
+}
+
+impl Group {
+    fn of(path: &Path) -> Self {
+        let met: BTreeSet<u32> = path.sequence().iter().map(|facet| facet.body).collect();
+        Self { target: path.target, order: path.order, bodies: met.len().max(1) as u8 }
+    }
 }
 
 /// A path at the frame's middle, as a map shows it; of a wheel its hub.
 struct Echo {
-    group: (u32, u8),
+    group: Group,
     /// √W, with its phase in the middle of the sweep.
     value: Complex64,
     range_m: f64,
@@ -70,7 +85,7 @@ impl Echo {
         let cycles = w.centre_frequency_hz() * delay_s - 0.5 * w.slope_hz_per_s * delay_s * delay_s;
         let strength = path.amplitude_m[receive][transmit].conj() / (there.length_m * back.length_m);
         Self {
-            group: (path.target, path.order),
+            group: Group::of(path),
             value: link_amplitude(radar) * strength * Complex64::from_polar(1.0, TAU * cycles.fract()),
             range_m: 0.5 * length_m,
             radial_velocity_mps: 0.5 * (there.rate_mps + back.rate_mps),
@@ -121,9 +136,9 @@ impl MapResponse {
     }
 
     /// Power of each group in the cell of a point, seen in its direction, √W squared.
-    fn shares(&self, radar: &Radar, echoes: &[Echo], point: &Point) -> BTreeMap<(u32, u8), f64> {
+    fn shares(&self, radar: &Radar, echoes: &[Echo], point: &Point) -> BTreeMap<Group, f64> {
         let toward = direction(point);
-        let mut sums: BTreeMap<(u32, u8), Complex64> = BTreeMap::new();
+        let mut sums: BTreeMap<Group, Complex64> = BTreeMap::new();
         for echo in echoes {
             if let Some(left) = self.left_of(radar, echo, point) {
                 *sums.entry(echo.group).or_default() += echo.value * left * beam(radar, echo, toward);

@@ -10,7 +10,7 @@ pub struct Points;
 
 impl Schema for Points {
     const NAME: &'static str = "points";
-    const VERSION: u32 = 4;
+    const VERSION: u32 = 5;
     type Header = PointsHeader;
     type Frame = PointsFrame;
 }
@@ -54,6 +54,9 @@ pub struct Point {
     pub position_m: [f64; 3],
     /// Map power over the local noise estimate.
     pub snr_db: f64,
+    /// Azimuths of the two bodies between which its wave ran, one way round and the other: a ghost, at neither place. `None` where
+    /// echoes of one body each explain its peak, or the array cannot tell.
+    pub two_ways_rad: Option<[f64; 2]>,
     /// Index into [`PointsFrame::objects`]; `None` for a lone detection that forms none.
     pub object: Option<u32>,
     /// True target of its object, joined afterwards by a report; never set by a detector.
@@ -69,6 +72,8 @@ pub struct Label {
     pub target: u32,
     /// Bounces; 0 of a point target.
     pub order: u8,
+    /// Different targets on the way; more than one: a ghost.
+    pub bodies: u8,
     /// Of the power that all targets and orders have in the cell, each for itself.
     pub share: f64,
 }

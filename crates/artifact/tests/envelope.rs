@@ -21,6 +21,7 @@ fn point(i: u32) -> Point {
         object: Some(i),
         target: None,
         label: None,
+        two_ways_rad: None,
     }
 }
 

@@ -21,6 +21,7 @@ pub struct VirtualArray {
     axes: [DVec3; 3],
     /// Transmit and receive element of each channel, world metres from the array's centre.
     elements: Vec<[DVec3; 2]>,
+    receivers: usize,
     /// Delay of each channel's chirps after those of the first transmitter, s.
     slot_s: Vec<f64>,
     /// |tx|² + |rx|² of each channel, m².
@@ -68,7 +69,8 @@ impl VirtualArray {
         let mut planner = FftPlanner::new();
         let transforms = [0, 1].map(|axis: usize| planner.plan_fft_inverse(lattices[axis].cells()));
         let squares_m2 = elements.iter().map(|[tx, rx]| tx.length_squared() + rx.length_squared()).collect();
-        Self { wavelength_m, axes, elements, slot_s, squares_m2, lattices, transforms }
+        let receivers = radar.array.rx_m.len();
+        Self { wavelength_m, axes, elements, receivers, slot_s, squares_m2, lattices, transforms }
     }
 
     /// Values of one cell; `velocity_mps` turns the later slots of time division back to the first.
@@ -114,13 +116,34 @@ impl VirtualArray {
         self.excess_m(direction, range_m).into_iter().map(turn).collect()
     }
 
+    /// Elements that hear each transmitter.
+    pub fn receivers(&self) -> usize {
+        self.receivers
+    }
+
+    /// The same turns of each end alone: of transmit elements, and of receive elements.
+    pub fn element_turns(&self, direction: Direction, range_m: f64) -> [Vec<Complex64>; 2] {
+        let point = self.point(direction, range_m);
+        let turn = |element: DVec3| {
+            Complex64::from_polar(1.0, -TAU * (excess_m(point, element, range_m) / self.wavelength_m).fract())
+        };
+        let tx = self.elements.iter().step_by(self.receivers.max(1)).map(|[tx, _]| turn(*tx)).collect();
+        let rx = self.elements.iter().take(self.receivers).map(|[_, rx]| turn(*rx)).collect();
+        [tx, rx]
+    }
+
     /// How much longer the way to a point and back is by each channel's elements than by the array's centre, m.
     pub fn excess_m(&self, direction: Direction, range_m: f64) -> Vec<f64> {
+        let point = self.point(direction, range_m);
+        self.elements.iter().map(|[tx, rx]| excess_m(point, *tx, range_m) + excess_m(point, *rx, range_m)).collect()
+    }
+
+    /// From the array's centre.
+    fn point(&self, direction: Direction, range_m: f64) -> DVec3 {
         let [right, up, ahead] = self.axes;
         let (u, w) = (direction.right, direction.up.unwrap_or(0.0));
         let out_of_plane = (1.0 - u * u - w * w).max(0.0).sqrt();
-        let point = range_m * (u * right + w * up + out_of_plane * ahead);
-        self.elements.iter().map(|[tx, rx]| excess_m(point, *tx, range_m) + excess_m(point, *rx, range_m)).collect()
+        range_m * (u * right + w * up + out_of_plane * ahead)
     }
 
     /// Change of [`Self::excess_m`] with the direction cosines, m; 0 along axes on which the array has no extent.

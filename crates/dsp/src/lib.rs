@@ -88,6 +88,7 @@ pub mod peaks;
 pub mod angle;
 mod normal_equations;
 pub mod point_sources;
+pub mod two_ways;
 pub mod point_echo;
 pub mod refinement;
 pub mod isolation;

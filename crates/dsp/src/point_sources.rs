@@ -36,9 +36,28 @@ const STEPS: usize = 16;
 /// Echoes of a cell, strongest first, at least one; `noise` is the mean noise power of one channel.
 pub fn sources(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, noise: f64) -> Vec<Source> {
     let strongest = array.direction(&[snapshot.to_vec()], range_m);
-    let Some(mut best) = Fit::new(array, snapshot, range_m, &[strongest]) else {
-        return vec![Source { direction: strongest, power: 0.0 }];
-    };
+    match likeliest(array, snapshot, range_m, strongest, noise) {
+        Some(fit) => fit.sources(snapshot.len()),
+        None => vec![Source { direction: strongest, power: 0.0 }],
+    }
+}
+
+/// Power that the echoes of [`sources`] leave of a cell, and how many they are.
+pub(crate) fn direct_fit(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, noise: f64) -> (f64, usize) {
+    let strongest = array.direction(&[snapshot.to_vec()], range_m);
+    let fit = likeliest(array, snapshot, range_m, strongest, noise);
+    fit.map_or((power(snapshot), 0), |fit| (fit.residual_power, fit.directions.len()))
+}
+
+/// As many echoes as noise would not have made of less; `None` where the strongest beam's direction is not visible.
+fn likeliest(
+    array: &VirtualArray,
+    snapshot: &[Complex64],
+    range_m: f64,
+    strongest: Direction,
+    noise: f64,
+) -> Option<Fit> {
+    let mut best = Fit::new(array, snapshot, range_m, &[strongest])?;
     let total: f64 = snapshot.iter().map(|v| v.norm_sqr()).sum();
     // Two amplitudes and a direction fitted over as many beams as channels: Pr(reduction > tσ²) ≈ M·t·e^{−t}.
     let threshold = split_threshold(snapshot.len()) * noise;
@@ -53,7 +72,7 @@ pub fn sources(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, noise
             _ => break,
         }
     }
-    best.sources(snapshot.len())
+    Some(best)
 }
 
 /// Cramér–Rao bound of the direction cosines of echoes of known number: least standard errors along right and up of each

@@ -19,6 +19,7 @@ use crate::position::{Place, place};
 use crate::range_doppler::check_samples;
 use crate::refinement::refined;
 use crate::time_division_folds::{self, Choice, Folds};
+use crate::two_ways::two_ways;
 use crate::window::{noise_bandwidth_bins, taper};
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::points::{Object, Point, PointsFrame};
@@ -61,6 +62,7 @@ fn detect_in(header: &CubeHeader, map: &RdmFrame, samples: Option<&[Complex32]>)
     let peaks = finder.peaks(power.view(), &map.values, &map.mask, known_noise_threshold(header, noise));
     let view = View { header, map, array: &VirtualArray::new(header), noise };
     let mut sighted = view.in_one_fold(view.sight_all(&peaks), &peaks);
+    view.mark_ghosts(&mut sighted);
     if let Some(samples) = samples {
         refine_isolated(&view, samples, &peaks, &mut sighted)?;
     }
@@ -72,7 +74,11 @@ fn detect_in(header: &CubeHeader, map: &RdmFrame, samples: Option<&[Complex32]>)
         .flat_map_iter(|(cell, peak)| {
             let seen =
                 view.on_slope(&sighted, power[(cell[0], cell[1])], *cell, [peaks[*peak].row, peaks[*peak].column]);
-            seen.into_iter().map(|(sighting, index)| sighting.point(noise, object_of(index))).collect::<Vec<_>>()
+            let point = |(sighting, index): (Sighting, usize)| Point {
+                two_ways_rad: sighted[index].two_ways_rad,
+                ..sighting.point(noise, object_of(index))
+            };
+            seen.into_iter().map(point).collect::<Vec<_>>()
         })
         .collect();
     let objects = groups.iter().enumerate().map(|(index, group)| {
@@ -116,6 +122,8 @@ struct Sighting {
     place: Place,
     /// Of its cell, where time division tells them.
     folds: Option<Folds>,
+    /// Of a peak: where its wave ran between two bodies.
+    two_ways_rad: Option<[f64; 2]>,
 }
 
 /// What every step looks at; `noise` is summed over channels.
@@ -127,6 +135,16 @@ struct View<'a> {
 }
 
 impl View<'_> {
+    /// Looks at every peak's channels for a wave that left by one direction and came back by another.
+    fn mark_ghosts(&self, sighted: &mut [Sighting]) {
+        let noise = self.noise / self.header.radar.virtual_channels() as f64;
+        sighted.par_iter_mut().for_each(|s| {
+            let found = two_ways(self.array, &s.snapshot, s.range_m, s.direction, noise);
+            let azimuth = |direction| place(self.header, self.array, direction, s.range_m).azimuth_rad;
+            s.two_ways_rad = found.map(|two| two.directions.map(azimuth));
+        });
+    }
+
     /// Echoes of all peaks, strongest first.
     fn sight_all(&self, peaks: &[Peak]) -> Vec<Sighting> {
         by_strength(peaks.par_iter().map(|peak| self.sight(*peak)).collect())
@@ -157,6 +175,7 @@ impl View<'_> {
             direction,
             place: place(header, self.array, direction, range_m),
             folds: folds.clone(),
+            two_ways_rad: None,
         });
         echoes.collect()
     }
@@ -308,6 +327,7 @@ impl Sighting {
             elevation_rad: self.place.elevation_rad,
             position_m: self.place.position_m.to_array(),
             snr_db: snr_db(self.peak.power, noise),
+            two_ways_rad: None,
             object,
             target: None,
             label: None,

@@ -84,6 +84,7 @@ fn point(object: &Object, index: u32) -> Point {
         object: Some(index),
         target: None,
         label: None,
+        two_ways_rad: None,
     }
 }
 

@@ -10,7 +10,7 @@ use std::io::Write;
 use std::path::Path;
 
 const COLUMNS: &str = "frame,time_s,range_m,radial_velocity_mps,az_deg,el_deg,x_m,y_m,z_m,snr_db,object,target,\
-true_target,true_class,true_order,true_share";
+true_target,true_class,true_order,true_share,two_ways_az_deg,true_bodies";
 
 pub(crate) fn csv(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
@@ -35,7 +35,12 @@ pub(crate) fn write_csv(sink: &mut dyn Write, frame: &PointsFrame, header: &Poin
         let (az, el) = (p.azimuth_rad.to_degrees(), p.elevation_rad.to_degrees());
         let (frame, time, range, velocity) = (frame.index, frame.time_s, p.range_m, p.radial_velocity_mps);
         let snr = p.snr_db;
-        writeln!(sink, "{frame},{time},{range},{velocity},{az},{el},{x},{y},{z},{snr},{object},{target},{label}")?;
+        let ways = p.two_ways_rad.map_or_else(String::new, |[a, b]| format!("{} {}", a.to_degrees(), b.to_degrees()));
+        let bodies = p.label.map_or_else(String::new, |label| label.bodies.to_string());
+        writeln!(
+            sink,
+            "{frame},{time},{range},{velocity},{az},{el},{x},{y},{z},{snr},{object},{target},{label},{ways},{bodies}"
+        )?;
     }
     Ok(())
 }
