@@ -157,7 +157,7 @@ fn several_direct_echoes_in_a_cell_are_hardly_ever_a_ghost() {
 #[test]
 fn an_array_with_a_single_transmitter_marks_nothing() {
     let mut site = Site::new(elements_1x4(), 4);
-    assert_eq!(marked(&mut site, 100, |site| ghost_cell(site)), 0.0);
+    assert_eq!(marked(&mut site, 100, ghost_cell), 0.0);
 }
 
 fn ghost_cell(site: &mut Site) -> (Vec<Complex64>, f64) {
