@@ -318,6 +318,18 @@ fn looser_accuracy_needs_fewer_paths() {
     assert!(loose < tight && loose > 0);
 }
 
+/// A roof of 4 m × 1 m, 1.4 m below the radar and straight under it: larger than its distance, and where v̂ and ĥ turn without
+/// limit. What has no bound there was once cut into slivers that never came to an end.
+#[test]
+fn a_roof_under_the_mast_is_integrated_like_any_other() {
+    let roof = parallelogram([-2.0, -0.5, 4.6], [4.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    let scene = scene(&[(roof, pose([0.8, 0.3, 0.0], [8.0, 0.0, 0.0], 0.0))], &[], -10.0, 1);
+    let frame = trace(&scene);
+    let [told, got] = [frame.error.total().unwrap(), true_error(&scene, &frame)].map(|e| 20.0 * e.log10());
+    println!("{} paths, told {told:.1}, true {got:.1} dB", frame.paths.len());
+    assert!(got <= told && got <= -10.0);
+}
+
 /// Two walls of a dihedral that move apart, and brake: each bounce has its own Doppler, and changes it. Braking at 9 m/s² is
 /// 0.27 mm over the frame, 0.9 rad there and back.
 #[test]

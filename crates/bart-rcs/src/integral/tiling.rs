@@ -155,14 +155,20 @@ impl Smoothness {
 
     /// The edge along which the integrand changes most.
     fn worst_edge(&self, field: &Field<'_>, edges_m: &[DVec2; 3]) -> usize {
-        let squares = self.phase_derivatives[1] + self.weight_derivatives[0].powi(2);
+        // A tile as large as its distance from an antenna, or from where that stands straight above, has no bound: there the
+        // longest edge is halved, for any other leaves slivers that never come to an end.
+        let squares = (self.phase_derivatives[1] + self.weight_derivatives[0].powi(2)).min(UNBOUNDED);
+        let per_height = self.phase_of_height_per_m.min(UNBOUNDED);
         let change = edges_m.map(|edge| {
             let along = field.along([edge].into_iter());
-            squares * edge.length_squared() + self.phase_of_height_per_m * along.rise_m + along.turn * along.turn
+            squares * edge.length_squared() + per_height * along.rise_m + along.turn * along.turn
         });
         (0..3).fold(0, |most, i| if change[i] > change[most] { i } else { most })
     }
 }
+
+/// Stands for what has no bound, rad/m²: beyond every wavelength, and its product with an edge is still a number.
+const UNBOUNDED: f64 = 1e100;
 
 /// sup Σ|x − xᵢ|³|ℓᵢ(x)|/6 over all triangles with longest edge 1 (scanned in the tests).
 const SIX_POINT_REMAINDER: f64 = 0.025;
