@@ -230,7 +230,7 @@ pub(crate) const CLUTTER: Table = Table {
 pub(crate) const TRAFFIC: Table = Table {
     name: "traffic",
     heading: "[traffic]",
-    keys: &["fcd", "begin_s", "end_s", "models", "view_range_m", "view_half_angle_deg"],
+    keys: &["fcd", "begin_s", "end_s", "models", "view_nearest_m", "view_range_m", "view_half_angle_deg"],
 };
 
 /// Each entry of `models` in `[traffic]` that is a table.

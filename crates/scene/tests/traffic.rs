@@ -185,6 +185,7 @@ fn models_are_told_by_name_list_or_table_and_wrong_ones_at_their_place() {
         ("models = \"car-suv\"", "`models` must be a table"),
         ("fdc = 1", "unknown key `fdc`"),
         ("view_range_m = 0", "`view_range_m` must be a number above 0"),
+        ("view_nearest_m = -1", "`view_nearest_m` must be a number from 0 to 100000"),
     ] {
         let told = read_bytes(recording.as_bytes(), "", keys).unwrap_err();
         assert!(told.contains(rule), "asked for `{rule}`, got `{told}`");

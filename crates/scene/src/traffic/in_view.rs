@@ -10,6 +10,8 @@ pub(crate) struct View {
     foot_m: DVec2,
     /// Unit vector.
     boresight: DVec2,
+    /// What reaches nearer stands below the beam.
+    nearest_m: f64,
     range_m: f64,
     half_angle_rad: f64,
 }
@@ -18,20 +20,23 @@ impl View {
     /// By default the range up to which a complex beat frequency does not fold, and the half plane before the array.
     pub(crate) fn read(section: &Section<'_>, radar: &Radar) -> Self {
         let range_m = section.number("view_range_m", Allowed::Above(0.0, 1e5));
+        let nearest_m = section.number("view_nearest_m", Allowed::Between(0.0, 1e5)).unwrap_or(0.0);
         let half_angle_deg = section.number("view_half_angle_deg", Allowed::Above(0.0, 180.0)).unwrap_or(90.0);
         let (sin, cos) = radar.boresight_az_rad.sin_cos();
         Self {
             foot_m: DVec2::new(radar.position_m[0], radar.position_m[1]),
             boresight: DVec2::new(sin, cos),
+            nearest_m,
             range_m: range_m.unwrap_or(radar.waveform.range_max_m()),
             half_angle_rad: half_angle_deg.to_radians(),
         }
     }
 
-    /// Whether a disc on the ground has a part in the sector.
+    /// Whether a disc on the ground has a part in the sector, and none nearer than what is seen.
     pub(crate) fn touches(&self, centre_m: DVec2, radius_m: f64) -> bool {
         let away = centre_m - self.foot_m;
-        if away.length() - radius_m > self.range_m {
+        let nearest_m = away.length() - radius_m;
+        if nearest_m > self.range_m || (self.nearest_m > 0.0 && nearest_m < self.nearest_m) {
             return false;
         }
         // The sector's own half with the disc in it, boresight to the right.
@@ -50,7 +55,7 @@ mod tests {
 
     fn view(half_angle_deg: f64) -> View {
         let half_angle_rad = f64::to_radians(half_angle_deg);
-        View { foot_m: DVec2::new(1.0, 0.0), boresight: DVec2::Y, range_m: 50.0, half_angle_rad }
+        View { foot_m: DVec2::new(1.0, 0.0), boresight: DVec2::Y, nearest_m: 0.0, range_m: 50.0, half_angle_rad }
     }
 
     #[test]
@@ -72,5 +77,8 @@ mod tests {
         }
         assert!(view(45.0).touches(DVec2::new(1.0, -3.0), 3.1), "the foot is the sector's tip");
         assert!(!view(45.0).touches(DVec2::new(1.0, -3.0), 2.9));
+        let above = View { nearest_m: 12.0, ..view(90.0) };
+        assert!(above.touches(DVec2::new(1.0, 16.1), 4.0));
+        assert!(!above.touches(DVec2::new(1.0, 15.9), 4.0), "its near end stands below the beam");
     }
 }
