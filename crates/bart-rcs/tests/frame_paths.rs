@@ -451,14 +451,10 @@ fn frames_that_take_an_error_over_err_about_as_it_tells() {
             let later = scene(&[(cart(lean), at(f64::from(step)))], &[], accuracy_db, 3);
             let models = Models::build(&later.0).unwrap();
             let frame = trace_frame_like(&models, &later.0, &later.1, &measured).unwrap();
-            let true_error = true_error(&later, &frame);
-            let db = |amplitude: f64| 20.0 * amplitude.log10();
-            println!(
-                "{x_m} m, {step} frames on: asked {accuracy_db}, told {:.1}, true {:.1} dB",
-                db(told),
-                db(true_error)
-            );
-            covered += u32::from(true_error <= told);
+            let got = true_error(&later, &frame);
+            let [told_db, got_db] = [told, got].map(|amplitude| 20.0 * amplitude.log10());
+            println!("{x_m} m, {step} frames on: asked {accuracy_db}, told {told_db:.1}, true {got_db:.1} dB");
+            covered += u32::from(got <= told);
             frames += 1;
         }
     }
