@@ -318,8 +318,7 @@ fn looser_accuracy_needs_fewer_paths() {
     assert!(loose < tight && loose > 0);
 }
 
-/// A roof of 4 m × 1 m, 1.4 m below the radar and straight under it: larger than its distance, and where v̂ and ĥ turn without
-/// limit. What has no bound there was once cut into slivers that never came to an end.
+/// A roof straight under the radar: larger than its distance, and where v̂ and ĥ turn without limit.
 #[test]
 fn a_roof_under_the_mast_is_integrated_like_any_other() {
     let roof = parallelogram([-2.0, -0.5, 4.6], [4.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
@@ -449,8 +448,7 @@ fn frames_that_take_an_error_over_err_about_as_it_tells() {
         let told = measured.error.total().unwrap();
         for step in 1..=5 {
             let later = scene(&[(cart(lean), at(f64::from(step)))], &[], accuracy_db, 3);
-            let models = Models::build(&later.0).unwrap();
-            let frame = trace_frame_like(&models, &later.0, &later.1, &measured).unwrap();
+            let frame = trace_frame_like(&Models::build(&later.0).unwrap(), &later.0, &later.1, &measured).unwrap();
             let got = true_error(&later, &frame);
             let [told_db, got_db] = [told, got].map(|amplitude| 20.0 * amplitude.log10());
             println!("{x_m} m, {step} frames on: asked {accuracy_db}, told {told_db:.1}, true {got_db:.1} dB");
@@ -458,8 +456,7 @@ fn frames_that_take_an_error_over_err_about_as_it_tells() {
             frames += 1;
         }
     }
-    // An error told covers 95 of 100 frames that it was measured in; a body that drives on loses some of that: were it 90 of 100,
-    // fewer than 12 of 15 would be seen once in twenty.
+    // Were 90 of 100 frames covered, fewer than 12 of 15 would be seen once in twenty.
     println!("covered {covered} of {frames}");
     assert!(covered >= 12);
 }
