@@ -12,13 +12,14 @@ use artifact::cube::CubeHeader;
 use artifact::paths::{Path, PathsFrame};
 use artifact::points::{Label, Point};
 use artifact::radar::{Radar, Sampling};
-use artifact::units::{SPEED_OF_LIGHT_MPS, power_from_db};
+use artifact::units::SPEED_OF_LIGHT_MPS;
 use dsp::DspError;
 use dsp::window::taper;
+use fmcw_echo::antenna::link_amplitude;
 use glam::DVec3;
 use num_complex::Complex64;
 use std::collections::{BTreeMap, BTreeSet};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// Labels of points that paths made; `noise_power` is that of one cell of one channel of the map, in its units.
 pub(crate) fn label(
@@ -92,13 +93,6 @@ impl Echo {
             directions: [there.direction, back.direction],
         }
     }
-}
-
-/// √(P_t G_t G_r λ²/(4π)³).
-fn link_amplitude(radar: &Radar) -> f64 {
-    let gain = power_from_db(radar.link.antenna_gain_db);
-    let wavelength_m = radar.waveform.wavelength_m();
-    (radar.link.transmit_power_w * gain * gain * wavelength_m.powi(2) / (4.0 * PI).powi(3)).sqrt()
 }
 
 /// What the windows leave of a tone near a cell.

@@ -112,8 +112,10 @@ impl VirtualArray {
 
     /// Turns that bring the echo of a point at this direction and range into phase on all channels.
     pub fn steering(&self, direction: Direction, range_m: f64) -> Vec<Complex64> {
-        let turn = |excess_m: f64| Complex64::from_polar(1.0, -TAU * (excess_m / self.wavelength_m).fract());
-        self.excess_m(direction, range_m).into_iter().map(turn).collect()
+        self.excess_m(direction, range_m)
+            .into_iter()
+            .map(|excess_m| turned_back(excess_m / self.wavelength_m))
+            .collect()
     }
 
     /// Elements that hear each transmitter.
@@ -124,9 +126,7 @@ impl VirtualArray {
     /// The same turns of each end alone: of transmit elements, and of receive elements.
     pub fn element_turns(&self, direction: Direction, range_m: f64) -> [Vec<Complex64>; 2] {
         let point = self.point(direction, range_m);
-        let turn = |element: DVec3| {
-            Complex64::from_polar(1.0, -TAU * (excess_m(point, element, range_m) / self.wavelength_m).fract())
-        };
+        let turn = |element: DVec3| turned_back(excess_m(point, element, range_m) / self.wavelength_m);
         let tx = self.elements.iter().step_by(self.receivers.max(1)).map(|[tx, _]| turn(*tx)).collect();
         let rx = self.elements.iter().take(self.receivers).map(|[_, rx]| turn(*rx)).collect();
         [tx, rx]

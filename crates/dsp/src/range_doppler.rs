@@ -171,12 +171,7 @@ impl<T: Precision> RangeDoppler<T> {
         }
         let rows = samples.chunks_exact(self.samples).zip(work.spectra.chunks_exact_mut(self.samples));
         for (chirp, (row, spectrum)) in rows.enumerate() {
-            self.tapered(row, chirp, turn_cycles, spectrum);
-            self.range_fft.process_with_scratch(spectrum, &mut work.scratch);
-            if self.falling_slope {
-                // It puts growing ranges at falling frequencies.
-                spectrum[1..].reverse();
-            }
+            self.range_spectrum(row, (chirp, turn_cycles), spectrum, &mut work.scratch);
         }
     }
 
@@ -185,12 +180,24 @@ impl<T: Precision> RangeDoppler<T> {
         work.whole.resize(self.samples, Complex::zero());
         let rows = samples.chunks_exact(self.samples).zip(work.spectra.chunks_exact_mut(self.columns));
         for (chirp, (row, half)) in rows.enumerate() {
-            self.tapered(row, chirp, turn_cycles, &mut work.whole);
-            self.range_fft.process_with_scratch(&mut work.whole, &mut work.scratch);
-            if self.falling_slope {
-                work.whole[1..].reverse();
-            }
+            self.range_spectrum(row, (chirp, turn_cycles), &mut work.whole, &mut work.scratch);
             half.copy_from_slice(&work.whole[..self.columns]);
+        }
+    }
+
+    /// Of one chirp, range growing.
+    fn range_spectrum(
+        &self,
+        row: &[Complex32],
+        (chirp, turn_cycles): (usize, f64),
+        spectrum: &mut [Complex<T>],
+        scratch: &mut [Complex<T>],
+    ) {
+        self.tapered(row, chirp, turn_cycles, spectrum);
+        self.range_fft.process_with_scratch(spectrum, scratch);
+        if self.falling_slope {
+            // It puts growing ranges at falling frequencies.
+            spectrum[1..].reverse();
         }
     }
 

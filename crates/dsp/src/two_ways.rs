@@ -47,11 +47,12 @@ pub fn two_ways(
     let least_evidence = (4.0 / (beam * beam * FALSE_RATE)).ln();
     let alone = array.beam(snapshot, &array.steering(direct, range_m)).norm_sqr() / snapshot.len() as f64;
     // Most cells end here: one direct echo explains them as well.
-    if (u - v).abs() < LEAST_APART_BEAMS * beam || rows.power(u, v) - alone <= least_evidence * noise || noise <= 0.0 {
+    let together = rows.power(u, v);
+    if (u - v).abs() < LEAST_APART_BEAMS * beam || together - alone <= least_evidence * noise || noise <= 0.0 {
         return None;
     }
     let total: f64 = snapshot.iter().map(|value| value.norm_sqr()).sum();
-    let by_pair = total - rows.power(u, v);
+    let by_pair = total - together;
     let (directly, directions) = direct_fit(array, snapshot, range_m, noise);
     // Complex amplitudes and directions, with elevation where there is one.
     let axes = 1 + usize::from(direct.up.is_some());

@@ -37,14 +37,14 @@ impl Oscillator {
             return None;
         }
         let (count, rate_hz) = (samples_of(radar), radar.waveform.sample_rate_hz);
+        let step_hz = rate_hz / count as f64;
+        let powers = powers(noise, step_hz, count);
+        let rate = |(k, power): (usize, &f64)| 2.0 * power * (TAU * (k + 1) as f64 * step_hz).powi(2);
+        let rate_square: f64 = powers.iter().enumerate().map(rate).sum();
+        let mut stream = NoiseStream::of(seed, "fmcw-echo/phase-noise", &[u64::from(frame)]);
         let mut spectrum = vec![Complex64::ZERO; STEPS * count];
-        let mut rate_square = 0.0;
-        for (i, part) in parts(noise, rate_hz, count, seed, frame).into_iter().enumerate() {
-            spectrum[i + 1] = part;
-            rate_square += 2.0
-                * density(noise, (i + 1) as f64 * rate_hz / count as f64)
-                * (rate_hz / count as f64)
-                * (TAU * (i + 1) as f64 * rate_hz / count as f64).powi(2);
+        for (part, power) in spectrum[1..].iter_mut().zip(powers) {
+            *part = stream.next_sample(power);
         }
         FftPlanner::new().plan_fft_inverse(spectrum.len()).process(&mut spectrum);
         let phase_rad = spectrum.into_iter().map(|value| 2.0 * value.re).collect();
@@ -94,11 +94,9 @@ pub(crate) fn samples_of(radar: &Radar) -> usize {
     (needed.ceil() as usize).next_power_of_two()
 }
 
-/// Fourier coefficients of φ at 1, 2, … over the time, below half the sample rate: what lies beyond falls outside the IF filter.
-fn parts(noise: &[PhaseNoise], rate_hz: f64, count: usize, seed: u64, frame: u32) -> Vec<Complex64> {
-    let mut stream = NoiseStream::of(seed, "fmcw-echo/phase-noise", &[u64::from(frame)]);
-    let step_hz = rate_hz / count as f64;
-    (1..count / 2).map(|k| stream.next_sample(density(noise, k as f64 * step_hz) * step_hz)).collect()
+/// Powers of φ's Fourier coefficients at 1, 2, … over the time, below half the sample rate: what lies beyond falls outside the IF filter.
+fn powers(noise: &[PhaseNoise], step_hz: f64, count: usize) -> Vec<f64> {
+    (1..count / 2).map(|k| density(noise, k as f64 * step_hz) * step_hz).collect()
 }
 
 /// L(f), rad²/Hz: straight in dB over log f between the frequencies told, constant before the first and behind the last.

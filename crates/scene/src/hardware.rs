@@ -5,6 +5,7 @@ use crate::document::Section;
 use crate::errors::{Allowed, Rule};
 use crate::keys;
 use crate::radar::COORDINATES_M;
+use crate::targets::VELOCITIES_MPS;
 use artifact::radar::{Adc, ElementError, Hardware, Interferer, PhaseNoise};
 use artifact::units::watts_from_dbm;
 
@@ -89,7 +90,7 @@ fn read_interferer(section: &Section<'_>) -> Interferer {
     }
     Interferer {
         position_m: section.vector("position_m", COORDINATES_M).unwrap_or_default(),
-        velocity_mps: section.vector("velocity_mps", Allowed::Between(-340.0, 340.0)).unwrap_or_default(),
+        velocity_mps: section.vector("velocity_mps", VELOCITIES_MPS).unwrap_or_default(),
         eirp_w: watts_from_dbm(number("eirp_dbm", Allowed::Between(-200.0, 200.0), 0.0)),
         start_frequency_hz: 1e9 * number("start_frequency_ghz", Allowed::Between(0.1, 1000.0), 77.0),
         slope_hz_per_s: 1e12 * number("slope_mhz_per_us", Allowed::Between(-1e4, 1e4), 12.5),

@@ -10,7 +10,7 @@ use artifact::scene::{Pose, Role, Target, TargetKind, Wheel};
 use artifact::settings::{Class, Lane};
 
 /// Beyond the speed of sound nothing drives.
-const VELOCITIES_MPS: Allowed = Allowed::Between(-340.0, 340.0);
+pub(crate) const VELOCITIES_MPS: Allowed = Allowed::Between(-340.0, 340.0);
 
 /// Ten times what brakes and falls.
 const ACCELERATIONS_MPS2: Allowed = Allowed::Between(-100.0, 100.0);

@@ -16,8 +16,13 @@ impl Motion {
 
     /// `seconds` after the pose.
     pub(crate) fn of(pose: &Pose, seconds: f64) -> Self {
-        let acceleration_mps2 = DVec3::from_array(pose.acceleration_mps2);
-        Self { velocity_mps: DVec3::from_array(pose.velocity_mps) + seconds * acceleration_mps2, acceleration_mps2 }
+        let start = Self::from_arrays(pose.velocity_mps, pose.acceleration_mps2);
+        Self { velocity_mps: start.after(DVec3::ZERO, seconds).1, ..start }
+    }
+
+    pub(crate) fn from_arrays(velocity_mps: [f64; 3], acceleration_mps2: [f64; 3]) -> Self {
+        let [velocity_mps, acceleration_mps2] = [velocity_mps, acceleration_mps2].map(DVec3::from_array);
+        Self { velocity_mps, acceleration_mps2 }
     }
 
     pub(crate) fn is_finite(&self) -> bool {
@@ -39,10 +44,10 @@ impl Motion {
         }
     }
 
-    /// Where a point that is at `at_m` now was `seconds` ago, and how fast it was.
-    pub(crate) fn earlier(&self, at_m: DVec3, seconds: f64) -> (DVec3, DVec3) {
+    /// Where a point that is at `at_m` now is `seconds` later (earlier, where negative), and how fast.
+    pub(crate) fn after(&self, at_m: DVec3, seconds: f64) -> (DVec3, DVec3) {
         let gained_mps = seconds * self.acceleration_mps2;
-        (at_m - seconds * (self.velocity_mps - 0.5 * gained_mps), self.velocity_mps - gained_mps)
+        (at_m + seconds * (self.velocity_mps + 0.5 * gained_mps), self.velocity_mps + gained_mps)
     }
 
     /// Σ w·motion.
@@ -60,8 +65,7 @@ impl Motion {
 
 /// Of a body's origin `seconds` after its pose.
 pub(crate) fn position_m(pose: &Pose, seconds: f64) -> DVec3 {
-    let [velocity_mps, acceleration_mps2] = [pose.velocity_mps, pose.acceleration_mps2].map(DVec3::from_array);
-    DVec3::from_array(pose.position_m) + seconds * (velocity_mps + 0.5 * seconds * acceleration_mps2)
+    Motion::of(pose, 0.0).after(DVec3::from_array(pose.position_m), seconds).0
 }
 
 #[cfg(test)]
@@ -83,7 +87,7 @@ mod tests {
         let seen = point.mirrored(&plane, n);
         for t in [-0.7, 0.3, 1.0] {
             assert!((place(&seen, image(0.0), t) - image(t)).length() < 1e-14, "{t}");
-            let (was_m, was_mps) = seen.earlier(image(0.0), t);
+            let (was_m, was_mps) = seen.after(image(0.0), -t);
             assert!((was_m - image(-t)).length() < 1e-14);
             assert!((was_mps - (image(1e-6 - t) - image(-1e-6 - t)) / 2e-6).length() < 1e-8);
         }

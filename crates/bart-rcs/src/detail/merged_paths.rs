@@ -2,6 +2,7 @@
 
 use crate::detail::looks::{Look, axes, strength};
 use crate::frame::path_plan::Band;
+use crate::frame::path_sum::moved_to;
 use crate::joins::scatterer::{scaled, sum};
 use artifact::Radar;
 use artifact::paths::{Amplitude, Path};
@@ -45,12 +46,8 @@ impl<'a> Extents<'a> {
         let legs_m = self.middle.legs_m(path);
         let [tx, rx] = legs_m.map(|leg| leg / leg.length());
         let wavelength_m = self.radar.waveform.wavelength_m();
-        let curve = &path.curve;
-        let at_middle = |v_mps: [f64; 3], a_mps2: [f64; 3]| {
-            DVec3::from_array(v_mps) + self.radar.frame_middle_s() * DVec3::from_array(a_mps2)
-        };
-        let rate_mps = tx.dot(at_middle(path.apparent_tx_mps, curve.apparent_tx_mps2))
-            + rx.dot(at_middle(path.apparent_rx_mps, curve.apparent_rx_mps2));
+        let [(_, tx_mps), (_, rx_mps)] = moved_to(path, self.radar.frame_middle_s());
+        let rate_mps = tx.dot(tx_mps) + rx.dot(rx_mps);
         let [of_tx, of_rx] = self.rows_m;
         let ways_m = [
             rate_mps * self.radar.frame_duration_s(),

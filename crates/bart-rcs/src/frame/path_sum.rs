@@ -1,5 +1,6 @@
 //! Scattering amplitude from path records, by their definition.
 
+use crate::bodies::motion::Motion;
 use artifact::paths::{Amplitude, Path};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
@@ -78,13 +79,18 @@ fn wavenumber_per_m(frequency_hz: f64) -> f64 {
 
 /// x_a and x_b some seconds after the frame's first sample; of a wheel those of its hub.
 pub(crate) fn apparent_m(path: &Path, seconds: f64) -> [DVec3; 2] {
-    let at = |x_m: [f64; 3], v_mps: [f64; 3], a_mps2: [f64; 3]| {
-        DVec3::from_array(x_m) + seconds * (DVec3::from_array(v_mps) + 0.5 * seconds * DVec3::from_array(a_mps2))
+    moved_to(path, seconds).map(|(at_m, _)| at_m)
+}
+
+/// The same with their velocities then.
+pub(crate) fn moved_to(path: &Path, seconds: f64) -> [(DVec3, DVec3); 2] {
+    let Path { apparent_tx_m, apparent_tx_mps, apparent_rx_m, apparent_rx_mps, curve, .. } = path;
+    let after = |at_m: &[f64; 3], mps: &[f64; 3], mps2: [f64; 3]| {
+        Motion::from_arrays(*mps, mps2).after(DVec3::from_array(*at_m), seconds)
     };
-    let curve = &path.curve;
     [
-        at(path.apparent_tx_m, path.apparent_tx_mps, curve.apparent_tx_mps2),
-        at(path.apparent_rx_m, path.apparent_rx_mps, curve.apparent_rx_mps2),
+        after(apparent_tx_m, apparent_tx_mps, curve.apparent_tx_mps2),
+        after(apparent_rx_m, apparent_rx_mps, curve.apparent_rx_mps2),
     ]
 }
 

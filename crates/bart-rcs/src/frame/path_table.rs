@@ -160,7 +160,7 @@ fn velocity_quantum_mps(header: &SceneHeader) -> f64 {
 
 fn path_of(cell: &Cell, band: &Band, middle_s: f64) -> Path {
     let (amplitude_m, slope_m_per_hz) = band.line(&cell.amplitudes_m);
-    let at_first_sample = [0, 1].map(|end| cell.motion[end].earlier(cell.apparent_m[end], middle_s));
+    let at_first_sample = [0, 1].map(|end| cell.motion[end].after(cell.apparent_m[end], -middle_s));
     let [(tx_m, tx_mps), (rx_m, rx_mps)] = at_first_sample.map(|(at_m, mps)| (at_m.to_array(), mps.to_array()));
     let [tx_mps2, rx_mps2] = cell.motion.map(|motion| motion.acceleration_mps2.to_array());
     Path {

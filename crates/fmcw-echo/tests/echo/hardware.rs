@@ -1,11 +1,12 @@
 //! Elements and converters that are not ideal.
 
 use crate::setting::*;
+use crate::three_sums::the_three_sums_agree;
+use artifact::Waveform;
 use artifact::radar::{Adc, ElementError, Multiplexing, Radar};
 use artifact::settings::Noise;
-use artifact::{Accuracy, Waveform};
 use fmcw_echo::direct_sum::DirectSum;
-use fmcw_echo::{EchoError, fast_sum, reference, synthesize};
+use fmcw_echo::{EchoError, synthesize};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -51,16 +52,7 @@ fn an_element_error_is_its_gain_its_phase_and_the_length_of_its_line() {
 fn the_three_sums_agree_on_flawed_elements_under_every_multiplexing() {
     for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm] {
         let radar = flawed(multiplexing, 16);
-        let (f_c, few) = (radar.waveform.centre_frequency_hz(), random_paths(71, 4));
-        let direct = error_db(&DirectSum::new(&radar, f_c, &few).cube(), &reference::cube(&radar, f_c, &few));
-        assert!(direct < -130.0, "{multiplexing:?}: direct sum {direct:.1} dB");
-        let body = body(72, 300, [5.75, 40.0, 0.7], [0.0, -10.0, 0.0]);
-        let exact = DirectSum::new(&radar, f_c, &body).cube();
-        for asked_db in [-20.0, -60.0, -100.0] {
-            let got = error_db(&fast_sum::cube(&radar, f_c, &body, Accuracy::from_db(asked_db)), &exact);
-            println!("{multiplexing:?}, flawed: asked {asked_db} dB, got {got:.1} dB");
-            assert!(got <= asked_db, "{multiplexing:?}: asked {asked_db}, got {got:.1}");
-        }
+        the_three_sums_agree(&radar, "flawed", 71);
     }
 }
 

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests are tests too; clippy knows only marked functions")]
 
 mod setting;
+mod three_sums;
 mod waveform_table;
 mod point_target;
 mod direct_sum_against_reference;

@@ -1,11 +1,11 @@
 //! Antenna patterns from tables.
 
 use crate::setting::*;
-use artifact::Accuracy;
+use crate::three_sums::the_three_sums_agree;
 use artifact::radar::{Multiplexing, Pattern, PatternTable, Radar};
 use artifact::settings::Noise;
 use fmcw_echo::direct_sum::DirectSum;
-use fmcw_echo::{EchoError, fast_sum, reference, synthesize};
+use fmcw_echo::{EchoError, synthesize};
 use std::f64::consts::PI;
 
 /// Table of cos²: amplitude cos²(az)·cos²(el) of the front, in even steps.
@@ -46,16 +46,7 @@ fn a_table_of_the_cosine_gives_the_cosines_echo_to_the_interpolations_error() {
 fn the_three_sums_agree_on_a_table_under_every_multiplexing() {
     for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm] {
         let radar = with(Pattern::Table(cosine_table(36)), multiplexing);
-        let (f_c, few) = (radar.waveform.centre_frequency_hz(), random_paths(82, 4));
-        let direct = error_db(&DirectSum::new(&radar, f_c, &few).cube(), &reference::cube(&radar, f_c, &few));
-        assert!(direct < -130.0, "{multiplexing:?}: direct sum {direct:.1} dB");
-        let body = body(83, 300, [5.75, 40.0, 0.7], [0.0, -10.0, 0.0]);
-        let exact = DirectSum::new(&radar, f_c, &body).cube();
-        for asked_db in [-20.0, -60.0, -100.0] {
-            let got = error_db(&fast_sum::cube(&radar, f_c, &body, Accuracy::from_db(asked_db)), &exact);
-            println!("{multiplexing:?}, table: asked {asked_db} dB, got {got:.1} dB");
-            assert!(got <= asked_db, "{multiplexing:?}: asked {asked_db}, got {got:.1}");
-        }
+        the_three_sums_agree(&radar, "table", 82);
     }
 }
 

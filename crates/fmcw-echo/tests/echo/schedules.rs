@@ -1,12 +1,13 @@
 //! Chirps at changing intervals, and sub-frames.
 
 use crate::setting::*;
+use crate::three_sums::the_three_sums_agree;
 use artifact::radar::{Multiplexing, Radar};
 use artifact::settings::Noise;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use artifact::{Accuracy, Waveform};
 use fmcw_echo::direct_sum::DirectSum;
-use fmcw_echo::{EchoError, fast_sum, reference, synthesize};
+use fmcw_echo::{EchoError, fast_sum, synthesize};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 
@@ -42,18 +43,7 @@ fn a_staggered_chirp_turns_by_the_way_driven_up_to_its_own_start() {
 fn the_three_sums_agree_on_staggered_chirps() {
     for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm] {
         let radar = staggered(2, multiplexing, 32);
-        let f_c = radar.waveform.centre_frequency_hz();
-        let few = random_paths(51, 4);
-        let direct = error_db(&DirectSum::new(&radar, f_c, &few).cube(), &reference::cube(&radar, f_c, &few));
-        // 1e-7 of a path's phase and amplitude, as without a stagger.
-        assert!(direct < -130.0, "{multiplexing:?}: direct sum {direct:.1} dB");
-        let body = body(52, 300, [5.75, 40.0, 0.7], [0.0, -10.0, 0.0]);
-        let exact = DirectSum::new(&radar, f_c, &body).cube();
-        for asked_db in [-20.0, -60.0, -100.0] {
-            let got = error_db(&fast_sum::cube(&radar, f_c, &body, Accuracy::from_db(asked_db)), &exact);
-            println!("{multiplexing:?}, staggered: asked {asked_db} dB, got {got:.1} dB");
-            assert!(got <= asked_db, "{multiplexing:?}: asked {asked_db}, got {got:.1}");
-        }
+        the_three_sums_agree(&radar, "staggered", 51);
     }
 }
 
