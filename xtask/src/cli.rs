@@ -84,6 +84,9 @@ pub(crate) struct SceneArguments {
     /// Replaces the model of every target.
     #[arg(long, value_name = "FILE.glb")]
     pub(crate) model: Option<PathBuf>,
+    /// Through which of several radars; `run` takes them all in turn where none is said.
+    #[arg(long, value_name = "ID")]
+    pub(crate) radar: Option<String>,
     /// Replaces the scene's seed.
     #[arg(long)]
     pub(crate) seed: Option<u64>,
@@ -221,6 +224,9 @@ pub(crate) struct DspArguments {
     /// Scene whose [dsp] replaces the settings that the cubes carry.
     #[arg(long, value_name = "SCENE.toml")]
     pub(crate) scene: Option<PathBuf>,
+    /// Which of that scene's several radars.
+    #[arg(long, value_name = "ID", requires = "scene")]
+    pub(crate) radar: Option<String>,
     /// Where the maps and points go.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,
@@ -282,6 +288,9 @@ pub(crate) struct ImportArguments {
     /// Scene that tells the radar and the processing.
     #[arg(long, value_name = "SCENE.toml")]
     pub(crate) scene: PathBuf,
+    /// Which of that scene's several radars.
+    #[arg(long, value_name = "ID")]
+    pub(crate) radar: Option<String>,
     /// Result.
     #[arg(long, value_name = "F.cube")]
     pub(crate) out: PathBuf,

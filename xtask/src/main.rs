@@ -22,6 +22,7 @@ mod tracking;
 mod summary;
 mod sub_frames;
 mod products;
+mod several_radars;
 mod expectation;
 mod commands;
 mod pictures;

@@ -9,6 +9,7 @@ mod polar;
 mod rdm;
 mod points;
 mod plan_view;
+mod common_view;
 mod lines;
 
 use crate::chain::{Chain, FrameProducts};
@@ -21,6 +22,7 @@ use artifact::rdm::RdmFrame;
 use std::path::Path;
 
 pub(crate) use colours::heat;
+pub(crate) use common_view::common_view;
 pub(crate) use heat_map::{HeatMap, Shape};
 pub(crate) use lines::{Line, LinePlot, Scale};
 pub(crate) use polar::PolarPlot;

@@ -10,10 +10,10 @@ use crate::stages::Stage;
 use crate::truth;
 use artifact::cube::Cube;
 use artifact::paths::Paths;
-use artifact::points::{Points, PointsHeader};
+use artifact::points::{Points, PointsFrame, PointsHeader};
 use artifact::rcs::Rcs;
 use artifact::rdm::Rdm;
-use artifact::scene::Scene;
+use artifact::scene::{Scene, SceneFrame, SceneHeader};
 use artifact::settings::EchoMode;
 use artifact::tracks::{Tracks, TracksFrame, TracksHeader};
 use artifact::{Provenance, Writer};
@@ -38,6 +38,15 @@ pub(crate) struct Figures {
     pub(crate) frames: Vec<FrameFigures>,
     /// Number and view from above of every n-th frame of a long scene.
     pub(crate) strip: Vec<(u32, Svg)>,
+    /// What was seen in the first frames, to be laid beside what other radars saw.
+    pub(crate) seen: Vec<Seen>,
+}
+
+/// What one radar saw of one frame, and what there was.
+pub(crate) struct Seen {
+    pub(crate) view: SceneHeader,
+    pub(crate) scene: SceneFrame,
+    pub(crate) points: PointsFrame,
 }
 
 enum ScatteringWriter {
@@ -84,6 +93,8 @@ impl Products {
         }
         if self.figures.frames.len() < report::FRAMES_DRAWN {
             self.figures.frames.push(figures);
+            let (scene, points) = (frame.result.scene.clone(), frame.result.points.clone());
+            self.figures.seen.push(Seen { view: frame.view.clone(), scene, points });
         }
         self.scattering.write(chain.counted_through(frame.scattering))
     }
@@ -128,7 +139,7 @@ fn join_truth(chain: &Chain, frame: &mut FrameProducts) -> Result<(), Failure> {
     let result = &mut frame.result;
     let truths = truth::truths(&frame.view.in_frame(result.scene.index), &result.scene, result.paths.as_ref());
     let bodies = scene::bodies_in_view(chain.header, result.scene.index);
-    let chosen = truth::assign(&truths, &result.points.objects);
+    let chosen = truth::assign(&frame.view.dsp.road, &truths, &result.points.objects);
     for point in &mut result.points.points {
         let target = chosen.iter().position(|c| c.is_some() && c.map(|o| o as u32) == point.object);
         point.target = target.and_then(|t| bodies.get(t).copied());

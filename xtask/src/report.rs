@@ -1,11 +1,13 @@
 //! `report.html`: one self-contained file that opens from disk.
 
 mod page;
+mod radars;
 mod tables;
 mod tracks;
 
 use crate::failure::Failure;
 use crate::output;
+use crate::pictures::Svg;
 use crate::products::Figures;
 use serde_json::Value;
 use std::path::Path;
@@ -24,4 +26,9 @@ pub(crate) fn is_in_strip(index: u32, frames: u32) -> bool {
 /// Writes the report of a run from its summary and its figures.
 pub(crate) fn write(summary: &Value, figures: &Figures, out: &Path) -> Result<(), Failure> {
     output::write_file(&out.join("report.html"), page::page(summary, figures).as_bytes())
+}
+
+/// Writes the report of several radars over theirs.
+pub(crate) fn write_several(summary: &Value, views: &[Svg], out: &Path) -> Result<(), Failure> {
+    output::write_file(&out.join("report.html"), radars::page(summary, views).as_bytes())
 }

@@ -61,7 +61,7 @@ pub(crate) fn frame(header: &SceneHeader, result: &FrameResult) -> Value {
     let measured_in = result.paths.as_ref().map(|paths| errors_of_frame(header, result.scene.index, paths));
     let header = &header.in_frame(result.scene.index);
     let truths = truths(header, &result.scene, result.paths.as_ref());
-    let chosen = assign(&truths, &result.points.objects);
+    let chosen = assign(&header.dsp.road, &truths, &result.points.objects);
     let objects = || chosen.iter().map(|c| c.map(|o| &result.points.objects[o]));
     let abnormal = truths.iter().zip(objects()).any(|(t, o)| is_aliased(header, t, o));
     let resolved = !result.points.objects.is_empty() && result.points.objects.iter().all(|o| o.velocity_resolved);

@@ -5,6 +5,7 @@ use crate::path_legs::legs;
 use artifact::paths::{Path, PathsFrame};
 use artifact::points::Object;
 use artifact::scene::{Pose, Role, SceneFrame, SceneHeader};
+use artifact::settings::Lanes;
 use glam::DVec3;
 
 /// An object further away than this in range is another vehicle's (interface.md).
@@ -51,7 +52,7 @@ fn truth(header: &SceneHeader, index: usize, pose: &Pose, paths: Option<&PathsFr
         position_m,
         range_m,
         radial_velocity_mps: DVec3::from(pose.velocity_mps).dot(away) / range_m,
-        lane: header.dsp.lane_at(position_m.x),
+        lane: header.dsp.road.at(pose.position_m),
         nearest_range_m: paths.and_then(|p| p.nearest_range_m.get(index).copied().flatten()),
         echo,
         sends_back: paths.is_none() || echo.is_some(),
@@ -85,10 +86,10 @@ fn received(header: &SceneHeader, path: &Path) -> (f64, Echo) {
 }
 
 /// For each truth the object it is compared with: the nearest within the gates; no object serves two targets, and none clutter.
-pub(crate) fn assign(truths: &[Truth], objects: &[Object]) -> Vec<Option<usize>> {
+pub(crate) fn assign(road: &Lanes, truths: &[Truth], objects: &[Object]) -> Vec<Option<usize>> {
     let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
     for (t, truth) in truths.iter().enumerate().filter(|(_, truth)| truth.role == Role::Target) {
-        pairs.extend(objects.iter().enumerate().filter_map(|(o, object)| Some((distance(truth, object)?, t, o))));
+        pairs.extend(objects.iter().enumerate().filter_map(|(o, object)| Some((distance(road, truth, object)?, t, o))));
     }
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
     let mut chosen = vec![None; truths.len()];
@@ -101,9 +102,10 @@ pub(crate) fn assign(truths: &[Truth], objects: &[Object]) -> Vec<Option<usize>>
 }
 
 /// Distance in gates; `None` outside. Range is that of the echo where it is known: a bus's origin lies 6 m behind its front.
-fn distance(truth: &Truth, object: &Object) -> Option<f64> {
+fn distance(road: &Lanes, truth: &Truth, object: &Object) -> Option<f64> {
+    let [asked, got] = [truth.position_m.to_array(), object.position_m].map(|place| road.across_along_m(place)[0]);
     let range = (object.range_m - truth.echo.map_or(truth.range_m, |e| e.range_m)).abs() / RANGE_GATE_M;
-    let cross = (object.position_m[0] - truth.position_m.x).abs() / CROSS_GATE_M;
+    let cross = (got - asked).abs() / CROSS_GATE_M;
     (range <= 1.0 && cross <= 1.0).then(|| range.hypot(cross))
 }
 
@@ -144,17 +146,19 @@ mod tests {
     fn the_nearest_object_is_taken_and_serves_one_target_only() {
         let truths = [truth_at(40.0, 2.0), truth_at(41.0, 2.0)];
         let objects = [object_at(40.9, 2.0), object_at(44.5, 2.0)];
-        assert_eq!(assign(&truths, &objects), [None, Some(0)]);
+        assert_eq!(assign(&Lanes::default(), &truths, &objects), [None, Some(0)]);
     }
 
     #[test]
     fn clutter_has_no_object_however_near_it_stands() {
         let pole = Truth { role: Role::Clutter, ..truth_at(40.0, 2.0) };
-        assert_eq!(assign(&[pole, truth_at(41.0, 2.0)], &[object_at(40.0, 2.0)]), [None, Some(0)]);
+        let objects = [object_at(40.0, 2.0)];
+        assert_eq!(assign(&Lanes::default(), &[pole, truth_at(41.0, 2.0)], &objects), [None, Some(0)]);
     }
 
     #[test]
     fn an_object_outside_the_gates_is_nobodys() {
-        assert_eq!(assign(&[truth_at(40.0, 2.0)], &[object_at(44.1, 2.0), object_at(40.0, 5.8)]), [None]);
+        let objects = [object_at(44.1, 2.0), object_at(40.0, 5.8)];
+        assert_eq!(assign(&Lanes::default(), &[truth_at(40.0, 2.0)], &objects), [None]);
     }
 }

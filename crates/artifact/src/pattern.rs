@@ -1,6 +1,7 @@
 //! Gain of an antenna element over direction: what every stage that needs one asks, so that all have the same.
 
 use serde::{Deserialize, Serialize};
+use std::f64::consts::FRAC_PI_2;
 
 /// Gain of an element over direction, relative to [`crate::radar::Link::antenna_gain_db`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -41,6 +42,20 @@ impl Pattern {
                 }
             }
             Self::Table(table) => table.amplitude_at(right.atan2(ahead), up.clamp(-1.0, 1.0).asin()),
+        }
+    }
+}
+
+impl Pattern {
+    /// Whether there may be gain towards directions at a right angle to the boresight and behind.
+    pub fn hears_behind(&self) -> bool {
+        match self {
+            Self::Isotropic => true,
+            Self::Cosine { .. } => false,
+            Self::Table(table) => match table.azimuth_rad[..] {
+                [first, .., last] => first < -FRAC_PI_2 || last > FRAC_PI_2,
+                _ => true,
+            },
         }
     }
 }

@@ -10,7 +10,7 @@ pub struct Rdm;
 
 impl Schema for Rdm {
     const NAME: &'static str = "rdm";
-    const VERSION: u32 = 4;
+    const VERSION: u32 = 5;
     type Header = CubeHeader;
     type Frame = RdmFrame;
 }

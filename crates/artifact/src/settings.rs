@@ -190,25 +190,50 @@ pub struct DspSettings {
     pub cluster_velocity_mps: f64,
     /// Detections closer than this join one object, m across the lanes.
     pub cluster_cross_m: f64,
-    /// Lanes that points and objects are told by.
+    /// The road that points and objects are told by.
+    pub road: Lanes,
+}
+
+/// A straight road in coordinates of its own: across it to the right, and along it.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Lanes {
+    /// Where both start, world x and y.
+    pub origin_m: [f64; 2],
+    /// Along the road, from world +y towards +x.
+    pub azimuth_rad: f64,
+    /// None where only its direction is known.
     pub lanes: Vec<Lane>,
 }
 
-/// A lane along the world's y axis.
+/// A lane along a road.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Lane {
     /// Counted from 1 at the radar.
     pub number: u8,
-    /// Of its middle.
-    pub centre_x_m: f64,
+    /// Of its middle, across the road.
+    pub centre_m: f64,
     /// Across.
     pub width_m: f64,
 }
 
-impl DspSettings {
-    /// The lane that holds `x_m`, if any.
-    pub fn lane_at(&self, x_m: f64) -> Option<u8> {
-        self.lanes.iter().find(|l| (x_m - l.centre_x_m).abs() <= 0.5 * l.width_m).map(|l| l.number)
+impl Lanes {
+    /// A place of the world, whatever its height, as [across, along].
+    pub fn across_along_m(&self, position_m: [f64; 3]) -> [f64; 2] {
+        let [right, ahead] = [0, 1].map(|axis: usize| position_m[axis] - self.origin_m[axis]);
+        let (sin, cos) = self.azimuth_rad.sin_cos();
+        [right * cos - ahead * sin, right * sin + ahead * cos]
+    }
+
+    /// The world's x and y of a place across and along the road.
+    pub fn world_m(&self, [across_m, along_m]: [f64; 2]) -> [f64; 2] {
+        let (sin, cos) = self.azimuth_rad.sin_cos();
+        [self.origin_m[0] + across_m * cos + along_m * sin, self.origin_m[1] - across_m * sin + along_m * cos]
+    }
+
+    /// The lane that holds a place, if any.
+    pub fn at(&self, position_m: [f64; 3]) -> Option<u8> {
+        let [across_m, _] = self.across_along_m(position_m);
+        self.lanes.iter().find(|l| (across_m - l.centre_m).abs() <= 0.5 * l.width_m).map(|l| l.number)
     }
 }
 

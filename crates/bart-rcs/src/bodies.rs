@@ -1,5 +1,6 @@
 //! Posed meshes, and the road under them.
 
 pub(crate) mod motion; // how bodies, and their images in each other, move
+pub(crate) mod deaf_side; // where antennas hear nothing
 pub(crate) mod road; // a mirror, unfolded
 pub(crate) mod world; // facets of posed bodies

@@ -6,7 +6,8 @@ use artifact::paths::{Amplitude, ErrorOrigin, PathsFrame};
 use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Schedule};
 use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
-    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Refine, Sides, Surface, Window,
+    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise, Refine, Sides, Surface,
+    Window,
 };
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use artifact::{Accuracy, Radar, Waveform};
@@ -116,7 +117,7 @@ fn dsp() -> DspSettings {
         cluster_range_m: 1.0,
         cluster_velocity_mps: 1.0,
         cluster_cross_m: 1.0,
-        lanes: vec![],
+        road: Lanes::default(),
     }
 }
 

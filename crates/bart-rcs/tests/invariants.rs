@@ -2,6 +2,7 @@
 
 mod bodies;
 
+use artifact::radar::{Pattern, PatternTable};
 use artifact::settings::Sides;
 use bart_rcs::{Antenna, Beam, BeamTree, TraceSettings, World};
 use bodies::referee::silhouette;
@@ -263,6 +264,31 @@ fn what_is_dropped_is_in_the_books() {
         let incident: f64 = mirrors.map(|beam| beam.section).sum();
         assert!((second.incident_section / incident - 1.0).abs() < G1);
     }
+}
+
+#[test]
+fn what_stands_behind_antennas_that_hear_ahead_is_left_out() {
+    let body = car(4);
+    // Ahead; astride of the array's plane; behind it.
+    let places = [40.0, 0.5, -30.0].map(|y_m| ([3.0, y_m, 0.0], 0.3, [0.0, -10.0, 0.0]));
+    let facets_of = |pattern: Pattern, elevation_deg: f64| {
+        let (mut header, frame) = scene(&body.mesh(), &places);
+        header.radar.array.pattern = pattern;
+        header.radar.boresight_el_rad = f64::to_radians(elevation_deg);
+        let world = World::at(&header, &frame, 0.0).unwrap();
+        [0, 1, 2].map(|body| world.facets().iter().filter(|facet| facet.id.body == body).count())
+    };
+    let all = facets_of(Pattern::Isotropic, 0.0);
+    let [ahead, astride, _] = all;
+    assert_eq!(facets_of(Pattern::Cosine { exponent: 1.0 }, 0.0), [ahead, astride, 0]);
+    // Straight down, everything on the road is ahead.
+    assert_eq!(facets_of(Pattern::Cosine { exponent: 1.0 }, -90.0), all);
+    let table = |half_rad: f64| {
+        let azimuth_rad = vec![-half_rad, 0.0, half_rad];
+        Pattern::Table(PatternTable { azimuth_rad, elevation_rad: vec![0.0], amplitude: vec![0.1, 1.0, 0.1] })
+    };
+    assert_eq!(facets_of(table(1.5), 0.0), [ahead, astride, 0]);
+    assert_eq!(facets_of(table(2.0), 0.0), all);
 }
 
 #[test]

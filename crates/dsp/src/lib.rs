@@ -23,7 +23,7 @@
 //! ```
 //! use artifact::cube::{CubeFrame, CubeHeader};
 //! use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Sampling, Schedule, Waveform};
-//! use artifact::settings::{Angle, Detector, DspSettings, Lane, Noise, Refine, Window};
+//! use artifact::settings::{Angle, Detector, DspSettings, Lane, Lanes, Noise, Refine, Window};
 //! use num_complex::Complex32;
 //!
 //! let waveform = Waveform { start_frequency_hz: 77e9, slope_hz_per_s: 12.5e12, sample_rate_hz: 5.12e6, sampling: Sampling::Complex,
@@ -45,7 +45,7 @@
 //!     range_window: Window::Hann, doppler_window: Window::Hann, detector: Detector::CaCfar, false_alarm_rate: 1e-5,
 //!     guard_cells: [2, 2], training_cells: [4, 8], angle: Angle::Fft, refine: Refine::Off, assumed_height_m: 0.75,
 //!     cluster_range_m: 2.5, cluster_velocity_mps: 1.0, cluster_cross_m: 2.5,
-//!     lanes: vec![Lane { number: 2, centre_x_m: 5.75, width_m: 3.75 }],
+//!     road: Lanes { lanes: vec![Lane { number: 2, centre_m: 5.75, width_m: 3.75 }], ..Lanes::default() },
 //! }};
 //!
 //! // A point at 40 m in lane 2 (u = 5.75/40), approaching at 10 m/s: beat, Doppler and element phases of eq. (13).

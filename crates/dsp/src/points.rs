@@ -310,13 +310,8 @@ impl Sighting {
     }
 
     fn member(&self, header: &CubeHeader) -> Member {
-        let [x, y] = [self.place.position_m.x, self.place.position_m.y];
-        Member {
-            range_m: self.range_m,
-            radial_velocity_mps: self.radial_velocity_mps,
-            cross_m: if header.dsp.lanes.is_empty() { across_boresight_m(header, x, y) } else { x },
-            power: self.peak.power,
-        }
+        let [cross_m, _] = header.dsp.road.across_along_m(self.place.position_m.to_array());
+        Member { range_m: self.range_m, radial_velocity_mps: self.radial_velocity_mps, cross_m, power: self.peak.power }
     }
 
     fn point(&self, noise: f64, object: Option<u32>) -> Point {
@@ -333,12 +328,6 @@ impl Sighting {
             label: None,
         }
     }
-}
-
-/// Lanes run along y; without lanes the road is taken to run along the boresight.
-fn across_boresight_m(header: &CubeHeader, x_m: f64, y_m: f64) -> f64 {
-    let (sin, cos) = header.radar.boresight_az_rad.sin_cos();
-    (x_m - header.radar.position_m[0]) * cos - (y_m - header.radar.position_m[1]) * sin
 }
 
 /// Signal over noise: the noise's own mean is taken out of the cell. A detection lies above the noise; what little of a
@@ -375,7 +364,7 @@ impl View<'_> {
             },
             azimuth_rad: place.azimuth_rad,
             position_m: place.position_m.to_array(),
-            lane: header.dsp.lane_at(place.position_m.x),
+            lane: header.dsp.road.at(place.position_m.to_array()),
             snr_db: snr_db(strongest.peak.power, self.noise),
             points: points.len() as u32,
             range_extent_m: extent(points.iter().map(|p| p.range_m)),

@@ -224,10 +224,9 @@ impl Tracker {
         }
     }
 
-    /// Along the lanes, which run along y, else along the boresight; towards the radar unless it moves away.
+    /// Along the road, towards the radar unless it moves away.
     fn first_heading_rad(&self, along_mps: f64) -> f64 {
-        let lanes = !self.header.dsp.lanes.is_empty();
-        let away_rad = FRAC_PI_2 - if lanes { 0.0 } else { self.header.radar.boresight_az_rad };
+        let away_rad = FRAC_PI_2 - self.header.dsp.road.azimuth_rad;
         if along_mps > 0.0 { away_rad } else { away_rad - 0.5 * TAU }
     }
 
@@ -317,7 +316,7 @@ impl Tracker {
             velocity_mps: [state.mean.z, state.mean.w],
             covariance: state.covariance.transpose().to_cols_array_2d(),
             velocity_resolved: followed.bank.is_resolved(),
-            lane: self.header.dsp.lane_at(footprint.centre_m[0]),
+            lane: self.header.dsp.road.at([footprint.centre_m[0], footprint.centre_m[1], 0.0]),
             footprint,
             objects: followed.objects.clone(),
         }

@@ -222,7 +222,7 @@ impl<'a> Scorer<'a> {
         (object.position_m, object.azimuth_rad, _) = self.moved(object.position_m, object.range_m, nearer_m);
         object.range_m -= nearer_m;
         object.range_extent_m = object.range_extent_m.map(|m| m - nearer_m);
-        object.lane = self.own.header.dsp.lane_at(object.position_m[0]);
+        object.lane = self.own.header.dsp.road.at(object.position_m);
     }
 
     fn move_point(&self, point: &mut Point, near_mps: f64) {

@@ -193,6 +193,7 @@ impl<'d> Section<'d> {
         let place = match *known {
             keys::TARGET => Place::Target(name),
             keys::CLUTTER => Place::Clutter(name),
+            keys::RADARS => Place::Radar(name),
             _ => Place::Table(known.name),
         };
         let start = element.span().start;

@@ -55,6 +55,7 @@ impl fmt::Display for SceneError {
             Place::Table(name) => write!(f, " [{name}]: {}", self.rule),
             Place::Target(id) => write!(f, " target `{id}`: {}", self.rule),
             Place::Clutter(id) => write!(f, " clutter `{id}`: {}", self.rule),
+            Place::Radar(id) => write!(f, " radar `{id}`: {}", self.rule),
             Place::Material(name) => write!(f, " material `{name}`: {}", self.rule),
         }
     }
@@ -92,6 +93,8 @@ pub enum Place {
     Target(String),
     /// A piece of clutter, likewise.
     Clutter(String),
+    /// One of several radars, likewise.
+    Radar(String),
     /// A material, by its name.
     Material(String),
 }
@@ -248,7 +251,7 @@ pub enum Rule {
         allowed: Allowed,
     },
     /// A word that is not one of a list.
-    #[error("`{key}` cannot be `{found}`; it can be {}", words(.known))]
+    #[error("`{key}` cannot be `{found}`; it can be {}", quoted(.known))]
     UnknownWord {
         /// Its name.
         key: &'static str,
@@ -370,6 +373,20 @@ pub enum Rule {
         /// How many there are.
         lanes: usize,
     },
+    /// Several radars, and none was asked for.
+    #[error("the scene has several radars, and is read as one of them has it: {}", quoted(.known))]
+    WhichRadar {
+        /// Their names.
+        known: Vec<String>,
+    },
+    /// A radar that the scene does not have.
+    #[error("there is no radar `{found}`; {}", those_there(.known))]
+    UnknownRadar {
+        /// Asked for.
+        found: String,
+        /// Names of those there; none where `[radar]` is the only one.
+        known: Vec<String>,
+    },
     /// Neither a file of a known format nor one of the project's own.
     #[error("model `{found}` is neither a .glb, .gltf, .stl or .obj file nor one of the project's {own}{}", nearest_key(.nearest))]
     UnknownModel {
@@ -428,8 +445,15 @@ fn nearest_key(nearest: &Option<&'static str>) -> String {
     nearest.map_or(String::new(), |nearest| format!("; the nearest is `{nearest}`"))
 }
 
-fn words(known: &[&str]) -> String {
-    known.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ")
+fn quoted(words: &[impl fmt::Display]) -> String {
+    words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ")
+}
+
+fn those_there(radars: &[String]) -> String {
+    match radars {
+        [] => "the only one is that of [radar], without a name".to_owned(),
+        radars => format!("there are {}", quoted(radars)),
+    }
 }
 
 /// The word of `known` spelt most like `found`, if any is like it at all.

@@ -20,6 +20,8 @@ pub const TABLES: &[Table] = &[
     LINK,
     RECEIVER,
     INTERFERER,
+    RADAR_INTERSECTION,
+    RADARS,
     NOISE,
     DSP,
     FIDELITY,
@@ -42,6 +44,7 @@ pub(crate) const SCENE: Table = Table {
         "frames",
         "frame_interval_s",
         "radar",
+        "radars",
         "noise",
         "dsp",
         "fidelity",
@@ -66,6 +69,25 @@ pub(crate) const RADAR: Table = Table {
         "link",
         "receiver",
         "interferer",
+        "intersection",
+    ],
+};
+
+/// Each of the `[[radars]]`: what of `[radar]` is otherwise with it.
+pub(crate) const RADARS: Table = Table {
+    name: "radars",
+    heading: "[[radars]]",
+    keys: &[
+        "id",
+        "position_m",
+        "boresight_az_deg",
+        "boresight_el_deg",
+        "waveform",
+        "array",
+        "link",
+        "receiver",
+        "interferer",
+        "intersection",
     ],
 };
 
@@ -196,7 +218,14 @@ pub(crate) const ROAD: Table = Table {
 pub(crate) const INTERSECTION: Table = Table {
     name: "intersection",
     heading: "[intersection]",
-    keys: &["lane_centres_m", "lane_width_m", "crossing_width_m"],
+    keys: &["lane_centres_m", "lane_width_m", "lane_origin_m", "lane_azimuth_deg", "crossing_width_m"],
+};
+
+/// The lanes that one radar tells by.
+pub(crate) const RADAR_INTERSECTION: Table = Table {
+    name: "radar.intersection",
+    heading: "[radar.intersection]",
+    keys: &["lane_centres_m", "lane_width_m", "lane_origin_m", "lane_azimuth_deg"],
 };
 
 pub(crate) const TARGET: Table = Table {

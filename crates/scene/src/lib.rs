@@ -21,14 +21,15 @@
 //!     y_m = 40.0
 //!     velocity_mps = [0.0, -10.0, 0.0]
 //! "#)?;
-//! let scene = read(&file, &ReadOptions { model: None, meshes: Meshes::Whole })?;
+//! let whole = ReadOptions { model: None, radar: None, meshes: Meshes::Whole };
+//! let scene = read(&file, &whole)?;
 //! assert_eq!(scene.radar.virtual_channels(), 12);
 //! assert_eq!(scene.meshes[0].triangles.len(), 2);
 //! assert_eq!(snapshot(&scene, 1).poses[0].position_m, [5.75, 39.0, 0.0]);
 //!
 //! // Every broken rule is reported, each in its place.
 //! std::fs::write(&file, "name = \"crossing\"\nframes = 0\n[radar]\npositon_m = [0, 0, 6]\n")?;
-//! let errors = read(&file, &ReadOptions { model: None, meshes: Meshes::Whole }).unwrap_err();
+//! let errors = read(&file, &whole).unwrap_err();
 //! assert_eq!(errors.0.len(), 2);
 //! assert!(errors.to_string().ends_with("4:1: [radar]: unknown key `positon_m`; the nearest is `position_m`"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -44,6 +45,7 @@ mod keys;
 mod document;
 mod read;
 mod radar;
+mod radars;
 mod array;
 mod pattern_table;
 mod hardware;
@@ -67,4 +69,5 @@ pub use mesh::{MeshError, MeshOptions, centred, read_mesh};
 pub use motion::{bodies_in_view, frame_view, pose_after, snapshot, vehicles_in_view};
 pub use painted::{Painted, PaintedLine, painted_glb};
 pub use pattern_table::{PatternFileError, PatternRule};
+pub use radars::radars;
 pub use read::{Meshes, ReadOptions, inputs, read};

@@ -16,8 +16,7 @@ pub(crate) const COORDINATES_M: Allowed = Allowed::Between(-1e5, 1e5);
 const CUBE_LIMIT: u64 = 1 << 27;
 
 /// The radar of a scene, defaults where it says nothing.
-pub(crate) fn read_radar(root: &Section<'_>, models: &mut Models) -> Radar {
-    let section = root.section(&keys::RADAR);
+pub(crate) fn read_radar(section: &Section<'_>, models: &mut Models) -> Radar {
     let waveform_section = section.section(&keys::WAVEFORM);
     let receiver = section.section(&keys::RECEIVER);
     let words = [("complex", Sampling::Complex), ("real", Sampling::Real)];
@@ -25,8 +24,8 @@ pub(crate) fn read_radar(root: &Section<'_>, models: &mut Models) -> Radar {
     let (waveform, schedule) = read_waveform(&waveform_section, sampling);
     let mount = Mount {
         position_m: section.vector("position_m", COORDINATES_M).unwrap_or([0.0, 0.0, 6.0]),
-        boresight_az_rad: degrees(&section, "boresight_az_deg", 360.0),
-        boresight_el_rad: degrees(&section, "boresight_el_deg", 90.0),
+        boresight_az_rad: degrees(section, "boresight_az_deg", 360.0),
+        boresight_el_rad: degrees(section, "boresight_el_deg", 90.0),
         half_wavelength_m: 0.5 * waveform.wavelength_m(),
     };
     let array_section = section.section(&keys::ARRAY);
@@ -41,7 +40,7 @@ pub(crate) fn read_radar(root: &Section<'_>, models: &mut Models) -> Radar {
         hardware: Hardware::default(),
     };
     let elements = [radar.array.tx_m.len(), radar.array.rx_m.len()];
-    radar.hardware = read_hardware(&section, &receiver, &array_section, elements);
+    radar.hardware = read_hardware(section, &receiver, &array_section, elements);
     check_cube(&waveform_section, &radar);
     if radar.array.multiplexing == Multiplexing::Ddm && !radar.schedule.is_uniform() {
         waveform_section.note("stagger_us", Rule::StaggeredDivision);

@@ -6,7 +6,8 @@ use crate::keys;
 use crate::materials::{read_road, read_scene_materials};
 use crate::models::Models;
 use crate::radar::{read_frames, read_radar};
-use crate::settings::{read_dsp, read_fidelity, read_intersection, read_noise};
+use crate::radars::{self, read_name};
+use crate::settings::{read_dsp, read_fidelity, read_intersection, read_noise, read_own_road};
 use crate::targets::read_targets;
 use crate::traffic::read_traffic;
 use artifact::scene::SceneHeader;
@@ -19,6 +20,8 @@ pub struct ReadOptions {
     /// Takes the place of the model of every mesh target: a file or the name of one of the project's vehicles. Unlike
     /// the paths inside a scene this one starts at the working directory.
     pub model: Option<PathBuf>,
+    /// Through which of the scene's radars it is read; `None` where it has but one.
+    pub radar: Option<String>,
     /// Whether the models are opened.
     pub meshes: Meshes,
 }
@@ -75,15 +78,20 @@ fn read_with_models(path: &Path, options: &ReadOptions) -> Result<(SceneHeader, 
     }
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut models = Models::new(folder, options);
-    let header = read_header(&Section::root(document.get_ref(), &keys::SCENE, &faults), &mut models);
+    let asked = options.radar.as_deref();
+    let document = radars::through(document.get_ref(), asked);
+    let root = Section::root(&document, &keys::SCENE, &faults);
+    let name = read_name(&root, asked);
+    let header = SceneHeader { name, ..read_header(&root, &mut models) };
     let errors = faults.into_sorted();
     if errors.is_empty() { Ok((header, models)) } else { Err(SceneErrors(errors)) }
 }
 
 fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
-    let radar = read_radar(root, models);
+    let radar_section = root.section(&keys::RADAR);
+    let radar = read_radar(&radar_section, models);
     let (frames, frame_interval_s) = read_frames(root, &radar);
-    let (intersection, lanes) = read_intersection(root);
+    let (intersection, lanes) = read_intersection(&root.section(&keys::INTERSECTION), &radar);
     let targets = read_targets(root, &lanes, models);
     let recording = read_traffic(root, &radar, frame_interval_s, models);
     let recording = recording.filter(|_| models.are_opened());
@@ -93,14 +101,13 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let materials = read_scene_materials(root, models);
     let fidelity = read_fidelity(root);
     let (road, backscatter) = read_road(root, &radar, fidelity.echo);
-    root.require("name");
     SceneHeader {
-        name: root.name("name").unwrap_or_default().to_owned(),
+        name: String::new(),
         seed: root.integer("seed", SEEDS).unwrap_or(1),
         frames,
         frame_interval_s,
         noise: read_noise(root),
-        dsp: read_dsp(root, &radar.waveform, lanes),
+        dsp: read_dsp(root, &radar.waveform, read_own_road(&radar_section, &radar, &lanes)),
         fidelity,
         radar,
         intersection,

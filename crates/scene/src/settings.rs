@@ -3,14 +3,18 @@
 use crate::document::Section;
 use crate::errors::{Allowed, MapAxis, Rule};
 use crate::keys;
+use crate::radar::COORDINATES_M;
 use artifact::Accuracy;
 use artifact::paths::MAX_ORDER;
-use artifact::radar::{Sampling, Waveform};
+use artifact::radar::{Radar, Sampling, Waveform};
 use artifact::scene::Intersection;
 use artifact::settings::{
-    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lane, NodeRule, Noise, Refine, Sides, Surface,
-    Window,
+    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lane, Lanes, NodeRule, Noise, Refine, Sides,
+    Surface, Window,
 };
+
+/// Of Table 1.
+const LANE_WIDTH_M: f64 = 3.75;
 
 /// The receiver's noise; absent without `[noise]`.
 pub(crate) fn read_noise(root: &Section<'_>) -> Noise {
@@ -44,7 +48,7 @@ const DETECTORS: [(&str, Detector); 4] = [
 ];
 
 /// Signal processing for a map of this waveform.
-pub(crate) fn read_dsp(root: &Section<'_>, waveform: &Waveform, lanes: Vec<Lane>) -> DspSettings {
+pub(crate) fn read_dsp(root: &Section<'_>, waveform: &Waveform, road: Lanes) -> DspSettings {
     let section = root.section(&keys::DSP);
     let map = [waveform.chirps, waveform.range_cells() as u32];
     if waveform.sampling == Sampling::Real && section.text("refine") == Some("on") {
@@ -71,7 +75,7 @@ pub(crate) fn read_dsp(root: &Section<'_>, waveform: &Waveform, lanes: Vec<Lane>
         cluster_range_m: section.number("cluster_range_m", distance).unwrap_or(2.5),
         cluster_velocity_mps: section.number("cluster_velocity_mps", distance).unwrap_or(1.0),
         cluster_cross_m: section.number("cluster_cross_m", distance).unwrap_or(2.5),
-        lanes,
+        road,
     }
 }
 
@@ -151,16 +155,40 @@ pub(crate) fn read_fidelity(root: &Section<'_>) -> Fidelity {
     }
 }
 
-/// The road: the paper's Table 1 where the scene says nothing.
-pub(crate) fn read_intersection(root: &Section<'_>) -> (Intersection, Vec<Lane>) {
-    let section = root.section(&keys::INTERSECTION);
-    let width_m = section.number("lane_width_m", Allowed::Above(0.0, 100.0)).unwrap_or(3.75);
-    let centres = section.numbers("lane_centres_m", Allowed::Between(0.0, 32.0), Allowed::Between(-1e3, 1e3));
-    let centres = centres.unwrap_or(vec![2.0, 5.75, 9.5]);
-    check_lanes(&section, &centres, width_m);
-    let lanes = centres.iter().zip(1..).map(|(x, number)| Lane { number, centre_x_m: *x, width_m }).collect();
+/// The road: the paper's Table 1 where the scene says nothing. Without lanes it runs where the radar looks.
+pub(crate) fn read_intersection(section: &Section<'_>, radar: &Radar) -> (Intersection, Lanes) {
+    let width_m = LANE_WIDTH_M;
+    let lane = |(number, centre_m)| Lane { number, centre_m, width_m };
+    let table_1 = Lanes { lanes: [(1, 2.0), (2, 5.75), (3, 9.5)].map(lane).to_vec(), ..Lanes::default() };
     let crossing_m = section.number("crossing_width_m", Allowed::Between(0.0, 1e3)).unwrap_or(22.5);
-    (Intersection { width_m: crossing_m }, lanes)
+    (Intersection { width_m: crossing_m }, read_road(section, radar, &table_1))
+}
+
+/// The lanes that one radar is to tell by, where they are others than the scene's.
+pub(crate) fn read_own_road(radar_section: &Section<'_>, radar: &Radar, scenes: &Lanes) -> Lanes {
+    read_road(&radar_section.section(&keys::RADAR_INTERSECTION), radar, scenes)
+}
+
+fn read_road(section: &Section<'_>, radar: &Radar, default: &Lanes) -> Lanes {
+    let width_m = section.number("lane_width_m", Allowed::Above(0.0, 100.0));
+    let width_m = width_m.unwrap_or(default.lanes.first().map_or(LANE_WIDTH_M, |lane| lane.width_m));
+    let centres = section.numbers("lane_centres_m", Allowed::Between(0.0, 32.0), Allowed::Between(-1e3, 1e3));
+    let centres = centres.unwrap_or(default.lanes.iter().map(|lane| lane.centre_m).collect());
+    if section.exists() {
+        check_lanes(section, &centres, width_m);
+    }
+    let lanes: Vec<Lane> = centres.iter().zip(1..).map(|(m, number)| Lane { number, centre_m: *m, width_m }).collect();
+    let [x_m, y_m, _] = radar.position_m;
+    let (origin_m, azimuth_rad) = match lanes[..] {
+        [] => ([x_m, y_m], radar.boresight_az_rad),
+        _ => (default.origin_m, default.azimuth_rad),
+    };
+    let azimuth_deg = section.number("lane_azimuth_deg", Allowed::Between(-360.0, 360.0));
+    Lanes {
+        origin_m: section.vector("lane_origin_m", COORDINATES_M).unwrap_or(origin_m),
+        azimuth_rad: azimuth_deg.map_or(azimuth_rad, f64::to_radians),
+        lanes,
+    }
 }
 
 fn check_lanes(section: &Section<'_>, centres: &[f64], width_m: f64) {

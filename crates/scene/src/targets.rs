@@ -7,7 +7,7 @@ use crate::keys;
 use crate::models::Models;
 use crate::radar::COORDINATES_M;
 use artifact::scene::{Pose, Role, Target, TargetKind, Wheel};
-use artifact::settings::{Class, Lane};
+use artifact::settings::{Class, Lanes};
 
 /// Beyond the speed of sound nothing drives.
 pub(crate) const VELOCITIES_MPS: Allowed = Allowed::Between(-340.0, 340.0);
@@ -22,17 +22,18 @@ enum Kind {
 }
 
 /// The scene's targets, then its clutter; those that break a rule are noted and left out.
-pub(crate) fn read_targets(root: &Section<'_>, lanes: &[Lane], models: &mut Models) -> Vec<Target> {
+pub(crate) fn read_targets(root: &Section<'_>, road: &Lanes, models: &mut Models) -> Vec<Target> {
     let (sections, clutter) = (root.sections(&keys::TARGET), root.sections(&keys::CLUTTER));
     let ids = read_ids(&[&sections[..], &clutter[..]].concat());
     let (ids, ids_of_clutter) = ids.split_at(sections.len());
-    let targets = sections.iter().zip(ids).filter_map(|(section, id)| read_target(section, *id, lanes, models));
+    let targets = sections.iter().zip(ids).filter_map(|(section, id)| read_target(section, *id, road, models));
     let mut targets: Vec<Target> = targets.collect();
     targets.extend(read_clutter(&clutter, ids_of_clutter, models));
     targets
 }
 
-fn read_ids<'d>(sections: &[Section<'d>]) -> Vec<Option<&'d str>> {
+/// The `id` of each; noted are those without one and those that another has before them.
+pub(crate) fn read_ids<'d>(sections: &[Section<'d>]) -> Vec<Option<&'d str>> {
     let mut ids: Vec<Option<&str>> = vec![];
     for section in sections {
         section.require("id");
@@ -46,10 +47,10 @@ fn read_ids<'d>(sections: &[Section<'d>]) -> Vec<Option<&'d str>> {
     ids
 }
 
-fn read_target(section: &Section<'_>, id: Option<&str>, lanes: &[Lane], models: &mut Models) -> Option<Target> {
+fn read_target(section: &Section<'_>, id: Option<&str>, road: &Lanes, models: &mut Models) -> Option<Target> {
     section.require("kind");
     let kind = section.word("kind", &[("mesh", Kind::Mesh), ("point", Kind::Point)]);
-    let start = read_pose(section, lanes);
+    let start = read_pose(section, road);
     let kind = match kind? {
         Kind::Mesh => read_mesh_target(section, models),
         Kind::Point => read_point_target(section),
@@ -92,8 +93,8 @@ fn misplaced(section: &Section<'_>, keys: &[&'static str], owner: &'static str) 
     }
 }
 
-fn read_pose(section: &Section<'_>, lanes: &[Lane]) -> Option<Pose> {
-    let position_m = read_position(section, lanes);
+fn read_pose(section: &Section<'_>, road: &Lanes) -> Option<Pose> {
+    let position_m = read_position(section, road);
     let velocity_mps = section.vector("velocity_mps", VELOCITIES_MPS).unwrap_or([0.0; 3]);
     let acceleration_mps2 = section.vector("acceleration_mps2", ACCELERATIONS_MPS2).unwrap_or([0.0; 3]);
     let yaw = section.number("yaw_deg", Allowed::Between(-360.0, 360.0)).map(f64::to_radians);
@@ -106,8 +107,8 @@ fn yaw_along([vx, vy, _]: [f64; 3]) -> f64 {
     if vx == 0.0 && vy == 0.0 { -std::f64::consts::FRAC_PI_2 } else { vy.atan2(vx) }
 }
 
-/// `position_m`, or `lane` with `y_m`.
-fn read_position(section: &Section<'_>, lanes: &[Lane]) -> Option<[f64; 3]> {
+/// `position_m`, or `lane` with `y_m` along it.
+fn read_position(section: &Section<'_>, road: &Lanes) -> Option<[f64; 3]> {
     let position_m = section.vector("position_m", COORDINATES_M);
     let lane = section.integer("lane", Allowed::Between(1.0, 255.0));
     let y_m = section.number("y_m", COORDINATES_M);
@@ -122,13 +123,16 @@ fn read_position(section: &Section<'_>, lanes: &[Lane]) -> Option<[f64; 3]> {
         (false, false) => section.require("position_m"),
         (true, true) => {}
     }
-    position_m.or_else(|| Some([lane_centre_m(section, lanes, lane?)?, y_m?, 0.0]))
+    position_m.or_else(|| {
+        let [x_m, y_m] = road.world_m([lane_centre_m(section, road, lane?)?, y_m?]);
+        Some([x_m, y_m, 0.0])
+    })
 }
 
-fn lane_centre_m(section: &Section<'_>, lanes: &[Lane], lane: u64) -> Option<f64> {
-    let found = lanes.iter().find(|known| u64::from(known.number) == lane);
+fn lane_centre_m(section: &Section<'_>, road: &Lanes, lane: u64) -> Option<f64> {
+    let found = road.lanes.iter().find(|known| u64::from(known.number) == lane);
     if found.is_none() {
-        section.note("lane", Rule::UnknownLane { lane, lanes: lanes.len() });
+        section.note("lane", Rule::UnknownLane { lane, lanes: road.lanes.len() });
     }
-    found.map(|lane| lane.centre_x_m)
+    found.map(|lane| lane.centre_m)
 }

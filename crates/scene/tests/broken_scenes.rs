@@ -262,5 +262,5 @@ fn read_text(file: &Path, text: &str) -> Result<artifact::scene::SceneHeader, Sc
 }
 
 fn whole() -> ReadOptions {
-    ReadOptions { model: None, meshes: Meshes::Whole }
+    ReadOptions { model: None, radar: None, meshes: Meshes::Whole }
 }

@@ -9,7 +9,7 @@ use scene::street::Piece;
 use scene::{Meshes, ReadOptions, read, read_materials};
 use std::path::{Path, PathBuf};
 
-const OPTIONS: ReadOptions = ReadOptions { model: None, meshes: Meshes::Whole };
+const OPTIONS: ReadOptions = ReadOptions { model: None, radar: None, meshes: Meshes::Whole };
 const TARGET: &str = "[[target]]\nkind = \"mesh\"\nid = \"a\"\nmodel = \"car-sedan\"\nlane = 1\ny_m = 30.0\n";
 
 fn write(folder: &Path, name: &str, text: &str) -> PathBuf {

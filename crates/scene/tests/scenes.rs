@@ -9,8 +9,8 @@ use scene::{Meshes, ReadOptions, pose_after, snapshot};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::{Path, PathBuf};
 
-const WHOLE: ReadOptions = ReadOptions { model: None, meshes: Meshes::Whole };
-const NAMES_ONLY: ReadOptions = ReadOptions { model: None, meshes: Meshes::NamesOnly };
+const WHOLE: ReadOptions = ReadOptions { model: None, radar: None, meshes: Meshes::Whole };
+const NAMES_ONLY: ReadOptions = ReadOptions { model: None, radar: None, meshes: Meshes::NamesOnly };
 
 fn read_text(text: &str) -> SceneHeader {
     let folder = tempfile::tempdir().unwrap();
@@ -48,7 +48,7 @@ fn a_scene_of_a_name_alone_takes_the_documented_defaults() {
     let dsp = &scene.dsp;
     assert_eq!((dsp.range_window, dsp.doppler_window, dsp.false_alarm_rate), (Window::Hann, Window::Hann, 1e-5));
     assert_eq!((dsp.guard_cells, dsp.training_cells, dsp.assumed_height_m), ([2, 2], [4, 8], 0.75));
-    let lanes: Vec<_> = dsp.lanes.iter().map(|lane| (lane.number, lane.centre_x_m, lane.width_m)).collect();
+    let lanes: Vec<_> = dsp.road.lanes.iter().map(|lane| (lane.number, lane.centre_m, lane.width_m)).collect();
     assert_eq!(lanes, [(1, 2.0, 3.75), (2, 5.75, 3.75), (3, 9.5, 3.75)]);
     assert_eq!(scene.intersection.width_m, 22.5);
     let fidelity = scene.fidelity;
@@ -88,7 +88,7 @@ fn every_setting_is_taken_from_its_key() {
     assert_eq!((dsp.range_window, dsp.doppler_window), (Window::Chebyshev(60.0), Window::Rect));
     assert_eq!((dsp.false_alarm_rate, dsp.guard_cells, dsp.training_cells), (1e-3, [1, 3], [5, 6]));
     assert_eq!((dsp.cluster_range_m, dsp.cluster_velocity_mps, dsp.cluster_cross_m), (4.0, 2.0, 3.0));
-    assert_eq!((dsp.assumed_height_m, dsp.lanes.len(), scene.intersection.width_m), (1.0, 1, 10.0));
+    assert_eq!((dsp.assumed_height_m, dsp.road.lanes.len(), scene.intersection.width_m), (1.0, 1, 10.0));
     assert_close(scene.fidelity.accuracy.amplitude(), 0.01, 0.01);
     assert_eq!((scene.fidelity.bounces, scene.fidelity.sides), (2, Sides::One));
     assert_eq!((scene.fidelity.nodes, scene.fidelity.echo), (NodeRule::Exit, EchoMode::RcsTable));
@@ -334,7 +334,7 @@ fn an_option_replaces_the_model_of_every_mesh_target() {
         )
     };
     std::fs::write(&file, format!("name = \"test\"\n{}{}", mesh("a"), mesh("b"))).unwrap();
-    let options = ReadOptions { model: Some(sheet.clone()), meshes: Meshes::Whole };
+    let options = ReadOptions { model: Some(sheet.clone()), radar: None, meshes: Meshes::Whole };
     let scene = scene::read(&file, &options).unwrap();
     assert_eq!(scene.meshes.len(), 1);
     assert_eq!(scene.meshes[0].vertices_m[1], [2.0, -1.0, 1.0], "the scale belonged to the model that was replaced");
@@ -451,7 +451,7 @@ fn the_experiments_have_the_waveforms_of_table_2() {
         assert!((radar.waveform.range_max_m() - 61.397).abs() <= 0.5e-3, "{name}");
         let car = &scene.targets[0];
         assert_eq!((car.start.position_m, car.start.velocity_mps), ([5.75, 40.0, 0.0], [0.0, -10.0, 0.0]));
-        assert_eq!(scene.dsp.lane_at(car.start.position_m[0]), Some(2));
+        assert_eq!(scene.dsp.road.at(car.start.position_m), Some(2));
     }
 }
 
@@ -467,8 +467,9 @@ fn the_intersection_holds_one_vehicle_of_each_class_in_its_lanes() {
     assert_eq!(scene.targets.len(), 4);
     let mut lanes = std::collections::BTreeSet::new();
     for target in &scene.targets {
-        let Pose { position_m: [x_m, y_m, z_m], velocity_mps: [_, vy_mps, _], .. } = target.start;
-        lanes.insert(scene.dsp.lane_at(x_m).unwrap());
+        let Pose { position_m, velocity_mps: [_, vy_mps, _], .. } = target.start;
+        let [_, y_m, z_m] = position_m;
+        lanes.insert(scene.dsp.road.at(position_m).unwrap());
         assert!((25.0..=55.0).contains(&y_m) && z_m == 0.0, "{}", target.id);
         assert!((-10.0..=-0.5).contains(&vy_mps), "{} approaches", target.id);
     }
@@ -477,10 +478,14 @@ fn the_intersection_holds_one_vehicle_of_each_class_in_its_lanes() {
 
 #[test]
 fn the_projects_scenes_read_whole() {
-    for name in ["experiment-1", "experiment-2", "experiment-3", "intersection", "traffic"] {
-        let scene = scene::read(&scenes_folder().join(format!("{name}.toml")), &WHOLE);
-        let scene = scene.unwrap_or_else(|errors| panic!("{errors}"));
-        assert!(scene.meshes.iter().all(|mesh| !mesh.triangles.is_empty()), "{name}");
+    for name in ["experiment-1", "experiment-2", "experiment-3", "intersection", "four-directions", "traffic"] {
+        let file = scenes_folder().join(format!("{name}.toml"));
+        let radars = scene::radars(&file).unwrap().into_iter().map(Some);
+        for radar in radars.chain([None]).take_while(|radar| name != "four-directions" || radar.is_some()) {
+            let scene = scene::read(&file, &ReadOptions { radar, ..WHOLE });
+            let scene = scene.unwrap_or_else(|errors| panic!("{errors}"));
+            assert!(scene.meshes.iter().all(|mesh| !mesh.triangles.is_empty()), "{name}");
+        }
     }
 }
 

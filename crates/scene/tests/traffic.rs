@@ -17,7 +17,7 @@ use std::fmt::Write as _;
 use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
-const WHOLE: ReadOptions = ReadOptions { model: None, meshes: Meshes::Whole };
+const WHOLE: ReadOptions = ReadOptions { model: None, radar: None, meshes: Meshes::Whole };
 
 /// A sheet of 4 × 2 m: a body whose front is 2 m before its origin.
 const SHEET: &str = "v 0 0 0\nv 4 0 0.5\nv 4 2 0.5\nv 0 2 0\nf 1 2 3 4\n";

@@ -19,7 +19,7 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     let reader = Reader::<Cube>::open(&arguments.cube)?;
     let mut header = reader.header().clone();
     if let Some(file) = &arguments.scene {
-        header.dsp = load::radar_only(file)?.dsp;
+        header.dsp = load::radar_only(file, arguments.radar.as_deref())?.dsp;
     }
     let from = provenance_of(&reader, &header);
     let stem = arguments.cube.file_stem().unwrap_or_default().to_string_lossy().into_owned();

@@ -15,7 +15,7 @@ use num_complex::Complex32;
 use std::path::Path;
 
 pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
-    let scene = load::radar_only(&arguments.scene)?;
+    let scene = load::radar_only(&arguments.scene, arguments.radar.as_deref())?;
     let header = cube_header(&scene);
     let file = arguments.array.as_path();
     if arguments.step.is_some_and(|step| !(step.is_finite() && step > 0.0)) {

@@ -23,9 +23,10 @@ pub(crate) struct LoadedScene {
 /// Reads the scene, or takes it from the cache where no file that it reads has changed.
 pub(crate) fn scene(arguments: &SceneArguments, cache: Option<&Cache>) -> Result<LoadedScene, Failure> {
     let start = Instant::now();
-    let options = scene::ReadOptions { model: arguments.model.clone(), meshes: scene::Meshes::Whole };
+    let (model, radar) = (arguments.model.clone(), arguments.radar.clone());
+    let options = scene::ReadOptions { model, radar, meshes: scene::Meshes::Whole };
     let files = hashed(&scene::inputs(&arguments.scene, &options).map_err(of_scene)?)?;
-    let key = keys::scene(&files, &arguments.model);
+    let key = keys::scene(&files, &(&arguments.model, &arguments.radar));
     let known = cache.and_then(|c| known(c, &key));
     let cached = known.is_some();
     let mut header = match known {
@@ -35,13 +36,21 @@ pub(crate) fn scene(arguments: &SceneArguments, cache: Option<&Cache>) -> Result
     if let (Some(cache), false) = (cache, cached) {
         keep(cache, &key, &header);
     }
-    header.seed = arguments.seed.unwrap_or(header.seed);
+    header.seed = seed(arguments.seed.unwrap_or(header.seed), arguments.radar.as_deref());
     Ok(LoadedScene { header, cached, seconds: start.elapsed().as_secs_f64(), files })
 }
 
-/// Radar and settings of a scene, its models unopened.
-pub(crate) fn radar_only(file: &Path) -> Result<SceneHeader, Failure> {
-    let options = scene::ReadOptions { model: None, meshes: scene::Meshes::NamesOnly };
+/// Each of several radars has noise of its own. Of 53 bits: readers of JSON that know but f64 keep them all.
+fn seed(of_scene: u64, radar: Option<&str>) -> u64 {
+    let Some(id) = radar else { return of_scene };
+    let key = artifact::seed::key(of_scene, &format!("xtask/radar/{id}"), &[]);
+    u64::from_le_bytes(std::array::from_fn(|i| key[i])) >> 11
+}
+
+/// A radar and settings of a scene, its models unopened.
+pub(crate) fn radar_only(file: &Path, radar: Option<&str>) -> Result<SceneHeader, Failure> {
+    let radar = radar.map(str::to_owned);
+    let options = scene::ReadOptions { model: None, radar, meshes: scene::Meshes::NamesOnly };
     scene::read(file, &options).map_err(of_scene)
 }
 

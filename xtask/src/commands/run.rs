@@ -2,8 +2,8 @@
 
 use super::load::{self, LoadedScene};
 use crate::cache::Cache;
-use crate::chain::{Chain, FrameProducts};
-use crate::cli::RunArguments;
+use crate::chain::{Chain, FrameProducts, LoadedModel};
+use crate::cli::{RunArguments, SceneArguments};
 use crate::expectation;
 use crate::failure::Failure;
 use crate::output;
@@ -11,6 +11,7 @@ use crate::plan::FramePlan;
 use crate::products::{Figures, Products};
 use crate::progress;
 use crate::report;
+use crate::several_radars::{self, Told};
 use crate::stages::Stage;
 use crate::sub_frames;
 use crate::summary;
@@ -21,9 +22,54 @@ use std::time::Instant;
 
 pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let cache = (!arguments.no_cache).then(|| Cache::open(&arguments.cache));
-    let loaded = load::scene(&arguments.scene, cache.as_ref())?;
     let model = load::model(arguments.classifier.as_deref())?;
-    let chain = Chain::of(&loaded.header, cache.as_ref(), model.as_ref());
+    let runs = runs(arguments)?;
+    // All before the first is computed: what is wrong with the last radar is said at once.
+    let load = |run: &Run| load::scene(&run.scene, cache.as_ref());
+    let loaded: Vec<LoadedScene> = runs.iter().map(load).collect::<Result<_, _>>()?;
+    let mut told = vec![];
+    for (run, loaded) in runs.iter().zip(&loaded) {
+        if runs.len() > 1 {
+            output::line(format!("radar {}", run.scene.radar.as_deref().unwrap_or_default()));
+        }
+        told.extend(one_radar(arguments, loaded, cache.as_ref(), model.as_ref(), run.out.as_deref())?);
+    }
+    let is_of_all = arguments.scene.radar.is_none() && runs.iter().all(|run| run.scene.radar.is_some());
+    if is_of_all && !told.is_empty() { several_radars::conclude(&told) } else { Ok(()) }
+}
+
+/// The scene through one radar, and where all of it goes.
+struct Run {
+    scene: SceneArguments,
+    /// `None`: under the scene's name.
+    out: Option<PathBuf>,
+}
+
+/// One run; or, where the scene has several radars and none is asked for, one for each.
+fn runs(arguments: &RunArguments) -> Result<Vec<Run>, Failure> {
+    let radars = match arguments.scene.radar {
+        Some(_) => vec![],
+        None => scene::radars(&arguments.scene.scene).map_err(load::of_scene)?,
+    };
+    if radars.is_empty() {
+        return Ok(vec![Run { scene: arguments.scene.clone(), out: arguments.out.clone() }]);
+    }
+    let run = |id: String| {
+        let out = arguments.out.as_ref().map(|out| out.join(&id));
+        Run { scene: SceneArguments { radar: Some(id), ..arguments.scene.clone() }, out }
+    };
+    Ok(radars.into_iter().map(run).collect())
+}
+
+/// Everything that is known through one radar; `None` where it is only told what would be done.
+fn one_radar(
+    arguments: &RunArguments,
+    loaded: &LoadedScene,
+    cache: Option<&Cache>,
+    model: Option<&LoadedModel>,
+    out: Option<&Path>,
+) -> Result<Option<Told>, Failure> {
+    let chain = Chain::of(&loaded.header, cache, model);
     let plans: Vec<FramePlan> = (0..loaded.header.frames).map(|i| chain.plan(i)).collect();
     if arguments.explain {
         let verdict = if loaded.cached { "cached" } else { "runs: a file it reads is new or changed" };
@@ -31,17 +77,19 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         plans.iter().for_each(FramePlan::explain);
     }
     if arguments.dry_run {
-        return expectation::tell(&chain, cache.as_ref(), &plans);
+        expectation::tell(&chain, cache, &plans)?;
+        return Ok(None);
     }
-    let out = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(&loaded.header.name));
+    let out = out.map_or_else(|| PathBuf::from("out").join(&loaded.header.name), Path::to_owned);
     let start = Instant::now();
-    let (computed, figures) = compute(&chain, &loaded, &plans, &out)?;
+    let (computed, figures) = compute(&chain, loaded, &plans, &out)?;
     let frames_seconds = start.elapsed().as_secs_f64();
-    if let Some(cache) = &cache {
+    if let Some(cache) = cache {
         expectation::learn(cache, &chain, &computed.frames);
         cache.trim();
     }
-    conclude(&loaded, computed, frames_seconds, &figures, &out)
+    let summary = conclude(loaded, computed, frames_seconds, &figures, &out)?;
+    Ok(Some(Told { summary, seen: figures.seen, out }))
 }
 
 /// What `summary.json` tells of all frames.
@@ -122,7 +170,7 @@ fn conclude(
     frames_seconds: f64,
     figures: &Figures,
     out: &Path,
-) -> Result<(), Failure> {
+) -> Result<Value, Failure> {
     let mut root: Map<String, Value> = summary::head(&loaded.header);
     root.insert("frames_seconds".into(), frames_seconds.into());
     root.insert("metrics".into(), computed.metrics);
@@ -133,5 +181,5 @@ fn conclude(
     report::write(&root, figures, out)?;
     summary::tell(&root);
     output::line(format!("report: {}", out.join("report.html").display()));
-    Ok(())
+    Ok(root)
 }

@@ -17,6 +17,11 @@ impl Axis {
         self.start_px + (value - self.from) / (self.to - self.from) * (self.end_px - self.start_px)
     }
 
+    /// Whether a pixel lies between its ends.
+    pub(crate) fn holds(&self, pixel: f64) -> bool {
+        (self.start_px.min(self.end_px)..=self.start_px.max(self.end_px)).contains(&pixel)
+    }
+
     /// Round numbers inside, about one every 70 pixels.
     pub(crate) fn ticks(&self) -> Vec<f64> {
         let (low, high) = (self.from.min(self.to), self.from.max(self.to));

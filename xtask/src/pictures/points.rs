@@ -15,9 +15,9 @@ struct View {
 }
 
 const VIEWS: [View; 3] = [
-    View { labels: ["x across, m", "y along, m"], coordinates: [0, 1], corner: [60.0, 30.0], size: [240.0, 390.0] },
-    View { labels: ["y along, m", "z up, m"], coordinates: [1, 2], corner: [380.0, 30.0], size: [350.0, 155.0] },
-    View { labels: ["x across, m", "z up, m"], coordinates: [0, 2], corner: [380.0, 265.0], size: [350.0, 155.0] },
+    View { labels: ["across, m", "along, m"], coordinates: [0, 1], corner: [60.0, 30.0], size: [240.0, 390.0] },
+    View { labels: ["along, m", "z up, m"], coordinates: [1, 2], corner: [380.0, 30.0], size: [350.0, 155.0] },
+    View { labels: ["across, m", "z up, m"], coordinates: [0, 2], corner: [380.0, 265.0], size: [350.0, 155.0] },
 ];
 
 /// From above, from the side, from the radar.
@@ -29,11 +29,17 @@ pub(super) fn draw(header: &CubeHeader, frame: &PointsFrame) -> Svg {
         sheet.words([view.corner[0] + 4.0, view.corner[1] - 8.0], 12.0, "start", words);
         let [i, j] = view.coordinates;
         for point in &frame.points {
-            let place = [axes.x.at(point.position_m[i]), axes.y.at(point.position_m[j])];
-            sheet.disc(colour(point), place, 2.6);
+            let at_m = on_road(header, point);
+            sheet.disc(colour(point), [axes.x.at(at_m[i]), axes.y.at(at_m[j])], 2.6);
         }
     }
     sheet
+}
+
+/// Across and along the road, and up.
+fn on_road(header: &CubeHeader, point: &Point) -> [f64; 3] {
+    let [across_m, along_m] = header.dsp.road.across_along_m(point.position_m);
+    [across_m, along_m, point.position_m[2]]
 }
 
 fn colour(point: &Point) -> &'static str {
@@ -52,9 +58,9 @@ fn axes(header: &CubeHeader, frame: &PointsFrame, view: &View) -> Axes {
 
 /// What is always shown (lanes, range, heights of vehicles) and whatever points lie beyond.
 fn span(header: &CubeHeader, frame: &PointsFrame, coordinate: usize) -> (f64, f64) {
-    let lanes = header.dsp.lanes.iter().map(|l| l.centre_x_m + l.width_m);
+    let lanes = header.dsp.road.lanes.iter().map(|l| l.centre_m + l.width_m);
     let usual =
         [(-4.0, lanes.fold(4.0, f64::max)), (0.0, header.radar.waveform.range_max_m()), (-0.5, 6.5)][coordinate];
-    let values = frame.points.iter().map(|p| p.position_m[coordinate]).filter(|v| v.is_finite());
+    let values = frame.points.iter().map(|p| on_road(header, p)[coordinate]).filter(|v| v.is_finite());
     values.fold(usual, |(low, high), v| (low.min(v), high.max(v)))
 }

@@ -12,6 +12,27 @@ const STYLE: &str = include_str!("style.css");
 pub(super) fn page(summary: &Value, figures: &Figures) -> String {
     let name = summary["scene"].as_str().unwrap_or_default();
     let frames: Vec<&Value> = summary["frames"].as_array().into_iter().flatten().collect();
+    sheet(
+        name,
+        html! {
+            p.lead { (lead(&frames)) }
+            (tables::radar(&summary["radar"], &frames))
+            @if frames.len() > 1 { (tracks::section(&summary["metrics"])) }
+            @if !figures.strip.is_empty() { (strip(&frames, figures)) }
+            @for (number, frame) in frames.iter().take(FRAMES_TOLD).enumerate() {
+                (section(number, frame, figures.frames.get(number)))
+            }
+            @if frames.len() > FRAMES_TOLD {
+                p { "Frames " (FRAMES_TOLD) " to " (frames.len() - 1) " stand in summary.json." }
+            }
+            footer { "Seed " (summary["seed"]) ". Ranges and velocities of the truth are power-weighted means over each "
+                "target's echo; signs, axes and units as in docs/conventions.md." }
+        },
+    )
+}
+
+/// A page of this name around its content.
+pub(super) fn sheet(name: &str, content: Markup) -> String {
     let markup = html! {
         (DOCTYPE)
         html lang="en" {
@@ -23,18 +44,7 @@ pub(super) fn page(summary: &Value, figures: &Figures) -> String {
             }
             body {
                 h1 { (name) }
-                p.lead { (lead(&frames)) }
-                (tables::radar(&summary["radar"], &frames))
-                @if frames.len() > 1 { (tracks::section(&summary["metrics"])) }
-                @if !figures.strip.is_empty() { (strip(&frames, figures)) }
-                @for (number, frame) in frames.iter().take(FRAMES_TOLD).enumerate() {
-                    (section(number, frame, figures.frames.get(number)))
-                }
-                @if frames.len() > FRAMES_TOLD {
-                    p { "Frames " (FRAMES_TOLD) " to " (frames.len() - 1) " stand in summary.json." }
-                }
-                footer { "Seed " (summary["seed"]) ". Ranges and velocities of the truth are power-weighted means over each "
-                    "target's echo; signs, axes and units as in docs/conventions.md." }
+                (content)
             }
         }
     };
@@ -88,6 +98,7 @@ fn section(number: usize, frame: &Value, figures: Option<&FrameFigures>) -> Mark
     }
 }
 
-fn figure(caption: &str, picture: &Svg) -> Markup {
+/// A picture and what it shows.
+pub(super) fn figure(caption: &str, picture: &Svg) -> Markup {
     html! { figure { div.sheet { (PreEscaped(picture.text())) } figcaption { (caption) } } }
 }

@@ -185,7 +185,7 @@ fn own_vehicles() -> Vec<(String, Mesh)> {
 /// The header that random frames fill with one vehicle.
 fn experiment_1() -> artifact::scene::SceneHeader {
     let place = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/experiment-1.toml");
-    let options = scene::ReadOptions { model: None, meshes: scene::Meshes::NamesOnly };
+    let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
     scene::read(std::path::Path::new(place), &options).unwrap()
 }
 

@@ -1,5 +1,6 @@
 //! The geometry of one instant: every facet of every body in world metres, and each body's hierarchy in its own frame.
 
+use crate::bodies::deaf_side::DeafSide;
 use crate::bodies::motion::{Motion, position_m};
 use crate::bodies::road::below;
 use crate::error::BartError;
@@ -41,7 +42,7 @@ pub struct World {
 }
 
 impl World {
-    /// Every mesh target of a frame, `seconds_into_frame` after the frame's first sample.
+    /// Every mesh target of a frame that antennas have gain towards, `seconds_into_frame` after the frame's first sample.
     ///
     /// Builds the hierarchies of all meshes: for many frames build [`Models`] once and use [`World::posed`].
     pub fn at(header: &SceneHeader, frame: &SceneFrame, seconds_into_frame: f64) -> Result<Self, BartError> {
@@ -62,7 +63,10 @@ impl World {
         let mut bodies = Vec::new();
         for (index, (target, pose)) in (0..).zip(header.targets.iter().zip(&frame.poses)) {
             if let Some(model) = models.of(target)? {
-                bodies.push(Body::posed(index, model, pose, seconds_into_frame, &target.id)?);
+                let body = Body::posed(index, model, pose, seconds_into_frame, &target.id)?;
+                if body.is_heard(header) {
+                    bodies.push(body);
+                }
             }
         }
         let world = Self::of_bodies(bodies, None)?.with_sheets(header.materials.transmission);
@@ -453,6 +457,18 @@ impl Body {
         }
         let world_from_body = DMat3::from_rotation_z(pose.yaw_rad);
         Ok(Self { target, mesh, world_from_body, position_m, motion, first_facet: 0 })
+    }
+
+    /// Whether antennas have gain towards any of it, or of its image below the road, during a frame.
+    fn is_heard(&self, header: &SceneHeader) -> bool {
+        let speed_mps = self.motion.velocity_mps.length()
+            + self.motion.acceleration_mps2.length() * header.radar.frame_duration_s();
+        let Some(deaf) = DeafSide::of(&header.radar, speed_mps) else { return true };
+        let is_on = |body: &Self| {
+            let corners = body.mesh.skin.triangles_m.iter().flatten();
+            deaf.holds(corners.map(|corner| body.position_m + body.world_from_body * *corner))
+        };
+        !is_on(self) || (header.road.is_some() && !is_on(&self.below_road()))
     }
 
     /// Its image in the plane z = 0; windings turn over with it.

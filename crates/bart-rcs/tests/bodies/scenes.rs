@@ -5,7 +5,8 @@ use artifact::material::MaterialMap;
 use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
 use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
-    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, NodeRule, Noise, Refine, Sides, Surface, Window,
+    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise, Refine, Sides, Surface,
+    Window,
 };
 
 const RADAR_M: [f64; 3] = [0.0, 0.0, 6.0];
@@ -89,7 +90,7 @@ fn dsp() -> DspSettings {
         cluster_range_m: 1.0,
         cluster_velocity_mps: 1.0,
         cluster_cross_m: 2.0,
-        lanes: Vec::new(),
+        road: Lanes::default(),
     }
 }
 

@@ -6,7 +6,7 @@ use artifact::ErrorBudget;
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
 use artifact::seed::key;
-use artifact::settings::{Angle, Detector, DspSettings, Lane, Noise, Refine, Window};
+use artifact::settings::{Angle, Detector, DspSettings, Lane, Lanes, Noise, Refine, Window};
 use artifact::units::{BOLTZMANN_J_PER_K, SPEED_OF_LIGHT_MPS, power_from_db};
 use num_complex::{Complex32, Complex64};
 use rand::{Rng, SeedableRng};
@@ -117,9 +117,12 @@ pub fn settings() -> DspSettings {
         cluster_range_m: 2.5,
         cluster_velocity_mps: 1.0,
         cluster_cross_m: 2.5,
-        lanes: [(1, 2.0), (2, 5.75), (3, 9.5)]
-            .map(|(number, centre_x_m)| Lane { number, centre_x_m, width_m: 3.75 })
-            .to_vec(),
+        road: Lanes {
+            lanes: [(1, 2.0), (2, 5.75), (3, 9.5)]
+                .map(|(number, centre_m)| Lane { number, centre_m, width_m: 3.75 })
+                .to_vec(),
+            ..Lanes::default()
+        },
     }
 }
 

@@ -95,6 +95,8 @@ fn part_of_cube<T: Scalar>(listener: &Listener<'_>, paths: &[Path], error: f64) 
     let mut alone: Vec<Path> = on_rims.into_iter().copied().collect();
     for group in &groups {
         match &group.smooth {
+            // Nothing is heard of a group that the antennas' pattern leaves out.
+            Some(smooth) if smooth.instants.is_empty() => {}
             Some(smooth) => add_group(listener, group, smooth, &links, error, &mut of_links),
             None => alone.extend(group.paths.iter().copied()),
         }

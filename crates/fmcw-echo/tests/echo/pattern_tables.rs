@@ -2,10 +2,11 @@
 
 use crate::setting::*;
 use crate::three_sums::the_three_sums_agree;
+use artifact::Accuracy;
 use artifact::radar::{Multiplexing, Pattern, PatternTable, Radar};
 use artifact::settings::Noise;
 use fmcw_echo::direct_sum::DirectSum;
-use fmcw_echo::{EchoError, synthesize};
+use fmcw_echo::{EchoError, fast_sum, synthesize};
 use std::f64::consts::PI;
 
 /// Table of cos²: amplitude cos²(az)·cos²(el) of the front, in even steps.
@@ -70,6 +71,18 @@ fn behind_a_table_of_the_front_nothing_is_heard_and_a_table_with_a_back_hears_it
     let (half, one) = (level(around(0.5)), level(around(1.0)));
     // Elements lie up to 0.02 m aside, 7e-4 rad at 30 m, and the parabola 1 − ½(az/π)² falls by 1/π a radian.
     assert!((half / one - 0.25).abs() < 1e-3 * 0.25, "{}", half / one);
+}
+
+#[test]
+fn a_whole_body_behind_the_array_adds_nothing_to_the_fast_sum() {
+    let radar = with(Pattern::Cosine { exponent: 2.0 }, Multiplexing::Simultaneous);
+    let f_c = radar.waveform.centre_frequency_hz();
+    let (ahead, behind) =
+        (body(84, 300, [5.75, 40.0, 0.7], [0.0, -10.0, 0.0]), body(85, 300, [0.0, -20.0, 0.7], [0.0, 5.0, 0.0]));
+    let behind: Vec<_> = behind.into_iter().map(|path| artifact::paths::Path { target: 1, ..path }).collect();
+    let sum = |paths: &[_]| fast_sum::cube(&radar, f_c, paths, Accuracy::from_db(-60.0));
+    assert_eq!(sum(&[&ahead[..], &behind].concat()), sum(&ahead));
+    assert!(sum(&behind).iter().all(|value| value.norm() == 0.0));
 }
 
 #[test]

@@ -44,7 +44,7 @@ impl Recipe {
         let refused = |rule: String| Failure::Refused(format!("{}: {rule}", file.display()));
         let document: Document = toml::from_str(&text).map_err(|e| refused(e.to_string()))?;
         let scene = file.parent().unwrap_or(Path::new(".")).join(&document.scene);
-        let base = load::radar_only(&scene)?;
+        let base = load::radar_only(&scene, None)?;
         check(&document, &base).map_err(refused)?;
         Ok(Self {
             inputs: load::hashed(&[file.to_owned(), scene])?,
@@ -67,7 +67,7 @@ fn check(document: &Document, base: &SceneHeader) -> Result<(), String> {
             return Err(format!("{name} must be [least, greatest], positive, is [{low}, {high}]"));
         }
     }
-    let known = |lane: &u8| base.dsp.lanes.iter().any(|l| l.number == *lane);
+    let known = |lane: &u8| base.dsp.road.lanes.iter().any(|l| l.number == *lane);
     if document.lanes.is_empty() || !document.lanes.iter().all(known) {
         return Err(format!("lanes must be some of the scene's, are {:?}", document.lanes));
     }

@@ -64,7 +64,7 @@ pub(super) fn shoot(recipe: &Recipe, drawn: &Drawn, shard: &Path) -> Result<Shot
     let products = chain.frame(&chain.plan(0))?;
     let truths = truth::truths(&header, &products.result.scene, products.result.paths.as_ref());
     let objects = &products.result.points.objects;
-    let object = truth::assign(&truths, objects)[0].map(|o| &objects[o]);
+    let object = truth::assign(&header.dsp.road, &truths, objects)[0].map(|o| &objects[o]);
     let sample = object.map(|object| sample(drawn, &chain, &products, object, &truths[0], recipe.seed)).transpose()?;
     Ok(Shot { line: line(drawn, &truths[0], object, &products, shard, recipe.seed), sample })
 }
@@ -74,14 +74,18 @@ fn header(recipe: &Recipe, drawn: &Drawn) -> Result<SceneHeader, Failure> {
     let mesh = scene::vehicles::mesh(&drawn.model, drawn.vehicle_seed);
     let mesh = mesh.ok_or_else(|| Failure::refused(format!("`{}` is none of the project's vehicles", drawn.model)))?;
     let mesh = Mesh { makeup: recipe.base.materials.makeup(&mesh.materials), ..mesh };
-    let [radar_x, radar_y, radar_z] = recipe.base.radar.position_m;
-    let lane = recipe.base.dsp.lanes.iter().find(|l| l.number == drawn.lane);
-    let x_m = lane.map_or(radar_x, |l| l.centre_x_m);
-    let along = (drawn.range_m.powi(2) - radar_z.powi(2) - (x_m - radar_x).powi(2)).max(1.0).sqrt();
+    let (radar, road) = (&recipe.base.radar, &recipe.base.dsp.road);
+    let [radar_across_m, radar_along_m] = road.across_along_m(radar.position_m);
+    let lane = road.lanes.iter().find(|l| l.number == drawn.lane);
+    let across_m = lane.map_or(radar_across_m, |l| l.centre_m);
+    let sideways_m2 = radar.position_m[2].powi(2) + (across_m - radar_across_m).powi(2);
+    let away_m = (drawn.range_m.powi(2) - sideways_m2).max(1.0).sqrt();
+    let [x_m, y_m] = road.world_m([across_m, radar_along_m + away_m]);
+    let (sin, cos) = road.azimuth_rad.sin_cos();
     let start = Pose {
-        position_m: [x_m, radar_y + along, 0.0],
-        yaw_rad: -std::f64::consts::FRAC_PI_2,
-        velocity_mps: [0.0, -drawn.speed_mps, 0.0],
+        position_m: [x_m, y_m, 0.0],
+        yaw_rad: -std::f64::consts::FRAC_PI_2 - road.azimuth_rad,
+        velocity_mps: [-drawn.speed_mps * sin, -drawn.speed_mps * cos, 0.0],
         acceleration_mps2: [0.0; 3],
     };
     let kind = TargetKind::Mesh { class: Some(drawn.class), model: drawn.model.clone(), mesh: 0 };

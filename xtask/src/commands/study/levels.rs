@@ -89,7 +89,8 @@ fn wide(header: SceneHeader) -> Result<SceneHeader, Failure> {
 
 fn intersection() -> Result<SceneHeader, Failure> {
     let file = project_root().join("scenes/intersection.toml");
-    let header = scene::read(&file, &ReadOptions { model: None, meshes: Meshes::Whole }).map_err(Failure::refused)?;
+    let header = scene::read(&file, &ReadOptions { model: None, radar: None, meshes: Meshes::Whole })
+        .map_err(Failure::refused)?;
     Ok(SceneHeader { noise: Noise::Absent, ..header })
 }
 

@@ -18,7 +18,7 @@ pub(super) fn scene_of(words: &str) -> Result<SceneHeader, Failure> {
     // The folder's name is another in every run; it is left out of what a page quotes.
     let named =
         |e: scene::SceneErrors| Failure::refused(e.to_string().replace(&format!("{}/", folder.path().display()), ""));
-    scene::read(&file, &ReadOptions { model: None, meshes: Meshes::Whole }).map_err(named)
+    scene::read(&file, &ReadOptions { model: None, radar: None, meshes: Meshes::Whole }).map_err(named)
 }
 
 /// The scene with one more body; its front turned to −y, to the radar, as that of an approaching vehicle.

@@ -1,0 +1,38 @@
+//! Bodies that the antennas have no gain towards: a frame is made without them.
+//!
+//! Their echoes are zeros, and they hide nothing that is heard: between the antennas and a place ahead there is nothing that is
+//! behind. Left out with them are ways from a body ahead over one behind to a body ahead again, of three bounces and more.
+
+use crate::geometry::plane::Plane;
+use artifact::Radar;
+use glam::DVec3;
+
+/// Where nothing is heard, if there is such a side.
+pub(crate) struct DeafSide {
+    /// Through the middle of the array, positive ahead.
+    aperture: Plane,
+    /// Elements stand off it by at most this, as does what moves during a frame.
+    slack_m: f64,
+}
+
+impl DeafSide {
+    /// `fastest_mps` is the speed of what moves.
+    pub(crate) fn of(radar: &Radar, fastest_mps: f64) -> Option<Self> {
+        if radar.array.pattern.hears_behind() {
+            return None;
+        }
+        let (sin_az, cos_az) = radar.boresight_az_rad.sin_cos();
+        let (sin_el, cos_el) = radar.boresight_el_rad.sin_cos();
+        let normal = DVec3::new(sin_az * cos_el, cos_az * cos_el, sin_el);
+        let centre = DVec3::from_array(radar.position_m);
+        let elements = radar.array.tx_m.iter().chain(&radar.array.rx_m);
+        let aside = elements.map(|at_m| normal.dot(DVec3::from_array(*at_m) - centre).abs()).fold(0.0, f64::max);
+        let slack_m = aside + fastest_mps * radar.frame_duration_s();
+        Some(Self { aperture: Plane { normal, offset_m: normal.dot(centre) }, slack_m })
+    }
+
+    /// Whether all of these places are on it.
+    pub(crate) fn holds(&self, mut places_m: impl Iterator<Item = DVec3>) -> bool {
+        places_m.all(|at_m| self.aperture.distance_m(at_m) < -self.slack_m)
+    }
+}

@@ -1,0 +1,102 @@
+//! What several radars of one scene saw, side by side: `summary.json` and `report.html` above the folders of each.
+
+use crate::failure::Failure;
+use crate::output;
+use crate::pictures::{self, Svg, common_view};
+use crate::products::Seen;
+use crate::report;
+use serde_json::{Map, Value, json};
+use std::path::{Path, PathBuf};
+
+/// A finished run through one radar.
+pub(crate) struct Told {
+    /// Its `summary.json`.
+    pub(crate) summary: Value,
+    /// Its first frames.
+    pub(crate) seen: Vec<Seen>,
+    /// Its folder; the last name is the radar's.
+    pub(crate) out: PathBuf,
+}
+
+impl Told {
+    fn id(&self) -> &str {
+        self.out.file_name().and_then(|name| name.to_str()).unwrap_or_default()
+    }
+
+    fn frames(&self) -> &[Value] {
+        self.summary["frames"].as_array().map_or(&[], Vec::as_slice)
+    }
+}
+
+/// Writes what the radars have in common, one folder above theirs.
+pub(crate) fn conclude(radars: &[Told]) -> Result<(), Failure> {
+    let out = radars[0].out.parent().unwrap_or(Path::new(""));
+    let summary = summary(radars);
+    let text = serde_json::to_string_pretty(&summary).map_err(Failure::refused)?;
+    let views = views(radars);
+    for (number, view) in views.iter().enumerate() {
+        pictures::write_png(&out.join(format!("pictures/scene-{number:04}.png")), view)?;
+    }
+    output::write_file(&out.join("summary.json"), text.as_bytes())?;
+    report::write_several(&summary, &views, out)?;
+    output::line(format!("report of all radars: {}", out.join("report.html").display()));
+    Ok(())
+}
+
+/// The first frames from above, as long as every radar has one: their frames are cut alike.
+fn views(radars: &[Told]) -> Vec<Svg> {
+    let frames = radars.iter().map(|radar| radar.seen.len()).min().unwrap_or(0);
+    let view = |i: usize| common_view(&radars.iter().map(|radar| (radar.id(), &radar.seen[i])).collect::<Vec<_>>());
+    (0..frames).map(view).collect()
+}
+
+/// `{scene, radars: [{id, seed, …}], frames: [{time_s, targets: [{id, class, found_by}]}]}`.
+fn summary(radars: &[Told]) -> Value {
+    let scene = radars[0].summary["scene"].as_str().unwrap_or_default();
+    let scene = scene.rsplit_once('/').map_or(scene, |(scene, _)| scene);
+    let frames = radars.iter().map(|radar| radar.frames().len()).max().unwrap_or(0);
+    json!({
+        "scene": scene,
+        "radars": radars.iter().map(radar).collect::<Vec<_>>(),
+        "frames": (0..frames).map(|i| frame(radars, i)).collect::<Vec<_>>(),
+    })
+}
+
+fn radar(radar: &Told) -> Value {
+    let targets = || radar.frames().iter().flat_map(|frame| frame["targets"].as_array().into_iter().flatten());
+    let errors = radar.frames().iter().filter_map(|frame| frame["error_db"]["total"].as_f64());
+    json!({
+        "id": radar.id(),
+        "seed": radar.summary["seed"],
+        "channels": radar.summary["radar"]["channels"],
+        "frames": radar.frames().len(),
+        "targets": targets().count(),
+        "found": targets().filter(|target| !target["estimate"].is_null()).count(),
+        "points": radar.frames().iter().filter_map(|frame| frame["points"].as_u64()).sum::<u64>(),
+        "largest_error_db": errors.reduce(f64::max),
+        "frames_seconds": radar.summary["frames_seconds"],
+    })
+}
+
+/// Every target that some radar has in view, and which of them found it.
+fn frame(radars: &[Told], index: usize) -> Value {
+    let mut targets: Vec<(&str, &Value, Vec<&str>)> = vec![];
+    for radar in radars {
+        for target in radar.frames().get(index).and_then(|frame| frame["targets"].as_array()).into_iter().flatten() {
+            let id = target["id"].as_str().unwrap_or_default();
+            let place = targets.iter().position(|(known, ..)| *known == id).unwrap_or(targets.len());
+            if place == targets.len() {
+                targets.push((id, &target["class"], vec![]));
+            }
+            if !target["estimate"].is_null() {
+                targets[place].2.push(radar.id());
+            }
+        }
+    }
+    let time_s = radars.iter().find_map(|radar| radar.frames().get(index)).map_or(&Value::Null, |f| &f["time_s"]);
+    let targets = targets.into_iter().map(|(id, class, by)| json!({ "id": id, "class": class, "found_by": by }));
+    let mut map = Map::new();
+    map.insert("time_s".into(), time_s.clone());
+    map.insert("targets".into(), targets.collect());
+    map.into()
+}
