@@ -139,7 +139,7 @@ impl SceneHeader {
     }
 }
 
-/// The road of Table 1 (lanes are in [`DspSettings::lanes`]).
+/// The road of Table 1 (lanes are in [`DspSettings::road`]).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Intersection {
     /// Width of the crossing road along y.
