@@ -11,7 +11,7 @@ pub struct Cube;
 
 impl Schema for Cube {
     const NAME: &'static str = "cube";
-    const VERSION: u32 = 6;
+    const VERSION: u32 = 7;
     type Header = CubeHeader;
     type Frame = CubeFrame;
 }
@@ -34,7 +34,7 @@ pub struct CubeFrame {
     pub index: u32,
     /// The frame's first sample.
     pub time_s: f64,
-    /// √W, row-major `[channel, chirp, sample]`, channel = tx·N_rx + rx (with ddm: rx).
+    /// √W, row-major `[channel, chirp, sample]`, channel = tx·N_rx + rx (with ddm: rx; with bpm: slot·N_rx + rx).
     pub samples: Vec<Complex32>,
     /// Numerical error up to here.
     pub error: ErrorBudget,

@@ -11,7 +11,7 @@ pub struct Paths;
 
 impl Schema for Paths {
     const NAME: &'static str = "paths";
-    const VERSION: u32 = 6;
+    const VERSION: u32 = 7;
     type Header = PathsHeader;
     type Frame = PathsFrame;
 }

@@ -40,7 +40,7 @@ pub struct Waveform {
     pub samples: u32,
     /// T_c: from one chirp of any transmitter to the next; of several intervals their mean ([`Schedule`]).
     pub chirp_interval_s: f64,
-    /// N_c: chirps that each transmitter sends in a frame.
+    /// N_c: chirps that each transmitter sends in a frame; with codes blocks of chirps.
     pub chirps: u32,
 }
 
@@ -190,6 +190,14 @@ pub enum Multiplexing {
     Tdm,
     /// All at once, told apart by Doppler: transmitter i turns by e^{+j2πim/M} in the IF, M = N_tx + 1.
     Ddm,
+    /// All at once, told apart by binary codes over a block of M chirps, M the power of two from N_tx on: transmitter i has
+    /// the sign [`code_sign`] in chirp s of block m, which starts at (m·M + s)·T_c.
+    Bpm,
+}
+
+/// Sylvester's Hadamard matrix, (−1)^(ones that `code` and `slot` share): rows are orthogonal over slots 0 … M − 1.
+pub fn code_sign(code: usize, slot: usize) -> f64 {
+    if (code & slot).count_ones().is_multiple_of(2) { 1.0 } else { -1.0 }
 }
 
 /// Polarization of transmission and reception: the first letter receives, the second transmits (`vh`: h sent, v received).
@@ -246,28 +254,43 @@ pub struct Link {
 }
 
 impl Radar {
-    /// Transmit–receive pairs: the channels of a range-Doppler map, channel = tx·N_rx + rx.
+    /// Transmit–receive pairs: the elements of the virtual array, channel = tx·N_rx + rx.
     pub fn virtual_channels(&self) -> usize {
         self.array.tx_m.len() * self.array.rx_m.len()
     }
 
-    /// Channels of a radar cube: with Doppler division the receivers, else the transmit–receive pairs.
+    /// Channels of a range-Doppler map: the transmit–receive pairs, and with codes behind them code·N_rx + rx of the codes that no
+    /// transmitter has.
+    pub fn map_channels(&self) -> usize {
+        match self.array.multiplexing {
+            Multiplexing::Bpm => self.slots() * self.array.rx_m.len(),
+            Multiplexing::Simultaneous | Multiplexing::Tdm | Multiplexing::Ddm => self.virtual_channels(),
+        }
+    }
+
+    /// Channels of a radar cube: with Doppler division the receivers, with codes slot·N_rx + rx, else the transmit–receive pairs.
     pub fn cube_channels(&self) -> usize {
         match self.array.multiplexing {
             Multiplexing::Ddm => self.array.rx_m.len(),
-            Multiplexing::Simultaneous | Multiplexing::Tdm => self.virtual_channels(),
+            Multiplexing::Simultaneous | Multiplexing::Tdm | Multiplexing::Bpm => self.map_channels(),
         }
     }
 
-    /// From one chirp of a transmitter to its next, s.
-    pub fn repetition_interval_s(&self) -> f64 {
+    /// Chirps in the air from one chirp of a cube's channel to its next.
+    pub fn slots(&self) -> usize {
         match self.array.multiplexing {
-            Multiplexing::Tdm => self.waveform.chirp_interval_s * self.array.tx_m.len() as f64,
-            Multiplexing::Simultaneous | Multiplexing::Ddm => self.waveform.chirp_interval_s,
+            Multiplexing::Tdm => self.array.tx_m.len(),
+            Multiplexing::Bpm => self.array.tx_m.len().next_power_of_two(),
+            Multiplexing::Simultaneous | Multiplexing::Ddm => 1,
         }
     }
 
-    /// λ/4T, T the repetition of one transmitter, m/s.
+    /// From one chirp of a cube's channel to its next, s.
+    pub fn repetition_interval_s(&self) -> f64 {
+        self.waveform.chirp_interval_s * self.slots() as f64
+    }
+
+    /// λ/4T, T the repetition of one channel, m/s.
     pub fn velocity_max_mps(&self) -> f64 {
         self.waveform.wavelength_m() / (4.0 * self.repetition_interval_s())
     }
@@ -283,21 +306,17 @@ impl Radar {
         2.0 * self.velocity_max_mps() / f64::from(self.waveform.chirps)
     }
 
-    /// Start of chirp `chirp` of transmitter `tx`, from the frame's first sample, s.
-    pub fn chirp_start_s(&self, tx: usize, chirp: usize) -> f64 {
+    /// Start of chirp `chirp` of transmitter `turn`, with codes of slot `turn` of block `chirp`, from the frame's first sample, s.
+    pub fn chirp_start_s(&self, turn: usize, chirp: usize) -> f64 {
         self.slot_start_s(match self.array.multiplexing {
-            Multiplexing::Tdm => chirp * self.array.tx_m.len() + tx,
+            Multiplexing::Tdm | Multiplexing::Bpm => chirp * self.slots() + turn,
             Multiplexing::Simultaneous | Multiplexing::Ddm => chirp,
         })
     }
 
     /// From the frame's first sample to the end of its last chirp and its idle time, s.
     pub fn frame_duration_s(&self) -> f64 {
-        let chirps = self.waveform.chirps as usize;
-        self.slot_start_s(match self.array.multiplexing {
-            Multiplexing::Tdm => chirps * self.array.tx_m.len(),
-            Multiplexing::Simultaneous | Multiplexing::Ddm => chirps,
-        })
+        self.slot_start_s(self.waveform.chirps as usize * self.slots())
     }
 
     /// The moment, from the frame's first sample, that truth and frozen paths refer to, s.

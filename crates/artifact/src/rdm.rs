@@ -10,7 +10,7 @@ pub struct Rdm;
 
 impl Schema for Rdm {
     const NAME: &'static str = "rdm";
-    const VERSION: u32 = 5;
+    const VERSION: u32 = 6;
     type Header = CubeHeader;
     type Frame = RdmFrame;
 }
@@ -22,7 +22,7 @@ pub struct RdmFrame {
     pub index: u32,
     /// The frame's first sample.
     pub time_s: f64,
-    /// Row-major `[channel, doppler, range]`; zero velocity at N/2, the first of the range cells where samples are real; channels are the transmit–receive pairs.
+    /// Row-major `[channel, doppler, range]`; zero velocity at N/2, the first of the range cells where samples are real; channels are those of [`Radar::map_channels`](crate::Radar).
     pub values: Vec<Complex32>,
     /// Row-major `[doppler, range]`: 0 untested, 1 tested, 2 above the detector's threshold.
     pub mask: Vec<u8>,
@@ -37,5 +37,5 @@ pub struct RdmFrame {
 /// `[channel, doppler, range]` of a map.
 pub fn shape(header: &CubeHeader) -> [usize; 3] {
     let waveform = &header.radar.waveform;
-    [header.radar.virtual_channels(), waveform.chirps as usize, waveform.range_cells()]
+    [header.radar.map_channels(), waveform.chirps as usize, waveform.range_cells()]
 }

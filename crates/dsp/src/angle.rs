@@ -5,6 +5,7 @@
 //! snapped to a lattice, only finds the right lobe; the peak is then climbed on the beam with the exact distances to every
 //! element, which a 0.34 m row needs at 25 m (0.9 rad of curvature) and a list of odd positions needs always.
 
+use crate::code_division;
 use artifact::cube::CubeHeader;
 use artifact::radar::Multiplexing;
 use artifact::rdm::RdmFrame;
@@ -39,7 +40,7 @@ pub struct Direction {
     pub up: Option<f64>,
 }
 
-/// Values of all channels in one cell, free of time-division phase.
+/// Values of all channels in one cell, free of the phases of time and code division.
 pub type Snapshot = Vec<Complex64>;
 
 /// Cells of the angle FFT per null-to-null half lobe: the climb starts within an eighth of the lobe's width.
@@ -59,7 +60,7 @@ impl VirtualArray {
         let slot_s = (0..elements.len())
             .map(|channel| match radar.array.multiplexing {
                 Multiplexing::Tdm => radar.chirp_start_s(channel / radar.array.rx_m.len(), 0),
-                Multiplexing::Simultaneous | Multiplexing::Ddm => 0.0,
+                Multiplexing::Simultaneous | Multiplexing::Ddm | Multiplexing::Bpm => 0.0,
             })
             .collect();
         let wavelength_m = radar.waveform.wavelength_m();
@@ -73,15 +74,21 @@ impl VirtualArray {
         Self { wavelength_m, axes, elements, receivers, slot_s, squares_m2, lattices, transforms }
     }
 
-    /// Values of one cell; `velocity_mps` turns the later slots of time division back to the first.
+    /// Values of one cell; `velocity_mps` turns the later slots of time and code division back.
     pub fn snapshot(&self, header: &CubeHeader, map: &RdmFrame, cell: [usize; 2], velocity_mps: f64) -> Snapshot {
         let [chirps, samples] = [header.radar.waveform.chirps as usize, header.radar.waveform.range_cells()];
         let doppler_hz = 2.0 * velocity_mps / self.wavelength_m;
-        let value = |(channel, slot_s): (usize, &f64)| {
+        let value = |channel: usize| {
             let value = map.values[(channel * chirps + cell[0]) * samples + cell[1]];
-            Complex64::new(f64::from(value.re), f64::from(value.im)) * turned_back(doppler_hz * slot_s)
+            Complex64::new(f64::from(value.re), f64::from(value.im))
         };
-        self.slot_s.iter().enumerate().map(value).collect()
+        if header.radar.array.multiplexing == Multiplexing::Bpm {
+            let codes: Vec<Complex64> = (0..header.radar.map_channels()).map(value).collect();
+            let cycles = doppler_hz * header.radar.waveform.chirp_interval_s;
+            return code_division::in_phase(header, &codes, cell[0], cycles);
+        }
+        let turned = |(channel, slot_s): (usize, &f64)| value(channel) * turned_back(doppler_hz * slot_s);
+        self.slot_s.iter().enumerate().map(turned).collect()
     }
 
     /// The strongest cell of the angle FFT over one or more cells of a map, their powers added: right to half a cell of the FFT.

@@ -18,7 +18,7 @@ pub(crate) fn source_of(header: &CubeHeader, channel: usize) -> (usize, f64) {
     let receivers = header.radar.array.rx_m.len();
     match header.radar.array.multiplexing {
         Multiplexing::Ddm => (channel % receivers, band_cycles(header, channel / receivers)),
-        Multiplexing::Simultaneous | Multiplexing::Tdm => (channel, 0.0),
+        Multiplexing::Simultaneous | Multiplexing::Tdm | Multiplexing::Bpm => (channel, 0.0),
     }
 }
 

@@ -23,13 +23,13 @@ pub(crate) struct DopplerTransform<T> {
 }
 
 impl<T: Precision> DopplerTransform<T> {
-    /// Refuses staggered chirps under Doppler division: bands that are told apart by a turn per chirp are not constant velocities.
+    /// Refuses staggered chirps where transmitters are told apart by Doppler or by codes: a velocity is no constant turn per chirp then.
     pub(crate) fn new(radar: &Radar, planner: &mut FftPlanner<T>) -> Result<Self, DspError> {
         let fft = planner.plan_fft_forward(radar.waveform.chirps as usize);
         if radar.schedule.is_uniform() {
             return Ok(Self { fft, turns: vec![] });
         }
-        if radar.array.multiplexing == Multiplexing::Ddm {
+        if matches!(radar.array.multiplexing, Multiplexing::Ddm | Multiplexing::Bpm) {
             return Err(DspError::StaggeredDivision);
         }
         let turns = (0..radar.array.tx_m.len()).map(|tx| turns_of(radar, tx)).collect();

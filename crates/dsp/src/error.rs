@@ -71,8 +71,10 @@ pub enum DspError {
         /// As found.
         value: f64,
     },
-    /// Chirps at changing intervals, transmitters told apart by their turn from chirp to chirp.
-    #[error("staggered chirps and Doppler division exclude one another: a band is no velocity then")]
+    /// Chirps at changing intervals, transmitters told apart by Doppler or by codes.
+    #[error(
+        "staggered chirps exclude Doppler and code division: no constant turn from chirp to chirp is a velocity then"
+    )]
     StaggeredDivision,
     /// A false-alarm rate outside (0, 1).
     #[error("false_alarm_rate must lie between 0 and 1, is {0}")]

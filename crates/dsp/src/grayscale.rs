@@ -14,7 +14,7 @@ use ndarray::Array2;
 /// cells go on.
 pub fn rdm_grayscale(header: &CubeHeader, map: &RdmFrame) -> Result<Vec<u8>, DspError> {
     let power = power_map(header, map)?;
-    let noise = noise_power(header, map)? * header.radar.virtual_channels() as f64;
+    let noise = noise_power(header, map)? * header.radar.map_channels() as f64;
     let (rows, columns) = power.dim();
     let side = PAPER_CROP.side as usize;
     let place = |pixel: usize, cells: usize| (pixel as f64 + 0.5) * cells as f64 / side as f64 - 0.5;

@@ -76,6 +76,7 @@ mod finite;
 mod doppler_transform;
 pub mod range_doppler;
 mod doppler_division;
+mod code_division;
 pub mod noncoherent;
 pub mod gamma_forms;
 pub mod correlated_cells;

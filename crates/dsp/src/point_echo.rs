@@ -7,6 +7,7 @@
 use crate::angle::{Direction, VirtualArray};
 use crate::doppler_division::source_of;
 use artifact::cube::CubeHeader;
+use artifact::radar::{Multiplexing, code_sign};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use num_complex::{Complex32, Complex64};
 use rayon::prelude::*;
@@ -58,21 +59,20 @@ fn blocks_of_channel(
     channel: usize,
     excess_m: f64,
 ) -> Vec<Block> {
-    let [_, chirps, length] = header.shape();
-    let (source, turn_cycles) = source_of(header, channel);
-    let own = &samples[source * chirps * length..][..chirps * length];
-    let [rows, columns] = [chirps.div_ceil(BLOCKS), length.div_ceil(BLOCKS)];
-    let transmitter = channel / header.radar.array.rx_m.len();
-    let row_blocks = (0..chirps).step_by(rows).map(|first| first..(first + rows).min(chirps));
+    let [_, all_chirps, length] = header.shape();
+    let heard = heard(header, channel);
+    let [rows, columns] = [all_chirps.div_ceil(BLOCKS), length.div_ceil(BLOCKS)];
+    let row_blocks = (0..all_chirps).step_by(rows).map(|first| first..(first + rows).min(all_chirps));
     row_blocks
         .flat_map(|chirps| {
             let mut sums = vec![Complex64::ZERO; length.div_ceil(columns)];
             let mut frame_s = 0.0;
-            for chirp in chirps.clone() {
-                let start_s = header.radar.chirp_start_s(transmitter, chirp) - header.radar.frame_middle_s();
-                let phase = ChirpPhase::new(header, point, excess_m, start_s, turn_cycles * chirp as f64);
-                frame_s += start_s / chirps.len() as f64;
-                add_chirp(&own[chirp * length..][..length], columns, &phase, &mut sums);
+            for (chirp, from) in chirps.clone().flat_map(|chirp| heard.iter().map(move |from| (chirp, from))) {
+                let start_s = header.radar.chirp_start_s(from.turn, chirp) - header.radar.frame_middle_s();
+                let phase = ChirpPhase::new(header, point, excess_m, start_s, from.cycles * chirp as f64);
+                frame_s += start_s / (chirps.len() * heard.len()) as f64;
+                let row = &samples[(from.source * all_chirps + chirp) * length..][..length];
+                add_chirp((row, from.share), columns, &phase, &mut sums);
             }
             let rate_hz = header.radar.waveform.sample_rate_hz;
             sums.into_iter().enumerate().map(move |(index, sum)| {
@@ -85,8 +85,39 @@ fn blocks_of_channel(
         .collect()
 }
 
-fn add_chirp(row: &[Complex32], columns: usize, phase: &ChirpPhase, sums: &mut [Complex64]) {
+/// Where a cube has the chirps of a transmit–receive pair.
+struct Heard {
+    source: usize,
+    /// Of [`Radar::chirp_start_s`](artifact::Radar::chirp_start_s).
+    turn: usize,
+    /// To take out per chirp.
+    cycles: f64,
+    /// Of its samples in the pair's.
+    share: f64,
+}
+
+/// One channel; with codes every slot, since what other transmitters add to them has as many signs as the pair's own, plus and minus.
+fn heard(header: &CubeHeader, channel: usize) -> Vec<Heard> {
+    let receivers = header.radar.array.rx_m.len();
+    let (tx, rx) = (channel / receivers, channel % receivers);
+    if header.radar.array.multiplexing != Multiplexing::Bpm {
+        let (source, cycles) = source_of(header, channel);
+        return vec![Heard { source, turn: tx, cycles, share: 1.0 }];
+    }
+    let slots = header.radar.slots();
+    let of_slot = |slot: usize| Heard {
+        source: slot * receivers + rx,
+        turn: slot,
+        cycles: 0.0,
+        share: code_sign(tx, slot) / slots as f64,
+    };
+    (0..slots).map(of_slot).collect()
+}
+
+/// Adds so much of a chirp's samples.
+fn add_chirp((row, share): (&[Complex32], f64), columns: usize, phase: &ChirpPhase, sums: &mut [Complex64]) {
     let (mut turn, mut step, step_of_step) = phase.turns();
+    turn *= share;
     for (values, sum) in row.chunks(columns).zip(sums) {
         for value in values {
             *sum += Complex64::new(f64::from(value.re), f64::from(value.im)) * turn;

@@ -57,7 +57,7 @@ fn is_one_tone(header: &CubeHeader) -> bool {
 fn detect_in(header: &CubeHeader, map: &RdmFrame, samples: Option<&[Complex32]>) -> Result<PointsFrame, DspError> {
     let header = &header.in_frame(map.index);
     let power = power_map(header, map)?;
-    let noise = noise_power(header, map)? * header.radar.virtual_channels() as f64;
+    let noise = noise_power(header, map)? * header.radar.map_channels() as f64;
     let finder = PeakFinder::new(header)?;
     let peaks = finder.peaks(power.view(), &map.values, &map.mask, known_noise_threshold(header, noise));
     let view = View { header, map, array: &VirtualArray::new(header), noise };
@@ -76,7 +76,7 @@ fn detect_in(header: &CubeHeader, map: &RdmFrame, samples: Option<&[Complex32]>)
                 view.on_slope(&sighted, power[(cell[0], cell[1])], *cell, [peaks[*peak].row, peaks[*peak].column]);
             let point = |(sighting, index): (Sighting, usize)| Point {
                 two_ways_rad: sighted[index].two_ways_rad,
-                ..sighting.point(noise, object_of(index))
+                ..sighting.point(view.snr_db(sighting.peak.power), object_of(index))
             };
             seen.into_iter().map(point).collect::<Vec<_>>()
         })
@@ -99,7 +99,7 @@ fn strongest_first(mut points: Vec<Point>) -> Vec<Point> {
 /// Threshold of the same false-alarm rate were the noise known: that of infinitely many training cells.
 fn known_noise_threshold(header: &CubeHeader, noise: f64) -> f64 {
     // At 1e9 cells the factor is within 1e-8 of its limit.
-    threshold_factor(1e9, header.radar.virtual_channels(), header.dsp.false_alarm_rate) * noise
+    threshold_factor(1e9, header.radar.map_channels(), header.dsp.false_alarm_rate) * noise
 }
 
 /// Indices of the peaks of each object, those hidden from the detector among them.
@@ -137,7 +137,7 @@ struct View<'a> {
 impl View<'_> {
     /// Looks at every peak's channels for a wave that left by one direction and came back by another.
     fn mark_ghosts(&self, sighted: &mut [Sighting]) {
-        let noise = self.noise / self.header.radar.virtual_channels() as f64;
+        let noise = self.channel_noise();
         sighted.par_iter_mut().for_each(|s| {
             let found = two_ways(self.array, &s.snapshot, s.range_m, s.direction, noise);
             let azimuth = |direction| place(self.header, self.array, direction, s.range_m).azimuth_rad;
@@ -186,7 +186,19 @@ impl View<'_> {
     }
 
     fn choice(&self, folds: &Folds) -> Choice {
-        folds.choice(self.noise / self.header.radar.virtual_channels() as f64)
+        folds.choice(self.channel_noise())
+    }
+
+    /// Of a cell.
+    fn channel_noise(&self) -> f64 {
+        self.noise / self.header.radar.map_channels() as f64
+    }
+
+    /// Signal over noise of the transmit–receive pairs: the noise's own mean is taken out of the cell, and codes of no transmitter hold
+    /// nothing else.
+    fn snr_db(&self, power: f64) -> f64 {
+        let pairs = self.header.radar.virtual_channels() as f64 / self.header.radar.map_channels() as f64;
+        snr_db(power - (1.0 - pairs) * self.noise, pairs * self.noise)
     }
 
     /// The peaks of an object moved to the one fold that explains all of them best.
@@ -223,7 +235,7 @@ impl View<'_> {
         match self.header.dsp.angle {
             Angle::Fft => vec![(self.array.direction(std::slice::from_ref(snapshot), range_m), 1.0)],
             Angle::MaximumLikelihood => {
-                let found = sources(self.array, snapshot, range_m, self.noise / snapshot.len() as f64);
+                let found = sources(self.array, snapshot, range_m, self.channel_noise());
                 let total: f64 = found.iter().map(|s| s.power).sum();
                 let share = |power: f64| if total > 0.0 { power / total } else { 1.0 };
                 found.into_iter().map(|s| (s.direction, share(s.power))).collect()
@@ -314,14 +326,14 @@ impl Sighting {
         Member { range_m: self.range_m, radial_velocity_mps: self.radial_velocity_mps, cross_m, power: self.peak.power }
     }
 
-    fn point(&self, noise: f64, object: Option<u32>) -> Point {
+    fn point(&self, snr_db: f64, object: Option<u32>) -> Point {
         Point {
             range_m: self.range_m,
             radial_velocity_mps: self.radial_velocity_mps,
             azimuth_rad: self.place.azimuth_rad,
             elevation_rad: self.place.elevation_rad,
             position_m: self.place.position_m.to_array(),
-            snr_db: snr_db(self.peak.power, noise),
+            snr_db,
             two_ways_rad: None,
             object,
             target: None,
@@ -365,7 +377,7 @@ impl View<'_> {
             azimuth_rad: place.azimuth_rad,
             position_m: place.position_m.to_array(),
             lane: header.dsp.road.at(place.position_m.to_array()),
-            snr_db: snr_db(strongest.peak.power, self.noise),
+            snr_db: self.snr_db(strongest.peak.power),
             points: points.len() as u32,
             range_extent_m: extent(points.iter().map(|p| p.range_m)),
             velocity_extent_mps: extent(points.iter().map(|p| near_strongest(p.radial_velocity_mps))),

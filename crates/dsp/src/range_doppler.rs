@@ -11,7 +11,7 @@ use crate::doppler_transform::DopplerTransform;
 use crate::finite::first_not_finite;
 use crate::noncoherent::{FLOOR_BELOW_PEAK_DB, sum_over_channels};
 use crate::window::taper;
-use crate::{DspError, doppler_division};
+use crate::{DspError, code_division, doppler_division};
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::radar::{Multiplexing, Sampling};
 use artifact::rdm::RdmFrame;
@@ -266,7 +266,7 @@ pub fn all_channels(
 ) -> Result<Vec<Complex32>, DspError> {
     check_samples(header, samples)?;
     let cells = transform.cells();
-    let mut values = blank(header.radar.virtual_channels() * cells);
+    let mut values = blank(header.radar.map_channels() * cells);
     let fill = |work: &mut Workspace<f32>, (channel, map): (usize, &mut [Complex32])| {
         let (source, turn_cycles) = doppler_division::source_of(header, channel);
         let transmitter = channel / header.radar.array.rx_m.len();
@@ -274,6 +274,9 @@ pub fn all_channels(
         transform.fill(transmitter, (own, turn_cycles), work, map);
     };
     values.par_chunks_mut(cells).enumerate().for_each_init(Workspace::default, fill);
+    if header.radar.array.multiplexing == Multiplexing::Bpm {
+        values = code_division::codes_of_slots(header, &values);
+    }
     match first_not_finite(&values) {
         None => Ok(values),
         Some(at) => Err(DspError::ValueNotFinite { channel: at / cells, cell: at % cells }),

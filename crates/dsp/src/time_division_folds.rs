@@ -1,4 +1,4 @@
-//! Velocity folds under time division: told from the phases between transmitters.
+//! Velocity folds under time and code division: told from the phases between slots.
 //!
 //! N transmitters in turn, each repeated after N·T, show a velocity up to multiples of λ/2NT. The transmitters' slots are only T
 //! apart: k multiples too many leave 2πk/N between one slot and the next, and the channels then are no point's echo. So every
@@ -9,12 +9,19 @@
 //! it must lose. Transmitters that the receivers' own beam follows lose little (3 × 4 contiguous: 30 %; 12 × 16: 2 %); with one
 //! receiver and transmitters in a regular row a wrong fold is exactly another direction, and nothing tells them apart. Two channels in one
 //! place (a transmitter's last element on the next one's first) help: their phases must agree, whatever the direction.
+//!
+//! Of codes ([`crate::code_division`]) there are M slots and folds. A wrong fold passes power on to codes of no transmitter, where there are
+//! any, and exchanges transmitters else; what a beam leaves of all codes' power tells it. Transmitters that all hear an echo in
+//! one phase (M of them, straight ahead) send it in one slot of a block only: all folds are the same values then, and the same direction.
 
 use crate::angle::{Direction, Snapshot, VirtualArray};
+use crate::code_division::in_phase;
 use crate::velocity_folds::FASTEST_MPS;
 use artifact::cube::CubeHeader;
 use artifact::radar::Multiplexing;
 use artifact::rdm::RdmFrame;
+use num_complex::Complex64;
+use std::f64::consts::TAU;
 
 /// Least likelihood ratio (its logarithm) of the best fold to the next that is believed. Two hypotheses that differ by an expected ratio μ scatter by √2μ:
 /// the wrong one leads by 9 in at most Q(√18) = 1.1e-5 of all draws (μ = 9).
@@ -22,16 +29,16 @@ pub const CERTAIN: f64 = 9.0;
 /// Below this (odds of 20) a velocity near zero is preferred.
 const LIKELY: f64 = 3.0;
 
-/// Whether a radar's folds show between its transmitters: several in turn, at equal intervals.
+/// Whether a radar's folds show between its slots: several, at equal intervals.
 pub fn are_told(header: &CubeHeader) -> bool {
     let radar = &header.radar;
-    radar.array.multiplexing == Multiplexing::Tdm && radar.array.tx_m.len() > 1 && radar.schedule.is_uniform()
+    radar.slots() > 1 && radar.schedule.is_uniform()
 }
 
 /// Velocities this far apart look alike in the points of a frame: the map's span, or λ/2T where its folds are told.
 pub fn ambiguity_mps(header: &CubeHeader) -> f64 {
-    let slots = if are_told(header) { header.radar.array.tx_m.len() as f64 } else { 1.0 };
-    2.0 * slots * header.radar.velocity_max_mps()
+    let slots = if are_told(header) { header.radar.slots() } else { 1 };
+    2.0 * slots as f64 * header.radar.velocity_max_mps()
 }
 
 /// What the folds of one or more cells leave of their power.
@@ -59,7 +66,7 @@ pub struct Choice {
 }
 
 impl Folds {
-    /// Of a cell that shows `shown_mps`, one for each transmitter.
+    /// Of a cell that shows `shown_mps`, one for each slot.
     pub fn of_cell(
         header: &CubeHeader,
         map: &RdmFrame,
@@ -68,12 +75,13 @@ impl Folds {
         (shown_mps, range_m): (f64, f64),
     ) -> Self {
         let span_mps = 2.0 * header.radar.velocity_max_mps();
+        let power = power_of(header, map, cell);
         let left_of = |fold: usize| {
             let snapshot = array.snapshot(header, map, cell, shown_mps + fold as f64 * span_mps);
-            left_over(array, &snapshot, range_m)
+            left_over(array, &snapshot, power, range_m)
         };
-        let left = (0..header.radar.array.tx_m.len()).map(left_of).collect();
-        Self { shown_mps, span_mps, left, freedom: header.radar.virtual_channels() as f64 - 2.0 }
+        let left = (0..header.radar.slots()).map(left_of).collect();
+        Self { shown_mps, span_mps, left, freedom: header.radar.map_channels() as f64 - 2.0 }
     }
 
     /// The same body's in one more cell.
@@ -120,27 +128,46 @@ impl Folds {
     }
 }
 
-/// Power of a snapshot less that of its strongest beam.
-fn left_over(array: &VirtualArray, snapshot: &Snapshot, range_m: f64) -> f64 {
-    let total: f64 = snapshot.iter().map(|v| v.norm_sqr()).sum();
+/// Of all channels of a cell, the same whatever its fold.
+fn power_of(header: &CubeHeader, map: &RdmFrame, [row, column]: [usize; 2]) -> f64 {
+    let (rows, columns) = (header.radar.waveform.chirps as usize, header.radar.waveform.range_cells());
+    let values = map.values.chunks_exact(rows * columns).map(|channel| channel[row * columns + column]);
+    values.map(|v| f64::from(v.re).powi(2) + f64::from(v.im).powi(2)).sum()
+}
+
+/// Power of a cell less that of its snapshot's strongest beam.
+fn left_over(array: &VirtualArray, snapshot: &Snapshot, power: f64, range_m: f64) -> f64 {
     let direction = array.direction(std::slice::from_ref(snapshot), range_m);
     let beam = array.beam(snapshot, &array.steering(direction, range_m));
-    (total - beam.norm_sqr() / snapshot.len() as f64).max(0.0)
+    (power - beam.norm_sqr() / snapshot.len() as f64).max(0.0)
 }
 
 /// Least part of an echo's power that any wrong fold loses, for echoes from these direction cosines; 0 where one is exactly another
 /// direction.
 pub fn least_loss(header: &CubeHeader, directions: &[Direction], range_m: f64) -> f64 {
     let array = VirtualArray::new(header);
-    let (transmitters, receivers) = (header.radar.array.tx_m.len(), header.radar.array.rx_m.len());
+    let slots = header.radar.slots();
     let lost = |direction: &Direction, fold: usize| {
-        let turn = |channel: usize| (fold * (channel / receivers)) as f64 / transmitters as f64;
-        let echo = array.steering(*direction, range_m).into_iter().enumerate().map(|(channel, turn_back)| {
-            turn_back.conj() * num_complex::Complex64::from_polar(1.0, std::f64::consts::TAU * turn(channel))
-        });
-        let echo: Snapshot = echo.collect();
-        left_over(&array, &echo, range_m) / echo.len() as f64
+        let echo: Snapshot =
+            array.steering(*direction, range_m).into_iter().map(|turn_back| turn_back.conj()).collect();
+        let power = echo.len() as f64;
+        left_over(&array, &misfolded(header, echo, fold), power, range_m) / power
     };
-    let losses = directions.iter().flat_map(|d| (1..transmitters).map(move |fold| lost(d, fold)));
+    let losses = directions.iter().flat_map(|d| (1..slots).map(move |fold| lost(d, fold)));
     losses.fold(1.0, f64::min)
+}
+
+/// An echo of a row's middle, so many folds beside it.
+fn misfolded(header: &CubeHeader, echo: Snapshot, fold: usize) -> Snapshot {
+    let (slots, receivers) = (header.radar.slots(), header.radar.array.rx_m.len());
+    let cycles = fold as f64 / slots as f64;
+    if header.radar.array.multiplexing == Multiplexing::Bpm {
+        let mut codes = echo;
+        codes.resize(header.radar.map_channels(), Complex64::ZERO);
+        return in_phase(header, &codes, header.radar.waveform.chirps as usize / 2, -cycles);
+    }
+    let turned = |(channel, value): (usize, Complex64)| {
+        value * Complex64::from_polar(1.0, TAU * cycles * (channel / receivers) as f64)
+    };
+    echo.into_iter().enumerate().map(turned).collect()
 }

@@ -152,9 +152,9 @@ fn refined_estimates_of_a_lone_point_stay_within_1_db_of_the_cramer_rao_bound() 
 }
 
 #[test]
-fn refined_estimates_under_time_and_doppler_division_have_no_bias() {
+fn refined_estimates_under_time_doppler_and_code_division_have_no_bias() {
     use artifact::radar::Multiplexing;
-    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm] {
+    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm] {
         let mut header = radar(elements_3x4(), Refine::Isolated);
         header.radar.array.multiplexing = multiplexing;
         header.dsp.range_window = Window::Hann;

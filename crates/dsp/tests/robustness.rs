@@ -175,7 +175,7 @@ fn a_noise_free_map_says_what_floor_it_took() {
 
 #[test]
 fn the_same_cube_gives_the_same_bytes_on_one_and_two_threads() {
-    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm] {
+    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm] {
         let mut header = header(128, 64, elements_3x4());
         header.noise = NOISE_12_DB;
         header.radar.array.multiplexing = multiplexing;
@@ -207,7 +207,7 @@ proptest! {
     fn any_small_cube_is_processed_or_refused_and_never_panics(
         (samples, chirps) in (0_u32..20, 0_u32..20),
         (guard, training) in ([0_u32..4, 0_u32..4], [0_u32..6, 0_u32..6]),
-        mode in 0_usize..3,
+        mode in 0_usize..4,
         scale in prop::sample::select(vec![0.0_f32, 1e-38, 1.0, 1e30]),
         rate in 1e-9_f64..0.999,
     ) {
@@ -216,7 +216,7 @@ proptest! {
         (header.dsp.guard_cells, header.dsp.training_cells) = (guard, training);
         header.dsp.false_alarm_rate = rate;
         header.noise = if samples % 2 == 0 { Noise::Absent } else { NOISE_12_DB };
-        header.radar.array.multiplexing = [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm][mode];
+        header.radar.array.multiplexing = [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm][mode];
         let length = header.shape().iter().product::<usize>();
         let wave = |i: usize| Complex32::from_polar(scale, (i * i % 97) as f32);
         let frame = CubeFrame { index: 0, time_s: 0.0, samples: (0..length).map(wave).collect(), error: Default::default() };

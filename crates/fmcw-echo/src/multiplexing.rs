@@ -1,13 +1,13 @@
-//! Which transmissions make up one row (channel, chirp) of a cube, and when each starts (interface.md, tdm and ddm).
+//! Which transmissions make up one row (channel, chirp) of a cube, and when each starts (interface.md: tdm, ddm and bpm).
 
 use artifact::Radar;
-use artifact::radar::{ElementError, Multiplexing};
+use artifact::radar::{ElementError, Multiplexing, code_sign};
 use artifact::units::amplitude_from_db;
 use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// The transmissions whose sum is the row `[channel, chirp, ..]` of a cube: one, or with Doppler division all.
+/// The transmissions whose sum is the row `[channel, chirp, ..]` of a cube: one, or with Doppler division or codes all.
 pub fn row(radar: &Radar, channel: usize, chirp: usize) -> Vec<Transmission> {
     let receivers = radar.array.rx_m.len();
     match radar.array.multiplexing {
@@ -19,6 +19,15 @@ pub fn row(radar: &Radar, channel: usize, chirp: usize) -> Vec<Transmission> {
             let transmitters = radar.array.tx_m.len();
             let turn = |tx| doppler_division_turn(tx, chirp, transmitters) * element_factor(radar, tx, channel);
             (0..transmitters).map(|tx| Transmission::new(radar, tx, channel, chirp, turn(tx))).collect()
+        }
+        Multiplexing::Bpm => {
+            let (slot, rx) = (channel / receivers, channel % receivers);
+            let start_s = radar.chirp_start_s(slot, chirp);
+            let coded = |tx| Transmission {
+                turn: code_sign(tx, slot) * element_factor(radar, tx, rx),
+                ..Transmission::starting_at(radar, tx, rx, start_s)
+            };
+            (0..radar.array.tx_m.len()).map(coded).collect()
         }
     }
 }

@@ -42,8 +42,12 @@ const OFFSETS: Allowed = Allowed::Between(-1e4, 1e4);
 /// The array of a scene, 3x4 where it says nothing.
 pub(crate) fn read_array(section: &Section<'_>, mount: &Mount, models: &mut Models) -> Array {
     let (tx_half_wavelengths, rx_half_wavelengths) = read_elements(section);
-    let multiplexing =
-        [("simultaneous", Multiplexing::Simultaneous), ("tdm", Multiplexing::Tdm), ("ddm", Multiplexing::Ddm)];
+    let multiplexing = [
+        ("simultaneous", Multiplexing::Simultaneous),
+        ("tdm", Multiplexing::Tdm),
+        ("ddm", Multiplexing::Ddm),
+        ("bpm", Multiplexing::Bpm),
+    ];
     let polarization =
         [("vv", Polarization::Vv), ("hh", Polarization::Hh), ("vh", Polarization::Vh), ("hv", Polarization::Hv)];
     Array {

@@ -310,12 +310,15 @@ pub enum Rule {
         end_ghz: f64,
     },
     /// A turn from chirp to chirp is no velocity where the chirps' intervals change.
-    #[error("`stagger_us` and the multiplexing `ddm` exclude one another")]
-    StaggeredDivision,
+    #[error("`stagger_us` and the multiplexing `{multiplexing}` exclude one another")]
+    StaggeredDivision {
+        /// As written.
+        multiplexing: &'static str,
+    },
     /// A cube beyond the memory of the stages.
     #[error("{channels} channels × {chirps} chirps × {samples} samples are more than {limit} values in a frame")]
     CubeTooLarge {
-        /// Transmit–receive pairs.
+        /// Of a map.
         channels: u64,
         /// Of each transmitter.
         chirps: u64,

@@ -42,8 +42,13 @@ pub(crate) fn read_radar(section: &Section<'_>, models: &mut Models) -> Radar {
     let elements = [radar.array.tx_m.len(), radar.array.rx_m.len()];
     radar.hardware = read_hardware(section, &receiver, &array_section, elements);
     check_cube(&waveform_section, &radar);
-    if radar.array.multiplexing == Multiplexing::Ddm && !radar.schedule.is_uniform() {
-        waveform_section.note("stagger_us", Rule::StaggeredDivision);
+    let divided = match radar.array.multiplexing {
+        Multiplexing::Ddm => Some("ddm"),
+        Multiplexing::Bpm => Some("bpm"),
+        Multiplexing::Simultaneous | Multiplexing::Tdm => None,
+    };
+    if let Some(multiplexing) = divided.filter(|_| !radar.schedule.is_uniform()) {
+        waveform_section.note("stagger_us", Rule::StaggeredDivision { multiplexing });
     }
     radar
 }
@@ -113,7 +118,7 @@ fn read_link(section: &Section<'_>) -> Link {
 }
 
 fn check_cube(section: &Section<'_>, radar: &Radar) {
-    let channels = radar.virtual_channels() as u64;
+    let channels = radar.map_channels() as u64;
     let (chirps, samples) = (u64::from(radar.waveform.chirps), u64::from(radar.waveform.samples));
     if channels * chirps * samples > CUBE_LIMIT {
         section.note("samples", Rule::CubeTooLarge { channels, chirps, samples, limit: CUBE_LIMIT });

@@ -54,6 +54,7 @@ const CASES: &[Case] = &[
     (NAME, "[radar.waveform]\nsub_frame_idle_us = [10]\n", "3:21", "`sub_frame_idle_us` must have from 2 to 8 values, has 1"),
     (NAME, "[radar.waveform]\nsub_frame_idle_us = [10, 35]\nidle_us = 10\n", "3:21", "`sub_frame_idle_us` and `idle_us` exclude one another"),
     (NAME, "[radar.waveform]\nstagger_us = [-1, 3]\n", "3:15", "`stagger_us` must be a number from 0 to 1000000, is -1"),
+    (NAME, "[radar.waveform]\nstagger_us = [1, 3]\n[radar.array]\nmultiplexing = \"bpm\"\n", "3:14", "`stagger_us` and the multiplexing `bpm` exclude one another"),
     (NAME, "[radar.waveform]\nstagger_us = [1, 3]\n[radar.array]\nmultiplexing = \"ddm\"\n", "3:14", "`stagger_us` and the multiplexing `ddm` exclude one another"),
     // Types.
     (NAME, "frames = 2.5\n", "2:10", "`frames` must be a whole number, is a number with a point"),
@@ -94,7 +95,7 @@ const CASES: &[Case] = &[
     (NAME, "[radar.array]\ntx_half_wavelengths = []\nrx_half_wavelengths = [[0, 0]]\n", "3:23", "must have from 1 to 256 values, has 0"),
     (NAME, "[radar.array]\ntx_half_wavelengths = [[0, 0, 0]]\nrx_half_wavelengths = [[0, 0]]\n", "3:24", "must have 2 values, has 3"),
     (NAME, "[radar.array]\ntx_half_wavelengths = [0, 1]\nrx_half_wavelengths = [[0, 0]]\n", "3:24", "must be a list of pairs of numbers"),
-    (NAME, "[radar.array]\nmultiplexing = \"fdm\"\n", "3:16", "it can be `simultaneous`, `tdm`, `ddm`"),
+    (NAME, "[radar.array]\nmultiplexing = \"fdm\"\n", "3:16", "it can be `simultaneous`, `tdm`, `ddm`, `bpm`"),
     (NAME, "[radar.array]\npolarization = \"v\"\n", "3:16", "it can be `vv`, `hh`, `vh`, `hv`"),
     (NAME, "[radar.array]\npattern = \"horn\"\n", "3:11", "it can be `isotropic`, `cosine`, `table`"),
     (NAME, "[radar.array]\npattern = \"cosine\"\n", "2:1", "[radar.array]: key `cosine_exponent` is missing"),

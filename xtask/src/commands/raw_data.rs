@@ -1,7 +1,7 @@
 //! Samples as devices record them: the order of a capture card and of SigMF.
 //!
-//! A device records receivers while transmitters take turns: slot after slot, slot m·N_tx + i is chirp m of transmitter i (tdm).
-//! Samples of a cube are `[tx·N_rx + rx][chirp][sample]`.
+//! A device records receivers while transmitters take turns: slot after slot, slot m·N_tx + i is chirp m of transmitter i (tdm), or
+//! slot m·M + s is chirp s of all transmitters' codes in block m (bpm). Samples of a cube are `[turn·N_rx + rx][chirp][sample]`.
 
 pub(crate) mod dca1000;
 pub(crate) mod sigmf;
@@ -15,8 +15,8 @@ use std::path::Path;
 /// The shape of one frame of a recording.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Recording {
-    /// That take turns; one where all send at once.
-    transmitters: usize,
+    /// Chirps in the air from one of a channel to its next.
+    turns: usize,
     pub(crate) receivers: usize,
     chirps: usize,
     pub(crate) samples: usize,
@@ -30,23 +30,21 @@ impl Recording {
             return Err(Failure::Refused(format!("{}: {text}", file.display())));
         }
         let array = &header.radar.array;
-        let transmitters = match array.multiplexing {
-            Multiplexing::Tdm => array.tx_m.len(),
-            Multiplexing::Ddm => 1,
-            Multiplexing::Simultaneous if array.tx_m.len() == 1 => 1,
+        match array.multiplexing {
+            Multiplexing::Tdm | Multiplexing::Ddm | Multiplexing::Bpm => {}
+            Multiplexing::Simultaneous if array.tx_m.len() == 1 => {}
             Multiplexing::Simultaneous => {
-                let text =
-                    "transmitters are ideally orthogonal: no device records them apart; take multiplexing tdm or ddm";
+                let text = "transmitters are ideally orthogonal: no device records them apart; take multiplexing tdm, ddm or bpm";
                 return Err(Failure::Refused(format!("{}: {text}", file.display())));
             }
-        };
+        }
         let [_, chirps, samples] = header.shape();
-        Ok(Self { transmitters, receivers: array.rx_m.len(), chirps, samples })
+        Ok(Self { turns: header.radar.slots(), receivers: array.rx_m.len(), chirps, samples })
     }
 
     /// Chirps of all transmitters.
     pub(crate) fn slots(&self) -> usize {
-        self.chirps * self.transmitters
+        self.chirps * self.turns
     }
 
     /// Complex values of a frame.
@@ -56,8 +54,8 @@ impl Recording {
 
     /// Where a cube has the samples of a slot and a receiver.
     fn row(&self, slot: usize, receiver: usize) -> std::ops::Range<usize> {
-        let (chirp, transmitter) = (slot / self.transmitters, slot % self.transmitters);
-        let start = ((transmitter * self.receivers + receiver) * self.chirps + chirp) * self.samples;
+        let (chirp, turn) = (slot / self.turns, slot % self.turns);
+        let start = ((turn * self.receivers + receiver) * self.chirps + chirp) * self.samples;
         start..start + self.samples
     }
 
@@ -116,7 +114,7 @@ mod tests {
 
     #[test]
     fn slots_of_two_transmitters_and_back_are_the_cube() {
-        let recording = Recording { transmitters: 2, receivers: 3, chirps: 2, samples: 4 };
+        let recording = Recording { turns: 2, receivers: 3, chirps: 2, samples: 4 };
         let cube: Vec<Complex32> = (0..48).map(|i| Complex32::new(i as f32, -(i as f32))).collect();
         let slots = recording.by_slot(&cube);
         // Slot 1 is the first chirp of the second transmitter: channel 3.

@@ -143,24 +143,53 @@ pub fn cube(header: &CubeHeader, targets: &[Target], seed: u64) -> CubeFrame {
 fn add_channel(header: &CubeHeader, target: &Target, channel: usize, out: &mut [Complex64]) {
     let radar = &header.radar;
     let receivers = radar.array.rx_m.len();
-    if radar.array.multiplexing == Multiplexing::Ddm {
-        for tx in 0..radar.array.tx_m.len() {
-            let turn = tx as f64 / (radar.array.tx_m.len() + 1) as f64;
-            add_pair(header, target, tx, channel, turn, out);
+    let (first, rx) = (channel / receivers, channel % receivers);
+    let own = Sent { tx: first, turn: first, sign: 1.0, cycles: 0.0 };
+    let transmitters = radar.array.tx_m.len();
+    match radar.array.multiplexing {
+        Multiplexing::Simultaneous | Multiplexing::Tdm => add_pair(header, target, &own, rx, out),
+        Multiplexing::Ddm => {
+            for tx in 0..transmitters {
+                let cycles = tx as f64 / (transmitters + 1) as f64;
+                add_pair(header, target, &Sent { tx, cycles, ..own }, rx, out);
+            }
         }
-    } else {
-        add_pair(header, target, channel / receivers, channel % receivers, 0.0, out);
+        Multiplexing::Bpm => {
+            for tx in 0..transmitters {
+                add_pair(header, target, &Sent { tx, sign: hadamard(tx, first), ..own }, rx, out);
+            }
+        }
     }
 }
 
-/// A·exp j2π[f₀τ + μtτ − ½μτ²] of one transmitter and receiver, turned by `turn` cycles a chirp.
+/// Sylvester's matrix of any size, built as it is defined: H₂ₙ = [H H; H −H].
+fn hadamard(row: usize, column: usize) -> f64 {
+    match (row, column) {
+        (0, 0) => 1.0,
+        _ => hadamard(row / 2, column / 2) * if row % 2 == 1 && column % 2 == 1 { -1.0 } else { 1.0 },
+    }
+}
+
+/// What a transmitter sends in the rows of a channel.
+#[derive(Clone, Copy)]
+struct Sent {
+    tx: usize,
+    /// Whose starts they have: a transmitter's or a slot's.
+    turn: usize,
+    sign: f64,
+    /// Per chirp.
+    cycles: f64,
+}
+
+/// A·exp j2π[f₀τ + μtτ − ½μτ²] of one transmitter and receiver, with its sign and turned by its cycles a chirp.
 ///
 /// The delay is taken as linear over a chirp's 50 µs (its curvature there moves the phase by 1e-9 rad), which makes the
 /// phase a parabola in time: three values by the formula, the rest by steps.
-fn add_pair(header: &CubeHeader, target: &Target, tx: usize, rx: usize, turn: f64, out: &mut [Complex64]) {
+fn add_pair(header: &CubeHeader, target: &Target, sent: &Sent, rx: usize, out: &mut [Complex64]) {
     let samples = header.radar.waveform.samples as usize;
     for (chirp, row) in out.chunks_exact_mut(samples).enumerate() {
-        let at = |n: usize| sample_cycles(header, target, [tx, rx], [chirp, n]);
+        let start_s = header.radar.chirp_start_s(sent.turn, chirp);
+        let at = |n: usize| cycles_at(header, target, [sent.tx, rx], start_s, n);
         let (amplitude, start) = at(0);
         let last = samples.max(3) - 1;
         let (half, whole) = (last / 2, last);
@@ -168,7 +197,8 @@ fn add_pair(header: &CubeHeader, target: &Target, tx: usize, rx: usize, turn: f6
         let (h, w) = (half as f64, whole as f64);
         let bend = (b / w - a / h) / (w - h);
         let slope = a / h - bend * h;
-        let mut value = Complex64::from_polar(amplitude, TAU * (start + turn * chirp as f64).fract());
+        let mut value =
+            Complex64::from_polar(amplitude, TAU * (start + sent.cycles * chirp as f64).fract()) * sent.sign;
         let mut step = Complex64::from_polar(1.0, TAU * (slope + bend).fract());
         let step_of_step = Complex64::from_polar(1.0, TAU * 2.0 * bend);
         for out in row {
@@ -181,10 +211,14 @@ fn add_pair(header: &CubeHeader, target: &Target, tx: usize, rx: usize, turn: f6
 
 /// Amplitude and phase in cycles of one sample, by the formula alone.
 pub fn sample_cycles(header: &CubeHeader, target: &Target, [tx, rx]: [usize; 2], [chirp, n]: [usize; 2]) -> (f64, f64) {
+    cycles_at(header, target, [tx, rx], header.radar.chirp_start_s(tx, chirp), n)
+}
+
+fn cycles_at(header: &CubeHeader, target: &Target, [tx, rx]: [usize; 2], start_s: f64, n: usize) -> (f64, f64) {
     let w = &header.radar.waveform;
     let (p_t, p_r) = (header.radar.array.tx_m[tx], header.radar.array.rx_m[rx]);
     let t = n as f64 / w.sample_rate_hz;
-    let [d_t, d_r] = legs(target, p_t, p_r, header.radar.chirp_start_s(tx, chirp) + t);
+    let [d_t, d_r] = legs(target, p_t, p_r, start_s + t);
     let tau = (d_t + d_r) / SPEED_OF_LIGHT_MPS;
     let cycles = w.start_frequency_hz * tau + w.slope_hz_per_s * (t * tau - 0.5 * tau * tau);
     (amplitude(header, target, d_t, d_r), cycles)

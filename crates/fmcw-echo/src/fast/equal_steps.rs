@@ -6,11 +6,13 @@
 use artifact::Radar;
 use artifact::radar::Multiplexing;
 
-/// Chirps `first`, `first` + `every`, … of each transmitter.
+/// Chirps `first`, `first` + `every`, … of each transmitter, or of one slot of all blocks of codes.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct EqualSteps {
     pub(crate) first: usize,
     pub(crate) every: usize,
+    /// Of the cube, whose rows these chirps are.
+    pub(crate) first_channel: usize,
     /// How many there are.
     pub(crate) chirps: usize,
     /// From one to the next, s.
@@ -23,14 +25,25 @@ impl EqualSteps {
     /// All chirps of a frame.
     pub(crate) fn of(radar: &Radar) -> Vec<Self> {
         let (every, chirps) = (chirps_to_repeat(radar), radar.waveform.chirps as usize);
-        let steps = |first: usize| Self {
+        let [transmitters, receivers] = [radar.array.tx_m.len(), radar.array.rx_m.len()];
+        let steps = |first: usize, first_channel: usize, first_s: Vec<f64>| Self {
             first,
             every,
+            first_channel,
             chirps: (chirps - first).div_ceil(every),
             step_s: every as f64 * radar.repetition_interval_s(),
-            first_s: (0..radar.array.tx_m.len()).map(|tx| radar.chirp_start_s(tx, first)).collect(),
+            first_s,
         };
-        (0..every.min(chirps)).map(steps).collect()
+        let firsts = 0..every.min(chirps);
+        if radar.array.multiplexing != Multiplexing::Bpm {
+            let starts_s = |first| (0..transmitters).map(|tx| radar.chirp_start_s(tx, first)).collect();
+            return firsts.map(|first| steps(first, 0, starts_s(first))).collect();
+        }
+        // All transmitters send in every slot.
+        let starts_s = |slot, first| vec![radar.chirp_start_s(slot, first); transmitters];
+        let of_slot = |slot| firsts.clone().map(move |first| (slot, first));
+        let all = (0..radar.slots()).flat_map(of_slot);
+        all.map(|(slot, first)| steps(first, slot * receivers, starts_s(slot, first))).collect()
     }
 
     /// Start of chirp `chirp` of these, or of a part of one more.
@@ -38,9 +51,9 @@ impl EqualSteps {
         self.first_s[tx] + chirp * self.step_s
     }
 
-    /// Number of chirp `chirp` of these in the frame.
-    pub(crate) fn in_frame(&self, chirp: usize) -> usize {
-        self.first + chirp * self.every
+    /// Channel and chirp in the cube of row `row` of these, chirp after chirp and channel after channel.
+    pub(crate) fn place(&self, row: usize) -> [usize; 2] {
+        [self.first_channel + row / self.chirps, self.first + row % self.chirps * self.every]
     }
 }
 
@@ -50,12 +63,8 @@ fn chirps_to_repeat(radar: &Radar) -> usize {
     if radar.schedule.is_uniform() {
         return 1;
     }
-    let in_the_air = match radar.array.multiplexing {
-        Multiplexing::Tdm => radar.array.tx_m.len(),
-        Multiplexing::Simultaneous | Multiplexing::Ddm => 1,
-    };
     let delays = radar.schedule.stagger_s.len();
-    delays / greatest_common_divisor(delays, in_the_air)
+    delays / greatest_common_divisor(delays, radar.slots())
 }
 
 fn greatest_common_divisor(a: usize, b: usize) -> usize {

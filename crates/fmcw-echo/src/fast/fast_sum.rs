@@ -51,8 +51,10 @@ pub(crate) fn memory_estimate_bytes(radar: &Radar, accuracy: Accuracy) -> u64 {
     let is_single = accuracy.amplitude() >= SINGLE;
     let value = if is_single { size_of::<Complex32>() } else { size_of::<Complex64>() } as u64;
     // Sums of single precision are the cube, but for links that are added up and chirps that are laid into one another.
-    let are_the_cube = is_single && radar.array.multiplexing != Multiplexing::Ddm && radar.schedule.is_uniform();
-    let sums = if are_the_cube { 0 } else { links * chirps * samples * value };
+    let are_the_cube = is_single && is_link_by_link(radar) && radar.schedule.is_uniform();
+    // With codes those of one slot after the other, and the cube that they are laid into.
+    let laid = if radar.array.multiplexing == Multiplexing::Bpm { radar.cube_channels() as u64 } else { 0 };
+    let sums = if are_the_cube { 0 } else { (links + laid) * chirps * samples * value };
     let grid = 2 * chirps * (2 * samples + CELLS_MAX as u64) * SETS as u64 * value;
     let of_a_set = 4 * chirps * samples * value;
     sums + (grid + of_a_set) * rayon::current_num_threads() as u64
@@ -75,7 +77,7 @@ fn cube_in<T: Scalar>(radar: &Radar, centre_frequency_hz: f64, paths: &[Path], e
     for listener in &listeners {
         let rows = part_of_cube::<T>(listener, paths, error);
         for (r, row) in rows.chunks_exact(samples).enumerate() {
-            let (channel, chirp) = (r / listener.steps.chirps, listener.steps.in_frame(r % listener.steps.chirps));
+            let [channel, chirp] = listener.steps.place(r);
             cube[(channel * chirps + chirp) * samples..][..samples].copy_from_slice(row);
         }
     }
@@ -111,7 +113,8 @@ fn part_of_cube<T: Scalar>(listener: &Listener<'_>, paths: &[Path], error: f64) 
 fn add_one_by_one<T: Scalar>(direct: &DirectSum<'_>, listener: &Listener<'_>, cube: &mut [Complex<T>]) {
     let (steps, samples) = (&listener.steps, listener.radar.waveform.samples as usize);
     cube.par_chunks_mut(samples).enumerate().for_each(|(r, total)| {
-        let values = direct.row(r / steps.chirps, steps.in_frame(r % steps.chirps));
+        let [channel, chirp] = steps.place(r);
+        let values = direct.row(channel, chirp);
         total.iter_mut().zip(values).for_each(|(sum, value)| *sum = *sum + rounded(value));
     });
 }
@@ -174,10 +177,15 @@ fn strengths<T: Scalar>(
     exact.values(&transmission, at.sample, &cycles).into_iter().map(rounded).collect()
 }
 
-/// Links as channels; with Doppler division a receiver's channel is the sum of all its links, each turned chirp by chirp.
+/// Whether every channel of a cube is one link.
+fn is_link_by_link(radar: &Radar) -> bool {
+    matches!(radar.array.multiplexing, Multiplexing::Simultaneous | Multiplexing::Tdm)
+}
+
+/// Links as channels; with Doppler division and codes a receiver's channel is the sum of all its links, each turned chirp by chirp.
 fn channels<T: Scalar>(listener: &Listener<'_>, mut of_links: Vec<Complex<T>>, length: usize) -> Vec<Complex<T>> {
     let (radar, steps) = (listener.radar, &listener.steps);
-    if radar.array.multiplexing != Multiplexing::Ddm {
+    if is_link_by_link(radar) {
         for (link, values) in links(radar).iter().zip(of_links.chunks_exact_mut(length)) {
             let factor = element_factor(radar, link.tx, link.rx);
             if factor != Complex64::ONE {
@@ -189,9 +197,9 @@ fn channels<T: Scalar>(listener: &Listener<'_>, mut of_links: Vec<Complex<T>>, l
     let (receivers, samples) = (radar.array.rx_m.len(), radar.waveform.samples as usize);
     let mut cube = vec![Complex::new(T::zero(), T::zero()); receivers * length];
     cube.par_chunks_mut(samples).enumerate().for_each(|(r, total)| {
-        let (rx, chirp) = (r / steps.chirps, r % steps.chirps);
-        for (tx, transmission) in row(radar, rx, steps.in_frame(chirp)).iter().enumerate() {
-            let start = (tx * receivers + rx) * length + chirp * samples;
+        let [channel, chirp] = steps.place(r);
+        for (tx, transmission) in row(radar, channel, chirp).iter().enumerate() {
+            let start = tx * receivers * length + r * samples;
             let (values, turn) = (&of_links[start..start + samples], rounded::<T>(transmission.turn));
             total.iter_mut().zip(values).for_each(|(sum, value)| *sum = *sum + turn * *value);
         }

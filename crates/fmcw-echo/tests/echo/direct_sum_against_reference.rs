@@ -35,7 +35,7 @@ fn every_sample_of_a_whole_cube_agrees_for_every_experiment() {
 #[test]
 fn every_preset_and_multiplexing_agrees() {
     for layout in presets() {
-        for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm] {
+        for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm] {
             let radar = radar(thinned(1, 2), &layout, multiplexing);
             let db = error_over_whole_cube_db(&radar, 12, 5);
             println!("{} {multiplexing:?}: {db:.1} dB", layout.name);

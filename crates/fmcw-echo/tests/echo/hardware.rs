@@ -50,7 +50,7 @@ fn an_element_error_is_its_gain_its_phase_and_the_length_of_its_line() {
 
 #[test]
 fn the_three_sums_agree_on_flawed_elements_under_every_multiplexing() {
-    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm] {
+    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm] {
         let radar = flawed(multiplexing, 16);
         the_three_sums_agree(&radar, "flawed", 71);
     }

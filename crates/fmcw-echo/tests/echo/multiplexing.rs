@@ -1,4 +1,4 @@
-//! tdm and ddm against the ideal orthogonal transmitters.
+//! tdm, ddm and bpm against the ideal orthogonal transmitters.
 
 use crate::setting::*;
 use artifact::radar::{Multiplexing, Radar};
@@ -79,4 +79,62 @@ fn a_ddm_receiver_hears_every_transmitter_turned_by_its_share_of_m_bands() {
     }
     // The turn enters the amplitude before the recurrence: rounding only, 3e-14 as for any factor (superposition.rs).
     assert!(error_db(&got, &expected) < -260.0);
+}
+
+#[test]
+fn a_bpm_receiver_hears_every_transmitter_with_its_sign_at_the_slots_own_start() {
+    let moving = random_paths(33, 6);
+    let (blocks, slots, length) = (3, 4, 256);
+    let coded = three_by_four(Multiplexing::Bpm, blocks as u32);
+    let ideal = three_by_four(Multiplexing::Simultaneous, (blocks * slots) as u32);
+    let (got, single) = (samples(&coded, &moving), samples(&ideal, &moving));
+    // Three transmitters, four slots: rows of Sylvester's matrix, written out.
+    let signs = [[1.0, 1.0, 1.0, 1.0], [1.0, -1.0, 1.0, -1.0], [1.0, 1.0, -1.0, -1.0]];
+    let mut expected = Vec::new();
+    for (slot, rx) in (0..slots).flat_map(|slot| (0..4).map(move |rx| (slot, rx))) {
+        for block in 0..blocks {
+            let row = |tx: usize| &single[((tx * 4 + rx) * blocks * slots + block * slots + slot) * length..][..length];
+            let sum = |n: usize| (0..3).map(|tx| signs[tx][slot] * row(tx)[n]).sum::<Complex64>();
+            expected.extend((0..length).map(sum));
+        }
+    }
+    // Rounding only, as with Doppler division.
+    assert!(error_db(&got, &expected) < -260.0);
+}
+
+#[test]
+fn bpm_rows_of_a_moving_point_are_the_signed_sums_of_their_closed_form() {
+    let radar = three_by_four(Multiplexing::Bpm, 8);
+    let (f_c, velocity_mps) = (radar.waveform.centre_frequency_hz(), 14.0);
+    let path = point([1.0, 33.0, 2.0], [0.0, velocity_mps, 0.0], 1.0);
+    let place = |t: f64| glam::DVec3::new(1.0, 33.0 + velocity_mps * t, 2.0);
+    let w = radar.waveform;
+    // √(P_tG_tG_r σ λ²/(4π)³)/(L₁L₂)·e^{j2π[f₀τ + μtτ − ½μτ²]}, the point where it scattered.
+    let echo = |tx: usize, rx: usize, start_s: f64, n: usize| {
+        let (t, c) = (n as f64 / w.sample_rate_hz, SPEED_OF_LIGHT_MPS);
+        let [p_t, p_r] = [radar.array.tx_m[tx], radar.array.rx_m[rx]].map(glam::DVec3::from_array);
+        let back_m = (0..5).fold(0.0, |back_m: f64, _| place(start_s + t - back_m / c).distance(p_r));
+        let there_m = place(start_s + t - back_m / c).distance(p_t);
+        let tau = (there_m + back_m) / c;
+        let power = radar.link.transmit_power_w * 10.0_f64.powf(radar.link.antenna_gain_db / 5.0);
+        let amplitude = (power * w.wavelength_m().powi(2) / (4.0 * PI).powi(3)).sqrt() / (there_m * back_m);
+        let cycles = w.start_frequency_hz * tau + w.slope_hz_per_s * (t * tau - 0.5 * tau * tau);
+        Complex64::from_polar(amplitude, TAU * cycles.fract())
+    };
+    let signs = [[1.0, 1.0, 1.0, 1.0], [1.0, -1.0, 1.0, -1.0], [1.0, 1.0, -1.0, -1.0]];
+    let fast = fmcw_echo::fast_sum::cube(&radar, f_c, &[path], artifact::Accuracy::from_db(-120.0));
+    for (name, cube) in [("direct", samples(&radar, &[path])), ("fast", fast)] {
+        let mut worst = 0.0_f64;
+        for (r, row) in cube.chunks_exact(256).enumerate() {
+            let (slot, rx, block) = (r / 8 / 4, r / 8 % 4, r % 8);
+            let start_s = (block * 4 + slot) as f64 * w.chirp_interval_s;
+            for n in [0, 100, 255] {
+                let parts = [0, 1, 2].map(|tx: usize| signs[tx][slot] * echo(tx, rx, start_s, n));
+                let exact: Complex64 = parts.iter().sum();
+                worst = worst.max((row[n] - exact).norm() / parts[0].norm());
+            }
+        }
+        println!("bpm, {name} sum: worst of all rows {worst:.1e} of one transmitter's echo, asked 1e-6");
+        assert!(worst < 1e-6, "{name}: {worst:e}");
+    }
 }

@@ -45,7 +45,7 @@ fn a_table_of_the_cosine_gives_the_cosines_echo_to_the_interpolations_error() {
 
 #[test]
 fn the_three_sums_agree_on_a_table_under_every_multiplexing() {
-    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm] {
+    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm] {
         let radar = with(Pattern::Table(cosine_table(36)), multiplexing);
         the_three_sums_agree(&radar, "table", 82);
     }

@@ -91,7 +91,7 @@ fn beside_a_target_stands_4_l_sin_squared_pi_f_tau_and_near_targets_keep_little_
 
 #[test]
 fn the_fast_sum_gets_the_accuracy_asked_for_against_every_path_with_its_own_delay() {
-    for (multiplexing, layout) in [(Multiplexing::Tdm, 2), (Multiplexing::Ddm, 2)] {
+    for (multiplexing, layout) in [(Multiplexing::Tdm, 2), (Multiplexing::Ddm, 2), (Multiplexing::Bpm, 2)] {
         let radar = noisy(multiplexing, layout, 4);
         let oscillator = Oscillator::of(&radar, 5, 0).unwrap();
         let mut paths = body(91, 40, [5.75, 40.0, 0.7], [0.0, -10.0, 0.0]);

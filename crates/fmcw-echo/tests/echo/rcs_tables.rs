@@ -62,7 +62,7 @@ fn samples_of_paths(radar: &Radar, paths: Vec<artifact::paths::Path>) -> Vec<Com
 
 #[test]
 fn a_table_of_one_value_is_a_point_target() {
-    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm] {
+    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm] {
         let radar = radar(artifact::Waveform { chirps: 4, ..experiment(1) }, &presets()[2], multiplexing);
         let pose = Pose {
             position_m: [5.75, 40.0, 0.5],

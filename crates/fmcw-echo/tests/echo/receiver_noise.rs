@@ -102,3 +102,18 @@ fn noise_differs_between_frames_channels_and_seeds_and_not_with_the_echo() {
     // The sum is rounded to f32 once more: 2⁻²⁴ of it.
     assert!(error_db(&difference, &widened(&base)) < -138.0);
 }
+
+/// Transmitters in phase straight ahead: the sum of the slots' powers is M·N_tx times one transmitter's, the noise of a slot one.
+#[test]
+fn snr_db_under_codes_is_that_of_the_transmitters_taken_apart() {
+    let at = |multiplexing| {
+        let radar = radar(artifact::Waveform { chirps: 16, ..experiment(1) }, &presets()[2], multiplexing);
+        let header = header(radar, Noise::Absent);
+        let still = point([2.0, 40.0, 1.0], [0.0; 3], 3.0);
+        fmcw_echo::snr_reference::peak_cell_over_noise(&header, &cube(&header, vec![still])).unwrap()
+    };
+    let gain = at(Multiplexing::Bpm) / at(Multiplexing::Simultaneous);
+    println!("codes over ideal transmitters of as many repetitions: {gain:.5}, asked 4");
+    // Σ_s |Σ_i H_is·x_i|²/N_tx = M·mean |x_i|²; distances of the elements differ by 1e-4.
+    assert!((gain - 4.0).abs() < 4.0 * 1e-3, "{gain}");
+}

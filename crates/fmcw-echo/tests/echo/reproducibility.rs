@@ -27,7 +27,9 @@ fn cube_on(threads: usize, multiplexing: Multiplexing, noise: Noise) -> CubeFram
 #[test]
 fn the_same_seed_gives_the_same_bytes_on_1_2_and_7_threads() {
     let figure = Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 };
-    for (multiplexing, noise) in [(Multiplexing::Ddm, figure), (Multiplexing::Tdm, Noise::SnrDb(20.0))] {
+    for (multiplexing, noise) in
+        [(Multiplexing::Ddm, figure), (Multiplexing::Tdm, Noise::SnrDb(20.0)), (Multiplexing::Bpm, figure)]
+    {
         let one = cube_on(1, multiplexing, noise);
         assert!(one == cube_on(2, multiplexing, noise));
         assert!(one == cube_on(7, multiplexing, noise));

@@ -41,7 +41,7 @@ fn a_staggered_chirp_turns_by_the_way_driven_up_to_its_own_start() {
 
 #[test]
 fn the_three_sums_agree_on_staggered_chirps() {
-    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm] {
+    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm] {
         let radar = staggered(2, multiplexing, 32);
         the_three_sums_agree(&radar, "staggered", 51);
     }

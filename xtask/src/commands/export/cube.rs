@@ -44,7 +44,7 @@ fn axes(header: &CubeHeader, frame_times_s: &[f64]) -> Value {
     })
 }
 
-/// Start of each chirp from the record's first sample: `[chirp]`, with tdm `[tx][chirp]`; with sub-frames a list of these.
+/// Start of each chirp from the record's first sample: `[chirp]`, with tdm `[tx][chirp]`, with bpm `[slot][chirp]`; with sub-frames a list of these.
 fn chirp_times(header: &CubeHeader) -> Value {
     match header.radar.schedule.sub_frames() {
         1 => times_of(&header.radar),
@@ -53,25 +53,35 @@ fn chirp_times(header: &CubeHeader) -> Value {
 }
 
 fn times_of(radar: &Radar) -> Value {
-    let of = |tx: usize| -> Vec<f64> {
-        (0..radar.waveform.chirps as usize).map(|chirp| radar.chirp_start_s(tx, chirp)).collect()
+    let of = |turn: usize| -> Vec<f64> {
+        (0..radar.waveform.chirps as usize).map(|chirp| radar.chirp_start_s(turn, chirp)).collect()
     };
     match radar.array.multiplexing {
-        Multiplexing::Tdm => json!((0..radar.array.tx_m.len()).map(of).collect::<Vec<_>>()),
+        Multiplexing::Tdm | Multiplexing::Bpm => json!((0..radar.slots()).map(of).collect::<Vec<_>>()),
         Multiplexing::Simultaneous | Multiplexing::Ddm => json!(of(0)),
     }
 }
 
 fn channels(header: &CubeHeader) -> Value {
     match header.radar.array.multiplexing {
-        Multiplexing::Ddm => header.radar.array.rx_m.iter().map(|rx| json!({ "tx_m": null, "rx_m": rx })).collect(),
-        Multiplexing::Simultaneous | Multiplexing::Tdm => virtual_channels(header),
+        Multiplexing::Ddm => receivers(header).collect(),
+        Multiplexing::Bpm => (0..header.radar.slots()).flat_map(|_| receivers(header)).collect(),
+        Multiplexing::Simultaneous | Multiplexing::Tdm => map_channels(header),
     }
 }
 
-/// Transmit–receive pairs, channel = tx·N_rx + rx.
-pub(crate) fn virtual_channels(header: &CubeHeader) -> Value {
+/// As they hear all transmitters, or a code that no transmitter has.
+fn receivers(header: &CubeHeader) -> impl Iterator<Item = Value> {
+    header.radar.array.rx_m.iter().map(|rx| json!({ "tx_m": null, "rx_m": rx }))
+}
+
+/// Transmit–receive pairs, channel = tx·N_rx + rx, with bpm codes of no transmitter behind them.
+pub(crate) fn map_channels(header: &CubeHeader) -> Value {
     let array = &header.radar.array;
     let pairs = array.tx_m.iter().flat_map(|tx| array.rx_m.iter().map(move |rx| json!({ "tx_m": tx, "rx_m": rx })));
-    pairs.collect()
+    let idle_codes = match array.multiplexing {
+        Multiplexing::Bpm => header.radar.slots() - array.tx_m.len(),
+        Multiplexing::Simultaneous | Multiplexing::Tdm | Multiplexing::Ddm => 0,
+    };
+    pairs.chain((0..idle_codes).flat_map(|_| receivers(header))).collect()
 }

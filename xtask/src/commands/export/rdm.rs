@@ -1,6 +1,6 @@
 //! Range-Doppler maps as complex64 `[frame, channel, doppler, range]`, as EXR layers and as grey pictures.
 
-use super::{NpyStream, cube::virtual_channels, fail, write_sidecar};
+use super::{NpyStream, cube::map_channels, fail, write_sidecar};
 use crate::failure::Failure;
 use crate::output;
 use crate::pictures;
@@ -44,7 +44,7 @@ fn axes(header: &CubeHeader, told: &[(f64, u64, u64)]) -> serde_json::Value {
         "cells": told.iter().map(|t| t.2).collect::<Vec<_>>(),
         "velocity_mps": velocities(header),
         "range_m": dsp::range_axis_m(header),
-        "channels": virtual_channels(header),
+        "channels": map_channels(header),
     })
 }
 

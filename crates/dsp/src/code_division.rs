@@ -1,0 +1,60 @@
+//! Code division: in slot s of a block of M chirps, transmitter i has the sign H_is of Sylvester's Hadamard matrix.
+//!
+//! The slots' maps are those of transmitters in turn, each of which hears all. In a slot an echo of f cycles a block is turned by
+//! f·(s − s̄)/M against the block's middle s̄. That turned back, X_i = Σ_s H_is·Y_s/M is transmitter i alone, to rounding: the rows of H are
+//! orthogonal. Echoes turned by a wrong f pass from code to code instead, and their power, Σ_i |X_i|² = Σ_s |Y_s|²/M, stays what it is.
+//! So a map takes each row's own f, keeps all M codes, those of no transmitter too, and is detected on their sum, which knows no
+//! fold; directions are looked for once the velocity of an echo is told, with [`in_phase`].
+
+use artifact::cube::CubeHeader;
+use artifact::radar::code_sign;
+use num_complex::{Complex32, Complex64};
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// Maps `[code·N_rx + rx, doppler, range]` of the slots' maps `[slot·N_rx + rx, doppler, range]`.
+pub(crate) fn codes_of_slots(header: &CubeHeader, of_slots: &[Complex32]) -> Vec<Complex32> {
+    let (slots, receivers) = (header.radar.slots(), header.radar.array.rx_m.len());
+    let (rows, columns) = (header.radar.waveform.chirps as usize, header.radar.waveform.range_cells());
+    let mut codes = vec![Complex32::ZERO; of_slots.len()];
+    codes.par_chunks_mut(columns).enumerate().for_each(|(r, cells)| {
+        let (channel, row) = (r / rows, r % rows);
+        let (code, rx) = (channel / receivers, channel % receivers);
+        let cycles = cycles_per_slot(header, row);
+        for slot in 0..slots {
+            let share = turned_back(slots, slot, cycles) * code_sign(code, slot) / slots as f64;
+            let share = Complex32::new(share.re as f32, share.im as f32);
+            let values = &of_slots[((slot * receivers + rx) * rows + row) * columns..][..columns];
+            cells.iter_mut().zip(values).for_each(|(sum, value)| *sum += share * value);
+        }
+    });
+    codes
+}
+
+/// Values `[tx·N_rx + rx]` of an echo that turns by `cycles` from slot to slot, of a cell's values `[code·N_rx + rx]` in row `row`.
+pub(crate) fn in_phase(header: &CubeHeader, codes: &[Complex64], row: usize, cycles: f64) -> Vec<Complex64> {
+    let (slots, receivers) = (header.radar.slots(), header.radar.array.rx_m.len());
+    let more = cycles - cycles_per_slot(header, row);
+    let of_slot = |slot: usize, rx: usize| {
+        let sum: Complex64 = (0..slots).map(|code| code_sign(code, slot) * codes[code * receivers + rx]).sum();
+        sum * turned_back(slots, slot, more)
+    };
+    let of_slots: Vec<Complex64> = (0..codes.len()).map(|i| of_slot(i / receivers, i % receivers)).collect();
+    let of_pair = |i: usize| {
+        let (tx, rx) = (i / receivers, i % receivers);
+        let sum: Complex64 = (0..slots).map(|slot| code_sign(tx, slot) * of_slots[slot * receivers + rx]).sum();
+        sum / slots as f64
+    };
+    (0..header.radar.virtual_channels()).map(of_pair).collect()
+}
+
+/// What an echo in the middle of a row turns by from slot to slot.
+fn cycles_per_slot(header: &CubeHeader, row: usize) -> f64 {
+    let rows = header.radar.waveform.chirps as usize;
+    (row as f64 - (rows / 2) as f64) / (rows * header.radar.slots()) as f64
+}
+
+/// About the block's middle.
+fn turned_back(slots: usize, slot: usize, cycles: f64) -> Complex64 {
+    Complex64::from_polar(1.0, -TAU * cycles * (slot as f64 - 0.5 * (slots - 1) as f64))
+}
