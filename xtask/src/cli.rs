@@ -56,6 +56,8 @@ pub(crate) enum Command {
     Classify(ClassifyArguments),
     /// Samples from anywhere (.npy, DCA1000 .bin, SigMF) to a radar cube.
     Import(ImportArguments),
+    /// Radar cubes of a reflector at a known place to the errors of the array's channels, for `calibration` of [dsp].
+    Calibrate(CalibrateArguments),
     /// Any artifact to a format that others read.
     Export(ExportArguments),
     /// Header, provenance, shape, units and a sanity line of any artifact.
@@ -294,6 +296,29 @@ pub(crate) struct ImportArguments {
     /// Result.
     #[arg(long, value_name = "F.cube")]
     pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CalibrateArguments {
+    /// Radar cubes of the reflector, at rest.
+    #[arg(value_name = "F.cube")]
+    pub(crate) cube: PathBuf,
+    /// Where it stands, world metres.
+    #[arg(long, value_name = "X,Y,Z", value_parser = place)]
+    pub(crate) at_m: Place,
+    /// Result.
+    #[arg(long, value_name = "F.csv")]
+    pub(crate) out: PathBuf,
+}
+
+/// World metres.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Place(pub(crate) [f64; 3]);
+
+fn place(text: &str) -> Result<Place, String> {
+    let parts: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse::<f64>()).collect();
+    let finite = parts.ok().filter(|parts| parts.iter().all(|x| x.is_finite()));
+    finite.and_then(|parts| parts.try_into().ok()).map(Place).ok_or_else(|| "three numbers, X,Y,Z in metres".to_owned())
 }
 
 #[derive(Debug, Args)]

@@ -2,6 +2,7 @@
 
 mod bench;
 mod cache;
+mod calibrate;
 mod ci;
 mod classify;
 mod dataset;
@@ -34,6 +35,7 @@ pub(crate) fn dispatch(command: Command) -> Result<(), Failure> {
         Command::Train(arguments) => train::run(&arguments),
         Command::Classify(arguments) => classify::run(&arguments),
         Command::Import(arguments) => import::run(&arguments),
+        Command::Calibrate(arguments) => calibrate::run(&arguments),
         Command::Export(arguments) => export::run(&arguments),
         Command::Inspect(arguments) => inspect::run(&arguments),
         Command::Vehicles(arguments) => vehicles::run(&arguments),

@@ -167,7 +167,7 @@ pub(crate) fn echo_header(header: &SceneHeader) -> CubeHeader {
 mod tests {
     use super::*;
     use artifact::material::{Backing, Layer, Makeup, Material, MaterialMap, Road, Thickness, Transmission};
-    use artifact::radar::{Adc, ElementError, Interferer, Pattern, PatternTable, PhaseNoise, Schedule};
+    use artifact::radar::{Adc, ElementError, ElementSpread, Interferer, Pattern, PatternTable, PhaseNoise, Schedule};
     use artifact::scene::{Backscatter, Mesh, Placed, Traffic, Vehicle, Wheel};
     use num_complex::Complex64;
     use serde_json::Value;
@@ -214,9 +214,11 @@ mod tests {
             chirp_interval_s: 6e-5,
             offset_s: 0.0,
         };
+        let spread = ElementSpread { gain_db: 1.0, phase_rad: 0.1 };
+        header.dsp.calibration = vec![Complex64::new(1.0, 0.1)];
         let phase_noise = vec![PhaseNoise { offset_hz: 1e6, dbc_per_hz: -95.0 }];
         header.radar.hardware =
-            Hardware { tx: vec![error; 3], rx: vec![error; 4], adc, phase_noise, interferers: vec![other] };
+            Hardware { tx: vec![error; 3], rx: vec![error; 4], spread, adc, phase_noise, interferers: vec![other] };
         header.targets.truncate(2);
         header.targets[1].kind =
             TargetKind::Point { rcs_m2: 1.0, wheel: Some(Wheel { radius_m: 0.3, angle_rad: 0.0 }) };

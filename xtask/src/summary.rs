@@ -6,7 +6,7 @@ use crate::truth::{Truth, assign, truths};
 use artifact::accuracy::{ErrorBudget, ModelError};
 use artifact::paths::{PathsFrame, TargetDetail};
 use artifact::points::{Object, PointsFrame};
-use artifact::radar::Sampling;
+use artifact::radar::{ElementError, Sampling};
 use artifact::scene::{Role, SceneFrame, SceneHeader, TargetKind};
 use artifact::settings::Class;
 use artifact::units::db_from_amplitude;
@@ -48,12 +48,26 @@ fn radar(header: &SceneHeader) -> Value {
         },
         "chirps": waveform.chirps,
         "channels": radar.virtual_channels(),
+        "element_errors": element_errors(header),
         "range_resolution_m": waveform.range_resolution_m(),
         "range_max_m": waveform.range_max_m(),
         "velocity_resolution_mps": radar.velocity_resolution_mps(),
         "velocity_max_mps": radar.velocity_max_mps(),
         "sample_rate_hz": waveform.sample_rate_hz,
     })
+}
+
+/// Those that the scene lists and those that its seed draws, together; null of an ideal array.
+fn element_errors(header: &SceneHeader) -> Value {
+    let hardware = fmcw_echo::element_errors::drawn(&header.radar, header.seed).hardware;
+    let of = |errors: &[ElementError]| -> Vec<Value> {
+        let told = |e: &ElementError| json!({ "gain_db": e.gain_db, "phase_deg": e.phase_rad.to_degrees(), "delay_ps": e.delay_s * 1e12 });
+        errors.iter().map(told).collect()
+    };
+    match (&hardware.tx[..], &hardware.rx[..]) {
+        ([], []) => Value::Null,
+        (tx, rx) => json!({ "tx": of(tx), "rx": of(rx) }),
+    }
 }
 
 /// One frame with its targets, truth beside estimate.

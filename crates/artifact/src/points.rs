@@ -10,7 +10,7 @@ pub struct Points;
 
 impl Schema for Points {
     const NAME: &'static str = "points";
-    const VERSION: u32 = 6;
+    const VERSION: u32 = 7;
     type Header = PointsHeader;
     type Frame = PointsFrame;
 }

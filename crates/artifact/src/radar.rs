@@ -122,6 +122,8 @@ pub struct Hardware {
     pub tx: Vec<ElementError>,
     /// Of each receive element; empty: ideal.
     pub rx: Vec<ElementError>,
+    /// Of what comes to the errors of every element, drawn from the scene's seed.
+    pub spread: ElementSpread,
     /// `None`: samples are not rounded.
     pub adc: Option<Adc>,
     /// Of the oscillator that all elements share, growing in offset; empty: none.
@@ -170,6 +172,15 @@ pub struct ElementError {
     pub phase_rad: f64,
     /// Of its line.
     pub delay_s: f64,
+}
+
+/// Standard deviations of elements' errors.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct ElementSpread {
+    /// Of the amplitude.
+    pub gain_db: f64,
+    /// Of the IF value of echoes.
+    pub phase_rad: f64,
 }
 
 /// An analogue-to-digital converter for each part of a complex sample.

@@ -1,6 +1,7 @@
 //! What a scene asks of the stages.
 
 use crate::Accuracy;
+use num_complex::Complex64;
 use serde::{Deserialize, Serialize};
 
 /// Receiver noise.
@@ -182,6 +183,9 @@ pub struct DspSettings {
     pub angle: Angle,
     /// What is estimated finer than by peaks.
     pub refine: Refine,
+    /// Of each transmit–receive pair, tx·N_rx + rx: what its values are multiplied by before directions are looked for, since its elements
+    /// were measured to differ from ideal ones. Empty: all are taken as ideal.
+    pub calibration: Vec<Complex64>,
     /// Height given to points where the array has no elevation rows.
     pub assumed_height_m: f64,
     /// Detections closer than this join one object, m in range.

@@ -113,6 +113,7 @@ fn dsp() -> DspSettings {
         training_cells: [8, 8],
         angle: Angle::Fft,
         refine: Refine::Off,
+        calibration: vec![],
         assumed_height_m: 0.75,
         cluster_range_m: 1.0,
         cluster_velocity_mps: 1.0,

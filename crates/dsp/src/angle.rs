@@ -23,6 +23,8 @@ pub struct VirtualArray {
     /// Transmit and receive element of each channel, world metres from the array's centre.
     elements: Vec<[DVec3; 2]>,
     receivers: usize,
+    /// What the values of each channel are multiplied by; empty: nothing.
+    calibration: Vec<Complex64>,
     /// Delay of each channel's chirps after those of the first transmitter, s.
     slot_s: Vec<f64>,
     /// |tx|² + |rx|² of each channel, m².
@@ -71,11 +73,23 @@ impl VirtualArray {
         let transforms = [0, 1].map(|axis: usize| planner.plan_fft_inverse(lattices[axis].cells()));
         let squares_m2 = elements.iter().map(|[tx, rx]| tx.length_squared() + rx.length_squared()).collect();
         let receivers = radar.array.rx_m.len();
-        Self { wavelength_m, axes, elements, receivers, slot_s, squares_m2, lattices, transforms }
+        let calibration = header.dsp.calibration.clone();
+        Self { calibration, wavelength_m, axes, elements, receivers, slot_s, squares_m2, lattices, transforms }
     }
 
     /// Values of one cell; `velocity_mps` turns the later slots of time and code division back.
     pub fn snapshot(&self, header: &CubeHeader, map: &RdmFrame, cell: [usize; 2], velocity_mps: f64) -> Snapshot {
+        self.snapshot_and_idle(header, map, cell, velocity_mps).0
+    }
+
+    /// The same, and the power of codes that no transmitter has.
+    pub(crate) fn snapshot_and_idle(
+        &self,
+        header: &CubeHeader,
+        map: &RdmFrame,
+        cell: [usize; 2],
+        velocity_mps: f64,
+    ) -> (Snapshot, f64) {
         let [chirps, samples] = [header.radar.waveform.chirps as usize, header.radar.waveform.range_cells()];
         let doppler_hz = 2.0 * velocity_mps / self.wavelength_m;
         let value = |channel: usize| {
@@ -85,10 +99,17 @@ impl VirtualArray {
         if header.radar.array.multiplexing == Multiplexing::Bpm {
             let codes: Vec<Complex64> = (0..header.radar.map_channels()).map(value).collect();
             let cycles = doppler_hz * header.radar.waveform.chirp_interval_s;
-            return code_division::in_phase(header, &codes, cell[0], cycles);
+            let mut values = code_division::in_phase(header, &codes, cell[0], cycles);
+            let idle = values.split_off(self.elements.len()).iter().map(|value| value.norm_sqr()).sum();
+            return (self.calibrated(values), idle);
         }
         let turned = |(channel, slot_s): (usize, &f64)| value(channel) * turned_back(doppler_hz * slot_s);
-        self.slot_s.iter().enumerate().map(turned).collect()
+        (self.calibrated(self.slot_s.iter().enumerate().map(turned).collect()), 0.0)
+    }
+
+    fn calibrated(&self, mut values: Snapshot) -> Snapshot {
+        values.iter_mut().zip(&self.calibration).for_each(|(value, factor)| *value *= factor);
+        values
     }
 
     /// The strongest cell of the angle FFT over one or more cells of a map, their powers added: right to half a cell of the FFT.

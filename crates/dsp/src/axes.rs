@@ -77,6 +77,11 @@ pub(crate) fn checked_shape(header: &CubeHeader) -> Result<[usize; 3], DspError>
             return Err(DspError::Radar { quantity, value });
         }
     }
+    let (calibration, expected) = (&header.dsp.calibration, header.radar.virtual_channels());
+    let found = calibration.iter().filter(|factor| factor.is_finite()).count();
+    if !calibration.is_empty() && (found, calibration.len()) != (expected, expected) {
+        return Err(DspError::Calibration { expected, found });
+    }
     let shape = rdm::shape(header);
     shape.iter().try_fold(1_usize, |product, n| product.checked_mul(*n)).ok_or(DspError::TooLarge)?;
     Ok(shape)

@@ -31,7 +31,7 @@ pub(crate) fn codes_of_slots(header: &CubeHeader, of_slots: &[Complex32]) -> Vec
     codes
 }
 
-/// Values `[tx·N_rx + rx]` of an echo that turns by `cycles` from slot to slot, of a cell's values `[code·N_rx + rx]` in row `row`.
+/// Values `[code·N_rx + rx]` of an echo that turns by `cycles` from slot to slot, of those of a cell in row `row`.
 pub(crate) fn in_phase(header: &CubeHeader, codes: &[Complex64], row: usize, cycles: f64) -> Vec<Complex64> {
     let (slots, receivers) = (header.radar.slots(), header.radar.array.rx_m.len());
     let more = cycles - cycles_per_slot(header, row);
@@ -40,12 +40,12 @@ pub(crate) fn in_phase(header: &CubeHeader, codes: &[Complex64], row: usize, cyc
         sum * turned_back(slots, slot, more)
     };
     let of_slots: Vec<Complex64> = (0..codes.len()).map(|i| of_slot(i / receivers, i % receivers)).collect();
-    let of_pair = |i: usize| {
-        let (tx, rx) = (i / receivers, i % receivers);
-        let sum: Complex64 = (0..slots).map(|slot| code_sign(tx, slot) * of_slots[slot * receivers + rx]).sum();
+    let of_code = |i: usize| {
+        let (code, rx) = (i / receivers, i % receivers);
+        let sum: Complex64 = (0..slots).map(|slot| code_sign(code, slot) * of_slots[slot * receivers + rx]).sum();
         sum / slots as f64
     };
-    (0..header.radar.virtual_channels()).map(of_pair).collect()
+    (0..codes.len()).map(of_code).collect()
 }
 
 /// What an echo in the middle of a row turns by from slot to slot.

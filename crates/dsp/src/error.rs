@@ -15,6 +15,34 @@ pub enum DspError {
         /// Sample.
         sample: usize,
     },
+    /// Calibration of another array.
+    #[error("the calibration has {found} channels, the array {expected}")]
+    Calibration {
+        /// Transmit–receive pairs.
+        expected: usize,
+        /// Factors, or finite ones.
+        found: usize,
+    },
+    /// A place that no cell holds.
+    #[error("a reflector {range_m} m away lies outside the map, which ends at {limit_m} m")]
+    ReflectorRange {
+        /// From the array's centre.
+        range_m: f64,
+        /// Of the waveform.
+        limit_m: f64,
+    },
+    /// An echo that tells no phases.
+    #[error(
+        "the weakest channel at {range_m:.2} m and rest is {snr_db:.1} dB over its noise; calibration needs {least_db} dB"
+    )]
+    WeakReflector {
+        /// Where it was looked for.
+        range_m: f64,
+        /// Of the weakest channel.
+        snr_db: f64,
+        /// What is needed.
+        least_db: f64,
+    },
     /// Refinement on samples that are not one tone an echo.
     #[error("peaks are refined on complex samples whose transmitters are told apart without codes")]
     Refinement,

@@ -43,7 +43,7 @@
 //! };
 //! let header = CubeHeader { radar, noise: Noise::Absent, dsp: DspSettings {
 //!     range_window: Window::Hann, doppler_window: Window::Hann, detector: Detector::CaCfar, false_alarm_rate: 1e-5,
-//!     guard_cells: [2, 2], training_cells: [4, 8], angle: Angle::Fft, refine: Refine::Off, assumed_height_m: 0.75,
+//!     guard_cells: [2, 2], training_cells: [4, 8], angle: Angle::Fft, refine: Refine::Off, calibration: vec![], assumed_height_m: 0.75,
 //!     cluster_range_m: 2.5, cluster_velocity_mps: 1.0, cluster_cross_m: 2.5,
 //!     road: Lanes { lanes: vec![Lane { number: 2, centre_m: 5.75, width_m: 3.75 }], ..Lanes::default() },
 //! }};
@@ -94,6 +94,7 @@ pub mod point_echo;
 pub mod refinement;
 pub mod isolation;
 pub mod cramer_rao;
+pub mod calibration;
 pub mod position;
 pub mod clusters;
 pub mod time_division_folds;

@@ -61,6 +61,7 @@ fn blocks_of_channel(
 ) -> Vec<Block> {
     let [_, all_chirps, length] = header.shape();
     let heard = heard(header, channel);
+    let calibration = header.dsp.calibration.get(channel).copied().unwrap_or(Complex64::ONE);
     let [rows, columns] = [all_chirps.div_ceil(BLOCKS), length.div_ceil(BLOCKS)];
     let row_blocks = (0..all_chirps).step_by(rows).map(|first| first..(first + rows).min(all_chirps));
     row_blocks
@@ -79,7 +80,7 @@ fn blocks_of_channel(
                 let width = columns.min(length - index * columns);
                 let sweep_s = (index as f64 * columns as f64 + 0.5 * (width - 1) as f64) / rate_hz;
                 let weight = (width * chirps.len()) as f64;
-                Block { sum, weight, channel, sweep_s, frame_s: frame_s + sweep_s }
+                Block { sum: sum * calibration, weight, channel, sweep_s, frame_s: frame_s + sweep_s }
             })
         })
         .collect()

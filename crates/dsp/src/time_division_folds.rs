@@ -75,10 +75,9 @@ impl Folds {
         (shown_mps, range_m): (f64, f64),
     ) -> Self {
         let span_mps = 2.0 * header.radar.velocity_max_mps();
-        let power = power_of(header, map, cell);
         let left_of = |fold: usize| {
-            let snapshot = array.snapshot(header, map, cell, shown_mps + fold as f64 * span_mps);
-            left_over(array, &snapshot, power, range_m)
+            let (snapshot, idle) = array.snapshot_and_idle(header, map, cell, shown_mps + fold as f64 * span_mps);
+            left_over(array, &snapshot, idle, range_m)
         };
         let left = (0..header.radar.slots()).map(left_of).collect();
         Self { shown_mps, span_mps, left, freedom: header.radar.map_channels() as f64 - 2.0 }
@@ -128,18 +127,12 @@ impl Folds {
     }
 }
 
-/// Of all channels of a cell, the same whatever its fold.
-fn power_of(header: &CubeHeader, map: &RdmFrame, [row, column]: [usize; 2]) -> f64 {
-    let (rows, columns) = (header.radar.waveform.chirps as usize, header.radar.waveform.range_cells());
-    let values = map.values.chunks_exact(rows * columns).map(|channel| channel[row * columns + column]);
-    values.map(|v| f64::from(v.re).powi(2) + f64::from(v.im).powi(2)).sum()
-}
-
-/// Power of a cell less that of its snapshot's strongest beam.
-fn left_over(array: &VirtualArray, snapshot: &Snapshot, power: f64, range_m: f64) -> f64 {
+/// Power of a snapshot and of idle codes less that of its strongest beam.
+fn left_over(array: &VirtualArray, snapshot: &Snapshot, idle: f64, range_m: f64) -> f64 {
+    let total: f64 = snapshot.iter().map(|v| v.norm_sqr()).sum();
     let direction = array.direction(std::slice::from_ref(snapshot), range_m);
     let beam = array.beam(snapshot, &array.steering(direction, range_m));
-    (power - beam.norm_sqr() / snapshot.len() as f64).max(0.0)
+    (total + idle - beam.norm_sqr() / snapshot.len() as f64).max(0.0)
 }
 
 /// Least part of an echo's power that any wrong fold loses, for echoes from these direction cosines; 0 where one is exactly another
@@ -151,23 +144,26 @@ pub fn least_loss(header: &CubeHeader, directions: &[Direction], range_m: f64) -
         let echo: Snapshot =
             array.steering(*direction, range_m).into_iter().map(|turn_back| turn_back.conj()).collect();
         let power = echo.len() as f64;
-        left_over(&array, &misfolded(header, echo, fold), power, range_m) / power
+        let (snapshot, idle) = misfolded(header, echo, fold);
+        left_over(&array, &snapshot, idle, range_m) / power
     };
     let losses = directions.iter().flat_map(|d| (1..slots).map(move |fold| lost(d, fold)));
     losses.fold(1.0, f64::min)
 }
 
-/// An echo of a row's middle, so many folds beside it.
-fn misfolded(header: &CubeHeader, echo: Snapshot, fold: usize) -> Snapshot {
+/// An echo of a row's middle, so many folds beside it, and what idle codes have of it.
+fn misfolded(header: &CubeHeader, echo: Snapshot, fold: usize) -> (Snapshot, f64) {
     let (slots, receivers) = (header.radar.slots(), header.radar.array.rx_m.len());
     let cycles = fold as f64 / slots as f64;
     if header.radar.array.multiplexing == Multiplexing::Bpm {
         let mut codes = echo;
         codes.resize(header.radar.map_channels(), Complex64::ZERO);
-        return in_phase(header, &codes, header.radar.waveform.chirps as usize / 2, -cycles);
+        let mut turned = in_phase(header, &codes, header.radar.waveform.chirps as usize / 2, -cycles);
+        let idle = turned.split_off(header.radar.virtual_channels());
+        return (turned, idle.iter().map(|value| value.norm_sqr()).sum());
     }
     let turned = |(channel, value): (usize, Complex64)| {
         value * Complex64::from_polar(1.0, TAU * cycles * (channel / receivers) as f64)
     };
-    echo.into_iter().enumerate().map(turned).collect()
+    (echo.into_iter().enumerate().map(turned).collect(), 0.0)
 }

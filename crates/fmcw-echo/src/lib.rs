@@ -64,7 +64,7 @@
 //! };
 //! # let dsp = DspSettings {
 //! #     range_window: Window::Hann, doppler_window: Window::Hann, detector: Detector::CaCfar, false_alarm_rate: 1e-5,
-//! #     guard_cells: [2, 2], training_cells: [6, 10], angle: Angle::Fft, refine: Refine::Off, assumed_height_m: 0.75, cluster_range_m: 2.0,
+//! #     guard_cells: [2, 2], training_cells: [6, 10], angle: Angle::Fft, refine: Refine::Off, calibration: vec![], assumed_height_m: 0.75, cluster_range_m: 2.0,
 //! #     cluster_velocity_mps: 1.0, cluster_cross_m: 2.0, road: Lanes::default(),
 //! # };
 //! # let (nearest_range_m, error, model_error) = (vec![], ErrorBudget::default(), ModelError::default());
@@ -98,6 +98,7 @@ pub mod ground;
 pub mod window;
 pub mod snr_reference;
 pub mod noise;
+pub mod element_errors;
 pub mod interference;
 pub mod adc;
 mod admission;

@@ -5,7 +5,7 @@ use crate::error::EchoError;
 use crate::fast::fast_sum;
 use crate::oscillator::{self, Oscillator};
 use crate::rcs_table::{self, TableSum};
-use crate::{adc, interference, noise, phase_noise, synthesis_error};
+use crate::{adc, element_errors, interference, noise, phase_noise, synthesis_error};
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::paths::PathsFrame;
 use artifact::radar::Sampling;
@@ -32,7 +32,7 @@ pub fn synthesize(
     accuracy: Accuracy,
     progress: Progress,
 ) -> Result<CubeFrame, EchoError> {
-    let header = &header.in_frame(frame.index);
+    let header = &with_drawn_errors(header.in_frame(frame.index), seed);
     check_header(header)?;
     check_centre_frequency(centre_frequency_hz)?;
     check_paths(&header.radar, frame.index, &frame.paths)?;
@@ -62,7 +62,7 @@ pub fn synthesize_tables(
     frame: &RcsFrame,
     progress: Progress,
 ) -> Result<CubeFrame, EchoError> {
-    let header = &header.in_frame(frame.index);
+    let header = &with_drawn_errors(header.in_frame(frame.index), seed);
     check_header(header)?;
     check_paths(&header.radar, frame.index, &rcs_table::origins(poses, frame))?;
     let oscillator = Oscillator::of(&header.radar, seed, frame.index);
@@ -73,6 +73,10 @@ pub fn synthesize_tables(
     receive(header, seed, (frame.index, frame.time_s), &mut samples)?;
     let error = frame.error.joined(ErrorBudget { synthesis, ..ErrorBudget::default() });
     Ok(CubeFrame { index: frame.index, time_s: frame.time_s, samples, error })
+}
+
+fn with_drawn_errors(header: CubeHeader, seed: u64) -> CubeHeader {
+    CubeHeader { radar: element_errors::drawn(&header.radar, seed), ..header }
 }
 
 /// What comes to the echoes in the receiver: noise, other radars; of a real mixer one part of it all; the converter.

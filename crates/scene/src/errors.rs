@@ -1,5 +1,6 @@
 //! What can be wrong with a scene: facts as fields, the sentence made once.
 
+use crate::calibration::CalibrationFileError;
 use crate::mesh::MeshError;
 use crate::pattern_table::PatternFileError;
 use crate::traffic::fcd::FcdError;
@@ -68,6 +69,7 @@ impl std::error::Error for SceneError {
             Rule::Mesh(error) => Some(error),
             Rule::Traffic(error) => Some(error),
             Rule::Pattern(error) => Some(error),
+            Rule::Calibration(error) => Some(error),
             _ => None,
         }
     }
@@ -414,6 +416,9 @@ pub enum Rule {
     /// A table of an antenna pattern was refused or could not be read.
     #[error("{0}")]
     Pattern(#[source] PatternFileError),
+    /// A file of measured errors was refused or could not be read.
+    #[error("{0}")]
+    Calibration(#[source] CalibrationFileError),
     /// A time that runs backwards.
     #[error("`end_s` is {end_s}, before `begin_s`, which is {begin_s}")]
     EndsBeforeItBegins {
@@ -439,6 +444,7 @@ impl Rule {
             Self::Traffic(error) => error.is_system(),
             Self::Materials(errors) => errors.is_system(),
             Self::Pattern(error) => error.is_system(),
+            Self::Calibration(error) => error.is_system(),
             _ => false,
         }
     }

@@ -6,7 +6,7 @@ use crate::errors::{Allowed, Rule};
 use crate::keys;
 use crate::radar::COORDINATES_M;
 use crate::targets::VELOCITIES_MPS;
-use artifact::radar::{Adc, ElementError, Hardware, Interferer, PhaseNoise};
+use artifact::radar::{Adc, ElementError, ElementSpread, Hardware, Interferer, PhaseNoise};
 use artifact::units::watts_from_dbm;
 
 /// Beyond this an element is dead or wrongly built: a decade of amplitude, a nanosecond (30 cm) of line.
@@ -24,6 +24,10 @@ pub(crate) fn read_hardware(
     Hardware {
         tx: read_elements(array, ["tx_gain_errors_db", "tx_phase_errors_deg", "tx_delays_ps"], tx),
         rx: read_elements(array, ["rx_gain_errors_db", "rx_phase_errors_deg", "rx_delays_ps"], rx),
+        spread: ElementSpread {
+            gain_db: array.number("gain_spread_db", Allowed::Between(0.0, 10.0)).unwrap_or(0.0),
+            phase_rad: array.number("phase_spread_deg", Allowed::Between(0.0, 180.0)).unwrap_or(0.0).to_radians(),
+        },
         adc: read_adc(receiver),
         phase_noise: read_phase_noise(receiver),
         interferers: radar.sections(&keys::INTERFERER).iter().map(read_interferer).collect(),

@@ -124,6 +124,8 @@ pub(crate) const ARRAY: Table = Table {
         "rx_gain_errors_db",
         "rx_phase_errors_deg",
         "rx_delays_ps",
+        "gain_spread_db",
+        "phase_spread_deg",
     ],
 };
 
@@ -167,6 +169,7 @@ pub(crate) const DSP: Table = Table {
         "training_cells",
         "angle",
         "refine",
+        "calibration",
         "assumed_height_m",
         "cluster_range_m",
         "cluster_velocity_mps",

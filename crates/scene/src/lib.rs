@@ -49,6 +49,7 @@ mod radars;
 mod array;
 mod pattern_table;
 mod hardware;
+mod calibration;
 mod settings;
 mod targets;
 mod clutter;
@@ -62,6 +63,7 @@ mod painted;
 pub mod vehicles;
 pub mod street;
 
+pub use calibration::{CalibrationFileError, CalibrationRule};
 pub use errors::{Allowed, MapAxis, Place, Position, Rule, SceneError, SceneErrors};
 pub use keys::{TABLES, Table};
 pub use materials::read_materials;

@@ -107,7 +107,7 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
         frames,
         frame_interval_s,
         noise: read_noise(root),
-        dsp: read_dsp(root, &radar.waveform, read_own_road(&radar_section, &radar, &lanes)),
+        dsp: read_dsp(root, &radar, read_own_road(&radar_section, &radar, &lanes), models),
         fidelity,
         radar,
         intersection,

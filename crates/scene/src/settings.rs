@@ -1,17 +1,20 @@
 //! `[noise]`, `[dsp]`, `[fidelity]` and `[intersection]`.
 
+use crate::calibration::read_calibration;
 use crate::document::Section;
 use crate::errors::{Allowed, MapAxis, Rule};
 use crate::keys;
+use crate::models::Models;
 use crate::radar::COORDINATES_M;
 use artifact::Accuracy;
 use artifact::paths::MAX_ORDER;
-use artifact::radar::{Radar, Sampling, Waveform};
+use artifact::radar::{Radar, Sampling};
 use artifact::scene::Intersection;
 use artifact::settings::{
     Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lane, Lanes, NodeRule, Noise, Refine, Sides,
     Surface, Window,
 };
+use num_complex::Complex64;
 
 /// Of Table 1.
 const LANE_WIDTH_M: f64 = 3.75;
@@ -48,8 +51,8 @@ const DETECTORS: [(&str, Detector); 4] = [
 ];
 
 /// Signal processing for a map of this waveform.
-pub(crate) fn read_dsp(root: &Section<'_>, waveform: &Waveform, road: Lanes) -> DspSettings {
-    let section = root.section(&keys::DSP);
+pub(crate) fn read_dsp(root: &Section<'_>, radar: &Radar, road: Lanes, models: &mut Models) -> DspSettings {
+    let (section, waveform) = (root.section(&keys::DSP), &radar.waveform);
     let map = [waveform.chirps, waveform.range_cells() as u32];
     if waveform.sampling == Sampling::Real && section.text("refine") == Some("on") {
         section.note("refine", Rule::Contradiction { key: "refine", other: "sampling = \"real\"" });
@@ -70,6 +73,7 @@ pub(crate) fn read_dsp(root: &Section<'_>, waveform: &Waveform, road: Lanes) -> 
             .word("angle", &[("fft", Angle::Fft), ("max-likelihood", Angle::MaximumLikelihood)])
             .unwrap_or(Angle::Fft),
         refine: section.word("refine", &[("off", Refine::Off), ("on", Refine::Isolated)]).unwrap_or(Refine::Off),
+        calibration: read_factors(&section, radar, models).unwrap_or_default(),
         assumed_height_m: section.number("assumed_height_m", Allowed::Between(-100.0, 100.0)).unwrap_or(0.75),
         // Gaps between the glints of one long vehicle, against the gap that drivers keep (docs/scenes.md).
         cluster_range_m: section.number("cluster_range_m", distance).unwrap_or(2.5),
@@ -77,6 +81,12 @@ pub(crate) fn read_dsp(root: &Section<'_>, waveform: &Waveform, road: Lanes) -> 
         cluster_cross_m: section.number("cluster_cross_m", distance).unwrap_or(2.5),
         road,
     }
+}
+
+fn read_factors(section: &Section<'_>, radar: &Radar, models: &mut Models) -> Option<Vec<Complex64>> {
+    let file = models.file_beside(section.text("calibration")?);
+    let elements = [radar.array.tx_m.len(), radar.array.rx_m.len()];
+    read_calibration(&file, elements).map_err(|error| section.note("calibration", Rule::Calibration(error))).ok()
 }
 
 /// [doppler, range].

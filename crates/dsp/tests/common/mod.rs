@@ -113,6 +113,7 @@ pub fn settings() -> DspSettings {
         training_cells: [4, 8],
         angle: Angle::Fft,
         refine: Refine::Off,
+        calibration: vec![],
         assumed_height_m: 0.75,
         cluster_range_m: 2.5,
         cluster_velocity_mps: 1.0,

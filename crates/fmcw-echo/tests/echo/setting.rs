@@ -105,6 +105,7 @@ pub fn header(radar: Radar, noise: Noise) -> CubeHeader {
             training_cells: [6, 10],
             angle: Angle::Fft,
             refine: Refine::Off,
+            calibration: vec![],
             assumed_height_m: 0.75,
             cluster_range_m: 2.0,
             cluster_velocity_mps: 1.0,
