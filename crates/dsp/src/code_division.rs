@@ -4,7 +4,7 @@
 //! f·(s − s̄)/M against the block's middle s̄. That turned back, X_i = Σ_s H_is·Y_s/M is transmitter i alone, to rounding: the rows of H are
 //! orthogonal. Echoes turned by a wrong f pass from code to code instead, and their power, Σ_i |X_i|² = Σ_s |Y_s|²/M, stays what it is.
 //! So a map takes each row's own f, keeps all M codes, those of no transmitter too, and is detected on their sum, which knows no
-//! fold; directions are looked for once the velocity of an echo is told, with [`in_phase`].
+//! fold; directions are looked for once the velocity of an echo is told, with `in_phase`.
 
 use artifact::cube::CubeHeader;
 use artifact::radar::code_sign;

@@ -10,7 +10,7 @@
 //! receiver and transmitters in a regular row a wrong fold is exactly another direction, and nothing tells them apart. Two channels in one
 //! place (a transmitter's last element on the next one's first) help: their phases must agree, whatever the direction.
 //!
-//! Of codes ([`crate::code_division`]) there are M slots and folds. A wrong fold passes power on to codes of no transmitter, where there are
+//! Of codes (`code_division.rs`) there are M slots and folds. A wrong fold passes power on to codes of no transmitter, where there are
 //! any, and exchanges transmitters else; what a beam leaves of all codes' power tells it. Transmitters that all hear an echo in
 //! one phase (M of them, straight ahead) send it in one slot of a block only: all folds are the same values then, and the same direction.
 
