@@ -11,7 +11,7 @@ pub struct Paths;
 
 impl Schema for Paths {
     const NAME: &'static str = "paths";
-    const VERSION: u32 = 7;
+    const VERSION: u32 = 8;
     type Header = PathsHeader;
     type Frame = PathsFrame;
 }
@@ -143,12 +143,21 @@ pub struct TraceStatistics {
 }
 
 /// What the accuracy asked for turned out to need.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Fineness {
     /// Largest side of the parts of a facet that are one path.
     pub cell_m: f64,
-    /// Relative accuracy of every integral.
-    pub integrals: f64,
+    /// Of the integrals on each body.
+    pub integrals: Vec<IntegralFineness>,
+}
+
+/// How finely integrals on one body were taken.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct IntegralFineness {
+    /// The body's id: in another frame it may stand elsewhere among the targets.
+    pub body: String,
+    /// Of each, relative to the largest that it could be.
+    pub accuracy: f64,
 }
 
 /// Whether a frame's errors were measured in it.

@@ -7,6 +7,7 @@ pub(crate) mod path_sum; // S from path records, by definition
 pub(crate) mod path_plan; // what a frame is traced with
 pub(crate) mod path_pruning; // paths too weak to matter
 pub(crate) mod frame_error; // what a frame's paths miss, measured
+pub(crate) mod integration_error; // how finely integrals are taken
 pub(crate) mod road_left_out; // what a road would add
 pub(crate) mod path_table; // the largest cells that meet the accuracy
 pub(crate) mod path; // the path table of a frame

@@ -499,7 +499,7 @@ fn paths_of_edges_move_with_the_body_and_add_up_to_its_amplitude() {
     let panel = parallelogram([-0.3, -0.2, 0.4], [0.25, 0.4, 0.0], [0.0, 0.1, 0.5]);
     let shelf = parallelogram([-0.3, -0.2, 0.4], [0.5, 0.1, 0.0], [0.0, 0.5, 0.1]);
     let start = pose([5.75, 28.0, 0.0], [0.5, -2.0, 0.0], -FRAC_PI_2);
-    let mut scene = scene(&[(joined(&[panel, shelf]), start)], &[], -25.0, 2);
+    let mut scene = scene(&[(joined(&[panel, shelf]), start)], &[], -35.0, 2);
     let seconds = 0.7 * scene.0.radar.frame_duration_s();
     let frequencies: Vec<f64> = (0..8).map(|i| 77.03e9 + 0.07e9 * f64::from(i)).collect();
     let relative = |scene: &(SceneHeader, SceneFrame), frame: &PathsFrame, known: &[Complex64]| {

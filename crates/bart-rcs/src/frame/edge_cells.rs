@@ -17,14 +17,14 @@ pub(crate) fn edge_cells(scatterer: &Scatterer<'_>, joints: &[EdgeJoint], settin
 fn cells_of(scatterer: &Scatterer<'_>, joint: &EdgeJoint, settings: &CellSettings<'_>) -> Vec<Cell> {
     let facets = facets_of(scatterer, joint.forward, joint.backward);
     let motion = motions(scatterer, joint.forward, joint.backward);
+    let accuracy = settings.accuracy_of_body[scatterer.node_body(joint.forward)];
     let [from, to] = joint.span_m;
     let count = ((to - from) / settings.size_m).ceil().max(1.0);
     let place = |i: f64| from + (to - from) * i / count;
     let mut cells = Vec::new();
     for i in 0..count as u32 {
         let span_m = [place(f64::from(i)), place(f64::from(i + 1))];
-        let (middle_m, estimate) =
-            part_amplitudes(scatterer, joint, span_m, settings.wavenumbers_per_m, settings.accuracy);
+        let (middle_m, estimate) = part_amplitudes(scatterer, joint, span_m, settings.wavenumbers_per_m, accuracy);
         cells.push(Cell {
             order: facets.len() as u8,
             facets: padded(&facets),

@@ -33,7 +33,7 @@ const CHECKED_FREQUENCIES: usize = 12;
 /// The ratio of two mean powers of n complex Gaussian samples follows the F distribution with (2n, 2n) degrees of freedom.
 /// Scatterers of one vehicle that lie in a few range cells leave about 4 of the 12 frequencies independent: 95 of 100 ratios
 /// stay below F(0.95; 8, 8) = 3.44, as an amplitude 1.85.
-const MARGIN: f64 = 1.85;
+pub(crate) const MARGIN: f64 = 1.85;
 
 /// The frame's bodies at the moment of the check.
 pub(crate) struct Reference {
@@ -90,63 +90,11 @@ pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference
     Reference { by_order_m, other_m, left_out_m, frequencies_hz }
 }
 
-/// Integrals of one fineness against ones ten times finer, at the moment of `scatterer`.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct IntegrationError {
-    /// Of every node integral.
-    pub(crate) accuracy: f64,
-    /// Mean over the band's three points of |S − S(ten times finer)|².
-    pub(crate) power: f64,
-    /// The same of |S|².
-    of: f64,
-}
-
-impl IntegrationError {
-    /// Whether it leaves the frame's other errors their part of what is asked for.
-    fn is_within(self, asked: f64) -> bool {
-        MARGIN * self.power.sqrt() <= INTEGRATION_SHARE * asked * self.of.sqrt()
-    }
-}
-
-/// Of the accuracy asked for; freezing and what is dropped have the rest, √(1 − 0.7²) = 0.71.
-const INTEGRATION_SHARE: f64 = 0.7;
-/// Steps by which integrals are made finer where they err by too much, and how many are tried.
-const FINER: f64 = 0.25;
-const FINER_MOST: u32 = 3;
-
-/// As fine as the accuracy asked for needs: bounds of tiles are relative to what tiles scatter, and where large parts of a body
-/// cancel, what is left of the sum is known to less.
-pub(crate) fn integration_error(scatterer: &Scatterer<'_>, plan: &Plan<'_>, meetings: &[Meeting]) -> IntegrationError {
-    let asked = plan.header.fidelity.accuracy.amplitude();
-    let mut found = integration_error_at(scatterer, plan, meetings, asked);
-    for _ in 0..FINER_MOST {
-        if found.is_within(asked) {
-            break;
-        }
-        found = integration_error_at(scatterer, plan, meetings, FINER * found.accuracy);
-    }
-    found
-}
-
-fn integration_error_at(
-    scatterer: &Scatterer<'_>,
-    plan: &Plan<'_>,
-    meetings: &[Meeting],
-    accuracy: f64,
-) -> IntegrationError {
-    let wavenumbers_per_m = &plan.band.wavenumbers_per_m();
-    let all = |accuracy: f64| {
-        let (bracket, fineness) = (bracket_of(plan.header.fidelity.nodes), Fineness { wavenumbers_per_m, accuracy });
-        total(meetings.iter().map(|m| of_meeting(scatterer, plan, m, bracket, &fineness)), wavenumbers_per_m.len())
-    };
-    let fine = all(0.1 * accuracy);
-    IntegrationError { accuracy, power: mean_difference(&fine, &all(accuracy)), of: mean(&fine) }
-}
-
+/// How finely integrals of a comparison are taken.
 #[derive(Clone, Copy)]
-struct Fineness<'a> {
-    wavenumbers_per_m: &'a [f64],
-    accuracy: f64,
+pub(crate) struct Fineness<'a> {
+    pub(crate) wavenumbers_per_m: &'a [f64],
+    pub(crate) accuracy: f64,
 }
 
 impl<'a> Fineness<'a> {
@@ -160,7 +108,7 @@ impl<'a> Fineness<'a> {
 }
 
 /// S of one order over frequency, as the radar sees it.
-fn of_meeting(
+pub(crate) fn of_meeting(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
     meeting: &Meeting,
@@ -172,15 +120,17 @@ fn of_meeting(
 }
 
 /// Sum over orders, at each of `count` frequencies.
-fn total(orders: impl Iterator<Item = Vec<Complex64>>, count: usize) -> Vec<Complex64> {
+pub(crate) fn total(orders: impl Iterator<Item = Vec<Complex64>>, count: usize) -> Vec<Complex64> {
     orders.fold(vec![Complex64::ZERO; count], |all, order| all.iter().zip(&order).map(|(a, b)| a + b).collect())
 }
 
-fn mean_difference(a: &[Complex64], b: &[Complex64]) -> f64 {
+/// Mean of |a − b|².
+pub(crate) fn mean_difference(a: &[Complex64], b: &[Complex64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).norm_sqr()).sum::<f64>() / a.len().max(1) as f64
 }
 
-fn mean(values: &[Complex64]) -> f64 {
+/// Mean of |S|².
+pub(crate) fn mean(values: &[Complex64]) -> f64 {
     values.iter().map(|s| s.norm_sqr()).sum::<f64>() / values.len().max(1) as f64
 }
 

@@ -68,7 +68,7 @@ pub fn trace_frame_like(
     frame: &SceneFrame,
     measured: &PathsFrame,
 ) -> Result<PathsFrame, BartError> {
-    let Some(fineness) = measured.trace.fineness else { return trace_frame(models, header, frame) };
+    let Some(fineness) = &measured.trace.fineness else { return trace_frame(models, header, frame) };
     let header = &header.in_frame(frame.index);
     check_order(header.fidelity.bounces)?;
     check_road(header)?;
@@ -80,7 +80,7 @@ pub fn trace_frame_like(
         error: ErrorBudget { detail: None, ..measured.error },
         model_error: measured.model_error,
         dropped_power_ratio: measured.trace.dropped_power_ratio,
-        fineness: Some(fineness),
+        fineness: Some(fineness.clone()),
         origin: ErrorOrigin::TakenOver,
         bytes: 0,
     };

@@ -38,7 +38,8 @@ pub(crate) struct CellSettings<'a> {
     /// Apparent points whose velocities differ by less may share a cell.
     pub(crate) velocity_quantum_mps: f64,
     pub(crate) wavenumbers_per_m: &'a [f64],
-    pub(crate) accuracy: f64,
+    /// Of every integral, by the body that it is taken on.
+    pub(crate) accuracy_of_body: &'a [f64],
     pub(crate) bracket: Bracket,
 }
 
@@ -60,12 +61,13 @@ fn cells_of(scatterer: &Scatterer<'_>, joint: &Joint, corners_m: &[DVec3], setti
     let frame = PlaneFrame::new(corners_m[0], scatterer.forward(joint).lit_normal);
     let facets = facets_of(scatterer, joint.forward, joint.backward);
     let motion = motions(scatterer, joint.forward, joint.backward);
+    let accuracy = settings.accuracy_of_body[scatterer.node_body(joint.forward)];
     let mut cells = Vec::new();
     for piece in cut_into_squares(&frame, corners_m, settings.size_m) {
         let reference_m = frame.to_world(centroid_m(&piece));
         let in_world_m: Vec<DVec3> = piece.iter().map(|c| frame.to_world(*c)).collect();
         let part = Part { corners_m: &in_world_m, reference_m, bracket: settings.bracket };
-        let estimate = scatterer.amplitudes(joint, &part, settings.wavenumbers_per_m, settings.accuracy);
+        let estimate = scatterer.amplitudes(joint, &part, settings.wavenumbers_per_m, accuracy);
         cells.push(Cell {
             order: facets.len() as u8,
             facets: padded(&facets),

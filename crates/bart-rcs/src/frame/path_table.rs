@@ -2,17 +2,16 @@
 
 use crate::bodies::world::World;
 use crate::frame::edge_cells::edge_cells;
-use crate::frame::frame_error::{
-    FrameError, GivenUp, IntegrationError, Reference, dropped_sections, integration_error,
-};
+use crate::frame::frame_error::{FrameError, GivenUp, Reference, dropped_sections};
+use crate::frame::integration_error::{IntegrationError, integration_error};
 use crate::frame::path_cells::{Cell, CellSettings, cells, gathered};
 use crate::frame::path_plan::{Band, Plan};
 use crate::frame::path_pruning::{Kept, pruned};
 use crate::geometry::antenna::Antenna;
 use crate::joins::scatterer::{Scatterer, bracket_of};
 use crate::table::meeting::Meeting;
-use artifact::paths::{Curve, Fineness, Path};
-use artifact::scene::SceneHeader;
+use artifact::paths::{Curve, Fineness, IntegralFineness, Path};
+use artifact::scene::{SceneHeader, Target};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 use std::f64::consts::TAU;
@@ -25,9 +24,14 @@ pub(crate) struct PathTable {
 }
 
 /// Paths of bodies as fine as was enough in another frame, in no larger cells than this frame's motion and band allow.
-pub(crate) fn paths_as_fine(scatterer: &Scatterer<'_>, plan: &Plan<'_>, fineness: Fineness) -> Vec<Path> {
+pub(crate) fn paths_as_fine(scatterer: &Scatterer<'_>, plan: &Plan<'_>, fineness: &Fineness) -> Vec<Path> {
     let cell_m = fineness.cell_m.min(largest_cell_m(plan, scatterer.world));
-    Parts::of(scatterer, plan).paths(Fineness { cell_m, ..fineness }).paths
+    // A body that was not there yet is taken as finely as the finest.
+    let finest =
+        fineness.integrals.iter().map(|of| of.accuracy).fold(plan.header.fidelity.accuracy.amplitude(), f64::min);
+    let of_body = |id: &str| fineness.integrals.iter().find(|of| of.body == id).map_or(finest, |of| of.accuracy);
+    let accuracy_of_body: Vec<f64> = plan.header.targets.iter().map(|target| of_body(&target.id)).collect();
+    Parts::of(scatterer, plan).paths(cell_m, &accuracy_of_body).paths
 }
 
 /// What paths are cut from.
@@ -44,13 +48,13 @@ impl<'a> Parts<'a> {
         Self { scatterer, plan, meetings: (1..=plan.header.fidelity.bounces).map(of_order).collect() }
     }
 
-    fn paths(&self, fineness: Fineness) -> Kept {
+    fn paths(&self, cell_m: f64, accuracy_of_body: &[f64]) -> Kept {
         let wavenumbers = self.plan.band.wavenumbers_per_m();
         let settings = CellSettings {
-            size_m: fineness.cell_m,
+            size_m: cell_m,
             velocity_quantum_mps: velocity_quantum_mps(self.plan.header),
             wavenumbers_per_m: &wavenumbers,
-            accuracy: fineness.integrals,
+            accuracy_of_body,
             bracket: bracket_of(self.plan.header.fidelity.nodes),
         };
         let ends = [Antenna::Point(self.plan.position_m); 2];
@@ -111,8 +115,7 @@ impl<'a> Fit<'a> {
     }
 
     fn table_of(&self, cell_m: f64) -> PathTable {
-        let fineness = Fineness { cell_m, integrals: self.integration.accuracy };
-        let Kept { mut paths, dropped_power } = self.parts.paths(fineness);
+        let Kept { mut paths, dropped_power } = self.parts.paths(cell_m, &self.integration.accuracy_of_body);
         paths.extend_from_slice(self.points);
         let given_up = GivenUp {
             paths_power: dropped_power,
@@ -120,7 +123,10 @@ impl<'a> Fit<'a> {
             beams: self.beams_given_up,
         };
         let error = FrameError::measured_on(self.parts.plan, &paths, self.points, self.reference, &given_up);
-        PathTable { paths, fineness, error }
+        let of =
+            |(target, accuracy): (&Target, &f64)| IntegralFineness { body: target.id.clone(), accuracy: *accuracy };
+        let integrals = self.parts.plan.header.targets.iter().zip(&self.integration.accuracy_of_body).map(of).collect();
+        PathTable { paths, fineness: Fineness { cell_m, integrals }, error }
     }
 }
 

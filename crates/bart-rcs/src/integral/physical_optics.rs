@@ -395,13 +395,14 @@ mod tests {
         Case { name, sides_m, transmitter_m, receiver_m, gauss_points }
     }
 
-    const HARD_CASES: [Case; 7] = [
+    const HARD_CASES: [Case; 8] = [
         case("broadside, 1 m away", [0.005, 0.005], [0.0, 0.001, 1.0], [0.0, 0.001, 1.0], 60),
         case("grazing, 1 m away", [0.005, 0.005], [0.9998, 0.0, 0.02], [0.9998, 0.0, 0.02], 80),
         case("sliver", [0.1, 1e-4], [15.0, 0.0, 20.0], [15.0, 0.0, 20.0], 200),
         case("one wavelength wide", [0.0039, 0.0039], [0.5, 0.3, 0.8], [0.5, 0.3, 0.8], 30),
         case("300 m away, broadside", [0.1, 0.1], [0.0, 1.0, 300.0], [0.0, 1.0, 300.0], 60),
         case("300 m away, oblique", [0.1, 0.1], [150.0, 80.0, 240.0], [150.0, 80.0, 240.0], 130),
+        case("strip along the line of sight", [0.3, 0.02], [38.0, 0.5, 6.0], [38.0, 0.5, 6.0], 400),
         case("bistatic", [0.005, 0.01], [1.0, 0.4, 1.5], [-0.2, -2.0, 1.0], 120),
     ];
 

@@ -1,9 +1,10 @@
 //! How far a lit polygon has to be cut for the integrand to be what the closed forms take it for.
 
+use crate::geometry::antenna::Antenna;
 use crate::geometry::plane_frame::{area_m2, centroid_m};
 use crate::integral::physical_optics::Field;
 use crate::surface::bend::Along;
-use glam::DVec2;
+use glam::{DMat2, DVec2, DVec3};
 
 /// A part of a polygon, in plane coordinates, and the closed form that fits it.
 pub(crate) enum Tile<'a> {
@@ -57,7 +58,7 @@ pub(crate) fn cut(field: &Field<'_>, wavenumber_per_m: f64, accuracy: f64, give:
     let centre_m = centroid_m(&corners_m);
     let along = field.along(corners_m.iter().map(|c| *c - centre_m));
     let smooth = Smoothness::about(field, centre_m, reach_m(&corners_m, centre_m), along, wavenumber_per_m);
-    let error = smooth.error_of_constant(mean_square_m2(&corners_m, centre_m));
+    let error = smooth.error_of_constant(&Moments::about(centre_m, &corners_m));
     if error <= accuracy {
         give(&Tile::Whole { corners_m: &corners_m, centre_m }, error);
         return;
@@ -68,7 +69,7 @@ pub(crate) fn cut(field: &Field<'_>, wavenumber_per_m: f64, accuracy: f64, give:
         let centre_m = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
         let along = field.along(edges_m(&triangle).into_iter());
         let smooth = Smoothness::about(field, centre_m, reach_m(&triangle, centre_m), along, wavenumber_per_m);
-        let error = smooth.error_of_quadratic(longest_edge_m(&triangle));
+        let error = smooth.error_of_quadratic(&triangle, centre_m);
         if error <= accuracy || halvings == HALVINGS_MAX {
             give(&Tile::Triangle(triangle), error.min(2.0 * smooth.weight));
         } else {
@@ -87,8 +88,10 @@ struct Smoothness {
     weight: f64,
     /// Weight's relative first, second, third derivative, per m, m², m³.
     weight_derivatives: [f64; 3],
-    /// Of the phase's remainder: first, second, third derivative.
-    phase_derivatives: [f64; 3],
+    /// Of the phase: its second derivative along the plane anywhere on the tile is at most this form, rad/m².
+    hessian: DMat2,
+    /// Its third derivative, rad/m³.
+    third: f64,
     reach_m: f64,
     /// What a bent facet adds along the tile: of the phase its second and third derivative, rad.
     bent_phase: [f64; 2],
@@ -114,7 +117,8 @@ impl Smoothness {
         let nearness: f64 = nearness_per_m.iter().sum();
         let phase_of_height_per_m =
             wavenumber_per_m * (field.both_directions(x_m).dot(field.node.normal).abs() + nearness * reach_m);
-        let curvature = wavenumber_per_m * nearness * steep * steep;
+        let hessian =
+            wavenumber_per_m * steep * steep * Self::length_hessian_per_m(field, x_m, nearness_per_m, reach_m);
         // d³L/ds³ = −3 sin²θ cosθ/L², at most 2/√3 of 1/L².
         let squares: f64 = nearness_per_m.iter().map(|n| 1.155 * n * n).sum();
         let third = wavenumber_per_m * squares * steep.powi(3);
@@ -122,7 +126,8 @@ impl Smoothness {
         Self {
             weight: 2.0 * steep * spread(ranges_m[0]) * spread(ranges_m[1]),
             weight_derivatives,
-            phase_derivatives: [(curvature + 0.5 * third * reach_m) * reach_m, curvature, third],
+            hessian,
+            third,
             reach_m,
             bent_phase: [
                 phase_of_height_per_m * along.rise_m,
@@ -133,21 +138,44 @@ impl Smoothness {
         }
     }
 
+    /// Bound of the second derivative of L₁ + L₂ along the plane: Σ (1 − d dᵀ)/L. Along the line of sight, as roofs and kerbs
+    /// are seen, a length is straight. The direction d turns by reach/L over a tile; over a bent one the skin rises out of
+    /// the plane, and no direction of it is straight.
+    fn length_hessian_per_m(field: &Field<'_>, x_m: DVec3, nearness_per_m: [f64; 2], reach_m: f64) -> DMat2 {
+        let of = |image: Antenna, nearness_per_m: f64| {
+            let along = field.frame.tangential(image.travel_direction_at(x_m));
+            let straight = if field.node.bend.is_some() { 0.0 } else { 1.0 };
+            let outer = straight * DMat2::from_cols(along.x * along, along.y * along);
+            nearness_per_m * (DMat2::IDENTITY * (1.0 + straight * 2.0 * reach_m * nearness_per_m) - outer)
+        };
+        let [transmit, receive] = [field.node.transmit.image, field.node.receive.image];
+        of(transmit, nearness_per_m[0]) + of(receive, nearness_per_m[1])
+    }
+
+    /// √(vᵀHv), rad^½.
+    fn bend_along(&self, v: DVec2) -> f64 {
+        of_form(v.dot(self.hessian * v)).sqrt()
+    }
+
     /// Mean of |g − g(centre)| for g = weight·e^{jψ}, ψ the phase beyond its tangent plane at the centre: the mean of the
     /// distance from there is at most the root of its mean square, a half or a third of the reach.
-    fn error_of_constant(&self, mean_square_m2: f64) -> f64 {
-        let [_, second, third] = self.phase_derivatives;
-        let phase = (0.5 * second + third * self.reach_m / 6.0) * mean_square_m2;
+    fn error_of_constant(&self, moments: &Moments) -> f64 {
+        let mean_square_m2 = moments.mean_square_m2();
+        let phase = 0.5 * moments.mean_of(self.hessian) + self.third * self.reach_m / 6.0 * mean_square_m2;
         let bent = 0.5 * self.bent_phase[0] + self.bent_weight[0];
         self.weight * (phase + self.weight_derivatives[0] * mean_square_m2.sqrt() + bent)
     }
 
     /// Remainder of six-point interpolation: sup|D³g|·h³/6·Σ|x − xᵢ|³|ℓᵢ|/h³ (Ciarlet, Raviart 1972). It does not change under
-    /// affine maps, so that derivatives along the edges stand for what is not the same in all directions.
-    fn error_of_quadratic(&self, longest_m: f64) -> f64 {
-        let (h, [p1, p2, p3], [w1, w2, w3]) = (longest_m, self.phase_derivatives, self.weight_derivatives);
+    /// affine maps, so that derivatives along the edges stand for what is not the same in all directions: the phase's first two
+    /// are measured by lengths √(vᵀHv), as |vᵀHx| ≤ √(vᵀHv)·√(xᵀHx).
+    fn error_of_quadratic(&self, triangle_m: &[DVec2; 3], centre_m: DVec2) -> f64 {
+        let (h, [w1, w2, w3]) = (longest_edge_m(triangle_m), self.weight_derivatives);
         let ([b2, b3], [v1, v2]) = (self.bent_phase, self.bent_weight);
-        let [p1, p2, p3] = [p1 * h + b2, p2 * h * h + b2, p3 * h * h * h + b3];
+        let along = edges_m(triangle_m).map(|edge| self.bend_along(edge)).into_iter().fold(0.0, f64::max);
+        let reach = triangle_m.map(|corner| self.bend_along(corner - centre_m)).into_iter().fold(0.0, f64::max);
+        let first = along * reach + 0.5 * self.third * self.reach_m * self.reach_m * h;
+        let [p1, p2, p3] = [first + b2, along * along + b2, self.third * h * h * h + b3];
         let [w1, w2, w3] = [w1 * h + v1, w2 * h * h + v1 * v1 + v2, w3 * h * h * h + v1 * v1 * v1 + 3.0 * v1 * v2];
         let third_derivative = p1 * p1 * p1 + 3.0 * p1 * p2 + p3 + 3.0 * w1 * (p1 * p1 + p2) + 3.0 * w2 * p1 + w3;
         self.weight * third_derivative * SIX_POINT_REMAINDER
@@ -157,11 +185,12 @@ impl Smoothness {
     fn worst_edge(&self, field: &Field<'_>, edges_m: &[DVec2; 3]) -> usize {
         // A tile as large as its distance from an antenna, or from where that stands straight above, has no bound: there the
         // longest edge is halved, for any other leaves slivers that never come to an end.
-        let squares = (self.phase_derivatives[1] + self.weight_derivatives[0].powi(2)).min(UNBOUNDED);
+        let squares = self.weight_derivatives[0].powi(2).min(UNBOUNDED);
+        let bending = |edge: DVec2| self.bend_along(edge).powi(2).min(UNBOUNDED * edge.length_squared());
         let per_height = self.phase_of_height_per_m.min(UNBOUNDED);
         let change = edges_m.map(|edge| {
             let along = field.along([edge].into_iter());
-            squares * edge.length_squared() + per_height * along.rise_m + along.turn * along.turn
+            bending(edge) + squares * edge.length_squared() + per_height * along.rise_m + along.turn * along.turn
         });
         (0..3).fold(0, |most, i| if change[i] > change[most] { i } else { most })
     }
@@ -173,17 +202,40 @@ const UNBOUNDED: f64 = 1e100;
 /// sup Σ|x − xᵢ|³|ℓᵢ(x)|/6 over all triangles with longest edge 1 (scanned in the tests).
 const SIX_POINT_REMAINDER: f64 = 0.025;
 
-/// Mean of |x − centre|² over a polygon: for each triangle about the centre (|a|² + a·b + |b|²)/6.
-fn mean_square_m2(corners_m: &[DVec2], centre_m: DVec2) -> f64 {
-    let (mut area, mut moment) = (0.0, 0.0);
-    for (i, corner) in corners_m.iter().enumerate() {
-        let (a, b) = (*corner - centre_m, corners_m[(i + 1) % corners_m.len()] - centre_m);
-        let part = a.perp_dot(b);
-        area += part;
-        moment += part * (a.length_squared() + a.dot(b) + b.length_squared()) / 6.0;
+/// Mean of x xᵀ over a polygon about a centre, m².
+struct Moments(DMat2);
+
+impl Moments {
+    /// Of each triangle about the centre (a aᵀ + b bᵀ + (a bᵀ + b aᵀ)/2)/6; where there is no area, as far as the corners reach.
+    fn about(centre_m: DVec2, corners_m: &[DVec2]) -> Self {
+        let outer = |a: DVec2, b: DVec2| DMat2::from_cols(b.x * a, b.y * a);
+        let (mut area, mut moment) = (0.0, DMat2::ZERO);
+        for (i, corner) in corners_m.iter().enumerate() {
+            let (a, b) = (*corner - centre_m, corners_m[(i + 1) % corners_m.len()] - centre_m);
+            let part = a.perp_dot(b);
+            area += part;
+            moment += part / 6.0 * (outer(a, a) + outer(b, b) + 0.5 * (outer(a, b) + outer(b, a)));
+        }
+        let mean = Self(moment * (1.0 / area));
+        let at_most_m2 = reach_m(corners_m, centre_m).powi(2);
+        let is_sound = area > 0.0 && (0.0..=at_most_m2).contains(&mean.mean_square_m2());
+        if is_sound { mean } else { Self(DMat2::IDENTITY * at_most_m2) }
     }
-    let reach_m = reach_m(corners_m, centre_m);
-    if area > 0.0 { (moment / area).clamp(0.0, reach_m * reach_m) } else { reach_m * reach_m }
+
+    /// Of |x|².
+    fn mean_square_m2(&self) -> f64 {
+        self.0.x_axis.x + self.0.y_axis.y
+    }
+
+    /// Of xᵀHx, H symmetric.
+    fn mean_of(&self, form: DMat2) -> f64 {
+        of_form(form.x_axis.dot(self.0.x_axis) + form.y_axis.dot(self.0.y_axis))
+    }
+}
+
+/// A value of a form that is nowhere negative: below 0 it is rounding, and without bound where the form is.
+fn of_form(value: f64) -> f64 {
+    if value.is_nan() { f64::INFINITY } else { value.max(0.0) }
 }
 
 fn reach_m(corners_m: &[DVec2], centre_m: DVec2) -> f64 {

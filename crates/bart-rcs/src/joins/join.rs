@@ -101,6 +101,16 @@ impl Joints {
         self.retain(|joint| joint.weight > 0.0);
     }
 
+    /// Those alone.
+    pub(crate) fn filtered(&self, mut is_kept: impl FnMut(&Joint) -> bool) -> Self {
+        let mut some = Self::default();
+        for joint in self.list.iter().filter(|joint| is_kept(joint)) {
+            let pair = (joint.forward, joint.backward);
+            some.push(pair, joint.weight, joint.reverse, self.polygon(joint).iter().copied());
+        }
+        some
+    }
+
     /// Forgets all others.
     pub(crate) fn retain(&mut self, is_kept: impl FnMut(&Joint) -> bool) {
         self.list.retain(is_kept);

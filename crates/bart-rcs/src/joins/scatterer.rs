@@ -67,6 +67,11 @@ impl<'a> Scatterer<'a> {
         joints(self.world, self.trees, order, rule, least_area_m2)
     }
 
+    /// The body that the last facet of a transmitter's beam belongs to, where its ways have their node.
+    pub(crate) fn node_body(&self, forward: u32) -> usize {
+        self.world.facet(self.trees.transmit().beams[forward as usize].facet).id.body as usize
+    }
+
     pub(crate) fn forward(&self, joint: &Joint) -> &'a Beam {
         &self.trees.transmit().beams[joint.forward as usize]
     }

@@ -35,6 +35,15 @@ impl Meeting {
         }
     }
 
+    /// What of it has its node on one body.
+    pub(crate) fn on_body(&self, scatterer: &Scatterer<'_>, body: usize) -> Self {
+        let is_there = |forward: u32| scatterer.node_body(forward) == body;
+        Self {
+            facets: self.facets.filtered(|joint| is_there(joint.forward)),
+            edges: self.edges.iter().filter(|joint| is_there(joint.forward)).copied().collect(),
+        }
+    }
+
     /// S over frequency, 2 × 2, its phase referred to `origin_m`.
     pub(crate) fn sum(
         &self,
