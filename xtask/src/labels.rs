@@ -51,7 +51,8 @@ fn strongest(powers: &BTreeMap<Group, f64>, noise: f64) -> Option<Label> {
     Some(Label { target: group.target, order: group.order, bodies: group.bodies, share: power / sum })
 }
 
-/// What ways have in common whose echoes are added: the first target, bounces, and how many different targets they meet.
+/// What ways have in common whose echoes are added: the first target, bounces, and how many different targets they meet. A way and the
+/// same one backwards are one echo: its target is the one of both ends that comes first in the scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Group {
     target: u32,
@@ -62,7 +63,8 @@ struct Group {
 impl Group {
     fn of(path: &Path) -> Self {
         let met: BTreeSet<u32> = path.sequence().iter().map(|facet| facet.body).collect();
-        Self { target: path.target, order: path.order, bodies: met.len().max(1) as u8 }
+        let target = path.sequence().last().map_or(path.target, |last| path.target.min(last.body));
+        Self { target, order: path.order, bodies: met.len().max(1) as u8 }
     }
 }
 

@@ -199,6 +199,7 @@ fn estimate(object: &Object) -> Value {
         "lane": object.lane,
         "snr_db": object.snr_db,
         "points": object.points,
+        "ghost_share": object.ghost_share,
     })
 }
 

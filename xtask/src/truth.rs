@@ -139,6 +139,7 @@ mod tests {
             points: 1,
             range_extent_m: [range_m; 2],
             velocity_extent_mps: [0.0; 2],
+            ghost_share: 0.0,
         }
     }
 

@@ -101,4 +101,6 @@ pub struct Object {
     pub range_extent_m: [f64; 2],
     /// Slowest and fastest point.
     pub velocity_extent_mps: [f64; 2],
+    /// Share of its peaks' power that ran between two bodies ([`Point::two_ways_rad`]): an object of 1 is a ghost.
+    pub ghost_share: f64,
 }

@@ -138,6 +138,11 @@ impl VirtualArray {
         snapshot.iter().zip(steering).map(|(value, turn)| value * turn).sum()
     }
 
+    /// Power of a cell that an echo from this direction explains.
+    pub fn explained(&self, snapshot: &[Complex64], direction: Direction, range_m: f64) -> f64 {
+        self.beam(snapshot, &self.steering(direction, range_m)).norm_sqr() / snapshot.len() as f64
+    }
+
     /// Turns that bring the echo of a point at this direction and range into phase on all channels.
     pub fn steering(&self, direction: Direction, range_m: f64) -> Vec<Complex64> {
         self.excess_m(direction, range_m)
@@ -189,6 +194,12 @@ impl VirtualArray {
             if self.lattices[axis].has_extent() { along(r, u) } else { vec![0.0; self.elements.len()] }
         });
         right.into_iter().zip(up).map(|(right, up)| [right, up]).collect()
+    }
+
+    /// Most that a wavefront of a point at this range bends over the elements, transmit and receive together.
+    pub fn curvature_cycles(&self, range_m: f64) -> f64 {
+        let most_m2 = self.squares_m2.iter().copied().fold(0.0, f64::max);
+        most_m2 / (2.0 * range_m.max(1e-3) * self.wavelength_m)
     }
 
     /// Width of a beam in direction cosines along right and up, λ over the virtual extent; infinite without extent.

@@ -10,9 +10,10 @@
 //!   map's edge leaves one half, it is that half's mean;
 //! - `os-cfar`: the cell of rank ¾N (Rohling, IEEE T-AES 19 (1983) 608).
 //!
-//! Of real samples the cells about range 0 and the last ones are not tested: noise is not circular there.
+//! Of real samples the cells about range 0 and the last ones are not tested: noise is not circular there. Training cells there are fewer
+//! independent ones on the rows about zero and the fastest velocity, where their own images lie among them ([`crate::correlated_cells`]).
 //!
-//! Windows correlate neighbouring cells in two ways, both put right per range cell:
+//! Windows correlate neighbouring cells in two ways, both put right per cell:
 //!
 //! - Training cells are fewer independent ones ([`crate::correlated_cells`], [`crate::noise_estimate`]).
 //! - The cell under test leaks into its own estimate where the guard is narrower than the window's main lobe. Given its
@@ -23,6 +24,7 @@ use crate::axes::checked_shape;
 use crate::box_sums::BoxSums;
 use crate::cfar_threshold::threshold_factor;
 use crate::correlated_cells::{Correlation, Rectangle, Region};
+use crate::images::Images;
 use crate::noise_estimate::{
     averaged_factor, correlated_ordered_factor, greatest_of_factor, ordered_factor, smallest_of_factor,
 };
@@ -50,13 +52,28 @@ pub struct Cfar {
     chirps: usize,
     samples: usize,
     detector: Detector,
-    /// Of each range cell.
-    zones: Arc<Vec<Zone>>,
+    zones: Arc<Zones>,
     /// Of each range cell, whether its noise is circular.
     tested: Vec<bool>,
 }
 
-/// Where a range cell takes its noise from, and its threshold over it.
+/// The zone of every cell.
+#[derive(Debug)]
+struct Zones {
+    /// By kind of row, by range cell.
+    of_kind: Vec<Vec<Zone>>,
+    /// By row.
+    kinds: Vec<usize>,
+}
+
+impl Zones {
+    #[inline]
+    fn at(&self, row: usize, column: usize) -> &Zone {
+        &self.of_kind[self.kinds[row]][column]
+    }
+}
+
+/// Where a cell takes its noise from, and its threshold over it.
 #[derive(Debug, Clone)]
 struct Zone {
     /// One region, or two halves.
@@ -87,12 +104,13 @@ impl Cfar {
                 let above: Vec<f64> = power.par_iter().map(|x| f64::from(u8::from(*x >= usual))).collect();
                 self.by_rows(&above, |sums, row, column| {
                     let level = self.level(power, floor, row, column);
-                    !(level <= usual && self.lie_above(sums, column)) && self.passes_ordered(power, level, row, column)
+                    !(level <= usual && self.lie_above(sums, row, column))
+                        && self.passes_ordered(power, level, row, column)
                 })
             }
             Detector::CaCfar | Detector::GoCfar | Detector::SoCfar => self.by_rows(power, |sums, row, column| {
-                let noise = self.mean(sums, column) + floor;
-                power[row * self.samples + column] > self.zones[column].factor * noise
+                let zone = self.zones.at(row, column);
+                power[row * self.samples + column] > zone.factor * (self.mean(sums, zone, column) + floor)
             }),
         }
     }
@@ -101,7 +119,7 @@ impl Cfar {
     pub fn estimates(&self, power: &[f64]) -> Vec<f64> {
         let estimate = |cell: usize| {
             let (row, column) = (cell / self.samples, cell % self.samples);
-            let zone = &self.zones[column];
+            let zone = self.zones.at(row, column);
             let of = |region: &Region| {
                 let mut cells = self.training_cells(power, row, column, region);
                 match self.detector {
@@ -114,9 +132,9 @@ impl Cfar {
         (0..power.len()).into_par_iter().map(estimate).collect()
     }
 
-    /// Of a range cell: threshold over noise estimate.
-    pub fn factor(&self, column: usize) -> f64 {
-        self.zones[column].factor
+    /// Of a cell [doppler, range]: threshold over noise estimate.
+    pub fn factor(&self, [row, column]: [usize; 2]) -> f64 {
+        self.zones.at(row, column).factor
     }
 
     /// The estimate of one region, or the greater or smaller of two.
@@ -164,8 +182,9 @@ impl Cfar {
     /// Rows of all rectangles that noise is taken from.
     fn heights(&self) -> Vec<[i64; 2]> {
         let rectangles = |region: &Region| [Some(region.whole[0]), region.hole.map(|hole| hole[0])];
+        let zones = self.zones.of_kind.iter().flatten();
         let mut heights: Vec<[i64; 2]> =
-            self.zones.iter().flat_map(|zone| zone.regions.iter().flat_map(rectangles)).flatten().collect();
+            zones.flat_map(|zone| zone.regions.iter().flat_map(rectangles)).flatten().collect();
         heights.sort_unstable();
         heights.dedup();
         heights
@@ -173,31 +192,31 @@ impl Cfar {
 
     /// Mean of the training cells, or of the half that the detector chooses.
     #[inline]
-    fn mean(&self, sums: &BoxSums<'_>, column: usize) -> f64 {
+    fn mean(&self, sums: &BoxSums<'_>, zone: &Zone, column: usize) -> f64 {
         let mean = |region: &Region| {
             let hole = region.hole.as_ref().map_or(0.0, |hole| sums.sum(column, hole));
             (sums.sum(column, &region.whole) - hole).max(0.0) / region.cells() as f64
         };
-        self.chosen(self.zones[column].regions.iter().map(mean))
+        self.chosen(zone.regions.iter().map(mean))
     }
 
     /// y/α − floor: y > α(x_k + floor) holds where k cells at least lie below it.
     fn level(&self, power: &[f64], floor: f64, row: usize, column: usize) -> f64 {
-        power[row * self.samples + column] / self.zones[column].factor - floor
+        power[row * self.samples + column] / self.zones.at(row, column).factor - floor
     }
 
     /// Whether N − k + 1 training cells at least are counted, in sums of ones and zeros: then what lies no higher than they do
     /// does not pass, and in noise that is a look at almost every cell.
     #[inline]
-    fn lie_above(&self, counts: &BoxSums<'_>, column: usize) -> bool {
-        let Zone { regions, rank, .. } = &self.zones[column];
+    fn lie_above(&self, counts: &BoxSums<'_>, row: usize, column: usize) -> bool {
+        let Zone { regions, rank, .. } = self.zones.at(row, column);
         let hole = regions[0].hole.as_ref().map_or(0.0, |hole| counts.sum(column, hole));
         counts.sum(column, &regions[0].whole) - hole > (regions[0].cells() - rank) as f64 + 0.5
     }
 
     /// No cell need be sorted, and the count ends as soon as N − k + 1 cells lie above the level.
     fn passes_ordered(&self, power: &[f64], level: f64, row: usize, column: usize) -> bool {
-        let zone = &self.zones[column];
+        let zone = self.zones.at(row, column);
         let region = &zone.regions[0];
         let [doppler, range] = region.whole;
         let mut may_lie_above = region.cells() - zone.rank;
@@ -245,11 +264,11 @@ fn typical(power: &[f64]) -> f64 {
 }
 
 /// Thresholds of the last settings asked for, newest last: a sequence of frames asks for the same ones.
-static KEPT: Mutex<VecDeque<(CubeHeader, Arc<Vec<Zone>>)>> = Mutex::new(VecDeque::new());
+static KEPT: Mutex<VecDeque<(CubeHeader, Arc<Zones>)>> = Mutex::new(VecDeque::new());
 /// Settings whose thresholds are kept: more than the radars of one scene.
 const KEPT_SETTINGS: usize = 32;
 
-fn kept_zones(header: &CubeHeader) -> Result<Arc<Vec<Zone>>, DspError> {
+fn kept_zones(header: &CubeHeader) -> Result<Arc<Zones>, DspError> {
     // A poisoned lock means that another thread ended while it held the lock; what it kept is whole or not there.
     let kept = || KEPT.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
     if let Some((_, zones)) = kept().iter().find(|(known, _)| known == header) {
@@ -264,41 +283,57 @@ fn kept_zones(header: &CubeHeader) -> Result<Arc<Vec<Zone>>, DspError> {
     Ok(zones)
 }
 
-/// The zones of all range cells: cells as far from both ends share their thresholds.
-fn zones(header: &CubeHeader) -> Result<Vec<Zone>, DspError> {
+/// The zones of all cells: those as far from both ends of the range axis, and as far from their images, share their thresholds.
+fn zones(header: &CubeHeader) -> Result<Zones, DspError> {
     let [channels, chirps, samples] = checked_shape(header)?;
     let (guard, outer) = regions(header, [chirps, samples])?;
     let correlation = Correlation::new(header, outer)?;
-    let reach = |column: usize| [column.min(outer[1]), (samples - 1 - column).min(outer[1])];
-    let mut reaches: Vec<[usize; 2]> = (0..samples).map(reach).collect();
-    reaches.sort_unstable();
-    reaches.dedup();
-    let zones: Vec<Zone> = reaches
+    let images = Images::new(header, outer);
+    let place = |row_image: Option<i64>, column: usize| {
+        let reach = [column.min(outer[1]), (samples - 1 - column).min(outer[1])];
+        let regions = |image| training_regions(header, [guard, outer], reach, image);
+        let image = row_image.and_then(|row| Some([row, images.of_column(column)?]));
+        (reach, image.filter(|_| regions(image).iter().any(|region| correlation.meets_image(region))))
+    };
+    let places: Vec<Vec<_>> =
+        images.kinds.iter().map(|row| (0..samples).map(|column| place(*row, column)).collect()).collect();
+    let mut different = places.concat();
+    different.sort_unstable();
+    different.dedup();
+    let zones: Vec<Zone> = different
         .par_iter()
-        .map(|reach| {
-            let regions = training_regions(header, guard, outer, *reach);
+        .map(|(reach, image)| {
+            let mut regions = training_regions(header, [guard, outer], *reach, *image);
+            regions.iter_mut().for_each(|r| r.image = r.image.filter(|_| correlation.meets_image(r)));
             let (factor, rank) = threshold(header, &correlation, &regions, channels);
             Zone { regions, factor, rank }
         })
         .collect();
-    let place = |column: usize| reaches.binary_search(&reach(column)).unwrap_or_default();
-    Ok((0..samples).map(|column| zones[place(column)].clone()).collect())
+    let zone = |place| zones[different.binary_search(place).unwrap_or_default()].clone();
+    let of_kind = places.iter().map(|places| places.iter().map(zone).collect()).collect();
+    Ok(Zones { of_kind, kinds: images.of_rows })
 }
 
-/// The ring of CA and OS, or the halves of GO and SO that have cells, where the range axis reaches this far both ways.
-fn training_regions(header: &CubeHeader, guard: [usize; 2], outer: [usize; 2], reach: [usize; 2]) -> Vec<Region> {
+/// The ring of CA and OS, or the halves of GO and SO that have cells, where the range axis reaches this far both ways and the cell
+/// under test has its image this far away.
+fn training_regions(
+    header: &CubeHeader,
+    [guard, outer]: [[usize; 2]; 2],
+    reach: [usize; 2],
+    image: Option<[i64; 2]>,
+) -> Vec<Region> {
     let sides = |back: usize, ahead: usize| [-(back as i64), ahead as i64];
     let whole = [sides(outer[0], outer[0]), sides(reach[0], reach[1])];
     let near = |half: usize| half.min(guard[1]);
     let hole = [sides(guard[0], guard[0]), sides(near(reach[0]), near(reach[1]))];
     match header.dsp.detector {
-        Detector::CaCfar | Detector::OsCfar => vec![Region { whole, hole: Some(hole) }],
+        Detector::CaCfar | Detector::OsCfar => vec![Region { whole, hole: Some(hole), image }],
         Detector::GoCfar | Detector::SoCfar => {
             let axis = usize::from(header.dsp.training_cells[1] > 0);
             let (mut before, mut behind) = (whole, whole);
             before[axis][1] = hole[axis][0] - 1;
             behind[axis][0] = hole[axis][1] + 1;
-            let halves = [before, behind].map(|whole| Region { whole, hole: None });
+            let halves = [before, behind].map(|whole| Region { whole, hole: None, image });
             halves.into_iter().filter(|half| half.cells() > 0).collect()
         }
     }
@@ -310,13 +345,14 @@ fn threshold(header: &CubeHeader, correlation: &Correlation, regions: &[Region],
     let cells: usize = regions.iter().map(Region::cells).sum();
     let rank = ((OS_RANK * cells as f64).round() as usize).clamp(1, cells);
     let mean = |region: &Region| correlation.mean_power(region, channels);
-    let half = |region: &Region| correlation.rectangle_power(&region.whole, channels);
+    let half = |region: &Region| correlation.rectangle_power(region, channels);
+    let is_white = correlation.is_white() && regions.iter().all(|region| region.image.is_none());
     let independent = match (header.dsp.detector, regions) {
-        (Detector::OsCfar, [ring, ..]) if correlation.is_white() => ordered_factor(ring.cells(), rank, channels, rate),
+        (Detector::OsCfar, [ring, ..]) if is_white => ordered_factor(ring.cells(), rank, channels, rate),
         (Detector::OsCfar, [ring, ..]) => correlated_ordered_factor(correlation, ring, rank, channels, rate),
         (Detector::GoCfar, [a, b]) => greatest_of_factor([&half(a), &half(b)], channels, rate),
         (Detector::SoCfar, [a, b]) => smallest_of_factor([&half(a), &half(b)], channels, rate),
-        _ if correlation.is_white() => threshold_factor(cells as f64, channels, rate),
+        _ if is_white => threshold_factor(cells as f64, channels, rate),
         _ => averaged_factor(&regions.iter().flat_map(mean).collect::<Vec<_>>(), channels, rate),
     };
     let leak: f64 = regions.iter().map(|r| correlation.leak(r) * r.cells() as f64).sum::<f64>() / cells as f64;

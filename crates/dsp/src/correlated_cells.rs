@@ -3,10 +3,16 @@
 //! White samples under a taper w make map cells that correlate as ρ = Σw²e^{−j2πnd/N}/Σw² per axis, d cells apart, and as
 //! the product of both axes. All regions of the detectors are rectangles, or one without another, so every sum over pairs
 //! and triples of cells is made of products of sums along the axes.
+//!
+//! Of real samples the cell at (−m, −k) of the whole spectrum is the conjugate of that at (m, k). A region's noise then is half of what
+//! it and its image hold together, as 2N real variables instead of N complex ones, and the cells of both correlate by their distance
+//! as any others do: near range 0 and half the sample rate, on the rows about zero velocity and about the fastest, where a region meets
+//! its image. (Column 0 of a rectangular window has each of its powers twice, 2N variables of which N are 0.)
 
 use crate::DspError;
 use crate::doppler_division::band_cycles;
 use crate::gamma_forms::WeightedGamma;
+use crate::symmetric_eigenvalues::{eigenvalues, eigenvalues_of_tridiagonal};
 use crate::window::{noise_correlation, taper};
 use artifact::cube::CubeHeader;
 use artifact::radar::Multiplexing;
@@ -22,6 +28,8 @@ pub struct Region {
     pub whole: Rectangle,
     /// What is left out.
     pub hole: Option<Rectangle>,
+    /// Offset of the image of the cell under test, [doppler, range], where the region's noise meets that of its image.
+    pub image: Option<[i64; 2]>,
 }
 
 impl Region {
@@ -30,9 +38,22 @@ impl Region {
         cells(&self.whole) - self.hole.as_ref().map_or(0, cells)
     }
 
-    fn parts(&self) -> impl Iterator<Item = (f64, &Rectangle)> + Clone {
-        std::iter::once((1.0, &self.whole)).chain(self.hole.iter().map(|hole| (-1.0, hole)))
+    fn parts(&self) -> impl Iterator<Item = (f64, Rectangle)> + Clone + use<> {
+        std::iter::once((1.0, self.whole)).chain(self.hole.map(|hole| (-1.0, hole)))
     }
+
+    /// The region's and its image's.
+    fn all_parts(&self) -> impl Iterator<Item = (f64, Rectangle)> + Clone + use<> {
+        let own = self.parts();
+        let images = self.image.into_iter().flat_map(move |image| {
+            own.clone().map(move |(sign, part)| (sign, [0, 1].map(|axis: usize| mirrored(part[axis], image[axis]))))
+        });
+        self.parts().chain(images)
+    }
+}
+
+fn mirrored([first, last]: [i64; 2], image: i64) -> [i64; 2] {
+    [image - last, image - first]
 }
 
 fn cells(rectangle: &Rectangle) -> usize {
@@ -49,14 +70,19 @@ pub struct Correlation {
 
 /// Correlations below this are none: a region of 10⁴ cells gains less than 1e-8 by them.
 const NEGLIGIBLE: f64 = 1e-6;
+/// Noise farther apart than this beyond a region and its image is independent: twice the main lobe of a window of −100 dB.
+pub(crate) const FAR_CELLS: usize = 8;
+/// A region that shares less than this part of its power with its image does not meet it: with α = 15, N = 100 the rate changes by
+/// α²/2N of it.
+const MEETS: f64 = 1e-4;
 
 impl Correlation {
-    /// Of a header's windows, up to twice these half sizes apart.
+    /// Of a header's windows, for regions of these half sizes and images that they meet.
     pub fn new(header: &CubeHeader, outer: [usize; 2]) -> Result<Self, DspError> {
         let waveform = &header.radar.waveform;
         let doppler = taper(header.dsp.doppler_window, waveform.chirps as usize)?;
         let range = taper(header.dsp.range_window, waveform.samples as usize)?;
-        let lags = |axis: usize| (0..=2 * outer[axis]).map(|lag| lag as f64);
+        let lags = |axis: usize| (0..=4 * outer[axis] + FAR_CELLS).map(|lag| lag as f64);
         let power = [
             lags(0).map(|lag| doppler_correlation(header, &doppler, lag)).collect::<Vec<f64>>(),
             lags(1).map(|lag| noise_correlation(&range, lag)).collect(),
@@ -74,14 +100,20 @@ impl Correlation {
         self.amplitude.iter().flat_map(|axis| &axis[1..]).all(|rho| *rho == 0.0)
     }
 
+    /// Whether a region's noise has something in common with that of its image.
+    pub fn meets_image(&self, region: &Region) -> bool {
+        let alone = Region { image: None, ..region.clone() };
+        self.among(region, 1) - self.among(&alone, 1) > MEETS * region.cells() as f64
+    }
+
     /// Share c of the cell under test in the mean of a region: Σκ_0i/N.
     pub fn leak(&self, region: &Region) -> f64 {
         (self.pairs(region, &CENTRE, 1) / region.cells() as f64).max(0.0)
     }
 
-    /// Σκ_ij^n over pairs of different cells of a region.
+    /// Σκ_ij^n over pairs of different cells of a region, and of cells and images.
     pub fn among(&self, region: &Region, exponent: i32) -> f64 {
-        let pairs: f64 = region.parts().map(|(sign, part)| sign * self.pairs(region, part, exponent)).sum();
+        let pairs: f64 = region.parts().map(|(sign, part)| sign * self.pairs(region, &part, exponent)).sum();
         (pairs - region.cells() as f64).max(0.0)
     }
 
@@ -111,35 +143,61 @@ impl Correlation {
 
     /// The mean power of a rectangle's noise: as [`Self::mean_power`] with Gauss's rule of eight nodes.
     ///
-    /// The smaller of two means lives in the lower tail of a thin half, where the small eigenvalues decide. A rectangle's
-    /// eigenvalues are the products of those of its two sides.
-    pub fn rectangle_power(&self, rectangle: &Rectangle, channels: usize) -> Vec<WeightedGamma> {
-        let side = |axis: usize| {
-            let [first, last] = rectangle[axis];
-            let length = (last - first + 1) as usize;
-            let rho = &self.amplitude[axis];
-            eigenvalues(&(0..length).map(|i| (0..length).map(|j| rho[i.abs_diff(j)]).collect()).collect::<Vec<_>>()).0
+    /// The smaller of two means lives in the lower tail of a thin half, where the small eigenvalues decide.
+    pub fn rectangle_power(&self, region: &Region, channels: usize) -> Vec<WeightedGamma> {
+        let eigenvalues = match region.image {
+            None => self.of_rectangle(&region.whole),
+            Some(image) => self.of_rectangle_and_image(&region.whole, image),
         };
-        let (doppler, range) = (side(0), side(1));
-        let products: Vec<f64> = doppler.iter().flat_map(|a| range.iter().map(move |b| (a * b).max(1e-12))).collect();
-        let all = products.len() as f64 * channels as f64;
+        let all = region.cells() as f64 * channels as f64;
         let group = |(eigenvalue, share): (f64, f64)| WeightedGamma { weight: eigenvalue / all, shape: share * all };
-        gauss_nodes(&products, 8).into_iter().map(group).filter(|g| g.shape > 1e-9 && g.weight > 0.0).collect()
+        gauss_nodes(&eigenvalues, 8).into_iter().map(group).filter(|g| g.shape > 1e-9 && g.weight > 0.0).collect()
     }
 
-    fn pairs(&self, region: &Region, with: &Rectangle, exponent: i32) -> f64 {
-        let sum = |axis: usize, a: [i64; 2], b: [i64; 2]| -> f64 {
-            let kappa = |i: i64, j: i64| self.power[axis][i.abs_diff(j) as usize].powi(exponent);
-            (a[0]..=a[1]).map(|i| (b[0]..=b[1]).map(|j| kappa(i, j)).sum::<f64>()).sum()
+    /// The products of those of its two sides.
+    fn of_rectangle(&self, rectangle: &Rectangle) -> Vec<f64> {
+        let side = |axis: usize| {
+            let length = (rectangle[axis][1] - rectangle[axis][0] + 1) as usize;
+            let row = |i: usize| (0..length).map(|j| self.rho(axis, i as i64 - j as i64)).collect();
+            eigenvalues((0..length).map(row).collect())
         };
-        region.parts().map(|(sign, a)| sign * sum(0, a[0], with[0]) * sum(1, a[1], with[1])).sum()
+        let (doppler, range) = (side(0), side(1));
+        doppler.iter().flat_map(|a| range.iter().map(move |b| (a * b).max(NO_POWER))).collect()
+    }
+
+    /// Of real parts, whose covariances are the sums of those between cells and those with images, and of imaginary parts, their
+    /// differences.
+    fn of_rectangle_and_image(&self, [rows, columns]: &Rectangle, image: [i64; 2]) -> Vec<f64> {
+        let cells: Vec<[i64; 2]> =
+            (rows[0]..=rows[1]).flat_map(|i| (columns[0]..=columns[1]).map(move |j| [i, j])).collect();
+        let direct = |a: &[i64; 2], b: &[i64; 2]| self.rho(0, a[0] - b[0]) * self.rho(1, a[1] - b[1]);
+        let part = |sign: f64| {
+            let entry =
+                |a: &[i64; 2], b: &[i64; 2]| direct(a, b) + sign * direct(a, &[image[0] - b[0], image[1] - b[1]]);
+            let matrix: Vec<Vec<f64>> = cells.iter().map(|a| cells.iter().map(|b| entry(a, b)).collect()).collect();
+            eigenvalues(matrix)
+        };
+        [1.0, -1.0].into_iter().flat_map(part).map(|value| value.max(NO_POWER)).collect()
+    }
+
+    fn rho(&self, axis: usize, lag: i64) -> f64 {
+        at_lag(&self.amplitude[axis], lag)
+    }
+
+    /// Σκ^n between the cells of a region, its image's among them, and those of a rectangle.
+    fn pairs(&self, region: &Region, with: &Rectangle, exponent: i32) -> f64 {
+        let kappa = [0, 1].map(|axis: usize| self.power[axis].iter().map(|k| k.powi(exponent)).collect::<Vec<f64>>());
+        let sum = |axis: usize, a: [i64; 2], b: [i64; 2]| -> f64 {
+            (a[0]..=a[1]).map(|i| (b[0]..=b[1]).map(|j| at_lag(&kappa[axis], i - j)).sum::<f64>()).sum()
+        };
+        region.all_parts().map(|(sign, a)| sign * sum(0, a[0], with[0]) * sum(1, a[1], with[1])).sum()
     }
 
     fn triples(&self, region: &Region) -> f64 {
         let mut total = 0.0;
         for (sign_a, a) in region.parts() {
-            for (sign_b, b) in region.parts() {
-                for (sign_c, c) in region.parts() {
+            for (sign_b, b) in region.all_parts() {
+                for (sign_c, c) in region.all_parts() {
                     let along = |axis: usize| triple_sum(&self.amplitude[axis], [a[axis], b[axis], c[axis]]);
                     total += sign_a * sign_b * sign_c * along(0) * along(1);
                 }
@@ -147,6 +205,13 @@ impl Correlation {
         }
         total
     }
+}
+
+/// Eigenvalues are not negative: what rounding leaves of those that are 0.
+const NO_POWER: f64 = 1e-12;
+
+fn at_lag(of_lag: &[f64], lag: i64) -> f64 {
+    of_lag.get(lag.unsigned_abs() as usize).copied().unwrap_or(0.0)
 }
 
 const CENTRE: Rectangle = [[0, 0], [0, 0]];
@@ -166,7 +231,7 @@ fn amplitude_sign(taper: &[f64], lag: f64) -> f64 {
 fn triple_sum(rho: &[f64], [a, b, c]: [[i64; 2]; 3]) -> f64 {
     let reach = rho.iter().rposition(|r| *r != 0.0).unwrap_or(0) as i64;
     let near = |at: i64, [first, last]: [i64; 2]| first.max(at - reach)..=last.min(at + reach);
-    let at = |i: i64, j: i64| rho[i.abs_diff(j) as usize];
+    let at = |i: i64, j: i64| at_lag(rho, i - j);
     let closed = |i: i64, j: i64| -> f64 { near(i, c).map(|k| at(j, k) * at(k, i)).sum() };
     (a[0]..=a[1]).map(|i| near(i, b).map(|j| at(i, j) * closed(i, j)).sum::<f64>()).sum()
 }
@@ -190,41 +255,8 @@ fn gauss_nodes(points: &[f64], nodes: usize) -> Vec<(f64, f64)> {
         beside.push(link);
         before = std::mem::replace(&mut vector, next.iter().map(|x| x / link).collect());
     }
-    let size = diagonal.len();
-    let mut matrix = vec![vec![0.0; size]; size];
-    for i in 0..size {
-        matrix[i][i] = diagonal[i];
-        if i + 1 < size {
-            (matrix[i][i + 1], matrix[i + 1][i]) = (beside[i], beside[i]);
-        }
-    }
-    let (values, first) = eigenvalues(&matrix);
+    let (values, first) = eigenvalues_of_tridiagonal(diagonal, beside);
     values.into_iter().zip(first.into_iter().map(|f| f * f)).collect()
-}
-
-/// Eigenvalues of a symmetric matrix and the first components of its eigenvectors (Jacobi's rotations, by rows).
-fn eigenvalues(matrix: &[Vec<f64>]) -> (Vec<f64>, Vec<f64>) {
-    let size = matrix.len();
-    let mut a = matrix.to_vec();
-    let mut first: Vec<f64> = (0..size).map(|i| if i == 0 { 1.0 } else { 0.0 }).collect();
-    // Convergence is quadratic: ten sweeps reach the last digit of any matrix (Golub, Van Loan, 2013, §8.5).
-    for (p, q) in (0..10).flat_map(|_| (0..size).flat_map(|p| (p + 1..size).map(move |q| (p, q)))) {
-        if a[p][q].abs() < 1e-15 {
-            continue;
-        }
-        let angle = 0.5 * (2.0 * a[p][q]).atan2(a[q][q] - a[p][p]);
-        let (sin, cos) = angle.sin_cos();
-        let turned = |x: f64, y: f64| (cos * x - sin * y, sin * x + cos * y);
-        for row in &mut a {
-            (row[p], row[q]) = turned(row[p], row[q]);
-        }
-        let (above, below) = a.split_at_mut(q);
-        for (x, y) in above[p].iter_mut().zip(&mut below[0]) {
-            (*x, *y) = turned(*x, *y);
-        }
-        (first[p], first[q]) = turned(first[p], first[q]);
-    }
-    ((0..size).map(|i| a[i][i]).collect(), first)
 }
 
 /// With Doppler division a summed cell holds bands of one receiver, i/M apart: cells correlate where bands meet.

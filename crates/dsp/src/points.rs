@@ -74,11 +74,9 @@ fn detect_in(header: &CubeHeader, map: &RdmFrame, samples: Option<&[Complex32]>)
         .flat_map_iter(|(cell, peak)| {
             let seen =
                 view.on_slope(&sighted, power[(cell[0], cell[1])], *cell, [peaks[*peak].row, peaks[*peak].column]);
-            let point = |(sighting, index): (Sighting, usize)| Point {
-                two_ways_rad: sighted[index].two_ways_rad,
-                ..sighting.point(view.snr_db(sighting.peak.power), object_of(index))
-            };
-            seen.into_iter().map(point).collect::<Vec<_>>()
+            seen.into_iter()
+                .map(|(sighting, index)| sighting.point(view.snr_db(sighting.peak.power), object_of(index)))
+                .collect::<Vec<_>>()
         })
         .collect();
     let objects = groups.iter().enumerate().map(|(index, group)| {
@@ -137,12 +135,27 @@ struct View<'a> {
 impl View<'_> {
     /// Looks at every peak's channels for a wave that left by one direction and came back by another.
     fn mark_ghosts(&self, sighted: &mut [Sighting]) {
-        let noise = self.channel_noise();
-        sighted.par_iter_mut().for_each(|s| {
-            let found = two_ways(self.array, &s.snapshot, s.range_m, s.direction, noise);
-            let azimuth = |direction| place(self.header, self.array, direction, s.range_m).azimuth_rad;
-            s.two_ways_rad = found.map(|two| two.directions.map(azimuth));
-        });
+        // Echoes of one cell have its channels in common, and the strongest comes first.
+        let mut of_cells: BTreeMap<[usize; 2], &Sighting> = BTreeMap::new();
+        for s in sighted.iter() {
+            of_cells.entry(s.cell()).or_insert(s);
+        }
+        let found: BTreeMap<[usize; 2], Option<[f64; 2]>> =
+            of_cells.into_par_iter().map(|(cell, s)| (cell, self.two_ways_rad(s))).collect();
+        sighted.iter_mut().for_each(|s| s.two_ways_rad = found.get(&s.cell()).copied().flatten());
+    }
+
+    fn two_ways_rad(&self, s: &Sighting) -> Option<[f64; 2]> {
+        let found = two_ways(self.array, &s.snapshot, s.range_m, s.direction, self.channel_noise());
+        let azimuth = |direction| place(self.header, self.array, direction, s.range_m).azimuth_rad;
+        found.map(|two| two.directions.map(azimuth))
+    }
+
+    /// Of a cell on the slope of a peak, by its strongest echo: that of the peak if it is the peak's, seen in the same beam. Another one
+    /// may lie there, with no peak of its own.
+    fn on_slope_of(&self, owner: &Sighting, strongest: &Sighting) -> Option<[f64; 2]> {
+        let apart_beams = (owner.direction.right - strongest.direction.right).abs() / self.array.beams()[0];
+        if apart_beams < 0.5 { owner.two_ways_rad } else { self.two_ways_rad(strongest) }
     }
 
     /// Echoes of all peaks, strongest first.
@@ -211,8 +224,7 @@ impl View<'_> {
             };
             for member in members {
                 let velocity_mps = unwrapped(self.header, member.radial_velocity_mps, choice.velocity_mps);
-                let cell = [member.peak.row, member.peak.column];
-                moved.entry(cell).or_insert_with(|| (velocity_mps, member.folds.clone()));
+                moved.entry(member.cell()).or_insert_with(|| (velocity_mps, member.folds.clone()));
             }
         }
         let again = |peak: &Peak| match moved.get(&[peak.row, peak.column]) {
@@ -251,16 +263,18 @@ impl View<'_> {
         [row, column]: [usize; 2],
         peak: [usize; 2],
     ) -> Vec<(Sighting, usize)> {
-        let own = || (0..sighted.len()).filter(|i| [sighted[*i].peak.row, sighted[*i].peak.column] == peak);
+        let own = || (0..sighted.len()).filter(|i| sighted[*i].cell() == peak);
         if peak == [row, column] {
             return own().map(|index| (sighted[index].clone(), index)).collect();
         }
         let across = |a: &Sighting, b: &Sighting| (a.direction.right - b.direction.right).abs();
         let Some(owner) = own().next() else { return vec![] };
         let velocity_mps = self.unfolded(velocity_at(self.header, row as f64), &sighted[owner]);
-        let echoes = self.sight_at(Peak::at_centre(row, column, power), velocity_mps, None).into_iter();
+        let mut echoes = self.sight_at(Peak::at_centre(row, column, power), velocity_mps, None);
+        let two_ways_rad = echoes.first().and_then(|strongest| self.on_slope_of(&sighted[owner], strongest));
+        echoes.iter_mut().for_each(|echo| echo.two_ways_rad = two_ways_rad);
         let nearest = |s: &Sighting| own().min_by(|a, b| across(&sighted[*a], s).total_cmp(&across(&sighted[*b], s)));
-        echoes.filter_map(|echo| nearest(&echo).map(|index| (echo, index))).collect()
+        echoes.into_iter().filter_map(|echo| nearest(&echo).map(|index| (echo, index))).collect()
     }
 }
 
@@ -289,10 +303,9 @@ fn refine_isolated(
     let bandwidth_cells = noise_bandwidth_cells(header)?;
     let neighbours = Neighbours { header, map: view.map, array, peaks, noise: view.noise, bandwidth_cells };
     let sample_noise = view.noise / (bandwidth_cells * view.map.values.len() as f64);
-    let cells: Vec<[usize; 2]> = sighted.iter().map(|s| [s.peak.row, s.peak.column]).collect();
+    let cells: Vec<[usize; 2]> = sighted.iter().map(Sighting::cell).collect();
     for sighting in sighted.iter_mut() {
-        let cell = [sighting.peak.row, sighting.peak.column];
-        let alone = cells.iter().filter(|other| **other == cell).count() == 1;
+        let alone = cells.iter().filter(|other| **other == sighting.cell()).count() == 1;
         let start = sighting.echo();
         if !(alone && sighting.peak.detected && neighbours.leave_alone(&sighting.peak, start)) {
             continue;
@@ -317,6 +330,10 @@ fn noise_bandwidth_cells(header: &CubeHeader) -> Result<f64, DspError> {
 }
 
 impl Sighting {
+    fn cell(&self) -> [usize; 2] {
+        [self.peak.row, self.peak.column]
+    }
+
     fn echo(&self) -> PointEcho {
         PointEcho { range_m: self.range_m, radial_velocity_mps: self.radial_velocity_mps, direction: self.direction }
     }
@@ -334,7 +351,7 @@ impl Sighting {
             elevation_rad: self.place.elevation_rad,
             position_m: self.place.position_m.to_array(),
             snr_db,
-            two_ways_rad: None,
+            two_ways_rad: self.two_ways_rad,
             object,
             target: None,
             label: None,
@@ -381,6 +398,7 @@ impl View<'_> {
             points: points.len() as u32,
             range_extent_m: extent(points.iter().map(|p| p.range_m)),
             velocity_extent_mps: extent(points.iter().map(|p| near_strongest(p.radial_velocity_mps))),
+            ghost_share: weighted_mean(peaks.iter().map(|s| f64::from(u8::from(s.two_ways_rad.is_some()))), &weights),
         }
     }
 

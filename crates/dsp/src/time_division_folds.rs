@@ -131,8 +131,7 @@ impl Folds {
 fn left_over(array: &VirtualArray, snapshot: &Snapshot, idle: f64, range_m: f64) -> f64 {
     let total: f64 = snapshot.iter().map(|v| v.norm_sqr()).sum();
     let direction = array.direction(std::slice::from_ref(snapshot), range_m);
-    let beam = array.beam(snapshot, &array.steering(direction, range_m));
-    (total + idle - beam.norm_sqr() / snapshot.len() as f64).max(0.0)
+    (total + idle - array.explained(snapshot, direction, range_m)).max(0.0)
 }
 
 /// Least part of an echo's power that any wrong fold loses, for echoes from these direction cosines; 0 where one is exactly another

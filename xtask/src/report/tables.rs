@@ -54,7 +54,7 @@ pub(super) fn targets(frame: &Value) -> Markup {
         div.scroll { table {
             thead { tr {
                 th { "target" } th { "range, m" } th { "true" } th { "error" } th { "velocity, m/s" } th { "true" } th { "error" }
-                th { "x, m" } th { "true" } th { "error" } th { "lane" } th { "true" } th { "SNR, dB" } th { "points" }
+                th { "x, m" } th { "true" } th { "error" } th { "lane" } th { "true" } th { "SNR, dB" } th { "points" } th { "ghost share" }
             } }
             tbody { @for target in &targets { (target_row(target)) } }
         } }
@@ -65,7 +65,7 @@ fn target_row(target: &Value) -> Markup {
     let (truth, estimate) = (&target["truth"], &target["estimate"]);
     let id = target["id"].as_str().unwrap_or_default();
     if estimate.is_null() {
-        return html! { tr { td { (id) } td.bad colspan="13" { "not detected" } } };
+        return html! { tr { td { (id) } td.bad colspan="14" { "not detected" } } };
     }
     let range = if truth["echo_range_m"].is_null() { &truth["range_m"] } else { &truth["echo_range_m"] };
     let echo = &truth["echo_radial_velocity_mps"];
@@ -78,6 +78,7 @@ fn target_row(target: &Value) -> Markup {
         (compared(&estimate["x_m"], &truth["x_m"], 2))
         td.bad[wrong_lane] { (whole(&estimate["lane"])) } td { (whole(&truth["lane"])) }
         td { (rounded(&estimate["snr_db"], 1)) } td { (whole(&estimate["points"])) }
+        td { (rounded(&estimate["ghost_share"], 2)) }
     } }
 }
 

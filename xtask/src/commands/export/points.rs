@@ -10,7 +10,7 @@ use std::io::Write;
 use std::path::Path;
 
 const COLUMNS: &str = "frame,time_s,range_m,radial_velocity_mps,az_deg,el_deg,x_m,y_m,z_m,snr_db,object,target,\
-true_target,true_class,true_order,true_share,two_ways_az_deg,true_bodies";
+true_target,true_class,true_order,true_share,two_ways_az_deg,true_bodies,ghost_share";
 
 pub(crate) fn csv(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
@@ -29,6 +29,8 @@ pub(crate) fn csv(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
 pub(crate) fn write_csv(sink: &mut dyn Write, frame: &PointsFrame, header: &PointsHeader) -> std::io::Result<()> {
     for p in &frame.points {
         let object = p.object.map_or_else(String::new, |o| o.to_string());
+        let of_object = p.object.and_then(|object| frame.objects.get(object as usize));
+        let ghost = of_object.map_or_else(String::new, |object| format!("{:.4}", object.ghost_share));
         let target = p.target.and_then(|t| header.targets.get(t as usize)).map_or("", String::as_str);
         let label = p.label.map_or_else(|| ",,,".into(), |label| label_text(&label, header));
         let [x, y, z] = p.position_m;
@@ -39,7 +41,7 @@ pub(crate) fn write_csv(sink: &mut dyn Write, frame: &PointsFrame, header: &Poin
         let bodies = p.label.map_or_else(String::new, |label| label.bodies.to_string());
         writeln!(
             sink,
-            "{frame},{time},{range},{velocity},{az},{el},{x},{y},{z},{snr},{object},{target},{label},{ways},{bodies}"
+            "{frame},{time},{range},{velocity},{az},{el},{x},{y},{z},{snr},{object},{target},{label},{ways},{bodies},{ghost}"
         )?;
     }
     Ok(())
