@@ -111,8 +111,8 @@ struct Count {
 }
 
 impl Count {
-    fn add(&mut self, is_marked: bool) {
-        self.marked += u32::from(is_marked);
+    fn add(&mut self, marks: u32) {
+        self.marked += marks;
         self.all += 1;
     }
 }
@@ -130,8 +130,8 @@ fn counts(array: &str, beam: f64, seeds: std::ops::Range<u32>) -> [Count; 2] {
             }
             let is_marked = !row["two_ways_az_deg"].is_empty();
             match row["true_bodies"].as_str() {
-                "1" => direct.add(is_marked),
-                _ if street.apart[&row["true_target"]] >= beam => ghosts.add(is_marked),
+                "1" => direct.add(u32::from(is_marked)),
+                _ if street.apart[&row["true_target"]] >= beam => ghosts.add(u32::from(is_marked)),
                 _ => {}
             }
             if is_marked == (row["true_bodies"] == "1") {
