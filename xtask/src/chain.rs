@@ -31,7 +31,8 @@ pub(crate) enum Scattering {
 }
 
 impl Scattering {
-    fn error(&self) -> (ErrorBudget, ModelError) {
+    /// Numerical errors, and what the model leaves out.
+    pub(crate) fn error(&self) -> (ErrorBudget, ModelError) {
         match self {
             Self::Paths(frame) => (frame.error, frame.model_error),
             Self::Tables(frame) => (frame.error, frame.model_error),

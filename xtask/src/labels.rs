@@ -21,34 +21,87 @@ use num_complex::Complex64;
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
 
-/// Labels of points that paths made; `noise_power` is that of one cell of one channel of the map, in its units.
-pub(crate) fn label(
+/// What made a point, in truth.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Origin {
+    /// Echoes of bodies: the strongest kind of them, and the bodies on its strongest way.
+    Echo { label: Label, bodies: BTreeSet<u32> },
+    /// The road's own backscatter.
+    Ground,
+    /// The paths all together stay below the noise there.
+    Noise,
+}
+
+impl Origin {
+    /// The label of an echo.
+    pub(crate) fn label(&self) -> Option<Label> {
+        match self {
+            Self::Echo { label, .. } => Some(*label),
+            Self::Ground | Self::Noise => None,
+        }
+    }
+}
+
+/// Origins of points that paths made; `noise_power` is that of one cell of one channel of the map, in its units.
+pub(crate) fn origins(
     header: &CubeHeader,
     paths: &PathsFrame,
     noise_power: f64,
-    points: &mut [Point],
-) -> Result<(), DspError> {
+    points: &[Point],
+) -> Result<Vec<Origin>, DspError> {
     let map = MapResponse::new(header)?;
     let echoes: Vec<Echo> = paths.paths.iter().map(|path| Echo::of(&header.radar, path)).collect();
-    for point in points {
+    // The beam averages over channels: so does its noise.
+    let floor = noise_power / header.radar.virtual_channels() as f64 / map.gain.powi(2);
+    let origin = |point: &Point| {
         let shares = map.shares(&header.radar, &echoes, point);
-        // Where the road itself is strongest, the point is no target's. The beam averages over channels: so does its noise.
-        let floor = noise_power / header.radar.virtual_channels() as f64;
-        let label = strongest(&shares, floor / map.gain.powi(2));
-        point.label = label.filter(|label| label.target != fmcw_echo::ground::GROUND);
-    }
-    Ok(())
+        let Some(label) = strongest(&shares, floor) else { return Origin::Noise };
+        let group = Group { target: label.target, order: label.order, bodies: label.bodies };
+        match shares.get(&group).map(|share| share.strongest) {
+            // Where the road itself is strongest, the point is no target's.
+            _ if label.target == fmcw_echo::ground::GROUND => Origin::Ground,
+            Some(way) => Origin::Echo { label, bodies: met(&paths.paths[way]) },
+            None => Origin::Noise,
+        }
+    };
+    Ok(points.iter().map(origin).collect())
 }
 
-/// Powers by target and order; the strongest, where all together reach the noise.
-fn strongest(powers: &BTreeMap<Group, f64>, noise: f64) -> Option<Label> {
-    let sum: f64 = powers.values().sum();
-    let best = powers.iter().fold(None, |best: Option<(&Group, &f64)>, new| match best {
-        Some(best) if best.1 >= new.1 => Some(best),
-        _ => Some(new),
-    });
+/// What a group leaves in a cell.
+#[derive(Debug, Clone, Copy, Default)]
+struct Share {
+    sum: Complex64,
+    /// The index of its strongest path, and that one's power.
+    strongest: usize,
+    largest: f64,
+}
+
+impl Share {
+    fn power(&self) -> f64 {
+        self.sum.norm_sqr()
+    }
+}
+
+/// The strongest group, where all together reach the noise.
+fn strongest(shares: &BTreeMap<Group, Share>, noise: f64) -> Option<Label> {
+    let sum: f64 = shares.values().map(Share::power).sum();
+    let best =
+        shares.iter().map(|(group, share)| (group, share.power())).fold(None, |best: Option<(&Group, f64)>, new| {
+            match best {
+                Some(best) if best.1 >= new.1 => Some(best),
+                _ => Some(new),
+            }
+        });
     let (group, power) = best.filter(|_| sum > 0.0 && sum >= noise)?;
     Some(Label { target: group.target, order: group.order, bodies: group.bodies, share: power / sum })
+}
+
+/// Bodies that a way meets.
+fn met(path: &Path) -> BTreeSet<u32> {
+    match path.sequence() {
+        [] => BTreeSet::from([path.target]),
+        facets => facets.iter().map(|facet| facet.body).collect(),
+    }
 }
 
 /// What ways have in common whose echoes are added: the first target, bounces, and how many different targets they meet. A way and the
@@ -62,9 +115,8 @@ struct Group {
 
 impl Group {
     fn of(path: &Path) -> Self {
-        let met: BTreeSet<u32> = path.sequence().iter().map(|facet| facet.body).collect();
         let target = path.sequence().last().map_or(path.target, |last| path.target.min(last.body));
-        Self { target, order: path.order, bodies: met.len().max(1) as u8 }
+        Self { target, order: path.order, bodies: met(path).len() as u8 }
     }
 }
 
@@ -131,16 +183,20 @@ impl MapResponse {
         })
     }
 
-    /// Power of each group in the cell of a point, seen in its direction, √W squared.
-    fn shares(&self, radar: &Radar, echoes: &[Echo], point: &Point) -> BTreeMap<Group, f64> {
+    /// What each group leaves in the cell of a point, seen in its direction, √W.
+    fn shares(&self, radar: &Radar, echoes: &[Echo], point: &Point) -> BTreeMap<Group, Share> {
         let toward = direction(point);
-        let mut sums: BTreeMap<Group, Complex64> = BTreeMap::new();
-        for echo in echoes {
-            if let Some(left) = self.left_of(radar, echo, point) {
-                *sums.entry(echo.group).or_default() += echo.value * left * beam(radar, echo, toward);
+        let mut shares: BTreeMap<Group, Share> = BTreeMap::new();
+        for (index, echo) in echoes.iter().enumerate() {
+            let Some(left) = self.left_of(radar, echo, point) else { continue };
+            let value = echo.value * left * beam(radar, echo, toward);
+            let share = shares.entry(echo.group).or_default();
+            share.sum += value;
+            if value.norm_sqr() >= share.largest {
+                (share.strongest, share.largest) = (index, value.norm_sqr());
             }
         }
-        sums.into_iter().map(|(group, sum)| (group, sum.norm_sqr())).collect()
+        shares
     }
 
     /// Share of the amplitude; `None` beyond the reach of the windows.

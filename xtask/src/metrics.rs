@@ -1,32 +1,27 @@
 //! How well objects and tracks agree with the truth over a run. Only reports come here: nothing behind the radar cube reads it.
 //!
-//! Truths of a frame are the bodies that send back any echo from within the radar's range, at the middle of their outline on the
-//! ground, clutter left out: what is found of it counts as false; estimates are the middles of the boxes of believed tracks, and beside them the places of the frame's objects.
+//! Truths of a frame are the bodies that send back any echo from within the radar's range, clutter left out: what is found of it counts
+//! as false. Objects of single frames say where something reflects, and are paired with the nearest parts of bodies
+//! ([`crate::pairing`]); tracks say where a body stands, and the middles of their boxes are compared with the middles of bodies.
 
-mod gospa;
+pub(crate) mod gospa;
 mod identities;
 mod ospa;
 
+use crate::frame_truth::FrameTruth;
+use crate::pairing::{GATE_M, Pairing};
 use crate::truth::Truth;
 use artifact::points::Object;
-use artifact::scene::Role;
 use artifact::tracks::{Track, TrackState, TracksFrame};
 use glam::DVec2;
 use gospa::{Gospa, gospa};
 use identities::Identities;
+use ndarray::{Array2, ArrayView2};
 use ospa::ospa_m;
 use serde_json::{Value, json};
 
-/// c of GOSPA and OSPA: an estimate further from a body's middle than this is another's. Half of a bus is 6 m.
+/// c of GOSPA and OSPA of tracks: a box whose middle is further from a body's middle than this is another's. Half of a bus is 6 m.
 const CUTOFF_M: f64 = 6.0;
-
-/// A body of a frame, as it is compared with estimates.
-#[derive(Debug, Clone, Copy)]
-struct Shown {
-    body: u32,
-    place_m: DVec2,
-    lane: Option<u8>,
-}
 
 /// What was found over all frames so far.
 #[derive(Debug, Clone, Default)]
@@ -56,37 +51,53 @@ pub(crate) fn believed(tracks: &TracksFrame) -> Vec<&Track> {
     tracks.tracks.iter().filter(|t| t.state != TrackState::Tentative).collect()
 }
 
-/// For each believed track the place of its body in `truths`, as the metric pairs them.
-pub(crate) fn bodies_of_tracks(truths: &[Truth], range_max_m: f64, tracks: &[&Track]) -> Vec<Option<usize>> {
-    let shown = shown(truths, |i| i as u32, range_max_m);
-    let pairs = gospa(&places(&shown), &middles(tracks), CUTOFF_M).chosen;
-    let body_of = |track: usize| pairs.iter().position(|t| *t == Some(track)).map(|i| shown[i].body as usize);
+/// For each believed track the place of its body among the truths, as the metric pairs them.
+pub(crate) fn bodies_of_tracks(truth: &FrameTruth, tracks: &[&Track]) -> Vec<Option<usize>> {
+    let pairs = gospa(of_tracks(truth, tracks).view(), CUTOFF_M).chosen;
+    let body_of = |track: usize| pairs.iter().position(|t| *t == Some(track)).map(|row| truth.pairing.shown[row]);
     (0..tracks.len()).map(body_of).collect()
 }
 
+/// Squared distances of the middles of boxes from those of bodies, `[body, track]`.
+fn of_tracks(truth: &FrameTruth, tracks: &[&Track]) -> Array2<f64> {
+    let bodies: Vec<DVec2> = shown(truth).map(|body| body.position_m.truncate()).collect();
+    let boxes: Vec<DVec2> = tracks.iter().map(|t| DVec2::from(t.footprint.centre_m)).collect();
+    squares_m2(&bodies, &boxes)
+}
+
+/// Squared distances of places, `[truth, estimate]`.
+fn squares_m2(truths: &[DVec2], estimates: &[DVec2]) -> Array2<f64> {
+    Array2::from_shape_fn((truths.len(), estimates.len()), |(t, e)| truths[t].distance_squared(estimates[e]))
+}
+
+/// Bodies that are to be found.
+fn shown(truth: &FrameTruth) -> impl Iterator<Item = &Truth> {
+    truth.pairing.shown.iter().map(|index| &truth.truths[*index])
+}
+
 impl Score {
-    /// Takes in one frame; `body_of` numbers the bodies of `truths` through the whole run.
+    /// Takes in one frame; `body_of` numbers the bodies of its truths through the whole run.
     pub(crate) fn add(
         &mut self,
-        truths: &[Truth],
+        truth: &FrameTruth,
         body_of: impl Fn(usize) -> u32,
-        range_max_m: f64,
         objects: &[Object],
         tracks: &TracksFrame,
     ) {
-        let (shown, tracks) = (shown(truths, body_of, range_max_m), believed(tracks));
-        let truths = places(&shown);
+        let tracks = believed(tracks);
         self.frames += 1;
-        let of_objects: Vec<DVec2> = objects.iter().map(|o| DVec2::new(o.position_m[0], o.position_m[1])).collect();
-        let pairs = self.objects.add(&truths, &of_objects);
-        let lanes = pairs.chosen.iter().zip(&shown).filter_map(|(o, s)| Some((s.lane?, objects[(*o)?].lane)));
-        self.objects.add_lanes(lanes);
-        let pairs = self.tracks.add(&truths, &middles(&tracks));
-        let lanes = pairs.chosen.iter().zip(&shown).filter_map(|(t, s)| Some((s.lane?, tracks[(*t)?].lane)));
-        self.tracks.add_lanes(lanes);
-        for (track, shown) in pairs.chosen.iter().zip(&shown) {
+        let Pairing { squares_m2, gospa: of_objects, .. } = &truth.pairing;
+        self.objects.add(squares_m2.view(), of_objects, GATE_M);
+        let lanes = of_objects.chosen.iter().zip(shown(truth));
+        self.objects.add_lanes(lanes.filter_map(|(o, body)| Some((body.lane?, objects[(*o)?].lane))));
+        let squares_m2 = of_tracks(truth, &tracks);
+        let pairs = gospa(squares_m2.view(), CUTOFF_M);
+        self.tracks.add(squares_m2.view(), &pairs, CUTOFF_M);
+        let lanes = pairs.chosen.iter().zip(shown(truth));
+        self.tracks.add_lanes(lanes.filter_map(|(t, body)| Some((body.lane?, tracks[(*t)?].lane))));
+        for (track, body) in pairs.chosen.iter().zip(&truth.pairing.shown) {
             if let Some(track) = track {
-                self.identities.pair(shown.body, tracks[*track].id);
+                self.identities.pair(body_of(*body), tracks[*track].id);
             }
         }
         self.ids.extend(tracks.iter().map(|t| t.id));
@@ -96,8 +107,8 @@ impl Score {
     pub(crate) fn told(&self) -> Value {
         json!({
             "cutoff_m": CUTOFF_M,
-            "objects": self.objects.told(self.frames),
-            "tracks": self.tracks.told(self.frames),
+            "objects": self.objects.told(self.frames, GATE_M),
+            "tracks": self.tracks.told(self.frames, CUTOFF_M),
             "identities": {
                 "bodies": self.identities.bodies(),
                 "tracks": self.ids.len(),
@@ -109,15 +120,13 @@ impl Score {
 }
 
 impl Sums {
-    fn add(&mut self, truths: &[DVec2], estimates: &[DVec2]) -> Gospa {
-        let parts = gospa(truths, estimates, CUTOFF_M);
+    fn add(&mut self, squares_m2: ArrayView2<f64>, parts: &Gospa, cutoff_m: f64) {
         self.gospa_m += parts.distance_m();
-        self.ospa_m += ospa_m(truths, estimates, CUTOFF_M);
+        self.ospa_m += ospa_m(squares_m2, cutoff_m);
         self.localisation_m2 += parts.localisation_m2;
-        self.pairs += truths.len() - parts.missed;
+        self.pairs += squares_m2.nrows() - parts.missed;
         self.missed += parts.missed;
         self.false_ones += parts.false_ones;
-        parts
     }
 
     /// Pairs of a true and an estimated lane; bodies in no lane are not asked for.
@@ -128,9 +137,10 @@ impl Sums {
         }
     }
 
-    fn told(&self, frames: u32) -> Value {
+    fn told(&self, frames: u32, cutoff_m: f64) -> Value {
         let mean = |sum: f64, count: f64| (count > 0.0).then(|| sum / count);
         json!({
+            "cutoff_m": cutoff_m,
             "gospa_m": mean(self.gospa_m, f64::from(frames)),
             "ospa_m": mean(self.ospa_m, f64::from(frames)),
             "localisation_rms_m": mean(self.localisation_m2, self.pairs as f64).map(f64::sqrt),
@@ -140,19 +150,4 @@ impl Sums {
             "lane_rate": mean(self.lanes_right as f64, self.lanes as f64),
         })
     }
-}
-
-fn shown(truths: &[Truth], body_of: impl Fn(usize) -> u32, range_max_m: f64) -> Vec<Shown> {
-    let range_m = |t: &Truth| t.echo.map_or(t.range_m, |e| e.range_m);
-    let is_shown = |t: &Truth| t.role == Role::Target && t.sends_back && range_m(t) <= range_max_m;
-    let of = |(i, t): (usize, &Truth)| Shown { body: body_of(i), place_m: t.position_m.truncate(), lane: t.lane };
-    truths.iter().enumerate().filter(|(_, t)| is_shown(t)).map(of).collect()
-}
-
-fn places(shown: &[Shown]) -> Vec<DVec2> {
-    shown.iter().map(|s| s.place_m).collect()
-}
-
-fn middles(tracks: &[&Track]) -> Vec<DVec2> {
-    tracks.iter().map(|t| DVec2::from(t.footprint.centre_m)).collect()
 }

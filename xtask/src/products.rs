@@ -3,14 +3,13 @@
 use crate::chain::{Chain, FrameProducts, Scattering};
 use crate::commands::load::provenance;
 use crate::failure::Failure;
-use crate::labels;
+use crate::frame_truth::FrameTruth;
 use crate::pictures::{self, FrameFigures, Svg};
 use crate::report;
 use crate::stages::Stage;
-use crate::truth;
 use artifact::cube::Cube;
 use artifact::paths::Paths;
-use artifact::points::{Points, PointsFrame, PointsHeader};
+use artifact::points::{Label, Points, PointsFrame, PointsHeader};
 use artifact::rcs::Rcs;
 use artifact::rdm::Rdm;
 use artifact::scene::{Scene, SceneFrame, SceneHeader};
@@ -77,9 +76,10 @@ impl Products {
         &mut self,
         chain: &Chain,
         mut frame: FrameProducts,
+        truth: &FrameTruth,
         tracks: &TracksFrame,
     ) -> Result<(), Failure> {
-        join_truth(chain, &mut frame)?;
+        join_truth(truth, &mut frame);
         self.scene.write(&frame.result.scene)?;
         self.cube.write(&frame.cube)?;
         self.rdm.write(&frame.rdm)?;
@@ -135,22 +135,13 @@ impl ScatteringWriter {
     }
 }
 
-fn join_truth(chain: &Chain, frame: &mut FrameProducts) -> Result<(), Failure> {
-    let result = &mut frame.result;
-    let truths = truth::truths(&frame.view.in_frame(result.scene.index), &result.scene, result.paths.as_ref());
-    let bodies = scene::bodies_in_view(chain.header, result.scene.index);
-    let chosen = truth::assign(&frame.view.dsp.road, &truths, &result.points.objects);
-    for point in &mut result.points.points {
-        let target = chosen.iter().position(|c| c.is_some() && c.map(|o| o as u32) == point.object);
-        point.target = target.and_then(|t| bodies.get(t).copied());
+fn join_truth(truth: &FrameTruth, frame: &mut FrameProducts) {
+    let points = &mut frame.result.points.points;
+    for point in points.iter_mut() {
+        let body = point.object.and_then(|object| truth.pairing.body_of(object as usize));
+        point.target = body.map(|body| truth.number_of(body));
     }
-    let Some(paths) = &result.paths else { return Ok(()) };
-    let paths = &chain.with_ground(paths)?;
-    let header = chain.cube_header.in_frame(result.scene.index);
-    let noise = dsp::noise_power(&header, &frame.rdm).map_err(Failure::refused)?;
-    labels::label(&header, paths, noise, &mut result.points.points).map_err(Failure::refused)?;
-    for label in result.points.points.iter_mut().filter_map(|point| point.label.as_mut()) {
-        label.target = bodies.get(label.target as usize).copied().unwrap_or(label.target);
+    for (point, origin) in points.iter_mut().zip(&truth.origins) {
+        point.label = origin.label().map(|label| Label { target: truth.number_of(label.target as usize), ..label });
     }
-    Ok(())
 }

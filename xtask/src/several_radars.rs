@@ -1,11 +1,12 @@
 //! What several radars of one scene saw, side by side: `summary.json` and `report.html` above the folders of each.
 
+use crate::console;
 use crate::failure::Failure;
 use crate::output;
 use crate::pictures::{self, Svg, common_view};
 use crate::products::Seen;
 use crate::report;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 /// A finished run through one radar.
@@ -39,6 +40,7 @@ pub(crate) fn conclude(radars: &[Told]) -> Result<(), Failure> {
     }
     output::write_file(&out.join("summary.json"), text.as_bytes())?;
     report::write_several(&summary, &views, out)?;
+    console::tell_radars(&summary);
     output::line(format!("report of all radars: {}", out.join("report.html").display()));
     Ok(())
 }
@@ -50,7 +52,7 @@ fn views(radars: &[Told]) -> Vec<Svg> {
     (0..frames).map(view).collect()
 }
 
-/// `{scene, radars: [{id, seed, …}], frames: [{time_s, targets: [{id, class, found_by}]}]}`.
+/// `{scene, radars: [{id, seed, …}], frames: [{time_s, targets: [{id, class, found_by, missed_by}]}]}`.
 fn summary(radars: &[Told]) -> Value {
     let scene = radars[0].summary["scene"].as_str().unwrap_or_default();
     let scene = scene.rsplit_once('/').map_or(scene, |(scene, _)| scene);
@@ -63,40 +65,53 @@ fn summary(radars: &[Told]) -> Value {
 }
 
 fn radar(radar: &Told) -> Value {
-    let targets = || radar.frames().iter().flat_map(|frame| frame["targets"].as_array().into_iter().flatten());
-    let errors = radar.frames().iter().filter_map(|frame| frame["error_db"]["total"].as_f64());
+    let every =
+        |key: &'static str| radar.frames().iter().flat_map(move |frame| frame[key].as_array().into_iter().flatten());
+    let count = |found: Value| every("targets").filter(|target| target["found"] == found).count();
+    let errors = || radar.frames().iter().filter_map(|frame| Some((frame, frame["error_db"]["total"].as_f64()?)));
+    let worst = errors().max_by(|a, b| a.1.total_cmp(&b.1));
     json!({
         "id": radar.id(),
         "seed": radar.summary["seed"],
         "channels": radar.summary["radar"]["channels"],
         "frames": radar.frames().len(),
-        "targets": targets().count(),
-        "found": targets().filter(|target| !target["estimate"].is_null()).count(),
+        "targets": every("targets").count(),
+        "found": count(true.into()),
+        "missed": count(false.into()),
+        "false": every("false_objects").count(),
         "points": radar.frames().iter().filter_map(|frame| frame["points"].as_u64()).sum::<u64>(),
-        "largest_error_db": errors.reduce(f64::max),
+        "largest_error_db": worst.map(|(_, error)| error),
+        "accuracy": worst.map(|(frame, _)| &frame["accuracy"]),
         "frames_seconds": radar.summary["frames_seconds"],
     })
 }
 
-/// Every target that some radar has in view, and which of them found it.
+/// A target that some radar has in view.
+struct Common<'a> {
+    id: &'a str,
+    class: &'a Value,
+    found_by: Vec<&'a str>,
+    missed_by: Vec<&'a str>,
+}
+
+/// Every such target, and which radars found it of those that it sends something back to.
 fn frame(radars: &[Told], index: usize) -> Value {
-    let mut targets: Vec<(&str, &Value, Vec<&str>)> = vec![];
+    let mut targets: Vec<Common> = vec![];
     for radar in radars {
         for target in radar.frames().get(index).and_then(|frame| frame["targets"].as_array()).into_iter().flatten() {
             let id = target["id"].as_str().unwrap_or_default();
-            let place = targets.iter().position(|(known, ..)| *known == id).unwrap_or(targets.len());
+            let place = targets.iter().position(|known| known.id == id).unwrap_or(targets.len());
             if place == targets.len() {
-                targets.push((id, &target["class"], vec![]));
+                targets.push(Common { id, class: &target["class"], found_by: vec![], missed_by: vec![] });
             }
-            if !target["estimate"].is_null() {
-                targets[place].2.push(radar.id());
+            match target["found"].as_bool() {
+                Some(true) => targets[place].found_by.push(radar.id()),
+                Some(false) => targets[place].missed_by.push(radar.id()),
+                None => {}
             }
         }
     }
     let time_s = radars.iter().find_map(|radar| radar.frames().get(index)).map_or(&Value::Null, |f| &f["time_s"]);
-    let targets = targets.into_iter().map(|(id, class, by)| json!({ "id": id, "class": class, "found_by": by }));
-    let mut map = Map::new();
-    map.insert("time_s".into(), time_s.clone());
-    map.insert("targets".into(), targets.collect());
-    map.into()
+    let told = |t: &Common| json!({ "id": t.id, "class": t.class, "found_by": t.found_by, "missed_by": t.missed_by });
+    json!({ "time_s": time_s, "targets": targets.iter().map(told).collect::<Vec<_>>() })
 }

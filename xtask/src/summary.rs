@@ -1,8 +1,11 @@
 //! `summary.json`: its keys are promised in `docs/interface.md`.
 
+use crate::false_objects;
+use crate::frame_truth::FrameTruth;
 use crate::measured_frames::errors_of_frame;
 use crate::stages::Stage;
-use crate::truth::{Truth, assign, truths};
+use crate::truth::Truth;
+use crate::verdict::{Asking, Verdict};
 use artifact::accuracy::{ErrorBudget, ModelError};
 use artifact::paths::{PathsFrame, TargetDetail};
 use artifact::points::{Object, PointsFrame};
@@ -71,18 +74,14 @@ fn element_errors(header: &SceneHeader) -> Value {
 }
 
 /// One frame with its targets, truth beside estimate.
-pub(crate) fn frame(header: &SceneHeader, result: &FrameResult) -> Value {
+pub(crate) fn frame(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth) -> Value {
     let measured_in = result.paths.as_ref().map(|paths| errors_of_frame(header, result.scene.index, paths));
     let header = &header.in_frame(result.scene.index);
-    let truths = truths(header, &result.scene, result.paths.as_ref());
-    let chosen = assign(&header.dsp.road, &truths, &result.points.objects);
-    let objects = || chosen.iter().map(|c| c.map(|o| &result.points.objects[o]));
-    let abnormal = truths.iter().zip(objects()).any(|(t, o)| is_aliased(header, t, o));
     let resolved = !result.points.objects.is_empty() && result.points.objects.iter().all(|o| o.velocity_resolved);
-    let of_role = |role: Role| (0..truths.len()).filter(move |i| header.targets[*i].role == role);
-    let targets = of_role(Role::Target).map(|i| target(header, result, i, &truths[i], chosen[i]));
-    let targets: Vec<Value> = targets.collect();
-    let clutter: Vec<Value> = of_role(Role::Clutter).map(|i| clutter(header, i, &truths[i])).collect();
+    let of_role = |role: Role| (0..truth.truths.len()).filter(move |i| header.targets[*i].role == role);
+    let targets: Vec<Value> = of_role(Role::Target).map(|i| target(header, result, truth, i)).collect();
+    let clutter: Vec<Value> = of_role(Role::Clutter).map(|i| clutter(header, i, &truth.truths[i])).collect();
+    let is_abnormal = targets.iter().any(|target| target["velocity_aliased"] == true);
     json!({
         "time_s": result.scene.time_s,
         "stage_seconds": seconds(&result.seconds),
@@ -90,8 +89,9 @@ pub(crate) fn frame(header: &SceneHeader, result: &FrameResult) -> Value {
         "paths": result.paths.as_ref().map(|p| p.paths.len()),
         "detail": result.paths.as_ref().map(detail),
         "points": result.points.points.len(),
-        "rdm_state": if abnormal { "abnormal" } else { "normal" },
+        "rdm_state": if is_abnormal { "abnormal" } else { "normal" },
         "velocity_resolved": resolved,
+        "accuracy": Verdict::of(header.fidelity.accuracy, &result.error).json(Asking::Scene),
         "error_db": error_db(&result.error),
         "error_measured_in": measured_in,
         "model_error_db": model_error_db(&result.model_error),
@@ -99,6 +99,7 @@ pub(crate) fn frame(header: &SceneHeader, result: &FrameResult) -> Value {
         "peak_memory_mib": crate::memory::peak_mib(),
         "targets": targets,
         "clutter": clutter,
+        "false_objects": false_objects::told(header, result, truth),
     })
 }
 
@@ -142,19 +143,24 @@ fn is_aliased(header: &SceneHeader, truth: &Truth, object: Option<&Object>) -> b
     (difference / span).round() != 0.0
 }
 
-fn target(header: &SceneHeader, result: &FrameResult, index: usize, truth: &Truth, chosen: Option<usize>) -> Value {
-    let described = &header.targets[index];
+fn target(header: &SceneHeader, result: &FrameResult, frame: &FrameTruth, index: usize) -> Value {
+    let (described, truth) = (&header.targets[index], &frame.truths[index]);
     let (class, model) = match &described.kind {
         TargetKind::Mesh { class, model, .. } => (class.map(Class::name), Some(model.as_str())),
         TargetKind::Point { .. } => (None, None),
     };
+    let chosen = frame.pairing.object_of[index];
+    let object = chosen.map(|o| &result.points.objects[o]);
     let probabilities = chosen.filter(|_| model.is_some()).and_then(|o| result.classes.get(o));
     json!({
         "id": described.id,
         "class": class,
         "model": model,
         "truth": truth_json(truth),
-        "estimate": chosen.map(|o| estimate(&result.points.objects[o])),
+        "found": frame.pairing.shown.contains(&index).then_some(object.is_some()),
+        "object": chosen,
+        "estimate": object.map(estimate),
+        "velocity_aliased": is_aliased(header, truth, object),
         "predicted_class": probabilities.map(|p| predicted(p).name()),
         "probabilities": self::probabilities(probabilities),
     })
@@ -213,36 +219,4 @@ pub(crate) fn predicted(probabilities: &[f32; 4]) -> Class {
 pub(crate) fn probabilities(values: Option<&[f32; 4]>) -> Value {
     let of = |(i, class): (usize, &Class)| (class.name().to_owned(), values.map_or(Value::Null, |v| json!(v[i])));
     Class::ALL.iter().enumerate().map(of).collect::<Map<_, _>>().into()
-}
-
-/// A line per target: what a person wants to know first.
-pub(crate) fn tell(root: &Value) {
-    for (number, frame) in root["frames"].as_array().into_iter().flatten().enumerate() {
-        let (points, state) = (&frame["points"], frame["rdm_state"].as_str().unwrap_or("?"));
-        crate::output::line(format!("frame {number}: {points} points, map {state}"));
-        for target in frame["targets"].as_array().into_iter().flatten() {
-            crate::output::line(format!("  {}", target_line(target)));
-        }
-    }
-}
-
-fn target_line(target: &Value) -> String {
-    let id = target["id"].as_str().unwrap_or("?");
-    let (truth, estimate) = (&target["truth"], &target["estimate"]);
-    if estimate.is_null() {
-        return format!("{id:<14} not detected");
-    }
-    let number = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
-    let range = if truth["echo_range_m"].is_null() { &truth["range_m"] } else { &truth["echo_range_m"] };
-    let class = target["predicted_class"].as_str().unwrap_or("unclassified");
-    let lane = estimate["lane"].as_u64().map_or("none".into(), |l| l.to_string());
-    format!(
-        "{id:<14} range {:7.2} m (true {:7.2}), velocity {:+7.3} m/s (true {:+7.3}), lane {lane} (true {}), {class} (true {})",
-        number(&estimate["range_m"]),
-        number(range),
-        number(&estimate["radial_velocity_mps"]),
-        number(&truth["radial_velocity_mps"]),
-        truth["lane"].as_u64().map_or("none".into(), |l| l.to_string()),
-        target["class"].as_str().unwrap_or("-"),
-    )
 }

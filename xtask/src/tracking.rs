@@ -2,8 +2,8 @@
 
 use crate::chain::{Chain, FrameProducts};
 use crate::failure::Failure;
+use crate::frame_truth::FrameTruth;
 use crate::metrics::{self, Score};
-use crate::truth::{self, Truth};
 use artifact::tracks::{Track, TracksFrame};
 use dsp::{ROAD_TRAFFIC, Tracker};
 use serde_json::{Value, json};
@@ -22,16 +22,15 @@ impl Tracking {
     }
 
     /// The frame's tracks, from its objects alone, and what `summary.json` tells of them beside the truth.
-    pub(crate) fn follow(&mut self, chain: &Chain, frame: &FrameProducts) -> Result<(TracksFrame, Value), Failure> {
+    pub(crate) fn follow(
+        &mut self,
+        frame: &FrameProducts,
+        truth: &FrameTruth,
+    ) -> Result<(TracksFrame, Value), Failure> {
         let result = &frame.result;
         let tracks = self.tracker.step(&result.points).map_err(Failure::refused)?;
-        let view = frame.view.in_frame(result.scene.index);
-        let truths = truth::truths(&view, &result.scene, result.paths.as_ref());
-        let bodies = scene::bodies_in_view(chain.header, result.scene.index);
-        let range_max_m = chain.header.radar.waveform.range_max_m();
-        let body_of = |i: usize| bodies.get(i).copied().unwrap_or(i as u32);
-        self.score.add(&truths, body_of, range_max_m, &result.points.objects, &tracks);
-        let told = told(&tracks, &truths, range_max_m, |i| frame.view.targets.get(i).map(|t| t.id.as_str()));
+        self.score.add(truth, |body| truth.number_of(body), &result.points.objects, &tracks);
+        let told = told(&tracks, truth, |body| frame.view.targets.get(body).map(|t| t.id.as_str()));
         Ok((tracks, told))
     }
 
@@ -41,14 +40,9 @@ impl Tracking {
     }
 }
 
-fn told<'a>(
-    tracks: &TracksFrame,
-    truths: &[Truth],
-    range_max_m: f64,
-    id_of: impl Fn(usize) -> Option<&'a str>,
-) -> Value {
+fn told<'a>(tracks: &TracksFrame, truth: &FrameTruth, id_of: impl Fn(usize) -> Option<&'a str>) -> Value {
     let believed = metrics::believed(tracks);
-    let bodies = metrics::bodies_of_tracks(truths, range_max_m, &believed);
+    let bodies = metrics::bodies_of_tracks(truth, &believed);
     believed.iter().zip(bodies).map(|(track, body)| track_json(track, body.and_then(&id_of))).collect()
 }
 

@@ -10,7 +10,7 @@ pub struct Points;
 
 impl Schema for Points {
     const NAME: &'static str = "points";
-    const VERSION: u32 = 7;
+    const VERSION: u32 = 8;
     type Header = PointsHeader;
     type Frame = PointsFrame;
 }
@@ -101,6 +101,7 @@ pub struct Object {
     pub range_extent_m: [f64; 2],
     /// Slowest and fastest point.
     pub velocity_extent_mps: [f64; 2],
-    /// Share of its peaks' power that ran between two bodies ([`Point::two_ways_rad`]): an object of 1 is a ghost.
-    pub ghost_share: f64,
+    /// Share of its peaks' power that ran between two bodies ([`Point::two_ways_rad`]): an object of 1 is a ghost. `None` where the array
+    /// cannot tell.
+    pub ghost_share: Option<f64>,
 }

@@ -77,6 +77,14 @@ impl VirtualArray {
         Self { calibration, wavelength_m, axes, elements, receivers, slot_s, squares_m2, lattices, transforms }
     }
 
+    /// Whether transmitters, and receivers too, differ in their places along the row.
+    pub(crate) fn ends_have_rows(&self) -> bool {
+        let along = |end: usize| self.elements.iter().map(move |ends| ends[end].dot(self.axes[0]));
+        let extent = |end: usize| along(end).fold(f64::MIN, f64::max) - along(end).fold(f64::MAX, f64::min);
+        // Rotated places agree to rounding, far below a wavelength.
+        (0..2).all(|end| extent(end) > 1e-6 * self.wavelength_m)
+    }
+
     /// Values of one cell; `velocity_mps` turns the later slots of time and code division back.
     pub fn snapshot(&self, header: &CubeHeader, map: &RdmFrame, cell: [usize; 2], velocity_mps: f64) -> Snapshot {
         self.snapshot_and_idle(header, map, cell, velocity_mps).0

@@ -19,7 +19,7 @@ use crate::position::{Place, place};
 use crate::range_doppler::check_samples;
 use crate::refinement::refined;
 use crate::time_division_folds::{self, Choice, Folds};
-use crate::two_ways::two_ways;
+use crate::two_ways::{self, two_ways};
 use crate::window::{noise_bandwidth_bins, taper};
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::points::{Object, Point, PointsFrame};
@@ -398,7 +398,8 @@ impl View<'_> {
             points: points.len() as u32,
             range_extent_m: extent(points.iter().map(|p| p.range_m)),
             velocity_extent_mps: extent(points.iter().map(|p| near_strongest(p.radial_velocity_mps))),
-            ghost_share: weighted_mean(peaks.iter().map(|s| f64::from(u8::from(s.two_ways_rad.is_some()))), &weights),
+            ghost_share: two_ways::can_tell(self.array)
+                .then(|| weighted_mean(peaks.iter().map(|s| f64::from(u8::from(s.two_ways_rad.is_some()))), &weights)),
         }
     }
 

@@ -37,6 +37,14 @@ const FLAT_CYCLES: f64 = 0.01;
 /// Grids of more directions than this would take longer than the rest of a detection.
 const MOST_DIRECTIONS: usize = 512;
 
+/// Whether this array tells such a pair from direct echoes at all: both its transmitters and its receivers stand in more than one place
+/// along the row (else one end has the same phases for both directions, and the pair is a sum of two direct echoes), and the row is not
+/// too long to be searched.
+pub fn can_tell(array: &VirtualArray) -> bool {
+    let steps = (1.0 / (STEP_BEAMS * array.beams()[0])).floor();
+    array.ends_have_rows() && 2.0 * steps + 1.0 <= MOST_DIRECTIONS as f64
+}
+
 /// The pair of directions that a cell's echo went by; `None` where direct echoes explain it, or the array cannot tell. `direct` is
 /// the direction of the strongest beam, `noise` the mean noise power of one channel.
 pub fn two_ways(

@@ -58,7 +58,7 @@ fn object(header: &CubeHeader, body: Body, random: &mut ChaCha8Rng) -> Object {
         points: 1,
         range_extent_m: [away.length(); 2],
         velocity_extent_mps: [0.0; 2],
-        ghost_share: 0.0,
+        ghost_share: None,
     };
     let variance = Site::new(header).measurement(&exact, &ROAD_TRAFFIC).variance;
     let [range, azimuth, rate] = variance.map(|v| v.sqrt() * normal(random));
@@ -260,7 +260,7 @@ fn objects_of_noise_are_hardly_ever_believed() {
             points: 2,
             range_extent_m: [range_m; 2],
             velocity_extent_mps: [rate; 2],
-            ghost_share: 0.0,
+            ghost_share: None,
         };
         let tracks = tracker.step(&frame(index, if is_there { vec![lone] } else { vec![] })).unwrap();
         ever.extend(believed(&tracks).iter().map(|t| t.id));
@@ -406,7 +406,7 @@ fn any_object() -> impl Strategy<Value = Object> {
             points: 0,
             range_extent_m: extent,
             velocity_extent_mps: [rate, extent[1]],
-            ghost_share: 0.0,
+            ghost_share: None,
         })
 }
 

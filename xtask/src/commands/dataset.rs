@@ -1,6 +1,7 @@
 //! `dataset`: labelled crops of scenes that a recipe draws. Shards are written whole or not at all, and a shard that
 //! exists is not made again; beside each stands one line per scene with truth and estimate.
 
+mod accuracy;
 mod recipe;
 mod scenes;
 mod table;
@@ -89,5 +90,6 @@ fn conclude(out: &Path, shards: &[(usize, &[Drawn])]) -> Result<(), Failure> {
     output::write_with(&out.join("scenes.jsonl"), |s| lines.iter().try_for_each(|l| writeln!(s, "{l}")))?;
     output::write_file(&out.join("detection.md"), table::detection(&lines).as_bytes())?;
     output::line(format!("{} of {} scenes gave a sample: {}", found.len(), lines.len(), out.display()));
+    accuracy::lines(&lines).into_iter().for_each(output::line);
     Ok(())
 }

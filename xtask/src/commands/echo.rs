@@ -5,8 +5,10 @@ use crate::chain::{Chain, Scattering};
 use crate::cli::EchoArguments;
 use crate::failure::Failure;
 use crate::stages::Stage;
+use crate::verdict::{self, Verdict};
 use artifact::cube::Cube;
 use artifact::paths::{Paths, PathsFrame};
+use artifact::scene::SceneFrame;
 use artifact::settings::EchoMode;
 use artifact::{Reader, Writer};
 use std::path::Path;
@@ -19,23 +21,46 @@ pub(crate) fn run(arguments: &EchoArguments) -> Result<(), Failure> {
     let chain = Chain::of(&loaded.header, None, None);
     let from = provenance(Stage::FmcwEcho, &loaded.header, loaded.files.clone());
     let mut writer = Writer::<Cube>::create(&arguments.out, &from, &chain.cube_header)?;
-    match &arguments.paths {
+    let told = match &arguments.paths {
         Some(file) => from_paths(&chain, &loaded, file, &mut writer)?,
         None => from_scene(&chain, &mut writer)?,
-    }
-    Ok(writer.finish()?)
-}
-
-fn from_scene(chain: &Chain, writer: &mut Writer<Cube>) -> Result<(), Failure> {
-    for index in 0..chain.header.frames {
-        let scene = scene::snapshot(chain.header, index);
-        let scattering = chain.scattering(&chain.plan(index), &scene)?.value;
-        writer.write(&chain.synthesize(&scene, &scattering)?)?;
-    }
+    };
+    writer.finish()?;
+    verdict::tell(&told);
     Ok(())
 }
 
-fn from_paths(chain: &Chain, loaded: &LoadedScene, file: &Path, writer: &mut Writer<Cube>) -> Result<(), Failure> {
+/// Of each frame, by its number.
+type Verdicts = Vec<(u32, Verdict)>;
+
+fn from_scene(chain: &Chain, writer: &mut Writer<Cube>) -> Result<Verdicts, Failure> {
+    let mut told = vec![];
+    for index in 0..chain.header.frames {
+        let scene = scene::snapshot(chain.header, index);
+        let scattering = chain.scattering(&chain.plan(index), &scene)?.value;
+        told.push((index, write(chain, &scene, &scattering, writer)?));
+    }
+    Ok(told)
+}
+
+/// Writes the echo; its error joins that of what scatters.
+fn write(
+    chain: &Chain,
+    scene: &SceneFrame,
+    scattering: &Scattering,
+    writer: &mut Writer<Cube>,
+) -> Result<Verdict, Failure> {
+    let cube = chain.synthesize(scene, scattering)?;
+    writer.write(&cube)?;
+    Ok(Verdict::of(chain.header.fidelity.accuracy, &scattering.error().0.joined(cube.error)))
+}
+
+fn from_paths(
+    chain: &Chain,
+    loaded: &LoadedScene,
+    file: &Path,
+    writer: &mut Writer<Cube>,
+) -> Result<Verdicts, Failure> {
     let reader = Reader::<Paths>::open(file)?;
     let centre_hz = loaded.header.radar.waveform.centre_frequency_hz();
     let told_hz = reader.header().centre_frequency_hz;
@@ -44,10 +69,11 @@ fn from_paths(chain: &Chain, loaded: &LoadedScene, file: &Path, writer: &mut Wri
         let text = format!("{}: f_c is {told_hz} Hz, the scene's is {centre_hz} Hz: {rule}", file.display());
         return Err(Failure::Refused(text));
     }
+    let mut told = vec![];
     for frame in reader {
         let frame: PathsFrame = frame?;
-        let scene = scene::snapshot(&loaded.header, frame.index);
-        writer.write(&chain.synthesize(&scene, &Scattering::Paths(frame))?)?;
+        let (index, scene) = (frame.index, scene::snapshot(&loaded.header, frame.index));
+        told.push((index, write(chain, &scene, &Scattering::Paths(frame), writer)?));
     }
-    Ok(())
+    Ok(told)
 }

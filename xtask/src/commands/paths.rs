@@ -6,6 +6,7 @@ use crate::cli::PathsArguments;
 use crate::failure::Failure;
 use crate::progress::Work;
 use crate::stages::Stage;
+use crate::verdict::{self, Verdict};
 use artifact::Writer;
 use artifact::paths::Paths;
 use artifact::settings::EchoMode;
@@ -17,13 +18,18 @@ pub(crate) fn run(arguments: &PathsArguments) -> Result<(), Failure> {
     let from = provenance(Stage::BartRcs, &loaded.header, loaded.files.clone());
     let mut writer = Writer::<Paths>::create(&arguments.out, &from, &chain.paths_header())?;
     let work = Work::begin("paths");
+    let mut told = vec![];
     for index in 0..loaded.header.frames {
         work.at(index as usize, loaded.header.frames as usize);
         let scene = scene::snapshot(&loaded.header, index);
         let scattering = chain.scattering(&chain.plan(index), &scene)?.value;
         if let Scattering::Paths(frame) = chain.counted_through(scattering) {
             writer.write(&frame)?;
+            told.push((index, Verdict::of(loaded.header.fidelity.accuracy, &frame.error)));
         }
     }
-    Ok(writer.finish()?)
+    drop(work);
+    writer.finish()?;
+    verdict::tell(&told);
+    Ok(())
 }

@@ -4,8 +4,10 @@ use super::load::{self, LoadedScene};
 use crate::cache::Cache;
 use crate::chain::{Chain, FrameProducts, LoadedModel};
 use crate::cli::{RunArguments, SceneArguments};
+use crate::console;
 use crate::expectation;
 use crate::failure::Failure;
+use crate::frame_truth::FrameTruth;
 use crate::output;
 use crate::plan::FramePlan;
 use crate::products::{Figures, Products};
@@ -120,11 +122,12 @@ fn compute(
             cycle.push(frame);
             if cycle.len() == sub_frames::in_cycle(&chain.cube_header) {
                 for frame in resolved(chain, std::mem::take(&mut cycle)) {
-                    let (tracks, told_of_tracks) = tracking.follow(chain, &frame)?;
-                    let mut told = summary::frame(&frame.view, &frame.result);
+                    let truth = FrameTruth::of(chain, &frame)?;
+                    let (tracks, told_of_tracks) = tracking.follow(&frame, &truth)?;
+                    let mut told = summary::frame(&frame.view, &frame.result, &truth);
                     told["tracks"] = told_of_tracks;
                     frames.push(told);
-                    products.write(chain, frame, &tracks)?;
+                    products.write(chain, frame, &truth, &tracks)?;
                 }
             }
         }
@@ -179,7 +182,7 @@ fn conclude(
     let text = serde_json::to_string_pretty(&root).map_err(Failure::refused)?;
     output::write_file(&out.join("summary.json"), text.as_bytes())?;
     report::write(&root, figures, out)?;
-    summary::tell(&root);
+    console::tell(&root);
     output::line(format!("report: {}", out.join("report.html").display()));
     Ok(root)
 }

@@ -30,7 +30,8 @@ pub(crate) fn write_csv(sink: &mut dyn Write, frame: &PointsFrame, header: &Poin
     for p in &frame.points {
         let object = p.object.map_or_else(String::new, |o| o.to_string());
         let of_object = p.object.and_then(|object| frame.objects.get(object as usize));
-        let ghost = of_object.map_or_else(String::new, |object| format!("{:.4}", object.ghost_share));
+        let ghost = of_object.and_then(|object| object.ghost_share);
+        let ghost = ghost.map_or_else(String::new, |share| format!("{share:.4}"));
         let target = p.target.and_then(|t| header.targets.get(t as usize)).map_or("", String::as_str);
         let label = p.label.map_or_else(|| ",,,".into(), |label| label_text(&label, header));
         let [x, y, z] = p.position_m;

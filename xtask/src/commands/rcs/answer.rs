@@ -3,9 +3,10 @@
 use crate::cli::RcsArguments;
 use crate::output;
 use crate::summary::{error_db, model_error_db};
+use crate::verdict::{Asking, Verdict};
 use artifact::scene::Mesh;
 use artifact::units::{SPEED_OF_LIGHT_MPS, db_from_amplitude, db_from_power};
-use artifact::{ErrorBudget, ModelError};
+use artifact::{Accuracy, ErrorBudget, ModelError};
 use bart_rcs::{FarFieldError, Followed, RcsResult, Spread};
 use clap::ValueEnum;
 use num_complex::Complex64;
@@ -64,6 +65,7 @@ impl Answer {
             "cached": self.cached,
             "beams": self.beams,
             "peak_memory_mib": crate::memory::peak_mib(),
+            "accuracy": self.verdict(arguments).json(Asking::Options),
             "error_db": error_db(&self.error),
             "model_error_db": model_error_db(&self.model_error),
             "node_spread_db": spread,
@@ -74,6 +76,10 @@ impl Answer {
         })
     }
 
+    fn verdict(&self, arguments: &RcsArguments) -> Verdict {
+        Verdict::of(Accuracy::from_db(arguments.accuracy_db), &self.error)
+    }
+
     /// Level and errors, for a person.
     pub(super) fn tell(&self, arguments: &RcsArguments, mesh: &Mesh) {
         let out = &arguments.out;
@@ -82,11 +88,10 @@ impl Answer {
         let (mean, peak) = (db_from_power(mean), db_from_power(powers().fold(0.0, f64::max)));
         output::line(format!("{}: mean {mean:.2} dBsm, peak {peak:.2} dBsm", out.display()));
         let told = |e: Option<f64>| e.map_or("not estimated".into(), decibels);
-        let total = told(self.error.total());
         let (nodes, bounces) = (told(self.model_error.nodes), told(self.model_error.bounces));
         let by_order = self.node_spread.iter().enumerate().skip(1);
         let by_order: Vec<String> = by_order.map(|(i, e)| format!("order {} {}", i + 1, decibels(*e))).collect();
-        output::line(format!("numerical error {total}"));
+        self.verdict(arguments).lines(Asking::Options).into_iter().for_each(output::line);
         output::line(format!(
             "model: spread of node rules {nodes} ({}), first order left out {bounces}",
             by_order.join(", ")

@@ -1,0 +1,251 @@
+//! What `run` says at its end, from `summary.json` alone: what was found, how well, and whether the accuracy asked for was reached.
+
+use crate::output;
+use crate::verdict::{self, FRAMES_IN_FULL, decibels};
+use serde_json::Value;
+use std::collections::BTreeMap;
+
+/// Frames that have a line: more would push the rest off the screen.
+const FRAMES_TOLD: usize = 24;
+
+/// All that a person wants to know first.
+pub(crate) fn tell(root: &Value) {
+    text(root).into_iter().for_each(output::line);
+}
+
+/// What several radars have in common, from the summary above theirs: a line for each, and what none of them found.
+pub(crate) fn tell_radars(summary: &Value) {
+    text_of_radars(summary).into_iter().for_each(output::line);
+}
+
+fn text_of_radars(summary: &Value) -> Vec<String> {
+    let of_radar = |radar: &Value| {
+        let count = |key: &str| radar[key].as_u64().unwrap_or(0) as usize;
+        let count = Count { found: count("found"), missed: count("missed"), false_ones: count("false"), hidden: 0 };
+        let accuracy = &radar["accuracy"];
+        let verdict = if accuracy["met"] == false { "NOT REACHED" } else { "reached" };
+        let (error, asked) = (decibels(&accuracy["reached_db"]), decibels(&accuracy["asked_db"]));
+        let id = radar["id"].as_str().unwrap_or_default();
+        format!("radar {id}: {}; numerical error {error}, {asked} asked: {verdict}", count.text())
+    };
+    let by_nobody = items(&summary["frames"]).enumerate().flat_map(|(number, frame)| {
+        let is_empty = |list: &Value| items(list).next().is_none();
+        let unseen = items(&frame["targets"]).filter(move |t| is_empty(&t["found_by"]) && !is_empty(&t["missed_by"]));
+        unseen.map(move |target| {
+            format!("  frame {number}: {} is found by no radar", target["id"].as_str().unwrap_or("?"))
+        })
+    });
+    let mut lines: Vec<String> = items(&summary["radars"]).map(of_radar).collect();
+    lines.extend(by_nobody.take(FRAMES_TOLD));
+    lines
+}
+
+fn text(root: &Value) -> Vec<String> {
+    let frames: Vec<&Value> = items(&root["frames"]).collect();
+    if frames.len() <= FRAMES_IN_FULL {
+        return frames.iter().enumerate().flat_map(|(number, frame)| in_full(number, frame)).collect();
+    }
+    let mut lines: Vec<String> =
+        frames.iter().take(FRAMES_TOLD).enumerate().map(|(number, frame)| in_a_line(number, frame)).collect();
+    if frames.len() > FRAMES_TOLD {
+        lines.push(format!("frames {FRAMES_TOLD} to {} stand in summary.json", frames.len() - 1));
+    }
+    lines.extend(together(&frames));
+    lines
+}
+
+fn items(list: &Value) -> impl Iterator<Item = &Value> {
+    list.as_array().into_iter().flatten()
+}
+
+/// What was found of what was to be found.
+#[derive(Default, Clone, Copy)]
+struct Count {
+    found: usize,
+    missed: usize,
+    false_ones: usize,
+    hidden: usize,
+}
+
+impl Count {
+    fn of(frame: &Value) -> Self {
+        let targets = |found: Value| items(&frame["targets"]).filter(|target| target["found"] == found).count();
+        Self {
+            found: targets(true.into()),
+            missed: targets(false.into()),
+            hidden: targets(Value::Null),
+            false_ones: items(&frame["false_objects"]).count(),
+        }
+    }
+
+    fn and(self, more: Self) -> Self {
+        Self {
+            found: self.found + more.found,
+            missed: self.missed + more.missed,
+            false_ones: self.false_ones + more.false_ones,
+            hidden: self.hidden + more.hidden,
+        }
+    }
+
+    fn text(self) -> String {
+        let Self { found, missed, false_ones, hidden } = self;
+        let hidden = if hidden > 0 { format!("; {hidden} hidden or out of range") } else { String::new() };
+        format!("{found} of {} targets found, {missed} missed, {false_ones} false{hidden}", found + missed)
+    }
+}
+
+fn in_a_line(number: usize, frame: &Value) -> String {
+    let error = decibels(&frame["accuracy"]["reached_db"]);
+    let missed = if frame["accuracy"]["met"] == false { " (not reached)" } else { "" };
+    format!(
+        "frame {number:>3}, {:.3} s: {}; error {error}{missed}",
+        number_of(&frame["time_s"]),
+        Count::of(frame).text()
+    )
+}
+
+/// All frames together.
+fn together(frames: &[&Value]) -> Vec<String> {
+    let count = frames.iter().map(|frame| Count::of(frame)).fold(Count::default(), Count::and);
+    let mut causes: BTreeMap<&str, usize> = BTreeMap::new();
+    for object in frames.iter().flat_map(|frame| items(&frame["false_objects"])) {
+        *causes.entry(object["cause"].as_str().unwrap_or("unknown")).or_default() += 1;
+    }
+    let causes: Vec<String> = causes.iter().map(|(cause, many)| format!("{many} {cause}")).collect();
+    let causes = if causes.is_empty() { String::new() } else { format!(" (false: {})", causes.join(", ")) };
+    let mut lines = vec![format!("all {} frames: {}{causes}", frames.len(), count.text())];
+    lines.extend(worst_error(frames));
+    lines
+}
+
+/// The frame with the largest error, and how many did not reach what was asked.
+fn worst_error(frames: &[&Value]) -> Vec<String> {
+    let error = |frame: &Value| frame["accuracy"]["reached_db"].as_f64();
+    let known = frames.iter().enumerate().filter_map(|(number, frame)| Some((number, frame, error(frame)?)));
+    let Some((number, frame, _)) = known.max_by(|a, b| a.2.total_cmp(&b.2)) else { return vec![] };
+    let missed = frames.iter().filter(|frame| frame["accuracy"]["met"] == false).count();
+    let mut lines = vec![format!(
+        "  accuracy reached in {} of {} frames; the worst, frame {number}:",
+        frames.len() - missed,
+        frames.len()
+    )];
+    lines.extend(verdict::lines(&frame["accuracy"], &frame["error_db"]).into_iter().map(|line| format!("    {line}")));
+    lines.extend(left_out(frame));
+    lines
+}
+
+fn in_full(number: usize, frame: &Value) -> Vec<String> {
+    let points = frame["points"].as_u64().unwrap_or(0);
+    let mut lines = vec![format!(
+        "frame {number}, {:.3} s: {}; {points} points",
+        number_of(&frame["time_s"]),
+        Count::of(frame).text()
+    )];
+    lines.extend(verdict::lines(&frame["accuracy"], &frame["error_db"]).into_iter().map(|line| format!("  {line}")));
+    lines.extend(left_out(frame));
+    lines.extend(targets(frame));
+    lines.extend(items(&frame["false_objects"]).map(false_object));
+    lines
+}
+
+/// What the model leaves out, apart from numerical errors.
+fn left_out(frame: &Value) -> Option<String> {
+    let sources = frame["model_error_db"].as_object()?.iter();
+    let named: Vec<String> = sources
+        .filter(|(_, db)| !db.is_null())
+        .map(|(name, db)| format!("{} {}", name.replace('_', " "), decibels(db)))
+        .collect();
+    (!named.is_empty()).then(|| format!("  left out by the model: {}", named.join(", ")))
+}
+
+/// A table, one row a target.
+fn targets(frame: &Value) -> Vec<String> {
+    let targets: Vec<&Value> = items(&frame["targets"]).collect();
+    if targets.is_empty() {
+        return vec![];
+    }
+    let width = targets.iter().filter_map(|t| t["id"].as_str()).map(|id| id.chars().count()).max().unwrap_or(0).max(6);
+    let head = format!("  {:<width$}   range   error    velocity   error     SNR  lane  predicted", "target");
+    std::iter::once(head).chain(targets.iter().map(|target| target_row(target, width))).collect()
+}
+
+fn target_row(target: &Value, width: usize) -> String {
+    let id = target["id"].as_str().unwrap_or("?");
+    let (truth, estimate) = (&target["truth"], &target["estimate"]);
+    if estimate.is_null() {
+        let why = if target["found"] == false { "missed" } else { "hidden or out of range" };
+        let range = number_of(first(&truth["echo_range_m"], &truth["range_m"]));
+        return format!("  {id:<width$} {range:6.2} m  {why}");
+    }
+    let (range, range_error) = compared(&estimate["range_m"], first(&truth["echo_range_m"], &truth["range_m"]));
+    let told = &truth["echo_radial_velocity_mps"];
+    let (velocity, velocity_error) =
+        compared(&estimate["radial_velocity_mps"], first(told, &truth["radial_velocity_mps"]));
+    let snr = number_of(&estimate["snr_db"]);
+    let [range_error, velocity, velocity_error] =
+        [(range_error, 6), (velocity, 7), (velocity_error, 6)].map(|(value, width)| signed(value, width));
+    let numbers = format!("{range:6.2} m  {range_error} {velocity} m/s  {velocity_error} {snr:4.0} dB");
+    let (numbers, lane, class) = (numbers.replace('-', "−"), lane(target), class(target));
+    format!("  {id:<width$} {numbers}  {lane:<4}  {class}{}", aliasing(target))
+}
+
+/// The first where it is known.
+fn first<'a>(known: &'a Value, otherwise: &'a Value) -> &'a Value {
+    if known.is_null() { otherwise } else { known }
+}
+
+/// With its sign, and none that rounding left of nothing.
+fn signed(value: f64, width: usize) -> String {
+    let value = if value.abs() < 0.005 { 0.0 } else { value };
+    format!("{value:+width$.2}")
+}
+
+fn number_of(value: &Value) -> f64 {
+    value.as_f64().unwrap_or(f64::NAN)
+}
+
+/// An estimate and what it errs by.
+fn compared(estimate: &Value, truth: &Value) -> (f64, f64) {
+    (number_of(estimate), number_of(estimate) - number_of(truth))
+}
+
+fn lane(target: &Value) -> String {
+    let of = |value: &Value| value.as_u64().map_or("–".into(), |lane| lane.to_string());
+    let [got, asked] = [&target["estimate"]["lane"], &target["truth"]["lane"]].map(of);
+    if got == asked { got } else { format!("{got}≠{asked}") }
+}
+
+fn class(target: &Value) -> String {
+    let Some(predicted) = target["predicted_class"].as_str() else { return "–".into() };
+    let probability = number_of(&target["probabilities"][predicted]);
+    let wrong = target["class"].as_str().filter(|class| *class != predicted);
+    format!("{predicted} {probability:.2}{}", wrong.map_or(String::new(), |class| format!(", is a {class}")))
+}
+
+/// Whether the map shows another velocity than the true one; the estimate may have got over it.
+fn aliasing(target: &Value) -> &'static str {
+    match target["velocity_aliased"] == true {
+        true => "; velocity aliased in the map",
+        false => "",
+    }
+}
+
+fn false_object(object: &Value) -> String {
+    let [range, velocity, snr] = ["range_m", "radial_velocity_mps", "snr_db"].map(|key| number_of(&object[key]));
+    let [x, y] = ["x_m", "y_m"].map(|key| number_of(&object[key]));
+    let text = format!("  false object at {range:.2} m ({x:.1}, {y:.1}), {velocity:+.2} m/s, {snr:.0} dB: ");
+    text.replace('-', "−") + &cause(object)
+}
+
+fn cause(object: &Value) -> String {
+    let bodies: Vec<&str> = items(&object["bodies"]).filter_map(Value::as_str).collect();
+    let bounces = object["bounces"].as_u64().map_or(String::new(), |n| format!(", {n} bounces"));
+    match (object["cause"].as_str().unwrap_or("unknown"), &bodies[..]) {
+        ("ghost", _) => format!("ghost by {}{bounces}", bodies.join(" and ")),
+        ("split", _) => format!("split off {}, which has an object", bodies.join(" and ")),
+        ("misplaced", _) => format!("echo of {}, too far from it{bounces}", bodies.join(" and ")),
+        ("clutter", []) => "clutter: the road".into(),
+        ("clutter", _) => format!("clutter: {}", bodies.join(" and ")),
+        (other, _) => other.to_owned(),
+    }
+}
