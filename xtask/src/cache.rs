@@ -4,28 +4,40 @@
 //! two runs at once do not hurt each other: at worst both compute the same bytes. A hit renews an entry's time; beyond
 //! the size limit the oldest go first. `<stage>/last/<scene>-<frame>.json` remembers the key's parts, so that a plan can
 //! say which of them changed.
+//!
+//! A folder is used as a cache if it is marked as one (`marker`), and files are removed from it if their names are a cache's
+//! (`own_files`): whatever folder is given with `--cache`, nothing else in it is ever touched.
+
+mod marker;
+mod own_files;
+mod sealed;
 
 use crate::cli::CacheLocation;
 use crate::failure::Failure;
 use crate::keys::Key;
-use crate::output;
 use crate::progress;
 use crate::stages::Stage;
-use artifact::{Provenance, Reader, Schema, Writer};
+use artifact::{ArtifactError, Fault, Provenance, Reader, Schema, Writer};
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 use std::time::SystemTime;
+
+pub(crate) use own_files::OwnFile;
 
 /// An open cache.
 pub(crate) struct Cache {
     root: PathBuf,
     limit_bytes: u64,
+    /// Whether it could be marked, once something was to be kept.
+    marked: OnceLock<bool>,
 }
 
 impl Cache {
-    /// Opens the folder; it is made with the first entry.
-    pub(crate) fn open(location: &CacheLocation) -> Self {
+    /// Opens the folder; one that is missing is made with the first entry. Refused where it is no cache.
+    pub(crate) fn open(location: &CacheLocation) -> Result<Self, Failure> {
         let root = location.cache.clone().unwrap_or_else(|| project_root().join(".cache"));
-        Self { root, limit_bytes: location.cache_limit_mib << 20 }
+        marker::check(&root)?;
+        Ok(Self { root, limit_bytes: location.cache_limit_mib << 20, marked: OnceLock::new() })
     }
 
     /// Where it lies.
@@ -44,62 +56,36 @@ impl Cache {
         self.place(stage, key, kind).is_file()
     }
 
-    /// The entry's header and first frame; a damaged entry is removed and counts as missing.
+    /// The entry's frame; a damaged entry is named, removed and counts as missing.
     pub(crate) fn get<S: Schema>(&self, stage: Stage, key: &Key) -> Option<S::Frame> {
-        let place = self.place(stage, key, S::NAME);
-        let read = |place: &Path| Reader::<S>::open(place)?.next_frame();
-        match read(&place) {
-            Ok(frame) => {
-                renew(&place);
-                frame
-            }
-            Err(error) => {
-                discard(&place, &error);
-                None
-            }
-        }
+        self.entry::<S>(stage, key, Content::OneFrame)?.1
+    }
+
+    /// As [`Cache::get`], for what is a header without frames.
+    pub(crate) fn get_header<S: Schema>(&self, stage: Stage, key: &Key) -> Option<S::Header> {
+        Some(self.entry::<S>(stage, key, Content::Header)?.0)
     }
 
     /// Keeps one frame. A cache that cannot be written is said once and costs only time.
     pub(crate) fn put<S: Schema>(&self, stage: Stage, key: &Key, header: &S::Header, frame: &S::Frame) {
-        let place = self.place(stage, key, S::NAME);
-        let provenance = Provenance { stage: stage.name().into(), inputs: key.parts.clone(), ..Provenance::default() };
-        let written = Writer::<S>::create(&place, &provenance, header).and_then(|mut writer| {
-            writer.write(frame)?;
-            writer.finish()
-        });
-        if let Err(error) = written {
-            progress::note(format!("note: not cached: {error}"));
-        }
+        self.keep::<S>(stage, key, header, &[frame]);
     }
 
-    /// As [`Cache::get`] for content that is JSON, not an artifact.
-    pub(crate) fn get_json<T: serde::de::DeserializeOwned>(&self, stage: Stage, key: &Key) -> Option<T> {
-        let place = self.place(stage, key, "json");
-        let text = std::fs::read(&place).ok()?;
-        renew(&place);
-        serde_json::from_slice(&text).map_err(|e| discard(&place, &e)).ok()
+    /// As [`Cache::put`], for what is a header without frames.
+    pub(crate) fn put_header<S: Schema>(&self, stage: Stage, key: &Key, header: &S::Header) {
+        self.keep::<S>(stage, key, header, &[]);
     }
 
-    /// As [`Cache::put`] for content that is JSON, not an artifact.
-    pub(crate) fn put_json<T: serde::Serialize>(&self, stage: Stage, key: &Key, value: &T) {
-        let place = self.place(stage, key, "json");
-        let bytes = serde_json::to_vec(value).unwrap_or_default();
-        if let Err(failure) = output::write_file(&place, &bytes) {
-            progress::note(format!("note: not cached: {failure}"));
-        }
-    }
-
-    /// The key that this frame of this scene had when it was last computed.
+    /// The key that this frame of this scene had when it was last computed; a damaged file is named and not believed.
     pub(crate) fn last_key(&self, stage: Stage, scene: &str, frame: u32) -> Option<Key> {
-        let text = std::fs::read(self.last_place(stage, scene, frame)).ok()?;
-        serde_json::from_slice(&text).ok()
+        sealed::read(&self.last_place(stage, scene, frame))
     }
 
     /// Remembers the key that this frame of this scene has now.
     pub(crate) fn remember_key(&self, stage: Stage, scene: &str, frame: u32, key: &Key) {
-        let bytes = serde_json::to_vec(key).unwrap_or_default();
-        let _ = output::write_file(&self.last_place(stage, scene, frame), &bytes); // only explanations need it
+        if self.is_marked() {
+            sealed::write(&self.last_place(stage, scene, frame), key); // only explanations need it
+        }
     }
 
     fn last_place(&self, stage: Stage, scene: &str, frame: u32) -> PathBuf {
@@ -107,56 +93,111 @@ impl Cache {
         self.root.join(stage.name()).join("last").join(format!("{scene}-{frame:04}.json"))
     }
 
-    /// All entries with size and time, oldest first.
-    pub(crate) fn entries(&self) -> Vec<Entry> {
-        let mut entries = Vec::new();
-        collect(&self.root, &mut entries);
-        entries.sort_by(|a, b| (a.used, &a.file).cmp(&(b.used, &b.file)));
-        entries
+    /// All files of the cache's own, oldest first.
+    pub(crate) fn files(&self) -> Vec<OwnFile> {
+        let mut files = own_files::of(&self.root).files;
+        files.sort_by(|a, b| (a.used, &a.path).cmp(&(b.used, &b.path)));
+        files
     }
 
-    /// Removes the oldest entries until the rest is within the limit, and what dead writers left behind.
+    /// Removes the oldest files until the rest is within the limit, and what dead writers left behind.
     pub(crate) fn trim(&self) {
-        let entries = self.entries();
-        let mut size: u64 = entries.iter().map(|e| e.bytes).sum();
-        for entry in &entries {
-            let abandoned = entry.is_partial() && entry.is_older_than_an_hour();
-            if size > self.limit_bytes || abandoned {
-                let _ = std::fs::remove_file(&entry.file);
-                size -= entry.bytes;
+        own_files::sweep(&self.root);
+        let files = self.files();
+        let mut bytes: u64 = files.iter().map(|file| file.bytes).sum();
+        for file in &files {
+            if bytes <= self.limit_bytes {
+                break;
+            }
+            if std::fs::remove_file(&file.path).is_ok() {
+                bytes -= file.bytes;
             }
         }
     }
 
-    /// Empties it; what is not the cache's own stays.
+    /// Empties it; its mark stays, and what is not its own.
     pub(crate) fn clear(&self) -> Result<(), Failure> {
-        for folder in Stage::ALL.map(|s| self.root.join(s.name())) {
-            match std::fs::remove_dir_all(&folder) {
+        own_files::sweep(&self.root);
+        for file in self.files() {
+            match std::fs::remove_file(&file.path) {
                 Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
-                    return Err(Failure::system(&folder, "remove", e));
+                    return Err(Failure::system(&file.path, "remove", e));
                 }
                 _ => {}
             }
         }
+        own_files::remove_empty_folders(&self.root);
         Ok(())
     }
-}
 
-/// A file in the cache.
-pub(crate) struct Entry {
-    pub(crate) file: PathBuf,
-    pub(crate) bytes: u64,
-    used: SystemTime,
-}
-
-impl Entry {
-    fn is_partial(&self) -> bool {
-        self.file.extension().is_some_and(|e| e == "part")
+    fn entry<S: Schema>(&self, stage: Stage, key: &Key, content: Content) -> Option<(S::Header, Option<S::Frame>)> {
+        let place = self.place(stage, key, S::NAME);
+        if !place.is_file() {
+            return None;
+        }
+        match whole::<S>(&place, key, content) {
+            Ok(entry) => {
+                renew(&place);
+                Some(entry)
+            }
+            Err(why) => {
+                discard(&place, &why);
+                None
+            }
+        }
     }
 
-    fn is_older_than_an_hour(&self) -> bool {
-        self.used.elapsed().is_ok_and(|age| age.as_secs() > 3600)
+    fn keep<S: Schema>(&self, stage: Stage, key: &Key, header: &S::Header, frames: &[&S::Frame]) {
+        let place = self.place(stage, key, S::NAME);
+        if !self.is_marked() || is_link(&place) {
+            return;
+        }
+        let provenance = Provenance { stage: stage.name().into(), inputs: key.parts.clone(), ..Provenance::default() };
+        let written = Writer::<S>::create(&place, &provenance, header).and_then(|mut writer| {
+            frames.iter().try_for_each(|frame| writer.write(frame))?;
+            writer.finish()
+        });
+        if let Err(error) = written {
+            say_once(&error);
+        }
     }
+
+    /// Marks the folder, which is made, before the first file is put into it.
+    fn is_marked(&self) -> bool {
+        *self.marked.get_or_init(|| marker::set(&self.root).map_err(|error| say_once(&error)).is_ok())
+    }
+}
+
+/// What an entry holds.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Content {
+    Header,
+    OneFrame,
+}
+
+/// Why an entry is not what it should be.
+#[derive(Debug, thiserror::Error)]
+enum EntryFault {
+    #[error("{0}")]
+    Artifact(#[from] ArtifactError),
+    #[error("{}: is the entry of another key: it was put under this name", .0.display())]
+    OtherKey(PathBuf),
+    #[error("{}: does not hold what an entry of its kind holds", .0.display())]
+    OtherContent(PathBuf),
+}
+
+/// An entry, read to its end.
+fn whole<S: Schema>(place: &Path, key: &Key, content: Content) -> Result<(S::Header, Option<S::Frame>), EntryFault> {
+    let mut reader = Reader::<S>::open_own(place)?;
+    if reader.preamble().provenance.inputs != key.parts {
+        return Err(EntryFault::OtherKey(place.to_owned()));
+    }
+    let frame = reader.next_frame()?;
+    let is_as_told = frame.is_some() == (content == Content::OneFrame);
+    if !is_as_told || (frame.is_some() && reader.next_frame()?.is_some()) {
+        return Err(EntryFault::OtherContent(place.to_owned()));
+    }
+    Ok((reader.into_header(), frame))
 }
 
 /// The root of the project: where `Cargo.toml` of the workspace lies, as long as it is still there, else this folder.
@@ -165,18 +206,8 @@ pub(crate) fn project_root() -> PathBuf {
     built_in.filter(|p| p.join("Cargo.toml").is_file()).unwrap_or_else(|| PathBuf::from("."))
 }
 
-fn collect(folder: &Path, entries: &mut Vec<Entry>) {
-    let Ok(list) = std::fs::read_dir(folder) else { return };
-    for item in list.flatten() {
-        match item.metadata() {
-            Ok(about) if about.is_dir() => collect(&item.path(), entries),
-            Ok(about) => {
-                let used = about.modified().unwrap_or(SystemTime::UNIX_EPOCH);
-                entries.push(Entry { file: item.path(), bytes: about.len(), used });
-            }
-            Err(_) => {}
-        }
-    }
+fn is_link(place: &Path) -> bool {
+    std::fs::symlink_metadata(place).is_ok_and(|about| about.is_symlink())
 }
 
 fn renew(place: &Path) {
@@ -185,9 +216,19 @@ fn renew(place: &Path) {
     }
 }
 
-fn discard(place: &Path, why: &dyn std::fmt::Display) {
-    if place.is_file() {
-        progress::note(format!("note: damaged cache entry removed: {why}"));
+/// What cannot be read may be readable tomorrow; what is a link is not the cache's own.
+fn discard(place: &Path, why: &EntryFault) {
+    let is_unread = matches!(why, EntryFault::Artifact(ArtifactError { fault: Fault::System { .. }, .. }));
+    if is_unread || is_link(place) {
+        progress::note(format!("note: cache entry not used: {why}"));
+    } else {
+        progress::note(format!("note: damaged cache entry removed, it is made anew: {why}"));
         let _ = std::fs::remove_file(place);
     }
+}
+
+/// A disk that is full or a folder that is protected is so for every entry.
+fn say_once(error: &dyn std::fmt::Display) {
+    static SAID: OnceLock<()> = OnceLock::new();
+    SAID.get_or_init(|| progress::note(format!("note: not cached: {error}")));
 }

@@ -9,6 +9,7 @@ use crate::plan::FramePlan;
 use crate::progress::Work;
 use crate::stages::Stage;
 use crate::summary::FrameResult;
+use artifact::classes::{Classes, ClassesFrame, ClassesHeader};
 use artifact::cube::{Cube, CubeFrame, CubeHeader};
 use artifact::model::{ModelHeader, Weights};
 use artifact::paths::{Paths, PathsFrame, PathsHeader};
@@ -70,6 +71,11 @@ impl LoadedModel {
         let (header, weights) = classifier::load_model(place).map_err(of_classifier)?;
         let hash = artifact::envelope::fingerprint(&(&header, &weights));
         Ok(Self { header, weights, hash, network: OnceLock::new() })
+    }
+
+    /// What the probabilities are of.
+    fn classes_header(&self) -> ClassesHeader {
+        ClassesHeader { classes: self.header.classes.clone() }
     }
 
     /// Probabilities of each object of a map, in the order of the points' objects.
@@ -348,16 +354,9 @@ impl<'a> Chain<'a> {
         let Some((model, key)) = self.model.zip(plan.keys.classifier.as_ref()) else {
             return Ok(Step { value: vec![], cached: false });
         };
-        let cached = self.cache.filter(|_| !plan.runs(stage)).and_then(|c| c.get_json(stage, key));
-        if let Some(value) = cached {
-            return Ok(Step { value, cached: true });
-        }
-        let value = model.classify(&self.cube_header, rdm, points)?;
-        if let Some(cache) = self.cache {
-            cache.put_json(stage, key, &value);
-            cache.remember_key(stage, &self.header.name, plan.index, key);
-        }
-        Ok(Step { value, cached: false })
+        let compute = || Ok(ClassesFrame { probabilities: model.classify(&self.cube_header, rdm, points)? });
+        let step = self.step::<Classes>(plan, stage, key, &model.classes_header(), compute)?;
+        Ok(step.map(|frame| frame.probabilities))
     }
 
     fn step<S: Schema>(

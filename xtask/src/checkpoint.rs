@@ -50,7 +50,10 @@ impl Checkpoint {
             kept: BTreeMap::new(),
             state: Mutex::new(State::NotYet),
         };
-        if let Ok(file) = File::options().read(true).write(true).open(&checkpoint.place) {
+        // A FIFO would be waited for, a link leads to what is somebody else's.
+        let is_plain = std::fs::symlink_metadata(&checkpoint.place).is_ok_and(|about| about.is_file());
+        let file = is_plain.then(|| File::options().read(true).write(true).open(&checkpoint.place).ok()).flatten();
+        if let Some(file) = file {
             let state = checkpoint.take_up(file).unwrap_or_else(|why| checkpoint.give_up(&why));
             checkpoint.state = Mutex::new(state);
         }

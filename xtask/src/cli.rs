@@ -25,9 +25,18 @@ impl Arguments {
     /// Ends the program with exit code 2 on wrong words, 0 after `--help`. Option values may begin with a minus.
     pub(crate) fn parse_or_exit() -> Self {
         let command = with_negative_values(Self::command());
-        let matches = command.get_matches();
+        let matches = command.try_get_matches().unwrap_or_else(|told| tell_and_exit(&told));
         Self::from_arg_matches(&matches).unwrap_or_else(|e| e.exit())
     }
+}
+
+/// Help and version are results; what is wrong with the words is not.
+fn tell_and_exit(told: &clap::Error) -> ! {
+    let printed = told.print();
+    if !told.use_stderr() {
+        crate::output::finish(printed);
+    }
+    std::process::exit(told.exit_code())
 }
 
 fn with_negative_values(command: clap::Command) -> clap::Command {

@@ -16,6 +16,7 @@ mod paths;
 mod raw_data;
 mod rcs;
 mod run;
+mod sidecar;
 mod study;
 mod train;
 mod vehicles;

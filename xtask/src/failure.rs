@@ -19,7 +19,7 @@ impl Failure {
     /// Prints the sentence on standard error; exit code 1 or 2.
     pub(crate) fn report(&self) -> ExitCode {
         crate::progress::finish();
-        eprintln!("error: {self}");
+        crate::output::say(format_args!("error: {self}"));
         match self {
             Self::Refused(_) => ExitCode::from(1),
             Self::System(_) => ExitCode::from(2),

@@ -5,10 +5,10 @@ pub(crate) fn install() {
     let handler = || {
         artifact::whole_file::abandon_all();
         crate::progress::finish();
-        eprintln!("interrupted; whole frames and aspects are kept, the next run goes on from there");
+        crate::output::say("interrupted; whole frames and aspects are kept, the next run goes on from there");
         std::process::exit(130);
     };
     if let Err(error) = ctrlc::set_handler(handler) {
-        eprintln!("note: interrupts are not handled: {error}");
+        crate::output::say(format_args!("note: interrupts are not handled: {error}"));
     }
 }

@@ -42,7 +42,10 @@ fn main() -> ExitCode {
     progress::configure(&arguments);
     memory::set_limit(arguments.memory_limit);
     match limit_threads(arguments.threads).and_then(|()| commands::dispatch(arguments.command)) {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => {
+            output::finish(Ok(()));
+            ExitCode::SUCCESS
+        }
         Err(failure) => failure.report(),
     }
 }

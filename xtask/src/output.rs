@@ -1,15 +1,54 @@
 //! Results on standard output, and whole files or none.
 
 use crate::failure::Failure;
-use artifact::whole_file::{Durability, WholeFile};
-use std::io::Write;
-use std::path::Path;
+use artifact::whole_file::{self, Durability, WholeFile};
+use std::collections::BTreeSet;
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
-/// A line of results. A reader that has gone away (`| head`) ends the program quietly.
+/// A line of results. One that cannot be written ends the program: its results have no other place.
 pub(crate) fn line(text: impl std::fmt::Display) {
-    if writeln!(std::io::stdout(), "{text}").is_err() {
+    if let Err(error) = writeln!(std::io::stdout(), "{text}") {
+        give_up(&error);
+    }
+}
+
+/// Writes out what standard output still holds, after what was `printed` to it.
+pub(crate) fn finish(printed: std::io::Result<()>) {
+    if let Err(error) = printed.and_then(|()| std::io::stdout().flush()) {
+        give_up(&error);
+    }
+}
+
+/// A line for a person, on standard error; where nobody reads it, it is not missed.
+pub(crate) fn say(text: impl std::fmt::Display) {
+    let _ = writeln!(std::io::stderr(), "{text}");
+}
+
+/// A reader that has gone away (`| head`) ends the program quietly, a disk that is full with exit code 2; what is being
+/// written is removed either way.
+fn give_up(error: &std::io::Error) -> ! {
+    whole_file::abandon_all();
+    if error.kind() == ErrorKind::BrokenPipe {
         std::process::exit(0);
     }
+    crate::progress::finish();
+    say(format_args!("error: standard output: cannot write: {error}"));
+    std::process::exit(2);
+}
+
+/// Refuses what could not be written, before the work that it is the result of: no plain file, an input, a place without
+/// permission, or one place for two results.
+pub(crate) fn claim(places: &[PathBuf]) -> Result<(), Failure> {
+    let mut claimed = BTreeSet::new();
+    for place in places {
+        whole_file::check(place)?;
+        if !claimed.insert(one_name(place)) {
+            return Err(twice(place));
+        }
+    }
+    Ok(())
 }
 
 /// Writes `file` whole or not at all; folders that are missing are made.
@@ -22,7 +61,43 @@ pub(crate) fn write_with(
     file: &Path,
     content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,
 ) -> Result<(), Failure> {
+    write(file, Durability::InCache, content)
+}
+
+/// As [`write_with`], and waits for the disk: what took hours, and what they were kept in until now is removed next.
+pub(crate) fn write_lasting(
+    file: &Path,
+    content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,
+) -> Result<(), Failure> {
+    write(file, Durability::OnDisk, content)
+}
+
+fn write(
+    file: &Path,
+    durability: Durability,
+    content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,
+) -> Result<(), Failure> {
     let mut whole = WholeFile::create(file)?;
     content(&mut whole).map_err(|e| Failure::system(file, "write", e))?;
-    Ok(whole.finish(Durability::InCache)?)
+    if !WRITTEN.lock().unwrap_or_else(PoisonError::into_inner).insert(one_name(file)) {
+        return Err(twice(file));
+    }
+    Ok(whole.finish(durability)?)
+}
+
+/// What this command has written.
+static WRITTEN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+fn twice(place: &Path) -> Failure {
+    Failure::System(format!("{}: cannot be written: two results of this command have this name", place.display()))
+}
+
+/// The same for all ways to a file in a folder that exists.
+fn one_name(place: &Path) -> PathBuf {
+    let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    match (std::fs::canonicalize(place), std::fs::canonicalize(folder), place.file_name()) {
+        (Ok(whole), _, _) => whole,
+        (_, Ok(folder), Some(name)) => folder.join(name),
+        _ => place.to_owned(),
+    }
 }

@@ -5,6 +5,7 @@ use crate::keys::FrameKeys;
 use crate::output;
 use crate::stages::Stage;
 use artifact::Schema;
+use artifact::classes::Classes;
 use artifact::cube::Cube;
 use artifact::paths::Paths;
 use artifact::points::Points;
@@ -31,11 +32,6 @@ impl FramePlan {
         Self { index, keys, steps }
     }
 
-    /// Whether the stage's frame has to be computed.
-    pub(crate) fn runs(&self, stage: Stage) -> bool {
-        self.steps.iter().any(|(s, why)| *s == stage && why.is_some())
-    }
-
     /// A line per stage.
     pub(crate) fn explain(&self) {
         for (stage, why) in &self.steps {
@@ -53,7 +49,7 @@ pub(crate) fn kind(stage: Stage, mode: EchoMode) -> &'static str {
         (Stage::BartRcs, EchoMode::RcsTable) => Rcs::NAME,
         (Stage::FmcwEcho, _) => Cube::NAME,
         (Stage::Dsp, _) => Points::NAME,
-        (Stage::Classifier, _) => "json",
+        (Stage::Classifier, _) => Classes::NAME,
     }
 }
 

@@ -1,6 +1,7 @@
 //! Long work shows a bar with the time left on a terminal and plain lines elsewhere; `--quiet` silences both.
 
 use crate::cli::Arguments;
+use crate::output;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal;
 use std::sync::{Mutex, OnceLock, PoisonError};
@@ -34,8 +35,8 @@ fn voice() -> Voice {
 pub(crate) fn note(text: impl std::fmt::Display) {
     if voice() != Voice::Silent {
         match &*BAR.lock().unwrap_or_else(PoisonError::into_inner) {
-            Some(bar) => bar.suspend(|| eprintln!("{text}")),
-            None => eprintln!("{text}"),
+            Some(bar) => bar.suspend(|| output::say(text)),
+            None => output::say(text),
         }
     }
 }
@@ -98,7 +99,7 @@ impl Work {
         *last = Instant::now();
         let here = done.saturating_sub(self.found).max(1);
         let left = self.started.elapsed().as_secs_f64() * (of - done.min(of)) as f64 / here as f64;
-        eprintln!("{}: {done} of {of}, about {left:.0} s left", self.name);
+        output::say(format_args!("{}: {done} of {of}, about {left:.0} s left", self.name));
     }
 }
 

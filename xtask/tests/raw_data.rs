@@ -79,3 +79,70 @@ fn recordings_that_do_not_fit_are_refused_by_name_and_rule() {
         assert!(!place.path("b.cube").exists() && !place.path("c.bin").exists(), "{command}");
     }
 }
+
+#[test]
+fn every_export_has_a_sidecar_of_its_own() {
+    let place = tdm();
+    place.run("export a.cube --to dca1000 --out x.bin --quiet");
+    let told = place.summary("x.bin.json");
+    assert_eq!((told["of"].as_str(), told["sqrt_w_per_step"].is_f64()), (Some("x.bin"), true));
+    place.run("export a.cube --to npy --out x.npy --quiet");
+    place.run("paths tdm.toml --out x.paths --quiet");
+    place.run("export x.paths --to csv --out x.csv --quiet");
+    assert_eq!(place.summary("x.bin.json"), told, "the other exports leave it");
+    assert_eq!(place.summary("x.npy.json")["of"], "x.npy");
+    assert!(place.summary("x.csv.json")["f_c_hz"].is_f64());
+    assert!(!place.path("x.json").exists());
+    // What is not this file's own is not written over, and the export is refused before it writes.
+    std::fs::write(place.path("y.npy.json"), "{\"of\": \"another\"}").unwrap();
+    let output = place.try_run("export a.cube --to npy --out y.npy");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("does not belong to y.npy"));
+    assert!(!place.path("y.npy").exists() && place.bytes("y.npy.json") == b"{\"of\": \"another\"}");
+}
+
+#[test]
+fn a_step_is_taken_from_the_file_that_tells_of_these_samples_or_said_to_be_missing() {
+    let place = tdm();
+    place.run("export a.cube --to dca1000 --out x.bin --quiet");
+    let imported = |file: &str, words: &str| {
+        let output = place.try_run(&format!("import {file} --scene tdm.toml --out b.cube {words}"));
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.success(), "{said}");
+        place.run("export b.cube --to npy --out b.npy");
+        (place.bytes("b.npy"), said, place.run("inspect b.cube"))
+    };
+    let (right, said, about) = imported("x.bin", "");
+    assert!(said.is_empty(), "{said}");
+    let step = place.summary("x.bin.json")["sqrt_w_per_step"].as_f64().unwrap();
+    assert!(about.contains("x.bin.json") && about.contains("sqrt_w_per_step"), "{about}");
+    assert_eq!(imported("x.bin", &format!("--step {step}")).0, right);
+    // As an earlier version wrote it: `x.json` without a hash, of the same shape.
+    let mut old = place.summary("x.bin.json");
+    let map = old.as_object_mut().unwrap();
+    map.retain(|key, _| key != "of" && key != "blake3");
+    std::fs::write(place.path("x.json"), old.to_string()).unwrap();
+    std::fs::rename(place.path("x.bin.json"), place.path("kept.json")).unwrap();
+    assert_eq!(imported("x.bin", "").0, right);
+    // The sidecar of another file: an earlier version's of an array, and that of other samples.
+    std::fs::write(place.path("x.json"), "{\"shape\": [\"frame\", \"channel\", \"chirp\", \"sample\"]}").unwrap();
+    let (unit, said, about) = imported("x.bin", "");
+    assert!(said.contains("no step is told") && about.contains("not told"), "{said}{about}");
+    assert_ne!(unit, right);
+    let mut samples = place.bytes("x.bin");
+    samples[0] ^= 1;
+    std::fs::write(place.path("x.bin"), samples).unwrap();
+    std::fs::rename(place.path("kept.json"), place.path("x.bin.json")).unwrap();
+    let (_, said, _) = imported("x.bin", "");
+    assert!(said.contains("other samples") && said.contains("no step is told"), "{said}");
+}
+
+#[test]
+fn the_mask_of_a_map_is_named_by_the_whole_name_of_the_map() {
+    let place = tdm();
+    place.run("dsp a.cube --out a --quiet");
+    place.run("export a/a.rdm --to npy --out map.1");
+    place.run("export a/a.rdm --to npy --out map.2");
+    place.run("export a/a.rdm --to npy --out map.npy");
+    assert!(["map.1.mask.npy", "map.2.mask.npy", "map.mask.npy"].iter().all(|name| place.path(name).is_file()));
+}

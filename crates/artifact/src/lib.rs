@@ -27,6 +27,7 @@ pub mod units;
 pub mod accuracy;
 pub mod seed;
 mod codec;
+pub mod inputs;
 pub mod whole_file;
 pub mod envelope;
 pub mod pattern;
@@ -43,6 +44,7 @@ pub mod points;
 pub mod tracks;
 pub mod dataset;
 pub mod model;
+pub mod classes;
 
 pub use accuracy::{Accuracy, ErrorBudget, ModelError};
 pub use envelope::{ArtifactError, Fault, Preamble, Provenance, Reader, Schema, Writer, read_preamble};

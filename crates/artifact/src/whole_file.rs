@@ -1,18 +1,28 @@
 //! A file that is written whole or not at all: a temporary one beside its place, renamed when it is done.
+//!
+//! Whatever this program writes goes through here, so that one rule holds for all of it: what is no plain file is never
+//! replaced, nor is an input ([`inputs`](crate::inputs)), nor a file that is write-protected (the `destination`); and what a
+//! killed program left behind is removed by the next one that writes into the same folder (the `temporary`).
+
+mod destination;
+mod temporary;
+
+pub use destination::PlaceRule;
+pub use temporary::{abandon_all, is_temporary, sweep};
 
 use crate::envelope::{ArtifactError, Fault};
-use std::collections::BTreeSet;
+use destination::Destination;
 use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
-use tempfile::{NamedTempFile, TempPath};
+use temporary::Temporary;
 
 /// A stream to a temporary file; [`WholeFile::finish`] puts it in its place.
 ///
 /// Dropped before `finish`, it leaves nothing behind and an older file of the name untouched.
 pub struct WholeFile {
     place: PathBuf,
+    target: PathBuf,
     stream: BufWriter<File>,
     temporary: Temporary,
 }
@@ -27,25 +37,36 @@ pub enum Durability {
 }
 
 impl WholeFile {
-    /// Opens the stream; folders that are missing are made.
+    /// Opens the stream; folders that are missing are made. A symbolic link to a plain file stays, the file is replaced.
     pub fn create(place: &Path) -> Result<Self, ArtifactError> {
-        let (handle, path) = temporary_beside(place).map_err(|fault| fault.of(place))?.into_parts();
-        Ok(Self { place: place.to_owned(), stream: BufWriter::new(handle), temporary: Temporary::listed(path) })
+        Self::open(place).map_err(|fault| fault.of(place))
+    }
+
+    fn open(place: &Path) -> Result<Self, Fault> {
+        let Destination { target, permissions } = Destination::of(place)?;
+        let (handle, temporary) = Temporary::beside(&target)?;
+        if let Some(permissions) = permissions {
+            handle.set_permissions(permissions).map_err(Fault::system("set the permissions"))?;
+        }
+        Ok(Self { place: place.to_owned(), target, stream: BufWriter::new(handle), temporary })
     }
 
     /// Puts the file in its place.
     pub fn finish(self, durability: Durability) -> Result<(), ArtifactError> {
-        let Self { place, stream, temporary } = self;
-        let failed = |doing: &'static str| {
-            let place = place.clone();
-            move |e: std::io::Error| Fault::system(doing)(e).of(&place)
-        };
-        let handle = stream.into_inner().map_err(|e| failed("write")(e.into_error()))?;
+        let place = self.place.clone();
+        self.put(durability).map_err(|fault| fault.of(&place))
+    }
+
+    /// The handle, and with it the lock, is held until the file has its name.
+    fn put(self, durability: Durability) -> Result<(), Fault> {
+        let handle = self.stream.into_inner().map_err(|e| Fault::system("write")(e.into_error()))?;
         match durability {
-            Durability::OnDisk => handle.sync_all().map_err(failed("write"))?,
+            Durability::OnDisk => handle.sync_all().map_err(Fault::system("write"))?,
             Durability::InCache => {}
         }
-        temporary.persist(&place).map_err(failed("rename into place"))
+        // Inputs may have been opened since, and the place may have changed.
+        Destination::of(&self.target)?;
+        self.temporary.persist(&self.target).map_err(Fault::system("rename into place"))
     }
 }
 
@@ -59,55 +80,15 @@ impl Write for WholeFile {
     }
 }
 
-/// Temporary files that are still open, for a program that is told to stop.
-static OPEN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
-
-fn open_files() -> MutexGuard<'static, BTreeSet<PathBuf>> {
-    OPEN.lock().unwrap_or_else(PoisonError::into_inner)
+/// Writes a file whole or not at all.
+pub fn write(place: &Path, bytes: &[u8], durability: Durability) -> Result<(), ArtifactError> {
+    let mut file = WholeFile::create(place)?;
+    file.write_all(bytes).map_err(|e| Fault::system("write")(e).of(place))?;
+    file.finish(durability)
 }
 
-/// Removes the temporary files of all that is being written: the last act of an interrupted program.
-pub fn abandon_all() {
-    for file in open_files().iter() {
-        let _ = std::fs::remove_file(file);
-    }
-}
-
-/// A temporary file that is listed while it is open, and removed unless it is persisted.
-struct Temporary(Option<TempPath>);
-
-impl Temporary {
-    fn listed(path: TempPath) -> Self {
-        open_files().insert(path.to_path_buf());
-        Self(Some(path))
-    }
-
-    fn persist(mut self, place: &Path) -> std::io::Result<()> {
-        match self.0.take() {
-            Some(path) => {
-                open_files().remove::<Path>(&path);
-                path.persist(place).map_err(|e| e.error)
-            }
-            None => Ok(()),
-        }
-    }
-}
-
-impl Drop for Temporary {
-    fn drop(&mut self) {
-        if let Some(path) = &self.0 {
-            open_files().remove::<Path>(path);
-        }
-    }
-}
-
-fn temporary_beside(file: &Path) -> Result<NamedTempFile, Fault> {
-    let folder = file.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    std::fs::create_dir_all(folder).map_err(Fault::system("make the folder"))?;
-    let prefix = format!(".{}.", file.file_name().unwrap_or_default().to_string_lossy());
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(&prefix).suffix(".part");
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666)); // less the umask, as any new file
-    builder.tempfile_in(folder).map_err(Fault::system("create"))
+/// Whether a file could be written there: all that [`WholeFile::create`] refuses is told before the work that it is the
+/// result of. Folders that are missing are made.
+pub fn check(place: &Path) -> Result<(), ArtifactError> {
+    WholeFile::create(place).map(drop)
 }

@@ -65,6 +65,6 @@ pub use classify::Classifier;
 pub use error::ClassifierError;
 pub use layout::{ARCHITECTURE, CHANNELS};
 pub use metrics::{Calibration, Evaluation, Metrics, ModelAccuracy, ReliabilityBin};
-pub use model_folder::{CURVES_FILE, METRICS_FILE, WEIGHTS_FILE, load_model, save_model};
+pub use model_folder::{CURVES_FILE, METRICS_FILE, MODEL_FILES, WEIGHTS_FILE, load_model, save_model};
 pub use split::split_of_scene;
 pub use training::{CurvePoint, Progress, Schedule, TrainSettings, Trained, evaluate, train};

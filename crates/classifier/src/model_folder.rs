@@ -2,8 +2,8 @@
 
 use crate::{Classifier, ClassifierError, CurvePoint, Trained};
 use artifact::model::{Model, ModelHeader, Weights};
-use artifact::{ArtifactError, Fault, Provenance, Reader, Writer};
-use std::io::Write;
+use artifact::whole_file::{self, Durability};
+use artifact::{Provenance, Reader, Writer};
 use std::path::{Path, PathBuf};
 
 /// Name of the artifact in a model folder.
@@ -13,14 +13,17 @@ pub const METRICS_FILE: &str = "metrics.json";
 /// Name of the training curves in a model folder.
 pub const CURVES_FILE: &str = "curves.csv";
 
+/// All files of a model folder.
+pub const MODEL_FILES: [&str; 3] = [METRICS_FILE, CURVES_FILE, WEIGHTS_FILE];
+
 /// Writes a model folder; each file is whole or not there, and the weights come last: where they are, all is.
 pub fn save_model(folder: &Path, trained: &Trained, provenance: &Provenance) -> Result<(), ClassifierError> {
     let mut metrics = serde_json::to_vec_pretty(&trained.metrics)
         .map_err(|e| ClassifierError::Library { doing: "write the metrics as JSON", cause: e.into() })?;
     metrics.push(b'\n');
-    std::fs::create_dir_all(folder).map_err(system("make the folder", folder))?;
-    write_whole(&folder.join(METRICS_FILE), &metrics)?;
-    write_whole(&folder.join(CURVES_FILE), curves_csv(&trained.curves).as_bytes())?;
+    whole_file::write(&folder.join(METRICS_FILE), &metrics, Durability::OnDisk)?;
+    let curves = curves_csv(&trained.curves);
+    whole_file::write(&folder.join(CURVES_FILE), curves.as_bytes(), Durability::OnDisk)?;
     let mut writer = Writer::<Model>::create(&folder.join(WEIGHTS_FILE), provenance, &trained.header)?;
     writer.write(&trained.weights)?;
     Ok(writer.finish()?)
@@ -58,22 +61,4 @@ fn curves_csv(curves: &[CurvePoint]) -> String {
         )
     };
     std::iter::once(header.to_owned()).chain(curves.iter().map(line)).collect()
-}
-
-/// Temporary file beside, then renamed.
-fn write_whole(file: &Path, bytes: &[u8]) -> Result<(), ArtifactError> {
-    let folder = file.parent().unwrap_or(Path::new("."));
-    let mut builder = tempfile::Builder::new();
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666)); // less the umask, as any new file
-    let mut temporary = builder.tempfile_in(folder).map_err(system("create", file))?;
-    temporary.write_all(bytes).map_err(system("write", file))?;
-    temporary.as_file().sync_all().map_err(system("write", file))?;
-    temporary.persist(file).map_err(|e| system("rename into place", file)(e.error))?;
-    Ok(())
-}
-
-fn system(doing: &'static str, file: &Path) -> impl FnOnce(std::io::Error) -> ArtifactError {
-    let file = file.to_owned();
-    move |cause| ArtifactError { file, fault: Fault::System { doing, cause } }
 }

@@ -20,6 +20,7 @@ pub(crate) struct Comparison {
 }
 
 pub(crate) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
+    output::claim(arguments.out.as_slice())?;
     let comparisons = cases::all(arguments)?;
     for c in &comparisons {
         let ratio = c.rival_s / c.ours_s;

@@ -8,18 +8,18 @@ use crate::output;
 use crate::stages::Stage;
 
 pub(crate) fn run(arguments: &CacheArguments) -> Result<(), Failure> {
-    let cache = Cache::open(&arguments.location);
+    let cache = Cache::open(&arguments.location)?;
     if arguments.clear {
         cache.clear()?;
     }
-    let entries = cache.entries();
+    let files = cache.files();
     for stage in Stage::ALL {
         let folder = cache.root().join(stage.name());
-        let own: Vec<_> = entries.iter().filter(|e| e.file.starts_with(&folder)).collect();
-        let bytes = own.iter().map(|e| e.bytes).sum();
+        let own: Vec<_> = files.iter().filter(|file| file.path.starts_with(&folder)).collect();
+        let bytes = own.iter().map(|file| file.bytes).sum();
         output::line(format!("{:<12}{:>8} files {:>10.1} MiB", stage.name(), own.len(), mib(bytes)));
     }
-    let total = entries.iter().map(|e| e.bytes).sum();
+    let total = files.iter().map(|file| file.bytes).sum();
     let limit = arguments.location.cache_limit_mib;
     output::line(format!("{} holds {:.1} MiB; its limit is {limit} MiB", cache.root().display(), mib(total)));
     Ok(())

@@ -11,6 +11,7 @@ use num_complex::Complex64;
 
 pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
     let reader = Reader::<Cube>::open(&arguments.cube)?;
+    output::claim(std::slice::from_ref(&arguments.out))?;
     let header = reader.header().clone();
     let refused = |error| Failure::Refused(format!("{}: {error}", arguments.cube.display()));
     let mut frames = Vec::new();

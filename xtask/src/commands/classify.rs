@@ -35,7 +35,7 @@ fn expanded(place: &Path) -> Vec<PathBuf> {
 
 fn unfit(file: &Path, schema: &str) -> Failure {
     match schema {
-        "scene" | "paths" | "rcs" | "cube" | "points" | "model" => {
+        "scene" | "paths" | "rcs" | "cube" | "points" | "tracks" | "model" | "classes" => {
             Failure::Refused(format!("{}: a `{schema}` artifact where maps or a dataset are needed", file.display()))
         }
         other => inspect::unknown(file, other),

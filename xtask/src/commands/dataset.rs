@@ -1,8 +1,9 @@
 //! `dataset`: labelled crops of scenes that a recipe draws. Shards are written whole or not at all, and a shard that
-//! exists is not made again; beside each stands one line per scene with truth and estimate.
+//! exists, whole and of this recipe, is not made again; beside each stands one line per scene with truth and estimate.
 
 mod accuracy;
 mod recipe;
+mod resumption;
 mod scenes;
 mod table;
 
@@ -25,11 +26,13 @@ pub(crate) fn run(arguments: &DatasetArguments) -> Result<(), Failure> {
     let drawn = scenes::draw(&recipe);
     let shards: Vec<(usize, &[Drawn])> = drawn.chunks(SCENES_PER_SHARD).enumerate().collect();
     let mine = |number: usize| number % arguments.shard.of as usize == (arguments.shard.number - 1) as usize;
+    output::claim(&["manifest.jsonl", "scenes.jsonl", "detection.md"].map(|name| arguments.out.join(name)))?;
     let work = Work::begin("dataset");
     let total = shards.iter().filter(|(number, _)| mine(*number)).map(|(_, scenes)| scenes.len()).sum();
     let mut done = 0;
     for (number, scenes) in shards.iter().filter(|(number, _)| mine(*number)) {
-        if !scene_lines(&arguments.out, *number).is_file() {
+        let (shard, lines) = (shard_file(&arguments.out, *number), scene_lines(&arguments.out, *number));
+        if !resumption::is_made(&recipe, scenes, &shard, &lines)? {
             make(&recipe, &arguments.out, *number, scenes, &|within| work.at(done + within, total))?;
         }
         done += scenes.len();

@@ -15,6 +15,7 @@ use std::path::Path;
 
 pub(crate) fn run(arguments: &EchoArguments) -> Result<(), Failure> {
     let mut loaded = load::scene(&arguments.scene, None)?;
+    arguments.paths.iter().for_each(|file| artifact::inputs::note(file));
     if arguments.paths.is_some() {
         loaded.header.fidelity.echo = EchoMode::Paths;
     }

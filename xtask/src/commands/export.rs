@@ -15,7 +15,7 @@ use crate::failure::Failure;
 use crate::output;
 use artifact::{Reader, Schema, read_preamble};
 use clap::ValueEnum;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 pub(crate) use npy_stream::NpyStream;
 pub(crate) use rdm::write_exr as rdm_exr;
@@ -23,7 +23,7 @@ pub(crate) use rdm::write_exr as rdm_exr;
 pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
     use FormatWord::{Csv, Dca1000, Exr, Json, Npy, Pcd, Ply, Png, Safetensors, Sigmf};
     let (file, out) = (arguments.file.as_path(), arguments.out.as_path());
-    let schema = read_preamble(file)?.schema;
+    let schema = read_preamble(file)?.schema; // from here on the file is known as an input
     match (schema.as_str(), arguments.to) {
         ("cube", Npy) => cube::npy(Reader::open(file)?, out),
         ("cube", Dca1000) => dca1000::write(file, out),
@@ -44,6 +44,7 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
         ("scene", Json) => as_json::<artifact::scene::Scene>(file, out),
         ("points", Json) => as_json::<artifact::points::Points>(file, out),
         ("paths", Json) => as_json::<artifact::paths::Paths>(file, out),
+        ("classes", Json) => as_json::<artifact::classes::Classes>(file, out),
         ("rcs", Json) => as_json::<artifact::rcs::Rcs>(file, out),
         (known, to) => Err(refuse(file, known, to)),
     }
@@ -58,7 +59,7 @@ fn refuse(file: &Path, schema: &str, to: FormatWord) -> Failure {
         "rcs" => "npy, json",
         "dataset" => "npy, png",
         "model" => "safetensors",
-        "scene" => "json",
+        "scene" | "classes" => "json",
         other => return super::inspect::unknown(file, other),
     };
     let to = to.to_possible_value().map_or_else(String::new, |v| v.get_name().to_owned());
@@ -94,20 +95,15 @@ fn as_json<S: Schema>(file: &Path, out: &Path) -> Result<(), Failure> {
     failed.map_or(written, |error| Err(error.into()))
 }
 
+/// A name that an artifact gives as a part of a file's: it leads into no other folder.
+pub(crate) fn plain_name(name: &str) -> String {
+    let plain = |c: char| if c.is_alphanumeric() || " -_.+()".contains(c) { c } else { '_' };
+    let name: String = name.chars().map(plain).collect();
+    if name.starts_with('.') { format!("_{name}") } else { name }
+}
+
 /// Keeps an artifact's error while a stream that can only fail with I/O errors is given up.
 pub(crate) fn fail(keep: &mut Option<artifact::ArtifactError>, error: artifact::ArtifactError) -> std::io::Error {
     *keep = Some(error);
     std::io::Error::other("the artifact is damaged")
-}
-
-/// `F.npy` → `F.json`; a name that ends in `.json` itself gets `.axes.json`.
-pub(crate) fn sidecar(out: &Path) -> PathBuf {
-    let json = out.with_extension("json");
-    if json == out { out.with_extension("axes.json") } else { json }
-}
-
-/// Writes the axes beside `out`.
-pub(crate) fn write_sidecar(out: &Path, axes: &serde_json::Value) -> Result<(), Failure> {
-    let text = serde_json::to_string_pretty(axes).map_err(Failure::refused)?;
-    output::write_file(&sidecar(out), text.as_bytes())
 }

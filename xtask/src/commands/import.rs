@@ -1,14 +1,15 @@
 //! `import`: IF samples from anywhere as a radar cube.
 
 use super::load::{self, provenance};
-use super::raw_data::{Frames, dca1000, sigmf};
+use super::raw_data::{Imported, Step, dca1000, sigmf};
 use crate::cli::ImportArguments;
 use crate::failure::Failure;
 use crate::keys::cube_header;
+use crate::progress;
 use crate::stages::Stage;
-use artifact::ErrorBudget;
-use artifact::Writer;
 use artifact::cube::{Cube, CubeFrame};
+use artifact::scene::SceneHeader;
+use artifact::{ErrorBudget, Provenance, Writer};
 use ndarray::{Array4, Axis};
 use ndarray_npy::ReadNpyExt;
 use num_complex::Complex32;
@@ -21,13 +22,12 @@ pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
     if arguments.step.is_some_and(|step| !(step.is_finite() && step > 0.0)) {
         return Err(Failure::Refused("--step: a step must be a positive number".to_owned()));
     }
-    let frames = match file.extension().and_then(|e| e.to_str()) {
+    let Imported { frames, step } = match file.extension().and_then(|e| e.to_str()) {
         Some("bin") => dca1000::read(file, &header, arguments.step)?,
         Some("sigmf-meta" | "sigmf-data") => sigmf::read(file, &header, arguments.step)?,
-        _ => of_array(file, header.shape())?,
+        _ => Imported { frames: of_array(file, header.shape())?, step: Step::Floats },
     };
-    let inputs = load::hashed(&[arguments.array.clone(), arguments.scene.clone()])?;
-    let from = provenance(Stage::FmcwEcho, &scene, inputs);
+    let from = provenance_of(arguments, &scene, &step)?;
     let mut writer = Writer::<Cube>::create(&arguments.out, &from, &header)?;
     for (index, samples) in frames.into_iter().enumerate() {
         let time_s = scene.frame_time_s(index as u32);
@@ -37,7 +37,27 @@ pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
     Ok(writer.finish()?)
 }
 
-fn of_array(file: &Path, shape: [usize; 3]) -> Result<Frames, Failure> {
+/// The step of integer samples stands among the settings, and the file that told it among the inputs.
+fn provenance_of(arguments: &ImportArguments, scene: &SceneHeader, step: &Step) -> Result<Provenance, Failure> {
+    let mut files = vec![arguments.array.clone(), arguments.scene.clone()];
+    match step {
+        Step::Told(_, place) => files.push(place.clone()),
+        Step::Unknown => progress::note(format!(
+            "note: {}: no step is told (--step): samples are taken as √W of 1 a step, and levels are no powers",
+            arguments.array.display()
+        )),
+        Step::Asked(_) | Step::Floats => {}
+    }
+    let from = provenance(Stage::FmcwEcho, scene, load::hashed(&files)?);
+    let told = match step {
+        Step::Floats => return Ok(from),
+        Step::Unknown => "1 (not told)".to_owned(),
+        Step::Asked(step) | Step::Told(step, _) => step.to_string(),
+    };
+    Ok(Provenance { settings: format!("{}, sqrt_w_per_step {told}", from.settings), ..from })
+}
+
+fn of_array(file: &Path, shape: [usize; 3]) -> Result<Vec<Vec<Complex32>>, Failure> {
     let array = read(file)?;
     let found = &array.shape()[1..];
     if found != shape {
@@ -48,7 +68,7 @@ fn of_array(file: &Path, shape: [usize; 3]) -> Result<Frames, Failure> {
 }
 
 fn read(file: &Path) -> Result<Array4<Complex32>, Failure> {
-    let handle = std::fs::File::open(file).map_err(|e| Failure::system(file, "open", e))?;
+    let handle = artifact::inputs::open(file).map_err(|e| Failure::system(file, "open", e))?;
     let rule = "a .npy of complex64 in the shape [frame, channel, chirp, sample] is needed";
     Array4::read_npy(std::io::BufReader::new(handle))
         .map_err(|e| Failure::Refused(format!("{}: {e}: {rule}", file.display())))

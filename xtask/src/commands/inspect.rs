@@ -3,6 +3,7 @@
 use crate::cli::InspectArguments;
 use crate::failure::Failure;
 use crate::output::line;
+use artifact::classes::Classes;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::dataset::Dataset;
 use artifact::model::Model;
@@ -33,6 +34,7 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
         Tracks::NAME => tracks(Reader::open(file)?),
         Dataset::NAME => dataset(Reader::open(file)?),
         Model::NAME => model(Reader::open(file)?),
+        Classes::NAME => classes(Reader::open(file)?),
         other => Err(unknown(file, other)),
     }
 }
@@ -251,6 +253,17 @@ fn dataset(reader: Reader<Dataset>) -> Result<(), Failure> {
         line(format!("samples      {count:>6} {split:?} {}", class.map_or("unlabelled", |c| c.name())));
     }
     line(format!("sanity       {}", SANITY[usize::from(complete)]));
+    Ok(())
+}
+
+fn classes(reader: Reader<Classes>) -> Result<(), Failure> {
+    let names: Vec<_> = reader.header().classes.iter().map(|class| class.name()).collect();
+    line(format!("classes      {}", names.join(", ")));
+    for frame in reader {
+        let probabilities = frame?.probabilities;
+        let sound = probabilities.iter().flatten().all(|p| (0.0..=1.0).contains(p));
+        line(format!("objects      {}, {}", probabilities.len(), SANITY[usize::from(sound)]));
+    }
     Ok(())
 }
 

@@ -4,10 +4,10 @@ use crate::cache::{Cache, project_root};
 use crate::chain::LoadedModel;
 use crate::cli::SceneArguments;
 use crate::failure::Failure;
-use crate::keys::{self, Key};
+use crate::keys;
 use crate::stages::Stage;
+use artifact::Provenance;
 use artifact::scene::{Scene, SceneHeader};
-use artifact::{Provenance, Reader, Writer};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -27,14 +27,14 @@ pub(crate) fn scene(arguments: &SceneArguments, cache: Option<&Cache>) -> Result
     let options = scene::ReadOptions { model, radar, meshes: scene::Meshes::Whole };
     let files = hashed(&scene::inputs(&arguments.scene, &options).map_err(of_scene)?)?;
     let key = keys::scene(&files, &(&arguments.model, &arguments.radar));
-    let known = cache.and_then(|c| known(c, &key));
+    let known = cache.and_then(|c| c.get_header::<Scene>(Stage::Scene, &key));
     let cached = known.is_some();
     let mut header = match known {
         Some(header) => header,
         None => scene::read(&arguments.scene, &options).map_err(of_scene)?,
     };
     if let (Some(cache), false) = (cache, cached) {
-        keep(cache, &key, &header);
+        cache.put_header::<Scene>(Stage::Scene, &key, &header);
     }
     header.seed = seed(arguments.seed.unwrap_or(header.seed), arguments.radar.as_deref());
     Ok(LoadedScene { header, cached, seconds: start.elapsed().as_secs_f64(), files })
@@ -71,21 +71,8 @@ pub(crate) fn hashed(files: &[PathBuf]) -> Result<Vec<(String, String)>, Failure
 /// By pieces: a recording of traffic may be larger than memory.
 fn content_hash(file: &Path) -> std::io::Result<String> {
     let mut hasher = blake3::Hasher::new();
-    std::io::copy(&mut std::fs::File::open(file)?, &mut hasher)?;
+    std::io::copy(&mut artifact::inputs::open(file)?, &mut hasher)?;
     Ok(hasher.finalize().to_hex().to_string())
-}
-
-fn known(cache: &Cache, key: &Key) -> Option<SceneHeader> {
-    let reader = Reader::<Scene>::open(&cache.place(Stage::Scene, key, "scene")).ok()?;
-    Some(reader.header().clone())
-}
-
-fn keep(cache: &Cache, key: &Key, header: &SceneHeader) {
-    let place = cache.place(Stage::Scene, key, "scene");
-    let written = Writer::<Scene>::create(&place, &Provenance::default(), header).and_then(Writer::finish);
-    if let Err(error) = written {
-        crate::progress::note(format!("note: not cached: {error}"));
-    }
 }
 
 /// The model that was asked for, else the project's; without either, vehicles are located but not classified.

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use artifact::cube::CubeHeader;
 use artifact::radar::{Multiplexing, Sampling};
 use num_complex::Complex32;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The shape of one frame of a recording.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -105,8 +105,41 @@ fn transposed(values: &[Complex32], rows: usize, columns: usize) -> Vec<Complex3
     values.chunks_exact(rows * columns).flat_map(run).collect()
 }
 
-/// What a reader of raw data gives: frames in the order of a cube.
-pub(crate) type Frames = Vec<Vec<Complex32>>;
+/// What a reader of raw data gives.
+pub(crate) struct Imported {
+    /// In the order of a cube.
+    pub(crate) frames: Vec<Vec<Complex32>>,
+    pub(crate) step: Step,
+}
+
+/// What one step of integer samples stands for.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Step {
+    /// Samples are floats in √W.
+    Floats,
+    /// √W, as the command says.
+    Asked(f32),
+    /// √W, as that file says.
+    Told(f32, PathBuf),
+    /// Nobody says it.
+    Unknown,
+}
+
+impl Step {
+    /// The command's word goes before the file's.
+    fn of(asked: Option<f32>, told: impl FnOnce() -> Option<(f32, PathBuf)>) -> Self {
+        let told = || told().map_or(Self::Unknown, |(step, place)| Self::Told(step, place));
+        asked.map_or_else(told, Self::Asked)
+    }
+
+    /// √W of a step; 1 where nobody says it.
+    pub(crate) fn sqrt_w(&self) -> f32 {
+        match self {
+            Self::Asked(step) | Self::Told(step, _) => *step,
+            Self::Floats | Self::Unknown => 1.0,
+        }
+    }
+}
 
 #[cfg(test)]
 mod tests {

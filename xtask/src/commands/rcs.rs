@@ -5,7 +5,8 @@ mod isar;
 mod pictures;
 mod references;
 
-use super::export::{NpyStream, sidecar};
+use super::export::NpyStream;
+use super::sidecar;
 use crate::checkpoint::Checkpoint;
 use crate::cli::{
     EdgesWord, MethodWord, NodesWord, PolarizationWord, RcsArguments, SidesWord, SurfaceWord, TransmissionWord,
@@ -28,8 +29,10 @@ use std::time::Instant;
 
 pub(crate) fn run(arguments: &RcsArguments) -> Result<(), Failure> {
     let start = Instant::now();
+    std::iter::once(&arguments.mesh).chain(&arguments.materials).for_each(|file| artifact::inputs::note(file));
     let request = request(arguments)?;
     let mesh = dressed(mesh(&arguments.mesh, arguments.unit_scale)?, arguments)?;
+    claim(arguments)?;
     let load = start.elapsed().as_secs_f64();
     let checkpoint = checkpoint(arguments, &mesh, &request);
     let answer = match arguments.method {
@@ -40,8 +43,7 @@ pub(crate) fn run(arguments: &RcsArguments) -> Result<(), Failure> {
     NpyStream::write::<Complex64>(&arguments.out, &shape, |stream| stream.append(&answer.amplitude_m))?;
     let answer = Answer { cached: checkpoint.aspects(), ..answer };
     let described = answer.json(arguments, &mesh, load, start.elapsed().as_secs_f64());
-    let text = serde_json::to_string_pretty(&described).map_err(Failure::refused)?;
-    output::write_file(&sidecar(&arguments.out), text.as_bytes())?;
+    sidecar::write_of_table(&arguments.out, &described)?;
     checkpoint.finish();
     if arguments.pictures {
         pictures::write(&arguments.out, &mesh, &request, &answer.amplitude_m)?;
@@ -49,6 +51,12 @@ pub(crate) fn run(arguments: &RcsArguments) -> Result<(), Failure> {
     }
     answer.tell(arguments, &mesh);
     Ok(())
+}
+
+/// Refuses, before the work, what could not be written, or what is an input of it.
+fn claim(arguments: &RcsArguments) -> Result<(), Failure> {
+    sidecar::claim_table(&arguments.out)?;
+    if arguments.pictures { output::claim(&pictures::places(&arguments.out)) } else { Ok(()) }
 }
 
 /// What is done of this very table, by these very sources.

@@ -23,7 +23,10 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
-    let cache = (!arguments.no_cache).then(|| Cache::open(&arguments.cache));
+    let cache = (!arguments.no_cache).then(|| Cache::open(&arguments.cache)).transpose()?;
+    if let (Some(cache), Some(out)) = (&cache, &arguments.out) {
+        apart(cache, out)?;
+    }
     let model = load::model(arguments.classifier.as_deref())?;
     let runs = runs(arguments)?;
     // All before the first is computed: what is wrong with the last radar is said at once.
@@ -38,6 +41,16 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     }
     let is_of_all = arguments.scene.radar.is_none() && runs.iter().all(|run| run.scene.radar.is_some());
     if is_of_all && !told.is_empty() { several_radars::conclude(&told) } else { Ok(()) }
+}
+
+/// Results are for good, a cache is not: one folder cannot be both.
+fn apart(cache: &Cache, out: &Path) -> Result<(), Failure> {
+    let is_same = out == cache.root()
+        || matches!((std::fs::canonicalize(out), std::fs::canonicalize(cache.root())), (Ok(a), Ok(b)) if a == b);
+    match is_same {
+        true => Err(Failure::System(format!("{}: --out and --cache have to be two folders", out.display()))),
+        false => Ok(()),
+    }
 }
 
 /// The scene through one radar, and where all of it goes.
@@ -83,6 +96,7 @@ fn one_radar(
         return Ok(None);
     }
     let out = out.map_or_else(|| PathBuf::from("out").join(&loaded.header.name), Path::to_owned);
+    output::claim(&["summary.json", "report.html"].map(|name| out.join(name)))?;
     let start = Instant::now();
     let (computed, figures) = compute(&chain, loaded, &plans, &out)?;
     let frames_seconds = start.elapsed().as_secs_f64();

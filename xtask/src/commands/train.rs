@@ -14,6 +14,7 @@ use std::path::{Path, PathBuf};
 pub(crate) fn run(arguments: &TrainArguments) -> Result<(), Failure> {
     let shards = load::shards(&arguments.dataset);
     let format = format_of(&arguments.dataset, &shards)?;
+    output::claim(&classifier::MODEL_FILES.map(|name| arguments.out.join(name)))?;
     let settings = settings(arguments);
     let work = Work::begin("training");
     let mut progress = |p: classifier::Progress| work.at(p.iteration as usize, p.iterations as usize);

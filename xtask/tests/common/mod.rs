@@ -62,6 +62,11 @@ impl Workplace {
         self.folder.path().join(name)
     }
 
+    /// A file of the project.
+    pub(crate) fn project_file(name: &str) -> String {
+        Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join(name).display().to_string()
+    }
+
     pub(crate) fn root(&self) -> &Path {
         self.folder.path()
     }
@@ -95,4 +100,9 @@ impl Workplace {
     pub(crate) fn summary(&self, name: &str) -> serde_json::Value {
         serde_json::from_slice(&self.bytes(name)).unwrap()
     }
+}
+
+/// How much of a test is asked for: the value of an environment variable, else so much.
+pub(crate) fn asked(variable: &str, otherwise: u64) -> u64 {
+    std::env::var(variable).map_or(otherwise, |text| text.parse().unwrap())
 }

@@ -1,3 +1,4 @@
+use crate::whole_file::PlaceRule;
 use std::path::{Path, PathBuf};
 
 /// A file and what is wrong with it.
@@ -21,6 +22,9 @@ pub enum Fault {
         /// The system's answer.
         cause: std::io::Error,
     },
+    /// An output that may not be put where it was asked for.
+    #[error("cannot be written: {0}")]
+    Place(PlaceRule),
     /// The first bytes are not the envelope's.
     #[error("not a Wayside artifact (the first 8 bytes are not its magic)")]
     Magic,
@@ -104,8 +108,8 @@ impl Fault {
 }
 
 impl ArtifactError {
-    /// Whether the system refused (missing, unreadable, disk full), not the content.
+    /// Whether the system refused (missing, unreadable, disk full) or the place of an output, not the content.
     pub fn is_system(&self) -> bool {
-        matches!(self.fault, Fault::System { .. })
+        matches!(self.fault, Fault::System { .. } | Fault::Place(_))
     }
 }

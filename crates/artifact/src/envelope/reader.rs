@@ -2,6 +2,7 @@ use super::{
     ArtifactError, CHECKSUM_BYTES, END_BYTES, Fault, MAGIC, PREAMBLE_LIMIT, Preamble, Schema, checksum, end_mark,
 };
 use crate::codec;
+use crate::inputs;
 use serde::de::DeserializeOwned;
 use std::fs::File;
 use std::io::{BufReader, Read, Seek, SeekFrom};
@@ -22,7 +23,16 @@ pub struct Reader<S: Schema> {
 impl<S: Schema> Reader<S> {
     /// Checks magic, schema, version, provenance, end mark and header; frames are read as they are asked for.
     pub fn open(file: &Path) -> Result<Self, ArtifactError> {
-        let (mut stream, preamble) = open_preamble(file).map_err(|f| f.of(file))?;
+        Self::of(file, inputs::open)
+    }
+
+    /// As [`Reader::open`], for what this program has made for itself and may replace: it is no input.
+    pub fn open_own(file: &Path) -> Result<Self, ArtifactError> {
+        Self::of(file, |file| File::open(file))
+    }
+
+    fn of(file: &Path, open: impl FnOnce(&Path) -> std::io::Result<File>) -> Result<Self, ArtifactError> {
+        let (mut stream, preamble) = open_preamble(file, open).map_err(|f| f.of(file))?;
         let parts = stream.expect::<S>(&preamble).map_err(|f| f.of(file))?;
         Ok(Self { stream, preamble, header: parts.0, told: parts.1, found: 0, done: false, schema: PhantomData })
     }
@@ -30,6 +40,11 @@ impl<S: Schema> Reader<S> {
     /// What is common to all frames.
     pub fn header(&self) -> &S::Header {
         &self.header
+    }
+
+    /// What is common to all frames, when they are read.
+    pub fn into_header(self) -> S::Header {
+        self.header
     }
 
     /// Where the artifact came from.
@@ -75,7 +90,7 @@ impl<S: Schema> Iterator for Reader<S> {
 
 /// What an artifact of any kind says of itself.
 pub fn read_preamble(file: &Path) -> Result<Preamble, ArtifactError> {
-    open_preamble(file).map(|(_, preamble)| preamble).map_err(|f| f.of(file))
+    open_preamble(file, inputs::open).map(|(_, preamble)| preamble).map_err(|f| f.of(file))
 }
 
 /// A file with the place it is read at.
@@ -86,8 +101,8 @@ struct Stream {
     size: u64,
 }
 
-fn open_preamble(file: &Path) -> Result<(Stream, Preamble), Fault> {
-    let handle = File::open(file).map_err(Fault::system("open"))?;
+fn open_preamble(file: &Path, open: impl FnOnce(&Path) -> std::io::Result<File>) -> Result<(Stream, Preamble), Fault> {
+    let handle = open(file).map_err(Fault::system("open"))?;
     let about = handle.metadata().map_err(Fault::system("open"))?;
     if about.is_dir() {
         return Err(Fault::system("read")(std::io::Error::other("is a folder")));

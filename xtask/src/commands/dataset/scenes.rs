@@ -17,7 +17,7 @@ use std::path::Path;
 
 /// A scene before it is computed.
 pub(super) struct Drawn {
-    number: u64,
+    pub(super) number: u64,
     class: Class,
     model: String,
     vehicle_seed: u64,

@@ -1,6 +1,7 @@
 //! Radar cubes as complex64 `[frame, channel, chirp, sample]`.
 
-use super::{NpyStream, fail, write_sidecar};
+use super::{NpyStream, fail};
+use crate::commands::sidecar;
 use crate::failure::Failure;
 use artifact::Reader;
 use artifact::cube::{Cube, CubeHeader};
@@ -10,6 +11,7 @@ use serde_json::{Value, json};
 use std::path::Path;
 
 pub(crate) fn npy(reader: Reader<Cube>, out: &Path) -> Result<(), Failure> {
+    sidecar::claim(out)?;
     let header = reader.header().clone();
     let [channels, chirps, samples] = header.shape();
     let shape = [reader.frames() as usize, channels, chirps, samples];
@@ -24,7 +26,7 @@ pub(crate) fn npy(reader: Reader<Cube>, out: &Path) -> Result<(), Failure> {
         Ok(())
     });
     failed.map_or(written, |error| Err(error.into()))?;
-    write_sidecar(out, &axes(&header, &times))
+    sidecar::write(out, &axes(&header, &times))
 }
 
 fn axes(header: &CubeHeader, frame_times_s: &[f64]) -> Value {

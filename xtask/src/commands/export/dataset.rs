@@ -1,6 +1,7 @@
 //! Crops as uint8 `[sample, velocity, range]`, or as pictures.
 
-use super::{NpyStream, fail, write_sidecar};
+use super::{NpyStream, fail, plain_name};
+use crate::commands::sidecar;
 use crate::failure::Failure;
 use artifact::Reader;
 use artifact::dataset::{Dataset, Sample};
@@ -8,6 +9,7 @@ use serde_json::{Value, json};
 use std::path::Path;
 
 pub(crate) fn npy(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
+    sidecar::claim(out)?;
     let format = *reader.header();
     let side = format.side as usize;
     let mut labels = Vec::new();
@@ -21,7 +23,7 @@ pub(crate) fn npy(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
         Ok(())
     });
     failed.map_or(written, |error| Err(error.into()))?;
-    write_sidecar(out, &json!({ "shape": ["sample", "velocity", "range"], "format": format, "samples": labels }))
+    sidecar::write(out, &json!({ "shape": ["sample", "velocity", "range"], "format": format, "samples": labels }))
 }
 
 /// What a line of `manifest.jsonl` tells of a sample.
@@ -38,7 +40,7 @@ pub(crate) fn png(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
     let side = reader.header().side;
     for sample in reader {
         let sample = sample?;
-        let place = out.join(format!("{}.png", sample.id));
+        let place = out.join(format!("{}.png", plain_name(&sample.id)));
         crate::pictures::write_gray(&place, side, side, sample.crop.pixels)?;
     }
     Ok(())

@@ -50,7 +50,7 @@ impl NpyStream<'_> {
         shape: &[usize],
         content: impl FnOnce(&mut NpyStream<'_>) -> std::io::Result<()>,
     ) -> Result<(), Failure> {
-        output::write_with(file, |sink| {
+        output::write_lasting(file, |sink| {
             sink.write_all(&header::<T>(shape))?;
             content(&mut NpyStream { sink })
         })

@@ -1,6 +1,7 @@
 //! Paths as the table of `docs/interface.md`: positions at the frame's first sample, one row per polarization.
 
-use super::{fail, write_sidecar};
+use super::fail;
+use crate::commands::sidecar;
 use crate::failure::Failure;
 use crate::output;
 use artifact::Reader;
@@ -16,6 +17,7 @@ avx_mps,avy_mps,avz_mps,bvx_mps,bvy_mps,bvz_mps,delay_s,delay_rate,facets";
 const POLARIZATIONS: [(&str, usize, usize); 4] = [("vv", 0, 0), ("hh", 1, 1), ("vh", 0, 1), ("hv", 1, 0)];
 
 pub(crate) fn csv(reader: Reader<Paths>, out: &Path) -> Result<(), Failure> {
+    sidecar::claim(out)?;
     let header = reader.header().clone();
     let mut failed = None;
     let written = output::write_with(out, |stream| {
@@ -30,7 +32,7 @@ pub(crate) fn csv(reader: Reader<Paths>, out: &Path) -> Result<(), Failure> {
     let axes = json!({ "f_c_hz": header.centre_frequency_hz, "positions_at": "the frame's first sample",
         "delay_at": "the frame's middle, from the array's centre", "facets": "body:triangle in the order of travel",
         "left_out": "accelerations, but for delay and rate; the turning of a wheel, whose hub is told (export to json has them)" });
-    write_sidecar(out, &axes)
+    sidecar::write(out, &axes)
 }
 
 fn rows(sink: &mut dyn Write, header: &PathsHeader, frame: u32, path: &Record) -> std::io::Result<()> {

@@ -1,6 +1,7 @@
 //! RCS tables as complex128 `[frequency, elevation, azimuth]`.
 
-use super::{NpyStream, write_sidecar};
+use super::{NpyStream, plain_name};
+use crate::commands::sidecar;
 use crate::failure::Failure;
 use artifact::Reader;
 use artifact::rcs::{Rcs, RcsTable};
@@ -17,17 +18,21 @@ pub(crate) fn npy(reader: Reader<Rcs>, out: &Path) -> Result<(), Failure> {
         tables.extend(frame.tables.into_iter().map(|t| (frame.index, t)));
     }
     let single = tables.len() == 1;
-    for (frame, table) in &tables {
+    let named = |(frame, table): &(u32, RcsTable)| {
         let target = targets.get(table.target as usize).map_or("mesh", String::as_str);
-        let place = if single { out.to_owned() } else { numbered(out, *frame, target) };
-        write(&place, *frame, target, table)?;
+        (if single { out.to_owned() } else { numbered(out, *frame, target) }, target)
+    };
+    let places: Vec<_> = tables.iter().map(named).collect();
+    places.iter().try_for_each(|(place, _)| sidecar::claim(place))?;
+    for ((frame, table), (place, target)) in tables.iter().zip(&places) {
+        write(place, *frame, target, table)?;
     }
     Ok(())
 }
 
 fn numbered(out: &Path, frame: u32, target: &str) -> PathBuf {
     let stem = out.file_stem().unwrap_or_default().to_string_lossy();
-    out.with_file_name(format!("{stem}-{frame:04}-{target}.npy"))
+    out.with_file_name(format!("{stem}-{frame:04}-{}.npy", plain_name(target)))
 }
 
 fn write(out: &Path, frame: u32, target: &str, table: &RcsTable) -> Result<(), Failure> {
@@ -36,5 +41,5 @@ fn write(out: &Path, frame: u32, target: &str, table: &RcsTable) -> Result<(), F
     let degrees = |axis: &[f64]| axis.iter().map(|a| a.to_degrees()).collect::<Vec<_>>();
     let range = table.range_m.is_finite().then_some(table.range_m);
     let axes = json!({ "freq_hz": table.frequency_hz, "el_deg": degrees(&table.elevation_rad), "az_deg": degrees(&table.azimuth_rad) });
-    write_sidecar(out, &json!({ "axes": axes, "unit": "m", "frame": frame, "target": target, "range_m": range }))
+    sidecar::write(out, &json!({ "axes": axes, "unit": "m", "frame": frame, "target": target, "range_m": range }))
 }

@@ -1,6 +1,7 @@
 //! Range-Doppler maps as complex64 `[frame, channel, doppler, range]`, as EXR layers and as grey pictures.
 
-use super::{NpyStream, cube::map_channels, fail, write_sidecar};
+use super::{NpyStream, cube::map_channels, fail};
+use crate::commands::sidecar;
 use crate::failure::Failure;
 use crate::output;
 use crate::pictures;
@@ -16,6 +17,9 @@ use serde_json::json;
 use std::path::{Path, PathBuf};
 
 pub(crate) fn npy(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
+    let mask = mask_beside(out);
+    output::claim(&[out.to_owned(), mask.clone(), sidecar::beside(out)])?;
+    sidecar::claim(out)?;
     let header = reader.header().clone();
     let [channels, doppler, range] = artifact::rdm::shape(&header);
     let frames = reader.frames() as usize;
@@ -30,8 +34,16 @@ pub(crate) fn npy(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
         Ok(())
     });
     failed.map_or(written, |error| Err(error.into()))?;
-    NpyStream::write::<u8>(&out.with_extension("mask.npy"), &[frames, doppler, range], |s| s.append(&masks))?;
-    write_sidecar(out, &axes(&header, &told))
+    NpyStream::write::<u8>(&mask, &[frames, doppler, range], |s| s.append(&masks))?;
+    sidecar::write(out, &axes(&header, &told))
+}
+
+/// `F.npy` → `F.mask.npy`; a name without that ending keeps all of it.
+fn mask_beside(out: &Path) -> PathBuf {
+    let is_npy = out.extension().is_some_and(|kind| kind == "npy");
+    let mut name = if is_npy { out.with_extension("") } else { out.to_owned() }.into_os_string();
+    name.push(".mask.npy");
+    PathBuf::from(name)
 }
 
 fn axes(header: &CubeHeader, told: &[(f64, u64, u64)]) -> serde_json::Value {

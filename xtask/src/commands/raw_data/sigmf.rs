@@ -1,6 +1,6 @@
 //! SigMF recordings (sigmf.org, version 1.0): `.sigmf-data`, receivers interleaved, and `.sigmf-meta` beside it.
 
-use super::{Frames, Recording};
+use super::{Imported, Recording, Step};
 use crate::commands::export::fail;
 use crate::failure::Failure;
 use crate::output;
@@ -16,9 +16,11 @@ pub(crate) fn write(file: &Path, out: &Path) -> Result<(), Failure> {
     let mut reader = Reader::<Cube>::open(file)?;
     let header = reader.header().clone();
     let recording = Recording::of(file, &header)?;
+    let (data, meta_place) = (out.with_extension(DATA), out.with_extension(META));
+    output::claim(&[data.clone(), meta_place.clone()])?;
     let mut times = Vec::new();
     let mut failed = None;
-    let written = output::write_with(&out.with_extension(DATA), |stream| {
+    let written = output::write_with(&data, |stream| {
         reader.by_ref().try_for_each(|frame| {
             let frame = frame.map_err(|e| fail(&mut failed, e))?;
             times.push(frame.time_s);
@@ -29,13 +31,14 @@ pub(crate) fn write(file: &Path, out: &Path) -> Result<(), Failure> {
     });
     failed.map_or(written, |error| Err(error.into()))?;
     let text = serde_json::to_string_pretty(&meta(&header, &recording, &times)).map_err(Failure::refused)?;
-    output::write_file(&out.with_extension(META), text.as_bytes())
+    output::write_file(&meta_place, text.as_bytes())
 }
 
 /// Reads frames of `cf32_le` or `ci16_le`; one step of the latter is `step` √W, else 1.
-pub(crate) fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Frames, Failure> {
+pub(crate) fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Imported, Failure> {
     let recording = Recording::of(file, header)?;
     let (meta, data) = (file.with_extension(META), file.with_extension(DATA));
+    [&meta, &data].into_iter().for_each(|file| artifact::inputs::note(file));
     let text = std::fs::read_to_string(&meta).map_err(|e| Failure::system(&meta, "read", e))?;
     let told: Value = serde_json::from_str(&text).map_err(|e| refused(&meta, e.to_string()))?;
     let channels = told["global"]["core:num_channels"].as_u64().unwrap_or(1);
@@ -44,9 +47,12 @@ pub(crate) fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Resul
         return Err(refused(&meta, text));
     }
     let bytes = std::fs::read(&data).map_err(|e| Failure::system(&data, "read", e))?;
-    let values = match told["global"]["core:datatype"].as_str() {
-        Some("cf32_le") => of_floats(&bytes),
-        Some("ci16_le") => of_integers(&bytes, step.unwrap_or(1.0)),
+    let (values, step) = match told["global"]["core:datatype"].as_str() {
+        Some("cf32_le") => (of_floats(&bytes), Step::Floats),
+        Some("ci16_le") => {
+            let step = Step::of(step, || None);
+            (of_integers(&bytes, step.sqrt_w()), step)
+        }
         other => {
             let found = other.unwrap_or("nothing");
             return Err(refused(&meta, format!("core:datatype is {found}; cf32_le and ci16_le are read")));
@@ -55,7 +61,7 @@ pub(crate) fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Resul
     let values = values.ok_or_else(|| refused(&data, "ends within a sample".to_owned()))?;
     recording.frames(&data, values.len())?;
     let cube = |frame: &[Complex32]| recording.cube_of_slots(&recording.apart(frame));
-    Ok(values.chunks_exact(recording.values()).map(cube).collect())
+    Ok(Imported { frames: values.chunks_exact(recording.values()).map(cube).collect(), step })
 }
 
 const DATA: &str = "sigmf-data";

@@ -44,7 +44,7 @@ pub(super) fn write_facets(out: &Path, mesh: &Mesh, request: &RcsRequest) -> Res
     let colours = triangle_colours(mesh, &parts, strongest);
     let lines: Vec<PaintedLine> = parts.iter().take(LINES).map(|c| ray(request, aspects / 2, c, strongest)).collect();
     let bytes = painted_glb(&Painted { mesh, triangle_colours: &colours, lines: &lines });
-    output::write_file(&beside(out, "facets.glb"), &bytes)
+    output::write_file(&beside(out, FACETS), &bytes)
 }
 
 /// A square about the origin that holds the body, seen from above.
@@ -56,6 +56,14 @@ fn half_width_m(mesh: &Mesh) -> f64 {
 const LINES: usize = 200;
 /// Levels shown below the strongest sequence.
 const SPAN_DB: f64 = 40.0;
+
+/// All that can be written beside a table.
+pub(super) fn places(out: &Path) -> Vec<PathBuf> {
+    PICTURES.iter().chain([&FACETS]).map(|name| beside(out, name)).collect()
+}
+
+const PICTURES: [&str; 5] = ["polar.png", "azimuth.png", "frequency.png", "profile.png", "isar.png"];
+const FACETS: &str = "facets.glb";
 
 fn beside(out: &Path, name: &str) -> PathBuf {
     let stem = out.file_stem().unwrap_or_default().to_string_lossy();

@@ -1,0 +1,73 @@
+//! Files that are inputs of this program: no output may take the place of one of them.
+//!
+//! Whatever opens a user's file for reading does it here, so that [`whole_file`](crate::whole_file) knows it whatever name it is
+//! asked for by: a hard link, a symbolic link or another way to the same folder.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs::{File, Metadata};
+use std::io::Result;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// Opens a file for reading and remembers it.
+pub fn open(file: &Path) -> Result<File> {
+    let handle = File::open(file)?;
+    remember(file, &handle)?;
+    Ok(handle)
+}
+
+/// Remembers a file that is open for reading.
+pub fn remember(file: &Path, handle: &File) -> Result<()> {
+    keep(file, &handle.metadata()?);
+    Ok(())
+}
+
+/// Remembers a file that will be read later; one that is missing is left to its reader.
+pub fn note(file: &Path) {
+    if let Ok(about) = std::fs::metadata(file) {
+        keep(file, &about);
+    }
+}
+
+/// The name by which a file was read that `about` tells of, if it is an input.
+pub(crate) fn known(file: &Path, about: &Metadata) -> Option<PathBuf> {
+    let asked = identity(file, about)?;
+    let inputs = remembered().get(&asked)?.clone();
+    // An input that is gone has left its number to other files.
+    let is_still_there =
+        |input: &PathBuf| std::fs::metadata(input).is_ok_and(|now| identity(input, &now).as_ref() == Some(&asked));
+    inputs.into_iter().find(is_still_there)
+}
+
+/// What is one and the same however it is named.
+#[cfg(unix)]
+type Identity = (u64, u64);
+#[cfg(not(unix))]
+type Identity = PathBuf;
+
+/// Files with the names they were read by.
+type Remembered = BTreeMap<Identity, BTreeSet<PathBuf>>;
+
+static REMEMBERED: Mutex<Remembered> = Mutex::new(BTreeMap::new());
+
+fn remembered() -> MutexGuard<'static, Remembered> {
+    REMEMBERED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn keep(file: &Path, about: &Metadata) {
+    if let Some(identity) = identity(file, about) {
+        remembered().entry(identity).or_default().insert(file.to_owned());
+    }
+}
+
+/// Device and number of the file.
+#[cfg(unix)]
+fn identity(_: &Path, about: &Metadata) -> Option<Identity> {
+    use std::os::unix::fs::MetadataExt;
+    Some((about.dev(), about.ino()))
+}
+
+#[cfg(not(unix))]
+fn identity(file: &Path, _: &Metadata) -> Option<Identity> {
+    std::fs::canonicalize(file).ok()
+}

@@ -1,0 +1,89 @@
+//! What killed programs leave behind is removed by the next one; what living ones are writing is not.
+
+#![cfg(unix)]
+#![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
+
+use artifact::whole_file::{Durability, WholeFile, is_temporary};
+use std::io::{BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+
+/// Where the child writes; the test is a child where it is set.
+const PLACE: &str = "WRITER_OF_A_TEST";
+
+/// Not a test by itself: writes without end if it is a child.
+#[test]
+fn a_writer() {
+    let Some(place) = std::env::var_os(PLACE) else { return };
+    let mut file = WholeFile::create(Path::new(&place)).unwrap();
+    file.write_all(&[1; 1 << 16]).unwrap();
+    println!("\nwriting");
+    std::thread::sleep(std::time::Duration::from_secs(600));
+}
+
+/// A program that has begun to write.
+fn writer(place: &Path) -> Child {
+    let mut child = Command::new(std::env::current_exe().unwrap())
+        .args(["--exact", "a_writer", "--nocapture"])
+        .env(PLACE, place)
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let lines = BufReader::new(child.stdout.take().unwrap()).lines();
+    assert!(lines.map_while(Result::ok).any(|line| line == "writing"));
+    child
+}
+
+fn temporaries(folder: &Path) -> Vec<PathBuf> {
+    let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    files.filter(|file| is_temporary(file)).collect()
+}
+
+fn killed(mut child: Child) {
+    child.kill().unwrap();
+    child.wait().unwrap();
+}
+
+#[test]
+fn the_next_program_removes_what_dead_writers_left_and_nothing_else() {
+    let folder = tempfile::tempdir().unwrap();
+    let in_it = |name: &str| folder.path().join(name);
+    // A user's own, by name no temporary of this program, and a link that is named like one.
+    std::fs::write(in_it(".table.csv.part"), "mine").unwrap();
+    std::fs::write(in_it("mine"), "mine").unwrap();
+    std::os::unix::fs::symlink(in_it("mine"), in_it(".x.abcdef.wayside.part")).unwrap();
+    let living = writer(&in_it("c"));
+    let dead = [writer(&in_it("a")), writer(&in_it("a")), writer(&in_it("b"))];
+    dead.into_iter().for_each(killed);
+    assert_eq!(temporaries(folder.path()).len(), 5);
+    let file = WholeFile::create(&in_it("d")).unwrap();
+    assert_eq!(temporaries(folder.path()).len(), 3, "the link, that of the living, that of this one");
+    file.finish(Durability::InCache).unwrap();
+    killed(living);
+    assert_eq!(artifact::whole_file::sweep(folder.path()), 1);
+    assert_eq!(std::fs::read(in_it("mine")).unwrap(), b"mine");
+    assert_eq!(std::fs::read(in_it(".table.csv.part")).unwrap(), b"mine");
+    assert!(["a", "b", "c"].iter().all(|name| !in_it(name).exists()));
+}
+
+#[test]
+fn writers_and_sweepers_at_once_lose_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |writer: usize| folder.path().join(format!("{writer}"));
+    std::thread::scope(|scope| {
+        for writer in 0..4 {
+            let place = place(writer);
+            scope.spawn(move || {
+                for round in 0..500_u32 {
+                    let mut file = WholeFile::create(&place).unwrap();
+                    file.write_all(&round.to_le_bytes()).unwrap();
+                    file.finish(Durability::InCache).unwrap();
+                }
+            });
+        }
+        // It may take a file between its making and its locking: its writer makes another one.
+        scope.spawn(|| (0..2000).for_each(|_| _ = artifact::whole_file::sweep(folder.path())));
+    });
+    (0..4).for_each(|writer| assert_eq!(std::fs::read(place(writer)).unwrap(), 499_u32.to_le_bytes()));
+    assert!(temporaries(folder.path()).is_empty());
+}

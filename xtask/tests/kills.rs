@@ -1,0 +1,170 @@
+//! Programs that are killed at any time: nothing half-written, nothing left once the next one has run, and that one goes on to
+//! the same bytes. A few kills by default; as many of each command as `WAYSIDE_KILLS` says when asked for.
+
+#![cfg(unix)]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
+
+mod common;
+
+use common::{CORNER, SMALL_SCENE, Workplace, asked};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// All files below a folder.
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let mut found = vec![];
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        match entry.file_type().unwrap().is_dir() {
+            true => found.extend(files(&entry.path())),
+            false => found.push(entry.path()),
+        }
+    }
+    found.sort();
+    found
+}
+
+/// A command, the results of which are compared, and how often it is killed at most before it may end.
+struct Work<'a> {
+    words: &'a str,
+    /// Files that are the same to the byte however often it was ended, relative to the folder.
+    same: &'a [&'a str],
+}
+
+impl Work<'_> {
+    /// Runs it undisturbed, then kills it at random times until it was killed often enough, and lets it end.
+    fn is_resumed_to_the_same_bytes(&self, seed: u64) {
+        let (whole, place) = (prepared(), prepared());
+        let start = Instant::now();
+        whole.run(self.words);
+        let duration = start.elapsed();
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let (mut kills, mut left) = (0, 0);
+        let asked_for = asked("WAYSIDE_KILLS", 3);
+        while kills < asked_for {
+            let after = Duration::from_secs_f64(duration.as_secs_f64() * random.random::<f64>());
+            match killed_after(&place, self.words, after) {
+                true => kills += 1,
+                false => begin_anew(&place),
+            }
+            left += files(place.root()).iter().filter(|file| is_temporary(file)).count();
+            whole_or_absent(&place, &whole, self.same);
+        }
+        place.run(self.words);
+        let temporary: Vec<_> = files(place.root()).into_iter().filter(|file| is_temporary(file)).collect();
+        assert!(temporary.is_empty(), "{}: left behind: {temporary:?}", self.words);
+        for file in self.same {
+            assert!(place.bytes(file) == whole.bytes(file), "{}: {file} differs", self.words);
+        }
+        println!("{}: {kills} kills within {duration:.1?}, {left} temporary files met and swept", self.words);
+    }
+}
+
+fn prepared() -> Workplace {
+    let place = Workplace::new();
+    std::fs::write(place.path("long.toml"), SMALL_SCENE.replace("frames = 2", "frames = 12")).unwrap();
+    std::fs::write(place.path("base.toml"), BASE).unwrap();
+    std::fs::write(place.path("spec.toml"), RECIPE).unwrap();
+    std::fs::write(place.path("corner.obj"), CORNER).unwrap();
+    place
+}
+
+const BASE: &str = "name = \"base\"\n[radar.waveform]\nsamples = 64\nchirps = 16\n[radar.array]\npreset = \"1x4\"\n\
+[dsp]\ntraining_cells = [3, 6]\n[fidelity]\nbounces = 1\n";
+
+const RECIPE: &str = "scene = \"base.toml\"\nseed = 1\nscenes_per_class = 10\nrange_m = [25.0, 45.0]\n\
+speed_mps = [1.0, 5.0]\nlanes = [1, 2]\nvehicle_seeds = 2\n[models]\nmotorcycle = [\"motorcycle-street\"]\n\
+car = [\"car-hatchback\"]\n";
+
+fn is_temporary(file: &Path) -> bool {
+    file.extension().is_some_and(|e| e == "part")
+}
+
+/// Whether it was killed before it ended.
+fn killed_after(place: &Workplace, words: &str, after: Duration) -> bool {
+    let mut child = place.command(words).spawn().unwrap();
+    let start = Instant::now();
+    while start.elapsed() < after {
+        if let Some(status) = child.try_wait().unwrap() {
+            assert!(status.success(), "{words}: {status}");
+            return false;
+        }
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    child.kill().unwrap();
+    !child.wait().unwrap().success()
+}
+
+/// It had ended: the next kill needs work again.
+fn begin_anew(place: &Workplace) {
+    for name in ["out", "cache"] {
+        let _ = std::fs::remove_dir_all(place.path(name));
+    }
+}
+
+/// No result is there in part.
+fn whole_or_absent(place: &Workplace, whole: &Workplace, same: &[&str]) {
+    for file in same.iter().filter(|file| place.path(file).exists()) {
+        assert!(place.bytes(file) == whole.bytes(file), "{file} is half-written");
+    }
+}
+
+#[test]
+fn a_run_that_is_killed_goes_on() {
+    let same = ["out/scene.scene", "out/frames.paths", "out/frames.cube", "out/frames.rdm", "out/frames.points"];
+    Work { words: "run long.toml --out out --quiet", same: &same }.is_resumed_to_the_same_bytes(1);
+}
+
+#[test]
+fn a_table_that_is_killed_goes_on() {
+    let words =
+        "rcs corner.obj --freq-ghz 76:78:32 --az-deg 0:90:400 --el-deg 20 --accuracy-db -30 --quiet --out out/s.npy";
+    Work { words, same: &["out/s.npy"] }.is_resumed_to_the_same_bytes(2);
+}
+
+#[test]
+fn a_dataset_that_is_killed_goes_on() {
+    let same = ["out/shard-0000.dataset", "out/shard-0001.dataset", "out/shard-0002.dataset"];
+    Work { words: "dataset spec.toml --out out --quiet", same: &same }.is_resumed_to_the_same_bytes(3);
+}
+
+#[test]
+fn a_training_that_is_killed_leaves_no_half_model() {
+    let whole = prepared();
+    whole.run("dataset spec.toml --out data --quiet");
+    let words = format!("train {} --out out --iterations 4 --quiet", whole.path("data").display());
+    Work { words: &words, same: &["out/weights.model", "out/metrics.json", "out/curves.csv"] }
+        .is_resumed_to_the_same_bytes(4);
+}
+
+#[test]
+fn a_study_that_is_killed_leaves_nothing_half_written() {
+    let words = "chart --quick --out out --quiet";
+    // Its seconds differ from run to run: a table that is there ends with a line's end, a picture as pictures do.
+    let ends: [(&str, &[u8]); 3] = [("chart.csv", b"\n"), ("chart.svg", b"</svg>"), ("chart.png", b"IEND\xaeB`\x82")];
+    let place = prepared();
+    let start = Instant::now();
+    place.run(words);
+    let duration = start.elapsed();
+    let mut random = ChaCha8Rng::seed_from_u64(5);
+    let mut kills = 0;
+    for _ in 0..asked("WAYSIDE_KILLS", 3) {
+        // Most of the time nothing is written; half of the kills fall into the end.
+        let share = if random.random::<bool>() { random.random::<f64>() } else { 1.0 - 0.05 * random.random::<f64>() };
+        begin_anew(&place);
+        kills += u64::from(killed_after(&place, words, duration.mul_f64(share)));
+        for (name, end) in ends {
+            let file = place.path("out").join(name);
+            let bytes = std::fs::read(&file).unwrap_or_else(|_| end.to_vec());
+            assert!(bytes.trim_ascii_end().ends_with(end.trim_ascii_end()), "{name} is half-written");
+        }
+    }
+    place.run(words);
+    assert!(files(&place.path("out")).iter().all(|file| !is_temporary(file)));
+    println!("{words}: {kills} kills within {duration:.1?}");
+}
