@@ -34,7 +34,7 @@ fn no_command_replaces_what_it_reads() {
     let place = filled();
     place.run("export f.cube --to npy --out f.npy");
     place.run("rcs corner.obj --freq-ghz 77 --az-deg 0:90:5 --quiet --out s.npy");
-    std::fs::write(place.path("skin.toml"), "[materials.skin]\nuse = \"metal\"\n").unwrap();
+    std::fs::write(place.path("skin.toml"), "[materials]\nskin = { substance = \"metal\" }\n").unwrap();
     for (words, input) in [
         ("echo small.toml --quiet --out small.toml", "small.toml"),
         ("echo small.toml --quiet --out corner.obj", "corner.obj"),

@@ -1,7 +1,7 @@
 //! Where a file may be put, and what is never replaced.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 
 use artifact::whole_file::{Durability, PlaceRule, WholeFile, check};
 use artifact::{Fault, inputs};
