@@ -13,7 +13,6 @@ use std::f64::consts::TAU;
 #[derive(Debug, Clone)]
 pub(super) struct Image {
     pub(super) power_m2: Array2<f64>,
-    pub(super) half_width_m: f64,
     pub(super) sum: Sum,
 }
 
@@ -64,7 +63,7 @@ pub(super) fn image(
         };
         power(profiles.iter().zip(azimuth_rad).map(value), sum)
     };
-    Image { power_m2: Array2::from_shape_fn((SIDE, SIDE), cell), half_width_m, sum }
+    Image { power_m2: Array2::from_shape_fn((SIDE, SIDE), cell), sum }
 }
 
 fn power(values: impl ExactSizeIterator<Item = Complex64>, sum: Sum) -> f64 {
@@ -138,7 +137,7 @@ mod tests {
         let image =
             image(&frequencies(), &azimuths, &scatterer(0.9, -0.7, &frequencies(), &azimuths).view(), [1.5, 3.0]);
         let best = image.power_m2.indexed_iter().max_by(|a, b| a.1.total_cmp(b.1)).unwrap().0;
-        let place = |i: usize| image.half_width_m * (2.0 * (i as f64 + 0.5) / SIDE as f64 - 1.0);
+        let place = |i: usize| 1.5 * (2.0 * (i as f64 + 0.5) / SIDE as f64 - 1.0);
         println!("asked (0.9, −0.7), got ({:.2}, {:.2}), {:?}", place(best.0), place(best.1), image.sum);
         assert_eq!(image.sum, Sum::Coherent);
         assert!((place(best.0) - 0.9).abs() < 0.1 && (place(best.1) + 0.7).abs() < 0.1);
