@@ -24,7 +24,8 @@ fn drawings(page: &str) -> Vec<&str> {
 
 /// Numbers of an attribute, wherever it stands.
 fn numbers(text: &str, attribute: &str) -> Vec<f64> {
-    let values = text.split(&format!("{attribute}=\"")).skip(1);
+    let begin = format!("{attribute}=\"");
+    let values = text.split(&begin).skip(1);
     values.map(|rest| rest.split('"').next().unwrap().parse().unwrap()).collect()
 }
 
