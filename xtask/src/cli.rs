@@ -1,5 +1,12 @@
 //! The words a user types. What they mean is in `docs/interface.md`; the defaults here are the promise made there.
 
+use crate::commands::export::FORMATS;
+use crate::suggestion::suggest;
+pub(crate) use crate::values::{Axis, Place, Shard};
+use crate::values::{
+    accuracy_db, azimuth_deg, azimuths, density, elevation_deg, elevations, frequencies, place, range,
+};
+use crate::values::{scale, shard, step};
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -25,7 +32,7 @@ impl Arguments {
     /// Ends the program with exit code 2 on wrong words, 0 after `--help`. Option values may begin with a minus.
     pub(crate) fn parse_or_exit() -> Self {
         let command = with_negative_values(Self::command());
-        let matches = command.try_get_matches().unwrap_or_else(|told| tell_and_exit(&told));
+        let matches = command.try_get_matches().unwrap_or_else(|told| tell_and_exit(&suggest::<Self>(told)));
         Self::from_arg_matches(&matches).unwrap_or_else(|e| e.exit())
     }
 }
@@ -109,7 +116,7 @@ pub(crate) struct CacheLocation {
     #[arg(long, value_name = "DIR")]
     pub(crate) cache: Option<PathBuf>,
     /// Largest size of the cache; the oldest frames go first.
-    #[arg(long, value_name = "MIB", default_value_t = 8192)]
+    #[arg(long, value_name = "MIB", default_value_t = 8192, value_parser = clap::value_parser!(u64).range(..=1 << 40))]
     pub(crate) cache_limit_mib: u64,
 }
 
@@ -142,13 +149,13 @@ pub(crate) struct RcsArguments {
     #[arg(value_name = "MESH")]
     pub(crate) mesh: PathBuf,
     /// Frequencies, GHz: one number or START:STOP:N.
-    #[arg(long, value_parser = axis)]
+    #[arg(long, value_parser = frequencies)]
     pub(crate) freq_ghz: Axis,
     /// Azimuths, degrees; 0 looks at the front of the body.
-    #[arg(long, value_parser = axis, default_value = "0:360:361")]
+    #[arg(long, value_parser = azimuths, default_value = "0:360:361")]
     pub(crate) az_deg: Axis,
     /// Elevations above the horizon, degrees.
-    #[arg(long, value_parser = axis, default_value = "0")]
+    #[arg(long, value_parser = elevations, default_value = "0")]
     pub(crate) el_deg: Axis,
     /// Antenna to the mesh's origin, m, or inf.
     #[arg(long, value_parser = range, default_value = "inf")]
@@ -163,7 +170,7 @@ pub(crate) struct RcsArguments {
     #[arg(long, value_enum, default_value = "bart")]
     pub(crate) method: MethodWord,
     /// Samples or rays per wavelength of the references.
-    #[arg(long, default_value_t = 6.0)]
+    #[arg(long, default_value_t = 6.0, value_parser = density)]
     pub(crate) density: f64,
     /// Diffraction by edges (physical theory of diffraction).
     #[arg(long, value_enum, default_value = "off")]
@@ -184,19 +191,19 @@ pub(crate) struct RcsArguments {
     #[arg(long, value_enum, default_value = "two")]
     pub(crate) sides: SidesWord,
     /// Fixed receiver: azimuth, degrees.
-    #[arg(long, requires = "rx_el_deg")]
+    #[arg(long, value_parser = azimuth_deg, requires = "rx_el_deg")]
     pub(crate) rx_az_deg: Option<f64>,
     /// Fixed receiver: elevation, degrees.
-    #[arg(long, requires = "rx_az_deg")]
+    #[arg(long, value_parser = elevation_deg, requires = "rx_az_deg")]
     pub(crate) rx_el_deg: Option<f64>,
     /// Fixed receiver: distance, m [default: that of the transmitter].
     #[arg(long, value_parser = range, requires = "rx_az_deg")]
     pub(crate) rx_range_m: Option<f64>,
     /// Relative amplitude error allowed, dB.
-    #[arg(long, default_value_t = -40.0)]
+    #[arg(long, default_value_t = -40.0, value_parser = accuracy_db)]
     pub(crate) accuracy_db: f64,
     /// Metres per unit of the mesh file.
-    #[arg(long)]
+    #[arg(long, value_parser = scale)]
     pub(crate) unit_scale: Option<f64>,
     /// Pictures beside the result: level over azimuth and frequency, range profile, ISAR image, the facets that make the level.
     #[arg(long)]
@@ -294,7 +301,7 @@ pub(crate) struct ImportArguments {
     #[arg(value_name = "F.npy")]
     pub(crate) array: PathBuf,
     /// √W of one step of integer samples, where no file beside them says it; 1 else.
-    #[arg(long, value_name = "SQRT_W")]
+    #[arg(long, value_name = "SQRT_W", value_parser = step)]
     pub(crate) step: Option<f32>,
     /// Scene that tells the radar and the processing.
     #[arg(long, value_name = "SCENE.toml")]
@@ -320,17 +327,8 @@ pub(crate) struct CalibrateArguments {
     pub(crate) out: PathBuf,
 }
 
-/// World metres.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Place(pub(crate) [f64; 3]);
-
-fn place(text: &str) -> Result<Place, String> {
-    let parts: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse::<f64>()).collect();
-    let finite = parts.ok().filter(|parts| parts.iter().all(|x| x.is_finite()));
-    finite.and_then(|parts| parts.try_into().ok()).map(Place).ok_or_else(|| "three numbers, X,Y,Z in metres".to_owned())
-}
-
 #[derive(Debug, Args)]
+#[command(after_help = export_formats())]
 pub(crate) struct ExportArguments {
     /// Artifact.
     #[arg(value_name = "FILE")]
@@ -359,10 +357,10 @@ pub(crate) struct VehiclesArguments {
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,
     /// 0 gives the nominal dimensions, others spread them over real ranges.
-    #[arg(long, default_value_t = 0)]
+    #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]
     pub(crate) seed: u64,
     /// How many of each model, from the seed on.
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     pub(crate) count: u64,
 }
 
@@ -469,77 +467,15 @@ pub(crate) enum FormatWord {
     Sigmf,
 }
 
-/// Values of an axis and the text they were given as.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Axis {
-    pub(crate) values: Vec<f64>,
-}
-
-/// Longest axis: a table of 10⁶ values per axis is a mistake of typing.
-const AXIS_LIMIT: usize = 1_000_000;
-
-fn axis(text: &str) -> Result<Axis, String> {
-    let parts: Vec<&str> = text.split(':').collect();
-    match parts[..] {
-        [one] => Ok(Axis { values: vec![finite(one)?] }),
-        [start, stop, count] => {
-            let (start, stop) = (finite(start)?, finite(stop)?);
-            let count: usize = count.parse().map_err(|_| format!("`{count}` is not a number of values"))?;
-            match count {
-                1 if start == stop => Ok(Axis { values: vec![start] }),
-                2..=AXIS_LIMIT => Ok(Axis { values: evenly(start, stop, count) }),
-                _ => Err(format!("START:STOP:N needs N from 2 to {AXIS_LIMIT}, both ends included; N is {count}")),
-            }
-        }
-        _ => Err("one number, or START:STOP:N".into()),
-    }
-}
-
-fn evenly(start: f64, stop: f64, count: usize) -> Vec<f64> {
-    let last = (count - 1) as f64;
-    (0..count).map(|i| (start * (last - i as f64) + stop * i as f64) / last).collect()
-}
-
-fn finite(text: &str) -> Result<f64, String> {
-    let value: f64 = text.parse().map_err(|_| format!("`{text}` is not a number"))?;
-    if value.is_finite() { Ok(value) } else { Err(format!("`{text}` is not finite")) }
-}
-
-fn range(text: &str) -> Result<f64, String> {
-    if matches!(text, "inf" | "infinite") {
-        return Ok(f64::INFINITY);
-    }
-    let value = finite(text)?;
-    if value > 0.0 { Ok(value) } else { Err(format!("a range must be positive, is {value}")) }
-}
-
-/// Part `number` of `of`, from 1.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Shard {
-    pub(crate) number: u32,
-    pub(crate) of: u32,
-}
-
-fn shard(text: &str) -> Result<Shard, String> {
-    let parsed = text.split_once('/').and_then(|(k, n)| Some(Shard { number: k.parse().ok()?, of: n.parse().ok()? }));
-    match parsed {
-        Some(s) if s.number >= 1 && s.number <= s.of => Ok(s),
-        _ => Err("K/N with 1 ≤ K ≤ N".into()),
-    }
+/// Which artifact goes to which format.
+fn export_formats() -> String {
+    let line = |(artifact, formats): &(&str, &str)| format!("\n  {:<10} {formats}", format!(".{artifact}"));
+    format!("What goes to which format:{}", FORMATS.iter().map(line).collect::<String>())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn an_axis_includes_both_its_ends() {
-        assert_eq!(axis("77:78:3").unwrap().values, [77.0, 77.5, 78.0]);
-        assert_eq!(axis("-10").unwrap().values, [-10.0]);
-        for bad in ["", "1:2", "1:2:0", "1:2:1", "nan", "1:inf:3", "a", "1:2:3:4"] {
-            assert!(axis(bad).is_err(), "{bad}");
-        }
-    }
 
     #[test]
     fn the_command_line_is_consistent_and_takes_values_that_begin_with_a_minus() {

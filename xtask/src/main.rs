@@ -2,6 +2,8 @@
 //! the stages. Commands and files are promised in `docs/interface.md`.
 
 mod cli;
+mod suggestion;
+mod values;
 mod failure;
 mod interrupt;
 mod output;

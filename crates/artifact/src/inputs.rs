@@ -9,11 +9,9 @@ use std::io::Result;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Opens a file for reading and remembers it.
+/// Opens a plain file for reading and remembers it; what is no plain file is refused.
 pub fn open(file: &Path) -> Result<File> {
-    let handle = File::open(file)?;
-    remember(file, &handle)?;
-    Ok(handle)
+    crate::bounded::open(file)
 }
 
 /// Remembers a file that is open for reading.

@@ -27,6 +27,7 @@ pub mod units;
 pub mod accuracy;
 pub mod seed;
 mod codec;
+pub mod bounded;
 pub mod inputs;
 pub mod whole_file;
 pub mod envelope;

@@ -164,6 +164,10 @@ pub enum Refine {
     Isolated,
 }
 
+/// False alarms per tested cell for which there is a threshold. A radar that tests 10⁸ cells a second has one of the smallest in 10¹⁴
+/// years, and searches for thresholds still find it in f64; with more than the largest a detection says nothing.
+pub const FALSE_ALARM_RATES: std::ops::RangeInclusive<f64> = 1e-30..=0.5;
+
 /// Signal processing of a radar cube.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DspSettings {
@@ -173,7 +177,7 @@ pub struct DspSettings {
     pub doppler_window: Window,
     /// Detector.
     pub detector: Detector,
-    /// Asked for, per tested cell.
+    /// Asked for, per tested cell; within [`FALSE_ALARM_RATES`].
     pub false_alarm_rate: f64,
     /// Cells on each side that stay out of the noise estimate, [doppler, range].
     pub guard_cells: [u32; 2],

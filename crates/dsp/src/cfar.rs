@@ -32,7 +32,7 @@ use crate::window::{noise_correlation, taper};
 use crate::{Axis, DspError};
 use artifact::cube::CubeHeader;
 use artifact::radar::Sampling;
-use artifact::settings::Detector;
+use artifact::settings::{Detector, FALSE_ALARM_RATES};
 use rayon::prelude::*;
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex};
@@ -89,7 +89,7 @@ impl Cfar {
     pub fn new(header: &CubeHeader) -> Result<Self, DspError> {
         let [_, chirps, samples] = checked_shape(header)?;
         let rate = header.dsp.false_alarm_rate;
-        if !(rate > 0.0 && rate < 1.0) {
+        if !FALSE_ALARM_RATES.contains(&rate) {
             return Err(DspError::FalseAlarmRate(rate));
         }
         let tested = circular_columns(header, samples)?;

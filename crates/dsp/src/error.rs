@@ -1,5 +1,6 @@
 //! What can be wrong with a cube, a map, or what is asked of them.
 
+use artifact::settings::FALSE_ALARM_RATES;
 use std::fmt;
 
 /// Why a cube or a map could not be processed; every field is a fact about the input.
@@ -104,8 +105,8 @@ pub enum DspError {
         "staggered chirps exclude Doppler and code division: no constant turn from chirp to chirp is a velocity then"
     )]
     StaggeredDivision,
-    /// A false-alarm rate outside (0, 1).
-    #[error("false_alarm_rate must lie between 0 and 1, is {0}")]
+    /// A false-alarm rate without a threshold.
+    #[error("false_alarm_rate must lie from {:e} to {}, is {0:e}", FALSE_ALARM_RATES.start(), FALSE_ALARM_RATES.end())]
     FalseAlarmRate(f64),
     /// Nothing to estimate the noise from.
     #[error("training_cells are [0, 0]: no cell is left to estimate the noise from")]

@@ -5,6 +5,7 @@
 //! 0,0,1.25,-14.2              one transmit–receive pair a line, counted from 0, in any order; # begins a comment
 //! ```
 
+use artifact::bounded::{self, ReadFault};
 use artifact::units::amplitude_from_db;
 use num_complex::Complex64;
 use std::path::{Path, PathBuf};
@@ -18,7 +19,7 @@ pub(crate) fn read_calibration(
     [transmitters, receivers]: [usize; 2],
 ) -> Result<Vec<Complex64>, CalibrationFileError> {
     let at = |line, rule| CalibrationFileError { file: file.to_owned(), line, rule };
-    let text = std::fs::read_to_string(file).map_err(|error| at(0, CalibrationRule::Unreadable(error)))?;
+    let text = bounded::read_text(file, LIMIT_BYTES).map_err(|error| at(0, CalibrationRule::File(error)))?;
     let lines = text.lines().zip(1..).map(|(line, number)| (number, line.split('#').next().unwrap_or_default().trim()));
     let mut lines = lines.filter(|(_, line)| !line.is_empty());
     let heading = lines.next().filter(|(_, heading)| heading.split(',').map(str::trim).eq(COLUMNS));
@@ -55,16 +56,16 @@ pub struct CalibrationFileError {
 impl CalibrationFileError {
     /// Whether the machine failed, not the content of the file.
     pub fn is_system(&self) -> bool {
-        matches!(self.rule, CalibrationRule::Unreadable(_))
+        matches!(&self.rule, CalibrationRule::File(error) if error.is_system())
     }
 }
 
 /// The rules of a calibration file, broken.
 #[derive(Debug, thiserror::Error)]
 pub enum CalibrationRule {
-    /// The file cannot be read, or is no text.
-    #[error("cannot be read: {0}")]
-    Unreadable(#[source] std::io::Error),
+    /// The file cannot be read, has more bytes than any table of an array takes, or is no text.
+    #[error("{0}")]
+    File(#[source] ReadFault),
     /// Another table, or none.
     #[error("the first line must be `tx,rx,gain_db,phase_deg`")]
     NoHeading,
@@ -106,6 +107,8 @@ pub enum CalibrationRule {
     },
 }
 
+/// 256 × 256 pairs, a line of 256 bytes each.
+const LIMIT_BYTES: u64 = 16 << 20;
 const COLUMNS: [&str; 4] = ["tx", "rx", "gain_db", "phase_deg"];
 
 fn pair_and_error(line: &str) -> Result<([usize; 2], Complex64), CalibrationRule> {

@@ -1,56 +1,12 @@
 //! A scene file as tables that know their place: reads typed values, notes every broken rule and goes on.
 
-use crate::errors::{Allowed, Place, Position, Rule, SceneError, nearest};
+use crate::errors::{Allowed, Place, Rule, nearest};
+use crate::faults::Faults;
 use crate::keys::{self, Table};
-use std::cell::RefCell;
+use crate::synonyms;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
-
-/// Broken rules of one file, noted in any order.
-pub(crate) struct Faults<'s> {
-    file: &'s Path,
-    text: &'s str,
-    noted: RefCell<Vec<SceneError>>,
-}
-
-impl<'s> Faults<'s> {
-    pub(crate) fn new(file: &'s Path, text: &'s str) -> Self {
-        Self { file, text, noted: RefCell::default() }
-    }
-
-    pub(crate) fn note(&self, byte: usize, place: Place, rule: Rule) {
-        let position = Some(self.position(byte));
-        self.noted.borrow_mut().push(SceneError { file: PathBuf::from(self.file), position, place, rule });
-    }
-
-    pub(crate) fn position(&self, byte: usize) -> Position {
-        let before = self.text.get(..byte).unwrap_or(self.text);
-        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        Position {
-            line: before.matches('\n').count() as u32 + 1,
-            column: before[line_start..].chars().count() as u32 + 1,
-        }
-    }
-
-    /// All that was noted, in the order of the file. Where the text is not TOML, what else is said of the same line, or
-    /// said to be missing, only follows from the first that is.
-    pub(crate) fn into_sorted(self) -> Vec<SceneError> {
-        let mut noted = self.noted.into_inner();
-        let line = |error: &SceneError| error.position.map(|p| p.line);
-        let damaged: Vec<_> = noted.iter().filter(|e| matches!(e.rule, Rule::Syntax { .. })).map(line).collect();
-        noted.retain(|e| match e.rule {
-            Rule::Syntax { .. } => true,
-            Rule::Missing { .. } => damaged.is_empty(),
-            _ => !damaged.contains(&line(e)),
-        });
-        noted.sort_by_key(|error| error.position);
-        let syntax_line = |e: &SceneError| if let Rule::Syntax { .. } = e.rule { line(e) } else { None };
-        noted.dedup_by(|next, kept| syntax_line(next).is_some() && syntax_line(next) == syntax_line(kept));
-        noted
-    }
-}
 
 /// One table of the file; an absent one reads as empty, so that every key takes its default.
 #[derive(Clone)]
@@ -222,7 +178,7 @@ impl<'d> Section<'d> {
 
     /// Line of the table's heading.
     pub(crate) fn line(&self) -> u32 {
-        self.faults.position(self.start).line
+        self.faults.line(self.start)
     }
 
     /// Note a broken rule at the value of `key`, or at the table's heading where the key is absent.
@@ -401,9 +357,18 @@ fn key_of(table: &'static Table) -> &'static str {
 
 fn unknown_key(found: &str, table: &Table) -> Rule {
     let found_here = found.to_owned();
-    match keys::home_of(found, table) {
-        Some(home) => Rule::WrongTable { found: found_here, table: home },
-        None => Rule::UnknownKey { found: found_here, nearest: nearest(found, table.keys) },
+    let here = |nearest| Rule::UnknownKey { found: found_here.clone(), nearest, home: None };
+    if let Some(meant) = synonyms::meant(found, table) {
+        return here(Some(meant));
+    }
+    if let Some(home) = keys::home_of(found, table) {
+        return Rule::WrongTable { found: found_here, table: home };
+    }
+    match (nearest(found, table.keys), synonyms::meant_elsewhere(found)) {
+        (None, Some(meant)) => {
+            Rule::UnknownKey { found: found_here, nearest: Some(meant), home: keys::home_of(meant, table) }
+        }
+        (nearest, _) => here(nearest),
     }
 }
 

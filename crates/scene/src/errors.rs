@@ -4,12 +4,13 @@ use crate::calibration::CalibrationFileError;
 use crate::mesh::MeshError;
 use crate::pattern_table::PatternFileError;
 use crate::traffic::fcd::FcdError;
+use artifact::bounded::ReadFault;
 use std::fmt;
 use std::path::PathBuf;
 
-/// Every rule that a scene file breaks, in the order of the file; never empty.
+/// The rules that a scene file breaks, in the order of the file, never empty: the first hundred, and how many more there are.
 #[derive(Debug)]
-pub struct SceneErrors(pub Vec<SceneError>);
+pub struct SceneErrors(pub Vec<SceneError>, pub u64);
 
 impl SceneErrors {
     /// Whether the machine failed (a file is missing or unreadable) and nothing that was read is at fault.
@@ -26,7 +27,10 @@ impl fmt::Display for SceneErrors {
             }
             write!(f, "{error}")?;
         }
-        Ok(())
+        match self.1 {
+            0 => Ok(()),
+            more => write!(f, "\nand {more} more"),
+        }
     }
 }
 
@@ -65,7 +69,7 @@ impl fmt::Display for SceneError {
 impl std::error::Error for SceneError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match &self.rule {
-            Rule::Unreadable(error) => Some(error),
+            Rule::File(error) => Some(error),
             Rule::Mesh(error) => Some(error),
             Rule::Traffic(error) => Some(error),
             Rule::Pattern(error) => Some(error),
@@ -169,23 +173,9 @@ impl fmt::Display for MapAxis {
 /// The rules of a scene, broken.
 #[derive(Debug, thiserror::Error)]
 pub enum Rule {
-    /// The scene file cannot be read.
-    #[error("cannot be read: {0}")]
-    Unreadable(#[source] std::io::Error),
-    /// A scene is a page of text, not this.
-    #[error("has {bytes} bytes; a scene has at most {limit}")]
-    TooLong {
-        /// Of the file.
-        bytes: u64,
-        /// Most that is read.
-        limit: u64,
-    },
-    /// TOML is UTF-8.
-    #[error("is not UTF-8 text from byte {byte} on")]
-    NotText {
-        /// First byte that is not.
-        byte: usize,
-    },
+    /// The scene file cannot be read, is longer than a page of text, or is no text.
+    #[error("{0}")]
+    File(#[source] ReadFault),
     /// Not TOML.
     #[error("not valid TOML: {message}")]
     Syntax {
@@ -193,12 +183,14 @@ pub enum Rule {
         message: String,
     },
     /// A key that does not exist here.
-    #[error("unknown key `{found}`{}", nearest_key(.nearest))]
+    #[error("unknown key `{found}`{}{}", nearest_key(.nearest), of_table(.home))]
     UnknownKey {
         /// As written.
         found: String,
-        /// Known here and spelt alike.
+        /// Spelt alike, or what others call so.
         nearest: Option<&'static str>,
+        /// The heading of its table, where that is another one.
+        home: Option<&'static str>,
     },
     /// A key that exists in another table.
     #[error("unknown key `{found}` here; it belongs into {table}")]
@@ -305,11 +297,13 @@ pub enum Rule {
     /// A tone tells no range.
     #[error("`slope_mhz_per_us` must not be 0: a tone tells no range")]
     NoSlope,
-    /// A sweep down to nothing.
-    #[error("the sweep ends at {end_ghz} GHz; `slope_mhz_per_us` must leave 0.1 GHz or more")]
+    /// A sweep down to nothing, or beyond what any radar sends.
+    #[error("the sweep ends at {} GHz; with `slope_mhz_per_us` it must end {allowed} GHz", Number(*.end_ghz))]
     SweepTooLong {
         /// Last sample's frequency.
         end_ghz: f64,
+        /// Where it may end.
+        allowed: Allowed,
     },
     /// A turn from chirp to chirp is no velocity where the chirps' intervals change.
     #[error("`stagger_us` and the multiplexing `{multiplexing}` exclude one another")]
@@ -402,6 +396,12 @@ pub enum Rule {
         /// One spelt alike.
         nearest: Option<&'static str>,
     },
+    /// Models beyond the memory of the stages.
+    #[error("the models up to this one have more than {limit} triangles together, the most that a scene may have")]
+    TooManyTriangles {
+        /// Most triangles.
+        limit: usize,
+    },
     /// Not a substance of the table of permittivities.
     #[error("there is no substance `{found}`{}; docs/materials.md has them all", nearest_key(.nearest))]
     UnknownSubstance {
@@ -439,7 +439,7 @@ impl Rule {
     /// Whether the machine is at fault, not the content of a file.
     pub fn is_system(&self) -> bool {
         match self {
-            Self::Unreadable(_) => true,
+            Self::File(error) => error.is_system(),
             Self::Mesh(error) => error.is_system(),
             Self::Traffic(error) => error.is_system(),
             Self::Materials(errors) => errors.is_system(),
@@ -454,6 +454,10 @@ fn nearest_key(nearest: &Option<&'static str>) -> String {
     nearest.map_or(String::new(), |nearest| format!("; the nearest is `{nearest}`"))
 }
 
+fn of_table(home: &Option<&'static str>) -> String {
+    home.map_or(String::new(), |home| format!(" of {home}"))
+}
+
 fn quoted(words: &[impl fmt::Display]) -> String {
     words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ")
 }
@@ -462,6 +466,15 @@ fn those_there(radars: &[String]) -> String {
     match radars {
         [] => "the only one is that of [radar], without a name".to_owned(),
         radars => format!("there are {}", quoted(radars)),
+    }
+}
+
+/// The beginning of what a file says, for a sentence about it.
+pub(crate) fn excerpt(text: &str) -> String {
+    const SHOWN: usize = 80;
+    match text.char_indices().nth(SHOWN) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
     }
 }
 

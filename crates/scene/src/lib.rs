@@ -37,11 +37,13 @@
 //!
 //! [`read_mesh`] reads a mesh alone and keeps the file's origin; [`centred`] gives it a scene's.
 //!
-//! To read in this order: `keys` (what a scene may say), `document` (typed values with their places), `read` and the
+//! To read in this order: `keys` (what a scene may say), `faults` (what is wrong with it), `document` (typed values with their places), `read` and the
 //! tables it calls, `models`, then [`mesh`] (glTF, STL, OBJ), [`vehicles`] and [`street`] (the project's own, made from parameters).
 
 mod errors;
+mod faults;
 mod keys;
+mod synonyms;
 mod document;
 mod read;
 mod radar;
@@ -55,6 +57,7 @@ mod targets;
 mod clutter;
 mod models;
 mod materials;
+mod xml;
 pub mod traffic;
 mod motion;
 pub mod mesh;
@@ -73,3 +76,4 @@ pub use painted::{Painted, PaintedLine, painted_glb};
 pub use pattern_table::{PatternFileError, PatternRule};
 pub use radars::radars;
 pub use read::{Meshes, ReadOptions, inputs, read};
+pub use xml::XmlFault;

@@ -1,7 +1,8 @@
 //! `[materials]`, files of them, and `[road]`: names of materials, and what they stand for.
 
-use crate::document::{Faults, Section};
+use crate::document::Section;
 use crate::errors::{Allowed, Place, Rule, SceneErrors, nearest};
+use crate::faults::Faults;
 use crate::keys;
 use crate::models::Models;
 use crate::read::{at_no_place, read_text};
@@ -31,11 +32,7 @@ pub fn read_materials(path: &Path) -> Result<MaterialMap, SceneErrors> {
     root.require("materials");
     let by_name = by_name(&root);
     drop(root);
-    let errors = faults.into_sorted();
-    if !errors.is_empty() {
-        return Err(SceneErrors(errors));
-    }
-    Ok(MaterialMap { by_name, transmission: Transmission::Ignored })
+    faults.into_errors().map(|()| MaterialMap { by_name, transmission: Transmission::Ignored })
 }
 
 /// What a scene says of materials: a table of its own or a file, and whether waves pass.

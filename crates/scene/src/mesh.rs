@@ -4,6 +4,7 @@ mod error;
 mod part;
 mod assemble;
 mod centre;
+mod gltf_json;
 mod gltf_document;
 mod gltf_buffers;
 mod gltf_accessor;
@@ -16,6 +17,7 @@ pub use centre::centred;
 pub use error::{MeshError, MeshFault, MeshPlace};
 
 use crate::errors::Allowed;
+use artifact::bounded;
 use artifact::scene::Mesh;
 use error::Located;
 use part::Part;
@@ -105,9 +107,5 @@ fn read_parts(bytes: &[u8], format: Format, path: &Path) -> Result<Vec<Part>, Lo
 }
 
 fn read_bytes(path: &Path) -> Result<Vec<u8>, MeshFault> {
-    let bytes = std::fs::metadata(path).map_err(MeshFault::Unreadable)?.len();
-    if bytes > LIMIT_BYTES {
-        return Err(MeshFault::TooLong { bytes, limit: LIMIT_BYTES });
-    }
-    std::fs::read(path).map_err(MeshFault::Unreadable)
+    bounded::read(path, LIMIT_BYTES).map_err(MeshFault::Unread)
 }

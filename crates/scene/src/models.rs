@@ -10,6 +10,7 @@ use crate::vehicles;
 use artifact::material::MaterialMap;
 use artifact::scene::Mesh;
 use artifact::settings::Class;
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 /// What a target's `model` says.
@@ -40,8 +41,14 @@ pub(crate) struct Models {
     options: ReadOptions,
     beside: Vec<PathBuf>,
     known: Vec<Model>,
+    /// Their places, by what is said of them.
+    places: HashMap<String, usize>,
     meshes: Vec<Mesh>,
+    triangles: usize,
 }
+
+/// Triangles of all models of a scene: as many as one file may have, for one body may be all of it.
+const TRIANGLE_LIMIT: usize = 1 << 24;
 
 /// A model as a target holds it.
 pub(crate) struct Chosen {
@@ -56,7 +63,8 @@ pub(crate) struct Chosen {
 impl Models {
     /// `folder` holds the scene: relative paths start there.
     pub(crate) fn new(folder: &Path, options: &ReadOptions) -> Self {
-        Self { folder: folder.to_owned(), options: options.clone(), beside: vec![], known: vec![], meshes: vec![] }
+        let (folder, options) = (folder.to_owned(), options.clone());
+        Self { folder, options, beside: vec![], known: vec![], places: HashMap::new(), meshes: vec![], triangles: 0 }
     }
 
     /// The model of a mesh target; what is wrong with it is noted at its key.
@@ -76,9 +84,14 @@ impl Models {
 
     fn chosen(&mut self, target: &Section<'_>, model: Model) -> Chosen {
         let name = model.name();
-        let mesh = match self.known.iter().position(|known| *known == model) {
-            Some(index) => index,
-            None => self.add(target, model),
+        let said = format!("{model:?}");
+        let mesh = match self.places.get(&said) {
+            Some(index) => *index,
+            None => {
+                let index = self.add(target, model);
+                self.places.insert(said, index);
+                index
+            }
         };
         Chosen { class: vehicles::class_of(&name), name, mesh: mesh as u32 }
     }
@@ -151,9 +164,15 @@ impl Models {
 
     fn add(&mut self, target: &Section<'_>, model: Model) -> usize {
         let mesh = match self.options.meshes {
+            Meshes::Whole if self.triangles > TRIANGLE_LIMIT => Mesh::default(), // that is noted
             Meshes::Whole => load(target, &model),
             Meshes::NamesOnly => Mesh { name: model.name(), ..Mesh::default() },
         };
+        let room = TRIANGLE_LIMIT.saturating_sub(self.triangles);
+        self.triangles += mesh.triangles.len();
+        if mesh.triangles.len() > room {
+            target.note("model", Rule::TooManyTriangles { limit: TRIANGLE_LIMIT });
+        }
         self.known.push(model);
         self.meshes.push(mesh);
         self.meshes.len() - 1

@@ -8,6 +8,7 @@
 //! Lines for every pair of some azimuths and elevations are a table. Otherwise every line lies on one of the two cuts, el_deg = 0
 //! or az_deg = 0, and beside them the gain is the sum of both in dB less that at the crossing.
 
+use artifact::bounded::{self, ReadFault};
 use artifact::radar::PatternTable;
 use artifact::units::amplitude_from_db;
 use std::path::{Path, PathBuf};
@@ -45,17 +46,9 @@ pub struct PatternFileError {
 /// The rules of a pattern file, broken.
 #[derive(Debug, thiserror::Error)]
 pub enum PatternRule {
-    /// The file cannot be read.
-    #[error("cannot be read: {0}")]
-    Unreadable(#[source] std::io::Error),
-    /// More than any table of the size allowed takes.
-    #[error("has {bytes} bytes; a pattern file has at most {limit}")]
-    TooLong {
-        /// Of the file.
-        bytes: u64,
-        /// Most that is read.
-        limit: u64,
-    },
+    /// The file cannot be read, or has more bytes than any table of the size allowed takes.
+    #[error("{0}")]
+    File(#[source] ReadFault),
     /// Another table, or none.
     #[error("the first line must be `az_deg,el_deg,gain_db`")]
     NoHeading,
@@ -116,7 +109,7 @@ pub enum PatternRule {
 impl PatternFileError {
     /// Whether the machine failed, not the content of the file.
     pub fn is_system(&self) -> bool {
-        matches!(self.rule, PatternRule::Unreadable(_))
+        matches!(&self.rule, PatternRule::File(error) if error.is_system())
     }
 }
 
@@ -139,11 +132,7 @@ struct Direction {
 }
 
 fn text_of(file: &Path) -> Result<String, PatternRule> {
-    let bytes = std::fs::metadata(file).map_err(PatternRule::Unreadable)?.len();
-    if bytes > LIMIT_BYTES {
-        return Err(PatternRule::TooLong { bytes, limit: LIMIT_BYTES });
-    }
-    let bytes = std::fs::read(file).map_err(PatternRule::Unreadable)?;
+    let bytes = bounded::read(file, LIMIT_BYTES).map_err(PatternRule::File)?;
     // What is not UTF-8 is no number either, and is refused at its line.
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }

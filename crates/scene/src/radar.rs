@@ -12,6 +12,9 @@ use artifact::units::watts_from_dbm;
 /// Coordinates beyond this are a slip of units; within it f64 resolves 1.5e-11 m, 4e-9 of a wavelength at 77 GHz.
 pub(crate) const COORDINATES_M: Allowed = Allowed::Between(-1e5, 1e5);
 
+/// A sweep of any radar ends within; beyond it wavelengths are those of heat.
+const SWEEP_ENDS_GHZ: Allowed = Allowed::Between(0.1, 2000.0);
+
 /// Values of a frame's cube: at 8 bytes each one GiB, of which the stages hold a few.
 const CUBE_LIMIT: u64 = 1 << 27;
 
@@ -72,8 +75,8 @@ fn read_waveform(section: &Section<'_>, sampling: Sampling) -> (Waveform, Schedu
     let interval_s = |idle_us: f64| (f64::from(samples) / sample_rate_msps + idle_us + later_us) / 1e6;
     let sub_frame_intervals_s: Vec<f64> = read_sub_frames(section).into_iter().map(interval_s).collect();
     let end_ghz = start_ghz + 1e-3 * slope_mhz_per_us * f64::from(samples) / sample_rate_msps;
-    if end_ghz < 0.1 {
-        section.note("slope_mhz_per_us", Rule::SweepTooLong { end_ghz });
+    if !SWEEP_ENDS_GHZ.holds(end_ghz) {
+        section.note("slope_mhz_per_us", Rule::SweepTooLong { end_ghz, allowed: SWEEP_ENDS_GHZ });
     }
     let waveform = Waveform {
         start_frequency_hz: start_ghz * 1e9,

@@ -1,7 +1,8 @@
 //! Reads a scene file and the meshes that it names; every broken rule is reported, not only the first.
 
-use crate::document::{Faults, Section};
+use crate::document::Section;
 use crate::errors::{Allowed, Place, Rule, SceneError, SceneErrors};
+use crate::faults::Faults;
 use crate::keys;
 use crate::materials::{read_road, read_scene_materials};
 use crate::models::Models;
@@ -10,6 +11,7 @@ use crate::radars::{self, read_name};
 use crate::settings::{read_dsp, read_fidelity, read_intersection, read_noise, read_own_road};
 use crate::targets::read_targets;
 use crate::traffic::read_traffic;
+use artifact::bounded;
 use artifact::scene::SceneHeader;
 use std::path::{Path, PathBuf};
 use toml::de::DeTable;
@@ -83,8 +85,8 @@ fn read_with_models(path: &Path, options: &ReadOptions) -> Result<(SceneHeader, 
     let root = Section::root(&document, &keys::SCENE, &faults);
     let name = read_name(&root, asked);
     let header = SceneHeader { name, ..read_header(&root, &mut models) };
-    let errors = faults.into_sorted();
-    if errors.is_empty() { Ok((header, models)) } else { Err(SceneErrors(errors)) }
+    drop(root);
+    faults.into_errors().map(|()| (header, models))
 }
 
 fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
@@ -121,14 +123,9 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
 }
 
 pub(crate) fn read_text(path: &Path) -> Result<String, Rule> {
-    let bytes = std::fs::metadata(path).map_err(Rule::Unreadable)?.len();
-    if bytes > LIMIT_BYTES {
-        return Err(Rule::TooLong { bytes, limit: LIMIT_BYTES });
-    }
-    let bytes = std::fs::read(path).map_err(Rule::Unreadable)?;
-    String::from_utf8(bytes).map_err(|error| Rule::NotText { byte: error.utf8_error().valid_up_to() })
+    bounded::read_text(path, LIMIT_BYTES).map_err(Rule::File)
 }
 
 pub(crate) fn at_no_place(path: &Path, rule: Rule) -> SceneErrors {
-    SceneErrors(vec![SceneError { file: path.to_owned(), position: None, place: Place::Scene, rule }])
+    SceneErrors(vec![SceneError { file: path.to_owned(), position: None, place: Place::Scene, rule }], 0)
 }

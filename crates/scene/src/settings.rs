@@ -11,8 +11,8 @@ use artifact::paths::MAX_ORDER;
 use artifact::radar::{Radar, Sampling};
 use artifact::scene::Intersection;
 use artifact::settings::{
-    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lane, Lanes, NodeRule, Noise, Refine, Sides,
-    Surface, Window,
+    Angle, Detail, Detector, DspSettings, EchoMode, Edges, FALSE_ALARM_RATES, Fidelity, Lane, Lanes, NodeRule, Noise,
+    Refine, Sides, Surface, Window,
 };
 use num_complex::Complex64;
 
@@ -43,6 +43,8 @@ pub(crate) fn read_noise(root: &Section<'_>) -> Noise {
     }
 }
 
+const ALARM_RATES: Allowed = Allowed::Between(*FALSE_ALARM_RATES.start(), *FALSE_ALARM_RATES.end());
+
 const DETECTORS: [(&str, Detector); 4] = [
     ("ca-cfar", Detector::CaCfar),
     ("go-cfar", Detector::GoCfar),
@@ -66,7 +68,7 @@ pub(crate) fn read_dsp(root: &Section<'_>, radar: &Radar, road: Lanes, models: &
         range_window: read_window(&section, "range_window"),
         doppler_window: read_window(&section, "doppler_window"),
         detector: section.word("detector", &DETECTORS).unwrap_or(Detector::CaCfar),
-        false_alarm_rate: section.number("false_alarm_rate", Allowed::Inside(0.0, 1.0)).unwrap_or(1e-5),
+        false_alarm_rate: section.number("false_alarm_rate", ALARM_RATES).unwrap_or(1e-5),
         guard_cells,
         training_cells,
         angle: section

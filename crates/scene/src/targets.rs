@@ -8,6 +8,8 @@ use crate::models::Models;
 use crate::radar::COORDINATES_M;
 use artifact::scene::{Pose, Role, Target, TargetKind, Wheel};
 use artifact::settings::{Class, Lanes};
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
 /// Beyond the speed of sound nothing drives.
 pub(crate) const VELOCITIES_MPS: Allowed = Allowed::Between(-340.0, 340.0);
@@ -34,17 +36,19 @@ pub(crate) fn read_targets(root: &Section<'_>, road: &Lanes, models: &mut Models
 
 /// The `id` of each; noted are those without one and those that another has before them.
 pub(crate) fn read_ids<'d>(sections: &[Section<'d>]) -> Vec<Option<&'d str>> {
-    let mut ids: Vec<Option<&str>> = vec![];
-    for section in sections {
+    let mut lines: HashMap<&str, u32> = HashMap::new();
+    let mut read = |section: &Section<'d>| {
         section.require("id");
-        let id = section.name("id");
-        if let Some(first) = id.and_then(|id| ids.iter().position(|known| *known == Some(id))) {
-            let (id, first_line) = (id.unwrap_or_default().to_owned(), sections[first].line());
-            section.note("id", Rule::DuplicateId { id, first_line });
+        let id = section.name("id")?;
+        match lines.entry(id) {
+            Entry::Occupied(first) => {
+                section.note("id", Rule::DuplicateId { id: id.to_owned(), first_line: *first.get() });
+            }
+            Entry::Vacant(new) => drop(new.insert(section.line())),
         }
-        ids.push(id);
-    }
-    ids
+        Some(id)
+    };
+    sections.iter().map(&mut read).collect()
 }
 
 fn read_target(section: &Section<'_>, id: Option<&str>, road: &Lanes, models: &mut Models) -> Option<Target> {

@@ -18,11 +18,11 @@ use artifact::scene::{Placed, Target, TargetKind, Traffic, Vehicle};
 use artifact::seed;
 use artifact::settings::Class;
 use clock::{Clock, Times};
-use fcd::{FcdError, FcdReader, FcdRule, FcdVehicle};
+use fcd::{FcdError, FcdReader, FcdRule, FcdVehicle, UnknownType};
 use glam::DVec2;
 use in_view::View;
 use interpolation::Interval;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::PathBuf;
 
 /// Models of SUMO's vTypes and vehicle classes where `models` says nothing: those of the project of about that length.
@@ -44,16 +44,18 @@ const DEFAULT_MODELS: [(&str, &str); 11] = [
 pub(crate) struct Recording<'d> {
     section: Section<'d>,
     file: PathBuf,
-    models: Vec<ModelsOfType>,
+    /// By vType.
+    models: HashMap<String, Vec<Model>>,
+    unknown: Vec<UnknownType>,
     times: Times,
     view: View,
 }
 
-/// The models that vehicles of a vType may have.
-struct ModelsOfType {
-    name: String,
-    models: Vec<Model>,
-}
+/// Unknown types that are told; a recording that has more has none that is known.
+const UNKNOWN_TOLD: usize = 100;
+
+/// Poses in view that are held: three gibibytes.
+const POSE_LIMIT: usize = 1 << 25;
 
 /// A model with what places it: its origin is in the middle of its bounding box.
 #[derive(Clone)]
@@ -80,9 +82,9 @@ pub(crate) fn read_traffic<'d>(
     section.require("fcd");
     let times = read_times(root, &section, interval_s);
     let view = View::read(&section, radar);
-    let models_of_types = section.model_choices().iter().map(|choice| models_of_type(choice, models)).collect();
+    let of_types = section.model_choices().iter().map(|c| (c.kind.to_owned(), models_of_type(c, models))).collect();
     let file = models.file_beside(section.text("fcd")?);
-    Some(Recording { section, file, models: models_of_types, times, view })
+    Some(Recording { section, file, models: of_types, unknown: vec![], times, view })
 }
 
 fn read_times(root: &Section<'_>, section: &Section<'_>, interval_s: f64) -> Times {
@@ -97,12 +99,12 @@ fn read_times(root: &Section<'_>, section: &Section<'_>, interval_s: f64) -> Tim
     Times { frames, interval_s, begin_s, end_s }
 }
 
-fn models_of_type(choice: &ModelChoice<'_>, models: &mut Models) -> ModelsOfType {
+/// The models that vehicles of a vType may have.
+fn models_of_type(choice: &ModelChoice<'_>, models: &mut Models) -> Vec<Model> {
     let class = choice.section.word("class", &Class::ALL.map(|class| (class.name(), class)));
     let chosen = choice.names.iter().filter_map(|name| models.choose_written(&choice.section, name));
     let chosen: Vec<Chosen> = chosen.collect();
-    let models = chosen.into_iter().map(|chosen| Model::of(chosen, class, models)).collect();
-    ModelsOfType { name: choice.kind.to_owned(), models }
+    chosen.into_iter().map(|chosen| Model::of(chosen, class, models)).collect()
 }
 
 impl Model {
@@ -131,14 +133,18 @@ impl Recording<'_> {
         let (mut cast, mut interval, mut clock) = (Cast::new(targets), Interval::default(), None);
         while let Some(step) = reader.next_step()? {
             let clock = clock.get_or_insert_with(|| Clock::of(self.times, step.time_s));
+            let line = step.line;
             interval.advance(step);
-            while let Some(time_s) = clock.frame_until(interval.end_s()) {
+            while let Some(time_s) = clock.frame_until(interval.end_s()).map_err(|rule| reader.error_at(line, rule))? {
                 let kept = self.keep_frame(&mut cast, models, &interval, time_s);
                 kept.map_err(|(line, rule)| reader.error_at(line, rule))?;
             }
             if clock.is_done() {
                 break;
             }
+        }
+        if let Some(first) = self.unknown.first() {
+            return Err(reader.error_at(first.line, self.unknown_types()));
         }
         let clock = clock.ok_or_else(|| reader.error_at(1, FcdRule::NoSteps))?;
         clock.checked(interval.end_s()).map_err(|rule| reader.error_at(1, rule))?;
@@ -156,7 +162,7 @@ impl Recording<'_> {
         let mut placed = vec![];
         for vehicle in interval.vehicles() {
             let Some(bumper) = interval.bumper(vehicle, time_s) else { continue };
-            let model = self.model_of(vehicle, models).map_err(|rule| (vehicle.line, rule))?;
+            let Some(model) = self.model_of(vehicle, models) else { continue };
             let pose = bumper.pose(model.reach_m);
             let [x, y, _] = pose.position_m;
             if self.view.touches(DVec2::new(x, y), model.radius_m) {
@@ -164,22 +170,28 @@ impl Recording<'_> {
                 placed.push(Placed { vehicle, pose });
             }
         }
+        cast.poses += placed.len();
+        if cast.poses > POSE_LIMIT {
+            return Err((interval.line(), FcdRule::TooManyPoses(POSE_LIMIT)));
+        }
         cast.traffic.frames.push(placed);
         Ok(())
     }
 
-    /// One of the models of its type, always the same for the same id.
-    fn model_of(&mut self, vehicle: &FcdVehicle, models: &mut Models) -> Result<Model, FcdRule> {
+    /// One of the models of its type, always the same for the same id; `None` where there is none, and that is kept.
+    fn model_of(&mut self, vehicle: &FcdVehicle, models: &mut Models) -> Option<Model> {
         // A vType that was changed for one vehicle is called `car@flow.3`.
         let name = vehicle.kind.split('@').next().unwrap_or_default();
-        if !self.models.iter().any(|known| known.name == name) {
+        if !self.models.contains_key(name) {
             self.add_default(name, models);
         }
-        let found = self.models.iter().find(|known| known.name == name && !known.models.is_empty());
-        let models = &found.ok_or_else(|| self.unknown_type(vehicle))?.models;
+        let Some(models) = self.models.get(name).filter(|models| !models.is_empty()) else {
+            self.keep_unknown(vehicle);
+            return None;
+        };
         let key = seed::key(0, &format!("scene/model of {}", vehicle.id), &[]);
         let draw = u64::from_le_bytes([key[0], key[1], key[2], key[3], key[4], key[5], key[6], key[7]]);
-        Ok(models[(draw % models.len() as u64) as usize].clone())
+        Some(models[(draw % models.len() as u64) as usize].clone())
     }
 
     /// Default models are loaded where a vehicle needs them.
@@ -187,26 +199,37 @@ impl Recording<'_> {
         let Some((_, model)) = DEFAULT_MODELS.iter().find(|(known, _)| *known == name) else { return };
         let chosen = models.choose_written(&self.section, model);
         let of_type = chosen.into_iter().map(|chosen| Model::of(chosen, None, models)).collect();
-        self.models.push(ModelsOfType { name: name.to_owned(), models: of_type });
+        self.models.insert(name.to_owned(), of_type);
     }
 
-    fn unknown_type(&self, vehicle: &FcdVehicle) -> FcdRule {
-        let own = self.models.iter().map(|known| known.name.as_str());
-        let known = own.chain(DEFAULT_MODELS.map(|(name, _)| name)).map(str::to_owned).collect();
-        FcdRule::UnknownType { found: vehicle.kind.clone(), id: vehicle.id.clone(), known }
+    fn keep_unknown(&mut self, vehicle: &FcdVehicle) {
+        let FcdVehicle { id, kind, line, .. } = vehicle;
+        if self.unknown.len() < UNKNOWN_TOLD && !self.unknown.iter().any(|unknown| unknown.kind == *kind) {
+            self.unknown.push(UnknownType { kind: kind.clone(), id: id.clone(), line: *line });
+        }
+    }
+
+    fn unknown_types(&mut self) -> FcdRule {
+        let own = self.models.keys().map(String::as_str);
+        let known: BTreeSet<&str> = own.chain(DEFAULT_MODELS.map(|(name, _)| name)).collect();
+        let known = known.into_iter().map(str::to_owned).collect();
+        FcdRule::UnknownTypes { found: std::mem::take(&mut self.unknown), known }
     }
 }
 
 /// Vehicles as they come into view.
 struct Cast<'a> {
-    targets: &'a [Target],
     known: HashMap<String, u32>,
+    ids_of_targets: HashSet<&'a str>,
+    /// How many are held.
+    poses: usize,
     traffic: Traffic,
 }
 
 impl<'a> Cast<'a> {
     fn new(targets: &'a [Target]) -> Self {
-        Self { targets, known: HashMap::new(), traffic: Traffic::default() }
+        let ids_of_targets = targets.iter().map(|target| target.id.as_str()).collect();
+        Self { known: HashMap::new(), ids_of_targets, poses: 0, traffic: Traffic::default() }
     }
 
     /// Index of a vehicle, new or known.
@@ -218,7 +241,7 @@ impl<'a> Cast<'a> {
         if vehicle.id.chars().any(|c| c.is_control() || ",\"'".contains(c)) {
             return Err(FcdRule::BadId(vehicle.id.clone()));
         }
-        if self.targets.iter().any(|target| target.id == vehicle.id) {
+        if self.ids_of_targets.contains(vehicle.id.as_str()) {
             return Err(FcdRule::IdOfTarget(vehicle.id.clone()));
         }
         let index = self.traffic.vehicles.len() as u32;

@@ -36,6 +36,11 @@ const CASES: &[Case] = &[
     (NAME, "[dsp]\ntraining_cell = [1, 1]\n", "3:1", "nearest is `training_cells`"),
     (POINT, "  velocty_mps = [0, 0, 0]\n", "7:3", "target `p`: unknown key `velocty_mps`; the nearest is `velocity_mps`"),
     (NAME, "[noise]\nxyzzy = 1\nnoise_figure_db = 3\n", "3:1", "[noise]: unknown key `xyzzy`"),
+    // Keys as others call them.
+    (NAME, "[radar]\ntilt_deg = -10\n", "3:1", "[radar]: unknown key `tilt_deg`; the nearest is `boresight_el_deg`"),
+    (NAME, "[radar.array]\ntilt_deg = -10\n", "3:1", "unknown key `tilt_deg`; the nearest is `boresight_el_deg` of [radar]"),
+    (NAME, "[radar.waveform]\nbandwidth_mhz = 600\n", "3:1", "the nearest is `slope_mhz_per_us`"),
+    (POINT, "speed_mps = 3\n", "7:1", "target `p`: unknown key `speed_mps`; the nearest is `velocity_mps`"),
     // Hardware.
     (NAME, "[radar.array]\npreset = \"1x4\"\nrx_delays_ps = [1, 2]\n", "4:16", "`rx_delays_ps` must have 4 values, has 2"),
     (NAME, "[radar.receiver]\nadc_bits = 12\n", "3:12", "`adc_bits` needs `full_scale_dbm` beside it"),
@@ -80,7 +85,8 @@ const CASES: &[Case] = &[
     (NAME, "[radar]\nposition_m = [0, 0, inf]\n", "3:21", "is inf"),
     (NAME, "[radar]\nboresight_el_deg = 91\n", "3:20", "`boresight_el_deg` must be a number from -90 to 90, is 91"),
     (NAME, "[radar.waveform]\nstart_frequency_ghz = 77e9\n", "3:23", "from 0.1 to 1000, is 7.7e10"),
-    (NAME, "[radar.waveform]\nslope_mhz_per_us = -2000\n", "3:20", "the sweep ends at -23 GHz"),
+    (NAME, "[radar.waveform]\nslope_mhz_per_us = -2000\n", "3:20", "the sweep ends at -23 GHz; with `slope_mhz_per_us` it must end from 0.1 to 2000 GHz"),
+    (NAME, "[radar.waveform]\nslope_mhz_per_us = 1e4\nsample_rate_msps = 1e-3\n", "3:20", "the sweep ends at 2.560077e9 GHz"),
     (NAME, "[radar.waveform]\nslope_mhz_per_us = 0.0\n", "3:20", "`slope_mhz_per_us` must not be 0"),
     (NAME, "[radar.waveform]\nsample_rate_msps = 0\n", "3:20", "`sample_rate_msps`"),
     (NAME, "[radar.waveform]\nsamples = 4\n", "3:11", "`samples` must be a number from 8 to 65536, is 4"),
@@ -112,8 +118,9 @@ const CASES: &[Case] = &[
     (NAME, "[dsp]\nrange_window = \"kaiser\"\n", "3:16", "`range_window` cannot be `kaiser`"),
     (NAME, "[dsp]\ndoppler_window = \"chebyshev\"\n", "3:18", "it can be `rect`, `hann`, `hamming`, `blackman`, `chebyshev-80`"),
     (NAME, "[dsp]\ndoppler_window = \"chebyshev-nan\"\n", "3:18", "cannot be `chebyshev-nan`"),
-    (NAME, "[dsp]\nfalse_alarm_rate = 1\n", "3:20", "`false_alarm_rate` must be a number above 0 and below 1, is 1"),
-    (NAME, "[dsp]\nfalse_alarm_rate = 0\n", "3:20", "`false_alarm_rate` must be a number above 0 and below 1, is 0"),
+    (NAME, "[dsp]\nfalse_alarm_rate = 1\n", "3:20", "`false_alarm_rate` must be a number from 1e-30 to 0.5, is 1"),
+    (NAME, "[dsp]\nfalse_alarm_rate = 0\n", "3:20", "`false_alarm_rate` must be a number from 1e-30 to 0.5, is 0"),
+    (NAME, "[dsp]\nfalse_alarm_rate = 5e-324\n", "3:20", "`false_alarm_rate` must be a number from 1e-30 to 0.5, is 5e-324"),
     (NAME, "[dsp]\nguard_cells = [2, -2]\n", "3:19", "`guard_cells` must be a number from 0"),
     (NAME, "[dsp]\ntraining_cells = [70, 8]\n", "3:18", "guard and training cells need 145 cells of Doppler, the map has 128"),
     (NAME, "[dsp]\ntraining_cells = [4, 200]\n", "3:18", "guard and training cells need 405 cells of range, the map has 256"),
@@ -254,7 +261,7 @@ fn a_missing_file_is_the_systems_fault_and_a_broken_one_is_not() {
     let not_text = scene::read(&file, &whole()).unwrap_err();
     assert!(!not_text.is_system() && not_text.to_string().contains("not UTF-8 text from byte 8 on"), "{not_text}");
     std::fs::write(&file, vec![b'#'; 5 << 20]).unwrap();
-    assert!(scene::read(&file, &whole()).unwrap_err().to_string().contains("a scene has at most 4194304"));
+    assert!(scene::read(&file, &whole()).unwrap_err().to_string().contains("has more than 4194304 bytes"));
 }
 
 fn read_text(file: &Path, text: &str) -> Result<artifact::scene::SceneHeader, SceneErrors> {
@@ -264,4 +271,44 @@ fn read_text(file: &Path, text: &str) -> Result<artifact::scene::SceneHeader, Sc
 
 fn whole() -> ReadOptions {
     ReadOptions { model: None, radar: None, meshes: Meshes::Whole }
+}
+
+#[test]
+fn of_many_broken_rules_the_first_hundred_are_told_and_the_others_counted() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("many.toml");
+    // As many keys as a file may hold; the time grows with them, not with their square, which was minutes.
+    for count in [101_u64, 300_000] {
+        let keys: String = (0..count).map(|i| format!("k{i} = {i}\n")).collect();
+        let start = std::time::Instant::now();
+        let errors = read_text(&file, &format!("name = \"many\"\n{keys}")).unwrap_err();
+        assert!(start.elapsed().as_secs() < 60, "{count} keys take {:?}", start.elapsed());
+        assert_eq!((errors.0.len(), errors.1), (100, count - 100));
+        let text = errors.to_string();
+        assert!(text.contains("many.toml:101:1: unknown key `k99`"), "the first of the file: {text}");
+        assert!(text.ends_with(&format!("\nand {} more", count - 100)), "{text}");
+    }
+    // Ids that are taken, too.
+    let point = "[[target]]\nkind=\"point\"\nid=\"p\"\nposition_m=[0,9,0]\nrcs_m2=1\n";
+    let errors = read_text(&file, &format!("name = \"many\"\n{}", point.repeat(60_000))).unwrap_err();
+    assert_eq!(errors.1, 59_999 - 100);
+}
+
+#[test]
+fn nesting_without_end_is_refused_and_does_not_end_the_program() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("deep.toml");
+    let deep = [
+        format!("a = {}", "[".repeat(1 << 21)),
+        format!("a = {}{}", "[".repeat(1 << 20), "]".repeat(1 << 20)),
+        format!("a = {}", "{a=".repeat(1 << 19)),
+        format!("{}a = 1", "a.".repeat(1 << 20)),
+        format!("[{}a]", "a.".repeat(1 << 20)),
+        format!("[[{}a]]", "a.".repeat(1 << 20)),
+        "\"\"\"".repeat(1 << 19),
+    ];
+    for (i, text) in deep.iter().enumerate() {
+        let errors = read_text(&file, &format!("name = \"deep\"\n{text}\n")).unwrap_err();
+        assert!(!errors.0.is_empty() && !errors.is_system(), "{i}: {errors}");
+    }
 }

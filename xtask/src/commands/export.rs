@@ -20,6 +20,20 @@ use std::path::Path;
 pub(crate) use npy_stream::NpyStream;
 pub(crate) use rdm::write_exr as rdm_exr;
 
+/// To what each kind of artifact is exported.
+pub(crate) const FORMATS: [(&str, &str); 10] = [
+    ("scene", "json"),
+    ("paths", "csv, json"),
+    ("rcs", "npy, json"),
+    ("cube", "npy, dca1000, sigmf"),
+    ("rdm", "npy, exr, png"),
+    ("points", "csv, pcd, ply, json"),
+    ("tracks", "csv, json"),
+    ("dataset", "npy, png"),
+    ("model", "safetensors"),
+    ("classes", "json"),
+];
+
 pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
     use FormatWord::{Csv, Dca1000, Exr, Json, Npy, Pcd, Ply, Png, Safetensors, Sigmf};
     let (file, out) = (arguments.file.as_path(), arguments.out.as_path());
@@ -55,16 +69,8 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
 }
 
 fn refuse(file: &Path, schema: &str, to: FormatWord) -> Failure {
-    let formats = match schema {
-        "cube" => "npy, dca1000, sigmf",
-        "rdm" => "npy, exr, png",
-        "points" => "csv, pcd, ply, json",
-        "tracks" | "paths" => "csv, json",
-        "rcs" => "npy, json",
-        "dataset" => "npy, png",
-        "model" => "safetensors",
-        "scene" | "classes" => "json",
-        other => return super::inspect::unknown(file, other),
+    let Some((_, formats)) = FORMATS.iter().find(|(known, _)| *known == schema) else {
+        return super::inspect::unknown(file, schema);
     };
     let to = to.to_possible_value().map_or_else(String::new, |v| v.get_name().to_owned());
     Failure::Refused(format!("{}: a `{schema}` artifact is exported to {formats}, not to {to}", file.display()))

@@ -26,7 +26,9 @@ pub(crate) fn scene(arguments: &SceneArguments, cache: Option<&Cache>) -> Result
     let (model, radar) = (arguments.model.clone(), arguments.radar.clone());
     let options = scene::ReadOptions { model, radar, meshes: scene::Meshes::Whole };
     let files = hashed(&scene::inputs(&arguments.scene, &options).map_err(of_scene)?)?;
-    let key = keys::scene(&files, &(&arguments.model, &arguments.radar));
+    // Of a path that is no text the key has what can be shown; what is in the file is among the hashes.
+    let model = arguments.model.as_ref().map(|file| file.to_string_lossy());
+    let key = keys::scene(&files, &(model, &arguments.radar));
     let known = cache.and_then(|c| c.get_header::<Scene>(Stage::Scene, &key));
     let cached = known.is_some();
     let mut header = match known {

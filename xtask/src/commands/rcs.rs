@@ -68,6 +68,9 @@ fn claim(arguments: &RcsArguments) -> Result<(), Failure> {
     if arguments.pictures { output::claim(&pictures::places(&arguments.out)) } else { Ok(()) }
 }
 
+/// Values of a table: 16 bytes each, a gibibyte and what measuring its errors takes beside.
+const TABLE_LIMIT: usize = 1 << 26;
+
 /// What is done of this very table, by these very sources.
 fn checkpoint(arguments: &RcsArguments, mesh: &Mesh, request: &RcsRequest) -> Checkpoint {
     let sources = Stage::BartRcs.sources();
@@ -117,8 +120,15 @@ fn dressed(mesh: Mesh, arguments: &RcsArguments) -> Result<Mesh, Failure> {
 
 fn request(arguments: &RcsArguments) -> Result<RcsRequest, Failure> {
     let radians = |degrees: &[f64]| degrees.iter().map(|d| d.to_radians()).collect::<Vec<_>>();
-    if !(arguments.accuracy_db < 0.0 && arguments.accuracy_db.is_finite()) {
-        return Err(Failure::System(format!("--accuracy-db must be below 0, is {}", arguments.accuracy_db)));
+    let axes = [&arguments.freq_ghz, &arguments.el_deg, &arguments.az_deg].map(|axis| axis.values.len());
+    let values: usize = axes.iter().product();
+    if values > TABLE_LIMIT {
+        let [frequencies, elevations, azimuths] = axes;
+        let text = format!(
+            "{frequencies} frequencies × {elevations} elevations × {azimuths} azimuths are {values} values; \
+             a table has at most {TABLE_LIMIT}: make several"
+        );
+        return Err(Failure::System(text));
     }
     Ok(RcsRequest {
         frequency_hz: arguments.freq_ghz.values.iter().map(|f| f * 1e9).collect(),

@@ -6,6 +6,9 @@ use super::{MeshOptions, centre::bounds};
 use artifact::material::Makeup;
 use artifact::scene::{Mesh, MeshStatistics};
 use glam::DVec3;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+use std::rc::Rc;
 
 /// Models that claim metres.
 const SIZES_M: std::ops::RangeInclusive<f64> = 1e-3..=1e3;
@@ -39,6 +42,8 @@ struct Joined {
     triangles: Vec<[u32; 3]>,
     material_of_triangle: Vec<u16>,
     materials: Vec<String>,
+    /// Their places.
+    known: HashMap<Rc<str>, u16>,
 }
 
 impl Joined {
@@ -52,12 +57,15 @@ impl Joined {
         Ok(())
     }
 
-    fn material(&mut self, name: String) -> Result<u16, MeshFault> {
-        let index = self.materials.iter().position(|known| *known == name).unwrap_or_else(|| {
-            self.materials.push(name);
-            self.materials.len() - 1
-        });
-        u16::try_from(index).map_err(|_| MeshFault::TooManyMaterials)
+    fn material(&mut self, name: Rc<str>) -> Result<u16, MeshFault> {
+        let next = u16::try_from(self.materials.len());
+        match self.known.entry(name) {
+            Entry::Occupied(known) => Ok(*known.get()),
+            Entry::Vacant(new) => {
+                self.materials.push(new.key().to_string());
+                next.map(|index| *new.insert(index)).map_err(|_| MeshFault::TooManyMaterials)
+            }
+        }
     }
 
     fn drop_degenerate(&mut self) -> u64 {

@@ -1,8 +1,8 @@
 //! What can be wrong with a mesh file.
 
 use crate::errors::Number;
+use artifact::bounded::ReadFault;
 use std::fmt;
-use std::io;
 use std::path::PathBuf;
 
 /// A mesh file that was refused or could not be read.
@@ -19,7 +19,10 @@ pub struct MeshError {
 impl MeshError {
     /// Whether the machine failed (the file or a buffer beside it is missing or unreadable), not the content.
     pub fn is_system(&self) -> bool {
-        matches!(self.fault, MeshFault::Unreadable(_) | MeshFault::BufferUnreadable { .. })
+        match &self.fault {
+            MeshFault::Unread(error) | MeshFault::BufferUnread { error, .. } => error.is_system(),
+            _ => false,
+        }
     }
 }
 
@@ -76,24 +79,46 @@ pub enum MeshPlace {
 /// The rules of a mesh file, broken.
 #[derive(Debug, thiserror::Error)]
 pub enum MeshFault {
-    /// The file cannot be read.
-    #[error("cannot be read: {0}")]
-    Unreadable(#[source] io::Error),
-    /// A buffer beside the file cannot be read.
-    #[error("buffer file {} cannot be read: {error}", path.display())]
-    BufferUnreadable {
+    /// The file cannot be read, or is longer than what is read.
+    #[error("{0}")]
+    Unread(#[source] ReadFault),
+    /// A buffer beside the file likewise.
+    #[error("buffer file {} {error}", path.display())]
+    BufferUnread {
         /// Where it was looked for.
         path: PathBuf,
         /// Why not.
         #[source]
-        error: io::Error,
+        error: ReadFault,
     },
     /// More bytes than are read.
-    #[error("has {bytes} bytes; at most {limit} are read")]
-    TooLong {
-        /// Of the file.
-        bytes: u64,
+    #[error("has buffers of more than {limit} bytes together, the most that are read")]
+    BuffersTooLong {
         /// Most that is read.
+        limit: u64,
+    },
+    /// More values than any model needs.
+    #[error("its JSON has more than {limit} values, the most that are read")]
+    TooManyValues {
+        /// Most values.
+        limit: usize,
+    },
+    /// More positions and normals than triangles can use.
+    #[error("has more than {limit} positions and normals, the most that are read")]
+    TooManyVectors {
+        /// Most that is read.
+        limit: usize,
+    },
+    /// A small file can show one mesh through many nodes.
+    #[error("shows more than {limit} primitives, the most that are read")]
+    TooManyPrimitives {
+        /// Most that is read.
+        limit: usize,
+    },
+    /// Polygons whose dents cost more than the stages that follow.
+    #[error("has polygons so dented that cutting them takes more than {limit} comparisons: write it as triangles")]
+    TooDented {
+        /// Most comparisons.
         limit: u64,
     },
     /// By its extension.

@@ -2,6 +2,7 @@
 
 use super::error::{Located, MeshFault, MeshPlace};
 use super::gltf_buffers::Buffers;
+use super::part::{CORNER_LIMIT, check_vectors, too_many_triangles};
 use glam::DVec3;
 use gltf::json::accessor::{Accessor, ComponentType, GenericComponentType, IndexComponentType, Type, sparse::Sparse};
 use gltf::json::validation::Checked;
@@ -17,6 +18,8 @@ pub(crate) struct Accessors<'d> {
     root: &'d Root,
     buffers: &'d Buffers,
     vectors: BTreeMap<usize, Rc<Vec<DVec3>>>,
+    /// How many are held.
+    held: usize,
 }
 
 /// `count` elements in a slice, `stride` apart, all inside it.
@@ -36,7 +39,7 @@ impl<'d> Elements<'d> {
 
 impl<'d> Accessors<'d> {
     pub(crate) fn new(root: &'d Root, buffers: &'d Buffers) -> Self {
-        Self { root, buffers, vectors: BTreeMap::new() }
+        Self { root, buffers, vectors: BTreeMap::new(), held: 0 }
     }
 
     /// Positions or normals.
@@ -47,7 +50,10 @@ impl<'d> Accessors<'d> {
         let accessor = self.accessor(user, index)?;
         let place = MeshPlace::Accessor(index);
         let encoding = self.encoding(accessor).map_err(|fault| place.fault(fault))?;
-        let mut vectors: Vec<DVec3> = match self.base(place, accessor, encoding.vector_bytes())? {
+        let base = self.base(place, accessor, encoding.vector_bytes())?;
+        self.held = self.held.saturating_add(usize::try_from(accessor.count.0).unwrap_or(usize::MAX));
+        check_vectors(self.held).map_err(|fault| MeshPlace::File.fault(fault))?;
+        let mut vectors: Vec<DVec3> = match base {
             Some(elements) => elements.iter().map(|bytes| encoding.vector(bytes)).collect(),
             None => vec![DVec3::ZERO; accessor.count.0 as usize],
         };
@@ -88,6 +94,9 @@ impl<'d> Accessors<'d> {
             _ => return Err(refuse()),
         };
         let elements = self.base(place, accessor, size_of(component))?.ok_or_else(|| place.fault(MeshFault::NoView))?;
+        if elements.count as u64 > CORNER_LIMIT {
+            return Err(too_many_triangles());
+        }
         Ok(elements.iter().map(decode_index).collect())
     }
 

@@ -1,8 +1,11 @@
 //! Where a glTF's bytes come from: the binary chunk, files beside it, or base64 in its JSON.
 
+use super::LIMIT_BYTES;
 use super::error::{Located, MeshFault, MeshPlace};
-use super::read_bytes;
+use super::gltf_json::check_values;
+use artifact::bounded::{self, ReadFault};
 use gltf::json::{Buffer, Root, deserialize};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// Bytes of each buffer, at least as many as it says.
@@ -27,25 +30,32 @@ pub(crate) fn split_container(bytes: &[u8]) -> Result<(Vec<u8>, Option<Vec<u8>>)
 /// All buffers, each as long as it says.
 pub(crate) fn read_buffers(root: &Root, binary: Option<Vec<u8>>, path: &Path) -> Result<Buffers, Located> {
     let mut binary = binary;
+    let mut left = LIMIT_BYTES;
     let buffers = root.buffers.iter().enumerate();
     buffers
         .map(|(i, buffer)| {
             // The chunk belongs to the first buffer, if that has no URI (glTF 2.0, 4.4.3.2).
             let chunk = if i == 0 { binary.take() } else { None };
-            read_buffer(buffer, chunk, path).map_err(|fault| MeshPlace::Buffer(i).fault(fault))
+            let bytes = read_buffer(buffer, chunk, path, left).map_err(|fault| MeshPlace::Buffer(i).fault(fault))?;
+            left = left.saturating_sub(bytes.len() as u64);
+            Ok(bytes)
         })
         .collect()
 }
 
-/// Buffer files that a `.gltf` names; none where it cannot be understood.
+/// Buffer files that a `.gltf` names, each once however it is spelt; none where it cannot be understood.
 pub(crate) fn files_beside(json: &[u8], path: &Path) -> Vec<PathBuf> {
-    let Ok(root) = deserialize::from_slice::<Root>(json) else { return vec![] };
-    root.buffers.iter().filter_map(|buffer| file_of(buffer.uri.as_deref()?, path)).collect()
+    let root = check_values(json).ok().and_then(|()| deserialize::from_slice::<Root>(json).ok());
+    let buffers = root.iter().flat_map(|root| &root.buffers);
+    let mut known = BTreeSet::new();
+    let files = buffers.filter_map(|buffer| file_of(buffer.uri.as_deref()?, path));
+    files.filter(|file| known.insert(file.canonicalize().unwrap_or(file.clone()))).collect()
 }
 
-fn read_buffer(buffer: &Buffer, chunk: Option<Vec<u8>>, path: &Path) -> Result<Vec<u8>, MeshFault> {
+/// At most `left` bytes of it.
+fn read_buffer(buffer: &Buffer, chunk: Option<Vec<u8>>, path: &Path, left: u64) -> Result<Vec<u8>, MeshFault> {
     let bytes = match (&buffer.uri, chunk) {
-        (Some(uri), _) => read_uri(uri, path)?,
+        (Some(uri), _) => read_uri(uri, path, left)?,
         (None, Some(chunk)) => chunk,
         (None, None) => return Err(MeshFault::BufferMissing),
     };
@@ -53,15 +63,15 @@ fn read_buffer(buffer: &Buffer, chunk: Option<Vec<u8>>, path: &Path) -> Result<V
     if end > found { Err(MeshFault::Outside { end, bytes: found }) } else { Ok(bytes) }
 }
 
-fn read_uri(uri: &str, path: &Path) -> Result<Vec<u8>, MeshFault> {
+fn read_uri(uri: &str, path: &Path, left: u64) -> Result<Vec<u8>, MeshFault> {
     if let Some(data) = uri.strip_prefix("data:") {
         let encoded = data.split_once(";base64,").map(|(_, encoded)| encoded);
         return encoded.and_then(base64).ok_or(MeshFault::BadUri);
     }
     let file = file_of(uri, path).ok_or(MeshFault::BadUri)?;
-    read_bytes(&file).map_err(|fault| match fault {
-        MeshFault::Unreadable(error) => MeshFault::BufferUnreadable { path: file, error },
-        other => other,
+    bounded::read(&file, left).map_err(|error| match error {
+        ReadFault::TooLong { limit } if limit < LIMIT_BYTES => MeshFault::BuffersTooLong { limit: LIMIT_BYTES },
+        error => MeshFault::BufferUnread { path: file, error },
     })
 }
 

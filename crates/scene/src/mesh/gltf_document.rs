@@ -4,13 +4,16 @@
 use super::error::{Located, MeshFault, MeshPlace};
 use super::gltf_accessor::Accessors;
 use super::gltf_buffers::{self, read_buffers};
+use super::gltf_json::check_values;
 use super::gltf_nodes::{Instance, instances};
 use super::part::{Part, check_count};
 use glam::{DMat3, DVec3};
 use gltf::json::mesh::{Mode, Primitive, Semantic};
 use gltf::json::validation::Checked;
 use gltf::json::{Root, deserialize};
+use std::collections::BTreeMap;
 use std::path::Path;
+use std::rc::Rc;
 
 /// Extensions that leave the geometry as it is.
 const HARMLESS: [&str; 6] =
@@ -27,6 +30,7 @@ pub(crate) fn read_gltf(bytes: &[u8], path: &Path) -> Result<Vec<Part>, Located>
 }
 
 fn read_document(json: &[u8], binary: Option<Vec<u8>>, path: &Path) -> Result<Vec<Part>, Located> {
+    check_values(json).map_err(|fault| MeshPlace::File.fault(fault))?;
     let root: Root = deserialize::from_slice(json).map_err(|error| MeshPlace::File.fault(MeshFault::Json(error)))?;
     check_version(&root).and_then(|()| check_extensions(&root)).map_err(|fault| MeshPlace::File.fault(fault))?;
     let buffers = read_buffers(&root, binary, path)?;
@@ -43,7 +47,13 @@ fn read_document(json: &[u8], binary: Option<Vec<u8>>, path: &Path) -> Result<Ve
 struct Shown {
     parts: Vec<Part>,
     triangles: usize,
+    primitives: usize,
+    /// Names of materials by their index.
+    materials: BTreeMap<usize, Rc<str>>,
 }
+
+/// Four times what the most detailed scenes of games show.
+const PRIMITIVE_LIMIT: usize = 1 << 22;
 
 fn check_version(root: &Root) -> Result<(), MeshFault> {
     let version = &root.asset.version;
@@ -76,7 +86,12 @@ fn read_mesh_instance(
     }
     for (primitive, content) in mesh.primitives.iter().enumerate() {
         let place = MeshPlace::Primitive { mesh: instance.mesh, primitive };
-        let Some(part) = read_primitive(root, accessors, instance, place, content)? else { continue };
+        shown.primitives += 1;
+        if shown.primitives > PRIMITIVE_LIMIT {
+            return Err(MeshPlace::File.fault(MeshFault::TooManyPrimitives { limit: PRIMITIVE_LIMIT }));
+        }
+        let material = shown.material(root, content).map_err(|fault| place.fault(fault))?;
+        let Some(part) = read_primitive(accessors, instance, place, content, material)? else { continue };
         shown.triangles += part.triangles.len();
         check_count(shown.triangles)?;
         shown.parts.push(part);
@@ -86,11 +101,11 @@ fn read_mesh_instance(
 
 /// `None` for points and lines, which have no area.
 fn read_primitive(
-    root: &Root,
     accessors: &mut Accessors<'_>,
     instance: &Instance,
     place: MeshPlace,
     primitive: &Primitive,
+    material: Rc<str>,
 ) -> Result<Option<Part>, Located> {
     let Checked::Valid(mode) = primitive.mode else { return Err(place.fault(MeshFault::Mode)) };
     if !matches!(mode, Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan) {
@@ -108,7 +123,6 @@ fn read_primitive(
         None => (0..positions.len() as u32).collect(),
     };
     let triangles = triangles(mode, &corners).map_err(|fault| place.fault(fault))?;
-    let material = material_name(root, primitive).map_err(|fault| place.fault(fault))?;
     let part = Part::new(place, &positions, normals.as_deref().map(Vec::as_slice), triangles, material)?;
     Ok(Some(in_body_axes(part, instance)))
 }
@@ -129,11 +143,15 @@ fn triangles(mode: Mode, corners: &[u32]) -> Result<Vec<[u32; 3]>, MeshFault> {
     }
 }
 
-fn material_name(root: &Root, primitive: &Primitive) -> Result<String, MeshFault> {
-    let Some(index) = primitive.material.map(|material| material.value()) else { return Ok(String::new()) };
-    let count = root.materials.len();
-    let material = root.materials.get(index).ok_or(MeshFault::NoSuch { what: "material", index, count })?;
-    Ok(material.name.clone().unwrap_or_default())
+impl Shown {
+    /// The name of a primitive's material, one for all that have it; empty without.
+    fn material(&mut self, root: &Root, primitive: &Primitive) -> Result<Rc<str>, MeshFault> {
+        let Some(index) = primitive.material.map(|material| material.value()) else { return Ok(Rc::default()) };
+        let count = root.materials.len();
+        let material = root.materials.get(index).ok_or(MeshFault::NoSuch { what: "material", index, count })?;
+        let name = || material.name.as_deref().unwrap_or_default().into();
+        Ok(self.materials.entry(index).or_insert_with(name).clone())
+    }
 }
 
 /// glTF looks along +Z with +Y up, a body along +x with +z up: (x, y, z)_body = (z, x, y)_glTF. A mirroring transform

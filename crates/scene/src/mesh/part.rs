@@ -2,17 +2,30 @@
 
 use super::error::{Located, MeshFault, MeshPlace};
 use glam::DVec3;
+use std::rc::Rc;
 
 /// 16 million triangles take 2 GiB in the stages; the most detailed vehicle at hand has 79 200.
 const TRIANGLE_LIMIT: usize = 1 << 24;
 
+/// Positions and normals of so many triangles that share none; a small file can say many accessors over the same bytes.
+const VECTOR_LIMIT: usize = 6 * TRIANGLE_LIMIT;
+
+/// Corners that a file may list before they are read.
+pub(crate) const CORNER_LIMIT: u64 = 3 * TRIANGLE_LIMIT as u64;
+
+/// Whether so many positions and normals may be held.
+pub(crate) fn check_vectors(vectors: usize) -> Result<(), MeshFault> {
+    if vectors <= VECTOR_LIMIT { Ok(()) } else { Err(MeshFault::TooManyVectors { limit: VECTOR_LIMIT }) }
+}
+
 /// Whether so many triangles may be read. To be asked while parts are gathered too: a small glTF can show one mesh
 /// through many nodes.
 pub(crate) fn check_count(triangles: usize) -> Result<(), Located> {
-    if triangles <= TRIANGLE_LIMIT {
-        return Ok(());
-    }
-    Err(MeshPlace::File.fault(MeshFault::TooManyTriangles { limit: TRIANGLE_LIMIT }))
+    if triangles <= TRIANGLE_LIMIT { Ok(()) } else { Err(too_many_triangles()) }
+}
+
+pub(crate) fn too_many_triangles() -> Located {
+    MeshPlace::File.fault(MeshFault::TooManyTriangles { limit: TRIANGLE_LIMIT })
 }
 
 /// Triangles of one material in body axes and units of the file.
@@ -21,7 +34,8 @@ pub(crate) struct Part {
     /// As many as vertices, of any length; `None` where the file stores none.
     pub normals: Option<Vec<DVec3>>,
     pub triangles: Vec<[u32; 3]>,
-    pub material: String,
+    /// Its name, shared by the parts that have it.
+    pub material: Rc<str>,
 }
 
 impl Part {
@@ -31,7 +45,7 @@ impl Part {
         vertices: &[DVec3],
         normals: Option<&[DVec3]>,
         triangles: Vec<[u32; 3]>,
-        material: String,
+        material: Rc<str>,
     ) -> Result<Self, Located> {
         let used = used_vertices(&triangles);
         check_vertices(&used, vertices, normals).map_err(|fault| place.fault(fault))?;

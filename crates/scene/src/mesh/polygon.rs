@@ -2,14 +2,15 @@
 
 use glam::{DVec2, DVec3};
 
-/// The corners of a polygon's triangles, wound as it is: by cutting ears, so that a polygon with dents keeps its area.
-pub(crate) fn triangulate(points: &[DVec3]) -> Vec<[usize; 3]> {
+/// The corners of a polygon's triangles, wound as it is: by cutting ears, so that a polygon with dents keeps its area. The
+/// comparisons of places that it takes are added to `comparisons`.
+pub(crate) fn triangulate(points: &[DVec3], comparisons: &mut u64) -> Vec<[usize; 3]> {
     let flat = projected(points);
     let mut left: Vec<usize> = (0..points.len()).collect();
     let mut triangles = Vec::with_capacity(points.len().saturating_sub(2));
     while left.len() > 3 {
         // A polygon that crosses itself may have no ear: then any corner will do, and none is lost.
-        let ear = (0..left.len()).find(|&i| is_ear(&flat, &left, i)).unwrap_or(1);
+        let ear = (0..left.len()).find(|&i| is_ear(&flat, &left, i, comparisons)).unwrap_or(1);
         triangles.push(corners_at(&left, ear));
         left.remove(ear);
     }
@@ -38,12 +39,19 @@ fn corners_at(left: &[usize], i: usize) -> [usize; 3] {
 }
 
 /// Whether the corner points outward and no other lies in its triangle.
-fn is_ear(flat: &[DVec2], left: &[usize], i: usize) -> bool {
+fn is_ear(flat: &[DVec2], left: &[usize], i: usize, comparisons: &mut u64) -> bool {
     let corners = corners_at(left, i);
     let [a, b, c] = corners.map(|index| flat[index]);
     let side = |p: DVec2, q: DVec2, x: DVec2| (q - p).perp_dot(x - p);
     let inside = |x: DVec2| side(a, b, x) >= 0.0 && side(b, c, x) >= 0.0 && side(c, a, x) >= 0.0;
-    side(a, b, c) > 0.0 && !left.iter().any(|index| !corners.contains(index) && inside(flat[*index]))
+    *comparisons += 1;
+    let points_outward = side(a, b, c) > 0.0;
+    if !points_outward {
+        return false;
+    }
+    let other = left.iter().position(|index| !corners.contains(index) && inside(flat[*index]));
+    *comparisons += other.unwrap_or(left.len()) as u64;
+    other.is_none()
 }
 
 #[cfg(test)]
@@ -63,7 +71,7 @@ mod tests {
         for plane in planes {
             let points: Vec<DVec3> = outline.iter().map(|&(u, v)| plane(u, v)).collect();
             let up = (plane(1.0, 0.0) - plane(0.0, 0.0)).cross(plane(0.0, 1.0) - plane(0.0, 0.0));
-            let areas = triangulate(&points).into_iter().map(|t| {
+            let areas = triangulate(&points, &mut 0).into_iter().map(|t| {
                 let [a, b, c] = t.map(|i| points[i]);
                 0.5 * (b - a).cross(c - a).dot(up)
             });

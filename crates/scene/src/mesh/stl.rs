@@ -2,8 +2,10 @@
 //! the winding and are left out.
 
 use super::error::{Located, MeshFault, MeshPlace};
-use super::part::Part;
+use super::part::{Part, check_count};
+use crate::errors::excerpt;
 use glam::DVec3;
+use std::rc::Rc;
 
 const HEADER_BYTES: usize = 84;
 const FACET_BYTES: usize = 50;
@@ -15,7 +17,7 @@ pub(crate) fn read_stl(bytes: &[u8]) -> Result<Vec<Part>, Located> {
         return Err(MeshPlace::Facet(i as u64 / 3 + 1).fault(MeshFault::Vertex(i % 3)));
     }
     let triangles = (0..corners.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-    Ok(vec![Part::new(MeshPlace::File, &corners, None, triangles, String::new())?])
+    Ok(vec![Part::new(MeshPlace::File, &corners, None, triangles, Rc::default())?])
 }
 
 /// Binary files may begin with `solid` too; their length tells.
@@ -35,6 +37,7 @@ fn read_binary(bytes: &[u8]) -> Result<Vec<DVec3>, Located> {
     if found < needed {
         return Err(MeshPlace::File.fault(MeshFault::CutOff { found, needed }));
     }
+    check_count((needed as usize - HEADER_BYTES) / FACET_BYTES)?;
     let facets = bytes[HEADER_BYTES..needed as usize].chunks_exact(FACET_BYTES);
     Ok(facets.flat_map(|facet| facet[12..48].chunks_exact(12).map(vector)).collect())
 }
@@ -52,12 +55,15 @@ fn read_text(bytes: &[u8]) -> Result<Vec<DVec3>, Located> {
         let mut words = line.split_ascii_whitespace();
         let whole_facets = corners.len() % 3 == 0;
         match words.next() {
-            Some("vertex") => corners.push(super::obj::three_numbers(words).map_err(|fault| place.fault(fault))?),
+            Some("vertex") => {
+                check_count(corners.len() / 3)?;
+                corners.push(super::obj::three_numbers(words).map_err(|fault| place.fault(fault))?);
+            }
             Some("endfacet") if !whole_facets => return Err(place.fault(MeshFault::Corners(corners.len() % 3))),
             None | Some("solid" | "facet" | "outer" | "endloop" | "endfacet" | "endsolid") => {}
             Some(other) => {
                 let expected = "a line of STL (solid, facet, outer, vertex, endloop, endfacet, endsolid)";
-                return Err(place.fault(MeshFault::Expected { expected, found: other.to_owned() }));
+                return Err(place.fault(MeshFault::Expected { expected, found: excerpt(other) }));
             }
         }
     }

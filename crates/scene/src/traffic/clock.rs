@@ -23,6 +23,9 @@ pub(super) struct Clock {
     next: u32,
 }
 
+/// As many as a scene may say.
+pub(super) const FRAME_LIMIT: u32 = 1_000_000;
+
 /// SUMO writes milliseconds: what misses a step by less is that step.
 const ROUNDING_S: f64 = 1e-6;
 
@@ -42,11 +45,15 @@ impl Clock {
     }
 
     /// The next frame's moment where the recording has come so far.
-    pub(super) fn frame_until(&mut self, end_s: f64) -> Option<f64> {
+    pub(super) fn frame_until(&mut self, end_s: f64) -> Result<Option<f64>, FcdRule> {
         let time_s = self.at(self.next);
         let is_known = !self.is_done() && time_s >= self.first_s - ROUNDING_S && time_s <= end_s + ROUNDING_S;
+        if is_known && self.next == FRAME_LIMIT {
+            let (begin, interval) = (self.begin_s, self.times.interval_s);
+            return Err(FcdRule::TooManyFrames { begin, interval, limit: FRAME_LIMIT });
+        }
         self.next += u32::from(is_known);
-        is_known.then_some(time_s)
+        Ok(is_known.then_some(time_s))
     }
 
     /// All frames asked for were there.

@@ -5,10 +5,9 @@
 //! `acceleration`, signals and more) may be there or not; elements other than vehicles (`<person>`, `<container>`) are
 //! passed over, since no model of ours is meant by them.
 
-use quick_xml::XmlVersion;
-use quick_xml::events::{BytesStart, Event};
-use std::fs::File;
-use std::io::{self, BufRead, BufReader, Read};
+use crate::errors::excerpt;
+use crate::xml::{self, Element, XmlFault, XmlText};
+use quick_xml::events::BytesStart;
 use std::path::{Path, PathBuf};
 
 /// One step of a recording.
@@ -54,31 +53,53 @@ pub struct FcdError {
 impl FcdError {
     /// Whether the machine is at fault, not the content of the file.
     pub fn is_system(&self) -> bool {
-        matches!(*self.rule, FcdRule::Unreadable(_))
+        matches!(*self.rule, FcdRule::Text(XmlFault::Unreadable(_)))
     }
 }
 
 /// The rules of a recording, broken.
 #[derive(Debug, thiserror::Error)]
 pub enum FcdRule {
-    /// The system refused.
-    #[error("cannot be read: {0}")]
-    Unreadable(#[source] io::Error),
-    /// gzip's own checks failed, or the file ends too early for them.
-    #[error("the gzip file is damaged or cut off: {0}")]
-    DamagedGzip(#[source] io::Error),
-    /// Not XML.
-    #[error("not valid XML: {0}")]
-    Xml(quick_xml::Error),
+    /// It cannot be read, or not as XML.
+    #[error("{0}")]
+    Text(#[source] XmlFault),
     /// XML, but of something else.
     #[error("the first element is <{0}>; floating-car data begin with <fcd-export>")]
     NotFcd(String),
     /// No element at all.
     #[error("there is no XML element in it; floating-car data begin with <fcd-export>")]
     Empty,
-    /// An element that never ends, or megabytes between elements.
-    #[error("more than {0} bytes without an element")]
-    ElementTooLong(u64),
+    /// Much text of which none is a step.
+    #[error("more than {0} bytes without a <timestep>")]
+    StepTooLong(u64),
+    /// More vehicles than any simulation has at once.
+    #[error("the step has more than {0} vehicles, the most that are read")]
+    TooManyVehicles(usize),
+    /// An id or a type that is none.
+    #[error("`{attribute}` has more than {limit} bytes: `{found}`")]
+    NameTooLong {
+        /// `id` or `type`.
+        attribute: &'static str,
+        /// Its beginning.
+        found: String,
+        /// Most bytes.
+        limit: usize,
+    },
+    /// A recording that goes on for longer than any run.
+    #[error(
+        "from {begin} s on, every {interval} s, it holds more than {limit} frames: say `frames`, `end_s` or a longer `frame_interval_s`"
+    )]
+    TooManyFrames {
+        /// Of the first frame.
+        begin: f64,
+        /// From one frame to the next.
+        interval: f64,
+        /// Most frames.
+        limit: u32,
+    },
+    /// More than memory should hold.
+    #[error("more than {0} poses of vehicles are in view: ask for fewer frames, or see less far by `view_range_m`")]
+    TooManyPoses(usize),
     /// The text ends within an element.
     #[error("the file ends before </fcd-export>: it was cut off or is still being written")]
     CutOff,
@@ -120,13 +141,11 @@ pub enum FcdRule {
     /// Two vehicles of one name in one step.
     #[error("vehicle `{0}` is there twice in one step")]
     Twice(String),
-    /// A vType without a model.
-    #[error("type `{found}` of vehicle `{id}` is not in `models` of [traffic]; known are {}", .known.join(", "))]
-    UnknownType {
-        /// As written.
-        found: String,
-        /// Of the vehicle.
-        id: String,
+    /// vTypes without a model.
+    #[error("{}not in `models` of [traffic]; known are {}", unknown_types(.found), .known.join(", "))]
+    UnknownTypes {
+        /// Each with the first vehicle that has it.
+        found: Vec<UnknownType>,
         /// Types that have a model.
         known: Vec<String>,
     },
@@ -157,14 +176,40 @@ fn named(id: &Option<String>) -> String {
     id.as_ref().map_or(String::new(), |id| format!(" id=\"{id}\""))
 }
 
-/// Largest element, and largest gap between elements, that is read: SUMO's are some hundred bytes.
-const ELEMENT_LIMIT_BYTES: u64 = 1 << 20;
+/// A vType without a model, and the first vehicle that has it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UnknownType {
+    /// As written.
+    pub kind: String,
+    /// Of the vehicle.
+    pub id: String,
+    /// Where it stands.
+    pub line: u64,
+}
+
+/// The beginning of a sentence.
+fn unknown_types(found: &[UnknownType]) -> String {
+    let named = |t: &UnknownType| format!("type `{}` of vehicle `{}`", t.kind, t.id);
+    match found {
+        [] => String::new(),
+        [one] => format!("{} is ", named(one)),
+        [first, others @ ..] => {
+            let other = |t: &UnknownType| format!(", {} (line {})", named(t), t.line);
+            format!("{}{} are ", named(first), others.iter().map(other).collect::<String>())
+        }
+    }
+}
+
+/// A step of the most vehicles takes less, and so does what SUMO writes before the first.
+const STEP_LIMIT_BYTES: u64 = 1 << 30;
+/// A country's rush hour.
+const VEHICLE_LIMIT: usize = 1 << 19;
+const NAME_LIMIT_BYTES: usize = 256;
 
 /// Steps of a recording, in order; [`FcdReader::next_step`] hands out one after the other.
 pub struct FcdReader {
     file: PathBuf,
-    xml: quick_xml::Reader<Lines>,
-    buffer: Vec<u8>,
+    text: XmlText,
     last_time_s: Option<f64>,
     place: Place,
 }
@@ -181,9 +226,8 @@ impl FcdReader {
     /// Opens a recording; whether it is packed is told by its first bytes, not by its name.
     pub fn open(file: &Path) -> Result<Self, FcdError> {
         let error = |rule| FcdError { file: file.to_owned(), line: 1, rule: Box::new(rule) };
-        let source = open(file).map_err(|e| error(FcdRule::Unreadable(e)))?;
-        let xml = quick_xml::Reader::from_reader(source);
-        Ok(Self { file: file.to_owned(), xml, buffer: vec![], last_time_s: None, place: Place::Before })
+        let text = XmlText::open(file).map_err(|fault| error(FcdRule::Text(fault)))?;
+        Ok(Self { file: file.to_owned(), text, last_time_s: None, place: Place::Before })
     }
 
     /// The recording.
@@ -194,11 +238,15 @@ impl FcdReader {
     /// The next step; `None` behind the last.
     pub fn next_step(&mut self) -> Result<Option<FcdStep>, FcdError> {
         let mut step = None;
+        let end = self.text.bytes() + STEP_LIMIT_BYTES;
         loop {
             match self.advance(&mut step) {
+                Ok(true) if self.text.bytes() > end => {
+                    return Err(self.error_at(self.text.line(), FcdRule::StepTooLong(STEP_LIMIT_BYTES)));
+                }
                 Ok(true) => {}
                 Ok(false) => break,
-                Err(rule) => return Err(self.error_at(self.xml.get_ref().line, rule)),
+                Err(rule) => return Err(self.error_at(self.text.line(), rule)),
             }
         }
         match step {
@@ -214,25 +262,22 @@ impl FcdReader {
 
     /// Reads one element; false where a step or the document ends.
     fn advance(&mut self, step: &mut Option<FcdStep>) -> Result<bool, FcdRule> {
-        self.buffer.clear();
-        self.xml.get_mut().since_element = 0;
-        let event = self.xml.read_event_into(&mut self.buffer);
-        let line = self.xml.get_ref().line;
-        match event.map_err(|e| of_xml(e, self.xml.get_ref().packing))? {
-            Event::Start(tag) => open_element(&tag, line, &mut self.place, step, Extent::ToItsEnd),
-            Event::Empty(tag) => open_element(&tag, line, &mut self.place, step, Extent::Empty),
-            Event::End(tag) => {
+        let (element, line) = self.text.next_element().map_err(FcdRule::Text)?;
+        match element {
+            Element::Opens(tag) => open_element(&tag, line, &mut self.place, step, Extent::ToItsEnd),
+            Element::Empty(tag) => open_element(&tag, line, &mut self.place, step, Extent::Empty),
+            Element::Closes(tag) => {
                 if tag.name().as_ref() == "fcd-export" {
                     self.place = Place::Behind;
                 }
                 Ok(tag.name().as_ref() != "timestep")
             }
-            Event::Eof => match self.place {
+            Element::FileEnds => match self.place {
                 Place::Before => Err(FcdRule::Empty),
                 Place::Inside => Err(FcdRule::CutOff),
                 Place::Behind => Ok(false),
             },
-            _ => Ok(true),
+            Element::Other => Ok(true),
         }
     }
 
@@ -271,7 +316,7 @@ fn open_element(
             *place = if extent == Extent::Empty { Place::Behind } else { Place::Inside };
             Ok(true)
         }
-        (other, Place::Before) => Err(FcdRule::NotFcd(other.to_owned())),
+        (other, Place::Before) => Err(FcdRule::NotFcd(excerpt(other))),
         ("timestep", _) => {
             let time_s = Attributes::of(tag, "timestep")?.number("time", "a number of seconds", |t| t.is_finite())?;
             *step = Some(FcdStep { time_s, line, vehicles: vec![] });
@@ -279,6 +324,9 @@ fn open_element(
         }
         ("vehicle", _) => {
             let step = step.as_mut().ok_or(FcdRule::OutsideStep)?;
+            if step.vehicles.len() == VEHICLE_LIMIT {
+                return Err(FcdRule::TooManyVehicles(VEHICLE_LIMIT));
+            }
             step.vehicles.push(vehicle(tag, line)?);
             Ok(true)
         }
@@ -296,8 +344,8 @@ fn vehicle(tag: &BytesStart<'_>, line: u64) -> Result<FcdVehicle, FcdRule> {
     let coordinate = |name| attributes.number(name, "m within ±1e5", |x| x.abs() <= COORDINATE_LIMIT_M);
     let z = if attributes.find("z").is_some() { coordinate("z")? } else { 0.0 };
     Ok(FcdVehicle {
-        id: attributes.text("id")?.to_owned(),
-        kind: attributes.text("type")?.to_owned(),
+        id: attributes.name("id")?.to_owned(),
+        kind: attributes.name("type")?.to_owned(),
         front_m: [coordinate("x")?, coordinate("y")?, z],
         angle_deg: attributes.number("angle", "degrees within ±3600", |a| a.abs() <= 3600.0)?,
         speed_mps: attributes.number("speed", "m/s from 0 to 340", |v| (0.0..=SPEED_LIMIT_MPS).contains(&v))?,
@@ -313,13 +361,7 @@ struct Attributes {
 
 impl Attributes {
     fn of(tag: &BytesStart<'_>, element: &'static str) -> Result<Self, FcdRule> {
-        let mut values = Vec::with_capacity(12);
-        for attribute in tag.attributes() {
-            let attribute = attribute.map_err(|e| FcdRule::Xml(e.into()))?;
-            let value = attribute.normalized_value(XmlVersion::Implicit1_0).map_err(FcdRule::Xml)?;
-            values.push((attribute.key.as_ref().to_owned(), value.into_owned()));
-        }
-        Ok(Self { element, values })
+        Ok(Self { element, values: xml::attributes(tag).map_err(FcdRule::Text)? })
     }
 
     fn find(&self, name: &str) -> Option<&str> {
@@ -327,7 +369,7 @@ impl Attributes {
     }
 
     fn id(&self) -> Option<String> {
-        self.find("id").map(str::to_owned)
+        self.find("id").map(excerpt)
     }
 
     fn text(&self, name: &'static str) -> Result<&str, FcdRule> {
@@ -335,77 +377,21 @@ impl Attributes {
         self.find(name).filter(|text| !text.is_empty()).ok_or_else(missing)
     }
 
+    /// A text of moderate length.
+    fn name(&self, name: &'static str) -> Result<&str, FcdRule> {
+        let text = self.text(name)?;
+        if text.len() <= NAME_LIMIT_BYTES {
+            return Ok(text);
+        }
+        Err(FcdRule::NameTooLong { attribute: name, found: excerpt(text), limit: NAME_LIMIT_BYTES })
+    }
+
     fn number(&self, name: &'static str, allowed: &'static str, holds: impl Fn(f64) -> bool) -> Result<f64, FcdRule> {
         let text = self.text(name)?;
         let wrong = || {
-            let found = text.to_owned();
+            let found = excerpt(text);
             FcdRule::NotANumber { element: self.element, id: self.id(), attribute: name, found, allowed }
         };
         text.trim().parse().ok().filter(|number: &f64| number.is_finite() && holds(*number)).ok_or_else(wrong)
-    }
-}
-
-fn of_xml(error: quick_xml::Error, packing: Packing) -> FcdRule {
-    let quick_xml::Error::Io(io) = &error else { return FcdRule::Xml(error) };
-    // Whether the system or the unpacking failed is told by the kind alone.
-    let copy = || io::Error::new(io.kind(), io.to_string());
-    match io.kind() {
-        io::ErrorKind::FileTooLarge => FcdRule::ElementTooLong(ELEMENT_LIMIT_BYTES),
-        io::ErrorKind::UnexpectedEof | io::ErrorKind::InvalidData | io::ErrorKind::InvalidInput
-            if packing == Packing::Gzip =>
-        {
-            FcdRule::DamagedGzip(copy())
-        }
-        _ => FcdRule::Unreadable(copy()),
-    }
-}
-
-/// How the text lies on disk.
-#[derive(Clone, Copy, PartialEq)]
-enum Packing {
-    Plain,
-    Gzip,
-}
-
-/// A text that counts its lines as it is read.
-struct Lines {
-    source: BufReader<Box<dyn Read>>,
-    packing: Packing,
-    line: u64,
-    since_element: u64,
-}
-
-fn open(file: &Path) -> io::Result<Lines> {
-    let mut packed = BufReader::new(File::open(file)?);
-    let packing = if packed.fill_buf()?.starts_with(&[0x1f, 0x8b]) { Packing::Gzip } else { Packing::Plain };
-    let source: Box<dyn Read> = if packing == Packing::Gzip {
-        Box::new(flate2::bufread::MultiGzDecoder::new(packed))
-    } else {
-        Box::new(packed)
-    };
-    Ok(Lines { source: BufReader::with_capacity(1 << 16, source), packing, line: 1, since_element: 0 })
-}
-
-impl Read for Lines {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let read = self.fill_buf()?.read(buffer)?;
-        self.consume(read);
-        Ok(read)
-    }
-}
-
-impl BufRead for Lines {
-    fn fill_buf(&mut self) -> io::Result<&[u8]> {
-        if self.since_element > ELEMENT_LIMIT_BYTES {
-            return Err(io::ErrorKind::FileTooLarge.into());
-        }
-        self.source.fill_buf()
-    }
-
-    fn consume(&mut self, amount: usize) {
-        let read = self.source.buffer().get(..amount).unwrap_or_default();
-        self.line += read.iter().filter(|byte| **byte == b'\n').count() as u64;
-        self.since_element += amount as u64;
-        self.source.consume(amount);
     }
 }

@@ -28,6 +28,9 @@ pub const LANE_CHANGE_S: f64 = 4.0;
 /// (0.5 m on the recorded junctions), half of what the narrowest lanes are apart (2.5 m).
 pub const SIDEWAYS_JUMP_M: f64 = 1.2;
 
+/// Jumps of [`SIDEWAYS_JUMP_M`] at [`TELEPORT_MPS`] and the steps of 0.1 s that people record are at most 40 in that time.
+const SLIDES_AT_ONCE: usize = 64;
+
 /// What of a way may be rounding: four coordinates of 5 mm, and the speed's 5 mm/s over a second.
 pub const ROUNDING_M: f64 = 0.025;
 
@@ -119,6 +122,8 @@ impl Interval {
             own.retain(|slide| self.after.time_s < slide.start_s + LANE_CHANGE_S);
             let jump_m = sideways_jump(earlier, vehicle);
             own.extend(jump_m.map(|jump_m| Slide { start_s: before.time_s, jump_m }));
+            // Of more than there can be the first are done.
+            own.drain(..own.len().saturating_sub(SLIDES_AT_ONCE));
             if !own.is_empty() {
                 self.slides.insert(vehicle.id.clone(), own);
             }
@@ -129,6 +134,11 @@ impl Interval {
     /// The moment up to which vehicles are known.
     pub fn end_s(&self) -> f64 {
         self.after.time_s
+    }
+
+    /// The line on which the later step begins.
+    pub(crate) fn line(&self) -> u64 {
+        self.after.line
     }
 
     /// Vehicles told with the later step.

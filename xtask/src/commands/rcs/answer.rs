@@ -163,11 +163,13 @@ fn settings(arguments: &RcsArguments) -> Value {
     let lower = |word: &dyn std::fmt::Debug| format!("{word:?}").to_lowercase();
     let nodes = arguments.nodes.to_possible_value().map(|word| word.get_name().to_owned());
     let finite = |range: f64| if range.is_finite() { json!(range) } else { json!("inf") };
+    // JSON is text; a path need not be.
+    let materials = arguments.materials.as_ref().map(|file| file.to_string_lossy());
     json!({
-        "mesh": arguments.mesh, "range_m": finite(arguments.range_m), "pol": lower(&arguments.pol),
+        "mesh": arguments.mesh.to_string_lossy(), "range_m": finite(arguments.range_m), "pol": lower(&arguments.pol),
         "bounces": arguments.bounces, "method": lower(&arguments.method), "edges": lower(&arguments.edges),
         "nodes": nodes, "surface": lower(&arguments.surface), "sides": lower(&arguments.sides),
-        "materials": arguments.materials, "transmission": lower(&arguments.transmission),
+        "materials": materials, "transmission": lower(&arguments.transmission),
         "accuracy_db": arguments.accuracy_db, "rx_az_deg": arguments.rx_az_deg, "rx_el_deg": arguments.rx_el_deg,
         "rx_range_m": arguments.rx_range_m.map(finite), "density_per_wavelength": arguments.density,
     })

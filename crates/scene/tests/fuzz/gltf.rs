@@ -1,0 +1,166 @@
+//! glTF changed by its structure: values of its JSON, numbers of its arrays, lengths and kinds of its chunks.
+
+use crate::glb_file::{GlbFile, floats};
+use crate::noise::Noise;
+use serde_json::{Value, json};
+
+/// Sound files that reach every branch of the reader.
+pub(crate) fn sound() -> Vec<GlbFile> {
+    let plain = GlbFile::tetrahedron();
+    let nodes = json!([
+        { "children": [1, 2], "translation": [1, 2, 3] },
+        { "mesh": 0, "rotation": [0, 0.6, 0, 0.8], "scale": [1, -2, 1] },
+        { "children": [3], "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 4, 0, 0, 1] },
+        { "mesh": 0 }]);
+    let mut sparse = plain.clone();
+    let indices = sparse.add_accessor(vec![1, 3], 2, 5121, "SCALAR");
+    let values = sparse.add_accessor(floats(&[[4.0, 0.0, 0.0], [0.0, 0.0, 4.0]]), 2, 5126, "VEC3");
+    let replaced = json!({ "count": 2, "indices": { "bufferView": indices, "componentType": 5121 }, "values": { "bufferView": values } });
+    let mut strip = plain.clone();
+    let corners =
+        strip.add_accessor([0_u32, 1, 2, 3].iter().flat_map(|i| i.to_le_bytes()).collect(), 4, 5125, "SCALAR");
+    let strip =
+        strip.set("/meshes/0/primitives/0/indices", json!(corners)).set("/meshes/0/primitives/0/mode", json!(5));
+    let mut quantized = plain.clone();
+    let positions = quantized.add_accessor(vec![0, 0, 0, 0, 9, 0, 0, 0, 0, 9, 0, 0, 0, 0, 9, 0], 4, 5120, "VEC3");
+    let quantized = quantized
+        .set("/meshes/0/primitives/0/attributes/POSITION", json!(positions))
+        .set("/extensionsUsed", json!(["KHR_mesh_quantization"]));
+    let fan = strip.clone().without("/meshes/0/primitives/0/indices").set("/meshes/0/primitives/0/mode", json!(6));
+    vec![plain.clone().set("/nodes", nodes), plain, sparse.set("/accessors/0/sparse", replaced), strip, fan, quantized]
+}
+
+/// A binary file, changed.
+pub(crate) fn binary(noise: &mut Noise) -> Vec<u8> {
+    let mut file = any(noise);
+    for _ in 0..noise.below(4) {
+        change(noise, &mut file.json);
+    }
+    for _ in 0..noise.below(3) {
+        change_numbers(noise, &mut file.binary);
+    }
+    let mut bytes = file.bytes();
+    if noise.one_in(4) {
+        change_chunks(noise, &mut bytes);
+    }
+    bytes
+}
+
+/// The JSON of a file whose buffer lies beside it as `b.bin`, in its JSON, or nowhere; and that buffer.
+pub(crate) fn beside(noise: &mut Noise) -> (Vec<u8>, Vec<u8>) {
+    const URIS: [&str; 10] = [
+        "b.bin",
+        "./b.bin",
+        "b%2ebin",
+        "../b.bin",
+        "",
+        "%",
+        "/dev/null",
+        "data:application/octet-stream;base64,AAAA",
+        "http://example.invalid/b.bin",
+        ".",
+    ];
+    let mut file = any(noise);
+    let uri = if noise.one_in(3) { noise.pick(&URIS) } else { "b.bin" };
+    file.json["buffers"][0]["uri"] = json!(uri);
+    for _ in 0..=noise.below(3) {
+        change(noise, &mut file.json);
+    }
+    if noise.one_in(3) {
+        change_numbers(noise, &mut file.binary);
+        file.binary.truncate(noise.below(2 * file.binary.len()));
+    }
+    (serde_json::to_vec(&file.json).unwrap(), file.binary)
+}
+
+fn any(noise: &mut Noise) -> GlbFile {
+    let files = sound();
+    files[noise.below(files.len())].clone()
+}
+
+fn change(noise: &mut Noise, value: &mut Value) {
+    let here = noise.one_in(12);
+    match value {
+        Value::Array(array) if !here && !array.is_empty() => change_array(noise, array),
+        Value::Object(object) if !here && !object.is_empty() => {
+            let key = object.keys().nth(noise.below(object.len())).unwrap().clone();
+            match noise.below(10) {
+                0 => drop(object.remove(&key)),
+                1 => drop(object.insert(noise.pick(&WORDS).to_owned(), strange(noise))),
+                _ => change(noise, &mut object[&key]),
+            }
+        }
+        _ => *value = strange(noise),
+    }
+}
+
+fn change_array(noise: &mut Noise, array: &mut Vec<Value>) {
+    let (at, other) = (noise.below(array.len()), noise.below(array.len()));
+    match noise.below(10) {
+        0 => drop(array.remove(at)),
+        1 => array.push(array[at].clone()),
+        2 => array.swap(at, other),
+        3 => array.extend(vec![array[at].clone(); noise.times()]),
+        _ => change(noise, &mut array[at]),
+    }
+}
+
+const WORDS: [&str; 14] = [
+    "uri",
+    "byteOffset",
+    "byteStride",
+    "sparse",
+    "mode",
+    "indices",
+    "children",
+    "matrix",
+    "scale",
+    "rotation",
+    "skin",
+    "weights",
+    "extensionsRequired",
+    "normalized",
+];
+
+fn strange(noise: &mut Noise) -> Value {
+    let small = noise.below(12);
+    match noise.below(12) {
+        0..=3 => json!(small),
+        4 => json!(5120 + small),
+        5 => serde_json::from_str(&noise.number()).unwrap_or(Value::Null),
+        6 => (0..noise.times().min(100)).fold(json!(small), |inner, _| json!([inner])),
+        7 => json!([small, small, small]),
+        8 => json!({ "POSITION": small, "NORMAL": small }),
+        9 => json!("x".repeat(noise.times())),
+        10 => json!([u32::MAX, -1, 1e300, null]),
+        _ => json!(noise.pick(&["VEC3", "SCALAR", "MAT4", "2.0", "KHR_draco_mesh_compression", "data:;base64,AAA="])),
+    }
+}
+
+/// Words of 16 or 32 bits anywhere.
+pub(crate) fn change_numbers(noise: &mut Noise, bytes: &mut [u8]) {
+    let strange = [f32::NAN, f32::INFINITY, -f32::MAX, f32::MIN_POSITIVE, 1e-45, 1e19, 0.0, -0.0].map(f32::to_bits);
+    let (words, at) = (bytes.len() / 4, noise.below(bytes.len() / 4));
+    let word = if noise.one_in(2) { strange[noise.below(8)] } else { noise.next() as u32 >> noise.below(32) };
+    if words > 0 {
+        bytes[4 * at..4 * at + 4].copy_from_slice(&word.to_le_bytes());
+    }
+}
+
+/// Lengths, kinds, order and number of the chunks.
+fn change_chunks(noise: &mut Noise, bytes: &mut Vec<u8>) {
+    let json_bytes = u32::from_le_bytes([bytes[12], bytes[13], bytes[14], bytes[15]]) as usize;
+    let heads = [4, 8, 12, 16, 20 + json_bytes, 24 + json_bytes];
+    let head = heads[noise.below(heads.len())];
+    match noise.below(4) {
+        0 => bytes.truncate(noise.below(bytes.len())),
+        1 => bytes.extend_from_within(20 + json_bytes..),
+        2 => bytes[12..].rotate_left(8 + json_bytes),
+        _ => {
+            let known = u32::from_le_bytes([bytes[head], bytes[head + 1], bytes[head + 2], bytes[head + 3]]);
+            let near = known.wrapping_add(noise.below(9) as u32).wrapping_sub(4);
+            let word = [near, u32::MAX, 0, noise.next() as u32][noise.below(4)];
+            bytes[head..head + 4].copy_from_slice(&word.to_le_bytes());
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! The readers of this crate: how a case of each is made, and how it is read.
+
+use crate::gltf;
+use crate::noise::Noise;
+use crate::sound;
+use crate::tokens::changed;
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use scene::{MeshOptions, Meshes, ReadOptions};
+use std::io::Write as _;
+use std::path::Path;
+
+/// A reader, by the formats it is for.
+pub(crate) struct Reader {
+    pub(crate) name: &'static str,
+    /// Writes the files of a case into a folder.
+    write: fn(&mut Noise, &Path),
+    /// Reads them; the sentence of a refusal.
+    read: fn(&Path) -> Result<(), String>,
+}
+
+pub(crate) const READERS: [Reader; 11] = [
+    Reader { name: "glb", write: |n, at| put(at, "m.glb", &gltf::binary(n)), read: |at| mesh(at, "m.glb") },
+    Reader { name: "gltf", write: write_gltf, read: |at| mesh(at, "m.gltf") },
+    Reader { name: "stl", write: write_stl, read: |at| mesh(at, "m.stl") },
+    Reader { name: "stl-text", write: |n, at| text(n, at, "m.stl", sound::STL), read: |at| mesh(at, "m.stl") },
+    Reader { name: "obj", write: |n, at| text(n, at, "m.obj", sound::OBJ), read: |at| mesh(at, "m.obj") },
+    Reader { name: "scene", write: write_scene, read: |at| whole_scene(at, "s.toml") },
+    Reader { name: "materials", write: |n, at| text(n, at, "m.toml", sound::MATERIALS), read: materials },
+    Reader {
+        name: "pattern",
+        write: |n, at| text(n, at, "p.csv", sound::PATTERN),
+        read: |at| whole_scene(at, "pattern.toml"),
+    },
+    Reader {
+        name: "calibration",
+        write: |n, at| text(n, at, "c.csv", sound::CALIBRATION),
+        read: |at| whole_scene(at, "calibration.toml"),
+    },
+    Reader {
+        name: "fcd",
+        write: |n, at| text(n, at, "t.fcd.xml", sound::FCD),
+        read: |at| whole_scene(at, "traffic.toml"),
+    },
+    Reader { name: "fcd-gzip", write: write_packed, read: |at| whole_scene(at, "traffic.toml") },
+];
+
+impl Reader {
+    /// Makes a case and reads it; whether it was read.
+    pub(crate) fn try_case(&self, noise: &mut Noise, folder: &Path) -> bool {
+        (self.write)(noise, folder);
+        match (self.read)(folder) {
+            Ok(()) => true,
+            Err(sentence) => {
+                assert!(!sentence.trim().is_empty(), "{}: refused without a word", self.name);
+                assert!(sentence.len() < 1 << 20, "{}: refused in {} bytes", self.name, sentence.len());
+                assert!(sentence.contains(&*folder.to_string_lossy()), "{}: no file named: {sentence}", self.name);
+                false
+            }
+        }
+    }
+}
+
+/// What every case finds in its folder.
+pub(crate) fn prepare(folder: &Path) {
+    for (name, text) in sound::FILES {
+        put(folder, name, text.as_bytes());
+    }
+}
+
+fn put(folder: &Path, name: &str, bytes: &[u8]) {
+    std::fs::write(folder.join(name), bytes).unwrap();
+}
+
+fn text(noise: &mut Noise, folder: &Path, name: &str, sound: &[&str]) {
+    let whole = noise.pick(sound);
+    put(folder, name, &changed(noise, whole.as_bytes(), &sound::WORDS));
+}
+
+fn write_gltf(noise: &mut Noise, folder: &Path) {
+    let (mut json, buffer) = gltf::beside(noise);
+    if noise.one_in(4) {
+        json = changed(noise, &json, &sound::WORDS);
+    }
+    put(folder, "m.gltf", &json);
+    put(folder, "b.bin", &buffer);
+}
+
+/// Header, count, facets; the count and any number of a facet changed, the end cut off or more behind it.
+fn write_stl(noise: &mut Noise, folder: &Path) {
+    let facets = 1 + noise.below(20);
+    let number = |i: usize| (((i * 2_654_435_761) % 1000) as f32 / 100.0).to_le_bytes();
+    let facet = |f: usize| [(0..12).flat_map(|i| number(12 * f + i)).collect::<Vec<u8>>(), vec![0; 2]].concat();
+    let head = if noise.one_in(4) { b"solid " } else { b"binary" };
+    let mut bytes = [&head[..], &[0; 74]].concat();
+    let count = if noise.one_in(3) { noise.next() as u32 >> noise.below(32) } else { facets as u32 };
+    bytes.extend(count.to_le_bytes());
+    bytes.extend((0..facets).flat_map(facet));
+    for _ in 0..noise.below(3) {
+        gltf::change_numbers(noise, &mut bytes[84..]);
+    }
+    if noise.one_in(3) {
+        bytes.truncate(noise.below(bytes.len()));
+    }
+    put(folder, "m.stl", &bytes);
+}
+
+fn write_packed(noise: &mut Noise, folder: &Path) {
+    let pack = |text: &[u8]| {
+        let mut packer = GzEncoder::new(vec![], Compression::fast());
+        packer.write_all(text).unwrap();
+        packer.finish().unwrap()
+    };
+    let whole = noise.pick(sound::FCD).as_bytes();
+    let (first, second) = whole.split_at(noise.below(whole.len()));
+    let mut bytes = match noise.below(3) {
+        0 => [pack(first), pack(second)].concat(),
+        1 => pack(&[first, &b" ".repeat(noise.times() << 11), second].concat()),
+        _ => pack(&changed(noise, whole, &sound::WORDS)),
+    };
+    for _ in 0..noise.below(3) {
+        let at = if noise.one_in(2) { noise.below(bytes.len().min(12)) } else { noise.below(bytes.len()) };
+        bytes[at] ^= 1 << noise.below(8);
+    }
+    put(folder, "t.fcd.xml", &bytes);
+}
+
+/// With names of keys, so that a scene breaks rules behind those of its syntax.
+fn write_scene(noise: &mut Noise, folder: &Path) {
+    let keys: Vec<&str> = scene::TABLES.iter().flat_map(|table| table.keys.iter().copied()).collect();
+    let words: Vec<&str> = keys.into_iter().chain(sound::WORDS).collect();
+    let whole = noise.pick(sound::SCENES);
+    put(folder, "s.toml", &changed(noise, whole.as_bytes(), &words));
+}
+
+fn mesh(folder: &Path, name: &str) -> Result<(), String> {
+    let file = folder.join(name);
+    let mesh = scene::read_mesh(&file, &MeshOptions { unit_scale: None }).map_err(|error| error.to_string())?;
+    assert!(mesh.vertices_m.as_flattened().iter().all(|x| x.is_finite()));
+    assert!(mesh.triangles.as_flattened().iter().all(|&i| (i as usize) < mesh.vertices_m.len()));
+    assert!(mesh.material_of_triangle.iter().all(|&i| usize::from(i) < mesh.materials.len()));
+    Ok(())
+}
+
+fn materials(folder: &Path) -> Result<(), String> {
+    scene::read_materials(&folder.join("m.toml")).map(drop).map_err(|errors| errors.to_string())
+}
+
+fn whole_scene(folder: &Path, name: &str) -> Result<(), String> {
+    let options = ReadOptions { model: None, radar: None, meshes: Meshes::Whole };
+    let header = scene::read(&folder.join(name), &options).map_err(|errors| errors.to_string())?;
+    for frame in [0, header.frames / 2, header.frames.saturating_sub(1)] {
+        let poses = scene::snapshot(&header, frame).poses;
+        assert!(poses.iter().all(|pose| pose.position_m.iter().all(|x| x.is_finite())), "frame {frame}");
+    }
+    Ok(())
+}

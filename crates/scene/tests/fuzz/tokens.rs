@@ -1,0 +1,83 @@
+//! Texts changed by their words: what stands between blanks and signs is replaced, doubled, moved, nested.
+
+use crate::noise::Noise;
+
+/// A text as its words, signs and blanks.
+struct Tokens(Vec<Vec<u8>>);
+
+impl Tokens {
+    fn of(text: &[u8]) -> Self {
+        let class = |byte: &u8| match byte {
+            b'0'..=b'9' | b'a'..=b'z' | b'A'..=b'Z' | b'_' | b'.' | b'-' | b'+' | 128.. => 0,
+            b' ' | b'\t' => 1,
+            other => 2 + usize::from(*other),
+        };
+        Self(text.chunk_by(|a, b| class(a) == class(b) && class(a) < 2).map(<[u8]>::to_vec).collect())
+    }
+
+    fn bytes(self) -> Vec<u8> {
+        self.0.concat()
+    }
+
+    fn place(&self, noise: &mut Noise) -> usize {
+        noise.below(self.0.len())
+    }
+
+    /// A place of something that says something, if a few tries find one.
+    fn word(&self, noise: &mut Noise) -> usize {
+        let says = |i: &usize| self.0.get(*i).is_some_and(|token| token[0].is_ascii_alphanumeric() || token[0] == b'-');
+        let tries: Vec<usize> = (0..8).map(|_| self.place(noise)).collect();
+        tries.iter().copied().find(says).unwrap_or(tries[0])
+    }
+
+    fn change(&mut self, noise: &mut Noise, words: &[&str]) {
+        let (at, word) = (self.place(noise), self.word(noise));
+        match noise.below(9) {
+            0 | 1 => self.0[word] = noise.number().into_bytes(),
+            2 => self.0[word] = noise.pick(words).as_bytes().to_vec(),
+            3 => drop(self.0.remove(at)),
+            4 => self.0.insert(at, noise.pick(words).as_bytes().to_vec()),
+            5 => self.0[at] = self.0[at].repeat(noise.times()),
+            6 => self.0.insert(at, noise.stray_bytes().to_vec()),
+            7 => self.0.insert(at, self.0[word].clone()),
+            _ => self.0.swap(at, word),
+        }
+    }
+}
+
+/// One to four changes of words and lines; `words` are those of the format.
+pub(crate) fn changed(noise: &mut Noise, text: &[u8], words: &[&str]) -> Vec<u8> {
+    let mut bytes = text.to_vec();
+    for _ in 0..=noise.below(4) {
+        if noise.one_in(3) {
+            bytes = with_lines_changed(noise, &bytes);
+        } else {
+            let mut tokens = Tokens::of(&bytes);
+            if !tokens.0.is_empty() {
+                tokens.change(noise, words);
+            }
+            bytes = tokens.bytes();
+        }
+    }
+    bytes
+}
+
+fn with_lines_changed(noise: &mut Noise, text: &[u8]) -> Vec<u8> {
+    let mut lines: Vec<&[u8]> = text.split_inclusive(|byte| *byte == b'\n').collect();
+    if lines.is_empty() {
+        return vec![];
+    }
+    let (at, other) = (noise.below(lines.len()), noise.below(lines.len()));
+    match noise.below(6) {
+        0 => drop(lines.remove(at)),
+        1 => lines.insert(at, lines[other]),
+        2 => lines.swap(at, other),
+        3 => lines.truncate(at),
+        4 => lines.extend_from_within(at.min(other)..at.max(other)),
+        _ => {
+            let many = std::iter::repeat_n(lines[other], noise.times());
+            lines.splice(at..at, many);
+        }
+    }
+    lines.concat()
+}

@@ -1,0 +1,171 @@
+//! Values that a user types behind options: each has a range within which the work ends, and a sentence for what lies outside.
+
+use std::ops::RangeInclusive;
+
+/// Values of an axis and the text they were given as.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Axis {
+    pub(crate) values: Vec<f64>,
+}
+
+/// Longest axis: a table of 10⁶ values per axis is a mistake of typing.
+const AXIS_LIMIT: usize = 1_000_000;
+
+/// From radio waves that bend around a vehicle to where heat begins.
+pub(crate) fn frequencies(text: &str) -> Result<Axis, String> {
+    axis(text, 1e-3..=1e4)
+}
+
+/// Turns as many as one likes.
+pub(crate) fn azimuths(text: &str) -> Result<Axis, String> {
+    axis(text, AZIMUTHS_DEG)
+}
+
+pub(crate) fn elevations(text: &str) -> Result<Axis, String> {
+    axis(text, ELEVATIONS_DEG)
+}
+
+const AZIMUTHS_DEG: RangeInclusive<f64> = -1e6..=1e6;
+/// Straight down to straight up: beyond lies the other side, which has an azimuth of its own.
+const ELEVATIONS_DEG: RangeInclusive<f64> = -90.0..=90.0;
+
+fn axis(text: &str, allowed: RangeInclusive<f64>) -> Result<Axis, String> {
+    let parts: Vec<&str> = text.split(':').collect();
+    let number = |text: &str| within(text, &allowed);
+    match parts[..] {
+        [one] => Ok(Axis { values: vec![number(one)?] }),
+        [start, stop, count] => {
+            let (start, stop) = (number(start)?, number(stop)?);
+            let count: usize = count.parse().map_err(|_| format!("`{count}` is not a number of values"))?;
+            match count {
+                1 if start == stop => Ok(Axis { values: vec![start] }),
+                2..=AXIS_LIMIT => Ok(Axis { values: evenly(start, stop, count) }),
+                _ => Err(format!("START:STOP:N needs N from 2 to {AXIS_LIMIT}, both ends included; N is {count}")),
+            }
+        }
+        _ => Err("one number, or START:STOP:N".into()),
+    }
+}
+
+fn evenly(start: f64, stop: f64, count: usize) -> Vec<f64> {
+    let last = (count - 1) as f64;
+    (0..count).map(|i| (start * (last - i as f64) + stop * i as f64) / last).collect()
+}
+
+pub(crate) fn azimuth_deg(text: &str) -> Result<f64, String> {
+    within(text, &AZIMUTHS_DEG)
+}
+
+pub(crate) fn elevation_deg(text: &str) -> Result<f64, String> {
+    within(text, &ELEVATIONS_DEG)
+}
+
+/// Metres, or infinitely far. Squares of it and of its inverse stay numbers.
+pub(crate) fn range(text: &str) -> Result<f64, String> {
+    match text {
+        "inf" | "infinite" => Ok(f64::INFINITY),
+        text => within(text, &(1e-3..=1e9)).map_err(|error| format!("{error}, or inf")),
+    }
+}
+
+/// Below 0 dB: as large an error as the result is none that is allowed; f64 ends some way behind −200 dB.
+pub(crate) fn accuracy_db(text: &str) -> Result<f64, String> {
+    match within(text, &(-200.0..=0.0))? {
+        0.0 => Err("an error must be below 0 dB".into()),
+        error_db => Ok(error_db),
+    }
+}
+
+/// Samples or rays per wavelength.
+pub(crate) fn density(text: &str) -> Result<f64, String> {
+    within(text, &(0.1..=1000.0))
+}
+
+/// Metres per unit of a mesh file.
+pub(crate) fn scale(text: &str) -> Result<f64, String> {
+    within(text, &(1e-9..=1e6))
+}
+
+/// √W of one step of integer samples.
+pub(crate) fn step(text: &str) -> Result<f32, String> {
+    within(text, &(1e-30..=1e30)).map(|step| step as f32)
+}
+
+fn within(text: &str, allowed: &RangeInclusive<f64>) -> Result<f64, String> {
+    let value: f64 = text.parse().map_err(|_| format!("`{text}` is not a number"))?;
+    if allowed.contains(&value) {
+        return Ok(value);
+    }
+    Err(format!("it must be from {} to {}, is {text}", plain(*allowed.start()), plain(*allowed.end())))
+}
+
+/// With an exponent where the digits would only be zeros.
+fn plain(number: f64) -> String {
+    let is_plain = number == 0.0 || (1e-3..1e7).contains(&number.abs());
+    if is_plain { number.to_string() } else { format!("{number:e}") }
+}
+
+/// World metres.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Place(pub(crate) [f64; 3]);
+
+/// Within what a scene's coordinates are.
+pub(crate) fn place(text: &str) -> Result<Place, String> {
+    let parts: Result<Vec<f64>, _> = text.split(',').map(|part| within(part.trim(), &(-1e5..=1e5))).collect();
+    parts?.try_into().map(Place).map_err(|_| "three numbers, X,Y,Z in metres".to_owned())
+}
+
+/// Part `number` of `of`, from 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Shard {
+    pub(crate) number: u32,
+    pub(crate) of: u32,
+}
+
+pub(crate) fn shard(text: &str) -> Result<Shard, String> {
+    let parsed = text.split_once('/').and_then(|(k, n)| Some(Shard { number: k.parse().ok()?, of: n.parse().ok()? }));
+    match parsed {
+        Some(s) if s.number >= 1 && s.number <= s.of => Ok(s),
+        _ => Err("K/N with 1 ≤ K ≤ N".into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_axis_includes_both_its_ends() {
+        assert_eq!(azimuths("77:78:3").unwrap().values, [77.0, 77.5, 78.0]);
+        assert_eq!(azimuths("-10").unwrap().values, [-10.0]);
+        for bad in ["", "1:2", "1:2:0", "1:2:1", "nan", "1:inf:3", "a", "1:2:3:4"] {
+            assert!(azimuths(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn an_elevation_lies_between_straight_down_and_straight_up() {
+        assert!(elevations("-90:90:3").is_ok() && elevation_deg("90").is_ok());
+        for bad in ["91", "-90.001", "0:91:2", "nan", "inf"] {
+            assert!(elevations(bad).is_err(), "{bad}");
+        }
+        assert_eq!(elevation_deg("91").unwrap_err(), "it must be from -90 to 90, is 91");
+    }
+
+    #[test]
+    fn every_number_of_an_option_is_finite_and_neither_subnormal_nor_endless() {
+        let all: [fn(&str) -> bool; 6] = [
+            |t| range(t).is_err(),
+            |t| accuracy_db(t).is_err(),
+            |t| density(t).is_err(),
+            |t| scale(t).is_err(),
+            |t| step(t).is_err(),
+            |t| frequencies(t).is_err(),
+        ];
+        for bad in ["0", "nan", "-inf", "1e300", "5e-324", "-1e300", "1e999", ""] {
+            assert!(all.iter().all(|refuses| refuses(bad)), "{bad}");
+        }
+        assert_eq!(range("inf"), Ok(f64::INFINITY));
+        assert!(place("1,2,3").is_ok() && place("1,2").is_err() && place("1,2,nan").is_err());
+    }
+}
