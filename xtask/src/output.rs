@@ -1,13 +1,14 @@
 //! Results on standard output, and whole files or none.
 
 use crate::failure::Failure;
+use crate::progress::beside_the_bar;
 use artifact::whole_file::{Durability, WholeFile};
 use std::io::Write;
 use std::path::Path;
 
 /// A line of results. A reader that has gone away (`| head`) ends the program quietly.
 pub(crate) fn line(text: impl std::fmt::Display) {
-    if writeln!(std::io::stdout(), "{text}").is_err() {
+    if beside_the_bar(|| writeln!(std::io::stdout(), "{text}")).is_err() {
         std::process::exit(0);
     }
 }

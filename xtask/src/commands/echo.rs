@@ -4,6 +4,7 @@ use super::load::{self, LoadedScene, provenance};
 use crate::chain::{Chain, Scattering};
 use crate::cli::EchoArguments;
 use crate::failure::Failure;
+use crate::progress::Work;
 use crate::stages::Stage;
 use artifact::cube::Cube;
 use artifact::paths::{Paths, PathsFrame};
@@ -27,7 +28,9 @@ pub(crate) fn run(arguments: &EchoArguments) -> Result<(), Failure> {
 }
 
 fn from_scene(chain: &Chain, writer: &mut Writer<Cube>) -> Result<(), Failure> {
+    let work = Work::begin("frames");
     for index in 0..chain.header.frames {
+        work.at(index as usize, chain.header.frames as usize);
         let scene = scene::snapshot(chain.header, index);
         let scattering = chain.scattering(&chain.plan(index), &scene)?.value;
         writer.write(&chain.synthesize(&scene, &scattering)?)?;

@@ -5,6 +5,7 @@ use crate::chain::LoadedModel;
 use crate::cli::SceneArguments;
 use crate::failure::Failure;
 use crate::keys::{self, Key};
+use crate::progress::{self, Work};
 use crate::stages::Stage;
 use artifact::scene::{Scene, SceneHeader};
 use artifact::{Provenance, Reader, Writer};
@@ -25,8 +26,12 @@ pub(crate) fn scene(arguments: &SceneArguments, cache: Option<&Cache>) -> Result
     let start = Instant::now();
     let (model, radar) = (arguments.model.clone(), arguments.radar.clone());
     let options = scene::ReadOptions { model, radar, meshes: scene::Meshes::Whole };
-    let files = hashed(&scene::inputs(&arguments.scene, &options).map_err(of_scene)?)?;
+    let name = arguments.scene.display();
+    let files = progress::during(format!("looking for changes of {name} and of what it names"), || {
+        hashed(&scene::inputs(&arguments.scene, &options).map_err(of_scene)?)
+    })?;
     let key = keys::scene(&files, &(&arguments.model, &arguments.radar));
+    let reading = Work::begin(format!("reading {name} and its meshes"));
     let known = cache.and_then(|c| known(c, &key));
     let cached = known.is_some();
     let mut header = match known {
@@ -36,6 +41,7 @@ pub(crate) fn scene(arguments: &SceneArguments, cache: Option<&Cache>) -> Result
     if let (Some(cache), false) = (cache, cached) {
         keep(cache, &key, &header);
     }
+    drop(reading);
     header.seed = seed(arguments.seed.unwrap_or(header.seed), arguments.radar.as_deref());
     Ok(LoadedScene { header, cached, seconds: start.elapsed().as_secs_f64(), files })
 }

@@ -16,7 +16,7 @@ pub(crate) fn run(arguments: &PathsArguments) -> Result<(), Failure> {
     let chain = Chain::of(&loaded.header, None, None);
     let from = provenance(Stage::BartRcs, &loaded.header, loaded.files.clone());
     let mut writer = Writer::<Paths>::create(&arguments.out, &from, &chain.paths_header())?;
-    let work = Work::begin("paths");
+    let work = Work::begin("frames");
     for index in 0..loaded.header.frames {
         work.at(index as usize, loaded.header.frames as usize);
         let scene = scene::snapshot(&loaded.header, index);
