@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::keys::{FrameKeys, SceneParts, cube_header, echo_header};
 use crate::measured_frames::MeasuredFrames;
 use crate::plan::FramePlan;
-use crate::progress::Work;
+use crate::progress::{self, Work};
 use crate::stages::Stage;
 use crate::summary::FrameResult;
 use artifact::classes::{Classes, ClassesFrame, ClassesHeader};
@@ -19,6 +19,7 @@ use artifact::rdm::{Rdm, RdmFrame};
 use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
 use artifact::settings::{Class, EchoMode};
 use artifact::{Accuracy, ErrorBudget, ModelError, Schema};
+use bart_rcs::FrameSurroundings;
 use classifier::Classifier;
 use std::borrow::Cow;
 use std::path::Path;
@@ -265,7 +266,11 @@ impl<'a> Chain<'a> {
                 Ok(step.map(|frame| Scattering::Paths(PathsFrame { index, time_s, ..frame })))
             }
             EchoMode::RcsTable => {
-                let compute = || bart_rcs::rcs_frame(self.bodies(scene)?, &view(), scene).map_err(Failure::refused);
+                let compute = || {
+                    let bodies = self.bodies(scene)?;
+                    let progress = &Work::begin(format!("frame {}, tables of bodies", scene.index));
+                    bart_rcs::rcs_frame_within(bodies, &view(), scene, progress).map_err(Failure::refused)
+                };
                 let step = self.step::<Rcs>(plan, stage, key, &self.rcs_header(), compute)?;
                 let (index, time_s) = (scene.index, scene.time_s);
                 Ok(step.map(|frame| Scattering::Tables(RcsFrame { index, time_s, ..frame })))
@@ -277,12 +282,10 @@ impl<'a> Chain<'a> {
     fn traced(&self, scene: &SceneFrame) -> Result<PathsFrame, Failure> {
         let (view, bodies) = (scene::frame_view(self.header, scene.index), self.bodies(scene)?);
         let measured_in = self.header.measured_in(scene.index);
-        let traced = if measured_in == scene.index {
-            bart_rcs::trace_frame(bodies, &view, scene)
-        } else {
-            bart_rcs::trace_frame_like(bodies, &view, scene, &*self.measured_frame(measured_in)?)
-        };
-        traced.map_err(Failure::refused)
+        let measured = (measured_in != scene.index).then(|| self.measured_frame(measured_in)).transpose()?;
+        let progress = &Work::begin(format!("frame {}, paths", scene.index));
+        let surroundings = FrameSurroundings { like: measured.as_deref(), progress };
+        bart_rcs::trace_frame_within(bodies, &view, scene, &surroundings).map_err(Failure::refused)
     }
 
     /// What was measured in a frame; computed where no earlier frame of this run needed it.
@@ -298,6 +301,7 @@ impl<'a> Chain<'a> {
     fn bodies(&self, frame: &SceneFrame) -> Result<&bart_rcs::Models, Failure> {
         crate::memory::check(self.memory_estimate_mib(frame.index))?;
         let build = || {
+            let _under_way = Work::begin("building the hierarchies of the meshes");
             let models = bart_rcs::Models::build(self.header).map_err(|e| e.to_string())?;
             Ok(models.within(crate::memory::limit().share_of(self.side_by_side())))
         };
@@ -311,8 +315,8 @@ impl<'a> Chain<'a> {
 
     /// The echo of paths or tables.
     pub(crate) fn synthesize(&self, scene: &SceneFrame, scattering: &Scattering) -> Result<CubeFrame, Failure> {
-        let work = Work::begin(format!("frame {} echo", scene.index));
-        let progress = |share: f64| work.at((1000.0 * share) as usize, 1000);
+        let work = Work::begin(format!("frame {}, echo, percent", scene.index));
+        let progress = |share: f64| work.at((100.0 * share) as usize, 100);
         let (header, seed) = (&self.echo_header, self.header.seed);
         match scattering {
             Scattering::Paths(frame) => {
@@ -342,6 +346,7 @@ impl<'a> Chain<'a> {
 
     fn maps(&self, plan: &FramePlan, cube: &CubeFrame) -> Result<Step<(RdmFrame, PointsFrame)>, Failure> {
         let (key, stage) = (&plan.keys.dsp, Stage::Dsp);
+        let _under_way = Work::begin(format!("frame {}, range-Doppler map and points", plan.index));
         let compute = || dsp::range_doppler(&self.cube_header, cube).map_err(Failure::refused);
         let rdm = self.step::<Rdm>(plan, stage, key, &self.cube_header, compute)?;
         let detect = || dsp::detect_refined(&self.cube_header, cube, &rdm.value).map_err(Failure::refused);
@@ -354,7 +359,11 @@ impl<'a> Chain<'a> {
         let Some((model, key)) = self.model.zip(plan.keys.classifier.as_ref()) else {
             return Ok(Step { value: vec![], cached: false });
         };
-        let compute = || Ok(ClassesFrame { probabilities: model.classify(&self.cube_header, rdm, points)? });
+        let name = format!("frame {}, classification", plan.index);
+        let compute = || {
+            let probabilities = progress::during(name, || model.classify(&self.cube_header, rdm, points))?;
+            Ok(ClassesFrame { probabilities })
+        };
         let step = self.step::<Classes>(plan, stage, key, &model.classes_header(), compute)?;
         Ok(step.map(|frame| frame.probabilities))
     }

@@ -28,6 +28,33 @@ pub(crate) struct Arguments {
     pub(crate) quiet: bool,
 }
 
+impl Command {
+    /// The word that a user types.
+    pub(crate) fn name(&self) -> &'static str {
+        match self {
+            Self::Run(_) => "run",
+            Self::Rcs(_) => "rcs",
+            Self::Paths(_) => "paths",
+            Self::Echo(_) => "echo",
+            Self::Dsp(_) => "dsp",
+            Self::Dataset(_) => "dataset",
+            Self::Train(_) => "train",
+            Self::Classify(_) => "classify",
+            Self::Import(_) => "import",
+            Self::Calibrate(_) => "calibrate",
+            Self::Export(_) => "export",
+            Self::Inspect(_) => "inspect",
+            Self::Vehicles(_) => "vehicles",
+            Self::Chart(_) => "chart",
+            Self::Atlas(_) => "atlas",
+            Self::Levels(_) => "levels",
+            Self::Bench(_) => "bench",
+            Self::Cache(_) => "cache",
+            Self::Ci => "ci",
+        }
+    }
+}
+
 impl Arguments {
     /// Ends the program with exit code 2 on wrong words, 0 after `--help`. Option values may begin with a minus.
     pub(crate) fn parse_or_exit() -> Self {

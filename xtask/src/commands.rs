@@ -23,9 +23,11 @@ mod vehicles;
 
 use crate::cli::Command;
 use crate::failure::Failure;
+use crate::progress::Work;
 
 /// Does what was asked.
 pub(crate) fn dispatch(command: Command) -> Result<(), Failure> {
+    let _under_way = Work::begin(command.name());
     match command {
         Command::Run(arguments) => run::run(&arguments),
         Command::Rcs(arguments) => rcs::run(&arguments),

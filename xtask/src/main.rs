@@ -10,6 +10,7 @@ mod output;
 mod progress;
 mod measured_frames;
 mod memory;
+mod processor_time;
 mod cache;
 mod checkpoint;
 mod keys;
@@ -43,7 +44,9 @@ fn main() -> ExitCode {
     interrupt::install();
     progress::configure(&arguments);
     memory::set_limit(arguments.memory_limit);
-    match limit_threads(arguments.threads).and_then(|()| commands::dispatch(arguments.command)) {
+    let ended = limit_threads(arguments.threads).and_then(|()| commands::dispatch(arguments.command));
+    progress::finish();
+    match ended {
         Ok(()) => {
             output::finish(Ok(()));
             ExitCode::SUCCESS

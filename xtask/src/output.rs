@@ -1,6 +1,7 @@
 //! Results on standard output, and whole files or none.
 
 use crate::failure::Failure;
+use crate::progress::beside_the_bar;
 use artifact::whole_file::{self, Durability, WholeFile};
 use std::collections::BTreeSet;
 use std::io::{ErrorKind, Write};
@@ -9,7 +10,7 @@ use std::sync::{Mutex, PoisonError};
 
 /// A line of results. One that cannot be written ends the program: its results have no other place.
 pub(crate) fn line(text: impl std::fmt::Display) {
-    if let Err(error) = writeln!(std::io::stdout(), "{text}") {
+    if let Err(error) = beside_the_bar(|| writeln!(std::io::stdout(), "{text}")) {
         give_up(&error);
     }
 }

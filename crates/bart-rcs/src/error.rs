@@ -110,6 +110,40 @@ pub enum BartError {
         /// Of the radar's position.
         height_m: f64,
     },
+    /// An antenna's own near field is no spherical wave.
+    #[error(
+        "an antenna stands {:.3} mm from a facet of `{body}`; nearer than a wavelength, {:.3} mm at the lowest frequency, its \
+         field is no spherical wave (1/kr of it is not, −16 dB there) and physical optics says nothing: move it away",
+        1e3 * distance_m,
+        1e3 * least_m
+    )]
+    AntennaTooNear {
+        /// Id of the target, or the name of the mesh.
+        body: String,
+        /// To the nearest facet.
+        distance_m: f64,
+        /// Allowed.
+        least_m: f64,
+    },
+    /// Nothing comes back from inside a closed body to a distance, and no order of bounces is the last.
+    #[error(
+        "an antenna stands inside a closed body: facets take {:.4} % of all directions from it, so that no wave leaves and no \
+         order of bounces is the last: move it out, or open the body",
+        100.0 * share
+    )]
+    AntennaEnclosed {
+        /// Of all directions.
+        share: f64,
+    },
+    /// A node integral that would not end.
+    #[error(
+        "integrals over the lit facets of one aspect need more than {most} pieces at any accuracy, as an antenna stands so \
+         near: move it away, or ask for fewer bounces or a lower frequency"
+    )]
+    TooManyPieces {
+        /// Allowed.
+        most: u64,
+    },
     /// The antenna's place or direction is NaN, infinite or, for a direction, zero.
     #[error("the antenna's place or direction is not finite or is zero")]
     AntennaNotFinite,

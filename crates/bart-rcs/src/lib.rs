@@ -42,6 +42,7 @@
 
 mod error; // what can be wrong with a body or an antenna
 mod memory; // expected, watched, refused
+mod progress; // who hears how far work is
 mod geometry; // points, planes, polygons
 mod mesh; // what belongs together in a mesh
 mod materials; // reflection and transmission
@@ -63,14 +64,16 @@ pub use beams::beam::{Audit, Beam, BeamTree, OrderAudit, TraceSettings};
 pub use bodies::world::{Models, World};
 pub use detail::level::reduced;
 pub use error::BartError;
-pub use frame::path::{trace_frame, trace_frame_like};
+pub use frame::path::{FrameSurroundings, trace_frame, trace_frame_like, trace_frame_within};
 pub use frame::path_sum::{PathView, scattering_of_paths};
-pub use frame::rcs_frame::rcs_frame;
+pub use frame::rcs_frame::{rcs_frame, rcs_frame_within};
 pub use geometry::antenna::Antenna;
 pub use geometry::facet_geometry::FacetGeometry;
 pub use geometry::plane::Plane;
 pub use memory::{MemoryLimit, memory_estimate_bytes};
+pub use progress::{Phase, Progress, Unheard};
 pub use surface::skin::{Role, Skin};
+pub use table::antennas::check_antennas;
 pub use table::contributions::{Contribution, contributions};
 pub use table::far_field_error::{FarFieldError, Spread};
 pub use table::keeper::{Keeper, NothingKept, Piece};

@@ -4,9 +4,11 @@ pub(crate) mod joint_sum; // of all joints of one order
 pub(crate) mod meeting; // of both ends, in ways of one order
 pub(crate) mod small_mirrors; // too small to be followed: what they would have added
 pub(crate) mod end_tree; // of an aspect, or of all with one receiver
+pub(crate) mod work_meter; // whose work the processors' time was
 pub(crate) mod aspect; // S at one aspect, by order and node rule
 pub(crate) mod keeper; // what is done of a table, for another run
 pub(crate) mod finer_mirrors; // where more was dropped than was asked for
 pub(crate) mod far_field_error; // what a far-field table misses near by
 pub(crate) mod rcs_table; // S over frequency and aspect
+pub(crate) mod antennas; // where no method says anything
 pub(crate) mod contributions; // S of one aspect by facet sequence

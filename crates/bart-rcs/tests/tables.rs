@@ -8,7 +8,7 @@ use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use bart_rcs::{
-    Keeper, MemoryLimit, NothingKept, Piece, RcsRequest, RcsResult, RcsSeconds, Surroundings, rcs, rcs_within,
+    Keeper, MemoryLimit, NothingKept, Piece, RcsRequest, RcsResult, RcsSeconds, Surroundings, Unheard, rcs, rcs_within,
 };
 use bodies::car;
 use std::collections::BTreeMap;
@@ -51,7 +51,7 @@ impl Keeper for Memory {
 }
 
 fn made_with(mesh: &Mesh, request: &RcsRequest, keeper: &dyn Keeper) -> RcsResult {
-    let surroundings = Surroundings { memory_limit: MemoryLimit::NONE, keeper, progress: &|_, _| () };
+    let surroundings = Surroundings { memory_limit: MemoryLimit::NONE, keeper, progress: &Unheard, clock_s: &|| 0.0 };
     RcsResult { seconds: RcsSeconds::default(), ..rcs_within(mesh, request, &surroundings).unwrap() }
 }
 

@@ -5,6 +5,7 @@ use crate::cli::DspArguments;
 use crate::failure::Failure;
 use crate::output;
 use crate::pictures;
+use crate::progress::Work;
 use crate::stages::Stage;
 use crate::sub_frames;
 use artifact::cube::{Cube, CubeHeader};
@@ -37,6 +38,7 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     let mut cycle = Vec::new();
     for cube in reader {
         let cube = cube?;
+        let _under_way = Work::begin(format!("frame {}", cube.index));
         let rdm = dsp::range_doppler(&header, &cube).map_err(|e| refused(&arguments.cube, &e))?;
         let points = dsp::detect_refined(&header, &cube, &rdm).map_err(|e| refused(&arguments.cube, &e))?;
         cycle.push((rdm, points));

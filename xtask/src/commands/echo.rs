@@ -4,6 +4,7 @@ use super::load::{self, LoadedScene, provenance};
 use crate::chain::{Chain, Scattering};
 use crate::cli::EchoArguments;
 use crate::failure::Failure;
+use crate::progress::Work;
 use crate::stages::Stage;
 use crate::verdict::{self, Verdict};
 use artifact::cube::Cube;
@@ -35,8 +36,10 @@ pub(crate) fn run(arguments: &EchoArguments) -> Result<(), Failure> {
 type Verdicts = Vec<(u32, Verdict)>;
 
 fn from_scene(chain: &Chain, writer: &mut Writer<Cube>) -> Result<Verdicts, Failure> {
+    let work = Work::begin("frames");
     let mut told = vec![];
     for index in 0..chain.header.frames {
+        work.at(index as usize, chain.header.frames as usize);
         let scene = scene::snapshot(chain.header, index);
         let scattering = chain.scattering(&chain.plan(index), &scene)?.value;
         told.push((index, write(chain, &scene, &scattering, writer)?));

@@ -5,6 +5,7 @@ use crate::chain::LoadedModel;
 use crate::cli::SceneArguments;
 use crate::failure::Failure;
 use crate::keys;
+use crate::progress::{self, Work};
 use crate::stages::Stage;
 use artifact::Provenance;
 use artifact::scene::{Scene, SceneHeader};
@@ -25,10 +26,14 @@ pub(crate) fn scene(arguments: &SceneArguments, cache: Option<&Cache>) -> Result
     let start = Instant::now();
     let (model, radar) = (arguments.model.clone(), arguments.radar.clone());
     let options = scene::ReadOptions { model, radar, meshes: scene::Meshes::Whole };
-    let files = hashed(&scene::inputs(&arguments.scene, &options).map_err(of_scene)?)?;
+    let name = arguments.scene.display();
+    let files = progress::during(format!("looking for changes of {name} and of what it names"), || {
+        hashed(&scene::inputs(&arguments.scene, &options).map_err(of_scene)?)
+    })?;
     // Of a path that is no text the key has what can be shown; what is in the file is among the hashes.
     let model = arguments.model.as_ref().map(|file| file.to_string_lossy());
     let key = keys::scene(&files, &(model, &arguments.radar));
+    let reading = Work::begin(format!("reading {name} and its meshes"));
     let known = cache.and_then(|c| c.get_header::<Scene>(Stage::Scene, &key));
     let cached = known.is_some();
     let mut header = match known {
@@ -38,6 +43,7 @@ pub(crate) fn scene(arguments: &SceneArguments, cache: Option<&Cache>) -> Result
     if let (Some(cache), false) = (cache, cached) {
         cache.put_header::<Scene>(Stage::Scene, &key, &header);
     }
+    drop(reading);
     header.seed = seed(arguments.seed.unwrap_or(header.seed), arguments.radar.as_deref());
     Ok(LoadedScene { header, cached, seconds: start.elapsed().as_secs_f64(), files })
 }

@@ -17,7 +17,7 @@ pub(crate) fn run(arguments: &PathsArguments) -> Result<(), Failure> {
     let chain = Chain::of(&loaded.header, None, None);
     let from = provenance(Stage::BartRcs, &loaded.header, loaded.files.clone());
     let mut writer = Writer::<Paths>::create(&arguments.out, &from, &chain.paths_header())?;
-    let work = Work::begin("paths");
+    let work = Work::begin("frames");
     let mut told = vec![];
     for index in 0..loaded.header.frames {
         work.at(index as usize, loaded.header.frames as usize);

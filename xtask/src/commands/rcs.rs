@@ -15,9 +15,10 @@ use crate::cli::{
 };
 use crate::failure::Failure;
 use crate::output;
+use crate::processor_time::WorkClock;
 use crate::progress::{self, Work};
 use crate::stages::Stage;
-use answer::Answer;
+use answer::{Answer, Took};
 use artifact::Accuracy;
 use artifact::envelope::fingerprint;
 use artifact::material::{MaterialMap, Transmission};
@@ -32,26 +33,30 @@ use std::path::Path;
 use std::time::Instant;
 
 pub(crate) fn run(arguments: &RcsArguments) -> Result<(), Failure> {
-    let start = Instant::now();
+    let (start, clock) = (Instant::now(), WorkClock::start());
     std::iter::once(&arguments.mesh).chain(&arguments.materials).for_each(|file| artifact::inputs::note(file));
     let request = request(arguments)?;
-    let mesh = dressed(mesh(&arguments.mesh, arguments.unit_scale)?, arguments)?;
+    let mesh = progress::during(format!("reading {}", arguments.mesh.display()), || {
+        dressed(mesh(&arguments.mesh, arguments.unit_scale)?, arguments)
+    })?;
     claim(arguments)?;
-    let load = start.elapsed().as_secs_f64();
-    let checkpoint = checkpoint(arguments, &mesh, &request);
+    let load = clock.seconds();
+    let checkpoint = progress::during("looking for an earlier run of this", || checkpoint(arguments, &mesh, &request));
     let answer = match arguments.method {
-        MethodWord::Bart => traced(&mesh, &request, &checkpoint)?,
-        MethodWord::Po | MethodWord::Sbr => references::answer(arguments, &mesh, &request, &checkpoint)?,
+        MethodWord::Bart => traced(&mesh, &request, &checkpoint, &clock)?,
+        MethodWord::Po | MethodWord::Sbr => references::answer(arguments, &mesh, &request, &checkpoint, &clock)?,
     };
     let shape = [request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len()];
     NpyStream::write::<Complex64>(&arguments.out, &shape, |stream| stream.append(&answer.amplitude_m))?;
     let answer = Answer { cached: checkpoint.aspects(), ..answer };
     let samplings = arguments.pictures.then(|| Samplings::of(&mesh, &request));
-    let mut described = answer.json(arguments, &mesh, load, start.elapsed().as_secs_f64());
+    let took = Took { load, total: start.elapsed().as_secs_f64(), counted: clock.counted() };
+    let mut described = answer.json(arguments, &mesh, &took);
     described["pictures"] = samplings.as_ref().map_or(Value::Null, Samplings::json);
     sidecar::write_of_table(&arguments.out, &described)?;
     checkpoint.finish();
     if let Some(samplings) = &samplings {
+        let _under_way = Work::begin("pictures");
         pictures::write(&arguments.out, &mesh, &request, samplings, &answer.amplitude_m)?;
         pictures::write_facets(&arguments.out, &mesh, &request)?;
     }
@@ -83,11 +88,10 @@ fn checkpoint(arguments: &RcsArguments, mesh: &Mesh, request: &RcsRequest) -> Ch
     checkpoint
 }
 
-fn traced(mesh: &Mesh, request: &RcsRequest, checkpoint: &Checkpoint) -> Result<Answer, Failure> {
-    let work = Work::resumed("rcs", checkpoint.aspects());
-    let progress = |done: usize, of: usize| work.at(done, of);
-    let memory_limit = crate::memory::limit();
-    bart_rcs::rcs_within(mesh, request, &Surroundings { memory_limit, keeper: checkpoint, progress: &progress })
+fn traced(mesh: &Mesh, request: &RcsRequest, checkpoint: &Checkpoint, clock: &WorkClock) -> Result<Answer, Failure> {
+    let work = Work::resumed("aspects", checkpoint.aspects());
+    let (memory_limit, clock_s) = (crate::memory::limit(), &|| clock.seconds());
+    bart_rcs::rcs_within(mesh, request, &Surroundings { memory_limit, keeper: checkpoint, progress: &work, clock_s })
         .map(Answer::of_bart)
         .map_err(Failure::refused)
 }

@@ -10,8 +10,9 @@ use crate::failure::Failure;
 use crate::frame_truth::FrameTruth;
 use crate::output;
 use crate::plan::FramePlan;
+use crate::processor_time;
 use crate::products::{Figures, Products};
-use crate::progress;
+use crate::progress::{self, Work};
 use crate::report;
 use crate::several_radars::{self, Told};
 use crate::stages::Stage;
@@ -97,15 +98,24 @@ fn one_radar(
     }
     let out = out.map_or_else(|| PathBuf::from("out").join(&loaded.header.name), Path::to_owned);
     output::claim(&["summary.json", "report.html"].map(|name| out.join(name)))?;
-    let start = Instant::now();
+    let (start, begin) = (Instant::now(), processor_time::of_process());
     let (computed, figures) = compute(&chain, loaded, &plans, &out)?;
-    let frames_seconds = start.elapsed().as_secs_f64();
+    let processor = processor_time::of_process().zip(begin).map(|(end, begin)| end - begin);
+    let took = Took { seconds: start.elapsed().as_secs_f64(), processor };
     if let Some(cache) = cache {
         expectation::learn(cache, &chain, &computed.frames);
         cache.trim();
     }
-    let summary = conclude(loaded, computed, frames_seconds, &figures, &out)?;
+    let summary = conclude(loaded, computed, took, &figures, &out)?;
     Ok(Some(Told { summary, seen: figures.seen, out }))
+}
+
+/// What all frames took, to the last picture's end.
+struct Took {
+    /// By the clock.
+    seconds: f64,
+    /// Of all threads; `None` where the system does not tell.
+    processor: Option<f64>,
 }
 
 /// What `summary.json` tells of all frames.
@@ -124,9 +134,11 @@ fn compute(
     let mut products = Products::create(chain, out, &loaded.files)?;
     let mut tracking = Tracking::of(chain)?;
     let (mut frames, mut cycle) = (Vec::new(), Vec::new());
+    let work = Work::begin("frames");
     for plans_at_once in plans.chunks(chain.side_by_side()) {
-        let first = plans_at_once.first().map_or(0, |plan| plan.index + 1);
-        progress::note(format!("frame {first} of {}", plans.len()));
+        let first = plans_at_once.first().map_or(0, |plan| plan.index as usize);
+        work.at(first, plans.len());
+        progress::note(format!("frame {} of {}", first + 1, plans.len()));
         for mut frame in side_by_side(chain, plans_at_once)? {
             let is_first = frame.result.scene.index == 0;
             frame.result.seconds.insert(0, (Stage::Scene, if is_first { loaded.seconds } else { 0.0 }));
@@ -141,7 +153,7 @@ fn compute(
                     let mut told = summary::frame(&frame.view, &frame.result, &truth);
                     told["tracks"] = told_of_tracks;
                     frames.push(told);
-                    products.write(chain, frame, &truth, &tracks)?;
+                    progress::during("artifacts and pictures", || products.write(chain, frame, &truth, &tracks))?;
                 }
             }
         }
@@ -184,12 +196,14 @@ fn at_once<'a>(chain: &Chain, plans: impl Iterator<Item = &'a FramePlan>) -> Res
 fn conclude(
     loaded: &LoadedScene,
     computed: Computed,
-    frames_seconds: f64,
+    took: Took,
     figures: &Figures,
     out: &Path,
 ) -> Result<Value, Failure> {
+    let _under_way = Work::begin("summary and report");
     let mut root: Map<String, Value> = summary::head(&loaded.header);
-    root.insert("frames_seconds".into(), frames_seconds.into());
+    root.insert("frames_seconds".into(), took.seconds.into());
+    root.insert("frames_processor_seconds".into(), took.processor.into());
     root.insert("metrics".into(), computed.metrics);
     root.insert("frames".into(), computed.frames.into());
     let root = Value::Object(root);

@@ -12,10 +12,12 @@ use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::border::Border;
 use crate::geometry::plane::Plane;
+use crate::progress::{Phase, Progress, Unheard};
 use artifact::settings::Sides;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
 
 /// What a tree shall hold.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -115,12 +117,22 @@ pub struct OrderAudit {
 impl BeamTree {
     /// Everything that `antenna` lights, up to `settings.max_order`.
     pub fn trace(world: &World, antenna: Antenna, settings: &TraceSettings) -> Result<Self, BartError> {
-        trace_by::<ByHierarchy>(world, antenna, settings)
+        Self::trace_heard(world, antenna, settings, &Unheard)
+    }
+
+    /// The same while somebody listens.
+    pub(crate) fn trace_heard(
+        world: &World,
+        antenna: Antenna,
+        settings: &TraceSettings,
+        progress: &dyn Progress,
+    ) -> Result<Self, BartError> {
+        trace_by::<ByHierarchy>(world, antenna, settings, progress)
     }
 
     /// The same by the slow obvious way: every facet is cut by every other. For tests.
     pub fn trace_by_brute_force(world: &World, antenna: Antenna, settings: &TraceSettings) -> Result<Self, BartError> {
-        trace_by::<EveryFacet>(world, antenna, settings)
+        trace_by::<EveryFacet>(world, antenna, settings, &Unheard)
     }
 
     /// The lit polygon: convex, counter-clockwise about the lit normal, world metres.
@@ -151,11 +163,16 @@ impl BeamTree {
     }
 }
 
-fn trace_by<V: Visibility>(world: &World, antenna: Antenna, settings: &TraceSettings) -> Result<BeamTree, BartError> {
+fn trace_by<V: Visibility>(
+    world: &World,
+    antenna: Antenna,
+    settings: &TraceSettings,
+    progress: &dyn Progress,
+) -> Result<BeamTree, BartError> {
     if !antenna.is_sound() {
         return Err(BartError::AntennaNotFinite);
     }
-    let mut growth = Growth::new(antenna, settings);
+    let mut growth = Growth::new(antenna, settings, progress);
     grow_to::<V>(world, settings.max_order, &mut growth)?;
     Ok(growth.tree)
 }
@@ -168,9 +185,14 @@ pub(crate) struct GrowingTree<'a> {
 
 impl<'a> GrowingTree<'a> {
     /// Of no order yet.
-    pub(crate) fn new(world: &'a World, antenna: Antenna, settings: &'a TraceSettings) -> Result<Self, BartError> {
+    pub(crate) fn new(
+        world: &'a World,
+        antenna: Antenna,
+        settings: &'a TraceSettings,
+        progress: &'a dyn Progress,
+    ) -> Result<Self, BartError> {
         if antenna.is_sound() {
-            Ok(Self { world, growth: Growth::new(antenna, settings) })
+            Ok(Self { world, growth: Growth::new(antenna, settings, progress) })
         } else {
             Err(BartError::AntennaNotFinite)
         }
@@ -191,6 +213,7 @@ fn grow_to<V: Visibility>(world: &World, order: u8, growth: &mut Growth<'_>) -> 
     if done == 0 && order > 0 {
         let antenna = growth.tree.antenna;
         growth.begin_order();
+        growth.progress.at(Phase::Tracing, 0, 0);
         let view = View::direct(world, growth.settings.sides, antenna);
         let seen: Vec<Parts> = V::direct(&view).into_par_iter().map(|parts| parted(&view, parts)).collect();
         for parts in seen {
@@ -209,12 +232,14 @@ const BATCH: usize = 4096;
 fn grow_order<V: Visibility>(world: &World, order: u8, growth: &mut Growth) -> Result<(), BartError> {
     let parents = growth.begin_order();
     let mut incident_section = 0.0;
-    for batch in parents.chunks(BATCH) {
-        let reflect = |buffers: &mut Buffers, &index: &u32| {
+    let pool = Mutex::default();
+    for (number, batch) in parents.chunks(BATCH).enumerate() {
+        growth.progress.at(Phase::Tracing, number * BATCH, parents.len());
+        let reflect = |lent: &mut Lent<'_>, &index: &u32| {
             let view = growth.view(world, index)?;
-            Some((index, view.antenna, parted(&view, V::reflected(&view, buffers))))
+            Some((index, view.antenna, parted(&view, V::reflected(&view, &mut lent.buffers))))
         };
-        let met: Vec<_> = batch.par_iter().map_init(Buffers::default, reflect).collect();
+        let met: Vec<_> = batch.par_iter().map_init(|| Lent::from(&pool), reflect).collect();
         for (parent, image, parts) in met.into_iter().flatten() {
             incident_section += growth.tree.beams[parent as usize].section;
             growth.take(Some(parent), image, order, parts)?;
@@ -225,10 +250,32 @@ fn grow_order<V: Visibility>(world: &World, order: u8, growth: &mut Growth) -> R
     Ok(())
 }
 
+/// Buffers that go back to where they came from: they have a place for every facet of the world, and to make them anew for
+/// every part of every batch was a fifth of the work on two million facets.
+struct Lent<'p> {
+    buffers: Buffers,
+    pool: &'p Mutex<Vec<Buffers>>,
+}
+
+impl<'p> Lent<'p> {
+    fn from(pool: &'p Mutex<Vec<Buffers>>) -> Self {
+        let buffers = pool.lock().unwrap_or_else(PoisonError::into_inner).pop().unwrap_or_default();
+        Self { buffers, pool }
+    }
+}
+
+impl Drop for Lent<'_> {
+    fn drop(&mut self) {
+        let buffers = std::mem::take(&mut self.buffers);
+        self.pool.lock().unwrap_or_else(PoisonError::into_inner).push(buffers);
+    }
+}
+
 /// A tree that is being grown, and what only its last orders need.
 struct Growth<'a> {
     tree: BeamTree,
     settings: &'a TraceSettings,
+    progress: &'a dyn Progress,
     /// The edges of the two last orders' polygons, from vertex `first_edge` of the tree on.
     edges: Vec<(Plane, Border)>,
     first_edge: usize,
@@ -238,7 +285,7 @@ struct Growth<'a> {
 }
 
 impl<'a> Growth<'a> {
-    fn new(antenna: Antenna, settings: &'a TraceSettings) -> Self {
+    fn new(antenna: Antenna, settings: &'a TraceSettings, progress: &'a dyn Progress) -> Self {
         let tree = BeamTree {
             antenna,
             beams: Vec::new(),
@@ -246,7 +293,8 @@ impl<'a> Growth<'a> {
             borders: Vec::new(),
             audit: Audit::default(),
         };
-        Self { tree, settings, edges: Vec::new(), first_edge: 0, first_beam: 0, audit: OrderAudit::default() }
+        let (edges, audit) = (Vec::new(), OrderAudit::default());
+        Self { tree, settings, progress, edges, first_edge: 0, first_beam: 0, audit }
     }
 
     /// Starts an order; gives the beams of the order before that are to be reflected.

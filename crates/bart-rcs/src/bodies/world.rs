@@ -276,6 +276,16 @@ impl World {
         })
     }
 
+    /// What the body of a facet is called: the target's id, or the name of a mesh alone.
+    pub(crate) fn id_of_body(&self, facet: u32) -> &str {
+        self.body_of(facet).map_or("", |body| &body.id)
+    }
+
+    /// Whether waves are followed through some facets.
+    pub(crate) fn has_sheets(&self) -> bool {
+        !self.sheets.is_empty()
+    }
+
     fn body_of(&self, facet: u32) -> Option<&Body> {
         let after = self.bodies.partition_point(|body| body.first_facet <= facet);
         after.checked_sub(1).map(|body| &self.bodies[body])
@@ -441,6 +451,7 @@ const AT_ORIGIN: Pose =
 #[derive(Clone)]
 struct Body {
     target: u32,
+    id: Arc<str>,
     mesh: Arc<BodyMesh>,
     world_from_body: DMat3,
     position_m: DVec3,
@@ -456,7 +467,7 @@ impl Body {
             return Err(BartError::PoseNotFinite { target: id.to_owned() });
         }
         let world_from_body = DMat3::from_rotation_z(pose.yaw_rad);
-        Ok(Self { target, mesh, world_from_body, position_m, motion, first_facet: 0 })
+        Ok(Self { target, id: id.into(), mesh, world_from_body, position_m, motion, first_facet: 0 })
     }
 
     /// Whether antennas have gain towards any of it, or of its image below the road, during a frame.
@@ -475,6 +486,7 @@ impl Body {
     fn below_road(&self) -> Self {
         Self {
             target: self.target,
+            id: Arc::clone(&self.id),
             mesh: Arc::clone(&self.mesh),
             world_from_body: DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0)) * self.world_from_body,
             position_m: below(self.position_m),

@@ -13,6 +13,7 @@ use crate::frame::road_left_out::road_left_out;
 use crate::geometry::antenna::Antenna;
 use crate::joins::join::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH, check_order};
+use crate::progress::{Phase, Progress, Unheard};
 use artifact::paths::{
     Amplitude, Curve, ErrorOrigin, Facet, Fineness, MAX_ORDER, Path, PathsFrame, Rim, TraceStatistics,
 };
@@ -32,20 +33,47 @@ use std::f64::consts::TAU;
 /// both, and the paths of one tree do not follow ("freezing"). `error.tessellation` is the bound that a smooth
 /// surface was cut to; `None` where facets are the surface itself.
 pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> Result<PathsFrame, BartError> {
+    trace_frame_within(models, header, frame, &FrameSurroundings { like: None, progress: &Unheard })
+}
+
+/// What a frame is made in.
+#[derive(Clone, Copy)]
+pub struct FrameSurroundings<'a> {
+    /// As fine as this frame of the scene was, whose errors are told as this one's ([`trace_frame_like`]).
+    pub like: Option<&'a PathsFrame>,
+    /// Hears how far it is.
+    pub progress: &'a dyn Progress,
+}
+
+/// [`trace_frame`] or [`trace_frame_like`] in surroundings that hear of it.
+pub fn trace_frame_within(
+    models: &Models,
+    header: &SceneHeader,
+    frame: &SceneFrame,
+    surroundings: &FrameSurroundings<'_>,
+) -> Result<PathsFrame, BartError> {
     let header = &header.in_frame(frame.index);
     check_order(header.fidelity.bounces)?;
     check_road(header)?;
-    let plan = Plan::of(header);
+    let plan = Plan::of(header, surroundings.progress);
+    match surroundings.like.and_then(|measured| Some((measured, measured.trace.fineness.as_ref()?))) {
+        Some((measured, fineness)) => traced_like(models, frame, &plan, measured, fineness),
+        None => traced(models, frame, &plan),
+    }
+}
+
+fn traced(models: &Models, frame: &SceneFrame, plan: &Plan<'_>) -> Result<PathsFrame, BartError> {
+    let header = plan.header;
     // One moment's bodies and beams at a time.
     let (reference, road, check_bytes) = {
-        let check = Snapshot::at(models, header, frame, (plan.check_s, plan.check_m), &plan)?;
-        let reference = reference(&check.scatterer(&plan), &plan);
-        let road = road_left_out(&check.world, &plan, &reference)?;
+        let check = Snapshot::at(models, header, frame, (plan.check_s, plan.check_m), plan)?;
+        let reference = reference(&check.scatterer(plan, Phase::Checking), plan);
+        let road = road_left_out(&check.world, plan, &reference)?;
         (reference, road, check.bytes())
     };
-    let snapshot = Snapshot::at(models, header, frame, (plan.middle_s, plan.position_m), &plan)?;
+    let snapshot = Snapshot::at(models, header, frame, (plan.middle_s, plan.position_m), plan)?;
     let points = point_paths(header, frame);
-    let table = Fit::new(&snapshot.scatterer(&plan), &plan, &points, &reference).table();
+    let table = Fit::new(&snapshot.scatterer(plan, Phase::Integrating), plan, &points, &reference).table();
     let bent = (header.fidelity.surface == Surface::Smooth).then(|| snapshot.world.skin_error());
     let has_bodies = !snapshot.world.facets().is_empty();
     let measured = Measured {
@@ -56,7 +84,7 @@ pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) ->
         origin: ErrorOrigin::Measured,
         bytes: check_bytes,
     };
-    Ok(paths_frame(&plan, frame, &snapshot, table.paths, measured))
+    Ok(paths_frame(plan, frame, &snapshot, table.paths, measured))
 }
 
 /// The same with what was `measured` in another frame of the scene near this one: its cells and integrals are as fine, and its
@@ -68,13 +96,19 @@ pub fn trace_frame_like(
     frame: &SceneFrame,
     measured: &PathsFrame,
 ) -> Result<PathsFrame, BartError> {
-    let Some(fineness) = &measured.trace.fineness else { return trace_frame(models, header, frame) };
-    let header = &header.in_frame(frame.index);
-    check_order(header.fidelity.bounces)?;
-    check_road(header)?;
-    let plan = Plan::of(header);
-    let snapshot = Snapshot::at(models, header, frame, (plan.middle_s, plan.position_m), &plan)?;
-    let mut paths = paths_as_fine(&snapshot.scatterer(&plan), &plan, fineness);
+    trace_frame_within(models, header, frame, &FrameSurroundings { like: Some(measured), progress: &Unheard })
+}
+
+fn traced_like(
+    models: &Models,
+    frame: &SceneFrame,
+    plan: &Plan<'_>,
+    measured: &PathsFrame,
+    fineness: &Fineness,
+) -> Result<PathsFrame, BartError> {
+    let header = plan.header;
+    let snapshot = Snapshot::at(models, header, frame, (plan.middle_s, plan.position_m), plan)?;
+    let mut paths = paths_as_fine(&snapshot.scatterer(plan, Phase::Integrating), plan, fineness);
     paths.extend(point_paths(header, frame));
     let taken_over = Measured {
         error: ErrorBudget { detail: None, ..measured.error },
@@ -84,7 +118,7 @@ pub fn trace_frame_like(
         origin: ErrorOrigin::TakenOver,
         bytes: 0,
     };
-    Ok(paths_frame(&plan, frame, &snapshot, paths, taken_over))
+    Ok(paths_frame(plan, frame, &snapshot, paths, taken_over))
 }
 
 /// What is told of a frame's paths beside themselves.
@@ -142,17 +176,20 @@ impl Snapshot {
         (seconds, place_m): (f64, DVec3),
         plan: &Plan<'_>,
     ) -> Result<Self, BartError> {
+        plan.progress.at(Phase::Building, 0, 0);
         let world = World::posed(models, header, frame, seconds)?;
-        let tree = BeamTree::trace(&world, Antenna::Point(place_m), &plan.trace)?;
+        let antenna = Antenna::Point(place_m);
+        let wavelength_m = plan.band.wavelength_m();
+        let tree = BeamTree::trace_from_outside(&world, antenna, wavelength_m, &plan.trace, plan.progress)?;
         let received = world.road().map(|_| Received::with_image(&world, &tree));
         Ok(Self { world, tree, received })
     }
 
-    fn scatterer(&self, plan: &Plan<'_>) -> Scatterer<'_> {
+    fn scatterer<'s>(&'s self, plan: &Plan<'s>, phase: Phase) -> Scatterer<'s> {
         let h = plan.zenith_h();
         let trees =
             self.received.as_ref().map_or(Trees::Shared(&self.tree), |received| Trees::ByRoad(&self.tree, received));
-        Scatterer::new(&self.world, trees, ZenithH { transmit: h, receive: h })
+        Scatterer::new(&self.world, trees, ZenithH { transmit: h, receive: h }).heard_by(phase, plan.progress)
     }
 
     fn bytes(&self) -> u64 {

@@ -4,6 +4,7 @@ use crate::beams::beam::TraceSettings;
 use crate::frame::frame_error::check_offset_s;
 use crate::frame::path_sum::PathView;
 use crate::joins::join::tree_order;
+use crate::progress::Progress;
 use crate::table::meeting::MeetingSettings;
 use artifact::paths::Amplitude;
 use artifact::scene::SceneHeader;
@@ -25,10 +26,12 @@ pub(crate) struct Plan<'a> {
     pub(crate) check_s: f64,
     /// Where they are checked from.
     pub(crate) check_m: DVec3,
+    /// Hears how far the frame is.
+    pub(crate) progress: &'a dyn Progress,
 }
 
 impl<'a> Plan<'a> {
-    pub(crate) fn of(header: &'a SceneHeader) -> Self {
+    pub(crate) fn of(header: &'a SceneHeader, progress: &'a dyn Progress) -> Self {
         let band = Band::of(&header.radar.waveform);
         let middle_s = header.radar.frame_middle_s();
         let fidelity = &header.fidelity;
@@ -42,7 +45,8 @@ impl<'a> Plan<'a> {
         };
         let check_s = middle_s + check_offset_s(header.radar.frame_duration_s());
         let position_m = DVec3::from_array(header.radar.position_m);
-        Self { header, position_m, band, trace, middle_s, check_s, check_m: checked_from_m(&header.radar) }
+        let check_m = checked_from_m(&header.radar);
+        Self { header, position_m, band, trace, middle_s, check_s, check_m, progress }
     }
 
     /// The element of a 2 × 2 amplitude that the radar's antennas send and receive: errors are told of it.

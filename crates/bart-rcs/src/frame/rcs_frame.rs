@@ -9,6 +9,7 @@ use crate::geometry::antenna::Antenna;
 use crate::integral::polarization::zenith_h;
 use crate::joins::join::{Trees, tree_order};
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_order};
+use crate::progress::{Phase, Progress, Unheard};
 use crate::table::far_field_error::Compared;
 use crate::table::meeting::{Meeting, MeetingSettings};
 use crate::table::rcs_table::{next_order, ratio};
@@ -28,6 +29,16 @@ use std::f64::consts::TAU;
 /// hide one another nor is the wave spherical: `model_error.far_field` compares each table's middle with the spherical wave. A
 /// point target has a table of one value, +√σ.
 pub fn rcs_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, BartError> {
+    rcs_frame_within(models, header, frame, &Unheard)
+}
+
+/// The same while somebody listens.
+pub fn rcs_frame_within(
+    models: &Models,
+    header: &SceneHeader,
+    frame: &SceneFrame,
+    progress: &dyn Progress,
+) -> Result<RcsFrame, BartError> {
     let header = &header.in_frame(frame.index);
     check_order(header.fidelity.bounces)?;
     check_road(header)?;
@@ -38,6 +49,7 @@ pub fn rcs_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> R
     let mut tables = Vec::new();
     let mut powers = Powers::default();
     for (index, (target, pose)) in (0..).zip(header.targets.iter().zip(&frame.poses)) {
+        progress.at(Phase::Bodies, index as usize, header.targets.len());
         tables.push(match target.kind {
             TargetKind::Point { rcs_m2, .. } => point_table(header, index, rcs_m2),
             TargetKind::Mesh { mesh, .. } => {
@@ -161,7 +173,8 @@ impl<'a> Body<'a> {
     }
 
     fn trace(&self, antenna: Antenna) -> Result<BeamTree, BartError> {
-        BeamTree::trace(&self.world, antenna, &self.trace_settings())
+        let wavelength_m = self.header.radar.waveform.wavelength_m();
+        BeamTree::trace_from_outside(&self.world, antenna, wavelength_m, &self.trace_settings(), &Unheard)
     }
 
     /// As for paths: slivers below λ²/100·accuracy are dropped, mirrors below a hundred times that not followed.

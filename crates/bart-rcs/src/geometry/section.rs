@@ -24,7 +24,7 @@ fn solid_angle_sr(mut arms_m: impl Iterator<Item = DVec3>) -> f64 {
 }
 
 /// Signed solid angle of a triangle from the origin.
-fn triangle_sr(a: DVec3, b: DVec3, c: DVec3) -> f64 {
+pub(crate) fn triangle_sr(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     let (la, lb, lc) = (a.length(), b.length(), c.length());
     // a·(b × c) from the differences of the corners: from afar it would be a small difference of large products.
     let numerator = a.dot((b - a).cross(c - a));

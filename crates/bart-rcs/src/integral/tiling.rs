@@ -5,6 +5,7 @@ use crate::geometry::plane_frame::{area_m2, centroid_m};
 use crate::integral::physical_optics::Field;
 use crate::surface::bend::Along;
 use glam::{DMat2, DVec2, DVec3};
+use std::ops::ControlFlow;
 
 /// A part of a polygon, in plane coordinates, and the closed form that fits it.
 pub(crate) enum Tile<'a> {
@@ -54,14 +55,43 @@ impl Tile<'_> {
 /// The bound is at most `accuracy` but on tiles halved [`HALVINGS_MAX`] times: around a point where the polarization
 /// vectors turn without limit (an antenna straight above) nothing can be expanded, and the area that is left is none.
 pub(crate) fn cut(field: &Field<'_>, wavenumber_per_m: f64, accuracy: f64, give: &mut dyn FnMut(&Tile<'_>, f64)) {
+    let of_triangles = accuracy;
+    let _ = subdivide(field, wavenumber_per_m, [accuracy, of_triangles], &mut |tile, error| {
+        give(tile, error);
+        ControlFlow::Continue(())
+    });
+}
+
+/// How many tiles [`cut`] would hand out, about, told with a hundredth of its work; no more than `most` are counted.
+///
+/// The error of a triangle goes with the cube of its size: one that has q times the error allowed is cut into q^⅔.
+pub(crate) fn count(field: &Field<'_>, wavenumber_per_m: f64, accuracy: f64, most: u64) -> u64 {
+    let mut tiles = 0;
+    let _ = subdivide(field, wavenumber_per_m, [accuracy, COARSER * accuracy], &mut |_, error| {
+        let parts = (error / accuracy).powf(2.0 / 3.0).ceil();
+        tiles += if parts.is_finite() { parts.max(1.0) as u64 } else { 1 };
+        if tiles > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    tiles
+}
+
+/// 8³: a triangle that would be cut into 64 is not.
+const COARSER: f64 = 512.0;
+
+/// Cuts until the error of a whole polygon, or of triangles, is allowed; or until `give` has enough.
+fn subdivide(
+    field: &Field<'_>,
+    wavenumber_per_m: f64,
+    [of_whole, of_triangles]: [f64; 2],
+    give: &mut dyn FnMut(&Tile<'_>, f64) -> ControlFlow<()>,
+) -> ControlFlow<()> {
     let corners_m: Vec<DVec2> = field.node.corners_m.iter().map(|c| field.frame.plane_from_world(*c)).collect();
     let centre_m = centroid_m(&corners_m);
     let along = field.along(corners_m.iter().map(|c| *c - centre_m));
     let smooth = Smoothness::about(field, centre_m, reach_m(&corners_m, centre_m), along, wavenumber_per_m);
     let error = smooth.error_of_constant(&Moments::about(centre_m, &corners_m));
-    if error <= accuracy {
-        give(&Tile::Whole { corners_m: &corners_m, centre_m }, error);
-        return;
+    if error <= of_whole {
+        return give(&Tile::Whole { corners_m: &corners_m, centre_m }, error);
     }
     let mut left: Vec<([DVec2; 3], u32)> =
         corners_m[1..].windows(2).rev().map(|pair| ([corners_m[0], pair[0], pair[1]], 0)).collect();
@@ -70,13 +100,14 @@ pub(crate) fn cut(field: &Field<'_>, wavenumber_per_m: f64, accuracy: f64, give:
         let along = field.along(edges_m(&triangle).into_iter());
         let smooth = Smoothness::about(field, centre_m, reach_m(&triangle, centre_m), along, wavenumber_per_m);
         let error = smooth.error_of_quadratic(&triangle, centre_m);
-        if error <= accuracy || halvings == HALVINGS_MAX {
-            give(&Tile::Triangle(triangle), error.min(2.0 * smooth.weight));
+        if error <= of_triangles || halvings == HALVINGS_MAX {
+            give(&Tile::Triangle(triangle), error.min(2.0 * smooth.weight))?;
         } else {
             let worst = smooth.worst_edge(field, &edges_m(&triangle));
             left.extend(halves(triangle, worst).into_iter().rev().map(|half| (half, halvings + 1)));
         }
     }
+    ControlFlow::Continue(())
 }
 
 /// 2⁻⁴⁸ of a polygon's area is below rounding.

@@ -7,13 +7,14 @@ use crate::bodies::world::World;
 use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
 use crate::integral::physical_optics::{
-    Bracket, Estimate, Field, Leg, Node, for_each_tile, length_difference_m, node_amplitudes,
+    Bracket, Estimate, Field, Leg, Node, count_tiles, for_each_tile, length_difference_m, node_amplitudes,
 };
 use crate::integral::polarization::Mirrors;
 use crate::integral::steps::{Step, Steps};
 use crate::integral::tiling::Tile;
 use crate::joins::band::Group;
 use crate::joins::join::{Joint, Joints, Reverse, Trees, joints};
+use crate::progress::{Phase, Progress, Unheard};
 use artifact::paths::Amplitude;
 use artifact::settings::NodeRule;
 use glam::DVec3;
@@ -28,6 +29,7 @@ pub(crate) struct Scatterer<'a> {
     ends: [Antenna; 2],
     transmit_legs: Vec<Leg>,
     receive_legs: Vec<Leg>,
+    heard: (Phase, &'a dyn Progress),
 }
 
 /// ĥ straight above and below, at each end.
@@ -45,7 +47,17 @@ impl<'a> Scatterer<'a> {
             Trees::Apart(..) | Trees::ByRoad(..) => legs(world, trees.receive(), zenith_h.receive),
         };
         let ends = [trees.transmit().antenna, trees.receive().antenna];
-        Self { world, trees, ends, transmit_legs, receive_legs }
+        Self { world, trees, ends, transmit_legs, receive_legs, heard: (Phase::Integrating, &Unheard) }
+    }
+
+    /// The same while somebody listens to its sums, which belong to `phase`.
+    pub(crate) fn heard_by(self, phase: Phase, progress: &'a dyn Progress) -> Self {
+        Self { heard: (phase, progress), ..self }
+    }
+
+    /// Tells how far a sum is.
+    pub(crate) fn at(&self, done: usize, of: usize) {
+        self.heard.1.at(self.heard.0, done, of);
     }
 
     /// The same beams with plane waves from another direction: what is lit stays lit.
@@ -144,6 +156,15 @@ impl<'a> Scatterer<'a> {
         for_each_tile(&field, highest_per_m, &mut |tile, _| {
             give(&JointTile { field: &field, tile, joint, spread, length_m });
         });
+    }
+
+    /// How many tiles there are, about; no more than `most` are counted.
+    pub(crate) fn tiles(&self, joint: &Joint, corners_m: &[DVec3], request: &Integration<'_>, most: u64) -> u64 {
+        let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
+        let node = self.node(joint, &Part { corners_m, reference_m, bracket: request.bracket });
+        let accuracy = node.accuracy(reference_m, request.wavenumbers_per_m, request.accuracy);
+        let highest_per_m = request.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
+        count_tiles(&Field::new(&node, reference_m, accuracy), highest_per_m, most)
     }
 
     fn node<'p>(&'p self, joint: &Joint, part: &Part<'p>) -> Node<'p> {

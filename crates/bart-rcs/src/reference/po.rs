@@ -42,6 +42,7 @@ pub fn amplitude(
     let wavenumbers_per_m = node::wavenumbers(frequencies_hz);
     let edge_m = node::shortest_wavelength_m(frequencies_hz) / sampling.per_wavelength;
     let job = Job { body: &body, ends: Ends::of(aspect), wavenumbers_per_m: &wavenumbers_per_m, edge_m, sampling };
+    job.check_count()?;
     let patches: Vec<Cell> = (0..body.facets.len() as u32).flat_map(|f| job.patches(f)).collect();
     let parts: Vec<Vec<Amplitude>> = patches.par_iter().map(|patch| job.integrate(patch)).collect();
     let mut sums = vec![Amplitude::default(); frequencies_hz.len()];
@@ -74,7 +75,21 @@ struct Job<'a> {
 /// A patch is one unit of parallel work: this many cells long.
 const CELLS_PER_PATCH_EDGE: f64 = 64.0;
 
+/// Cells, or rays, of an aspect: some hours of one processor.
+const MOST: f64 = 1e10;
+
+pub(super) fn check_count(what: &'static str, count: f64) -> Result<(), ReferenceError> {
+    if count <= MOST { Ok(()) } else { Err(ReferenceError::TooMany { what, count, most: MOST }) }
+}
+
 impl Job<'_> {
+    /// Two cells for a square of their edge, over all facets.
+    fn check_count(&self) -> Result<(), ReferenceError> {
+        let area_m2 = |facet| Cell { facet: 0, corners_m: facet }.area_m2();
+        let all_m2: f64 = self.body.facets.iter().map(|facet| area_m2(facet.corners_m)).sum();
+        check_count("cells of physical optics", 2.0 * all_m2 / (self.edge_m * self.edge_m))
+    }
+
     /// A facet cut into units of work; nothing where the facet cannot scatter from one antenna to the other.
     fn patches(&self, facet: u32) -> Vec<Cell> {
         let corners_m = self.body.facets[facet as usize].corners_m;

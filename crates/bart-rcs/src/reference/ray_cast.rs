@@ -51,6 +51,18 @@ pub enum ReferenceError {
         /// Its name.
         material: String,
     },
+    /// Sampling that would not end.
+    #[error(
+        "{what}: one aspect would take {count:.1e} of them, at most {most:.0e} are allowed: ask for a lower density"
+    )]
+    TooMany {
+        /// What is counted.
+        what: &'static str,
+        /// Expected.
+        count: f64,
+        /// Allowed.
+        most: f64,
+    },
     /// Densities and frequencies are positive and finite.
     #[error("{what} must be positive and finite, is {value}")]
     NotPositive {

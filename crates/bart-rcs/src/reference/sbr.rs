@@ -8,7 +8,7 @@
 
 use super::coated::{self, Fields, Surface, fields_at_all};
 use super::node::{self, Arrival, Bracket, Node};
-use super::po::check_positive;
+use super::po::{check_count, check_positive};
 use super::ray_cast::{Body, Hit, ReferenceError};
 use super::standpoint::{Aspect, Ends, Post};
 use artifact::material::Material;
@@ -118,6 +118,7 @@ impl Grid {
             columns: 0,
         };
         grid.cover(body);
+        check_count("rays", grid.rows as f64 * grid.columns as f64)?;
         Ok(grid)
     }
 

@@ -1,21 +1,24 @@
 //! Scattering at one aspect: trees, joins and integrals of every order, by the rule asked for and by the other one.
 
 use crate::beams::beam::{BeamTree, TraceSettings};
+use crate::bodies::stand_off::check_stand;
 use crate::bodies::world::World;
 use crate::edges::edge_scattering::sum_of_edges;
 use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
+use crate::joins::afforded::afforded;
 use crate::joins::join::{Trees, tree_order};
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of};
+use crate::progress::{Phase, Progress, Unheard};
 use crate::table::end_tree::EndTree;
 use crate::table::meeting::{Meeting, MeetingSettings, edge_meetings};
 use crate::table::small_mirrors::SmallMirrors;
+use crate::table::work_meter::WorkMeter;
 use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule};
 use glam::DVec3;
 use num_complex::Complex64;
 use rayon::prelude::*;
-use std::time::Instant;
 
 /// Where the antennas are, with ĥ straight above and below.
 #[derive(Debug, Clone, Copy)]
@@ -44,6 +47,9 @@ pub(crate) struct AspectSettings {
     pub(crate) polarization: Polarization,
     /// Of every node integral.
     pub(crate) accuracy: f64,
+    /// An aspect whose integrals would be cut into more tiles has coarser ones: what they err by is measured, and what is
+    /// more than was asked for is integrated finer, with more tiles.
+    pub(crate) most_tiles: u64,
 }
 
 /// S of one aspect.
@@ -60,6 +66,8 @@ pub(crate) struct Scattering {
     /// |S of the edges that are left out|² at the middle frequency.
     pub(crate) edges_power: Option<f64>,
     pub(crate) beams: Vec<u64>,
+    /// That the integrals were asked for: as the settings have it, or coarser.
+    pub(crate) accuracy: f64,
     /// Independent phases of all beams given up.
     pub(crate) dropped_m: f64,
     /// Equal phases of all beams given up.
@@ -92,27 +100,42 @@ pub(crate) fn scattering(
     settings: &AspectSettings,
     checks: Checks,
 ) -> Result<Scattering, BartError> {
-    scattering_with(world, aspect, None, settings, checks)
+    let meter = &WorkMeter::new(&|| 0.0);
+    scattering_with(world, aspect, settings, checks, &Company { received: None, progress: &Unheard, meter })
 }
 
-/// The same with the receiver's tree where it was traced before, by the same settings, up to their last order.
+/// What an aspect shares with others.
+#[derive(Clone, Copy)]
+pub(crate) struct Company<'a> {
+    /// The receiver's tree where it was traced before, by the same settings, up to their last order.
+    pub(crate) received: Option<&'a BeamTree>,
+    /// Hears how far the aspect is.
+    pub(crate) progress: &'a dyn Progress,
+    /// Tells what of the work is the aspect's.
+    pub(crate) meter: &'a WorkMeter<'a>,
+}
+
+/// The same in company.
 pub(crate) fn scattering_with(
     world: &World,
     aspect: &Aspect,
-    received: Option<&BeamTree>,
     settings: &AspectSettings,
     checks: Checks,
+    company: &Company<'_>,
 ) -> Result<Scattering, BartError> {
-    let start = Instant::now();
-    let mut ends = Ends::new(world, aspect, received, settings)?;
+    let metered = company.meter.begin();
+    let mut ends = Ends::new(world, aspect, company, settings)?;
+    ends.grow_to(1)?;
+    ends.check_open()?;
     ends.grow_to(tree_order(settings.bounces, settings.nodes))?;
-    let trace_seconds = start.elapsed().as_secs_f64();
-    let start = Instant::now();
-    let (chosen, mirrors) = ends.chosen(settings);
-    let integrate_seconds = start.elapsed().as_secs_f64();
+    let trace_seconds = metered.lap_s();
+    let (chosen, mirrors, accuracy) = ends.chosen(settings)?;
+    let settings = &AspectSettings { accuracy, ..settings.clone() };
+    let integrate_seconds = metered.lap_s();
     let [dropped_m, dropped_at_most_m] = dropped(ends.trees(), &chosen, &mirrors, settings);
-    let start = Instant::now();
-    let error_power = (checks.integrals == Check::Measured).then(|| ends.error_power(&chosen, aspect, settings));
+    ends.phase = Phase::Checking;
+    let is_measured = checks.integrals == Check::Measured;
+    let error_power = is_measured.then(|| ends.error_power(&chosen, aspect, settings)).transpose()?;
     let edges_power = (checks.model == Check::Measured).then(|| ends.edges_power(settings)).flatten();
     let (other_m, left_out_power) = match checks.model {
         Check::Measured => (Some(ends.by_other_rule(&chosen, settings)?), ends.left_out_power(settings)),
@@ -126,11 +149,12 @@ pub(crate) fn scattering_with(
         left_out_power,
         edges_power,
         beams: ends.beams(),
+        accuracy,
         dropped_m,
         dropped_at_most_m,
         trace_seconds,
         integrate_seconds,
-        check_seconds: start.elapsed().as_secs_f64(),
+        check_seconds: metered.lap_s(),
     })
 }
 
@@ -140,26 +164,38 @@ struct Ends<'a> {
     transmit: EndTree<'a>,
     receive: Option<EndTree<'a>>,
     zenith_h: ZenithH,
+    /// What the sums belong to, and who hears of them.
+    phase: Phase,
+    progress: &'a dyn Progress,
 }
 
 impl<'a> Ends<'a> {
     fn new(
         world: &'a World,
         aspect: &Aspect,
-        received: Option<&'a BeamTree>,
+        &Company { received, progress, .. }: &Company<'a>,
         settings: &'a AspectSettings,
     ) -> Result<Self, BartError> {
-        let tree = |antenna: Antenna| EndTree::growing(world, antenna, &settings.trace);
+        let tree = |antenna: Antenna| EndTree::growing(world, antenna, &settings.trace, progress);
         let transmit_h = aspect.transmit.1;
         let zenith_h = ZenithH { transmit: transmit_h, receive: aspect.receive.map_or(transmit_h, |(_, h)| h) };
         let of_receiver = |(antenna, _)| received.map_or_else(|| tree(antenna), |tree| Ok(EndTree::shared(tree)));
         let receive = aspect.receive.map(of_receiver).transpose()?;
-        Ok(Self { world, transmit: tree(aspect.transmit.0)?, receive, zenith_h })
+        let wavelength_m = settings.longest_wave_m();
+        let antennas = [Some(aspect.transmit), aspect.receive].into_iter().flatten();
+        antennas.map(|(antenna, _)| antenna).try_for_each(|antenna| check_stand(world, antenna, wavelength_m))?;
+        let transmit = tree(aspect.transmit.0)?;
+        Ok(Self { world, transmit, receive, zenith_h, phase: Phase::Integrating, progress })
     }
 
     fn grow_to(&mut self, order: u8) -> Result<(), BartError> {
         self.transmit.grow_to(order)?;
         self.receive.as_mut().map_or(Ok(()), |tree| tree.grow_to(order))
+    }
+
+    /// Refuses an antenna that is shut in, once trees have their first order.
+    fn check_open(&self) -> Result<(), BartError> {
+        self.trees().into_iter().flatten().try_for_each(|tree| tree.check_open(self.world))
     }
 
     fn trees(&self) -> [Option<&BeamTree>; 2] {
@@ -177,49 +213,53 @@ impl<'a> Ends<'a> {
     }
 
     /// S by order from `from` on, then frequency.
-    fn orders(&self, from: u8, rule: NodeRule, settings: &AspectSettings) -> Vec<Vec<Complex64>> {
+    fn orders(&self, from: u8, rule: NodeRule, settings: &AspectSettings) -> Result<Vec<Vec<Complex64>>, BartError> {
         let scatterer = self.scatterer();
-        let meeting = |order: u8| Meeting::of(&scatterer, order, &settings.meeting(rule));
-        let orders = (from..=settings.bounces).into_par_iter();
-        orders.map(|order| of_meeting(&scatterer, &meeting(order), rule, settings).s_m).collect()
+        let meetings = meetings(&scatterer, from, rule, settings);
+        let settings = &settings.afforded(&scatterer, &meetings, rule)?;
+        Ok(meetings.par_iter().map(|meeting| of_meeting(&scatterer, meeting, rule, settings).s_m).collect())
     }
 
-    /// Every order by the rule asked for, and what small mirrors add to them.
-    fn chosen(&self, settings: &AspectSettings) -> (Vec<OfOrder>, SmallMirrors) {
+    /// Every order by the rule asked for, what small mirrors add to them, and the accuracy of the integrals.
+    fn chosen(&self, settings: &AspectSettings) -> Result<(Vec<OfOrder>, SmallMirrors, f64), BartError> {
         let (scatterer, rule) = (self.scatterer(), settings.nodes);
         let needed = tree_order(settings.bounces, rule);
         let mut mirrors = SmallMirrors::of(scatterer.trees, needed, settings.trace.least_mirror_area_m2);
-        let of_order = |order: u8| {
-            let meeting = Meeting::of(&scatterer, order, &settings.meeting(rule));
+        let meetings = meetings(&scatterer, 1, rule, settings);
+        let settings = &settings.afforded(&scatterer, &meetings, rule)?;
+        let of_order = |meeting: &Meeting| {
             let hits = mirrors.hits(&scatterer, &meeting.facets, &settings.integration(rule), settings.polarization);
-            (of_meeting(&scatterer, &meeting, rule, settings), hits)
+            (of_meeting(&scatterer, meeting, rule, settings), hits)
         };
         // Side by side: where one order is weighed by one thread, others are integrated.
-        let found: Vec<_> = (1..=settings.bounces).into_par_iter().map(of_order).collect();
+        let found: Vec<_> = meetings.par_iter().map(of_order).collect();
         let take = |(order, hits)| {
             mirrors.add(hits);
             order
         };
-        (found.into_iter().map(take).collect(), mirrors)
+        let chosen = found.into_iter().map(take).collect();
+        Ok((chosen, mirrors, settings.accuracy))
     }
 
     fn scatterer(&self) -> Scatterer<'_> {
         let transmit = self.transmit.tree();
         let trees = self.receive.as_ref().map_or(Trees::Shared(transmit), |tree| Trees::Apart(transmit, tree.tree()));
-        Scatterer::new(self.world, trees, self.zenith_h)
+        Scatterer::new(self.world, trees, self.zenith_h).heard_by(self.phase, self.progress)
     }
 
     /// |S − S(ten times finer)|² over frequency; of the edges alone where facets are exact.
-    fn error_power(&self, chosen: &[OfOrder], aspect: &Aspect, settings: &AspectSettings) -> f64 {
-        let finer = AspectSettings { accuracy: 0.1 * settings.accuracy, ..settings.clone() };
+    fn error_power(&self, chosen: &[OfOrder], aspect: &Aspect, settings: &AspectSettings) -> Result<f64, BartError> {
+        // 10^⅔ times as many tiles, or some more where they were few: never coarser again.
+        let (accuracy, most_tiles) = (0.1 * settings.accuracy, settings.most_tiles.saturating_mul(100));
+        let finer = AspectSettings { accuracy, most_tiles, ..settings.clone() };
         let of =
             |part: fn(&OfOrder) -> &Vec<Complex64>| chosen.iter().map(|order| part(order).clone()).collect::<Vec<_>>();
         if aspect.is_near() || self.world.skin_error() > 0.0 {
-            return power_between(&of(|order| &order.s_m), &self.orders(1, settings.nodes, &finer));
+            return Ok(power_between(&of(|order| &order.s_m), &self.orders(1, settings.nodes, &finer)?));
         }
         let scatterer = self.scatterer();
         let edges = |order: u8| edges_of_order(&scatterer, order, &finer);
-        power_between(&of(|order| &order.edges_m), &(1..=settings.bounces).map(edges).collect::<Vec<_>>())
+        Ok(power_between(&of(|order| &order.edges_m), &(1..=settings.bounces).map(edges).collect::<Vec<_>>()))
     }
 
     /// Edges are no mirrors: what they add is the same by any rule.
@@ -232,7 +272,7 @@ impl<'a> Ends<'a> {
         self.grow_to(tree_order(settings.bounces, other))?;
         // One bounce has one node.
         let mut other_m: Vec<_> = chosen.iter().take(1).map(|order| order.s_m.clone()).collect();
-        let facets = self.orders(2, other, &AspectSettings { edges: Edges::Ignored, ..settings.clone() });
+        let facets = self.orders(2, other, &AspectSettings { edges: Edges::Ignored, ..settings.clone() })?;
         let both = |(facets_m, order): (&Vec<Complex64>, &OfOrder)| {
             facets_m.iter().zip(&order.edges_m).map(|(facets, edges)| facets + edges).collect()
         };
@@ -259,7 +299,7 @@ impl<'a> Ends<'a> {
     fn left_out_power(&self, settings: &AspectSettings) -> Option<f64> {
         let order = left_out_order(settings.bounces, self.transmit.tree().audit.orders.len() as u8)?;
         let settings = AspectSettings { bounces: order, edges: Edges::Ignored, ..settings.clone() };
-        let left_out_m = self.orders(order, NodeRule::Middle, &settings).pop()?;
+        let left_out_m = self.orders(order, NodeRule::Middle, &settings).ok()?.pop()?;
         Some(mean_over_frequencies(left_out_m.len(), |f| left_out_m[f]))
     }
 }
@@ -282,6 +322,12 @@ pub(crate) fn other(rule: NodeRule) -> NodeRule {
     }
 }
 
+/// Where both ends meet in every order from `from` on.
+fn meetings(scatterer: &Scatterer<'_>, from: u8, rule: NodeRule, settings: &AspectSettings) -> Vec<Meeting> {
+    let of_order = |order: u8| Meeting::of(scatterer, order, &settings.meeting(rule));
+    (from..=settings.bounces).into_par_iter().map(of_order).collect()
+}
+
 /// One order's S over frequency, in the polarization asked for.
 fn of_meeting(scatterer: &Scatterer<'_>, meeting: &Meeting, rule: NodeRule, settings: &AspectSettings) -> OfOrder {
     let (p, q) = settings.polarization.indices();
@@ -300,10 +346,26 @@ fn edges_of_order(scatterer: &Scatterer<'_>, order: u8, settings: &AspectSetting
 }
 
 impl AspectSettings {
+    /// The wavelength at the lowest frequency.
+    pub(crate) fn longest_wave_m(&self) -> f64 {
+        std::f64::consts::TAU / self.wavenumbers_per_m.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
     fn meeting(&self, nodes: NodeRule) -> MeetingSettings {
         let wavenumber_per_m = self.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
         let least_area_m2 = self.trace.least_area_m2;
         MeetingSettings { nodes, edges: self.edges, least_area_m2, wavenumber_per_m }
+    }
+
+    /// With coarser integrals where these would be cut into too many tiles.
+    fn afforded(&self, scatterer: &Scatterer<'_>, meetings: &[Meeting], rule: NodeRule) -> Result<Self, BartError> {
+        // A plane wave over a flat polygon is integrated as one.
+        if scatterer.is_far() && scatterer.world.skin_error() == 0.0 {
+            return Ok(self.clone());
+        }
+        let joints = meetings.iter().map(|meeting| &meeting.facets);
+        let accuracy = afforded(scatterer, joints, &self.integration(rule), self.most_tiles)?;
+        Ok(Self { accuracy, ..self.clone() })
     }
 
     fn integration(&self, nodes: NodeRule) -> Integration<'_> {
@@ -402,6 +464,7 @@ mod tests {
             edges: Edges::Ignored,
             polarization: Polarization::Vv,
             accuracy: 1e-3,
+            most_tiles: u64::MAX,
         };
         let receiver = Antenna::Point(DVec3::new(3.0, 4.0, 5.0));
         for (nodes, edges) in [
@@ -416,7 +479,9 @@ mod tests {
                 let aspect = Aspect { transmit: (transmitter, DVec3::Y), receive: Some((receiver, DVec3::Y)) };
                 let checks = Checks { integrals: Check::Measured, model };
                 let [own, shared] = [None, Some(&tree)].map(|received| {
-                    let found = scattering_with(&world, &aspect, received, &settings, checks).unwrap();
+                    let meter = &WorkMeter::new(&|| 0.0);
+                    let company = Company { received, progress: &Unheard, meter };
+                    let found = scattering_with(&world, &aspect, &settings, checks, &company).unwrap();
                     Scattering { trace_seconds: 0.0, integrate_seconds: 0.0, check_seconds: 0.0, ..found }
                 });
                 assert!(own.mean_power() > 0.0);

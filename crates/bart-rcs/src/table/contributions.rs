@@ -7,7 +7,8 @@ use crate::edges::lit_edge::EdgeJoint;
 use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::facet_geometry::FacetGeometry;
-use crate::joins::join::{Joint, Trees};
+use crate::joins::afforded::afforded;
+use crate::joins::join::{Joint, Joints, Trees};
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of, sequence};
 use crate::table::aspect::Aspect;
 use crate::table::meeting::{Meeting, MeetingSettings};
@@ -57,6 +58,10 @@ pub fn contributions(mesh: &Mesh, request: &RcsRequest, aspect: usize) -> Result
         accuracy: request.accuracy.amplitude(),
         bracket: bracket_of(request.nodes),
     };
+    let facets = |order: u8| scatterer.joints(order, request.nodes, settings.trace.least_area_m2);
+    let all: Vec<Joints> = (1..=request.bounces).map(facets).collect();
+    let accuracy = afforded(&scatterer, all.iter(), &integration, settings.most_tiles)?;
+    let integration = Integration { accuracy, ..integration };
     let teller = Teller { scatterer, what, integration, polarization: request.polarization };
     Ok(by_sequence((1..=request.bounces).flat_map(|order| teller.of_order(order)).collect()))
 }

@@ -4,6 +4,7 @@ use crate::beams::beam::{BeamTree, GrowingTree, TraceSettings};
 use crate::bodies::world::World;
 use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
+use crate::progress::Progress;
 
 /// A tree and how many of its orders an aspect has asked for.
 pub(crate) enum EndTree<'a> {
@@ -16,8 +17,13 @@ pub(crate) enum EndTree<'a> {
 
 impl<'a> EndTree<'a> {
     /// Nothing asked for yet.
-    pub(crate) fn growing(world: &'a World, antenna: Antenna, settings: &'a TraceSettings) -> Result<Self, BartError> {
-        Ok(Self::Growing(Box::new(GrowingTree::new(world, antenna, settings)?)))
+    pub(crate) fn growing(
+        world: &'a World,
+        antenna: Antenna,
+        settings: &'a TraceSettings,
+        progress: &'a dyn Progress,
+    ) -> Result<Self, BartError> {
+        Ok(Self::Growing(Box::new(GrowingTree::new(world, antenna, settings, progress)?)))
     }
 
     /// The same of a tree that is grown as far as any aspect may ask.

@@ -58,13 +58,17 @@ pub(crate) fn far_field_error(
     if request.range_m.is_finite() || chosen.is_empty() {
         return Ok(None);
     }
+    let ranges_m = ranges_outside(world);
+    if ranges_m.is_empty() {
+        return Ok(None);
+    }
     let frequencies = chosen_frequencies(request.frequency_hz.len());
     let settings = AspectSettings {
         wavenumbers_per_m: frequencies.iter().map(|&f| settings.wavenumbers_per_m[f]).collect(),
         accuracy: settings.accuracy.max(SPHERICAL_ACCURACY),
         ..settings.clone()
     };
-    let cases: Vec<(usize, Aspect)> = RANGES_M
+    let cases: Vec<(usize, Aspect)> = ranges_m
         .iter()
         .map(|range_m| aspects(&request.at_range(*range_m)))
         .flat_map(|there| chosen.iter().map(move |&index| (index, there[index])))
@@ -79,12 +83,19 @@ pub(crate) fn far_field_error(
     let compared = cases.par_iter().map(compare).collect::<Vec<_>>().into_iter().collect::<Result<Vec<_>, _>>()?;
     let by_range = || compared.chunks(chosen.len());
     Ok(Some(FarFieldError {
-        range_m: RANGES_M.to_vec(),
+        range_m: ranges_m,
         complex: by_range().map(|of| spread(of.iter().map(Compared::complex))).collect(),
         level_db: by_range().map(|of| spread(of.iter().map(|c| c.level_db().abs()))).collect(),
         aspects: chosen.len(),
         frequencies: frequencies.len(),
     }))
+}
+
+/// Those that are not among the facets of a large body.
+fn ranges_outside(world: &World) -> Vec<f64> {
+    let corners_m = world.facets().iter().flat_map(|facet| facet.corners_m);
+    let radius_m = corners_m.map(|corner| corner.length()).fold(0.0, f64::max);
+    RANGES_M.into_iter().filter(|range_m| *range_m > 1.1 * radius_m).collect()
 }
 
 /// One aspect out of each of equal parts of the table, by chance: none of a body's symmetries is met every time.

@@ -6,6 +6,7 @@ use crate::joins::scatterer::{Integration, JointTile, Scatterer};
 use artifact::paths::Amplitude;
 use glam::DVec3;
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// S of all joints over frequency, 2 × 2, its phase referred to `origin_m`.
 ///
@@ -22,7 +23,9 @@ pub(crate) fn sum_of_joints(
     let Some(band) = Band::new(integration.wavenumbers_per_m, error, Kind::Facets) else {
         return sum_at_each(scatterer, joints, origin_m, integration);
     };
+    let (done, all) = (AtomicUsize::new(0), joints.list.len());
     let of_run = |run: &[Joint]| {
+        scatterer.at(done.fetch_add(run.len(), Ordering::Relaxed), all);
         let mut groups = Groups::new();
         for joint in run {
             let mut give = |tile: &JointTile<'_>| {
@@ -49,7 +52,12 @@ pub(crate) fn sum_at_each(
     origin_m: DVec3,
     integration: &Integration<'_>,
 ) -> Vec<Amplitude> {
+    let (done, all) = (AtomicUsize::new(0), joints.list.len());
     band::sum_at_each(&joints.list, RUN, integration.wavenumbers_per_m.len(), |joint| {
+        let number = done.fetch_add(1, Ordering::Relaxed);
+        if number.is_multiple_of(RUN) {
+            scatterer.at(number, all);
+        }
         scatterer.scattering(joint, joints.polygon(joint), origin_m, integration).value
     })
 }

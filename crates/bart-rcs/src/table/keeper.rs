@@ -45,7 +45,7 @@ impl Scattering {
         }
         words.count(self.beams.len());
         self.beams.iter().for_each(|n| words.0.push(*n));
-        [self.dropped_m, self.dropped_at_most_m].iter().for_each(|m| words.number(*m));
+        [self.accuracy, self.dropped_m, self.dropped_at_most_m].iter().for_each(|m| words.number(*m));
         [self.trace_seconds, self.integrate_seconds, self.check_seconds].iter().for_each(|s| words.number(*s));
         words.0.iter().flat_map(|word| word.to_le_bytes()).collect()
     }
@@ -60,6 +60,7 @@ impl Scattering {
             left_out_power: words.option(Reading::number)?,
             edges_power: words.option(Reading::number)?,
             beams: words.list(Reading::word)?,
+            accuracy: words.number()?,
             dropped_m: words.number()?,
             dropped_at_most_m: words.number()?,
             trace_seconds: words.number()?,
@@ -147,6 +148,7 @@ mod tests {
             left_out_power: Some(1e-300),
             edges_power: Some(0.0),
             beams: vec![7, u64::MAX],
+            accuracy: 1e-2,
             dropped_m: 1e-9,
             dropped_at_most_m: 2e-9,
             trace_seconds: 0.5,

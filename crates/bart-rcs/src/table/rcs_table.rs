@@ -8,11 +8,13 @@ use crate::integral::polarization::zenith_h;
 use crate::joins::join::tree_order;
 use crate::joins::scatterer::check_order;
 use crate::memory::{MemoryLimit, memory_estimate_bytes};
+use crate::progress::{Phase, Progress};
 use crate::surface::skin::Skin;
-use crate::table::aspect::{Aspect, AspectSettings, Check, Checks, Scattering, scattering, scattering_with};
+use crate::table::aspect::{Aspect, AspectSettings, Check, Checks, Company, Scattering, scattering, scattering_with};
 use crate::table::far_field_error::{FarFieldError, far_field_error};
 use crate::table::finer_mirrors::{FinerMirrors, dropped_error};
 use crate::table::keeper::{Keeper, NothingKept, Piece};
+use crate::table::work_meter::WorkMeter;
 use artifact::material::{Makeup, Material, Transmission};
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
@@ -76,7 +78,7 @@ pub struct RcsResult {
     /// Beams by order of their tree, all aspects and both ends; orders that only the comparison of node rules needs are
     /// traced where that is made.
     pub beams: Vec<u64>,
-    /// Work by phase, all threads together.
+    /// Work by phase, as [`Surroundings::clock_s`] tells it: of all threads, and of all runs that aspects were kept from.
     pub seconds: RcsSeconds,
     /// Numerical error over the table.
     pub error: ErrorBudget,
@@ -129,7 +131,14 @@ pub fn rcs(
     request: &RcsRequest,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<RcsResult, BartError> {
-    rcs_within(mesh, request, &Surroundings { memory_limit: MemoryLimit::NONE, keeper: &NothingKept, progress })
+    let aspects = |phase: Phase, done: usize, of: usize| {
+        if phase == Phase::Aspects {
+            progress(done, of);
+        }
+    };
+    let (memory_limit, start) = (MemoryLimit::NONE, Instant::now());
+    let clock_s = &|| start.elapsed().as_secs_f64();
+    rcs_within(mesh, request, &Surroundings { memory_limit, keeper: &NothingKept, progress: &aspects, clock_s })
 }
 
 /// What a table is made in.
@@ -139,44 +148,50 @@ pub struct Surroundings<'a> {
     pub memory_limit: MemoryLimit,
     /// Aspects that it has are not made again; the result is the same to the byte.
     pub keeper: &'a dyn Keeper,
-    /// Hears (aspects done, aspects).
-    pub progress: &'a (dyn Fn(usize, usize) + Sync),
+    /// Hears how far it is.
+    pub progress: &'a dyn Progress,
+    /// Seconds that the program has worked so far, on all processors: what [`RcsSeconds`] are told by.
+    pub clock_s: &'a (dyn Fn() -> f64 + Sync),
 }
 
 /// The same in surroundings that may limit it and keep what is done.
 pub fn rcs_within(mesh: &Mesh, request: &RcsRequest, surroundings: &Surroundings<'_>) -> Result<RcsResult, BartError> {
     check(request)?;
     let limit = surroundings.memory_limit;
-    let start = Instant::now();
+    let meter = WorkMeter::new(surroundings.clock_s);
+    let start_s = meter.total_s();
     let aspects = aspects(request);
     let at_a_time = aspects.len().min(rayon::current_num_threads());
     let fits = |triangles: usize| {
         limit.check_estimate(triangles, memory_estimate_bytes(triangles, request.bounces, at_a_time))
     };
     fits(mesh.triangles.len())?;
+    surroundings.progress.at(Phase::Building, 0, 0);
     let world = World::of_skin(mesh, skin(request))?;
     fits(world.facets().len())?;
     let limit = limit.shared(world.bytes() as u64, at_a_time);
     let world = world.within(limit);
-    let build = start.elapsed().as_secs_f64();
+    let build = meter.total_s() - start_s;
     let asked = request.accuracy.amplitude().max(1e-8);
     // Bounds of bent facets are far above their errors, which cancel from facet to facet: spheres asked for -20 dB have -64 dB.
     let accuracy = if world.skin_error() > 0.0 { 10.0 * asked } else { asked };
-    let start = Instant::now();
+    let start_s = meter.total_s();
     let first = aspect_settings(request, &world, accuracy);
-    let received = tree_of_receiver(&world, &aspects, &first)?;
-    let trace = start.elapsed().as_secs_f64();
-    let sweep = Sweep { world: &world, aspects: &aspects, received: received.as_ref(), surroundings };
+    let received = tree_of_receiver(&world, &aspects, &first, surroundings.progress)?;
+    let trace = meter.total_s() - start_s;
+    let meter = &meter;
+    let sweep = Sweep { world: &world, aspects: &aspects, received: received.as_ref(), surroundings, meter };
     let FineTable { table, settings, mirrors } = sweep.fine_table(first, asked)?;
     let mut result = result(request, &table, build);
     let (traced_again, share) = mirrors.reached();
     result.mirrors = Followed { least_area_m2: share * settings.trace.least_mirror_area_m2, traced_again };
     result.error.tessellation = tessellation(request, &world);
+    let start_s = meter.total_s();
+    surroundings.progress.at(Phase::Checking, 0, 0);
     result.model_error.transmission = transmission_left_out(mesh, request, &aspects, &settings, &table)?;
-    let start = Instant::now();
     result.far_field = far_field_error(&world, request, &settings, &table)?;
     result.seconds.trace += trace;
-    result.seconds.check += start.elapsed().as_secs_f64();
+    result.seconds.check += meter.total_s() - start_s;
     Ok(result)
 }
 
@@ -283,6 +298,11 @@ fn mean_facet_m2(world: &World) -> f64 {
     facets.iter().map(|facet| facet.area_m2).sum::<f64>() / facets.len().max(1) as f64
 }
 
+/// An aspect's integrals begin with so many tiles at most: some seconds of one processor.
+const FEW_TILES: u64 = 2_000_000;
+/// And end with so many, if errors are still larger than was asked for: they are told.
+const MOST_TILES: u64 = 50_000_000;
+
 pub(crate) fn aspect_settings(request: &RcsRequest, world: &World, accuracy: f64) -> AspectSettings {
     let wavenumbers_per_m = request.wavenumbers_per_m();
     let shortest_m = TAU / wavenumbers_per_m.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
@@ -303,6 +323,7 @@ pub(crate) fn aspect_settings(request: &RcsRequest, world: &World, accuracy: f64
         edges: request.edges,
         polarization: request.polarization,
         accuracy,
+        most_tiles: FEW_TILES,
     }
 }
 
@@ -318,6 +339,7 @@ struct Sweep<'a> {
     /// Of a receiver that stands still: it does not depend on the aspect.
     received: Option<&'a BeamTree>,
     surroundings: &'a Surroundings<'a>,
+    meter: &'a WorkMeter<'a>,
 }
 
 /// What a receiver that stands still lights, where more than one aspect asks for it.
@@ -325,10 +347,12 @@ fn tree_of_receiver(
     world: &World,
     aspects: &[Aspect],
     settings: &AspectSettings,
+    progress: &dyn Progress,
 ) -> Result<Option<BeamTree>, BartError> {
     match aspects {
         [Aspect { receive: Some((antenna, _)), .. }, _, ..] => {
-            BeamTree::trace(world, *antenna, &settings.trace).map(Some)
+            BeamTree::trace_from_outside(world, *antenna, settings.longest_wave_m(), &settings.trace, progress)
+                .map(Some)
         }
         _ => Ok(None),
     }
@@ -349,12 +373,18 @@ impl Sweep<'_> {
         let mut mirrors = FinerMirrors::of_none(all.len());
         let mut table = self.made(&all, &settings, &mirrors, 0).into_iter().collect::<Result<Vec<_>, _>>()?;
         for pass in 1.. {
-            let is_coarse = measured_error(&table) > asked && settings.accuracy >= 1e-4 * asked;
+            let is_coarse = measured_error(&table) > asked
+                && settings.accuracy >= 1e-4 * asked
+                && !(settings.most_tiles == MOST_TILES && is_bounded(&table, &settings));
             let again = if is_coarse { all.clone() } else { mirrors.asked_for(&table, asked) };
             if again.is_empty() {
                 break;
             }
-            settings.accuracy *= if is_coarse { 0.1 } else { 1.0 };
+            if is_coarse {
+                settings.accuracy *= 0.1;
+                // A little more than 10^⅔, by which tiles become more.
+                settings.most_tiles = (5 * settings.most_tiles).min(MOST_TILES);
+            }
             let found = self.made(&again, &settings, &mirrors, pass);
             again.iter().zip(found).try_for_each(|(&index, found)| mirrors.take(index, found, &mut table))?;
         }
@@ -373,7 +403,7 @@ impl Sweep<'_> {
         let one = |&index: &usize| {
             let received = self.received.filter(|_| mirrors.is_first(index));
             let found = self.aspect(index, received, &mirrors.settings(index, settings), pass);
-            (self.surroundings.progress)(done.fetch_add(1, Ordering::Relaxed) + 1, which.len());
+            self.surroundings.progress.at(Phase::Aspects, done.fetch_add(1, Ordering::Relaxed) + 1, which.len());
             found
         };
         which.par_iter().map(one).collect()
@@ -393,7 +423,8 @@ impl Sweep<'_> {
             return Ok(kept);
         }
         let (aspect, checks) = (&self.aspects[index], self.checks(index, settings));
-        scattering_with(self.world, aspect, received, settings, checks)
+        let company = Company { received, progress: self.surroundings.progress, meter: self.meter };
+        scattering_with(self.world, aspect, settings, checks, &company)
             .inspect(|done| keeper.keep(piece, &done.to_bytes()))
     }
 
@@ -407,6 +438,11 @@ impl Sweep<'_> {
         let measured = |is_measured| if is_measured { Check::Measured } else { Check::Skipped };
         Checks { integrals: measured(is_checked && !is_exact), model: measured(is_compared) }
     }
+}
+
+/// Whether some integrals had to be coarser than the settings ask for.
+fn is_bounded(table: &[Scattering], settings: &AspectSettings) -> bool {
+    table.iter().any(|aspect| aspect.accuracy > settings.accuracy)
 }
 
 /// ‖S − S(ten times finer)‖ per value over the table's root mean square |S|; rounding in the far field, where the closed

@@ -2,6 +2,7 @@
 
 use crate::cli::RcsArguments;
 use crate::output;
+use crate::processor_time::Counted;
 use crate::summary::{error_db, model_error_db};
 use crate::verdict::{Asking, Verdict};
 use artifact::scene::Mesh;
@@ -11,6 +12,16 @@ use bart_rcs::{FarFieldError, Followed, RcsResult, Spread};
 use clap::ValueEnum;
 use num_complex::Complex64;
 use serde_json::{Value, json};
+
+/// What the command took, s.
+pub(super) struct Took {
+    /// Work of reading the mesh.
+    pub(super) load: f64,
+    /// By the clock on the wall.
+    pub(super) total: f64,
+    /// What all but the total are told by.
+    pub(super) counted: Counted,
+}
 
 /// S and the figures beside it, by whatever method.
 pub(super) struct Answer {
@@ -49,8 +60,8 @@ impl Answer {
         }
     }
 
-    /// `S.json` of interface.md. `trace` and `integrate` add the work of all threads; `total` is wall time.
-    pub(super) fn json(&self, arguments: &RcsArguments, mesh: &Mesh, load: f64, total: f64) -> Value {
+    /// `S.json` of interface.md.
+    pub(super) fn json(&self, arguments: &RcsArguments, mesh: &Mesh, took: &Took) -> Value {
         let s = mesh.statistics;
         let frequency_hz: Vec<f64> = arguments.freq_ghz.values.iter().map(|f| f * 1e9).collect();
         let spread: Vec<f64> = self.node_spread.iter().map(|e| db_from_amplitude(*e)).collect();
@@ -60,8 +71,9 @@ impl Answer {
             "settings": settings(arguments),
             "mesh": { "triangles_read": s.triangles_read, "degenerate": s.degenerate, "open_edges": s.open_edges,
                 "triangles_traced": mesh.triangles.len() },
-            "seconds": { "load": load, "build": self.build_seconds, "trace": self.trace_seconds,
-                "integrate": self.integrate_seconds, "check": self.check_seconds, "total": total },
+            "seconds": { "load": took.load, "build": self.build_seconds, "trace": self.trace_seconds,
+                "integrate": self.integrate_seconds, "check": self.check_seconds, "total": took.total,
+                "counted": took.counted.name() },
             "cached": self.cached,
             "beams": self.beams,
             "peak_memory_mib": crate::memory::peak_mib(),

@@ -4,6 +4,7 @@ use super::answer::Answer;
 use crate::checkpoint::Checkpoint;
 use crate::cli::{MethodWord, RcsArguments};
 use crate::failure::Failure;
+use crate::processor_time::WorkClock;
 use crate::progress::Work;
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
@@ -12,7 +13,6 @@ use artifact::{ErrorBudget, ModelError};
 use bart_rcs::reference::{Aspect, Bracket, ReferenceError, po, sbr};
 use bart_rcs::{Keeper, Piece, RcsRequest, Standpoint};
 use num_complex::Complex64;
-use std::time::Instant;
 
 /// Halvings of a cell that a shadow's border crosses (`reference::po`).
 const SHADOW_LEVELS: u32 = 3;
@@ -22,10 +22,12 @@ pub(super) fn answer(
     mesh: &Mesh,
     request: &RcsRequest,
     checkpoint: &Checkpoint,
+    clock: &WorkClock,
 ) -> Result<Answer, Failure> {
     check(request)?;
-    let start = Instant::now();
-    let work = Work::resumed("rcs", checkpoint.aspects());
+    bart_rcs::check_antennas(mesh, request).map_err(Failure::refused)?;
+    let start_s = clock.seconds();
+    let work = Work::resumed("aspects", checkpoint.aspects());
     let (elevations, azimuths) = (&request.elevation_rad, &request.azimuth_rad);
     let aspects = elevations.len() * azimuths.len();
     let mut table = vec![Complex64::ZERO; request.frequency_hz.len() * aspects];
@@ -50,7 +52,7 @@ pub(super) fn answer(
         amplitude_m: table,
         beams: vec![],
         build_seconds: 0.0,
-        trace_seconds: start.elapsed().as_secs_f64(),
+        trace_seconds: clock.seconds() - start_s,
         integrate_seconds: 0.0,
         error: ErrorBudget::default(),
         model_error: ModelError::default(),

@@ -9,6 +9,7 @@ use super::scenes::{cube_header, paths_of, scene_of, with_body};
 use crate::cache::project_root;
 use crate::chain::echo_accuracy;
 use crate::failure::Failure;
+use crate::processor_time;
 use crate::progress::Work;
 use artifact::paths::{Path, PathsFrame};
 use artifact::scene::SceneHeader;
@@ -179,18 +180,9 @@ fn chosen(frame: &PathsFrame) -> String {
 
 /// With the processor seconds that it took.
 fn timed<T>(work: impl FnOnce() -> Result<T, Failure>) -> Result<(T, f64), Failure> {
-    let (start, begin) = (Instant::now(), processor_s());
+    let (start, begin) = (Instant::now(), processor_time::of_living_threads());
     let value = work()?;
-    let seconds = processor_s().zip(begin).map_or_else(|| start.elapsed().as_secs_f64(), |(end, begin)| end - begin);
+    let both = processor_time::of_living_threads().zip(begin);
+    let seconds = both.map_or_else(|| start.elapsed().as_secs_f64(), |(end, begin)| end - begin);
     Ok((value, seconds))
-}
-
-/// Of all threads, as the system counts them in nanoseconds (`proc(5)`, schedstat); `None` where it does not.
-fn processor_s() -> Option<f64> {
-    let mut sum_ns = 0_u64;
-    for task in std::fs::read_dir("/proc/self/task").ok()?.flatten() {
-        let text = std::fs::read_to_string(task.path().join("schedstat")).ok()?;
-        sum_ns += text.split_whitespace().next()?.parse::<u64>().ok()?;
-    }
-    Some(1e-9 * sum_ns as f64)
 }

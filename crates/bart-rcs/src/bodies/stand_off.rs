@@ -1,0 +1,126 @@
+//! Where an antenna may stand among bodies: a wavelength away from every facet, and not shut in by them.
+//!
+//! Waves are taken as spherical and transverse. The field of a dipole has terms of 1/kr and 1/(kr)² beside: they are 0.16
+//! (−16 dB) of the wave at r = λ and grow from there on, and what stands so near changes the antenna itself. Inside a closed
+//! body no wave leaves, so that no order of bounces is the last and nothing comes back from a distance R: S, its (R/r)² and
+//! its phase say nothing there.
+
+use crate::bodies::world::World;
+use crate::error::BartError;
+use crate::geometry::antenna::Antenna;
+use crate::geometry::facet_geometry::FacetGeometry;
+use crate::geometry::section::triangle_sr;
+use glam::DVec3;
+use std::f64::consts::PI;
+
+/// Refuses an antenna nearer to a facet than a wavelength, or inside a closed body whose facets are wound one way round.
+pub(crate) fn check_stand(world: &World, antenna: Antenna, wavelength_m: f64) -> Result<(), BartError> {
+    let Antenna::Point(at_m) = antenna else { return Ok(()) };
+    let Some(reach) = world.facets().iter().map(bounds).reduce(joined) else { return Ok(()) };
+    if distance_to_box_m(at_m, reach) >= wavelength_m {
+        return Ok(());
+    }
+    check_distance(world, at_m, wavelength_m)?;
+    if world.has_sheets() {
+        return Ok(());
+    }
+    check_enclosed(world.facets().iter().map(|facet| seen_from(at_m, facet)).sum::<f64>().abs())
+}
+
+/// Refuses an antenna that facets surround on all sides, by what they take of all directions, sr.
+pub(crate) fn check_enclosed(taken_sr: f64) -> Result<(), BartError> {
+    // Rounding of a solid angle is below 1e-9 of it; a gap of a millionth of all directions is 4 mm wide at 1 m.
+    const ALL: f64 = 4.0 * PI * (1.0 - 1e-6);
+    if taken_sr >= ALL { Err(BartError::AntennaEnclosed { share: taken_sr / (4.0 * PI) }) } else { Ok(()) }
+}
+
+fn check_distance(world: &World, at_m: DVec3, least_m: f64) -> Result<(), BartError> {
+    let of = |(index, facet): (u32, &FacetGeometry)| (distance_to_triangle_m(at_m, &facet.corners_m), index);
+    let nearer = |a: (f64, u32), b: (f64, u32)| if b.0 < a.0 { b } else { a };
+    match (0..).zip(world.facets()).map(of).reduce(nearer) {
+        Some((distance_m, facet)) if distance_m < least_m => {
+            Err(BartError::AntennaTooNear { body: world.id_of_body(facet).to_owned(), distance_m, least_m })
+        }
+        _ => Ok(()),
+    }
+}
+
+fn seen_from(at_m: DVec3, facet: &FacetGeometry) -> f64 {
+    let [a, b, c] = facet.corners_m.map(|corner| corner - at_m);
+    triangle_sr(a, b, c)
+}
+
+fn bounds(facet: &FacetGeometry) -> [DVec3; 2] {
+    let [a, b, c] = facet.corners_m;
+    [a.min(b).min(c), a.max(b).max(c)]
+}
+
+fn joined([a, b]: [DVec3; 2], [c, d]: [DVec3; 2]) -> [DVec3; 2] {
+    [a.min(c), b.max(d)]
+}
+
+fn distance_to_box_m(at_m: DVec3, [low, high]: [DVec3; 2]) -> f64 {
+    at_m.distance(at_m.clamp(low, high))
+}
+
+/// To the foot on the plane where it lies inside, else to the nearest side.
+fn distance_to_triangle_m(at_m: DVec3, corners_m: &[DVec3; 3]) -> f64 {
+    let [a, b, c] = *corners_m;
+    let normal = (b - a).cross(c - a);
+    let sides = [(a, b), (b, c), (c, a)];
+    let is_inside = sides.iter().all(|(from, to)| (to - from).cross(at_m - from).dot(normal) >= 0.0);
+    if is_inside && normal != DVec3::ZERO {
+        (at_m - a).dot(normal).abs() / normal.length()
+    } else {
+        sides.map(|(from, to)| distance_to_side_m(at_m, from, to)).into_iter().fold(f64::INFINITY, f64::min)
+    }
+}
+
+fn distance_to_side_m(at_m: DVec3, from_m: DVec3, to_m: DVec3) -> f64 {
+    let along = to_m - from_m;
+    let share = (at_m - from_m).dot(along) / along.length_squared();
+    at_m.distance(from_m + if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 } * along)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use artifact::scene::Mesh;
+
+    /// Of 1 m about the origin, all facets outward.
+    fn cube() -> World {
+        let corner = |i: usize| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { 0.5 } else { -0.5 });
+        let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let triangles = quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+        World::of_mesh(&Mesh { vertices_m: (0..8).map(corner).collect(), triangles, ..Mesh::default() }).unwrap()
+    }
+
+    fn standing(at_m: [f64; 3]) -> Result<(), BartError> {
+        check_stand(&cube(), Antenna::Point(DVec3::from_array(at_m)), 0.004)
+    }
+
+    #[test]
+    fn an_antenna_may_stand_a_wavelength_off_and_no_nearer() {
+        for (at_m, distance_m) in [
+            ([0.503, 0.2, 0.1], 0.003),
+            ([0.502, 0.502, 0.0], 0.002_f64.hypot(0.002)),
+            ([0.4999, 0.0, 0.0], 0.0001),
+            ([0.5, 0.1, 0.3], 0.0),
+        ] {
+            let Err(BartError::AntennaTooNear { distance_m: told, least_m, .. }) = standing(at_m) else {
+                panic!("{at_m:?} is not refused")
+            };
+            assert!((told - distance_m).abs() < 1e-12 && least_m == 0.004, "{at_m:?}: {told}");
+        }
+        assert_eq!(standing([0.5041, 0.2, 0.1]), Ok(()));
+        assert_eq!(standing([30.0, 0.2, 0.1]), Ok(()));
+    }
+
+    #[test]
+    fn inside_a_closed_body_it_is_shut_in_and_beside_a_diagonal_it_is_not() {
+        for at_m in [[0.0; 3], [0.1, 0.0, 0.0], [0.49, 0.49, -0.49]] {
+            assert!(matches!(standing(at_m), Err(BartError::AntennaEnclosed { .. })), "{at_m:?}");
+        }
+        assert!(check_enclosed(4.0 * PI * 0.99).is_ok() && check_enclosed(4.0 * PI * (1.0 - 1e-9)).is_err());
+    }
+}

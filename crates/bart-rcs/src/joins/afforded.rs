@@ -1,0 +1,103 @@
+//! How exactly integrals can be had for a given work: they end, and what is left is measured.
+
+use crate::error::BartError;
+use crate::joins::join::{Joint, Joints};
+use crate::joins::scatterer::{Integration, Scatterer};
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// The accuracy of `integration`, or the next coarser one, fourfold at a time, that cuts all joints into no more than `most`
+/// tiles; an error where none does.
+///
+/// Tiles go with the accuracy to the power −⅔, and near an antenna with the inverse of its distance from a facet, where the
+/// polarization vectors of its own zenith turn along a line.
+pub(crate) fn afforded<'j>(
+    scatterer: &Scatterer<'_>,
+    joints: impl Iterator<Item = &'j Joints> + Clone,
+    integration: &Integration<'_>,
+    most: u64,
+) -> Result<f64, BartError> {
+    const COARSER: f64 = 4.0;
+    // Beyond, a tile may err by all that it can give.
+    const COARSEST: f64 = 1.0;
+    let mut asked = *integration;
+    while !fits(scatterer, joints.clone(), &asked, most) {
+        if asked.accuracy >= COARSEST {
+            return Err(BartError::TooManyPieces { most });
+        }
+        asked.accuracy *= COARSER;
+    }
+    Ok(asked.accuracy)
+}
+
+/// Whether there are no more tiles than that. Counting ends once there are more: which ones were counted by then depends on
+/// the threads, the answer does not.
+fn fits<'j>(
+    scatterer: &Scatterer<'_>,
+    joints: impl Iterator<Item = &'j Joints>,
+    integration: &Integration<'_>,
+    most: u64,
+) -> bool {
+    let tiles = AtomicU64::new(0);
+    let of_joint = |joints: &Joints, joint: &Joint| {
+        let left = most.checked_sub(tiles.load(Ordering::Relaxed))?;
+        let found = scatterer.tiles(joint, joints.polygon(joint), integration, left);
+        tiles.fetch_add(found, Ordering::Relaxed);
+        Some(())
+    };
+    for joints in joints {
+        let all = joints.list.par_iter().with_min_len(RUN).try_for_each(|joint| of_joint(joints, joint));
+        if all.is_none() {
+            return false;
+        }
+    }
+    tiles.into_inner() <= most
+}
+
+/// Joints that one thread counts in turn.
+const RUN: usize = 64;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::beams::beam::{BeamTree, TraceSettings};
+    use crate::bodies::world::World;
+    use crate::geometry::antenna::Antenna;
+    use crate::integral::physical_optics::Bracket;
+    use crate::joins::join::Trees;
+    use crate::joins::scatterer::ZenithH;
+    use artifact::scene::Mesh;
+    use artifact::settings::{NodeRule, Sides};
+    use glam::DVec3;
+
+    #[test]
+    fn what_would_be_cut_too_often_is_integrated_coarser_and_never_more_often_than_allowed() {
+        let vertices_m = vec![[0.0, -0.1, -0.1], [0.0, 0.1, -0.1], [0.0, 0.1, 0.1], [0.0, -0.1, 0.1]];
+        let mesh = Mesh { vertices_m, triangles: vec![[0, 1, 2], [0, 2, 3]], ..Mesh::default() };
+        let world = World::of_mesh(&mesh).unwrap();
+        let trace = TraceSettings { max_order: 1, sides: Sides::Two, least_area_m2: 1e-9, least_mirror_area_m2: 1e-9 };
+        let tree = BeamTree::trace(&world, Antenna::Point(DVec3::new(0.02, 0.01, 0.0)), &trace).unwrap();
+        let scatterer = Scatterer::new(&world, Trees::Shared(&tree), ZenithH { transmit: DVec3::Y, receive: DVec3::Y });
+        let joints = scatterer.joints(1, NodeRule::Middle, 1e-9);
+        let asked = Integration { wavenumbers_per_m: &[1613.8], accuracy: 1e-6, bracket: Bracket::Symmetrised };
+        let tiles = |accuracy: f64| -> u64 {
+            let mut tiles = 0;
+            let request = Integration { accuracy, ..asked };
+            for joint in &joints.list {
+                let polygon = joints.polygon(joint);
+                scatterer.for_each_tile(joint, polygon, DVec3::ZERO, 1613.8, &request, &mut |_| tiles += 1);
+            }
+            tiles
+        };
+        let all = tiles(asked.accuracy);
+        for most in [10 * all, all / 10, all / 100] {
+            let accuracy = afforded(&scatterer, std::iter::once(&joints), &asked, most).unwrap();
+            println!("{all} tiles at 1e-6, {} at {accuracy:.1e}; {most} allowed", tiles(accuracy));
+            assert_eq!(accuracy > asked.accuracy, most < all);
+            // The count is told from coarser triangles: halves are not even thirds.
+            assert!(tiles(accuracy) <= 2 * most && 40 * tiles(accuracy) > most.min(all));
+        }
+        let refused = afforded(&scatterer, std::iter::once(&joints), &asked, 1);
+        assert_eq!(refused, Err(BartError::TooManyPieces { most: 1 }));
+    }
+}

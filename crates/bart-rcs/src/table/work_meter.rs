@@ -1,0 +1,112 @@
+//! Whose work the processors' time was, where several aspects are made side by side.
+//!
+//! Threads that wait for a part of one aspect take up another one, so that no aspect's time is that of a thread or of a clock
+//! on the wall. Whenever one begins, goes on to another phase or ends, what the program has worked since the last time is
+//! divided equally among those that were under way: together they have all of it.
+
+use std::collections::BTreeMap;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+/// A clock of work and those that are under way.
+pub(crate) struct WorkMeter<'a> {
+    clock_s: &'a (dyn Fn() -> f64 + Sync),
+    state: Mutex<State>,
+}
+
+struct State {
+    /// What those under way have since they were last asked, by number.
+    under_way_s: BTreeMap<u64, f64>,
+    next: u64,
+    read_s: f64,
+    read_at: Instant,
+    reading_took: Duration,
+}
+
+/// A clock that is read again sooner would be most of the work.
+const READINGS_APART: u32 = 20;
+
+impl<'a> WorkMeter<'a> {
+    /// By a clock that grows with what the program works, s.
+    pub(crate) fn new(clock_s: &'a (dyn Fn() -> f64 + Sync)) -> Self {
+        let (under_way_s, read_at) = (BTreeMap::new(), Instant::now());
+        let read_s = clock_s();
+        let state = State { under_way_s, next: 0, read_s, read_at, reading_took: read_at.elapsed() };
+        Self { clock_s, state: Mutex::new(state) }
+    }
+
+    /// Begins a piece of work.
+    pub(crate) fn begin(&self) -> Metered<'_> {
+        let mut state = self.read();
+        let number = state.next;
+        state.next += 1;
+        state.under_way_s.insert(number, 0.0);
+        Metered { meter: self, number }
+    }
+
+    /// What all work so far took, s.
+    pub(crate) fn total_s(&self) -> f64 {
+        (self.clock_s)()
+    }
+
+    fn read(&self) -> MutexGuard<'_, State> {
+        let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        if state.under_way_s.is_empty() || state.read_at.elapsed() >= READINGS_APART * state.reading_took {
+            let start = Instant::now();
+            let now_s = (self.clock_s)();
+            let share_s = (now_s - state.read_s).max(0.0) / state.under_way_s.len().max(1) as f64;
+            state.under_way_s.values_mut().for_each(|seconds| *seconds += share_s);
+            (state.read_s, state.read_at, state.reading_took) = (now_s, Instant::now(), start.elapsed());
+        }
+        state
+    }
+}
+
+/// A piece of work that is under way until it is dropped.
+pub(crate) struct Metered<'m> {
+    meter: &'m WorkMeter<'m>,
+    number: u64,
+}
+
+impl Metered<'_> {
+    /// Its share since it began, or since this was last asked, s.
+    pub(crate) fn lap_s(&self) -> f64 {
+        let mut state = self.meter.read();
+        state.under_way_s.get_mut(&self.number).map(std::mem::take).unwrap_or(0.0)
+    }
+}
+
+impl Drop for Metered<'_> {
+    fn drop(&mut self) {
+        self.meter.read().under_way_s.remove(&self.number);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::{AtomicU64, Ordering};
+
+    #[test]
+    fn what_is_done_side_by_side_is_shared_and_nothing_is_counted_twice() {
+        let ticks = AtomicU64::new(0);
+        let clock = || ticks.load(Ordering::Relaxed) as f64;
+        // Longer than the clock may be left unread.
+        let work = |seconds: u64| {
+            ticks.fetch_add(seconds, Ordering::Relaxed);
+            std::thread::sleep(Duration::from_millis(5));
+        };
+        let meter = WorkMeter::new(&clock);
+        work(7);
+        let first = meter.begin();
+        work(4);
+        let second = meter.begin();
+        work(10);
+        assert_eq!((first.lap_s(), second.lap_s()), (4.0 + 5.0, 5.0));
+        work(6);
+        drop(first);
+        work(2);
+        // What came before the first began, and what the first had not asked for, is nobody's.
+        assert_eq!((second.lap_s(), meter.total_s()), (3.0 + 2.0, 29.0));
+    }
+}
