@@ -21,6 +21,7 @@ use artifact::settings::{Class, EchoMode};
 use artifact::{Accuracy, ErrorBudget, ModelError, Schema};
 use bart_rcs::FrameSurroundings;
 use classifier::Classifier;
+use rayon::prelude::*;
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
@@ -58,6 +59,9 @@ pub(crate) fn echo_accuracy(header: &SceneHeader) -> Accuracy {
     Accuracy::from_db((header.fidelity.accuracy.db() - 20.0).min(-60.0))
 }
 
+/// Crops held at once: whole passes of the network, 20 MB.
+const CROPS: usize = 100;
+
 /// A classifier and what names it in a cache key.
 pub(crate) struct LoadedModel {
     header: ModelHeader,
@@ -86,8 +90,14 @@ impl LoadedModel {
         rdm: &RdmFrame,
         points: &PointsFrame,
     ) -> Result<Vec<[f32; 4]>, Failure> {
-        let crop = |object| dsp::crop(header, rdm, object, &self.header.format).map_err(Failure::refused);
-        self.probabilities(&points.objects.iter().map(crop).collect::<Result<Vec<_>, _>>()?)
+        let cropper = dsp::Cropper::new(header, rdm, &self.header.format).map_err(Failure::refused)?;
+        let mut rows = Vec::with_capacity(points.objects.len());
+        for objects in points.objects.chunks(CROPS) {
+            let crops: Vec<_> = objects.par_iter().map(|object| cropper.crop(object)).collect();
+            let crops = crops.into_iter().collect::<Result<Vec<_>, _>>().map_err(Failure::refused)?;
+            rows.extend(self.probabilities(&crops)?);
+        }
+        Ok(rows)
     }
 
     /// Probabilities of crops.

@@ -11,6 +11,7 @@ use artifact::rdm::RdmFrame;
 use artifact::units::db_from_power;
 use glam::DVec3;
 use ndarray::Array2;
+use num_complex::Complex64;
 
 /// The paper's 451 × 451 pixels over 24 m × 8 m/s.
 ///
@@ -27,23 +28,53 @@ const LARGEST_SIDE: u32 = 8192;
 /// Power is interpolated linearly between cells. Velocity wraps, as the map's does; columns outside the map are black.
 /// Ranges are those of echoes at the object's velocity (free of range–Doppler coupling), as [`Object::range_m`] is.
 pub fn crop(header: &CubeHeader, map: &RdmFrame, object: &Object, format: &CropFormat) -> Result<Crop, DspError> {
-    check_format(format)?;
-    check_object(object)?;
-    let header = &header.in_frame(map.index);
-    let noise = noise_power(header, map)?;
-    let centre_mps = object.radial_velocity_mps;
-    let columns = pixel_centres(object.range_m + coupling_m(header, centre_mps), format.range_span_m, format.side)
-        .map(|range_m| column_at(header, range_m));
-    let rows = pixel_centres(centre_mps, format.velocity_span_mps, format.side)
-        .map(|velocity_mps| row_at(header, velocity_mps));
-    let (rows, columns): (Vec<f64>, Vec<f64>) = (rows.collect(), columns.collect());
-    let patch = Patch::beamformed(header, map, object, &rows, &columns);
-    let pixels = rows.iter().flat_map(|row| columns.iter().map(|column| patch.power(*row, *column)));
-    Ok(Crop {
-        pixels: pixels.map(|power| grey(power, noise, format)).collect(),
-        range_m: object.range_m,
-        radial_velocity_mps: centre_mps,
-    })
+    Cropper::new(header, map, format)?.crop(object)
+}
+
+/// Crops of one map: what all of them need of it is found once.
+pub struct Cropper<'a> {
+    header: CubeHeader,
+    map: &'a RdmFrame,
+    format: CropFormat,
+    array: VirtualArray,
+    noise: f64,
+}
+
+impl<'a> Cropper<'a> {
+    /// For crops of one format.
+    pub fn new(header: &CubeHeader, map: &'a RdmFrame, format: &CropFormat) -> Result<Self, DspError> {
+        check_format(format)?;
+        let header = header.in_frame(map.index);
+        let (noise, array) = (noise_power(&header, map)?, VirtualArray::new(&header));
+        Ok(Self { header, map, format: *format, array, noise })
+    }
+
+    /// As [`crop()`].
+    pub fn crop(&self, object: &Object) -> Result<Crop, DspError> {
+        check_object(object)?;
+        let (header, format, centre_mps) = (&self.header, &self.format, object.radial_velocity_mps);
+        let columns = pixel_centres(object.range_m + coupling_m(header, centre_mps), format.range_span_m, format.side)
+            .map(|range_m| column_at(header, range_m));
+        let rows = pixel_centres(centre_mps, format.velocity_span_mps, format.side)
+            .map(|velocity_mps| row_at(header, velocity_mps));
+        let (rows, columns): (Vec<f64>, Vec<f64>) = (rows.collect(), columns.collect());
+        let lines = Patch::beamformed(self, object, &rows, &columns).along(&columns);
+        let pixels = rows.iter().flat_map(|row| lines.between(*row));
+        Ok(Crop {
+            pixels: pixels.map(|power| grey(power, self.noise, format)).collect(),
+            range_m: object.range_m,
+            radial_velocity_mps: centre_mps,
+        })
+    }
+
+    /// |beam|² over the number of channels: noise keeps the level it has in one channel.
+    fn cell_power(&self, steering: &[Complex64], object: &Object, [row, column]: [i64; 2]) -> f64 {
+        let chirps = i64::from(self.header.radar.waveform.chirps);
+        let row = row.rem_euclid(chirps) as usize;
+        let velocity_mps = unwrapped(&self.header, velocity_at(&self.header, row as f64), object.radial_velocity_mps);
+        let snapshot = self.array.snapshot(&self.header, self.map, [row, column as usize], velocity_mps);
+        self.array.beam(&snapshot, steering).norm_sqr() / snapshot.len() as f64
+    }
 }
 
 /// Grey level of a power: 0 at the format's floor over the noise, 255 at its ceiling.
@@ -87,34 +118,49 @@ struct Patch {
 }
 
 impl Patch {
-    fn beamformed(header: &CubeHeader, map: &RdmFrame, object: &Object, rows: &[f64], columns: &[f64]) -> Self {
+    fn beamformed(cropper: &Cropper<'_>, object: &Object, rows: &[f64], columns: &[f64]) -> Self {
         let [first_row, last_row] = reach(rows);
         let [first_column, last_column] = reach(columns);
-        let samples = header.radar.waveform.range_cells() as i64;
+        let samples = cropper.header.radar.waveform.range_cells() as i64;
         let (first_column, end_column) = (first_column.clamp(0, samples), (last_column + 1).clamp(0, samples));
-        let array = VirtualArray::new(header);
-        let steering = array.steering(direction_of(header, &array, object), object.range_m);
+        let direction = direction_of(&cropper.header, &cropper.array, object);
+        let steering = cropper.array.steering(direction, object.range_m);
         let size = ((last_row + 1 - first_row) as usize, (end_column - first_column).max(0) as usize);
         let power = Array2::from_shape_fn(size, |(row, column)| {
-            let cell = [first_row + row as i64, first_column + column as i64];
-            cell_power(header, map, &array, &steering, object, cell)
+            cropper.cell_power(&steering, object, [first_row + row as i64, first_column + column as i64])
         });
         Self { first_row, first_column, power }
     }
 
-    /// Linear between cells; nothing outside the map.
-    fn power(&self, row: f64, column: f64) -> f64 {
-        let (low_row, low_column) = (row.floor(), column.floor());
-        let (down, right) = (row - low_row, column - low_column);
-        let at = |row: i64, column: i64| {
-            let (row, column) = (row - self.first_row, column - self.first_column);
-            let cell = usize::try_from(row).ok().zip(usize::try_from(column).ok());
-            cell.and_then(|cell| self.power.get(cell)).copied().unwrap_or(0.0)
+    /// Each row of cells at these columns, linear between cells; nothing outside the map.
+    fn along(&self, columns: &[f64]) -> Lines {
+        let at = |row: usize, column: i64| {
+            let column = usize::try_from(column - self.first_column).ok();
+            column.and_then(|column| self.power.get((row, column))).copied().unwrap_or(0.0)
         };
-        let (r, c) = (low_row as i64, low_column as i64);
-        let upper = at(r, c) * (1.0 - right) + at(r, c + 1) * right;
-        let lower = at(r + 1, c) * (1.0 - right) + at(r + 1, c + 1) * right;
-        upper * (1.0 - down) + lower * down
+        let power = Array2::from_shape_fn((self.power.nrows(), columns.len()), |(row, pixel)| {
+            let low = columns[pixel].floor();
+            let right = columns[pixel] - low;
+            at(row, low as i64) * (1.0 - right) + at(row, low as i64 + 1) * right
+        });
+        Lines { first_row: self.first_row, power }
+    }
+}
+
+/// A patch at the columns of a crop's pixels.
+struct Lines {
+    first_row: i64,
+    power: Array2<f64>,
+}
+
+impl Lines {
+    /// Pixels of a row between two rows of cells.
+    fn between(&self, row: f64) -> impl Iterator<Item = f64> {
+        let low = row.floor();
+        let down = row - low;
+        let upper = (low as i64 - self.first_row) as usize;
+        let pixels = self.power.row(upper).into_iter().zip(self.power.row(upper + 1));
+        pixels.map(move |(upper, lower)| upper * (1.0 - down) + lower * down)
     }
 }
 
@@ -131,20 +177,4 @@ fn direction_of(header: &CubeHeader, array: &VirtualArray, object: &Object) -> D
     // The steering of an array without rows does not feel `up`.
     let unit = from_radar.try_normalize().unwrap_or(array.axes()[2]);
     Direction { right: unit.dot(right), up: Some(unit.dot(up)) }
-}
-
-/// |beam|² over the number of channels: noise keeps the level it has in one channel.
-fn cell_power(
-    header: &CubeHeader,
-    map: &RdmFrame,
-    array: &VirtualArray,
-    steering: &[num_complex::Complex64],
-    object: &Object,
-    [row, column]: [i64; 2],
-) -> f64 {
-    let chirps = i64::from(header.radar.waveform.chirps);
-    let row = row.rem_euclid(chirps) as usize;
-    let velocity_mps = unwrapped(header, velocity_at(header, row as f64), object.radial_velocity_mps);
-    let snapshot = array.snapshot(header, map, [row, column as usize], velocity_mps);
-    array.beam(&snapshot, steering).norm_sqr() / snapshot.len() as f64
 }

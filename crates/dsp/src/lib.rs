@@ -109,7 +109,7 @@ pub mod crop;
 pub mod grayscale;
 
 pub use axes::{range_axis_m, velocity_axis_mps};
-pub use crop::{PAPER_CROP, crop};
+pub use crop::{Cropper, PAPER_CROP, crop};
 pub use error::{Axis, DspError};
 pub use grayscale::rdm_grayscale;
 pub use noncoherent::{noise_power, power_map};
