@@ -7,7 +7,7 @@
 //! and powers of single paths would say nothing of it. A point whose paths all together stay below the noise is a false alarm
 //! and has no label.
 
-use crate::path_legs::legs;
+use crate::path_legs::{legs, mean_share};
 use artifact::cube::CubeHeader;
 use artifact::paths::{Path, PathsFrame};
 use artifact::points::{Label, Point};
@@ -141,7 +141,10 @@ impl Echo {
         let strength = path.amplitude_m[receive][transmit].conj() / (there.length_m * back.length_m);
         Self {
             group: Group::of(path),
-            value: link_amplitude(radar) * strength * Complex64::from_polar(1.0, TAU * cycles.fract()),
+            value: mean_share(radar, path)
+                * link_amplitude(radar)
+                * strength
+                * Complex64::from_polar(1.0, TAU * cycles.fract()),
             range_m: 0.5 * length_m,
             radial_velocity_mps: 0.5 * (there.rate_mps + back.rate_mps),
             directions: [there.direction, back.direction],

@@ -1,4 +1,4 @@
-//! Where a path's node appears in the frame's middle, seen from the radar's position.
+//! Where a path's node appears in the frame's middle, seen from the radar's position, and how much of the frame it stands for.
 
 use artifact::paths::Path;
 use artifact::radar::Radar;
@@ -20,6 +20,14 @@ pub(crate) fn legs(radar: &Radar, path: &Path) -> [Leg; 2] {
         leg(radar, path.apparent_tx_m, path.apparent_tx_mps, curve.apparent_tx_mps2),
         leg(radar, path.apparent_rx_m, path.apparent_rx_mps, curve.apparent_rx_mps2),
     ]
+}
+
+/// Mean over the frame of a path's share of the echo: 1 where it stands for all of it.
+pub(crate) fn mean_share(radar: &Radar, path: &Path) -> f64 {
+    const INSTANTS: u32 = 128;
+    let Some(span) = path.curve.span else { return 1.0 };
+    let seconds = |i: u32| (f64::from(i) + 0.5) / f64::from(INSTANTS) * radar.frame_duration_s();
+    (0..INSTANTS).map(|i| span.share(seconds(i))).sum::<f64>() / f64::from(INSTANTS)
 }
 
 fn leg(radar: &Radar, apparent_m: [f64; 3], apparent_mps: [f64; 3], apparent_mps2: [f64; 3]) -> Leg {

@@ -1,7 +1,7 @@
 //! What is true of each target of a frame. Only reports come here: nothing behind the radar cube reads it.
 
 use crate::ground_outline::GroundOutline;
-use crate::path_legs::legs;
+use crate::path_legs::{legs, mean_share};
 use artifact::paths::{Path, PathsFrame};
 use artifact::scene::{Pose, Role, SceneFrame, SceneHeader, TargetKind};
 use glam::DVec3;
@@ -88,11 +88,13 @@ fn is_wholly_on(target: usize, path: &Path) -> bool {
     path.target as usize == target && path.sequence().iter().all(|facet| facet.body as usize == target)
 }
 
-/// Power of a path up to a common factor, |a|²/(L₁L₂)², and half its length and rate at the frame's middle.
+/// Power of a path up to a common factor, |a|²/(L₁L₂)² times its mean share over the frame (the shares of what is traced at several
+/// moments add up to 1), and half its length and rate at the frame's middle.
 fn received(header: &SceneHeader, path: &Path) -> (f64, Echo) {
     let [there, back] = legs(&header.radar, path);
     let (receive, transmit) = header.radar.array.polarization.indices();
-    let power = path.amplitude_m[receive][transmit].norm_sqr() / (there.length_m * back.length_m).powi(2);
+    let of_whole = path.amplitude_m[receive][transmit].norm_sqr() / (there.length_m * back.length_m).powi(2);
+    let power = mean_share(&header.radar, path) * of_whole;
     let range_m = 0.5 * (there.length_m + back.length_m);
     let echo = Echo { range_m, radial_velocity_mps: 0.5 * (there.rate_mps + back.rate_mps) };
     (power, echo)

@@ -5,13 +5,14 @@ use crate::settings::Detail;
 use crate::{ErrorBudget, ModelError, Schema};
 use num_complex::Complex64;
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 
 /// The `.paths` artifact.
 pub struct Paths;
 
 impl Schema for Paths {
     const NAME: &'static str = "paths";
-    const VERSION: u32 = 8;
+    const VERSION: u32 = 9;
     type Header = PathsHeader;
     type Frame = PathsFrame;
 }
@@ -34,7 +35,8 @@ pub struct PathsFrame {
     pub index: u32,
     /// The frame's first sample.
     pub time_s: f64,
-    /// In the tracer's order: body, facet sequence, cell; where detail was taken from them, target by target.
+    /// In the tracer's order: body, facet sequence, cell, and behind them what was traced at several moments, one after the
+    /// other; where detail was taken from them, target by target.
     pub paths: Vec<Path>,
     /// Nearest lit surface of each body from the radar's position at the frame's middle, m, in the order of the scene
     /// frame's poses; `None` if all is hidden.
@@ -87,11 +89,11 @@ pub struct Path {
     pub slope_m_per_hz: Amplitude,
     /// The facets in the order of travel; the first `order` are meant.
     pub facets: [Facet; MAX_ORDER],
-    /// What of its movement is not at constant velocity.
+    /// What of it is not the same throughout the frame, beside a constant velocity.
     pub curve: Curve,
 }
 
-/// What of a path's movement is not at constant velocity; nothing by default.
+/// What of a path is not the same throughout the frame, beside a constant velocity; nothing by default.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Curve {
     /// Constant acceleration of x_a.
@@ -100,6 +102,55 @@ pub struct Curve {
     pub apparent_rx_mps2: [f64; 3],
     /// The node goes round with a wheel; x_a and x_b are then where its hub appears.
     pub rim: Option<Rim>,
+    /// The part of the frame that it stands for; `None` for all of it.
+    pub span: Option<Span>,
+}
+
+/// The part of a frame that a path stands for, where some ways were traced at several moments of it: at any time the paths of
+/// the nearest moments are blended, each with its [`Span::share`].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Span {
+    /// The first of the moments, from the frame's first sample.
+    pub first_s: f64,
+    /// From one to the next.
+    pub step_s: f64,
+    /// How many there are.
+    pub moments: u32,
+    /// At which of them the path was traced, from 0.
+    pub moment: u32,
+}
+
+/// Moments that a blend is made of, where there are as many: a cubic.
+const BLENDED: u32 = 4;
+
+impl Span {
+    /// Factor of the path's amplitude: Lagrange's polynomial through the four moments about `seconds`, 1 at its own moment and 0
+    /// at the others. The shares of all moments add up to 1.
+    pub fn share(&self, seconds: f64) -> f64 {
+        let nodes = self.blended_at(seconds);
+        if !nodes.contains(&self.moment) {
+            return 0.0;
+        }
+        let place = (seconds - self.first_s) / self.step_s;
+        let own = f64::from(self.moment);
+        nodes
+            .filter(|node| *node != self.moment)
+            .map(|node| (place - f64::from(node)) / (own - f64::from(node)))
+            .product()
+    }
+
+    /// When the path was traced, from the frame's first sample.
+    pub fn traced_at_s(&self) -> f64 {
+        self.first_s + f64::from(self.moment) * self.step_s
+    }
+
+    /// The moments that are blended at a time: two before and two behind it, but at the ends.
+    fn blended_at(&self, seconds: f64) -> Range<u32> {
+        let count = BLENDED.min(self.moments);
+        let before = ((seconds - self.first_s) / self.step_s).floor() - 1.0;
+        let first = (before.max(0.0) as u32).min(self.moments - count);
+        first..first + count
+    }
 }
 
 /// A point on the rim of a wheel that rolls upright without slipping: hub + r·(cos φ·forward + sin φ·up), φ = φ₀ − (way of the hub
@@ -149,6 +200,10 @@ pub struct Fineness {
     pub cell_m: f64,
     /// Of the integrals on each body.
     pub integrals: Vec<IntegralFineness>,
+    /// At how many moments of the frame `ways` were traced; 1 where the frame's middle is enough.
+    pub moments: u32,
+    /// What was traced at all of them: ids of the bodies in the order of travel, ways back among them.
+    pub ways: Vec<Vec<String>>,
 }
 
 /// How finely integrals on one body were taken.
@@ -181,4 +236,36 @@ pub struct TargetDetail {
     pub kept: u64,
     /// Of the target's echo against that of all its paths, relative amplitude; `None` where these were kept.
     pub error: Option<f64>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn blended(moments: u32, of: impl Fn(f64) -> f64, seconds: f64) -> f64 {
+        let span = |moment: u32| Span { first_s: 1.0, step_s: 0.25, moments, moment };
+        (0..moments).map(|i| span(i).share(seconds) * of(span(i).traced_at_s())).sum()
+    }
+
+    #[test]
+    fn shares_blend_a_cubic_exactly_wherever_there_are_four_moments() {
+        let cubic = |t: f64| 2.0 - t + 3.0 * t * t - 0.5 * t * t * t;
+        for moments in [4, 5, 9, 33] {
+            for i in 0..=100 {
+                let t = 1.0 + 0.25 * f64::from(moments - 1) * f64::from(i) / 100.0;
+                let allowed = 64.0 * f64::EPSILON * cubic(t).abs().max(t.powi(3));
+                assert!((blended(moments, cubic, t) - cubic(t)).abs() < allowed, "{moments} {t}");
+                assert!((blended(moments, |_| 1.0, t) - 1.0).abs() < 16.0 * f64::EPSILON);
+            }
+        }
+    }
+
+    #[test]
+    fn few_moments_blend_a_parabola_a_line_or_nothing() {
+        for t in [0.9, 1.0, 1.1, 1.3, 1.6] {
+            assert!((blended(3, |t| t * t, t) - t * t).abs() < 1e-14);
+            assert!((blended(2, |t| t, t) - t).abs() < 1e-14);
+            assert_eq!(blended(1, |_| 3.0, t), 3.0);
+        }
+    }
 }

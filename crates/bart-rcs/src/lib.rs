@@ -64,6 +64,7 @@ pub use beams::beam::{Audit, Beam, BeamTree, OrderAudit, TraceSettings};
 pub use bodies::world::{Models, World};
 pub use detail::level::reduced;
 pub use error::BartError;
+pub use frame::moments::MOMENTS_MAX;
 pub use frame::path::{FrameSurroundings, trace_frame, trace_frame_like, trace_frame_within};
 pub use frame::path_sum::{PathView, scattering_of_paths};
 pub use frame::rcs_frame::{rcs_frame, rcs_frame_within};

@@ -4,7 +4,7 @@ use crate::closest_approach::Leg;
 use crate::error::EchoError;
 use crate::oscillator;
 use artifact::cube::{Cube, CubeHeader};
-use artifact::paths::{Path, Rim};
+use artifact::paths::{Path, Rim, Span};
 use artifact::radar::{Pattern, PhaseNoise};
 use artifact::{Radar, Schema};
 use glam::DVec3;
@@ -33,6 +33,7 @@ pub(crate) fn check_paths(radar: &Radar, frame: u32, paths: &[Path]) -> Result<(
     for (index, path) in paths.iter().enumerate() {
         let at = Place { frame, path: index };
         at.check_finite(path)?;
+        at.check_span(path)?;
         at.check_speed(radar, path)?;
         at.check_distance(radar, path)?;
     }
@@ -212,6 +213,20 @@ impl Place {
         match parts.iter().find(|(_, finite)| !finite) {
             None => Ok(()),
             Some((quantity, _)) => Err(EchoError::NonFinitePath { frame: self.frame, path: self.path, quantity }),
+        }
+    }
+
+    /// A part of the frame is about one of several moments that follow each other.
+    fn check_span(&self, path: &Path) -> Result<(), EchoError> {
+        let is_part = |span: &Span| {
+            let grows = span.first_s.is_finite() && span.step_s.is_finite() && span.step_s > 0.0;
+            grows && span.moment < span.moments
+        };
+        match path.curve.span.filter(|span| !is_part(span)) {
+            None => Ok(()),
+            Some(Span { first_s, step_s, moments, moment }) => {
+                Err(EchoError::NoSuchMoment { frame: self.frame, path: self.path, moment, moments, first_s, step_s })
+            }
         }
     }
 

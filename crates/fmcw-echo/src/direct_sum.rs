@@ -18,8 +18,9 @@ use crate::chirp_segments::samples_per_segment;
 use crate::lanes::{Complex, MAX_LANES, Real, Vector};
 use crate::multiplexing::{Transmission, row};
 use crate::reference::if_sample;
+use crate::spans::{by_span, shares_of_row};
 use artifact::Radar;
-use artifact::paths::Path;
+use artifact::paths::{Path, Span};
 use artifact::radar::Pattern;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
@@ -37,6 +38,8 @@ pub struct DirectSum<'a> {
     columns: Columns,
     /// Points on rims are few, and no parabola is theirs: each of their samples is written from the formulas.
     on_rims: Vec<Path>,
+    /// Paths that stand for a part of the frame, one sum for each.
+    parts: Vec<(Span, Self)>,
 }
 
 impl<'a> DirectSum<'a> {
@@ -45,12 +48,22 @@ impl<'a> DirectSum<'a> {
     pub fn new(radar: &'a Radar, centre_frequency_hz: f64, paths: &[Path]) -> Self {
         let heard = paths.iter().filter(|path| is_heard(radar, path));
         let (on_rims, steady): (Vec<&Path>, Vec<&Path>) = heard.partition(|path| path.curve.rim.is_some());
-        let samples_per_segment = samples_per_segment(radar, &steady);
+        let (spanning, steady): (Vec<&Path>, Vec<&Path>) = steady.into_iter().partition(|p| p.curve.span.is_some());
+        let part = |(span, paths): (Option<Span>, Vec<&Path>)| {
+            span.map(|span| (span, Self::of_steady(radar, centre_frequency_hz, &paths)))
+        };
+        let parts = by_span(spanning).into_iter().filter_map(part).collect();
         let on_rims = on_rims.into_iter().copied().collect();
-        Self { samples_per_segment, on_rims, ..Self::for_moments(radar, centre_frequency_hz, &steady) }
+        Self { on_rims, parts, ..Self::of_steady(radar, centre_frequency_hz, &steady) }
     }
 
-    /// Of paths that are all heard and none on a rim, in their order, to be asked for [`Self::values`] alone.
+    fn of_steady(radar: &'a Radar, centre_frequency_hz: f64, steady: &[&Path]) -> Self {
+        let samples_per_segment = samples_per_segment(radar, steady);
+        Self { samples_per_segment, ..Self::for_moments(radar, centre_frequency_hz, steady) }
+    }
+
+    /// Of paths that are all heard and none on a rim, in their order, to be asked for [`Self::values`] alone: those do not know
+    /// that a path stands for a part of the frame.
     pub(crate) fn for_moments(radar: &'a Radar, centre_frequency_hz: f64, heard: &[&Path]) -> Self {
         Self {
             radar,
@@ -60,6 +73,7 @@ impl<'a> DirectSum<'a> {
             samples_per_segment: radar.waveform.samples as usize,
             columns: Columns::new(radar, heard),
             on_rims: vec![],
+            parts: vec![],
         }
     }
 
@@ -70,6 +84,15 @@ impl<'a> DirectSum<'a> {
         for (transmission, path) in transmissions.iter().flat_map(|t| self.on_rims.iter().map(move |path| (t, path))) {
             for (n, sample) in samples.iter_mut().enumerate() {
                 *sample += transmission.turn * if_sample(self.radar, self.centre_frequency_hz, path, transmission, n);
+            }
+        }
+        // All transmissions of a row start at one time.
+        let start_s = transmissions[0].start_s;
+        for (span, part) in &self.parts {
+            let shares = shares_of_row(self.radar, span, start_s);
+            if shares.iter().any(|share| *share != 0.0) {
+                let values = part.row(channel, chirp);
+                samples.iter_mut().zip(shares).zip(values).for_each(|((sum, share), value)| *sum += share * value);
             }
         }
         samples

@@ -107,6 +107,24 @@ pub enum EchoError {
         /// Which part of it.
         quantity: &'static str,
     },
+    /// A path that stands for a moment that is none of its frame's.
+    #[error(
+        "path {path} of frame {frame} stands for moment {moment} of {moments} from {first_s} s on every {step_s} s: there is none"
+    )]
+    NoSuchMoment {
+        /// Frame.
+        frame: u32,
+        /// Index in the frame's list.
+        path: usize,
+        /// Counted from 0.
+        moment: u32,
+        /// How many there are.
+        moments: u32,
+        /// The first.
+        first_s: f64,
+        /// From one to the next.
+        step_s: f64,
+    },
     /// A path's apparent point comes closer to an element than a wavelength, where 1/(L₁L₂) means nothing.
     #[error(
         "path {path} of frame {frame} passes {distance_m} m from {element} element {index}: less than a wavelength"

@@ -88,6 +88,7 @@ pub mod antenna;
 pub mod oscillator;
 pub mod reference;
 mod lanes;
+mod spans;
 mod closest_approach;
 mod chirp_segments;
 pub mod direct_sum;

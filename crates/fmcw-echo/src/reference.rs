@@ -48,7 +48,8 @@ pub fn cube_sample(
     sum
 }
 
-/// IF value of one path: `√(P_tG_tG_r)·λ/(4π)^{3/2}·conj a(f)/(L₁L₂)·e^{j2π[f₀τ + μtτ − ½μτ²]}` with f = f₀ + μ(t − τ).
+/// IF value of one path: `√(P_tG_tG_r)·λ/(4π)^{3/2}·conj a(f)/(L₁L₂)·e^{j2π[f₀τ + μtτ − ½μτ²]}` with f = f₀ + μ(t − τ), times its
+/// share of the echo then, where it stands for a part of the frame.
 pub fn if_sample(
     radar: &Radar,
     centre_frequency_hz: f64,
@@ -62,7 +63,8 @@ pub fn if_sample(
     let tau = legs.delay_s() + transmission.line_delay_s;
     let frequency_hz = waveform.start_frequency_hz + waveform.slope_hz_per_s * (t - tau);
     let amplitude = amplitude_m(radar, path, frequency_hz - centre_frequency_hz).conj();
-    let gain = link_amplitude(radar) * legs.gain(radar);
+    let share = path.curve.span.map_or(1.0, |span| span.share(transmission.start_s + t));
+    let gain = share * link_amplitude(radar) * legs.gain(radar);
     gain * amplitude * Complex64::cis(TAU * if_cycles(radar, t, tau).fract())
 }
 

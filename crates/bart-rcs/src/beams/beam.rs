@@ -3,6 +3,7 @@
 //! A beam is a convex lit polygon on a facet, seen straight from the antenna's image behind the facets before it.
 //! Frequency and polarization enter later, in the integration.
 
+use crate::beams::body_ways::BodyWays;
 use crate::beams::brute_force::EveryFacet;
 use crate::beams::sheets::parted;
 use crate::beams::view::{Mirror, View};
@@ -127,12 +128,24 @@ impl BeamTree {
         settings: &TraceSettings,
         progress: &dyn Progress,
     ) -> Result<Self, BartError> {
-        trace_by::<ByHierarchy>(world, antenna, settings, progress)
+        trace_by::<ByHierarchy>(world, Growth::new(antenna, settings, progress))
+    }
+
+    /// The same where only some ways are asked for: no other is followed further than its first facet. Of those asked for it
+    /// holds what the whole tree does.
+    pub(crate) fn trace_along(
+        world: &World,
+        antenna: Antenna,
+        settings: &TraceSettings,
+        ways: &BodyWays,
+        progress: &dyn Progress,
+    ) -> Result<Self, BartError> {
+        trace_by::<ByHierarchy>(world, Growth { ways: Some(ways), ..Growth::new(antenna, settings, progress) })
     }
 
     /// The same by the slow obvious way: every facet is cut by every other. For tests.
     pub fn trace_by_brute_force(world: &World, antenna: Antenna, settings: &TraceSettings) -> Result<Self, BartError> {
-        trace_by::<EveryFacet>(world, antenna, settings, &Unheard)
+        trace_by::<EveryFacet>(world, Growth::new(antenna, settings, &Unheard))
     }
 
     /// The lit polygon: convex, counter-clockwise about the lit normal, world metres.
@@ -152,6 +165,13 @@ impl BeamTree {
         facets
     }
 
+    /// Bodies from the antenna to this beam, its own last.
+    pub(crate) fn bodies(&self, world: &World, beam: &Beam) -> Vec<u32> {
+        let mut bodies: Vec<u32> = self.way_back(beam).map(|b| world.facet(b.facet).id.body).collect();
+        bodies.reverse();
+        bodies
+    }
+
     /// A beam, its mirror's, and so on to the antenna.
     pub(crate) fn way_back<'a>(&'a self, beam: &'a Beam) -> impl Iterator<Item = &'a Beam> {
         std::iter::successors(Some(beam), |b| b.parent.map(|parent| &self.beams[parent as usize]))
@@ -163,17 +183,11 @@ impl BeamTree {
     }
 }
 
-fn trace_by<V: Visibility>(
-    world: &World,
-    antenna: Antenna,
-    settings: &TraceSettings,
-    progress: &dyn Progress,
-) -> Result<BeamTree, BartError> {
-    if !antenna.is_sound() {
+fn trace_by<V: Visibility>(world: &World, mut growth: Growth<'_>) -> Result<BeamTree, BartError> {
+    if !growth.tree.antenna.is_sound() {
         return Err(BartError::AntennaNotFinite);
     }
-    let mut growth = Growth::new(antenna, settings, progress);
-    grow_to::<V>(world, settings.max_order, &mut growth)?;
+    grow_to::<V>(world, growth.settings.max_order, &mut growth)?;
     Ok(growth.tree)
 }
 
@@ -212,7 +226,7 @@ fn grow_to<V: Visibility>(world: &World, order: u8, growth: &mut Growth<'_>) -> 
     let done = growth.tree.audit.orders.len() as u8;
     if done == 0 && order > 0 {
         let antenna = growth.tree.antenna;
-        growth.begin_order();
+        growth.begin_order(world);
         growth.progress.at(Phase::Tracing, 0, 0);
         let view = View::direct(world, growth.settings.sides, antenna);
         let seen: Vec<Parts> = V::direct(&view).into_par_iter().map(|parts| parted(&view, parts)).collect();
@@ -230,7 +244,7 @@ const BATCH: usize = 4096;
 
 /// Reflects every beam of the order before.
 fn grow_order<V: Visibility>(world: &World, order: u8, growth: &mut Growth) -> Result<(), BartError> {
-    let parents = growth.begin_order();
+    let parents = growth.begin_order(world);
     let mut incident_section = 0.0;
     let pool = Mutex::default();
     for (number, batch) in parents.chunks(BATCH).enumerate() {
@@ -276,6 +290,8 @@ struct Growth<'a> {
     tree: BeamTree,
     settings: &'a TraceSettings,
     progress: &'a dyn Progress,
+    /// Which are followed; `None` for all.
+    ways: Option<&'a BodyWays>,
     /// The edges of the two last orders' polygons, from vertex `first_edge` of the tree on.
     edges: Vec<(Plane, Border)>,
     first_edge: usize,
@@ -294,11 +310,11 @@ impl<'a> Growth<'a> {
             audit: Audit::default(),
         };
         let (edges, audit) = (Vec::new(), OrderAudit::default());
-        Self { tree, settings, progress, edges, first_edge: 0, first_beam: 0, audit }
+        Self { tree, settings, progress, ways: None, edges, first_edge: 0, first_beam: 0, audit }
     }
 
     /// Starts an order; gives the beams of the order before that are to be reflected.
-    fn begin_order(&mut self) -> Vec<u32> {
+    fn begin_order(&mut self, world: &World) -> Vec<u32> {
         let last = self.first_beam..self.tree.beams.len();
         let first_edge = self.tree.beams.get(last.start).map_or(0, |beam| beam.polygon.start as usize);
         self.edges.drain(..first_edge.saturating_sub(self.first_edge).min(self.edges.len()));
@@ -306,7 +322,11 @@ impl<'a> Growth<'a> {
         self.first_beam = last.end;
         self.audit = OrderAudit::default();
         let least = self.settings.least_mirror_area_m2;
-        let reflected = |&index: &usize| self.tree.beams[index].across_m2 >= least;
+        let is_on_a_way = |index: usize| {
+            let bodies = || self.tree.bodies(world, &self.tree.beams[index]);
+            self.ways.is_none_or(|ways| ways.go_on_from(&bodies()))
+        };
+        let reflected = |&index: &usize| self.tree.beams[index].across_m2 >= least && is_on_a_way(index);
         last.filter(reflected).map(|index| index as u32).collect()
     }
 

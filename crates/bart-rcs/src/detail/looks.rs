@@ -1,6 +1,6 @@
 //! Path tables as some samples of a cube see them: pairs of elements, moments of the frame, instants of the sweep.
 
-use crate::frame::path_sum::apparent_m;
+use crate::frame::path_sum::{apparent_m, share};
 use artifact::Radar;
 use artifact::paths::Path;
 use artifact::units::SPEED_OF_LIGHT_MPS;
@@ -141,7 +141,10 @@ impl<'a> Looks<'a> {
         let cycles = (waveform.start_frequency_hz + first_hz - 0.5 * waveform.slope_hz_per_s * delay_s) * delay_s;
         let behind_hz = waveform.slope_hz_per_s * delay_s;
         Tone {
-            value: Complex64::from_polar(strength(self.radar, legs_m), -TAU * cycles.fract()),
+            value: Complex64::from_polar(
+                share(path, look.seconds) * strength(self.radar, legs_m),
+                -TAU * cycles.fract(),
+            ),
             turn: Complex64::cis(-TAU * step_hz * delay_s),
             offset_hz: waveform.start_frequency_hz + first_hz - behind_hz - waveform.centre_frequency_hz(),
             step_hz,

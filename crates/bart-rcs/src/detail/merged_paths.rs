@@ -60,7 +60,7 @@ impl<'a> Extents<'a> {
     }
 }
 
-/// Paths of one target and order whose phases differ by at most about `spread_rad` from their mean's at the ends of
+/// Paths of one target, order and part of the frame whose phases differ by at most about `spread_rad` from their mean's at the ends of
 /// band, rows and frame are merged into one; in the order of their cells.
 ///
 /// With slope a′ a path follows a straight line over the band: of a phase that runs over ±θ there it leaves θ²/4.
@@ -72,7 +72,8 @@ pub(crate) fn merged(radar: &Radar, paths: &[Path], spread_rad: f64) -> Vec<Path
     let key = |path: &Path| {
         let turns = extents.turns(path);
         let cell = |value: f64, size: f64| (value / size).floor() as i64;
-        (path.target, path.order, cell(turns.length_m, length_m), turns.cycles.map(|c| cell(c, cycles)))
+        let moment = path.curve.span.map(|span| (span.moments, span.moment));
+        (path.target, path.order, moment, cell(turns.length_m, length_m), turns.cycles.map(|c| cell(c, cycles)))
     };
     let mut keyed: Vec<_> = paths.iter().map(|path| (key(path), path)).collect();
     keyed.sort_by_key(|(key, _)| *key);

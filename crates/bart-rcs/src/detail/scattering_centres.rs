@@ -52,19 +52,22 @@ fn blocks<'a>(radar: &'a Radar, paths: &[Path]) -> Vec<Block<'a>> {
     let number = |turns: &Turns| (turns.length_m / block_m).floor() as i64;
     let of = |part: &[(Turns, &Path)]| Block {
         paths: part.iter().map(|(_, path)| **path).collect(),
-        looks: looks(radar, &part.iter().map(|(turns, _)| *turns).collect::<Vec<_>>()),
+        looks: looks(radar, part),
     };
     placed.chunk_by(|a, b| number(&a.0) == number(&b.0)).map(of).collect()
 }
 
 /// Twice as many looks and instants as what the paths spread over needs, and some for the ends.
-fn looks<'a>(radar: &'a Radar, turns: &[Turns]) -> Looks<'a> {
-    let span = |of: &dyn Fn(&Turns) -> f64| {
-        let (low, high) = turns.iter().map(of).fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)));
+fn looks<'a>(radar: &'a Radar, paths: &[(Turns, &Path)]) -> Looks<'a> {
+    let extent = |of: &dyn Fn(&Turns) -> f64| {
+        let (low, high) = paths.iter().map(|(t, _)| of(t)).fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)));
         high - low
     };
-    let cells = span(&|t| t.length_m) * radar.waveform.bandwidth_hz().abs() / SPEED_OF_LIGHT_MPS;
-    let across: f64 = (0..5).map(|axis| span(&|t| t.cycles[axis])).sum();
+    let cells = extent(&|t| t.length_m) * radar.waveform.bandwidth_hz().abs() / SPEED_OF_LIGHT_MPS;
+    // From one moment to the next a blend turns by half a cycle at most.
+    let moments = paths.iter().filter_map(|(_, path)| path.curve.span).map(|span| span.moments).max();
+    let blended = 0.5 * f64::from(moments.unwrap_or(0));
+    let across: f64 = (0..5).map(|axis| extent(&|t| t.cycles[axis])).sum::<f64>() + blended;
     Looks::new(radar, (10.0 + 4.0 * across).min(64.0) as usize, (8.0 + 2.0 * cells).ceil() as usize, 0.5)
 }
 

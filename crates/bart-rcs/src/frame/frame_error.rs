@@ -203,13 +203,23 @@ impl FrameError {
         MARGIN * self.total
     }
 
+    /// Whether neither integration nor what was dropped is as much.
+    pub(crate) fn is_mostly_freezing(&self) -> bool {
+        self.freezing() >= self.integration.max(self.dropped)
+    }
+
+    /// What is neither integration nor dropped.
+    fn freezing(&self) -> f64 {
+        let known = self.integration.powi(2) + self.dropped.powi(2);
+        (self.total.powi(2) - known).max(0.0).sqrt()
+    }
+
     /// Named shares: what is neither integration nor dropped is freezing.
     pub(crate) fn budget(&self) -> ErrorBudget {
-        let known = self.integration.powi(2) + self.dropped.powi(2);
         ErrorBudget {
             integration: Some(MARGIN * self.integration),
             dropped: Some(MARGIN * self.dropped),
-            freezing: Some(MARGIN * (self.total.powi(2) - known).max(0.0).sqrt()),
+            freezing: Some(MARGIN * self.freezing()),
             ..ErrorBudget::default()
         }
     }

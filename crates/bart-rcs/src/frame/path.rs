@@ -1,18 +1,17 @@
-//! The path table of a frame: bodies frozen at the frame's middle, every cell of their lit facets a path that moves.
+//! The path table of a frame: bodies frozen at the frame's middle, or what changes at several moments, every cell of their lit
+//! facets a path that moves.
 
-use crate::beams::beam::BeamTree;
-use crate::beams::image_tree::Received;
 use crate::bodies::road::check_road;
-use crate::bodies::world::{Models, World};
+use crate::bodies::world::Models;
 use crate::error::BartError;
 use crate::frame::frame_error::reference;
+use crate::frame::moments::{split, split_alike};
 use crate::frame::nearest_surface::nearest_range_m;
 use crate::frame::path_plan::Plan;
 use crate::frame::path_table::{Fit, paths_as_fine};
 use crate::frame::road_left_out::road_left_out;
-use crate::geometry::antenna::Antenna;
-use crate::joins::join::Trees;
-use crate::joins::scatterer::{Scatterer, ZenithH, check_order};
+use crate::frame::snapshot::{Scenery, Snapshot};
+use crate::joins::scatterer::check_order;
 use crate::progress::{Phase, Progress, Unheard};
 use artifact::paths::{
     Amplitude, Curve, ErrorOrigin, Facet, Fineness, MAX_ORDER, Path, PathsFrame, Rim, TraceStatistics,
@@ -26,8 +25,9 @@ use std::f64::consts::TAU;
 
 /// Paths of one frame from the radar's position and back, referred to the frame's first sample.
 ///
-/// The world is frozen at the frame's middle; what is lit then is lit all through. Amplitudes are fitted over the sampled
-/// sweep. A point target is a path of order 0 with +√σ in vv and hh; bodies do not hide it. Cells are as large as the
+/// The world is frozen at the frame's middle; what is lit then is lit all through. Where that errs by more than the accuracy asked
+/// for, the ways that change most are traced at several moments of the frame and blended ([`artifact::paths::Span`]). Amplitudes
+/// are fitted over the sampled sweep. A point target is a path of order 0 with +√σ in vv and hh; bodies do not hide it. Cells are as large as the
 /// accuracy asked for lets them be, by measurement: paths are compared with the bodies traced and integrated anew at
 /// another moment of the frame and from another element of the array, and that is the error that is returned: shadows move with
 /// both, and the paths of one tree do not follow ("freezing"). `error.tessellation` is the bound that a smooth
@@ -56,35 +56,40 @@ pub fn trace_frame_within(
     check_order(header.fidelity.bounces)?;
     check_road(header)?;
     let plan = Plan::of(header, surroundings.progress);
+    let scenery = Scenery { models, frame, plan: &plan };
     match surroundings.like.and_then(|measured| Some((measured, measured.trace.fineness.as_ref()?))) {
-        Some((measured, fineness)) => traced_like(models, frame, &plan, measured, fineness),
-        None => traced(models, frame, &plan),
+        Some((measured, fineness)) => traced_like(&scenery, measured, fineness),
+        None => traced(&scenery),
     }
 }
 
-fn traced(models: &Models, frame: &SceneFrame, plan: &Plan<'_>) -> Result<PathsFrame, BartError> {
+fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
+    let (plan, frame) = (scenery.plan, scenery.frame);
     let header = plan.header;
     // One moment's bodies and beams at a time.
     let (reference, road, check_bytes) = {
-        let check = Snapshot::at(models, header, frame, (plan.check_s, plan.check_m), plan)?;
+        let check = scenery.at(plan.check_s, plan.check_m)?;
         let reference = reference(&check.scatterer(plan, Phase::Checking), plan);
         let road = road_left_out(&check.world, plan, &reference)?;
         (reference, road, check.bytes())
     };
-    let snapshot = Snapshot::at(models, header, frame, (plan.middle_s, plan.position_m), plan)?;
     let points = point_paths(header, frame);
-    let table = Fit::new(&snapshot.scatterer(plan, Phase::Integrating), plan, &points, &reference).table();
-    let bent = (header.fidelity.surface == Surface::Smooth).then(|| snapshot.world.skin_error());
-    let has_bodies = !snapshot.world.facets().is_empty();
+    let (seen, table, bent, has_bodies) = {
+        let snapshot = scenery.at(plan.middle_s, plan.position_m)?;
+        let table = Fit::new(&snapshot.scatterer(plan, Phase::Integrating), plan, &points, &reference).table();
+        let bent = (header.fidelity.surface == Surface::Smooth).then(|| snapshot.world.skin_error());
+        (Seen::of(&snapshot, plan), table, bent, !snapshot.world.facets().is_empty())
+    };
+    let table = split(scenery, table, &points, &reference)?;
     let measured = Measured {
         error: ErrorBudget { tessellation: bent, ..table.error.budget() },
         model_error: ModelError { road, ..reference.model_error() },
         dropped_power_ratio: table.error.dropped_at_most.powi(2),
         fineness: has_bodies.then_some(table.fineness),
         origin: ErrorOrigin::Measured,
-        bytes: check_bytes,
+        bytes: check_bytes.max(table.bytes),
     };
-    Ok(paths_frame(plan, frame, &snapshot, table.paths, measured))
+    Ok(paths_frame(plan, frame, seen, table.paths, measured))
 }
 
 /// The same with what was `measured` in another frame of the scene near this one: its cells and integrals are as fine, and its
@@ -99,17 +104,14 @@ pub fn trace_frame_like(
     trace_frame_within(models, header, frame, &FrameSurroundings { like: Some(measured), progress: &Unheard })
 }
 
-fn traced_like(
-    models: &Models,
-    frame: &SceneFrame,
-    plan: &Plan<'_>,
-    measured: &PathsFrame,
-    fineness: &Fineness,
-) -> Result<PathsFrame, BartError> {
-    let header = plan.header;
-    let snapshot = Snapshot::at(models, header, frame, (plan.middle_s, plan.position_m), plan)?;
-    let mut paths = paths_as_fine(&snapshot.scatterer(plan, Phase::Integrating), plan, fineness);
-    paths.extend(point_paths(header, frame));
+fn traced_like(scenery: &Scenery<'_>, measured: &PathsFrame, fineness: &Fineness) -> Result<PathsFrame, BartError> {
+    let (plan, frame) = (scenery.plan, scenery.frame);
+    let (seen, kept) = {
+        let snapshot = scenery.at(plan.middle_s, plan.position_m)?;
+        (Seen::of(&snapshot, plan), paths_as_fine(&snapshot.scatterer(plan, Phase::Integrating), plan, fineness))
+    };
+    let mut paths = split_alike(scenery, kept, fineness)?;
+    paths.extend(point_paths(plan.header, frame));
     let taken_over = Measured {
         error: ErrorBudget { detail: None, ..measured.error },
         model_error: measured.model_error,
@@ -118,7 +120,7 @@ fn traced_like(
         origin: ErrorOrigin::TakenOver,
         bytes: 0,
     };
-    Ok(paths_frame(plan, frame, &snapshot, paths, taken_over))
+    Ok(paths_frame(plan, frame, seen, paths, taken_over))
 }
 
 /// What is told of a frame's paths beside themselves.
@@ -132,68 +134,44 @@ struct Measured {
     bytes: u64,
 }
 
-fn paths_frame(
-    plan: &Plan<'_>,
-    frame: &SceneFrame,
-    snapshot: &Snapshot,
-    paths: Vec<Path>,
-    measured: Measured,
-) -> PathsFrame {
-    let bodies = plan.header.targets.len();
+/// What is told of the bodies and beams at the frame's middle.
+struct Seen {
+    nearest_range_m: Vec<Option<f64>>,
+    triangles: u64,
+    beams: Vec<u64>,
+    bytes: u64,
+}
+
+impl Seen {
+    fn of(snapshot: &Snapshot, plan: &Plan<'_>) -> Self {
+        let Snapshot { world, tree, .. } = snapshot;
+        Self {
+            nearest_range_m: nearest_range_m(world, tree, plan.position_m, plan.header.targets.len()),
+            triangles: world.triangles() as u64,
+            beams: tree.audit.orders.iter().map(|order| order.beams).collect(),
+            bytes: snapshot.bytes(),
+        }
+    }
+}
+
+fn paths_frame(plan: &Plan<'_>, frame: &SceneFrame, seen: Seen, paths: Vec<Path>, measured: Measured) -> PathsFrame {
     PathsFrame {
         index: frame.index,
         time_s: frame.time_s,
-        nearest_range_m: nearest_range_m(&snapshot.world, &snapshot.tree, plan.position_m, bodies),
+        nearest_range_m: seen.nearest_range_m,
         error: measured.error,
         model_error: measured.model_error,
         trace: TraceStatistics {
-            triangles: snapshot.world.triangles() as u64,
-            beams: snapshot.tree.audit.orders.iter().map(|order| order.beams).collect(),
+            triangles: seen.triangles,
+            beams: seen.beams,
             paths: (1..=plan.header.fidelity.bounces).map(|order| count(&paths, order)).collect(),
             dropped_power_ratio: measured.dropped_power_ratio,
-            bytes: snapshot.bytes().max(measured.bytes),
+            bytes: seen.bytes.max(measured.bytes),
             fineness: measured.fineness,
             origin: measured.origin,
             detail: vec![],
         },
         paths,
-    }
-}
-
-/// Bodies and beams of one moment and place.
-struct Snapshot {
-    world: World,
-    tree: BeamTree,
-    /// With that of the antenna's image, where there is a road.
-    received: Option<Received>,
-}
-
-impl Snapshot {
-    fn at(
-        models: &Models,
-        header: &SceneHeader,
-        frame: &SceneFrame,
-        (seconds, place_m): (f64, DVec3),
-        plan: &Plan<'_>,
-    ) -> Result<Self, BartError> {
-        plan.progress.at(Phase::Building, 0, 0);
-        let world = World::posed(models, header, frame, seconds)?;
-        let antenna = Antenna::Point(place_m);
-        let wavelength_m = plan.band.wavelength_m();
-        let tree = BeamTree::trace_from_outside(&world, antenna, wavelength_m, &plan.trace, plan.progress)?;
-        let received = world.road().map(|_| Received::with_image(&world, &tree));
-        Ok(Self { world, tree, received })
-    }
-
-    fn scatterer<'s>(&'s self, plan: &Plan<'s>, phase: Phase) -> Scatterer<'s> {
-        let h = plan.zenith_h();
-        let trees =
-            self.received.as_ref().map_or(Trees::Shared(&self.tree), |received| Trees::ByRoad(&self.tree, received));
-        Scatterer::new(&self.world, trees, ZenithH { transmit: h, receive: h }).heard_by(phase, plan.progress)
-    }
-
-    fn bytes(&self) -> u64 {
-        (self.world.bytes() + self.tree.bytes() + self.received.as_ref().map_or(0, Received::bytes)) as u64
     }
 }
 
@@ -216,6 +194,7 @@ fn point_paths(header: &SceneHeader, frame: &SceneFrame) -> Vec<Path> {
                 apparent_tx_mps2: pose.acceleration_mps2,
                 apparent_rx_mps2: pose.acceleration_mps2,
                 rim: wheel.map(|wheel| rim(&wheel, &kind.start, pose)),
+                span: None,
             },
         })
     };

@@ -10,6 +10,8 @@ pub(crate) struct Kept {
     pub(crate) paths: Vec<Path>,
     /// Σ|a·R²/(L₁L₂)|² of the dropped paths in the radar's polarization: their power, as their phases are independent.
     pub(crate) dropped_power: f64,
+    /// The strongest that was dropped of each target, as power.
+    pub(crate) strongest_dropped: Vec<f64>,
 }
 
 /// Share of the accuracy asked for that may be dropped, as an amplitude.
@@ -23,12 +25,13 @@ pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>) -> Kept {
     let powers: Vec<f64> = paths.iter().map(|path| power(path, plan, &view)).collect();
     let mut keep = vec![true; paths.len()];
     let mut dropped_power = 0.0;
+    let mut strongest_dropped = Vec::new();
     for target in 0..plan.header.targets.len() as u32 {
         let own: Vec<Path> = paths.iter().filter(|path| path.target == target).copied().collect();
         let budget = most * power_over_frame(&own, plan);
         let mut order: Vec<usize> = (0..paths.len()).filter(|&i| paths[i].target == target).collect();
         order.sort_by(|&a, &b| powers[a].total_cmp(&powers[b]).then(a.cmp(&b)));
-        let mut sum = 0.0;
+        let (mut sum, mut strongest) = (0.0, 0.0);
         for i in order {
             sum += powers[i];
             if sum > budget {
@@ -36,11 +39,20 @@ pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>) -> Kept {
                 break;
             }
             keep[i] = false;
+            strongest = powers[i];
         }
         dropped_power += sum;
+        strongest_dropped.push(strongest);
     }
     let paths = paths.into_iter().zip(keep).filter_map(|(path, keep)| keep.then_some(path)).collect();
-    Kept { paths, dropped_power }
+    Kept { paths, dropped_power, strongest_dropped }
+}
+
+/// Paths of another moment of the frame, without those that are no stronger than what was dropped.
+pub(crate) fn pruned_alike(paths: Vec<Path>, plan: &Plan<'_>, strongest_dropped: &[f64]) -> Vec<Path> {
+    let view = plan.view(plan.middle_s);
+    let limit = |path: &Path| strongest_dropped.get(path.target as usize).copied().unwrap_or(0.0);
+    paths.into_iter().filter(|path| power(path, plan, &view) > limit(path)).collect()
 }
 
 /// Mean power of the sum over the band at the frame's ends and middle.

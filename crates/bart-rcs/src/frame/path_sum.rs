@@ -23,7 +23,8 @@ pub struct PathView {
     pub centre_frequency_hz: f64,
 }
 
-/// S = Σ a(f)·R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)} with a(f) = a + (f − f_c)·a′, metres, 2 × 2.
+/// S = Σ a(f)·R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)} with a(f) = a + (f − f_c)·a′, metres, 2 × 2; of paths that stand for a part of
+/// the frame what their share is then.
 pub fn scattering_of_paths<'a>(
     paths: impl IntoIterator<Item = &'a Path>,
     view: &PathView,
@@ -77,6 +78,11 @@ fn wavenumber_per_m(frequency_hz: f64) -> f64 {
     TAU * frequency_hz / SPEED_OF_LIGHT_MPS
 }
 
+/// Of a path's echo some seconds after the frame's first sample.
+pub(crate) fn share(path: &Path, seconds: f64) -> f64 {
+    path.curve.span.map_or(1.0, |span| span.share(seconds))
+}
+
 /// x_a and x_b some seconds after the frame's first sample; of a wheel those of its hub.
 pub(crate) fn apparent_m(path: &Path, seconds: f64) -> [DVec3; 2] {
     moved_to(path, seconds).map(|(at_m, _)| at_m)
@@ -100,12 +106,12 @@ impl PathView {
         Complex64::from_polar(spread, -wavenumber_per_m(frequency_hz) * length_m)
     }
 
-    /// R_tR_r/(L₁L₂), and L₁ + L₂ − R_t − R_r.
+    /// R_tR_r/(L₁L₂) times the path's share then, and L₁ + L₂ − R_t − R_r.
     fn spread_and_length_m(&self, path: &Path) -> (f64, f64) {
         let [from_tx_m, from_rx_m] = apparent_m(path, self.seconds);
         let (l1, l2) = (from_tx_m.distance(self.transmitter_m), from_rx_m.distance(self.receiver_m));
         let (r_t, r_r) = (self.origin_m.distance(self.transmitter_m), self.origin_m.distance(self.receiver_m));
-        (r_t * r_r / (l1 * l2), l1 + l2 - r_t - r_r)
+        (share(path, self.seconds) * (r_t * r_r / (l1 * l2)), l1 + l2 - r_t - r_r)
     }
 }
 

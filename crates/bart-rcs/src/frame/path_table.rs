@@ -1,5 +1,6 @@
 //! The path table with the largest cells that the accuracy asked for lets be.
 
+use crate::beams::body_ways::BodyWays;
 use crate::bodies::world::World;
 use crate::frame::edge_cells::edge_cells;
 use crate::frame::frame_error::{FrameError, GivenUp, Reference, dropped_sections};
@@ -21,17 +22,38 @@ pub(crate) struct PathTable {
     pub(crate) paths: Vec<Path>,
     pub(crate) fineness: Fineness,
     pub(crate) error: FrameError,
+    pub(crate) given_up: GivenUp,
+    /// As of [`Kept`].
+    pub(crate) strongest_dropped: Vec<f64>,
+    /// Held at most by the moments that it was blended from.
+    pub(crate) bytes: u64,
 }
 
-/// Paths of bodies as fine as was enough in another frame, in no larger cells than this frame's motion and band allow.
-pub(crate) fn paths_as_fine(scatterer: &Scatterer<'_>, plan: &Plan<'_>, fineness: &Fineness) -> Vec<Path> {
+/// Paths of bodies at the frame's middle as fine as was enough in another frame, in no larger cells than this frame's motion and
+/// band allow.
+pub(crate) fn paths_as_fine(scatterer: &Scatterer<'_>, plan: &Plan<'_>, fineness: &Fineness) -> Kept {
     let cell_m = fineness.cell_m.min(largest_cell_m(plan, scatterer.world));
-    // A body that was not there yet is taken as finely as the finest.
+    Parts::of(scatterer, plan).paths(cell_m, &accuracy_of_body(plan, fineness))
+}
+
+/// Paths of some ways as they are at another moment of the frame, nothing dropped.
+pub(crate) fn paths_along(
+    scatterer: &Scatterer<'_>,
+    plan: &Plan<'_>,
+    fineness: &Fineness,
+    ways: Option<&BodyWays>,
+    seconds: f64,
+) -> Vec<Path> {
+    let cell_m = fineness.cell_m.min(largest_cell_m(plan, scatterer.world));
+    Parts::along(scatterer, plan, ways).found(cell_m, &accuracy_of_body(plan, fineness), seconds)
+}
+
+/// A body that was not there yet is taken as finely as the finest.
+fn accuracy_of_body(plan: &Plan<'_>, fineness: &Fineness) -> Vec<f64> {
     let finest =
         fineness.integrals.iter().map(|of| of.accuracy).fold(plan.header.fidelity.accuracy.amplitude(), f64::min);
     let of_body = |id: &str| fineness.integrals.iter().find(|of| of.body == id).map_or(finest, |of| of.accuracy);
-    let accuracy_of_body: Vec<f64> = plan.header.targets.iter().map(|target| of_body(&target.id)).collect();
-    Parts::of(scatterer, plan).paths(cell_m, &accuracy_of_body).paths
+    plan.header.targets.iter().map(|target| of_body(&target.id)).collect()
 }
 
 /// What paths are cut from.
@@ -48,7 +70,20 @@ impl<'a> Parts<'a> {
         Self { scatterer, plan, meetings: (1..=plan.header.fidelity.bounces).map(of_order).collect() }
     }
 
+    /// Of some ways alone.
+    fn along(scatterer: &'a Scatterer<'a>, plan: &'a Plan<'a>, ways: Option<&BodyWays>) -> Self {
+        let Some(ways) = ways else { return Self::of(scatterer, plan) };
+        let orders = (1..=plan.header.fidelity.bounces).filter(|order| ways.have_order(*order));
+        let of_order = |order: u8| Meeting::of(scatterer, order, &plan.meetings()).along(scatterer, ways);
+        Self { scatterer, plan, meetings: orders.map(of_order).collect() }
+    }
+
     fn paths(&self, cell_m: f64, accuracy_of_body: &[f64]) -> Kept {
+        pruned(self.found(cell_m, accuracy_of_body, self.plan.middle_s), self.plan)
+    }
+
+    /// All of them, of bodies as they are some `seconds` after the frame's first sample.
+    fn found(&self, cell_m: f64, accuracy_of_body: &[f64], seconds: f64) -> Vec<Path> {
         let wavenumbers = self.plan.band.wavenumbers_per_m();
         let settings = CellSettings {
             size_m: cell_m,
@@ -64,7 +99,7 @@ impl<'a> Parts<'a> {
             gathered(found, ends, &settings)
         };
         let found = self.meetings.iter().flat_map(of_order);
-        pruned(found.map(|cell| path_of(&cell, &self.plan.band, self.plan.middle_s)).collect(), self.plan)
+        found.map(|cell| path_of(&cell, &self.plan.band, seconds)).collect()
     }
 }
 
@@ -115,7 +150,8 @@ impl<'a> Fit<'a> {
     }
 
     fn table_of(&self, cell_m: f64) -> PathTable {
-        let Kept { mut paths, dropped_power } = self.parts.paths(cell_m, &self.integration.accuracy_of_body);
+        let Kept { mut paths, dropped_power, strongest_dropped } =
+            self.parts.paths(cell_m, &self.integration.accuracy_of_body);
         paths.extend_from_slice(self.points);
         let given_up = GivenUp {
             paths_power: dropped_power,
@@ -126,7 +162,8 @@ impl<'a> Fit<'a> {
         let of =
             |(target, accuracy): (&Target, &f64)| IntegralFineness { body: target.id.clone(), accuracy: *accuracy };
         let integrals = self.parts.plan.header.targets.iter().zip(&self.integration.accuracy_of_body).map(of).collect();
-        PathTable { paths, fineness: Fineness { cell_m, integrals }, error }
+        let fineness = Fineness { cell_m, integrals, moments: 1, ways: vec![] };
+        PathTable { paths, fineness, error, given_up, strongest_dropped, bytes: 0 }
     }
 }
 
@@ -164,9 +201,10 @@ fn velocity_quantum_mps(header: &SceneHeader) -> f64 {
     header.fidelity.accuracy.amplitude() / (2.0 * wavenumber * half_frame_s)
 }
 
-fn path_of(cell: &Cell, band: &Band, middle_s: f64) -> Path {
+/// Of a cell that is as it is some `seconds` after the frame's first sample.
+fn path_of(cell: &Cell, band: &Band, seconds: f64) -> Path {
     let (amplitude_m, slope_m_per_hz) = band.line(&cell.amplitudes_m);
-    let at_first_sample = [0, 1].map(|end| cell.motion[end].after(cell.apparent_m[end], -middle_s));
+    let at_first_sample = [0, 1].map(|end| cell.motion[end].after(cell.apparent_m[end], -seconds));
     let [(tx_m, tx_mps), (rx_m, rx_mps)] = at_first_sample.map(|(at_m, mps)| (at_m.to_array(), mps.to_array()));
     let [tx_mps2, rx_mps2] = cell.motion.map(|motion| motion.acceleration_mps2.to_array());
     Path {
@@ -179,6 +217,6 @@ fn path_of(cell: &Cell, band: &Band, middle_s: f64) -> Path {
         amplitude_m,
         slope_m_per_hz,
         facets: cell.facets,
-        curve: Curve { apparent_tx_mps2: tx_mps2, apparent_rx_mps2: rx_mps2, rim: None },
+        curve: Curve { apparent_tx_mps2: tx_mps2, apparent_rx_mps2: rx_mps2, ..Curve::default() },
     }
 }

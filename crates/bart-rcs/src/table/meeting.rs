@@ -1,10 +1,11 @@
 //! Where both ends meet in ways of one order: on facets and, where they are asked for, on edges.
 
+use crate::beams::body_ways::BodyWays;
 use crate::edges::edge_scattering::sum_of_edges;
 use crate::edges::lit_edge::{EdgeJoint, edge_joints};
 use crate::joins::band::add;
 use crate::joins::join::Joints;
-use crate::joins::scatterer::{Integration, Scatterer};
+use crate::joins::scatterer::{Integration, Scatterer, sequence};
 use crate::table::joint_sum::sum_of_joints;
 use artifact::paths::Amplitude;
 use artifact::settings::{Edges, NodeRule};
@@ -41,6 +42,19 @@ impl Meeting {
         Self {
             facets: self.facets.filtered(|joint| is_there(joint.forward)),
             edges: self.edges.iter().filter(|joint| is_there(joint.forward)).copied().collect(),
+        }
+    }
+
+    /// What of it is among some ways.
+    pub(crate) fn along(&self, scatterer: &Scatterer<'_>, ways: &BodyWays) -> Self {
+        let body = |facet: u32| scatterer.world.facet(facet).id.body;
+        let is_there = |forward: u32, backward: u32| {
+            let bodies: Vec<u32> = sequence(scatterer, forward, backward).into_iter().map(body).collect();
+            ways.contain(&bodies)
+        };
+        Self {
+            facets: self.facets.filtered(|joint| is_there(joint.forward, joint.backward)),
+            edges: self.edges.iter().filter(|joint| is_there(joint.forward, joint.backward)).copied().collect(),
         }
     }
 

@@ -13,7 +13,8 @@ use crate::fast::scalar::{Scalar, rounded};
 use crate::fast::smooth_part::{Asked, SmoothPart, cycles_of};
 use crate::fast::tone_grid::{SETS, ToneGrid};
 use crate::multiplexing::{Transmission, element_factor, row};
-use artifact::paths::Path;
+use crate::spans::shares_of_row;
+use artifact::paths::{Path, Span};
 use artifact::radar::Multiplexing;
 use artifact::{Accuracy, Radar};
 use num_complex::{Complex, Complex32, Complex64};
@@ -143,6 +144,7 @@ fn add_group<T: Scalar>(
     let sets: Vec<(usize, usize)> =
         (0..links.len()).flat_map(|link| (0..smooth.instants.len()).map(move |instant| (link, instant))).collect();
     let length = modes[0] * modes[1];
+    let shares: Option<Vec<Vec<T>>> = group.span().map(|span| shares(listener, &span));
     // A link's instants lie in one block.
     let block = (SETS / smooth.instants.len()).max(1);
     of_links.par_chunks_mut(block * length).zip(sets.par_chunks(block * smooth.instants.len())).for_each(
@@ -153,13 +155,24 @@ fn add_group<T: Scalar>(
                 .collect();
             grid.transform(&strengths, &mut |set, values| {
                 let (link, instant) = sets[set];
-                let shape: Vec<Complex<T>> = smooth.shape(instant, link, modes[0], modes[1]);
+                let mut shape: Vec<Complex<T>> = smooth.shape(instant, link, modes[0], modes[1]);
+                if let Some(shares) = &shares {
+                    shape.iter_mut().zip(&shares[links[link].tx]).for_each(|(value, share)| *value = *value * *share);
+                }
                 let total = &mut of_block[(link - sets[0].0) * length..][..length];
                 let terms = values.iter().zip(&shape).map(|(value, shape)| *value * *shape);
                 total.iter_mut().zip(terms).for_each(|(sum, term)| *sum = *sum + term);
             });
         },
     );
+}
+
+/// By transmitter, of every chirp and sample.
+fn shares<T: Scalar>(listener: &Listener<'_>, span: &Span) -> Vec<Vec<T>> {
+    let radar = listener.radar;
+    let of_chirp = |tx: usize, chirp: usize| shares_of_row(radar, span, listener.steps.start_s(tx, chirp as f64));
+    let of_tx = |tx: usize| (0..listener.steps.chirps).flat_map(|chirp| of_chirp(tx, chirp)).map(T::of).collect();
+    (0..radar.array.tx_m.len()).map(of_tx).collect()
 }
 
 /// Values of all paths at an instant, less their tones there.

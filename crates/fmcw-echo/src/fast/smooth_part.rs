@@ -232,6 +232,7 @@ fn middle_of(paths: &[&Path]) -> Option<Path> {
             apparent_tx_mps2: mean(|p| p.curve.apparent_tx_mps2),
             apparent_rx_mps2: mean(|p| p.curve.apparent_rx_mps2),
             rim: None,
+            span: None,
         },
         ..*first
     })

@@ -24,7 +24,7 @@ fn braking(t: f64) -> DVec3 {
 
 fn braking_path() -> Path {
     let bend = [-2.0, 9.0, 0.1];
-    let curve = Curve { apparent_tx_mps2: bend, apparent_rx_mps2: bend, rim: None };
+    let curve = Curve { apparent_tx_mps2: bend, apparent_rx_mps2: bend, ..Curve::default() };
     Path { curve, ..point([5.75, 40.0, 0.5], [0.3, -15.0, 0.0], 1.0) }
 }
 
@@ -117,7 +117,7 @@ fn accelerated_bodies_are_summed_by_transforms_to_the_error_asked_for() {
     let radar = radar(Waveform { chirps: 64, ..experiment(1) }, &presets()[1], Multiplexing::Simultaneous);
     let f_c = radar.waveform.centre_frequency_hz();
     let bend = [0.5, 9.0, 0.0];
-    let curve = Curve { apparent_tx_mps2: bend, apparent_rx_mps2: bend, rim: None };
+    let curve = Curve { apparent_tx_mps2: bend, apparent_rx_mps2: bend, ..Curve::default() };
     let body = body(61, 600, [5.75, 20.0, 0.7], [0.0, -15.0, 0.0]);
     let body: Vec<Path> = body.into_iter().map(|path| Path { curve, ..path }).collect();
     let exact = DirectSum::new(&radar, f_c, &body).cube();

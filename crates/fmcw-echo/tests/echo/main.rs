@@ -9,6 +9,7 @@ mod direct_sum_against_reference;
 mod fast_sum_against_direct;
 mod single_precision;
 mod superposition;
+mod moments;
 mod multiplexing;
 mod schedules;
 mod chirp_phases;

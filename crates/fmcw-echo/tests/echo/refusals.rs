@@ -2,7 +2,7 @@
 
 use crate::setting::*;
 use artifact::cube::CubeHeader;
-use artifact::paths::Path;
+use artifact::paths::{Path, Span};
 use artifact::settings::Noise;
 use fmcw_echo::{EchoError, synthesize};
 use num_complex::Complex64;
@@ -35,6 +35,22 @@ fn numbers_of_a_path_that_are_not_finite_are_refused() {
         for refused in refusals {
             assert!(matches!(refused, EchoError::NonFinitePath { frame: 0, path: 1, .. }), "{refused}");
         }
+    }
+}
+
+#[test]
+fn a_path_that_stands_for_no_moment_of_its_frame_is_refused() {
+    let sound = Span { first_s: 0.0, step_s: 1e-3, moments: 5, moment: 4 };
+    let broken = [
+        Span { moment: 5, ..sound },
+        Span { moments: 0, moment: 0, ..sound },
+        Span { step_s: 0.0, ..sound },
+        Span { step_s: f64::NAN, ..sound },
+        Span { first_s: f64::INFINITY, ..sound },
+    ];
+    for span in broken {
+        let refused = refusal_of_path(|p| p.curve.span = Some(span));
+        assert!(matches!(refused, EchoError::NoSuchMoment { frame: 0, path: 1, .. }), "{refused}");
     }
 }
 

@@ -5,7 +5,7 @@ use crate::commands::sidecar;
 use crate::failure::Failure;
 use crate::output;
 use artifact::Reader;
-use artifact::paths::{Path as Record, Paths, PathsHeader};
+use artifact::paths::{Path as Record, Paths, PathsHeader, Span};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 use serde_json::json;
@@ -13,7 +13,8 @@ use std::io::Write;
 use std::path::Path;
 
 const COLUMNS: &str = "frame,target,order,pol,re_m,im_m,dre_m_per_ghz,dim_m_per_ghz,ax_m,ay_m,az_m,bx_m,by_m,bz_m,\
-avx_mps,avy_mps,avz_mps,bvx_mps,bvy_mps,bvz_mps,delay_s,delay_rate,facets";
+avx_mps,avy_mps,avz_mps,bvx_mps,bvy_mps,bvz_mps,delay_s,delay_rate,facets,\
+span_first_s,span_step_s,span_moments,span_moment";
 const POLARIZATIONS: [(&str, usize, usize); 4] = [("vv", 0, 0), ("hh", 1, 1), ("vh", 0, 1), ("hv", 1, 0)];
 
 pub(crate) fn csv(reader: Reader<Paths>, out: &Path) -> Result<(), Failure> {
@@ -44,13 +45,19 @@ fn rows(sink: &mut dyn Write, header: &PathsHeader, frame: u32, path: &Record) -
         .map(f64::to_string)
         .collect();
     let facets: Vec<String> = path.sequence().iter().map(|f| format!("{}:{}", f.body, f.triangle)).collect();
-    let (geometry, facets, order) = (geometry.join(","), facets.join(" "), path.order);
+    let (geometry, facets, order, span) = (geometry.join(","), facets.join(" "), path.order, span(path));
     for (name, receive, transmit) in POLARIZATIONS {
         let (a, slope) = (path.amplitude_m[receive][transmit], path.slope_m_per_hz[receive][transmit] * 1e9);
         let amplitude = format!("{},{},{},{}", a.re, a.im, slope.re, slope.im);
-        writeln!(sink, "{frame},{target},{order},{name},{amplitude},{geometry},{delay_s},{rate},{facets}")?;
+        writeln!(sink, "{frame},{target},{order},{name},{amplitude},{geometry},{delay_s},{rate},{facets},{span}")?;
     }
     Ok(())
+}
+
+/// The part of the frame that a path stands for; empty where it is all of it.
+fn span(path: &Record) -> String {
+    let told = |span: Span| format!("{},{},{},{}", span.first_s, span.step_s, span.moments, span.moment);
+    path.curve.span.map_or(",,,".into(), told)
 }
 
 /// Delay and its rate (s/s) at the array's centre at the frame's middle.
