@@ -7,6 +7,8 @@ use std::collections::BTreeMap;
 
 /// Frames that have a line: more would push the rest off the screen.
 const FRAMES_TOLD: usize = 24;
+/// False objects of a frame that have a line of their own.
+const FALSE_OBJECTS_LISTED: usize = 8;
 
 /// All that a person wants to know first.
 pub(crate) fn tell(root: &Value) {
@@ -107,12 +109,8 @@ fn in_a_line(number: usize, frame: &Value) -> String {
 /// All frames together.
 fn together(frames: &[&Value]) -> Vec<String> {
     let count = frames.iter().map(|frame| Count::of(frame)).fold(Count::default(), Count::and);
-    let mut causes: BTreeMap<&str, usize> = BTreeMap::new();
-    for object in frames.iter().flat_map(|frame| items(&frame["false_objects"])) {
-        *causes.entry(object["cause"].as_str().unwrap_or("unknown")).or_default() += 1;
-    }
-    let causes: Vec<String> = causes.iter().map(|(cause, many)| format!("{many} {cause}")).collect();
-    let causes = if causes.is_empty() { String::new() } else { format!(" (false: {})", causes.join(", ")) };
+    let false_ones: Vec<&Value> = frames.iter().flat_map(|frame| items(&frame["false_objects"])).collect();
+    let causes = if false_ones.is_empty() { String::new() } else { format!(" (false: {})", causes(&false_ones)) };
     let mut lines = vec![format!("all {} frames: {}{causes}", frames.len(), count.text())];
     lines.extend(worst_error(frames));
     lines
@@ -144,8 +142,28 @@ fn in_full(number: usize, frame: &Value) -> Vec<String> {
     lines.extend(verdict::lines(&frame["accuracy"], &frame["error_db"]).into_iter().map(|line| format!("  {line}")));
     lines.extend(left_out(frame));
     lines.extend(targets(frame));
-    lines.extend(items(&frame["false_objects"]).map(false_object));
+    lines.extend(false_objects(frame));
     lines
+}
+
+/// The strongest, and how many more of which causes.
+fn false_objects(frame: &Value) -> Vec<String> {
+    let all: Vec<&Value> = items(&frame["false_objects"]).collect();
+    let (listed, more) = all.split_at(all.len().min(FALSE_OBJECTS_LISTED));
+    let mut lines: Vec<String> = listed.iter().map(|object| false_object(object)).collect();
+    if !more.is_empty() {
+        lines.push(format!("  {} more false objects: {}", more.len(), causes(more)));
+    }
+    lines
+}
+
+/// How many of each cause.
+fn causes(objects: &[&Value]) -> String {
+    let mut causes: BTreeMap<&str, usize> = BTreeMap::new();
+    for object in objects {
+        *causes.entry(object["cause"].as_str().unwrap_or("unknown")).or_default() += 1;
+    }
+    causes.iter().map(|(cause, many)| format!("{many} {cause}")).collect::<Vec<_>>().join(", ")
 }
 
 /// What the model leaves out, apart from numerical errors.
@@ -233,7 +251,8 @@ fn aliasing(target: &Value) -> &'static str {
 fn false_object(object: &Value) -> String {
     let [range, velocity, snr] = ["range_m", "radial_velocity_mps", "snr_db"].map(|key| number_of(&object[key]));
     let [x, y] = ["x_m", "y_m"].map(|key| number_of(&object[key]));
-    let text = format!("  false object at {range:.2} m ({x:.1}, {y:.1}), {velocity:+.2} m/s, {snr:.0} dB: ");
+    let velocity = signed(velocity, 1);
+    let text = format!("  false object at {range:.2} m ({x:.1}, {y:.1}), {velocity} m/s, {snr:.0} dB: ");
     text.replace('-', "−") + &cause(object)
 }
 

@@ -35,6 +35,7 @@ pub(crate) fn head(header: &SceneHeader) -> Map<String, Value> {
     map.insert("scene".into(), json!(header.name));
     map.insert("seed".into(), json!(header.seed));
     map.insert("radar".into(), radar(header));
+    map.insert("lanes".into(), lanes(header));
     map
 }
 
@@ -58,6 +59,11 @@ fn radar(header: &SceneHeader) -> Value {
         "velocity_max_mps": radar.velocity_max_mps(),
         "sample_rate_hz": waveform.sample_rate_hz,
     })
+}
+
+/// Numbers and widths; empty where nothing says any.
+fn lanes(header: &SceneHeader) -> Value {
+    header.dsp.road.lanes.iter().map(|lane| json!({ "number": lane.number, "width_m": lane.width_m })).collect()
 }
 
 /// Those that the scene lists and those that its seed draws, together; null of an ideal array.

@@ -139,10 +139,10 @@ impl SceneHeader {
     }
 }
 
-/// The road of Table 1 (lanes are in [`DspSettings::road`]).
+/// The crossing road of Table 1 (lanes are in [`DspSettings::road`]).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Intersection {
-    /// Width of the crossing road along y.
+    /// Width of the crossing road along y; 0 where there is none.
     pub width_m: f64,
 }
 

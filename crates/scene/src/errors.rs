@@ -364,6 +364,9 @@ pub enum Rule {
         /// Of a lane.
         width_m: f64,
     },
+    /// A lane of a scene that has none.
+    #[error("lane {0} does not exist: the scene has no lanes; beside [traffic] they are said in [intersection]")]
+    NoLanes(u64),
     /// A lane that the intersection does not have.
     #[error("lane {lane} does not exist; lanes are numbered 1 to {lanes}")]
     UnknownLane {

@@ -167,13 +167,16 @@ pub(crate) fn read_fidelity(root: &Section<'_>) -> Fidelity {
     }
 }
 
-/// The road: the paper's Table 1 where the scene says nothing. Without lanes it runs where the radar looks.
-pub(crate) fn read_intersection(section: &Section<'_>, radar: &Radar) -> (Intersection, Lanes) {
-    let width_m = LANE_WIDTH_M;
-    let lane = |(number, centre_m)| Lane { number, centre_m, width_m };
-    let table_1 = Lanes { lanes: [(1, 2.0), (2, 5.75), (3, 9.5)].map(lane).to_vec(), ..Lanes::default() };
-    let crossing_m = section.number("crossing_width_m", Allowed::Between(0.0, 1e3)).unwrap_or(22.5);
-    (Intersection { width_m: crossing_m }, read_road(section, radar, &table_1))
+/// The crossing and its lanes: the paper's Table 1 where the scene says nothing, but none beside recorded traffic, which has a road of its
+/// own. Without lanes the road runs where the radar looks.
+pub(crate) fn read_intersection(root: &Section<'_>, radar: &Radar) -> (Intersection, Lanes) {
+    let section = root.section(&keys::INTERSECTION);
+    let is_table_1 = section.exists() || !root.has("traffic");
+    let lane = |(number, centre_m)| Lane { number, centre_m, width_m: LANE_WIDTH_M };
+    let lanes = if is_table_1 { [(1, 2.0), (2, 5.75), (3, 9.5)].map(lane).to_vec() } else { vec![] };
+    let default_m = if is_table_1 { 22.5 } else { 0.0 };
+    let width_m = section.number("crossing_width_m", Allowed::Between(0.0, 1e3)).unwrap_or(default_m);
+    (Intersection { width_m }, read_road(&section, radar, &Lanes { lanes, ..Lanes::default() }))
 }
 
 /// The lanes that one radar is to tell by, where they are others than the scene's.

@@ -135,8 +135,10 @@ fn read_position(section: &Section<'_>, road: &Lanes) -> Option<[f64; 3]> {
 
 fn lane_centre_m(section: &Section<'_>, road: &Lanes, lane: u64) -> Option<f64> {
     let found = road.lanes.iter().find(|known| u64::from(known.number) == lane);
-    if found.is_none() {
-        section.note("lane", Rule::UnknownLane { lane, lanes: road.lanes.len() });
+    match (found, road.lanes.len()) {
+        (Some(_), _) => {}
+        (None, 0) => section.note("lane", Rule::NoLanes(lane)),
+        (None, lanes) => section.note("lane", Rule::UnknownLane { lane, lanes }),
     }
     found.map(|lane| lane.centre_m)
 }
