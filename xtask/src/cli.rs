@@ -329,6 +329,9 @@ pub(crate) struct ExportArguments {
     /// Format.
     #[arg(long)]
     pub(crate) to: FormatWord,
+    /// Whether a map's .png has axes in metres and m/s and a scale in dB, or is the paper's grey picture.
+    #[arg(long, value_enum, default_value = "off")]
+    pub(crate) axes: AxesWord,
     /// Result.
     #[arg(long, value_name = "PATH")]
     pub(crate) out: PathBuf,
@@ -365,6 +368,9 @@ pub(crate) struct StudyArguments {
     /// Refreshes the page in docs/ too.
     #[arg(long)]
     pub(crate) docs: bool,
+    /// Draws the pictures of an earlier table anew and computes nothing.
+    #[arg(long, value_name = "F.csv", conflicts_with = "quick")]
+    pub(crate) table: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]
@@ -430,6 +436,12 @@ pub(crate) enum SurfaceWord {
 pub(crate) enum SidesWord {
     Two,
     One,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum AxesWord {
+    On,
+    Off,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

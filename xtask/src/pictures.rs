@@ -1,50 +1,80 @@
 //! Pictures: drawn once as SVG, put into the report as they are and onto disk as PNG.
 
-mod colours;
 mod svg;
+mod colours;
+mod marks;
+mod form;
+mod clip;
+mod labels;
+mod beyond;
 mod axes;
 mod raster;
 mod heat_map;
-mod polar;
-mod rdm;
-mod points;
-mod plan_view;
-mod common_view;
 mod lines;
+mod polar;
+mod field_of_view;
+mod bodies;
+mod ground;
+mod rdm;
+mod plan_view;
+mod points;
+mod common_view;
 
 use crate::chain::{Chain, FrameProducts};
 use crate::commands::export::rdm_exr;
 use crate::failure::Failure;
+use crate::frame_truth::FrameTruth;
 use crate::output;
+use crate::truth::Truth;
 use artifact::cube::CubeHeader;
 use artifact::points::PointsFrame;
 use artifact::rdm::RdmFrame;
+use rdm::{OnMap, TrueEcho};
 use std::path::Path;
 
 pub(crate) use colours::heat;
 pub(crate) use common_view::common_view;
-pub(crate) use heat_map::{HeatMap, Shape};
+pub(crate) use form::{Figure, Form};
+pub(crate) use heat_map::HeatMap;
 pub(crate) use lines::{Line, LinePlot, Scale};
+pub(crate) use marks::{Legend, Mark};
 pub(crate) use polar::PolarPlot;
-pub(crate) use svg::Svg;
+pub(crate) use raster::encode;
+pub(crate) use svg::{Svg, style};
 
 /// What is drawn of one frame.
 pub(crate) struct FrameFigures {
-    pub(crate) plan: Svg,
-    pub(crate) rdm: Svg,
-    pub(crate) profile: Svg,
-    pub(crate) points: Svg,
+    pub(crate) plan: Figure,
+    pub(crate) rdm: Figure,
+    pub(crate) profile: Figure,
+    pub(crate) points: Figure,
 }
 
-/// Draws one frame.
-pub(crate) fn figures(chain: &Chain, frame: &FrameProducts) -> Result<FrameFigures, Failure> {
+/// Draws one frame with its truth.
+pub(crate) fn figures(chain: &Chain, frame: &FrameProducts, truth: &FrameTruth) -> Result<FrameFigures, Failure> {
     let (header, points) = (&chain.cube_header.in_frame(frame.rdm.index), &frame.result.points);
+    let nobodys = |index: &usize| truth.pairing.body_of(*index).is_none();
+    let false_objects: Vec<usize> = (0..points.objects.len()).filter(nobodys).collect();
+    let echoes = true_echoes(frame, truth);
+    let over = OnMap { points: Some(points), false_objects: &false_objects, truth: &echoes };
+    let bodies = bodies::bodies(&frame.view, &frame.result.scene);
     Ok(FrameFigures {
-        plan: plan_view::of_frame(&frame.view, &frame.result),
-        rdm: rdm::draw(header, &frame.rdm, points)?,
-        profile: rdm::range_profile(header, &frame.rdm)?,
-        points: points::draw(header, points),
+        plan: Figure::of(|form| plan_view::of_frame(&frame.view, &frame.result, &false_objects, form)),
+        rdm: Figure::try_of(|form| rdm::draw(header, &frame.rdm, &over, form))?,
+        profile: Figure::try_of(|form| rdm::range_profile(header, &frame.rdm, form))?,
+        points: Figure::of(|form| points::draw(header, points, &bodies, form)),
     })
+}
+
+/// Where each body's echo lies; of one that sends none back, nothing.
+fn true_echoes(frame: &FrameProducts, truth: &FrameTruth) -> Vec<TrueEcho> {
+    let named = frame.view.targets.iter().zip(&truth.truths).filter(|(_, truth)| truth.sends_back);
+    let echo = |(target, truth): (&artifact::scene::Target, &Truth)| TrueEcho {
+        name: target.id.clone(),
+        range_m: truth.echo.map_or(truth.range_m, |e| e.range_m),
+        radial_velocity_mps: truth.echo.map_or(truth.radial_velocity_mps, |e| e.radial_velocity_mps),
+    };
+    named.map(echo).collect()
 }
 
 /// `scene-NNNN.png`, `rdm-NNNN.png`, `points-NNNN.png` and `rdm-NNNN.exr` of one frame.
@@ -55,18 +85,24 @@ pub(crate) fn write_frame(
     folder: &Path,
 ) -> Result<(), Failure> {
     let place = |name: &str, kind: &str| folder.join(format!("{name}-{:04}.{kind}", rdm.index));
-    write_png(&place("scene", "png"), &figures.plan)?;
-    write_png(&place("rdm", "png"), &figures.rdm)?;
-    write_png(&place("points", "png"), &figures.points)?;
+    write_png(&place("scene", "png"), &figures.plan.wide)?;
+    write_png(&place("rdm", "png"), &figures.rdm.wide)?;
+    write_png(&place("points", "png"), &figures.points.wide)?;
     rdm_exr(header, rdm, &place("rdm", "exr"))
 }
 
 /// Map and points of one frame: what can be drawn without truth.
 pub(crate) fn of_map(header: &CubeHeader, rdm: &RdmFrame, points: &PointsFrame, folder: &Path) -> Result<(), Failure> {
     let (header, number) = (&header.in_frame(rdm.index), rdm.index);
-    write_png(&folder.join(format!("rdm-{number:04}.png")), &rdm::draw(header, rdm, points)?)?;
-    write_png(&folder.join(format!("points-{number:04}.png")), &points::draw(header, points))?;
+    let over = OnMap { points: Some(points), ..OnMap::default() };
+    write_png(&folder.join(format!("rdm-{number:04}.png")), &rdm::draw(header, rdm, &over, Form::Wide)?)?;
+    write_png(&folder.join(format!("points-{number:04}.png")), &points::draw(header, points, &[], Form::Wide))?;
     rdm_exr(header, rdm, &folder.join(format!("rdm-{number:04}.exr")))
+}
+
+/// A map with axes and nothing over it.
+pub(crate) fn write_map(file: &Path, header: &CubeHeader, rdm: &RdmFrame) -> Result<(), Failure> {
+    write_png(file, &rdm::draw(&header.in_frame(rdm.index), rdm, &OnMap::default(), Form::Wide)?)
 }
 
 /// An SVG as PNG.

@@ -4,7 +4,7 @@ use crate::chain::{Chain, FrameProducts, Scattering};
 use crate::commands::load::provenance;
 use crate::failure::Failure;
 use crate::frame_truth::FrameTruth;
-use crate::pictures::{self, FrameFigures, Svg};
+use crate::pictures::{self, Figure, FrameFigures};
 use crate::report;
 use crate::stages::Stage;
 use artifact::cube::Cube;
@@ -36,7 +36,7 @@ pub(crate) struct Figures {
     /// Of the first frames, in order.
     pub(crate) frames: Vec<FrameFigures>,
     /// Number and view from above of every n-th frame of a long scene.
-    pub(crate) strip: Vec<(u32, Svg)>,
+    pub(crate) strip: Vec<(u32, Figure)>,
     /// What was seen in the first frames, to be laid beside what other radars saw.
     pub(crate) seen: Vec<Seen>,
 }
@@ -85,7 +85,7 @@ impl Products {
         self.rdm.write(&frame.rdm)?;
         self.points.write(&frame.result.points)?;
         self.tracks.write(tracks)?;
-        let figures = pictures::figures(chain, &frame)?;
+        let figures = pictures::figures(chain, &frame, truth)?;
         pictures::write_frame(&figures, &chain.cube_header, &frame.rdm, &self.out.join("pictures"))?;
         let number = frame.result.scene.index;
         if report::is_in_strip(number, chain.header.frames) {

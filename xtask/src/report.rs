@@ -1,5 +1,8 @@
 //! `report.html`: one self-contained file that opens from disk.
 
+mod made;
+mod accuracy;
+mod false_objects;
 mod page;
 mod radars;
 mod tables;
@@ -7,7 +10,7 @@ mod tracks;
 
 use crate::failure::Failure;
 use crate::output;
-use crate::pictures::Svg;
+use crate::pictures::Figure;
 use crate::products::Figures;
 use serde_json::Value;
 use std::path::Path;
@@ -25,10 +28,10 @@ pub(crate) fn is_in_strip(index: u32, frames: u32) -> bool {
 
 /// Writes the report of a run from its summary and its figures.
 pub(crate) fn write(summary: &Value, figures: &Figures, out: &Path) -> Result<(), Failure> {
-    output::write_file(&out.join("report.html"), page::page(summary, figures).as_bytes())
+    output::write_file(&out.join("report.html"), page::page(summary, figures, out).as_bytes())
 }
 
 /// Writes the report of several radars over theirs.
-pub(crate) fn write_several(summary: &Value, views: &[Svg], out: &Path) -> Result<(), Failure> {
-    output::write_file(&out.join("report.html"), radars::page(summary, views).as_bytes())
+pub(crate) fn write_several(summary: &Value, views: &[Figure], out: &Path) -> Result<(), Failure> {
+    output::write_file(&out.join("report.html"), radars::page(summary, views, out).as_bytes())
 }

@@ -3,7 +3,7 @@
 use crate::console;
 use crate::failure::Failure;
 use crate::output;
-use crate::pictures::{self, Svg, common_view};
+use crate::pictures::{self, Figure, common_view};
 use crate::products::Seen;
 use crate::report;
 use serde_json::{Value, json};
@@ -36,7 +36,7 @@ pub(crate) fn conclude(radars: &[Told]) -> Result<(), Failure> {
     let text = serde_json::to_string_pretty(&summary).map_err(Failure::refused)?;
     let views = views(radars);
     for (number, view) in views.iter().enumerate() {
-        pictures::write_png(&out.join(format!("pictures/scene-{number:04}.png")), view)?;
+        pictures::write_png(&out.join(format!("pictures/scene-{number:04}.png")), &view.wide)?;
     }
     output::write_file(&out.join("summary.json"), text.as_bytes())?;
     report::write_several(&summary, &views, out)?;
@@ -46,7 +46,7 @@ pub(crate) fn conclude(radars: &[Told]) -> Result<(), Failure> {
 }
 
 /// The first frames from above, as long as every radar has one: their frames are cut alike.
-fn views(radars: &[Told]) -> Vec<Svg> {
+fn views(radars: &[Told]) -> Vec<Figure> {
     let frames = radars.iter().map(|radar| radar.seen.len()).min().unwrap_or(0);
     let view = |i: usize| common_view(&radars.iter().map(|radar| (radar.id(), &radar.seen[i])).collect::<Vec<_>>());
     (0..frames).map(view).collect()

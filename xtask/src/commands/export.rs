@@ -10,7 +10,7 @@ mod rdm;
 mod tracks;
 
 use super::raw_data::{dca1000, sigmf};
-use crate::cli::{ExportArguments, FormatWord};
+use crate::cli::{AxesWord, ExportArguments, FormatWord};
 use crate::failure::Failure;
 use crate::output;
 use artifact::{Reader, Schema, read_preamble};
@@ -24,12 +24,16 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
     use FormatWord::{Csv, Dca1000, Exr, Json, Npy, Pcd, Ply, Png, Safetensors, Sigmf};
     let (file, out) = (arguments.file.as_path(), arguments.out.as_path());
     let schema = read_preamble(file)?.schema;
+    if arguments.axes == AxesWord::On && (schema.as_str(), arguments.to) != ("rdm", Png) {
+        return Err(Failure::System("--axes on is for range-Doppler maps (.rdm) exported to png".into()));
+    }
     match (schema.as_str(), arguments.to) {
         ("cube", Npy) => cube::npy(Reader::open(file)?, out),
         ("cube", Dca1000) => dca1000::write(file, out),
         ("cube", Sigmf) => sigmf::write(file, out),
         ("rdm", Npy) => rdm::npy(Reader::open(file)?, out),
         ("rdm", Exr) => rdm::exr(Reader::open(file)?, out),
+        ("rdm", Png) if arguments.axes == AxesWord::On => rdm::png_with_axes(Reader::open(file)?, out),
         ("rdm", Png) => rdm::png(Reader::open(file)?, out),
         ("points", Csv) => points::csv(Reader::open(file)?, out),
         ("points", Pcd) => points::pcd(Reader::open(file)?, out),

@@ -1,6 +1,8 @@
 //! `rcs`: scattering amplitude of a mesh over frequency, elevation and azimuth.
 
 mod answer;
+mod sampling;
+mod silhouette;
 mod isar;
 mod pictures;
 mod references;
@@ -23,6 +25,8 @@ use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use bart_rcs::{RcsRequest, Standpoint, Surroundings};
 use num_complex::Complex64;
+use sampling::Samplings;
+use serde_json::Value;
 use std::path::Path;
 use std::time::Instant;
 
@@ -39,15 +43,20 @@ pub(crate) fn run(arguments: &RcsArguments) -> Result<(), Failure> {
     let shape = [request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len()];
     NpyStream::write::<Complex64>(&arguments.out, &shape, |stream| stream.append(&answer.amplitude_m))?;
     let answer = Answer { cached: checkpoint.aspects(), ..answer };
-    let described = answer.json(arguments, &mesh, load, start.elapsed().as_secs_f64());
+    let samplings = arguments.pictures.then(|| Samplings::of(&mesh, &request));
+    let mut described = answer.json(arguments, &mesh, load, start.elapsed().as_secs_f64());
+    described["pictures"] = samplings.as_ref().map_or(Value::Null, Samplings::json);
     let text = serde_json::to_string_pretty(&described).map_err(Failure::refused)?;
     output::write_file(&sidecar(&arguments.out), text.as_bytes())?;
     checkpoint.finish();
-    if arguments.pictures {
-        pictures::write(&arguments.out, &mesh, &request, &answer.amplitude_m)?;
+    if let Some(samplings) = &samplings {
+        pictures::write(&arguments.out, &mesh, &request, samplings, &answer.amplitude_m)?;
         pictures::write_facets(&arguments.out, &mesh, &request)?;
     }
     answer.tell(arguments, &mesh);
+    for warning in samplings.iter().flat_map(Samplings::warnings) {
+        output::line(format!("pictures: {warning}"));
+    }
     Ok(())
 }
 
@@ -160,5 +169,28 @@ fn surface(word: SurfaceWord) -> Surface {
     match word {
         SurfaceWord::Flat => Surface::Flat,
         SurfaceWord::Smooth => Surface::Smooth,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A plain request over frequencies and azimuths, far away.
+    pub(super) fn request_of(frequency_hz: &[f64], azimuth_rad: &[f64]) -> RcsRequest {
+        RcsRequest {
+            frequency_hz: frequency_hz.to_vec(),
+            elevation_rad: vec![0.0],
+            azimuth_rad: azimuth_rad.to_vec(),
+            range_m: f64::INFINITY,
+            receiver: None,
+            polarization: Polarization::Vv,
+            bounces: 1,
+            nodes: NodeRule::OwnEdge,
+            edges: Edges::Ignored,
+            surface: Surface::Flat,
+            sides: Sides::Two,
+            accuracy: Accuracy::from_db(-40.0),
+        }
     }
 }

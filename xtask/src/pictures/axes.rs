@@ -1,6 +1,6 @@
 //! A box with axes: where a number lies on the sheet.
 
-use super::svg::Svg;
+use super::svg::{Svg, wrapped};
 
 /// One axis: its range in numbers and in pixels.
 #[derive(Debug, Clone, Copy)]
@@ -49,33 +49,35 @@ pub(crate) struct Axes {
 impl Axes {
     /// Frame, ticks, numbers and labels.
     pub(crate) fn draw(&self, sheet: &mut Svg, x_label: &str, y_label: &str) {
-        self.draw_with(sheet, [x_label, y_label], [&marks(&self.x), &marks(&self.y)]);
+        self.draw_with(sheet, [x_label, y_label], [&numbered(&self.x), &numbered(&self.y)]);
     }
 
-    /// As [`Axes::draw`] with other marks, [x, y].
-    pub(crate) fn draw_with(&self, sheet: &mut Svg, labels: [&str; 2], marks: [&[Mark]; 2]) {
+    /// As [`Axes::draw`] with other ticks, [x, y].
+    pub(crate) fn draw_with(&self, sheet: &mut Svg, labels: [&str; 2], ticks: [&[Tick]; 2]) {
         let (left, right) = (self.x.start_px, self.x.end_px);
         let (bottom, top) = (self.y.start_px, self.y.end_px);
         sheet.rectangle("ink", [left, top], [right - left, bottom - top]);
-        for (value, text) in marks[0] {
+        for (value, text) in ticks[0] {
             let x = self.x.at(*value);
             sheet.line("ink", [x, bottom], [x, bottom + tick_px(text)]);
-            sheet.words([x, bottom + 16.0], 11.0, "middle", text);
+            sheet.words([x, bottom + 17.0], "middle", text);
         }
-        for (value, text) in marks[1] {
+        for (value, text) in ticks[1] {
             let y = self.y.at(*value);
             sheet.line("ink", [left - tick_px(text), y], [left, y]);
-            sheet.words([left - 7.0, y + 4.0], 11.0, "end", text);
+            sheet.words([left - 7.0, y + 4.0], "end", text);
         }
-        sheet.words([0.5 * (left + right), bottom + 33.0], 12.0, "middle", labels[0]);
-        sheet.words_upwards([left - 38.0, 0.5 * (top + bottom)], 12.0, labels[1]);
+        for (number, line) in wrapped(labels[0], right - left).iter().enumerate() {
+            sheet.words([0.5 * (left + right), bottom + 35.0 + 16.0 * number as f64], "middle", line);
+        }
+        sheet.words_upwards([left - 40.0, 0.5 * (top + bottom)], labels[1]);
     }
 }
 
-/// A place on an axis and what is written there; without words it is a minor tick.
-pub(crate) type Mark = (f64, String);
+/// A place on an axis and what is written there; a minor tick has no words.
+pub(crate) type Tick = (f64, String);
 
-fn marks(axis: &Axis) -> Vec<Mark> {
+fn numbered(axis: &Axis) -> Vec<Tick> {
     axis.ticks().into_iter().map(|value| (value, tick_text(value))).collect()
 }
 

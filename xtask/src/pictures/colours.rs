@@ -1,22 +1,16 @@
-//! Colours that say the same to most eyes.
+//! Colours that say the same to most eyes: classes of `light.css` and `dark.css`, on the palette of Okabe & Ito (2008),
+//! darkened where it is too faint on white.
 
 use artifact::settings::Class;
 
-/// Colour of a class; of no class, grey. Okabe & Ito's palette (2008), safe for colour-blind readers.
+/// Colour of a class; of no class, grey.
 pub(crate) fn class_colour(class: Option<Class>) -> &'static str {
-    match class {
-        Some(Class::Car) => "#0072b2",
-        Some(Class::Bus) => "#d55e00",
-        Some(Class::Truck) => "#009e73",
-        Some(Class::Motorcycle) => "#cc79a7",
-        None => "#777777",
-    }
+    class.map_or("plain", Class::name)
 }
 
-/// Colour of the n-th line of a plot, of the same palette; darker ones follow where it ends.
+/// Colour of the n-th line of a plot.
 pub(crate) fn line_colour(n: usize) -> &'static str {
-    const COLOURS: [&str; 10] =
-        ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#777777", "#000000", "#7a3b00", "#4b2e83"];
+    const COLOURS: [&str; 10] = ["c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7", "c8", "c9"];
     COLOURS[n % COLOURS.len()]
 }
 

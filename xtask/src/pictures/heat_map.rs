@@ -2,8 +2,10 @@
 
 use super::axes::{Axes, Axis};
 use super::colours::heat;
+use super::form::Form;
+use super::marks::Legend;
 use super::raster;
-use super::svg::Svg;
+use super::svg::{Svg, wrapped};
 use crate::failure::Failure;
 use ndarray::Array2;
 
@@ -11,6 +13,8 @@ use ndarray::Array2;
 #[derive(Debug, Clone)]
 pub(crate) struct HeatMap {
     pub(crate) title: String,
+    /// Said below the title.
+    pub(crate) notes: Vec<String>,
     pub(crate) x: (String, [f64; 2]),
     pub(crate) y: (String, [f64; 2]),
     /// Decibels, `[y, x]`.
@@ -18,35 +22,48 @@ pub(crate) struct HeatMap {
     /// Shown below the brightest cell.
     pub(crate) span_db: f64,
     pub(crate) unit: String,
-    /// Whether a metre is as long across as up.
-    pub(crate) shape: Shape,
-}
-
-/// Proportions of a map.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Shape {
-    /// The sheet is filled.
-    Wide,
-    /// As high as wide.
-    Square,
+    /// A picture with transparent parts that is laid over the map.
+    pub(crate) over: Option<Vec<u8>>,
+    pub(crate) legend: Legend,
 }
 
 impl HeatMap {
-    pub(crate) fn draw(&self) -> Result<Svg, Failure> {
-        let right = if self.shape == Shape::Wide { 660.0 } else { 465.0 };
-        let mut sheet = Svg::new(self.title.clone(), 760.0, 470.0);
+    /// As high as wide: a metre is as long across as up.
+    pub(crate) fn draw_square(&self) -> Result<Svg, Failure> {
+        const SIDE: f64 = 420.0;
+        let mut sheet = Svg::new(self.title.clone(), SIDE + 130.0, 0.0);
+        let top = head(&mut sheet, &self.title, &self.notes);
         let axes = Axes {
-            x: Axis { from: self.x.1[0], to: self.x.1[1], start_px: 60.0, end_px: right },
-            y: Axis { from: self.y.1[0], to: self.y.1[1], start_px: 425.0, end_px: 20.0 },
+            x: Axis { from: self.x.1[0], to: self.x.1[1], start_px: 60.0, end_px: 60.0 + SIDE },
+            y: Axis { from: self.y.1[0], to: self.y.1[1], start_px: top + SIDE, end_px: top },
         };
         let brightest = self.levels_db.iter().copied().filter(|l| l.is_finite()).fold(f64::NEG_INFINITY, f64::max);
         let brightest = if brightest.is_finite() { brightest } else { 0.0 };
         let levels = [brightest - self.span_db, brightest];
-        sheet.image([60.0, 20.0], [right - 60.0, 405.0], &heat_png(&self.levels_db, levels)?);
+        sheet.image([60.0, top], [SIDE, SIDE], &heat_png(&self.levels_db, levels)?);
+        if let Some(png) = &self.over {
+            sheet.image([60.0, top], [SIDE, SIDE], png);
+        }
         axes.draw(&mut sheet, &self.x.0, &self.y.0);
-        scale_bar(&mut sheet, levels, &self.unit);
+        scale_bar(&mut sheet, &axes, levels, &self.unit);
+        self.legend.draw(&mut sheet, top + SIDE + 74.0, [50.0, SIDE + 120.0]);
         Ok(sheet)
     }
+}
+
+/// Title and what is to be known beforehand; where the drawing begins.
+pub(super) fn head(sheet: &mut Svg, title: &str, notes: &[String]) -> f64 {
+    let mut y = 20.0;
+    for line in wrapped(title, 0.82 * sheet.width) {
+        sheet.heading([10.0, y], &line);
+        y += 18.0;
+    }
+    let room_px = sheet.width - 20.0;
+    for line in notes.iter().flat_map(|note| wrapped(note, room_px)) {
+        sheet.words([10.0, y], "start", &line);
+        y += 17.0;
+    }
+    y - 4.0
 }
 
 /// Levels as colours, row 0 at the bottom.
@@ -60,15 +77,27 @@ pub(super) fn heat_png(map: &Array2<f64>, [dark, bright]: [f64; 2]) -> Result<Ve
     raster::encode(picture.into()).map_err(Failure::refused)
 }
 
-/// The colours' levels, right of the picture.
-pub(super) fn scale_bar(sheet: &mut Svg, [dark, bright]: [f64; 2], unit: &str) {
+/// Room for the colours' levels at the right of a map.
+pub(super) const SCALE_BAR_PX: f64 = 66.0;
+
+/// The colours' levels, right of the map.
+pub(super) fn scale_bar(sheet: &mut Svg, axes: &Axes, [dark, bright]: [f64; 2], unit: &str) {
+    let (x, top, bottom) = (axes.x.end_px + 14.0, axes.y.end_px, axes.y.start_px);
     let column = image::RgbImage::from_fn(1, 64, |_, y| image::Rgb(heat(1.0 - f64::from(y) / 63.0)));
     if let Ok(png) = raster::encode(column.into()) {
-        sheet.image([680.0, 20.0], [14.0, 405.0], &png);
+        sheet.image([x, top], [12.0, bottom - top], &png);
     }
-    let axis = Axis { from: dark, to: bright, start_px: 425.0, end_px: 20.0 };
+    let axis = Axis { from: dark, to: bright, start_px: bottom, end_px: top };
     for value in axis.ticks() {
-        sheet.words([698.0, axis.at(value) + 4.0], 11.0, "start", &format!("{value:.0}").replace('-', "−"));
+        sheet.words([x + 16.0, axis.at(value) + 4.0], "start", &format!("{value:.0}").replace('-', "−"));
     }
-    sheet.words([680.0, 446.0], 11.0, "start", unit);
+    sheet.words([x, bottom + 17.0], "start", unit);
+}
+
+impl Form {
+    /// Left and right end of a map with its scale.
+    pub(super) fn map_sides_px(self) -> [f64; 2] {
+        let [left, right] = self.sides_px();
+        [left, right + 12.0 - SCALE_BAR_PX]
+    }
 }

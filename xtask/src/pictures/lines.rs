@@ -1,7 +1,10 @@
 //! Lines over linear or logarithmic axes.
 
-use super::axes::{Axes, Axis, Mark, tick_text};
+use super::axes::{Axes, Axis, Tick, tick_text};
 use super::colours::line_colour;
+use super::form::Form;
+use super::heat_map::head;
+use super::marks::{Legend, Mark};
 use super::svg::Svg;
 
 /// How an axis runs.
@@ -26,6 +29,8 @@ pub(crate) struct Line {
 #[derive(Debug, Clone)]
 pub(crate) struct LinePlot {
     pub(crate) title: String,
+    /// What is to be known beforehand: scene, which side is better.
+    pub(crate) notes: Vec<String>,
     pub(crate) x_label: String,
     pub(crate) y_label: String,
     pub(crate) x_scale: Scale,
@@ -35,23 +40,27 @@ pub(crate) struct LinePlot {
 
 impl LinePlot {
     /// The picture; points that an axis cannot show are left out.
-    pub(crate) fn draw(&self) -> Svg {
-        let mut sheet = Svg::new(self.title.clone(), 760.0, 380.0);
+    pub(crate) fn draw(&self, form: Form) -> Svg {
+        let mut sheet = Svg::new(self.title.clone(), form.width_px(), 0.0);
+        let top = head(&mut sheet, &self.title, &self.notes);
         let lines: Vec<Vec<[f64; 2]>> = self.lines.iter().map(|l| self.scaled(l)).collect();
         let all: Vec<[f64; 2]> = lines.concat();
         let (x, y) = (span(&all, 0), span(&all, 1));
-        let named = self.lines.iter().any(|l| !l.name.is_empty());
-        let right = if named { 560.0 } else { 740.0 };
+        let [left, right] = form.sides_px();
         let axes = Axes {
-            x: Axis { from: x.0, to: x.1, start_px: 62.0, end_px: right },
-            y: Axis { from: y.0, to: y.1, start_px: 338.0, end_px: 18.0 },
+            x: Axis { from: x.0, to: x.1, start_px: left, end_px: right },
+            y: Axis { from: y.0, to: y.1, start_px: top + HEIGHT_PX, end_px: top },
         };
-        let (x_marks, y_marks) = (marks(self.x_scale, &axes.x), marks(self.y_scale, &axes.y));
-        axes.draw_with(&mut sheet, [&self.x_label, &self.y_label], [&x_marks, &y_marks]);
+        let (x_ticks, y_ticks) = (ticks(self.x_scale, &axes.x), ticks(self.y_scale, &axes.y));
+        axes.draw_with(&mut sheet, [&self.x_label, &self.y_label], [&x_ticks, &y_ticks]);
+        let mut legend = Legend::default();
         for (n, (line, points)) in self.lines.iter().zip(&lines).enumerate() {
-            draw_line(&mut sheet, &axes, line_colour(n), line, points);
-            legend(&mut sheet, right, n, &line.name);
+            draw_line(&mut sheet, &axes, n, line, points);
+            if !line.name.is_empty() {
+                legend.say_of(&samples(n, line), line_colour(n), &line.name);
+            }
         }
+        legend.draw(&mut sheet, top + HEIGHT_PX + 68.0, [left - 44.0, right]);
         sheet
     }
 
@@ -61,6 +70,15 @@ impl LinePlot {
     }
 }
 
+const HEIGHT_PX: f64 = 320.0;
+
+/// What a line shows in the legend.
+fn samples(n: usize, line: &Line) -> Vec<Mark> {
+    let is_line = line.points.len() > 1;
+    let value = line.marked.then(|| Mark::OF_LINES[n % Mark::OF_LINES.len()]);
+    is_line.then_some(Mark::Line).into_iter().chain(value).collect()
+}
+
 fn number(scale: Scale, value: f64) -> f64 {
     match scale {
         Scale::Linear => value,
@@ -68,7 +86,7 @@ fn number(scale: Scale, value: f64) -> f64 {
     }
 }
 
-fn marks(scale: Scale, axis: &Axis) -> Vec<Mark> {
+fn ticks(scale: Scale, axis: &Axis) -> Vec<Tick> {
     match scale {
         Scale::Linear => axis.ticks().into_iter().map(|value| (value, tick_text(value))).collect(),
         Scale::Logarithmic => powers(axis),
@@ -76,7 +94,7 @@ fn marks(scale: Scale, axis: &Axis) -> Vec<Mark> {
 }
 
 /// Powers of ten in words, their multiples as minor ticks; an axis shorter than a power of ten has words at 2 and 5 too.
-fn powers(axis: &Axis) -> Vec<Mark> {
+fn powers(axis: &Axis) -> Vec<Tick> {
     let (low, high) = (axis.from.min(axis.to), axis.from.max(axis.to));
     let is_short = high - low < 1.5;
     let places = (low.floor() as i32..=high.ceil() as i32).take(100).flat_map(|p| (1..10).map(move |m| (p, m)));
@@ -110,18 +128,11 @@ fn span(points: &[[f64; 2]], axis: usize) -> (f64, f64) {
     }
 }
 
-fn draw_line(sheet: &mut Svg, axes: &Axes, colour: &str, line: &Line, points: &[[f64; 2]]) {
+fn draw_line(sheet: &mut Svg, axes: &Axes, n: usize, line: &Line, points: &[[f64; 2]]) {
     let places: Vec<[f64; 2]> = points.iter().map(|[x, y]| [axes.x.at(*x), axes.y.at(*y)]).collect();
-    sheet.polyline(colour, 1.6, &places);
+    sheet.polyline(line_colour(n), 1.6, &places);
     if line.marked {
-        places.iter().for_each(|place| sheet.disc(colour, *place, 3.5));
-    }
-}
-
-fn legend(sheet: &mut Svg, right: f64, n: usize, name: &str) {
-    if !name.is_empty() {
-        let y = 30.0 + 20.0 * n as f64;
-        sheet.disc(line_colour(n), [right + 16.0, y - 4.0], 4.5);
-        sheet.words([right + 26.0, y], 11.5, "start", name);
+        let mark = Mark::OF_LINES[n % Mark::OF_LINES.len()];
+        places.iter().for_each(|place| mark.draw(sheet, line_colour(n), *place));
     }
 }

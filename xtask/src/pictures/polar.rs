@@ -1,6 +1,8 @@
 //! A level over azimuth, all round.
 
 use super::colours::line_colour;
+use super::heat_map::head;
+use super::marks::{Legend, Mark};
 use super::svg::Svg;
 
 /// Decibels over azimuth: 0° points up, where the body's front is, and grows counter-clockwise as seen from above.
@@ -12,7 +14,7 @@ pub(crate) struct PolarPlot {
     pub(crate) lines: Vec<(String, Vec<[f64; 2]>)>,
 }
 
-const CENTRE_PX: [f64; 2] = [235.0, 235.0];
+const CENTRE_PX: [f64; 2] = [240.0, 270.0];
 const RADIUS_PX: f64 = 195.0;
 /// From the rim to the centre.
 const SPAN_DB: f64 = 60.0;
@@ -20,18 +22,20 @@ const RING_DB: f64 = 10.0;
 
 impl PolarPlot {
     pub(crate) fn draw(&self) -> Svg {
-        let mut sheet = Svg::new(self.title.clone(), 760.0, 470.0);
+        let mut sheet = Svg::new(self.title.clone(), 480.0, 0.0);
+        let note = "0° is the body's front; azimuth grows counter-clockwise, seen from above".to_owned();
+        head(&mut sheet, &self.title, &[note]);
         let levels = self.lines.iter().flat_map(|(_, points)| points.iter().map(|p| p[1]));
         let highest = levels.filter(|l| l.is_finite()).fold(f64::NEG_INFINITY, f64::max);
         let rim_db = if highest.is_finite() { (highest / RING_DB).ceil() * RING_DB } else { 0.0 };
         self.draw_grid(&mut sheet, rim_db);
+        let mut legend = Legend::default();
         for (n, (name, points)) in self.lines.iter().enumerate() {
             let places: Vec<[f64; 2]> = points.iter().map(|&[az, db]| place(az, db, rim_db)).collect();
             sheet.polyline(line_colour(n), 1.3, &places);
-            let y = 40.0 + 20.0 * n as f64;
-            sheet.disc(line_colour(n), [500.0, y - 4.0], 4.5);
-            sheet.words([510.0, y], 11.5, "start", name);
+            legend.say(Mark::Line, line_colour(n), name);
         }
+        legend.draw(&mut sheet, CENTRE_PX[1] + RADIUS_PX + 46.0, [10.0, 470.0]);
         sheet
     }
 
@@ -39,16 +43,16 @@ impl PolarPlot {
         for ring in 0..(SPAN_DB / RING_DB) as u32 {
             let db = rim_db - RING_DB * f64::from(ring);
             let circle: Vec<[f64; 2]> = (0..=120).map(|i| place(3.0 * f64::from(i), db, rim_db)).collect();
-            sheet.polyline("#bbbbbb", 0.8, &circle);
+            sheet.polyline("grid", 0.8, &circle);
             let [x, y] = place(-75.0, db, rim_db);
             let unit = if ring == 0 { self.unit.as_str() } else { "" };
-            sheet.words([x + 3.0, y - 3.0], 10.0, "start", format!("{db:.0} {unit}").replace('-', "−").trim_end());
+            sheet.words([x + 3.0, y - 3.0], "start", format!("{db:.0} {unit}").replace('-', "−").trim_end());
         }
         for az in (0..360).step_by(30) {
             let az = f64::from(az);
-            sheet.polyline("#dddddd", 0.8, &[CENTRE_PX, place(az, rim_db, rim_db)]);
+            sheet.polyline("grid", 0.8, &[CENTRE_PX, place(az, rim_db, rim_db)]);
             let [x, y] = place(az, rim_db + 5.0, rim_db);
-            sheet.words([x, y + 4.0], 11.0, "middle", &format!("{az:.0}°"));
+            sheet.words([x, y + 4.0], "middle", &format!("{az:.0}°"));
         }
     }
 }

@@ -20,7 +20,7 @@ static FONTS: LazyLock<Arc<usvg::fontdb::Database>> = LazyLock::new(|| {
 /// The picture as PNG.
 pub(crate) fn png(picture: &Svg) -> Result<Vec<u8>, String> {
     let options = usvg::Options { fontdb: FONTS.clone(), ..usvg::Options::default() };
-    let tree = usvg::Tree::from_str(&picture.text(), &options).map_err(|e| e.to_string())?;
+    let tree = usvg::Tree::from_str(&picture.on_white(), &options).map_err(|e| e.to_string())?;
     let (width, height) = ((picture.width as f32 * SCALE) as u32, (picture.height as f32 * SCALE) as u32);
     let mut pixels = tiny_skia::Pixmap::new(width.max(1), height.max(1)).ok_or("the picture is too large")?;
     resvg::render(&tree, tiny_skia::Transform::from_scale(SCALE, SCALE), &mut pixels.as_mut());

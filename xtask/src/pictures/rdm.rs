@@ -1,8 +1,11 @@
 //! The range-Doppler map and its profile.
 
 use super::axes::{Axes, Axis};
-use super::heat_map::{heat_png, scale_bar};
+use super::form::Form;
+use super::heat_map::{head, heat_png, scale_bar};
+use super::labels::Labels;
 use super::lines::{Line, LinePlot, Scale};
+use super::marks::{Legend, Mark};
 use super::svg::Svg;
 use crate::failure::Failure;
 use artifact::cube::CubeHeader;
@@ -15,50 +18,109 @@ use ndarray::Array2;
 const SPAN_DB: f64 = 60.0;
 const BELOW_NOISE_DB: f64 = 4.0;
 
-/// Map with axes in metres and m/s; every object is ringed.
-pub(super) fn draw(header: &CubeHeader, rdm: &RdmFrame, points: &PointsFrame) -> Result<Svg, Failure> {
+/// Where a body's echo lies in truth.
+#[derive(Debug, Clone)]
+pub(super) struct TrueEcho {
+    pub(super) name: String,
+    pub(super) range_m: f64,
+    pub(super) radial_velocity_mps: f64,
+}
+
+/// What is drawn over a map; nothing where it is not known.
+#[derive(Debug, Clone, Default)]
+pub(super) struct OnMap<'a> {
+    pub(super) points: Option<&'a PointsFrame>,
+    /// Indices of objects that are nobody's.
+    pub(super) false_objects: &'a [usize],
+    pub(super) truth: &'a [TrueEcho],
+}
+
+/// Map with axes in metres and m/s, objects and truth; receding is above.
+pub(super) fn draw(header: &CubeHeader, rdm: &RdmFrame, over: &OnMap, form: Form) -> Result<Svg, Failure> {
     let map = decibels(header, rdm)?;
     let levels = levels(&map);
-    let axes = axes(header);
-    let mut sheet = Svg::new(format!("Range-Doppler map of frame {}", rdm.index), 760.0, 470.0);
-    let corner = [axes.x.start_px, axes.y.end_px];
-    let size = [axes.x.end_px - axes.x.start_px, axes.y.start_px - axes.y.end_px];
+    let title = format!("Range-Doppler map, frame {}, all channels", rdm.index);
+    let mut sheet = Svg::new(title.clone(), form.width_px(), 0.0);
+    let velocity_max = header.radar.velocity_max_mps();
+    let note = format!("Velocity is positive when the range grows; unambiguous to ±{velocity_max:.2} m/s.");
+    let top = head(&mut sheet, &title, &[note]);
+    let axes = axes(header, form, top);
+    let (corner, size) = ([axes.x.start_px, top], [axes.x.end_px - axes.x.start_px, axes.y.start_px - top]);
     sheet.image(corner, size, &heat_png(&map, levels)?);
     axes.draw(&mut sheet, "range, m", "radial velocity, m/s");
-    for object in &points.objects {
-        let velocity = header.radar.folded_velocity_mps(object.radial_velocity_mps);
-        sheet.ring("#39d0ff", [axes.x.at(object.range_m), axes.y.at(velocity)], 11.0);
-    }
-    scale_bar(&mut sheet, levels, "dBW");
+    scale_bar(&mut sheet, &axes, levels, "dBW");
+    let legend = marks(&mut sheet, header, &axes, over);
+    legend.draw(&mut sheet, axes.y.start_px + 62.0, [10.0, form.width_px() - 8.0]);
     Ok(sheet)
 }
 
+fn marks(sheet: &mut Svg, header: &CubeHeader, axes: &Axes, over: &OnMap) -> Legend {
+    let mut legend = Legend::default();
+    let frame = [axes.x.start_px, axes.y.end_px, axes.x.end_px, axes.y.start_px];
+    let mut bodies = Labels::within(frame);
+    let at = |range_m: f64, velocity_mps: f64| {
+        [axes.x.at(range_m), axes.y.at(header.radar.folded_velocity_mps(velocity_mps))]
+    };
+    for echo in over.truth {
+        let at = at(echo.range_m, echo.radial_velocity_mps);
+        if axes.x.holds(at[0]) {
+            shaded(sheet, Mark::Cross, "truthmap", at);
+            bodies.put([at[0] - 8.0, at[1] - 8.0, at[0] + 8.0, at[1] + 8.0], &echo.name);
+            legend.say_of(&[Mark::Plate, Mark::Cross], "truthmap", "echo of a body (truth), velocity folded");
+        }
+    }
+    let mut objects = bodies.beside();
+    for (number, object) in over.points.iter().flat_map(|points| points.objects.iter().enumerate()) {
+        let at = at(object.range_m, object.radial_velocity_mps);
+        let is_false = over.false_objects.contains(&number);
+        let mark = if is_false { Mark::BrokenRing } else { Mark::Ring };
+        shaded(sheet, mark, "onmap", at);
+        if is_false {
+            objects.put([at[0] - 9.0, at[1] - 9.0, at[0] + 9.0, at[1] + 9.0], &format!("#{number}"));
+        }
+        let words = if is_false { "false object, # as in the table" } else { "object" };
+        legend.say_of(&[Mark::Plate, mark], "onmap", words);
+    }
+    bodies.draw_on_map(sheet, "truthmap");
+    objects.draw_on_map(sheet, "onmap");
+    legend
+}
+
+/// A mark with a dark shade, to be seen on any level.
+fn shaded(sheet: &mut Svg, mark: Mark, colour: &str, at: [f64; 2]) {
+    mark.draw(sheet, "shadow", [at[0] + 1.0, at[1] + 1.0]);
+    mark.draw(sheet, colour, at);
+}
+
 /// Strongest cell over Doppler.
-pub(super) fn range_profile(header: &CubeHeader, rdm: &RdmFrame) -> Result<Svg, Failure> {
+pub(super) fn range_profile(header: &CubeHeader, rdm: &RdmFrame, form: Form) -> Result<Svg, Failure> {
     let map = decibels(header, rdm)?;
     let strongest = |column: ndarray::ArrayView1<f64>| column.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let points = dsp::range_axis_m(header).into_iter().zip(map.columns()).map(|(r, c)| [r, strongest(c)]).collect();
     let plot = LinePlot {
-        title: format!("Range profile of frame {}", rdm.index),
+        title: format!("Range profile, frame {}", rdm.index),
+        notes: vec![],
         x_label: "range, m".into(),
-        y_label: "strongest cell over velocity, dBW".into(),
+        y_label: "level, dBW".into(),
         x_scale: Scale::Linear,
         y_scale: Scale::Linear,
-        lines: vec![Line { name: String::new(), points, marked: false }],
+        lines: vec![Line { name: "strongest cell over all velocities".into(), points, marked: false }],
     };
-    Ok(plot.draw())
+    Ok(plot.draw(form))
 }
 
 fn decibels(header: &CubeHeader, rdm: &RdmFrame) -> Result<Array2<f64>, Failure> {
     Ok(dsp::power_map(header, rdm).map_err(Failure::refused)?.mapv(db_from_power))
 }
 
-fn axes(header: &CubeHeader) -> Axes {
+fn axes(header: &CubeHeader, form: Form, top: f64) -> Axes {
     let (ranges, velocities) = (dsp::range_axis_m(header), dsp::velocity_axis_mps(header));
+    let [left, right] = form.map_sides_px();
+    let height = if form == Form::Wide { 400.0 } else { 320.0 };
     let (from, to) = ends(&ranges);
-    let x = Axis { from, to, start_px: 60.0, end_px: 660.0 };
+    let x = Axis { from, to, start_px: left, end_px: right };
     let (from, to) = ends(&velocities);
-    Axes { x, y: Axis { from, to, start_px: 425.0, end_px: 20.0 } }
+    Axes { x, y: Axis { from, to, start_px: top + height, end_px: top } }
 }
 
 /// Outer edges of the first and last cell.

@@ -1,4 +1,5 @@
-//! A drawing made of a few kinds of marks. Colours are classes, so that a page may give them other values in the dark.
+//! A drawing made of a few kinds of marks. Colours are classes, so that a page or a dark screen may give them other
+//! values.
 
 use std::fmt::Write;
 
@@ -12,9 +13,41 @@ pub(crate) struct Svg {
     body: String,
 }
 
-/// Paper and ink of a picture that stands alone.
-const STYLE: &str = ".paper{fill:#fff}.ink{stroke:#333;fill:none}.faint{stroke:#bbb;fill:none}\
-text{fill:#222;font-family:'Ubuntu','Ubuntu Light',sans-serif}.road{fill:#eceff1}.lane{stroke:#b0bec5;fill:none}";
+/// Size of all words but headings: what is smaller is not read on a telephone.
+pub(crate) const TEXT_PX: f64 = 12.0;
+/// Size of headings.
+pub(crate) const HEADING_PX: f64 = 14.0;
+/// Of a letter, at most, in parts of the size: Ubuntu Light and the system's typefaces stay below it on average.
+const LETTER: f64 = 0.56;
+
+/// Paper, ink and colours by day, and what changes in the dark.
+const LIGHT: &str = include_str!("light.css");
+const DARK: &str = include_str!("dark.css");
+
+/// The classes of all pictures, for a page that holds some.
+pub(crate) fn style() -> String {
+    format!("{LIGHT}@media (prefers-color-scheme:dark){{{DARK}}}")
+}
+
+/// Room that words take, about.
+pub(crate) fn width_px(words: &str) -> f64 {
+    LETTER * TEXT_PX * words.chars().count() as f64
+}
+
+/// Words in lines that are no wider than `room_px`.
+pub(crate) fn wrapped(words: &str, room_px: f64) -> Vec<String> {
+    let mut lines: Vec<String> = vec![];
+    for word in words.split(' ') {
+        match lines.last_mut() {
+            Some(line) if width_px(line) + width_px(word) + LETTER * TEXT_PX <= room_px => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
 
 impl Svg {
     /// An empty sheet.
@@ -22,13 +55,27 @@ impl Svg {
         Self { width, height, title: title.into(), body: String::new() }
     }
 
-    /// The whole file.
+    /// The whole file, for light and dark screens.
     pub(crate) fn text(&self) -> String {
+        self.with_style(&format!("<style>{}</style>", style()))
+    }
+
+    /// The whole file on white paper.
+    pub(crate) fn on_white(&self) -> String {
+        self.with_style(&format!("<style>{LIGHT}</style>"))
+    }
+
+    /// A part of a page that holds [`style`].
+    pub(crate) fn inline(&self) -> String {
+        self.with_style("")
+    }
+
+    fn with_style(&self, style: &str) -> String {
         let (w, h) = (self.width, self.height);
         let title = escaped(&self.title);
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"0 0 {w} {h}\" \
-             width=\"{w}\" height=\"{h}\" role=\"img\"><title>{title}</title><style>{STYLE}</style>\
+             width=\"{w}\" height=\"{h}\" role=\"img\" aria-label=\"{title}\"><title>{title}</title>{style}\
              <rect class=\"paper\" width=\"{w}\" height=\"{h}\"/>{}</svg>",
             self.body
         )
@@ -52,7 +99,16 @@ impl Svg {
     pub(crate) fn polyline(&mut self, colour: &str, width: f64, points: &[[f64; 2]]) {
         let points = joined(points);
         self.put(format_args!(
-            "<polyline points=\"{points}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\"/>"
+            "<polyline class=\"{colour}\" points=\"{points}\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"{width}\"/>"
+        ));
+    }
+
+    /// Connected broken lines of a colour.
+    pub(crate) fn broken(&mut self, colour: &str, width: f64, points: &[[f64; 2]]) {
+        let points = joined(points);
+        self.put(format_args!(
+            "<polyline class=\"{colour}\" points=\"{points}\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"{width}\" \
+             stroke-dasharray=\"5 4\"/>"
         ));
     }
 
@@ -60,39 +116,67 @@ impl Svg {
     pub(crate) fn outline(&mut self, colour: &str, points: &[[f64; 2]]) {
         let points = joined(points);
         self.put(format_args!(
-            "<polygon points=\"{points}\" fill=\"{colour}\" fill-opacity=\"0.25\" stroke=\"{colour}\" stroke-width=\"1.2\"/>"
+            "<polygon class=\"{colour}\" points=\"{points}\" fill=\"currentColor\" fill-opacity=\"0.22\" stroke=\"currentColor\" \
+             stroke-width=\"1.4\"/>"
         ));
+    }
+
+    /// A closed form, filled.
+    pub(crate) fn solid(&mut self, colour: &str, points: &[[f64; 2]]) {
+        let points = joined(points);
+        self.put(format_args!("<polygon class=\"{colour}\" points=\"{points}\" fill=\"currentColor\"/>"));
     }
 
     /// A disc of a colour.
     pub(crate) fn disc(&mut self, colour: &str, centre: [f64; 2], radius: f64) {
         let [x, y] = centre;
         self.put(format_args!(
-            "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius}\" fill=\"{colour}\" fill-opacity=\"0.8\"/>"
+            "<circle class=\"{colour}\" cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius}\" fill=\"currentColor\" fill-opacity=\"0.85\"/>"
         ));
     }
 
-    /// A ring of a colour.
-    pub(crate) fn ring(&mut self, colour: &str, centre: [f64; 2], radius: f64) {
+    /// A ring of a colour; `stroke` holds further attributes of its line.
+    pub(crate) fn ring(&mut self, colour: &str, centre: [f64; 2], radius: f64, stroke: &str) {
         let [x, y] = centre;
         self.put(format_args!(
-            "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.8\"/>"
+            "<circle class=\"{colour}\" cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius}\" fill=\"none\" stroke=\"currentColor\" \
+             stroke-width=\"2\"{stroke}/>"
         ));
     }
 
-    /// Words; `anchor` is start, middle or end.
-    pub(crate) fn words(&mut self, at: [f64; 2], size: f64, anchor: &str, words: &str) {
+    /// Words of the usual size; `anchor` is start, middle or end.
+    pub(crate) fn words(&mut self, at: [f64; 2], anchor: &str, words: &str) {
         let ([x, y], words) = (at, escaped(words));
         self.put(format_args!(
-            "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{size}\" text-anchor=\"{anchor}\">{words}</text>"
+            "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{TEXT_PX}\" text-anchor=\"{anchor}\">{words}</text>"
+        ));
+    }
+
+    /// Words over other marks: with a rim of class `rim` (halo, or shade on maps), in the colour of `class`, which may be
+    /// empty.
+    pub(crate) fn words_over(&mut self, at: [f64; 2], anchor: &str, words: &str, [class, rim]: [&str; 2]) {
+        let ([x, y], words) = (at, escaped(words));
+        let place = format!("x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{TEXT_PX}\" text-anchor=\"{anchor}\"");
+        self.put(format_args!(
+            "<text class=\"{rim}\" aria-hidden=\"true\" {place} stroke-width=\"3\" stroke-linejoin=\"round\">{words}</text>\
+             <text class=\"{class}\" {place}>{words}</text>"
+        ));
+    }
+
+    /// A heading.
+    pub(crate) fn heading(&mut self, at: [f64; 2], words: &str) {
+        let ([x, y], words) = (at, escaped(words));
+        self.put(format_args!(
+            "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{HEADING_PX}\" font-weight=\"600\">{words}</text>"
         ));
     }
 
     /// Words that run upwards.
-    pub(crate) fn words_upwards(&mut self, at: [f64; 2], size: f64, words: &str) {
+    pub(crate) fn words_upwards(&mut self, at: [f64; 2], words: &str) {
         let ([x, y], words) = (at, escaped(words));
         self.put(format_args!(
-            "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{size}\" text-anchor=\"middle\" transform=\"rotate(-90 {x:.2} {y:.2})\">{words}</text>"
+            "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{TEXT_PX}\" text-anchor=\"middle\" transform=\"rotate(-90 {x:.2} {y:.2})\">\
+             {words}</text>"
         ));
     }
 
@@ -117,5 +201,34 @@ fn joined(points: &[[f64; 2]]) -> String {
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_says_its_title_to_those_who_cannot_see_it_whatever_stands_in_it() {
+        let text = Svg::new("a \"b\" < c & d", 10.0, 10.0).inline();
+        let said = "a &quot;b&quot; &lt; c &amp; d";
+        assert!(text.contains(&format!("<title>{said}</title>")) && text.contains(&format!("aria-label=\"{said}\"")));
+    }
+
+    #[test]
+    fn every_colour_has_a_value_in_the_dark() {
+        let colours = LIGHT.split(['.', '{']).filter(|part| !part.contains([':', '}', '\n']));
+        let on_maps = ["onmap", "truthmap", "shade", "shadow", "plate"];
+        for colour in colours.filter(|c| !c.is_empty() && *c != "text" && !on_maps.contains(c)) {
+            assert!(DARK.contains(&format!(".{colour}{{")), "{colour}");
+        }
+    }
+
+    #[test]
+    fn wrapped_words_fit_and_none_is_lost() {
+        let words = "dashed ring: an object that is nobody's, numbered as in the table";
+        let lines = wrapped(words, 200.0);
+        assert_eq!(lines.join(" "), words);
+        assert!(lines.iter().all(|line| width_px(line) <= 200.0), "{lines:?}");
+    }
 }

@@ -1,21 +1,24 @@
 //! The page around the figures and tables.
 
-use super::{tables, tracks};
-use crate::pictures::{FrameFigures, Svg};
+use super::made::made;
+use super::{accuracy, false_objects, tables, tracks};
+use crate::pictures::{self, Figure, FrameFigures};
 use crate::products::Figures;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use serde_json::Value;
+use std::path::Path;
 
 const STYLE: &str = include_str!("style.css");
 
-/// The whole page.
-pub(super) fn page(summary: &Value, figures: &Figures) -> String {
+/// The whole page; `out` is the folder in which it will lie.
+pub(super) fn page(summary: &Value, figures: &Figures, out: &Path) -> String {
     let name = summary["scene"].as_str().unwrap_or_default();
     let frames: Vec<&Value> = summary["frames"].as_array().into_iter().flatten().collect();
     sheet(
         name,
         html! {
-            p.lead { (lead(&frames)) }
+            p.lead { (lead(&frames, &summary["metrics"])) }
+            (made(out))
             (tables::radar(&summary["radar"], &frames))
             @if frames.len() > 1 { (tracks::section(&summary["metrics"])) }
             @if !figures.strip.is_empty() { (strip(&frames, figures)) }
@@ -23,7 +26,8 @@ pub(super) fn page(summary: &Value, figures: &Figures) -> String {
                 (section(number, frame, figures.frames.get(number)))
             }
             @if frames.len() > FRAMES_TOLD {
-                p { "Frames " (FRAMES_TOLD) " to " (frames.len() - 1) " stand in summary.json." }
+                p { "Frames " (FRAMES_TOLD) " to " (frames.len() - 1) " stand in "
+                    a href="summary.json" { "summary.json" } "." }
             }
             footer { "Seed " (summary["seed"]) ". Ranges and velocities of the truth are power-weighted means over each "
                 "target's echo; signs, axes and units as in docs/conventions.md." }
@@ -40,7 +44,7 @@ pub(super) fn sheet(name: &str, content: Markup) -> String {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 title { "Wayside: " (name) }
-                style { (PreEscaped(STYLE)) }
+                style { (PreEscaped(STYLE)) (PreEscaped(pictures::style())) }
             }
             body {
                 h1 { (name) }
@@ -67,26 +71,31 @@ fn strip(frames: &[&Value], figures: &Figures) -> Markup {
     }
 }
 
-fn lead(frames: &[&Value]) -> String {
-    let targets = || frames.iter().flat_map(|f| f["targets"].as_array().into_iter().flatten());
-    let found = targets().filter(|t| !t["estimate"].is_null()).count();
+fn lead(frames: &[&Value], metrics: &Value) -> String {
     let points: u64 = frames.iter().filter_map(|f| f["points"].as_u64()).sum();
-    format!("{} of {} targets found in {} frames, {points} points.", found, targets().count(), frames.len())
+    let count = |key: &str| metrics["objects"][key].as_u64().unwrap_or(0);
+    let (found, missed, false_ones) = (count("found"), count("missed"), count("false"));
+    let over = if frames.len() == 1 { "one frame".into() } else { format!("{} frames", frames.len()) };
+    let objects = if false_ones == 1 { "object is" } else { "objects are" };
+    format!(
+        "{found} of {} bodies with an echo found in {over}; {false_ones} {objects} false; {points} points detected.",
+        found + missed
+    )
 }
 
 fn section(number: usize, frame: &Value, figures: Option<&FrameFigures>) -> Markup {
     html! {
         section {
             h2 { "Frame " (number) " at " (tables::rounded(&frame["time_s"], 3)) " s" }
-            @if let Some(f) = figures { (figure("Scene from above: truth, detected points and objects", &f.plan)) }
+            @if let Some(f) = figures { (figure("Truth, detected points and objects, to scale.", &f.plan)) }
+            (accuracy::section(frame))
             h3 { "Truth beside estimate" }
             (tables::targets(frame))
+            (false_objects::section(frame))
             @if let Some(f) = figures {
-                div.pair {
-                    (figure("Range-Doppler map, all channels; rings are objects", &f.rdm))
-                    (figure("Range profile", &f.profile))
-                }
-                (figure("Point cloud in three views, coloured by object", &f.points))
+                (figure("Power of all channels together; crosses are the truth, rings what was found.", &f.rdm))
+                (figure("The strongest cell at each range.", &f.profile))
+                (figure("Detected points coloured by the object that they form, with the truth.", &f.points))
             }
             h3 { "Classes" }
             (tables::classes(frame))
@@ -98,7 +107,11 @@ fn section(number: usize, frame: &Value, figures: Option<&FrameFigures>) -> Mark
     }
 }
 
-/// A picture and what it shows.
-pub(super) fn figure(caption: &str, picture: &Svg) -> Markup {
-    html! { figure { div.sheet { (PreEscaped(picture.text())) } figcaption { (caption) } } }
+/// A picture in the form for which there is room, and what it shows.
+pub(super) fn figure(caption: &str, picture: &Figure) -> Markup {
+    html! { figure {
+        div.wide { (PreEscaped(picture.wide.inline())) }
+        div.narrow { (PreEscaped(picture.narrow.inline())) }
+        figcaption { (caption) }
+    } }
 }

@@ -1,25 +1,29 @@
 //! The page of a scene with several radars: the scene as all have it, and the way to each radar's own report.
 
+use super::made::made;
 use super::page::{figure, sheet};
-use super::tables::{rounded, whole};
-use crate::pictures::Svg;
+use super::tables::{rounded, scrolled, whole};
+use crate::pictures::Figure;
 use maud::{Markup, html};
 use serde_json::Value;
+use std::path::Path;
 
 /// Frames whose targets are listed: a page of more opens slowly.
 const FRAMES_TOLD: usize = 24;
 
-/// The whole page.
-pub(super) fn page(summary: &Value, views: &[Svg]) -> String {
+/// The whole page; `out` is the folder in which it will lie.
+pub(super) fn page(summary: &Value, views: &[Figure], out: &Path) -> String {
     let name = summary["scene"].as_str().unwrap_or_default();
     let frames: Vec<&Value> = summary["frames"].as_array().into_iter().flatten().collect();
     sheet(
         name,
         html! {
             p.lead { (lead(&frames)) }
+            (made(out))
             (radars(summary))
             @for (number, view) in views.iter().enumerate() {
-                (figure(&format!("Frame {number}: outlines are the truth; points and objects (rings) in the colour of their radar"), view))
+                @let caption = format!("Frame {number}: truth; points and objects in the colour of the radar that found them.");
+                (figure(&caption, view))
             }
             @for (number, frame) in frames.iter().take(FRAMES_TOLD).enumerate() { (targets(number, frame)) }
             footer { "Each radar's noise is its own, drawn from the scene's seed and its name." }
@@ -36,44 +40,44 @@ fn lead(frames: &[&Value]) -> String {
 
 fn radars(summary: &Value) -> Markup {
     let radars: Vec<&Value> = summary["radars"].as_array().into_iter().flatten().collect();
-    html! {
-        div.scroll { table {
-            thead { tr { th { "radar" } th { "targets found" } th { "points" } th { "largest error, dB" } th { "seconds" } } }
-            tbody {
-                @for radar in radars {
-                    @let id = radar["id"].as_str().unwrap_or_default();
-                    tr {
-                        td { a href={ (id) "/report.html" } { (id) } }
-                        td { (whole(&radar["found"])) " of " (whole(&radar["targets"])) }
-                        td { (whole(&radar["points"])) }
-                        td { (rounded(&radar["largest_error_db"], 1)) }
-                        td { (rounded(&radar["frames_seconds"], 2)) }
-                    }
+    let table = html! { table {
+        thead { tr { th { "radar" } th { "found" } th { "missed" } th { "false objects" } th { "points" } th { "largest error, dB" } th { "seconds" } } }
+        tbody {
+            @for radar in radars {
+                @let id = radar["id"].as_str().unwrap_or_default();
+                tr {
+                    td { a href={ (id) "/report.html" } { (id) } }
+                    td { (whole(&radar["found"])) " of " (whole(&radar["targets"])) }
+                    td { (whole(&radar["points"])) }
+                    td { (rounded(&radar["largest_error_db"], 1)) }
+                    td { (rounded(&radar["frames_seconds"], 2)) }
                 }
             }
-        } }
-    }
+        }
+    } };
+    scrolled("Radars", table)
 }
 
 fn targets(number: usize, frame: &Value) -> Markup {
     let targets: Vec<&Value> = frame["targets"].as_array().into_iter().flatten().collect();
-    let by = |target: &Value| {
-        let names: Vec<&str> = target["found_by"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
-        if names.is_empty() { "no radar".to_owned() } else { names.join(", ") }
+    let by = |names: &Value| {
+        let names: Vec<&str> = names.as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+        if names.is_empty() { "–".to_owned() } else { names.join(", ") }
     };
-    html! {
-        h2 { "Frame " (number) " at " (rounded(&frame["time_s"], 3)) " s" }
-        div.scroll { table {
-            thead { tr { th { "target" } th { "class" } th { "found by" } } }
-            tbody {
-                @for target in targets {
-                    tr {
-                        td { (target["id"].as_str().unwrap_or_default()) }
-                        td { (target["class"].as_str().unwrap_or("–")) }
-                        td { (by(target)) }
-                    }
+    let table = html! { table {
+        thead { tr { th { "target" } th.words { "true class" } th.words { "found by" } th.words { "missed by" } } }
+        tbody {
+            @for target in targets {
+                tr {
+                    td { (target["id"].as_str().unwrap_or_default()) }
+                    td.words { (target["class"].as_str().unwrap_or("–")) }
+                    td.words { (by(&target["found_by"])) } td.words { (by(&target["missed_by"])) }
                 }
             }
-        } }
+        }
+    } };
+    html! {
+        h2 { "Frame " (number) " at " (rounded(&frame["time_s"], 3)) " s" }
+        (scrolled(&format!("Targets of frame {number}"), table))
     }
 }

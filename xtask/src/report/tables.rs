@@ -3,27 +3,41 @@
 use maud::{Markup, html};
 use serde_json::Value;
 
-/// Columns of the paper's Table 2 for this radar.
+/// A table that is scrolled where the page is narrower, by keys too; its first column stays.
+pub(super) fn scrolled(name: &str, table: Markup) -> Markup {
+    html! { div.scroll tabindex="0" role="region" aria-label=(name) { (table) } }
+}
+
+/// What the radar is, in the words of the field (the paper's Table 2).
 pub(super) fn radar(radar: &Value, frames: &[&Value]) -> Markup {
     let number = |key: &str, factor: f64, digits: usize| scaled(&radar[key], factor, digits);
-    let state = frames.first().and_then(|f| f["rdm_state"].as_str()).unwrap_or("–");
     let points = frames.first().map_or(Value::Null, |f| f["points"].clone());
     let rows = [
-        ("Sampling points", radar["samples_per_chirp"].to_string()),
-        ("Pulse time", format!("{} µs", number("chirp_interval_s", 1e6, 1))),
+        ("Carrier (centre of the sweep)", format!("{} GHz", number("carrier_hz", 1e-9, 4))),
         ("Bandwidth", format!("{} GHz", number("bandwidth_hz", 1e-9, 4))),
-        ("Distance resolution", format!("{} m", number("range_resolution_m", 1.0, 2))),
-        ("Measurement speed (max)", format!("{} m/s", number("velocity_max_mps", 1.0, 2))),
-        ("RDM display", state.into()),
-        ("Point cloud points", points.to_string()),
-        ("Carrier (sweep centre)", format!("{} GHz", number("carrier_hz", 1e-9, 4))),
-        ("Chirps × channels", format!("{} × {}", radar["chirps"], radar["channels"])),
+        ("Chirp interval", format!("{} µs", number("chirp_interval_s", 1e6, 1))),
+        ("Samples per chirp", radar["samples_per_chirp"].to_string()),
+        ("Chirps per frame × channels", format!("{} × {}", radar["chirps"], radar["channels"])),
+        ("Range resolution", format!("{} m", number("range_resolution_m", 1.0, 2))),
+        ("Maximum unambiguous range", format!("{} m", number("range_max_m", 1.0, 1))),
         ("Velocity resolution", format!("{} m/s", number("velocity_resolution_mps", 1.0, 3))),
-        ("Range limit", format!("{} m", number("range_max_m", 1.0, 1))),
+        ("Maximum unambiguous velocity", format!("{} m/s", number("velocity_max_mps", 1.0, 2))),
+        ("Velocity of some target aliased", aliased(frames)),
+        ("Detected points, frame 0", points.to_string()),
     ];
     html! {
         h3 { "Radar" }
-        div.scroll { table { tbody { @for (name, value) in rows { tr { th { (name) } td { (value) } } } } } }
+        (scrolled("Radar", html! { table { tbody { @for (name, value) in rows { tr { th { (name) } td { (value) } } } } } }))
+    }
+}
+
+/// In which frames the map shows a target's velocity folded.
+fn aliased(frames: &[&Value]) -> String {
+    let folded: Vec<usize> = (0..frames.len()).filter(|i| frames[*i]["rdm_state"] == "abnormal").collect();
+    match (folded.len(), frames.len()) {
+        (0, _) => "no".into(),
+        (1, 1) => "yes".into(),
+        (some, all) => format!("in {some} of {all} frames"),
     }
 }
 
@@ -42,30 +56,34 @@ pub(super) fn scene(frames: &[&Value]) -> Markup {
         ("Found, of those with a lit surface", share(count(&|t| is_seen(t) && is_found(t)), count(&is_seen))),
         ("In the right lane, of those found in a lane", share(count(&lane_is_right), count(&in_lane))),
     ];
-    html! {
-        div.scroll { table { tbody { @for (name, value) in rows { tr { th { (name) } td { (value) } } } } } }
-    }
+    scrolled(
+        "The whole scene",
+        html! { table { tbody { @for (name, value) in rows { tr { th { (name) } td { (value) } } } } } },
+    )
 }
 
 /// Truth beside estimate with the error, a row per target.
 pub(super) fn targets(frame: &Value) -> Markup {
     let targets = frame["targets"].as_array().cloned().unwrap_or_default();
-    html! {
-        div.scroll { table {
-            thead { tr {
-                th { "target" } th { "range, m" } th { "true" } th { "error" } th { "velocity, m/s" } th { "true" } th { "error" }
-                th { "x, m" } th { "true" } th { "error" } th { "lane" } th { "true" } th { "SNR, dB" } th { "points" } th { "ghost share" }
-            } }
-            tbody { @for target in &targets { (target_row(target)) } }
+    let table = html! { table {
+        thead { tr {
+            th { "target" } th { "range, m" } th { "true" } th { "error" } th { "velocity, m/s" } th { "true" } th { "error" }
+            th { "x, m" } th { "true" } th { "error" } th { "lane" } th { "true" } th { "SNR, dB" } th { "points" }
+            th { "multipath ghost share" }
         } }
-    }
+        tbody { @for target in &targets { (target_row(target)) } }
+    } };
+    scrolled("Truth beside estimate", table)
 }
 
 fn target_row(target: &Value) -> Markup {
     let (truth, estimate) = (&target["truth"], &target["estimate"]);
     let id = target["id"].as_str().unwrap_or_default();
     if estimate.is_null() {
-        return html! { tr { td { (id) } td.bad colspan="14" { "not detected" } } };
+        let is_missed = target["found"] == true || target["found"] == false;
+        let words =
+            if is_missed { "missed" } else { "not to be found: hidden, without an echo of its own, or out of range" };
+        return html! { tr { td { (id) } td.words.bad[is_missed] colspan="14" { (words) } } };
     }
     let range = if truth["echo_range_m"].is_null() { &truth["range_m"] } else { &truth["echo_range_m"] };
     let echo = &truth["echo_radial_velocity_mps"];
@@ -91,12 +109,14 @@ fn compared(estimate: &Value, truth: &Value, digits: usize) -> Markup {
 /// Probabilities as bars, a row per vehicle.
 pub(super) fn classes(frame: &Value) -> Markup {
     let targets = frame["targets"].as_array().cloned().unwrap_or_default();
-    html! {
-        div.scroll { table {
-            thead { tr { th { "target" } th { "class" } th { "told" } @for c in CLASSES { th { (c) } } } }
-            tbody { @for target in targets.iter().filter(|t| !t["class"].is_null()) { (class_row(target)) } }
+    let table = html! { table {
+        thead { tr {
+            th { "target" } th.words { "true class" } th.words { "predicted class" }
+            @for c in CLASSES { th.words { "probability of " (c) } }
         } }
-    }
+        tbody { @for target in targets.iter().filter(|t| !t["class"].is_null()) { (class_row(target)) } }
+    } };
+    scrolled("Classes", table)
 }
 
 const CLASSES: [&str; 4] = ["car", "bus", "truck", "motorcycle"];
@@ -105,9 +125,9 @@ fn class_row(target: &Value) -> Markup {
     let wrong = target["predicted_class"] != target["class"];
     html! { tr {
         td { (target["id"].as_str().unwrap_or_default()) }
-        td { (target["class"].as_str().unwrap_or("–")) }
-        td.bad[wrong] { (target["predicted_class"].as_str().unwrap_or("–")) }
-        @for class in CLASSES { td { (bar(&target["probabilities"][class])) } }
+        td.words { (target["class"].as_str().unwrap_or("–")) }
+        td.words.bad[wrong] { (target["predicted_class"].as_str().unwrap_or("–")) }
+        @for class in CLASSES { td.words { (bar(&target["probabilities"][class])) } }
     } }
 }
 
@@ -124,20 +144,21 @@ pub(super) fn errors(frame: &Value) -> Markup {
         let entries = frame[group].as_object().cloned().unwrap_or_default();
         entries.into_iter().map(|(name, value)| (name.replace('_', " "), value)).collect::<Vec<_>>()
     };
-    html! { div.scroll { table {
+    let table = html! { table {
         thead { tr { th { "relative to the echo" } th { "dB" } } }
         tbody {
             @for (name, value) in rows("error_db") { tr { td { (name) } td { (rounded_or(&value, 1, "not estimated")) } } }
             @for (name, value) in rows("model_error_db") { tr { td { "model: " (name) } td { (rounded_or(&value, 1, "not estimated")) } } }
         }
-    } } }
+    } };
+    scrolled("Error budget", table)
 }
 
 /// Seconds by stage, memory at most.
 pub(super) fn costs(frame: &Value) -> Markup {
     let stages = frame["stage_seconds"].as_object().cloned().unwrap_or_default();
     let cached = frame["cached"].as_array().cloned().unwrap_or_default();
-    html! { div.scroll { table {
+    let table = html! { table {
         thead { tr { th { "stage" } th { "seconds" } th { "" } } }
         tbody {
             @for (stage, seconds) in &stages {
@@ -148,7 +169,8 @@ pub(super) fn costs(frame: &Value) -> Markup {
             tr { td { "memory, MiB" } td { (rounded_or(&frame["peak_memory_mib"], 0, "–")) }
                 td { "at most; " (rounded(&frame["memory_estimate_mib"], 0)) " said before" } }
         }
-    } } }
+    } };
+    scrolled("What each stage cost", table)
 }
 
 /// A number with so many digits; a dash where there is none.

@@ -1,6 +1,6 @@
 //! The report's page on tracks: how objects and tracks agree with the truth over all frames.
 
-use super::tables::{rounded, whole};
+use super::tables::{rounded, scrolled, whole};
 use maud::{Markup, html};
 use serde_json::Value;
 
@@ -13,25 +13,27 @@ pub(super) fn section(metrics: &Value) -> Markup {
         ("Error of places found, m rms", "localisation_rms_m", 2),
     ];
     let counts = [("Found, frame by frame", "found"), ("Missed", "missed"), ("False", "false")];
+    let table = html! { table {
+        thead { tr { th { "mean over frames" } th { "objects" } th { "tracks" } } }
+        tbody {
+            @for (name, key, digits) in numbers {
+                tr { td { (name) } td { (rounded(&objects[key], digits)) } td { (rounded(&tracks[key], digits)) } }
+            }
+            @for (name, key) in counts { tr { td { (name) } td { (whole(&objects[key])) } td { (whole(&tracks[key])) } } }
+            tr { td { "Lane right, of those found in a lane" }
+                td { (rounded(&objects["lane_rate"], 3)) } td { (rounded(&tracks["lane_rate"], 3)) } }
+            tr { td { "Bodies that had a track; tracks" }
+                td {} td { (whole(&identities["bodies"])) "; " (whole(&identities["tracks"])) } }
+            tr { td { "Changes of a body's track" } td {} td { (whole(&identities["switches"])) } }
+            tr { td { "Purity of tracks" } td {} td { (rounded(&identities["purity"], 3)) } }
+        }
+    } };
     html! {
         section {
             h2 { "Objects and tracks" }
-            div.scroll { table {
-                thead { tr { th { "mean over frames" } th { "objects" } th { "tracks" } } }
-                tbody {
-                    @for (name, key, digits) in numbers {
-                        tr { td { (name) } td { (rounded(&objects[key], digits)) } td { (rounded(&tracks[key], digits)) } }
-                    }
-                    @for (name, key) in counts { tr { td { (name) } td { (whole(&objects[key])) } td { (whole(&tracks[key])) } } }
-                    tr { td { "Lane right, of those found in a lane" }
-                        td { (rounded(&objects["lane_rate"], 3)) } td { (rounded(&tracks["lane_rate"], 3)) } }
-                    tr { td { "Bodies that had a track; tracks" }
-                        td {} td { (whole(&identities["bodies"])) "; " (whole(&identities["tracks"])) } }
-                    tr { td { "Changes of a body's track" } td {} td { (whole(&identities["switches"])) } }
-                    tr { td { "Purity of tracks" } td {} td { (rounded(&identities["purity"], 3)) } }
-                }
-            } }
-            p { "GOSPA (α = 2) and OSPA with p = 2 and a cut-off of " (rounded(&metrics["cutoff_m"], 1)) " m, from the middles of bodies." }
+            (scrolled("Objects and tracks", table))
+            p { "GOSPA (α = 2) and OSPA with p = 2 and a cut-off of " (rounded(&tracks["cutoff_m"], 1)) " m for tracks, from the middles of "
+                "their boxes, and " (rounded(&objects["cutoff_m"], 1)) " m for objects, from the nearest part of a body." }
         }
     }
 }

@@ -1,11 +1,13 @@
 //! How the cost of one aspect grows: `RAYON_NUM_THREADS=1 cargo run --release -p bart-rcs --example growth -- car.stl OUT`
-//! writes OUT/growth.csv and OUT/growth.svg. Triangles are those of the mesh, each cut in four again and again; the other
-//! sweeps take the mesh as it is. Processor time of the whole process, as the system counts it.
+//! writes OUT/growth.csv and OUT/growth.svg; with a growth.csv in the mesh's place it draws that one anew. Triangles are
+//! those of the mesh, each cut in four again and again; the other sweeps take the mesh as it is. Processor time of the
+//! whole process, as the system counts it.
 
 #[path = "../profile/processor_time.rs"]
 mod processor_time;
 #[path = "../profile/stl.rs"]
 mod stl;
+mod picture;
 
 use artifact::Accuracy;
 use artifact::radar::Polarization;
@@ -28,6 +30,15 @@ struct Sweep {
 fn main() -> Result<(), Failure> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [file, out] = &arguments[..] else { return Err(Error::new(ErrorKind::InvalidInput, "car.stl OUT").into()) };
+    let csv = if file.ends_with(".csv") { std::fs::read_to_string(file)? } else { measured_table(file)? };
+    let picture = picture::picture(&csv).ok_or_else(|| Error::new(ErrorKind::InvalidData, "no table of growth"))?;
+    std::fs::write(format!("{out}/growth.csv"), csv)?;
+    std::fs::write(format!("{out}/growth.svg"), picture)?;
+    Ok(())
+}
+
+/// All sweeps of a mesh as a table.
+fn measured_table(file: &str) -> Result<String, Failure> {
     let car = stl::binary(&std::fs::read(file)?).ok_or_else(|| Error::new(ErrorKind::InvalidData, "no binary .stl"))?;
     let sweeps = [triangles(&car)?, frequency(&car)?, orders(&car)?, distance(&car)?];
     let mut csv = String::from("sweep,value,unit,beams,processor_seconds\n");
@@ -37,9 +48,7 @@ fn main() -> Result<(), Failure> {
         }
     }
     print!("{csv}");
-    std::fs::write(format!("{out}/growth.csv"), csv)?;
-    std::fs::write(format!("{out}/growth.svg"), picture(&sweeps))?;
-    Ok(())
+    Ok(csv)
 }
 
 fn triangles(car: &Mesh) -> Result<Sweep, Failure> {
@@ -120,43 +129,4 @@ fn quartered(mesh: &Mesh) -> Mesh {
         fine.triangles.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
     }
     fine
-}
-
-/// Processor seconds over each sweep's value, both logarithmic, side by side.
-fn picture(sweeps: &[Sweep]) -> String {
-    const SIDE: f64 = 260.0;
-    let all = || sweeps.iter().flat_map(|s| s.points.iter().map(|p| p.2.log10()));
-    let [low, high] = [all().fold(f64::INFINITY, f64::min).floor(), all().fold(f64::NEG_INFINITY, f64::max).ceil()];
-    let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"340\" font-family=\"sans-serif\" font-size=\"12\">\n\
-         <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-        60.0 + (SIDE + 40.0) * sweeps.len() as f64
-    );
-    for (number, sweep) in sweeps.iter().enumerate() {
-        let left = 60.0 + (SIDE + 40.0) * number as f64;
-        let values: Vec<f64> = sweep.points.iter().map(|p| p.0.log10()).collect();
-        let (first, last) = (values[0], values[values.len() - 1]);
-        let x = |value: f64| left + SIDE * (value - first) / (last - first);
-        let y = |seconds: f64| 290.0 - SIDE * (seconds.log10() - low) / (high - low);
-        let _ = writeln!(
-            svg,
-            "<rect x=\"{left}\" y=\"30\" width=\"{SIDE}\" height=\"{SIDE}\" fill=\"none\" stroke=\"black\"/>"
-        );
-        let _ =
-            writeln!(svg, "<text x=\"{left}\" y=\"20\">processor seconds over {} [{}]</text>", sweep.name, sweep.unit);
-        for decade in low as i32..=high as i32 {
-            let at = y(10.0_f64.powi(decade));
-            let _ = writeln!(svg, "<text x=\"{}\" y=\"{at:.1}\" text-anchor=\"end\">1e{decade}</text>", left - 4.0);
-        }
-        let mut line = String::new();
-        for ((value, _, seconds), log) in sweep.points.iter().zip(&values) {
-            let (px, py) = (x(*log), y(*seconds));
-            let _ = write!(line, "{px:.1},{py:.1} ");
-            let _ = writeln!(svg, "<circle cx=\"{px:.1}\" cy=\"{py:.1}\" r=\"3\"/>");
-            let _ =
-                writeln!(svg, "<text x=\"{px:.1}\" y=\"306\" text-anchor=\"middle\" font-size=\"9\">{value}</text>");
-        }
-        let _ = writeln!(svg, "<polyline points=\"{line}\" fill=\"none\" stroke=\"black\"/>");
-    }
-    svg + "</svg>\n"
 }

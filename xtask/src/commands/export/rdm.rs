@@ -61,11 +61,19 @@ pub(crate) fn exr(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
     each_frame(reader, out, write_exr)
 }
 
+/// The paper's grey picture; receding is above, as in all pictures.
 pub(crate) fn png(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
     each_frame(reader, out, |header, frame, place| {
         let side = dsp::PAPER_CROP.side;
-        pictures::write_gray(place, side, side, dsp::rdm_grayscale(header, frame).map_err(Failure::refused)?)
+        let grey = dsp::rdm_grayscale(header, frame).map_err(Failure::refused)?;
+        let upwards: Vec<u8> = grey.chunks(side as usize).rev().flatten().copied().collect();
+        pictures::write_gray(place, side, side, upwards)
     })
+}
+
+/// With axes in metres and m/s and a scale in decibels.
+pub(crate) fn png_with_axes(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
+    each_frame(reader, out, |header, frame, place| pictures::write_map(place, header, frame))
 }
 
 fn each_frame(

@@ -3,6 +3,7 @@
 //! A scatterer at x has S ∝ e^{+2jk r̂·x}: the transform over frequency gathers it at its range −r̂·x, and the sum over
 //! azimuths of each profile's value there at its place.
 
+use super::sampling::centre;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use ndarray::{Array2, ArrayView2};
 use num_complex::Complex64;
@@ -12,7 +13,6 @@ use std::f64::consts::TAU;
 #[derive(Debug, Clone)]
 pub(super) struct Image {
     pub(super) power_m2: Array2<f64>,
-    pub(super) half_width_m: f64,
     pub(super) sum: Sum,
 }
 
@@ -30,28 +30,28 @@ const SIDE: usize = 240;
 /// Values per range cell, so that linear interpolation errs by less than 2 % of the peak (π²/8·4²·…, Hann's main lobe).
 const FINER: usize = 8;
 
-/// (range beyond the origin in m, value) over the unambiguous range; Hann, peaks keep their level.
-pub(super) fn range_profile(frequency_hz: &[f64], samples: &[Complex64]) -> Vec<(f64, Complex64)> {
+/// (range beyond the origin in m, value) over the unambiguous range about `middle_m`; Hann, peaks keep their level.
+pub(super) fn range_profile(frequency_hz: &[f64], samples: &[Complex64], middle_m: f64) -> Vec<(f64, Complex64)> {
     let profile = Profile::of(frequency_hz, samples.iter().copied());
-    let count = profile.values.len();
-    let order = (count.div_ceil(2)..count).chain(0..count.div_ceil(2));
-    let range = |i: usize| (i as f64 - if i >= count.div_ceil(2) { count as f64 } else { 0.0 }) * profile.cell_m;
-    order.map(|i| (range(i), profile.values[i])).collect()
+    let count = profile.values.len() as i64;
+    let first = (middle_m / profile.cell_m).round() as i64 - count / 2;
+    let value = |i: i64| (i as f64 * profile.cell_m, profile.values[i.rem_euclid(count) as usize]);
+    (first..first + count).map(value).collect()
 }
 
-/// Backprojection of all azimuths onto a square of ±`half_width_m`, in which the body lies; coherent where neighbours differ
-/// by less than λ/(2·width), else power is added.
+/// Backprojection of all azimuths onto a square of ±`half_width_m`, in which the body lies; coherent where its `width_m` is
+/// sampled once (neighbours differ by λ/(2·width) at most), else power is added.
 pub(super) fn image(
     frequency_hz: &[f64],
     azimuth_rad: &[f64],
     table: &ArrayView2<Complex64>,
-    half_width_m: f64,
+    [half_width_m, width_m]: [f64; 2],
 ) -> Image {
     let profiles: Vec<Profile> =
         table.columns().into_iter().map(|c| Profile::of(frequency_hz, c.iter().copied())).collect();
     let wavelength_m = SPEED_OF_LIGHT_MPS / centre(frequency_hz);
     let step = azimuth_rad.windows(2).map(|w| (w[1] - w[0]).abs()).fold(0.0, f64::max);
-    let is_dense = step * 2.0 * half_width_m < 0.5 * wavelength_m;
+    let is_dense = step * width_m <= 0.5 * wavelength_m;
     let sum = if is_dense { Sum::Coherent } else { Sum::Incoherent };
     let wavenumber = TAU / wavelength_m;
     let place = |i: usize| half_width_m * (2.0 * (i as f64 + 0.5) / SIDE as f64 - 1.0);
@@ -63,7 +63,7 @@ pub(super) fn image(
         };
         power(profiles.iter().zip(azimuth_rad).map(value), sum)
     };
-    Image { power_m2: Array2::from_shape_fn((SIDE, SIDE), cell), half_width_m, sum }
+    Image { power_m2: Array2::from_shape_fn((SIDE, SIDE), cell), sum }
 }
 
 fn power(values: impl ExactSizeIterator<Item = Complex64>, sum: Sum) -> f64 {
@@ -105,10 +105,6 @@ impl Profile {
     }
 }
 
-fn centre(frequency_hz: &[f64]) -> f64 {
-    frequency_hz[frequency_hz.len() / 2]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -127,7 +123,7 @@ mod tests {
     #[test]
     fn a_scatterer_ahead_of_the_origin_is_nearer_by_its_distance() {
         let table = scatterer(1.2, 0.0, &frequencies(), &[0.0]);
-        let profile = range_profile(&frequencies(), &table.column(0).to_vec());
+        let profile = range_profile(&frequencies(), &table.column(0).to_vec(), 0.0);
         let peak = profile.iter().max_by(|a, b| a.1.norm().total_cmp(&b.1.norm())).unwrap();
         // A cell of 1 GHz is 0.15 m, shown eight times finer.
         println!("asked −1.2 m, 1 m²; got {:.3} m, {:.3} m²", peak.0, peak.1.norm_sqr());
@@ -138,9 +134,10 @@ mod tests {
     fn an_image_puts_a_scatterer_where_it_is() {
         // 0.02 rad, a cross-range cell of 0.1 m, in steps below λ/(2·3 m) = 6.5e-4.
         let azimuths: Vec<f64> = (0..128).map(|i| 0.3 + 1.6e-4 * f64::from(i)).collect();
-        let image = image(&frequencies(), &azimuths, &scatterer(0.9, -0.7, &frequencies(), &azimuths).view(), 1.5);
+        let image =
+            image(&frequencies(), &azimuths, &scatterer(0.9, -0.7, &frequencies(), &azimuths).view(), [1.5, 3.0]);
         let best = image.power_m2.indexed_iter().max_by(|a, b| a.1.total_cmp(b.1)).unwrap().0;
-        let place = |i: usize| image.half_width_m * (2.0 * (i as f64 + 0.5) / SIDE as f64 - 1.0);
+        let place = |i: usize| 1.5 * (2.0 * (i as f64 + 0.5) / SIDE as f64 - 1.0);
         println!("asked (0.9, −0.7), got ({:.2}, {:.2}), {:?}", place(best.0), place(best.1), image.sum);
         assert_eq!(image.sum, Sum::Coherent);
         assert!((place(best.0) - 0.9).abs() < 0.1 && (place(best.1) + 0.7).abs() < 0.1);

@@ -1,36 +1,41 @@
 //! Pictures of a table: level over azimuth and frequency, range profile, ISAR image, and the facets that make the level.
 
-use super::isar::{self, Image, Sum};
+use super::isar::{self, Sum};
+use super::sampling::{Samplings, middle_m};
+use super::silhouette;
 use crate::failure::Failure;
 use crate::output;
-use crate::pictures::{HeatMap, Line, LinePlot, PolarPlot, Scale, Shape, heat, write_png};
+use crate::pictures::{Form, HeatMap, Legend, Line, LinePlot, Mark, PolarPlot, Scale, Svg, heat, write_png};
 use artifact::scene::Mesh;
 use artifact::units::db_from_power;
 use bart_rcs::{Contribution, RcsRequest, Standpoint, contributions};
-use ndarray::{Array2, ArrayView3, s};
+use ndarray::{Array2, ArrayView2, ArrayView3, s};
 use num_complex::Complex64;
 use scene::{Painted, PaintedLine, painted_glb};
 use std::path::{Path, PathBuf};
 
 /// Beside `S.npy`: `S-polar.png` and `S-azimuth.png`, `S-frequency.png`, `S-profile.png`, `S-isar.png`, each where the axes
-/// that it needs have more than one value. Cuts are at the first elevation.
-pub(super) fn write(out: &Path, mesh: &Mesh, request: &RcsRequest, amplitude_m: &[Complex64]) -> Result<(), Failure> {
+/// that it needs have more than one value. Cuts are at the first elevation; on which axes they are ambiguous, they say.
+pub(super) fn write(
+    out: &Path,
+    mesh: &Mesh,
+    request: &RcsRequest,
+    samplings: &Samplings,
+    amplitude_m: &[Complex64],
+) -> Result<(), Failure> {
     let shape = (request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len());
     let table = ArrayView3::from_shape(shape, amplitude_m).map_err(Failure::refused)?;
     if shape.2 > 1 {
         write_png(&beside(out, "polar.png"), &polar(request, &table).draw())?;
-        write_png(&beside(out, "azimuth.png"), &over_azimuth(request, &table).draw())?;
+        write_png(&beside(out, "azimuth.png"), &over_azimuth(request, &table).draw(Form::Wide))?;
     }
     if shape.0 > 1 {
-        write_png(&beside(out, "frequency.png"), &over_frequency(request, &table).draw())?;
-        write_png(&beside(out, "profile.png"), &profile(request, &table).draw())?;
+        write_png(&beside(out, "frequency.png"), &over_frequency(request, &table).draw(Form::Wide))?;
+        write_png(&beside(out, "profile.png"), &profile(mesh, request, samplings, &table).draw(Form::Wide))?;
     }
     if shape.0 > 1 && shape.2 > 1 {
         let cut = table.slice(s![.., 0, ..]);
-        write_png(
-            &beside(out, "isar.png"),
-            &drawn(&isar::image(&request.frequency_hz, &request.azimuth_rad, &cut, half_width_m(mesh)))?,
-        )?;
+        write_png(&beside(out, "isar.png"), &image(mesh, request, samplings, &cut)?)?;
     }
     Ok(())
 }
@@ -94,6 +99,7 @@ fn polar(request: &RcsRequest, table: &ArrayView3<Complex64>) -> PolarPlot {
 fn line_plot(title: &str, x_label: &str, y_label: &str, lines: Vec<Line>) -> LinePlot {
     LinePlot {
         title: title.into(),
+        notes: vec![],
         x_label: x_label.into(),
         y_label: y_label.into(),
         x_scale: Scale::Linear,
@@ -121,34 +127,63 @@ fn azimuth_name(request: &RcsRequest, azimuth: usize) -> String {
     format!("azimuth {:.2}°", request.azimuth_rad[azimuth].to_degrees()).replace('-', "−")
 }
 
-fn profile(request: &RcsRequest, table: &ArrayView3<Complex64>) -> LinePlot {
+fn profile(mesh: &Mesh, request: &RcsRequest, samplings: &Samplings, table: &ArrayView3<Complex64>) -> LinePlot {
     let line = |a: usize| {
         let samples: Vec<Complex64> = table.slice(s![.., 0, a]).to_vec();
-        let profile = isar::range_profile(&request.frequency_hz, &samples);
+        let middle_m = middle_m(mesh, request, request.azimuth_rad[a]);
+        let profile = isar::range_profile(&request.frequency_hz, &samples, middle_m);
         let points = profile.iter().map(|(range_m, s)| [*range_m, dbsm(s)]).collect();
         Line { name: azimuth_name(request, a), points, marked: false }
     };
     let lines = few(request.azimuth_rad.len()).into_iter().map(line).collect();
-    line_plot("Range profile", "range beyond the origin, m", "|S|² of a cell, dBsm", lines)
+    let range = Samplings { cross_range: None, ..*samplings };
+    let label = format!("range beyond the origin, m{}", ambiguous(!range.warnings().is_empty()));
+    let plot = line_plot("Range profile", &label, "|S|² of a cell, dBsm", lines);
+    LinePlot { notes: range.warnings().into_iter().map(capital).collect(), ..plot }
 }
 
-fn drawn(image: &Image) -> Result<crate::pictures::Svg, Failure> {
+/// What an axis says where the body lies upon itself.
+fn ambiguous(is_so: bool) -> &'static str {
+    if is_so { " (ambiguous)" } else { "" }
+}
+
+fn capital(sentence: String) -> String {
+    let mut letters = sentence.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().collect::<String>() + letters.as_str()) + "."
+}
+
+/// The image with the mesh's outline.
+fn image(
+    mesh: &Mesh,
+    request: &RcsRequest,
+    samplings: &Samplings,
+    cut: &ArrayView2<Complex64>,
+) -> Result<Svg, Failure> {
+    let half_width_m = half_width_m(mesh);
+    let width_m = samplings.cross_range.map_or(0.0, |cross| cross.body_m);
+    let image = isar::image(&request.frequency_hz, &request.azimuth_rad, cut, [half_width_m, width_m]);
     // Seen from above with the front up, the body's left is on the left.
     let levels_db: Array2<f64> = image.power_m2.slice(s![.., ..;-1]).mapv(db_from_power);
     let how = match image.sum {
-        Sum::Coherent => "coherent",
-        Sum::Incoherent => "profiles added in power: azimuths too coarse for phases",
+        Sum::Coherent => "Azimuths added with their phases.",
+        Sum::Incoherent => "Azimuths too coarse for phases: profiles added in power, so that cross-range is blurred.",
     };
+    let warnings = samplings.warnings();
+    let mark = ambiguous(!warnings.is_empty());
+    let mut legend = Legend::default();
+    legend.say_of(&[Mark::Plate, Mark::Line], "truthmap", "outline of the mesh from above");
     let map = HeatMap {
-        title: format!("ISAR image, {how}"),
-        x: (format!("to the body's left, m ({how})"), [image.half_width_m, -image.half_width_m]),
-        y: ("ahead, m".into(), [-image.half_width_m, image.half_width_m]),
+        title: "ISAR image (inverse synthetic aperture)".into(),
+        notes: std::iter::once(how.to_owned()).chain(warnings.into_iter().map(capital)).collect(),
+        x: (format!("to the body's left, m{mark}"), [half_width_m, -half_width_m]),
+        y: (format!("ahead, m{mark}"), [-half_width_m, half_width_m]),
         levels_db,
         span_db: SPAN_DB,
         unit: "dBsm".into(),
-        shape: Shape::Square,
+        over: Some(silhouette::png(mesh, half_width_m)?),
+        legend,
     };
-    map.draw()
+    map.draw_square()
 }
 
 /// Each triangle by the power of the sequences it takes part in over its own area, so that large and small ones compare.

@@ -13,8 +13,10 @@ mod ambiguity;
 mod detector;
 mod refusals;
 mod presentation;
+mod picture;
 
-pub(super) use presentation::{count, csv, page, picture};
+pub(super) use picture::{COLUMNS, picture};
+pub(super) use presentation::{count, csv, page};
 pub(super) use verdict::{Row, Says, Verdict};
 
 use crate::failure::Failure;

@@ -5,8 +5,10 @@ mod scattering;
 mod echo;
 mod both_ways;
 mod presentation;
+mod pictures;
 
-pub(super) use presentation::{csv, page, picture, picture_of_frames};
+pub(super) use pictures::{COLUMNS, picture, picture_of_frames};
+pub(super) use presentation::{csv, page};
 
 use crate::failure::Failure;
 use crate::progress::Work;

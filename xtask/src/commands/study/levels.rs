@@ -2,7 +2,7 @@
 
 mod presentation;
 
-pub(super) use presentation::{csv, page, picture};
+pub(super) use presentation::{COLUMNS, csv, page, picture};
 
 use super::looks;
 use super::scenes::{cube_header, paths_of, scene_of, with_body};

@@ -1,4 +1,4 @@
-//! Rows as CSV and as a table of a page.
+//! Rows as CSV, as a table of a page, and read again to be drawn.
 
 use artifact::units::db_from_amplitude;
 
@@ -14,6 +14,84 @@ pub(super) fn csv(header: &str, rows: impl Iterator<Item = Vec<String>>) -> Stri
 
 fn quoted(field: &str) -> String {
     if field.contains([',', '"', '\n']) { format!("\"{}\"", field.replace('"', "\"\"")) } else { field.into() }
+}
+
+/// A table as [`csv`] writes it: what pictures are drawn from, so that they can be drawn anew without computing.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct Table {
+    columns: Vec<String>,
+    rows: Vec<Vec<String>>,
+}
+
+/// Why a table cannot be drawn.
+#[derive(Debug, thiserror::Error, PartialEq)]
+pub(super) enum TableError {
+    #[error("has no column `{0}`")]
+    NoColumn(&'static str),
+    #[error("line {line}: has {found} fields, the header {columns}")]
+    Fields { line: usize, found: usize, columns: usize },
+}
+
+impl Table {
+    /// Reads a table that has at least these columns; lines within quotes are not looked for.
+    pub(super) fn read(text: &str, columns: &[&'static str]) -> Result<Self, TableError> {
+        let mut lines = text.lines().map(fields);
+        let table = Self { columns: lines.next().unwrap_or_default(), rows: lines.collect() };
+        if let Some(missing) = columns.iter().find(|name| table.place(name).is_none()) {
+            return Err(TableError::NoColumn(missing));
+        }
+        let columns = table.columns.len();
+        match table.rows.iter().position(|row| row.len() != columns) {
+            Some(i) => Err(TableError::Fields { line: i + 2, found: table.rows[i].len(), columns }),
+            None => Ok(table),
+        }
+    }
+
+    fn place(&self, column: &str) -> Option<usize> {
+        self.columns.iter().position(|name| name == column)
+    }
+
+    /// Each row, as what its columns hold; a column that is not there holds nothing.
+    pub(super) fn rows(&self) -> impl Iterator<Item = RowOf<'_>> {
+        self.rows.iter().map(|fields| RowOf { table: self, fields })
+    }
+}
+
+/// A row of a table that was read.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct RowOf<'t> {
+    table: &'t Table,
+    fields: &'t [String],
+}
+
+impl<'t> RowOf<'t> {
+    pub(super) fn word(&self, column: &str) -> &'t str {
+        self.table.place(column).and_then(|i| self.fields.get(i)).map_or("", String::as_str)
+    }
+
+    /// NaN where there is no number.
+    pub(super) fn number(&self, column: &str) -> f64 {
+        self.word(column).parse().unwrap_or(f64::NAN)
+    }
+}
+
+/// Fields of a line.
+fn fields(line: &str) -> Vec<String> {
+    let (mut fields, mut is_quoted) = (vec![String::new()], false);
+    let mut letters = line.chars().peekable();
+    while let Some(letter) = letters.next() {
+        let field = fields.len() - 1;
+        match letter {
+            '"' if is_quoted && letters.peek() == Some(&'"') => {
+                letters.next();
+                fields[field].push('"');
+            }
+            '"' => is_quoted = !is_quoted,
+            ',' if !is_quoted => fields.push(String::new()),
+            other => fields[field].push(other),
+        }
+    }
+    fields
 }
 
 /// A table of a page.
@@ -39,8 +117,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_field_with_a_comma_or_a_quote_stays_one_field() {
+    fn a_field_with_a_comma_or_a_quote_stays_one_field_and_is_read_again() {
         let rows = [vec!["a, \"b\"".to_owned(), "c".to_owned()]].into_iter();
-        assert_eq!(csv("x,y", rows), "x,y\n\"a, \"\"b\"\"\",c\n");
+        let text = csv("x,y", rows);
+        assert_eq!(text, "x,y\n\"a, \"\"b\"\"\",c\n");
+        let table = Table::read(&text, &["x", "y"]).unwrap();
+        assert_eq!(table.rows().map(|row| (row.word("x"), row.word("y"))).collect::<Vec<_>>(), [("a, \"b\"", "c")]);
+    }
+
+    #[test]
+    fn a_table_of_something_else_is_refused() {
+        assert_eq!(Table::read("x,y\n1,2\n", &["seconds"]), Err(TableError::NoColumn("seconds")));
+        let expected = TableError::Fields { line: 3, found: 1, columns: 2 };
+        assert_eq!(Table::read("x,y\n1,2\n3\n", &["x"]), Err(expected));
     }
 }

@@ -1,9 +1,7 @@
-//! The chart as CSV, page and picture.
+//! The chart as CSV and page.
 
 use super::{Extent, Row};
 use crate::commands::study::table;
-use crate::pictures::{Line, LinePlot, Scale, Svg};
-use artifact::units::db_from_amplitude;
 
 /// Columns of interface.md.
 pub(in super::super) fn csv(rows: &[Row]) -> String {
@@ -32,8 +30,8 @@ pub(in super::super) fn page(rows: &[Row], extent: Extent) -> String {
          \"frame by …\" are whole frames of vehicles in lane 2, path by path and by the paper's table (`echo = \"rcs-table\"`): the \
          cube's complex error, and that of the magnitudes of its range-Doppler maps; seconds are of tracing + echo. \
          The table errs by as much as there is to see at any range of a road ([why](rcs-tables.md)).\n\n\
-         ![seconds against error](pictures/chart.svg)\n\n\
-         Whole frames, each a line from its paths to its table:\n\n\
+         ![seconds against error of each method](pictures/chart.svg)\n\n\
+         Better is lower and further left, in both pictures; [chart.csv](pictures/chart.csv) is their table. Whole frames, each a line from its paths to its table:\n\n\
          ![seconds against error of whole frames](pictures/chart-frames.svg)\n\n{}",
         machine(),
         table::markdown(&header, rows.iter().map(fields))
@@ -60,46 +58,4 @@ fn instructions() -> &'static str {
 #[cfg(not(target_arch = "x86_64"))]
 fn instructions() -> &'static str {
     std::env::consts::ARCH
-}
-
-/// Errors below are rounding, and the picture's room is for the others.
-const LEAST_DB: f64 = -120.0;
-
-/// Seconds (by powers of ten) over error in dB, which is by powers of ten too; a line for each method on parts of the chain.
-pub(in super::super) fn picture(rows: &[Row]) -> Svg {
-    let parts = rows.iter().filter(|row| !row.method.starts_with(WHOLE_FRAME));
-    plot("Seconds against error", parts.map(|row| (row.method, row)))
-}
-
-/// The same of whole frames and their cubes: a line for each, from paths to table.
-pub(in super::super) fn picture_of_frames(rows: &[Row]) -> Svg {
-    let cubes = rows.iter().filter(|row| row.method.starts_with(WHOLE_FRAME) && row.method.ends_with("cube"));
-    let name = |row: &'_ Row| row.scene.find(", a frame").unwrap_or(row.scene.len());
-    plot(
-        "Seconds against error of whole frames, by paths and by tables",
-        cubes.map(|row| (&row.scene[..name(row)], row)),
-    )
-}
-
-/// Methods that make whole frames.
-const WHOLE_FRAME: &str = "frame by";
-
-fn plot<'a>(title: &str, rows: impl Iterator<Item = (&'a str, &'a Row)>) -> Svg {
-    let mut lines: Vec<Line> = Vec::new();
-    for (name, row) in rows {
-        let place = [db_from_amplitude(row.error).max(LEAST_DB), row.seconds];
-        match lines.iter_mut().find(|line| line.name == name) {
-            Some(line) => line.points.push(place),
-            None => lines.push(Line { name: name.into(), points: vec![place], marked: true }),
-        }
-    }
-    let plot = LinePlot {
-        title: title.into(),
-        x_label: "error, dB (complex amplitude; −120 stands for less)".into(),
-        y_label: "seconds".into(),
-        x_scale: Scale::Linear,
-        y_scale: Scale::Logarithmic,
-        lines,
-    };
-    plot.draw()
 }

@@ -1,8 +1,8 @@
 //! The levels as CSV, page and picture.
 
 use super::{Extent, Row};
-use crate::commands::study::table;
-use crate::pictures::{Line, LinePlot, Scale, Svg};
+use crate::commands::study::table::{self, Table};
+use crate::pictures::{Form, Line, LinePlot, Scale, Svg};
 use artifact::settings::Detail;
 use artifact::units::db_from_amplitude;
 
@@ -73,25 +73,40 @@ fn told_against_true(rows: &[Row]) -> String {
     }
 }
 
+/// Columns that are drawn.
+pub(in super::super) const COLUMNS: [&str; 5] = ["scene", "asked_db", "level", "reduce_seconds", "echo_seconds"];
+
 /// Seconds of reducing and echo over the accuracy asked, a line for each level of the first scene.
-pub(in super::super) fn picture(rows: &[Row]) -> Svg {
-    let first = rows.first().map_or("", |row| row.scene);
+pub(in super::super) fn picture(table: &Table) -> Svg {
+    let first = table.rows().next().map_or("", |row| row.word("scene"));
     let line = |level: Detail| Line {
-        name: level.name().into(),
-        points: rows
-            .iter()
-            .filter(|row| row.scene == first && row.level == level)
-            .map(|row| [row.asked_db, row.seconds[1] + row.seconds[2]])
+        name: name(level).into(),
+        points: table
+            .rows()
+            .filter(|row| row.word("scene") == first && row.word("level") == level.name())
+            .map(|row| [row.number("asked_db"), row.number("reduce_seconds") + row.number("echo_seconds")])
             .collect(),
         marked: true,
     };
     let plot = LinePlot {
-        title: format!("Reducing and echo, {first}"),
+        title: "Levels of detail: processor seconds of reducing the paths and of the echo".into(),
+        notes: vec![format!("Scene: {first}. Better is lower; further left more accuracy is asked.")],
         x_label: "accuracy asked, dB".into(),
         y_label: "processor seconds".into(),
         x_scale: Scale::Linear,
         y_scale: Scale::Logarithmic,
         lines: [Detail::Paths, Detail::Merged, Detail::Centres, Detail::Auto].map(line).to_vec(),
     };
-    plot.draw()
+    plot.draw(Form::Wide)
+}
+
+/// What a level is, in words.
+fn name(level: Detail) -> &'static str {
+    match level {
+        Detail::Paths => "paths: all that were traced",
+        Detail::Merged => "merged: paths whose phases stay together as one",
+        Detail::Centres => "centres: fitted scattering centres",
+        Detail::Statistical => "statistical: points of the same mean level",
+        Detail::Auto => "auto: the cheapest that keeps the accuracy asked",
+    }
 }

@@ -1,0 +1,42 @@
+//! Where a radar looks.
+
+use artifact::radar::Radar;
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
+
+/// Angles left and right of the boresight, at its elevation, up to which an element's gain is no more than 3 dB below that
+/// along it; a right angle at most, since an array cannot tell before from behind.
+pub(super) fn half_angles_rad(radar: &Radar) -> [f64; 2] {
+    const STEPS: u32 = 360;
+    let gain = |angle: f64| radar.array.pattern.amplitude([angle.sin(), angle.cos(), 0.0]);
+    let least = FRAC_1_SQRT_2 * gain(0.0);
+    [-1.0, 1.0].map(|side| {
+        let angles = (1..=STEPS).map(|step| FRAC_PI_2 * f64::from(step) / f64::from(STEPS));
+        angles.take_while(|angle| gain(side * angle) >= least).last().unwrap_or(0.0)
+    })
+}
+
+/// World x and y of its rim: from the radar along an arc on the ground at the maximum unambiguous range and back.
+pub(super) fn rim_m(radar: &Radar) -> Vec<[f64; 2]> {
+    let [left, right] = half_angles_rad(radar);
+    let [x_m, y_m, height_m] = radar.position_m;
+    let far_m = (radar.waveform.range_max_m().powi(2) - height_m * height_m).max(0.0).sqrt();
+    let arc = (0..=64).map(|i| -left + (left + right) * f64::from(i) / 64.0).map(|angle| {
+        let (sin, cos) = (radar.boresight_az_rad + angle).sin_cos();
+        [x_m + far_m * sin, y_m + far_m * cos]
+    });
+    let foot = || std::iter::once([x_m, y_m]);
+    foot().chain(arc).chain(foot()).collect()
+}
+
+/// What the legend says of it.
+pub(super) fn words(radar: &Radar) -> String {
+    let [left, right] = half_angles_rad(radar).map(|angle| angle.to_degrees().round());
+    let range_m = radar.waveform.range_max_m();
+    match left == right {
+        _ if left >= 90.0 && right >= 90.0 => {
+            format!("field of view: the half-plane ahead (isotropic elements), to {range_m:.0} m")
+        }
+        true => format!("field of view: ±{left}° (−3 dB of an element), to {range_m:.0} m"),
+        false => format!("field of view: −{left}° to {right}° (−3 dB of an element), to {range_m:.0} m"),
+    }
+}
