@@ -17,6 +17,11 @@ impl Labels {
         Self { frame, taken: vec![], placed: vec![] }
     }
 
+    /// None yet, with no room where these stand.
+    pub(super) fn beside(&self) -> Self {
+        Self { placed: vec![], ..self.clone() }
+    }
+
     /// Above, below, right or left of a box, where there is room first; left out where there is none.
     pub(super) fn put(&mut self, [left, top, right, bottom]: [f64; 4], words: &str) {
         let (wide, high) = (width_px(words), TEXT_PX);

@@ -57,7 +57,7 @@ pub(super) fn draw(header: &CubeHeader, rdm: &RdmFrame, over: &OnMap, form: Form
 fn marks(sheet: &mut Svg, header: &CubeHeader, axes: &Axes, over: &OnMap) -> Legend {
     let mut legend = Legend::default();
     let frame = [axes.x.start_px, axes.y.end_px, axes.x.end_px, axes.y.start_px];
-    let (mut objects, mut bodies) = (Labels::within(frame), Labels::within(frame));
+    let mut bodies = Labels::within(frame);
     let at = |range_m: f64, velocity_mps: f64| {
         [axes.x.at(range_m), axes.y.at(header.radar.folded_velocity_mps(velocity_mps))]
     };
@@ -69,6 +69,7 @@ fn marks(sheet: &mut Svg, header: &CubeHeader, axes: &Axes, over: &OnMap) -> Leg
             legend.say_of(&[Mark::Plate, Mark::Cross], "truthmap", "echo of a body (truth), velocity folded");
         }
     }
+    let mut objects = bodies.beside();
     for (number, object) in over.points.iter().flat_map(|points| points.objects.iter().enumerate()) {
         let at = at(object.range_m, object.radial_velocity_mps);
         let is_false = over.false_objects.contains(&number);

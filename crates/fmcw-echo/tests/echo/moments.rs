@@ -65,8 +65,8 @@ fn paths_that_are_the_same_at_all_moments_are_those_of_the_whole_frame() {
     let radar = radar(artifact::Waveform { chirps: 16, ..experiment(1) }, &presets()[1], Multiplexing::Simultaneous);
     let whole = random_paths(33, 20);
     for moments in [2, 3, 4, 9] {
-        let copies = |moment| whole.iter().map(move |path| at_moment(&radar, moments, moment, *path));
-        let parts: Vec<Path> = (0..moments).flat_map(copies).collect();
+        let copy = |moment| whole.iter().map(|path| at_moment(&radar, moments, moment, *path)).collect::<Vec<_>>();
+        let parts: Vec<Path> = (0..moments).flat_map(copy).collect();
         let f_c = radar.waveform.centre_frequency_hz();
         let [got, exact] = [&parts, &whole].map(|paths| DirectSum::new(&radar, f_c, paths).cube());
         let db = error_db(&got, &exact);

@@ -132,7 +132,7 @@ mod tests {
     /// A box of 4 m × 2 m × 1 m that stands 10 m ahead of its origin.
     fn body() -> Mesh {
         let sides = [[8.0, 12.0], [-1.0, 1.0], [0.0, 1.0]];
-        let corner = |i: usize| [0, 1, 2].map(|axis: usize| sides[axis][i >> axis & 1]);
+        let corner = |i: usize| [0, 1, 2].map(|axis: usize| sides[axis][(i >> axis) & 1]);
         Mesh { vertices_m: (0..8).map(corner).collect(), ..Mesh::default() }
     }
 
