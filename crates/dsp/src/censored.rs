@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 
 /// A mean of fewer training cells than this part is no estimate of the noise around.
 const LEAST_SHARE: f64 = 0.25;
-/// Each pass finds what the echoes of the one before had hidden; five deep there is nothing left in any street of the tests.
+/// Each pass finds what the echoes of the one before had hidden.
 const MOST_PASSES: usize = 8;
 
 /// The mask with the hidden cells detected; `noise_threshold` is what noise alone hardly passes, were its level known.
