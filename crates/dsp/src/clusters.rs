@@ -7,15 +7,19 @@
 //!
 //! A body whose echoes leave a longer gap, or one of which stood too far aside when it was met, is two groups then. They are joined
 //! if they stand in one strip (their means within half a lane), move alike (their mean velocities within half a reach) and are apart by less than
-//! two cars of a queue are.
+//! two cars of a queue are; not if the farther is ten times stronger, as a follower's front is and a hidden rear is not. Across the line of
+//! sight a vehicle is longer than the strip is wide, and shows other velocities from end to end: parts that one velocity explains, and
+//! that lie one behind the other along it, are joined as well ([`crate::rigid_pieces`]).
 //!
 //! What is left behind a group, in its strip and at its velocity, but twenty times weaker, is its tail: the far end of a long
 //! body, which sends little back beside the front, or an echo of several bounces. (A box truck of 8 m at 30 m: the front at
 //! 25 dB, the rear 6 m behind the last echo before it at 11 dB.) A follower of like strength stays its own object; one that
 //! is twenty times weaker, that near and that equal in speed is lost to the one ahead; at ten times, the fading of two like
-//! cars 6 m apart was enough to lose one.
+//! cars 6 m apart was enough to lose one. Weaker and beside the front is its far corner: a bus is as wide as the strip.
 
+use crate::rigid_pieces::drive_as_one;
 use artifact::settings::DspSettings;
+use glam::DVec2;
 
 /// What clustering knows of a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,8 +30,12 @@ pub struct Member {
     pub radial_velocity_mps: f64,
     /// Across the lanes, m.
     pub cross_m: f64,
+    /// Standard error of that, by noise, m.
+    pub cross_error_m: f64,
     /// Weight.
     pub power: f64,
+    /// On the ground, from the radar.
+    pub place_m: DVec2,
 }
 
 /// Groups of indices into `members`, which come strongest first; `velocity_span_mps` is where velocities wrap.
@@ -43,8 +51,15 @@ pub fn clusters(members: &[Member], settings: &DspSettings, velocity_span_mps: f
             groups.push(group);
         }
     }
-    let groups = joined_to_earlier(groups, |piece, body| is_piece(members, settings, velocity_span_mps, piece, body));
-    joined_to_earlier(groups, |tail, body| is_tail(members, settings, velocity_span_mps, tail, body))
+    let reach_m = PIECE_REACHES * settings.cluster_range_m;
+    let groups = joined_to_earlier(groups, |piece, body| {
+        is_piece(members, settings, velocity_span_mps, piece, body)
+            || drive_as_one(members, settings, velocity_span_mps, [body, piece], reach_m)
+    });
+    joined_to_earlier(groups, |tail, body| {
+        is_tail(members, settings, velocity_span_mps, tail, body)
+            || is_wing(members, settings, velocity_span_mps, tail, body)
+    })
 }
 
 /// A tail is at least this much weaker than the strongest point ahead.
@@ -52,8 +67,23 @@ const TAIL_POWER: f64 = 0.05;
 /// A tail follows the last point ahead within this many reaches in range: 6.25 m of the default 2.5 m.
 const TAIL_REACHES: f64 = 2.5;
 
-/// Groups, strongest first, each joined to the strongest earlier one that it belongs to.
-fn joined_to_earlier(groups: Vec<Vec<usize>>, belongs: impl Fn(&[usize], &[usize]) -> bool) -> Vec<Vec<usize>> {
+/// A wing is at least this much weaker than the strongest point of its front.
+const WING_POWER: f64 = 0.1;
+/// Standard errors by which a wing may seem farther across than it is.
+const WING_ERRORS: f64 = 2.0;
+
+/// Groups, strongest first, each joined to the strongest earlier one that it belongs to, until none belongs to another.
+fn joined_to_earlier(mut groups: Vec<Vec<usize>>, belongs: impl Fn(&[usize], &[usize]) -> bool) -> Vec<Vec<usize>> {
+    loop {
+        let before = groups.len();
+        groups = joined_once(groups, &belongs);
+        if groups.len() == before {
+            return groups;
+        }
+    }
+}
+
+fn joined_once(groups: Vec<Vec<usize>>, belongs: &impl Fn(&[usize], &[usize]) -> bool) -> Vec<Vec<usize>> {
     let mut joined: Vec<Vec<usize>> = Vec::new();
     for group in groups {
         match joined.iter_mut().find(|earlier| belongs(&group, earlier)) {
@@ -74,15 +104,24 @@ const PIECE_REACHES: f64 = 1.75;
 const PIECE_STRIP: f64 = 0.6;
 /// And by this part of the reach in velocity.
 const PIECE_VELOCITY: f64 = 0.5;
+/// What lies farther and is so much stronger than what lies before it is a follower's front: a body's own front hides its rear.
+const FOLLOWER_POWER: f64 = 10.0;
 
 fn is_piece(members: &[Member], settings: &DspSettings, velocity_span_mps: f64, a: &[usize], b: &[usize]) -> bool {
     let gaps = a.iter().flat_map(|i| b.iter().map(|j| (members[*i].range_m - members[*j].range_m).abs()));
     let [(cross_a_m, velocity_a), (cross_b_m, velocity_b)] =
         [a, b].map(|group| means(members, velocity_span_mps, group));
     let apart = on_circle(velocity_a - velocity_b, velocity_span_mps).abs();
-    apart <= PIECE_VELOCITY * settings.cluster_velocity_mps
+    !is_follower(members, a, b)
+        && apart <= PIECE_VELOCITY * settings.cluster_velocity_mps
         && (cross_a_m - cross_b_m).abs() <= PIECE_STRIP * settings.cluster_cross_m
         && gaps.fold(f64::INFINITY, f64::min) <= PIECE_REACHES * settings.cluster_range_m
+}
+
+fn is_follower(members: &[Member], a: &[usize], b: &[usize]) -> bool {
+    let first_m = |group: &[usize]| group.iter().map(|i| members[*i].range_m).fold(f64::INFINITY, f64::min);
+    let (near, far) = if first_m(a) <= first_m(b) { (a, b) } else { (b, a) };
+    members[far[0]].power > FOLLOWER_POWER * members[near[0]].power
 }
 
 /// Power-weighted means of a group: across the lanes, and of velocities about its strongest member's.
@@ -107,6 +146,16 @@ fn is_tail(members: &[Member], settings: &DspSettings, velocity_span_mps: f64, t
         && first_m(tail) <= last_m + TAIL_REACHES * settings.cluster_range_m
         && apart_mps(strongest, weak, velocity_span_mps) <= settings.cluster_velocity_mps
         && (strongest.cross_m - weak.cross_m).abs() <= settings.cluster_cross_m
+}
+
+/// A front's far corner: much weaker, as far in range as the front's strongest point, and across no farther than the reach and
+/// what noise lets it err by (a bus is as wide as the reach).
+fn is_wing(members: &[Member], settings: &DspSettings, velocity_span_mps: f64, wing: &[usize], body: &[usize]) -> bool {
+    let (strongest, weak) = (&members[body[0]], &members[wing[0]]);
+    let reach_m = settings.cluster_cross_m + WING_ERRORS * weak.cross_error_m;
+    weak.power <= WING_POWER * strongest.power
+        && near(strongest, weak, settings, velocity_span_mps)
+        && (strongest.cross_m - weak.cross_m).abs() <= reach_m
 }
 
 /// All free members that a chain reaches from the seed, strongest first so that the mean settles early.
@@ -156,7 +205,7 @@ fn apart_mps(a: &Member, b: &Member, velocity_span_mps: f64) -> f64 {
     on_circle(a.radial_velocity_mps - b.radial_velocity_mps, velocity_span_mps).abs()
 }
 
-fn on_circle(difference_mps: f64, velocity_span_mps: f64) -> f64 {
+pub(crate) fn on_circle(difference_mps: f64, velocity_span_mps: f64) -> f64 {
     let half = 0.5 * velocity_span_mps;
     (difference_mps + half).rem_euclid(velocity_span_mps) - half
 }

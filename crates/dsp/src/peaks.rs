@@ -29,12 +29,23 @@ pub struct Peak {
     pub cells: u32,
     /// Whether the detector found it, or its neighbours' echoes hid it.
     pub detected: bool,
+    /// Cell of the peak on whose slope it stands; its own cell where it stands on none ([`crate::directional_peaks`]).
+    pub summit: [usize; 2],
 }
 
 impl Peak {
     /// A detected cell on a slope, taken at its centre.
     pub(crate) fn at_centre(row: usize, column: usize, power: f64) -> Self {
-        Self { row, column, fine_row: row as f64, fine_column: column as f64, power, cells: 1, detected: true }
+        Self {
+            row,
+            column,
+            fine_row: row as f64,
+            fine_column: column as f64,
+            power,
+            cells: 1,
+            detected: true,
+            summit: [row, column],
+        }
     }
 }
 
@@ -45,7 +56,7 @@ pub struct PeakFinder {
 }
 
 /// A peak this little above the leakage of stronger ones is taken for leakage: two leaks in phase double their power.
-const LEAKAGE_MARGIN: f64 = 2.0;
+pub(crate) const LEAKAGE_MARGIN: f64 = 2.0;
 /// Windows and transforms are rounded: nothing is told apart farther below a peak than single precision carries
 /// (2⁻²⁴ of the amplitude, −144 dB).
 const LEAKAGE_FLOOR: f64 = 3.6e-15;
@@ -112,6 +123,7 @@ impl PeakFinder {
             power: power[(row, column)],
             cells: neighbours as u32 + u32::from(is_detected((row, column))),
             detected: is_detected((row, column)),
+            summit: [row, column],
         }
     }
 
@@ -119,7 +131,7 @@ impl PeakFinder {
     fn without_sidelobes(&self, peaks: Vec<Peak>) -> Vec<Peak> {
         let mut kept: Vec<Peak> = Vec::new();
         for peak in peaks {
-            let leaked: f64 = kept.iter().map(|strong| strong.power * self.leak(strong, &peak)).sum();
+            let leaked: f64 = kept.iter().map(|strong| strong.power * self.leak(strong, [peak.row, peak.column])).sum();
             if peak.power > LEAKAGE_MARGIN * leaked {
                 kept.push(peak);
             }
@@ -127,8 +139,16 @@ impl PeakFinder {
         kept
     }
 
-    fn leak(&self, from: &Peak, to: &Peak) -> f64 {
-        self.leakage[0][from.row.abs_diff(to.row)] * self.leakage[1][from.column.abs_diff(to.column)]
+    /// Largest share of a peak's power in a cell.
+    pub(crate) fn leak(&self, from: &Peak, [row, column]: [usize; 2]) -> f64 {
+        self.leakage[0][from.row.abs_diff(row)] * self.leakage[1][from.column.abs_diff(column)]
+    }
+
+    /// Offsets from the middle of three values along rows and along columns; 0 where there are none.
+    pub(crate) fn offsets(&self, [along_rows, along_columns]: [Option<Trio>; 2]) -> [f64; 2] {
+        let offset =
+            |axis: usize, trio: Option<Trio>| trio.map_or(0.0, |t| self.interpolators[axis].offset([t].into_iter()));
+        [offset(0, along_rows), offset(1, along_columns)]
     }
 }
 
@@ -184,7 +204,10 @@ fn exceeds(power: ArrayView2<f64>, a: (usize, usize), b: (usize, usize)) -> bool
 }
 
 /// The up to eight cells around one; Doppler wraps, range does not.
-fn neighbourhood((rows, columns): (usize, usize), cell: (usize, usize)) -> impl Iterator<Item = (usize, usize)> {
+pub(crate) fn neighbourhood(
+    (rows, columns): (usize, usize),
+    cell: (usize, usize),
+) -> impl Iterator<Item = (usize, usize)> {
     let steps = [(-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1)];
     steps
         .into_iter()

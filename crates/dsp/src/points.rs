@@ -7,8 +7,10 @@
 use crate::DspError;
 use crate::angle::{Direction, Snapshot, VirtualArray};
 use crate::axes::{coupling_m, unwrapped, velocity_at, wrapped};
+use crate::censored::unmasked;
 use crate::cfar_threshold::threshold_factor;
 use crate::clusters::{Member, clusters};
+use crate::directional_peaks::Beams;
 use crate::doppler_division::fold_is_certain;
 use crate::isolation::{Neighbours, fits_alone};
 use crate::noncoherent::{noise_power, power_map};
@@ -27,9 +29,11 @@ use artifact::radar::Sampling;
 use artifact::rdm::RdmFrame;
 use artifact::settings::{Angle, Refine, Window};
 use artifact::units::{LOWEST_DB, db_from_power};
+use glam::DVec3;
 use num_complex::Complex32;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 
 /// Points of a map, strongest first, and objects in the order of their strongest peaks.
 ///
@@ -59,17 +63,21 @@ fn detect_in(header: &CubeHeader, map: &RdmFrame, samples: Option<&[Complex32]>)
     let power = power_map(header, map)?;
     let noise = noise_power(header, map)? * header.radar.map_channels() as f64;
     let finder = PeakFinder::new(header)?;
-    let peaks = finder.peaks(power.view(), &map.values, &map.mask, known_noise_threshold(header, noise));
-    let view = View { header, map, array: &VirtualArray::new(header), noise };
+    let noise_threshold = known_noise_threshold(header, noise);
+    let mask = unmasked(header, power.view(), &map.mask, noise_threshold)?;
+    let mut peaks = finder.peaks(power.view(), &map.values, &mask, noise_threshold);
+    let slopes = finder.slopes(power.view(), &mask, &peaks);
+    let array = &VirtualArray::new(header);
+    peaks.extend(Beams { header, map, array, finder: &finder }.on_slopes(&slopes, &peaks));
+    let view = View { header, map, array, noise };
     let mut sighted = view.in_one_fold(view.sight_all(&peaks), &peaks);
     view.mark_ghosts(&mut sighted);
     if let Some(samples) = samples {
         refine_isolated(&view, samples, &peaks, &mut sighted)?;
     }
-    let groups = groups_of_peaks(header, &sighted);
+    let groups = view.groups(&sighted);
     let object_of = |index: usize| groups.iter().position(|g| g.binary_search(&index).is_ok()).map(|o| o as u32);
-    let points: Vec<Point> = finder
-        .slopes(power.view(), &map.mask, &peaks)
+    let points: Vec<Point> = slopes
         .par_iter()
         .flat_map_iter(|(cell, peak)| {
             let seen =
@@ -100,13 +108,8 @@ fn known_noise_threshold(header: &CubeHeader, noise: f64) -> f64 {
     threshold_factor(1e9, header.radar.map_channels(), header.dsp.false_alarm_rate) * noise
 }
 
-/// Indices of the peaks of each object, those hidden from the detector among them.
-fn groups_of_peaks(header: &CubeHeader, sighted: &[Sighting]) -> Vec<Vec<usize>> {
-    let members: Vec<Member> = sighted.iter().map(|s| s.member(header)).collect();
-    let mut groups = clusters(&members, &header.dsp, 2.0 * header.radar.velocity_max_mps());
-    groups.retain(|group| is_supported(header, sighted, group));
-    groups
-}
+/// Half a main lobe of a window like Hann's.
+const LOBE_CELLS: usize = 2;
 
 /// An echo of a peak, or of a cell on its slope, with what the channels say of it.
 #[derive(Clone)]
@@ -217,7 +220,7 @@ impl View<'_> {
     /// The peaks of an object moved to the one fold that explains all of them best.
     fn in_one_fold(&self, sighted: Vec<Sighting>, peaks: &[Peak]) -> Vec<Sighting> {
         let mut moved: BTreeMap<[usize; 2], (f64, Option<Folds>)> = BTreeMap::new();
-        for group in groups_of_peaks(self.header, &sighted) {
+        for group in self.groups(&sighted) {
             let members: Vec<&Sighting> = group.iter().map(|index| &sighted[*index]).collect();
             let Some(choice) = joined(&members).map(|folds| self.choice(&folds)) else {
                 return sighted;
@@ -232,6 +235,34 @@ impl View<'_> {
             None => self.sight(*peak),
         };
         by_strength(peaks.par_iter().map(again).collect())
+    }
+
+    /// Indices of the peaks of each object, those hidden from the detector among them.
+    fn groups(&self, sighted: &[Sighting]) -> Vec<Vec<usize>> {
+        let members: Vec<Member> = sighted.iter().map(|s| self.member(s)).collect();
+        let mut groups = clusters(&members, &self.header.dsp, 2.0 * self.header.radar.velocity_max_mps());
+        groups.retain(|group| is_supported(self.header, sighted, group));
+        groups
+    }
+
+    fn member(&self, s: &Sighting) -> Member {
+        let [cross_m, _] = self.header.dsp.road.across_along_m(s.place.position_m.to_array());
+        Member {
+            range_m: s.range_m,
+            radial_velocity_mps: s.radial_velocity_mps,
+            cross_m,
+            cross_error_m: s.range_m * self.cosine_error(s.peak.power),
+            power: s.peak.power,
+            place_m: (s.place.position_m - DVec3::from(self.header.radar.position_m)).truncate(),
+        }
+    }
+
+    /// Cramér–Rao bound of the direction cosine of a lone echo, its power and the noise's added over channels, on a filled row of a
+    /// beam's width λ/D: σ = √6/(2π)·λ/D/√(channels·signal over noise); 0 of an array without extent.
+    fn cosine_error(&self, power: f64) -> f64 {
+        let beam = self.array.beams()[0];
+        let over_noise = (power / self.noise.max(f64::MIN_POSITIVE) * self.header.radar.map_channels() as f64).max(1.0);
+        if beam.is_finite() { 6f64.sqrt() / TAU * beam / over_noise.sqrt() } else { 0.0 }
     }
 
     /// A velocity of this map as near as it can be to one whose fold was told, else within the map's span.
@@ -263,12 +294,13 @@ impl View<'_> {
         [row, column]: [usize; 2],
         peak: [usize; 2],
     ) -> Vec<(Sighting, usize)> {
-        let own = || (0..sighted.len()).filter(|i| sighted[*i].cell() == peak);
-        if peak == [row, column] {
-            return own().map(|index| (sighted[index].clone(), index)).collect();
+        let of_cell = |cell: [usize; 2]| (0..sighted.len()).filter(move |i| sighted[*i].cell() == cell);
+        if of_cell([row, column]).next().is_some() {
+            return of_cell([row, column]).map(|index| (sighted[index].clone(), index)).collect();
         }
+        let own = || (0..sighted.len()).filter(|i| sighted[*i].is_over([row, column], peak));
         let across = |a: &Sighting, b: &Sighting| (a.direction.right - b.direction.right).abs();
-        let Some(owner) = own().next() else { return vec![] };
+        let Some(owner) = of_cell(peak).next() else { return vec![] };
         let velocity_mps = self.unfolded(velocity_at(self.header, row as f64), &sighted[owner]);
         let mut echoes = self.sight_at(Peak::at_centre(row, column, power), velocity_mps, None);
         let two_ways_rad = echoes.first().and_then(|strongest| self.on_slope_of(&sighted[owner], strongest));
@@ -334,13 +366,14 @@ impl Sighting {
         [self.peak.row, self.peak.column]
     }
 
-    fn echo(&self) -> PointEcho {
-        PointEcho { range_m: self.range_m, radial_velocity_mps: self.radial_velocity_mps, direction: self.direction }
+    /// Whether it is that of a summit, or stands on the slope of that summit no farther from a cell of it than a main lobe reaches.
+    fn is_over(&self, [row, column]: [usize; 2], summit: [usize; 2]) -> bool {
+        let is_near = self.peak.row.abs_diff(row) <= LOBE_CELLS && self.peak.column.abs_diff(column) <= LOBE_CELLS;
+        self.cell() == summit || (self.peak.summit == summit && is_near)
     }
 
-    fn member(&self, header: &CubeHeader) -> Member {
-        let [cross_m, _] = header.dsp.road.across_along_m(self.place.position_m.to_array());
-        Member { range_m: self.range_m, radial_velocity_mps: self.radial_velocity_mps, cross_m, power: self.peak.power }
+    fn echo(&self) -> PointEcho {
+        PointEcho { range_m: self.range_m, radial_velocity_mps: self.radial_velocity_mps, direction: self.direction }
     }
 
     fn point(&self, snr_db: f64, object: Option<u32>) -> Point {

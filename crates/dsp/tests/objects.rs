@@ -31,6 +31,20 @@ fn two_targets_in_neighbouring_lanes_are_two_objects_in_their_lanes() {
 }
 
 #[test]
+fn fronts_at_rest_before_a_stop_line_are_an_object_each_though_one_maximum_covers_them() {
+    let header = noisy(256);
+    // Within 0.7 m in range, three cells; lanes are 0.8 beams apart.
+    let fronts = [(2.0, 27.0, 10.0), (5.75, 26.9, 2.0), (9.5, 26.2, 1.0)]
+        .map(|(x, y, rcs_m2)| target([x, y, 0.75], [0.0; 3], rcs_m2));
+    for count in [2, 3] {
+        let points = seen(&header, &fronts[..count], 5);
+        let mut lanes: Vec<_> = points.objects.iter().map(|o| o.lane).collect();
+        lanes.sort();
+        assert_eq!(lanes, [Some(1), Some(2), Some(3)][..count], "{:#?}", points.objects);
+    }
+}
+
+#[test]
 fn a_car_of_sixty_points_over_five_metres_is_one_object() {
     for seed in 0..6 {
         let header = noisy([256, 384, 512][seed as usize % 3]);
