@@ -3,7 +3,9 @@
 use crate::commands::export::FORMATS;
 use crate::suggestion::suggest;
 pub(crate) use crate::values::{Axis, Place, Shard};
-use crate::values::{accuracy_db, azimuth_deg, azimuths, density, elevation_deg, elevations, frequencies, place, range};
+use crate::values::{
+    accuracy_db, azimuth_deg, azimuths, density, elevation_deg, elevations, frequencies, place, range,
+};
 use crate::values::{scale, shard, step};
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;

@@ -62,9 +62,13 @@ mod tests {
 
     #[test]
     fn a_misspelt_command_and_another_programs_word_are_told_the_command_that_is_meant() {
-        for (typed, expected) in
-            [("rnu", Some("run")), ("rsc", Some("rcs")), ("simulate", Some("run")), ("Info", Some("inspect")), ("xyzzy", None)]
-        {
+        for (typed, expected) in [
+            ("rnu", Some("run")),
+            ("rsc", Some("rcs")),
+            ("simulate", Some("run")),
+            ("Info", Some("inspect")),
+            ("xyzzy", None),
+        ] {
             let error = Arguments::command().try_get_matches_from(["xtask", typed]).unwrap_err();
             let told = suggest::<Arguments>(error).render().to_string();
             match expected {

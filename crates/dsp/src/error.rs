@@ -106,7 +106,7 @@ pub enum DspError {
     )]
     StaggeredDivision,
     /// A false-alarm rate without a threshold.
-    #[error("false_alarm_rate must lie from {:e} to {}, is {0:e}", FALSE_ALARM_RATES.start(), FALSE_ALARM_RATES.end())]
+    #[error("false_alarm_rate must lie from {least:e} to {most}, is {0:e}", least = FALSE_ALARM_RATES.start(), most = FALSE_ALARM_RATES.end())]
     FalseAlarmRate(f64),
     /// Nothing to estimate the noise from.
     #[error("training_cells are [0, 0]: no cell is left to estimate the noise from")]

@@ -75,5 +75,5 @@ pub use motion::{bodies_in_view, frame_view, pose_after, snapshot, vehicles_in_v
 pub use painted::{Painted, PaintedLine, painted_glb};
 pub use pattern_table::{PatternFileError, PatternRule};
 pub use radars::radars;
-pub use xml::XmlFault;
 pub use read::{Meshes, ReadOptions, inputs, read};
+pub use xml::XmlFault;

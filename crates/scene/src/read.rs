@@ -1,8 +1,8 @@
 //! Reads a scene file and the meshes that it names; every broken rule is reported, not only the first.
 
 use crate::document::Section;
-use crate::faults::Faults;
 use crate::errors::{Allowed, Place, Rule, SceneError, SceneErrors};
+use crate::faults::Faults;
 use crate::keys;
 use crate::materials::{read_road, read_scene_materials};
 use crate::models::Models;
@@ -94,7 +94,7 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let radar = read_radar(&radar_section, models);
     let (frames, frame_interval_s) = read_frames(root, &radar);
     let (intersection, lanes) = read_intersection(&root.section(&keys::INTERSECTION), &radar);
-    let targets = read_targets(root, &lanes, models);
+    let targets = read_targets(root, &radar, &lanes, models);
     let recording = read_traffic(root, &radar, frame_interval_s, models);
     let recording = recording.filter(|_| models.are_opened());
     let traffic = recording.map(|recording| recording.frames(models, &targets));

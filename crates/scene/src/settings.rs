@@ -11,8 +11,8 @@ use artifact::paths::MAX_ORDER;
 use artifact::radar::{Radar, Sampling};
 use artifact::scene::Intersection;
 use artifact::settings::{
-    FALSE_ALARM_RATES,    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lane, Lanes, NodeRule, Noise, Refine, Sides,
-    Surface, Window,
+    Angle, Detail, Detector, DspSettings, EchoMode, Edges, FALSE_ALARM_RATES, Fidelity, Lane, Lanes, NodeRule, Noise,
+    Refine, Sides, Surface, Window,
 };
 use num_complex::Complex64;
 

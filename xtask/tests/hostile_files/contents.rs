@@ -45,14 +45,29 @@ pub(crate) fn npy(header: &str, values: usize) -> Vec<u8> {
 
 /// Headers that claim what is not there, or what no memory holds.
 pub(crate) fn headers() -> Vec<Vec<u8>> {
-    let dictionary = |descr: &str, order: &str, shape: &str| format!("{{'descr': '{descr}', 'fortran_order': {order}, 'shape': {shape}, }}\n");
+    let dictionary = |descr: &str, order: &str, shape: &str| {
+        format!("{{'descr': '{descr}', 'fortran_order': {order}, 'shape': {shape}, }}\n")
+    };
     let shapes = [
-        "(1000000000000, 4, 16, 64)", "(18446744073709551615, 4, 16, 64)", "(99999999999999999999999, 4, 16, 64)", "(-1, 4, 16, 64)",
-        "(1, 4, 16)", "()", "(4096,)", "(0, 4, 16, 64)", "(2, 4, 16, 64)", "(1, 4, 16, 32)", "(1, 4, 16, 64", "1, 4, 16, 64",
-        "(1, (4, 16), 64)", "(1.5, 4, 16, 64)",
+        "(1000000000000, 4, 16, 64)",
+        "(18446744073709551615, 4, 16, 64)",
+        "(99999999999999999999999, 4, 16, 64)",
+        "(-1, 4, 16, 64)",
+        "(1, 4, 16)",
+        "()",
+        "(4096,)",
+        "(0, 4, 16, 64)",
+        "(2, 4, 16, 64)",
+        "(1, 4, 16, 32)",
+        "(1, 4, 16, 64",
+        "1, 4, 16, 64",
+        "(1, (4, 16), 64)",
+        "(1.5, 4, 16, 64)",
     ];
     let mut all: Vec<String> = shapes.iter().map(|shape| dictionary("<c8", "False", shape)).collect();
-    all.extend(["<c16", ">c8", "<f4", "|O", "<c8', 'x': '", ""].map(|descr| dictionary(descr, "False", "(1, 4, 16, 64)")));
+    all.extend(
+        ["<c16", ">c8", "<f4", "|O", "<c8', 'x': '", ""].map(|descr| dictionary(descr, "False", "(1, 4, 16, 64)")),
+    );
     all.extend(["True", "Maybe", ""].map(|order| dictionary("<c8", order, "(9, 4, 16, 64)")));
     all.extend(["{}", "{'shape': (1, 4, 16, 64)}", "\u{1f697}", &"(".repeat(60_000)].map(str::to_owned));
     let mut files: Vec<Vec<u8>> = all.iter().map(|header| npy(header, 4096)).collect();
@@ -75,7 +90,9 @@ pub(crate) const SIGMF: [&str; 8] = [
 
 /// Recordings of traffic that cost more than they say.
 pub(crate) fn recordings() -> Vec<Vec<u8>> {
-    let vehicle = |id: &str, kind: &str| format!("<vehicle id=\"{id}\" x=\"2\" y=\"20\" angle=\"180\" type=\"{kind}\" speed=\"3\"/>");
+    let vehicle = |id: &str, kind: &str| {
+        format!("<vehicle id=\"{id}\" x=\"2\" y=\"20\" angle=\"180\" type=\"{kind}\" speed=\"3\"/>")
+    };
     let step = |time: &str, inside: &str| format!("<timestep time=\"{time}\">{inside}</timestep>");
     let file = |inside: String| format!("<fcd-export>{inside}</fcd-export>").into_bytes();
     let attributes: String = (0..100_000).map(|i| format!(" a{i}=\"\"")).collect();
@@ -92,7 +109,8 @@ pub(crate) fn recordings() -> Vec<Vec<u8>> {
         file(step("1e308", "") + &step("1e309", "")),
         file(step("0", &many)),
         file(step("0", &(vehicle("a", "car") + &vehicle("a", "car")))),
-        b"<!DOCTYPE a [<!ENTITY b \"cc\"><!ENTITY c \"&b;&b;\">]><fcd-export>&c;<timestep time=\"&c;\"/></fcd-export>".to_vec(),
+        b"<!DOCTYPE a [<!ENTITY b \"cc\"><!ENTITY c \"&b;&b;\">]><fcd-export>&c;<timestep time=\"&c;\"/></fcd-export>"
+            .to_vec(),
         b"<fcd-export><timestep time=\"0\">".to_vec(),
         b"<fcd-export></fcd-import>".to_vec(),
         b"<routes/>".to_vec(),

@@ -54,7 +54,12 @@ pub(crate) fn expensive() -> Vec<Vec<u8>> {
         text(&document(json!([{ "byteLength": 36, "uri": "h.gltf/../../../../../../../../dev/zero" }]), 36, 3, 1)),
         text(&document(json!([{ "byteLength": 36, "uri": "." }]), 36, 3, 1)),
         text(&document(json!([{ "byteLength": 36, "uri": "b%00.bin" }]), 36, 3, 1)),
-        text(&document(json!([{ "byteLength": 36, "uri": format!("data:;base64,{}", "=".repeat(1 << 20)) }]), 36, 3, 1)),
+        text(&document(
+            json!([{ "byteLength": 36, "uri": format!("data:;base64,{}", "=".repeat(1 << 20)) }]),
+            36,
+            3,
+            1,
+        )),
         text(&document(json!([]), 36, 3, 1)),
         text(&json!({ "asset": { "version": "3.0" } })),
         text(&json!({ "asset": { "version": "2.0" }, "nodes": [{ "children": [0] }] })),

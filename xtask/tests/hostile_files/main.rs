@@ -68,10 +68,12 @@ fn assert_refused(place: &Workplace, words: &str, names: &[&str], what: &str) {
     let status = loop {
         match child.try_wait().unwrap() {
             Some(status) => break status,
-            None if start.elapsed() > Duration::from_secs(60) => break {
-                child.kill().unwrap();
-                child.wait().unwrap()
-            },
+            None if start.elapsed() > Duration::from_secs(60) => {
+                break {
+                    child.kill().unwrap();
+                    child.wait().unwrap()
+                };
+            }
             None => std::thread::sleep(Duration::from_millis(2)),
         }
     };
@@ -104,7 +106,11 @@ fn files_that_cost_more_than_they_say_are_refused_by_their_reader() {
         ("h.npy", "import h.npy --scene small.toml --out a.cube", contents::headers()),
         ("h.fcd.xml", "run traffic.toml --out a --no-cache", contents::recordings()),
         ("h.obj", "rcs h.obj --freq-ghz 77 --az-deg 0 --out a.npy", contents::objects()),
-        ("h.sigmf-meta", "import h.sigmf-meta --scene small.toml --out a.cube", contents::SIGMF.map(|t| t.as_bytes().to_vec()).to_vec()),
+        (
+            "h.sigmf-meta",
+            "import h.sigmf-meta --scene small.toml --out a.cube",
+            contents::SIGMF.map(|t| t.as_bytes().to_vec()).to_vec(),
+        ),
         ("h.gltf", "rcs h.gltf --freq-ghz 77 --az-deg 0 --out a.npy", gltf::expensive()),
         ("h.glb", "rcs h.glb --freq-ghz 77 --az-deg 0 --out a.npy", gltf::chunks()),
     ];
@@ -159,12 +165,41 @@ fn names_that_are_no_text_work_like_others() {
         assert!(output.status.success(), "{words:?}: {}", String::from_utf8_lossy(&output.stderr));
     };
     let word = |text: &'static str| OsStr::new(text);
-    run(&[word("rcs"), &name(b".obj"), word("--freq-ghz"), word("77"), word("--az-deg"), word("0:4:5"), word("--materials"), &name(b"m.toml"), word("--pictures"), word("--out"), &name(b".npy")]);
+    run(&[
+        word("rcs"),
+        &name(b".obj"),
+        word("--freq-ghz"),
+        word("77"),
+        word("--az-deg"),
+        word("0:4:5"),
+        word("--materials"),
+        &name(b"m.toml"),
+        word("--pictures"),
+        word("--out"),
+        &name(b".npy"),
+    ]);
     assert!(at(b".npy").exists());
-    run(&[word("run"), &name(b".toml"), word("--model"), &name(b".obj"), word("--out"), &name(b"out"), word("--cache"), &name(b"cache")]);
+    run(&[
+        word("run"),
+        &name(b".toml"),
+        word("--model"),
+        &name(b".obj"),
+        word("--out"),
+        &name(b"out"),
+        word("--cache"),
+        &name(b"cache"),
+    ]);
     run(&[word("run"), &name(b".toml"), word("--out"), &name(b"out2"), word("--cache"), &name(b"cache")]);
     run(&[word("echo"), &name(b".toml"), word("--out"), &name(b".cube")]);
-    run(&[word("dsp"), &name(b".cube"), word("--scene"), &name(b".toml"), word("--pictures"), word("--out"), &name(b"maps")]);
+    run(&[
+        word("dsp"),
+        &name(b".cube"),
+        word("--scene"),
+        &name(b".toml"),
+        word("--pictures"),
+        word("--out"),
+        &name(b"maps"),
+    ]);
     run(&[word("export"), &name(b".cube"), word("--to"), word("npy"), word("--out"), &name(b"c.npy")]);
     run(&[word("import"), &name(b"c.npy"), word("--scene"), &name(b".toml"), word("--out"), &name(b"i.cube")]);
     run(&[word("inspect"), &name(b"i.cube")]);

@@ -45,7 +45,10 @@ fn every_key_of_a_scene_that_holds_a_number_is_mutated() {
     let inside = ["permittivity", "thickness_mm", "unit_scale", "vehicle_seed"];
     let numbers: BTreeSet<&str> = NUMBERS.iter().map(|n| n.key).chain(inside).collect();
     for key in known {
-        assert!(numbers.contains(key) || NOT_NUMBERS.contains(&key), "`{key}`: add it to numbers.rs, and how it is written");
+        assert!(
+            numbers.contains(key) || NOT_NUMBERS.contains(&key),
+            "`{key}`: add it to numbers.rs, and how it is written"
+        );
     }
 }
 
@@ -82,15 +85,36 @@ fn is_short(number: &Number, value: &str) -> bool {
 /// Strange numbers, the ends of the range that a refusal tells and what lies about them, and random ones.
 fn values(number: &Number, folder: &Path, each: u64, state: &mut u64) -> Vec<String> {
     const STRANGE: [&str; 20] = [
-        "0", "-0.0", "-1", "1", "5e-324", "-1e-310", "1e-30", "1e308", "-1e308", "nan", "-inf", "9223372036854775808", "1e16",
-        "0.5", "2", "1e-9", "1000", "65537", "-99999999999999999999999", "1e400",
+        "0",
+        "-0.0",
+        "-1",
+        "1",
+        "5e-324",
+        "-1e-310",
+        "1e-30",
+        "1e308",
+        "-1e308",
+        "nan",
+        "-inf",
+        "9223372036854775808",
+        "1e16",
+        "0.5",
+        "2",
+        "1e-9",
+        "1000",
+        "65537",
+        "-99999999999999999999999",
+        "1e400",
     ];
     let mut all = ends(number, folder);
     all.extend(STRANGE.map(str::to_owned));
     let any = |state: &mut u64| match noise(state) % 3 {
         0 => format!("{:e}", f64::from_bits(noise(state))).replace("NaN", "nan"),
         1 => format!("{}", noise(state) >> (noise(state) % 64)),
-        _ => format!("{:.6}", ((noise(state) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0) * 10_f64.powi((noise(state) % 9) as i32 - 3)),
+        _ => format!(
+            "{:.6}",
+            ((noise(state) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0) * 10_f64.powi((noise(state) % 9) as i32 - 3)
+        ),
     };
     all.extend((0..each).map(|_| any(state)));
     // Every number gets some of each kind, whatever their number.
@@ -134,7 +158,10 @@ fn is_read(folder: &Path, number: &Number, value: &str) -> bool {
         let place = line.split_once("m.toml:").map_or("", |(_, behind)| behind);
         let mut parts = place.splitn(3, ':');
         let numbers = [parts.next(), parts.next()].map(|part| part.and_then(|p| p.parse::<u32>().ok()));
-        assert!(numbers.iter().all(Option::is_some) && parts.next().is_some_and(|rule| rule.len() > 10), "{value}: {told}");
+        assert!(
+            numbers.iter().all(Option::is_some) && parts.next().is_some_and(|rule| rule.len() > 10),
+            "{value}: {told}"
+        );
     }
     assert!(told.contains("m.toml"), "{value}: {told}");
     false
@@ -153,7 +180,12 @@ fn try_program(folder: &Path, number: &Number, value: &str) {
         let status = loop {
             match child.try_wait().unwrap() {
                 Some(status) => break status,
-                None if start.elapsed() > LONGEST => break { child.kill().unwrap(); child.wait().unwrap() },
+                None if start.elapsed() > LONGEST => {
+                    break {
+                        child.kill().unwrap();
+                        child.wait().unwrap()
+                    };
+                }
                 None => std::thread::sleep(Duration::from_millis(5)),
             }
         };

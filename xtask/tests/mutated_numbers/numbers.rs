@@ -47,20 +47,44 @@ pub(crate) const POINT: (&str, &str, &str) = (BODY, "rcs_m2", "10.0");
 
 const MESH: Setting = With(&[(BODY, "kind", "\"mesh\""), (BODY, "model", "\"sheet.obj\""), (BODY, "rcs_m2", "")]);
 const VEHICLE: Setting = With(&[(BODY, "kind", "\"mesh\""), (BODY, "model", "\"car-suv\""), (BODY, "rcs_m2", "")]);
-const LANE: Setting = With(&[(BODY, "position_m", ""), (BODY, "lane", "2"), (BODY, "y_m", "20"), (INTERSECTION, "lane_centres_m", "[2, 5.75]")]);
+const LANE: Setting = With(&[
+    (BODY, "position_m", ""),
+    (BODY, "lane", "2"),
+    (BODY, "y_m", "20"),
+    (INTERSECTION, "lane_centres_m", "[2, 5.75]"),
+]);
 const WHEEL: Setting = With(&[(BODY, "wheel_radius_m", "0.3")]);
 const ROD: Setting = With(&[(PIECE, "id", "\"k\""), (PIECE, "model", "\"pole\""), (PIECE, "position_m", "[5, 20, 0]")]);
-const KERB: Setting =
-    With(&[(PIECE, "id", "\"k\""), (PIECE, "model", "\"kerb\""), (PIECE, "position_m", "[5, 20, 0]"), (PIECE, "length_m", "1")]);
-const FILE: Setting = With(&[(PIECE, "id", "\"k\""), (PIECE, "model", "\"sheet.obj\""), (PIECE, "position_m", "[5, 20, 0]")]);
+const KERB: Setting = With(&[
+    (PIECE, "id", "\"k\""),
+    (PIECE, "model", "\"kerb\""),
+    (PIECE, "position_m", "[5, 20, 0]"),
+    (PIECE, "length_m", "1"),
+]);
+const FILE: Setting =
+    With(&[(PIECE, "id", "\"k\""), (PIECE, "model", "\"sheet.obj\""), (PIECE, "position_m", "[5, 20, 0]")]);
 const HEARD: Setting = With(&[(OTHER, "position_m", "[0, 80, 1]"), (OTHER, "eirp_dbm", "30")]);
 const SNR: Setting = With(&[("noise", "noise_figure_db", "")]);
-const TRAFFIC: Setting = With(&[("traffic", "fcd", "\"t.fcd.xml\""), ("traffic", "models", "{ car = \"sheet.obj\" }"), ("", "frame_interval_s", "0.1")]);
-const FEW: Setting = With(&[("traffic", "fcd", "\"t.fcd.xml\""), ("traffic", "models", "{ car = \"sheet.obj\" }"), ("", "frames", "1")]);
-const LIST: Setting = With(&[(ARRAY, "preset", ""), (ARRAY, "rx_half_wavelengths", "[[0, 0]]"), (ARRAY, "tx_half_wavelengths", "[[0, 0]]")]);
+const TRAFFIC: Setting = With(&[
+    ("traffic", "fcd", "\"t.fcd.xml\""),
+    ("traffic", "models", "{ car = \"sheet.obj\" }"),
+    ("", "frame_interval_s", "0.1"),
+]);
+const FEW: Setting =
+    With(&[("traffic", "fcd", "\"t.fcd.xml\""), ("traffic", "models", "{ car = \"sheet.obj\" }"), ("", "frames", "1")]);
+const LIST: Setting = With(&[
+    (ARRAY, "preset", ""),
+    (ARRAY, "rx_half_wavelengths", "[[0, 0]]"),
+    (ARRAY, "tx_half_wavelengths", "[[0, 0]]"),
+]);
 const FLOOR: Setting = With(&[("road", "backscatter", "\"floor\"")]);
 const ROAD: Setting = With(&[("road", "mirror", "\"on\"")]);
-const SKIN: Setting = With(&[(BODY, "kind", "\"mesh\""), (BODY, "model", "\"sheet.obj\""), (BODY, "rcs_m2", ""), ("fidelity", "transmission", "\"on\"")]);
+const SKIN: Setting = With(&[
+    (BODY, "kind", "\"mesh\""),
+    (BODY, "model", "\"sheet.obj\""),
+    (BODY, "rcs_m2", ""),
+    ("fidelity", "transmission", "\"on\""),
+]);
 const RANKED: Setting = With(&[("dsp", "detector", "\"os-cfar\"")]);
 const GREATEST: Setting = With(&[("dsp", "detector", "\"go-cfar\"")]);
 const COSINE: Setting = With(&[(ARRAY, "pattern", "\"cosine\"")]);
@@ -175,11 +199,53 @@ pub(crate) const NUMBERS: &[Number] = &[
 
 /// Keys that hold words, tables, files or truth.
 pub(crate) const NOT_NUMBERS: &[&str] = &[
-    "name", "radar", "radars", "noise", "dsp", "fidelity", "materials", "intersection", "road", "target", "clutter",
-    "traffic", "waveform", "array", "link", "receiver", "interferer", "id", "preset", "multiplexing", "polarization",
-    "pattern", "pattern_file", "sampling", "doppler_window", "detector", "angle", "refine", "calibration", "edges",
-    "surface", "sides", "nodes", "echo", "detail", "transmission", "substance", "layers", "backing", "coherent", "mirror",
-    "backscatter", "kind", "class", "model", "fcd", "models",
+    "name",
+    "radar",
+    "radars",
+    "noise",
+    "dsp",
+    "fidelity",
+    "materials",
+    "intersection",
+    "road",
+    "target",
+    "clutter",
+    "traffic",
+    "waveform",
+    "array",
+    "link",
+    "receiver",
+    "interferer",
+    "id",
+    "preset",
+    "multiplexing",
+    "polarization",
+    "pattern",
+    "pattern_file",
+    "sampling",
+    "doppler_window",
+    "detector",
+    "angle",
+    "refine",
+    "calibration",
+    "edges",
+    "surface",
+    "sides",
+    "nodes",
+    "echo",
+    "detail",
+    "transmission",
+    "substance",
+    "layers",
+    "backing",
+    "coherent",
+    "mirror",
+    "backscatter",
+    "kind",
+    "class",
+    "model",
+    "fcd",
+    "models",
 ];
 
 /// As a scene file with that number.
@@ -206,7 +272,9 @@ pub(crate) fn scene_with(number: &Number, value: &str) -> String {
     }
     // What stands in no table comes first; a table stands before those within it.
     tables.sort_by_key(|table| table.trim_start_matches('[').to_owned());
-    let of = |table: &&str| keys.iter().filter(|(t, ..)| t == table).map(|(_, k, v)| format!("{k} = {v}\n")).collect::<String>();
+    let of = |table: &&str| {
+        keys.iter().filter(|(t, ..)| t == table).map(|(_, k, v)| format!("{k} = {v}\n")).collect::<String>()
+    };
     let heading = |table: &&str| if table.is_empty() { String::new() } else { format!("[{table}]\n") };
     tables.iter().map(|table| heading(table) + &of(table)).collect()
 }

@@ -1,7 +1,7 @@
 //! Where a glTF's bytes come from: the binary chunk, files beside it, or base64 in its JSON.
 
-use super::error::{Located, MeshFault, MeshPlace};
 use super::LIMIT_BYTES;
+use super::error::{Located, MeshFault, MeshPlace};
 use super::gltf_json::check_values;
 use artifact::bounded::{self, ReadFault};
 use gltf::json::{Buffer, Root, deserialize};

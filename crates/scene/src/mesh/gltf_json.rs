@@ -41,7 +41,9 @@ mod tests {
 
     #[test]
     fn values_are_counted_outside_texts() {
-        for (json, expected) in [("{}", 2), (r#"{"a":[1,2,3]}"#, 5), (r#"{"[,{\\\",":1}"#, 2), (r#""\\""#, 1), (r#"",,,"#, 1)] {
+        for (json, expected) in
+            [("{}", 2), (r#"{"a":[1,2,3]}"#, 5), (r#"{"[,{\\\",":1}"#, 2), (r#""\\""#, 1), (r#"",,,"#, 1)]
+        {
             assert_eq!(values(json.as_bytes()), expected, "{json}");
         }
     }

@@ -17,8 +17,10 @@ pub(crate) fn sound() -> Vec<GlbFile> {
     let values = sparse.add_accessor(floats(&[[4.0, 0.0, 0.0], [0.0, 0.0, 4.0]]), 2, 5126, "VEC3");
     let replaced = json!({ "count": 2, "indices": { "bufferView": indices, "componentType": 5121 }, "values": { "bufferView": values } });
     let mut strip = plain.clone();
-    let corners = strip.add_accessor([0_u32, 1, 2, 3].iter().flat_map(|i| i.to_le_bytes()).collect(), 4, 5125, "SCALAR");
-    let strip = strip.set("/meshes/0/primitives/0/indices", json!(corners)).set("/meshes/0/primitives/0/mode", json!(5));
+    let corners =
+        strip.add_accessor([0_u32, 1, 2, 3].iter().flat_map(|i| i.to_le_bytes()).collect(), 4, 5125, "SCALAR");
+    let strip =
+        strip.set("/meshes/0/primitives/0/indices", json!(corners)).set("/meshes/0/primitives/0/mode", json!(5));
     let mut quantized = plain.clone();
     let positions = quantized.add_accessor(vec![0, 0, 0, 0, 9, 0, 0, 0, 0, 9, 0, 0, 0, 0, 9, 0], 4, 5120, "VEC3");
     let quantized = quantized
@@ -47,8 +49,16 @@ pub(crate) fn binary(noise: &mut Noise) -> Vec<u8> {
 /// The JSON of a file whose buffer lies beside it as `b.bin`, in its JSON, or nowhere; and that buffer.
 pub(crate) fn beside(noise: &mut Noise) -> (Vec<u8>, Vec<u8>) {
     const URIS: [&str; 10] = [
-        "b.bin", "./b.bin", "b%2ebin", "../b.bin", "", "%", "/dev/null", "data:application/octet-stream;base64,AAAA",
-        "http://example.invalid/b.bin", ".",
+        "b.bin",
+        "./b.bin",
+        "b%2ebin",
+        "../b.bin",
+        "",
+        "%",
+        "/dev/null",
+        "data:application/octet-stream;base64,AAAA",
+        "http://example.invalid/b.bin",
+        ".",
     ];
     let mut file = any(noise);
     let uri = if noise.one_in(3) { noise.pick(&URIS) } else { "b.bin" };
@@ -96,8 +106,20 @@ fn change_array(noise: &mut Noise, array: &mut Vec<Value>) {
 }
 
 const WORDS: [&str; 14] = [
-    "uri", "byteOffset", "byteStride", "sparse", "mode", "indices", "children", "matrix", "scale", "rotation", "skin",
-    "weights", "extensionsRequired", "normalized",
+    "uri",
+    "byteOffset",
+    "byteStride",
+    "sparse",
+    "mode",
+    "indices",
+    "children",
+    "matrix",
+    "scale",
+    "rotation",
+    "skin",
+    "weights",
+    "extensionsRequired",
+    "normalized",
 ];
 
 fn strange(noise: &mut Noise) -> Value {

@@ -91,5 +91,9 @@ fn one_case(reader: &Reader, tally: &mut Tally, folder: &Path) {
 fn tell(reader: &Reader, tally: &Tally) {
     let Tally { cases, read, spent } = tally;
     let (minutes, peak) = (spent.as_secs_f64() / 60.0, watch::peak_mib().unwrap_or(0));
-    println!("{}: {cases} cases, {read} read, {} refused, {minutes:.1} minutes, at most {peak} MiB", reader.name, cases - read);
+    println!(
+        "{}: {cases} cases, {read} read, {} refused, {minutes:.1} minutes, at most {peak} MiB",
+        reader.name,
+        cases - read
+    );
 }

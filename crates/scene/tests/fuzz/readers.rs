@@ -27,9 +27,21 @@ pub(crate) const READERS: [Reader; 11] = [
     Reader { name: "obj", write: |n, at| text(n, at, "m.obj", sound::OBJ), read: |at| mesh(at, "m.obj") },
     Reader { name: "scene", write: write_scene, read: |at| whole_scene(at, "s.toml") },
     Reader { name: "materials", write: |n, at| text(n, at, "m.toml", sound::MATERIALS), read: materials },
-    Reader { name: "pattern", write: |n, at| text(n, at, "p.csv", sound::PATTERN), read: |at| whole_scene(at, "pattern.toml") },
-    Reader { name: "calibration", write: |n, at| text(n, at, "c.csv", sound::CALIBRATION), read: |at| whole_scene(at, "calibration.toml") },
-    Reader { name: "fcd", write: |n, at| text(n, at, "t.fcd.xml", sound::FCD), read: |at| whole_scene(at, "traffic.toml") },
+    Reader {
+        name: "pattern",
+        write: |n, at| text(n, at, "p.csv", sound::PATTERN),
+        read: |at| whole_scene(at, "pattern.toml"),
+    },
+    Reader {
+        name: "calibration",
+        write: |n, at| text(n, at, "c.csv", sound::CALIBRATION),
+        read: |at| whole_scene(at, "calibration.toml"),
+    },
+    Reader {
+        name: "fcd",
+        write: |n, at| text(n, at, "t.fcd.xml", sound::FCD),
+        read: |at| whole_scene(at, "traffic.toml"),
+    },
     Reader { name: "fcd-gzip", write: write_packed, read: |at| whole_scene(at, "traffic.toml") },
 ];
 
