@@ -21,6 +21,7 @@ use artifact::settings::{Class, EchoMode};
 use artifact::{Accuracy, ErrorBudget, ModelError, Schema};
 use bart_rcs::FrameSurroundings;
 use classifier::Classifier;
+use fmcw_echo::EchoError;
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::path::Path;
@@ -333,11 +334,22 @@ impl<'a> Chain<'a> {
                 let centre_hz = self.header.radar.waveform.centre_frequency_hz();
                 let accuracy = echo_accuracy(self.header);
                 let all = &self.with_ground(frame)?;
-                fmcw_echo::synthesize(header, seed, all, centre_hz, accuracy, &progress).map_err(Failure::refused)
+                fmcw_echo::synthesize(header, seed, all, centre_hz, accuracy, &progress)
+                    .map_err(|error| self.of_echo(&error, frame))
             }
             Scattering::Tables(frame) => {
                 fmcw_echo::synthesize_tables(header, seed, &scene.poses, frame, &progress).map_err(Failure::refused)
             }
+        }
+    }
+
+    /// A refusal with the body whose path it is about.
+    fn of_echo(&self, error: &EchoError, frame: &PathsFrame) -> Failure {
+        let path = error.path().and_then(|path| frame.paths.get(path));
+        let targets = self.paths_header().targets;
+        match path.and_then(|path| targets.get(path.target as usize)) {
+            Some(id) => Failure::refused(format!("target `{id}`: {error}")),
+            None => Failure::refused(error),
         }
     }
 

@@ -29,16 +29,16 @@ use crate::progress::Work;
 pub(crate) fn dispatch(command: Command) -> Result<(), Failure> {
     let _under_way = Work::begin(command.name());
     match command {
-        Command::Run(arguments) => run::run(&arguments),
-        Command::Rcs(arguments) => rcs::run(&arguments),
-        Command::Paths(arguments) => paths::run(&arguments),
-        Command::Echo(arguments) => echo::run(&arguments),
-        Command::Dsp(arguments) => dsp::run(&arguments),
-        Command::Dataset(arguments) => dataset::run(&arguments),
+        Command::Run(arguments) => run::run(&arguments).map_err(|failure| failure.about(&arguments.scene.scene)),
+        Command::Rcs(arguments) => rcs::run(&arguments).map_err(|failure| failure.about(&arguments.mesh)),
+        Command::Paths(arguments) => paths::run(&arguments).map_err(|failure| failure.about(&arguments.scene.scene)),
+        Command::Echo(arguments) => echo::run(&arguments).map_err(|failure| failure.about(&arguments.scene.scene)),
+        Command::Dsp(arguments) => dsp::run(&arguments).map_err(|failure| failure.about(&arguments.cube)),
+        Command::Dataset(arguments) => dataset::run(&arguments).map_err(|failure| failure.about(&arguments.spec)),
         Command::Train(arguments) => train::run(&arguments),
         Command::Classify(arguments) => classify::run(&arguments),
         Command::Import(arguments) => import::run(&arguments),
-        Command::Calibrate(arguments) => calibrate::run(&arguments),
+        Command::Calibrate(arguments) => calibrate::run(&arguments).map_err(|failure| failure.about(&arguments.cube)),
         Command::Export(arguments) => export::run(&arguments),
         Command::Inspect(arguments) => inspect::run(&arguments),
         Command::Vehicles(arguments) => vehicles::run(&arguments),

@@ -10,6 +10,9 @@ pub(crate) enum Failure {
     /// An input was read and refused, or a check of `ci` failed.
     #[error("{0}")]
     Refused(String),
+    /// What was read of a file cannot be worked on; which file that was is known further out.
+    #[error("{0}")]
+    Unplaced(String),
     /// A file is missing, unreadable or unwritable, the disk is full, or the words of the command are off.
     #[error("{0}")]
     System(String),
@@ -21,14 +24,22 @@ impl Failure {
         crate::progress::finish();
         crate::output::say(format_args!("error: {}", printable(&self.to_string())));
         match self {
-            Self::Refused(_) => ExitCode::from(1),
+            Self::Refused(_) | Self::Unplaced(_) => ExitCode::from(1),
             Self::System(_) => ExitCode::from(2),
         }
     }
 
-    /// A refusal in the words of `error`.
+    /// A refusal in the words of a stage, which knows no files.
     pub(crate) fn refused(error: impl std::fmt::Display) -> Self {
-        Self::Refused(error.to_string())
+        Self::Unplaced(error.to_string())
+    }
+
+    /// With the file that was read, where none is named yet.
+    pub(crate) fn about(self, file: &Path) -> Self {
+        match self {
+            Self::Unplaced(text) => Self::Refused(format!("{}: {text}", file.display())),
+            placed => placed,
+        }
     }
 
     /// What the system answered about `file`.

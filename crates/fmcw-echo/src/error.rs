@@ -211,3 +211,15 @@ pub enum EchoError {
         last: f64,
     },
 }
+
+impl EchoError {
+    /// Index of the path that is refused, in its frame's list.
+    pub fn path(&self) -> Option<usize> {
+        match self {
+            Self::NonFinitePath { path, .. } | Self::PathThroughAntenna { path, .. } | Self::TooFast { path, .. } => {
+                Some(*path)
+            }
+            _ => None,
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! A scene file as tables that know their place: reads typed values, notes every broken rule and goes on.
 
-use crate::errors::{Allowed, Place, Rule, nearest};
+use crate::errors::{Allowed, Place, Rule, nearest, nearest_from};
 use crate::faults::Faults;
 use crate::keys::{self, Table};
 use crate::synonyms;
@@ -364,11 +364,13 @@ fn unknown_key(found: &str, table: &Table) -> Rule {
     if let Some(home) = keys::home_of(found, table) {
         return Rule::WrongTable { found: found_here, table: home };
     }
-    match (nearest(found, table.keys), synonyms::meant_elsewhere(found)) {
+    // Four letters in five alike are no chance; less may be, and a word of others is none.
+    const ALIKE: f64 = 0.85;
+    match (nearest_from(ALIKE, found, table.keys), synonyms::meant_elsewhere(found)) {
         (None, Some(meant)) => {
             Rule::UnknownKey { found: found_here, nearest: Some(meant), home: keys::home_of(meant, table) }
         }
-        (nearest, _) => here(nearest),
+        _ => here(nearest(found, table.keys)),
     }
 }
 

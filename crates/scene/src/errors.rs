@@ -389,6 +389,16 @@ pub enum Rule {
         /// Names of those there; none where `[radar]` is the only one.
         known: Vec<String>,
     },
+    /// A point in the antenna.
+    #[error(
+        "a point target must be a wavelength of {wavelength_m} m or more from every element of the radar's array, is {distance_m} m"
+    )]
+    AtTheAntenna {
+        /// From the nearest element.
+        distance_m: f64,
+        /// Of the sweep's centre.
+        wavelength_m: f64,
+    },
     /// Neither a file of a known format nor one of the project's own.
     #[error("model `{found}` is neither a .glb, .gltf, .stl or .obj file nor one of the project's {own}{}", nearest_key(.nearest))]
     UnknownModel {
@@ -485,11 +495,15 @@ pub(crate) fn excerpt(text: &str) -> String {
 pub(crate) fn nearest(found: &str, known: &[&'static str]) -> Option<&'static str> {
     // 0.6 lets one wrong or missing letter in three pass: `slope` finds `slope_mhz_per_us`, `velocty_mps` finds
     // `velocity_mps`, `colour` finds nothing. Jaro–Winkler favours common beginnings, where our keys carry their sense.
-    const LIKENESS: f64 = 0.6;
+    nearest_from(0.6, found, known)
+}
+
+/// The word of `known` spelt most like `found`, if any is as like to it as `least`, from 0 to 1.
+pub(crate) fn nearest_from(least: f64, found: &str, known: &[&'static str]) -> Option<&'static str> {
     known
         .iter()
         .map(|word| (strsim::jaro_winkler(found, word), *word))
-        .filter(|(likeness, _)| *likeness >= LIKENESS)
+        .filter(|(likeness, _)| *likeness >= least)
         .max_by(|a, b| a.0.total_cmp(&b.0))
         .map(|(_, word)| word)
 }

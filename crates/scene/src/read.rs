@@ -94,7 +94,7 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let radar = read_radar(&radar_section, models);
     let (frames, frame_interval_s) = read_frames(root, &radar);
     let (intersection, lanes) = read_intersection(root, &radar);
-    let targets = read_targets(root, &lanes, models);
+    let targets = read_targets(root, &radar, &lanes, models);
     let recording = read_traffic(root, &radar, frame_interval_s, models);
     let recording = recording.filter(|_| models.are_opened());
     let traffic = recording.map(|recording| recording.frames(models, &targets));

@@ -6,8 +6,10 @@ use crate::errors::{Allowed, Rule};
 use crate::keys;
 use crate::models::Models;
 use crate::radar::COORDINATES_M;
+use artifact::radar::Radar;
 use artifact::scene::{Pose, Role, Target, TargetKind, Wheel};
 use artifact::settings::{Class, Lanes};
+use glam::DVec3;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
@@ -24,11 +26,15 @@ enum Kind {
 }
 
 /// The scene's targets, then its clutter; those that break a rule are noted and left out.
-pub(crate) fn read_targets(root: &Section<'_>, road: &Lanes, models: &mut Models) -> Vec<Target> {
+pub(crate) fn read_targets(root: &Section<'_>, radar: &Radar, road: &Lanes, models: &mut Models) -> Vec<Target> {
     let (sections, clutter) = (root.sections(&keys::TARGET), root.sections(&keys::CLUTTER));
     let ids = read_ids(&[&sections[..], &clutter[..]].concat());
     let (ids, ids_of_clutter) = ids.split_at(sections.len());
-    let targets = sections.iter().zip(ids).filter_map(|(section, id)| read_target(section, *id, road, models));
+    let targets = sections.iter().zip(ids).filter_map(|(section, id)| {
+        let target = read_target(section, *id, road, models)?;
+        check_distance(section, radar, &target);
+        Some(target)
+    });
     let mut targets: Vec<Target> = targets.collect();
     targets.extend(read_clutter(&clutter, ids_of_clutter, models));
     targets
@@ -60,6 +66,21 @@ fn read_target(section: &Section<'_>, id: Option<&str>, road: &Lanes, models: &m
         Kind::Point => read_point_target(section),
     };
     Some(Target { id: id?.to_owned(), role: Role::Target, kind: kind?, start: start? })
+}
+
+/// A point within a wavelength of an element has no far field there: its echo means nothing.
+fn check_distance(section: &Section<'_>, radar: &Radar, target: &Target) {
+    if !matches!(target.kind, TargetKind::Point { wheel: None, .. }) {
+        return;
+    }
+    let place_m = DVec3::from(target.start.position_m);
+    let elements = radar.array.tx_m.iter().chain(&radar.array.rx_m);
+    let distance_m = elements.map(|element| place_m.distance((*element).into())).fold(f64::INFINITY, f64::min);
+    let wavelength_m = radar.waveform.wavelength_m();
+    if distance_m < wavelength_m {
+        let key = if section.has("position_m") { "position_m" } else { "y_m" };
+        section.note(key, Rule::AtTheAntenna { distance_m, wavelength_m });
+    }
 }
 
 fn read_mesh_target(section: &Section<'_>, models: &mut Models) -> Option<TargetKind> {

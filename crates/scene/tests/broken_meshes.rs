@@ -410,3 +410,48 @@ fn assert_sound(mesh: &artifact::scene::Mesh) {
     assert!(mesh.material_of_triangle.iter().all(|&i| usize::from(i) < mesh.materials.len()));
     assert!(!mesh.triangles.is_empty());
 }
+
+#[test]
+fn many_accessors_over_the_same_bytes_are_refused_before_they_fill_the_memory() {
+    // 6 MiB of bytes as 2²¹ positions, by 100 accessors: 5 GiB once they are read.
+    let mut file = GlbFile::tetrahedron();
+    let positions = file.add_accessor(vec![7; 6 << 20], 2 << 20, 5121, "VEC3");
+    let accessor = file.json["accessors"][positions].clone();
+    for _ in 0..100 {
+        file.json["accessors"].as_array_mut().unwrap().push(accessor.clone());
+    }
+    let primitive = |i: usize| json!({ "attributes": { "POSITION": positions + i }, "indices": 2 });
+    let file = file
+        .set("/meshes/0/primitives", json!((0..100).map(primitive).collect::<Vec<_>>()))
+        .set("/extensionsUsed", json!(["KHR_mesh_quantization"]));
+    let error = mesh_from_bytes(&file.bytes(), Format::Glb, Path::new("many.glb"), &METRES).unwrap_err();
+    assert!(error.to_string().contains("has more than 100663296 positions and normals"), "{error}");
+}
+
+#[test]
+fn lines_that_go_on_and_materials_by_the_thousand_take_time_as_they_are_many_and_not_their_square() {
+    let corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    let start = std::time::Instant::now();
+    let going_on = format!("{corners}f 1 2 {}3\n", "\\\n".repeat(1 << 20));
+    assert!(mesh_from_bytes(going_on.as_bytes(), Format::Obj, Path::new("long.obj"), &METRES).is_ok());
+    let materials: String = (0..60_000).map(|i| format!("usemtl m{i}\nf 1 2 3\n")).collect();
+    let materials = format!("{corners}{}", materials.repeat(3));
+    let mesh = mesh_from_bytes(materials.as_bytes(), Format::Obj, Path::new("many.obj"), &METRES).unwrap();
+    assert_eq!((mesh.materials.len(), mesh.triangles.len()), (60_000, 180_000));
+    assert!(start.elapsed().as_secs() < 30, "{:?}", start.elapsed());
+}
+
+#[cfg(unix)]
+#[test]
+fn what_is_no_plain_file_is_refused_before_it_is_opened_buffers_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let fifo = folder.path().join("b.glb");
+    assert!(std::process::Command::new("mkfifo").arg(&fifo).status().unwrap().success());
+    let error = scene::read_mesh(&fifo, &METRES).unwrap_err();
+    assert!(error.is_system() && error.to_string().contains("b.glb: cannot be read: it is a FIFO"), "{error}");
+    let file = folder.path().join("m.gltf");
+    let document = GlbFile::tetrahedron().set("/buffers/0/uri", json!("b.glb"));
+    std::fs::write(&file, serde_json::to_vec(&document.json).unwrap()).unwrap();
+    let error = scene::read_mesh(&file, &METRES).unwrap_err();
+    assert!(error.is_system() && error.to_string().contains("cannot be read: it is a FIFO"), "{error}");
+}

@@ -86,7 +86,7 @@ const CASES: &[Case] = &[
     (NAME, "[radar]\nboresight_el_deg = 91\n", "3:20", "`boresight_el_deg` must be a number from -90 to 90, is 91"),
     (NAME, "[radar.waveform]\nstart_frequency_ghz = 77e9\n", "3:23", "from 0.1 to 1000, is 7.7e10"),
     (NAME, "[radar.waveform]\nslope_mhz_per_us = -2000\n", "3:20", "the sweep ends at -23 GHz; with `slope_mhz_per_us` it must end from 0.1 to 2000 GHz"),
-    (NAME, "[radar.waveform]\nslope_mhz_per_us = 1e4\nsample_rate_msps = 1e-3\n", "3:20", "the sweep ends at 2.560077e9 GHz"),
+    (NAME, "[radar.waveform]\nslope_mhz_per_us = 1e4\nsample_rate_msps = 1e-3\n", "3:20", "the sweep ends at 2560077 GHz; with `slope_mhz_per_us` it must end from 0.1 to 2000 GHz"),
     (NAME, "[radar.waveform]\nslope_mhz_per_us = 0.0\n", "3:20", "`slope_mhz_per_us` must not be 0"),
     (NAME, "[radar.waveform]\nsample_rate_msps = 0\n", "3:20", "`sample_rate_msps`"),
     (NAME, "[radar.waveform]\nsamples = 4\n", "3:11", "`samples` must be a number from 8 to 65536, is 4"),
@@ -151,6 +151,7 @@ const CASES: &[Case] = &[
     (NAME, "[[target]]\nkind = \"point\"\nid = \"p\"\nrcs_m2 = 1\nlane = 2\n", "6:8", "`lane` needs `y_m` beside it"),
     (NAME, "[[target]]\nkind = \"point\"\nid = \"p\"\nrcs_m2 = 1\ny_m = 2\n", "6:7", "`y_m` needs `lane` beside it"),
     (NAME, "[[target]]\nkind = \"point\"\nid = \"p\"\nrcs_m2 = 1\nlane = 4\ny_m = 40\n", "6:8", "lane 4 does not exist; lanes are numbered 1 to 3"),
+    (NAME, "[[target]]\nkind = \"point\"\nid = \"p\"\nrcs_m2 = 1\nposition_m = [0, 0, 6]\n", "6:14", "target `p`: a point target must be a wavelength of 0.003"),
     (CAR, "class = \"tram\"\n", "7:9", "it can be `car`, `bus`, `truck`, `motorcycle`"),
     (CAR, "rcs_m2 = 1\n", "7:10", "key `rcs_m2` has no meaning for a mesh target"),
     (CAR, "unit_scale = 0\n", "7:14", "`unit_scale` must be a number from 1e-9 to 1000000, is 0"),
@@ -279,7 +280,7 @@ fn of_many_broken_rules_the_first_hundred_are_told_and_the_others_counted() {
     let file = folder.path().join("many.toml");
     // As many keys as a file may hold; the time grows with them, not with their square, which was minutes.
     for count in [101_u64, 300_000] {
-        let keys: String = (0..count).map(|i| format!("k{i} = {i}\n")).collect();
+        let keys: String = (0..count).map(|i| format!("k{i}=1\n")).collect();
         let start = std::time::Instant::now();
         let errors = read_text(&file, &format!("name = \"many\"\n{keys}")).unwrap_err();
         assert!(start.elapsed().as_secs() < 60, "{count} keys take {:?}", start.elapsed());

@@ -408,3 +408,49 @@ fn positions_of_the_recordings_are_those_checked_by_hand() {
     assert!((away.length() - 51.205).abs() < 5e-4);
     assert!((DVec3::from(pose.velocity_mps).dot(away) / away.length() + 15.313).abs() < 5e-4);
 }
+
+#[test]
+fn a_recording_that_costs_more_than_it_says_is_refused_at_its_line() {
+    let car = |id: &str, kind: &str| {
+        format!("<vehicle id=\"{id}\" x=\"2\" y=\"40\" angle=\"180\" type=\"{kind}\" speed=\"3\"/>")
+    };
+    let step = |time: &str, inside: &str| format!("<timestep time=\"{time}\">\n{inside}\n</timestep>\n");
+    let recording = |inside: &str| format!("<fcd-export>\n{inside}</fcd-export>\n");
+    let attributes: String = (0..300).map(|i| format!(" a{i}=\"\"")).collect();
+    let cases = [
+        (recording(&"<a>".repeat(1 << 20)), "2: elements lie within one another more than 64 deep"),
+        (recording(&format!("<timestep{attributes}/>")), "an element has more than 256 attributes"),
+        (recording(&step("0", &car(&"x".repeat(300), "car"))), "3: `id` has more than 256 bytes"),
+        (recording(&step("0", &car("a", &"x".repeat(300)))), "3: `type` has more than 256 bytes"),
+        (
+            recording(&(step("0", &car("a", "car")) + &step("1e9", &car("a", "car")))),
+            "5: from 0 s on, every 0.1 s, it holds more than 1000000 frames",
+        ),
+        (
+            recording(
+                &(step("0", &(car("a", "tram") + &car("b", "car")))
+                    + &step("0.1", &(car("c", "ship") + &car("d", "tram")))),
+            ),
+            "3: type `tram` of vehicle `a`, type `ship` of vehicle `c` (line 6) are not in `models` of [traffic]; known are",
+        ),
+    ];
+    for (text, expected) in cases {
+        let told = read_bytes(text.as_bytes(), "", CAR).unwrap_err();
+        assert!(told.contains(expected), "{expected}: {}", told.chars().take(400).collect::<String>());
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_recording_that_is_no_plain_file_is_refused_before_it_is_opened() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path().join("t.fcd.xml");
+    assert!(std::process::Command::new("mkfifo").arg(&at).status().unwrap().success());
+    let file = folder.path().join("scene.toml");
+    std::fs::write(&file, "name = \"t\"\n[traffic]\nfcd = \"t.fcd.xml\"\n").unwrap();
+    let errors = scene::read(&file, &WHOLE).unwrap_err();
+    assert!(
+        errors.is_system() && errors.to_string().contains("it is a FIFO, and plain files alone are read"),
+        "{errors}"
+    );
+}

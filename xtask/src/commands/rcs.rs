@@ -103,7 +103,7 @@ fn mesh(place: &Path, unit_scale: Option<f64>) -> Result<Mesh, Failure> {
     }
     scene::read_mesh(place, &scene::MeshOptions { unit_scale }).map_err(|error| match error.is_system() {
         true => Failure::System(error.to_string()),
-        false => Failure::refused(error),
+        false => Failure::Refused(error.to_string()),
     })
 }
 
@@ -112,7 +112,7 @@ fn dressed(mesh: Mesh, arguments: &RcsArguments) -> Result<Mesh, Failure> {
     let Some(file) = &arguments.materials else { return Ok(mesh) };
     let map = scene::read_materials(file).map_err(|errors| match errors.is_system() {
         true => Failure::System(errors.to_string()),
-        false => Failure::refused(errors),
+        false => Failure::Refused(errors.to_string()),
     })?;
     let transmission = match arguments.transmission {
         TransmissionWord::On => Transmission::Followed,

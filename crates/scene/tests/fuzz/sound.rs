@@ -80,9 +80,9 @@ const ALL: &str = include_str!("all.toml");
 
 pub(crate) const SCENES: &[&str] = &[
     ALL,
-    include_str!("../../../../scenes/experiment-1.toml"),
-    include_str!("../../../../scenes/four-directions.toml"),
-    include_str!("../../../../scenes/street.toml"),
+    // The project's own vehicles take a hundred times what reading a scene takes: these have none.
+    "name = \"two\"\n[radar.waveform]\nsamples = 64\n[[radars]]\nid = \"a\"\n[[radars]]\nid = \"b\"\nposition_m = [9, 0, 3]\n[radars.array]\npreset = \"1x4\"\n[[target]]\nkind = \"point\"\nid = \"p\"\nrcs_m2 = 1\nposition_m = [0, 9, 0]\n",
+    "name = \"files\"\nframes = 3\n[fidelity]\nmaterials = \"m.toml\"\n[radar.array]\npreset = \"1x4\"\npattern = \"table\"\npattern_file = \"p.csv\"\n[dsp]\ncalibration = \"c.csv\"\n[[target]]\nkind = \"mesh\"\nid = \"m\"\nmodel = \"sheet.obj\"\nlane = 2\ny_m = 30\n[intersection]\nlane_centres_m = [2, 6]\n[[clutter]]\nid = \"c\"\nmodel = \"sheet.obj\"\nposition_m = [0, 9, 0]\n",
 ];
 
 /// Files that stand beside a case, whatever it is.
