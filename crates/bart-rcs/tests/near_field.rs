@@ -74,14 +74,17 @@ fn antenna_m(request: &RcsRequest) -> DVec3 {
 /// and Legendre, which miss (π/8)⁴/270 = 9e-5 of a step's phasor.
 fn brute_force(mesh: &Mesh, request: &RcsRequest) -> Complex64 {
     let facets = mesh.triangles.iter().map(|t| t.map(|vertex| DVec3::from_array(mesh.vertices_m[vertex as usize])));
-    let sum: Complex64 = facets.map(|facet| over_facet(facet, mesh.name == "plate", request)).sum();
+    let sum: Complex64 = facets.map(|facet| over_facet(facet, if mesh.name == "plate" { Sides::Two } else { Sides::One }, request)).sum();
     Complex64::I * (4.0 * PI).sqrt() / WAVELENGTH_M * sum
 }
 
-fn over_facet([a, b, c]: [DVec3; 3], has_two_sides: bool, request: &RcsRequest) -> Complex64 {
+fn over_facet([a, b, c]: [DVec3; 3], sides: Sides, request: &RcsRequest) -> Complex64 {
     let (p, k) = (antenna_m(request), TAU / WAVELENGTH_M);
     let outward = 0.5 * (b - a).cross(c - a);
-    let side = if has_two_sides { outward.dot(p - a).signum() } else { 1.0 };
+    let side = match sides {
+        Sides::Two => outward.dot(p - a).signum(),
+        Sides::One => 1.0,
+    };
     if side * outward.dot(p - a) <= 0.0 {
         return Complex64::ZERO;
     }

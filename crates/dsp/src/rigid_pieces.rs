@@ -164,7 +164,7 @@ mod tests {
         let place_m = DVec2::new(x_m, y_m);
         Member {
             range_m: place_m.length(),
-            radial_velocity_mps: velocity_mps.dot(place_m.normalize()),
+            radial_velocity_mps: velocity_mps.dot(place_m.normalize_or_zero()),
             cross_m: x_m,
             cross_error_m: 0.1,
             power: 1.0,

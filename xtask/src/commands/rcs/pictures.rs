@@ -145,14 +145,14 @@ fn profile(mesh: &Mesh, request: &RcsRequest, samplings: &Samplings, table: &Arr
     };
     let lines = few(request.azimuth_rad.len()).into_iter().map(line).collect();
     let range = Samplings { cross_range: None, ..*samplings };
-    let label = format!("range beyond the origin, m{}", ambiguous(!range.warnings().is_empty()));
+    let label = format!("range beyond the origin, m{}", ambiguous(&range.warnings()));
     let plot = line_plot("Range profile", &label, "|S|² of a cell, dBsm", lines);
     LinePlot { notes: range.warnings().into_iter().map(capital).collect(), ..plot }
 }
 
 /// What an axis says where the body lies upon itself.
-fn ambiguous(is_so: bool) -> &'static str {
-    if is_so { " (ambiguous)" } else { "" }
+fn ambiguous(warnings: &[String]) -> &'static str {
+    if warnings.is_empty() { "" } else { " (ambiguous)" }
 }
 
 fn capital(sentence: String) -> String {
@@ -177,7 +177,7 @@ fn image(
         Sum::Incoherent => "Azimuths too coarse for phases: profiles added in power, so that cross-range is blurred.",
     };
     let warnings = samplings.warnings();
-    let mark = ambiguous(!warnings.is_empty());
+    let mark = ambiguous(&warnings);
     let mut legend = Legend::default();
     legend.say_of(&[Mark::Plate, Mark::Line], "truthmap", "outline of the mesh from above");
     let map = HeatMap {
