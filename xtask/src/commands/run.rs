@@ -87,7 +87,6 @@ fn one_radar(
     let (computed, figures) = compute(&chain, loaded, &plans, &out)?;
     let frames_seconds = start.elapsed().as_secs_f64();
     if let Some(cache) = cache {
-        expectation::learn(cache, &chain, &computed.frames);
         cache.trim();
     }
     let summary = conclude(loaded, computed, frames_seconds, &figures, &out)?;
@@ -110,7 +109,9 @@ fn compute(
     let mut products = Products::create(chain, out, &loaded.files)?;
     let mut tracking = Tracking::of(chain)?;
     let (mut frames, mut cycle) = (Vec::new(), Vec::new());
-    for plans_at_once in plans.chunks(chain.side_by_side()) {
+    let at_once = chain.side_by_side(plans)?;
+    chain.share_memory(at_once);
+    for plans_at_once in plans.chunks(at_once) {
         let first = plans_at_once.first().map_or(0, |plan| plan.index + 1);
         progress::note(format!("frame {first} of {}", plans.len()));
         for mut frame in side_by_side(chain, plans_at_once)? {

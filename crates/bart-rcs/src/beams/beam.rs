@@ -226,9 +226,9 @@ fn grow_order<V: Visibility>(world: &World, order: u8, growth: &mut Growth) -> R
 }
 
 /// A tree that is being grown, and what only its last orders need.
-struct Growth<'a> {
-    tree: BeamTree,
-    settings: &'a TraceSettings,
+pub(crate) struct Growth<'a> {
+    pub(crate) tree: BeamTree,
+    pub(crate) settings: &'a TraceSettings,
     /// The edges of the two last orders' polygons, from vertex `first_edge` of the tree on.
     edges: Vec<(Plane, Border)>,
     first_edge: usize,
@@ -238,7 +238,7 @@ struct Growth<'a> {
 }
 
 impl<'a> Growth<'a> {
-    fn new(antenna: Antenna, settings: &'a TraceSettings) -> Self {
+    pub(crate) fn new(antenna: Antenna, settings: &'a TraceSettings) -> Self {
         let tree = BeamTree {
             antenna,
             beams: Vec::new(),
@@ -250,7 +250,7 @@ impl<'a> Growth<'a> {
     }
 
     /// Starts an order; gives the beams of the order before that are to be reflected.
-    fn begin_order(&mut self) -> Vec<u32> {
+    pub(crate) fn begin_order(&mut self) -> Vec<u32> {
         let last = self.first_beam..self.tree.beams.len();
         let first_edge = self.tree.beams.get(last.start).map_or(0, |beam| beam.polygon.start as usize);
         self.edges.drain(..first_edge.saturating_sub(self.first_edge).min(self.edges.len()));
@@ -263,7 +263,7 @@ impl<'a> Growth<'a> {
     }
 
     /// What a beam of the order before shows as a mirror; `None` for a beam of an older order.
-    fn view<'w>(&'w self, world: &'w World, index: u32) -> Option<View<'w>> {
+    pub(crate) fn view<'w>(&'w self, world: &'w World, index: u32) -> Option<View<'w>> {
         let beam = &self.tree.beams[index as usize];
         let facet = world.facet(beam.facet);
         let front = if beam.lit_normal == facet.plane.normal { facet.plane } else { -facet.plane };
@@ -274,7 +274,13 @@ impl<'a> Growth<'a> {
     }
 
     /// Adds what one view shows.
-    fn take(&mut self, parent: Option<u32>, image: Antenna, order: u8, parts: Parts) -> Result<(), BartError> {
+    pub(crate) fn take(
+        &mut self,
+        parent: Option<u32>,
+        image: Antenna,
+        order: u8,
+        parts: Parts,
+    ) -> Result<(), BartError> {
         for part in &parts.parts {
             if part.corners.is_empty() || part.across_m2 < self.settings.least_area_m2 {
                 self.audit.drop(part);
