@@ -4,6 +4,7 @@
 use crate::cache::Cache;
 use crate::failure::Failure;
 use crate::keys::{FrameKeys, SceneParts, cube_header, echo_header};
+use crate::looks::Looks;
 use crate::measured_frames::MeasuredFrames;
 use crate::plan::FramePlan;
 use crate::progress::{self, Work};
@@ -128,6 +129,10 @@ pub(crate) struct Chain<'a> {
     bodies: OnceLock<Result<bart_rcs::Models, String>>,
     ground: OnceLock<Result<Vec<artifact::paths::Path>, String>>,
     measured: MeasuredFrames,
+    pub(crate) looks: Looks,
+    /// Frames that share what tracing may take; one where no plan was made of them.
+    at_once: OnceLock<usize>,
+    limited: OnceLock<bart_rcs::Models>,
 }
 
 impl<'a> Chain<'a> {
@@ -135,7 +140,21 @@ impl<'a> Chain<'a> {
         let (cube_header, parts) = (cube_header(header), SceneParts::of(header));
         let (echo_header, measured) = (echo_header(header), MeasuredFrames::default());
         let (bodies, ground) = (OnceLock::new(), OnceLock::new());
-        Self { header, cube_header, echo_header, cache, model, parts, bodies, ground, measured }
+        let (looks, at_once, limited) = (Looks::default(), OnceLock::new(), OnceLock::new());
+        Self {
+            header,
+            cube_header,
+            echo_header,
+            cache,
+            model,
+            parts,
+            bodies,
+            ground,
+            measured,
+            looks,
+            at_once,
+            limited,
+        }
     }
 
     /// What one frame needs and why.
@@ -160,7 +179,7 @@ impl<'a> Chain<'a> {
             Scattering::Tables(_) => None,
         };
         let error = error.joined(cube.error);
-        let memory_estimate_mib = self.memory_estimate_mib(plan.index);
+        let memory_estimate_mib = self.memory_estimate_mib(plan)?;
         let Log { seconds, cached } = log;
         let result =
             FrameResult { scene, paths, points, classes, error, model_error, seconds, cached, memory_estimate_mib };
@@ -177,34 +196,10 @@ impl<'a> Chain<'a> {
         self.header.targets.iter().map(|target| &target.kind).chain(vehicles).map(triangles).sum()
     }
 
-    /// What a frame is expected to hold at most, MiB.
-    pub(crate) fn memory_estimate_mib(&self, index: u32) -> f64 {
-        let bytes =
-            self.triangles(index) as u64 * u64::from(self.header.fidelity.bounces) * BYTES_PER_TRIANGLE_AND_ORDER
-                + fmcw_echo::memory_estimate_bytes(&self.cube_header, echo_accuracy(self.header))
-                + self.map_bytes()
-                + self.ground_bytes();
-        crate::memory::mib(bytes) + PROGRAM_MIB
-    }
-
-    /// How many frames are computed at a time: one a thread, as many as are expected to fit into the memory that they may
-    /// take. A frame's own work is in parallel too; what of it is not, is done beside another frame.
-    pub(crate) fn side_by_side(&self) -> usize {
-        let most_mib = (0..self.header.frames).map(|i| self.memory_estimate_mib(i)).fold(1.0, f64::max);
-        let fitting = crate::memory::limit_mib().map_or(usize::MAX, |limit| (limit / most_mib) as usize);
-        rayon::current_num_threads().min(fitting).min(self.header.frames as usize).max(1)
-    }
-
-    /// A map in both precisions: all channels are transformed at once.
-    fn map_bytes(&self) -> u64 {
-        let cells: usize = artifact::rdm::shape(&self.cube_header).iter().product();
-        (cells * (size_of::<num_complex::Complex32>() + size_of::<num_complex::Complex64>())) as u64
-    }
-
-    /// Paths of the ground, once for the run and once among those of the frame.
-    fn ground_bytes(&self) -> u64 {
-        let patches = self.header.backscatter.map_or(0, |_| fmcw_echo::ground::patches(&self.header.radar));
-        (2 * patches * size_of::<artifact::paths::Path>()) as u64
+    /// What a frame's tracing will take, from a sample of it.
+    pub(crate) fn expected_work(&self, index: u32) -> Result<bart_rcs::ExpectedWork, Failure> {
+        let (view, frame) = (scene::frame_view(self.header, index), scene::snapshot(self.header, index));
+        bart_rcs::expected_work(self.models()?, &view, &frame).map_err(Failure::refused)
     }
 
     /// Header of the `.paths` artifact.
@@ -270,7 +265,7 @@ impl<'a> Chain<'a> {
         let view = || scene::frame_view(self.header, scene.index);
         match self.header.fidelity.echo {
             EchoMode::Paths => {
-                let compute = || Ok(bart_rcs::reduced(&view(), self.traced(scene)?));
+                let compute = || Ok(bart_rcs::reduced(&view(), self.traced(plan, scene)?));
                 let step = self.step::<Paths>(plan, stage, key, &self.paths_header(), compute)?;
                 self.measured.keep(self.header, scene.index, &step.value);
                 let (index, time_s) = (scene.index, scene.time_s);
@@ -278,7 +273,7 @@ impl<'a> Chain<'a> {
             }
             EchoMode::RcsTable => {
                 let compute = || {
-                    let bodies = self.bodies(scene)?;
+                    let bodies = self.bodies(plan)?;
                     let progress = &Work::begin(format!("frame {}, tables of bodies", scene.index));
                     bart_rcs::rcs_frame_within(bodies, &view(), scene, progress).map_err(Failure::refused)
                 };
@@ -290,8 +285,8 @@ impl<'a> Chain<'a> {
     }
 
     /// Measured, or like the frame that was.
-    fn traced(&self, scene: &SceneFrame) -> Result<PathsFrame, Failure> {
-        let (view, bodies) = (scene::frame_view(self.header, scene.index), self.bodies(scene)?);
+    fn traced(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<PathsFrame, Failure> {
+        let (view, bodies) = (scene::frame_view(self.header, scene.index), self.bodies(plan)?);
         let measured_in = self.header.measured_in(scene.index);
         let measured = (measured_in != scene.index).then(|| self.measured_frame(measured_in)).transpose()?;
         let progress = &Work::begin(format!("frame {}, paths", scene.index));
@@ -308,13 +303,26 @@ impl<'a> Chain<'a> {
         self.measured.get(index).ok_or_else(|| Failure::refused(format!("frame {index} has no paths")))
     }
 
-    /// The models of all targets; refused where the frame is not expected to fit into the memory that it may take.
-    fn bodies(&self, frame: &SceneFrame) -> Result<&bart_rcs::Models, Failure> {
-        crate::memory::check(self.memory_estimate_mib(frame.index))?;
+    /// Frames are traced so many at a time from now on: each has its share of the memory.
+    pub(crate) fn share_memory(&self, at_once: usize) {
+        let _ = self.at_once.set(at_once);
+    }
+
+    /// The models of all targets, to be traced; refused where the frame is not expected to fit into the memory that it may take.
+    fn bodies(&self, plan: &FramePlan) -> Result<&bart_rcs::Models, Failure> {
+        crate::memory::check(self.memory_estimate_mib(plan)?)?;
+        let models = self.models()?;
+        let share = || crate::memory::limit().share_of(*self.at_once.get_or_init(|| 1));
+        Ok(self.limited.get_or_init(|| models.clone().within(share())))
+    }
+
+    /// The same to look at; refused where the bodies at rest do not fit.
+    fn models(&self) -> Result<&bart_rcs::Models, Failure> {
+        let triangles = self.header.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
+        crate::memory::check(crate::memory::mib(bart_rcs::memory_estimate_bytes(triangles, 0, 0)))?;
         let build = || {
             let _under_way = Work::begin("building the hierarchies of the meshes");
-            let models = bart_rcs::Models::build(self.header).map_err(|e| e.to_string())?;
-            Ok(models.within(crate::memory::limit().share_of(self.side_by_side())))
+            bart_rcs::Models::build(self.header).map_err(|e| e.to_string())
         };
         self.bodies.get_or_init(build).as_ref().map_err(Failure::refused)
     }
@@ -410,13 +418,6 @@ impl<'a> Chain<'a> {
         Ok(Step { value, cached: false })
     }
 }
-
-/// Facets, hierarchy, beams, joints, cells and paths of a triangle and an order, at most: 3.3 KiB where four vehicles reflect
-/// each other at −20 dB (`scenes/intersection.toml`).
-const BYTES_PER_TRIANGLE_AND_ORDER: u64 = 4 << 10;
-
-/// What the program holds beside a frame's data: code, thread stacks, the learning library's buffers (measured 40 MiB).
-const PROGRAM_MIB: f64 = 48.0;
 
 /// A stage's value and whether it came from the cache.
 pub(crate) struct Step<T> {

@@ -412,6 +412,15 @@ pub(crate) struct BenchArguments {
     /// Fewer and smaller cases.
     #[arg(long)]
     pub(crate) quick: bool,
+    /// Instead: what `run --dry-run` says of random scenes beside what they take (a table, F.csv).
+    #[arg(long)]
+    pub(crate) predictions: bool,
+    /// Of the random scenes.
+    #[arg(long, default_value_t = 2, requires = "predictions")]
+    pub(crate) seed: u64,
+    /// How many random scenes.
+    #[arg(long, default_value_t = 100, requires = "predictions")]
+    pub(crate) scenes: u64,
     /// Result.
     #[arg(long, value_name = "F.json")]
     pub(crate) out: Option<PathBuf>,

@@ -15,7 +15,7 @@ pub(crate) struct Key {
 }
 
 impl Key {
-    fn of(stage: Stage, parts: Vec<(&str, String)>) -> Self {
+    pub(crate) fn of(stage: Stage, parts: Vec<(&str, String)>) -> Self {
         let sources = std::iter::once(("sources", stage.sources().to_owned()));
         Self { parts: sources.chain(parts).map(|(name, hash)| (name.to_owned(), hash)).collect() }
     }

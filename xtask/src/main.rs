@@ -10,6 +10,8 @@ mod output;
 mod progress;
 mod measured_frames;
 mod memory;
+mod looks;
+mod memory_estimate;
 mod processor_time;
 mod cache;
 mod checkpoint;

@@ -8,7 +8,12 @@ const MIB: f64 = 1024.0 * 1024.0;
 
 /// Largest resident size so far, MiB; `None` where the system does not tell (it is read from `/proc/self/status`).
 pub(crate) fn peak_mib() -> Option<f64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    peak_mib_of("self")
+}
+
+/// The same of another process, by its number.
+pub(crate) fn peak_mib_of(process: &str) -> Option<f64> {
+    let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;
     let kib: f64 = line.split_whitespace().nth(1)?.parse().ok()?;
     Some(kib / 1024.0)

@@ -32,6 +32,11 @@ impl FramePlan {
         Self { index, keys, steps }
     }
 
+    /// Whether the stage's frame has to be computed.
+    pub(crate) fn runs(&self, stage: Stage) -> bool {
+        self.steps.iter().any(|(s, why)| *s == stage && why.is_some())
+    }
+
     /// A line per stage.
     pub(crate) fn explain(&self) {
         for (stage, why) in &self.steps {

@@ -71,12 +71,23 @@ impl WorkClock {
     }
 }
 
+/// The same of the processes that this one has begun and waited for.
+pub(crate) fn of_ended_children() -> Option<f64> {
+    let stat = std::fs::read_to_string("/proc/self/stat").ok()?;
+    ticks_from(&stat, 13).map(|ticks| ticks as f64 / TICKS_PER_SECOND)
+}
+
 /// `USER_HZ`, which Linux shows to programs on every architecture that Rust builds for.
 const TICKS_PER_SECOND: f64 = 100.0;
 
-/// Fields 14 and 15. The second, the program's name in parentheses, may hold anything.
+/// Fields 14 and 15: of the process itself.
 fn ticks(stat: &str) -> Option<u64> {
-    let mut behind_name = stat.rsplit_once(')')?.1.split_whitespace().skip(11);
+    ticks_from(stat, 11)
+}
+
+/// Two fields, the first `place` fields behind the program's name. That is the second, in parentheses, and may hold anything.
+fn ticks_from(stat: &str, place: usize) -> Option<u64> {
+    let mut behind_name = stat.rsplit_once(')')?.1.split_whitespace().skip(place);
     let mut next = || behind_name.next()?.parse::<u64>().ok();
     Some(next()? + next()?)
 }

@@ -12,5 +12,6 @@ pub(crate) mod road_left_out; // what a road would add
 pub(crate) mod path_table; // the largest cells that meet the accuracy
 pub(crate) mod snapshot; // bodies and beams of one moment
 pub(crate) mod moments; // ways traced at several
+pub(crate) mod expected_work; // what a frame will take, from a sample of it
 pub(crate) mod path; // the path table of a frame
 pub(crate) mod rcs_frame; // the paper's table of a frame

@@ -74,7 +74,9 @@ fn antenna_m(request: &RcsRequest) -> DVec3 {
 /// and Legendre, which miss (π/8)⁴/270 = 9e-5 of a step's phasor.
 fn brute_force(mesh: &Mesh, request: &RcsRequest) -> Complex64 {
     let facets = mesh.triangles.iter().map(|t| t.map(|vertex| DVec3::from_array(mesh.vertices_m[vertex as usize])));
-    let sum: Complex64 = facets.map(|facet| over_facet(facet, if mesh.name == "plate" { Sides::Two } else { Sides::One }, request)).sum();
+    let sum: Complex64 = facets
+        .map(|facet| over_facet(facet, if mesh.name == "plate" { Sides::Two } else { Sides::One }, request))
+        .sum();
     Complex64::I * (4.0 * PI).sqrt() / WAVELENGTH_M * sum
 }
 

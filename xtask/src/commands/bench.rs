@@ -1,43 +1,59 @@
 //! `bench`: our way beside a rival in one run, as a ratio; it asserts nothing.
 
 mod cases;
+mod predictions;
+mod programs;
 
 use crate::cli::BenchArguments;
 use crate::failure::Failure;
 use crate::output;
 use artifact::units::db_from_amplitude;
+use programs::NotHere;
 use serde_json::{Value, json};
 
 /// One comparison.
-pub(crate) struct Comparison {
-    pub(crate) name: String,
-    pub(crate) ours_s: f64,
-    pub(crate) rival: String,
-    pub(crate) rival_s: f64,
+struct Comparison {
+    name: String,
+    ours_s: f64,
+    /// Who else did it, and in how many seconds.
+    rival: Result<(String, f64), NotHere>,
     /// Of ours against the rival's result, relative amplitude.
-    pub(crate) error: Option<f64>,
-    pub(crate) work: String,
+    error: Option<f64>,
+    work: String,
 }
 
 pub(crate) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
-    output::claim(arguments.out.as_slice())?;
-    let comparisons = cases::all(arguments)?;
-    for c in &comparisons {
-        let ratio = c.rival_s / c.ours_s;
-        output::line(format!(
-            "{}: {:.3} s, {} {:.3} s, ratio {ratio:.1} ({})",
-            c.name, c.ours_s, c.rival, c.rival_s, c.work
-        ));
+    if arguments.predictions {
+        return predictions::run(arguments);
     }
+    output::claim(arguments.out.as_slice())?;
+    let sizes = if arguments.quick { cases::QUICK } else { cases::FULL };
+    let comparisons = cases::all(sizes)?;
+    comparisons.iter().for_each(|comparison| output::line(line(comparison)));
     let Some(file) = &arguments.out else { return Ok(()) };
     let list: Vec<Value> = comparisons.iter().map(json).collect();
     let text = serde_json::to_string_pretty(&list).map_err(Failure::refused)?;
     output::write_file(file, text.as_bytes())
 }
 
+fn line(c: &Comparison) -> String {
+    let ours = format!("{}: {:.4} s", c.name, c.ours_s);
+    match &c.rival {
+        Ok((rival, rival_s)) => {
+            let error = c.error.map(|e| format!(", {:.0} dB from it", db_from_amplitude(e))).unwrap_or_default();
+            format!("{ours}, {rival} {rival_s:.4} s, ratio {:.1}{error} ({})", rival_s / c.ours_s, c.work)
+        }
+        Err(NotHere { program, advice }) => format!("{ours}, {program} is not here: {advice} ({})", c.work),
+    }
+}
+
 fn json(c: &Comparison) -> Value {
+    let rival = c.rival.as_ref().ok();
     json!({
-        "name": c.name, "ours_s": c.ours_s, "rival": c.rival, "rival_s": c.rival_s, "ratio": c.rival_s / c.ours_s,
+        "name": c.name, "ours_s": c.ours_s,
+        "rival": rival.map(|(rival, _)| rival), "rival_s": rival.map(|(_, seconds)| seconds),
+        "ratio": rival.map(|(_, seconds)| seconds / c.ours_s),
         "error_db": c.error.map(db_from_amplitude), "work": c.work,
+        "note": c.rival.as_ref().err().map(|missing| &missing.advice),
     })
 }

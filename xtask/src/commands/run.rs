@@ -103,7 +103,6 @@ fn one_radar(
     let processor = processor_time::of_process().zip(begin).map(|(end, begin)| end - begin);
     let took = Took { seconds: start.elapsed().as_secs_f64(), processor };
     if let Some(cache) = cache {
-        expectation::learn(cache, &chain, &computed.frames);
         cache.trim();
     }
     let summary = conclude(loaded, computed, took, &figures, &out)?;
@@ -135,7 +134,9 @@ fn compute(
     let mut tracking = Tracking::of(chain)?;
     let (mut frames, mut cycle) = (Vec::new(), Vec::new());
     let work = Work::begin("frames");
-    for plans_at_once in plans.chunks(chain.side_by_side()) {
+    let at_once = chain.side_by_side(plans)?;
+    chain.share_memory(at_once);
+    for plans_at_once in plans.chunks(at_once) {
         let first = plans_at_once.first().map_or(0, |plan| plan.index as usize);
         work.at(first, plans.len());
         progress::note(format!("frame {} of {}", first + 1, plans.len()));

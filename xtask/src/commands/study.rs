@@ -4,7 +4,7 @@
 mod looks;
 mod bodies;
 mod closed_forms;
-mod scenes;
+pub(crate) mod scenes;
 mod table;
 mod chart;
 mod atlas;

@@ -286,9 +286,9 @@ impl Drop for Lent<'_> {
 }
 
 /// A tree that is being grown, and what only its last orders need.
-struct Growth<'a> {
-    tree: BeamTree,
-    settings: &'a TraceSettings,
+pub(crate) struct Growth<'a> {
+    pub(crate) tree: BeamTree,
+    pub(crate) settings: &'a TraceSettings,
     progress: &'a dyn Progress,
     /// Which are followed; `None` for all.
     ways: Option<&'a BodyWays>,
@@ -301,7 +301,7 @@ struct Growth<'a> {
 }
 
 impl<'a> Growth<'a> {
-    fn new(antenna: Antenna, settings: &'a TraceSettings, progress: &'a dyn Progress) -> Self {
+    pub(crate) fn new(antenna: Antenna, settings: &'a TraceSettings, progress: &'a dyn Progress) -> Self {
         let tree = BeamTree {
             antenna,
             beams: Vec::new(),
@@ -314,7 +314,7 @@ impl<'a> Growth<'a> {
     }
 
     /// Starts an order; gives the beams of the order before that are to be reflected.
-    fn begin_order(&mut self, world: &World) -> Vec<u32> {
+    pub(crate) fn begin_order(&mut self, world: &World) -> Vec<u32> {
         let last = self.first_beam..self.tree.beams.len();
         let first_edge = self.tree.beams.get(last.start).map_or(0, |beam| beam.polygon.start as usize);
         self.edges.drain(..first_edge.saturating_sub(self.first_edge).min(self.edges.len()));
@@ -331,7 +331,7 @@ impl<'a> Growth<'a> {
     }
 
     /// What a beam of the order before shows as a mirror; `None` for a beam of an older order.
-    fn view<'w>(&'w self, world: &'w World, index: u32) -> Option<View<'w>> {
+    pub(crate) fn view<'w>(&'w self, world: &'w World, index: u32) -> Option<View<'w>> {
         let beam = &self.tree.beams[index as usize];
         let facet = world.facet(beam.facet);
         let front = if beam.lit_normal == facet.plane.normal { facet.plane } else { -facet.plane };
@@ -342,7 +342,13 @@ impl<'a> Growth<'a> {
     }
 
     /// Adds what one view shows.
-    fn take(&mut self, parent: Option<u32>, image: Antenna, order: u8, parts: Parts) -> Result<(), BartError> {
+    pub(crate) fn take(
+        &mut self,
+        parent: Option<u32>,
+        image: Antenna,
+        order: u8,
+        parts: Parts,
+    ) -> Result<(), BartError> {
         for part in &parts.parts {
             if part.corners.is_empty() || part.across_m2 < self.settings.least_area_m2 {
                 self.audit.drop(part);

@@ -75,17 +75,7 @@ const NO_SLOT: u32 = u32::MAX;
 
 impl Visibility for ByHierarchy {
     fn direct(view: &View) -> Vec<Parts> {
-        let (shadows, grid) = in_sight(view);
-        let mut slot_of_facet = vec![NO_SLOT; view.world.facets().len()];
-        (0..).zip(&shadows).for_each(|(slot, shadow)| slot_of_facet[shadow.facet as usize] = slot);
-        let table = Table { shadows: &shadows, slot_of_facet: &slot_of_facet, grid: grid.as_ref() };
-        let lit = |(walk, cutter): &mut (Walk, Cutter), slot: u32| {
-            let mut parts = Parts::default();
-            see_facet(view, &table, slot, walk, cutter, &mut parts);
-            parts
-        };
-        let slots = (0..shadows.len() as u32).into_par_iter().with_min_len(64);
-        let seen: Vec<Parts> = slots.map_init(Default::default, lit).collect();
+        let seen = direct_of(view, |shadows| (0..shadows.len() as u32).collect());
         seen.into_iter().filter(|parts| !parts.parts.is_empty()).collect()
     }
 
@@ -101,6 +91,21 @@ impl Visibility for ByHierarchy {
         shadows.iter().for_each(|shadow| slot_of_facet[shadow.facet as usize] = NO_SLOT);
         parts
     }
+}
+
+/// What is seen straight of those of the facets in sight that `choose` gives the places of, in its order.
+pub(crate) fn direct_of(view: &View, choose: impl FnOnce(&[Shadow]) -> Vec<u32>) -> Vec<Parts> {
+    let (shadows, grid) = in_sight(view);
+    let mut slot_of_facet = vec![NO_SLOT; view.world.facets().len()];
+    (0..).zip(&shadows).for_each(|(slot, shadow)| slot_of_facet[shadow.facet as usize] = slot);
+    let table = Table { shadows: &shadows, slot_of_facet: &slot_of_facet, grid: grid.as_ref() };
+    let lit = |(walk, cutter): &mut (Walk, Cutter), slot: u32| {
+        let mut parts = Parts::default();
+        see_facet(view, &table, slot, walk, cutter, &mut parts);
+        parts
+    };
+    let slots = choose(&shadows).into_par_iter().with_min_len(64);
+    slots.map_init(Default::default, lit).collect()
 }
 
 /// Shadows of all facets that may be seen straight, in their order.

@@ -330,6 +330,7 @@ pub(crate) struct Walk {
 }
 
 /// The meshes of a scene, each with its hierarchy, shared by all frames and poses.
+#[derive(Clone)]
 pub struct Models {
     meshes: Vec<Arc<BodyMesh>>,
     memory_limit: MemoryLimit,

@@ -129,7 +129,7 @@ pub(crate) fn motions(scatterer: &Scatterer<'_>, forward: u32, backward: u32) ->
 }
 
 /// Convex parts between the lines of a square grid about the polygon's first corner.
-fn cut_into_squares(frame: &PlaneFrame, corners_m: &[DVec3], size_m: f64) -> Vec<Vec<DVec2>> {
+pub(crate) fn cut_into_squares(frame: &PlaneFrame, corners_m: &[DVec3], size_m: f64) -> Vec<Vec<DVec2>> {
     let polygon: Vec<DVec2> = corners_m.iter().map(|c| frame.plane_from_world(*c)).collect();
     let strips = cut_along(polygon, DVec2::X, size_m);
     strips.into_iter().flat_map(|strip| cut_along(strip, DVec2::Y, size_m)).collect()

@@ -32,7 +32,7 @@ pub(crate) struct PathTable {
 /// Paths of bodies at the frame's middle as fine as was enough in another frame, in no larger cells than this frame's motion and
 /// band allow.
 pub(crate) fn paths_as_fine(scatterer: &Scatterer<'_>, plan: &Plan<'_>, fineness: &Fineness) -> Kept {
-    let cell_m = fineness.cell_m.min(largest_cell_m(plan, scatterer.world));
+    let cell_m = fineness.cell_m.min(largest_cell_of_world_m(plan, scatterer.world));
     Parts::of(scatterer, plan).paths(cell_m, &accuracy_of_body(plan, fineness))
 }
 
@@ -44,7 +44,7 @@ pub(crate) fn paths_along(
     ways: Option<&BodyWays>,
     seconds: f64,
 ) -> Vec<Path> {
-    let cell_m = fineness.cell_m.min(largest_cell_m(plan, scatterer.world));
+    let cell_m = fineness.cell_m.min(largest_cell_of_world_m(plan, scatterer.world));
     Parts::along(scatterer, plan, ways).found(cell_m, &accuracy_of_body(plan, fineness), seconds)
 }
 
@@ -132,7 +132,7 @@ impl<'a> Fit<'a> {
         let Parts { scatterer, plan, .. } = self.parts;
         let asked = plan.header.fidelity.accuracy.amplitude();
         let smallest_m = plan.band.wavelength_m();
-        let mut size_m = largest_cell_m(plan, scatterer.world);
+        let mut size_m = largest_cell_of_world_m(plan, scatterer.world);
         let mut best = self.table_of(size_m);
         for _ in 1..ATTEMPTS {
             let error = best.error.measured();
@@ -175,16 +175,21 @@ impl<'a> Fit<'a> {
 /// moves by vT/2 at a right angle, or is seen from an element δ off the radar's position, both legs turn by (vT/2 + δ)/R:
 /// the phase between node and point runs over kD(vT/2 + δ)/R. Neighbouring cells cancel most of both (physics.md §6 has
 /// −41 dB with cells of 12 cm where this bound says −14 dB), so either may reach four times the accuracy asked.
-fn largest_cell_m(plan: &Plan<'_>, world: &World) -> f64 {
-    let waveform = &plan.header.radar.waveform;
-    let allowed = 4.0 * plan.header.fidelity.accuracy.amplitude();
+pub fn largest_cell_m(header: &SceneHeader, nearest_m: f64, fastest_mps: f64) -> f64 {
+    let waveform = &header.radar.waveform;
+    let allowed = 4.0 * header.fidelity.accuracy.amplitude();
     let band_per_m = std::f64::consts::PI * waveform.bandwidth_hz().abs() / SPEED_OF_LIGHT_MPS;
     let by_band = 2.0 * allowed.sqrt() / band_per_m;
     let wavenumber = TAU / waveform.wavelength_m();
-    let range_m = world.facets().iter().map(|f| plan.position_m.distance(f.corners_m[0])).fold(f64::INFINITY, f64::min);
-    let way_m = 0.5 * plan.header.radar.frame_duration_s() * world.fastest_mps() + element_offset_m(plan.header);
-    let by_motion = allowed * range_m / (wavenumber * way_m);
+    let way_m = 0.5 * header.radar.frame_duration_s() * fastest_mps + element_offset_m(header);
+    let by_motion = allowed * nearest_m / (wavenumber * way_m);
     by_band.min(by_motion).clamp(2.0 * waveform.wavelength_m(), waveform.range_resolution_m())
+}
+
+/// Of the bodies of a world.
+pub(crate) fn largest_cell_of_world_m(plan: &Plan<'_>, world: &World) -> f64 {
+    let ranges_m = world.facets().iter().map(|f| plan.position_m.distance(f.corners_m[0]));
+    largest_cell_m(plan.header, ranges_m.fold(f64::INFINITY, f64::min), world.fastest_mps())
 }
 
 fn element_offset_m(header: &SceneHeader) -> f64 {

@@ -179,6 +179,32 @@ impl<'a> Scatterer<'a> {
         }
     }
 
+    /// Tiles of a polygon on a transmitter's beam, as if it came back by the way that it went.
+    pub(crate) fn count_tiles(
+        &self,
+        beam: u32,
+        corners_m: &[DVec3],
+        bracket: Bracket,
+        highest_per_m: f64,
+        accuracy: f64,
+    ) -> usize {
+        let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
+        let (lit, leg) = (&self.trees.transmit().beams[beam as usize], &self.transmit_legs[beam as usize]);
+        let node = Node {
+            corners_m,
+            normal: lit.lit_normal,
+            material: self.world.lossy_material(lit.facet).map(Arc::as_ref),
+            bend: self.world.bend(lit.facet),
+            transmit: leg,
+            receive: leg,
+            bracket,
+        };
+        let accuracy = node.accuracy(reference_m, &[highest_per_m], accuracy);
+        let mut count = 0;
+        for_each_tile(&Field::new(&node, reference_m, accuracy), highest_per_m, &mut |_, _| count += 1);
+        count
+    }
+
     /// R_tR_r/(L₁L₂) and L₁ + L₂ − R_t − R_r of a node that appears at these points, R to `origin_m`.
     pub(crate) fn way_from(&self, origin_m: DVec3, apparent_m: [DVec3; 2]) -> (f64, f64) {
         let length_m = (0..2).map(|i| length_difference_m(self.ends[i], apparent_m[i], origin_m)).sum();

@@ -1,13 +1,14 @@
 //! Our processing beside others' in one run: `cargo run --release -p dsp --example rivals`.
 //!
 //! Beside us: mmwcore, a Rust crate, and, where `python3` finds them, NumPy, SciPy and OpenRadar (`rivals.py` in this folder).
-//! All are given the same noise. The quickest of several runs counts; every program uses the threads that it knows to use.
+//! `rivals JOB FOLDER …` does one job for `cargo xtask bench` (`one_job.rs`). All are given the same noise. The quickest of several runs counts; every program uses the threads that it knows to use.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a measurement, not a library")]
 
 #[path = "../../tests/common/mod.rs"]
 mod common;
 mod alarms;
 mod mmwcore_way;
+mod one_job;
 mod our_way;
 mod python_way;
 
@@ -31,6 +32,9 @@ pub(crate) const CANDIDATES: usize = 1000;
 fn main() {
     if std::env::args().any(|argument| argument == "alarms") {
         return alarms::print_table();
+    }
+    if one_job::done(&std::env::args().skip(1).collect::<Vec<_>>()) {
+        return;
     }
     let mut all = Vec::new();
     for (elements, chirps, samples) in [(common::elements_3x4(), 128, 256), (common::elements_12x16(), 256, 512)] {

@@ -22,7 +22,7 @@ pub(crate) fn measured(header: &CubeHeader, frame: &CubeFrame) -> Vec<Measuremen
     ]
 }
 
-fn maps(samples: &[Complex32], shape: [usize; 3]) -> Vec<Complex32> {
+pub(crate) fn maps(samples: &[Complex32], shape: [usize; 3]) -> Vec<Complex32> {
     let along = |n: usize, is_shifted: bool| ComplexFftSpec::new(n, FftWindow::Hann, false, is_shifted, false).unwrap();
     let (ranges, _) = fft_complex_axis(samples, &shape, 2, along(shape[2], false)).unwrap();
     fft_complex_axis(&ranges, &shape, 1, along(shape[1], true)).unwrap().0
@@ -46,7 +46,7 @@ pub(crate) fn alarms_of_map(power: &[f64], [chirps, samples]: [usize; 2], factor
     cells.into_iter()
 }
 
-fn azimuths(map: &[Complex32], [channels, chirps, samples]: [usize; 3]) -> Vec<f32> {
+pub(crate) fn azimuths(map: &[Complex32], [channels, chirps, samples]: [usize; 3]) -> Vec<f32> {
     let positions: Vec<f32> = (0..channels).flat_map(|i| [0.5 * i as f32, 0.0, 0.0]).collect();
     let candidates: Vec<f32> =
         (0..CANDIDATES).flat_map(|i| [0.0, (i % samples) as f32, (i / samples) as f32]).collect();

@@ -11,7 +11,7 @@ use scene::{Meshes, ReadOptions};
 use std::f64::consts::FRAC_PI_2;
 
 /// A scene from the words of a scene file; without targets unless they are in it.
-pub(super) fn scene_of(words: &str) -> Result<SceneHeader, Failure> {
+pub(crate) fn scene_of(words: &str) -> Result<SceneHeader, Failure> {
     let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
     let file = folder.path().join("study.toml");
     std::fs::write(&file, format!("name = \"study\"\n{words}")).map_err(|e| Failure::system(&file, "write", e))?;
@@ -69,7 +69,7 @@ pub(super) fn tables_at(header: &SceneHeader, frame: &SceneFrame) -> Result<RcsF
     bart_rcs::rcs_frame(&models, header, frame).map_err(Failure::refused)
 }
 
-pub(super) fn cube_header(header: &SceneHeader) -> CubeHeader {
+pub(crate) fn cube_header(header: &SceneHeader) -> CubeHeader {
     CubeHeader { radar: header.radar.clone(), noise: header.noise, dsp: header.dsp.clone() }
 }
 

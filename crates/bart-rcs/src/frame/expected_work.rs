@@ -1,0 +1,161 @@
+//! What a frame will take, told from a sample of its beams before it is traced.
+
+use crate::beams::beam::TraceSettings;
+use crate::beams::sampled_tree::{SampledTree, sample};
+use crate::bodies::world::{Models, World};
+use crate::error::BartError;
+use crate::frame::path_cells::cut_into_squares;
+use crate::frame::path_plan::Plan;
+use crate::frame::path_table::largest_cell_of_world_m;
+use crate::geometry::antenna::Antenna;
+use crate::geometry::convex_intersection::bounds;
+use crate::geometry::plane_frame::{PlaneFrame, area_m2};
+use crate::joins::join::Trees;
+use crate::joins::scatterer::{Scatterer, ZenithH, bracket_of};
+use crate::progress::Unheard;
+use artifact::scene::{SceneFrame, SceneHeader};
+use glam::{DVec2, DVec3};
+
+/// Counts of what a frame's time goes into, expected.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct ExpectedWork {
+    /// Facets of all bodies that are heard, their images below a road among them.
+    pub facets: f64,
+    /// Facets that may be seen straight, before any is cut.
+    pub in_sight: f64,
+    /// Lit polygons of the first order and of later ones.
+    pub beams: [f64; 2],
+    /// Mirrors that are looked into.
+    pub mirrors: f64,
+    /// Tiles of the integrals of the first and of later orders, as fine as the scene asks.
+    pub tiles: [f64; 2],
+    /// And ten times finer, as what they are compared with.
+    pub fine_tiles: [f64; 2],
+    /// Of these, those on polygons longer than 2 m: where large parts cancel, integrals are taken again and finer.
+    pub long_tiles: f64,
+    /// Cells of all orders at the largest size that is tried.
+    pub largest_cells: f64,
+    /// At a third of it, which is about the smallest.
+    pub smaller_cells: f64,
+    /// Lit polygons of ways between bodies that move against each other, times the wavelengths by which these slide past each other
+    /// during the frame.
+    pub sliding_beams: f64,
+    /// The same of the paths' tiles.
+    pub sliding_tiles: f64,
+}
+
+/// Kerbs, rails and the like have such polygons, vehicles but for their largest panels do not.
+const LONG_M: f64 = 2.0;
+
+/// Facets and mirrors of an order that are looked at.
+const SAMPLE: usize = 256;
+
+/// The work of the beams and integrals of one moment of a frame.
+///
+/// A sample of beams is traced as [`crate::BeamTree::trace`] traces all, and each counts for those that it stands for: of 256 facets a
+/// count errs by some 10 %.
+pub fn expected_work(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> Result<ExpectedWork, BartError> {
+    let header = &header.in_frame(frame.index);
+    let plan = Plan::of(header, &Unheard);
+    let world = World::posed(models, header, frame, plan.middle_s)?;
+    let trace = TraceSettings { max_order: plan.trace.max_order.min(header.fidelity.bounces), ..plan.trace };
+    let sampled = SampledTree::trace(&world, Antenna::Point(plan.position_m), &trace, SAMPLE)?;
+    let h = plan.zenith_h();
+    let scatterer = Scatterer::new(&world, Trees::Shared(&sampled.tree), ZenithH { transmit: h, receive: h });
+    let mut work = ExpectedWork {
+        facets: world.facets().len() as f64,
+        in_sight: sampled.in_sight as f64,
+        mirrors: sampled.mirrors.iter().sum(),
+        ..ExpectedWork::default()
+    };
+    for order in 1..=trace.max_order {
+        work.add_order(order, &sampled, &scatterer, &plan, largest_cell_of_world_m(&plan, &world));
+    }
+    Ok(work)
+}
+
+impl ExpectedWork {
+    fn add_order(&mut self, order: u8, sampled: &SampledTree, scatterer: &Scatterer<'_>, plan: &Plan<'_>, cell_m: f64) {
+        let beams = &sampled.tree.beams;
+        let of_order: Vec<usize> = (0..beams.len()).filter(|beam| beams[*beam].order == order).collect();
+        let place = usize::from(order > 1);
+        self.beams[place] += of_order.iter().map(|beam| sampled.stands_for[*beam]).sum::<f64>();
+        let sizes: Vec<f64> = of_order.iter().map(|beam| beams[*beam].section * sampled.stands_for[*beam]).collect();
+        for (index, each) in sample(&sizes, SAMPLE) {
+            let (beam, each) = (of_order[index], each * sampled.stands_for[of_order[index]]);
+            let polygon = Lit::new(scatterer, beam as u32, plan);
+            let asked = plan.header.fidelity.accuracy.amplitude();
+            let tiles = polygon.tiles(asked);
+            self.tiles[place] += each * tiles;
+            let fine = polygon.tiles(0.1 * asked);
+            self.fine_tiles[place] += each * fine;
+            if polygon.extent_m.max_element() > LONG_M {
+                self.long_tiles += each * fine;
+            }
+            self.largest_cells += each * polygon.cells(cell_m);
+            self.smaller_cells += each * polygon.cells((cell_m / 3.0).max(plan.band.wavelength_m()));
+            let slide = slide_wavelengths(sampled, beam, scatterer.world, plan);
+            self.sliding_beams += each * slide;
+            self.sliding_tiles += each * slide * tiles;
+        }
+    }
+}
+
+/// How far the bodies of a beam's way slide past each other during the frame, at most, in wavelengths; 0 within one body.
+fn slide_wavelengths(sampled: &SampledTree, beam: usize, world: &World, plan: &Plan<'_>) -> f64 {
+    let tree = &sampled.tree;
+    let own = world.motion(tree.beams[beam].facet).velocity_mps;
+    let others = tree.way_back(&tree.beams[beam]).map(|mirror| world.motion(mirror.facet).velocity_mps);
+    let fastest_mps = others.map(|other| own.distance(other)).fold(0.0, f64::max);
+    fastest_mps * plan.header.radar.frame_duration_s() / plan.band.wavelength_m()
+}
+
+/// A lit polygon that stands for others.
+struct Lit<'a> {
+    scatterer: &'a Scatterer<'a>,
+    plan: &'a Plan<'a>,
+    beam: u32,
+    frame: PlaneFrame,
+    /// Convex parts of at most a metre, in the order of a grid.
+    parts: Vec<Vec<DVec2>>,
+    area_m2: f64,
+    extent_m: DVec2,
+}
+
+/// Parts of a large polygon that are looked at.
+const PARTS: usize = 6;
+
+impl<'a> Lit<'a> {
+    fn new(scatterer: &'a Scatterer<'a>, beam: u32, plan: &'a Plan<'a>) -> Self {
+        let tree = scatterer.trees.transmit();
+        let lit = &tree.beams[beam as usize];
+        let corners_m = tree.polygon(lit);
+        let frame = PlaneFrame::new(corners_m[0], lit.lit_normal);
+        let on_plane: Vec<DVec2> = corners_m.iter().map(|c| frame.plane_from_world(*c)).collect();
+        let [low, high] = bounds(&on_plane);
+        let parts = cut_into_squares(&frame, corners_m, 1.0);
+        Self { scatterer, plan, beam, frame, parts, area_m2: area_m2(&on_plane), extent_m: high - low }
+    }
+
+    /// Of the integral over it.
+    fn tiles(&self, accuracy: f64) -> f64 {
+        let step = self.parts.len().div_ceil(PARTS).max(1);
+        let highest_per_m = self.plan.band.wavenumbers_per_m()[2];
+        let bracket = bracket_of(self.plan.header.fidelity.nodes);
+        let of_part = |part: &Vec<DVec2>| {
+            let corners_m: Vec<DVec3> = part.iter().map(|c| self.frame.to_world(*c)).collect();
+            self.scatterer.count_tiles(self.beam, &corners_m, bracket, highest_per_m, accuracy) as f64
+        };
+        let looked_at = self.parts.iter().step_by(step);
+        let count = looked_at.len().max(1) as f64;
+        looked_at.map(of_part).sum::<f64>() * self.parts.len() as f64 / count
+    }
+
+    /// Pieces between the lines of a square grid, about.
+    fn cells(&self, size_m: f64) -> f64 {
+        let lines = (self.extent_m / size_m).ceil().max(DVec2::ONE);
+        let full = (self.area_m2 / (self.extent_m.x * self.extent_m.y)).clamp(0.0, 1.0);
+        // Of a grid's cells a polygon touches its share and those along its border.
+        (lines.x * lines.y * full + 0.5 * (lines.x + lines.y)).min(lines.x * lines.y).max(1.0)
+    }
+}

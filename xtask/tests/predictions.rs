@@ -1,0 +1,58 @@
+//! What `run --dry-run` promises: figures of this scene on this machine, whatever ran before, and memory that is not exceeded.
+
+mod common;
+
+use common::{SMALL_SCENE, Workplace};
+
+/// The last line of what is told, which has all figures.
+fn told(place: &Workplace, scene: &str) -> String {
+    place.run(&format!("run {scene} --out told --dry-run --quiet")).lines().last().unwrap_or_default().to_owned()
+}
+
+#[test]
+fn seconds_told_do_not_hang_on_what_ran_before() {
+    let place = Workplace::new();
+    // A scene whose work is divided among the stages in another way.
+    let other = SMALL_SCENE.replace("preset = \"1x4\"", "preset = \"3x4\"").replace("chirps = 16", "chirps = 64");
+    std::fs::write(place.path("other.toml"), other.replace("\"small\"", "\"other\"")).unwrap();
+    let before = told(&place, "small.toml");
+    place.run("run other.toml --out other --quiet");
+    assert_eq!(told(&place, "small.toml"), before);
+}
+
+#[test]
+fn a_range_of_processor_time_and_memory_are_told() {
+    let place = Workplace::new();
+    let line = told(&place, "small.toml");
+    let numbers: Vec<f64> = line.split([' ', ':', ',', ';']).filter_map(|word| word.parse().ok()).collect();
+    let [frames, seconds, least, most, _wall, _threads, mib] = numbers[..] else { panic!("{line}") };
+    assert!(frames == 2.0 && least < seconds && seconds < most && (40.0..400.0).contains(&mib), "{line}");
+}
+
+#[test]
+fn what_is_cached_takes_no_time() {
+    let place = Workplace::new();
+    let seconds = |line: &str| line.split([' ', ':']).filter_map(|word| word.parse::<f64>().ok()).nth(1).unwrap();
+    let cold = seconds(&told(&place, "small.toml"));
+    place.run("run small.toml --out a --quiet");
+    let warm = seconds(&told(&place, "small.toml"));
+    assert!(warm < cold, "{warm} after {cold}");
+}
+
+/// Under the mast cells are small and many: a motorcycle there holds several times what it holds at 40 m.
+#[test]
+fn memory_is_not_told_too_low_of_a_body_under_the_mast() {
+    let place = Workplace::new();
+    let car = "model = \"motorcycle-scooter\"\nposition_m = [0.0, 2.0, 0.0]\nvelocity_mps = [0.0, -12.0, 0.0]";
+    let corner = "model = \"corner.obj\"\nposition_m = [-5.75, 40.0, 0.0]\nvelocity_mps = [0.0, -3.0, 0.0]";
+    let scene = SMALL_SCENE.replace(corner, car).replace("frames = 2", "frames = 1");
+    let scene = scene.replace("chirps = 16", "chirps = 128") + "[fidelity]\nbounces = 1\n";
+    std::fs::write(place.path("mast.toml"), scene.replace("\"small\"", "\"mast\"")).unwrap();
+    let line = told(&place, "mast.toml");
+    let told_mib: f64 = line.split(' ').rev().nth(1).unwrap().parse().unwrap();
+    place.run("run mast.toml --out mast --quiet");
+    let frame = &place.summary("mast/summary.json")["frames"][0];
+    let held_mib = frame["peak_memory_mib"].as_f64().unwrap();
+    assert!(held_mib <= told_mib, "{held_mib} MiB held, {told_mib} told");
+    assert!((frame["memory_estimate_mib"].as_f64().unwrap() - told_mib).abs() < 1.0, "{line}");
+}
