@@ -5,6 +5,7 @@ use super::beyond::Thing;
 use super::bodies::Body;
 use super::clip;
 use super::colours::line_colour;
+use super::field_of_view;
 use super::form::Form;
 use super::ground::Ground;
 use super::heat_map::head;
@@ -76,6 +77,9 @@ fn views(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) 
         let Axes { x, y } = view.axes;
         view.axes.draw(&mut sheet, names[view.coordinates[0]], names[view.coordinates[1]]);
         sheet.words([x.start_px + 2.0, y.end_px - 6.0], "start", view.name);
+        if view.coordinates == [0, 1] {
+            draw_radar(&mut sheet, header, view);
+        }
         bodies.iter().for_each(|body| draw_body(&mut sheet, header, view, body));
         for point in &frame.points {
             put(&mut sheet, header, view, Mark::Dot, colour(point), point.position_m);
@@ -85,11 +89,11 @@ fn views(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) 
         }
     }
     let bottom = views.iter().map(|view| view.axes.y.start_px).fold(top, f64::max);
-    legend(bodies).draw(&mut sheet, bottom + 62.0, [10.0, form.width_px() - 10.0]);
+    legend(header, bodies).draw(&mut sheet, bottom + 62.0, [10.0, form.width_px() - 10.0]);
     sheet
 }
 
-fn legend(bodies: &[Body]) -> Legend {
+fn legend(header: &CubeHeader, bodies: &[Body]) -> Legend {
     let mut legend = Legend::default();
     legend.say(Mark::Dot, "c0", "detected point, in its object's colour");
     legend.say(Mark::Dot, "plain", "point of no object");
@@ -98,6 +102,9 @@ fn legend(bodies: &[Body]) -> Legend {
         let mark = if body.corners_m.is_empty() { Mark::Cross } else { Mark::Outline };
         legend.say(mark, body.colour, format!("{} (truth, its box)", body.kind));
     }
+    legend.say(Mark::Triangle, "radar", "radar");
+    legend.say(Mark::BrokenLine, "radar", "boresight");
+    legend.say(Mark::Line, "radar", field_of_view::words(&header.radar));
     legend
 }
 
@@ -148,6 +155,26 @@ fn put(sheet: &mut Svg, header: &CubeHeader, view: &View, mark: Mark, colour: &s
     if view.axes.x.holds(at[0]) && view.axes.y.holds(at[1]) {
         mark.draw(sheet, colour, at);
     }
+}
+
+/// The radar from above, its boresight and its field of view.
+fn draw_radar(sheet: &mut Svg, header: &CubeHeader, view: &View) {
+    let radar = &header.radar;
+    let frame = [view.axes.x.start_px, view.axes.y.end_px, view.axes.x.end_px, view.axes.y.start_px];
+    let ground = |[x_m, y_m]: [f64; 2]| pixel(header, view, [x_m, y_m, 0.0]);
+    let rim: Vec<[f64; 2]> = field_of_view::rim_m(radar).into_iter().map(ground).collect();
+    for pair in rim.windows(2) {
+        if let Some(line) = clip::segment([pair[0], pair[1]], frame) {
+            sheet.polyline("radar", 1.0, &line);
+        }
+    }
+    let (far_m, (sin, cos)) = (radar.waveform.range_max_m(), radar.boresight_az_rad.sin_cos());
+    let [x_m, y_m, _] = radar.position_m;
+    let ends = [[x_m, y_m], [x_m + far_m * sin, y_m + far_m * cos]].map(ground);
+    if let Some(line) = clip::segment(ends, frame) {
+        sheet.broken("radar", 1.4, &line);
+    }
+    put(sheet, header, view, Mark::Triangle, "radar", radar.position_m);
 }
 
 /// The box of a body as the view has it.

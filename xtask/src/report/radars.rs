@@ -35,19 +35,25 @@ fn lead(frames: &[&Value]) -> String {
     let targets = || frames.iter().flat_map(|frame| frame["targets"].as_array().into_iter().flatten());
     let found_by = |least: usize| targets().filter(|t| t["found_by"].as_array().map_or(0, Vec::len) >= least).count();
     let (all, some, several) = (targets().count(), found_by(1), found_by(2));
-    format!("{some} of {all} targets found by some radar in {} frames, {several} by two or more.", frames.len())
+    let over = if frames.len() == 1 { "one frame".into() } else { format!("{} frames", frames.len()) };
+    format!("{some} of {all} targets found by some radar in {over}, {several} by two or more.")
 }
 
 fn radars(summary: &Value) -> Markup {
     let radars: Vec<&Value> = summary["radars"].as_array().into_iter().flatten().collect();
     let table = html! { table {
-        thead { tr { th { "radar" } th { "found" } th { "missed" } th { "false objects" } th { "points" } th { "largest error, dB" } th { "seconds" } } }
+        thead { tr {
+            th { "radar" } th { "found" } th { "missed" } th { "false objects" } th { "points" } th { "largest error, dB" }
+            th { "seconds" }
+        } }
         tbody {
             @for radar in radars {
                 @let id = radar["id"].as_str().unwrap_or_default();
                 tr {
                     td { a href={ (id) "/report.html" } { (id) } }
-                    td { (whole(&radar["found"])) " of " (whole(&radar["targets"])) }
+                    td { (whole(&radar["found"])) }
+                    td.bad[radar["missed"] != 0] { (whole(&radar["missed"])) }
+                    td { (whole(&radar["false"])) }
                     td { (whole(&radar["points"])) }
                     td { (rounded(&radar["largest_error_db"], 1)) }
                     td { (rounded(&radar["frames_seconds"], 2)) }
@@ -79,5 +85,20 @@ fn targets(number: usize, frame: &Value) -> Markup {
     html! {
         h2 { "Frame " (number) " at " (rounded(&frame["time_s"], 3)) " s" }
         (scrolled(&format!("Targets of frame {number}"), table))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn a_radars_row_has_a_cell_under_every_heading() {
+        let radar =
+            json!({ "id": "north", "found": 1, "missed": 2, "false": 3, "points": 11, "largest_error_db": -13.4 });
+        let table = radars(&json!({ "radars": [radar] })).into_string();
+        assert_eq!(table.matches("<td").count(), table.matches("<th>").count(), "{table}");
+        assert!(table.contains("<td class=\"bad\">2</td><td>3</td><td>11</td>"), "{table}");
     }
 }
