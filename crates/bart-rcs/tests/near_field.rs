@@ -126,8 +126,8 @@ fn over_five_decades_of_distance_it_ends_with_a_true_error_or_is_refused_with_fi
                 mesh.name,
                 20.0 * exact.norm().log10()
             );
-            // The quadrature's own error, over a sum that may cancel to a hundredth of its terms.
-            assert!(told <= 1e-2 && error <= told + 1e-2);
+            // The quadrature misses up to 9e-5 of its own.
+            assert!(told <= 1e-2 && error <= told + 1e-4);
         }
     }
 }
@@ -159,6 +159,6 @@ fn a_receiver_or_a_transmitter_inside_a_closed_body_is_refused() {
 fn a_box_without_a_lid_is_no_closed_body() {
     let mut open = cube();
     open.triangles.drain(2..4);
-    let found = rcs(&open, &RcsRequest { bounces: 2, ..request(0.1) }, &|_, _| ()).unwrap();
+    let found = rcs(&open, &RcsRequest { bounces: 1, ..request(0.1) }, &|_, _| ()).unwrap();
     assert!(found.amplitude_m[0].is_finite() && found.error.total().is_some_and(f64::is_finite));
 }

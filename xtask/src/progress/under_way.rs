@@ -38,6 +38,8 @@ pub(super) struct Item {
 struct Part {
     name: &'static str,
     began: Instant,
+    /// When these steps began: another order has others.
+    counted_from: Instant,
     done: usize,
     of: usize,
 }
@@ -112,8 +114,10 @@ impl Item {
 
     pub(super) fn part_at(&self, name: &'static str, done: usize, of: usize, now: Instant) {
         let mut part = self.part.lock().unwrap_or_else(PoisonError::into_inner);
-        let began = part.filter(|part| part.name == name).map_or(now, |part| part.began);
-        *part = Some(Part { name, began, done, of });
+        let same = part.filter(|part| part.name == name);
+        let began = same.map_or(now, |part| part.began);
+        let counted_from = same.filter(|part| part.of == of).map_or(now, |part| part.counted_from);
+        *part = Some(Part { name, began, counted_from, done, of });
     }
 
     fn part(&self) -> Option<Part> {
@@ -138,7 +142,7 @@ impl Item {
             None => _ = write!(text, ", for {} s", ran.as_secs()),
         }
         if let Some(part) = self.part() {
-            let ran = now.saturating_duration_since(part.began);
+            let ran = now.saturating_duration_since(part.counted_from);
             _ = write!(text, ", {}", part.name);
             if part.of > 0 {
                 add_counts(&mut text, [part.done.min(part.of), part.of, 0], ran);

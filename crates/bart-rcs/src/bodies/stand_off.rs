@@ -34,6 +34,15 @@ pub(crate) fn check_enclosed(taken_sr: f64) -> Result<(), BartError> {
     if taken_sr >= ALL { Err(BartError::AntennaEnclosed { share: taken_sr / (4.0 * PI) }) } else { Ok(()) }
 }
 
+/// An antenna's distance from the box about all facets, and the box's diagonal, m.
+pub(crate) fn distance_and_diagonal_m(world: &World, antenna: Antenna) -> (f64, f64) {
+    let Some([low, high]) = world.facets().iter().map(bounds).reduce(joined) else { return (f64::INFINITY, 0.0) };
+    match antenna {
+        Antenna::Point(at_m) => (distance_to_box_m(at_m, [low, high]), low.distance(high)),
+        Antenna::Direction(_) => (f64::INFINITY, low.distance(high)),
+    }
+}
+
 fn check_distance(world: &World, at_m: DVec3, least_m: f64) -> Result<(), BartError> {
     let of = |(index, facet): (u32, &FacetGeometry)| (distance_to_triangle_m(at_m, &facet.corners_m), index);
     let nearer = |a: (f64, u32), b: (f64, u32)| if b.0 < a.0 { b } else { a };

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The accuracy of `integration`, or the next coarser one, fourfold at a time, that cuts all joints into no more than `most`
-/// tiles; an error where none does.
+/// tiles, and a few more for each joint; an error where none does.
 ///
 /// Tiles go with the accuracy to the power −⅔, and near an antenna with the inverse of its distance from a facet, where the
 /// polarization vectors of its own zenith turn along a line.
@@ -20,6 +20,9 @@ pub(crate) fn afforded<'j>(
     const COARSER: f64 = 4.0;
     // Beyond, a tile may err by all that it can give.
     const COARSEST: f64 = 1.0;
+    // Of very many joints each has its own, however coarse.
+    const FREE: u64 = 8;
+    let most = most.saturating_add(joints.clone().map(|joints| FREE * joints.list.len() as u64).sum());
     let mut asked = *integration;
     while !fits(scatterer, joints.clone(), &asked, most) {
         if asked.accuracy >= COARSEST {
@@ -79,7 +82,7 @@ mod tests {
         let tree = BeamTree::trace(&world, Antenna::Point(DVec3::new(0.02, 0.01, 0.0)), &trace).unwrap();
         let scatterer = Scatterer::new(&world, Trees::Shared(&tree), ZenithH { transmit: DVec3::Y, receive: DVec3::Y });
         let joints = scatterer.joints(1, NodeRule::Middle, 1e-9);
-        let asked = Integration { wavenumbers_per_m: &[1613.8], accuracy: 1e-6, bracket: Bracket::Symmetrised };
+        let asked = Integration { wavenumbers_per_m: &[1613.8], accuracy: 1e-4, bracket: Bracket::Symmetrised };
         let tiles = |accuracy: f64| -> u64 {
             let mut tiles = 0;
             let request = Integration { accuracy, ..asked };
@@ -92,12 +95,12 @@ mod tests {
         let all = tiles(asked.accuracy);
         for most in [10 * all, all / 10, all / 100] {
             let accuracy = afforded(&scatterer, std::iter::once(&joints), &asked, most).unwrap();
-            println!("{all} tiles at 1e-6, {} at {accuracy:.1e}; {most} allowed", tiles(accuracy));
+            println!("{all} tiles at 1e-4, {} at {accuracy:.1e}; {most} allowed", tiles(accuracy));
             assert_eq!(accuracy > asked.accuracy, most < all);
             // The count is told from coarser triangles: halves are not even thirds.
             assert!(tiles(accuracy) <= 2 * most && 40 * tiles(accuracy) > most.min(all));
         }
         let refused = afforded(&scatterer, std::iter::once(&joints), &asked, 1);
-        assert_eq!(refused, Err(BartError::TooManyPieces { most: 1 }));
+        assert!(matches!(refused, Err(BartError::TooManyPieces { .. })), "{refused:?}");
     }
 }

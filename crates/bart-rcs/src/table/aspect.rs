@@ -1,7 +1,7 @@
 //! Scattering at one aspect: trees, joins and integrals of every order, by the rule asked for and by the other one.
 
 use crate::beams::beam::{BeamTree, TraceSettings};
-use crate::bodies::stand_off::check_stand;
+use crate::bodies::stand_off::{check_stand, distance_and_diagonal_m};
 use crate::bodies::world::World;
 use crate::edges::edge_scattering::sum_of_edges;
 use crate::error::BartError;
@@ -360,12 +360,29 @@ impl AspectSettings {
     /// With coarser integrals where these would be cut into too many tiles.
     fn afforded(&self, scatterer: &Scatterer<'_>, meetings: &[Meeting], rule: NodeRule) -> Result<Self, BartError> {
         // A plane wave over a flat polygon is integrated as one.
-        if scatterer.is_far() && scatterer.world.skin_error() == 0.0 {
+        let is_flat = scatterer.world.skin_error() == 0.0;
+        if is_flat && (scatterer.is_far() || self.is_cheap(scatterer)) {
             return Ok(self.clone());
         }
         let joints = meetings.iter().map(|meeting| &meeting.facets);
         let accuracy = afforded(scatterer, joints, &self.integration(rule), self.most_tiles)?;
         Ok(Self { accuracy, ..self.clone() })
+    }
+
+    /// Whether antennas stand so far off that flat facets are never cut into too many tiles, which need not be counted then:
+    /// tiles are about as many as Fresnel zones, kD²/r, and a hundred at most for each at this accuracy.
+    fn is_cheap(&self, scatterer: &Scatterer<'_>) -> bool {
+        const FRESNEL_ZONES: f64 = 2e4;
+        const ACCURACY: f64 = 1e-3;
+        const DIAGONALS: f64 = 2.0;
+        let highest_per_m = self.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
+        let ends = [scatterer.trees.transmit().antenna, scatterer.trees.receive().antenna];
+        self.accuracy >= ACCURACY
+            && ends.into_iter().all(|antenna| {
+                let (distance_m, diagonal_m) = distance_and_diagonal_m(scatterer.world, antenna);
+                let zones = highest_per_m * diagonal_m * (diagonal_m / distance_m);
+                distance_m >= DIAGONALS * diagonal_m && zones <= FRESNEL_ZONES
+            })
     }
 
     fn integration(&self, nodes: NodeRule) -> Integration<'_> {
