@@ -157,6 +157,9 @@ impl Models {
         let unit_scale = target.number("unit_scale", mesh::UNIT_SCALES);
         let seed = target.integer("vehicle_seed", SEEDS);
         if let Some(path) = &self.options.model {
+            if mesh::Format::of(path).is_some() {
+                return Some(Model::File { path: path.clone(), unit_scale: None }); // its name need not be text
+            }
             return named_model(target, &path.to_string_lossy(), Path::new(""), None, None);
         }
         named_model(target, written, &self.folder, unit_scale, seed)

@@ -2,6 +2,7 @@
 
 use crate::commands::load;
 use crate::failure::Failure;
+use artifact::bounded::{self, ReadFault};
 use artifact::scene::SceneHeader;
 use artifact::settings::Class;
 use serde::Deserialize;
@@ -38,9 +39,17 @@ pub(super) struct Recipe {
     pub(super) text: String,
 }
 
+/// A recipe takes a kilobyte.
+const LIMIT_BYTES: u64 = 1 << 20;
+
+fn unread(file: &Path, fault: &ReadFault) -> Failure {
+    let text = format!("{}: {fault}", file.display());
+    if fault.is_system() { Failure::System(text) } else { Failure::Refused(text) }
+}
+
 impl Recipe {
     pub(super) fn read(file: &Path, seed: Option<u64>) -> Result<Self, Failure> {
-        let text = std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))?;
+        let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| unread(file, &fault))?;
         let refused = |rule: String| Failure::Refused(format!("{}: {rule}", file.display()));
         let document: Document = toml::from_str(&text).map_err(|e| refused(e.to_string()))?;
         let scene = file.parent().unwrap_or(Path::new(".")).join(&document.scene);
