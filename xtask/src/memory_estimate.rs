@@ -6,13 +6,14 @@ use crate::looks::Look;
 use crate::memory::mib;
 use crate::plan::FramePlan;
 use crate::stages::Stage;
+use artifact::paths::Path;
 use artifact::settings::EchoMode;
 
 /// What the program holds beside frames: code, thread stacks, the learning library's buffers (measured 40 MiB).
 const PROGRAM_MIB: f64 = 48.0;
 
 /// Bytes of a facet at rest, of a beam with what is joined on it, and of a cell with its path: of the two runs they were taken from
-/// twice what was held.
+/// twice what was held. The paths of a frame that is split in time are held for each of its moments.
 const BYTES_PER_FACET: f64 = 1500.0;
 const BYTES_PER_BEAM: f64 = 1500.0;
 const BYTES_PER_CELL: f64 = 2500.0;
@@ -53,7 +54,9 @@ impl Chain<'_> {
             EchoMode::RcsTable => 0.0,
         };
         let sliding = facets * work.sliding_tiles * BYTES_PER_SLIDING_TILE;
-        Ok(facets * work.facets * BYTES_PER_FACET + beams * BYTES_PER_BEAM + cells * BYTES_PER_CELL + sliding)
+        let of_moments = f64::from(bart_rcs::MOMENTS_MAX) * size_of::<Path>() as f64;
+        let of_cells = cells * (BYTES_PER_CELL + of_moments);
+        Ok(facets * work.facets * BYTES_PER_FACET + beams * BYTES_PER_BEAM + of_cells + sliding)
     }
 
     /// Of what follows the tracer: cubes, maps, paths of the ground.
@@ -72,6 +75,6 @@ impl Chain<'_> {
     /// Paths of the ground, once for the run and once among those of the frame.
     fn ground_bytes(&self) -> u64 {
         let patches = self.header.backscatter.map_or(0, |_| fmcw_echo::ground::patches(&self.header.radar));
-        (2 * patches * size_of::<artifact::paths::Path>()) as u64
+        (2 * patches * size_of::<Path>()) as u64
     }
 }

@@ -68,7 +68,7 @@ fn recordings_that_do_not_fit_are_refused_by_name_and_rule() {
         ("import cut.bin --scene tdm.toml --out b.cube", "no whole number of frames"),
         ("import odd.bin --scene tdm.toml --out b.cube", "take 8"),
         ("import empty.bin --scene tdm.toml --out b.cube", "no whole number of frames"),
-        ("import raw.bin --scene tdm.toml --out b.cube --step 0", "positive"),
+        ("import raw.bin --scene tdm.toml --out b.cube --step 0", "must be from 1e-30 to 1e30"),
         ("import none.sigmf-meta --scene tdm.toml --out b.cube", "none.sigmf-meta"),
         ("export ideal.cube --to dca1000 --out c.bin", "orthogonal"),
     ] {

@@ -493,7 +493,8 @@ fn the_error_printed_with_paths_covers_the_true_one() {
     assert!(excess_db[CASES as usize / 2] <= 10.0);
 }
 
-/// Sharp panels seen away from their speculars: without the paths of their edges the sum would be 12 dB off.
+/// Sharp panels seen away from their speculars: without the paths of their edges a fifth of the sum is missed (13.5 dB), with them
+/// no more than a tenth, and no more than is told.
 #[test]
 fn paths_of_edges_move_with_the_body_and_add_up_to_its_amplitude() {
     let panel = parallelogram([-0.3, -0.2, 0.4], [0.25, 0.4, 0.0], [0.0, 0.1, 0.5]);
@@ -521,7 +522,7 @@ fn paths_of_edges_move_with_the_body_and_add_up_to_its_amplitude() {
         with.paths.len(),
         without.paths.len()
     );
-    assert!(error <= printed && error < 0.1 && missed > 3.0 * error);
+    assert!(error <= printed && error < 0.1 && missed > 0.2);
     let tables = rcs_frame(&Models::build(&scene.0).unwrap(), &scene.0, &scene.1).unwrap();
     assert!(tables.tables[0].amplitude_m.iter().all(|s| s.is_finite()));
 }

@@ -93,6 +93,7 @@ fn each_frame(
     out: &Path,
     write: impl Fn(&CubeHeader, &RdmFrame, &Path) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
+    output::claim(&[out.to_owned()])?; // pictures of several frames are numbered after it
     let (header, single) = (reader.header().clone(), reader.frames() == 1);
     for frame in reader {
         let frame = frame?;
