@@ -76,8 +76,12 @@ impl Checkpoint {
     /// Reads what is whole and stands at its end, or begins anew where it is of other work.
     fn take_up(&mut self, mut file: File) -> std::io::Result<State> {
         file.try_lock().map_err(|_| std::io::Error::other("another run has it"))?;
+        let about = file.metadata()?;
+        if !about.is_file() {
+            return Err(std::io::Error::other("it is no plain file"));
+        }
         let mut bytes = Vec::new();
-        file.read_to_end(&mut bytes)?;
+        file.by_ref().take(about.len()).read_to_end(&mut bytes)?;
         if !MAGIC.starts_with(&bytes[..bytes.len().min(MAGIC.len())]) {
             return Err(std::io::Error::other("it is no checkpoint"));
         }
@@ -231,6 +235,15 @@ mod tests {
         assert_eq!(written(&out), b"my notes");
         Checkpoint::open(&out, "key").finish();
         assert_eq!(std::fs::read(beside(&out)).unwrap(), b"my notes");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_fifo_of_that_name_is_not_waited_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("s.npy");
+        assert!(std::process::Command::new("mkfifo").arg(beside(&out)).status().unwrap().success());
+        assert_eq!(kept(&out, "key"), [false; 3]);
     }
 
     #[test]

@@ -1,12 +1,13 @@
 //! `import`: IF samples from anywhere as a radar cube.
 
 use super::load::{self, provenance};
-use super::raw_data::{Imported, Step, dca1000, sigmf};
+use super::raw_data::{Imported, LIMIT_BYTES, Step, dca1000, npy, sigmf};
 use crate::cli::ImportArguments;
 use crate::failure::Failure;
 use crate::keys::cube_header;
 use crate::progress;
 use crate::stages::Stage;
+use artifact::bounded;
 use artifact::cube::{Cube, CubeFrame};
 use artifact::scene::SceneHeader;
 use artifact::{ErrorBudget, Provenance, Writer};
@@ -68,10 +69,11 @@ fn of_array(file: &Path, shape: [usize; 3]) -> Result<Vec<Vec<Complex32>>, Failu
 }
 
 fn read(file: &Path) -> Result<Array4<Complex32>, Failure> {
-    let handle = artifact::inputs::open(file).map_err(|e| Failure::system(file, "open", e))?;
+    let bytes = bounded::read(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
     let rule = "a .npy of complex64 in the shape [frame, channel, chirp, sample] is needed";
-    Array4::read_npy(std::io::BufReader::new(handle))
-        .map_err(|e| Failure::Refused(format!("{}: {e}: {rule}", file.display())))
+    let refused = |why: String| Failure::Refused(format!("{}: {why}: {rule}", file.display()));
+    npy::check(&bytes).map_err(refused)?;
+    Array4::read_npy(bytes.as_slice()).map_err(|e| refused(e.to_string()))
 }
 
 fn check(file: &Path, frame: usize, samples: &[Complex32], [_, chirps, length]: [usize; 3]) -> Result<(), Failure> {

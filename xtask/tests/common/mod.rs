@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a helper of tests fails the test")]
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
+pub(crate) mod bounded;
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
