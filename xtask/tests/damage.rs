@@ -73,7 +73,7 @@ fn artifacts(place: &Workplace) -> Vec<(&'static str, Accepted, &'static str)> {
         ("a/scene.scene", accepted::<scene::Scene> as Accepted, "export x --to json --out y"),
         ("a/frames.paths", accepted::<paths::Paths>, "echo small.toml --paths x --out y --quiet"),
         ("t/frames.rcs", accepted::<rcs::Rcs>, "export x --to npy --out y"),
-        ("a/frames.cube", accepted::<cube::Cube>, "dsp x --out y --quiet"),
+        ("a/frames.cube", accepted::<cube::Cube>, "dsp x --out z --quiet"),
         ("a/frames.rdm", accepted::<rdm::Rdm>, "classify m.model x"),
         ("a/frames.points", accepted::<points::Points>, "export x --to csv --out y"),
         ("a/frames.tracks", accepted::<tracks::Tracks>, "export x --to csv --out y"),

@@ -91,7 +91,6 @@ fn every_command_ends_with_2_and_leaves_nothing_half_written() {
         "echo small.toml --quiet --out disk/f.cube",
         "dsp a/frames.cube --pictures --quiet --out disk/d",
         "dataset spec.toml --quiet --out disk/d",
-        "train d --iterations 2 --quiet --out disk/m",
         "import f.npy --scene small.toml --quiet --out disk/f.cube",
         "calibrate a/frames.cube --at-m 2,30,1 --out disk/e.csv",
         "export a/frames.cube --to npy --out disk/f.npy",

@@ -134,15 +134,6 @@ fn a_dataset_that_is_killed_goes_on() {
 }
 
 #[test]
-fn a_training_that_is_killed_leaves_no_half_model() {
-    let whole = prepared();
-    whole.run("dataset spec.toml --out data --quiet");
-    let words = format!("train {} --out out --iterations 4 --quiet", whole.path("data").display());
-    Work { words: &words, same: &["out/weights.model", "out/metrics.json", "out/curves.csv"] }
-        .is_resumed_to_the_same_bytes(4);
-}
-
-#[test]
 fn a_study_that_is_killed_leaves_nothing_half_written() {
     let words = "chart --quick --out out --quiet";
     // Its seconds differ from run to run: a table that is there ends with a line's end, a picture as pictures do.

@@ -127,14 +127,24 @@ fn moments(frame: &PathsFrame) -> u32 {
     frame.trace.fineness.as_ref().unwrap().moments
 }
 
-/// Asked for from −10 to −35 dB in four passings: what the frame tells is not below the truth, and it tells no more than was asked for
-/// unless it is split as far as it may be or something else errs most.
-#[test]
-fn bodies_that_pass_each_other_are_as_exact_as_asked_or_say_why_not() {
-    let (mut covered, mut met, mut frames, mut whole_db) = (0, 0, 0, f64::NEG_INFINITY);
-    for (car_y_m, car_mps, yaw_rad) in [(38.0, 10.0, 0.0), (36.5, 13.0, 0.02), (40.2, 7.0, -0.03), (34.1, -9.0, 0.05)] {
+/// A car that passes a truck: where it is in metres, how fast in m/s, how far it is turned in rad.
+type Passing = (f64, f64, f64);
+
+/// Frames of which the truth is no more than is told, of which no more is told than was asked for, and all.
+#[derive(Debug, Default)]
+struct Tally {
+    covered: u32,
+    met: u32,
+    frames: u32,
+}
+
+/// What the frame tells is not below the truth, and it tells no more than was asked for unless it is split as far as it may be or
+/// something else errs most.
+fn compared(passings: &[Passing], asked_db: &[f64]) -> Tally {
+    let mut tally = Tally::default();
+    for (car_y_m, car_mps, yaw_rad) in passings.iter().copied() {
         let known = Known::of(&passing(car_y_m, car_mps, yaw_rad, 0.0));
-        for accuracy_db in [-10.0, -15.0, -20.0, -25.0, -30.0, -35.0] {
+        for accuracy_db in asked_db.iter().copied() {
             let scene = passing(car_y_m, car_mps, yaw_rad, accuracy_db);
             let frame = traced(&scene);
             let (told, got, moments) = (told_db(&frame), known.error_db(&scene, &frame), moments(&frame));
@@ -142,21 +152,32 @@ fn bodies_that_pass_each_other_are_as_exact_as_asked_or_say_why_not() {
                 "car at {car_y_m} m, {car_mps} m/s: asked {accuracy_db}, told {told:.1}, true {got:.1} dB, {moments} moments, {} paths",
                 frame.paths.len()
             );
-            if moments == 1 {
-                whole_db = whole_db.max(got);
-            }
             let error = frame.error;
             let is_mostly_freezing = error.freezing > error.integration && error.freezing > error.dropped;
             assert!(told <= accuracy_db || moments == MOMENTS_MAX || !is_mostly_freezing, "{told} is not explained");
-            covered += u32::from(got <= told);
-            met += u32::from(told <= accuracy_db);
-            frames += 1;
+            tally.covered += u32::from(got <= told);
+            tally.met += u32::from(told <= accuracy_db);
+            tally.frames += 1;
         }
     }
-    println!("covered {covered} of {frames}, met {met}; one moment errs by {whole_db:.1} dB");
+    println!("{tally:?}");
+    tally
+}
+
+#[test]
+fn bodies_that_pass_each_other_are_as_exact_as_asked_or_say_why_not() {
+    let tally = compared(&[(38.0, 10.0, 0.0)], &[-10.0, -20.0]);
+    assert_eq!((tally.covered, tally.met), (2, 2));
+}
+
+#[test]
+#[ignore = "takes minutes: cargo test --release -p bart-rcs --test moving_bodies -- --include-ignored"]
+fn many_bodies_that_pass_each_other_are_as_exact_as_asked_or_say_why_not() {
+    let passings = [(38.0, 10.0, 0.0), (36.5, 13.0, 0.02), (40.2, 7.0, -0.03), (34.1, -9.0, 0.05)];
+    let tally = compared(&passings, &[-10.0, -15.0, -20.0, -25.0, -30.0, -35.0]);
     // Were 95 of 100 frames covered, fewer than 21 of 24 would be seen once in a hundred.
-    assert!(covered >= 21);
-    assert!(met >= frames - 2);
+    assert!(tally.covered >= 21);
+    assert!(tally.met >= tally.frames - 2);
 }
 
 /// A frame that takes its error over is split as the measured one.

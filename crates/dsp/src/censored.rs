@@ -10,6 +10,7 @@ use crate::cfar::{DETECTED, TESTED};
 use crate::cfar_threshold::threshold_factor;
 use crate::window::{noise_bandwidth_bins, taper};
 use artifact::cube::CubeHeader;
+use artifact::radar::Multiplexing;
 use artifact::settings::Detector;
 use ndarray::ArrayView2;
 use std::collections::BTreeMap;
@@ -21,7 +22,8 @@ const MOST_PASSES: usize = 8;
 
 /// The mask with the hidden cells detected; `noise_threshold` is what noise alone hardly passes, were its level known.
 ///
-/// Detectors other than those that average (`ca-cfar`, `go-cfar`) have their own way with several echoes, and keep their mask.
+/// Detectors other than those that average (`ca-cfar`, `go-cfar`) have their own way with several echoes, and keep their mask. So does
+/// Doppler division: what its mask leaves out are the other transmitters' bands of an echo, which nothing hides.
 pub(crate) fn unmasked(
     header: &CubeHeader,
     power: ArrayView2<f64>,
@@ -29,7 +31,8 @@ pub(crate) fn unmasked(
     noise_threshold: f64,
 ) -> Result<Vec<u8>, DspError> {
     let mut mask = mask.to_vec();
-    if !matches!(header.dsp.detector, Detector::CaCfar | Detector::GoCfar) {
+    let averages = matches!(header.dsp.detector, Detector::CaCfar | Detector::GoCfar);
+    if !averages || header.radar.array.multiplexing == Multiplexing::Ddm {
         return Ok(mask);
     }
     let strong = power.iter().enumerate().filter(|(cell, power)| mask[*cell] == TESTED && **power > noise_threshold);

@@ -71,7 +71,7 @@ mod tests {
     #[test]
     fn names_do_not_lie_over_each_other_nor_beyond_the_frame() {
         let mut labels = Labels::within([0.0, 0.0, 200.0, 100.0]);
-        (0..40).for_each(|i| labels.put([90.0, 50.0, 100.0, 55.0], &format!("body-{i}")));
+        (0..40).for_each(|i| labels.put([90.0, 40.0, 100.0, 60.0], &format!("body-{i}")));
         assert_eq!(labels.placed.len(), 4);
         for (i, a) in labels.taken.iter().enumerate() {
             assert!(labels.is_inside(a) && labels.taken[..i].iter().all(|b| !overlap(a, b)));

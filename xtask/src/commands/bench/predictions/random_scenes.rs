@@ -48,6 +48,8 @@ fn radar(draw: &mut Draw, text: &mut String) {
     let chirps = draw.one_of(&[32, 64, 128, 128]);
     let samples = draw.one_of(&[128, 256, 256, 512]);
     let multiplexing = draw.one_of(&["simultaneous", "simultaneous", "tdm"]);
+    // Twelve transmitters in turn take longer than from one frame to the next.
+    let multiplexing = if preset == "12x16" { "simultaneous" } else { multiplexing };
     let _ = write!(
         text,
         "[radar]\nboresight_el_deg = -8.0\n[radar.waveform]\nchirps = {chirps}\nsamples = {samples}\n[radar.array]\n\
