@@ -81,7 +81,7 @@ impl Checkpoint {
             return Err(std::io::Error::other("it is no plain file"));
         }
         let mut bytes = Vec::new();
-        file.by_ref().take(about.len()).read_to_end(&mut bytes)?;
+        Read::by_ref(&mut file).take(about.len()).read_to_end(&mut bytes)?;
         if !MAGIC.starts_with(&bytes[..bytes.len().min(MAGIC.len())]) {
             return Err(std::io::Error::other("it is no checkpoint"));
         }

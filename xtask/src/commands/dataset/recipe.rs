@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 /// A recipe is a page of text.
 const LIMIT_BYTES: u64 = 4 << 20;
-/// What a scene takes a second for takes a month.
+/// At a second a scene that is a week and a half for each class.
 const SCENES_LIMIT: u32 = 1_000_000;
 
 /// What the file says.
