@@ -1,6 +1,7 @@
 //! How a command ends when it does not succeed.
 
 use artifact::ArtifactError;
+use artifact::bounded::ReadFault;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -40,6 +41,12 @@ impl Failure {
             Self::Unplaced(text) => Self::Refused(format!("{}: {text}", file.display())),
             placed => placed,
         }
+    }
+
+    /// An input was not read whole: the system's fault, or its own.
+    pub(crate) fn unread(file: &Path, fault: &ReadFault) -> Self {
+        let text = format!("{}: {fault}", file.display());
+        if fault.is_system() { Self::System(text) } else { Self::Refused(text) }
     }
 
     /// What the system answered about `file`.

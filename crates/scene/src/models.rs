@@ -157,10 +157,7 @@ impl Models {
         let unit_scale = target.number("unit_scale", mesh::UNIT_SCALES);
         let seed = target.integer("vehicle_seed", SEEDS);
         if let Some(path) = &self.options.model {
-            if mesh::Format::of(path).is_some() {
-                return Some(Model::File { path: path.clone(), unit_scale: None }); // its name need not be text
-            }
-            return named_model(target, &path.to_string_lossy(), Path::new(""), None, None);
+            return replacing(target, path);
         }
         named_model(target, written, &self.folder, unit_scale, seed)
     }
@@ -179,6 +176,14 @@ impl Models {
         self.known.push(model);
         self.meshes.push(mesh);
         self.meshes.len() - 1
+    }
+}
+
+/// The model that an option names; its path need not be text.
+fn replacing(target: &Section<'_>, path: &Path) -> Option<Model> {
+    match path.to_str() {
+        None if mesh::Format::of(path).is_some() => Some(Model::File { path: path.to_owned(), unit_scale: None }),
+        _ => named_model(target, &path.to_string_lossy(), Path::new(""), None, None),
     }
 }
 

@@ -133,7 +133,9 @@ pub(crate) fn read_frames(root: &Section<'_>, radar: &Radar) -> (u32, f64) {
     let frames = root.integer("frames", Allowed::Between(1.0, 1e6)).unwrap_or(1) as u32;
     let interval_s = root.number("frame_interval_s", Allowed::Above(0.0, 1e4)).unwrap_or(0.1);
     let duration_s = radar.cycle_duration_s();
-    if frames > 1 && interval_s < duration_s {
+    // A recording has as many frames as fit into it.
+    let are_several = frames > 1 || (root.has("traffic") && !root.has("frames"));
+    if are_several && interval_s < duration_s {
         root.note("frame_interval_s", Rule::FramesOverlap { interval_s, duration_s });
     }
     (frames * radar.schedule.sub_frames(), interval_s)

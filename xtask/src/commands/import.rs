@@ -1,20 +1,19 @@
 //! `import`: IF samples from anywhere as a radar cube.
 
 use super::load::{self, provenance};
-use super::raw_data::{Imported, Step, dca1000, sigmf};
+use super::raw_data::{Imported, LIMIT_BYTES, Step, dca1000, npy, sigmf};
 use crate::cli::ImportArguments;
 use crate::failure::Failure;
 use crate::keys::cube_header;
 use crate::progress;
 use crate::stages::Stage;
+use artifact::bounded;
 use artifact::cube::{Cube, CubeFrame};
 use artifact::scene::SceneHeader;
 use artifact::{ErrorBudget, Provenance, Writer};
 use ndarray::{Array4, Axis};
 use ndarray_npy::ReadNpyExt;
 use num_complex::Complex32;
-use std::fs::File;
-use std::io::{BufReader, Read, Seek};
 use std::path::Path;
 
 pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
@@ -70,34 +69,12 @@ fn of_array(file: &Path, shape: [usize; 3]) -> Result<Vec<Vec<Complex32>>, Failu
 }
 
 fn read(file: &Path) -> Result<Array4<Complex32>, Failure> {
-    let handle = artifact::inputs::open(file).map_err(|e| Failure::system(file, "open", e))?;
-    let mut stream = BufReader::new(handle);
-    check_size(&mut stream).and_then(|()| Array4::read_npy(stream).map_err(|e| e.to_string())).map_err(|what| {
-        let rule = "a .npy of complex64 in the shape [frame, channel, chirp, sample] is needed";
-        Failure::Refused(format!("{}: {what}: {rule}", file.display()))
-    })
+    let bytes = bounded::read(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
+    let rule = "a .npy of complex64 in the shape [frame, channel, chirp, sample] is needed";
+    let refused = |why: String| Failure::Refused(format!("{}: {why}: {rule}", file.display()));
+    npy::check(&bytes).map_err(refused)?;
+    Array4::read_npy(bytes.as_slice()).map_err(|e| refused(e.to_string()))
 }
-
-/// Refuses a shape of more values than the file has bytes for: room for all of them is taken before the first is read.
-fn check_size(stream: &mut BufReader<File>) -> Result<(), String> {
-    let system = |e: std::io::Error| e.to_string();
-    let told = stream.get_ref().metadata().map_err(system)?.len();
-    let mut head = Vec::new();
-    stream.by_ref().take(HEADER_LIMIT).read_to_end(&mut head).map_err(system)?;
-    stream.rewind().map_err(system)?;
-    let head = String::from_utf8_lossy(&head);
-    let shape = head.split_once("shape").and_then(|(_, rest)| rest.split_once('(')?.1.split_once(')'));
-    let Some((shape, _)) = shape else { return Err("its header tells no shape".into()) };
-    let sizes = shape.split(',').map(str::trim).filter(|size| !size.is_empty()).map(str::parse::<u64>);
-    let bytes = sizes.flatten().try_fold(size_of::<Complex32>() as u64, u64::checked_mul);
-    match bytes {
-        Some(bytes) if bytes <= told => Ok(()),
-        _ => Err(format!("the shape ({shape}) is of more values than its {told} bytes hold")),
-    }
-}
-
-/// A header of three entries takes some hundred bytes; NumPy itself refuses more than 10,000.
-const HEADER_LIMIT: u64 = 1 << 16;
 
 fn check(file: &Path, frame: usize, samples: &[Complex32], [_, chirps, length]: [usize; 3]) -> Result<(), Failure> {
     match samples.iter().position(|v| !(v.re.is_finite() && v.im.is_finite())) {

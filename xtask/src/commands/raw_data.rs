@@ -4,6 +4,7 @@
 //! slot m·M + s is chirp s of all transmitters' codes in block m (bpm). Samples of a cube are `[turn·N_rx + rx][chirp][sample]`.
 
 pub(crate) mod dca1000;
+pub(crate) mod npy;
 pub(crate) mod sigmf;
 
 use crate::failure::Failure;
@@ -11,6 +12,9 @@ use artifact::cube::CubeHeader;
 use artifact::radar::{Multiplexing, Sampling};
 use num_complex::Complex32;
 use std::path::{Path, PathBuf};
+
+/// Files of samples are read whole; devices write files of a gibibyte.
+pub(crate) const LIMIT_BYTES: u64 = 4 << 30;
 
 /// The shape of one frame of a recording.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

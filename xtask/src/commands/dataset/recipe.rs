@@ -2,12 +2,17 @@
 
 use crate::commands::load;
 use crate::failure::Failure;
-use artifact::bounded::{self, ReadFault};
+use artifact::bounded;
 use artifact::scene::SceneHeader;
 use artifact::settings::Class;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+
+/// A recipe is a page of text.
+const LIMIT_BYTES: u64 = 4 << 20;
+/// At a second a scene that is a week and a half for each class.
+const SCENES_LIMIT: u32 = 1_000_000;
 
 /// What the file says.
 #[derive(Debug, PartialEq, Deserialize)]
@@ -39,17 +44,9 @@ pub(super) struct Recipe {
     pub(super) text: String,
 }
 
-/// A recipe takes a kilobyte.
-const LIMIT_BYTES: u64 = 1 << 20;
-
-fn unread(file: &Path, fault: &ReadFault) -> Failure {
-    let text = format!("{}: {fault}", file.display());
-    if fault.is_system() { Failure::System(text) } else { Failure::Refused(text) }
-}
-
 impl Recipe {
     pub(super) fn read(file: &Path, seed: Option<u64>) -> Result<Self, Failure> {
-        let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| unread(file, &fault))?;
+        let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
         let refused = |rule: String| Failure::Refused(format!("{}: {rule}", file.display()));
         let document: Document = toml::from_str(&text).map_err(|e| refused(e.to_string()))?;
         let scene = file.parent().unwrap_or(Path::new(".")).join(&document.scene);
@@ -82,9 +79,10 @@ impl Recipe {
 }
 
 fn check(document: &Document, base: &SceneHeader) -> Result<(), String> {
-    for (name, [low, high]) in [("range_m", document.range_m), ("speed_mps", document.speed_mps)] {
-        if !(low > 0.0 && high >= low && high.is_finite()) {
-            return Err(format!("{name} must be [least, greatest], positive, is [{low}, {high}]"));
+    // As far and as fast as a scene's targets.
+    for (name, [low, high], most) in [("range_m", document.range_m, 1e5), ("speed_mps", document.speed_mps, 340.0)] {
+        if !(low > 0.0 && high >= low && high <= most) {
+            return Err(format!("{name} must be [least, greatest], positive, at most {most}, is [{low}, {high}]"));
         }
     }
     let known = |lane: &u8| base.dsp.road.lanes.iter().any(|l| l.number == *lane);
@@ -93,6 +91,9 @@ fn check(document: &Document, base: &SceneHeader) -> Result<(), String> {
     }
     if document.vehicle_seeds == 0 || document.scenes_per_class == 0 {
         return Err("vehicle_seeds and scenes_per_class must be at least 1".into());
+    }
+    if document.scenes_per_class > SCENES_LIMIT {
+        return Err(format!("scenes_per_class must be at most {SCENES_LIMIT}, is {}", document.scenes_per_class));
     }
     check_models(document)
 }

@@ -3,13 +3,14 @@
 //! Little-endian 16-bit integers, chirp after chirp, receiver after receiver, two samples at a time: I₀ I₁ Q₀ Q₁ (Texas
 //! Instruments, Mmwave Radar Device ADC Raw Data Capture, SWRA581B, section 6.2, lanes not interleaved).
 
-use super::{Imported, Recording, Step};
+use super::{Imported, LIMIT_BYTES, Recording, Step};
 use crate::commands::export::fail;
 use crate::commands::sidecar;
 use crate::failure::Failure;
 use crate::output;
 use crate::progress;
 use artifact::Reader;
+use artifact::bounded;
 use artifact::cube::{Cube, CubeHeader};
 use num_complex::Complex32;
 use serde_json::{Value, json};
@@ -48,7 +49,7 @@ pub(crate) fn write(file: &Path, out: &Path) -> Result<(), Failure> {
 /// Reads frames; a step is `step`, √W, else what the `.json` beside the file says of these very samples, else 1.
 pub(crate) fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Imported, Failure> {
     let recording = even(file, Recording::of(file, header)?)?;
-    let bytes = std::fs::read(file).map_err(|e| Failure::system(file, "read", e))?;
+    let bytes = bounded::read(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
     if !bytes.len().is_multiple_of(8) {
         let text = format!("{} bytes: two complex samples of 16 bits take 8", bytes.len());
         return Err(Failure::Refused(format!("{}: {text}", file.display())));

@@ -1,10 +1,11 @@
 //! SigMF recordings (sigmf.org, version 1.0): `.sigmf-data`, receivers interleaved, and `.sigmf-meta` beside it.
 
-use super::{Imported, Recording, Step};
+use super::{Imported, LIMIT_BYTES, Recording, Step};
 use crate::commands::export::fail;
 use crate::failure::Failure;
 use crate::output;
 use artifact::Reader;
+use artifact::bounded;
 use artifact::cube::{Cube, CubeHeader};
 use num_complex::Complex32;
 use serde_json::{Value, json};
@@ -38,15 +39,14 @@ pub(crate) fn write(file: &Path, out: &Path) -> Result<(), Failure> {
 pub(crate) fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Imported, Failure> {
     let recording = Recording::of(file, header)?;
     let (meta, data) = (file.with_extension(META), file.with_extension(DATA));
-    [&meta, &data].into_iter().for_each(|file| artifact::inputs::note(file));
-    let text = std::fs::read_to_string(&meta).map_err(|e| Failure::system(&meta, "read", e))?;
+    let text = bounded::read_text(&meta, META_LIMIT_BYTES).map_err(|fault| Failure::unread(&meta, &fault))?;
     let told: Value = serde_json::from_str(&text).map_err(|e| refused(&meta, e.to_string()))?;
     let channels = told["global"]["core:num_channels"].as_u64().unwrap_or(1);
     if channels != recording.receivers as u64 {
         let text = format!("core:num_channels is {channels}, the scene's radar has {} receivers", recording.receivers);
         return Err(refused(&meta, text));
     }
-    let bytes = std::fs::read(&data).map_err(|e| Failure::system(&data, "read", e))?;
+    let bytes = bounded::read(&data, LIMIT_BYTES).map_err(|fault| Failure::unread(&data, &fault))?;
     let (values, step) = match told["global"]["core:datatype"].as_str() {
         Some("cf32_le") => (of_floats(&bytes), Step::Floats),
         Some("ci16_le") => {
@@ -66,6 +66,8 @@ pub(crate) fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Resul
 
 const DATA: &str = "sigmf-data";
 const META: &str = "sigmf-meta";
+/// A capture for each of a hundred thousand frames.
+const META_LIMIT_BYTES: u64 = 16 << 20;
 
 fn refused(file: &Path, text: String) -> Failure {
     Failure::Refused(format!("{}: {text}", file.display()))
