@@ -70,7 +70,8 @@ fn a_reader_that_has_gone_away_ends_the_program_quietly_and_leaves_no_temporary_
 #[test]
 fn remarks_that_nobody_can_read_are_not_missed() {
     let place = Workplace::new();
-    for (words, code) in [("echo small.toml --out a.cube", 0), ("inspect nothing.cube", 2), ("echo a.cube --out b", 1)]
+    for (words, code) in
+        [("paths small.toml --out a.paths", 0), ("inspect nothing.cube", 2), ("echo a.paths --out b", 1)]
     {
         let output = on_full_file(&place, words, "2");
         assert_eq!(output.status.code(), Some(code), "{words}");
