@@ -9,7 +9,7 @@
 //! if they stand in one strip (their means within half a lane), move alike (their mean velocities within half a reach) and are apart by less than
 //! two cars of a queue are; not if the farther is ten times stronger, as a follower's front is and a hidden rear is not. Across the line of
 //! sight a vehicle is longer than the strip is wide, and shows other velocities from end to end: parts that one velocity explains, and
-//! that lie one behind the other along it, are joined as well ([`crate::rigid_pieces`]).
+//! that lie one behind the other along it, are joined as well (`rigid_pieces.rs`).
 //!
 //! What is left behind a group, in its strip and at its velocity, but twenty times weaker, is its tail: the far end of a long
 //! body, which sends little back beside the front, or an echo of several bounces. (A box truck of 8 m at 30 m: the front at

@@ -29,7 +29,7 @@ pub struct Peak {
     pub cells: u32,
     /// Whether the detector found it, or its neighbours' echoes hid it.
     pub detected: bool,
-    /// Cell of the peak on whose slope it stands; its own cell where it stands on none ([`crate::directional_peaks`]).
+    /// Cell of the peak on whose slope it stands; its own cell where it stands on none (`directional_peaks.rs`).
     pub summit: [usize; 2],
 }
 
