@@ -369,7 +369,7 @@ fn the_shared_vehicles_read_with_the_sizes_of_their_manifest() {
     };
     let manifest: toml::Table = manifest.parse().unwrap();
     let vehicles = manifest["vehicle"].as_array().unwrap();
-    assert_eq!(vehicles.len(), 19);
+    assert!(vehicles.len() >= 19, "{} vehicles", vehicles.len());
     for vehicle in vehicles {
         let name = vehicle["name"].as_str().unwrap();
         let mesh = read_mesh(&folder.join(format!("{name}.glb")), &METRES).unwrap();
