@@ -1,6 +1,8 @@
 //! What the paths of a frame promise: they are S, they move with the bodies, and the error that they print is true.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
 
+mod bodies;
+
 use artifact::material::MaterialMap;
 use artifact::paths::{Amplitude, ErrorOrigin, PathsFrame};
 use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Schedule};
@@ -14,9 +16,10 @@ use artifact::{Accuracy, Radar, Waveform};
 use bart_rcs::{
     Models, PathView, RcsRequest, Standpoint, rcs, rcs_frame, scattering_of_paths, trace_frame, trace_frame_like,
 };
+use bodies::carts::{barrel, cart, joined, mesh, parallelogram};
 use glam::DVec3;
 use num_complex::Complex64;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
 const RADAR_M: [f64; 3] = [0.0, 0.0, 6.0];
 
@@ -185,57 +188,6 @@ fn exact(
         accuracy: Accuracy::from_db(-45.0),
     };
     rcs(&scene.0.meshes[0], &request, &|_, _| ()).unwrap().amplitude_m
-}
-
-fn mesh(vertices_m: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Mesh {
-    Mesh { vertices_m, triangles, ..Mesh::default() }
-}
-
-fn joined(parts: &[Mesh]) -> Mesh {
-    let mut all = mesh(vec![], vec![]);
-    for part in parts {
-        let first = all.vertices_m.len() as u32;
-        all.vertices_m.extend_from_slice(&part.vertices_m);
-        all.triangles.extend(part.triangles.iter().map(|t| t.map(|i| i + first)));
-    }
-    all
-}
-
-fn parallelogram(corner: [f64; 3], u: [f64; 3], v: [f64; 3]) -> Mesh {
-    let add = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|i| a[i] + b[i]);
-    mesh(vec![corner, add(corner, u), add(add(corner, u), v), add(corner, v)], vec![[0, 1, 2], [0, 2, 3]])
-}
-
-/// A barrel about an upright axis: curved in two directions, facets of about `size_m`.
-fn barrel(centre_m: [f64; 3], radius_m: f64, height_m: f64, size_m: f64) -> Mesh {
-    let around = (2.0 * PI * radius_m / size_m).ceil() as u32;
-    let rows = (height_m / size_m).ceil() as u32;
-    let mut vertices = Vec::new();
-    for i in 0..=rows {
-        let z = height_m * (f64::from(i) / f64::from(rows) - 0.5);
-        let bulge = radius_m * (1.0 - 0.3 * (2.0 * z / height_m).powi(2));
-        for j in 0..around {
-            let (sin, cos) = (2.0 * PI * f64::from(j) / f64::from(around)).sin_cos();
-            vertices.push([centre_m[0] + bulge * cos, centre_m[1] + bulge * sin, centre_m[2] + z]);
-        }
-    }
-    let index = |i: u32, j: u32| i * around + j % around;
-    let square = |i: u32, j: u32| {
-        let [a, b, c, d] = [index(i, j), index(i, j + 1), index(i + 1, j + 1), index(i + 1, j)];
-        [[a, b, c], [a, c, d]]
-    };
-    let triangles = (0..rows).flat_map(|i| (0..around).flat_map(move |j| square(i, j))).collect();
-    mesh(vertices, triangles)
-}
-
-/// A cart: a deck, an upright wall, barrels. Facets large and small, one to three bounces, shadows.
-fn cart(wall_lean: f64) -> Mesh {
-    joined(&[
-        parallelogram([-0.8, -0.5, 0.3], [1.6, 0.0, 0.0], [0.0, 1.0, 0.0]),
-        parallelogram([-0.2, -0.5, 0.3], [0.0, 1.0, 0.0], [wall_lean, 0.0, 0.7]),
-        barrel([0.45, 0.15, 0.55], 0.2, 0.4, 0.1),
-        barrel([0.3, -0.3, 0.5], 0.12, 0.3, 0.08),
-    ])
 }
 
 fn relative(a: Complex64, b: Complex64) -> f64 {

@@ -6,6 +6,7 @@ use artifact::settings::Sides;
 use bart_rcs::{Antenna, BartError, BeamTree, TraceSettings, World};
 use glam::{DMat3, DVec2, DVec3};
 
+pub(crate) mod carts;
 pub(crate) mod referee;
 pub(crate) mod scenes;
 pub(crate) mod sums;
