@@ -61,9 +61,12 @@ fn radar(header: &SceneHeader) -> Value {
     })
 }
 
-/// Numbers and widths; empty where nothing says any.
+/// What lanes are called by their numbers; empty where nothing says any.
 fn lanes(header: &SceneHeader) -> Value {
-    header.dsp.road.lanes.iter().map(|lane| json!({ "number": lane.number, "width_m": lane.width_m })).collect()
+    let road = &header.dsp.road;
+    let straight = road.lanes.iter().map(|l| json!({ "number": l.number, "id": null, "width_m": l.width_m }));
+    let of_net = road.courses.iter().map(|c| json!({ "number": c.number, "id": c.name, "width_m": c.width_m }));
+    straight.chain(of_net).collect()
 }
 
 /// Those that the scene lists and those that its seed draws, together; null of an ideal array.

@@ -203,6 +203,7 @@ fn read_road(section: &Section<'_>, radar: &Radar, default: &Lanes) -> Lanes {
         origin_m: section.vector("lane_origin_m", COORDINATES_M).unwrap_or(origin_m),
         azimuth_rad: azimuth_deg.map_or(azimuth_rad, f64::to_radians),
         lanes,
+        courses: vec![],
     }
 }
 
