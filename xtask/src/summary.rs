@@ -100,7 +100,7 @@ pub(crate) fn frame(header: &SceneHeader, result: &FrameResult, truth: &FrameTru
         "points": result.points.points.len(),
         "rdm_state": if is_abnormal { "abnormal" } else { "normal" },
         "velocity_resolved": resolved,
-        "accuracy": Verdict::of(header.fidelity.accuracy, &result.error).json(Asking::Scene),
+        "accuracy": Verdict::of_paths(header.fidelity.accuracy, &result.error, result.paths.as_ref()).json(Asking::Scene),
         "error_db": error_db(&result.error),
         "error_measured_in": measured_in,
         "model_error_db": model_error_db(&result.model_error),

@@ -2,6 +2,7 @@
 
 use crate::output;
 use crate::summary::error_db;
+use artifact::paths::PathsFrame;
 use artifact::units::db_from_amplitude;
 use artifact::{Accuracy, ErrorBudget};
 use serde_json::{Value, json};
@@ -14,6 +15,8 @@ pub(crate) const FRAMES_IN_FULL: usize = 4;
 pub(crate) struct Verdict {
     asked: Accuracy,
     error: ErrorBudget,
+    /// At how many moments of the frame ways between bodies were traced; `None` where that means nothing.
+    moments: Option<u32>,
 }
 
 /// What is called accuracy: words of a person who asks for it.
@@ -27,7 +30,13 @@ pub(crate) enum Asking {
 
 impl Verdict {
     pub(crate) fn of(asked: Accuracy, error: &ErrorBudget) -> Self {
-        Self { asked, error: *error }
+        Self { asked, error: *error, moments: None }
+    }
+
+    /// Of a frame whose paths are known.
+    pub(crate) fn of_paths(asked: Accuracy, error: &ErrorBudget, paths: Option<&PathsFrame>) -> Self {
+        let fineness = paths.and_then(|paths| paths.trace.fineness.as_ref());
+        Self { moments: fineness.map(|fineness| fineness.moments), ..Self::of(asked, error) }
     }
 
     /// Whether the error is no larger than was asked; `None` where it was not estimated.
@@ -61,7 +70,10 @@ impl Verdict {
     /// What limits the accuracy and what would help; `None` where it was reached or nothing is known.
     fn advice(&self, asking: Asking) -> Option<String> {
         let limited_by = self.limited_by().filter(|_| self.is_met() == Some(false))?;
-        let (what, help) = cause_and_help(limited_by, asking);
+        let (what, help) = match (limited_by, self.moments) {
+            ("freezing", Some(moments)) if moments > 1 => of_moments(moments),
+            _ => cause_and_help(limited_by, asking),
+        };
         let help = help.replace("{finer}", &format!("{:.0}", self.finer_db()));
         Some(format!("Limited by {limited_by}: {what}. What would help: {help}."))
     }
@@ -144,6 +156,20 @@ fn cause_and_help(share: &str, asking: Asking) -> (&'static str, &'static str) {
             ("echoes are summed from tables or by transforms", "echo = \"paths\" and a finer accuracy_db in [fidelity]")
         }
         _ => ("of unknown cause", "a finer accuracy"),
+    }
+}
+
+/// Of a frame whose ways between bodies were traced at several moments already.
+fn of_moments(moments: u32) -> (&'static str, &'static str) {
+    match moments >= bart_rcs::MOMENTS_MAX {
+        true => (
+            "ways between moving bodies change faster than the moments follow at which they are traced",
+            "a shorter frame (fewer chirps, shorter intervals), or slower bodies",
+        ),
+        false => (
+            "more moments of the frame did not help, so what is left is not motion but the width of the array and of the sweep",
+            "a smaller array or a narrower sweep",
+        ),
     }
 }
 
