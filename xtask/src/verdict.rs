@@ -161,15 +161,16 @@ fn cause_and_help(share: &str, asking: Asking) -> (&'static str, &'static str) {
 
 /// Of a frame whose ways between bodies were traced at several moments already.
 fn of_moments(moments: u32) -> (&'static str, &'static str) {
-    match moments >= bart_rcs::MOMENTS_MAX {
-        true => (
+    if moments >= bart_rcs::MOMENTS_MAX {
+        (
             "ways between moving bodies change faster than the moments follow at which they are traced",
             "a shorter frame (fewer chirps, shorter intervals), or slower bodies",
-        ),
-        false => (
+        )
+    } else {
+        (
             "more moments of the frame did not help, so what is left is not motion but the width of the array and of the sweep",
             "a smaller array or a narrower sweep",
-        ),
+        )
     }
 }
 
@@ -227,5 +228,21 @@ mod tests {
         // 0.2 is −13.98 dB, 6.02 dB above what was asked.
         let advice = of(0.2, 0.001).advice(Asking::Options).unwrap();
         assert!(advice.ends_with("--accuracy-db -27."), "{advice}");
+    }
+
+    /// More moments are no help where all that there are were used, and none where fewer were found to do as well.
+    #[test]
+    fn what_helps_against_freezing_depends_on_the_moments_at_which_the_frame_was_traced() {
+        let advice = |moments| Verdict { moments, ..of(0.02, 0.24) }.advice(Asking::Scene).unwrap();
+        let most = bart_rcs::MOMENTS_MAX;
+        assert_eq!(advice(Some(1)), advice(None), "one moment is the whole frame");
+        assert!(advice(Some(most)).contains("slower bodies"), "{}", advice(Some(most)));
+        let fewer = advice(Some(most / 2 + 1));
+        assert!(fewer.contains("smaller array") && !fewer.contains("shorter frame"), "{fewer}");
+        let other = Verdict { moments: Some(most), ..of(0.24, 0.02) }.advice(Asking::Scene).unwrap();
+        assert!(
+            other.contains("integration") && !other.contains("slower bodies"),
+            "freezing is not what limits: {other}"
+        );
     }
 }
