@@ -164,6 +164,28 @@ pub enum Refine {
     Isolated,
 }
 
+/// What becomes of echoes at rest, as the ground, kerbs and rails send them back, and vehicles that wait.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum StaticEchoes {
+    /// They are points and objects like others, and nothing is told of it.
+    Keep,
+    /// The same, and points and objects tell whether they are at rest.
+    Mark,
+    /// They are no points, and no objects are formed of them.
+    Remove,
+}
+
+impl StaticEchoes {
+    /// As people write it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Keep => "keep",
+            Self::Mark => "mark",
+            Self::Remove => "remove",
+        }
+    }
+}
+
 /// False alarms per tested cell for which there is a threshold. A radar that tests 10⁸ cells a second has one of the smallest in 10¹⁴
 /// years, and searches for thresholds still find it in f64; with more than the largest a detection says nothing.
 pub const FALSE_ALARM_RATES: std::ops::RangeInclusive<f64> = 1e-30..=0.5;
@@ -190,6 +212,8 @@ pub struct DspSettings {
     /// Of each transmit–receive pair, tx·N_rx + rx: what its values are multiplied by before directions are looked for, since its elements
     /// were measured to differ from ideal ones. Empty: all are taken as ideal.
     pub calibration: Vec<Complex64>,
+    /// What becomes of echoes at rest.
+    pub static_echoes: StaticEchoes,
     /// Height given to points where the array has no elevation rows.
     pub assumed_height_m: f64,
     /// Detections closer than this join one object, m in range.

@@ -8,15 +8,15 @@ use artifact::paths::{Amplitude, ErrorOrigin, PathsFrame};
 use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Schedule};
 use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
-    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise, Refine, Sides, Surface,
-    Window,
+    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise, Refine, Sides,
+    StaticEchoes, Surface, Window,
 };
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use artifact::{Accuracy, Radar, Waveform};
 use bart_rcs::{
     Models, PathView, RcsRequest, Standpoint, rcs, rcs_frame, scattering_of_paths, trace_frame, trace_frame_like,
 };
-use bodies::carts::{barrel, cart, joined, mesh, parallelogram};
+use bodies::carts::{cart, joined, mesh, parallelogram};
 use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::FRAC_PI_2;
@@ -117,6 +117,7 @@ fn dsp() -> DspSettings {
         angle: Angle::Fft,
         refine: Refine::Off,
         calibration: vec![],
+        static_echoes: StaticEchoes::Keep,
         assumed_height_m: 0.75,
         cluster_range_m: 1.0,
         cluster_velocity_mps: 1.0,

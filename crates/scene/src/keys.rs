@@ -170,6 +170,7 @@ pub(crate) const DSP: Table = Table {
         "angle",
         "refine",
         "calibration",
+        "static",
         "assumed_height_m",
         "cluster_range_m",
         "cluster_velocity_mps",

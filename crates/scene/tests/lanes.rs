@@ -100,6 +100,11 @@ fn a_broken_network_is_refused_with_line_and_rule() {
             "t.net.xml:2: <lane id=\"a\">: `width` is `-1`",
         ),
         (nested.as_str(), "elements lie within one another more than 64 deep"),
+        (
+            "<net><edge><lane id=\"a\" shape=\"900,900 990,900\"/></edge></net>",
+            "none of its 1 lanes comes within 61.4 m",
+        ),
+        ("<net/>", "none of its 0 lanes"),
         (many.as_str(), "more than 255 lanes are in view: see less far by `view_range_m`"),
     ] {
         let refused = read(net, WITH_NET).unwrap_err();

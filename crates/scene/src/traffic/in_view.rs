@@ -32,6 +32,11 @@ impl View {
         }
     }
 
+    /// How far from the radar's foot anything is in view.
+    pub(crate) fn range_m(&self) -> f64 {
+        self.range_m
+    }
+
     /// Whether a straight part of a road comes as near as what is in view, to whichever side.
     pub(crate) fn reaches(&self, from_m: DVec2, to_m: DVec2) -> bool {
         let (along, to_foot) = (to_m - from_m, self.foot_m - from_m);

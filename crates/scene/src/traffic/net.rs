@@ -69,6 +69,16 @@ pub enum NetRule {
     /// More than can be counted.
     #[error("more than {0} lanes are in view: see less far by `view_range_m`")]
     TooMany(usize),
+    /// Lanes, but of another place; or no lanes.
+    #[error(
+        "none of its {lanes} lanes comes within {range_m:.1} m of the radar's foot: the origin of both is the same?"
+    )]
+    NoneInView {
+        /// For vehicles.
+        lanes: usize,
+        /// `view_range_m`.
+        range_m: f64,
+    },
 }
 
 fn named(id: &Option<String>) -> String {
@@ -88,7 +98,7 @@ const NAME_LIMIT_BYTES: usize = 256;
 pub(crate) fn read_net(file: &Path, view: &View) -> Result<Vec<Course>, NetError> {
     let error = |line, rule| NetError { file: file.to_owned(), line, rule };
     let mut text = XmlText::open(file).map_err(|fault| error(1, NetRule::Text(fault)))?;
-    let mut net = Net { view, place: Place::Before, is_passed_over: false, courses: vec![] };
+    let mut net = Net { view, place: Place::Before, is_passed_over: false, lanes: 0, courses: vec![] };
     loop {
         let read = net.advance(&mut text);
         match read.map_err(|rule| error(text.line(), rule))? {
@@ -96,6 +106,9 @@ pub(crate) fn read_net(file: &Path, view: &View) -> Result<Vec<Course>, NetError
                 return Err(error(text.line(), NetRule::TooLong(LIMIT_BYTES)));
             }
             Progress::Goes => {}
+            Progress::IsDone if net.courses.is_empty() => {
+                return Err(error(text.line(), NetRule::NoneInView { lanes: net.lanes, range_m: view.range_m() }));
+            }
             Progress::IsDone => return Ok(net.courses),
         }
     }
@@ -119,6 +132,8 @@ struct Net<'v> {
     place: Place,
     /// Of the edge that is open.
     is_passed_over: bool,
+    /// For vehicles, in view or not.
+    lanes: usize,
     courses: Vec<Course>,
 }
 
@@ -162,6 +177,7 @@ impl Net<'_> {
         if name.len() > NAME_LIMIT_BYTES {
             return Err(wrong(attributes, "id", name, "of at most 256 bytes"));
         }
+        self.lanes += 1;
         if !line_m.windows(2).any(|ends| self.view.reaches(ends[0].into(), ends[1].into())) {
             return Ok(());
         }
