@@ -43,6 +43,14 @@ impl Scattering {
             Self::Tables(frame) => (frame.error, frame.model_error),
         }
     }
+
+    /// `None` of tables.
+    pub(crate) fn paths(&self) -> Option<&PathsFrame> {
+        match self {
+            Self::Paths(frame) => Some(frame),
+            Self::Tables(_) => None,
+        }
+    }
 }
 
 /// All artifacts of one frame.

@@ -23,7 +23,14 @@ pub(crate) fn tell_radars(summary: &Value) {
 fn text_of_radars(summary: &Value) -> Vec<String> {
     let of_radar = |radar: &Value| {
         let count = |key: &str| radar[key].as_u64().unwrap_or(0) as usize;
-        let count = Count { found: count("found"), missed: count("missed"), false_ones: count("false"), hidden: 0 };
+        let count = Count {
+            found: count("found"),
+            missed: count("missed"),
+            false_ones: count("false"),
+            stationary: count("stationary"),
+            removed: count("removed"),
+            hidden: 0,
+        };
         let accuracy = &radar["accuracy"];
         let verdict = if accuracy["met"] == false { "NOT REACHED" } else { "reached" };
         let (error, asked) = (decibels(&accuracy["reached_db"]), decibels(&accuracy["asked_db"]));
@@ -45,7 +52,8 @@ fn text_of_radars(summary: &Value) -> Vec<String> {
 fn text(root: &Value) -> Vec<String> {
     let frames: Vec<&Value> = items(&root["frames"]).collect();
     if frames.len() <= FRAMES_IN_FULL {
-        return frames.iter().enumerate().flat_map(|(number, frame)| in_full(number, frame)).collect();
+        let in_full = frames.iter().enumerate().flat_map(|(number, frame)| in_full(number, frame));
+        return in_full.chain(of_clutter(root, &frames)).collect();
     }
     let mut lines: Vec<String> =
         frames.iter().take(FRAMES_TOLD).enumerate().map(|(number, frame)| in_a_line(number, frame)).collect();
@@ -53,7 +61,18 @@ fn text(root: &Value) -> Vec<String> {
         lines.push(format!("frames {FRAMES_TOLD} to {} stand in summary.json", frames.len() - 1));
     }
     lines.extend(together(&frames));
+    lines.extend(of_clutter(root, &frames));
     lines
+}
+
+/// What would take clutter out of the false objects, where some of them are that and nobody asked for it.
+fn of_clutter(root: &Value, frames: &[&Value]) -> Option<String> {
+    let false_ones = frames.iter().flat_map(|frame| items(&frame["false_objects"]));
+    let clutter = false_ones.filter(|object| object["cause"] == "clutter").count();
+    let is_asked = clutter > 0 && root["static"] == "keep";
+    is_asked.then(|| {
+        format!("{clutter} false objects are clutter: static = \"mark\" in [dsp] tells apart what is at rest, \"remove\" leaves it out")
+    })
 }
 
 fn items(list: &Value) -> impl Iterator<Item = &Value> {
@@ -66,17 +85,22 @@ struct Count {
     found: usize,
     missed: usize,
     false_ones: usize,
+    stationary: usize,
+    removed: usize,
     hidden: usize,
 }
 
 impl Count {
     fn of(frame: &Value) -> Self {
         let targets = |found: Value| items(&frame["targets"]).filter(|target| target["found"] == found).count();
+        let removed = items(&frame["targets"]).filter(|target| target["removed"] == true).count();
         Self {
             found: targets(true.into()),
             missed: targets(false.into()),
-            hidden: targets(Value::Null),
+            hidden: targets(Value::Null) - removed,
             false_ones: items(&frame["false_objects"]).count(),
+            stationary: items(&frame["stationary_objects"]).count(),
+            removed,
         }
     }
 
@@ -85,14 +109,22 @@ impl Count {
             found: self.found + more.found,
             missed: self.missed + more.missed,
             false_ones: self.false_ones + more.false_ones,
+            stationary: self.stationary + more.stationary,
+            removed: self.removed + more.removed,
             hidden: self.hidden + more.hidden,
         }
     }
 
     fn text(self) -> String {
-        let Self { found, missed, false_ones, hidden } = self;
-        let hidden = if hidden > 0 { format!("; {hidden} hidden or out of range") } else { String::new() };
-        format!("{found} of {} targets found, {missed} missed, {false_ones} false{hidden}", found + missed)
+        let Self { found, missed, false_ones, stationary, removed, hidden } = self;
+        let more = [
+            (stationary, "at rest and of no target"),
+            (removed, "removed as echoes at rest"),
+            (hidden, "hidden or out of range"),
+        ];
+        let more = more.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("; {count} {what}"));
+        let more: String = more.collect();
+        format!("{found} of {} targets found, {missed} missed, {false_ones} false{more}", found + missed)
     }
 }
 
@@ -143,7 +175,14 @@ fn in_full(number: usize, frame: &Value) -> Vec<String> {
     lines.extend(left_out(frame));
     lines.extend(targets(frame));
     lines.extend(false_objects(frame));
+    lines.extend(standing(frame));
     lines
+}
+
+/// Objects that the radar tells to be at rest: how many of which causes.
+fn standing(frame: &Value) -> Option<String> {
+    let all: Vec<&Value> = items(&frame["stationary_objects"]).collect();
+    (!all.is_empty()).then(|| format!("  {} objects at rest and of no target: {}", all.len(), causes(&all)))
 }
 
 /// The strongest, and how many more of which causes.
@@ -191,7 +230,11 @@ fn target_row(target: &Value, width: usize) -> String {
     let id = target["id"].as_str().unwrap_or("?");
     let (truth, estimate) = (&target["truth"], &target["estimate"]);
     if estimate.is_null() {
-        let why = if target["found"] == false { "missed" } else { "hidden or out of range" };
+        let why = match (&target["found"], &target["removed"]) {
+            (Value::Bool(false), _) => "missed",
+            (_, Value::Bool(true)) => "removed as an echo at rest (static in [dsp])",
+            _ => "hidden or out of range",
+        };
         let range = number_of(first(&truth["echo_range_m"], &truth["range_m"]));
         return format!("  {id:<width$} {range:6.2} m  {why}");
     }

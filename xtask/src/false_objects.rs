@@ -1,4 +1,4 @@
-//! Objects that belong to no body, and what made each of them in truth.
+//! Objects that belong to no body, false or at rest, and what made each of them in truth.
 
 use crate::frame_truth::FrameTruth;
 use crate::labels::Origin;
@@ -70,11 +70,26 @@ impl Cause {
     }
 }
 
-/// `false_objects` of a frame of `summary.json`.
+/// `false_objects` of a frame of `summary.json`: nobody's, and not told to be at rest.
 pub(crate) fn told(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth) -> Value {
-    let objects = result.points.objects.iter().enumerate();
-    let nobodys = objects.filter(|(index, _)| truth.pairing.body_of(*index).is_none());
-    nobodys.map(|(index, object)| object_json(header, index, object, &cause(header, result, truth, index))).collect()
+    let is_false = |index: &usize| truth.pairing.body_of(*index).is_none() && !truth.pairing.standing.contains(index);
+    all_json(header, result, truth, (0..result.points.objects.len()).filter(is_false))
+}
+
+/// `stationary_objects`: nobody's as well, and told to be at rest.
+pub(crate) fn standing(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth) -> Value {
+    all_json(header, result, truth, truth.pairing.standing.iter().copied())
+}
+
+fn all_json(
+    header: &SceneHeader,
+    result: &FrameResult,
+    truth: &FrameTruth,
+    objects: impl Iterator<Item = usize>,
+) -> Value {
+    let json =
+        |index: usize| object_json(header, index, &result.points.objects[index], &cause(header, result, truth, index));
+    objects.map(json).collect()
 }
 
 fn object_json(header: &SceneHeader, index: usize, object: &Object, cause: &Cause) -> Value {

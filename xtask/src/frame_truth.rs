@@ -23,7 +23,7 @@ impl FrameTruth {
         let result = &frame.result;
         let view = frame.view.in_frame(result.scene.index);
         let truths = truth::truths(&view, &result.scene, result.paths.as_ref());
-        let pairing = Pairing::of(&truths, &result.points.objects, &Reach::of(&view.radar));
+        let pairing = Pairing::of(&truths, &result.points.objects, &Reach::of(&view));
         let bodies = scene::bodies_in_view(chain.header, result.scene.index);
         Ok(Self { truths, pairing, origins: origins(chain, frame)?, bodies })
     }

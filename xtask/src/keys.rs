@@ -169,6 +169,7 @@ mod tests {
     use artifact::material::{Backing, Layer, Makeup, Material, MaterialMap, Road, Thickness, Transmission};
     use artifact::radar::{Adc, ElementError, ElementSpread, Interferer, Pattern, PatternTable, PhaseNoise, Schedule};
     use artifact::scene::{Backscatter, Mesh, Placed, Traffic, Vehicle, Wheel};
+    use artifact::settings::Course;
     use num_complex::Complex64;
     use serde_json::Value;
 
@@ -215,6 +216,8 @@ mod tests {
             offset_s: 0.0,
         };
         let spread = ElementSpread { gain_db: 1.0, phase_rad: 0.1 };
+        let course = Course { number: 4, name: "n_in_0".into(), width_m: 3.0, line_m: vec![[1.0, 2.0], [3.0, 4.0]] };
+        header.dsp.road.courses = vec![course];
         header.dsp.calibration = vec![Complex64::new(1.0, 0.1)];
         let phase_noise = vec![PhaseNoise { offset_hz: 1e6, dbc_per_hz: -95.0 }];
         header.radar.hardware =

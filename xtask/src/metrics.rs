@@ -3,6 +3,7 @@
 //! Truths of a frame are the bodies that send back any echo from within the radar's range, clutter left out: what is found of it counts
 //! as false. Objects of single frames say where something reflects, and are paired with the nearest parts of bodies
 //! ([`crate::pairing`]); tracks say where a body stands, and the middles of their boxes are compared with the middles of bodies.
+//! Neither bodies whose echoes were removed as echoes at rest count, nor objects at rest that are nobody's and tracks that have no others.
 
 pub(crate) mod gospa;
 mod identities;
@@ -16,7 +17,7 @@ use artifact::tracks::{Track, TrackState, TracksFrame};
 use glam::DVec2;
 use gospa::{Gospa, gospa};
 use identities::Identities;
-use ndarray::{Array2, ArrayView2};
+use ndarray::{Array2, ArrayView2, Axis};
 use ospa::ospa_m;
 use serde_json::{Value, json};
 
@@ -42,6 +43,8 @@ struct Sums {
     pairs: usize,
     missed: usize,
     false_ones: usize,
+    stationary: usize,
+    removed: usize,
     lanes: usize,
     lanes_right: usize,
 }
@@ -86,13 +89,18 @@ impl Score {
     ) {
         let tracks = believed(tracks);
         self.frames += 1;
-        let Pairing { squares_m2, gospa: of_objects, .. } = &truth.pairing;
+        let Pairing { squares_m2, gospa: of_objects, standing, removed, .. } = &truth.pairing;
         self.objects.add(squares_m2.view(), of_objects, GATE_M);
+        self.objects.add_apart(standing.len(), removed.len());
         let lanes = of_objects.chosen.iter().zip(shown(truth));
         self.objects.add_lanes(lanes.filter_map(|(o, body)| Some((body.lane?, objects[(*o)?].lane))));
         let squares_m2 = of_tracks(truth, &tracks);
         let pairs = gospa(squares_m2.view(), CUTOFF_M);
-        self.tracks.add(squares_m2.view(), &pairs, CUTOFF_M);
+        let is_apart = |t: &usize| !pairs.chosen.contains(&Some(*t)) && truth.pairing.is_standing(tracks[*t]);
+        let (apart, kept): (Vec<usize>, Vec<usize>) = (0..tracks.len()).partition(is_apart);
+        let pairs = pairs.without(&[], apart.len());
+        self.tracks.add(squares_m2.select(Axis(1), &kept).view(), &pairs, CUTOFF_M);
+        self.tracks.add_apart(apart.len(), removed.len());
         let lanes = pairs.chosen.iter().zip(shown(truth));
         self.tracks.add_lanes(lanes.filter_map(|(t, body)| Some((body.lane?, tracks[(*t)?].lane))));
         for (track, body) in pairs.chosen.iter().zip(&truth.pairing.shown) {
@@ -129,6 +137,12 @@ impl Sums {
         self.false_ones += parts.false_ones;
     }
 
+    /// What does not count: estimates at rest that are nobody's, and truths whose echoes were removed.
+    fn add_apart(&mut self, stationary: usize, removed: usize) {
+        self.stationary += stationary;
+        self.removed += removed;
+    }
+
     /// Pairs of a true and an estimated lane; bodies in no lane are not asked for.
     fn add_lanes(&mut self, pairs: impl Iterator<Item = (u8, Option<u8>)>) {
         for (asked, got) in pairs {
@@ -147,6 +161,8 @@ impl Sums {
             "found": self.pairs,
             "missed": self.missed,
             "false": self.false_ones,
+            "stationary": self.stationary,
+            "removed": self.removed,
             "lane_rate": mean(self.lanes_right as f64, self.lanes as f64),
         })
     }

@@ -3,13 +3,18 @@
 //! An object belongs to a body by its distance, seen from above, to the nearest part of the body's outline: radar sees what faces it,
 //! and of a bus seen from the front that is 6 m before its middle. It has to move as the body does there: a ghost of two others that shows
 //! within the outline is not the body. Bodies and objects are paired one to one so that the sum of squares is least, as GOSPA pairs them.
+//!
+//! What the settings ask of echoes at rest decides what is left over: an object that the radar itself tells to be at rest claims no vehicle,
+//! and is no false one where it is nobody's; a body whose echoes were removed with the rest is not missed.
 
 use crate::metrics::gospa::{Gospa, gospa};
 use crate::truth::Truth;
 use artifact::points::Object;
-use artifact::radar::Radar;
+use artifact::scene::SceneHeader;
+use artifact::settings::StaticEchoes;
+use artifact::tracks::Track;
 use glam::{DVec2, DVec3};
-use ndarray::Array2;
+use ndarray::{Array2, Axis};
 
 /// An object further than this from a body's outline is not that body's: what stands in the middle of the next lane, 3.75 m on, is 2.9 m from
 /// the side of a car.
@@ -27,11 +32,16 @@ pub(crate) struct Reach {
     pub(crate) range_max_m: f64,
     /// Velocities that differ by it look alike.
     pub(crate) velocity_span_mps: f64,
+    /// Echoes no faster than this, as the map folds them, may have been removed; `None` where none are.
+    pub(crate) removed_to_mps: Option<f64>,
 }
 
 impl Reach {
-    pub(crate) fn of(radar: &Radar) -> Self {
+    pub(crate) fn of(header: &SceneHeader) -> Self {
+        let (radar, removes) = (&header.radar, header.dsp.static_echoes == StaticEchoes::Remove);
         Self {
+            // Half a Doppler cell, and as much again for what a weak echo's velocity errs by.
+            removed_to_mps: removes.then(|| radar.velocity_resolution_mps()),
             position_m: DVec3::from(radar.position_m),
             range_max_m: radar.waveform.range_max_m(),
             velocity_span_mps: 2.0 * radar.velocity_max_mps(),
@@ -42,9 +52,18 @@ impl Reach {
     fn square_m2(&self, truth: &Truth, object: &Object) -> f64 {
         let sight = (DVec3::from(object.position_m) - self.position_m).normalize_or_zero();
         let apart_mps = object.radial_velocity_mps - truth.velocity_mps.dot(sight);
-        let span = self.velocity_span_mps;
-        let moves_alike = (apart_mps - span * (apart_mps / span).round()).abs() <= VELOCITY_GATE_MPS;
+        let moves_alike = self.folded_mps(apart_mps).abs() <= VELOCITY_GATE_MPS;
         if moves_alike { truth.outline.distance_m(place(object)).powi(2) } else { f64::INFINITY }
+    }
+
+    fn folded_mps(&self, velocity_mps: f64) -> f64 {
+        velocity_mps - self.velocity_span_mps * (velocity_mps / self.velocity_span_mps).round()
+    }
+
+    /// Whether a body's echoes are at rest and none is left of them.
+    fn removes(&self, truth: &Truth) -> bool {
+        let velocity_mps = truth.echo.map_or(truth.radial_velocity_mps, |echo| echo.radial_velocity_mps);
+        self.removed_to_mps.is_some_and(|limit_mps| self.folded_mps(velocity_mps).abs() <= limit_mps)
     }
 }
 
@@ -55,28 +74,48 @@ pub(crate) struct Pairing {
     pub(crate) object_of: Vec<Option<usize>>,
     /// The truths that are to be found, in their order: rows of `squares_m2`.
     pub(crate) shown: Vec<usize>,
-    /// From the outline of each to each object; infinite where they do not move alike.
+    /// Truths that would be among them, had their echoes not been removed as echoes at rest.
+    pub(crate) removed: Vec<usize>,
+    /// Objects that the radar tells to be at rest and that are nobody's.
+    pub(crate) standing: Vec<usize>,
+    /// From the outline of each to each object that is not standing; infinite where they do not move alike.
     pub(crate) squares_m2: Array2<f64>,
-    /// Of these.
+    /// Of these; objects by their own indices.
     pub(crate) gospa: Gospa,
 }
 
 impl Pairing {
     /// Only what is to be found has an object: nothing that is clutter, hidden, or beyond the range that the waveform tells.
     pub(crate) fn of(truths: &[Truth], objects: &[Object], reach: &Reach) -> Self {
-        let shown: Vec<usize> = (0..truths.len()).filter(|t| truths[*t].is_to_be_found(reach.range_max_m)).collect();
-        let squares_m2 = Array2::from_shape_fn((shown.len(), objects.len()), |(row, o)| {
-            reach.square_m2(&truths[shown[row]], &objects[o])
+        let asked: Vec<usize> = (0..truths.len()).filter(|t| truths[*t].is_to_be_found(reach.range_max_m)).collect();
+        let squares_m2 = Array2::from_shape_fn((asked.len(), objects.len()), |(row, o)| {
+            reach.square_m2(&truths[asked[row]], &objects[o])
         });
-        let gospa = gospa(squares_m2.view(), GATE_M);
+        let all = gospa(squares_m2.view(), GATE_M);
         let mut object_of = vec![None; truths.len()];
-        shown.iter().zip(&gospa.chosen).for_each(|(truth, object)| object_of[*truth] = *object);
-        Self { object_of, shown, squares_m2, gospa }
+        asked.iter().zip(&all.chosen).for_each(|(truth, object)| object_of[*truth] = *object);
+        let is_removed = |row: &usize| all.chosen[*row].is_none() && reach.removes(&truths[asked[*row]]);
+        let (gone, kept): (Vec<usize>, Vec<usize>) = (0..asked.len()).partition(is_removed);
+        let is_standing = |o: &usize| objects[*o].stationary == Some(true) && !all.chosen.contains(&Some(*o));
+        let (standing, moving): (Vec<usize>, Vec<usize>) = (0..objects.len()).partition(is_standing);
+        Self {
+            object_of,
+            squares_m2: squares_m2.select(Axis(0), &kept).select(Axis(1), &moving),
+            gospa: all.without(&gone, standing.len()),
+            shown: kept.into_iter().map(|row| asked[row]).collect(),
+            removed: gone.into_iter().map(|row| asked[row]).collect(),
+            standing,
+        }
     }
 
     /// The body whose object this is.
     pub(crate) fn body_of(&self, object: usize) -> Option<usize> {
         self.object_of.iter().position(|own| *own == Some(object))
+    }
+
+    /// Whether a track has objects in this frame, and none but standing ones.
+    pub(crate) fn is_standing(&self, track: &Track) -> bool {
+        !track.objects.is_empty() && track.objects.iter().all(|object| self.standing.contains(&(*object as usize)))
     }
 }
 
@@ -124,12 +163,53 @@ mod tests {
             range_extent_m: [y_m; 2],
             velocity_extent_mps: [0.0; 2],
             ghost_share: None,
+            stationary: None,
         }
     }
 
     fn objects_of(truths: &[Truth], objects: &[Object]) -> Vec<Option<usize>> {
-        let reach = Reach { position_m: DVec3::ZERO, range_max_m: 100.0, velocity_span_mps: 20.0 };
-        Pairing::of(truths, objects, &reach).object_of
+        Pairing::of(truths, objects, &REACH).object_of
+    }
+
+    const REACH: Reach =
+        Reach { position_m: DVec3::ZERO, range_max_m: 100.0, velocity_span_mps: 20.0, removed_to_mps: None };
+
+    #[test]
+    fn objects_at_rest_that_are_nobodys_are_told_apart_from_false_ones() {
+        let told = |stationary, object| Object { stationary, ..object };
+        let objects = [
+            told(Some(true), object_at([2.0, 40.0])),
+            told(Some(true), object_at([12.0, 30.0])),
+            told(Some(false), object_at([12.0, 50.0])),
+        ];
+        let pairing = Pairing::of(&[body(4.0, [2.0, 42.0])], &objects, &REACH);
+        assert_eq!(
+            (&pairing.object_of, &pairing.standing),
+            (&vec![Some(0)], &vec![1]),
+            "a vehicle that waits is found"
+        );
+        assert_eq!((pairing.gospa.missed, pairing.gospa.false_ones, pairing.squares_m2.dim()), (0, 1, (1, 2)));
+        let unmarked = objects.map(|object| told(None, object));
+        let pairing = Pairing::of(&[body(4.0, [2.0, 42.0])], &unmarked, &REACH);
+        assert_eq!((pairing.standing.len(), pairing.gospa.false_ones, pairing.squares_m2.dim()), (0, 2, (1, 3)));
+    }
+
+    #[test]
+    fn a_body_whose_echoes_were_removed_is_not_missed_and_one_that_moves_is() {
+        let drives = |truth: Truth| Truth { radial_velocity_mps: -8.0, ..truth };
+        let truths = [body(4.0, [2.0, 42.0]), drives(body(4.0, [5.75, 30.0])), body(4.0, [9.5, 20.0])];
+        let object = object_at([9.5, 20.0]);
+        let removing = Reach { removed_to_mps: Some(0.25), ..REACH };
+        let pairing = Pairing::of(&truths, &[object], &removing);
+        assert_eq!((&pairing.removed, &pairing.shown), (&vec![0], &vec![1, 2]), "what has an object is found");
+        assert_eq!((pairing.gospa.missed, &pairing.gospa.chosen), (1, &vec![None, Some(0)]));
+        let blind = |truth: Truth| Truth { radial_velocity_mps: -20.0, ..truth };
+        assert_eq!(
+            Pairing::of(&[blind(body(4.0, [2.0, 42.0]))], &[], &removing).removed,
+            [0],
+            "a span away looks alike"
+        );
+        assert!(Pairing::of(&truths, &[object], &REACH).removed.is_empty());
     }
 
     #[test]

@@ -13,7 +13,9 @@ mod heat_map;
 mod lines;
 mod polar;
 mod field_of_view;
+mod lane_sides;
 mod bodies;
+mod found;
 mod ground;
 mod rdm;
 mod plan_view;
@@ -53,13 +55,13 @@ pub(crate) struct FrameFigures {
 /// Draws one frame with its truth.
 pub(crate) fn figures(chain: &Chain, frame: &FrameProducts, truth: &FrameTruth) -> Result<FrameFigures, Failure> {
     let (header, points) = (&chain.cube_header.in_frame(frame.rdm.index), &frame.result.points);
-    let nobodys = |index: &usize| truth.pairing.body_of(*index).is_none();
-    let false_objects: Vec<usize> = (0..points.objects.len()).filter(nobodys).collect();
+    let is_nobodys = |index: &usize| truth.pairing.body_of(*index).is_none();
+    let nobodys: Vec<usize> = (0..points.objects.len()).filter(is_nobodys).collect();
     let echoes = true_echoes(frame, truth);
-    let over = OnMap { points: Some(points), false_objects: &false_objects, truth: &echoes };
+    let over = OnMap { points: Some(points), nobodys: Some(&nobodys), truth: &echoes };
     let bodies = bodies::bodies(&frame.view, &frame.result.scene);
     Ok(FrameFigures {
-        plan: Figure::of(|form| plan_view::of_frame(&frame.view, &frame.result, &false_objects, form)),
+        plan: Figure::of(|form| plan_view::of_frame(&frame.view, &frame.result, &nobodys, form)),
         rdm: Figure::try_of(|form| rdm::draw(header, &frame.rdm, &over, form))?,
         profile: Figure::try_of(|form| rdm::range_profile(header, &frame.rdm, form))?,
         points: Figure::of(|form| points::draw(header, points, &bodies, form)),

@@ -79,6 +79,8 @@ fn radar(radar: &Told) -> Value {
         "found": count(true.into()),
         "missed": count(false.into()),
         "false": every("false_objects").count(),
+        "stationary": every("stationary_objects").count(),
+        "removed": every("targets").filter(|target| target["removed"] == true).count(),
         "points": radar.frames().iter().filter_map(|frame| frame["points"].as_u64()).sum::<u64>(),
         "largest_error_db": worst.map(|(_, error)| error),
         "accuracy": worst.map(|(frame, _)| &frame["accuracy"]),

@@ -11,7 +11,7 @@ use artifact::paths::{PathsFrame, TargetDetail};
 use artifact::points::{Object, PointsFrame};
 use artifact::radar::{ElementError, Sampling};
 use artifact::scene::{Role, SceneFrame, SceneHeader, TargetKind};
-use artifact::settings::Class;
+use artifact::settings::{Class, StaticEchoes};
 use artifact::units::db_from_amplitude;
 use serde_json::{Map, Value, json};
 
@@ -36,6 +36,7 @@ pub(crate) fn head(header: &SceneHeader) -> Map<String, Value> {
     map.insert("seed".into(), json!(header.seed));
     map.insert("radar".into(), radar(header));
     map.insert("lanes".into(), lanes(header));
+    map.insert("static".into(), json!(header.dsp.static_echoes.name()));
     map
 }
 
@@ -61,9 +62,12 @@ fn radar(header: &SceneHeader) -> Value {
     })
 }
 
-/// Numbers and widths; empty where nothing says any.
+/// What lanes are called by their numbers; empty where nothing says any.
 fn lanes(header: &SceneHeader) -> Value {
-    header.dsp.road.lanes.iter().map(|lane| json!({ "number": lane.number, "width_m": lane.width_m })).collect()
+    let road = &header.dsp.road;
+    let straight = road.lanes.iter().map(|l| json!({ "number": l.number, "id": null, "width_m": l.width_m }));
+    let of_net = road.courses.iter().map(|c| json!({ "number": c.number, "id": c.name, "width_m": c.width_m }));
+    straight.chain(of_net).collect()
 }
 
 /// Those that the scene lists and those that its seed draws, together; null of an ideal array.
@@ -97,7 +101,7 @@ pub(crate) fn frame(header: &SceneHeader, result: &FrameResult, truth: &FrameTru
         "points": result.points.points.len(),
         "rdm_state": if is_abnormal { "abnormal" } else { "normal" },
         "velocity_resolved": resolved,
-        "accuracy": Verdict::of(header.fidelity.accuracy, &result.error).json(Asking::Scene),
+        "accuracy": verdict(header, result).json(Asking::Scene),
         "error_db": error_db(&result.error),
         "error_measured_in": measured_in,
         "model_error_db": model_error_db(&result.model_error),
@@ -106,7 +110,19 @@ pub(crate) fn frame(header: &SceneHeader, result: &FrameResult, truth: &FrameTru
         "targets": targets,
         "clutter": clutter,
         "false_objects": false_objects::told(header, result, truth),
+        "stationary_points": stationary_points(header, result),
+        "stationary_objects": false_objects::standing(header, result, truth),
     })
+}
+
+/// Of the frame's points; null where it is not told.
+fn stationary_points(header: &SceneHeader, result: &FrameResult) -> Option<usize> {
+    let at_rest = result.points.points.iter().filter(|point| point.stationary == Some(true));
+    (header.dsp.static_echoes != StaticEchoes::Keep).then(|| at_rest.count())
+}
+
+fn verdict(header: &SceneHeader, result: &FrameResult) -> Verdict {
+    Verdict::of_paths(header.fidelity.accuracy, &result.error, result.paths.as_ref())
 }
 
 /// Each target's level of detail.
@@ -164,6 +180,7 @@ fn target(header: &SceneHeader, result: &FrameResult, frame: &FrameTruth, index:
         "model": model,
         "truth": truth_json(truth),
         "found": frame.pairing.shown.contains(&index).then_some(object.is_some()),
+        "removed": frame.pairing.removed.contains(&index),
         "object": chosen,
         "estimate": object.map(estimate),
         "velocity_aliased": is_aliased(header, truth, object),
@@ -212,6 +229,7 @@ fn estimate(object: &Object) -> Value {
         "snr_db": object.snr_db,
         "points": object.points,
         "ghost_share": object.ghost_share,
+        "stationary": object.stationary,
     })
 }
 

@@ -2,6 +2,7 @@
 
 use crate::output;
 use crate::summary::error_db;
+use artifact::paths::PathsFrame;
 use artifact::units::db_from_amplitude;
 use artifact::{Accuracy, ErrorBudget};
 use serde_json::{Value, json};
@@ -14,6 +15,8 @@ pub(crate) const FRAMES_IN_FULL: usize = 4;
 pub(crate) struct Verdict {
     asked: Accuracy,
     error: ErrorBudget,
+    /// At how many moments of the frame ways between bodies were traced; `None` where that means nothing.
+    moments: Option<u32>,
 }
 
 /// What is called accuracy: words of a person who asks for it.
@@ -27,7 +30,13 @@ pub(crate) enum Asking {
 
 impl Verdict {
     pub(crate) fn of(asked: Accuracy, error: &ErrorBudget) -> Self {
-        Self { asked, error: *error }
+        Self { asked, error: *error, moments: None }
+    }
+
+    /// Of a frame whose paths are known.
+    pub(crate) fn of_paths(asked: Accuracy, error: &ErrorBudget, paths: Option<&PathsFrame>) -> Self {
+        let fineness = paths.and_then(|paths| paths.trace.fineness.as_ref());
+        Self { moments: fineness.map(|fineness| fineness.moments), ..Self::of(asked, error) }
     }
 
     /// Whether the error is no larger than was asked; `None` where it was not estimated.
@@ -61,7 +70,10 @@ impl Verdict {
     /// What limits the accuracy and what would help; `None` where it was reached or nothing is known.
     fn advice(&self, asking: Asking) -> Option<String> {
         let limited_by = self.limited_by().filter(|_| self.is_met() == Some(false))?;
-        let (what, help) = cause_and_help(limited_by, asking);
+        let (what, help) = match (limited_by, self.moments) {
+            ("freezing", Some(moments)) if moments > 1 => of_moments(moments),
+            _ => cause_and_help(limited_by, asking),
+        };
         let help = help.replace("{finer}", &format!("{:.0}", self.finer_db()));
         Some(format!("Limited by {limited_by}: {what}. What would help: {help}."))
     }
@@ -147,6 +159,21 @@ fn cause_and_help(share: &str, asking: Asking) -> (&'static str, &'static str) {
     }
 }
 
+/// Of a frame whose ways between bodies were traced at several moments already.
+fn of_moments(moments: u32) -> (&'static str, &'static str) {
+    if moments >= bart_rcs::MOMENTS_MAX {
+        (
+            "ways between moving bodies change faster than the moments follow at which they are traced",
+            "a shorter frame (fewer chirps, shorter intervals), or slower bodies",
+        )
+    } else {
+        (
+            "more moments of the frame did not help, so what is left is not motion but the width of the array and of the sweep",
+            "a smaller array or a narrower sweep",
+        )
+    }
+}
+
 /// Decibels of a summary, to a tenth.
 pub(crate) fn decibels(db: &Value) -> String {
     db.as_f64().map_or("not estimated".into(), |db| format!("{db:.1} dB").replace('-', "−"))
@@ -201,5 +228,21 @@ mod tests {
         // 0.2 is −13.98 dB, 6.02 dB above what was asked.
         let advice = of(0.2, 0.001).advice(Asking::Options).unwrap();
         assert!(advice.ends_with("--accuracy-db -27."), "{advice}");
+    }
+
+    /// More moments are no help where all that there are were used, and none where fewer were found to do as well.
+    #[test]
+    fn what_helps_against_freezing_depends_on_the_moments_at_which_the_frame_was_traced() {
+        let advice = |moments| Verdict { moments, ..of(0.02, 0.24) }.advice(Asking::Scene).unwrap();
+        let most = bart_rcs::MOMENTS_MAX;
+        assert_eq!(advice(Some(1)), advice(None), "one moment is the whole frame");
+        assert!(advice(Some(most)).contains("slower bodies"), "{}", advice(Some(most)));
+        let fewer = advice(Some(most / 2 + 1));
+        assert!(fewer.contains("smaller array") && !fewer.contains("shorter frame"), "{fewer}");
+        let other = Verdict { moments: Some(most), ..of(0.24, 0.02) }.advice(Asking::Scene).unwrap();
+        assert!(
+            other.contains("integration") && !other.contains("slower bodies"),
+            "freezing is not what limits: {other}"
+        );
     }
 }

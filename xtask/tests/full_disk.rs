@@ -9,7 +9,7 @@
 
 mod common;
 
-use common::Workplace;
+use common::{Workplace, crops};
 use std::process::Command;
 
 /// What a command did on a disk with so much room: its exit code, what it said, and what the disk held afterwards.
@@ -77,6 +77,7 @@ fn filled() -> Workplace {
     place.run("run small.toml --out a --no-cache --quiet");
     place.run("export a/frames.cube --to npy --out f.npy");
     place.run("dataset spec.toml --out d --quiet");
+    crops::write(&place.path("crops"), 10);
     place
 }
 
@@ -100,6 +101,7 @@ fn every_command_ends_with_2_and_leaves_nothing_half_written() {
         "export a/frames.paths --to json --out disk/f.json",
         &format!("export {model} --to safetensors --out disk/f.safetensors"),
         "vehicles --quiet --out disk/v",
+        "train crops --iterations 1 --quiet --out disk/m",
     ] {
         let mut failed = 0;
         for free_kib in [0, 4, 16, 64, 256, 1024] {

@@ -10,7 +10,7 @@
 
 mod common;
 
-use common::{CORNER, SMALL_SCENE, Workplace, asked};
+use common::{CORNER, SMALL_SCENE, Workplace, asked, crops};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::path::{Path, PathBuf};
@@ -71,6 +71,7 @@ fn prepared() -> Workplace {
     std::fs::write(place.path("base.toml"), BASE).unwrap();
     std::fs::write(place.path("spec.toml"), RECIPE).unwrap();
     std::fs::write(place.path("corner.obj"), CORNER).unwrap();
+    crops::write(&place.path("crops"), 10);
     place
 }
 
@@ -131,6 +132,14 @@ fn a_table_that_is_killed_goes_on() {
 fn a_dataset_that_is_killed_goes_on() {
     let same = ["out/shard-0000.dataset", "out/shard-0001.dataset", "out/shard-0002.dataset"];
     Work { words: "dataset spec.toml --out out --quiet", same: &same }.is_resumed_to_the_same_bytes(3);
+}
+
+/// Training begins anew and ends with the same weights.
+#[test]
+fn a_training_that_is_killed_leaves_nothing_half_written_and_ends_the_same_way() {
+    let same = ["out/weights.model", "out/metrics.json", "out/curves.csv"];
+    let words = "train crops --iterations 3 --quiet --out out";
+    Work { words, same: &same }.is_resumed_to_the_same_bytes(4);
 }
 
 #[test]

@@ -11,7 +11,7 @@ pub struct Cube;
 
 impl Schema for Cube {
     const NAME: &'static str = "cube";
-    const VERSION: u32 = 7;
+    const VERSION: u32 = 8;
     type Header = CubeHeader;
     type Frame = CubeFrame;
 }

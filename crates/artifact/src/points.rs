@@ -10,7 +10,7 @@ pub struct Points;
 
 impl Schema for Points {
     const NAME: &'static str = "points";
-    const VERSION: u32 = 8;
+    const VERSION: u32 = 9;
     type Header = PointsHeader;
     type Frame = PointsFrame;
 }
@@ -57,6 +57,8 @@ pub struct Point {
     /// Azimuths of the two bodies between which its wave ran, one way round and the other: a ghost, at neither place. `None` where
     /// echoes of one body each explain its peak, or the array cannot tell.
     pub two_ways_rad: Option<[f64; 2]>,
+    /// Whether the echo under whose peak it lies is at rest, as far as its velocity is known; `None` where the settings do not ask.
+    pub stationary: Option<bool>,
     /// Index into [`PointsFrame::objects`]; `None` for a lone detection that forms none.
     pub object: Option<u32>,
     /// True target of its object, joined afterwards by a report; never set by a detector.
@@ -104,4 +106,6 @@ pub struct Object {
     /// Share of its peaks' power that ran between two bodies ([`Point::two_ways_rad`]): an object of 1 is a ghost. `None` where the array
     /// cannot tell.
     pub ghost_share: Option<f64>,
+    /// Whether all of its peaks are at rest; `None` where the settings do not ask.
+    pub stationary: Option<bool>,
 }

@@ -10,7 +10,7 @@ pub struct Rdm;
 
 impl Schema for Rdm {
     const NAME: &'static str = "rdm";
-    const VERSION: u32 = 6;
+    const VERSION: u32 = 7;
     type Header = CubeHeader;
     type Frame = RdmFrame;
 }

@@ -14,7 +14,7 @@ pub struct Scene;
 
 impl Schema for Scene {
     const NAME: &'static str = "scene";
-    const VERSION: u32 = 11;
+    const VERSION: u32 = 12;
     type Header = SceneHeader;
     type Frame = SceneFrame;
 }

@@ -164,6 +164,28 @@ pub enum Refine {
     Isolated,
 }
 
+/// What becomes of echoes at rest, as the ground, kerbs and rails send them back, and vehicles that wait.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum StaticEchoes {
+    /// They are points and objects like others, and nothing is told of it.
+    Keep,
+    /// The same, and points and objects tell whether they are at rest.
+    Mark,
+    /// They are no points, and no objects are formed of them.
+    Remove,
+}
+
+impl StaticEchoes {
+    /// As people write it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Keep => "keep",
+            Self::Mark => "mark",
+            Self::Remove => "remove",
+        }
+    }
+}
+
 /// False alarms per tested cell for which there is a threshold. A radar that tests 10⁸ cells a second has one of the smallest in 10¹⁴
 /// years, and searches for thresholds still find it in f64; with more than the largest a detection says nothing.
 pub const FALSE_ALARM_RATES: std::ops::RangeInclusive<f64> = 1e-30..=0.5;
@@ -190,6 +212,8 @@ pub struct DspSettings {
     /// Of each transmit–receive pair, tx·N_rx + rx: what its values are multiplied by before directions are looked for, since its elements
     /// were measured to differ from ideal ones. Empty: all are taken as ideal.
     pub calibration: Vec<Complex64>,
+    /// What becomes of echoes at rest.
+    pub static_echoes: StaticEchoes,
     /// Height given to points where the array has no elevation rows.
     pub assumed_height_m: f64,
     /// Detections closer than this join one object, m in range.
@@ -202,15 +226,18 @@ pub struct DspSettings {
     pub road: Lanes,
 }
 
-/// A straight road in coordinates of its own: across it to the right, and along it.
+/// Lanes that points, objects and tracks are told by, none of them where a scene has none; and a straight road in coordinates of its own:
+/// across it to the right, and along it.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Lanes {
-    /// Where both start, world x and y.
+    /// Where across and along start, world x and y.
     pub origin_m: [f64; 2],
     /// Along the road, from world +y towards +x.
     pub azimuth_rad: f64,
-    /// None where only its direction is known.
+    /// Straight lanes, side by side along the road.
     pub lanes: Vec<Lane>,
+    /// Lanes of a network, each with a line of its own.
+    pub courses: Vec<Course>,
 }
 
 /// A lane along a road.
@@ -224,7 +251,49 @@ pub struct Lane {
     pub width_m: f64,
 }
 
+/// A lane of a network.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Course {
+    /// Counted from 1 in the order of the network.
+    pub number: u8,
+    /// As the network calls it.
+    pub name: String,
+    /// Across.
+    pub width_m: f64,
+    /// Its middle: world x and y of two places or more, in driving direction.
+    pub line_m: Vec<[f64; 2]>,
+}
+
+impl Course {
+    /// From its middle to a place beside it; `None` before its beginning and behind its end.
+    pub fn distance_m(&self, place_m: [f64; 2]) -> Option<f64> {
+        let last = self.line_m.len().saturating_sub(2);
+        let parts = self.line_m.windows(2).enumerate();
+        let beside = parts.filter_map(|(part, ends)| {
+            let (share, distance_m) = beside(place_m, [ends[0], ends[1]])?;
+            let is_off = (part == 0 && share < 0.0) || (part == last && share > 1.0);
+            (!is_off).then_some(distance_m)
+        });
+        beside.reduce(f64::min)
+    }
+}
+
+/// Where along a straight part its nearest place to another is, as a share of its length that may lie beyond both ends, and the distance
+/// from the part itself; `None` of a part without length.
+fn beside([x, y]: [f64; 2], [[ax, ay], [bx, by]]: [[f64; 2]; 2]) -> Option<(f64, f64)> {
+    let (dx, dy) = (bx - ax, by - ay);
+    let square = dx * dx + dy * dy;
+    let share = ((x - ax) * dx + (y - ay) * dy) / square;
+    let within = share.clamp(0.0, 1.0);
+    (square > 0.0).then(|| (share, (x - ax - within * dx).hypot(y - ay - within * dy)))
+}
+
 impl Lanes {
+    /// Whether there is any lane.
+    pub fn are_known(&self) -> bool {
+        !self.lanes.is_empty() || !self.courses.is_empty()
+    }
+
     /// A place of the world, whatever its height, as [across, along].
     pub fn across_along_m(&self, position_m: [f64; 3]) -> [f64; 2] {
         let [right, ahead] = [0, 1].map(|axis: usize| position_m[axis] - self.origin_m[axis]);
@@ -238,10 +307,17 @@ impl Lanes {
         [self.origin_m[0] + across_m * cos + along_m * sin, self.origin_m[1] - across_m * sin + along_m * cos]
     }
 
-    /// The lane that holds a place, if any.
+    /// The lane that holds a place, if any; of a network's lanes that lie across one another the one whose middle is nearest.
     pub fn at(&self, position_m: [f64; 3]) -> Option<u8> {
         let [across_m, _] = self.across_along_m(position_m);
-        self.lanes.iter().find(|l| (across_m - l.centre_m).abs() <= 0.5 * l.width_m).map(|l| l.number)
+        let straight = self.lanes.iter().find(|l| (across_m - l.centre_m).abs() <= 0.5 * l.width_m);
+        straight.map(|lane| lane.number).or_else(|| self.course_at([position_m[0], position_m[1]]))
+    }
+
+    fn course_at(&self, place_m: [f64; 2]) -> Option<u8> {
+        let holds = |course: &Course| course.distance_m(place_m).filter(|m| *m <= 0.5 * course.width_m);
+        let holding = self.courses.iter().filter_map(|course| Some((course.number, holds(course)?)));
+        holding.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(number, _)| number)
     }
 }
 

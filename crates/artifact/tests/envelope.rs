@@ -22,6 +22,7 @@ fn point(i: u32) -> Point {
         target: None,
         label: None,
         two_ways_rad: None,
+        stationary: None,
     }
 }
 

@@ -8,8 +8,8 @@ use artifact::paths::{Amplitude, ErrorOrigin, PathsFrame};
 use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Schedule};
 use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
-    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise, Refine, Sides, Surface,
-    Window,
+    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise, Refine, Sides,
+    StaticEchoes, Surface, Window,
 };
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use artifact::{Accuracy, Radar, Waveform};
@@ -117,6 +117,7 @@ fn dsp() -> DspSettings {
         angle: Angle::Fft,
         refine: Refine::Off,
         calibration: vec![],
+        static_echoes: StaticEchoes::Keep,
         assumed_height_m: 0.75,
         cluster_range_m: 1.0,
         cluster_velocity_mps: 1.0,

@@ -18,12 +18,12 @@
 //! reads a positive direction cosine. Everything wrong with an input is a [`DspError`]; nothing panics.
 //!
 //! Reading order is that of the modules: taper and transforms, noncoherent sum, threshold, detector, peaks, direction,
-//! refinement, place, clusters, points, tracks, pictures.
+//! refinement, place, rest, clusters, points, tracks, pictures.
 //!
 //! ```
 //! use artifact::cube::{CubeFrame, CubeHeader};
 //! use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Sampling, Schedule, Waveform};
-//! use artifact::settings::{Angle, Detector, DspSettings, Lane, Lanes, Noise, Refine, Window};
+//! use artifact::settings::{Angle, Detector, DspSettings, Lane, Lanes, Noise, Refine, StaticEchoes, Window};
 //! use num_complex::Complex32;
 //!
 //! let waveform = Waveform { start_frequency_hz: 77e9, slope_hz_per_s: 12.5e12, sample_rate_hz: 5.12e6, sampling: Sampling::Complex,
@@ -43,7 +43,7 @@
 //! };
 //! let header = CubeHeader { radar, noise: Noise::Absent, dsp: DspSettings {
 //!     range_window: Window::Hann, doppler_window: Window::Hann, detector: Detector::CaCfar, false_alarm_rate: 1e-5,
-//!     guard_cells: [2, 2], training_cells: [4, 8], angle: Angle::Fft, refine: Refine::Off, calibration: vec![], assumed_height_m: 0.75,
+//!     guard_cells: [2, 2], training_cells: [4, 8], angle: Angle::Fft, refine: Refine::Off, calibration: vec![], static_echoes: StaticEchoes::Keep, assumed_height_m: 0.75,
 //!     cluster_range_m: 2.5, cluster_velocity_mps: 1.0, cluster_cross_m: 2.5,
 //!     road: Lanes { lanes: vec![Lane { number: 2, centre_m: 5.75, width_m: 3.75 }], ..Lanes::default() },
 //! }};
@@ -100,6 +100,7 @@ pub mod isolation;
 pub mod cramer_rao;
 pub mod calibration;
 pub mod position;
+pub mod stationary;
 mod rigid_pieces;
 pub mod clusters;
 pub mod time_division_folds;

@@ -20,6 +20,7 @@ use crate::point_sources::sources;
 use crate::position::{Place, place};
 use crate::range_doppler::check_samples;
 use crate::refinement::refined;
+use crate::stationary::{Fold, is_at_rest};
 use crate::time_division_folds::{self, Choice, Folds};
 use crate::two_ways::{self, two_ways};
 use crate::window::{noise_bandwidth_bins, taper};
@@ -27,7 +28,7 @@ use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::points::{Object, Point, PointsFrame};
 use artifact::radar::Sampling;
 use artifact::rdm::RdmFrame;
-use artifact::settings::{Angle, Refine, Window};
+use artifact::settings::{Angle, Refine, StaticEchoes, Window};
 use artifact::units::{LOWEST_DB, db_from_power};
 use glam::DVec3;
 use num_complex::Complex32;
@@ -75,6 +76,9 @@ fn detect_in(header: &CubeHeader, map: &RdmFrame, samples: Option<&[Complex32]>)
     if let Some(samples) = samples {
         refine_isolated(&view, samples, &peaks, &mut sighted)?;
     }
+    if header.dsp.static_echoes == StaticEchoes::Remove {
+        sighted.retain(|s| !view.is_at_rest(s));
+    }
     let groups = view.groups(&sighted);
     let object_of = |index: usize| groups.iter().position(|g| g.binary_search(&index).is_ok()).map(|o| o as u32);
     let points: Vec<Point> = slopes
@@ -83,7 +87,10 @@ fn detect_in(header: &CubeHeader, map: &RdmFrame, samples: Option<&[Complex32]>)
             let seen =
                 view.on_slope(&sighted, power[(cell[0], cell[1])], *cell, [peaks[*peak].row, peaks[*peak].column]);
             seen.into_iter()
-                .map(|(sighting, index)| sighting.point(view.snr_db(sighting.peak.power), object_of(index)))
+                .map(|(sighting, index)| Point {
+                    stationary: view.stationary([&sighted[index]].into_iter()),
+                    ..sighting.point(view.snr_db(sighting.peak.power), object_of(index))
+                })
                 .collect::<Vec<_>>()
         })
         .collect();
@@ -261,8 +268,12 @@ impl View<'_> {
     /// beam's width λ/D: σ = √6/(2π)·λ/D/√(channels·signal over noise); 0 of an array without extent.
     fn cosine_error(&self, power: f64) -> f64 {
         let beam = self.array.beams()[0];
-        let over_noise = (power / self.noise.max(f64::MIN_POSITIVE) * self.header.radar.map_channels() as f64).max(1.0);
-        if beam.is_finite() { 6f64.sqrt() / TAU * beam / over_noise.sqrt() } else { 0.0 }
+        if beam.is_finite() { 6f64.sqrt() / TAU * beam / self.over_noise(power).max(1.0).sqrt() } else { 0.0 }
+    }
+
+    /// Power ratio of a cell to one channel's noise, added over channels.
+    fn over_noise(&self, power: f64) -> f64 {
+        power / self.noise.max(f64::MIN_POSITIVE) * self.header.radar.map_channels() as f64
     }
 
     /// A velocity of this map as near as it can be to one whose fold was told, else within the map's span.
@@ -385,6 +396,7 @@ impl Sighting {
             position_m: self.place.position_m.to_array(),
             snr_db,
             two_ways_rad: self.two_ways_rad,
+            stationary: None,
             object,
             target: None,
             label: None,
@@ -420,10 +432,7 @@ impl View<'_> {
         Object {
             range_m,
             radial_velocity_mps: self.unfolded(velocity_mps, strongest),
-            velocity_resolved: match joined(peaks) {
-                Some(folds) => self.choice(&folds).is_certain,
-                None => fold_is_certain(header, self.map, strongest.peak.row, strongest.peak.column),
-            },
+            velocity_resolved: self.is_resolved(peaks),
             azimuth_rad: place.azimuth_rad,
             position_m: place.position_m.to_array(),
             lane: header.dsp.road.at(place.position_m.to_array()),
@@ -433,7 +442,26 @@ impl View<'_> {
             velocity_extent_mps: extent(points.iter().map(|p| near_strongest(p.radial_velocity_mps))),
             ghost_share: two_ways::can_tell(self.array)
                 .then(|| weighted_mean(peaks.iter().map(|s| f64::from(u8::from(s.two_ways_rad.is_some()))), &weights)),
+            stationary: self.stationary(peaks.iter().copied()),
         }
+    }
+
+    /// Whether the fold of a body's velocity is beyond doubt; the strongest of its peaks comes first.
+    fn is_resolved(&self, peaks: &[&Sighting]) -> bool {
+        match joined(peaks) {
+            Some(folds) => self.choice(&folds).is_certain,
+            None => fold_is_certain(self.header, self.map, peaks[0].peak.row, peaks[0].peak.column),
+        }
+    }
+
+    /// Whether all are at rest, where that is asked.
+    fn stationary<'s>(&self, mut peaks: impl Iterator<Item = &'s Sighting>) -> Option<bool> {
+        (self.header.dsp.static_echoes != StaticEchoes::Keep).then(|| peaks.all(|peak| self.is_at_rest(peak)))
+    }
+
+    fn is_at_rest(&self, s: &Sighting) -> bool {
+        let fold = if self.is_resolved(&[s]) { Fold::Told } else { Fold::Assumed };
+        is_at_rest(self.header, s.radial_velocity_mps, fold, self.over_noise(s.peak.power))
     }
 
     /// Of all peaks: the strongest beam of their cells, or the mean of the echoes told apart in them.

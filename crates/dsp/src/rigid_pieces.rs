@@ -137,7 +137,7 @@ fn length([low, high]: [f64; 2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use artifact::settings::{Angle, Detector, Lanes, Refine, Window};
+    use artifact::settings::{Angle, Detector, Lanes, Refine, StaticEchoes, Window};
 
     const SPAN_MPS: f64 = 35.0;
 
@@ -152,6 +152,7 @@ mod tests {
             angle: Angle::Fft,
             refine: Refine::Off,
             calibration: vec![],
+            static_echoes: StaticEchoes::Keep,
             assumed_height_m: 0.75,
             cluster_range_m: 2.5,
             cluster_velocity_mps: 1.0,

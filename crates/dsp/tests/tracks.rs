@@ -59,6 +59,7 @@ fn object(header: &CubeHeader, body: Body, random: &mut ChaCha8Rng) -> Object {
         range_extent_m: [away.length(); 2],
         velocity_extent_mps: [0.0; 2],
         ghost_share: None,
+        stationary: None,
     };
     let variance = Site::new(header).measurement(&exact, &ROAD_TRAFFIC).variance;
     let [range, azimuth, rate] = variance.map(|v| v.sqrt() * normal(random));
@@ -86,6 +87,7 @@ fn point(object: &Object, index: u32) -> Point {
         target: None,
         label: None,
         two_ways_rad: None,
+        stationary: None,
     }
 }
 
@@ -261,6 +263,7 @@ fn objects_of_noise_are_hardly_ever_believed() {
             range_extent_m: [range_m; 2],
             velocity_extent_mps: [rate; 2],
             ghost_share: None,
+            stationary: None,
         };
         let tracks = tracker.step(&frame(index, if is_there { vec![lone] } else { vec![] })).unwrap();
         ever.extend(believed(&tracks).iter().map(|t| t.id));
@@ -407,6 +410,7 @@ fn any_object() -> impl Strategy<Value = Object> {
             range_extent_m: extent,
             velocity_extent_mps: [rate, extent[1]],
             ghost_share: None,
+            stationary: None,
         })
 }
 

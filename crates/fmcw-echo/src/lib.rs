@@ -19,7 +19,7 @@
 //! use artifact::cube::CubeHeader;
 //! use artifact::paths::{Curve, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
 //! use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Sampling, Schedule, Waveform};
-//! use artifact::settings::{Angle, Detector, DspSettings, Lanes, Noise, Refine, Window};
+//! use artifact::settings::{Angle, Detector, DspSettings, Lanes, Noise, Refine, StaticEchoes, Window};
 //! # use artifact::{ErrorBudget, ModelError};
 //! use num_complex::Complex64;
 //!
@@ -64,7 +64,8 @@
 //! };
 //! # let dsp = DspSettings {
 //! #     range_window: Window::Hann, doppler_window: Window::Hann, detector: Detector::CaCfar, false_alarm_rate: 1e-5,
-//! #     guard_cells: [2, 2], training_cells: [6, 10], angle: Angle::Fft, refine: Refine::Off, calibration: vec![], assumed_height_m: 0.75, cluster_range_m: 2.0,
+//! #     guard_cells: [2, 2], training_cells: [6, 10], angle: Angle::Fft, refine: Refine::Off, calibration: vec![], static_echoes: StaticEchoes::Keep,
+//! #     assumed_height_m: 0.75, cluster_range_m: 2.0,
 //! #     cluster_velocity_mps: 1.0, cluster_cross_m: 2.0, road: Lanes::default(),
 //! # };
 //! # let (nearest_range_m, error, model_error) = (vec![], ErrorBudget::default(), ModelError::default());

@@ -4,6 +4,7 @@ use crate::calibration::CalibrationFileError;
 use crate::mesh::MeshError;
 use crate::pattern_table::PatternFileError;
 use crate::traffic::fcd::FcdError;
+use crate::traffic::net::NetError;
 use artifact::bounded::ReadFault;
 use std::fmt;
 use std::path::PathBuf;
@@ -72,6 +73,7 @@ impl std::error::Error for SceneError {
             Rule::File(error) => Some(error),
             Rule::Mesh(error) => Some(error),
             Rule::Traffic(error) => Some(error),
+            Rule::Net(error) => Some(error),
             Rule::Pattern(error) => Some(error),
             Rule::Calibration(error) => Some(error),
             _ => None,
@@ -367,6 +369,9 @@ pub enum Rule {
     /// A lane of a scene that has none.
     #[error("lane {0} does not exist: the scene has no lanes; beside [traffic] they are said in [intersection]")]
     NoLanes(u64),
+    /// A network that cannot be used.
+    #[error("{0}")]
+    Net(#[source] NetError),
     /// A lane that the intersection does not have.
     #[error("lane {lane} does not exist; lanes are numbered 1 to {lanes}")]
     UnknownLane {
@@ -455,6 +460,7 @@ impl Rule {
             Self::File(error) => error.is_system(),
             Self::Mesh(error) => error.is_system(),
             Self::Traffic(error) => error.is_system(),
+            Self::Net(error) => error.is_system(),
             Self::Materials(errors) => errors.is_system(),
             Self::Pattern(error) => error.is_system(),
             Self::Calibration(error) => error.is_system(),

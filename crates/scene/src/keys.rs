@@ -170,6 +170,7 @@ pub(crate) const DSP: Table = Table {
         "angle",
         "refine",
         "calibration",
+        "static",
         "assumed_height_m",
         "cluster_range_m",
         "cluster_velocity_mps",
@@ -262,7 +263,7 @@ pub(crate) const CLUTTER: Table = Table {
 pub(crate) const TRAFFIC: Table = Table {
     name: "traffic",
     heading: "[traffic]",
-    keys: &["fcd", "begin_s", "end_s", "models", "view_nearest_m", "view_range_m", "view_half_angle_deg"],
+    keys: &["fcd", "net", "begin_s", "end_s", "models", "view_nearest_m", "view_range_m", "view_half_angle_deg"],
 };
 
 /// Each entry of `models` in `[traffic]` that is a table.

@@ -13,6 +13,7 @@ use crate::targets::read_targets;
 use crate::traffic::read_traffic;
 use artifact::bounded;
 use artifact::scene::SceneHeader;
+use artifact::settings::Lanes;
 use std::path::{Path, PathBuf};
 use toml::de::DeTable;
 
@@ -96,6 +97,9 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let (intersection, lanes) = read_intersection(root, &radar);
     let targets = read_targets(root, &radar, &lanes, models);
     let recording = read_traffic(root, &radar, frame_interval_s, models);
+    let courses =
+        recording.as_ref().map(|recording| recording.lanes([root, &radar_section], models)).unwrap_or_default();
+    let own_road = Lanes { courses, ..read_own_road(&radar_section, &radar, &lanes) };
     let recording = recording.filter(|_| models.are_opened());
     let traffic = recording.map(|recording| recording.frames(models, &targets));
     let sub_frames = radar.schedule.sub_frames();
@@ -109,7 +113,7 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
         frames,
         frame_interval_s,
         noise: read_noise(root),
-        dsp: read_dsp(root, &radar, read_own_road(&radar_section, &radar, &lanes), models),
+        dsp: read_dsp(root, &radar, own_road, models),
         fidelity,
         radar,
         intersection,

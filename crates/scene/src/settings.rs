@@ -12,7 +12,7 @@ use artifact::radar::{Radar, Sampling};
 use artifact::scene::Intersection;
 use artifact::settings::{
     Angle, Detail, Detector, DspSettings, EchoMode, Edges, FALSE_ALARM_RATES, Fidelity, Lane, Lanes, NodeRule, Noise,
-    Refine, Sides, Surface, Window,
+    Refine, Sides, StaticEchoes, Surface, Window,
 };
 use num_complex::Complex64;
 
@@ -76,6 +76,9 @@ pub(crate) fn read_dsp(root: &Section<'_>, radar: &Radar, road: Lanes, models: &
             .unwrap_or(Angle::Fft),
         refine: section.word("refine", &[("off", Refine::Off), ("on", Refine::Isolated)]).unwrap_or(Refine::Off),
         calibration: read_factors(&section, radar, models).unwrap_or_default(),
+        static_echoes: section
+            .word("static", &[StaticEchoes::Keep, StaticEchoes::Mark, StaticEchoes::Remove].map(|s| (s.name(), s)))
+            .unwrap_or(StaticEchoes::Keep),
         assumed_height_m: section.number("assumed_height_m", Allowed::Between(-100.0, 100.0)).unwrap_or(0.75),
         // Gaps between the glints of one long vehicle, against the gap that drivers keep (docs/scenes.md).
         cluster_range_m: section.number("cluster_range_m", distance).unwrap_or(2.5),
@@ -203,6 +206,7 @@ fn read_road(section: &Section<'_>, radar: &Radar, default: &Lanes) -> Lanes {
         origin_m: section.vector("lane_origin_m", COORDINATES_M).unwrap_or(origin_m),
         azimuth_rad: azimuth_deg.map_or(azimuth_rad, f64::to_radians),
         lanes,
+        courses: vec![],
     }
 }
 

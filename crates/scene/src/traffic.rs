@@ -8,6 +8,7 @@ pub mod fcd;
 pub mod interpolation;
 mod clock;
 mod in_view;
+pub mod net;
 
 use crate::document::{ModelChoice, Section};
 use crate::errors::{Allowed, Rule};
@@ -16,12 +17,13 @@ use crate::models::{Chosen, Models};
 use artifact::radar::Radar;
 use artifact::scene::{Placed, Target, TargetKind, Traffic, Vehicle};
 use artifact::seed;
-use artifact::settings::Class;
+use artifact::settings::{Class, Course};
 use clock::{Clock, Times};
 use fcd::{FcdError, FcdReader, FcdRule, FcdVehicle, UnknownType};
 use glam::DVec2;
 use in_view::View;
 use interpolation::Interval;
+use net::read_net;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::PathBuf;
 
@@ -120,6 +122,19 @@ impl Model {
 }
 
 impl Recording<'_> {
+    /// Lanes of the network that `net` names; what is wrong with it is noted. `roads`: tables that may say lanes themselves.
+    pub(crate) fn lanes(&self, roads: [&Section<'_>; 2], models: &mut Models) -> Vec<Course> {
+        let Some(written) = self.section.text("net") else { return vec![] };
+        let file = models.file_beside(written);
+        if roads.iter().any(|table| table.has("intersection")) {
+            self.section.note("net", Rule::Contradiction { key: "net", other: "[intersection]" });
+        }
+        read_net(&file, &self.view).unwrap_or_else(|error| {
+            self.section.note("net", Rule::Net(error));
+            vec![]
+        })
+    }
+
     /// Frames of the recording with what is in view in each; what is wrong with it is noted.
     pub(crate) fn frames(mut self, models: &mut Models, targets: &[Target]) -> Traffic {
         self.read(models, targets).unwrap_or_else(|error| {

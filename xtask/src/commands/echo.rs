@@ -56,7 +56,8 @@ fn write(
 ) -> Result<Verdict, Failure> {
     let cube = chain.synthesize(scene, scattering)?;
     writer.write(&cube)?;
-    Ok(Verdict::of(chain.header.fidelity.accuracy, &scattering.error().0.joined(cube.error)))
+    let error = scattering.error().0.joined(cube.error);
+    Ok(Verdict::of_paths(chain.header.fidelity.accuracy, &error, scattering.paths()))
 }
 
 fn from_paths(

@@ -25,7 +25,7 @@ pub(crate) fn run(arguments: &PathsArguments) -> Result<(), Failure> {
         let scattering = chain.scattering(&chain.plan(index), &scene)?.value;
         if let Scattering::Paths(frame) = chain.counted_through(scattering) {
             writer.write(&frame)?;
-            told.push((index, Verdict::of(loaded.header.fidelity.accuracy, &frame.error)));
+            told.push((index, Verdict::of_paths(loaded.header.fidelity.accuracy, &frame.error, Some(&frame))));
         }
     }
     drop(work);

@@ -29,6 +29,17 @@ impl Gospa {
         let left_over = (self.missed + self.false_ones) as f64;
         (self.localisation_m2 + 0.5 * self.cutoff_m.powi(2) * left_over).sqrt()
     }
+
+    /// The same less some that were left over and do not count: truths by their places, estimates by their number.
+    pub(crate) fn without(self, truths: &[usize], estimates: usize) -> Self {
+        let chosen = self.chosen.into_iter().enumerate().filter(|(truth, _)| !truths.contains(truth));
+        Self {
+            chosen: chosen.map(|(_, estimate)| estimate).collect(),
+            missed: self.missed - truths.len(),
+            false_ones: self.false_ones - estimates,
+            ..self
+        }
+    }
 }
 
 /// Estimates are given in the order of their strength: of two that are equally good the earlier is taken. Its price per place in that order

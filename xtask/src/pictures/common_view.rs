@@ -5,6 +5,7 @@ use super::bodies::{Body, bodies};
 use super::colours::line_colour;
 use super::field_of_view;
 use super::form::{Figure, Form};
+use super::found::{self, Owner};
 use super::ground::{Ground, Region};
 use super::marks::Mark;
 use super::svg::Svg;
@@ -28,7 +29,7 @@ fn draw(radars: &[(&str, &Seen)], form: Form) -> Svg {
     for (_, seen) in radars {
         let (road, far_m) = (&seen.view.dsp.road, seen.view.radar.waveform.range_max_m());
         ground.lane_lines(road, [seen.view.intersection.width_m, far_m]);
-        if !road.lanes.is_empty() {
+        if road.are_known() {
             ground.say(Mark::Line, "lanes", "lane");
         }
     }
@@ -42,6 +43,10 @@ fn draw(radars: &[(&str, &Seen)], form: Form) -> Svg {
     if let Some((_, seen)) = radars.first() {
         ground.say(Mark::Dot, "plain", "detected point, in its radar's colour");
         ground.say(Mark::Ring, "plain", "object, in its radar's colour");
+        if radars.iter().any(|(_, seen)| seen.points.objects.iter().any(|object| object.stationary == Some(true))) {
+            ground.say(Mark::Hollow, "plain", found::POINT_AT_REST);
+            ground.say(Mark::Box, "plain", "object at rest");
+        }
         ground.say(Mark::BrokenLine, "plain", "boresight");
         ground.say(Mark::Line, "plain", field_of_view::words(&seen.view.radar));
     }
@@ -71,10 +76,10 @@ fn region(radars: &[(&str, &Seen)], bodies: &[Body]) -> Region {
 /// Points and objects of a radar.
 fn found(ground: &mut Ground, colour: &str, id: &str, seen: &Seen) {
     for point in &seen.points.points {
-        ground.found(Thing::Point, Mark::Dot, colour, point.position_m, "");
+        ground.found(Thing::Point, found::of_point(point), colour, point.position_m, "");
     }
     for object in &seen.points.objects {
-        ground.found(Thing::Object, Mark::Ring, colour, object.position_m, "");
+        ground.found(Thing::Object, found::of_object(object, Owner::Unknown), colour, object.position_m, "");
     }
     ground.say(Mark::Triangle, colour, format!("radar {id}"));
 }

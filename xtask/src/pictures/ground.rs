@@ -8,10 +8,11 @@ use super::field_of_view;
 use super::form::Form;
 use super::heat_map::head;
 use super::labels::Labels;
+use super::lane_sides::lane_sides_m;
 use super::marks::{Legend, Mark};
 use super::svg::Svg;
 use artifact::radar::Radar;
-use artifact::settings::Lanes;
+use artifact::settings::{Course, Lanes};
 
 /// Which way a road runs on the sheet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -132,11 +133,48 @@ impl Ground {
         for lane in &road.lanes {
             for across_m in [lane.centre_m - 0.5 * lane.width_m, lane.centre_m + 0.5 * lane.width_m] {
                 let ends = [from_m, to_m].map(|along_m| self.world(road.world_m([across_m, along_m])));
-                if let Some([from, to]) = clip::segment(ends, self.frame()) {
-                    self.sheet.line("lane", from, to);
-                }
+                self.lane_line(ends);
             }
         }
+        for course in &road.courses {
+            for side in lane_sides_m(course) {
+                let line: Vec<[f64; 2]> = side.into_iter().map(|place| self.world(place)).collect();
+                line.windows(2).for_each(|ends| self.lane_line([ends[0], ends[1]]));
+            }
+        }
+    }
+
+    fn lane_line(&mut self, ends: [[f64; 2]; 2]) {
+        if let Some([from, to]) = clip::segment(ends, self.frame()) {
+            self.sheet.line("lane", from, to);
+        }
+    }
+
+    /// The surface of a network's lanes, and their names where there is room.
+    pub(super) fn courses(&mut self, road: &Lanes) {
+        for course in &road.courses {
+            let [left, right] = lane_sides_m(course);
+            for i in 1..left.len() {
+                let corners = [left[i - 1], left[i], right[i], right[i - 1]].map(|place| self.world(place));
+                let corners = self.clipped(&corners);
+                self.sheet.ground("road", &corners);
+            }
+        }
+        for course in &road.courses {
+            if let Some(at) = self.middle_on_sheet(course) {
+                self.labels.put([at[0], at[1], at[0], at[1]], &format!("{} {}", course.number, course.name));
+            }
+        }
+    }
+
+    /// Half way along what is to be seen of a lane.
+    fn middle_on_sheet(&self, course: &Course) -> Option<[f64; 2]> {
+        let line: Vec<[f64; 2]> = course.line_m.iter().map(|place| self.world(*place)).collect();
+        let seen: Vec<[[f64; 2]; 2]> =
+            line.windows(2).filter_map(|ends| clip::segment([ends[0], ends[1]], self.frame())).collect();
+        let length = |[a, b]: &[[f64; 2]; 2]| (b[0] - a[0]).hypot(b[1] - a[1]);
+        let longest = seen.iter().max_by(|a, b| length(a).total_cmp(&length(b)))?;
+        Some([0, 1].map(|axis: usize| 0.5 * (longest[0][axis] + longest[1][axis])))
     }
 
     /// A radar, its boresight and its field of view.

@@ -11,6 +11,10 @@ pub(crate) enum Mark {
     Ring,
     /// An object that is no body's.
     BrokenRing,
+    /// A detected point at rest.
+    Hollow,
+    /// An object at rest.
+    Box,
     /// What is true of a body.
     Cross,
     /// The rim of a body.
@@ -48,6 +52,8 @@ impl Mark {
             Self::Dot => sheet.disc(colour, [x, y], 2.2),
             Self::Ring => sheet.ring(colour, [x, y], 7.0, ""),
             Self::BrokenRing => sheet.ring(colour, [x, y], 7.0, " stroke-dasharray=\"3 2.5\""),
+            Self::Hollow => sheet.ring(colour, [x, y], 2.4, ""),
+            Self::Box => sheet.closed(colour, &around(&[[-6.5, -6.5], [6.5, -6.5], [6.5, 6.5], [-6.5, 6.5]])),
             Self::Cross => {
                 sheet.polyline(colour, 2.0, &around(&[[-5.0, 0.0], [5.0, 0.0]]));
                 sheet.polyline(colour, 2.0, &around(&[[0.0, -5.0], [0.0, 5.0]]));

@@ -5,6 +5,7 @@ use super::beyond::Thing;
 use super::bodies::bodies;
 use super::field_of_view;
 use super::form::Form;
+use super::found::{self, Owner};
 use super::ground::{Ground, Region};
 use super::marks::Mark;
 use super::svg::Svg;
@@ -13,8 +14,8 @@ use artifact::radar::Radar;
 use artifact::scene::SceneHeader;
 use artifact::settings::Lanes;
 
-/// Truth, points and estimates of one frame; `false_objects` are indices of objects that are nobody's.
-pub(super) fn of_frame(header: &SceneHeader, result: &FrameResult, false_objects: &[usize], form: Form) -> Svg {
+/// Truth, points and estimates of one frame; `nobodys` are indices of objects that are no body's.
+pub(super) fn of_frame(header: &SceneHeader, result: &FrameResult, nobodys: &[usize], form: Form) -> Svg {
     let title = format!("Scene from above, frame {}", result.scene.index);
     let bodies = bodies(header, &result.scene);
     let (road, radar) = (&header.dsp.road, &header.radar);
@@ -23,28 +24,42 @@ pub(super) fn of_frame(header: &SceneHeader, result: &FrameResult, false_objects
     if !road.lanes.is_empty() {
         lanes(&mut ground, header);
     }
+    if !road.courses.is_empty() {
+        ground.courses(road);
+        ground.lane_lines(road, [0.0; 2]);
+        ground.say(Mark::Line, "lanes", "lane of the network");
+    }
     ground.radar("radar", "radar", radar);
     bodies.iter().for_each(|body| ground.body(body));
     for point in &result.points.points {
-        ground.found(Thing::Point, Mark::Dot, "found", point.position_m, "");
+        ground.found(Thing::Point, found::of_point(point), "found", point.position_m, "");
     }
-    for (number, object) in result.points.objects.iter().enumerate() {
-        let is_false = false_objects.contains(&number);
-        let (mark, name) =
-            if is_false { (Mark::BrokenRing, format!("#{number}")) } else { (Mark::Ring, String::new()) };
-        ground.found(Thing::Object, mark, "found", object.position_m, &name);
+    let marks: Vec<(Mark, Owner)> = marks(result, nobodys).collect();
+    for (number, (object, (mark, _))) in result.points.objects.iter().zip(&marks).enumerate() {
+        let name = if *mark == Mark::BrokenRing { format!("#{number}") } else { String::new() };
+        ground.found(Thing::Object, *mark, "found", object.position_m, &name);
     }
-    say(&mut ground, radar, result, false_objects);
+    say(&mut ground, radar, result, &marks);
     ground.finish(axis_names(road))
 }
 
-fn say(ground: &mut Ground, radar: &Radar, result: &FrameResult, false_objects: &[usize]) {
+/// Of each object.
+fn marks(result: &FrameResult, nobodys: &[usize]) -> impl Iterator<Item = (Mark, Owner)> {
+    result.points.objects.iter().enumerate().map(|(number, object)| {
+        let owner = if nobodys.contains(&number) { Owner::Nobody } else { Owner::Body };
+        (found::of_object(object, owner), owner)
+    })
+}
+
+fn say(ground: &mut Ground, radar: &Radar, result: &FrameResult, objects: &[(Mark, Owner)]) {
     ground.say(Mark::Dot, "found", "detected point");
-    if result.points.objects.len() > false_objects.len() {
-        ground.say(Mark::Ring, "found", "object");
+    if result.points.points.iter().any(|point| point.stationary == Some(true)) {
+        ground.say(Mark::Hollow, "found", found::POINT_AT_REST);
     }
-    if !false_objects.is_empty() {
-        ground.say(Mark::BrokenRing, "found", "false object, # as in the table");
+    for shown in [Mark::Ring, Mark::BrokenRing, Mark::Box] {
+        if let Some((mark, owner)) = objects.iter().find(|(mark, _)| *mark == shown) {
+            ground.say(*mark, "found", found::words(*mark, *owner));
+        }
     }
     say_radar(ground, radar);
 }

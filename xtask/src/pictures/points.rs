@@ -7,6 +7,7 @@ use super::clip;
 use super::colours::line_colour;
 use super::field_of_view;
 use super::form::Form;
+use super::found::{self, Owner};
 use super::ground::Ground;
 use super::heat_map::head;
 use super::marks::{Legend, Mark};
@@ -47,16 +48,33 @@ fn plan(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) -
     ground.radar("radar", "radar", &header.radar);
     bodies.iter().for_each(|body| ground.body(body));
     for point in &frame.points {
-        ground.found(Thing::Point, Mark::Dot, colour(point), point.position_m, "");
+        ground.found(Thing::Point, found::of_point(point), colour(point), point.position_m, "");
     }
     for (number, object) in frame.objects.iter().enumerate() {
-        ground.found(Thing::Object, Mark::Ring, line_colour(number), object.position_m, &format!("#{number}"));
+        let mark = found::of_object(object, Owner::Unknown);
+        ground.found(Thing::Object, mark, line_colour(number), object.position_m, &format!("#{number}"));
     }
-    ground.say(Mark::Dot, "c0", "detected point, in its object's colour");
-    ground.say(Mark::Dot, "plain", "point of no object");
-    ground.say(Mark::Ring, "c0", "object with its number");
+    meanings(frame, "object with its number")
+        .into_iter()
+        .for_each(|(mark, class, words)| ground.say(mark, class, words));
     super::plan_view::say_radar(&mut ground, &header.radar);
     ground.finish(axis_names(road))
+}
+
+/// Marks of points and objects, their colours and what they mean; those at rest where there are any.
+fn meanings(frame: &PointsFrame, object: &'static str) -> Vec<(Mark, &'static str, &'static str)> {
+    let usual = [
+        (Mark::Dot, "c0", "detected point, in its object's colour"),
+        (Mark::Dot, "plain", "point of no object"),
+        (Mark::Ring, "c0", object),
+    ];
+    let at_rest = [
+        (Mark::Hollow, "c0", found::POINT_AT_REST, frame.points.iter().any(|p| p.stationary == Some(true))),
+        (Mark::Box, "c0", "object at rest", frame.objects.iter().any(|o| o.stationary == Some(true))),
+    ];
+    let shown =
+        at_rest.into_iter().filter(|(.., is_shown)| *is_shown).map(|(mark, class, words, _)| (mark, class, words));
+    usual.into_iter().chain(shown).collect()
 }
 
 /// What a view shows: two of across, along, up.
@@ -82,22 +100,21 @@ fn views(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) 
         }
         bodies.iter().for_each(|body| draw_body(&mut sheet, header, view, body));
         for point in &frame.points {
-            put(&mut sheet, header, view, Mark::Dot, colour(point), point.position_m);
+            put(&mut sheet, header, view, found::of_point(point), colour(point), point.position_m);
         }
         for (number, object) in frame.objects.iter().enumerate() {
-            put(&mut sheet, header, view, Mark::Ring, line_colour(number), object.position_m);
+            let mark = found::of_object(object, Owner::Unknown);
+            put(&mut sheet, header, view, mark, line_colour(number), object.position_m);
         }
     }
     let bottom = views.iter().map(|view| view.axes.y.start_px).fold(top, f64::max);
-    legend(header, bodies).draw(&mut sheet, bottom + 62.0, [10.0, form.width_px() - 10.0]);
+    legend(header, frame, bodies).draw(&mut sheet, bottom + 62.0, [10.0, form.width_px() - 10.0]);
     sheet
 }
 
-fn legend(header: &CubeHeader, bodies: &[Body]) -> Legend {
+fn legend(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body]) -> Legend {
     let mut legend = Legend::default();
-    legend.say(Mark::Dot, "c0", "detected point, in its object's colour");
-    legend.say(Mark::Dot, "plain", "point of no object");
-    legend.say(Mark::Ring, "c0", "object");
+    meanings(frame, "object").into_iter().for_each(|(mark, class, words)| legend.say(mark, class, words));
     for body in bodies {
         let mark = if body.corners_m.is_empty() { Mark::Cross } else { Mark::Outline };
         legend.say(mark, body.colour, format!("{} (truth, its box)", body.kind));

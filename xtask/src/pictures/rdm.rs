@@ -2,6 +2,7 @@
 
 use super::axes::{Axes, Axis};
 use super::form::Form;
+use super::found::{self, Owner};
 use super::heat_map::{head, heat_png, scale_bar};
 use super::labels::Labels;
 use super::lines::{Line, LinePlot, Scale};
@@ -30,9 +31,19 @@ pub(super) struct TrueEcho {
 #[derive(Debug, Clone, Default)]
 pub(super) struct OnMap<'a> {
     pub(super) points: Option<&'a PointsFrame>,
-    /// Indices of objects that are nobody's.
-    pub(super) false_objects: &'a [usize],
+    /// Indices of objects that are no body's.
+    pub(super) nobodys: Option<&'a [usize]>,
     pub(super) truth: &'a [TrueEcho],
+}
+
+impl OnMap<'_> {
+    fn owner(&self, object: usize) -> Owner {
+        match self.nobodys {
+            Some(nobodys) if nobodys.contains(&object) => Owner::Nobody,
+            Some(_) => Owner::Body,
+            None => Owner::Unknown,
+        }
+    }
 }
 
 /// Map with axes in metres and m/s, objects and truth; receding is above.
@@ -72,14 +83,13 @@ fn marks(sheet: &mut Svg, header: &CubeHeader, axes: &Axes, over: &OnMap) -> Leg
     let mut objects = bodies.beside();
     for (number, object) in over.points.iter().flat_map(|points| points.objects.iter().enumerate()) {
         let at = at(object.range_m, object.radial_velocity_mps);
-        let is_false = over.false_objects.contains(&number);
-        let mark = if is_false { Mark::BrokenRing } else { Mark::Ring };
+        let owner = over.owner(number);
+        let mark = found::of_object(object, owner);
         shaded(sheet, mark, "onmap", at);
-        if is_false {
+        if mark == Mark::BrokenRing {
             objects.put([at[0] - 9.0, at[1] - 9.0, at[0] + 9.0, at[1] + 9.0], &format!("#{number}"));
         }
-        let words = if is_false { "false object, # as in the table" } else { "object" };
-        legend.say_of(&[Mark::Plate, mark], "onmap", words);
+        legend.say_of(&[Mark::Plate, mark], "onmap", found::words(mark, owner));
     }
     bodies.draw_on_map(sheet, "truthmap");
     objects.draw_on_map(sheet, "onmap");

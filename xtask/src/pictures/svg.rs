@@ -95,6 +95,12 @@ impl Svg {
         ));
     }
 
+    /// A closed form of a class that fills it.
+    pub(crate) fn ground(&mut self, class: &str, points: &[[f64; 2]]) {
+        let points = joined(points);
+        self.put(format_args!("<polygon class=\"{class}\" points=\"{points}\"/>"));
+    }
+
     /// Connected lines of a colour.
     pub(crate) fn polyline(&mut self, colour: &str, width: f64, points: &[[f64; 2]]) {
         let points = joined(points);
@@ -118,6 +124,14 @@ impl Svg {
         self.put(format_args!(
             "<polygon class=\"{colour}\" points=\"{points}\" fill=\"currentColor\" fill-opacity=\"0.22\" stroke=\"currentColor\" \
              stroke-width=\"1.4\"/>"
+        ));
+    }
+
+    /// The rim of a closed form.
+    pub(crate) fn closed(&mut self, colour: &str, points: &[[f64; 2]]) {
+        let points = joined(points);
+        self.put(format_args!(
+            "<polygon class=\"{colour}\" points=\"{points}\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"2\"/>"
         ));
     }
 

@@ -4,12 +4,26 @@ use super::tables::{rounded, scrolled, whole};
 use maud::{Markup, html};
 use serde_json::Value;
 
-/// A row per false object; nothing where the summary does not tell.
+/// A row per false object, and per object that the radar tells to be at rest; nothing where the summary does not tell.
 pub(super) fn section(frame: &Value) -> Markup {
     let Some(objects) = frame["false_objects"].as_array() else { return html! {} };
-    if objects.is_empty() {
-        return html! { h3 { "False objects" } p { "None: every object is a body's." } };
+    let standing = frame["stationary_objects"].as_array().map_or(&[][..], Vec::as_slice);
+    html! {
+        h3 { "False objects" }
+        @match (&objects[..], standing) {
+            ([], []) => p { "None: every object is a body's." },
+            ([], _) => p { "None: every object that moves is a body's." },
+            _ => (table("False objects", objects)),
+        }
+        @if !standing.is_empty() {
+            h3 { "Objects at rest that are no body's" }
+            p { "The radar tells them to be at rest, and they claim no vehicle: they are not counted as false." }
+            (table("Objects at rest", standing))
+        }
     }
+}
+
+fn table(name: &str, objects: &[Value]) -> Markup {
     let table = html! { table {
         thead { tr {
             th { "object" } th.words { "what made it" } th { "range, m" } th { "velocity, m/s" } th { "x, m" } th { "y, m" }
@@ -17,7 +31,7 @@ pub(super) fn section(frame: &Value) -> Markup {
         } }
         tbody { @for object in objects { (row(object)) } }
     } };
-    html! { h3 { "False objects" } (scrolled("False objects", table)) }
+    scrolled(name, table)
 }
 
 fn row(object: &Value) -> Markup {
@@ -62,6 +76,9 @@ mod tests {
             assert!(text.contains(said), "{said}: {text}");
         }
         assert!(section(&json!({ "false_objects": [] })).into_string().contains("None"));
+        let rail = json!({ "object": 5, "cause": "clutter", "bodies": ["rail"], "bounces": 1 });
+        let text = section(&json!({ "false_objects": [], "stationary_objects": [rail] })).into_string();
+        assert!(text.contains("every object that moves is a body's") && text.contains("clutter: rail"), "{text}");
         assert!(section(&json!({})).into_string().is_empty());
     }
 }

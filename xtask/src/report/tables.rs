@@ -81,8 +81,11 @@ fn target_row(target: &Value) -> Markup {
     let id = target["id"].as_str().unwrap_or_default();
     if estimate.is_null() {
         let is_missed = target["found"] == true || target["found"] == false;
-        let words =
-            if is_missed { "missed" } else { "not to be found: hidden, without an echo of its own, or out of range" };
+        let words = match (is_missed, target["removed"] == true) {
+            (true, _) => "missed",
+            (_, true) => "removed with the echoes at rest, as static in [dsp] asks",
+            _ => "not to be found: hidden, without an echo of its own, or out of range",
+        };
         return html! { tr { td { (id) } td.words.bad[is_missed] colspan="14" { (words) } } };
     }
     let range = if truth["echo_range_m"].is_null() { &truth["range_m"] } else { &truth["echo_range_m"] };

@@ -4,6 +4,7 @@
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
 pub(crate) mod bounded;
+pub(crate) mod crops;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

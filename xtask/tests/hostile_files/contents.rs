@@ -125,6 +125,27 @@ pub(crate) fn recordings() -> Vec<Vec<u8>> {
     ]
 }
 
+/// Networks that cost more than they say, or hold no lane that a radar could tell by.
+pub(crate) fn networks() -> Vec<Vec<u8>> {
+    let file = |inside: String| format!("<net>{inside}</net>").into_bytes();
+    let lane = |id: &str, shape: &str| format!("<edge><lane id=\"{id}\" shape=\"{shape}\"/></edge>");
+    let places: String = (0..200_000).map(|i| format!("{i},0 ")).collect();
+    vec![
+        file("<edge>".repeat(100_000)),
+        file(lane("a", "2,20 2,50").repeat(100_000)),
+        file(lane("a", &places)),
+        file(lane("a", "900,900 990,900")),
+        file(lane("a", "2,20 2,1e999")),
+        file(lane(&"x".repeat(1 << 19), "2,20 2,50")),
+        file(format!("<edge><lane{}/></edge>", " b=\"\"".repeat(100_000))),
+        b"<net>".to_vec(),
+        b"<net></edge>".to_vec(),
+        b"<routes/>".to_vec(),
+        [b"<net>".to_vec(), b" ".repeat(2 << 20)].concat(),
+        [b"<net ".to_vec(), b"a".repeat(2 << 20)].concat(),
+    ]
+}
+
 /// Meshes whose text is short and whose mesh is not, or that are no mesh.
 pub(crate) fn objects() -> Vec<Vec<u8>> {
     let names: String = (0..70_000).map(|i| format!("usemtl m{i}\nf 1 2 3\n")).collect();

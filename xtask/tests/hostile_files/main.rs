@@ -13,7 +13,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// A reader: what its file is called, and a command that reads it.
-const READERS: [(&str, &str); 22] = [
+const READERS: [(&str, &str); 23] = [
     ("h.toml", "run h.toml --out a --no-cache"),
     ("h.toml", "paths h.toml --out a.paths"),
     ("h.toml", "dataset h.toml --out a"),
@@ -24,6 +24,7 @@ const READERS: [(&str, &str); 22] = [
     ("h.toml", "rcs corner.obj --freq-ghz 77 --az-deg 0 --materials h.toml --out a.npy"),
     ("b.bin", "rcs beside.gltf --freq-ghz 77 --az-deg 0 --out a.npy"),
     ("h.fcd.xml", "run traffic.toml --out a --no-cache"),
+    ("h.net.xml", "run network.toml --out a --no-cache"),
     ("h.csv", "run pattern.toml --out a --no-cache"),
     ("h.csv", "run calibration.toml --out a --no-cache"),
     ("h.toml", "run materials.toml --out a --no-cache"),
@@ -43,6 +44,7 @@ fn prepare(place: &Workplace) {
     let small = std::fs::read_to_string(place.path("small.toml")).unwrap();
     let scenes = [
         ("traffic", "name = \"t\"\n[traffic]\nfcd = \"h.fcd.xml\"\nmodels = { car = \"corner.obj\" }\n".to_owned()),
+        ("network", "name = \"n\"\n[traffic]\nfcd = \"sound.fcd.xml\"\nnet = \"h.net.xml\"\n".to_owned()),
         ("pattern", small.replace("preset =", "pattern = \"table\"\npattern_file = \"h.csv\"\npreset =")),
         ("calibration", small.replace("[dsp]", "[dsp]\ncalibration = \"h.csv\"")),
         ("materials", format!("{small}[fidelity]\nmaterials = \"h.toml\"\n")),
@@ -50,6 +52,8 @@ fn prepare(place: &Workplace) {
     for (name, text) in scenes {
         std::fs::write(place.path(&format!("{name}.toml")), text).unwrap();
     }
+    let recording = "<fcd-export><timestep time=\"0\"/></fcd-export>";
+    std::fs::write(place.path("sound.fcd.xml"), recording).unwrap();
     std::fs::write(place.path("beside.gltf"), gltf::beside("b.bin")).unwrap();
     let told = r#"{"global": {"core:datatype": "cf32_le", "core:num_channels": 4}}"#;
     std::fs::write(place.path("s.sigmf-meta"), told).unwrap();
@@ -85,6 +89,7 @@ fn files_that_cost_more_than_they_say_are_refused_by_their_reader() {
     let sets = [
         ("h.npy", "import h.npy --scene small.toml --out a.cube", contents::headers()),
         ("h.fcd.xml", "run traffic.toml --out a --no-cache", contents::recordings()),
+        ("h.net.xml", "run network.toml --out a --no-cache", contents::networks()),
         ("h.obj", "rcs h.obj --freq-ghz 77 --az-deg 0 --out a.npy", contents::objects()),
         (
             "h.sigmf-meta",

@@ -227,6 +227,7 @@ pub(crate) const NOT_NUMBERS: &[&str] = &[
     "detector",
     "angle",
     "refine",
+    "static",
     "calibration",
     "edges",
     "surface",
@@ -245,6 +246,7 @@ pub(crate) const NOT_NUMBERS: &[&str] = &[
     "class",
     "model",
     "fcd",
+    "net",
     "models",
 ];
 

@@ -5,8 +5,8 @@ use artifact::material::MaterialMap;
 use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
 use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
-    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise, Refine, Sides, Surface,
-    Window,
+    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise, Refine, Sides,
+    StaticEchoes, Surface, Window,
 };
 
 const RADAR_M: [f64; 3] = [0.0, 0.0, 6.0];
@@ -87,6 +87,7 @@ fn dsp() -> DspSettings {
         angle: Angle::Fft,
         refine: Refine::Off,
         calibration: vec![],
+        static_echoes: StaticEchoes::Keep,
         assumed_height_m: 0.5,
         cluster_range_m: 1.0,
         cluster_velocity_mps: 1.0,

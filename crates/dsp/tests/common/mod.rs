@@ -6,7 +6,7 @@ use artifact::ErrorBudget;
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
 use artifact::seed::key;
-use artifact::settings::{Angle, Detector, DspSettings, Lane, Lanes, Noise, Refine, Window};
+use artifact::settings::{Angle, Detector, DspSettings, Lane, Lanes, Noise, Refine, StaticEchoes, Window};
 use artifact::units::{BOLTZMANN_J_PER_K, SPEED_OF_LIGHT_MPS, power_from_db};
 use num_complex::{Complex32, Complex64};
 use rand::{Rng, SeedableRng};
@@ -114,6 +114,7 @@ pub fn settings() -> DspSettings {
         angle: Angle::Fft,
         refine: Refine::Off,
         calibration: vec![],
+        static_echoes: StaticEchoes::Keep,
         assumed_height_m: 0.75,
         cluster_range_m: 2.5,
         cluster_velocity_mps: 1.0,

@@ -4,7 +4,7 @@
 use artifact::cube::CubeHeader;
 use artifact::paths::{Curve, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
 use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
-use artifact::settings::{Angle, Detector, DspSettings, Lanes, Noise, Refine, Window};
+use artifact::settings::{Angle, Detector, DspSettings, Lanes, Noise, Refine, StaticEchoes, Window};
 use artifact::units::{power_from_db, watts_from_dbm};
 use artifact::{Accuracy, ErrorBudget, ModelError};
 use num_complex::{Complex32, Complex64};
@@ -106,6 +106,7 @@ pub fn header(radar: Radar, noise: Noise) -> CubeHeader {
             angle: Angle::Fft,
             refine: Refine::Off,
             calibration: vec![],
+            static_echoes: StaticEchoes::Keep,
             assumed_height_m: 0.75,
             cluster_range_m: 2.0,
             cluster_velocity_mps: 1.0,

@@ -32,6 +32,18 @@ impl View {
         }
     }
 
+    /// How far from the radar's foot anything is in view.
+    pub(crate) fn range_m(&self) -> f64 {
+        self.range_m
+    }
+
+    /// Whether a straight part of a road comes as near as what is in view, to whichever side.
+    pub(crate) fn reaches(&self, from_m: DVec2, to_m: DVec2) -> bool {
+        let (along, to_foot) = (to_m - from_m, self.foot_m - from_m);
+        let share = (to_foot.dot(along) / along.length_squared()).clamp(0.0, 1.0);
+        (to_foot - share * along).length() <= self.range_m
+    }
+
     /// Whether a disc on the ground has a part in the sector, and none nearer than what is seen.
     pub(crate) fn touches(&self, centre_m: DVec2, radius_m: f64) -> bool {
         let away = centre_m - self.foot_m;

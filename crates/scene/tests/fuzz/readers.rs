@@ -19,7 +19,7 @@ pub(crate) struct Reader {
     read: fn(&Path) -> Result<(), String>,
 }
 
-pub(crate) const READERS: [Reader; 11] = [
+pub(crate) const READERS: [Reader; 12] = [
     Reader { name: "glb", write: |n, at| put(at, "m.glb", &gltf::binary(n)), read: |at| mesh(at, "m.glb") },
     Reader { name: "gltf", write: write_gltf, read: |at| mesh(at, "m.gltf") },
     Reader { name: "stl", write: write_stl, read: |at| mesh(at, "m.stl") },
@@ -41,6 +41,11 @@ pub(crate) const READERS: [Reader; 11] = [
         name: "fcd",
         write: |n, at| text(n, at, "t.fcd.xml", sound::FCD),
         read: |at| whole_scene(at, "traffic.toml"),
+    },
+    Reader {
+        name: "net",
+        write: |n, at| text(n, at, "t.net.xml", sound::NET),
+        read: |at| whole_scene(at, "network.toml"),
     },
     Reader { name: "fcd-gzip", write: write_packed, read: |at| whole_scene(at, "traffic.toml") },
 ];

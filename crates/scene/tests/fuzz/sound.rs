@@ -74,6 +74,14 @@ pub(crate) const FCD: &[&str] = &[concat!(
     "  <timestep time=\"0.20\"/>\n  <timestep time=\"0.30\">\n    <vehicle id=\"a\" x=\"5.75\" y=\"37.00\" angle=\"-180.00\" type=\"car\" speed=\"10.00\"/>\n  </timestep>\n</fcd-export>\n"
 )];
 
+pub(crate) const NET: &[&str] = &[concat!(
+    "<?xml version=\"1.0\"?>\n<net version=\"1.20\">\n <location netOffset=\"0.00,0.00\"/>\n",
+    " <edge id=\":c_0\" function=\"internal\"><lane id=\":c_0_0\" index=\"0\" shape=\"2,30 2,-4\" width=\"3.75\"/></edge>\n",
+    " <edge id=\"n_in\"><lane id=\"n_in_0\" index=\"0\" width=\"3.75\" shape=\"2.00,100.00 2.00,30.00\"/>",
+    "<lane id=\"n_in_1\" shape=\"5.75,100.00,0.5 5.75,30.00,0.5\"></lane></edge>\n",
+    " <edge id=\"b\"><lane id=\"w\" allow=\"pedestrian\" shape=\"-9,0 -9,50\"/><lane id=\"b_1\" shape=\"-20,10 -10,10 -10,20\"/></edge>\n</net>\n"
+)];
+
 const SHEET: &str = "v 0 0 0\nv 4 0 0.5\nv 4 2 0.5\nv 0 2 0\nf 1 2 3 4\n";
 /// A scene of every table.
 const ALL: &str = include_str!("all.toml");
@@ -86,9 +94,14 @@ pub(crate) const SCENES: &[&str] = &[
 ];
 
 /// Files that stand beside a case, whatever it is.
-pub(crate) const FILES: [(&str, &str); 9] = [
+pub(crate) const FILES: [(&str, &str); 11] = [
     ("sheet.obj", SHEET),
     ("t.fcd.xml", FCD[0]),
+    ("t.net.xml", NET[0]),
+    (
+        "network.toml",
+        "name = \"n\"\n[traffic]\nfcd = \"t.fcd.xml\"\nnet = \"t.net.xml\"\nmodels = { car = \"sheet.obj\" }\n",
+    ),
     ("p.csv", PATTERN[0]),
     ("c.csv", CALIBRATION[0]),
     ("m.toml", MATERIALS[0]),

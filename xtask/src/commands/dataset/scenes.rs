@@ -66,7 +66,7 @@ pub(super) fn shoot(recipe: &Recipe, drawn: &Drawn, shard: &Path) -> Result<Shot
     let products = chain.frame(&chain.plan(0))?;
     let truths = truth::truths(&header, &products.result.scene, products.result.paths.as_ref());
     let objects = &products.result.points.objects;
-    let pairing = Pairing::of(&truths, objects, &Reach::of(&header.radar));
+    let pairing = Pairing::of(&truths, objects, &Reach::of(&header));
     let object = pairing.object_of[0].map(|o| &objects[o]);
     let sample = object.map(|object| sample(drawn, &chain, &products, object, &truths[0], recipe.seed)).transpose()?;
     Ok(Shot { line: line(drawn, &truths[0], object, &products, shard, recipe.seed), sample })
@@ -130,6 +130,11 @@ fn split(drawn: &Drawn, seed: u64) -> Split {
     classifier::split_of_scene(drawn.number, seed)
 }
 
+fn verdict(products: &FrameProducts) -> Verdict {
+    let result = &products.result;
+    Verdict::of_paths(products.view.fidelity.accuracy, &result.error, result.paths.as_ref())
+}
+
 fn line(
     drawn: &Drawn,
     truth: &Truth,
@@ -148,7 +153,7 @@ fn line(
         "echo_range_m": echo.map(|e| e.range_m), "echo_velocity_mps": echo.map(|e| e.radial_velocity_mps),
         "objects": products.result.points.objects.len(), "points": products.result.points.points.len(),
         "paths": products.result.paths.as_ref().map(|p| p.paths.len()),
-        "accuracy": Verdict::of(products.view.fidelity.accuracy, &products.result.error).json(Asking::Scene),
+        "accuracy": verdict(products).json(Asking::Scene),
         "seconds": products.result.seconds.iter().map(|(_, s)| s).sum::<f64>(),
         "estimate": object.map(|o| json!({ "range_m": o.range_m, "velocity_mps": o.radial_velocity_mps,
             "x_m": o.position_m[0], "lane": o.lane, "snr_db": o.snr_db, "points": o.points })),
