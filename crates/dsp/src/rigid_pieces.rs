@@ -5,6 +5,9 @@
 //! Barjenbruch, Klappstein, Dickmann and Dietmayer, IEEE IV 2013). A vehicle drives the way it is long, so that its parts lie in a
 //! strip along V no wider than it is. Two vehicles abreast that drive away from the radar do not: a velocity that explained both would
 //! point across their lanes. Bodies at rest show no velocity at all, and are not asked.
+//!
+//! Two parts of one peak each have no misfit to judge by: two radial velocities are any velocity's. That this velocity points from one to
+//! the other is then what tells: two parts of a side line up along it, and its component across the line of sight is beyond its error.
 
 use crate::clusters::{Member, on_circle};
 use artifact::settings::DspSettings;
@@ -20,6 +23,10 @@ const MISFIT: f64 = 0.35;
 const FORETOLD: (f64, f64) = (2.5, 0.5);
 /// Longest vehicle on roads without special leave, an articulated bus or a lorry and trailer, m.
 const LONGEST_M: f64 = 18.75;
+/// Echoes of one side stand in a strip of this part of the reach across: 1.5 m, as pieces of one body in its lane do.
+const SIDE_WIDTH: f64 = 0.6;
+/// Bodies abreast show echoes a lane apart: what lines up along its own motion nearer than the narrowest lane for lorries is one side, m.
+const LANE_M: f64 = 3.25;
 /// What strips along a velocity known from few points are wider by, m.
 const STRIP_MARGIN_M: f64 = 1.0;
 
@@ -52,7 +59,8 @@ pub(crate) fn drive_as_one(
     let adjoins = width_m <= settings.cluster_cross_m
         && nearest_m(&a, &b) <= settings.cluster_range_m
         && drives_across(&all, fit.velocity_mps);
-    length(extent(&all, |place_m| along.dot(place_m))) <= LONGEST_M && (continues || adjoins)
+    let lines_up = width_m <= SIDE_WIDTH * settings.cluster_cross_m && gap_m <= LANE_M && fit.is_known_to_cross(&all);
+    length(extent(&all, |place_m| along.dot(place_m))) <= LONGEST_M && (continues || adjoins || lines_up)
 }
 
 /// What a point says of its body's motion.
@@ -95,6 +103,13 @@ impl Fit {
         (echoes.iter().map(square).sum::<f64>() / echoes.len() as f64).sqrt()
     }
 
+    /// Whether the velocity across the line of sight is more than its own error makes of nothing.
+    fn is_known_to_cross(&self, echoes: &[Echo]) -> bool {
+        let across = mean_sight(echoes).perp();
+        let error_mps = VELOCITY_ERROR_MPS * across.dot(self.covariance * across).sqrt();
+        self.velocity_mps.dot(across).abs() >= FORETOLD.0 * error_mps
+    }
+
     fn foretells(&self, echo: &Echo) -> bool {
         let error_mps = VELOCITY_ERROR_MPS * (1.0 + echo.sight.dot(self.covariance * echo.sight)).sqrt();
         let off_mps = (echo.velocity_mps - self.velocity_mps.dot(echo.sight)).abs();
@@ -116,8 +131,12 @@ fn foretells(a: &[Echo], b: &[Echo]) -> bool {
 
 /// Whether a body moves more across the line of sight than along it.
 fn drives_across(echoes: &[Echo], velocity_mps: DVec2) -> bool {
-    let sight = echoes.iter().map(|echo| echo.place_m).sum::<DVec2>().normalize_or_zero();
+    let sight = mean_sight(echoes);
     velocity_mps.perp_dot(sight).abs() >= velocity_mps.dot(sight).abs()
+}
+
+fn mean_sight(echoes: &[Echo]) -> DVec2 {
+    echoes.iter().map(|echo| echo.place_m).sum::<DVec2>().normalize_or_zero()
 }
 
 fn nearest_m(a: &[Echo], b: &[Echo]) -> f64 {
@@ -184,6 +203,22 @@ mod tests {
         assert!((car[0].radial_velocity_mps - car[1].radial_velocity_mps).abs() > 1.0);
         assert!(are_one(&car, [&[0], &[1]]));
         assert!(are_one(&car, [&[0, 1], &[2]]));
+    }
+
+    #[test]
+    fn two_echoes_of_a_side_that_line_up_along_the_motion_they_tell_are_one_body() {
+        let across = DVec2::new(-9.6, 0.0);
+        let side = [member(-7.8, 16.3, across), member(-10.6, 16.2, across)];
+        assert!(are_one(&side, [&[0], &[1]]));
+        // In the next lane, and at the same radial velocities.
+        let beside = [side[0], member(-10.6, 19.9, across)];
+        assert!(!are_one(&beside, [&[0], &[1]]));
+    }
+
+    #[test]
+    fn cars_abreast_that_start_before_a_light_are_two_bodies() {
+        let pair = [member(2.0, 28.0, DVec2::new(0.0, -0.5)), member(5.75, 28.0, DVec2::new(0.0, -1.1))];
+        assert!(!are_one(&pair, [&[0], &[1]]));
     }
 
     #[test]
