@@ -16,7 +16,7 @@ use artifact::{Accuracy, Radar, Waveform};
 use bart_rcs::{
     Models, PathView, RcsRequest, Standpoint, rcs, rcs_frame, scattering_of_paths, trace_frame, trace_frame_like,
 };
-use bodies::carts::{barrel, cart, joined, mesh, parallelogram};
+use bodies::carts::{cart, joined, mesh, parallelogram};
 use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::FRAC_PI_2;
