@@ -1,7 +1,7 @@
 //! What a run is expected to take: the work of its stages, counted before it begins, at rates that were measured on many scenes.
 
 mod machine_speed;
-mod rates;
+pub(crate) mod rates;
 mod tracer_work;
 pub(crate) mod work;
 
@@ -22,9 +22,6 @@ pub(crate) struct Expectation {
     /// Held at most, frames that are computed side by side together.
     pub(crate) memory_mib: f64,
 }
-
-/// Nine of ten runs are meant to take between the expected time over this and times this (docs/validation/predictions.md).
-pub(crate) const SPREAD: f64 = 2.0;
 
 impl Expectation {
     /// Of the frames that the plans are of.
@@ -57,8 +54,8 @@ pub(crate) fn tell(chain: &Chain, cache: Option<&Cache>, plans: &[FramePlan]) ->
         "{} frames: {} s, {} to {} s of processor time; about {} s on {threads} threads; at most {:.0} MiB",
         plans.len(),
         told(expected.seconds),
-        told(expected.seconds / SPREAD),
-        told(expected.seconds * SPREAD),
+        told(expected.seconds / rates::SPREAD),
+        told(expected.seconds * rates::SPREAD),
         told(rates::wall_seconds(expected.seconds, threads)),
         expected.memory_mib,
     ));

@@ -1,6 +1,10 @@
 //! How much memory a run is expected to hold at most: what is known of its arrays, and bounds of what the tracer finds.
 
 use crate::chain::{Chain, echo_accuracy};
+use crate::expectation::rates::{
+    BYTES_PER_BEAM, BYTES_PER_CELL, BYTES_PER_CHANGING_CELL, BYTES_PER_FACET, BYTES_PER_MOVING_CELL,
+    BYTES_PER_SLIDING_TILE, PROGRAM_MIB,
+};
 use crate::failure::Failure;
 use crate::looks::Look;
 use crate::memory::mib;
@@ -9,28 +13,46 @@ use crate::stages::Stage;
 use artifact::paths::Path;
 use artifact::settings::EchoMode;
 
-/// What the program holds beside frames: code, thread stacks, the learning library's buffers (measured 40 MiB).
-const PROGRAM_MIB: f64 = 48.0;
+/// What the memory of a frame goes into, expected.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Load {
+    /// Cubes, maps and paths of the ground.
+    pub(crate) signal_mib: f64,
+    /// Facets that are placed, lit polygons, and cells of paths.
+    pub(crate) facets: f64,
+    pub(crate) beams: f64,
+    pub(crate) cells: f64,
+    /// The same cells where a body moves: then their paths may be held for several moments of the frame.
+    pub(crate) changing_cells: f64,
+    /// Tiles between bodies that slide past each other, times the wavelengths that they do.
+    pub(crate) sliding_tiles: f64,
+    /// Cells of such ways, however far they slide.
+    pub(crate) moving_cells: f64,
+}
 
-/// Bytes of a facet at rest, of a beam with what is joined on it, and of a cell with its path: of the two runs they were taken from
-/// twice what was held. The paths of a frame that is split in time are held for each of its moments.
-const BYTES_PER_FACET: f64 = 1500.0;
-const BYTES_PER_BEAM: f64 = 1500.0;
-const BYTES_PER_CELL: f64 = 2500.0;
-/// Of a tile between bodies that slide past each other, for each wavelength: its paths are held for up to 33 moments.
-const BYTES_PER_SLIDING_TILE: f64 = 2500.0;
+impl Load {
+    /// Held at most, the program not among it.
+    pub(crate) fn mib(&self) -> f64 {
+        let bytes = self.facets * BYTES_PER_FACET
+            + self.beams * BYTES_PER_BEAM
+            + self.cells * BYTES_PER_CELL
+            + self.changing_cells * BYTES_PER_CHANGING_CELL
+            + self.sliding_tiles * BYTES_PER_SLIDING_TILE
+            + self.moving_cells * BYTES_PER_MOVING_CELL;
+        self.signal_mib + mib(bytes as u64)
+    }
+}
 
 impl Chain<'_> {
     /// What a frame holds at most while its plan is carried out, MiB, the program itself among it.
     pub(crate) fn memory_estimate_mib(&self, plan: &FramePlan) -> Result<f64, Failure> {
-        let traced = if plan.runs(Stage::BartRcs) { self.traced_bytes(plan.index)? } else { 0.0 };
-        Ok(PROGRAM_MIB + mib(self.signal_bytes()) + mib(traced as u64))
+        Ok(PROGRAM_MIB + self.load(plan)?.mib())
     }
 
     /// The same of all plans, as many side by side as are.
     pub(crate) fn memory_of_run_mib(&self, plans: &[FramePlan]) -> Result<f64, Failure> {
         let at_once = self.side_by_side(plans)? as f64;
-        Ok(PROGRAM_MIB + (self.most_mib(plans)? - PROGRAM_MIB) * at_once)
+        Ok(PROGRAM_MIB + self.largest_load(plans)?.mib() * at_once)
     }
 
     /// How many frames are computed at a time: one a thread, as many as are expected to fit into the memory that they may
@@ -38,29 +60,45 @@ impl Chain<'_> {
     pub(crate) fn side_by_side(&self, plans: &[FramePlan]) -> Result<usize, Failure> {
         let most = rayon::current_num_threads().min(plans.len()).max(1);
         let Some(limit_mib) = crate::memory::limit_mib().filter(|_| most > 1) else { return Ok(most) };
-        let fitting = (limit_mib / self.most_mib(plans)?) as usize;
+        let fitting = (limit_mib / (PROGRAM_MIB + self.largest_load(plans)?.mib())) as usize;
         Ok(most.min(fitting).max(1))
     }
 
-    fn most_mib(&self, plans: &[FramePlan]) -> Result<f64, Failure> {
-        plans.iter().try_fold(PROGRAM_MIB, |most, plan| Ok(self.memory_estimate_mib(plan)?.max(most)))
+    /// Of the frame that is expected to hold most.
+    pub(crate) fn largest_load(&self, plans: &[FramePlan]) -> Result<Load, Failure> {
+        plans.iter().try_fold(Load::default(), |most, plan| {
+            let load = self.load(plan)?;
+            Ok(if load.mib() > most.mib() { load } else { most })
+        })
     }
 
-    fn traced_bytes(&self, index: u32) -> Result<f64, Failure> {
-        let Look { work, facets, cells } = self.looks.of(self, index)?;
-        let beams = facets * (work.beams[0] + work.beams[1]);
-        let cells = match self.header.fidelity.echo {
-            EchoMode::Paths => cells * work.smaller_cells,
-            EchoMode::RcsTable => 0.0,
-        };
-        let sliding = facets * work.sliding_tiles * BYTES_PER_SLIDING_TILE;
-        let of_moments = f64::from(bart_rcs::MOMENTS_MAX) * size_of::<Path>() as f64;
-        let of_cells = cells * (BYTES_PER_CELL + of_moments);
-        Ok(facets * work.facets * BYTES_PER_FACET + beams * BYTES_PER_BEAM + of_cells + sliding)
+    fn load(&self, plan: &FramePlan) -> Result<Load, Failure> {
+        let signal = Load { signal_mib: mib(self.signal_bytes()), ..Load::default() };
+        if !plan.runs(Stage::BartRcs) {
+            return Ok(signal);
+        }
+        let Look { work, facets, cells } = self.looks.of(self, plan.index)?;
+        let bodies = Load { facets: facets * work.facets, beams: facets * (work.beams[0] + work.beams[1]), ..signal };
+        Ok(match self.header.fidelity.echo {
+            EchoMode::RcsTable => bodies,
+            EchoMode::Paths => Load {
+                cells: cells * work.smaller_cells,
+                changing_cells: if self.moves(plan.index) { cells * work.smaller_cells } else { 0.0 },
+                sliding_tiles: facets * work.sliding_tiles,
+                moving_cells: cells * work.moving_cells,
+                ..bodies
+            },
+        })
+    }
+
+    /// Whether any body of a frame does.
+    fn moves(&self, index: u32) -> bool {
+        let poses = scene::snapshot(self.header, index).poses;
+        poses.iter().any(|pose| pose.velocity_mps != [0.0; 3] || pose.acceleration_mps2 != [0.0; 3])
     }
 
     /// Of what follows the tracer: cubes, maps, paths of the ground.
-    pub(crate) fn signal_bytes(&self) -> u64 {
+    fn signal_bytes(&self) -> u64 {
         fmcw_echo::memory_estimate_bytes(&self.cube_header, echo_accuracy(self.header))
             + self.map_bytes()
             + self.ground_bytes()

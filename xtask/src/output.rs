@@ -57,6 +57,13 @@ pub(crate) fn write_file(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     write_with(file, |stream| stream.write_all(bytes))
 }
 
+/// As [`write_file`], for what grows and is written again and again.
+pub(crate) fn write_again(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let mut whole = WholeFile::create(file)?;
+    whole.write_all(bytes).map_err(|e| Failure::system(file, "write", e))?;
+    Ok(whole.finish(Durability::InCache)?)
+}
+
 /// As [`write_file`], for content that is made as a stream.
 pub(crate) fn write_with(
     file: &Path,

@@ -174,3 +174,18 @@ fn a_target_whose_velocity_is_aliased_is_said_to_be_and_makes_the_map_abnormal()
         assert!(!told.contains("normal"), "reserved for Table 2: {told}");
     }
 }
+
+/// Phases are parts of what this run took on processors, whatever the clock on the wall says.
+#[test]
+fn seconds_of_a_table_are_processor_seconds_with_their_total() {
+    let place = Workplace::new();
+    place.run("rcs corner.obj --freq-ghz 76:77:16 --az-deg 0:80:9 --el-deg 20 --out s.npy --quiet");
+    let seconds = &place.summary("s.json")["seconds"];
+    let of = |name: &str| seconds[name].as_f64().unwrap();
+    let phases: f64 = ["load", "build", "trace", "integrate", "check"].map(of).iter().sum();
+    match seconds["counted"].as_str() {
+        // What a thread worked is told anew at every tick of the system, 10 ms at most.
+        Some("processor") => assert!(phases <= of("processor_total") + 0.02, "{seconds}"),
+        _ => assert!(seconds["counted"] == "clock" && seconds["processor_total"].is_null(), "{seconds}"),
+    }
+}

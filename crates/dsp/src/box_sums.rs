@@ -3,8 +3,6 @@
 //! Rows of one height are added up column by column and slide from row to row; their sums along range then give a
 //! rectangle in two look-ups.
 
-use crate::correlated_cells::Rectangle;
-
 /// Sliding sums of a map for every height that rectangles have.
 pub(crate) struct BoxSums<'a> {
     power: &'a [f64],
@@ -48,12 +46,11 @@ impl<'a> BoxSums<'a> {
         }
     }
 
-    /// Power in a rectangle around a column of the row in hand, whose height is one of those asked for.
+    /// Power between two columns, the last one left out, in the rows of a height, by its place among those asked for.
     #[inline]
-    pub(crate) fn sum(&self, column: usize, [rows, range]: &Rectangle) -> f64 {
-        let place = |offset: i64| (column as i64 + offset) as usize;
-        let band = self.bands.iter().find(|band| band.rows == *rows);
-        band.map_or(0.0, |band| band.before[place(range[1] + 1)] - band.before[place(range[0])])
+    pub(crate) fn sum(&self, height: usize, first: usize, behind_last: usize) -> f64 {
+        let before = &self.bands[height].before;
+        before[behind_last] - before[first]
     }
 }
 
@@ -88,14 +85,17 @@ mod tests {
         let heights = [[-3, 3], [-1, 1], [2, 4]];
         let mut sums = BoxSums::at_row(&power, samples, &heights, 0);
         for row in 0..chirps {
-            for (column, rows, range) in [(3, heights[0], [-3, 3]), (0, heights[1], [0, 2]), (6, heights[2], [-5, 0])] {
+            for (column, height, range) in [(3, 0, [-3, 3]), (0, 1, [0, 2]), (6, 2, [-5, 0])] {
+                let rows = heights[height];
                 let cell = |(r, c): (i64, i64)| {
                     let row = (row as i64 + r).rem_euclid(chirps as i64) as usize;
                     power[row * samples + (column as i64 + c) as usize]
                 };
                 let cells = (rows[0]..=rows[1]).flat_map(|r| (range[0]..=range[1]).map(move |c| (r, c)));
                 let asked: f64 = cells.map(cell).sum();
-                assert!((sums.sum(column, &[rows, range]) - asked).abs() < 1e-12 * asked);
+                let place = |offset: i64| (column as i64 + offset) as usize;
+                let found = sums.sum(height, place(range[0]), place(range[1] + 1));
+                assert!((found - asked).abs() < 1e-12 * asked);
             }
             sums.slide_from(row);
         }

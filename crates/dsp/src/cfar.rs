@@ -22,6 +22,7 @@
 
 use crate::axes::checked_shape;
 use crate::box_sums::BoxSums;
+use crate::cell_means::LookUp;
 use crate::cfar_threshold::threshold_factor;
 use crate::correlated_cells::{Correlation, Rectangle, Region};
 use crate::images::Images;
@@ -64,6 +65,8 @@ struct Zones {
     of_kind: Vec<Vec<Zone>>,
     /// By row.
     kinds: Vec<usize>,
+    /// Rows of all rectangles that noise is taken from.
+    heights: Vec<[i64; 2]>,
 }
 
 impl Zones {
@@ -78,6 +81,8 @@ impl Zones {
 struct Zone {
     /// One region, or two halves.
     regions: Vec<Region>,
+    /// Of the first and the last of them.
+    look_ups: [LookUp; 2],
     /// Over the mean, the chosen mean, or the cell of this rank.
     factor: f64,
     /// Rank of the cell that is compared, counted from 1.
@@ -102,16 +107,15 @@ impl Cfar {
             Detector::OsCfar => {
                 let usual = typical(power);
                 let above: Vec<f64> = power.par_iter().map(|x| f64::from(u8::from(*x >= usual))).collect();
-                self.by_rows(&above, |sums, row, column| {
-                    let level = self.level(power, floor, row, column);
-                    !(level <= usual && self.lie_above(sums, row, column))
-                        && self.passes_ordered(power, level, row, column)
+                self.by_rows(&above, |sums, zone, [row, column]| {
+                    // y > α(x_k + floor) holds where k cells at least lie below y/α − floor.
+                    let level = power[row * self.samples + column] / zone.factor - floor;
+                    !(level <= usual && zone.lie_above(sums)) && self.passes_ordered(power, level, row, column)
                 })
             }
-            Detector::CaCfar | Detector::GoCfar | Detector::SoCfar => self.by_rows(power, |sums, row, column| {
-                let zone = self.zones.at(row, column);
-                power[row * self.samples + column] > zone.factor * (self.mean(sums, zone, column) + floor)
-            }),
+            Detector::CaCfar => self.by_means(power, floor, |sums, [ring, _]| ring.mean(sums)),
+            Detector::GoCfar => self.by_means(power, floor, |sums, [a, b]| a.mean(sums).max(b.mean(sums))),
+            Detector::SoCfar => self.by_means(power, floor, |sums, [a, b]| a.mean(sums).min(b.mean(sums))),
         }
     }
 
@@ -160,58 +164,30 @@ impl Cfar {
             .collect()
     }
 
+    /// Marks every cell above its factor times a mean of training cells.
+    fn by_means(&self, power: &[f64], floor: f64, mean: impl Fn(&BoxSums<'_>, &[LookUp; 2]) -> f64 + Sync) -> Vec<u8> {
+        self.by_rows(power, |sums, zone, [row, column]| {
+            power[row * self.samples + column] > zone.factor * (mean(sums, &zone.look_ups) + floor)
+        })
+    }
+
     /// Marks every cell by sums over rectangles of a map.
-    fn by_rows(&self, map: &[f64], passes: impl Fn(&BoxSums<'_>, usize, usize) -> bool + Sync) -> Vec<u8> {
-        let heights = self.heights();
+    fn by_rows(&self, map: &[f64], passes: impl Fn(&BoxSums<'_>, &Zone, [usize; 2]) -> bool + Sync) -> Vec<u8> {
         let mut mask = vec![UNTESTED; map.len()];
         mask.par_chunks_mut(ROWS * self.samples).enumerate().for_each(|(run, mask)| {
             let first = run * ROWS;
-            let mut sums = BoxSums::at_row(map, self.samples, &heights, first);
+            let mut sums = BoxSums::at_row(map, self.samples, &self.zones.heights, first);
             for (row, mask) in (first..).zip(mask.chunks_mut(self.samples)) {
-                for (column, state) in mask.iter_mut().enumerate() {
-                    if self.tested[column] {
-                        *state = if passes(&sums, row, column) { DETECTED } else { TESTED };
+                let zones = &self.zones.of_kind[self.zones.kinds[row]];
+                for (column, ((state, zone), tested)) in mask.iter_mut().zip(zones).zip(&self.tested).enumerate() {
+                    if *tested {
+                        *state = if passes(&sums, zone, [row, column]) { DETECTED } else { TESTED };
                     }
                 }
                 sums.slide_from(row);
             }
         });
         mask
-    }
-
-    /// Rows of all rectangles that noise is taken from.
-    fn heights(&self) -> Vec<[i64; 2]> {
-        let rectangles = |region: &Region| [Some(region.whole[0]), region.hole.map(|hole| hole[0])];
-        let zones = self.zones.of_kind.iter().flatten();
-        let mut heights: Vec<[i64; 2]> =
-            zones.flat_map(|zone| zone.regions.iter().flat_map(rectangles)).flatten().collect();
-        heights.sort_unstable();
-        heights.dedup();
-        heights
-    }
-
-    /// Mean of the training cells, or of the half that the detector chooses.
-    #[inline]
-    fn mean(&self, sums: &BoxSums<'_>, zone: &Zone, column: usize) -> f64 {
-        let mean = |region: &Region| {
-            let hole = region.hole.as_ref().map_or(0.0, |hole| sums.sum(column, hole));
-            (sums.sum(column, &region.whole) - hole).max(0.0) / region.cells() as f64
-        };
-        self.chosen(zone.regions.iter().map(mean))
-    }
-
-    /// y/α − floor: y > α(x_k + floor) holds where k cells at least lie below it.
-    fn level(&self, power: &[f64], floor: f64, row: usize, column: usize) -> f64 {
-        power[row * self.samples + column] / self.zones.at(row, column).factor - floor
-    }
-
-    /// Whether N − k + 1 training cells at least are counted, in sums of ones and zeros: then what lies no higher than they do
-    /// does not pass, and in noise that is a look at almost every cell.
-    #[inline]
-    fn lie_above(&self, counts: &BoxSums<'_>, row: usize, column: usize) -> bool {
-        let Zone { regions, rank, .. } = self.zones.at(row, column);
-        let hole = regions[0].hole.as_ref().map_or(0.0, |hole| counts.sum(column, hole));
-        counts.sum(column, &regions[0].whole) - hole > (regions[0].cells() - rank) as f64 + 0.5
     }
 
     /// No cell need be sorted, and the count ends as soon as N − k + 1 cells lie above the level.
@@ -241,6 +217,16 @@ impl Cfar {
             at = if at + 1 == self.chirps { 0 } else { at + 1 };
         }
         true
+    }
+}
+
+impl Zone {
+    /// Whether N − k + 1 training cells at least are counted, in sums of ones and zeros: then what lies no higher than they do
+    /// does not pass, and in noise that is a look at almost every cell.
+    #[inline]
+    fn lie_above(&self, counts: &BoxSums<'_>) -> bool {
+        let ring = &self.look_ups[0];
+        ring.sum(counts) > ring.cells() - self.rank as f64 + 0.5
     }
 }
 
@@ -300,18 +286,32 @@ fn zones(header: &CubeHeader) -> Result<Zones, DspError> {
     let mut different = places.concat();
     different.sort_unstable();
     different.dedup();
-    let zones: Vec<Zone> = different
+    let zones: Vec<(Vec<Region>, f64, usize)> = different
         .par_iter()
         .map(|(reach, image)| {
             let mut regions = training_regions(header, [guard, outer], *reach, *image);
             regions.iter_mut().for_each(|r| r.image = r.image.filter(|_| correlation.meets_image(r)));
             let (factor, rank) = threshold(header, &correlation, &regions, channels);
-            Zone { regions, factor, rank }
+            (regions, factor, rank)
         })
         .collect();
-    let zone = |place| zones[different.binary_search(place).unwrap_or_default()].clone();
-    let of_kind = places.iter().map(|places| places.iter().map(zone).collect()).collect();
-    Ok(Zones { of_kind, kinds: images.of_rows })
+    let heights = heights(zones.iter().flat_map(|(regions, ..)| regions));
+    let zone = |(column, place): (usize, &_)| {
+        let (regions, factor, rank) = zones[different.binary_search(place).unwrap_or_default()].clone();
+        let look_up = |region: usize| LookUp::of(&regions[region], column, &heights);
+        Zone { look_ups: [look_up(0), look_up(regions.len() - 1)], regions, factor, rank }
+    };
+    let of_kind = places.iter().map(|places| places.iter().enumerate().map(zone).collect()).collect();
+    Ok(Zones { of_kind, kinds: images.of_rows, heights })
+}
+
+/// Rows of all rectangles that noise is taken from.
+fn heights<'a>(regions: impl Iterator<Item = &'a Region>) -> Vec<[i64; 2]> {
+    let rows = regions.flat_map(|region| [Some(region.whole[0]), region.hole.map(|hole| hole[0])]);
+    let mut heights: Vec<[i64; 2]> = rows.flatten().collect();
+    heights.sort_unstable();
+    heights.dedup();
+    heights
 }
 
 /// The ring of CA and OS, or the halves of GO and SO that have cells, where the range axis reaches this far both ways and the cell

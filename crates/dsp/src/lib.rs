@@ -85,6 +85,7 @@ mod images;
 pub mod noise_estimate;
 pub mod cfar_threshold;
 mod box_sums;
+mod cell_means;
 pub mod cfar;
 pub mod interpolation;
 pub mod peaks;

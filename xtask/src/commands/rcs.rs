@@ -15,7 +15,7 @@ use crate::cli::{
 };
 use crate::failure::Failure;
 use crate::output;
-use crate::processor_time::WorkClock;
+use crate::processor_time::{Counted, WorkClock};
 use crate::progress::{self, Work};
 use crate::stages::Stage;
 use answer::{Answer, Took};
@@ -50,7 +50,12 @@ pub(crate) fn run(arguments: &RcsArguments) -> Result<(), Failure> {
     NpyStream::write::<Complex64>(&arguments.out, &shape, |stream| stream.append(&answer.amplitude_m))?;
     let answer = Answer { cached: checkpoint.aspects(), ..answer };
     let samplings = arguments.pictures.then(|| Samplings::of(&mesh, &request));
-    let took = Took { load, total: start.elapsed().as_secs_f64(), counted: clock.counted() };
+    let took = Took {
+        load,
+        total: start.elapsed().as_secs_f64(),
+        processor_total: (clock.counted() == Counted::Processor).then(|| clock.seconds()),
+        counted: clock.counted(),
+    };
     let mut described = answer.json(arguments, &mesh, &took);
     described["pictures"] = samplings.as_ref().map_or(Value::Null, Samplings::json);
     sidecar::write_of_table(&arguments.out, &described)?;

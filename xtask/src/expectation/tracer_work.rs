@@ -70,6 +70,9 @@ fn add_like(header: &SceneHeader, look: &Look, work: &mut Work) {
 fn add_sliding(look: &Look, work: &mut Work) {
     work.add(Item::SlidingBeams, look.facets * look.work.sliding_beams);
     work.add(Item::SlidingTiles, look.facets * look.work.sliding_tiles);
+    work.add(Item::MovingBeams, look.facets * look.work.moving_beams);
+    work.add(Item::MovingTiles, look.facets * look.work.moving_tiles);
+    work.add(Item::MovingCells, look.cells * look.work.moving_cells);
 }
 
 fn add_tiles(header: &SceneHeader, look: &Look, work: &mut Work) {

@@ -35,6 +35,10 @@ pub(crate) enum Item {
     /// Lit polygons and tiles of ways between bodies that move against each other, times the wavelengths that they slide.
     SlidingBeams,
     SlidingTiles,
+    /// The same however far they slide, and cells of such ways.
+    MovingBeams,
+    MovingTiles,
+    MovingCells,
     /// Lit polygons over a road that mirrors, and those whose edges diffract.
     RoadBeams,
     EdgeBeams,
@@ -73,6 +77,9 @@ impl Item {
         Self::Cells,
         Self::SlidingBeams,
         Self::SlidingTiles,
+        Self::MovingBeams,
+        Self::MovingTiles,
+        Self::MovingCells,
         Self::RoadBeams,
         Self::EdgeBeams,
         Self::LossyTiles,

@@ -42,10 +42,19 @@ pub struct ExpectedWork {
     pub sliding_beams: f64,
     /// The same of the paths' tiles.
     pub sliding_tiles: f64,
+    /// Lit polygons, paths' tiles and smaller cells of such ways, however far the bodies slide.
+    pub moving_beams: f64,
+    /// As above.
+    pub moving_tiles: f64,
+    /// As above.
+    pub moving_cells: f64,
 }
 
 /// Kerbs, rails and the like have such polygons, vehicles but for their largest panels do not.
 const LONG_M: f64 = 2.0;
+
+/// Wavelengths that bodies have to slide past each other for a frame to be split in time: an eighth there and back is a quarter cycle.
+const LEAST_SLIDE: f64 = 0.125;
 
 /// Facets and mirrors of an order that are looked at.
 const SAMPLE: usize = 256;
@@ -93,10 +102,16 @@ impl ExpectedWork {
                 self.long_tiles += each * fine;
             }
             self.largest_cells += each * polygon.cells(cell_m);
-            self.smaller_cells += each * polygon.cells((cell_m / 3.0).max(plan.band.wavelength_m()));
+            let smaller_cells = polygon.cells((cell_m / 3.0).max(plan.band.wavelength_m()));
+            self.smaller_cells += each * smaller_cells;
             let slide = slide_wavelengths(sampled, beam, scatterer.world, plan);
             self.sliding_beams += each * slide;
             self.sliding_tiles += each * slide * tiles;
+            if slide > LEAST_SLIDE {
+                self.moving_beams += each;
+                self.moving_tiles += each * tiles;
+                self.moving_cells += each * smaller_cells;
+            }
         }
     }
 }

@@ -3,6 +3,7 @@
 mod child;
 mod fit;
 mod random_scenes;
+mod table;
 
 use crate::cache::project_root;
 use crate::chain::Chain;
@@ -10,45 +11,45 @@ use crate::cli::{BenchArguments, SceneArguments};
 use crate::commands::load;
 use crate::expectation::{Expectation, work::Item};
 use crate::failure::Failure;
+use crate::memory_estimate::Load;
 use crate::output;
 use crate::plan::FramePlan;
+use crate::processor_time;
 use child::Taken;
 use random_scenes::RandomScene;
-use serde_json::Value;
 use std::path::Path;
 
 /// One scene.
 struct Row {
     scene: RandomScene,
     expected: Expectation,
-    taken: Taken,
-    /// What the memory of its largest frame goes into.
-    held: Held,
-    /// Paths of all frames, and seconds of its stages by the clock: bart_rcs, fmcw_echo, dsp.
-    paths: f64,
-    stages_s: [f64; 3],
-}
-
-/// Of the frame whose tracing is expected to hold most.
-struct Held {
+    /// Processor seconds that it took to expect it.
+    look_s: f64,
+    /// What the memory of its largest frame goes into, and how many frames are computed at a time.
+    load: Load,
     at_once: usize,
-    signal_mib: f64,
-    facets: f64,
-    beams: f64,
-    cells: f64,
+    taken: Taken,
 }
 
+/// Scenes that a file has already are not run again, only expected anew: their times hold for what is said now as well.
 pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
     let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
+    let known = arguments.out.as_deref().map(table::taken).transpose()?.unwrap_or_default();
+    let scenes = (0..arguments.scenes).map(|number| random_scenes::scene(arguments.seed, number, &project_root()));
+    let (old, new): (Vec<_>, Vec<_>) = scenes.partition(|scene| known.contains_key(&scene.name));
     let mut rows = Vec::new();
-    for number in 0..arguments.scenes {
-        let scene = random_scenes::scene(arguments.seed, number, &project_root());
-        if let Some(row) = row(scene, folder.path())? {
-            output::line(line(&row));
-            rows.push(row);
+    for scene in old.into_iter().chain(new) {
+        let known = known.get(&scene.name);
+        let Some(row) = row(scene, folder.path(), known)? else { continue };
+        output::line(line(&row));
+        rows.push(row);
+        if let (Some(file), None) = (&arguments.out, known) {
+            // Hours of work are not lost with its last scene.
+            table::write(file, &rows)?;
         }
-        // Hours of work are not lost with its last scene.
-        arguments.out.iter().try_for_each(|file| output::write_file(file, csv(&rows).as_bytes()))?;
+    }
+    if let Some(file) = &arguments.out {
+        table::write(file, &rows)?;
     }
     quantiles(&rows).into_iter().for_each(output::line);
     let runs: Vec<fit::Run> = rows.iter().map(Row::at_reference_speed).collect();
@@ -65,7 +66,7 @@ impl Row {
     }
 }
 
-/// Of what was said over what was taken.
+/// What was said over what was taken.
 fn quantiles(rows: &[Row]) -> Vec<String> {
     let told = |name: &str, ratio: &dyn Fn(&Row) -> f64| {
         let mut ratios: Vec<f64> = rows.iter().map(ratio).collect();
@@ -73,10 +74,12 @@ fn quantiles(rows: &[Row]) -> Vec<String> {
         let at = |share: f64| ratios.get((share * (ratios.len().max(1) - 1) as f64).round() as usize).copied();
         let at = [0.0, 0.05, 0.25, 0.5, 0.75, 0.95, 1.0].map(|share| at(share).unwrap_or(f64::NAN));
         let within = ratios.iter().filter(|ratio| (0.5..=2.0).contains(*ratio)).count();
+        let below = ratios.iter().filter(|ratio| **ratio < 1.0).count();
         let told: Vec<String> = at.iter().map(|ratio| format!("{ratio:.2}")).collect();
         let of = ratios.len();
         format!(
-            "{name}, said over taken: quantiles 0, 5, 25, 50, 75, 95, 100 %: {}; {within} of {of} within a factor of 2",
+            "{name}, said over taken: quantiles 0, 5, 25, 50, 75, 95, 100 %: {}; {within} of {of} within a factor of 2, \
+             {below} below 1",
             told.join(" ")
         )
     };
@@ -86,45 +89,32 @@ fn quantiles(rows: &[Row]) -> Vec<String> {
     ]
 }
 
-fn row(scene: RandomScene, folder: &Path) -> Result<Option<Row>, Failure> {
-    let file = folder.join("random.toml");
+fn row(scene: RandomScene, folder: &Path, known: Option<&Taken>) -> Result<Option<Row>, Failure> {
+    // A file each: what was read is an input, and no input is written to.
+    let file = folder.join(format!("{}.toml", scene.name));
     output::write_file(&file, scene.text.as_bytes())?;
-    let (expected, held) = expected(&file)?;
-    let out = folder.join("out");
-    let Some(taken) = child::run(&file, &out, scene.threads)? else { return Ok(None) };
-    let text = std::fs::read(out.join("summary.json")).map_err(|e| Failure::system(&out, "read", e))?;
-    let summary: Value = serde_json::from_slice(&text).map_err(Failure::refused)?;
-    let frames = || summary["frames"].as_array().into_iter().flatten();
-    let paths = frames().filter_map(|frame| frame["paths"].as_f64()).sum();
-    let seconds = |stage: &str| frames().filter_map(|frame| frame["stage_seconds"][stage].as_f64()).sum();
-    let stages_s = ["bart_rcs", "fmcw_echo", "dsp"].map(seconds);
-    Ok(Some(Row { scene, expected, taken, held, paths, stages_s }))
+    let before_s = processor_time::of_process();
+    let (expected, load, at_once) = expected(&file)?;
+    let look_s = processor_time::of_process().zip(before_s).map_or(f64::NAN, |(after, before)| after - before);
+    let taken = match known {
+        Some(taken) => Some(*taken),
+        None => child::run(&file, &folder.join("out"), scene.threads)?,
+    };
+    Ok(taken.map(|taken| Row { scene, expected, look_s, load, at_once, taken }))
 }
 
 /// As `run --dry-run` says it.
-fn expected(file: &Path) -> Result<(Expectation, Held), Failure> {
+fn expected(file: &Path) -> Result<(Expectation, Load, usize), Failure> {
     let arguments = SceneArguments { scene: file.to_owned(), model: None, radar: None, seed: None };
     let loaded = load::scene(&arguments, None)?;
     let model = load::model(None)?;
     let chain = Chain::of(&loaded.header, None, model.as_ref());
     let plans: Vec<FramePlan> = (0..loaded.header.frames).map(|index| chain.plan(index)).collect();
-    Ok((Expectation::of(&chain, None, &plans)?, held(&chain, &plans)?))
-}
-
-fn held(chain: &Chain, plans: &[FramePlan]) -> Result<Held, Failure> {
-    let (at_once, signal_mib) = (chain.side_by_side(plans)?, crate::memory::mib(chain.signal_bytes()));
-    let mut most = Held { at_once, signal_mib, facets: 0.0, beams: 0.0, cells: 0.0 };
-    for plan in plans {
-        let look = chain.looks.of(chain, plan.index)?;
-        most.facets = most.facets.max(look.facets * look.work.facets);
-        most.beams = most.beams.max(look.facets * (look.work.beams[0] + look.work.beams[1]));
-        most.cells = most.cells.max(look.cells * look.work.smaller_cells);
-    }
-    Ok(most)
+    Ok((Expectation::of(&chain, None, &plans)?, chain.largest_load(&plans)?, chain.side_by_side(&plans)?))
 }
 
 fn line(row: &Row) -> String {
-    let Taken { processor_s, peak_mib } = row.taken;
+    let Taken { processor_s, peak_mib, .. } = row.taken;
     let Expectation { seconds, memory_mib, .. } = row.expected;
     format!(
         "{}: {seconds:.1} s said, {processor_s:.1} s taken, × {:.2}; {memory_mib:.0} MiB said, {peak_mib:.0} held, × {:.2}",
@@ -132,28 +122,4 @@ fn line(row: &Row) -> String {
         seconds / processor_s,
         memory_mib / peak_mib
     )
-}
-
-const HELD: &str = "at_once,signal_mib,facets,beams,cells,paths,bart_rcs_s,fmcw_echo_s,dsp_s";
-
-fn csv(rows: &[Row]) -> String {
-    let counts: Vec<String> = Item::ALL.iter().map(|item| format!("{item:?}")).collect();
-    let mut text = format!("scene,threads,said_s,taken_s,said_mib,taken_mib,{HELD},{}\n", counts.join(","));
-    for Row { scene, expected, taken, held, paths, stages_s } in rows {
-        let Held { at_once, signal_mib, facets, beams, cells } = held;
-        let [bart_rcs_s, fmcw_echo_s, dsp_s] = stages_s;
-        let threads = scene.threads.map_or("all".into(), |n| n.to_string());
-        let counts: Vec<String> = expected.work.0.iter().map(|count| format!("{count:.0}")).collect();
-        text += &format!(
-            "{},{threads},{:.3},{:.3},{:.1},{:.1},{at_once},{signal_mib:.1},{facets:.0},{beams:.0},{cells:.0},{paths},\
-             {bart_rcs_s:.3},{fmcw_echo_s:.3},{dsp_s:.3},{}\n",
-            scene.name,
-            expected.seconds,
-            taken.processor_s,
-            expected.memory_mib,
-            taken.peak_mib,
-            counts.join(",")
-        );
-    }
-    text
 }

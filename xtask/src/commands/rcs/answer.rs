@@ -19,7 +19,9 @@ pub(super) struct Took {
     pub(super) load: f64,
     /// By the clock on the wall.
     pub(super) total: f64,
-    /// What all but the total are told by.
+    /// Of all threads on processors, in this run; `None` where the system does not tell that.
+    pub(super) processor_total: Option<f64>,
+    /// What all but the totals are told by.
     pub(super) counted: Counted,
 }
 
@@ -73,7 +75,7 @@ impl Answer {
                 "triangles_traced": mesh.triangles.len() },
             "seconds": { "load": took.load, "build": self.build_seconds, "trace": self.trace_seconds,
                 "integrate": self.integrate_seconds, "check": self.check_seconds, "total": took.total,
-                "counted": took.counted.name() },
+                "processor_total": took.processor_total, "counted": took.counted.name() },
             "cached": self.cached,
             "beams": self.beams,
             "peak_memory_mib": crate::memory::peak_mib(),

@@ -1,15 +1,27 @@
 //! One run of the program as a process of its own: its processor time and its largest size are that run's alone.
 
 use crate::failure::Failure;
+use artifact::Reader;
+use artifact::paths::{Paths, PathsFrame};
+use serde_json::Value;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
-/// What a run took.
+/// What a run took, and what its tracer found.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Taken {
     pub(super) processor_s: f64,
     pub(super) peak_mib: f64,
+    /// Paths, and lit polygons of the frames' middles; of all frames.
+    pub(super) paths: f64,
+    pub(super) beams: f64,
+    /// Most that a frame was traced at.
+    pub(super) moments: f64,
+    /// Most that a frame's tracer says that it held.
+    pub(super) traced_mib: f64,
+    /// By the clock: bart_rcs, fmcw_echo, dsp.
+    pub(super) stages_s: [f64; 3],
 }
 
 /// `run` of a scene without a cache; `None` where the system does not tell what a process took.
@@ -20,14 +32,42 @@ pub(super) fn run(scene: &Path, out: &Path, threads: Option<u16>) -> Result<Opti
     command.args(threads.iter().flat_map(|n| ["--threads".to_owned(), n.to_string()]));
     let before = of_children();
     let system = |e: std::io::Error| Failure::System(format!("{}: cannot be run: {e}", scene.display()));
+    let _ = std::fs::remove_dir_all(out);
     let mut child = command.stdout(Stdio::null()).spawn().map_err(system)?;
     let peak_mib = watch(&mut child).map_err(system)?;
     let status = child.wait().map_err(system)?;
     if !status.success() {
         return Err(Failure::refused(format!("{}: {status}", scene.display())));
     }
-    let taken = |((before, after), peak_mib): ((f64, f64), f64)| Taken { processor_s: after - before, peak_mib };
-    Ok(before.zip(of_children()).zip(peak_mib).map(taken))
+    let Some(((before_s, after_s), peak_mib)) = before.zip(of_children()).zip(peak_mib) else { return Ok(None) };
+    told(out, after_s - before_s, peak_mib).map(Some)
+}
+
+fn told(out: &Path, processor_s: f64, peak_mib: f64) -> Result<Taken, Failure> {
+    let text = std::fs::read(out.join("summary.json")).map_err(|e| Failure::system(out, "read", e))?;
+    let summary: Value = serde_json::from_slice(&text).map_err(Failure::refused)?;
+    let frames = || summary["frames"].as_array().into_iter().flatten();
+    let seconds = |stage: &str| frames().filter_map(|frame| frame["stage_seconds"][stage].as_f64()).sum();
+    let stages_s = ["bart_rcs", "fmcw_echo", "dsp"].map(seconds);
+    let mut taken = Taken { processor_s, peak_mib, paths: 0.0, beams: 0.0, moments: 1.0, traced_mib: 0.0, stages_s };
+    // A scene of tables has no paths.
+    let file = out.join("frames.paths");
+    if file.is_file() {
+        for frame in Reader::<Paths>::open_own(&file)? {
+            taken.add(&frame?);
+        }
+    }
+    Ok(taken)
+}
+
+impl Taken {
+    fn add(&mut self, frame: &PathsFrame) {
+        self.paths += frame.paths.len() as f64;
+        self.beams += frame.trace.beams.iter().sum::<u64>() as f64;
+        let moments = frame.trace.fineness.as_ref().map_or(1, |fineness| fineness.moments);
+        self.moments = self.moments.max(f64::from(moments));
+        self.traced_mib = self.traced_mib.max(crate::memory::mib(frame.trace.bytes));
+    }
 }
 
 /// The largest size that is seen until the process ends: the system keeps the maximum, so only what grows in the last

@@ -1,5 +1,6 @@
-//! The rates that tell some runs best: least squares of the logarithms, so that a factor of two counts alike whether a run takes a
-//! tenth of a second or a minute, and held to the rates that are, so that work which few scenes have keeps its own.
+//! The rates that tell some runs best: of the logarithms, so that a factor of two counts alike whether a run takes a tenth of a
+//! second or a minute; small errors by their squares and large ones by their size (Charbonnier's loss), so that no single run decides;
+//! and held to the rates that are, so that work which few scenes have keeps its own.
 
 use crate::expectation::work::{ITEMS, Work};
 
@@ -11,6 +12,8 @@ pub(super) struct Run {
 
 /// A rate that differs by e from what it was counts as this many runs that are wrong by e.
 const HELD: f64 = 0.1;
+/// Errors of a logarithm beyond this count by their size: half as much again.
+const LARGE: f64 = 0.4;
 /// Rounds through all rates; the step of a logarithm is halved where a round gains nothing.
 const ROUNDS: usize = 400;
 
@@ -40,7 +43,8 @@ pub(super) fn rates(runs: &[Run], before: [f64; ITEMS]) -> [f64; ITEMS] {
 fn misfit(runs: &[Run], before: &[f64; ITEMS], rates: &[f64; ITEMS]) -> f64 {
     let missed = |run: &Run| {
         let told: f64 = rates.iter().zip(&run.work.0).map(|(rate, count)| rate * count).sum();
-        (told / run.seconds).ln().powi(2)
+        let error = (told / run.seconds).ln() / LARGE;
+        2.0 * LARGE * LARGE * ((1.0 + error * error).sqrt() - 1.0)
     };
     let moved = rates.iter().zip(before).map(|(rate, before)| HELD * (rate / before).ln().powi(2));
     runs.iter().map(missed).sum::<f64>() + moved.sum::<f64>()

@@ -46,7 +46,7 @@ pub(super) fn scene(seed: u64, number: u64, root: &Path) -> RandomScene {
 fn radar(draw: &mut Draw, text: &mut String) {
     let preset = draw.one_of(&["1x1", "1x1", "3x4", "3x4", "3x4", "3x4", "12x16"]);
     let chirps = draw.one_of(&[32, 64, 128, 128]);
-    let samples = draw.one_of(&[128, 256, 256, 512]);
+    let samples = if preset == "12x16" { draw.one_of(&[128, 256]) } else { draw.one_of(&[128, 256, 256, 512]) };
     let multiplexing = draw.one_of(&["simultaneous", "simultaneous", "tdm"]);
     // Twelve transmitters in turn take longer than from one frame to the next.
     let multiplexing = if preset == "12x16" { "simultaneous" } else { multiplexing };
@@ -61,12 +61,14 @@ fn radar(draw: &mut Draw, text: &mut String) {
 }
 
 fn bodies(draw: &mut Draw, root: &Path, text: &mut String) {
-    let frames = draw.one_of(&[1, 1, 1, 1, 1, 1, 2, 3, 5]);
+    let count = draw.one_of(&[1, 1, 1, 1, 1, 2, 2, 2, 3, 4, 6]);
+    // Many vehicles stand in few frames, and are asked for less.
+    let frames = if count < 3 { draw.one_of(&[1, 1, 1, 1, 1, 1, 2, 3, 5]) } else { draw.one_of(&[1, 1, 1, 2]) };
     let _ = writeln!(text, "frames = {frames}");
     radar(draw, text);
-    let count = draw.one_of(&[1, 1, 1, 1, 1, 2, 2, 2, 3, 4, 6]);
-    let bounces = draw.one_of(&[1, 1, 2, 3]);
-    let accuracy_db = (10.0 * draw.between(-30.0, -10.0).max(draw.between(-30.0, -10.0))).round() / 10.0;
+    let bounces = if count < 4 { draw.one_of(&[1, 1, 2, 3]) } else { draw.one_of(&[1, 1, 2]) };
+    let finest_db = [-30.0, -24.0, -18.0][(count - 1).min(2)];
+    let accuracy_db = (10.0 * draw.between(finest_db, -10.0).max(draw.between(finest_db, -10.0))).round() / 10.0;
     let measured_every = draw.one_of(&[1, 2, 5]);
     let _ = write!(
         text,
@@ -143,9 +145,9 @@ fn clutter(draw: &mut Draw, text: &mut String) {
 /// Some tenths of a second of the project's own junction.
 fn traffic(draw: &mut Draw, root: &Path, text: &mut String) {
     let begin_s = draw.0.random_range(0..580) as f64 / 10.0;
-    let frames = draw.one_of(&[1, 1, 2, 3]);
+    let frames = draw.one_of(&[1, 1, 1, 2]);
     radar(draw, text);
-    let view_range_m = draw.between(30.0, 45.0);
+    let view_range_m = draw.between(28.0, 40.0);
     let _ = write!(
         text,
         "[fidelity]\naccuracy_db = -10.0\nbounces = 1\nmeasured_every = {}\n[traffic]\nfcd = {:?}\nbegin_s = {begin_s:.1}\n\
