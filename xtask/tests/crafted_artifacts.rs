@@ -143,7 +143,7 @@ fn try_command(place: &Workplace, words: &str, about: &str) {
     if !(ended.status.success() || ended.is_refused()) {
         let kept = std::env::temp_dir().join("wayside-crafted");
         std::fs::copy(place.path("F"), &kept).unwrap();
-        let (kept, Ended { status, said, after }) = (kept.display(), ended);
+        let (kept, Ended { status, said, after, .. }) = (kept.display(), ended);
         panic!("{words}: {about}, kept as {kept}: {status} after {after:?}: {said}");
     }
 }

@@ -15,6 +15,8 @@ const LONGEST_WAIT: Duration = Duration::from_secs(1200);
 /// How a command ended.
 pub(crate) struct Ended {
     pub(crate) status: ExitStatus,
+    /// On standard output.
+    pub(crate) printed: String,
     /// On standard error.
     pub(crate) said: String,
     pub(crate) after: Duration,
@@ -32,8 +34,8 @@ pub(crate) fn run(folder: &Path, words: impl IntoIterator<Item = impl AsRef<OsSt
     let bounds = format!("ulimit -v {MOST_KIB}; ulimit -t {LONGEST_PROCESSOR_S}; exec \"$@\"");
     let mut command = Command::new("sh");
     command.args(["-c", &bounds, "sh", env!("CARGO_BIN_EXE_xtask")]).args(words).current_dir(folder);
-    let log = std::fs::File::create(folder.join("said")).unwrap();
-    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(log);
+    let [log, output] = ["said", "printed"].map(|name| std::fs::File::create(folder.join(name)).unwrap());
+    command.stdin(Stdio::null()).stdout(output).stderr(log);
     let start = Instant::now();
     let mut child = command.spawn().unwrap();
     let status = loop {
@@ -46,6 +48,7 @@ pub(crate) fn run(folder: &Path, words: impl IntoIterator<Item = impl AsRef<OsSt
             None => std::thread::sleep(Duration::from_millis(2)),
         }
     };
-    let said = String::from_utf8_lossy(&std::fs::read(folder.join("said")).unwrap()).into_owned();
-    Ended { status, said, after: start.elapsed() }
+    let [said, printed] = ["said", "printed"]
+        .map(|name| String::from_utf8_lossy(&std::fs::read(folder.join(name)).unwrap()).into_owned());
+    Ended { status, printed, said, after: start.elapsed() }
 }
