@@ -45,10 +45,16 @@ impl Tokens {
     }
 }
 
+/// A longer text is not taken apart again: its words would take this program more memory than the reader is allowed.
+const LONGEST_CHANGED: usize = 1 << 22;
+
 /// One to four changes of words and lines; `words` are those of the format.
 pub(crate) fn changed(noise: &mut Noise, text: &[u8], words: &[&str]) -> Vec<u8> {
     let mut bytes = text.to_vec();
     for _ in 0..=noise.below(4) {
+        if bytes.len() > LONGEST_CHANGED {
+            break;
+        }
         if noise.one_in(3) {
             bytes = with_lines_changed(noise, &bytes);
         } else {
