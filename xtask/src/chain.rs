@@ -102,8 +102,9 @@ impl LoadedModel {
     ) -> Result<Vec<[f32; 4]>, Failure> {
         let cropper = dsp::Cropper::new(header, rdm, &self.header.format).map_err(Failure::refused)?;
         let mut rows = Vec::with_capacity(points.objects.len());
-        for objects in points.objects.chunks(CROPS) {
-            let crops: Vec<_> = objects.par_iter().map(|object| cropper.crop(object)).collect();
+        let objects: Vec<u32> = (0..).take(points.objects.len()).collect();
+        for objects in objects.chunks(CROPS) {
+            let crops: Vec<_> = objects.par_iter().map(|object| cropper.crop_among(points, *object)).collect();
             let crops = crops.into_iter().collect::<Result<Vec<_>, _>>().map_err(Failure::refused)?;
             rows.extend(self.probabilities(&crops)?);
         }

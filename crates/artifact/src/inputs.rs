@@ -27,6 +27,16 @@ pub fn note(file: &Path) {
     }
 }
 
+/// BLAKE3 of what a plain file holds, in hexadecimal digits; by pieces: a recording may be larger than memory.
+///
+/// # Errors
+/// It is unreadable or no plain file.
+pub fn content_hash(file: &Path) -> Result<String> {
+    let mut hasher = blake3::Hasher::new();
+    std::io::copy(&mut open(file)?, &mut hasher)?;
+    Ok(hasher.finalize().to_hex().to_string())
+}
+
 /// The name by which a file was read that `about` tells of, if it is an input.
 pub(crate) fn known(file: &Path, about: &Metadata) -> Option<PathBuf> {
     let asked = identity(file, about)?;

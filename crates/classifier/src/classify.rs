@@ -2,23 +2,18 @@
 
 use crate::ClassifierError;
 use crate::layout::Layout;
-use crate::network::{self, Logits, Network};
+use crate::network::{Logits, Network};
 use crate::parameters::Parameters;
 use crate::pooling::pool;
 use artifact::dataset::Crop;
 use artifact::model::{ModelHeader, Weights};
-use burn::module::Module;
-use burn::tensor::Device;
-
-/// Crops in one pass through the network: more than this no longer saves time, and costs 100 MB at side 128 and more.
-const BATCH: usize = 20;
+use rayon::prelude::*;
 
 /// A trained network, ready to classify.
 #[derive(Debug)]
 pub struct Classifier {
     layout: Layout,
     network: Network,
-    device: Device,
 }
 
 impl Classifier {
@@ -32,46 +27,42 @@ impl Classifier {
     ///
     /// The crops must be of the model's [`artifact::dataset::CropFormat`].
     pub fn probabilities(&self, crops: &[Crop]) -> Result<Vec<[f32; 4]>, ClassifierError> {
-        let mut rows = Vec::with_capacity(crops.len());
-        for (batch, crops) in crops.chunks(BATCH).enumerate() {
-            let pooled = crops
-                .iter()
-                .enumerate()
-                .map(|(i, crop)| pooled_crop(crop, &self.layout, batch * BATCH + i))
-                .collect::<Result<Vec<_>, _>>()?;
-            rows.extend(self.logits(&pooled)?.into_iter().map(|l| softmax(l).map(|p| p as f32)));
-        }
-        Ok(rows)
+        // Every crop is looked at before any is answered, so that the first that is off is told on any number of threads.
+        crops.iter().enumerate().try_for_each(|(index, crop)| check_pixels(crop, &self.layout, index))?;
+        let answer = |crop: &Crop| {
+            let pooled = pool(&crop.pixels, self.layout.crop_side, self.layout.input_side);
+            softmax(self.network.logits(&pooled)).map(|p| p as f32)
+        };
+        Ok(crops.par_iter().map(answer).collect())
     }
 
-    pub(crate) fn from_parameters(layout: Layout, parameters: &Parameters) -> Result<Self, ClassifierError> {
-        let device = Device::flex();
-        let network = Network::new(&layout, parameters, &device)?.valid();
-        Ok(Self { layout, network, device })
+    /// The network with these parameters; refused where a tensor is missing.
+    pub fn from_parameters(layout: Layout, parameters: &Parameters) -> Result<Self, ClassifierError> {
+        Ok(Self { layout, network: Network::new(&layout, parameters)? })
     }
 
-    pub(crate) fn layout(&self) -> &Layout {
+    /// What it expects.
+    pub fn layout(&self) -> &Layout {
         &self.layout
     }
 
     /// Logits of crops already pooled to the network's input.
-    pub(crate) fn logits(&self, pooled: &[impl AsRef<[u8]>]) -> Result<Vec<Logits>, ClassifierError> {
-        let mut rows = Vec::with_capacity(pooled.len());
-        for batch in pooled.chunks(BATCH) {
-            let input = network::input(batch, self.layout.input_side, &self.device);
-            rows.extend(network::logits(self.network.forward(input))?);
-        }
-        Ok(rows)
+    ///
+    /// Each must hold `input_side`² grey levels.
+    pub fn logits(&self, pooled: &[impl AsRef<[u8]> + Sync]) -> Vec<Logits> {
+        pooled.par_iter().map(|levels| self.network.logits(levels.as_ref())).collect()
     }
 }
 
 /// A crop at the network's resolution; `index` names it where it is refused.
 pub(crate) fn pooled_crop(crop: &Crop, layout: &Layout, index: usize) -> Result<Vec<u8>, ClassifierError> {
-    let side = layout.crop_side;
-    if crop.pixels.len() != side * side {
-        return Err(ClassifierError::CropPixels { index, found: crop.pixels.len(), side: side as u32 });
-    }
-    Ok(pool(&crop.pixels, side, layout.input_side))
+    check_pixels(crop, layout, index)?;
+    Ok(pool(&crop.pixels, layout.crop_side, layout.input_side))
+}
+
+fn check_pixels(crop: &Crop, layout: &Layout, index: usize) -> Result<(), ClassifierError> {
+    let (found, side) = (crop.pixels.len(), layout.crop_side);
+    if found == side * side { Ok(()) } else { Err(ClassifierError::CropPixels { index, found, side: side as u32 }) }
 }
 
 /// e^l / Σ e^l in double precision, the largest logit taken off first so that nothing overflows.

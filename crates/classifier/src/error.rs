@@ -1,6 +1,7 @@
 use artifact::ArtifactError;
 use artifact::dataset::Split;
 use artifact::settings::Class;
+use std::path::PathBuf;
 
 /// What can be wrong with crops, settings, a dataset or a model.
 #[derive(Debug, thiserror::Error)]
@@ -28,12 +29,14 @@ pub enum ClassifierError {
         /// As given.
         found: f64,
     },
-    /// A part of the split that is needed holds no labelled sample.
-    #[error("no labelled sample in split {0:?}")]
-    EmptySplit(Split),
-    /// The network cannot learn what it never sees.
-    #[error("no sample of class {} in the training split", .0.name())]
-    MissingClass(Class),
+    /// Shards of a dataset that do not belong together.
+    #[error("{}: differs from {}: all shards of a dataset have one format of crops", shard.display(), first.display())]
+    ShardFormat {
+        /// The one that differs.
+        shard: PathBuf,
+        /// That it is compared with.
+        first: PathBuf,
+    },
     /// Samples of one scene look alike: a split goes by scene, or the test knows its answers.
     #[error("scene {scene} is in split {first:?} and in split {second:?}: a scene belongs to one")]
     SceneInTwoSplits {
@@ -54,12 +57,6 @@ pub enum ClassifierError {
         first: String,
         /// Its copy.
         second: String,
-    },
-    /// The loss is no number any more.
-    #[error("training diverged at iteration {iteration}: the loss is not finite; lower the learning rate")]
-    Diverged {
-        /// From 1.
-        iteration: u32,
     },
     /// A model of another layout than this program builds.
     #[error("the model's network is `{found}`, this program builds `{known}`")]
@@ -125,13 +122,5 @@ pub enum ClassifierError {
     WeightSets {
         /// In the artifact.
         found: u64,
-    },
-    /// The learning library failed.
-    #[error("the learning library cannot {doing}: {cause}")]
-    Library {
-        /// What was tried.
-        doing: &'static str,
-        /// Its words.
-        cause: Box<dyn std::error::Error + Send + Sync>,
     },
 }

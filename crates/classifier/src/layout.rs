@@ -1,6 +1,7 @@
 //! The network's shape, told by a model's header: which tensors it has and how large they are.
 
 use crate::ClassifierError;
+use crate::parameters::tensor_name;
 use artifact::dataset::CropFormat;
 use artifact::model::ModelHeader;
 use artifact::settings::Class;
@@ -16,19 +17,23 @@ const CHANNELS_LIMIT: u32 = 512;
 const SMALLEST_INPUT_SIDE: u32 = 8;
 /// Largest side of the input: bounds what a header can make this program allocate.
 const LARGEST_INPUT_SIDE: u32 = 1024;
-const KERNEL_SIDE: usize = 3;
+/// Of every convolution, pixels.
+pub(crate) const KERNEL_SIDE: usize = 3;
 
 /// A checked shape of the network.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Layout {
-    pub(crate) crop_side: usize,
-    pub(crate) input_side: usize,
-    pub(crate) channels: [usize; 3],
+pub struct Layout {
+    /// Of crops as they come, pixels.
+    pub crop_side: usize,
+    /// That they are pooled to.
+    pub input_side: usize,
+    /// Of the three convolutions.
+    pub channels: [usize; 3],
 }
 
 impl Layout {
     /// Refuses what this program cannot build.
-    pub(crate) fn of(header: &ModelHeader) -> Result<Self, ClassifierError> {
+    pub fn of(header: &ModelHeader) -> Result<Self, ClassifierError> {
         if header.architecture != ARCHITECTURE {
             return Err(ClassifierError::Architecture { found: header.architecture.clone(), known: ARCHITECTURE });
         }
@@ -41,59 +46,29 @@ impl Layout {
     }
 
     /// Side of the maps behind the third block.
-    pub(crate) fn last_side(&self) -> usize {
+    fn last_side(&self) -> usize {
         self.input_side / 2 / 2 / 2
     }
 
     /// Inputs of the fully connected layer.
-    pub(crate) fn features(&self) -> usize {
+    pub fn features(&self) -> usize {
         self.channels[2] * self.last_side() * self.last_side()
     }
 
     /// Name and shape of every tensor of the network, first layer first.
-    pub(crate) fn tensors(&self) -> Vec<(String, Vec<usize>)> {
+    pub fn tensors(&self) -> Vec<(String, Vec<usize>)> {
         let mut tensors = Vec::new();
         let mut inputs = 1;
         for (block, outputs) in self.channels.into_iter().enumerate() {
-            tensors.push((name::convolution(block), vec![outputs, inputs, KERNEL_SIDE, KERNEL_SIDE]));
-            for name in [name::scale, name::offset, name::mean, name::variance] {
+            tensors.push((tensor_name::convolution(block), vec![outputs, inputs, KERNEL_SIDE, KERNEL_SIDE]));
+            for name in [tensor_name::scale, tensor_name::offset, tensor_name::mean, tensor_name::variance] {
                 tensors.push((name(block), vec![outputs]));
             }
             inputs = outputs;
         }
-        tensors.push((name::LINEAR_WEIGHT.into(), vec![self.features(), Class::ALL.len()]));
-        tensors.push((name::LINEAR_BIAS.into(), vec![Class::ALL.len()]));
+        tensors.push((tensor_name::LINEAR_WEIGHT.into(), vec![self.features(), Class::ALL.len()]));
+        tensors.push((tensor_name::LINEAR_BIAS.into(), vec![Class::ALL.len()]));
         tensors
-    }
-}
-
-/// Names of tensors in the weights.
-pub(crate) mod name {
-    /// `[in, out]`.
-    pub(crate) const LINEAR_WEIGHT: &str = "linear.weight";
-    pub(crate) const LINEAR_BIAS: &str = "linear.bias";
-
-    /// `[out, in, row, column]`.
-    pub(crate) fn convolution(block: usize) -> String {
-        format!("blocks.{block}.convolution.weight")
-    }
-
-    /// γ.
-    pub(crate) fn scale(block: usize) -> String {
-        format!("blocks.{block}.normalization.scale")
-    }
-
-    /// β.
-    pub(crate) fn offset(block: usize) -> String {
-        format!("blocks.{block}.normalization.offset")
-    }
-
-    pub(crate) fn mean(block: usize) -> String {
-        format!("blocks.{block}.normalization.running_mean")
-    }
-
-    pub(crate) fn variance(block: usize) -> String {
-        format!("blocks.{block}.normalization.running_variance")
     }
 }
 

@@ -3,8 +3,6 @@
 use crate::classify::softmax;
 use crate::network::Logits;
 use crate::samples::Example;
-use artifact::dataset::Split;
-use artifact::settings::Class;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -12,25 +10,6 @@ use std::collections::BTreeMap;
 const BINS: usize = 10;
 /// Normal quantile of a two-sided 95 % interval.
 const QUANTILE_95: f64 = 1.959_964;
-
-/// What `metrics.json` holds.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Metrics {
-    /// Order of rows, columns and probabilities.
-    pub classes: [Class; 4],
-    /// Seed of the training.
-    pub seed: u64,
-    /// Numbers in the weights.
-    pub parameters: u64,
-    /// Iteration whose weights were kept: the lowest log loss on the validation split.
-    pub best_iteration: u32,
-    /// What the logits were divided by (it is inside the weights).
-    pub temperature: f64,
-    /// Samples without a class, left out.
-    pub unlabelled: u64,
-    /// One for each split that has samples.
-    pub splits: BTreeMap<Split, Evaluation>,
-}
 
 /// How good the answers to a set of labelled crops are.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -102,19 +81,19 @@ pub(crate) fn evaluation(examples: &[Example], logits: &[Logits]) -> Evaluation 
 }
 
 /// Mean of −ln p of the true class, over pairs of class index and logits.
-pub(crate) fn log_loss(answers: impl ExactSizeIterator<Item = (usize, Logits)>) -> f64 {
+pub fn log_loss(answers: impl ExactSizeIterator<Item = (usize, Logits)>) -> f64 {
     let count = answers.len().max(1) as f64;
     answers.map(|(class, logits)| -log_softmax(logits.map(f64::from))[class]).sum::<f64>() / count
 }
 
 /// Part of the pairs of class index and logits whose largest logit is the class's.
-pub(crate) fn accuracy(answers: impl ExactSizeIterator<Item = (usize, Logits)>) -> f64 {
+pub fn accuracy(answers: impl ExactSizeIterator<Item = (usize, Logits)>) -> f64 {
     let count = answers.len().max(1) as f64;
     answers.filter(|(class, logits)| likeliest(&logits.map(f64::from)) == *class).count() as f64 / count
 }
 
 /// ln of the softmax, without the underflow of taking the logarithm behind it.
-pub(crate) fn log_softmax(logits: [f64; 4]) -> [f64; 4] {
+pub fn log_softmax(logits: [f64; 4]) -> [f64; 4] {
     let largest = logits.into_iter().fold(f64::NEG_INFINITY, f64::max);
     let sum: f64 = logits.iter().map(|l| (l - largest).exp()).sum();
     logits.map(|l| l - largest - sum.ln())

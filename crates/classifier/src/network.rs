@@ -1,136 +1,221 @@
-//! The paper's network (Fig. 7): three blocks of convolution, batch normalization, rectifier and maximum, then a fully
-//! connected layer whose softmax is the probability of each class.
+//! The paper's network (Fig. 7) as it answers: three blocks of 3 × 3 convolution, batch normalization, maximum of 2 × 2 and
+//! rectifier, then a fully connected layer. It learns in `classifier-training`, by a library that a main job need not build.
+//!
+//! Batch normalization is a factor and an offset once training is over, and both go into the convolution before it. Every sum is
+//! taken in one order, whatever the threads: equal crops give equal bits.
 
 use crate::ClassifierError;
-use crate::layout::{Layout, name};
-use crate::parameters::{Parameters, Values};
+use crate::layout::{KERNEL_SIDE, Layout};
+use crate::parameters::{Parameters, tensor_name};
 use artifact::settings::Class;
-use burn::module::{Module, Param, RunningState};
-use burn::nn::conv::{Conv2d, Conv2dConfig};
-use burn::nn::pool::{MaxPool2d, MaxPool2dConfig};
-use burn::nn::{BatchNorm, BatchNormConfig, Linear, LinearConfig, PaddingConfig2d};
-use burn::tensor::{Device, Tensor, TensorData, activation};
-use std::collections::BTreeMap;
 
-/// Logits of one crop, in the order of [`Class::ALL`].
-pub(crate) type Logits = [f32; 4];
+/// Numbers whose softmax is the probability of each class, in the order of [`Class::ALL`].
+pub type Logits = [f32; 4];
 
-/// The network on a device; batch normalization learns where that device differentiates.
-#[derive(Module, Debug)]
+/// Added to a variance before its root is taken; the weights were trained with it.
+pub const VARIANCE_FLOOR: f32 = 1e-5;
+
+/// The network with its parameters.
+#[derive(Debug)]
 pub(crate) struct Network {
+    input_side: usize,
     blocks: Vec<Block>,
-    linear: Linear,
+    /// `[in, class]`.
+    linear: Vec<f32>,
+    linear_bias: Vec<f32>,
 }
 
-#[derive(Module, Debug)]
+/// A convolution that keeps the side, its batch normalization in it, and the halving behind it.
+#[derive(Debug)]
 struct Block {
-    convolution: Conv2d,
-    normalization: BatchNorm,
-    pooling: MaxPool2d,
+    /// `[out, in, row, column]`.
+    weights: Vec<f32>,
+    bias: Vec<f32>,
+    inputs: usize,
+}
+
+/// Square maps of several channels, `[channel, row, column]`.
+struct Maps {
+    side: usize,
+    levels: Vec<f32>,
 }
 
 impl Network {
-    /// The network with these parameters.
-    pub(crate) fn new(layout: &Layout, parameters: &Parameters, device: &Device) -> Result<Self, ClassifierError> {
-        let mut blocks = Vec::new();
-        let mut inputs = 1;
-        for (index, outputs) in layout.channels.into_iter().enumerate() {
-            blocks.push(Block::new(index, [inputs, outputs], parameters, device)?);
-            inputs = outputs;
-        }
-        let mut linear = LinearConfig::new(layout.features(), Class::ALL.len()).init(device);
-        linear.weight = parameter(parameters, name::LINEAR_WEIGHT, device)?;
-        linear.bias = Some(parameter(parameters, name::LINEAR_BIAS, device)?);
-        Ok(Self { blocks, linear })
+    /// Refused where a tensor is missing.
+    pub(crate) fn new(layout: &Layout, parameters: &Parameters) -> Result<Self, ClassifierError> {
+        let blocks = (0..layout.channels.len()).map(|index| Block::new(index, parameters));
+        Ok(Self {
+            input_side: layout.input_side,
+            blocks: blocks.collect::<Result<_, _>>()?,
+            linear: parameters.get(tensor_name::LINEAR_WEIGHT)?.values.clone(),
+            linear_bias: parameters.get(tensor_name::LINEAR_BIAS)?.values.clone(),
+        })
     }
 
-    /// Grey levels from 0 to 1, `[crop, 1, row, column]`, to logits `[crop, class]`.
-    pub(crate) fn forward(&self, crops: Tensor<4>) -> Tensor<2> {
-        let features = self.blocks.iter().fold(crops, |x, block| block.forward(x));
-        self.linear.forward(features.flatten(1, 3))
-    }
-
-    /// The parameters as they stand.
-    pub(crate) fn parameters(&self) -> Result<Parameters, ClassifierError> {
-        let mut tensors = BTreeMap::new();
-        for (index, block) in self.blocks.iter().enumerate() {
-            let normalization = &block.normalization;
-            tensors.insert(name::convolution(index), values(block.convolution.weight.val())?);
-            tensors.insert(name::scale(index), values(normalization.gamma.val())?);
-            tensors.insert(name::offset(index), values(normalization.beta.val())?);
-            tensors.insert(name::mean(index), values(normalization.running_mean.value_sync())?);
-            tensors.insert(name::variance(index), values(normalization.running_var.value_sync())?);
+    /// Of grey levels `[input_side, input_side]`.
+    pub(crate) fn logits(&self, pooled: &[u8]) -> Logits {
+        let levels = pooled.iter().map(|level| f32::from(*level) / 255.0).collect();
+        let input = Maps { side: self.input_side, levels };
+        let features = self.blocks.iter().fold(input, |maps, block| block.forward(&maps));
+        let mut logits: Logits = std::array::from_fn(|class| self.linear_bias[class]);
+        for (feature, weights) in features.levels.iter().zip(self.linear.chunks_exact(Class::ALL.len())) {
+            logits.iter_mut().zip(weights).for_each(|(logit, weight)| *logit += weight * feature);
         }
-        tensors.insert(name::LINEAR_WEIGHT.into(), values(self.linear.weight.val())?);
-        if let Some(bias) = &self.linear.bias {
-            tensors.insert(name::LINEAR_BIAS.into(), values(bias.val())?);
-        }
-        Ok(Parameters::new(tensors))
+        logits
     }
 }
 
 impl Block {
-    fn new(
-        index: usize,
-        channels: [usize; 2],
-        parameters: &Parameters,
-        device: &Device,
-    ) -> Result<Self, ClassifierError> {
-        // No bias: the normalization behind it would take it away again.
-        let mut convolution = Conv2dConfig::new(channels, [3, 3])
-            .with_padding(PaddingConfig2d::Explicit(1, 1, 1, 1))
-            .with_bias(false)
-            .init(device);
-        convolution.weight = parameter(parameters, &name::convolution(index), device)?;
-        let mut normalization = BatchNormConfig::new(channels[1]).init(device);
-        normalization.gamma = parameter(parameters, &name::scale(index), device)?;
-        normalization.beta = parameter(parameters, &name::offset(index), device)?;
-        normalization.running_mean = RunningState::new(tensor(parameters, &name::mean(index), device)?);
-        normalization.running_var = RunningState::new(tensor(parameters, &name::variance(index), device)?);
-        let pooling = MaxPool2dConfig::new([2, 2]).with_strides([2, 2]).init();
-        Ok(Self { convolution, normalization, pooling })
+    fn new(index: usize, parameters: &Parameters) -> Result<Self, ClassifierError> {
+        let tensor = |name: String| parameters.get(&name).map(|tensor| tensor.values.as_slice());
+        let convolution = parameters.get(&tensor_name::convolution(index))?;
+        let (scale, offset) = (tensor(tensor_name::scale(index))?, tensor(tensor_name::offset(index))?);
+        let (mean, variance) = (tensor(tensor_name::mean(index))?, tensor(tensor_name::variance(index))?);
+        let factors: Vec<f32> =
+            scale.iter().zip(variance).map(|(scale, variance)| scale / (variance + VARIANCE_FLOOR).sqrt()).collect();
+        let inputs = convolution.shape[1];
+        let kernels = convolution.values.chunks_exact(inputs * KERNEL_SIDE * KERNEL_SIDE);
+        let weights = kernels.zip(&factors).flat_map(|(kernel, factor)| kernel.iter().map(move |w| w * factor));
+        let bias = offset.iter().zip(mean).zip(&factors).map(|((offset, mean), factor)| offset - mean * factor);
+        Ok(Self { weights: weights.collect(), bias: bias.collect(), inputs })
     }
 
-    fn forward(&self, input: Tensor<4>) -> Tensor<4> {
-        let normalized = self.normalization.forward(self.convolution.forward(input));
-        // The maximum and the rectifier commute (both rise); in this order the rectifier sees a quarter of the pixels.
-        activation::relu(self.pooling.forward(normalized))
+    /// The maximum and the rectifier commute (both rise); in this order the rectifier sees a quarter of the pixels.
+    fn forward(&self, input: &Maps) -> Maps {
+        let framed = input.framed(self.inputs);
+        let kernels = self.weights.chunks_exact(self.inputs * KERNEL_SIDE * KERNEL_SIDE).zip(&self.bias);
+        let halved = kernels.flat_map(|(kernel, bias)| halved(&convolved(&framed, kernel, *bias), input.side));
+        Maps { side: input.side / 2, levels: halved.collect() }
     }
 }
 
-/// Pooled grey levels of several crops as the network's input.
-pub(crate) fn input(crops: &[impl AsRef<[u8]>], side: usize, device: &Device) -> Tensor<4> {
-    let levels: Vec<f32> = crops.iter().flat_map(|c| c.as_ref()).map(|g| f32::from(*g) / 255.0).collect();
-    Tensor::from_data(TensorData::new(levels, [crops.len(), 1, side, side]), device)
+impl Maps {
+    /// With a frame of zeros one pixel wide around each channel.
+    fn framed(&self, channels: usize) -> Self {
+        let side = self.side + KERNEL_SIDE - 1;
+        let mut levels = vec![0.0; channels * side * side];
+        for (channel, framed) in
+            self.levels.chunks_exact(self.side * self.side).zip(levels.chunks_exact_mut(side * side))
+        {
+            for (row, framed) in channel.chunks_exact(self.side).zip(framed.chunks_exact_mut(side).skip(1)) {
+                framed[1..=self.side].copy_from_slice(row);
+            }
+        }
+        Self { side, levels }
+    }
 }
 
-/// Logits `[crop, class]` as plain numbers.
-pub(crate) fn logits(tensor: Tensor<2>) -> Result<Vec<Logits>, ClassifierError> {
-    Ok(values(tensor)?.values.as_chunks().0.to_vec())
+/// One channel, `[row, column]`, from all of the channels in their frames.
+fn convolved(framed: &Maps, kernel: &[f32], bias: f32) -> Vec<f32> {
+    let side = framed.side + 1 - KERNEL_SIDE;
+    let mut channel = vec![bias; side * side];
+    for (at, row) in channel.chunks_exact_mut(side).enumerate() {
+        let inputs = framed.levels.chunks_exact(framed.side * framed.side);
+        for (input, kernel) in inputs.zip(kernel.chunks_exact(KERNEL_SIDE * KERNEL_SIDE)) {
+            let lines = input.chunks_exact(framed.side).skip(at);
+            for (line, weights) in lines.zip(kernel.chunks_exact(KERNEL_SIDE)) {
+                add_weighed(row, line, weights);
+            }
+        }
+    }
+    channel
 }
 
-fn values<const D: usize>(tensor: Tensor<D>) -> Result<Values, ClassifierError> {
-    let shape = tensor.dims().to_vec();
-    let data = tensor.try_into_data().map_err(library("read a tensor"))?;
-    let values = data.as_slice::<f32>().map_err(library("read a tensor as f32"))?.to_vec();
-    Ok(Values { shape, values })
+/// Adds to every pixel of a row those of a framed line beside it, each times its weight.
+fn add_weighed(row: &mut [f32], line: &[f32], weights: &[f32]) {
+    for (shift, weight) in weights.iter().enumerate() {
+        row.iter_mut().zip(&line[shift..]).for_each(|(sum, level)| *sum += weight * level);
+    }
 }
 
-fn parameter<const D: usize>(
-    parameters: &Parameters,
-    name: &str,
-    device: &Device,
-) -> Result<Param<Tensor<D>>, ClassifierError> {
-    Ok(Param::from_tensor(tensor(parameters, name, device)?))
+/// The largest of every 2 × 2 pixels and zero; an odd last row and column are left out.
+fn halved(channel: &[f32], side: usize) -> Vec<f32> {
+    let rows = channel.chunks_exact(side).collect::<Vec<_>>();
+    let pair = |pair: &[&[f32]]| -> Vec<f32> {
+        let columns = pair[0].chunks_exact(2).zip(pair[1].chunks_exact(2));
+        columns.map(|(a, b)| a[0].max(a[1]).max(b[0]).max(b[1]).max(0.0)).collect()
+    };
+    rows.chunks_exact(2).flat_map(pair).collect()
 }
 
-fn tensor<const D: usize>(parameters: &Parameters, name: &str, device: &Device) -> Result<Tensor<D>, ClassifierError> {
-    let Values { shape, values } = parameters.get(name)?.clone();
-    Ok(Tensor::from_data(TensorData::new(values, shape), device))
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parameters::Values;
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
 
-fn library<E: Into<Box<dyn std::error::Error + Send + Sync>>>(
-    doing: &'static str,
-) -> impl FnOnce(E) -> ClassifierError {
-    move |cause| ClassifierError::Library { doing, cause: cause.into() }
+    const LAYOUT: Layout = Layout { crop_side: 30, input_side: 21, channels: [3, 4, 2] };
+
+    /// Any numbers, variances above zero.
+    fn drawn() -> Parameters {
+        let mut generator = ChaCha8Rng::seed_from_u64(5);
+        let tensors = LAYOUT.tensors().into_iter().map(|(name, shape)| {
+            let least = if name.ends_with("variance") { 0.1 } else { -1.0 };
+            let values = (0..shape.iter().product()).map(|_| generator.random_range(least..1.0)).collect();
+            (name, Values { shape, values })
+        });
+        Parameters::new(tensors.collect())
+    }
+
+    /// Each layer as its textbook writes it, in double precision, nothing folded into another.
+    fn reference(parameters: &Parameters, pooled: &[u8]) -> [f64; 4] {
+        let of =
+            |name: &str| -> Vec<f64> { parameters.get(name).unwrap().values.iter().map(|v| f64::from(*v)).collect() };
+        let mut side = LAYOUT.input_side;
+        let mut maps = vec![pooled.iter().map(|g| f64::from(*g) / 255.0).collect::<Vec<f64>>()];
+        for (block, outputs) in LAYOUT.channels.into_iter().enumerate() {
+            let kernel = of(&tensor_name::convolution(block));
+            let [scale, offset] = [tensor_name::scale(block), tensor_name::offset(block)].map(|n| of(&n));
+            let [mean, variance] = [tensor_name::mean(block), tensor_name::variance(block)].map(|n| of(&n));
+            let inputs = maps.len();
+            let level = |map: &[f64], row: isize, column: isize| {
+                let inside = |i: isize| (0..side as isize).contains(&i);
+                if inside(row) && inside(column) { map[row as usize * side + column as usize] } else { 0.0 }
+            };
+            let answer = |out: usize, row: usize, column: usize| {
+                let mut sum = 0.0;
+                for (input, map) in maps.iter().enumerate() {
+                    for k in 0..9 {
+                        let at = [row + k / 3, column + k % 3].map(|i| i as isize - 1);
+                        sum += kernel[(out * inputs + input) * 9 + k] * level(map, at[0], at[1]);
+                    }
+                }
+                let normal = (sum - mean[out]) / (variance[out] + 1e-5).sqrt();
+                (scale[out] * normal + offset[out]).max(0.0)
+            };
+            let half = side / 2;
+            let largest = |out: usize, row: usize, column: usize| {
+                (0..4).map(|i| answer(out, 2 * row + i / 2, 2 * column + i % 2)).fold(0.0, f64::max)
+            };
+            let next: Vec<Vec<f64>> =
+                (0..outputs).map(|out| (0..half * half).map(|p| largest(out, p / half, p % half)).collect()).collect();
+            (maps, side) = (next, half);
+        }
+        let (weights, bias) = (of(tensor_name::LINEAR_WEIGHT), of(tensor_name::LINEAR_BIAS));
+        let features: Vec<f64> = maps.concat();
+        std::array::from_fn(|class| {
+            bias[class] + features.iter().enumerate().map(|(i, f)| weights[4 * i + class] * f).sum::<f64>()
+        })
+    }
+
+    #[test]
+    fn the_network_answers_as_its_layers_are_written_in_textbooks() {
+        let (parameters, mut generator) = (drawn(), ChaCha8Rng::seed_from_u64(6));
+        let network = Network::new(&LAYOUT, &parameters).unwrap();
+        for _ in 0..20 {
+            let pooled: Vec<u8> = (0..21 * 21).map(|_| generator.random()).collect();
+            let expected = reference(&parameters, &pooled);
+            let largest = expected.iter().fold(1.0_f64, |most, l| most.max(l.abs()));
+            for (logit, expected) in network.logits(&pooled).into_iter().zip(expected) {
+                assert!((f64::from(logit) - expected).abs() < 1e-5 * largest, "{logit} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_odd_row_and_column_are_left_out_and_nothing_is_below_zero() {
+        assert_eq!(halved(&[1.0, -2.0, 9.0, -3.0, 4.0, 9.0, 9.0, 9.0, 9.0], 3), [4.0]);
+        assert_eq!(halved(&[-1.0, -2.0, -3.0, -4.0], 2), [0.0]);
+    }
 }

@@ -3,20 +3,45 @@
 use crate::ClassifierError;
 use crate::classify::pooled_crop;
 use crate::layout::Layout;
-use artifact::ArtifactError;
-use artifact::dataset::{Sample, Split};
+use artifact::dataset::{CropFormat, Dataset, Sample, Split};
 use artifact::settings::Class;
+use artifact::{ArtifactError, Reader};
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+
+/// The one format of the crops of some shards; `None` without a shard.
+///
+/// # Errors
+/// A shard is unreadable, or differs from the first.
+pub fn format_of(shards: &[PathBuf]) -> Result<Option<CropFormat>, ClassifierError> {
+    let Some(first) = shards.first() else { return Ok(None) };
+    let format = *Reader::<Dataset>::open(first)?.header();
+    for shard in shards {
+        if *Reader::<Dataset>::open(shard)?.header() != format {
+            return Err(ClassifierError::ShardFormat { shard: shard.clone(), first: first.clone() });
+        }
+    }
+    Ok(Some(format))
+}
+
+/// What a shard holds, one by one; the error of one that cannot be opened comes in their place.
+pub fn samples_of(shard: &Path) -> Box<dyn Iterator<Item = Result<Sample, ArtifactError>>> {
+    match Reader::<Dataset>::open(shard) {
+        Ok(reader) => Box::new(reader),
+        Err(error) => Box::new(std::iter::once(Err(error))),
+    }
+}
 
 /// A labelled crop.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Example {
+pub struct Example {
     /// Grey levels `[input_side, input_side]`.
-    pub(crate) pooled: Vec<u8>,
+    pub pooled: Vec<u8>,
     /// Index in [`Class::ALL`].
-    pub(crate) class: usize,
-    pub(crate) model: String,
+    pub class: usize,
+    /// Vehicle that it shows.
+    pub model: String,
 }
 
 impl AsRef<[u8]> for Example {
@@ -27,15 +52,15 @@ impl AsRef<[u8]> for Example {
 
 /// Labelled crops by split, in the order in which they came.
 #[derive(Debug, Default)]
-pub(crate) struct Examples {
+pub struct Examples {
     splits: BTreeMap<Split, Vec<Example>>,
     /// Samples without a class: nothing to learn from and nothing to test against.
-    pub(crate) unlabelled: u64,
+    pub unlabelled: u64,
 }
 
 impl Examples {
     /// Reads samples one by one; refuses a scene or an image in two splits and a sample that comes twice.
-    pub(crate) fn read(
+    pub fn read(
         samples: impl Iterator<Item = Result<Sample, ArtifactError>>,
         layout: &Layout,
     ) -> Result<Self, ClassifierError> {
@@ -57,14 +82,8 @@ impl Examples {
     }
 
     /// The examples of a split; may be none.
-    pub(crate) fn of(&self, split: Split) -> &[Example] {
+    pub fn of(&self, split: Split) -> &[Example] {
         self.splits.get(&split).map_or(&[], Vec::as_slice)
-    }
-
-    /// The examples of a split that must not be empty.
-    pub(crate) fn needed(&self, split: Split) -> Result<&[Example], ClassifierError> {
-        let examples = self.of(split);
-        if examples.is_empty() { Err(ClassifierError::EmptySplit(split)) } else { Ok(examples) }
     }
 }
 

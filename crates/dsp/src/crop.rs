@@ -3,10 +3,11 @@
 use crate::DspError;
 use crate::angle::{Direction, VirtualArray};
 use crate::axes::{column_at, coupling_m, row_at, unwrapped, velocity_at};
+use crate::cell_owners::CellOwners;
 use crate::noncoherent::noise_power;
 use artifact::cube::CubeHeader;
 use artifact::dataset::{Crop, CropFormat};
-use artifact::points::Object;
+use artifact::points::{Object, PointsFrame};
 use artifact::rdm::RdmFrame;
 use artifact::units::db_from_power;
 use glam::DVec3;
@@ -49,8 +50,21 @@ impl<'a> Cropper<'a> {
         Ok(Self { header, map, format: *format, array, noise })
     }
 
-    /// As [`crop()`].
+    /// As [`crop()`], whatever else is in the map.
     pub fn crop(&self, object: &Object) -> Result<Crop, DspError> {
+        self.drawn(object, |patch| patch)
+    }
+
+    /// The crop of an object among the others of its frame: what is nearer to a point of another object is no stronger than noise.
+    pub fn crop_among(&self, points: &PointsFrame, object: u32) -> Result<Crop, DspError> {
+        let own = points.objects.get(object as usize).ok_or(DspError::NoSuchObject { object })?;
+        self.drawn(own, |patch| {
+            let owners = CellOwners::within(&self.header, points, patch.window());
+            patch.capped(self.noise, |cell| owners.of(cell).is_some_and(|owner| owner != object))
+        })
+    }
+
+    fn drawn(&self, object: &Object, kept: impl FnOnce(Patch) -> Patch) -> Result<Crop, DspError> {
         check_object(object)?;
         let (header, format, centre_mps) = (&self.header, &self.format, object.radial_velocity_mps);
         let columns = pixel_centres(object.range_m + coupling_m(header, centre_mps), format.range_span_m, format.side)
@@ -58,7 +72,7 @@ impl<'a> Cropper<'a> {
         let rows = pixel_centres(centre_mps, format.velocity_span_mps, format.side)
             .map(|velocity_mps| row_at(header, velocity_mps));
         let (rows, columns): (Vec<f64>, Vec<f64>) = (rows.collect(), columns.collect());
-        let lines = Patch::beamformed(self, object, &rows, &columns).along(&columns);
+        let lines = kept(Patch::beamformed(self, object, &rows, &columns)).along(&columns);
         let pixels = rows.iter().flat_map(|row| lines.between(*row));
         Ok(Crop {
             pixels: pixels.map(|power| grey(power, self.noise, format)).collect(),
@@ -130,6 +144,22 @@ impl Patch {
             cropper.cell_power(&steering, object, [first_row + row as i64, first_column + column as i64])
         });
         Self { first_row, first_column, power }
+    }
+
+    /// First and last row, first and last column.
+    fn window(&self) -> [[i64; 2]; 2] {
+        let last = |first: i64, count: usize| [first, first + count as i64 - 1];
+        [last(self.first_row, self.power.nrows()), last(self.first_column, self.power.ncols())]
+    }
+
+    /// No stronger than `most` where a cell `[row, column]` is to be left out.
+    fn capped(mut self, most: f64, is_left_out: impl Fn([i64; 2]) -> bool) -> Self {
+        for ((row, column), power) in self.power.indexed_iter_mut() {
+            if *power > most && is_left_out([self.first_row + row as i64, self.first_column + column as i64]) {
+                *power = most;
+            }
+        }
+        self
     }
 
     /// Each row of cells at these columns, linear between cells; nothing outside the map.

@@ -24,6 +24,12 @@ pub enum DspError {
         /// Factors, or finite ones.
         found: usize,
     },
+    /// An object that the frame does not have.
+    #[error("the frame has no object {object}")]
+    NoSuchObject {
+        /// Index among its objects.
+        object: u32,
+    },
     /// A place that no cell holds.
     #[error("a reflector {range_m} m away lies outside the map, which ends at {limit_m} m")]
     ReflectorRange {

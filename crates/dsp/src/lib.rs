@@ -110,6 +110,7 @@ pub mod velocity_folds;
 pub mod assignment;
 pub mod kalman;
 pub mod tracks;
+mod cell_owners;
 pub mod crop;
 pub mod grayscale;
 

@@ -7,7 +7,7 @@ use artifact::cube::CubeHeader;
 use artifact::dataset::Crop;
 use artifact::rdm::RdmFrame;
 use common::*;
-use dsp::{DspError, PAPER_CROP, crop, detect, noise_power, range_doppler, rdm_grayscale};
+use dsp::{Cropper, DspError, PAPER_CROP, crop, detect, noise_power, range_doppler, rdm_grayscale};
 
 fn seen(header: &CubeHeader, targets: &[Target]) -> (RdmFrame, Crop) {
     let map = range_doppler(header, &cube(header, targets, 1)).unwrap();
@@ -15,6 +15,33 @@ fn seen(header: &CubeHeader, targets: &[Target]) -> (RdmFrame, Crop) {
     assert_eq!(objects.len(), 1, "{objects:?}");
     let crop = crop(header, &map, &objects[0], &PAPER_CROP).unwrap();
     (map, crop)
+}
+
+#[test]
+fn a_stronger_neighbour_is_left_out_of_a_crop_and_the_rest_of_it_stays() {
+    let header = noisy();
+    let weak = target([5.75, 38.3, 0.75], [0.0, -6.1, 0.0], 10.0);
+    let strong = target([2.0, 42.0, 0.75], [0.0, -8.5, 0.0], 1000.0);
+    let (_, alone) = seen(&header, &[weak]);
+    let map = range_doppler(&header, &cube(&header, &[weak, strong], 1)).unwrap();
+    let points = detect(&header, &map).unwrap();
+    assert_eq!(points.objects.len(), 2);
+    let own = points
+        .objects
+        .iter()
+        .position(|o| o.snr_db == points.objects.iter().map(|o| o.snr_db).fold(f64::MAX, f64::min));
+    let own = own.unwrap() as u32;
+    let cropper = Cropper::new(&header, &map, &PAPER_CROP).unwrap();
+    let with_it = cropper.crop(&points.objects[own as usize]).unwrap();
+    let among = cropper.crop_among(&points, own).unwrap();
+    let [(row, column, level), (other_row, _, other), (own_row, own_column, own_level)] =
+        [&alone, &with_it, &among].map(brightest);
+    assert!(other > level + 20 && (other_row - row).abs() > 60.0, "the neighbour is not seen: {other} {level}");
+    assert!((own_row - row).abs() <= 1.0 && (own_column - column).abs() <= 1.0 && own_level.abs_diff(level) <= 1);
+    // A velocity resolution and a half is 20 rows here: so far around its own peak the crop is as it was.
+    let near = |i: &usize| ((i / 451) as f64 - own_row).abs() < 20.0 && ((i % 451) as f64 - own_column).abs() < 8.0;
+    assert!((0..451 * 451).filter(near).all(|i| among.pixels[i] == with_it.pixels[i]));
+    assert_eq!(cropper.crop_among(&points, 2), Err(DspError::NoSuchObject { object: 2 }));
 }
 
 fn noisy() -> CubeHeader {

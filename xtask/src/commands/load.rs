@@ -71,16 +71,9 @@ pub(crate) fn of_scene(errors: scene::SceneErrors) -> Failure {
 pub(crate) fn hashed(files: &[PathBuf]) -> Result<Vec<(String, String)>, Failure> {
     let hash = |file: &PathBuf| {
         let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        Ok((name, content_hash(file).map_err(|e| Failure::system(file, "read", e))?))
+        Ok((name, artifact::inputs::content_hash(file).map_err(|e| Failure::system(file, "read", e))?))
     };
     files.iter().map(hash).collect()
-}
-
-/// By pieces: a recording of traffic may be larger than memory.
-fn content_hash(file: &Path) -> std::io::Result<String> {
-    let mut hasher = blake3::Hasher::new();
-    std::io::copy(&mut artifact::inputs::open(file)?, &mut hasher)?;
-    Ok(hasher.finalize().to_hex().to_string())
 }
 
 /// The model that was asked for, else the project's; without either, vehicles are located but not classified.

@@ -1,83 +1,92 @@
 //! `train`: a dataset to a model with its curves and its evaluation.
+//!
+//! The program that trains, `classifier-training`, stands on a learning library that is most of a first build; so it is built when it
+//! is asked for, and runs as a process of its own.
 
 use super::load;
+use crate::cache::project_root;
 use crate::chain::of_classifier;
 use crate::cli::TrainArguments;
 use crate::failure::Failure;
 use crate::output;
 use crate::progress::Work;
-use artifact::dataset::{CropFormat, Dataset, Sample};
-use artifact::{ArtifactError, Provenance, Reader};
-use classifier::{Augmentation, Schedule, TrainSettings, Trained};
-use std::path::{Path, PathBuf};
+use serde_json::Value;
+use std::io::{BufRead, BufReader};
+use std::path::PathBuf;
+use std::process::{Child, Command, Stdio};
+
+/// Package and program.
+pub(super) const PROGRAM: &str = "classifier-training";
 
 pub(crate) fn run(arguments: &TrainArguments) -> Result<(), Failure> {
     let shards = load::shards(&arguments.dataset);
-    let format = format_of(&arguments.dataset, &shards)?;
+    if classifier::format_of(&shards).map_err(of_classifier)?.is_none() {
+        return Err(Failure::System(format!("{}: no shards of a dataset here", arguments.dataset.display())));
+    }
     output::claim(&classifier::MODEL_FILES.map(|name| arguments.out.join(name)))?;
-    let settings = settings(arguments);
+    let mut command = Command::new(built()?);
+    command.args(&shards).arg("--out").arg(&arguments.out);
+    command.args(["--seed", &arguments.seed.to_string(), "--iterations", &arguments.iterations.to_string()]);
+    command.env("RAYON_NUM_THREADS", rayon::current_num_threads().to_string());
+    let child = command.stdin(Stdio::null()).stdout(Stdio::piped()).spawn();
+    heard(child.map_err(|e| Failure::System(format!("{PROGRAM}: cannot be run: {e}")))?)
+}
+
+/// Where it is built: what it stands on has other features than what the main job stands on, and neither undoes the other's work.
+pub(super) fn target_folder() -> PathBuf {
+    project_root().join("target/training")
+}
+
+/// The program, made anew where its code has changed; cargo says where it lies.
+fn built() -> Result<PathBuf, Failure> {
+    let _under_way = Work::begin("building the program that trains (minutes the first time)");
+    let words = ["build", "--release", "--quiet", "--package", PROGRAM, "--message-format", "json-render-diagnostics"];
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let ended = Command::new(cargo)
+        .args(words)
+        .env("CARGO_TARGET_DIR", target_folder())
+        .current_dir(project_root())
+        .stdin(Stdio::null())
+        .stderr(Stdio::inherit())
+        .output();
+    let unbuilt = |why: String| {
+        Failure::System(format!(
+            "{PROGRAM}: {why}; it is built by `cargo build --release --package {PROGRAM}` in {}",
+            project_root().display()
+        ))
+    };
+    let output = ended.map_err(|e| unbuilt(format!("cargo cannot be run: {e}")))?;
+    let messages = output.stdout.split(|byte| *byte == b'\n');
+    let program = messages.filter_map(|message| program_of(&serde_json::from_slice(message).ok()?)).last();
+    program
+        .filter(|_| output.status.success())
+        .ok_or_else(|| unbuilt(format!("its build ended with {}", output.status)))
+}
+
+/// Where a message of cargo's says that the program lies.
+fn program_of(message: &Value) -> Option<PathBuf> {
+    let is_it = message["target"]["name"] == PROGRAM;
+    message["executable"].as_str().filter(|_| is_it).map(PathBuf::from)
+}
+
+/// Tells what the program says until it ends.
+fn heard(mut child: Child) -> Result<(), Failure> {
     let work = Work::begin("training");
-    let mut progress = |p: classifier::Progress| work.at(p.iteration as usize, p.iterations as usize);
-    let samples = shards.iter().flat_map(|shard| samples(shard));
-    let trained =
-        classifier::train(samples, &format, &settings, arguments.seed, &mut progress).map_err(of_classifier)?;
-    drop(work);
-    let from = provenance(arguments, &settings, &shards)?;
-    classifier::save_model(&arguments.out, &trained, &from).map_err(of_classifier)?;
-    tell(&trained);
-    Ok(())
-}
-
-/// The paper's network on crops pooled to 113 × 113, four pixels in one: 7 cm × 0.07 m/s, finer than any cell.
-fn settings(arguments: &TrainArguments) -> TrainSettings {
-    TrainSettings {
-        input_side: 113,
-        iterations: arguments.iterations,
-        schedule: Schedule::Cosine { warm_up: 20.min(arguments.iterations) },
-        augmentation: Augmentation { range_shift_m: 0.75, velocity_shift_mps: 0.2, gain_db: 3.0, noise_db: 1.0 },
-        ..TrainSettings::PAPER
-    }
-}
-
-fn format_of(folder: &Path, shards: &[PathBuf]) -> Result<CropFormat, Failure> {
-    let first =
-        shards.first().ok_or_else(|| Failure::System(format!("{}: no shards of a dataset here", folder.display())))?;
-    let format = *Reader::<Dataset>::open(first)?.header();
-    for shard in shards {
-        if *Reader::<Dataset>::open(shard)?.header() != format {
-            let rule = "all shards of a dataset have one format of crops";
-            return Err(Failure::Refused(format!("{}: differs from {}: {rule}", shard.display(), first.display())));
+    let mut ended_badly = None;
+    for line in child.stdout.take().into_iter().flat_map(|stdout| BufReader::new(stdout).lines()).map_while(Result::ok)
+    {
+        let said: Value = serde_json::from_str(&line).unwrap_or(Value::Null);
+        let text = |key: &str| said[key].as_str().map(str::to_owned);
+        if let (Some(at), Some(of)) = (said["at"].as_u64(), said["of"].as_u64()) {
+            work.at(at as usize, of as usize);
         }
+        text("told").into_iter().for_each(output::line);
+        ended_badly = text("refused").map(Failure::Refused).or(text("system").map(Failure::System)).or(ended_badly);
     }
-    Ok(format)
-}
-
-fn samples(shard: &Path) -> Box<dyn Iterator<Item = Result<Sample, ArtifactError>>> {
-    match Reader::<Dataset>::open(shard) {
-        Ok(reader) => Box::new(reader),
-        Err(error) => Box::new(std::iter::once(Err(error))),
-    }
-}
-
-fn provenance(arguments: &TrainArguments, settings: &TrainSettings, shards: &[PathBuf]) -> Result<Provenance, Failure> {
-    Ok(Provenance {
-        stage: "classifier".into(),
-        program_version: env!("CARGO_PKG_VERSION").into(),
-        inputs: load::hashed(shards)?,
-        settings: serde_json::to_string(settings).map_err(Failure::refused)?,
-        seed: arguments.seed,
-    })
-}
-
-fn tell(trained: &Trained) {
-    for (split, evaluation) in &trained.metrics.splits {
-        let [low, high] = evaluation.accuracy_interval;
-        output::line(format!(
-            "{split:?}: {:.1} % of {} right (95 % interval {:.1} … {:.1} %)",
-            100.0 * evaluation.accuracy,
-            evaluation.samples,
-            100.0 * low,
-            100.0 * high
-        ));
+    let status = child.wait().map_err(|e| Failure::System(format!("{PROGRAM}: {e}")))?;
+    match ended_badly {
+        Some(failure) => Err(failure),
+        None if status.success() => Ok(()),
+        None => Err(Failure::System(format!("{PROGRAM} ended with {status}"))),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::work::{ITEMS, Item, Work};
 
-/// What the program holds beside frames: code, thread stacks, the learning library's buffers (measured 32 to 40 MiB).
+/// What the program holds beside frames: code, thread stacks, the classifier (measured 32 to 40 MiB with the learning library that was there then).
 pub(crate) const PROGRAM_MIB: f64 = 48.0;
 
 /// Bytes of a facet, at rest and placed, and of a beam with what is joined on it.

@@ -1,5 +1,5 @@
-//! The main job and the tests must ask every dependency for the same features: the learning library is most of a build,
-//! and a second set of features builds it twice.
+//! A program and its tests must ask every dependency for the same features: a second set of features builds what stands on it
+//! twice.
 
 use crate::cache::project_root;
 use crate::failure::Failure;
@@ -10,12 +10,18 @@ use std::process::Command;
 type Features = BTreeMap<String, String>;
 
 pub(super) fn check() -> Result<(), Failure> {
-    let job = features(&["--package", "xtask", "--edges", "normal,build"])?;
-    let tests = features(&["--workspace", "--edges", "normal,build,dev"])?;
-    match differences(&job, &tests).as_slice() {
-        [] => Ok(()),
-        found => Err(Failure::Refused(found.join("\n"))),
+    let job = ["--package", "xtask"];
+    let training = ["--package", super::training::PACKAGE];
+    for (name, program, tests) in
+        [("the main job", &job[..], &[][..]), ("the program that trains", &training, &training)]
+    {
+        let of = |packages: &[&str], edges: &str| features(&[packages, &["--edges", edges]].concat());
+        let (program, tests) = (of(program, "normal,build")?, of(tests, "normal,build,dev")?);
+        if let found @ [_, ..] = differences(name, &program, &tests).as_slice() {
+            return Err(Failure::Refused(found.join("\n")));
+        }
     }
+    Ok(())
 }
 
 fn features(arguments: &[&str]) -> Result<Features, Failure> {
@@ -42,10 +48,10 @@ fn parse(tree: &str) -> Features {
     features
 }
 
-fn differences(job: &Features, tests: &Features) -> Vec<String> {
+fn differences(name: &str, job: &Features, tests: &Features) -> Vec<String> {
     let differs = |(package, set): &(&String, &String)| tests.get(*package).is_some_and(|other| other != *set);
     let sentence = |(package, set): (&String, &String)| {
-        format!("{package}: the main job asks for [{set}], the tests for [{}]", tests[package])
+        format!("{package}: {name} asks for [{set}], the tests for [{}]", tests[package])
     };
     job.iter().filter(differs).map(sentence).collect()
 }
@@ -59,9 +65,9 @@ mod tests {
         let job = parse("burn v0.22.1|default,flex\nserde v1.0.0|derive\nserde v1.0.0|derive (*)\n");
         let tests = parse("burn v0.22.1|default,flex,ndarray\nserde v1.0.0|derive\nproptest v1.0.0|std\n");
         assert_eq!(
-            differences(&job, &tests),
+            differences("the main job", &job, &tests),
             ["burn v0.22.1: the main job asks for [default,flex], the tests for [default,flex,ndarray]"]
         );
-        assert!(differences(&job, &job).is_empty());
+        assert!(differences("the main job", &job, &job).is_empty());
     }
 }

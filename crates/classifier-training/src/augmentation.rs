@@ -3,10 +3,10 @@
 //! The paper widens its dataset by translation, rotation and noise of images. A rotation has no meaning in axes of metres
 //! and metres per second; a change of level has one (aspect, link budget), so it stands in its place.
 
-use crate::ClassifierError;
 use artifact::dataset::CropFormat;
 use artifact::seed;
 use artifact::units::{db_from_power, power_from_db};
+use classifier::ClassifierError;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};

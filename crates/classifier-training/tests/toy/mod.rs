@@ -5,7 +5,8 @@
 use artifact::dataset::{Crop, CropFormat, Sample};
 use artifact::seed;
 use artifact::settings::Class;
-use classifier::{Augmentation, Schedule, TrainSettings, split_of_scene};
+use classifier::split_of_scene;
+use classifier_training::{Augmentation, Schedule, TrainSettings};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 

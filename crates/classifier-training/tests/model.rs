@@ -5,10 +5,8 @@ mod toy;
 use artifact::Provenance;
 use artifact::dataset::Crop;
 use artifact::model::Weights;
-use classifier::{
-    CURVES_FILE, Classifier, ClassifierError, METRICS_FILE, TrainSettings, Trained, WEIGHTS_FILE, load_model,
-    save_model, train,
-};
+use classifier::{CURVES_FILE, Classifier, ClassifierError, METRICS_FILE, WEIGHTS_FILE, load_model};
+use classifier_training::{TrainSettings, Trained, save_model, train};
 use std::sync::LazyLock;
 use toy::{FORMAT, SETTINGS, samples};
 

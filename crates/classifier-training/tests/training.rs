@@ -5,14 +5,15 @@ mod toy;
 use artifact::ArtifactError;
 use artifact::dataset::{Sample, Split};
 use artifact::settings::Class;
-use classifier::{Augmentation, Classifier, ClassifierError, TrainSettings, Trained, evaluate, train};
+use classifier::{Classifier, ClassifierError, evaluate};
+use classifier_training::{Augmentation, TrainSettings, Trained, TrainingError, train};
 use toy::{FORMAT, SETTINGS, samples};
 
 fn all_right(samples: Vec<Sample>) -> impl Iterator<Item = Result<Sample, ArtifactError>> {
     samples.into_iter().map(Ok)
 }
 
-fn trained(samples: Vec<Sample>, settings: &TrainSettings, seed: u64) -> Result<Trained, ClassifierError> {
+fn trained(samples: Vec<Sample>, settings: &TrainSettings, seed: u64) -> Result<Trained, TrainingError> {
     train(all_right(samples), &FORMAT, settings, seed, &mut |_| ())
 }
 
@@ -61,7 +62,7 @@ fn a_scene_in_two_splits_is_refused() {
     samples[3].split = second;
     let error = trained(samples, &quick(), 1).unwrap_err();
     assert!(
-        matches!(error, ClassifierError::SceneInTwoSplits { scene: 0, first: f, second: s } if (f, s) == (first, second))
+        matches!(error, TrainingError::Classifier(ClassifierError::SceneInTwoSplits { scene: 0, first: f, second: s }) if (f, s) == (first, second))
     );
 }
 
@@ -73,7 +74,7 @@ fn the_same_image_in_two_splits_is_refused() {
     let expected = (samples[0].id.clone(), samples[copied].id.clone());
     let error = trained(samples, &quick(), 1).unwrap_err();
     assert!(
-        matches!(error, ClassifierError::CropInTwoSplits { first, second } if (&first, &second) == (&expected.0, &expected.1))
+        matches!(error, TrainingError::Classifier(ClassifierError::CropInTwoSplits { first, second }) if (&first, &second) == (&expected.0, &expected.1))
     );
 }
 
@@ -82,7 +83,7 @@ fn a_sample_that_comes_twice_is_refused() {
     let mut samples = samples(200);
     samples.push(samples[7].clone());
     let error = trained(samples, &quick(), 1).unwrap_err();
-    assert!(matches!(error, ClassifierError::SampleTwice(id) if id == "1/3"));
+    assert!(matches!(error, TrainingError::Classifier(ClassifierError::SampleTwice(id)) if id == "1/3"));
 }
 
 #[test]
@@ -135,21 +136,24 @@ fn samples_without_a_class_are_left_out_and_counted() {
 fn what_cannot_be_trained_is_refused_with_the_reason() {
     let without = |keep: fn(&Sample) -> bool| samples(200).into_iter().filter(keep).collect::<Vec<_>>();
     let error = trained(without(|s| s.split != Split::Validation), &quick(), 1).unwrap_err();
-    assert!(matches!(error, ClassifierError::EmptySplit(Split::Validation)));
+    assert!(matches!(error, TrainingError::EmptySplit(Split::Validation)));
     let error = trained(vec![], &quick(), 1).unwrap_err();
-    assert!(matches!(error, ClassifierError::EmptySplit(Split::Train)));
+    assert!(matches!(error, TrainingError::EmptySplit(Split::Train)));
     let error = trained(without(|s| s.class != Some(Class::Truck)), &quick(), 1).unwrap_err();
-    assert!(matches!(error, ClassifierError::MissingClass(Class::Truck)));
+    assert!(matches!(error, TrainingError::MissingClass(Class::Truck)));
     let mut short = samples(200);
     short[9].crop.pixels.pop();
     let error = trained(short, &quick(), 1).unwrap_err();
-    assert!(matches!(error, ClassifierError::CropPixels { index: 9, found: 2303, side: 48 }));
+    assert!(matches!(
+        error,
+        TrainingError::Classifier(ClassifierError::CropPixels { index: 9, found: 2303, side: 48 })
+    ));
 }
 
 #[test]
 fn settings_outside_their_range_are_refused() {
     let refused = |settings: TrainSettings| match trained(samples(200), &settings, 1) {
-        Err(ClassifierError::Setting { setting, .. }) => setting,
+        Err(TrainingError::Classifier(ClassifierError::Setting { setting, .. })) => setting,
         other => panic!("{other:?}"),
     };
     assert_eq!(refused(TrainSettings { batch: 1, ..quick() }), "batch");

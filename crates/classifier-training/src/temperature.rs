@@ -3,9 +3,7 @@
 //! Guo, Pleiss, Sun & Weinberger, On Calibration of Modern Neural Networks (arXiv:1706.04599), section 4.2. It changes no
 //! answer, only how sure it is.
 
-use crate::metrics::log_softmax;
-use crate::network::Logits;
-use crate::samples::Example;
+use classifier::{Example, Logits, Parameters, log_softmax, tensor_name};
 
 /// Temperatures that are tried: e^±3, a factor of 20 either way.
 const LOG_RANGE: f64 = 3.0;
@@ -24,6 +22,12 @@ pub(crate) fn fitted_temperature(examples: &[Example], logits: &[Logits]) -> f64
         examples.iter().zip(logits).map(one).sum::<f64>() + prior
     };
     lowest(loss, [-LOG_RANGE, LOG_RANGE]).exp()
+}
+
+/// The parameters whose logits are those of `parameters` divided by `temperature`: the last layer is linear.
+pub(crate) fn cooled(parameters: Parameters, temperature: f64) -> Parameters {
+    let last = [tensor_name::LINEAR_WEIGHT, tensor_name::LINEAR_BIAS];
+    parameters.changed(&last, |value| (f64::from(value) / temperature) as f32)
 }
 
 /// Golden-section search; the loss has one minimum, because it is convex in 1/temperature.

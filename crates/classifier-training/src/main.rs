@@ -1,0 +1,88 @@
+//! `classifier-training SHARD… --out MODEL`: what `cargo xtask train` builds and runs.
+//!
+//! Standard output is a JSON object a line: `{"at": iteration, "of": iterations}`, `{"told": sentence}`, and where it ends badly
+//! `{"refused": why}` (exit code 1) or `{"system": why}` (exit code 2). Where nobody reads it, the training ends.
+
+use artifact::{Provenance, inputs};
+use clap::Parser;
+use classifier::{format_of, samples_of};
+use classifier_training::{Progress, TrainSettings, Trained, TrainingError, save_model, train};
+use serde_json::{Value, json};
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Trains the network on the shards of a dataset.
+#[derive(Parser)]
+struct Arguments {
+    /// Shards of one dataset, in their order.
+    #[arg(required = true)]
+    shards: Vec<PathBuf>,
+    /// Model folder.
+    #[arg(long)]
+    out: PathBuf,
+    /// Of the initial weights and the order of samples.
+    #[arg(long)]
+    seed: u64,
+    /// Steps of the optimizer.
+    #[arg(long)]
+    iterations: u32,
+}
+
+fn main() -> ExitCode {
+    match run(&Arguments::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) if error.is_system() => {
+            say(&json!({ "system": error.to_string() }));
+            ExitCode::from(2)
+        }
+        Err(error) => {
+            say(&json!({ "refused": error.to_string() }));
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(arguments: &Arguments) -> Result<(), TrainingError> {
+    let format = format_of(&arguments.shards)?.ok_or(TrainingError::NoShards)?;
+    let settings = TrainSettings::of_maps(arguments.iterations);
+    let samples = arguments.shards.iter().flat_map(|shard| samples_of(shard));
+    let mut progress = |p: Progress| say(&json!({ "at": p.iteration, "of": p.iterations }));
+    let trained = train(samples, &format, &settings, arguments.seed, &mut progress)?;
+    save_model(&arguments.out, &trained, &provenance(arguments, &settings)?)?;
+    told(&trained);
+    Ok(())
+}
+
+fn provenance(arguments: &Arguments, settings: &TrainSettings) -> Result<Provenance, TrainingError> {
+    let hashed = |shard: &PathBuf| {
+        let name = shard.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let hash = inputs::content_hash(shard);
+        Ok((name, hash.map_err(|cause| TrainingError::Unreadable { shard: shard.clone(), cause })?))
+    };
+    Ok(Provenance {
+        stage: "classifier".into(),
+        program_version: env!("CARGO_PKG_VERSION").into(),
+        inputs: arguments.shards.iter().map(hashed).collect::<Result<_, TrainingError>>()?,
+        settings: serde_json::to_string(settings)
+            .map_err(|e| TrainingError::Library { doing: "write the settings as JSON", cause: e.into() })?,
+        seed: arguments.seed,
+    })
+}
+
+fn told(trained: &Trained) {
+    for (split, evaluation) in &trained.metrics.splits {
+        let [low, high] = evaluation.accuracy_interval.map(|share| 100.0 * share);
+        let (right, of) = (100.0 * evaluation.accuracy, evaluation.samples);
+        let sentence = format!("{split:?}: {right:.1} % of {of} right (95 % interval {low:.1} … {high:.1} %)");
+        say(&json!({ "told": sentence }));
+    }
+}
+
+/// A training that nobody hears of any more is given up: whoever began it was ended.
+fn say(line: &Value) {
+    if writeln!(std::io::stdout(), "{line}").is_err() {
+        artifact::whole_file::abandon_all();
+        std::process::exit(2);
+    }
+}

@@ -1,0 +1,33 @@
+//! A trained model to disk: `weights.model` (the artifact), `metrics.json` and `curves.csv`.
+
+use crate::{CurvePoint, Trained, TrainingError};
+use artifact::model::Model;
+use artifact::whole_file::{self, Durability};
+use artifact::{Provenance, Writer};
+use classifier::{CURVES_FILE, METRICS_FILE, WEIGHTS_FILE};
+use std::path::Path;
+
+/// Writes a model folder; each file is whole or not there, and the weights come last: where they are, all is.
+pub fn save_model(folder: &Path, trained: &Trained, provenance: &Provenance) -> Result<(), TrainingError> {
+    let mut metrics = serde_json::to_vec_pretty(&trained.metrics)
+        .map_err(|e| TrainingError::Library { doing: "write the metrics as JSON", cause: e.into() })?;
+    metrics.push(b'\n');
+    whole_file::write(&folder.join(METRICS_FILE), &metrics, Durability::OnDisk)?;
+    let curves = curves_csv(&trained.curves);
+    whole_file::write(&folder.join(CURVES_FILE), curves.as_bytes(), Durability::OnDisk)?;
+    let mut writer = Writer::<Model>::create(&folder.join(WEIGHTS_FILE), provenance, &trained.header)?;
+    writer.write(&trained.weights)?;
+    Ok(writer.finish()?)
+}
+
+fn curves_csv(curves: &[CurvePoint]) -> String {
+    let header = "iteration,learning_rate,train_log_loss,train_accuracy,validation_log_loss,validation_accuracy\n";
+    let line = |p: &CurvePoint| {
+        let CurvePoint { iteration, learning_rate, train_log_loss, train_accuracy, .. } = p;
+        let CurvePoint { validation_log_loss, validation_accuracy, .. } = p;
+        format!(
+            "{iteration},{learning_rate:.6},{train_log_loss:.6},{train_accuracy:.6},{validation_log_loss:.6},{validation_accuracy:.6}\n"
+        )
+    };
+    std::iter::once(header.to_owned()).chain(curves.iter().map(line)).collect()
+}
