@@ -41,7 +41,7 @@ pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
     for scene in old.into_iter().chain(new) {
         let known = known.get(&scene.name);
         let row = match row(scene, folder.path(), known) {
-            Err(refused @ Failure::Refused(_)) => {
+            Err(refused @ (Failure::Refused(_) | Failure::Unplaced(_))) => {
                 output::line(format!("not run: {refused}"));
                 continue;
             }
