@@ -40,7 +40,14 @@ pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
     let mut rows = Vec::new();
     for scene in old.into_iter().chain(new) {
         let known = known.get(&scene.name);
-        let Some(row) = row(scene, folder.path(), known)? else { continue };
+        let row = match row(scene, folder.path(), known) {
+            Err(refused @ (Failure::Refused(_) | Failure::Unplaced(_))) => {
+                output::line(format!("not run: {refused}"));
+                continue;
+            }
+            row => row?,
+        };
+        let Some(row) = row else { continue };
         output::line(line(&row));
         rows.push(row);
         if let (Some(file), None) = (&arguments.out, known) {

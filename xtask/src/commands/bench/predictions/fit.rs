@@ -11,7 +11,7 @@ pub(super) struct Run {
 }
 
 /// A rate that differs by e from what it was counts as this many runs that are wrong by e.
-const HELD: f64 = 0.1;
+const HELD: f64 = 0.02;
 /// Errors of a logarithm beyond this count by their size: half as much again.
 const LARGE: f64 = 0.4;
 /// Rounds through all rates; the step of a logarithm is halved where a round gains nothing.
