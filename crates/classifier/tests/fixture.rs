@@ -1,4 +1,5 @@
 //! What classifying promises, of the project's own model.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
 
 use artifact::dataset::Crop;
 use classifier::{Classifier, ClassifierError, WEIGHTS_FILE, load_model};
@@ -44,7 +45,8 @@ fn a_crop_is_answered_alike_alone_among_others_and_on_any_number_of_threads() {
     let classifier = classifier();
     let crops = crops(&classifier);
     let together = classifier.probabilities(&crops).unwrap();
-    let alone: Vec<[f32; 4]> = crops.iter().flat_map(|c| classifier.probabilities(&[c.clone()]).unwrap()).collect();
+    let alone: Vec<[f32; 4]> =
+        crops.iter().flat_map(|c| classifier.probabilities(std::slice::from_ref(c)).unwrap()).collect();
     assert_eq!(together, alone);
     let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     assert_eq!(one_thread.install(|| classifier.probabilities(&crops).unwrap()), together);

@@ -57,7 +57,7 @@ fn built() -> Result<PathBuf, Failure> {
     };
     let output = ended.map_err(|e| unbuilt(format!("cargo cannot be run: {e}")))?;
     let messages = output.stdout.split(|byte| *byte == b'\n');
-    let program = messages.filter_map(|message| program_of(&serde_json::from_slice(message).ok()?)).last();
+    let program = messages.filter_map(|message| program_of(&serde_json::from_slice(message).ok()?)).next_back();
     program
         .filter(|_| output.status.success())
         .ok_or_else(|| unbuilt(format!("its build ended with {}", output.status)))
