@@ -35,6 +35,7 @@ const SECONDS: [(Item, f64); ITEMS] = [
     (Item::LongTiles, 2.2e-5),
     (Item::MeasuredCells, 1.8e-5),
     (Item::Cells, 5.1e-6),
+    (Item::WideCells, 1e-4),
     (Item::SlidingBeams, 6e-5),
     (Item::SlidingTiles, 5.6e-6),
     (Item::MovingBeams, 1e-5),

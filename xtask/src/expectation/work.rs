@@ -32,6 +32,9 @@ pub(crate) enum Item {
     /// Cells that paths are made of, where errors are measured (several sizes are tried) and where they are taken over.
     MeasuredCells,
     Cells,
+    /// Measured cells times the metres that the array reaches from its middle: outlines of what is lit differ from element to element,
+    /// and finer cells are tried in vain against that.
+    WideCells,
     /// Lit polygons and tiles of ways between bodies that move against each other, times the wavelengths that they slide.
     SlidingBeams,
     SlidingTiles,
@@ -75,6 +78,7 @@ impl Item {
         Self::LongTiles,
         Self::MeasuredCells,
         Self::Cells,
+        Self::WideCells,
         Self::SlidingBeams,
         Self::SlidingTiles,
         Self::MovingBeams,
