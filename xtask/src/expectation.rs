@@ -1,6 +1,6 @@
 //! What a run is expected to take: the work of its stages, counted before it begins, at rates that were measured on many scenes.
 
-mod machine_speed;
+pub(crate) mod machine_speed;
 pub(crate) mod rates;
 mod tracer_work;
 pub(crate) mod work;
@@ -17,8 +17,6 @@ pub(crate) struct Expectation {
     pub(crate) work: Work,
     /// Processor seconds, all threads together.
     pub(crate) seconds: f64,
-    /// Of this machine, over that of the rates.
-    pub(crate) machine_speed: f64,
     /// Held at most, frames that are computed side by side together.
     pub(crate) memory_mib: f64,
 }
@@ -26,10 +24,19 @@ pub(crate) struct Expectation {
 impl Expectation {
     /// Of the frames that the plans are of.
     pub(crate) fn of(chain: &Chain, cache: Option<&Cache>, plans: &[FramePlan]) -> Result<Self, Failure> {
+        Self::at_speed(chain, cache, plans, machine_speed::of_this_machine(cache)?)
+    }
+
+    /// On a machine of another speed.
+    pub(crate) fn at_speed(
+        chain: &Chain,
+        cache: Option<&Cache>,
+        plans: &[FramePlan],
+        machine_speed: f64,
+    ) -> Result<Self, Failure> {
         let work = work::of_run(chain, cache, plans)?;
-        let machine_speed = machine_speed::of_this_machine(cache)?;
         let seconds = rates::reference_seconds(&work) / machine_speed;
-        Ok(Self { work, seconds, machine_speed, memory_mib: chain.memory_of_run_mib(plans)? })
+        Ok(Self { work, seconds, memory_mib: chain.memory_of_run_mib(plans)? })
     }
 }
 

@@ -490,8 +490,12 @@ fn those_there(radars: &[String]) -> String {
 
 /// The beginning of what a file says, for a sentence about it.
 pub(crate) fn excerpt(text: &str) -> String {
-    const SHOWN: usize = 80;
-    match text.char_indices().nth(SHOWN) {
+    beginning(text, 80)
+}
+
+/// At most `shown` characters of a text, and a sign that there are more.
+pub(crate) fn beginning(text: &str, shown: usize) -> String {
+    match text.char_indices().nth(shown) {
         Some((end, _)) => format!("{}…", &text[..end]),
         None => text.to_owned(),
     }

@@ -1,5 +1,6 @@
 //! XML of SUMO as a stream: as it is or packed by gzip, of any length, each element with its line, in bounded memory.
 
+use crate::errors::beginning;
 use artifact::bounded;
 use quick_xml::XmlVersion;
 use quick_xml::events::{BytesEnd, BytesStart, Event};
@@ -23,7 +24,7 @@ pub enum XmlFault {
     #[error("the gzip file is damaged or cut off: {0}")]
     DamagedGzip(#[source] io::Error),
     /// Not XML.
-    #[error("not valid XML: {0}")]
+    #[error("not valid XML: {}", beginning(&.0.to_string(), 300))]
     Xml(quick_xml::Error),
     /// An element that never ends, or megabytes between elements.
     #[error("more than {0} bytes without an element")]

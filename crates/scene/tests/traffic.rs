@@ -123,6 +123,14 @@ fn frames_fill_the_time_asked_for_and_no_more() {
 }
 
 #[test]
+fn a_name_of_a_megabyte_is_not_repeated_in_the_error() {
+    let sound = fcd(&[(0.0, &[("a", 2.0, 30.0, 180.0, 9.0)]), (0.1, &[("a", 2.0, 29.1, 180.0, 9.0)])]);
+    let broken = sound.replace("</fcd-export>", &format!("</fcd-expor{}>", " x".repeat(500_000)));
+    let told = read_bytes(broken.as_bytes(), "", CAR).unwrap_err();
+    assert!(told.contains("expected `</fcd-export>`, but `</fcd-expor") && told.len() < 1000, "{} bytes", told.len());
+}
+
+#[test]
 fn a_broken_recording_is_refused_with_line_and_rule() {
     let sound = fcd(&[(0.0, &[("a", 2.0, 30.0, 180.0, 9.0)]), (0.1, &[("a", 2.0, 29.1, 180.0, 9.0)])]);
     let edited = |from: &str, to: &str| sound.replacen(from, to, 1);

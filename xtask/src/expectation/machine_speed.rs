@@ -60,7 +60,8 @@ fn key() -> Key {
     Key::of(Stage::BartRcs, vec![("machine", artifact::envelope::fingerprint(&processor))])
 }
 
-fn measured() -> Result<f64, Failure> {
+/// As it is now.
+pub(crate) fn measured() -> Result<f64, Failure> {
     let Some(begin) = processor_time::of_process() else { return Ok(1.0) };
     let mesh = scene::vehicles::mesh("motorcycle-scooter", 0);
     let mesh = mesh.ok_or_else(|| Failure::refused("the motorcycle that speeds are measured with is missing"))?;

@@ -69,7 +69,7 @@ pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
 
 impl Row {
     fn at_reference_speed(&self) -> fit::Run {
-        fit::Run { work: self.expected.work, seconds: self.taken.processor_s * self.expected.machine_speed }
+        fit::Run { work: self.expected.work, seconds: self.taken.processor_s * self.taken.machine_speed }
     }
 }
 
@@ -100,24 +100,26 @@ fn row(scene: RandomScene, folder: &Path, known: Option<&Taken>) -> Result<Optio
     // A file each: what was read is an input, and no input is written to.
     let file = folder.join(format!("{}.toml", scene.name));
     output::write_file(&file, scene.text.as_bytes())?;
-    let before_s = processor_time::of_process();
-    let (expected, load, at_once) = expected(&file)?;
-    let look_s = processor_time::of_process().zip(before_s).map_or(f64::NAN, |(after, before)| after - before);
     let taken = match known {
         Some(taken) => Some(*taken),
         None => child::run(&file, &folder.join("out"), scene.threads)?,
     };
-    Ok(taken.map(|taken| Row { scene, expected, look_s, load, at_once, taken }))
+    let Some(taken) = taken else { return Ok(None) };
+    let before_s = processor_time::of_process();
+    let (expected, load, at_once) = expected(&file, taken.machine_speed)?;
+    let look_s = processor_time::of_process().zip(before_s).map_or(f64::NAN, |(after, before)| after - before);
+    Ok(Some(Row { scene, expected, look_s, load, at_once, taken }))
 }
 
-/// As `run --dry-run` says it.
-fn expected(file: &Path) -> Result<(Expectation, Load, usize), Failure> {
+/// As `run --dry-run` says it on a machine as fast as that.
+fn expected(file: &Path, machine_speed: f64) -> Result<(Expectation, Load, usize), Failure> {
     let arguments = SceneArguments { scene: file.to_owned(), model: None, radar: None, seed: None };
     let loaded = load::scene(&arguments, None)?;
     let model = load::model(None)?;
     let chain = Chain::of(&loaded.header, None, model.as_ref());
     let plans: Vec<FramePlan> = (0..loaded.header.frames).map(|index| chain.plan(index)).collect();
-    Ok((Expectation::of(&chain, None, &plans)?, chain.largest_load(&plans)?, chain.side_by_side(&plans)?))
+    let expected = Expectation::at_speed(&chain, None, &plans, machine_speed)?;
+    Ok((expected, chain.largest_load(&plans)?, chain.side_by_side(&plans)?))
 }
 
 fn line(row: &Row) -> String {

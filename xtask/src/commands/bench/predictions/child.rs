@@ -1,5 +1,6 @@
 //! One run of the program as a process of its own: its processor time and its largest size are that run's alone.
 
+use crate::expectation::machine_speed;
 use crate::failure::Failure;
 use artifact::Reader;
 use artifact::paths::{Paths, PathsFrame};
@@ -13,6 +14,8 @@ use std::time::Duration;
 pub(super) struct Taken {
     pub(super) processor_s: f64,
     pub(super) peak_mib: f64,
+    /// Of the machine when it ran: it changes with what else runs on it.
+    pub(super) machine_speed: f64,
     /// Paths, and lit polygons of the frames' middles; of all frames.
     pub(super) paths: f64,
     pub(super) beams: f64,
@@ -26,6 +29,7 @@ pub(super) struct Taken {
 
 /// `run` of a scene without a cache; `None` where the system does not tell what a process took.
 pub(super) fn run(scene: &Path, out: &Path, threads: Option<u16>) -> Result<Option<Taken>, Failure> {
+    let machine_speed = machine_speed::measured()?;
     let program = std::env::current_exe().map_err(|e| Failure::System(format!("no program to run: {e}")))?;
     let mut command = Command::new(program);
     command.arg("run").arg(scene).arg("--out").arg(out).args(["--no-cache", "--quiet"]);
@@ -40,7 +44,7 @@ pub(super) fn run(scene: &Path, out: &Path, threads: Option<u16>) -> Result<Opti
         return Err(Failure::refused(format!("{}: {status}", scene.display())));
     }
     let Some(((before_s, after_s), peak_mib)) = before.zip(of_children()).zip(peak_mib) else { return Ok(None) };
-    told(out, after_s - before_s, peak_mib).map(Some)
+    Ok(Some(Taken { machine_speed, ..told(out, after_s - before_s, peak_mib)? }))
 }
 
 fn told(out: &Path, processor_s: f64, peak_mib: f64) -> Result<Taken, Failure> {
@@ -49,7 +53,16 @@ fn told(out: &Path, processor_s: f64, peak_mib: f64) -> Result<Taken, Failure> {
     let frames = || summary["frames"].as_array().into_iter().flatten();
     let seconds = |stage: &str| frames().filter_map(|frame| frame["stage_seconds"][stage].as_f64()).sum();
     let stages_s = ["bart_rcs", "fmcw_echo", "dsp"].map(seconds);
-    let mut taken = Taken { processor_s, peak_mib, paths: 0.0, beams: 0.0, moments: 1.0, traced_mib: 0.0, stages_s };
+    let mut taken = Taken {
+        processor_s,
+        peak_mib,
+        machine_speed: 1.0,
+        paths: 0.0,
+        beams: 0.0,
+        moments: 1.0,
+        traced_mib: 0.0,
+        stages_s,
+    };
     // A scene of tables has no paths.
     let file = out.join("frames.paths");
     if file.is_file() {
