@@ -45,8 +45,8 @@ impl Tokens {
     }
 }
 
-/// A longer text is not taken apart again: its words would take this program more memory than the reader is allowed.
-const LONGEST_CHANGED: usize = 1 << 22;
+/// A longer text is not changed again: one change repeats a part of it up to thousands of times.
+const LONGEST_CHANGED: usize = 1 << 16;
 
 /// One to four changes of words and lines; `words` are those of the format.
 pub(crate) fn changed(noise: &mut Noise, text: &[u8], words: &[&str]) -> Vec<u8> {
