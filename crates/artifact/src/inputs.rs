@@ -27,14 +27,17 @@ pub fn note(file: &Path) {
     }
 }
 
-/// BLAKE3 of what a plain file holds, in hexadecimal digits; by pieces: a recording may be larger than memory.
+/// The name of a plain file and the BLAKE3 hash of its content, as [`Provenance::inputs`](crate::Provenance::inputs) holds them.
+///
+/// The file is read by pieces: a recording may be larger than memory.
 ///
 /// # Errors
 /// It is unreadable or no plain file.
-pub fn content_hash(file: &Path) -> Result<String> {
+pub fn named_hash(file: &Path) -> Result<(String, String)> {
+    let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let mut hasher = blake3::Hasher::new();
     std::io::copy(&mut open(file)?, &mut hasher)?;
-    Ok(hasher.finalize().to_hex().to_string())
+    Ok((name, hasher.finalize().to_hex().to_string()))
 }
 
 /// The name by which a file was read that `about` tells of, if it is an input.

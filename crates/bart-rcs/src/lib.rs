@@ -68,7 +68,7 @@ pub use frame::expected_work::{ExpectedWork, expected_work};
 pub use frame::moments::MOMENTS_MAX;
 pub use frame::path::{FrameSurroundings, trace_frame, trace_frame_like, trace_frame_within};
 pub use frame::path_sum::{PathView, scattering_of_paths};
-pub use frame::path_table::largest_cell_m;
+pub use frame::path_table::{element_offset_m, largest_cell_m};
 pub use frame::rcs_frame::{rcs_frame, rcs_frame_within};
 pub use geometry::antenna::Antenna;
 pub use geometry::facet_geometry::FacetGeometry;

@@ -19,7 +19,7 @@ struct Arguments {
     #[arg(required = true)]
     shards: Vec<PathBuf>,
     /// Model folder.
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     out: PathBuf,
     /// Of the initial weights and the order of samples.
     #[arg(long)]
@@ -55,11 +55,8 @@ fn run(arguments: &Arguments) -> Result<(), TrainingError> {
 }
 
 fn provenance(arguments: &Arguments, settings: &TrainSettings) -> Result<Provenance, TrainingError> {
-    let hashed = |shard: &PathBuf| {
-        let name = shard.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let hash = inputs::content_hash(shard);
-        Ok((name, hash.map_err(|cause| TrainingError::Unreadable { shard: shard.clone(), cause })?))
-    };
+    let unreadable = |shard: &PathBuf, cause| TrainingError::Unreadable { shard: shard.clone(), cause };
+    let hashed = |shard: &PathBuf| inputs::named_hash(shard).map_err(|cause| unreadable(shard, cause));
     Ok(Provenance {
         stage: "classifier".into(),
         program_version: env!("CARGO_PKG_VERSION").into(),

@@ -15,9 +15,9 @@ use std::path::{Path, PathBuf};
 /// # Errors
 /// A shard is unreadable, or differs from the first.
 pub fn format_of(shards: &[PathBuf]) -> Result<Option<CropFormat>, ClassifierError> {
-    let Some(first) = shards.first() else { return Ok(None) };
+    let Some((first, others)) = shards.split_first() else { return Ok(None) };
     let format = *Reader::<Dataset>::open(first)?.header();
-    for shard in shards {
+    for shard in others {
         if *Reader::<Dataset>::open(shard)?.header() != format {
             return Err(ClassifierError::ShardFormat { shard: shard.clone(), first: first.clone() });
         }

@@ -35,11 +35,8 @@ impl CellOwners {
     /// The object of the nearest point, the first of equally near ones; `None` without a point.
     pub(crate) fn of(&self, [row, column]: [i64; 2]) -> Option<u32> {
         let distance = |[r, c]: [f64; 2]| wrapped(r - row as f64, self.rows).powi(2) + (c - column as f64).powi(2);
-        let nearest = |best: Option<(f64, u32)>, (at, object): &([f64; 2], u32)| match best {
-            Some((least, _)) if least <= distance(*at) => best,
-            _ => Some((distance(*at), *object)),
-        };
-        self.peaks.iter().fold(None, nearest).map(|(_, object)| object)
+        let distances = self.peaks.iter().map(|(at, object)| (distance(*at), *object));
+        distances.min_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, object)| object)
     }
 }
 

@@ -69,10 +69,7 @@ pub(crate) fn of_scene(errors: scene::SceneErrors) -> Failure {
 
 /// Name and content hash of files.
 pub(crate) fn hashed(files: &[PathBuf]) -> Result<Vec<(String, String)>, Failure> {
-    let hash = |file: &PathBuf| {
-        let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        Ok((name, artifact::inputs::content_hash(file).map_err(|e| Failure::system(file, "read", e))?))
-    };
+    let hash = |file: &PathBuf| artifact::inputs::named_hash(file).map_err(|e| Failure::system(file, "read", e));
     files.iter().map(hash).collect()
 }
 

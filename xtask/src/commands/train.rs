@@ -25,14 +25,16 @@ pub(crate) fn run(arguments: &TrainArguments) -> Result<(), Failure> {
     }
     output::claim(&classifier::MODEL_FILES.map(|name| arguments.out.join(name)))?;
     let mut command = Command::new(built()?);
-    command.args(&shards).arg("--out").arg(&arguments.out);
+    command.arg("--out").arg(&arguments.out);
     command.args(["--seed", &arguments.seed.to_string(), "--iterations", &arguments.iterations.to_string()]);
+    command.arg("--").args(&shards);
     command.env("RAYON_NUM_THREADS", rayon::current_num_threads().to_string());
     let child = command.stdin(Stdio::null()).stdout(Stdio::piped()).spawn();
     heard(child.map_err(|e| Failure::System(format!("{PROGRAM}: cannot be run: {e}")))?)
 }
 
-/// Where it is built: what it stands on has other features than what the main job stands on, and neither undoes the other's work.
+/// Where it is built: what it stands on has other features than what the main job stands on, and neither undoes
+/// the other's work.
 pub(super) fn target_folder() -> PathBuf {
     project_root().join("target/training")
 }

@@ -2,7 +2,8 @@
 
 use super::work::{ITEMS, Item, Work};
 
-/// What the program holds beside frames: code, thread stacks, the classifier (measured 32 to 40 MiB with the learning library that was there then).
+/// What the program holds beside frames: code, thread stacks, the classifier (32 to 40 MiB were measured when the
+/// learning library was part of it).
 pub(crate) const PROGRAM_MIB: f64 = 48.0;
 
 /// Bytes of a facet, at rest and placed, and of a beam with what is joined on it.

@@ -9,7 +9,6 @@ use crate::plan::FramePlan;
 use crate::stages::Stage;
 use artifact::scene::SceneHeader;
 use artifact::settings::{EchoMode, Edges};
-use glam::DVec3;
 
 /// Adds what the tracer does; gives about how many paths each frame has.
 pub(super) fn add(
@@ -56,15 +55,8 @@ fn add_measured(header: &SceneHeader, look: &Look, work: &mut Work) {
     work.add(Item::LongTiles, look.facets * look.work.long_tiles);
     work.add(Item::MeasuredCells, look.cells * look.work.smaller_cells);
     work.add(Item::Cells, look.cells * look.work.largest_cells);
-    work.add(Item::WideCells, look.cells * look.work.smaller_cells * array_reach_m(header));
+    work.add(Item::WideCells, look.cells * look.work.smaller_cells * bart_rcs::element_offset_m(header));
     add_sliding(look, work);
-}
-
-/// Greatest distance of an element from the array's middle.
-fn array_reach_m(header: &SceneHeader) -> f64 {
-    let (middle_m, array) = (DVec3::from_array(header.radar.position_m), &header.radar.array);
-    let elements = array.tx_m.iter().chain(&array.rx_m).map(|at| DVec3::from_array(*at).distance(middle_m));
-    elements.fold(0.0, f64::max)
 }
 
 /// One moment and its paths.

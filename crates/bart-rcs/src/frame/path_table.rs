@@ -192,7 +192,8 @@ pub(crate) fn largest_cell_of_world_m(plan: &Plan<'_>, world: &World) -> f64 {
     largest_cell_m(plan.header, ranges_m.fold(f64::INFINITY, f64::min), world.fastest_mps())
 }
 
-fn element_offset_m(header: &SceneHeader) -> f64 {
+/// Greatest distance of an element from the radar's position.
+pub fn element_offset_m(header: &SceneHeader) -> f64 {
     let array = &header.radar.array;
     let centre = DVec3::from_array(header.radar.position_m);
     let elements = array.tx_m.iter().chain(&array.rx_m);

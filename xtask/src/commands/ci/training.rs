@@ -18,14 +18,16 @@ pub(super) struct Training {
 }
 
 impl Training {
-    /// Lints first: they end soonest.
+    /// Tests first: what they build is most of the time; then lints and docs, as of the other crates.
     pub(super) fn begin() -> Result<Self, Failure> {
         let log = train::target_folder().join("ci.log");
         let failed = |e: std::io::Error| Failure::system(&log, "write", e);
         std::fs::create_dir_all(train::target_folder()).map_err(failed)?;
         let file = File::create(&log).map_err(failed)?;
         let words = format!(
-            "cargo test --release --package {PACKAGE} && cargo clippy --release --package {PACKAGE} --all-targets -- -D warnings"
+            "cargo test --release --package {PACKAGE} && \
+             cargo clippy --release --package {PACKAGE} --all-targets -- -D warnings && \
+             RUSTDOCFLAGS='-D warnings' cargo doc --release --package {PACKAGE} --no-deps"
         );
         let mut command = Command::new("sh");
         command.args(["-c", &words]).env("CARGO_TARGET_DIR", train::target_folder()).current_dir(project_root());
