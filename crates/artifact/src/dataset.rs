@@ -1,7 +1,8 @@
-//! Labelled crops of range-Doppler maps.
+//! Labelled signatures of objects, and crops of range-Doppler maps.
 
 use crate::Schema;
 use crate::settings::Class;
+use crate::signature::Signature;
 use serde::{Deserialize, Serialize};
 
 /// The `.dataset` artifact: one record a sample.
@@ -9,7 +10,7 @@ pub struct Dataset;
 
 impl Schema for Dataset {
     const NAME: &'static str = "dataset";
-    const VERSION: u32 = 1;
+    const VERSION: u32 = 2;
     const RECORD_LIMIT: u64 = 64 << 20;
     type Header = CropFormat;
     type Frame = Sample;
@@ -41,19 +42,27 @@ pub struct Crop {
     pub radial_velocity_mps: f64,
 }
 
-/// A crop with its label.
+/// An object of a frame with its label.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Sample {
     /// Unique in the dataset.
     pub id: String,
-    /// The image.
-    pub crop: Crop,
+    /// What its map tells of it.
+    pub signature: Signature,
+    /// The image; `None` of a dataset without images.
+    pub crop: Option<Crop>,
     /// Truth; `None` where unknown.
     pub class: Option<Class>,
     /// Vehicle model.
     pub model: String,
+    /// Which variant of the model's dimensions.
+    pub variant: u64,
     /// Scene it was cut from: splits go by scene.
     pub scene: u64,
+    /// Which of the scene's vehicles it is.
+    pub target: u32,
+    /// Frame of its scene: those of one target are a track.
+    pub frame: u32,
     /// Which part of a split it belongs to.
     pub split: Split,
     /// True range of the body's origin.

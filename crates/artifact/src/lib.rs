@@ -43,6 +43,7 @@ pub mod cube;
 pub mod rdm;
 pub mod points;
 pub mod tracks;
+pub mod signature;
 pub mod dataset;
 pub mod model;
 pub mod classes;

@@ -19,6 +19,12 @@ pub enum ClassifierError {
         /// Side that the format tells.
         side: u32,
     },
+    /// A dataset without images, where the network needs them.
+    #[error("sample {index} has no crop: its dataset was made with `crops = false`")]
+    NoCrop {
+        /// Of the sample among those handed in.
+        index: usize,
+    },
     /// A setting is outside its range.
     #[error("{setting} must be {rule}, is {found}")]
     Setting {

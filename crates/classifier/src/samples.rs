@@ -3,7 +3,7 @@
 use crate::ClassifierError;
 use crate::classify::pooled_crop;
 use crate::layout::Layout;
-use artifact::dataset::{CropFormat, Dataset, Sample, Split};
+use artifact::dataset::{Crop, CropFormat, Dataset, Sample, Split};
 use artifact::settings::Class;
 use artifact::{ArtifactError, Reader};
 use std::collections::{BTreeMap, BTreeSet};
@@ -68,8 +68,9 @@ impl Examples {
         let mut partition = Partition::default();
         for (index, sample) in samples.enumerate() {
             let sample = sample?;
-            partition.add(&sample)?;
-            let pooled = pooled_crop(&sample.crop, layout, index)?;
+            let crop = sample.crop.as_ref().ok_or(ClassifierError::NoCrop { index })?;
+            partition.add(&sample, crop)?;
+            let pooled = pooled_crop(crop, layout, index)?;
             match sample.class.and_then(index_of) {
                 None => examples.unlabelled += 1,
                 Some(class) => {
@@ -97,7 +98,7 @@ struct Partition {
 }
 
 impl Partition {
-    fn add(&mut self, sample: &Sample) -> Result<(), ClassifierError> {
+    fn add(&mut self, sample: &Sample, crop: &Crop) -> Result<(), ClassifierError> {
         let first = *self.split_of_scene.entry(sample.scene).or_insert(sample.split);
         if first != sample.split {
             return Err(ClassifierError::SceneInTwoSplits { scene: sample.scene, first, second: sample.split });
@@ -106,7 +107,7 @@ impl Partition {
             return Err(ClassifierError::SampleTwice(sample.id.clone()));
         }
         let image = (sample.split, sample.id.clone());
-        match self.first_of_image.entry(hash_of(&sample.crop.pixels)).or_insert(image) {
+        match self.first_of_image.entry(hash_of(&crop.pixels)).or_insert(image) {
             (split, _) if *split == sample.split => Ok(()),
             (_, first) => Err(ClassifierError::CropInTwoSplits { first: first.clone(), second: sample.id.clone() }),
         }

@@ -111,7 +111,7 @@ pub(crate) fn check_format(format: &CropFormat) -> Result<(), DspError> {
     if fits { Ok(()) } else { Err(DspError::CropFormat) }
 }
 
-fn check_object(object: &Object) -> Result<(), DspError> {
+pub(crate) fn check_object(object: &Object) -> Result<(), DspError> {
     for (quantity, finite) in [
         ("range_m", object.range_m.is_finite()),
         ("radial_velocity_mps", object.radial_velocity_mps.is_finite()),
@@ -201,7 +201,7 @@ fn reach(places: &[f64]) -> [i64; 2] {
     [low.floor() as i64, high.floor() as i64 + 1]
 }
 
-fn direction_of(header: &CubeHeader, array: &VirtualArray, object: &Object) -> Direction {
+pub(crate) fn direction_of(header: &CubeHeader, array: &VirtualArray, object: &Object) -> Direction {
     let from_radar = DVec3::from(object.position_m) - DVec3::from(header.radar.position_m);
     let [right, up, _] = array.axes();
     // The steering of an array without rows does not feel `up`.

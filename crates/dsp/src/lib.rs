@@ -112,6 +112,7 @@ pub mod kalman;
 pub mod tracks;
 mod cell_owners;
 pub mod crop;
+pub mod signature;
 pub mod grayscale;
 
 pub use axes::{range_axis_m, velocity_axis_mps};
@@ -121,4 +122,5 @@ pub use grayscale::rdm_grayscale;
 pub use noncoherent::{noise_power, power_map};
 pub use points::{detect, detect_refined};
 pub use range_doppler::range_doppler;
+pub use signature::Signatures;
 pub use tracks::{ROAD_TRAFFIC, Tracker};

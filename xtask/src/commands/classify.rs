@@ -62,7 +62,7 @@ fn crops(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
         if batch.is_empty() {
             return Ok(());
         }
-        let images: Vec<_> = batch.iter().map(|s| s.crop.clone()).collect();
+        let images: Vec<_> = batch.iter().filter_map(|s| s.crop.clone()).collect();
         for (sample, p) in batch.iter().zip(model.probabilities(&images)?) {
             tell(file, 0, &sample.id, &p);
         }

@@ -68,7 +68,8 @@ pub(super) fn shoot(recipe: &Recipe, drawn: &Drawn, shard: &Path) -> Result<Shot
     let objects = &products.result.points.objects;
     let pairing = Pairing::of(&truths, objects, &Reach::of(&header));
     let object = pairing.object_of[0].map(|o| &objects[o]);
-    let sample = object.map(|object| sample(drawn, &chain, &products, object, &truths[0], recipe.seed)).transpose()?;
+    let sample =
+        pairing.object_of[0].map(|o| sample(drawn, &chain, &products, o, &truths[0], recipe.seed)).transpose()?;
     Ok(Shot { line: line(drawn, &truths[0], object, &products, shard, recipe.seed), sample })
 }
 
@@ -107,14 +108,19 @@ fn sample(
     drawn: &Drawn,
     chain: &Chain,
     products: &FrameProducts,
-    object: &Object,
+    object: usize,
     truth: &Truth,
     seed: u64,
 ) -> Result<Sample, Failure> {
-    let crop = dsp::crop(&chain.cube_header, &products.rdm, object, &dsp::PAPER_CROP).map_err(Failure::refused)?;
+    let points = &products.result.points;
+    let signatures = dsp::Signatures::new(&chain.cube_header, &products.rdm).map_err(Failure::refused)?;
     Ok(Sample {
         id: format!("scene-{:05}", drawn.number),
-        crop,
+        signature: signatures.of(points, object as u32).map_err(Failure::refused)?,
+        crop: None,
+        target: 0,
+        frame: 0,
+        variant: drawn.vehicle_seed,
         class: Some(drawn.class),
         model: drawn.model.clone(),
         scene: drawn.number,

@@ -18,7 +18,7 @@ pub(crate) fn npy(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
         for sample in reader {
             let sample = sample.map_err(|e| fail(&mut failed, e))?;
             labels.push(label(&sample));
-            stream.append(&sample.crop.pixels)?;
+            stream.append(&sample.crop.map_or_else(|| vec![0; side * side], |crop| crop.pixels))?;
         }
         Ok(())
     });
@@ -41,7 +41,8 @@ pub(crate) fn png(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
     for sample in reader {
         let sample = sample?;
         let place = out.join(format!("{}.png", plain_name(&sample.id)));
-        crate::pictures::write_gray(&place, side, side, sample.crop.pixels)?;
+        let crop = sample.crop.ok_or_else(|| Failure::Refused(format!("sample `{}` has no image", sample.id)))?;
+        crate::pictures::write_gray(&place, side, side, crop.pixels)?;
     }
     Ok(())
 }
