@@ -136,7 +136,7 @@ impl<'a> Signatures<'a> {
             .map(|row| (row, self.power[(row.rem_euclid(chirps) as usize, column as usize)]))
             .collect();
         let strongest = own.iter().copied().reduce(|best, next| if next.1 > best.1 { next } else { best });
-        let Some((row, power)) = strongest else { return SignatureCell { height_m: self.no_height(), ..NOTHING } };
+        let Some((row, power)) = strongest else { return self.nothing() };
         SignatureCell {
             velocity_spread_mps: self.spread_mps(&own) as f32,
             ..self.located(search, [row, column], power)
@@ -157,7 +157,7 @@ impl<'a> Signatures<'a> {
         SignatureCell {
             level_db: db_from_power((explained / self.noise.max(f64::MIN_POSITIVE)).max(1e-3)) as f32,
             cross_m: cross_m(header, &search.place, &found) as f32,
-            height_m: direction.up.map(|_| found.position_m.z as f32),
+            height_m: self.has_rows().then_some(found.position_m.z as f32),
             coherence: (explained / total.max(f64::MIN_POSITIVE)) as f32,
             velocity_spread_mps: 0.0,
         }
@@ -187,8 +187,13 @@ impl<'a> Signatures<'a> {
         (sum(&|row| (row - mean).powi(2)) / total).sqrt() * self.header.radar.velocity_resolution_mps()
     }
 
-    fn no_height(&self) -> Option<f32> {
-        self.array.beams()[1].is_finite().then_some(0.0)
+    fn has_rows(&self) -> bool {
+        self.array.beams()[1].is_finite()
+    }
+
+    fn nothing(&self) -> SignatureCell {
+        let height_m = self.has_rows().then_some(0.0);
+        SignatureCell { level_db: 0.0, cross_m: 0.0, height_m, coherence: 0.0, velocity_spread_mps: 0.0 }
     }
 
     /// σ = P (4π)³R⁴/(P_t G²λ² N_s²N_c² N) of a beam over N channels, P the noise of one; the windows' coherent gain is 1.
@@ -210,9 +215,6 @@ impl<'a> Signatures<'a> {
         from_radar.normalize_or_zero().dot(self.array.axes()[1])
     }
 }
-
-const NOTHING: SignatureCell =
-    SignatureCell { level_db: 0.0, cross_m: 0.0, height_m: None, coherence: 0.0, velocity_spread_mps: 0.0 };
 
 /// How far a place lies to the right of an object's, across the horizontal line of sight to it.
 fn cross_m(header: &CubeHeader, object: &Place, found: &Place) -> f64 {
