@@ -4,15 +4,15 @@
 use crate::cache::Cache;
 use crate::failure::Failure;
 use crate::keys::{FrameKeys, SceneParts, cube_header, echo_header};
+use crate::loaded_model::{ClassRule, LoadedModel};
 use crate::looks::Looks;
 use crate::measured_frames::MeasuredFrames;
 use crate::plan::FramePlan;
 use crate::progress::{self, Work};
 use crate::stages::Stage;
 use crate::summary::FrameResult;
-use artifact::classes::{Classes, ClassesFrame, ClassesHeader};
+use artifact::classes::{Classes, ClassesFrame};
 use artifact::cube::{Cube, CubeFrame, CubeHeader};
-use artifact::model::{ModelHeader, Weights};
 use artifact::paths::{Paths, PathsFrame, PathsHeader};
 use artifact::points::{Points, PointsFrame, PointsHeader};
 use artifact::rcs::{Rcs, RcsFrame, RcsHeader};
@@ -21,11 +21,8 @@ use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
 use artifact::settings::{Class, EchoMode};
 use artifact::{Accuracy, ErrorBudget, ModelError, Schema};
 use bart_rcs::FrameSurroundings;
-use classifier::Classifier;
 use fmcw_echo::EchoError;
-use rayon::prelude::*;
 use std::borrow::Cow;
-use std::path::Path;
 use std::sync::{Arc, OnceLock};
 use std::time::Instant;
 
@@ -67,64 +64,6 @@ pub(crate) struct FrameProducts {
 /// is seen above the floor of a map without noise.
 pub(crate) fn echo_accuracy(header: &SceneHeader) -> Accuracy {
     Accuracy::from_db((header.fidelity.accuracy.db() - 20.0).min(-60.0))
-}
-
-/// Crops held at once: whole passes of the network, 20 MB.
-const CROPS: usize = 100;
-
-/// A classifier and what names it in a cache key.
-pub(crate) struct LoadedModel {
-    header: ModelHeader,
-    weights: Weights,
-    hash: String,
-    network: OnceLock<Result<Classifier, String>>,
-}
-
-impl LoadedModel {
-    /// Reads a model file, or the one in a model folder.
-    pub(crate) fn read(place: &Path) -> Result<Self, Failure> {
-        let (header, weights) = classifier::load_model(place).map_err(of_classifier)?;
-        let hash = artifact::envelope::fingerprint(&(&header, &weights));
-        Ok(Self { header, weights, hash, network: OnceLock::new() })
-    }
-
-    /// What the probabilities are of.
-    fn classes_header(&self) -> ClassesHeader {
-        ClassesHeader { classes: self.header.classes.clone() }
-    }
-
-    /// Probabilities of each object of a map, in the order of the points' objects.
-    pub(crate) fn classify(
-        &self,
-        header: &CubeHeader,
-        rdm: &RdmFrame,
-        points: &PointsFrame,
-    ) -> Result<Vec<[f32; 4]>, Failure> {
-        let cropper = dsp::Cropper::new(header, rdm, &self.header.format).map_err(Failure::refused)?;
-        let mut rows = Vec::with_capacity(points.objects.len());
-        let objects: Vec<u32> = (0..).take(points.objects.len()).collect();
-        for objects in objects.chunks(CROPS) {
-            let crops: Vec<_> = objects.par_iter().map(|object| cropper.crop_among(points, *object)).collect();
-            let crops = crops.into_iter().collect::<Result<Vec<_>, _>>().map_err(Failure::refused)?;
-            rows.extend(self.probabilities(&crops)?);
-        }
-        Ok(rows)
-    }
-
-    /// Probabilities of crops.
-    pub(crate) fn probabilities(&self, crops: &[artifact::dataset::Crop]) -> Result<Vec<[f32; 4]>, Failure> {
-        let build = || Classifier::from_model(&self.header, &self.weights).map_err(|e| e.to_string());
-        let network = self.network.get_or_init(build).as_ref().map_err(Failure::refused)?;
-        network.probabilities(crops).map_err(Failure::refused)
-    }
-}
-
-/// A model was refused, or the system refused it.
-pub(crate) fn of_classifier(error: classifier::ClassifierError) -> Failure {
-    match error {
-        classifier::ClassifierError::Artifact(error) => error.into(),
-        other => Failure::refused(other),
-    }
 }
 
 /// A scene with everything that its frames share.
@@ -189,9 +128,19 @@ impl<'a> Chain<'a> {
         };
         let error = error.joined(cube.error);
         let memory_estimate_mib = self.memory_estimate_mib(plan)?;
-        let Log { seconds, cached } = log;
-        let result =
-            FrameResult { scene, paths, points, classes, error, model_error, seconds, cached, memory_estimate_mib };
+        let (Log { seconds, cached }, rule) = (log, self.class_rule());
+        let result = FrameResult {
+            scene,
+            paths,
+            points,
+            classes,
+            rule,
+            error,
+            model_error,
+            seconds,
+            cached,
+            memory_estimate_mib,
+        };
         Ok(FrameProducts { view: scene::frame_view(self.header, plan.index), scattering, cube, rdm, result })
     }
 
@@ -391,6 +340,11 @@ impl<'a> Chain<'a> {
         let detect = || dsp::detect_refined(&self.cube_header, cube, &rdm.value).map_err(Failure::refused);
         let points = self.step::<Points>(plan, stage, key, &self.points_header(), detect)?;
         Ok(Step { cached: rdm.cached && points.cached, value: (rdm.value, points.value) })
+    }
+
+    /// How classes are told; anything is, without a model.
+    pub(crate) fn class_rule(&self) -> ClassRule {
+        self.model.map(LoadedModel::rule).unwrap_or_default()
     }
 
     fn classes(&self, plan: &FramePlan, rdm: &RdmFrame, points: &PointsFrame) -> Result<Step<Vec<[f32; 4]>>, Failure> {

@@ -296,20 +296,33 @@ pub(crate) struct DatasetArguments {
     pub(crate) seed: Option<u64>,
 }
 
+/// Learners.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum LearnerWord {
+    Trees,
+    Paper,
+}
+
 #[derive(Debug, Args)]
 pub(crate) struct TrainArguments {
-    /// Dataset folder.
-    #[arg(value_name = "DIR")]
-    pub(crate) dataset: PathBuf,
+    /// Dataset folders.
+    #[arg(value_name = "DIR", required = true)]
+    pub(crate) datasets: Vec<PathBuf>,
     /// Model folder.
     #[arg(long, value_name = "MODEL")]
     pub(crate) out: PathBuf,
-    /// Of the initial weights and the order of samples.
+    /// Boosted trees on features of signatures, or the paper's network on crops.
+    #[arg(long, value_enum, default_value_t = LearnerWord::Trees)]
+    pub(crate) learner: LearnerWord,
+    /// Of every draw: examples and features of trees, initial weights, the order of samples.
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u64,
-    /// Steps of the optimizer; the paper's number.
+    /// Steps of the network's optimizer; the paper's number.
     #[arg(long, default_value_t = 1440)]
     pub(crate) iterations: u32,
+    /// Text file with a line for each source of vehicles that its licence asks to be named with the model.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) attributions: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

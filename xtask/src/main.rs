@@ -18,6 +18,7 @@ mod checkpoint;
 mod keys;
 mod stages;
 mod plan;
+mod loaded_model;
 mod chain;
 mod path_legs;
 mod ground_outline;

@@ -2,6 +2,7 @@
 
 use crate::false_objects;
 use crate::frame_truth::FrameTruth;
+use crate::loaded_model::ClassRule;
 use crate::measured_frames::errors_of_frame;
 use crate::stages::Stage;
 use crate::truth::Truth;
@@ -22,6 +23,8 @@ pub(crate) struct FrameResult {
     pub(crate) points: PointsFrame,
     /// Probabilities of each object, in the order of [`Class::ALL`]; empty without a classifier.
     pub(crate) classes: Vec<[f32; 4]>,
+    /// How a class is told from them.
+    pub(crate) rule: ClassRule,
     pub(crate) error: ErrorBudget,
     pub(crate) model_error: ModelError,
     pub(crate) seconds: Vec<(Stage, f64)>,
@@ -184,7 +187,7 @@ fn target(header: &SceneHeader, result: &FrameResult, frame: &FrameTruth, index:
         "object": chosen,
         "estimate": object.map(estimate),
         "velocity_aliased": is_aliased(header, truth, object),
-        "predicted_class": probabilities.map(|p| predicted(p).name()),
+        "predicted_class": probabilities.map(|p| result.rule.told(p)),
         "probabilities": self::probabilities(probabilities),
     })
 }
@@ -231,12 +234,6 @@ fn estimate(object: &Object) -> Value {
         "ghost_share": object.ghost_share,
         "stationary": object.stationary,
     })
-}
-
-/// The class of the highest probability.
-pub(crate) fn predicted(probabilities: &[f32; 4]) -> Class {
-    let best = (0..4).fold(0, |best, i| if probabilities[i] > probabilities[best] { i } else { best });
-    Class::ALL[best]
 }
 
 /// `{car, bus, truck, motorcycle}`, null where there is no crop of the target.

@@ -49,7 +49,6 @@ mod initial; // weights before the first crop
 mod network; // the network in the learning library's terms
 mod augmentation; // variation of training crops
 mod order; // in which they are taken
-mod temperature; // calibration
 mod metrics; // what is told of a training
 mod training; // Adam, best epoch
 mod model_folder; // weights, metrics and curves to disk

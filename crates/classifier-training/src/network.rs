@@ -133,7 +133,7 @@ fn library<E: Into<Box<dyn std::error::Error + Send + Sync>>>(doing: &'static st
 mod tests {
     use super::*;
     use artifact::dataset::CropFormat;
-    use artifact::model::ModelHeader;
+    use artifact::model::{Learner, ModelHeader, NetworkShape};
     use classifier::{ARCHITECTURE, Classifier};
     use rand::{RngExt, SeedableRng};
     use rand_chacha::ChaCha8Rng;
@@ -147,7 +147,11 @@ mod tests {
             ceiling_db: 50.0,
         };
         let (classes, architecture) = (Class::ALL.to_vec(), ARCHITECTURE.to_owned());
-        Layout::of(&ModelHeader { format, classes, architecture, channels: channels.to_vec(), input_side }).unwrap()
+        let shape = NetworkShape { format, architecture, channels: channels.to_vec(), input_side };
+        let learner = Learner::CropNetwork(shape);
+        let [least_probability, frame_correlation] = [0.0, 1.0];
+        let attributions = vec![];
+        Layout::of(&ModelHeader { classes, learner, least_probability, frame_correlation, attributions }).unwrap()
     }
 
     /// Any numbers that keep the levels of a layer near those of the one before.

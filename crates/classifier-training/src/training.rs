@@ -6,16 +6,15 @@ use crate::initial::initial;
 use crate::metrics::Metrics;
 use crate::network::{self, Network};
 use crate::order::Order;
-use crate::temperature::{cooled, fitted_temperature};
 use artifact::ArtifactError;
 use artifact::dataset::{CropFormat, Sample, Split};
-use artifact::model::{ModelHeader, Weights};
+use artifact::model::{Learner, ModelHeader, NetworkShape, Weights};
 use artifact::settings::Class;
 use burn::optim::{AdamWConfig, GradientsParams, ModuleOptimizer};
 use burn::tensor::{Device, Tensor, TensorData, activation};
 use classifier::{
     ARCHITECTURE, CHANNELS, Classifier, ClassifierError, Example, Examples, Layout, Logits, Parameters, accuracy,
-    evaluations, log_loss,
+    evaluations, fitted_temperature, log_loss, tensor_name,
 };
 use serde::Serialize;
 
@@ -188,12 +187,18 @@ pub fn train(
 }
 
 fn header(format: &CropFormat, settings: &TrainSettings) -> ModelHeader {
-    ModelHeader {
+    let shape = NetworkShape {
         format: *format,
-        classes: Class::ALL.to_vec(),
         architecture: ARCHITECTURE.into(),
         channels: settings.channels.to_vec(),
         input_side: settings.input_side,
+    };
+    ModelHeader {
+        classes: Class::ALL.to_vec(),
+        learner: Learner::CropNetwork(shape),
+        least_probability: 0.0,
+        frame_correlation: 1.0,
+        attributions: vec![],
     }
 }
 
@@ -212,8 +217,15 @@ fn calibrated(
     validation: &[Example],
 ) -> Result<(Parameters, f64), TrainingError> {
     let logits = Classifier::from_parameters(layout, &parameters)?.logits(validation);
-    let temperature = fitted_temperature(validation, &logits);
+    let answers: Vec<_> = validation.iter().zip(&logits).map(|(e, l)| (e.class, *l, 1.0)).collect();
+    let temperature = fitted_temperature(&answers);
     Ok((cooled(parameters, temperature), temperature))
+}
+
+/// The parameters whose logits are those of `parameters` divided by `temperature`: the last layer is linear.
+fn cooled(parameters: Parameters, temperature: f64) -> Parameters {
+    let last = [tensor_name::LINEAR_WEIGHT, tensor_name::LINEAR_BIAS];
+    parameters.changed(&last, |value| (f64::from(value) / temperature) as f32)
 }
 
 /// The examples of a split that must not be empty.

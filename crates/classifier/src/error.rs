@@ -123,6 +123,31 @@ pub enum ClassifierError {
         /// As found.
         value: f32,
     },
+    /// Nothing to learn a class from.
+    #[error("no sample of a {} to learn from", class.name())]
+    MissingClass {
+        /// The class.
+        class: Class,
+    },
+    /// Weights of another learner than the header tells.
+    #[error("the weights are not those of the learner that the model's header tells")]
+    OtherWeights,
+    /// Trees that ask for a feature that this program does not make, or that are not in its order.
+    #[error("the model asks for the feature `{found}` where this program makes `{known}`")]
+    Feature {
+        /// In the model.
+        found: String,
+        /// Here.
+        known: String,
+    },
+    /// A tree that leads nowhere.
+    #[error("tree {tree} breaks a rule: {rule}")]
+    Tree {
+        /// Its number.
+        tree: usize,
+        /// What trees have.
+        rule: &'static str,
+    },
     /// The artifact holds no weights, or more than one set.
     #[error("the model holds {found} sets of weights, needed is one")]
     WeightSets {

@@ -3,7 +3,7 @@
 use crate::ClassifierError;
 use crate::parameters::tensor_name;
 use artifact::dataset::CropFormat;
-use artifact::model::ModelHeader;
+use artifact::model::{Learner, ModelHeader};
 use artifact::settings::Class;
 
 /// Name of the layout in [`ModelHeader::architecture`]: three blocks of 3 x 3 convolution, batch normalization,
@@ -34,15 +34,16 @@ pub struct Layout {
 impl Layout {
     /// Refuses what this program cannot build.
     pub fn of(header: &ModelHeader) -> Result<Self, ClassifierError> {
-        if header.architecture != ARCHITECTURE {
-            return Err(ClassifierError::Architecture { found: header.architecture.clone(), known: ARCHITECTURE });
+        let Learner::CropNetwork(shape) = &header.learner else {
+            return Err(ClassifierError::Architecture { found: header.learner.name().into(), known: ARCHITECTURE });
+        };
+        if shape.architecture != ARCHITECTURE {
+            return Err(ClassifierError::Architecture { found: shape.architecture.clone(), known: ARCHITECTURE });
         }
-        if header.classes != Class::ALL {
-            return Err(ClassifierError::Classes { found: header.classes.clone() });
-        }
-        check_sides(&header.format, header.input_side)?;
-        let [crop_side, input_side] = [header.format.side as usize, header.input_side as usize];
-        Ok(Self { crop_side, input_side, channels: checked_channels(&header.channels)? })
+        check_classes(header)?;
+        check_sides(&shape.format, shape.input_side)?;
+        let [crop_side, input_side] = [shape.format.side as usize, shape.input_side as usize];
+        Ok(Self { crop_side, input_side, channels: checked_channels(&shape.channels)? })
     }
 
     /// Side of the maps behind the third block.
@@ -70,6 +71,11 @@ impl Layout {
         tensors.push((tensor_name::LINEAR_BIAS.into(), vec![Class::ALL.len()]));
         tensors
     }
+}
+
+/// The four, in their order.
+pub(crate) fn check_classes(header: &ModelHeader) -> Result<(), ClassifierError> {
+    if header.classes == Class::ALL { Ok(()) } else { Err(ClassifierError::Classes { found: header.classes.clone() }) }
 }
 
 fn check_sides(format: &CropFormat, input_side: u32) -> Result<(), ClassifierError> {

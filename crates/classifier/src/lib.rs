@@ -22,24 +22,40 @@
 //! ```
 
 mod error;
+mod profile; // the visible cells of a signature
+mod features; // what of them tells the class
 mod split; // which scenes train, validate, test
 mod pooling; // 451 x 451 averaged to the network's input
 mod layout; // the network's shape, told by a model's header
 mod parameters; // its numbers: read, written
 mod network; // the network itself
 mod classify; // probabilities of crops
+mod temperature; // calibration
+mod trees; // boosted trees that answer
+mod signature_classifier; // probabilities of signatures
+mod boosting; // how trees learn
+mod vehicles; // samples by vehicle: weights, folds, tracks
+mod by_vehicle; // accuracy with its spread over vehicles
+mod tree_training; // unseen vehicles choose rounds, temperature, correlation
 mod samples; // a dataset at the network's resolution
 mod metrics; // accuracy, confusion, log loss, reliability
 mod evaluate; // of a dataset
 mod model_folder; // weights, metrics and curves on disk
 
+pub use boosting::{BoostingSettings, Table, boosted};
+pub use by_vehicle::{ByVehicle, Told, by_vehicle};
 pub use classify::Classifier;
 pub use error::ClassifierError;
 pub use evaluate::{evaluate, evaluations};
+pub use features::{Features, features, names as feature_names};
 pub use layout::{ARCHITECTURE, CHANNELS, Layout};
 pub use metrics::{Calibration, Evaluation, ModelAccuracy, ReliabilityBin, accuracy, log_loss, log_softmax};
 pub use model_folder::{CURVES_FILE, METRICS_FILE, MODEL_FILES, WEIGHTS_FILE, load_model};
 pub use network::{Logits, VARIANCE_FLOOR};
 pub use parameters::{Parameters, Values, tensor_name};
 pub use samples::{Example, Examples, format_of, samples_of};
+pub use signature_classifier::SignatureClassifier;
 pub use split::split_of_scene;
+pub use temperature::fitted_temperature;
+pub use tree_training::{Part, TrainedTrees, TreeMetrics, TreeSettings, train_trees};
+pub use vehicles::{Seen, Sightings, TrackKey};

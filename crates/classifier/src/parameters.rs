@@ -27,7 +27,8 @@ impl Parameters {
 
     /// Reads weights, and refuses any tensor that is missing, left over, of another shape or type, or not possible.
     pub fn from_weights(layout: &Layout, weights: &Weights) -> Result<Self, ClassifierError> {
-        let file = SafeTensors::deserialize(&weights.safetensors)?;
+        let Weights::Network { safetensors } = weights else { return Err(ClassifierError::OtherWeights) };
+        let file = SafeTensors::deserialize(safetensors)?;
         let expected: BTreeMap<String, Vec<usize>> = layout.tensors().into_iter().collect();
         // Sorted, so that a file with several faults is refused with the same words each time.
         let mut names = file.names();
@@ -52,7 +53,7 @@ impl Parameters {
             .zip(&bytes)
             .map(|((name, tensor), bytes)| Ok((name, TensorView::new(Dtype::F32, tensor.shape.clone(), bytes)?)))
             .collect::<Result<Vec<_>, ClassifierError>>()?;
-        Ok(Weights { safetensors: safetensors::serialize(views, None)? })
+        Ok(Weights::Network { safetensors: safetensors::serialize(views, None)? })
     }
 
     /// The tensor of that name.

@@ -1,19 +1,20 @@
-//! `classify`: class and probabilities of every object of a map, or of every crop of a dataset, one JSON line each.
+//! `classify`: class and probabilities of every object of a map, or of every sample of a dataset, one JSON line each.
 
 use super::inspect;
 use super::load;
-use crate::chain::LoadedModel;
+
 use crate::cli::ClassifyArguments;
 use crate::failure::Failure;
+use crate::loaded_model::LoadedModel;
 use crate::output;
-use crate::summary::{predicted, probabilities};
+use crate::summary::probabilities;
 use artifact::dataset::{Dataset, Sample};
 use artifact::rdm::Rdm;
 use artifact::{Reader, Schema, read_preamble};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
-/// Crops that go through the network at once.
+/// Samples that are answered at once.
 const BATCH: usize = 64;
 
 pub(crate) fn run(arguments: &ClassifyArguments) -> Result<(), Failure> {
@@ -21,7 +22,7 @@ pub(crate) fn run(arguments: &ClassifyArguments) -> Result<(), Failure> {
     for file in arguments.files.iter().flat_map(|f| expanded(f)) {
         match read_preamble(&file)?.schema.as_str() {
             Rdm::NAME => maps(&model, &file)?,
-            Dataset::NAME => crops(&model, &file)?,
+            Dataset::NAME => samples(&model, &file)?,
             other => return Err(unfit(&file, other)),
         }
     }
@@ -49,29 +50,28 @@ fn maps(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
         let rdm = rdm?;
         let points = dsp::detect(&header, &rdm).map_err(Failure::refused)?;
         for (object, p) in model.classify(&header, &rdm, &points)?.iter().enumerate() {
-            tell(file, rdm.index, &object.to_string(), p);
+            tell(model, file, rdm.index, &object.to_string(), p);
         }
     }
     Ok(())
 }
 
-fn crops(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
+fn samples(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
     let mut reader = Reader::<Dataset>::open(file)?;
     loop {
         let batch: Vec<Sample> = reader.by_ref().take(BATCH).collect::<Result<_, _>>()?;
         if batch.is_empty() {
             return Ok(());
         }
-        let images: Vec<_> = batch.iter().filter_map(|s| s.crop.clone()).collect();
-        for (sample, p) in batch.iter().zip(model.probabilities(&images)?) {
-            tell(file, 0, &sample.id, &p);
+        for (sample, p) in batch.iter().zip(model.of_samples(&batch)?) {
+            tell(model, file, sample.frame, &sample.id, &p);
         }
     }
 }
 
-fn tell(file: &Path, frame: u32, target: &str, p: &[f32; 4]) {
+fn tell(model: &LoadedModel, file: &Path, frame: u32, target: &str, p: &[f32; 4]) {
     output::line(json!({
         "file": file.display().to_string(), "frame": frame, "target": target,
-        "class": predicted(p).name(), "probabilities": probabilities(Some(p)),
+        "class": model.rule().told(p), "probabilities": probabilities(Some(p)),
     }));
 }

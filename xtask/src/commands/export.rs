@@ -29,8 +29,8 @@ pub(crate) const FORMATS: [(&str, &str); 10] = [
     ("rdm", "npy, exr, png"),
     ("points", "csv, pcd, ply, json"),
     ("tracks", "csv, json"),
-    ("dataset", "npy, png"),
-    ("model", "safetensors"),
+    ("dataset", "csv, npy, png"),
+    ("model", "safetensors, json"),
     ("classes", "json"),
 ];
 
@@ -58,7 +58,9 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
         ("rcs", Npy) => rcs::npy(Reader::open(file)?, out),
         ("dataset", Npy) => dataset::npy(Reader::open(file)?, out),
         ("dataset", Png) => dataset::png(Reader::open(file)?, out),
+        ("dataset", Csv) => dataset::csv(Reader::open(file)?, out),
         ("model", Safetensors) => model(file, out),
+        ("model", Json) => as_json::<artifact::model::Model>(file, out),
         ("scene", Json) => as_json::<artifact::scene::Scene>(file, out),
         ("points", Json) => as_json::<artifact::points::Points>(file, out),
         ("paths", Json) => as_json::<artifact::paths::Paths>(file, out),
@@ -78,8 +80,13 @@ fn refuse(file: &Path, schema: &str, to: FormatWord) -> Failure {
 
 fn model(file: &Path, out: &Path) -> Result<(), Failure> {
     let weights = Reader::<artifact::model::Model>::open(file)?.next_frame()?;
-    let weights = weights.ok_or_else(|| Failure::Refused(format!("{}: holds no weights", file.display())))?;
-    output::write_file(out, &weights.safetensors)
+    match weights {
+        Some(artifact::model::Weights::Network { safetensors }) => output::write_file(out, &safetensors),
+        Some(artifact::model::Weights::Trees(_)) => {
+            Err(Failure::Refused(format!("{}: trees have no tensors; --to json writes them", file.display())))
+        }
+        None => Err(Failure::Refused(format!("{}: holds no weights", file.display()))),
+    }
 }
 
 /// Header and frames, as their types name them, one frame after the other.

@@ -6,7 +6,7 @@ use crate::output::line;
 use artifact::classes::Classes;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::dataset::Dataset;
-use artifact::model::Model;
+use artifact::model::{Learner, Model, Weights};
 use artifact::paths::{Paths, TargetDetail};
 use artifact::points::Points;
 use artifact::rcs::Rcs;
@@ -270,13 +270,25 @@ fn classes(reader: Reader<Classes>) -> Result<(), Failure> {
 fn model(mut reader: Reader<Model>) -> Result<(), Failure> {
     let header = reader.header().clone();
     let classes: Vec<_> = header.classes.iter().map(|c| c.name()).collect();
-    line(format!(
-        "network      {}, channels {:?}, crops pooled to {}",
-        header.architecture, header.channels, header.input_side
-    ));
+    line(match &header.learner {
+        Learner::CropNetwork(n) => {
+            format!("network      {}, channels {:?}, crops pooled to {}", n.architecture, n.channels, n.input_side)
+        }
+        Learner::BoostedTrees { features } => format!("trees        of {} features of signatures", features.len()),
+    });
     line(format!("classes      {}", classes.join(", ")));
     let weights = reader.next_frame()?;
-    let bytes = weights.as_ref().map_or(0, |w| w.safetensors.len());
-    line(format!("weights      {bytes} bytes of safetensors, {}", SANITY[usize::from(bytes > 0)]));
+    let (told, sound) = match &weights {
+        Some(Weights::Network { safetensors }) => {
+            (format!("{} bytes of safetensors", safetensors.len()), !safetensors.is_empty())
+        }
+        Some(Weights::Trees(trees)) => {
+            (format!("{} trees", trees.trees.len()), trees.temperature.is_finite() && trees.temperature > 0.0)
+        }
+        None => ("none".into(), false),
+    };
+    line(format!("weights      {told}, {}", SANITY[usize::from(sound)]));
+    line(format!("unknown      below a probability of {:.2}", header.least_probability));
+    header.attributions.iter().for_each(|whose| line(format!("learned from {whose}")));
     Ok(())
 }

@@ -1,10 +1,10 @@
 //! A scene from its file, through the cache.
 
 use crate::cache::{Cache, project_root};
-use crate::chain::LoadedModel;
 use crate::cli::SceneArguments;
 use crate::failure::Failure;
 use crate::keys;
+use crate::loaded_model::LoadedModel;
 use crate::progress::{self, Work};
 use crate::stages::Stage;
 use artifact::Provenance;

@@ -2,12 +2,13 @@
 
 use super::load::{self, LoadedScene};
 use crate::cache::Cache;
-use crate::chain::{Chain, FrameProducts, LoadedModel};
+use crate::chain::{Chain, FrameProducts};
 use crate::cli::{RunArguments, SceneArguments};
 use crate::console;
 use crate::expectation;
 use crate::failure::Failure;
 use crate::frame_truth::FrameTruth;
+use crate::loaded_model::LoadedModel;
 use crate::output;
 use crate::plan::FramePlan;
 use crate::processor_time;

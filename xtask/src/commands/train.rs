@@ -1,13 +1,15 @@
 //! `train`: a dataset to a model with its curves and its evaluation.
 //!
-//! The program that trains, `classifier-training`, stands on a learning library that is most of a first build; so it is built when it
+//! Trees learn here. The program that trains the paper's network, `classifier-training`, stands on a learning library that is most of a first build; so it is built when it
 //! is asked for, and runs as a process of its own.
+
+mod trees;
 
 use super::load;
 use crate::cache::project_root;
-use crate::chain::of_classifier;
-use crate::cli::TrainArguments;
+use crate::cli::{LearnerWord, TrainArguments};
 use crate::failure::Failure;
+use crate::loaded_model::of_classifier;
 use crate::output;
 use crate::progress::Work;
 use serde_json::Value;
@@ -19,15 +21,25 @@ use std::process::{Child, Command, Stdio};
 pub(super) const PROGRAM: &str = "classifier-training";
 
 pub(crate) fn run(arguments: &TrainArguments) -> Result<(), Failure> {
-    let shards = load::shards(&arguments.dataset);
-    if classifier::format_of(&shards).map_err(of_classifier)?.is_none() {
-        return Err(Failure::System(format!("{}: no shards of a dataset here", arguments.dataset.display())));
+    let datasets: Vec<Vec<PathBuf>> = arguments.datasets.iter().map(|folder| load::shards(folder)).collect();
+    for (folder, shards) in arguments.datasets.iter().zip(&datasets) {
+        if classifier::format_of(shards).map_err(of_classifier)?.is_none() {
+            return Err(Failure::System(format!("{}: no shards of a dataset here", folder.display())));
+        }
     }
     output::claim(&classifier::MODEL_FILES.map(|name| arguments.out.join(name)))?;
+    match arguments.learner {
+        LearnerWord::Trees => trees::train(arguments, &datasets),
+        LearnerWord::Paper => network(arguments, &datasets.concat()),
+    }
+}
+
+/// By the program that stands on the learning library.
+fn network(arguments: &TrainArguments, shards: &[PathBuf]) -> Result<(), Failure> {
     let mut command = Command::new(built()?);
     command.arg("--out").arg(&arguments.out);
     command.args(["--seed", &arguments.seed.to_string(), "--iterations", &arguments.iterations.to_string()]);
-    command.arg("--").args(&shards);
+    command.arg("--").args(shards);
     command.env("RAYON_NUM_THREADS", rayon::current_num_threads().to_string());
     let child = command.stdin(Stdio::null()).stdout(Stdio::piped()).spawn();
     heard(child.map_err(|e| Failure::System(format!("{PROGRAM}: cannot be run: {e}")))?)

@@ -3,31 +3,27 @@
 //! Guo, Pleiss, Sun & Weinberger, On Calibration of Modern Neural Networks (arXiv:1706.04599), section 4.2. It changes no
 //! answer, only how sure it is.
 
-use classifier::{Example, Logits, Parameters, log_softmax, tensor_name};
+use crate::metrics::log_softmax;
+use crate::network::Logits;
 
 /// Temperatures that are tried: e^±3, a factor of 20 either way.
 const LOG_RANGE: f64 = 3.0;
 /// Golden sections: the bracket shrinks to 6 · 0.618⁴⁰ = 3e-8 in the logarithm, below what f32 weights can hold.
 const SECTIONS: u32 = 40;
 
-/// The likeliest temperature of `examples`, given that ln T is normal about zero with deviation ln 2.
+/// The likeliest temperature of answers, pairs of true class and logits with their weights, given that ln T is normal about zero with deviation ln 2.
 ///
 /// Without that prior a validation split without a mistake would ask for temperature zero, that is for certainty; its
 /// weight is that of about one example.
-pub(crate) fn fitted_temperature(examples: &[Example], logits: &[Logits]) -> f64 {
+pub fn fitted_temperature(answers: &[(usize, Logits, f64)]) -> f64 {
     let loss = |log_temperature: f64| {
         let factor = (-log_temperature).exp();
-        let one = |(e, l): (&Example, &Logits)| -log_softmax(l.map(|v| f64::from(v) * factor))[e.class];
+        let one =
+            |(class, l, weight): &(usize, Logits, f64)| -weight * log_softmax(l.map(|v| f64::from(v) * factor))[*class];
         let prior = 0.5 * (log_temperature / std::f64::consts::LN_2).powi(2);
-        examples.iter().zip(logits).map(one).sum::<f64>() + prior
+        answers.iter().map(one).sum::<f64>() + prior
     };
     lowest(loss, [-LOG_RANGE, LOG_RANGE]).exp()
-}
-
-/// The parameters whose logits are those of `parameters` divided by `temperature`: the last layer is linear.
-pub(crate) fn cooled(parameters: Parameters, temperature: f64) -> Parameters {
-    let last = [tensor_name::LINEAR_WEIGHT, tensor_name::LINEAR_BIAS];
-    parameters.changed(&last, |value| (f64::from(value) / temperature) as f32)
 }
 
 /// Golden-section search; the loss has one minimum, because it is convex in 1/temperature.
@@ -44,16 +40,13 @@ fn lowest(loss: impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2]) -> f64 {
 mod tests {
     use super::*;
 
-    fn example(class: usize) -> Example {
-        Example { pooled: vec![], class, model: String::new() }
-    }
-
     #[test]
     fn answers_that_are_too_sure_are_cooled_to_their_accuracy() {
         // 70 of 100 right, each with logit 8: e⁸/(e⁸ + 3) = 0.999. The loss is lowest where e^(8/T)/(e^(8/T) + 3) = 0.7.
         let n = 100_000;
-        let examples: Vec<Example> = (0..n).map(|i| example(if i % 10 < 7 { 0 } else { 1 + i % 3 })).collect();
-        let temperature = fitted_temperature(&examples, &vec![[8.0, 0.0, 0.0, 0.0]; n]);
+        let class = |i: usize| if i % 10 < 7 { 0 } else { 1 + i % 3 };
+        let answers: Vec<_> = (0..n).map(|i| (class(i), [8.0, 0.0, 0.0, 0.0], 1.0)).collect();
+        let temperature = fitted_temperature(&answers);
         let expected = 8.0 / (3.0_f64 * 0.7 / 0.3).ln();
         // The prior pulls ln T = 1.41 towards 0 by 1.41/ln²2 over the information n (8/T)² 0.7 · 0.3 = 0.8 n: 3.7e-5.
         assert!((temperature / expected - 1.0).abs() < 5e-5, "{temperature} {expected}");
@@ -61,7 +54,7 @@ mod tests {
 
     #[test]
     fn a_split_without_mistakes_does_not_make_the_classifier_certain() {
-        let temperature = fitted_temperature(&vec![example(0); 20], &vec![[3.0, 0.0, 0.0, 0.0]; 20]);
+        let temperature = fitted_temperature(&[(0, [3.0, 0.0, 0.0, 0.0], 1.0); 20]);
         // There the pull of 20 right answers equals that of the prior: 20 (3/T)(1 − p) = −ln T / ln²2.
         let p = (3.0 / temperature).exp() / ((3.0 / temperature).exp() + 3.0);
         let pull = 20.0 * 3.0 / temperature * (1.0 - p);

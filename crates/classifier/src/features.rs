@@ -1,0 +1,245 @@
+//! What of a signature tells the class: level, extent, form of the range profile, width, height, each a number with its unit.
+
+use crate::profile::{Profile, Visible};
+use artifact::signature::Signature;
+use artifact::units::db_from_power;
+use std::ops::Range;
+
+/// Numbers and names of features: dB and dBsm, m, or shares.
+pub type Features = Vec<(&'static str, f64)>;
+
+/// Cross section that stands for none, dBsm: below the weakest visible cell at 25 m.
+const NONE_DBSM: f64 = -30.0;
+/// Cells from these cross sections on are visible at any range of a crossing, dBsm.
+const LEVELS_DBSM: [f64; 3] = [-12.0, 0.0, 10.0];
+/// Behind the leading edge, m: bumper, bonnet and windscreen, roof, tail of a car, and what only a long vehicle has.
+const ZONES_M: [f64; 9] = [-1.0, 0.75, 1.5, 2.5, 4.0, 6.0, 9.0, 13.0, 21.0];
+/// A local maximum counts as a peak if it stands so high over the lowest of the cells around it, dB.
+const PROMINENCE_DB: f64 = 6.0;
+/// Cells around a peak, either way: two main lobes.
+const AROUND: usize = 4;
+
+/// All features of a signature, in one order.
+pub fn features(signature: &Signature) -> Features {
+    let profile = Profile::of(signature);
+    let mut all = levels(&profile);
+    all.extend(extents(&profile));
+    all.extend(form(&profile));
+    all.extend(zones(&profile));
+    all.extend(peaks(&profile));
+    all.extend(width(&profile));
+    all.extend(heights(&profile, signature.beams[1].is_some()));
+    all.extend(quality(&profile, signature));
+    all.extend(view(signature));
+    all
+}
+
+/// Their names.
+pub fn names() -> Vec<&'static str> {
+    features(&nothing()).into_iter().map(|(name, _)| name).collect()
+}
+
+fn levels(profile: &Profile) -> Features {
+    let strongest = profile.visible.iter().map(|cell| cell.dbsm).fold(NONE_DBSM, f64::max);
+    vec![("total_dbsm", dbsm(profile.total_m2)), ("strongest_cell_dbsm", strongest)]
+}
+
+fn dbsm(rcs_m2: f64) -> f64 {
+    db_from_power(rcs_m2.max(1e-6)).max(NONE_DBSM)
+}
+
+/// From the first to the last cell of a level, and how many there are between, m.
+fn extents(profile: &Profile) -> Features {
+    let names = [
+        ("extent_m", "filled_m"),
+        ("extent_-12_m", "filled_-12_m"),
+        ("extent_0_m", "filled_0_m"),
+        ("extent_10_m", "filled_10_m"),
+    ];
+    let levels = [f64::NEG_INFINITY].into_iter().chain(LEVELS_DBSM);
+    let of = |((extent, filled), level): ((&'static str, &'static str), f64)| {
+        let numbers: Vec<usize> = profile.visible.iter().filter(|c| c.dbsm >= level).map(|c| c.number).collect();
+        let cells = numbers.first().zip(numbers.last()).map_or(0, |(first, last)| last + 1 - first);
+        [(extent, cells as f64 * profile.cell_m), (filled, numbers.len() as f64 * profile.cell_m)]
+    };
+    names.into_iter().zip(levels).flat_map(of).collect()
+}
+
+/// Middle and spread of the profile, by power and by decibels over the threshold, and its entropy.
+fn form(profile: &Profile) -> Features {
+    let [middle, spread] = moments(profile.visible.iter().map(|c| (c.share, c.behind_m)));
+    let by_db = profile.visible.iter().map(|c| (c.level_db - crate::profile::VISIBLE_DB, c.behind_m));
+    let [middle_db, spread_db] = moments(by_db);
+    let entropy = -profile.visible.iter().map(|c| c.share * c.share.max(1e-9).ln()).sum::<f64>();
+    vec![
+        ("middle_m", middle),
+        ("spread_m", spread),
+        ("middle_by_db_m", middle_db),
+        ("spread_by_db_m", spread_db),
+        ("entropy", entropy),
+    ]
+}
+
+/// Mean and standard deviation of weighted values; zeros without weight.
+fn moments(values: impl Iterator<Item = (f64, f64)> + Clone) -> [f64; 2] {
+    let total: f64 = values.clone().map(|(weight, _)| weight).sum();
+    if total <= 0.0 {
+        return [0.0; 2];
+    }
+    let mean = values.clone().map(|(weight, value)| weight * value).sum::<f64>() / total;
+    let variance = values.map(|(weight, value)| weight * (value - mean).powi(2)).sum::<f64>() / total;
+    [mean, variance.sqrt()]
+}
+
+/// Cross section of each zone behind the leading edge, dBsm.
+fn zones(profile: &Profile) -> Features {
+    let names = [
+        "zone_0_dbsm",
+        "zone_1_dbsm",
+        "zone_2_dbsm",
+        "zone_3_dbsm",
+        "zone_4_dbsm",
+        "zone_5_dbsm",
+        "zone_6_dbsm",
+        "zone_7_dbsm",
+    ];
+    let of =
+        |zone: Range<f64>| dbsm(profile.visible.iter().filter(|c| zone.contains(&c.behind_m)).map(|c| c.rcs_m2).sum());
+    names.into_iter().zip(ZONES_M.windows(2).map(|ends| of(ends[0]..ends[1]))).collect()
+}
+
+/// How many peaks there are, where the strongest is, and how far below it the next two are.
+fn peaks(profile: &Profile) -> Features {
+    let mut peaks: Vec<&Visible> =
+        profile.visible.iter().filter(|cell| is_peak(&profile.levels_db, cell.number)).collect();
+    let strong = peaks.iter().filter(|cell| cell.dbsm >= -5.0).count();
+    peaks.sort_by(|a, b| b.dbsm.total_cmp(&a.dbsm));
+    let first = peaks.first();
+    let below = |rank: usize, none: f64| first.zip(peaks.get(rank)).map_or(none, |(a, b)| a.dbsm - b.dbsm);
+    vec![
+        ("peaks", peaks.len() as f64),
+        ("peaks_over_-5_dbsm", strong as f64),
+        ("strongest_at_m", first.map_or(0.0, |cell| cell.behind_m)),
+        ("second_below_db", below(1, 40.0)),
+        ("second_behind_m", first.zip(peaks.get(1)).map_or(0.0, |(a, b)| b.behind_m - a.behind_m)),
+        ("third_below_db", below(2, 50.0)),
+    ]
+}
+
+fn is_peak(levels_db: &[f64], at: usize) -> bool {
+    let around = &levels_db[at.saturating_sub(AROUND)..(at + AROUND + 1).min(levels_db.len())];
+    let lowest = around.iter().copied().fold(f64::INFINITY, f64::min);
+    let before = at.checked_sub(1).map_or(f64::NEG_INFINITY, |i| levels_db[i]);
+    let after = levels_db.get(at + 1).copied().unwrap_or(f64::NEG_INFINITY);
+    levels_db[at] >= before && levels_db[at] > after && levels_db[at] - lowest >= PROMINENCE_DB
+}
+
+/// Across the line of sight, m.
+fn width(profile: &Profile) -> Features {
+    let weighted = || profile.located().map(|c| (c.level_db - crate::profile::LOCATED_DB, c.cross_m));
+    let [_, spread] = moments(weighted());
+    let [_, spread_by_power] = moments(profile.visible.iter().map(|c| (c.share, c.cross_m)));
+    vec![
+        ("width_m", span(profile.located().map(|c| c.cross_m))),
+        ("cross_spread_m", spread),
+        ("cross_spread_by_power_m", spread_by_power),
+        ("cross_slope", slope(profile)),
+    ]
+}
+
+fn span(values: impl Iterator<Item = f64> + Clone) -> f64 {
+    let (least, most) = (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max));
+    if most >= least { most - least } else { 0.0 }
+}
+
+/// How far cells move across with each metre behind the leading edge, either way.
+fn slope(profile: &Profile) -> f64 {
+    let weight = |c: &Visible| c.level_db - crate::profile::LOCATED_DB;
+    let total: f64 = profile.located().map(weight).sum();
+    if total <= 0.0 {
+        return 0.0;
+    }
+    let mean = |value: fn(&Visible) -> f64| profile.located().map(|c| weight(c) * value(c)).sum::<f64>() / total;
+    let (behind, cross) = (mean(|c| c.behind_m), mean(|c| c.cross_m));
+    let together: f64 = profile.located().map(|c| weight(c) * (c.behind_m - behind) * (c.cross_m - cross)).sum();
+    let along: f64 = profile.located().map(|c| weight(c) * (c.behind_m - behind).powi(2)).sum();
+    // A cell's own width, so that one cell has no slope.
+    (together / (along + 0.05 * total)).abs()
+}
+
+/// Over the road, m; zeros where the array has no rows.
+fn heights(profile: &Profile, has_rows: bool) -> Features {
+    let names = [
+        "height_m",
+        "height_spread_m",
+        "height_greatest_m",
+        "height_upper_m",
+        "height_of_strongest_m",
+        "height_by_power_m",
+        "height_of_front_m",
+        "height_behind_m",
+    ];
+    let values = if has_rows { measured_heights(profile) } else { [0.0; 8] };
+    let mut all: Features = vec![("has_rows", f64::from(u8::from(has_rows)))];
+    all.extend(names.into_iter().zip(values));
+    all
+}
+
+fn measured_heights(profile: &Profile) -> [f64; 8] {
+    let [mean, spread] = moments(profile.located().map(|c| (c.level_db - crate::profile::LOCATED_DB, c.height_m)));
+    let mut sorted: Vec<f64> = profile.located().map(|c| c.height_m).collect();
+    sorted.sort_by(f64::total_cmp);
+    let quantile =
+        |share: f64| sorted.get((share * (sorted.len().max(1) - 1) as f64) as usize).copied().unwrap_or(mean);
+    let strongest = profile.visible.iter().reduce(|a, b| if b.dbsm > a.dbsm { b } else { a });
+    let part = |keep: fn(f64) -> bool| {
+        let heights = profile.located().filter(|c| keep(c.behind_m)).map(|c| (1.0, c.height_m));
+        if heights.clone().next().is_some() { moments(heights)[0] } else { mean }
+    };
+    let of_strongest = strongest.map_or(0.0, |c| c.height_m);
+    let by_power = profile.mean(|c| c.height_m);
+    [mean, spread, quantile(1.0), quantile(0.75), of_strongest, by_power, part(|m| m < 1.5), part(|m| m > 2.5)]
+}
+
+/// Of what the object consists: lone scatterers or several in a cell, what turns, what came by two ways.
+fn quality(profile: &Profile, signature: &Signature) -> Features {
+    let located = profile.located().count().max(1) as f64;
+    let mean = |value: fn(&Visible) -> f64| profile.located().map(value).sum::<f64>() / located;
+    vec![
+        ("coherence", profile.mean(|c| c.coherence)),
+        ("coherence_of_cells", mean(|c| c.coherence)),
+        ("velocity_spread_mps", profile.mean(|c| c.velocity_spread_mps)),
+        ("velocity_spread_of_cells_mps", mean(|c| c.velocity_spread_mps)),
+        ("ghost_share", signature.ghost_share.unwrap_or(0.0)),
+    ]
+}
+
+/// From where it was seen, and how well.
+fn view(signature: &Signature) -> Features {
+    vec![
+        ("range_m", signature.range_m),
+        ("azimuth_rad", signature.azimuth_rad.abs()),
+        ("noise_dbsm", signature.noise_dbsm),
+        ("points", f64::from(signature.points)),
+        ("beam", signature.beams[0].unwrap_or(1.0)),
+        ("radar_height_m", signature.radar_height_m),
+    ]
+}
+
+fn nothing() -> Signature {
+    Signature {
+        range_m: 0.0,
+        radial_velocity_mps: 0.0,
+        azimuth_rad: 0.0,
+        radar_height_m: 0.0,
+        beams: [None; 2],
+        cell_m: 1.0,
+        velocity_cell_mps: 1.0,
+        noise_dbsm: 0.0,
+        points: 0,
+        range_extent_m: [0.0; 2],
+        ghost_share: None,
+        first_range_m: 0.0,
+        cells: vec![],
+    }
+}

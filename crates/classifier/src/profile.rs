@@ -1,0 +1,87 @@
+//! The cells of a signature that stand over the noise, in distances behind the leading edge and in cross sections.
+
+use artifact::signature::{Signature, SignatureCell};
+use artifact::units::power_from_db;
+
+/// A cell counts from here over the noise, dB: one in 10⁷ cells of noise is higher (e⁻¹⁶).
+pub(crate) const VISIBLE_DB: f64 = 12.0;
+/// A cell tells its direction from here over the noise, dB: to a tenth of a beam.
+pub(crate) const LOCATED_DB: f64 = 20.0;
+
+/// One visible cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Visible {
+    /// Number of the cell in the signature.
+    pub(crate) number: usize,
+    /// From the object's nearest point, m.
+    pub(crate) behind_m: f64,
+    pub(crate) level_db: f64,
+    /// Cross section, dBsm and m².
+    pub(crate) dbsm: f64,
+    pub(crate) rcs_m2: f64,
+    /// Share of the whole.
+    pub(crate) share: f64,
+    pub(crate) cross_m: f64,
+    pub(crate) height_m: f64,
+    pub(crate) coherence: f64,
+    pub(crate) velocity_spread_mps: f64,
+}
+
+/// All of a signature.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Profile {
+    pub(crate) cell_m: f64,
+    /// Over the noise of every cell, visible or not, dB.
+    pub(crate) levels_db: Vec<f64>,
+    pub(crate) noise_dbsm: f64,
+    /// In their order.
+    pub(crate) visible: Vec<Visible>,
+    /// Of the visible cells, m².
+    pub(crate) total_m2: f64,
+}
+
+impl Profile {
+    pub(crate) fn of(signature: &Signature) -> Self {
+        let cells = signature.cells.iter().enumerate();
+        let mut visible: Vec<Visible> = cells
+            .filter(|(_, cell)| f64::from(cell.level_db) >= VISIBLE_DB)
+            .map(|(number, cell)| seen(signature, number, cell))
+            .collect();
+        let total_m2: f64 = visible.iter().map(|cell| cell.rcs_m2).sum();
+        visible.iter_mut().for_each(|cell| cell.share = cell.rcs_m2 / total_m2);
+        Self {
+            cell_m: signature.cell_m,
+            levels_db: signature.cells.iter().map(|cell| f64::from(cell.level_db)).collect(),
+            noise_dbsm: signature.noise_dbsm,
+            visible,
+            total_m2,
+        }
+    }
+
+    /// Those that tell a direction.
+    pub(crate) fn located(&self) -> impl Iterator<Item = &Visible> + Clone {
+        self.visible.iter().filter(|cell| cell.level_db >= LOCATED_DB)
+    }
+
+    /// Mean over visible cells, weighted by power; 0 without any.
+    pub(crate) fn mean(&self, value: impl Fn(&Visible) -> f64) -> f64 {
+        self.visible.iter().map(|cell| cell.share * value(cell)).sum()
+    }
+}
+
+fn seen(signature: &Signature, number: usize, cell: &SignatureCell) -> Visible {
+    let level_db = f64::from(cell.level_db);
+    let dbsm = level_db + signature.noise_dbsm;
+    Visible {
+        number,
+        behind_m: signature.first_range_m + number as f64 * signature.cell_m - signature.range_extent_m[0],
+        level_db,
+        dbsm,
+        rcs_m2: power_from_db(dbsm),
+        share: 0.0,
+        cross_m: f64::from(cell.cross_m),
+        height_m: cell.height_m.map_or(0.0, f64::from),
+        coherence: f64::from(cell.coherence),
+        velocity_spread_mps: f64::from(cell.velocity_spread_mps),
+    }
+}

@@ -1,0 +1,68 @@
+//! Boosted decision trees that answer: every tree adds to the four logits what its leaf says.
+
+use crate::ClassifierError;
+use crate::network::Logits;
+use artifact::model::{BoostedTrees, Node, Tree};
+
+/// Most nodes of a tree on the way from its root to a leaf.
+const DEEPEST: usize = 64;
+
+/// The logits of these features, in the order of the model's names; `NaN` counts as below every threshold.
+pub(crate) fn logits(trees: &BoostedTrees, features: &[f32]) -> Logits {
+    let mut sum = trees.prior.map(f64::from);
+    for tree in &trees.trees {
+        let leaf = leaf(tree, features);
+        sum.iter_mut().zip(leaf).for_each(|(sum, value)| *sum += f64::from(value));
+    }
+    sum.map(|logit| (logit / f64::from(trees.temperature)) as f32)
+}
+
+/// What the leaf says that these features fall into.
+pub(crate) fn leaf(tree: &Tree, features: &[f32]) -> Logits {
+    let mut at = 0;
+    loop {
+        match tree.nodes[at] {
+            Node::Leaf(values) => return values,
+            Node::Split { feature, threshold, below, above } => {
+                at = if features[feature as usize] > threshold { above } else { below } as usize;
+            }
+        }
+    }
+}
+
+/// Whether every way through every tree ends in a leaf of finite numbers, asking for features that there are.
+pub(crate) fn check(trees: &BoostedTrees, features: usize) -> Result<(), ClassifierError> {
+    let prior_is_finite = trees.prior.iter().all(|v| v.is_finite());
+    if !(prior_is_finite && trees.temperature.is_finite() && trees.temperature > 0.0) {
+        return Err(ClassifierError::Tree { tree: 0, rule: "a prior and a temperature that are numbers" });
+    }
+    trees.trees.iter().enumerate().try_for_each(|(number, tree)| {
+        check_tree(tree, features).map_err(|rule| ClassifierError::Tree { tree: number, rule })
+    })
+}
+
+/// Children stand behind their parents, so no way goes round in a ring.
+fn check_tree(tree: &Tree, features: usize) -> Result<(), &'static str> {
+    if tree.nodes.is_empty() {
+        return Err("at least one node");
+    }
+    let mut depth = vec![0; tree.nodes.len()];
+    for (at, node) in tree.nodes.iter().enumerate() {
+        match *node {
+            Node::Leaf(values) if values.iter().all(|v| v.is_finite()) => {}
+            Node::Leaf(_) => return Err("leaves of finite numbers"),
+            Node::Split { feature, threshold, below, above } => {
+                if feature as usize >= features || threshold.is_nan() {
+                    return Err("splits of features that the model names");
+                }
+                for child in [below, above].map(|child| child as usize) {
+                    if child <= at || child >= tree.nodes.len() || depth[at] >= DEEPEST {
+                        return Err("children behind their parents, at most 64 deep");
+                    }
+                    depth[child] = depth[at] + 1;
+                }
+            }
+        }
+    }
+    Ok(())
+}
