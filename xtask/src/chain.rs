@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::keys::{FrameKeys, SceneParts, cube_header, echo_header};
 use crate::loaded_model::{ClassRule, LoadedModel};
 use crate::looks::Looks;
-use crate::measured_frames::MeasuredFrames;
+use crate::measured_frames::{self, MeasuredFrames};
 use crate::plan::FramePlan;
 use crate::progress::{self, Work};
 use crate::stages::Stage;
@@ -103,6 +103,16 @@ impl<'a> Chain<'a> {
             at_once,
             limited,
         }
+    }
+
+    /// The chain of a scene whose errors are those that were measured in another one of its kind.
+    pub(crate) fn like(self, measured: measured_frames::Known) -> Self {
+        Self { measured: MeasuredFrames::of_another(measured), ..self }
+    }
+
+    /// What was measured so far, for other scenes to take over.
+    pub(crate) fn measured(&self) -> measured_frames::Known {
+        self.measured.all()
     }
 
     /// What one frame needs and why.
@@ -246,7 +256,11 @@ impl<'a> Chain<'a> {
     fn traced(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<PathsFrame, Failure> {
         let (view, bodies) = (scene::frame_view(self.header, scene.index), self.bodies(plan)?);
         let measured_in = self.header.measured_in(scene.index);
-        let measured = (measured_in != scene.index).then(|| self.measured_frame(measured_in)).transpose()?;
+        let in_this_scene = || (measured_in != scene.index).then(|| self.measured_frame(measured_in)).transpose();
+        let measured = match self.measured.taken_over(measured_in) {
+            Some(known) => Some(known),
+            None => in_this_scene()?,
+        };
         let progress = &Work::begin(format!("frame {}, paths", scene.index));
         let surroundings = FrameSurroundings { like: measured.as_deref(), progress };
         bart_rcs::trace_frame_within(bodies, &view, scene, &surroundings).map_err(Failure::refused)

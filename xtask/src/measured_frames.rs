@@ -7,9 +7,31 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Frames whose error was measured in this run, without their paths.
 #[derive(Default)]
-pub(crate) struct MeasuredFrames(Mutex<BTreeMap<u32, Arc<PathsFrame>>>);
+pub(crate) struct MeasuredFrames {
+    own: Mutex<Known>,
+    /// Of another scene whose errors this one takes over.
+    taken_over: Known,
+}
+
+/// By frame record.
+pub(crate) type Known = BTreeMap<u32, Arc<PathsFrame>>;
 
 impl MeasuredFrames {
+    /// Of a scene that takes over what was measured in another one.
+    pub(crate) fn of_another(taken_over: Known) -> Self {
+        Self { taken_over, ..Self::default() }
+    }
+
+    /// All that was measured in this scene.
+    pub(crate) fn all(&self) -> Known {
+        self.known().clone()
+    }
+
+    /// What another scene has for this frame record.
+    pub(crate) fn taken_over(&self, index: u32) -> Option<Arc<PathsFrame>> {
+        self.taken_over.get(&index).cloned()
+    }
+
     /// Remembers frame record `index` if others take over what was measured in it.
     pub(crate) fn keep(&self, header: &SceneHeader, index: u32, frame: &PathsFrame) {
         if header.fidelity.measured_every > 1 && header.measured_in(index) == index {
@@ -27,8 +49,8 @@ impl MeasuredFrames {
         self.known().get(&index).cloned()
     }
 
-    fn known(&self) -> MutexGuard<'_, BTreeMap<u32, Arc<PathsFrame>>> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    fn known(&self) -> MutexGuard<'_, Known> {
+        self.own.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 

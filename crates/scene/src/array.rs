@@ -4,7 +4,7 @@ use crate::document::Section;
 use crate::errors::{Allowed, Rule};
 use crate::models::Models;
 use crate::pattern_table::read_pattern_table;
-use artifact::radar::{Array, Multiplexing, Pattern, PatternTable, Polarization};
+use artifact::radar::{Array, Multiplexing, Pattern, PatternTable, Polarization, Radar};
 use glam::DVec3;
 
 /// Where the elements are mounted.
@@ -80,6 +80,20 @@ impl Mount {
         let right = DVec3::new(cos_az, -sin_az, 0.0);
         (right, right.cross(boresight))
     }
+}
+
+/// The same radar at another height and tilt, its elements where they then are.
+pub fn remounted(radar: &Radar, height_m: f64, boresight_el_rad: f64) -> Radar {
+    let [x_m, y_m, _] = radar.position_m;
+    let position_m = [x_m, y_m, height_m];
+    let half_wavelength_m = 0.5 * radar.waveform.wavelength_m();
+    let mount = Mount { position_m, boresight_az_rad: radar.boresight_az_rad, boresight_el_rad, half_wavelength_m };
+    let array = Array {
+        tx_m: mount.world_positions_m(&radar.array.tx_half_wavelengths),
+        rx_m: mount.world_positions_m(&radar.array.rx_half_wavelengths),
+        ..radar.array.clone()
+    };
+    Radar { position_m, boresight_el_rad, array, ..radar.clone() }
 }
 
 fn read_elements(section: &Section<'_>) -> (Elements, Elements) {

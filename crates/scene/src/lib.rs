@@ -66,6 +66,7 @@ mod painted;
 pub mod vehicles;
 pub mod street;
 
+pub use array::remounted;
 pub use calibration::{CalibrationFileError, CalibrationRule};
 pub use errors::{Allowed, MapAxis, Place, Position, Rule, SceneError, SceneErrors};
 pub use keys::{TABLES, Table};

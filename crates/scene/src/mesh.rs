@@ -87,7 +87,7 @@ pub fn mesh_from_bytes(bytes: &[u8], format: Format, path: &Path, options: &Mesh
 }
 
 /// The files that a mesh consists of: itself, and for `.gltf` the buffers beside it as far as it can be read.
-pub(crate) fn files(path: &Path) -> Vec<PathBuf> {
+pub fn files(path: &Path) -> Vec<PathBuf> {
     let beside = match Format::of(path) {
         Some(Format::Gltf) => {
             read_bytes(path).map(|bytes| gltf_buffers::files_beside(&bytes, path)).unwrap_or_default()

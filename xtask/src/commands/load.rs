@@ -62,6 +62,17 @@ pub(crate) fn radar_only(file: &Path, radar: Option<&str>) -> Result<SceneHeader
     scene::read(file, &options).map_err(of_scene)
 }
 
+/// The files that such a reading depends on.
+pub(crate) fn files_of_radar(file: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+    scene::inputs(file, &options).map_err(of_scene)
+}
+
+/// A mesh file's rules were broken, or the system refused.
+pub(crate) fn of_mesh(error: scene::MeshError) -> Failure {
+    if error.is_system() { Failure::System(error.to_string()) } else { Failure::Refused(error.to_string()) }
+}
+
 /// A scene's rules were broken, or the system refused.
 pub(crate) fn of_scene(errors: scene::SceneErrors) -> Failure {
     if errors.is_system() { Failure::System(errors.to_string()) } else { Failure::Refused(errors.to_string()) }

@@ -5,10 +5,10 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// How many scenes reached it, the worst, and of those that did not what limits them and what would help.
-pub(super) fn lines(scenes: &[String]) -> Vec<String> {
-    let scenes: Vec<Value> = scenes.iter().filter_map(|line| serde_json::from_str(line).ok()).collect();
-    let told: Vec<&Value> =
-        scenes.iter().map(|scene| &scene["accuracy"]).filter(|told| told["met"].is_boolean()).collect();
+pub(super) fn lines(scenes: &[Value]) -> Vec<String> {
+    let is_measured = |scene: &&Value| scene["measured_in"] == scene["scene"];
+    let first = |scene: &Value| scene["frames"][0]["accuracy"].clone();
+    let told: Vec<Value> = scenes.iter().filter(is_measured).map(first).filter(|t| t["met"].is_boolean()).collect();
     let reached_db = |told: &Value| told["reached_db"].as_f64().unwrap_or(f64::NEG_INFINITY);
     let Some(worst) = told.iter().max_by(|a, b| reached_db(a).total_cmp(&reached_db(b))) else {
         return vec!["numerical errors were not estimated".into()];
@@ -21,8 +21,9 @@ pub(super) fn lines(scenes: &[String]) -> Vec<String> {
         causes.entry(cause).or_insert((0, advice)).0 += 1;
     }
     let mut lines = vec![format!(
-        "numerical error: {asked} asked, reached in {met} of {} scenes, missed in {}, the worst {worst}",
+        "numerical error: {asked} asked, measured in {} of {} scenes, reached in {met}, missed in {}, the worst {worst}",
         told.len(),
+        scenes.len(),
         told.len() - met
     )];
     lines.extend(causes.into_values().map(|(many, advice)| format!("{many} of these: {advice}")));
@@ -32,15 +33,18 @@ pub(super) fn lines(scenes: &[String]) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use serde_json::json;
 
     #[test]
     fn scenes_that_missed_the_accuracy_are_counted_with_what_limits_them() {
-        let met = r#"{"accuracy":{"asked_db":-20.0,"reached_db":-25.0,"met":true,"advice":null}}"#;
-        let missed = r#"{"accuracy":{"asked_db":-20.0,"reached_db":-12.5,"met":false,"limited_by":"freezing","advice":"Limited by freezing."}}"#;
-        let told = lines(&[met.into(), missed.into(), "{}".into()]);
+        let scene = |number: u64, measured_in: u64, accuracy: Value| json!({ "scene": number, "measured_in": measured_in, "frames": [{ "accuracy": accuracy }] });
+        let met = json!({ "asked_db": -20.0, "reached_db": -25.0, "met": true, "advice": null });
+        let missed = json!({ "asked_db": -20.0, "reached_db": -12.5, "met": false, "limited_by": "freezing",
+            "advice": "Limited by freezing." });
+        let told = lines(&[scene(0, 0, met.clone()), scene(1, 1, missed), scene(2, 0, met)]);
         assert_eq!(
             told[0],
-            "numerical error: −20.0 dB asked, reached in 1 of 2 scenes, missed in 1, the worst −12.5 dB"
+            "numerical error: −20.0 dB asked, measured in 2 of 3 scenes, reached in 1, missed in 1, the worst −12.5 dB"
         );
         assert_eq!(told[1], "1 of these: Limited by freezing.");
     }

@@ -1,7 +1,8 @@
 //! What an earlier run has left of a dataset: a shard is taken up if it is whole and of the same scenes.
 
+use super::draws::Drawn;
+use super::lines as told;
 use super::recipe::Recipe;
-use super::scenes::Drawn;
 use crate::failure::Failure;
 use crate::progress;
 use artifact::dataset::{Dataset, Sample};
@@ -58,7 +59,8 @@ fn agree(scenes: &[Drawn], samples: &[Sample], text: &str) -> bool {
     let lines: Result<Vec<Value>, _> = text.lines().map(serde_json::from_str).collect();
     let Ok(lines) = lines else { return false };
     let numbers = lines.iter().map(|line| line["scene"].as_u64());
-    let found = lines.iter().filter(|line| line["sample"] == true).map(|line| line["id"].as_str());
+    let vehicles = told::vehicles(&lines);
+    let found = vehicles.iter().filter(|vehicle| told::is_found(vehicle)).map(|vehicle| vehicle["id"].as_str());
     numbers.eq(scenes.iter().map(|drawn| Some(drawn.number)))
         && found.eq(samples.iter().map(|sample| Some(sample.id.as_str())))
 }

@@ -1,31 +1,30 @@
-//! Estimate against truth over all scenes of a dataset, as a table.
+//! Estimate against truth over all vehicles of a dataset, as a table.
 
 use serde_json::Value;
 
 /// Median and 90 % point say more than a mean here: an object that took a ghost along is far off.
-const HEAD: &str = "| scenes | number | detected | range error, m: bias, median, 90 % | velocity error, m/s: median, 90 % \
+const HEAD: &str = "| vehicles | number | detected | range error, m: bias, median, 90 % | velocity error, m/s: median, 90 % \
 | lateral error, m: median, 90 % | lane right |\n|---|---|---|---|---|---|---|\n";
 
 /// Markdown: a row for each class, lane and range, and one for all.
-pub(super) fn detection(lines: &[String]) -> String {
-    let scenes: Vec<Value> = lines.iter().filter_map(|line| serde_json::from_str(line).ok()).collect();
+pub(super) fn detection(vehicles: &[Value]) -> String {
     let mut table = String::from(HEAD);
     for class in ["car", "bus", "truck", "motorcycle"] {
-        row(&mut table, class, &scenes, |s| s["class"] == class);
+        row(&mut table, class, vehicles, |s| s["class"] == class);
     }
     for lane in 1..=3_u64 {
-        row(&mut table, &format!("lane {lane}"), &scenes, |s| s["lane"] == lane);
+        row(&mut table, &format!("lane {lane}"), vehicles, |s| s["lane"] == lane);
     }
     for [near, far] in [[25.0, 35.0], [35.0, 45.0], [45.0, 60.0]] {
         let within = |s: &Value| s["range_m"].as_f64().is_some_and(|r| (near..far).contains(&r));
-        row(&mut table, &format!("{near}–{far} m"), &scenes, within);
+        row(&mut table, &format!("{near}–{far} m"), vehicles, within);
     }
-    row(&mut table, "all", &scenes, |_| true);
+    row(&mut table, "all", vehicles, |_| true);
     table
 }
 
-fn row(table: &mut String, name: &str, scenes: &[Value], picked: impl Fn(&Value) -> bool) {
-    let picked: Vec<&Value> = scenes.iter().filter(|s| picked(s)).collect();
+fn row(table: &mut String, name: &str, vehicles: &[Value], picked: impl Fn(&Value) -> bool) {
+    let picked: Vec<&Value> = vehicles.iter().filter(|s| picked(s)).collect();
     let found: Vec<&Value> = picked.iter().copied().filter(|s| !s["estimate"].is_null()).collect();
     let range = errors(&found, |s| (&s["estimate"]["range_m"], &s["echo_range_m"]));
     let velocity = errors(&found, |s| (&s["estimate"]["velocity_mps"], &s["echo_velocity_mps"]));
@@ -66,11 +65,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_scene_without_an_estimate_counts_as_missed_and_not_as_an_error() {
+    fn a_vehicle_without_an_estimate_counts_as_missed_and_not_as_an_error() {
         let found = r#"{"class":"car","lane":2,"range_m":40.0,"x_m":5.75,"echo_range_m":38.0,"echo_velocity_mps":-3.0,
             "estimate":{"range_m":38.5,"velocity_mps":-3.1,"x_m":5.25,"lane":2}}"#;
         let missed = r#"{"class":"car","lane":2,"range_m":41.0,"x_m":5.75,"estimate":null}"#;
-        let table = detection(&[found.replace('\n', ""), missed.into()]);
+        let table = detection(&[found, missed].map(|line| serde_json::from_str(line).unwrap()));
         assert!(
             table.contains("| car | 2 | 50.0 % | +0.50, 0.50, 0.50 | 0.10, 0.10 | 0.50, 0.50 | 100.0 % |"),
             "{table}"
