@@ -40,6 +40,7 @@ impl Command {
             Self::Dataset(_) => "dataset",
             Self::Train(_) => "train",
             Self::Classify(_) => "classify",
+            Self::Evaluate(_) => "evaluate",
             Self::Import(_) => "import",
             Self::Calibrate(_) => "calibrate",
             Self::Export(_) => "export",
@@ -97,6 +98,8 @@ pub(crate) enum Command {
     Train(TrainArguments),
     /// Range-Doppler maps or a dataset to classes and probabilities, one JSON line each.
     Classify(ClassifyArguments),
+    /// A model and datasets to how often it is right, by frame and by track, with its spread over vehicles.
+    Evaluate(EvaluateArguments),
     /// Samples from anywhere (.npy, DCA1000 .bin, SigMF) to a radar cube.
     Import(ImportArguments),
     /// Radar cubes of a reflector at a known place to the errors of the array's channels, for `calibration` of [dsp].
@@ -323,6 +326,19 @@ pub(crate) struct TrainArguments {
     /// Text file with a line for each source of vehicles that its licence asks to be named with the model.
     #[arg(long, value_name = "FILE")]
     pub(crate) attributions: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct EvaluateArguments {
+    /// Model file or folder.
+    #[arg(value_name = "MODEL")]
+    pub(crate) model: PathBuf,
+    /// Dataset folders.
+    #[arg(value_name = "DIR", required = true)]
+    pub(crate) datasets: Vec<PathBuf>,
+    /// Page (Markdown) that holds what is told.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) out: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

@@ -8,6 +8,7 @@ mod classify;
 mod dataset;
 mod dsp;
 mod echo;
+mod evaluate;
 pub(crate) mod export;
 mod import;
 mod inspect;
@@ -37,6 +38,7 @@ pub(crate) fn dispatch(command: Command) -> Result<(), Failure> {
         Command::Dataset(arguments) => dataset::run(&arguments).map_err(|failure| failure.about(&arguments.spec)),
         Command::Train(arguments) => train::run(&arguments),
         Command::Classify(arguments) => classify::run(&arguments),
+        Command::Evaluate(arguments) => evaluate::run(&arguments),
         Command::Import(arguments) => import::run(&arguments),
         Command::Calibrate(arguments) => calibrate::run(&arguments).map_err(|failure| failure.about(&arguments.cube)),
         Command::Export(arguments) => export::run(&arguments),

@@ -276,11 +276,16 @@ fn lane(target: &Value) -> String {
     if got == asked { got } else { format!("{got}≠{asked}") }
 }
 
+/// Of the target's track where there is one, else of this frame.
 fn class(target: &Value) -> String {
-    let Some(predicted) = target["predicted_class"].as_str() else { return "–".into() };
-    let probability = number_of(&target["probabilities"][predicted]);
+    let keys = [("track_class", "track_probabilities"), ("predicted_class", "probabilities")];
+    let told = keys.iter().find_map(|(class, p)| Some((target[*class].as_str()?, &target[*p])));
+    let Some((predicted, probabilities)) = told else { return "–".into() };
+    let likeliest = probabilities.as_object().into_iter().flatten().filter_map(|(name, p)| Some((name, p.as_f64()?)));
+    let Some((name, probability)) = likeliest.max_by(|a, b| a.1.total_cmp(&b.1)) else { return predicted.into() };
+    let class = if predicted == name { predicted.to_owned() } else { format!("{predicted}, {name}") };
     let wrong = target["class"].as_str().filter(|class| *class != predicted);
-    format!("{predicted} {probability:.2}{}", wrong.map_or(String::new(), |class| format!(", is a {class}")))
+    format!("{class} {probability:.2}{}", wrong.map_or(String::new(), |class| format!(" (is a {class})")))
 }
 
 /// Whether the map shows another velocity than the true one; the estimate may have got over it.

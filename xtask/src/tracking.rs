@@ -82,6 +82,15 @@ impl Tracking {
     }
 }
 
+/// Gives each target the class of the track that follows it.
+pub(crate) fn join(targets: &mut Value, tracks: &Value) {
+    for target in targets.as_array_mut().into_iter().flatten() {
+        let own = tracks.as_array().into_iter().flatten().find(|track| track["target"] == target["id"]);
+        target["track_class"] = own.map_or(Value::Null, |track| track["predicted_class"].clone());
+        target["track_probabilities"] = own.map_or(Value::Null, |track| track["probabilities"].clone());
+    }
+}
+
 fn told<'a>(
     tracks: &TracksFrame,
     truth: &FrameTruth,

@@ -84,7 +84,7 @@ fn filled() -> Workplace {
 #[test]
 fn every_command_ends_with_2_and_leaves_nothing_half_written() {
     let place = filled();
-    let model = Workplace::project_file("fixtures/classifier.model");
+    let model = Workplace::project_file("fixtures/paper-network.model");
     for words in [
         "run small.toml --no-cache --quiet --out disk/o",
         "rcs corner.obj --freq-ghz 76:78:16 --az-deg 0:90:40 --pictures --quiet --out disk/s.npy",

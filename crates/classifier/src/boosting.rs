@@ -257,3 +257,100 @@ impl Growth<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::metrics::log_softmax;
+    use crate::trees::logits;
+
+    const SETTINGS: BoostingSettings = BoostingSettings {
+        rounds: 40,
+        depth: 3,
+        learning_rate: 0.3,
+        shrinkage: 1.0,
+        least_weight: 1.0,
+        columns: 1.0,
+        rows: 1.0,
+    };
+
+    /// Classes that two of three features tell together and neither alone; some values are equal.
+    fn table(examples: u64, seed: u64) -> Table {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut drawn = || (0..examples).map(|_| (20.0 * random.random::<f32>()).round()).collect::<Vec<f32>>();
+        let columns = vec![drawn(), drawn(), drawn()];
+        let of = |i: usize| 2 * usize::from(columns[0][i] > 10.0) + usize::from(columns[2][i] > 7.0);
+        let class = |i: usize| if of(i) == 3 { 0 } else { of(i) + usize::from(of(i) == 0) * 3 };
+        let classes = (0..examples as usize).map(class).collect();
+        let weights = (0..examples).map(|i| 0.5 + (i % 3) as f64).collect();
+        Table { columns, classes, weights }
+    }
+
+    fn loss(table: &Table, trees: &BoostedTrees) -> f64 {
+        let one =
+            |i: usize| -table.weights[i] * log_softmax(logits(trees, &table.row(i)).map(f64::from))[table.classes[i]];
+        (0..table.classes.len()).map(one).sum()
+    }
+
+    /// The slow and obvious way: every threshold of every feature, all sums anew.
+    #[test]
+    fn the_first_split_is_the_best_of_all_that_there_are() {
+        for seed in 0..20 {
+            let table = table(60, seed);
+            let settings = BoostingSettings { rounds: 1, depth: 1, ..SETTINGS };
+            let tree = &boosted(&table, &settings, 1, &mut |_| true).trees[0];
+            let gain = |feature: usize, threshold: f32| {
+                let side = |above: bool| {
+                    let mut sums = Sums::default();
+                    for i in (0..60).filter(|i| (table.columns[feature][*i] > threshold) == above) {
+                        sums.add(&slopes(&table, i, &[0.0; 4]), table.weights[i]);
+                    }
+                    sums
+                };
+                let heavy = [false, true].iter().all(|above| side(*above).weight >= 1.0);
+                if heavy { side(false).gain(1.0) + side(true).gain(1.0) } else { f64::NEG_INFINITY }
+            };
+            let all = (0..3).flat_map(|f| (0..20).map(move |t| (f, t as f32 + 0.5)));
+            let best = all.map(|(f, t)| gain(f, t)).fold(f64::NEG_INFINITY, f64::max);
+            let Node::Split { feature, threshold, .. } = tree.nodes[0] else { panic!("no split") };
+            assert!((gain(feature as usize, threshold) - best).abs() < 1e-9 * best.abs(), "seed {seed}");
+        }
+    }
+
+    #[test]
+    fn the_loss_falls_with_every_tree_and_unseen_examples_are_told() {
+        let (learned, unseen) = (table(400, 1), table(400, 2));
+        let mut losses = Vec::new();
+        let trees = boosted(&learned, &SETTINGS, 1, &mut |trees| {
+            losses.push(loss(&learned, trees));
+            true
+        });
+        assert!(losses.windows(2).all(|pair| pair[1] < pair[0]), "{losses:?}");
+        let told = |i: usize| {
+            let l = logits(&trees, &unseen.row(i));
+            (0..4).fold(0, |best, c| if l[c] > l[best] { c } else { best })
+        };
+        let right = (0..400).filter(|i| told(*i) == unseen.classes[*i]).count();
+        assert!(right >= 392, "{right} of 400");
+    }
+
+    #[test]
+    fn trees_are_the_same_on_any_number_of_threads_and_others_by_another_seed() {
+        let table = table(200, 3);
+        let settings = BoostingSettings { columns: 0.7, rows: 0.7, ..SETTINGS };
+        let grown = |threads: usize, seed: u64| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| boosted(&table, &settings, seed, &mut |_| true))
+        };
+        assert!(grown(1, 1) == grown(3, 1) && grown(1, 1) != grown(1, 2));
+    }
+
+    #[test]
+    fn a_table_whose_features_say_nothing_grows_no_split() {
+        let table =
+            Table { columns: vec![vec![1.0; 10]], classes: vec![0, 1, 2, 3, 0, 1, 2, 3, 0, 1], weights: vec![1.0; 10] };
+        let trees = boosted(&table, &SETTINGS, 1, &mut |trees| trees.trees.len() < 3);
+        assert_eq!(trees.trees.len(), 3);
+        assert!(trees.trees.iter().all(|tree| tree.nodes.len() == 1));
+    }
+}

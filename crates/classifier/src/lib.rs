@@ -57,5 +57,5 @@ pub use samples::{Example, Examples, format_of, samples_of};
 pub use signature_classifier::SignatureClassifier;
 pub use split::split_of_scene;
 pub use temperature::fitted_temperature;
-pub use tree_training::{Part, TrainedTrees, TreeMetrics, TreeSettings, train_trees};
+pub use tree_training::{Part, TrainedTrees, TreeMetrics, TreeSettings, parts, train_trees};
 pub use vehicles::{Seen, Sightings, TrackKey};

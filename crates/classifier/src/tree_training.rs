@@ -260,7 +260,7 @@ fn tracks<'a>(seen: &[&'a Seen], logits: &[Logits]) -> Vec<Track<'a>> {
 }
 
 /// Frame by frame, and by track.
-pub(crate) fn parts(seen: &[&Seen], logits: &[Logits], correlation: f64) -> [Part; 2] {
+pub fn parts(seen: &[&Seen], logits: &[Logits], correlation: f64) -> [Part; 2] {
     let frames: Vec<(usize, &str)> = seen.iter().map(|s| (s.class, s.model.as_str())).collect();
     let tracks = tracks(seen, logits);
     let of_tracks: Vec<(usize, &str)> = tracks.iter().map(|t| (t.class, t.model)).collect();

@@ -66,3 +66,34 @@ fn check_tree(tree: &Tree, features: usize) -> Result<(), &'static str> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stump(below: u32, above: u32, feature: u32, high: f32) -> BoostedTrees {
+        let split = Node::Split { feature, threshold: 1.0, below, above };
+        let nodes = vec![split, Node::Leaf([0.0, 1.0, 0.0, 0.0]), Node::Leaf([high, 0.0, 0.0, 0.0])];
+        BoostedTrees { prior: [0.5, 0.0, 0.0, 0.0], temperature: 2.0, trees: vec![Tree { nodes }] }
+    }
+
+    #[test]
+    fn a_stump_answers_by_hand() {
+        let trees = stump(1, 2, 0, 4.0);
+        assert!(check(&trees, 1).is_ok());
+        assert_eq!(logits(&trees, &[1.0]), [0.25, 0.5, 0.0, 0.0]);
+        assert_eq!(logits(&trees, &[1.1]), [2.25, 0.0, 0.0, 0.0]);
+        assert_eq!(logits(&trees, &[f32::NAN]), [0.25, 0.5, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn trees_that_lead_nowhere_are_refused() {
+        let broken = [stump(0, 2, 0, 1.0), stump(1, 3, 0, 1.0), stump(1, 2, 1, 1.0), stump(1, 2, 0, f32::NAN)];
+        for trees in broken {
+            assert!(matches!(check(&trees, 1), Err(ClassifierError::Tree { tree: 0, .. })));
+        }
+        let empty = BoostedTrees { trees: vec![Tree { nodes: vec![] }], ..stump(1, 2, 0, 1.0) };
+        assert!(check(&empty, 1).is_err());
+        assert!(check(&BoostedTrees { temperature: 0.0, ..stump(1, 2, 0, 1.0) }, 1).is_err());
+    }
+}

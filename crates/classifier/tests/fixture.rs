@@ -8,7 +8,7 @@ use rand_chacha::ChaCha8Rng;
 use std::path::{Path, PathBuf};
 
 fn model() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/classifier.model")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/paper-network.model")
 }
 
 fn classifier() -> Classifier {

@@ -19,7 +19,7 @@ use crate::several_radars::{self, Told};
 use crate::stages::Stage;
 use crate::sub_frames;
 use crate::summary;
-use crate::tracking::Tracking;
+use crate::tracking::{self, Tracking};
 use serde_json::{Map, Value};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -153,6 +153,7 @@ fn compute(
                     let truth = FrameTruth::of(chain, &frame)?;
                     let (tracks, told_of_tracks) = tracking.follow(&frame, &truth)?;
                     let mut told = summary::frame(&frame.view, &frame.result, &truth);
+                    tracking::join(&mut told["targets"], &told_of_tracks);
                     told["tracks"] = told_of_tracks;
                     frames.push(told);
                     progress::during("artifacts and pictures", || products.write(chain, frame, &truth, &tracks))?;
