@@ -101,51 +101,57 @@ pub fn train_trees(
 ) -> Result<TrainedTrees, ClassifierError> {
     let learned = sightings.of(&[Split::Train, Split::Validation]);
     check_classes(sightings, &learned)?;
-    let rounds = settings.boosting.rounds as usize;
-    let (mut done, all) = (0, rounds * (settings.folds + 1));
+    let (mut done, all) = (0, settings.boosting.rounds as usize * (settings.folds + 1));
     let mut tick = || {
         done += 1;
         heard(done, all);
     };
     let held_out = held_out(sightings, &learned, settings, seed, &mut tick);
     let best = held_out.best_round();
-    let answers = &held_out.logits[best];
-    let weights = sightings.table(&learned).weights;
-    let weighted: Vec<_> =
-        answers.iter().zip(&learned).zip(&weights).map(|((l, i), w)| (sightings.all[*i].class, *l, *w)).collect();
-    let temperature = fitted_temperature(&weighted);
-    let cooled: Vec<Logits> = answers.iter().map(|l| l.map(|v| v / temperature as f32)).collect();
-    let seen: Vec<&Seen> = learned.iter().map(|i| &sightings.all[*i]).collect();
-    let frame_correlation = fitted_correlation(&seen, &cooled);
+    let temperature = fitted_temperature(&held_out.weighted(best));
+    let cooled: Vec<Logits> = held_out.logits[best].iter().map(|l| l.map(|v| v / temperature as f32)).collect();
+    let frame_correlation = fitted_correlation(&sightings.seen(&learned), &cooled);
     let boosting = BoostingSettings { rounds: best as u32 + 1, ..settings.boosting };
     let mut trees = boosted(&sightings.table(&learned), &boosting, seed, &mut |_| {
         tick();
         true
     });
     trees.temperature = temperature as f32;
-    let test: Vec<&Seen> = sightings.of(&[Split::Test]).iter().map(|i| &sightings.all[*i]).collect();
-    let told: Vec<Logits> = test.iter().map(|seen| logits(&trees, &seen.features)).collect();
-    let of_test = (!test.is_empty()).then(|| parts(&test, &told, frame_correlation));
-    let [unseen_vehicles, unseen_vehicles_by_track] = parts(&seen, &cooled, frame_correlation);
-    let [unseen_scenes, unseen_scenes_by_track] = of_test.map_or([None, None], |parts| parts.map(Some));
-    let metrics = TreeMetrics {
-        classes: Class::ALL,
-        seed,
-        rounds: trees.trees.len(),
-        temperature,
-        frame_correlation,
-        unlabelled: sightings.unlabelled,
-        unseen_vehicles,
-        unseen_vehicles_by_track,
-        unseen_scenes,
-        unseen_scenes_by_track,
-    };
-    Ok(TrainedTrees {
-        header: header(settings, frame_correlation),
-        weights: Weights::Trees(trees),
-        curve: held_out.curve(),
-        metrics,
-    })
+    let told = Fitted { seed, temperature, frame_correlation, trees: &trees };
+    let metrics = told.metrics(sightings, &learned, &cooled);
+    let (header, curve) = (header(settings, frame_correlation), held_out.curve());
+    Ok(TrainedTrees { header, weights: Weights::Trees(trees), curve, metrics })
+}
+
+/// What a training found.
+struct Fitted<'a> {
+    seed: u64,
+    temperature: f64,
+    frame_correlation: f64,
+    trees: &'a BoostedTrees,
+}
+
+impl Fitted<'_> {
+    fn metrics(&self, sightings: &Sightings, learned: &[usize], held_out: &[Logits]) -> TreeMetrics {
+        let test = sightings.seen(&sightings.of(&[Split::Test]));
+        let told: Vec<Logits> = test.iter().map(|seen| logits(self.trees, &seen.features)).collect();
+        let of_test = (!test.is_empty()).then(|| parts(&test, &told, self.frame_correlation));
+        let [unseen_scenes, unseen_scenes_by_track] = of_test.map_or([None, None], |parts| parts.map(Some));
+        let [unseen_vehicles, unseen_vehicles_by_track] =
+            parts(&sightings.seen(learned), held_out, self.frame_correlation);
+        TreeMetrics {
+            classes: Class::ALL,
+            seed: self.seed,
+            rounds: self.trees.trees.len(),
+            temperature: self.temperature,
+            frame_correlation: self.frame_correlation,
+            unlabelled: sightings.unlabelled,
+            unseen_vehicles,
+            unseen_vehicles_by_track,
+            unseen_scenes,
+            unseen_scenes_by_track,
+        }
+    }
 }
 
 fn header(settings: &TreeSettings, frame_correlation: f64) -> ModelHeader {
@@ -182,6 +188,12 @@ impl HeldOut {
             round.iter().enumerate().map(one).sum::<f64>() / total
         };
         self.logits.iter().map(loss).collect()
+    }
+
+    /// True class, answer and weight of each after a round.
+    fn weighted(&self, round: usize) -> Vec<(usize, Logits, f64)> {
+        let answers = self.logits[round].iter().zip(&self.classes).zip(&self.weights);
+        answers.map(|((logits, class), weight)| (*class, *logits, *weight)).collect()
     }
 
     fn best_round(&self) -> usize {

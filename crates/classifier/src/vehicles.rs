@@ -71,6 +71,11 @@ impl Sightings {
         (0..self.all.len()).filter(|i| splits.contains(&self.all[*i].split)).collect()
     }
 
+    /// Those themselves.
+    pub fn seen(&self, numbers: &[usize]) -> Vec<&Seen> {
+        numbers.iter().map(|i| &self.all[*i]).collect()
+    }
+
     /// Those as a table. Every class weighs the same, in a class every vehicle, in a vehicle every sighting; the mean is 1.
     pub fn table(&self, numbers: &[usize]) -> Table {
         let mut of_model: BTreeMap<(usize, &str), f64> = BTreeMap::new();
