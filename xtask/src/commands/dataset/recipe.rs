@@ -108,7 +108,11 @@ fn check_models(document: &Document) -> Result<(), String> {
                 Some(own) if own == *class => {}
                 Some(own) => return Err(format!("models.{}: `{model}` is a {}", class.name(), own.name())),
                 None => {
-                    return Err(format!("models.{}: `{model}` is none of {:?}", class.name(), scene::vehicles::NAMES));
+                    return Err(format!(
+                        "models.{}: `{model}` is none of {:?}",
+                        class.name(),
+                        scene::vehicles::names()
+                    ));
                 }
             }
         }
