@@ -1,6 +1,6 @@
-//! Pictures of vehicles side by side, a row for each name or mesh file, a column for each seed (files: one view each):
-//! `cargo run --release -p scene --example contact_sheet -- OUT.png SEEDS YAW_DEG NAME_OR_FILE…`; with `OUT_DIR/` in place
-//! of the picture the meshes are written there as `.glb`.
+//! Pictures of vehicles side by side, as many in a row as there are seeds; a mesh file is shown once:
+//! `cargo run --release -p scene --example contact_sheet -- OUT.png SEEDS YAW_DEG NAME_OR_FILE…`.
+//! With `OUT_DIR/` in place of the picture the meshes are written there as `.glb`.
 
 mod png;
 

@@ -1,7 +1,7 @@
 //! Trucks of the families: a cab, a chassis, and what it carries; or one body where the cab is part of it.
 //!
-//! Lengths of the cab are shares of `cab_m` = [length, height of its roof]. `carries` tells the body: "box" (a hull with
-//! panels drawn a little out of true), "tank", or "parts" where the table lists solids only.
+//! Lengths of the cab are shares of `cab_m` = [length, height of its roof]. `carries` tells the body: "box" (a hull
+//! with panels drawn a little out of true), "tank", or "parts" where the table lists solids only.
 
 use super::curve::Curve;
 use super::family::Drawn;

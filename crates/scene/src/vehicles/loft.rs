@@ -17,8 +17,8 @@ pub(super) fn draw(drawn: &Drawn<'_>, nominal_m: [f64; 3], size_m: [f64; 3]) -> 
     let form = Form::of(drawn, &Room::whole(drawn, size_m));
     let mut vehicle = Assembly::default();
     add_body(drawn, &form, &mut vehicle);
-    for (number, axle_x) in form.axles_x.iter().enumerate() {
-        add_wheels(drawn, &form, *axle_x, number > 0, &mut vehicle);
+    for axle in 0..form.axles_x.len() {
+        add_wheels(drawn, &form, axle, &mut vehicle);
     }
     parts::add(drawn, DVec3::from_array(size_m) / DVec3::from_array(nominal_m), &mut vehicle);
     vehicle
@@ -40,9 +40,10 @@ pub(super) fn add_body(drawn: &Drawn<'_>, form: &Form, to: &mut Assembly) {
     to.add(skin);
 }
 
-fn add_wheels(drawn: &Drawn<'_>, form: &Form, axle_x: f64, rear: bool, to: &mut Assembly) {
+fn add_wheels(drawn: &Drawn<'_>, form: &Form, number: usize, to: &mut Assembly) {
+    let (axle_x, twin) = (form.axles_x[number], number > 0 && form.twin);
     let outer_y = form.half_width_m - 0.035;
-    let rim = match (drawn.word("rims"), rear && form.twin) {
+    let rim = match (drawn.word("rims"), twin) {
         ("steel", false) => Rim::SteelConvex,
         (_, true) => Rim::SteelConcave,
         _ => Rim::Spoked { spokes: drawn.number("spokes") as u32 },
@@ -55,7 +56,7 @@ fn add_wheels(drawn: &Drawn<'_>, form: &Form, axle_x: f64, rear: bool, to: &mut 
         sectors: 14,
     };
     wheel.add_pair(to, axle_x, outer_y);
-    if rear && form.twin {
+    if twin {
         wheel.add_inner_pair(to, axle_x, outer_y - form.tyre_width_m - 0.03);
     }
     let casing_radius_m = drawn.number("axle_casing_m");

@@ -1,9 +1,10 @@
 //! Solids that a family's table lists: boxes, balls, drums, tubes and limbs in the metres of the nominal drawing.
 //!
 //! Keys of a part: `solid` (box, ball, drum, tube, limb), `at` = [x, y, z], `size` = [length, width, height], `round`
-//! (radius of a box's edges), `pitch_deg` (the front goes down), `yaw_deg`, `radius`, `length` and `axis` of a drum, `path` of a tube
-//! (rows x, y, z) or a limb (rows x, y, z, half width, half height), `material`, `pair` (with its mirror image), `chance`,
-//! `when` = "key=word" (only where the family's word of that key is drawn), `repeat` and `step` = [x, y, z] (a row of them).
+//! (radius of a box's edges), `pitch_deg` (the front goes down), `yaw_deg`, `radius`, `length` and `axis` of a drum,
+//! `path` of a tube (rows x, y, z) or a limb (rows x, y, z, half width, half height), `material`, `pair` (with its mirror
+//! image), `chance`, `when` = "key=word" (only where the family's word of that key is drawn), `repeat` and `step` =
+//! [x, y, z] (a row of them).
 
 use super::family::Drawn;
 use super::mesh_builder::Assembly;

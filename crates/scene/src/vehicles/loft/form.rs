@@ -75,7 +75,7 @@ pub(in crate::vehicles) struct Form {
     pub(in crate::vehicles) rear: Face,
 }
 
-fn face(drawn: &Drawn<'_>, end: &str, upright: bool) -> Face {
+fn face(drawn: &Drawn<'_>, end: &str) -> Face {
     let number = |what: &str| drawn.number(&format!("{end}_{what}"));
     Face {
         lean: number("rake_deg").to_radians().tan(),
@@ -85,7 +85,7 @@ fn face(drawn: &Drawn<'_>, end: &str, upright: bool) -> Face {
         bumper_m: number("bumper_m"),
         taper_m: number("taper_m"),
         radius_m: number("radius_m"),
-        upright,
+        upright: drawn.has(&format!("{end}_upright")),
     }
 }
 
@@ -121,8 +121,8 @@ impl Form {
             roof_y: room.half_width_m - 0.02 - lean_in * (roof - 0.5 * (waist[0] + waist[1])),
             rail_drop_m: drawn.number("crown_m"),
             belly_m: drawn.number("belly_m"),
-            front: face(drawn, "front", drawn.has("front_upright")),
-            rear: face(drawn, "rear", drawn.has("rear_upright")),
+            front: face(drawn, "front"),
+            rear: face(drawn, "rear"),
         }
     }
 
