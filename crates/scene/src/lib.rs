@@ -16,7 +16,7 @@
 //!     [[target]]
 //!     kind = "mesh"
 //!     id = "sign"
-//!     model = "sign.obj"            # or one of scene::vehicles::NAMES
+//!     model = "sign.obj"            # or one of scene::vehicles::names()
 //!     lane = 2
 //!     y_m = 40.0
 //!     velocity_mps = [0.0, -10.0, 0.0]

@@ -194,7 +194,7 @@ fn named_model(
     unit_scale: Option<f64>,
     seed: Option<u64>,
 ) -> Option<Model> {
-    let name = vehicles::NAMES.into_iter().find(|name| *name == written);
+    let name = vehicles::names().into_iter().find(|name| *name == written);
     match (name, mesh::Format::of(Path::new(written))) {
         (Some(name), _) => {
             if unit_scale.is_some() {
@@ -210,7 +210,7 @@ fn named_model(
             Some(Model::File { path: folder.join(written), unit_scale })
         }
         (None, None) => {
-            let nearest = nearest(written, &vehicles::NAMES);
+            let nearest = nearest(written, &vehicles::names());
             target.note("model", Rule::UnknownModel { found: written.to_owned(), own: "vehicles", nearest });
             None
         }

@@ -8,12 +8,12 @@ use artifact::scene::Mesh;
 use serde_json::{Value, json};
 
 pub(crate) fn run(arguments: &VehiclesArguments) -> Result<(), Failure> {
-    let names = scene::vehicles::NAMES;
+    let names = scene::vehicles::names();
     let total = names.len() * arguments.count as usize;
     let work = Work::begin("vehicles");
     let mut manifest = Vec::new();
     for number in 0..arguments.count {
-        for name in names {
+        for name in &names {
             work.at(manifest.len(), total);
             let file = if arguments.count == 1 { format!("{name}.glb") } else { format!("{name}-{number}.glb") };
             let seed = arguments.seed + number;

@@ -1,6 +1,6 @@
 //! Motorcycles with their riders: street, scooter, touring.
 
-mod parts;
+pub(super) mod parts;
 mod scooter;
 mod street;
 mod touring;

@@ -21,6 +21,22 @@ pub(super) enum Material {
 }
 
 impl Material {
+    /// Every material.
+    pub(super) const ALL: [Self; 12] = [
+        Self::Paint,
+        Self::Glass,
+        Self::Rubber,
+        Self::Steel,
+        Self::Aluminium,
+        Self::Chrome,
+        Self::Plastic,
+        Self::Lamp,
+        Self::TailLamp,
+        Self::Plate,
+        Self::Fabric,
+        Self::Leather,
+    ];
+
     /// As written to files.
     pub(super) fn name(self) -> &'static str {
         match self {

@@ -102,7 +102,7 @@ fn a_mesh_has_the_dimensions_its_seed_draws() {
 fn drawings_are_made_to_size_and_only_trimmed_by_the_last_fit() {
     for name in NAMES {
         for seed in SEEDS {
-            let (parts, size_m) = drawing(&Draw { model: name, seed }).unwrap();
+            let (parts, size_m) = drawing(name, seed).unwrap();
             let (low, high) = mesh_builder::bounds_m(parts.parts());
             let scale = DVec3::from_array(size_m) / (high - low);
             assert!((scale - DVec3::ONE).abs().max_element() < 0.05, "{name} {seed}: stretched by {scale}");

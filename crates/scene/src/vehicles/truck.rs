@@ -1,9 +1,9 @@
 //! Trucks: box body, tanker, tractor with semitrailer.
 
 mod cab;
-mod chassis;
-mod form;
-mod load;
+pub(super) mod chassis;
+pub(super) mod form;
+pub(super) mod load;
 
 use super::dimensions::Draw;
 use super::mesh_builder::Assembly;

@@ -140,7 +140,7 @@ fn named(class: Class, written: &str, folder: &Path) -> Result<Vec<(String, Opti
         Some(_) => Ok(vec![(stem(&path), Some(path))]),
         None => Err(format!(
             "{key}: `{written}` is no mesh file (.glb, .gltf, .stl, .obj), no folder and none of {:?}",
-            vehicles::NAMES
+            vehicles::names()
         )),
     }
 }

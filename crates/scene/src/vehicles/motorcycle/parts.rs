@@ -8,18 +8,18 @@ use std::f64::consts::TAU;
 
 /// A wheel in the middle plane, on the ground.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct CycleWheel {
-    pub(super) axle_x: f64,
-    pub(super) radius_m: f64,
-    pub(super) tyre_width_m: f64,
-    pub(super) rim_radius_m: f64,
-    pub(super) spokes: u32,
-    pub(super) brake_radius_m: f64,
+pub(in crate::vehicles) struct CycleWheel {
+    pub(in crate::vehicles) axle_x: f64,
+    pub(in crate::vehicles) radius_m: f64,
+    pub(in crate::vehicles) tyre_width_m: f64,
+    pub(in crate::vehicles) rim_radius_m: f64,
+    pub(in crate::vehicles) spokes: u32,
+    pub(in crate::vehicles) brake_radius_m: f64,
 }
 
 impl CycleWheel {
     /// Tyre, rim, spokes, hub and brake discs.
-    pub(super) fn add(&self, to: &mut Assembly) {
+    pub(in crate::vehicles) fn add(&self, to: &mut Assembly) {
         let place = |part: Surface| part.moved(self.axle_x, 0.0, self.radius_m);
         to.add(place(self.tyre()));
         to.add(place(self.rim()));
@@ -70,7 +70,7 @@ impl CycleWheel {
 }
 
 /// Two legs from the axle to the steering head, with their bridges.
-pub(super) fn forks(axle: [f64; 2], head: [f64; 2], half_gap_m: f64, to: &mut Assembly) {
+pub(in crate::vehicles) fn forks(axle: [f64; 2], head: [f64; 2], half_gap_m: f64, to: &mut Assembly) {
     let at = |t: f64| [axle[0] + (head[0] - axle[0]) * t, half_gap_m, axle[1] + (head[1] - axle[1]) * t];
     to.add_pair(tube(&[at(-0.03), at(0.45)], 0.030, 10, Material::Aluminium));
     to.add_pair(tube(&[at(0.40), at(1.02)], 0.022, 10, Material::Chrome));
@@ -81,7 +81,7 @@ pub(super) fn forks(axle: [f64; 2], head: [f64; 2], half_gap_m: f64, to: &mut As
 }
 
 /// Bar, grips, levers and mirrors. `clamp` is its middle, `grip` the end of the left grip.
-pub(super) fn handlebar(clamp: [f64; 3], grip: [f64; 3], to: &mut Assembly) {
+pub(in crate::vehicles) fn handlebar(clamp: [f64; 3], grip: [f64; 3], to: &mut Assembly) {
     let [gx, gy, gz] = grip;
     let bend = [clamp[0] + 0.02, 0.5 * gy, gz];
     let across = |p: [f64; 3]| [p[0], -p[1], p[2]];
@@ -98,7 +98,7 @@ pub(super) fn handlebar(clamp: [f64; 3], grip: [f64; 3], to: &mut Assembly) {
 }
 
 /// A mirror on its stalk.
-pub(super) fn mirror(root: [f64; 3], head: [f64; 3], to: &mut Assembly) {
+pub(in crate::vehicles) fn mirror(root: [f64; 3], head: [f64; 3], to: &mut Assembly) {
     to.add_pair(tube(
         &bent(&[root, [root[0] + 0.03, 0.5 * (root[1] + head[1]), head[2] - 0.04], head], 0.4),
         0.006,
@@ -111,7 +111,7 @@ pub(super) fn mirror(root: [f64; 3], head: [f64; 3], to: &mut Assembly) {
 }
 
 /// A mudguard over the sector of the wheel between two angles from +x towards +z.
-pub(super) fn mudguard(axle: [f64; 2], radius_m: f64, half_width_m: f64, [from, to]: [f64; 2]) -> Surface {
+pub(in crate::vehicles) fn mudguard(axle: [f64; 2], radius_m: f64, half_width_m: f64, [from, to]: [f64; 2]) -> Surface {
     let steps = 8;
     let row = |k: usize| {
         let angle = (from + (to - from) * k as f64 / steps as f64).to_radians();
@@ -137,7 +137,7 @@ pub(super) fn mudguard(axle: [f64; 2], radius_m: f64, half_width_m: f64, [from, 
 }
 
 /// Rear plate (German single-line two-wheeler plate, 180 × 200 mm) and lamp.
-pub(super) fn tail(x: f64, lamp_z: f64, plate_z: f64, to: &mut Assembly) {
+pub(in crate::vehicles) fn tail(x: f64, lamp_z: f64, plate_z: f64, to: &mut Assembly) {
     to.add(sharp_box([0.05, 0.16, 0.05], Material::TailLamp).moved(x, 0.0, lamp_z));
     to.add(sharp_box([0.008, 0.18, 0.20], Material::Plate).moved(x - 0.02, 0.0, plate_z));
     to.add(tube(&[[x + 0.06, 0.0, lamp_z - 0.02], [x + 0.01, 0.0, plate_z + 0.04]], 0.018, 8, Material::Plastic));
@@ -148,6 +148,6 @@ pub(super) fn tail(x: f64, lamp_z: f64, plate_z: f64, to: &mut Assembly) {
 }
 
 /// Foot rest with its hanger.
-pub(super) fn foot_rest(at: [f64; 3], inner_y: f64, to: &mut Assembly) {
+pub(in crate::vehicles) fn foot_rest(at: [f64; 3], inner_y: f64, to: &mut Assembly) {
     to.add_pair(tube(&[[at[0], inner_y, at[2]], at], 0.013, 8, Material::Aluminium));
 }

@@ -7,7 +7,7 @@ use crate::vehicles::surface::{Material, Surface};
 use crate::vehicles::wheel::{Drive, Rim, Wheel, axle};
 use glam::DVec3;
 
-pub(super) fn add(form: &Form, truck: &mut Assembly) {
+pub(in crate::vehicles) fn add(form: &Form, truck: &mut Assembly) {
     wheels(form, truck);
     ladder(form.frame_x, form.frame_z, truck);
     tanks(form, truck);

@@ -44,7 +44,7 @@ fn van_body(form: &Form, truck: &mut Assembly) {
     rear_doors(form, truck);
 }
 
-fn rear_doors(form: &Form, truck: &mut Assembly) {
+pub(in crate::vehicles) fn rear_doors(form: &Form, truck: &mut Assembly) {
     let rear = form.load_x[1];
     let (low, high) = (form.load_floor_z, form.load_top_z);
     for y in [0.28, 0.92] {
@@ -74,7 +74,7 @@ fn cooler(form: &Form, truck: &mut Assembly) {
 }
 
 /// An elliptical tank with domed ends on saddles, its manholes, walkway, rail and ladder.
-fn tank(form: &Form, truck: &mut Assembly) {
+pub(in crate::vehicles) fn tank(form: &Form, truck: &mut Assembly) {
     let [front, rear] = form.load_x;
     let half_height = 0.5 * (form.load_top_z - form.load_floor_z) - 0.03;
     let z = form.load_top_z - half_height;
