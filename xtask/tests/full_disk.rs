@@ -101,6 +101,9 @@ fn every_command_ends_with_2_and_leaves_nothing_half_written() {
         "export a/frames.paths --to json --out disk/f.json",
         &format!("export {model} --to safetensors --out disk/f.safetensors"),
         "vehicles --quiet --out disk/v",
+        "train crops --quiet --out disk/m",
+        "export crops/shard-0000.dataset --to csv --out disk/f.csv",
+        &format!("evaluate {model} crops --out disk/e.md"),
     ] {
         ends_with_2_on_a_full_disk(&place, words);
     }
@@ -109,7 +112,7 @@ fn every_command_ends_with_2_and_leaves_nothing_half_written() {
 #[test]
 #[ignore = "builds the learning library: cargo test --release -p xtask --test full_disk -- --ignored a_training"]
 fn a_training_ends_with_2_and_leaves_nothing_half_written() {
-    ends_with_2_on_a_full_disk(&filled(), "train crops --iterations 1 --quiet --out disk/m");
+    ends_with_2_on_a_full_disk(&filled(), "train crops --learner paper --iterations 1 --quiet --out disk/m");
 }
 
 fn ends_with_2_on_a_full_disk(place: &Workplace, words: &str) {

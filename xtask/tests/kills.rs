@@ -139,8 +139,14 @@ fn a_dataset_that_is_killed_goes_on() {
 #[ignore = "builds the learning library: cargo test --release -p xtask --test kills -- --ignored a_training"]
 fn a_training_that_is_killed_leaves_nothing_half_written_and_ends_the_same_way() {
     let same = ["out/weights.model", "out/metrics.json", "out/curves.csv"];
-    let words = "train crops --iterations 3 --quiet --out out";
+    let words = "train crops --learner paper --iterations 3 --quiet --out out";
     Work { words, same: &same }.is_resumed_to_the_same_bytes(4);
+}
+
+#[test]
+fn trees_whose_training_is_killed_are_not_half_written_and_end_the_same_way() {
+    let same = ["out/weights.model", "out/metrics.json", "out/curves.csv"];
+    Work { words: "train crops --quiet --out out", same: &same }.is_resumed_to_the_same_bytes(6);
 }
 
 #[test]
