@@ -114,7 +114,7 @@ pub(super) fn classes(frame: &Value) -> Markup {
     let targets = frame["targets"].as_array().cloned().unwrap_or_default();
     let table = html! { table {
         thead { tr {
-            th { "target" } th.words { "true class" } th.words { "predicted class" }
+            th { "target" } th.words { "true class" } th.words { "predicted class" } th.words { "predicted by track" }
             @for c in CLASSES { th.words { "probability of " (c) } }
         } }
         tbody { @for target in targets.iter().filter(|t| !t["class"].is_null()) { (class_row(target)) } }
@@ -126,10 +126,12 @@ const CLASSES: [&str; 4] = ["car", "bus", "truck", "motorcycle"];
 
 fn class_row(target: &Value) -> Markup {
     let wrong = target["predicted_class"] != target["class"];
+    let wrong_by_track = !target["track_class"].is_null() && target["track_class"] != target["class"];
     html! { tr {
         td { (target["id"].as_str().unwrap_or_default()) }
         td.words { (target["class"].as_str().unwrap_or("–")) }
         td.words.bad[wrong] { (target["predicted_class"].as_str().unwrap_or("–")) }
+        td.words.bad[wrong_by_track] { (target["track_class"].as_str().unwrap_or("–")) }
         @for class in CLASSES { td.words { (bar(&target["probabilities"][class])) } }
     } }
 }
