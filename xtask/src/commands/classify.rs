@@ -1,5 +1,6 @@
 //! `classify`: class and probabilities of every object of a map, or of every crop of a dataset, one JSON line each.
 
+use super::export::image;
 use super::inspect;
 use super::load;
 use crate::chain::LoadedModel;
@@ -62,9 +63,10 @@ fn crops(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
         if batch.is_empty() {
             return Ok(());
         }
-        let images: Vec<_> = batch.iter().filter_map(|s| s.crop.clone()).collect();
-        for (sample, p) in batch.iter().zip(model.probabilities(&images)?) {
-            tell(file, 0, &sample.id, &p);
+        let ids: Vec<String> = batch.iter().map(|sample| sample.id.clone()).collect();
+        let images: Vec<_> = batch.into_iter().map(|sample| image(file, sample)).collect::<Result<_, _>>()?;
+        for (id, p) in ids.iter().zip(model.probabilities(&images)?) {
+            tell(file, 0, id, &p);
         }
     }
 }

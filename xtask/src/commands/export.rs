@@ -17,6 +17,7 @@ use artifact::{Reader, Schema, read_preamble};
 use clap::ValueEnum;
 use std::path::Path;
 
+pub(crate) use dataset::image;
 pub(crate) use npy_stream::NpyStream;
 pub(crate) use rdm::write_exr as rdm_exr;
 
@@ -56,8 +57,8 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
         ("tracks", Json) => as_json::<artifact::tracks::Tracks>(file, out),
         ("paths", Csv) => paths::csv(Reader::open(file)?, out),
         ("rcs", Npy) => rcs::npy(Reader::open(file)?, out),
-        ("dataset", Npy) => dataset::npy(Reader::open(file)?, out),
-        ("dataset", Png) => dataset::png(Reader::open(file)?, out),
+        ("dataset", Npy) => dataset::npy(file, out),
+        ("dataset", Png) => dataset::png(file, out),
         ("model", Safetensors) => model(file, out),
         ("scene", Json) => as_json::<artifact::scene::Scene>(file, out),
         ("points", Json) => as_json::<artifact::points::Points>(file, out),
