@@ -91,7 +91,9 @@ impl LoadedModel {
 }
 
 fn crop_of(sample: &Sample) -> Result<Crop, Failure> {
-    let without = || Failure::refused(format!("sample `{}` has no crop, and the model looks at crops", sample.id));
+    let without = || {
+        Failure::refused(format!("sample `{}` has no image: the recipe of this dataset says crops = false", sample.id))
+    };
     sample.crop.clone().ok_or_else(without)
 }
 

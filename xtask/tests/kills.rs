@@ -79,7 +79,7 @@ const BASE: &str = "name = \"base\"\n[radar.waveform]\nsamples = 64\nchirps = 16
 [dsp]\ntraining_cells = [3, 6]\n[fidelity]\nbounces = 1\n";
 
 const RECIPE: &str = "scene = \"base.toml\"\nseed = 1\nscenes_per_class = 10\nrange_m = [25.0, 45.0]\n\
-speed_mps = [1.0, 5.0]\nlanes = [1, 2]\nvehicle_seeds = 2\n[models]\nmotorcycle = [\"motorcycle-street\"]\n\
+speed_mps = [1.0, 5.0]\nlanes = [1, 2]\nvehicle_seeds = 2\nscenes_per_shard = 8\n[models]\nmotorcycle = [\"motorcycle-street\"]\n\
 car = [\"car-hatchback\"]\n";
 
 fn is_temporary(file: &Path) -> bool {

@@ -197,7 +197,7 @@ fn work_that_could_not_be_written_is_not_begun() {
 
 /// A dataset of one class on the small radar.
 const RECIPE: &str = "scene = \"base.toml\"\nseed = 1\nscenes_per_class = SCENES\nrange_m = [25.0, 45.0]\n\
-speed_mps = [1.0, 5.0]\nlanes = [1, 2]\nvehicle_seeds = 2\n[models]\nmotorcycle = [\"motorcycle-street\"]\n";
+speed_mps = [1.0, 5.0]\nlanes = [1, 2]\nvehicle_seeds = 2\nscenes_per_shard = 8\n[models]\nmotorcycle = [\"motorcycle-street\"]\n";
 
 const BASE: &str = "name = \"base\"\n[radar.waveform]\nsamples = 64\nchirps = 16\n[radar.array]\npreset = \"1x4\"\n\
 [dsp]\ntraining_cells = [3, 6]\n[fidelity]\nbounces = 1\n";
@@ -254,12 +254,23 @@ fn names_in_artifacts_lead_into_no_other_folder() {
     .unwrap();
     for id in ["../outside", "/outside", ".hidden"] {
         let crop = Crop { pixels: vec![0; 4], range_m: 1.0, radial_velocity_mps: 0.0 };
-        let (class, lane, model) = (None, None, String::new());
-        let (scene, split, range_m, radial_velocity_mps, seed) = (0, Split::Test, 1.0, 0.0, 0);
-        let id = id.to_owned();
-        writer
-            .write(&Sample { id, crop, class, model, scene, split, range_m, radial_velocity_mps, lane, seed })
-            .unwrap();
+        let sample = Sample {
+            id: id.to_owned(),
+            signature: artifact::signature::Signature::default(),
+            crop: Some(crop),
+            class: None,
+            model: String::new(),
+            variant: 0,
+            scene: 0,
+            target: 0,
+            frame: 0,
+            split: Split::Test,
+            range_m: 1.0,
+            radial_velocity_mps: 0.0,
+            lane: None,
+            seed: 0,
+        };
+        writer.write(&sample).unwrap();
     }
     writer.finish().unwrap();
     place.run("export x.dataset --to png --out pictures");

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 ///
 /// Nothing in it is truth. Levels are those of the radar equation for the power and the gain that the radar says it has, so that
 /// neither range nor integration time changes them.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Signature {
     /// Of the object, from the array's centre.
     pub range_m: f64,
@@ -37,7 +37,7 @@ pub struct Signature {
 }
 
 /// One range cell of a signature: the strongest of the object's own cells of velocity.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct SignatureCell {
     /// Beam power over the noise's, dB; 0 where the cell is another object's.
     pub level_db: f32,

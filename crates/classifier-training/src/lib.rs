@@ -9,6 +9,7 @@
 //! ```
 //! use artifact::dataset::{Crop, CropFormat, Sample, Split};
 //! use artifact::settings::Class;
+//! use artifact::signature::Signature;
 //! use classifier::Classifier;
 //! use classifier_training::{Augmentation, Schedule, TrainSettings, train};
 //!
@@ -17,10 +18,14 @@
 //! let pixels = |n: u64| (0..256_u64).map(|p| if p / 64 == n % 4 { 220 } else { p as u8 % 50 + n as u8 }).collect();
 //! let sample = |n: u64| Sample {
 //!     id: n.to_string(),
-//!     crop: Crop { pixels: pixels(n), range_m: 40.0, radial_velocity_mps: 0.0 },
+//!     signature: Signature::default(),
+//!     crop: Some(Crop { pixels: pixels(n), range_m: 40.0, radial_velocity_mps: 0.0 }),
 //!     class: Some(Class::ALL[n as usize % 4]),
 //!     model: "plain".into(),
+//!     variant: 0,
 //!     scene: n,
+//!     target: 0,
+//!     frame: 0,
 //!     split: if n < 32 { Split::Train } else { Split::Validation },
 //!     range_m: 40.0,
 //!     radial_velocity_mps: 0.0,
@@ -39,7 +44,7 @@
 //! };
 //! let trained = train((0..64).map(|n| Ok(sample(n))), &format, &settings, 1, &mut |_| ())?;
 //! let classifier = Classifier::from_model(&trained.header, &trained.weights)?;
-//! let probabilities = classifier.probabilities(&[sample(66).crop])?;
+//! let probabilities = classifier.probabilities(&[Crop { pixels: pixels(66), range_m: 40.0, radial_velocity_mps: 0.0 }])?;
 //! assert!(probabilities[0][2] > 0.5, "{probabilities:?}"); // a truck
 //! # Ok::<(), classifier_training::TrainingError>(())
 //! ```

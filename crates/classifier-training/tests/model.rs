@@ -16,7 +16,7 @@ static TRAINED: LazyLock<Trained> = LazyLock::new(|| {
 });
 
 fn crops() -> Vec<Crop> {
-    samples(50).into_iter().map(|s| s.crop).collect()
+    samples(50).into_iter().filter_map(|s| s.crop).collect()
 }
 
 #[test]

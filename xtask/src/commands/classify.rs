@@ -2,7 +2,6 @@
 
 use super::inspect;
 use super::load;
-
 use crate::cli::ClassifyArguments;
 use crate::failure::Failure;
 use crate::loaded_model::LoadedModel;
@@ -63,7 +62,7 @@ fn samples(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
         if batch.is_empty() {
             return Ok(());
         }
-        for (sample, p) in batch.iter().zip(model.of_samples(&batch)?) {
+        for (sample, p) in batch.iter().zip(model.of_samples(&batch).map_err(|failure| failure.about(file))?) {
             tell(model, file, sample.frame, &sample.id, &p);
         }
     }

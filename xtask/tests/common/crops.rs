@@ -2,6 +2,7 @@
 
 use artifact::dataset::{Crop, CropFormat, Dataset, Sample, Split};
 use artifact::settings::Class;
+use artifact::signature::{Signature, SignatureCell};
 use artifact::{Provenance, Writer};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -36,16 +37,27 @@ fn sample(class: usize, number: u64) -> Sample {
     };
     Sample {
         id: format!("scene-{scene}"),
-        crop: Crop { pixels: pixels(class, scene), range_m: 40.0, radial_velocity_mps: 0.0 },
+        signature: signature(class),
+        crop: Some(Crop { pixels: pixels(class, scene), range_m: 40.0, radial_velocity_mps: 0.0 }),
         class: Some(Class::ALL[class]),
         model: format!("rectangle-{class}"),
+        variant: 0,
         scene,
+        target: 0,
+        frame: 0,
         split,
         range_m: 40.0,
         radial_velocity_mps: 0.0,
         lane: Some(2),
         seed: scene,
     }
+}
+
+/// As long as the rectangle.
+fn signature(class: usize) -> Signature {
+    let [_, columns] = EXTENTS[class];
+    let cell = SignatureCell { level_db: 30.0, ..SignatureCell::default() };
+    Signature { range_m: 40.0, cell_m: 0.12, points: 1, cells: vec![cell; columns], ..Signature::default() }
 }
 
 fn pixels(class: usize, seed: u64) -> Vec<u8> {

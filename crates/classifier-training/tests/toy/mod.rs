@@ -5,6 +5,7 @@
 use artifact::dataset::{Crop, CropFormat, Sample};
 use artifact::seed;
 use artifact::settings::Class;
+use artifact::signature::{Signature, SignatureCell};
 use classifier::split_of_scene;
 use classifier_training::{Augmentation, Schedule, TrainSettings};
 use rand::{RngExt, SeedableRng};
@@ -49,14 +50,25 @@ pub(crate) fn sample(number: u64) -> Sample {
     let scene = number / 4;
     Sample {
         id: format!("{scene}/{class}"),
-        crop: Crop { pixels, range_m: 40.0, radial_velocity_mps: 0.0 },
+        signature: signature(columns, &mut generator),
+        crop: Some(Crop { pixels, range_m: 40.0, radial_velocity_mps: 0.0 }),
         class: Some(Class::ALL[class]),
         model: format!("rectangle-{class}"),
+        variant: 0,
         scene,
+        target: 0,
+        frame: 0,
         split: split_of_scene(scene, 1),
         range_m: 40.0,
         radial_velocity_mps: 0.0,
         lane: Some(2),
         seed: scene,
     }
+}
+
+/// As long as the rectangle, in noise.
+fn signature(columns: usize, generator: &mut ChaCha8Rng) -> Signature {
+    let level_db = |cell: usize| if cell < columns { 30.0 } else { 0.0 } + generator.random_range(0.0..3.0);
+    let cells = (0..SIDE).map(level_db).map(|level_db| SignatureCell { level_db, ..SignatureCell::default() });
+    Signature { range_m: 40.0, cell_m: 0.12, points: 1, cells: cells.collect(), ..Signature::default() }
 }

@@ -20,13 +20,9 @@ const LIMIT_BYTES: u64 = 16 << 20;
 pub(super) struct Choice {
     /// A folder with a manifest.
     vehicles: Option<PathBuf>,
-    #[serde(default)]
     car: Option<Vec<String>>,
-    #[serde(default)]
     bus: Option<Vec<String>>,
-    #[serde(default)]
     truck: Option<Vec<String>>,
-    #[serde(default)]
     motorcycle: Option<Vec<String>>,
 }
 
@@ -58,6 +54,9 @@ impl Model {
     }
 }
 
+/// Name and file of a model; an own vehicle has no file.
+type Named = (String, Option<PathBuf>);
+
 /// All models of each class, in the order of the recipe; `files` gets what they were read from.
 pub(super) fn read(
     choice: &Choice,
@@ -66,27 +65,26 @@ pub(super) fn read(
     files: &mut Vec<PathBuf>,
 ) -> Result<BTreeMap<Class, Vec<Model>>, Failure> {
     let refused = |rule: String| Failure::Refused(format!("{}: {rule}", recipe.display()));
-    let mut sources: BTreeMap<Class, Vec<(String, Option<PathBuf>)>> = BTreeMap::new();
+    let mut all: BTreeMap<Class, Vec<Named>> = BTreeMap::new();
     if let Some(vehicles) = &choice.vehicles {
         let manifest = folder.join(vehicles).join("manifest.toml");
-        for entry in manifest_of(&manifest)?.vehicle {
-            let file = manifest.with_file_name(format!("{}.glb", entry.name));
-            sources.entry(entry.class).or_default().push((entry.name, Some(file)));
+        for Entry { name, class } in manifest_of(&manifest)?.vehicle {
+            let file = manifest.with_file_name(format!("{name}.glb"));
+            all.entry(class).or_default().push((name, Some(file)));
         }
         files.push(manifest);
     }
     for (class, written) in choice.by_class() {
-        let of_class = sources.entry(class).or_default();
+        let of_class = all.entry(class).or_default();
         for name in written {
             of_class.extend(named(class, name, folder).map_err(refused)?);
         }
     }
-    check(&sources, choice).map_err(refused)?;
-    let model = |(name, file): (String, Option<PathBuf>)| model(name, file, files);
-    let mut models = BTreeMap::new();
-    let mut model = model;
-    for (class, sources) in sources {
-        models.insert(class, sources.into_iter().map(&mut model).collect::<Result<Vec<_>, _>>()?);
+    check(&all, choice).map_err(refused)?;
+    let mut models: BTreeMap<Class, Vec<Model>> = BTreeMap::new();
+    for (class, (name, file)) in all.into_iter().flat_map(|(class, of)| of.into_iter().map(move |named| (class, named)))
+    {
+        models.entry(class).or_default().push(model(name, file, files)?);
     }
     Ok(models)
 }
@@ -127,7 +125,7 @@ fn manifest_of(file: &Path) -> Result<Manifest, Failure> {
 }
 
 /// The models that a word of the recipe names: an own vehicle, a file, or all `.glb` of a folder.
-fn named(class: Class, written: &str, folder: &Path) -> Result<Vec<(String, Option<PathBuf>)>, String> {
+fn named(class: Class, written: &str, folder: &Path) -> Result<Vec<Named>, String> {
     let key = format!("models.{}", class.name());
     let path = folder.join(written);
     match vehicles::class_of(written) {
@@ -145,7 +143,7 @@ fn named(class: Class, written: &str, folder: &Path) -> Result<Vec<(String, Opti
     }
 }
 
-fn glb_files(folder: &Path) -> Result<Vec<(String, Option<PathBuf>)>, String> {
+fn glb_files(folder: &Path) -> Result<Vec<Named>, String> {
     let entries = std::fs::read_dir(folder).map_err(|e| e.to_string())?;
     let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
     files.retain(|file| Format::of(file) == Some(Format::Glb));
@@ -161,15 +159,15 @@ fn stem(file: &Path) -> String {
 }
 
 /// A class that is named has models, and a name is one model's, for splits may go by it.
-fn check(sources: &BTreeMap<Class, Vec<(String, Option<PathBuf>)>>, choice: &Choice) -> Result<(), String> {
+fn check(all: &BTreeMap<Class, Vec<Named>>, choice: &Choice) -> Result<(), String> {
     if let Some((class, _)) = choice.by_class().find(|(_, written)| written.is_empty()) {
         return Err(format!("models.{}: name at least one", class.name()));
     }
-    if sources.is_empty() {
+    if all.is_empty() {
         return Err("models: name at least one of a class, or a folder with a manifest as `vehicles`".into());
     }
     let mut known: BTreeMap<&String, (Class, &Option<PathBuf>)> = BTreeMap::new();
-    for (class, (name, file)) in sources.iter().flat_map(|(class, of)| of.iter().map(|source| (*class, source))) {
+    for (class, (name, file)) in all.iter().flat_map(|(class, of)| of.iter().map(|named| (*class, named))) {
         let first = *known.entry(name).or_insert((class, file));
         if first != (class, file) {
             return Err(format!("models.{}: two different models are called `{name}`", class.name()));

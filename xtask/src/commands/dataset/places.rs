@@ -67,3 +67,36 @@ impl Place {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A car of 4 m × 2 m.
+    fn car(at_m: [f64; 2], speed_mps: f64) -> Place {
+        Place::of(at_m, [1.0, 2.0], speed_mps, 0.0)
+    }
+
+    #[test]
+    fn vehicles_of_a_lane_are_clear_from_one_and_a_half_metres_on() {
+        let first = car([2.0, 30.0], 0.0);
+        assert!(car([2.0, 35.5], 0.0).is_clear_of(&first, 0.0) && !car([2.0, 35.4], 0.0).is_clear_of(&first, 0.0));
+        assert!(car([2.0, 24.5], 0.0).is_clear_of(&first, 0.0), "before it as behind it");
+        assert!(car([4.3, 30.0], 0.0).is_clear_of(&first, 0.0) && !car([4.2, 30.0], 0.0).is_clear_of(&first, 0.0));
+    }
+
+    #[test]
+    fn vehicles_that_meet_or_pass_within_the_time_are_not_clear() {
+        let (slow, fast) = (car([2.0, 30.0], 5.0), car([2.0, 40.0], 15.0));
+        assert!(fast.is_clear_of(&slow, 0.4) && !fast.is_clear_of(&slow, 0.5));
+        assert!(!fast.is_clear_of(&slow, 2.0), "it would have driven through");
+        assert!(car([5.75, 40.0], 15.0).is_clear_of(&slow, 2.0), "in the next lane it may");
+    }
+
+    #[test]
+    fn a_body_that_is_turned_takes_more_of_the_road() {
+        let turned = Place::of([0.0; 2], [1.0, 2.0], 0.0, FRAC_PI_2);
+        // A quarter turn swaps the sides to rounding.
+        assert!((turned.half_m[0] - 2.0).abs() < 1e-15 && (turned.half_along_m() - 1.0).abs() < 1e-15);
+    }
+}

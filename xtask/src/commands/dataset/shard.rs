@@ -3,13 +3,19 @@
 use super::draws::{Drawn, Kind};
 use super::recipe::Recipe;
 use super::shots::{Measured, Shot, Surroundings, shoot};
+use super::staging::{Staged, stage};
+use crate::chain::Chain;
 use crate::failure::Failure;
+use crate::memory;
 use crate::output;
 use artifact::dataset::Dataset;
 use artifact::{Provenance, Writer};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Scenes for each thread that are made before they are written: all of a shard would be too many to hold.
+const HELD: usize = 4;
 
 /// Makes a shard and the lines of its scenes; `tell` hears how many scenes are done.
 pub(super) fn make(
@@ -21,9 +27,20 @@ pub(super) fn make(
 ) -> Result<(), Failure> {
     let mut writer = Writer::<Dataset>::create(shard, &provenance(recipe), &dsp::PAPER_CROP)?;
     let mut text = String::new();
-    for shot in shots(recipe, scenes, &shard.file_name().unwrap_or_default().to_string_lossy(), tell)? {
-        shot.samples.iter().try_for_each(|sample| writer.write(sample))?;
-        text.push_str(&format!("{}\n", shot.line));
+    let name = shard.file_name().unwrap_or_default().to_string_lossy();
+    let first = first_of_kinds(scenes);
+    let work = Work { recipe, scenes, shard: &name, at_once: at_once(recipe, scenes, &first)?, tell };
+    let done = AtomicUsize::new(0);
+    let mut measured = work.shots(&first, &BTreeMap::new(), &done)?;
+    let errors = measured.iter().map(|(place, shot)| (scenes[*place].kind(), shot.measured.clone())).collect();
+    let places: Vec<usize> = (0..scenes.len()).collect();
+    for places in places.chunks(HELD * work.at_once) {
+        let others: Vec<usize> = places.iter().copied().filter(|place| !first.contains(place)).collect();
+        let mut shots = work.shots(&others, &errors, &done)?;
+        for shot in places.iter().filter_map(|place| measured.remove(place).or_else(|| shots.remove(place))) {
+            shot.samples.iter().try_for_each(|sample| writer.write(sample))?;
+            text.push_str(&format!("{}\n", shot.line));
+        }
     }
     writer.finish()?;
     output::write_file(lines, text.as_bytes())
@@ -39,33 +56,58 @@ fn provenance(recipe: &Recipe) -> Provenance {
     }
 }
 
-/// All scenes of a shard, in their order.
-fn shots(recipe: &Recipe, scenes: &[Drawn], shard: &str, tell: &(dyn Fn(usize) + Sync)) -> Result<Vec<Shot>, Failure> {
-    let mut first_of: BTreeMap<Kind, usize> = BTreeMap::new();
-    for (place, drawn) in scenes.iter().enumerate() {
-        first_of.entry(drawn.kind()).or_insert(place);
-    }
-    let (first, others): (Vec<usize>, Vec<usize>) =
-        (0..scenes.len()).partition(|place| first_of[&scenes[*place].kind()] == *place);
-    let threads = rayon::current_num_threads();
-    let done = AtomicUsize::new(0);
-    let shot = |place: usize, like: Option<&Measured>| {
-        let shot = shoot(recipe, &scenes[place], &Surroundings { like, shard, at_once: threads.min(scenes.len()) });
-        tell(done.fetch_add(1, Ordering::Relaxed) + 1);
-        shot.map(|shot| (place, shot))
-    };
-    let mut shots = side_by_side(&first, |place| shot(place, None))?;
-    let measured: BTreeMap<Kind, Measured> =
-        shots.iter().map(|(place, shot)| (scenes[*place].kind(), shot.measured.clone())).collect();
-    shots.extend(side_by_side(&others, |place| shot(place, measured.get(&scenes[place].kind())))?);
-    shots.sort_by_key(|(place, _)| *place);
-    Ok(shots.into_iter().map(|(_, shot)| shot).collect())
+/// The first scene of each kind, in their order.
+fn first_of_kinds(scenes: &[Drawn]) -> Vec<usize> {
+    let mut kinds: BTreeSet<Kind> = BTreeSet::new();
+    (0..scenes.len()).filter(|place| kinds.insert(scenes[*place].kind())).collect()
 }
 
-/// Each on one of as many threads as there are, in their order: threads of the pool would take up a further scene while they
-/// wait for a part of one, and hold more than was allowed.
+/// One a thread, as many as are expected to fit into the memory that they may take if all are as large as the largest measured.
+fn at_once(recipe: &Recipe, scenes: &[Drawn], first: &[usize]) -> Result<usize, Failure> {
+    let threads = rayon::current_num_threads().min(scenes.len()).max(1);
+    let Some(limit_mib) = memory::limit_mib().filter(|_| threads > 1) else { return Ok(threads) };
+    let triangles = |staged: &Staged| staged.header.meshes.iter().map(|mesh| mesh.triangles.len()).sum::<usize>();
+    let largest = first.iter().map(|place| stage(recipe, &scenes[*place])).max_by_key(triangles);
+    let Some(Staged { header, .. }) = largest else { return Ok(1) };
+    let chain = Chain::of(&header, None, None);
+    let estimate_mib = chain.memory_estimate_mib(&chain.plan(0))?;
+    Ok(((limit_mib / estimate_mib) as usize).clamp(1, threads))
+}
+
+/// What all scenes of a shard are made in.
+struct Work<'a> {
+    recipe: &'a Recipe,
+    scenes: &'a [Drawn],
+    shard: &'a str,
+    at_once: usize,
+    tell: &'a (dyn Fn(usize) + Sync),
+}
+
+impl Work<'_> {
+    /// Some scenes by their places; those of a kind whose errors are known take them over.
+    fn shots(
+        &self,
+        places: &[usize],
+        errors: &BTreeMap<Kind, Measured>,
+        done: &AtomicUsize,
+    ) -> Result<BTreeMap<usize, Shot>, Failure> {
+        let shot = |place: usize| {
+            let drawn = &self.scenes[place];
+            let like = errors.get(&drawn.kind());
+            let surroundings = Surroundings { like, shard: self.shard, at_once: self.at_once };
+            let shot = shoot(self.recipe, drawn, &surroundings)?;
+            (self.tell)(done.fetch_add(1, Ordering::Relaxed) + 1);
+            Ok((place, shot))
+        };
+        Ok(side_by_side(places, self.at_once, shot)?.into_iter().collect())
+    }
+}
+
+/// Each on one of so many threads: threads of the pool would take up a further scene while they wait for a part of one, and hold
+/// more than was allowed.
 fn side_by_side<T: Send>(
     places: &[usize],
+    at_once: usize,
     work: impl Fn(usize) -> Result<T, Failure> + Sync,
 ) -> Result<Vec<T>, Failure> {
     let next = AtomicUsize::new(0);
@@ -73,9 +115,8 @@ fn side_by_side<T: Send>(
         let taken = std::iter::from_fn(|| places.get(next.fetch_add(1, Ordering::Relaxed)));
         taken.map(|place| work(*place)).collect::<Result<Vec<T>, Failure>>()
     };
-    let threads = rayon::current_num_threads().min(places.len()).max(1);
     std::thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(worker)).collect();
+        let workers: Vec<_> = (0..at_once.min(places.len())).map(|_| scope.spawn(worker)).collect();
         let joined = workers.into_iter().map(|w| w.join().unwrap_or_else(|p| std::panic::resume_unwind(p)));
         joined.collect::<Result<Vec<_>, _>>().map(|parts| parts.into_iter().flatten().collect())
     })

@@ -1,10 +1,11 @@
 //! A drawn scene with its meshes: vehicles placed before the radar of its base scene.
 
 use super::draws::{self, Drawn, Drive, Vehicle};
+use super::models::Model;
 use super::places::Place;
 use super::recipe::{Base, Recipe};
 use artifact::scene::{Mesh, Role, SceneHeader, Target, TargetKind};
-use artifact::settings::{Class, Noise};
+use artifact::settings::{Class, Fidelity, Noise};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
@@ -30,32 +31,37 @@ pub(super) struct Told {
     pub(super) yaw_rad: f64,
 }
 
-/// The base scene with these vehicles as its only targets.
+/// The base scene with these vehicles as its only targets; those that find no room are left out.
 pub(super) fn stage(recipe: &Recipe, drawn: &Drawn) -> Staged {
     let base = before_radar(recipe, drawn);
-    let meshes = drawn.vehicles.iter().map(|vehicle| {
-        let mesh = recipe.models[&vehicle.class][vehicle.model].mesh(vehicle.variant);
+    let mesh = |vehicle: &Vehicle| {
+        let mesh = model(recipe, vehicle).mesh(vehicle.variant);
         Mesh { makeup: base.materials.makeup(&mesh.materials), ..mesh }
-    });
-    let mut meshes: Vec<Mesh> = meshes.collect();
-    let places = Road { recipe, drawn, base: &base }.places(&meshes);
-    let mut is_placed = places.iter().map(Option::is_some);
-    meshes.retain(|_| is_placed.next() == Some(true));
-    let (mut vehicles, mut targets) = (Vec::new(), Vec::<Target>::new());
-    for (vehicle, place) in drawn.vehicles.iter().zip(&places).filter_map(|(v, place)| Some((v, place.as_ref()?))) {
-        let model = recipe.models[&vehicle.class][vehicle.model].name.clone();
-        let class = vehicle.class.name();
-        let before = vehicles.iter().filter(|told: &&Told| told.class == vehicle.class).count();
-        let mesh = vehicles.len() as u32;
-        targets.push(Target {
-            id: format!("{class}-{}", before + 1), // what was measured of a body in one scene is that of its like in another
-            role: Role::Target,
-            kind: TargetKind::Mesh { class: Some(vehicle.class), model: model.clone(), mesh },
-            start: place.pose(&base),
-        });
-        vehicles.push(Told { class: vehicle.class, model, variant: vehicle.variant, yaw_rad: vehicle.yaw_rad });
+    };
+    let all: Vec<Mesh> = drawn.vehicles.iter().map(mesh).collect();
+    let places = Road { recipe, drawn, base: &base }.places(&all);
+    let (mut meshes, mut targets, mut vehicles) = (Vec::new(), Vec::new(), Vec::<Told>::new());
+    for ((vehicle, mesh), place) in drawn.vehicles.iter().zip(all).zip(places) {
+        let Some(place) = place else { continue };
+        let told = told(recipe, vehicle);
+        // What was measured of a body in one scene is that of its like in another.
+        let number = 1 + vehicles.iter().filter(|before| before.class == told.class).count();
+        let id = format!("{}-{number}", told.class.name());
+        let kind = TargetKind::Mesh { class: Some(told.class), model: told.model.clone(), mesh: vehicles.len() as u32 };
+        targets.push(Target { id, role: Role::Target, kind, start: place.pose(&base) });
+        meshes.push(mesh);
+        vehicles.push(told);
     }
     Staged { header: SceneHeader { meshes: meshes.into(), targets, ..base }, vehicles }
+}
+
+fn model<'r>(recipe: &'r Recipe, vehicle: &Vehicle) -> &'r Model {
+    &recipe.models[&vehicle.class][vehicle.model]
+}
+
+fn told(recipe: &Recipe, vehicle: &Vehicle) -> Told {
+    let Vehicle { class, variant, yaw_rad, .. } = *vehicle;
+    Told { class, model: model(recipe, vehicle).name.clone(), variant, yaw_rad }
 }
 
 /// The base scene without targets, its radar mounted as drawn.
@@ -64,7 +70,7 @@ fn before_radar(recipe: &Recipe, drawn: &Drawn) -> SceneHeader {
     let [_, _, height_m] = base.radar.position_m;
     let height_m = drawn.radar_height_m.unwrap_or(height_m);
     let tilt_rad = drawn.tilt_rad.unwrap_or(base.radar.boresight_el_rad);
-    let fidelity = artifact::settings::Fidelity { measured_every: MEASURED_EVERY, ..base.fidelity };
+    let fidelity = Fidelity { measured_every: MEASURED_EVERY, ..base.fidelity };
     SceneHeader {
         name: format!("dataset-{}", drawn.number),
         seed: recipe.seed.wrapping_add(drawn.number),

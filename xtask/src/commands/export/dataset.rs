@@ -4,12 +4,13 @@ use super::{NpyStream, fail, plain_name};
 use crate::commands::sidecar;
 use crate::failure::Failure;
 use artifact::Reader;
-use artifact::dataset::{Dataset, Sample};
+use artifact::dataset::{Crop, Dataset, Sample};
 use serde_json::{Value, json};
 use std::io::Write;
 use std::path::Path;
 
-pub(crate) fn npy(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
+pub(crate) fn npy(file: &Path, out: &Path) -> Result<(), Failure> {
+    let reader = Reader::<Dataset>::open(file)?;
     sidecar::claim(out)?;
     let format = *reader.header();
     let side = format.side as usize;
@@ -17,13 +18,20 @@ pub(crate) fn npy(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
     let mut failed = None;
     let written = NpyStream::write::<u8>(out, &[reader.frames() as usize, side, side], |stream| {
         for sample in reader {
-            let sample = sample.map_err(|e| fail(&mut failed, e))?;
-            labels.push(label(&sample));
-            stream.append(&sample.crop.map_or_else(|| vec![0; side * side], |crop| crop.pixels))?;
+            match sample.map_err(Failure::from).and_then(|sample| Ok((label(&sample), image(file, sample)?))) {
+                Ok((label, crop)) => {
+                    labels.push(label);
+                    stream.append(&crop.pixels)?;
+                }
+                Err(failure) => {
+                    failed = Some(failure);
+                    return Err(std::io::Error::other("a sample is damaged or has no image"));
+                }
+            }
         }
         Ok(())
     });
-    failed.map_or(written, |error| Err(error.into()))?;
+    failed.map_or(written, Err)?;
     sidecar::write(out, &json!({ "shape": ["sample", "velocity", "range"], "format": format, "samples": labels }))
 }
 
@@ -49,23 +57,33 @@ fn row(sample: &Sample) -> String {
     format!("{id},{class},{model},{variant},{scene},{target},{frame},{split},{}", values.join(","))
 }
 
+/// The image of a sample; refused of a dataset that was made without images.
+fn image(file: &Path, sample: Sample) -> Result<Crop, Failure> {
+    let Sample { id, crop, .. } = sample;
+    crop.ok_or_else(|| {
+        let rule = "has no image: the recipe of this dataset says crops = false";
+        Failure::Refused(format!("{}: sample `{id}` {rule}", file.display()))
+    })
+}
+
 /// What a line of `manifest.jsonl` tells of a sample.
 pub(crate) fn label(sample: &Sample) -> Value {
     json!({
-        "id": sample.id, "class": sample.class.map(|c| c.name()), "model": sample.model, "scene": sample.scene,
+        "id": sample.id, "class": sample.class.map(|c| c.name()), "model": sample.model, "variant": sample.variant,
+        "scene": sample.scene, "target": sample.target, "frame": sample.frame,
         "range_m": sample.range_m, "velocity_mps": sample.radial_velocity_mps, "lane": sample.lane,
         "seed": sample.seed, "split": sample.split,
     })
 }
 
 /// One grey picture a sample, in the folder `out`.
-pub(crate) fn png(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
+pub(crate) fn png(file: &Path, out: &Path) -> Result<(), Failure> {
+    let reader = Reader::<Dataset>::open(file)?;
     let side = reader.header().side;
     for sample in reader {
         let sample = sample?;
         let place = out.join(format!("{}.png", plain_name(&sample.id)));
-        let crop = sample.crop.ok_or_else(|| Failure::Refused(format!("sample `{}` has no image", sample.id)))?;
-        crate::pictures::write_gray(&place, side, side, crop.pixels)?;
+        crate::pictures::write_gray(&place, side, side, image(file, sample)?.pixels)?;
     }
     Ok(())
 }
