@@ -20,15 +20,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     if out.ends_with('/') {
         return write_meshes(out, seeds, names);
     }
-    let columns = seeds as usize;
-    let mut sheet = Sheet::new(columns, (names.len() * columns).div_ceil(columns));
-    let mut place = 0;
+    let mut meshes = Vec::new();
     for name in names {
         for seed in 0..seeds {
-            let Some(mesh) = opened(name, seed)? else { continue };
-            sheet.draw(&mesh, yaw_deg, [place % columns, place / columns]);
-            place += 1;
+            meshes.extend(opened(name, seed)?);
         }
+    }
+    let columns = seeds as usize;
+    let mut sheet = Sheet::new(columns, meshes.len().div_ceil(columns));
+    for (place, mesh) in meshes.iter().enumerate() {
+        sheet.draw(mesh, yaw_deg, [place % columns, place / columns]);
     }
     std::fs::write(out, png::encode(sheet.size(), &sheet.pixels)?)?;
     Ok(())

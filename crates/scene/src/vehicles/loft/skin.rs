@@ -61,7 +61,11 @@ fn layout(drawn: &Drawn<'_>, form: &Form, shell: &Shell) -> Layout {
             walked = 0.0;
         }
     }
-    let edges_x: Vec<f64> = pane_spans(drawn, form).into_iter().flatten().collect();
+    let corners = |[behind, ahead]: [f64; 2]| [behind, behind + CORNER_M, ahead - CORNER_M, ahead];
+    let edges_x: Vec<f64> = match drawn.knows("pane_pitch_m") {
+        true => pane_spans(drawn, form).into_iter().flat_map(corners).collect(),
+        false => pane_spans(drawn, form).into_iter().flatten().collect(),
+    };
     stations_x.retain(|x| edges_x.iter().all(|edge| (x - edge).abs() > 0.3 * fine));
     stations_x.extend(edges_x);
     Layout {
@@ -72,6 +76,9 @@ fn layout(drawn: &Drawn<'_>, form: &Form, shell: &Shell) -> Layout {
     }
 }
 
+/// A section and a row of the skin stand that far inside every pane's edge, so that no cell cuts its corner off.
+const CORNER_M: f64 = 0.06;
+
 /// Rows 12 cm apart, at least five.
 fn rows(height_m: f64) -> usize {
     ((height_m / 0.12) as usize).clamp(5, 9)
@@ -81,10 +88,9 @@ fn rows(height_m: f64) -> usize {
 fn upper_rows(drawn: &Drawn<'_>, form: &Form) -> Vec<f64> {
     let height = form.room.roof_z - form.rail_drop_m - 0.5 * (form.waist[0] + form.waist[1]);
     let (low, high) = (0.03 / height, 1.0 - drawn.number("pane_top_m") / height);
-    let mut rows = vec![0.0];
-    rows.extend(spaced(low, high, 0.3));
-    rows.push(1.0);
-    rows
+    let corner = CORNER_M / height;
+    let inner = spaced(low + corner, high - corner, 0.4);
+    [0.0, low].into_iter().chain(inner).chain([high, 1.0]).collect()
 }
 
 /// Ends of the side panes along x: those written as shares of the length, or as many as fit.
