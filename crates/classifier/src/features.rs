@@ -28,7 +28,7 @@ pub fn features(signature: &Signature) -> Features {
     all.extend(zones(&profile));
     all.extend(peaks(&profile));
     all.extend(width(&profile));
-    all.extend(heights(&profile, signature.beams[1].is_some()));
+    all.extend(heights(&profile, signature));
     all.extend(quality(&profile, signature));
     all.extend(view(signature));
     all
@@ -168,7 +168,8 @@ fn slope(profile: &Profile) -> f64 {
 }
 
 /// Over the road, m; zeros where the array has no rows.
-fn heights(profile: &Profile, has_rows: bool) -> Features {
+fn heights(profile: &Profile, signature: &Signature) -> Features {
+    let has_rows = signature.beams[1].is_some();
     let names = [
         "height_m",
         "height_spread_m",
