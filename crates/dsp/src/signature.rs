@@ -2,7 +2,7 @@
 //!
 //! A rigid vehicle fills a row or two of a map (0.15 m/s at 10 m/s), so what tells of its shape lies along range and in direction.
 //! The strongest of the object's own velocity cells stands for each range cell; cells nearer to a point of another object
-//! ([`crate::cell_owners`]) are left out.
+//! (`cell_owners.rs`) are left out.
 
 use crate::DspError;
 use crate::angle::{Direction, VirtualArray};
