@@ -6,7 +6,7 @@ use artifact::dataset::CropFormat;
 use artifact::model::{Learner, ModelHeader};
 use artifact::settings::Class;
 
-/// Name of the layout in [`ModelHeader::architecture`]: three blocks of 3 x 3 convolution, batch normalization,
+/// Name of the layout in a model's [`NetworkShape`](artifact::model::NetworkShape): three blocks of 3 x 3 convolution, batch normalization,
 /// rectifier and 2 x 2 maximum, then one fully connected layer (the paper's Fig. 7).
 pub const ARCHITECTURE: &str = "3x(conv3x3-batchnorm-relu-maxpool2)-linear";
 /// Channels of the three convolutions where nothing else is wanted (the paper does not tell its own).
