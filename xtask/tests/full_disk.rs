@@ -85,6 +85,7 @@ fn filled() -> Workplace {
 fn every_command_ends_with_2_and_leaves_nothing_half_written() {
     let place = filled();
     let model = Workplace::project_file("fixtures/paper-network.model");
+    let trees = Workplace::project_file("fixtures/classifier.model");
     for words in [
         "run small.toml --no-cache --quiet --out disk/o",
         "rcs corner.obj --freq-ghz 76:78:16 --az-deg 0:90:40 --pictures --quiet --out disk/s.npy",
@@ -103,7 +104,7 @@ fn every_command_ends_with_2_and_leaves_nothing_half_written() {
         "vehicles --quiet --out disk/v",
         "train crops --quiet --out disk/m",
         "export crops/shard-0000.dataset --to csv --out disk/f.csv",
-        &format!("evaluate {model} crops --out disk/e.md"),
+        &format!("evaluate {trees} crops --out disk/e.md"),
     ] {
         ends_with_2_on_a_full_disk(&place, words);
     }
