@@ -4,7 +4,7 @@ mod toy;
 
 use artifact::Provenance;
 use artifact::dataset::Crop;
-use artifact::model::Weights;
+use artifact::model::{Learner, ModelHeader, NetworkShape, Weights};
 use classifier::{CURVES_FILE, Classifier, ClassifierError, METRICS_FILE, WEIGHTS_FILE, load_model};
 use classifier_training::{TrainSettings, Trained, save_model, train};
 use std::sync::LazyLock;
@@ -14,6 +14,20 @@ static TRAINED: LazyLock<Trained> = LazyLock::new(|| {
     let settings = TrainSettings { iterations: 10, ..SETTINGS };
     train(samples(200).into_iter().map(Ok), &FORMAT, &settings, 1, &mut |_| ()).expect("the toy task can be trained")
 });
+
+fn shape(header: &mut ModelHeader) -> &mut NetworkShape {
+    match &mut header.learner {
+        Learner::CropNetwork(shape) => shape,
+        Learner::BoostedTrees { .. } => panic!("a network was trained"),
+    }
+}
+
+fn trained_bytes() -> &'static [u8] {
+    match &TRAINED.weights {
+        Weights::Network { safetensors } => safetensors,
+        Weights::Trees(_) => panic!("a network was trained"),
+    }
+}
 
 fn crops() -> Vec<Crop> {
     samples(50).into_iter().filter_map(|s| s.crop).collect()
@@ -81,32 +95,32 @@ fn metrics_and_curves_stand_beside_the_weights() {
 
 #[test]
 fn a_model_of_another_network_is_refused() {
-    let refused = |change: fn(&mut artifact::model::ModelHeader)| {
+    let refused = |change: fn(&mut ModelHeader)| {
         let mut header = TRAINED.header.clone();
         change(&mut header);
         Classifier::from_model(&header, &TRAINED.weights).unwrap_err()
     };
-    assert!(matches!(refused(|h| h.architecture = "resnet".into()), ClassifierError::Architecture { .. }));
+    assert!(matches!(refused(|h| shape(h).architecture = "resnet".into()), ClassifierError::Architecture { .. }));
     assert!(matches!(refused(|h| h.classes.reverse()), ClassifierError::Classes { .. }));
-    assert!(matches!(refused(|h| h.channels = vec![4, 8]), ClassifierError::Channels { .. }));
-    assert!(matches!(refused(|h| h.channels[1] = u32::MAX), ClassifierError::Channels { .. }));
-    assert!(matches!(refused(|h| h.channels[1] = 9), ClassifierError::TensorShape { .. }));
-    assert!(matches!(refused(|h| h.input_side = 32), ClassifierError::TensorShape { .. }));
-    assert!(matches!(refused(|h| h.input_side = 0), ClassifierError::Setting { .. }));
-    assert!(matches!(refused(|h| h.format.side = u32::MAX), ClassifierError::Setting { .. }));
+    assert!(matches!(refused(|h| shape(h).channels = vec![4, 8]), ClassifierError::Channels { .. }));
+    assert!(matches!(refused(|h| shape(h).channels[1] = u32::MAX), ClassifierError::Channels { .. }));
+    assert!(matches!(refused(|h| shape(h).channels[1] = 9), ClassifierError::TensorShape { .. }));
+    assert!(matches!(refused(|h| shape(h).input_side = 32), ClassifierError::TensorShape { .. }));
+    assert!(matches!(refused(|h| shape(h).input_side = 0), ClassifierError::Setting { .. }));
+    assert!(matches!(refused(|h| shape(h).format.side = u32::MAX), ClassifierError::Setting { .. }));
 }
 
 #[test]
 fn weights_that_do_not_fit_are_refused_by_name() {
     let refused = |change: fn(&mut String)| {
-        let bytes = &TRAINED.weights.safetensors;
+        let bytes = trained_bytes();
         let length = u64::from_le_bytes(bytes[..8].try_into().unwrap()) as usize;
         let mut header = String::from_utf8(bytes[8..8 + length].to_vec()).unwrap();
         change(&mut header);
         let mut safetensors = (header.len() as u64).to_le_bytes().to_vec();
         safetensors.extend(header.as_bytes());
         safetensors.extend(&bytes[8 + length..]);
-        Classifier::from_model(&TRAINED.header, &Weights { safetensors }).unwrap_err()
+        Classifier::from_model(&TRAINED.header, &Weights::Network { safetensors }).unwrap_err()
     };
     let renamed = refused(|h| *h = h.replace("linear.bias", "linear.bios"));
     assert!(matches!(renamed, ClassifierError::TensorUnknown(name) if name == "linear.bios"));
@@ -114,31 +128,31 @@ fn weights_that_do_not_fit_are_refused_by_name() {
     assert!(matches!(other_type, ClassifierError::TensorType { .. }), "{other_type}");
     let other_shape = refused(|h| *h = h.replace("[4,1,3,3]", "[1,4,3,3]"));
     assert!(matches!(other_shape, ClassifierError::TensorShape { .. }), "{other_shape}");
-    let empty = Weights { safetensors: b"\x02\0\0\0\0\0\0\0{}".to_vec() };
+    let empty = Weights::Network { safetensors: b"\x02\0\0\0\0\0\0\0{}".to_vec() };
     let missing = Classifier::from_model(&TRAINED.header, &empty).unwrap_err();
     assert!(matches!(missing, ClassifierError::TensorMissing(name) if name == "blocks.0.convolution.weight"));
 }
 
 #[test]
 fn a_weight_that_is_not_a_number_is_refused() {
-    let mut weights = TRAINED.weights.clone();
-    let end = weights.safetensors.len();
-    weights.safetensors[end - 4..].copy_from_slice(&f32::NAN.to_le_bytes());
-    let error = Classifier::from_model(&TRAINED.header, &weights).unwrap_err();
+    let mut safetensors = trained_bytes().to_vec();
+    let end = safetensors.len();
+    safetensors[end - 4..].copy_from_slice(&f32::NAN.to_le_bytes());
+    let error = Classifier::from_model(&TRAINED.header, &Weights::Network { safetensors }).unwrap_err();
     assert!(matches!(error, ClassifierError::TensorValue { .. }), "{error}");
 }
 
 /// Damage is refused or harmless (a flipped bit of a weight is another weight; the artifact's checksum finds that one).
 #[test]
 fn damaged_weights_never_panic() {
-    let bytes = &TRAINED.weights.safetensors;
+    let bytes = trained_bytes();
     let header = 8 + u64::from_le_bytes(bytes[..8].try_into().unwrap()) as usize;
-    let build = |safetensors: Vec<u8>| Classifier::from_model(&TRAINED.header, &Weights { safetensors });
+    let build = |safetensors: Vec<u8>| Classifier::from_model(&TRAINED.header, &Weights::Network { safetensors });
     for length in (0..header + 40).chain([bytes.len() - 1]) {
         assert!(build(bytes[..length].to_vec()).is_err(), "cut to {length}");
     }
     for bit in 0..8 * header {
-        let mut damaged = bytes.clone();
+        let mut damaged = bytes.to_vec();
         damaged[bit / 8] ^= 1 << (bit % 8);
         let _ = build(damaged);
     }
