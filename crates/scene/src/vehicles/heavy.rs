@@ -9,6 +9,8 @@ use super::loft::{self, Form as Cab, Room};
 use super::mesh_builder::Assembly;
 use super::parts;
 use super::shell::{Layout, Shell, even, spaced};
+use super::solids::sharp_box;
+use super::surface::Material;
 use super::truck::form::{Form, Kind};
 use super::truck::{chassis, load};
 use glam::DVec3;
@@ -56,6 +58,7 @@ fn form(drawn: &Drawn<'_>, size_m: [f64; 3]) -> Form {
         cab_length_m,
         cab_roof_z,
         wheel_radius_m: drawn.number("wheel_radius_m"),
+        wheel_sectors: drawn.number("wheel_sectors") as usize,
         front_axle_x: axles("axles").first().copied().unwrap_or(front),
         twin_axles_x,
         single_axles_x: axles("trailer_axles"),
@@ -72,6 +75,8 @@ fn hull(drawn: &Drawn<'_>, form: &Form, truck: &mut Assembly) {
     let [front, rear] = form.load_x;
     let (low, high, half) = (form.load_floor_z, form.load_top_z, form.half_width_m + 0.02);
     let [bow_m, lean_m, radius_m, crown_m] = drawn.numbers("hull");
+    let flatness = if drawn.has("hull_flat") { 0.1 } else { 1.0 };
+    let [bow_m, lean_m] = [bow_m, lean_m].map(|out_of_true| out_of_true * flatness);
     let shell = Shell {
         bottom_z: Curve::flat(low),
         waist_z: Curve::flat(0.5 * (low + high)),
@@ -96,7 +101,27 @@ fn hull(drawn: &Drawn<'_>, form: &Form, truck: &mut Assembly) {
         DVec3::new(p.x - at_front * (lean + bow_m * (1.0 - out)), p.y, p.z)
     };
     truck.add(shell.skin(&layout).map(bent));
+    rails(drawn, form, half, truck);
     if !drawn.has("no_doors") {
         load::rear_doors(form, truck);
+    }
+}
+
+/// Rails along the lower and the upper edge of a box's sides, and posts between them.
+fn rails(drawn: &Drawn<'_>, form: &Form, half_m: f64, truck: &mut Assembly) {
+    let [front, rear] = form.load_x;
+    let [low, high] = [form.load_floor_z, form.load_top_z];
+    let (length, middle, out_m) = (front - rear - 0.06, 0.5 * (front + rear), drawn.number("rail_out_m"));
+    let rail = |size_m, at: DVec3| sharp_box(size_m, Material::Aluminium).moved(at.x, at.y, at.z);
+    let y = half_m + 0.5 * out_m - 0.04;
+    for (key, z, height_m) in [("low_rails", low + 0.06, 0.12), ("high_rails", high - 0.16, 0.10)] {
+        if drawn.has(key) {
+            truck.add_pair(rail([length, out_m + 0.08, height_m], DVec3::new(middle, y, z)));
+        }
+    }
+    let posts = if drawn.has("posts") { (length / drawn.number("post_pitch_m")) as u32 } else { 0 };
+    for k in 1..posts {
+        let x = rear + 0.03 + length * f64::from(k) / f64::from(posts);
+        truck.add_pair(rail([0.05, out_m + 0.08, 0.9 * (high - low)], DVec3::new(x, y, 0.5 * (low + high))));
     }
 }

@@ -42,7 +42,7 @@ pub(super) fn add_body(drawn: &Drawn<'_>, form: &Form, to: &mut Assembly) {
 
 fn add_wheels(drawn: &Drawn<'_>, form: &Form, number: usize, to: &mut Assembly) {
     let (axle_x, twin) = (form.axles_x[number], number > 0 && form.twin);
-    let outer_y = form.half_width_m - 0.035;
+    let outer_y = form.half_width_m + drawn.number("wheel_out_m");
     let rim = match (drawn.word("rims"), twin) {
         ("steel", false) => Rim::SteelConvex,
         (_, true) => Rim::SteelConcave,
@@ -53,7 +53,7 @@ fn add_wheels(drawn: &Drawn<'_>, form: &Form, number: usize, to: &mut Assembly) 
         width_m: form.tyre_width_m,
         rim_radius_m: drawn.number("rim") * form.wheel_radius_m,
         rim,
-        sectors: 14,
+        sectors: drawn.number("wheel_sectors") as usize,
     };
     wheel.add_pair(to, axle_x, outer_y);
     if twin {

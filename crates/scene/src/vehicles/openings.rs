@@ -5,7 +5,12 @@ use super::surface::{Material, Surface};
 use glam::DVec3;
 
 /// A pane with its rubber seal, 8 mm behind the skin.
-pub(super) const PANE: Inside = Inside::Inset { material: Material::Glass, rim: Material::Plastic, depth_m: 0.008 };
+pub(super) const PANE: Inside = pane(0.008);
+
+/// A pane with its rubber seal, as far behind the skin as told.
+pub(super) const fn pane(depth_m: f64) -> Inside {
+    Inside::Inset { material: Material::Glass, rim: Material::Plastic, depth_m }
+}
 
 /// Which flank of a body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

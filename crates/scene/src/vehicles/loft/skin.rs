@@ -4,7 +4,7 @@ use super::face;
 use super::form::{Face, Form};
 use crate::vehicles::curve::smooth_step;
 use crate::vehicles::family::Drawn;
-use crate::vehicles::openings::{End, Flank, PANE, end_panel, flank_panel, panel, wheel_arch};
+use crate::vehicles::openings::{End, Flank, end_panel, flank_panel, pane, panel, wheel_arch};
 use crate::vehicles::shell::{Layout, Shell, even, spaced};
 use crate::vehicles::stencil::{Inside, cut, rounded_rectangle, soft_minimum};
 use crate::vehicles::surface::{Material, Surface};
@@ -18,7 +18,7 @@ pub(super) fn cut_skin(drawn: &Drawn<'_>, form: &Form) -> Surface {
     let skin = form.axles_x.iter().fold(skin, |skin, axle_x| {
         wheel_arch(skin, [*axle_x, form.wheel_radius_m], form.arch_radius_m(), form.arch_inner_y())
     });
-    let skin = doors(drawn, form, side_panes(drawn, form, &shell, skin));
+    let skin = flaps(drawn, form, doors(drawn, form, side_panes(drawn, form, &shell, skin)));
     let skin = screens(drawn, form, &shell, skin);
     face::cut_rear(drawn, form, face::cut_front(drawn, form, bed(drawn, form, skin)))
 }
@@ -109,7 +109,7 @@ pub(super) fn pane_spans(drawn: &Drawn<'_>, form: &Form) -> Vec<[f64; 2]> {
 
 fn side_panes(drawn: &Drawn<'_>, form: &Form, shell: &Shell, skin: Surface) -> Surface {
     let (top, corner) = (drawn.number("pane_top_m"), drawn.number("pane_corner_m"));
-    let doors = door_spans(drawn, form);
+    let (doors, pane) = (door_spans(drawn, form), pane(drawn.number("pane_depth_m")));
     pane_spans(drawn, form).into_iter().fold(skin, |skin, [behind, ahead]| {
         let blocked = doors.iter().any(|door| behind < door[1] + 0.03 && ahead > door[0] - 0.03);
         let outline = |p: DVec3| {
@@ -118,8 +118,29 @@ fn side_panes(drawn: &Drawn<'_>, form: &Form, shell: &Shell, skin: Surface) -> S
             let edges = [rail - top, p.z - shell.waist_z.at(p.x) - 0.03, p.x - behind, ahead - p.x, side - 0.3];
             soft_minimum(&edges, corner)
         };
-        cut(skin, outline, PANE)
+        cut(skin, outline, pane)
     })
+}
+
+/// Hatches below the panes, wherever neither an arch nor a door is.
+fn flaps(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
+    if !drawn.has("flaps") {
+        return skin;
+    }
+    let height = [form.clearance_m + 0.22, form.waist[0] - 0.14];
+    let inside = Inside::Inset {
+        material: Material::Paint,
+        rim: Material::Paint,
+        depth_m: drawn.number("flap_depth_m"),
+    };
+    let taken = |[behind, ahead]: [f64; 2]| {
+        let arch = form.arch_radius_m() + 0.08;
+        let near = |[low, high]: [f64; 2]| behind < high && ahead > low;
+        let arches = form.axles_x.iter().map(|x| [x - arch, x + arch]);
+        arches.chain(door_spans(drawn, form).into_iter().map(|[a, b]| [a - 0.05, b + 0.05])).any(near)
+    };
+    let spans = pane_spans(drawn, form).into_iter().filter(|span| !taken(*span));
+    spans.fold(skin, |skin, span| flank_panel(skin, Flank::Both, panel(span, height, 0.02), inside))
 }
 
 /// Doors on the right, [rear, front] along x.
@@ -139,7 +160,8 @@ fn doors(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
     let height = [form.clearance_m + 0.2, high];
     door_spans(drawn, form).into_iter().fold(skin, |skin, [behind, ahead]| {
         let middle = 0.5 * (behind + ahead);
-        let leaf = |skin, along| flank_panel(skin, Flank::Right, panel(along, height, 0.03), PANE);
+        let glazed = pane(drawn.number("pane_depth_m"));
+        let leaf = |skin, along| flank_panel(skin, Flank::Right, panel(along, height, 0.03), glazed);
         leaf(leaf(skin, [behind, middle - 0.035]), [middle + 0.035, ahead])
     })
 }
@@ -147,6 +169,7 @@ fn doors(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
 /// Windscreen and rear window: on the roof's side of the rail where the end is raked, in the face where it is upright.
 fn screens(drawn: &Drawn<'_>, form: &Form, shell: &Shell, skin: Surface) -> Surface {
     let [front, rear] = form.room.ends_x;
+    let screen = pane(drawn.number("screen_depth_m"));
     let raked = |p: DVec3, [low, high]: [f64; 2]| {
         let pillar = shell.rail_y.at(p.x) - 0.05 - p.y.abs();
         soft_minimum(&[pillar, p.z - low, high - p.z], 0.08).min(p.z - shell.waist_z.at(p.x))
@@ -157,17 +180,17 @@ fn screens(drawn: &Drawn<'_>, form: &Form, shell: &Shell, skin: Surface) -> Surf
         panel([-half, half], [low * form.room.roof_z, high * form.room.roof_z], 0.1)
     };
     let skin = if form.front.upright {
-        end_panel(skin, End::Front { beyond_x: front - 1.0 }, upright("windscreen"), PANE)
+        end_panel(skin, End::Front { beyond_x: front - 1.0 }, upright("windscreen"), screen)
     } else {
-        cut(skin, |p| raked(p, [form.cowl.1, form.header.1 - 0.03]).min(p.x - form.header.0 + 0.1), PANE)
+        cut(skin, |p| raked(p, [form.cowl.1, form.header.1 - 0.03]).min(p.x - form.header.0 + 0.1), screen)
     };
     if drawn.has("no_rear_window") {
         return skin;
     }
     if form.rear.upright {
-        return end_panel(skin, End::Rear { beyond_x: rear + 0.5 }, upright("rear_window"), PANE);
+        return end_panel(skin, End::Rear { beyond_x: rear + 0.5 }, upright("rear_window"), screen);
     }
-    cut(skin, |p| raked(p, [form.deck.1 + 0.05, form.roof_end.1 - 0.05]).min(form.roof_end.0 + 0.1 - p.x), PANE)
+    cut(skin, |p| raked(p, [form.deck.1 + 0.05, form.roof_end.1 - 0.05]).min(form.roof_end.0 + 0.1 - p.x), screen)
 }
 
 /// What lies open from above: the bed of a pick-up, the seats of a roadster.

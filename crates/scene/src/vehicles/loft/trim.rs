@@ -24,6 +24,7 @@ pub(super) fn add(drawn: &Drawn<'_>, form: &Form, skin: &Surface, to: &mut Assem
         }
     }
     handles(drawn, form, to);
+    running_boards(drawn, form, to);
     underbody(drawn, form, to);
 }
 
@@ -155,4 +156,16 @@ fn underbody(drawn: &Drawn<'_>, form: &Form, to: &mut Assembly) {
     to.add(silencer);
     let y = 0.55 * form.half_width_m;
     to.add(tube(&[[rear + 0.6, y, z + 0.08], [rear + 0.06, y, z + 0.12]], 0.03, 8, Material::Steel));
+}
+
+/// Steps below the doors, from one arch to the next.
+fn running_boards(drawn: &Drawn<'_>, form: &Form, to: &mut Assembly) {
+    let arch = form.arch_radius_m() + 0.05;
+    let [Some(ahead), Some(behind)] = [0, 1].map(|k| form.axles_x.get(k).copied()) else { return };
+    let (length, out_m) = (ahead - behind - 2.0 * arch, drawn.number("board_out_m"));
+    if drawn.has("running_boards") && length > 0.3 {
+        let board = rounded_box([length, out_m + 0.06, 0.05], 0.01, Material::Aluminium);
+        let y = form.half_width_m - form.belly_m + 0.5 * out_m - 0.05;
+        to.add_pair(board.moved(0.5 * (ahead + behind), y, form.clearance_m + 0.06));
+    }
 }

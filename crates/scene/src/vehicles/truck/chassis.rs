@@ -42,7 +42,7 @@ fn wheels(form: &Form, truck: &mut Assembly) {
         width_m,
         rim_radius_m: 0.58 * form.wheel_radius_m,
         rim,
-        sectors: 18,
+        sectors: form.wheel_sectors,
     };
     wheel(Rim::SteelConvex, 0.31).add_pair(truck, form.front_axle_x, outer_y);
     truck.add(axle(form.front_axle_x, form.wheel_radius_m, 0.95, Drive::Plain { radius_m: 0.06 }));

@@ -22,6 +22,8 @@ pub(in crate::vehicles) struct Form {
     pub(in crate::vehicles) cab_length_m: f64,
     pub(in crate::vehicles) cab_roof_z: f64,
     pub(in crate::vehicles) wheel_radius_m: f64,
+    /// Of the polygon that stands for a tyre's circle.
+    pub(in crate::vehicles) wheel_sectors: usize,
     pub(in crate::vehicles) front_axle_x: f64,
     /// Driven axles with twin wheels.
     pub(in crate::vehicles) twin_axles_x: Vec<f64>,
@@ -71,6 +73,7 @@ impl Form {
             cab_length_m,
             cab_roof_z: draw.value("cab roof", 2.72, 2.6..=2.9),
             wheel_radius_m: 0.46,
+            wheel_sectors: 18,
             front_axle_x: front - draw.value("front overhang", 1.32, 1.25..=1.4),
             twin_axles_x: vec![rear_axle_x],
             single_axles_x: vec![],
@@ -94,6 +97,7 @@ impl Form {
             cab_length_m,
             cab_roof_z: draw.value("cab roof", 2.95, 2.85..=3.0),
             wheel_radius_m: 0.50,
+            wheel_sectors: 18,
             front_axle_x: front - draw.value("front overhang", 1.40, 1.35..=1.45),
             twin_axles_x: vec![tandem_x + 0.68, tandem_x - 0.68],
             single_axles_x: vec![],
@@ -119,6 +123,7 @@ impl Form {
             cab_length_m,
             cab_roof_z: draw.value("cab roof", 3.45, 3.2..=3.65),
             wheel_radius_m: 0.50,
+            wheel_sectors: 18,
             front_axle_x,
             twin_axles_x: vec![drive_x],
             single_axles_x: vec![bogie_x + 1.31, bogie_x, bogie_x - 1.31],
