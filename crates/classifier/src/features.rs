@@ -1,24 +1,16 @@
 //! What of a signature tells the class: level, extent, form of the range profile, width, height, each a number with its unit.
 
+use crate::feature::{Features, NONE_DBSM, moments, span};
 use crate::profile::{Profile, Visible};
+use crate::{bands, peaks};
 use artifact::signature::Signature;
 use artifact::units::db_from_power;
 use std::ops::Range;
 
-/// Numbers and names of features: dB and dBsm, m, or shares.
-pub type Features = Vec<(&'static str, f64)>;
-
-/// Cross section that stands for none, dBsm: below the weakest visible cell at 25 m.
-const NONE_DBSM: f64 = -30.0;
 /// Cells from these cross sections on are visible at any range of a crossing, dBsm.
 const LEVELS_DBSM: [f64; 3] = [-12.0, 0.0, 10.0];
 /// Behind the leading edge, m: bumper, bonnet and windscreen, roof, tail of a car, and what only a long vehicle has.
 const ZONES_M: [f64; 9] = [-1.0, 0.75, 1.5, 2.5, 4.0, 6.0, 9.0, 13.0, 21.0];
-/// A local maximum counts as a peak if it stands so high over the lowest of the cells around it, dB.
-const PROMINENCE_DB: f64 = 6.0;
-/// Cells around a peak, either way: two main lobes.
-const AROUND: usize = 4;
-
 /// All features of a signature, in one order.
 pub fn features(signature: &Signature) -> Features {
     let profile = Profile::of(signature);
@@ -26,9 +18,10 @@ pub fn features(signature: &Signature) -> Features {
     all.extend(extents(&profile));
     all.extend(form(&profile));
     all.extend(zones(&profile));
-    all.extend(peaks(&profile));
+    all.extend(peaks::features(&profile));
+    all.extend(bands::features(&profile));
     all.extend(width(&profile));
-    all.extend(heights(&profile, signature));
+    all.extend(heights(&profile));
     all.extend(quality(&profile, signature));
     all.extend(view(signature));
     all
@@ -70,6 +63,7 @@ fn form(profile: &Profile) -> Features {
     let [middle, spread] = moments(profile.visible.iter().map(|c| (c.share, c.behind_m)));
     let by_db = profile.visible.iter().map(|c| (c.level_db - crate::profile::VISIBLE_DB, c.behind_m));
     let [middle_db, spread_db] = moments(by_db);
+    let quantile = |share: f64| power_quantile_m(profile, share);
     let entropy = -profile.visible.iter().map(|c| c.share * c.share.max(1e-9).ln()).sum::<f64>();
     vec![
         ("middle_m", middle),
@@ -77,18 +71,23 @@ fn form(profile: &Profile) -> Features {
         ("middle_by_db_m", middle_db),
         ("spread_by_db_m", spread_db),
         ("entropy", entropy),
+        ("power_10_percent_m", quantile(0.10)),
+        ("power_25_percent_m", quantile(0.25)),
+        ("power_50_percent_m", quantile(0.50)),
+        ("power_75_percent_m", quantile(0.75)),
+        ("power_90_percent_m", quantile(0.90)),
+        ("power_97_percent_m", quantile(0.97)),
     ]
 }
 
-/// Mean and standard deviation of weighted values; zeros without weight.
-fn moments(values: impl Iterator<Item = (f64, f64)> + Clone) -> [f64; 2] {
-    let total: f64 = values.clone().map(|(weight, _)| weight).sum();
-    if total <= 0.0 {
-        return [0.0; 2];
-    }
-    let mean = values.clone().map(|(weight, value)| weight * value).sum::<f64>() / total;
-    let variance = values.map(|(weight, value)| weight * (value - mean).powi(2)).sum::<f64>() / total;
-    [mean, variance.sqrt()]
+/// How far behind the leading edge that share of the power lies in front of, m; 0 without any.
+fn power_quantile_m(profile: &Profile, share: f64) -> f64 {
+    let mut sum = 0.0;
+    let reached = profile.visible.iter().find(|cell| {
+        sum += cell.share;
+        sum >= share
+    });
+    reached.or(profile.visible.last()).map_or(0.0, |cell| cell.behind_m)
 }
 
 /// Cross section of each zone behind the leading edge, dBsm.
@@ -108,32 +107,6 @@ fn zones(profile: &Profile) -> Features {
     names.into_iter().zip(ZONES_M.windows(2).map(|ends| of(ends[0]..ends[1]))).collect()
 }
 
-/// How many peaks there are, where the strongest is, and how far below it the next two are.
-fn peaks(profile: &Profile) -> Features {
-    let mut peaks: Vec<&Visible> =
-        profile.visible.iter().filter(|cell| is_peak(&profile.levels_db, cell.number)).collect();
-    let strong = peaks.iter().filter(|cell| cell.dbsm >= -5.0).count();
-    peaks.sort_by(|a, b| b.dbsm.total_cmp(&a.dbsm));
-    let first = peaks.first();
-    let below = |rank: usize, none: f64| first.zip(peaks.get(rank)).map_or(none, |(a, b)| a.dbsm - b.dbsm);
-    vec![
-        ("peaks", peaks.len() as f64),
-        ("peaks_over_-5_dbsm", strong as f64),
-        ("strongest_at_m", first.map_or(0.0, |cell| cell.behind_m)),
-        ("second_below_db", below(1, 40.0)),
-        ("second_behind_m", first.zip(peaks.get(1)).map_or(0.0, |(a, b)| b.behind_m - a.behind_m)),
-        ("third_below_db", below(2, 50.0)),
-    ]
-}
-
-fn is_peak(levels_db: &[f64], at: usize) -> bool {
-    let around = &levels_db[at.saturating_sub(AROUND)..(at + AROUND + 1).min(levels_db.len())];
-    let lowest = around.iter().copied().fold(f64::INFINITY, f64::min);
-    let before = at.checked_sub(1).map_or(f64::NEG_INFINITY, |i| levels_db[i]);
-    let after = levels_db.get(at + 1).copied().unwrap_or(f64::NEG_INFINITY);
-    levels_db[at] >= before && levels_db[at] > after && levels_db[at] - lowest >= PROMINENCE_DB
-}
-
 /// Across the line of sight, m.
 fn width(profile: &Profile) -> Features {
     let weighted = || profile.located().map(|c| (c.level_db - crate::profile::LOCATED_DB, c.cross_m));
@@ -145,11 +118,6 @@ fn width(profile: &Profile) -> Features {
         ("cross_spread_by_power_m", spread_by_power),
         ("cross_slope", slope(profile)),
     ]
-}
-
-fn span(values: impl Iterator<Item = f64> + Clone) -> f64 {
-    let (least, most) = (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max));
-    if most >= least { most - least } else { 0.0 }
 }
 
 /// How far cells move across with each metre behind the leading edge, either way.
@@ -168,8 +136,8 @@ fn slope(profile: &Profile) -> f64 {
 }
 
 /// Over the road, m; zeros where the array has no rows.
-fn heights(profile: &Profile, signature: &Signature) -> Features {
-    let has_rows = signature.beams[1].is_some();
+fn heights(profile: &Profile) -> Features {
+    let has_rows = profile.has_rows;
     let names = [
         "height_m",
         "height_spread_m",

@@ -23,6 +23,9 @@
 
 mod error;
 mod profile; // the visible cells of a signature
+mod feature; // names and numbers
+mod bands; // heights and widths along it
+mod peaks; // its strongest places
 mod features; // what of them tells the class
 mod split; // which scenes train, validate, test
 mod pooling; // 451 x 451 averaged to the network's input
@@ -47,7 +50,8 @@ pub use by_vehicle::{ByVehicle, Told, by_vehicle};
 pub use classify::Classifier;
 pub use error::ClassifierError;
 pub use evaluate::{evaluate, evaluations};
-pub use features::{Features, features, names as feature_names};
+pub use feature::Features;
+pub use features::{features, names as feature_names};
 pub use layout::{ARCHITECTURE, CHANNELS, Layout};
 pub use metrics::{Calibration, Evaluation, ModelAccuracy, ReliabilityBin, accuracy, log_loss, log_softmax};
 pub use model_folder::{CURVES_FILE, METRICS_FILE, MODEL_FILES, WEIGHTS_FILE, load_model};

@@ -31,6 +31,8 @@ pub(crate) struct Visible {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Profile {
     pub(crate) cell_m: f64,
+    /// Whether the array tells heights.
+    pub(crate) has_rows: bool,
     /// Over the noise of every cell, visible or not, dB.
     pub(crate) levels_db: Vec<f64>,
     pub(crate) noise_dbsm: f64,
@@ -51,6 +53,7 @@ impl Profile {
         visible.iter_mut().for_each(|cell| cell.share = cell.rcs_m2 / total_m2);
         Self {
             cell_m: signature.cell_m,
+            has_rows: signature.beams[1].is_some(),
             levels_db: signature.cells.iter().map(|cell| f64::from(cell.level_db)).collect(),
             noise_dbsm: signature.noise_dbsm,
             visible,

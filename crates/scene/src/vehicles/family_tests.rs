@@ -103,7 +103,7 @@ fn equal_seeds_give_equal_bytes_and_other_seeds_others() {
 fn two_wheelers_come_with_and_without_riders() {
     for family in family::all().iter().filter(|family| family.class == Class::Motorcycle) {
         let ridden = (1..=24).filter(|seed| family.drawn(*seed).has("rider")).count();
-        // At 0.7 each, all or none of 24 are less than one in five thousand; the seeds are fixed.
+        // At 0.5 each, all or none of 24 are one in eight million; the seeds are fixed.
         assert!((1..24).contains(&ridden), "{}: {ridden} of 24", family.name);
     }
 }

@@ -31,6 +31,9 @@ pub(super) fn draw(drawn: &Drawn<'_>, nominal_m: [f64; 3], size_m: [f64; 3]) -> 
     };
     loft::add_body(drawn, &Cab::of(drawn, &room), &mut truck);
     chassis::add(&form, &mut truck);
+    if drawn.has("skirts") {
+        skirts(&form, &mut truck);
+    }
     match drawn.word("carries") {
         "box" => hull(drawn, &form, &mut truck),
         "tank" => load::tank(&form, &mut truck),
@@ -123,5 +126,18 @@ fn rails(drawn: &Drawn<'_>, form: &Form, half_m: f64, truck: &mut Assembly) {
     for k in 1..posts {
         let x = rear + 0.03 + length * f64::from(k) / f64::from(posts);
         truck.add_pair(rail([0.05, out_m + 0.08, 0.9 * (high - low)], DVec3::new(x, y, 0.5 * (low + high))));
+    }
+}
+
+/// Smooth panels beside the frame, from behind the cab's wheels to the next axle.
+fn skirts(form: &Form, truck: &mut Assembly) {
+    let reach_m = form.wheel_radius_m + 0.12;
+    let ahead = form.front_axle_x - reach_m;
+    let axles = form.twin_axles_x.iter().chain(&form.single_axles_x);
+    let behind = axles.copied().filter(|x| *x < ahead).fold(form.load_x[1], f64::max) + reach_m;
+    let [low, high] = [0.6 * form.wheel_radius_m, form.frame_z];
+    if ahead > behind {
+        let panel = sharp_box([ahead - behind, 0.03, high - low], Material::Paint);
+        truck.add_pair(panel.moved(0.5 * (ahead + behind), form.half_width_m - 0.01, 0.5 * (low + high)));
     }
 }

@@ -9,8 +9,16 @@ pub(super) const PANE: Inside = pane(0.008);
 
 /// A pane with its rubber seal, as far behind the skin as told.
 pub(super) const fn pane(depth_m: f64) -> Inside {
-    Inside::Inset { material: Material::Glass, rim: Material::Plastic, depth_m }
+    inset(Material::Glass, Material::Plastic, depth_m)
 }
+
+/// A panel of another material, as far behind the skin as told; less than `FLUSH_M`, or negative: in the skin.
+pub(super) const fn inset(material: Material, rim: Material, depth_m: f64) -> Inside {
+    if depth_m < FLUSH_M { Inside::Recoloured(material) } else { Inside::Inset { material, rim, depth_m } }
+}
+
+/// Less than this does not show: a walled panel would have edges shorter than those of a skin.
+const FLUSH_M: f64 = 0.006;
 
 /// Which flank of a body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,9 +2,8 @@
 
 use super::form::Form;
 use crate::vehicles::family::Drawn;
-use crate::vehicles::openings::{End, Panel, end_panel, end_panel_pair, panel};
+use crate::vehicles::openings::{End, Panel, end_panel, end_panel_pair, inset, panel};
 use crate::vehicles::parts::material;
-use crate::vehicles::stencil::Inside;
 use crate::vehicles::surface::{Material, Surface};
 
 /// Heights on a face as shares of the way from the underside to the top of the panel.
@@ -35,23 +34,10 @@ pub(super) fn rear_top_z(form: &Form) -> f64 {
     if form.rear.upright { 0.5 * form.room.roof_z } else { form.tail_z.min(form.deck.1) }
 }
 
-/// How lamps lie in the skin.
-fn lamp(drawn: &Drawn<'_>, key: &str, lamp: Material) -> Inside {
-    let depth_m = drawn.number(key);
-    if depth_m < 0.006 {
-        return Inside::Recoloured(lamp);
-    }
-    Inside::Inset { material: lamp, rim: Material::Plastic, depth_m }
-}
-
 pub(super) fn cut_front(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
     let reach = End::Front { beyond_x: form.room.ends_x[0] - if form.front.upright { 0.7 } else { 0.45 } };
     let top_z = front_top_z(drawn, form);
-    let slots = Inside::Inset {
-        material: Material::Plastic,
-        rim: material(drawn.word("grille_rim")),
-        depth_m: drawn.number("grille_depth_m"),
-    };
+    let slots = inset(Material::Plastic, material(drawn.word("grille_rim")), drawn.number("grille_depth_m"));
     let mut skin = skin;
     for key in ["grille", "intake"].into_iter().filter(|key| drawn.knows(key)) {
         skin = end_panel(skin, reach, middle_panel(drawn, form, top_z, key), slots);
@@ -60,21 +46,22 @@ pub(super) fn cut_front(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surfac
         return skin;
     }
     let lamps = side_panel(drawn, form, top_z, "lamps");
-    end_panel_pair(skin, reach, lamps, lamp(drawn, "lamp_depth_m", Material::Lamp))
+    end_panel_pair(skin, reach, lamps, inset(Material::Lamp, Material::Plastic, drawn.number("lamp_depth_m")))
 }
 
 pub(super) fn cut_rear(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
     let top_z = rear_top_z(form);
     let reach = End::Rear { beyond_x: form.room.ends_x[1] + if form.rear.upright { 0.5 } else { 0.3 } };
     let lamps = side_panel(drawn, form, top_z, "tail_lamps");
-    let skin = end_panel_pair(skin, reach, lamps, lamp(drawn, "tail_lamp_depth_m", Material::TailLamp));
+    let skin = end_panel_pair(
+        skin,
+        reach,
+        lamps,
+        inset(Material::TailLamp, Material::Plastic, drawn.number("tail_lamp_depth_m")),
+    );
     if !drawn.knows("tail_panel") {
         return skin;
     }
-    let recess = Inside::Inset {
-        material: material(drawn.word("tail_panel_of")),
-        rim: Material::Paint,
-        depth_m: drawn.number("tail_panel_depth_m"),
-    };
+    let recess = inset(material(drawn.word("tail_panel_of")), Material::Paint, drawn.number("tail_panel_depth_m"));
     end_panel(skin, reach, middle_panel(drawn, form, top_z, "tail_panel"), recess)
 }

@@ -4,7 +4,7 @@ use super::face;
 use super::form::{Face, Form};
 use crate::vehicles::curve::smooth_step;
 use crate::vehicles::family::Drawn;
-use crate::vehicles::openings::{End, Flank, end_panel, flank_panel, pane, panel, wheel_arch};
+use crate::vehicles::openings::{End, Flank, end_panel, flank_panel, inset, pane, panel, wheel_arch};
 use crate::vehicles::shell::{Layout, Shell, even, spaced};
 use crate::vehicles::stencil::{Inside, cut, rounded_rectangle, soft_minimum};
 use crate::vehicles::surface::{Material, Surface};
@@ -128,11 +128,7 @@ fn flaps(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
         return skin;
     }
     let height = [form.clearance_m + 0.22, form.waist[0] - 0.14];
-    let inside = Inside::Inset {
-        material: Material::Paint,
-        rim: Material::Paint,
-        depth_m: drawn.number("flap_depth_m"),
-    };
+    let inside = inset(Material::Paint, Material::Paint, drawn.number("flap_depth_m"));
     let taken = |[behind, ahead]: [f64; 2]| {
         let arch = form.arch_radius_m() + 0.08;
         let near = |[low, high]: [f64; 2]| behind < high && ahead > low;
