@@ -41,6 +41,7 @@ impl Command {
             Self::Train(_) => "train",
             Self::Classify(_) => "classify",
             Self::Evaluate(_) => "evaluate",
+            Self::Protocols(_) => "protocols",
             Self::Import(_) => "import",
             Self::Calibrate(_) => "calibrate",
             Self::Export(_) => "export",
@@ -100,6 +101,8 @@ pub(crate) enum Command {
     Classify(ClassifyArguments),
     /// A model and datasets to how often it is right, by frame and by track, with its spread over vehicles.
     Evaluate(EvaluateArguments),
+    /// Datasets to how right trees are that several seeds train: on unseen scenes, unseen vehicles, other datasets.
+    Protocols(ProtocolsArguments),
     /// Samples from anywhere (.npy, DCA1000 .bin, SigMF) to a radar cube.
     Import(ImportArguments),
     /// Radar cubes of a reflector at a known place to the errors of the array's channels, for `calibration` of [dsp].
@@ -336,6 +339,22 @@ pub(crate) struct EvaluateArguments {
     /// Dataset folders.
     #[arg(value_name = "DIR", required = true)]
     pub(crate) datasets: Vec<PathBuf>,
+    /// Page (Markdown) that holds what is told.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) out: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ProtocolsArguments {
+    /// Dataset folders that train; their vehicles are held out in turn.
+    #[arg(value_name = "DIR", required = true)]
+    pub(crate) datasets: Vec<PathBuf>,
+    /// Dataset folders that never train.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) test: Vec<PathBuf>,
+    /// Trainings, of the seeds 1, 2, ...
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=100))]
+    pub(crate) seeds: u64,
     /// Page (Markdown) that holds what is told.
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,

@@ -14,6 +14,7 @@ mod import;
 mod inspect;
 pub(crate) mod load;
 mod paths;
+mod protocols;
 mod raw_data;
 mod rcs;
 mod run;
@@ -39,6 +40,7 @@ pub(crate) fn dispatch(command: Command) -> Result<(), Failure> {
         Command::Train(arguments) => train::run(&arguments),
         Command::Classify(arguments) => classify::run(&arguments),
         Command::Evaluate(arguments) => evaluate::run(&arguments),
+        Command::Protocols(arguments) => protocols::run(&arguments),
         Command::Import(arguments) => import::run(&arguments),
         Command::Calibrate(arguments) => calibrate::run(&arguments).map_err(|failure| failure.about(&arguments.cube)),
         Command::Export(arguments) => export::run(&arguments),

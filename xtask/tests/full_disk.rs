@@ -105,6 +105,7 @@ fn every_command_ends_with_2_and_leaves_nothing_half_written() {
         "train crops --quiet --out disk/m",
         "export crops/shard-0000.dataset --to csv --out disk/f.csv",
         &format!("evaluate {trees} crops --out disk/e.md"),
+        "protocols crops --seeds 1 --out disk/p.md",
     ] {
         ends_with_2_on_a_full_disk(&place, words);
     }

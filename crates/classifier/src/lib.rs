@@ -38,6 +38,7 @@ mod trees; // boosted trees that answer
 mod signature_classifier; // probabilities of signatures
 mod boosting; // how trees learn
 mod vehicles; // samples by vehicle: weights, folds, tracks
+mod likeness; // of two sets of samples
 mod by_vehicle; // accuracy with its spread over vehicles
 mod tree_training; // unseen vehicles choose rounds, temperature, correlation
 mod samples; // a dataset at the network's resolution
@@ -53,6 +54,7 @@ pub use evaluate::{evaluate, evaluations};
 pub use feature::Features;
 pub use features::{features, names as feature_names};
 pub use layout::{ARCHITECTURE, CHANNELS, Layout};
+pub use likeness::{area_under_roc, likeness};
 pub use metrics::{Calibration, Evaluation, ModelAccuracy, ReliabilityBin, accuracy, log_loss, log_softmax};
 pub use model_folder::{CURVES_FILE, METRICS_FILE, MODEL_FILES, WEIGHTS_FILE, load_model};
 pub use network::{Logits, VARIANCE_FLOOR};
@@ -62,4 +64,5 @@ pub use signature_classifier::SignatureClassifier;
 pub use split::split_of_scene;
 pub use temperature::fitted_temperature;
 pub use tree_training::{Part, TrainedTrees, TreeMetrics, TreeSettings, parts, train_trees};
+pub use trees::logits as tree_logits;
 pub use vehicles::{Seen, Sightings, TrackKey};

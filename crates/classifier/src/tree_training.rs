@@ -32,11 +32,11 @@ impl Default for TreeSettings {
     fn default() -> Self {
         let boosting = BoostingSettings {
             rounds: 400,
-            depth: 4,
+            depth: 3,
             learning_rate: 0.06,
             shrinkage: 2.0,
             least_weight: 8.0,
-            columns: 0.4,
+            columns: 0.25,
             rows: 0.7,
         };
         Self { boosting, folds: 5, least_probability: 0.5 }
@@ -54,6 +54,8 @@ pub struct TrainedTrees {
     pub curve: Vec<f64>,
     /// How good it is.
     pub metrics: TreeMetrics,
+    /// What is told of each sighting by trees that never saw its vehicle, or, of the test split, its scene.
+    pub told: Vec<Logits>,
 }
 
 /// What `metrics.json` holds.
@@ -119,8 +121,10 @@ pub fn train_trees(
     trees.temperature = temperature as f32;
     let told = Fitted { seed, temperature, frame_correlation, trees: &trees };
     let metrics = told.metrics(sightings, &learned, &cooled);
+    let mut told: Vec<Logits> = sightings.all.iter().map(|seen| logits(&trees, &seen.features)).collect();
+    learned.iter().zip(&cooled).for_each(|(number, logits)| told[*number] = *logits);
     let (header, curve) = (header(settings, frame_correlation), held_out.curve());
-    Ok(TrainedTrees { header, weights: Weights::Trees(trees), curve, metrics })
+    Ok(TrainedTrees { header, weights: Weights::Trees(trees), curve, metrics, told })
 }
 
 /// What a training found.

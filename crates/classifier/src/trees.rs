@@ -8,7 +8,7 @@ use artifact::model::{BoostedTrees, Node, Tree};
 const DEEPEST: usize = 64;
 
 /// The logits of these features, in the order of the model's names; `NaN` counts as below every threshold.
-pub(crate) fn logits(trees: &BoostedTrees, features: &[f32]) -> Logits {
+pub fn logits(trees: &BoostedTrees, features: &[f32]) -> Logits {
     let mut sum = trees.prior.map(f64::from);
     for tree in &trees.trees {
         let leaf = leaf(tree, features);

@@ -27,6 +27,8 @@ pub struct Seen {
     pub track: TrackKey,
     /// Of its scene.
     pub split: Split,
+    /// Whether the array has rows, which tell heights.
+    pub has_rows: bool,
 }
 
 /// Sightings of one or more datasets.
@@ -61,6 +63,7 @@ impl Sightings {
                 model: sample.model,
                 track: (dataset, sample.scene, sample.target),
                 split: sample.split,
+                has_rows: sample.signature.beams[1].is_some(),
             });
         }
         Ok(())

@@ -9,6 +9,7 @@ use artifact::dataset::Sample;
 use artifact::settings::Class;
 use classifier::{Evaluation, Part, Sightings, parts};
 use std::fmt::Write;
+use std::path::{Path, PathBuf};
 
 /// Samples that are answered at once.
 const BATCH: usize = 256;
@@ -23,11 +24,7 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<(), Failure> {
     let mut sightings = Sightings::default();
     let mut logits = Vec::new();
     for (number, folder) in arguments.datasets.iter().enumerate() {
-        let shards = load::shards(folder);
-        if shards.is_empty() {
-            return Err(Failure::System(format!("{}: no shards of a dataset here", folder.display())));
-        }
-        for shard in shards {
+        for shard in shards_of(folder)? {
             let samples: Vec<Sample> = classifier::samples_of(&shard).collect::<Result<_, _>>()?;
             logits.extend(answers(&model, &samples)?);
             sightings.add(number, samples.into_iter().map(Ok)).map_err(of_classifier)?;
@@ -38,6 +35,25 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<(), Failure> {
     let page = page(&told);
     output::line(page.trim_end());
     arguments.out.as_ref().map_or(Ok(()), |out| output::write_file(out, page.as_bytes()))
+}
+
+/// Everything that the shards of these folders hold.
+pub(super) fn sightings_of(folders: &[PathBuf]) -> Result<Sightings, Failure> {
+    let mut sightings = Sightings::default();
+    for (number, folder) in folders.iter().enumerate() {
+        for shard in shards_of(folder)? {
+            sightings.add(number, classifier::samples_of(&shard)).map_err(of_classifier)?;
+        }
+    }
+    Ok(sightings)
+}
+
+fn shards_of(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let shards = load::shards(folder);
+    if shards.is_empty() {
+        return Err(Failure::System(format!("{}: no shards of a dataset here", folder.display())));
+    }
+    Ok(shards)
 }
 
 /// Logarithms of the probabilities of the samples that have a class.
@@ -79,7 +95,7 @@ fn row(name: &str, part: &Part) -> String {
     )
 }
 
-fn confusion(evaluation: &Evaluation) -> String {
+pub(super) fn confusion(evaluation: &Evaluation) -> String {
     let mut table = String::from("| | car | bus | truck | motorcycle |\n|---|---|---|---|---|\n");
     for (class, told) in Class::ALL.iter().zip(&evaluation.confusion) {
         let counts: Vec<String> = told.iter().map(u64::to_string).collect();

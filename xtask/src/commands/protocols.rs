@@ -1,0 +1,158 @@
+//! `protocols`: boosted trees trained with several seeds, and how right they are where they never looked: on scenes of the test
+//! split (S), on vehicles held out in turn (V, folder by folder), and on datasets that never trained (T).
+
+use super::evaluate::{confusion, sightings_of};
+use crate::cli::ProtocolsArguments;
+use crate::failure::Failure;
+use crate::loaded_model::of_classifier;
+use crate::output;
+use crate::progress::Work;
+use artifact::dataset::Split;
+use artifact::model::Weights;
+use artifact::settings::Class;
+use classifier::{
+    Logits, Part, Seen, Sightings, TrainedTrees, TreeSettings, likeness, parts, train_trees, tree_logits,
+};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// What every training is asked: a name, and which answers belong to it.
+struct Protocol<'a> {
+    name: String,
+    seen: Vec<(&'a Seen, Source)>,
+}
+
+/// Where the answer to a sighting stands.
+#[derive(Clone, Copy)]
+enum Source {
+    /// With the training, under this number.
+    Trained(usize),
+    /// Nowhere: the finished trees answer.
+    Test,
+}
+
+/// Which sightings a row counts.
+type Kept = fn(&Seen) -> bool;
+
+/// Arrays that have a row of the table.
+const ARRAYS: [(&str, Kept); 3] =
+    [("all", |_| true), ("without rows", |seen| !seen.has_rows), ("with rows", |seen| seen.has_rows)];
+
+pub(crate) fn run(arguments: &ProtocolsArguments) -> Result<(), Failure> {
+    if let Some(out) = &arguments.out {
+        output::claim(std::slice::from_ref(out))?;
+    }
+    let learned = sightings_of(&arguments.datasets)?;
+    let tests: Vec<Sightings> =
+        arguments.test.iter().map(|folder| sightings_of(std::slice::from_ref(folder))).collect::<Result<_, _>>()?;
+    let mut protocols = of_training(&learned, &arguments.datasets);
+    protocols.extend(arguments.test.iter().zip(&tests).map(|(folder, test)| Protocol {
+        name: format!("T: {} never seen", folder.display()),
+        seen: test.all.iter().map(|seen| (seen, Source::Test)).collect(),
+    }));
+    let work = Work::begin("training");
+    let mut trained = Vec::new();
+    for seed in 1..=arguments.seeds {
+        let before = (seed - 1) as usize;
+        let all = arguments.seeds as usize;
+        let one =
+            train_trees(&learned, &TreeSettings::default(), seed, &mut |at, of| work.at(before * of + at, all * of));
+        trained.push(one.map_err(of_classifier)?);
+    }
+    drop(work);
+    let mut page = page(&protocols, &trained);
+    for (folder, test) in arguments.test.iter().zip(&tests) {
+        page += &likenesses(folder, &learned, test);
+    }
+    output::line(page.trim_end());
+    arguments.out.as_ref().map_or(Ok(()), |out| output::write_file(out, page.as_bytes()))
+}
+
+fn of_training<'a>(learned: &'a Sightings, folders: &[PathBuf]) -> Vec<Protocol<'a>> {
+    let those = |name: String, kept: &dyn Fn(&Seen) -> bool| {
+        let all = learned.all.iter().enumerate().filter(|(_, seen)| kept(seen));
+        Protocol { name, seen: all.map(|(number, seen)| (seen, Source::Trained(number))).collect() }
+    };
+    let held_out = |seen: &Seen| seen.split != Split::Test;
+    let mut all = vec![
+        those("S: scenes of the test split".into(), &|seen| !held_out(seen)),
+        those("V: vehicles held out in turn".into(), &held_out),
+    ];
+    let name = |folder: &Path| format!("V: of {}", folder.display());
+    if folders.len() > 1 {
+        let one = |(n, folder): (usize, &PathBuf)| those(name(folder), &|seen| held_out(seen) && seen.track.0 == n);
+        all.extend(folders.iter().enumerate().map(one));
+    }
+    all.retain(|protocol| !protocol.seen.is_empty());
+    all
+}
+
+fn page(protocols: &[Protocol<'_>], trained: &[TrainedTrees]) -> String {
+    let mut page = format!(
+        "Means over {} trainings; in brackets 95 % over vehicles, and the spread of the trainings.\n\n\
+         | protocol | array | vehicles | right by frame | right by track | calibration error by frame | by track |\n\
+         |---|---|---|---|---|---|---|\n",
+        trained.len()
+    );
+    for protocol in protocols {
+        for (array, kept) in ARRAYS {
+            let told: Vec<[Part; 2]> = trained.iter().filter_map(|t| told(protocol, t, kept)).collect();
+            if !told.is_empty() {
+                let _ = writeln!(page, "{}", row(&protocol.name, array, &told));
+            }
+        }
+    }
+    for protocol in protocols {
+        if let Some([_, tracks]) = trained.first().and_then(|first| told(protocol, first, |_| true)) {
+            let table = confusion(&tracks.evaluation);
+            let _ = write!(page, "\n{}, by track, seed 1, rows true, columns told:\n\n{table}", protocol.name);
+        }
+    }
+    page
+}
+
+/// What a training tells of a protocol's sightings with one kind of array; `None` without any.
+fn told(protocol: &Protocol<'_>, trained: &TrainedTrees, kept: Kept) -> Option<[Part; 2]> {
+    let of_array: Vec<(&Seen, Source)> = protocol.seen.iter().filter(|(seen, _)| kept(seen)).copied().collect();
+    let Weights::Trees(trees) = &trained.weights else { return None };
+    let answer = |(seen, source): &(&Seen, Source)| match source {
+        Source::Trained(number) => trained.told[*number],
+        Source::Test => tree_logits(trees, &seen.features),
+    };
+    let logits: Vec<Logits> = of_array.iter().map(answer).collect();
+    let seen: Vec<&Seen> = of_array.iter().map(|(seen, _)| *seen).collect();
+    (!seen.is_empty()).then(|| parts(&seen, &logits, trained.metrics.frame_correlation))
+}
+
+fn row(name: &str, array: &str, told: &[[Part; 2]]) -> String {
+    let mean = |value: &dyn Fn(&[Part; 2]) -> f64| 100.0 * told.iter().map(value).sum::<f64>() / told.len() as f64;
+    let right = |at: usize| {
+        let of = |one: &[Part; 2]| one[at].by_vehicle.mean_over_classes;
+        let middle = mean(&of);
+        let spread = mean(&|one| (100.0 * of(one) - middle).powi(2) / 100.0);
+        let [low, high] = [0, 1].map(|end| mean(&|one| one[at].by_vehicle.interval[end]));
+        format!("{middle:.1} % ({low:.0} … {high:.0}; ± {:.1})", spread.sqrt())
+    };
+    let error = |at: usize| mean(&|one| one[at].evaluation.calibration.expected_error);
+    let vehicles = told[0][0].by_vehicle.vehicles;
+    format!("| {name} | {array} | {vehicles} | {} | {} | {:.1} % | {:.1} % |", right(0), right(1), error(0), error(1))
+}
+
+/// Features by which training and test are compared: level, visible extent, number of peaks, height.
+const COMPARED: [&str; 4] = ["total_dbsm", "extent_m", "peaks", "height_m"];
+
+/// How like what trained is to what tests, class by class.
+fn likenesses(folder: &Path, learned: &Sightings, test: &Sightings) -> String {
+    let (learned, test): (Vec<&Seen>, Vec<&Seen>) = (learned.all.iter().collect(), test.all.iter().collect());
+    let mut table = format!(
+        "\nArea under the ROC between what trained and {}, 0.5 alike and 1 apart:\n\n| class | {} |\n|---|---|---|---|---|\n",
+        folder.display(),
+        COMPARED.join(" | ")
+    );
+    for (number, class) in Class::ALL.iter().enumerate() {
+        let area = |feature: &&str| likeness(feature, number, &learned, &test);
+        let told = COMPARED.iter().map(|feature| area(feature).map_or("–".into(), |area| format!("{area:.2}")));
+        let _ = writeln!(table, "| {} | {} |", class.name(), told.collect::<Vec<String>>().join(" | "));
+    }
+    table
+}

@@ -1,0 +1,42 @@
+//! `protocols`: what several trainings say where they never looked.
+
+mod common;
+
+use common::{Workplace, crops};
+
+#[test]
+fn scenes_vehicles_and_other_datasets_are_rows_of_one_table_and_two_runs_say_the_same() {
+    let place = Workplace::new();
+    crops::write(&place.path("a"), 20);
+    crops::write(&place.path("b"), 10);
+    let words = "protocols a --test b --seeds 2 --quiet --out p.md";
+    let said = place.run(words);
+    assert_eq!(place.bytes("p.md"), said.as_bytes());
+    for row in
+        ["| S: scenes of the test split | all |", "| T: b never seen | all |", "| T: b never seen | without rows |"]
+    {
+        assert!(said.contains(row), "{row}: {said}");
+    }
+    assert!(!said.contains("with rows | 4"), "no array has rows: {said}");
+    // One vehicle of each class is all there is, told by its length: known ones are told, held-out ones cannot be.
+    let right = |row: &str| -> f64 {
+        let line = said.lines().find(|line| line.starts_with(row)).unwrap();
+        line.split('|').nth(4).unwrap().split('%').next().unwrap().trim().parse().unwrap()
+    };
+    assert!(right("| S: ") > 80.0 && right("| T: ") > 80.0, "{said}");
+    assert!(right("| V: ") < 26.0, "{said}");
+    assert!(said.contains("| car | 0.50 | 0.50 | 0.50 | – |"), "{said}");
+    place.run("protocols a --test b --seeds 2 --quiet --out q.md");
+    assert_eq!(place.bytes("p.md"), place.bytes("q.md"));
+}
+
+#[test]
+fn a_folder_without_shards_is_refused_by_its_name() {
+    let place = Workplace::new();
+    crops::write(&place.path("a"), 5);
+    for words in ["protocols nothing", "protocols a --test nothing --seeds 1"] {
+        let output = place.try_run(words);
+        assert_eq!(output.status.code(), Some(2), "{words}");
+        assert!(String::from_utf8_lossy(&output.stderr).contains("nothing: no shards of a dataset here"), "{words}");
+    }
+}
