@@ -146,11 +146,6 @@ impl<'a> Drawn<'a> {
         self.list(key).iter().enumerate().filter_map(inner).collect()
     }
 
-    /// Whether this part is one of the share that the family keeps: all, where it does not say.
-    pub(super) fn is_kept(&self, family: &Self) -> bool {
-        !family.knows("parts_kept") || self.fraction("kept") < family.number("parts_kept")
-    }
-
     /// Whether the table has the key.
     pub(super) fn knows(&self, key: &str) -> bool {
         self.table.contains_key(key)

@@ -15,8 +15,7 @@ use glam::{DQuat, DVec3};
 /// Adds the parts that are there, stretched from the nominal drawing to the size drawn.
 pub(super) fn add(family: &Drawn<'_>, stretch: DVec3, to: &mut Assembly) {
     for key in ["shared", "part"] {
-        let parts = family.tables(key);
-        for part in parts.iter().filter(|part| is_there(family, part) && part.is_kept(family)) {
+        for part in family.tables(key).iter().filter(|part| is_there(family, part)) {
             add_part(part, stretch, to);
         }
     }

@@ -15,6 +15,8 @@ pub(super) enum Inside {
     Recoloured(Material),
     /// Becomes another material, lowered along the skin's normal by `depth_m` with a wall of `rim` around.
     Inset { material: Material, rim: Material, depth_m: f64 },
+    /// Becomes another material, lowered by `depth_m` straight down with a wall of `rim` around.
+    Sunk { material: Material, rim: Material, depth_m: f64 },
     /// Is taken away; along the opening of an upright skin a flange stands inwards (−y on the left, +y on the right).
     Opened { flange_m: f64 },
 }
@@ -27,7 +29,11 @@ pub(super) fn cut(skin: Surface, outline: impl Fn(DVec3) -> f64, inside: Inside)
     let split = Split::along(skin, &outline);
     let result = match inside {
         Inside::Recoloured(material) => split.recoloured(material),
-        Inside::Inset { material, rim, depth_m } => split.inset(material, rim, depth_m),
+        Inside::Inset { material, rim, depth_m } => {
+            let normals = split.whole().point_normals();
+            split.moved(material, rim, |i| -depth_m * normals[i])
+        }
+        Inside::Sunk { material, rim, depth_m } => split.moved(material, rim, |_| -depth_m * DVec3::Z),
         Inside::Opened { flange_m } => split.opened(flange_m),
     };
     result.without_short_edges(SHORTEST_EDGE_M)
@@ -98,10 +104,9 @@ impl Split {
         Surface { points_m: self.points_m, triangles }
     }
 
-    fn inset(self, material: Material, rim: Material, depth_m: f64) -> Surface {
-        let normals = self.whole().point_normals();
-        let shift = |p: DVec3, i: usize| p - depth_m * normals[i];
-        let lowered: Vec<DVec3> = self.points_m.iter().enumerate().map(|(i, p)| shift(*p, i)).collect();
+    /// The inner side as far from its place as told of each point.
+    fn moved(self, material: Material, rim: Material, shift: impl Fn(usize) -> DVec3) -> Surface {
+        let lowered: Vec<DVec3> = self.points_m.iter().enumerate().map(|(i, p)| *p + shift(i)).collect();
         let first = self.points_m.len() as u32;
         let mut result = self.walled(rim, &lowered);
         let down = |t: &Triangle| Triangle { corners: t.corners.map(|i| first + i), material };

@@ -84,8 +84,11 @@ fn rows(height_m: f64) -> usize {
     ((height_m / 0.12) as usize).clamp(5, 9)
 }
 
-/// Rows at the lower and upper edge of the panes.
+/// Rows at the lower and upper edge of the panes; an open body has none.
 fn upper_rows(drawn: &Drawn<'_>, form: &Form) -> Vec<f64> {
+    if pane_spans(drawn, form).is_empty() {
+        return even(2);
+    }
     let height = form.room.roof_z - form.rail_drop_m - 0.5 * (form.waist[0] + form.waist[1]);
     let (low, high) = (0.03 / height, 1.0 - drawn.number("pane_top_m") / height);
     let corner = CORNER_M / height;
@@ -201,7 +204,7 @@ fn bed(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
     let floor = form.room.roof_z * drawn.number("bed_above");
     let outline = |p: DVec3| rounded_rectangle(p.x, p.y, [behind, ahead], [-half, half], 0.1).min(p.z - floor);
     let material = if drawn.has("leather") { Material::Leather } else { Material::Paint };
-    cut(skin, outline, Inside::Inset { material, rim: Material::Paint, depth_m })
+    cut(skin, outline, Inside::Sunk { material, rim: Material::Paint, depth_m })
 }
 
 /// Unpainted sills and bumpers.
