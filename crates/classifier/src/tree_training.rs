@@ -31,12 +31,12 @@ pub struct TreeSettings {
 impl Default for TreeSettings {
     fn default() -> Self {
         let boosting = BoostingSettings {
-            rounds: 400,
+            rounds: 600,
             depth: 3,
-            learning_rate: 0.06,
+            learning_rate: 0.04,
             shrinkage: 2.0,
-            least_weight: 8.0,
-            columns: 0.25,
+            least_weight: 20.0,
+            columns: 0.1,
             rows: 0.7,
         };
         Self { boosting, folds: 5, least_probability: 0.5 }
