@@ -43,6 +43,17 @@ impl Default for TreeSettings {
     }
 }
 
+/// A leaf needs no more than this share of all sightings, so that few are learned from too.
+const LEAST_OF_A_LEAF: f64 = 1.0 / 40.0;
+
+impl TreeSettings {
+    /// With leaves that so many sightings can fill.
+    fn for_so_many(&self, sightings: usize) -> Self {
+        let least_weight = self.boosting.least_weight.min(LEAST_OF_A_LEAF * sightings as f64);
+        Self { boosting: BoostingSettings { least_weight, ..self.boosting }, ..*self }
+    }
+}
+
 /// A trained model and how it came about.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TrainedTrees {
@@ -103,6 +114,7 @@ pub fn train_trees(
 ) -> Result<TrainedTrees, ClassifierError> {
     let learned = sightings.of(&[Split::Train, Split::Validation]);
     check_classes(sightings, &learned)?;
+    let settings = &settings.for_so_many(learned.len());
     let (mut done, all) = (0, settings.boosting.rounds as usize * (settings.folds + 1));
     let mut tick = || {
         done += 1;
