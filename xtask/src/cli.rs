@@ -355,6 +355,9 @@ pub(crate) struct ProtocolsArguments {
     /// Trainings, of the seeds 1, 2, ...
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=100))]
     pub(crate) seeds: u64,
+    /// Trains on parts of the scenes and of the vehicles too, and tables how right that is.
+    #[arg(long)]
+    pub(crate) curves: bool,
     /// Page (Markdown) that holds what is told.
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,

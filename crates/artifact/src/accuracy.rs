@@ -98,19 +98,22 @@ pub struct ModelError {
     pub far_field: Option<f64>,
     /// Reflections by the road.
     pub road: Option<f64>,
+    /// Ways that meet several bodies.
+    pub between_bodies: Option<f64>,
     /// What is behind sheets, where waves are not followed through them.
     pub transmission: Option<f64>,
 }
 
 impl ModelError {
     /// The sources, named as in `summary.json`.
-    pub fn sources(&self) -> [(&'static str, Option<f64>); 6] {
+    pub fn sources(&self) -> [(&'static str, Option<f64>); 7] {
         [
             ("bounces", self.bounces),
             ("nodes", self.nodes),
             ("edges", self.edges),
             ("far_field", self.far_field),
             ("road", self.road),
+            ("between_bodies", self.between_bodies),
             ("transmission", self.transmission),
         ]
     }

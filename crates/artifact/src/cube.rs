@@ -11,7 +11,7 @@ pub struct Cube;
 
 impl Schema for Cube {
     const NAME: &'static str = "cube";
-    const VERSION: u32 = 8;
+    const VERSION: u32 = 9;
     type Header = CubeHeader;
     type Frame = CubeFrame;
 }

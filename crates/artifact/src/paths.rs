@@ -12,7 +12,7 @@ pub struct Paths;
 
 impl Schema for Paths {
     const NAME: &'static str = "paths";
-    const VERSION: u32 = 9;
+    const VERSION: u32 = 10;
     type Header = PathsHeader;
     type Frame = PathsFrame;
 }

@@ -10,7 +10,7 @@ pub struct Points;
 
 impl Schema for Points {
     const NAME: &'static str = "points";
-    const VERSION: u32 = 9;
+    const VERSION: u32 = 10;
     type Header = PointsHeader;
     type Frame = PointsFrame;
 }

@@ -10,7 +10,7 @@ pub struct Rcs;
 
 impl Schema for Rcs {
     const NAME: &'static str = "rcs";
-    const VERSION: u32 = 6;
+    const VERSION: u32 = 7;
     type Header = RcsHeader;
     type Frame = RcsFrame;
 }

@@ -84,6 +84,16 @@ pub enum Sides {
     One,
 }
 
+/// Whether ways are followed from one body to another.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum BetweenBodies {
+    /// As within a body.
+    #[default]
+    Traced,
+    /// Bodies shade one another; what one reflects into another is left out, multipath ghosts by two vehicles with it.
+    LeftOut,
+}
+
 /// On which facet of a multiple reflection the integral is taken (`docs/decisions/node-rule.md`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum NodeRule {
@@ -114,6 +124,8 @@ pub struct Fidelity {
     pub echo: EchoMode,
     /// How much of the paths the echo is made of.
     pub detail: Detail,
+    /// Ways that meet several bodies.
+    pub between_bodies: BetweenBodies,
     /// The error of the paths is measured in every n-th frame ([`SceneHeader::measured_in`](crate::scene::SceneHeader)).
     pub measured_every: u32,
 }

@@ -11,6 +11,7 @@ pub(crate) mod integration_error; // how finely integrals are taken
 pub(crate) mod road_left_out; // what a road would add
 pub(crate) mod path_table; // the largest cells that meet the accuracy
 pub(crate) mod snapshot; // bodies and beams of one moment
+pub(crate) mod between_bodies_left_out; // what ways between bodies would add
 pub(crate) mod moments; // ways traced at several
 pub(crate) mod expected_work; // what a frame will take, from a sample of it
 pub(crate) mod path; // the path table of a frame

@@ -8,8 +8,8 @@ use artifact::paths::{Amplitude, ErrorOrigin, PathsFrame};
 use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Schedule};
 use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
-    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise, Refine, Sides,
-    StaticEchoes, Surface, Window,
+    Angle, BetweenBodies, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise, Refine,
+    Sides, StaticEchoes, Surface, Window,
 };
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use artifact::{Accuracy, Radar, Waveform};
@@ -72,6 +72,7 @@ fn scene(bodies: &[(Mesh, Pose)], points: &[(f64, Pose)], accuracy_db: f64, boun
             nodes: NodeRule::Middle,
             echo: EchoMode::Paths,
             detail: Detail::Paths,
+            between_bodies: BetweenBodies::Traced,
             measured_every: 1,
         },
         intersection: Intersection { width_m: 22.5 },
@@ -328,6 +329,37 @@ fn the_delay_of_a_double_bounce_follows_both_moving_bodies() {
         );
         assert!(relative(moving, exact) < 0.1, "{moving} {exact}");
     }
+}
+
+/// The same dihedral at rest: with its walls left apart there is no double bounce, each wall is lit as before, and what is told to
+/// be left out is what the double bounces were.
+#[test]
+fn bodies_left_apart_shade_each_other_and_what_that_leaves_out_is_told() {
+    let wall = |side: f64| parallelogram([0.0, 0.0, -0.2], [-0.4, side * 0.4, 0.0], [0.0, 0.0, 0.4]);
+    let start = pose([2.0, 20.0, 6.0], [0.0; 3], FRAC_PI_2 + 0.1);
+    let sheet = parallelogram([0.0, -0.1, -0.1], [0.0, 0.2, 0.0], [0.0, 0.0, 0.2]);
+    let screen = (sheet, pose([1.9, 18.0, 6.0], [0.0; 3], FRAC_PI_2 + 0.3));
+    let traced = scene(&[(wall(1.0), start), (wall(-1.0), start), screen], &[], -20.0, 2);
+    let mut apart = traced.clone();
+    apart.0.fidelity.between_bodies = BetweenBodies::LeftOut;
+    let mut direct = traced.clone();
+    direct.0.fidelity.bounces = 1;
+    let [whole, apart, direct] = [&traced, &apart, &direct].map(trace);
+    let of_order = |frame: &PathsFrame, order: u8| frame.paths.iter().filter(|p| p.order == order).count();
+    assert!(of_order(&whole, 2) > 0 && of_order(&apart, 2) == 0);
+    assert_eq!(of_order(&direct, 1), of_order(&apart, 1), "shadows stay");
+    assert_eq!(whole.model_error.between_bodies, None);
+    let told = apart.model_error.between_bodies.unwrap();
+    let frequencies = (0..12).map(|i| 77e9 + 0.625e9 * (f64::from(i) + 0.5) / 12.0);
+    let (mut lost, mut power) = (0.0, 0.0);
+    for f in frequencies {
+        let [all, kept] = [&whole, &apart].map(|frame| of_paths(&traced, frame, 0.0, f)[0][0]);
+        lost += (all - kept).norm_sqr();
+        power += kept.norm_sqr();
+    }
+    let truth = (lost / power).sqrt();
+    println!("told {:.1} dB left out, {:.1} dB were", 20.0 * told.log10(), 20.0 * truth.log10());
+    assert!((1.0..3.0).contains(&(told / truth)), "{told} told, {truth} left out");
 }
 
 #[test]

@@ -39,7 +39,7 @@ impl Default for TreeSettings {
             columns: 0.1,
             rows: 0.7,
         };
-        Self { boosting, folds: 5, least_probability: 0.5 }
+        Self { boosting, folds: 5, least_probability: 0.4 }
     }
 }
 

@@ -48,10 +48,11 @@ pub fn clusters(members: &[Member], settings: &DspSettings, velocity_span_mps: f
         if free[seed] {
             let mut group = grow(members, settings, velocity_span_mps, seed, &mut free);
             group.sort_unstable();
-            groups.push(group);
+            groups.extend(without_those_ahead(members, group));
         }
     }
     let reach_m = PIECE_REACHES * settings.cluster_range_m;
+    groups.sort_by_key(|group| group[0]);
     let groups = joined_to_earlier(groups, |piece, body| {
         is_piece(members, settings, velocity_span_mps, piece, body)
             || drive_as_one(members, settings, velocity_span_mps, [body, piece], reach_m)
@@ -106,6 +107,30 @@ const PIECE_STRIP: f64 = 0.6;
 const PIECE_VELOCITY: f64 = 0.5;
 /// What lies farther and is so much stronger than what lies before it is a follower's front: a body's own front hides its rear.
 const FOLLOWER_POWER: f64 = 10.0;
+/// So is what is stronger at all and lies farther behind the first echo than cars are long: the strongest of a body comes from its front,
+/// its windscreen or the load over its cab, m.
+const FRONT_M: f64 = 5.0;
+/// What lies ahead of a front and is weaker than this part of it is its sidelobes.
+const SIDELOBES: f64 = 0.01;
+
+/// A grown group, and before it what stands ahead of its strongest echo's body: the chain of a queue is cut at the weakest echo
+/// between two fronts.
+fn without_those_ahead(members: &[Member], group: Vec<usize>) -> Vec<Vec<usize>> {
+    let strongest = &members[group[0]];
+    let ahead = group.iter().find(|i| members[**i].range_m < strongest.range_m - FRONT_M);
+    let Some(front) = ahead.map(|i| &members[*i]).filter(|front| front.power > SIDELOBES * strongest.power) else {
+        return vec![group];
+    };
+    let between = |i: &&usize| (front.range_m..strongest.range_m).contains(&members[**i].range_m);
+    let Some(valley) = group.iter().rfind(between).filter(|i| members[**i].power < front.power) else {
+        return vec![group];
+    };
+    let cut_m = members[*valley].range_m;
+    let (near, far): (Vec<usize>, Vec<usize>) = group.iter().partition(|i| members[**i].range_m < cut_m);
+    let mut groups = without_those_ahead(members, near);
+    groups.push(far);
+    groups
+}
 
 fn is_piece(members: &[Member], settings: &DspSettings, velocity_span_mps: f64, a: &[usize], b: &[usize]) -> bool {
     let gaps = a.iter().flat_map(|i| b.iter().map(|j| (members[*i].range_m - members[*j].range_m).abs()));
@@ -121,7 +146,9 @@ fn is_piece(members: &[Member], settings: &DspSettings, velocity_span_mps: f64, 
 fn is_follower(members: &[Member], a: &[usize], b: &[usize]) -> bool {
     let first_m = |group: &[usize]| group.iter().map(|i| members[*i].range_m).fold(f64::INFINITY, f64::min);
     let (near, far) = if first_m(a) <= first_m(b) { (a, b) } else { (b, a) };
-    members[far[0]].power > FOLLOWER_POWER * members[near[0]].power
+    let (front, follower) = (&members[near[0]], &members[far[0]]);
+    let is_far_behind = follower.range_m - first_m(near) > FRONT_M;
+    follower.power > FOLLOWER_POWER * front.power || is_far_behind && follower.power > front.power
 }
 
 /// Power-weighted means of a group: across the lanes, and of velocities about its strongest member's.
@@ -208,4 +235,76 @@ fn apart_mps(a: &Member, b: &Member, velocity_span_mps: f64) -> f64 {
 pub(crate) fn on_circle(difference_mps: f64, velocity_span_mps: f64) -> f64 {
     let half = 0.5 * velocity_span_mps;
     (difference_mps + half).rem_euclid(velocity_span_mps) - half
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use artifact::settings::{Angle, Detector, Lanes, Refine, StaticEchoes, Window};
+
+    fn settings() -> DspSettings {
+        DspSettings {
+            range_window: Window::Hann,
+            doppler_window: Window::Hann,
+            detector: Detector::CaCfar,
+            false_alarm_rate: 1e-5,
+            guard_cells: [2, 2],
+            training_cells: [4, 8],
+            angle: Angle::Fft,
+            refine: Refine::Off,
+            calibration: vec![],
+            static_echoes: StaticEchoes::Keep,
+            assumed_height_m: 0.75,
+            cluster_range_m: 2.5,
+            cluster_velocity_mps: 1.0,
+            cluster_cross_m: 2.5,
+            road: Lanes::default(),
+        }
+    }
+
+    /// Bodies at rest in one lane, by range and level; groups of the ranges.
+    fn groups_of(echoes: &[(f64, f64)]) -> Vec<Vec<f64>> {
+        let mut members: Vec<Member> = echoes.iter().map(|(range_m, db)| at(*range_m, *db)).collect();
+        members.sort_by(|a, b| b.power.total_cmp(&a.power));
+        let of = |group: &Vec<usize>| {
+            let mut ranges: Vec<f64> = group.iter().map(|i| members[*i].range_m).collect();
+            ranges.sort_by(f64::total_cmp);
+            ranges
+        };
+        let mut groups: Vec<Vec<f64>> = clusters(&members, &settings(), 35.0).iter().map(of).collect();
+        groups.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        groups
+    }
+
+    fn at(range_m: f64, db: f64) -> Member {
+        Member {
+            range_m,
+            radial_velocity_mps: 0.0,
+            cross_m: 2.0,
+            cross_error_m: 0.1,
+            power: 10.0_f64.powf(0.1 * db),
+            place_m: DVec2::new(2.0, range_m),
+        }
+    }
+
+    /// The third car and the truck behind it of scenes/traffic.toml, with the echoes of several bounces between them.
+    #[test]
+    fn a_car_before_a_stronger_truck_is_not_chained_to_it_by_weak_echoes_between() {
+        let echoes = [(27.6, 37.0), (28.1, 27.0), (29.8, 28.0), (30.9, 10.0), (31.4, 15.0), (33.3, 4.0), (33.8, 45.0)];
+        assert_eq!(groups_of(&echoes), [vec![27.6, 28.1, 29.8, 30.9, 31.4], vec![33.3, 33.8]]);
+    }
+
+    #[test]
+    fn a_load_over_a_cab_and_a_rear_weaker_than_its_front_are_parts_of_their_bodies() {
+        let truck = [(30.0, 20.0), (31.2, 12.0), (32.6, 34.0), (34.9, 18.0), (37.0, 15.0)];
+        assert_eq!(groups_of(&truck).len(), 1);
+        let bus = [(30.0, 33.0), (32.0, 14.0), (34.3, 13.0), (36.5, 12.0), (38.8, 24.0)];
+        assert_eq!(groups_of(&bus).len(), 1);
+    }
+
+    #[test]
+    fn what_is_a_hundred_times_weaker_before_a_front_is_a_sidelobe_of_it() {
+        let echoes = [(30.0, 10.0), (32.0, 12.0), (34.0, 20.0), (36.0, 45.0)];
+        assert_eq!(groups_of(&echoes).len(), 1);
+    }
 }

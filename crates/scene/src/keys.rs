@@ -190,6 +190,7 @@ pub(crate) const FIDELITY: Table = Table {
         "nodes",
         "echo",
         "detail",
+        "between_bodies",
         "measured_every",
         "materials",
         "transmission",

@@ -11,8 +11,8 @@ use artifact::paths::MAX_ORDER;
 use artifact::radar::{Radar, Sampling};
 use artifact::scene::Intersection;
 use artifact::settings::{
-    Angle, Detail, Detector, DspSettings, EchoMode, Edges, FALSE_ALARM_RATES, Fidelity, Lane, Lanes, NodeRule, Noise,
-    Refine, Sides, StaticEchoes, Surface, Window,
+    Angle, BetweenBodies, Detail, Detector, DspSettings, EchoMode, Edges, FALSE_ALARM_RATES, Fidelity, Lane, Lanes,
+    NodeRule, Noise, Refine, Sides, StaticEchoes, Surface, Window,
 };
 use num_complex::Complex64;
 
@@ -166,6 +166,9 @@ pub(crate) fn read_fidelity(root: &Section<'_>) -> Fidelity {
                     .map(|d| (d.name(), d)),
             )
             .unwrap_or(Detail::Paths),
+        between_bodies: section
+            .word("between_bodies", &[("traced", BetweenBodies::Traced), ("left-out", BetweenBodies::LeftOut)])
+            .unwrap_or_default(),
         measured_every: section.integer("measured_every", Allowed::Between(1.0, 1e6)).unwrap_or(1) as u32,
     }
 }

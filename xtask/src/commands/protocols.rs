@@ -1,6 +1,9 @@
 //! `protocols`: boosted trees trained with several seeds, and how right they are where they never looked: on scenes of the test
 //! split (S), on vehicles held out in turn (V, folder by folder), and on datasets that never trained (T).
 
+mod conditions;
+mod curves;
+
 use super::evaluate::{confusion, sightings_of};
 use crate::cli::ProtocolsArguments;
 use crate::failure::Failure;
@@ -11,8 +14,9 @@ use artifact::dataset::Split;
 use artifact::model::Weights;
 use artifact::settings::Class;
 use classifier::{
-    Logits, Part, Seen, Sightings, TrainedTrees, TreeSettings, likeness, parts, train_trees, tree_logits,
+    Logits, Part, Seen, Sightings, TrainedTrees, TreeSettings, likeness, log_softmax, parts, train_trees, tree_logits,
 };
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -61,8 +65,15 @@ pub(crate) fn run(arguments: &ProtocolsArguments) -> Result<(), Failure> {
     }
     drop(work);
     let mut page = page(&protocols, &trained);
+    page += &by_threshold(&protocols, &trained[0]);
+    page += &by_condition(&learned, &arguments.datasets, &trained[0]);
     for (folder, test) in arguments.test.iter().zip(&tests) {
         page += &likenesses(folder, &learned, test);
+    }
+    if arguments.curves {
+        let name = |folder: &PathBuf| folder.display().to_string();
+        let tests: Vec<(String, &Sightings)> = arguments.test.iter().map(name).zip(&tests).collect();
+        page += &curves::page(&learned, &tests)?;
     }
     output::line(page.trim_end());
     arguments.out.as_ref().map_or(Ok(()), |out| output::write_file(out, page.as_bytes()))
@@ -113,15 +124,17 @@ fn page(protocols: &[Protocol<'_>], trained: &[TrainedTrees]) -> String {
 
 /// What a training tells of a protocol's sightings with one kind of array; `None` without any.
 fn told(protocol: &Protocol<'_>, trained: &TrainedTrees, kept: Kept) -> Option<[Part; 2]> {
-    let of_array: Vec<(&Seen, Source)> = protocol.seen.iter().filter(|(seen, _)| kept(seen)).copied().collect();
-    let Weights::Trees(trees) = &trained.weights else { return None };
-    let answer = |(seen, source): &(&Seen, Source)| match source {
-        Source::Trained(number) => trained.told[*number],
-        Source::Test => tree_logits(trees, &seen.features),
-    };
-    let logits: Vec<Logits> = of_array.iter().map(answer).collect();
-    let seen: Vec<&Seen> = of_array.iter().map(|(seen, _)| *seen).collect();
+    let (seen, logits): (Vec<&Seen>, Vec<Logits>) = answers(protocol, trained, kept).into_iter().unzip();
     (!seen.is_empty()).then(|| parts(&seen, &logits, trained.metrics.frame_correlation))
+}
+
+fn answers<'a>(protocol: &Protocol<'a>, trained: &TrainedTrees, kept: Kept) -> Vec<(&'a Seen, Logits)> {
+    let Weights::Trees(trees) = &trained.weights else { return vec![] };
+    let answer = |&(seen, source): &(&'a Seen, Source)| match source {
+        Source::Trained(number) => (seen, trained.told[number]),
+        Source::Test => (seen, tree_logits(trees, &seen.features)),
+    };
+    protocol.seen.iter().filter(|(seen, _)| kept(seen)).map(answer).collect()
 }
 
 fn row(name: &str, array: &str, told: &[[Part; 2]]) -> String {
@@ -136,6 +149,58 @@ fn row(name: &str, array: &str, told: &[[Part; 2]]) -> String {
     let error = |at: usize| mean(&|one| one[at].evaluation.calibration.expected_error);
     let vehicles = told[0][0].by_vehicle.vehicles;
     format!("| {name} | {array} | {vehicles} | {} | {} | {:.1} % | {:.1} % |", right(0), right(1), error(0), error(1))
+}
+
+/// Probabilities from which on a class could be told.
+const THRESHOLDS: [f32; 5] = [0.3, 0.4, 0.5, 0.6, 0.7];
+
+/// What each protocol's tracks are told right, wrong and not at all, by the probability from which on a class is told.
+fn by_threshold(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
+    let heads: String = THRESHOLDS.iter().map(|least| format!(" from {least} |")).collect();
+    let mut table = format!(
+        "\nTold right / wrong / unknown in % of the frames, by the least probability of an answer, seed 1:\n\n\
+         | protocol |{heads}\n|---|{}\n",
+        "---|".repeat(THRESHOLDS.len())
+    );
+    for protocol in protocols {
+        let answers = answers(protocol, trained, |_| true);
+        let shares: String = THRESHOLDS.iter().map(|least| format!(" {} |", shares(&answers, *least))).collect();
+        let _ = writeln!(table, "| {} |{shares}", protocol.name);
+    }
+    table
+}
+
+fn shares(answers: &[(&Seen, Logits)], least: f32) -> String {
+    let mut counts = [0.0; 3];
+    for (seen, logits) in answers {
+        let probabilities = log_softmax(logits.map(f64::from)).map(|log| log.exp() as f32);
+        let best = (0..4).fold(0, |best, i| if probabilities[i] > probabilities[best] { i } else { best });
+        let kind = if probabilities[best] < least { 2 } else { usize::from(best != seen.class) };
+        counts[kind] += 100.0 / answers.len().max(1) as f64;
+    }
+    counts.map(|share| format!("{share:.0}")).join(" / ")
+}
+
+/// How often vehicles held out in turn are told right, by what their sightings were like.
+fn by_condition(learned: &Sightings, folders: &[PathBuf], trained: &TrainedTrees) -> String {
+    let known = conditions::conditions(folders);
+    let mut of: BTreeMap<(usize, &str, &conditions::Bin), Protocol<'_>> = BTreeMap::new();
+    for (number, seen) in learned.all.iter().enumerate().filter(|(_, seen)| seen.split != Split::Test) {
+        for (order, (condition, value)) in known.get(&seen.track).into_iter().flatten().enumerate() {
+            let empty = || Protocol { name: String::new(), seen: vec![] };
+            of.entry((order, *condition, value)).or_insert_with(empty).seen.push((seen, Source::Trained(number)));
+        }
+    }
+    let mut table = String::from(
+        "\nV by condition, seed 1:\n\n| condition | value | frames | right by frame | right by track |\n|---|---|---|---|---|\n",
+    );
+    for ((_, condition, (_, value)), protocol) in &of {
+        let Some(parts) = told(protocol, trained, |_| true) else { continue };
+        let [frames, tracks] = parts.map(|part| part.by_vehicle);
+        let [right, by_track] = [&frames, &tracks].map(|told| 100.0 * told.mean_over_classes);
+        let _ = writeln!(table, "| {condition} | {value} | {} | {right:.1} % | {by_track:.1} % |", frames.answers);
+    }
+    if of.is_empty() { String::new() } else { table }
 }
 
 /// Features by which training and test are compared: level, visible extent, number of peaks, height.

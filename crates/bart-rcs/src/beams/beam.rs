@@ -95,7 +95,7 @@ pub struct OrderAudit {
     pub lit_section: f64,
     /// Section of the beams of the order before that were reflected; at order 1 the section kept and dropped.
     pub incident_section: f64,
-    /// Section that met no facet: incident − lit − dropped; 0 at order 1.
+    /// Section that met no facet, or another body where bodies are left apart: incident − lit − dropped; 0 at order 1.
     pub escaped_section: f64,
     /// Polygons given up for their size.
     pub dropped: u64,

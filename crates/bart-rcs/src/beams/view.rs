@@ -76,6 +76,12 @@ impl<'w> View<'w> {
         planes.all(|plane| plane.extent_m(&facet.corners_m).1 > tolerance_m) && !self.is_beside_opening(facet)
     }
 
+    /// Whether what is seen of a facet counts as lit; where bodies are left apart a mirror lights its own body alone, and others
+    /// shade it.
+    pub(crate) fn is_followed(&self, facet: u32) -> bool {
+        self.mirror.is_none_or(|mirror| self.world.is_followed(mirror.facet, facet))
+    }
+
     /// Whether one of the planes through the antenna and a facet's edges parts the facet from the mirror's lit polygon.
     fn is_beside_opening(&self, facet: &FacetGeometry) -> bool {
         let [a, b, c] = facet.corners_m;
@@ -97,7 +103,7 @@ impl<'w> View<'w> {
         corners: &mut Vec<Corner>,
         distances_m: &mut Vec<f64>,
     ) -> Option<Range<usize>> {
-        if self.sides == Sides::One && target.seen == Seen::Back {
+        if self.sides == Sides::One && target.seen == Seen::Back || !self.is_followed(target.facet) {
             return None;
         }
         corners.clear();

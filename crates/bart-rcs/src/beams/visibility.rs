@@ -134,6 +134,9 @@ impl Buffers {
             ControlFlow::Continue(())
         };
         let _ = view.world.visit_inside(planes, view.opening(), DVec3::ZERO, &mut self.walk, found);
+        if !self.found.iter().any(|&facet| view.is_followed(facet)) {
+            self.found.clear();
+        }
         self.found.sort_unstable();
         self.shadows.clear();
         self.shadows.extend(self.found.iter().filter_map(|&facet| Shadow::of(facet, view)));

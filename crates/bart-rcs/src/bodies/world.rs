@@ -20,6 +20,7 @@ use crate::wedges::world_edges::{Placed, WorldEdges};
 use artifact::material::{Makeup, Material, Road, Transmission};
 use artifact::paths::Facet;
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
+use artifact::settings::BetweenBodies;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
@@ -35,6 +36,8 @@ pub struct World {
     road: Option<Road>,
     /// Facets that waves are followed through, ascending.
     sheets: Vec<u32>,
+    /// Whether a mirror lights other bodies.
+    between_bodies: BetweenBodies,
     tolerance_m: f64,
     /// Of every tree.
     memory_limit: MemoryLimit,
@@ -75,7 +78,7 @@ impl World {
             None => world,
         };
         let limit = models.memory_limit.shared(world.bytes() as u64, 1);
-        Ok(world.within(limit))
+        Ok(Self { between_bodies: header.fidelity.between_bodies, ..world.within(limit) })
     }
 
     /// A mesh alone as it is, its body axes the world's; the target's index is 0.
@@ -101,7 +104,24 @@ impl World {
         let bodies = self.bodies.iter().cloned().chain(images).collect();
         let transmission = if self.sheets.is_empty() { Transmission::Ignored } else { Transmission::Followed };
         let world = Self::of_bodies(bodies, Some(road.clone()))?.with_sheets(transmission);
+        Ok(Self { between_bodies: self.between_bodies, ..world.within(self.memory_limit) })
+    }
+
+    /// The same bodies, followed from one to another.
+    pub(crate) fn joined(&self) -> Result<Self, BartError> {
+        let transmission = if self.sheets.is_empty() { Transmission::Ignored } else { Transmission::Followed };
+        let world = Self::of_bodies(self.bodies.clone(), self.road.clone())?.with_sheets(transmission);
         Ok(world.within(self.memory_limit))
+    }
+
+    /// Whether what is left out by the scene's word lies between its bodies.
+    pub(crate) fn leaves_bodies_apart(&self) -> bool {
+        self.between_bodies == BetweenBodies::LeftOut && self.bodies.len() > 1
+    }
+
+    /// Whether what one facet reflects is followed to another.
+    pub(crate) fn is_followed(&self, from: &FacetGeometry, to: u32) -> bool {
+        self.between_bodies == BetweenBodies::Traced || from.id.body == self.facet(to).id.body
     }
 
     /// A facet by its index in [`World::facets`].
@@ -314,6 +334,7 @@ impl World {
             is_conductor,
             road,
             sheets: Vec::new(),
+            between_bodies: BetweenBodies::Traced,
             tolerance_m,
             memory_limit,
             edges: OnceLock::new(),

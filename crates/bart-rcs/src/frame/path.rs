@@ -4,6 +4,7 @@
 use crate::bodies::road::check_road;
 use crate::bodies::world::Models;
 use crate::error::BartError;
+use crate::frame::between_bodies_left_out::between_bodies_left_out;
 use crate::frame::frame_error::reference;
 use crate::frame::moments::{split, split_alike};
 use crate::frame::nearest_surface::nearest_range_m;
@@ -67,11 +68,15 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
     let (plan, frame) = (scenery.plan, scenery.frame);
     let header = plan.header;
     // One moment's bodies and beams at a time.
-    let (reference, road, check_bytes) = {
+    let (reference, left_out, check_bytes) = {
         let check = scenery.at(plan.check_s, plan.check_m)?;
         let reference = reference(&check.scatterer(plan, Phase::Checking), plan);
-        let road = road_left_out(&check.world, plan, &reference)?;
-        (reference, road, check.bytes())
+        let left_out = ModelError {
+            road: road_left_out(&check.world, plan, &reference)?,
+            between_bodies: between_bodies_left_out(&check.world, plan, &reference)?,
+            ..reference.model_error()
+        };
+        (reference, left_out, check.bytes())
     };
     let points = point_paths(header, frame);
     let (seen, table, bent, has_bodies) = {
@@ -83,7 +88,7 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
     let table = split(scenery, table, &points, &reference)?;
     let measured = Measured {
         error: ErrorBudget { tessellation: bent, ..table.error.budget() },
-        model_error: ModelError { road, ..reference.model_error() },
+        model_error: left_out,
         dropped_power_ratio: table.error.dropped_at_most.powi(2),
         fineness: has_bodies.then_some(table.fineness),
         origin: ErrorOrigin::Measured,

@@ -54,7 +54,8 @@ impl Scenery<'_> {
 }
 
 impl Snapshot {
-    fn of(world: World, tree: BeamTree) -> Self {
+    /// Beams of a world.
+    pub(crate) fn of(world: World, tree: BeamTree) -> Self {
         let received = world.road().map(|_| Received::with_image(&world, &tree));
         Self { world, tree, received }
     }

@@ -5,8 +5,8 @@ use artifact::material::MaterialMap;
 use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
 use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
-    Angle, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise, Refine, Sides,
-    StaticEchoes, Surface, Window,
+    Angle, BetweenBodies, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise, Refine,
+    Sides, StaticEchoes, Surface, Window,
 };
 
 const RADAR_M: [f64; 3] = [0.0, 0.0, 6.0];
@@ -106,6 +106,7 @@ fn fidelity() -> Fidelity {
         nodes: NodeRule::Middle,
         echo: EchoMode::Paths,
         detail: Detail::Paths,
+        between_bodies: BetweenBodies::Traced,
         measured_every: 1,
     }
 }

@@ -1,0 +1,107 @@
+//! Learning curves: trainings on parts of the scenes, and of the vehicles.
+
+use super::{Protocol, Source, of_training, told};
+use crate::failure::Failure;
+use crate::loaded_model::of_classifier;
+use crate::progress::Work;
+use artifact::dataset::Split;
+use artifact::seed;
+use classifier::{ClassifierError, Part, Seen, Sightings, TreeSettings, train_trees};
+use std::collections::BTreeSet;
+use std::fmt::Write;
+
+/// Parts that train.
+const SHARES: [f64; 4] = [0.125, 0.25, 0.5, 1.0];
+/// Of the draws of what trains, and of the trainings.
+const SEED: u64 = 1;
+
+/// What a part keeps.
+type Keeps = fn(&Seen, f64) -> bool;
+
+/// One table over scenes and one over vehicles; each row trains anew. `tests` are names and what never trains.
+pub(super) fn page(learned: &Sightings, tests: &[(String, &Sightings)]) -> Result<String, Failure> {
+    let work = Work::begin("learning curves");
+    let mut page = String::new();
+    let curves: [(&str, Keeps); 2] = [("scenes", keeps_scene), ("vehicles", keeps_vehicle)];
+    for (curve, (what, keeps)) in curves.into_iter().enumerate() {
+        page += &heading(what, tests);
+        for (at, share) in SHARES.into_iter().enumerate() {
+            let part = part_of(learned, share, keeps);
+            let row = row(&part, tests, &mut |done, of| {
+                work.at((curve * SHARES.len() + at) * of + done, 2 * SHARES.len() * of);
+            });
+            let _ = writeln!(page, "| {share} | {}", row?);
+        }
+    }
+    Ok(page)
+}
+
+fn heading(what: &str, tests: &[(String, &Sightings)]) -> String {
+    let columns: String = tests.iter().map(|(name, _)| format!(" T: {name} by track |")).collect();
+    let rule = "---|".repeat(tests.len());
+    format!(
+        "\nLearning curve over {what}, one training each:\n\n\
+         | share | scenes | vehicles | S by frame | V by frame | V by track |{columns}\n|---|---|---|---|---|---|{rule}\n"
+    )
+}
+
+/// What tests stays whole.
+fn part_of(learned: &Sightings, share: f64, keeps: Keeps) -> Sightings {
+    let mut part = learned.clone();
+    part.all.retain(|seen| seen.split == Split::Test || keeps(seen, share));
+    part
+}
+
+fn keeps_scene(seen: &Seen, share: f64) -> bool {
+    let (dataset, scene, _) = seen.track;
+    is_drawn(&[dataset as u64, scene], share)
+}
+
+fn keeps_vehicle(seen: &Seen, share: f64) -> bool {
+    let number =
+        seen.model.bytes().fold(seen.class as u64, |all, byte| all.wrapping_mul(257).wrapping_add(byte.into()));
+    is_drawn(&[number], share)
+}
+
+/// A larger share keeps what a smaller one does.
+fn is_drawn(index: &[u64], share: f64) -> bool {
+    let [a, b, c, d, ..] = seed::key(SEED, "protocols/curve", index);
+    f64::from(u32::from_le_bytes([a, b, c, d])) < share * f64::from(u32::MAX) + 0.5
+}
+
+fn row(
+    part: &Sightings,
+    tests: &[(String, &Sightings)],
+    heard: &mut dyn FnMut(usize, usize),
+) -> Result<String, Failure> {
+    let trained = match train_trees(part, &TreeSettings::default(), SEED, heard) {
+        Err(ClassifierError::MissingClass { class }) => return Ok(format!("no {} among them |", class.name())),
+        trained => trained.map_err(of_classifier)?,
+    };
+    let of_test = |(name, test): &(String, &'_ Sightings)| {
+        let seen: Vec<(Seen, Source)> = test.all.iter().map(|seen| (seen.clone(), Source::Test)).collect();
+        let protocol = Protocol { name: name.clone(), seen: seen.iter().map(|(s, from)| (s, *from)).collect() };
+        told(&protocol, &trained, |_| true)
+    };
+    let own = of_training(part, &[]);
+    let of_own = |letter: &str| {
+        let protocol = own.iter().find(|protocol| protocol.name.starts_with(letter))?;
+        told(protocol, &trained, |_| true)
+    };
+    let right = |told: &Option<[Part; 2]>, at: usize| {
+        told.as_ref().map_or("–".into(), |parts| format!("{:.1} %", 100.0 * parts[at].by_vehicle.mean_over_classes))
+    };
+    let learned = || part.all.iter().filter(|seen| seen.split != Split::Test);
+    let scenes: BTreeSet<(usize, u64)> = learned().map(|seen| (seen.track.0, seen.track.1)).collect();
+    let vehicles: BTreeSet<(usize, &str)> = learned().map(|seen| (seen.class, seen.model.as_str())).collect();
+    let (s, v) = (of_own("S"), of_own("V"));
+    let tested: String = tests.iter().map(|test| format!(" {} |", right(&of_test(test), 1))).collect();
+    Ok(format!(
+        "{} | {} | {} | {} | {} |{tested}",
+        scenes.len(),
+        vehicles.len(),
+        right(&s, 0),
+        right(&v, 0),
+        right(&v, 1)
+    ))
+}
