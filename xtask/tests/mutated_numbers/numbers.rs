@@ -231,6 +231,7 @@ pub(crate) const NOT_NUMBERS: &[&str] = &[
     "calibration",
     "edges",
     "surface",
+    "between_bodies",
     "sides",
     "nodes",
     "echo",
