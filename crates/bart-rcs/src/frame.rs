@@ -8,6 +8,7 @@ pub(crate) mod path_plan; // what a frame is traced with
 pub(crate) mod path_pruning; // paths too weak to matter
 pub(crate) mod frame_error; // what a frame's paths miss, measured
 pub(crate) mod integration_error; // how finely integrals are taken
+pub(crate) mod left_out_ways; // ways added up beside what was traced
 pub(crate) mod road_left_out; // what a road would add
 pub(crate) mod path_table; // the largest cells that meet the accuracy
 pub(crate) mod snapshot; // bodies and beams of one moment

@@ -240,27 +240,7 @@ pub(crate) fn on_circle(difference_mps: f64, velocity_span_mps: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use artifact::settings::{Angle, Detector, Lanes, Refine, StaticEchoes, Window};
-
-    fn settings() -> DspSettings {
-        DspSettings {
-            range_window: Window::Hann,
-            doppler_window: Window::Hann,
-            detector: Detector::CaCfar,
-            false_alarm_rate: 1e-5,
-            guard_cells: [2, 2],
-            training_cells: [4, 8],
-            angle: Angle::Fft,
-            refine: Refine::Off,
-            calibration: vec![],
-            static_echoes: StaticEchoes::Keep,
-            assumed_height_m: 0.75,
-            cluster_range_m: 2.5,
-            cluster_velocity_mps: 1.0,
-            cluster_cross_m: 2.5,
-            road: Lanes::default(),
-        }
-    }
+    use crate::test_settings::settings;
 
     /// Bodies at rest in one lane, by range and level; groups of the ranges.
     fn groups_of(echoes: &[(f64, f64)]) -> Vec<Vec<f64>> {

@@ -104,6 +104,8 @@ pub mod position;
 pub mod stationary;
 mod rigid_pieces;
 pub mod clusters;
+#[cfg(test)]
+mod test_settings; // what their tests share
 pub mod time_division_folds;
 pub mod points;
 pub mod velocity_folds;

@@ -156,29 +156,9 @@ fn length([low, high]: [f64; 2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use artifact::settings::{Angle, Detector, Lanes, Refine, StaticEchoes, Window};
+    use crate::test_settings::settings;
 
     const SPAN_MPS: f64 = 35.0;
-
-    fn settings() -> DspSettings {
-        DspSettings {
-            range_window: Window::Hann,
-            doppler_window: Window::Hann,
-            detector: Detector::CaCfar,
-            false_alarm_rate: 1e-5,
-            guard_cells: [2, 2],
-            training_cells: [4, 8],
-            angle: Angle::Fft,
-            refine: Refine::Off,
-            calibration: vec![],
-            static_echoes: StaticEchoes::Keep,
-            assumed_height_m: 0.75,
-            cluster_range_m: 2.5,
-            cluster_velocity_mps: 1.0,
-            cluster_cross_m: 2.5,
-            road: Lanes::default(),
-        }
-    }
 
     fn member(x_m: f64, y_m: f64, velocity_mps: DVec2) -> Member {
         let place_m = DVec2::new(x_m, y_m);

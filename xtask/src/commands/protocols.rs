@@ -7,7 +7,7 @@ mod curves;
 use super::evaluate::{confusion, sightings_of};
 use crate::cli::ProtocolsArguments;
 use crate::failure::Failure;
-use crate::loaded_model::of_classifier;
+use crate::loaded_model::{ClassRule, UNKNOWN, of_classifier};
 use crate::output;
 use crate::progress::Work;
 use artifact::dataset::Split;
@@ -50,10 +50,8 @@ pub(crate) fn run(arguments: &ProtocolsArguments) -> Result<(), Failure> {
     let tests: Vec<Sightings> =
         arguments.test.iter().map(|folder| sightings_of(std::slice::from_ref(folder))).collect::<Result<_, _>>()?;
     let mut protocols = of_training(&learned, &arguments.datasets);
-    protocols.extend(arguments.test.iter().zip(&tests).map(|(folder, test)| Protocol {
-        name: format!("T: {} never seen", folder.display()),
-        seen: test.all.iter().map(|seen| (seen, Source::Test)).collect(),
-    }));
+    let named = |folder: &PathBuf| format!("T: {} never seen", folder.display());
+    protocols.extend(arguments.test.iter().zip(&tests).map(|(folder, test)| of_test(named(folder), test)));
     let work = Work::begin("training");
     let mut trained = Vec::new();
     for seed in 1..=arguments.seeds {
@@ -73,7 +71,7 @@ pub(crate) fn run(arguments: &ProtocolsArguments) -> Result<(), Failure> {
     if arguments.curves {
         let name = |folder: &PathBuf| folder.display().to_string();
         let tests: Vec<(String, &Sightings)> = arguments.test.iter().map(name).zip(&tests).collect();
-        page += &curves::page(&learned, &tests)?;
+        page += &curves::page(&learned, &trained[0], &tests)?;
     }
     output::line(page.trim_end());
     arguments.out.as_ref().map_or(Ok(()), |out| output::write_file(out, page.as_bytes()))
@@ -96,6 +94,10 @@ fn of_training<'a>(learned: &'a Sightings, folders: &[PathBuf]) -> Vec<Protocol<
     }
     all.retain(|protocol| !protocol.seen.is_empty());
     all
+}
+
+fn of_test(name: String, test: &Sightings) -> Protocol<'_> {
+    Protocol { name, seen: test.all.iter().map(|seen| (seen, Source::Test)).collect() }
 }
 
 fn page(protocols: &[Protocol<'_>], trained: &[TrainedTrees]) -> String {
@@ -171,11 +173,11 @@ fn by_threshold(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
 }
 
 fn shares(answers: &[(&Seen, Logits)], least: f32) -> String {
+    let rule = ClassRule { least_probability: least, ..ClassRule::default() };
     let mut counts = [0.0; 3];
     for (seen, logits) in answers {
-        let probabilities = log_softmax(logits.map(f64::from)).map(|log| log.exp() as f32);
-        let best = (0..4).fold(0, |best, i| if probabilities[i] > probabilities[best] { i } else { best });
-        let kind = if probabilities[best] < least { 2 } else { usize::from(best != seen.class) };
+        let told = rule.told(&log_softmax(logits.map(f64::from)).map(|log| log.exp() as f32));
+        let kind = if told == UNKNOWN { 2 } else { usize::from(told != Class::ALL[seen.class].name()) };
         counts[kind] += 100.0 / answers.len().max(1) as f64;
     }
     counts.map(|share| format!("{share:.0}")).join(" / ")

@@ -102,19 +102,21 @@ impl World {
     pub(crate) fn over(&self, road: &Road) -> Result<Self, BartError> {
         let images = self.bodies.iter().map(Body::below_road);
         let bodies = self.bodies.iter().cloned().chain(images).collect();
-        let transmission = if self.sheets.is_empty() { Transmission::Ignored } else { Transmission::Followed };
-        let world = Self::of_bodies(bodies, Some(road.clone()))?.with_sheets(transmission);
-        Ok(Self { between_bodies: self.between_bodies, ..world.within(self.memory_limit) })
+        Ok(Self { between_bodies: self.between_bodies, ..self.of_other_bodies(bodies, Some(road.clone()))? })
     }
 
     /// The same bodies, followed from one to another.
     pub(crate) fn joined(&self) -> Result<Self, BartError> {
-        let transmission = if self.sheets.is_empty() { Transmission::Ignored } else { Transmission::Followed };
-        let world = Self::of_bodies(self.bodies.clone(), self.road.clone())?.with_sheets(transmission);
-        Ok(world.within(self.memory_limit))
+        self.of_other_bodies(self.bodies.clone(), self.road.clone())
     }
 
-    /// Whether what is left out by the scene's word lies between its bodies.
+    /// These bodies, their sheets and memory as of this world's.
+    fn of_other_bodies(&self, bodies: Vec<Body>, road: Option<Road>) -> Result<Self, BartError> {
+        let transmission = if self.sheets.is_empty() { Transmission::Ignored } else { Transmission::Followed };
+        Ok(Self::of_bodies(bodies, road)?.with_sheets(transmission).within(self.memory_limit))
+    }
+
+    /// Whether ways between several bodies are left out.
     pub(crate) fn leaves_bodies_apart(&self) -> bool {
         self.between_bodies == BetweenBodies::LeftOut && self.bodies.len() > 1
     }

@@ -35,9 +35,9 @@ pub(super) fn conditions(folders: &[PathBuf]) -> BTreeMap<TrackKey, Conditions> 
 
 fn of_scene(dataset: usize, scene: &Value, all: &mut BTreeMap<TrackKey, Conditions>) {
     let Some(number) = scene["scene"].as_u64() else { return };
-    for vehicle in scene["frames"].as_array().into_iter().flatten().flat_map(|frame| frame["vehicles"].as_array()) {
-        let company = vehicle.len();
-        for vehicle in vehicle.iter().filter(|vehicle| !vehicle["estimate"].is_null()) {
+    for vehicles in scene["frames"].as_array().into_iter().flatten().flat_map(|frame| frame["vehicles"].as_array()) {
+        let company = vehicles.len();
+        for vehicle in vehicles.iter().filter(|vehicle| !vehicle["estimate"].is_null()) {
             let target = vehicle["target"].as_u64().unwrap_or_default() as u32;
             all.entry((dataset, number, target)).or_insert_with(|| of_vehicle(scene, company, vehicle));
         }

@@ -1,25 +1,30 @@
 //! Learning curves: trainings on parts of the scenes, and of the vehicles.
 
-use super::{Protocol, Source, of_training, told};
+use super::{of_test, of_training, told};
 use crate::failure::Failure;
 use crate::loaded_model::of_classifier;
 use crate::progress::Work;
 use artifact::dataset::Split;
 use artifact::seed;
-use classifier::{ClassifierError, Part, Seen, Sightings, TreeSettings, train_trees};
+use classifier::{ClassifierError, Part, Seen, Sightings, TrainedTrees, TreeSettings, train_trees};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-/// Parts that train.
-const SHARES: [f64; 4] = [0.125, 0.25, 0.5, 1.0];
-/// Of the draws of what trains, and of the trainings.
+/// Parts that train beside the whole.
+const SHARES: [f64; 3] = [0.125, 0.25, 0.5];
+/// Of the draws of what trains, and of the trainings; the whole is that of the first training.
 const SEED: u64 = 1;
 
 /// What a part keeps.
 type Keeps = fn(&Seen, f64) -> bool;
 
-/// One table over scenes and one over vehicles; each row trains anew. `tests` are names and what never trains.
-pub(super) fn page(learned: &Sightings, tests: &[(String, &Sightings)]) -> Result<String, Failure> {
+/// One table over scenes and one over vehicles; each row but that of the `whole` trains anew. `tests` are names and what never
+/// trains.
+pub(super) fn page(
+    learned: &Sightings,
+    whole: &TrainedTrees,
+    tests: &[(String, &Sightings)],
+) -> Result<String, Failure> {
     let work = Work::begin("learning curves");
     let mut page = String::new();
     let curves: [(&str, Keeps); 2] = [("scenes", keeps_scene), ("vehicles", keeps_vehicle)];
@@ -27,11 +32,16 @@ pub(super) fn page(learned: &Sightings, tests: &[(String, &Sightings)]) -> Resul
         page += &heading(what, tests);
         for (at, share) in SHARES.into_iter().enumerate() {
             let part = part_of(learned, share, keeps);
-            let row = row(&part, tests, &mut |done, of| {
+            let trained = train_trees(&part, &TreeSettings::default(), SEED, &mut |done, of| {
                 work.at((curve * SHARES.len() + at) * of + done, 2 * SHARES.len() * of);
             });
-            let _ = writeln!(page, "| {share} | {}", row?);
+            let row = match trained {
+                Err(ClassifierError::MissingClass { class }) => format!("no {} among them |", class.name()),
+                trained => row(&part, &trained.map_err(of_classifier)?, tests),
+            };
+            let _ = writeln!(page, "| {share} | {row}");
         }
+        let _ = writeln!(page, "| 1 | {}", row(learned, whole, tests));
     }
     Ok(page)
 }
@@ -69,24 +79,12 @@ fn is_drawn(index: &[u64], share: f64) -> bool {
     f64::from(u32::from_le_bytes([a, b, c, d])) < share * f64::from(u32::MAX) + 0.5
 }
 
-fn row(
-    part: &Sightings,
-    tests: &[(String, &Sightings)],
-    heard: &mut dyn FnMut(usize, usize),
-) -> Result<String, Failure> {
-    let trained = match train_trees(part, &TreeSettings::default(), SEED, heard) {
-        Err(ClassifierError::MissingClass { class }) => return Ok(format!("no {} among them |", class.name())),
-        trained => trained.map_err(of_classifier)?,
-    };
-    let of_test = |(name, test): &(String, &'_ Sightings)| {
-        let seen: Vec<(Seen, Source)> = test.all.iter().map(|seen| (seen.clone(), Source::Test)).collect();
-        let protocol = Protocol { name: name.clone(), seen: seen.iter().map(|(s, from)| (s, *from)).collect() };
-        told(&protocol, &trained, |_| true)
-    };
+fn row(part: &Sightings, trained: &TrainedTrees, tests: &[(String, &Sightings)]) -> String {
+    let by_test = |(name, test): &(String, &Sightings)| told(&of_test(name.clone(), test), trained, |_| true);
     let own = of_training(part, &[]);
     let of_own = |letter: &str| {
         let protocol = own.iter().find(|protocol| protocol.name.starts_with(letter))?;
-        told(protocol, &trained, |_| true)
+        told(protocol, trained, |_| true)
     };
     let right = |told: &Option<[Part; 2]>, at: usize| {
         told.as_ref().map_or("–".into(), |parts| format!("{:.1} %", 100.0 * parts[at].by_vehicle.mean_over_classes))
@@ -95,13 +93,6 @@ fn row(
     let scenes: BTreeSet<(usize, u64)> = learned().map(|seen| (seen.track.0, seen.track.1)).collect();
     let vehicles: BTreeSet<(usize, &str)> = learned().map(|seen| (seen.class, seen.model.as_str())).collect();
     let (s, v) = (of_own("S"), of_own("V"));
-    let tested: String = tests.iter().map(|test| format!(" {} |", right(&of_test(test), 1))).collect();
-    Ok(format!(
-        "{} | {} | {} | {} | {} |{tested}",
-        scenes.len(),
-        vehicles.len(),
-        right(&s, 0),
-        right(&v, 0),
-        right(&v, 1)
-    ))
+    let tested: String = tests.iter().map(|test| format!(" {} |", right(&by_test(test), 1))).collect();
+    format!("{} | {} | {} | {} | {} |{tested}", scenes.len(), vehicles.len(), right(&s, 0), right(&v, 0), right(&v, 1))
 }
