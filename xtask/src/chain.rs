@@ -280,9 +280,9 @@ impl<'a> Chain<'a> {
         let _ = self.at_once.set(at_once);
     }
 
-    /// The models of all targets, to be traced; refused where the frame is not expected to fit into the memory that it may take.
+    /// The models of all targets, to be traced; refused where the frame cannot fit into the memory that it may take.
     fn bodies(&self, plan: &FramePlan) -> Result<&bart_rcs::Models, Failure> {
-        crate::memory::check(self.memory_estimate_mib(plan)?)?;
+        crate::memory::check(self.least_memory_mib(plan)?)?;
         let models = self.models()?;
         let share = || crate::memory::limit().share_of(*self.at_once.get_or_init(|| 1));
         Ok(self.limited.get_or_init(|| models.clone().within(share())))

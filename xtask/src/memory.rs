@@ -43,11 +43,11 @@ pub(crate) fn limit_mib() -> Option<f64> {
     limit_bytes().map(mib)
 }
 
-/// Refuses what is expected to need more.
-pub(crate) fn check(estimate_mib: f64) -> Result<(), Failure> {
+/// Refuses what is expected to need more at least.
+pub(crate) fn check(least_mib: f64) -> Result<(), Failure> {
     match limit_mib() {
-        Some(limit_mib) if estimate_mib > limit_mib => Err(Failure::Refused(format!(
-            "a frame is expected to hold {estimate_mib:.0} MiB; the limit is {limit_mib:.0} MiB (--memory-limit): fewer \
+        Some(limit_mib) if least_mib > limit_mib => Err(Failure::Refused(format!(
+            "a frame is expected to hold {least_mib:.0} MiB at least; the limit is {limit_mib:.0} MiB (--memory-limit): fewer \
              bounces or coarser models need less"
         ))),
         _ => Ok(()),

@@ -31,6 +31,12 @@ pub(crate) struct Load {
 }
 
 impl Load {
+    /// What a frame cannot do without: signals, facets and lit polygons. How many cells an accuracy takes, and how many of
+    /// their paths it drops, is known only from the trace, which watches them grow.
+    pub(crate) fn least_mib(&self) -> f64 {
+        self.signal_mib + mib((self.facets * BYTES_PER_FACET + self.beams * BYTES_PER_BEAM) as u64)
+    }
+
     /// Held at most, the program not among it.
     pub(crate) fn mib(&self) -> f64 {
         let bytes = self.facets * BYTES_PER_FACET
@@ -49,7 +55,12 @@ impl Chain<'_> {
         Ok(PROGRAM_MIB + self.load(plan)?.mib())
     }
 
-    /// The same of all plans, as many side by side as are.
+    /// What it holds at least.
+    pub(crate) fn least_memory_mib(&self, plan: &FramePlan) -> Result<f64, Failure> {
+        Ok(PROGRAM_MIB + self.load(plan)?.least_mib())
+    }
+
+    /// At most, of all plans, as many side by side as are.
     pub(crate) fn memory_of_run_mib(&self, plans: &[FramePlan]) -> Result<f64, Failure> {
         let at_once = self.side_by_side(plans)? as f64;
         Ok(PROGRAM_MIB + self.largest_load(plans)?.mib() * at_once)

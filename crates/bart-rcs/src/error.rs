@@ -98,6 +98,19 @@ pub enum BartError {
         /// Allowed.
         limit_bytes: u64,
     },
+    /// What a frame's polygons are cut into has grown beyond the memory that it may take.
+    #[error(
+        "cells of paths take {} MiB and more; they may take {} MiB here: fewer bounces, a coarser mesh, a looser accuracy, \
+         fewer threads or a higher limit help",
+        bytes >> 20,
+        limit_bytes >> 20
+    )]
+    CellsTakeTooMuchMemory {
+        /// So far.
+        bytes: u64,
+        /// Allowed.
+        limit_bytes: u64,
+    },
     /// Vertices of a tree are counted in 32 bits.
     #[error("the beam tree has {vertices} vertices; at most 2³² − 1 can be counted")]
     TreeTooLarge {

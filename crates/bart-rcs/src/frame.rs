@@ -1,5 +1,6 @@
 //! Paths of a frame, or its table.
 
+pub(crate) mod cell_room; // how many cells memory has room for
 pub(crate) mod path_cells; // lit polygons as cells with one node each
 pub(crate) mod edge_cells; // the same for lit edges
 pub(crate) mod nearest_surface; // nearest lit point of a body

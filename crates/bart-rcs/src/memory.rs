@@ -31,6 +31,12 @@ impl MemoryLimit {
         }
     }
 
+    /// Refuses what a frame's cells of paths have grown to.
+    pub(crate) fn check_cells(self, bytes: u64) -> Result<(), BartError> {
+        let limit_bytes = self.bytes;
+        if bytes <= limit_bytes { Ok(()) } else { Err(BartError::CellsTakeTooMuchMemory { bytes, limit_bytes }) }
+    }
+
     /// Refuses what is expected to need more.
     pub(crate) fn check_estimate(self, triangles: usize, bytes: u64) -> Result<(), BartError> {
         let limit_bytes = self.bytes;

@@ -14,7 +14,8 @@ use artifact::settings::{
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use artifact::{Accuracy, Radar, Waveform};
 use bart_rcs::{
-    Models, PathView, RcsRequest, Standpoint, rcs, rcs_frame, scattering_of_paths, trace_frame, trace_frame_like,
+    BartError, MemoryLimit, Models, PathView, RcsRequest, Standpoint, rcs, rcs_frame, scattering_of_paths, trace_frame,
+    trace_frame_like,
 };
 use bodies::carts::{cart, joined, mesh, parallelogram};
 use glam::DVec3;
@@ -272,6 +273,24 @@ fn looser_accuracy_needs_fewer_paths() {
     let (loose, tight) = (count(-10.0), count(-30.0));
     println!("{loose} paths at −10 dB, {tight} at −30 dB");
     assert!(loose < tight && loose > 0);
+}
+
+/// A roof under the mast takes many small cells: they are watched while they grow, and end the frame with figures.
+#[test]
+fn cells_that_outgrow_their_memory_end_the_frame_and_enough_of_it_changes_nothing() {
+    let roof = parallelogram([-2.0, -0.5, 4.6], [4.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    let (header, frame) = scene(&[(roof, pose([0.8, 0.3, 0.0], [8.0, 0.0, 0.0], 0.0))], &[], -20.0, 1);
+    let traced = |mib: u64| {
+        let models = Models::build(&header).unwrap().within(MemoryLimit::of_bytes(mib << 20));
+        trace_frame(&models, &header, &frame)
+    };
+    let Err(BartError::CellsTakeTooMuchMemory { bytes, limit_bytes }) = traced(1) else {
+        panic!("a roof in a mebibyte was traced")
+    };
+    assert!(bytes > limit_bytes && limit_bytes <= 1 << 20 && limit_bytes > 1 << 19);
+    let enough = traced(1 << 10).unwrap();
+    assert_eq!(enough, trace(&(header, frame)));
+    println!("{} paths in a GiB, as without a limit", enough.paths.len());
 }
 
 /// A roof straight under the radar: larger than its distance, and where v̂ and ĥ turn without limit.

@@ -23,6 +23,9 @@ fn cells_of(scatterer: &Scatterer<'_>, joint: &EdgeJoint, settings: &CellSetting
     let place = |i: f64| from + (to - from) * i / count;
     let mut cells = Vec::new();
     for i in 0..count as u32 {
+        if !settings.room.take() {
+            break;
+        }
         let span_m = [place(f64::from(i)), place(f64::from(i + 1))];
         let (middle_m, estimate) = part_amplitudes(scatterer, joint, span_m, settings.wavenumbers_per_m, accuracy);
         cells.push(Cell {

@@ -146,8 +146,11 @@ impl<'a> Moments<'a> {
             None => self.scenery.at(seconds, plan.position_m)?,
         };
         self.bytes = self.bytes.max(snapshot.bytes());
-        let paths = paths_along(&snapshot.scatterer(plan, Phase::Tracing), plan, self.fineness, ways, seconds);
-        Ok(pruned_alike(paths, plan, &self.strongest_dropped))
+        let paths = paths_along(&snapshot.scatterer(plan, Phase::Tracing), plan, self.fineness, ways, seconds)?;
+        let paths = pruned_alike(paths, plan, &self.strongest_dropped);
+        let held = self.at.values().map(Vec::len).sum::<usize>() + paths.len();
+        snapshot.world.memory_limit().check_cells((held * size_of::<Path>()) as u64)?;
+        Ok(paths)
     }
 
     /// Mean power of what the blend of a grid misses halfway between its moments, where all are traced.

@@ -81,7 +81,7 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
     let points = point_paths(header, frame);
     let (seen, table, bent, has_bodies) = {
         let snapshot = scenery.at(plan.middle_s, plan.position_m)?;
-        let table = Fit::new(&snapshot.scatterer(plan, Phase::Integrating), plan, &points, &reference).table();
+        let table = Fit::new(&snapshot.scatterer(plan, Phase::Integrating), plan, &points, &reference).table()?;
         let bent = (header.fidelity.surface == Surface::Smooth).then(|| snapshot.world.skin_error());
         (Seen::of(&snapshot, plan), table, bent, !snapshot.world.facets().is_empty())
     };
@@ -113,7 +113,7 @@ fn traced_like(scenery: &Scenery<'_>, measured: &PathsFrame, fineness: &Fineness
     let (plan, frame) = (scenery.plan, scenery.frame);
     let (seen, kept) = {
         let snapshot = scenery.at(plan.middle_s, plan.position_m)?;
-        (Seen::of(&snapshot, plan), paths_as_fine(&snapshot.scatterer(plan, Phase::Integrating), plan, fineness))
+        (Seen::of(&snapshot, plan), paths_as_fine(&snapshot.scatterer(plan, Phase::Integrating), plan, fineness)?)
     };
     let mut paths = split_alike(scenery, kept, fineness)?;
     paths.extend(point_paths(plan.header, frame));

@@ -5,6 +5,7 @@ use crate::beams::beam::BeamTree;
 use crate::beams::image_tree::origin;
 use crate::bodies::motion::Motion;
 use crate::bodies::road::Half;
+use crate::frame::cell_room::CellRoom;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::convex_intersection::{bounds, left_of};
 use crate::geometry::plane_frame::{PlaneFrame, area_m2, centroid_m};
@@ -31,6 +32,10 @@ pub(crate) struct Cell {
     pub(crate) error_m: f64,
 }
 
+/// Of a cell with its amplitudes at three frequencies where it is made, in the list of all, and as the path that it becomes.
+pub(crate) const BYTES_PER_CELL: usize =
+    2 * (size_of::<Cell>() + 3 * size_of::<Amplitude>()) + size_of::<artifact::paths::Path>();
+
 /// How fine cells are and how exactly they are integrated.
 #[derive(Clone, Copy)]
 pub(crate) struct CellSettings<'a> {
@@ -41,6 +46,8 @@ pub(crate) struct CellSettings<'a> {
     /// Of every integral, by the body that it is taken on.
     pub(crate) accuracy_of_body: &'a [f64],
     pub(crate) bracket: Bracket,
+    /// No more cells are made than it has a place for.
+    pub(crate) room: &'a CellRoom,
 }
 
 /// Cells of all joints, the reverse ones behind their own; in the order of the joints.
@@ -64,6 +71,9 @@ fn cells_of(scatterer: &Scatterer<'_>, joint: &Joint, corners_m: &[DVec3], setti
     let accuracy = settings.accuracy_of_body[scatterer.node_body(joint.forward)];
     let mut cells = Vec::new();
     for piece in cut_into_squares(&frame, corners_m, settings.size_m) {
+        if !settings.room.take() {
+            break;
+        }
         let reference_m = frame.to_world(centroid_m(&piece));
         let in_world_m: Vec<DVec3> = piece.iter().map(|c| frame.to_world(*c)).collect();
         let part = Part { corners_m: &in_world_m, reference_m, bracket: settings.bracket };

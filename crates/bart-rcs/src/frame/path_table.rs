@@ -2,10 +2,12 @@
 
 use crate::beams::body_ways::BodyWays;
 use crate::bodies::world::World;
+use crate::error::BartError;
+use crate::frame::cell_room::CellRoom;
 use crate::frame::edge_cells::edge_cells;
 use crate::frame::frame_error::{FrameError, GivenUp, Reference, dropped_sections};
 use crate::frame::integration_error::{IntegrationError, integration_error};
-use crate::frame::path_cells::{Cell, CellSettings, cells, gathered};
+use crate::frame::path_cells::{BYTES_PER_CELL, Cell, CellSettings, cells, gathered};
 use crate::frame::path_plan::{Band, Plan};
 use crate::frame::path_pruning::{Kept, pruned};
 use crate::geometry::antenna::Antenna;
@@ -31,7 +33,11 @@ pub(crate) struct PathTable {
 
 /// Paths of bodies at the frame's middle as fine as was enough in another frame, in no larger cells than this frame's motion and
 /// band allow.
-pub(crate) fn paths_as_fine(scatterer: &Scatterer<'_>, plan: &Plan<'_>, fineness: &Fineness) -> Kept {
+pub(crate) fn paths_as_fine(
+    scatterer: &Scatterer<'_>,
+    plan: &Plan<'_>,
+    fineness: &Fineness,
+) -> Result<Kept, BartError> {
     let cell_m = fineness.cell_m.min(largest_cell_of_world_m(plan, scatterer.world));
     Parts::of(scatterer, plan).paths(cell_m, &accuracy_of_body(plan, fineness))
 }
@@ -43,7 +49,7 @@ pub(crate) fn paths_along(
     fineness: &Fineness,
     ways: Option<&BodyWays>,
     seconds: f64,
-) -> Vec<Path> {
+) -> Result<Vec<Path>, BartError> {
     let cell_m = fineness.cell_m.min(largest_cell_of_world_m(plan, scatterer.world));
     Parts::along(scatterer, plan, ways).found(cell_m, &accuracy_of_body(plan, fineness), seconds)
 }
@@ -78,28 +84,37 @@ impl<'a> Parts<'a> {
         Self { scatterer, plan, meetings: orders.map(of_order).collect() }
     }
 
-    fn paths(&self, cell_m: f64, accuracy_of_body: &[f64]) -> Kept {
-        pruned(self.found(cell_m, accuracy_of_body, self.plan.middle_s), self.plan)
+    fn paths(&self, cell_m: f64, accuracy_of_body: &[f64]) -> Result<Kept, BartError> {
+        Ok(pruned(self.found(cell_m, accuracy_of_body, self.plan.middle_s)?, self.plan))
     }
 
     /// All of them, of bodies as they are some `seconds` after the frame's first sample.
-    fn found(&self, cell_m: f64, accuracy_of_body: &[f64], seconds: f64) -> Vec<Path> {
+    fn found(&self, cell_m: f64, accuracy_of_body: &[f64], seconds: f64) -> Result<Vec<Path>, BartError> {
         let wavenumbers = self.plan.band.wavenumbers_per_m();
+        let room = {
+            let (tree, limit) = (self.scatterer.trees.transmit(), self.scatterer.world.memory_limit());
+            CellRoom::beside(tree.bytes(), limit, BYTES_PER_CELL)
+        };
         let settings = CellSettings {
             size_m: cell_m,
             velocity_quantum_mps: velocity_quantum_mps(self.plan.header),
             wavenumbers_per_m: &wavenumbers,
             accuracy_of_body,
             bracket: bracket_of(self.plan.header.fidelity.nodes),
+            room: &room,
         };
-        let ends = [Antenna::Point(self.plan.position_m); 2];
-        let of_order = |meeting: &Meeting| {
-            let mut found = cells(self.scatterer, &meeting.facets, &settings);
-            found.extend(edge_cells(self.scatterer, &meeting.edges, &settings));
-            gathered(found, ends, &settings)
-        };
-        let found = self.meetings.iter().flat_map(of_order);
-        found.map(|cell| path_of(&cell, &self.plan.band, seconds)).collect()
+        let mut paths = Vec::new();
+        for meeting in &self.meetings {
+            paths.extend(self.of_order(meeting, &settings)?.iter().map(|cell| path_of(cell, &self.plan.band, seconds)));
+        }
+        Ok(paths)
+    }
+
+    fn of_order(&self, meeting: &Meeting, settings: &CellSettings<'_>) -> Result<Vec<Cell>, BartError> {
+        let mut found = cells(self.scatterer, &meeting.facets, settings);
+        found.extend(edge_cells(self.scatterer, &meeting.edges, settings));
+        settings.room.check()?;
+        Ok(gathered(found, [Antenna::Point(self.plan.position_m); 2], settings))
     }
 }
 
@@ -127,13 +142,13 @@ impl<'a> Fit<'a> {
     }
 
     /// The table with the largest cells that meet the accuracy; the best found where none does within a few attempts.
-    pub(crate) fn table(&self) -> PathTable {
+    pub(crate) fn table(&self) -> Result<PathTable, BartError> {
         const ATTEMPTS: usize = 4;
         let Parts { scatterer, plan, .. } = self.parts;
         let asked = plan.header.fidelity.accuracy.amplitude();
         let smallest_m = plan.band.wavelength_m();
         let mut size_m = largest_cell_of_world_m(plan, scatterer.world);
-        let mut best = self.table_of(size_m);
+        let mut best = self.table_of(size_m)?;
         for _ in 1..ATTEMPTS {
             let error = best.error.measured();
             if error <= asked || size_m <= smallest_m {
@@ -141,17 +156,17 @@ impl<'a> Fit<'a> {
             }
             // Errors of freezing and of the straight line over frequency grow with the first to second power of the size.
             size_m *= (0.7 * asked / error).sqrt().clamp(0.4, 0.8);
-            let finer = self.table_of(size_m);
+            let finer = self.table_of(size_m)?;
             if finer.error.measured() < best.error.measured() {
                 best = finer;
             }
         }
-        best
+        Ok(best)
     }
 
-    fn table_of(&self, cell_m: f64) -> PathTable {
+    fn table_of(&self, cell_m: f64) -> Result<PathTable, BartError> {
         let Kept { mut paths, dropped_power, strongest_dropped } =
-            self.parts.paths(cell_m, &self.integration.accuracy_of_body);
+            self.parts.paths(cell_m, &self.integration.accuracy_of_body)?;
         paths.extend_from_slice(self.points);
         let given_up = GivenUp {
             paths_power: dropped_power,
@@ -163,7 +178,7 @@ impl<'a> Fit<'a> {
             |(target, accuracy): (&Target, &f64)| IntegralFineness { body: target.id.clone(), accuracy: *accuracy };
         let integrals = self.parts.plan.header.targets.iter().zip(&self.integration.accuracy_of_body).map(of).collect();
         let fineness = Fineness { cell_m, integrals, moments: 1, ways: vec![] };
-        PathTable { paths, fineness, error, given_up, strongest_dropped, bytes: 0 }
+        Ok(PathTable { paths, fineness, error, given_up, strongest_dropped, bytes: 0 })
     }
 }
 
