@@ -352,6 +352,12 @@ pub(crate) struct ProtocolsArguments {
     /// Dataset folders that never train.
     #[arg(long, value_name = "DIR")]
     pub(crate) test: Vec<PathBuf>,
+    /// Who is asked: trees, or the paper's network by the paper's protocol (P) and by two that keep copies of a map apart.
+    #[arg(long, value_enum, default_value = "trees")]
+    pub(crate) learner: LearnerWord,
+    /// Steps of the network's optimizer in each training.
+    #[arg(long, value_name = "N", default_value_t = 1440, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) iterations: u32,
     /// Trainings, of the seeds 1, 2, ...
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=100))]
     pub(crate) seeds: u64,

@@ -53,3 +53,13 @@ fn a_folder_without_shards_is_refused_by_its_name() {
         assert!(String::from_utf8_lossy(&output.stderr).contains("nothing: no shards of a dataset here"), "{words}");
     }
 }
+
+#[test]
+fn what_is_asked_of_trees_is_refused_of_the_papers_network() {
+    let place = Workplace::new();
+    crops::write(&place.path("a"), 5);
+    let output = place.try_run("protocols a --learner paper --curves");
+    assert_eq!(output.status.code(), Some(1));
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(said.contains("--test and --curves are asked of trees"), "{said}");
+}

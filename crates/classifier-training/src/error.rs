@@ -16,6 +16,14 @@ pub enum TrainingError {
     /// The network cannot learn what it never sees.
     #[error("no sample of class {} in the training split", .0.name())]
     MissingClass(Class),
+    /// Not one vehicle for each part.
+    #[error("class {} has {vehicles} vehicles; to part them takes five", class.name())]
+    TooFewVehicles {
+        /// Whose they are.
+        class: Class,
+        /// How many.
+        vehicles: usize,
+    },
     /// The loss is no number any more.
     #[error("training diverged at iteration {iteration}: the loss is not finite; lower the learning rate")]
     Diverged {

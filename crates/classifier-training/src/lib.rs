@@ -53,13 +53,15 @@ mod error;
 mod initial; // weights before the first crop
 mod network; // the network in the learning library's terms
 mod augmentation; // variation of training crops
+mod deal; // who trains and who tests, by the paper and beside it
 mod order; // in which they are taken
 mod metrics; // what is told of a training
 mod training; // Adam, best epoch
 mod model_folder; // weights, metrics and curves to disk
 
 pub use augmentation::Augmentation;
+pub use deal::{COPIES, Deal};
 pub use error::TrainingError;
 pub use metrics::Metrics;
 pub use model_folder::save_model;
-pub use training::{CurvePoint, Progress, Schedule, TrainSettings, Trained, train};
+pub use training::{CurvePoint, Progress, Schedule, TrainSettings, Trained, train, train_dealt};

@@ -4,9 +4,9 @@
 //! `{"refused": why}` (exit code 1) or `{"system": why}` (exit code 2). Where nobody reads it, the training ends.
 
 use artifact::{Provenance, inputs};
-use clap::Parser;
+use clap::{Parser, ValueEnum};
 use classifier::{format_of, samples_of};
-use classifier_training::{Progress, TrainSettings, Trained, TrainingError, save_model, train};
+use classifier_training::{Deal, Progress, TrainSettings, Trained, TrainingError, save_model, train, train_dealt};
 use serde_json::{Value, json};
 use std::io::Write;
 use std::path::PathBuf;
@@ -19,8 +19,11 @@ struct Arguments {
     #[arg(required = true)]
     shards: Vec<PathBuf>,
     /// Model folder.
-    #[arg(long, allow_hyphen_values = true)]
-    out: PathBuf,
+    #[arg(long, allow_hyphen_values = true, required_unless_present = "deal")]
+    out: Option<PathBuf>,
+    /// Parts augmented images as said, whatever splits the dataset has, and tells `{"metrics": …, "curves": …}` in place of a model.
+    #[arg(long, conflicts_with = "out")]
+    deal: Option<DealWord>,
     /// Of the initial weights and the order of samples.
     #[arg(long)]
     seed: u64,
@@ -45,13 +48,37 @@ fn main() -> ExitCode {
 
 fn run(arguments: &Arguments) -> Result<(), TrainingError> {
     let format = format_of(&arguments.shards)?.ok_or(TrainingError::NoShards)?;
-    let settings = TrainSettings::of_maps(arguments.iterations);
     let samples = arguments.shards.iter().flat_map(|shard| samples_of(shard));
     let mut progress = |p: Progress| say(&json!({ "at": p.iteration, "of": p.iterations }));
-    let trained = train(samples, &format, &settings, arguments.seed, &mut progress)?;
-    save_model(&arguments.out, &trained, &provenance(arguments, &settings)?)?;
-    told(&trained);
+    if let Some(deal) = arguments.deal {
+        let settings = (&TrainSettings::dealt(arguments.iterations), deal.into());
+        let trained = train_dealt(samples, &format, settings, arguments.seed, &mut progress)?;
+        say(&json!({ "metrics": trained.metrics, "curves": trained.curves }));
+    } else if let Some(out) = &arguments.out {
+        let settings = TrainSettings::of_maps(arguments.iterations);
+        let trained = train(samples, &format, &settings, arguments.seed, &mut progress)?;
+        save_model(out, &trained, &provenance(arguments, &settings)?)?;
+        told(&trained);
+    }
     Ok(())
+}
+
+/// [`Deal`] on the command line.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum DealWord {
+    Images,
+    Maps,
+    Vehicles,
+}
+
+impl From<DealWord> for Deal {
+    fn from(word: DealWord) -> Self {
+        match word {
+            DealWord::Images => Self::Images,
+            DealWord::Maps => Self::Maps,
+            DealWord::Vehicles => Self::Vehicles,
+        }
+    }
 }
 
 fn provenance(arguments: &Arguments, settings: &TrainSettings) -> Result<Provenance, TrainingError> {

@@ -2,6 +2,7 @@
 
 use crate::TrainingError;
 use crate::augmentation::{Augmentation, Key, varied};
+use crate::deal::{Copying, Deal, dealt};
 use crate::initial::initial;
 use crate::metrics::Metrics;
 use crate::network::{self, Network};
@@ -63,6 +64,11 @@ impl TrainSettings {
             augmentation: Augmentation { range_shift_m: 0.75, velocity_shift_mps: 0.2, gain_db: 3.0, noise_db: 1.0 },
             ..Self::PAPER
         }
+    }
+
+    /// The same with the paper's rate throughout.
+    pub fn dealt(iterations: u32) -> Self {
+        Self { schedule: Schedule::Constant, ..Self::of_maps(iterations) }
     }
 
     fn rate(&self, iteration: u32) -> f64 {
@@ -168,10 +174,39 @@ pub fn train(
     settings.check()?;
     let header = header(format, settings);
     let layout = Layout::of(&header)?;
-    let examples = Examples::read(samples, &layout)?;
-    check_classes(needed(&examples, Split::Train)?)?;
-    let validation = needed(&examples, Split::Validation)?;
-    let fitted = Training::new(&examples, &layout, format, settings, seed)?.run(validation, progress)?;
+    fitted(&Examples::read(samples, &layout)?, header, format, settings, seed, progress)
+}
+
+/// The same with the samples' augmented copies parted as `deal` says and not as the dataset has them: training crops are not
+/// varied any further.
+pub fn train_dealt(
+    samples: impl Iterator<Item = Result<Sample, ArtifactError>>,
+    format: &CropFormat,
+    (settings, deal): (&TrainSettings, Deal),
+    seed: u64,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Trained, TrainingError> {
+    settings.check()?;
+    let header = header(format, settings);
+    let examples = Examples::read(samples, &Layout::of(&header)?)?;
+    let copying = Copying { format, augmentation: &settings.augmentation, seed };
+    let examples = dealt(&examples, &copying, deal)?;
+    let as_dealt = TrainSettings { augmentation: Augmentation::NONE, ..*settings };
+    fitted(&examples, header, format, &as_dealt, seed, progress)
+}
+
+fn fitted(
+    examples: &Examples,
+    header: ModelHeader,
+    format: &CropFormat,
+    settings: &TrainSettings,
+    seed: u64,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Trained, TrainingError> {
+    let layout = Layout::of(&header)?;
+    check_classes(needed(examples, Split::Train)?)?;
+    let validation = needed(examples, Split::Validation)?;
+    let fitted = Training::new(examples, &layout, format, settings, seed)?.run(validation, progress)?;
     let (parameters, temperature) = calibrated(fitted.best.parameters, layout, validation)?;
     let classifier = Classifier::from_parameters(layout, &parameters)?;
     let metrics = Metrics {
@@ -181,7 +216,7 @@ pub fn train(
         best_iteration: fitted.best.iteration,
         temperature,
         unlabelled: examples.unlabelled,
-        splits: evaluations(&classifier, &examples),
+        splits: evaluations(&classifier, examples),
     };
     Ok(Trained { header, weights: parameters.to_weights()?, curves: fitted.curves, metrics })
 }

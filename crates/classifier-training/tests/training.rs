@@ -6,7 +6,7 @@ use artifact::ArtifactError;
 use artifact::dataset::{Sample, Split};
 use artifact::settings::Class;
 use classifier::{Classifier, ClassifierError, evaluate};
-use classifier_training::{Augmentation, TrainSettings, Trained, TrainingError, train};
+use classifier_training::{Augmentation, Deal, TrainSettings, Trained, TrainingError, train, train_dealt};
 use toy::{FORMAT, SETTINGS, samples};
 
 fn all_right(samples: Vec<Sample>) -> impl Iterator<Item = Result<Sample, ArtifactError>> {
@@ -177,4 +177,15 @@ fn progress_tells_every_iteration_and_every_epoch() {
     // 120 training samples in batches of 16: an epoch ends with iterations 8 and 16, and the last closes what is left.
     assert_eq!(epochs.iter().map(|p| p.iteration).collect::<Vec<_>>(), [8, 16, 20]);
     assert_eq!(epochs, result.unwrap().curves);
+}
+
+#[test]
+fn a_deal_has_the_papers_proportions_and_does_not_ask_which_splits_a_dataset_has() {
+    let all = || all_right(samples(200)).map(|sample| sample.map(|sample| Sample { split: Split::Test, ..sample }));
+    let told = train_dealt(all(), &FORMAT, (&quick(), Deal::Maps), 1, &mut |_| ()).unwrap();
+    let counts: Vec<u64> = told.metrics.splits.values().map(|of| of.samples).collect();
+    // 200 maps as 600 : 320 : 200 of 1120, four images each.
+    assert_eq!(counts, [428, 228, 144]);
+    let again = train_dealt(all(), &FORMAT, (&quick(), Deal::Maps), 1, &mut |_| ()).unwrap();
+    assert!(told == again);
 }

@@ -82,6 +82,16 @@ impl Examples {
         Ok(examples)
     }
 
+    /// Examples that were dealt otherwise than a dataset has them.
+    pub fn dealt(splits: BTreeMap<Split, Vec<Example>>) -> Self {
+        Self { splits, unlabelled: 0 }
+    }
+
+    /// Of all splits, one after the other.
+    pub fn all(&self) -> impl Iterator<Item = &Example> {
+        self.splits.values().flatten()
+    }
+
     /// The examples of a split; may be none.
     pub fn of(&self, split: Split) -> &[Example] {
         self.splits.get(&split).map_or(&[], Vec::as_slice)

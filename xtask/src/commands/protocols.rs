@@ -1,11 +1,13 @@
 //! `protocols`: boosted trees trained with several seeds, and how right they are where they never looked: on scenes of the test
-//! split (S), on vehicles held out in turn (V, folder by folder), and on datasets that never trained (T).
+//! split (S), on vehicles held out in turn (V, folder by folder), and on datasets that never trained (T). Or the paper's network by
+//! the paper's protocol (P).
 
 mod conditions;
 mod curves;
+mod paper;
 
 use super::evaluate::{confusion, sightings_of};
-use crate::cli::ProtocolsArguments;
+use crate::cli::{LearnerWord, ProtocolsArguments};
 use crate::failure::Failure;
 use crate::loaded_model::{ClassRule, UNKNOWN, of_classifier};
 use crate::output;
@@ -46,6 +48,15 @@ pub(crate) fn run(arguments: &ProtocolsArguments) -> Result<(), Failure> {
     if let Some(out) = &arguments.out {
         output::claim(std::slice::from_ref(out))?;
     }
+    let page = match arguments.learner {
+        LearnerWord::Trees => of_trees(arguments)?,
+        LearnerWord::Paper => paper::page(arguments)?,
+    };
+    output::line(page.trim_end());
+    arguments.out.as_ref().map_or(Ok(()), |out| output::write_file(out, page.as_bytes()))
+}
+
+fn of_trees(arguments: &ProtocolsArguments) -> Result<String, Failure> {
     let learned = sightings_of(&arguments.datasets)?;
     let tests: Vec<Sightings> =
         arguments.test.iter().map(|folder| sightings_of(std::slice::from_ref(folder))).collect::<Result<_, _>>()?;
@@ -73,8 +84,7 @@ pub(crate) fn run(arguments: &ProtocolsArguments) -> Result<(), Failure> {
         let tests: Vec<(String, &Sightings)> = arguments.test.iter().map(name).zip(&tests).collect();
         page += &curves::page(&learned, &trained[0], &tests)?;
     }
-    output::line(page.trim_end());
-    arguments.out.as_ref().map_or(Ok(()), |out| output::write_file(out, page.as_bytes()))
+    Ok(page)
 }
 
 fn of_training<'a>(learned: &'a Sightings, folders: &[PathBuf]) -> Vec<Protocol<'a>> {

@@ -39,10 +39,15 @@ fn network(arguments: &TrainArguments, shards: &[PathBuf]) -> Result<(), Failure
     let mut command = Command::new(built()?);
     command.arg("--out").arg(&arguments.out);
     command.args(["--seed", &arguments.seed.to_string(), "--iterations", &arguments.iterations.to_string()]);
+    ran(command, shards, &Work::begin("training")).map(drop)
+}
+
+/// Runs the program on shards; gives what it said of metrics, if it was asked for that.
+pub(super) fn ran(mut command: Command, shards: &[PathBuf], work: &Work) -> Result<Value, Failure> {
     command.arg("--").args(shards);
     command.env("RAYON_NUM_THREADS", rayon::current_num_threads().to_string());
     let child = command.stdin(Stdio::null()).stdout(Stdio::piped()).spawn();
-    heard(child.map_err(|e| Failure::System(format!("{PROGRAM}: cannot be run: {e}")))?)
+    heard(child.map_err(|e| Failure::System(format!("{PROGRAM}: cannot be run: {e}")))?, work)
 }
 
 /// Where it is built: what it stands on has other features than what the main job stands on, and neither undoes
@@ -52,7 +57,7 @@ pub(super) fn target_folder() -> PathBuf {
 }
 
 /// The program, made anew where its code has changed; cargo says where it lies.
-fn built() -> Result<PathBuf, Failure> {
+pub(super) fn built() -> Result<PathBuf, Failure> {
     let _under_way = Work::begin("building the program that trains (minutes the first time)");
     let words = ["build", "--release", "--quiet", "--package", PROGRAM, "--message-format", "json-render-diagnostics"];
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
@@ -84,9 +89,8 @@ fn program_of(message: &Value) -> Option<PathBuf> {
 }
 
 /// Tells what the program says until it ends.
-fn heard(mut child: Child) -> Result<(), Failure> {
-    let work = Work::begin("training");
-    let mut ended_badly = None;
+fn heard(mut child: Child, work: &Work) -> Result<Value, Failure> {
+    let (mut ended_badly, mut answer) = (None, Value::Null);
     for line in child.stdout.take().into_iter().flat_map(|stdout| BufReader::new(stdout).lines()).map_while(Result::ok)
     {
         let said: Value = serde_json::from_str(&line).unwrap_or(Value::Null);
@@ -95,12 +99,15 @@ fn heard(mut child: Child) -> Result<(), Failure> {
             work.at(at as usize, of as usize);
         }
         text("told").into_iter().for_each(output::line);
+        if said["metrics"].is_object() {
+            answer = said.clone();
+        }
         ended_badly = text("refused").map(Failure::Refused).or(text("system").map(Failure::System)).or(ended_badly);
     }
     let status = child.wait().map_err(|e| Failure::System(format!("{PROGRAM}: {e}")))?;
     match ended_badly {
         Some(failure) => Err(failure),
-        None if status.success() => Ok(()),
+        None if status.success() => Ok(answer),
         None => Err(Failure::System(format!("{PROGRAM} ended with {status}"))),
     }
 }
