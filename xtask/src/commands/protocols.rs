@@ -40,6 +40,9 @@ enum Source {
 /// Which sightings a row counts.
 type Kept = fn(&Seen) -> bool;
 
+/// The protocol of all vehicles that were held out.
+const HELD_OUT: &str = "V: vehicles held out in turn";
+
 /// Arrays that have a row of the table.
 const ARRAYS: [(&str, Kept); 3] =
     [("all", |_| true), ("without rows", |seen| !seen.has_rows), ("with rows", |seen| seen.has_rows)];
@@ -75,8 +78,11 @@ fn of_trees(arguments: &ProtocolsArguments) -> Result<String, Failure> {
     drop(work);
     let mut page = page(&protocols, &trained);
     page += &by_threshold(&protocols, &trained[0]);
-    page += &by_condition(&learned, &arguments.datasets, &trained[0]);
+    if let Some(held_out) = protocols.iter().find(|protocol| protocol.name == HELD_OUT) {
+        page += &by_condition(held_out, &arguments.datasets, &trained[0]);
+    }
     for (folder, test) in arguments.test.iter().zip(&tests) {
+        page += &by_condition(&of_test(named(folder), test), std::slice::from_ref(folder), &trained[0]);
         page += &likenesses(folder, &learned, test);
     }
     if arguments.curves {
@@ -93,10 +99,8 @@ fn of_training<'a>(learned: &'a Sightings, folders: &[PathBuf]) -> Vec<Protocol<
         Protocol { name, seen: all.map(|(number, seen)| (seen, Source::Trained(number))).collect() }
     };
     let held_out = |seen: &Seen| seen.split != Split::Test;
-    let mut all = vec![
-        those("S: scenes of the test split".into(), &|seen| !held_out(seen)),
-        those("V: vehicles held out in turn".into(), &held_out),
-    ];
+    let mut all =
+        vec![those("S: scenes of the test split".into(), &|seen| !held_out(seen)), those(HELD_OUT.into(), &held_out)];
     let name = |folder: &Path| format!("V: of {}", folder.display());
     if folders.len() > 1 {
         let one = |(n, folder): (usize, &PathBuf)| those(name(folder), &|seen| held_out(seen) && seen.track.0 == n);
@@ -193,18 +197,19 @@ fn shares(answers: &[(&Seen, Logits)], least: f32) -> String {
     counts.map(|share| format!("{share:.0}")).join(" / ")
 }
 
-/// How often vehicles held out in turn are told right, by what their sightings were like.
-fn by_condition(learned: &Sightings, folders: &[PathBuf], trained: &TrainedTrees) -> String {
+/// How often a protocol's vehicles are told right, by what their sightings were like; nothing of folders that do not tell.
+fn by_condition(protocol: &Protocol<'_>, folders: &[PathBuf], trained: &TrainedTrees) -> String {
     let known = conditions::conditions(folders);
     let mut of: BTreeMap<(usize, &str, &conditions::Bin), Protocol<'_>> = BTreeMap::new();
-    for (number, seen) in learned.all.iter().enumerate().filter(|(_, seen)| seen.split != Split::Test) {
+    for &(seen, source) in &protocol.seen {
         for (order, (condition, value)) in known.get(&seen.track).into_iter().flatten().enumerate() {
             let empty = || Protocol { name: String::new(), seen: vec![] };
-            of.entry((order, *condition, value)).or_insert_with(empty).seen.push((seen, Source::Trained(number)));
+            of.entry((order, *condition, value)).or_insert_with(empty).seen.push((seen, source));
         }
     }
-    let mut table = String::from(
-        "\nV by condition, seed 1:\n\n| condition | value | frames | right by frame | right by track |\n|---|---|---|---|---|\n",
+    let mut table = format!(
+        "\n{}, by condition, seed 1:\n\n| condition | value | frames | right by frame | right by track |\n|---|---|---|---|---|\n",
+        protocol.name
     );
     for ((_, condition, (_, value)), protocol) in &of {
         let Some(parts) = told(protocol, trained, |_| true) else { continue };

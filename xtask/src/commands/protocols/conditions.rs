@@ -1,7 +1,8 @@
-//! What a sighting was like, from the truth beside its shard: signal-to-noise ratio, range, aspect, company, radar.
+//! What a sighting was like, from the truth beside its shard: signal-to-noise ratio, range, aspect, company, line of sight, radar.
 
 use crate::commands::load;
 use classifier::TrackKey;
+use glam::DVec2;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
@@ -17,6 +18,7 @@ const SNR_DB: [f64; 6] = [10.0, 15.0, 20.0, 25.0, 30.0, 35.0];
 const NOISE_DB: [f64; 4] = [0.0, 10.0, 20.0, 30.0];
 const RANGE_M: [f64; 4] = [20.0, 30.0, 40.0, 50.0];
 const HEIGHT_M: [f64; 2] = [5.0, 6.0];
+const TILT_DEG: [f64; 2] = [-8.0, -4.0];
 /// Between the vehicle's heading and the way from it to the radar.
 const ASPECT_DEG: [f64; 4] = [20.0, 70.0, 110.0, 160.0];
 
@@ -39,13 +41,26 @@ fn of_scene(dataset: usize, scene: &Value, all: &mut BTreeMap<TrackKey, Conditio
         let company = vehicles.len();
         for vehicle in vehicles.iter().filter(|vehicle| !vehicle["estimate"].is_null()) {
             let target = vehicle["target"].as_u64().unwrap_or_default() as u32;
-            all.entry((dataset, number, target)).or_insert_with(|| of_vehicle(scene, company, vehicle));
+            let is_behind = vehicles.iter().any(|other| stands_before(other, vehicle));
+            let sight = if is_behind { (1, "behind another".into()) } else { (0, "free".into()) };
+            all.entry((dataset, number, target)).or_insert_with(|| of_vehicle(scene, company, sight, vehicle));
         }
     }
 }
 
-fn of_vehicle(scene: &Value, company: usize, vehicle: &Value) -> Conditions {
-    let number = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
+/// Another one's middle is nearer, and less than a body's width off the way from the radar to this one's.
+fn stands_before(other: &Value, vehicle: &Value) -> bool {
+    const WIDTH_M: f64 = 2.0;
+    let [own, its] = [vehicle, other].map(|of| DVec2::new(number(&of["x_m"]), number(&of["y_m"])));
+    let direction = own.normalize_or_zero();
+    its.length() < own.length() && its.dot(direction) > 0.0 && its.perp_dot(direction).abs() < WIDTH_M
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or(f64::NAN)
+}
+
+fn of_vehicle(scene: &Value, company: usize, sight: Bin, vehicle: &Value) -> Conditions {
     let queue = if scene["is_queue"] == true { "in a queue" } else { "driving" };
     vec![
         ("SNR, dB", bin(number(&vehicle["estimate"]["snr_db"]), &SNR_DB)),
@@ -53,8 +68,10 @@ fn of_vehicle(scene: &Value, company: usize, vehicle: &Value) -> Conditions {
         ("range, m", bin(number(&vehicle["range_m"]), &RANGE_M)),
         ("aspect, °", bin(aspect_deg(vehicle), &ASPECT_DEG)),
         ("vehicles of the scene", (company, company.to_string())),
+        ("line of sight", sight),
         ("traffic", (0, queue.into())),
         ("height of the radar, m", bin(number(&scene["radar_height_m"]), &HEIGHT_M)),
+        ("tilt, °", bin(number(&scene["tilt_deg"]), &TILT_DEG)),
         ("radar", (0, scene["base"].as_str().unwrap_or("–").trim_end_matches(".toml").into())),
     ]
 }
@@ -90,6 +107,16 @@ mod tests {
         assert!(at(0.0) < 1e-6 && (at(180.0) - 180.0).abs() < 1e-5 && (at(-90.0) - 90.0).abs() < 1e-9);
         let beside = json!({"x_m": 40.0, "y_m": 40.0, "yaw_deg": 0.0});
         assert!((aspect_deg(&beside) - 45.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_nearer_vehicle_less_than_a_width_off_the_line_of_sight_stands_before_another() {
+        let at = |x: f64, y: f64| json!({"x_m": x, "y_m": y});
+        assert!(stands_before(&at(2.0, 30.0), &at(2.0, 40.0)) && !stands_before(&at(2.0, 40.0), &at(2.0, 30.0)));
+        assert!(!stands_before(&at(5.75, 30.0), &at(2.0, 40.0)), "in the next lane");
+        assert!(!stands_before(&at(-2.0, -30.0), &at(2.0, 40.0)), "on the radar's other side");
+        let itself = at(2.0, 30.0);
+        assert!(!stands_before(&itself, &itself));
     }
 
     #[test]
