@@ -16,7 +16,8 @@ use artifact::dataset::Split;
 use artifact::model::Weights;
 use artifact::settings::Class;
 use classifier::{
-    Logits, Part, Seen, Sightings, TrainedTrees, TreeSettings, likeness, log_softmax, parts, train_trees, tree_logits,
+    Logits, Part, ReliabilityBin, Seen, Sightings, TrainedTrees, TreeSettings, likeness, log_softmax, parts,
+    train_trees, tree_logits,
 };
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -77,6 +78,7 @@ fn of_trees(arguments: &ProtocolsArguments) -> Result<String, Failure> {
     }
     drop(work);
     let mut page = page(&protocols, &trained);
+    page += &reliability(&protocols, &trained[0]);
     page += &by_threshold(&protocols, &trained[0]);
     if let Some(held_out) = protocols.iter().find(|protocol| protocol.name == HELD_OUT) {
         page += &by_condition(held_out, &arguments.datasets, &trained[0]);
@@ -166,6 +168,30 @@ fn row(name: &str, array: &str, told: &[[Part; 2]]) -> String {
     let vehicles = told[0][0].by_vehicle.vehicles;
     format!("| {name} | {array} | {vehicles} | {} | {} | {:.1} % | {:.1} % |", right(0), right(1), error(0), error(1))
 }
+
+/// How often answers of a probability are right, by frame: what a reliability diagram draws.
+fn reliability(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
+    let mut table = String::from(
+        "\nReliability: mean probability of the likeliest class / share of these answers that is right, % (answers), by frame, seed 1:\n\n",
+    );
+    for (number, protocol) in protocols.iter().enumerate() {
+        let Some([frames, _]) = told(protocol, trained, |_| true) else { continue };
+        let bins = &frames.evaluation.calibration.bins[LEAST_BIN..];
+        if number == 0 {
+            let ends = bins.iter().map(|bin| format!("{:.1} to {:.1} |", bin.probability[0], bin.probability[1]));
+            let _ = writeln!(table, "| protocol |{}\n|---|{}", ends.collect::<String>(), "---|".repeat(bins.len()));
+        }
+        let of_bin = |bin: &ReliabilityBin| match (bin.confidence, bin.accuracy) {
+            (Some(told), Some(right)) => format!(" {:.0} / {:.0} ({}) |", 100.0 * told, 100.0 * right, bin.samples),
+            _ => " – |".into(),
+        };
+        let _ = writeln!(table, "| {} |{}", protocol.name, bins.iter().map(of_bin).collect::<String>());
+    }
+    table
+}
+
+/// Of four classes the likeliest has a quarter at least.
+const LEAST_BIN: usize = 2;
 
 /// Probabilities from which on a class could be told.
 const THRESHOLDS: [f32; 5] = [0.3, 0.4, 0.5, 0.6, 0.7];
