@@ -2,7 +2,7 @@
 //! chooses the number of trees, the temperature, and how much the frames of a track have in common.
 
 use crate::ClassifierError;
-use crate::boosting::{BoostingSettings, boosted};
+use crate::boosting::{BoostingSettings, Table, boosted};
 use crate::by_vehicle::{ByVehicle, Told, by_vehicle};
 use crate::features::names;
 use crate::metrics::{Evaluation, evaluation, log_softmax};
@@ -115,7 +115,7 @@ pub fn train_trees(
     let learned = sightings.of(&[Split::Train, Split::Validation]);
     check_classes(sightings, &learned)?;
     let settings = &settings.for_so_many(learned.len());
-    let (mut done, all) = (0, settings.boosting.rounds as usize * (settings.folds + 1));
+    let (mut done, all) = (0, settings.boosting.rounds as usize * (settings.folds + MEMBERS as usize));
     let mut tick = || {
         done += 1;
         heard(done, all);
@@ -126,17 +126,31 @@ pub fn train_trees(
     let cooled: Vec<Logits> = held_out.logits[best].iter().map(|l| l.map(|v| v / temperature as f32)).collect();
     let frame_correlation = fitted_correlation(&sightings.seen(&learned), &cooled);
     let boosting = BoostingSettings { rounds: best as u32 + 1, ..settings.boosting };
-    let mut trees = boosted(&sightings.table(&learned), &boosting, seed, &mut |_| {
-        tick();
-        true
-    });
-    trees.temperature = temperature as f32;
+    let mut trees = members(&sightings.table(&learned), &boosting, seed, &mut tick);
+    trees.temperature *= temperature as f32;
     let told = Fitted { seed, temperature, frame_correlation, trees: &trees };
     let metrics = told.metrics(sightings, &learned, &cooled);
     let mut told: Vec<Logits> = sightings.all.iter().map(|seen| logits(&trees, &seen.features)).collect();
     learned.iter().zip(&cooled).for_each(|(number, logits)| told[*number] = *logits);
     let (header, curve) = (header(settings, frame_correlation), held_out.curve());
     Ok(TrainedTrees { header, weights: Weights::Trees(trees), curve, metrics, told })
+}
+
+/// Trainings whose logits the model is the mean of: what one of them makes of a close case is chance (Breiman 1996, bagging).
+const MEMBERS: u64 = 3;
+
+/// The sum of their trees, divided by their number.
+fn members(table: &Table, settings: &BoostingSettings, seed: u64, tick: &mut dyn FnMut()) -> BoostedTrees {
+    let mut all = BoostedTrees { prior: [0.0; 4], temperature: MEMBERS as f32, trees: vec![] };
+    for member in 0..MEMBERS {
+        // The first as trainings of one member have it.
+        let one = boosted(table, settings, seed.wrapping_add(member << 32), &mut |_| {
+            tick();
+            true
+        });
+        all.trees.extend(one.trees);
+    }
+    all
 }
 
 /// What a training found.
