@@ -275,7 +275,6 @@ fn looser_accuracy_needs_fewer_paths() {
     assert!(loose < tight && loose > 0);
 }
 
-/// A roof under the mast takes many small cells: they are watched while they grow, and end the frame with figures.
 #[test]
 fn cells_that_outgrow_their_memory_end_the_frame_and_enough_of_it_changes_nothing() {
     let roof = parallelogram([-2.0, -0.5, 4.6], [4.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
