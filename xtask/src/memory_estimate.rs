@@ -39,13 +39,11 @@ impl Load {
 
     /// Held at most, the program not among it.
     pub(crate) fn mib(&self) -> f64 {
-        let bytes = self.facets * BYTES_PER_FACET
-            + self.beams * BYTES_PER_BEAM
-            + self.cells * BYTES_PER_CELL
+        let bytes = self.cells * BYTES_PER_CELL
             + self.changing_cells * BYTES_PER_CHANGING_CELL
             + self.sliding_tiles * BYTES_PER_SLIDING_TILE
             + self.moving_cells * BYTES_PER_MOVING_CELL;
-        self.signal_mib + mib(bytes as u64)
+        self.least_mib() + mib(bytes as u64)
     }
 }
 

@@ -1,4 +1,4 @@
-//! Settings that tests of clustering share.
+//! Settings that the tests of this crate share, those in `tests/` with lanes.
 
 use artifact::settings::{Angle, Detector, DspSettings, Lanes, Refine, StaticEchoes, Window};
 

@@ -2,11 +2,14 @@
 #![allow(dead_code, reason = "every test file uses its own part")]
 #![allow(unreachable_pub, clippy::panic, reason = "shared by test crates, which fail by panicking")]
 
+#[path = "../../src/test_settings.rs"]
+mod test_settings;
+
 use artifact::ErrorBudget;
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
 use artifact::seed::key;
-use artifact::settings::{Angle, Detector, DspSettings, Lane, Lanes, Noise, Refine, StaticEchoes, Window};
+use artifact::settings::{DspSettings, Lane, Lanes, Noise};
 use artifact::units::{BOLTZMANN_J_PER_K, SPEED_OF_LIGHT_MPS, power_from_db};
 use num_complex::{Complex32, Complex64};
 use rand::{Rng, SeedableRng};
@@ -105,26 +108,13 @@ pub fn place_elements(radar: &mut Radar) {
 /// The defaults of a scene's `[dsp]`.
 pub fn settings() -> DspSettings {
     DspSettings {
-        range_window: Window::Hann,
-        doppler_window: Window::Hann,
-        detector: Detector::CaCfar,
-        false_alarm_rate: 1e-5,
-        guard_cells: [2, 2],
-        training_cells: [4, 8],
-        angle: Angle::Fft,
-        refine: Refine::Off,
-        calibration: vec![],
-        static_echoes: StaticEchoes::Keep,
-        assumed_height_m: 0.75,
-        cluster_range_m: 2.5,
-        cluster_velocity_mps: 1.0,
-        cluster_cross_m: 2.5,
         road: Lanes {
             lanes: [(1, 2.0), (2, 5.75), (3, 9.5)]
                 .map(|(number, centre_m)| Lane { number, centre_m, width_m: 3.75 })
                 .to_vec(),
             ..Lanes::default()
         },
+        ..test_settings::settings()
     }
 }
 
