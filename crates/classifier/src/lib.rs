@@ -56,7 +56,7 @@ pub use features::{features, names as feature_names};
 pub use layout::{ARCHITECTURE, CHANNELS, Layout};
 pub use likeness::{area_under_roc, likeness};
 pub use metrics::{Calibration, Evaluation, ModelAccuracy, ReliabilityBin, accuracy, log_loss, log_softmax};
-pub use model_folder::{CURVES_FILE, METRICS_FILE, MODEL_FILES, WEIGHTS_FILE, load_model};
+pub use model_folder::{CURVES_FILE, METRICS_FILE, MODEL_FILES, WEIGHTS_FILE, load_model, model_of_bytes};
 pub use network::{Logits, VARIANCE_FLOOR};
 pub use parameters::{Parameters, Values, tensor_name};
 pub use samples::{Example, Examples, format_of, samples_of};

@@ -17,7 +17,15 @@ pub const MODEL_FILES: [&str; 3] = [METRICS_FILE, CURVES_FILE, WEIGHTS_FILE];
 
 /// Reads a model from its folder or from the artifact itself.
 pub fn load_model(folder_or_file: &Path) -> Result<(ModelHeader, Weights), ClassifierError> {
-    let mut reader = Reader::<Model>::open(&weights_file(folder_or_file))?;
+    only_weights(Reader::open(&weights_file(folder_or_file))?)
+}
+
+/// Reads a model from the bytes of its artifact, such as one that is part of a program.
+pub fn model_of_bytes(bytes: &'static [u8]) -> Result<(ModelHeader, Weights), ClassifierError> {
+    only_weights(Reader::of_bytes("the model of this program", bytes)?)
+}
+
+fn only_weights(mut reader: Reader<Model>) -> Result<(ModelHeader, Weights), ClassifierError> {
     let found = reader.frames();
     match reader.next_frame()? {
         Some(weights) if found == 1 => Ok((reader.header().clone(), weights)),

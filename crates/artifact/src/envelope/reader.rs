@@ -5,7 +5,7 @@ use crate::codec;
 use crate::inputs;
 use serde::de::DeserializeOwned;
 use std::fs::File;
-use std::io::{BufReader, Read, Seek, SeekFrom};
+use std::io::{BufReader, Cursor, Read, Seek, SeekFrom};
 use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
 
@@ -31,10 +31,20 @@ impl<S: Schema> Reader<S> {
         Self::of(file, |file| File::open(file))
     }
 
+    /// As [`Reader::open`], of what is in memory already; errors name it as if it were the file `name`.
+    pub fn of_bytes(name: &str, bytes: &'static [u8]) -> Result<Self, ArtifactError> {
+        let file = Path::new(name);
+        Self::of_stream(Stream::of(file, Box::new(Cursor::new(bytes)), bytes.len() as u64)).map_err(|f| f.of(file))
+    }
+
     fn of(file: &Path, open: impl FnOnce(&Path) -> std::io::Result<File>) -> Result<Self, ArtifactError> {
-        let (mut stream, preamble) = open_preamble(file, open).map_err(|f| f.of(file))?;
-        let parts = stream.expect::<S>(&preamble).map_err(|f| f.of(file))?;
-        Ok(Self { stream, preamble, header: parts.0, told: parts.1, found: 0, done: false, schema: PhantomData })
+        Self::of_stream(open_stream(file, open).map_err(|f| f.of(file))?).map_err(|f| f.of(file))
+    }
+
+    fn of_stream(mut stream: Stream) -> Result<Self, Fault> {
+        let preamble = stream.preamble()?;
+        let (header, told) = stream.expect::<S>(&preamble)?;
+        Ok(Self { stream, preamble, header, told, found: 0, done: false, schema: PhantomData })
     }
 
     /// What is common to all frames.
@@ -90,32 +100,43 @@ impl<S: Schema> Iterator for Reader<S> {
 
 /// What an artifact of any kind says of itself.
 pub fn read_preamble(file: &Path) -> Result<Preamble, ArtifactError> {
-    open_preamble(file, inputs::open).map(|(_, preamble)| preamble).map_err(|f| f.of(file))
+    open_stream(file, inputs::open).and_then(|mut stream| stream.preamble()).map_err(|f| f.of(file))
 }
+
+/// Bytes that can be read from any place: of a file, or in memory.
+trait Source: Read + Seek + Send {}
+
+impl<T: Read + Seek + Send> Source for T {}
 
 /// A file with the place it is read at.
 struct Stream {
     file: PathBuf,
-    bytes: BufReader<File>,
+    bytes: BufReader<Box<dyn Source>>,
     at: u64,
     size: u64,
 }
 
-fn open_preamble(file: &Path, open: impl FnOnce(&Path) -> std::io::Result<File>) -> Result<(Stream, Preamble), Fault> {
+fn open_stream(file: &Path, open: impl FnOnce(&Path) -> std::io::Result<File>) -> Result<Stream, Fault> {
     let handle = open(file).map_err(Fault::system("open"))?;
     let about = handle.metadata().map_err(Fault::system("open"))?;
     if about.is_dir() {
         return Err(Fault::system("read")(std::io::Error::other("is a folder")));
     }
-    let mut stream = Stream { file: file.to_owned(), bytes: BufReader::new(handle), at: 0, size: about.len() };
-    if stream.size < MAGIC.len() as u64 || stream.take::<8>()? != *MAGIC {
-        return Err(Fault::Magic);
-    }
-    let preamble = stream.record("the preamble", PREAMBLE_LIMIT)?;
-    Ok((stream, preamble))
+    Ok(Stream::of(file, Box::new(handle), about.len()))
 }
 
 impl Stream {
+    fn of(file: &Path, source: Box<dyn Source>, size: u64) -> Self {
+        Self { file: file.to_owned(), bytes: BufReader::new(source), at: 0, size }
+    }
+
+    fn preamble(&mut self) -> Result<Preamble, Fault> {
+        if self.size < MAGIC.len() as u64 || self.take::<8>()? != *MAGIC {
+            return Err(Fault::Magic);
+        }
+        self.record("the preamble", PREAMBLE_LIMIT)
+    }
+
     fn expect<S: Schema>(&mut self, preamble: &Preamble) -> Result<(S::Header, u64), Fault> {
         if preamble.schema != S::NAME {
             return Err(Fault::Schema { expected: S::NAME, found: preamble.schema.clone() });

@@ -1,0 +1,49 @@
+//! The same picture for a page and for a telephone: words stay as large, so the drawing is laid out anew.
+
+use crate::svg::Svg;
+
+/// Room that a picture is drawn for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// A page.
+    Wide,
+    /// A telephone.
+    Narrow,
+}
+
+impl Form {
+    /// Width of a sheet.
+    pub fn width_px(self) -> f64 {
+        match self {
+            Self::Wide => 760.0,
+            Self::Narrow => 352.0,
+        }
+    }
+
+    /// Left and right end of what has axes, with numbers on its left.
+    pub fn sides_px(self) -> [f64; 2] {
+        match self {
+            Self::Wide => [60.0, 744.0],
+            Self::Narrow => [54.0, 342.0],
+        }
+    }
+}
+
+/// A picture in both forms.
+#[derive(Debug, Clone)]
+pub struct Figure {
+    pub wide: Svg,
+    pub narrow: Svg,
+}
+
+impl Figure {
+    /// Draws both.
+    pub fn of(draw: impl Fn(Form) -> Svg) -> Self {
+        Self { wide: draw(Form::Wide), narrow: draw(Form::Narrow) }
+    }
+
+    /// Draws both, if it can.
+    pub fn try_of<E>(draw: impl Fn(Form) -> Result<Svg, E>) -> Result<Self, E> {
+        Ok(Self { wide: draw(Form::Wide)?, narrow: draw(Form::Narrow)? })
+    }
+}

@@ -1,0 +1,102 @@
+//! Numbers over a plane as colours.
+
+use crate::axes::{Axes, Axis};
+use crate::colours::heat;
+use crate::form::Form;
+use crate::marks::Legend;
+use crate::raster;
+use crate::svg::{Svg, wrapped};
+use ndarray::Array2;
+
+/// A map with axes; row 0 lies at the bottom, and axes run between the middles of the outer cells.
+#[derive(Debug, Clone)]
+pub struct HeatMap {
+    pub title: String,
+    /// Said below the title.
+    pub notes: Vec<String>,
+    pub x: (String, [f64; 2]),
+    pub y: (String, [f64; 2]),
+    /// Decibels, `[y, x]`.
+    pub levels_db: Array2<f64>,
+    /// Shown below the brightest cell.
+    pub span_db: f64,
+    pub unit: String,
+    /// A picture with transparent parts that is laid over the map.
+    pub over: Option<Vec<u8>>,
+    pub legend: Legend,
+}
+
+impl HeatMap {
+    /// As high as wide: a metre is as long across as up.
+    pub fn draw_square(&self) -> Result<Svg, String> {
+        const SIDE: f64 = 420.0;
+        let mut sheet = Svg::new(self.title.clone(), SIDE + 130.0, 0.0);
+        let top = head(&mut sheet, &self.title, &self.notes);
+        let axes = Axes {
+            x: Axis { from: self.x.1[0], to: self.x.1[1], start_px: 60.0, end_px: 60.0 + SIDE },
+            y: Axis { from: self.y.1[0], to: self.y.1[1], start_px: top + SIDE, end_px: top },
+        };
+        let brightest = self.levels_db.iter().copied().filter(|l| l.is_finite()).fold(f64::NEG_INFINITY, f64::max);
+        let brightest = if brightest.is_finite() { brightest } else { 0.0 };
+        let levels = [brightest - self.span_db, brightest];
+        sheet.image([60.0, top], [SIDE, SIDE], &heat_png(&self.levels_db, levels)?);
+        if let Some(png) = &self.over {
+            sheet.image([60.0, top], [SIDE, SIDE], png);
+        }
+        axes.draw(&mut sheet, &self.x.0, &self.y.0);
+        scale_bar(&mut sheet, &axes, levels, &self.unit);
+        self.legend.draw(&mut sheet, top + SIDE + 74.0, [50.0, SIDE + 120.0]);
+        Ok(sheet)
+    }
+}
+
+/// Title and what is to be known beforehand; where the drawing begins.
+pub fn head(sheet: &mut Svg, title: &str, notes: &[String]) -> f64 {
+    let mut y = 20.0;
+    for line in wrapped(title, 0.82 * sheet.width) {
+        sheet.heading([10.0, y], &line);
+        y += 18.0;
+    }
+    let room_px = sheet.width - 20.0;
+    for line in notes.iter().flat_map(|note| wrapped(note, room_px)) {
+        sheet.words([10.0, y], "start", &line);
+        y += 17.0;
+    }
+    y - 4.0
+}
+
+/// Levels as colours, row 0 at the bottom.
+pub fn heat_png(map: &Array2<f64>, [dark, bright]: [f64; 2]) -> Result<Vec<u8>, String> {
+    let (rows, columns) = map.dim();
+    let colour = |x: u32, y: u32| {
+        let level = map[[rows - 1 - y as usize, x as usize]];
+        image::Rgb(heat((level - dark) / (bright - dark)))
+    };
+    let picture = image::RgbImage::from_fn(columns as u32, rows as u32, colour);
+    raster::encode(picture.into())
+}
+
+/// Room for the colours' levels at the right of a map.
+pub const SCALE_BAR_PX: f64 = 66.0;
+
+/// The colours' levels, right of the map.
+pub fn scale_bar(sheet: &mut Svg, axes: &Axes, [dark, bright]: [f64; 2], unit: &str) {
+    let (x, top, bottom) = (axes.x.end_px + 14.0, axes.y.end_px, axes.y.start_px);
+    let column = image::RgbImage::from_fn(1, 64, |_, y| image::Rgb(heat(1.0 - f64::from(y) / 63.0)));
+    if let Ok(png) = raster::encode(column.into()) {
+        sheet.image([x, top], [12.0, bottom - top], &png);
+    }
+    let axis = Axis { from: dark, to: bright, start_px: bottom, end_px: top };
+    for value in axis.ticks() {
+        sheet.words([x + 16.0, axis.at(value) + 4.0], "start", &format!("{value:.0}").replace('-', "−"));
+    }
+    sheet.words([x, bottom + 17.0], "start", unit);
+}
+
+impl Form {
+    /// Left and right end of a map with its scale.
+    pub fn map_sides_px(self) -> [f64; 2] {
+        let [left, right] = self.sides_px();
+        [left, right + 12.0 - SCALE_BAR_PX]
+    }
+}

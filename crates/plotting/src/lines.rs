@@ -1,0 +1,138 @@
+//! Lines over linear or logarithmic axes.
+
+use crate::axes::{Axes, Axis, Tick, tick_text};
+use crate::colours::line_colour;
+use crate::form::Form;
+use crate::heat_map::head;
+use crate::marks::{Legend, Mark};
+use crate::svg::Svg;
+
+/// How an axis runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// Evenly.
+    Linear,
+    /// By powers of ten.
+    Logarithmic,
+}
+
+/// A named line.
+#[derive(Debug, Clone)]
+pub struct Line {
+    pub name: String,
+    pub points: Vec<[f64; 2]>,
+    /// Whether its points are marked.
+    pub marked: bool,
+}
+
+/// Lines with axes and a legend.
+#[derive(Debug, Clone)]
+pub struct LinePlot {
+    pub title: String,
+    /// What is to be known beforehand: scene, which side is better.
+    pub notes: Vec<String>,
+    pub x_label: String,
+    pub y_label: String,
+    pub x_scale: Scale,
+    pub y_scale: Scale,
+    pub lines: Vec<Line>,
+}
+
+impl LinePlot {
+    /// The picture; points that an axis cannot show are left out.
+    pub fn draw(&self, form: Form) -> Svg {
+        let mut sheet = Svg::new(self.title.clone(), form.width_px(), 0.0);
+        let top = head(&mut sheet, &self.title, &self.notes);
+        let lines: Vec<Vec<[f64; 2]>> = self.lines.iter().map(|l| self.scaled(l)).collect();
+        let all: Vec<[f64; 2]> = lines.concat();
+        let (x, y) = (span(&all, 0), span(&all, 1));
+        let [left, right] = form.sides_px();
+        let axes = Axes {
+            x: Axis { from: x.0, to: x.1, start_px: left, end_px: right },
+            y: Axis { from: y.0, to: y.1, start_px: top + HEIGHT_PX, end_px: top },
+        };
+        let (x_ticks, y_ticks) = (ticks(self.x_scale, &axes.x), ticks(self.y_scale, &axes.y));
+        axes.draw_with(&mut sheet, [&self.x_label, &self.y_label], [&x_ticks, &y_ticks]);
+        let mut legend = Legend::default();
+        for (n, (line, points)) in self.lines.iter().zip(&lines).enumerate() {
+            draw_line(&mut sheet, &axes, n, line, points);
+            if !line.name.is_empty() {
+                legend.say_of(&samples(n, line), line_colour(n), &line.name);
+            }
+        }
+        legend.draw(&mut sheet, top + HEIGHT_PX + 68.0, [left - 44.0, right]);
+        sheet
+    }
+
+    fn scaled(&self, line: &Line) -> Vec<[f64; 2]> {
+        let place = |[x, y]: &[f64; 2]| [number(self.x_scale, *x), number(self.y_scale, *y)];
+        line.points.iter().map(place).filter(|p| p.iter().all(|v| v.is_finite())).collect()
+    }
+}
+
+const HEIGHT_PX: f64 = 320.0;
+
+/// What a line shows in the legend.
+fn samples(n: usize, line: &Line) -> Vec<Mark> {
+    let is_line = line.points.len() > 1;
+    let value = line.marked.then(|| Mark::OF_LINES[n % Mark::OF_LINES.len()]);
+    is_line.then_some(Mark::Line).into_iter().chain(value).collect()
+}
+
+fn number(scale: Scale, value: f64) -> f64 {
+    match scale {
+        Scale::Linear => value,
+        Scale::Logarithmic => value.log10(),
+    }
+}
+
+fn ticks(scale: Scale, axis: &Axis) -> Vec<Tick> {
+    match scale {
+        Scale::Linear => axis.ticks().into_iter().map(|value| (value, tick_text(value))).collect(),
+        Scale::Logarithmic => powers(axis),
+    }
+}
+
+/// Powers of ten in words, their multiples as minor ticks; an axis shorter than a power of ten has words at 2 and 5 too.
+fn powers(axis: &Axis) -> Vec<Tick> {
+    let (low, high) = (axis.from.min(axis.to), axis.from.max(axis.to));
+    let is_short = high - low < 1.5;
+    let places = (low.floor() as i32..=high.ceil() as i32).take(100).flat_map(|p| (1..10).map(move |m| (p, m)));
+    places
+        .map(|(power, multiple)| (power, multiple, f64::from(power) + f64::from(multiple).log10()))
+        .filter(|(_, _, value)| (low..=high).contains(value))
+        .map(|(power, multiple, value)| match multiple {
+            1 => (value, power_text(power, multiple)),
+            2 | 5 if is_short => (value, power_text(power, multiple)),
+            _ => (value, String::new()),
+        })
+        .collect()
+}
+
+fn power_text(power: i32, multiple: i32) -> String {
+    if (-3..5).contains(&power) {
+        tick_text(f64::from(multiple) * 10.0_f64.powi(power))
+    } else {
+        format!("{multiple}e{power}").replace('-', "−")
+    }
+}
+
+/// Least and greatest, with a little room.
+fn span(points: &[[f64; 2]], axis: usize) -> (f64, f64) {
+    let values = || points.iter().map(|p| p[axis]);
+    let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+    match high - low {
+        width if !width.is_finite() => (0.0, 1.0),
+        0.0 => (low - 1.0, high + 1.0),
+        width => (low - 0.04 * width, high + 0.04 * width),
+    }
+}
+
+fn draw_line(sheet: &mut Svg, axes: &Axes, n: usize, line: &Line, points: &[[f64; 2]]) {
+    let places: Vec<[f64; 2]> = points.iter().map(|[x, y]| [axes.x.at(*x), axes.y.at(*y)]).collect();
+    sheet.polyline(line_colour(n), 1.6, &places);
+    if line.marked {
+        let mark = Mark::OF_LINES[n % Mark::OF_LINES.len()];
+        places.iter().for_each(|place| mark.draw(sheet, line_colour(n), *place));
+    }
+}

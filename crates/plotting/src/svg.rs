@@ -1,0 +1,248 @@
+//! A drawing made of a few kinds of marks. Colours are classes, so that a page or a dark screen may give them other
+//! values.
+
+use std::fmt::Write;
+
+/// A picture of fixed size in pixels.
+#[derive(Debug, Clone)]
+pub struct Svg {
+    pub width: f64,
+    pub height: f64,
+    /// Said to people who cannot see it.
+    pub title: String,
+    body: String,
+}
+
+/// Size of all words but headings: what is smaller is not read on a telephone.
+pub const TEXT_PX: f64 = 12.0;
+/// Size of headings.
+pub const HEADING_PX: f64 = 14.0;
+/// Of a letter, at most, in parts of the size: Ubuntu Light and the system's typefaces stay below it on average.
+const LETTER: f64 = 0.56;
+
+/// Paper, ink and colours by day, and what changes in the dark.
+const LIGHT: &str = include_str!("light.css");
+const DARK: &str = include_str!("dark.css");
+
+/// The classes of all pictures, for a page that holds some.
+pub fn style() -> String {
+    format!("{LIGHT}@media (prefers-color-scheme:dark){{{DARK}}}")
+}
+
+/// Room that words take, about.
+pub fn width_px(words: &str) -> f64 {
+    LETTER * TEXT_PX * words.chars().count() as f64
+}
+
+/// Words in lines that are no wider than `room_px`.
+pub fn wrapped(words: &str, room_px: f64) -> Vec<String> {
+    let mut lines: Vec<String> = vec![];
+    for word in words.split(' ') {
+        match lines.last_mut() {
+            Some(line) if width_px(line) + width_px(word) + LETTER * TEXT_PX <= room_px => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+impl Svg {
+    /// An empty sheet.
+    pub fn new(title: impl Into<String>, width: f64, height: f64) -> Self {
+        Self { width, height, title: title.into(), body: String::new() }
+    }
+
+    /// The whole file, for light and dark screens.
+    pub fn text(&self) -> String {
+        self.with_style(&format!("<style>{}</style>", style()))
+    }
+
+    /// The whole file on white paper.
+    pub fn on_white(&self) -> String {
+        self.with_style(&format!("<style>{LIGHT}</style>"))
+    }
+
+    /// A part of a page that holds [`style`].
+    pub fn inline(&self) -> String {
+        self.with_style("")
+    }
+
+    fn with_style(&self, style: &str) -> String {
+        let (w, h) = (self.width, self.height);
+        let title = escaped(&self.title);
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"0 0 {w} {h}\" \
+             width=\"{w}\" height=\"{h}\" role=\"img\" aria-label=\"{title}\"><title>{title}</title>{style}\
+             <rect class=\"paper\" width=\"{w}\" height=\"{h}\"/>{}</svg>",
+            self.body
+        )
+    }
+
+    /// A straight line of a class.
+    pub fn line(&mut self, class: &str, from: [f64; 2], to: [f64; 2]) {
+        let ([x1, y1], [x2, y2]) = (from, to);
+        self.put(format_args!("<line class=\"{class}\" x1=\"{x1:.2}\" y1=\"{y1:.2}\" x2=\"{x2:.2}\" y2=\"{y2:.2}\"/>"));
+    }
+
+    /// A rectangle of a class.
+    pub fn rectangle(&mut self, class: &str, corner: [f64; 2], size: [f64; 2]) {
+        let ([x, y], [w, h]) = (corner, size);
+        self.put(format_args!(
+            "<rect class=\"{class}\" x=\"{x:.2}\" y=\"{y:.2}\" width=\"{w:.2}\" height=\"{h:.2}\"/>"
+        ));
+    }
+
+    /// A closed form of a class that fills it.
+    pub fn ground(&mut self, class: &str, points: &[[f64; 2]]) {
+        let points = joined(points);
+        self.put(format_args!("<polygon class=\"{class}\" points=\"{points}\"/>"));
+    }
+
+    /// Connected lines of a colour.
+    pub fn polyline(&mut self, colour: &str, width: f64, points: &[[f64; 2]]) {
+        let points = joined(points);
+        self.put(format_args!(
+            "<polyline class=\"{colour}\" points=\"{points}\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"{width}\"/>"
+        ));
+    }
+
+    /// Connected broken lines of a colour.
+    pub fn broken(&mut self, colour: &str, width: f64, points: &[[f64; 2]]) {
+        let points = joined(points);
+        self.put(format_args!(
+            "<polyline class=\"{colour}\" points=\"{points}\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"{width}\" \
+             stroke-dasharray=\"5 4\"/>"
+        ));
+    }
+
+    /// A closed outline, filled faintly.
+    pub fn outline(&mut self, colour: &str, points: &[[f64; 2]]) {
+        let points = joined(points);
+        self.put(format_args!(
+            "<polygon class=\"{colour}\" points=\"{points}\" fill=\"currentColor\" fill-opacity=\"0.22\" stroke=\"currentColor\" \
+             stroke-width=\"1.4\"/>"
+        ));
+    }
+
+    /// The rim of a closed form.
+    pub fn closed(&mut self, colour: &str, points: &[[f64; 2]]) {
+        let points = joined(points);
+        self.put(format_args!(
+            "<polygon class=\"{colour}\" points=\"{points}\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"2\"/>"
+        ));
+    }
+
+    /// A closed form, filled.
+    pub fn solid(&mut self, colour: &str, points: &[[f64; 2]]) {
+        let points = joined(points);
+        self.put(format_args!("<polygon class=\"{colour}\" points=\"{points}\" fill=\"currentColor\"/>"));
+    }
+
+    /// A disc of a colour.
+    pub fn disc(&mut self, colour: &str, centre: [f64; 2], radius: f64) {
+        let [x, y] = centre;
+        self.put(format_args!(
+            "<circle class=\"{colour}\" cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius}\" fill=\"currentColor\" fill-opacity=\"0.85\"/>"
+        ));
+    }
+
+    /// A ring of a colour; `stroke` holds further attributes of its line.
+    pub fn ring(&mut self, colour: &str, centre: [f64; 2], radius: f64, stroke: &str) {
+        let [x, y] = centre;
+        self.put(format_args!(
+            "<circle class=\"{colour}\" cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius}\" fill=\"none\" stroke=\"currentColor\" \
+             stroke-width=\"2\"{stroke}/>"
+        ));
+    }
+
+    /// Words of the usual size; `anchor` is start, middle or end.
+    pub fn words(&mut self, at: [f64; 2], anchor: &str, words: &str) {
+        let ([x, y], words) = (at, escaped(words));
+        self.put(format_args!(
+            "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{TEXT_PX}\" text-anchor=\"{anchor}\">{words}</text>"
+        ));
+    }
+
+    /// Words over other marks: with a rim of class `rim` (halo, or shade on maps), in the colour of `class`, which may be
+    /// empty.
+    pub fn words_over(&mut self, at: [f64; 2], anchor: &str, words: &str, [class, rim]: [&str; 2]) {
+        let ([x, y], words) = (at, escaped(words));
+        let place = format!("x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{TEXT_PX}\" text-anchor=\"{anchor}\"");
+        self.put(format_args!(
+            "<text class=\"{rim}\" aria-hidden=\"true\" {place} stroke-width=\"3\" stroke-linejoin=\"round\">{words}</text>\
+             <text class=\"{class}\" {place}>{words}</text>"
+        ));
+    }
+
+    /// A heading.
+    pub fn heading(&mut self, at: [f64; 2], words: &str) {
+        let ([x, y], words) = (at, escaped(words));
+        self.put(format_args!(
+            "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{HEADING_PX}\" font-weight=\"600\">{words}</text>"
+        ));
+    }
+
+    /// Words that run upwards.
+    pub fn words_upwards(&mut self, at: [f64; 2], words: &str) {
+        let ([x, y], words) = (at, escaped(words));
+        self.put(format_args!(
+            "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{TEXT_PX}\" text-anchor=\"middle\" transform=\"rotate(-90 {x:.2} {y:.2})\">\
+             {words}</text>"
+        ));
+    }
+
+    /// A PNG stretched over a rectangle.
+    pub fn image(&mut self, corner: [f64; 2], size: [f64; 2], png: &[u8]) {
+        use base64::Engine;
+        let ([x, y], [w, h]) = (corner, size);
+        let data = base64::engine::general_purpose::STANDARD.encode(png);
+        self.put(format_args!(
+            "<image x=\"{x:.2}\" y=\"{y:.2}\" width=\"{w:.2}\" height=\"{h:.2}\" preserveAspectRatio=\"none\" \
+             image-rendering=\"optimizeSpeed\" xlink:href=\"data:image/png;base64,{data}\"/>"
+        ));
+    }
+
+    fn put(&mut self, mark: std::fmt::Arguments) {
+        let _ = self.body.write_fmt(mark); // writing to a String cannot fail
+    }
+}
+
+fn joined(points: &[[f64; 2]]) -> String {
+    points.iter().map(|[x, y]| format!("{x:.2},{y:.2}")).collect::<Vec<_>>().join(" ")
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_says_its_title_to_those_who_cannot_see_it_whatever_stands_in_it() {
+        let text = Svg::new("a \"b\" < c & d", 10.0, 10.0).inline();
+        let said = "a &quot;b&quot; &lt; c &amp; d";
+        assert!(text.contains(&format!("<title>{said}</title>")) && text.contains(&format!("aria-label=\"{said}\"")));
+    }
+
+    #[test]
+    fn every_colour_has_a_value_in_the_dark() {
+        let colours = LIGHT.split(['.', '{']).filter(|part| !part.contains([':', '}', '\n']));
+        let on_maps = ["onmap", "truthmap", "shade", "shadow", "plate"];
+        for colour in colours.filter(|c| !c.is_empty() && *c != "text" && !on_maps.contains(c)) {
+            assert!(DARK.contains(&format!(".{colour}{{")), "{colour}");
+        }
+    }
+
+    #[test]
+    fn wrapped_words_fit_and_none_is_lost() {
+        let words = "dashed ring: an object that is nobody's, numbered as in the table";
+        let lines = wrapped(words, 200.0);
+        assert_eq!(lines.join(" "), words);
+        assert!(lines.iter().all(|line| width_px(line) <= 200.0), "{lines:?}");
+    }
+}

@@ -1,0 +1,76 @@
+//! What a run is expected to take: the work of its stages, counted before it begins, at rates that were measured on many scenes.
+
+pub(crate) mod machine_speed;
+pub(crate) mod rates;
+mod tracer_work;
+pub(crate) mod work;
+
+use crate::chain::cache::Cache;
+use crate::chain::link::Chain;
+use crate::chain::plan::FramePlan;
+use crate::host::failure::Failure;
+use work::Work;
+
+/// What all frames of a run are expected to take.
+pub(crate) struct Expectation {
+    pub(crate) work: Work,
+    /// Processor seconds, all threads together.
+    pub(crate) seconds: f64,
+    /// Held at most, frames that are computed side by side together.
+    pub(crate) memory_mib: f64,
+}
+
+impl Expectation {
+    /// Of the frames that the plans are of.
+    pub(crate) fn of(chain: &Chain, cache: Option<&Cache>, plans: &[FramePlan]) -> Result<Self, Failure> {
+        Self::at_speed(chain, cache, plans, machine_speed::of_this_machine(cache)?)
+    }
+
+    /// On a machine of another speed.
+    pub(crate) fn at_speed(
+        chain: &Chain,
+        cache: Option<&Cache>,
+        plans: &[FramePlan],
+        machine_speed: f64,
+    ) -> Result<Self, Failure> {
+        let work = work::of_run(chain, cache, plans)?;
+        let seconds = rates::reference_seconds(&work) / machine_speed;
+        Ok(Self { work, seconds, memory_mib: chain.memory_of_run_mib(plans)? })
+    }
+}
+
+impl Expectation {
+    /// Processor seconds of each kind of work on the machine of the rates.
+    pub(crate) fn rates() -> [f64; work::ITEMS] {
+        rates::by_item()
+    }
+}
+
+/// What the plans cost, in lines.
+pub(crate) fn lines(chain: &Chain, cache: Option<&Cache>, plans: &[FramePlan]) -> Result<Vec<String>, Failure> {
+    let of_frame = |plan: &FramePlan| {
+        let running: Vec<&str> =
+            plan.steps.iter().filter(|(_, why)| why.is_some()).map(|(stage, _)| stage.name()).collect();
+        let stages = if running.is_empty() { "nothing".into() } else { running.join(", ") };
+        format!("frame {}: runs {stages}", plan.index)
+    };
+    let mut lines: Vec<String> = plans.iter().map(of_frame).collect();
+    let expected = Expectation::of(chain, cache, plans)?;
+    let threads = rayon::current_num_threads();
+    lines.push(format!(
+        "{} frames: {} s, {} to {} s of processor time; about {} s on {threads} threads; at most {:.0} MiB",
+        plans.len(),
+        told(expected.seconds),
+        told(expected.seconds / rates::SPREAD),
+        told(expected.seconds * rates::SPREAD),
+        told(rates::wall_seconds(expected.seconds, threads)),
+        expected.memory_mib,
+    ));
+    Ok(lines)
+}
+
+/// Two digits.
+fn told(seconds: f64) -> String {
+    let digits = (1.0 - seconds.max(0.1).log10().floor()).max(0.0) as usize;
+    format!("{seconds:.digits$}")
+}

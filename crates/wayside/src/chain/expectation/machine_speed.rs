@@ -1,0 +1,94 @@
+//! How fast this machine is beside the one that the rates were measured on: a small table of a motorcycle, traced until half a
+//! processor second is spent; once for each machine and build, kept in the cache.
+
+use crate::chain::cache::Cache;
+use crate::chain::keys::Key;
+use crate::chain::stages::Stage;
+use crate::host::failure::Failure;
+use crate::host::processor_time;
+use artifact::radar::Polarization;
+use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::{Accuracy, Schema};
+use bart_rcs::RcsRequest;
+use std::sync::OnceLock;
+
+/// As an artifact: no header, one record of one number.
+struct MachineSpeed;
+
+impl Schema for MachineSpeed {
+    const NAME: &'static str = "speed";
+    const VERSION: u32 = 1;
+    const RECORD_LIMIT: u64 = 1 << 10;
+    type Header = ();
+    type Frame = f64;
+}
+
+/// Processor seconds of the work below on the machine of the rates.
+const REFERENCE_S: f64 = 0.64;
+/// Processor seconds that are measured at least.
+const MEASURED_S: f64 = 0.5;
+
+/// 1 for the machine of the rates, 2 for one twice as fast; 1 where the system does not tell what a process took.
+pub(super) fn of_this_machine(cache: Option<&Cache>) -> Result<f64, Failure> {
+    let key = key();
+    if let Some(known) = cache.and_then(|c| c.get::<MachineSpeed>(Stage::BartRcs, &key)).filter(is_sound) {
+        return Ok(known);
+    }
+    // Once in a process, however many runs it tells of.
+    static MEASURED: OnceLock<f64> = OnceLock::new();
+    let speed = match MEASURED.get() {
+        Some(speed) => *speed,
+        None => *MEASURED.get_or_init({
+            let speed = measured()?;
+            move || speed
+        }),
+    };
+    if let (Some(cache), true) = (cache, is_sound(&speed)) {
+        cache.put::<MachineSpeed>(Stage::BartRcs, &key, &(), &speed);
+    }
+    Ok(speed)
+}
+
+fn is_sound(speed: &f64) -> bool {
+    (1e-3..=1e3).contains(speed)
+}
+
+/// The processor's name stands for the machine.
+fn key() -> Key {
+    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let processor = text.lines().find(|line| line.starts_with("model name")).unwrap_or_default();
+    Key::of(Stage::BartRcs, vec![("machine", artifact::envelope::fingerprint(&processor))])
+}
+
+/// As it is now.
+pub(crate) fn measured() -> Result<f64, Failure> {
+    let Some(begin) = processor_time::of_process() else { return Ok(1.0) };
+    let mesh = scene::vehicles::mesh("motorcycle-scooter", 0);
+    let mesh = mesh.ok_or_else(|| Failure::refused("the motorcycle that speeds are measured with is missing"))?;
+    let mut count = 0.0;
+    loop {
+        bart_rcs::rcs(&mesh, &request(), &|_, _| ()).map_err(Failure::refused)?;
+        count += 1.0;
+        let spent_s = processor_time::of_process().unwrap_or(f64::INFINITY) - begin;
+        if spent_s >= MEASURED_S {
+            return Ok(REFERENCE_S * count / spent_s);
+        }
+    }
+}
+
+fn request() -> RcsRequest {
+    RcsRequest {
+        frequency_hz: vec![77e9],
+        elevation_rad: vec![0.15],
+        azimuth_rad: vec![0.4],
+        range_m: 30.0,
+        receiver: None,
+        polarization: Polarization::Vv,
+        bounces: 2,
+        nodes: NodeRule::OwnEdge,
+        sides: Sides::Two,
+        edges: Edges::Ignored,
+        surface: Surface::Flat,
+        accuracy: Accuracy::from_db(-20.0),
+    }
+}

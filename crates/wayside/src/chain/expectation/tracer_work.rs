@@ -1,0 +1,101 @@
+//! The tracer's work in every frame, from a look at a few of them.
+
+use crate::chain::cache::Cache;
+use crate::chain::expectation::work::{Item, Work};
+use crate::chain::link::Chain;
+use crate::chain::looks::Look;
+use crate::chain::plan::FramePlan;
+use crate::chain::stages::Stage;
+use crate::host::failure::Failure;
+use artifact::scene::SceneHeader;
+use artifact::settings::{EchoMode, Edges};
+
+/// Adds what the tracer does; gives about how many paths each frame has.
+pub(super) fn add(
+    chain: &Chain,
+    cache: Option<&Cache>,
+    plans: &[FramePlan],
+    work: &mut Work,
+) -> Result<Vec<f64>, Failure> {
+    let mut paths = Vec::new();
+    for (number, plan) in plans.iter().enumerate() {
+        if !plan.runs(Stage::FmcwEcho) && !plan.runs(Stage::BartRcs) {
+            paths.push(0.0);
+            continue;
+        }
+        let look = chain.look(plan.index)?;
+        paths.push(look.cells * look.work.largest_cells);
+        // Frames whose bodies stand as in an earlier one find its paths in the cache.
+        let is_known = cache.is_some() && plans[..number].iter().any(|p| p.keys.bart_rcs == plan.keys.bart_rcs);
+        if plan.runs(Stage::BartRcs) && !is_known {
+            add_frame(chain.header, plan.index, &look, work);
+        }
+    }
+    Ok(paths)
+}
+
+fn add_frame(header: &SceneHeader, index: u32, look: &Look, work: &mut Work) {
+    if header.fidelity.echo == EchoMode::RcsTable {
+        add_beams(header, look, 3.0, work);
+        work.add(Item::TableTiles, look.facets * (look.work.tiles[0] + look.work.tiles[1]));
+    } else if header.measured_in(index) == index {
+        add_measured(header, look, work);
+    } else {
+        add_like(header, look, work);
+    }
+}
+
+/// Two moments, and integrals that are compared with finer ones.
+fn add_measured(header: &SceneHeader, look: &Look, work: &mut Work) {
+    add_beams(header, look, 2.0, work);
+    add_tiles(header, look, work);
+    let fine = look.work.fine_tiles.map(|tiles| look.facets * tiles);
+    work.add(Item::FineTiles, fine[0]);
+    work.add(Item::LaterFineTiles, fine[1]);
+    work.add(Item::LongTiles, look.facets * look.work.long_tiles);
+    work.add(Item::MeasuredCells, look.cells * look.work.smaller_cells);
+    work.add(Item::Cells, look.cells * look.work.largest_cells);
+    work.add(Item::WideCells, look.cells * look.work.smaller_cells * bart_rcs::element_offset_m(header));
+    add_sliding(look, work);
+}
+
+/// One moment and its paths.
+fn add_like(header: &SceneHeader, look: &Look, work: &mut Work) {
+    add_beams(header, look, 1.0, work);
+    add_tiles(header, look, work);
+    work.add(Item::Cells, look.cells * look.work.largest_cells);
+    add_sliding(look, work);
+}
+
+/// What the moments take that such ways are traced at: as many in a frame that takes them over.
+fn add_sliding(look: &Look, work: &mut Work) {
+    work.add(Item::SlidingBeams, look.facets * look.work.sliding_beams);
+    work.add(Item::SlidingTiles, look.facets * look.work.sliding_tiles);
+    work.add(Item::MovingBeams, look.facets * look.work.moving_beams);
+    work.add(Item::MovingTiles, look.facets * look.work.moving_tiles);
+    work.add(Item::MovingCells, look.cells * look.work.moving_cells);
+}
+
+fn add_tiles(header: &SceneHeader, look: &Look, work: &mut Work) {
+    let tiles = look.work.tiles.map(|tiles| look.facets * tiles);
+    work.add(Item::Tiles, tiles[0]);
+    work.add(Item::LaterTiles, tiles[1]);
+    if header.meshes.iter().any(|mesh| !mesh.makeup.conducts_all_over()) {
+        work.add(Item::LossyTiles, tiles[0] + tiles[1]);
+    }
+}
+
+fn add_beams(header: &SceneHeader, Look { work: of, facets, .. }: &Look, moments: f64, work: &mut Work) {
+    let times = moments * facets;
+    let beams = times * (of.beams[0] + of.beams[1]);
+    work.add(Item::Facets, times * of.facets);
+    work.add(Item::InSight, times * of.in_sight);
+    work.add(Item::Beams, beams);
+    work.add(Item::Mirrors, times * of.mirrors);
+    if header.road.is_some() {
+        work.add(Item::RoadBeams, beams);
+    }
+    if header.fidelity.edges != Edges::Ignored {
+        work.add(Item::EdgeBeams, beams);
+    }
+}

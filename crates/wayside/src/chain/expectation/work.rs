@@ -1,0 +1,152 @@
+//! What the time of a run goes into, counted.
+
+use crate::chain::cache::Cache;
+use crate::chain::expectation::tracer_work;
+use crate::chain::link::Chain;
+use crate::chain::plan::FramePlan;
+use crate::chain::stages::Stage;
+use crate::host::failure::Failure;
+use artifact::settings::Angle;
+
+/// Kinds of work, each with a rate of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Item {
+    /// The program's start and its classifier.
+    Run,
+    /// Triangles that are read, and of which bodies are built.
+    Triangles,
+    /// Facets of the tracer that are placed and looked at, by moment.
+    Facets,
+    /// Those that may be seen straight.
+    InSight,
+    /// Lit polygons, and mirrors that are looked into.
+    Beams,
+    Mirrors,
+    /// Tiles of the paths' integrals and of what they are compared with.
+    Tiles,
+    LaterTiles,
+    FineTiles,
+    LaterFineTiles,
+    /// Finer tiles of long polygons, whose integrals may be taken again and finer still.
+    LongTiles,
+    /// Cells that paths are made of, where errors are measured (several sizes are tried) and where they are taken over.
+    MeasuredCells,
+    Cells,
+    /// Measured cells times the metres that the array reaches from its middle: outlines of what is lit differ from element to element,
+    /// and finer cells are tried in vain against that.
+    WideCells,
+    /// Lit polygons and tiles of ways between bodies that move against each other, times the wavelengths that they slide.
+    SlidingBeams,
+    SlidingTiles,
+    /// The same however far they slide, and cells of such ways.
+    MovingBeams,
+    MovingTiles,
+    MovingCells,
+    /// Lit polygons over a road that mirrors, and those whose edges diffract.
+    RoadBeams,
+    EdgeBeams,
+    /// Tiles of all integrals on bodies that are no conductors.
+    LossyTiles,
+    /// Tiles of far-field tables, each of many aspects and frequencies.
+    TableTiles,
+    /// Paths times channels, of bodies and of the ground.
+    Echoes,
+    GroundEchoes,
+    /// Samples of cubes; cells of maps.
+    Samples,
+    MapCells,
+    /// Bodies whose points are located and classified.
+    Bodies,
+    /// The same where several echoes of a cell are looked for.
+    SeparatedBodies,
+    /// Frames that are drawn.
+    Frames,
+}
+
+impl Item {
+    pub(crate) const ALL: [Self; ITEMS] = [
+        Self::Run,
+        Self::Triangles,
+        Self::Facets,
+        Self::InSight,
+        Self::Beams,
+        Self::Mirrors,
+        Self::Tiles,
+        Self::LaterTiles,
+        Self::FineTiles,
+        Self::LaterFineTiles,
+        Self::LongTiles,
+        Self::MeasuredCells,
+        Self::Cells,
+        Self::WideCells,
+        Self::SlidingBeams,
+        Self::SlidingTiles,
+        Self::MovingBeams,
+        Self::MovingTiles,
+        Self::MovingCells,
+        Self::RoadBeams,
+        Self::EdgeBeams,
+        Self::LossyTiles,
+        Self::TableTiles,
+        Self::Echoes,
+        Self::GroundEchoes,
+        Self::Samples,
+        Self::MapCells,
+        Self::Bodies,
+        Self::SeparatedBodies,
+        Self::Frames,
+    ];
+}
+
+/// How many kinds there are.
+pub(crate) const ITEMS: usize = Item::Frames as usize + 1;
+
+/// Counts by kind.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Work(pub(crate) [f64; ITEMS]);
+
+impl Work {
+    pub(super) const NONE: Self = Self([0.0; ITEMS]);
+
+    pub(super) fn add(&mut self, item: Item, count: f64) {
+        self.0[item as usize] += count;
+    }
+}
+
+/// The work of all frames.
+pub(super) fn of_run(chain: &Chain, cache: Option<&Cache>, plans: &[FramePlan]) -> Result<Work, Failure> {
+    let mut work = Work::NONE;
+    work.add(Item::Run, 1.0);
+    work.add(Item::Frames, plans.len() as f64);
+    let meshes = chain.header.meshes.iter();
+    work.add(Item::Triangles, meshes.map(|mesh| mesh.triangles.len() as f64).sum());
+    let paths = tracer_work::add(chain, cache, plans, &mut work)?;
+    for (plan, paths) in plans.iter().zip(paths) {
+        add_signal(chain, plan, paths, &mut work);
+    }
+    Ok(work)
+}
+
+/// Echo, maps and points of one frame.
+fn add_signal(chain: &Chain, plan: &FramePlan, paths: f64, work: &mut Work) {
+    let samples = chain.cube_header.shape().iter().product::<usize>() as f64;
+    let channels = chain.header.radar.virtual_channels() as f64;
+    if plan.runs(Stage::FmcwEcho) {
+        work.add(Item::Echoes, paths * channels);
+        work.add(Item::Samples, samples);
+        let patches = chain.header.backscatter.map_or(0, |_| fmcw_echo::ground::patches(&chain.header.radar));
+        work.add(Item::GroundEchoes, patches as f64 * channels);
+    }
+    if plan.runs(Stage::Dsp) {
+        work.add(Item::MapCells, samples);
+        let bodies = bodies(chain, plan.index);
+        work.add(Item::Bodies, bodies);
+        if chain.header.dsp.angle != Angle::Fft {
+            work.add(Item::SeparatedBodies, bodies);
+        }
+    }
+}
+
+fn bodies(chain: &Chain, index: u32) -> f64 {
+    (chain.header.targets.len() + scene::vehicles_in_view(chain.header, index).len()) as f64
+}

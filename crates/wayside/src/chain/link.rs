@@ -1,0 +1,447 @@
+//! The stages linked: one frame from the scene snapshot to classes, each stage's frame taken from the cache where it is
+//! there. What goes into a stage is what its artifact holds, nothing else.
+
+use crate::chain::cache::Cache;
+use crate::chain::frame_result::FrameResult;
+use crate::chain::keys::{FrameKeys, SceneParts, cube_header, echo_header};
+use crate::chain::loaded_model::{ClassRule, LoadedModel};
+use crate::chain::looks::{Look, Looks};
+use crate::chain::measured_frames::{self, MeasuredFrames};
+use crate::chain::plan::FramePlan;
+use crate::chain::stages::Stage;
+use crate::host::failure::Failure;
+use crate::host::memory::{self, Allowance};
+use crate::host::progress::{self, Work};
+use artifact::classes::{Classes, ClassesFrame};
+use artifact::cube::{Cube, CubeFrame, CubeHeader};
+use artifact::paths::{Paths, PathsFrame, PathsHeader};
+use artifact::points::{Points, PointsFrame, PointsHeader};
+use artifact::rcs::{Rcs, RcsFrame, RcsHeader};
+use artifact::rdm::{Rdm, RdmFrame};
+use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
+use artifact::settings::{Class, EchoMode};
+use artifact::{Accuracy, ErrorBudget, ModelError, Schema};
+use bart_rcs::FrameSurroundings;
+use fmcw_echo::EchoError;
+use std::borrow::Cow;
+use std::sync::{Arc, OnceLock};
+use std::time::Instant;
+
+/// What the tracer hands to the echo.
+pub(crate) enum Scattering {
+    Paths(PathsFrame),
+    Tables(RcsFrame),
+}
+
+impl Scattering {
+    /// Numerical errors, and what the model leaves out.
+    pub(crate) fn error(&self) -> (ErrorBudget, ModelError) {
+        match self {
+            Self::Paths(frame) => (frame.error, frame.model_error),
+            Self::Tables(frame) => (frame.error, frame.model_error),
+        }
+    }
+
+    /// `None` of tables.
+    pub(crate) fn paths(&self) -> Option<&PathsFrame> {
+        match self {
+            Self::Paths(frame) => Some(frame),
+            Self::Tables(_) => None,
+        }
+    }
+}
+
+/// All artifacts of one frame.
+pub(crate) struct FrameProducts {
+    /// The scene as this frame has it: vehicles in view are targets.
+    pub(crate) view: SceneHeader,
+    pub(crate) scattering: Scattering,
+    pub(crate) cube: CubeFrame,
+    pub(crate) rdm: RdmFrame,
+    pub(crate) result: FrameResult,
+}
+
+/// What the sum over paths may err by: a tenth of what the paths themselves may, and no more than −60 dB, so that nothing of it
+/// is seen above the floor of a map without noise.
+pub(crate) fn echo_accuracy(header: &SceneHeader) -> Accuracy {
+    Accuracy::from_db((header.fidelity.accuracy.db() - 20.0).min(-60.0))
+}
+
+/// A scene with everything that its frames share.
+pub(crate) struct Chain<'a> {
+    pub(crate) header: &'a SceneHeader,
+    pub(crate) cube_header: CubeHeader,
+    echo_header: CubeHeader,
+    cache: Option<&'a Cache>,
+    model: Option<&'a LoadedModel>,
+    parts: SceneParts,
+    bodies: OnceLock<Result<bart_rcs::Models, String>>,
+    ground: OnceLock<Result<Vec<artifact::paths::Path>, String>>,
+    measured: MeasuredFrames,
+    looks: Looks,
+    /// Frames that share what tracing may take; one where no plan was made of them.
+    at_once: OnceLock<usize>,
+    limited: OnceLock<bart_rcs::Models>,
+    memory: Allowance,
+}
+
+impl<'a> Chain<'a> {
+    /// Its frames are looked for in the cache and classified by the model, and tracing takes no more memory than it may.
+    pub(crate) fn of(
+        header: &'a SceneHeader,
+        cache: Option<&'a Cache>,
+        model: Option<&'a LoadedModel>,
+        memory: Allowance,
+    ) -> Self {
+        let (cube_header, parts) = (cube_header(header), SceneParts::of(header));
+        let (echo_header, measured) = (echo_header(header), MeasuredFrames::default());
+        let (bodies, ground) = (OnceLock::new(), OnceLock::new());
+        let (looks, at_once, limited) = (Looks::default(), OnceLock::new(), OnceLock::new());
+        Self {
+            header,
+            cube_header,
+            echo_header,
+            cache,
+            model,
+            parts,
+            bodies,
+            ground,
+            measured,
+            looks,
+            at_once,
+            limited,
+            memory,
+        }
+    }
+
+    /// The chain of a scene whose errors are those that were measured in another one of its kind.
+    pub(crate) fn like(self, measured: measured_frames::Known) -> Self {
+        Self { measured: MeasuredFrames::of_another(measured), ..self }
+    }
+
+    /// What was measured so far, for other scenes to take over.
+    pub(crate) fn measured(&self) -> measured_frames::Known {
+        self.measured.all()
+    }
+
+    /// What one frame needs and why.
+    pub(crate) fn plan(&self, index: u32) -> FramePlan {
+        let frame = scene::snapshot(self.header, index);
+        let model = self.model.map(|m| m.hash.as_str());
+        let keys = FrameKeys::of(self.header, &self.parts, &frame, model);
+        FramePlan::of(self.cache, self.header, index, keys)
+    }
+
+    /// Computes what the plan lacks.
+    pub(crate) fn frame(&self, plan: &FramePlan) -> Result<FrameProducts, Failure> {
+        let scene = scene::snapshot(self.header, plan.index);
+        let mut log = Log::default();
+        let scattering = log.time(Stage::BartRcs, || self.scattering(plan, &scene))?;
+        let cube = log.time(Stage::FmcwEcho, || self.cube(plan, &scene, &scattering))?;
+        let (rdm, points) = log.time(Stage::Dsp, || self.maps(plan, &cube))?;
+        let classes = log.time(Stage::Classifier, || self.classes(plan, &rdm, &points))?;
+        let (error, model_error) = scattering.error();
+        let paths = match &scattering {
+            Scattering::Paths(frame) => Some(frame.clone()),
+            Scattering::Tables(_) => None,
+        };
+        let error = error.joined(cube.error);
+        let memory_estimate_mib = self.memory_estimate_mib(plan)?;
+        let (Log { seconds, cached }, rule) = (log, self.class_rule());
+        let result = FrameResult {
+            scene,
+            paths,
+            points,
+            classes,
+            rule,
+            error,
+            model_error,
+            seconds,
+            cached,
+            memory_estimate_mib,
+        };
+        Ok(FrameProducts { view: scene::frame_view(self.header, plan.index), scattering, cube, rdm, result })
+    }
+
+    /// Triangles of all bodies in view of a frame, points counting as one.
+    pub(crate) fn triangles(&self, index: u32) -> usize {
+        let vehicles = scene::vehicles_in_view(self.header, index).into_iter().map(|vehicle| &vehicle.kind);
+        let triangles = |kind: &TargetKind| match kind {
+            TargetKind::Mesh { mesh, .. } => self.header.meshes.get(*mesh as usize).map_or(0, |m| m.triangles.len()),
+            TargetKind::Point { .. } => 1,
+        };
+        self.header.targets.iter().map(|target| &target.kind).chain(vehicles).map(triangles).sum()
+    }
+
+    /// What tracing may take.
+    pub(crate) fn memory(&self) -> Allowance {
+        self.memory
+    }
+
+    /// A frame's work, told by one that was looked at.
+    pub(crate) fn look(&self, index: u32) -> Result<Look, Failure> {
+        self.looks.of(self.header, index, |at| self.expected_work(at), |at| self.triangles(at))
+    }
+
+    /// What a frame's tracing will take, from a sample of it.
+    pub(crate) fn expected_work(&self, index: u32) -> Result<bart_rcs::ExpectedWork, Failure> {
+        let (view, frame) = (scene::frame_view(self.header, index), scene::snapshot(self.header, index));
+        bart_rcs::expected_work(self.models()?, &view, &frame).map_err(Failure::refused)
+    }
+
+    /// Header of the `.paths` artifact.
+    pub(crate) fn paths_header(&self) -> PathsHeader {
+        PathsHeader {
+            radar: self.header.radar.clone(),
+            centre_frequency_hz: self.header.radar.waveform.centre_frequency_hz(),
+            targets: self.targets(),
+        }
+    }
+
+    /// Header of the `.rcs` artifact.
+    pub(crate) fn rcs_header(&self) -> RcsHeader {
+        RcsHeader { radar: Some(self.header.radar.clone()), targets: self.targets() }
+    }
+
+    /// Header of the `.points` artifact, without truth.
+    pub(crate) fn points_header(&self) -> PointsHeader {
+        PointsHeader { cube: Some(self.cube_header.clone()), targets: vec![], classes: vec![] }
+    }
+
+    /// Ids of the scene's targets and of every vehicle that is in view in some frame.
+    pub(crate) fn targets(&self) -> Vec<String> {
+        let vehicles = self.header.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|v| v.id.clone());
+        self.header.targets.iter().map(|t| t.id.clone()).chain(vehicles).collect()
+    }
+
+    /// Classes of the same, where they are told.
+    pub(crate) fn classes_of_targets(&self) -> Vec<Option<Class>> {
+        let vehicles = self.header.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|v| &v.kind);
+        let class = |kind: &TargetKind| match kind {
+            TargetKind::Mesh { class, .. } => *class,
+            TargetKind::Point { .. } => None,
+        };
+        self.header.targets.iter().map(|t| &t.kind).chain(vehicles).map(class).collect()
+    }
+
+    /// The same scattering with bodies counted as in [`Chain::targets`], not as in the frame's view.
+    pub(crate) fn counted_through(&self, scattering: Scattering) -> Scattering {
+        match scattering {
+            Scattering::Paths(mut frame) => {
+                let bodies = scene::bodies_in_view(self.header, frame.index);
+                let renumber = |body: &mut u32| *body = bodies.get(*body as usize).copied().unwrap_or(*body);
+                for path in &mut frame.paths {
+                    renumber(&mut path.target);
+                    path.facets[..usize::from(path.order)].iter_mut().for_each(|facet| renumber(&mut facet.body));
+                }
+                Scattering::Paths(frame)
+            }
+            Scattering::Tables(mut frame) => {
+                let bodies = scene::bodies_in_view(self.header, frame.index);
+                for table in &mut frame.tables {
+                    table.target = bodies.get(table.target as usize).copied().unwrap_or(table.target);
+                }
+                Scattering::Tables(frame)
+            }
+        }
+    }
+
+    /// Paths or tables of one frame; a frame whose bodies stand and move as in another one has that one's, found in the cache.
+    pub(crate) fn scattering(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<Step<Scattering>, Failure> {
+        let (key, stage) = (&plan.keys.bart_rcs, Stage::BartRcs);
+        let view = || scene::frame_view(self.header, scene.index);
+        match self.header.fidelity.echo {
+            EchoMode::Paths => {
+                let compute = || Ok(bart_rcs::reduced(&view(), self.traced(plan, scene)?));
+                let step = self.step::<Paths>(plan, stage, key, &self.paths_header(), compute)?;
+                self.measured.keep(self.header, scene.index, &step.value);
+                let (index, time_s) = (scene.index, scene.time_s);
+                Ok(step.map(|frame| Scattering::Paths(PathsFrame { index, time_s, ..frame })))
+            }
+            EchoMode::RcsTable => {
+                let compute = || {
+                    let bodies = self.bodies(plan)?;
+                    let progress = &Work::begin(format!("frame {}, tables of bodies", scene.index));
+                    bart_rcs::rcs_frame_within(bodies, &view(), scene, progress).map_err(Failure::refused)
+                };
+                let step = self.step::<Rcs>(plan, stage, key, &self.rcs_header(), compute)?;
+                let (index, time_s) = (scene.index, scene.time_s);
+                Ok(step.map(|frame| Scattering::Tables(RcsFrame { index, time_s, ..frame })))
+            }
+        }
+    }
+
+    /// Measured, or like the frame that was.
+    fn traced(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<PathsFrame, Failure> {
+        let (view, bodies) = (scene::frame_view(self.header, scene.index), self.bodies(plan)?);
+        let measured_in = self.header.measured_in(scene.index);
+        let in_this_scene = || (measured_in != scene.index).then(|| self.measured_frame(measured_in)).transpose();
+        let measured = match self.measured.taken_over(measured_in) {
+            Some(known) => Some(known),
+            None => in_this_scene()?,
+        };
+        let progress = &Work::begin(format!("frame {}, paths", scene.index));
+        let surroundings = FrameSurroundings { like: measured.as_deref(), progress };
+        bart_rcs::trace_frame_within(bodies, &view, scene, &surroundings).map_err(Failure::refused)
+    }
+
+    /// What was measured in a frame; computed where no earlier frame of this run needed it.
+    fn measured_frame(&self, index: u32) -> Result<Arc<PathsFrame>, Failure> {
+        if let Some(known) = self.measured.get(index) {
+            return Ok(known);
+        }
+        self.scattering(&self.plan(index), &scene::snapshot(self.header, index))?;
+        self.measured.get(index).ok_or_else(|| Failure::refused(format!("frame {index} has no paths")))
+    }
+
+    /// Frames are traced so many at a time from now on: each has its share of the memory.
+    pub(crate) fn share_memory(&self, at_once: usize) {
+        let _ = self.at_once.set(at_once);
+    }
+
+    /// The models of all targets, to be traced; refused where the frame cannot fit into the memory that it may take.
+    fn bodies(&self, plan: &FramePlan) -> Result<&bart_rcs::Models, Failure> {
+        self.memory.check(self.least_memory_mib(plan)?)?;
+        let models = self.models()?;
+        let share = || self.memory.limit().share_of(*self.at_once.get_or_init(|| 1));
+        Ok(self.limited.get_or_init(|| models.clone().within(share())))
+    }
+
+    /// The same to look at; refused where the bodies at rest do not fit.
+    fn models(&self) -> Result<&bart_rcs::Models, Failure> {
+        let triangles = self.header.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
+        self.memory.check(memory::mib(bart_rcs::memory_estimate_bytes(triangles, 0, 0)))?;
+        let build = || {
+            let _under_way = Work::begin("building the hierarchies of the meshes");
+            bart_rcs::Models::build(self.header).map_err(|e| e.to_string())
+        };
+        self.bodies.get_or_init(build).as_ref().map_err(Failure::refused)
+    }
+
+    fn cube(&self, plan: &FramePlan, scene: &SceneFrame, scattering: &Scattering) -> Result<Step<CubeFrame>, Failure> {
+        let compute = || self.synthesize(scene, scattering);
+        self.step::<Cube>(plan, Stage::FmcwEcho, &plan.keys.fmcw_echo, &self.cube_header, compute)
+    }
+
+    /// The echo of paths or tables.
+    pub(crate) fn synthesize(&self, scene: &SceneFrame, scattering: &Scattering) -> Result<CubeFrame, Failure> {
+        let work = Work::begin(format!("frame {}, echo, percent", scene.index));
+        let progress = |share: f64| work.at((100.0 * share) as usize, 100);
+        let (header, seed) = (&self.echo_header, self.header.seed);
+        match scattering {
+            Scattering::Paths(frame) => {
+                let centre_hz = self.header.radar.waveform.centre_frequency_hz();
+                let accuracy = echo_accuracy(self.header);
+                let all = &self.with_ground(frame)?;
+                fmcw_echo::synthesize(header, seed, all, centre_hz, accuracy, &progress)
+                    .map_err(|error| self.of_echo(&error, frame))
+            }
+            Scattering::Tables(frame) => {
+                fmcw_echo::synthesize_tables(header, seed, &scene.poses, frame, &progress).map_err(Failure::refused)
+            }
+        }
+    }
+
+    /// A refusal with the body whose path it is about.
+    fn of_echo(&self, error: &EchoError, frame: &PathsFrame) -> Failure {
+        let path = error.path().and_then(|path| frame.paths.get(path));
+        let targets = self.paths_header().targets;
+        match path.and_then(|path| targets.get(path.target as usize)) {
+            Some(id) => Failure::refused(format!("target `{id}`: {error}")),
+            None => Failure::refused(error),
+        }
+    }
+
+    /// The paths of a frame and those of the road's own backscatter, which no `.paths` holds: the seed tells them.
+    pub(crate) fn with_ground<'p>(&self, frame: &'p PathsFrame) -> Result<Cow<'p, PathsFrame>, Failure> {
+        let Some(backscatter) = &self.header.backscatter else { return Ok(Cow::Borrowed(frame)) };
+        let draw = || {
+            let drawn = fmcw_echo::ground::paths(&self.header.radar, backscatter, self.header.seed);
+            drawn.map_err(|error| error.to_string())
+        };
+        let ground = self.ground.get_or_init(draw).as_ref().map_err(Failure::refused)?;
+        let mut all = frame.clone();
+        all.paths.extend_from_slice(ground);
+        Ok(Cow::Owned(all))
+    }
+
+    fn maps(&self, plan: &FramePlan, cube: &CubeFrame) -> Result<Step<(RdmFrame, PointsFrame)>, Failure> {
+        let (key, stage) = (&plan.keys.dsp, Stage::Dsp);
+        let _under_way = Work::begin(format!("frame {}, range-Doppler map and points", plan.index));
+        let compute = || dsp::range_doppler(&self.cube_header, cube).map_err(Failure::refused);
+        let rdm = self.step::<Rdm>(plan, stage, key, &self.cube_header, compute)?;
+        let detect = || dsp::detect_refined(&self.cube_header, cube, &rdm.value).map_err(Failure::refused);
+        let points = self.step::<Points>(plan, stage, key, &self.points_header(), detect)?;
+        Ok(Step { cached: rdm.cached && points.cached, value: (rdm.value, points.value) })
+    }
+
+    /// How classes are told; anything is, without a model.
+    pub(crate) fn class_rule(&self) -> ClassRule {
+        self.model.map(LoadedModel::rule).unwrap_or_default()
+    }
+
+    fn classes(&self, plan: &FramePlan, rdm: &RdmFrame, points: &PointsFrame) -> Result<Step<Vec<[f32; 4]>>, Failure> {
+        let stage = Stage::Classifier;
+        let Some((model, key)) = self.model.zip(plan.keys.classifier.as_ref()) else {
+            return Ok(Step { value: vec![], cached: false });
+        };
+        let name = format!("frame {}, classification", plan.index);
+        let compute = || {
+            let probabilities = progress::during(name, || model.classify(&self.cube_header, rdm, points))?;
+            Ok(ClassesFrame { probabilities })
+        };
+        let step = self.step::<Classes>(plan, stage, key, &model.classes_header(), compute)?;
+        Ok(step.map(|frame| frame.probabilities))
+    }
+
+    fn step<S: Schema>(
+        &self,
+        plan: &FramePlan,
+        stage: Stage,
+        key: &crate::chain::keys::Key,
+        header: &S::Header,
+        compute: impl FnOnce() -> Result<S::Frame, Failure>,
+    ) -> Result<Step<S::Frame>, Failure> {
+        // Looked for even where the plan found nothing: an equal frame of this run may have put it there since.
+        if let Some(value) = self.cache.and_then(|c| c.get::<S>(stage, key)) {
+            return Ok(Step { value, cached: true });
+        }
+        let value = compute()?;
+        if let Some(cache) = self.cache {
+            cache.put::<S>(stage, key, header, &value);
+            cache.remember_key(stage, &self.header.name, plan.index, key);
+        }
+        Ok(Step { value, cached: false })
+    }
+}
+
+/// A stage's value and whether it came from the cache.
+pub(crate) struct Step<T> {
+    pub(crate) value: T,
+    cached: bool,
+}
+
+impl<T> Step<T> {
+    fn map<U>(self, convert: impl FnOnce(T) -> U) -> Step<U> {
+        Step { value: convert(self.value), cached: self.cached }
+    }
+}
+
+/// Seconds of each stage, and which came from the cache.
+#[derive(Default)]
+struct Log {
+    seconds: Vec<(Stage, f64)>,
+    cached: Vec<Stage>,
+}
+
+impl Log {
+    fn time<T>(&mut self, stage: Stage, work: impl FnOnce() -> Result<Step<T>, Failure>) -> Result<T, Failure> {
+        let start = Instant::now();
+        let step = work()?;
+        self.seconds.push((stage, start.elapsed().as_secs_f64()));
+        if step.cached {
+            self.cached.push(stage);
+        }
+        Ok(step.value)
+    }
+}

@@ -1,0 +1,122 @@
+//! A scene from its file, through the cache.
+
+use crate::chain::cache::Cache;
+use crate::chain::keys;
+use crate::chain::loaded_model::LoadedModel;
+use crate::chain::stages::Stage;
+use crate::host::failure::Failure;
+use crate::host::places;
+use crate::host::progress::{self, Work};
+use artifact::Provenance;
+use artifact::scene::{Scene, SceneHeader};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// A scene file and what replaces parts of it.
+#[derive(Debug, Clone, Default)]
+pub struct SceneSource {
+    /// Scene file (`docs/scenes.md`).
+    pub file: PathBuf,
+    /// In place of the model of every target.
+    pub model: Option<PathBuf>,
+    /// Through which of several radars, by its id.
+    pub radar: Option<String>,
+    /// In place of the scene's seed.
+    pub seed: Option<u64>,
+}
+
+/// A scene and how it was come by.
+pub(crate) struct LoadedScene {
+    pub(crate) header: SceneHeader,
+    pub(crate) cached: bool,
+    pub(crate) seconds: f64,
+    /// Name and hash of the files it was read from.
+    pub(crate) files: Vec<(String, String)>,
+}
+
+/// Reads the scene, or takes it from the cache where no file that it reads has changed.
+pub(crate) fn scene(source: &SceneSource, cache: Option<&Cache>) -> Result<LoadedScene, Failure> {
+    let start = Instant::now();
+    let (model, radar) = (source.model.clone(), source.radar.clone());
+    let options = scene::ReadOptions { model, radar, meshes: scene::Meshes::Whole };
+    let name = source.file.display();
+    let files = progress::during(format!("looking for changes of {name} and of what it names"), || {
+        hashed(&scene::inputs(&source.file, &options).map_err(of_scene)?)
+    })?;
+    // Of a path that is no text the key has what can be shown; what is in the file is among the hashes.
+    let model = source.model.as_ref().map(|file| file.to_string_lossy());
+    let key = keys::scene(&files, &(model, &source.radar));
+    let reading = Work::begin(format!("reading {name} and its meshes"));
+    let known = cache.and_then(|c| c.get_header::<Scene>(Stage::Scene, &key));
+    let cached = known.is_some();
+    let mut header = match known {
+        Some(header) => header,
+        None => scene::read(&source.file, &options).map_err(of_scene)?,
+    };
+    if let (Some(cache), false) = (cache, cached) {
+        cache.put_header::<Scene>(Stage::Scene, &key, &header);
+    }
+    drop(reading);
+    header.seed = seed(source.seed.unwrap_or(header.seed), source.radar.as_deref());
+    Ok(LoadedScene { header, cached, seconds: start.elapsed().as_secs_f64(), files })
+}
+
+/// Each of several radars has noise of its own. Of 53 bits: readers of JSON that know but f64 keep them all.
+fn seed(of_scene: u64, radar: Option<&str>) -> u64 {
+    let Some(id) = radar else { return of_scene };
+    let key = artifact::seed::key(of_scene, &format!("xtask/radar/{id}"), &[]);
+    u64::from_le_bytes(std::array::from_fn(|i| key[i])) >> 11
+}
+
+/// A radar and settings of a scene, its models unopened.
+pub(crate) fn radar_only(file: &Path, radar: Option<&str>) -> Result<SceneHeader, Failure> {
+    let radar = radar.map(str::to_owned);
+    let options = scene::ReadOptions { model: None, radar, meshes: scene::Meshes::NamesOnly };
+    scene::read(file, &options).map_err(of_scene)
+}
+
+/// The files that such a reading depends on.
+pub(crate) fn files_of_radar(file: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+    scene::inputs(file, &options).map_err(of_scene)
+}
+
+/// A mesh file's rules were broken, or the system refused.
+pub(crate) fn of_mesh(error: scene::MeshError) -> Failure {
+    if error.is_system() { Failure::System(error.to_string()) } else { Failure::Refused(error.to_string()) }
+}
+
+/// A scene's rules were broken, or the system refused.
+pub(crate) fn of_scene(errors: scene::SceneErrors) -> Failure {
+    if errors.is_system() { Failure::System(errors.to_string()) } else { Failure::Refused(errors.to_string()) }
+}
+
+/// Name and content hash of files.
+pub(crate) fn hashed(files: &[PathBuf]) -> Result<Vec<(String, String)>, Failure> {
+    let hash = |file: &PathBuf| artifact::inputs::named_hash(file).map_err(|e| Failure::system(file, "read", e));
+    files.iter().map(hash).collect()
+}
+
+/// The model that was asked for, else the one that ships with the program.
+pub(crate) fn model(asked: Option<&Path>) -> Result<LoadedModel, Failure> {
+    asked.map_or_else(|| LoadedModel::of_bytes(places::SHIPPED_MODEL), LoadedModel::read)
+}
+
+/// Where an artifact came from.
+pub(crate) fn provenance(stage: Stage, header: &SceneHeader, inputs: Vec<(String, String)>) -> Provenance {
+    Provenance {
+        stage: stage.name().into(),
+        program_version: env!("CARGO_PKG_VERSION").into(),
+        inputs,
+        settings: serde_json::to_string(&(&header.fidelity, &header.dsp)).unwrap_or_default(),
+        seed: header.seed,
+    }
+}
+
+/// The shards of a dataset folder, in the order of their names.
+pub(crate) fn shards(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|e| e.path());
+    let mut shards: Vec<PathBuf> = entries.filter(|p| p.extension().is_some_and(|e| e == "dataset")).collect();
+    shards.sort();
+    shards
+}

@@ -1,0 +1,81 @@
+//! What the tracer will do in the frames of a scene, from a look at a few of them.
+
+use crate::host::failure::Failure;
+use artifact::scene::{Mesh, SceneHeader, TargetKind};
+use bart_rcs::ExpectedWork;
+use glam::DVec3;
+use std::collections::BTreeMap;
+use std::sync::{Mutex, OnceLock, PoisonError};
+
+/// Looks taken so far, by frame, and how large the scene's meshes are.
+#[derive(Default)]
+pub(crate) struct Looks {
+    taken: Mutex<BTreeMap<u32, ExpectedWork>>,
+    reach_of_mesh_m: OnceLock<Vec<f64>>,
+}
+
+/// A frame's work as that of another one that was looked at.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Look {
+    pub(crate) work: ExpectedWork,
+    /// Facets of this frame for each of that one.
+    pub(crate) facets: f64,
+    /// Cells for each.
+    pub(crate) cells: f64,
+}
+
+/// Frames that are looked at, at most.
+const LOOKED_AT: u32 = 3;
+
+impl Looks {
+    /// At the first frame of each third of the scene; `expected` looks at one, `triangles` counts those in view of one.
+    pub(crate) fn of(
+        &self,
+        header: &SceneHeader,
+        index: u32,
+        expected: impl FnOnce(u32) -> Result<ExpectedWork, Failure>,
+        triangles: impl Fn(u32) -> usize,
+    ) -> Result<Look, Failure> {
+        let span = header.frames.div_ceil(LOOKED_AT).max(1);
+        let at = index / span * span;
+        let known = self.taken().get(&at).copied();
+        let work = match known {
+            Some(work) => work,
+            None => {
+                let work = expected(at)?;
+                *self.taken().entry(at).or_insert(work)
+            }
+        };
+        let facets = triangles(index) as f64 / triangles(at).max(1) as f64;
+        let finer = (self.cell_m(header, at) / self.cell_m(header, index)).powi(2);
+        Ok(Look { work, facets, cells: facets * finer })
+    }
+
+    /// Largest cells of a frame, by the nearest and the fastest of its bodies.
+    fn cell_m(&self, header: &SceneHeader, index: u32) -> f64 {
+        let view = scene::frame_view(header, index);
+        let frame = scene::snapshot(header, index);
+        let reaches_m = self.reach_of_mesh_m.get_or_init(|| header.meshes.iter().map(reach_m).collect());
+        let position_m = DVec3::from_array(header.radar.position_m);
+        let (mut nearest_m, mut fastest_mps) = (f64::INFINITY, 0.0_f64);
+        for (target, pose) in view.targets.iter().zip(&frame.poses) {
+            if let TargetKind::Mesh { mesh, .. } = target.kind {
+                let distance_m = position_m.distance(DVec3::from_array(pose.position_m));
+                let reach_m = reaches_m.get(mesh as usize).copied().unwrap_or(0.0);
+                // An antenna within a body's reach is a good deal away from its surface as a rule.
+                nearest_m = nearest_m.min((distance_m - reach_m).max(0.2 * distance_m));
+                fastest_mps = fastest_mps.max(DVec3::from_array(pose.velocity_mps).length());
+            }
+        }
+        bart_rcs::largest_cell_m(&view.in_frame(index), nearest_m, fastest_mps)
+    }
+
+    fn taken(&self) -> std::sync::MutexGuard<'_, BTreeMap<u32, ExpectedWork>> {
+        self.taken.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Greatest distance of a vertex from the mesh's origin.
+fn reach_m(mesh: &Mesh) -> f64 {
+    mesh.vertices_m.iter().map(|vertex| DVec3::from_array(*vertex).length()).fold(0.0, f64::max)
+}

@@ -1,0 +1,255 @@
+//! What each detected point is in truth: the target, its class and the bounce order whose echo fills the point's cell most, from
+//! the paths that made the echo. Only reports come here: nothing behind the radar cube reads it.
+//!
+//! A cell of the map, seen in the point's direction, holds Σ over paths of conj a/(L₁L₂)·e^{j2π(f_cτ − ½μτ²)}, each with what
+//! the two windows and the array leave of it there (`docs/interface.md`, eq. of a path, at the middle of frame and sweep). The
+//! sum is taken apart by target and order, coherently within each: cells of one surface cancel away from its mirror direction,
+//! and powers of single paths would say nothing of it. A point whose paths all together stay below the noise is a false alarm
+//! and has no label.
+
+use crate::evaluation::path_legs::{legs, mean_share};
+use artifact::cube::CubeHeader;
+use artifact::paths::{Path, PathsFrame};
+use artifact::points::{Label, Point};
+use artifact::radar::{Radar, Sampling};
+use artifact::units::SPEED_OF_LIGHT_MPS;
+use dsp::DspError;
+use dsp::window::taper;
+use fmcw_echo::antenna::link_amplitude;
+use glam::DVec3;
+use num_complex::Complex64;
+use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::TAU;
+
+/// What made a point, in truth.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Origin {
+    /// Echoes of bodies: the strongest kind of them, and the bodies on its strongest way.
+    Echo { label: Label, bodies: BTreeSet<u32> },
+    /// The road's own backscatter.
+    Ground,
+    /// The paths all together stay below the noise there.
+    Noise,
+}
+
+impl Origin {
+    /// The label of an echo.
+    pub(crate) fn label(&self) -> Option<Label> {
+        match self {
+            Self::Echo { label, .. } => Some(*label),
+            Self::Ground | Self::Noise => None,
+        }
+    }
+}
+
+/// Origins of points that paths made; `noise_power` is that of one cell of one channel of the map, in its units.
+pub(crate) fn origins(
+    header: &CubeHeader,
+    paths: &PathsFrame,
+    noise_power: f64,
+    points: &[Point],
+) -> Result<Vec<Origin>, DspError> {
+    let map = MapResponse::new(header)?;
+    let echoes: Vec<Echo> = paths.paths.iter().map(|path| Echo::of(&header.radar, path)).collect();
+    // The beam averages over channels: so does its noise.
+    let floor = noise_power / header.radar.virtual_channels() as f64 / map.gain.powi(2);
+    let origin = |point: &Point| {
+        let shares = map.shares(&header.radar, &echoes, point);
+        let Some(label) = strongest(&shares, floor) else { return Origin::Noise };
+        let group = Group { target: label.target, order: label.order, bodies: label.bodies };
+        match shares.get(&group).map(|share| share.strongest) {
+            // Where the road itself is strongest, the point is no target's.
+            _ if label.target == fmcw_echo::ground::GROUND => Origin::Ground,
+            Some(way) => Origin::Echo { label, bodies: met(&paths.paths[way]) },
+            None => Origin::Noise,
+        }
+    };
+    Ok(points.iter().map(origin).collect())
+}
+
+/// What a group leaves in a cell.
+#[derive(Debug, Clone, Copy, Default)]
+struct Share {
+    sum: Complex64,
+    /// The index of its strongest path, and that one's power.
+    strongest: usize,
+    largest: f64,
+}
+
+impl Share {
+    fn power(&self) -> f64 {
+        self.sum.norm_sqr()
+    }
+}
+
+/// The strongest group, where all together reach the noise.
+fn strongest(shares: &BTreeMap<Group, Share>, noise: f64) -> Option<Label> {
+    let sum: f64 = shares.values().map(Share::power).sum();
+    let best =
+        shares.iter().map(|(group, share)| (group, share.power())).fold(None, |best: Option<(&Group, f64)>, new| {
+            match best {
+                Some(best) if best.1 >= new.1 => Some(best),
+                _ => Some(new),
+            }
+        });
+    let (group, power) = best.filter(|_| sum > 0.0 && sum >= noise)?;
+    Some(Label { target: group.target, order: group.order, bodies: group.bodies, share: power / sum })
+}
+
+/// Bodies that a way meets.
+fn met(path: &Path) -> BTreeSet<u32> {
+    match path.sequence() {
+        [] => BTreeSet::from([path.target]),
+        facets => facets.iter().map(|facet| facet.body).collect(),
+    }
+}
+
+/// What ways have in common whose echoes are added: the first target, bounces, and how many different targets they meet. A way and the
+/// same one backwards are one echo: its target is the one of both ends that comes first in the scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Group {
+    target: u32,
+    order: u8,
+    bodies: u8,
+}
+
+impl Group {
+    fn of(path: &Path) -> Self {
+        let target = path.sequence().last().map_or(path.target, |last| path.target.min(last.body));
+        Self { target, order: path.order, bodies: met(path).len() as u8 }
+    }
+}
+
+/// A path at the frame's middle, as a map shows it; of a wheel its hub.
+struct Echo {
+    group: Group,
+    /// √W, with its phase in the middle of the sweep.
+    value: Complex64,
+    range_m: f64,
+    radial_velocity_mps: f64,
+    /// From the array to where it appears from the transmitter and from the receiver.
+    directions: [DVec3; 2],
+}
+
+impl Echo {
+    fn of(radar: &Radar, path: &Path) -> Self {
+        let [there, back] = legs(radar, path);
+        let (w, length_m) = (&radar.waveform, there.length_m + back.length_m);
+        let delay_s = length_m / SPEED_OF_LIGHT_MPS;
+        let (receive, transmit) = radar.array.polarization.indices();
+        let cycles = w.centre_frequency_hz() * delay_s - 0.5 * w.slope_hz_per_s * delay_s * delay_s;
+        let strength = path.amplitude_m[receive][transmit].conj() / (there.length_m * back.length_m);
+        Self {
+            group: Group::of(path),
+            value: mean_share(radar, path)
+                * link_amplitude(radar)
+                * strength
+                * Complex64::from_polar(1.0, TAU * cycles.fract()),
+            range_m: 0.5 * length_m,
+            radial_velocity_mps: 0.5 * (there.rate_mps + back.rate_mps),
+            directions: [there.direction, back.direction],
+        }
+    }
+}
+
+/// What the windows leave of a tone near a cell.
+struct MapResponse {
+    /// Doppler, range: at steps of [`STEP`] cells from the centre on.
+    along: [Vec<f64>; 2],
+    cells: [f64; 2],
+    /// Value of a cell over the amplitude of a tone in its centre.
+    gain: f64,
+}
+
+/// Cells from the peak within which a tone counts: the main lobe of all windows here and a sidelobe.
+const REACH_CELLS: f64 = 4.0;
+/// Finer than what a point is placed to.
+const STEP: f64 = 1.0 / 64.0;
+
+/// Of a tone's amplitude in the line that maps show: real samples have another at the image.
+fn line_share(header: &CubeHeader) -> f64 {
+    match header.radar.waveform.sampling {
+        Sampling::Complex => 1.0,
+        Sampling::Real => 0.5,
+    }
+}
+
+impl MapResponse {
+    fn new(header: &CubeHeader) -> Result<Self, DspError> {
+        let waveform = &header.radar.waveform;
+        let doppler = taper(header.dsp.doppler_window, waveform.chirps as usize)?;
+        let range = taper(header.dsp.range_window, waveform.samples as usize)?;
+        Ok(Self {
+            along: [response(&doppler), response(&range)],
+            cells: [header.radar.velocity_resolution_mps(), waveform.range_resolution_m()],
+            gain: line_share(header) * (doppler.len() * range.len()) as f64,
+        })
+    }
+
+    /// What each group leaves in the cell of a point, seen in its direction, √W.
+    fn shares(&self, radar: &Radar, echoes: &[Echo], point: &Point) -> BTreeMap<Group, Share> {
+        let toward = direction(point);
+        let mut shares: BTreeMap<Group, Share> = BTreeMap::new();
+        for (index, echo) in echoes.iter().enumerate() {
+            let Some(left) = self.left_of(radar, echo, point) else { continue };
+            let value = echo.value * left * beam(radar, echo, toward);
+            let share = shares.entry(echo.group).or_default();
+            share.sum += value;
+            if value.norm_sqr() >= share.largest {
+                (share.strongest, share.largest) = (index, value.norm_sqr());
+            }
+        }
+        shares
+    }
+
+    /// Share of the amplitude; `None` beyond the reach of the windows.
+    fn left_of(&self, radar: &Radar, echo: &Echo, point: &Point) -> Option<f64> {
+        // Both as the map shows them: a moving echo stands f_c/μ metres farther for each m/s.
+        let w = &radar.waveform;
+        let coupling = w.centre_frequency_hz() / w.slope_hz_per_s;
+        let apart_mps = echo.radial_velocity_mps - point.radial_velocity_mps;
+        let columns = (echo.range_m - point.range_m + coupling * apart_mps) / self.cells[1];
+        if columns.abs() >= REACH_CELLS {
+            return None;
+        }
+        let span = f64::from(w.chirps);
+        let rows = apart_mps / self.cells[0];
+        let rows = rows - span * (rows / span).round();
+        (rows.abs() < REACH_CELLS).then(|| at(&self.along[0], rows) * at(&self.along[1], columns))
+    }
+}
+
+fn at(response: &[f64], cells: f64) -> f64 {
+    response.get((cells.abs() / STEP).round() as usize).copied().unwrap_or(0.0)
+}
+
+/// Amplitude that a tone so far from a cell's centre leaves in it, about the window's middle, where it is real.
+fn response(taper: &[f64]) -> Vec<f64> {
+    let length = taper.len() as f64;
+    let steps = (REACH_CELLS / STEP) as usize;
+    let of = |step: usize| {
+        let turn = TAU * STEP * step as f64 / length;
+        taper.iter().enumerate().map(|(n, w)| w * (turn * (n as f64 - 0.5 * length)).cos()).sum::<f64>() / length
+    };
+    (0..=steps).map(of).collect()
+}
+
+/// Unit vector from the array to a point.
+fn direction(point: &Point) -> DVec3 {
+    let (sin, cos) = point.azimuth_rad.sin_cos();
+    let (up, level) = point.elevation_rad.sin_cos();
+    DVec3::new(sin * level, cos * level, up)
+}
+
+/// What is left of an echo in the beam to a direction: the mean over transmitters times the mean over receivers.
+fn beam(radar: &Radar, echo: &Echo, toward: DVec3) -> Complex64 {
+    let wavenumber = TAU / radar.waveform.wavelength_m();
+    let mean = |elements: &[[f64; 3]], direction: DVec3| {
+        let phase = |element: &[f64; 3]| {
+            let offset = DVec3::from(*element) - DVec3::from(radar.position_m);
+            Complex64::from_polar(1.0, -wavenumber * offset.dot(direction - toward))
+        };
+        elements.iter().map(phase).sum::<Complex64>() / elements.len().max(1) as f64
+    };
+    mean(&radar.array.tx_m, echo.directions[0]) * mean(&radar.array.rx_m, echo.directions[1])
+}

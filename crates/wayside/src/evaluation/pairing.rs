@@ -1,0 +1,254 @@
+//! Which detected object is whose: one answer for estimates, metrics, the console and the report.
+//!
+//! An object belongs to a body by its distance, seen from above, to the nearest part of the body's outline: radar sees what faces it,
+//! and of a bus seen from the front that is 6 m before its middle. It has to move as the body does there: a ghost of two others that shows
+//! within the outline is not the body. Bodies and objects are paired one to one so that the sum of squares is least, as GOSPA pairs them.
+//!
+//! What the settings ask of echoes at rest decides what is left over: an object that the radar itself tells to be at rest claims no vehicle,
+//! and is no false one where it is nobody's; a body whose echoes were removed with the rest is not missed.
+
+use crate::evaluation::metrics::gospa::{Gospa, gospa};
+use crate::evaluation::truth::Truth;
+use artifact::points::Object;
+use artifact::scene::SceneHeader;
+use artifact::settings::StaticEchoes;
+use artifact::tracks::Track;
+use glam::{DVec2, DVec3};
+use ndarray::{Array2, Axis};
+
+/// An object further than this from a body's outline is not that body's: what stands in the middle of the next lane, 3.75 m on, is 2.9 m from
+/// the side of a car.
+pub(crate) const GATE_M: f64 = 3.0;
+
+/// An object whose radial velocity differs by more from that of the body seen at the object's place, as the map folds it, is not that body's.
+/// Off by the gate at 30 m, a body that crosses at 14 m/s differs by 1.4 m/s; parts of one object by a metre a second
+/// (`cluster_velocity_mps`).
+pub(crate) const VELOCITY_GATE_MPS: f64 = 2.0;
+
+/// How far a radar tells places and velocities.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Reach {
+    pub(crate) position_m: DVec3,
+    pub(crate) range_max_m: f64,
+    /// Velocities that differ by it look alike.
+    pub(crate) velocity_span_mps: f64,
+    /// Echoes no faster than this, as the map folds them, may have been removed; `None` where none are.
+    pub(crate) removed_to_mps: Option<f64>,
+}
+
+impl Reach {
+    pub(crate) fn of(header: &SceneHeader) -> Self {
+        let (radar, removes) = (&header.radar, header.dsp.static_echoes == StaticEchoes::Remove);
+        Self {
+            // Half a Doppler cell, and as much again for what a weak echo's velocity errs by.
+            removed_to_mps: removes.then(|| radar.velocity_resolution_mps()),
+            position_m: DVec3::from(radar.position_m),
+            range_max_m: radar.waveform.range_max_m(),
+            velocity_span_mps: 2.0 * radar.velocity_max_mps(),
+        }
+    }
+
+    /// From the outline to an object that moves as the body does; infinite of any other.
+    fn square_m2(&self, truth: &Truth, object: &Object) -> f64 {
+        let sight = (DVec3::from(object.position_m) - self.position_m).normalize_or_zero();
+        let apart_mps = object.radial_velocity_mps - truth.velocity_mps.dot(sight);
+        let moves_alike = self.folded_mps(apart_mps).abs() <= VELOCITY_GATE_MPS;
+        if moves_alike { truth.outline.distance_m(place(object)).powi(2) } else { f64::INFINITY }
+    }
+
+    fn folded_mps(&self, velocity_mps: f64) -> f64 {
+        velocity_mps - self.velocity_span_mps * (velocity_mps / self.velocity_span_mps).round()
+    }
+
+    /// Whether a body's echoes are at rest and none is left of them.
+    fn removes(&self, truth: &Truth) -> bool {
+        let velocity_mps = truth.echo.map_or(truth.radial_velocity_mps, |echo| echo.radial_velocity_mps);
+        self.removed_to_mps.is_some_and(|limit_mps| self.folded_mps(velocity_mps).abs() <= limit_mps)
+    }
+}
+
+/// Bodies of a frame and the objects that are theirs.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Pairing {
+    /// For each truth its object.
+    pub(crate) object_of: Vec<Option<usize>>,
+    /// The truths that are to be found, in their order: rows of `squares_m2`.
+    pub(crate) shown: Vec<usize>,
+    /// Truths that would be among them, had their echoes not been removed as echoes at rest.
+    pub(crate) removed: Vec<usize>,
+    /// Objects that the radar tells to be at rest and that are nobody's.
+    pub(crate) standing: Vec<usize>,
+    /// From the outline of each to each object that is not standing; infinite where they do not move alike.
+    pub(crate) squares_m2: Array2<f64>,
+    /// Of these; objects by their own indices.
+    pub(crate) gospa: Gospa,
+}
+
+impl Pairing {
+    /// Only what is to be found has an object: nothing that is clutter, hidden, or beyond the range that the waveform tells.
+    pub(crate) fn of(truths: &[Truth], objects: &[Object], reach: &Reach) -> Self {
+        let asked: Vec<usize> = (0..truths.len()).filter(|t| truths[*t].is_to_be_found(reach.range_max_m)).collect();
+        let squares_m2 = Array2::from_shape_fn((asked.len(), objects.len()), |(row, o)| {
+            reach.square_m2(&truths[asked[row]], &objects[o])
+        });
+        let all = gospa(squares_m2.view(), GATE_M);
+        let mut object_of = vec![None; truths.len()];
+        asked.iter().zip(&all.chosen).for_each(|(truth, object)| object_of[*truth] = *object);
+        let is_removed = |row: &usize| all.chosen[*row].is_none() && reach.removes(&truths[asked[*row]]);
+        let (gone, kept): (Vec<usize>, Vec<usize>) = (0..asked.len()).partition(is_removed);
+        let is_standing = |o: &usize| objects[*o].stationary == Some(true) && !all.chosen.contains(&Some(*o));
+        let (standing, moving): (Vec<usize>, Vec<usize>) = (0..objects.len()).partition(is_standing);
+        Self {
+            object_of,
+            squares_m2: squares_m2.select(Axis(0), &kept).select(Axis(1), &moving),
+            gospa: all.without(&gone, standing.len()),
+            shown: kept.into_iter().map(|row| asked[row]).collect(),
+            removed: gone.into_iter().map(|row| asked[row]).collect(),
+            standing,
+        }
+    }
+
+    /// The body whose object this is.
+    pub(crate) fn body_of(&self, object: usize) -> Option<usize> {
+        self.object_of.iter().position(|own| *own == Some(object))
+    }
+
+    /// Whether a track has objects in this frame, and none but standing ones.
+    pub(crate) fn is_standing(&self, track: &Track) -> bool {
+        !track.objects.is_empty() && track.objects.iter().all(|object| self.standing.contains(&(*object as usize)))
+    }
+}
+
+/// An object seen from above.
+pub(crate) fn place(object: &Object) -> DVec2 {
+    DVec2::new(object.position_m[0], object.position_m[1])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::evaluation::ground_outline::GroundOutline;
+    use artifact::scene::{Mesh, Pose, Role};
+    use glam::DVec3;
+
+    /// A body of this length that comes down its lane, its middle at a place.
+    fn body(length_m: f64, [x_m, y_m]: [f64; 2]) -> Truth {
+        let yaw_rad = -std::f64::consts::FRAC_PI_2;
+        let pose = Pose { position_m: [x_m, y_m, 0.0], yaw_rad, velocity_mps: [0.0; 3], acceleration_mps2: [0.0; 3] };
+        let vertices_m = vec![[-0.5 * length_m, -1.0, 0.0], [0.5 * length_m, 1.0, 1.5]];
+        Truth {
+            role: Role::Target,
+            position_m: DVec3::from(pose.position_m),
+            outline: GroundOutline::of_mesh(&Mesh { vertices_m, ..Mesh::default() }, &pose),
+            range_m: y_m,
+            velocity_mps: DVec3::ZERO,
+            radial_velocity_mps: 0.0,
+            lane: None,
+            nearest_range_m: None,
+            echo: None,
+            sends_back: true,
+        }
+    }
+
+    fn object_at([x_m, y_m]: [f64; 2]) -> Object {
+        Object {
+            range_m: y_m,
+            radial_velocity_mps: 0.0,
+            velocity_resolved: false,
+            azimuth_rad: 0.0,
+            position_m: [x_m, y_m, 0.75],
+            lane: None,
+            snr_db: 20.0,
+            points: 1,
+            range_extent_m: [y_m; 2],
+            velocity_extent_mps: [0.0; 2],
+            ghost_share: None,
+            stationary: None,
+        }
+    }
+
+    fn objects_of(truths: &[Truth], objects: &[Object]) -> Vec<Option<usize>> {
+        Pairing::of(truths, objects, &REACH).object_of
+    }
+
+    const REACH: Reach =
+        Reach { position_m: DVec3::ZERO, range_max_m: 100.0, velocity_span_mps: 20.0, removed_to_mps: None };
+
+    #[test]
+    fn objects_at_rest_that_are_nobodys_are_told_apart_from_false_ones() {
+        let told = |stationary, object| Object { stationary, ..object };
+        let objects = [
+            told(Some(true), object_at([2.0, 40.0])),
+            told(Some(true), object_at([12.0, 30.0])),
+            told(Some(false), object_at([12.0, 50.0])),
+        ];
+        let pairing = Pairing::of(&[body(4.0, [2.0, 42.0])], &objects, &REACH);
+        assert_eq!(
+            (&pairing.object_of, &pairing.standing),
+            (&vec![Some(0)], &vec![1]),
+            "a vehicle that waits is found"
+        );
+        assert_eq!((pairing.gospa.missed, pairing.gospa.false_ones, pairing.squares_m2.dim()), (0, 1, (1, 2)));
+        let unmarked = objects.map(|object| told(None, object));
+        let pairing = Pairing::of(&[body(4.0, [2.0, 42.0])], &unmarked, &REACH);
+        assert_eq!((pairing.standing.len(), pairing.gospa.false_ones, pairing.squares_m2.dim()), (0, 2, (1, 3)));
+    }
+
+    #[test]
+    fn a_body_whose_echoes_were_removed_is_not_missed_and_one_that_moves_is() {
+        let drives = |truth: Truth| Truth { radial_velocity_mps: -8.0, ..truth };
+        let truths = [body(4.0, [2.0, 42.0]), drives(body(4.0, [5.75, 30.0])), body(4.0, [9.5, 20.0])];
+        let object = object_at([9.5, 20.0]);
+        let removing = Reach { removed_to_mps: Some(0.25), ..REACH };
+        let pairing = Pairing::of(&truths, &[object], &removing);
+        assert_eq!((&pairing.removed, &pairing.shown), (&vec![0], &vec![1, 2]), "what has an object is found");
+        assert_eq!((pairing.gospa.missed, &pairing.gospa.chosen), (1, &vec![None, Some(0)]));
+        let blind = |truth: Truth| Truth { radial_velocity_mps: -20.0, ..truth };
+        assert_eq!(
+            Pairing::of(&[blind(body(4.0, [2.0, 42.0]))], &[], &removing).removed,
+            [0],
+            "a span away looks alike"
+        );
+        assert!(Pairing::of(&truths, &[object], &REACH).removed.is_empty());
+    }
+
+    #[test]
+    fn a_ghost_within_the_outline_that_moves_otherwise_is_not_the_body_and_an_aliased_echo_is() {
+        // At rest; strongest first.
+        let truths = [body(8.0, [2.0, 34.0])];
+        let moving = |object: Object, by_mps: f64| Object { radial_velocity_mps: by_mps, ..object };
+        let ghost = moving(object_at([2.0, 36.0]), -9.5);
+        assert_eq!(objects_of(&truths, &[ghost, object_at([2.0, 29.5])]), [Some(1)]);
+        // A span away.
+        assert_eq!(objects_of(&truths, &[ghost, moving(object_at([2.0, 29.5]), 20.4)]), [Some(1)]);
+    }
+
+    #[test]
+    fn a_bus_seen_from_the_front_is_found_though_its_middle_is_six_metres_behind() {
+        assert_eq!(objects_of(&[body(12.0, [2.0, 50.0])], &[object_at([2.0, 43.5])]), [Some(0)]);
+    }
+
+    #[test]
+    fn the_best_assignment_is_taken_not_the_nearest_pairs() {
+        // Nearest first would give the object between them to the second body and leave the first without.
+        let truths = [body(4.0, [2.0, 38.0]), body(4.0, [2.0, 44.0])];
+        let objects = [object_at([2.0, 41.5]), object_at([2.0, 47.0])];
+        assert_eq!(objects_of(&truths, &objects), [Some(0), Some(1)]);
+    }
+
+    #[test]
+    fn what_is_clutter_or_hidden_or_out_of_range_has_no_object_however_near() {
+        let near = || body(4.0, [2.0, 40.0]);
+        let none =
+            [Truth { role: Role::Clutter, ..near() }, Truth { sends_back: false, ..near() }, body(4.0, [2.0, 101.0])];
+        let objects = [object_at([2.0, 40.0]), object_at([2.0, 101.0])];
+        assert_eq!(objects_of(&none, &objects), [None; 3]);
+    }
+
+    #[test]
+    fn an_object_beyond_the_gate_is_nobodys() {
+        let truths = [body(4.0, [2.0, 40.0])];
+        assert_eq!(objects_of(&truths, &[object_at([2.0, 34.9]), object_at([6.1, 40.0])]), [None]);
+        assert_eq!(objects_of(&truths, &[object_at([5.9, 40.0])]), [Some(0)]);
+    }
+}

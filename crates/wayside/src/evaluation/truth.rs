@@ -1,0 +1,101 @@
+//! What is true of each target of a frame. Only reports come here: nothing behind the radar cube reads it.
+
+use crate::evaluation::ground_outline::GroundOutline;
+use crate::evaluation::path_legs::{legs, mean_share};
+use artifact::paths::{Path, PathsFrame};
+use artifact::scene::{Pose, Role, SceneFrame, SceneHeader, TargetKind};
+use glam::DVec3;
+
+/// Truth of one target at the frame's middle, seen from the radar's position.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Truth {
+    pub(crate) position_m: DVec3,
+    /// The ground that it covers.
+    pub(crate) outline: GroundOutline,
+    pub(crate) range_m: f64,
+    pub(crate) velocity_mps: DVec3,
+    pub(crate) radial_velocity_mps: f64,
+    pub(crate) lane: Option<u8>,
+    pub(crate) nearest_range_m: Option<f64>,
+    pub(crate) echo: Option<Echo>,
+    /// Clutter is what results are not compared with.
+    pub(crate) role: Role,
+    /// Whether it has an echo of its own; echoes of tables are not traced, and taken for granted.
+    pub(crate) sends_back: bool,
+}
+
+impl Truth {
+    /// Whether the radar is to find it: a target that sends back any echo, from within the range that the waveform tells.
+    pub(crate) fn is_to_be_found(&self, range_max_m: f64) -> bool {
+        self.role == Role::Target && self.sends_back && self.echo.map_or(self.range_m, |e| e.range_m) <= range_max_m
+    }
+}
+
+/// Power-weighted means over the paths that touch this target only.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Echo {
+    pub(crate) range_m: f64,
+    pub(crate) radial_velocity_mps: f64,
+}
+
+/// In the order of the scene's targets; `paths` is `None` where the echo was made from tables.
+pub(crate) fn truths(header: &SceneHeader, frame: &SceneFrame, paths: Option<&PathsFrame>) -> Vec<Truth> {
+    let of = |(i, pose): (usize, &Pose)| truth(header, i, pose, paths);
+    frame.poses.iter().enumerate().map(of).collect()
+}
+
+fn truth(header: &SceneHeader, index: usize, pose: &Pose, paths: Option<&PathsFrame>) -> Truth {
+    let pose = &scene::pose_after(pose, header.radar.frame_middle_s());
+    let position_m = DVec3::from(pose.position_m);
+    let away = position_m - DVec3::from(header.radar.position_m);
+    let (range_m, velocity_mps) = (away.length(), DVec3::from(pose.velocity_mps));
+    let echo = paths.and_then(|p| echo(header, index, &p.paths));
+    Truth {
+        role: header.targets[index].role,
+        position_m,
+        outline: outline(header, index, pose),
+        range_m,
+        velocity_mps,
+        radial_velocity_mps: velocity_mps.dot(away) / range_m,
+        lane: header.dsp.road.at(pose.position_m),
+        nearest_range_m: paths.and_then(|p| p.nearest_range_m.get(index).copied().flatten()),
+        echo,
+        sends_back: paths.is_none() || echo.is_some(),
+    }
+}
+
+fn outline(header: &SceneHeader, index: usize, pose: &Pose) -> GroundOutline {
+    let mesh = match header.targets[index].kind {
+        TargetKind::Mesh { mesh, .. } => header.meshes.get(mesh as usize),
+        TargetKind::Point { .. } => None,
+    };
+    mesh.map_or(GroundOutline::of_point(pose), |mesh| GroundOutline::of_mesh(mesh, pose))
+}
+
+fn echo(header: &SceneHeader, target: usize, paths: &[Path]) -> Option<Echo> {
+    let (mut weight, mut range, mut velocity) = (0.0, 0.0, 0.0);
+    for path in paths.iter().filter(|p| is_wholly_on(target, p)) {
+        let (power, echo) = received(header, path);
+        weight += power;
+        range += power * echo.range_m;
+        velocity += power * echo.radial_velocity_mps;
+    }
+    (weight > 0.0).then(|| Echo { range_m: range / weight, radial_velocity_mps: velocity / weight })
+}
+
+/// A way over two vehicles shows at neither: it is a ghost, not an echo of one of them.
+fn is_wholly_on(target: usize, path: &Path) -> bool {
+    path.target as usize == target && path.sequence().iter().all(|facet| facet.body as usize == target)
+}
+
+/// Power of a path up to a common factor, |a|²/(L₁L₂)² times its mean share over the frame (the shares of what is traced at several
+/// moments add up to 1), and half its length and rate at the frame's middle.
+fn received(header: &SceneHeader, path: &Path) -> (f64, Echo) {
+    let [there, back] = legs(&header.radar, path);
+    let (receive, transmit) = header.radar.array.polarization.indices();
+    let of_whole = path.amplitude_m[receive][transmit].norm_sqr() / (there.length_m * back.length_m).powi(2);
+    let power = mean_share(&header.radar, path) * of_whole;
+    let range_m = 0.5 * (there.length_m + back.length_m);
+    let echo = Echo { range_m, radial_velocity_mps: 0.5 * (there.rate_mps + back.rate_mps) };
+    (power, echo)
+}

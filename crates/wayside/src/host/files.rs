@@ -1,0 +1,79 @@
+//! Whole files or none.
+
+use crate::host::failure::Failure;
+use artifact::whole_file::{self, Durability, WholeFile};
+use std::collections::BTreeSet;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+/// Refuses what could not be written, before the work that it is the result of: no plain file, an input, a place without
+/// permission, or one place for two results.
+pub(crate) fn claim(places: &[PathBuf]) -> Result<(), Failure> {
+    let mut claimed = BTreeSet::new();
+    for place in places {
+        whole_file::check(place)?;
+        if !claimed.insert(one_name(place)) {
+            return Err(twice(place));
+        }
+    }
+    Ok(())
+}
+
+/// Writes `file` whole or not at all; folders that are missing are made.
+pub(crate) fn write_file(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    write_with(file, |stream| stream.write_all(bytes))
+}
+
+/// As [`write_file`], for what grows and is written again and again.
+pub(crate) fn write_again(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let mut whole = WholeFile::create(file)?;
+    whole.write_all(bytes).map_err(|e| Failure::system(file, "write", e))?;
+    Ok(whole.finish(Durability::InCache)?)
+}
+
+/// As [`write_file`], for content that is made as a stream.
+pub(crate) fn write_with(
+    file: &Path,
+    content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,
+) -> Result<(), Failure> {
+    write(file, Durability::InCache, content)
+}
+
+/// As [`write_with`], and waits for the disk: what took hours, and what they were kept in until now is removed next.
+pub(crate) fn write_lasting(
+    file: &Path,
+    content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,
+) -> Result<(), Failure> {
+    write(file, Durability::OnDisk, content)
+}
+
+fn write(
+    file: &Path,
+    durability: Durability,
+    content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,
+) -> Result<(), Failure> {
+    let mut whole = WholeFile::create(file)?;
+    content(&mut whole).map_err(|e| Failure::system(file, "write", e))?;
+    if !WRITTEN.lock().unwrap_or_else(PoisonError::into_inner).insert(one_name(file)) {
+        return Err(twice(file));
+    }
+    Ok(whole.finish(durability)?)
+}
+
+/// What this command has written.
+static WRITTEN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+fn twice(place: &Path) -> Failure {
+    Failure::System(format!("{}: cannot be written: two results of this command have this name", place.display()))
+}
+
+/// The same for all ways to a file in a folder that exists.
+fn one_name(place: &Path) -> PathBuf {
+    let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    match (std::fs::canonicalize(place), std::fs::canonicalize(folder), place.file_name()) {
+        (Ok(whole), _, _) => whole,
+        (_, Ok(folder), Some(name)) => folder.join(name),
+        _ => place.to_owned(),
+    }
+}

@@ -1,0 +1,91 @@
+//! How far long work is. Work says what it is and, where it can count, how far it is; it never prints. Whoever shows it looks at
+//! [`line`] or [`shown`] as often as it likes, and hears remarks by [`listen`]: nothing of it depends on what is computed.
+
+mod under_way;
+
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::time::{Duration, Instant};
+use under_way::{Item, UnderWay};
+
+pub use under_way::Shown;
+
+static UNDER_WAY: Mutex<UnderWay> = Mutex::new(UnderWay::NOTHING);
+static LISTENER: OnceLock<fn(&str)> = OnceLock::new();
+
+/// Sends all remarks of this process to `listener`; the first one stays.
+pub fn listen(listener: fn(&str)) {
+    let _ = LISTENER.set(listener);
+}
+
+/// A remark that is no result; unheard where nobody listens.
+pub fn note(text: impl std::fmt::Display) {
+    if let Some(listener) = LISTENER.get() {
+        listener(&text.to_string());
+    }
+}
+
+/// The line that is due for a log: of work that lasts, within 2 s of its begin and then every ten.
+pub fn line(now: Instant) -> Option<String> {
+    locked(&UNDER_WAY).line(now)
+}
+
+/// What a bar shows once the outermost work has been under way for so long.
+pub fn shown(now: Instant, after: Duration) -> Option<Shown> {
+    locked(&UNDER_WAY).shown(now, after)
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A piece of work that is under way until it is dropped; within it there may be others.
+pub struct Work(Arc<Item>);
+
+impl Work {
+    /// Begins work of the given name.
+    pub fn begin(name: impl Into<String>) -> Self {
+        Self::resumed(name, 0)
+    }
+
+    /// The same where so many steps are there already.
+    pub fn resumed(name: impl Into<String>, found: usize) -> Self {
+        Self(locked(&UNDER_WAY).begin(name.into(), found, Instant::now()))
+    }
+
+    /// `done` of `of` steps are done; callable from any thread.
+    pub fn at(&self, done: usize, of: usize) {
+        self.0.at(done, of);
+    }
+}
+
+/// Work that may take long, by its name.
+pub fn during<T>(name: impl Into<String>, work: impl FnOnce() -> T) -> T {
+    let _under_way = Work::begin(name);
+    work()
+}
+
+/// A part of the work heard from a stage.
+impl bart_rcs::Progress for Work {
+    fn at(&self, phase: bart_rcs::Phase, done: usize, of: usize) {
+        match phase {
+            bart_rcs::Phase::Aspects | bart_rcs::Phase::Bodies => self.0.at(done, of),
+            part => self.0.part_at(part_name(part), done, of, Instant::now()),
+        }
+    }
+}
+
+fn part_name(phase: bart_rcs::Phase) -> &'static str {
+    match phase {
+        bart_rcs::Phase::Aspects | bart_rcs::Phase::Bodies => "one after the other",
+        bart_rcs::Phase::Building => "building the hierarchy",
+        bart_rcs::Phase::Tracing => "tracing",
+        bart_rcs::Phase::Integrating => "integrating",
+        bart_rcs::Phase::Checking => "checking errors",
+    }
+}
+
+impl Drop for Work {
+    fn drop(&mut self) {
+        locked(&UNDER_WAY).end(&self.0);
+    }
+}

@@ -1,0 +1,246 @@
+//! Whether the accuracy that was asked for was reached; where not, what limits it and what would help.
+
+use crate::outcome::summary::error_db;
+use artifact::paths::PathsFrame;
+use artifact::units::db_from_amplitude;
+use artifact::{Accuracy, ErrorBudget};
+use serde_json::{Value, json};
+
+/// Of more frames than this only the worst is told in full.
+pub(crate) const FRAMES_IN_FULL: usize = 4;
+
+/// What was asked of a frame, a table or a scene, and what came of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Verdict {
+    asked: Accuracy,
+    error: ErrorBudget,
+    /// At how many moments of the frame ways between bodies were traced; `None` where that means nothing.
+    moments: Option<u32>,
+}
+
+/// What is called accuracy: words of a person who asks for it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Asking {
+    /// By a scene's keys.
+    Scene,
+    /// By options of the command line.
+    Options,
+}
+
+impl Verdict {
+    pub(crate) fn of(asked: Accuracy, error: &ErrorBudget) -> Self {
+        Self { asked, error: *error, moments: None }
+    }
+
+    /// Of a frame whose paths are known.
+    pub(crate) fn of_paths(asked: Accuracy, error: &ErrorBudget, paths: Option<&PathsFrame>) -> Self {
+        let fineness = paths.and_then(|paths| paths.trace.fineness.as_ref());
+        Self { moments: fineness.map(|fineness| fineness.moments), ..Self::of(asked, error) }
+    }
+
+    /// Whether the error is no larger than was asked; `None` where it was not estimated.
+    fn is_met(&self) -> Option<bool> {
+        // An accuracy that went through decibels and back may differ by rounding.
+        self.error.total().map(|total| total <= self.asked.amplitude() * (1.0 + 1e-9))
+    }
+
+    /// The largest share.
+    fn limited_by(&self) -> Option<&'static str> {
+        let known = self.error.shares().into_iter().filter_map(|(name, error)| Some((name, error?)));
+        known.filter(|(_, error)| *error > 0.0).max_by(|a, b| a.1.total_cmp(&b.1)).map(|(name, _)| name)
+    }
+
+    /// `accuracy` of `summary.json`.
+    pub(crate) fn json(&self, asking: Asking) -> Value {
+        json!({
+            "asked_db": self.asked.db(),
+            "reached_db": self.error.total().map(db_from_amplitude),
+            "met": self.is_met(),
+            "limited_by": self.limited_by(),
+            "advice": self.advice(asking),
+        })
+    }
+
+    /// The same for a person.
+    pub(crate) fn lines(&self, asking: Asking) -> Vec<String> {
+        lines(&self.json(asking), &error_db(&self.error))
+    }
+
+    /// What limits the accuracy and what would help; `None` where it was reached or nothing is known.
+    fn advice(&self, asking: Asking) -> Option<String> {
+        let limited_by = self.limited_by().filter(|_| self.is_met() == Some(false))?;
+        let (what, help) = match (limited_by, self.moments) {
+            ("freezing", Some(moments)) if moments > 1 => of_moments(moments),
+            _ => cause_and_help(limited_by, asking),
+        };
+        let help = help.replace("{finer}", &format!("{:.0}", self.finer_db()));
+        Some(format!("Limited by {limited_by}: {what}. What would help: {help}."))
+    }
+
+    /// Asked for instead, it would leave as much as is missing now.
+    fn finer_db(&self) -> f64 {
+        let reached_db = self.error.total().map_or(self.asked.db(), db_from_amplitude);
+        (2.0 * self.asked.db() - reached_db).floor()
+    }
+}
+
+/// Of every frame, or of many the worst and how many there are, whether the accuracy was reached.
+pub(crate) fn of_frames(frames: &[(u32, Verdict)]) -> Vec<String> {
+    let frame = |(number, verdict): &(u32, Verdict)| {
+        let mut lines = verdict.lines(Asking::Scene);
+        lines[0] = format!("frame {number}: {}", lines[0]);
+        lines
+    };
+    if frames.len() <= FRAMES_IN_FULL {
+        return frames.iter().flat_map(frame).collect();
+    }
+    let missed = frames.iter().filter(|(_, verdict)| verdict.is_met() == Some(false)).count();
+    let head = format!("accuracy reached in {} of {} frames; the worst:", frames.len() - missed, frames.len());
+    let error = |verdict: &Verdict| verdict.error.total().unwrap_or(0.0);
+    let worst = frames.iter().max_by(|a, b| error(&a.1).total_cmp(&error(&b.1)));
+    std::iter::once(head).chain(worst.into_iter().flat_map(frame)).collect()
+}
+
+/// Asked, reached and the shares that make up most of it, from `accuracy` and `error_db` of `summary.json`; then, where it was not
+/// reached, what limits it and what would help.
+pub(crate) fn lines(accuracy: &Value, error_db: &Value) -> Vec<String> {
+    let asked = decibels(&accuracy["asked_db"]);
+    if accuracy["reached_db"].is_null() {
+        return vec![format!("numerical error not estimated ({asked} asked)")];
+    }
+    let verdict = if accuracy["met"] == true { "reached" } else { "NOT REACHED" };
+    let shares: Vec<String> =
+        shares_that_matter(error_db).iter().map(|(n, db)| format!("{n} {}", decibels(&json!(db)))).collect();
+    let reached = decibels(&accuracy["reached_db"]);
+    let head = format!("numerical error {reached}, {asked} asked: {verdict} ({})", shares.join(", "));
+    std::iter::once(head).chain(accuracy["advice"].as_str().map(str::to_owned)).collect()
+}
+
+/// Shares within 10 dB of the largest, largest first: each of the others changes the total by less than half a decibel.
+fn shares_that_matter(error_db: &Value) -> Vec<(&str, f64)> {
+    let all = error_db.as_object().into_iter().flatten().filter(|(name, _)| *name != "total");
+    let mut shares: Vec<(&str, f64)> = all.filter_map(|(name, db)| Some((name.as_str(), db.as_f64()?))).collect();
+    shares.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let largest = shares.first().map_or(0.0, |(_, db)| *db);
+    shares.retain(|(_, db)| *db >= largest - 10.0);
+    shares
+}
+
+/// What a share means and what makes it smaller; `{finer}` stands for a value in dB.
+fn cause_and_help(share: &str, asking: Asking) -> (&'static str, &'static str) {
+    let is_scene = asking == Asking::Scene;
+    match share {
+        "tessellation" => (
+            "a bound of what facets in place of the curved skin err by",
+            "a mesh with more triangles, or surface = \"flat\" where the facets are what is meant",
+        ),
+        "integration" if is_scene => (
+            "parts of a body cancel, and what is left of their sum is known to less",
+            "accuracy_db = {finer} in [fidelity]",
+        ),
+        "integration" => {
+            ("parts of the body cancel, and what is left of their sum is known to less", "--accuracy-db {finer}")
+        }
+        "dropped" if is_scene => {
+            ("beams and mirrors too small were given up", "accuracy_db = {finer} in [fidelity], or fewer bounces")
+        }
+        "dropped" => ("beams and mirrors too small were given up", "--accuracy-db {finer}, or fewer --bounces"),
+        "freezing" => (
+            "bodies move and shadows shift within the frame, and paths follow them only so far",
+            "a shorter frame (fewer chirps, shorter intervals), or fewer bounces where bodies reflect each other",
+        ),
+        "detail" => ("fewer paths stand for all that were traced", "detail = \"paths\" in [fidelity]"),
+        "synthesis" => {
+            ("echoes are summed from tables or by transforms", "echo = \"paths\" and a finer accuracy_db in [fidelity]")
+        }
+        _ => ("of unknown cause", "a finer accuracy"),
+    }
+}
+
+/// Of a frame whose ways between bodies were traced at several moments already.
+fn of_moments(moments: u32) -> (&'static str, &'static str) {
+    if moments >= bart_rcs::MOMENTS_MAX {
+        (
+            "ways between moving bodies change faster than the moments follow at which they are traced",
+            "a shorter frame (fewer chirps, shorter intervals), or slower bodies",
+        )
+    } else {
+        (
+            "more moments of the frame did not help, so what is left is not motion but the width of the array and of the sweep",
+            "a smaller array or a narrower sweep",
+        )
+    }
+}
+
+/// Decibels of a summary, to a tenth.
+pub(crate) fn decibels(db: &Value) -> String {
+    db.as_f64().map_or("not estimated".into(), |db| format!("{db:.1} dB").replace('-', "−"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(integration: f64, freezing: f64) -> Verdict {
+        let error = ErrorBudget { integration: Some(integration), freezing: Some(freezing), ..ErrorBudget::default() };
+        Verdict::of(Accuracy::from_db(-20.0), &error)
+    }
+
+    #[test]
+    fn an_accuracy_that_was_not_reached_is_told_with_its_cause_and_what_helps() {
+        let missed = of(0.02, 0.24);
+        let told = missed.json(Asking::Scene);
+        assert_eq!((&told["met"], &told["limited_by"]), (&json!(false), &json!("freezing")));
+        // √(0.02² + 0.24²) = 0.2408: −12.4 dB.
+        assert!((told["reached_db"].as_f64().unwrap() + 12.366).abs() < 1e-3, "{told}");
+        let advice = told["advice"].as_str().unwrap();
+        assert!(advice.contains("freezing") && advice.contains("shorter frame"), "{advice}");
+        let lines = missed.lines(Asking::Scene);
+        assert!(lines[0].contains("−12.4 dB") && lines[0].contains("−20.0 dB asked: NOT REACHED"), "{lines:?}");
+        assert!(!lines[0].contains("integration"), "0.02 changes 0.24 by 0.03 dB: {lines:?}");
+    }
+
+    #[test]
+    fn an_accuracy_that_was_reached_needs_no_advice_and_one_not_estimated_no_verdict() {
+        let met = of(0.05, 0.06).json(Asking::Scene);
+        assert_eq!((&met["met"], &met["advice"], &met["limited_by"]), (&json!(true), &Value::Null, &json!("freezing")));
+        let unknown = Verdict::of(Accuracy::from_db(-20.0), &ErrorBudget::default()).json(Asking::Scene);
+        assert_eq!(
+            (&unknown["met"], &unknown["limited_by"], &unknown["reached_db"]),
+            (&Value::Null, &Value::Null, &Value::Null)
+        );
+        assert!((unknown["asked_db"].as_f64().unwrap() + 20.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn every_share_of_a_budget_has_a_cause_and_a_help_of_its_own() {
+        for (share, _) in ErrorBudget::default().shares() {
+            for asking in [Asking::Scene, Asking::Options] {
+                assert_ne!(cause_and_help(share, asking).0, "of unknown cause", "{share}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_to_ask_for_instead_is_finer_by_what_is_missing() {
+        // 0.2 is −13.98 dB, 6.02 dB above what was asked.
+        let advice = of(0.2, 0.001).advice(Asking::Options).unwrap();
+        assert!(advice.ends_with("--accuracy-db -27."), "{advice}");
+    }
+
+    /// More moments are no help where all that there are were used, and none where fewer were found to do as well.
+    #[test]
+    fn what_helps_against_freezing_depends_on_the_moments_at_which_the_frame_was_traced() {
+        let advice = |moments| Verdict { moments, ..of(0.02, 0.24) }.advice(Asking::Scene).unwrap();
+        let most = bart_rcs::MOMENTS_MAX;
+        assert_eq!(advice(Some(1)), advice(None), "one moment is the whole frame");
+        assert!(advice(Some(most)).contains("slower bodies"), "{}", advice(Some(most)));
+        let fewer = advice(Some(most / 2 + 1));
+        assert!(fewer.contains("smaller array") && !fewer.contains("shorter frame"), "{fewer}");
+        let other = Verdict { moments: Some(most), ..of(0.24, 0.02) }.advice(Asking::Scene).unwrap();
+        assert!(
+            other.contains("integration") && !other.contains("slower bodies"),
+            "freezing is not what limits: {other}"
+        );
+    }
+}

@@ -1,0 +1,109 @@
+//! Pictures: drawn once as SVG, put into the report as they are and onto disk as PNG.
+
+mod field_of_view;
+mod lane_sides;
+mod bodies;
+mod beyond;
+mod found;
+mod ground;
+mod rdm;
+mod exr;
+mod plan_view;
+mod points;
+pub(crate) mod seen;
+mod common_view;
+
+use crate::chain::link::{Chain, FrameProducts};
+use crate::evaluation::frame_truth::FrameTruth;
+use crate::evaluation::truth::Truth;
+use crate::host::failure::Failure;
+use crate::host::files;
+use artifact::cube::CubeHeader;
+use artifact::points::PointsFrame;
+use artifact::rdm::RdmFrame;
+use plotting::form::{Figure, Form};
+use plotting::raster;
+use plotting::svg::Svg;
+use rdm::{OnMap, TrueEcho};
+use std::path::Path;
+
+pub(crate) use common_view::common_view;
+pub(crate) use exr::rdm_exr;
+
+/// What is drawn of one frame.
+pub(crate) struct FrameFigures {
+    pub(crate) plan: Figure,
+    pub(crate) rdm: Figure,
+    pub(crate) profile: Figure,
+    pub(crate) points: Figure,
+}
+
+/// Draws one frame with its truth.
+pub(crate) fn figures(chain: &Chain, frame: &FrameProducts, truth: &FrameTruth) -> Result<FrameFigures, Failure> {
+    let (header, points) = (&chain.cube_header.in_frame(frame.rdm.index), &frame.result.points);
+    let is_nobodys = |index: &usize| truth.pairing.body_of(*index).is_none();
+    let nobodys: Vec<usize> = (0..points.objects.len()).filter(is_nobodys).collect();
+    let echoes = true_echoes(frame, truth);
+    let over = OnMap { points: Some(points), nobodys: Some(&nobodys), truth: &echoes };
+    let bodies = bodies::bodies(&frame.view, &frame.result.scene);
+    Ok(FrameFigures {
+        plan: Figure::of(|form| plan_view::of_frame(&frame.view, &frame.result, &nobodys, form)),
+        rdm: Figure::try_of(|form| rdm::draw(header, &frame.rdm, &over, form))?,
+        profile: Figure::try_of(|form| rdm::range_profile(header, &frame.rdm, form))?,
+        points: Figure::of(|form| points::draw(header, points, &bodies, form)),
+    })
+}
+
+/// Where each body's echo lies; of one that sends none back, nothing.
+fn true_echoes(frame: &FrameProducts, truth: &FrameTruth) -> Vec<TrueEcho> {
+    let named = frame.view.targets.iter().zip(&truth.truths).filter(|(_, truth)| truth.sends_back);
+    let echo = |(target, truth): (&artifact::scene::Target, &Truth)| TrueEcho {
+        name: target.id.clone(),
+        range_m: truth.echo.map_or(truth.range_m, |e| e.range_m),
+        radial_velocity_mps: truth.echo.map_or(truth.radial_velocity_mps, |e| e.radial_velocity_mps),
+    };
+    named.map(echo).collect()
+}
+
+/// `scene-NNNN.png`, `rdm-NNNN.png`, `points-NNNN.png` and `rdm-NNNN.exr` of one frame.
+pub(crate) fn write_frame(
+    figures: &FrameFigures,
+    header: &CubeHeader,
+    rdm: &RdmFrame,
+    folder: &Path,
+) -> Result<(), Failure> {
+    let place = |name: &str, kind: &str| folder.join(format!("{name}-{:04}.{kind}", rdm.index));
+    write_png(&place("scene", "png"), &figures.plan.wide)?;
+    write_png(&place("rdm", "png"), &figures.rdm.wide)?;
+    write_png(&place("points", "png"), &figures.points.wide)?;
+    rdm_exr(header, rdm, &place("rdm", "exr"))
+}
+
+/// Map and points of one frame: what can be drawn without truth.
+pub(crate) fn of_map(header: &CubeHeader, rdm: &RdmFrame, points: &PointsFrame, folder: &Path) -> Result<(), Failure> {
+    let (header, number) = (&header.in_frame(rdm.index), rdm.index);
+    let over = OnMap { points: Some(points), ..OnMap::default() };
+    write_png(&folder.join(format!("rdm-{number:04}.png")), &rdm::draw(header, rdm, &over, Form::Wide)?)?;
+    write_png(&folder.join(format!("points-{number:04}.png")), &points::draw(header, points, &[], Form::Wide))?;
+    rdm_exr(header, rdm, &folder.join(format!("rdm-{number:04}.exr")))
+}
+
+/// A map with axes and nothing over it.
+pub(crate) fn write_map(file: &Path, header: &CubeHeader, rdm: &RdmFrame) -> Result<(), Failure> {
+    write_png(file, &rdm::draw(&header.in_frame(rdm.index), rdm, &OnMap::default(), Form::Wide)?)
+}
+
+/// An SVG as PNG.
+pub(crate) fn write_png(file: &Path, picture: &Svg) -> Result<(), Failure> {
+    let bytes = raster::png(picture).map_err(|e| Failure::system(file, "draw", e))?;
+    files::write_file(file, &bytes)
+}
+
+/// Grey levels, row-major, as PNG.
+pub(crate) fn write_gray(file: &Path, width: u32, height: u32, pixels: Vec<u8>) -> Result<(), Failure> {
+    let image = image::GrayImage::from_raw(width, height, pixels);
+    let image =
+        image.ok_or_else(|| Failure::refused(format!("{}: the picture is not {width} × {height}", file.display())))?;
+    let bytes = raster::encode(image.into()).map_err(|e| Failure::system(file, "encode", e))?;
+    files::write_file(file, &bytes)
+}

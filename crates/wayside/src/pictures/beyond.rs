@@ -1,0 +1,102 @@
+//! What lies beyond the edges of a drawing: an arrow at the edge where it would be, with a number where there are
+//! several.
+
+use plotting::svg::Svg;
+
+/// What can lie beyond.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Thing {
+    Radar,
+    Body,
+    Point,
+    Object,
+}
+
+/// Things beyond a box of pixels.
+#[derive(Debug, Clone)]
+pub(super) struct Beyond {
+    frame: [f64; 4],
+    things: Vec<(Thing, String, [f64; 2])>,
+}
+
+/// Arrows stand no closer than this along an edge; what lies closer shares one.
+const STEP_PX: f64 = 32.0;
+
+impl Beyond {
+    pub(super) fn of(frame: [f64; 4]) -> Self {
+        Self { frame, things: vec![] }
+    }
+
+    /// Takes note of a thing at a pixel outside.
+    pub(super) fn mark(&mut self, thing: Thing, colour: &str, at: [f64; 2]) {
+        self.things.push((thing, colour.to_owned(), at));
+    }
+
+    /// Draws the arrows and says what they mean; `None` where nothing lies beyond.
+    pub(super) fn draw(&self, sheet: &mut Svg) -> Option<String> {
+        let mut arrows: Vec<([f64; 2], [f64; 2], &str, usize)> = vec![];
+        for (_, colour, at) in &self.things {
+            let (place, outwards) = self.edge(*at);
+            let near = |a: &&mut ([f64; 2], [f64; 2], &str, usize)| {
+                a.1 == outwards && (a.0[0] - place[0]).hypot(a.0[1] - place[1]) < STEP_PX
+            };
+            match arrows.iter_mut().find(near) {
+                Some(arrow) => arrow.3 += 1,
+                None => arrows.push((place, outwards, colour.as_str(), 1)),
+            }
+        }
+        for (place, outwards, colour, count) in &arrows {
+            arrow(sheet, *place, *outwards, colour, *count);
+        }
+        (!self.things.is_empty()).then(|| format!("beyond the drawing: {}", self.counted()))
+    }
+
+    /// The nearest place on the box and the way out.
+    fn edge(&self, [x, y]: [f64; 2]) -> ([f64; 2], [f64; 2]) {
+        let [left, top, right, bottom] = self.frame;
+        let place = [x.clamp(left, right), y.clamp(top, bottom)];
+        let (out_x, out_y) = (x - place[0], y - place[1]);
+        let outwards = if out_x.abs() > out_y.abs() { [out_x.signum(), 0.0] } else { [0.0, out_y.signum()] };
+        (place, outwards)
+    }
+
+    fn counted(&self) -> String {
+        let kinds = [
+            (Thing::Radar, "radar", "radars"),
+            (Thing::Body, "body", "bodies"),
+            (Thing::Point, "point", "points"),
+            (Thing::Object, "object", "objects"),
+        ];
+        let counts = kinds.map(|(kind, one, many)| {
+            let count = self.things.iter().filter(|(thing, ..)| *thing == kind).count();
+            (count, if count == 1 { one } else { many })
+        });
+        counts.iter().filter(|(n, _)| *n > 0).map(|(n, name)| format!("{n} {name}")).collect::<Vec<_>>().join(", ")
+    }
+}
+
+fn arrow(sheet: &mut Svg, [x, y]: [f64; 2], [dx, dy]: [f64; 2], colour: &str, count: usize) {
+    // Tip on the edge, the rest inside.
+    let corner = |back: f64, side: f64| [x - back * dx - side * dy, y - back * dy + side * dx];
+    sheet.solid(colour, &[[x, y], corner(9.0, 5.0), corner(9.0, -5.0)]);
+    if count > 1 {
+        let inside = corner(18.0, 0.0);
+        sheet.words_over([inside[0], inside[1] + 4.0], "middle", &count.to_string(), ["", "halo"]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn everything_beyond_is_counted_and_what_lies_close_shares_an_arrow() {
+        let mut beyond = Beyond::of([0.0, 0.0, 100.0, 50.0]);
+        beyond.mark(Thing::Point, "found", [120.0, 20.0]);
+        beyond.mark(Thing::Point, "found", [130.0, 22.0]);
+        beyond.mark(Thing::Body, "car", [50.0, -30.0]);
+        let mut sheet = Svg::new("", 100.0, 50.0);
+        assert_eq!(beyond.draw(&mut sheet).unwrap(), "beyond the drawing: 1 body, 2 points");
+        assert_eq!(sheet.inline().matches("<polygon").count(), 2);
+    }
+}

@@ -1,0 +1,72 @@
+//! Marks of what was found, and what they mean; echoes at rest have marks of their own where the radar tells them.
+
+use artifact::points::{Object, Point};
+use plotting::marks::Mark;
+
+/// Of a detected point.
+pub(super) fn of_point(point: &Point) -> Mark {
+    if point.stationary == Some(true) { Mark::Hollow } else { Mark::Dot }
+}
+
+/// Whose an object is, as far as truth is known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Owner {
+    /// A body's.
+    Body,
+    Nobody,
+    /// Truth is not known here.
+    Unknown,
+}
+
+/// Of an object.
+pub(super) fn of_object(object: &Object, owner: Owner) -> Mark {
+    match (owner, object.stationary) {
+        (Owner::Nobody | Owner::Unknown, Some(true)) => Mark::Box,
+        (Owner::Nobody, _) => Mark::BrokenRing,
+        (Owner::Body | Owner::Unknown, _) => Mark::Ring,
+    }
+}
+
+/// What the mark of a point means beside the usual one.
+pub(super) const POINT_AT_REST: &str = "point at rest";
+
+/// What the mark of an object means.
+pub(super) fn words(mark: Mark, owner: Owner) -> &'static str {
+    match (mark, owner) {
+        (Mark::Box, Owner::Nobody) => "object at rest that is no body's",
+        (Mark::Box, _) => "object at rest",
+        (Mark::BrokenRing, _) => "false object, # as in the table",
+        _ => "object",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn objects_at_rest_look_otherwise_unless_they_are_a_bodys() {
+        let object = |stationary| Object { stationary, ..OBJECT };
+        let mark = |stationary, owner| of_object(&object(stationary), owner);
+        assert_eq!(mark(Some(true), Owner::Nobody), Mark::Box);
+        assert_eq!(mark(Some(true), Owner::Unknown), Mark::Box);
+        assert_eq!(mark(Some(true), Owner::Body), Mark::Ring);
+        assert_eq!([mark(Some(false), Owner::Nobody), mark(None, Owner::Nobody)], [Mark::BrokenRing; 2]);
+        assert_eq!(mark(None, Owner::Unknown), Mark::Ring);
+    }
+
+    const OBJECT: Object = Object {
+        range_m: 40.0,
+        radial_velocity_mps: 0.0,
+        velocity_resolved: false,
+        azimuth_rad: 0.0,
+        position_m: [0.0, 40.0, 0.75],
+        lane: None,
+        snr_db: 20.0,
+        points: 1,
+        range_extent_m: [40.0; 2],
+        velocity_extent_mps: [0.0; 2],
+        ghost_share: None,
+        stationary: None,
+    };
+}

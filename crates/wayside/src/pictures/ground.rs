@@ -1,0 +1,283 @@
+//! The ground from above, to scale: bodies, radars and what was found on it; what lies beyond is marked at the edges.
+
+use crate::pictures::beyond::{Beyond, Thing};
+use crate::pictures::bodies::Body;
+use crate::pictures::field_of_view;
+use crate::pictures::lane_sides::lane_sides_m;
+use artifact::radar::Radar;
+use artifact::settings::{Course, Lanes};
+use plotting::axes::{Axes, Axis};
+use plotting::clip;
+use plotting::form::Form;
+use plotting::heat_map::head;
+use plotting::labels::Labels;
+use plotting::marks::{Legend, Mark};
+use plotting::svg::Svg;
+
+/// Which way a road runs on the sheet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Way {
+    /// To the right; across it downwards.
+    Right,
+    /// Upwards; across it to the right.
+    Up,
+}
+
+/// What is to be seen, in metres across and along the road.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Region {
+    pub(super) across_m: [f64; 2],
+    pub(super) along_m: [f64; 2],
+}
+
+impl Region {
+    /// The least that holds a place.
+    pub(super) fn of([across_m, along_m]: [f64; 2]) -> Self {
+        Self { across_m: [across_m; 2], along_m: [along_m; 2] }
+    }
+
+    /// As large as it must be to hold another place and some room about it.
+    pub(super) fn with(self, [across_m, along_m]: [f64; 2], room_m: f64) -> Self {
+        let wider = |[low, high]: [f64; 2], v: f64| [low.min(v - room_m), high.max(v + room_m)];
+        Self { across_m: wider(self.across_m, across_m), along_m: wider(self.along_m, along_m) }
+    }
+
+    fn sizes_m(&self) -> [f64; 2] {
+        [self.across_m, self.along_m].map(|[low, high]| high - low)
+    }
+
+    /// Along to the right where the region is long, else upwards.
+    pub(super) fn way(&self, form: Form) -> Way {
+        let [across_m, along_m] = self.sizes_m();
+        if form == Form::Wide && across_m < 0.6 * along_m { Way::Right } else { Way::Up }
+    }
+}
+
+/// A sheet with a piece of ground on it.
+pub(super) struct Ground {
+    sheet: Svg,
+    form: Form,
+    axes: Axes,
+    way: Way,
+    road: Lanes,
+    legend: Legend,
+    labels: Labels,
+    beyond: Beyond,
+}
+
+impl Ground {
+    /// Empty ground, to scale; the region grows to fill the sheet's width.
+    pub(super) fn new(title: &str, notes: &[String], form: Form, region: Region, road: &Lanes) -> Self {
+        let mut sheet = Svg::new(title, form.width_px(), 0.0);
+        let top = head(&mut sheet, title, notes);
+        let way = region.way(form);
+        let axes = axes(form, way, region, top);
+        let frame = [axes.x.start_px, axes.y.end_px, axes.x.end_px, axes.y.start_px];
+        let (legend, labels, beyond) = (Legend::default(), Labels::within(frame), Beyond::of(frame));
+        Self { sheet, form, axes, way, road: road.clone(), legend, labels, beyond }
+    }
+
+    /// What a mark means.
+    pub(super) fn say(&mut self, mark: Mark, colour: &str, words: impl Into<String>) {
+        self.legend.say(mark, colour, words);
+    }
+
+    /// Pixel of a place across and along the road.
+    fn pixel(&self, [across_m, along_m]: [f64; 2]) -> [f64; 2] {
+        match self.way {
+            Way::Right => [self.axes.x.at(along_m), self.axes.y.at(across_m)],
+            Way::Up => [self.axes.x.at(across_m), self.axes.y.at(along_m)],
+        }
+    }
+
+    /// Pixel of world x and y.
+    fn world(&self, [x_m, y_m]: [f64; 2]) -> [f64; 2] {
+        self.pixel(self.road.across_along_m([x_m, y_m, 0.0]))
+    }
+
+    fn frame(&self) -> [f64; 4] {
+        [self.axes.x.start_px, self.axes.y.end_px, self.axes.x.end_px, self.axes.y.start_px]
+    }
+
+    fn clipped(&self, corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        clip::polygon(corners, self.frame())
+    }
+
+    /// A rectangle of a class across and along the road, as far as it lies on the sheet.
+    pub(super) fn strip(&mut self, class: &str, [left, right]: [f64; 2], [near, far]: [f64; 2]) {
+        let corners = [[left, near], [left, far], [right, far], [right, near]].map(|p| self.pixel(p));
+        let [mut low, mut high] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        for p in self.clipped(&corners) {
+            low = [low[0].min(p[0]), low[1].min(p[1])];
+            high = [high[0].max(p[0]), high[1].max(p[1])];
+        }
+        if low[0] < high[0] && low[1] < high[1] {
+            self.sheet.rectangle(class, low, [high[0] - low[0], high[1] - low[1]]);
+        }
+    }
+
+    /// Words on the ground, where there is room.
+    pub(super) fn note(&mut self, [across_m, along_m]: [f64; 2], words: &str) {
+        let [x, y] = self.pixel([across_m, along_m]);
+        self.labels.put([x, y, x, y], words);
+    }
+
+    /// Ends of the sheet along the road.
+    pub(super) fn along_m(&self) -> [f64; 2] {
+        let axis = if self.way == Way::Right { self.axes.x } else { self.axes.y };
+        [axis.from, axis.to]
+    }
+
+    /// The lines of a radar's lanes, from `from_m` on along its road, which need not be the sheet's.
+    pub(super) fn lane_lines(&mut self, road: &Lanes, [from_m, to_m]: [f64; 2]) {
+        for lane in &road.lanes {
+            for across_m in [lane.centre_m - 0.5 * lane.width_m, lane.centre_m + 0.5 * lane.width_m] {
+                let ends = [from_m, to_m].map(|along_m| self.world(road.world_m([across_m, along_m])));
+                self.lane_line(ends);
+            }
+        }
+        for course in &road.courses {
+            for side in lane_sides_m(course) {
+                let line: Vec<[f64; 2]> = side.into_iter().map(|place| self.world(place)).collect();
+                line.windows(2).for_each(|ends| self.lane_line([ends[0], ends[1]]));
+            }
+        }
+    }
+
+    fn lane_line(&mut self, ends: [[f64; 2]; 2]) {
+        if let Some([from, to]) = clip::segment(ends, self.frame()) {
+            self.sheet.line("lane", from, to);
+        }
+    }
+
+    /// The surface of a network's lanes, and their names where there is room.
+    pub(super) fn courses(&mut self, road: &Lanes) {
+        for course in &road.courses {
+            let [left, right] = lane_sides_m(course);
+            for i in 1..left.len() {
+                let corners = [left[i - 1], left[i], right[i], right[i - 1]].map(|place| self.world(place));
+                let corners = self.clipped(&corners);
+                self.sheet.ground("road", &corners);
+            }
+        }
+        for course in &road.courses {
+            if let Some(at) = self.middle_on_sheet(course) {
+                self.labels.put([at[0], at[1], at[0], at[1]], &format!("{} {}", course.number, course.name));
+            }
+        }
+    }
+
+    /// Half way along what is to be seen of a lane.
+    fn middle_on_sheet(&self, course: &Course) -> Option<[f64; 2]> {
+        let line: Vec<[f64; 2]> = course.line_m.iter().map(|place| self.world(*place)).collect();
+        let seen: Vec<[[f64; 2]; 2]> =
+            line.windows(2).filter_map(|ends| clip::segment([ends[0], ends[1]], self.frame())).collect();
+        let length = |[a, b]: &[[f64; 2]; 2]| (b[0] - a[0]).hypot(b[1] - a[1]);
+        let longest = seen.iter().max_by(|a, b| length(a).total_cmp(&length(b)))?;
+        Some([0, 1].map(|axis: usize| 0.5 * (longest[0][axis] + longest[1][axis])))
+    }
+
+    /// A radar, its boresight and its field of view.
+    pub(super) fn radar(&mut self, colour: &str, name: &str, radar: &Radar) {
+        let [x_m, y_m, _] = radar.position_m;
+        let (sin, cos) = radar.boresight_az_rad.sin_cos();
+        let far_m = radar.waveform.range_max_m();
+        let at = self.world([x_m, y_m]);
+        let rim: Vec<[f64; 2]> = field_of_view::rim_m(radar).into_iter().map(|p| self.world(p)).collect();
+        for pair in rim.windows(2) {
+            if let Some(line) = clip::segment([pair[0], pair[1]], self.frame()) {
+                self.sheet.polyline(colour, 1.0, &line);
+            }
+        }
+        let ahead = self.world([x_m + far_m * sin, y_m + far_m * cos]);
+        if let Some(line) = clip::segment([at, ahead], self.frame()) {
+            self.sheet.broken(colour, 1.4, &line);
+        }
+        if self.holds(at) {
+            Mark::Triangle.draw(&mut self.sheet, colour, at);
+            self.labels.put([at[0] - 7.0, at[1] - 7.0, at[0] + 7.0, at[1] + 7.0], name);
+        } else {
+            self.beyond.mark(Thing::Radar, colour, at);
+        }
+    }
+
+    fn holds(&self, [x, y]: [f64; 2]) -> bool {
+        self.axes.x.holds(x) && self.axes.y.holds(y)
+    }
+
+    /// The outline and the name of a body.
+    pub(super) fn body(&mut self, body: &Body) {
+        let middle = self.world([body.place_m[0], body.place_m[1]]);
+        let outline: Vec<[f64; 2]> = body.corners_m.iter().map(|p| self.world(*p)).collect();
+        let outline = self.clipped(&outline);
+        match &outline[..] {
+            [] if body.corners_m.is_empty() && self.holds(middle) => {
+                Mark::Cross.draw(&mut self.sheet, body.colour, middle);
+                self.say(Mark::Cross, body.colour, format!("{} (truth)", body.kind));
+                self.labels.put([middle[0] - 6.0, middle[1] - 6.0, middle[0] + 6.0, middle[1] + 6.0], &body.name);
+            }
+            [] => self.beyond.mark(Thing::Body, body.colour, middle),
+            _ => {
+                self.sheet.outline(body.colour, &outline);
+                self.say(Mark::Outline, body.colour, format!("{} (truth)", body.kind));
+                let x = outline.iter().map(|p| p[0]);
+                let y = outline.iter().map(|p| p[1]);
+                let (x, y) = (ends(x), ends(y));
+                self.labels.put([x[0], y[0], x[1], y[1]], &body.name);
+            }
+        }
+    }
+
+    /// What was found: a mark where it lies on the sheet, with a name if it has one.
+    pub(super) fn found(&mut self, thing: Thing, mark: Mark, colour: &str, position_m: [f64; 3], name: &str) {
+        let at = self.world([position_m[0], position_m[1]]);
+        if !self.holds(at) {
+            self.beyond.mark(thing, colour, at);
+            return;
+        }
+        mark.draw(&mut self.sheet, colour, at);
+        if !name.is_empty() {
+            self.labels.put([at[0] - 8.0, at[1] - 8.0, at[0] + 8.0, at[1] + 8.0], name);
+        }
+    }
+
+    /// The picture with its axes, names, edges and legend.
+    pub(super) fn finish(mut self, [across, along]: [&str; 2]) -> Svg {
+        let labels = if self.way == Way::Right { [along, across] } else { [across, along] };
+        self.axes.draw(&mut self.sheet, labels[0], labels[1]);
+        self.labels.draw(&mut self.sheet);
+        if let Some(words) = self.beyond.draw(&mut self.sheet) {
+            self.legend.say(Mark::Arrow, "plain", words);
+        }
+        let [left, right] = self.form.sides_px();
+        self.legend.draw(&mut self.sheet, self.axes.y.start_px + 62.0, [left - 44.0, right]);
+        self.sheet
+    }
+}
+
+fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
+}
+
+/// Axes to scale: as large as width and height allow, and what room is left shows more of the ground.
+fn axes(form: Form, way: Way, region: Region, top: f64) -> Axes {
+    let [left, right] = form.sides_px();
+    let [least_px, most_px] = if form == Form::Wide { [230.0, 560.0] } else { [200.0, 470.0] };
+    let [across_m, along_m] = region.sizes_m();
+    let (width_m, height_m) = if way == Way::Right { (along_m, across_m) } else { (across_m, along_m) };
+    let scale = ((right - left) / width_m).min(most_px / height_m);
+    let height_px = (scale * height_m).max(least_px);
+    let (more_width_m, more_height_m) = ((right - left) / scale - width_m, height_px / scale - height_m);
+    let wider = |[low, high]: [f64; 2], by_m: f64| [low - 0.5 * by_m, high + 0.5 * by_m];
+    let farther = |[low, high]: [f64; 2], by_m: f64| [low, high + by_m];
+    let (x, y) = match way {
+        Way::Right => (farther(region.along_m, more_width_m), wider(region.across_m, more_height_m)),
+        Way::Up => (wider(region.across_m, more_width_m), farther(region.along_m, more_height_m)),
+    };
+    // Across a road that runs to the right, its right side lies below.
+    let y = if way == Way::Right { [y[1], y[0]] } else { y };
+    Axes {
+        x: Axis { from: x[0], to: x[1], start_px: left, end_px: right },
+        y: Axis { from: y[0], to: y[1], start_px: top + height_px, end_px: top },
+    }
+}

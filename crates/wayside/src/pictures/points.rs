@@ -1,0 +1,231 @@
+//! The point cloud, coloured by object: from above, and where the array measures elevation from two sides too.
+
+use crate::pictures::beyond::Thing;
+use crate::pictures::bodies::Body;
+use crate::pictures::field_of_view;
+use crate::pictures::found::{self, Owner};
+use crate::pictures::ground::Ground;
+use crate::pictures::plan_view::{axis_names, region};
+use artifact::cube::CubeHeader;
+use artifact::points::{Point, PointsFrame};
+use dsp::angle::VirtualArray;
+use plotting::axes::{Axes, Axis};
+use plotting::clip;
+use plotting::colours::line_colour;
+use plotting::form::Form;
+use plotting::heat_map::head;
+use plotting::marks::{Legend, Mark};
+use plotting::svg::Svg;
+
+/// Points and objects, and the bodies that there were, none where truth is not known.
+pub(super) fn draw(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) -> Svg {
+    if measures_elevation(header) { views(header, frame, bodies, form) } else { plan(header, frame, bodies, form) }
+}
+
+/// Whether heights are told by the echoes, not assumed.
+fn measures_elevation(header: &CubeHeader) -> bool {
+    VirtualArray::new(header).beams()[1].is_finite()
+}
+
+fn title(frame: &PointsFrame) -> String {
+    format!("Point cloud, frame {}", frame.index)
+}
+
+fn colour(point: &Point) -> &'static str {
+    point.object.map_or("plain", |object| line_colour(object as usize))
+}
+
+/// From above alone.
+fn plan(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) -> Svg {
+    let road = &header.dsp.road;
+    let height_m = header.dsp.assumed_height_m;
+    let note = format!(
+        "From above only: the array has no elevation rows, so heights are not measured (assumed: {height_m} m)."
+    );
+    let places = bodies.iter().map(|body| body.place_m).chain(frame.points.iter().map(|p| p.position_m));
+    let region = region(road, &header.radar, places.map(|place| road.across_along_m(place)));
+    let mut ground = Ground::new(&title(frame), &[note], form, region, road);
+    ground.radar("radar", "radar", &header.radar);
+    bodies.iter().for_each(|body| ground.body(body));
+    for point in &frame.points {
+        ground.found(Thing::Point, found::of_point(point), colour(point), point.position_m, "");
+    }
+    for (number, object) in frame.objects.iter().enumerate() {
+        let mark = found::of_object(object, Owner::Unknown);
+        ground.found(Thing::Object, mark, line_colour(number), object.position_m, &format!("#{number}"));
+    }
+    meanings(frame, "object with its number")
+        .into_iter()
+        .for_each(|(mark, class, words)| ground.say(mark, class, words));
+    crate::pictures::plan_view::say_radar(&mut ground, &header.radar);
+    ground.finish(axis_names(road))
+}
+
+/// Marks of points and objects, their colours and what they mean; those at rest where there are any.
+fn meanings(frame: &PointsFrame, object: &'static str) -> Vec<(Mark, &'static str, &'static str)> {
+    let usual = [
+        (Mark::Dot, "c0", "detected point, in its object's colour"),
+        (Mark::Dot, "plain", "point of no object"),
+        (Mark::Ring, "c0", object),
+    ];
+    let at_rest = [
+        (Mark::Hollow, "c0", found::POINT_AT_REST, frame.points.iter().any(|p| p.stationary == Some(true))),
+        (Mark::Box, "c0", "object at rest", frame.objects.iter().any(|o| o.stationary == Some(true))),
+    ];
+    let shown =
+        at_rest.into_iter().filter(|(.., is_shown)| *is_shown).map(|(mark, class, words, _)| (mark, class, words));
+    usual.into_iter().chain(shown).collect()
+}
+
+/// What a view shows: two of across, along, up.
+struct View {
+    name: &'static str,
+    coordinates: [usize; 2],
+    /// Pixels.
+    axes: Axes,
+}
+
+/// From above, from the side, from the radar.
+fn views(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) -> Svg {
+    let mut sheet = Svg::new(title(frame), form.width_px(), 0.0);
+    let top = head(&mut sheet, &title(frame), &[]) + 8.0;
+    let views = placed(header, frame, bodies, form, top);
+    let names = ["across the road, m", "along the road, m", "height, m"];
+    for view in &views {
+        let Axes { x, y } = view.axes;
+        view.axes.draw(&mut sheet, names[view.coordinates[0]], names[view.coordinates[1]]);
+        sheet.words([x.start_px + 2.0, y.end_px - 6.0], "start", view.name);
+        if view.coordinates == [0, 1] {
+            draw_radar(&mut sheet, header, view);
+        }
+        bodies.iter().for_each(|body| draw_body(&mut sheet, header, view, body));
+        for point in &frame.points {
+            put(&mut sheet, header, view, found::of_point(point), colour(point), point.position_m);
+        }
+        for (number, object) in frame.objects.iter().enumerate() {
+            let mark = found::of_object(object, Owner::Unknown);
+            put(&mut sheet, header, view, mark, line_colour(number), object.position_m);
+        }
+    }
+    let bottom = views.iter().map(|view| view.axes.y.start_px).fold(top, f64::max);
+    legend(header, frame, bodies).draw(&mut sheet, bottom + 62.0, [10.0, form.width_px() - 10.0]);
+    sheet
+}
+
+fn legend(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body]) -> Legend {
+    let mut legend = Legend::default();
+    meanings(frame, "object").into_iter().for_each(|(mark, class, words)| legend.say(mark, class, words));
+    for body in bodies {
+        let mark = if body.corners_m.is_empty() { Mark::Cross } else { Mark::Outline };
+        legend.say(mark, body.colour, format!("{} (truth, its box)", body.kind));
+    }
+    legend.say(Mark::Triangle, "radar", "radar");
+    legend.say(Mark::BrokenLine, "radar", "boresight");
+    legend.say(Mark::Line, "radar", field_of_view::words(&header.radar));
+    legend
+}
+
+/// Side by side on a page, one below the other on a telephone.
+fn placed(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form, top: f64) -> [View; 3] {
+    let boxes = match form {
+        Form::Wide => [
+            [60.0, top, 320.0, top + 420.0],
+            [390.0, top, 744.0, top + 165.0],
+            [390.0, top + 255.0, 744.0, top + 420.0],
+        ],
+        Form::Narrow => {
+            let [left, right] = form.sides_px();
+            [
+                [left, top, right, top + 380.0],
+                [left, top + 460.0, right, top + 600.0],
+                [left, top + 680.0, right, top + 820.0],
+            ]
+        }
+    };
+    let names = ["from above", "from the side", "from the radar"];
+    let coordinates = [[0, 1], [1, 2], [0, 2]];
+    [0, 1, 2].map(|i: usize| {
+        let [x, y] = coordinates[i].map(|c: usize| span(header, frame, bodies, c));
+        let [left, top, right, bottom] = boxes[i];
+        let axes = Axes {
+            x: Axis { from: x.0, to: x.1, start_px: left, end_px: right },
+            y: Axis { from: y.0, to: y.1, start_px: bottom, end_px: top },
+        };
+        View { name: names[i], coordinates: coordinates[i], axes }
+    })
+}
+
+/// Across and along the road, and up.
+fn on_road(header: &CubeHeader, position_m: [f64; 3]) -> [f64; 3] {
+    let [across_m, along_m] = header.dsp.road.across_along_m(position_m);
+    [across_m, along_m, position_m[2]]
+}
+
+fn pixel(header: &CubeHeader, view: &View, position_m: [f64; 3]) -> [f64; 2] {
+    let at_m = on_road(header, position_m);
+    let [i, j] = view.coordinates;
+    [view.axes.x.at(at_m[i]), view.axes.y.at(at_m[j])]
+}
+
+fn put(sheet: &mut Svg, header: &CubeHeader, view: &View, mark: Mark, colour: &str, position_m: [f64; 3]) {
+    let at = pixel(header, view, position_m);
+    if view.axes.x.holds(at[0]) && view.axes.y.holds(at[1]) {
+        mark.draw(sheet, colour, at);
+    }
+}
+
+/// The radar from above, its boresight and its field of view.
+fn draw_radar(sheet: &mut Svg, header: &CubeHeader, view: &View) {
+    let radar = &header.radar;
+    let frame = [view.axes.x.start_px, view.axes.y.end_px, view.axes.x.end_px, view.axes.y.start_px];
+    let ground = |[x_m, y_m]: [f64; 2]| pixel(header, view, [x_m, y_m, 0.0]);
+    let rim: Vec<[f64; 2]> = field_of_view::rim_m(radar).into_iter().map(ground).collect();
+    for pair in rim.windows(2) {
+        if let Some(line) = clip::segment([pair[0], pair[1]], frame) {
+            sheet.polyline("radar", 1.0, &line);
+        }
+    }
+    let (far_m, (sin, cos)) = (radar.waveform.range_max_m(), radar.boresight_az_rad.sin_cos());
+    let [x_m, y_m, _] = radar.position_m;
+    let ends = [[x_m, y_m], [x_m + far_m * sin, y_m + far_m * cos]].map(ground);
+    if let Some(line) = clip::segment(ends, frame) {
+        sheet.broken("radar", 1.4, &line);
+    }
+    put(sheet, header, view, Mark::Triangle, "radar", radar.position_m);
+}
+
+/// The box of a body as the view has it.
+fn draw_body(sheet: &mut Svg, header: &CubeHeader, view: &View, body: &Body) {
+    if body.corners_m.is_empty() {
+        return put(sheet, header, view, Mark::Cross, body.colour, body.place_m);
+    }
+    let [low_m, high_m] = body.heights_m;
+    let corners = |z_m: f64| body.corners_m.iter().map(move |[x, y]| [*x, *y, z_m]);
+    let pixels: Vec<[f64; 2]> = match view.coordinates {
+        [_, 2] => corners(low_m).chain(corners(high_m)).map(|p| pixel(header, view, p)).collect(),
+        _ => corners(low_m).map(|p| pixel(header, view, p)).collect(),
+    };
+    let outline = if view.coordinates[1] == 2 { bounds(&pixels) } else { pixels };
+    let frame = [view.axes.x.start_px, view.axes.y.end_px, view.axes.x.end_px, view.axes.y.start_px];
+    sheet.outline(body.colour, &clip::polygon(&outline, frame));
+}
+
+/// The rectangle about some pixels.
+fn bounds(pixels: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let [[x0, x1], [y0, y1]] = [0, 1].map(|axis: usize| {
+        let values = pixels.iter().map(|p| p[axis]);
+        values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
+    });
+    vec![[x0, y0], [x1, y0], [x1, y1], [x0, y1]]
+}
+
+/// What is always shown (lanes, range, heights of vehicles) and whatever points and bodies lie beyond.
+fn span(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], coordinate: usize) -> (f64, f64) {
+    let lanes = header.dsp.road.lanes.iter().map(|l| l.centre_m + l.width_m);
+    let range_m = header.radar.waveform.range_max_m();
+    let usual = [(-4.0, lanes.fold(4.0, f64::max)), (0.0, range_m), (-0.5, 6.5)][coordinate];
+    let points = frame.points.iter().map(|p| on_road(header, p.position_m));
+    let of_bodies = bodies.iter().map(|body| on_road(header, body.place_m)).filter(|at| at[0].hypot(at[1]) <= range_m);
+    let values = points.chain(of_bodies).map(|at| at[coordinate]).filter(|v| v.is_finite());
+    values.fold(usual, |(low, high), v| (low.min(v), high.max(v)))
+}

@@ -1,0 +1,592 @@
+//! The words a user types. What they mean is in `docs/interface.md`; the defaults here are the promise made there.
+
+use crate::chain::cache::CacheLocation;
+use crate::chain::loading::SceneSource;
+use crate::program::export_formats::FORMATS;
+use crate::program::suggestion::suggest;
+use crate::program::terminal;
+pub(crate) use crate::program::values::{Axis, Place, Shard};
+use crate::program::values::{
+    accuracy_db, azimuth_deg, azimuths, density, elevation_deg, elevations, frequencies, place, range,
+};
+use crate::program::values::{scale, shard, step};
+use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// From a 3D model to a vehicle class: scattering at 77 GHz, FMCW echoes, detection, classification.
+#[derive(Debug, Parser)]
+#[command(name = "wayside", bin_name = "wayside", version, max_term_width = 110)]
+pub(crate) struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) command: Command,
+    /// Of every command.
+    #[command(flatten)]
+    pub(crate) general: General,
+}
+
+/// Options of every command.
+#[derive(Debug, Clone, Args)]
+pub struct General {
+    /// Threads to use; the result does not depend on it, to the byte.
+    #[arg(long, global = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Memory that tracing may take; what cannot fit is refused with figures [default: nine tenths of what is free].
+    #[arg(long, global = true, value_name = "MIB", value_parser = clap::value_parser!(u64).range(1..=1 << 24))]
+    pub memory_limit: Option<u64>,
+    /// No progress, no remarks.
+    #[arg(long, global = true)]
+    pub quiet: bool,
+}
+
+impl Command {
+    /// The word that a user types.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Run(_) => "run",
+            Self::Rcs(_) => "rcs",
+            Self::Paths(_) => "paths",
+            Self::Echo(_) => "echo",
+            Self::Dsp(_) => "dsp",
+            Self::Dataset(_) => "dataset",
+            Self::Train(_) => "train",
+            Self::Classify(_) => "classify",
+            Self::Evaluate(_) => "evaluate",
+            Self::Protocols(_) => "protocols",
+            Self::Import(_) => "import",
+            Self::Calibrate(_) => "calibrate",
+            Self::Export(_) => "export",
+            Self::Inspect(_) => "inspect",
+            Self::Vehicles(_) => "vehicles",
+            Self::Cache(_) => "cache",
+        }
+    }
+
+    /// Whether its results are files, and not lines of standard output alone.
+    pub(crate) fn leaves_files(&self) -> bool {
+        !matches!(self, Self::Classify(_) | Self::Evaluate(_) | Self::Protocols(_) | Self::Inspect(_) | Self::Cache(_))
+    }
+}
+
+/// The words of this process. Ends the program with exit code 2 on wrong words, 0 after `--help`. Option values may begin
+/// with a minus.
+pub fn parse_or_exit<P: Parser>() -> P {
+    let matches = with_negative_values(P::command()).try_get_matches();
+    let matches = matches.unwrap_or_else(|told| tell_and_exit(&suggest::<P>(told)));
+    P::from_arg_matches(&matches).unwrap_or_else(|e| e.exit())
+}
+
+/// Help and version are results; what is wrong with the words is not.
+fn tell_and_exit(told: &clap::Error) -> ! {
+    let printed = told.print();
+    if !told.use_stderr() {
+        terminal::finish(printed);
+    }
+    std::process::exit(told.exit_code())
+}
+
+fn with_negative_values(command: clap::Command) -> clap::Command {
+    command
+        .mut_subcommands(with_negative_values)
+        .mut_args(|a| if a.get_action().takes_values() && !a.is_positional() { a.allow_hyphen_values(true) } else { a })
+}
+
+/// What a user may ask for.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// A scene file to every stage's artifacts, summary.json, report.html and pictures.
+    Run(RunArguments),
+    /// A mesh to its scattering amplitude over frequency and aspect (.npy).
+    Rcs(Box<RcsArguments>),
+    /// A scene file to the scattering paths of each frame.
+    Paths(PathsArguments),
+    /// A scene file, and paths if given, to radar cubes.
+    Echo(EchoArguments),
+    /// Radar cubes to range-Doppler maps and points.
+    Dsp(DspArguments),
+    /// A dataset recipe to labelled crops of range-Doppler maps; resumes where it stopped.
+    Dataset(DatasetArguments),
+    /// A dataset to a trained model with its curves and its evaluation.
+    Train(TrainArguments),
+    /// Range-Doppler maps or a dataset to classes and probabilities, one JSON line each.
+    Classify(ClassifyArguments),
+    /// A model and datasets to how often it is right, by frame and by track, with its spread over vehicles.
+    Evaluate(EvaluateArguments),
+    /// Datasets to how right trees are that several seeds train: on unseen scenes, unseen vehicles, other datasets.
+    Protocols(ProtocolsArguments),
+    /// Samples from anywhere (.npy, DCA1000 .bin, SigMF) to a radar cube.
+    Import(ImportArguments),
+    /// Radar cubes of a reflector at a known place to the errors of the array's channels, for `calibration` of [dsp].
+    Calibrate(CalibrateArguments),
+    /// Any artifact to a format that others read.
+    Export(ExportArguments),
+    /// Header, provenance, shape, units and a sanity line of any artifact.
+    Inspect(InspectArguments),
+    /// Writes the project's own vehicles (.glb) and their manifest.
+    Vehicles(VehiclesArguments),
+    /// What the cache holds.
+    Cache(CacheCommandArguments),
+}
+
+#[derive(Debug, Clone, Args)]
+pub(crate) struct SceneArguments {
+    /// Scene file.
+    #[arg(value_name = "SCENE.toml")]
+    pub(crate) scene: PathBuf,
+    /// Replaces the model of every target.
+    #[arg(long, value_name = "FILE.glb")]
+    pub(crate) model: Option<PathBuf>,
+    /// Through which of several radars; `run` takes them all in turn where none is said.
+    #[arg(long, value_name = "ID")]
+    pub(crate) radar: Option<String>,
+    /// Replaces the scene's seed.
+    #[arg(long)]
+    pub(crate) seed: Option<u64>,
+}
+
+#[derive(Debug, Clone, Args)]
+pub(crate) struct CacheArguments {
+    /// Folder of cached frames [default: .cache of the project's folder; outside of it the user's cache folder].
+    #[arg(long, value_name = "DIR")]
+    pub(crate) cache: Option<PathBuf>,
+    /// Largest size of the cache; the oldest frames go first.
+    #[arg(long, value_name = "MIB", default_value_t = 8192, value_parser = clap::value_parser!(u64).range(..=1 << 40))]
+    pub(crate) cache_limit_mib: u64,
+}
+
+impl SceneArguments {
+    /// As the chain takes it.
+    pub(crate) fn source(&self) -> SceneSource {
+        let Self { scene, model, radar, seed } = self.clone();
+        SceneSource { file: scene, model, radar, seed }
+    }
+}
+
+impl CacheArguments {
+    /// As the chain takes it.
+    pub(crate) fn location(&self) -> CacheLocation {
+        CacheLocation { folder: self.cache.clone(), limit_mib: self.cache_limit_mib }
+    }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct RunArguments {
+    #[command(flatten)]
+    pub(crate) scene: SceneArguments,
+    /// Where everything goes [default: out/ and the scene's name].
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Model of the classifier [default: the one that ships with the program].
+    #[arg(long, value_name = "FILE.model")]
+    pub(crate) classifier: Option<PathBuf>,
+    /// Says what would be done, in which time and memory, and does nothing.
+    #[arg(long)]
+    pub(crate) dry_run: bool,
+    /// Says why each stage runs or not.
+    #[arg(long)]
+    pub(crate) explain: bool,
+    /// Neither reads nor writes the cache.
+    #[arg(long)]
+    pub(crate) no_cache: bool,
+    #[command(flatten)]
+    pub(crate) cache: CacheArguments,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct RcsArguments {
+    /// Mesh (.glb, .gltf, .stl, .obj) or the name of an own vehicle.
+    #[arg(value_name = "MESH")]
+    pub(crate) mesh: PathBuf,
+    /// Frequencies, GHz: one number or START:STOP:N.
+    #[arg(long, value_parser = frequencies)]
+    pub(crate) freq_ghz: Axis,
+    /// Azimuths, degrees; 0 looks at the front of the body.
+    #[arg(long, value_parser = azimuths, default_value = "0:360:361")]
+    pub(crate) az_deg: Axis,
+    /// Elevations above the horizon, degrees.
+    #[arg(long, value_parser = elevations, default_value = "0")]
+    pub(crate) el_deg: Axis,
+    /// Antenna to the mesh's origin, m, or inf.
+    #[arg(long, value_parser = range, default_value = "inf")]
+    pub(crate) range_m: f64,
+    /// First letter receives, second transmits.
+    #[arg(long, value_enum, default_value = "vv")]
+    pub(crate) pol: PolarizationWord,
+    /// Highest bounce order.
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u8).range(1..=5))]
+    pub(crate) bounces: u8,
+    /// Beam tracing, or one of the slow references.
+    #[arg(long, value_enum, default_value = "bart")]
+    pub(crate) method: MethodWord,
+    /// Samples or rays per wavelength of the references.
+    #[arg(long, default_value_t = 6.0, value_parser = density)]
+    pub(crate) density: f64,
+    /// Diffraction by edges (physical theory of diffraction).
+    #[arg(long, value_enum, default_value = "off")]
+    pub(crate) edges: EdgesWord,
+    /// Facet on which a multiple reflection is integrated.
+    #[arg(long, value_enum, default_value = "own-edge")]
+    pub(crate) nodes: NodesWord,
+    /// What the facets stand for: themselves, or the curved skin that the vertex normals tell of.
+    #[arg(long, value_enum, default_value = "flat")]
+    pub(crate) surface: SurfaceWord,
+    /// What the mesh's materials stand for (docs/materials.md); without it everything conducts.
+    #[arg(long, value_name = "FILE.toml")]
+    pub(crate) materials: Option<PathBuf>,
+    /// Whether waves are followed through sheets.
+    #[arg(long, value_enum, default_value = "off", requires = "materials")]
+    pub(crate) transmission: TransmissionWord,
+    /// Sides from which a facet scatters.
+    #[arg(long, value_enum, default_value = "two")]
+    pub(crate) sides: SidesWord,
+    /// Fixed receiver: azimuth, degrees.
+    #[arg(long, value_parser = azimuth_deg, requires = "rx_el_deg")]
+    pub(crate) rx_az_deg: Option<f64>,
+    /// Fixed receiver: elevation, degrees.
+    #[arg(long, value_parser = elevation_deg, requires = "rx_az_deg")]
+    pub(crate) rx_el_deg: Option<f64>,
+    /// Fixed receiver: distance, m [default: that of the transmitter].
+    #[arg(long, value_parser = range, requires = "rx_az_deg")]
+    pub(crate) rx_range_m: Option<f64>,
+    /// Relative amplitude error allowed, dB.
+    #[arg(long, default_value_t = -40.0, value_parser = accuracy_db)]
+    pub(crate) accuracy_db: f64,
+    /// Metres per unit of the mesh file.
+    #[arg(long, value_parser = scale)]
+    pub(crate) unit_scale: Option<f64>,
+    /// Pictures beside the result: level over azimuth and frequency, range profile, ISAR image, the facets that make the level.
+    #[arg(long)]
+    pub(crate) pictures: bool,
+    /// Result; S.json is written beside it.
+    #[arg(long, value_name = "S.npy")]
+    pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct PathsArguments {
+    #[command(flatten)]
+    pub(crate) scene: SceneArguments,
+    /// Result.
+    #[arg(long, value_name = "F.paths")]
+    pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct EchoArguments {
+    #[command(flatten)]
+    pub(crate) scene: SceneArguments,
+    /// Paths to use instead of tracing them.
+    #[arg(long, value_name = "F.paths")]
+    pub(crate) paths: Option<PathBuf>,
+    /// Result.
+    #[arg(long, value_name = "F.cube")]
+    pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct DspArguments {
+    /// Radar cubes.
+    #[arg(value_name = "F.cube")]
+    pub(crate) cube: PathBuf,
+    /// Scene whose [dsp] replaces the settings that the cubes carry.
+    #[arg(long, value_name = "SCENE.toml")]
+    pub(crate) scene: Option<PathBuf>,
+    /// Which of that scene's several radars.
+    #[arg(long, value_name = "ID", requires = "scene")]
+    pub(crate) radar: Option<String>,
+    /// Where the maps and points go.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: PathBuf,
+    /// Pictures too.
+    #[arg(long)]
+    pub(crate) pictures: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct DatasetArguments {
+    /// Recipe.
+    #[arg(value_name = "SPEC.toml")]
+    pub(crate) spec: PathBuf,
+    /// Where the dataset goes.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: PathBuf,
+    /// Part K of N.
+    #[arg(long, value_name = "K/N", value_parser = shard, default_value = "1/1")]
+    pub(crate) shard: Shard,
+    /// Replaces the recipe's seed.
+    #[arg(long)]
+    pub(crate) seed: Option<u64>,
+}
+
+/// Learners.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum LearnerWord {
+    Trees,
+    Paper,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct TrainArguments {
+    /// Dataset folders.
+    #[arg(value_name = "DIR", required = true)]
+    pub(crate) datasets: Vec<PathBuf>,
+    /// Model folder.
+    #[arg(long, value_name = "MODEL")]
+    pub(crate) out: PathBuf,
+    /// Boosted trees on features of signatures, or the paper's network on crops.
+    #[arg(long, value_enum, default_value_t = LearnerWord::Trees)]
+    pub(crate) learner: LearnerWord,
+    /// Of every draw: examples and features of trees, initial weights, the order of samples.
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// Steps of the network's optimizer; the paper's number.
+    #[arg(long, default_value_t = 1440)]
+    pub(crate) iterations: u32,
+    /// Text file with a line for each source of vehicles that its licence asks to be named with the model.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) attributions: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct EvaluateArguments {
+    /// Model file or folder.
+    #[arg(value_name = "MODEL")]
+    pub(crate) model: PathBuf,
+    /// Dataset folders.
+    #[arg(value_name = "DIR", required = true)]
+    pub(crate) datasets: Vec<PathBuf>,
+    /// Page (Markdown) that holds what is told.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) out: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ProtocolsArguments {
+    /// Dataset folders that train; their vehicles are held out in turn.
+    #[arg(value_name = "DIR", required = true)]
+    pub(crate) datasets: Vec<PathBuf>,
+    /// Dataset folders that never train.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) test: Vec<PathBuf>,
+    /// Who is asked: trees, or the paper's network by the paper's protocol (P) and by two that keep copies of a map apart.
+    #[arg(long, value_enum, default_value = "trees")]
+    pub(crate) learner: LearnerWord,
+    /// Steps of the network's optimizer in each training.
+    #[arg(long, value_name = "N", default_value_t = 1440, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) iterations: u32,
+    /// Trainings, of the seeds 1, 2, ...
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=100))]
+    pub(crate) seeds: u64,
+    /// Trains on parts of the scenes and of the vehicles too, and tables how right that is.
+    #[arg(long)]
+    pub(crate) curves: bool,
+    /// Page (Markdown) that holds what is told.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) out: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ClassifyArguments {
+    /// Model file or folder.
+    #[arg(value_name = "MODEL")]
+    pub(crate) model: PathBuf,
+    /// Range-Doppler maps or datasets.
+    #[arg(value_name = "FILE", required = true)]
+    pub(crate) files: Vec<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ImportArguments {
+    /// complex64 [frame, channel, chirp, sample]; or a DCA1000EVM's .bin, or a .sigmf-meta, of receivers.
+    #[arg(value_name = "F.npy")]
+    pub(crate) array: PathBuf,
+    /// √W of one step of integer samples, where no file beside them says it; 1 else.
+    #[arg(long, value_name = "SQRT_W", value_parser = step)]
+    pub(crate) step: Option<f32>,
+    /// Scene that tells the radar and the processing.
+    #[arg(long, value_name = "SCENE.toml")]
+    pub(crate) scene: PathBuf,
+    /// Which of that scene's several radars.
+    #[arg(long, value_name = "ID")]
+    pub(crate) radar: Option<String>,
+    /// Result.
+    #[arg(long, value_name = "F.cube")]
+    pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CalibrateArguments {
+    /// Radar cubes of the reflector, at rest.
+    #[arg(value_name = "F.cube")]
+    pub(crate) cube: PathBuf,
+    /// Where it stands, world metres.
+    #[arg(long, value_name = "X,Y,Z", value_parser = place)]
+    pub(crate) at_m: Place,
+    /// Result.
+    #[arg(long, value_name = "F.csv")]
+    pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = export_formats())]
+pub(crate) struct ExportArguments {
+    /// Artifact.
+    #[arg(value_name = "FILE")]
+    pub(crate) file: PathBuf,
+    /// Format.
+    #[arg(long)]
+    pub(crate) to: FormatWord,
+    /// Whether a map's .png has axes in metres and m/s and a scale in dB, or is the paper's grey picture.
+    #[arg(long, value_enum, default_value = "off")]
+    pub(crate) axes: AxesWord,
+    /// Result.
+    #[arg(long, value_name = "PATH")]
+    pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct InspectArguments {
+    /// Artifact.
+    #[arg(value_name = "FILE")]
+    pub(crate) file: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct VehiclesArguments {
+    /// Where the vehicles go.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: PathBuf,
+    /// 0 gives the nominal dimensions, others spread them over real ranges.
+    #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]
+    pub(crate) seed: u64,
+    /// How many of each model, from the seed on.
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    pub(crate) count: u64,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CacheCommandArguments {
+    #[command(flatten)]
+    pub(crate) location: CacheArguments,
+    /// Empties it.
+    #[arg(long)]
+    pub(crate) clear: bool,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(crate) enum PolarizationWord {
+    Vv,
+    Hh,
+    Vh,
+    Hv,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum MethodWord {
+    Bart,
+    Sbr,
+    Po,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum EdgesWord {
+    On,
+    Off,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TransmissionWord {
+    On,
+    Off,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum NodesWord {
+    Middle,
+    Exit,
+    OwnEdge,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SurfaceWord {
+    Flat,
+    Smooth,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SidesWord {
+    Two,
+    One,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum AxesWord {
+    On,
+    Off,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum FormatWord {
+    Npy,
+    Exr,
+    Png,
+    Csv,
+    Pcd,
+    Ply,
+    Json,
+    Safetensors,
+    /// The .bin of a DCA1000EVM.
+    Dca1000,
+    /// .sigmf-data and .sigmf-meta.
+    Sigmf,
+}
+
+/// Which artifact goes to which format.
+fn export_formats() -> String {
+    let line = |(artifact, formats): &(&str, &str)| format!("\n  {:<10} {formats}", format!(".{artifact}"));
+    format!("What goes to which format:{}", FORMATS.iter().map(line).collect::<String>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::suggestion::SYNONYMS;
+
+    #[test]
+    fn the_command_line_is_consistent_and_takes_values_that_begin_with_a_minus() {
+        let command = with_negative_values(Arguments::command());
+        command.clone().debug_assert();
+        let words = "wayside rcs m.glb --freq-ghz 77 --az-deg -10:10:21 --accuracy-db -60 --out s.npy";
+        let matches = command.try_get_matches_from(words.split(' ')).unwrap();
+        let parsed = Arguments::from_arg_matches(&matches).unwrap();
+        let Command::Rcs(rcs) = parsed.command else { panic!("not rcs") };
+        assert_eq!((rcs.az_deg.values[0], rcs.accuracy_db), (-10.0, -60.0));
+    }
+
+    #[test]
+    fn a_misspelt_command_and_another_programs_word_are_told_the_command_that_is_meant() {
+        for (typed, expected) in [
+            ("rnu", Some("run")),
+            ("rsc", Some("rcs")),
+            ("simulate", Some("run")),
+            ("Info", Some("inspect")),
+            ("xyzzy", None),
+        ] {
+            let error = Arguments::command().try_get_matches_from(["wayside", typed]).unwrap_err();
+            let told = suggest::<Arguments>(error).render().to_string();
+            match expected {
+                Some(name) => assert!(told.contains(&format!("'{name}'")), "{typed}: {told}"),
+                None => assert!(!told.contains("similar"), "{typed}: {told}"),
+            }
+        }
+    }
+
+    #[test]
+    fn every_synonym_is_of_a_command() {
+        let commands = Arguments::command();
+        // `cargo xtask` has two more.
+        for (_, command) in SYNONYMS.iter().filter(|(_, command)| !["bench", "ci"].contains(command)) {
+            assert!(commands.find_subcommand(command).is_some(), "{command}");
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! One file per command.
+
+mod cache;
+mod calibrate;
+mod dsp;
+mod echo;
+mod paths;
+mod rcs;
+mod run;
+mod vehicles;
+mod formats;
+mod learning;
+
+use crate::host::failure::Failure;
+use crate::host::memory::Allowance;
+use crate::program::cli::Command;
+use crate::report::Making;
+use formats::{export, import, inspect};
+use learning::{classify, dataset, evaluate, protocols, train};
+
+pub use learning::train::{PROGRAM as TRAINING_PROGRAM, target_folder as training_target_folder};
+
+/// What a command is carried out with.
+pub struct Means {
+    /// What tracing may take.
+    pub memory: Allowance,
+    /// The command of this process, for reports.
+    pub making: Making,
+}
+
+/// Does what was asked.
+pub fn dispatch(command: Command, means: &Means) -> Result<(), Failure> {
+    let memory = means.memory;
+    match command {
+        Command::Run(arguments) => run::run(&arguments, means),
+        Command::Rcs(arguments) => rcs::run(&arguments, memory).map_err(|failure| failure.about(&arguments.mesh)),
+        Command::Paths(arguments) => {
+            paths::run(&arguments, memory).map_err(|failure| failure.about(&arguments.scene.scene))
+        }
+        Command::Echo(arguments) => {
+            echo::run(&arguments, memory).map_err(|failure| failure.about(&arguments.scene.scene))
+        }
+        Command::Dsp(arguments) => dsp::run(&arguments).map_err(|failure| failure.about(&arguments.cube)),
+        Command::Dataset(arguments) => {
+            dataset::run(&arguments, memory).map_err(|failure| failure.about(&arguments.spec))
+        }
+        Command::Train(arguments) => train::run(&arguments),
+        Command::Classify(arguments) => classify::run(&arguments),
+        Command::Evaluate(arguments) => evaluate::run(&arguments),
+        Command::Protocols(arguments) => protocols::run(&arguments),
+        Command::Import(arguments) => import::run(&arguments),
+        Command::Calibrate(arguments) => calibrate::run(&arguments).map_err(|failure| failure.about(&arguments.cube)),
+        Command::Export(arguments) => export::run(&arguments),
+        Command::Inspect(arguments) => inspect::run(&arguments),
+        Command::Vehicles(arguments) => vehicles::run(&arguments),
+        Command::Cache(arguments) => cache::run(&arguments),
+    }
+}

@@ -1,0 +1,112 @@
+//! `dsp`: range-Doppler maps and points of any radar cube, from the cube alone.
+
+use crate::chain::loading;
+use crate::chain::stages::Stage;
+use crate::chain::sub_frames;
+use crate::host::failure::Failure;
+use crate::host::progress::Work;
+use crate::pictures;
+use crate::program::cli::DspArguments;
+use crate::program::terminal;
+use artifact::cube::{Cube, CubeHeader};
+use artifact::points::{Points, PointsFrame, PointsHeader};
+use artifact::rdm::{Rdm, RdmFrame};
+use artifact::tracks::{Tracks, TracksFrame, TracksHeader};
+use artifact::{Provenance, Reader, Writer};
+use dsp::{ROAD_TRAFFIC, Tracker};
+use std::path::{Path, PathBuf};
+
+pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
+    let reader = Reader::<Cube>::open(&arguments.cube)?;
+    let mut header = reader.header().clone();
+    if let Some(file) = &arguments.scene {
+        header.dsp = loading::radar_only(file, arguments.radar.as_deref())?.dsp;
+    }
+    let from = provenance_of(&reader, &header);
+    let stem = arguments.cube.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let place = |kind: &str| arguments.out.join(format!("{stem}.{kind}"));
+    let cloud_header = PointsHeader { cube: Some(header.clone()), targets: vec![], classes: vec![] };
+    let followed_header = TracksHeader { cube: Some(header.clone()) };
+    let mut products = Products {
+        header: &header,
+        pictures: arguments.pictures.then(|| arguments.out.join("pictures")),
+        maps: Writer::create(&place("rdm"), &from, &header)?,
+        clouds: Writer::create(&place("points"), &from, &cloud_header)?,
+        followed: Writer::create(&place("tracks"), &from, &followed_header)?,
+        tracker: Tracker::new(&header, ROAD_TRAFFIC).map_err(|e| refused(&arguments.cube, &e))?,
+    };
+    let mut cycle = Vec::new();
+    for cube in reader {
+        let cube = cube?;
+        let _under_way = Work::begin(format!("frame {}", cube.index));
+        let rdm = dsp::range_doppler(&header, &cube).map_err(|e| refused(&arguments.cube, &e))?;
+        let points = dsp::detect_refined(&header, &cube, &rdm).map_err(|e| refused(&arguments.cube, &e))?;
+        cycle.push((rdm, points));
+        if cycle.len() == sub_frames::in_cycle(&header) {
+            products.write(std::mem::take(&mut cycle))?;
+        }
+    }
+    // A recording may end within a cycle.
+    products.write(cycle)?;
+    products.finish()
+}
+
+/// What comes out of a cube.
+struct Products<'a> {
+    header: &'a CubeHeader,
+    pictures: Option<PathBuf>,
+    maps: Writer<Rdm>,
+    clouds: Writer<Points>,
+    followed: Writer<Tracks>,
+    tracker: Tracker,
+}
+
+impl Products<'_> {
+    /// Writes the records of a cycle, whose points tell each other's velocities.
+    fn write(&mut self, cycle: Vec<(RdmFrame, PointsFrame)>) -> Result<(), Failure> {
+        let (rdms, points): (Vec<_>, Vec<_>) = cycle.into_iter().unzip();
+        for (rdm, points) in rdms.iter().zip(sub_frames::with_velocities(self.header, points)) {
+            let tracks = self.tracker.step(&points).map_err(Failure::refused)?;
+            tell(rdm, &points, &tracks);
+            if let Some(folder) = &self.pictures {
+                pictures::of_map(self.header, rdm, &points, folder)?;
+            }
+            self.maps.write(rdm)?;
+            self.clouds.write(&points)?;
+            self.followed.write(&tracks)?;
+        }
+        Ok(())
+    }
+
+    fn finish(self) -> Result<(), Failure> {
+        self.followed.finish()?;
+        self.maps.finish()?;
+        Ok(self.clouds.finish()?)
+    }
+}
+
+fn tell(rdm: &RdmFrame, points: &PointsFrame, tracks: &TracksFrame) {
+    terminal::line(format!(
+        "frame {}: {} cells above the threshold, {} points, {} objects, {} tracks",
+        rdm.index,
+        rdm.detections,
+        points.points.len(),
+        points.objects.len(),
+        tracks.tracks.len()
+    ));
+}
+
+fn refused(file: &Path, error: &dyn std::fmt::Display) -> Failure {
+    Failure::Refused(format!("{}: {error}", file.display()))
+}
+
+fn provenance_of(reader: &Reader<Cube>, header: &CubeHeader) -> Provenance {
+    let cube = &reader.preamble().provenance;
+    Provenance {
+        stage: Stage::Dsp.name().into(),
+        program_version: env!("CARGO_PKG_VERSION").into(),
+        inputs: cube.inputs.clone(),
+        settings: serde_json::to_string(&header.dsp).unwrap_or_default(),
+        seed: cube.seed,
+    }
+}

@@ -1,0 +1,86 @@
+//! `echo`: radar cubes of a scene, from its own paths or from paths that are given.
+
+use crate::chain::link::{Chain, Scattering};
+use crate::chain::loading::{self, LoadedScene, provenance};
+use crate::chain::stages::Stage;
+use crate::host::failure::Failure;
+use crate::host::memory::Allowance;
+use crate::host::progress::Work;
+use crate::outcome::verdict::{self, Verdict};
+use crate::program::cli::EchoArguments;
+use crate::program::terminal;
+use artifact::cube::Cube;
+use artifact::paths::{Paths, PathsFrame};
+use artifact::scene::SceneFrame;
+use artifact::settings::EchoMode;
+use artifact::{Reader, Writer};
+use std::path::Path;
+
+pub(crate) fn run(arguments: &EchoArguments, memory: Allowance) -> Result<(), Failure> {
+    let mut loaded = loading::scene(&arguments.scene.source(), None)?;
+    arguments.paths.iter().for_each(|file| artifact::inputs::note(file));
+    if arguments.paths.is_some() {
+        loaded.header.fidelity.echo = EchoMode::Paths;
+    }
+    let chain = Chain::of(&loaded.header, None, None, memory);
+    let from = provenance(Stage::FmcwEcho, &loaded.header, loaded.files.clone());
+    let mut writer = Writer::<Cube>::create(&arguments.out, &from, &chain.cube_header)?;
+    let told = match &arguments.paths {
+        Some(file) => from_paths(&chain, &loaded, file, &mut writer)?,
+        None => from_scene(&chain, &mut writer)?,
+    };
+    writer.finish()?;
+    verdict::of_frames(&told).into_iter().for_each(terminal::line);
+    Ok(())
+}
+
+/// Of each frame, by its number.
+type Verdicts = Vec<(u32, Verdict)>;
+
+fn from_scene(chain: &Chain, writer: &mut Writer<Cube>) -> Result<Verdicts, Failure> {
+    let work = Work::begin("frames");
+    let mut told = vec![];
+    for index in 0..chain.header.frames {
+        work.at(index as usize, chain.header.frames as usize);
+        let scene = scene::snapshot(chain.header, index);
+        let scattering = chain.scattering(&chain.plan(index), &scene)?.value;
+        told.push((index, write(chain, &scene, &scattering, writer)?));
+    }
+    Ok(told)
+}
+
+/// Writes the echo; its error joins that of what scatters.
+fn write(
+    chain: &Chain,
+    scene: &SceneFrame,
+    scattering: &Scattering,
+    writer: &mut Writer<Cube>,
+) -> Result<Verdict, Failure> {
+    let cube = chain.synthesize(scene, scattering)?;
+    writer.write(&cube)?;
+    let error = scattering.error().0.joined(cube.error);
+    Ok(Verdict::of_paths(chain.header.fidelity.accuracy, &error, scattering.paths()))
+}
+
+fn from_paths(
+    chain: &Chain,
+    loaded: &LoadedScene,
+    file: &Path,
+    writer: &mut Writer<Cube>,
+) -> Result<Verdicts, Failure> {
+    let reader = Reader::<Paths>::open(file)?;
+    let centre_hz = loaded.header.radar.waveform.centre_frequency_hz();
+    let told_hz = reader.header().centre_frequency_hz;
+    if (told_hz - centre_hz).abs() > 1e-9 * centre_hz {
+        let rule = "amplitudes hold for the sweep they were traced for";
+        let text = format!("{}: f_c is {told_hz} Hz, the scene's is {centre_hz} Hz: {rule}", file.display());
+        return Err(Failure::Refused(text));
+    }
+    let mut told = vec![];
+    for frame in reader {
+        let frame: PathsFrame = frame?;
+        let (index, scene) = (frame.index, scene::snapshot(&loaded.header, frame.index));
+        told.push((index, write(chain, &scene, &Scattering::Paths(frame), writer)?));
+    }
+    Ok(told)
+}

@@ -1,0 +1,113 @@
+//! `export`: any artifact in a format that others read; axes and units go into a `.json` beside it.
+
+mod cube;
+mod dataset;
+mod npy_stream;
+mod paths;
+mod points;
+mod rcs;
+mod rdm;
+mod tracks;
+
+use crate::host::failure::Failure;
+use crate::host::files;
+use crate::program::cli::{AxesWord, ExportArguments, FormatWord};
+use crate::program::commands::formats::raw_data::dca1000;
+use crate::program::commands::formats::raw_data::sigmf;
+use crate::program::export_formats::FORMATS;
+use artifact::{Reader, Schema, read_preamble};
+use clap::ValueEnum;
+use std::path::Path;
+
+pub(crate) use npy_stream::NpyStream;
+
+pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
+    use FormatWord::{Csv, Dca1000, Exr, Json, Npy, Pcd, Ply, Png, Safetensors, Sigmf};
+    let (file, out) = (arguments.file.as_path(), arguments.out.as_path());
+    let schema = read_preamble(file)?.schema; // from here on the file is known as an input
+    if arguments.axes == AxesWord::On && (schema.as_str(), arguments.to) != ("rdm", Png) {
+        return Err(Failure::System("--axes on is for range-Doppler maps (.rdm) exported to png".into()));
+    }
+    match (schema.as_str(), arguments.to) {
+        ("cube", Npy) => cube::npy(Reader::open(file)?, out),
+        ("cube", Dca1000) => dca1000::write(file, out),
+        ("cube", Sigmf) => sigmf::write(file, out),
+        ("rdm", Npy) => rdm::npy(Reader::open(file)?, out),
+        ("rdm", Exr) => rdm::exr(Reader::open(file)?, out),
+        ("rdm", Png) if arguments.axes == AxesWord::On => rdm::png_with_axes(Reader::open(file)?, out),
+        ("rdm", Png) => rdm::png(Reader::open(file)?, out),
+        ("points", Csv) => points::csv(Reader::open(file)?, out),
+        ("points", Pcd) => points::pcd(Reader::open(file)?, out),
+        ("points", Ply) => points::ply(Reader::open(file)?, out),
+        ("tracks", Csv) => tracks::csv(Reader::open(file)?, out),
+        ("tracks", Json) => as_json::<artifact::tracks::Tracks>(file, out),
+        ("paths", Csv) => paths::csv(Reader::open(file)?, out),
+        ("rcs", Npy) => rcs::npy(Reader::open(file)?, out),
+        ("dataset", Npy) => dataset::npy(file, out),
+        ("dataset", Png) => dataset::png(file, out),
+        ("dataset", Csv) => dataset::csv(Reader::open(file)?, out),
+        ("model", Safetensors) => model(file, out),
+        ("model", Json) => as_json::<artifact::model::Model>(file, out),
+        ("scene", Json) => as_json::<artifact::scene::Scene>(file, out),
+        ("points", Json) => as_json::<artifact::points::Points>(file, out),
+        ("paths", Json) => as_json::<artifact::paths::Paths>(file, out),
+        ("classes", Json) => as_json::<artifact::classes::Classes>(file, out),
+        ("rcs", Json) => as_json::<artifact::rcs::Rcs>(file, out),
+        (known, to) => Err(refuse(file, known, to)),
+    }
+}
+
+fn refuse(file: &Path, schema: &str, to: FormatWord) -> Failure {
+    let Some((_, formats)) = FORMATS.iter().find(|(known, _)| *known == schema) else {
+        return crate::program::commands::formats::inspect::unknown(file, schema);
+    };
+    let to = to.to_possible_value().map_or_else(String::new, |v| v.get_name().to_owned());
+    Failure::Refused(format!("{}: a `{schema}` artifact is exported to {formats}, not to {to}", file.display()))
+}
+
+fn model(file: &Path, out: &Path) -> Result<(), Failure> {
+    let weights = Reader::<artifact::model::Model>::open(file)?.next_frame()?;
+    match weights {
+        Some(artifact::model::Weights::Network { safetensors }) => files::write_file(out, &safetensors),
+        Some(artifact::model::Weights::Trees(_)) => {
+            Err(Failure::Refused(format!("{}: trees have no tensors; --to json writes them", file.display())))
+        }
+        None => Err(Failure::Refused(format!("{}: holds no weights", file.display()))),
+    }
+}
+
+/// Header and frames, as their types name them, one frame after the other.
+fn as_json<S: Schema>(file: &Path, out: &Path) -> Result<(), Failure> {
+    use std::io::Write;
+    let mut reader = Reader::<S>::open(file)?;
+    let mut failed = None;
+    let written = files::write_with(out, |stream| {
+        write!(stream, "{{\"header\":")?;
+        serde_json::to_writer(&mut *stream, reader.header())?;
+        write!(stream, ",\"frames\":[")?;
+        for (i, frame) in reader.by_ref().enumerate() {
+            match frame {
+                Ok(frame) => {
+                    stream.write_all(if i == 0 { b"\n" } else { b",\n" })?;
+                    serde_json::to_writer(&mut *stream, &frame)?;
+                }
+                Err(error) => return Err(fail(&mut failed, error)),
+            }
+        }
+        writeln!(stream, "]}}")
+    });
+    failed.map_or(written, |error| Err(error.into()))
+}
+
+/// A name that an artifact gives as a part of a file's: it leads into no other folder.
+pub(crate) fn plain_name(name: &str) -> String {
+    let plain = |c: char| if c.is_alphanumeric() || " -_.+()".contains(c) { c } else { '_' };
+    let name: String = name.chars().map(plain).collect();
+    if name.starts_with('.') { format!("_{name}") } else { name }
+}
+
+/// Keeps an artifact's error while a stream that can only fail with I/O errors is given up.
+pub(crate) fn fail(keep: &mut Option<artifact::ArtifactError>, error: artifact::ArtifactError) -> std::io::Error {
+    *keep = Some(error);
+    std::io::Error::other("the artifact is damaged")
+}

@@ -1,0 +1,89 @@
+//! Crops as uint8 `[sample, velocity, range]`, or as pictures.
+
+use crate::host::failure::Failure;
+use crate::program::commands::formats::export::{NpyStream, fail, plain_name};
+use crate::program::commands::formats::sidecar;
+use artifact::Reader;
+use artifact::dataset::{Crop, Dataset, Sample};
+use serde_json::{Value, json};
+use std::io::Write;
+use std::path::Path;
+
+pub(crate) fn npy(file: &Path, out: &Path) -> Result<(), Failure> {
+    let reader = Reader::<Dataset>::open(file)?;
+    sidecar::claim(out)?;
+    let format = *reader.header();
+    let side = format.side as usize;
+    let mut labels = Vec::new();
+    let mut failed = None;
+    let written = NpyStream::write::<u8>(out, &[reader.frames() as usize, side, side], |stream| {
+        for sample in reader {
+            match sample.map_err(Failure::from).and_then(|sample| Ok((label(&sample), image(file, sample)?))) {
+                Ok((label, crop)) => {
+                    labels.push(label);
+                    stream.append(&crop.pixels)?;
+                }
+                Err(failure) => {
+                    failed = Some(failure);
+                    return Err(std::io::Error::other("a sample is damaged or has no image"));
+                }
+            }
+        }
+        Ok(())
+    });
+    failed.map_or(written, Err)?;
+    sidecar::write(out, &json!({ "shape": ["sample", "velocity", "range"], "format": format, "samples": labels }))
+}
+
+/// The features of every sample's signature, a row each.
+pub(crate) fn csv(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
+    let mut failed = None;
+    let written = crate::host::files::write_with(out, |stream| {
+        writeln!(stream, "id,class,model,variant,scene,target,frame,split,{}", classifier::feature_names().join(","))?;
+        for sample in reader {
+            let sample = sample.map_err(|e| fail(&mut failed, e))?;
+            writeln!(stream, "{}", row(&sample))?;
+        }
+        Ok(())
+    });
+    failed.map_or(written, |error| Err(error.into()))
+}
+
+fn row(sample: &Sample) -> String {
+    let Sample { id, model, variant, scene, target, frame, split, .. } = sample;
+    let class = sample.class.map_or("", |class| class.name());
+    let values: Vec<String> = classifier::features(&sample.signature).iter().map(|(_, v)| format!("{v:.6}")).collect();
+    let split = format!("{split:?}").to_lowercase();
+    format!("{id},{class},{model},{variant},{scene},{target},{frame},{split},{}", values.join(","))
+}
+
+/// The image of a sample; refused of a dataset that was made without images.
+fn image(file: &Path, sample: Sample) -> Result<Crop, Failure> {
+    let Sample { id, crop, .. } = sample;
+    crop.ok_or_else(|| {
+        let rule = "has no image: the recipe of this dataset says crops = false";
+        Failure::Refused(format!("{}: sample `{id}` {rule}", file.display()))
+    })
+}
+
+/// What a line of `manifest.jsonl` tells of a sample.
+pub(crate) fn label(sample: &Sample) -> Value {
+    json!({
+        "id": sample.id, "class": sample.class.map(|c| c.name()), "model": sample.model, "variant": sample.variant,
+        "scene": sample.scene, "target": sample.target, "frame": sample.frame,
+        "range_m": sample.range_m, "velocity_mps": sample.radial_velocity_mps, "lane": sample.lane,
+        "seed": sample.seed, "split": sample.split,
+    })
+}
+
+/// One grey picture a sample, in the folder `out`.
+pub(crate) fn png(file: &Path, out: &Path) -> Result<(), Failure> {
+    let reader = Reader::<Dataset>::open(file)?;
+    let side = reader.header().side;
+    for sample in reader {
+        let sample = sample?;
+        let place = out.join(format!("{}.png", plain_name(&sample.id)));
+        crate::pictures::write_gray(&place, side, side, image(file, sample)?.pixels)?;
+    }
+    Ok(())
+}

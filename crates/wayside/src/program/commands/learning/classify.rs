@@ -1,0 +1,76 @@
+//! `classify`: class and probabilities of every object of a map, or of every sample of a dataset, one JSON line each.
+
+use crate::chain::loaded_model::LoadedModel;
+use crate::chain::loading;
+use crate::host::failure::Failure;
+use crate::outcome::summary::probabilities;
+use crate::program::cli::ClassifyArguments;
+use crate::program::commands::formats::inspect;
+use crate::program::terminal;
+use artifact::dataset::{Dataset, Sample};
+use artifact::rdm::Rdm;
+use artifact::{Reader, Schema, read_preamble};
+use serde_json::json;
+use std::path::{Path, PathBuf};
+
+/// Samples that are answered at once.
+const BATCH: usize = 64;
+
+pub(crate) fn run(arguments: &ClassifyArguments) -> Result<(), Failure> {
+    let model = LoadedModel::read(&arguments.model)?;
+    for file in arguments.files.iter().flat_map(|f| expanded(f)) {
+        match read_preamble(&file)?.schema.as_str() {
+            Rdm::NAME => maps(&model, &file)?,
+            Dataset::NAME => samples(&model, &file)?,
+            other => return Err(unfit(&file, other)),
+        }
+    }
+    Ok(())
+}
+
+/// A folder stands for the datasets in it.
+fn expanded(place: &Path) -> Vec<PathBuf> {
+    if place.is_dir() { loading::shards(place) } else { vec![place.to_owned()] }
+}
+
+fn unfit(file: &Path, schema: &str) -> Failure {
+    match schema {
+        "scene" | "paths" | "rcs" | "cube" | "points" | "tracks" | "model" | "classes" => {
+            Failure::Refused(format!("{}: a `{schema}` artifact where maps or a dataset are needed", file.display()))
+        }
+        other => inspect::unknown(file, other),
+    }
+}
+
+fn maps(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
+    let reader = Reader::<Rdm>::open(file)?;
+    let header = reader.header().clone();
+    for rdm in reader {
+        let rdm = rdm?;
+        let points = dsp::detect(&header, &rdm).map_err(Failure::refused)?;
+        for (object, p) in model.classify(&header, &rdm, &points)?.iter().enumerate() {
+            tell(model, file, rdm.index, &object.to_string(), p);
+        }
+    }
+    Ok(())
+}
+
+fn samples(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
+    let mut reader = Reader::<Dataset>::open(file)?;
+    loop {
+        let batch: Vec<Sample> = reader.by_ref().take(BATCH).collect::<Result<_, _>>()?;
+        if batch.is_empty() {
+            return Ok(());
+        }
+        for (sample, p) in batch.iter().zip(model.of_samples(&batch).map_err(|failure| failure.about(file))?) {
+            tell(model, file, sample.frame, &sample.id, &p);
+        }
+    }
+}
+
+fn tell(model: &LoadedModel, file: &Path, frame: u32, target: &str, p: &[f32; 4]) {
+    terminal::line(json!({
+        "file": file.display().to_string(), "frame": frame, "target": target,
+        "class": model.rule().told(p), "probabilities": probabilities(Some(p)),
+    }));
+}

@@ -1,0 +1,140 @@
+//! What is drawn of each scene before any mesh is there: which vehicles, before which radar.
+
+use crate::program::commands::learning::dataset::recipe::Recipe;
+use artifact::settings::Class;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+/// Of the scenes that queue, those that stand; the others roll.
+const STANDING_SHARE: f64 = 0.5;
+/// What rolls in a queue is slower, m/s.
+const ROLLING_MPS: f64 = 0.5;
+
+/// A scene before it is computed.
+pub(super) struct Drawn {
+    pub(super) number: u64,
+    /// Index of its base scene.
+    pub(super) base: usize,
+    pub(super) vehicles: Vec<Vehicle>,
+    /// The first vehicle's, where the scene does not queue.
+    pub(super) first: Drive,
+    /// Speed of all where they queue.
+    pub(super) queue_mps: Option<f64>,
+    /// `None`: the base scene's.
+    pub(super) radar_height_m: Option<f64>,
+    pub(super) tilt_rad: Option<f64>,
+    pub(super) extra_noise_db: f64,
+}
+
+/// A body to be placed.
+pub(super) struct Vehicle {
+    pub(super) class: Class,
+    /// Index among the class's models.
+    pub(super) model: usize,
+    pub(super) variant: u64,
+    /// Off the lane's direction, counter-clockwise.
+    pub(super) yaw_rad: f64,
+    /// Across the lane, from its middle.
+    pub(super) offset_m: f64,
+}
+
+/// Where on the road and how fast.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Drive {
+    pub(super) lane: u8,
+    pub(super) range_m: f64,
+    pub(super) speed_mps: f64,
+}
+
+/// What scenes have in common whose errors are alike: the base scene and the class of a lone vehicle, `None` of several.
+pub(super) type Kind = (usize, Option<Class>);
+
+impl Drawn {
+    pub(super) fn kind(&self) -> Kind {
+        let alone = match self.vehicles.as_slice() {
+            [vehicle] => Some(vehicle.class),
+            _ => None,
+        };
+        (self.base, alone)
+    }
+}
+
+/// All scenes, class by class in turn, so that any beginning is balanced.
+pub(super) fn draw(recipe: &Recipe) -> Vec<Drawn> {
+    let mut scenes = Vec::new();
+    for round in 0..u64::from(recipe.asked.scenes_per_class) {
+        for (class, models) in &recipe.models {
+            scenes.push(draw_one(recipe, scenes.len() as u64, *class, round as usize % models.len()));
+        }
+    }
+    scenes
+}
+
+fn draw_one(recipe: &Recipe, number: u64, class: Class, model: usize) -> Drawn {
+    let asked = &recipe.asked;
+    let mut random = stream(recipe, "dataset/scene", &[number]);
+    let variant = random.random_range(0..asked.vehicle_seeds);
+    let first = drive(recipe, &mut random);
+    let mut random = stream(recipe, "dataset/radar", &[number]);
+    let base = random.random_range(0..recipe.bases.len());
+    let [height, tilt, noise] = std::array::from_fn(|_| random.random());
+    let mut random = stream(recipe, "dataset/traffic", &[number]);
+    let [least, most] = asked.vehicles_per_scene;
+    let count = random.random_range(least..=most);
+    let queues = random.random::<f64>() < asked.queue_share;
+    let rolling_mps = if random.random::<f64>() < STANDING_SHARE { 0.0 } else { ROLLING_MPS * random.random::<f64>() };
+    let mut vehicles = vec![vehicle(recipe, number, 0, (class, model, variant))];
+    for target in 1..u64::from(count) {
+        let drawn = any_model(recipe, &mut random);
+        vehicles.push(vehicle(recipe, number, target, drawn));
+    }
+    Drawn {
+        number,
+        base,
+        vehicles,
+        first,
+        queue_mps: queues.then_some(rolling_mps),
+        radar_height_m: asked.radar_height_m.map(|span| within(span, height)),
+        tilt_rad: asked.tilt_deg.map(|span| within(span, tilt).to_radians()),
+        extra_noise_db: within(asked.extra_noise_db, noise),
+    }
+}
+
+pub(super) fn drive(recipe: &Recipe, random: &mut ChaCha8Rng) -> Drive {
+    let asked = &recipe.asked;
+    Drive {
+        lane: asked.lanes[random.random_range(0..asked.lanes.len())],
+        range_m: within(asked.range_m, random.random()),
+        speed_mps: within(asked.speed_mps, random.random()),
+    }
+}
+
+/// Of all classes evenly, then of the class's models.
+fn any_model(recipe: &Recipe, random: &mut ChaCha8Rng) -> (Class, usize, u64) {
+    let number = random.random_range(0..recipe.models.len());
+    let variant = random.random_range(0..recipe.asked.vehicle_seeds);
+    let share: f64 = random.random();
+    let (class, models) = recipe.models.iter().nth(number).map_or((Class::Car, 0), |(class, of)| (*class, of.len()));
+    (class, (share * models as f64) as usize, variant)
+}
+
+fn vehicle(recipe: &Recipe, number: u64, target: u64, (class, model, variant): (Class, usize, u64)) -> Vehicle {
+    let mut random = stream(recipe, "dataset/pose", &[number, target]);
+    let [yaw, offset] = std::array::from_fn(|_| random.random());
+    Vehicle {
+        class,
+        model,
+        variant: if recipe.models[&class][model].has_variants() { variant } else { 0 },
+        yaw_rad: within(recipe.asked.yaw_deg, yaw).to_radians(),
+        offset_m: within(recipe.asked.offset_m, offset),
+    }
+}
+
+/// Randomness of one use, of a scene or of one of its vehicles.
+pub(super) fn stream(recipe: &Recipe, of: &str, index: &[u64]) -> ChaCha8Rng {
+    ChaCha8Rng::from_seed(artifact::seed::key(recipe.seed, of, index))
+}
+
+pub(super) fn within([low, high]: [f64; 2], share: f64) -> f64 {
+    low + (high - low) * share
+}

@@ -1,0 +1,184 @@
+//! `[models]` of a recipe: the project's own vehicles, mesh files, folders of them, and a folder whose manifest tells classes.
+
+use crate::chain::loading;
+use crate::host::failure::Failure;
+use artifact::bounded;
+use artifact::scene::Mesh;
+use artifact::settings::Class;
+use scene::mesh::{self, Format, MeshOptions};
+use scene::{centred, read_mesh, vehicles};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// A manifest of a thousand vehicles, with all that is told of each.
+const LIMIT_BYTES: u64 = 16 << 20;
+
+/// What the table says.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Choice {
+    /// A folder with a manifest.
+    vehicles: Option<PathBuf>,
+    car: Option<Vec<String>>,
+    bus: Option<Vec<String>>,
+    truck: Option<Vec<String>>,
+    motorcycle: Option<Vec<String>>,
+}
+
+/// A body that a recipe may draw.
+pub(super) struct Model {
+    /// Of the own vehicle, or of the file without its ending.
+    pub(super) name: String,
+    source: Source,
+}
+
+enum Source {
+    /// One of the project's vehicles.
+    Own,
+    File(Mesh),
+}
+
+impl Model {
+    /// Whether there is more than one variant of it.
+    pub(super) fn has_variants(&self) -> bool {
+        matches!(self.source, Source::Own)
+    }
+
+    /// In a scene's axes, its materials not looked up yet.
+    pub(super) fn mesh(&self, variant: u64) -> Mesh {
+        match &self.source {
+            Source::Own => vehicles::mesh(&self.name, variant).unwrap_or_default(),
+            Source::File(mesh) => mesh.clone(),
+        }
+    }
+}
+
+/// Name and file of a model; an own vehicle has no file.
+type Named = (String, Option<PathBuf>);
+
+/// All models of each class, in the order of the recipe; `files` gets what they were read from.
+pub(super) fn read(
+    choice: &Choice,
+    recipe: &Path,
+    folder: &Path,
+    files: &mut Vec<PathBuf>,
+) -> Result<BTreeMap<Class, Vec<Model>>, Failure> {
+    let refused = |rule: String| Failure::Refused(format!("{}: {rule}", recipe.display()));
+    let mut all: BTreeMap<Class, Vec<Named>> = BTreeMap::new();
+    if let Some(vehicles) = &choice.vehicles {
+        let manifest = folder.join(vehicles).join("manifest.toml");
+        for Entry { name, class } in manifest_of(&manifest)?.vehicle {
+            let file = manifest.with_file_name(format!("{name}.glb"));
+            all.entry(class).or_default().push((name, Some(file)));
+        }
+        files.push(manifest);
+    }
+    for (class, written) in choice.by_class() {
+        let of_class = all.entry(class).or_default();
+        for name in written {
+            of_class.extend(named(class, name, folder).map_err(refused)?);
+        }
+    }
+    check(&all, choice).map_err(refused)?;
+    let mut models: BTreeMap<Class, Vec<Model>> = BTreeMap::new();
+    for (class, (name, file)) in all.into_iter().flat_map(|(class, of)| of.into_iter().map(move |named| (class, named)))
+    {
+        models.entry(class).or_default().push(model(name, file, files)?);
+    }
+    Ok(models)
+}
+
+impl Choice {
+    fn by_class(&self) -> impl Iterator<Item = (Class, &Vec<String>)> {
+        let written = |class: Class| match class {
+            Class::Car => &self.car,
+            Class::Bus => &self.bus,
+            Class::Truck => &self.truck,
+            Class::Motorcycle => &self.motorcycle,
+        };
+        Class::ALL.into_iter().filter_map(move |class| Some((class, written(class).as_ref()?)))
+    }
+}
+
+/// What is read of a folder's `manifest.toml`; it may say more.
+#[derive(Deserialize)]
+struct Manifest {
+    vehicle: Vec<Entry>,
+}
+
+#[derive(Deserialize)]
+struct Entry {
+    name: String,
+    class: Class,
+}
+
+fn manifest_of(file: &Path) -> Result<Manifest, Failure> {
+    let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
+    let refused = |rule: String| Failure::Refused(format!("{}: {rule}", file.display()));
+    let manifest: Manifest = toml::from_str(&text).map_err(|e| refused(e.to_string()))?;
+    let is_plain = |name: &str| Path::new(name).file_name().is_some_and(|own| own == name);
+    match manifest.vehicle.iter().find(|entry| !is_plain(&entry.name)) {
+        Some(entry) => Err(refused(format!("vehicle: name `{}` is no name of a file in this folder", entry.name))),
+        None => Ok(manifest),
+    }
+}
+
+/// The models that a word of the recipe names: an own vehicle, a file, or all `.glb` of a folder.
+fn named(class: Class, written: &str, folder: &Path) -> Result<Vec<Named>, String> {
+    let key = format!("models.{}", class.name());
+    let path = folder.join(written);
+    match vehicles::class_of(written) {
+        Some(own) if own == class => return Ok(vec![(written.to_owned(), None)]),
+        Some(own) => return Err(format!("{key}: `{written}` is a {}", own.name())),
+        None if path.is_dir() => return glb_files(&path).map_err(|rule| format!("{key}: `{written}`: {rule}")),
+        None => {}
+    }
+    match Format::of(&path) {
+        Some(_) => Ok(vec![(stem(&path), Some(path))]),
+        None => Err(format!(
+            "{key}: `{written}` is no mesh file (.glb, .gltf, .stl, .obj), no folder and none of {:?}",
+            vehicles::names()
+        )),
+    }
+}
+
+fn glb_files(folder: &Path) -> Result<Vec<Named>, String> {
+    let entries = std::fs::read_dir(folder).map_err(|e| e.to_string())?;
+    let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
+    files.retain(|file| Format::of(file) == Some(Format::Glb));
+    files.sort();
+    match files.is_empty() {
+        true => Err("the folder holds no .glb".into()),
+        false => Ok(files.into_iter().map(|file| (stem(&file), Some(file))).collect()),
+    }
+}
+
+fn stem(file: &Path) -> String {
+    file.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// A class that is named has models, and a name is one model's, for splits may go by it.
+fn check(all: &BTreeMap<Class, Vec<Named>>, choice: &Choice) -> Result<(), String> {
+    if let Some((class, _)) = choice.by_class().find(|(_, written)| written.is_empty()) {
+        return Err(format!("models.{}: name at least one", class.name()));
+    }
+    if all.is_empty() {
+        return Err("models: name at least one of a class, or a folder with a manifest as `vehicles`".into());
+    }
+    let mut known: BTreeMap<&String, (Class, &Option<PathBuf>)> = BTreeMap::new();
+    for (class, (name, file)) in all.iter().flat_map(|(class, of)| of.iter().map(|named| (*class, named))) {
+        let first = *known.entry(name).or_insert((class, file));
+        if first != (class, file) {
+            return Err(format!("models.{}: two different models are called `{name}`", class.name()));
+        }
+    }
+    Ok(())
+}
+
+fn model(name: String, file: Option<PathBuf>, files: &mut Vec<PathBuf>) -> Result<Model, Failure> {
+    let Some(file) = file else { return Ok(Model { name, source: Source::Own }) };
+    let mesh = read_mesh(&file, &MeshOptions { unit_scale: None }).map_err(loading::of_mesh)?;
+    files.extend(mesh::files(&file));
+    Ok(Model { name, source: Source::File(centred(mesh)) })
+}

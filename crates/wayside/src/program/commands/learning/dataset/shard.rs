@@ -1,0 +1,126 @@
+//! A shard made whole: the first scene of each kind is measured, the others take its errors over; several scenes at a time.
+
+use crate::chain::link::Chain;
+use crate::host::failure::Failure;
+use crate::host::files;
+use crate::host::memory::Allowance;
+use crate::program::commands::learning::dataset::draws::{Drawn, Kind};
+use crate::program::commands::learning::dataset::recipe::Recipe;
+use crate::program::commands::learning::dataset::shots::{Measured, Shot, Surroundings, shoot};
+use crate::program::commands::learning::dataset::staging::{Staged, stage};
+use artifact::dataset::Dataset;
+use artifact::{Provenance, Writer};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Scenes for each thread that are made before they are written: all of a shard would be too many to hold.
+const HELD: usize = 4;
+
+/// What shards are made of and with.
+pub(super) struct Making<'a> {
+    pub(super) recipe: &'a Recipe,
+    pub(super) memory: Allowance,
+    /// Hears how many scenes of the shard are done.
+    pub(super) tell: &'a (dyn Fn(usize) + Sync),
+}
+
+/// Makes a shard and the lines of its scenes.
+pub(super) fn make(making: &Making, scenes: &[Drawn], shard: &Path, lines: &Path) -> Result<(), Failure> {
+    let recipe = making.recipe;
+    let mut writer = Writer::<Dataset>::create(shard, &provenance(recipe), &dsp::PAPER_CROP)?;
+    let mut text = String::new();
+    let name = shard.file_name().unwrap_or_default().to_string_lossy();
+    let first = first_of_kinds(scenes);
+    let work = Work { making, scenes, shard: &name, at_once: at_once(making, scenes, &first)? };
+    let done = AtomicUsize::new(0);
+    let mut measured = work.shots(&first, &BTreeMap::new(), &done)?;
+    let errors = measured.iter().map(|(place, shot)| (scenes[*place].kind(), shot.measured.clone())).collect();
+    let places: Vec<usize> = (0..scenes.len()).collect();
+    for places in places.chunks(HELD * work.at_once) {
+        let others: Vec<usize> = places.iter().copied().filter(|place| !first.contains(place)).collect();
+        let mut shots = work.shots(&others, &errors, &done)?;
+        for shot in places.iter().filter_map(|place| measured.remove(place).or_else(|| shots.remove(place))) {
+            shot.samples.iter().try_for_each(|sample| writer.write(sample))?;
+            text.push_str(&format!("{}\n", shot.line));
+        }
+    }
+    writer.finish()?;
+    files::write_file(lines, text.as_bytes())
+}
+
+fn provenance(recipe: &Recipe) -> Provenance {
+    Provenance {
+        stage: "dataset".into(),
+        program_version: env!("CARGO_PKG_VERSION").into(),
+        inputs: recipe.inputs.clone(),
+        settings: recipe.text.clone(),
+        seed: recipe.seed,
+    }
+}
+
+/// The first scene of each kind, in their order.
+fn first_of_kinds(scenes: &[Drawn]) -> Vec<usize> {
+    let mut kinds: BTreeSet<Kind> = BTreeSet::new();
+    (0..scenes.len()).filter(|place| kinds.insert(scenes[*place].kind())).collect()
+}
+
+/// One a thread, as many as are expected to fit into the memory that they may take if all are as large as the largest measured.
+fn at_once(making: &Making, scenes: &[Drawn], first: &[usize]) -> Result<usize, Failure> {
+    let threads = rayon::current_num_threads().min(scenes.len()).max(1);
+    let Some(limit_mib) = making.memory.mib().filter(|_| threads > 1) else { return Ok(threads) };
+    let triangles = |staged: &Staged| staged.header.meshes.iter().map(|mesh| mesh.triangles.len()).sum::<usize>();
+    let largest = first.iter().map(|place| stage(making.recipe, &scenes[*place])).max_by_key(triangles);
+    let Some(Staged { header, .. }) = largest else { return Ok(1) };
+    let chain = Chain::of(&header, None, None, making.memory);
+    let estimate_mib = chain.memory_estimate_mib(&chain.plan(0))?;
+    Ok(((limit_mib / estimate_mib) as usize).clamp(1, threads))
+}
+
+/// What all scenes of a shard are made in.
+struct Work<'a> {
+    making: &'a Making<'a>,
+    scenes: &'a [Drawn],
+    shard: &'a str,
+    at_once: usize,
+}
+
+impl Work<'_> {
+    /// Some scenes by their places; those of a kind whose errors are known take them over.
+    fn shots(
+        &self,
+        places: &[usize],
+        errors: &BTreeMap<Kind, Measured>,
+        done: &AtomicUsize,
+    ) -> Result<BTreeMap<usize, Shot>, Failure> {
+        let shot = |place: usize| {
+            let drawn = &self.scenes[place];
+            let like = errors.get(&drawn.kind());
+            let surroundings =
+                Surroundings { like, shard: self.shard, at_once: self.at_once, memory: self.making.memory };
+            let shot = shoot(self.making.recipe, drawn, &surroundings)?;
+            (self.making.tell)(done.fetch_add(1, Ordering::Relaxed) + 1);
+            Ok((place, shot))
+        };
+        Ok(side_by_side(places, self.at_once, shot)?.into_iter().collect())
+    }
+}
+
+/// Each on one of so many threads: threads of the pool would take up a further scene while they wait for a part of one, and hold
+/// more than was allowed.
+fn side_by_side<T: Send>(
+    places: &[usize],
+    at_once: usize,
+    work: impl Fn(usize) -> Result<T, Failure> + Sync,
+) -> Result<Vec<T>, Failure> {
+    let next = AtomicUsize::new(0);
+    let worker = || {
+        let taken = std::iter::from_fn(|| places.get(next.fetch_add(1, Ordering::Relaxed)));
+        taken.map(|place| work(*place)).collect::<Result<Vec<T>, Failure>>()
+    };
+    std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..at_once.min(places.len())).map(|_| scope.spawn(worker)).collect();
+        let joined = workers.into_iter().map(|w| w.join().unwrap_or_else(|p| std::panic::resume_unwind(p)));
+        joined.collect::<Result<Vec<_>, _>>().map(|parts| parts.into_iter().flatten().collect())
+    })
+}

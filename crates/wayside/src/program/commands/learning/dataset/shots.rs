@@ -1,0 +1,121 @@
+//! Drawn scenes sent through the whole chain: samples of what was found, and a line of truth and estimate.
+
+use crate::chain::link::{Chain, FrameProducts};
+use crate::chain::measured_frames::Known;
+use crate::evaluation::pairing::{Pairing, Reach};
+use crate::evaluation::truth::{self, Truth};
+use crate::host::failure::Failure;
+use crate::host::memory::Allowance;
+use crate::program::commands::learning::dataset::draws::Drawn;
+use crate::program::commands::learning::dataset::lines;
+use crate::program::commands::learning::dataset::recipe::Recipe;
+use crate::program::commands::learning::dataset::staging::{Staged, stage};
+use artifact::dataset::{Crop, Sample};
+use serde_json::Value;
+use std::sync::Arc;
+
+/// A scene after it was computed.
+pub(super) struct Shot {
+    /// Of every vehicle that was found, frame by frame.
+    pub(super) samples: Vec<Sample>,
+    /// Truth and estimates.
+    pub(super) line: Value,
+    /// For scenes of the same kind.
+    pub(super) measured: Measured,
+}
+
+/// Errors of a scene, and which one that is.
+#[derive(Clone)]
+pub(super) struct Measured {
+    pub(super) scene: u64,
+    known: Arc<Known>,
+}
+
+/// One frame of a scene.
+pub(super) struct Seen {
+    pub(super) products: FrameProducts,
+    pub(super) truths: Vec<Truth>,
+    /// For each vehicle its object.
+    pub(super) object_of: Vec<Option<usize>>,
+}
+
+/// What a scene is computed in.
+pub(super) struct Surroundings<'a> {
+    /// Where its errors are taken over from; `None`: they are measured.
+    pub(super) like: Option<&'a Measured>,
+    /// Name of the shard's file.
+    pub(super) shard: &'a str,
+    /// Scenes that share the memory.
+    pub(super) at_once: usize,
+    /// What tracing may take.
+    pub(super) memory: Allowance,
+}
+
+/// Computes one scene.
+pub(super) fn shoot(recipe: &Recipe, drawn: &Drawn, surroundings: &Surroundings<'_>) -> Result<Shot, Failure> {
+    let staged = stage(recipe, drawn);
+    let chain = Chain::of(&staged.header, None, None, surroundings.memory);
+    chain.share_memory(surroundings.at_once);
+    let chain = match surroundings.like {
+        Some(measured) => chain.like(Known::clone(&measured.known)),
+        None => chain,
+    };
+    let (mut samples, mut frames) = (Vec::new(), Vec::new());
+    for index in 0..staged.header.frames {
+        let seen = seen(&staged, chain.frame(&chain.plan(index))?);
+        samples.extend(samples_of(recipe, drawn, &staged, &chain, &seen)?);
+        frames.push(lines::frame(drawn, &staged, &seen));
+    }
+    let own = || Measured { scene: drawn.number, known: Arc::new(chain.measured()) };
+    let measured = surroundings.like.cloned().unwrap_or_else(own);
+    Ok(Shot {
+        samples,
+        line: lines::scene(recipe, drawn, &staged, frames, measured.scene, surroundings.shard),
+        measured,
+    })
+}
+
+fn seen(staged: &Staged, products: FrameProducts) -> Seen {
+    let result = &products.result;
+    let truths = truth::truths(&staged.header, &result.scene, result.paths.as_ref());
+    let object_of = Pairing::of(&truths, &result.points.objects, &Reach::of(&staged.header)).object_of;
+    Seen { products, truths, object_of }
+}
+
+fn samples_of(
+    recipe: &Recipe,
+    drawn: &Drawn,
+    staged: &Staged,
+    chain: &Chain,
+    seen: &Seen,
+) -> Result<Vec<Sample>, Failure> {
+    let (points, rdm) = (&seen.products.result.points, &seen.products.rdm);
+    let signatures = dsp::Signatures::new(&chain.cube_header, rdm).map_err(Failure::refused)?;
+    let mut samples = Vec::new();
+    for (target, object) in seen.object_of.iter().enumerate().filter_map(|(t, object)| Some((t, (*object)? as u32))) {
+        let (told, truth) = (&staged.vehicles[target], &seen.truths[target]);
+        samples.push(Sample {
+            id: lines::id(drawn.number, target, points.index),
+            signature: signatures.of(points, object).map_err(Failure::refused)?,
+            crop: recipe.asked.crops.then(|| crop(chain, seen, object)).transpose()?,
+            class: Some(told.class),
+            model: told.model.clone(),
+            variant: told.variant,
+            scene: drawn.number,
+            target: target as u32,
+            frame: points.index,
+            split: classifier::split_of_scene(drawn.number, recipe.seed),
+            range_m: truth.range_m,
+            radial_velocity_mps: truth.radial_velocity_mps,
+            lane: truth.lane,
+            seed: recipe.seed,
+        });
+    }
+    Ok(samples)
+}
+
+/// As a detector among its neighbours shows it.
+fn crop(chain: &Chain, seen: &Seen, object: u32) -> Result<Crop, Failure> {
+    let cropper = dsp::Cropper::new(&chain.cube_header, &seen.products.rdm, &dsp::PAPER_CROP);
+    cropper.and_then(|cropper| cropper.crop_among(&seen.products.result.points, object)).map_err(Failure::refused)
+}

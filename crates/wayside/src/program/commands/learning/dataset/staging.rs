@@ -1,0 +1,175 @@
+//! A drawn scene with its meshes: vehicles placed before the radar of its base scene.
+
+use crate::program::commands::learning::dataset::draws::{self, Drawn, Drive, Vehicle};
+use crate::program::commands::learning::dataset::models::Model;
+use crate::program::commands::learning::dataset::places::Place;
+use crate::program::commands::learning::dataset::recipe::{Base, Recipe};
+use artifact::scene::{Mesh, Role, SceneHeader, Target, TargetKind};
+use artifact::settings::{Class, Fidelity, Noise};
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+
+/// A vehicle that finds no room so often is left out.
+const TRIES: usize = 32;
+/// From bumper to bumper of those that queue, m.
+const QUEUE_GAP_M: [f64; 2] = [2.0, 4.0];
+/// All frames of a scene take over what is measured in its first.
+const MEASURED_EVERY: u32 = 1_000_000;
+
+/// A scene ready to be computed.
+pub(super) struct Staged {
+    pub(super) header: SceneHeader,
+    /// In the order of the targets.
+    pub(super) vehicles: Vec<Told>,
+}
+
+/// What a line and a sample tell of a vehicle beside what is seen of it.
+pub(super) struct Told {
+    pub(super) class: Class,
+    pub(super) model: String,
+    pub(super) variant: u64,
+    pub(super) yaw_rad: f64,
+}
+
+/// The base scene with these vehicles as its only targets; those that find no room are left out.
+pub(super) fn stage(recipe: &Recipe, drawn: &Drawn) -> Staged {
+    let base = before_radar(recipe, drawn);
+    let mesh = |vehicle: &Vehicle| {
+        let mesh = model(recipe, vehicle).mesh(vehicle.variant);
+        Mesh { makeup: base.materials.makeup(&mesh.materials), ..mesh }
+    };
+    let all: Vec<Mesh> = drawn.vehicles.iter().map(mesh).collect();
+    let places = Road { recipe, drawn, base: &base }.places(&all);
+    let (mut meshes, mut targets, mut vehicles) = (Vec::new(), Vec::new(), Vec::<Told>::new());
+    for ((vehicle, mesh), place) in drawn.vehicles.iter().zip(all).zip(places) {
+        let Some(place) = place else { continue };
+        let told = told(recipe, vehicle);
+        // What was measured of a body in one scene is that of its like in another.
+        let number = 1 + vehicles.iter().filter(|before| before.class == told.class).count();
+        let id = format!("{}-{number}", told.class.name());
+        let kind = TargetKind::Mesh { class: Some(told.class), model: told.model.clone(), mesh: vehicles.len() as u32 };
+        targets.push(Target { id, role: Role::Target, kind, start: place.pose(&base) });
+        meshes.push(mesh);
+        vehicles.push(told);
+    }
+    Staged { header: SceneHeader { meshes: meshes.into(), targets, ..base }, vehicles }
+}
+
+fn model<'r>(recipe: &'r Recipe, vehicle: &Vehicle) -> &'r Model {
+    &recipe.models[&vehicle.class][vehicle.model]
+}
+
+fn told(recipe: &Recipe, vehicle: &Vehicle) -> Told {
+    let Vehicle { class, variant, yaw_rad, .. } = *vehicle;
+    Told { class, model: model(recipe, vehicle).name.clone(), variant, yaw_rad }
+}
+
+/// The base scene without targets, its radar mounted as drawn.
+fn before_radar(recipe: &Recipe, drawn: &Drawn) -> SceneHeader {
+    let Base { header: base, .. } = &recipe.bases[drawn.base];
+    let [_, _, height_m] = base.radar.position_m;
+    let height_m = drawn.radar_height_m.unwrap_or(height_m);
+    let tilt_rad = drawn.tilt_rad.unwrap_or(base.radar.boresight_el_rad);
+    let fidelity = Fidelity { measured_every: MEASURED_EVERY, ..base.fidelity };
+    SceneHeader {
+        name: format!("dataset-{}", drawn.number),
+        seed: recipe.seed.wrapping_add(drawn.number),
+        frames: recipe.asked.frames,
+        frame_interval_s: recipe.asked.frame_interval_s.unwrap_or(base.frame_interval_s),
+        radar: scene::remounted(&base.radar, height_m, tilt_rad),
+        noise: noisier(base.noise, drawn.extra_noise_db),
+        fidelity,
+        meshes: vec![].into(),
+        targets: vec![],
+        traffic: None,
+        ..base.clone()
+    }
+}
+
+fn noisier(noise: Noise, extra_db: f64) -> Noise {
+    match noise {
+        Noise::Absent => Noise::Absent,
+        Noise::Figure { noise_figure_db, temperature_k } => {
+            Noise::Figure { noise_figure_db: noise_figure_db + extra_db, temperature_k }
+        }
+        Noise::SnrDb(snr_db) => Noise::SnrDb(snr_db - extra_db),
+    }
+}
+
+/// What vehicles are placed on.
+struct Road<'a> {
+    recipe: &'a Recipe,
+    drawn: &'a Drawn,
+    base: &'a SceneHeader,
+}
+
+/// A vehicle that has its place.
+#[derive(Clone, Copy)]
+struct Placed {
+    lane: u8,
+    place: Place,
+}
+
+impl Road<'_> {
+    /// `None` where no room was found.
+    fn places(&self, meshes: &[Mesh]) -> Vec<Option<Place>> {
+        let mut random = draws::stream(self.recipe, "dataset/places", &[self.drawn.number]);
+        let mut before: Vec<Placed> = Vec::new();
+        let mut places = Vec::new();
+        for (number, (vehicle, mesh)) in self.drawn.vehicles.iter().zip(meshes).enumerate() {
+            let first = (number == 0).then_some(self.drawn.first);
+            let placed = (0..TRIES).find_map(|_| {
+                let drive = first.unwrap_or_else(|| draws::drive(self.recipe, &mut random));
+                self.place(drive, vehicle, mesh, &before, &mut random)
+            });
+            before.extend(placed);
+            places.push(placed.map(|placed| placed.place));
+        }
+        places
+    }
+
+    fn place(
+        &self,
+        drive: Drive,
+        vehicle: &Vehicle,
+        mesh: &Mesh,
+        before: &[Placed],
+        random: &mut ChaCha8Rng,
+    ) -> Option<Placed> {
+        let speed_mps = self.drawn.queue_mps.unwrap_or(drive.speed_mps);
+        let across_m = self.across_m(drive.lane) + vehicle.offset_m;
+        let at = |along_m: f64| Place::of([across_m, along_m], half_extent_m(mesh), speed_mps, vehicle.yaw_rad);
+        let mut place = at(self.along_m(across_m, drive.range_m));
+        let last =
+            before.iter().rev().find(|other| other.lane == drive.lane).filter(|_| self.drawn.queue_mps.is_some());
+        if let Some(Placed { place: last, .. }) = last {
+            let gap_m = draws::within(QUEUE_GAP_M, random.random());
+            place = at(last.at_m[1] + last.half_along_m() + gap_m + place.half_along_m());
+        }
+        let is_clear = before.iter().all(|other| place.is_clear_of(&other.place, self.seconds()));
+        is_clear.then_some(Placed { lane: drive.lane, place })
+    }
+
+    fn across_m(&self, lane: u8) -> f64 {
+        let known = self.base.dsp.road.lanes.iter().find(|l| l.number == lane);
+        known.map_or_else(|| self.base.dsp.road.across_along_m(self.base.radar.position_m)[0], |l| l.centre_m)
+    }
+
+    /// Where the slant range of the body's origin is this one.
+    fn along_m(&self, across_m: f64, range_m: f64) -> f64 {
+        let radar_m = self.base.radar.position_m;
+        let [radar_across_m, radar_along_m] = self.base.dsp.road.across_along_m(radar_m);
+        let sideways_m2 = radar_m[2].powi(2) + (across_m - radar_across_m).powi(2);
+        radar_along_m + (range_m.powi(2) - sideways_m2).max(1.0).sqrt()
+    }
+
+    /// From the first frame's begin to the last one's end.
+    fn seconds(&self) -> f64 {
+        self.base.frame_time_s(self.base.frames - 1) + self.base.radar.frame_duration_s()
+    }
+}
+
+/// Half width and half length of a mesh whose origin is its middle.
+fn half_extent_m(mesh: &Mesh) -> [f64; 2] {
+    [1, 0].map(|axis: usize| mesh.vertices_m.iter().map(|vertex| vertex[axis].abs()).fold(0.0, f64::max))
+}

@@ -1,0 +1,119 @@
+//! `evaluate`: how often a model is right on datasets, by frame and by track, with its spread over vehicles, as a page.
+
+use crate::chain::loaded_model::{LoadedModel, of_classifier};
+use crate::chain::loading;
+use crate::host::failure::Failure;
+use crate::host::files;
+use crate::program::cli::EvaluateArguments;
+use crate::program::terminal;
+use artifact::dataset::Sample;
+use artifact::settings::Class;
+use classifier::{Evaluation, Part, Sightings, parts};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// Samples that are answered at once.
+const BATCH: usize = 256;
+/// The logarithm of no probability is lower.
+const LEAST_PROBABILITY: f32 = 1e-6;
+
+pub(crate) fn run(arguments: &EvaluateArguments) -> Result<(), Failure> {
+    let model = LoadedModel::read(&arguments.model)?;
+    if let Some(out) = &arguments.out {
+        files::claim(std::slice::from_ref(out))?;
+    }
+    let mut sightings = Sightings::default();
+    let mut logits = Vec::new();
+    for (number, folder) in arguments.datasets.iter().enumerate() {
+        for shard in shards_of(folder)? {
+            let samples: Vec<Sample> = classifier::samples_of(&shard).collect::<Result<_, _>>()?;
+            logits.extend(answers(&model, &samples)?);
+            sightings.add(number, samples.into_iter().map(Ok)).map_err(of_classifier)?;
+        }
+    }
+    let seen: Vec<_> = sightings.all.iter().collect();
+    let told = parts(&seen, &logits, f64::from(model.rule().frame_correlation));
+    let page = page(&told);
+    terminal::line(page.trim_end());
+    arguments.out.as_ref().map_or(Ok(()), |out| files::write_file(out, page.as_bytes()))
+}
+
+/// Everything that the shards of these folders hold.
+pub(super) fn sightings_of(folders: &[PathBuf]) -> Result<Sightings, Failure> {
+    let mut sightings = Sightings::default();
+    for (number, folder) in folders.iter().enumerate() {
+        for shard in shards_of(folder)? {
+            sightings.add(number, classifier::samples_of(&shard)).map_err(of_classifier)?;
+        }
+    }
+    Ok(sightings)
+}
+
+fn shards_of(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let shards = loading::shards(folder);
+    if shards.is_empty() {
+        return Err(Failure::System(format!("{}: no shards of a dataset here", folder.display())));
+    }
+    Ok(shards)
+}
+
+/// Logarithms of the probabilities of the samples that have a class.
+fn answers(model: &LoadedModel, samples: &[Sample]) -> Result<Vec<[f32; 4]>, Failure> {
+    let mut answers = Vec::new();
+    for batch in samples.chunks(BATCH) {
+        let told = model.of_samples(batch)?;
+        let labelled = batch.iter().zip(told).filter(|(sample, _)| sample.class.is_some());
+        answers.extend(labelled.map(|(_, p)| p.map(|p| p.max(LEAST_PROBABILITY).ln())));
+    }
+    Ok(answers)
+}
+
+fn page([frames, tracks]: &[Part; 2]) -> String {
+    let mut page = String::from(
+        "| answers | number | right, mean over classes | 95 % over vehicles | log loss | calibration error |\n\
+         |---|---|---|---|---|---|\n",
+    );
+    for (name, part) in [("by frame", frames), ("by track", tracks)] {
+        let _ = writeln!(page, "{}", row(name, part));
+    }
+    for (name, part) in [("By frame", frames), ("By track", tracks)] {
+        let _ = write!(page, "\n{name}, rows true, columns told:\n\n{}", confusion(&part.evaluation));
+    }
+    let _ = write!(page, "\nBy vehicle, by track:\n\n{}", vehicles(&tracks.evaluation));
+    page
+}
+
+fn row(name: &str, part: &Part) -> String {
+    let (told, evaluation) = (&part.by_vehicle, &part.evaluation);
+    let [low, high] = told.interval.map(|share| 100.0 * share);
+    format!(
+        "| {name} | {} | {:.1} % | {low:.1} … {high:.1} % over {} | {:.3} | {:.1} % |",
+        told.answers,
+        100.0 * told.mean_over_classes,
+        told.vehicles,
+        evaluation.log_loss,
+        100.0 * evaluation.calibration.expected_error,
+    )
+}
+
+pub(super) fn confusion(evaluation: &Evaluation) -> String {
+    let mut table = String::from("| | car | bus | truck | motorcycle |\n|---|---|---|---|---|\n");
+    for (class, told) in Class::ALL.iter().zip(&evaluation.confusion) {
+        let counts: Vec<String> = told.iter().map(u64::to_string).collect();
+        let _ = writeln!(table, "| {} | {} |", class.name(), counts.join(" | "));
+    }
+    table
+}
+
+fn vehicles(evaluation: &Evaluation) -> String {
+    let mut table = String::from("| vehicle | tracks | right |\n|---|---|---|\n");
+    for (model, told) in &evaluation.by_model {
+        let _ = writeln!(
+            table,
+            "| {model} | {} | {:.0} % |",
+            told.samples,
+            100.0 * told.right as f64 / told.samples.max(1) as f64
+        );
+    }
+    table
+}

@@ -1,0 +1,267 @@
+//! `protocols`: boosted trees trained with several seeds, and how right they are where they never looked: on scenes of the test
+//! split (S), on vehicles held out in turn (V, folder by folder), and on datasets that never trained (T). Or the paper's network by
+//! the paper's protocol (P).
+
+mod conditions;
+mod curves;
+mod paper;
+
+use crate::chain::loaded_model::{ClassRule, UNKNOWN, of_classifier};
+use crate::host::failure::Failure;
+use crate::host::files;
+use crate::host::progress::Work;
+use crate::program::cli::{LearnerWord, ProtocolsArguments};
+use crate::program::commands::learning::evaluate::{confusion, sightings_of};
+use crate::program::terminal;
+use artifact::dataset::Split;
+use artifact::model::Weights;
+use artifact::settings::Class;
+use classifier::{
+    Logits, Part, ReliabilityBin, Seen, Sightings, TrainedTrees, TreeSettings, likeness, log_softmax, parts,
+    train_trees, tree_logits,
+};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// What every training is asked: a name, and which answers belong to it.
+struct Protocol<'a> {
+    name: String,
+    seen: Vec<(&'a Seen, Source)>,
+}
+
+/// Where the answer to a sighting stands.
+#[derive(Clone, Copy)]
+enum Source {
+    /// With the training, under this number.
+    Trained(usize),
+    /// Nowhere: the finished trees answer.
+    Test,
+}
+
+/// Which sightings a row counts.
+type Kept = fn(&Seen) -> bool;
+
+/// The protocol of all vehicles that were held out.
+const HELD_OUT: &str = "V: vehicles held out in turn";
+
+/// Arrays that have a row of the table.
+const ARRAYS: [(&str, Kept); 3] =
+    [("all", |_| true), ("without rows", |seen| !seen.has_rows), ("with rows", |seen| seen.has_rows)];
+
+pub(crate) fn run(arguments: &ProtocolsArguments) -> Result<(), Failure> {
+    if let Some(out) = &arguments.out {
+        files::claim(std::slice::from_ref(out))?;
+    }
+    let page = match arguments.learner {
+        LearnerWord::Trees => of_trees(arguments)?,
+        LearnerWord::Paper => paper::page(arguments)?,
+    };
+    terminal::line(page.trim_end());
+    arguments.out.as_ref().map_or(Ok(()), |out| files::write_file(out, page.as_bytes()))
+}
+
+fn of_trees(arguments: &ProtocolsArguments) -> Result<String, Failure> {
+    let learned = sightings_of(&arguments.datasets)?;
+    let tests: Vec<Sightings> =
+        arguments.test.iter().map(|folder| sightings_of(std::slice::from_ref(folder))).collect::<Result<_, _>>()?;
+    let mut protocols = of_training(&learned, &arguments.datasets);
+    let named = |folder: &PathBuf| format!("T: {} never seen", folder.display());
+    protocols.extend(arguments.test.iter().zip(&tests).map(|(folder, test)| of_test(named(folder), test)));
+    let work = Work::begin("training");
+    let mut trained = Vec::new();
+    for seed in 1..=arguments.seeds {
+        let before = (seed - 1) as usize;
+        let all = arguments.seeds as usize;
+        let one =
+            train_trees(&learned, &TreeSettings::default(), seed, &mut |at, of| work.at(before * of + at, all * of));
+        trained.push(one.map_err(of_classifier)?);
+    }
+    drop(work);
+    let mut page = page(&protocols, &trained);
+    page += &reliability(&protocols, &trained[0]);
+    page += &by_threshold(&protocols, &trained[0]);
+    if let Some(held_out) = protocols.iter().find(|protocol| protocol.name == HELD_OUT) {
+        page += &by_condition(held_out, &arguments.datasets, &trained[0]);
+    }
+    for (folder, test) in arguments.test.iter().zip(&tests) {
+        page += &by_condition(&of_test(named(folder), test), std::slice::from_ref(folder), &trained[0]);
+        page += &likenesses(folder, &learned, test);
+    }
+    if arguments.curves {
+        let name = |folder: &PathBuf| folder.display().to_string();
+        let tests: Vec<(String, &Sightings)> = arguments.test.iter().map(name).zip(&tests).collect();
+        page += &curves::page(&learned, &trained[0], &tests)?;
+    }
+    Ok(page)
+}
+
+fn of_training<'a>(learned: &'a Sightings, folders: &[PathBuf]) -> Vec<Protocol<'a>> {
+    let those = |name: String, kept: &dyn Fn(&Seen) -> bool| {
+        let all = learned.all.iter().enumerate().filter(|(_, seen)| kept(seen));
+        Protocol { name, seen: all.map(|(number, seen)| (seen, Source::Trained(number))).collect() }
+    };
+    let held_out = |seen: &Seen| seen.split != Split::Test;
+    let mut all =
+        vec![those("S: scenes of the test split".into(), &|seen| !held_out(seen)), those(HELD_OUT.into(), &held_out)];
+    let name = |folder: &Path| format!("V: of {}", folder.display());
+    if folders.len() > 1 {
+        let one = |(n, folder): (usize, &PathBuf)| those(name(folder), &|seen| held_out(seen) && seen.track.0 == n);
+        all.extend(folders.iter().enumerate().map(one));
+    }
+    all.retain(|protocol| !protocol.seen.is_empty());
+    all
+}
+
+fn of_test(name: String, test: &Sightings) -> Protocol<'_> {
+    Protocol { name, seen: test.all.iter().map(|seen| (seen, Source::Test)).collect() }
+}
+
+fn page(protocols: &[Protocol<'_>], trained: &[TrainedTrees]) -> String {
+    let mut page = format!(
+        "Means over {} trainings; in brackets 95 % over vehicles, and the spread of the trainings.\n\n\
+         | protocol | array | vehicles | right by frame | right by track | calibration error by frame | by track |\n\
+         |---|---|---|---|---|---|---|\n",
+        trained.len()
+    );
+    for protocol in protocols {
+        for (array, kept) in ARRAYS {
+            let told: Vec<[Part; 2]> = trained.iter().filter_map(|t| told(protocol, t, kept)).collect();
+            if !told.is_empty() {
+                let _ = writeln!(page, "{}", row(&protocol.name, array, &told));
+            }
+        }
+    }
+    for protocol in protocols {
+        if let Some([_, tracks]) = trained.first().and_then(|first| told(protocol, first, |_| true)) {
+            let table = confusion(&tracks.evaluation);
+            let _ = write!(page, "\n{}, by track, seed 1, rows true, columns told:\n\n{table}", protocol.name);
+        }
+    }
+    page
+}
+
+/// What a training tells of a protocol's sightings with one kind of array; `None` without any.
+fn told(protocol: &Protocol<'_>, trained: &TrainedTrees, kept: Kept) -> Option<[Part; 2]> {
+    let (seen, logits): (Vec<&Seen>, Vec<Logits>) = answers(protocol, trained, kept).into_iter().unzip();
+    (!seen.is_empty()).then(|| parts(&seen, &logits, trained.metrics.frame_correlation))
+}
+
+fn answers<'a>(protocol: &Protocol<'a>, trained: &TrainedTrees, kept: Kept) -> Vec<(&'a Seen, Logits)> {
+    let Weights::Trees(trees) = &trained.weights else { return vec![] };
+    let answer = |&(seen, source): &(&'a Seen, Source)| match source {
+        Source::Trained(number) => (seen, trained.told[number]),
+        Source::Test => (seen, tree_logits(trees, &seen.features)),
+    };
+    protocol.seen.iter().filter(|(seen, _)| kept(seen)).map(answer).collect()
+}
+
+fn row(name: &str, array: &str, told: &[[Part; 2]]) -> String {
+    let mean = |value: &dyn Fn(&[Part; 2]) -> f64| 100.0 * told.iter().map(value).sum::<f64>() / told.len() as f64;
+    let right = |at: usize| {
+        let of = |one: &[Part; 2]| one[at].by_vehicle.mean_over_classes;
+        let middle = mean(&of);
+        let spread = mean(&|one| (100.0 * of(one) - middle).powi(2) / 100.0);
+        let [low, high] = [0, 1].map(|end| mean(&|one| one[at].by_vehicle.interval[end]));
+        format!("{middle:.1} % ({low:.0} … {high:.0}; ± {:.1})", spread.sqrt())
+    };
+    let error = |at: usize| mean(&|one| one[at].evaluation.calibration.expected_error);
+    let vehicles = told[0][0].by_vehicle.vehicles;
+    format!("| {name} | {array} | {vehicles} | {} | {} | {:.1} % | {:.1} % |", right(0), right(1), error(0), error(1))
+}
+
+/// How often answers of a probability are right, by frame: what a reliability diagram draws.
+fn reliability(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
+    let mut table = String::from(
+        "\nReliability: mean probability of the likeliest class / share of these answers that is right, % (answers), by frame, seed 1:\n\n",
+    );
+    for (number, protocol) in protocols.iter().enumerate() {
+        let Some([frames, _]) = told(protocol, trained, |_| true) else { continue };
+        let bins = &frames.evaluation.calibration.bins[LEAST_BIN..];
+        if number == 0 {
+            let ends = bins.iter().map(|bin| format!("{:.1} to {:.1} |", bin.probability[0], bin.probability[1]));
+            let _ = writeln!(table, "| protocol |{}\n|---|{}", ends.collect::<String>(), "---|".repeat(bins.len()));
+        }
+        let of_bin = |bin: &ReliabilityBin| match (bin.confidence, bin.accuracy) {
+            (Some(told), Some(right)) => format!(" {:.0} / {:.0} ({}) |", 100.0 * told, 100.0 * right, bin.samples),
+            _ => " – |".into(),
+        };
+        let _ = writeln!(table, "| {} |{}", protocol.name, bins.iter().map(of_bin).collect::<String>());
+    }
+    table
+}
+
+/// Of four classes the likeliest has a quarter at least.
+const LEAST_BIN: usize = 2;
+
+/// Probabilities from which on a class could be told.
+const THRESHOLDS: [f32; 5] = [0.3, 0.4, 0.5, 0.6, 0.7];
+
+/// What each protocol's tracks are told right, wrong and not at all, by the probability from which on a class is told.
+fn by_threshold(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
+    let heads: String = THRESHOLDS.iter().map(|least| format!(" from {least} |")).collect();
+    let mut table = format!(
+        "\nTold right / wrong / unknown in % of the frames, by the least probability of an answer, seed 1:\n\n\
+         | protocol |{heads}\n|---|{}\n",
+        "---|".repeat(THRESHOLDS.len())
+    );
+    for protocol in protocols {
+        let answers = answers(protocol, trained, |_| true);
+        let shares: String = THRESHOLDS.iter().map(|least| format!(" {} |", shares(&answers, *least))).collect();
+        let _ = writeln!(table, "| {} |{shares}", protocol.name);
+    }
+    table
+}
+
+fn shares(answers: &[(&Seen, Logits)], least: f32) -> String {
+    let rule = ClassRule { least_probability: least, ..ClassRule::default() };
+    let mut counts = [0.0; 3];
+    for (seen, logits) in answers {
+        let told = rule.told(&log_softmax(logits.map(f64::from)).map(|log| log.exp() as f32));
+        let kind = if told == UNKNOWN { 2 } else { usize::from(told != Class::ALL[seen.class].name()) };
+        counts[kind] += 100.0 / answers.len().max(1) as f64;
+    }
+    counts.map(|share| format!("{share:.0}")).join(" / ")
+}
+
+/// How often a protocol's vehicles are told right, by what their sightings were like; nothing of folders that do not tell.
+fn by_condition(protocol: &Protocol<'_>, folders: &[PathBuf], trained: &TrainedTrees) -> String {
+    let known = conditions::conditions(folders);
+    let mut of: BTreeMap<(usize, &str, &conditions::Bin), Protocol<'_>> = BTreeMap::new();
+    for &(seen, source) in &protocol.seen {
+        for (order, (condition, value)) in known.get(&seen.track).into_iter().flatten().enumerate() {
+            let empty = || Protocol { name: String::new(), seen: vec![] };
+            of.entry((order, *condition, value)).or_insert_with(empty).seen.push((seen, source));
+        }
+    }
+    let mut table = format!(
+        "\n{}, by condition, seed 1:\n\n| condition | value | frames | right by frame | right by track |\n|---|---|---|---|---|\n",
+        protocol.name
+    );
+    for ((_, condition, (_, value)), protocol) in &of {
+        let Some(parts) = told(protocol, trained, |_| true) else { continue };
+        let [frames, tracks] = parts.map(|part| part.by_vehicle);
+        let [right, by_track] = [&frames, &tracks].map(|told| 100.0 * told.mean_over_classes);
+        let _ = writeln!(table, "| {condition} | {value} | {} | {right:.1} % | {by_track:.1} % |", frames.answers);
+    }
+    if of.is_empty() { String::new() } else { table }
+}
+
+/// Features by which training and test are compared: level, visible extent, number of peaks, height.
+const COMPARED: [&str; 4] = ["total_dbsm", "extent_m", "peaks", "height_m"];
+
+/// How like what trained is to what tests, class by class.
+fn likenesses(folder: &Path, learned: &Sightings, test: &Sightings) -> String {
+    let (learned, test): (Vec<&Seen>, Vec<&Seen>) = (learned.all.iter().collect(), test.all.iter().collect());
+    let mut table = format!(
+        "\nArea under the ROC between what trained and {}, 0.5 alike and 1 apart:\n\n| class | {} |\n|---|---|---|---|---|\n",
+        folder.display(),
+        COMPARED.join(" | ")
+    );
+    for (number, class) in Class::ALL.iter().enumerate() {
+        let area = |feature: &&str| likeness(feature, number, &learned, &test);
+        let told = COMPARED.iter().map(|feature| area(feature).map_or("–".into(), |area| format!("{area:.2}")));
+        let _ = writeln!(table, "| {} | {} |", class.name(), told.collect::<Vec<String>>().join(" | "));
+    }
+    table
+}

@@ -1,0 +1,128 @@
+//! What a sighting was like, from the truth beside its shard: signal-to-noise ratio, range, aspect, company, line of sight, radar.
+
+use crate::chain::loading;
+use classifier::TrackKey;
+use glam::DVec2;
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::f64::consts::FRAC_PI_2;
+use std::path::PathBuf;
+
+/// Name and value of every condition of a track, in the order of the table.
+pub(super) type Conditions = Vec<(&'static str, Bin)>;
+/// Place among the values of a condition, and the value in words.
+pub(super) type Bin = (usize, String);
+
+/// Upper ends of the bins, dB and metres.
+const SNR_DB: [f64; 6] = [10.0, 15.0, 20.0, 25.0, 30.0, 35.0];
+const NOISE_DB: [f64; 4] = [0.0, 10.0, 20.0, 30.0];
+const RANGE_M: [f64; 4] = [20.0, 30.0, 40.0, 50.0];
+const HEIGHT_M: [f64; 2] = [5.0, 6.0];
+const TILT_DEG: [f64; 2] = [-8.0, -4.0];
+/// Between the vehicle's heading and the way from it to the radar.
+const ASPECT_DEG: [f64; 4] = [20.0, 70.0, 110.0, 160.0];
+
+/// Of every vehicle that was found, as it was in its first frame; nothing of folders without the lines of their scenes.
+pub(super) fn conditions(folders: &[PathBuf]) -> BTreeMap<TrackKey, Conditions> {
+    let mut all = BTreeMap::new();
+    for (number, folder) in folders.iter().enumerate() {
+        for shard in loading::shards(folder) {
+            let text = std::fs::read_to_string(shard.with_extension("jsonl")).unwrap_or_default();
+            let scenes = text.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
+            scenes.for_each(|scene| of_scene(number, &scene, &mut all));
+        }
+    }
+    all
+}
+
+fn of_scene(dataset: usize, scene: &Value, all: &mut BTreeMap<TrackKey, Conditions>) {
+    let Some(number) = scene["scene"].as_u64() else { return };
+    for vehicles in scene["frames"].as_array().into_iter().flatten().flat_map(|frame| frame["vehicles"].as_array()) {
+        let company = vehicles.len();
+        for vehicle in vehicles.iter().filter(|vehicle| !vehicle["estimate"].is_null()) {
+            let target = vehicle["target"].as_u64().unwrap_or_default() as u32;
+            let is_behind = vehicles.iter().any(|other| stands_before(other, vehicle));
+            let sight = if is_behind { (1, "behind another".into()) } else { (0, "free".into()) };
+            all.entry((dataset, number, target)).or_insert_with(|| of_vehicle(scene, company, sight, vehicle));
+        }
+    }
+}
+
+/// Another one's middle is nearer, and less than a body's width off the way from the radar to this one's.
+fn stands_before(other: &Value, vehicle: &Value) -> bool {
+    const WIDTH_M: f64 = 2.0;
+    let [own, its] = [vehicle, other].map(|of| DVec2::new(number(&of["x_m"]), number(&of["y_m"])));
+    let direction = own.normalize_or_zero();
+    its.length() < own.length() && its.dot(direction) > 0.0 && its.perp_dot(direction).abs() < WIDTH_M
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or(f64::NAN)
+}
+
+fn of_vehicle(scene: &Value, company: usize, sight: Bin, vehicle: &Value) -> Conditions {
+    let queue = if scene["is_queue"] == true { "in a queue" } else { "driving" };
+    vec![
+        ("SNR, dB", bin(number(&vehicle["estimate"]["snr_db"]), &SNR_DB)),
+        ("noise added, dB", bin(number(&scene["extra_noise_db"]), &NOISE_DB)),
+        ("range, m", bin(number(&vehicle["range_m"]), &RANGE_M)),
+        ("aspect, °", bin(aspect_deg(vehicle), &ASPECT_DEG)),
+        ("vehicles of the scene", (company, company.to_string())),
+        ("line of sight", sight),
+        ("traffic", (0, queue.into())),
+        ("height of the radar, m", bin(number(&scene["radar_height_m"]), &HEIGHT_M)),
+        ("tilt, °", bin(number(&scene["tilt_deg"]), &TILT_DEG)),
+        ("radar", (0, scene["base"].as_str().unwrap_or("–").trim_end_matches(".toml").into())),
+    ]
+}
+
+/// 0 shows the front, 180 the rear; the radar stands at (0, 0).
+fn aspect_deg(vehicle: &Value) -> f64 {
+    let [x, y, yaw_deg] = ["x_m", "y_m", "yaw_deg"].map(|key| vehicle[key].as_f64().unwrap_or(f64::NAN));
+    let heading = yaw_deg.to_radians() - FRAC_PI_2;
+    let cosine = -(x * heading.cos() + y * heading.sin()) / x.hypot(y);
+    cosine.clamp(-1.0, 1.0).acos().to_degrees()
+}
+
+/// Ends belong to the bin below, so that no noise at all is a bin of its own.
+fn bin(value: f64, ends: &[f64]) -> Bin {
+    if value.is_nan() {
+        return (ends.len() + 1, "–".into());
+    }
+    match ends.iter().position(|end| value <= *end) {
+        Some(0) => (0, format!("to {}", ends[0])),
+        Some(at) => (at, format!("{} to {}", ends[at - 1], ends[at])),
+        None => (ends.len(), format!("over {}", ends[ends.len() - 1])),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn a_vehicle_that_comes_shows_its_front_and_one_that_leaves_its_rear() {
+        let at = |yaw_deg: f64| aspect_deg(&json!({"x_m": 0.0, "y_m": 40.0, "yaw_deg": yaw_deg}));
+        assert!(at(0.0) < 1e-6 && (at(180.0) - 180.0).abs() < 1e-5 && (at(-90.0) - 90.0).abs() < 1e-9);
+        let beside = json!({"x_m": 40.0, "y_m": 40.0, "yaw_deg": 0.0});
+        assert!((aspect_deg(&beside) - 45.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_nearer_vehicle_less_than_a_width_off_the_line_of_sight_stands_before_another() {
+        let at = |x: f64, y: f64| json!({"x_m": x, "y_m": y});
+        assert!(stands_before(&at(2.0, 30.0), &at(2.0, 40.0)) && !stands_before(&at(2.0, 40.0), &at(2.0, 30.0)));
+        assert!(!stands_before(&at(5.75, 30.0), &at(2.0, 40.0)), "in the next lane");
+        assert!(!stands_before(&at(-2.0, -30.0), &at(2.0, 40.0)), "on the radar's other side");
+        let itself = at(2.0, 30.0);
+        assert!(!stands_before(&itself, &itself));
+    }
+
+    #[test]
+    fn ends_belong_to_the_bin_below() {
+        let words = [0.0, 0.1, 10.0, 31.0].map(|db| bin(db, &NOISE_DB).1);
+        assert_eq!(words, ["to 0", "0 to 10", "0 to 10", "over 30"]);
+        assert_eq!(bin(f64::NAN, &RANGE_M).1, "–");
+    }
+}

@@ -1,0 +1,98 @@
+//! Learning curves: trainings on parts of the scenes, and of the vehicles.
+
+use crate::chain::loaded_model::of_classifier;
+use crate::host::failure::Failure;
+use crate::host::progress::Work;
+use crate::program::commands::learning::protocols::{of_test, of_training, told};
+use artifact::dataset::Split;
+use artifact::seed;
+use classifier::{ClassifierError, Part, Seen, Sightings, TrainedTrees, TreeSettings, train_trees};
+use std::collections::BTreeSet;
+use std::fmt::Write;
+
+/// Parts that train beside the whole.
+const SHARES: [f64; 3] = [0.125, 0.25, 0.5];
+/// Of the draws of what trains, and of the trainings; the whole is that of the first training.
+const SEED: u64 = 1;
+
+/// What a part keeps.
+type Keeps = fn(&Seen, f64) -> bool;
+
+/// One table over scenes and one over vehicles; each row but that of the `whole` trains anew. `tests` are names and what never
+/// trains.
+pub(super) fn page(
+    learned: &Sightings,
+    whole: &TrainedTrees,
+    tests: &[(String, &Sightings)],
+) -> Result<String, Failure> {
+    let work = Work::begin("learning curves");
+    let mut page = String::new();
+    let curves: [(&str, Keeps); 2] = [("scenes", keeps_scene), ("vehicles", keeps_vehicle)];
+    for (curve, (what, keeps)) in curves.into_iter().enumerate() {
+        page += &heading(what, tests);
+        for (at, share) in SHARES.into_iter().enumerate() {
+            let part = part_of(learned, share, keeps);
+            let trained = train_trees(&part, &TreeSettings::default(), SEED, &mut |done, of| {
+                work.at((curve * SHARES.len() + at) * of + done, 2 * SHARES.len() * of);
+            });
+            let row = match trained {
+                Err(ClassifierError::MissingClass { class }) => format!("no {} among them |", class.name()),
+                trained => row(&part, &trained.map_err(of_classifier)?, tests),
+            };
+            let _ = writeln!(page, "| {share} | {row}");
+        }
+        let _ = writeln!(page, "| 1 | {}", row(learned, whole, tests));
+    }
+    Ok(page)
+}
+
+fn heading(what: &str, tests: &[(String, &Sightings)]) -> String {
+    let columns: String = tests.iter().map(|(name, _)| format!(" T: {name} by track |")).collect();
+    let rule = "---|".repeat(tests.len());
+    format!(
+        "\nLearning curve over {what}, one training each:\n\n\
+         | share | scenes | vehicles | S by frame | V by frame | V by track |{columns}\n|---|---|---|---|---|---|{rule}\n"
+    )
+}
+
+/// What tests stays whole.
+fn part_of(learned: &Sightings, share: f64, keeps: Keeps) -> Sightings {
+    let mut part = learned.clone();
+    part.all.retain(|seen| seen.split == Split::Test || keeps(seen, share));
+    part
+}
+
+fn keeps_scene(seen: &Seen, share: f64) -> bool {
+    let (dataset, scene, _) = seen.track;
+    is_drawn(&[dataset as u64, scene], share)
+}
+
+fn keeps_vehicle(seen: &Seen, share: f64) -> bool {
+    let number =
+        seen.model.bytes().fold(seen.class as u64, |all, byte| all.wrapping_mul(257).wrapping_add(byte.into()));
+    is_drawn(&[number], share)
+}
+
+/// A larger share keeps what a smaller one does.
+fn is_drawn(index: &[u64], share: f64) -> bool {
+    let [a, b, c, d, ..] = seed::key(SEED, "protocols/curve", index);
+    f64::from(u32::from_le_bytes([a, b, c, d])) < share * f64::from(u32::MAX) + 0.5
+}
+
+fn row(part: &Sightings, trained: &TrainedTrees, tests: &[(String, &Sightings)]) -> String {
+    let by_test = |(name, test): &(String, &Sightings)| told(&of_test(name.clone(), test), trained, |_| true);
+    let own = of_training(part, &[]);
+    let of_own = |letter: &str| {
+        let protocol = own.iter().find(|protocol| protocol.name.starts_with(letter))?;
+        told(protocol, trained, |_| true)
+    };
+    let right = |told: &Option<[Part; 2]>, at: usize| {
+        told.as_ref().map_or("–".into(), |parts| format!("{:.1} %", 100.0 * parts[at].by_vehicle.mean_over_classes))
+    };
+    let learned = || part.all.iter().filter(|seen| seen.split != Split::Test);
+    let scenes: BTreeSet<(usize, u64)> = learned().map(|seen| (seen.track.0, seen.track.1)).collect();
+    let vehicles: BTreeSet<(usize, &str)> = learned().map(|seen| (seen.class, seen.model.as_str())).collect();
+    let (s, v) = (of_own("S"), of_own("V"));
+    let tested: String = tests.iter().map(|test| format!(" {} |", right(&by_test(test), 1))).collect();
+    format!("{} | {} | {} | {} | {} |{tested}", scenes.len(), vehicles.len(), right(&s, 0), right(&v, 0), right(&v, 1))
+}

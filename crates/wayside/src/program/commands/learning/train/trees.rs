@@ -1,0 +1,92 @@
+//! Boosted trees from datasets: `weights.model`, `metrics.json`, `curves.csv`.
+
+use crate::chain::loaded_model::of_classifier;
+use crate::chain::loading;
+use crate::host::failure::Failure;
+use crate::host::files;
+use crate::host::progress::Work;
+use crate::program::cli::TrainArguments;
+use crate::program::terminal;
+use artifact::model::Model;
+use artifact::{Provenance, Writer, bounded};
+use classifier::{CURVES_FILE, METRICS_FILE, Part, Sightings, TrainedTrees, TreeSettings, WEIGHTS_FILE, train_trees};
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// A page of text.
+const ATTRIBUTIONS_LIMIT_BYTES: u64 = 1 << 20;
+
+/// Reads all shards, trains, writes the folder, tells how good it is.
+pub(super) fn train(arguments: &TrainArguments, datasets: &[Vec<PathBuf>]) -> Result<(), Failure> {
+    let attributions = attributions(arguments)?;
+    let mut sightings = Sightings::default();
+    for (number, shards) in datasets.iter().enumerate() {
+        for shard in shards {
+            sightings.add(number, classifier::samples_of(shard)).map_err(of_classifier)?;
+        }
+    }
+    let settings = TreeSettings::default();
+    let work = Work::begin("training");
+    let trained = train_trees(&sightings, &settings, arguments.seed, &mut |at, of| work.at(at, of));
+    let mut trained = trained.map_err(of_classifier)?;
+    drop(work);
+    trained.header.attributions = attributions;
+    save(arguments, &trained, &provenance(arguments, datasets, &settings)?)?;
+    told(&trained).into_iter().for_each(terminal::line);
+    Ok(())
+}
+
+fn attributions(arguments: &TrainArguments) -> Result<Vec<String>, Failure> {
+    let Some(file) = &arguments.attributions else { return Ok(vec![]) };
+    let text = bounded::read_text(file, ATTRIBUTIONS_LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
+    Ok(text.lines().map(str::trim).filter(|line| !line.is_empty()).map(str::to_owned).collect())
+}
+
+fn provenance(
+    arguments: &TrainArguments,
+    datasets: &[Vec<PathBuf>],
+    settings: &TreeSettings,
+) -> Result<Provenance, Failure> {
+    Ok(Provenance {
+        stage: "classifier".into(),
+        program_version: env!("CARGO_PKG_VERSION").into(),
+        inputs: loading::hashed(&datasets.concat())?,
+        settings: serde_json::to_string(settings).map_err(Failure::refused)?,
+        seed: arguments.seed,
+    })
+}
+
+/// The weights come last: where they are, all is.
+fn save(arguments: &TrainArguments, trained: &TrainedTrees, provenance: &Provenance) -> Result<(), Failure> {
+    let mut metrics = serde_json::to_vec_pretty(&trained.metrics).map_err(Failure::refused)?;
+    metrics.push(b'\n');
+    files::write_file(&arguments.out.join(METRICS_FILE), &metrics)?;
+    let mut curve = String::from("trees,log_loss_on_unseen_vehicles\n");
+    for (round, loss) in trained.curve.iter().enumerate() {
+        let _ = writeln!(curve, "{},{loss:.6}", round + 1);
+    }
+    files::write_file(&arguments.out.join(CURVES_FILE), curve.as_bytes())?;
+    let mut writer = Writer::<Model>::create(&arguments.out.join(WEIGHTS_FILE), provenance, &trained.header)?;
+    writer.write(&trained.weights)?;
+    Ok(writer.finish()?)
+}
+
+fn told(trained: &TrainedTrees) -> Vec<String> {
+    let m = &trained.metrics;
+    let line = |name: &str, part: &Part| {
+        let [low, high] = part.by_vehicle.interval.map(|share| 100.0 * share);
+        let (right, ece) =
+            (100.0 * part.by_vehicle.mean_over_classes, 100.0 * part.evaluation.calibration.expected_error);
+        let (of, vehicles) = (part.by_vehicle.answers, part.by_vehicle.vehicles);
+        format!(
+            "{name:<32} {right:.1} % right, mean over classes ({low:.1} … {high:.1} % over {vehicles} vehicles), {of} answers, calibration error {ece:.1} %"
+        )
+    };
+    let mut lines = vec![
+        line("vehicles held out, by frame", &m.unseen_vehicles),
+        line("vehicles held out, by track", &m.unseen_vehicles_by_track),
+    ];
+    lines.extend(m.unseen_scenes.as_ref().map(|part| line("test scenes, by frame", part)));
+    lines.extend(m.unseen_scenes_by_track.as_ref().map(|part| line("test scenes, by track", part)));
+    lines
+}

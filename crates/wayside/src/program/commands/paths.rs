@@ -1,0 +1,37 @@
+//! `paths`: the scattering paths of each frame of a scene.
+
+use crate::chain::link::{Chain, Scattering};
+use crate::chain::loading::{self, provenance};
+use crate::chain::stages::Stage;
+use crate::host::failure::Failure;
+use crate::host::memory::Allowance;
+use crate::host::progress::Work;
+use crate::outcome::verdict::{self, Verdict};
+use crate::program::cli::PathsArguments;
+use crate::program::terminal;
+use artifact::Writer;
+use artifact::paths::Paths;
+use artifact::settings::EchoMode;
+
+pub(crate) fn run(arguments: &PathsArguments, memory: Allowance) -> Result<(), Failure> {
+    let mut loaded = loading::scene(&arguments.scene.source(), None)?;
+    loaded.header.fidelity.echo = EchoMode::Paths; // that is what was asked for
+    let chain = Chain::of(&loaded.header, None, None, memory);
+    let from = provenance(Stage::BartRcs, &loaded.header, loaded.files.clone());
+    let mut writer = Writer::<Paths>::create(&arguments.out, &from, &chain.paths_header())?;
+    let work = Work::begin("frames");
+    let mut told = vec![];
+    for index in 0..loaded.header.frames {
+        work.at(index as usize, loaded.header.frames as usize);
+        let scene = scene::snapshot(&loaded.header, index);
+        let scattering = chain.scattering(&chain.plan(index), &scene)?.value;
+        if let Scattering::Paths(frame) = chain.counted_through(scattering) {
+            writer.write(&frame)?;
+            told.push((index, Verdict::of_paths(loaded.header.fidelity.accuracy, &frame.error, Some(&frame))));
+        }
+    }
+    drop(work);
+    writer.finish()?;
+    verdict::of_frames(&told).into_iter().for_each(terminal::line);
+    Ok(())
+}

@@ -1,0 +1,231 @@
+//! `rcs`: scattering amplitude of a mesh over frequency, elevation and azimuth.
+
+mod answer;
+mod sampling;
+mod silhouette;
+mod isar;
+mod pictures;
+mod references;
+
+use crate::chain::stages::Stage;
+use crate::host::checkpoint::Checkpoint;
+use crate::host::failure::Failure;
+use crate::host::files;
+use crate::host::memory::Allowance;
+use crate::host::processor_time::{Counted, WorkClock};
+use crate::host::progress::{self, Work};
+use crate::program::cli::{
+    EdgesWord, MethodWord, NodesWord, PolarizationWord, RcsArguments, SidesWord, SurfaceWord, TransmissionWord,
+};
+use crate::program::commands::formats::export::NpyStream;
+use crate::program::commands::formats::sidecar;
+use crate::program::terminal;
+use answer::{Answer, Took};
+use artifact::Accuracy;
+use artifact::envelope::fingerprint;
+use artifact::material::{MaterialMap, Transmission};
+use artifact::radar::Polarization;
+use artifact::scene::Mesh;
+use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use bart_rcs::{RcsRequest, Standpoint, Surroundings};
+use num_complex::Complex64;
+use sampling::Samplings;
+use serde_json::Value;
+use std::path::Path;
+use std::time::Instant;
+
+pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Failure> {
+    let (start, clock) = (Instant::now(), WorkClock::start());
+    std::iter::once(&arguments.mesh).chain(&arguments.materials).for_each(|file| artifact::inputs::note(file));
+    let request = request(arguments)?;
+    let mesh = progress::during(format!("reading {}", arguments.mesh.display()), || {
+        dressed(mesh(&arguments.mesh, arguments.unit_scale)?, arguments)
+    })?;
+    claim(arguments)?;
+    let load = clock.seconds();
+    let checkpoint = progress::during("looking for an earlier run of this", || checkpoint(arguments, &mesh, &request));
+    let answer = match arguments.method {
+        MethodWord::Bart => traced(&mesh, &request, &checkpoint, &clock, memory)?,
+        MethodWord::Po | MethodWord::Sbr => references::answer(arguments, &mesh, &request, &checkpoint, &clock)?,
+    };
+    let shape = [request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len()];
+    NpyStream::write::<Complex64>(&arguments.out, &shape, |stream| stream.append(&answer.amplitude_m))?;
+    let answer = Answer { cached: checkpoint.aspects(), ..answer };
+    let samplings = arguments.pictures.then(|| Samplings::of(&mesh, &request));
+    let took = Took {
+        load,
+        total: start.elapsed().as_secs_f64(),
+        processor_total: (clock.counted() == Counted::Processor).then(|| clock.seconds()),
+        counted: clock.counted(),
+    };
+    let mut described = answer.json(arguments, &mesh, &took);
+    described["pictures"] = samplings.as_ref().map_or(Value::Null, Samplings::json);
+    sidecar::write_of_table(&arguments.out, &described)?;
+    checkpoint.finish();
+    if let Some(samplings) = &samplings {
+        let _under_way = Work::begin("pictures");
+        pictures::write(&arguments.out, &mesh, &request, samplings, &answer.amplitude_m)?;
+        pictures::write_facets(&arguments.out, &mesh, &request)?;
+    }
+    answer.tell(arguments, &mesh);
+    for warning in samplings.iter().flat_map(Samplings::warnings) {
+        terminal::line(format!("pictures: {warning}"));
+    }
+    Ok(())
+}
+
+/// Refuses, before the work, what could not be written, or what is an input of it.
+fn claim(arguments: &RcsArguments) -> Result<(), Failure> {
+    sidecar::claim_table(&arguments.out)?;
+    if arguments.pictures { files::claim(&pictures::places(&arguments.out)) } else { Ok(()) }
+}
+
+/// Values of a table: 16 bytes each, a gibibyte and what measuring its errors takes beside.
+const TABLE_LIMIT: usize = 1 << 26;
+
+/// What is done of this very table, by these very sources.
+fn checkpoint(arguments: &RcsArguments, mesh: &Mesh, request: &RcsRequest) -> Checkpoint {
+    let sources = Stage::BartRcs.sources();
+    let method = format!("{:?} {:?} {request:?}", arguments.method, arguments.density);
+    let checkpoint = Checkpoint::open(&arguments.out, &fingerprint(&(sources, mesh, method)));
+    if checkpoint.aspects() > 0 {
+        let of = request.elevation_rad.len() * request.azimuth_rad.len();
+        progress::note(format!("resumed: {} of {of} aspects were there", checkpoint.aspects()));
+    }
+    checkpoint
+}
+
+fn traced(
+    mesh: &Mesh,
+    request: &RcsRequest,
+    checkpoint: &Checkpoint,
+    clock: &WorkClock,
+    memory: Allowance,
+) -> Result<Answer, Failure> {
+    let work = Work::resumed("aspects", checkpoint.aspects());
+    let (memory_limit, clock_s) = (memory.limit(), &|| clock.seconds());
+    bart_rcs::rcs_within(mesh, request, &Surroundings { memory_limit, keeper: checkpoint, progress: &work, clock_s })
+        .map(Answer::of_bart)
+        .map_err(Failure::refused)
+}
+
+/// A mesh file as it is, or an own vehicle by its name.
+fn mesh(place: &Path, unit_scale: Option<f64>) -> Result<Mesh, Failure> {
+    if let Some(mesh) = place.to_str().filter(|_| !place.exists()).and_then(|name| scene::vehicles::mesh(name, 0)) {
+        return Ok(mesh);
+    }
+    scene::read_mesh(place, &scene::MeshOptions { unit_scale }).map_err(|error| match error.is_system() {
+        true => Failure::System(error.to_string()),
+        false => Failure::Refused(error.to_string()),
+    })
+}
+
+/// The mesh in the materials asked for.
+fn dressed(mesh: Mesh, arguments: &RcsArguments) -> Result<Mesh, Failure> {
+    let Some(file) = &arguments.materials else { return Ok(mesh) };
+    let map = scene::read_materials(file).map_err(|errors| match errors.is_system() {
+        true => Failure::System(errors.to_string()),
+        false => Failure::Refused(errors.to_string()),
+    })?;
+    let transmission = match arguments.transmission {
+        TransmissionWord::On => Transmission::Followed,
+        TransmissionWord::Off => Transmission::Ignored,
+    };
+    let makeup = MaterialMap { transmission, ..map }.makeup(&mesh.materials);
+    Ok(Mesh { makeup, ..mesh })
+}
+
+fn request(arguments: &RcsArguments) -> Result<RcsRequest, Failure> {
+    let radians = |degrees: &[f64]| degrees.iter().map(|d| d.to_radians()).collect::<Vec<_>>();
+    let axes = [&arguments.freq_ghz, &arguments.el_deg, &arguments.az_deg].map(|axis| axis.values.len());
+    let values: usize = axes.iter().product();
+    if values > TABLE_LIMIT {
+        let [frequencies, elevations, azimuths] = axes;
+        let text = format!(
+            "{frequencies} frequencies × {elevations} elevations × {azimuths} azimuths are {values} values; \
+             a table has at most {TABLE_LIMIT}: make several"
+        );
+        return Err(Failure::System(text));
+    }
+    Ok(RcsRequest {
+        frequency_hz: arguments.freq_ghz.values.iter().map(|f| f * 1e9).collect(),
+        elevation_rad: radians(&arguments.el_deg.values),
+        azimuth_rad: radians(&arguments.az_deg.values),
+        range_m: arguments.range_m,
+        receiver: receiver(arguments),
+        polarization: polarization(arguments.pol),
+        bounces: arguments.bounces,
+        nodes: nodes(arguments.nodes),
+        edges: edges(arguments.edges),
+        surface: surface(arguments.surface),
+        sides: sides(arguments.sides),
+        accuracy: Accuracy::from_db(arguments.accuracy_db),
+    })
+}
+
+fn receiver(arguments: &RcsArguments) -> Option<Standpoint> {
+    let (azimuth, elevation) = (arguments.rx_az_deg?, arguments.rx_el_deg?);
+    let range_m = arguments.rx_range_m.unwrap_or(arguments.range_m);
+    Some(Standpoint { azimuth_rad: azimuth.to_radians(), elevation_rad: elevation.to_radians(), range_m })
+}
+
+pub(super) fn polarization(word: PolarizationWord) -> Polarization {
+    match word {
+        PolarizationWord::Vv => Polarization::Vv,
+        PolarizationWord::Hh => Polarization::Hh,
+        PolarizationWord::Vh => Polarization::Vh,
+        PolarizationWord::Hv => Polarization::Hv,
+    }
+}
+
+pub(super) fn sides(word: SidesWord) -> Sides {
+    match word {
+        SidesWord::Two => Sides::Two,
+        SidesWord::One => Sides::One,
+    }
+}
+
+fn nodes(word: NodesWord) -> NodeRule {
+    match word {
+        NodesWord::Middle => NodeRule::Middle,
+        NodesWord::Exit => NodeRule::Exit,
+        NodesWord::OwnEdge => NodeRule::OwnEdge,
+    }
+}
+
+fn edges(word: EdgesWord) -> Edges {
+    match word {
+        EdgesWord::Off => Edges::Ignored,
+        EdgesWord::On => Edges::FirstOrder,
+    }
+}
+
+fn surface(word: SurfaceWord) -> Surface {
+    match word {
+        SurfaceWord::Flat => Surface::Flat,
+        SurfaceWord::Smooth => Surface::Smooth,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A plain request over frequencies and azimuths, far away.
+    pub(super) fn request_of(frequency_hz: &[f64], azimuth_rad: &[f64]) -> RcsRequest {
+        RcsRequest {
+            frequency_hz: frequency_hz.to_vec(),
+            elevation_rad: vec![0.0],
+            azimuth_rad: azimuth_rad.to_vec(),
+            range_m: f64::INFINITY,
+            receiver: None,
+            polarization: Polarization::Vv,
+            bounces: 1,
+            nodes: NodeRule::OwnEdge,
+            edges: Edges::Ignored,
+            surface: Surface::Flat,
+            sides: Sides::Two,
+            accuracy: Accuracy::from_db(-40.0),
+        }
+    }
+}

@@ -1,0 +1,232 @@
+//! Pictures of a table: level over azimuth and frequency, range profile, ISAR image, and the facets that make the level.
+
+use crate::host::failure::Failure;
+use crate::host::files;
+use crate::pictures::write_png;
+use crate::program::commands::rcs::isar::{self, Sum};
+use crate::program::commands::rcs::sampling::{Samplings, middle_m};
+use crate::program::commands::rcs::silhouette;
+use artifact::scene::Mesh;
+use artifact::units::db_from_power;
+use bart_rcs::{Contribution, RcsRequest, Standpoint, contributions};
+use ndarray::{Array2, ArrayView2, ArrayView3, s};
+use num_complex::Complex64;
+use plotting::colours::heat;
+use plotting::form::Form;
+use plotting::heat_map::HeatMap;
+use plotting::lines::{Line, LinePlot, Scale};
+use plotting::marks::{Legend, Mark};
+use plotting::polar::PolarPlot;
+use plotting::svg::Svg;
+use scene::{Painted, PaintedLine, painted_glb};
+use std::path::{Path, PathBuf};
+
+/// Beside `S.npy`: `S-polar.png` and `S-azimuth.png`, `S-frequency.png`, `S-profile.png`, `S-isar.png`, each where the axes
+/// that it needs have more than one value. Cuts are at the first elevation; on which axes they are ambiguous, they say.
+pub(super) fn write(
+    out: &Path,
+    mesh: &Mesh,
+    request: &RcsRequest,
+    samplings: &Samplings,
+    amplitude_m: &[Complex64],
+) -> Result<(), Failure> {
+    let shape = (request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len());
+    let table = ArrayView3::from_shape(shape, amplitude_m).map_err(Failure::refused)?;
+    if shape.2 > 1 {
+        write_png(&beside(out, "polar.png"), &polar(request, &table).draw())?;
+        write_png(&beside(out, "azimuth.png"), &over_azimuth(request, &table).draw(Form::Wide))?;
+    }
+    if shape.0 > 1 {
+        write_png(&beside(out, "frequency.png"), &over_frequency(request, &table).draw(Form::Wide))?;
+        write_png(&beside(out, "profile.png"), &profile(mesh, request, samplings, &table).draw(Form::Wide))?;
+    }
+    if shape.0 > 1 && shape.2 > 1 {
+        let cut = table.slice(s![.., 0, ..]);
+        write_png(&beside(out, "isar.png"), &image(mesh, request, samplings, &cut)?)?;
+    }
+    Ok(())
+}
+
+/// `S-facets.glb`: triangles coloured by the power of the sequences they take part in, at the middle aspect and the first
+/// frequency, and the rays of the strongest sequences as lines.
+pub(super) fn write_facets(out: &Path, mesh: &Mesh, request: &RcsRequest) -> Result<(), Failure> {
+    let aspects = request.elevation_rad.len() * request.azimuth_rad.len();
+    let parts = contributions(mesh, request, aspects / 2).map_err(Failure::refused)?;
+    let strongest = parts.first().map_or(1.0, |c| c.amplitude_m.norm_sqr());
+    let colours = triangle_colours(mesh, &parts, strongest);
+    let lines: Vec<PaintedLine> = parts.iter().take(LINES).map(|c| ray(request, aspects / 2, c, strongest)).collect();
+    let bytes = painted_glb(&Painted { mesh, triangle_colours: &colours, lines: &lines });
+    files::write_file(&beside(out, FACETS), &bytes)
+}
+
+/// A square about the origin that holds the body, seen from above.
+fn half_width_m(mesh: &Mesh) -> f64 {
+    1.1 * mesh.vertices_m.iter().map(|v| v[0].hypot(v[1])).fold(0.1, f64::max)
+}
+
+/// Rays drawn: more would hide the body.
+const LINES: usize = 200;
+/// Levels shown below the strongest sequence.
+const SPAN_DB: f64 = 40.0;
+
+/// All that can be written beside a table.
+pub(super) fn places(out: &Path) -> Vec<PathBuf> {
+    PICTURES.iter().chain([&FACETS]).map(|name| beside(out, name)).collect()
+}
+
+const PICTURES: [&str; 5] = ["polar.png", "azimuth.png", "frequency.png", "profile.png", "isar.png"];
+const FACETS: &str = "facets.glb";
+
+fn beside(out: &Path, name: &str) -> PathBuf {
+    let stem = out.file_stem().unwrap_or_default().to_string_lossy();
+    out.with_file_name(format!("{stem}-{name}"))
+}
+
+fn dbsm(s: &Complex64) -> f64 {
+    db_from_power(s.norm_sqr())
+}
+
+fn ghz(frequency_hz: f64) -> String {
+    format!("{:.3} GHz", 1e-9 * frequency_hz)
+}
+
+/// The first, middle and last frequency.
+fn few(count: usize) -> Vec<usize> {
+    let mut few = vec![0, count / 2, count.saturating_sub(1)];
+    few.dedup();
+    few
+}
+
+fn cuts(request: &RcsRequest, table: &ArrayView3<Complex64>) -> Vec<(String, Vec<[f64; 2]>)> {
+    let cut = |f: usize| {
+        let points = request.azimuth_rad.iter().enumerate().map(|(a, az)| [az.to_degrees(), dbsm(&table[[f, 0, a]])]);
+        (ghz(request.frequency_hz[f]), points.collect())
+    };
+    few(request.frequency_hz.len()).into_iter().map(cut).collect()
+}
+
+fn polar(request: &RcsRequest, table: &ArrayView3<Complex64>) -> PolarPlot {
+    let lines = cuts(request, table);
+    let middle = lines.into_iter().nth(few(request.frequency_hz.len()).len() / 2).into_iter().collect();
+    PolarPlot { title: "Radar cross section over azimuth".into(), unit: "dBsm".into(), lines: middle }
+}
+
+fn line_plot(title: &str, x_label: &str, y_label: &str, lines: Vec<Line>) -> LinePlot {
+    LinePlot {
+        title: title.into(),
+        notes: vec![],
+        x_label: x_label.into(),
+        y_label: y_label.into(),
+        x_scale: Scale::Linear,
+        y_scale: Scale::Linear,
+        lines,
+    }
+}
+
+fn over_azimuth(request: &RcsRequest, table: &ArrayView3<Complex64>) -> LinePlot {
+    let lines = cuts(request, table).into_iter().map(|(name, points)| Line { name, points, marked: false }).collect();
+    line_plot("Radar cross section over azimuth", "azimuth, degrees", "|S|², dBsm", lines)
+}
+
+fn over_frequency(request: &RcsRequest, table: &ArrayView3<Complex64>) -> LinePlot {
+    let line = |a: usize| Line {
+        name: azimuth_name(request, a),
+        points: request.frequency_hz.iter().enumerate().map(|(f, hz)| [1e-9 * hz, dbsm(&table[[f, 0, a]])]).collect(),
+        marked: false,
+    };
+    let lines = few(request.azimuth_rad.len()).into_iter().map(line).collect();
+    line_plot("Radar cross section over frequency", "frequency, GHz", "|S|², dBsm", lines)
+}
+
+fn azimuth_name(request: &RcsRequest, azimuth: usize) -> String {
+    format!("azimuth {:.2}°", request.azimuth_rad[azimuth].to_degrees()).replace('-', "−")
+}
+
+fn profile(mesh: &Mesh, request: &RcsRequest, samplings: &Samplings, table: &ArrayView3<Complex64>) -> LinePlot {
+    let line = |a: usize| {
+        let samples: Vec<Complex64> = table.slice(s![.., 0, a]).to_vec();
+        let middle_m = middle_m(mesh, request, request.azimuth_rad[a]);
+        let profile = isar::range_profile(&request.frequency_hz, &samples, middle_m);
+        let points = profile.iter().map(|(range_m, s)| [*range_m, dbsm(s)]).collect();
+        Line { name: azimuth_name(request, a), points, marked: false }
+    };
+    let lines = few(request.azimuth_rad.len()).into_iter().map(line).collect();
+    let range = Samplings { cross_range: None, ..*samplings };
+    let label = format!("range beyond the origin, m{}", ambiguous(&range.warnings()));
+    let plot = line_plot("Range profile", &label, "|S|² of a cell, dBsm", lines);
+    LinePlot { notes: range.warnings().into_iter().map(capital).collect(), ..plot }
+}
+
+/// What an axis says where the body lies upon itself.
+fn ambiguous(warnings: &[String]) -> &'static str {
+    if warnings.is_empty() { "" } else { " (ambiguous)" }
+}
+
+fn capital(sentence: String) -> String {
+    let mut letters = sentence.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().collect::<String>() + letters.as_str()) + "."
+}
+
+/// The image with the mesh's outline.
+fn image(
+    mesh: &Mesh,
+    request: &RcsRequest,
+    samplings: &Samplings,
+    cut: &ArrayView2<Complex64>,
+) -> Result<Svg, Failure> {
+    let half_width_m = half_width_m(mesh);
+    let width_m = samplings.cross_range.map_or(0.0, |cross| cross.body_m);
+    let image = isar::image(&request.frequency_hz, &request.azimuth_rad, cut, [half_width_m, width_m]);
+    // Seen from above with the front up, the body's left is on the left.
+    let levels_db: Array2<f64> = image.power_m2.slice(s![.., ..;-1]).mapv(db_from_power);
+    let how = match image.sum {
+        Sum::Coherent => "Azimuths added with their phases.",
+        Sum::Incoherent => "Azimuths too coarse for phases: profiles added in power, so that cross-range is blurred.",
+    };
+    let warnings = samplings.warnings();
+    let mark = ambiguous(&warnings);
+    let mut legend = Legend::default();
+    legend.say_of(&[Mark::Plate, Mark::Line], "truthmap", "outline of the mesh from above");
+    let map = HeatMap {
+        title: "ISAR image (inverse synthetic aperture)".into(),
+        notes: std::iter::once(how.to_owned()).chain(warnings.into_iter().map(capital)).collect(),
+        x: (format!("to the body's left, m{mark}"), [half_width_m, -half_width_m]),
+        y: (format!("ahead, m{mark}"), [-half_width_m, half_width_m]),
+        levels_db,
+        span_db: SPAN_DB,
+        unit: "dBsm".into(),
+        over: Some(silhouette::png(mesh, half_width_m)?),
+        legend,
+    };
+    map.draw_square()
+}
+
+/// Each triangle by the power of the sequences it takes part in over its own area, so that large and small ones compare.
+fn triangle_colours(mesh: &Mesh, parts: &[Contribution], strongest: f64) -> Vec<[u8; 3]> {
+    let mut power = vec![0.0; mesh.triangles.len()];
+    for part in parts {
+        part.triangles.iter().for_each(|t| power[*t as usize] += part.amplitude_m.norm_sqr());
+    }
+    power.iter().map(|p| if *p > 0.0 { colour(*p, strongest) } else { [40, 44, 52] }).collect()
+}
+
+/// From the antenna's side (half a body's length away) over the touched points and back.
+fn ray(request: &RcsRequest, aspect: usize, part: &Contribution, strongest: f64) -> PaintedLine {
+    let azimuths = request.azimuth_rad.len();
+    let (elevation_rad, azimuth_rad) =
+        (request.elevation_rad[aspect / azimuths], request.azimuth_rad[aspect % azimuths]);
+    let transmitter = Standpoint { azimuth_rad, elevation_rad, range_m: request.range_m };
+    let [direction, back] = [transmitter, request.receiver.unwrap_or(transmitter)].map(|s| s.direction().to_array());
+    let out = |from: &[f64; 3], along: [f64; 3]| [0, 1, 2].map(|i| from[i] + RAY_M * along[i]);
+    let points: Vec<[f64; 3]> = part.points_m.iter().map(|p| p.to_array()).collect();
+    let ends = points.first().zip(points.last()).map(|(first, last)| [out(first, direction), out(last, back)]);
+    let points_m = ends.map_or(vec![], |[start, end]| [vec![start], points.clone(), vec![end]].concat());
+    PaintedLine { points_m, colour: colour(part.amplitude_m.norm_sqr(), strongest) }
+}
+
+/// Length of a ray's first and last leg as drawn.
+const RAY_M: f64 = 1.5;
+
+fn colour(power: f64, strongest: f64) -> [u8; 3] {
+    heat(1.0 + db_from_power(power / strongest) / SPAN_DB)
+}

@@ -1,0 +1,125 @@
+//! `rcs --method po` and `--method sbr`: the slow references, aspect by aspect.
+
+use crate::host::checkpoint::Checkpoint;
+use crate::host::failure::Failure;
+use crate::host::processor_time::WorkClock;
+use crate::host::progress::Work;
+use crate::program::cli::{MethodWord, RcsArguments};
+use crate::program::commands::rcs::answer::Answer;
+use artifact::paths::Amplitude;
+use artifact::scene::Mesh;
+use artifact::settings::{Edges, NodeRule, Surface};
+use artifact::{ErrorBudget, ModelError};
+use bart_rcs::reference::{Aspect, Bracket, ReferenceError, po, sbr};
+use bart_rcs::{Keeper, Piece, RcsRequest, Standpoint};
+use num_complex::Complex64;
+
+/// Halvings of a cell that a shadow's border crosses (`reference::po`).
+const SHADOW_LEVELS: u32 = 3;
+
+pub(super) fn answer(
+    arguments: &RcsArguments,
+    mesh: &Mesh,
+    request: &RcsRequest,
+    checkpoint: &Checkpoint,
+    clock: &WorkClock,
+) -> Result<Answer, Failure> {
+    check(request)?;
+    bart_rcs::check_antennas(mesh, request).map_err(Failure::refused)?;
+    let start_s = clock.seconds();
+    let work = Work::resumed("aspects", checkpoint.aspects());
+    let (elevations, azimuths) = (&request.elevation_rad, &request.azimuth_rad);
+    let aspects = elevations.len() * azimuths.len();
+    let mut table = vec![Complex64::ZERO; request.frequency_hz.len() * aspects];
+    let (receive, transmit) = request.polarization.indices();
+    let pairs = elevations.iter().flat_map(|el| azimuths.iter().map(move |az| (*el, *az)));
+    for (number, (elevation_rad, azimuth_rad)) in pairs.enumerate() {
+        let piece = Piece { pass: 0, aspect: number as u32 };
+        let values = match checkpoint.kept(piece) {
+            Some(bytes) => from_bytes(bytes),
+            None => {
+                let aspect = aspect(request, elevation_rad, azimuth_rad);
+                let amplitudes = amplitudes(arguments, mesh, request, &aspect).map_err(Failure::refused)?;
+                let values: Vec<Complex64> = amplitudes.iter().map(|a| a[receive][transmit]).collect();
+                checkpoint.keep(piece, &to_bytes(&values));
+                values
+            }
+        };
+        values.iter().enumerate().for_each(|(f, value)| table[f * aspects + number] = *value);
+        work.at(number + 1, aspects);
+    }
+    Ok(Answer {
+        amplitude_m: table,
+        beams: vec![],
+        build_seconds: 0.0,
+        trace_seconds: clock.seconds() - start_s,
+        integrate_seconds: 0.0,
+        error: ErrorBudget::default(),
+        model_error: ModelError::default(),
+        node_spread: vec![],
+        dropped_at_most: None,
+        mirrors: None,
+        far_field: None,
+        check_seconds: 0.0,
+        cached: 0,
+    })
+}
+
+fn to_bytes(values: &[Complex64]) -> Vec<u8> {
+    values.iter().flat_map(|s| [s.re, s.im]).flat_map(f64::to_le_bytes).collect()
+}
+
+fn from_bytes(bytes: &[u8]) -> Vec<Complex64> {
+    let numbers: Vec<f64> = bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
+    numbers.as_chunks().0.iter().map(|[re, im]| Complex64::new(*re, *im)).collect()
+}
+
+/// The references know flat facets and no edges; what they cannot do is refused, not ignored.
+fn check(request: &RcsRequest) -> Result<(), Failure> {
+    let refused = |option: &str| Err(Failure::Refused(format!("{option} is for --method bart alone")));
+    match (request.edges, request.surface) {
+        (Edges::FirstOrder, _) => refused("--edges on"),
+        (_, Surface::Smooth) => refused("--surface smooth"),
+        (Edges::Ignored, Surface::Flat) => Ok(()),
+    }
+}
+
+fn aspect(request: &RcsRequest, elevation_rad: f64, azimuth_rad: f64) -> Aspect {
+    let transmitter = Standpoint { azimuth_rad, elevation_rad, range_m: request.range_m };
+    Aspect { transmitter, receiver: request.receiver.unwrap_or(transmitter) }
+}
+
+fn amplitudes(
+    arguments: &RcsArguments,
+    mesh: &Mesh,
+    request: &RcsRequest,
+    aspect: &Aspect,
+) -> Result<Vec<Amplitude>, ReferenceError> {
+    let (per_wavelength, sides) = (arguments.density, request.sides);
+    let bracket = match request.nodes {
+        NodeRule::Middle | NodeRule::OwnEdge => Bracket::Symmetrised,
+        NodeRule::Exit => Bracket::Plain,
+    };
+    match arguments.method {
+        MethodWord::Sbr => {
+            let shooting = sbr::Shooting { per_wavelength, bounces: request.bounces, sides, bracket };
+            let by_order = sbr::amplitude(mesh, aspect, &request.frequency_hz, &shooting)?;
+            Ok(summed(&by_order.orders, request.frequency_hz.len()))
+        }
+        MethodWord::Po | MethodWord::Bart => {
+            let sampling = po::Sampling { per_wavelength, shadow_levels: SHADOW_LEVELS, sides, bracket };
+            po::amplitude(mesh, aspect, &request.frequency_hz, &sampling)
+        }
+    }
+}
+
+/// Sum over orders at each frequency.
+fn summed(orders: &[Vec<Amplitude>], frequencies: usize) -> Vec<Amplitude> {
+    let mut sums = vec![Amplitude::default(); frequencies];
+    for (sum, term) in orders.iter().flat_map(|order| (0..frequencies).map(|f| (f, &order[f]))) {
+        for (r, t) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            sums[sum][r][t] += term[r][t];
+        }
+    }
+    sums
+}

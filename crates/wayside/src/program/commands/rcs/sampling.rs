@@ -1,0 +1,160 @@
+//! How many frequencies and azimuths a range profile and an image need, so that they show a body once.
+//!
+//! Frequencies Δf apart repeat every c/2Δf in range, azimuths Δφ apart every λ/2Δφ across it: a body that is longer or wider
+//! lies upon itself.
+
+use artifact::scene::Mesh;
+use artifact::units::SPEED_OF_LIGHT_MPS;
+use bart_rcs::{RcsRequest, Standpoint};
+use glam::DVec3;
+use serde_json::{Value, json};
+
+/// One axis of a table against the body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Sampling {
+    /// What a picture shows before it repeats.
+    pub(super) unambiguous_m: f64,
+    /// Extent of the body along the picture's axis, at most over the aspects.
+    pub(super) body_m: f64,
+    pub(super) values: usize,
+    /// Values over the same span from which on the body shows once.
+    pub(super) needed: usize,
+}
+
+/// Both axes of the cut at the first elevation, as far as they have more than one value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Samplings {
+    pub(super) range: Option<Sampling>,
+    pub(super) cross_range: Option<Sampling>,
+}
+
+impl Samplings {
+    pub(super) fn of(mesh: &Mesh, request: &RcsRequest) -> Self {
+        let [range_m, cross_m] = extents(mesh, request);
+        let [band_hz, span_rad] = [&request.frequency_hz, &request.azimuth_rad].map(|axis| span(axis));
+        let wavelength_m = SPEED_OF_LIGHT_MPS / centre(&request.frequency_hz);
+        let sampling = |values: usize, unit: f64, body_m: f64| {
+            (values > 1 && unit.is_finite()).then(|| Sampling {
+                unambiguous_m: unit * (values - 1) as f64,
+                body_m,
+                values,
+                // A part in 10⁹ is rounding.
+                needed: (body_m / unit * (1.0 - 1e-9)).ceil() as usize + 1,
+            })
+        };
+        Self {
+            range: sampling(request.frequency_hz.len(), SPEED_OF_LIGHT_MPS / (2.0 * band_hz), range_m),
+            cross_range: sampling(request.azimuth_rad.len(), wavelength_m / (2.0 * span_rad), cross_m),
+        }
+    }
+
+    /// `pictures` of `S.json`.
+    pub(super) fn json(&self) -> Value {
+        let told = |axis: Option<Sampling>, name: &str| {
+            axis.map(|s| {
+                json!({ name: s.values, "needed": s.needed, "unambiguous_m": s.unambiguous_m, "body_m": s.body_m,
+                    "ambiguous": s.is_ambiguous() })
+            })
+        };
+        json!({ "range": told(self.range, "frequencies"), "cross_range": told(self.cross_range, "azimuths") })
+    }
+
+    /// A sentence for each axis on which the body lies upon itself.
+    pub(super) fn warnings(&self) -> Vec<String> {
+        let range = self.range.filter(Sampling::is_ambiguous).map(|s| s.warning("range", "frequencies"));
+        let cross = self.cross_range.filter(Sampling::is_ambiguous).map(|s| s.warning("cross-range", "azimuths"));
+        range.into_iter().chain(cross).collect()
+    }
+}
+
+impl Sampling {
+    pub(super) fn is_ambiguous(&self) -> bool {
+        self.values < self.needed
+    }
+
+    fn warning(&self, axis: &str, values: &str) -> String {
+        format!(
+            "ambiguous in {axis}: {} {values} show {:.2} m before they repeat, the body has {:.2} m: {} {values} over \
+             this span are needed",
+            self.values, self.unambiguous_m, self.body_m, self.needed
+        )
+    }
+}
+
+/// Azimuths at which the body's extent is looked for: between them it changes by 2 parts in 10⁴ at most.
+const LOOKS: usize = 181;
+
+/// Extent in range and across it, at most over azimuths.
+fn extents(mesh: &Mesh, request: &RcsRequest) -> [f64; 2] {
+    let every = request.azimuth_rad.len().div_ceil(LOOKS).max(1);
+    let looks = request.azimuth_rad.iter().step_by(every).chain(request.azimuth_rad.last());
+    let axes: Vec<[DVec3; 2]> = looks.map(|azimuth_rad| look(request, *azimuth_rad)).collect();
+    [0, 1].map(|axis: usize| {
+        let of_look = |axes: &[DVec3; 2]| extent(mesh, axes[axis]);
+        axes.iter().map(of_look).map(|[low, high]| high - low).fold(0.0, f64::max)
+    })
+}
+
+/// Range of the body's middle beyond the origin.
+pub(super) fn middle_m(mesh: &Mesh, request: &RcsRequest, azimuth_rad: f64) -> f64 {
+    let [low, high] = extent(mesh, look(request, azimuth_rad)[0]);
+    0.5 * (low + high)
+}
+
+/// Unit vectors of growing range (half the way there and back) and across it, at the first elevation.
+fn look(request: &RcsRequest, azimuth_rad: f64) -> [DVec3; 2] {
+    let elevation_rad = request.elevation_rad.first().copied().unwrap_or(0.0);
+    let from = Standpoint { azimuth_rad, elevation_rad, range_m: f64::INFINITY };
+    let towards = [from, request.receiver.unwrap_or(from)].map(|s| s.direction());
+    let (sin, cos) = azimuth_rad.sin_cos();
+    [-0.5 * (towards[0] + towards[1]), elevation_rad.cos() * DVec3::new(-sin, cos, 0.0)]
+}
+
+fn extent(mesh: &Mesh, axis: DVec3) -> [f64; 2] {
+    let places = mesh.vertices_m.iter().map(|v| axis.dot(DVec3::from(*v)));
+    places.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
+}
+
+fn span(axis: &[f64]) -> f64 {
+    axis.first().zip(axis.last()).map_or(0.0, |(first, last)| (last - first).abs())
+}
+
+/// The frequency whose wavelength stands for all.
+pub(super) fn centre(frequency_hz: &[f64]) -> f64 {
+    frequency_hz[frequency_hz.len() / 2]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::commands::rcs::tests::request_of;
+
+    /// A box of 4 m × 2 m × 1 m that stands 10 m ahead of its origin.
+    fn body() -> Mesh {
+        let sides = [[8.0, 12.0], [-1.0, 1.0], [0.0, 1.0]];
+        let corner = |i: usize| [0, 1, 2].map(|axis: usize| sides[axis][(i >> axis) & 1]);
+        Mesh { vertices_m: (0..8).map(corner).collect(), ..Mesh::default() }
+    }
+
+    #[test]
+    fn as_many_frequencies_and_azimuths_are_asked_for_as_show_the_body_once() {
+        // c/2B of 1 GHz is 0.1499 m: 4 m are 26.7 of them, 28 frequencies; λ/2Δφ of 0.01 rad at 77 GHz is 0.195 m.
+        let frequencies: Vec<f64> = (0..9).map(|i| 76.5e9 + 1e9 * f64::from(i) / 8.0).collect();
+        let samplings = Samplings::of(&body(), &request_of(&frequencies, &[0.0, 0.005, 0.01]));
+        let (range, cross) = (samplings.range.unwrap(), samplings.cross_range.unwrap());
+        println!("{range:?} {cross:?}");
+        assert!((range.body_m - 4.0).abs() < 0.03, "the look along the body's axis, 0.01 rad aside at most");
+        assert_eq!((range.values, range.needed, range.is_ambiguous()), (9, 28, true));
+        assert_eq!((cross.values, cross.needed, cross.is_ambiguous()), (3, 12, true));
+        assert_eq!(samplings.warnings().len(), 2);
+        let enough: Vec<f64> = (0..28).map(|i| 76.5e9 + 1e9 * f64::from(i) / 27.0).collect();
+        let samplings = Samplings::of(&body(), &request_of(&enough, &[0.0]));
+        assert!(!samplings.range.unwrap().is_ambiguous() && samplings.cross_range.is_none());
+        assert!(samplings.warnings().is_empty());
+    }
+
+    #[test]
+    fn a_body_ahead_of_its_origin_is_nearer() {
+        assert!((middle_m(&body(), &request_of(&[77e9], &[0.0]), 0.0) + 10.0).abs() < 1e-12);
+    }
+}

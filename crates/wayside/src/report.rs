@@ -1,0 +1,39 @@
+//! `report.html`: one self-contained file that opens from disk.
+
+pub(crate) mod figures;
+pub(crate) mod made;
+mod accuracy;
+mod false_objects;
+mod page;
+mod radars;
+mod tables;
+mod tracks;
+
+use crate::host::failure::Failure;
+use crate::host::files;
+use crate::report::figures::Figures;
+pub use made::Making;
+use plotting::form::Figure;
+use serde_json::Value;
+use std::path::Path;
+
+/// Frames that get pictures of their own in the report; the others stand in its tables.
+pub(crate) const FRAMES_DRAWN: usize = 4;
+
+/// Pictures of a strip, at most.
+const STRIP: u32 = 12;
+
+/// Whether a frame is one of those that show how a long scene goes on: every n-th, where not all are drawn.
+pub(crate) fn is_in_strip(index: u32, frames: u32) -> bool {
+    frames as usize > FRAMES_DRAWN && index.is_multiple_of(frames.div_ceil(STRIP))
+}
+
+/// Writes the report of a run from its summary and its figures.
+pub(crate) fn write(summary: &Value, figures: &Figures, making: &Making, out: &Path) -> Result<(), Failure> {
+    files::write_file(&out.join("report.html"), page::page(summary, figures, making, out).as_bytes())
+}
+
+/// Writes the report of several radars over theirs.
+pub(crate) fn write_several(summary: &Value, views: &[Figure], making: &Making, out: &Path) -> Result<(), Failure> {
+    files::write_file(&out.join("report.html"), radars::page(summary, views, making, out).as_bytes())
+}

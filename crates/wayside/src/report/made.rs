@@ -1,0 +1,75 @@
+//! What made a report, and what lies beside it.
+
+use maud::{Markup, html};
+use std::path::Path;
+
+/// Artifacts and tables that a run leaves, in the order of the chain, with what they hold.
+const FILES: [(&str, &str); 8] = [
+    ("scene.scene", "scene"),
+    ("frames.paths", "paths"),
+    ("frames.rcs", "scattering tables"),
+    ("frames.cube", "radar cubes"),
+    ("frames.rdm", "range-Doppler maps"),
+    ("frames.points", "points and objects"),
+    ("frames.tracks", "tracks"),
+    ("summary.json", "all figures of this page and more"),
+];
+
+/// What made a report.
+#[derive(Debug, Clone)]
+pub struct Making {
+    /// The command, as a shell reads it back.
+    pub command: String,
+    /// The program that reads artifacts, as it is typed.
+    pub program: String,
+}
+
+impl Making {
+    /// Of a program that was called by these words.
+    pub fn by(program: &str, words: impl Iterator<Item = String>) -> Self {
+        Self { command: command(program, words), program: program.to_owned() }
+    }
+}
+
+impl Default for Making {
+    fn default() -> Self {
+        Self { command: "wayside::run".into(), program: "wayside".into() }
+    }
+}
+
+/// The command and links to the files of `out` that are there.
+pub(super) fn made(making: &Making, out: &Path) -> Markup {
+    let files: Vec<_> = FILES.iter().filter(|(name, _)| out.join(name).exists()).collect();
+    let pictures = out.join("pictures").exists();
+    html! {
+        p.made {
+            "Made by " code { (making.command) } ". "
+            "Beside this page: "
+            @for (number, (name, what)) in files.iter().enumerate() {
+                @if number > 0 { ", " }
+                a href=(name) { (name) } " (" (what) ")"
+            }
+            @if pictures { ", " a href="pictures/" { "pictures/" } }
+            ". Artifacts are read by " code { (making.program) " inspect" } " and " code { (making.program) " export" } "."
+        }
+    }
+}
+
+/// A command line that a shell reads back as these words.
+fn command(program: &str, words: impl Iterator<Item = String>) -> String {
+    let is_plain =
+        |word: &str| !word.is_empty() && word.chars().all(|c| c.is_alphanumeric() || "-_./=:,+@%".contains(c));
+    let quoted = |word: String| if is_plain(&word) { word } else { format!("'{}'", word.replace('\'', "'\\''")) };
+    std::iter::once(program.to_owned()).chain(words.map(quoted)).collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_command_can_be_typed_again_whatever_its_words_hold() {
+        let words = ["run", "my scenes/it's.toml", "--out", "x"].map(str::to_owned);
+        assert_eq!(command("cargo xtask", words.into_iter()), "cargo xtask run 'my scenes/it'\\''s.toml' --out x");
+    }
+}

@@ -1,0 +1,131 @@
+//! The artifacts and pictures of a run, written frame by frame and put in place when whole.
+
+use crate::chain::link::{Chain, FrameProducts, Scattering};
+use crate::chain::loading::provenance;
+use crate::chain::stages::Stage;
+use crate::evaluation::frame_truth::FrameTruth;
+use crate::host::failure::Failure;
+use crate::pictures;
+use crate::pictures::seen::Seen;
+use crate::report;
+use crate::report::figures::Figures;
+use artifact::cube::Cube;
+use artifact::paths::Paths;
+use artifact::points::{Label, Points, PointsFrame, PointsHeader};
+use artifact::rcs::Rcs;
+use artifact::rdm::Rdm;
+use artifact::scene::{Scene, SceneFrame, SceneHeader};
+use artifact::settings::EchoMode;
+use artifact::tracks::{Tracks, TracksFrame, TracksHeader};
+use artifact::{Provenance, Writer};
+use std::path::{Path, PathBuf};
+
+/// Open writers of all artifacts of a run.
+pub(crate) struct Products {
+    out: PathBuf,
+    scene: Writer<Scene>,
+    scattering: ScatteringWriter,
+    cube: Writer<Cube>,
+    rdm: Writer<Rdm>,
+    points: Writer<Points>,
+    tracks: Writer<Tracks>,
+    figures: Figures,
+}
+
+enum ScatteringWriter {
+    Paths(Writer<Paths>),
+    Tables(Writer<Rcs>),
+}
+
+impl Products {
+    pub(crate) fn create(chain: &Chain, out: &Path, inputs: &[(String, String)]) -> Result<Self, Failure> {
+        let from = |stage| provenance(stage, chain.header, inputs.to_vec());
+        let (targets, classes) = (chain.targets(), chain.classes_of_targets());
+        let with_truth = PointsHeader { targets, classes, ..chain.points_header() };
+        let followed = TracksHeader { cube: Some(chain.cube_header.clone()) };
+        Ok(Self {
+            out: out.to_owned(),
+            scene: Writer::create(&out.join("scene.scene"), &from(Stage::Scene), chain.header)?,
+            scattering: ScatteringWriter::create(chain, out, &from(Stage::BartRcs))?,
+            cube: Writer::create(&out.join("frames.cube"), &from(Stage::FmcwEcho), &chain.cube_header)?,
+            rdm: Writer::create(&out.join("frames.rdm"), &from(Stage::Dsp), &chain.cube_header)?,
+            points: Writer::create(&out.join("frames.points"), &from(Stage::Dsp), &with_truth)?,
+            tracks: Writer::create(&out.join("frames.tracks"), &from(Stage::Dsp), &followed)?,
+            figures: Figures::default(),
+        })
+    }
+
+    /// Writes one frame; its points learn here whose they are, when nothing can look at it any more.
+    pub(crate) fn write(
+        &mut self,
+        chain: &Chain,
+        mut frame: FrameProducts,
+        truth: &FrameTruth,
+        tracks: &TracksFrame,
+    ) -> Result<(), Failure> {
+        join_truth(truth, &mut frame);
+        self.scene.write(&frame.result.scene)?;
+        self.cube.write(&frame.cube)?;
+        self.rdm.write(&frame.rdm)?;
+        self.points.write(&frame.result.points)?;
+        self.tracks.write(tracks)?;
+        let figures = pictures::figures(chain, &frame, truth)?;
+        pictures::write_frame(&figures, &chain.cube_header, &frame.rdm, &self.out.join("pictures"))?;
+        let number = frame.result.scene.index;
+        if report::is_in_strip(number, chain.header.frames) {
+            self.figures.strip.push((number, figures.plan.clone()));
+        }
+        if self.figures.frames.len() < report::FRAMES_DRAWN {
+            self.figures.frames.push(figures);
+            let (scene, points) = (frame.result.scene.clone(), frame.result.points.clone());
+            self.figures.seen.push(Seen { view: frame.view.clone(), scene, points });
+        }
+        self.scattering.write(chain.counted_through(frame.scattering))
+    }
+
+    /// Puts every artifact in its place and hands out the figures.
+    pub(crate) fn finish(self) -> Result<Figures, Failure> {
+        self.scene.finish()?;
+        self.scattering.finish()?;
+        self.cube.finish()?;
+        self.rdm.finish()?;
+        self.points.finish()?;
+        self.tracks.finish()?;
+        Ok(self.figures)
+    }
+}
+
+impl ScatteringWriter {
+    fn create(chain: &Chain, out: &Path, from: &Provenance) -> Result<Self, Failure> {
+        Ok(match chain.header.fidelity.echo {
+            EchoMode::Paths => Self::Paths(Writer::create(&out.join("frames.paths"), from, &chain.paths_header())?),
+            EchoMode::RcsTable => Self::Tables(Writer::create(&out.join("frames.rcs"), from, &chain.rcs_header())?),
+        })
+    }
+
+    fn write(&mut self, scattering: Scattering) -> Result<(), Failure> {
+        match (self, scattering) {
+            (Self::Paths(writer), Scattering::Paths(frame)) => Ok(writer.write(&frame)?),
+            (Self::Tables(writer), Scattering::Tables(frame)) => Ok(writer.write(&frame)?),
+            _ => Err(Failure::refused("the frame's kind of scattering is not the scene's")),
+        }
+    }
+
+    fn finish(self) -> Result<(), Failure> {
+        match self {
+            Self::Paths(writer) => Ok(writer.finish()?),
+            Self::Tables(writer) => Ok(writer.finish()?),
+        }
+    }
+}
+
+fn join_truth(truth: &FrameTruth, frame: &mut FrameProducts) {
+    let points = &mut frame.result.points.points;
+    for point in points.iter_mut() {
+        let body = point.object.and_then(|object| truth.pairing.body_of(object as usize));
+        point.target = body.map(|body| truth.number_of(body));
+    }
+    for (point, origin) in points.iter_mut().zip(&truth.origins) {
+        point.label = origin.label().map(|label| Label { target: truth.number_of(label.target as usize), ..label });
+    }
+}

@@ -1,0 +1,296 @@
+//! `run`: a scene to everything that can be known of it.
+
+use crate::chain::cache::{Cache, CacheLocation};
+use crate::chain::expectation;
+use crate::chain::link::{Chain, FrameProducts};
+use crate::chain::loaded_model::LoadedModel;
+use crate::chain::loading::{self, LoadedScene, SceneSource};
+use crate::chain::plan::FramePlan;
+use crate::chain::stages::Stage;
+use crate::chain::sub_frames;
+use crate::evaluation::frame_truth::FrameTruth;
+use crate::host::call_off::CallOff;
+use crate::host::failure::Failure;
+use crate::host::files;
+use crate::host::memory::Allowance;
+use crate::host::processor_time;
+use crate::host::progress::{self, Work};
+use crate::outcome::summary;
+use crate::outcome::told;
+use crate::outcome::tracking::{self, Tracking};
+use crate::report::figures::Figures;
+use crate::report::{self, Making};
+use crate::run::products::Products;
+use crate::run::several_radars::{self, Told};
+use serde_json::{Map, Value};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// What is to be run, and how.
+pub struct Settings<'a> {
+    /// The scene.
+    pub scene: SceneSource,
+    /// Where everything goes; `None`: `out/` and the scene's name.
+    pub out: Option<PathBuf>,
+    /// The classifier's model; `None`: the one that ships.
+    pub classifier: Option<PathBuf>,
+    /// Where frames are cached; `None`: nowhere.
+    pub cache: Option<CacheLocation>,
+    /// What tracing may take.
+    pub memory: Allowance,
+    /// Says what would be done, in which time and memory, and does nothing.
+    pub dry_run: bool,
+    /// Says why each stage runs or not.
+    pub explain: bool,
+    /// Told in the report.
+    pub making: Making,
+    /// Hears each line of results.
+    pub tell: &'a dyn Fn(&str),
+    /// Ends the run between two frames.
+    pub call_off: CallOff,
+}
+
+impl Settings<'_> {
+    /// Of a scene file and the folder of its results: the model that ships, the default cache, nine tenths of the free memory,
+    /// and nothing told.
+    pub fn of(scene: impl Into<PathBuf>, out: impl Into<PathBuf>) -> Self {
+        Self {
+            scene: SceneSource { file: scene.into(), ..SceneSource::default() },
+            out: Some(out.into()),
+            classifier: None,
+            cache: Some(CacheLocation::default()),
+            memory: Allowance::of(None),
+            dry_run: false,
+            explain: false,
+            making: Making::default(),
+            tell: &|_| {},
+            call_off: CallOff::default(),
+        }
+    }
+}
+
+/// What a run leaves beside its files.
+pub struct Outcome {
+    of_radars: Vec<Told>,
+    of_all: Option<Value>,
+}
+
+impl Outcome {
+    /// `summary.json` (`docs/interface.md`): of the only radar, or of all together where the scene has several; null after a
+    /// dry run.
+    pub fn summary(&self) -> &Value {
+        self.of_all.as_ref().or_else(|| self.of_radars.first().map(|told| &told.summary)).unwrap_or(&Value::Null)
+    }
+
+    /// Folder and `summary.json` of each radar.
+    pub fn radars(&self) -> impl Iterator<Item = (&Path, &Value)> {
+        self.of_radars.iter().map(|told| (told.out.as_path(), &told.summary))
+    }
+}
+
+/// Runs a scene through the whole chain and writes artifacts, `summary.json`, `report.html` and pictures.
+///
+/// # Errors
+/// A sentence that names file, place and rule where the scene, a model or the memory refuses; what is whole is kept.
+pub fn run(settings: &Settings) -> Result<Outcome, Failure> {
+    whole(settings).map_err(|failure| failure.about(&settings.scene.file))
+}
+
+fn whole(settings: &Settings) -> Result<Outcome, Failure> {
+    let cache = settings.cache.as_ref().map(Cache::open).transpose()?;
+    if let (Some(cache), Some(out)) = (&cache, &settings.out) {
+        apart(cache, out)?;
+    }
+    let model = loading::model(settings.classifier.as_deref())?;
+    let runs = runs(settings)?;
+    // All before the first is computed: what is wrong with the last radar is said at once.
+    let load = |run: &Run| loading::scene(&run.scene, cache.as_ref());
+    let loaded: Vec<LoadedScene> = runs.iter().map(load).collect::<Result<_, _>>()?;
+    let mut of_radars = vec![];
+    for (run, loaded) in runs.iter().zip(&loaded) {
+        if runs.len() > 1 {
+            (settings.tell)(&format!("radar {}", run.scene.radar.as_deref().unwrap_or_default()));
+        }
+        of_radars.extend(one_radar(settings, loaded, cache.as_ref(), &model, run.out.as_deref())?);
+    }
+    let is_of_all = settings.scene.radar.is_none() && runs.iter().all(|run| run.scene.radar.is_some());
+    let conclude = || several_radars::conclude(&of_radars, &settings.making, settings.tell);
+    let of_all = (is_of_all && !of_radars.is_empty()).then(conclude).transpose()?;
+    Ok(Outcome { of_radars, of_all })
+}
+
+/// Results are for good, a cache is not: one folder cannot be both.
+fn apart(cache: &Cache, out: &Path) -> Result<(), Failure> {
+    let is_same = out == cache.root()
+        || matches!((std::fs::canonicalize(out), std::fs::canonicalize(cache.root())), (Ok(a), Ok(b)) if a == b);
+    match is_same {
+        true => Err(Failure::System(format!("{}: --out and --cache have to be two folders", out.display()))),
+        false => Ok(()),
+    }
+}
+
+/// The scene through one radar, and where all of it goes.
+struct Run {
+    scene: SceneSource,
+    /// `None`: under the scene's name.
+    out: Option<PathBuf>,
+}
+
+/// One run; or, where the scene has several radars and none is asked for, one for each.
+fn runs(settings: &Settings) -> Result<Vec<Run>, Failure> {
+    let radars = match settings.scene.radar {
+        Some(_) => vec![],
+        None => scene::radars(&settings.scene.file).map_err(loading::of_scene)?,
+    };
+    if radars.is_empty() {
+        return Ok(vec![Run { scene: settings.scene.clone(), out: settings.out.clone() }]);
+    }
+    let run = |id: String| {
+        let out = settings.out.as_ref().map(|out| out.join(&id));
+        Run { scene: SceneSource { radar: Some(id), ..settings.scene.clone() }, out }
+    };
+    Ok(radars.into_iter().map(run).collect())
+}
+
+/// Everything that is known through one radar; `None` where it is only told what would be done.
+fn one_radar(
+    settings: &Settings,
+    loaded: &LoadedScene,
+    cache: Option<&Cache>,
+    model: &LoadedModel,
+    out: Option<&Path>,
+) -> Result<Option<Told>, Failure> {
+    let chain = Chain::of(&loaded.header, cache, Some(model), settings.memory);
+    let plans: Vec<FramePlan> = (0..loaded.header.frames).map(|i| chain.plan(i)).collect();
+    if settings.explain {
+        let verdict = if loaded.cached { "cached" } else { "runs: a file it reads is new or changed" };
+        (settings.tell)(&format!("{}: {verdict}", Stage::Scene.name()));
+        plans.iter().flat_map(FramePlan::explained).for_each(|line| (settings.tell)(&line));
+    }
+    if settings.dry_run {
+        expectation::lines(&chain, cache, &plans)?.iter().for_each(|line| (settings.tell)(line));
+        return Ok(None);
+    }
+    let out = out.map_or_else(|| PathBuf::from("out").join(&loaded.header.name), Path::to_owned);
+    files::claim(&["summary.json", "report.html"].map(|name| out.join(name)))?;
+    let (start, begin) = (Instant::now(), processor_time::of_process());
+    let (computed, figures) = compute(&chain, loaded, &plans, settings, &out)?;
+    let processor = processor_time::of_process().zip(begin).map(|(end, begin)| end - begin);
+    let took = Took { seconds: start.elapsed().as_secs_f64(), processor };
+    if let Some(cache) = cache {
+        cache.trim();
+    }
+    let summary = conclude(loaded, computed, took, &figures, settings, &out)?;
+    Ok(Some(Told { summary, seen: figures.seen, out }))
+}
+
+/// What all frames took, to the last picture's end.
+struct Took {
+    /// By the clock.
+    seconds: f64,
+    /// Of all threads; `None` where the system does not tell.
+    processor: Option<f64>,
+}
+
+/// What `summary.json` tells of all frames.
+struct Computed {
+    frames: Vec<Value>,
+    metrics: Value,
+}
+
+/// A few frames at a time, so that memory does not grow with their number; written in their order.
+fn compute(
+    chain: &Chain,
+    loaded: &LoadedScene,
+    plans: &[FramePlan],
+    settings: &Settings,
+    out: &Path,
+) -> Result<(Computed, Figures), Failure> {
+    let mut products = Products::create(chain, out, &loaded.files)?;
+    let mut tracking = Tracking::of(chain)?;
+    let (mut frames, mut cycle) = (Vec::new(), Vec::new());
+    let work = Work::begin("frames");
+    let at_once = chain.side_by_side(plans)?;
+    chain.share_memory(at_once);
+    for plans_at_once in plans.chunks(at_once) {
+        settings.call_off.check()?;
+        let first = plans_at_once.first().map_or(0, |plan| plan.index as usize);
+        work.at(first, plans.len());
+        progress::note(format!("frame {} of {}", first + 1, plans.len()));
+        for mut frame in side_by_side(chain, plans_at_once)? {
+            let is_first = frame.result.scene.index == 0;
+            frame.result.seconds.insert(0, (Stage::Scene, if is_first { loaded.seconds } else { 0.0 }));
+            if loaded.cached {
+                frame.result.cached.insert(0, Stage::Scene);
+            }
+            cycle.push(frame);
+            if cycle.len() == sub_frames::in_cycle(&chain.cube_header) {
+                for frame in resolved(chain, std::mem::take(&mut cycle)) {
+                    let truth = FrameTruth::of(chain, &frame)?;
+                    let (tracks, told_of_tracks) = tracking.follow(&frame, &truth)?;
+                    let mut told = summary::frame(&frame.view, &frame.result, &truth);
+                    tracking::join(&mut told["targets"], &told_of_tracks);
+                    told["tracks"] = told_of_tracks;
+                    frames.push(told);
+                    progress::during("artifacts and pictures", || products.write(chain, frame, &truth, &tracks))?;
+                }
+            }
+        }
+    }
+    Ok((Computed { frames, metrics: tracking.metrics() }, products.finish()?))
+}
+
+/// The sub-frames of a cycle, which tell each other's velocities.
+fn resolved(chain: &Chain, mut cycle: Vec<FrameProducts>) -> Vec<FrameProducts> {
+    let points = cycle.iter().map(|frame| frame.result.points.clone()).collect();
+    let points = sub_frames::with_velocities(&chain.cube_header, points);
+    cycle.iter_mut().zip(points).for_each(|(frame, points)| frame.result.points = points);
+    cycle
+}
+
+/// Frames computed at the same time, in their order. Where bodies stand as in another of them, a frame waits for that one's
+/// paths and finds them in the cache; so does one that takes over what is measured in another.
+fn side_by_side(chain: &Chain, plans: &[FramePlan]) -> Result<Vec<FrameProducts>, Failure> {
+    let waits_for = |i: usize, earlier: &FramePlan| {
+        earlier.keys.bart_rcs == plans[i].keys.bart_rcs || earlier.index == chain.header.measured_in(plans[i].index)
+    };
+    let is_new = |i: usize| plans[..i].iter().all(|earlier| !waits_for(i, earlier));
+    let (new, known): (Vec<usize>, Vec<usize>) = (0..plans.len()).partition(|i| is_new(*i));
+    let mut frames = at_once(chain, new.into_iter().map(|i| &plans[i]))?;
+    frames.extend(at_once(chain, known.into_iter().map(|i| &plans[i]))?);
+    frames.sort_by_key(|frame| frame.result.scene.index);
+    Ok(frames)
+}
+
+/// Each frame on a thread of its own: threads of the pool would take up a further frame while they wait for a part of one,
+/// and hold more than was allowed.
+fn at_once<'a>(chain: &Chain, plans: impl Iterator<Item = &'a FramePlan>) -> Result<Vec<FrameProducts>, Failure> {
+    std::thread::scope(|scope| {
+        let threads: Vec<_> = plans.map(|plan| scope.spawn(|| chain.frame(plan))).collect();
+        let joined = threads.into_iter().map(|thread| thread.join().unwrap_or_else(|p| std::panic::resume_unwind(p)));
+        joined.collect()
+    })
+}
+
+fn conclude(
+    loaded: &LoadedScene,
+    computed: Computed,
+    took: Took,
+    figures: &Figures,
+    settings: &Settings,
+    out: &Path,
+) -> Result<Value, Failure> {
+    let _under_way = Work::begin("summary and report");
+    let mut root: Map<String, Value> = summary::head(&loaded.header);
+    root.insert("frames_seconds".into(), took.seconds.into());
+    root.insert("frames_processor_seconds".into(), took.processor.into());
+    root.insert("metrics".into(), computed.metrics);
+    root.insert("frames".into(), computed.frames.into());
+    let root = Value::Object(root);
+    let text = serde_json::to_string_pretty(&root).map_err(Failure::refused)?;
+    files::write_file(&out.join("summary.json"), text.as_bytes())?;
+    report::write(&root, figures, &settings.making, out)?;
+    told::lines(&root).iter().for_each(|line| (settings.tell)(line));
+    (settings.tell)(&format!("report: {}", out.join("report.html").display()));
+    Ok(root)
+}

@@ -1,0 +1,177 @@
+//! Maps, detectors and angles of one frame of noise beside other programs, all given the same samples.
+
+use crate::bench::Comparison;
+use crate::bench::cases::{Sizes, quickest};
+use crate::bench::programs::{Answer, Job, Language, NotHere, complex};
+use crate::study::scenes::{cube_header, scene_of};
+use artifact::cube::{CubeFrame, CubeHeader};
+use artifact::paths::{PathsFrame, TraceStatistics};
+use artifact::rdm::RdmFrame;
+use artifact::settings::Detector;
+use artifact::{ErrorBudget, ModelError};
+use dsp::angle::VirtualArray;
+use dsp::cfar::{Cfar, DETECTED};
+use num_complex::{Complex32, Complex64};
+use rayon::prelude::*;
+use wayside::host::failure::Failure;
+
+/// Guard and training cells on each side, both ways: others know squares only. One alarm in a hundred cells, so that there is
+/// something to compare.
+const GUARD: u32 = 2;
+const TRAINING: u32 = 6;
+const FALSE_ALARM_RATE: f64 = 1e-2;
+/// Cells that the angle is asked of.
+const CELLS: usize = 1000;
+/// Of the near field's curvature, m: none to speak of.
+const RANGE_M: f64 = 1e4;
+
+const MMWCORE: Language = Language::Example("dsp", "rivals", "mmwcore");
+
+pub(super) fn all(sizes: Sizes) -> Result<Vec<Comparison>, Failure> {
+    let noise = noise()?;
+    let mut list = noise.maps(sizes)?;
+    list.extend(noise.detectors(sizes)?);
+    list.extend(noise.angles(sizes)?);
+    Ok(list)
+}
+
+/// A frame without echoes, and its map.
+struct Noise {
+    header: CubeHeader,
+    frame: CubeFrame,
+    map: RdmFrame,
+}
+
+fn noise() -> Result<Noise, Failure> {
+    let mut header = cube_header(&scene_of("[noise]\nnoise_figure_db = 12.0\n")?);
+    (header.dsp.guard_cells, header.dsp.training_cells) = ([GUARD; 2], [TRAINING; 2]);
+    header.dsp.false_alarm_rate = FALSE_ALARM_RATE;
+    let (centre_hz, accuracy) = (header.radar.waveform.centre_frequency_hz(), artifact::Accuracy::from_db(-60.0));
+    let frame = fmcw_echo::synthesize(&header, 1, &nothing(), centre_hz, accuracy, &|_| ());
+    let frame = frame.map_err(Failure::refused)?;
+    let map = dsp::range_doppler(&header, &frame).map_err(Failure::refused)?;
+    Ok(Noise { header, frame, map })
+}
+
+fn nothing() -> PathsFrame {
+    PathsFrame {
+        index: 0,
+        time_s: 0.0,
+        paths: vec![],
+        nearest_range_m: vec![],
+        error: ErrorBudget::default(),
+        model_error: ModelError::default(),
+        trace: TraceStatistics::default(),
+    }
+}
+
+impl Noise {
+    fn maps(&self, sizes: Sizes) -> Result<Vec<Comparison>, Failure> {
+        let (ours, ours_s) =
+            quickest(sizes, || dsp::range_doppler(&self.header, &self.frame).map_err(Failure::refused))?;
+        let job = Job { name: "range-doppler", input: single(&self.frame.samples) };
+        let error = |answer: &Answer| difference(&wide(&ours.values), &complex(&answer.result));
+        let programs = [Language::Python("scipy"), Language::Python("numpy"), MMWCORE];
+        self.beside("range-Doppler", ours_s, &job, sizes, &programs, &error)
+    }
+
+    fn detectors(&self, sizes: Sizes) -> Result<Vec<Comparison>, Failure> {
+        let mut list =
+            self.detector(sizes, Detector::CaCfar, "CA-CFAR", "ca-cfar", &[Language::Python("scipy"), MMWCORE])?;
+        list.extend(self.detector(sizes, Detector::OsCfar, "OS-CFAR", "os-cfar", &[Language::Python("scipy")])?);
+        Ok(list)
+    }
+
+    /// The rival is given the factor of our middle cell; it knows neither edges nor what windows do to training cells near them.
+    fn detector(
+        &self,
+        sizes: Sizes,
+        detector: Detector,
+        name: &str,
+        job: &'static str,
+        programs: &[Language],
+    ) -> Result<Vec<Comparison>, Failure> {
+        let mut header = self.header.clone();
+        header.dsp.detector = detector;
+        let cfar = Cfar::new(&header).map_err(Failure::refused)?;
+        let power = dsp::power_map(&header, &self.map).map_err(Failure::refused)?.into_raw_vec_and_offset().0;
+        let (mask, ours_s) = quickest(sizes, || Ok(cfar.mask(&power, 0.0)))?;
+        let [_, chirps, samples] = header.shape();
+        let factor = cfar.factor([chirps / 2, samples / 2]);
+        let input = factor.to_le_bytes().into_iter().chain(power.iter().flat_map(|p| p.to_le_bytes())).collect();
+        // Of masks, 1 where there is an alarm: the root of what differs over what there is.
+        let error = |answer: &Answer| {
+            let alarms = |of: &dyn Fn(usize) -> bool| (0..mask.len()).filter(|cell| of(*cell)).count() as f64;
+            let theirs = |cell: usize| answer.result.get(cell).is_some_and(|byte| *byte != 0);
+            let differing = alarms(&|cell| (mask[cell] == DETECTED) != theirs(cell));
+            (differing / alarms(&|cell| theirs(cell))).sqrt()
+        };
+        let alarms = mask.iter().filter(|cell| **cell == DETECTED).count();
+        let mut rows = self.beside(name, ours_s, &Job { name: job, input }, sizes, programs, &error)?;
+        rows.iter_mut().for_each(|row| row.work += &format!(", {alarms} alarms"));
+        Ok(rows)
+    }
+
+    fn angles(&self, sizes: Sizes) -> Result<Vec<Comparison>, Failure> {
+        let array = VirtualArray::new(&self.header);
+        let columns = self.header.shape()[2];
+        let cells = (0..CELLS).into_par_iter().with_min_len(CELLS / 16);
+        let snapshot = |i: usize| [array.snapshot(&self.header, &self.map, [i / columns, i % columns], 0.0)];
+        let right = |i: usize| array.fft_direction(&snapshot(i), RANGE_M).right;
+        let (ours, ours_s) = quickest(sizes, || Ok(cells.clone().map(right).collect::<Vec<f64>>()))?;
+        let job = Job { name: "angles", input: single(&self.map.values) };
+        // Cells that hear nothing but noise have two beams alike now and then: told is the share of cells that differ by more than a
+        // cell of the transform.
+        let error = |answer: &Answer| {
+            let apart = |(a, b): (&f64, f64)| {
+                let turn = (a - b).rem_euclid(2.0);
+                turn.min(2.0 - turn) > 1.0 / self.header.shape()[0] as f64
+            };
+            (ours.iter().zip(answer.numbers()).filter(|pair| apart(*pair)).count() as f64 / CELLS as f64).sqrt()
+        };
+        self.beside("angle FFT of 1000 cells", ours_s, &job, sizes, &[Language::Python("numpy"), MMWCORE], &error)
+    }
+
+    fn beside(
+        &self,
+        name: &str,
+        ours_s: f64,
+        job: &Job,
+        sizes: Sizes,
+        programs: &[Language],
+        error: &dyn Fn(&Answer) -> f64,
+    ) -> Result<Vec<Comparison>, Failure> {
+        let shape = self.header.shape();
+        let numbers: Vec<String> = shape
+            .into_iter()
+            .chain([GUARD as usize, TRAINING as usize, CELLS])
+            .map(|n| n.to_string())
+            .chain([sizes.repeated_s.to_string()])
+            .collect();
+        let row = |language: &Language| -> Result<Comparison, Failure> {
+            let answer: Result<Answer, NotHere> = job.given_to(*language, &numbers)?;
+            let error = answer.as_ref().ok().map(error);
+            Ok(Comparison {
+                name: name.into(),
+                ours_s,
+                rival: answer.map(|answer| (answer.program, answer.seconds)),
+                error,
+                work: format!("{} × {} × {}, noise", shape[0], shape[1], shape[2]),
+            })
+        };
+        programs.iter().map(row).collect()
+    }
+}
+
+fn single(values: &[Complex32]) -> Vec<u8> {
+    values.iter().flat_map(|x| [x.re.to_le_bytes(), x.im.to_le_bytes()]).flatten().collect()
+}
+
+fn wide(values: &[Complex32]) -> Vec<Complex64> {
+    values.iter().map(|z| Complex64::new(z.re.into(), z.im.into())).collect()
+}
+
+fn difference(ours: &[Complex64], theirs: &[Complex64]) -> f64 {
+    let power = |values: &mut dyn Iterator<Item = Complex64>| values.map(|z| z.norm_sqr()).sum::<f64>();
+    (power(&mut ours.iter().zip(theirs).map(|(a, b)| a - b)) / power(&mut theirs.iter().copied())).sqrt()
+}

@@ -1,0 +1,136 @@
+//! `bench --predictions`: what is said of a run before it begins, beside what it takes, over random scenes.
+
+mod child;
+mod fit;
+mod random_scenes;
+mod table;
+
+use crate::project::project_root;
+use child::Taken;
+use random_scenes::RandomScene;
+use std::path::Path;
+use wayside::chain::expectation::Expectation;
+use wayside::chain::expectation::work::Item;
+use wayside::chain::link::Chain;
+use wayside::chain::loading;
+use wayside::chain::memory_estimate::Load;
+use wayside::chain::plan::FramePlan;
+use wayside::host::failure::Failure;
+use wayside::host::files;
+use wayside::host::processor_time;
+use wayside::program::cli::{BenchArguments, SceneArguments};
+use wayside::program::terminal;
+
+/// One scene.
+struct Row {
+    scene: RandomScene,
+    expected: Expectation,
+    /// Processor seconds that it took to expect it.
+    look_s: f64,
+    /// What the memory of its largest frame goes into, and how many frames are computed at a time.
+    load: Load,
+    at_once: usize,
+    taken: Taken,
+}
+
+/// Scenes that a file has already are not run again, only expected anew: their times hold for what is said now as well.
+pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
+    let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
+    let known = arguments.out.as_deref().map(table::taken).transpose()?.unwrap_or_default();
+    let scenes = (0..arguments.scenes).map(|number| random_scenes::scene(arguments.seed, number, &project_root()));
+    let (old, new): (Vec<_>, Vec<_>) = scenes.partition(|scene| known.contains_key(&scene.name));
+    let mut rows = Vec::new();
+    for scene in old.into_iter().chain(new) {
+        let known = known.get(&scene.name);
+        let row = match row(scene, folder.path(), known) {
+            Err(refused @ (Failure::Refused(_) | Failure::Unplaced(_))) => {
+                terminal::line(format!("not run: {refused}"));
+                continue;
+            }
+            row => row?,
+        };
+        let Some(row) = row else { continue };
+        terminal::line(line(&row));
+        rows.push(row);
+        if let (Some(file), None) = (&arguments.out, known) {
+            // Hours of work are not lost with its last scene.
+            table::write(file, &rows)?;
+        }
+    }
+    if let Some(file) = &arguments.out {
+        table::write(file, &rows)?;
+    }
+    quantiles(&rows).into_iter().for_each(terminal::line);
+    let runs: Vec<fit::Run> = rows.iter().map(Row::at_reference_speed).collect();
+    terminal::line("rates that would have told these scenes best:");
+    for (item, rate) in Item::ALL.iter().zip(fit::rates(&runs, Expectation::rates())) {
+        terminal::line(format!("    (Item::{item:?}, {rate:.2e}),"));
+    }
+    Ok(())
+}
+
+impl Row {
+    fn at_reference_speed(&self) -> fit::Run {
+        fit::Run { work: self.expected.work, seconds: self.taken.processor_s * self.taken.machine_speed }
+    }
+}
+
+/// What was said over what was taken.
+fn quantiles(rows: &[Row]) -> Vec<String> {
+    let told = |name: &str, ratio: &dyn Fn(&Row) -> f64| {
+        let mut ratios: Vec<f64> = rows.iter().map(ratio).collect();
+        ratios.sort_by(f64::total_cmp);
+        let at = |share: f64| ratios.get((share * (ratios.len().max(1) - 1) as f64).round() as usize).copied();
+        let at = [0.0, 0.05, 0.25, 0.5, 0.75, 0.95, 1.0].map(|share| at(share).unwrap_or(f64::NAN));
+        let within = ratios.iter().filter(|ratio| (0.5..=2.0).contains(*ratio)).count();
+        let below = ratios.iter().filter(|ratio| **ratio < 1.0).count();
+        let told: Vec<String> = at.iter().map(|ratio| format!("{ratio:.2}")).collect();
+        let of = ratios.len();
+        format!(
+            "{name}, said over taken: quantiles 0, 5, 25, 50, 75, 95, 100 %: {}; {within} of {of} within a factor of 2, \
+             {below} below 1",
+            told.join(" ")
+        )
+    };
+    vec![
+        told("seconds", &|row| row.expected.seconds / row.taken.processor_s),
+        told("memory", &|row| row.expected.memory_mib / row.taken.peak_mib),
+    ]
+}
+
+fn row(scene: RandomScene, folder: &Path, known: Option<&Taken>) -> Result<Option<Row>, Failure> {
+    // A file each: what was read is an input, and no input is written to.
+    let file = folder.join(format!("{}.toml", scene.name));
+    files::write_file(&file, scene.text.as_bytes())?;
+    let taken = match known {
+        Some(taken) => Some(*taken),
+        None => child::run(&file, &folder.join("out"), scene.threads)?,
+    };
+    let Some(taken) = taken else { return Ok(None) };
+    let before_s = processor_time::of_process();
+    let (expected, load, at_once) = expected(&file, taken.machine_speed)?;
+    let look_s = processor_time::of_process().zip(before_s).map_or(f64::NAN, |(after, before)| after - before);
+    Ok(Some(Row { scene, expected, look_s, load, at_once, taken }))
+}
+
+/// As `run --dry-run` says it on a machine as fast as that.
+fn expected(file: &Path, machine_speed: f64) -> Result<(Expectation, Load, usize), Failure> {
+    let arguments = SceneArguments { scene: file.to_owned(), model: None, radar: None, seed: None };
+    let loaded = loading::scene(&arguments, None)?;
+    let model = loading::model(None)?;
+    let chain = Chain::of(&loaded.header, None, model.as_ref());
+    let plans: Vec<FramePlan> = (0..loaded.header.frames).map(|index| chain.plan(index)).collect();
+    let expected = Expectation::at_speed(&chain, None, &plans, machine_speed)?;
+    Ok((expected, chain.largest_load(&plans)?, chain.side_by_side(&plans)?))
+}
+
+fn line(row: &Row) -> String {
+    let Taken { processor_s, peak_mib, .. } = row.taken;
+    let Expectation { seconds, memory_mib, .. } = row.expected;
+    format!(
+        "{}: {seconds:.1} s said, {processor_s:.1} s taken, × {:.2}; {memory_mib:.0} MiB said, {peak_mib:.0} held, × {:.2}",
+        row.scene.name,
+        seconds / processor_s,
+        memory_mib / peak_mib
+    )
+}

@@ -1,0 +1,99 @@
+//! One run of the program as a process of its own: its processor time and its largest size are that run's alone.
+
+use artifact::Reader;
+use artifact::paths::{Paths, PathsFrame};
+use serde_json::Value;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::time::Duration;
+use wayside::chain::expectation::machine_speed;
+use wayside::host::failure::Failure;
+
+/// What a run took, and what its tracer found.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Taken {
+    pub(super) processor_s: f64,
+    pub(super) peak_mib: f64,
+    /// Of the machine when it ran: it changes with what else runs on it.
+    pub(super) machine_speed: f64,
+    /// Paths, and lit polygons of the frames' middles; of all frames.
+    pub(super) paths: f64,
+    pub(super) beams: f64,
+    /// Most that a frame was traced at.
+    pub(super) moments: f64,
+    /// Most that a frame's tracer says that it held.
+    pub(super) traced_mib: f64,
+    /// By the clock: bart_rcs, fmcw_echo, dsp.
+    pub(super) stages_s: [f64; 3],
+}
+
+/// `run` of a scene without a cache; `None` where the system does not tell what a process took.
+pub(super) fn run(scene: &Path, out: &Path, threads: Option<u16>) -> Result<Option<Taken>, Failure> {
+    let machine_speed = machine_speed::measured()?;
+    let program = std::env::current_exe().map_err(|e| Failure::System(format!("no program to run: {e}")))?;
+    let mut command = Command::new(program);
+    command.arg("run").arg(scene).arg("--out").arg(out).args(["--no-cache", "--quiet"]);
+    command.args(threads.iter().flat_map(|n| ["--threads".to_owned(), n.to_string()]));
+    let before = of_children();
+    let system = |e: std::io::Error| Failure::System(format!("{}: cannot be run: {e}", scene.display()));
+    let _ = std::fs::remove_dir_all(out);
+    let mut child = command.stdout(Stdio::null()).spawn().map_err(system)?;
+    let peak_mib = watch(&mut child).map_err(system)?;
+    let status = child.wait().map_err(system)?;
+    if !status.success() {
+        return Err(Failure::refused(format!("{}: {status}", scene.display())));
+    }
+    let Some(((before_s, after_s), peak_mib)) = before.zip(of_children()).zip(peak_mib) else { return Ok(None) };
+    Ok(Some(Taken { machine_speed, ..told(out, after_s - before_s, peak_mib)? }))
+}
+
+fn told(out: &Path, processor_s: f64, peak_mib: f64) -> Result<Taken, Failure> {
+    let text = std::fs::read(out.join("summary.json")).map_err(|e| Failure::system(out, "read", e))?;
+    let summary: Value = serde_json::from_slice(&text).map_err(Failure::refused)?;
+    let frames = || summary["frames"].as_array().into_iter().flatten();
+    let seconds = |stage: &str| frames().filter_map(|frame| frame["stage_seconds"][stage].as_f64()).sum();
+    let stages_s = ["bart_rcs", "fmcw_echo", "dsp"].map(seconds);
+    let mut taken = Taken {
+        processor_s,
+        peak_mib,
+        machine_speed: 1.0,
+        paths: 0.0,
+        beams: 0.0,
+        moments: 1.0,
+        traced_mib: 0.0,
+        stages_s,
+    };
+    // A scene of tables has no paths.
+    let file = out.join("frames.paths");
+    if file.is_file() {
+        for frame in Reader::<Paths>::open_own(&file)? {
+            taken.add(&frame?);
+        }
+    }
+    Ok(taken)
+}
+
+impl Taken {
+    fn add(&mut self, frame: &PathsFrame) {
+        self.paths += frame.paths.len() as f64;
+        self.beams += frame.trace.beams.iter().sum::<u64>() as f64;
+        let moments = frame.trace.fineness.as_ref().map_or(1, |fineness| fineness.moments);
+        self.moments = self.moments.max(f64::from(moments));
+        self.traced_mib = self.traced_mib.max(wayside::host::memory::mib(frame.trace.bytes));
+    }
+}
+
+/// The largest size that is seen until the process ends: the system keeps the maximum, so only what grows in the last
+/// hundredth of a second may be missed.
+fn watch(child: &mut Child) -> std::io::Result<Option<f64>> {
+    let mut peak_mib = None;
+    while child.try_wait()?.is_none() {
+        peak_mib = wayside::host::memory::peak_mib_of(&child.id().to_string()).or(peak_mib);
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    Ok(peak_mib)
+}
+
+fn of_children() -> Option<f64> {
+    wayside::host::processor_time::of_ended_children()
+}

@@ -1,0 +1,74 @@
+//! The rates that tell some runs best: of the logarithms, so that a factor of two counts alike whether a run takes a tenth of a
+//! second or a minute; small errors by their squares and large ones by their size (Charbonnier's loss), so that no single run decides;
+//! and held to the rates that are, so that work which few scenes have keeps its own.
+
+use wayside::chain::expectation::work::{ITEMS, Work};
+
+/// What a run was expected to do, and the processor seconds that it took on the machine of the rates.
+pub(super) struct Run {
+    pub(super) work: Work,
+    pub(super) seconds: f64,
+}
+
+/// A rate that differs by e from what it was counts as this many runs that are wrong by e.
+const HELD: f64 = 0.02;
+/// Errors of a logarithm beyond this count by their size: half as much again.
+const LARGE: f64 = 0.4;
+/// Rounds through all rates; the step of a logarithm is halved where a round gains nothing.
+const ROUNDS: usize = 400;
+
+/// From the rates that are.
+pub(super) fn rates(runs: &[Run], before: [f64; ITEMS]) -> [f64; ITEMS] {
+    let (mut rates, mut step) = (before, 1.0);
+    let mut best = misfit(runs, &before, &rates);
+    for _ in 0..ROUNDS {
+        let begun = best;
+        for item in 0..ITEMS {
+            for factor in [f64::exp(step), f64::exp(-step)] {
+                let mut tried = rates;
+                tried[item] *= factor;
+                let found = misfit(runs, &before, &tried);
+                if found < best {
+                    (rates, best) = (tried, found);
+                }
+            }
+        }
+        if best == begun {
+            step *= 0.5;
+        }
+    }
+    rates
+}
+
+fn misfit(runs: &[Run], before: &[f64; ITEMS], rates: &[f64; ITEMS]) -> f64 {
+    let missed = |run: &Run| {
+        let told: f64 = rates.iter().zip(&run.work.0).map(|(rate, count)| rate * count).sum();
+        let error = (told / run.seconds).ln() / LARGE;
+        2.0 * LARGE * LARGE * ((1.0 + error * error).sqrt() - 1.0)
+    };
+    let moved = rates.iter().zip(before).map(|(rate, before)| HELD * (rate / before).ln().powi(2));
+    runs.iter().map(missed).sum::<f64>() + moved.sum::<f64>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rates_that_made_the_seconds_are_found_again() {
+        let truth: [f64; ITEMS] = std::array::from_fn(|item| 1e-6 * (1.0 + item as f64));
+        let runs: Vec<Run> = (0..200_usize)
+            .map(|run| {
+                let count = |item: usize| (((run + 1) * (item + 3) * 7919) % 1000) as f64;
+                let work = Work(std::array::from_fn(count));
+                let seconds = truth.iter().zip(&work.0).map(|(rate, count)| rate * count).sum();
+                Run { work, seconds }
+            })
+            .collect();
+        let found = rates(&runs, truth.map(|rate| 3.0 * rate));
+        for run in &runs {
+            let told: f64 = found.iter().zip(&run.work.0).map(|(rate, count)| rate * count).sum();
+            assert!((told / run.seconds).ln().abs() < 0.2, "{told} of {}", run.seconds);
+        }
+    }
+}

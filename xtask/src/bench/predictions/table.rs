@@ -1,0 +1,99 @@
+//! The rows of a comparison as a file: one line for each scene, and what has been run is read from it again.
+
+use crate::bench::predictions::child::Taken;
+use crate::bench::predictions::{Load, Row};
+use std::collections::BTreeMap;
+use std::path::Path;
+use wayside::chain::expectation::work::Item;
+use wayside::host::failure::Failure;
+use wayside::host::files;
+
+/// What a scene took; the columns that are read again.
+const TAKEN: [&str; 10] = [
+    "taken_s",
+    "taken_mib",
+    "machine_speed",
+    "paths",
+    "beams",
+    "moments",
+    "traced_mib",
+    "bart_rcs_s",
+    "fmcw_echo_s",
+    "dsp_s",
+];
+const SAID: &str = "said_s,said_mib,look_s,at_once,signal_mib,facets,polygons,cells,changing,sliding,moving";
+
+/// By scene; nothing of a file that is not there yet.
+pub(super) fn taken(file: &Path) -> Result<BTreeMap<String, Taken>, Failure> {
+    let text = match std::fs::read_to_string(file) {
+        Ok(text) => text,
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(BTreeMap::new()),
+        Err(e) => return Err(Failure::system(file, "read", e)),
+    };
+    known(&text).ok_or_else(|| Failure::refused(format!("{}: it is no table of this command", file.display())))
+}
+
+fn known(text: &str) -> Option<BTreeMap<String, Taken>> {
+    let mut lines = text.lines();
+    let head: Vec<&str> = lines.next()?.split(',').collect();
+    let place = |name: &str| head.iter().position(|column| *column == name);
+    let (name, columns) = (place("scene")?, TAKEN.map(place));
+    let scene = |line: &str| {
+        let cells: Vec<&str> = line.split(',').collect();
+        let mut numbers = [0.0; TAKEN.len()];
+        for (number, column) in numbers.iter_mut().zip(columns) {
+            *number = cells.get(column?)?.parse().ok()?;
+        }
+        Some(((*cells.get(name)?).to_owned(), of_numbers(numbers)))
+    };
+    lines.map(scene).collect()
+}
+
+fn of_numbers(numbers: [f64; TAKEN.len()]) -> Taken {
+    let [processor_s, peak_mib, machine_speed, paths, beams, moments, traced_mib, stages_s @ ..] = numbers;
+    Taken { processor_s, peak_mib, machine_speed, paths, beams, moments, traced_mib, stages_s }
+}
+
+fn numbers(taken: &Taken) -> [f64; TAKEN.len()] {
+    let Taken { processor_s, peak_mib, machine_speed, paths, beams, moments, traced_mib, stages_s } = *taken;
+    let [bart_rcs_s, fmcw_echo_s, dsp_s] = stages_s;
+    [processor_s, peak_mib, machine_speed, paths, beams, moments, traced_mib, bart_rcs_s, fmcw_echo_s, dsp_s]
+}
+
+/// All rows so far, in place of what was there.
+pub(super) fn write(file: &Path, rows: &[Row]) -> Result<(), Failure> {
+    let counts: Vec<String> = Item::ALL.iter().map(|item| format!("{item:?}")).collect();
+    let mut text = format!("scene,threads,{},{SAID},{}\n", TAKEN.join(","), counts.join(","));
+    rows.iter().for_each(|row| text += &line(row));
+    files::write_again(file, text.as_bytes())
+}
+
+fn line(row: &Row) -> String {
+    let Row { scene, expected, look_s, load, at_once, taken } = row;
+    let Load { signal_mib, facets, beams, cells, changing_cells, sliding_tiles, moving_cells } = load;
+    let threads = scene.threads.map_or("all".into(), |n| n.to_string());
+    let taken = numbers(taken).map(|number| format!("{number:.3}")).join(",");
+    let counts: Vec<String> = expected.work.0.iter().map(|count| format!("{count:.1}")).collect();
+    format!(
+        "{},{threads},{taken},{:.3},{:.1},{look_s:.2},{at_once},{signal_mib:.2},{facets:.0},{beams:.0},{cells:.0},\
+         {changing_cells:.0},{sliding_tiles:.1},{moving_cells:.0},{}\n",
+        scene.name,
+        expected.seconds,
+        expected.memory_mib,
+        counts.join(",")
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_taken_is_read_again_whatever_was_said() {
+        let text = "said_s,scene,taken_s,taken_mib,machine_speed,paths,beams,moments,traced_mib,bart_rcs_s,fmcw_echo_s,dsp_s,New\n\
+                    9,random-1-000,1.5,80.5,0.75,3,4,9,5,0.5,0.25,0.125,7\n";
+        let taken = known(text).unwrap()["random-1-000"];
+        assert_eq!(numbers(&taken), [1.5, 80.5, 0.75, 3.0, 4.0, 9.0, 5.0, 0.5, 0.25, 0.125]);
+        assert!(known("scene,taken_s\na,1\n").is_none() && known("").is_none());
+    }
+}

@@ -1,0 +1,119 @@
+//! Rivals that are programs of their own: a script that asks for NumPy, SciPy, FINUFFT or Embree, an example of ours that holds a crate.
+//! What is not installed is no failure: the row says how to get it.
+
+use crate::project::project_root;
+use num_complex::Complex64;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use wayside::host::failure::Failure;
+
+/// A piece of work and what it is done on, as the rival's reader expects it.
+pub(super) struct Job {
+    pub(super) name: &'static str,
+    pub(super) input: Vec<u8>,
+}
+
+/// Who does it.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Language {
+    /// `rivals.py` with this package.
+    Python(&'static str),
+    /// A built example: package, example, and the crate that it holds.
+    Example(&'static str, &'static str, &'static str),
+}
+
+/// What a rival did.
+pub(super) struct Answer {
+    /// With its version.
+    pub(super) program: String,
+    /// The quickest run's.
+    pub(super) seconds: f64,
+    pub(super) result: Vec<u8>,
+}
+
+/// How to get a rival that is not here.
+#[derive(Debug)]
+pub(super) struct NotHere {
+    pub(super) program: String,
+    pub(super) advice: String,
+}
+
+const SCRIPT: &str = include_str!("rivals.py");
+
+impl Job {
+    /// Done by a rival, with some words beside the input.
+    pub(super) fn given_to(&self, rival: Language, words: &[String]) -> Result<Result<Answer, NotHere>, Failure> {
+        let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
+        let input = folder.path().join("input.raw");
+        std::fs::write(&input, &self.input).map_err(|e| Failure::system(&input, "write", e))?;
+        let mut command = rival.command();
+        command.arg(self.name).args(rival.package()).arg(folder.path()).args(words);
+        // A program that is not there, one that says that it lacks something, and one that fails in its own way are alike here.
+        let done = command.output().ok().filter(|done| done.status.success());
+        let answer = done.and_then(|done| answer(&String::from_utf8_lossy(&done.stdout), folder.path()));
+        Ok(answer.ok_or_else(|| rival.not_here()))
+    }
+}
+
+/// Of the line `program|seconds` and the file `result.raw`.
+fn answer(text: &str, folder: &Path) -> Option<Answer> {
+    let (program, seconds) = text.lines().last()?.split_once('|')?;
+    let result = std::fs::read(folder.join("result.raw")).ok()?;
+    Some(Answer { program: program.into(), seconds: seconds.trim().parse().ok()?, result })
+}
+
+impl Answer {
+    /// The result as numbers in double precision.
+    pub(super) fn numbers(&self) -> impl Iterator<Item = f64> {
+        self.result.as_chunks::<8>().0.iter().map(|bytes| f64::from_le_bytes(*bytes))
+    }
+}
+
+/// Pairs in single precision.
+pub(super) fn complex(bytes: &[u8]) -> Vec<Complex64> {
+    let single = |bytes: &[u8; 4]| f64::from(f32::from_le_bytes(*bytes));
+    let numbers: Vec<f64> = bytes.as_chunks::<4>().0.iter().map(single).collect();
+    numbers.as_chunks::<2>().0.iter().map(|[re, im]| Complex64::new(*re, *im)).collect()
+}
+
+impl Language {
+    fn command(self) -> Command {
+        match self {
+            Self::Python(_) => {
+                let mut command = Command::new(std::env::var_os("PYTHON").unwrap_or_else(|| OsString::from("python3")));
+                command.args(["-c", SCRIPT]);
+                command
+            }
+            Self::Example(_, example, _) => Command::new(built(example)),
+        }
+    }
+
+    fn package(self) -> Option<&'static str> {
+        match self {
+            Self::Python(package) => Some(package),
+            Self::Example(..) => None,
+        }
+    }
+
+    fn not_here(self) -> NotHere {
+        match self {
+            Self::Python(package) => NotHere {
+                program: package.into(),
+                advice: format!("python3 -m pip install numpy {package}; PYTHON names another interpreter"),
+            },
+            Self::Example(package, example, holds) => NotHere {
+                program: holds.into(),
+                advice: format!("cargo build --release -p {package} --example {example}"),
+            },
+        }
+    }
+}
+
+/// Beside this program, else where the project builds.
+fn built(example: &str) -> PathBuf {
+    let beside =
+        std::env::current_exe().ok().and_then(|program| Some(program.parent()?.join("examples").join(example)));
+    let name = PathBuf::from("target/release/examples").join(example);
+    beside.filter(|program| program.is_file()).unwrap_or_else(|| project_root().join(name))
+}

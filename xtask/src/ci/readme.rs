@@ -1,0 +1,114 @@
+//! The README's two commands, taken from its text and run as they stand there.
+
+use crate::ci::{Tally, counted, finished};
+use crate::project::project_root;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use wayside::host::failure::Failure;
+
+/// The second command: all tests and doctests.
+pub(super) fn tests(tally: &mut Tally) -> Result<(), Failure> {
+    counted(&mut command(1)?, tally)
+}
+
+/// The first command: the main job, which has to find every body and to reach the accuracy that its scene asks.
+pub(super) fn main_job() -> Result<(), Failure> {
+    let mut command = command(0)?;
+    finished(&mut command)?;
+    let file = summary_file(&command)?;
+    let text = std::fs::read_to_string(&file).map_err(|e| Failure::system(&file, "read", e))?;
+    let summary = serde_json::from_str(&text).map_err(Failure::refused)?;
+    match shortcomings(&summary)[..] {
+        [] => Ok(()),
+        ref some => Err(Failure::Refused(format!("{}: {}", file.display(), some.join("; ")))),
+    }
+}
+
+/// Of a run without `--out`: below `out/`, by the name of its scene.
+fn summary_file(run: &Command) -> Result<PathBuf, Failure> {
+    let words = run.get_args().map(Path::new);
+    let scene = words.filter(|word| word.extension().is_some_and(|kind| kind == "toml")).find_map(Path::file_stem);
+    let scene = scene.ok_or_else(|| Failure::refused("README.md: the first command runs a scene"))?;
+    Ok(project_root().join("out").join(scene).join("summary.json"))
+}
+
+/// What a run of the main job falls short of, frame by frame.
+fn shortcomings(summary: &Value) -> Vec<String> {
+    let frames = summary["frames"].as_array().map_or(&[][..], Vec::as_slice);
+    let none = frames.is_empty().then(|| "no frame".to_owned());
+    none.into_iter().chain(frames.iter().enumerate().flat_map(|(number, frame)| of_frame(number, frame))).collect()
+}
+
+fn of_frame(number: usize, frame: &Value) -> Vec<String> {
+    let targets = frame["targets"].as_array().map_or(&[][..], Vec::as_slice);
+    let unseen: Vec<&str> = targets.iter().filter(|t| t["found"] != true).filter_map(|t| t["id"].as_str()).collect();
+    let (asked, reached) = (&frame["accuracy"]["asked_db"], &frame["accuracy"]["reached_db"]);
+    let is_met = frame["accuracy"]["met"] == true;
+    let accuracy = (!is_met).then(|| format!("frame {number}: {reached} dB reached, {asked} dB asked"));
+    let found = (!unseen.is_empty() || targets.is_empty())
+        .then(|| format!("frame {number}: of {} targets not found: {}", targets.len(), unseen.join(", ")));
+    accuracy.into_iter().chain(found).collect()
+}
+
+fn command(number: usize) -> Result<Command, Failure> {
+    let file = project_root().join("README.md");
+    let text = std::fs::read_to_string(&file).map_err(|e| Failure::system(&file, "read", e))?;
+    let commands = shell_lines(&text);
+    let line =
+        commands.get(number).ok_or_else(|| Failure::refused("README.md: two commands in ```sh blocks are promised"))?;
+    let mut words = line.split_whitespace();
+    let mut command = Command::new(words.next().unwrap_or("cargo"));
+    command.args(words);
+    Ok(command)
+}
+
+/// Lines that begin with `cargo` in the blocks marked `sh`.
+fn shell_lines(text: &str) -> Vec<String> {
+    let mut inside = false;
+    let mut lines = Vec::new();
+    for line in text.lines() {
+        match line.trim() {
+            "```sh" => inside = true,
+            "```" => inside = false,
+            line if inside && line.starts_with("cargo ") => {
+                lines.push(line.split(" #").next().unwrap_or(line).trim().to_owned())
+            }
+            _ => {}
+        }
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn commands_are_read_from_shell_blocks_without_their_remarks() {
+        let text = "text `cargo no`\n```sh\ncargo xtask run a.toml   # the main job\n```\n```toml\ncargo no\n```\n```sh\ncargo test\n```";
+        assert_eq!(shell_lines(text), ["cargo xtask run a.toml", "cargo test"]);
+    }
+
+    #[test]
+    fn the_main_job_falls_short_where_a_body_is_missed_or_the_accuracy_is_not_reached() {
+        let frame = |met: Value, found: Value| {
+            let accuracy = json!({ "asked_db": -20.0, "reached_db": -12.4, "met": met });
+            json!({ "accuracy": accuracy, "targets": [{ "id": "car-1", "found": true }, { "id": "bus-1", "found": found }] })
+        };
+        let of = |frames: &[Value]| shortcomings(&json!({ "frames": frames })).join("; ");
+        assert_eq!(of(&[frame(true.into(), true.into())]), "");
+        let missed = of(&[frame(true.into(), true.into()), frame(true.into(), false.into())]);
+        assert_eq!(missed, "frame 1: of 2 targets not found: bus-1");
+        assert_eq!(of(&[frame(false.into(), true.into())]), "frame 0: -12.4 dB reached, -20.0 dB asked");
+        assert_eq!(of(&[frame(Value::Null, true.into())]), "frame 0: -12.4 dB reached, -20.0 dB asked");
+        assert_eq!(of(&[]), "no frame");
+    }
+
+    #[test]
+    fn the_main_jobs_summary_is_named_by_its_scene() {
+        let file = summary_file(&command(0).unwrap()).unwrap();
+        assert!(file.ends_with("out/intersection/summary.json"), "{}", file.display());
+    }
+}

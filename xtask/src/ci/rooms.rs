@@ -1,0 +1,90 @@
+//! The room rule: a room of `bart-rcs` uses only rooms that stand before it in its `lib.rs`, tests aside. So the crate can
+//! be read from the first room on, and no two rooms need each other.
+
+use crate::ci::size::sources;
+use crate::project::project_root;
+use std::path::{Path, PathBuf};
+use wayside::host::failure::Failure;
+
+pub(super) fn check() -> Result<(), Failure> {
+    let source = project_root().join("crates/bart-rcs/src");
+    let rooms = rooms(&read(&source.join("lib.rs"))?);
+    let mut broken = Vec::new();
+    for (index, room) in rooms.iter().enumerate() {
+        for file in files(&source, room) {
+            broken.extend(forbidden(&file, &read(&file)?, &rooms[..=index]));
+        }
+    }
+    if broken.is_empty() { Ok(()) } else { Err(Failure::Refused(broken.join("\n"))) }
+}
+
+fn read(file: &Path) -> Result<String, Failure> {
+    std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))
+}
+
+/// Modules in the order of a `lib.rs`.
+fn rooms(lib: &str) -> Vec<String> {
+    let name = |line: &str| {
+        let line = line.strip_prefix("pub ").unwrap_or(line);
+        line.strip_prefix("mod ")?.split_once(';').map(|(name, _)| name.to_owned())
+    };
+    code(lib).filter_map(|(_, line)| name(line)).collect()
+}
+
+/// A room's own file and those in its folder, in a fixed order.
+fn files(source: &Path, room: &str) -> Vec<PathBuf> {
+    let mut files = vec![source.join(format!("{room}.rs"))];
+    sources(&source.join(room), &mut files);
+    files.sort();
+    files
+}
+
+/// A sentence for each use of what is not in `known`, which ends with the file's own room.
+fn forbidden(file: &Path, text: &str, known: &[String]) -> Vec<String> {
+    let own = known.last().map_or("", String::as_str);
+    let used =
+        code(text).flat_map(|(number, line)| line.split("crate::").skip(1).map(move |rest| (number, first_word(rest))));
+    let strange = used.filter(|(_, name)| !known.iter().any(|room| room == name));
+    let sentence = |(number, name): (usize, &str)| {
+        format!("{}:{number}: `{own}` uses `crate::{name}`, which is no room before it in lib.rs", file.display())
+    };
+    strange.map(sentence).collect()
+}
+
+/// Numbered lines without comments, up to the module of tests.
+fn code(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let is_test = |(line, next): &(&str, &str)| *line == "#[cfg(test)]" && next.contains("mod ");
+    let pairs = text.lines().zip(text.lines().skip(1).chain([""]));
+    let lines = (1..).zip(pairs).take_while(move |(_, pair)| !is_test(pair));
+    lines.map(|(number, (line, _))| (number, line)).filter(|(_, line)| !line.trim_start().starts_with("//"))
+}
+
+fn first_word(text: &str) -> &str {
+    text.split(|c: char| !(c.is_alphanumeric() || c == '_')).next().unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rooms_of_bart_rcs_use_only_rooms_before_them() {
+        check().unwrap();
+    }
+
+    #[test]
+    fn a_room_that_looks_ahead_is_named_with_its_line() {
+        let known =
+            rooms("//! mod told;\nmod mesh; // what belongs together\npub mod beams;\n#[cfg(test)]\nmod tests;\n");
+        assert_eq!(known, ["mesh", "beams"]);
+        let text = "use crate::mesh::patch::Patches;\n// crate::beams may be told of\nuse crate::beams::beam::Beam;\n#[cfg(test)]\nmod tests {\nuse crate::table::rcs;\n";
+        let found = forbidden(Path::new("mesh/a.rs"), text, &known[..1]);
+        assert_eq!(found, ["mesh/a.rs:3: `mesh` uses `crate::beams`, which is no room before it in lib.rs"]);
+        assert!(forbidden(Path::new("beams/a.rs"), text, &known).is_empty());
+        assert_eq!(
+            forbidden(Path::new("beams/a.rs"), "use crate::World;\n", &known).len(),
+            1,
+            "by its room, not by the front door"
+        );
+    }
+}

@@ -1,0 +1,55 @@
+//! The program that trains: built, looked at and tested in a folder of its own beside everything else, and with it the tests of
+//! `train`.
+
+use crate::ci::{Tally, counted};
+use crate::project::project_root;
+use std::fs::File;
+use std::path::PathBuf;
+use std::process::{Child, Command, Stdio};
+use wayside::host::failure::Failure;
+use wayside::program::commands::learning::train;
+
+pub(super) use train::PROGRAM as PACKAGE;
+
+/// What is under way; ended with what began it.
+pub(super) struct Training {
+    child: Child,
+    log: PathBuf,
+}
+
+impl Training {
+    /// Tests first: what they build is most of the time; then lints and docs, as of the other crates.
+    pub(super) fn begin() -> Result<Self, Failure> {
+        let log = train::target_folder().join("ci.log");
+        let failed = |e: std::io::Error| Failure::system(&log, "write", e);
+        std::fs::create_dir_all(train::target_folder()).map_err(failed)?;
+        let file = File::create(&log).map_err(failed)?;
+        let words = format!(
+            "cargo test --release --package {PACKAGE} && \
+             cargo clippy --release --package {PACKAGE} --all-targets -- -D warnings && \
+             RUSTDOCFLAGS='-D warnings' cargo doc --release --package {PACKAGE} --no-deps"
+        );
+        let mut command = Command::new("sh");
+        command.args(["-c", &words]).env("CARGO_TARGET_DIR", train::target_folder()).current_dir(project_root());
+        command.stdin(Stdio::null()).stderr(file.try_clone().map_err(failed)?).stdout(file);
+        Ok(Self { child: command.spawn().map_err(|e| Failure::System(format!("sh: {e}")))?, log })
+    }
+
+    /// Waits for it, counts its tests, and runs those of the command.
+    pub(super) fn end(mut self, tally: &mut Tally) -> Result<(), Failure> {
+        let status = self.child.wait().map_err(|e| Failure::system(&self.log, "wait for", e))?;
+        let text = std::fs::read_to_string(&self.log).map_err(|e| Failure::system(&self.log, "read", e))?;
+        text.lines().for_each(|line| tally.count(line));
+        if !status.success() {
+            return Err(Failure::Refused(format!("{text}\n{PACKAGE} ended with {status}")));
+        }
+        let words = "test --release --package xtask --test kills --test full_disk -- --ignored a_training";
+        counted(Command::new("cargo").args(words.split(' ')), tally)
+    }
+}
+
+impl Drop for Training {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+    }
+}

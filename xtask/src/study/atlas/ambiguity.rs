@@ -1,0 +1,84 @@
+//! Targets too fast or too far for the waveform. Errors are those of the estimate, relative to the truth.
+
+use crate::study::atlas::verdict::Trial;
+use crate::study::atlas::{Extent, Row, Says};
+use crate::study::scenes::{scene_of, seen, with_point};
+use artifact::points::Object;
+use artifact::scene::SceneHeader;
+use wayside::host::failure::Failure;
+
+const NOISE: &str = "[noise]\nsnr_db = 40.0\n";
+const PLACE_M: [f64; 3] = [5.75, 40.0, 1.0];
+
+fn strongest(header: &SceneHeader) -> Result<Object, Failure> {
+    let mut objects = seen(header)?.points.objects;
+    objects.sort_by(|a, b| b.snr_db.total_cmp(&a.snr_db));
+    objects.into_iter().next().ok_or_else(|| Failure::Refused("atlas: a lone strong point was not detected".into()))
+}
+
+fn unless_resolved(object: &Object) -> Says {
+    if object.velocity_resolved { Says::Nothing } else { Says::Words("velocity_resolved is false") }
+}
+
+/// Range and its rate at the middle of the frame.
+fn truth(header: &SceneHeader) -> (f64, f64) {
+    let pose = scene::pose_after(&header.targets[0].start, header.radar.frame_middle_s());
+    let away = glam::DVec3::from(pose.position_m) - glam::DVec3::from(header.radar.position_m);
+    (away.length(), glam::DVec3::from(pose.velocity_mps).dot(away) / away.length())
+}
+
+/// Experiment 3: ±8.78 m/s.
+pub(super) fn velocity(_: Extent) -> Result<Vec<Row>, Failure> {
+    let trial = Trial {
+        stage: "dsp",
+        method: "map",
+        case: "speed against v_max 8.78 m/s (experiment 3)",
+        parameter: "speed_mps",
+    };
+    let row = |speed_mps: f64| {
+        let words = format!("{NOISE}[radar.waveform]\nsamples = 512\n[radar.array]\npreset = \"1x4\"\n");
+        let header = with_point(scene_of(&words)?, 1.0, PLACE_M, [0.0, -speed_mps, 0.0]);
+        let (_, true_mps) = truth(&header);
+        let object = strongest(&header)?;
+        let error = ((object.radial_velocity_mps - true_mps) / true_mps).abs();
+        Ok(trial.answered(speed_mps, error, unless_resolved(&object)))
+    };
+    [5.0, 8.0, 10.0, 20.0].into_iter().map(row).collect()
+}
+
+/// 256 samples at 5.12 MHz: a beat of f_s is 61.4 m away.
+pub(super) fn range(_: Extent) -> Result<Vec<Row>, Failure> {
+    let trial = Trial { stage: "dsp", method: "map", case: "range against R_max 61.4 m", parameter: "range_m" };
+    let says = Says::Words("summary: range_max_m below the truth's range, estimate null");
+    let row = |range_m: f64| {
+        let header = scene_of(&format!("{NOISE}[radar.array]\npreset = \"1x4\"\n"))?;
+        let header = with_point(header, 1.0, [0.0, range_m, 6.0], [0.0, -5.0, 0.0]);
+        let (true_m, _) = truth(&header);
+        let object = strongest(&header)?;
+        let error = ((object.range_m - true_m) / true_m).abs();
+        let beyond = true_m > header.radar.waveform.range_max_m();
+        Ok(trial.answered(range_m, error, if beyond { says } else { Says::Nothing }))
+    };
+    [50.0, 60.0, 70.0].into_iter().map(row).collect()
+}
+
+/// Three transmitters share the velocity span with `tdm`, and keep it with `ddm`; a wrong fold is a wrong angle.
+pub(super) fn transmitters_in_turn(_: Extent) -> Result<Vec<Row>, Failure> {
+    let trial = Trial {
+        stage: "dsp",
+        method: "angle",
+        case: "place of a point at −10 m/s, 3 transmitters",
+        parameter: "multiplexing",
+    };
+    let row = |multiplexing: &str| {
+        let words = format!("{NOISE}[radar.array]\npreset = \"3x4\"\nmultiplexing = \"{multiplexing}\"\n");
+        let header = with_point(scene_of(&words)?, 1.0, PLACE_M, [0.0, -10.0, 0.0]);
+        let (true_m, _) = truth(&header);
+        let object = strongest(&header)?;
+        let across_m = object.position_m[0] - PLACE_M[0];
+        // Half a lane at this range is −27 dB; the verdict asks for the lane, not for −20 dB.
+        let error = across_m.abs() / true_m * if object.lane == Some(2) { 1.0 } else { 10.0 };
+        Ok(trial.answered(multiplexing, error, unless_resolved(&object)))
+    };
+    ["simultaneous", "tdm", "ddm"].into_iter().map(row).collect()
+}

@@ -1,0 +1,108 @@
+//! Meshes as people have them: what covers, touches, doubles or hides what.
+
+use crate::study::atlas::verdict::Trial;
+use crate::study::atlas::{Extent, Row};
+use crate::study::bodies::{self, Face};
+use crate::study::closed_forms;
+use crate::study::looks;
+use artifact::scene::Mesh;
+use bart_rcs::RcsRequest;
+use num_complex::Complex64;
+use wayside::host::failure::Failure;
+
+/// A row where two meshes must answer alike, the second turned in phase by `turn`.
+fn alike(trial: Trial, value: &str, meshes: [&Mesh; 2], request: &RcsRequest, turn: Complex64) -> Result<Row, Failure> {
+    let found = looks::traced(meshes[0], request)?;
+    let expected: Vec<Complex64> = looks::traced(meshes[1], request)?.amplitude_m.iter().map(|s| s * turn).collect();
+    Ok(trial.answered(
+        value,
+        looks::relative_error(&found.amplitude_m, &expected),
+        crate::study::atlas::integration::printed(&found),
+    ))
+}
+
+/// Of coincident facets one is lit.
+pub(super) fn doubled(_: Extent) -> Result<Vec<Row>, Failure> {
+    let trial = Trial { stage: "bart-rcs", method: "bart", case: "every triangle there twice", parameter: "body" };
+    let hat = bodies::top_hat(0.05, 0.02, 60, 0.3);
+    let twice = bodies::joined(hat.clone(), &hat);
+    Ok(vec![alike(trial, "top hat, three bounces", [&twice, &hat], &looks::bounced(5.0, 30.0, 3), Complex64::ONE)?])
+}
+
+/// Lengths are kept relative to the body.
+pub(super) fn far_from_the_origin(_: Extent) -> Result<Vec<Row>, Failure> {
+    let trial =
+        Trial { stage: "bart-rcs", method: "bart", case: "mesh a kilometre from its origin", parameter: "body" };
+    let hat = bodies::top_hat(0.05, 0.02, 60, 0.3);
+    let away = bodies::shifted(hat.clone(), [1000.0, 0.0, 0.0]);
+    let (azimuth_deg, elevation_deg) = (5.0_f64, 30.0_f64);
+    let nearer_m = 1000.0 * elevation_deg.to_radians().cos() * azimuth_deg.to_radians().cos();
+    let turn = Complex64::cis(2.0 * looks::K * nearer_m);
+    Ok(vec![alike(
+        trial,
+        "top hat, three bounces",
+        [&away, &hat],
+        &looks::bounced(azimuth_deg, elevation_deg, 3),
+        turn,
+    )?])
+}
+
+/// Strips of a micrometre beside whole ones, and edges that meet no vertex.
+pub(super) fn needles(_: Extent) -> Result<Vec<Row>, Failure> {
+    let trial =
+        Trial { stage: "bart-rcs", method: "bart", case: "plate of needles and T-junctions", parameter: "mesh" };
+    let needles = bodies::plate_in_strips(0.3, &[0.0, 0.3, 0.300_001, 0.300_002, 0.6, 0.600_000_01, 1.0]);
+    let row = |(name, body): (&str, Mesh)| {
+        let found = looks::traced(&body, &looks::first_order(3.0, 0.0))?;
+        let exact = closed_forms::plate_far(0.3, 3_f64.to_radians());
+        Ok(trial.answered(
+            name,
+            looks::relative_error(&found.amplitude_m, &[exact]),
+            crate::study::atlas::integration::printed(&found),
+        ))
+    };
+    [("slivers of 0.3 µm and 3 nm", needles), ("T-junctions", with_t_junctions())].into_iter().map(row).collect()
+}
+
+/// The left half of a plate as two triangles, the right half as six strips.
+fn with_t_junctions() -> Mesh {
+    let (side_m, half_m) = (0.3, 0.15);
+    let left = bodies::parallelograms(&[[[0.0, -half_m, -half_m], [0.0, half_m, 0.0], [0.0, 0.0, side_m]]]);
+    let strip = |i: u32| {
+        let low_m = side_m * f64::from(i) / 6.0 - half_m;
+        [[0.0, 0.0, low_m], [0.0, half_m, 0.0], [0.0, 0.0, side_m / 6.0]]
+    };
+    bodies::joined(left, &bodies::parallelograms(&(0..6).map(strip).collect::<Vec<_>>()))
+}
+
+/// The bottom of a cube lies in the floor: it must neither be lit nor hide the floor's rest.
+pub(super) fn touching(_: Extent) -> Result<Vec<Row>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "bart",
+        case: "cube on a floor, its bottom in the floor's plane",
+        parameter: "azimuth_deg",
+    };
+    let floor = bodies::floor(0.3);
+    let whole = bodies::joined(bodies::cube(0.1, &Face::ALL), &floor);
+    let open = bodies::joined(bodies::cube(0.1, &Face::ALL[..5]), &floor);
+    let row = |azimuth_deg: f64| {
+        let request = looks::bounced(azimuth_deg, 30.0, 3);
+        alike(trial, &azimuth_deg.to_string(), [&whole, &open], &request, Complex64::ONE)
+    };
+    [0.0, 20.0].into_iter().map(row).collect()
+}
+
+/// Every tenth facet wound the other way round; facets scatter from either side.
+pub(super) fn flipped(_: Extent) -> Result<Vec<Row>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "bart",
+        case: "a tenth of the facets wound wrongly, open rim",
+        parameter: "sides",
+    };
+    let tube = bodies::joined(bodies::tube(0.1, 0.1, 120, 0.0), &bodies::shifted(bodies::plate(0.2), [-0.3, 0.0, 0.0]));
+    let mut wrong = tube.clone();
+    wrong.triangles.iter_mut().step_by(10).for_each(|t| t.swap(1, 2));
+    Ok(vec![alike(trial, "two", [&wrong, &tube], &looks::bounced(5.0, 20.0, 3), Complex64::ONE)?])
+}

@@ -1,0 +1,79 @@
+//! Facets in place of a curved skin, and physical optics on bodies that are small.
+
+use crate::study::atlas::verdict::Trial;
+use crate::study::atlas::{Extent, Row, Says};
+use crate::study::bodies;
+use crate::study::closed_forms;
+use crate::study::looks;
+use artifact::settings::NodeRule;
+use bart_rcs::RcsRequest;
+use num_complex::Complex64;
+use std::f64::consts::{PI, TAU};
+use wayside::host::failure::Failure;
+
+/// `error_db` holds no figure for the shape: a mesh is taken as the body itself.
+const AS_GIVEN: Says = Says::Words("error_db.tessellation is null: facets are taken as the surface");
+
+/// q = chord/√(ρλ): with 0.25 the complex error is −23 dB, beyond 0.7 the facets' own grating lobes decide.
+pub(super) fn facets_of_a_cylinder(_: Extent) -> Result<Vec<Row>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "bart",
+        case: "cylinder as flat strips, worst of five turns",
+        parameter: "q",
+    };
+    let (radius_m, height_m) = (0.5, 0.05);
+    let exact = closed_forms::cylinder(radius_m, height_m);
+    let row = |q: f64| {
+        let chord_m = q * (radius_m * looks::WAVELENGTH_M).sqrt();
+        let sides = (TAU * radius_m / chord_m).round() as u32;
+        let worst = worst_turn(sides, radius_m, height_m, exact)?;
+        Ok(trial.answered(q, worst, AS_GIVEN))
+    };
+    [0.1, 0.25, 0.35, 0.5, 0.71, 1.0, 2.0].into_iter().map(row).collect()
+}
+
+/// The tube stands on z = 0; its middle is the origin of the closed form.
+fn worst_turn(sides: u32, radius_m: f64, height_m: f64, exact: Complex64) -> Result<f64, Failure> {
+    let mut worst = 0.0_f64;
+    for turn in [0.0, 0.2, 0.4, 0.6, 0.8] {
+        let tube = bodies::shifted(bodies::tube(radius_m, height_m, sides, turn), [0.0, 0.0, -0.5 * height_m]);
+        let result = looks::traced(&tube, &looks::first_order(0.0, 0.0))?;
+        worst = worst.max(looks::relative_error(&result.amplitude_m, &[exact]));
+    }
+    Ok(worst)
+}
+
+/// What physical optics leaves out of small spheres: penumbra and creeping waves.
+pub(super) fn spheres_against_mie(extent: Extent) -> Result<Vec<Row>, Failure> {
+    let trial =
+        Trial { stage: "bart-rcs", method: "bart", case: "level of spheres against Mie's series", parameter: "ka" };
+    let says = Says::Words("model_error_db.edges is null: diffraction is left out");
+    let row = |radius_m: f64| {
+        let cells = (0.5 * PI * radius_m / (0.12 * (radius_m * looks::WAVELENGTH_M).sqrt())).ceil() as u32;
+        let result = looks::traced(&bodies::sphere(radius_m, cells), &looks::first_order(10.0, 20.0))?;
+        let error = looks::level_error(result.amplitude_m[0].norm(), closed_forms::mie_sphere(radius_m));
+        Ok(trial.answered(format!("{:.2}", looks::K * radius_m), error, says))
+    };
+    let radii_m: &[f64] = match extent {
+        Extent::Quick => &[0.0006, 0.0012, 0.003, 0.01],
+        Extent::Full => &[0.0006, 0.0009, 0.0012, 0.002, 0.003, 0.006, 0.01, 0.03, 0.1],
+    };
+    radii_m.iter().copied().map(row).collect()
+}
+
+/// A cylinder on a floor, elevation 30°: 8πρh²cos(el)/λ; a node on the floor loses the divergence of the wall (D3).
+pub(super) fn top_hat(_: Extent) -> Result<Vec<Row>, Failure> {
+    let trial = Trial { stage: "bart-rcs", method: "bart", case: "top hat, order 2 alone", parameter: "nodes" };
+    let (radius_m, height_m) = (0.5, 0.1);
+    let elevation_deg = 30.0_f64;
+    let level = (8.0 * PI * radius_m * elevation_deg.to_radians().cos() / looks::WAVELENGTH_M).sqrt() * height_m;
+    let hat = bodies::top_hat(radius_m, height_m, 594, 1.6);
+    let row = |(name, nodes): (&str, NodeRule)| {
+        let request = RcsRequest { nodes, ..looks::bounced(5.0, elevation_deg, 2) };
+        let result = looks::traced(&hat, &request)?;
+        let says = result.model_error.nodes.map_or(Says::Nothing, Says::About);
+        Ok(trial.answered(name, looks::level_error(result.by_order_m[1][0].norm(), level), says))
+    };
+    [("middle", NodeRule::Middle), ("exit", NodeRule::Exit)].into_iter().map(row).collect()
+}

@@ -1,0 +1,117 @@
+//! The detector at the edges of a map, between neighbours, and without noise.
+
+use crate::study::atlas::verdict::Trial;
+use crate::study::atlas::{Extent, Row, Says};
+use crate::study::scenes::{cube_header, paths_of, scene_of, seen, with_point};
+use artifact::cube::CubeFrame;
+use artifact::scene::SceneHeader;
+use artifact::settings::Window;
+use wayside::host::failure::Failure;
+
+pub(super) fn all(extent: Extent) -> Result<Vec<Row>, Failure> {
+    let mut rows = false_alarms(extent, "rect", Window::Rect)?;
+    rows.extend(false_alarms(extent, "hann", Window::Hann)?);
+    rows.extend(neighbours()?);
+    rows.extend(without_noise()?);
+    Ok(rows)
+}
+
+const ASKED: f64 = 1e-2;
+/// Cells at either end of the range axis whose training cells are cut off.
+const RIM: usize = 10;
+
+/// Noise alone, by zone. Counting alone leaves 2 % in the interior and 5 % at an edge of 2·10⁵ cells.
+fn false_alarms(extent: Extent, name: &str, window: Window) -> Result<Vec<Row>, Failure> {
+    let trial =
+        Trial { stage: "dsp", method: "ca-cfar", case: "false alarms by zone, asked 1e-2", parameter: "window, zone" };
+    let says = match window {
+        Window::Rect => Says::Nothing,
+        _ => Says::Words("docs/physics.md §8: tapered cells are correlated, 0.8 to 1.3 of the rate asked"),
+    };
+    let mut header = scene_of("[radar.array]\npreset = \"1x1\"\n[noise]\nnoise_figure_db = 12.0\n")?;
+    (header.dsp.range_window, header.dsp.doppler_window) = (window, window);
+    header.dsp.false_alarm_rate = ASKED;
+    let frames = match extent {
+        Extent::Quick => 30,
+        Extent::Full => 120,
+    };
+    let [edge, interior] = counted(&header, frames)?;
+    let row = |zone: &str, rate: f64| trial.answered(format!("{name}, {zone}"), (rate / ASKED - 1.0).abs(), says);
+    Ok(vec![row("edge", edge), row("interior", interior)])
+}
+
+/// Detections over cells tested, at the edges of the range axis and inside.
+fn counted(header: &SceneHeader, frames: u64) -> Result<[f64; 2], Failure> {
+    let (mut hits, mut cells) = ([0_u64; 2], [0_u64; 2]);
+    let samples = header.radar.waveform.range_cells();
+    for seed in 0..frames {
+        for (i, mask) in noise_map(header, seed)?.iter().enumerate() {
+            let column = i % samples;
+            let zone = usize::from((RIM..samples - RIM).contains(&column));
+            cells[zone] += u64::from(*mask > 0);
+            hits[zone] += u64::from(*mask > 1);
+        }
+    }
+    Ok([0, 1].map(|zone| hits[zone] as f64 / cells[zone].max(1) as f64))
+}
+
+fn noise_map(header: &SceneHeader, seed: u64) -> Result<Vec<u8>, Failure> {
+    let cube_header = cube_header(header);
+    let nothing = paths_of(header)?;
+    let centre_hz = header.radar.waveform.centre_frequency_hz();
+    let cube: CubeFrame = fmcw_echo::synthesize(
+        &cube_header,
+        seed,
+        &nothing,
+        centre_hz,
+        wayside::chain::link::echo_accuracy(header),
+        &|_| (),
+    )
+    .map_err(Failure::refused)?;
+    Ok(dsp::range_doppler(&cube_header, &cube).map_err(Failure::refused)?.mask)
+}
+
+/// Two equal points three range cells apart: both must be points of the cloud. An error is the further one's distance
+/// to the nearest point, over the three cells. The stronger one stands in the noise estimate of the weaker.
+fn neighbours() -> Result<Vec<Row>, Failure> {
+    let trial = Trial {
+        stage: "dsp",
+        method: "ca-cfar",
+        case: "two points three cells apart",
+        parameter: "second below first, dB",
+    };
+    let says = Says::Words("docs/physics.md §10: ca-cfar masks a weaker neighbour");
+    let row = |below_db: f64| {
+        let header = scene_of("[radar.array]\npreset = \"1x4\"\n[noise]\nsnr_db = 50.0\n")?;
+        let gap_m = 3.0 * header.radar.waveform.range_resolution_m();
+        let header = with_point(header, 1.0, [0.0, 40.0, 6.0], [0.0; 3]);
+        let header = with_point(header, 10_f64.powf(-0.1 * below_db), [0.0, 40.0 + gap_m, 6.0], [0.0; 3]);
+        let points = seen(&header)?.points.points;
+        let away = |range_m: f64| points.iter().map(|p| (p.range_m - range_m).abs()).fold(f64::INFINITY, f64::min);
+        Ok(trial.answered(below_db, away(40.0).max(away(40.0 + gap_m)) / gap_m, says))
+    };
+    [0.0, 15.0].into_iter().map(row).collect()
+}
+
+/// Without noise the floor is 60 dB below the peak: what is weaker is not seen, and the map says which floor it took.
+fn without_noise() -> Result<Vec<Row>, Failure> {
+    let trial = Trial {
+        stage: "dsp",
+        method: "ca-cfar",
+        case: "noise-free map, a second point at 30 m",
+        parameter: "second below first, dB",
+    };
+    let row = |below_db: f64| {
+        let header = scene_of("[radar.array]\npreset = \"1x4\"\n[dsp]\nrange_window = \"blackman\"\n")?;
+        let header = with_point(header, 1.0, [0.0, 40.0, 6.0], [0.0; 3]);
+        let header = with_point(header, 10_f64.powf(-0.1 * below_db), [0.0, 30.0, 6.0], [0.0; 3]);
+        let found = seen(&header)?;
+        let is_there = found.points.points.iter().any(|p| (p.range_m - 30.0).abs() < 0.25);
+        let says = found
+            .map
+            .assumed_floor
+            .map_or(Says::Nothing, |_| Says::Words("assumed_floor is set: 60 dB below the peak"));
+        Ok(trial.answered(below_db, if is_there { 0.0 } else { 1.0 }, says))
+    };
+    [30.0, 50.0, 80.0].into_iter().map(row).collect()
+}

@@ -1,0 +1,68 @@
+//! A plate of 1.5 m at the ranges of a road, 2D²/λ = 1.2 km: a far-field table against paths of spherical waves.
+
+use crate::study::atlas::verdict::Trial;
+use crate::study::atlas::{Extent, Row, Says};
+use crate::study::bodies;
+use crate::study::closed_forms;
+use crate::study::looks;
+use crate::study::scenes::{frame_of, paths_of, scene_of, tables_at, with_body};
+use artifact::scene::SceneHeader;
+use bart_rcs::{PathView, scattering_of_paths};
+use glam::DVec3;
+use num_complex::Complex64;
+use wayside::host::failure::Failure;
+
+const SIDE_M: f64 = 1.5;
+const RANGES_M: [f64; 4] = [10.0, 25.0, 40.0, 100.0];
+
+/// A plate square to the radar and as high as it; the sweep is centred on the frequency of the closed forms.
+fn scene_at(range_m: f64) -> Result<SceneHeader, Failure> {
+    let header =
+        scene_of("[radar.waveform]\nstart_frequency_ghz = 76.6875\nchirps = 32\n[radar.array]\npreset = \"1x1\"\n")?;
+    Ok(with_body(header, &bodies::plate(SIDE_M), [0.0, range_m, 6.0], [0.0; 3]))
+}
+
+/// The paper's σ_f: its phase and level belong to infinity.
+pub(super) fn table_over_range(_: Extent) -> Result<Vec<Row>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "rcs-table",
+        case: "far-field table of a 1.5 m plate",
+        parameter: "range_m",
+    };
+    let far = closed_forms::plate_far(SIDE_M, 0.0);
+    let row = |range_m: f64| {
+        let header = scene_at(range_m)?;
+        let table = tables_at(&header, &frame_of(&header))?;
+        let says = table.model_error.far_field.map_or(Says::Nothing, Says::About);
+        let near = closed_forms::plate_near(SIDE_M, range_m, 0.0);
+        // The table's own S at its middle aspect is far away's closed form; its comparison is over the band.
+        Ok(trial.answered(range_m, looks::relative_error(&[far], &[near]), says))
+    };
+    RANGES_M.into_iter().map(row).collect()
+}
+
+/// What takes the table's place.
+pub(super) fn paths_over_range(_: Extent) -> Result<Vec<Row>, Failure> {
+    let trial = Trial { stage: "bart-rcs", method: "paths", case: "paths of the same plate", parameter: "range_m" };
+    let row = |range_m: f64| {
+        let header = scene_at(range_m)?;
+        let frame = paths_of(&header)?;
+        let says = frame.error.total().map_or(Says::Nothing, Says::AtMost);
+        let near = closed_forms::plate_near(SIDE_M, range_m, 0.0);
+        Ok(trial.answered(range_m, looks::relative_error(&[at_rest(&header, &frame.paths)], &[near]), says))
+    };
+    RANGES_M.into_iter().map(row).collect()
+}
+
+fn at_rest(header: &SceneHeader, paths: &[artifact::paths::Path]) -> Complex64 {
+    let antenna_m = DVec3::from(header.radar.position_m);
+    let view = PathView {
+        transmitter_m: antenna_m,
+        receiver_m: antenna_m,
+        origin_m: DVec3::from(header.targets[0].start.position_m),
+        seconds: header.radar.frame_middle_s(),
+        centre_frequency_hz: header.radar.waveform.centre_frequency_hz(),
+    };
+    scattering_of_paths(paths, &view, looks::FREQUENCY_HZ)[0][0]
+}

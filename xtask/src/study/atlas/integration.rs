@@ -1,0 +1,53 @@
+//! The closed-form integral where its formulas turn into 0/0, and where facets cancel.
+
+use crate::study::atlas::verdict::Trial;
+use crate::study::atlas::{Extent, Row, Says};
+use crate::study::bodies;
+use crate::study::closed_forms;
+use crate::study::looks;
+use bart_rcs::{RcsRequest, RcsResult};
+use wayside::host::failure::Failure;
+
+/// What a result believes of its numbers.
+pub(super) fn printed(result: &RcsResult) -> Says {
+    result.error.total().map_or(Says::Nothing, Says::AtMost)
+}
+
+/// Gordon's formula divides by the phase gradient, which vanishes square to the plate.
+pub(super) fn small_phases(_: Extent) -> Result<Vec<Row>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "bart",
+        case: "plate almost square to the wave (Gordon 0/0)",
+        parameter: "azimuth_deg",
+    };
+    let plate = bodies::plate(0.3);
+    let row = |azimuth_deg: f64| {
+        let result = looks::traced(&plate, &looks::first_order(azimuth_deg, 0.0))?;
+        let exact = closed_forms::plate_far(0.3, azimuth_deg.to_radians());
+        Ok(trial.answered(azimuth_deg, looks::relative_error(&result.amplitude_m, &[exact]), printed(&result)))
+    };
+    [0.0, 1e-9, 1e-6, 1e-4, 1e-2, 1.0].into_iter().map(row).collect()
+}
+
+/// A plate of 1.2 m from 25 m is cut until its phases are straight; off the specular the pieces all but cancel.
+pub(super) fn off_specular(_: Extent) -> Result<Vec<Row>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "bart",
+        case: "near plate off its specular (pieces cancel)",
+        parameter: "azimuth_deg",
+    };
+    let plate = bodies::plate(1.2);
+    let row = |azimuth_deg: f64| {
+        let request = RcsRequest {
+            range_m: 25.0,
+            accuracy: artifact::Accuracy::from_db(-40.0),
+            ..looks::first_order(azimuth_deg, 0.0)
+        };
+        let result = looks::traced(&plate, &request)?;
+        let exact = closed_forms::plate_near(1.2, 25.0, azimuth_deg.to_radians());
+        Ok(trial.answered(azimuth_deg, looks::relative_error(&result.amplitude_m, &[exact]), printed(&result)))
+    };
+    [0.0, 2.0, 20.0].into_iter().map(row).collect()
+}

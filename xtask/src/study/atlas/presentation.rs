@@ -1,0 +1,60 @@
+//! The atlas as CSV and page.
+
+use crate::study::atlas::{Extent, Row, Verdict};
+use crate::study::table;
+
+pub(in crate::study) fn count(rows: &[Row], verdict: Verdict) -> usize {
+    rows.iter().filter(|row| row.verdict == verdict).count()
+}
+
+/// Columns of interface.md.
+pub(in crate::study) fn csv(rows: &[Row]) -> String {
+    let fields = |r: &Row| {
+        let words = [r.stage, r.method, r.case, r.parameter, &r.value, &table::decibels(r.error), r.verdict.name()];
+        words.map(str::to_owned).to_vec()
+    };
+    table::csv("stage,method,case,parameter,value,error_db,verdict", rows.iter().map(fields))
+}
+
+const RULE: &str = "\
+# Atlas: where each method fails
+
+Each case has an answer that is known without the method under trial: a closed form,
+a series, an integral carried to convergence, another method, or the truth of a scene.
+
+- **good**: the error is at most −20 dB, the default accuracy of a scene.
+- **degraded**: it is larger, and the program says so: a printed error that holds it, a printed estimate of what the model
+  leaves out (node rules, next order, far field) at most 10 dB below it, a flag, a null or a remark in the result, or a
+  limit that the documentation of the method states. The last column has it.
+- **refused**: there is no answer, and the program says why.
+- **wrong**: larger, and nothing is said; or an input without an answer that was taken. A bug.
+
+Errors are complex amplitude errors as in `conventions.md`, of the level where a reference has no phase, and relative
+errors of an estimate where a case is about estimates.
+";
+
+pub(in crate::study) fn page(rows: &[Row], extent: Extent) -> String {
+    let command = match extent {
+        Extent::Quick => "cargo xtask atlas --quick --docs",
+        Extent::Full => "cargo xtask atlas --docs",
+    };
+    let counts: Vec<String> = Verdict::ALL.map(|v| format!("{} {}", count(rows, v), v.name())).to_vec();
+    let fields = |r: &Row| {
+        let words =
+            [r.stage, r.method, r.case, r.parameter, &r.value, &table::decibels(r.error), r.verdict.name(), &r.said];
+        words.map(str::to_owned).to_vec()
+    };
+    let header = ["stage", "method", "case", "parameter", "value", "error, dB", "verdict", "what the program says"];
+    format!(
+        "{RULE}\nMade by `{command}`. {} cases, {} rows: {}.\n\n![verdicts](pictures/atlas.svg)\n\n{}",
+        cases(rows).len(),
+        rows.len(),
+        counts.join(", "),
+        table::markdown(&header, rows.iter().map(fields))
+    )
+}
+
+/// Rows of one case stand together.
+fn cases(rows: &[Row]) -> Vec<&[Row]> {
+    rows.chunk_by(|a, b| (a.case, a.method) == (b.case, b.method)).collect()
+}

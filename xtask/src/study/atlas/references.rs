@@ -1,0 +1,54 @@
+//! The slow references where they are too coarse.
+
+use crate::study::atlas::verdict::Trial;
+use crate::study::atlas::{Extent, Row, Says};
+use crate::study::bodies;
+use crate::study::closed_forms;
+use crate::study::looks;
+use artifact::settings::Sides;
+use bart_rcs::reference::{Bracket, po, sbr};
+use std::f64::consts::PI;
+use wayside::host::failure::Failure;
+
+/// `rcs --method po` and `sbr` print no figure: they are told by their density, and compared as it grows.
+const BY_DENSITY: Says = Says::Words("error_db is null: a reference is known by its density alone");
+
+/// Rays along a wavelength over a square trihedral on its axis.
+pub(super) fn few_rays(_: Extent) -> Result<Vec<Row>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "sbr",
+        case: "square trihedral, order 3 alone",
+        parameter: "rays per wavelength",
+    };
+    let body = bodies::square_trihedral(0.1);
+    let request = looks::first_order(45.0, 0.5_f64.sqrt().atan().to_degrees());
+    let level = (12.0 * PI).sqrt() * 0.01 / looks::WAVELENGTH_M;
+    let row = |per_wavelength: f64| {
+        let shooting = sbr::Shooting { per_wavelength, bounces: 3, sides: Sides::Two, bracket: Bracket::Plain };
+        let found = sbr::amplitude(&body, &looks::aspect(&request), &request.frequency_hz, &shooting);
+        let found = found.map_err(Failure::refused)?.orders[2][0][0][0].norm();
+        Ok(trial.answered(per_wavelength, looks::level_error(found, level), BY_DENSITY))
+    };
+    [0.2, 0.5, 1.0, 2.0, 8.0].into_iter().map(row).collect()
+}
+
+/// Samples along a wavelength over a plate far off its normal.
+pub(super) fn few_samples(_: Extent) -> Result<Vec<Row>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "po",
+        case: "plate 20° off its normal",
+        parameter: "samples per wavelength",
+    };
+    let (body, request) = (bodies::plate(0.3), looks::first_order(20.0, 0.0));
+    let exact = closed_forms::plate_far(0.3, 20_f64.to_radians());
+    let row = |per_wavelength: f64| {
+        let sampling =
+            po::Sampling { per_wavelength, shadow_levels: 0, sides: Sides::Two, bracket: Bracket::Symmetrised };
+        let found = po::amplitude(&body, &looks::aspect(&request), &request.frequency_hz, &sampling);
+        let found = found.map_err(Failure::refused)?[0][0][0];
+        Ok(trial.answered(per_wavelength, looks::relative_error(&[found], &[exact]), BY_DENSITY))
+    };
+    [0.2, 0.5, 1.0, 2.0, 4.0].into_iter().map(row).collect()
+}

@@ -1,0 +1,136 @@
+//! A row of the atlas, and the rule that judges it.
+
+use artifact::units::db_from_amplitude;
+use std::fmt::Display;
+
+/// What the program's own answer says of its error, as relative amplitudes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::study) enum Says {
+    /// Nothing.
+    Nothing,
+    /// A figure that is meant to hold the error.
+    AtMost(f64),
+    /// A figure that estimates what a model leaves out: the spread of node rules, the next order, the far field.
+    About(f64),
+    /// A flag, a null or a remark in the result, or a limit that the method's documentation states.
+    Words(&'static str),
+}
+
+/// What became of a case.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::study) enum Verdict {
+    Good,
+    Degraded,
+    Refused,
+    Wrong,
+}
+
+impl Verdict {
+    pub(in crate::study) const ALL: [Self; 4] = [Self::Good, Self::Degraded, Self::Refused, Self::Wrong];
+
+    pub(in crate::study) fn name(self) -> &'static str {
+        match self {
+            Self::Good => "good",
+            Self::Degraded => "degraded",
+            Self::Refused => "refused",
+            Self::Wrong => "wrong",
+        }
+    }
+}
+
+/// −20 dB, the default accuracy of a scene: an error below it is good.
+const GOOD: f64 = 0.1;
+/// An estimate of a model's error covers an error up to 10 dB above it: the spread of node rules lies 5 to 8 dB below the
+/// error of its model in the mean over full-wave scenes (docs/physics.md §2).
+const ABOVE_ESTIMATE: f64 = 3.1623;
+
+/// Good within −20 dB; beyond it degraded where the program's own answer covers the error, wrong where it does not.
+fn verdict(error: f64, says: Says) -> Verdict {
+    let covered = match says {
+        Says::Nothing => false,
+        Says::AtMost(bound) => error <= bound,
+        Says::About(estimate) => error <= ABOVE_ESTIMATE * estimate,
+        Says::Words(_) => !error.is_nan(),
+    };
+    match (error <= GOOD, covered) {
+        (true, _) => Verdict::Good,
+        (false, true) => Verdict::Degraded,
+        (false, false) => Verdict::Wrong, // NaN ends here too
+    }
+}
+
+/// One case at one value of its parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::study) struct Row {
+    pub(in crate::study) stage: &'static str,
+    pub(in crate::study) method: &'static str,
+    pub(in crate::study) case: &'static str,
+    pub(in crate::study) parameter: &'static str,
+    pub(in crate::study) value: String,
+    /// Relative amplitude error; `None` of what was refused.
+    pub(in crate::study) error: Option<f64>,
+    pub(in crate::study) verdict: Verdict,
+    /// What the program said: a figure, a flag, or the refusal.
+    pub(in crate::study) said: String,
+}
+
+/// What is tried, before it is known what comes of it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Trial {
+    pub(super) stage: &'static str,
+    pub(super) method: &'static str,
+    pub(super) case: &'static str,
+    pub(super) parameter: &'static str,
+}
+
+impl Trial {
+    /// An answer whose error is known.
+    pub(super) fn answered(self, value: impl Display, error: f64, says: Says) -> Row {
+        self.row(value, Some(error), verdict(error, says), words(says))
+    }
+
+    /// An input that must be refused.
+    pub(super) fn must_refuse<T, E: Display>(self, value: impl Display, answer: Result<T, E>) -> Row {
+        match answer {
+            Ok(_) => self.row(value, None, Verdict::Wrong, "was taken".into()),
+            Err(refusal) => self.row(value, None, Verdict::Refused, refusal.to_string()),
+        }
+    }
+
+    fn row(self, value: impl Display, error: Option<f64>, verdict: Verdict, said: String) -> Row {
+        let Self { stage, method, case, parameter } = self;
+        Row { stage, method, case, parameter, value: value.to_string(), error, verdict, said }
+    }
+}
+
+fn words(says: Says) -> String {
+    match says {
+        Says::Nothing => String::new(),
+        Says::AtMost(bound) => format!("at most {:.1} dB", db_from_amplitude(bound)),
+        Says::About(estimate) => format!("about {:.1} dB", db_from_amplitude(estimate)),
+        Says::Words(words) => words.into(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_above_minus_twenty_db_needs_a_figure_that_covers_it() {
+        assert_eq!(verdict(0.09, Says::Nothing), Verdict::Good);
+        assert_eq!(verdict(0.2, Says::Nothing), Verdict::Wrong);
+        assert_eq!(verdict(0.2, Says::AtMost(0.25)), Verdict::Degraded);
+        assert_eq!(verdict(0.2, Says::AtMost(0.15)), Verdict::Wrong);
+        assert_eq!(verdict(0.2, Says::About(0.07)), Verdict::Degraded);
+        assert_eq!(verdict(f64::NAN, Says::AtMost(1.0)), Verdict::Wrong);
+        assert_eq!(verdict(f64::NAN, Says::Words("null")), Verdict::Wrong);
+    }
+
+    #[test]
+    fn what_should_be_refused_and_is_taken_is_wrong() {
+        let trial = Trial { stage: "scene", method: "read", case: "test", parameter: "none" };
+        assert_eq!(trial.must_refuse("", Ok::<(), &str>(())).verdict, Verdict::Wrong);
+        assert_eq!(trial.must_refuse("", Err::<(), &str>("no")).verdict, Verdict::Refused);
+    }
+}

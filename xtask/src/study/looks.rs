@@ -1,0 +1,63 @@
+//! A body looked at: what is asked of the tracer, and how far two answers are apart.
+
+use artifact::Accuracy;
+use artifact::radar::Polarization;
+use artifact::scene::Mesh;
+use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::units::SPEED_OF_LIGHT_MPS;
+use bart_rcs::{RcsRequest, RcsResult, Standpoint};
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+use wayside::host::failure::Failure;
+
+/// The frequency of the closed forms of docs/physics.md.
+pub(super) const FREQUENCY_HZ: f64 = 77e9;
+pub(super) const WAVELENGTH_M: f64 = SPEED_OF_LIGHT_MPS / FREQUENCY_HZ;
+pub(super) const K: f64 = TAU / WAVELENGTH_M;
+
+/// One aspect from infinity, first order, asked for at −60 dB.
+pub(super) fn first_order(azimuth_deg: f64, elevation_deg: f64) -> RcsRequest {
+    RcsRequest {
+        frequency_hz: vec![FREQUENCY_HZ],
+        elevation_rad: vec![elevation_deg.to_radians()],
+        azimuth_rad: vec![azimuth_deg.to_radians()],
+        range_m: f64::INFINITY,
+        receiver: None,
+        polarization: Polarization::Vv,
+        bounces: 1,
+        nodes: NodeRule::Middle,
+        sides: Sides::Two,
+        edges: Edges::Ignored,
+        surface: Surface::Flat,
+        accuracy: Accuracy::from_db(-60.0),
+    }
+}
+
+pub(super) fn bounced(azimuth_deg: f64, elevation_deg: f64, bounces: u8) -> RcsRequest {
+    RcsRequest { bounces, ..first_order(azimuth_deg, elevation_deg) }
+}
+
+pub(super) fn traced(mesh: &Mesh, request: &RcsRequest) -> Result<RcsResult, Failure> {
+    bart_rcs::rcs(mesh, request, &|_, _| ()).map_err(Failure::refused)
+}
+
+/// Where the one antenna of a request stands, for the references.
+pub(super) fn aspect(request: &RcsRequest) -> bart_rcs::reference::Aspect {
+    bart_rcs::reference::Aspect::monostatic(Standpoint {
+        azimuth_rad: request.azimuth_rad[0],
+        elevation_rad: request.elevation_rad[0],
+        range_m: request.range_m,
+    })
+}
+
+/// ‖S − S_ref‖ / ‖S_ref‖ (docs/conventions.md).
+pub(super) fn relative_error(found: &[Complex64], reference: &[Complex64]) -> f64 {
+    let power = |values: &mut dyn Iterator<Item = Complex64>| values.map(|z| z.norm_sqr()).sum::<f64>();
+    let missed = power(&mut found.iter().zip(reference).map(|(a, b)| a - b));
+    (missed / power(&mut reference.iter().copied())).sqrt()
+}
+
+/// ||S|/|S_ref| − 1|, where the reference has no phase.
+pub(super) fn level_error(found: f64, reference: f64) -> f64 {
+    (found / reference - 1.0).abs()
+}

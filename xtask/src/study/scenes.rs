@@ -1,0 +1,94 @@
+//! Scenes of the studies: a scene file's radar and settings, bodies in its lanes, and the chain from them to points.
+
+use artifact::cube::{CubeFrame, CubeHeader};
+use artifact::paths::PathsFrame;
+use artifact::points::PointsFrame;
+use artifact::rcs::RcsFrame;
+use artifact::rdm::RdmFrame;
+use artifact::scene::{Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
+use scene::{Meshes, ReadOptions};
+use std::f64::consts::FRAC_PI_2;
+use wayside::host::failure::Failure;
+
+/// A scene from the words of a scene file; without targets unless they are in it.
+pub(crate) fn scene_of(words: &str) -> Result<SceneHeader, Failure> {
+    let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
+    let file = folder.path().join("study.toml");
+    std::fs::write(&file, format!("name = \"study\"\n{words}")).map_err(|e| Failure::system(&file, "write", e))?;
+    // The folder's name is another in every run; it is left out of what a page quotes.
+    let named =
+        |e: scene::SceneErrors| Failure::refused(e.to_string().replace(&format!("{}/", folder.path().display()), ""));
+    scene::read(&file, &ReadOptions { model: None, radar: None, meshes: Meshes::Whole }).map_err(named)
+}
+
+/// The scene with one more body; its front turned to −y, to the radar, as that of an approaching vehicle.
+pub(super) fn with_body(
+    mut header: SceneHeader,
+    body: &Mesh,
+    position_m: [f64; 3],
+    velocity_mps: [f64; 3],
+) -> SceneHeader {
+    let mesh = header.meshes.len() as u32;
+    header.meshes.push(body.clone());
+    let kind = TargetKind::Mesh { class: None, model: body.name.clone(), mesh };
+    let start = Pose { position_m, yaw_rad: -FRAC_PI_2, velocity_mps, acceleration_mps2: [0.0; 3] };
+    header.targets.push(Target { id: format!("body-{mesh}"), role: Role::Target, kind, start });
+    header
+}
+
+/// The scene with one more point target.
+pub(super) fn with_point(
+    mut header: SceneHeader,
+    rcs_m2: f64,
+    position_m: [f64; 3],
+    velocity_mps: [f64; 3],
+) -> SceneHeader {
+    let id = format!("point-{}", header.targets.len());
+    let start = Pose { position_m, yaw_rad: 0.0, velocity_mps, acceleration_mps2: [0.0; 3] };
+    header.targets.push(Target { id, role: Role::Target, kind: TargetKind::Point { rcs_m2, wheel: None }, start });
+    header
+}
+
+/// Its first frame.
+pub(super) fn frame_of(header: &SceneHeader) -> SceneFrame {
+    scene::snapshot(header, 0)
+}
+
+pub(super) fn paths_of(header: &SceneHeader) -> Result<PathsFrame, Failure> {
+    paths_at(header, &frame_of(header))
+}
+
+pub(super) fn paths_at(header: &SceneHeader, frame: &SceneFrame) -> Result<PathsFrame, Failure> {
+    let models = bart_rcs::Models::build(header).map_err(Failure::refused)?;
+    bart_rcs::trace_frame(&models, header, frame).map_err(Failure::refused)
+}
+
+/// The paper's σ_f at a frame.
+pub(super) fn tables_at(header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, Failure> {
+    let models = bart_rcs::Models::build(header).map_err(Failure::refused)?;
+    bart_rcs::rcs_frame(&models, header, frame).map_err(Failure::refused)
+}
+
+pub(crate) fn cube_header(header: &SceneHeader) -> CubeHeader {
+    CubeHeader { radar: header.radar.clone(), noise: header.noise, dsp: header.dsp.clone() }
+}
+
+pub(super) fn cube_of(header: &SceneHeader, paths: &PathsFrame) -> Result<CubeFrame, Failure> {
+    let centre_hz = header.radar.waveform.centre_frequency_hz();
+    let accuracy = wayside::chain::link::echo_accuracy(header);
+    fmcw_echo::synthesize(&cube_header(header), header.seed, paths, centre_hz, accuracy, &|_| ())
+        .map_err(Failure::refused)
+}
+
+/// What a radar sees of the first frame.
+pub(super) struct Seen {
+    pub(super) map: RdmFrame,
+    pub(super) points: PointsFrame,
+}
+
+pub(super) fn seen(header: &SceneHeader) -> Result<Seen, Failure> {
+    let cube = cube_of(header, &paths_of(header)?)?;
+    let map = dsp::range_doppler(&cube_header(header), &cube).map_err(Failure::refused)?;
+    let points = dsp::detect(&cube_header(header), &map).map_err(Failure::refused)?;
+    Ok(Seen { map, points })
+}
