@@ -15,7 +15,7 @@ use wayside::program::{self, terminal};
 fn main() -> ExitCode {
     let arguments: cli::Arguments = program::cli::parse_or_exit();
     let command = arguments.command;
-    terminal::goes_on_unheard(command.leaves_files());
+    terminal::expect(command.results());
     program::enter("cargo xtask", command.name(), &arguments.general, |means| carry_out(command, means))
 }
 

@@ -5,9 +5,13 @@ use crate::svg::{Svg, wrapped};
 /// One axis: its range in numbers and in pixels.
 #[derive(Debug, Clone, Copy)]
 pub struct Axis {
+    /// Number at its start.
     pub from: f64,
+    /// Number at its end.
     pub to: f64,
+    /// Pixel of its start.
     pub start_px: f64,
+    /// Pixel of its end.
     pub end_px: f64,
 }
 
@@ -42,7 +46,9 @@ fn round_step(step: f64) -> f64 {
 /// A box with a horizontal and a vertical axis.
 #[derive(Debug, Clone, Copy)]
 pub struct Axes {
+    /// To the right.
     pub x: Axis,
+    /// Upwards: it starts at the lower pixel.
     pub y: Axis,
 }
 

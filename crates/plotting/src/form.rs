@@ -32,7 +32,9 @@ impl Form {
 /// A picture in both forms.
 #[derive(Debug, Clone)]
 pub struct Figure {
+    /// For a page.
     pub wide: Svg,
+    /// For a telephone.
     pub narrow: Svg,
 }
 

@@ -11,18 +11,23 @@ use ndarray::Array2;
 /// A map with axes; row 0 lies at the bottom, and axes run between the middles of the outer cells.
 #[derive(Debug, Clone)]
 pub struct HeatMap {
+    /// Over the map.
     pub title: String,
     /// Said below the title.
     pub notes: Vec<String>,
+    /// Label and ends of the horizontal axis.
     pub x: (String, [f64; 2]),
+    /// Label and ends of the vertical axis.
     pub y: (String, [f64; 2]),
     /// Decibels, `[y, x]`.
     pub levels_db: Array2<f64>,
     /// Shown below the brightest cell.
     pub span_db: f64,
+    /// Of the levels, below their scale.
     pub unit: String,
     /// A picture with transparent parts that is laid over the map.
     pub over: Option<Vec<u8>>,
+    /// What marks mean.
     pub legend: Legend,
 }
 

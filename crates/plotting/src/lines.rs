@@ -19,7 +19,9 @@ pub enum Scale {
 /// A named line.
 #[derive(Debug, Clone)]
 pub struct Line {
+    /// Said in the legend.
     pub name: String,
+    /// Numbers `[x, y]`, in the order in which they are joined.
     pub points: Vec<[f64; 2]>,
     /// Whether its points are marked.
     pub marked: bool,
@@ -28,13 +30,19 @@ pub struct Line {
 /// Lines with axes and a legend.
 #[derive(Debug, Clone)]
 pub struct LinePlot {
+    /// Over the plot.
     pub title: String,
     /// What is to be known beforehand: scene, which side is better.
     pub notes: Vec<String>,
+    /// Below the horizontal axis.
     pub x_label: String,
+    /// Beside the vertical axis.
     pub y_label: String,
+    /// Of the horizontal axis.
     pub x_scale: Scale,
+    /// Of the vertical axis.
     pub y_scale: Scale,
+    /// Drawn in this order.
     pub lines: Vec<Line>,
 }
 

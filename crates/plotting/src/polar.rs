@@ -8,7 +8,9 @@ use crate::svg::Svg;
 /// Decibels over azimuth: 0° points up, where the body's front is, and grows counter-clockwise as seen from above.
 #[derive(Debug, Clone)]
 pub struct PolarPlot {
+    /// Over the diagram.
     pub title: String,
+    /// Of the levels.
     pub unit: String,
     /// Name and (degrees, decibels) of each line.
     pub lines: Vec<(String, Vec<[f64; 2]>)>,
@@ -21,6 +23,7 @@ const SPAN_DB: f64 = 60.0;
 const RING_DB: f64 = 10.0;
 
 impl PolarPlot {
+    /// The whole diagram.
     pub fn draw(&self) -> Svg {
         let mut sheet = Svg::new(self.title.clone(), 480.0, 0.0);
         let note = "0° is the body's front; azimuth grows counter-clockwise, seen from above".to_owned();

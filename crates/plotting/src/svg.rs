@@ -6,7 +6,9 @@ use std::fmt::Write;
 /// A picture of fixed size in pixels.
 #[derive(Debug, Clone)]
 pub struct Svg {
+    /// Pixels.
     pub width: f64,
+    /// Pixels.
     pub height: f64,
     /// Said to people who cannot see it.
     pub title: String,

@@ -94,7 +94,7 @@ pub(crate) fn write_map(file: &Path, header: &CubeHeader, rdm: &RdmFrame) -> Res
 }
 
 /// An SVG as PNG.
-pub(crate) fn write_png(file: &Path, picture: &Svg) -> Result<(), Failure> {
+pub fn write_png(file: &Path, picture: &Svg) -> Result<(), Failure> {
     let bytes = raster::png(picture).map_err(|e| Failure::system(file, "draw", e))?;
     files::write_file(file, &bytes)
 }

@@ -5,6 +5,7 @@ mod fit;
 mod random_scenes;
 mod table;
 
+use crate::cli::BenchArguments;
 use crate::project::project_root;
 use child::Taken;
 use random_scenes::RandomScene;
@@ -18,8 +19,8 @@ use wayside::chain::plan::FramePlan;
 use wayside::host::failure::Failure;
 use wayside::host::files;
 use wayside::host::processor_time;
-use wayside::program::cli::{BenchArguments, SceneArguments};
 use wayside::program::terminal;
+use wayside::{Allowance, SceneSource};
 
 /// One scene.
 struct Row {
@@ -115,10 +116,10 @@ fn row(scene: RandomScene, folder: &Path, known: Option<&Taken>) -> Result<Optio
 
 /// As `run --dry-run` says it on a machine as fast as that.
 fn expected(file: &Path, machine_speed: f64) -> Result<(Expectation, Load, usize), Failure> {
-    let arguments = SceneArguments { scene: file.to_owned(), model: None, radar: None, seed: None };
+    let arguments = SceneSource { file: file.to_owned(), ..SceneSource::default() };
     let loaded = loading::scene(&arguments, None)?;
     let model = loading::model(None)?;
-    let chain = Chain::of(&loaded.header, None, model.as_ref());
+    let chain = Chain::of(&loaded.header, None, Some(&model), Allowance::of(None));
     let plans: Vec<FramePlan> = (0..loaded.header.frames).map(|index| chain.plan(index)).collect();
     let expected = Expectation::at_speed(&chain, None, &plans, machine_speed)?;
     Ok((expected, chain.largest_load(&plans)?, chain.side_by_side(&plans)?))

@@ -7,9 +7,9 @@ use std::fs::File;
 use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
 use wayside::host::failure::Failure;
-use wayside::program::commands::learning::train;
+use wayside::program::commands::training_target_folder as target_folder;
 
-pub(super) use train::PROGRAM as PACKAGE;
+pub(super) use wayside::program::commands::TRAINING_PROGRAM as PACKAGE;
 
 /// What is under way; ended with what began it.
 pub(super) struct Training {
@@ -20,9 +20,9 @@ pub(super) struct Training {
 impl Training {
     /// Tests first: what they build is most of the time; then lints and docs, as of the other crates.
     pub(super) fn begin() -> Result<Self, Failure> {
-        let log = train::target_folder().join("ci.log");
+        let log = target_folder(&project_root()).join("ci.log");
         let failed = |e: std::io::Error| Failure::system(&log, "write", e);
-        std::fs::create_dir_all(train::target_folder()).map_err(failed)?;
+        std::fs::create_dir_all(target_folder(&project_root())).map_err(failed)?;
         let file = File::create(&log).map_err(failed)?;
         let words = format!(
             "cargo test --release --package {PACKAGE} && \
@@ -30,7 +30,10 @@ impl Training {
              RUSTDOCFLAGS='-D warnings' cargo doc --release --package {PACKAGE} --no-deps"
         );
         let mut command = Command::new("sh");
-        command.args(["-c", &words]).env("CARGO_TARGET_DIR", train::target_folder()).current_dir(project_root());
+        command
+            .args(["-c", &words])
+            .env("CARGO_TARGET_DIR", target_folder(&project_root()))
+            .current_dir(project_root());
         command.stdin(Stdio::null()).stderr(file.try_clone().map_err(failed)?).stdout(file);
         Ok(Self { child: command.spawn().map_err(|e| Failure::System(format!("sh: {e}")))?, log })
     }

@@ -40,7 +40,7 @@ impl Default for CacheLocation {
 }
 
 /// An open cache.
-pub(crate) struct Cache {
+pub struct Cache {
     root: PathBuf,
     limit_bytes: u64,
     /// Whether it could be marked, once something was to be kept.

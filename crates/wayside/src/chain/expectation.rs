@@ -1,9 +1,9 @@
 //! What a run is expected to take: the work of its stages, counted before it begins, at rates that were measured on many scenes.
 
-pub(crate) mod machine_speed;
+pub mod machine_speed;
 pub(crate) mod rates;
 mod tracer_work;
-pub(crate) mod work;
+pub mod work;
 
 use crate::chain::cache::Cache;
 use crate::chain::link::Chain;
@@ -12,12 +12,13 @@ use crate::host::failure::Failure;
 use work::Work;
 
 /// What all frames of a run are expected to take.
-pub(crate) struct Expectation {
-    pub(crate) work: Work,
+pub struct Expectation {
+    /// Counted by kind.
+    pub work: Work,
     /// Processor seconds, all threads together.
-    pub(crate) seconds: f64,
+    pub seconds: f64,
     /// Held at most, frames that are computed side by side together.
-    pub(crate) memory_mib: f64,
+    pub memory_mib: f64,
 }
 
 impl Expectation {
@@ -27,7 +28,7 @@ impl Expectation {
     }
 
     /// On a machine of another speed.
-    pub(crate) fn at_speed(
+    pub fn at_speed(
         chain: &Chain,
         cache: Option<&Cache>,
         plans: &[FramePlan],
@@ -41,7 +42,7 @@ impl Expectation {
 
 impl Expectation {
     /// Processor seconds of each kind of work on the machine of the rates.
-    pub(crate) fn rates() -> [f64; work::ITEMS] {
+    pub fn rates() -> [f64; work::ITEMS] {
         rates::by_item()
     }
 }

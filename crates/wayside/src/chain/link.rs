@@ -63,12 +63,12 @@ pub(crate) struct FrameProducts {
 
 /// What the sum over paths may err by: a tenth of what the paths themselves may, and no more than −60 dB, so that nothing of it
 /// is seen above the floor of a map without noise.
-pub(crate) fn echo_accuracy(header: &SceneHeader) -> Accuracy {
+pub fn echo_accuracy(header: &SceneHeader) -> Accuracy {
     Accuracy::from_db((header.fidelity.accuracy.db() - 20.0).min(-60.0))
 }
 
 /// A scene with everything that its frames share.
-pub(crate) struct Chain<'a> {
+pub struct Chain<'a> {
     pub(crate) header: &'a SceneHeader,
     pub(crate) cube_header: CubeHeader,
     echo_header: CubeHeader,
@@ -87,7 +87,7 @@ pub(crate) struct Chain<'a> {
 
 impl<'a> Chain<'a> {
     /// Its frames are looked for in the cache and classified by the model, and tracing takes no more memory than it may.
-    pub(crate) fn of(
+    pub fn of(
         header: &'a SceneHeader,
         cache: Option<&'a Cache>,
         model: Option<&'a LoadedModel>,
@@ -125,7 +125,7 @@ impl<'a> Chain<'a> {
     }
 
     /// What one frame needs and why.
-    pub(crate) fn plan(&self, index: u32) -> FramePlan {
+    pub fn plan(&self, index: u32) -> FramePlan {
         let frame = scene::snapshot(self.header, index);
         let model = self.model.map(|m| m.hash.as_str());
         let keys = FrameKeys::of(self.header, &self.parts, &frame, model);

@@ -17,7 +17,7 @@ use std::sync::OnceLock;
 const CROPS: usize = 100;
 
 /// A classifier and what names it in a cache key.
-pub(crate) struct LoadedModel {
+pub struct LoadedModel {
     header: ModelHeader,
     weights: Weights,
     pub(crate) hash: String,
@@ -37,7 +37,7 @@ impl LoadedModel {
     }
 
     /// The same of the bytes of a model file.
-    pub(crate) fn of_bytes(bytes: &[u8]) -> Result<Self, Failure> {
+    pub(crate) fn of_bytes(bytes: &'static [u8]) -> Result<Self, Failure> {
         classifier::model_of_bytes(bytes).map(Self::of).map_err(of_classifier)
     }
 

@@ -26,8 +26,9 @@ pub struct SceneSource {
 }
 
 /// A scene and how it was come by.
-pub(crate) struct LoadedScene {
-    pub(crate) header: SceneHeader,
+pub struct LoadedScene {
+    /// As every stage reads it.
+    pub header: SceneHeader,
     pub(crate) cached: bool,
     pub(crate) seconds: f64,
     /// Name and hash of the files it was read from.
@@ -35,7 +36,7 @@ pub(crate) struct LoadedScene {
 }
 
 /// Reads the scene, or takes it from the cache where no file that it reads has changed.
-pub(crate) fn scene(source: &SceneSource, cache: Option<&Cache>) -> Result<LoadedScene, Failure> {
+pub fn scene(source: &SceneSource, cache: Option<&Cache>) -> Result<LoadedScene, Failure> {
     let start = Instant::now();
     let (model, radar) = (source.model.clone(), source.radar.clone());
     let options = scene::ReadOptions { model, radar, meshes: scene::Meshes::Whole };
@@ -98,7 +99,7 @@ pub(crate) fn hashed(files: &[PathBuf]) -> Result<Vec<(String, String)>, Failure
 }
 
 /// The model that was asked for, else the one that ships with the program.
-pub(crate) fn model(asked: Option<&Path>) -> Result<LoadedModel, Failure> {
+pub fn model(asked: Option<&Path>) -> Result<LoadedModel, Failure> {
     asked.map_or_else(|| LoadedModel::of_bytes(places::SHIPPED_MODEL), LoadedModel::read)
 }
 

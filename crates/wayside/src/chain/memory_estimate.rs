@@ -15,19 +15,21 @@ use artifact::settings::EchoMode;
 
 /// What the memory of a frame goes into, expected.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Load {
+pub struct Load {
     /// Cubes, maps and paths of the ground.
-    pub(crate) signal_mib: f64,
-    /// Facets that are placed, lit polygons, and cells of paths.
-    pub(crate) facets: f64,
-    pub(crate) beams: f64,
-    pub(crate) cells: f64,
+    pub signal_mib: f64,
+    /// Facets that are placed.
+    pub facets: f64,
+    /// Lit polygons.
+    pub beams: f64,
+    /// Cells of paths.
+    pub cells: f64,
     /// The same cells where a body moves: then their paths may be held for several moments of the frame.
-    pub(crate) changing_cells: f64,
+    pub changing_cells: f64,
     /// Tiles between bodies that slide past each other, times the wavelengths that they do.
-    pub(crate) sliding_tiles: f64,
+    pub sliding_tiles: f64,
     /// Cells of such ways, however far they slide.
-    pub(crate) moving_cells: f64,
+    pub moving_cells: f64,
 }
 
 impl Load {
@@ -66,7 +68,7 @@ impl Chain<'_> {
 
     /// How many frames are computed at a time: one a thread, as many as are expected to fit into the memory that they may
     /// take. A frame's own work is in parallel too; what of it is not, is done beside another frame.
-    pub(crate) fn side_by_side(&self, plans: &[FramePlan]) -> Result<usize, Failure> {
+    pub fn side_by_side(&self, plans: &[FramePlan]) -> Result<usize, Failure> {
         let most = rayon::current_num_threads().min(plans.len()).max(1);
         let Some(limit_mib) = self.memory().mib().filter(|_| most > 1) else { return Ok(most) };
         let fitting = (limit_mib / (PROGRAM_MIB + self.largest_load(plans)?.mib())) as usize;
@@ -74,7 +76,7 @@ impl Chain<'_> {
     }
 
     /// Of the frame that is expected to hold most.
-    pub(crate) fn largest_load(&self, plans: &[FramePlan]) -> Result<Load, Failure> {
+    pub fn largest_load(&self, plans: &[FramePlan]) -> Result<Load, Failure> {
         plans.iter().try_fold(Load::default(), |most, plan| {
             let load = self.load(plan)?;
             Ok(if load.mib() > most.mib() { load } else { most })

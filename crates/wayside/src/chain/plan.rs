@@ -16,7 +16,7 @@ use artifact::settings::EchoMode;
 const PER_FRAME: [Stage; 4] = [Stage::BartRcs, Stage::FmcwEcho, Stage::Dsp, Stage::Classifier];
 
 /// What happens to one frame.
-pub(crate) struct FramePlan {
+pub struct FramePlan {
     pub(crate) index: u32,
     pub(crate) keys: FrameKeys,
     /// For each stage that is part of the run, `None` if its frame is cached, else why it runs.

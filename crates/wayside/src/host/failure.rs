@@ -6,7 +6,7 @@ use std::path::Path;
 
 /// The sentence was made by the error it came from; what a program makes of its kind is the program's.
 #[derive(Debug, thiserror::Error)]
-pub(crate) enum Failure {
+pub enum Failure {
     /// An input was read and refused, or a check of `ci` failed.
     #[error("{0}")]
     Refused(String),
@@ -23,12 +23,12 @@ pub(crate) enum Failure {
 
 impl Failure {
     /// A refusal in the words of a stage, which knows no files.
-    pub(crate) fn refused(error: impl std::fmt::Display) -> Self {
+    pub fn refused(error: impl std::fmt::Display) -> Self {
         Self::Unplaced(error.to_string())
     }
 
     /// With the file that was read, where none is named yet.
-    pub(crate) fn about(self, file: &Path) -> Self {
+    pub fn about(self, file: &Path) -> Self {
         match self {
             Self::Unplaced(text) => Self::Refused(format!("{}: {text}", file.display())),
             placed => placed,
@@ -36,13 +36,13 @@ impl Failure {
     }
 
     /// An input was not read whole: the system's fault, or its own.
-    pub(crate) fn unread(file: &Path, fault: &ReadFault) -> Self {
+    pub fn unread(file: &Path, fault: &ReadFault) -> Self {
         let text = format!("{}: {fault}", file.display());
         if fault.is_system() { Self::System(text) } else { Self::Refused(text) }
     }
 
     /// What the system answered about `file`.
-    pub(crate) fn system(file: &Path, doing: &str, error: impl std::fmt::Display) -> Self {
+    pub fn system(file: &Path, doing: &str, error: impl std::fmt::Display) -> Self {
         Self::System(format!("{}: cannot {doing}: {error}", file.display()))
     }
 }

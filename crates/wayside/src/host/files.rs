@@ -9,7 +9,7 @@ use std::sync::{Mutex, PoisonError};
 
 /// Refuses what could not be written, before the work that it is the result of: no plain file, an input, a place without
 /// permission, or one place for two results.
-pub(crate) fn claim(places: &[PathBuf]) -> Result<(), Failure> {
+pub fn claim(places: &[PathBuf]) -> Result<(), Failure> {
     let mut claimed = BTreeSet::new();
     for place in places {
         whole_file::check(place)?;
@@ -21,12 +21,12 @@ pub(crate) fn claim(places: &[PathBuf]) -> Result<(), Failure> {
 }
 
 /// Writes `file` whole or not at all; folders that are missing are made.
-pub(crate) fn write_file(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+pub fn write_file(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     write_with(file, |stream| stream.write_all(bytes))
 }
 
 /// As [`write_file`], for what grows and is written again and again.
-pub(crate) fn write_again(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+pub fn write_again(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let mut whole = WholeFile::create(file)?;
     whole.write_all(bytes).map_err(|e| Failure::system(file, "write", e))?;
     Ok(whole.finish(Durability::InCache)?)

@@ -6,13 +6,13 @@ use std::time::Instant;
 ///
 /// Read from `/proc/self/stat` (`proc(5)`: utime and stime), which counts in hundredths of a second: for differences of a
 /// tenth of a second and more.
-pub(crate) fn of_process() -> Option<f64> {
+pub fn of_process() -> Option<f64> {
     ticks(&std::fs::read_to_string("/proc/self/stat").ok()?).map(|ticks| ticks as f64 / TICKS_PER_SECOND)
 }
 
 /// The same of the threads that are alive, in nanoseconds (`proc(5)`, schedstat): for differences between two moments
 /// between which no thread ends.
-pub(crate) fn of_living_threads() -> Option<f64> {
+pub fn of_living_threads() -> Option<f64> {
     let mut sum_ns = 0_u64;
     for task in std::fs::read_dir("/proc/self/task").ok()?.flatten() {
         let text = std::fs::read_to_string(task.path().join("schedstat")).ok()?;
@@ -72,7 +72,7 @@ impl WorkClock {
 }
 
 /// The same of the processes that this one has begun and waited for.
-pub(crate) fn of_ended_children() -> Option<f64> {
+pub fn of_ended_children() -> Option<f64> {
     let stat = std::fs::read_to_string("/proc/self/stat").ok()?;
     ticks_from(&stat, 13).map(|ticks| ticks as f64 / TICKS_PER_SECOND)
 }

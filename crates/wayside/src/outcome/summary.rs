@@ -1,7 +1,6 @@
 //! `summary.json`: its keys are promised in `docs/interface.md`.
 
 use crate::chain::frame_result::FrameResult;
-use crate::chain::loaded_model::ClassRule;
 use crate::chain::measured_frames::errors_of_frame;
 use crate::chain::stages::Stage;
 use crate::evaluation::frame_truth::FrameTruth;
@@ -10,9 +9,9 @@ use crate::outcome::false_objects;
 use crate::outcome::verdict::{Asking, Verdict};
 use artifact::accuracy::{ErrorBudget, ModelError};
 use artifact::paths::{PathsFrame, TargetDetail};
-use artifact::points::{Object, PointsFrame};
+use artifact::points::Object;
 use artifact::radar::{ElementError, Sampling};
-use artifact::scene::{Role, SceneFrame, SceneHeader, TargetKind};
+use artifact::scene::{Role, SceneHeader, TargetKind};
 use artifact::settings::{Class, StaticEchoes};
 use artifact::units::db_from_amplitude;
 use serde_json::{Map, Value, json};

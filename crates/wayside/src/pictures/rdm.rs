@@ -57,7 +57,7 @@ pub(super) fn draw(header: &CubeHeader, rdm: &RdmFrame, over: &OnMap, form: Form
     let top = head(&mut sheet, &title, &[note]);
     let axes = axes(header, form, top);
     let (corner, size) = ([axes.x.start_px, top], [axes.x.end_px - axes.x.start_px, axes.y.start_px - top]);
-    sheet.image(corner, size, &heat_png(&map, levels)?);
+    sheet.image(corner, size, &heat_png(&map, levels).map_err(Failure::refused)?);
     axes.draw(&mut sheet, "range, m", "radial velocity, m/s");
     scale_bar(&mut sheet, &axes, levels, "dBW");
     let legend = marks(&mut sheet, header, &axes, over);

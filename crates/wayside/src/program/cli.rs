@@ -4,13 +4,13 @@ use crate::chain::cache::CacheLocation;
 use crate::chain::loading::SceneSource;
 use crate::program::export_formats::FORMATS;
 use crate::program::suggestion::suggest;
-use crate::program::terminal;
+use crate::program::terminal::{self, Results};
 pub(crate) use crate::program::values::{Axis, Place, Shard};
 use crate::program::values::{
     accuracy_db, azimuth_deg, azimuths, density, elevation_deg, elevations, frequencies, place, range,
 };
 use crate::program::values::{scale, shard, step};
-use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
 /// From a 3D model to a vehicle class: scattering at 77 GHz, FMCW echoes, detection, classification.
@@ -62,9 +62,14 @@ impl Command {
         }
     }
 
-    /// Whether its results are files, and not lines of standard output alone.
-    pub(crate) fn leaves_files(&self) -> bool {
-        !matches!(self, Self::Classify(_) | Self::Evaluate(_) | Self::Protocols(_) | Self::Inspect(_) | Self::Cache(_))
+    /// What it leaves.
+    pub fn results(&self) -> Results {
+        match self {
+            Self::Classify(_) | Self::Evaluate(_) | Self::Protocols(_) | Self::Inspect(_) | Self::Cache(_) => {
+                Results::Lines
+            }
+            _ => Results::Files,
+        }
     }
 }
 
@@ -169,8 +174,9 @@ impl CacheArguments {
     }
 }
 
+/// Words of `run`.
 #[derive(Debug, Args)]
-pub(crate) struct RunArguments {
+pub struct RunArguments {
     #[command(flatten)]
     pub(crate) scene: SceneArguments,
     /// Where everything goes [default: out/ and the scene's name].
@@ -192,8 +198,9 @@ pub(crate) struct RunArguments {
     pub(crate) cache: CacheArguments,
 }
 
+/// Words of `rcs`.
 #[derive(Debug, Args)]
-pub(crate) struct RcsArguments {
+pub struct RcsArguments {
     /// Mesh (.glb, .gltf, .stl, .obj) or the name of an own vehicle.
     #[arg(value_name = "MESH")]
     pub(crate) mesh: PathBuf,
@@ -262,8 +269,9 @@ pub(crate) struct RcsArguments {
     pub(crate) out: PathBuf,
 }
 
+/// Words of `paths`.
 #[derive(Debug, Args)]
-pub(crate) struct PathsArguments {
+pub struct PathsArguments {
     #[command(flatten)]
     pub(crate) scene: SceneArguments,
     /// Result.
@@ -271,8 +279,9 @@ pub(crate) struct PathsArguments {
     pub(crate) out: PathBuf,
 }
 
+/// Words of `echo`.
 #[derive(Debug, Args)]
-pub(crate) struct EchoArguments {
+pub struct EchoArguments {
     #[command(flatten)]
     pub(crate) scene: SceneArguments,
     /// Paths to use instead of tracing them.
@@ -283,8 +292,9 @@ pub(crate) struct EchoArguments {
     pub(crate) out: PathBuf,
 }
 
+/// Words of `dsp`.
 #[derive(Debug, Args)]
-pub(crate) struct DspArguments {
+pub struct DspArguments {
     /// Radar cubes.
     #[arg(value_name = "F.cube")]
     pub(crate) cube: PathBuf,
@@ -302,8 +312,9 @@ pub(crate) struct DspArguments {
     pub(crate) pictures: bool,
 }
 
+/// Words of `dataset`.
 #[derive(Debug, Args)]
-pub(crate) struct DatasetArguments {
+pub struct DatasetArguments {
     /// Recipe.
     #[arg(value_name = "SPEC.toml")]
     pub(crate) spec: PathBuf,
@@ -325,8 +336,9 @@ pub(crate) enum LearnerWord {
     Paper,
 }
 
+/// Words of `train`.
 #[derive(Debug, Args)]
-pub(crate) struct TrainArguments {
+pub struct TrainArguments {
     /// Dataset folders.
     #[arg(value_name = "DIR", required = true)]
     pub(crate) datasets: Vec<PathBuf>,
@@ -347,8 +359,9 @@ pub(crate) struct TrainArguments {
     pub(crate) attributions: Option<PathBuf>,
 }
 
+/// Words of `evaluate`.
 #[derive(Debug, Args)]
-pub(crate) struct EvaluateArguments {
+pub struct EvaluateArguments {
     /// Model file or folder.
     #[arg(value_name = "MODEL")]
     pub(crate) model: PathBuf,
@@ -360,8 +373,9 @@ pub(crate) struct EvaluateArguments {
     pub(crate) out: Option<PathBuf>,
 }
 
+/// Words of `protocols`.
 #[derive(Debug, Args)]
-pub(crate) struct ProtocolsArguments {
+pub struct ProtocolsArguments {
     /// Dataset folders that train; their vehicles are held out in turn.
     #[arg(value_name = "DIR", required = true)]
     pub(crate) datasets: Vec<PathBuf>,
@@ -385,8 +399,9 @@ pub(crate) struct ProtocolsArguments {
     pub(crate) out: Option<PathBuf>,
 }
 
+/// Words of `classify`.
 #[derive(Debug, Args)]
-pub(crate) struct ClassifyArguments {
+pub struct ClassifyArguments {
     /// Model file or folder.
     #[arg(value_name = "MODEL")]
     pub(crate) model: PathBuf,
@@ -395,8 +410,9 @@ pub(crate) struct ClassifyArguments {
     pub(crate) files: Vec<PathBuf>,
 }
 
+/// Words of `import`.
 #[derive(Debug, Args)]
-pub(crate) struct ImportArguments {
+pub struct ImportArguments {
     /// complex64 [frame, channel, chirp, sample]; or a DCA1000EVM's .bin, or a .sigmf-meta, of receivers.
     #[arg(value_name = "F.npy")]
     pub(crate) array: PathBuf,
@@ -414,8 +430,9 @@ pub(crate) struct ImportArguments {
     pub(crate) out: PathBuf,
 }
 
+/// Words of `calibrate`.
 #[derive(Debug, Args)]
-pub(crate) struct CalibrateArguments {
+pub struct CalibrateArguments {
     /// Radar cubes of the reflector, at rest.
     #[arg(value_name = "F.cube")]
     pub(crate) cube: PathBuf,
@@ -427,9 +444,10 @@ pub(crate) struct CalibrateArguments {
     pub(crate) out: PathBuf,
 }
 
+/// Words of `export`.
 #[derive(Debug, Args)]
 #[command(after_help = export_formats())]
-pub(crate) struct ExportArguments {
+pub struct ExportArguments {
     /// Artifact.
     #[arg(value_name = "FILE")]
     pub(crate) file: PathBuf,
@@ -444,15 +462,17 @@ pub(crate) struct ExportArguments {
     pub(crate) out: PathBuf,
 }
 
+/// Words of `inspect`.
 #[derive(Debug, Args)]
-pub(crate) struct InspectArguments {
+pub struct InspectArguments {
     /// Artifact.
     #[arg(value_name = "FILE")]
     pub(crate) file: PathBuf,
 }
 
+/// Words of `vehicles`.
 #[derive(Debug, Args)]
-pub(crate) struct VehiclesArguments {
+pub struct VehiclesArguments {
     /// Where the vehicles go.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,
@@ -464,8 +484,9 @@ pub(crate) struct VehiclesArguments {
     pub(crate) count: u64,
 }
 
+/// Words of `cache`.
 #[derive(Debug, Args)]
-pub(crate) struct CacheCommandArguments {
+pub struct CacheCommandArguments {
     #[command(flatten)]
     pub(crate) location: CacheArguments,
     /// Empties it.
@@ -551,6 +572,7 @@ fn export_formats() -> String {
 mod tests {
     use super::*;
     use crate::program::suggestion::SYNONYMS;
+    use clap::{CommandFactory, FromArgMatches};
 
     #[test]
     fn the_command_line_is_consistent_and_takes_values_that_begin_with_a_minus() {

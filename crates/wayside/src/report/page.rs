@@ -1,6 +1,6 @@
 //! The page around the figures and tables.
 
-use crate::pictures::{self, FrameFigures};
+use crate::pictures::FrameFigures;
 use crate::report::accuracy;
 use crate::report::false_objects;
 use crate::report::figures::Figures;

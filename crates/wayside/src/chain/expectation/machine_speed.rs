@@ -61,7 +61,7 @@ fn key() -> Key {
 }
 
 /// As it is now.
-pub(crate) fn measured() -> Result<f64, Failure> {
+pub fn measured() -> Result<f64, Failure> {
     let Some(begin) = processor_time::of_process() else { return Ok(1.0) };
     let mesh = scene::vehicles::mesh("motorcycle-scooter", 0);
     let mesh = mesh.ok_or_else(|| Failure::refused("the motorcycle that speeds are measured with is missing"))?;

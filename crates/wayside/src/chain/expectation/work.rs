@@ -10,7 +10,7 @@ use artifact::settings::Angle;
 
 /// Kinds of work, each with a rate of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Item {
+pub enum Item {
     /// The program's start and its classifier.
     Run,
     /// Triangles that are read, and of which bodies are built.
@@ -19,41 +19,52 @@ pub(crate) enum Item {
     Facets,
     /// Those that may be seen straight.
     InSight,
-    /// Lit polygons, and mirrors that are looked into.
+    /// Lit polygons.
     Beams,
+    /// Mirrors that are looked into.
     Mirrors,
-    /// Tiles of the paths' integrals and of what they are compared with.
+    /// Tiles of the paths' integrals.
     Tiles,
+    /// Tiles of later moments.
     LaterTiles,
+    /// Tiles of the finer integral that they are compared with.
     FineTiles,
+    /// The same of later moments.
     LaterFineTiles,
     /// Finer tiles of long polygons, whose integrals may be taken again and finer still.
     LongTiles,
-    /// Cells that paths are made of, where errors are measured (several sizes are tried) and where they are taken over.
+    /// Cells that paths are made of, where errors are measured (several sizes are tried).
     MeasuredCells,
+    /// Cells of frames that take errors over.
     Cells,
     /// Measured cells times the metres that the array reaches from its middle: outlines of what is lit differ from element to element,
     /// and finer cells are tried in vain against that.
     WideCells,
-    /// Lit polygons and tiles of ways between bodies that move against each other, times the wavelengths that they slide.
+    /// Lit polygons of ways between bodies that move against each other, times the wavelengths that they slide.
     SlidingBeams,
+    /// Tiles of such ways.
     SlidingTiles,
-    /// The same however far they slide, and cells of such ways.
+    /// Lit polygons of such ways however far they slide.
     MovingBeams,
+    /// Tiles of them.
     MovingTiles,
+    /// Cells of them.
     MovingCells,
-    /// Lit polygons over a road that mirrors, and those whose edges diffract.
+    /// Lit polygons over a road that mirrors.
     RoadBeams,
+    /// Lit polygons whose edges diffract.
     EdgeBeams,
     /// Tiles of all integrals on bodies that are no conductors.
     LossyTiles,
     /// Tiles of far-field tables, each of many aspects and frequencies.
     TableTiles,
-    /// Paths times channels, of bodies and of the ground.
+    /// Paths of bodies times channels.
     Echoes,
+    /// Paths of the ground times channels.
     GroundEchoes,
-    /// Samples of cubes; cells of maps.
+    /// Samples of cubes.
     Samples,
+    /// Cells of maps.
     MapCells,
     /// Bodies whose points are located and classified.
     Bodies,
@@ -64,7 +75,8 @@ pub(crate) enum Item {
 }
 
 impl Item {
-    pub(crate) const ALL: [Self; ITEMS] = [
+    /// In the order of the counts.
+    pub const ALL: [Self; ITEMS] = [
         Self::Run,
         Self::Triangles,
         Self::Facets,
@@ -99,11 +111,11 @@ impl Item {
 }
 
 /// How many kinds there are.
-pub(crate) const ITEMS: usize = Item::Frames as usize + 1;
+pub const ITEMS: usize = Item::Frames as usize + 1;
 
 /// Counts by kind.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Work(pub(crate) [f64; ITEMS]);
+pub struct Work(pub [f64; ITEMS]);
 
 impl Work {
     pub(super) const NONE: Self = Self([0.0; ITEMS]);

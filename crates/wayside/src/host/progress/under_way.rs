@@ -45,10 +45,11 @@ struct Part {
 }
 
 /// What a bar shows.
-pub(super) struct Shown {
-    pub(super) text: String,
+pub struct Shown {
+    /// Names of the work, and how far it is.
+    pub text: String,
     /// Of the whole, 0 to 1.
-    pub(super) share: f64,
+    pub share: f64,
 }
 
 impl UnderWay {

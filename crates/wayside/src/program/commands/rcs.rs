@@ -17,7 +17,7 @@ use crate::host::progress::{self, Work};
 use crate::program::cli::{
     EdgesWord, MethodWord, NodesWord, PolarizationWord, RcsArguments, SidesWord, SurfaceWord, TransmissionWord,
 };
-use crate::program::commands::formats::export::NpyStream;
+use crate::program::commands::formats::npy_stream::NpyStream;
 use crate::program::commands::formats::sidecar;
 use crate::program::terminal;
 use answer::{Answer, Took};

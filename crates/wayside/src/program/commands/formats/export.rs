@@ -2,7 +2,6 @@
 
 mod cube;
 mod dataset;
-mod npy_stream;
 mod paths;
 mod points;
 mod rcs;
@@ -18,8 +17,6 @@ use crate::program::export_formats::FORMATS;
 use artifact::{Reader, Schema, read_preamble};
 use clap::ValueEnum;
 use std::path::Path;
-
-pub(crate) use npy_stream::NpyStream;
 
 pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
     use FormatWord::{Csv, Dca1000, Exr, Json, Npy, Pcd, Ply, Png, Safetensors, Sigmf};

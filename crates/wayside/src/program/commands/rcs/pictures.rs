@@ -198,7 +198,7 @@ fn image(
         over: Some(silhouette::png(mesh, half_width_m)?),
         legend,
     };
-    map.draw_square()
+    map.draw_square().map_err(Failure::refused)
 }
 
 /// Each triangle by the power of the sequences it takes part in over its own area, so that large and small ones compare.

@@ -1,7 +1,6 @@
 //! The outline of a mesh from above, as a picture to be laid over an image of it.
 
 use crate::host::failure::Failure;
-use crate::pictures;
 use artifact::scene::Mesh;
 
 /// Pixels along each side.

@@ -1,7 +1,8 @@
 //! Radar cubes as complex64 `[frame, channel, chirp, sample]`.
 
 use crate::host::failure::Failure;
-use crate::program::commands::formats::export::{NpyStream, fail};
+use crate::program::commands::formats::export::fail;
+use crate::program::commands::formats::npy_stream::NpyStream;
 use crate::program::commands::formats::sidecar;
 use artifact::Reader;
 use artifact::cube::{Cube, CubeHeader};

@@ -1,7 +1,8 @@
 //! RCS tables as complex128 `[frequency, elevation, azimuth]`.
 
 use crate::host::failure::Failure;
-use crate::program::commands::formats::export::{NpyStream, plain_name};
+use crate::program::commands::formats::export::plain_name;
+use crate::program::commands::formats::npy_stream::NpyStream;
 use crate::program::commands::formats::sidecar;
 use artifact::Reader;
 use artifact::rcs::{Rcs, RcsTable};

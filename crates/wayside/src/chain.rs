@@ -1,0 +1,15 @@
+//! The stages linked, frame by frame: what a frame depends on, what of it is cached, what it will cost, and its artifacts.
+
+pub mod stages;
+pub mod keys;
+pub mod cache;
+pub mod plan;
+pub mod loaded_model;
+pub mod loading;
+pub mod looks;
+pub mod measured_frames;
+pub mod sub_frames;
+pub mod frame_result;
+pub mod link;
+pub mod memory_estimate;
+pub mod expectation;

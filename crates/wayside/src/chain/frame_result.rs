@@ -1,0 +1,24 @@
+//! What is known of one frame when its chain is done.
+
+use crate::chain::loaded_model::ClassRule;
+use crate::chain::stages::Stage;
+use artifact::accuracy::{ErrorBudget, ModelError};
+use artifact::paths::PathsFrame;
+use artifact::points::PointsFrame;
+use artifact::scene::SceneFrame;
+
+/// What a run knows of one frame when it is done.
+pub(crate) struct FrameResult {
+    pub(crate) scene: SceneFrame,
+    pub(crate) paths: Option<PathsFrame>,
+    pub(crate) points: PointsFrame,
+    /// Probabilities of each object, in the order of [`Class::ALL`]; empty without a classifier.
+    pub(crate) classes: Vec<[f32; 4]>,
+    /// How a class is told from them.
+    pub(crate) rule: ClassRule,
+    pub(crate) error: ErrorBudget,
+    pub(crate) model_error: ModelError,
+    pub(crate) seconds: Vec<(Stage, f64)>,
+    pub(crate) cached: Vec<Stage>,
+    pub(crate) memory_estimate_mib: f64,
+}

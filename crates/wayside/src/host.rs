@@ -1,0 +1,10 @@
+//! What the chain stands on beside the stages: failures, whole files, memory, progress, places and long work's checkpoints.
+
+pub mod failure;
+pub mod progress;
+pub mod files;
+pub mod memory;
+pub mod processor_time;
+pub mod places;
+pub mod checkpoint;
+pub mod call_off;

@@ -1,0 +1,44 @@
+//! Where data lie that no argument names. The rule: inside the project's folder (this folder or one above it that holds
+//! `scenes/` and `crates/wayside/`) the cache is its `.cache`; elsewhere it is the user's cache folder. The model that ships is part of
+//! the program.
+
+use std::path::{Path, PathBuf};
+
+/// The project's folder: `$WAYSIDE_PROJECT`, else as seen from the folder in which the process runs; `None` outside.
+pub fn project_folder() -> Option<PathBuf> {
+    if let Some(folder) = std::env::var_os("WAYSIDE_PROJECT").filter(|folder| !folder.is_empty()) {
+        return Some(PathBuf::from(folder));
+    }
+    project_folder_of(&std::env::current_dir().ok()?)
+}
+
+fn project_folder_of(here: &Path) -> Option<PathBuf> {
+    let is_project = |folder: &&Path| folder.join("scenes").is_dir() && folder.join("crates/wayside").is_dir();
+    here.ancestors().find(is_project).map(Path::to_owned)
+}
+
+/// Where frames are cached unless `--cache` says otherwise.
+pub(crate) fn default_cache() -> PathBuf {
+    let variable = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
+    let of_user = || variable("XDG_CACHE_HOME").or_else(|| variable("HOME").map(|home| home.join(".cache")));
+    project_folder()
+        .map(|folder| folder.join(".cache"))
+        .or_else(|| of_user().map(|folder| folder.join("wayside")))
+        .unwrap_or_else(|| PathBuf::from(".cache"))
+}
+
+/// The model that ships (`fixtures/classifier.model`), as it was when the program was built.
+pub(crate) const SHIPPED_MODEL: &[u8] = include_bytes!("../../../../fixtures/classifier.model");
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_project_is_found_from_any_folder_below_it_and_nowhere_else() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap();
+        assert_eq!(project_folder_of(&root.join("crates/wayside/src")), Some(root.clone()));
+        assert_eq!(project_folder_of(&root), Some(root));
+        assert_eq!(project_folder_of(tempfile::tempdir().unwrap().path()), None);
+    }
+}

@@ -1,0 +1,60 @@
+//! The program: words of the command line, the terminal, and one file per command. `wayside` and `cargo xtask` share it.
+
+pub mod cli;
+pub mod commands;
+pub mod terminal;
+mod ending;
+mod export_formats;
+mod interrupt;
+mod suggestion;
+mod values;
+
+use crate::host::failure::Failure;
+use crate::host::memory::Allowance;
+use crate::host::progress::Work;
+use crate::report::Making;
+use cli::General;
+use commands::Means;
+use std::process::ExitCode;
+
+/// What the binary `wayside` does.
+pub fn main() -> ExitCode {
+    let arguments: cli::Arguments = cli::parse_or_exit();
+    let command = arguments.command;
+    terminal::expect(command.results());
+    enter("wayside", command.name(), &arguments.general, |means| commands::dispatch(command, means))
+}
+
+/// Carries out a command of the program that is typed as `program`: sets up threads, memory, progress and interrupts, and makes
+/// an exit code of how it ends (`docs/interface.md`).
+pub fn enter(
+    program: &str,
+    command: &str,
+    general: &General,
+    work: impl FnOnce(&Means) -> Result<(), Failure>,
+) -> ExitCode {
+    interrupt::install();
+    if !general.quiet {
+        terminal::show_progress();
+    }
+    let words = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned());
+    let means = Means { memory: Allowance::of(general.memory_limit), making: Making::by(program, words) };
+    let ended = limit_threads(general.threads).and_then(|()| {
+        let _under_way = Work::begin(command);
+        work(&means)
+    });
+    terminal::end_progress();
+    match ended {
+        Ok(()) => {
+            terminal::finish(Ok(()));
+            ExitCode::SUCCESS
+        }
+        Err(failure) => ending::report(&failure),
+    }
+}
+
+fn limit_threads(threads: Option<u16>) -> Result<(), Failure> {
+    let Some(threads) = threads else { return Ok(()) };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build_global();
+    pool.map_err(|e| Failure::System(format!("--threads {threads}: {e}")))
+}

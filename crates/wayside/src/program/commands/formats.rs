@@ -1,0 +1,8 @@
+//! Artifacts from and to what others read.
+
+pub(crate) mod sidecar;
+pub(crate) mod inspect;
+pub(crate) mod npy_stream;
+pub(crate) mod raw_data;
+pub(crate) mod export;
+pub(crate) mod import;

@@ -1,0 +1,53 @@
+//! How the program ends when a command does not succeed.
+
+use crate::host::failure::Failure;
+use crate::program::terminal;
+use std::process::ExitCode;
+
+/// Prints the sentence on standard error; exit code 1 of what was refused, 2 of what the system or the words of the command are to
+/// blame for, 130 of what was called off.
+pub(crate) fn report(failure: &Failure) -> ExitCode {
+    terminal::end_progress();
+    terminal::say(format_args!("error: {}", printable(&failure.to_string())));
+    match failure {
+        Failure::Refused(_) | Failure::Unplaced(_) => ExitCode::from(1),
+        Failure::System(_) => ExitCode::from(2),
+        Failure::CalledOff => ExitCode::from(130),
+    }
+}
+
+/// What a file says, as a terminal may show it: no signs that move its cursor, and of a line no more than a screen full.
+fn printable(text: &str) -> String {
+    const SHOWN: usize = 2000;
+    let line = |line: &str| {
+        let mut shown: String = line.chars().take(SHOWN).flat_map(visible).collect();
+        if line.chars().nth(SHOWN).is_some() {
+            shown.push('…');
+        }
+        shown
+    };
+    text.split('\n').map(line).collect::<Vec<_>>().join("\n")
+}
+
+/// A sign as it is, a control as its escape.
+fn visible(sign: char) -> impl Iterator<Item = char> {
+    let reorders = matches!(sign, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let hidden = (sign.is_control() && sign != '\t') || reorders;
+    let escape = hidden.then(|| sign.escape_default());
+    escape.into_iter().flatten().chain((!hidden).then_some(sign))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_file_says_does_not_move_the_cursor_nor_fill_the_terminal() {
+        assert_eq!(
+            printable("a.toml:1:1: no `\u{1b}[2Jé\t\u{202e}`\nmore"),
+            "a.toml:1:1: no `\\u{1b}[2Jé\t\\u{202e}`\nmore"
+        );
+        let long = printable(&"x".repeat(1 << 20));
+        assert_eq!(long.chars().count(), 2001);
+    }
+}

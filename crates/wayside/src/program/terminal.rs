@@ -1,0 +1,146 @@
+//! Results on standard output; for a person on standard error a bar with the time left on a terminal and plain lines elsewhere,
+//! which `--quiet` silences. One thread looks at all work that is under way ten times a second: so a command that is silent inside
+//! one long step is heard of all the same, 2 s after its begin at the latest.
+
+use crate::host::progress;
+use artifact::whole_file;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::io::{ErrorKind, IsTerminal, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Voice {
+    Bar,
+    Lines,
+}
+
+static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
+static IS_OVER: AtomicBool = AtomicBool::new(false);
+
+/// Looks a second are enough for the first line to come in time.
+const LOOK: Duration = Duration::from_millis(100);
+
+/// Begins to look, and hears remarks; called once.
+pub(crate) fn show_progress() {
+    let voice = if std::io::stderr().is_terminal() { Voice::Bar } else { Voice::Lines };
+    progress::listen(remark);
+    // Without the thread a command works as well, and says less.
+    let _ = std::thread::Builder::new().name("progress".into()).spawn(move || look_again_and_again(voice));
+}
+
+fn look_again_and_again(voice: Voice) {
+    while !IS_OVER.load(Ordering::Relaxed) {
+        let now = Instant::now();
+        match voice {
+            Voice::Bar => draw(now),
+            Voice::Lines => _ = progress::line(now).map(say),
+        }
+        std::thread::sleep(LOOK);
+    }
+}
+
+fn remark(text: &str) {
+    beside_the_bar(|| say(text));
+}
+
+/// Does what prints, without a bar in its way.
+fn beside_the_bar<T>(printing: impl FnOnce() -> T) -> T {
+    match &*locked(&BAR) {
+        Some(bar) => bar.suspend(printing),
+        None => printing(),
+    }
+}
+
+/// Removes the bar for good: what is printed from now on is the last.
+pub(crate) fn end_progress() {
+    IS_OVER.store(true, Ordering::Relaxed);
+    if let Some(bar) = locked(&BAR).take() {
+        bar.finish_and_clear();
+    }
+}
+
+/// Shows what is under way once it has been for half a second.
+fn draw(now: Instant) {
+    const AFTER: Duration = Duration::from_millis(500);
+    let mut bar = locked(&BAR);
+    match progress::shown(now, AFTER).filter(|_| !IS_OVER.load(Ordering::Relaxed)) {
+        None => _ = bar.take().map(|bar| bar.finish_and_clear()),
+        Some(shown) => {
+            let bar = bar.get_or_insert_with(empty_bar);
+            bar.set_position((SHARES * shown.share) as u64);
+            bar.set_message(shown.text);
+        }
+    }
+}
+
+/// What a whole bar counts.
+const SHARES: f64 = 1000.0;
+
+fn empty_bar() -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:24} {wide_msg}").unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::new(SHARES as u64).with_style(style)
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// What a command leaves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Results {
+    /// Files: where the reader of standard output goes away (`| head`), the command goes on to its end, unheard.
+    Files,
+    /// Lines of standard output alone: there it ends quietly.
+    Lines,
+}
+
+/// Says what this command leaves.
+pub fn expect(results: Results) {
+    GOES_ON.store(results == Results::Files, Ordering::Relaxed);
+}
+
+static GOES_ON: AtomicBool = AtomicBool::new(false);
+static IS_UNHEARD: AtomicBool = AtomicBool::new(false);
+
+/// A line of results. One that cannot be written ends the program: its results have no other place.
+pub fn line(text: impl std::fmt::Display) {
+    if IS_UNHEARD.load(Ordering::Relaxed) {
+        return;
+    }
+    if let Err(error) = beside_the_bar(|| writeln!(std::io::stdout(), "{text}")) {
+        give_up(&error);
+    }
+}
+
+/// Writes out what standard output still holds, after what was `printed` to it.
+pub(crate) fn finish(printed: std::io::Result<()>) {
+    if IS_UNHEARD.load(Ordering::Relaxed) {
+        return;
+    }
+    if let Err(error) = printed.and_then(|()| std::io::stdout().flush()) {
+        give_up(&error);
+    }
+}
+
+/// A line for a person, on standard error; where nobody reads it, it is not missed.
+pub(crate) fn say(text: impl std::fmt::Display) {
+    let _ = writeln!(std::io::stderr(), "{text}");
+}
+
+/// A disk that is full ends the program with exit code 2; a reader that has gone away ends it quietly where nobody else hears of
+/// its results. What is being written is removed either way.
+fn give_up(error: &std::io::Error) {
+    if error.kind() == ErrorKind::BrokenPipe && GOES_ON.load(Ordering::Relaxed) {
+        IS_UNHEARD.store(true, Ordering::Relaxed);
+        return;
+    }
+    whole_file::abandon_all();
+    if error.kind() == ErrorKind::BrokenPipe {
+        std::process::exit(0);
+    }
+    end_progress();
+    say(format_args!("error: standard output: cannot write: {error}"));
+    std::process::exit(2);
+}

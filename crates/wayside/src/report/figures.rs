@@ -1,0 +1,16 @@
+//! The pictures of a run that its report shows.
+
+use crate::pictures::FrameFigures;
+use crate::pictures::seen::Seen;
+use plotting::form::Figure;
+
+/// Pictures for the report.
+#[derive(Default)]
+pub(crate) struct Figures {
+    /// Of the first frames, in order.
+    pub(crate) frames: Vec<FrameFigures>,
+    /// Number and view from above of every n-th frame of a long scene.
+    pub(crate) strip: Vec<(u32, Figure)>,
+    /// What was seen in the first frames, to be laid beside what other radars saw.
+    pub(crate) seen: Vec<Seen>,
+}

@@ -1,0 +1,162 @@
+//! A cache is known by its mark and its files by their names; what is damaged is named and made anew.
+
+#![cfg(unix)]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+
+use crate::common::Workplace;
+use std::os::unix::fs::symlink;
+use std::path::{Path, PathBuf};
+
+const TAG: &str = "Signature: 8a477f597d28d172789f06886806bc55";
+
+/// Every file below a folder, links not followed.
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let mut found = vec![];
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        match entry.file_type().unwrap().is_dir() {
+            true => found.extend(files(&entry.path())),
+            false => found.push(entry.path()),
+        }
+    }
+    found.sort();
+    found
+}
+
+fn said(output: &std::process::Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// A folder of the user's that has the names of stages in it.
+fn sources(place: &Workplace) {
+    for file in
+        ["cache/scene/src/lib.rs", "cache/dsp/ab/notes.txt", "cache/classifier/Cargo.toml", "cache/seconds.json"]
+    {
+        std::fs::create_dir_all(place.path(file).parent().unwrap()).unwrap();
+        std::fs::write(place.path(file), "mine").unwrap();
+    }
+}
+
+#[test]
+fn a_folder_without_the_mark_is_neither_cleared_nor_used() {
+    let place = Workplace::new();
+    sources(&place);
+    for words in ["cache --clear", "cache", "run small.toml --out a --quiet", "run small.toml --dry-run --quiet"] {
+        let output = place.try_run(words);
+        assert_eq!(output.status.code(), Some(2), "{words}: {}", said(&output));
+        assert!(said(&output).contains("no CACHEDIR.TAG"), "{words}: {}", said(&output));
+    }
+    assert_eq!(files(&place.path("cache")).len(), 4);
+    assert!(!place.path("a").exists());
+}
+
+#[test]
+fn only_files_with_the_names_of_a_cache_are_removed_from_one() {
+    let place = Workplace::new();
+    place.run("run small.toml --out a --quiet");
+    assert!(place.bytes("cache/CACHEDIR.TAG").starts_with(TAG.as_bytes()));
+    // The user's own files in it, and links out of it.
+    let own =
+        files(&place.path("cache")).into_iter().find(|file| file.extension().is_some_and(|e| e == "cube")).unwrap();
+    let name = own.file_name().unwrap().to_str().unwrap().replace(".cube", ".rdm");
+    std::fs::create_dir_all(place.path("mine/aa")).unwrap();
+    std::fs::write(place.path("mine/aa").join(&name), "mine").unwrap();
+    std::fs::write(place.path("mine/file"), "mine").unwrap();
+    std::fs::write(place.path("cache/dsp/notes.txt"), "mine").unwrap();
+    std::fs::write(place.path("cache/README"), "mine").unwrap();
+    std::fs::write(own.with_file_name("thesis.cube"), "mine").unwrap();
+    symlink(place.path("mine"), place.path("cache/dsp/ff")).unwrap();
+    symlink(place.path("mine"), place.path("cache/mine")).unwrap();
+    symlink(place.path("mine/file"), own.with_file_name(&name)).unwrap();
+    for words in ["run small.toml --out b --quiet --cache-limit-mib 0", "cache --clear"] {
+        place.run(words);
+    }
+    let mut left: Vec<String> = files(&place.path("cache"))
+        .iter()
+        .map(|file| file.strip_prefix(place.path("cache")).unwrap().display().to_string())
+        .collect();
+    left.retain(|file| !file.contains(&name));
+    let beside = own.with_file_name("thesis.cube");
+    let beside = beside.strip_prefix(place.path("cache")).unwrap().display().to_string();
+    assert_eq!(left, ["CACHEDIR.TAG", "README", "dsp/ff", "dsp/notes.txt", &beside, "mine"]);
+    assert_eq!(place.bytes("mine/file"), b"mine");
+    assert_eq!(place.bytes(&format!("mine/aa/{name}")), b"mine");
+}
+
+#[test]
+fn a_cache_of_an_earlier_version_has_no_mark_and_gets_one() {
+    let place = Workplace::new();
+    place.run("run small.toml --out a --quiet");
+    std::fs::remove_file(place.path("cache/CACHEDIR.TAG")).unwrap();
+    std::fs::write(place.path("cache/seconds.json"), "{}").unwrap();
+    let entry =
+        files(&place.path("cache")).into_iter().find(|file| file.extension().is_some_and(|e| e == "cube")).unwrap();
+    std::fs::write(entry.with_extension("json"), "[[0.25,0.25,0.25,0.25]]").unwrap();
+    let left = format!(".{}.aB3dE6.part", entry.file_name().unwrap().to_str().unwrap());
+    std::fs::write(entry.with_file_name(left), "half").unwrap();
+    place.run("cache");
+    std::fs::write(place.path("small.toml"), crate::common::SMALL_SCENE.replace("seed = 3", "seed = 4")).unwrap();
+    place.run("run small.toml --out b --quiet");
+    assert!(place.path("cache/CACHEDIR.TAG").is_file());
+    place.run("cache --clear");
+    let left = files(&place.path("cache"));
+    assert!(left.iter().all(|file| file.ends_with("CACHEDIR.TAG") || file.extension().unwrap() == "part"), "{left:?}");
+}
+
+#[test]
+fn a_cache_and_the_results_are_two_folders() {
+    let place = Workplace::new();
+    let output = place.try_run("run small.toml --out cache --quiet");
+    assert_eq!(output.status.code(), Some(2), "{}", said(&output));
+    assert!(!place.path("cache").exists());
+}
+
+#[test]
+fn damaged_classes_are_named_and_made_anew() {
+    let place = Workplace::new();
+    let classified = |out: &str| {
+        let output = place.try_run(&format!("run small.toml --out {out}"));
+        assert!(output.status.success(), "{}", said(&output));
+        (place.summary(&format!("{out}/summary.json"))["frames"][0]["targets"].clone(), said(&output))
+    };
+    let (right, _) = classified("a");
+    let entries = files(&place.path("cache/classifier"));
+    let classes: Vec<_> = entries.iter().filter(|file| file.extension().is_some_and(|e| e == "classes")).collect();
+    assert!(!classes.is_empty(), "classes are kept: {entries:?}");
+    for entry in &classes {
+        let whole = std::fs::read(entry).unwrap();
+        // One bit of a probability.
+        let mut bytes = whole.clone();
+        let at = whole.len() - 30;
+        bytes[at] ^= 0x10;
+        std::fs::write(entry, bytes).unwrap();
+    }
+    let (again, said) = classified("b");
+    assert_eq!(again, right);
+    for entry in classes {
+        assert!(said.contains(entry.file_name().unwrap().to_str().unwrap()), "{}: {said}", entry.display());
+    }
+}
+
+#[test]
+fn an_entry_under_another_key_is_not_believed() {
+    let place = Workplace::new();
+    place.run("run small.toml --out a --quiet");
+    let cubes: Vec<PathBuf> =
+        files(&place.path("cache")).into_iter().filter(|file| file.extension().is_some_and(|e| e == "cube")).collect();
+    std::fs::copy(&cubes[0], &cubes[1]).unwrap();
+    let output = place.try_run("run small.toml --out b");
+    assert!(output.status.success() && said(&output).contains("of another key"), "{}", said(&output));
+    assert_eq!(place.bytes("a/frames.cube"), place.bytes("b/frames.cube"));
+}
+
+#[test]
+fn what_dead_runs_left_in_a_cache_goes_with_the_next_run() {
+    let place = Workplace::new();
+    place.run("run small.toml --out a --quiet");
+    let entry =
+        files(&place.path("cache")).into_iter().find(|file| file.extension().is_some_and(|e| e == "cube")).unwrap();
+    let left = [entry.with_file_name(".x.cube.aB3dE6.wayside.part"), place.path("a/.frames.cube.aB3dE6.wayside.part")];
+    left.iter().for_each(|file| std::fs::write(file, "half").unwrap());
+    place.run("run small.toml --out a --quiet");
+    left.iter().for_each(|file| assert!(!file.exists(), "{}", file.display()));
+}

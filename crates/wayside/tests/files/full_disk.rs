@@ -1,0 +1,144 @@
+//! A disk of 2 MiB that is full: every command ends with exit code 2, says so, and leaves nothing half-written.
+
+#![cfg(target_os = "linux")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
+
+use crate::common::{Workplace, crops};
+use std::process::Command;
+
+/// What a command did on a disk with so much room: its exit code, what it said, and what the disk held afterwards.
+struct Outcome {
+    code: i32,
+    said: String,
+    left: Vec<String>,
+}
+
+/// Runs in a mount of its own, which no other program sees and which ends with it. `None` where the system allows no such thing.
+fn on_small_disk(place: &Workplace, words: &str, free_kib: u64) -> Option<Outcome> {
+    let script = "mount -t tmpfs -o size=2m tmpfs disk || exit 99
+        head -c $((2097152 - $1 * 1024)) /dev/zero > disk/filler 2>/dev/null
+        shift; \"$@\" > said 2>&1; echo $? > code
+        rm disk/filler; cd disk; find . -type f | sort > ../left
+        for file in $(cat ../left); do mkdir -p ../kept/$(dirname $file); cp $file ../kept/$file; done";
+    std::fs::create_dir_all(place.path("disk")).unwrap();
+    let _ = std::fs::remove_dir_all(place.path("kept"));
+    let command: Vec<&str> = words.split_whitespace().collect();
+    let output = Command::new("unshare")
+        .args(["--user", "--map-root-user", "--mount", "bash", "-c", script, "bash", &free_kib.to_string()])
+        .arg(crate::common::PROGRAM)
+        .args(command)
+        .current_dir(place.root())
+        .output()
+        .ok()?;
+    if !output.status.success() {
+        println!("skipped, no mount here: {}", String::from_utf8_lossy(&output.stderr));
+        return None;
+    }
+    let text = |name: &str| String::from_utf8(place.bytes(name)).unwrap();
+    let left = text("left").lines().map(str::to_owned).collect();
+    Some(Outcome { code: text("code").trim().parse().unwrap(), said: text("said"), left })
+}
+
+/// Artifacts that are read to their end; tables that end with a line; pictures and pages that end as such do.
+fn is_whole(place: &Workplace, file: &str) -> bool {
+    let bytes = place.bytes(&format!("kept/{file}"));
+    match file.rsplit('.').next().unwrap() {
+        "json" => serde_json::from_slice::<serde_json::Value>(&bytes).is_ok(),
+        "csv" | "md" | "jsonl" => bytes.is_empty() || bytes.ends_with(b"\n"),
+        "png" => bytes.ends_with(b"IEND\xaeB`\x82"),
+        "html" => bytes.trim_ascii_end().ends_with(b"</html>"),
+        "svg" => bytes.trim_ascii_end().ends_with(b"</svg>"),
+        "scene" | "paths" | "rcs" | "cube" | "rdm" | "points" | "tracks" | "dataset" | "model" | "classes" => {
+            place.try_run(&format!("inspect kept/{file}")).status.success()
+        }
+        "npy" | "glb" | "exr" | "bin" | "sigmf-data" | "sigmf-meta" | "ply" | "pcd" | "safetensors" => true,
+        "TAG" => bytes.starts_with(b"Signature: 8a477f597d28d172789f06886806bc55"),
+        "checkpoint" => bytes.starts_with(b"WAYSIDE CHECKPOINT") || b"WAYSIDE CHECKPOINT".starts_with(&bytes),
+        other => panic!("{file}: a file of kind {other}"),
+    }
+}
+
+const BASE: &str = "name = \"base\"\n[radar.waveform]\nsamples = 64\nchirps = 16\n[radar.array]\npreset = \"1x4\"\n\
+[dsp]\ntraining_cells = [3, 6]\n[fidelity]\nbounces = 1\n";
+
+const RECIPE: &str = "scene = \"base.toml\"\nseed = 1\nscenes_per_class = 5\nrange_m = [25.0, 45.0]\n\
+speed_mps = [1.0, 5.0]\nlanes = [1, 2]\nvehicle_seeds = 2\n[models]\nmotorcycle = [\"motorcycle-street\"]\n";
+
+fn filled() -> Workplace {
+    let place = Workplace::new();
+    std::fs::write(place.path("base.toml"), BASE).unwrap();
+    std::fs::write(place.path("spec.toml"), RECIPE).unwrap();
+    place.run("run small.toml --out a --no-cache --quiet");
+    place.run("export a/frames.cube --to npy --out f.npy");
+    place.run("dataset spec.toml --out d --quiet");
+    crops::write(&place.path("crops"), 10);
+    place
+}
+
+#[test]
+fn every_command_ends_with_2_and_leaves_nothing_half_written() {
+    let place = filled();
+    let model = Workplace::project_file("fixtures/paper-network.model");
+    let trees = Workplace::project_file("fixtures/classifier.model");
+    for words in [
+        "run small.toml --no-cache --quiet --out disk/o",
+        "rcs corner.obj --freq-ghz 76:78:16 --az-deg 0:90:40 --pictures --quiet --out disk/s.npy",
+        "paths small.toml --quiet --out disk/f.paths",
+        "echo small.toml --quiet --out disk/f.cube",
+        "dsp a/frames.cube --pictures --quiet --out disk/d",
+        "dataset spec.toml --quiet --out disk/d",
+        "import f.npy --scene small.toml --quiet --out disk/f.cube",
+        "calibrate a/frames.cube --at-m 2,30,1 --out disk/e.csv",
+        "export a/frames.cube --to npy --out disk/f.npy",
+        "export a/frames.rdm --to npy --out disk/f.npy",
+        "export a/frames.rdm --to exr --out disk/f.exr",
+        "export a/frames.points --to csv --out disk/f.csv",
+        "export a/frames.paths --to json --out disk/f.json",
+        &format!("export {model} --to safetensors --out disk/f.safetensors"),
+        "vehicles --quiet --out disk/v",
+        "train crops --quiet --out disk/m",
+        "export crops/shard-0000.dataset --to csv --out disk/f.csv",
+        &format!("evaluate {trees} crops --out disk/e.md"),
+        "protocols crops --seeds 1 --out disk/p.md",
+    ] {
+        ends_with_2_on_a_full_disk(&place, words);
+    }
+}
+
+#[test]
+#[ignore = "builds the learning library: cargo test --release -p wayside --test files -- --ignored a_training"]
+fn a_training_ends_with_2_and_leaves_nothing_half_written() {
+    ends_with_2_on_a_full_disk(&filled(), "train crops --learner paper --iterations 1 --quiet --out disk/m");
+}
+
+fn ends_with_2_on_a_full_disk(place: &Workplace, words: &str) {
+    let mut failed = 0;
+    for free_kib in [0, 4, 16, 64, 256, 1024] {
+        let Some(Outcome { code, said, left }) = on_small_disk(place, words, free_kib) else { return };
+        let what = format!("`{words}` with {free_kib} KiB: exit {code}: {said}\nleft: {left:?}");
+        assert!(matches!(code, 0 | 2), "{what}");
+        if code == 2 {
+            assert!(said.contains("error: ") && said.contains("No space left"), "{what}");
+            failed += 1;
+        }
+        assert!(left.iter().all(|file| !file.ends_with(".part") && is_whole(place, file)), "{what}");
+    }
+    assert!(failed > 0, "{words}: the disk was never full");
+}
+
+#[test]
+fn a_cache_on_a_full_disk_costs_only_time() {
+    let place = filled();
+    for free_kib in [0, 4, 64] {
+        let words = format!("run small.toml --cache disk/cache --out b{free_kib}");
+        let Some(Outcome { code, said, left }) = on_small_disk(&place, &words, free_kib) else { return };
+        assert_eq!(code, 0, "{said}");
+        assert_eq!(said.matches("not cached").count(), 1, "{said}");
+        assert!(left.iter().all(|file| !file.ends_with(".part") && is_whole(&place, file)), "{left:?}");
+        assert_eq!(place.bytes(&format!("b{free_kib}/frames.cube")), place.bytes("a/frames.cube"));
+    }
+}

@@ -1,0 +1,12 @@
+//! What the program reads and writes: nothing of the user's is destroyed, nothing damaged is believed.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod caches;
+mod crafted_artifacts;
+mod damage;
+mod full_disk;
+mod outputs;
+mod raw_data;
+mod resumed_tables;

@@ -1,0 +1,289 @@
+//! Nothing of the user's is destroyed by where a result is put: no input, no device, no file that belongs to another one.
+
+#![cfg(unix)]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+
+use crate::common::{SMALL_SCENE, Workplace};
+use std::os::unix::fs::{FileTypeExt, symlink};
+use std::path::Path;
+use std::process::Output;
+
+/// Exit code 2 and a word of why.
+fn refused(output: &Output, word: &str, what: &str) {
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{what}: {said}");
+    assert!(said.contains(word), "{what}: `{word}` is not in: {said}");
+}
+
+/// A cube, maps, paths and a model of the small scene.
+fn filled() -> Workplace {
+    let place = Workplace::new();
+    place.run("run small.toml --out a --no-cache --quiet");
+    for kind in ["cube", "rdm", "points", "tracks", "paths"] {
+        std::fs::copy(place.path(&format!("a/frames.{kind}")), place.path(&format!("f.{kind}"))).unwrap();
+    }
+    place
+}
+
+const RCS: &str = "--freq-ghz 77 --az-deg 0 --quiet";
+
+#[test]
+fn no_command_replaces_what_it_reads() {
+    let place = filled();
+    place.run("export f.cube --to npy --out f.npy");
+    place.run("rcs corner.obj --freq-ghz 77 --az-deg 0:90:5 --quiet --out s.npy");
+    std::fs::write(place.path("skin.toml"), "[materials]\nskin = { substance = \"metal\" }\n").unwrap();
+    for (words, input) in [
+        ("echo small.toml --quiet --out small.toml", "small.toml"),
+        ("echo small.toml --quiet --out corner.obj", "corner.obj"),
+        ("echo small.toml --paths f.paths --quiet --out f.paths", "f.paths"),
+        ("paths small.toml --quiet --out ./corner.obj", "corner.obj"),
+        ("export f.cube --to npy --out f.cube", "f.cube"),
+        ("export f.rdm --to npy --out a/../f.rdm", "f.rdm"),
+        ("export f.rdm --to png --out f.rdm", "f.rdm"),
+        ("export f.points --to csv --out f.points", "f.points"),
+        ("export f.tracks --to json --out f.tracks", "f.tracks"),
+        ("export f.paths --to csv --out f.paths", "f.paths"),
+        ("import f.npy --scene small.toml --quiet --out f.npy", "f.npy"),
+        ("import f.npy --scene small.toml --quiet --out small.toml", "small.toml"),
+        ("calibrate f.cube --at-m 2,30,1 --out f.cube", "f.cube"),
+        (&format!("rcs corner.obj {RCS} --out corner.obj"), "corner.obj"),
+        (&format!("rcs corner.obj {RCS} --materials skin.toml --out skin.toml"), "skin.toml"),
+    ] {
+        let before = place.bytes(input);
+        refused(&place.try_run(words), "is an input of this command", words);
+        assert_eq!(place.bytes(input), before, "{words}");
+    }
+}
+
+#[test]
+fn no_sidecar_replaces_what_its_command_reads() {
+    let place = filled();
+    let copy = |from: &str, to: &str| std::fs::copy(place.path(from), place.path(to)).unwrap();
+    copy("f.cube", "x.npy.json");
+    copy("f.rdm", "y.mask.npy");
+    copy("corner.obj", "z-facets.obj");
+    copy("f.cube", "w.sigmf-meta");
+    copy("f.cube", "d.rdm");
+    copy("small.toml", "report.html");
+    symlink(place.path("z-facets.obj"), place.path("z-facets.glb")).unwrap();
+    for (words, input, unwritten) in [
+        ("export x.npy.json --to npy --out x.npy", "x.npy.json", "x.npy"),
+        ("export y.mask.npy --to npy --out y.npy", "y.mask.npy", "y.npy"),
+        ("dsp d.rdm --quiet --out .", "d.rdm", "d.points"),
+        ("run report.html --no-cache --quiet --out .", "report.html", "summary.json"),
+        (&format!("rcs z-facets.obj {RCS} --pictures --out z.npy"), "z-facets.obj", "z.npy"),
+    ] {
+        let before = place.bytes(input);
+        refused(&place.try_run(words), "is an input of this command", words);
+        assert_eq!(place.bytes(input), before, "{words}");
+        assert!(!place.path(unwritten).exists(), "{words}: refused after it had begun to write");
+    }
+}
+
+#[test]
+fn hard_and_symbolic_links_to_an_input_are_that_input() {
+    let place = filled();
+    std::fs::hard_link(place.path("f.cube"), place.path("hard.npy")).unwrap();
+    symlink(place.path("f.cube"), place.path("soft.npy")).unwrap();
+    let before = place.bytes("f.cube");
+    for out in ["hard.npy", "soft.npy"] {
+        refused(&place.try_run(&format!("export f.cube --to npy --out {out}")), "is an input", out);
+    }
+    assert_eq!((place.bytes("f.cube"), place.bytes("hard.npy")), (before.clone(), before));
+}
+
+#[test]
+fn every_file_that_a_scene_refers_to_is_an_input() {
+    let place = Workplace::new();
+    let gltf = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+        "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"uri":"corner.bin","byteLength":36}]}"#;
+    std::fs::write(place.path("corner.gltf"), gltf).unwrap();
+    let corners: [f32; 9] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    let bytes: Vec<u8> = corners.iter().flat_map(|x| x.to_le_bytes()).collect();
+    std::fs::write(place.path("corner.bin"), &bytes).unwrap();
+    std::fs::write(place.path("errors.csv"), "tx,rx,gain_db,phase_deg\n0,0,0,0\n0,1,0,0\n0,2,0,0\n0,3,0,0\n").unwrap();
+    std::fs::write(place.path("gain.csv"), "az_deg,el_deg,gain_db\n-90,0,-20\n0,0,0\n90,0,-20\n").unwrap();
+    let scene = SMALL_SCENE
+        .replace("corner.obj", "corner.gltf")
+        .replace("[dsp]", "[dsp]\ncalibration = \"errors.csv\"")
+        .replace("preset = \"1x4\"", "preset = \"1x4\"\npattern = \"table\"\npattern_file = \"gain.csv\"");
+    std::fs::write(place.path("small.toml"), scene).unwrap();
+    place.run("paths small.toml --quiet --out good.paths");
+    for input in ["corner.gltf", "corner.bin", "errors.csv", "gain.csv"] {
+        let before = place.bytes(input);
+        refused(&place.try_run(&format!("echo small.toml --quiet --out {input}")), "is an input", input);
+        refused(&place.try_run(&format!("paths small.toml --quiet --out {input}")), "is an input", input);
+        assert_eq!(place.bytes(input), before);
+    }
+}
+
+#[test]
+fn what_is_no_plain_file_is_refused_by_every_command_and_stays() {
+    let place = filled();
+    let fifo = place.path("fifo");
+    assert!(std::process::Command::new("mkfifo").arg(&fifo).status().unwrap().success());
+    let _socket = std::os::unix::net::UnixListener::bind(place.path("socket")).unwrap();
+    symlink("fifo", place.path("link")).unwrap();
+    symlink("nowhere", place.path("dangling")).unwrap();
+    place.run("export f.cube --to npy --out f.npy");
+    for (out, word) in
+        [("fifo", "FIFO"), ("link", "FIFO"), ("socket", "socket"), ("a", "folder"), ("dangling", "link to nothing")]
+    {
+        for words in [
+            "echo small.toml --quiet",
+            "paths small.toml --quiet",
+            "export f.cube --to npy",
+            "export f.points --to csv",
+            "import f.npy --scene small.toml --quiet",
+            "calibrate f.cube --at-m 2,30,1",
+            &format!("rcs corner.obj {RCS}"),
+        ] {
+            refused(&place.try_run(&format!("{words} --out {out}")), word, &format!("{words} to {out}"));
+        }
+    }
+    let kind = |name: &str| std::fs::symlink_metadata(place.path(name)).unwrap().file_type();
+    assert!(kind("fifo").is_fifo() && kind("socket").is_socket());
+    assert!(kind("link").is_symlink() && kind("dangling").is_symlink());
+    assert!(!place.path("nowhere").exists());
+}
+
+#[test]
+fn a_symbolic_link_to_a_plain_file_stays_a_link() {
+    let place = filled();
+    std::fs::create_dir(place.path("there")).unwrap();
+    std::fs::write(place.path("there/table.csv"), "old").unwrap();
+    symlink("there/table.csv", place.path("table.csv")).unwrap();
+    place.run("export f.points --to csv --out table.csv");
+    assert!(std::fs::symlink_metadata(place.path("table.csv")).unwrap().is_symlink());
+    assert!(place.bytes("there/table.csv").starts_with(b"frame,"));
+    assert_eq!(std::fs::read_dir(place.path("there")).unwrap().count(), 1);
+}
+
+#[test]
+fn work_that_could_not_be_written_is_not_begun() {
+    let place = filled();
+    std::fs::write(place.path("file"), "").unwrap();
+    std::fs::create_dir(place.path("full")).unwrap();
+    std::fs::create_dir(place.path("full/s.json")).unwrap();
+    std::fs::create_dir(place.path("full/report.html")).unwrap();
+    std::fs::create_dir(place.path("full/weights.model")).unwrap();
+    std::fs::write(place.path("spec.toml"), RECIPE.replace("SCENES", "1")).unwrap();
+    std::fs::write(place.path("base.toml"), BASE).unwrap();
+    std::fs::create_dir(place.path("full/detection.md")).unwrap();
+    place.run("dataset spec.toml --out d --quiet");
+    for words in [
+        "run small.toml --no-cache --quiet --out full",
+        "run small.toml --no-cache --quiet --out file",
+        "dataset spec.toml --quiet --out full",
+        "dataset spec.toml --quiet --out file/d",
+        "train d --quiet --out full",
+        "train d --quiet --out file",
+        "dsp f.cube --quiet --out file",
+        "vehicles --quiet --out file",
+        &format!("rcs corner.obj {RCS} --out full/s.npy"),
+        &format!("rcs corner.obj {RCS} --out file/s.npy"),
+    ] {
+        refused(&place.try_run(words), "cannot", words);
+    }
+    let left: Vec<_> = std::fs::read_dir(place.path("full")).unwrap().map(|e| e.unwrap().path()).collect();
+    assert!(left.iter().all(|path| path.is_dir()), "{left:?}");
+}
+
+/// A dataset of one class on the small radar.
+const RECIPE: &str = "scene = \"base.toml\"\nseed = 1\nscenes_per_class = SCENES\nrange_m = [25.0, 45.0]\n\
+speed_mps = [1.0, 5.0]\nlanes = [1, 2]\nvehicle_seeds = 2\nscenes_per_shard = 8\n[models]\nmotorcycle = [\"motorcycle-street\"]\n";
+
+const BASE: &str = "name = \"base\"\n[radar.waveform]\nsamples = 64\nchirps = 16\n[radar.array]\npreset = \"1x4\"\n\
+[dsp]\ntraining_cells = [3, 6]\n[fidelity]\nbounces = 1\n";
+
+#[test]
+fn a_dataset_goes_on_with_its_own_whole_shards_alone() {
+    let place = Workplace::new();
+    std::fs::write(place.path("base.toml"), BASE).unwrap();
+    let recipe = |text: String| std::fs::write(place.path("spec.toml"), text).unwrap();
+    recipe(RECIPE.replace("SCENES", "9"));
+    place.run("dataset spec.toml --out whole --quiet");
+    place.run("dataset spec.toml --out d --quiet");
+    // A damaged shard is named and made anew, and so is one whose lines are of other scenes.
+    let mut bytes = place.bytes("d/shard-0000.dataset");
+    let middle = bytes.len() / 2;
+    bytes[middle] ^= 1;
+    std::fs::write(place.path("d/shard-0000.dataset"), bytes).unwrap();
+    std::fs::write(place.path("d/shard-0001.jsonl"), "{}\n").unwrap();
+    let output = place.try_run("dataset spec.toml --out d");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        output.status.success() && said.contains("shard-0000.dataset") && said.contains("shard-0001.jsonl"),
+        "{said}"
+    );
+    for shard in ["shard-0000.dataset", "shard-0001.dataset"] {
+        assert_eq!(place.bytes(&format!("d/{shard}")), place.bytes(&format!("whole/{shard}")), "{shard}");
+    }
+    // More scenes leave the first ones as they are; other scenes do not belong into the folder.
+    recipe(RECIPE.replace("SCENES", "10"));
+    place.run("dataset spec.toml --out d --quiet");
+    recipe(RECIPE.replace("SCENES", "10").replace("45.0", "44.0"));
+    refused(&place.try_run("dataset spec.toml --out d --quiet"), "another recipe", "other ranges");
+    recipe(RECIPE.replace("SCENES", "10"));
+    refused(&place.try_run("dataset spec.toml --seed 2 --out d --quiet"), "another recipe", "another seed");
+    std::fs::write(place.path("base.toml"), BASE.replace("bounces = 1", "bounces = 2")).unwrap();
+    refused(&place.try_run("dataset spec.toml --out d --quiet"), "another recipe", "another scene");
+}
+
+#[test]
+fn names_in_artifacts_lead_into_no_other_folder() {
+    use artifact::dataset::{Crop, Dataset, Sample, Split};
+    let place = Workplace::new();
+    let mut writer = artifact::Writer::<Dataset>::create(
+        &place.path("x.dataset"),
+        &artifact::Provenance::default(),
+        &artifact::dataset::CropFormat {
+            side: 2,
+            range_span_m: 24.0,
+            velocity_span_mps: 8.0,
+            floor_db: 0.0,
+            ceiling_db: 40.0,
+        },
+    )
+    .unwrap();
+    for id in ["../outside", "/outside", ".hidden"] {
+        let crop = Crop { pixels: vec![0; 4], range_m: 1.0, radial_velocity_mps: 0.0 };
+        let sample = Sample {
+            id: id.to_owned(),
+            signature: artifact::signature::Signature::default(),
+            crop: Some(crop),
+            class: None,
+            model: String::new(),
+            variant: 0,
+            scene: 0,
+            target: 0,
+            frame: 0,
+            split: Split::Test,
+            range_m: 1.0,
+            radial_velocity_mps: 0.0,
+            lane: None,
+            seed: 0,
+        };
+        writer.write(&sample).unwrap();
+    }
+    writer.finish().unwrap();
+    place.run("export x.dataset --to png --out pictures");
+    assert!(!place.path("outside.png").exists() && !Path::new("/outside.png").exists());
+    assert_eq!(std::fs::read_dir(place.path("pictures")).unwrap().count(), 3);
+}
+
+#[test]
+fn a_table_is_not_described_over_another_files_sidecar() {
+    let place = Workplace::new();
+    std::fs::write(place.path("s.json"), "{\"sqrt_w_per_step\": 1e-9}").unwrap();
+    let words = format!("rcs corner.obj {RCS} --out s.npy");
+    refused(&place.try_run(&words), "does not belong to s.npy", "a foreign sidecar");
+    assert_eq!(place.bytes("s.json"), b"{\"sqrt_w_per_step\": 1e-9}");
+    assert!(!place.path("s.npy").exists(), "refused before the work");
+    std::fs::remove_file(place.path("s.json")).unwrap();
+    place.run(&words);
+    place.run(&words);
+}

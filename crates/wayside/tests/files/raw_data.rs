@@ -1,0 +1,146 @@
+//! Raw data of devices: written, read back, and processed as before.
+#![allow(clippy::unwrap_used, reason = "a helper of tests fails the test")]
+
+use crate::common::Workplace;
+
+/// The small scene with transmitters that take turns.
+fn tdm() -> Workplace {
+    let place = Workplace::new();
+    let of = |array: &str| crate::common::SMALL_SCENE.replace("preset = \"1x4\"", array);
+    std::fs::write(place.path("ideal.toml"), of("preset = \"3x4\"")).unwrap();
+    let scene = of("preset = \"3x4\"\nmultiplexing = \"tdm\"");
+    std::fs::write(place.path("tdm.toml"), scene).unwrap();
+    place.run("echo tdm.toml --out a.cube --quiet");
+    place
+}
+
+#[test]
+fn a_cube_through_sigmf_is_the_same_samples() {
+    let place = tdm();
+    place.run("export a.cube --to sigmf --out raw --quiet");
+    place.run("import raw.sigmf-meta --scene tdm.toml --out b.cube --quiet");
+    place.run("export a.cube --to npy --out a.npy --quiet");
+    place.run("export b.cube --to npy --out b.npy --quiet");
+    assert_eq!(place.bytes("a.npy"), place.bytes("b.npy"));
+}
+
+#[test]
+fn a_cube_through_a_capture_card_errs_by_half_a_step_and_shows_the_same_cells() {
+    let place = tdm();
+    place.run("export a.cube --to dca1000 --out raw.bin --quiet");
+    place.run("import raw.bin --scene tdm.toml --out b.cube --quiet");
+    place.run("export a.cube --to npy --out a.npy --quiet");
+    place.run("export b.cube --to npy --out b.npy --quiet");
+    let floats = |name: &str| -> Vec<f32> {
+        let bytes = place.bytes(name);
+        // Version 1.0 of .npy tells the header's length in bytes 8 and 9.
+        let start = 10 + usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
+        bytes[start..].as_chunks::<4>().0.iter().map(|b| f32::from_le_bytes(*b)).collect()
+    };
+    let (exact, stepped) = (floats("a.npy"), floats("b.npy"));
+    let step = exact.iter().fold(0.0_f32, |peak, x| peak.max(x.abs())) / 32_000.0;
+    let worst = exact.iter().zip(&stepped).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+    println!("worst {worst:.2e} of a step {step:.2e}");
+    // And what single precision rounds of 32,000 steps: 0.004.
+    assert!(worst <= 0.505 * step && exact != stepped);
+    let masks = ["a", "b"].map(|name| {
+        place.run(&format!("dsp {name}.cube --out {name} --quiet"));
+        place.run(&format!("export {name}/{name}.rdm --to npy --out map-{name}.npy --quiet"));
+        place.bytes(&format!("map-{name}.mask.npy"))
+    });
+    let different = masks[0].iter().zip(&masks[1]).filter(|(a, b)| a != b).count();
+    // 2048 cells; a cell that lies on its threshold may fall either way.
+    assert!(masks[0].len() == masks[1].len() && different <= 2, "{different} cells");
+}
+
+#[test]
+fn recordings_that_do_not_fit_are_refused_by_name_and_rule() {
+    let place = tdm();
+    place.run("export a.cube --to dca1000 --out raw.bin --quiet");
+    let whole = place.bytes("raw.bin");
+    std::fs::write(place.path("cut.bin"), &whole[..whole.len() - 8]).unwrap();
+    std::fs::write(place.path("odd.bin"), &whole[..whole.len() - 3]).unwrap();
+    std::fs::write(place.path("empty.bin"), []).unwrap();
+    place.run("echo ideal.toml --out ideal.cube --quiet");
+    for (command, told) in [
+        ("import cut.bin --scene tdm.toml --out b.cube", "no whole number of frames"),
+        ("import odd.bin --scene tdm.toml --out b.cube", "take 8"),
+        ("import empty.bin --scene tdm.toml --out b.cube", "no whole number of frames"),
+        ("import raw.bin --scene tdm.toml --out b.cube --step 0", "must be from 1e-30 to 1e30"),
+        ("import none.sigmf-meta --scene tdm.toml --out b.cube", "none.sigmf-meta"),
+        ("export ideal.cube --to dca1000 --out c.bin", "orthogonal"),
+    ] {
+        let output = place.try_run(command);
+        let error = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(!output.status.success(), "{command}");
+        assert!(error.contains(told), "{command}: {error}");
+        assert!(!place.path("b.cube").exists() && !place.path("c.bin").exists(), "{command}");
+    }
+}
+
+#[test]
+fn every_export_has_a_sidecar_of_its_own() {
+    let place = tdm();
+    place.run("export a.cube --to dca1000 --out x.bin --quiet");
+    let told = place.summary("x.bin.json");
+    assert_eq!((told["of"].as_str(), told["sqrt_w_per_step"].is_f64()), (Some("x.bin"), true));
+    place.run("export a.cube --to npy --out x.npy --quiet");
+    place.run("paths tdm.toml --out x.paths --quiet");
+    place.run("export x.paths --to csv --out x.csv --quiet");
+    assert_eq!(place.summary("x.bin.json"), told, "the other exports leave it");
+    assert_eq!(place.summary("x.npy.json")["of"], "x.npy");
+    assert!(place.summary("x.csv.json")["f_c_hz"].is_f64());
+    assert!(!place.path("x.json").exists());
+    // What is not this file's own is not written over, and the export is refused before it writes.
+    std::fs::write(place.path("y.npy.json"), "{\"of\": \"another\"}").unwrap();
+    let output = place.try_run("export a.cube --to npy --out y.npy");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("does not belong to y.npy"));
+    assert!(!place.path("y.npy").exists() && place.bytes("y.npy.json") == b"{\"of\": \"another\"}");
+}
+
+#[test]
+fn a_step_is_taken_from_the_file_that_tells_of_these_samples_or_said_to_be_missing() {
+    let place = tdm();
+    place.run("export a.cube --to dca1000 --out x.bin --quiet");
+    let imported = |file: &str, words: &str| {
+        let output = place.try_run(&format!("import {file} --scene tdm.toml --out b.cube {words}"));
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.success(), "{said}");
+        place.run("export b.cube --to npy --out b.npy");
+        (place.bytes("b.npy"), said, place.run("inspect b.cube"))
+    };
+    let (right, said, about) = imported("x.bin", "");
+    assert!(said.is_empty(), "{said}");
+    let step = place.summary("x.bin.json")["sqrt_w_per_step"].as_f64().unwrap();
+    assert!(about.contains("x.bin.json") && about.contains("sqrt_w_per_step"), "{about}");
+    assert_eq!(imported("x.bin", &format!("--step {step}")).0, right);
+    // As an earlier version wrote it: `x.json` without a hash, of the same shape.
+    let mut old = place.summary("x.bin.json");
+    let map = old.as_object_mut().unwrap();
+    map.retain(|key, _| key != "of" && key != "blake3");
+    std::fs::write(place.path("x.json"), old.to_string()).unwrap();
+    std::fs::rename(place.path("x.bin.json"), place.path("kept.json")).unwrap();
+    assert_eq!(imported("x.bin", "").0, right);
+    // The sidecar of another file: an earlier version's of an array, and that of other samples.
+    std::fs::write(place.path("x.json"), "{\"shape\": [\"frame\", \"channel\", \"chirp\", \"sample\"]}").unwrap();
+    let (unit, said, about) = imported("x.bin", "");
+    assert!(said.contains("no step is told") && about.contains("not told"), "{said}{about}");
+    assert_ne!(unit, right);
+    let mut samples = place.bytes("x.bin");
+    samples[0] ^= 1;
+    std::fs::write(place.path("x.bin"), samples).unwrap();
+    std::fs::rename(place.path("kept.json"), place.path("x.bin.json")).unwrap();
+    let (_, said, _) = imported("x.bin", "");
+    assert!(said.contains("other samples") && said.contains("no step is told"), "{said}");
+}
+
+#[test]
+fn the_mask_of_a_map_is_named_by_the_whole_name_of_the_map() {
+    let place = tdm();
+    place.run("dsp a.cube --out a --quiet");
+    place.run("export a/a.rdm --to npy --out map.1");
+    place.run("export a/a.rdm --to npy --out map.2");
+    place.run("export a/a.rdm --to npy --out map.npy");
+    assert!(["map.1.mask.npy", "map.2.mask.npy", "map.mask.npy"].iter().all(|name| place.path(name).is_file()));
+}

@@ -1,0 +1,239 @@
+//! Recipes of datasets: what they may say, what comes of it, and that neither threads nor interruptions change it.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
+
+use crate::common::Workplace;
+use artifact::Reader;
+use artifact::dataset::{Dataset, Sample};
+use serde_json::Value;
+use std::collections::BTreeSet;
+
+/// A radar for which a scene takes a fraction of a second.
+const BASE: &str = "name = \"base\"\nframe_interval_s = 0.5\n[radar.waveform]\nsamples = 128\nchirps = 64\n[radar.array]\n\
+preset = \"1x4\"\n[noise]\nnoise_figure_db = 12.0\n[dsp]\ntraining_cells = [3, 6]\n[fidelity]\nbounces = 1\n";
+
+/// Keys that every recipe has; its models follow.
+const NEEDED: &str = "scene = \"base.toml\"\nseed = 1\nscenes_per_class = 3\nrange_m = [25.0, 45.0]\n\
+speed_mps = [1.0, 5.0]\nlanes = [1, 2]\n";
+
+const OWN: &str = "[models]\nmotorcycle = [\"motorcycle-street\"]\ncar = [\"car-hatchback\"]\n";
+
+fn prepared() -> Workplace {
+    let place = Workplace::new();
+    std::fs::write(place.path("base.toml"), BASE).unwrap();
+    place
+}
+
+fn made(place: &Workplace, recipe: &str, out: &str) -> Vec<Sample> {
+    std::fs::write(place.path("spec.toml"), recipe).unwrap();
+    place.run(&format!("dataset spec.toml --out {out} --quiet"));
+    samples(place, out)
+}
+
+fn samples(place: &Workplace, out: &str) -> Vec<Sample> {
+    Reader::<Dataset>::open(&place.path(&format!("{out}/shard-0000.dataset"))).unwrap().map(Result::unwrap).collect()
+}
+
+fn lines(place: &Workplace, file: &str) -> Vec<Value> {
+    String::from_utf8(place.bytes(file)).unwrap().lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+}
+
+fn vehicles(line: &Value) -> &[Value] {
+    line["frames"][0]["vehicles"].as_array().unwrap()
+}
+
+#[test]
+fn files_folders_and_manifests_are_models_beside_the_own_vehicles() {
+    let place = prepared();
+    place.run("vehicles --out v --quiet");
+    std::fs::create_dir(place.path("cars")).unwrap();
+    for name in ["car-suv", "car-sedan"] {
+        std::fs::copy(place.path(&format!("v/{name}.glb")), place.path(&format!("cars/my-{name}.glb"))).unwrap();
+    }
+    std::fs::create_dir(place.path("listed")).unwrap();
+    std::fs::copy(place.path("v/bus-mini.glb"), place.path("listed/minibus.glb")).unwrap();
+    let manifest = "[[vehicle]]\nname = \"minibus\"\nclass = \"bus\"\nlength_m = 6.0\n";
+    std::fs::write(place.path("listed/manifest.toml"), manifest).unwrap();
+    let models = "vehicle_seeds = 5\n[models]\nvehicles = \"listed\"\ncar = [\"cars\", \"car-hatchback\"]\n\
+                  motorcycle = [\"v/motorcycle-street.glb\"]\n";
+    let samples = made(&place, &format!("{NEEDED}{models}"), "d");
+    let lines = lines(&place, "d/scenes.jsonl");
+    let drawn: Vec<&str> = lines.iter().map(|line| vehicles(line)[0]["model"].as_str().unwrap()).collect();
+    let of_round = |car| [car, "minibus", "v/motorcycle-street".trim_start_matches("v/")];
+    assert_eq!(drawn, ["my-car-sedan", "my-car-suv", "car-hatchback"].map(of_round).concat());
+    for sample in &samples {
+        assert_eq!(sample.class.unwrap().name(), vehicles(&lines[sample.scene as usize])[0]["class"]);
+        assert!(sample.variant == 0 || sample.model == "car-hatchback", "files have no variants");
+        assert!(sample.crop.is_some() && sample.signature.points > 0);
+    }
+    let inputs = Reader::<Dataset>::open(&place.path("d/shard-0000.dataset")).unwrap();
+    let hashed: Vec<String> = inputs.preamble().provenance.inputs.iter().map(|(name, _)| name.clone()).collect();
+    let files = ["spec.toml", "base.toml", "manifest.toml", "my-car-sedan.glb", "my-car-suv.glb", "minibus.glb"];
+    assert_eq!(hashed.iter().map(String::as_str).collect::<BTreeSet<_>>(), {
+        files.into_iter().chain(["motorcycle-street.glb"]).collect()
+    });
+    // Another file under the same name is another dataset.
+    std::fs::copy(place.path("v/car-hatchback.glb"), place.path("cars/my-car-suv.glb")).unwrap();
+    let refused = place.try_run("dataset spec.toml --out d --quiet");
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("another recipe"));
+}
+
+#[test]
+fn a_recipe_that_spells_out_the_defaults_draws_the_same_scenes() {
+    let place = prepared();
+    let short = made(&place, &format!("{NEEDED}{OWN}"), "short");
+    let spelt = NEEDED.replace("scene = \"base.toml\"", "scenes = [\"base.toml\"]")
+        + "vehicle_seeds = 1\nyaw_deg = [0.0, 0.0]\noffset_m = [0.0, 0.0]\nextra_noise_db = [0.0, 0.0]\nframes = 1\n\
+           radar_height_m = [6.0, 6.0]\ntilt_deg = [0.0, 0.0]\nframe_interval_s = 0.5\nvehicles_per_scene = [1, 1]\n\
+           queue_share = 0.0\ncrops = true\nscenes_per_shard = 64\n";
+    assert!(short == made(&place, &format!("{spelt}{OWN}"), "spelt") && !short.is_empty());
+}
+
+#[test]
+fn vehicles_of_a_scene_keep_clear_of_one_another_and_each_that_is_found_is_a_sample() {
+    let place = prepared();
+    let keys = "vehicles_per_scene = [2, 3]\nqueue_share = 0.5\nyaw_deg = [-5.0, 5.0]\noffset_m = [-0.3, 0.3]\n";
+    let recipe = format!("{NEEDED}{keys}{OWN}").replace("scenes_per_class = 3", "scenes_per_class = 8");
+    let samples = made(&place, &recipe, "d");
+    let lines = lines(&place, "d/scenes.jsonl");
+    for line in &lines {
+        let vehicles = vehicles(line);
+        assert!((2..=3).contains(&(vehicles.len() + line["left_out"].as_u64().unwrap() as usize)));
+        for (i, one) in vehicles.iter().enumerate() {
+            for other in &vehicles[..i] {
+                let apart = |axis: &str| (one[axis].as_f64().unwrap() - other[axis].as_f64().unwrap()).abs();
+                // A motorcycle is longer than 1.7 m: two halves and 1.5 m.
+                assert!(apart("x_m") > 1.0 || apart("y_m") > 3.2, "{line}");
+            }
+            let speed_mps = one["velocity_mps"].as_f64().unwrap().abs();
+            assert!(line["is_queue"] == false || speed_mps <= 0.5, "{line}");
+        }
+    }
+    let queues = lines.iter().filter(|line| line["is_queue"] == true).count();
+    assert!((1..lines.len()).contains(&queues), "{queues} of {}", lines.len());
+    let found = lines.iter().flat_map(vehicles).filter(|vehicle| !vehicle["estimate"].is_null());
+    assert!(found.map(|vehicle| vehicle["id"].as_str().unwrap()).eq(samples.iter().map(|s| s.id.as_str())));
+    assert!(samples.iter().any(|sample| sample.target > 0));
+}
+
+#[test]
+fn a_vehicle_moves_on_from_frame_to_frame_and_its_samples_are_a_track() {
+    let place = prepared();
+    let samples = made(&place, &format!("{NEEDED}frames = 3\ncrops = false\n{OWN}"), "d");
+    let of = |frame: u32| samples.iter().find(|s| (s.scene, s.frame) == (samples[0].scene, frame));
+    let (first, second) = (of(0).unwrap(), of(1).unwrap());
+    assert!((first.range_m + 0.5 * first.radial_velocity_mps - second.range_m).abs() < 0.01);
+    assert_eq!((first.target, &first.model, first.split), (second.target, &second.model, second.split));
+    assert!(samples.iter().all(|sample| sample.crop.is_none()));
+}
+
+#[test]
+fn a_dataset_without_images_is_classified_by_trees_and_neither_exported_nor_classified_as_images() {
+    let place = prepared();
+    made(&place, &format!("{NEEDED}crops = false\n{OWN}"), "d");
+    let model = Workplace::project_file("fixtures/paper-network.model");
+    let trees = Workplace::project_file("fixtures/classifier.model");
+    assert_eq!(place.try_run(&format!("classify {trees} d")).status.code(), Some(0));
+    for words in [
+        "export d/shard-0000.dataset --to npy --out x.npy".to_owned(),
+        "export d/shard-0000.dataset --to png --out x".to_owned(),
+        format!("classify {model} d"),
+    ] {
+        let output = place.try_run(&words);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{words}: {said}");
+        assert!(said.contains("shard-0000.dataset: sample `scene-0000") && said.contains("crops = false"), "{said}");
+    }
+    assert!(["x.npy", "x.npy.json", "x"].iter().all(|file| !place.path(file).exists()));
+}
+
+#[test]
+fn a_radar_is_mounted_as_drawn_and_base_scenes_are_mixed() {
+    let place = prepared();
+    std::fs::write(place.path("wide.toml"), BASE.replace("1x4", "3x4")).unwrap();
+    let keys = "radar_height_m = [3.0, 5.0]\ntilt_deg = [-4.0, -2.0]\nextra_noise_db = [1.0, 3.0]\n";
+    let several = NEEDED.replace("scene = \"base.toml\"", "scenes = [\"base.toml\", \"wide.toml\"]");
+    let samples = made(&place, &format!("{several}{keys}{OWN}"), "d");
+    assert!(samples.iter().all(|s| (3.0..=5.0).contains(&s.signature.radar_height_m)));
+    let lines = lines(&place, "d/scenes.jsonl");
+    let bases: BTreeSet<&str> = lines.iter().map(|line| line["base"].as_str().unwrap()).collect();
+    assert_eq!(bases.len(), 2);
+    for line in &lines {
+        assert!((-4.0..=-2.0).contains(&line["tilt_deg"].as_f64().unwrap()));
+        assert!((1.0..=3.0).contains(&line["extra_noise_db"].as_f64().unwrap()));
+    }
+}
+
+#[test]
+fn neither_threads_nor_parts_change_a_byte_and_each_kind_is_measured_once_a_shard() {
+    let place = prepared();
+    let recipe = format!("{NEEDED}scenes_per_shard = 4\nvehicles_per_scene = [1, 2]\n{OWN}");
+    std::fs::write(place.path("spec.toml"), recipe).unwrap();
+    place.run("dataset spec.toml --out one --threads 1 --quiet");
+    place.run("dataset spec.toml --out two --threads 3 --shard 2/2 --quiet");
+    assert!(!place.path("two/shard-0000.dataset").exists());
+    place.run("dataset spec.toml --out two --threads 3 --shard 1/2 --quiet");
+    for file in ["shard-0000.dataset", "shard-0001.dataset"] {
+        assert_eq!(place.bytes(&format!("one/{file}")), place.bytes(&format!("two/{file}")), "{file}");
+    }
+    for shard in ["one/shard-0000.jsonl", "one/shard-0001.jsonl"] {
+        let mut measured = BTreeSet::new();
+        for line in lines(&place, shard) {
+            let vehicles = vehicles(&line);
+            let kind = if vehicles.len() > 1 { "several" } else { vehicles[0]["class"].as_str().unwrap() }.to_owned();
+            let is_first = line["measured_in"] == line["scene"];
+            assert_eq!(measured.insert(kind), is_first, "{line}");
+        }
+    }
+}
+
+#[test]
+fn a_recipe_that_breaks_a_rule_is_refused_with_file_key_and_rule() {
+    let place = prepared();
+    std::fs::write(place.path("silent.toml"), BASE.replace("[noise]\nnoise_figure_db = 12.0\n", "")).unwrap();
+    std::fs::create_dir(place.path("empty")).unwrap();
+    std::fs::create_dir(place.path("up")).unwrap();
+    std::fs::write(place.path("up/manifest.toml"), "[[vehicle]]\nname = \"../x\"\nclass = \"car\"\n").unwrap();
+    std::fs::write(place.path("car-hatchback.obj"), crate::common::CORNER).unwrap();
+    let recipe = |keys: &str| format!("{NEEDED}{keys}{OWN}");
+    let with_models = |models: &str| format!("{NEEDED}[models]\n{models}");
+    for (text, said) in [
+        (recipe("scenes = [\"base.toml\"]\n"), "spec.toml: scene and scenes: give one"),
+        (recipe("").replace("scene = \"base.toml\"", ""), "spec.toml: scene or scenes: name"),
+        (recipe("yaw_deg = [5.0, -5.0]\n"), "spec.toml: yaw_deg must be [least, greatest]"),
+        (recipe("offset_m = [0.0, nan]\n"), "offset_m must be"),
+        (recipe("radar_height_m = [0.0, 5.0]\n"), "radar_height_m must be [least, greatest], positive"),
+        (recipe("frames = 0\n"), "frames must be from 1 to 1000, is 0"),
+        (recipe("frame_interval_s = 1e-6\n"), "frame_interval_s must be from"),
+        (recipe("vehicles_per_scene = [2, 1]\n"), "vehicles_per_scene must be"),
+        (recipe("queue_share = 1.5\n"), "queue_share must be from 0 to 1"),
+        (recipe("scenes_per_shard = 0\n"), "scenes_per_shard must be at least 1"),
+        (recipe("extra_noise_db = [0.0, 3.0]\n").replace("base", "silent"), "extra_noise_db: silent.toml has no noise"),
+        (recipe("crop = true\n"), "unknown field `crop`"),
+        (with_models(""), "models: name at least one"),
+        (with_models("car = []\n"), "models.car: name at least one"),
+        (with_models("car = [\"bus-mini\"]\n"), "models.car: `bus-mini` is a bus"),
+        (with_models("car = [\"bmw\"]\n"), "models.car: `bmw` is no mesh file"),
+        (with_models("car = [\"empty\"]\n"), "models.car: `empty`: the folder holds no .glb"),
+        (with_models("vehicles = \"up\"\n"), "manifest.toml: vehicle: name `../x` is no name of a file"),
+        (with_models("car = [\"car-hatchback\", \"car-hatchback.obj\"]\n"), "models.car: two different models"),
+    ] {
+        std::fs::write(place.path("spec.toml"), &text).unwrap();
+        let output = place.try_run("dataset spec.toml --out d --quiet");
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.code() == Some(1) && told.contains(said), "{text}\n{told}\nnot: {said}");
+        assert!(!place.path("d").exists());
+    }
+}
+
+#[test]
+fn a_model_that_is_missing_is_the_systems_fault() {
+    let place = prepared();
+    std::fs::write(place.path("spec.toml"), format!("{NEEDED}[models]\ncar = [\"gone.glb\"]\n")).unwrap();
+    let output = place.try_run("dataset spec.toml --out d --quiet");
+    assert!(output.status.code() == Some(2) && String::from_utf8_lossy(&output.stderr).contains("gone.glb"));
+}

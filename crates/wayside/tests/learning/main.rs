@@ -1,0 +1,9 @@
+//! Datasets, protocols, labels and calibration.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod calibration;
+mod datasets;
+mod labels;
+mod protocols;

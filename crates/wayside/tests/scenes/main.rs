@@ -1,0 +1,12 @@
+//! Scenes through the whole chain: what `run` leaves, tells and draws.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod ghosts;
+mod main_job;
+mod report;
+mod several_radars;
+mod street;
+mod told;
+mod traffic;

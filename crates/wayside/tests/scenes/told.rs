@@ -1,0 +1,189 @@
+//! What a run says of itself: accuracy asked and reached, what was found, and what made the false objects; the same in `summary.json`,
+//! on the console and in the report.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+
+use crate::common::{SMALL_SCENE, Workplace};
+use serde_json::Value;
+use std::fmt::Write as _;
+
+fn write(place: &Workplace, name: &str, text: &str) {
+    std::fs::write(place.path(name), text).unwrap();
+}
+
+/// Cells of 0.24 m × 0.5 m/s, first reflections at −10 dB.
+fn head(array: &str, rest: &str) -> String {
+    format!(
+        "name = \"told\"\n[radar.waveform]\nsamples = 256\nchirps = 64\n[radar.array]\npreset = \"{array}\"\n\
+         [noise]\nnoise_figure_db = 12.0\n[fidelity]\n{rest}\n"
+    )
+}
+
+fn items(list: &Value) -> &[Value] {
+    list.as_array().map_or(&[], Vec::as_slice)
+}
+
+#[test]
+fn an_accuracy_that_was_not_reached_is_said_with_what_limits_it_and_what_would_help() {
+    let place = Workplace::new();
+    // Drawn points stand for a trihedral, at an error larger than the echo itself.
+    write(&place, "small.toml", &format!("{SMALL_SCENE}\n[fidelity]\ndetail = \"statistical\"\n"));
+    let told = place.run("run small.toml --out out --quiet");
+    let summary = place.summary("out/summary.json");
+    for frame in items(&summary["frames"]) {
+        let accuracy = &frame["accuracy"];
+        assert_eq!((&accuracy["met"], &accuracy["limited_by"]), (&false.into(), &"detail".into()), "{accuracy}");
+        assert_eq!(accuracy["reached_db"], frame["error_db"]["total"]);
+        assert!((accuracy["asked_db"].as_f64().unwrap() + 20.0).abs() < 1e-9, "{accuracy}");
+        assert!(accuracy["reached_db"].as_f64().unwrap() > -20.0, "{accuracy}");
+        assert!(accuracy["advice"].as_str().unwrap().contains("detail = \"paths\""), "{accuracy}");
+    }
+    let paths = place.run("paths small.toml --out a.paths --quiet");
+    let echo = place.run("echo small.toml --out a.cube --quiet");
+    for said in [&told, &paths, &echo] {
+        assert!(said.contains("−20.0 dB asked: NOT REACHED (detail"), "{said}");
+        assert!(said.contains("What would help: detail = \"paths\" in [fidelity]."), "{said}");
+    }
+    write(&place, "small.toml", SMALL_SCENE);
+    let told = place.run("run small.toml --out out --quiet");
+    assert!(told.contains("−20.0 dB asked: reached") && !told.contains("NOT REACHED"), "{told}");
+    assert_eq!(place.summary("out/summary.json")["frames"][0]["accuracy"]["advice"], Value::Null);
+}
+
+#[test]
+fn a_table_says_whether_its_accuracy_was_reached() {
+    let place = Workplace::new();
+    let told = place.run("rcs corner.obj --freq-ghz 77 --az-deg 10:40:3 --el-deg 20 --out s.npy --quiet");
+    let accuracy = &place.summary("s.json")["accuracy"];
+    let verdict = if accuracy["met"] == true { "−40.0 dB asked: reached" } else { "−40.0 dB asked: NOT REACHED" };
+    assert!(told.contains(verdict), "{told}\n{accuracy}");
+    assert!((accuracy["asked_db"].as_f64().unwrap() + 40.0).abs() < 1e-9, "{accuracy}");
+}
+
+/// The front of the bus is what answers, 6 m before its middle.
+#[test]
+fn a_bus_seen_from_the_front_is_found_in_the_summary_on_the_console_and_in_the_report_alike() {
+    let place = Workplace::new();
+    let bus = "[[target]]\nkind = \"mesh\"\nid = \"bus-1\"\nmodel = \"bus-city\"\nlane = 1\ny_m = 50.0\n\
+               velocity_mps = [0.0, -6.5, 0.0]\n";
+    write(&place, "bus.toml", &(head("3x4", "accuracy_db = -10.0\nbounces = 1") + bus));
+    let told = place.run("run bus.toml --out out --quiet");
+    let summary = place.summary("out/summary.json");
+    let (frame, metrics) = (&summary["frames"][0], &summary["metrics"]["objects"]);
+    let target = &frame["targets"][0];
+    let behind_m = target["truth"]["y_m"].as_f64().unwrap() - target["estimate"]["y_m"].as_f64().unwrap();
+    assert!(behind_m > 5.0, "its front is found: {target}");
+    let false_ones = items(&frame["false_objects"]).len();
+    assert_eq!((&metrics["found"], &metrics["missed"], &metrics["false"]), (&1.into(), &0.into(), &false_ones.into()));
+    assert!(told.contains(&format!("1 of 1 targets found, 0 missed, {false_ones} false")), "{told}");
+    assert!(metrics["localisation_rms_m"].as_f64().unwrap() < 1.0, "from its outline: {metrics}");
+}
+
+const RADAR: [f64; 3] = [0.0, 0.0, 6.0];
+
+fn unit(a: [f64; 3]) -> [f64; 3] {
+    let length = a.iter().map(|x| x * x).sum::<f64>().sqrt();
+    a.map(|x| x / length)
+}
+
+fn from_to(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    unit([0, 1, 2].map(|i: usize| b[i] - a[i]))
+}
+
+/// A square plate of a metre at a place, facing along a normal, as a body of its own at rest.
+fn plate(place: &Workplace, heading: &str, id: &str, at_m: [f64; 3], normal: [f64; 3]) -> String {
+    let left = unit([-normal[1], normal[0], 0.0]);
+    let up = [0, 1, 2].map(|i: usize| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        normal[j] * left[k] - normal[k] * left[j]
+    });
+    let mut mesh = String::new();
+    for (a, b) in [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)] {
+        let [x, y, z] = [0, 1, 2].map(|i: usize| a * left[i] + b * up[i]);
+        writeln!(mesh, "v {x:.9} {y:.9} {z:.9}").unwrap();
+    }
+    write(place, &format!("{id}.obj"), &(mesh + "f 1 2 3\nf 1 3 4\n"));
+    let [x, y, z] = at_m;
+    let kind = if heading == "target" { "kind = \"mesh\"\n" } else { "" };
+    format!(
+        "[[{heading}]]\n{kind}id = \"{id}\"\nmodel = \"{id}.obj\"\nposition_m = [{x:.6}, {y:.6}, {z:.6}]\nyaw_deg = 0.0\n"
+    )
+}
+
+/// Two plates turned so that a wave runs from the radar over both and back, and a third, no target, that faces the radar.
+fn street(place: &Workplace, array: &str) -> String {
+    let [left, right, facing] = [[-6.0, 40.0, 2.0], [6.0, 40.0, 2.0], [2.0, 25.0, 6.0]];
+    let over = |own: [f64; 3], other: [f64; 3]| {
+        let [to_radar, to_other] = [RADAR, other].map(|p| from_to(own, p));
+        unit([0, 1, 2].map(|i: usize| to_radar[i] + to_other[i]))
+    };
+    let bodies = [
+        plate(place, "target", "left", left, over(left, right)),
+        plate(place, "target", "right", right, over(right, left)),
+        plate(place, "clutter", "sign-1", facing, from_to(facing, RADAR)),
+    ];
+    head(array, "bounces = 2") + &bodies.concat()
+}
+
+#[test]
+fn false_objects_are_told_with_the_bodies_and_bounces_that_made_them() {
+    let place = Workplace::new();
+    write(&place, "street.toml", &street(&place, "3x4"));
+    let told = place.run("run street.toml --out out --quiet");
+    let summary = place.summary("out/summary.json");
+    let objects = items(&summary["frames"][0]["false_objects"]);
+    let of = |cause: &str| objects.iter().find(|object| object["cause"] == cause).unwrap_or(&Value::Null);
+    let ghost = of("ghost");
+    assert_eq!((&ghost["bodies"], &ghost["bounces"]), (&serde_json::json!(["left", "right"]), &2.into()), "{told}");
+    // Half the way radar, left, right, radar: √(6² + 40² + 4²) + 6 m.
+    assert!((ghost["range_m"].as_f64().unwrap() - 46.64).abs() < 0.24, "{ghost}");
+    assert!(ghost["ghost_share"].as_f64().unwrap() > 0.9, "{ghost}");
+    assert_eq!(of("clutter")["bodies"], serde_json::json!(["sign-1"]), "{told}");
+    assert!(told.contains("ghost by left and right, 2 bounces") && told.contains("clutter: sign-1"), "{told}");
+    assert_eq!(summary["metrics"]["objects"]["false"], objects.len());
+}
+
+/// One transmitter sees every departure alike.
+#[test]
+fn an_array_that_cannot_tell_ghosts_says_null_and_not_zero() {
+    let place = Workplace::new();
+    write(&place, "street.toml", &street(&place, "1x4"));
+    place.run("run street.toml --out out --quiet");
+    let summary = place.summary("out/summary.json");
+    let objects = items(&summary["frames"][0]["false_objects"]);
+    assert!(!objects.is_empty());
+    assert!(objects.iter().all(|object| object["ghost_share"].is_null()), "{objects:#?}");
+}
+
+/// λ/4T is 8.6 m/s.
+#[test]
+fn a_target_whose_velocity_is_aliased_is_said_to_be_and_makes_the_map_abnormal() {
+    let place = Workplace::new();
+    for (speed, aliased) in [(-3.0, false), (-13.0, true)] {
+        let text = SMALL_SCENE.replace("[0.0, -3.0, 0.0]", &format!("[0.0, {speed:.1}, 0.0]"));
+        let text = text.replace("chirps = 16", "chirps = 16\nidle_us = 100.0");
+        write(&place, "small.toml", &text);
+        let told = place.run("run small.toml --out out --quiet");
+        let frame = &place.summary("out/summary.json")["frames"][0];
+        assert_eq!(frame["targets"][0]["velocity_aliased"], aliased, "{frame}");
+        assert_eq!(frame["targets"][1]["velocity_aliased"], false);
+        assert_eq!(frame["rdm_state"], if aliased { "abnormal" } else { "normal" });
+        assert_eq!(told.contains("velocity aliased"), aliased, "{told}");
+        assert!(!told.contains("normal"), "reserved for Table 2: {told}");
+    }
+}
+
+/// Phases are parts of what this run took on processors, whatever the clock on the wall says.
+#[test]
+fn seconds_of_a_table_are_processor_seconds_with_their_total() {
+    let place = Workplace::new();
+    place.run("rcs corner.obj --freq-ghz 76:77:16 --az-deg 0:80:9 --el-deg 20 --out s.npy --quiet");
+    let seconds = &place.summary("s.json")["seconds"];
+    let of = |name: &str| seconds[name].as_f64().unwrap();
+    let phases: f64 = ["load", "build", "trace", "integrate", "check"].map(of).iter().sum();
+    match seconds["counted"].as_str() {
+        // What a thread worked is told anew at every tick of the system, 10 ms at most.
+        Some("processor") => assert!(phases <= of("processor_total") + 0.02, "{seconds}"),
+        _ => assert!(seconds["counted"] == "clock" && seconds["processor_total"].is_null(), "{seconds}"),
+    }
+}

@@ -1,0 +1,93 @@
+//! The words a developer types beside those of `wayside`.
+
+use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
+use wayside::program::cli::General;
+use wayside::program::terminal::Results;
+
+/// From a 3D model to a vehicle class: scattering at 77 GHz, FMCW echoes, detection, classification.
+#[derive(Debug, Parser)]
+#[command(name = "cargo xtask", bin_name = "cargo xtask", version, max_term_width = 110)]
+pub(crate) struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) command: Command,
+    /// Of every command.
+    #[command(flatten)]
+    pub(crate) general: General,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Those of the program.
+    #[command(flatten)]
+    Wayside(wayside::program::cli::Command),
+    /// Speed against accuracy: chart.csv, pictures, a page.
+    Chart(StudyArguments),
+    /// Where each method fails: atlas.csv, pictures, a page.
+    Atlas(StudyArguments),
+    /// Levels of detail, their error and cost: levels-of-detail.csv, a picture, a page.
+    Levels(StudyArguments),
+    /// Benchmarks as ratios measured in one run.
+    Bench(BenchArguments),
+    /// Every check of the project, cheapest first.
+    Ci,
+}
+
+impl Command {
+    /// The word that a developer types.
+    pub(crate) fn name(&self) -> &'static str {
+        match self {
+            Self::Wayside(command) => command.name(),
+            Self::Chart(_) => "chart",
+            Self::Atlas(_) => "atlas",
+            Self::Levels(_) => "levels",
+            Self::Bench(_) => "bench",
+            Self::Ci => "ci",
+        }
+    }
+
+    /// What it leaves.
+    pub(crate) fn results(&self) -> Results {
+        match self {
+            Self::Wayside(command) => command.results(),
+            Self::Chart(_) | Self::Atlas(_) | Self::Levels(_) => Results::Files,
+            Self::Bench(_) | Self::Ci => Results::Lines,
+        }
+    }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct StudyArguments {
+    /// Fewer and smaller cases.
+    #[arg(long)]
+    pub(crate) quick: bool,
+    /// Where the table and pictures go [default: out/ and the study's name].
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Refreshes the page in docs/ too.
+    #[arg(long)]
+    pub(crate) docs: bool,
+    /// Draws the pictures of an earlier table anew and computes nothing.
+    #[arg(long, value_name = "F.csv", conflicts_with = "quick")]
+    pub(crate) table: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct BenchArguments {
+    /// Fewer and smaller cases.
+    #[arg(long)]
+    pub(crate) quick: bool,
+    /// Instead: what `run --dry-run` says of random scenes beside what they take (a table, F.csv).
+    #[arg(long)]
+    pub(crate) predictions: bool,
+    /// Of the random scenes.
+    #[arg(long, default_value_t = 2, requires = "predictions")]
+    pub(crate) seed: u64,
+    /// How many random scenes.
+    #[arg(long, default_value_t = 100, requires = "predictions")]
+    pub(crate) scenes: u64,
+    /// Result.
+    #[arg(long, value_name = "F.json")]
+    pub(crate) out: Option<PathBuf>,
+}
