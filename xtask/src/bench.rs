@@ -1,27 +1,18 @@
 //! `bench`: our way beside a rival in one run, as a ratio; it asserts nothing.
 
+mod comparison;
 mod cases;
 mod predictions;
 mod programs;
 
 use crate::cli::BenchArguments;
 use artifact::units::db_from_amplitude;
+use comparison::Comparison;
 use programs::NotHere;
 use serde_json::{Value, json};
 use wayside::host::failure::Failure;
 use wayside::host::files;
 use wayside::program::terminal;
-
-/// One comparison.
-struct Comparison {
-    name: String,
-    ours_s: f64,
-    /// Who else did it, and in how many seconds.
-    rival: Result<(String, f64), NotHere>,
-    /// Of ours against the rival's result, relative amplitude.
-    error: Option<f64>,
-    work: String,
-}
 
 pub(crate) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
     if arguments.predictions {

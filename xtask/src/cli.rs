@@ -30,6 +30,10 @@ pub(crate) enum Command {
     Levels(StudyArguments),
     /// Benchmarks as ratios measured in one run.
     Bench(BenchArguments),
+    /// Checksums of every file that a program makes of every scene and of ten tables, beside those of another version.
+    Bytes(BytesArguments),
+    /// Counts of the source, crate by crate: files, code, arrows between files, circles of them, crowded folders.
+    House,
     /// Every check of the project, cheapest first.
     Ci,
 }
@@ -43,6 +47,8 @@ impl Command {
             Self::Atlas(_) => "atlas",
             Self::Levels(_) => "levels",
             Self::Bench(_) => "bench",
+            Self::Bytes(_) => "bytes",
+            Self::House => "house",
             Self::Ci => "ci",
         }
     }
@@ -51,8 +57,8 @@ impl Command {
     pub(crate) fn results(&self) -> Results {
         match self {
             Self::Wayside(command) => command.results(),
-            Self::Chart(_) | Self::Atlas(_) | Self::Levels(_) => Results::Files,
-            Self::Bench(_) | Self::Ci => Results::Lines,
+            Self::Chart(_) | Self::Atlas(_) | Self::Levels(_) | Self::Bytes(_) => Results::Files,
+            Self::Bench(_) | Self::House | Self::Ci => Results::Lines,
         }
     }
 }
@@ -90,4 +96,21 @@ pub(crate) struct BenchArguments {
     /// Result.
     #[arg(long, value_name = "F.json")]
     pub(crate) out: Option<PathBuf>,
+}
+
+/// Words of `bytes`.
+#[derive(Debug, Args)]
+pub(crate) struct BytesArguments {
+    /// The program that is run [default: this one].
+    #[arg(long, value_name = "FILE")]
+    pub(crate) program: Option<PathBuf>,
+    /// An earlier list; ends with exit code 1 where anything differs from it.
+    #[arg(long, value_name = "F.txt")]
+    pub(crate) against: Option<PathBuf>,
+    /// Only this scene or table; may be given several times.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) only: Vec<String>,
+    /// Result: a line for each file.
+    #[arg(long, value_name = "F.txt")]
+    pub(crate) out: PathBuf,
 }

@@ -2,6 +2,8 @@
 
 mod cli;
 mod project;
+mod house;
+mod bytes;
 mod study;
 mod bench;
 mod ci;
@@ -26,6 +28,8 @@ fn carry_out(command: Command, means: &Means) -> Result<(), Failure> {
         Command::Atlas(arguments) => study::atlas(&arguments),
         Command::Levels(arguments) => study::levels(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
+        Command::Bytes(arguments) => bytes::run(&arguments),
+        Command::House => house::run(),
         Command::Ci => ci::run(),
     }
 }

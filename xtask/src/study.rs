@@ -1,6 +1,7 @@
 //! `chart`, `atlas` and `levels`: speed against accuracy, where each method fails, and levels of detail; each a table,
 //! a picture and a page.
 
+mod extent;
 mod looks;
 mod bodies;
 mod closed_forms;
@@ -12,6 +13,7 @@ mod levels;
 
 use crate::cli::StudyArguments;
 use crate::project::project_root;
+use extent::Extent;
 use plotting::svg::Svg;
 use std::path::{Path, PathBuf};
 use table::Table;
@@ -28,7 +30,7 @@ pub(crate) fn chart(arguments: &StudyArguments) -> Result<(), Failure> {
     if let Some(file) = &arguments.table {
         return drawing.again(file, arguments);
     }
-    let extent = if arguments.quick { chart::Extent::Quick } else { chart::Extent::Full };
+    let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
     let rows = chart::rows(extent)?;
     drawing.study("", chart::csv(&rows), chart::page(&rows, extent))?.write(arguments)
 }
@@ -40,7 +42,7 @@ pub(crate) fn atlas(arguments: &StudyArguments) -> Result<(), Failure> {
     if let Some(file) = &arguments.table {
         return drawing.again(file, arguments);
     }
-    let extent = if arguments.quick { atlas::Extent::Quick } else { atlas::Extent::Full };
+    let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
     let rows = atlas::rows(extent)?;
     drawing.study("", atlas::csv(&rows), atlas::page(&rows, extent))?.write(arguments)?;
     match atlas::count(&rows, atlas::Verdict::Wrong) {
@@ -56,7 +58,7 @@ pub(crate) fn levels(arguments: &StudyArguments) -> Result<(), Failure> {
     if let Some(file) = &arguments.table {
         return drawing.again(file, arguments);
     }
-    let extent = if arguments.quick { levels::Extent::Quick } else { levels::Extent::Full };
+    let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
     let rows = levels::rows(extent)?;
     drawing.study("validation", levels::csv(&rows), levels::page(&rows, extent))?.write(arguments)
 }

@@ -1,5 +1,6 @@
 //! `bench --predictions`: what is said of a run before it begins, beside what it takes, over random scenes.
 
+mod row;
 mod child;
 mod fit;
 mod random_scenes;
@@ -9,6 +10,7 @@ use crate::cli::BenchArguments;
 use crate::project::project_root;
 use child::Taken;
 use random_scenes::RandomScene;
+use row::Row;
 use std::path::Path;
 use wayside::chain::expectation::Expectation;
 use wayside::chain::expectation::work::Item;
@@ -21,18 +23,6 @@ use wayside::host::files;
 use wayside::host::processor_time;
 use wayside::program::terminal;
 use wayside::{Allowance, SceneSource};
-
-/// One scene.
-struct Row {
-    scene: RandomScene,
-    expected: Expectation,
-    /// Processor seconds that it took to expect it.
-    look_s: f64,
-    /// What the memory of its largest frame goes into, and how many frames are computed at a time.
-    load: Load,
-    at_once: usize,
-    taken: Taken,
-}
 
 /// Scenes that a file has already are not run again, only expected anew: their times hold for what is said now as well.
 pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {

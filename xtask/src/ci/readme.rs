@@ -1,6 +1,6 @@
 //! The README's two commands, taken from its text and run as they stand there.
 
-use crate::ci::{Tally, counted, finished};
+use crate::ci::commands::{Tally, counted, finished};
 use crate::project::project_root;
 use serde_json::Value;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! The room rule: a room of `bart-rcs` uses only rooms that stand before it in its `lib.rs`, tests aside. So the crate can
 //! be read from the first room on, and no two rooms need each other.
 
-use crate::ci::size::sources;
+use crate::house::folders::sources;
 use crate::project::project_root;
 use std::path::{Path, PathBuf};
 use wayside::host::failure::Failure;

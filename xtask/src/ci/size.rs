@@ -1,8 +1,9 @@
 //! Files under 600 lines, no function over 70 (clippy's `too_many_lines` guards single functions too), nine functions in
 //! ten under 25 lines, the median under 10.
 
+use crate::house::folders::sources;
 use crate::project::project_root;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use wayside::host::failure::Failure;
 
 const FILE_LINES: usize = 600;
@@ -84,18 +85,6 @@ fn body_length(lines: &[&str], depth: usize) -> usize {
     let closes = |l: &&str| l.len() == depth + 1 && l.trim_start() == "}";
     let end = lines.iter().position(closes).unwrap_or(opens);
     end.saturating_sub(opens + 1)
-}
-
-/// Rust files of a folder and of those in it.
-pub(super) fn sources(folder: &Path, files: &mut Vec<PathBuf>) {
-    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|e| e.path());
-    for entry in entries {
-        match entry.extension() {
-            _ if entry.is_dir() && !entry.ends_with("target") => sources(&entry, files),
-            Some(e) if e == "rs" => files.push(entry),
-            _ => {}
-        }
-    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! The program that trains: built, looked at and tested in a folder of its own beside everything else, and with it the tests of
 //! `train`.
 
-use crate::ci::{Tally, counted};
+use crate::ci::commands::{Tally, counted};
 use crate::project::project_root;
 use std::fs::File;
 use std::path::PathBuf;

@@ -19,15 +19,9 @@ pub(super) use picture::{COLUMNS, picture};
 pub(super) use presentation::{count, csv, page};
 pub(super) use verdict::{Row, Says, Verdict};
 
+use crate::study::extent::Extent;
 use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
-
-/// How much is tried.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Extent {
-    Quick,
-    Full,
-}
 
 /// A group of rows.
 type Case = fn(Extent) -> Result<Vec<Row>, Failure>;

@@ -1,5 +1,6 @@
 //! Speed against accuracy: every method on the same work, its seconds, its memory and its error against another method.
 
+mod row;
 mod work;
 mod scattering;
 mod echo;
@@ -10,34 +11,11 @@ mod pictures;
 pub(super) use pictures::{COLUMNS, picture, picture_of_frames};
 pub(super) use presentation::{csv, page};
 
+use crate::study::extent::Extent;
+use row::Row;
 use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
 use work::Subject;
-
-/// How much is tried.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Extent {
-    /// A corner with a cube in front of it.
-    Quick,
-    /// The project's car.
-    Full,
-}
-
-/// One setting of one method on one piece of work.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Row {
-    pub(super) stage: &'static str,
-    pub(super) scene: String,
-    pub(super) method: &'static str,
-    pub(super) setting: String,
-    pub(super) seconds: f64,
-    /// Largest resident size of the program while this ran, MiB.
-    pub(super) peak_mib: Option<f64>,
-    /// Relative amplitude.
-    pub(super) error: f64,
-    /// What the error is against.
-    pub(super) reference: String,
-}
 
 /// One method's rows over a subject.
 type Part = fn(&Subject) -> Result<Vec<Row>, Failure>;

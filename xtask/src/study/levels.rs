@@ -1,10 +1,12 @@
 //! Levels of detail: what each costs and errs by, and which is taken for the accuracy asked.
 
+mod row;
 mod presentation;
 
 pub(super) use presentation::{COLUMNS, csv, page, picture};
 
 use crate::project::project_root;
+use crate::study::extent::Extent;
 use crate::study::looks;
 use crate::study::scenes::{cube_header, paths_of, scene_of, with_body};
 use artifact::paths::{Path, PathsFrame};
@@ -12,39 +14,13 @@ use artifact::scene::SceneHeader;
 use artifact::settings::{Detail, Noise};
 use artifact::{Accuracy, ErrorBudget};
 use num_complex::Complex64;
+use row::Row;
 use scene::{Meshes, ReadOptions};
 use std::time::Instant;
 use wayside::chain::link::echo_accuracy;
 use wayside::host::failure::Failure;
 use wayside::host::processor_time;
 use wayside::host::progress::Work;
-
-/// How much is tried.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Extent {
-    /// The car.
-    Quick,
-    /// Car, bus and intersection, and vehicles at other aspects.
-    Full,
-}
-
-/// One level of detail of one frame, at one accuracy asked for.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Row {
-    pub(super) scene: &'static str,
-    pub(super) asked_db: f64,
-    pub(super) level: Detail,
-    /// What each target took, where the program chose.
-    pub(super) chosen: String,
-    pub(super) paths: usize,
-    /// Of the echo against that of all paths: as told by the run, over the whole cube. `None` of all paths.
-    pub(super) told: Option<f64>,
-    pub(super) error: Option<f64>,
-    /// Root of the sum of squares of all that the run tells, the echo's apart.
-    pub(super) total: Option<f64>,
-    /// Processor seconds of tracing, of reducing, of the echo.
-    pub(super) seconds: [f64; 3],
-}
 
 /// A scene, and the finest accuracy that it is traced with: beyond, the reduction alone is asked for more.
 struct Case {

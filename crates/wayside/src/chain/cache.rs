@@ -164,7 +164,7 @@ impl Cache {
 
     fn keep<S: Schema>(&self, stage: Stage, key: &Key, header: &S::Header, frames: &[&S::Frame]) {
         let place = self.place(stage, key, S::NAME);
-        if !self.is_marked() || is_link(&place) {
+        if !self.is_marked() || own_files::is_link(&place) {
             return;
         }
         let provenance = Provenance { stage: stage.name().into(), inputs: key.parts.clone(), ..Provenance::default() };
@@ -215,10 +215,6 @@ fn whole<S: Schema>(place: &Path, key: &Key, content: Content) -> Result<(S::Hea
     Ok((reader.into_header(), frame))
 }
 
-fn is_link(place: &Path) -> bool {
-    std::fs::symlink_metadata(place).is_ok_and(|about| about.is_symlink())
-}
-
 fn renew(place: &Path) {
     if let Ok(file) = std::fs::File::options().append(true).open(place) {
         let _ = file.set_modified(SystemTime::now()); // only the order of eviction hangs on it
@@ -228,7 +224,7 @@ fn renew(place: &Path) {
 /// What cannot be read may be readable tomorrow; what is a link is not the cache's own.
 fn discard(place: &Path, why: &EntryFault) {
     let is_unread = matches!(why, EntryFault::Artifact(ArtifactError { fault: Fault::System { .. }, .. }));
-    if is_unread || is_link(place) {
+    if is_unread || own_files::is_link(place) {
         progress::note(format!("note: cache entry not used: {why}"));
     } else {
         progress::note(format!("note: damaged cache entry removed, it is made anew: {why}"));

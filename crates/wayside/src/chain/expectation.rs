@@ -2,6 +2,7 @@
 
 pub mod machine_speed;
 pub(crate) mod rates;
+mod counting;
 mod tracer_work;
 pub mod work;
 
@@ -34,7 +35,7 @@ impl Expectation {
         plans: &[FramePlan],
         machine_speed: f64,
     ) -> Result<Self, Failure> {
-        let work = work::of_run(chain, cache, plans)?;
+        let work = counting::of_run(chain, cache, plans)?;
         let seconds = rates::reference_seconds(&work) / machine_speed;
         Ok(Self { work, seconds, memory_mib: chain.memory_of_run_mib(plans)? })
     }

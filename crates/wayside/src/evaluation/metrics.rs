@@ -5,6 +5,7 @@
 //! ([`crate::evaluation::pairing`]); tracks say where a body stands, and the middles of their boxes are compared with the middles of bodies.
 //! Neither bodies whose echoes were removed as echoes at rest count, nor objects at rest that are nobody's and tracks that have no others.
 
+mod distances;
 pub(crate) mod gospa;
 mod identities;
 mod ospa;
@@ -14,6 +15,7 @@ use crate::evaluation::pairing::{GATE_M, Pairing};
 use crate::evaluation::truth::Truth;
 use artifact::points::Object;
 use artifact::tracks::{Track, TrackState, TracksFrame};
+use distances::squares_m2;
 use glam::DVec2;
 use gospa::{Gospa, gospa};
 use identities::Identities;
@@ -66,11 +68,6 @@ fn of_tracks(truth: &FrameTruth, tracks: &[&Track]) -> Array2<f64> {
     let bodies: Vec<DVec2> = shown(truth).map(|body| body.position_m.truncate()).collect();
     let boxes: Vec<DVec2> = tracks.iter().map(|t| DVec2::from(t.footprint.centre_m)).collect();
     squares_m2(&bodies, &boxes)
-}
-
-/// Squared distances of places, `[truth, estimate]`.
-fn squares_m2(truths: &[DVec2], estimates: &[DVec2]) -> Array2<f64> {
-    Array2::from_shape_fn((truths.len(), estimates.len()), |(t, e)| truths[t].distance_squared(estimates[e]))
 }
 
 /// Bodies that are to be found.

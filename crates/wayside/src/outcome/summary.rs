@@ -5,15 +5,14 @@ use crate::chain::measured_frames::errors_of_frame;
 use crate::chain::stages::Stage;
 use crate::evaluation::frame_truth::FrameTruth;
 use crate::evaluation::truth::Truth;
+use crate::outcome::error_figures::{db, error_db, model_error_db};
 use crate::outcome::false_objects;
 use crate::outcome::verdict::{Asking, Verdict};
-use artifact::accuracy::{ErrorBudget, ModelError};
 use artifact::paths::{PathsFrame, TargetDetail};
 use artifact::points::Object;
 use artifact::radar::{ElementError, Sampling};
 use artifact::scene::{Role, SceneHeader, TargetKind};
 use artifact::settings::{Class, StaticEchoes};
-use artifact::units::db_from_amplitude;
 use serde_json::{Map, Value, json};
 
 /// The file's first level without its frames.
@@ -123,23 +122,6 @@ fn detail(paths: &PathsFrame) -> Value {
 
 fn seconds(seconds: &[(Stage, f64)]) -> Value {
     seconds.iter().map(|(stage, s)| (stage.name().to_owned(), json!(s))).collect::<Map<_, _>>().into()
-}
-
-fn db(amplitude: Option<f64>) -> Value {
-    amplitude.map_or(Value::Null, |a| json!(db_from_amplitude(a)))
-}
-
-/// `{total, tessellation, integration, dropped, freezing, detail, synthesis}` in dB, null where not estimated.
-pub(crate) fn error_db(error: &ErrorBudget) -> Value {
-    let mut map = Map::new();
-    map.insert("total".into(), db(error.total()));
-    map.extend(error.shares().iter().map(|(name, share)| ((*name).to_owned(), db(*share))));
-    map.into()
-}
-
-/// `{bounces, nodes, edges, far_field}` in dB, null where not estimated.
-pub(crate) fn model_error_db(error: &ModelError) -> Value {
-    error.sources().iter().map(|(name, source)| ((*name).to_owned(), db(*source))).collect::<Map<_, _>>().into()
 }
 
 /// The map's velocity minus the truth's, rounded to multiples of the unambiguous span, is not zero. Without an

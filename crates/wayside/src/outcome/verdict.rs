@@ -1,6 +1,6 @@
 //! Whether the accuracy that was asked for was reached; where not, what limits it and what would help.
 
-use crate::outcome::summary::error_db;
+use crate::outcome::error_figures::error_db;
 use artifact::paths::PathsFrame;
 use artifact::units::db_from_amplitude;
 use artifact::{Accuracy, ErrorBudget};

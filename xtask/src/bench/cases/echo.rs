@@ -1,7 +1,7 @@
 //! The echo: the recurrence against its formulas, the sum by transforms against the direct sum and another program's transforms.
 
-use crate::bench::Comparison;
-use crate::bench::cases::{FULL, Sizes, timed};
+use crate::bench::cases::timing::{FULL, Sizes, timed};
+use crate::bench::comparison::Comparison;
 use crate::bench::programs::{Job, Language, complex};
 use crate::study::scenes::scene_of;
 use artifact::paths::{Amplitude, Path};

@@ -1,7 +1,7 @@
 //! Maps, detectors and angles of one frame of noise beside other programs, all given the same samples.
 
-use crate::bench::Comparison;
-use crate::bench::cases::{Sizes, quickest};
+use crate::bench::cases::timing::{Sizes, quickest};
+use crate::bench::comparison::Comparison;
 use crate::bench::programs::{Answer, Job, Language, NotHere, complex};
 use crate::study::scenes::{cube_header, scene_of};
 use artifact::cube::{CubeFrame, CubeHeader};

@@ -1,7 +1,7 @@
 //! The tracer against dense sampling, ray shooting, and another program's rays.
 
-use crate::bench::Comparison;
-use crate::bench::cases::{FULL, Sizes, timed};
+use crate::bench::cases::timing::{FULL, Sizes, timed};
+use crate::bench::comparison::Comparison;
 use crate::bench::programs::{Job, Language};
 use artifact::Accuracy;
 use artifact::paths::Amplitude;

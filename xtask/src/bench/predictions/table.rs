@@ -1,10 +1,11 @@
 //! The rows of a comparison as a file: one line for each scene, and what has been run is read from it again.
 
 use crate::bench::predictions::child::Taken;
-use crate::bench::predictions::{Load, Row};
+use crate::bench::predictions::row::Row;
 use std::collections::BTreeMap;
 use std::path::Path;
 use wayside::chain::expectation::work::Item;
+use wayside::chain::memory_estimate::Load;
 use wayside::host::failure::Failure;
 use wayside::host::files;
 

@@ -1,7 +1,8 @@
 //! Targets too fast or too far for the waveform. Errors are those of the estimate, relative to the truth.
 
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{Extent, Row, Says};
+use crate::study::atlas::{Row, Says};
+use crate::study::extent::Extent;
 use crate::study::scenes::{scene_of, seen, with_point};
 use artifact::points::Object;
 use artifact::scene::SceneHeader;

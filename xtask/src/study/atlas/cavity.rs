@@ -1,8 +1,9 @@
 //! A box that lacks its front: the field comes back after many bounces.
 
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{Extent, Row, Says};
+use crate::study::atlas::{Row, Says};
 use crate::study::bodies::{self, Face};
+use crate::study::extent::Extent;
 use crate::study::looks;
 use artifact::settings::Sides;
 use bart_rcs::reference::{Bracket, sbr};

@@ -1,9 +1,10 @@
 //! Meshes as people have them: what covers, touches, doubles or hides what.
 
+use crate::study::atlas::Row;
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{Extent, Row};
 use crate::study::bodies::{self, Face};
 use crate::study::closed_forms;
+use crate::study::extent::Extent;
 use crate::study::looks;
 use artifact::scene::Mesh;
 use bart_rcs::RcsRequest;

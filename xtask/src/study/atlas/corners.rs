@@ -1,8 +1,9 @@
 //! Joins of beams in corners: each sequence once, and what the choice of a node is worth.
 
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{Extent, Row, Says};
+use crate::study::atlas::{Row, Says};
 use crate::study::bodies;
+use crate::study::extent::Extent;
 use crate::study::looks;
 use artifact::scene::Mesh;
 use artifact::settings::NodeRule;

@@ -1,9 +1,10 @@
 //! Facets in place of a curved skin, and physical optics on bodies that are small.
 
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{Extent, Row, Says};
+use crate::study::atlas::{Row, Says};
 use crate::study::bodies;
 use crate::study::closed_forms;
+use crate::study::extent::Extent;
 use crate::study::looks;
 use artifact::settings::NodeRule;
 use bart_rcs::RcsRequest;

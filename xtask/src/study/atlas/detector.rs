@@ -1,7 +1,8 @@
 //! The detector at the edges of a map, between neighbours, and without noise.
 
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{Extent, Row, Says};
+use crate::study::atlas::{Row, Says};
+use crate::study::extent::Extent;
 use crate::study::scenes::{cube_header, paths_of, scene_of, seen, with_point};
 use artifact::cube::CubeFrame;
 use artifact::scene::SceneHeader;

@@ -1,9 +1,10 @@
 //! A plate of 1.5 m at the ranges of a road, 2D²/λ = 1.2 km: a far-field table against paths of spherical waves.
 
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{Extent, Row, Says};
+use crate::study::atlas::{Row, Says};
 use crate::study::bodies;
 use crate::study::closed_forms;
+use crate::study::extent::Extent;
 use crate::study::looks;
 use crate::study::scenes::{frame_of, paths_of, scene_of, tables_at, with_body};
 use artifact::scene::SceneHeader;

@@ -1,8 +1,9 @@
 //! Paths that stand for a body through a whole frame, and the precision of samples.
 
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{Extent, Row, Says};
+use crate::study::atlas::{Row, Says};
 use crate::study::bodies;
+use crate::study::extent::Extent;
 use crate::study::looks;
 use crate::study::scenes::{cube_of, frame_of, paths_at, paths_of, scene_of, with_body, with_point};
 use artifact::Accuracy;

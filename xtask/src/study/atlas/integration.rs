@@ -1,9 +1,10 @@
 //! The closed-form integral where its formulas turn into 0/0, and where facets cancel.
 
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{Extent, Row, Says};
+use crate::study::atlas::{Row, Says};
 use crate::study::bodies;
 use crate::study::closed_forms;
+use crate::study::extent::Extent;
 use crate::study::looks;
 use bart_rcs::{RcsRequest, RcsResult};
 use wayside::host::failure::Failure;

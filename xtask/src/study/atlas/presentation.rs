@@ -1,6 +1,7 @@
 //! The atlas as CSV and page.
 
-use crate::study::atlas::{Extent, Row, Verdict};
+use crate::study::atlas::{Row, Verdict};
+use crate::study::extent::Extent;
 use crate::study::table;
 
 pub(in crate::study) fn count(rows: &[Row], verdict: Verdict) -> usize {

@@ -1,9 +1,10 @@
 //! The slow references where they are too coarse.
 
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{Extent, Row, Says};
+use crate::study::atlas::{Row, Says};
 use crate::study::bodies;
 use crate::study::closed_forms;
+use crate::study::extent::Extent;
 use crate::study::looks;
 use artifact::settings::Sides;
 use bart_rcs::reference::{Bracket, po, sbr};

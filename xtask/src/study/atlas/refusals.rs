@@ -1,8 +1,9 @@
 //! Inputs that have no answer must be refused, with a reason.
 
+use crate::study::atlas::Row;
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{Extent, Row};
 use crate::study::bodies;
+use crate::study::extent::Extent;
 use crate::study::looks;
 use crate::study::scenes::{cube_header, cube_of, paths_of, scene_of, with_point};
 use artifact::scene::{Mesh, SceneHeader};

@@ -1,6 +1,6 @@
 //! Vehicles on the road at several ranges, each frame echoed both ways: path by path, and by the paper's table.
 
-use crate::study::chart::Row;
+use crate::study::chart::row::Row;
 use crate::study::chart::work::{Measured, measured};
 use crate::study::looks;
 use crate::study::scenes::{cube_header, cube_of, frame_of, paths_at, paths_of, scene_of, tables_at, with_body};

@@ -1,6 +1,6 @@
 //! Echoes of a moving body: paths against the paper's table, and the two forms of the sum.
 
-use crate::study::chart::Row;
+use crate::study::chart::row::Row;
 use crate::study::chart::work::{Measured, Subject, measured};
 use crate::study::looks;
 use crate::study::scenes::{cube_header, cube_of, frame_of, paths_at, paths_of, scene_of, tables_at, with_body};

@@ -1,6 +1,7 @@
 //! The chart as CSV and page.
 
-use crate::study::chart::{Extent, Row};
+use crate::study::chart::row::Row;
+use crate::study::extent::Extent;
 use crate::study::table;
 
 /// Columns of interface.md.

@@ -1,6 +1,6 @@
 //! Scattering at one aspect: beams against dense sampling and against rays.
 
-use crate::study::chart::Row;
+use crate::study::chart::row::Row;
 use crate::study::chart::work::{Measured, Subject, measured};
 use crate::study::looks;
 use artifact::Accuracy;

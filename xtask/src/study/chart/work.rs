@@ -1,7 +1,7 @@
 //! What the methods are given to do, and how it is measured.
 
 use crate::study::bodies::{self, Face};
-use crate::study::chart::Extent;
+use crate::study::extent::Extent;
 use artifact::scene::Mesh;
 use std::time::Instant;
 use wayside::host::failure::Failure;

@@ -1,6 +1,7 @@
 //! The levels as CSV, page and picture.
 
-use crate::study::levels::{Extent, Row};
+use crate::study::extent::Extent;
+use crate::study::levels::row::Row;
 use crate::study::table::{self, Table};
 use artifact::settings::Detail;
 use artifact::units::db_from_amplitude;

@@ -4,15 +4,12 @@
 //! earlier versions made have no mark, and hold no file that somebody else could have put there under such names. It gets its
 //! mark with the next file. Every other folder is refused, so that no slip of `--cache` mixes entries into a user's files.
 
-use crate::chain::cache::own_files;
+use crate::chain::cache::own_files::{self, MARK};
 use crate::host::failure::Failure;
 use artifact::ArtifactError;
 use artifact::whole_file::{self, Durability};
 use std::io::{ErrorKind, Read};
 use std::path::Path;
-
-/// Name of the mark.
-pub(super) const NAME: &str = "CACHEDIR.TAG";
 
 /// How it begins, by the standard (<https://bford.info/cachedir/>).
 const SIGNATURE: &str = "Signature: 8a477f597d28d172789f06886806bc55";
@@ -35,7 +32,7 @@ pub(super) fn check(root: &Path) -> Result<(), Failure> {
         None => Ok(()),
         Some(foreign) => {
             let foreign = foreign.strip_prefix(root).unwrap_or(&foreign);
-            Err(refused(root, &format!("it has no {NAME}, and no cache holds `{}`", foreign.display())))
+            Err(refused(root, &format!("it has no {MARK}, and no cache holds `{}`", foreign.display())))
         }
     }
 }
@@ -46,7 +43,7 @@ fn refused(root: &Path, why: &str) -> Failure {
 
 /// Whether the mark is there: a plain file that begins as the standard says.
 fn is_set(root: &Path) -> bool {
-    let place = root.join(NAME);
+    let place = root.join(MARK);
     let is_plain = std::fs::symlink_metadata(&place).is_ok_and(|about| about.is_file());
     let mut begin = [0; SIGNATURE.len()];
     let read = |begin: &mut [u8]| std::fs::File::open(&place).and_then(|mut file| file.read_exact(begin));
@@ -58,5 +55,5 @@ pub(super) fn set(root: &Path) -> Result<(), ArtifactError> {
     if is_set(root) {
         return Ok(());
     }
-    whole_file::write(&root.join(NAME), format!("{SIGNATURE}{REST}").as_bytes(), Durability::InCache)
+    whole_file::write(&root.join(MARK), format!("{SIGNATURE}{REST}").as_bytes(), Durability::InCache)
 }

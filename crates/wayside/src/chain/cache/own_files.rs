@@ -1,11 +1,18 @@
 //! The files that a cache makes, known by their names; links are none of them, and nothing is looked for behind one.
 
-use crate::chain::cache::marker;
 use crate::chain::stages::Stage;
 use artifact::whole_file;
 use std::fs::Metadata;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
+
+/// Name of the mark.
+pub(super) const MARK: &str = "CACHEDIR.TAG";
+
+/// Whether the place is a symbolic link, which is never the cache's own.
+pub(super) fn is_link(place: &Path) -> bool {
+    std::fs::symlink_metadata(place).is_ok_and(|about| about.is_symlink())
+}
 
 /// A file of the cache's own.
 pub(crate) struct OwnFile {
@@ -122,7 +129,7 @@ fn look_through(kind: Folder, folder: &Path, found: &mut Found) {
 
 /// The mark, and temporary files.
 fn is_beside(kind: Folder, name: &str, path: &Path) -> bool {
-    (kind == Folder::Root && name == marker::NAME) || whole_file::is_temporary(path) || is_of_earlier_version(path)
+    (kind == Folder::Root && name == MARK) || whole_file::is_temporary(path) || is_of_earlier_version(path)
 }
 
 /// The cache's own folders, each before those within it.

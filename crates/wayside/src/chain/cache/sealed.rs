@@ -1,5 +1,6 @@
 //! Small remarks that a cache keeps as JSON, each with the checksum of its text: a damaged one is named and not believed.
 
+use crate::chain::cache::own_files;
 use crate::host::progress;
 use artifact::whole_file::{self, Durability};
 use serde::de::DeserializeOwned;
@@ -32,7 +33,7 @@ pub(super) fn read<T: DeserializeOwned>(place: &Path) -> Option<T> {
 pub(super) fn write<T: Serialize>(place: &Path, value: &T) {
     let Ok(text) = serde_json::to_string(value) else { return };
     let Ok(bytes) = serde_json::to_vec(&Sealed { blake3: checksum(&text), text }) else { return };
-    if !crate::chain::cache::is_link(place) {
+    if !own_files::is_link(place) {
         let _ = whole_file::write(place, &bytes, Durability::InCache);
     }
 }

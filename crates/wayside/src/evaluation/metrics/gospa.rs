@@ -60,7 +60,7 @@ pub(crate) fn gospa(squares_m2: ArrayView2<f64>, cutoff_m: f64) -> Gospa {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluation::metrics::squares_m2;
+    use crate::evaluation::metrics::distances::squares_m2;
     use glam::DVec2;
 
     fn of_places(truths: &[DVec2], estimates: &[DVec2], cutoff_m: f64) -> Gospa {

@@ -2,6 +2,7 @@
 
 pub(crate) mod sidecar;
 pub(crate) mod inspect;
+pub(crate) mod writing;
 pub(crate) mod npy_stream;
 pub(crate) mod raw_data;
 pub(crate) mod export;

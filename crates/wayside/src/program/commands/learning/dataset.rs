@@ -4,10 +4,12 @@
 mod recipe;
 mod rules;
 mod models;
+mod document;
 mod draws;
 mod places;
 mod staging;
 mod shots;
+mod seen;
 mod shard;
 mod lines;
 mod resumption;

@@ -2,6 +2,7 @@
 //! split (S), on vehicles held out in turn (V, folder by folder), and on datasets that never trained (T). Or the paper's network by
 //! the paper's protocol (P).
 
+mod asked;
 mod conditions;
 mod curves;
 mod paper;
@@ -13,37 +14,14 @@ use crate::host::progress::Work;
 use crate::program::cli::{LearnerWord, ProtocolsArguments};
 use crate::program::commands::learning::evaluate::{confusion, sightings_of};
 use crate::program::terminal;
-use artifact::dataset::Split;
-use artifact::model::Weights;
 use artifact::settings::Class;
+use asked::{HELD_OUT, Kept, Protocol, answers, of_test, of_training, told};
 use classifier::{
-    Logits, Part, ReliabilityBin, Seen, Sightings, TrainedTrees, TreeSettings, likeness, log_softmax, parts,
-    train_trees, tree_logits,
+    Logits, Part, ReliabilityBin, Seen, Sightings, TrainedTrees, TreeSettings, likeness, log_softmax, train_trees,
 };
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-
-/// What every training is asked: a name, and which answers belong to it.
-struct Protocol<'a> {
-    name: String,
-    seen: Vec<(&'a Seen, Source)>,
-}
-
-/// Where the answer to a sighting stands.
-#[derive(Clone, Copy)]
-enum Source {
-    /// With the training, under this number.
-    Trained(usize),
-    /// Nowhere: the finished trees answer.
-    Test,
-}
-
-/// Which sightings a row counts.
-type Kept = fn(&Seen) -> bool;
-
-/// The protocol of all vehicles that were held out.
-const HELD_OUT: &str = "V: vehicles held out in turn";
 
 /// Arrays that have a row of the table.
 const ARRAYS: [(&str, Kept); 3] =
@@ -96,27 +74,6 @@ fn of_trees(arguments: &ProtocolsArguments) -> Result<String, Failure> {
     Ok(page)
 }
 
-fn of_training<'a>(learned: &'a Sightings, folders: &[PathBuf]) -> Vec<Protocol<'a>> {
-    let those = |name: String, kept: &dyn Fn(&Seen) -> bool| {
-        let all = learned.all.iter().enumerate().filter(|(_, seen)| kept(seen));
-        Protocol { name, seen: all.map(|(number, seen)| (seen, Source::Trained(number))).collect() }
-    };
-    let held_out = |seen: &Seen| seen.split != Split::Test;
-    let mut all =
-        vec![those("S: scenes of the test split".into(), &|seen| !held_out(seen)), those(HELD_OUT.into(), &held_out)];
-    let name = |folder: &Path| format!("V: of {}", folder.display());
-    if folders.len() > 1 {
-        let one = |(n, folder): (usize, &PathBuf)| those(name(folder), &|seen| held_out(seen) && seen.track.0 == n);
-        all.extend(folders.iter().enumerate().map(one));
-    }
-    all.retain(|protocol| !protocol.seen.is_empty());
-    all
-}
-
-fn of_test(name: String, test: &Sightings) -> Protocol<'_> {
-    Protocol { name, seen: test.all.iter().map(|seen| (seen, Source::Test)).collect() }
-}
-
 fn page(protocols: &[Protocol<'_>], trained: &[TrainedTrees]) -> String {
     let mut page = format!(
         "Means over {} trainings; in brackets 95 % over vehicles, and the spread of the trainings.\n\n\
@@ -139,21 +96,6 @@ fn page(protocols: &[Protocol<'_>], trained: &[TrainedTrees]) -> String {
         }
     }
     page
-}
-
-/// What a training tells of a protocol's sightings with one kind of array; `None` without any.
-fn told(protocol: &Protocol<'_>, trained: &TrainedTrees, kept: Kept) -> Option<[Part; 2]> {
-    let (seen, logits): (Vec<&Seen>, Vec<Logits>) = answers(protocol, trained, kept).into_iter().unzip();
-    (!seen.is_empty()).then(|| parts(&seen, &logits, trained.metrics.frame_correlation))
-}
-
-fn answers<'a>(protocol: &Protocol<'a>, trained: &TrainedTrees, kept: Kept) -> Vec<(&'a Seen, Logits)> {
-    let Weights::Trees(trees) = &trained.weights else { return vec![] };
-    let answer = |&(seen, source): &(&'a Seen, Source)| match source {
-        Source::Trained(number) => (seen, trained.told[number]),
-        Source::Test => (seen, tree_logits(trees, &seen.features)),
-    };
-    protocol.seen.iter().filter(|(seen, _)| kept(seen)).map(answer).collect()
 }
 
 fn row(name: &str, array: &str, told: &[[Part; 2]]) -> String {

@@ -1,7 +1,7 @@
 //! What `rcs` answers: the table and what is known of it.
 
 use crate::host::processor_time::Counted;
-use crate::outcome::summary::{error_db, model_error_db};
+use crate::outcome::error_figures::{error_db, model_error_db};
 use crate::outcome::verdict::{Asking, Verdict};
 use crate::program::cli::RcsArguments;
 use crate::program::terminal;

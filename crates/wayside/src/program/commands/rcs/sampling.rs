@@ -127,7 +127,9 @@ pub(super) fn centre(frequency_hz: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::commands::rcs::tests::request_of;
+    use artifact::Accuracy;
+    use artifact::radar::Polarization;
+    use artifact::settings::{Edges, NodeRule, Sides, Surface};
 
     /// A box of 4 m × 2 m × 1 m that stands 10 m ahead of its origin.
     fn body() -> Mesh {
@@ -156,5 +158,23 @@ mod tests {
     #[test]
     fn a_body_ahead_of_its_origin_is_nearer() {
         assert!((middle_m(&body(), &request_of(&[77e9], &[0.0]), 0.0) + 10.0).abs() < 1e-12);
+    }
+
+    /// A plain request over frequencies and azimuths, far away.
+    fn request_of(frequency_hz: &[f64], azimuth_rad: &[f64]) -> RcsRequest {
+        RcsRequest {
+            frequency_hz: frequency_hz.to_vec(),
+            elevation_rad: vec![0.0],
+            azimuth_rad: azimuth_rad.to_vec(),
+            range_m: f64::INFINITY,
+            receiver: None,
+            polarization: Polarization::Vv,
+            bounces: 1,
+            nodes: NodeRule::OwnEdge,
+            edges: Edges::Ignored,
+            surface: Surface::Flat,
+            sides: Sides::Two,
+            accuracy: Accuracy::from_db(-40.0),
+        }
     }
 }

@@ -1,9 +1,9 @@
 //! Radar cubes as complex64 `[frame, channel, chirp, sample]`.
 
 use crate::host::failure::Failure;
-use crate::program::commands::formats::export::fail;
 use crate::program::commands::formats::npy_stream::NpyStream;
 use crate::program::commands::formats::sidecar;
+use crate::program::commands::formats::writing::fail;
 use artifact::Reader;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::radar::{Multiplexing, Radar, Sampling};

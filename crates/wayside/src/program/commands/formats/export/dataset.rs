@@ -1,9 +1,9 @@
 //! Crops as uint8 `[sample, velocity, range]`, or as pictures.
 
 use crate::host::failure::Failure;
-use crate::program::commands::formats::export::{fail, plain_name};
 use crate::program::commands::formats::npy_stream::NpyStream;
 use crate::program::commands::formats::sidecar;
+use crate::program::commands::formats::writing::{fail, plain_name};
 use artifact::Reader;
 use artifact::dataset::{Crop, Dataset, Sample};
 use serde_json::{Value, json};

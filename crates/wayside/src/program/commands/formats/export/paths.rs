@@ -2,8 +2,8 @@
 
 use crate::host::failure::Failure;
 use crate::host::files;
-use crate::program::commands::formats::export::fail;
 use crate::program::commands::formats::sidecar;
+use crate::program::commands::formats::writing::fail;
 use artifact::Reader;
 use artifact::paths::{Path as Record, Paths, PathsHeader, Span};
 use artifact::units::SPEED_OF_LIGHT_MPS;

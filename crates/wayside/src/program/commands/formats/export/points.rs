@@ -2,7 +2,7 @@
 
 use crate::host::failure::Failure;
 use crate::host::files;
-use crate::program::commands::formats::export::fail;
+use crate::program::commands::formats::writing::fail;
 use artifact::Reader;
 use artifact::points::{Label, Point, Points, PointsFrame, PointsHeader};
 use artifact::settings::Class;

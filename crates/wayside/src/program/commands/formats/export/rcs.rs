@@ -1,9 +1,9 @@
 //! RCS tables as complex128 `[frequency, elevation, azimuth]`.
 
 use crate::host::failure::Failure;
-use crate::program::commands::formats::export::plain_name;
 use crate::program::commands::formats::npy_stream::NpyStream;
 use crate::program::commands::formats::sidecar;
+use crate::program::commands::formats::writing::plain_name;
 use artifact::Reader;
 use artifact::rcs::{Rcs, RcsTable};
 use num_complex::Complex64;

@@ -6,9 +6,9 @@
 use crate::host::failure::Failure;
 use crate::host::files;
 use crate::host::progress;
-use crate::program::commands::formats::export::fail;
 use crate::program::commands::formats::raw_data::{Imported, LIMIT_BYTES, Recording, Step};
 use crate::program::commands::formats::sidecar;
+use crate::program::commands::formats::writing::fail;
 use artifact::Reader;
 use artifact::bounded;
 use artifact::cube::{Cube, CubeHeader};

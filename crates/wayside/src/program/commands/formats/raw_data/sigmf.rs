@@ -2,8 +2,8 @@
 
 use crate::host::failure::Failure;
 use crate::host::files;
-use crate::program::commands::formats::export::fail;
 use crate::program::commands::formats::raw_data::{Imported, LIMIT_BYTES, Recording, Step};
+use crate::program::commands::formats::writing::fail;
 use artifact::Reader;
 use artifact::bounded;
 use artifact::cube::{Cube, CubeHeader};

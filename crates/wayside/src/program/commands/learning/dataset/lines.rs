@@ -4,7 +4,7 @@ use crate::evaluation::truth::Truth;
 use crate::outcome::verdict::{Asking, Verdict};
 use crate::program::commands::learning::dataset::draws::Drawn;
 use crate::program::commands::learning::dataset::recipe::Recipe;
-use crate::program::commands::learning::dataset::shots::Seen;
+use crate::program::commands::learning::dataset::seen::Seen;
 use crate::program::commands::learning::dataset::staging::{Staged, Told};
 use artifact::points::Object;
 use serde_json::{Map, Value, json};

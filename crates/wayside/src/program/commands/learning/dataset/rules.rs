@@ -1,6 +1,6 @@
 //! What the keys of a recipe may say.
 
-use crate::program::commands::learning::dataset::recipe::{Base, Document};
+use crate::program::commands::learning::dataset::document::{Base, Document};
 use artifact::settings::Noise;
 
 /// At a second a scene that is a week and a half for each class.

@@ -1,14 +1,13 @@
 //! Drawn scenes sent through the whole chain: samples of what was found, and a line of truth and estimate.
 
-use crate::chain::link::{Chain, FrameProducts};
+use crate::chain::link::Chain;
 use crate::chain::measured_frames::Known;
-use crate::evaluation::pairing::{Pairing, Reach};
-use crate::evaluation::truth::{self, Truth};
 use crate::host::failure::Failure;
 use crate::host::memory::Allowance;
 use crate::program::commands::learning::dataset::draws::Drawn;
 use crate::program::commands::learning::dataset::lines;
 use crate::program::commands::learning::dataset::recipe::Recipe;
+use crate::program::commands::learning::dataset::seen::{Seen, seen};
 use crate::program::commands::learning::dataset::staging::{Staged, stage};
 use artifact::dataset::{Crop, Sample};
 use serde_json::Value;
@@ -29,14 +28,6 @@ pub(super) struct Shot {
 pub(super) struct Measured {
     pub(super) scene: u64,
     known: Arc<Known>,
-}
-
-/// One frame of a scene.
-pub(super) struct Seen {
-    pub(super) products: FrameProducts,
-    pub(super) truths: Vec<Truth>,
-    /// For each vehicle its object.
-    pub(super) object_of: Vec<Option<usize>>,
 }
 
 /// What a scene is computed in.
@@ -73,13 +64,6 @@ pub(super) fn shoot(recipe: &Recipe, drawn: &Drawn, surroundings: &Surroundings<
         line: lines::scene(recipe, drawn, &staged, frames, measured.scene, surroundings.shard),
         measured,
     })
-}
-
-fn seen(staged: &Staged, products: FrameProducts) -> Seen {
-    let result = &products.result;
-    let truths = truth::truths(&staged.header, &result.scene, result.paths.as_ref());
-    let object_of = Pairing::of(&truths, &result.points.objects, &Reach::of(&staged.header)).object_of;
-    Seen { products, truths, object_of }
 }
 
 fn samples_of(

@@ -3,7 +3,7 @@
 use crate::chain::loaded_model::of_classifier;
 use crate::host::failure::Failure;
 use crate::host::progress::Work;
-use crate::program::commands::learning::protocols::{of_test, of_training, told};
+use crate::program::commands::learning::protocols::asked::{of_test, of_training, told};
 use artifact::dataset::Split;
 use artifact::seed;
 use classifier::{ClassifierError, Part, Seen, Sightings, TrainedTrees, TreeSettings, train_trees};

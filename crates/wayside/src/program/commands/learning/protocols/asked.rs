@@ -1,0 +1,63 @@
+//! What a training is asked: which sightings belong to a protocol, and what the training tells of them.
+
+use artifact::dataset::Split;
+use artifact::model::Weights;
+use classifier::{Logits, Part, Seen, Sightings, TrainedTrees, parts, tree_logits};
+use std::path::{Path, PathBuf};
+
+/// What every training is asked: a name, and which answers belong to it.
+pub(super) struct Protocol<'a> {
+    pub(super) name: String,
+    pub(super) seen: Vec<(&'a Seen, Source)>,
+}
+
+/// Where the answer to a sighting stands.
+#[derive(Clone, Copy)]
+pub(super) enum Source {
+    /// With the training, under this number.
+    Trained(usize),
+    /// Nowhere: the finished trees answer.
+    Test,
+}
+
+/// Which sightings a row counts.
+pub(super) type Kept = fn(&Seen) -> bool;
+
+/// The protocol of all vehicles that were held out.
+pub(super) const HELD_OUT: &str = "V: vehicles held out in turn";
+
+pub(super) fn of_training<'a>(learned: &'a Sightings, folders: &[PathBuf]) -> Vec<Protocol<'a>> {
+    let those = |name: String, kept: &dyn Fn(&Seen) -> bool| {
+        let all = learned.all.iter().enumerate().filter(|(_, seen)| kept(seen));
+        Protocol { name, seen: all.map(|(number, seen)| (seen, Source::Trained(number))).collect() }
+    };
+    let held_out = |seen: &Seen| seen.split != Split::Test;
+    let mut all =
+        vec![those("S: scenes of the test split".into(), &|seen| !held_out(seen)), those(HELD_OUT.into(), &held_out)];
+    let name = |folder: &Path| format!("V: of {}", folder.display());
+    if folders.len() > 1 {
+        let one = |(n, folder): (usize, &PathBuf)| those(name(folder), &|seen| held_out(seen) && seen.track.0 == n);
+        all.extend(folders.iter().enumerate().map(one));
+    }
+    all.retain(|protocol| !protocol.seen.is_empty());
+    all
+}
+
+pub(super) fn of_test(name: String, test: &Sightings) -> Protocol<'_> {
+    Protocol { name, seen: test.all.iter().map(|seen| (seen, Source::Test)).collect() }
+}
+
+/// What a training tells of a protocol's sightings with one kind of array; `None` without any.
+pub(super) fn told(protocol: &Protocol<'_>, trained: &TrainedTrees, kept: Kept) -> Option<[Part; 2]> {
+    let (seen, logits): (Vec<&Seen>, Vec<Logits>) = answers(protocol, trained, kept).into_iter().unzip();
+    (!seen.is_empty()).then(|| parts(&seen, &logits, trained.metrics.frame_correlation))
+}
+
+pub(super) fn answers<'a>(protocol: &Protocol<'a>, trained: &TrainedTrees, kept: Kept) -> Vec<(&'a Seen, Logits)> {
+    let Weights::Trees(trees) = &trained.weights else { return vec![] };
+    let answer = |&(seen, source): &(&'a Seen, Source)| match source {
+        Source::Trained(number) => (seen, trained.told[number]),
+        Source::Test => (seen, tree_logits(trees, &seen.features)),
+    };
+    protocol.seen.iter().filter(|(seen, _)| kept(seen)).map(answer).collect()
+}

@@ -1,0 +1,39 @@
+//! How large cases are, and how long they take.
+
+use std::time::Instant;
+use wayside::host::failure::Failure;
+
+/// How large the cases are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::bench) struct Sizes {
+    /// Of rays and samples.
+    pub(super) per_wavelength: f64,
+    pub(super) frequency_hz: f64,
+    pub(super) paths: usize,
+    /// Seconds that a quick piece of work is repeated for.
+    pub(super) repeated_s: f64,
+}
+
+pub(in crate::bench) const FULL: Sizes =
+    Sizes { per_wavelength: 4.0, frequency_hz: 77.3125e9, paths: 67_000, repeated_s: 0.5 };
+pub(in crate::bench) const QUICK: Sizes =
+    Sizes { per_wavelength: 2.0, frequency_hz: 10e9, paths: 2_000, repeated_s: 0.1 };
+
+/// A piece of work and its seconds.
+pub(super) fn timed<T>(work: impl FnOnce() -> Result<T, Failure>) -> Result<(T, f64), Failure> {
+    let start = Instant::now();
+    let value = work()?;
+    Ok((value, start.elapsed().as_secs_f64()))
+}
+
+/// The quickest run of three at least, and what it gave.
+pub(super) fn quickest<T>(sizes: Sizes, mut work: impl FnMut() -> Result<T, Failure>) -> Result<(T, f64), Failure> {
+    let start = Instant::now();
+    let (mut value, mut quickest_s) = timed(&mut work)?;
+    let mut runs = 1;
+    while runs < 3 || start.elapsed().as_secs_f64() < sizes.repeated_s {
+        let (again, seconds) = timed(&mut work)?;
+        (value, quickest_s, runs) = (again, quickest_s.min(seconds), runs + 1);
+    }
+    Ok((value, quickest_s))
+}

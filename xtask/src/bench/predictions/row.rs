@@ -1,0 +1,18 @@
+//! What was said of a scene beside what it took.
+
+use crate::bench::predictions::child::Taken;
+use crate::bench::predictions::random_scenes::RandomScene;
+use wayside::chain::expectation::Expectation;
+use wayside::chain::memory_estimate::Load;
+
+/// One scene.
+pub(super) struct Row {
+    pub(super) scene: RandomScene,
+    pub(super) expected: Expectation,
+    /// Processor seconds that it took to expect it.
+    pub(super) look_s: f64,
+    /// What the memory of its largest frame goes into, and how many frames are computed at a time.
+    pub(super) load: Load,
+    pub(super) at_once: usize,
+    pub(super) taken: Taken,
+}

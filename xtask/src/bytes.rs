@@ -1,0 +1,114 @@
+//! `bytes`: a checksum of every file that a program of any version makes of every scene and of ten tables, so that two versions
+//! can be compared to the byte. What may differ from run to run (seconds, memory, what was cached) is left out of
+//! `summary.json`; `report.html` holds the same figures and is left out whole.
+
+mod runs;
+
+use crate::cli::BytesArguments;
+use crate::house::folders::files_below;
+use crate::project::project_root;
+use runs::Run;
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use wayside::host::failure::Failure;
+use wayside::host::files;
+use wayside::host::progress::Work;
+use wayside::program::terminal;
+
+/// Keys of `summary.json` that differ from run to run.
+const OF_THE_RUN: [&str; 6] =
+    ["stage_seconds", "frames_seconds", "frames_processor_seconds", "cached", "peak_memory_mib", "memory_estimate_mib"];
+
+/// Names of files and their checksums.
+type Sums = BTreeMap<String, String>;
+
+pub(crate) fn run(arguments: &BytesArguments) -> Result<(), Failure> {
+    files::claim(std::slice::from_ref(&arguments.out))?;
+    let program = arguments.program.clone().map_or_else(std::env::current_exe, Ok);
+    let program = program.map_err(|e| Failure::System(format!("this program: {e}")))?;
+    let mut sums = Sums::new();
+    let runs: Vec<Run> = runs::all(&project_root())?.into_iter().filter(|run| asked(arguments, run)).collect();
+    let work = Work::begin("runs");
+    for (number, run) in runs.iter().enumerate() {
+        work.at(number, runs.len());
+        sums.extend(sums_of(&program, run)?);
+    }
+    let text: String = sums.iter().map(|(name, sum)| format!("{sum}  {name}\n")).collect();
+    files::write_file(&arguments.out, text.as_bytes())?;
+    match &arguments.against {
+        Some(file) => compare(&sums, file, &|name| runs.iter().any(|run| name.starts_with(&format!("{}/", run.name)))),
+        None => Ok(terminal::line(format!("{} files", sums.len()))),
+    }
+}
+
+fn asked(arguments: &BytesArguments, run: &Run) -> bool {
+    arguments.only.is_empty() || arguments.only.contains(&run.name)
+}
+
+/// What the run leaves.
+fn sums_of(program: &Path, run: &Run) -> Result<Sums, Failure> {
+    let system = |e: std::io::Error| Failure::System(format!("{}: {e}", run.name));
+    let folder = tempfile::tempdir().map_err(system)?;
+    let words: Vec<String> =
+        run.words.iter().map(|word| word.replace("OUT", &folder.path().display().to_string())).collect();
+    let mut command = Command::new(program);
+    command.args(&words).current_dir(project_root()).stdin(Stdio::null()).stdout(Stdio::null());
+    let status = command.status().map_err(system)?;
+    if !status.success() {
+        return Err(Failure::Refused(format!("`{}`: {status}", words.join(" "))));
+    }
+    let mut sums = Sums::new();
+    for place in files_below(folder.path()) {
+        let name = place.strip_prefix(folder.path()).unwrap_or(&place).display().to_string();
+        if let Some(bytes) = compared(&name, &std::fs::read(&place).map_err(system)?) {
+            sums.insert(format!("{}/{name}", run.name), blake3::hash(&bytes).to_hex()[..32].to_owned());
+        }
+    }
+    Ok(sums)
+}
+
+/// What of a file is the same in every run.
+fn compared(name: &str, bytes: &[u8]) -> Option<Vec<u8>> {
+    match Path::new(name).extension().and_then(|kind| kind.to_str()) {
+        Some("html") => None,
+        // Beside a table stand its seconds, which differ, and its figures, which its values tell.
+        Some("json") if name != "summary.json" => None,
+        Some("json") => {
+            let mut summary: Value = serde_json::from_slice(bytes).ok()?;
+            without(&mut summary, &OF_THE_RUN);
+            Some(summary.to_string().into_bytes())
+        }
+        _ => Some(bytes.to_vec()),
+    }
+}
+
+fn without(value: &mut Value, keys: &[&str]) {
+    match value {
+        Value::Object(map) => {
+            keys.iter().for_each(|key| _ = map.remove(*key));
+            map.values_mut().for_each(|value| without(value, keys));
+        }
+        Value::Array(list) => list.iter_mut().for_each(|value| without(value, keys)),
+        _ => {}
+    }
+}
+
+/// A table of what differs from an earlier list, and a failure if anything does.
+fn compare(sums: &Sums, file: &Path, is_asked: &dyn Fn(&str) -> bool) -> Result<(), Failure> {
+    let text = std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))?;
+    let pairs = text.lines().filter_map(|line| line.split_once("  "));
+    let known: Sums = pairs.map(|(sum, name)| (name.to_owned(), sum.to_owned())).filter(|(n, _)| is_asked(n)).collect();
+    let names: std::collections::BTreeSet<&String> = sums.keys().chain(known.keys()).collect();
+    let verdict = |name: &String| match (known.get(name), sums.get(name)) {
+        (Some(a), Some(b)) if a == b => None,
+        (Some(_), Some(_)) => Some(format!("{name}: other bytes")),
+        (None, _) => Some(format!("{name}: new")),
+        (_, None) => Some(format!("{name}: gone")),
+    };
+    let other: Vec<String> = names.iter().filter_map(|name| verdict(name)).collect();
+    other.iter().for_each(terminal::line);
+    terminal::line(format!("{} files, {} other than in {}", sums.len(), other.len(), file.display()));
+    if other.is_empty() { Ok(()) } else { Err(Failure::Refused(format!("{} files differ", other.len()))) }
+}

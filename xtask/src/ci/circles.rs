@@ -1,0 +1,29 @@
+//! No circle of files that use each other, in any crate, and no folder with more files side by side than one takes in at a glance.
+
+use crate::house::{self, arrows::Arrows, folders};
+use crate::project::project_root;
+use std::path::Path;
+use wayside::host::failure::Failure;
+
+/// Files of one folder.
+const SIDE_BY_SIDE: usize = 15;
+
+pub(super) fn check() -> Result<(), Failure> {
+    let mut broken = Vec::new();
+    for folder in house::crates(&project_root())? {
+        let (arrows, circles) = house::look(&folder)?;
+        broken.extend(circles.iter().map(|circle| sentence(&arrows, circle)));
+        broken.extend(crowded(&folder));
+    }
+    if broken.is_empty() { Ok(()) } else { Err(Failure::Refused(broken.join("\n"))) }
+}
+
+fn sentence(arrows: &Arrows, circle: &[usize]) -> String {
+    let name = |file: &usize| arrows.files[*file].place.display().to_string();
+    format!("these files use each other: {}", circle.iter().map(name).collect::<Vec<_>>().join(", "))
+}
+
+fn crowded(folder: &Path) -> Vec<String> {
+    let many = folders::each(folder).into_iter().filter(|(_, files)| *files > SIDE_BY_SIDE);
+    many.map(|(name, files)| format!("{name}: {files} files side by side, the limit is {SIDE_BY_SIDE}")).collect()
+}

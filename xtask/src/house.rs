@@ -1,0 +1,62 @@
+//! `house`: what the source looks like, crate by crate: files, code, arrows between files, circles of them, and how many files
+//! stand side by side. `ci` refuses circles and crowded folders by the same counts.
+
+pub(crate) mod source;
+pub(crate) mod names;
+pub(crate) mod arrows;
+pub(crate) mod circles;
+pub(crate) mod folders;
+
+use crate::project::project_root;
+use arrows::Arrows;
+use std::path::{Path, PathBuf};
+use wayside::host::failure::Failure;
+use wayside::program::terminal;
+
+/// A row for each crate.
+pub(crate) fn run() -> Result<(), Failure> {
+    terminal::line(format!(
+        "{:<22}{:>6}{:>8}{:>8}{:>9}{:>16}{:>14}",
+        "crate", "files", "code", "arrows", "circles", "largest folder", "largest file"
+    ));
+    let (mut files, mut code, mut count, mut circles) = (0, 0, 0, 0);
+    for folder in crates(&project_root())? {
+        let (arrows, found) = look(&folder)?;
+        let lengths: Vec<usize> = arrows.files.iter().map(|file| file.code_lines()).collect();
+        let largest = lengths.iter().max().unwrap_or(&0);
+        let (lines, name) = (lengths.iter().sum::<usize>(), name_of(&folder));
+        terminal::line(format!(
+            "{name:<22}{:>6}{lines:>8}{:>8}{:>9}{:>16}{largest:>14}",
+            arrows.files.len(),
+            arrows.count(),
+            found.len(),
+            folders::largest(&folder),
+        ));
+        files += arrows.files.len();
+        (code, count, circles) = (code + lines, count + arrows.count(), circles + found.len());
+    }
+    terminal::line(format!("{:<22}{files:>6}{code:>8}{count:>8}{circles:>9}", "all"));
+    Ok(())
+}
+
+/// Folders of the workspace's crates, in the order of their names.
+pub(crate) fn crates(root: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let place = root.join("crates");
+    let entries = std::fs::read_dir(&place).map_err(|e| Failure::system(&place, "read", e))?;
+    let mut crates: Vec<PathBuf> = entries.flatten().map(|e| e.path()).filter(|p| p.join("src").is_dir()).collect();
+    crates.push(root.join("xtask"));
+    crates.sort();
+    Ok(crates)
+}
+
+/// The arrows and circles of a crate.
+pub(crate) fn look(folder: &Path) -> Result<(Arrows, Vec<Vec<usize>>), Failure> {
+    let arrows = Arrows::of(&folder.join("src"))?;
+    let circles = circles::of(&arrows.to);
+    Ok((arrows, circles))
+}
+
+/// Of a crate, as its folder is called.
+pub(crate) fn name_of(folder: &Path) -> String {
+    folder.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}

@@ -1,0 +1,123 @@
+//! A source file as names are looked for in it: without comments, strings and the words of tests' own modules.
+
+use std::path::{Path, PathBuf};
+use wayside::host::failure::Failure;
+
+/// A module of a crate, which is a file.
+pub(crate) struct SourceFile {
+    pub(crate) place: PathBuf,
+    /// Names from the crate's root on; none of the root itself.
+    pub(crate) module: Vec<String>,
+    /// What is left of its text.
+    pub(crate) text: String,
+    lines: usize,
+}
+
+impl SourceFile {
+    /// Reads `place`, which lies below the crate's `source`.
+    pub(crate) fn read(source: &Path, place: &Path) -> Result<Self, Failure> {
+        let text = std::fs::read_to_string(place).map_err(|e| Failure::system(place, "read", e))?;
+        let lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//")).count();
+        let mut module: Vec<String> = place
+            .strip_prefix(source)
+            .unwrap_or(place)
+            .with_extension("")
+            .iter()
+            .map(|name| name.to_string_lossy().into_owned())
+            .collect();
+        if matches!(module.as_slice(), [root] if root == "lib" || root == "main") {
+            module.clear();
+        }
+        Ok(Self { place: place.to_owned(), module, text: in_own_words(&without_scopes(&stripped(&text))), lines })
+    }
+
+    /// Lines that are neither blank nor comments.
+    pub(crate) fn code_lines(&self) -> usize {
+        self.lines
+    }
+}
+
+/// Without the paths of `pub(in path)`, which say who may look and use nothing.
+fn without_scopes(text: &str) -> String {
+    let mut parts = text.split("pub(in ");
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |kept, part| kept + "pub" + part.split_once(')').map_or(part, |(_, rest)| rest))
+}
+
+/// In the file's module of tests `super` is the file itself.
+fn in_own_words(text: &str) -> String {
+    let Some(at) = text.find("#[cfg(test)]\nmod ").filter(|at| text[*at..].lines().nth(1).is_some_and(is_open)) else {
+        return text.to_owned();
+    };
+    let (own, tests) = text.split_at(at);
+    let tests = tests.replace("super::super::", "\u{1}").replace("super::", "self::").replace('\u{1}', "super::");
+    format!("{own}{tests}")
+}
+
+fn is_open(line: &str) -> bool {
+    line.trim_end().ends_with('{')
+}
+
+/// Without comments and without what stands between quotation marks; lines stay as they are counted.
+fn stripped(text: &str) -> String {
+    let mut kept = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(at) = rest.find(['/', '"', '\'']) {
+        kept.push_str(&rest[..at]);
+        rest = &rest[at..];
+        let length = if rest.starts_with("//") {
+            rest.find('\n').unwrap_or(rest.len())
+        } else if let Some(string) = rest.strip_prefix('"') {
+            2 + closing(string)
+        } else {
+            character(rest)
+        };
+        if length == 1 {
+            kept.push_str(&rest[..1]);
+        }
+        rest = &rest[length.min(rest.len())..];
+    }
+    kept + rest
+}
+
+/// Where the quotation mark is that ends a string which has begun.
+fn closing(string: &str) -> usize {
+    let mut is_escaped = false;
+    for (at, sign) in string.char_indices() {
+        match sign {
+            '\\' if !is_escaped => is_escaped = true,
+            '"' if !is_escaped => return at,
+            _ => is_escaped = false,
+        }
+    }
+    string.len()
+}
+
+/// Length of a character in quotation marks; 1 of a lifetime or a stroke.
+fn character(text: &str) -> usize {
+    let Some(inside) = text.strip_prefix('\'') else { return 1 };
+    if let Some(escaped) = inside.strip_prefix('\\') {
+        return escaped.find('\'').map_or(1, |at| at + 3);
+    }
+    let length = inside.chars().next().map_or(0, char::len_utf8);
+    if inside[length..].starts_with('\'') { length + 2 } else { 1 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_in_comments_and_strings_are_no_names() {
+        let text =
+            "use a::b; // crate::c\nlet x = \"crate::\\\"d\"; let y = '\"'; fn f<'l>(z: &'l str) { 'n' / e::f }\n";
+        assert_eq!(stripped(text), "use a::b; \nlet x = ; let y = ; fn f<'l>(z: &'l str) {  / e::f }\n");
+    }
+
+    #[test]
+    fn super_in_a_module_of_tests_is_the_file() {
+        let text = "use super::a;\n#[cfg(test)]\nmod tests {\n use super::*;\n use super::super::b;\n}\n";
+        assert!(in_own_words(text).contains("use self::*;\n use super::b;"));
+        assert!(in_own_words(text).starts_with("use super::a;"));
+    }
+}
