@@ -39,7 +39,10 @@ pub(crate) fn run(arguments: &BytesArguments) -> Result<(), Failure> {
     files::write_file(&arguments.out, text.as_bytes())?;
     match &arguments.against {
         Some(file) => compare(&sums, file, &|name| runs.iter().any(|run| name.starts_with(&format!("{}/", run.name)))),
-        None => Ok(terminal::line(format!("{} files", sums.len()))),
+        None => {
+            let _: () = terminal::line(format!("{} files", sums.len()));
+            Ok(())
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use crate::axes::{Axes, Axis};
 use crate::colours::heat;
 use crate::form::Form;
 use crate::marks::Legend;
-use crate::raster;
+use crate::raster::{self, Pixels};
 use crate::svg::{Svg, wrapped};
 use ndarray::Array2;
 
@@ -73,12 +73,10 @@ pub fn head(sheet: &mut Svg, title: &str, notes: &[String]) -> f64 {
 /// Levels as colours, row 0 at the bottom.
 pub fn heat_png(map: &Array2<f64>, [dark, bright]: [f64; 2]) -> Result<Vec<u8>, String> {
     let (rows, columns) = map.dim();
-    let colour = |x: u32, y: u32| {
-        let level = map[[rows - 1 - y as usize, x as usize]];
-        image::Rgb(heat((level - dark) / (bright - dark)))
-    };
-    let picture = image::RgbImage::from_fn(columns as u32, rows as u32, colour);
-    raster::encode(picture.into())
+    let upside_down = map.rows().into_iter().rev();
+    let colours: Vec<u8> =
+        upside_down.flat_map(|row| row.to_vec()).flat_map(|level| heat((level - dark) / (bright - dark))).collect();
+    raster::encode(Pixels::Rgb, [columns, rows], &colours)
 }
 
 /// Room for the colours' levels at the right of a map.
@@ -87,8 +85,8 @@ pub const SCALE_BAR_PX: f64 = 66.0;
 /// The colours' levels, right of the map.
 pub fn scale_bar(sheet: &mut Svg, axes: &Axes, [dark, bright]: [f64; 2], unit: &str) {
     let (x, top, bottom) = (axes.x.end_px + 14.0, axes.y.end_px, axes.y.start_px);
-    let column = image::RgbImage::from_fn(1, 64, |_, y| image::Rgb(heat(1.0 - f64::from(y) / 63.0)));
-    if let Ok(png) = raster::encode(column.into()) {
+    let column: Vec<u8> = (0..64).flat_map(|y| heat(1.0 - f64::from(y) / 63.0)).collect();
+    if let Ok(png) = raster::encode(Pixels::Rgb, [1, 64], &column) {
         sheet.image([x, top], [12.0, bottom - top], &png);
     }
     let axis = Axis { from: dark, to: bright, start_px: bottom, end_px: top };

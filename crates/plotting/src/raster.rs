@@ -1,9 +1,9 @@
-//! SVG to PNG, with the typeface that the program carries: a bare machine has none.
+//! SVG to PNG, with the typeface that the program carries: a bare machine has none. Pictures within a drawing are laid between its
+//! marks here, so that the renderer needs no readers of picture formats.
 
-use crate::svg::Svg;
-use image::{DynamicImage, ImageFormat};
-use resvg::{tiny_skia, usvg};
-use std::io::Cursor;
+use crate::svg::{Layer, Paper, Svg};
+use resvg::tiny_skia::{FilterQuality, Paint, Pattern, Pixmap, PixmapMut, Rect, SpreadMode, Transform};
+use resvg::usvg;
 use std::sync::{Arc, LazyLock};
 
 /// Pixels per unit of the drawing: sharp on dense screens.
@@ -20,16 +20,83 @@ static FONTS: LazyLock<Arc<usvg::fontdb::Database>> = LazyLock::new(|| {
 /// The picture as PNG.
 pub fn png(picture: &Svg) -> Result<Vec<u8>, String> {
     let options = usvg::Options { fontdb: FONTS.clone(), ..usvg::Options::default() };
-    let tree = usvg::Tree::from_str(&picture.on_white(), &options).map_err(|e| e.to_string())?;
     let (width, height) = ((picture.width as f32 * SCALE) as u32, (picture.height as f32 * SCALE) as u32);
-    let mut pixels = tiny_skia::Pixmap::new(width.max(1), height.max(1)).ok_or("the picture is too large")?;
-    resvg::render(&tree, tiny_skia::Transform::from_scale(SCALE, SCALE), &mut pixels.as_mut());
+    let mut pixels = Pixmap::new(width.max(1), height.max(1)).ok_or("the picture is too large")?;
+    let draw = |marks: &str, paper: Paper, pixels: &mut PixmapMut| {
+        let tree = usvg::Tree::from_str(&picture.of_marks(marks, paper), &options).map_err(|e| e.to_string())?;
+        resvg::render(&tree, Transform::from_scale(SCALE, SCALE), pixels);
+        Ok::<_, String>(())
+    };
+    let sheet = &mut pixels.as_mut();
+    draw("", Paper::White, sheet)?;
+    for layer in picture.layers() {
+        match layer {
+            Layer::Marks(marks) => draw(marks, Paper::None, sheet)?,
+            Layer::Image { corner, size, png } => lay(sheet, *corner, *size, png)?,
+        }
+    }
     pixels.encode_png().map_err(|e| e.to_string())
 }
 
-/// An image as PNG.
-pub fn encode(image: DynamicImage) -> Result<Vec<u8>, String> {
-    let mut bytes = Cursor::new(Vec::new());
-    image.write_to(&mut bytes, ImageFormat::Png).map_err(|e| e.to_string())?;
-    Ok(bytes.into_inner())
+/// Stretches a PNG over a rectangle of the drawing.
+fn lay(pixels: &mut PixmapMut, corner: [f64; 2], size: [f64; 2], png: &[u8]) -> Result<(), String> {
+    let image = Pixmap::decode_png(png).map_err(|e| e.to_string())?;
+    let ([x, y], [width, height]) = (corner.map(hundredths), size.map(hundredths));
+    let (columns, rows) = (image.width() as f32, image.height() as f32);
+    let Some(whole) = Rect::from_xywh(0.0, 0.0, columns, rows) else { return Ok(()) };
+    let stretched = Transform::from_row(width / columns, 0.0, 0.0, height / rows, x, y);
+    let shader = Pattern::new(image.as_ref(), SpreadMode::Pad, FilterQuality::Nearest, 1.0, Transform::identity());
+    let paint = Paint { shader, ..Paint::default() };
+    pixels.fill_rect(whole, &paint, Transform::from_scale(SCALE, SCALE).pre_concat(stretched), None);
+    Ok(())
+}
+
+/// As the drawing's text has it.
+fn hundredths(value: f64) -> f32 {
+    ((value * 100.0).round() / 100.0) as f32
+}
+
+/// What the values of a pixel are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pixels {
+    /// One grey level.
+    Grey,
+    /// Red, green, blue.
+    Rgb,
+    /// Red, green, blue, opacity.
+    Rgba,
+}
+
+/// Bytes of pixels, row by row from the top, as PNG.
+pub fn encode(pixels: Pixels, [width, height]: [usize; 2], values: &[u8]) -> Result<Vec<u8>, String> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width as u32, height as u32);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_color(match pixels {
+        Pixels::Grey => png::ColorType::Grayscale,
+        Pixels::Rgb => png::ColorType::Rgb,
+        Pixels::Rgba => png::ColorType::Rgba,
+    });
+    let mut writer = encoder.write_header().map_err(|e| e.to_string())?;
+    writer.write_image_data(values).map_err(|e| e.to_string())?;
+    writer.finish().map_err(|e| e.to_string())?;
+    Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Read by another library: white paper, one picture of two pixels, a line over it.
+    #[test]
+    fn a_picture_lies_between_the_marks_before_and_after_it() {
+        let mut sheet = Svg::new("two pixels", 20.0, 10.0);
+        let two = encode(Pixels::Rgb, [2, 1], &[255, 0, 0, 0, 0, 255]).unwrap();
+        sheet.image([0.0, 0.0], [20.0, 10.0], &two);
+        sheet.rectangle("paper", [8.0, 4.0], [4.0, 2.0]);
+        let picture = image::load_from_memory(&png(&sheet).unwrap()).unwrap().to_rgb8();
+        assert_eq!(picture.dimensions(), (30, 15));
+        let colour = |x: u32, y: u32| picture.get_pixel(x, y).0;
+        assert_eq!([colour(2, 2), colour(27, 12), colour(15, 7)], [[255, 0, 0], [0, 0, 255], [255, 255, 255]]);
+    }
 }

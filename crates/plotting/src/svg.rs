@@ -12,7 +12,17 @@ pub struct Svg {
     pub height: f64,
     /// Said to people who cannot see it.
     pub title: String,
-    body: String,
+    /// From the undermost on.
+    layers: Vec<Layer>,
+}
+
+/// Marks as SVG, or a picture between them.
+#[derive(Debug, Clone)]
+pub(crate) enum Layer {
+    /// Lines, forms and words.
+    Marks(String),
+    /// A PNG stretched over a rectangle.
+    Image { corner: [f64; 2], size: [f64; 2], png: Vec<u8> },
 }
 
 /// Size of all words but headings: what is smaller is not read on a telephone.
@@ -54,7 +64,7 @@ pub fn wrapped(words: &str, room_px: f64) -> Vec<String> {
 impl Svg {
     /// An empty sheet.
     pub fn new(title: impl Into<String>, width: f64, height: f64) -> Self {
-        Self { width, height, title: title.into(), body: String::new() }
+        Self { width, height, title: title.into(), layers: vec![] }
     }
 
     /// The whole file, for light and dark screens.
@@ -62,9 +72,14 @@ impl Svg {
         self.with_style(&format!("<style>{}</style>", style()))
     }
 
-    /// The whole file on white paper.
-    pub fn on_white(&self) -> String {
-        self.with_style(&format!("<style>{LIGHT}</style>"))
+    /// What is drawn, from the undermost on.
+    pub(crate) fn layers(&self) -> &[Layer] {
+        &self.layers
+    }
+
+    /// A file of its own of some marks, on transparent paper; the undermost lie on white paper.
+    pub(crate) fn of_marks(&self, marks: &str, paper: Paper) -> String {
+        self.file(&format!("<style>{LIGHT}</style>"), paper, marks)
     }
 
     /// A part of a page that holds [`style`].
@@ -73,13 +88,19 @@ impl Svg {
     }
 
     fn with_style(&self, style: &str) -> String {
+        self.file(style, Paper::White, &self.layers.iter().map(Layer::text).collect::<String>())
+    }
+
+    fn file(&self, style: &str, paper: Paper, body: &str) -> String {
         let (w, h) = (self.width, self.height);
         let title = escaped(&self.title);
+        let paper = match paper {
+            Paper::White => format!("<rect class=\"paper\" width=\"{w}\" height=\"{h}\"/>"),
+            Paper::None => String::new(),
+        };
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"0 0 {w} {h}\" \
-             width=\"{w}\" height=\"{h}\" role=\"img\" aria-label=\"{title}\"><title>{title}</title>{style}\
-             <rect class=\"paper\" width=\"{w}\" height=\"{h}\"/>{}</svg>",
-            self.body
+             width=\"{w}\" height=\"{h}\" role=\"img\" aria-label=\"{title}\"><title>{title}</title>{style}{paper}{body}</svg>"
         )
     }
 
@@ -196,19 +217,42 @@ impl Svg {
         ));
     }
 
-    /// A PNG stretched over a rectangle.
+    /// A PNG stretched over a rectangle, each of its pixels a rectangle of one colour.
     pub fn image(&mut self, corner: [f64; 2], size: [f64; 2], png: &[u8]) {
-        use base64::Engine;
-        let ([x, y], [w, h]) = (corner, size);
-        let data = base64::engine::general_purpose::STANDARD.encode(png);
-        self.put(format_args!(
-            "<image x=\"{x:.2}\" y=\"{y:.2}\" width=\"{w:.2}\" height=\"{h:.2}\" preserveAspectRatio=\"none\" \
-             image-rendering=\"optimizeSpeed\" xlink:href=\"data:image/png;base64,{data}\"/>"
-        ));
+        self.layers.push(Layer::Image { corner, size, png: png.to_vec() });
     }
 
     fn put(&mut self, mark: std::fmt::Arguments) {
-        let _ = self.body.write_fmt(mark); // writing to a String cannot fail
+        if !matches!(self.layers.last(), Some(Layer::Marks(_))) {
+            self.layers.push(Layer::Marks(String::new()));
+        }
+        if let Some(Layer::Marks(marks)) = self.layers.last_mut() {
+            let _ = marks.write_fmt(mark); // writing to a String cannot fail
+        }
+    }
+}
+
+/// What marks lie on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Paper {
+    White,
+    None,
+}
+
+impl Layer {
+    /// As a part of an SVG.
+    fn text(&self) -> String {
+        use base64::Engine;
+        match self {
+            Self::Marks(marks) => marks.clone(),
+            Self::Image { corner: [x, y], size: [w, h], png } => {
+                let data = base64::engine::general_purpose::STANDARD.encode(png);
+                format!(
+                    "<image x=\"{x:.2}\" y=\"{y:.2}\" width=\"{w:.2}\" height=\"{h:.2}\" preserveAspectRatio=\"none\" \
+                     image-rendering=\"optimizeSpeed\" xlink:href=\"data:image/png;base64,{data}\"/>"
+                )
+            }
+        }
     }
 }
 

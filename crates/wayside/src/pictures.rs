@@ -22,7 +22,7 @@ use artifact::cube::CubeHeader;
 use artifact::points::PointsFrame;
 use artifact::rdm::RdmFrame;
 use plotting::form::{Figure, Form};
-use plotting::raster;
+use plotting::raster::{self, Pixels};
 use plotting::svg::Svg;
 use rdm::{OnMap, TrueEcho};
 use std::path::Path;
@@ -100,10 +100,7 @@ pub fn write_png(file: &Path, picture: &Svg) -> Result<(), Failure> {
 }
 
 /// Grey levels, row-major, as PNG.
-pub(crate) fn write_gray(file: &Path, width: u32, height: u32, pixels: Vec<u8>) -> Result<(), Failure> {
-    let image = image::GrayImage::from_raw(width, height, pixels);
-    let image =
-        image.ok_or_else(|| Failure::refused(format!("{}: the picture is not {width} × {height}", file.display())))?;
-    let bytes = raster::encode(image.into()).map_err(|e| Failure::system(file, "encode", e))?;
+pub(crate) fn write_gray(file: &Path, size: [usize; 2], pixels: &[u8]) -> Result<(), Failure> {
+    let bytes = raster::encode(Pixels::Grey, size, pixels).map_err(|e| Failure::system(file, "encode", e))?;
     files::write_file(file, &bytes)
 }

@@ -15,7 +15,6 @@ use artifact::cube::{Cube, CubeFrame};
 use artifact::scene::SceneHeader;
 use artifact::{ErrorBudget, Provenance, Writer};
 use ndarray::{Array4, Axis};
-use ndarray_npy::ReadNpyExt;
 use num_complex::Complex32;
 use std::path::Path;
 
@@ -75,8 +74,7 @@ fn read(file: &Path) -> Result<Array4<Complex32>, Failure> {
     let bytes = bounded::read(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
     let rule = "a .npy of complex64 in the shape [frame, channel, chirp, sample] is needed";
     let refused = |why: String| Failure::Refused(format!("{}: {why}: {rule}", file.display()));
-    npy::check(&bytes).map_err(refused)?;
-    Array4::read_npy(bytes.as_slice()).map_err(|e| refused(e.to_string()))
+    npy::complex_values(&bytes).map_err(refused)
 }
 
 fn check(file: &Path, frame: usize, samples: &[Complex32], [_, chirps, length]: [usize; 3]) -> Result<(), Failure> {

@@ -2,6 +2,7 @@
 
 use crate::host::failure::Failure;
 use artifact::scene::Mesh;
+use plotting::raster::{self, Pixels};
 
 /// Pixels along each side.
 const SIDE: usize = 480;
@@ -18,9 +19,12 @@ pub(super) fn png(mesh: &Mesh, half_width_m: f64) -> Result<Vec<u8>, Failure> {
         let around = [(1, 0), (-1, 0), (0, 1), (0, -1)];
         is_covered(x, y) && around.iter().any(|(dx, dy)| !is_covered(x + dx, y + dy))
     };
-    let pixel = |x: u32, y: u32| image::Rgba([255, 255, 255, if is_rim(i64::from(x), i64::from(y)) { 200 } else { 0 }]);
-    let picture = image::RgbaImage::from_fn(SIDE as u32, SIDE as u32, pixel);
-    plotting::raster::encode(picture.into()).map_err(Failure::refused)
+    let pixel = |at: usize| {
+        let opacity = if is_rim((at % SIDE) as i64, (at / SIDE) as i64) { 200 } else { 0 };
+        [255, 255, 255, opacity]
+    };
+    let pixels: Vec<u8> = (0..SIDE * SIDE).flat_map(pixel).collect();
+    raster::encode(Pixels::Rgba, [SIDE, SIDE], &pixels).map_err(Failure::refused)
 }
 
 /// Pixels whose middle lies in a triangle, or through which an edge of one runs.

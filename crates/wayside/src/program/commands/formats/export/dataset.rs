@@ -84,7 +84,7 @@ pub(crate) fn png(file: &Path, out: &Path) -> Result<(), Failure> {
     for sample in reader {
         let sample = sample?;
         let place = out.join(format!("{}.png", plain_name(&sample.id)));
-        crate::pictures::write_gray(&place, side, side, image(file, sample)?.pixels)?;
+        crate::pictures::write_gray(&place, [side as usize; 2], &image(file, sample)?.pixels)?;
     }
     Ok(())
 }

@@ -78,7 +78,7 @@ pub(crate) fn png(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
         let side = dsp::PAPER_CROP.side;
         let grey = dsp::rdm_grayscale(header, frame).map_err(Failure::refused)?;
         let upwards: Vec<u8> = grey.chunks(side as usize).rev().flatten().copied().collect();
-        pictures::write_gray(place, side, side, upwards)
+        pictures::write_gray(place, [side as usize; 2], &upwards)
     })
 }
 

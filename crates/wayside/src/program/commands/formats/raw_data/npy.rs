@@ -1,18 +1,53 @@
-//! The head of NumPy's `.npy`, checked before its reader believes it: the values that it tells of have to be there.
+//! NumPy's `.npy` of complex64 (NumPy Enhancement Proposal 1), its head checked before it is believed: the values that it tells of
+//! have to be there.
+
+use ndarray::{Array4, ShapeBuilder};
+use num_complex::Complex32;
 
 /// Bytes of a complex64.
 const VALUE_BYTES: u64 = 8;
+/// NumPy's name of a little-endian complex64.
+const COMPLEX64: &str = "<c8";
 
-/// Refuses a head that is cut off, tells no shape, or a shape of none or of more values than stand behind it. What kind of
-/// values they are is left to the reader.
-pub(crate) fn check(bytes: &[u8]) -> Result<(), String> {
+/// The values of an array of four axes, row- or column-major.
+///
+/// # Errors
+/// A head that is cut off, tells of another type or number of axes, or of none or of other than the values that stand behind it.
+pub(crate) fn complex_values(bytes: &[u8]) -> Result<Array4<Complex32>, String> {
     let (head, values) = head_and_values(bytes).ok_or("it ends within its head")?;
-    let shape = shape(&String::from_utf8_lossy(head)).ok_or("its head tells no shape")?;
+    let head = String::from_utf8_lossy(head);
+    let shape = shape(&head).ok_or("its head tells no shape")?;
     match shape.iter().try_fold(VALUE_BYTES, |bytes, side| bytes.checked_mul(*side)) {
-        Some(0) => Err("it holds no values".to_owned()),
-        Some(told) if told <= values.len() as u64 => Ok(()),
-        _ => Err(format!("its head tells of {shape:?} values, behind it are {} bytes", values.len())),
+        Some(0) => return Err("it holds no values".to_owned()),
+        Some(told) if told == values.len() as u64 => {}
+        _ => return Err(format!("its head tells of {shape:?} values, behind it are {} bytes", values.len())),
     }
+    match entry(&head, "descr").and_then(quoted) {
+        Some(COMPLEX64) => {}
+        found => return Err(format!("its values are of type {}", found.unwrap_or("unknown"))),
+    }
+    let sides: [usize; 4] = shape
+        .iter()
+        .map(|side| *side as usize)
+        .collect::<Vec<_>>()
+        .try_into()
+        .map_err(|sides: Vec<usize>| format!("it has {} axes", sides.len()))?;
+    let is_column_major = entry(&head, "fortran_order").is_some_and(|value| value.starts_with("True"));
+    let part = |bytes: &[u8]| f32::from_le_bytes(std::array::from_fn(|i| bytes[i]));
+    let value = |bytes: &[u8]| Complex32::new(part(bytes), part(&bytes[4..]));
+    let values = values.chunks_exact(VALUE_BYTES as usize).map(value).collect();
+    Array4::from_shape_vec(sides.set_f(is_column_major), values).map_err(|e| e.to_string())
+}
+
+/// What stands behind a key of the head.
+fn entry<'h>(head: &'h str, key: &str) -> Option<&'h str> {
+    let (_, behind) = head.split_once(&format!("'{key}'"))?;
+    Some(behind.trim_start().strip_prefix(':')?.trim_start())
+}
+
+/// The text between two quotation marks.
+fn quoted(text: &str) -> Option<&str> {
+    Some(text.strip_prefix('\'')?.split_once('\'')?.0)
 }
 
 /// Magic, version, length of the head in two bytes or, from version 2 on, four, the head (NumPy Enhancement Proposal 1).
@@ -40,6 +75,7 @@ fn shape(head: &str) -> Option<Vec<u64>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use ndarray_npy::WriteNpyExt;
 
     fn file(shape: &str, values: usize) -> Vec<u8> {
         let head = format!("{{'descr': '<c8', 'fortran_order': False, 'shape': {shape}, }}\n");
@@ -48,13 +84,31 @@ mod tests {
 
     #[test]
     fn a_head_is_believed_as_far_as_there_are_values() {
-        assert_eq!(check(&file("(2, 3)", 6)), Ok(()));
-        assert_eq!(check(&file("(7,)", 7)), Ok(()));
-        for shape in ["(2, 4)", "(0, 6)", "(-1, 6)", "(4294967296, 4294967296, 4294967296)", "2, 3", "(1.0, 6)"] {
-            assert!(check(&file(shape, 6)).is_err(), "{shape}");
+        assert_eq!(complex_values(&file("(2, 3, 1, 1)", 6)).unwrap().dim(), (2, 3, 1, 1));
+        for shape in
+            ["(2, 4)", "(2, 3)", "(0, 6)", "(-1, 6)", "(4294967296, 4294967296, 4294967296)", "2, 3", "(1.0, 6)"]
+        {
+            assert!(complex_values(&file(shape, 6)).is_err(), "{shape}");
         }
         let long = [&b"\x93NUMPY\x02\0"[..], &u32::MAX.to_le_bytes(), b"{}"].concat();
-        assert_eq!(check(&long).unwrap_err(), "it ends within its head");
-        assert!(check(b"\x93NUMPY").is_err() && check(b"").is_err());
+        assert_eq!(complex_values(&long).unwrap_err(), "it ends within its head");
+        assert!(complex_values(b"\x93NUMPY").is_err() && complex_values(b"").is_err());
+        let other = String::from_utf8_lossy(&file("(1, 1, 1, 1)", 1)).replace("<c8", "<f8");
+        assert!(complex_values(other.as_bytes()).is_err());
+    }
+
+    /// Written by another library, in both orders.
+    #[test]
+    fn values_stand_where_another_library_has_put_them() {
+        let value = |(a, b, c, d): (usize, usize, usize, usize)| {
+            Complex32::new((1000 * a + 100 * b + 10 * c + d) as f32, -(d as f32))
+        };
+        let array = Array4::from_shape_fn((2, 3, 4, 5), value);
+        let turned = Array4::from_shape_fn((2, 3, 4, 5).f(), value);
+        for array in [array, turned] {
+            let mut bytes = Vec::new();
+            array.write_npy(&mut bytes).unwrap();
+            assert_eq!(complex_values(&bytes).unwrap(), array);
+        }
     }
 }
