@@ -10,7 +10,7 @@ use artifact::settings::Window;
 use common::*;
 use dsp::angle::Direction;
 use dsp::cfar::DETECTED;
-use dsp::time_division_folds::least_loss;
+use dsp::least_loss;
 use dsp::{DspError, detect, noise_power, power_map, range_doppler};
 use rayon::prelude::*;
 

@@ -8,7 +8,7 @@ use artifact::points::Point;
 use artifact::seed::key;
 use artifact::settings::{Refine, Window};
 use common::*;
-use dsp::cramer_rao::cramer_rao;
+use dsp::cramer_rao;
 use dsp::{detect_refined, range_doppler};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;

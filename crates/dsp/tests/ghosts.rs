@@ -7,7 +7,7 @@ use artifact::cube::CubeHeader;
 use artifact::seed::key;
 use common::*;
 use dsp::angle::VirtualArray;
-use dsp::two_ways::two_ways;
+use dsp::two_ways;
 use glam::DVec3;
 use num_complex::Complex64;
 use rand::{Rng, SeedableRng};

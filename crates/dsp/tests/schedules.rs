@@ -6,7 +6,7 @@ mod common;
 use artifact::cube::CubeFrame;
 use artifact::radar::Multiplexing;
 use common::*;
-use dsp::range_doppler::RangeDoppler;
+use dsp::RangeDoppler;
 use dsp::{DspError, detect, range_doppler, velocity_axis_mps};
 use num_complex::Complex64;
 use std::f64::consts::TAU;

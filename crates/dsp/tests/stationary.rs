@@ -8,7 +8,7 @@ use artifact::points::{Object, PointsFrame};
 use artifact::radar::Multiplexing;
 use artifact::settings::StaticEchoes;
 use common::*;
-use dsp::stationary::{Fold, is_at_rest, tolerance_mps};
+use dsp::{Fold, is_at_rest, tolerance_mps};
 use dsp::{detect, range_doppler};
 
 /// A rail or a kerb: reflectors every 2 m beside the lanes, strong and weak, none of which moves.

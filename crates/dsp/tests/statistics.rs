@@ -5,7 +5,7 @@ mod common;
 
 use artifact::settings::{Noise, Window};
 use common::*;
-use dsp::range_doppler::RangeDoppler;
+use dsp::RangeDoppler;
 use dsp::window::{noise_bandwidth_bins, taper};
 use dsp::{detect, noise_power, power_map, range_doppler};
 use num_complex::{Complex32, Complex64};

@@ -7,7 +7,7 @@ use artifact::cube::CubeHeader;
 use artifact::seed::key;
 use common::*;
 use dsp::angle::{Direction, VirtualArray};
-use dsp::point_sources::{Source, least_errors, sources};
+use dsp::{Source, least_errors, sources};
 use num_complex::Complex64;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;

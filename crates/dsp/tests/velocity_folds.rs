@@ -9,7 +9,7 @@ use artifact::radar::Multiplexing;
 use artifact::seed::key;
 use common::*;
 use dsp::angle::Direction;
-use dsp::time_division_folds::least_loss;
+use dsp::least_loss;
 use dsp::velocity_folds::{SubFrame, resolved};
 use dsp::{detect, range_doppler};
 use rand::{Rng, SeedableRng};

@@ -8,8 +8,8 @@ use artifact::cube::CubeHeader;
 use artifact::radar::Sampling;
 use artifact::settings::{Detector, Window};
 use dsp::cfar::{Cfar, DETECTED, UNTESTED};
-use dsp::gamma_forms::gamma_tail;
-use dsp::range_doppler::RangeDoppler;
+use dsp::gamma_tail;
+use dsp::RangeDoppler;
 use rayon::prelude::*;
 
 pub const DETECTORS: [(&str, Detector); 4] = [
