@@ -7,9 +7,9 @@ use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::radar::Sampling;
 use artifact::settings::{Detector, Window};
+use dsp::RangeDoppler;
 use dsp::cfar::{Cfar, DETECTED, UNTESTED};
 use dsp::gamma_tail;
-use dsp::RangeDoppler;
 use rayon::prelude::*;
 
 pub const DETECTORS: [(&str, Detector); 4] = [
