@@ -25,13 +25,13 @@ use std::f64::consts::TAU;
 
 /// Least likelihood ratio (its logarithm) of the best fold to the next that is believed. Two hypotheses that differ by an expected ratio μ scatter by √2μ:
 /// the wrong one leads by 9 in at most Q(√18) = 1.1e-5 of all draws (μ = 9).
-pub const CERTAIN: f64 = 9.0;
+pub(crate) const CERTAIN: f64 = 9.0;
 /// Below this (odds of 20) a velocity near zero is preferred.
 const LIKELY: f64 = 3.0;
 
 /// What the folds of one or more cells leave of their power.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Folds {
+pub(crate) struct Folds {
     /// Velocity of the first fold, m/s.
     shown_mps: f64,
     /// From one fold to the next, m/s.
@@ -44,18 +44,18 @@ pub struct Folds {
 
 /// A fold that was chosen.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Choice {
+pub(crate) struct Choice {
     /// m/s, of the ambiguities of λ/2T that remain the one nearest to zero.
-    pub velocity_mps: f64,
+    pub(crate) velocity_mps: f64,
     /// Logarithm of the likelihood ratio to the next fold.
-    pub margin: f64,
+    pub(crate) margin: f64,
     /// Whether the margin is beyond doubt, and no other velocity up to 120 km/h looks alike.
-    pub is_certain: bool,
+    pub(crate) is_certain: bool,
 }
 
 impl Folds {
     /// Of a cell that shows `shown_mps`, one for each slot.
-    pub fn of_cell(
+    pub(crate) fn of_cell(
         header: &CubeHeader,
         map: &RdmFrame,
         array: &VirtualArray,
@@ -72,7 +72,7 @@ impl Folds {
     }
 
     /// The same body's in one more cell.
-    pub fn join(&mut self, other: &Self) {
+    pub(crate) fn join(&mut self, other: &Self) {
         let count = self.left.len();
         // The other's fold at about this one's velocity.
         let turns = ((self.shown_mps - other.shown_mps) / self.span_mps).round() as i64;
@@ -85,7 +85,7 @@ impl Folds {
     /// The fold that leaves least; `noise` is that of one channel's cell.
     ///
     /// What even the best leaves counts as noise too: a cell of several echoes fits no fold well, and tells little.
-    pub fn choice(&self, noise: f64) -> Choice {
+    pub(crate) fn choice(&self, noise: f64) -> Choice {
         let least = |folds: &mut dyn Iterator<Item = usize>| {
             folds.fold(None, |best: Option<usize>, f| match best {
                 Some(b) if self.left[b] <= self.left[f] => Some(b),

@@ -41,7 +41,7 @@ use std::sync::{Arc, Mutex};
 /// Mask of a cell that no threshold was made for.
 pub const UNTESTED: u8 = 0;
 /// Mask of a tested cell below its threshold.
-pub const TESTED: u8 = 1;
+pub(crate) const TESTED: u8 = 1;
 /// Mask of a cell above its threshold.
 pub const DETECTED: u8 = 2;
 

@@ -7,7 +7,7 @@
 /// α: the factor on the mean of the training cells at which noise passes with probability `false_alarm_rate`.
 ///
 /// `training_cells` is the number of independent cells and need not be whole; `false_alarm_rate` lies in (0, 1).
-pub fn threshold_factor(training_cells: f64, channels: usize, false_alarm_rate: f64) -> f64 {
+pub(crate) fn threshold_factor(training_cells: f64, channels: usize, false_alarm_rate: f64) -> f64 {
     if channels == 1 {
         // expm1 keeps the digits that N(p^{−1/N} − 1) would lose at large N.
         return training_cells * (-false_alarm_rate.ln() / training_cells).exp_m1();

@@ -19,22 +19,22 @@ use artifact::radar::Multiplexing;
 use std::f64::consts::TAU;
 
 /// A rectangle of cells around the cell under test: first and last offset, [doppler, range].
-pub type Rectangle = [[i64; 2]; 2];
+pub(crate) type Rectangle = [[i64; 2]; 2];
 
 /// A rectangle, or one without another inside it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Region {
+pub(crate) struct Region {
     /// All of it.
-    pub whole: Rectangle,
+    pub(crate) whole: Rectangle,
     /// What is left out.
-    pub hole: Option<Rectangle>,
+    pub(crate) hole: Option<Rectangle>,
     /// Offset of the image of the cell under test, [doppler, range], where the region's noise meets that of its image.
-    pub image: Option<[i64; 2]>,
+    pub(crate) image: Option<[i64; 2]>,
 }
 
 impl Region {
     /// Number of cells.
-    pub fn cells(&self) -> usize {
+    pub(crate) fn cells(&self) -> usize {
         cells(&self.whole) - self.hole.as_ref().map_or(0, cells)
     }
 
@@ -61,7 +61,7 @@ fn cells(rectangle: &Rectangle) -> usize {
 }
 
 /// Correlation of noise cells over their distance, [doppler, range].
-pub struct Correlation {
+pub(crate) struct Correlation {
     /// ρ less the phase that no closed chain of cells keeps (windows are symmetric about N/2).
     amplitude: [Vec<f64>; 2],
     /// |ρ|².
@@ -78,7 +78,7 @@ const MEETS: f64 = 1e-4;
 
 impl Correlation {
     /// Of a header's windows, for regions of these half sizes and images that they meet.
-    pub fn new(header: &CubeHeader, outer: [usize; 2]) -> Result<Self, DspError> {
+    pub(crate) fn new(header: &CubeHeader, outer: [usize; 2]) -> Result<Self, DspError> {
         let waveform = &header.radar.waveform;
         let doppler = taper(header.dsp.doppler_window, waveform.chirps as usize)?;
         let range = taper(header.dsp.range_window, waveform.samples as usize)?;
@@ -96,23 +96,23 @@ impl Correlation {
     }
 
     /// Whether no cell correlates with another.
-    pub fn is_white(&self) -> bool {
+    pub(crate) fn is_white(&self) -> bool {
         self.amplitude.iter().flat_map(|axis| &axis[1..]).all(|rho| *rho == 0.0)
     }
 
     /// Whether a region's noise has something in common with that of its image.
-    pub fn meets_image(&self, region: &Region) -> bool {
+    pub(crate) fn meets_image(&self, region: &Region) -> bool {
         let alone = Region { image: None, ..region.clone() };
         self.among(region, 1) - self.among(&alone, 1) > MEETS * region.cells() as f64
     }
 
     /// Share c of the cell under test in the mean of a region: Σκ_0i/N.
-    pub fn leak(&self, region: &Region) -> f64 {
+    pub(crate) fn leak(&self, region: &Region) -> f64 {
         (self.pairs(region, &CENTRE, 1) / region.cells() as f64).max(0.0)
     }
 
     /// Σκ_ij^n over pairs of different cells of a region, and of cells and images.
-    pub fn among(&self, region: &Region, exponent: i32) -> f64 {
+    pub(crate) fn among(&self, region: &Region, exponent: i32) -> f64 {
         let pairs: f64 = region.parts().map(|(sign, part)| sign * self.pairs(region, &part, exponent)).sum();
         (pairs - region.cells() as f64).max(0.0)
     }
@@ -122,7 +122,7 @@ impl Correlation {
     /// The power of N correlated cells is Σλ_i·E_i over the eigenvalues of their correlation matrix. All that enters a
     /// probability is Σ ln(1 + sλ_i); Gauss's rule of two nodes over the eigenvalues keeps their number and their first
     /// three powers: N, Σρ_ii = N, Σκ_ij and Σρ_ij·ρ_jk·ρ_ki.
-    pub fn mean_power(&self, region: &Region, channels: usize) -> Vec<WeightedGamma> {
+    pub(crate) fn mean_power(&self, region: &Region, channels: usize) -> Vec<WeightedGamma> {
         let count = region.cells() as f64;
         let group = |eigenvalue: f64, share: f64| WeightedGamma {
             weight: eigenvalue / (count * channels as f64),
@@ -144,7 +144,7 @@ impl Correlation {
     /// The mean power of a rectangle's noise: as [`Self::mean_power`] with Gauss's rule of eight nodes.
     ///
     /// The smaller of two means lives in the lower tail of a thin half, where the small eigenvalues decide.
-    pub fn rectangle_power(&self, region: &Region, channels: usize) -> Vec<WeightedGamma> {
+    pub(crate) fn rectangle_power(&self, region: &Region, channels: usize) -> Vec<WeightedGamma> {
         let eigenvalues = match region.image {
             None => self.of_rectangle(&region.whole),
             Some(image) => self.of_rectangle_and_image(&region.whole, image),

@@ -10,13 +10,13 @@ use crate::spectrum::window::transform;
 use num_complex::Complex64;
 
 /// Reads offsets from values for one window and axis.
-pub struct Interpolator {
+pub(crate) struct Interpolator {
     /// q of a tone at each of the offsets.
     ratios: Vec<f64>,
 }
 
 /// Values of one channel in the cell before a peak, in it, and in the next.
-pub type Trio = [Complex64; 3];
+pub(crate) type Trio = [Complex64; 3];
 
 /// Offsets from −½ to ½ at which the curve is kept. Linear reading between them leaves (1/64)²/8 of its curvature, which
 /// is at most 3 per cell (rect): 1e-4 cells.
@@ -24,7 +24,7 @@ const STEPS: usize = 64;
 
 impl Interpolator {
     /// For peaks that a window of these weights makes.
-    pub fn new(taper: &[f64]) -> Self {
+    pub(crate) fn new(taper: &[f64]) -> Self {
         let ratio = |step: usize| {
             let offset = offset_of(step as f64);
             let [before, here, after] = [1.0, 0.0, -1.0].map(|cell| transform(taper, offset + cell));
@@ -34,7 +34,7 @@ impl Interpolator {
     }
 
     /// Offset of the peak from its cell in cells, −0.5…0.5, from the values of all channels.
-    pub fn offset(&self, channels: impl Iterator<Item = Trio>) -> f64 {
+    pub(crate) fn offset(&self, channels: impl Iterator<Item = Trio>) -> f64 {
         let found = ratio(channels);
         let above = self.ratios.partition_point(|ratio| *ratio < found).clamp(1, STEPS);
         let (low, high) = (self.ratios[above - 1], self.ratios[above]);

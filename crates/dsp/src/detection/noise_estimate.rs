@@ -13,7 +13,7 @@ use crate::detection::correlated_cells::{Correlation, Region};
 use crate::numerics::gamma_forms::{WeightedGamma, beta_below, gamma_below, gamma_tail, probability_below};
 
 /// α over the mean of a region's cells.
-pub fn averaged_factor(mean: &[WeightedGamma], channels: usize, rate: f64) -> f64 {
+pub(crate) fn averaged_factor(mean: &[WeightedGamma], channels: usize, rate: f64) -> f64 {
     let cell = WeightedGamma { weight: -1.0, shape: channels as f64 };
     falling_root(rate, |factor| {
         let scaled = |g: &WeightedGamma| WeightedGamma { weight: g.weight * factor * channels as f64, ..*g };
@@ -23,12 +23,12 @@ pub fn averaged_factor(mean: &[WeightedGamma], channels: usize, rate: f64) -> f6
 }
 
 /// α over the greater mean of two regions whose noise is independent.
-pub fn greatest_of_factor(halves: [&[WeightedGamma]; 2], channels: usize, rate: f64) -> f64 {
+pub(crate) fn greatest_of_factor(halves: [&[WeightedGamma]; 2], channels: usize, rate: f64) -> f64 {
     factor(channels, rate, |t| halves.map(|half| probability_below(half, t)).iter().product())
 }
 
 /// α over the smaller mean of two regions whose noise is independent.
-pub fn smallest_of_factor(halves: [&[WeightedGamma]; 2], channels: usize, rate: f64) -> f64 {
+pub(crate) fn smallest_of_factor(halves: [&[WeightedGamma]; 2], channels: usize, rate: f64) -> f64 {
     factor(channels, rate, |t| {
         let [a, b] = halves.map(|half| probability_below(half, t));
         // 1 − (1 − a)(1 − b) without the loss of small a and b.
@@ -37,7 +37,7 @@ pub fn smallest_of_factor(halves: [&[WeightedGamma]; 2], channels: usize, rate: 
 }
 
 /// α over the cell of this rank, counted from 1 at the weakest, of independent cells.
-pub fn ordered_factor(cells: usize, rank: usize, channels: usize, rate: f64) -> f64 {
+pub(crate) fn ordered_factor(cells: usize, rank: usize, channels: usize, rate: f64) -> f64 {
     let (mean, below, above) = (channels as f64, rank as f64, (cells - rank + 1) as f64);
     factor(channels, rate, |t| beta_below(below, above, gamma_below(channels, mean * t)))
 }
@@ -48,7 +48,7 @@ pub fn ordered_factor(cells: usize, rank: usize, channels: usize, rate: f64) -> 
 /// correlated Gamma variables (Sankhyā 5 (1941) 137), the variance N·u(1 − u) + Σ_n c_n² Σ_{i≠j} κ_ij^n, c_n the
 /// coefficients of the step at t in Laguerre polynomials. It is that of n = N·(N u(1 − u))/variance independent cells,
 /// each counted N/n times, of which k′ − ½ = (k − ½)·n/N are asked (½: a count is whole).
-pub fn correlated_ordered_factor(
+pub(crate) fn correlated_ordered_factor(
     correlation: &Correlation,
     region: &Region,
     rank: usize,

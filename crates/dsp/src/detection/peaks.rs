@@ -14,23 +14,23 @@ use num_complex::{Complex32, Complex64};
 
 /// A local maximum of a map.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Peak {
+pub(crate) struct Peak {
     /// Doppler cell.
-    pub row: usize,
+    pub(crate) row: usize,
     /// Range cell.
-    pub column: usize,
+    pub(crate) column: usize,
     /// Interpolated Doppler cell.
-    pub fine_row: f64,
+    pub(crate) fine_row: f64,
     /// Interpolated range cell.
-    pub fine_column: f64,
+    pub(crate) fine_column: f64,
     /// Power of the cell.
-    pub power: f64,
+    pub(crate) power: f64,
     /// Detected cells among it and its eight neighbours.
-    pub cells: u32,
+    pub(crate) cells: u32,
     /// Whether the detector found it, or its neighbours' echoes hid it.
-    pub detected: bool,
+    pub(crate) detected: bool,
     /// Cell of the peak on whose slope it stands; its own cell where it stands on none (`directional_peaks.rs`).
-    pub summit: [usize; 2],
+    pub(crate) summit: [usize; 2],
 }
 
 impl Peak {
@@ -50,7 +50,7 @@ impl Peak {
 }
 
 /// Peak curves and sidelobe levels of a radar's two windows.
-pub struct PeakFinder {
+pub(crate) struct PeakFinder {
     interpolators: [Interpolator; 2],
     leakage: [Vec<f64>; 2],
 }
@@ -65,7 +65,7 @@ const OFFSETS: i32 = 8;
 
 impl PeakFinder {
     /// For the windows that a cube's header asks for.
-    pub fn new(header: &CubeHeader) -> Result<Self, DspError> {
+    pub(crate) fn new(header: &CubeHeader) -> Result<Self, DspError> {
         let waveform = &header.radar.waveform;
         let doppler = taper(header.dsp.doppler_window, waveform.chirps as usize)?;
         let range = taper(header.dsp.range_window, waveform.samples as usize)?;
@@ -77,7 +77,13 @@ impl PeakFinder {
 
     /// Peaks of a power map `[doppler, range]` among the cells that the mask calls detected and those above
     /// `noise_threshold`, strongest first; `values` `[channel, doppler, range]` tell where between cells they lie.
-    pub fn peaks(&self, power: ArrayView2<f64>, values: &[Complex32], mask: &[u8], noise_threshold: f64) -> Vec<Peak> {
+    pub(crate) fn peaks(
+        &self,
+        power: ArrayView2<f64>,
+        values: &[Complex32],
+        mask: &[u8],
+        noise_threshold: f64,
+    ) -> Vec<Peak> {
         let strong = power.indexed_iter().zip(mask).filter(|((_, p), m)| **m == DETECTED || **p > noise_threshold);
         let mut peaks: Vec<Peak> = strong
             .map(|((cell, _), _)| cell)
@@ -89,7 +95,7 @@ impl PeakFinder {
     }
 
     /// Detected cells and the peak whose slope each stands on, in row-major order; those that climb to a sidelobe are left out.
-    pub fn slopes(&self, power: ArrayView2<f64>, mask: &[u8], peaks: &[Peak]) -> Vec<([usize; 2], usize)> {
+    pub(crate) fn slopes(&self, power: ArrayView2<f64>, mask: &[u8], peaks: &[Peak]) -> Vec<([usize; 2], usize)> {
         let (rows, columns) = power.dim();
         let mut peak_at = vec![None; rows * columns];
         peaks.iter().enumerate().for_each(|(index, peak)| peak_at[peak.row * columns + peak.column] = Some(index));

@@ -147,7 +147,7 @@ impl VirtualArray {
     }
 
     /// Power of a cell that an echo from this direction explains.
-    pub fn explained(&self, snapshot: &[Complex64], direction: Direction, range_m: f64) -> f64 {
+    pub(crate) fn explained(&self, snapshot: &[Complex64], direction: Direction, range_m: f64) -> f64 {
         self.beam(snapshot, &self.steering(direction, range_m)).norm_sqr() / snapshot.len() as f64
     }
 
@@ -160,12 +160,12 @@ impl VirtualArray {
     }
 
     /// Elements that hear each transmitter.
-    pub fn receivers(&self) -> usize {
+    pub(crate) fn receivers(&self) -> usize {
         self.receivers
     }
 
     /// The same turns of each end alone: of transmit elements, and of receive elements.
-    pub fn element_turns(&self, direction: Direction, range_m: f64) -> [Vec<Complex64>; 2] {
+    pub(crate) fn element_turns(&self, direction: Direction, range_m: f64) -> [Vec<Complex64>; 2] {
         let point = self.point(direction, range_m);
         let turn = |element: DVec3| turned_back(excess_m(point, element, range_m) / self.wavelength_m);
         let tx = self.elements.iter().step_by(self.receivers.max(1)).map(|[tx, _]| turn(*tx)).collect();
@@ -188,7 +188,7 @@ impl VirtualArray {
     }
 
     /// Change of [`Self::excess_m`] with the direction cosines, m; 0 along axes on which the array has no extent.
-    pub fn excess_slopes_m(&self, direction: Direction, range_m: f64) -> Vec<[f64; 2]> {
+    pub(crate) fn excess_slopes_m(&self, direction: Direction, range_m: f64) -> Vec<[f64; 2]> {
         // Central difference: the third derivative leaves 1e-12 of the slope, rounding of lengths below 1 m 1e-10.
         let small = 1e-6;
         let along = |right: f64, up: f64| {
@@ -205,7 +205,7 @@ impl VirtualArray {
     }
 
     /// Most that a wavefront of a point at this range bends over the elements, transmit and receive together.
-    pub fn curvature_cycles(&self, range_m: f64) -> f64 {
+    pub(crate) fn curvature_cycles(&self, range_m: f64) -> f64 {
         let most_m2 = self.squares_m2.iter().copied().fold(0.0, f64::max);
         most_m2 / (2.0 * range_m.max(1e-3) * self.wavelength_m)
     }
@@ -219,7 +219,7 @@ impl VirtualArray {
     }
 
     /// At the centre of the sampled sweep.
-    pub fn wavelength_m(&self) -> f64 {
+    pub(crate) fn wavelength_m(&self) -> f64 {
         self.wavelength_m
     }
 

@@ -15,7 +15,7 @@ use glam::DVec3;
 use num_complex::Complex64;
 
 /// The weakest channel's cell over its noise that is believed, dB: 4° of phase.
-pub const LEAST_SNR_DB: f64 = 20.0;
+const LEAST_SNR_DB: f64 = 20.0;
 /// Range cells on either side of the known one where the echo is looked for: lines are up to half a cell long.
 const REACH: usize = 2;
 

@@ -21,7 +21,7 @@ pub struct Source {
 }
 
 /// Most echoes that are looked for in one cell.
-pub const MOST_SOURCES: usize = 3;
+pub(crate) const MOST_SOURCES: usize = 3;
 /// Right and up of each.
 const PARAMETERS: usize = 2 * MOST_SOURCES;
 /// Chance that noise alone makes an echo of a cell that holds one less.

@@ -6,13 +6,13 @@ use glam::DVec3;
 
 /// Where a point lies.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place {
+pub(crate) struct Place {
     /// World metres.
-    pub position_m: DVec3,
+    pub(crate) position_m: DVec3,
     /// From +y towards +x.
-    pub azimuth_rad: f64,
+    pub(crate) azimuth_rad: f64,
     /// Above the horizon.
-    pub elevation_rad: f64,
+    pub(crate) elevation_rad: f64,
 }
 
 /// Place of a point at `range_m` from the array's centre.
@@ -20,7 +20,7 @@ pub struct Place {
 /// With elevation rows both direction cosines are measured. Without, range and the one cosine u leave a circle (the
 /// sphere cut by the cone around the row); the assumed height picks the point in front of the array:
 /// along the row R·u, up h − z_radar, ahead √(R² − (R·u)² − (h − z_radar)²), 0 where the point is nearer than its height.
-pub fn place(header: &CubeHeader, array: &VirtualArray, direction: Direction, range_m: f64) -> Place {
+pub(crate) fn place(header: &CubeHeader, array: &VirtualArray, direction: Direction, range_m: f64) -> Place {
     let [right, up, ahead] = array.axes();
     let u = direction.right;
     let from_radar = match direction.up {

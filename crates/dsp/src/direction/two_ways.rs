@@ -40,7 +40,7 @@ const MOST_DIRECTIONS: usize = 512;
 /// Whether this array tells such a pair from direct echoes at all: both its transmitters and its receivers stand in more than one place
 /// along the row (else one end has the same phases for both directions, and the pair is a sum of two direct echoes), and the row is not
 /// too long to be searched.
-pub fn can_tell(array: &VirtualArray) -> bool {
+pub(crate) fn can_tell(array: &VirtualArray) -> bool {
     let steps = (1.0 / (STEP_BEAMS * array.beams()[0])).floor();
     array.ends_have_rows() && 2.0 * steps + 1.0 <= MOST_DIRECTIONS as f64
 }

@@ -21,24 +21,24 @@ use std::f64::consts::{PI, TAU};
 const MOST_BIAS: f64 = 0.1;
 
 /// The peaks of a map, and what is needed to tell what they do to one.
-pub struct Neighbours<'a> {
+pub(crate) struct Neighbours<'a> {
     /// Radar and settings.
-    pub header: &'a CubeHeader,
+    pub(crate) header: &'a CubeHeader,
     /// Its map.
-    pub map: &'a RdmFrame,
+    pub(crate) map: &'a RdmFrame,
     /// Its channels.
-    pub array: &'a VirtualArray,
+    pub(crate) array: &'a VirtualArray,
     /// All peaks.
-    pub peaks: &'a [Peak],
+    pub(crate) peaks: &'a [Peak],
     /// Of a cell of the map, summed over channels.
-    pub noise: f64,
+    pub(crate) noise: f64,
     /// Noise bandwidth of a cell in cells: what its power lacks of an unwindowed one's signal-to-noise ratio.
-    pub bandwidth_cells: f64,
+    pub(crate) bandwidth_cells: f64,
 }
 
 impl Neighbours<'_> {
     /// Whether the other peaks leave the estimates of an echo, whose peak this is, within 0.4 dB of their bound.
-    pub fn leave_alone(&self, peak: &Peak, echo: PointEcho) -> bool {
+    pub(crate) fn leave_alone(&self, peak: &Peak, echo: PointEcho) -> bool {
         let beams = Beams::new(self.array, echo);
         let mut bias = [0.0; PARAMETERS];
         for other in self.peaks.iter().filter(|other| (other.row, other.column) != (peak.row, peak.column)) {
@@ -122,7 +122,7 @@ const FALSE_SECOND_RATE: f64 = 1e-3;
 const MODEL_ERROR: f64 = 1e-5;
 
 /// Whether nothing like a second echo is left near a fitted one, in any direction; `noise` is that of one sample.
-pub fn fits_alone(
+pub(crate) fn fits_alone(
     header: &CubeHeader,
     array: &VirtualArray,
     samples: &[Complex32],

@@ -15,28 +15,28 @@ use std::f64::consts::TAU;
 
 /// Where a point is in the frame's middle, and how fast it recedes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PointEcho {
+pub(crate) struct PointEcho {
     /// From the array's centre.
-    pub range_m: f64,
+    pub(crate) range_m: f64,
     /// Not folded.
-    pub radial_velocity_mps: f64,
+    pub(crate) radial_velocity_mps: f64,
     /// Seen from the array.
-    pub direction: Direction,
+    pub(crate) direction: Direction,
 }
 
 /// Sum over some samples of some chirps of one channel.
 #[derive(Debug, Clone, Copy)]
-pub struct Block {
+pub(crate) struct Block {
     /// Σ sample · e^{−j·phase of the point}.
-    pub sum: Complex64,
+    pub(crate) sum: Complex64,
     /// Samples in it.
-    pub weight: f64,
+    pub(crate) weight: f64,
     /// Channel.
-    pub channel: usize,
+    pub(crate) channel: usize,
     /// Mean time into the sampled sweep.
-    pub sweep_s: f64,
+    pub(crate) sweep_s: f64,
     /// Mean time from the frame's middle.
-    pub frame_s: f64,
+    pub(crate) frame_s: f64,
 }
 
 /// Blocks along each axis: a point half a cell beside the phase taken out turns by 1/32 cycle within a block, which takes
@@ -44,7 +44,12 @@ pub struct Block {
 const BLOCKS: usize = 16;
 
 /// Blocks of all channels, the point's phase taken out, in order of channel, chirp and sample.
-pub fn blocks(header: &CubeHeader, array: &VirtualArray, samples: &[Complex32], point: &PointEcho) -> Vec<Block> {
+pub(crate) fn blocks(
+    header: &CubeHeader,
+    array: &VirtualArray,
+    samples: &[Complex32],
+    point: &PointEcho,
+) -> Vec<Block> {
     let excess_m = array.excess_m(point.direction, point.range_m);
     let channels = 0..header.radar.virtual_channels();
     let of_channels: Vec<Vec<Block>> =

@@ -22,7 +22,7 @@ const PASSES: usize = 2;
 const STEPS: usize = 6;
 
 /// The echo that fits the samples best, near `start`; `None` where they do not settle within a cell of it.
-pub fn refined(
+pub(crate) fn refined(
     header: &CubeHeader,
     array: &VirtualArray,
     samples: &[Complex32],

@@ -10,17 +10,17 @@ use std::f64::consts::PI;
 
 /// w_q and n_q of one Gamma variable of a sum.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WeightedGamma {
+pub(crate) struct WeightedGamma {
     /// w_q, not zero; may be negative.
-    pub weight: f64,
+    pub(crate) weight: f64,
     /// n_q, above zero and not necessarily whole.
-    pub shape: f64,
+    pub(crate) shape: f64,
 }
 
 /// P(Σ w_q·G(n_q) < t): relative error about 1e-11, also far out in the lower tail.
 ///
 /// One weight at least is positive, and `t` is positive or one weight is negative.
-pub fn probability_below(form: &[WeightedGamma], t: f64) -> f64 {
+pub(crate) fn probability_below(form: &[WeightedGamma], t: f64) -> f64 {
     let saddle = saddle_point(form, t);
     let [_, second, third] = slopes(form, t, saddle);
     let width = 1.0 / second.sqrt();
@@ -108,7 +108,7 @@ pub fn gamma_tail(shape: usize, x: f64) -> f64 {
 }
 
 /// P(G(M) < x) of a whole M by the series of positive terms e^{−x} x^M/M!·(1 + x/(M+1) + …), or 1 less the tail.
-pub fn gamma_below(shape: usize, x: f64) -> f64 {
+pub(crate) fn gamma_below(shape: usize, x: f64) -> f64 {
     if x > shape as f64 + 1.0 {
         return 1.0 - gamma_tail(shape, x);
     }
@@ -123,7 +123,7 @@ pub fn gamma_below(shape: usize, x: f64) -> f64 {
 }
 
 /// I_u(a, b), the regularised incomplete beta function: A/(A + B) < u is (1 − u)A − uB < 0.
-pub fn beta_below(a: f64, b: f64, u: f64) -> f64 {
+pub(crate) fn beta_below(a: f64, b: f64, u: f64) -> f64 {
     if u <= 0.0 {
         return 0.0;
     }

@@ -4,19 +4,19 @@ use glam::DVec2;
 
 /// What clustering knows of a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Member {
+pub(crate) struct Member {
     /// From the array's centre, m.
-    pub range_m: f64,
+    pub(crate) range_m: f64,
     /// m/s, in one span of the velocity axis.
-    pub radial_velocity_mps: f64,
+    pub(crate) radial_velocity_mps: f64,
     /// Across the lanes, m.
-    pub cross_m: f64,
+    pub(crate) cross_m: f64,
     /// Standard error of that, by noise, m.
-    pub cross_error_m: f64,
+    pub(crate) cross_error_m: f64,
     /// Weight.
-    pub power: f64,
+    pub(crate) power: f64,
     /// On the ground, from the radar.
-    pub place_m: DVec2,
+    pub(crate) place_m: DVec2,
 }
 
 /// A difference of velocities that wrap, nearest to zero.

@@ -24,7 +24,7 @@ use artifact::settings::DspSettings;
 /// Groups of indices into `members`, which come strongest first; `velocity_span_mps` is where velocities wrap.
 ///
 /// Every member is in exactly one group; groups are in the order of their strongest member, members in order of index.
-pub fn clusters(members: &[Member], settings: &DspSettings, velocity_span_mps: f64) -> Vec<Vec<usize>> {
+pub(crate) fn clusters(members: &[Member], settings: &DspSettings, velocity_span_mps: f64) -> Vec<Vec<usize>> {
     let mut free: Vec<bool> = vec![true; members.len()];
     let mut groups = Vec::new();
     for seed in 0..members.len() {

@@ -10,7 +10,7 @@ use num_complex::Complex32;
 use rayon::prelude::*;
 
 /// What stands in for noise in a noise-free map lies this far below its peak, dB.
-pub const FLOOR_BELOW_PEAK_DB: f64 = 60.0;
+pub(crate) const FLOOR_BELOW_PEAK_DB: f64 = 60.0;
 
 /// Σ over channels of |value|², `[doppler, range]`.
 pub fn power_map(header: &CubeHeader, map: &RdmFrame) -> Result<Array2<f64>, DspError> {

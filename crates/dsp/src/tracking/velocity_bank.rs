@@ -11,7 +11,7 @@ use crate::tracking::tracker_settings::TrackerSettings;
 
 /// Filters and their weights; never empty.
 #[derive(Debug, Clone)]
-pub struct VelocityBank {
+pub(crate) struct VelocityBank {
     filters: Vec<(f64, Estimate)>,
 }
 
@@ -20,16 +20,16 @@ const LEAST_WEIGHT: f64 = 1e-3;
 
 /// How a measurement suits a bank.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Suit {
+pub(crate) struct Suit {
     /// Least squared Mahalanobis distance.
-    pub distance2: f64,
+    pub(crate) distance2: f64,
     /// −2 ln of the measurement's density.
-    pub surprise: f64,
+    pub(crate) surprise: f64,
 }
 
 impl VelocityBank {
     /// All velocities up to the fastest that a first measurement may stand for, equally likely; at least the one it shows.
-    pub fn new(first: &Measurement, settings: &TrackerSettings) -> Self {
+    pub(crate) fn new(first: &Measurement, settings: &TrackerSettings) -> Self {
         let shown_mps = first.radial_velocity_mps;
         let turns = first.span_mps.map_or(0, |span| ((settings.fastest_mps + shown_mps.abs()) / span).ceil() as i32);
         let velocity_mps = |turn: i32| shown_mps + f64::from(turn) * first.span_mps.unwrap_or(0.0);
@@ -42,23 +42,23 @@ impl VelocityBank {
     }
 
     /// Likeliest filter.
-    pub fn best(&self) -> &Estimate {
+    pub(crate) fn best(&self) -> &Estimate {
         let best = self.filters.iter().skip(1).fold(&self.filters[0], |best, f| if f.0 > best.0 { f } else { best });
         &best.1
     }
 
     /// Whether one filter is left.
-    pub fn is_resolved(&self) -> bool {
+    pub(crate) fn is_resolved(&self) -> bool {
         self.filters.len() == 1
     }
 
     /// Every filter after some time.
-    pub fn predict(&mut self, interval_s: f64, acceleration_density: f64) {
+    pub(crate) fn predict(&mut self, interval_s: f64, acceleration_density: f64) {
         self.filters.iter_mut().for_each(|f| f.1 = f.1.predicted(interval_s, acceleration_density));
     }
 
     /// How likely a measurement is.
-    pub fn suit(&self, measurement: &Measurement) -> Suit {
+    pub(crate) fn suit(&self, measurement: &Measurement) -> Suit {
         let updates = self.filters.iter().map(|(weight, state)| (weight, measurement.updated(state)));
         let (mut distance2, mut least) = (f64::INFINITY, f64::INFINITY);
         let mut surprises = Vec::new();
@@ -72,7 +72,7 @@ impl VelocityBank {
     }
 
     /// Takes a measurement in.
-    pub fn update(&mut self, measurement: &Measurement) {
+    pub(crate) fn update(&mut self, measurement: &Measurement) {
         let updates: Vec<_> = self.filters.iter().map(|(w, state)| (*w, measurement.updated(state))).collect();
         let least = updates.iter().map(|(_, u)| u.surprise).fold(f64::INFINITY, f64::min);
         self.filters = updates.into_iter().map(|(w, u)| (w * (0.5 * (least - u.surprise)).exp(), u.estimate)).collect();
