@@ -17,8 +17,7 @@
 //! Signs, axes and units: `docs/conventions.md`. A growing range is a positive velocity; a target on the + side of the array
 //! reads a positive direction cosine. Everything wrong with an input is a [`DspError`]; nothing panics.
 //!
-//! Reading order is that of the modules: taper and transforms, noncoherent sum, threshold, detector, peaks, direction,
-//! refinement, place, rest, clusters, points, tracks, pictures.
+//! Reading order is that of the rooms below; each uses only those that stand before it.
 //!
 //! ```
 //! use artifact::cube::{CubeFrame, CubeHeader};

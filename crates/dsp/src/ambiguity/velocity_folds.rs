@@ -1,7 +1,7 @@
 //! Velocity ambiguity resolved from two sub-frames of different chirp intervals.
 //!
 //! Each shows a velocity up to a multiple of its own span (λ/2T, under time division too once the phases between transmitters
-//! have told the folds of a transmitter's longer repetition: [`crate::ambiguity::time_division_folds`]); the multiples at which both agree, and with them the ranges, directions
+//! have told the folds of a transmitter's longer repetition: `time_division_folds.rs`); the multiples at which both agree, and with them the ranges, directions
 //! and levels, tell the velocity (the Chinese remainder with tolerance: Richards, Fundamentals of Radar Signal Processing
 //! (2014), §5.3.2). A vehicle is many points, so a hypothesis is scored by how well *all* points of an object find partners in the
 //! other sub-frame; vehicles that share range cells are decided together, so that no echo serves two. Also the range

@@ -11,11 +11,11 @@
 //! - `os-cfar`: the cell of rank ¾N (Rohling, IEEE T-AES 19 (1983) 608).
 //!
 //! Of real samples the cells about range 0 and the last ones are not tested: noise is not circular there. Training cells there are fewer
-//! independent ones on the rows about zero and the fastest velocity, where their own images lie among them ([`crate::detection::correlated_cells`]).
+//! independent ones on the rows about zero and the fastest velocity, where their own images lie among them (`correlated_cells.rs`).
 //!
 //! Windows correlate neighbouring cells in two ways, both put right per cell:
 //!
-//! - Training cells are fewer independent ones ([`crate::detection::correlated_cells`], [`crate::detection::noise_estimate`]).
+//! - Training cells are fewer independent ones (`correlated_cells.rs`, `noise_estimate.rs`).
 //! - The cell under test leaks into its own estimate where the guard is narrower than the window's main lobe. Given its
 //!   power y, the training mean is c·y + (1 − c)·(noise), c = Σκ_0i/N, so y > α·mean holds where
 //!   y > α(1−c)/(1−αc)·(noise): solved for α, it is α′/(1 − c + α′c) with α′ of the independent case.

@@ -101,30 +101,30 @@ fn turn_over(start: usize, free: usize, before: &[Option<usize>], row_of: &mut [
     row_of[column] = Some(start);
 }
 
-/// The same by trying every way: the reference.
-pub fn by_trying_all(costs: ArrayView2<f64>, unassigned: f64) -> f64 {
-    fn least(costs: ArrayView2<f64>, unassigned: f64, row: usize, used: &mut Vec<bool>) -> f64 {
-        if row == costs.nrows() {
-            return 0.0;
-        }
-        let mut best = unassigned + least(costs, unassigned, row + 1, used);
-        for column in 0..costs.ncols() {
-            if !used[column] && costs[(row, column)].is_finite() {
-                used[column] = true;
-                best = best.min(costs[(row, column)] + least(costs, unassigned, row + 1, used));
-                used[column] = false;
-            }
-        }
-        best
-    }
-    least(costs, unassigned, 0, &mut vec![false; costs.ncols()])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use ndarray::Array2;
     use proptest::prelude::*;
+
+    /// The same by trying every way: the reference.
+    fn by_trying_all(costs: ArrayView2<f64>, unassigned: f64) -> f64 {
+        fn least(costs: ArrayView2<f64>, unassigned: f64, row: usize, used: &mut Vec<bool>) -> f64 {
+            if row == costs.nrows() {
+                return 0.0;
+            }
+            let mut best = unassigned + least(costs, unassigned, row + 1, used);
+            for column in 0..costs.ncols() {
+                if !used[column] && costs[(row, column)].is_finite() {
+                    used[column] = true;
+                    best = best.min(costs[(row, column)] + least(costs, unassigned, row + 1, used));
+                    used[column] = false;
+                }
+            }
+            best
+        }
+        least(costs, unassigned, 0, &mut vec![false; costs.ncols()])
+    }
 
     fn total(costs: ArrayView2<f64>, unassigned: f64, chosen: &[Option<usize>]) -> f64 {
         chosen.iter().enumerate().map(|(row, c)| c.map_or(unassigned, |c| costs[(row, c)])).sum()

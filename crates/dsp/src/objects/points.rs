@@ -47,7 +47,7 @@ pub fn detect(header: &CubeHeader, map: &RdmFrame) -> Result<PointsFrame, DspErr
 }
 
 /// The same with the samples that the map was made of: where the settings ask for it, peaks that stand alone are refined
-/// on them ([`crate::estimation::refinement`]).
+/// on them (`refinement.rs`).
 pub fn detect_refined(header: &CubeHeader, cube: &CubeFrame, map: &RdmFrame) -> Result<PointsFrame, DspError> {
     check_samples(header, &cube.samples)?;
     if header.dsp.refine == Refine::Isolated && !is_one_tone(header) {

@@ -1,10 +1,8 @@
 //! Energy, level and signal-to-noise of the map.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::*;
 use artifact::settings::{Noise, Window};
-use common::*;
 use dsp::RangeDoppler;
 use dsp::window::{noise_bandwidth_bins, taper};
 use dsp::{detect, noise_power, power_map, range_doppler};

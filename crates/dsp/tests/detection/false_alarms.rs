@@ -1,14 +1,11 @@
 //! S2: noise alone passes the detector at the rate asked for, in every zone of the map.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod alarm_rates;
-mod common;
-
-use alarm_rates::{DETECTORS, Zones, assert_weighed, counted, noise_power_map, weighed};
+use crate::alarm_rates::{self, DETECTORS, Zones, assert_weighed, counted, noise_power_map, weighed};
+use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::radar::{Multiplexing, Sampling};
 use artifact::settings::{Detector, Window};
-use common::*;
 use dsp::cfar::{Cfar, DETECTED};
 use dsp::range_doppler;
 use rayon::prelude::*;
@@ -227,7 +224,7 @@ cells at either end of the range axis, corners those of them whose training cell
 - weighed: mean over cells of P(cell under test > threshold), given the training cells as drawn, which is exact because
   no window here correlates cells more than two apart; ± is the standard error over maps.
 
-`cargo test --release -p dsp --test false_alarms -- --ignored --nocapture` writes both tables of this page; `FALSE_ALARM_MAPS_PERCENT`
+`cargo test --release -p dsp --test detection -- --ignored --nocapture` writes both tables of this page; `FALSE_ALARM_MAPS_PERCENT`
 scales the number of maps.
 
 ";

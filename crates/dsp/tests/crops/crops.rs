@@ -1,12 +1,10 @@
 //! Crops and grayscale pictures.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::dataset::Crop;
 use artifact::rdm::RdmFrame;
-use common::*;
 use dsp::{Cropper, DspError, PAPER_CROP, crop, detect, noise_power, range_doppler, rdm_grayscale};
 
 fn seen(header: &CubeHeader, targets: &[Target]) -> (RdmFrame, Crop) {

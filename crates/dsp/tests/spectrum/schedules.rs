@@ -1,11 +1,9 @@
 //! Maps of chirps at changing intervals, and of sub-frames.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::*;
 use artifact::cube::CubeFrame;
 use artifact::radar::Multiplexing;
-use common::*;
 use dsp::RangeDoppler;
 use dsp::{DspError, detect, range_doppler, velocity_axis_mps};
 use num_complex::Complex64;

@@ -1,11 +1,9 @@
 //! Waves between two bodies are told from direct echoes by the directions that they leave and come by.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::seed::key;
-use common::*;
 use dsp::angle::VirtualArray;
 use dsp::two_ways;
 use glam::DVec3;

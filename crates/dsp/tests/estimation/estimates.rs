@@ -1,13 +1,11 @@
 //! Refined estimates against the Cramér–Rao bound.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::points::Point;
 use artifact::seed::key;
 use artifact::settings::{Refine, Window};
-use common::*;
 use dsp::cramer_rao;
 use dsp::{detect_refined, range_doppler};
 use rand::{Rng, SeedableRng};
@@ -269,7 +267,7 @@ const PREAMBLE: &str = "# Estimates against the Cramér–Rao bound
 
 A point in radial motion, place and speed drawn at random (20–45 m, ±17°, ±11° in elevation, ±9 m/s), white noise, the whole chain: map
 (Hann), detector, peak, and with `refine = \"on\"` maximum likelihood on the unwindowed samples. Figures are root mean square errors over the bound
-(`crates/dsp/src/cramer_rao.rs`) in dB; the signal-to-noise ratio is that of a cell of one channel's unwindowed map. 1600 trials a row: standard error
+(`crates/dsp/src/estimation/cramer_rao.rs`) in dB; the signal-to-noise ratio is that of a cell of one channel's unwindowed map. 1600 trials a row: standard error
 0.15 dB (12 × 16: 200, 0.43 dB; second table: 400, 0.31 dB). *Right* and *up* are direction cosines; u = sin az on the horizon. Found: a point lies within a cell of
 the truth in range and velocity; others (missed or beaten by noise) are left out of the errors. Maps are small (64 × 32 and 32 × 16 cells): the bound counts
 cells, so the size matters only through N² − 1.
@@ -278,11 +276,11 @@ What the tables say: refined estimates stay within two standard errors of the bo
 costs 3.5 dB, three cells hold only part of the rest) and 4.5 dB (direction) above it.
 
 Beside a second, equal echo (last table) nothing is refined that the other biases: its correlation with the slopes of the estimates, over the array and along both axes, may add a tenth of the bound's square (0.4 dB), and what is left of the
-samples around the fitted echo must hold no second one (`crates/dsp/src/isolation.rs`). At 36 dB an equal echo in the same direction and Doppler row forbids it at every distance of this map (24 cells away the old rule,
+samples around the fitted echo must hold no second one (`crates/dsp/src/estimation/isolation.rs`). At 36 dB an equal echo in the same direction and Doppler row forbids it at every distance of this map (24 cells away the old rule,
 leakage into one cell, allowed it and the range was 6.4 dB over the bound); aside by a beam and a half from 12 cells on, 8 Doppler cells away from 2 on. Two limits: echoes less than half a cell or half a beam apart look like one
 and are refined as one, in the middle of both; and beside an echo 6 cells away and a beam and a half aside, whose beam falls near a null, a fifth is refined at 3.4 dB over the bound in range.
 
-`cargo test --release -p dsp --test estimates -- --ignored --nocapture study` writes this page.
+`cargo test --release -p dsp --test estimation -- --ignored --nocapture estimates::study` writes this page.
 ";
 
 const PAIRS: &str = "\n## A second point beside it, of equal strength\n

@@ -1,12 +1,10 @@
 //! Angles and velocity ambiguity: arrays with and without rows, time and Doppler division.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::points::Object;
 use artifact::radar::Multiplexing;
-use common::*;
 use dsp::angle::VirtualArray;
 use dsp::{detect, range_doppler};
 

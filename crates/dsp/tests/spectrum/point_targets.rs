@@ -1,12 +1,10 @@
 //! What the chain says of point targets whose truth is known.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::points::PointsFrame;
 use artifact::settings::Window;
-use common::*;
 use dsp::{detect, power_map, range_axis_m, range_doppler, velocity_axis_mps};
 
 fn seen(header: &CubeHeader, targets: &[Target]) -> PointsFrame {

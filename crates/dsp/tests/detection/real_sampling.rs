@@ -1,13 +1,11 @@
 //! Maps of real samples.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod alarm_rates;
-mod common;
-
+use crate::alarm_rates;
+use crate::common::*;
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::radar::Sampling;
 use artifact::settings::{Refine, Window};
-use common::*;
 use dsp::cfar::{DETECTED, UNTESTED};
 use dsp::{DspError, detect, detect_refined, power_map, range_axis_m, range_doppler};
 use rayon::prelude::*;

@@ -1,11 +1,9 @@
 //! Several echoes in one cell: how near two may be, how often one is made two, and how exact they are.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::seed::key;
-use common::*;
 use dsp::angle::{Direction, VirtualArray};
 use dsp::{Source, least_errors, sources};
 use num_complex::Complex64;
@@ -247,5 +245,5 @@ bound itself exceeds half the distance, and errors of the few pairs found are be
 
 The number of echoes is not given: it is found (generalised likelihood ratio, 1e-4 to make one echo two; measured: none in 2,000).
 
-`cargo test --release -p dsp --test super_resolution -- --ignored --nocapture study` writes this page.
+`cargo test --release -p dsp --test direction -- --ignored --nocapture super_resolution::study` writes this page.
 ";

@@ -1,12 +1,10 @@
 //! Tracks of bodies that move as the filter believes: what it says of its own errors, identities, births and deaths.
 
-mod common;
-
+use crate::common::{elements_3x4, header};
 use artifact::cube::CubeHeader;
 use artifact::points::{Object, Point, PointsFrame};
 use artifact::seed::key;
 use artifact::tracks::{Track, TrackState, TracksFrame};
-use common::{elements_3x4, header};
 use dsp::Estimate;
 use dsp::Site;
 use dsp::{DspError, ROAD_TRAFFIC, Tracker};

@@ -1,13 +1,11 @@
 //! Bad input ends in an error that names it; odd shapes work; bytes do not depend on threads.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::*;
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::dataset::CropFormat;
 use artifact::radar::Multiplexing;
 use artifact::settings::{Noise, Window};
-use common::*;
 use dsp::{Axis, DspError, PAPER_CROP, crop, detect, power_map, range_doppler, rdm_grayscale};
 use num_complex::Complex32;
 use proptest::prelude::*;

@@ -1,12 +1,10 @@
 //! What is left of the phases that time, Doppler and code division put on the transmitters' echoes of a moving target.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::radar::Multiplexing;
 use artifact::settings::Window;
-use common::*;
 use dsp::angle::VirtualArray;
 use dsp::{power_map, range_doppler};
 use num_complex::Complex64;

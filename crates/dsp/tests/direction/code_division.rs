@@ -1,13 +1,11 @@
 //! Transmitters told apart by binary codes: noise, velocities, directions, and what is refused.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::points::Object;
 use artifact::radar::Multiplexing;
 use artifact::settings::Window;
-use common::*;
 use dsp::angle::Direction;
 use dsp::cfar::DETECTED;
 use dsp::least_loss;

@@ -1,12 +1,10 @@
 //! Signatures of objects: levels of the radar equation, places across, heights, and what is left out of them.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::radar::Multiplexing;
 use artifact::signature::{Signature, SignatureCell};
-use common::*;
 use dsp::{DspError, Signatures, detect, range_doppler};
 
 fn noisy(elements: [Vec<[f64; 2]>; 2]) -> CubeHeader {

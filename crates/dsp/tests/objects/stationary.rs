@@ -1,13 +1,11 @@
 //! Echoes at rest: told apart from what moves, or left out, as the settings ask.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::points::{Object, PointsFrame};
 use artifact::radar::Multiplexing;
 use artifact::settings::StaticEchoes;
-use common::*;
 use dsp::{Fold, is_at_rest, tolerance_mps};
 use dsp::{detect, range_doppler};
 

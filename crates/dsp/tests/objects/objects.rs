@@ -1,12 +1,10 @@
 //! Vehicles become objects: one each, not fewer, not more.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::points::PointsFrame;
 use artifact::settings::Window;
-use common::*;
 use dsp::{detect, range_doppler};
 
 fn seen(header: &CubeHeader, targets: &[Target], seed: u64) -> PointsFrame {

@@ -1,12 +1,10 @@
 //! Arrays of erring elements, before and after their calibration on a reflector.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::seed::key;
 use artifact::units::amplitude_from_db;
-use common::*;
 use dsp::angle::{Direction, VirtualArray};
 use dsp::calibration::{channel_errors, mean_errors};
 use dsp::{DspError, detect, power_map, range_doppler};
@@ -163,7 +161,7 @@ Every transmit and receive element has a gain and a phase of its own, normal wit
 cosines −0.6, −0.25, 0, 0.37 and 0.5; noise figure 12 dB, 64 samples, 16 chirps, Hann windows. *Direction*: error of the strongest beam, root mean square, in
 beams (λ over the aperture: 9.5° of 3 × 4, 0.6° of 12 × 16). *Sidelobe*: the highest beyond the first zeros, under the peak, mean of dB; unweighted arrays have −13.
 
-`cargo test --release -p dsp --test calibration -- --ignored --nocapture study` writes this page.
+`cargo test --release -p dsp --test direction -- --ignored --nocapture calibration::study` writes this page.
 
 | array | elements | points | direction, beams | sidelobe, dB |
 |---|---|---|---|---|

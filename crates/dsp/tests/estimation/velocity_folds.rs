@@ -1,13 +1,11 @@
 //! Velocities beyond the span of either chirp interval, told by two.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
+use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::points::{Object, PointsFrame};
 use artifact::radar::Multiplexing;
 use artifact::seed::key;
-use common::*;
 use dsp::angle::Direction;
 use dsp::least_loss;
 use dsp::velocity_folds::{SubFrame, resolved};
@@ -340,7 +338,7 @@ are drawn from −30 to 30 m/s along the road, lanes from x = 2 to 9.5 m, 25–5
 *Right*: an object within 4 m of the vehicle's range has its radial velocity within 1.5 m/s (points 1 m/s); the spans differ by 6.5 and 3.5 m/s,
 so a wrong fold is far outside. *Certain and wrong*: objects that say `velocity_resolved` with a velocity that no vehicle has.
 
-`cargo test --release -p dsp --test velocity_folds -- --ignored --nocapture study` writes this page.
+`cargo test --release -p dsp --test estimation -- --ignored --nocapture velocity_folds::study` writes this page.
 
 | waveform | targets | number | right | certain and wrong |
 |---|---|---|---|---|
@@ -350,7 +348,7 @@ const IN_TURN: &str = "# Transmitters in turn: velocity folds told by the phases
 
 N transmitters in turn, each repeated after N·T, show velocities up to multiples of λ/2NT. With k multiples too many, 2πk/N is left between one transmitter
 and the next. Every fold is tried on a cell: the one whose strongest beam leaves least of the cell's power is taken (generalised likelihood ratio of one echo in white noise; over an object its cells
-together), and it is *certain* if the next one is behind by 9 in the logarithm of the likelihood, what even the best fold leaves counted as noise (`crates/dsp/src/time_division_folds.rs`). What remains is the
+together), and it is *certain* if the next one is behind by 9 in the logarithm of the likelihood, what even the best fold leaves counted as noise (`crates/dsp/src/ambiguity/time_division_folds.rs`). What remains is the
 ambiguity of a single transmitter, λ/2T: `velocity_resolved` is only said where that is beyond 33.4 m/s too, or two sub-frames tell it.
 
 How well that works is the array's. *A wrong fold loses*: the least part of the power, over all folds and directions up to u = ±0.5. With one receiver and a regular row of transmitters a wrong fold **is** another direction: nothing tells,
@@ -358,7 +356,7 @@ and nothing is claimed; so it is where receivers stand N transmitter spacings ap
 
 Lone points of −30 to 30 m/s along the road, 20–55 m away, noise figure 12 dB, 128 samples, T = 29 µs (λ/2T = 67 m/s), 192/N chirps of each transmitter, at least 32. *Right*: within 1 m/s; the folds are 67/N m/s apart.
 
-`cargo test --release -p dsp --test velocity_folds -- --ignored --nocapture in_turn_study` writes this page.
+`cargo test --release -p dsp --test estimation -- --ignored --nocapture in_turn_study` writes this page.
 
 | array: transmitters by receivers, λ/2 | a wrong fold loses | found | right | certain | certain and wrong |
 |---|---|---|---|---|---|
