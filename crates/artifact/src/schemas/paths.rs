@@ -1,8 +1,9 @@
 //! Scattering paths: exact for any bounce order, antenna element, chirp and moving body (`docs/decisions/path-record.md`).
 
-use crate::radar::Radar;
-use crate::settings::Detail;
-use crate::{ErrorBudget, ModelError, Schema};
+use crate::descriptions::radar::Radar;
+use crate::descriptions::settings::Detail;
+use crate::files::envelope::Schema;
+use crate::quantities::accuracy::{ErrorBudget, ModelError};
 use num_complex::Complex64;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;

@@ -1,7 +1,7 @@
 //! Vehicles followed over frames.
 
-use crate::Schema;
-use crate::cube::CubeHeader;
+use crate::files::envelope::Schema;
+use crate::schemas::cube::CubeHeader;
 use serde::{Deserialize, Serialize};
 
 /// The `.tracks` artifact.

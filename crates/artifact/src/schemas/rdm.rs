@@ -1,7 +1,7 @@
 //! Range-Doppler maps of all channels, and what the detector made of them.
 
-use crate::Schema;
-use crate::cube::CubeHeader;
+use crate::files::envelope::Schema;
+use crate::schemas::cube::CubeHeader;
 use num_complex::Complex32;
 use serde::{Deserialize, Serialize};
 

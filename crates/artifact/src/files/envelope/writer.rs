@@ -1,6 +1,6 @@
-use super::{ArtifactError, Fault, MAGIC, Preamble, Provenance, Schema, checksum, end_mark};
-use crate::codec;
-use crate::whole_file::{Durability, WholeFile};
+use crate::files::codec;
+use crate::files::envelope::{ArtifactError, Fault, MAGIC, Preamble, Provenance, Schema, checksum, end_mark};
+use crate::files::whole_file::{Durability, WholeFile};
 use std::io::Write;
 use std::marker::PhantomData;
 use std::path::{Path, PathBuf};

@@ -1,8 +1,8 @@
 //! Labelled signatures of objects, and crops of range-Doppler maps.
 
-use crate::Schema;
-use crate::settings::Class;
-use crate::signature::Signature;
+use crate::descriptions::settings::Class;
+use crate::files::envelope::Schema;
+use crate::schemas::signature::Signature;
 use serde::{Deserialize, Serialize};
 
 /// The `.dataset` artifact: one record a sample.

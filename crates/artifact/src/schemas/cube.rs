@@ -1,8 +1,9 @@
 //! Radar cubes: complex IF samples.
 
-use crate::radar::Radar;
-use crate::settings::{DspSettings, Noise};
-use crate::{ErrorBudget, Schema};
+use crate::descriptions::radar::Radar;
+use crate::descriptions::settings::{DspSettings, Noise};
+use crate::files::envelope::Schema;
+use crate::quantities::accuracy::ErrorBudget;
 use num_complex::Complex32;
 use serde::{Deserialize, Serialize};
 

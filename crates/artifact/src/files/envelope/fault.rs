@@ -1,4 +1,4 @@
-use crate::whole_file::PlaceRule;
+use crate::files::whole_file::place_rule::PlaceRule;
 use std::path::{Path, PathBuf};
 
 /// A file and what is wrong with it.

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 /// What the materials of a mesh stand for.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Makeup {
-    /// One for each name of [`Mesh::materials`](crate::scene::Mesh::materials), or none at all: everything conducts.
+    /// One for each name of [`Mesh::materials`](crate::schemas::scene::Mesh::materials), or none at all: everything conducts.
     pub materials: Vec<Material>,
     /// Whether waves are followed through sheets.
     pub transmission: Transmission,

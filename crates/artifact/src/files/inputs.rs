@@ -1,17 +1,26 @@
 //! Files that are inputs of this program: no output may take the place of one of them.
 //!
-//! Whatever opens a user's file for reading does it here, so that [`whole_file`](crate::whole_file) knows it whatever name it is
-//! asked for by: a hard link, a symbolic link or another way to the same folder.
+//! Whatever opens a user's file for reading does it here, so that [`whole_file`](crate::files::whole_file) knows it whatever name it is
+//! asked for by: a hard link, a symbolic link or another way to the same folder. What is no plain file (a FIFO, a device, a
+//! socket, a folder) is refused before it is opened, since opening a FIFO waits for its writer and reading a device may never
+//! end.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs::{File, Metadata};
-use std::io::Result;
+use std::fs::{File, FileType, Metadata};
+use std::io::{self, Result};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Opens a plain file for reading and remembers it; what is no plain file is refused.
+/// Opens a plain file for reading and remembers it as an input, which no output may replace; its reader sees to a bound.
+///
+/// # Errors
+/// The system's, and [`io::ErrorKind::InvalidInput`] where it is no plain file.
 pub fn open(file: &Path) -> Result<File> {
-    crate::bounded::open(file)
+    plain(std::fs::metadata(file)?.file_type())?;
+    let handle = File::open(file)?;
+    plain(handle.metadata()?.file_type())?;
+    remember(file, &handle)?;
+    Ok(handle)
 }
 
 /// Remembers a file that is open for reading.
@@ -36,7 +45,7 @@ pub fn note(file: &Path) {
 pub fn named_hash(file: &Path) -> Result<(String, String)> {
     let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let mut hasher = blake3::Hasher::new();
-    std::io::copy(&mut open(file)?, &mut hasher)?;
+    io::copy(&mut open(file)?, &mut hasher)?;
     Ok((name, hasher.finalize().to_hex().to_string()))
 }
 
@@ -81,4 +90,31 @@ fn identity(_: &Path, about: &Metadata) -> Option<Identity> {
 #[cfg(not(unix))]
 fn identity(file: &Path, _: &Metadata) -> Option<Identity> {
     std::fs::canonicalize(file).ok()
+}
+
+fn plain(kind: FileType) -> Result<()> {
+    match kind {
+        kind if kind.is_file() => Ok(()),
+        kind if kind.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
+        kind => {
+            let text = format!("it is {}, and plain files alone are read", name(kind));
+            Err(io::Error::new(io::ErrorKind::InvalidInput, text))
+        }
+    }
+}
+
+#[cfg(unix)]
+fn name(kind: FileType) -> &'static str {
+    use std::os::unix::fs::FileTypeExt;
+    match kind {
+        kind if kind.is_fifo() => "a FIFO",
+        kind if kind.is_socket() => "a socket",
+        kind if kind.is_char_device() || kind.is_block_device() => "a device",
+        _ => "something else",
+    }
+}
+
+#[cfg(not(unix))]
+fn name(_: FileType) -> &'static str {
+    "something else"
 }

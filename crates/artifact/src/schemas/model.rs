@@ -1,8 +1,8 @@
 //! A trained classifier.
 
-use crate::Schema;
-use crate::dataset::CropFormat;
-use crate::settings::Class;
+use crate::descriptions::settings::Class;
+use crate::files::envelope::Schema;
+use crate::schemas::dataset::CropFormat;
 use serde::{Deserialize, Serialize};
 
 /// The `.model` artifact: one record.

@@ -3,7 +3,7 @@
 //! Error of an amplitude over a set of values (frequencies, aspects, cells): e = ‖S − S_ref‖₂ / ‖S_ref‖₂, complex,
 //! nothing aligned or scaled first; 20·log₁₀ e in dB (`docs/conventions.md`).
 
-use crate::units::{amplitude_from_db, db_from_amplitude};
+use crate::quantities::units::{amplitude_from_db, db_from_amplitude};
 use serde::{Deserialize, Serialize};
 
 /// The relative amplitude error that a stage may make against the same physics carried to convergence.

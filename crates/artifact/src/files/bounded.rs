@@ -1,13 +1,12 @@
 //! The one way in which files of a user are read: plain files alone, whole and of bounded length.
 //!
 //! A limit counts the bytes that were read, not the length that the system tells: that is 0 of some endless files, and a file
-//! may grow while it is read. What is no plain file (a FIFO, a device, a socket, a folder) is refused before it is opened,
-//! since opening a FIFO waits for its writer and reading a device may never end.
+//! may grow while it is read. What is no plain file is refused before it is opened ([`open`]).
 
-use crate::inputs;
-use std::fs::{File, FileType};
 use std::io::{self, Read};
 use std::path::Path;
+
+pub use crate::files::inputs::open;
 
 /// Why a file was not read whole.
 #[derive(Debug, thiserror::Error)]
@@ -34,18 +33,6 @@ impl ReadFault {
     pub fn is_system(&self) -> bool {
         matches!(self, Self::System(_))
     }
-}
-
-/// Opens a plain file for reading and remembers it as an input, which no output may replace; its reader sees to a bound.
-///
-/// # Errors
-/// The system's, and [`io::ErrorKind::InvalidInput`] where it is no plain file.
-pub fn open(file: &Path) -> io::Result<File> {
-    plain(std::fs::metadata(file)?.file_type())?;
-    let handle = File::open(file)?;
-    plain(handle.metadata()?.file_type())?;
-    inputs::remember(file, &handle)?;
-    Ok(handle)
 }
 
 /// All bytes of a plain file, at most `limit`.
@@ -77,33 +64,6 @@ fn read_at_most(source: impl Read, told: u64, limit: u64) -> Result<Vec<u8>, Rea
     bytes.try_reserve_exact(told as usize).map_err(|_| io::Error::from(io::ErrorKind::OutOfMemory))?;
     source.take(limit + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > limit { Err(too_long) } else { Ok(bytes) }
-}
-
-fn plain(kind: FileType) -> io::Result<()> {
-    match kind {
-        kind if kind.is_file() => Ok(()),
-        kind if kind.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
-        kind => {
-            let text = format!("it is {}, and plain files alone are read", name(kind));
-            Err(io::Error::new(io::ErrorKind::InvalidInput, text))
-        }
-    }
-}
-
-#[cfg(unix)]
-fn name(kind: FileType) -> &'static str {
-    use std::os::unix::fs::FileTypeExt;
-    match kind {
-        kind if kind.is_fifo() => "a FIFO",
-        kind if kind.is_socket() => "a socket",
-        kind if kind.is_char_device() || kind.is_block_device() => "a device",
-        _ => "something else",
-    }
-}
-
-#[cfg(not(unix))]
-fn name(_: FileType) -> &'static str {
-    "something else"
 }
 
 #[cfg(test)]

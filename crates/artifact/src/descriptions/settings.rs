@@ -1,6 +1,6 @@
 //! What a scene asks of the stages.
 
-use crate::Accuracy;
+use crate::quantities::accuracy::Accuracy;
 use num_complex::Complex64;
 use serde::{Deserialize, Serialize};
 
@@ -126,7 +126,7 @@ pub struct Fidelity {
     pub detail: Detail,
     /// Ways that meet several bodies.
     pub between_bodies: BetweenBodies,
-    /// The error of the paths is measured in every n-th frame ([`SceneHeader::measured_in`](crate::scene::SceneHeader)).
+    /// The error of the paths is measured in every n-th frame ([`SceneHeader::measured_in`](crate::schemas::scene::SceneHeader)).
     pub measured_every: u32,
 }
 

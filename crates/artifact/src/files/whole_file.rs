@@ -1,16 +1,17 @@
 //! A file that is written whole or not at all: a temporary one beside its place, renamed when it is done.
 //!
 //! Whatever this program writes goes through here, so that one rule holds for all of it: what is no plain file is never
-//! replaced, nor is an input ([`inputs`](crate::inputs)), nor a file that is write-protected (the `destination`); and what a
+//! replaced, nor is an input ([`inputs`](crate::files::inputs)), nor a file that is write-protected (the `destination`); and what a
 //! killed program left behind is removed by the next one that writes into the same folder (the `temporary`).
 
+pub(crate) mod place_rule;
 mod destination;
 mod temporary;
 
-pub use destination::PlaceRule;
+pub use place_rule::PlaceRule;
 pub use temporary::{abandon_all, is_temporary, sweep};
 
-use crate::envelope::{ArtifactError, Fault};
+use crate::files::envelope::{ArtifactError, Fault};
 use destination::Destination;
 use std::fs::File;
 use std::io::{BufWriter, Write};

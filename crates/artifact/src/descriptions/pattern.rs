@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 
-/// Gain of an element over direction, relative to [`crate::radar::Link::antenna_gain_db`].
+/// Gain of an element over direction, relative to [`crate::descriptions::radar::Link::antenna_gain_db`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Pattern {
     /// The same in every direction.

@@ -1,7 +1,8 @@
 //! The paper's σ_f: far-field scattering amplitude over frequency, elevation and azimuth.
 
-use crate::radar::{Polarization, Radar};
-use crate::{ErrorBudget, ModelError, Schema};
+use crate::descriptions::radar::{Polarization, Radar};
+use crate::files::envelope::Schema;
+use crate::quantities::accuracy::{ErrorBudget, ModelError};
 use num_complex::Complex64;
 use serde::{Deserialize, Serialize};
 

@@ -1,7 +1,7 @@
 //! What the classifier says of a frame's objects.
 
-use crate::Schema;
-use crate::settings::Class;
+use crate::descriptions::settings::Class;
+use crate::files::envelope::Schema;
 use serde::{Deserialize, Serialize};
 
 /// The `.classes` artifact: what a cache keeps of the classifier.

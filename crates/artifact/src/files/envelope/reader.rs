@@ -1,8 +1,8 @@
-use super::{
+use crate::files::codec;
+use crate::files::envelope::{
     ArtifactError, CHECKSUM_BYTES, END_BYTES, Fault, MAGIC, PREAMBLE_LIMIT, Preamble, Schema, checksum, end_mark,
 };
-use crate::codec;
-use crate::inputs;
+use crate::files::inputs;
 use serde::de::DeserializeOwned;
 use std::fs::File;
 use std::io::{BufReader, Read, Seek, SeekFrom};

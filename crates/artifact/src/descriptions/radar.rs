@@ -1,7 +1,7 @@
 //! The radar: waveform, antenna array and link, as every stage needs them.
 
-pub use crate::pattern::{Pattern, PatternTable};
-use crate::units::SPEED_OF_LIGHT_MPS;
+pub use crate::descriptions::pattern::{Pattern, PatternTable};
+use crate::quantities::units::SPEED_OF_LIGHT_MPS;
 use serde::{Deserialize, Serialize};
 
 /// A radar in its place.

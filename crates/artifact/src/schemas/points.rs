@@ -1,8 +1,8 @@
 //! Detected points and the objects they form.
 
-use crate::Schema;
-use crate::cube::CubeHeader;
-use crate::settings::Class;
+use crate::descriptions::settings::Class;
+use crate::files::envelope::Schema;
+use crate::schemas::cube::CubeHeader;
 use serde::{Deserialize, Serialize};
 
 /// The `.points` artifact.

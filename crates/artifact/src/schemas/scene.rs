@@ -1,9 +1,9 @@
 //! Scene snapshot: bodies, each with its own mesh, pose and velocity, and the radar that looks at them.
 
-use crate::Schema;
-use crate::material::{Makeup, MaterialMap, Road};
-use crate::radar::Radar;
-use crate::settings::{Class, DspSettings, Fidelity, Noise};
+use crate::descriptions::material::{Makeup, MaterialMap, Road};
+use crate::descriptions::radar::Radar;
+use crate::descriptions::settings::{Class, DspSettings, Fidelity, Noise};
+use crate::files::envelope::Schema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::borrow::Cow;
 use std::ops::{Deref, DerefMut};

@@ -70,7 +70,7 @@ pub struct Preamble {
 
 /// BLAKE3 of a value as it would be written: equal values, equal fingerprints, on every machine. For cache keys.
 pub fn fingerprint<T: Serialize>(value: &T) -> String {
-    match crate::codec::encode(value) {
+    match crate::files::codec::encode(value) {
         Ok(bytes) => blake3::hash(&bytes).to_hex().to_string(),
         Err(error) => format!("cannot be encoded: {error}"),
     }
