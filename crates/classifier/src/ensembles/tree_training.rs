@@ -1,16 +1,16 @@
 //! Trees trained so that what they say of vehicles they never saw is true: vehicles are held out in turn, and what is told of these
 //! chooses the number of trees, the temperature, and how much the frames of a track have in common.
 
-use crate::ClassifierError;
-use crate::boosting::{BoostingSettings, Table, boosted};
-use crate::by_vehicle::{ByVehicle, Told, by_vehicle};
-use crate::features::names;
-use crate::metrics::{Evaluation, evaluation, log_softmax};
-use crate::network::Logits;
-use crate::samples::Example;
-use crate::temperature::fitted_temperature;
-use crate::trees::{leaf, logits};
-use crate::vehicles::{Seen, Sightings, TrackKey};
+use crate::crops::network::Logits;
+use crate::crops::samples::Example;
+use crate::ensembles::boosting::{BoostingSettings, Table, boosted};
+use crate::ensembles::trees::{leaf, logits};
+use crate::ensembles::vehicles::{Seen, Sightings, TrackKey};
+use crate::error::ClassifierError;
+use crate::evaluation::by_vehicle::{ByVehicle, Told, by_vehicle};
+use crate::evaluation::metrics::{Evaluation, evaluation, log_softmax};
+use crate::evaluation::temperature::fitted_temperature;
+use crate::signatures::features::names;
 use artifact::dataset::Split;
 use artifact::model::{BoostedTrees, Learner, ModelHeader, Weights};
 use artifact::settings::Class;

@@ -1,7 +1,7 @@
 //! How like two sets of sightings are: the area under the curve by which one number would tell them apart.
 
-use crate::features::names;
-use crate::vehicles::Seen;
+use crate::ensembles::vehicles::Seen;
+use crate::signatures::features::names;
 
 /// Share of pairs, one of each set, in which the greater value is the second's, ties counted half; folded, so that 0.5 is alike and
 /// 1 apart (Mann & Whitney 1947; Hanley & McNeil 1982). `None` without a pair.

@@ -1,8 +1,8 @@
 //! A dataset at the network's resolution: 16 KiB a sample at side 128, so that 10⁵ samples fit in 1.6 GB.
 
-use crate::ClassifierError;
-use crate::classify::pooled_crop;
-use crate::layout::Layout;
+use crate::crops::classify::pooled_crop;
+use crate::crops::layout::Layout;
+use crate::error::ClassifierError;
 use artifact::dataset::{Crop, CropFormat, Dataset, Sample, Split};
 use artifact::settings::Class;
 use artifact::{ArtifactError, Reader};

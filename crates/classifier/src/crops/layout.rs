@@ -1,7 +1,7 @@
 //! The network's shape, told by a model's header: which tensors it has and how large they are.
 
-use crate::ClassifierError;
-use crate::parameters::tensor_name;
+use crate::crops::tensor_name;
+use crate::error::ClassifierError;
 use artifact::dataset::CropFormat;
 use artifact::model::{Learner, ModelHeader};
 use artifact::settings::Class;

@@ -1,7 +1,7 @@
 //! The network's parameters as plain numbers: read from and written to safetensors.
 
-use crate::ClassifierError;
-use crate::layout::Layout;
+use crate::crops::layout::Layout;
+use crate::error::ClassifierError;
 use artifact::model::Weights;
 use safetensors::{Dtype, SafeTensors, tensor::TensorView};
 use std::collections::BTreeMap;
@@ -88,38 +88,5 @@ fn checked_values(file: &SafeTensors<'_>, name: &str, shape: Vec<usize>) -> Resu
     match values.iter().position(|v| !v.is_finite() || (name.ends_with("variance") && *v < 0.0)) {
         Some(index) => Err(ClassifierError::TensorValue { name: name.to_owned(), index, value: values[index] }),
         None => Ok(Values { shape, values }),
-    }
-}
-
-/// Names of tensors in the weights.
-pub mod tensor_name {
-    /// Of the fully connected layer, `[in, out]`.
-    pub const LINEAR_WEIGHT: &str = "linear.weight";
-    /// `[out]`.
-    pub const LINEAR_BIAS: &str = "linear.bias";
-
-    /// `[out, in, row, column]`, of a block from 0.
-    pub fn convolution(block: usize) -> String {
-        format!("blocks.{block}.convolution.weight")
-    }
-
-    /// γ of a block's batch normalization.
-    pub fn scale(block: usize) -> String {
-        format!("blocks.{block}.normalization.scale")
-    }
-
-    /// β.
-    pub fn offset(block: usize) -> String {
-        format!("blocks.{block}.normalization.offset")
-    }
-
-    /// Of the training crops, as it ran.
-    pub fn mean(block: usize) -> String {
-        format!("blocks.{block}.normalization.running_mean")
-    }
-
-    /// Likewise.
-    pub fn variance(block: usize) -> String {
-        format!("blocks.{block}.normalization.running_variance")
     }
 }

@@ -1,7 +1,7 @@
 //! Heights and widths, part by part of a vehicle's length.
 
-use crate::feature::{Features, span};
-use crate::profile::Profile;
+use crate::signatures::feature::{Features, span};
+use crate::signatures::profile::Profile;
 
 /// Behind the leading edge, m: front, what follows it, middle, rear, and what only long vehicles have.
 const BANDS_M: [f64; 6] = [-1.0, 1.5, 3.0, 5.0, 9.0, 21.0];

@@ -1,7 +1,7 @@
 //! Peaks of a range profile: how many, how strong, how far behind the leading edge and how far apart.
 
-use crate::feature::{Features, NONE_DBSM, moments};
-use crate::profile::{Profile, Visible};
+use crate::signatures::feature::{Features, NONE_DBSM, moments};
+use crate::signatures::profile::{Profile, Visible};
 
 /// A local maximum counts as a peak if it stands so high over the lowest of the cells around it, dB.
 const PROMINENCE_DB: f64 = 6.0;
@@ -74,7 +74,7 @@ fn spacing(along: &[&Visible]) -> Features {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::profile::Profile;
+    use crate::signatures::profile::Profile;
     use artifact::signature::{Signature, SignatureCell};
 
     fn value(features: &Features, name: &str) -> f64 {

@@ -1,8 +1,9 @@
 //! What of a signature tells the class: level, extent, form of the range profile, width, height, each a number with its unit.
 
-use crate::feature::{Features, NONE_DBSM, moments, span};
-use crate::profile::{Profile, Visible};
-use crate::{bands, peaks};
+use crate::signatures::bands;
+use crate::signatures::feature::{Features, NONE_DBSM, moments, span};
+use crate::signatures::peaks;
+use crate::signatures::profile::{Profile, Visible};
 use artifact::signature::Signature;
 use artifact::units::db_from_power;
 use std::ops::Range;
@@ -61,7 +62,7 @@ fn extents(profile: &Profile) -> Features {
 /// Middle and spread of the profile, by power and by decibels over the threshold, and its entropy.
 fn form(profile: &Profile) -> Features {
     let [middle, spread] = moments(profile.visible.iter().map(|c| (c.share, c.behind_m)));
-    let by_db = profile.visible.iter().map(|c| (c.level_db - crate::profile::VISIBLE_DB, c.behind_m));
+    let by_db = profile.visible.iter().map(|c| (c.level_db - crate::signatures::profile::VISIBLE_DB, c.behind_m));
     let [middle_db, spread_db] = moments(by_db);
     let quantile = |share: f64| power_quantile_m(profile, share);
     let entropy = -profile.visible.iter().map(|c| c.share * c.share.max(1e-9).ln()).sum::<f64>();
@@ -109,7 +110,7 @@ fn zones(profile: &Profile) -> Features {
 
 /// Across the line of sight, m.
 fn width(profile: &Profile) -> Features {
-    let weighted = || profile.located().map(|c| (c.level_db - crate::profile::LOCATED_DB, c.cross_m));
+    let weighted = || profile.located().map(|c| (c.level_db - crate::signatures::profile::LOCATED_DB, c.cross_m));
     let [_, spread] = moments(weighted());
     let [_, spread_by_power] = moments(profile.visible.iter().map(|c| (c.share, c.cross_m)));
     vec![
@@ -122,7 +123,7 @@ fn width(profile: &Profile) -> Features {
 
 /// How far cells move across with each metre behind the leading edge, either way.
 fn slope(profile: &Profile) -> f64 {
-    let weight = |c: &Visible| c.level_db - crate::profile::LOCATED_DB;
+    let weight = |c: &Visible| c.level_db - crate::signatures::profile::LOCATED_DB;
     let total: f64 = profile.located().map(weight).sum();
     if total <= 0.0 {
         return 0.0;
@@ -155,7 +156,8 @@ fn heights(profile: &Profile) -> Features {
 }
 
 fn measured_heights(profile: &Profile) -> [f64; 8] {
-    let [mean, spread] = moments(profile.located().map(|c| (c.level_db - crate::profile::LOCATED_DB, c.height_m)));
+    let [mean, spread] =
+        moments(profile.located().map(|c| (c.level_db - crate::signatures::profile::LOCATED_DB, c.height_m)));
     let mut sorted: Vec<f64> = profile.located().map(|c| c.height_m).collect();
     sorted.sort_by(f64::total_cmp);
     let quantile =

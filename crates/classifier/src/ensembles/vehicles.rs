@@ -1,8 +1,8 @@
 //! Samples as sightings of vehicles: features, class, vehicle and track; what weighs how much, and which are held out together.
 
-use crate::ClassifierError;
-use crate::boosting::Table;
-use crate::features::features;
+use crate::ensembles::boosting::Table;
+use crate::error::ClassifierError;
+use crate::signatures::features::features;
 use artifact::ArtifactError;
 use artifact::dataset::{Sample, Split};
 use artifact::seed;

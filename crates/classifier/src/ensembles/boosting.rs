@@ -5,8 +5,8 @@
 //! derivatives over its examples; a split gains ½Σ(G²/(H + λ)) over the classes. One tree moves all four logits. Columns are
 //! sorted once, and every threshold between two different values is tried.
 
-use crate::classify::softmax;
-use crate::trees::leaf;
+use crate::crops::classify::softmax;
+use crate::ensembles::trees::leaf;
 use artifact::model::{BoostedTrees, Node, Tree};
 use artifact::seed;
 use rand::{RngExt, SeedableRng};
@@ -261,8 +261,8 @@ impl Growth<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::metrics::log_softmax;
-    use crate::trees::logits;
+    use crate::ensembles::trees::logits;
+    use crate::evaluation::metrics::log_softmax;
 
     const SETTINGS: BoostingSettings = BoostingSettings {
         rounds: 40,

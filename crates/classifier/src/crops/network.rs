@@ -4,9 +4,10 @@
 //! Batch normalization is a factor and an offset once training is over, and both go into the convolution before it. Every sum is
 //! taken in one order, whatever the threads: equal crops give equal bits.
 
-use crate::ClassifierError;
-use crate::layout::{KERNEL_SIDE, Layout};
-use crate::parameters::{Parameters, tensor_name};
+use crate::crops::layout::{KERNEL_SIDE, Layout};
+use crate::crops::parameters::Parameters;
+use crate::crops::tensor_name;
+use crate::error::ClassifierError;
 use artifact::settings::Class;
 
 /// Numbers whose softmax is the probability of each class, in the order of [`Class::ALL`].
@@ -141,7 +142,7 @@ fn halved(channel: &[f32], side: usize) -> Vec<f32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parameters::Values;
+    use crate::crops::parameters::Values;
     use rand::{RngExt, SeedableRng};
     use rand_chacha::ChaCha8Rng;
 

@@ -1,10 +1,10 @@
 //! Class probabilities of crops.
 
-use crate::ClassifierError;
-use crate::layout::Layout;
-use crate::network::{Logits, Network};
-use crate::parameters::Parameters;
-use crate::pooling::pool;
+use crate::crops::layout::Layout;
+use crate::crops::network::{Logits, Network};
+use crate::crops::parameters::Parameters;
+use crate::crops::pooling::pool;
+use crate::error::ClassifierError;
 use artifact::dataset::Crop;
 use artifact::model::{ModelHeader, Weights};
 use rayon::prelude::*;

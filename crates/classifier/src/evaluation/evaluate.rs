@@ -1,9 +1,9 @@
 //! How good a classifier is on a dataset.
 
-use crate::ClassifierError;
-use crate::classify::Classifier;
-use crate::metrics::{Evaluation, evaluation};
-use crate::samples::Examples;
+use crate::crops::classify::Classifier;
+use crate::crops::samples::Examples;
+use crate::error::ClassifierError;
+use crate::evaluation::metrics::{Evaluation, evaluation};
 use artifact::ArtifactError;
 use artifact::dataset::{Sample, Split};
 use std::collections::BTreeMap;

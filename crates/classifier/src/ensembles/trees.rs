@@ -1,7 +1,7 @@
 //! Boosted decision trees that answer: every tree adds to the four logits what its leaf says.
 
-use crate::ClassifierError;
-use crate::network::Logits;
+use crate::crops::network::Logits;
+use crate::error::ClassifierError;
 use artifact::model::{BoostedTrees, Node, Tree};
 
 /// Most nodes of a tree on the way from its root to a leaf.

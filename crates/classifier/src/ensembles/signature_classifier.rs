@@ -1,12 +1,12 @@
 //! Class probabilities of signatures, by boosted trees.
 
-use crate::ClassifierError;
-use crate::classify::softmax;
-use crate::features::{features, names};
-use crate::layout::check_classes;
-use crate::model_folder::load_model;
-use crate::network::Logits;
-use crate::trees::{check, logits};
+use crate::crops::classify::softmax;
+use crate::crops::layout::check_classes;
+use crate::crops::model_folder::load_model;
+use crate::crops::network::Logits;
+use crate::ensembles::trees::{check, logits};
+use crate::error::ClassifierError;
+use crate::signatures::features::{features, names};
 use artifact::model::{BoostedTrees, Learner, ModelHeader, Weights};
 use artifact::signature::Signature;
 use std::path::Path;

@@ -3,8 +3,8 @@
 //! Guo, Pleiss, Sun & Weinberger, On Calibration of Modern Neural Networks (arXiv:1706.04599), section 4.2. It changes no
 //! answer, only how sure it is.
 
-use crate::metrics::log_softmax;
-use crate::network::Logits;
+use crate::crops::network::Logits;
+use crate::evaluation::metrics::log_softmax;
 
 /// Temperatures that are tried: e^±3, a factor of 20 either way.
 const LOG_RANGE: f64 = 3.0;

@@ -1,6 +1,7 @@
 //! A model on disk: `weights.model` (the artifact), `metrics.json` and `curves.csv`.
 
-use crate::{Classifier, ClassifierError};
+use crate::crops::classify::Classifier;
+use crate::error::ClassifierError;
 use artifact::Reader;
 use artifact::model::{Model, ModelHeader, Weights};
 use std::path::{Path, PathBuf};

@@ -1,8 +1,8 @@
 //! How good a classifier is: accuracy, confusion, log loss and calibration of a set of answers.
 
-use crate::classify::softmax;
-use crate::network::Logits;
-use crate::samples::Example;
+use crate::crops::classify::softmax;
+use crate::crops::network::Logits;
+use crate::crops::samples::Example;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
