@@ -1,8 +1,8 @@
 //! What is looked at before the first sample is made: every number finite, every length meaningful, the cube bounded.
 
-use crate::closest_approach::Leg;
 use crate::error::EchoError;
-use crate::oscillator;
+use crate::impairments::oscillator;
+use crate::sums::closest_approach::Leg;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::paths::{Path, Rim, Span};
 use artifact::radar::{Pattern, PhaseNoise};

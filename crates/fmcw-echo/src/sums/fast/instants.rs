@@ -1,11 +1,11 @@
 //! The exact IF value of a path at any instant of a frame, for all transmit–receive pairs of an array.
 //!
-//! The formulas are those of [`mod@crate::reference`]; an instant is a chirp and a sample that need not be whole. What does not
+//! The formulas are those of [`mod@crate::sums::reference`]; an instant is a chirp and a sample that need not be whole. What does not
 //! change from pair to pair is taken once per element: a leg's length, its gain, its rate.
 
-use crate::antenna::{axes, link_amplitude, pattern_amplitude};
-use crate::fast::equal_steps::EqualSteps;
-use crate::multiplexing::line_delay_s;
+use crate::links::antenna::{axes, link_amplitude, pattern_amplitude};
+use crate::links::multiplexing::line_delay_s;
+use crate::sums::fast::equal_steps::EqualSteps;
 use artifact::Radar;
 use artifact::paths::Path;
 use artifact::units::SPEED_OF_LIGHT_MPS;

@@ -5,8 +5,8 @@
 //! filter is a brick wall: only samples whose frequency lies within ±f_s/2 hear it, f_s/|μ − μ₁| seconds of a crossing (Brooker, IEEE
 //! Trans. EMC 49 (2007) 170). Its power is EIRP·G_r·λ²/(4πR)², polarizations taken as equal.
 
-use crate::antenna::{axes, pattern_amplitude};
-use crate::multiplexing::{Transmission, receiver_factor, row as transmissions};
+use crate::links::antenna::{axes, pattern_amplitude};
+use crate::links::multiplexing::{Transmission, receiver_factor, row as transmissions};
 use artifact::Radar;
 use artifact::radar::Interferer;
 use artifact::units::{SPEED_OF_LIGHT_MPS, power_from_db};

@@ -13,12 +13,12 @@
 //! Lanes hold paths, not samples, so that the set-up of a chirp (square roots, phasors) is as wide as the sum. Each row
 //! (channel, chirp) is added by one thread, in the order of the paths: any number of threads gives the same bytes.
 
-use crate::antenna::{axes, link_amplitude};
-use crate::chirp_segments::samples_per_segment;
-use crate::lanes::{Complex, MAX_LANES, Real, Vector};
-use crate::multiplexing::{Transmission, row};
-use crate::reference::if_sample;
-use crate::spans::{by_span, shares_of_row};
+use crate::links::antenna::{axes, link_amplitude};
+use crate::links::multiplexing::{Transmission, row};
+use crate::sums::chirp_segments::samples_per_segment;
+use crate::sums::lanes::{Complex, MAX_LANES, Real, Vector};
+use crate::sums::reference::if_sample;
+use crate::sums::spans::{by_span, shares_of_row};
 use artifact::Radar;
 use artifact::paths::{Path, Span};
 use artifact::radar::Pattern;

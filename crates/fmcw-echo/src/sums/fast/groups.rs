@@ -1,8 +1,8 @@
 //! Paths that move alike, so that a few instants tell all of them.
 
-use crate::fast::instants::{Link, Listener};
-use crate::fast::smooth_part::{Asked, SmoothPart};
-use crate::spans;
+use crate::sums::fast::instants::{Link, Listener};
+use crate::sums::fast::smooth_part::{Asked, SmoothPart};
+use crate::sums::spans;
 use artifact::paths::{Path, Span};
 
 /// Paths and their slow part; `None` where no few instants tell them, or where they are fewer than a transform pays for.

@@ -1,11 +1,16 @@
 //! A frame of paths becomes a frame of samples: sum, f32, error measured, noise.
 
-use crate::admission::{check_centre_frequency, check_header, check_paths, check_samples};
 use crate::error::EchoError;
-use crate::fast::fast_sum;
-use crate::oscillator::{self, Oscillator};
-use crate::rcs_table::{self, TableSum};
-use crate::{adc, element_errors, interference, noise, phase_noise, synthesis_error};
+use crate::impairments::adc;
+use crate::impairments::element_errors;
+use crate::impairments::interference;
+use crate::impairments::noise;
+use crate::impairments::oscillator::{self, Oscillator};
+use crate::sources::rcs_table::{self, TableSum};
+use crate::sums::fast::fast_sum;
+use crate::synthesis::admission::{check_centre_frequency, check_header, check_paths, check_samples};
+use crate::synthesis::phase_noise;
+use crate::synthesis::synthesis_error;
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::paths::PathsFrame;
 use artifact::radar::Sampling;
@@ -22,7 +27,7 @@ pub type Progress<'a> = &'a (dyn Fn(f64) + Sync);
 /// The cube of one frame, noise included; `seed` is the scene's, `centre_frequency_hz` f_c of the paths' amplitudes, `accuracy`
 /// that of the sum over the paths.
 ///
-/// The frame's error budget gets its share `synthesis` from a comparison with [`crate::reference`] in this run.
+/// The frame's error budget gets its share `synthesis` from a comparison with [`crate::sums::reference`] in this run.
 /// Refuses paths that have no finite echo, radars without samples, and cubes that do not fit into a file's record.
 pub fn synthesize(
     header: &CubeHeader,
@@ -132,7 +137,7 @@ pub fn memory_estimate_bytes(header: &CubeHeader, accuracy: Accuracy) -> u64 {
     let [channels, chirps, length] = header.shape().map(|n| n as u64);
     let cube = channels * chirps * length * size_of::<Complex32>() as u64;
     let map = 2 * chirps * length * size_of::<Complex64>() as u64;
-    let row = length * (crate::lanes::MAX_LANES as u64 + 1) * size_of::<Complex64>() as u64;
+    let row = length * (crate::sums::lanes::MAX_LANES as u64 + 1) * size_of::<Complex64>() as u64;
     // With phase noise a sum in double precision and a part of it.
     let sums = if header.radar.hardware.phase_noise.is_empty() { 0 } else { 4 * cube };
     let sum = fast_sum::memory_estimate_bytes(&header.radar, accuracy) + sums;

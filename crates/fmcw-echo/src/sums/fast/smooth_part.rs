@@ -5,9 +5,9 @@
 //! path it hardly changes, so that its values at one to a few instants tell the frame ([`Skeleton`]). Grids of Chebyshev
 //! points carry the middle path's.
 
-use crate::fast::instants::{Instant, Link, Listener, Tone};
-use crate::fast::scalar::{Scalar, rounded};
-use crate::fast::skeleton::{Skeleton, root_mean_square};
+use crate::sums::fast::instants::{Instant, Link, Listener, Tone};
+use crate::sums::fast::scalar::{Scalar, rounded};
+use crate::sums::fast::skeleton::{Skeleton, root_mean_square};
 use artifact::paths::{Curve, Path};
 use num_complex::{Complex, Complex64};
 use rayon::prelude::*;
@@ -258,8 +258,8 @@ const SPREAD: usize = 48;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fast::equal_steps::EqualSteps;
-    use crate::fast::instants::Link;
+    use crate::sums::fast::equal_steps::EqualSteps;
+    use crate::sums::fast::instants::Link;
     use artifact::paths::{Facet, MAX_ORDER};
     use artifact::radar::{
         Array, Hardware, Link as Power, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform,

@@ -4,9 +4,9 @@
 //! transformed, and each chirp and sample is divided by what the kernel does to it. Several sets of strengths share the
 //! tones: their cells lie side by side, so that one weight serves all of them. Only Doppler rows that a tone reaches exist.
 
-use crate::fast::instants::Tone;
-use crate::fast::kernel::{CELLS_MAX, Kernel};
-use crate::fast::scalar::Scalar;
+use crate::sums::fast::instants::Tone;
+use crate::sums::fast::kernel::{CELLS_MAX, Kernel};
+use crate::sums::fast::scalar::Scalar;
 use num_complex::Complex;
 use pulp::Arch;
 use rayon::prelude::*;

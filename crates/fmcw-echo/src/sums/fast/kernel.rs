@@ -5,7 +5,7 @@
 //! k, φ̂(k ± M)/φ̂(k). The narrowest kernel whose largest leak is the error asked for is taken, with the β of a few
 //! about 2.3w that leaks least.
 
-use crate::fast::scalar::Scalar;
+use crate::sums::fast::scalar::Scalar;
 use std::f64::consts::PI;
 
 /// φ over a number of cells.

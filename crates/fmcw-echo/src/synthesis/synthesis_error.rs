@@ -1,9 +1,9 @@
 //! How far a synthesised cube is from what it stands for, measured in the run that made it.
 
 use crate::error::EchoError;
-use crate::oscillator::Oscillator;
-use crate::rcs_table::{self, TableSum};
-use crate::reference;
+use crate::impairments::oscillator::Oscillator;
+use crate::sources::rcs_table::{self, TableSum};
+use crate::sums::reference;
 use artifact::Radar;
 use artifact::paths::PathsFrame;
 use artifact::rcs::RcsFrame;

@@ -1,6 +1,6 @@
 //! Into how many parabolas a chirp is cut so that phase and amplitude stay within 1e-7 of exact.
 
-use crate::closest_approach::Leg;
+use crate::sums::closest_approach::Leg;
 use artifact::Radar;
 use artifact::paths::Path;
 use artifact::units::SPEED_OF_LIGHT_MPS;

@@ -1,7 +1,7 @@
 //! Complex white receiver noise, a function of (seed, frame, channel, chirp, sample).
 
 use crate::error::EchoError;
-use crate::snr_reference::peak_cell_over_noise;
+use crate::links::snr_reference::peak_cell_over_noise;
 use artifact::cube::CubeHeader;
 use artifact::seed;
 use artifact::settings::Noise;

@@ -1,6 +1,6 @@
 //! Errors of elements that the seed draws: gains in dB and phases, each normal, beside those that the scene lists.
 
-use crate::noise::NoiseStream;
+use crate::impairments::noise::NoiseStream;
 use artifact::Radar;
 use artifact::radar::{ElementError, ElementSpread};
 

@@ -1,6 +1,6 @@
 //! What `snr_db` of a scene refers to: the peak cell of one channel's noise-free range-Doppler map.
 
-use crate::window::{noise_bandwidth, weights};
+use crate::links::window::{noise_bandwidth, weights};
 use artifact::cube::CubeHeader;
 use artifact::radar::{Multiplexing, Sampling};
 use num_complex::{Complex32, Complex64};

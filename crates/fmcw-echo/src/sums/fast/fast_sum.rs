@@ -4,16 +4,16 @@
 //! outer sum, `tone_grid.rs` for the inner. Values are exact at their instants, for every pair of elements. Links are
 //! taken in fixed blocks, one thread each: any number of threads gives the same bytes.
 
-use crate::direct_sum::{DirectSum, is_heard};
-use crate::fast::equal_steps::EqualSteps;
-use crate::fast::groups::{Group, groups, paths_min};
-use crate::fast::instants::{Instant, Link, Listener, Tone};
-use crate::fast::kernel::CELLS_MAX;
-use crate::fast::scalar::{Scalar, rounded};
-use crate::fast::smooth_part::{Asked, SmoothPart, cycles_of};
-use crate::fast::tone_grid::{SETS, ToneGrid};
-use crate::multiplexing::{Transmission, element_factor, row};
-use crate::spans::shares_of_row;
+use crate::links::multiplexing::{Transmission, element_factor, row};
+use crate::sums::direct_sum::{DirectSum, is_heard};
+use crate::sums::fast::equal_steps::EqualSteps;
+use crate::sums::fast::groups::{Group, groups, paths_min};
+use crate::sums::fast::instants::{Instant, Link, Listener, Tone};
+use crate::sums::fast::kernel::CELLS_MAX;
+use crate::sums::fast::scalar::{Scalar, rounded};
+use crate::sums::fast::smooth_part::{Asked, SmoothPart, cycles_of};
+use crate::sums::fast::tone_grid::{SETS, ToneGrid};
+use crate::sums::spans::shares_of_row;
 use artifact::paths::{Path, Span};
 use artifact::radar::Multiplexing;
 use artifact::{Accuracy, Radar};

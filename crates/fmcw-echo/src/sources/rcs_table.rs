@@ -6,11 +6,11 @@
 //! that σ is not applied twice as eqs. (7) and (9) together would. The table is far-field (physics.md §0): on a vehicle
 //! at 30 m its error is as large as the field. That is the model's error, not this module's.
 
-use crate::antenna::link_amplitude;
 use crate::error::EchoError;
-use crate::multiplexing::{Transmission, row};
-use crate::oscillator::Oscillator;
-use crate::reference::{if_cycles, legs_at};
+use crate::impairments::oscillator::Oscillator;
+use crate::links::antenna::link_amplitude;
+use crate::links::multiplexing::{Transmission, row};
+use crate::sums::reference::{if_cycles, legs_at};
 use artifact::Radar;
 use artifact::paths::{Curve, Facet, MAX_ORDER, Path};
 use artifact::rcs::{RcsFrame, RcsTable};

@@ -1,11 +1,11 @@
 //! The slow obvious form: every sample of every path from the formulas of interface.md, one by one, in f64.
 //!
-//! Nothing here is shared with [`crate::direct_sum`] but the radar's data, the link amplitude and the schedule of
+//! Nothing here is shared with [`crate::sums::direct_sum`] but the radar's data, the link amplitude and the schedule of
 //! transmissions. Never optimised.
 
-use crate::antenna::{axes, link_amplitude, pattern_amplitude};
-use crate::multiplexing::{Transmission, row};
-use crate::oscillator::Oscillator;
+use crate::impairments::oscillator::Oscillator;
+use crate::links::antenna::{axes, link_amplitude, pattern_amplitude};
+use crate::links::multiplexing::{Transmission, row};
 use artifact::Radar;
 use artifact::paths::{Path, Rim};
 use artifact::units::SPEED_OF_LIGHT_MPS;

@@ -5,7 +5,7 @@
 //! an echo of delay τ is turned by φ(T) − φ(T − τ), of density 4·L(f)·sin²(πfτ) on either side of its line. Near targets keep
 //! next to nothing of slow noise ("range correlation": Budge, Burt, IEEE National Radar Conf. 1993, 185).
 
-use crate::noise::NoiseStream;
+use crate::impairments::noise::NoiseStream;
 use artifact::Radar;
 use artifact::radar::PhaseNoise;
 use num_complex::Complex64;

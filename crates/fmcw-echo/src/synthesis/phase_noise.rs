@@ -6,10 +6,10 @@
 //! weighted paths. The delays τ_k move with the paths' middle one, from pair to pair of elements and from chirp to chirp; what paths move
 //! against it is bounded. Where either error is too large, paths are halved by delay; a path alone is written from the formulas.
 
-use crate::fast::fast_sum;
-use crate::multiplexing::{Transmission, row};
-use crate::oscillator::Oscillator;
-use crate::reference::{self, legs_at};
+use crate::impairments::oscillator::Oscillator;
+use crate::links::multiplexing::{Transmission, row};
+use crate::sums::fast::fast_sum;
+use crate::sums::reference::{self, legs_at};
 use artifact::paths::Path;
 use artifact::{Accuracy, Radar};
 use num_complex::{Complex32, Complex64};
