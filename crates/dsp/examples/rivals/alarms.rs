@@ -3,7 +3,7 @@
 //! mmwcore takes a factor instead of a rate: the textbook's α = N(P^(−1/N) − 1) of N training cells. It is given powers.
 
 use crate::mmwcore_way::alarms_of_map;
-use crate::{GUARD, TRAINING, header};
+use crate::task::{GUARD, TRAINING, header};
 use artifact::settings::Window;
 use dsp::cfar::{Cfar, DETECTED};
 

@@ -1,6 +1,6 @@
 //! This crate.
 
-use crate::{CANDIDATES, Measurement, job, quickest_s};
+use crate::task::{CANDIDATES, Measurement, job, quickest_s};
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::settings::Detector;
 use dsp::angle::VirtualArray;
