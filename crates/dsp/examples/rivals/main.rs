@@ -4,8 +4,6 @@
 //! `rivals JOB FOLDER …` does one job for `cargo xtask bench` (`one_job.rs`). All are given the same noise. The quickest of several runs counts; every program uses the threads that it knows to use.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a measurement, not a library")]
 
-#[path = "../../tests/common/mod.rs"]
-mod common;
 mod task; // what all are asked for
 mod our_way;
 mod mmwcore_way;
@@ -13,7 +11,7 @@ mod python_way;
 mod alarms;
 mod one_job;
 
-use task::{Measurement, header};
+use task::{Measurement, common, header};
 
 fn main() {
     if std::env::args().any(|argument| argument == "alarms") {

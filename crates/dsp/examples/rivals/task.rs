@@ -1,6 +1,8 @@
 //! What all programs are asked for, and how it is timed.
 
-use crate::common;
+#[path = "../../tests/common/mod.rs"]
+pub(crate) mod common; // radars and cubes
+
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::settings::Detector;
 use std::time::Instant;
