@@ -12,11 +12,10 @@
 //! wrong checksum, a missing end (looked for before the first frame is handed out), and any length beyond the schema's
 //! limit or the file's size before it allocates.
 
-mod fault;
 mod writer;
 mod reader;
 
-pub use fault::{ArtifactError, Fault};
+pub use crate::files::fault::{ArtifactError, Fault};
 pub use reader::{Reader, read_preamble};
 pub use writer::Writer;
 

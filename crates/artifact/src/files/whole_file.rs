@@ -4,14 +4,13 @@
 //! replaced, nor is an input ([`inputs`](crate::files::inputs)), nor a file that is write-protected (the `destination`); and what a
 //! killed program left behind is removed by the next one that writes into the same folder (the `temporary`).
 
-pub(crate) mod place_rule;
 mod destination;
 mod temporary;
 
-pub use place_rule::PlaceRule;
+pub use crate::files::place_rule::PlaceRule;
 pub use temporary::{abandon_all, is_temporary, sweep};
 
-use crate::files::envelope::{ArtifactError, Fault};
+use crate::files::fault::{ArtifactError, Fault};
 use destination::Destination;
 use std::fs::File;
 use std::io::{BufWriter, Write};

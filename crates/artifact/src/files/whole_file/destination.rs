@@ -1,8 +1,8 @@
 //! Where a file may be put.
 
-use crate::files::envelope::Fault;
+use crate::files::fault::Fault;
 use crate::files::inputs;
-use crate::files::whole_file::place_rule::PlaceRule;
+use crate::files::place_rule::PlaceRule;
 use std::fs::{FileType, Metadata, Permissions};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};

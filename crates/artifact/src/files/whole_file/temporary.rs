@@ -4,7 +4,7 @@
 //! that nobody holds; those of a program that still runs it cannot lock, and leaves alone. On file systems without locks
 //! nothing is removed.
 
-use crate::files::envelope::Fault;
+use crate::files::fault::Fault;
 use std::collections::BTreeSet;
 use std::fs::{File, Metadata, TryLockError};
 use std::path::{Path, PathBuf};

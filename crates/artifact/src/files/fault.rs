@@ -1,4 +1,6 @@
-use crate::files::whole_file::place_rule::PlaceRule;
+//! A file and what is wrong with it.
+
+use crate::files::place_rule::PlaceRule;
 use std::path::{Path, PathBuf};
 
 /// A file and what is wrong with it.
