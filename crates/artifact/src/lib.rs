@@ -23,31 +23,15 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod units;
-pub mod accuracy;
-pub mod seed;
-mod codec;
-pub mod bounded;
-pub mod inputs;
-pub mod whole_file;
-pub mod envelope;
-pub mod pattern;
-pub mod radar;
-pub mod settings;
-pub mod material;
-pub mod permittivity;
-pub mod scene;
-pub mod paths;
-pub mod rcs;
-pub mod cube;
-pub mod rdm;
-pub mod points;
-pub mod tracks;
-pub mod signature;
-pub mod dataset;
-pub mod model;
-pub mod classes;
+mod quantities; // numbers with units
+mod files; // read and written
+mod descriptions; // what several artifacts describe alike
+mod schemas; // the artifacts
 
-pub use accuracy::{Accuracy, ErrorBudget, ModelError};
-pub use envelope::{ArtifactError, Fault, Preamble, Provenance, Reader, Schema, Writer, read_preamble};
-pub use radar::{Radar, Waveform};
+pub use descriptions::radar::{Radar, Waveform};
+pub use descriptions::{material, pattern, permittivity, radar, settings};
+pub use files::envelope::{ArtifactError, Fault, Preamble, Provenance, Reader, Schema, Writer, read_preamble};
+pub use files::{bounded, envelope, inputs, whole_file};
+pub use quantities::accuracy::{Accuracy, ErrorBudget, ModelError};
+pub use quantities::{accuracy, seed, units};
+pub use schemas::{classes, cube, dataset, model, paths, points, rcs, rdm, scene, signature, tracks};

@@ -6,7 +6,7 @@
 //! connected layer). It sees levels only: neither range, nor lane, nor truth. Here it answers; the crate `classifier-training`
 //! makes its weights, and needs a learning library for that which this one does without.
 //!
-//! Reading order: crop → pooling → network → probabilities → evaluation.
+//! Reading order is that of the rooms below; each uses only those that stand before it. Of crops: pooling → network → probabilities → evaluation.
 //!
 //! ```no_run
 //! use artifact::dataset::Crop;
@@ -21,48 +21,32 @@
 //! # Ok::<(), classifier::ClassifierError>(())
 //! ```
 
-mod error;
-mod profile; // the visible cells of a signature
-mod feature; // names and numbers
-mod bands; // heights and widths along it
-mod peaks; // its strongest places
-mod features; // what of them tells the class
-mod split; // which scenes train, validate, test
-mod pooling; // 451 x 451 averaged to the network's input
-mod layout; // the network's shape, told by a model's header
-mod parameters; // its numbers: read, written
-mod network; // the network itself
-mod classify; // probabilities of crops
-mod temperature; // calibration
-mod trees; // boosted trees that answer
-mod signature_classifier; // probabilities of signatures
-mod boosting; // how trees learn
-mod vehicles; // samples by vehicle: weights, folds, tracks
-mod likeness; // of two sets of samples
-mod by_vehicle; // accuracy with its spread over vehicles
-mod tree_training; // unseen vehicles choose rounds, temperature, correlation
-mod samples; // a dataset at the network's resolution
-mod metrics; // accuracy, confusion, log loss, reliability
-mod evaluate; // of a dataset
-mod model_folder; // weights, metrics and curves on disk
+mod error; // what can be wrong with a crop, a model or a dataset
+mod signatures; // what of them tells the class
+mod crops; // the network over them
+mod evaluation; // how good answers are
+mod ensembles; // boosted trees over features of signatures
 
-pub use boosting::{BoostingSettings, Table, boosted};
-pub use by_vehicle::{ByVehicle, Told, by_vehicle};
-pub use classify::Classifier;
+pub use crops::classify::Classifier;
+pub use crops::layout::{ARCHITECTURE, CHANNELS, Layout};
+pub use crops::model_folder::{CURVES_FILE, METRICS_FILE, MODEL_FILES, WEIGHTS_FILE, load_model, model_of_bytes};
+pub use crops::network::{Logits, VARIANCE_FLOOR};
+pub use crops::parameters::{Parameters, Values};
+pub use crops::samples::{Example, Examples, format_of, samples_of};
+pub use crops::tensor_name;
+pub use ensembles::boosting::{BoostingSettings, Table, boosted};
+pub use ensembles::likeness::{area_under_roc, likeness};
+pub use ensembles::signature_classifier::SignatureClassifier;
+pub use ensembles::tree_training::{Part, TrainedTrees, TreeMetrics, TreeSettings, parts, train_trees};
+pub use ensembles::trees::logits as tree_logits;
+pub use ensembles::vehicles::{Seen, Sightings, TrackKey};
 pub use error::ClassifierError;
-pub use evaluate::{evaluate, evaluations};
-pub use feature::Features;
-pub use features::{features, names as feature_names};
-pub use layout::{ARCHITECTURE, CHANNELS, Layout};
-pub use likeness::{area_under_roc, likeness};
-pub use metrics::{Calibration, Evaluation, ModelAccuracy, ReliabilityBin, accuracy, log_loss, log_softmax};
-pub use model_folder::{CURVES_FILE, METRICS_FILE, MODEL_FILES, WEIGHTS_FILE, load_model, model_of_bytes};
-pub use network::{Logits, VARIANCE_FLOOR};
-pub use parameters::{Parameters, Values, tensor_name};
-pub use samples::{Example, Examples, format_of, samples_of};
-pub use signature_classifier::SignatureClassifier;
-pub use split::split_of_scene;
-pub use temperature::fitted_temperature;
-pub use tree_training::{Part, TrainedTrees, TreeMetrics, TreeSettings, parts, train_trees};
-pub use trees::logits as tree_logits;
-pub use vehicles::{Seen, Sightings, TrackKey};
+pub use evaluation::by_vehicle::{ByVehicle, Told, by_vehicle};
+pub use evaluation::evaluate::{evaluate, evaluations};
+pub use evaluation::metrics::{
+    Calibration, Evaluation, ModelAccuracy, ReliabilityBin, accuracy, log_loss, log_softmax,
+};
+pub use evaluation::split::split_of_scene;
+pub use evaluation::temperature::fitted_temperature;
+pub use signatures::feature::Features;
+pub use signatures::features::{features, names as feature_names};

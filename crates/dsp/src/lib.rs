@@ -17,8 +17,7 @@
 //! Signs, axes and units: `docs/conventions.md`. A growing range is a positive velocity; a target on the + side of the array
 //! reads a positive direction cosine. Everything wrong with an input is a [`DspError`]; nothing panics.
 //!
-//! Reading order is that of the modules: taper and transforms, noncoherent sum, threshold, detector, peaks, direction,
-//! refinement, place, rest, clusters, points, tracks, pictures.
+//! Reading order is that of the rooms below; each uses only those that stand before it.
 //!
 //! ```
 //! use artifact::cube::{CubeFrame, CubeHeader};
@@ -69,60 +68,39 @@
 //! # Ok::<(), dsp::DspError>(())
 //! ```
 
-mod error;
-pub mod axes;
-pub mod window;
-mod finite;
-mod doppler_transform;
-pub mod range_doppler;
-mod doppler_division;
-mod code_division;
-pub mod noncoherent;
-pub mod gamma_forms;
-mod symmetric_eigenvalues;
-pub mod correlated_cells;
-mod images;
-pub mod noise_estimate;
-pub mod cfar_threshold;
-mod box_sums;
-mod cell_means;
-pub mod cfar;
-pub mod interpolation;
-pub mod peaks;
-mod censored;
-pub mod angle;
-mod directional_peaks;
-mod normal_equations;
-pub mod point_sources;
-pub mod two_ways;
-pub mod point_echo;
-pub mod refinement;
-pub mod isolation;
-pub mod cramer_rao;
-pub mod calibration;
-pub mod position;
-pub mod stationary;
-mod rigid_pieces;
-pub mod clusters;
-#[cfg(test)]
-mod test_settings; // what their tests share
-pub mod time_division_folds;
-pub mod points;
-pub mod velocity_folds;
-pub mod assignment;
-pub mod kalman;
-pub mod tracks;
-mod cell_owners;
-pub mod crop;
-pub mod signature;
-pub mod grayscale;
+mod error; // what can be wrong with an input
+mod numerics; // mathematics that knows no radar
+mod spectrum; // samples to maps
+mod detection; // which cells hold echoes
+mod direction; // where they come from
+mod estimation; // those that stand alone, on the samples
+mod ambiguity; // velocities that look alike
+mod objects; // points, and what they form
+mod tracking; // objects over frames
+mod crops; // what a classifier sees
 
-pub use axes::{range_axis_m, velocity_axis_mps};
-pub use crop::{Cropper, PAPER_CROP, crop};
+pub use ambiguity::time_division_folds::least_loss;
+pub use ambiguity::velocity_folds;
+pub use crops::crop::{Cropper, PAPER_CROP, crop};
+pub use crops::grayscale::rdm_grayscale;
+pub use crops::signature::Signatures;
+pub use detection::cfar;
+pub use detection::range_doppler::range_doppler;
+pub use direction::point_sources::{Source, least_errors, sources};
+pub use direction::two_ways::two_ways;
+pub use direction::{angle, calibration};
 pub use error::{Axis, DspError};
-pub use grayscale::rdm_grayscale;
-pub use noncoherent::{noise_power, power_map};
-pub use points::{detect, detect_refined};
-pub use range_doppler::range_doppler;
-pub use signature::Signatures;
-pub use tracks::{ROAD_TRAFFIC, Tracker};
+pub use estimation::cramer_rao::cramer_rao;
+pub use numerics::assignment;
+pub use numerics::gamma_forms::gamma_tail;
+pub use objects::points::{detect, detect_refined};
+pub use objects::stationary::{Fold, is_at_rest, tolerance_mps};
+pub use spectrum::all_channels::all_channels;
+pub use spectrum::axes::{range_axis_m, velocity_axis_mps};
+pub use spectrum::map_transform::RangeDoppler;
+pub use spectrum::noncoherent::{noise_power, power_map};
+pub use spectrum::window;
+pub use tracking::kalman::Estimate;
+pub use tracking::measurement::Site;
+pub use tracking::tracker_settings::ROAD_TRAFFIC;
+pub use tracking::tracks::Tracker;

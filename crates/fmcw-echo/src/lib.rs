@@ -83,30 +83,18 @@
 //! # Ok::<(), fmcw_echo::EchoError>(())
 //! ```
 
-mod error;
-pub mod multiplexing;
-pub mod antenna;
-pub mod oscillator;
-pub mod reference;
-mod lanes;
-mod spans;
-mod closest_approach;
-mod chirp_segments;
-pub mod direct_sum;
-mod fast;
-pub mod phase_noise;
-pub mod rcs_table;
-pub mod ground;
-pub mod window;
-pub mod snr_reference;
-pub mod noise;
-pub mod element_errors;
-pub mod interference;
-pub mod adc;
-mod admission;
-mod synthesis_error;
-mod synthesize;
+mod error; // what is refused, and where
+mod links; // transmissions, antennas, levels
+mod impairments; // noise, oscillators, elements, converters, other radars
+mod sums; // three forms of the sum over paths
+mod sources; // tables, and the road
+mod synthesis; // a frame of samples
 
 pub use error::EchoError;
-pub use fast::fast_sum;
-pub use synthesize::{Progress, memory_estimate_bytes, synthesize, synthesize_tables};
+pub use impairments::{adc, element_errors, interference, noise, oscillator};
+pub use links::{antenna, multiplexing, snr_reference, window};
+pub use sources::{ground, rcs_table};
+pub use sums::fast::fast_sum;
+pub use sums::{direct_sum, reference};
+pub use synthesis::phase_noise;
+pub use synthesis::synthesize::{Progress, memory_estimate_bytes, synthesize, synthesize_tables};

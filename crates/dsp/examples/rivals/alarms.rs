@@ -3,7 +3,7 @@
 //! mmwcore takes a factor instead of a rate: the textbook's α = N(P^(−1/N) − 1) of N training cells. It is given powers.
 
 use crate::mmwcore_way::alarms_of_map;
-use crate::{GUARD, TRAINING, header};
+use crate::task::{GUARD, TRAINING, common, header};
 use artifact::settings::Window;
 use dsp::cfar::{Cfar, DETECTED};
 
@@ -25,7 +25,7 @@ pub(crate) fn print_table() {
 
 /// Alarms of ours, of mmwcore, and cells, by zone.
 fn counted(window: Window, rate: f64) -> [[f64; 3]; 3] {
-    let mut header = header(crate::common::elements_1x1(), 128, 256);
+    let mut header = header(common::elements_1x1(), 128, 256);
     (header.dsp.range_window, header.dsp.doppler_window) = (window, window);
     header.dsp.false_alarm_rate = rate;
     let cfar = Cfar::new(&header).unwrap();
@@ -34,7 +34,7 @@ fn counted(window: Window, rate: f64) -> [[f64; 3]; 3] {
     let factor = training * (rate.powf(-1.0 / training) - 1.0);
     let mut sums = [[0.0; 3]; 3];
     for seed in 0..MAPS {
-        let map = dsp::range_doppler(&header, &crate::common::cube(&header, &[], seed)).unwrap();
+        let map = dsp::range_doppler(&header, &common::cube(&header, &[], seed)).unwrap();
         let power: Vec<f64> = dsp::power_map(&header, &map).unwrap().into_raw_vec_and_offset().0;
         let ours = cfar.mask(&power, 0.0);
         (0..power.len()).for_each(|cell| sums[2][zone(cell)] += 1.0);

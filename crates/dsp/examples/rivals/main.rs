@@ -4,30 +4,14 @@
 //! `rivals JOB FOLDER …` does one job for `cargo xtask bench` (`one_job.rs`). All are given the same noise. The quickest of several runs counts; every program uses the threads that it knows to use.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a measurement, not a library")]
 
-#[path = "../../tests/common/mod.rs"]
-mod common;
-mod alarms;
-mod mmwcore_way;
-mod one_job;
+mod task; // what all are asked for
 mod our_way;
+mod mmwcore_way;
 mod python_way;
+mod alarms;
+mod one_job;
 
-use artifact::cube::{CubeFrame, CubeHeader};
-use artifact::settings::Detector;
-use std::time::Instant;
-
-/// One job by one program.
-pub(crate) struct Measurement {
-    pub(crate) job: String,
-    pub(crate) program: String,
-    pub(crate) seconds: f64,
-}
-
-/// Training and guard cells of every detector here, in both directions: mmwcore and SciPy know squares only.
-pub(crate) const TRAINING: u32 = 6;
-pub(crate) const GUARD: u32 = 2;
-/// Cells that the angle is asked of.
-pub(crate) const CANDIDATES: usize = 1000;
+use task::{Measurement, common, header};
 
 fn main() {
     if std::env::args().any(|argument| argument == "alarms") {
@@ -47,33 +31,6 @@ fn main() {
     print_table(&all);
 }
 
-fn header(elements: [Vec<[f64; 2]>; 2], chirps: u32, samples: u32) -> CubeHeader {
-    let mut header = common::header(samples, chirps, elements);
-    header.noise = common::NOISE_12_DB;
-    header.dsp.guard_cells = [GUARD; 2];
-    header.dsp.training_cells = [TRAINING; 2];
-    header.dsp.detector = Detector::CaCfar;
-    header
-}
-
-/// The quickest run of three at least and of half a second, s: threads are awake by then.
-pub(crate) fn quickest_s<T>(mut work: impl FnMut() -> T) -> f64 {
-    let start = Instant::now();
-    let (mut quickest, mut runs) = (f64::INFINITY, 0);
-    while runs < 3 || start.elapsed().as_secs_f64() < 0.5 {
-        let run = Instant::now();
-        std::hint::black_box(work());
-        (quickest, runs) = (quickest.min(run.elapsed().as_secs_f64()), runs + 1);
-    }
-    quickest
-}
-
-/// What a job is called.
-pub(crate) fn job(header: &CubeHeader, what: &str) -> String {
-    let [channels, chirps, samples] = header.shape();
-    format!("{what}, {channels} × {chirps} × {samples}")
-}
-
 fn print_table(all: &[Measurement]) {
     println!("| job | program | ms | of ours |\n|---|---|---|---|");
     let mut jobs: Vec<&str> = all.iter().map(|m| m.job.as_str()).collect();
@@ -87,9 +44,4 @@ fn print_table(all: &[Measurement]) {
             println!("| {} | {} | {:.3} | {:.1} |", m.job, m.program, 1e3 * m.seconds, m.seconds / ours);
         }
     }
-}
-
-/// A frame's samples as raw bytes, little-endian pairs.
-pub(crate) fn bytes_of(frame: &CubeFrame) -> Vec<u8> {
-    frame.samples.iter().flat_map(|x| [x.re.to_le_bytes(), x.im.to_le_bytes()].concat()).collect()
 }

@@ -1,6 +1,6 @@
 //! The crate mmwcore: its transforms axis by axis, its square CA-CFAR, its azimuths of candidates; it has no OS-CFAR.
 
-use crate::{CANDIDATES, GUARD, Measurement, TRAINING, job, quickest_s};
+use crate::task::{CANDIDATES, GUARD, Measurement, TRAINING, job, quickest_s};
 use artifact::cube::{CubeFrame, CubeHeader};
 use mmwcore::{
     AngleAxis, CandidateAzimuthConfig, CandidateAzimuthInput, CandidateCubeAxes, CandidateCubeInput,

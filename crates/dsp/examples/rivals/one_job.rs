@@ -2,7 +2,7 @@
 //! `result.raw` and prints `program|seconds`.
 
 use crate::mmwcore_way::{alarms_of_map, azimuths, maps};
-use crate::quickest_s;
+use crate::task::quickest_s;
 use num_complex::Complex32;
 use std::path::Path;
 

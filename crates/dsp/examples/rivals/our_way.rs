@@ -1,11 +1,11 @@
 //! This crate.
 
-use crate::{CANDIDATES, Measurement, job, quickest_s};
+use crate::task::{CANDIDATES, Measurement, job, quickest_s};
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::settings::Detector;
 use dsp::angle::VirtualArray;
 use dsp::cfar::Cfar;
-use dsp::range_doppler::{RangeDoppler, all_channels};
+use dsp::{RangeDoppler, all_channels};
 use rayon::prelude::*;
 
 pub(crate) fn measured(header: &CubeHeader, frame: &CubeFrame) -> Vec<Measurement> {

@@ -1,6 +1,6 @@
 //! NumPy, SciPy and OpenRadar, by a script; what is not installed is left out and said.
 
-use crate::{CANDIDATES, GUARD, Measurement, TRAINING, bytes_of, job};
+use crate::task::{CANDIDATES, GUARD, Measurement, TRAINING, bytes_of, job};
 use artifact::cube::{CubeFrame, CubeHeader};
 use std::process::Command;
 

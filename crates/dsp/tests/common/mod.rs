@@ -2,7 +2,7 @@
 #![allow(dead_code, reason = "every test file uses its own part")]
 #![allow(unreachable_pub, clippy::panic, reason = "shared by test crates, which fail by panicking")]
 
-#[path = "../../src/test_settings.rs"]
+#[path = "../../src/objects/test_settings.rs"]
 mod test_settings;
 
 use artifact::ErrorBudget;

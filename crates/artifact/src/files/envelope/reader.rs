@@ -1,0 +1,202 @@
+use crate::files::codec;
+use crate::files::envelope::{
+    ArtifactError, CHECKSUM_BYTES, END_BYTES, Fault, MAGIC, PREAMBLE_LIMIT, Preamble, Schema, checksum, end_mark,
+};
+use crate::files::inputs;
+use serde::de::DeserializeOwned;
+use std::fs::File;
+use std::io::{BufReader, Cursor, Read, Seek, SeekFrom};
+use std::marker::PhantomData;
+use std::path::{Path, PathBuf};
+
+/// Reads an artifact frame by frame; an iterator over `Result<S::Frame, _>` that ends after the first error.
+pub struct Reader<S: Schema> {
+    stream: Stream,
+    preamble: Preamble,
+    header: S::Header,
+    told: u64,
+    found: u64,
+    done: bool,
+    schema: PhantomData<S>,
+}
+
+impl<S: Schema> Reader<S> {
+    /// Checks magic, schema, version, provenance, end mark and header; frames are read as they are asked for.
+    pub fn open(file: &Path) -> Result<Self, ArtifactError> {
+        Self::of(file, inputs::open)
+    }
+
+    /// As [`Reader::open`], for what this program has made for itself and may replace: it is no input.
+    pub fn open_own(file: &Path) -> Result<Self, ArtifactError> {
+        Self::of(file, |file| File::open(file))
+    }
+
+    /// As [`Reader::open`], of what is in memory already; errors name it as if it were the file `name`.
+    pub fn of_bytes(name: &str, bytes: &'static [u8]) -> Result<Self, ArtifactError> {
+        let file = Path::new(name);
+        Self::of_stream(Stream::of(file, Box::new(Cursor::new(bytes)), bytes.len() as u64)).map_err(|f| f.of(file))
+    }
+
+    fn of(file: &Path, open: impl FnOnce(&Path) -> std::io::Result<File>) -> Result<Self, ArtifactError> {
+        Self::of_stream(open_stream(file, open).map_err(|f| f.of(file))?).map_err(|f| f.of(file))
+    }
+
+    fn of_stream(mut stream: Stream) -> Result<Self, Fault> {
+        let preamble = stream.preamble()?;
+        let (header, told) = stream.expect::<S>(&preamble)?;
+        Ok(Self { stream, preamble, header, told, found: 0, done: false, schema: PhantomData })
+    }
+
+    /// What is common to all frames.
+    pub fn header(&self) -> &S::Header {
+        &self.header
+    }
+
+    /// What is common to all frames, when they are read.
+    pub fn into_header(self) -> S::Header {
+        self.header
+    }
+
+    /// Where the artifact came from.
+    pub fn preamble(&self) -> &Preamble {
+        &self.preamble
+    }
+
+    /// How many frames the end mark tells of.
+    pub fn frames(&self) -> u64 {
+        self.told
+    }
+
+    /// The next frame, `None` behind the last.
+    pub fn next_frame(&mut self) -> Result<Option<S::Frame>, ArtifactError> {
+        if self.done {
+            return Ok(None);
+        }
+        let frame = self.step();
+        self.done = !matches!(frame, Ok(Some(_)));
+        frame.map_err(|f| f.of(&self.stream.file))
+    }
+
+    fn step(&mut self) -> Result<Option<S::Frame>, Fault> {
+        match self.stream.marker()? {
+            b'F' => {
+                self.found += 1;
+                self.stream.record(&format!("frame {}", self.found), S::RECORD_LIMIT).map(Some)
+            }
+            b'E' if self.found == self.told && self.stream.at + END_BYTES - 1 == self.stream.size => Ok(None),
+            b'E' => Err(Fault::Count { found: self.found, told: self.told }),
+            found => Err(Fault::Marker { offset: self.stream.at - 1, found }),
+        }
+    }
+}
+
+impl<S: Schema> Iterator for Reader<S> {
+    type Item = Result<S::Frame, ArtifactError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        self.next_frame().transpose()
+    }
+}
+
+/// What an artifact of any kind says of itself.
+pub fn read_preamble(file: &Path) -> Result<Preamble, ArtifactError> {
+    open_stream(file, inputs::open).and_then(|mut stream| stream.preamble()).map_err(|f| f.of(file))
+}
+
+/// Bytes that can be read from any place: of a file, or in memory.
+trait Source: Read + Seek + Send {}
+
+impl<T: Read + Seek + Send> Source for T {}
+
+/// A file with the place it is read at.
+struct Stream {
+    file: PathBuf,
+    bytes: BufReader<Box<dyn Source>>,
+    at: u64,
+    size: u64,
+}
+
+fn open_stream(file: &Path, open: impl FnOnce(&Path) -> std::io::Result<File>) -> Result<Stream, Fault> {
+    let handle = open(file).map_err(Fault::system("open"))?;
+    let about = handle.metadata().map_err(Fault::system("open"))?;
+    if about.is_dir() {
+        return Err(Fault::system("read")(std::io::Error::other("is a folder")));
+    }
+    Ok(Stream::of(file, Box::new(handle), about.len()))
+}
+
+impl Stream {
+    fn of(file: &Path, source: Box<dyn Source>, size: u64) -> Self {
+        Self { file: file.to_owned(), bytes: BufReader::new(source), at: 0, size }
+    }
+
+    fn preamble(&mut self) -> Result<Preamble, Fault> {
+        if self.size < MAGIC.len() as u64 || self.take::<8>()? != *MAGIC {
+            return Err(Fault::Magic);
+        }
+        self.record("the preamble", PREAMBLE_LIMIT)
+    }
+
+    fn expect<S: Schema>(&mut self, preamble: &Preamble) -> Result<(S::Header, u64), Fault> {
+        if preamble.schema != S::NAME {
+            return Err(Fault::Schema { expected: S::NAME, found: preamble.schema.clone() });
+        }
+        if preamble.version != S::VERSION {
+            let schema = preamble.schema.clone();
+            return Err(Fault::Version { schema, found: preamble.version, known: S::VERSION });
+        }
+        let told = self.end()?;
+        match self.marker()? {
+            b'H' => Ok((self.record("the header", S::RECORD_LIMIT)?, told)),
+            found => Err(Fault::Marker { offset: self.at - 1, found }),
+        }
+    }
+
+    /// The number of frames that the end mark tells of; the place in the file stays.
+    fn end(&mut self) -> Result<u64, Fault> {
+        let start = self.size.checked_sub(END_BYTES).filter(|s| *s >= self.at).ok_or(Fault::MissingEnd)?;
+        let mut mark = [0; END_BYTES as usize];
+        self.bytes.seek(SeekFrom::Start(start)).map_err(Fault::system("read"))?;
+        self.bytes.read_exact(&mut mark).map_err(Fault::system("read"))?;
+        self.bytes.seek(SeekFrom::Start(self.at)).map_err(Fault::system("read"))?;
+        let mut count = [0; 8];
+        count.copy_from_slice(&mark[1..9]);
+        let told = u64::from_le_bytes(count);
+        if mark == end_mark(told) { Ok(told) } else { Err(Fault::MissingEnd) }
+    }
+
+    fn marker(&mut self) -> Result<u8, Fault> {
+        Ok(self.take::<1>()?[0])
+    }
+
+    fn record<T: DeserializeOwned>(&mut self, name: &str, limit: u64) -> Result<T, Fault> {
+        let (record, offset) = (name.to_owned(), self.at);
+        let length = u64::from_le_bytes(self.take::<8>()?);
+        let sum: [u8; CHECKSUM_BYTES] = self.take()?;
+        let limit = limit.min(self.size - self.at);
+        if length > limit {
+            return Err(Fault::TooLong { record, offset, length, limit });
+        }
+        let mut bytes = vec![0; length as usize];
+        self.fill(&mut bytes)?;
+        if checksum(&bytes) != sum {
+            return Err(Fault::Checksum { record, offset });
+        }
+        codec::decode(&bytes).map_err(|why| Fault::Shape { record, offset, why })
+    }
+
+    fn take<const N: usize>(&mut self) -> Result<[u8; N], Fault> {
+        let mut bytes = [0; N];
+        self.fill(&mut bytes)?;
+        Ok(bytes)
+    }
+
+    fn fill(&mut self, bytes: &mut [u8]) -> Result<(), Fault> {
+        if self.size - self.at < bytes.len() as u64 {
+            return Err(Fault::MissingEnd);
+        }
+        self.bytes.read_exact(bytes).map_err(Fault::system("read"))?;
+        self.at += bytes.len() as u64;
+        Ok(())
+    }
+}

@@ -1,0 +1,120 @@
+//! Files that are inputs of this program: no output may take the place of one of them.
+//!
+//! Whatever opens a user's file for reading does it here, so that [`whole_file`](crate::files::whole_file) knows it whatever name it is
+//! asked for by: a hard link, a symbolic link or another way to the same folder. What is no plain file (a FIFO, a device, a
+//! socket, a folder) is refused before it is opened, since opening a FIFO waits for its writer and reading a device may never
+//! end.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs::{File, FileType, Metadata};
+use std::io::{self, Result};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// Opens a plain file for reading and remembers it as an input, which no output may replace; its reader sees to a bound.
+///
+/// # Errors
+/// The system's, and [`io::ErrorKind::InvalidInput`] where it is no plain file.
+pub fn open(file: &Path) -> Result<File> {
+    plain(std::fs::metadata(file)?.file_type())?;
+    let handle = File::open(file)?;
+    plain(handle.metadata()?.file_type())?;
+    remember(file, &handle)?;
+    Ok(handle)
+}
+
+/// Remembers a file that is open for reading.
+pub fn remember(file: &Path, handle: &File) -> Result<()> {
+    keep(file, &handle.metadata()?);
+    Ok(())
+}
+
+/// Remembers a file that will be read later; one that is missing is left to its reader.
+pub fn note(file: &Path) {
+    if let Ok(about) = std::fs::metadata(file) {
+        keep(file, &about);
+    }
+}
+
+/// The name of a plain file and the BLAKE3 hash of its content, as [`Provenance::inputs`](crate::Provenance::inputs) holds them.
+///
+/// The file is read by pieces: a recording may be larger than memory.
+///
+/// # Errors
+/// It is unreadable or no plain file.
+pub fn named_hash(file: &Path) -> Result<(String, String)> {
+    let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let mut hasher = blake3::Hasher::new();
+    io::copy(&mut open(file)?, &mut hasher)?;
+    Ok((name, hasher.finalize().to_hex().to_string()))
+}
+
+/// The name by which a file was read that `about` tells of, if it is an input.
+pub(crate) fn known(file: &Path, about: &Metadata) -> Option<PathBuf> {
+    let asked = identity(file, about)?;
+    let inputs = remembered().get(&asked)?.clone();
+    // An input that is gone has left its number to other files.
+    let is_still_there =
+        |input: &PathBuf| std::fs::metadata(input).is_ok_and(|now| identity(input, &now).as_ref() == Some(&asked));
+    inputs.into_iter().find(is_still_there)
+}
+
+/// What is one and the same however it is named.
+#[cfg(unix)]
+type Identity = (u64, u64);
+#[cfg(not(unix))]
+type Identity = PathBuf;
+
+/// Files with the names they were read by.
+type Remembered = BTreeMap<Identity, BTreeSet<PathBuf>>;
+
+static REMEMBERED: Mutex<Remembered> = Mutex::new(BTreeMap::new());
+
+fn remembered() -> MutexGuard<'static, Remembered> {
+    REMEMBERED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn keep(file: &Path, about: &Metadata) {
+    if let Some(identity) = identity(file, about) {
+        remembered().entry(identity).or_default().insert(file.to_owned());
+    }
+}
+
+/// Device and number of the file.
+#[cfg(unix)]
+fn identity(_: &Path, about: &Metadata) -> Option<Identity> {
+    use std::os::unix::fs::MetadataExt;
+    Some((about.dev(), about.ino()))
+}
+
+#[cfg(not(unix))]
+fn identity(file: &Path, _: &Metadata) -> Option<Identity> {
+    std::fs::canonicalize(file).ok()
+}
+
+fn plain(kind: FileType) -> Result<()> {
+    match kind {
+        kind if kind.is_file() => Ok(()),
+        kind if kind.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
+        kind => {
+            let text = format!("it is {}, and plain files alone are read", name(kind));
+            Err(io::Error::new(io::ErrorKind::InvalidInput, text))
+        }
+    }
+}
+
+#[cfg(unix)]
+fn name(kind: FileType) -> &'static str {
+    use std::os::unix::fs::FileTypeExt;
+    match kind {
+        kind if kind.is_fifo() => "a FIFO",
+        kind if kind.is_socket() => "a socket",
+        kind if kind.is_char_device() || kind.is_block_device() => "a device",
+        _ => "something else",
+    }
+}
+
+#[cfg(not(unix))]
+fn name(_: FileType) -> &'static str {
+    "something else"
+}

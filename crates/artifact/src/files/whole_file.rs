@@ -1,0 +1,94 @@
+//! A file that is written whole or not at all: a temporary one beside its place, renamed when it is done.
+//!
+//! Whatever this program writes goes through here, so that one rule holds for all of it: what is no plain file is never
+//! replaced, nor is an input ([`inputs`](crate::files::inputs)), nor a file that is write-protected (the `destination`); and what a
+//! killed program left behind is removed by the next one that writes into the same folder (the `temporary`).
+
+mod destination;
+mod temporary;
+
+pub use crate::files::place_rule::PlaceRule;
+pub use temporary::{abandon_all, is_temporary, sweep};
+
+use crate::files::fault::{ArtifactError, Fault};
+use destination::Destination;
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+use temporary::Temporary;
+
+/// A stream to a temporary file; [`WholeFile::finish`] puts it in its place.
+///
+/// Dropped before `finish`, it leaves nothing behind and an older file of the name untouched.
+pub struct WholeFile {
+    place: PathBuf,
+    target: PathBuf,
+    stream: BufWriter<File>,
+    temporary: Temporary,
+}
+
+/// Whether a finished file outlives a loss of power.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Durability {
+    /// It waits for the disk.
+    OnDisk,
+    /// It is as durable as the system's own time table makes it: what can be made again.
+    InCache,
+}
+
+impl WholeFile {
+    /// Opens the stream; folders that are missing are made. A symbolic link to a plain file stays, the file is replaced.
+    pub fn create(place: &Path) -> Result<Self, ArtifactError> {
+        Self::open(place).map_err(|fault| fault.of(place))
+    }
+
+    fn open(place: &Path) -> Result<Self, Fault> {
+        let Destination { target, permissions } = Destination::of(place)?;
+        let (handle, temporary) = Temporary::beside(&target)?;
+        if let Some(permissions) = permissions {
+            handle.set_permissions(permissions).map_err(Fault::system("set the permissions"))?;
+        }
+        Ok(Self { place: place.to_owned(), target, stream: BufWriter::new(handle), temporary })
+    }
+
+    /// Puts the file in its place.
+    pub fn finish(self, durability: Durability) -> Result<(), ArtifactError> {
+        let place = self.place.clone();
+        self.put(durability).map_err(|fault| fault.of(&place))
+    }
+
+    /// The handle, and with it the lock, is held until the file has its name.
+    fn put(self, durability: Durability) -> Result<(), Fault> {
+        let handle = self.stream.into_inner().map_err(|e| Fault::system("write")(e.into_error()))?;
+        match durability {
+            Durability::OnDisk => handle.sync_all().map_err(Fault::system("write"))?,
+            Durability::InCache => {}
+        }
+        // Inputs may have been opened since, and the place may have changed.
+        Destination::of(&self.target)?;
+        self.temporary.persist(&self.target).map_err(Fault::system("rename into place"))
+    }
+}
+
+impl Write for WholeFile {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.stream.write(bytes)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.stream.flush()
+    }
+}
+
+/// Writes a file whole or not at all.
+pub fn write(place: &Path, bytes: &[u8], durability: Durability) -> Result<(), ArtifactError> {
+    let mut file = WholeFile::create(place)?;
+    file.write_all(bytes).map_err(|e| Fault::system("write")(e).of(place))?;
+    file.finish(durability)
+}
+
+/// Whether a file could be written there: all that [`WholeFile::create`] refuses is told before the work that it is the
+/// result of. Folders that are missing are made.
+pub fn check(place: &Path) -> Result<(), ArtifactError> {
+    WholeFile::create(place).map(drop)
+}

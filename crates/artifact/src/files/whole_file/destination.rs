@@ -1,0 +1,89 @@
+//! Where a file may be put.
+
+use crate::files::fault::Fault;
+use crate::files::inputs;
+use crate::files::place_rule::PlaceRule;
+use std::fs::{FileType, Metadata, Permissions};
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+/// A place that a file may be put at.
+#[derive(Debug)]
+pub(super) struct Destination {
+    /// What is written: the place, or the plain file that it is a symbolic link to.
+    pub(super) target: PathBuf,
+    /// Those of the file that is replaced.
+    pub(super) permissions: Option<Permissions>,
+}
+
+impl Destination {
+    /// Refused where it is no plain file, an input or write-protected.
+    pub(super) fn of(place: &Path) -> Result<Self, Fault> {
+        if place.file_name().is_none() {
+            return Err(Fault::Place(if place.is_dir() { PlaceRule::Folder } else { PlaceRule::Nameless }));
+        }
+        match std::fs::symlink_metadata(place) {
+            Ok(about) if about.is_symlink() => Self::behind_link(place),
+            Ok(about) => Self::replacing(place, place.to_owned(), &about),
+            Err(e) if e.kind() == ErrorKind::NotFound => Ok(Self { target: place.to_owned(), permissions: None }),
+            Err(e) => Err(Fault::system("look at")(e)),
+        }
+    }
+
+    fn behind_link(place: &Path) -> Result<Self, Fault> {
+        let target = match std::fs::canonicalize(place) {
+            Ok(target) => target,
+            Err(e) if e.kind() == ErrorKind::NotFound => return Err(Fault::Place(PlaceRule::DanglingLink)),
+            Err(e) => return Err(Fault::system("follow the link")(e)),
+        };
+        let about = std::fs::symlink_metadata(&target).map_err(Fault::system("look at"))?;
+        Self::replacing(place, target, &about)
+    }
+
+    fn replacing(place: &Path, target: PathBuf, about: &Metadata) -> Result<Self, Fault> {
+        let broken = match special(about.file_type()) {
+            Some(rule) => Some(rule),
+            None if about.permissions().readonly() => Some(PlaceRule::WriteProtected),
+            None => inputs::known(&target, about).map(|input| PlaceRule::Input { place: place.to_owned(), input }),
+        };
+        match broken {
+            Some(rule) => Err(Fault::Place(rule)),
+            None => Ok(Self { target, permissions: Some(plain(about.permissions())) }),
+        }
+    }
+}
+
+/// What is no plain file.
+fn special(kind: FileType) -> Option<PlaceRule> {
+    if kind.is_file() {
+        return None;
+    }
+    Some(if kind.is_dir() { PlaceRule::Folder } else { PlaceRule::Special(name_of_special(kind)) })
+}
+
+#[cfg(unix)]
+fn name_of_special(kind: FileType) -> &'static str {
+    use std::os::unix::fs::FileTypeExt;
+    match () {
+        () if kind.is_fifo() => "a FIFO",
+        () if kind.is_socket() => "a socket",
+        () => "a device",
+    }
+}
+
+#[cfg(not(unix))]
+fn name_of_special(_: FileType) -> &'static str {
+    "no plain file"
+}
+
+/// Read, write and execute; a program that sets its user is replaced by data.
+#[cfg(unix)]
+fn plain(permissions: Permissions) -> Permissions {
+    use std::os::unix::fs::PermissionsExt;
+    Permissions::from_mode(permissions.mode() & 0o777)
+}
+
+#[cfg(not(unix))]
+fn plain(permissions: Permissions) -> Permissions {
+    permissions
+}

@@ -1,0 +1,134 @@
+//! Temporary files: named so that they are known again, locked as long as their writer lives.
+//!
+//! A program that is killed leaves them behind and loses its locks. The next one that writes into the folder removes those
+//! that nobody holds; those of a program that still runs it cannot lock, and leaves alone. On file systems without locks
+//! nothing is removed.
+
+use crate::files::fault::Fault;
+use std::collections::BTreeSet;
+use std::fs::{File, Metadata, TryLockError};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use tempfile::TempPath;
+
+/// How a temporary file's name ends; before it stand a dot, the name that the file will have, a dot and six random letters.
+const SUFFIX: &str = ".wayside.part";
+
+/// Bytes of the later name that go into the temporary one: names end at 255 bytes on most file systems.
+const NAME_BYTES: usize = 200;
+
+/// A name is taken from a sweeper that met the file between its making and its locking; a second time is chance.
+const ATTEMPTS: usize = 16;
+
+/// A temporary file that is listed while it is open, and removed unless it is persisted.
+pub(super) struct Temporary(Option<TempPath>);
+
+impl Temporary {
+    /// In the folder of `target`, which is made where it is missing.
+    pub(super) fn beside(target: &Path) -> Result<(File, Self), Fault> {
+        let folder = target.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        std::fs::create_dir_all(folder).map_err(Fault::system("make the folder"))?;
+        sweep_once(folder);
+        let (handle, path) = locked(folder, &prefix(target)).map_err(Fault::system("create"))?;
+        open_files().insert(path.to_path_buf());
+        Ok((handle, Self(Some(path))))
+    }
+
+    pub(super) fn persist(mut self, target: &Path) -> std::io::Result<()> {
+        match self.0.take() {
+            Some(path) => {
+                open_files().remove::<Path>(&path);
+                path.persist(target).map_err(|e| e.error)
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        if let Some(path) = &self.0 {
+            open_files().remove::<Path>(path);
+        }
+    }
+}
+
+/// Removes the temporary files that dead writers have left in a folder, not below it; how many.
+pub fn sweep(folder: &Path) -> usize {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    entries.filter(|file| is_temporary(file) && remove_if_abandoned(file)).count()
+}
+
+/// Whether a file's name is one that only temporary files have.
+pub fn is_temporary(file: &Path) -> bool {
+    let name = file.file_name().and_then(|name| name.to_str()).and_then(|name| name.strip_suffix(SUFFIX));
+    name.is_some_and(|name| name.starts_with('.'))
+}
+
+/// Removes the temporary files of all that is being written: the last act of a program that is told to stop.
+pub fn abandon_all() {
+    for file in open_files().iter() {
+        let _ = std::fs::remove_file(file);
+    }
+}
+
+/// Temporary files that are still open.
+static OPEN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+fn open_files() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+    OPEN.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Folders that this program has swept.
+static SWEPT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+fn sweep_once(folder: &Path) {
+    if SWEPT.lock().unwrap_or_else(PoisonError::into_inner).insert(folder.to_owned()) {
+        sweep(folder);
+    }
+}
+
+/// Removed while it is locked, so that no writer can take it up; a link is not followed.
+fn remove_if_abandoned(file: &Path) -> bool {
+    let is_plain = std::fs::symlink_metadata(file).is_ok_and(|about| about.is_file());
+    let Some(handle) = is_plain.then(|| File::open(file).ok()).flatten() else { return false };
+    handle.try_lock().is_ok() && std::fs::remove_file(file).is_ok()
+}
+
+fn locked(folder: &Path, prefix: &str) -> std::io::Result<(File, TempPath)> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(prefix).suffix(SUFFIX);
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666)); // less the umask, as any new file
+    for _ in 0..ATTEMPTS {
+        let (handle, path) = builder.tempfile_in(folder)?.into_parts();
+        let is_held = !matches!(handle.try_lock(), Err(TryLockError::WouldBlock));
+        if is_held && is_named(&handle, &path) {
+            return Ok((handle, path));
+        }
+    }
+    Err(std::io::Error::other("temporary files are removed as soon as they are made"))
+}
+
+/// Whether the open file still has its name: a sweeper may have removed it before it was locked.
+#[cfg(unix)]
+fn is_named(handle: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let number = |about: std::io::Result<Metadata>| about.ok().map(|about| (about.dev(), about.ino()));
+    let open = number(handle.metadata());
+    open.is_some() && open == number(std::fs::symlink_metadata(path))
+}
+
+#[cfg(not(unix))]
+fn is_named(_: &File, path: &Path) -> bool {
+    path.exists()
+}
+
+fn prefix(target: &Path) -> String {
+    let name = target.file_name().unwrap_or_default().to_string_lossy();
+    let mut end = name.len().min(NAME_BYTES);
+    while !name.is_char_boundary(end) {
+        end -= 1;
+    }
+    format!(".{}.", &name[..end])
+}

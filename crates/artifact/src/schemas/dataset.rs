@@ -1,0 +1,88 @@
+//! Labelled signatures of objects, and crops of range-Doppler maps.
+
+use crate::descriptions::settings::Class;
+use crate::files::envelope::Schema;
+use crate::schemas::signature::Signature;
+use serde::{Deserialize, Serialize};
+
+/// The `.dataset` artifact: one record a sample.
+pub struct Dataset;
+
+impl Schema for Dataset {
+    const NAME: &'static str = "dataset";
+    const VERSION: u32 = 2;
+    const RECORD_LIMIT: u64 = 64 << 20;
+    type Header = CropFormat;
+    type Frame = Sample;
+}
+
+/// What a crop shows: fixed metres, m/s and decibels, so that level and extent stay comparable.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct CropFormat {
+    /// Pixels on a side: the paper's 451.
+    pub side: u32,
+    /// Extent along range (columns), m.
+    pub range_span_m: f64,
+    /// Extent along velocity (rows), m/s.
+    pub velocity_span_mps: f64,
+    /// Level of grey 0, dB over the map's noise.
+    pub floor_db: f64,
+    /// Level of grey 255, dB over the map's noise.
+    pub ceiling_db: f64,
+}
+
+/// A crop of a range-Doppler map around a detected object.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Crop {
+    /// Grey levels, row-major `[velocity, range]`, `side`² of them; velocity grows downwards.
+    pub pixels: Vec<u8>,
+    /// Centre of the columns.
+    pub range_m: f64,
+    /// Centre of the rows.
+    pub radial_velocity_mps: f64,
+}
+
+/// An object of a frame with its label.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Sample {
+    /// Unique in the dataset.
+    pub id: String,
+    /// What its map tells of it.
+    pub signature: Signature,
+    /// The image; `None` of a dataset without images.
+    pub crop: Option<Crop>,
+    /// Truth; `None` where unknown.
+    pub class: Option<Class>,
+    /// Vehicle model.
+    pub model: String,
+    /// Which variant of the model's dimensions.
+    pub variant: u64,
+    /// Scene it was cut from: splits go by scene.
+    pub scene: u64,
+    /// Which of the scene's vehicles it is.
+    pub target: u32,
+    /// Frame of its scene: those of one target are a track.
+    pub frame: u32,
+    /// Which part of a split it belongs to.
+    pub split: Split,
+    /// True range of the body's origin.
+    pub range_m: f64,
+    /// True radial velocity.
+    pub radial_velocity_mps: f64,
+    /// True lane.
+    pub lane: Option<u8>,
+    /// Seed of its scene.
+    pub seed: u64,
+}
+
+/// Parts of a dataset.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Split {
+    /// Weights are fitted to it.
+    Train,
+    /// Epochs are chosen by it.
+    Validation,
+    /// Seen once, at the end.
+    Test,
+}

@@ -1,0 +1,272 @@
+//! Scattering paths: exact for any bounce order, antenna element, chirp and moving body (`docs/decisions/path-record.md`).
+
+use crate::descriptions::radar::Radar;
+use crate::descriptions::settings::Detail;
+use crate::files::envelope::Schema;
+use crate::quantities::accuracy::{ErrorBudget, ModelError};
+use num_complex::Complex64;
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
+
+/// The `.paths` artifact.
+pub struct Paths;
+
+impl Schema for Paths {
+    const NAME: &'static str = "paths";
+    const VERSION: u32 = 10;
+    type Header = PathsHeader;
+    type Frame = PathsFrame;
+}
+
+/// What does not change from frame to frame.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PathsHeader {
+    /// The radar the paths were traced for.
+    pub radar: Radar,
+    /// f_c of the amplitudes and their slopes: the centre of the sampled sweep.
+    pub centre_frequency_hz: f64,
+    /// Ids of the scene's targets; [`Path::target`] points here.
+    pub targets: Vec<String>,
+}
+
+/// Paths of one frame, referred to its first sample.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PathsFrame {
+    /// From 0.
+    pub index: u32,
+    /// The frame's first sample.
+    pub time_s: f64,
+    /// In the tracer's order: body, facet sequence, cell, and behind them what was traced at several moments, one after the
+    /// other; where detail was taken from them, target by target.
+    pub paths: Vec<Path>,
+    /// Nearest lit surface of each body from the radar's position at the frame's middle, m, in the order of the scene
+    /// frame's poses; `None` if all is hidden.
+    pub nearest_range_m: Vec<Option<f64>>,
+    /// Numerical error of this frame's paths.
+    pub error: ErrorBudget,
+    /// What the model leaves out in this frame.
+    pub model_error: ModelError,
+    /// What the tracer did.
+    pub trace: TraceStatistics,
+}
+
+/// Highest bounce order that a path record holds.
+pub const MAX_ORDER: usize = 5;
+
+/// 2 × 2 scattering amplitude in metres, `[receive][transmit]`, v = 0, h = 1.
+pub type Amplitude = [[Complex64; 2]; 2];
+
+/// A facet of the scene.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub struct Facet {
+    /// Index of the target.
+    pub body: u32,
+    /// Index of the triangle in its mesh.
+    pub triangle: u32,
+}
+
+/// One way from transmitter to receiver.
+///
+/// Its node appears from the transmitter at x_a and from the receiver at x_b, unfolded through the reflections; with
+/// L₁ = |x_a − p_t|, L₂ = |x_b − p_r| the scattering amplitude of interface.md is
+/// S = Σ a·R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)}: `a` holds neither its own delay's phase nor 1/length.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Path {
+    /// Index of the target (of the first facet).
+    pub target: u32,
+    /// Bounces; 0 for a point target.
+    pub order: u8,
+    /// x_a at the frame's first sample, world metres.
+    pub apparent_tx_m: [f64; 3],
+    /// Velocity of x_a.
+    pub apparent_tx_mps: [f64; 3],
+    /// x_b at the frame's first sample, world metres.
+    pub apparent_rx_m: [f64; 3],
+    /// Velocity of x_b.
+    pub apparent_rx_mps: [f64; 3],
+    /// a at f_c.
+    pub amplitude_m: Amplitude,
+    /// a′ = da/df, m/Hz: a(f) = a + (f − f_c)·a′.
+    pub slope_m_per_hz: Amplitude,
+    /// The facets in the order of travel; the first `order` are meant.
+    pub facets: [Facet; MAX_ORDER],
+    /// What of it is not the same throughout the frame, beside a constant velocity.
+    pub curve: Curve,
+}
+
+/// What of a path is not the same throughout the frame, beside a constant velocity; nothing by default.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Curve {
+    /// Constant acceleration of x_a.
+    pub apparent_tx_mps2: [f64; 3],
+    /// Constant acceleration of x_b.
+    pub apparent_rx_mps2: [f64; 3],
+    /// The node goes round with a wheel; x_a and x_b are then where its hub appears.
+    pub rim: Option<Rim>,
+    /// The part of the frame that it stands for; `None` for all of it.
+    pub span: Option<Span>,
+}
+
+/// The part of a frame that a path stands for, where some ways were traced at several moments of it: at any time the paths of
+/// the nearest moments are blended, each with its [`Span::share`].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Span {
+    /// The first of the moments, from the frame's first sample.
+    pub first_s: f64,
+    /// From one to the next.
+    pub step_s: f64,
+    /// How many there are.
+    pub moments: u32,
+    /// At which of them the path was traced, from 0.
+    pub moment: u32,
+}
+
+/// Moments that a blend is made of, where there are as many: a cubic.
+const BLENDED: u32 = 4;
+
+impl Span {
+    /// Factor of the path's amplitude: Lagrange's polynomial through the four moments about `seconds`, 1 at its own moment and 0
+    /// at the others. The shares of all moments add up to 1.
+    pub fn share(&self, seconds: f64) -> f64 {
+        let nodes = self.blended_at(seconds);
+        if !nodes.contains(&self.moment) {
+            return 0.0;
+        }
+        let place = (seconds - self.first_s) / self.step_s;
+        let own = f64::from(self.moment);
+        nodes
+            .filter(|node| *node != self.moment)
+            .map(|node| (place - f64::from(node)) / (own - f64::from(node)))
+            .product()
+    }
+
+    /// When the path was traced, from the frame's first sample.
+    pub fn traced_at_s(&self) -> f64 {
+        self.first_s + f64::from(self.moment) * self.step_s
+    }
+
+    /// The moments that are blended at a time: two before and two behind it, but at the ends.
+    fn blended_at(&self, seconds: f64) -> Range<u32> {
+        let count = BLENDED.min(self.moments);
+        let before = ((seconds - self.first_s) / self.step_s).floor() - 1.0;
+        let first = (before.max(0.0) as u32).min(self.moments - count);
+        first..first + count
+    }
+}
+
+/// A point on the rim of a wheel that rolls upright without slipping: hub + r·(cos φ·forward + sin φ·up), φ = φ₀ − (way of the hub
+/// along forward)/r.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Rim {
+    /// r.
+    pub radius_m: f64,
+    /// Unit vector in the plane of the wheel, horizontal.
+    pub forward: [f64; 3],
+    /// φ₀, at the frame's first sample: from forward towards up.
+    pub angle_rad: f64,
+}
+
+impl Path {
+    /// The facets in the order of travel.
+    pub fn sequence(&self) -> &[Facet] {
+        &self.facets[..usize::from(self.order).min(MAX_ORDER)]
+    }
+}
+
+/// What the tracer did.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct TraceStatistics {
+    /// Triangles of all bodies.
+    pub triangles: u64,
+    /// Beams by bounce order, from order 1.
+    pub beams: Vec<u64>,
+    /// Paths by bounce order, from order 1.
+    pub paths: Vec<u64>,
+    /// Upper bound of the power of all beams given up over the power kept.
+    pub dropped_power_ratio: f64,
+    /// Bytes that the tracer's own structures held at most, estimated.
+    pub bytes: u64,
+    /// How finely bodies were cut and integrated; `None` where there was no body.
+    pub fineness: Option<Fineness>,
+    /// Where `error` and `model_error` come from.
+    pub origin: ErrorOrigin,
+    /// What became of each target's paths; empty where nothing was asked of them.
+    pub detail: Vec<TargetDetail>,
+}
+
+/// What the accuracy asked for turned out to need.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Fineness {
+    /// Largest side of the parts of a facet that are one path.
+    pub cell_m: f64,
+    /// Of the integrals on each body.
+    pub integrals: Vec<IntegralFineness>,
+    /// At how many moments of the frame `ways` were traced; 1 where the frame's middle is enough.
+    pub moments: u32,
+    /// What was traced at all of them: ids of the bodies in the order of travel, ways back among them.
+    pub ways: Vec<Vec<String>>,
+}
+
+/// How finely integrals on one body were taken.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct IntegralFineness {
+    /// The body's id: in another frame it may stand elsewhere among the targets.
+    pub body: String,
+    /// Of each, relative to the largest that it could be.
+    pub accuracy: f64,
+}
+
+/// Whether a frame's errors were measured in it.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum ErrorOrigin {
+    /// In this frame.
+    #[default]
+    Measured,
+    /// In another frame, whose fineness this one has.
+    TakenOver,
+}
+
+/// A target's level of detail.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct TargetDetail {
+    /// Never `Auto`.
+    pub level: Detail,
+    /// Paths that were traced.
+    pub traced: u64,
+    /// Paths of the frame.
+    pub kept: u64,
+    /// Of the target's echo against that of all its paths, relative amplitude; `None` where these were kept.
+    pub error: Option<f64>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn blended(moments: u32, of: impl Fn(f64) -> f64, seconds: f64) -> f64 {
+        let span = |moment: u32| Span { first_s: 1.0, step_s: 0.25, moments, moment };
+        (0..moments).map(|i| span(i).share(seconds) * of(span(i).traced_at_s())).sum()
+    }
+
+    #[test]
+    fn shares_blend_a_cubic_exactly_wherever_there_are_four_moments() {
+        let cubic = |t: f64| 2.0 - t + 3.0 * t * t - 0.5 * t * t * t;
+        for moments in [4, 5, 9, 33] {
+            for i in 0..=100 {
+                let t = 1.0 + 0.25 * f64::from(moments - 1) * f64::from(i) / 100.0;
+                let allowed = 64.0 * f64::EPSILON * cubic(t).abs().max(t.powi(3));
+                assert!((blended(moments, cubic, t) - cubic(t)).abs() < allowed, "{moments} {t}");
+                assert!((blended(moments, |_| 1.0, t) - 1.0).abs() < 16.0 * f64::EPSILON);
+            }
+        }
+    }
+
+    #[test]
+    fn few_moments_blend_a_parabola_a_line_or_nothing() {
+        for t in [0.9, 1.0, 1.1, 1.3, 1.6] {
+            assert!((blended(3, |t| t * t, t) - t * t).abs() < 1e-14);
+            assert!((blended(2, |t| t, t) - t).abs() < 1e-14);
+            assert_eq!(blended(1, |_| 3.0, t), 3.0);
+        }
+    }
+}

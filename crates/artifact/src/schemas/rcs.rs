@@ -1,0 +1,60 @@
+//! The paper's σ_f: far-field scattering amplitude over frequency, elevation and azimuth.
+
+use crate::descriptions::radar::{Polarization, Radar};
+use crate::files::envelope::Schema;
+use crate::quantities::accuracy::{ErrorBudget, ModelError};
+use num_complex::Complex64;
+use serde::{Deserialize, Serialize};
+
+/// The `.rcs` artifact.
+pub struct Rcs;
+
+impl Schema for Rcs {
+    const NAME: &'static str = "rcs";
+    const VERSION: u32 = 7;
+    type Header = RcsHeader;
+    type Frame = RcsFrame;
+}
+
+/// What does not change from frame to frame.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RcsHeader {
+    /// The radar the tables were made for; `None` for a table of a mesh alone.
+    pub radar: Option<Radar>,
+    /// Ids of the scene's targets; [`RcsTable::target`] points here.
+    pub targets: Vec<String>,
+}
+
+/// Tables of one frame.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RcsFrame {
+    /// From 0.
+    pub index: u32,
+    /// The frame's first sample.
+    pub time_s: f64,
+    /// One for each target in view.
+    pub tables: Vec<RcsTable>,
+    /// Numerical error of the tables.
+    pub error: ErrorBudget,
+    /// What the model leaves out.
+    pub model_error: ModelError,
+}
+
+/// S in metres over frequency × elevation × azimuth, phase at the body's origin.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RcsTable {
+    /// Index of the target.
+    pub target: u32,
+    /// Axis 0.
+    pub frequency_hz: Vec<f64>,
+    /// Axis 1: above the horizon, body axes.
+    pub elevation_rad: Vec<f64>,
+    /// Axis 2: from body x towards body y.
+    pub azimuth_rad: Vec<f64>,
+    /// Antenna to origin; infinite for the far field.
+    pub range_m: f64,
+    /// Polarization of `amplitude_m`.
+    pub polarization: Polarization,
+    /// Row-major `[frequency, elevation, azimuth]`.
+    pub amplitude_m: Vec<Complex64>,
+}

@@ -1,0 +1,41 @@
+//! Range-Doppler maps of all channels, and what the detector made of them.
+
+use crate::files::envelope::Schema;
+use crate::schemas::cube::CubeHeader;
+use num_complex::Complex32;
+use serde::{Deserialize, Serialize};
+
+/// The `.rdm` artifact.
+pub struct Rdm;
+
+impl Schema for Rdm {
+    const NAME: &'static str = "rdm";
+    const VERSION: u32 = 8;
+    type Header = CubeHeader;
+    type Frame = RdmFrame;
+}
+
+/// Map of one frame.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RdmFrame {
+    /// From 0.
+    pub index: u32,
+    /// The frame's first sample.
+    pub time_s: f64,
+    /// Row-major `[channel, doppler, range]`; zero velocity at N/2, the first of the range cells where samples are real; channels are those of [`Radar::map_channels`](crate::Radar).
+    pub values: Vec<Complex32>,
+    /// Row-major `[doppler, range]`: 0 untested, 1 tested, 2 above the detector's threshold.
+    pub mask: Vec<u8>,
+    /// Cells above the threshold, before any grouping.
+    pub detections: u64,
+    /// Cells tested.
+    pub cells: u64,
+    /// The floor that stood in for noise in a noise-free map, power; `None` where noise was estimated.
+    pub assumed_floor: Option<f64>,
+}
+
+/// `[channel, doppler, range]` of a map.
+pub fn shape(header: &CubeHeader) -> [usize; 3] {
+    let waveform = &header.radar.waveform;
+    [header.radar.map_channels(), waveform.chirps as usize, waveform.range_cells()]
+}

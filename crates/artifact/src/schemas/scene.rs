@@ -1,0 +1,262 @@
+//! Scene snapshot: bodies, each with its own mesh, pose and velocity, and the radar that looks at them.
+
+use crate::descriptions::material::{Makeup, MaterialMap, Road};
+use crate::descriptions::radar::Radar;
+use crate::descriptions::settings::{Class, DspSettings, Fidelity, Noise};
+use crate::files::envelope::Schema;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::borrow::Cow;
+use std::ops::{Deref, DerefMut};
+use std::sync::Arc;
+
+/// The `.scene` artifact.
+pub struct Scene;
+
+impl Schema for Scene {
+    const NAME: &'static str = "scene";
+    const VERSION: u32 = 13;
+    type Header = SceneHeader;
+    type Frame = SceneFrame;
+}
+
+/// What does not change from frame to frame.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SceneHeader {
+    /// As the scene file says.
+    pub name: String,
+    /// Noise and everything random.
+    pub seed: u64,
+    /// Number of frame records: of radar frames, or of their sub-frames.
+    pub frames: u32,
+    /// From one radar frame's first sample to the next's.
+    pub frame_interval_s: f64,
+    /// The radar.
+    pub radar: Radar,
+    /// Receiver noise.
+    pub noise: Noise,
+    /// Signal processing.
+    pub dsp: DspSettings,
+    /// Accuracy and physics asked for.
+    pub fidelity: Fidelity,
+    /// The road's lanes.
+    pub intersection: Intersection,
+    /// What the meshes' materials stand for; each mesh has its own share as [`Mesh::makeup`].
+    pub materials: MaterialMap,
+    /// The road as a mirror; `None` leaves its reflections out.
+    pub road: Option<Road>,
+    /// What the road sends back of itself; `None` leaves it out.
+    pub backscatter: Option<Backscatter>,
+    /// Meshes that targets share.
+    pub meshes: Meshes,
+    /// What is there in every frame; it comes first in [`SceneFrame::poses`].
+    pub targets: Vec<Target>,
+    /// Recorded traffic, if any; in [`SceneFrame::poses`] it follows the targets.
+    pub traffic: Option<Traffic>,
+}
+
+/// Recorded traffic, as far as the radar has it in view.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Traffic {
+    /// Every vehicle that is in view in some frame, in the order of appearance.
+    pub vehicles: Vec<Vehicle>,
+    /// For each frame of the scene the vehicles in view, in the order of the recording.
+    pub frames: Vec<Vec<Placed>>,
+}
+
+/// A vehicle of recorded traffic.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Vehicle {
+    /// The recording's, unique in the scene.
+    pub id: String,
+    /// What scatters.
+    pub kind: TargetKind,
+}
+
+/// A vehicle in one frame.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Placed {
+    /// Index into [`Traffic::vehicles`].
+    pub vehicle: u32,
+    /// At the frame's first sample.
+    pub pose: Pose,
+}
+
+/// Meshes of a scene; copies of a header share them.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Meshes(Arc<Vec<Mesh>>);
+
+impl From<Vec<Mesh>> for Meshes {
+    fn from(meshes: Vec<Mesh>) -> Self {
+        Self(Arc::new(meshes))
+    }
+}
+
+impl Deref for Meshes {
+    type Target = Vec<Mesh>;
+
+    fn deref(&self) -> &Vec<Mesh> {
+        &self.0
+    }
+}
+
+impl DerefMut for Meshes {
+    fn deref_mut(&mut self) -> &mut Vec<Mesh> {
+        Arc::make_mut(&mut self.0)
+    }
+}
+
+impl Serialize for Meshes {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.0.serialize(serializer)
+    }
+}
+
+impl<'d> Deserialize<'d> for Meshes {
+    fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
+        Vec::deserialize(deserializer).map(Self::from)
+    }
+}
+
+impl SceneHeader {
+    /// First sample of frame record `index`, from that of the first.
+    pub fn frame_time_s(&self, index: u32) -> f64 {
+        let cycle = index / self.radar.schedule.sub_frames();
+        f64::from(cycle) * self.frame_interval_s + self.radar.sub_frame_start_s(index)
+    }
+
+    /// The frame record whose measured error record `index` takes over; itself where its own is measured.
+    pub fn measured_in(&self, index: u32) -> u32 {
+        let sub_frames = self.radar.schedule.sub_frames();
+        index - index / sub_frames % self.fidelity.measured_every.max(1) * sub_frames
+    }
+
+    /// The scene of frame record `index` alone: its sub-frame's radar ([`Radar::in_frame`]).
+    pub fn in_frame(&self, index: u32) -> Cow<'_, Self> {
+        if self.radar.schedule.sub_frames() == 1 {
+            return Cow::Borrowed(self);
+        }
+        Cow::Owned(Self { radar: self.radar.in_frame(index), ..self.clone() })
+    }
+}
+
+/// The crossing road of Table 1 (lanes are in [`DspSettings::road`]).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Intersection {
+    /// Width of the crossing road along y; 0 where there is none.
+    pub width_m: f64,
+}
+
+/// The road's own backscatter: the plane z = 0 with σ⁰ = γ·sin ψ, ψ the grazing angle, in vv and hh alike.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Backscatter {
+    /// γ, of power.
+    pub gamma: f64,
+}
+
+/// A target of the scene, or what stands about.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Target {
+    /// Unique in the scene.
+    pub id: String,
+    /// Whether the radar is to find it.
+    pub role: Role,
+    /// What scatters.
+    pub kind: TargetKind,
+    /// Where it is at the first frame's first sample; acceleration and yaw stay as they are from then on.
+    pub start: Pose,
+}
+
+/// Whether a body is what the radar is to find. For all that scatters it is the same.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Role {
+    /// It is: results are compared with it.
+    Target,
+    /// A pole, a rail, a kerb: nothing is asked of it.
+    Clutter,
+}
+
+/// What a target is.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub enum TargetKind {
+    /// A body with a mesh.
+    Mesh {
+        /// Told by the scene, truth for the classifier.
+        class: Option<Class>,
+        /// Name of the own vehicle, or file name.
+        model: String,
+        /// Index into [`SceneHeader::meshes`].
+        mesh: u32,
+    },
+    /// A point with scattering amplitude +√σ in vv and hh.
+    Point {
+        /// σ.
+        rcs_m2: f64,
+        /// The point goes round with a wheel; its pose is then that of the hub.
+        wheel: Option<Wheel>,
+    },
+}
+
+/// A wheel that rolls along its yaw without slipping, and the place on its rim that scatters.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Wheel {
+    /// Of the rim.
+    pub radius_m: f64,
+    /// At the first frame's first sample, from forward towards up.
+    pub angle_rad: f64,
+}
+
+/// Pose of every target, and of every vehicle in view, at the frame's first sample.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SceneFrame {
+    /// From 0.
+    pub index: u32,
+    /// The frame's first sample.
+    pub time_s: f64,
+    /// In the order of [`SceneHeader::targets`], then of the frame's [`Traffic::frames`].
+    pub poses: Vec<Pose>,
+}
+
+/// Where a body is and how it moves; `world = position + Rz(yaw)·body`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Pose {
+    /// Body origin, world metres.
+    pub position_m: [f64; 3],
+    /// Body x axis (forward) from world +x towards +y.
+    pub yaw_rad: f64,
+    /// At the moment of the pose.
+    pub velocity_mps: [f64; 3],
+    /// Constant over the frame.
+    pub acceleration_mps2: [f64; 3],
+}
+
+/// Triangles in body axes: x forward, y left, z up, origin at the centre of the bounding box on the ground.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Mesh {
+    /// Own vehicle or file.
+    pub name: String,
+    /// Body metres.
+    pub vertices_m: Vec<[f64; 3]>,
+    /// Unit normals per vertex, as many as vertices, or empty where the file stores none.
+    pub normals: Vec<[f32; 3]>,
+    /// Indices into `vertices_m`.
+    pub triangles: Vec<[u32; 3]>,
+    /// Index into `materials` for each triangle.
+    pub material_of_triangle: Vec<u16>,
+    /// Names of materials; an empty name is a perfect conductor.
+    pub materials: Vec<String>,
+    /// What these names stand for.
+    pub makeup: Makeup,
+    /// What was found when the file was read.
+    pub statistics: MeshStatistics,
+}
+
+/// What was found when a mesh was read.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct MeshStatistics {
+    /// Triangles in the file.
+    pub triangles_read: u64,
+    /// Dropped for want of area.
+    pub degenerate: u64,
+    /// Edges with one triangle only (by position).
+    pub open_edges: u64,
+}

@@ -1,0 +1,115 @@
+//! Samples as sightings of vehicles: features, class, vehicle and track; what weighs how much, and which are held out together.
+
+use crate::ensembles::boosting::Table;
+use crate::error::ClassifierError;
+use crate::signatures::features::features;
+use artifact::ArtifactError;
+use artifact::dataset::{Sample, Split};
+use artifact::seed;
+use artifact::settings::Class;
+use rand::{SeedableRng, seq::SliceRandom};
+use rand_chacha::ChaCha8Rng;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Dataset, scene and vehicle of the scene: its frames are one track.
+pub type TrackKey = (usize, u64, u32);
+
+/// One sighting.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Seen {
+    /// In the order of [`crate::feature_names`].
+    pub features: Vec<f32>,
+    /// Index in [`Class::ALL`].
+    pub class: usize,
+    /// Vehicle model.
+    pub model: String,
+    /// Whose frames belong together.
+    pub track: TrackKey,
+    /// Of its scene.
+    pub split: Split,
+    /// Whether the array has rows, which tell heights.
+    pub has_rows: bool,
+}
+
+/// Sightings of one or more datasets.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Sightings {
+    /// In the order in which they came.
+    pub all: Vec<Seen>,
+    /// Samples without a class, left out.
+    pub unlabelled: u64,
+    ids: BTreeSet<(usize, String)>,
+}
+
+impl Sightings {
+    /// Adds the samples of dataset number `dataset`; refuses one that comes twice.
+    pub fn add(
+        &mut self,
+        dataset: usize,
+        samples: impl Iterator<Item = Result<Sample, ArtifactError>>,
+    ) -> Result<(), ClassifierError> {
+        for sample in samples {
+            let sample = sample?;
+            if !self.ids.insert((dataset, sample.id.clone())) {
+                return Err(ClassifierError::SampleTwice(sample.id));
+            }
+            let Some(class) = sample.class.and_then(|class| Class::ALL.iter().position(|c| *c == class)) else {
+                self.unlabelled += 1;
+                continue;
+            };
+            self.all.push(Seen {
+                features: features(&sample.signature).into_iter().map(|(_, value)| value as f32).collect(),
+                class,
+                model: sample.model,
+                track: (dataset, sample.scene, sample.target),
+                split: sample.split,
+                has_rows: sample.signature.beams[1].is_some(),
+            });
+        }
+        Ok(())
+    }
+
+    /// Numbers of the sightings of some splits.
+    pub fn of(&self, splits: &[Split]) -> Vec<usize> {
+        (0..self.all.len()).filter(|i| splits.contains(&self.all[*i].split)).collect()
+    }
+
+    /// Those themselves.
+    pub fn seen(&self, numbers: &[usize]) -> Vec<&Seen> {
+        numbers.iter().map(|i| &self.all[*i]).collect()
+    }
+
+    /// Those as a table. Every class weighs the same, in a class every vehicle, in a vehicle every sighting; the mean is 1.
+    pub fn table(&self, numbers: &[usize]) -> Table {
+        let mut of_model: BTreeMap<(usize, &str), f64> = BTreeMap::new();
+        for seen in numbers.iter().map(|i| &self.all[*i]) {
+            *of_model.entry((seen.class, &seen.model)).or_default() += 1.0;
+        }
+        let models = |class: usize| of_model.keys().filter(|(c, _)| *c == class).count() as f64;
+        let models: [f64; 4] = std::array::from_fn(models);
+        let classes = models.iter().filter(|count| **count > 0.0).count() as f64;
+        let weight = |seen: &Seen| {
+            let of_vehicle = of_model[&(seen.class, seen.model.as_str())];
+            numbers.len() as f64 / (classes * models[seen.class] * of_vehicle)
+        };
+        let width = numbers.first().map_or(0, |i| self.all[*i].features.len());
+        Table {
+            columns: (0..width).map(|f| numbers.iter().map(|i| self.all[*i].features[f]).collect()).collect(),
+            classes: numbers.iter().map(|i| self.all[*i].class).collect(),
+            weights: numbers.iter().map(|i| weight(&self.all[*i])).collect(),
+        }
+    }
+
+    /// Fold of every vehicle: those of a class are dealt out evenly, in an order drawn from the seed.
+    pub fn folds(&self, numbers: &[usize], folds: usize, seed: u64) -> Vec<usize> {
+        let models: BTreeSet<(usize, &str)> =
+            numbers.iter().map(|i| (self.all[*i].class, self.all[*i].model.as_str())).collect();
+        let mut fold_of = BTreeMap::new();
+        for class in 0..Class::ALL.len() {
+            let mut own: Vec<_> = models.iter().filter(|(c, _)| *c == class).copied().collect();
+            own.shuffle(&mut ChaCha8Rng::from_seed(seed::key(seed, "classifier/folds", &[class as u64])));
+            fold_of.extend(own.into_iter().enumerate().map(|(at, model)| (model, at % folds)));
+        }
+        numbers.iter().map(|i| fold_of[&(self.all[*i].class, self.all[*i].model.as_str())]).collect()
+    }
+}

@@ -1,0 +1,156 @@
+//! Velocity folds under time and code division: told from the phases between slots.
+//!
+//! N transmitters in turn, each repeated after N·T, show a velocity up to multiples of λ/2NT. The transmitters' slots are only T
+//! apart: k multiples too many leave 2πk/N between one slot and the next, and the channels then are no point's echo. So every
+//! fold k = 0 … N − 1 is tried on a cell, and what its strongest beam leaves of the cell's power is compared (the generalised
+//! likelihood ratio of one echo in white noise). What is left is an ambiguity of λ/2T, that of a single transmitter.
+//!
+//! How well that can work is the array's: with all beams that a wrong fold may turn to, [`least_loss`] is the part of the power that
+//! it must lose. Transmitters that the receivers' own beam follows lose little (3 × 4 contiguous: 30 %; 12 × 16: 2 %); with one
+//! receiver and transmitters in a regular row a wrong fold is exactly another direction, and nothing tells them apart. Two channels in one
+//! place (a transmitter's last element on the next one's first) help: their phases must agree, whatever the direction.
+//!
+//! Of codes (`code_division.rs`) there are M slots and folds. A wrong fold passes power on to codes of no transmitter, where there are
+//! any, and exchanges transmitters else; what a beam leaves of all codes' power tells it. Transmitters that all hear an echo in
+//! one phase (M of them, straight ahead) send it in one slot of a block only: all folds are the same values then, and the same direction.
+
+use crate::ambiguity::ambiguous_velocities::FASTEST_MPS;
+use crate::direction::angle::{Direction, Snapshot, VirtualArray};
+use crate::spectrum::code_division::in_phase;
+use artifact::cube::CubeHeader;
+use artifact::radar::Multiplexing;
+use artifact::rdm::RdmFrame;
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// Least likelihood ratio (its logarithm) of the best fold to the next that is believed. Two hypotheses that differ by an expected ratio μ scatter by √2μ:
+/// the wrong one leads by 9 in at most Q(√18) = 1.1e-5 of all draws (μ = 9).
+pub(crate) const CERTAIN: f64 = 9.0;
+/// Below this (odds of 20) a velocity near zero is preferred.
+const LIKELY: f64 = 3.0;
+
+/// What the folds of one or more cells leave of their power.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Folds {
+    /// Velocity of the first fold, m/s.
+    shown_mps: f64,
+    /// From one fold to the next, m/s.
+    span_mps: f64,
+    /// Of each fold, not explained by its strongest beam.
+    left: Vec<f64>,
+    /// Values beyond those that a beam's amplitude and direction take.
+    freedom: f64,
+}
+
+/// A fold that was chosen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Choice {
+    /// m/s, of the ambiguities of λ/2T that remain the one nearest to zero.
+    pub(crate) velocity_mps: f64,
+    /// Logarithm of the likelihood ratio to the next fold.
+    pub(crate) margin: f64,
+    /// Whether the margin is beyond doubt, and no other velocity up to 120 km/h looks alike.
+    pub(crate) is_certain: bool,
+}
+
+impl Folds {
+    /// Of a cell that shows `shown_mps`, one for each slot.
+    pub(crate) fn of_cell(
+        header: &CubeHeader,
+        map: &RdmFrame,
+        array: &VirtualArray,
+        cell: [usize; 2],
+        (shown_mps, range_m): (f64, f64),
+    ) -> Self {
+        let span_mps = 2.0 * header.radar.velocity_max_mps();
+        let left_of = |fold: usize| {
+            let (snapshot, idle) = array.snapshot_and_idle(header, map, cell, shown_mps + fold as f64 * span_mps);
+            left_over(array, &snapshot, idle, range_m)
+        };
+        let left = (0..header.radar.slots()).map(left_of).collect();
+        Self { shown_mps, span_mps, left, freedom: header.radar.map_channels() as f64 - 2.0 }
+    }
+
+    /// The same body's in one more cell.
+    pub(crate) fn join(&mut self, other: &Self) {
+        let count = self.left.len();
+        // The other's fold at about this one's velocity.
+        let turns = ((self.shown_mps - other.shown_mps) / self.span_mps).round() as i64;
+        for (fold, left) in self.left.iter_mut().enumerate() {
+            *left += other.left[(fold as i64 + turns).rem_euclid(count as i64) as usize];
+        }
+        self.freedom += other.freedom;
+    }
+
+    /// The fold that leaves least; `noise` is that of one channel's cell.
+    ///
+    /// What even the best leaves counts as noise too: a cell of several echoes fits no fold well, and tells little.
+    pub(crate) fn choice(&self, noise: f64) -> Choice {
+        let least = |folds: &mut dyn Iterator<Item = usize>| {
+            folds.fold(None, |best: Option<usize>, f| match best {
+                Some(b) if self.left[b] <= self.left[f] => Some(b),
+                _ => Some(f),
+            })
+        };
+        let best = least(&mut (0..self.left.len())).unwrap_or(0);
+        let second = least(&mut (0..self.left.len()).filter(|f| *f != best)).unwrap_or(best);
+        let scale = noise.max(self.left[best] / self.freedom.max(1.0)).max(f64::MIN_POSITIVE);
+        let margin = (self.left[second] - self.left[best]) / scale;
+        let slowest = (0..self.left.len())
+            .filter(|f| self.left[*f] - self.left[best] <= LIKELY * scale)
+            .min_by(|a, b| self.velocity_mps(*a).abs().total_cmp(&self.velocity_mps(*b).abs()));
+        let velocity_mps = self.velocity_mps(slowest.unwrap_or(best));
+        let next_mps = self.ambiguity_mps() - velocity_mps.abs();
+        Choice { velocity_mps, margin, is_certain: margin >= CERTAIN && next_mps > FASTEST_MPS }
+    }
+
+    /// λ/2T.
+    fn ambiguity_mps(&self) -> f64 {
+        self.span_mps * self.left.len() as f64
+    }
+
+    fn velocity_mps(&self, fold: usize) -> f64 {
+        let (velocity_mps, span_mps) = (self.shown_mps + fold as f64 * self.span_mps, self.ambiguity_mps());
+        velocity_mps - span_mps * (velocity_mps / span_mps).round()
+    }
+}
+
+/// Power of a snapshot and of idle codes less that of its strongest beam.
+fn left_over(array: &VirtualArray, snapshot: &Snapshot, idle: f64, range_m: f64) -> f64 {
+    let total: f64 = snapshot.iter().map(|v| v.norm_sqr()).sum();
+    let direction = array.direction(std::slice::from_ref(snapshot), range_m);
+    (total + idle - array.explained(snapshot, direction, range_m)).max(0.0)
+}
+
+/// Least part of an echo's power that any wrong fold loses, for echoes from these direction cosines; 0 where one is exactly another
+/// direction.
+pub fn least_loss(header: &CubeHeader, directions: &[Direction], range_m: f64) -> f64 {
+    let array = VirtualArray::new(header);
+    let slots = header.radar.slots();
+    let lost = |direction: &Direction, fold: usize| {
+        let echo: Snapshot =
+            array.steering(*direction, range_m).into_iter().map(|turn_back| turn_back.conj()).collect();
+        let power = echo.len() as f64;
+        let (snapshot, idle) = misfolded(header, echo, fold);
+        left_over(&array, &snapshot, idle, range_m) / power
+    };
+    let losses = directions.iter().flat_map(|d| (1..slots).map(move |fold| lost(d, fold)));
+    losses.fold(1.0, f64::min)
+}
+
+/// An echo of a row's middle, so many folds beside it, and what idle codes have of it.
+fn misfolded(header: &CubeHeader, echo: Snapshot, fold: usize) -> (Snapshot, f64) {
+    let (slots, receivers) = (header.radar.slots(), header.radar.array.rx_m.len());
+    let cycles = fold as f64 / slots as f64;
+    if header.radar.array.multiplexing == Multiplexing::Bpm {
+        let mut codes = echo;
+        codes.resize(header.radar.map_channels(), Complex64::ZERO);
+        let mut turned = in_phase(header, &codes, header.radar.waveform.chirps as usize / 2, -cycles);
+        let idle = turned.split_off(header.radar.virtual_channels());
+        return (turned, idle.iter().map(|value| value.norm_sqr()).sum());
+    }
+    let turned = |(channel, value): (usize, Complex64)| {
+        value * Complex64::from_polar(1.0, TAU * cycles * (channel / receivers) as f64)
+    };
+    (echo.into_iter().enumerate().map(turned).collect(), 0.0)
+}

@@ -1,0 +1,261 @@
+//! Velocity ambiguity resolved from two sub-frames of different chirp intervals.
+//!
+//! Each shows a velocity up to a multiple of its own span (λ/2T, under time division too once the phases between transmitters
+//! have told the folds of a transmitter's longer repetition: `time_division_folds.rs`); the multiples at which both agree, and with them the ranges, directions
+//! and levels, tell the velocity (the Chinese remainder with tolerance: Richards, Fundamentals of Radar Signal Processing
+//! (2014), §5.3.2). A vehicle is many points, so a hypothesis is scored by how well *all* points of an object find partners in the
+//! other sub-frame; vehicles that share range cells are decided together, so that no echo serves two. Also the range
+//! speaks: a hypothesis one span higher is f_c/μ·span nearer (0.11 m at 17.6 m/s) and moves on between the sub-frames.
+
+use crate::ambiguity::ambiguous_velocities::{FASTEST_MPS, ambiguity_mps};
+use crate::direction::angle::{Direction, VirtualArray};
+use crate::direction::position::place;
+use crate::spectrum::axes::coupling_m;
+use artifact::cube::CubeHeader;
+use artifact::points::{Object, Point, PointsFrame};
+use artifact::units::amplitude_from_db;
+use glam::DVec3;
+
+/// Points of one sub-frame.
+pub struct SubFrame<'a> {
+    /// The radar as it is in this sub-frame.
+    pub header: &'a CubeHeader,
+    /// Middle of the sub-frame on any clock that both share, s.
+    pub middle_s: f64,
+    /// What it shows, velocities folded.
+    pub points: &'a PointsFrame,
+}
+
+/// Partners differ by the places of cells, of which points on slopes keep the centres: 0.6 cells rms and one more for the body's spread.
+const CELLS: f64 = 1.0;
+/// Echoes of one body interfere anew after some centimetres: level and direction tell little, but not nothing.
+const LEVEL_DB: f64 = 8.0;
+/// Part of a beam.
+const BEAMS: f64 = 0.5;
+/// A hypothesis is believed if the best other one scores at most this part of it.
+const SECOND_BEST: f64 = 0.8;
+/// Combinations of hypotheses of vehicles that share range cells that are all tried.
+const MOST_COMBINATIONS: usize = 4096;
+
+/// The points of `own` with velocities as `other` tells them; objects whose fold is beyond doubt say `velocity_resolved`.
+pub fn resolved(own: &SubFrame<'_>, other: &SubFrame<'_>) -> PointsFrame {
+    let scorer = Scorer::new(own, other);
+    let choices: Vec<Choice> =
+        own.points.objects.iter().enumerate().map(|(o, _)| scorer.choices(Some(o as u32))).collect();
+    let chosen = scorer.together(&choices);
+    let mut frame = own.points.clone();
+    for (object, (choice, (best, is_certain))) in frame.objects.iter_mut().zip(choices.iter().zip(&chosen)) {
+        scorer.move_object(object, choice.folds[*best]);
+        object.velocity_resolved = *is_certain;
+    }
+    for point in &mut frame.points {
+        let near_mps = match point.object {
+            Some(object) => frame.objects[object as usize].radial_velocity_mps,
+            None => point.radial_velocity_mps,
+        };
+        scorer.move_point(point, near_mps);
+    }
+    frame
+}
+
+/// Hypotheses of one object: whole spans to add, and for each what it explains.
+struct Choice {
+    folds: Vec<f64>,
+    /// How well each own point finds a partner, amplitude-weighted sum.
+    own: Vec<f64>,
+    /// For each hypothesis, how well each of the other sub-frame's points is met.
+    other: Vec<Vec<f64>>,
+}
+
+struct Scorer<'a> {
+    own: &'a SubFrame<'a>,
+    other: &'a SubFrame<'a>,
+    array: VirtualArray,
+}
+
+impl<'a> Scorer<'a> {
+    fn new(own: &'a SubFrame<'a>, other: &'a SubFrame<'a>) -> Self {
+        Self { own, other, array: VirtualArray::new(own.header) }
+    }
+
+    /// Folds that stay below the fastest vehicle, and their scores.
+    fn choices(&self, object: Option<u32>) -> Choice {
+        let span_mps = ambiguity_mps(self.own.header);
+        let points: Vec<&Point> = self.own.points.points.iter().filter(|p| p.object == object).collect();
+        let strongest_mps = points.first().map_or(0.0, |p| p.radial_velocity_mps);
+        let most = (2.0 * FASTEST_MPS / span_mps).ceil() as i32;
+        let mut folds: Vec<f64> = (-most..=most)
+            .map(|k| f64::from(k) * span_mps)
+            .filter(|fold| (strongest_mps + fold).abs() <= FASTEST_MPS)
+            .collect();
+        if folds.is_empty() {
+            folds.push(0.0);
+        }
+        let mut choice = Choice { folds, own: vec![], other: vec![] };
+        for fold in &choice.folds {
+            let mut met = vec![0.0_f64; self.other.points.points.len()];
+            let mut sum = 0.0;
+            for point in &points {
+                let near_mps = unwrapped(self.own.header, point.radial_velocity_mps, strongest_mps) + fold;
+                let best = self.partners(point, near_mps, &mut met);
+                sum += amplitude_from_db(point.snr_db) * best;
+            }
+            choice.own.push(sum);
+            choice.other.push(met);
+        }
+        choice
+    }
+
+    /// Best agreement of a point of this velocity with any of the other sub-frame; `met` keeps the best of each of those.
+    fn partners(&self, point: &Point, velocity_mps: f64, met: &mut [f64]) -> f64 {
+        let mut best = 0.0_f64;
+        for (candidate, met) in self.other.points.points.iter().zip(met) {
+            let agreement = self.agreement(point, velocity_mps, candidate);
+            *met = met.max(agreement);
+            best = best.max(agreement);
+        }
+        best
+    }
+
+    /// 1 where a candidate is what this point, of this velocity, shows in the other sub-frame; less the farther it is from that.
+    fn agreement(&self, point: &Point, velocity_mps: f64, candidate: &Point) -> f64 {
+        let (own, other) = (self.own.header, self.other.header);
+        let velocity_cell_mps = own.radar.velocity_resolution_mps().max(other.radar.velocity_resolution_mps());
+        let velocity = wrapped(other, velocity_mps - candidate.radial_velocity_mps) / (CELLS * velocity_cell_mps);
+        if velocity.abs() > 5.0 {
+            return 0.0;
+        }
+        let passed_s = self.other.middle_s - self.own.middle_s;
+        let true_m =
+            point.range_m - coupling_m(own, velocity_mps - point.radial_velocity_mps) + velocity_mps * passed_s;
+        let shown_m = true_m + coupling_m(other, velocity_mps - candidate.radial_velocity_mps);
+        let range = (shown_m - candidate.range_m) / (CELLS * own.radar.waveform.range_resolution_m());
+        let level = (point.snr_db - candidate.snr_db) / LEVEL_DB;
+        let squares = velocity.powi(2) + range.powi(2) + level.powi(2) + self.beams_apart(point, candidate).powi(2);
+        (-0.5 * squares).exp()
+    }
+
+    fn beams_apart(&self, a: &Point, b: &Point) -> f64 {
+        let beam = self.array.beams()[0];
+        let cosine = |p: &Point| self.direction(p.position_m, p.range_m).right;
+        if beam.is_finite() { (cosine(a) - cosine(b)) / (BEAMS * beam) } else { 0.0 }
+    }
+
+    /// The best hypothesis of each object, all objects at once, and whether it is beyond doubt.
+    fn together(&self, choices: &[Choice]) -> Vec<(usize, bool)> {
+        let mut chosen: Vec<usize> = choices.iter().map(|c| best_of(&c.own)).collect();
+        for group in self.sharing_ranges() {
+            self.decide(choices, &group, &mut chosen);
+        }
+        let with = |object: usize, hypothesis: usize| {
+            let mut tried = chosen.clone();
+            tried[object] = hypothesis;
+            self.explained(choices, &tried, &[object])
+        };
+        (0..choices.len())
+            .map(|object| {
+                let best = with(object, chosen[object]);
+                let others = (0..choices[object].folds.len()).filter(|h| *h != chosen[object]);
+                let second = others.map(|h| with(object, h)).fold(0.0, f64::max);
+                (chosen[object], best > 0.0 && second <= SECOND_BEST * best)
+            })
+            .collect()
+    }
+
+    /// All combinations of a group's hypotheses where they are few; the best explains most.
+    fn decide(&self, choices: &[Choice], group: &[usize], chosen: &mut [usize]) {
+        let combinations: usize = group.iter().fold(1, |n, o| n.saturating_mul(choices[*o].folds.len()));
+        if combinations > MOST_COMBINATIONS {
+            return;
+        }
+        let mut best = (f64::NEG_INFINITY, chosen.to_vec());
+        for combination in 0..combinations {
+            let mut tried = chosen.to_vec();
+            group.iter().fold(combination, |rest, object| {
+                tried[*object] = rest % choices[*object].folds.len();
+                rest / choices[*object].folds.len()
+            });
+            let explained = self.explained(choices, &tried, group);
+            if explained > best.0 {
+                best = (explained, tried);
+            }
+        }
+        chosen.copy_from_slice(&best.1);
+    }
+
+    /// What a group's hypotheses explain: own echoes that find partners, and the others' echoes that are met by any of the group.
+    fn explained(&self, choices: &[Choice], tried: &[usize], group: &[usize]) -> f64 {
+        let own: f64 = group.iter().map(|o| choices[*o].own[tried[*o]]).sum();
+        let met = |j: usize| group.iter().map(|o| choices[*o].other[tried[*o]][j]).fold(0.0, f64::max);
+        let others = self.other.points.points.iter().enumerate();
+        own + others.map(|(j, point)| amplitude_from_db(point.snr_db) * met(j)).sum::<f64>()
+    }
+
+    /// Objects whose ranges overlap, as far as the fastest moves them between sub-frames and folds shift them.
+    fn sharing_ranges(&self) -> Vec<Vec<usize>> {
+        let objects = &self.own.points.objects;
+        let reach_m = FASTEST_MPS * (self.other.middle_s - self.own.middle_s).abs()
+            + coupling_m(self.own.header, FASTEST_MPS).abs()
+            + self.own.header.radar.waveform.range_resolution_m();
+        let mut order: Vec<usize> = (0..objects.len()).collect();
+        order.sort_by(|a, b| objects[*a].range_extent_m[0].total_cmp(&objects[*b].range_extent_m[0]));
+        let mut groups: Vec<(Vec<usize>, f64)> = vec![];
+        for object in order {
+            let [first_m, last_m] = objects[object].range_extent_m;
+            match groups.last_mut() {
+                Some((group, end_m)) if first_m <= *end_m + reach_m => {
+                    group.push(object);
+                    *end_m = end_m.max(last_m);
+                }
+                _ => groups.push((vec![object], last_m)),
+            }
+        }
+        groups.into_iter().map(|(group, _)| group).collect()
+    }
+
+    fn move_object(&self, object: &mut Object, fold_mps: f64) {
+        object.radial_velocity_mps += fold_mps;
+        object.velocity_extent_mps = object.velocity_extent_mps.map(|v| v + fold_mps);
+        let nearer_m = coupling_m(self.own.header, fold_mps);
+        (object.position_m, object.azimuth_rad, _) = self.moved(object.position_m, object.range_m, nearer_m);
+        object.range_m -= nearer_m;
+        object.range_extent_m = object.range_extent_m.map(|m| m - nearer_m);
+        object.lane = self.own.header.dsp.road.at(object.position_m);
+    }
+
+    fn move_point(&self, point: &mut Point, near_mps: f64) {
+        let velocity_mps = unwrapped(self.own.header, point.radial_velocity_mps, near_mps);
+        let nearer_m = coupling_m(self.own.header, velocity_mps - point.radial_velocity_mps);
+        (point.position_m, point.azimuth_rad, point.elevation_rad) =
+            self.moved(point.position_m, point.range_m, nearer_m);
+        point.range_m -= nearer_m;
+        point.radial_velocity_mps = velocity_mps;
+    }
+
+    /// Place, azimuth and elevation in the same direction from the array, `nearer_m` nearer.
+    fn moved(&self, position_m: [f64; 3], range_m: f64, nearer_m: f64) -> ([f64; 3], f64, f64) {
+        let place = place(self.own.header, &self.array, self.direction(position_m, range_m), range_m - nearer_m);
+        (place.position_m.to_array(), place.azimuth_rad, place.elevation_rad)
+    }
+
+    fn direction(&self, position_m: [f64; 3], range_m: f64) -> Direction {
+        let [right, up, _] = self.array.axes();
+        let away =
+            (DVec3::from(position_m) - DVec3::from(self.own.header.radar.position_m)) / range_m.max(f64::MIN_POSITIVE);
+        Direction { right: away.dot(right), up: self.array.beams()[1].is_finite().then(|| away.dot(up)) }
+    }
+}
+
+/// `velocity_mps` moved by whole ambiguities until it is nearest to `near_mps`.
+fn unwrapped(header: &CubeHeader, velocity_mps: f64, near_mps: f64) -> f64 {
+    near_mps + wrapped(header, velocity_mps - near_mps)
+}
+
+fn wrapped(header: &CubeHeader, velocity_mps: f64) -> f64 {
+    let span_mps = ambiguity_mps(header);
+    velocity_mps - span_mps * (velocity_mps / span_mps).round()
+}
+
+fn best_of(scores: &[f64]) -> usize {
+    (0..scores.len()).fold(0, |best, i| if scores[i] > scores[best] { i } else { best })
+}

@@ -1,0 +1,41 @@
+//! The whole map as the paper's grayscale picture.
+
+use crate::crops::crop::{PAPER_CROP, grey};
+use crate::error::DspError;
+use crate::spectrum::noncoherent::{noise_power, power_map};
+use artifact::cube::CubeHeader;
+use artifact::rdm::RdmFrame;
+use ndarray::Array2;
+
+/// Noncoherent sum of a map as 451 × 451 grey levels, row-major `[velocity, range]`, velocity growing downwards.
+///
+/// Grey 0 is the noise, 255 lies 70 dB above it, as in [`PAPER_CROP`]; levels are interpolated linearly in power. Pixel
+/// centres spread from half a cell before the first to half a cell behind the last; beyond the outermost centres their
+/// cells go on.
+pub fn rdm_grayscale(header: &CubeHeader, map: &RdmFrame) -> Result<Vec<u8>, DspError> {
+    let power = power_map(header, map)?;
+    let noise = noise_power(header, map)? * header.radar.map_channels() as f64;
+    let (rows, columns) = power.dim();
+    let side = PAPER_CROP.side as usize;
+    let place = |pixel: usize, cells: usize| (pixel as f64 + 0.5) * cells as f64 / side as f64 - 0.5;
+    let pixel = |(row, column)| {
+        let level = between(&power, place(row, rows), place(column, columns));
+        grey(level, noise, &PAPER_CROP)
+    };
+    Ok((0..side * side).map(|i| pixel((i / side, i % side))).collect())
+}
+
+fn between(power: &Array2<f64>, row: f64, column: f64) -> f64 {
+    let (rows, columns) = power.dim();
+    let ([top, bottom], down) = neighbours(row, rows);
+    let ([left, right], across) = neighbours(column, columns);
+    let along = |row: usize| power[(row, left)] * (1.0 - across) + power[(row, right)] * across;
+    along(top) * (1.0 - down) + along(bottom) * down
+}
+
+/// Cells before and after a place, and the share of the later one.
+fn neighbours(place: f64, cells: usize) -> ([usize; 2], f64) {
+    let place = place.clamp(0.0, (cells - 1) as f64);
+    let low = place.floor() as usize;
+    ([low, (low + 1).min(cells - 1)], place - place.floor())
+}

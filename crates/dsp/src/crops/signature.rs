@@ -1,0 +1,224 @@
+//! An object's signature: its own echo along range, cell by cell, with levels of the radar equation, places across and heights.
+//!
+//! A rigid vehicle fills a row or two of a map (0.15 m/s at 10 m/s), so what tells of its shape lies along range and in direction.
+//! The strongest of the object's own velocity cells stands for each range cell; cells nearer to a point of another object
+//! (`cell_owners.rs`) are left out.
+
+use crate::crops::cell_owners::CellOwners;
+use crate::crops::crop::{check_object, direction_of};
+use crate::direction::angle::{Direction, VirtualArray};
+use crate::direction::position::{Place, place};
+use crate::error::DspError;
+use crate::spectrum::axes::{column_at, coupling_m, row_at, unwrapped, velocity_at};
+use crate::spectrum::noncoherent::{noise_power, power_map};
+use artifact::cube::CubeHeader;
+use artifact::points::{Object, PointsFrame};
+use artifact::rdm::RdmFrame;
+use artifact::signature::{Signature, SignatureCell};
+use artifact::units::{db_from_power, power_from_db};
+use glam::{DVec2, DVec3};
+use ndarray::Array2;
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// Range cells before an object's nearest point, m: what stands before it, below the detector's threshold.
+const BEFORE_M: f64 = 3.0;
+/// From the nearest point on, m: an articulated vehicle and what comes late from under it.
+const BEHIND_M: f64 = 21.0;
+/// Velocities about the object's, either way, m/s.
+const GATE_MPS: f64 = 1.25;
+/// A cell's direction is its own up to here from the object's place, m: no vehicle is wider; else that of the object.
+const ACROSS_M: f64 = 6.0;
+/// A direction is measured where the channels' mean power is so many standard deviations of noise over its mean.
+const DEVIATIONS: f64 = 5.0;
+/// Least amplitude of the antenna pattern that levels are corrected for.
+const LEAST_PATTERN: f64 = 0.1;
+
+/// Signatures of the objects of one map: what all of them need of it is found once.
+pub struct Signatures<'a> {
+    header: CubeHeader,
+    map: &'a RdmFrame,
+    array: VirtualArray,
+    /// Mean over channels, `[doppler, range]`.
+    power: Array2<f64>,
+    /// Of one channel.
+    noise: f64,
+}
+
+/// Where to look for an object.
+struct Search<'o> {
+    object: &'o Object,
+    number: u32,
+    owners: CellOwners,
+    rows: [i64; 2],
+    direction: Direction,
+    place: Place,
+}
+
+impl<'a> Signatures<'a> {
+    /// Of a map that this header describes.
+    ///
+    /// # Errors
+    /// The map has another shape, or holds values that are no numbers.
+    pub fn new(header: &CubeHeader, map: &'a RdmFrame) -> Result<Self, DspError> {
+        let header = header.in_frame(map.index);
+        let noise = noise_power(&header, map)?;
+        let power = power_map(&header, map)? / header.radar.map_channels() as f64;
+        let array = VirtualArray::new(&header);
+        Ok(Self { header, map, array, power, noise })
+    }
+
+    /// The signature of one object among the others of its frame.
+    ///
+    /// # Errors
+    /// There is no such object, or its range, velocity or position is no number.
+    pub fn of(&self, points: &PointsFrame, object: u32) -> Result<Signature, DspError> {
+        let own = points.objects.get(object as usize).ok_or(DspError::NoSuchObject { object })?;
+        check_object(own)?;
+        let columns = self.columns(own);
+        let search = self.search(points, own, object, columns);
+        let cells: Vec<SignatureCell> = (columns[0]..=columns[1]).map(|column| self.cell(&search, column)).collect();
+        let [across, above] = self.array.beams();
+        let width = |beam: f64| beam.is_finite().then_some(beam);
+        Ok(Signature {
+            range_m: own.range_m,
+            radial_velocity_mps: own.radial_velocity_mps,
+            azimuth_rad: search.direction.right.clamp(-1.0, 1.0).asin(),
+            radar_height_m: self.header.radar.position_m[2],
+            beams: [width(across), width(above)],
+            cell_m: self.header.radar.waveform.range_resolution_m(),
+            velocity_cell_mps: self.header.radar.velocity_resolution_mps(),
+            noise_dbsm: self.noise_dbsm(own, search.direction),
+            points: own.points,
+            range_extent_m: own.range_extent_m,
+            ghost_share: own.ghost_share,
+            first_range_m: self.range_at(columns[0], own.radial_velocity_mps),
+            cells,
+        })
+    }
+
+    /// First and last, within the map.
+    fn columns(&self, object: &Object) -> [i64; 2] {
+        let last = self.power.ncols() as i64 - 1;
+        let shift_m = coupling_m(&self.header, object.radial_velocity_mps);
+        [-BEFORE_M, BEHIND_M].map(|offset_m| {
+            let column = column_at(&self.header, object.range_extent_m[0] + shift_m + offset_m);
+            (column.round() as i64).clamp(0, last)
+        })
+    }
+
+    fn range_at(&self, column: i64, velocity_mps: f64) -> f64 {
+        column as f64 * self.header.radar.waveform.range_resolution_m() - coupling_m(&self.header, velocity_mps)
+    }
+
+    fn search<'o>(&self, points: &PointsFrame, object: &'o Object, number: u32, columns: [i64; 2]) -> Search<'o> {
+        let velocity_mps = object.radial_velocity_mps;
+        let chirps = self.power.nrows() as i64;
+        let [first, last] = [-GATE_MPS, GATE_MPS].map(|offset| row_at(&self.header, velocity_mps + offset));
+        let first = first.floor() as i64;
+        let rows = [first, (last.ceil() as i64).min(first + chirps - 1)];
+        let direction = direction_of(&self.header, &self.array, object);
+        Search {
+            object,
+            number,
+            owners: CellOwners::within(&self.header, points, [rows, columns]),
+            rows,
+            direction,
+            place: place(&self.header, &self.array, direction, object.range_m),
+        }
+    }
+
+    /// The strongest of the object's own velocity cells at a range; nothing where all are another object's.
+    fn cell(&self, search: &Search<'_>, column: i64) -> SignatureCell {
+        let chirps = self.power.nrows() as i64;
+        let own: Vec<(i64, f64)> = (search.rows[0]..=search.rows[1])
+            .filter(|row| search.owners.of([*row, column]).is_none_or(|owner| owner == search.number))
+            .map(|row| (row, self.power[(row.rem_euclid(chirps) as usize, column as usize)]))
+            .collect();
+        let strongest = own.iter().copied().reduce(|best, next| if next.1 > best.1 { next } else { best });
+        let Some((row, power)) = strongest else { return self.nothing() };
+        SignatureCell {
+            velocity_spread_mps: self.spread_mps(&own) as f32,
+            ..self.located(search, [row, column], power)
+        }
+    }
+
+    /// What the channels of a cell say.
+    fn located(&self, search: &Search<'_>, [row, column]: [i64; 2], power: f64) -> SignatureCell {
+        let header = &self.header;
+        let row = row.rem_euclid(self.power.nrows() as i64) as usize;
+        let shown_mps = velocity_at(header, row as f64);
+        let velocity_mps = unwrapped(header, shown_mps, search.object.radial_velocity_mps);
+        let snapshot = self.array.snapshot(header, self.map, [row, column as usize], velocity_mps);
+        let range_m = self.range_at(column, velocity_mps).max(header.radar.waveform.range_resolution_m());
+        let (direction, found) = self.direction(search, &snapshot, range_m, power);
+        let explained = self.array.explained(&snapshot, direction, range_m);
+        let total: f64 = snapshot.iter().map(|value| value.norm_sqr()).sum();
+        SignatureCell {
+            level_db: db_from_power((explained / self.noise.max(f64::MIN_POSITIVE)).max(1e-3)) as f32,
+            cross_m: cross_m(header, &search.place, &found) as f32,
+            height_m: self.has_rows().then_some(found.position_m.z as f32),
+            coherence: (explained / total.max(f64::MIN_POSITIVE)) as f32,
+            velocity_spread_mps: 0.0,
+        }
+    }
+
+    /// The strongest beam of a cell, if it is near the object; else the object's.
+    fn direction(&self, search: &Search<'_>, snapshot: &[Complex64], range_m: f64, power: f64) -> (Direction, Place) {
+        let own = || (search.direction, place(&self.header, &self.array, search.direction, range_m));
+        let deviation = self.noise / (snapshot.len() as f64).sqrt();
+        if power < self.noise + DEVIATIONS * deviation {
+            return own();
+        }
+        let direction = self.array.direction(&[snapshot.to_vec()], range_m);
+        let found = place(&self.header, &self.array, direction, range_m);
+        if cross_m(&self.header, &search.place, &found).abs() <= ACROSS_M { (direction, found) } else { own() }
+    }
+
+    /// Of the power over the noise.
+    fn spread_mps(&self, own: &[(i64, f64)]) -> f64 {
+        let weight = |power: f64| (power - self.noise).max(0.0);
+        let sum = |value: &dyn Fn(f64) -> f64| own.iter().map(|(row, p)| weight(*p) * value(*row as f64)).sum::<f64>();
+        let total = sum(&|_| 1.0);
+        if total <= 0.0 {
+            return 0.0;
+        }
+        let mean = sum(&|row| row) / total;
+        (sum(&|row| (row - mean).powi(2)) / total).sqrt() * self.header.radar.velocity_resolution_mps()
+    }
+
+    fn has_rows(&self) -> bool {
+        self.array.beams()[1].is_finite()
+    }
+
+    fn nothing(&self) -> SignatureCell {
+        let height_m = self.has_rows().then_some(0.0);
+        SignatureCell { level_db: 0.0, cross_m: 0.0, height_m, coherence: 0.0, velocity_spread_mps: 0.0 }
+    }
+
+    /// σ = P (4π)³R⁴/(P_t G²λ² N_s²N_c² N) of a beam over N channels, P the noise of one; the windows' coherent gain is 1.
+    fn noise_dbsm(&self, object: &Object, direction: Direction) -> f64 {
+        let (radar, waveform) = (&self.header.radar, &self.header.radar.waveform);
+        let gain = power_from_db(radar.link.antenna_gain_db);
+        let transform = f64::from(waveform.samples) * f64::from(waveform.chirps);
+        let up = direction.up.unwrap_or_else(|| self.assumed_up(object));
+        let ahead = (1.0 - direction.right.powi(2) - up.powi(2)).max(0.0).sqrt();
+        let pattern = radar.array.pattern.amplitude([direction.right, ahead, up]).abs().max(LEAST_PATTERN);
+        let echo = radar.link.transmit_power_w * (gain * waveform.wavelength_m() * transform * pattern.powi(2)).powi(2)
+            / ((2.0 * TAU).powi(3) * object.range_m.max(1.0).powi(4));
+        db_from_power(self.noise / (echo * radar.virtual_channels() as f64))
+    }
+
+    /// Direction cosine along up of an array without rows: of the height that the object is assumed to have.
+    fn assumed_up(&self, object: &Object) -> f64 {
+        let from_radar = DVec3::from(object.position_m) - DVec3::from(self.header.radar.position_m);
+        from_radar.normalize_or_zero().dot(self.array.axes()[1])
+    }
+}
+
+/// How far a place lies to the right of an object's, across the horizontal line of sight to it.
+fn cross_m(header: &CubeHeader, object: &Place, found: &Place) -> f64 {
+    let radar = DVec3::from(header.radar.position_m);
+    let sight = (object.position_m - radar).truncate().normalize_or(DVec2::Y);
+    (found.position_m - object.position_m).truncate().dot(DVec2::new(sight.y, -sight.x))
+}

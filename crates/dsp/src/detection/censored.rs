@@ -1,0 +1,134 @@
+//! Cells that stronger echoes hid from the detector, tested again without those.
+//!
+//! A cell-averaging detector takes the echoes among its training cells for noise: a car of 10 dB that stands ten cells before a bus of
+//! 33 dB stays below its threshold. So cells above the map's own noise are compared once more with the mean of those training cells
+//! that lie outside the echoes found so far, at the threshold of as many cells, and again with what that finds, until nothing is added
+//! (censored cell averaging: Barboy, Lomes and Perkalski, IEE Proc. F 133 (1986) 176).
+
+use crate::detection::cfar::{DETECTED, TESTED};
+use crate::detection::cfar_threshold::threshold_factor;
+use crate::error::DspError;
+use crate::spectrum::window::{noise_bandwidth_bins, taper};
+use artifact::cube::CubeHeader;
+use artifact::radar::Multiplexing;
+use artifact::settings::Detector;
+use ndarray::ArrayView2;
+use std::collections::BTreeMap;
+
+/// A mean of fewer training cells than this part is no estimate of the noise around.
+const LEAST_SHARE: f64 = 0.25;
+/// Each pass finds what the echoes of the one before had hidden.
+const MOST_PASSES: usize = 8;
+
+/// The mask with the hidden cells detected; `noise_threshold` is what noise alone hardly passes, were its level known.
+///
+/// Detectors other than those that average (`ca-cfar`, `go-cfar`) have their own way with several echoes, and keep their mask. So does
+/// Doppler division: what its mask leaves out are the other transmitters' bands of an echo, which nothing hides.
+pub(crate) fn unmasked(
+    header: &CubeHeader,
+    power: ArrayView2<f64>,
+    mask: &[u8],
+    noise_threshold: f64,
+) -> Result<Vec<u8>, DspError> {
+    let mut mask = mask.to_vec();
+    let averages = matches!(header.dsp.detector, Detector::CaCfar | Detector::GoCfar);
+    if !averages || header.radar.array.multiplexing == Multiplexing::Ddm {
+        return Ok(mask);
+    }
+    let strong = power.iter().enumerate().filter(|(cell, power)| mask[*cell] == TESTED && **power > noise_threshold);
+    let mut hidden: Vec<usize> = strong.map(|(cell, _)| cell).collect();
+    let mut window = TrainingWindow::new(header, power)?;
+    for _ in 0..MOST_PASSES {
+        let echoes = window.with_skirts(&mask);
+        let (found, left): (Vec<usize>, Vec<usize>) =
+            hidden.into_iter().partition(|cell| window.passes(*cell, &echoes));
+        if found.is_empty() {
+            break;
+        }
+        found.into_iter().for_each(|cell| mask[cell] = DETECTED);
+        hidden = left;
+    }
+    Ok(mask)
+}
+
+/// Training cells around a cell, and thresholds by how many of them are left.
+struct TrainingWindow<'a> {
+    power: ArrayView2<'a, f64>,
+    /// [doppler, range].
+    guard: [i64; 2],
+    whole: [i64; 2],
+    channels: usize,
+    false_alarm_rate: f64,
+    /// Cells that noise in one of them takes part in, by both windows.
+    per_independent: f64,
+    factors: BTreeMap<usize, f64>,
+}
+
+impl<'a> TrainingWindow<'a> {
+    fn new(header: &CubeHeader, power: ArrayView2<'a, f64>) -> Result<Self, DspError> {
+        let (settings, waveform) = (&header.dsp, &header.radar.waveform);
+        let doppler = taper(settings.doppler_window, waveform.chirps as usize)?;
+        let range = taper(settings.range_window, waveform.samples as usize)?;
+        let guard = settings.guard_cells.map(i64::from);
+        let training = settings.training_cells.map(i64::from);
+        Ok(Self {
+            power,
+            guard,
+            whole: [guard[0] + training[0], guard[1] + training[1]],
+            channels: header.radar.map_channels(),
+            false_alarm_rate: settings.false_alarm_rate,
+            per_independent: noise_bandwidth_bins(&doppler) * noise_bandwidth_bins(&range),
+            factors: BTreeMap::new(),
+        })
+    }
+
+    /// Detected cells and those within the guard of one: where an echo's main lobe may still be.
+    fn with_skirts(&self, mask: &[u8]) -> Vec<bool> {
+        let columns = self.power.ncols();
+        let mut echoes = vec![false; mask.len()];
+        for cell in (0..mask.len()).filter(|cell| mask[*cell] == DETECTED) {
+            for [down, along] in offsets(self.guard) {
+                if let Some(at) = self.cell_at(cell / columns, cell % columns, down, along) {
+                    echoes[at] = true;
+                }
+            }
+        }
+        echoes
+    }
+
+    fn passes(&mut self, cell: usize, echoes: &[bool]) -> bool {
+        let columns = self.power.ncols();
+        let (row, column) = (cell / columns, cell % columns);
+        let (mut sum, mut count, mut all) = (0.0, 0, 0);
+        for [down, along] in offsets(self.whole) {
+            let is_guard = down.abs() <= self.guard[0] && along.abs() <= self.guard[1];
+            if let Some(at) = self.cell_at(row, column, down, along).filter(|_| !is_guard) {
+                all += 1;
+                if !echoes[at] {
+                    sum += self.power[(at / columns, at % columns)];
+                    count += 1;
+                }
+            }
+        }
+        (count as f64) > LEAST_SHARE * f64::from(all)
+            && self.power[(row, column)] > self.factor(count) * sum / count as f64
+    }
+
+    fn factor(&mut self, cells: usize) -> f64 {
+        let independent = cells as f64 / self.per_independent;
+        let (channels, rate) = (self.channels, self.false_alarm_rate);
+        *self.factors.entry(cells).or_insert_with(|| threshold_factor(independent, channels, rate))
+    }
+
+    /// Doppler wraps, range does not.
+    fn cell_at(&self, row: usize, column: usize, down: i64, along: i64) -> Option<usize> {
+        let (rows, columns) = self.power.dim();
+        let row = (row as i64 + down).rem_euclid(rows as i64) as usize;
+        let column = column as i64 + along;
+        (0..columns as i64).contains(&column).then_some(row * columns + column as usize)
+    }
+}
+
+fn offsets([rows, columns]: [i64; 2]) -> impl Iterator<Item = [i64; 2]> {
+    (-rows..=rows).flat_map(move |down| (-columns..=columns).map(move |along| [down, along]))
+}

@@ -1,0 +1,380 @@
+//! Two-dimensional CFAR with the false-alarm rate asked for in every cell: CA, GO, SO and OS.
+//!
+//! Doppler wraps, range does not: near the first and last range cell the training region is cut, and each cell uses its
+//! own number of training cells (with the middle's number the rate is 28 times too high at range cell 0). What is taken
+//! for the noise:
+//!
+//! - `ca-cfar`: the mean of all training cells;
+//! - `go-cfar`, `so-cfar`: the greater or smaller mean of two halves, the rectangles before and behind the guard in range
+//!   over all Doppler cells of the region (where training cells lie along Doppler alone: above and below it). Where the
+//!   map's edge leaves one half, it is that half's mean;
+//! - `os-cfar`: the cell of rank ¾N (Rohling, IEEE T-AES 19 (1983) 608).
+//!
+//! Of real samples the cells about range 0 and the last ones are not tested: noise is not circular there. Training cells there are fewer
+//! independent ones on the rows about zero and the fastest velocity, where their own images lie among them (`correlated_cells.rs`).
+//!
+//! Windows correlate neighbouring cells in two ways, both put right per cell:
+//!
+//! - Training cells are fewer independent ones (`correlated_cells.rs`, `noise_estimate.rs`).
+//! - The cell under test leaks into its own estimate where the guard is narrower than the window's main lobe. Given its
+//!   power y, the training mean is c·y + (1 − c)·(noise), c = Σκ_0i/N, so y > α·mean holds where
+//!   y > α(1−c)/(1−αc)·(noise): solved for α, it is α′/(1 − c + α′c) with α′ of the independent case.
+
+use crate::detection::cell_means::LookUp;
+use crate::detection::cfar_threshold::threshold_factor;
+use crate::detection::correlated_cells::{Correlation, Rectangle, Region};
+use crate::detection::images::Images;
+use crate::detection::noise_estimate::{
+    averaged_factor, correlated_ordered_factor, greatest_of_factor, ordered_factor, smallest_of_factor,
+};
+use crate::error::{Axis, DspError};
+use crate::numerics::box_sums::BoxSums;
+use crate::spectrum::axes::checked_shape;
+use crate::spectrum::window::{noise_correlation, taper};
+use artifact::cube::CubeHeader;
+use artifact::radar::Sampling;
+use artifact::settings::{Detector, FALSE_ALARM_RATES};
+use rayon::prelude::*;
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex};
+
+/// Mask of a cell that no threshold was made for.
+pub const UNTESTED: u8 = 0;
+/// Mask of a tested cell below its threshold.
+pub(crate) const TESTED: u8 = 1;
+/// Mask of a cell above its threshold.
+pub const DETECTED: u8 = 2;
+
+/// Rows that one thread marks; its first sums are added up anew.
+const ROWS: usize = 32;
+
+/// A detector for all frames of one radar.
+pub struct Cfar {
+    chirps: usize,
+    samples: usize,
+    detector: Detector,
+    zones: Arc<Zones>,
+    /// Of each range cell, whether its noise is circular.
+    tested: Vec<bool>,
+}
+
+/// The zone of every cell.
+#[derive(Debug)]
+struct Zones {
+    /// By kind of row, by range cell.
+    of_kind: Vec<Vec<Zone>>,
+    /// By row.
+    kinds: Vec<usize>,
+    /// Rows of all rectangles that noise is taken from.
+    heights: Vec<[i64; 2]>,
+}
+
+impl Zones {
+    #[inline]
+    fn at(&self, row: usize, column: usize) -> &Zone {
+        &self.of_kind[self.kinds[row]][column]
+    }
+}
+
+/// Where a cell takes its noise from, and its threshold over it.
+#[derive(Debug, Clone)]
+struct Zone {
+    /// One region, or two halves.
+    regions: Vec<Region>,
+    /// Of the first and the last of them.
+    look_ups: [LookUp; 2],
+    /// Over the mean, the chosen mean, or the cell of this rank.
+    factor: f64,
+    /// Rank of the cell that is compared, counted from 1.
+    rank: usize,
+}
+
+impl Cfar {
+    /// Thresholds that a cube's header asks for.
+    pub fn new(header: &CubeHeader) -> Result<Self, DspError> {
+        let [_, chirps, samples] = checked_shape(header)?;
+        let rate = header.dsp.false_alarm_rate;
+        if !FALSE_ALARM_RATES.contains(&rate) {
+            return Err(DspError::FalseAlarmRate(rate));
+        }
+        let tested = circular_columns(header, samples)?;
+        Ok(Self { chirps, samples, detector: header.dsp.detector, zones: kept_zones(header)?, tested })
+    }
+
+    /// Mask `[doppler, range]` of a power map; `floor` is added to the noise estimate (0 where there is noise).
+    pub fn mask(&self, power: &[f64], floor: f64) -> Vec<u8> {
+        match self.detector {
+            Detector::OsCfar => {
+                let usual = typical(power);
+                let above: Vec<f64> = power.par_iter().map(|x| f64::from(u8::from(*x >= usual))).collect();
+                self.by_rows(&above, |sums, zone, [row, column]| {
+                    // y > α(x_k + floor) holds where k cells at least lie below y/α − floor.
+                    let level = power[row * self.samples + column] / zone.factor - floor;
+                    !(level <= usual && zone.lie_above(sums)) && self.passes_ordered(power, level, row, column)
+                })
+            }
+            Detector::CaCfar => self.by_means(power, floor, |sums, [ring, _]| ring.mean(sums)),
+            Detector::GoCfar => self.by_means(power, floor, |sums, [a, b]| a.mean(sums).max(b.mean(sums))),
+            Detector::SoCfar => self.by_means(power, floor, |sums, [a, b]| a.mean(sums).min(b.mean(sums))),
+        }
+    }
+
+    /// Noise estimate of every cell of a power map, cell by cell: what [`Self::mask`] finds without making it, slowly.
+    pub fn estimates(&self, power: &[f64]) -> Vec<f64> {
+        let estimate = |cell: usize| {
+            let (row, column) = (cell / self.samples, cell % self.samples);
+            let zone = self.zones.at(row, column);
+            let of = |region: &Region| {
+                let mut cells = self.training_cells(power, row, column, region);
+                match self.detector {
+                    Detector::OsCfar => *cells.select_nth_unstable_by(zone.rank - 1, f64::total_cmp).1,
+                    _ => cells.iter().sum::<f64>() / cells.len() as f64,
+                }
+            };
+            self.chosen(zone.regions.iter().map(of))
+        };
+        (0..power.len()).into_par_iter().map(estimate).collect()
+    }
+
+    /// Of a cell [doppler, range]: threshold over noise estimate.
+    pub fn factor(&self, [row, column]: [usize; 2]) -> f64 {
+        self.zones.at(row, column).factor
+    }
+
+    /// The estimate of one region, or the greater or smaller of two.
+    fn chosen(&self, estimates: impl Iterator<Item = f64>) -> f64 {
+        match self.detector {
+            Detector::SoCfar => estimates.fold(f64::INFINITY, f64::min),
+            _ => estimates.fold(0.0, f64::max),
+        }
+    }
+
+    fn training_cells(&self, power: &[f64], row: usize, column: usize, region: &Region) -> Vec<f64> {
+        let inside = |at: [i64; 2], [rows, columns]: &Rectangle| {
+            (rows[0]..=rows[1]).contains(&at[0]) && (columns[0]..=columns[1]).contains(&at[1])
+        };
+        let [rows, columns] = region.whole;
+        let offsets = (rows[0]..=rows[1]).flat_map(|row| (columns[0]..=columns[1]).map(move |column| [row, column]));
+        let training = offsets.filter(|at| !region.hole.as_ref().is_some_and(|hole| inside(*at, hole)));
+        training
+            .map(|at| {
+                let row = (row as i64 + at[0]).rem_euclid(self.chirps as i64) as usize;
+                power[row * self.samples + (column as i64 + at[1]) as usize]
+            })
+            .collect()
+    }
+
+    /// Marks every cell above its factor times a mean of training cells.
+    fn by_means(&self, power: &[f64], floor: f64, mean: impl Fn(&BoxSums<'_>, &[LookUp; 2]) -> f64 + Sync) -> Vec<u8> {
+        self.by_rows(power, |sums, zone, [row, column]| {
+            power[row * self.samples + column] > zone.factor * (mean(sums, &zone.look_ups) + floor)
+        })
+    }
+
+    /// Marks every cell by sums over rectangles of a map.
+    fn by_rows(&self, map: &[f64], passes: impl Fn(&BoxSums<'_>, &Zone, [usize; 2]) -> bool + Sync) -> Vec<u8> {
+        let mut mask = vec![UNTESTED; map.len()];
+        mask.par_chunks_mut(ROWS * self.samples).enumerate().for_each(|(run, mask)| {
+            let first = run * ROWS;
+            let mut sums = BoxSums::at_row(map, self.samples, &self.zones.heights, first);
+            for (row, mask) in (first..).zip(mask.chunks_mut(self.samples)) {
+                let zones = &self.zones.of_kind[self.zones.kinds[row]];
+                for (column, ((state, zone), tested)) in mask.iter_mut().zip(zones).zip(&self.tested).enumerate() {
+                    if *tested {
+                        *state = if passes(&sums, zone, [row, column]) { DETECTED } else { TESTED };
+                    }
+                }
+                sums.slide_from(row);
+            }
+        });
+        mask
+    }
+
+    /// No cell need be sorted, and the count ends as soon as N − k + 1 cells lie above the level.
+    fn passes_ordered(&self, power: &[f64], level: f64, row: usize, column: usize) -> bool {
+        let zone = self.zones.at(row, column);
+        let region = &zone.regions[0];
+        let [doppler, range] = region.whole;
+        let mut may_lie_above = region.cells() - zone.rank;
+        let mut at = (row as i64 + doppler[0]).rem_euclid(self.chirps as i64) as usize;
+        for offset in doppler[0]..=doppler[1] {
+            let cells = &power[at * self.samples..(at + 1) * self.samples];
+            let above = |span: [i64; 2]| {
+                let place = |offset: i64| (column as i64 + offset) as usize;
+                let span = cells.get(place(span[0])..place(span[1] + 1)).unwrap_or_default();
+                span.iter().map(|x| usize::from(*x >= level)).sum::<usize>()
+            };
+            let count = match &region.hole {
+                Some([rows, columns]) if (rows[0]..=rows[1]).contains(&offset) => {
+                    above([range[0], columns[0] - 1]) + above([columns[1] + 1, range[1]])
+                }
+                _ => above(range),
+            };
+            if count > may_lie_above {
+                return false;
+            }
+            may_lie_above -= count;
+            at = if at + 1 == self.chirps { 0 } else { at + 1 };
+        }
+        true
+    }
+}
+
+impl Zone {
+    /// Whether N − k + 1 training cells at least are counted, in sums of ones and zeros: then what lies no higher than they do
+    /// does not pass, and in noise that is a look at almost every cell.
+    #[inline]
+    fn lie_above(&self, counts: &BoxSums<'_>) -> bool {
+        let ring = &self.look_ups[0];
+        ring.sum(counts) > ring.cells() - self.rank as f64 + 0.5
+    }
+}
+
+/// Columns that are tested: of complex samples all. Of real samples x the spectrum at 0 and at half the sample rate is real, and its
+/// noise has longer tails than thresholds know; windows carry that to cells beside them. There |E[X²]| is |Σw²e^{−j4πnk/N}| over Σw²,
+/// and a hundredth of it is too little to count.
+fn circular_columns(header: &CubeHeader, columns: usize) -> Result<Vec<bool>, DspError> {
+    let waveform = &header.radar.waveform;
+    if waveform.sampling == Sampling::Complex {
+        return Ok(vec![true; columns]);
+    }
+    let range = taper(header.dsp.range_window, waveform.samples as usize)?;
+    Ok((0..columns).map(|column| noise_correlation(&range, 2.0 * column as f64) < 1e-4).collect())
+}
+
+/// About the median of a map, of every 13th cell: whatever it is, no mask depends on it.
+fn typical(power: &[f64]) -> f64 {
+    let mut some: Vec<f64> = power.iter().copied().step_by(13).collect();
+    let middle = some.len() / 2;
+    if some.is_empty() { 0.0 } else { *some.select_nth_unstable_by(middle, f64::total_cmp).1 }
+}
+
+/// Thresholds of the last settings asked for, newest last: a sequence of frames asks for the same ones.
+static KEPT: Mutex<VecDeque<(CubeHeader, Arc<Zones>)>> = Mutex::new(VecDeque::new());
+/// Settings whose thresholds are kept: more than the radars of one scene.
+const KEPT_SETTINGS: usize = 32;
+
+fn kept_zones(header: &CubeHeader) -> Result<Arc<Zones>, DspError> {
+    // A poisoned lock means that another thread ended while it held the lock; what it kept is whole or not there.
+    let kept = || KEPT.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    if let Some((_, zones)) = kept().iter().find(|(known, _)| known == header) {
+        return Ok(Arc::clone(zones));
+    }
+    let zones = Arc::new(zones(header)?);
+    let mut kept = kept();
+    if kept.len() == KEPT_SETTINGS {
+        kept.pop_front();
+    }
+    kept.push_back((header.clone(), Arc::clone(&zones)));
+    Ok(zones)
+}
+
+/// The zones of all cells: those as far from both ends of the range axis, and as far from their images, share their thresholds.
+fn zones(header: &CubeHeader) -> Result<Zones, DspError> {
+    let [channels, chirps, samples] = checked_shape(header)?;
+    let (guard, outer) = regions(header, [chirps, samples])?;
+    let correlation = Correlation::new(header, outer)?;
+    let images = Images::new(header, outer);
+    let place = |row_image: Option<i64>, column: usize| {
+        let reach = [column.min(outer[1]), (samples - 1 - column).min(outer[1])];
+        let regions = |image| training_regions(header, [guard, outer], reach, image);
+        let image = row_image.and_then(|row| Some([row, images.of_column(column)?]));
+        (reach, image.filter(|_| regions(image).iter().any(|region| correlation.meets_image(region))))
+    };
+    let places: Vec<Vec<_>> =
+        images.kinds.iter().map(|row| (0..samples).map(|column| place(*row, column)).collect()).collect();
+    let mut different = places.concat();
+    different.sort_unstable();
+    different.dedup();
+    let zones: Vec<(Vec<Region>, f64, usize)> = different
+        .par_iter()
+        .map(|(reach, image)| {
+            let mut regions = training_regions(header, [guard, outer], *reach, *image);
+            regions.iter_mut().for_each(|r| r.image = r.image.filter(|_| correlation.meets_image(r)));
+            let (factor, rank) = threshold(header, &correlation, &regions, channels);
+            (regions, factor, rank)
+        })
+        .collect();
+    let heights = heights(zones.iter().flat_map(|(regions, ..)| regions));
+    let zone = |(column, place): (usize, &_)| {
+        let (regions, factor, rank) = zones[different.binary_search(place).unwrap_or_default()].clone();
+        let look_up = |region: usize| LookUp::of(&regions[region], column, &heights);
+        Zone { look_ups: [look_up(0), look_up(regions.len() - 1)], regions, factor, rank }
+    };
+    let of_kind = places.iter().map(|places| places.iter().enumerate().map(zone).collect()).collect();
+    Ok(Zones { of_kind, kinds: images.of_rows, heights })
+}
+
+/// Rows of all rectangles that noise is taken from.
+fn heights<'a>(regions: impl Iterator<Item = &'a Region>) -> Vec<[i64; 2]> {
+    let rows = regions.flat_map(|region| [Some(region.whole[0]), region.hole.map(|hole| hole[0])]);
+    let mut heights: Vec<[i64; 2]> = rows.flatten().collect();
+    heights.sort_unstable();
+    heights.dedup();
+    heights
+}
+
+/// The ring of CA and OS, or the halves of GO and SO that have cells, where the range axis reaches this far both ways and the cell
+/// under test has its image this far away.
+fn training_regions(
+    header: &CubeHeader,
+    [guard, outer]: [[usize; 2]; 2],
+    reach: [usize; 2],
+    image: Option<[i64; 2]>,
+) -> Vec<Region> {
+    let sides = |back: usize, ahead: usize| [-(back as i64), ahead as i64];
+    let whole = [sides(outer[0], outer[0]), sides(reach[0], reach[1])];
+    let near = |half: usize| half.min(guard[1]);
+    let hole = [sides(guard[0], guard[0]), sides(near(reach[0]), near(reach[1]))];
+    match header.dsp.detector {
+        Detector::CaCfar | Detector::OsCfar => vec![Region { whole, hole: Some(hole), image }],
+        Detector::GoCfar | Detector::SoCfar => {
+            let axis = usize::from(header.dsp.training_cells[1] > 0);
+            let (mut before, mut behind) = (whole, whole);
+            before[axis][1] = hole[axis][0] - 1;
+            behind[axis][0] = hole[axis][1] + 1;
+            let halves = [before, behind].map(|whole| Region { whole, hole: None, image });
+            halves.into_iter().filter(|half| half.cells() > 0).collect()
+        }
+    }
+}
+
+/// Threshold factor, and the rank of the compared cell.
+fn threshold(header: &CubeHeader, correlation: &Correlation, regions: &[Region], channels: usize) -> (f64, usize) {
+    let rate = header.dsp.false_alarm_rate;
+    let cells: usize = regions.iter().map(Region::cells).sum();
+    let rank = ((OS_RANK * cells as f64).round() as usize).clamp(1, cells);
+    let mean = |region: &Region| correlation.mean_power(region, channels);
+    let half = |region: &Region| correlation.rectangle_power(region, channels);
+    let is_white = correlation.is_white() && regions.iter().all(|region| region.image.is_none());
+    let independent = match (header.dsp.detector, regions) {
+        (Detector::OsCfar, [ring, ..]) if is_white => ordered_factor(ring.cells(), rank, channels, rate),
+        (Detector::OsCfar, [ring, ..]) => correlated_ordered_factor(correlation, ring, rank, channels, rate),
+        (Detector::GoCfar, [a, b]) => greatest_of_factor([&half(a), &half(b)], channels, rate),
+        (Detector::SoCfar, [a, b]) => smallest_of_factor([&half(a), &half(b)], channels, rate),
+        _ if is_white => threshold_factor(cells as f64, channels, rate),
+        _ => averaged_factor(&regions.iter().flat_map(mean).collect::<Vec<_>>(), channels, rate),
+    };
+    let leak: f64 = regions.iter().map(|r| correlation.leak(r) * r.cells() as f64).sum::<f64>() / cells as f64;
+    (independent / (1.0 - leak + independent * leak), rank)
+}
+
+/// Rank over number of cells: Rohling (1983) finds the least loss in noise, and room for targets, near ¾.
+const OS_RANK: f64 = 0.75;
+
+/// Half sizes [doppler, range] of the guard region and of the whole, if they fit the map.
+fn regions(header: &CubeHeader, cells: [usize; 2]) -> Result<([usize; 2], [usize; 2]), DspError> {
+    if header.dsp.training_cells == [0, 0] {
+        return Err(DspError::NoTrainingCells);
+    }
+    let mut outer = [0; 2];
+    for (i, axis) in [Axis::Doppler, Axis::Range].into_iter().enumerate() {
+        let half = u64::from(header.dsp.guard_cells[i]) + u64::from(header.dsp.training_cells[i]);
+        let needed = 2 * half + 1;
+        if needed > cells[i] as u64 {
+            return Err(DspError::CfarWindow { axis, needed, cells: cells[i] });
+        }
+        outer[i] = half as usize;
+    }
+    Ok((header.dsp.guard_cells.map(|g| g as usize), outer))
+}

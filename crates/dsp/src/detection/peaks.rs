@@ -1,0 +1,225 @@
+//! Peaks: strong cells that no neighbour exceeds, placed between cells, without the sidelobes of stronger peaks.
+//!
+//! Beside detected cells, those count that the map's own noise level would have let pass: a vehicle fills the training
+//! cells of its own echoes, and cell averaging then hides the weaker ones between the stronger (a gap of 2.8 m in a car of
+//! 5 m). They make no points, but they tell that what lies on both sides of them is one body.
+
+use crate::detection::cfar::DETECTED;
+use crate::detection::interpolation::{Interpolator, Trio};
+use crate::error::DspError;
+use crate::spectrum::window::{response, taper};
+use artifact::cube::CubeHeader;
+use ndarray::ArrayView2;
+use num_complex::{Complex32, Complex64};
+
+/// A local maximum of a map.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Peak {
+    /// Doppler cell.
+    pub(crate) row: usize,
+    /// Range cell.
+    pub(crate) column: usize,
+    /// Interpolated Doppler cell.
+    pub(crate) fine_row: f64,
+    /// Interpolated range cell.
+    pub(crate) fine_column: f64,
+    /// Power of the cell.
+    pub(crate) power: f64,
+    /// Detected cells among it and its eight neighbours.
+    pub(crate) cells: u32,
+    /// Whether the detector found it, or its neighbours' echoes hid it.
+    pub(crate) detected: bool,
+    /// Cell of the peak on whose slope it stands; its own cell where it stands on none (`directional_peaks.rs`).
+    pub(crate) summit: [usize; 2],
+}
+
+impl Peak {
+    /// A detected cell on a slope, taken at its centre.
+    pub(crate) fn at_centre(row: usize, column: usize, power: f64) -> Self {
+        Self {
+            row,
+            column,
+            fine_row: row as f64,
+            fine_column: column as f64,
+            power,
+            cells: 1,
+            detected: true,
+            summit: [row, column],
+        }
+    }
+}
+
+/// Peak curves and sidelobe levels of a radar's two windows.
+pub(crate) struct PeakFinder {
+    interpolators: [Interpolator; 2],
+    leakage: [Vec<f64>; 2],
+}
+
+/// A peak this little above the leakage of stronger ones is taken for leakage: two leaks in phase double their power.
+pub(crate) const LEAKAGE_MARGIN: f64 = 2.0;
+/// Windows and transforms are rounded: nothing is told apart farther below a peak than single precision carries
+/// (2⁻²⁴ of the amplitude, −144 dB).
+const LEAKAGE_FLOOR: f64 = 3.6e-15;
+/// Offsets tried between two cells for the worst leakage.
+const OFFSETS: i32 = 8;
+
+impl PeakFinder {
+    /// For the windows that a cube's header asks for.
+    pub(crate) fn new(header: &CubeHeader) -> Result<Self, DspError> {
+        let waveform = &header.radar.waveform;
+        let doppler = taper(header.dsp.doppler_window, waveform.chirps as usize)?;
+        let range = taper(header.dsp.range_window, waveform.samples as usize)?;
+        Ok(Self {
+            interpolators: [Interpolator::new(&doppler), Interpolator::new(&range)],
+            leakage: [leakage(&doppler), leakage(&range)],
+        })
+    }
+
+    /// Peaks of a power map `[doppler, range]` among the cells that the mask calls detected and those above
+    /// `noise_threshold`, strongest first; `values` `[channel, doppler, range]` tell where between cells they lie.
+    pub(crate) fn peaks(
+        &self,
+        power: ArrayView2<f64>,
+        values: &[Complex32],
+        mask: &[u8],
+        noise_threshold: f64,
+    ) -> Vec<Peak> {
+        let strong = power.indexed_iter().zip(mask).filter(|((_, p), m)| **m == DETECTED || **p > noise_threshold);
+        let mut peaks: Vec<Peak> = strong
+            .map(|((cell, _), _)| cell)
+            .filter(|cell| is_local_maximum(power, *cell))
+            .map(|cell| self.place(power, values, mask, cell))
+            .collect();
+        peaks.sort_by(|a, b| b.power.total_cmp(&a.power).then((a.row, a.column).cmp(&(b.row, b.column))));
+        self.without_sidelobes(peaks)
+    }
+
+    /// Detected cells and the peak whose slope each stands on, in row-major order; those that climb to a sidelobe are left out.
+    pub(crate) fn slopes(&self, power: ArrayView2<f64>, mask: &[u8], peaks: &[Peak]) -> Vec<([usize; 2], usize)> {
+        let (rows, columns) = power.dim();
+        let mut peak_at = vec![None; rows * columns];
+        peaks.iter().enumerate().for_each(|(index, peak)| peak_at[peak.row * columns + peak.column] = Some(index));
+        let detected = (0..rows * columns).filter(|cell| mask[*cell] == DETECTED);
+        detected
+            .filter_map(|cell| {
+                let (row, column) = summit(power, (cell / columns, cell % columns));
+                peak_at[row * columns + column].map(|peak| ([cell / columns, cell % columns], peak))
+            })
+            .collect()
+    }
+
+    fn place(&self, power: ArrayView2<f64>, values: &[Complex32], mask: &[u8], (row, column): (usize, usize)) -> Peak {
+        let (rows, columns) = power.dim();
+        let trios = |cells: [(usize, usize); 3]| {
+            values.chunks_exact(rows * columns).map(move |channel| trio(channel, cells.map(|(r, c)| r * columns + c)))
+        };
+        let along_rows = (rows > 2).then(|| {
+            let at = |step: usize| ((row + step) % rows, column);
+            self.interpolators[0].offset(trios([at(rows - 1), at(0), at(1)]))
+        });
+        let along_columns = (column > 0 && column + 1 < columns)
+            .then(|| self.interpolators[1].offset(trios([(row, column - 1), (row, column), (row, column + 1)])));
+        let is_detected = |(r, c): (usize, usize)| mask[r * columns + c] == DETECTED;
+        let neighbours = neighbourhood(power.dim(), (row, column)).filter(|cell| is_detected(*cell)).count();
+        Peak {
+            row,
+            column,
+            fine_row: row as f64 + along_rows.unwrap_or(0.0),
+            fine_column: column as f64 + along_columns.unwrap_or(0.0),
+            power: power[(row, column)],
+            cells: neighbours as u32 + u32::from(is_detected((row, column))),
+            detected: is_detected((row, column)),
+            summit: [row, column],
+        }
+    }
+
+    /// Drops peaks that the leakage of stronger kept ones explains.
+    fn without_sidelobes(&self, peaks: Vec<Peak>) -> Vec<Peak> {
+        let mut kept: Vec<Peak> = Vec::new();
+        for peak in peaks {
+            let leaked: f64 = kept.iter().map(|strong| strong.power * self.leak(strong, [peak.row, peak.column])).sum();
+            if peak.power > LEAKAGE_MARGIN * leaked {
+                kept.push(peak);
+            }
+        }
+        kept
+    }
+
+    /// Largest share of a peak's power in a cell.
+    pub(crate) fn leak(&self, from: &Peak, [row, column]: [usize; 2]) -> f64 {
+        self.leakage[0][from.row.abs_diff(row)] * self.leakage[1][from.column.abs_diff(column)]
+    }
+
+    /// Offsets from the middle of three values along rows and along columns; 0 where there are none.
+    pub(crate) fn offsets(&self, [along_rows, along_columns]: [Option<Trio>; 2]) -> [f64; 2] {
+        let offset =
+            |axis: usize, trio: Option<Trio>| trio.map_or(0.0, |t| self.interpolators[axis].offset([t].into_iter()));
+        [offset(0, along_rows), offset(1, along_columns)]
+    }
+}
+
+fn trio(channel: &[Complex32], cells: [usize; 3]) -> Trio {
+    cells.map(|cell| Complex64::new(f64::from(channel[cell].re), f64::from(channel[cell].im)))
+}
+
+/// Largest share of a peak's power that its window leaves in a cell this many cells away, over all offsets of the tone.
+fn leakage(taper: &[f64]) -> Vec<f64> {
+    let length = taper.len();
+    let fine = fine_response(taper);
+    let per_cell = OFFSETS as usize;
+    let at = |steps: i64| fine[steps.rem_euclid((length * per_cell) as i64) as usize];
+    let worst = |lag: usize| {
+        let offsets = -OFFSETS / 2..=OFFSETS / 2;
+        let share = |offset: i32| {
+            let offset = i64::from(offset);
+            at((lag * per_cell) as i64 - offset) / at(offset).max(f64::MIN_POSITIVE)
+        };
+        offsets.map(share).fold(LEAKAGE_FLOOR, f64::max).min(1.0)
+    };
+    (0..length).map(worst).collect()
+}
+
+/// Response at every eighth of a cell.
+fn fine_response(taper: &[f64]) -> Vec<f64> {
+    let length = taper.len() * OFFSETS as usize;
+    let mut spectrum: Vec<num_complex::Complex64> = taper.iter().map(|w| (*w).into()).collect();
+    spectrum.resize(length, num_complex::Complex64::ZERO);
+    rustfft::FftPlanner::new().plan_fft_forward(length).process(&mut spectrum);
+    let scale = (taper.len() as f64).powi(-2);
+    debug_assert!((spectrum[0].norm_sqr() * scale - response(taper, 0.0)).abs() < 1e-9);
+    spectrum.iter().map(|v| v.norm_sqr() * scale).collect()
+}
+
+/// Of equal neighbours the first in row-major order is the peak.
+fn is_local_maximum(power: ArrayView2<f64>, cell: (usize, usize)) -> bool {
+    neighbourhood(power.dim(), cell).all(|other| exceeds(power, cell, other))
+}
+
+/// The local maximum that the steepest climb from a cell reaches.
+fn summit(power: ArrayView2<f64>, mut cell: (usize, usize)) -> (usize, usize) {
+    // Of equal powers the first cell counts as the higher one, so that every step climbs and the walk ends.
+    while !is_local_maximum(power, cell) {
+        let steeper = |a: (usize, usize), b: (usize, usize)| if exceeds(power, b, a) { b } else { a };
+        cell = neighbourhood(power.dim(), cell).fold(cell, steeper);
+    }
+    cell
+}
+
+fn exceeds(power: ArrayView2<f64>, a: (usize, usize), b: (usize, usize)) -> bool {
+    power[a] > power[b] || (power[a] == power[b] && a < b)
+}
+
+/// The up to eight cells around one; Doppler wraps, range does not.
+pub(crate) fn neighbourhood(
+    (rows, columns): (usize, usize),
+    cell: (usize, usize),
+) -> impl Iterator<Item = (usize, usize)> {
+    let steps = [(-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1)];
+    steps
+        .into_iter()
+        .map(move |(down, right): (isize, isize)| {
+            let row = (cell.0 + rows).wrapping_add_signed(down) % rows;
+            (row, cell.1.wrapping_add_signed(right))
+        })
+        .filter(move |other| other.1 < columns && *other != cell)
+}

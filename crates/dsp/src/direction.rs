@@ -1,0 +1,8 @@
+//! From the channels of a cell to directions and places.
+
+pub mod angle; // the virtual array and its beams
+pub(crate) mod directional_peaks; // echoes beside stronger ones, seen in other beams
+pub(crate) mod point_sources; // several echoes of one cell
+pub(crate) mod two_ways; // waves that came back by another way
+pub(crate) mod position; // world axes
+pub mod calibration; // channel errors from a reflector

@@ -1,0 +1,385 @@
+//! Direction of arrival: FFT over the virtual array, then the exact beam's peak.
+//!
+//! A target at direction cosine u along the row makes the phase e^{−j2πp·u/λ} on an element at p (the mixer's sign: a
+//! target on the + side is nearer to + elements), so the angle spectrum is Σ x e^{+j2πp·u/λ}. The FFT, over elements
+//! snapped to a lattice, only finds the right lobe; the peak is then climbed on the beam with the exact distances to every
+//! element, which a 0.34 m row needs at 25 m (0.9 rad of curvature) and a list of odd positions needs always.
+
+use crate::spectrum::code_division;
+use artifact::cube::CubeHeader;
+use artifact::radar::Multiplexing;
+use artifact::rdm::RdmFrame;
+use glam::{DVec2, DVec3};
+use num_complex::Complex64;
+use rustfft::{Fft, FftPlanner};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// A radar's channels as an aperture.
+pub struct VirtualArray {
+    wavelength_m: f64,
+    /// Unit vectors of the aperture: right and up seen along the boresight, and the boresight itself.
+    axes: [DVec3; 3],
+    /// Transmit and receive element of each channel, world metres from the array's centre.
+    elements: Vec<[DVec3; 2]>,
+    receivers: usize,
+    /// What the values of each channel are multiplied by; empty: nothing.
+    calibration: Vec<Complex64>,
+    /// Delay of each channel's chirps after those of the first transmitter, s.
+    slot_s: Vec<f64>,
+    /// |tx|² + |rx|² of each channel, m².
+    squares_m2: Vec<f64>,
+    lattices: [Lattice; 2],
+    transforms: [Arc<dyn Fft<f64>>; 2],
+}
+
+/// Direction cosines: along right and, where the array has rows, along up.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Direction {
+    /// Along the horizontal row; 0 where the array has no horizontal extent.
+    pub right: f64,
+    /// Along the vertical; `None` where the array has no vertical extent.
+    pub up: Option<f64>,
+}
+
+/// Values of all channels in one cell, free of the phases of time and code division.
+pub type Snapshot = Vec<Complex64>;
+
+/// Cells of the angle FFT per null-to-null half lobe: the climb starts within an eighth of the lobe's width.
+const OVERSAMPLING: usize = 4;
+/// Parabola steps of the climb: each quarters the step, so the last is 1/1000 of a lobe and its rest far below 1e-4 of u.
+const CLIMBS: usize = 5;
+
+impl VirtualArray {
+    /// The array of a radar (already checked for finite elements).
+    pub fn new(header: &CubeHeader) -> Self {
+        let radar = &header.radar;
+        let axes = aperture_axes(radar.boresight_az_rad, radar.boresight_el_rad);
+        let centre = DVec3::from(radar.position_m);
+        let elements: Vec<[DVec3; 2]> = (radar.array.tx_m.iter())
+            .flat_map(|tx| radar.array.rx_m.iter().map(move |rx| [tx, rx].map(|p| DVec3::from(*p) - centre)))
+            .collect();
+        let slot_s = (0..elements.len())
+            .map(|channel| match radar.array.multiplexing {
+                Multiplexing::Tdm => radar.chirp_start_s(channel / radar.array.rx_m.len(), 0),
+                Multiplexing::Simultaneous | Multiplexing::Ddm | Multiplexing::Bpm => 0.0,
+            })
+            .collect();
+        let wavelength_m = radar.waveform.wavelength_m();
+        let lattices = [axes[0], axes[1]].map(|axis| {
+            Lattice::new(&elements.iter().map(|[t, r]| (*t + *r).dot(axis) / wavelength_m).collect::<Vec<_>>())
+        });
+        let mut planner = FftPlanner::new();
+        let transforms = [0, 1].map(|axis: usize| planner.plan_fft_inverse(lattices[axis].cells()));
+        let squares_m2 = elements.iter().map(|[tx, rx]| tx.length_squared() + rx.length_squared()).collect();
+        let receivers = radar.array.rx_m.len();
+        let calibration = header.dsp.calibration.clone();
+        Self { calibration, wavelength_m, axes, elements, receivers, slot_s, squares_m2, lattices, transforms }
+    }
+
+    /// Whether transmitters, and receivers too, differ in their places along the row.
+    pub(crate) fn ends_have_rows(&self) -> bool {
+        let along = |end: usize| self.elements.iter().map(move |ends| ends[end].dot(self.axes[0]));
+        let extent = |end: usize| along(end).fold(f64::MIN, f64::max) - along(end).fold(f64::MAX, f64::min);
+        // Rotated places agree to rounding, far below a wavelength.
+        (0..2).all(|end| extent(end) > 1e-6 * self.wavelength_m)
+    }
+
+    /// Values of one cell; `velocity_mps` turns the later slots of time and code division back.
+    pub fn snapshot(&self, header: &CubeHeader, map: &RdmFrame, cell: [usize; 2], velocity_mps: f64) -> Snapshot {
+        self.snapshot_and_idle(header, map, cell, velocity_mps).0
+    }
+
+    /// The same, and the power of codes that no transmitter has.
+    pub(crate) fn snapshot_and_idle(
+        &self,
+        header: &CubeHeader,
+        map: &RdmFrame,
+        cell: [usize; 2],
+        velocity_mps: f64,
+    ) -> (Snapshot, f64) {
+        let [chirps, samples] = [header.radar.waveform.chirps as usize, header.radar.waveform.range_cells()];
+        let doppler_hz = 2.0 * velocity_mps / self.wavelength_m;
+        let value = |channel: usize| {
+            let value = map.values[(channel * chirps + cell[0]) * samples + cell[1]];
+            Complex64::new(f64::from(value.re), f64::from(value.im))
+        };
+        if header.radar.array.multiplexing == Multiplexing::Bpm {
+            let codes: Vec<Complex64> = (0..header.radar.map_channels()).map(value).collect();
+            let cycles = doppler_hz * header.radar.waveform.chirp_interval_s;
+            let mut values = code_division::in_phase(header, &codes, cell[0], cycles);
+            let idle = values.split_off(self.elements.len()).iter().map(|value| value.norm_sqr()).sum();
+            return (self.calibrated(values), idle);
+        }
+        let turned = |(channel, slot_s): (usize, &f64)| value(channel) * turned_back(doppler_hz * slot_s);
+        (self.calibrated(self.slot_s.iter().enumerate().map(turned).collect()), 0.0)
+    }
+
+    fn calibrated(&self, mut values: Snapshot) -> Snapshot {
+        values.iter_mut().zip(&self.calibration).for_each(|(value, factor)| *value *= factor);
+        values
+    }
+
+    /// The strongest cell of the angle FFT over one or more cells of a map, their powers added: right to half a cell of the FFT.
+    pub fn fft_direction(&self, snapshots: &[Snapshot], range_m: f64) -> Direction {
+        let found = self.coarse(snapshots, range_m);
+        Direction { right: found.x, up: self.lattices[1].has_extent().then_some(found.y) }
+    }
+
+    /// Direction of the strongest beam over one or more cells, their powers added: the FFT's, climbed.
+    pub fn direction(&self, snapshots: &[Snapshot], range_m: f64) -> Direction {
+        let mut found = self.coarse(snapshots, range_m);
+        let mut step = [0, 1].map(|axis: usize| self.lattices[axis].step());
+        for _ in 0..CLIMBS {
+            for axis in 0..2 {
+                if self.lattices[axis].has_extent() {
+                    found[axis] = self.climb(snapshots, range_m, found, axis, step[axis]);
+                    step[axis] *= 0.25;
+                }
+            }
+        }
+        Direction { right: found.x, up: self.lattices[1].has_extent().then_some(found.y) }
+    }
+
+    /// Beam towards a direction: Σ over channels of value · e^{−j·phase of a point there}.
+    pub fn beam(&self, snapshot: &[Complex64], steering: &[Complex64]) -> Complex64 {
+        snapshot.iter().zip(steering).map(|(value, turn)| value * turn).sum()
+    }
+
+    /// Power of a cell that an echo from this direction explains.
+    pub(crate) fn explained(&self, snapshot: &[Complex64], direction: Direction, range_m: f64) -> f64 {
+        self.beam(snapshot, &self.steering(direction, range_m)).norm_sqr() / snapshot.len() as f64
+    }
+
+    /// Turns that bring the echo of a point at this direction and range into phase on all channels.
+    pub fn steering(&self, direction: Direction, range_m: f64) -> Vec<Complex64> {
+        self.excess_m(direction, range_m)
+            .into_iter()
+            .map(|excess_m| turned_back(excess_m / self.wavelength_m))
+            .collect()
+    }
+
+    /// Elements that hear each transmitter.
+    pub(crate) fn receivers(&self) -> usize {
+        self.receivers
+    }
+
+    /// The same turns of each end alone: of transmit elements, and of receive elements.
+    pub(crate) fn element_turns(&self, direction: Direction, range_m: f64) -> [Vec<Complex64>; 2] {
+        let point = self.point(direction, range_m);
+        let turn = |element: DVec3| turned_back(excess_m(point, element, range_m) / self.wavelength_m);
+        let tx = self.elements.iter().step_by(self.receivers.max(1)).map(|[tx, _]| turn(*tx)).collect();
+        let rx = self.elements.iter().take(self.receivers).map(|[_, rx]| turn(*rx)).collect();
+        [tx, rx]
+    }
+
+    /// How much longer the way to a point and back is by each channel's elements than by the array's centre, m.
+    pub fn excess_m(&self, direction: Direction, range_m: f64) -> Vec<f64> {
+        let point = self.point(direction, range_m);
+        self.elements.iter().map(|[tx, rx]| excess_m(point, *tx, range_m) + excess_m(point, *rx, range_m)).collect()
+    }
+
+    /// From the array's centre.
+    fn point(&self, direction: Direction, range_m: f64) -> DVec3 {
+        let [right, up, ahead] = self.axes;
+        let (u, w) = (direction.right, direction.up.unwrap_or(0.0));
+        let out_of_plane = (1.0 - u * u - w * w).max(0.0).sqrt();
+        range_m * (u * right + w * up + out_of_plane * ahead)
+    }
+
+    /// Change of [`Self::excess_m`] with the direction cosines, m; 0 along axes on which the array has no extent.
+    pub(crate) fn excess_slopes_m(&self, direction: Direction, range_m: f64) -> Vec<[f64; 2]> {
+        // Central difference: the third derivative leaves 1e-12 of the slope, rounding of lengths below 1 m 1e-10.
+        let small = 1e-6;
+        let along = |right: f64, up: f64| {
+            let [more, less] = [small, -small].map(|h| {
+                let up = direction.up.map(|w| w + h * up);
+                self.excess_m(Direction { right: direction.right + h * right, up }, range_m)
+            });
+            more.into_iter().zip(less).map(|(a, b)| (a - b) / (2.0 * small)).collect::<Vec<f64>>()
+        };
+        let [right, up] = [(0, 1.0, 0.0), (1, 0.0, 1.0)].map(|(axis, r, u): (usize, f64, f64)| {
+            if self.lattices[axis].has_extent() { along(r, u) } else { vec![0.0; self.elements.len()] }
+        });
+        right.into_iter().zip(up).map(|(right, up)| [right, up]).collect()
+    }
+
+    /// Most that a wavefront of a point at this range bends over the elements, transmit and receive together.
+    pub(crate) fn curvature_cycles(&self, range_m: f64) -> f64 {
+        let most_m2 = self.squares_m2.iter().copied().fold(0.0, f64::max);
+        most_m2 / (2.0 * range_m.max(1e-3) * self.wavelength_m)
+    }
+
+    /// Width of a beam in direction cosines along right and up, λ over the virtual extent; infinite without extent.
+    pub fn beams(&self) -> [f64; 2] {
+        [0, 1].map(|axis: usize| {
+            let lattice = &self.lattices[axis];
+            if lattice.has_extent() { 1.0 / (lattice.spacing * (lattice.extent + 1) as f64) } else { f64::INFINITY }
+        })
+    }
+
+    /// At the centre of the sampled sweep.
+    pub(crate) fn wavelength_m(&self) -> f64 {
+        self.wavelength_m
+    }
+
+    /// Unit vectors right, up and ahead of the aperture in world axes.
+    pub fn axes(&self) -> [DVec3; 3] {
+        self.axes
+    }
+
+    fn power(&self, snapshots: &[Snapshot], range_m: f64, at: DVec2) -> f64 {
+        let steering = self.steering(Direction { right: at.x, up: Some(at.y) }, range_m);
+        snapshots.iter().map(|snapshot| self.beam(snapshot, &steering).norm_sqr()).sum()
+    }
+
+    /// One parabola on the logarithm of the beam's power along an axis, moving at most one step.
+    fn climb(&self, snapshots: &[Snapshot], range_m: f64, at: DVec2, axis: usize, step: f64) -> f64 {
+        let along = DVec2::from([[1.0, 0.0], [0.0, 1.0]][axis]) * step;
+        let [before, here, after] =
+            [at - along, at, at + along].map(|p| self.power(snapshots, range_m, p).max(f64::MIN_POSITIVE).ln());
+        let curvature = before - 2.0 * here + after;
+        let offset = if curvature < 0.0 { (0.5 * (before - after) / curvature).clamp(-1.0, 1.0) } else { 0.0 };
+        (at[axis] + offset * step).clamp(-1.0, 1.0)
+    }
+
+    /// Strongest visible cell of the summed angle spectra.
+    fn coarse(&self, snapshots: &[Snapshot], range_m: f64) -> DVec2 {
+        let [columns, rows] = [0, 1].map(|axis: usize| self.lattices[axis].cells());
+        let mut power = vec![0.0; rows * columns];
+        let mut work = AngleFft::default();
+        for snapshot in snapshots {
+            let spectrum = self.spectrum(snapshot, range_m, &mut work);
+            power.iter_mut().zip(spectrum).for_each(|(sum, value)| *sum += value.norm_sqr());
+        }
+        let mut best = (DVec2::ZERO, -1.0);
+        for (row, power) in power.chunks_exact(columns).enumerate() {
+            let up = self.lattices[1].cosine(row);
+            for (column, power) in power.iter().enumerate() {
+                if *power > best.1 {
+                    let at = DVec2::new(self.lattices[0].cosine(column), up);
+                    best = if at.length_squared() <= 1.0 { (at, *power) } else { best };
+                }
+            }
+        }
+        best.0
+    }
+
+    /// Angle spectrum `[up, right]` on the lattices' cells.
+    fn spectrum<'w>(&self, snapshot: &[Complex64], range_m: f64, work: &'w mut AngleFft) -> &'w [Complex64] {
+        let [columns, rows] = [0, 1].map(|axis: usize| self.lattices[axis].cells());
+        let AngleFft { grid, column, scratch } = work;
+        grid.clear();
+        grid.resize(rows * columns, Complex64::ZERO);
+        let scratch_cells = self.transforms.iter().map(|t| t.get_inplace_scratch_len()).max().unwrap_or(0);
+        scratch.resize(scratch_cells, Complex64::ZERO);
+        let per_square_m2 = 1.0 / (2.0 * range_m.max(1e-3) * self.wavelength_m);
+        for (channel, value) in snapshot.iter().enumerate() {
+            // Curvature of the wavefront as for a target ahead; what is left at the side is climbed.
+            let cycles = self.squares_m2[channel] * per_square_m2;
+            let turn = turned_back(if cycles < FLAT { 0.0 } else { cycles });
+            grid[self.lattices[1].places[channel] * columns + self.lattices[0].places[channel]] += value * turn;
+        }
+        self.transforms[0].process_with_scratch(grid, scratch);
+        if rows > 1 {
+            column.resize(rows, Complex64::ZERO);
+            for first in 0..columns {
+                (0..rows).for_each(|row| column[row] = grid[row * columns + first]);
+                self.transforms[1].process_with_scratch(column, scratch);
+                (0..rows).for_each(|row| grid[row * columns + first] = column[row]);
+            }
+        }
+        grid
+    }
+}
+
+/// Memory of angle FFTs.
+#[derive(Default)]
+struct AngleFft {
+    grid: Vec<Complex64>,
+    column: Vec<Complex64>,
+    scratch: Vec<Complex64>,
+}
+
+/// e^{−j2π·cycles}.
+fn turned_back(cycles: f64) -> Complex64 {
+    if cycles == 0.0 { Complex64::ONE } else { Complex64::from_polar(1.0, -TAU * cycles.fract()) }
+}
+
+/// A curvature of so many cycles moves no cell of an FFT: it costs 1e-5 of the beam.
+const FLAT: f64 = 1e-3;
+
+/// |point − element| − range, without the cancellation of two lengths.
+fn excess_m(point: DVec3, element: DVec3, range_m: f64) -> f64 {
+    let distance = (point - element).length();
+    let difference = element.length_squared() - 2.0 * point.dot(element);
+    if distance + range_m > 0.0 { difference / (distance + range_m) } else { 0.0 }
+}
+
+/// Right (horizontal), up and ahead for a boresight at azimuth (from +y towards +x) and elevation.
+pub(crate) fn aperture_axes(azimuth_rad: f64, elevation_rad: f64) -> [DVec3; 3] {
+    let (sin_az, cos_az) = azimuth_rad.sin_cos();
+    let (sin_el, cos_el) = elevation_rad.sin_cos();
+    let ahead = DVec3::new(sin_az * cos_el, cos_az * cos_el, sin_el);
+    let right = DVec3::new(cos_az, -sin_az, 0.0);
+    [right, right.cross(ahead), ahead]
+}
+
+/// Element positions along one axis as places on a regular grid, wavelengths.
+struct Lattice {
+    spacing: f64,
+    places: Vec<usize>,
+    extent: usize,
+}
+
+/// Spacing for positions that share no grid: a phase error of at most π/8 at the edge of the visible region, in the
+/// coarse search only.
+const FINE_SPACING: f64 = 0.125;
+/// Longest grid; a wider array is snapped to as many places.
+const MOST_PLACES: f64 = 4096.0;
+/// Positions within this part of a wavelength are one.
+const SAME: f64 = 1e-4;
+
+impl Lattice {
+    fn new(positions: &[f64]) -> Self {
+        let low = positions.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = positions.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let spacing = regular_spacing(positions, low).unwrap_or(FINE_SPACING).max((high - low) / MOST_PLACES);
+        let places: Vec<usize> = positions.iter().map(|p| ((p - low) / spacing).round() as usize).collect();
+        let extent = places.iter().copied().max().unwrap_or(0);
+        Self { spacing, places, extent }
+    }
+
+    fn has_extent(&self) -> bool {
+        self.extent > 0
+    }
+
+    /// Length of the FFT along this axis.
+    fn cells(&self) -> usize {
+        if self.has_extent() { (OVERSAMPLING * (self.extent + 1)).next_power_of_two() } else { 1 }
+    }
+
+    /// Direction cosine of an FFT cell.
+    fn cosine(&self, cell: usize) -> f64 {
+        let signed =
+            if 2 * cell >= self.cells() && self.has_extent() { cell as f64 - self.cells() as f64 } else { cell as f64 };
+        signed * self.step()
+    }
+
+    /// Direction cosine from one FFT cell to the next.
+    fn step(&self) -> f64 {
+        1.0 / (self.cells() as f64 * self.spacing)
+    }
+}
+
+/// The smallest gap between positions, if all are multiples of it and it is no smaller than the fine grid.
+fn regular_spacing(positions: &[f64], low: f64) -> Option<f64> {
+    let mut sorted = positions.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let gap = sorted.windows(2).map(|w| w[1] - w[0]).filter(|gap| *gap > SAME).fold(f64::INFINITY, f64::min);
+    let regular = |p: &f64| {
+        let steps = (p - low) / gap;
+        (steps - steps.round()).abs() * gap < SAME
+    };
+    (gap.is_finite() && gap >= FINE_SPACING && positions.iter().all(regular)).then_some(gap)
+}

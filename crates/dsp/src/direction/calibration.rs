@@ -1,0 +1,70 @@
+//! Errors of the virtual array's channels, measured on a reflector that stands at a known place.
+//!
+//! What its echo has in a channel, less the phase of its exact way there and back, is the channel's own gain and phase, but for one factor
+//! of all. White noise moves a phase by
+//! 1/√(2·SNR) rad of the channel's cell; frames are averaged.
+
+use crate::direction::angle::{Direction, VirtualArray};
+use crate::error::DspError;
+use crate::spectrum::axes::column_at;
+use crate::spectrum::noncoherent::{noise_power, power_map};
+use artifact::cube::CubeHeader;
+use artifact::rdm::RdmFrame;
+use artifact::units::{db_from_power, power_from_db};
+use glam::DVec3;
+use num_complex::Complex64;
+
+/// The weakest channel's cell over its noise that is believed, dB: 4° of phase.
+const LEAST_SNR_DB: f64 = 20.0;
+/// Range cells on either side of the known one where the echo is looked for: lines are up to half a cell long.
+const REACH: usize = 2;
+
+/// Gain and phase of each transmit–receive pair, tx·N_rx + rx, against an ideal one; their mean power is 1, their sum real.
+///
+/// The reflector is at rest at `position_m`, world metres. Settings of the header are used but for its calibration.
+pub fn channel_errors(header: &CubeHeader, map: &RdmFrame, position_m: [f64; 3]) -> Result<Vec<Complex64>, DspError> {
+    let mut header = header.in_frame(map.index);
+    header.dsp.calibration = vec![];
+    let away_m = DVec3::from(position_m) - DVec3::from(header.radar.position_m);
+    let range_m = away_m.length();
+    let cell = strongest_at_rest(&header, map, range_m)?;
+    let array = VirtualArray::new(&header);
+    let [right, up, _] = array.axes();
+    let direction = Direction { right: away_m.dot(right) / range_m, up: Some(away_m.dot(up) / range_m) };
+    let snapshot = array.snapshot(&header, map, cell, 0.0);
+    let weakest = snapshot.iter().map(|value| value.norm_sqr()).fold(f64::INFINITY, f64::min);
+    let noise = noise_power(&header, map)?;
+    if weakest.is_nan() || weakest <= power_from_db(LEAST_SNR_DB) * noise {
+        let snr_db = db_from_power(weakest / noise);
+        return Err(DspError::WeakReflector { range_m, snr_db, least_db: LEAST_SNR_DB });
+    }
+    let steering = array.steering(direction, range_m);
+    Ok(normalized(snapshot.iter().zip(steering).map(|(value, turn)| value * turn).collect()))
+}
+
+/// The mean of several frames' errors.
+pub fn mean_errors(frames: &[Vec<Complex64>]) -> Vec<Complex64> {
+    let channels = frames.first().map_or(0, Vec::len);
+    normalized((0..channels).map(|channel| frames.iter().map(|errors| errors[channel]).sum()).collect())
+}
+
+/// Row and column, at zero velocity near a range.
+fn strongest_at_rest(header: &CubeHeader, map: &RdmFrame, range_m: f64) -> Result<[usize; 2], DspError> {
+    let power = power_map(header, map)?;
+    let (row, (_, columns)) = (header.radar.waveform.chirps as usize / 2, power.dim());
+    let expected = column_at(header, range_m).round();
+    // What is no number is at no range.
+    if !(range_m > 0.0 && expected < columns as f64) {
+        return Err(DspError::ReflectorRange { range_m, limit_m: header.radar.waveform.range_max_m() });
+    }
+    let near = (expected as usize).saturating_sub(REACH)..=(expected as usize + REACH).min(columns - 1);
+    let best = near.fold(expected as usize, |a, b| if power[(row, b)] > power[(row, a)] { b } else { a });
+    Ok([row, best])
+}
+
+fn normalized(errors: Vec<Complex64>) -> Vec<Complex64> {
+    let power = errors.iter().map(|error| error.norm_sqr()).sum::<f64>() / errors.len().max(1) as f64;
+    let sum: Complex64 = errors.iter().sum();
+    let common = Complex64::from_polar(power.sqrt().max(f64::MIN_POSITIVE), sum.arg());
+    errors.into_iter().map(|error| error / common).collect()
+}

@@ -1,0 +1,103 @@
+//! Peaks of range, velocity and direction together, where the power summed over channels shows a slope.
+//!
+//! Bodies abreast at one velocity, whose fronts stand a cell or two apart in range, lie under one main lobe of the map: the stronger is
+//! the peak, the others stand on its slope. A beam towards one of them leaves the others out, and in it the cell is the highest around.
+//! What it holds has to be more than the main lobes and sidelobes of stronger echoes, seen in the same beam.
+
+use crate::detection::interpolation::Trio;
+use crate::detection::peaks::{Peak, PeakFinder, neighbourhood};
+use crate::direction::angle::{Direction, VirtualArray};
+use crate::spectrum::axes::{coupling_m, velocity_at, wrapped};
+use artifact::cube::CubeHeader;
+use artifact::rdm::RdmFrame;
+use num_complex::Complex64;
+use rayon::prelude::*;
+
+/// A map through its array.
+pub(crate) struct Beams<'a> {
+    pub(crate) header: &'a CubeHeader,
+    pub(crate) map: &'a RdmFrame,
+    pub(crate) array: &'a VirtualArray,
+    pub(crate) finder: &'a PeakFinder,
+}
+
+impl Beams<'_> {
+    /// Peaks of their own on the slopes of `peaks`, strongest first: `slopes` are detected cells and whose slope they stand on.
+    pub(crate) fn on_slopes(&self, slopes: &[([usize; 2], usize)], peaks: &[Peak]) -> Vec<Peak> {
+        if !self.array.beams().iter().any(|beam| beam.is_finite()) {
+            return vec![];
+        }
+        let is_summit = |cell: [usize; 2], peak: usize| cell == [peaks[peak].row, peaks[peak].column];
+        let own = |(cell, peak): &([usize; 2], usize)| {
+            (!is_summit(*cell, *peak)).then(|| self.own_peak(*cell, &peaks[*peak], peaks)).flatten()
+        };
+        let mut found: Vec<Peak> = slopes.par_iter().filter_map(own).collect();
+        found.sort_by(|a, b| b.power.total_cmp(&a.power).then((a.row, a.column).cmp(&(b.row, b.column))));
+        found
+    }
+
+    fn own_peak(&self, cell: [usize; 2], summit: &Peak, peaks: &[Peak]) -> Option<Peak> {
+        let beam = Beam::strongest(self, cell);
+        let power = beam.power(self, cell);
+        let shape = (self.header.radar.waveform.chirps as usize, self.header.radar.waveform.range_cells());
+        let others = neighbourhood(shape, (cell[0], cell[1]));
+        let is_highest = others.into_iter().all(|(row, column)| power > beam.power(self, [row, column]));
+        (is_highest && power > self.leaked(&beam, cell, peaks)).then(|| self.placed(&beam, cell, summit))
+    }
+
+    /// Power that all peaks together may leave in a cell of this beam.
+    fn leaked(&self, beam: &Beam, cell: [usize; 2], peaks: &[Peak]) -> f64 {
+        let of = |peak: &Peak| self.finder.leak(peak, cell) * beam.power(self, [peak.row, peak.column]);
+        crate::detection::peaks::LEAKAGE_MARGIN * peaks.iter().map(of).sum::<f64>()
+    }
+
+    fn placed(&self, beam: &Beam, [row, column]: [usize; 2], summit: &Peak) -> Peak {
+        let waveform = &self.header.radar.waveform;
+        let (rows, columns) = (waveform.chirps as usize, waveform.range_cells());
+        let trio = |cells: [[usize; 2]; 3]| -> Trio { cells.map(|cell| beam.value(self, cell)) };
+        let along_rows = (rows > 2).then(|| {
+            let at = |step: usize| [(row + step) % rows, column];
+            trio([at(rows - 1), at(0), at(1)])
+        });
+        let along_columns =
+            (column > 0 && column + 1 < columns).then(|| trio([[row, column - 1], [row, column], [row, column + 1]]));
+        let power = beam.power(self, [row, column]) / beam.steering.len() as f64;
+        let offsets = self.finder.offsets([along_rows, along_columns]);
+        Peak {
+            row,
+            column,
+            fine_row: row as f64 + offsets[0],
+            fine_column: column as f64 + offsets[1],
+            power,
+            cells: summit.cells,
+            detected: true,
+            summit: [summit.row, summit.column],
+        }
+    }
+}
+
+/// A beam of the array to one direction, for cells about one velocity.
+struct Beam {
+    steering: Vec<Complex64>,
+    velocity_mps: f64,
+}
+
+impl Beam {
+    fn strongest(view: &Beams<'_>, cell: [usize; 2]) -> Self {
+        let header = view.header;
+        let velocity_mps = wrapped(header, velocity_at(header, cell[0] as f64));
+        let shown_m = cell[1] as f64 * header.radar.waveform.range_resolution_m();
+        let range_m = (shown_m - coupling_m(header, velocity_mps)).max(0.0);
+        let snapshot = view.array.snapshot(header, view.map, cell, velocity_mps);
+        let direction: Direction = view.array.direction(&[snapshot], range_m);
+        Self { steering: view.array.steering(direction, range_m), velocity_mps }
+    }
+
+    fn value(&self, view: &Beams<'_>, cell: [usize; 2]) -> Complex64 {
+        view.array.beam(&view.array.snapshot(view.header, view.map, cell, self.velocity_mps), &self.steering)
+    }
+
+    fn power(&self, view: &Beams<'_>, cell: [usize; 2]) -> f64 {
+        self.value(view, cell).norm_sqr()
+    }
+}

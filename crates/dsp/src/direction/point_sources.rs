@@ -1,0 +1,259 @@
+//! Directions of several echoes in one cell: deterministic maximum likelihood on a single snapshot.
+//!
+//! A map cell gives one value per channel, so no covariance can be averaged and methods on its eigenvectors (MUSIC, ESPRIT)
+//! would have to smooth over sub-arrays, which sparse rows and elevation rows do not have. Maximum likelihood needs
+//! none of it: the directions whose echoes leave the smallest residual (Ziskind and Wax, IEEE Trans. ASSP 36 (1988) 1553, here by Gauss–Newton
+//! with the amplitudes projected out: Golub and Pereyra, SIAM J. Numer. Anal. 10 (1973) 413), any array, spherical waves.
+//! One echo more is believed if it takes more from the residual than noise would (generalised likelihood ratio).
+
+use crate::direction::angle::{Direction, VirtualArray};
+use crate::numerics::normal_equations::solve;
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// An echo in a cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Source {
+    /// Seen from the array.
+    pub direction: Direction,
+    /// Power summed over channels.
+    pub power: f64,
+}
+
+/// Most echoes that are looked for in one cell.
+pub(crate) const MOST_SOURCES: usize = 3;
+/// Right and up of each.
+const PARAMETERS: usize = 2 * MOST_SOURCES;
+/// Chance that noise alone makes an echo of a cell that holds one less.
+const FALSE_SPLIT_RATE: f64 = 1e-4;
+/// An echo below this part of the cell's power is not believed: a range cell's response differs by up to −30 dB along a row of 0.34 m.
+const WEAKEST_SHARE: f64 = 1e-3;
+/// Starts left and right of an echo that may be two, in beams (λ over the array's extent).
+const SPLITS: [f64; 3] = [0.15, 0.4, 0.9];
+/// Gauss–Newton steps: from these starts the residual settles to 1e-6 of the noise within about ten.
+const STEPS: usize = 16;
+
+/// Echoes of a cell, strongest first, at least one; `noise` is the mean noise power of one channel.
+pub fn sources(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, noise: f64) -> Vec<Source> {
+    let strongest = array.direction(&[snapshot.to_vec()], range_m);
+    match likeliest(array, snapshot, range_m, strongest, noise) {
+        Some(fit) => fit.sources(snapshot.len()),
+        None => vec![Source { direction: strongest, power: 0.0 }],
+    }
+}
+
+/// Power that the echoes of [`sources`] leave of a cell, and how many they are.
+pub(crate) fn direct_fit(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, noise: f64) -> (f64, usize) {
+    let strongest = array.direction(&[snapshot.to_vec()], range_m);
+    let fit = likeliest(array, snapshot, range_m, strongest, noise);
+    fit.map_or((power(snapshot), 0), |fit| (fit.residual_power, fit.directions.len()))
+}
+
+/// As many echoes as noise would not have made of less; `None` where the strongest beam's direction is not visible.
+fn likeliest(
+    array: &VirtualArray,
+    snapshot: &[Complex64],
+    range_m: f64,
+    strongest: Direction,
+    noise: f64,
+) -> Option<Fit> {
+    let mut best = Fit::new(array, snapshot, range_m, &[strongest])?;
+    let total: f64 = snapshot.iter().map(|v| v.norm_sqr()).sum();
+    // Two amplitudes and a direction fitted over as many beams as channels: Pr(reduction > tσ²) ≈ M·t·e^{−t}.
+    let threshold = split_threshold(snapshot.len()) * noise;
+    // Each echo takes a complex amplitude and a direction: more than a third of the channels tell nothing.
+    while best.directions.len() < MOST_SOURCES.min(snapshot.len() / 3) {
+        match one_more(array, snapshot, range_m, &best) {
+            Some(more)
+                if best.residual_power - more.residual_power > threshold && more.weakest() > WEAKEST_SHARE * total =>
+            {
+                best = more;
+            }
+            _ => break,
+        }
+    }
+    Some(best)
+}
+
+/// Cramér–Rao bound of the direction cosines of echoes of known number: least standard errors along right and up of each
+/// (Stoica and Nehorai, IEEE Trans. ASSP 37 (1989) 720, eq. 4.1, of one snapshot); 0 along axes without extent, `None` where two coincide.
+pub fn least_errors(
+    array: &VirtualArray,
+    echoes: &[(Direction, Complex64)],
+    range_m: f64,
+    noise: f64,
+) -> Option<Vec<[f64; 2]>> {
+    let directions: Vec<Direction> = echoes.iter().map(|(direction, _)| *direction).collect();
+    let turns: Vec<Vec<Complex64>> = directions.iter().map(|d| array.steering(*d, range_m)).collect();
+    let sum = |c: usize| -> Complex64 { echoes.iter().zip(&turns).map(|((_, a), turns)| a * turns[c].conj()).sum() };
+    let noiseless: Vec<Complex64> = (0..turns.first()?.len()).map(sum).collect();
+    let slopes = Fit::new(array, &noiseless, range_m, &directions)?.slopes(array, range_m);
+    let mut information = [[0.0; PARAMETERS]; PARAMETERS];
+    for (i, a) in slopes.iter().enumerate().take(PARAMETERS) {
+        slopes.iter().enumerate().take(PARAMETERS).for_each(|(j, b)| information[i][j] = 2.0 / noise * inner(a, b).re);
+    }
+    let variance = |i: usize| {
+        let mut unit = [0.0; PARAMETERS];
+        unit[i] = 1.0;
+        solve(information, unit).map(|column| column[i])
+    };
+    (0..echoes.len().min(MOST_SOURCES)).map(|k| Some([variance(2 * k)?.sqrt(), variance(2 * k + 1)?.sqrt()])).collect()
+}
+
+/// t of M·t·e^{−t} = the rate.
+fn split_threshold(channels: usize) -> f64 {
+    let beams = channels as f64;
+    let next = |t: f64, _| (beams * t / FALSE_SPLIT_RATE).ln();
+    // Each step takes nine tenths of what is missing.
+    (0..20).fold(10.0, next)
+}
+
+/// The best fit with one echo more: one of those there made two, or a new one where the residual's beam is strongest.
+fn one_more(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, fit: &Fit) -> Option<Fit> {
+    let found = array.direction(std::slice::from_ref(&fit.residual), range_m);
+    let mut starts = vec![[fit.directions.as_slice(), &[found]].concat()];
+    for (index, direction) in fit.directions.iter().enumerate() {
+        for (axis, beam) in array.beams().into_iter().enumerate() {
+            for part in SPLITS.iter().filter(|_| beam.is_finite()) {
+                let [left, right] = [-0.5, 0.5].map(|side| shifted(*direction, axis, side * part * beam));
+                let mut start = fit.directions.clone();
+                start[index] = left;
+                start.push(right);
+                starts.push(start);
+            }
+        }
+    }
+    let fits = starts
+        .iter()
+        .filter_map(|start| Some(settled(array, snapshot, range_m, Fit::new(array, snapshot, range_m, start)?)));
+    fits.min_by(|a, b| a.residual_power.total_cmp(&b.residual_power))
+}
+
+/// Gauss–Newton with Levenberg's damping, which only ever lowers the residual.
+fn settled(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, mut fit: Fit) -> Fit {
+    let mut damping = 1e-3;
+    for _ in 0..STEPS {
+        let moved = fit.step(array, range_m, damping).and_then(|step| {
+            let at = |(i, d): (usize, &Direction)| shifted(shifted(*d, 0, step[2 * i]), 1, step[2 * i + 1]);
+            let directions: Vec<Direction> = fit.directions.iter().enumerate().map(at).collect();
+            Fit::new(array, snapshot, range_m, &directions)
+        });
+        match moved {
+            Some(moved) if moved.residual_power < fit.residual_power => {
+                fit = moved;
+                damping *= 0.1;
+            }
+            _ => damping = (damping * 30.0).max(1e-3),
+        }
+    }
+    fit
+}
+
+fn shifted(direction: Direction, axis: usize, by: f64) -> Direction {
+    match axis {
+        0 => Direction { right: direction.right + by, ..direction },
+        _ => Direction { up: direction.up.map(|up| up + by), ..direction },
+    }
+}
+
+/// Least squares over the amplitudes of echoes from given directions.
+struct Fit {
+    directions: Vec<Direction>,
+    amplitudes: Vec<Complex64>,
+    /// Orthonormal basis of the echoes.
+    basis: Vec<Vec<Complex64>>,
+    residual: Vec<Complex64>,
+    residual_power: f64,
+}
+
+impl Fit {
+    /// `None` where a direction is not visible or two cannot be told apart.
+    fn new(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, directions: &[Direction]) -> Option<Self> {
+        let visible = |d: &Direction| d.right.powi(2) + d.up.unwrap_or(0.0).powi(2) < 1.0;
+        directions.iter().all(visible).then_some(())?;
+        let (mut basis, mut triangle): (Vec<Vec<Complex64>>, Vec<Vec<Complex64>>) = (vec![], vec![]);
+        for direction in directions {
+            let mut echo: Vec<Complex64> = array.steering(*direction, range_m).iter().map(|turn| turn.conj()).collect();
+            let mut column: Vec<Complex64> = basis.iter().map(|q| take_out(q, &mut echo)).collect();
+            let left = power(&echo).sqrt();
+            // Closer than this the amplitudes are beyond a thousand times the echo: a beam's 1/2000.
+            (left > 1e-3 * (snapshot.len() as f64).sqrt()).then_some(())?;
+            echo.iter_mut().for_each(|v| *v /= left);
+            column.push(left.into());
+            basis.push(echo);
+            triangle.push(column);
+        }
+        let mut residual = snapshot.to_vec();
+        let mut amplitudes: Vec<Complex64> = basis.iter().map(|q| take_out(q, &mut residual)).collect();
+        for i in (0..amplitudes.len()).rev() {
+            let known: Complex64 = (i + 1..amplitudes.len()).map(|k| triangle[k][i] * amplitudes[k]).sum();
+            amplitudes[i] = (amplitudes[i] - known) / triangle[i][i];
+        }
+        let residual_power = power(&residual);
+        Some(Self { directions: directions.to_vec(), amplitudes, basis, residual, residual_power })
+    }
+
+    /// Change of all directions, [right, up] of each, that lowers the residual to first order.
+    fn step(&self, array: &VirtualArray, range_m: f64, damping: f64) -> Option<[f64; PARAMETERS]> {
+        let slopes = self.slopes(array, range_m);
+        let mut matrix = [[0.0; PARAMETERS]; PARAMETERS];
+        let mut right = [0.0; PARAMETERS];
+        for (i, a) in slopes.iter().enumerate() {
+            right[i] = inner(a, &self.residual).re;
+            for (j, b) in slopes.iter().enumerate() {
+                matrix[i][j] = inner(a, b).re * if i == j { 1.0 + damping } else { 1.0 };
+            }
+        }
+        solve(matrix, right)
+    }
+
+    /// Change of the echoes with each direction cosine, what the amplitudes can follow taken out.
+    fn slopes(&self, array: &VirtualArray, range_m: f64) -> Vec<Vec<Complex64>> {
+        let of_echo = |(direction, amplitude): (&Direction, &Complex64)| {
+            let turns = array.steering(*direction, range_m);
+            let excess = array.excess_slopes_m(*direction, range_m);
+            [0, 1].map(|axis: usize| {
+                let per_cosine = |(turn, excess): (&Complex64, &[f64; 2])| {
+                    turn.conj() * amplitude * Complex64::new(0.0, TAU * excess[axis] / array.wavelength_m())
+                };
+                let mut slope: Vec<Complex64> = turns.iter().zip(&excess).map(per_cosine).collect();
+                self.basis.iter().for_each(|q| {
+                    take_out(q, &mut slope);
+                });
+                slope
+            })
+        };
+        self.directions.iter().zip(&self.amplitudes).flat_map(of_echo).collect()
+    }
+
+    fn weakest(&self) -> f64 {
+        let powers = self.amplitudes.iter().map(|a| a.norm_sqr() * self.residual.len() as f64);
+        powers.fold(f64::INFINITY, f64::min)
+    }
+
+    fn sources(&self, channels: usize) -> Vec<Source> {
+        let source = |(direction, amplitude): (&Direction, &Complex64)| Source {
+            direction: *direction,
+            power: amplitude.norm_sqr() * channels as f64,
+        };
+        let mut sources: Vec<Source> = self.directions.iter().zip(&self.amplitudes).map(source).collect();
+        sources.sort_by(|a, b| b.power.total_cmp(&a.power));
+        sources
+    }
+}
+
+/// qᴴ·v.
+fn inner(q: &[Complex64], v: &[Complex64]) -> Complex64 {
+    q.iter().zip(v).map(|(a, b)| a.conj() * b).sum()
+}
+
+/// Takes a unit vector's part out of `v` and returns it.
+fn take_out(q: &[Complex64], v: &mut [Complex64]) -> Complex64 {
+    let part = inner(q, v);
+    v.iter_mut().zip(q).for_each(|(v, q)| *v -= part * q);
+    part
+}
+
+fn power(values: &[Complex64]) -> f64 {
+    values.iter().map(|v| v.norm_sqr()).sum()
+}

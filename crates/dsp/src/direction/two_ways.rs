@@ -1,0 +1,197 @@
+//! Whether an echo went out by one direction and came back by another: a ghost, made by two bodies and standing at neither.
+//!
+//! Between two bodies a wave runs both ways round, equally long and, with transmitters and receivers side by side, equally
+//! strong (reciprocity): with t(u) and r(u) the phases of transmit and receive elements towards direction u, channels hold
+//! a·(t(u)r(v) + t(v)r(u)). One body alone is u = v. Several bodies in one cell, each for itself, are sums of t(u)r(u). Which of
+//! the two the channels hold is asked by likelihood: the pair has to leave less than the direct echoes that maximum likelihood
+//! finds ([`crate::direction::point_sources`]), by more than noise and its greater freedom would give it.
+//!
+//! That departure and arrival differ is what tells ghosts in MIMO radars (Engels, Heidenreich, Wintermantel, Stäcker, Al Kadi and
+//! Zoubir, IEEE Signal Process. Mag. 38(4), 2021); it needs more than one transmit and more than one receive element along the row.
+
+use crate::direction::angle::{Direction, VirtualArray};
+use crate::direction::point_sources::direct_fit;
+use num_complex::Complex64;
+
+/// The two directions and how much better they explain a cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TwoWays {
+    /// Of the two bodies.
+    pub directions: [Direction; 2],
+    /// Log-likelihood over that of direct echoes, each less half its parameters times ln of the real samples (Schwarz 1978).
+    pub evidence: f64,
+}
+
+/// Chance that noise makes a direct echo look like two ways, as far as it is a matter of noise.
+const FALSE_RATE: f64 = 1e-4;
+/// A pair nearer than this many beams is one direction.
+const LEAST_APART_BEAMS: f64 = 0.5;
+/// Steps of the search for the pair, in beams, and how often they are halved.
+const STEP_BEAMS: f64 = 0.5;
+const HALVINGS: usize = 7;
+/// Steps of the climb: which of the pair, along which axis, to which side.
+const STEPS: [(usize, usize, f64); 8] =
+    [(0, 0, 1.0), (0, 0, -1.0), (1, 0, 1.0), (1, 0, -1.0), (0, 1, 1.0), (0, 1, -1.0), (1, 1, 1.0), (1, 1, -1.0)];
+/// Wavefronts that curve less than this over the array are flat: it costs (2π·0.01)² of the power, −24 dB.
+const FLAT_CYCLES: f64 = 0.01;
+/// Grids of more directions than this would take longer than the rest of a detection.
+const MOST_DIRECTIONS: usize = 512;
+
+/// Whether this array tells such a pair from direct echoes at all: both its transmitters and its receivers stand in more than one place
+/// along the row (else one end has the same phases for both directions, and the pair is a sum of two direct echoes), and the row is not
+/// too long to be searched.
+pub(crate) fn can_tell(array: &VirtualArray) -> bool {
+    let steps = (1.0 / (STEP_BEAMS * array.beams()[0])).floor();
+    array.ends_have_rows() && 2.0 * steps + 1.0 <= MOST_DIRECTIONS as f64
+}
+
+/// The pair of directions that a cell's echo went by; `None` where direct echoes explain it, or the array cannot tell. `direct` is
+/// the direction of the strongest beam, `noise` the mean noise power of one channel.
+pub fn two_ways(
+    array: &VirtualArray,
+    snapshot: &[Complex64],
+    range_m: f64,
+    direct: Direction,
+    noise: f64,
+) -> Option<TwoWays> {
+    let rows = Rows::of(array, snapshot, range_m)?;
+    let start = rows.coarse(direct.up)?;
+    let (pair, by_waves) = rows.climbed(start);
+    // Pairs of beams among which the best was chosen.
+    let beams = array.beams().into_iter().filter(|beam| beam.is_finite());
+    let least_evidence = beams.map(|beam| (2.0 / beam).powi(2)).product::<f64>().ln() - FALSE_RATE.ln();
+    let alone = array.explained(snapshot, direct, range_m);
+    // Most cells end here: one direct echo explains them as well.
+    let apart_beams = (pair[0].right - pair[1].right).abs() / array.beams()[0];
+    if apart_beams < LEAST_APART_BEAMS || by_waves - alone <= least_evidence * noise || noise <= 0.0 {
+        return None;
+    }
+    let total: f64 = snapshot.iter().map(|value| value.norm_sqr()).sum();
+    let (directly, directions) = direct_fit(array, snapshot, range_m, noise);
+    // Complex amplitudes and directions, with elevations where there are any.
+    let axes = 1 + usize::from(direct.up.is_some());
+    let [of_pair, of_direct] = [2 + 2 * axes, directions * (2 + axes)].map(|count| count as f64);
+    let evidence =
+        (directly - (total - by_waves)) / noise - 0.5 * (of_pair - of_direct) * (2.0 * snapshot.len() as f64).ln();
+    (evidence > least_evidence).then_some(TwoWays { directions: pair, evidence })
+}
+
+/// A cell's channels by transmit and receive elements.
+struct Rows<'a> {
+    array: &'a VirtualArray,
+    /// `[transmit][receive]`.
+    values: Vec<&'a [Complex64]>,
+    range_m: f64,
+}
+
+/// Phases that bring a wave of one direction together, of transmit and of receive elements.
+struct Turns {
+    direction: Direction,
+    tx: Vec<Complex64>,
+    rx: Vec<Complex64>,
+}
+
+impl<'a> Rows<'a> {
+    /// `None` where one end has a single element.
+    fn of(array: &'a VirtualArray, snapshot: &'a [Complex64], range_m: f64) -> Option<Self> {
+        let receivers = array.receivers();
+        let values: Vec<&[Complex64]> = snapshot.chunks_exact(receivers.max(1)).collect();
+        (receivers > 1 && values.len() > 1 && array.beams()[0].is_finite()).then_some(Self { array, values, range_m })
+    }
+
+    fn turns(&self, direction: Direction, range_m: f64) -> Turns {
+        let [tx, rx] = self.array.element_turns(direction, range_m);
+        Turns { direction, tx, rx }
+    }
+
+    /// The best pair of a grid over all that is visible at one elevation.
+    fn coarse(&self, up: Option<f64>) -> Option<[Direction; 2]> {
+        let beam = self.array.beams()[0];
+        let edge = (1.0 - up.unwrap_or(0.0).powi(2)).max(0.0).sqrt();
+        let count = (edge / (STEP_BEAMS * beam)).floor() as i64;
+        if 2 * count + 1 > MOST_DIRECTIONS as i64 {
+            return None;
+        }
+        let direction = |i: i64| Direction { right: i as f64 * STEP_BEAMS * beam, up };
+        let grid: Vec<Turns> = (-count..=count).map(|i| self.turns(direction(i), self.range_m)).collect();
+        let from_tx: Vec<Vec<Complex64>> = grid.iter().map(|turns| self.departed(turns)).collect();
+        let mut best: Option<(f64, [Direction; 2])> = None;
+        for (i, u) in grid.iter().enumerate() {
+            for (j, v) in grid.iter().enumerate().skip(i + 1) {
+                let sum = dot(&from_tx[i], &v.rx) + dot(&from_tx[j], &u.rx);
+                let power = sum.norm_sqr() / norm(u, v);
+                if best.is_none_or(|(most, _)| power > most) {
+                    best = Some((power, [u.direction, v.direction]));
+                }
+            }
+        }
+        best.map(|(_, pair)| pair)
+    }
+
+    /// The best pair near this one, each of its own elevation, and the power that it explains.
+    ///
+    /// Waves curve as from points at the range that the cell shows, or half as much: a flat body mirrors the other end, which appears at the
+    /// whole way's length. Over 12 × 16 elements that is half a radian at 50 m, over 3 × 4 nothing.
+    fn climbed(&self, start: [Direction; 2]) -> ([Direction; 2], f64) {
+        let curved = self.climbed_at(start, self.range_m);
+        if self.array.curvature_cycles(self.range_m) < FLAT_CYCLES {
+            return curved;
+        }
+        let flatter = self.climbed_at(start, 2.0 * self.range_m);
+        if flatter.1 > curved.1 { flatter } else { curved }
+    }
+
+    /// Steps to neighbours as long as they are better, ever smaller.
+    fn climbed_at(&self, start: [Direction; 2], range_m: f64) -> ([Direction; 2], f64) {
+        let (mut pair, mut best) = (start, self.power(&start, range_m));
+        let mut part = 0.5 * STEP_BEAMS;
+        for _ in 0..HALVINGS {
+            for (which, axis, side) in STEPS {
+                let mut next = pair;
+                moved(&mut next[which], axis, side * part * self.array.beams()[axis]);
+                let power = self.power(&next, range_m);
+                (pair, best) = if power > best { (next, power) } else { (pair, best) };
+            }
+            part *= 0.6;
+        }
+        (pair, best)
+    }
+
+    /// Power that the pair explains.
+    fn power(&self, pair: &[Direction; 2], range_m: f64) -> f64 {
+        if pair.iter().any(|d| d.right.powi(2) + d.up.unwrap_or(0.0).powi(2) >= 1.0) {
+            return 0.0;
+        }
+        let [u, v] = pair.map(|direction| self.turns(direction, range_m));
+        let sum = dot(&self.departed(&u), &v.rx) + dot(&self.departed(&v), &u.rx);
+        sum.norm_sqr() / norm(&u, &v)
+    }
+
+    /// For each receive element what left towards a direction.
+    fn departed(&self, turns: &Turns) -> Vec<Complex64> {
+        let mut sums = vec![Complex64::ZERO; turns.rx.len()];
+        for (row, turn) in self.values.iter().zip(&turns.tx) {
+            sums.iter_mut().zip(*row).for_each(|(sum, value)| *sum += value * turn);
+        }
+        sums
+    }
+}
+
+/// Along right or, where there is one, up.
+fn moved(direction: &mut Direction, axis: usize, by: f64) {
+    match axis {
+        0 => direction.right += by,
+        _ => direction.up = direction.up.map(|up| up + by),
+    }
+}
+
+/// ‖t(u)r(v) + t(v)r(u)‖².
+fn norm(u: &Turns, v: &Turns) -> f64 {
+    let cross = |a: &[Complex64], b: &[Complex64]| a.iter().zip(b).map(|(a, b)| a * b.conj()).sum::<Complex64>();
+    let channels = (u.tx.len() * u.rx.len()) as f64;
+    (2.0 * channels + 2.0 * (cross(&u.tx, &v.tx) * cross(&v.rx, &u.rx)).re).max(1e-9 * channels)
+}
+
+fn dot(values: &[Complex64], turns: &[Complex64]) -> Complex64 {
+    values.iter().zip(turns).map(|(value, turn)| value * turn).sum()
+}

@@ -1,0 +1,207 @@
+//! Whether an echo stands alone: what the others do to its maximum-likelihood estimates, against the Cramér–Rao bound.
+//!
+//! The likelihood's score of a parameter is the samples' correlation with the echo's slope, ∂s/∂θ with what its amplitude follows
+//! taken out. Another echo of energy E over the noise (|a|²/σ² times all samples of all channels), whose correlation with the
+//! slope of unit length is h, moves the estimate by up to √(2E)·h standard errors of the bound, E·h² in the mean square over its phase.
+//! Along range and velocity h falls with the distance as the slope of the Dirichlet kernel, three times the power that leaks
+//! into the peak's own cell; over the array it is the other's beam towards the echo's direction.
+//!
+//! Two tests say so. [`Neighbours`] adds that up over all other peaks of the map. What lies under the same peak is not among
+//! them: [`fits_alone`] looks for a second echo in what is left of the samples when the fitted one is taken out.
+
+use crate::detection::peaks::Peak;
+use crate::direction::angle::{Direction, VirtualArray};
+use crate::estimation::point_echo::{Block, PointEcho, blocks};
+use artifact::cube::CubeHeader;
+use artifact::rdm::RdmFrame;
+use num_complex::{Complex32, Complex64};
+use std::f64::consts::{PI, TAU};
+
+/// Mean square error that others may add, in squares of the bound: 0.4 dB.
+const MOST_BIAS: f64 = 0.1;
+
+/// The peaks of a map, and what is needed to tell what they do to one.
+pub(crate) struct Neighbours<'a> {
+    /// Radar and settings.
+    pub(crate) header: &'a CubeHeader,
+    /// Its map.
+    pub(crate) map: &'a RdmFrame,
+    /// Its channels.
+    pub(crate) array: &'a VirtualArray,
+    /// All peaks.
+    pub(crate) peaks: &'a [Peak],
+    /// Of a cell of the map, summed over channels.
+    pub(crate) noise: f64,
+    /// Noise bandwidth of a cell in cells: what its power lacks of an unwindowed one's signal-to-noise ratio.
+    pub(crate) bandwidth_cells: f64,
+}
+
+impl Neighbours<'_> {
+    /// Whether the other peaks leave the estimates of an echo, whose peak this is, within 0.4 dB of their bound.
+    pub(crate) fn leave_alone(&self, peak: &Peak, echo: PointEcho) -> bool {
+        let beams = Beams::new(self.array, echo);
+        let mut bias = [0.0; PARAMETERS];
+        for other in self.peaks.iter().filter(|other| (other.row, other.column) != (peak.row, peak.column)) {
+            // As the echo's own slots of time division see it: turned back by the echo's velocity, not by its own.
+            let cell = [other.row, other.column];
+            let snapshot = self.array.snapshot(self.header, self.map, cell, echo.radial_velocity_mps);
+            let energy = self.bandwidth_cells / self.noise;
+            let added = beams.correlations(&snapshot).map(|h| energy * h);
+            let [rows, columns] = self.along(peak, other);
+            let shares = [
+                columns.slope * rows.value,
+                columns.value * rows.slope,
+                columns.value * rows.value,
+                columns.value * rows.value,
+            ];
+            (0..PARAMETERS).for_each(|i| bias[i] += added[i] * shares[i]);
+        }
+        bias.iter().all(|bias| *bias <= MOST_BIAS)
+    }
+
+    fn along(&self, a: &Peak, b: &Peak) -> [Correlation; 2] {
+        let waveform = &self.header.radar.waveform;
+        [
+            Correlation::of(a.fine_row - b.fine_row, waveform.chirps),
+            Correlation::of(a.fine_column - b.fine_column, waveform.samples),
+        ]
+    }
+}
+
+/// Range, velocity, direction cosines along right and up.
+const PARAMETERS: usize = 4;
+
+/// Largest |correlation|² of a tone with another along one axis, and with its slope of unit length.
+struct Correlation {
+    value: f64,
+    slope: f64,
+}
+
+impl Correlation {
+    /// Envelopes of the Dirichlet kernel sin πx/(N sin πx/N) and of its slope over π/√3, the slope's length.
+    fn of(cells: f64, count: u32) -> Self {
+        let away = f64::from(count) * (PI * cells / f64::from(count)).sin().abs();
+        let [value, slope] = [1.0, 3f64.sqrt() * (1.0 + 1.0 / away)].map(|most: f64| (most / away).powi(2).min(1.0));
+        Self { value, slope }
+    }
+}
+
+/// An echo over the array, of unit length, and its changes with the direction.
+struct Beams {
+    of_parameters: [Vec<Complex64>; PARAMETERS],
+}
+
+impl Beams {
+    fn new(array: &VirtualArray, echo: PointEcho) -> Self {
+        let steering = array.steering(echo.direction, echo.range_m);
+        let slopes = array.excess_slopes_m(echo.direction, echo.range_m);
+        let count = steering.len() as f64;
+        let own: Vec<Complex64> = steering.iter().map(|turn| turn / count.sqrt()).collect();
+        let [right, up] = [0, 1].map(|axis: usize| {
+            let mean = slopes.iter().map(|s| s[axis]).sum::<f64>() / count;
+            let length = slopes.iter().map(|s| (s[axis] - mean).powi(2)).sum::<f64>().sqrt();
+            // An axis without extent has no direction to be wrong in.
+            let weight = |s: &[f64; 2]| if length > 0.0 { (s[axis] - mean) / length } else { 0.0 };
+            steering.iter().zip(&slopes).map(|(turn, s)| turn * weight(s)).collect()
+        });
+        Self { of_parameters: [own.clone(), own, right, up] }
+    }
+
+    fn correlations(&self, snapshot: &[Complex64]) -> [f64; PARAMETERS] {
+        let with = |beam: &Vec<Complex64>| beam.iter().zip(snapshot).map(|(b, v)| b * v).sum::<Complex64>().norm_sqr();
+        [0, 1, 2, 3].map(|i: usize| with(&self.of_parameters[i]))
+    }
+}
+
+/// Cells on each side of the echo that are searched: two under one peak lie within a window's main lobe.
+const NEAR_CELLS: usize = 2;
+/// Chance that noise alone is taken for a second echo.
+const FALSE_SECOND_RATE: f64 = 1e-3;
+/// A second echo is not told from errors of the model below this part of the first, −50 dB; it moves a range by at most 1/600 cell
+/// (√3/π·10^−2.5).
+const MODEL_ERROR: f64 = 1e-5;
+
+/// Whether nothing like a second echo is left near a fitted one, in any direction; `noise` is that of one sample.
+pub(crate) fn fits_alone(
+    header: &CubeHeader,
+    array: &VirtualArray,
+    samples: &[Complex32],
+    echo: &PointEcho,
+    noise: f64,
+) -> bool {
+    let mut left = blocks(header, array, samples, echo);
+    let weight: f64 = left.iter().map(|b| b.weight).sum();
+    let amplitude = left.iter().map(|b| b.sum).sum::<Complex64>() / weight;
+    left.iter_mut().for_each(|b| b.sum -= amplitude * b.weight);
+    let channels = header.radar.virtual_channels();
+    let cells = (2 * NEAR_CELLS + 1).pow(2);
+    let believed = second_threshold(array, cells * channels) * noise * weight;
+    let most = believed.max(MODEL_ERROR * amplitude.norm_sqr() * weight * weight);
+    let steering = array.steering(echo.direction, echo.range_m);
+    let of_channel: Vec<Vec<Complex64>> = left.chunks(left.len() / channels).map(|b| near_cells(header, b)).collect();
+    (0..cells).all(|cell| {
+        // The blocks are turned to the echo's direction: back again, for the beam to look around.
+        let snapshot: Vec<Complex64> =
+            of_channel.iter().zip(&steering).map(|(c, turn)| c[cell] * turn.conj()).collect();
+        let direction: Direction = array.fft_direction(std::slice::from_ref(&snapshot), echo.range_m);
+        array.beam(&snapshot, &array.steering(direction, echo.range_m)).norm_sqr() <= most
+    })
+}
+
+/// t of M·t^axes·e^{−t} = the rate: powers of M independent cells and beams, and between beams the highest of a field along each axis.
+fn second_threshold(array: &VirtualArray, independent: usize) -> f64 {
+    let axes = array.beams().into_iter().filter(|beam| beam.is_finite()).count();
+    let next = |t: f64, _| (independent as f64 * t.powi(axes as i32) / FALSE_SECOND_RATE).ln();
+    // Each step takes four fifths of what is missing.
+    (0..20).fold(14.0, next)
+}
+
+/// Sums of one channel's blocks, turned by −2…2 cells of velocity and of range.
+fn near_cells(header: &CubeHeader, blocks: &[Block]) -> Vec<Complex64> {
+    let waveform = &header.radar.waveform;
+    let frame_s = f64::from(waveform.chirps) * header.radar.repetition_interval_s();
+    let sweep_s = f64::from(waveform.samples) / waveform.sample_rate_hz;
+    let side = 2 * NEAR_CELLS + 1;
+    let mut cells = vec![Complex64::ZERO; side * side];
+    for block in blocks {
+        let rows = turns(block.frame_s / frame_s);
+        let columns = turns(block.sweep_s / sweep_s);
+        for (row, sums) in rows.iter().zip(cells.chunks_exact_mut(side)) {
+            let turned = block.sum * row;
+            sums.iter_mut().zip(&columns).for_each(|(sum, column)| *sum += turned * column);
+        }
+    }
+    cells
+}
+
+/// e^{−j2πn·cycles} of n = −2…2.
+fn turns(cycles: f64) -> [Complex64; 2 * NEAR_CELLS + 1] {
+    let one = Complex64::from_polar(1.0, -TAU * cycles);
+    let two = one * one;
+    [two.conj(), one.conj(), Complex64::ONE, one, two]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn envelopes_lie_above_the_kernel_and_its_slope_at_every_distance() {
+        let count = 32;
+        let kernel = |x: f64| {
+            let tone = |n: i32| Complex64::from_polar(1.0 / 32.0, TAU * x * f64::from(n) / 32.0);
+            let middle = 15.5;
+            let length = (0..32).map(|n| (f64::from(n) - middle).powi(2) / 32.0).sum::<f64>().sqrt();
+            let value: Complex64 = (0..32).map(tone).sum();
+            let slope: Complex64 = (0..32).map(|n| tone(n) * ((f64::from(n) - middle) / length)).sum();
+            [value.norm_sqr(), slope.norm_sqr()]
+        };
+        for step in 1..16 * 50 {
+            let cells = f64::from(step) / 50.0;
+            let ([value, slope], most) = (kernel(cells), Correlation::of(cells, count));
+            // The slope's length is π/√3·√(1 − 1/N²) of a cell.
+            assert!(value <= most.value + 1e-12 && slope <= most.slope * (1.0 + 1e-3) + 1e-12, "{cells}: {slope}");
+            assert!(value + slope <= 1.0 + 1e-12, "two parts of one tone");
+        }
+    }
+}

@@ -1,0 +1,162 @@
+//! Phase of a lone point's echo in every sample, and a cube's samples with it taken out, summed over blocks.
+//!
+//! cycles = f₀τ + μtτ − ½μτ², cτ = 2R(T) + what the channel's elements are nearer or farther than the array's centre
+//! (`docs/interface.md`; the point's place in the frame's middle decides that part). R(T) is linear, so a chirp's phase is
+//! a parabola in t exactly.
+
+use crate::direction::angle::{Direction, VirtualArray};
+use crate::spectrum::doppler_bands::source_of;
+use artifact::cube::CubeHeader;
+use artifact::radar::{Multiplexing, code_sign};
+use artifact::units::SPEED_OF_LIGHT_MPS;
+use num_complex::{Complex32, Complex64};
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// Where a point is in the frame's middle, and how fast it recedes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct PointEcho {
+    /// From the array's centre.
+    pub(crate) range_m: f64,
+    /// Not folded.
+    pub(crate) radial_velocity_mps: f64,
+    /// Seen from the array.
+    pub(crate) direction: Direction,
+}
+
+/// Sum over some samples of some chirps of one channel.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Block {
+    /// Σ sample · e^{−j·phase of the point}.
+    pub(crate) sum: Complex64,
+    /// Samples in it.
+    pub(crate) weight: f64,
+    /// Channel.
+    pub(crate) channel: usize,
+    /// Mean time into the sampled sweep.
+    pub(crate) sweep_s: f64,
+    /// Mean time from the frame's middle.
+    pub(crate) frame_s: f64,
+}
+
+/// Blocks along each axis: a point half a cell beside the phase taken out turns by 1/32 cycle within a block, which takes
+/// 1.6e-3 of its amplitude.
+const BLOCKS: usize = 16;
+
+/// Blocks of all channels, the point's phase taken out, in order of channel, chirp and sample.
+pub(crate) fn blocks(
+    header: &CubeHeader,
+    array: &VirtualArray,
+    samples: &[Complex32],
+    point: &PointEcho,
+) -> Vec<Block> {
+    let excess_m = array.excess_m(point.direction, point.range_m);
+    let channels = 0..header.radar.virtual_channels();
+    let of_channels: Vec<Vec<Block>> =
+        channels.into_par_iter().map(|c| blocks_of_channel(header, samples, point, c, excess_m[c])).collect();
+    of_channels.concat()
+}
+
+fn blocks_of_channel(
+    header: &CubeHeader,
+    samples: &[Complex32],
+    point: &PointEcho,
+    channel: usize,
+    excess_m: f64,
+) -> Vec<Block> {
+    let [_, all_chirps, length] = header.shape();
+    let heard = heard(header, channel);
+    let calibration = header.dsp.calibration.get(channel).copied().unwrap_or(Complex64::ONE);
+    let [rows, columns] = [all_chirps.div_ceil(BLOCKS), length.div_ceil(BLOCKS)];
+    let row_blocks = (0..all_chirps).step_by(rows).map(|first| first..(first + rows).min(all_chirps));
+    row_blocks
+        .flat_map(|chirps| {
+            let mut sums = vec![Complex64::ZERO; length.div_ceil(columns)];
+            let mut frame_s = 0.0;
+            for (chirp, from) in chirps.clone().flat_map(|chirp| heard.iter().map(move |from| (chirp, from))) {
+                let start_s = header.radar.chirp_start_s(from.turn, chirp) - header.radar.frame_middle_s();
+                let phase = ChirpPhase::new(header, point, excess_m, start_s, from.cycles * chirp as f64);
+                frame_s += start_s / (chirps.len() * heard.len()) as f64;
+                let row = &samples[(from.source * all_chirps + chirp) * length..][..length];
+                add_chirp((row, from.share), columns, &phase, &mut sums);
+            }
+            let rate_hz = header.radar.waveform.sample_rate_hz;
+            sums.into_iter().enumerate().map(move |(index, sum)| {
+                let width = columns.min(length - index * columns);
+                let sweep_s = (index as f64 * columns as f64 + 0.5 * (width - 1) as f64) / rate_hz;
+                let weight = (width * chirps.len()) as f64;
+                Block { sum: sum * calibration, weight, channel, sweep_s, frame_s: frame_s + sweep_s }
+            })
+        })
+        .collect()
+}
+
+/// Where a cube has the chirps of a transmit–receive pair.
+struct Heard {
+    source: usize,
+    /// Of [`Radar::chirp_start_s`](artifact::Radar::chirp_start_s).
+    turn: usize,
+    /// To take out per chirp.
+    cycles: f64,
+    /// Of its samples in the pair's.
+    share: f64,
+}
+
+/// One channel; with codes every slot, since what other transmitters add to them has as many signs as the pair's own, plus and minus.
+fn heard(header: &CubeHeader, channel: usize) -> Vec<Heard> {
+    let receivers = header.radar.array.rx_m.len();
+    let (tx, rx) = (channel / receivers, channel % receivers);
+    if header.radar.array.multiplexing != Multiplexing::Bpm {
+        let (source, cycles) = source_of(header, channel);
+        return vec![Heard { source, turn: tx, cycles, share: 1.0 }];
+    }
+    let slots = header.radar.slots();
+    let of_slot = |slot: usize| Heard {
+        source: slot * receivers + rx,
+        turn: slot,
+        cycles: 0.0,
+        share: code_sign(tx, slot) / slots as f64,
+    };
+    (0..slots).map(of_slot).collect()
+}
+
+/// Adds so much of a chirp's samples.
+fn add_chirp((row, share): (&[Complex32], f64), columns: usize, phase: &ChirpPhase, sums: &mut [Complex64]) {
+    let (mut turn, mut step, step_of_step) = phase.turns();
+    turn *= share;
+    for (values, sum) in row.chunks(columns).zip(sums) {
+        for value in values {
+            *sum += Complex64::new(f64::from(value.re), f64::from(value.im)) * turn;
+            turn *= step;
+            step *= step_of_step;
+        }
+    }
+}
+
+/// Cycles of one chirp's samples: a parabola in the sample's number.
+struct ChirpPhase {
+    start: f64,
+    slope: f64,
+    bend: f64,
+}
+
+impl ChirpPhase {
+    fn new(header: &CubeHeader, point: &PointEcho, excess_m: f64, start_s: f64, turn_cycles: f64) -> Self {
+        let waveform = &header.radar.waveform;
+        let (f0, mu) = (waveform.start_frequency_hz, waveform.slope_hz_per_s);
+        let tau_s = (2.0 * (point.range_m + point.radial_velocity_mps * start_s) + excess_m) / SPEED_OF_LIGHT_MPS;
+        let rate = 2.0 * point.radial_velocity_mps / SPEED_OF_LIGHT_MPS;
+        let sample_s = 1.0 / waveform.sample_rate_hz;
+        Self {
+            start: f0 * tau_s - 0.5 * mu * tau_s * tau_s + turn_cycles,
+            slope: (f0 * rate + mu * tau_s * (1.0 - rate)) * sample_s,
+            bend: mu * rate * (1.0 - 0.5 * rate) * sample_s * sample_s,
+        }
+    }
+
+    /// e^{−j·phase} of the first sample, its first step, and the step of the step.
+    fn turns(&self) -> (Complex64, Complex64, Complex64) {
+        let turn = |cycles: f64| Complex64::from_polar(1.0, -TAU * cycles.fract());
+        (turn(self.start), turn(self.slope + self.bend), turn(2.0 * self.bend))
+    }
+}

@@ -1,0 +1,269 @@
+//! Clusters: points of one vehicle, grown from the strongest point along range and velocity within one strip of road.
+//!
+//! A vehicle is a chain of scatterers along its lane, its echoes of several bounces a tail behind it, all at nearly one
+//! radial velocity. So a point joins when it is near *any* member in range and velocity (a chain of any length), but near
+//! the *whole* object's power-weighted mean across the lanes: chains must not creep from one lane to the next, which
+//! density clustering (DBSCAN) in all three allows as soon as one weak point between them is badly placed.
+//!
+//! A body whose echoes leave a longer gap, or one of which stood too far aside when it was met, is two groups then. They are joined
+//! if they stand in one strip (their means within half a lane), move alike (their mean velocities within half a reach) and are apart by less than
+//! two cars of a queue are; not if the farther is ten times stronger, as a follower's front is and a hidden rear is not. Across the line of
+//! sight a vehicle is longer than the strip is wide, and shows other velocities from end to end: parts that one velocity explains, and
+//! that lie one behind the other along it, are joined as well (`rigid_pieces.rs`).
+//!
+//! What is left behind a group, in its strip and at its velocity, but twenty times weaker, is its tail: the far end of a long
+//! body, which sends little back beside the front, or an echo of several bounces. (A box truck of 8 m at 30 m: the front at
+//! 25 dB, the rear 6 m behind the last echo before it at 11 dB.) A follower of like strength stays its own object; one that
+//! is twenty times weaker, that near and that equal in speed is lost to the one ahead; at ten times, the fading of two like
+//! cars 6 m apart was enough to lose one. Weaker and beside the front is its far corner: a bus is as wide as the strip.
+
+use crate::objects::cluster_member::{Member, on_circle};
+use crate::objects::rigid_pieces::drive_as_one;
+use artifact::settings::DspSettings;
+
+/// Groups of indices into `members`, which come strongest first; `velocity_span_mps` is where velocities wrap.
+///
+/// Every member is in exactly one group; groups are in the order of their strongest member, members in order of index.
+pub(crate) fn clusters(members: &[Member], settings: &DspSettings, velocity_span_mps: f64) -> Vec<Vec<usize>> {
+    let mut free: Vec<bool> = vec![true; members.len()];
+    let mut groups = Vec::new();
+    for seed in 0..members.len() {
+        if free[seed] {
+            let mut group = grow(members, settings, velocity_span_mps, seed, &mut free);
+            group.sort_unstable();
+            groups.extend(without_those_ahead(members, group));
+        }
+    }
+    let reach_m = PIECE_REACHES * settings.cluster_range_m;
+    groups.sort_by_key(|group| group[0]);
+    let groups = joined_to_earlier(groups, |piece, body| {
+        is_piece(members, settings, velocity_span_mps, piece, body)
+            || drive_as_one(members, settings, velocity_span_mps, [body, piece], reach_m)
+    });
+    joined_to_earlier(groups, |tail, body| {
+        is_tail(members, settings, velocity_span_mps, tail, body)
+            || is_wing(members, settings, velocity_span_mps, tail, body)
+    })
+}
+
+/// A tail is at least this much weaker than the strongest point ahead.
+const TAIL_POWER: f64 = 0.05;
+/// A tail follows the last point ahead within this many reaches in range: 6.25 m of the default 2.5 m.
+const TAIL_REACHES: f64 = 2.5;
+
+/// A wing is at least this much weaker than the strongest point of its front.
+const WING_POWER: f64 = 0.1;
+/// Standard errors by which a wing may seem farther across than it is.
+const WING_ERRORS: f64 = 2.0;
+
+/// Groups, strongest first, each joined to the strongest earlier one that it belongs to, until none belongs to another.
+fn joined_to_earlier(mut groups: Vec<Vec<usize>>, belongs: impl Fn(&[usize], &[usize]) -> bool) -> Vec<Vec<usize>> {
+    loop {
+        let before = groups.len();
+        groups = joined_once(groups, &belongs);
+        if groups.len() == before {
+            return groups;
+        }
+    }
+}
+
+fn joined_once(groups: Vec<Vec<usize>>, belongs: &impl Fn(&[usize], &[usize]) -> bool) -> Vec<Vec<usize>> {
+    let mut joined: Vec<Vec<usize>> = Vec::new();
+    for group in groups {
+        match joined.iter_mut().find(|earlier| belongs(&group, earlier)) {
+            Some(earlier) => {
+                earlier.extend(group);
+                earlier.sort_unstable();
+            }
+            None => joined.push(group),
+        }
+    }
+    joined
+}
+
+/// Two pieces of one body are this many reaches apart at most: 4.4 m of the default 2.5 m. The rear of a car is hidden from the front, so that
+/// the echoes of two that stand a metre apart are farther from each other.
+const PIECE_REACHES: f64 = 1.75;
+/// Their means are apart by at most this part of the reach across: 1.5 m, two fifths of a lane.
+const PIECE_STRIP: f64 = 0.6;
+/// And by this part of the reach in velocity.
+const PIECE_VELOCITY: f64 = 0.5;
+/// What lies farther and is so much stronger than what lies before it is a follower's front: a body's own front hides its rear.
+const FOLLOWER_POWER: f64 = 10.0;
+/// So is what is stronger at all and lies farther behind the first echo than cars are long: the strongest of a body comes from its front,
+/// its windscreen or the load over its cab, m.
+const FRONT_M: f64 = 5.0;
+/// What lies ahead of a front and is weaker than this part of it is its sidelobes.
+const SIDELOBES: f64 = 0.01;
+
+/// A grown group, and before it what stands ahead of its strongest echo's body: the chain of a queue is cut at the weakest echo
+/// between two fronts.
+fn without_those_ahead(members: &[Member], group: Vec<usize>) -> Vec<Vec<usize>> {
+    let strongest = &members[group[0]];
+    let ahead = group.iter().find(|i| members[**i].range_m < strongest.range_m - FRONT_M);
+    let Some(front) = ahead.map(|i| &members[*i]).filter(|front| front.power > SIDELOBES * strongest.power) else {
+        return vec![group];
+    };
+    let between = |i: &&usize| (front.range_m..strongest.range_m).contains(&members[**i].range_m);
+    let Some(valley) = group.iter().rfind(between).filter(|i| members[**i].power < front.power) else {
+        return vec![group];
+    };
+    let cut_m = members[*valley].range_m;
+    let (near, far): (Vec<usize>, Vec<usize>) = group.iter().partition(|i| members[**i].range_m < cut_m);
+    let mut groups = without_those_ahead(members, near);
+    groups.push(far);
+    groups
+}
+
+fn is_piece(members: &[Member], settings: &DspSettings, velocity_span_mps: f64, a: &[usize], b: &[usize]) -> bool {
+    let gaps = a.iter().flat_map(|i| b.iter().map(|j| (members[*i].range_m - members[*j].range_m).abs()));
+    let [(cross_a_m, velocity_a), (cross_b_m, velocity_b)] =
+        [a, b].map(|group| means(members, velocity_span_mps, group));
+    let apart = on_circle(velocity_a - velocity_b, velocity_span_mps).abs();
+    !is_follower(members, a, b)
+        && apart <= PIECE_VELOCITY * settings.cluster_velocity_mps
+        && (cross_a_m - cross_b_m).abs() <= PIECE_STRIP * settings.cluster_cross_m
+        && gaps.fold(f64::INFINITY, f64::min) <= PIECE_REACHES * settings.cluster_range_m
+}
+
+fn is_follower(members: &[Member], a: &[usize], b: &[usize]) -> bool {
+    let first_m = |group: &[usize]| group.iter().map(|i| members[*i].range_m).fold(f64::INFINITY, f64::min);
+    let (near, far) = if first_m(a) <= first_m(b) { (a, b) } else { (b, a) };
+    let (front, follower) = (&members[near[0]], &members[far[0]]);
+    let is_far_behind = follower.range_m - first_m(near) > FRONT_M;
+    follower.power > FOLLOWER_POWER * front.power || is_far_behind && follower.power > front.power
+}
+
+/// Power-weighted means of a group: across the lanes, and of velocities about its strongest member's.
+fn means(members: &[Member], velocity_span_mps: f64, group: &[usize]) -> (f64, f64) {
+    let strongest_mps = members[group[0]].radial_velocity_mps;
+    let (mut cross, mut velocity, mut weight) = (0.0, 0.0, 0.0);
+    for member in group.iter().map(|i| &members[*i]) {
+        cross += member.power * member.cross_m;
+        velocity += member.power * on_circle(member.radial_velocity_mps - strongest_mps, velocity_span_mps);
+        weight += member.power;
+    }
+    (cross / weight, strongest_mps + velocity / weight)
+}
+
+fn is_tail(members: &[Member], settings: &DspSettings, velocity_span_mps: f64, tail: &[usize], body: &[usize]) -> bool {
+    let (strongest, weak) = (&members[body[0]], &members[tail[0]]);
+    let ranges = |group: &[usize]| group.iter().map(|i| members[*i].range_m).collect::<Vec<_>>();
+    let first_m = |group: &[usize]| ranges(group).into_iter().fold(f64::INFINITY, f64::min);
+    let last_m = ranges(body).into_iter().fold(f64::NEG_INFINITY, f64::max);
+    weak.power <= TAIL_POWER * strongest.power
+        && first_m(tail) >= first_m(body)
+        && first_m(tail) <= last_m + TAIL_REACHES * settings.cluster_range_m
+        && apart_mps(strongest, weak, velocity_span_mps) <= settings.cluster_velocity_mps
+        && (strongest.cross_m - weak.cross_m).abs() <= settings.cluster_cross_m
+}
+
+/// A front's far corner: much weaker, as far in range as the front's strongest point, and across no farther than the reach and
+/// what noise lets it err by (a bus is as wide as the reach).
+fn is_wing(members: &[Member], settings: &DspSettings, velocity_span_mps: f64, wing: &[usize], body: &[usize]) -> bool {
+    let (strongest, weak) = (&members[body[0]], &members[wing[0]]);
+    let reach_m = settings.cluster_cross_m + WING_ERRORS * weak.cross_error_m;
+    weak.power <= WING_POWER * strongest.power
+        && near(strongest, weak, settings, velocity_span_mps)
+        && (strongest.cross_m - weak.cross_m).abs() <= reach_m
+}
+
+/// All free members that a chain reaches from the seed, strongest first so that the mean settles early.
+fn grow(
+    members: &[Member],
+    settings: &DspSettings,
+    velocity_span_mps: f64,
+    seed: usize,
+    free: &mut [bool],
+) -> Vec<usize> {
+    let mut group = Vec::new();
+    let mut reached = vec![seed];
+    let (mut moment, mut weight) = (0.0, 0.0);
+    free[seed] = false;
+    while let Some(next) = strongest(&mut reached) {
+        let strays = weight > 0.0 && (members[next].cross_m - moment / weight).abs() > settings.cluster_cross_m;
+        if strays {
+            free[next] = true;
+            continue;
+        }
+        moment += members[next].cross_m * members[next].power;
+        weight += members[next].power;
+        group.push(next);
+        for other in 0..members.len() {
+            if free[other] && near(&members[next], &members[other], settings, velocity_span_mps) {
+                free[other] = false;
+                reached.push(other);
+            }
+        }
+    }
+    group
+}
+
+/// Members come strongest first: the lowest index.
+fn strongest(reached: &mut Vec<usize>) -> Option<usize> {
+    let at = (0..reached.len()).min_by_key(|i| reached[*i])?;
+    Some(reached.swap_remove(at))
+}
+
+fn near(a: &Member, b: &Member, settings: &DspSettings, velocity_span_mps: f64) -> bool {
+    let near_in_range = (a.range_m - b.range_m).abs() <= settings.cluster_range_m;
+    near_in_range && apart_mps(a, b, velocity_span_mps) <= settings.cluster_velocity_mps
+}
+
+/// Distance of two velocities on their circle.
+fn apart_mps(a: &Member, b: &Member, velocity_span_mps: f64) -> f64 {
+    on_circle(a.radial_velocity_mps - b.radial_velocity_mps, velocity_span_mps).abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::objects::test_settings::settings;
+    use glam::DVec2;
+
+    /// Bodies at rest in one lane, by range and level; groups of the ranges.
+    fn groups_of(echoes: &[(f64, f64)]) -> Vec<Vec<f64>> {
+        let mut members: Vec<Member> = echoes.iter().map(|(range_m, db)| at(*range_m, *db)).collect();
+        members.sort_by(|a, b| b.power.total_cmp(&a.power));
+        let of = |group: &Vec<usize>| {
+            let mut ranges: Vec<f64> = group.iter().map(|i| members[*i].range_m).collect();
+            ranges.sort_by(f64::total_cmp);
+            ranges
+        };
+        let mut groups: Vec<Vec<f64>> = clusters(&members, &settings(), 35.0).iter().map(of).collect();
+        groups.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        groups
+    }
+
+    fn at(range_m: f64, db: f64) -> Member {
+        Member {
+            range_m,
+            radial_velocity_mps: 0.0,
+            cross_m: 2.0,
+            cross_error_m: 0.1,
+            power: 10.0_f64.powf(0.1 * db),
+            place_m: DVec2::new(2.0, range_m),
+        }
+    }
+
+    /// The third car and the truck behind it of scenes/traffic.toml, with the echoes of several bounces between them.
+    #[test]
+    fn a_car_before_a_stronger_truck_is_not_chained_to_it_by_weak_echoes_between() {
+        let echoes = [(27.6, 37.0), (28.1, 27.0), (29.8, 28.0), (30.9, 10.0), (31.4, 15.0), (33.3, 4.0), (33.8, 45.0)];
+        assert_eq!(groups_of(&echoes), [vec![27.6, 28.1, 29.8, 30.9, 31.4], vec![33.3, 33.8]]);
+    }
+
+    #[test]
+    fn a_load_over_a_cab_and_a_rear_weaker_than_its_front_are_parts_of_their_bodies() {
+        let truck = [(30.0, 20.0), (31.2, 12.0), (32.6, 34.0), (34.9, 18.0), (37.0, 15.0)];
+        assert_eq!(groups_of(&truck).len(), 1);
+        let bus = [(30.0, 33.0), (32.0, 14.0), (34.3, 13.0), (36.5, 12.0), (38.8, 24.0)];
+        assert_eq!(groups_of(&bus).len(), 1);
+    }
+
+    #[test]
+    fn what_is_a_hundred_times_weaker_before_a_front_is_a_sidelobe_of_it() {
+        let echoes = [(30.0, 10.0), (32.0, 12.0), (34.0, 20.0), (36.0, 45.0)];
+        assert_eq!(groups_of(&echoes).len(), 1);
+    }
+}

@@ -1,0 +1,223 @@
+//! Whether two groups of points are parts of one body that drives across the line of sight.
+//!
+//! A point of a body with the velocity V shows V·û, û the unit vector from the radar to it: over the length of a vehicle that crosses, the
+//! radial velocity changes by metres per second, and both components of V follow from that profile by least squares (Kellner,
+//! Barjenbruch, Klappstein, Dickmann and Dietmayer, IEEE IV 2013). A vehicle drives the way it is long, so that its parts lie in a
+//! strip along V no wider than it is. Two vehicles abreast that drive away from the radar do not: a velocity that explained both would
+//! point across their lanes. Bodies at rest show no velocity at all, and are not asked.
+//!
+//! Two parts of one peak each have no misfit to judge by: two radial velocities are any velocity's. That this velocity points from one to
+//! the other is then what tells: two parts of a side line up along it, and its component across the line of sight is beyond its error.
+
+use crate::objects::cluster_member::{Member, on_circle};
+use artifact::settings::DspSettings;
+use glam::{DMat2, DVec2};
+
+/// A slower body hardly changes its velocity from cell to cell over its length; a faster one drives on no street, m/s.
+const SPEEDS_MPS: [f64; 2] = [2.0, 35.0];
+/// Standard error of a peak's velocity, several parts of a body in its cell, m/s.
+const VELOCITY_ERROR_MPS: f64 = 0.15;
+/// Points of one body differ from its motion by this part of the reach in velocity, rms.
+const MISFIT: f64 = 0.35;
+/// A group foretells another's velocities to so many standard errors, where these are no larger than this, m/s.
+const FORETOLD: (f64, f64) = (2.5, 0.5);
+/// Longest vehicle on roads without special leave, an articulated bus or a lorry and trailer, m.
+const LONGEST_M: f64 = 18.75;
+/// Echoes of one side stand in a strip of this part of the reach across: 1.5 m, as pieces of one body in its lane do.
+const SIDE_WIDTH: f64 = 0.6;
+/// Bodies abreast show echoes a lane apart: what lines up along its own motion nearer than the narrowest lane for lorries is one side, m.
+const LANE_M: f64 = 3.25;
+/// What strips along a velocity known from few points are wider by, m.
+const STRIP_MARGIN_M: f64 = 1.0;
+
+/// Whether `b` continues `a`, no farther from it than `reach_m` along their velocity.
+pub(crate) fn drive_as_one(
+    members: &[Member],
+    settings: &DspSettings,
+    velocity_span_mps: f64,
+    groups: [&[usize]; 2],
+    reach_m: f64,
+) -> bool {
+    let first = groups.map(|group| &members[group[0]]);
+    if first[0].place_m.distance(first[1].place_m) > LONGEST_M {
+        return false;
+    }
+    let echo = |i: &usize| Echo::of(&members[*i], first[0].radial_velocity_mps, velocity_span_mps);
+    let [a, b] = groups.map(|group| group.iter().map(echo).collect::<Vec<Echo>>());
+    let all: Vec<Echo> = a.iter().chain(&b).copied().collect();
+    let fit = Fit::of(&all);
+    let speed_mps = fit.velocity_mps.length();
+    let is_a_vehicles = (SPEEDS_MPS[0]..=SPEEDS_MPS[1]).contains(&speed_mps);
+    if !is_a_vehicles || fit.misfit_mps(&all) > MISFIT * settings.cluster_velocity_mps {
+        return false;
+    }
+    let along = fit.velocity_mps / speed_mps;
+    let width_m = length(extent(&all, |place_m| along.perp_dot(place_m)));
+    let [of_a, of_b] = [&a, &b].map(|part| extent(part, |place_m| along.dot(place_m)));
+    let gap_m = (of_b[0] - of_a[1]).max(of_a[0] - of_b[1]);
+    let continues = gap_m <= reach_m && width_m <= settings.cluster_cross_m + STRIP_MARGIN_M && foretells(&a, &b);
+    let adjoins = width_m <= settings.cluster_cross_m
+        && nearest_m(&a, &b) <= settings.cluster_range_m
+        && drives_across(&all, fit.velocity_mps);
+    let lines_up = width_m <= SIDE_WIDTH * settings.cluster_cross_m && gap_m <= LANE_M && fit.is_known_to_cross(&all);
+    length(extent(&all, |place_m| along.dot(place_m))) <= LONGEST_M && (continues || adjoins || lines_up)
+}
+
+/// What a point says of its body's motion.
+#[derive(Debug, Clone, Copy)]
+struct Echo {
+    place_m: DVec2,
+    /// Unit vector from the radar.
+    sight: DVec2,
+    velocity_mps: f64,
+}
+
+impl Echo {
+    fn of(member: &Member, near_mps: f64, velocity_span_mps: f64) -> Self {
+        let velocity_mps = near_mps + on_circle(member.radial_velocity_mps - near_mps, velocity_span_mps);
+        Self { place_m: member.place_m, sight: member.place_m.normalize_or_zero(), velocity_mps }
+    }
+}
+
+/// The velocity of a body by least squares.
+struct Fit {
+    velocity_mps: DVec2,
+    /// Its covariance over that of one radial velocity.
+    covariance: DMat2,
+}
+
+impl Fit {
+    /// Points in one direction leave the component across it open: its variance is then beyond any limit.
+    fn of(echoes: &[Echo]) -> Self {
+        let (mut normal, mut moment) = (DMat2::from_diagonal(DVec2::splat(1e-9)), DVec2::ZERO);
+        for echo in echoes {
+            normal += DMat2::from_cols(echo.sight * echo.sight.x, echo.sight * echo.sight.y);
+            moment += echo.sight * echo.velocity_mps;
+        }
+        let covariance = normal.inverse();
+        Self { velocity_mps: covariance * moment, covariance }
+    }
+
+    fn misfit_mps(&self, echoes: &[Echo]) -> f64 {
+        let square = |echo: &Echo| (echo.velocity_mps - self.velocity_mps.dot(echo.sight)).powi(2);
+        (echoes.iter().map(square).sum::<f64>() / echoes.len() as f64).sqrt()
+    }
+
+    /// Whether the velocity across the line of sight is more than its own error makes of nothing.
+    fn is_known_to_cross(&self, echoes: &[Echo]) -> bool {
+        let across = mean_sight(echoes).perp();
+        let error_mps = VELOCITY_ERROR_MPS * across.dot(self.covariance * across).sqrt();
+        self.velocity_mps.dot(across).abs() >= FORETOLD.0 * error_mps
+    }
+
+    fn foretells(&self, echo: &Echo) -> bool {
+        let error_mps = VELOCITY_ERROR_MPS * (1.0 + echo.sight.dot(self.covariance * echo.sight)).sqrt();
+        let off_mps = (echo.velocity_mps - self.velocity_mps.dot(echo.sight)).abs();
+        error_mps <= FORETOLD.1 && off_mps <= FORETOLD.0 * error_mps
+    }
+}
+
+/// Whether the part that knows its own motion better tells the velocities of the other.
+fn foretells(a: &[Echo], b: &[Echo]) -> bool {
+    let known = |part: &[Echo]| (part.len() > 1).then(|| Fit::of(part));
+    let trace = |fit: &Fit| fit.covariance.x_axis.x + fit.covariance.y_axis.y;
+    match (known(a), known(b)) {
+        (Some(of_a), Some(of_b)) if trace(&of_b) < trace(&of_a) => a.iter().all(|echo| of_b.foretells(echo)),
+        (Some(of_a), _) => b.iter().all(|echo| of_a.foretells(echo)),
+        (None, Some(of_b)) => a.iter().all(|echo| of_b.foretells(echo)),
+        (None, None) => false,
+    }
+}
+
+/// Whether a body moves more across the line of sight than along it.
+fn drives_across(echoes: &[Echo], velocity_mps: DVec2) -> bool {
+    let sight = mean_sight(echoes);
+    velocity_mps.perp_dot(sight).abs() >= velocity_mps.dot(sight).abs()
+}
+
+fn mean_sight(echoes: &[Echo]) -> DVec2 {
+    echoes.iter().map(|echo| echo.place_m).sum::<DVec2>().normalize_or_zero()
+}
+
+fn nearest_m(a: &[Echo], b: &[Echo]) -> f64 {
+    let apart = a.iter().flat_map(|one| b.iter().map(move |other| one.place_m.distance(other.place_m)));
+    apart.fold(f64::INFINITY, f64::min)
+}
+
+fn extent(echoes: &[Echo], coordinate_m: impl Fn(DVec2) -> f64) -> [f64; 2] {
+    let places = echoes.iter().map(|echo| coordinate_m(echo.place_m));
+    places.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
+}
+
+fn length([low, high]: [f64; 2]) -> f64 {
+    high - low
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::objects::test_settings::settings;
+
+    const SPAN_MPS: f64 = 35.0;
+
+    fn member(x_m: f64, y_m: f64, velocity_mps: DVec2) -> Member {
+        let place_m = DVec2::new(x_m, y_m);
+        Member {
+            range_m: place_m.length(),
+            radial_velocity_mps: velocity_mps.dot(place_m.normalize_or_zero()),
+            cross_m: x_m,
+            cross_error_m: 0.1,
+            power: 1.0,
+            place_m,
+        }
+    }
+
+    fn are_one(members: &[Member], groups: [&[usize]; 2]) -> bool {
+        drive_as_one(members, &settings(), SPAN_MPS, groups, 4.4)
+    }
+
+    #[test]
+    fn parts_of_a_car_that_crosses_are_one_body_though_their_velocities_differ() {
+        let across = DVec2::new(8.0, 0.0);
+        let car = [member(-0.7, 8.4, across), member(0.9, 8.9, across), member(3.0, 8.4, across)];
+        assert!((car[0].radial_velocity_mps - car[1].radial_velocity_mps).abs() > 1.0);
+        assert!(are_one(&car, [&[0], &[1]]));
+        assert!(are_one(&car, [&[0, 1], &[2]]));
+    }
+
+    #[test]
+    fn two_echoes_of_a_side_that_line_up_along_the_motion_they_tell_are_one_body() {
+        let across = DVec2::new(-9.6, 0.0);
+        let side = [member(-7.8, 16.3, across), member(-10.6, 16.2, across)];
+        assert!(are_one(&side, [&[0], &[1]]));
+        // In the next lane, and at the same radial velocities.
+        let beside = [side[0], member(-10.6, 19.9, across)];
+        assert!(!are_one(&beside, [&[0], &[1]]));
+    }
+
+    #[test]
+    fn cars_abreast_that_start_before_a_light_are_two_bodies() {
+        let pair = [member(2.0, 28.0, DVec2::new(0.0, -0.5)), member(5.75, 28.0, DVec2::new(0.0, -1.1))];
+        assert!(!are_one(&pair, [&[0], &[1]]));
+    }
+
+    #[test]
+    fn cars_abreast_that_drive_away_are_two_bodies() {
+        let pair = [member(2.0, 40.0, DVec2::new(0.0, -8.0)), member(5.75, 40.0, DVec2::new(0.0, -9.0))];
+        assert!(!are_one(&pair, [&[0], &[1]]));
+    }
+
+    #[test]
+    fn bodies_at_rest_show_no_motion_to_share() {
+        let pair = [member(2.0, 28.0, DVec2::ZERO), member(4.0, 28.0, DVec2::ZERO)];
+        assert!(!are_one(&pair, [&[0], &[1]]));
+    }
+
+    #[test]
+    fn a_car_that_meets_another_is_not_its_continuation() {
+        let [there, back] = [8.0, -8.0].map(|x| DVec2::new(x, 0.0));
+        let pair =
+            [member(-3.0, 9.0, there), member(-1.0, 9.0, there), member(1.5, 12.5, back), member(3.5, 12.5, back)];
+        assert!(!are_one(&pair, [&[0, 1], &[2, 3]]));
+    }
+}

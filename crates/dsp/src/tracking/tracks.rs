@@ -1,0 +1,323 @@
+//! Tracks: bodies followed over frames by a Kalman filter each, objects given to them by global nearest neighbours.
+//!
+//! Each frame: every track is predicted; objects within the gate go to tracks so that all together are likeliest
+//! ([`crate::numerics::assignment`]); an object left over that lies in the box of a believed track is one more piece of the same body; any
+//! other begins a track, which is believed when it was seen in M of its first N frames. A track without an object coasts on its
+//! prediction and dies after a while, later where another's object covers its place, sooner where it leaves the radar's range.
+//!
+//! Velocities that a map shows but for multiples of its span are followed as several hypotheses
+//! ([`crate::tracking::velocity_bank`]) until the range has told which is true; a track says so.
+
+use crate::error::DspError;
+use crate::numerics::assignment::assignment;
+use crate::spectrum::axes::checked_shape;
+use crate::tracking::body::Body;
+use crate::tracking::kalman::Estimate;
+use crate::tracking::measurement::{Measurement, Site};
+use crate::tracking::tracker_settings::TrackerSettings;
+use crate::tracking::velocity_bank::VelocityBank;
+use artifact::cube::CubeHeader;
+use artifact::points::{Object, PointsFrame};
+use artifact::tracks::{Track, TrackState, TracksFrame};
+use glam::{DMat2, DVec2};
+use ndarray::Array2;
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// An object of an equal velocity this near to a believed track's box is a piece of it: cars in a queue leave 2 m between them.
+const PIECE_MARGIN_M: f64 = 1.0;
+/// Velocities of one body's pieces.
+const PIECE_MPS: f64 = 1.0;
+/// A frame in which another's object covers the place counts for so much of a frame without any: a body that merges with its
+/// neighbour or stands in its shadow comes back.
+const COVERED: f64 = 0.2;
+
+/// Follows the objects of one radar, frame by frame.
+#[derive(Debug, Clone)]
+pub struct Tracker {
+    header: CubeHeader,
+    settings: TrackerSettings,
+    site: Site,
+    followed: Vec<Followed>,
+    next_id: u32,
+    last_time_s: Option<f64>,
+}
+
+/// A track with what makes it.
+#[derive(Debug, Clone)]
+struct Followed {
+    id: u32,
+    age_frames: u32,
+    seen_frames: u32,
+    missed_frames: u32,
+    unseen_s: f64,
+    seen_s: f64,
+    is_believed: bool,
+    bank: VelocityBank,
+    body: Body,
+    objects: Vec<u32>,
+}
+
+impl Tracker {
+    /// Of a radar, without tracks.
+    pub fn new(header: &CubeHeader, settings: TrackerSettings) -> Result<Self, DspError> {
+        checked_shape(header)?;
+        let site = Site::new(header);
+        Ok(Self { header: header.clone(), settings, site, followed: vec![], next_id: 0, last_time_s: None })
+    }
+
+    /// Takes in the next frame's objects (truth that a report may have joined to its points is not read).
+    ///
+    /// Refuses objects that are not finite and a frame that is not later than the one before it.
+    pub fn step(&mut self, frame: &PointsFrame) -> Result<TracksFrame, DspError> {
+        frame.objects.iter().try_for_each(check_object)?;
+        let interval_s = self.interval_s(frame.time_s)?;
+        self.site = Site::new(&self.header.in_frame(frame.index));
+        let measurements: Vec<Measurement> =
+            frame.objects.iter().map(|o| self.site.measurement(o, &self.settings)).collect();
+        self.predict(interval_s);
+        let mut owner = self.associate(&measurements);
+        self.claim_pieces(frame, &measurements, &mut owner);
+        self.update(frame, &measurements, &owner);
+        self.give_birth(frame, &measurements, &mut owner);
+        self.age(interval_s, frame, &measurements);
+        self.join_doubles();
+        self.bury();
+        let tracks = self.followed.iter().map(|f| self.track(f)).collect();
+        Ok(TracksFrame { index: frame.index, time_s: frame.time_s, tracks })
+    }
+
+    fn interval_s(&mut self, time_s: f64) -> Result<f64, DspError> {
+        let last_s = self.last_time_s;
+        match last_s {
+            _ if !time_s.is_finite() => Err(DspError::FrameTime { last_s, found_s: time_s }),
+            Some(last) if time_s <= last => Err(DspError::FrameTime { last_s, found_s: time_s }),
+            _ => {
+                self.last_time_s = Some(time_s);
+                Ok(last_s.map_or(0.0, |last| time_s - last))
+            }
+        }
+    }
+
+    fn predict(&mut self, interval_s: f64) {
+        for followed in &mut self.followed {
+            followed.bank.predict(interval_s, self.settings.acceleration_density);
+            followed.objects.clear();
+        }
+    }
+
+    /// For each object the track (by place in the list) whose own it is.
+    ///
+    /// A pair costs −2 ln of its density, a track without object −2 ln of what an unexplained object would be instead: the
+    /// likelihood ratio of Blackman and Popoli, *Modern Tracking Systems*, 1999, §6.2.
+    fn associate(&self, measurements: &[Measurement]) -> Vec<Option<usize>> {
+        let settings = &self.settings;
+        let odds =
+            settings.detection_probability / (1.0 - settings.detection_probability) / settings.new_object_density;
+        let costs = Array2::from_shape_fn((self.followed.len(), measurements.len()), |(track, object)| {
+            let suit = self.followed[track].bank.suit(&measurements[object]);
+            if suit.distance2 <= settings.gate_distance2 { suit.surprise } else { f64::INFINITY }
+        });
+        let mut owner = vec![None; measurements.len()];
+        for (track, object) in assignment(costs.view(), 2.0 * odds.ln()).into_iter().enumerate() {
+            if let Some(object) = object {
+                owner[object] = Some(track);
+            }
+        }
+        owner
+    }
+
+    /// Objects left over that lie in the box of a believed track, and move as it does, are pieces of it.
+    fn claim_pieces(&self, frame: &PointsFrame, measurements: &[Measurement], owner: &mut [Option<usize>]) {
+        let believed = || self.followed.iter().enumerate().filter(|(_, f)| f.is_believed);
+        for (object, owner) in owner.iter_mut().enumerate().filter(|(_, o)| o.is_none()) {
+            let place = on_road(&frame.objects[object]);
+            *owner = believed()
+                .find(|(_, f)| {
+                    let moves_along = rate_apart_mps(f, &measurements[object]).abs() <= PIECE_MPS;
+                    moves_along && f.body.holds(f.bank.best(), place, self.settings.body_width_m, PIECE_MARGIN_M)
+                })
+                .map(|(track, _)| track);
+        }
+    }
+
+    fn update(&mut self, frame: &PointsFrame, measurements: &[Measurement], owner: &[Option<usize>]) {
+        for (object, owner) in owner.iter().enumerate() {
+            let Some(track) = *owner else { continue };
+            let followed = &mut self.followed[track];
+            // Of several objects the filter takes the one that was assigned; without such, the strongest, which comes first.
+            if followed.objects.is_empty() {
+                followed.bank.update(&measurements[object]);
+            }
+            followed.objects.push(object as u32);
+        }
+        for followed in self.followed.iter_mut().filter(|f| !f.objects.is_empty()) {
+            followed.look(frame, self.site.range_cell_m());
+        }
+    }
+
+    fn give_birth(&mut self, frame: &PointsFrame, measurements: &[Measurement], owner: &mut [Option<usize>]) {
+        for object in (0..measurements.len()).filter(|o| owner[*o].is_none()) {
+            let bank = VelocityBank::new(&measurements[object], &self.settings);
+            let body = Body::new(self.first_heading_rad(bank.best().mean.w));
+            let mut followed = Followed {
+                id: self.next_id,
+                age_frames: 0,
+                seen_frames: 0,
+                missed_frames: 0,
+                unseen_s: 0.0,
+                seen_s: 0.0,
+                is_believed: false,
+                bank,
+                body,
+                objects: vec![object as u32],
+            };
+            followed.look(frame, self.site.range_cell_m());
+            self.next_id += 1;
+            self.followed.push(followed);
+        }
+    }
+
+    /// Along the road, towards the radar unless it moves away.
+    fn first_heading_rad(&self, along_mps: f64) -> f64 {
+        let away_rad = FRAC_PI_2 - self.header.dsp.road.azimuth_rad;
+        if along_mps > 0.0 { away_rad } else { away_rad - 0.5 * TAU }
+    }
+
+    fn age(&mut self, interval_s: f64, frame: &PointsFrame, measurements: &[Measurement]) {
+        let covers =
+            |f: &Followed| (0..measurements.len()).any(|o| self.covers(&frame.objects[o], &measurements[o], f));
+        let covered: Vec<bool> = self.followed.iter().map(|f| f.objects.is_empty() && covers(f)).collect();
+        for (followed, is_covered) in self.followed.iter_mut().zip(covered) {
+            followed.age_frames += 1;
+            if followed.objects.is_empty() {
+                followed.missed_frames += 1;
+                followed.unseen_s += interval_s * if is_covered { COVERED } else { 1.0 };
+            } else {
+                (followed.missed_frames, followed.unseen_s) = (0, 0.0);
+                followed.seen_frames += 1;
+                followed.seen_s += interval_s;
+                followed.is_believed |= followed.seen_frames >= self.settings.confirmed_by;
+            }
+        }
+    }
+
+    /// Whether an object reaches over the range and velocity at which a track expects its own, in its direction: points that near
+    /// across are one object to the clusters.
+    fn covers(&self, object: &Object, measurement: &Measurement, followed: &Followed) -> bool {
+        let range_m = self.range_m(followed, measurement.up_m);
+        let across_m = measurement.azimuth_residual_rad(followed.bank.best()).sin().abs() * range_m;
+        if across_m > self.header.dsp.cluster_cross_m {
+            return false;
+        }
+        let [near, far] = object.range_extent_m;
+        let reach = near - self.site.range_cell_m()..=far + self.site.range_cell_m();
+        reach.contains(&range_m) && rate_apart_mps(followed, measurement).abs() <= PIECE_MPS
+    }
+
+    fn range_m(&self, followed: &Followed, up_m: f64) -> f64 {
+        let mean = followed.bank.best().mean;
+        (DVec2::new(mean.x, mean.y) - self.site.place_m()).length().hypot(up_m)
+    }
+
+    /// A younger track in the box of an older believed one, at its velocity, is the same body: its objects go to the older.
+    fn join_doubles(&mut self) {
+        let mut kept: Vec<Followed> = Vec::new();
+        for younger in std::mem::take(&mut self.followed) {
+            let state = younger.bank.best();
+            let place = DVec2::new(state.mean.x, state.mean.y);
+            let older = kept.iter_mut().filter(|f| f.is_believed).find(|f| {
+                f.body.holds(f.bank.best(), place, self.settings.body_width_m, PIECE_MARGIN_M)
+                    && moves_like(state, f.bank.best())
+            });
+            match older {
+                Some(older) => older.objects.extend(younger.objects),
+                None => kept.push(younger),
+            }
+        }
+        self.followed = kept;
+    }
+
+    fn bury(&mut self) {
+        let radar = &self.header.radar;
+        let ahead = DVec2::new(radar.boresight_az_rad.sin(), radar.boresight_az_rad.cos());
+        let (settings, site, far_m) = (self.settings, &self.site, radar.waveform.range_max_m());
+        self.followed.retain(|f| {
+            let mean = f.bank.best().mean;
+            let away_m = DVec2::new(mean.x, mean.y) - site.place_m();
+            // No array sees what is behind it.
+            let is_in_view = away_m.length() <= far_m && away_m.dot(ahead) > 0.0;
+            let [least_s, most_s] = settings.coast_s;
+            let coast_s = (settings.coast_share * f.seen_s).clamp(least_s, most_s);
+            let lives = if f.is_believed { f.unseen_s < coast_s } else { f.age_frames < settings.confirmed_within };
+            mean.is_finite() && lives && (is_in_view || f.missed_frames == 0)
+        });
+    }
+
+    fn track(&self, followed: &Followed) -> Track {
+        let state = followed.bank.best();
+        let footprint = followed.body.footprint(state, self.settings.body_width_m, self.site.place_m());
+        Track {
+            id: followed.id,
+            state: match (followed.is_believed, followed.objects.is_empty()) {
+                (false, _) => TrackState::Tentative,
+                (true, false) => TrackState::Confirmed,
+                (true, true) => TrackState::Coasting,
+            },
+            age_frames: followed.age_frames,
+            missed_frames: followed.missed_frames,
+            position_m: [state.mean.x, state.mean.y],
+            velocity_mps: [state.mean.z, state.mean.w],
+            covariance: state.covariance.transpose().to_cols_array_2d(),
+            velocity_resolved: followed.bank.is_resolved(),
+            lane: self.header.dsp.road.at([footprint.centre_m[0], footprint.centre_m[1], 0.0]),
+            footprint,
+            objects: followed.objects.clone(),
+        }
+    }
+}
+
+impl Followed {
+    /// Turns the box and stretches it over the points of its objects.
+    fn look(&mut self, frame: &PointsFrame, cell_m: f64) {
+        let state = *self.bank.best();
+        self.body.turn(&state);
+        let own = frame.points.iter().filter(|p| p.object.is_some_and(|o| self.objects.contains(&o)));
+        self.body.see(&state, own.map(|p| DVec2::new(p.position_m[0], p.position_m[1])), cell_m);
+    }
+}
+
+/// Whether two velocities are one within [`PIECE_MPS`] or within what is known of them: two degrees of freedom, 99 of 100.
+fn moves_like(a: &Estimate, b: &Estimate) -> bool {
+    let apart = DVec2::new(a.mean.z - b.mean.z, a.mean.w - b.mean.w);
+    let both = a.covariance + b.covariance;
+    let covariance =
+        DMat2::from_cols(DVec2::new(both.z_axis.z, both.z_axis.w), DVec2::new(both.w_axis.z, both.w_axis.w));
+    apart.length() <= PIECE_MPS || apart.dot(covariance.inverse() * apart) <= 9.2
+}
+
+/// Measured radial velocity less the expected one, on the velocity circle.
+fn rate_apart_mps(followed: &Followed, measurement: &Measurement) -> f64 {
+    measurement.rate_residual_mps(followed.bank.best())
+}
+
+fn on_road(object: &Object) -> DVec2 {
+    DVec2::new(object.position_m[0], object.position_m[1])
+}
+
+fn check_object(object: &Object) -> Result<(), DspError> {
+    for (quantity, is_finite) in [
+        ("range", object.range_m.is_finite() && object.range_extent_m.iter().all(|x| x.is_finite())),
+        (
+            "velocity",
+            object.radial_velocity_mps.is_finite() && object.velocity_extent_mps.iter().all(|x| x.is_finite()),
+        ),
+        ("azimuth", object.azimuth_rad.is_finite()),
+        ("position", object.position_m.iter().all(|x| x.is_finite())),
+        ("snr", object.snr_db.is_finite()),
+    ] {
+        if !is_finite {
+            return Err(DspError::ObjectNotFinite { quantity });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,6 @@
+//! What a classifier sees of a map.
+
+#[path = "../common/mod.rs"]
+mod common; // radars and cubes
+mod crops;
+mod signatures;

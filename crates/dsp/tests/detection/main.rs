@@ -1,0 +1,7 @@
+//! What noise alone does to the detectors, and maps of real samples.
+
+#[path = "../common/mod.rs"]
+mod common; // radars and cubes
+mod alarm_rates;
+mod false_alarms;
+mod real_sampling;

@@ -1,0 +1,152 @@
+//! Angles and velocity ambiguity: arrays with and without rows, time and Doppler division.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use crate::common::*;
+use artifact::cube::CubeHeader;
+use artifact::points::Object;
+use artifact::radar::Multiplexing;
+use dsp::angle::VirtualArray;
+use dsp::{detect, range_doppler};
+
+fn objects(header: &CubeHeader, targets: &[Target]) -> Vec<Object> {
+    detect(header, &range_doppler(header, &cube(header, targets, 1)).unwrap()).unwrap().objects
+}
+
+/// The one object stands where the target stood in the middle of the frame.
+fn assert_placed(what: &str, header: &CubeHeader, target: &Target, tolerance_m: [f64; 3]) {
+    let found = objects(header, std::slice::from_ref(target));
+    assert_eq!(found.len(), 1, "{what}: {found:?}");
+    let (_, radial_mps, position_m) = truth(header, target);
+    for i in 0..3 {
+        let error = found[0].position_m[i] - position_m[i];
+        assert!(error.abs() < tolerance_m[i], "{what}: axis {i} is off by {error} m");
+    }
+    let span = 2.0 * header.radar.velocity_max_mps();
+    let folded = (found[0].radial_velocity_mps - radial_mps + 0.5 * span).rem_euclid(span) - 0.5 * span;
+    assert!(folded.abs() < 5e-3, "{what}: velocity off by {folded}");
+}
+
+/// u to 1e-4 (physics.md §8) at 40 m, range to 2 cm; height as assumed.
+const FLAT: [f64; 3] = [5e-3, 0.02, 1e-9];
+
+#[test]
+fn s5_a_target_on_the_plus_side_reads_plus_u() {
+    for x in [-12.0, -2.0, 2.0, 9.5] {
+        let header = header(256, 64, elements_3x4());
+        let found = objects(&header, &[target([x, 38.1, 0.75], [0.0, -2.0, 0.0], 10.0)]);
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].azimuth_rad > 0.0, x > 0.0);
+        assert_placed("3x4", &header, &target([x, 38.1, 0.75], [0.0, -2.0, 0.0], 10.0), FLAT);
+    }
+}
+
+#[test]
+fn s5_a_target_above_the_boresight_reads_plus_in_elevation() {
+    for [x, z] in [[5.75, 0.3], [-8.0, 3.0], [2.0, 9.0]] {
+        let header = header(256, 64, elements_6x8());
+        // Both direction cosines to 1e-4 at 36 m, and what 2 cm of range carry along the line of sight.
+        assert_placed("6x8", &header, &target([x, 35.3, z], [0.0, -2.0, 0.0], 10.0), [0.01, 0.02, 0.01]);
+    }
+}
+
+#[test]
+fn a_turned_and_tilted_radar_still_answers_in_world_axes() {
+    let mut flat = header(256, 64, elements_3x4());
+    flat.radar.boresight_az_rad = 0.3;
+    place_elements(&mut flat.radar);
+    assert_placed("turned", &flat, &target([14.0, 33.0, 0.75], [0.0, -3.0, 0.0], 10.0), [0.015, 0.02, 1e-9]);
+    let mut rows = header(256, 64, elements_6x8());
+    rows.radar.boresight_az_rad = -0.2;
+    rows.radar.boresight_el_rad = -0.15;
+    place_elements(&mut rows.radar);
+    assert_placed("tilted", &rows, &target([-4.0, 33.0, 1.5], [0.0, -3.0, 0.0], 10.0), [0.01, 0.02, 0.01]);
+}
+
+#[test]
+fn a_wide_array_sees_the_wavefronts_curvature() {
+    let header = header(256, 16, elements_12x16());
+    let mut header = header;
+    header.dsp.training_cells = [4, 8];
+    // Lane 3 at 25 m: 0.9 rad per leg at the row's end, which a plane wave would turn into a blurred, shifted lobe.
+    let target = target([9.5, 23.0, 0.75], [0.0, -1.0, 0.0], 10.0);
+    assert_placed("12x16", &header, &target, [5e-3, 0.02, 1e-9]);
+    let map = range_doppler(&header, &cube(&header, &[target], 1)).unwrap();
+    let array = VirtualArray::new(&header);
+    let (range_m, radial_mps, position_m) = truth(&header, &target);
+    let object = detect(&header, &map).unwrap().objects[0];
+    let row = (16.0 / 2.0 + radial_mps / header.radar.velocity_resolution_mps()).round() as usize;
+    let column = (range_m / header.radar.waveform.range_resolution_m()).round() as usize;
+    let snapshot = array.snapshot(&header, &map, [row, column], object.radial_velocity_mps);
+    let direction = dsp::angle::Direction { right: position_m[0] / range_m, up: None };
+    let gain = array.beam(&snapshot, &array.steering(direction, range_m)).norm();
+    let all: f64 = snapshot.iter().map(|v| v.norm()).sum();
+    // The range cell's response changes by the delays across the row (0.07 m of 0.24 m): below 0.1 dB in the sum.
+    assert!(gain > 0.99 * all, "the beam collects {} of the aperture", gain / all);
+}
+
+#[test]
+fn elements_off_any_grid_are_no_obstacle() {
+    let rx = [0.0, 1.07, 2.31, 3.02, 5.5, 6.13].map(|p| [p, 0.0]).to_vec();
+    let header = header(256, 64, [vec![[0.0, 0.0]], rx]);
+    assert_placed("odd", &header, &target([5.75, 38.1, 0.75], [0.0, -2.0, 0.0], 10.0), FLAT);
+}
+
+#[test]
+fn time_division_turns_every_transmitter_back_before_the_angle() {
+    for velocity in [-4.3, -1.0, 3.9] {
+        let mut header = header(256, 64, elements_3x4());
+        header.radar.array.multiplexing = Multiplexing::Tdm;
+        assert!((header.radar.velocity_max_mps() - 5.3857).abs() < 1e-3);
+        assert_placed("tdm", &header, &target([5.75, 38.1, 0.75], [0.0, velocity, 0.0], 10.0), FLAT);
+    }
+}
+
+#[test]
+fn doppler_division_keeps_the_full_velocity_span_and_says_so() {
+    // 128 rows are whole bands of 32; 90 and 101 are not.
+    for chirps in [128, 90, 101] {
+        for velocity in [-14.0, -9.3, -2.0, 0.0, 7.7, 15.0] {
+            let mut header = header(256, chirps, elements_3x4());
+            header.radar.array.multiplexing = Multiplexing::Ddm;
+            let target = target([5.75, 38.1, 0.75], [0.0, velocity, 0.0], 10.0);
+            let found = objects(&header, &[target]);
+            assert_eq!(found.len(), 1, "{chirps} chirps, {velocity} m/s: {found:?}");
+            assert!(found[0].velocity_resolved);
+            let error = found[0].radial_velocity_mps - truth(&header, &target).1;
+            assert!(error.abs() < 5e-3, "{chirps} chirps, {velocity} m/s: off by {error}");
+            assert_placed("ddm", &header, &target, FLAT);
+        }
+    }
+}
+
+#[test]
+fn doppler_division_in_noise_finds_a_weak_target_once() {
+    let mut header = header(256, 128, elements_3x4());
+    header.radar.array.multiplexing = Multiplexing::Ddm;
+    header.noise = NOISE_12_DB;
+    for seed in 0..10 {
+        let target = target([2.0, 55.0, 0.75], [0.0, -11.0, 0.0], 1.0);
+        let map = range_doppler(&header, &cube(&header, &[target], seed)).unwrap();
+        let found = detect(&header, &map).unwrap().objects;
+        assert_eq!(found.len(), 1, "seed {seed}: {found:?}");
+        assert!((found[0].radial_velocity_mps - truth(&header, &target).1).abs() < 0.1);
+    }
+}
+
+#[test]
+fn two_vehicles_in_one_range_cell_a_band_apart_are_flagged_as_unresolved() {
+    let mut header = header(256, 128, elements_3x4());
+    header.radar.array.multiplexing = Multiplexing::Ddm;
+    let band = 2.0 * header.radar.velocity_max_mps() / 4.0;
+    let pair = [1.0, 1.0 - band].map(|v| target([0.0, 40.0, 6.0], [0.0, v, 0.0], 10.0));
+    assert!(objects(&header, &pair).iter().all(|object| !object.velocity_resolved));
+}
+
+#[test]
+fn only_doppler_division_claims_a_resolved_velocity() {
+    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm] {
+        let mut header = header(256, 64, elements_3x4());
+        header.radar.array.multiplexing = multiplexing;
+        assert!(!objects(&header, &[target([5.0, 30.0, 0.75], [0.0, -2.0, 0.0], 10.0)])[0].velocity_resolved);
+    }
+}

@@ -1,0 +1,6 @@
+//! How exact estimates are, and which velocity is told where several look alike.
+
+#[path = "../common/mod.rs"]
+mod common; // radars and cubes
+mod estimates;
+mod velocity_folds;

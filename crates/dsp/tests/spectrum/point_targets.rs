@@ -1,0 +1,120 @@
+//! What the chain says of point targets whose truth is known.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use crate::common::*;
+use artifact::cube::CubeHeader;
+use artifact::points::PointsFrame;
+use artifact::settings::Window;
+use dsp::{detect, power_map, range_axis_m, range_doppler, velocity_axis_mps};
+
+fn seen(header: &CubeHeader, targets: &[Target]) -> PointsFrame {
+    detect(header, &range_doppler(header, &cube(header, targets, 1)).unwrap()).unwrap()
+}
+
+/// Cell of a map's peak as (velocity, range) on the axes.
+fn peak(header: &CubeHeader, targets: &[Target]) -> (f64, f64) {
+    let map = range_doppler(header, &cube(header, targets, 1)).unwrap();
+    let power = power_map(header, &map).unwrap();
+    let (cell, _) = power.indexed_iter().fold(((0, 0), 0.0), |best, (at, p)| if *p > best.1 { (at, *p) } else { best });
+    (velocity_axis_mps(header)[cell.0], range_axis_m(header)[cell.1])
+}
+
+#[test]
+fn an_approaching_target_lands_in_negative_doppler() {
+    let header = header(256, 128, elements_1x1());
+    let (velocity, range) = peak(&header, &[target([0.0, 30.0, 6.0], [0.0, -10.0, 0.0], 1.0)]);
+    assert!((velocity + 10.0).abs() <= 0.5 * header.radar.velocity_resolution_mps());
+    assert!((range - 30.0).abs() <= header.radar.waveform.range_resolution_m());
+}
+
+#[test]
+fn a_receding_target_of_ten_mps_shows_minus_7_555_in_experiment_3() {
+    let header = header(512, 128, elements_1x1());
+    let points = seen(&header, &[target([0.0, 30.0, 6.0], [0.0, 10.0, 0.0], 1.0)]);
+    // X2: 10 − 2·8.7774; interpolation is good to 0.005 m/s (0.016 cells of 0.137 m/s).
+    assert!((points.objects[0].radial_velocity_mps + 7.5548).abs() < 5e-3, "{:?}", points.objects[0]);
+    assert!(!points.objects[0].velocity_resolved);
+}
+
+#[test]
+fn a_moving_point_is_placed_to_2_cm_and_0_005_mps() {
+    let header = header(256, 128, elements_3x4());
+    for step in 0..8 {
+        // Off the cells' centres by a different part each time.
+        let y = 38.0 + 0.77 * f64::from(step);
+        let target = target([5.75, y, 0.75], [0.0, -10.0 + 0.31 * f64::from(step), 0.0], 10.0);
+        let points = seen(&header, &[target]);
+        assert_eq!(points.objects.len(), 1);
+        let (range, velocity, at) = truth(&header, &target);
+        let object = &points.objects[0];
+        assert!((object.range_m - range).abs() < 0.02, "{} against {range}", object.range_m);
+        assert!(
+            (object.radial_velocity_mps - velocity).abs() < 5e-3,
+            "{} against {velocity}",
+            object.radial_velocity_mps
+        );
+        for i in 0..3 {
+            let error = object.position_m[i] - at[i];
+            // u to 1e-4 at 40 m is 4 mm; along the road the range error counts.
+            assert!(error.abs() < [5e-3, 0.02, 1e-9][i], "axis {i}: {error}");
+        }
+        assert_eq!(object.lane, Some(2));
+    }
+}
+
+const WINDOWS: [Window; 5] = [Window::Rect, Window::Hann, Window::Hamming, Window::Blackman, Window::Chebyshev(80.0)];
+
+#[test]
+fn interpolated_peaks_lie_within_2_percent_of_a_cell_for_every_window() {
+    for window in WINDOWS {
+        let mut header = header(256, 128, elements_1x4());
+        header.dsp.range_window = window;
+        header.dsp.doppler_window = window;
+        let cells = [header.radar.waveform.range_resolution_m(), header.radar.velocity_resolution_mps()];
+        let mut worst = [0.0_f64; 2];
+        for step in 0..21 {
+            // On the line along the boresight, in the frame's middle: off the cells' centres by −½ to ½, in either axis.
+            let (part, other) = (f64::from(step) / 20.0 - 0.5, f64::from(7 * step % 21) / 20.0 - 0.5);
+            let velocity = (-12.0 + other) * cells[1];
+            let range = (150.0 + part) * cells[0] - velocity * header.radar.frame_middle_s();
+            let target = target([0.0, range, 6.0], [0.0, velocity, 0.0], 1.0);
+            let point = seen(&header, &[target]).points[0];
+            let (range_m, velocity_mps, _) = truth(&header, &target);
+            worst[0] = worst[0].max((point.range_m - range_m).abs() / cells[0]);
+            worst[1] = worst[1].max((point.radial_velocity_mps - velocity_mps).abs() / cells[1]);
+        }
+        println!("{window:?}: asked 0.02 cells, got {:.4} in range, {:.4} in velocity", worst[0], worst[1]);
+        assert!(worst[0] < 0.02 && worst[1] < 0.02, "{window:?}: {worst:?}");
+    }
+}
+
+#[test]
+fn angles_lie_within_2_percent_of_a_beam_on_every_array() {
+    let sparse = [vec![[0.0, 0.0]], [0, 1, 4, 9, 11].map(|p| [f64::from(p), 0.0]).to_vec()];
+    let arrays = [
+        ("1x4", elements_1x4(), 4.0),
+        ("3x4", elements_3x4(), 12.0),
+        ("6x8", elements_6x8(), 12.0),
+        ("12x16", elements_12x16(), 192.0),
+        ("sparse", sparse, 12.0),
+    ];
+    for (name, elements, places) in arrays {
+        let places: f64 = places;
+        let mut header = header(64, 16, elements);
+        header.dsp.training_cells = [3, 6];
+        // Cell of the angle spectrum: λ over the row's length, 2/places of u.
+        let cell = 2.0 / places;
+        let mut worst = 0.0_f64;
+        for step in 0..21 {
+            let u = (0.3 * places / 2.0).floor() * cell + (f64::from(step) / 20.0 - 0.5) * cell;
+            let range_m = 30.0;
+            let target = target([range_m * u, range_m * (1.0 - u * u).sqrt(), 6.0], [0.0; 3], 1.0);
+            let point = seen(&header, &[target]).points[0];
+            // Straight ahead in elevation: along the row the direction cosine is x/R whatever the height.
+            let got = point.position_m[0] / point.range_m;
+            worst = worst.max((got - target.position_m[0] / truth(&header, &target).0).abs() / cell);
+        }
+        println!("{name}: asked 0.02 of a beam, got {worst:.5}");
+        assert!(worst < 0.02, "{name}: {worst}");
+    }
+}

@@ -1,0 +1,130 @@
+//! Other FMCW radars in the air: where a chirp of theirs crosses ours, the mixer turns it into a short chirp of the IF.
+//!
+//! A wave of an interferer's chirp that began at t_j has the phase 2π(f₁s + ½μ₁s²), s = T − τ − t_j, τ = R/c one way. Mixed with
+//! ours as every echo is (transmit times conj receive) it is e^{j2π[f₀t + ½μt² − f₁s − ½μ₁s²]}, of frequency f₀ + μt − f₁ − μ₁s. The IF
+//! filter is a brick wall: only samples whose frequency lies within ±f_s/2 hear it, f_s/|μ − μ₁| seconds of a crossing (Brooker, IEEE
+//! Trans. EMC 49 (2007) 170). Its power is EIRP·G_r·λ²/(4πR)², polarizations taken as equal.
+
+use crate::links::antenna::{axes, pattern_amplitude};
+use crate::links::multiplexing::{Transmission, receiver_factor, row as transmissions};
+use artifact::Radar;
+use artifact::radar::Interferer;
+use artifact::units::{SPEED_OF_LIGHT_MPS, power_from_db};
+use glam::DVec3;
+use num_complex::{Complex32, Complex64};
+use rayon::prelude::*;
+use std::f64::consts::{PI, TAU};
+
+/// Adds what all interferers make of a cube whose first sample is `time_s` after the scene's.
+pub(crate) fn add(radar: &Radar, time_s: f64, samples: &mut [Complex32]) {
+    if radar.hardware.interferers.is_empty() {
+        return;
+    }
+    let (chirps, length) = (radar.waveform.chirps as usize, radar.waveform.samples as usize);
+    samples.par_chunks_mut(length).enumerate().for_each(|(r, stored)| {
+        for (sample, heard) in stored.iter_mut().zip(row(radar, time_s, r / chirps, r % chirps)) {
+            *sample += Complex32::new(heard.re as f32, heard.im as f32);
+        }
+    });
+}
+
+/// What all interferers add to one row of a cube, √W.
+pub fn row(radar: &Radar, time_s: f64, channel: usize, chirp: usize) -> Vec<Complex64> {
+    let mut samples = vec![Complex64::ZERO; radar.waveform.samples as usize];
+    // All transmissions of a row start together and are received by the same element.
+    let Some(transmission) = transmissions(radar, channel, chirp).first().copied() else { return samples };
+    let element = receiver_factor(radar, channel % radar.array.rx_m.len());
+    let receiver = Receiver { radar, axes: axes(radar), transmission, element, time_s };
+    for interferer in &radar.hardware.interferers {
+        receiver.hear(interferer, &mut samples);
+    }
+    samples
+}
+
+/// A receive element during one chirp.
+struct Receiver<'a> {
+    radar: &'a Radar,
+    axes: [DVec3; 3],
+    transmission: Transmission,
+    element: Complex64,
+    /// The frame's first sample.
+    time_s: f64,
+}
+
+impl Receiver<'_> {
+    fn hear(&self, interferer: &Interferer, samples: &mut [Complex64]) {
+        let start_s = self.time_s + self.transmission.start_s;
+        let duration_s = samples.len() as f64 / self.radar.waveform.sample_rate_hz;
+        let delay_s = self.way_m(interferer, start_s).length() / SPEED_OF_LIGHT_MPS;
+        // Its chirps that can arrive within ours: one that began a sweep before the first sample's departure to the last.
+        let number = |departure_s: f64| ((departure_s - interferer.offset_s) / interferer.chirp_interval_s).floor();
+        let (first, last) =
+            (number(start_s - delay_s - interferer.sweep_s), number(start_s - delay_s + duration_s) + 1.0);
+        let mut chirp = first;
+        while chirp <= last {
+            // Since its beginning, at our first sample.
+            let since_s = start_s - (interferer.offset_s + chirp * interferer.chirp_interval_s);
+            self.cross(interferer, since_s, samples);
+            chirp += 1.0;
+        }
+    }
+
+    /// Adds one chirp that began `since_s` before our first sample.
+    fn cross(&self, interferer: &Interferer, since_s: f64, samples: &mut [Complex64]) {
+        let waveform = &self.radar.waveform;
+        let (f_s, half_band_hz) = (waveform.sample_rate_hz, 0.5 * waveform.sample_rate_hz);
+        let (link, line_s) = (self.link_amplitude(interferer), self.transmission.receiver_delay_s);
+        for n in self.near_crossing(interferer, since_s, samples.len()) {
+            let t = n as f64 / f_s;
+            let way_m = self.way_m(interferer, self.time_s + self.transmission.start_s + t - line_s);
+            let length_m = way_m.length();
+            let s = since_s + t - line_s - length_m / SPEED_OF_LIGHT_MPS;
+            let frequency_hz = waveform.start_frequency_hz + waveform.slope_hz_per_s * t
+                - interferer.start_frequency_hz
+                - interferer.slope_hz_per_s * s;
+            if !(0.0..interferer.sweep_s).contains(&s) || frequency_hz.abs() >= half_band_hz {
+                continue;
+            }
+            let own = (waveform.start_frequency_hz + 0.5 * waveform.slope_hz_per_s * t) * t;
+            let other = (interferer.start_frequency_hz + 0.5 * interferer.slope_hz_per_s * s) * s;
+            let gain = link * pattern_amplitude(self.radar, &self.axes, way_m / length_m) / length_m;
+            samples[n] += self.element * gain * Complex64::cis(TAU * (own.fract() - other.fract()));
+        }
+    }
+
+    /// Samples that can lie in the band, with two to spare on either side for what the interferer moves within a chirp.
+    fn near_crossing(&self, interferer: &Interferer, since_s: f64, samples: usize) -> std::ops::Range<usize> {
+        let waveform = &self.radar.waveform;
+        let start_s = self.time_s + self.transmission.start_s;
+        let delay_s =
+            self.way_m(interferer, start_s).length() / SPEED_OF_LIGHT_MPS + self.transmission.receiver_delay_s;
+        let first_hz = waveform.start_frequency_hz
+            - interferer.start_frequency_hz
+            - interferer.slope_hz_per_s * (since_s - delay_s);
+        let slope = waveform.slope_hz_per_s - interferer.slope_hz_per_s;
+        if slope == 0.0 {
+            return 0..samples;
+        }
+        let middle = -first_hz / slope * waveform.sample_rate_hz;
+        let half = 0.5 * waveform.sample_rate_hz.powi(2) / slope.abs() + 2.0;
+        // Casts hold at both ends: what is negative is 0.
+        let (from, to) = ((middle - half).floor() as usize, (middle + half).ceil().max(-1.0) as usize);
+        from.min(samples)..(to + 1).min(samples)
+    }
+
+    /// √(EIRP·G_r)·λ/4π, √W·m, at boresight.
+    fn link_amplitude(&self, interferer: &Interferer) -> f64 {
+        let gain = power_from_db(self.radar.link.antenna_gain_db);
+        (interferer.eirp_w * gain).sqrt() * self.radar.waveform.wavelength_m() / (4.0 * PI)
+    }
+
+    /// From the element to the interferer as it was when the wave left that arrives `time_s` after the scene's first sample.
+    fn way_m(&self, interferer: &Interferer, time_s: f64) -> DVec3 {
+        let velocity_mps = DVec3::from_array(interferer.velocity_mps);
+        let at =
+            |time_s: f64| DVec3::from_array(interferer.position_m) + velocity_mps * time_s - self.transmission.rx_m;
+        // Each step divides the error by c/v: after two 1e-15 of the way at 10 m/s.
+        let earlier_s = |way_m: DVec3| way_m.length() / SPEED_OF_LIGHT_MPS;
+        at(time_s - earlier_s(at(time_s - earlier_s(at(time_s)))))
+    }
+}

@@ -1,0 +1,124 @@
+//! Phase noise of the oscillator that all elements share: one random process a frame, and how much of it an echo keeps.
+//!
+//! The oscillator's phase is φ(T), stationary, with the two-sided spectral density L(|f|) rad²/Hz, which is the single-sideband noise
+//! that data sheets tell (IEEE Std 1139: L = S_φ/2, S_φ one-sided). What is sent at T − τ meets the oscillator as it is at T:
+//! an echo of delay τ is turned by φ(T) − φ(T − τ), of density 4·L(f)·sin²(πfτ) on either side of its line. Near targets keep
+//! next to nothing of slow noise ("range correlation": Budge, Burt, IEEE National Radar Conf. 1993, 185).
+
+use crate::impairments::noise::NoiseStream;
+use artifact::Radar;
+use artifact::radar::PhaseNoise;
+use num_complex::Complex64;
+use rustfft::FftPlanner;
+use std::f64::consts::TAU;
+
+/// The phase of a radar's oscillator over a frame and as long before it as echoes take.
+pub struct Oscillator {
+    /// φ at even steps, rad; it comes back to its beginning.
+    phase_rad: Vec<f64>,
+    steps_per_s: f64,
+    rate_rms_rad_per_s: f64,
+}
+
+/// Steps of a sample: eight neighbours tell what lies between them to 1.5e-4 of the fastest part.
+const STEPS: usize = 4;
+/// Values around a moment that its phase is told from.
+const NEIGHBOURS: usize = 8;
+/// Before the frame's first sample: the way to 1.5 km and back.
+const BEFORE_S: f64 = 1e-5;
+/// Samples of the longest frame: half a second at 5.12 MHz, whose phase takes 70 MB.
+pub(crate) const SAMPLES_MAX: usize = 1 << 21;
+
+impl Oscillator {
+    /// Of one frame; `None` where the radar's oscillator is ideal.
+    pub fn of(radar: &Radar, seed: u64, frame: u32) -> Option<Self> {
+        let noise = &radar.hardware.phase_noise;
+        if noise.is_empty() {
+            return None;
+        }
+        let (count, rate_hz) = (samples_of(radar), radar.waveform.sample_rate_hz);
+        let step_hz = rate_hz / count as f64;
+        let powers = powers(noise, step_hz, count);
+        let rate = |(k, power): (usize, &f64)| 2.0 * power * (TAU * (k + 1) as f64 * step_hz).powi(2);
+        let rate_square: f64 = powers.iter().enumerate().map(rate).sum();
+        let mut stream = NoiseStream::of(seed, "fmcw-echo/phase-noise", &[u64::from(frame)]);
+        let mut spectrum = vec![Complex64::ZERO; STEPS * count];
+        for (part, power) in spectrum[1..].iter_mut().zip(powers) {
+            *part = stream.next_sample(power);
+        }
+        FftPlanner::new().plan_fft_inverse(spectrum.len()).process(&mut spectrum);
+        let phase_rad = spectrum.into_iter().map(|value| 2.0 * value.re).collect();
+        Some(Self { phase_rad, steps_per_s: STEPS as f64 * rate_hz, rate_rms_rad_per_s: rate_square.sqrt() })
+    }
+
+    /// φ, rad, `time_s` after the frame's first sample, a little before it too.
+    pub fn phase_rad(&self, time_s: f64) -> f64 {
+        self.phases_rad(time_s, 1)[0]
+    }
+
+    /// e^{j[φ(T) − φ(T − τ)]} of an echo of delay τ received at T.
+    pub fn turn(&self, time_s: f64, delay_s: f64) -> Complex64 {
+        Complex64::cis(self.phase_rad(time_s) - self.phase_rad(time_s - delay_s))
+    }
+
+    /// φ at a moment and a sample, two samples, … later.
+    pub(crate) fn phases_rad(&self, time_s: f64, samples: usize) -> Vec<f64> {
+        let place = time_s * self.steps_per_s;
+        let below = place.floor();
+        let shares = lagrange(place - below);
+        let length = self.phase_rad.len();
+        let first = (below as i64 - (NEIGHBOURS as i64 / 2 - 1)).rem_euclid(length as i64) as usize;
+        let at = |sample: usize| {
+            let start = (first + sample * STEPS) % length;
+            let value = |(i, share): (usize, &f64)| share * self.phase_rad[(start + i) % length];
+            shares.iter().enumerate().map(value).sum()
+        };
+        (0..samples).map(at).collect()
+    }
+
+    /// Root mean square of dφ/dt, rad/s.
+    pub(crate) fn rate_rms_rad_per_s(&self) -> f64 {
+        self.rate_rms_rad_per_s
+    }
+}
+
+/// Bytes of the phase and of the transform it comes from.
+pub(crate) fn memory_estimate_bytes(radar: &Radar) -> u64 {
+    let needed = if radar.hardware.phase_noise.is_empty() { 0 } else { samples_of(radar) * STEPS };
+    (needed * (size_of::<f64>() + 2 * size_of::<Complex64>())) as u64
+}
+
+/// Sample intervals of a frame and what is before it, rounded up to a length that transforms are fast for.
+pub(crate) fn samples_of(radar: &Radar) -> usize {
+    let needed = (radar.frame_duration_s() + BEFORE_S) * radar.waveform.sample_rate_hz;
+    (needed.ceil() as usize).next_power_of_two()
+}
+
+/// Powers of φ's Fourier coefficients at 1, 2, … over the time, below half the sample rate: what lies beyond falls outside the IF filter.
+fn powers(noise: &[PhaseNoise], step_hz: f64, count: usize) -> Vec<f64> {
+    (1..count / 2).map(|k| density(noise, k as f64 * step_hz) * step_hz).collect()
+}
+
+/// L(f), rad²/Hz: straight in dB over log f between the frequencies told, constant before the first and behind the last.
+pub fn density(noise: &[PhaseNoise], offset_hz: f64) -> f64 {
+    let above = noise.partition_point(|point| point.offset_hz <= offset_hz);
+    let dbc_per_hz = match (above.checked_sub(1).map(|below| noise[below]), noise.get(above)) {
+        (Some(below), Some(above)) => {
+            let share = (offset_hz / below.offset_hz).ln() / (above.offset_hz / below.offset_hz).ln();
+            below.dbc_per_hz + share * (above.dbc_per_hz - below.dbc_per_hz)
+        }
+        (Some(point), None) => point.dbc_per_hz,
+        (None, Some(point)) => point.dbc_per_hz,
+        (None, None) => f64::NEG_INFINITY,
+    };
+    10.0_f64.powf(0.1 * dbc_per_hz)
+}
+
+/// Shares of eight neighbours in a value `t` of a step behind the fourth.
+fn lagrange(t: f64) -> [f64; NEIGHBOURS] {
+    let place = |i: usize| i as f64 - (NEIGHBOURS as f64 / 2.0 - 1.0);
+    std::array::from_fn(|i| {
+        let others = (0..NEIGHBOURS).filter(|other| *other != i);
+        others.map(|other| (t - place(other)) / (place(i) - place(other))).product()
+    })
+}

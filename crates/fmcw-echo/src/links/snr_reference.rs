@@ -1,0 +1,70 @@
+//! What `snr_db` of a scene refers to: the peak cell of one channel's noise-free range-Doppler map.
+
+use crate::links::window::{noise_bandwidth, weights};
+use artifact::cube::CubeHeader;
+use artifact::radar::{Multiplexing, Sampling};
+use num_complex::{Complex32, Complex64};
+use rustfft::FftPlanner;
+
+/// Power of the peak cell of channel 0 over what white noise of unit power per sample makes of a cell; `None` where
+/// the channel is silent. With codes that of the mean over transmitters, as the first receiver hears them.
+///
+/// A cell of the map holds noise of N_s·N_c·ENBW_r·ENBW_d times the power of a sample (physics.md §8: windows of unit
+/// coherent gain, FFTs without scaling). With Doppler division the map of receiver 0 before its bands are taken apart
+/// has the same peak and the same noise. Taking codes apart shares the power of the M slots' maps among N_tx transmitters, whatever the
+/// velocity: of their sum a cell has an (M·N_tx)-th, and of a slot's noise an M-th.
+pub fn peak_cell_over_noise(header: &CubeHeader, samples: &[Complex32]) -> Option<f64> {
+    let [_, chirps, length] = header.shape();
+    let range_weights = weights(header.dsp.range_window, length);
+    let doppler_weights = weights(header.dsp.doppler_window, chirps);
+    let receivers = header.radar.array.rx_m.len();
+    let (heard, among): (Vec<usize>, usize) = match header.radar.array.multiplexing {
+        Multiplexing::Simultaneous | Multiplexing::Tdm | Multiplexing::Ddm => (vec![0], 1),
+        Multiplexing::Bpm => {
+            ((0..header.radar.slots()).map(|slot| slot * receivers).collect(), header.radar.array.tx_m.len())
+        }
+    };
+    let mut power = vec![0.0; chirps * length];
+    for channel in heard {
+        let own = samples.get(channel * chirps * length..)?.get(..chirps * length)?;
+        let of_channel = power_of_channel(header, own, [&range_weights, &doppler_weights]);
+        power.iter_mut().zip(of_channel).for_each(|(sum, power)| *sum += power / among as f64);
+    }
+    let peak = power.into_iter().fold(0.0, f64::max);
+    // Of a real mixer half of the noise arrives.
+    let arrives = if header.radar.waveform.sampling == Sampling::Real { 0.5 } else { 1.0 };
+    let noise =
+        arrives * (chirps * length) as f64 * noise_bandwidth(&range_weights) * noise_bandwidth(&doppler_weights);
+    (peak > 0.0).then_some(peak / noise)
+}
+
+/// Powers of one channel's cells; of a real mixer's samples an echo is told by one of two lines.
+fn power_of_channel(header: &CubeHeader, samples: &[Complex32], [range, doppler]: [&[f64]; 2]) -> Vec<f64> {
+    let real: Vec<Complex32>;
+    let samples = match header.radar.waveform.sampling {
+        Sampling::Complex => samples,
+        Sampling::Real => {
+            real = samples.iter().map(|sample| sample.re.into()).collect();
+            &real
+        }
+    };
+    range_doppler(samples, range, doppler).iter().map(|cell| cell.norm_sqr()).collect()
+}
+
+/// Windowed two-dimensional FFT of `[chirp, sample]`, left as `[range, doppler]`.
+fn range_doppler(samples: &[Complex32], range_weights: &[f64], doppler_weights: &[f64]) -> Vec<Complex64> {
+    let (length, chirps) = (range_weights.len(), doppler_weights.len());
+    let mut rows: Vec<Complex64> = samples
+        .iter()
+        .enumerate()
+        .map(|(i, x)| {
+            Complex64::new(x.re.into(), x.im.into()) * range_weights[i % length] * doppler_weights[i / length]
+        })
+        .collect();
+    let mut planner = FftPlanner::new();
+    planner.plan_fft_forward(length).process(&mut rows);
+    let mut columns: Vec<Complex64> =
+        (0..length).flat_map(|n| (0..chirps).map(move |m| (m, n))).map(|(m, n)| rows[m * length + n]).collect();
+    planner.plan_fft_forward(chirps).process(&mut columns);
+    columns
+}

@@ -1,0 +1,108 @@
+//! Into how many parabolas a chirp is cut so that phase and amplitude stay within 1e-7 of exact.
+
+use crate::sums::closest_approach::Leg;
+use artifact::Radar;
+use artifact::paths::Path;
+use artifact::units::SPEED_OF_LIGHT_MPS;
+use std::f64::consts::TAU;
+
+/// Phase error in rad, and amplitude error over the path's greatest amplitude in the band, that a parabola may leave:
+/// −140 dB.
+const REMAINDER: f64 = 1e-7;
+
+/// Samples of one segment: what the worst of the paths needs. Traffic at 20 m and beyond needs no cut.
+///
+/// The parabola through three equidistant instants leaves max|x‴|·(T/2)³/(9√3) of a chirp of length T, and a third of
+/// the length leaves a 27th of it. The antenna pattern's own curvature is not in the bound.
+pub(crate) fn samples_per_segment(radar: &Radar, paths: &[&Path]) -> usize {
+    let worst = paths.iter().map(|path| third_derivative(radar, path)).fold(0.0, f64::max);
+    let remainder = worst / (8.0 * 9.0 * 3.0_f64.sqrt());
+    let segments = (remainder / REMAINDER).cbrt().ceil().max(1.0);
+    // Three samples lie on any parabola.
+    ((f64::from(radar.waveform.samples) / segments).ceil() as usize).max(3)
+}
+
+/// Bound of |x‴|·T³ over phase in rad and relative amplitude.
+///
+/// A leg of length L whose point moves at v and is accelerated by a has |L̈| ≤ v²/L + a and |L⃛| ≤ 3(v/L)(v²/L + a). With e = vT/L and
+/// b = aT²/L, of phase 2π(f₀τ + μtτ − …): 2π(f·τ⃛ + 3μτ̈)T³ ≤ 2π·Σ(3fe + 3μT)(e² + b)L/c. Of 1/(L₁L₂) relative to itself: second derivative
+/// ≤ 3(Σe)², third ≤ 15(Σe)³; times an amplitude that is straight over the band and changes by at most twice its greatest
+/// value: 18(Σe)² + 15(Σe)³, with √(e² + b) for e.
+fn third_derivative(radar: &Radar, path: &Path) -> f64 {
+    let waveform = &radar.waveform;
+    let chirp_s = f64::from(waveform.samples) / waveform.sample_rate_hz;
+    let sweep_hz = waveform.bandwidth_hz().abs();
+    let highest_hz = waveform.start_frequency_hz + sweep_hz;
+    let (mut phase, mut sum) = (0.0, 0.0);
+    for leg in Leg::of(radar, path) {
+        let length_m = leg.nearest(radar).1;
+        let e = leg.speed_mps(radar) * chirp_s / length_m;
+        let bend = e * e + leg.acceleration_mps2() * chirp_s * chirp_s / length_m;
+        phase += TAU * 3.0 * bend * (highest_hz * e + sweep_hz) * length_m / SPEED_OF_LIGHT_MPS;
+        sum += bend.sqrt();
+    }
+    phase + sum * sum * (18.0 + 15.0 * sum)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use artifact::paths::Curve;
+    use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Schedule, Waveform};
+    use num_complex::Complex64;
+
+    fn samples_for(range_m: f64, speed_mps: f64) -> usize {
+        let element_m = [0.0, 0.0, 6.0];
+        let waveform = Waveform {
+            start_frequency_hz: 77e9,
+            slope_hz_per_s: 12.5e12,
+            sample_rate_hz: 5.12e6,
+            sampling: artifact::radar::Sampling::Complex,
+            samples: 256,
+            chirp_interval_s: 60e-6,
+            chirps: 128,
+        };
+        let array = Array {
+            tx_m: vec![element_m],
+            rx_m: vec![element_m],
+            tx_half_wavelengths: vec![[0.0; 2]],
+            rx_half_wavelengths: vec![[0.0; 2]],
+            multiplexing: Multiplexing::Simultaneous,
+            polarization: Polarization::Vv,
+            pattern: Pattern::Isotropic,
+        };
+        let link = Link { transmit_power_w: 1.0, antenna_gain_db: 0.0 };
+        let radar = Radar {
+            position_m: element_m,
+            boresight_az_rad: 0.0,
+            boresight_el_rad: 0.0,
+            waveform,
+            schedule: Schedule::default(),
+            hardware: Hardware::default(),
+            array,
+            link,
+        };
+        let path = Path {
+            target: 0,
+            order: 0,
+            apparent_tx_m: [0.0, range_m, 6.0],
+            apparent_tx_mps: [speed_mps, 0.0, 0.0],
+            apparent_rx_m: [0.0, range_m, 6.0],
+            apparent_rx_mps: [speed_mps, 0.0, 0.0],
+            amplitude_m: [[Complex64::ONE; 2]; 2],
+            slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
+            facets: Default::default(),
+            curve: Curve::default(),
+        };
+        samples_per_segment(&radar, &[&path])
+    }
+
+    #[test]
+    fn traffic_needs_one_parabola_a_chirp_and_near_fast_points_more() {
+        assert_eq!(samples_for(25.0, 0.0), 256);
+        assert_eq!(samples_for(25.0, 15.0), 256);
+        // e = 1.25e-3: phase 2.9e-4, amplitude 1.1e-4, over 124.7 · 1e-7: 32, its cube root 3.2, four segments.
+        assert_eq!(samples_for(2.0, 50.0), 64);
+        assert_eq!(samples_for(0.004, 3e3), 3);
+    }
+}

@@ -1,0 +1,221 @@
+//! A cube by transforms: tones of all paths at once, what changes slowly at a few instants.
+//!
+//! x(n, m) = Σ_groups Σ_i shape_i(n, m)·Σ_p value_p(instant i)·e^{j2π(α_p n + β_p m)}: see `smooth_part.rs` for the
+//! outer sum, `tone_grid.rs` for the inner. Values are exact at their instants, for every pair of elements. Links are
+//! taken in fixed blocks, one thread each: any number of threads gives the same bytes.
+
+use crate::links::multiplexing::{Transmission, element_factor, row};
+use crate::sums::direct_sum::{DirectSum, is_heard};
+use crate::sums::fast::equal_steps::EqualSteps;
+use crate::sums::fast::groups::{Group, groups, paths_min};
+use crate::sums::fast::instants::{Instant, Link, Listener, Tone};
+use crate::sums::fast::kernel::CELLS_MAX;
+use crate::sums::fast::scalar::{Scalar, rounded};
+use crate::sums::fast::smooth_part::{Asked, SmoothPart, cycles_of};
+use crate::sums::fast::tone_grid::{SETS, ToneGrid};
+use crate::sums::spans::shares_of_row;
+use artifact::paths::{Path, Span};
+use artifact::radar::Multiplexing;
+use artifact::{Accuracy, Radar};
+use num_complex::{Complex, Complex32, Complex64};
+use rayon::prelude::*;
+
+/// The noise-free cube, √W, `[channel][chirp][sample]`, to an error of `accuracy` of its root mean square, as long as paths do
+/// not cancel each other.
+pub fn cube(radar: &Radar, centre_frequency_hz: f64, paths: &[Path], accuracy: Accuracy) -> Vec<Complex64> {
+    if accuracy.amplitude() >= SINGLE {
+        let cube = cube_in::<f32>(radar, centre_frequency_hz, paths, accuracy.amplitude());
+        cube.into_iter().map(f32::stored).collect()
+    } else {
+        cube_in::<f64>(radar, centre_frequency_hz, paths, accuracy.amplitude())
+    }
+}
+
+/// The same as a cube is stored.
+pub(crate) fn single_cube(
+    radar: &Radar,
+    centre_frequency_hz: f64,
+    paths: &[Path],
+    accuracy: Accuracy,
+) -> Vec<Complex32> {
+    if accuracy.amplitude() >= SINGLE {
+        return cube_in::<f32>(radar, centre_frequency_hz, paths, accuracy.amplitude());
+    }
+    let cube = cube_in::<f64>(radar, centre_frequency_hz, paths, accuracy.amplitude());
+    cube.into_iter().map(|value| Complex32::new(value.re as f32, value.im as f32)).collect()
+}
+
+/// Bytes that making a cube takes at most beside the cube, its paths and what they are laid out in.
+pub(crate) fn memory_estimate_bytes(radar: &Radar, accuracy: Accuracy) -> u64 {
+    let [links, chirps, samples] =
+        [radar.virtual_channels() as u64, radar.waveform.chirps.into(), radar.waveform.samples.into()];
+    let is_single = accuracy.amplitude() >= SINGLE;
+    let value = if is_single { size_of::<Complex32>() } else { size_of::<Complex64>() } as u64;
+    // Sums of single precision are the cube, but for links that are added up and chirps that are laid into one another.
+    let are_the_cube = is_single && is_link_by_link(radar) && radar.schedule.is_uniform();
+    // With codes those of one slot after the other, and the cube that they are laid into.
+    let laid = if radar.array.multiplexing == Multiplexing::Bpm { radar.cube_channels() as u64 } else { 0 };
+    let sums = if are_the_cube { 0 } else { (links + laid) * chirps * samples * value };
+    let grid = 2 * chirps * (2 * samples + CELLS_MAX as u64) * SETS as u64 * value;
+    let of_a_set = 4 * chirps * samples * value;
+    sums + (grid + of_a_set) * rayon::current_num_threads() as u64
+}
+
+/// Down to −100 dB sums of single precision are good enough: rounding of 6e-8 for each of some hundred additions.
+const SINGLE: f64 = 1e-5;
+/// Instants of one group; more mean that it is to be halved.
+const INSTANTS_MAX: usize = 12;
+
+/// Chirps at equal steps, one set after the other, laid into one another.
+fn cube_in<T: Scalar>(radar: &Radar, centre_frequency_hz: f64, paths: &[Path], error: f64) -> Vec<Complex<T>> {
+    let (chirps, samples) = (radar.waveform.chirps as usize, radar.waveform.samples as usize);
+    let mut listeners: Vec<Listener<'_>> =
+        EqualSteps::of(radar).into_iter().map(|steps| Listener::new(radar, centre_frequency_hz, steps)).collect();
+    if listeners.len() == 1 {
+        return part_of_cube(&listeners.remove(0), paths, error);
+    }
+    let mut cube = vec![Complex::new(T::zero(), T::zero()); radar.cube_channels() * chirps * samples];
+    for listener in &listeners {
+        let rows = part_of_cube::<T>(listener, paths, error);
+        for (r, row) in rows.chunks_exact(samples).enumerate() {
+            let [channel, chirp] = listener.steps.place(r);
+            cube[(channel * chirps + chirp) * samples..][..samples].copy_from_slice(row);
+        }
+    }
+    cube
+}
+
+/// The rows of chirps at equal steps.
+fn part_of_cube<T: Scalar>(listener: &Listener<'_>, paths: &[Path], error: f64) -> Vec<Complex<T>> {
+    let radar = listener.radar;
+    let links = links(radar);
+    let heard = paths.iter().filter(|path| is_heard(radar, path));
+    let (on_rims, heard): (Vec<&Path>, Vec<&Path>) = heard.partition(|path| path.curve.rim.is_some());
+    let asked = Asked { error: 0.6 * error, instants_max: INSTANTS_MAX, paths_min: paths_min(error) };
+    let groups = groups(listener, &heard, &links, asked);
+    let length = listener.steps.chirps * radar.waveform.samples as usize;
+    let mut of_links = vec![Complex::new(T::zero(), T::zero()); links.len() * length];
+    let mut alone: Vec<Path> = on_rims.into_iter().copied().collect();
+    for group in &groups {
+        match &group.smooth {
+            // Nothing is heard of a group that the antennas' pattern leaves out.
+            Some(smooth) if smooth.instants.is_empty() => {}
+            Some(smooth) => add_group(listener, group, smooth, &links, error, &mut of_links),
+            None => alone.extend(group.paths.iter().copied()),
+        }
+    }
+    let mut cube = channels(listener, of_links, length);
+    if !alone.is_empty() {
+        add_one_by_one(&DirectSum::new(radar, listener.centre_frequency_hz, &alone), listener, &mut cube);
+    }
+    cube
+}
+
+fn add_one_by_one<T: Scalar>(direct: &DirectSum<'_>, listener: &Listener<'_>, cube: &mut [Complex<T>]) {
+    let (steps, samples) = (&listener.steps, listener.radar.waveform.samples as usize);
+    cube.par_chunks_mut(samples).enumerate().for_each(|(r, total)| {
+        let [channel, chirp] = steps.place(r);
+        let values = direct.row(channel, chirp);
+        total.iter_mut().zip(values).for_each(|(sum, value)| *sum = *sum + rounded(value));
+    });
+}
+
+/// Every transmit element heard by every receive element.
+fn links(radar: &Radar) -> Vec<Link> {
+    let (transmitters, receivers) = (radar.array.tx_m.len(), radar.array.rx_m.len());
+    (0..transmitters).flat_map(|tx| (0..receivers).map(move |rx| Link { tx, rx })).collect()
+}
+
+/// Adds a group's echo to `[link][chirp][sample]`.
+fn add_group<T: Scalar>(
+    listener: &Listener<'_>,
+    group: &Group<'_>,
+    smooth: &SmoothPart,
+    links: &[Link],
+    error: f64,
+    of_links: &mut [Complex<T>],
+) {
+    let modes = [listener.steps.chirps, listener.radar.waveform.samples as usize];
+    let tones: Vec<Tone> = group.paths.par_iter().map(|path| listener.tone(path)).collect();
+    let grid = ToneGrid::<T>::new(&tones, modes, error);
+    let ordered: Vec<&Path> = grid.order().map(|i| group.paths[i]).collect();
+    let tones: Vec<Tone> = grid.order().map(|i| tones[i]).collect();
+    let exact = DirectSum::for_moments(listener.radar, listener.centre_frequency_hz, &ordered);
+    let sets: Vec<(usize, usize)> =
+        (0..links.len()).flat_map(|link| (0..smooth.instants.len()).map(move |instant| (link, instant))).collect();
+    let length = modes[0] * modes[1];
+    let shares: Option<Vec<Vec<T>>> = group.span().map(|span| shares(listener, &span));
+    // A link's instants lie in one block.
+    let block = (SETS / smooth.instants.len()).max(1);
+    of_links.par_chunks_mut(block * length).zip(sets.par_chunks(block * smooth.instants.len())).for_each(
+        |(of_block, sets)| {
+            let strengths: Vec<Vec<Complex<T>>> = sets
+                .par_iter()
+                .map(|&(link, instant)| strengths(listener, &exact, &tones, links[link], smooth.instants[instant]))
+                .collect();
+            grid.transform(&strengths, &mut |set, values| {
+                let (link, instant) = sets[set];
+                let mut shape: Vec<Complex<T>> = smooth.shape(instant, link, modes[0], modes[1]);
+                if let Some(shares) = &shares {
+                    shape.iter_mut().zip(&shares[links[link].tx]).for_each(|(value, share)| *value = *value * *share);
+                }
+                let total = &mut of_block[(link - sets[0].0) * length..][..length];
+                let terms = values.iter().zip(&shape).map(|(value, shape)| *value * *shape);
+                total.iter_mut().zip(terms).for_each(|(sum, term)| *sum = *sum + term);
+            });
+        },
+    );
+}
+
+/// By transmitter, of every chirp and sample.
+fn shares<T: Scalar>(listener: &Listener<'_>, span: &Span) -> Vec<Vec<T>> {
+    let radar = listener.radar;
+    let of_chirp = |tx: usize, chirp: usize| shares_of_row(radar, span, listener.steps.start_s(tx, chirp as f64));
+    let of_tx = |tx: usize| (0..listener.steps.chirps).flat_map(|chirp| of_chirp(tx, chirp)).map(T::of).collect();
+    (0..radar.array.tx_m.len()).map(of_tx).collect()
+}
+
+/// Values of all paths at an instant, less their tones there.
+fn strengths<T: Scalar>(
+    listener: &Listener<'_>,
+    exact: &DirectSum<'_>,
+    tones: &[Tone],
+    link: Link,
+    at: Instant,
+) -> Vec<Complex<T>> {
+    let middle = listener.middle();
+    let cycles: Vec<f64> = tones.iter().map(|tone| cycles_of(*tone, at, middle)).collect();
+    let start_s = listener.steps.start_s(link.tx, at.chirp);
+    let transmission = Transmission::starting_at(listener.radar, link.tx, link.rx, start_s);
+    exact.values(&transmission, at.sample, &cycles).into_iter().map(rounded).collect()
+}
+
+/// Whether every channel of a cube is one link.
+fn is_link_by_link(radar: &Radar) -> bool {
+    matches!(radar.array.multiplexing, Multiplexing::Simultaneous | Multiplexing::Tdm)
+}
+
+/// Links as channels; with Doppler division and codes a receiver's channel is the sum of all its links, each turned chirp by chirp.
+fn channels<T: Scalar>(listener: &Listener<'_>, mut of_links: Vec<Complex<T>>, length: usize) -> Vec<Complex<T>> {
+    let (radar, steps) = (listener.radar, &listener.steps);
+    if is_link_by_link(radar) {
+        for (link, values) in links(radar).iter().zip(of_links.chunks_exact_mut(length)) {
+            let factor = element_factor(radar, link.tx, link.rx);
+            if factor != Complex64::ONE {
+                values.iter_mut().for_each(|value| *value = *value * rounded::<T>(factor));
+            }
+        }
+        return of_links;
+    }
+    let (receivers, samples) = (radar.array.rx_m.len(), radar.waveform.samples as usize);
+    let mut cube = vec![Complex::new(T::zero(), T::zero()); receivers * length];
+    cube.par_chunks_mut(samples).enumerate().for_each(|(r, total)| {
+        let [channel, chirp] = steps.place(r);
+        for (tx, transmission) in row(radar, channel, chirp).iter().enumerate() {
+            let start = tx * receivers * length + r * samples;
+            let (values, turn) = (&of_links[start..start + samples], rounded::<T>(transmission.turn));
+            total.iter_mut().zip(values).for_each(|(sum, value)| *sum = *sum + turn * *value);
+        }
+    });
+    cube
+}

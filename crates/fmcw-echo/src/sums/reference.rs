@@ -1,0 +1,136 @@
+//! The slow obvious form: every sample of every path from the formulas of interface.md, one by one, in f64.
+//!
+//! Nothing here is shared with [`crate::sums::direct_sum`] but the radar's data, the link amplitude and the schedule of
+//! transmissions. Never optimised.
+
+use crate::impairments::oscillator::Oscillator;
+use crate::links::antenna::{axes, link_amplitude, pattern_amplitude};
+use crate::links::multiplexing::{Transmission, row};
+use artifact::Radar;
+use artifact::paths::{Path, Rim};
+use artifact::units::SPEED_OF_LIGHT_MPS;
+use glam::DVec3;
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// All samples of a cube, √W, row-major `[channel, chirp, sample]`.
+pub fn cube(radar: &Radar, centre_frequency_hz: f64, paths: &[Path]) -> Vec<Complex64> {
+    let mut samples = Vec::new();
+    for channel in 0..radar.cube_channels() {
+        for chirp in 0..radar.waveform.chirps as usize {
+            for sample in 0..radar.waveform.samples as usize {
+                samples.push(cube_sample(radar, centre_frequency_hz, paths, [channel, chirp, sample], None));
+            }
+        }
+    }
+    samples
+}
+
+/// One sample of a cube at `[channel, chirp, sample]`: the sum over its transmissions and all paths, √W, each turned by the
+/// oscillator's phase as it is less as it was, where there is one.
+pub fn cube_sample(
+    radar: &Radar,
+    centre_frequency_hz: f64,
+    paths: &[Path],
+    at: [usize; 3],
+    oscillator: Option<&Oscillator>,
+) -> Complex64 {
+    let [channel, chirp, sample] = at;
+    let mut sum = Complex64::ZERO;
+    for transmission in row(radar, channel, chirp) {
+        let time_s = transmission.start_s + sample as f64 / radar.waveform.sample_rate_hz;
+        for path in paths {
+            let value = transmission.turn * if_sample(radar, centre_frequency_hz, path, &transmission, sample);
+            let delay_s = || legs_at(path, &transmission, time_s).delay_s() + transmission.line_delay_s;
+            sum += oscillator.map_or(value, |oscillator| value * oscillator.turn(time_s, delay_s()));
+        }
+    }
+    sum
+}
+
+/// IF value of one path: `√(P_tG_tG_r)·λ/(4π)^{3/2}·conj a(f)/(L₁L₂)·e^{j2π[f₀τ + μtτ − ½μτ²]}` with f = f₀ + μ(t − τ), times its
+/// share of the echo then, where it stands for a part of the frame.
+pub fn if_sample(
+    radar: &Radar,
+    centre_frequency_hz: f64,
+    path: &Path,
+    transmission: &Transmission,
+    sample: usize,
+) -> Complex64 {
+    let waveform = &radar.waveform;
+    let t = sample as f64 / waveform.sample_rate_hz;
+    let legs = legs_at(path, transmission, transmission.start_s + t);
+    let tau = legs.delay_s() + transmission.line_delay_s;
+    let frequency_hz = waveform.start_frequency_hz + waveform.slope_hz_per_s * (t - tau);
+    let amplitude = amplitude_m(radar, path, frequency_hz - centre_frequency_hz).conj();
+    let share = path.curve.span.map_or(1.0, |span| span.share(transmission.start_s + t));
+    let gain = share * link_amplitude(radar) * legs.gain(radar);
+    gain * amplitude * Complex64::cis(TAU * if_cycles(radar, t, tau).fract())
+}
+
+/// f₀τ + μtτ − ½μτ², the phase of eq. (13) in cycles.
+pub fn if_cycles(radar: &Radar, t: f64, tau: f64) -> f64 {
+    let (f0, mu) = (radar.waveform.start_frequency_hz, radar.waveform.slope_hz_per_s);
+    f0 * tau + mu * t * tau - 0.5 * mu * tau * tau
+}
+
+/// The two legs of a path as a sample sees them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Legs {
+    /// x_a(t_s) − p_t; its length is L₁.
+    pub departing_m: DVec3,
+    /// x_b(t_s) − p_r; its length is L₂.
+    pub arriving_m: DVec3,
+}
+
+impl Legs {
+    /// τ = (L₁ + L₂)/c.
+    pub fn delay_s(&self) -> f64 {
+        (self.departing_m.length() + self.arriving_m.length()) / SPEED_OF_LIGHT_MPS
+    }
+
+    /// Amplitude gain of both elements towards departure and arrival, over L₁L₂.
+    pub fn gain(&self, radar: &Radar) -> f64 {
+        let axes = axes(radar);
+        let towards = |leg: DVec3| pattern_amplitude(radar, &axes, leg / leg.length());
+        let pattern = towards(self.departing_m) * towards(self.arriving_m);
+        pattern / (self.departing_m.length() * self.arriving_m.length())
+    }
+}
+
+/// Legs of a path received at `time_s` into the frame.
+///
+/// The scattering time t_s = T − |x_b(t_s) − p_r|/c is iterated from T. One step divides its error by c/v (3e7 at
+/// 10 m/s), so that four steps leave nothing at any speed this crate accepts (1e-5·c).
+pub fn legs_at(path: &Path, transmission: &Transmission, time_s: f64) -> Legs {
+    let (curve, rim) = (&path.curve, path.curve.rim);
+    let at = |point_m: [f64; 3], velocity_mps: [f64; 3], acceleration_mps2: [f64; 3], t: f64| {
+        let way_m = DVec3::from_array(velocity_mps) * t + DVec3::from_array(acceleration_mps2) * (0.5 * t * t);
+        DVec3::from_array(point_m) + way_m + rim.map_or(DVec3::ZERO, |rim| from_hub_m(&rim, way_m))
+    };
+    let arriving_m =
+        |t: f64| at(path.apparent_rx_m, path.apparent_rx_mps, curve.apparent_rx_mps2, t) - transmission.rx_m;
+    let arrival_s = time_s - transmission.receiver_delay_s;
+    let mut scattering_time_s = arrival_s;
+    for _ in 0..4 {
+        scattering_time_s = arrival_s - arriving_m(scattering_time_s).length() / SPEED_OF_LIGHT_MPS;
+    }
+    Legs {
+        departing_m: at(path.apparent_tx_m, path.apparent_tx_mps, curve.apparent_tx_mps2, scattering_time_s)
+            - transmission.tx_m,
+        arriving_m: arriving_m(scattering_time_s),
+    }
+}
+
+/// From the hub of a rolling wheel to the point on its rim, `way_m` after the frame's first sample.
+fn from_hub_m(rim: &Rim, way_m: DVec3) -> DVec3 {
+    let forward = DVec3::from_array(rim.forward);
+    let (sin, cos) = (rim.angle_rad - way_m.dot(forward) / rim.radius_m).sin_cos();
+    rim.radius_m * (cos * forward + sin * DVec3::Z)
+}
+
+/// a + (f − f_c)·a′ in the array's polarization, metres.
+fn amplitude_m(radar: &Radar, path: &Path, offset_hz: f64) -> Complex64 {
+    let (receive, transmit) = radar.array.polarization.indices();
+    path.amplitude_m[receive][transmit] + offset_hz * path.slope_m_per_hz[receive][transmit]
+}

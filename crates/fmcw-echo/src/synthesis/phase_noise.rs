@@ -1,0 +1,217 @@
+//! Echoes with the oscillator's phase noise, by a few sums without it.
+//!
+//! A path's value is turned by e^{j[φ(T) − φ(T − τ)]}. Over the delays of a frame's paths (a microsecond at most) the second part
+//! is smooth, of band f_s/2: it is told by its values at a few delays τ_k, which are Chebyshev's and as many as the accuracy
+//! asks for. So Σ_p x_p·e^{j[φ(T) − φ(T − τ_p)]} = Σ_k e^{j[φ(T) − φ(T − τ_k)]}·Σ_p ℓ_k(τ_p)·x_p, and the inner sums are fast ones of
+//! weighted paths. The delays τ_k move with the paths' middle one, from pair to pair of elements and from chirp to chirp; what paths move
+//! against it is bounded. Where either error is too large, paths are halved by delay; a path alone is written from the formulas.
+
+use crate::impairments::oscillator::Oscillator;
+use crate::links::multiplexing::{Transmission, row};
+use crate::sums::fast::fast_sum;
+use crate::sums::reference::{self, legs_at};
+use artifact::paths::Path;
+use artifact::{Accuracy, Radar};
+use num_complex::{Complex32, Complex64};
+use rayon::prelude::*;
+use std::f64::consts::PI;
+
+/// The noise-free cube, √W, `[channel][chirp][sample]`, with the oscillator's phase, to an error of `accuracy` of its root mean
+/// square, as long as paths do not cancel each other.
+pub fn cube(
+    radar: &Radar,
+    centre_frequency_hz: f64,
+    paths: &[Path],
+    accuracy: Accuracy,
+    oscillator: &Oscillator,
+) -> Vec<Complex64> {
+    let [chirps, samples] = [radar.waveform.chirps as usize, radar.waveform.samples as usize];
+    let mut cube = vec![Complex64::ZERO; radar.cube_channels() * chirps * samples];
+    let mut delayed: Vec<Delayed<'_>> = paths.iter().map(|path| Delayed::new(radar, path)).collect();
+    delayed.sort_by(|a, b| a.delay_s.total_cmp(&b.delay_s));
+    let sum = Sum { radar, centre_frequency_hz, oscillator, accuracy };
+    sum.add(&delayed, &mut cube);
+    cube
+}
+
+/// The same as a cube is stored.
+pub(crate) fn single_cube(
+    radar: &Radar,
+    centre_frequency_hz: f64,
+    paths: &[Path],
+    accuracy: Accuracy,
+    oscillator: &Oscillator,
+) -> Vec<Complex32> {
+    let cube = cube(radar, centre_frequency_hz, paths, accuracy, oscillator);
+    cube.into_iter().map(|value| Complex32::new(value.re as f32, value.im as f32)).collect()
+}
+
+/// A path and its delay from the array's first pair of elements at the frame's middle.
+#[derive(Clone, Copy)]
+struct Delayed<'p> {
+    path: &'p Path,
+    delay_s: f64,
+}
+
+impl<'p> Delayed<'p> {
+    fn new(radar: &Radar, path: &'p Path) -> Self {
+        let first = row(radar, 0, 0)[0];
+        Self { path, delay_s: delay_s(path, &first, radar.frame_middle_s()) }
+    }
+}
+
+struct Sum<'a> {
+    radar: &'a Radar,
+    centre_frequency_hz: f64,
+    oscillator: &'a Oscillator,
+    accuracy: Accuracy,
+}
+
+/// More delays cost more sums than halves of the paths do.
+const DELAYS_MAX: usize = 16;
+
+impl Sum<'_> {
+    fn add(&self, paths: &[Delayed<'_>], cube: &mut [Complex64]) {
+        let Some(middle) = paths.get(paths.len() / 2) else { return };
+        if paths.len() == 1 {
+            return self.add_exactly(middle.path, cube);
+        }
+        match self.delays(paths).filter(|_| self.move_alike(paths)) {
+            Some(delays) => delays.0.iter().enumerate().for_each(|(k, _)| self.add_weighted(paths, &delays, k, cube)),
+            None => {
+                let (near, far) = paths.split_at(paths.len() / 2);
+                self.add(near, cube);
+                self.add(far, cube);
+            }
+        }
+    }
+
+    fn delays(&self, paths: &[Delayed<'_>]) -> Option<Delays> {
+        Delays::of(&Probes::new(self.radar, self.oscillator), paths, 0.25 * self.accuracy.amplitude())
+    }
+
+    /// Adds one delay's share of all paths.
+    fn add_weighted(&self, paths: &[Delayed<'_>], delays: &Delays, k: usize, cube: &mut [Complex64]) {
+        let weighted = |delayed: &Delayed<'_>| {
+            let share = delays.shares(delayed.delay_s)[k];
+            let scaled = |of: [[Complex64; 2]; 2]| of.map(|row| row.map(|value| share * value));
+            let Path { amplitude_m, slope_m_per_hz, .. } = *delayed.path;
+            Path { amplitude_m: scaled(amplitude_m), slope_m_per_hz: scaled(slope_m_per_hz), ..*delayed.path }
+        };
+        let weighted: Vec<Path> = paths.iter().map(weighted).collect();
+        // Shares of up to 16 Chebyshev delays add up to 2.7 at most: 2.7 · 0.2 of the error asked.
+        let accuracy = self.accuracy.share(0.2);
+        let part = fast_sum::cube(self.radar, self.centre_frequency_hz, &weighted, accuracy);
+        let middle = paths[paths.len() / 2];
+        let later_s = delays.0[k] - middle.delay_s;
+        let [chirps, samples] = [self.radar.waveform.chirps as usize, self.radar.waveform.samples as usize];
+        let rows = cube.par_chunks_mut(samples).zip(part.par_chunks(samples));
+        rows.enumerate().for_each(|(r, (total, part))| {
+            let turns = self.turns(middle.path, later_s, &row(self.radar, r / chirps, r % chirps), samples);
+            total.iter_mut().zip(part).zip(turns).for_each(|((sum, value), turn)| *sum += turn * value);
+        });
+    }
+
+    /// e^{j[φ(T) − φ(T − τ)]} over a chirp, τ that of the middle path there and `later_s` more.
+    fn turns(&self, middle: &Path, later_s: f64, row: &[Transmission], samples: usize) -> Vec<Complex64> {
+        let transmission = &row[row.len() / 2];
+        let start_s = transmission.start_s;
+        let half_chirp_s = 0.5 * samples as f64 / self.radar.waveform.sample_rate_hz;
+        let delay_s = delay_s(middle, transmission, start_s + half_chirp_s) + later_s;
+        let now = self.oscillator.phases_rad(start_s, samples);
+        let then = self.oscillator.phases_rad(start_s - delay_s, samples);
+        now.iter().zip(then).map(|(now, then)| Complex64::cis(now - then)).collect()
+    }
+
+    /// Whether no path's delay changes against the middle one's, over elements and time, by more than the oscillator forgives.
+    fn move_alike(&self, paths: &[Delayed<'_>]) -> bool {
+        let allowed_s = 0.25 * self.accuracy.amplitude() / self.oscillator.rate_rms_rad_per_s();
+        let middle = paths[paths.len() / 2];
+        let [channels, chirps] = [self.radar.cube_channels(), self.radar.waveform.chirps as usize];
+        let corners: Vec<Transmission> =
+            [0, channels - 1].iter().flat_map(|c| [0, chirps - 1].map(|m| row(self.radar, *c, m))).flatten().collect();
+        paths.par_iter().all(|delayed| {
+            corners.iter().all(|transmission| {
+                let moved_s = |of: &Delayed<'_>| delay_s(of.path, transmission, transmission.start_s) - of.delay_s;
+                (moved_s(delayed) - moved_s(&middle)).abs() <= allowed_s
+            })
+        })
+    }
+
+    fn add_exactly(&self, path: &Path, cube: &mut [Complex64]) {
+        let [chirps, samples] = [self.radar.waveform.chirps as usize, self.radar.waveform.samples as usize];
+        cube.par_chunks_mut(samples).enumerate().for_each(|(r, row)| {
+            for (n, sample) in row.iter_mut().enumerate() {
+                let at = [r / chirps, r % chirps, n];
+                let (f_c, path) = (self.centre_frequency_hz, std::slice::from_ref(path));
+                *sample += reference::cube_sample(self.radar, f_c, path, at, Some(self.oscillator));
+            }
+        });
+    }
+}
+
+fn delay_s(path: &Path, transmission: &Transmission, time_s: f64) -> f64 {
+    legs_at(path, transmission, time_s).delay_s() + transmission.line_delay_s
+}
+
+/// Moments of a frame at which an interpolation is looked at.
+struct Probes<'a> {
+    oscillator: &'a Oscillator,
+    duration_s: f64,
+}
+
+/// The root mean square over them is known to 1/√256.
+const PROBES: u32 = 128;
+
+impl<'a> Probes<'a> {
+    fn new(radar: &Radar, oscillator: &'a Oscillator) -> Self {
+        Self { oscillator, duration_s: radar.frame_duration_s() }
+    }
+
+    /// e^{−jφ(T − τ)} at every moment T.
+    fn turns(&self, delay_s: f64) -> Vec<Complex64> {
+        // Places of the golden ratio: evenly spread, in step with nothing.
+        let moment_s = |i: u32| (f64::from(i) * 0.618_033_988_749_895).fract() * self.duration_s;
+        (0..PROBES).map(|i| Complex64::cis(-self.oscillator.phase_rad(moment_s(i) - delay_s))).collect()
+    }
+}
+
+/// Delays that tell the oscillator's phase over all delays of some paths.
+struct Delays(Vec<f64>);
+
+impl Delays {
+    /// As few as leave `error`, root mean square over the frame, at the worst delay between them; `None` where too many would be needed.
+    fn of(probes: &Probes<'_>, paths: &[Delayed<'_>], error: f64) -> Option<Self> {
+        let (first, last) = (paths.first()?.delay_s, paths.last()?.delay_s);
+        let chebyshev = |count: usize| {
+            let place = |k: usize| 0.5 * (1.0 - (PI * (k as f64 + 0.5) / count as f64).cos());
+            Self((0..count).map(|k| first + place(k) * (last - first)).collect())
+        };
+        (1..=DELAYS_MAX).map(chebyshev).find(|delays| delays.left(probes, first, last) <= error)
+    }
+
+    /// Root mean square of what is missed at the worst of some delays.
+    fn left(&self, probes: &Probes<'_>, first: f64, last: f64) -> f64 {
+        let known: Vec<Vec<Complex64>> = self.0.iter().map(|delay_s| probes.turns(*delay_s)).collect();
+        let between = 2 * self.0.len();
+        let missed = |i: usize| {
+            let delay_s = first + (last - first) * i as f64 / between as f64;
+            let (exact, shares) = (probes.turns(delay_s), self.shares(delay_s));
+            let square = |(moment, exact): (usize, &Complex64)| {
+                let told: Complex64 = known.iter().zip(&shares).map(|(known, share)| known[moment] * share).sum();
+                (told - exact).norm_sqr()
+            };
+            (exact.iter().enumerate().map(square).sum::<f64>() / exact.len() as f64).sqrt()
+        };
+        (0..=between).map(missed).fold(0.0, f64::max)
+    }
+
+    /// Lagrange's.
+    fn shares(&self, delay_s: f64) -> Vec<f64> {
+        let share = |k: usize| {
+            let others = self.0.iter().enumerate().filter(|(other, _)| *other != k);
+            others.map(|(_, other)| (delay_s - other) / (self.0[k] - other)).product()
+        };
+        (0..self.0.len()).map(share).collect()
+    }
+}

@@ -1,0 +1,7 @@
+//! What is not ideal in a radar, and other radars.
+
+mod hardware;
+mod phase_noise;
+mod interferers;
+mod real_sampling;
+mod receiver_noise;

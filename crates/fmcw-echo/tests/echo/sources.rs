@@ -1,0 +1,4 @@
+//! Echoes of other than paths.
+
+mod rcs_tables;
+mod ground;

@@ -1,0 +1,4 @@
+//! Cubes as they are handed on.
+
+mod reproducibility;
+mod refusals;
