@@ -3,6 +3,8 @@
 pub(crate) mod depth_order; // which of two facets is in front, decided once
 pub(crate) mod view; // from where and through which hole
 pub(crate) mod shadow; // what one facet hides
+pub(crate) mod window; // what the view leaves of a facet
+pub(crate) mod lit_parts; // what it shows
 pub(crate) mod prospect; // where facets appear across a view
 pub(crate) mod outline; // and which cells of it they touch
 pub(crate) mod solid_cells; // what facets that hang together hide of it

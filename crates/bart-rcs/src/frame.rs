@@ -6,6 +6,7 @@ pub(crate) mod edge_cells; // the same for lit edges
 pub(crate) mod nearest_surface; // nearest lit point of a body
 pub(crate) mod path_sum; // S from path records, by definition
 pub(crate) mod path_plan; // what a frame is traced with
+pub(crate) mod band_power; // of paths over the band
 pub(crate) mod path_pruning; // paths too weak to matter
 pub(crate) mod frame_error; // what a frame's paths miss, measured
 pub(crate) mod integration_error; // how finely integrals are taken

@@ -80,4 +80,5 @@ pub use table::antennas::check_antennas;
 pub use table::contributions::{Contribution, contributions};
 pub use table::far_field_error::{FarFieldError, Spread};
 pub use table::keeper::{Keeper, NothingKept, Piece};
-pub use table::rcs_table::{Followed, RcsRequest, RcsResult, RcsSeconds, Standpoint, Surroundings, rcs, rcs_within};
+pub use table::rcs_request::{RcsRequest, Standpoint};
+pub use table::rcs_table::{Followed, RcsResult, RcsSeconds, Surroundings, rcs, rcs_within};

@@ -57,7 +57,7 @@ impl MemoryLimit {
 
 /// Joints and their polygons, legs and sums beside a tree's own bytes. Assumed, not measured apart: the vehicles and scenes of
 /// `docs/speed.md` stay below their estimates with it.
-const JOINED_PER_TREE: u64 = 2;
+pub(crate) const JOINED_PER_TREE: u64 = 2;
 
 /// Bodies at rest: mesh, facets, hierarchy and topology of a triangle (measured 0.9 to 1.1 KiB).
 const BYTES_PER_TRIANGLE: u64 = 1280;
@@ -77,43 +77,6 @@ pub fn memory_estimate_bytes(triangles: usize, orders: u8, aspects_at_a_time: us
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::beams::beam::{BeamTree, TraceSettings};
-    use crate::bodies::world::World;
-    use crate::geometry::antenna::Antenna;
-    use artifact::scene::Mesh;
-    use artifact::settings::Sides;
-    use glam::DVec3;
-
-    /// A corner of 2 × 20 × 20 squares.
-    fn corner() -> World {
-        let mut mesh = Mesh::default();
-        for (u, v) in [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z)] {
-            for i in 0..400 {
-                let at = 0.05 * (f64::from(i % 20) * u + f64::from(i / 20) * v);
-                let first = mesh.vertices_m.len() as u32;
-                mesh.vertices_m.extend([at, at + 0.05 * u, at + 0.05 * (u + v), at + 0.05 * v].map(|c| c.to_array()));
-                mesh.triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
-            }
-        }
-        World::of_mesh(&mesh).unwrap()
-    }
-
-    fn trace(world: &World) -> Result<BeamTree, BartError> {
-        let settings = TraceSettings { max_order: 3, sides: Sides::Two, least_area_m2: 0.0, least_mirror_area_m2: 0.0 };
-        BeamTree::trace(world, Antenna::Point(DVec3::new(8.0, 3.0, 7.0)), &settings)
-    }
-
-    #[test]
-    fn a_tree_that_outgrows_its_limit_is_given_up_with_figures() {
-        let whole = trace(&corner()).unwrap();
-        let needed = 8 * (1 + JOINED_PER_TREE) * whole.bytes() as u64;
-        assert_eq!(trace(&corner().within(MemoryLimit::of_bytes(needed))).unwrap(), whole);
-        let refused = trace(&corner().within(MemoryLimit::of_bytes(whole.bytes() as u64)));
-        let Err(BartError::BeamsTakeTooMuchMemory { order, beams, bytes, limit_bytes }) = refused else {
-            panic!("{refused:?}")
-        };
-        assert!(order >= 1 && beams > 0 && bytes > limit_bytes);
-    }
 
     #[test]
     fn a_mesh_that_cannot_fit_is_refused_before_it_is_traced() {

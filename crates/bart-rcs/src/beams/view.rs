@@ -1,15 +1,12 @@
 //! Where one looks from, through which hole, and by which rules.
 
-use crate::beams::shadow::{Seen, Shadow};
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::border::Border;
-use crate::geometry::clip::{Corner, Split, split};
 use crate::geometry::facet_geometry::FacetGeometry;
 use crate::geometry::plane::Plane;
 use artifact::settings::Sides;
 use glam::DVec3;
-use std::ops::Range;
 
 /// A world as an antenna or its image sees it.
 #[derive(Clone)]
@@ -94,39 +91,5 @@ impl<'w> View<'w> {
                 && !self.opening_m.is_empty()
                 && self.opening_m.iter().all(|x| side.signum() * normal.dot(x - from) < -least)
         })
-    }
-
-    /// Puts the polygon that the window leaves of a facet into `corners` and gives its range; `None` where it leaves none.
-    pub(crate) fn clip(
-        &self,
-        target: &Shadow,
-        corners: &mut Vec<Corner>,
-        distances_m: &mut Vec<f64>,
-    ) -> Option<Range<usize>> {
-        if self.sides == Sides::One && target.seen == Seen::Back || !self.is_followed(target.facet) {
-            return None;
-        }
-        corners.clear();
-        corners.extend(target.polygon(self.world));
-        // A facet that crosses the mirror's plane ends at the plane that also ends its shadow.
-        let beyond = target.beyond_mirror.map(|plane| (plane, Border::Tied));
-        self.window.iter().copied().chain(beyond).try_fold(0..3, |polygon, (plane, border)| {
-            match split(corners, polygon.clone(), &plane, [border; 2], self.tolerance_m(), distances_m) {
-                Split::Inside => {
-                    meet(&mut corners[polygon.clone()], distances_m, border);
-                    Some(polygon)
-                }
-                Split::Outside => None,
-                Split::Cut { inside, .. } => Some(inside),
-            }
-        })
-    }
-}
-
-/// Marks edges that lie on a plane of the window, whose distances from the corners are given.
-fn meet(corners: &mut [Corner], distances_m: &[f64], window: Border) {
-    let n = corners.len();
-    for i in (0..n).filter(|&i| distances_m[i] == 0.0 && distances_m[(i + 1) % n] == 0.0) {
-        corners[i].border = corners[i].border.met_by(window);
     }
 }

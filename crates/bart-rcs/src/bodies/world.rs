@@ -2,7 +2,7 @@
 
 use crate::bodies::deaf_side::DeafSide;
 use crate::bodies::motion::{Motion, position_m};
-use crate::bodies::road::below;
+use crate::bodies::road_mirror::below;
 use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::bvh::{Hierarchy, Stack};
@@ -14,7 +14,8 @@ use crate::mesh::mesh_edges::{MeshEdges, Winding, exact_places};
 use crate::mesh::neighbours::Neighbours;
 use crate::mesh::patch::Patches;
 use crate::surface::bend::Bend;
-use crate::surface::skin::{Skin, SkinTriangles};
+use crate::surface::skin::Skin;
+use crate::surface::skin_triangles::SkinTriangles;
 use crate::wedges::body_edges::{BodyEdges, body_edges};
 use crate::wedges::world_edges::{Placed, WorldEdges};
 use artifact::material::{Makeup, Material, Road, Transmission};

@@ -6,7 +6,7 @@
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::bodies::world::World;
-use crate::joins::join::{Reverse, Trees};
+use crate::joins::joint::{Reverse, Trees};
 use crate::wedges::world_edges::{EdgeGeometry, FacetSide, WorldEdges};
 use glam::DVec3;
 

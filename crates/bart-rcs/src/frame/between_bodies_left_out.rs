@@ -6,7 +6,7 @@ use crate::frame::frame_error::Reference;
 use crate::frame::left_out_ways::LeftOutWays;
 use crate::frame::path_plan::Plan;
 use crate::frame::snapshot::Snapshot;
-use crate::joins::join::Joint;
+use crate::joins::joint::Joint;
 use crate::joins::scatterer::{Scatterer, sequence};
 use crate::progress::Phase;
 

@@ -10,7 +10,7 @@ use crate::frame::path_table::largest_cell_of_world_m;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::convex_intersection::bounds;
 use crate::geometry::plane_frame::{PlaneFrame, area_m2};
-use crate::joins::join::Trees;
+use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH, bracket_of};
 use crate::progress::Unheard;
 use artifact::scene::{SceneFrame, SceneHeader};

@@ -7,7 +7,7 @@ use crate::error::BartError;
 use crate::frame::frame_error::Reference;
 use crate::frame::left_out_ways::LeftOutWays;
 use crate::frame::path_plan::Plan;
-use crate::joins::join::{Joint, Trees};
+use crate::joins::joint::{Joint, Trees};
 use crate::joins::scatterer::{Scatterer, ZenithH};
 use artifact::settings::Sides;
 

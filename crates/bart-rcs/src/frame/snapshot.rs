@@ -8,7 +8,7 @@ use crate::bodies::world::{Models, World};
 use crate::error::BartError;
 use crate::frame::path_plan::Plan;
 use crate::geometry::antenna::Antenna;
-use crate::joins::join::Trees;
+use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH};
 use crate::progress::Phase;
 use artifact::scene::SceneFrame;

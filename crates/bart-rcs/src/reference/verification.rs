@@ -3,7 +3,7 @@
 use super::ray_cast::Body;
 use super::standpoint::Ends;
 use super::{Aspect, Bracket, ReferenceError, po, sbr};
-use crate::table::rcs_table::Standpoint;
+use crate::table::rcs_request::Standpoint;
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::Sides;

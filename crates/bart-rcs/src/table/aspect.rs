@@ -7,7 +7,8 @@ use crate::edges::edge_scattering::sum_of_edges;
 use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
 use crate::joins::afforded::afforded;
-use crate::joins::join::{Trees, tree_order};
+use crate::joins::join::tree_order;
+use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of};
 use crate::progress::{Phase, Progress, Unheard};
 use crate::table::end_tree::EndTree;
@@ -396,7 +397,7 @@ struct OfOrder {
     s_m: Vec<Complex64>,
     /// What of it is due to edges.
     edges_m: Vec<Complex64>,
-    /// Of overlaps, as in [`Joints::given_up`](crate::joins::join::Joints).
+    /// Of overlaps, as in [`Joints::given_up`](crate::joins::joint::Joints).
     given_up: [f64; 2],
 }
 
