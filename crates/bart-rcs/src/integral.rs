@@ -12,3 +12,5 @@ pub(crate) mod turns; // one length at several wavenumbers
 pub(crate) mod tile_integrals; // of the phase over a tile
 pub(crate) mod lossy_node; // weights with reflection coefficients
 pub(crate) mod physical_optics; // the integral over a lit polygon
+#[cfg(test)]
+pub(crate) mod test_quadrature; // a rule to compare with

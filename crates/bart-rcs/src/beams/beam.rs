@@ -5,16 +5,16 @@
 
 use crate::beams::body_ways::BodyWays;
 use crate::beams::brute_force::EveryFacet;
-use crate::beams::lit_parts::{Part, Parts};
 use crate::beams::sheets::parted;
-use crate::beams::view::{Mirror, View};
+use crate::beams::sight::lit_parts::{Part, Parts};
+use crate::beams::sight::view::{Mirror, View};
 use crate::beams::visibility::{Buffers, ByHierarchy, Visibility};
 use crate::bodies::world::World;
-use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::border::Border;
 use crate::geometry::plane::Plane;
-use crate::progress::{Phase, Progress, Unheard};
+use crate::oversight::error::BartError;
+use crate::oversight::progress::{Phase, Progress, Unheard};
 use artifact::settings::Sides;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -447,7 +447,7 @@ fn index(count: usize) -> Result<u32, BartError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::memory::{JOINED_PER_TREE, MemoryLimit};
+    use crate::oversight::memory::{JOINED_PER_TREE, MemoryLimit};
     use artifact::scene::Mesh;
 
     /// A corner of 2 × 20 × 20 squares.

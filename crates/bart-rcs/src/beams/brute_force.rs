@@ -1,8 +1,8 @@
 //! The slow obvious reference of [`crate::beams::visibility`]: every facet is cut by every other, without hierarchy or lists.
 
-use crate::beams::lit_parts::Parts;
-use crate::beams::shadow::{Hides, Shadow};
-use crate::beams::view::View;
+use crate::beams::sight::lit_parts::Parts;
+use crate::beams::sight::shadow::{Hides, Shadow};
+use crate::beams::sight::view::View;
 use crate::beams::visibility::{Buffers, Visibility};
 use crate::geometry::border::Border;
 use crate::geometry::clip::{Corner, Split, split};
@@ -60,9 +60,9 @@ fn outside(piece: Vec<Corner>, occluder: &Shadow, hides: Hides, tolerance_m: f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::beams::lit_parts::Parts;
-    use crate::beams::prospect::Prospect;
-    use crate::beams::solid_cells::visible;
+    use crate::beams::sight::lit_parts::Parts;
+    use crate::beams::sight::prospect::Prospect;
+    use crate::beams::sight::solid_cells::visible;
     use crate::beams::visibility::ByHierarchy;
     use crate::bodies::world::World;
     use crate::geometry::antenna::Antenna;

@@ -4,12 +4,12 @@
 //! the other, the largest first, and every piece carries on only those that may still reach it: a facet behind a dense mesh
 //! costs the outline of its shadow, not the number of facets in front.
 
-use crate::beams::lit_parts::Parts;
-use crate::beams::projection_grid::ProjectionGrid;
-use crate::beams::prospect::{Extent, Prospect, Sight};
-use crate::beams::shadow::{Cover, Hides, Shadow};
-use crate::beams::solid_cells::visible;
-use crate::beams::view::View;
+use crate::beams::sight::lit_parts::Parts;
+use crate::beams::sight::projection_grid::ProjectionGrid;
+use crate::beams::sight::prospect::{Extent, Prospect, Sight};
+use crate::beams::sight::shadow::{Cover, Hides, Shadow};
+use crate::beams::sight::solid_cells::visible;
+use crate::beams::sight::view::View;
 use crate::bodies::world::Walk;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::border::Border;

@@ -9,9 +9,9 @@
 //! and r_TM changes its sign, for the mirror turns the other vector over (`docs/physics.md` §5).
 
 use crate::bodies::world::World;
-use crate::error::BartError;
 use crate::materials::reflection_coefficients::Pair;
 use crate::materials::surface_response::reflection;
+use crate::oversight::error::BartError;
 use artifact::material::{Material, Road};
 use artifact::permittivity::substance;
 use artifact::scene::SceneHeader;

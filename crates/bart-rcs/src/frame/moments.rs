@@ -12,7 +12,6 @@
 //! is where each of the grids errs as the frame does, to 1.4 dB (a test has it).
 
 use crate::beams::body_ways::BodyWays;
-use crate::error::BartError;
 use crate::frame::band_power::{frequencies_hz, power_over_frame};
 use crate::frame::frame_error::{FrameError, MARGIN, Reference, mean_difference};
 use crate::frame::path_plan::Plan;
@@ -20,7 +19,8 @@ use crate::frame::path_pruning::{Kept, pruned_alike};
 use crate::frame::path_sum::element_over_band;
 use crate::frame::path_table::{PathTable, paths_along};
 use crate::frame::snapshot::Scenery;
-use crate::progress::Phase;
+use crate::oversight::error::BartError;
+use crate::oversight::progress::Phase;
 use artifact::paths::{Fineness, Path, Span};
 use num_complex::Complex64;
 use std::collections::{BTreeMap, BTreeSet};

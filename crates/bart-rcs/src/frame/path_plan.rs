@@ -3,7 +3,7 @@
 use crate::beams::beam::TraceSettings;
 use crate::frame::path_sum::PathView;
 use crate::joins::join::tree_order;
-use crate::progress::Progress;
+use crate::oversight::progress::Progress;
 use crate::table::meeting::MeetingSettings;
 use artifact::paths::Amplitude;
 use artifact::scene::SceneHeader;

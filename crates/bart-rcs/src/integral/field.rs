@@ -106,9 +106,7 @@ impl<'a> Field<'a> {
             Antenna::Direction(_) => 1.0,
         }
     }
-}
 
-impl Field<'_> {
     /// Whether weights are real and know no frequency.
     pub(crate) fn is_perfect(&self) -> bool {
         let node = self.node;

@@ -130,7 +130,7 @@ mod tests {
     use crate::integral::node::Leg;
     use crate::integral::polarization::Mirrors;
     use crate::integral::steps::Steps;
-    use crate::test_quadrature::gauss_legendre;
+    use crate::integral::test_quadrature::gauss_legendre;
     use artifact::units::SPEED_OF_LIGHT_MPS;
 
     const WAVENUMBER_PER_M: f64 = std::f64::consts::TAU * 77e9 / SPEED_OF_LIGHT_MPS;

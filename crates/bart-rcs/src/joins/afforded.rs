@@ -1,8 +1,8 @@
 //! How exactly integrals can be had for a given work: they end, and what is left is measured.
 
-use crate::error::BartError;
 use crate::joins::joint::{Joint, Joints};
 use crate::joins::scatterer::{Integration, Scatterer};
+use crate::oversight::error::BartError;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 

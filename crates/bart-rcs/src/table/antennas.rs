@@ -2,7 +2,7 @@
 
 use crate::bodies::stand_off::check_stand;
 use crate::bodies::world::World;
-use crate::error::BartError;
+use crate::oversight::error::BartError;
 use crate::table::rcs_request::{RcsRequest, aspects};
 use crate::table::rcs_table::check;
 use artifact::scene::Mesh;

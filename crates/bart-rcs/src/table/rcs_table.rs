@@ -2,11 +2,11 @@
 
 use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::world::World;
-use crate::error::BartError;
 use crate::joins::join::tree_order;
 use crate::joins::scatterer::check_order;
-use crate::memory::{MemoryLimit, memory_estimate_bytes};
-use crate::progress::{Phase, Progress};
+use crate::oversight::error::BartError;
+use crate::oversight::memory::{MemoryLimit, memory_estimate_bytes};
+use crate::oversight::progress::{Phase, Progress};
 use crate::surface::skin::Skin;
 use crate::table::amplitude_ratio::ratio;
 use crate::table::aspect::{Aspect, AspectSettings, Check, Checks, Company, Scattering, scattering, scattering_with};

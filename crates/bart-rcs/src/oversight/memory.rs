@@ -1,6 +1,6 @@
 //! How much memory a trace may take: expected before it begins, watched while it grows, refused with figures.
 
-use crate::error::BartError;
+use crate::oversight::error::BartError;
 
 /// The most that the bodies and beams of a trace may hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,8 +4,8 @@
 use crate::mesh::curve_bend::{may_be_a_step, may_be_of_one_curve};
 use crate::mesh::mesh_edges::{MeshEdge, Side};
 use crate::mesh::surface_topology::{Blade, Topology};
+use crate::mesh::wedges::wedge::Wedge;
 use crate::mesh::welding::rounding_m;
-use crate::wedges::wedge::Wedge;
 use glam::DVec3;
 use std::f64::consts::PI;
 

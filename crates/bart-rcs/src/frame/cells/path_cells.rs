@@ -5,7 +5,7 @@ use crate::beams::beam::BeamTree;
 use crate::beams::image_tree::origin;
 use crate::bodies::motion::Motion;
 use crate::bodies::road::Half;
-use crate::frame::cell_room::CellRoom;
+use crate::frame::cells::cell_room::CellRoom;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::convex_intersection::{bounds, left_of};
 use crate::geometry::plane_frame::{PlaneFrame, area_m2, centroid_m};

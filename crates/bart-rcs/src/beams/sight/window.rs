@@ -1,7 +1,7 @@
 //! What the window of a view leaves of a facet.
 
-use crate::beams::shadow::{Seen, Shadow};
-use crate::beams::view::View;
+use crate::beams::sight::shadow::{Seen, Shadow};
+use crate::beams::sight::view::View;
 use crate::geometry::border::Border;
 use crate::geometry::clip::{Corner, Split, split};
 use artifact::settings::Sides;

@@ -1,7 +1,7 @@
 //! Cells of a frame's paths are counted while they grow, so that a frame ends with figures before memory does.
 
-use crate::error::BartError;
-use crate::memory::MemoryLimit;
+use crate::oversight::error::BartError;
+use crate::oversight::memory::MemoryLimit;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Room for cells, which several threads take at a time.

@@ -1,8 +1,8 @@
 //! The edges of all bodies at one instant.
 
-use crate::wedges::body_edges::{BodyEdge, BodyEdges, EdgeSide, Patch, PatchEnd};
-use crate::wedges::face_end::FaceEnds;
-use crate::wedges::wedge::Wedge;
+use crate::mesh::wedges::body_edges::{BodyEdge, BodyEdges, EdgeSide, Patch, PatchEnd};
+use crate::mesh::wedges::face_end::FaceEnds;
+use crate::mesh::wedges::wedge::Wedge;
 use glam::{DMat3, DVec2, DVec3};
 
 /// Edges in world metres, and which facets end at them.

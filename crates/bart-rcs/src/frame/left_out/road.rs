@@ -3,12 +3,12 @@
 use crate::beams::image_tree::{Received, origin};
 use crate::bodies::road::{Half, half_of, usual_road};
 use crate::bodies::world::World;
-use crate::error::BartError;
 use crate::frame::frame_error::Reference;
-use crate::frame::left_out_ways::LeftOutWays;
+use crate::frame::left_out::ways::LeftOutWays;
 use crate::frame::path_plan::Plan;
 use crate::joins::joint::{Joint, Trees};
 use crate::joins::scatterer::{Scatterer, ZenithH};
+use crate::oversight::error::BartError;
 use artifact::settings::Sides;
 
 /// ‖S by the road‖ over ‖S without‖ for the usual road, at the moment and the place of the check, with the margin of the

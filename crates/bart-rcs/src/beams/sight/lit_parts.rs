@@ -1,7 +1,7 @@
 //! Lit polygons of one view.
 
-use crate::beams::shadow::Shadow;
-use crate::beams::view::View;
+use crate::beams::sight::shadow::Shadow;
+use crate::beams::sight::view::View;
 use crate::geometry::clip::{Corner, doubled_area, perimeter_m};
 use crate::geometry::section::section;
 use glam::DVec3;

@@ -2,8 +2,8 @@
 //!
 //! Every answer errs to its safe side by [`MARGIN`].
 
-use crate::beams::prospect::{Extent, Outlook, Sight};
-use crate::beams::view::View;
+use crate::beams::sight::prospect::{Extent, Outlook, Sight};
+use crate::beams::sight::view::View;
 use crate::geometry::antenna::Antenna;
 use glam::DVec2;
 use std::ops::{Range, RangeInclusive};
@@ -129,7 +129,7 @@ struct DepthPlane {
 }
 
 /// Planes of facets that are longer than a thousand of their heights or this near to edge-on are not relied on: of the others
-/// rounding makes less than a millionth of the gap of [`crate::beams::solid_cells::SolidCells`].
+/// rounding makes less than a millionth of the gap of [`crate::beams::sight::solid_cells::SolidCells`].
 const LEAST_AREA_OF_SQUARE: f64 = 5e-4;
 const LEAST_COSINE: f64 = 1e-2;
 

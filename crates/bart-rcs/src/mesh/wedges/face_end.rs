@@ -1,6 +1,6 @@
 //! How far a face goes: from a point of an edge along its plane to where its currents end.
 
-use crate::wedges::body_edges::PatchEnd;
+use crate::mesh::wedges::body_edges::PatchEnd;
 use glam::{DVec2, DVec3};
 
 /// The ends of a flat patch in the coordinates of one of its edges: x square to the edge into the patch, z along it.

@@ -2,7 +2,7 @@
 
 use crate::edges::edge_scattering::part_amplitudes;
 use crate::edges::lit_edge::EdgeJoint;
-use crate::frame::path_cells::{Cell, CellSettings, facets_of, motions, padded, reversed};
+use crate::frame::cells::path_cells::{Cell, CellSettings, facets_of, motions, padded, reversed};
 use crate::joins::joint::Reverse;
 use crate::joins::scatterer::Scatterer;
 use rayon::prelude::*;

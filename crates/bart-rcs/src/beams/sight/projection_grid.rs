@@ -4,10 +4,10 @@
 //! double; a facet is listed where the cells are just larger than it is, so in four at most: details crowd in few places of the
 //! view, and panels that span hundreds of details are listed once. Like the hierarchy it decides nothing.
 
-use crate::beams::projected_triangle::ProjectedTriangle;
-use crate::beams::prospect::{Extent, Outlook, across};
-use crate::beams::shadow::Shadow;
-use crate::beams::view::View;
+use crate::beams::sight::projected_triangle::ProjectedTriangle;
+use crate::beams::sight::prospect::{Extent, Outlook, across};
+use crate::beams::sight::shadow::Shadow;
+use crate::beams::sight::view::View;
 use glam::{DVec2, Vec4};
 use rayon::prelude::*;
 use std::ops::ControlFlow;

@@ -3,13 +3,13 @@
 
 use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::world::World;
-use crate::error::BartError;
 use crate::frame::frame_error::Reference;
 use crate::frame::path_plan::Plan;
 use crate::geometry::antenna::Antenna;
 use crate::joins::join::tree_order;
 use crate::joins::joint::Joint;
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
+use crate::oversight::error::BartError;
 use crate::table::joint_sum::sum_of_joints;
 use artifact::settings::NodeRule;
 

@@ -1,7 +1,7 @@
 //! Where facets appear across a view: their places on a plane across it, and how deep they lie.
 
-use crate::beams::shadow::{Seen, seen_side};
-use crate::beams::view::View;
+use crate::beams::sight::shadow::{Seen, seen_side};
+use crate::beams::sight::view::View;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::facet_geometry::FacetGeometry;
 use glam::{DVec2, DVec3};

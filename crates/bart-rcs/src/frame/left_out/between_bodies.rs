@@ -1,14 +1,14 @@
 //! What leaving out the ways between bodies costs: two bounces on two bodies, added up beside what was traced.
 
 use crate::bodies::world::World;
-use crate::error::BartError;
 use crate::frame::frame_error::Reference;
-use crate::frame::left_out_ways::LeftOutWays;
+use crate::frame::left_out::ways::LeftOutWays;
 use crate::frame::path_plan::Plan;
 use crate::frame::snapshot::Snapshot;
 use crate::joins::joint::Joint;
 use crate::joins::scatterer::{Scatterer, sequence};
-use crate::progress::Phase;
+use crate::oversight::error::BartError;
+use crate::oversight::progress::Phase;
 
 /// What one body throws on another comes off its panels.
 const WAYS: LeftOutWays = LeftOutWays { bounces: 2, mirror_wavelengths: 10.0 };

@@ -1,13 +1,13 @@
 //! What one facet hides from an antenna: the part of its cone that lies behind it.
 //!
 //! A point y is hidden by facet O from antenna p when y lies inside the three planes through p and O's edges, and behind O.
-//! Where O and the target pass through each other, one more plane through p parts them ([`crate::beams::depth_order`]). In a
+//! Where O and the target pass through each other, one more plane through p parts them ([`crate::beams::sight::depth_order`]). In a
 //! reflected beam only the part of O beyond the mirror counts, which a plane through p and the line where O meets the
 //! mirror's plane cuts off. So everything is a test of y against planes through p that are made of original corners, and
 //! what one facet's shadow loses at such a plane, its neighbour's takes, bit by bit.
 
-use crate::beams::depth_order::{DepthOrder, are_coincident, depth_order};
-use crate::beams::view::{Mirror, View};
+use crate::beams::sight::depth_order::{DepthOrder, are_coincident, depth_order};
+use crate::beams::sight::view::{Mirror, View};
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::border::Border;

@@ -11,10 +11,10 @@
 //! it is behind the set. And the foremost set of a cell is itself never refused there, so everything refused is hidden by facets
 //! that are left. Like the hierarchy it draws no outline: what is left is cut as ever.
 
-use crate::beams::outline::{MARGIN, Outline, Reach};
-use crate::beams::prospect::{Extent, Prospect, Sight, across};
-use crate::beams::shadow::Seen;
-use crate::beams::view::View;
+use crate::beams::sight::outline::{MARGIN, Outline, Reach};
+use crate::beams::sight::prospect::{Extent, Prospect, Sight, across};
+use crate::beams::sight::shadow::Seen;
+use crate::beams::sight::view::View;
 use crate::mesh::mesh_edges::Winding;
 use glam::DVec2;
 use rayon::prelude::*;
@@ -40,7 +40,7 @@ const MOST_IN_A_CELL: usize = 64;
 /// Rows are filled in so many parts side by side.
 const BANDS: usize = 16;
 /// Depths nearer than this are not told apart, in units of rounding: facets within rounding of each other are one surface, of
-/// which [`crate::beams::depth_order`] says what is lit.
+/// which [`crate::beams::sight::depth_order`] says what is lit.
 const GAP: f64 = 1e6;
 /// No facet.
 const NONE: u32 = u32::MAX;
