@@ -21,7 +21,7 @@ pub(crate) struct Field<'a> {
     /// Plane coordinates about the reference point.
     pub(crate) frame: PlaneFrame,
     reference_m: DVec3,
-    /// As in [`node_amplitudes`].
+    /// As in [`node_amplitudes`](crate::integral::physical_optics::node_amplitudes).
     pub(crate) accuracy: f64,
 }
 
