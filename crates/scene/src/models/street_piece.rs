@@ -33,11 +33,11 @@ pub(crate) fn read_size(section: &Section<'_>, name: &str) -> Option<Piece> {
 }
 
 /// `None` only where what is written is wrong.
-pub(crate) fn size(section: &Section<'_>, key: &'static str, allowed: Allowed, otherwise: f64) -> Option<f64> {
+fn size(section: &Section<'_>, key: &'static str, allowed: Allowed, otherwise: f64) -> Option<f64> {
     if section.has(key) { section.number(key, allowed) } else { Some(otherwise) }
 }
 
-pub(crate) fn length(section: &Section<'_>) -> Option<f64> {
+fn length(section: &Section<'_>) -> Option<f64> {
     section.require("length_m");
     section.number("length_m", Allowed::Between(0.2, 1000.0))
 }

@@ -6,8 +6,9 @@ use crate::wording::allowed::Allowed;
 use artifact::radar::{Sampling, Schedule, Waveform};
 
 /// A sweep of any radar ends within; beyond it wavelengths are those of heat.
-pub(crate) const SWEEP_ENDS_GHZ: Allowed = Allowed::Between(0.1, 2000.0);
+const SWEEP_ENDS_GHZ: Allowed = Allowed::Between(0.1, 2000.0);
 
+/// The chirps of a frame, and when each begins.
 pub(crate) fn read_waveform(section: &Section<'_>, sampling: Sampling) -> (Waveform, Schedule) {
     let start_ghz = section.number("start_frequency_ghz", Allowed::Between(0.1, 1000.0)).unwrap_or(77.0);
     let slope_mhz_per_us = section.number("slope_mhz_per_us", Allowed::Between(-1e4, 1e4)).unwrap_or(12.5);
@@ -39,7 +40,7 @@ pub(crate) fn read_waveform(section: &Section<'_>, sampling: Sampling) -> (Wavef
 }
 
 /// Idle time of each sub-frame, µs; empty where the frame has no parts.
-pub(crate) fn read_sub_frames(section: &Section<'_>) -> Vec<f64> {
+fn read_sub_frames(section: &Section<'_>) -> Vec<f64> {
     // Two tell a velocity; more than eight no radar sends.
     let idle_us = section.numbers("sub_frame_idle_us", Allowed::Between(2.0, 8.0), Allowed::Between(0.0, 1e6));
     if section.has("sub_frame_idle_us") && section.has("idle_us") {
@@ -49,7 +50,7 @@ pub(crate) fn read_sub_frames(section: &Section<'_>) -> Vec<f64> {
 }
 
 /// By how much each chirp of a turn starts later than at the mean interval, s, and by how much that is longer than without, µs.
-pub(crate) fn read_stagger(section: &Section<'_>) -> (Vec<f64>, f64) {
+fn read_stagger(section: &Section<'_>) -> (Vec<f64>, f64) {
     let longer_us = section.numbers("stagger_us", Allowed::Between(2.0, 64.0), Allowed::Between(0.0, 1e6));
     let longer_us = longer_us.unwrap_or_default();
     let mean_us = longer_us.iter().sum::<f64>() / longer_us.len().max(1) as f64;
