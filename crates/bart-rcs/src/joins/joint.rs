@@ -4,7 +4,6 @@ use crate::beams::beam::BeamTree;
 use crate::beams::image_tree::Received;
 use crate::joins::outline::Outline;
 use glam::DVec3;
-use rayon::prelude::*;
 use std::ops::Range;
 
 /// The beams of both ends.

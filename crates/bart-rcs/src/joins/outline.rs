@@ -2,7 +2,6 @@
 
 use crate::geometry::border::Border;
 use glam::DVec2;
-use rayon::prelude::*;
 
 /// Outline of a polygon, or of many pieces together, m; edges that end facet and beam alike are left out.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

@@ -8,7 +8,6 @@ use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
-use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 /// S(frequency, elevation, azimuth) that is asked for; body axes.

@@ -5,7 +5,6 @@ use crate::beams::sight::view::View;
 use crate::geometry::clip::{Corner, doubled_area, perimeter_m};
 use crate::geometry::section::section;
 use glam::DVec3;
-use rayon::prelude::*;
 use std::ops::Range;
 
 /// Lit polygons of one view.
