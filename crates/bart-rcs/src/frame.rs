@@ -8,9 +8,9 @@ pub(crate) mod band_power; // of paths over the band
 pub(crate) mod path_pruning; // paths too weak to matter
 pub(crate) mod frame_error; // what a frame's paths miss, measured
 pub(crate) mod integration_error; // how finely integrals are taken
+pub(crate) mod snapshot; // bodies and beams of one moment
 pub(crate) mod left_out; // ways added up beside what was traced
 pub(crate) mod path_table; // the largest cells that meet the accuracy
-pub(crate) mod snapshot; // bodies and beams of one moment
 pub(crate) mod moments; // ways traced at several
 pub(crate) mod expected_work; // what a frame will take, from a sample of it
 pub(crate) mod path; // the path table of a frame

@@ -3,16 +3,16 @@
 mod format;
 mod error;
 mod part;
-mod assemble;
 mod centre;
+mod assemble;
 mod gltf_json;
-mod gltf_document;
 mod gltf_buffers;
 mod gltf_accessor;
 mod gltf_nodes;
-mod stl;
-mod obj;
+mod gltf_document;
 mod polygon;
+mod obj;
+mod stl;
 mod file;
 
 pub use centre::centred;

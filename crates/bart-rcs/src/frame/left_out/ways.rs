@@ -1,5 +1,5 @@
-//! Ways that a frame leaves out, added up beside what was traced: by a road (`road_left_out.rs`), between bodies
-//! (`between_bodies_left_out.rs`).
+//! Ways that a frame leaves out, added up beside what was traced: by a road (`road.rs`), between bodies
+//! (`between_bodies.rs`).
 
 use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::world::World;

@@ -1,8 +1,8 @@
 //! Lofted bodies: cars, vans, buses and the cabs of trucks, all of them one skin over drawn lines.
 
 mod form;
-mod skin;
 mod face;
+mod skin;
 mod trim;
 
 use crate::bodies::vehicles::drawing::mesh_builder::Assembly;

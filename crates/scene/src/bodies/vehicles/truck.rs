@@ -1,8 +1,8 @@
 //! Trucks: box body, tanker, tractor with semitrailer.
 
+pub(crate) mod form;
 mod cab;
 pub(crate) mod chassis;
-pub(crate) mod form;
 pub(crate) mod load;
 
 use crate::bodies::vehicles::dimensions::Draw;
