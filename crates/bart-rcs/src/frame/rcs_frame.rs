@@ -4,6 +4,7 @@ use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::motion::position_m;
 use crate::bodies::road::check_road;
 use crate::bodies::world::{Models, World};
+use crate::frame::band_power::frequencies_hz;
 use crate::geometry::antenna::Antenna;
 use crate::integral::polarization::zenith_h;
 use crate::joins::join::tree_order;
@@ -148,7 +149,7 @@ impl<'a> Body<'a> {
         const FREQUENCIES: usize = 12;
         let waveform = &self.header.radar.waveform;
         let (centre_hz, bandwidth_hz) = (waveform.centre_frequency_hz(), waveform.bandwidth_hz());
-        let frequencies = crate::frame::band_power::frequencies_hz(centre_hz, bandwidth_hz, FREQUENCIES);
+        let frequencies = frequencies_hz(centre_hz, bandwidth_hz, FREQUENCIES);
         let wavenumbers: Vec<f64> = frequencies.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
         let [middle, last] = [0.5, 1.0].map(|share| self.to_radar_m(share * self.header.radar.frame_duration_s()));
         let last_r = last / last.length();

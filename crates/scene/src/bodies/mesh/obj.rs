@@ -2,6 +2,7 @@
 
 use crate::bodies::mesh::error::{Located, MeshFault, MeshPlace};
 use crate::bodies::mesh::part::{Part, check_count, check_vectors};
+use crate::bodies::mesh::polygon::triangulate;
 use crate::wording::excerpt::excerpt;
 use glam::DVec3;
 use std::collections::{BTreeMap, HashMap};
@@ -107,7 +108,7 @@ impl Document {
         let given = corners.iter().all(|(_, normal)| normal.is_some());
         let normals = if given { Normals::Given } else { Normals::Absent };
         let points: Vec<DVec3> = corners.iter().map(|(vertex, _)| self.vertices[*vertex as usize]).collect();
-        let triangles = crate::bodies::mesh::polygon::triangulate(&points, &mut self.comparisons);
+        let triangles = triangulate(&points, &mut self.comparisons);
         if self.comparisons > COMPARISON_LIMIT {
             return Err(MeshFault::TooDented { limit: COMPARISON_LIMIT });
         }

@@ -2,6 +2,7 @@
 //! the winding and are left out.
 
 use crate::bodies::mesh::error::{Located, MeshFault, MeshPlace};
+use crate::bodies::mesh::obj::three_numbers;
 use crate::bodies::mesh::part::{Part, check_count};
 use crate::wording::excerpt::excerpt;
 use glam::DVec3;
@@ -57,7 +58,7 @@ fn read_text(bytes: &[u8]) -> Result<Vec<DVec3>, Located> {
         match words.next() {
             Some("vertex") => {
                 check_count(corners.len() / 3)?;
-                corners.push(crate::bodies::mesh::obj::three_numbers(words).map_err(|fault| place.fault(fault))?);
+                corners.push(three_numbers(words).map_err(|fault| place.fault(fault))?);
             }
             Some("endfacet") if !whole_facets => return Err(place.fault(MeshFault::Corners(corners.len() % 3))),
             None | Some("solid" | "facet" | "outer" | "endloop" | "endfacet" | "endsolid") => {}

@@ -1,5 +1,6 @@
 //! What the vehicles promise.
 
+use crate::bodies::mesh::{MeshOptions, read_mesh};
 use crate::bodies::vehicles::catalogue::{NAMES, class_of, drawing, mesh, size_range};
 use crate::bodies::vehicles::dimensions::Draw;
 use crate::bodies::vehicles::drawing::mesh_builder;
@@ -250,8 +251,7 @@ fn what_is_written_is_read_back() {
         let written = mesh(name, 0).unwrap();
         let file = folder.path().join(format!("{name}.glb"));
         std::fs::write(&file, glb(&written)).unwrap();
-        let read =
-            crate::bodies::mesh::read_mesh(&file, &crate::bodies::mesh::MeshOptions { unit_scale: None }).unwrap();
+        let read = read_mesh(&file, &MeshOptions { unit_scale: None }).unwrap();
         assert_eq!(read.materials, written.materials, "{name}");
         assert_eq!(read.triangles, written.triangles, "{name}");
         assert_eq!(read.vertices_m, written.vertices_m, "{name}");

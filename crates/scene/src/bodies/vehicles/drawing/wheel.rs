@@ -1,7 +1,7 @@
 //! Road wheels: tyre and rim with depth, axle along y, outer face towards +y.
 
 use crate::bodies::vehicles::drawing::mesh_builder::Assembly;
-use crate::bodies::vehicles::drawing::solids::{disc, lathe};
+use crate::bodies::vehicles::drawing::solids::{disc, ellipsoid, lathe};
 use crate::bodies::vehicles::drawing::stencil::{Inside, cut, soft_minimum};
 use crate::bodies::vehicles::drawing::surface::{Material, Surface};
 use glam::DVec3;
@@ -186,11 +186,7 @@ pub(crate) fn axle(axle_x: f64, axle_z: f64, half_track_m: f64, drive: Drive) ->
     };
     let mut axle = disc(tube_radius, 2.0 * half_track_m, 8, Material::Steel);
     if casing > 0.0 {
-        axle.append(crate::bodies::vehicles::drawing::solids::ellipsoid(
-            [casing, 0.8 * casing, casing],
-            10,
-            Material::Steel,
-        ));
+        axle.append(ellipsoid([casing, 0.8 * casing, casing], 10, Material::Steel));
     }
     axle.moved(axle_x, 0.0, axle_z)
 }
