@@ -1,13 +1,6 @@
 //! Lit polygons and their mirrors.
 
-pub(crate) mod depth_order; // which of two facets is in front, decided once
-pub(crate) mod view; // from where and through which hole
-pub(crate) mod shadow; // what one facet hides
-pub(crate) mod prospect; // where facets appear across a view
-pub(crate) mod outline; // and which cells of it they touch
-pub(crate) mod solid_cells; // what facets that hang together hide of it
-pub(crate) mod projected_triangle; // and whether two are apart
-pub(crate) mod projection_grid; // what may stand before what in a direct view
+pub(crate) mod sight; // facets as an antenna sees them
 pub(crate) mod sheets; // what waves have passed
 pub(crate) mod visibility; // what a view shows
 pub(crate) mod brute_force; // the same by trying all pairs

@@ -1,19 +1,16 @@
 //! Paths of a frame, or its table.
 
-pub(crate) mod cell_room; // how many cells memory has room for
-pub(crate) mod path_cells; // lit polygons as cells with one node each
-pub(crate) mod edge_cells; // the same for lit edges
+pub(crate) mod cells; // lit polygons and edges as cells with one node each
 pub(crate) mod nearest_surface; // nearest lit point of a body
 pub(crate) mod path_sum; // S from path records, by definition
 pub(crate) mod path_plan; // what a frame is traced with
+pub(crate) mod band_power; // of paths over the band
 pub(crate) mod path_pruning; // paths too weak to matter
 pub(crate) mod frame_error; // what a frame's paths miss, measured
 pub(crate) mod integration_error; // how finely integrals are taken
-pub(crate) mod left_out_ways; // ways added up beside what was traced
-pub(crate) mod road_left_out; // what a road would add
-pub(crate) mod path_table; // the largest cells that meet the accuracy
 pub(crate) mod snapshot; // bodies and beams of one moment
-pub(crate) mod between_bodies_left_out; // what ways between bodies would add
+pub(crate) mod left_out; // ways added up beside what was traced
+pub(crate) mod path_table; // the largest cells that meet the accuracy
 pub(crate) mod moments; // ways traced at several
 pub(crate) mod expected_work; // what a frame will take, from a sample of it
 pub(crate) mod path; // the path table of a frame

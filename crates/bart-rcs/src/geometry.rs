@@ -1,10 +1,11 @@
 //! Points, planes, polygons.
 
+pub(crate) mod plane; // of facets
 pub(crate) mod antenna; // a point or a direction, and its images
-pub(crate) mod plane; // of facets, and through antenna and edge
+pub(crate) mod antenna_plane; // planes through an antenna
 pub(crate) mod facet_geometry; // a triangle with its plane
-pub(crate) mod clip; // a convex polygon cut by a plane
 pub(crate) mod border; // what ends a lit polygon
+pub(crate) mod clip; // a convex polygon cut by a plane
 pub(crate) mod section; // solid angle, or area across a direction
 pub(crate) mod plane_frame; // coordinates in a facet's plane
 pub(crate) mod convex_intersection; // where two beams overlap

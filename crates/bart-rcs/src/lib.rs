@@ -40,14 +40,11 @@
 //! physical optics is integrated over the common polygon in closed form. [`mod@reference`] holds slow, obvious rivals that
 //! share none of this.
 
-mod error; // what can be wrong with a body or an antenna
-mod memory; // expected, watched, refused
-mod progress; // who hears how far work is
+mod oversight; // what can be wrong, how much memory, who hears how far it is
 mod geometry; // points, planes, polygons
-mod mesh; // what belongs together in a mesh
+mod mesh; // what belongs together in a mesh, and where it has edges
 mod materials; // reflection and transmission
 mod surface; // what facets stand for: themselves, or a curved surface
-mod wedges; // where bodies have edges
 mod bodies; // posed meshes, and the road under them
 mod beams; // lit polygons and their mirrors
 mod integral; // a field over a lit polygon, in closed form
@@ -57,13 +54,10 @@ mod table; // S at aspects, over frequency
 mod frame; // paths of a frame, or its table
 mod detail; // fewer paths for the same echo
 pub mod reference;
-#[cfg(test)]
-mod test_quadrature;
 
 pub use beams::beam::{Audit, Beam, BeamTree, OrderAudit, TraceSettings};
 pub use bodies::world::{Models, World};
 pub use detail::level::reduced;
-pub use error::BartError;
 pub use frame::expected_work::{ExpectedWork, expected_work};
 pub use frame::moments::MOMENTS_MAX;
 pub use frame::path::{FrameSurroundings, trace_frame, trace_frame_like, trace_frame_within};
@@ -73,11 +67,13 @@ pub use frame::rcs_frame::{rcs_frame, rcs_frame_within};
 pub use geometry::antenna::Antenna;
 pub use geometry::facet_geometry::FacetGeometry;
 pub use geometry::plane::Plane;
-pub use memory::{MemoryLimit, memory_estimate_bytes};
-pub use progress::{Phase, Progress, Unheard};
+pub use oversight::error::BartError;
+pub use oversight::memory::{MemoryLimit, memory_estimate_bytes};
+pub use oversight::progress::{Phase, Progress, Unheard};
 pub use surface::skin::{Role, Skin};
 pub use table::antennas::check_antennas;
 pub use table::contributions::{Contribution, contributions};
 pub use table::far_field_error::{FarFieldError, Spread};
 pub use table::keeper::{Keeper, NothingKept, Piece};
-pub use table::rcs_table::{Followed, RcsRequest, RcsResult, RcsSeconds, Standpoint, Surroundings, rcs, rcs_within};
+pub use table::rcs_request::{RcsRequest, Standpoint};
+pub use table::rcs_table::{Followed, RcsResult, RcsSeconds, Surroundings, rcs, rcs_within};

@@ -6,6 +6,8 @@ pub(crate) mod small_mirrors; // too small to be followed: what they would have 
 pub(crate) mod end_tree; // of an aspect, or of all with one receiver
 pub(crate) mod work_meter; // whose work the processors' time was
 pub(crate) mod aspect; // S at one aspect, by order and node rule
+pub(crate) mod amplitude_ratio; // of two powers
+pub(crate) mod rcs_request; // what is asked for
 pub(crate) mod keeper; // what is done of a table, for another run
 pub(crate) mod finer_mirrors; // where more was dropped than was asked for
 pub(crate) mod far_field_error; // what a far-field table misses near by

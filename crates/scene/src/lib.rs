@@ -37,44 +37,37 @@
 //!
 //! [`read_mesh`] reads a mesh alone and keeps the file's origin; [`centred`] gives it a scene's.
 //!
-//! To read in this order: `keys` (what a scene may say), `faults` (what is wrong with it), `document` (typed values with their places), `read` and the
-//! tables it calls, `models`, then [`mesh`] (glTF, STL, OBJ), [`vehicles`] and [`street`] (the project's own, made from parameters).
+//! Rooms, to read in this order, each of which uses only those before it: below are the bodies themselves, [`mesh`] (glTF, STL,
+//! OBJ), [`vehicles`] and [`street`] (the project's own, made from parameters), and what SUMO recorded; `document` is what a scene may
+//! say (`keys`), what is wrong with it (`faults`) and its typed values with their places (`section`); then come the rooms that read
+//! tables, and `read`, which calls them.
 
-mod errors;
-mod faults;
-mod keys;
-mod synonyms;
-mod document;
-mod read;
-mod radar;
-mod radars;
-mod array;
-mod pattern_table;
-mod hardware;
-mod calibration;
-mod settings;
-mod targets;
-mod clutter;
-mod models;
-mod materials;
-mod xml;
+mod wording; // sentences about what was read
+mod measured; // patterns and calibrations from files
+mod bodies; // meshes from files, and the project's own
+mod recording; // what SUMO writes
+mod document; // a scene file as tables that know their place
+mod models; // what the scene names of bodies
+mod materials; // names of materials, and the road
+mod radar; // where it stands, what it sends, its antennas
+mod settings; // noise, processing, fidelity, lanes
+mod targets; // what moves, and what stands about
 pub mod traffic;
-mod motion;
-pub mod mesh;
-mod glb;
-mod painted;
-pub mod vehicles;
-pub mod street;
+mod motion; // where everything is in a frame
+mod read; // a scene file and all that it names
 
-pub use array::remounted;
-pub use calibration::{CalibrationFileError, CalibrationRule};
-pub use errors::{Allowed, MapAxis, Place, Position, Rule, SceneError, SceneErrors};
-pub use keys::{TABLES, Table};
+pub use bodies::mesh::{MeshError, MeshOptions, centred, read_mesh};
+pub use bodies::painted::{Painted, PaintedLine, painted_glb};
+pub use bodies::{mesh, street, vehicles};
+pub use document::errors::{MapAxis, Place, Position, Rule, SceneError, SceneErrors};
+pub use document::keys::{TABLES, Table};
 pub use materials::read_materials;
-pub use mesh::{MeshError, MeshOptions, centred, read_mesh};
+pub use measured::calibration::{CalibrationFileError, CalibrationRule};
+pub use measured::pattern_table::{PatternFileError, PatternRule};
+pub use models::options::{Meshes, ReadOptions};
 pub use motion::{bodies_in_view, frame_view, pose_after, snapshot, vehicles_in_view};
-pub use painted::{Painted, PaintedLine, painted_glb};
-pub use pattern_table::{PatternFileError, PatternRule};
-pub use radars::radars;
-pub use read::{Meshes, ReadOptions, inputs, read};
-pub use xml::XmlFault;
+pub use radar::array::remounted;
+pub use radar::radars::radars;
+pub use read::{inputs, read};
+pub use recording::xml::XmlFault;
+pub use wording::allowed::Allowed;

@@ -1,11 +1,13 @@
 //! `[materials]`, files of them, and `[road]`: names of materials, and what they stand for.
 
-use crate::document::Section;
-use crate::errors::{Allowed, Place, Rule, SceneErrors, nearest};
-use crate::faults::Faults;
-use crate::keys;
-use crate::models::Models;
-use crate::read::{at_no_place, read_text};
+use crate::document::errors::{Place, Rule, SceneErrors};
+use crate::document::faults::Faults;
+use crate::document::keys;
+use crate::document::section::Section;
+use crate::document::text::{at_no_place, read_text};
+use crate::models::library::Models;
+use crate::wording::allowed::Allowed;
+use crate::wording::likeness::nearest;
 use artifact::material::{Backing, Layer, Material, MaterialMap, Road, Thickness, Transmission};
 use artifact::permittivity::{SUBSTANCES, substance};
 use artifact::radar::{Polarization, Radar};

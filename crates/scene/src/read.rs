@@ -1,48 +1,23 @@
 //! Reads a scene file and the meshes that it names; every broken rule is reported, not only the first.
 
-use crate::document::Section;
-use crate::errors::{Allowed, Place, Rule, SceneError, SceneErrors};
-use crate::faults::Faults;
-use crate::keys;
+use crate::document::errors::{Place, Rule, SceneErrors};
+use crate::document::faults::Faults;
+use crate::document::keys;
+use crate::document::ranges::SEEDS;
+use crate::document::section::Section;
+use crate::document::text::{at_no_place, read_text};
 use crate::materials::{read_road, read_scene_materials};
-use crate::models::Models;
-use crate::radar::{read_frames, read_radar};
-use crate::radars::{self, read_name};
+use crate::models::library::Models;
+use crate::models::options::{Meshes, ReadOptions};
+use crate::radar::radars::{self, read_name};
+use crate::radar::read_radar::{read_frames, read_radar};
 use crate::settings::{read_dsp, read_fidelity, read_intersection, read_noise, read_own_road};
-use crate::targets::read_targets;
+use crate::targets::target::read_targets;
 use crate::traffic::read_traffic;
-use artifact::bounded;
 use artifact::scene::SceneHeader;
 use artifact::settings::Lanes;
 use std::path::{Path, PathBuf};
 use toml::de::DeTable;
-
-/// What one run changes in a scene.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ReadOptions {
-    /// Takes the place of the model of every mesh target: a file or the name of one of the project's vehicles. Unlike
-    /// the paths inside a scene this one starts at the working directory.
-    pub model: Option<PathBuf>,
-    /// Through which of the scene's radars it is read; `None` where it has but one.
-    pub radar: Option<String>,
-    /// Whether the models are opened.
-    pub meshes: Meshes,
-}
-
-/// What is read of the models that a scene names.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Meshes {
-    /// All of them.
-    Whole,
-    /// Their names: each mesh stays empty. For those who need the radar and the settings only.
-    NamesOnly,
-}
-
-/// TOML's whole numbers end there.
-pub(crate) const SEEDS: Allowed = Allowed::Between(0.0, i64::MAX as f64);
-
-/// A scene is a page of text; more than this is another file given by mistake.
-const LIMIT_BYTES: u64 = 4 << 20;
 
 /// The scene in `path`, with the meshes of its targets: each in body axes, the centre of its bounding box on the ground
 /// at the origin, a model named twice read once.
@@ -124,12 +99,4 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
         targets,
         traffic,
     }
-}
-
-pub(crate) fn read_text(path: &Path) -> Result<String, Rule> {
-    bounded::read_text(path, LIMIT_BYTES).map_err(Rule::File)
-}
-
-pub(crate) fn at_no_place(path: &Path, rule: Rule) -> SceneErrors {
-    SceneErrors(vec![SceneError { file: path.to_owned(), position: None, place: Place::Scene, rule }], 0)
 }

@@ -1,11 +1,12 @@
 //! `[noise]`, `[dsp]`, `[fidelity]` and `[intersection]`.
 
-use crate::calibration::read_calibration;
-use crate::document::Section;
-use crate::errors::{Allowed, MapAxis, Rule};
-use crate::keys;
-use crate::models::Models;
-use crate::radar::COORDINATES_M;
+use crate::document::errors::{MapAxis, Rule};
+use crate::document::keys;
+use crate::document::ranges::COORDINATES_M;
+use crate::document::section::Section;
+use crate::measured::calibration::read_calibration;
+use crate::models::library::Models;
+use crate::wording::allowed::Allowed;
 use artifact::Accuracy;
 use artifact::paths::MAX_ORDER;
 use artifact::radar::{Radar, Sampling};

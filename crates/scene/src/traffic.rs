@@ -1,29 +1,26 @@
 //! `[traffic]`: vehicles that move as SUMO recorded them.
 //!
 //! The recording is read once, step by step ([`fcd`]); of every step only what the radar has in view at a frame's first
-//! sample is kept (`in_view`), placed between the steps by `interpolation`. So memory grows with what is in view in the
+//! sample is kept, placed between the steps by [`interpolation`]. So memory grows with what is in view in the
 //! frames asked for, not with the recording.
 
-pub mod fcd;
-pub mod interpolation;
-mod clock;
-mod in_view;
-pub mod net;
+pub use crate::recording::{fcd, interpolation, net};
 
-use crate::document::{ModelChoice, Section};
-use crate::errors::{Allowed, Rule};
-use crate::keys;
-use crate::models::{Chosen, Models};
+use crate::document::errors::Rule;
+use crate::document::keys;
+use crate::document::section::{ModelChoice, Section};
+use crate::models::library::{Chosen, Models};
+use crate::recording::clock::{Clock, Times};
+use crate::recording::fcd::{FcdError, FcdReader, FcdRule, FcdVehicle, UnknownType};
+use crate::recording::in_view::View;
+use crate::recording::interpolation::Interval;
+use crate::recording::net::read_net;
+use crate::wording::allowed::Allowed;
 use artifact::radar::Radar;
 use artifact::scene::{Placed, Target, TargetKind, Traffic, Vehicle};
 use artifact::seed;
 use artifact::settings::{Class, Course};
-use clock::{Clock, Times};
-use fcd::{FcdError, FcdReader, FcdRule, FcdVehicle, UnknownType};
 use glam::DVec2;
-use in_view::View;
-use interpolation::Interval;
-use net::read_net;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::PathBuf;
 
@@ -83,10 +80,25 @@ pub(crate) fn read_traffic<'d>(
     }
     section.require("fcd");
     let times = read_times(root, &section, interval_s);
-    let view = View::read(&section, radar);
+    let view = read_view(&section, radar);
     let of_types = section.model_choices().iter().map(|c| (c.kind.to_owned(), models_of_type(c, models))).collect();
     let file = models.file_beside(section.text("fcd")?);
     Some(Recording { section, file, models: of_types, unknown: vec![], times, view })
+}
+
+/// By default the range up to which a complex beat frequency does not fold, and the half plane before the array.
+fn read_view(section: &Section<'_>, radar: &Radar) -> View {
+    let range_m = section.number("view_range_m", Allowed::Above(0.0, 1e5));
+    let nearest_m = section.number("view_nearest_m", Allowed::Between(0.0, 1e5)).unwrap_or(0.0);
+    let half_angle_deg = section.number("view_half_angle_deg", Allowed::Above(0.0, 180.0)).unwrap_or(90.0);
+    let (sin, cos) = radar.boresight_az_rad.sin_cos();
+    View {
+        foot_m: DVec2::new(radar.position_m[0], radar.position_m[1]),
+        boresight: DVec2::new(sin, cos),
+        nearest_m,
+        range_m: range_m.unwrap_or(radar.waveform.range_max_m()),
+        half_angle_rad: half_angle_deg.to_radians(),
+    }
 }
 
 fn read_times(root: &Section<'_>, section: &Section<'_>, interval_s: f64) -> Times {

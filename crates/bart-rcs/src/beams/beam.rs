@@ -6,14 +6,15 @@
 use crate::beams::body_ways::BodyWays;
 use crate::beams::brute_force::EveryFacet;
 use crate::beams::sheets::parted;
-use crate::beams::view::{Mirror, View};
-use crate::beams::visibility::{Buffers, ByHierarchy, Part, Parts, Visibility};
+use crate::beams::sight::lit_parts::{Part, Parts};
+use crate::beams::sight::view::{Mirror, View};
+use crate::beams::visibility::{Buffers, ByHierarchy, Visibility};
 use crate::bodies::world::World;
-use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::border::Border;
 use crate::geometry::plane::Plane;
-use crate::progress::{Phase, Progress, Unheard};
+use crate::oversight::error::BartError;
+use crate::oversight::progress::{Phase, Progress, Unheard};
 use artifact::settings::Sides;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -441,4 +442,42 @@ impl Audit {
 /// Vertices and beams are counted in 32 bits.
 fn index(count: usize) -> Result<u32, BartError> {
     u32::try_from(count).map_err(|_| BartError::TreeTooLarge { vertices: count })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::oversight::memory::{JOINED_PER_TREE, MemoryLimit};
+    use artifact::scene::Mesh;
+
+    /// A corner of 2 × 20 × 20 squares.
+    fn corner() -> World {
+        let mut mesh = Mesh::default();
+        for (u, v) in [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z)] {
+            for i in 0..400 {
+                let at = 0.05 * (f64::from(i % 20) * u + f64::from(i / 20) * v);
+                let first = mesh.vertices_m.len() as u32;
+                mesh.vertices_m.extend([at, at + 0.05 * u, at + 0.05 * (u + v), at + 0.05 * v].map(|c| c.to_array()));
+                mesh.triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
+            }
+        }
+        World::of_mesh(&mesh).unwrap()
+    }
+
+    fn trace(world: &World) -> Result<BeamTree, BartError> {
+        let settings = TraceSettings { max_order: 3, sides: Sides::Two, least_area_m2: 0.0, least_mirror_area_m2: 0.0 };
+        BeamTree::trace(world, Antenna::Point(DVec3::new(8.0, 3.0, 7.0)), &settings)
+    }
+
+    #[test]
+    fn a_tree_that_outgrows_its_limit_is_given_up_with_figures() {
+        let whole = trace(&corner()).unwrap();
+        let needed = 8 * (1 + JOINED_PER_TREE) * whole.bytes() as u64;
+        assert_eq!(trace(&corner().within(MemoryLimit::of_bytes(needed))).unwrap(), whole);
+        let refused = trace(&corner().within(MemoryLimit::of_bytes(whole.bytes() as u64)));
+        let Err(BartError::BeamsTakeTooMuchMemory { order, beams, bytes, limit_bytes }) = refused else {
+            panic!("{refused:?}")
+        };
+        assert!(order >= 1 && beams > 0 && bytes > limit_bytes);
+    }
 }

@@ -1,7 +1,8 @@
 //! The beams of the antenna's image below the road, beside the antenna's own.
 
 use crate::beams::beam::{Beam, BeamTree};
-use crate::bodies::road::{Half, below, image};
+use crate::bodies::road::Half;
+use crate::bodies::road_mirror::{below, image};
 use crate::bodies::world::World;
 
 /// What arrives at the antenna, straight and by the road.

@@ -3,9 +3,9 @@
 use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::stand_off::{check_enclosed, check_stand};
 use crate::bodies::world::World;
-use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
-use crate::progress::Progress;
+use crate::oversight::error::BartError;
+use crate::oversight::progress::Progress;
 
 impl BeamTree {
     /// [`BeamTree::trace`] while somebody listens, of an antenna that may stand where it does at this wavelength.

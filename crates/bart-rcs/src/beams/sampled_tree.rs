@@ -2,14 +2,14 @@
 //! large a tree will be, for a small part of its cost.
 
 use crate::beams::beam::{BeamTree, Growth, TraceSettings};
-use crate::beams::shadow::Shadow;
 use crate::beams::sheets::parted;
-use crate::beams::view::View;
+use crate::beams::sight::shadow::Shadow;
+use crate::beams::sight::view::View;
 use crate::beams::visibility::{Buffers, ByHierarchy, Visibility, direct_of};
 use crate::bodies::world::World;
-use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
-use crate::progress::Unheard;
+use crate::oversight::error::BartError;
+use crate::oversight::progress::Unheard;
 use rayon::prelude::*;
 
 /// Beams and the number that each stands for.

@@ -3,9 +3,9 @@
 //! Where waves are followed through sheets, these hide nothing. Each polygon is then cut along the outlines of the sheets before
 //! it, so that every piece has passed the same ones, and remembers them. What a sheet makes of the field is for the integration.
 
-use crate::beams::shadow::{Cover, Hides, Shadow};
-use crate::beams::view::View;
-use crate::beams::visibility::Parts;
+use crate::beams::sight::lit_parts::Parts;
+use crate::beams::sight::shadow::{Cover, Hides, Shadow};
+use crate::beams::sight::view::View;
 use crate::bodies::world::Walk;
 use crate::geometry::border::Border;
 use crate::geometry::clip::{Corner, Split, split};

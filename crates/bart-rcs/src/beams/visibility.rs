@@ -4,17 +4,17 @@
 //! the other, the largest first, and every piece carries on only those that may still reach it: a facet behind a dense mesh
 //! costs the outline of its shadow, not the number of facets in front.
 
-use crate::beams::projection_grid::ProjectionGrid;
-use crate::beams::prospect::{Extent, Prospect, Sight};
-use crate::beams::shadow::{Cover, Hides, Shadow};
-use crate::beams::solid_cells::visible;
-use crate::beams::view::View;
+use crate::beams::sight::lit_parts::Parts;
+use crate::beams::sight::projection_grid::ProjectionGrid;
+use crate::beams::sight::prospect::{Extent, Prospect, Sight};
+use crate::beams::sight::shadow::{Cover, Hides, Shadow};
+use crate::beams::sight::solid_cells::visible;
+use crate::beams::sight::view::View;
 use crate::bodies::world::Walk;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::border::Border;
 use crate::geometry::clip::{Corner, Split, doubled_area, perimeter_m, split};
 use crate::geometry::plane::Plane;
-use crate::geometry::section::section;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::ops::{ControlFlow, Range};
@@ -29,34 +29,6 @@ pub(crate) trait Visibility {
 
 /// By the bodies' hierarchies.
 pub(crate) struct ByHierarchy;
-
-/// Lit polygons of one view.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Parts {
-    /// By facet, then piece.
-    pub(crate) parts: Vec<Part>,
-    /// Their corners.
-    pub(crate) corners: Vec<Corner>,
-}
-
-/// A lit polygon.
-#[derive(Debug, Clone)]
-pub(crate) struct Part {
-    /// Index into the world's facets.
-    pub(crate) facet: u32,
-    /// Unit, on the lit side.
-    pub(crate) lit_normal: DVec3,
-    /// In [`Parts::corners`]; empty where the polygon is nothing but rounding.
-    pub(crate) corners: Range<usize>,
-    /// m².
-    pub(crate) area_m2: f64,
-    /// Area across the wave, area·cosθ at the middle, m².
-    pub(crate) across_m2: f64,
-    /// Solid angle, sr, or area across the direction, m².
-    pub(crate) section: f64,
-    /// Sheets that the wave has passed since the mirror before, in its order.
-    pub(crate) sheets: Vec<u32>,
-}
 
 /// Memory that is used again from view to view.
 #[derive(Default)]
@@ -152,35 +124,6 @@ struct Table<'a> {
     slot_of_facet: &'a [u32],
     /// Of a direct view with all facets before the antenna.
     grid: Option<&'a ProjectionGrid>,
-}
-
-impl Parts {
-    /// Adds a lit polygon. One that is thinner than rounding keeps its area, for the books, and loses its corners.
-    pub(crate) fn push(&mut self, target: &Shadow, view: &View, polygon: &[Corner]) {
-        let area_m2 = 0.5 * doubled_area(polygon.iter().map(|c| c.point_m)).dot(target.front.normal).max(0.0);
-        let start = self.corners.len();
-        if area_m2 > view.tolerance_m() * perimeter_m(polygon) {
-            self.corners.extend_from_slice(polygon);
-        }
-        let middle = polygon.iter().map(|c| c.point_m).sum::<DVec3>() / polygon.len() as f64;
-        let towards = view.antenna.towards(middle).try_normalize().unwrap_or(DVec3::ZERO);
-        self.parts.push(Part {
-            facet: target.facet,
-            lit_normal: target.front.normal,
-            corners: start..self.corners.len(),
-            area_m2,
-            across_m2: area_m2 * towards.dot(target.front.normal).abs(),
-            section: section(view.antenna, polygon.iter().map(|c| c.point_m)),
-            sheets: Vec::new(),
-        });
-    }
-
-    /// Adds a part of others as it is.
-    pub(crate) fn append(&mut self, others: &Self, part: &Part) {
-        let start = self.corners.len();
-        self.corners.extend_from_slice(&others.corners[part.corners.clone()]);
-        self.parts.push(Part { corners: start..self.corners.len(), ..part.clone() });
-    }
 }
 
 /// Appends what is seen of the facet in `slot`.

@@ -1,6 +1,6 @@
 //! How bodies move within a frame, and how what moves appears in mirrors that move themselves.
 
-use crate::bodies::road::below;
+use crate::bodies::road_mirror::below;
 use artifact::scene::Pose;
 use glam::DVec3;
 

@@ -9,24 +9,13 @@
 //! and r_TM changes its sign, for the mirror turns the other vector over (`docs/physics.md` §5).
 
 use crate::bodies::world::World;
-use crate::error::BartError;
-use crate::geometry::antenna::Antenna;
-use crate::geometry::plane::Plane;
 use crate::materials::reflection_coefficients::Pair;
 use crate::materials::surface_response::reflection;
+use crate::oversight::error::BartError;
 use artifact::material::{Material, Road};
 use artifact::permittivity::substance;
 use artifact::scene::SceneHeader;
 use artifact::settings::{EchoMode, Edges, Sides};
-use glam::DVec3;
-
-/// z = 0.
-pub(crate) const ROAD_PLANE: Plane = Plane { normal: DVec3::Z, offset_m: 0.0 };
-
-/// The other side of the road.
-pub(crate) fn below(v: DVec3) -> DVec3 {
-    v.with_z(-v.z)
-}
 
 /// What crossing z = 0 makes of a field seen unfolded: r_TE and −r_TM, weakened by e^{−g²/2}, g = 2kσ sinψ (Ament 1953).
 pub(crate) fn crossing(road: &Material, rms_height_m: f64, sine: f64, wavenumber_per_m: f64) -> Pair {
@@ -43,11 +32,6 @@ pub(crate) enum Half {
     Above,
     /// Where their images are.
     Below,
-}
-
-/// The image of an antenna.
-pub(crate) fn image(antenna: Antenna) -> Antenna {
-    antenna.mirrored(&ROAD_PLANE)
 }
 
 /// What the road cannot go with is refused by name.

@@ -6,10 +6,10 @@
 //! its phase say nothing there.
 
 use crate::bodies::world::World;
-use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::facet_geometry::FacetGeometry;
 use crate::geometry::section::triangle_sr;
+use crate::oversight::error::BartError;
 use glam::DVec3;
 use std::f64::consts::PI;
 

@@ -2,21 +2,22 @@
 
 use crate::bodies::deaf_side::DeafSide;
 use crate::bodies::motion::{Motion, position_m};
-use crate::bodies::road::below;
-use crate::error::BartError;
+use crate::bodies::road_mirror::below;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::bvh::{Hierarchy, Stack};
 use crate::geometry::facet_geometry::FacetGeometry;
 use crate::geometry::plane::Plane;
 use crate::geometry::sweep::Sweep;
-use crate::memory::MemoryLimit;
 use crate::mesh::mesh_edges::{MeshEdges, Winding, exact_places};
 use crate::mesh::neighbours::Neighbours;
 use crate::mesh::patch::Patches;
+use crate::mesh::wedges::body_edges::{BodyEdges, body_edges};
+use crate::mesh::wedges::world_edges::{Placed, WorldEdges};
+use crate::oversight::error::BartError;
+use crate::oversight::memory::MemoryLimit;
 use crate::surface::bend::Bend;
-use crate::surface::skin::{Skin, SkinTriangles};
-use crate::wedges::body_edges::{BodyEdges, body_edges};
-use crate::wedges::world_edges::{Placed, WorldEdges};
+use crate::surface::skin::Skin;
+use crate::surface::skin_triangles::SkinTriangles;
 use artifact::material::{Makeup, Material, Road, Transmission};
 use artifact::paths::Facet;
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};

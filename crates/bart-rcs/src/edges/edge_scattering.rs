@@ -2,7 +2,7 @@
 
 use crate::edges::edge_currents::{EdgeNode, amplitude_of, edge_amplitudes, for_each_part};
 use crate::edges::lit_edge::EdgeJoint;
-use crate::integral::physical_optics::Estimate;
+use crate::integral::node::Estimate;
 use crate::joins::band::{self, Band, Groups, INTERPOLATION_ERROR, Kind};
 use crate::joins::scatterer::{Integration, Scatterer, Way, scaled, sum as sum_of, with_reverse};
 use artifact::paths::Amplitude;
@@ -121,8 +121,8 @@ mod tests {
     use crate::bodies::world::World;
     use crate::edges::lit_edge::edge_joints;
     use crate::geometry::antenna::Antenna;
-    use crate::integral::physical_optics::Bracket;
-    use crate::joins::join::Trees;
+    use crate::integral::node::Bracket;
+    use crate::joins::joint::Trees;
     use crate::joins::scatterer::ZenithH;
     use artifact::scene::Mesh;
     use artifact::settings::Sides;

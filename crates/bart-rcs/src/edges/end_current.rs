@@ -81,7 +81,7 @@ impl EndCurrent {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wedges::wedge::Wedge;
+    use crate::mesh::wedges::wedge::Wedge;
 
     fn half_plane() -> Wedge {
         Wedge { along: DVec3::Z, inward: [DVec3::X; 2], normal: [DVec3::Y, -DVec3::Y], exterior: 2.0 }

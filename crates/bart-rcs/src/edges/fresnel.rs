@@ -79,7 +79,7 @@ fn continued_fraction(z: Complex64) -> Complex64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::test_quadrature::gauss_legendre;
+    use crate::integral::test_quadrature::gauss_legendre;
 
     /// e^{jx²}erfc(e^{jπ/4}x) = (2/√π)∫₀^∞ e^{−t² − 2e^{jπ/4}xt} dt.
     fn by_quadrature(x: f64, (nodes, weights): &(Vec<f64>, Vec<f64>)) -> Complex64 {

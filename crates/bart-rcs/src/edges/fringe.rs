@@ -11,7 +11,7 @@
 //! ψ is imaginary, c(h) = −conj c(m), and both stay real. Left is μ = 1, the direction in which the wave along the face
 //! travels: there the current of a face without end has no finite sum, and [`LEAST_GRAZING`] clamps it.
 
-use crate::wedges::wedge::Wedge;
+use crate::mesh::wedges::wedge::Wedge;
 use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};

@@ -162,7 +162,7 @@ fn moments(theta: f64) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::test_quadrature::gauss_legendre;
+    use crate::integral::test_quadrature::gauss_legendre;
 
     /// A spherical wave's phase from `distance_m` beside the line, and a weight with a bend of its own.
     struct Wave {

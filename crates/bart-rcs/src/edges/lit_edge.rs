@@ -6,8 +6,8 @@
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::bodies::world::World;
-use crate::joins::join::{Reverse, Trees};
-use crate::wedges::world_edges::{EdgeGeometry, FacetSide, WorldEdges};
+use crate::joins::joint::{Reverse, Trees};
+use crate::mesh::wedges::world_edges::{EdgeGeometry, FacetSide, WorldEdges};
 use glam::DVec3;
 
 /// A part of an edge that one end lights along one way.

@@ -3,16 +3,16 @@
 use crate::beams::beam::TraceSettings;
 use crate::beams::sampled_tree::{SampledTree, sample};
 use crate::bodies::world::{Models, World};
-use crate::error::BartError;
-use crate::frame::path_cells::cut_into_squares;
+use crate::frame::cells::path_cells::cut_into_squares;
 use crate::frame::path_plan::Plan;
 use crate::frame::path_table::largest_cell_of_world_m;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::convex_intersection::bounds;
 use crate::geometry::plane_frame::{PlaneFrame, area_m2};
-use crate::joins::join::Trees;
+use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH, bracket_of};
-use crate::progress::Unheard;
+use crate::oversight::error::BartError;
+use crate::oversight::progress::Unheard;
 use artifact::scene::{SceneFrame, SceneHeader};
 use glam::{DVec2, DVec3};
 

@@ -5,10 +5,10 @@
 //! amplitudes and apparent velocities err in proportion to the time from the frame's middle; the moment T/√12 after it has
 //! the mean square of the whole frame.
 
+use crate::frame::band_power::{frequencies_hz, power_over_frame};
 use crate::frame::path_plan::Plan;
-use crate::frame::path_pruning::power_over_frame;
 use crate::frame::path_sum::element_over_band;
-use crate::integral::physical_optics::Bracket;
+use crate::integral::node::Bracket;
 use crate::joins::join::tree_order;
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
 use crate::table::aspect::{left_out_order, other};
@@ -20,11 +20,6 @@ use artifact::units::SPEED_OF_LIGHT_MPS;
 use artifact::{ErrorBudget, ModelError};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
-
-/// The moment after the frame's middle whose error is the root mean square of the frame's.
-pub(crate) fn check_offset_s(frame_duration_s: f64) -> f64 {
-    frame_duration_s / 12.0_f64.sqrt()
-}
 
 /// Frequencies that the comparison is made at: more would repeat what the extent of a vehicle correlates, c/(2·5 m) = 30 MHz
 /// of the 625 MHz of the narrowest band of Table 2.
@@ -240,16 +235,4 @@ pub(crate) fn dropped_sections(scatterer: &Scatterer<'_>, plan: &Plan<'_>, meeti
     }
     let [sum_m2, squares_m4] = scatterer.trees.transmit().audit.given_up(needed, mirrors.shares(0));
     [squares_m4.sqrt() / nearest_m2, sum_m2 / nearest_m2]
-}
-
-/// Middles of equal parts of the sampled sweep.
-pub(crate) fn frequencies_hz(centre_hz: f64, bandwidth_hz: f64, count: usize) -> Vec<f64> {
-    (0..count).map(|i| centre_hz + bandwidth_hz * ((i as f64 + 0.5) / count as f64 - 0.5)).collect()
-}
-
-/// Mean over frequency of |S(paths)|², as the radar sees it.
-pub(crate) fn mean_power(paths: &[Path], plan: &Plan<'_>, seconds: f64, frequencies_hz: &[f64]) -> f64 {
-    let view = plan.view(seconds);
-    let seen = element_over_band(paths, &view, plan.header.radar.array.polarization.indices(), frequencies_hz);
-    seen.iter().map(|s| s.norm_sqr()).sum::<f64>() / frequencies_hz.len() as f64
 }

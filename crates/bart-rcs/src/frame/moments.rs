@@ -12,14 +12,15 @@
 //! is where each of the grids errs as the frame does, to 1.4 dB (a test has it).
 
 use crate::beams::body_ways::BodyWays;
-use crate::error::BartError;
-use crate::frame::frame_error::{FrameError, MARGIN, Reference, frequencies_hz, mean_difference};
+use crate::frame::band_power::{frequencies_hz, power_over_frame};
+use crate::frame::frame_error::{FrameError, MARGIN, Reference, mean_difference};
 use crate::frame::path_plan::Plan;
-use crate::frame::path_pruning::{Kept, power_over_frame, pruned_alike};
+use crate::frame::path_pruning::{Kept, pruned_alike};
 use crate::frame::path_sum::element_over_band;
 use crate::frame::path_table::{PathTable, paths_along};
 use crate::frame::snapshot::Scenery;
-use crate::progress::Phase;
+use crate::oversight::error::BartError;
+use crate::oversight::progress::Phase;
 use artifact::paths::{Fineness, Path, Span};
 use num_complex::Complex64;
 use std::collections::{BTreeMap, BTreeSet};
@@ -260,7 +261,7 @@ fn found(names: &[Vec<String>], plan: &Plan<'_>) -> BodyWays {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::frame::frame_error::check_offset_s;
+    use crate::frame::path_plan::check_offset_s;
 
     /// Of a fourth power, whose fourth derivative is constant: at the check's moment, and rms over the frame.
     #[test]

@@ -3,17 +3,17 @@
 
 use crate::bodies::road::check_road;
 use crate::bodies::world::Models;
-use crate::error::BartError;
-use crate::frame::between_bodies_left_out::between_bodies_left_out;
 use crate::frame::frame_error::reference;
+use crate::frame::left_out::between_bodies::between_bodies_left_out;
+use crate::frame::left_out::road::road_left_out;
 use crate::frame::moments::{split, split_alike};
 use crate::frame::nearest_surface::nearest_range_m;
 use crate::frame::path_plan::Plan;
 use crate::frame::path_table::{Fit, paths_as_fine};
-use crate::frame::road_left_out::road_left_out;
 use crate::frame::snapshot::{Scenery, Snapshot};
 use crate::joins::scatterer::check_order;
-use crate::progress::{Phase, Progress, Unheard};
+use crate::oversight::error::BartError;
+use crate::oversight::progress::{Phase, Progress, Unheard};
 use artifact::paths::{
     Amplitude, Curve, ErrorOrigin, Facet, Fineness, MAX_ORDER, Path, PathsFrame, Rim, TraceStatistics,
 };

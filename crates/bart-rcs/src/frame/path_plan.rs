@@ -1,10 +1,9 @@
 //! What the paths of a frame are traced with: fixed by the scene's header.
 
 use crate::beams::beam::TraceSettings;
-use crate::frame::frame_error::check_offset_s;
 use crate::frame::path_sum::PathView;
 use crate::joins::join::tree_order;
-use crate::progress::Progress;
+use crate::oversight::progress::Progress;
 use crate::table::meeting::MeetingSettings;
 use artifact::paths::Amplitude;
 use artifact::scene::SceneHeader;
@@ -137,4 +136,9 @@ impl Band {
         });
         (value, slope)
     }
+}
+
+/// The moment after the frame's middle whose error is the root mean square of the frame's.
+pub(crate) fn check_offset_s(frame_duration_s: f64) -> f64 {
+    frame_duration_s / 12.0_f64.sqrt()
 }

@@ -1,6 +1,6 @@
 //! Paths too weak to matter: a table is no larger than the accuracy asked for needs.
 
-use crate::frame::frame_error::{frequencies_hz, mean_power};
+use crate::frame::band_power::power_over_frame;
 use crate::frame::path_plan::Plan;
 use crate::frame::path_sum::{PathView, apparent_m};
 use artifact::paths::Path;
@@ -53,15 +53,6 @@ pub(crate) fn pruned_alike(paths: Vec<Path>, plan: &Plan<'_>, strongest_dropped:
     let view = plan.view(plan.middle_s);
     let limit = |path: &Path| strongest_dropped.get(path.target as usize).copied().unwrap_or(0.0);
     paths.into_iter().filter(|path| power(path, plan, &view) > limit(path)).collect()
-}
-
-/// Mean power of the sum over the band at the frame's ends and middle.
-pub(crate) fn power_over_frame(paths: &[Path], plan: &Plan<'_>) -> f64 {
-    const FREQUENCIES: usize = 24;
-    let frequencies = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FREQUENCIES);
-    let moments = [0.0, plan.middle_s, 2.0 * plan.middle_s];
-    let of = moments.map(|t| mean_power(paths, plan, t, &frequencies));
-    of.iter().sum::<f64>() / of.len() as f64
 }
 
 fn power(path: &Path, plan: &Plan<'_>, view: &PathView) -> f64 {

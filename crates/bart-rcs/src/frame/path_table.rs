@@ -2,16 +2,16 @@
 
 use crate::beams::body_ways::BodyWays;
 use crate::bodies::world::World;
-use crate::error::BartError;
-use crate::frame::cell_room::CellRoom;
-use crate::frame::edge_cells::edge_cells;
+use crate::frame::cells::cell_room::CellRoom;
+use crate::frame::cells::edge_cells::edge_cells;
+use crate::frame::cells::path_cells::{BYTES_PER_CELL, Cell, CellSettings, cells, gathered};
 use crate::frame::frame_error::{FrameError, GivenUp, Reference, dropped_sections};
 use crate::frame::integration_error::{IntegrationError, integration_error};
-use crate::frame::path_cells::{BYTES_PER_CELL, Cell, CellSettings, cells, gathered};
 use crate::frame::path_plan::{Band, Plan};
 use crate::frame::path_pruning::{Kept, pruned};
 use crate::geometry::antenna::Antenna;
 use crate::joins::scatterer::{Scatterer, bracket_of};
+use crate::oversight::error::BartError;
 use crate::table::meeting::Meeting;
 use artifact::paths::{Curve, Fineness, IntegralFineness, Path};
 use artifact::scene::{SceneHeader, Target};

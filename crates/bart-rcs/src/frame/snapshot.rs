@@ -5,12 +5,12 @@ use crate::beams::body_ways::BodyWays;
 use crate::beams::image_tree::Received;
 use crate::bodies::stand_off::check_stand;
 use crate::bodies::world::{Models, World};
-use crate::error::BartError;
 use crate::frame::path_plan::Plan;
 use crate::geometry::antenna::Antenna;
-use crate::joins::join::Trees;
+use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH};
-use crate::progress::Phase;
+use crate::oversight::error::BartError;
+use crate::oversight::progress::Phase;
 use artifact::scene::SceneFrame;
 use glam::DVec3;
 

@@ -303,7 +303,7 @@ mod tests {
 
     /// ∫ over the unit triangle (A = ½) of e^{jλ·φ} by Gauss–Legendre in collapsed coordinates.
     fn quadrature(phases: [f64; 3]) -> Complex64 {
-        let (nodes, weights) = crate::test_quadrature::gauss_legendre(40);
+        let (nodes, weights) = crate::integral::test_quadrature::gauss_legendre(40);
         let mut sum = Complex64::ZERO;
         for (u, wu) in nodes.iter().zip(&weights) {
             for (v, wv) in nodes.iter().zip(&weights) {

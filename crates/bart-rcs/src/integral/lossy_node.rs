@@ -10,9 +10,10 @@
 
 use crate::geometry::complex_vector::ComplexVector;
 use crate::integral::chebyshev::{self, Chebyshev, middle_and_half};
-use crate::integral::physical_optics::{Bracket, Field, Leg, SurfacePoint};
+use crate::integral::field::{Field, SurfacePoint};
+use crate::integral::node::{Bracket, Leg};
 use crate::integral::tiling::Tile;
-use crate::materials::surface_response::{phase_length_m, reflected_fields, reflection, steepness};
+use crate::materials::surface_response::{phase_length_m, reflected_fields, reflection};
 use artifact::material::Material;
 use glam::{DVec2, DVec3};
 use num_complex::Complex64;
@@ -21,27 +22,6 @@ use num_complex::Complex64;
 type Weights = [Complex64; 4];
 
 impl Field<'_> {
-    /// Whether weights are real and know no frequency.
-    pub(crate) fn is_perfect(&self) -> bool {
-        let node = self.node;
-        node.material.is_none() && node.transmit.steps.is_perfect() && node.receive.steps.is_perfect()
-    }
-
-    /// How much faster than directions and fields the weights turn: of derivatives one to three, in units of the turning.
-    ///
-    /// 1/L₁, 1/L₂, d, e_q, e_p each change by at most the turning t in the first derivative; the product of five by 5t,
-    /// (5 + 5·4 + 5)t² and so on; third derivatives of a unit vector stay below 6/L³. Coefficients of exponential type m
-    /// multiply that (Leibniz).
-    pub(crate) fn weight_turns(&self, wavenumber_per_m: f64) -> [f64; 3] {
-        if self.is_perfect() {
-            return [5.0, 35.0, 300.0];
-        }
-        let own = self.node.material.map_or(0.0, |material| steepness(material, wavenumber_per_m));
-        let ways = [self.node.transmit, self.node.receive].map(|leg| leg.steps.steepness(wavenumber_per_m));
-        let m = own + ways[0] + ways[1];
-        [5.0 + m, 35.0 + 10.0 * m + m * m, 300.0 + 105.0 * m + 15.0 * m * m + m * m * m]
-    }
-
     /// As [`Field::add`] with weights of every frequency.
     pub(crate) fn add_lossy(&self, tile: &Tile<'_>, wavenumbers_per_m: &[f64], sums: &mut [Weights]) {
         match tile {

@@ -8,96 +8,13 @@
 //! R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)} taken at that point. So nothing far away enters but small differences. Over a bent
 //! facet x is the skin above the polygon's point, and n·dA its area vector.
 
-use crate::geometry::antenna::Antenna;
-use crate::geometry::complex_vector::ComplexVector;
-use crate::geometry::plane_frame::PlaneFrame;
-use crate::integral::polarization::{Mirrors, polarization_vectors};
-use crate::integral::polygon_phase::{linear_phase_integrals, six_point_weights};
-use crate::integral::steps::Steps;
+use crate::integral::field::{Field, SurfacePoint};
+use crate::integral::node::{Bracket, Estimate, Node};
 use crate::integral::tiling::{self, Tile};
-use crate::integral::turns::{TOGETHER, Turns, turns};
-use crate::surface::bend::{Along, Bend};
-use artifact::material::Material;
+use crate::integral::turns::TOGETHER;
 use artifact::paths::Amplitude;
 use glam::{DVec2, DVec3};
 use num_complex::Complex64;
-
-/// A value and a bound of its error, in the value's unit.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Estimate<T> {
-    pub(crate) value: T,
-    pub(crate) error: f64,
-}
-
-/// One end of a path as its node sees it.
-#[derive(Debug, Clone)]
-pub(crate) struct Leg {
-    /// The antenna mirrored in the facets between.
-    pub(crate) image: Antenna,
-    /// Those facets, as perfect mirrors.
-    pub(crate) mirrors: Mirrors,
-    /// What they and the sheets between are, where that matters.
-    pub(crate) steps: Steps,
-    /// ĥ straight above and below.
-    pub(crate) zenith_h: DVec3,
-}
-
-impl Leg {
-    /// The fields that arrive of sent unit v and h, for the direction of travel at the node.
-    pub(crate) fn arriving_fields(&self, travel: DVec3, wavenumber_per_m: f64) -> [ComplexVector; 2] {
-        if self.steps.is_perfect() {
-            return self.mirrors.fields_at_node(travel, self.zenith_h).map(ComplexVector::from);
-        }
-        let to_antenna = self.mirrors.antenna_direction(travel);
-        let sent = polarization_vectors(to_antenna, self.zenith_h);
-        self.steps.carry(sent, -to_antenna, wavenumber_per_m)
-    }
-}
-
-impl Leg {
-    /// What is left at a point of a field that was sent, at most.
-    fn strength(&self, at_m: DVec3, wavenumber_per_m: f64) -> f64 {
-        let to_antenna = self.mirrors.antenna_direction(self.image.travel_direction_at(at_m));
-        self.steps.strength(-to_antenna, wavenumber_per_m)
-    }
-}
-
-/// How the current at the node is projected on the receiver.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Bracket {
-    /// Mean of both directions of travel: S(b1, b2) = S(b2, b1)ᵀ.
-    Symmetrised,
-    /// The current excited by the transmitter: reciprocal at the specular only.
-    Plain,
-}
-
-/// A lit polygon with its two legs.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Node<'a> {
-    /// Convex, counter-clockwise about `normal`, world metres.
-    pub(crate) corners_m: &'a [DVec3],
-    /// Unit normal on the lit side.
-    pub(crate) normal: DVec3,
-    /// `None` is a perfect conductor.
-    pub(crate) material: Option<&'a Material>,
-    /// The skin that is integrated over where it is not the polygon itself.
-    pub(crate) bend: Option<Bend>,
-    pub(crate) transmit: &'a Leg,
-    pub(crate) receive: &'a Leg,
-    pub(crate) bracket: Bracket,
-}
-
-impl Node<'_> {
-    /// What is to be asked of the integral so that its error is `accuracy` of an unweakened one: what arrives over the road or through
-    /// glass at a tenth may be wrong by ten times as much of itself.
-    pub(crate) fn accuracy(&self, at_m: DVec3, wavenumbers_per_m: &[f64], accuracy: f64) -> f64 {
-        let middle_per_m = wavenumbers_per_m.get(wavenumbers_per_m.len() / 2).copied().unwrap_or(0.0);
-        let legs = [self.transmit, self.receive].map(|leg| leg.strength(at_m, middle_per_m));
-        // Coefficients change over a polygon; half of itself is left as the least that is asked.
-        let strength = (legs[0] * legs[1]).clamp(1e-6, 1.0);
-        (accuracy / strength).min(accuracy.max(0.5))
-    }
-}
 
 /// Amplitudes at several wavenumbers, on one tiling, of a node that is cut as far as `accuracy` asks.
 ///
@@ -139,70 +56,7 @@ fn amplitude_of(integrals_m2: &[Complex64; 4], wavenumber_per_m: f64) -> Amplitu
     [[vv, vh], [hv, hh]]
 }
 
-/// |x − p| − |y − p| without the cancellation of two long lengths.
-pub(crate) fn length_difference_m(antenna: Antenna, x_m: DVec3, y_m: DVec3) -> f64 {
-    match antenna {
-        Antenna::Point(p) => (x_m - y_m).dot((x_m - p) + (y_m - p)) / (x_m.distance(p) + y_m.distance(p)),
-        Antenna::Direction(r) => -r.dot(x_m - y_m),
-    }
-}
-
-/// The integrand of a node: real weights that vary slowly, and a length that the phase follows.
-pub(crate) struct Field<'a> {
-    pub(crate) node: &'a Node<'a>,
-    /// Plane coordinates about the reference point.
-    pub(crate) frame: PlaneFrame,
-    reference_m: DVec3,
-    /// As in [`node_amplitudes`].
-    pub(crate) accuracy: f64,
-}
-
-/// A point of the scattering surface.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct SurfacePoint {
-    pub(crate) x_m: DVec3,
-    /// Area vector on the lit side, per area of the polygon.
-    pub(crate) area: DVec3,
-    /// Rise of the surface along the facet's plane; zero where it is flat.
-    slope: DVec3,
-    /// Direction that the slope is along: the normal of the facet's winding.
-    up: DVec3,
-}
-
-impl<'a> Field<'a> {
-    pub(crate) fn new(node: &'a Node<'a>, reference_m: DVec3, accuracy: f64) -> Self {
-        Self { node, frame: PlaneFrame::new(reference_m, node.normal), reference_m, accuracy }
-    }
-
-    /// The surface over a point of the polygon's plane.
-    pub(crate) fn surface_at(&self, plane_m: DVec2) -> SurfacePoint {
-        let x_m = self.frame.to_world(plane_m);
-        let normal = self.node.normal;
-        let Some(bend) = &self.node.bend else {
-            return SurfacePoint { x_m, area: normal, slope: DVec3::ZERO, up: normal };
-        };
-        let (height_m, slope) = bend.at(x_m);
-        let up = bend.normal;
-        let area = (up - slope) * up.dot(normal).signum();
-        SurfacePoint { x_m: x_m + height_m * up, area, slope, up }
-    }
-
-    pub(crate) fn is_bent(&self) -> bool {
-        self.node.bend.is_some()
-    }
-
-    /// What the skin does along some steps in the polygon's plane; nothing where it is flat.
-    pub(crate) fn along(&self, steps_m: impl Iterator<Item = DVec2>) -> Along {
-        let origin = self.frame.to_world(DVec2::ZERO);
-        let in_world = steps_m.map(|step| self.frame.to_world(step) - origin);
-        self.node.bend.as_ref().map_or_else(Along::default, |bend| bend.along(in_world))
-    }
-
-    /// Distances over which both waves have spread.
-    pub(crate) fn ranges_m(&self, x_m: DVec3) -> [f64; 2] {
-        [self.node.transmit.image.range_m(x_m), self.node.receive.image.range_m(x_m)]
-    }
-
+impl Field<'_> {
     /// Bracket times 1/(L₁L₂), relative to 1/(L₁L₂) at the reference point: [vv, vh, hv, hh], receiver first.
     fn weights(&self, at: &SurfacePoint) -> [f64; 4] {
         let Node { transmit, receive, bracket, .. } = *self.node;
@@ -220,42 +74,6 @@ impl<'a> Field<'a> {
                     Bracket::Symmetrised => 0.5 * (forth + plain(d2, received[p], sent[q])),
                 }
         })
-    }
-
-    /// L₁ + L₂ at `x_m` less that at the reference point, without the cancellation.
-    pub(crate) fn length_m(&self, x_m: DVec3) -> f64 {
-        length_difference_m(self.node.transmit.image, x_m, self.reference_m)
-            + length_difference_m(self.node.receive.image, x_m, self.reference_m)
-    }
-
-    /// Gradient of L₁ + L₂ along the polygon's plane.
-    pub(crate) fn length_gradient(&self, at: &SurfacePoint) -> DVec2 {
-        let both = self.both_directions(at.x_m);
-        self.frame.tangential(both + both.dot(at.up) * at.slope)
-    }
-
-    /// d₁ + d₂.
-    pub(crate) fn both_directions(&self, x_m: DVec3) -> DVec3 {
-        self.node.transmit.image.travel_direction_at(x_m) + self.node.receive.image.travel_direction_at(x_m)
-    }
-
-    /// Bound of the derivative of every direction and unit field within `reach_m`, rad/m: 1/L of the nearer antenna, and
-    /// more where its leg is steep, for v̂ and ĥ turn with the azimuth.
-    pub(crate) fn turning_per_m(&self, x_m: DVec3, reach_m: f64) -> f64 {
-        let of = |leg: &Leg| {
-            let range_m = leg.image.range_m(x_m);
-            let to_antenna = leg.mirrors.antenna_direction(leg.image.travel_direction_at(x_m));
-            let least_sine = to_antenna.x.hypot(to_antenna.y) - reach_m / range_m;
-            if range_m.is_finite() { 1.0 / ((range_m - reach_m).max(0.0) * least_sine.max(0.0)) } else { 0.0 }
-        };
-        of(self.node.transmit).max(of(self.node.receive))
-    }
-
-    pub(crate) fn spread(&self, image: Antenna, x_m: DVec3) -> f64 {
-        match image {
-            Antenna::Point(p) => p.distance(self.reference_m) / p.distance(x_m),
-            Antenna::Direction(_) => 1.0,
-        }
     }
 
     /// Calls `give` with the index of every wavenumber and the amplitude of a tile alone, as in [`node_amplitudes`].
@@ -303,84 +121,16 @@ impl<'a> Field<'a> {
             }
         });
     }
-
-    pub(crate) fn whole(&self, corners_m: &[DVec2], centre_m: DVec2) -> Whole {
-        let centre = self.surface_at(centre_m);
-        Whole {
-            centre,
-            gradient: self.length_gradient(&centre),
-            length_m: self.length_m(centre.x_m),
-            about_centre_m: corners_m.iter().map(|c| *c - centre_m).collect(),
-        }
-    }
-
-    pub(crate) fn six_points(&self, [a, b, c]: [DVec2; 3]) -> SixPoints {
-        let centre_m = (a + b + c) / 3.0;
-        let points_m = [a, b, c, 0.5 * (b + c), 0.5 * (c + a), 0.5 * (a + b)];
-        let gradient = self.length_gradient(&self.surface_at(centre_m));
-        let points = points_m.map(|p| self.surface_at(p));
-        SixPoints {
-            points,
-            linear_m: points_m.map(|p| gradient.dot(p - centre_m)),
-            lengths_m: points.map(|at| self.length_m(at.x_m)),
-            area_m2: 0.5 * (b - a).perp_dot(c - a),
-        }
-    }
-}
-
-/// A polygon whose phase is linear.
-pub(crate) struct Whole {
-    /// Where the weight is taken.
-    pub(crate) centre: SurfacePoint,
-    /// Of L₁ + L₂ there, and its value.
-    gradient: DVec2,
-    length_m: f64,
-    about_centre_m: Vec<DVec2>,
-}
-
-impl Whole {
-    /// Calls `give` with the place of every wavenumber and ∫ e^{−jkL} dA.
-    pub(crate) fn for_each_integral(&self, wavenumbers_per_m: &[f64], give: &mut dyn FnMut(usize, Complex64)) {
-        for (chunk, some) in wavenumbers_per_m.chunks(TOGETHER).enumerate() {
-            let at_centre = turns(self.length_m, some);
-            let about_centre_m2 = linear_phase_integrals(&self.about_centre_m, self.gradient, some);
-            (0..some.len()).for_each(|i| give(chunk * TOGETHER + i, at_centre[i] * about_centre_m2[i]));
-        }
-    }
-}
-
-/// A triangle over which weight times the remainder of the phase is a quadratic.
-pub(crate) struct SixPoints {
-    /// Where the weights are taken: corners, and the middles of the edges opposite to them.
-    pub(crate) points: [SurfacePoint; 6],
-    /// L₁ + L₂ there: its linear part, and all of it.
-    linear_m: [f64; 6],
-    lengths_m: [f64; 6],
-    area_m2: f64,
-}
-
-impl SixPoints {
-    /// Calls `give` with the place of every wavenumber and what the weight at each point is to be multiplied with: together
-    /// ∫ weight·e^{−jkL} dA.
-    pub(crate) fn for_each_integral(&self, wavenumbers_per_m: &[f64], give: &mut dyn FnMut(usize, [Complex64; 6])) {
-        for (chunk, some) in wavenumbers_per_m.chunks(TOGETHER).enumerate() {
-            let at_corners = [0, 1, 2].map(|i| turns(self.linear_m[i], some));
-            // The linear part is in the weights; what the length does beyond it turns the sampled value.
-            let beyond: [Turns; 6] = std::array::from_fn(|i| turns(self.lengths_m[i] - self.linear_m[i], some));
-            for (i, k) in some.iter().enumerate() {
-                let phases = [0, 1, 2].map(|corner| -k * self.linear_m[corner]);
-                let under_phase = six_point_weights(phases, at_corners.map(|turns| turns[i]));
-                let integrals_m2 = std::array::from_fn(|point| under_phase[point] * beyond[point][i] * self.area_m2);
-                give(chunk * TOGETHER + i, integrals_m2);
-            }
-        }
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::test_quadrature::gauss_legendre;
+    use crate::geometry::antenna::Antenna;
+    use crate::integral::node::Leg;
+    use crate::integral::polarization::Mirrors;
+    use crate::integral::steps::Steps;
+    use crate::integral::test_quadrature::gauss_legendre;
     use artifact::units::SPEED_OF_LIGHT_MPS;
 
     const WAVENUMBER_PER_M: f64 = std::f64::consts::TAU * 77e9 / SPEED_OF_LIGHT_MPS;

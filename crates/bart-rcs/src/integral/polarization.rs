@@ -112,7 +112,7 @@ mod tests {
             .map(|(normal, offset_m)| Plane { normal, offset_m });
         let (p, x) = (DVec3::new(3.0, 1.0, 2.0), DVec3::new(-0.4, 0.2, 0.9));
         let mirrors = Mirrors::NONE.and(&planes[0]).and(&planes[1]);
-        let image = crate::Antenna::Point(p).mirrored(&planes[0]).mirrored(&planes[1]);
+        let image = crate::geometry::antenna::Antenna::Point(p).mirrored(&planes[0]).mirrored(&planes[1]);
         assert!((mirrors.unfolded(x).distance(p) - image.path_length_m(x)).abs() < 1e-14);
     }
 }

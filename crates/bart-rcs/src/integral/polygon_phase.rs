@@ -166,7 +166,7 @@ mod tests {
     fn six_points_integrate_every_quadratic_under_a_linear_phase() {
         let phases = [0.3, 40.0, -7.0];
         let weights = six_point_weights(phases, phases.map(Complex64::cis));
-        let (nodes, gauss) = crate::test_quadrature::gauss_legendre(60);
+        let (nodes, gauss) = crate::integral::test_quadrature::gauss_legendre(60);
         let quadratic = |l: [f64; 3]| 1.0 + l[0] - 3.0 * l[1] * l[2] + 2.0 * l[2] * l[2];
         let mut exact = Complex64::ZERO;
         for (u, wu) in nodes.iter().zip(&gauss) {

@@ -1,6 +1,7 @@
 //! What a wave meets on its way between an antenna and a node, where not everything is a perfect mirror.
 
-use crate::bodies::road::{below, crossing};
+use crate::bodies::road::crossing;
+use crate::bodies::road_mirror::below;
 use crate::bodies::world::World;
 use crate::geometry::complex_vector::ComplexVector;
 use crate::materials::reflection_coefficients::Pair;

@@ -2,7 +2,7 @@
 
 use crate::geometry::antenna::Antenna;
 use crate::geometry::plane_frame::{area_m2, centroid_m};
-use crate::integral::physical_optics::Field;
+use crate::integral::field::Field;
 use crate::surface::bend::Along;
 use glam::{DMat2, DVec2, DVec3};
 use std::ops::ControlFlow;

@@ -1,8 +1,8 @@
 //! How exactly integrals can be had for a given work: they end, and what is left is measured.
 
-use crate::error::BartError;
-use crate::joins::join::{Joint, Joints};
+use crate::joins::joint::{Joint, Joints};
 use crate::joins::scatterer::{Integration, Scatterer};
+use crate::oversight::error::BartError;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -66,8 +66,8 @@ mod tests {
     use crate::beams::beam::{BeamTree, TraceSettings};
     use crate::bodies::world::World;
     use crate::geometry::antenna::Antenna;
-    use crate::integral::physical_optics::Bracket;
-    use crate::joins::join::Trees;
+    use crate::integral::node::Bracket;
+    use crate::joins::joint::Trees;
     use crate::joins::scatterer::ZenithH;
     use artifact::scene::Mesh;
     use artifact::settings::{NodeRule, Sides};

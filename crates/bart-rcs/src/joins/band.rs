@@ -7,6 +7,7 @@
 //! class with fewest points, and groups are gathered again into ones of a wider class until few are left.
 
 use crate::integral::chebyshev::{Chebyshev, middle_and_half, turn_in_ellipse_rad, turn_of_exponentials_rad};
+use crate::joins::group::Group;
 use crate::joins::scatterer::{Way, sum};
 use artifact::paths::Amplitude;
 use num_complex::Complex64;
@@ -58,14 +59,6 @@ pub(crate) struct Place {
     class: usize,
     /// Of its length, in units of the class's reach.
     bin: i64,
-}
-
-/// A group that a share is to be added to.
-pub(crate) struct Group<'g> {
-    /// By wavenumber, each without e^{−jk·length}.
-    pub(crate) sums: &'g mut [Amplitude],
-    pub(crate) wavenumbers_per_m: &'g [f64],
-    pub(crate) length_m: f64,
 }
 
 impl<'a> Band<'a> {

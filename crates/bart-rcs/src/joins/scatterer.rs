@@ -4,17 +4,18 @@ use crate::beams::beam::{Beam, BeamTree};
 use crate::beams::image_tree::origin;
 use crate::bodies::road::{Half, half_of};
 use crate::bodies::world::World;
-use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
-use crate::integral::physical_optics::{
-    Bracket, Estimate, Field, Leg, Node, count_tiles, for_each_tile, length_difference_m, node_amplitudes,
-};
+use crate::integral::field::{Field, length_difference_m};
+use crate::integral::node::{Bracket, Estimate, Leg, Node};
+use crate::integral::physical_optics::{count_tiles, for_each_tile, node_amplitudes};
 use crate::integral::polarization::Mirrors;
 use crate::integral::steps::{Step, Steps};
 use crate::integral::tiling::Tile;
-use crate::joins::band::Group;
-use crate::joins::join::{Joint, Joints, Reverse, Trees, joints};
-use crate::progress::{Phase, Progress, Unheard};
+use crate::joins::group::Group;
+use crate::joins::join::joints;
+use crate::joins::joint::{Joint, Joints, Reverse, Trees};
+use crate::oversight::error::BartError;
+use crate::oversight::progress::{Phase, Progress, Unheard};
 use artifact::paths::Amplitude;
 use artifact::settings::NodeRule;
 use glam::DVec3;

@@ -8,9 +8,9 @@
 //! bracket = ½{ e_p·(n×H) + (d₂×e_p)·(n×E) }             e_r = r_TE(e·ŝ) ŝ + r_TM(e·p̂)(2n(n·p̂) − p̂)
 //! ```
 
-use super::node::{Arrival, Bracket, Node};
-use super::plane_layers::reflection;
 use crate::geometry::complex_vector::ComplexVector;
+use crate::reference::node::{Arrival, Bracket, Node};
+use crate::reference::plane_layers::reflection;
 use artifact::material::Material;
 use artifact::paths::Amplitude;
 use glam::DVec3;

@@ -1,11 +1,11 @@
 //! First-order physical optics by dense sampling: every facet is cut into small cells, a shadow ray goes from each cell
 //! to the antennas, and the integrand is taken as it is at the points of a quadrature rule.
 
-use super::coated::{self, Surface};
-use super::node::{self, Arrival, Bracket};
-use super::ray_cast::{Body, ReferenceError};
-use super::standpoint::{Aspect, Ends, Post};
 use crate::geometry::complex_vector::ComplexVector;
+use crate::reference::coated::{self, Surface};
+use crate::reference::node::{self, Arrival, Bracket};
+use crate::reference::ray_cast::{Body, ReferenceError};
+use crate::reference::standpoint::{Aspect, Ends, Post};
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::Sides;

@@ -1,6 +1,6 @@
 //! The references' own ray caster: obvhs finds candidates in single precision, a hit is decided in double precision.
 
-use super::standpoint::Post;
+use crate::reference::standpoint::Post;
 use artifact::material::{Makeup, Material, Transmission};
 use artifact::scene::Mesh;
 use artifact::settings::Sides;

@@ -6,11 +6,11 @@
 //! parallelogram of a = L(g_u − d (n·g_u)/(n·d)) and b alike, g_u = ∂d/∂u·Δu reflected along with the ray; the phase is
 //! taken as linear over it, which gives sinc(w·a/2)·sinc(w·b/2), w = −k(d₁ + d₂) (their shape function).
 
-use super::coated::{self, Fields, Surface, fields_at_all};
-use super::node::{self, Arrival, Bracket, Node};
-use super::po::{check_count, check_positive};
-use super::ray_cast::{Body, Hit, ReferenceError};
-use super::standpoint::{Aspect, Ends, Post};
+use crate::reference::coated::{self, Fields, Surface, fields_at_all};
+use crate::reference::node::{self, Arrival, Bracket, Node};
+use crate::reference::po::{check_count, check_positive};
+use crate::reference::ray_cast::{Body, Hit, ReferenceError};
+use crate::reference::standpoint::{Aspect, Ends, Post};
 use artifact::material::Material;
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;

@@ -1,6 +1,6 @@
 //! Two standpoints, and the straight lines between surface points and an antenna.
 
-use crate::table::rcs_table::Standpoint;
+use crate::table::rcs_request::Standpoint;
 use glam::DVec3;
 
 /// A transmitter and a receiver.

@@ -1,9 +1,11 @@
 //! Both references against closed forms, as their densities grow.
 
-use super::ray_cast::Body;
-use super::standpoint::Ends;
-use super::{Aspect, Bracket, ReferenceError, po, sbr};
-use crate::table::rcs_table::Standpoint;
+use crate::reference::po;
+use crate::reference::ray_cast::Body;
+use crate::reference::sbr;
+use crate::reference::standpoint::Ends;
+use crate::reference::{Aspect, Bracket, ReferenceError};
+use crate::table::rcs_request::Standpoint;
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::Sides;

@@ -10,7 +10,7 @@ use crate::surface::bend::{Bend, ControlHeights};
 use crate::surface::curved_edge::{Curve, CurvedEdge, rejected};
 use crate::surface::made_normals::{Facets, made_normals};
 use crate::surface::refinement::{BentSide, BentTriangle, Limits, Walk, count, refined};
-use crate::surface::skin::SkinTriangles;
+use crate::surface::skin_triangles::SkinTriangles;
 use artifact::scene::Mesh;
 use glam::DVec3;
 use rayon::prelude::*;

@@ -1,8 +1,8 @@
 //! What the facets of a mesh stand for: themselves, or the curved skin that they were cut from.
 
-use crate::surface::bend::ControlHeights;
 use crate::surface::curved_skin::CurvedSkin;
 use crate::surface::refinement::Limits;
+use crate::surface::skin_triangles::SkinTriangles;
 use artifact::Accuracy;
 use artifact::scene::Mesh;
 use artifact::settings::Surface;
@@ -32,21 +32,6 @@ pub enum Role {
     Scatterers,
     /// Each is a flat mirror for the next, too.
     Mirrors,
-}
-
-/// Triangles that stand for a mesh.
-#[derive(Debug, Default)]
-pub(crate) struct SkinTriangles {
-    /// Body metres.
-    pub(crate) triangles_m: Vec<[DVec3; 3]>,
-    /// Which of the mesh's triangles each is a part of.
-    pub(crate) triangle_of: Vec<u32>,
-    /// Unit normals at the corners: a smooth skin's; those that the file stores for a flat one, empty where it does not.
-    pub(crate) corner_normals: Vec<[DVec3; 3]>,
-    /// The skin's heights over each; empty where facets are the surface.
-    pub(crate) heights_m: Vec<ControlHeights>,
-    /// Relative amplitude error that they were cut for; 0 where they are the surface.
-    pub(crate) error: f64,
 }
 
 /// Most facets that a mesh is cut into, about: a facet and its beam take some 3 kB (measured on a car of 10 077 triangles in
@@ -112,13 +97,5 @@ fn flat(mesh: &Mesh, corners_m: Vec<[DVec3; 3]>) -> SkinTriangles {
         triangles_m: corners_m,
         corner_normals: mesh.triangles.iter().map_while(of_triangle).collect(),
         ..SkinTriangles::default()
-    }
-}
-
-impl SkinTriangles {
-    /// Bytes held, about.
-    pub(crate) fn bytes(&self) -> usize {
-        self.triangles_m.len() * (2 * size_of::<[DVec3; 3]>() + size_of::<u32>())
-            + self.heights_m.len() * size_of::<ControlHeights>()
     }
 }

@@ -2,8 +2,9 @@
 
 use crate::bodies::stand_off::check_stand;
 use crate::bodies::world::World;
-use crate::error::BartError;
-use crate::table::rcs_table::{RcsRequest, aspects, check};
+use crate::oversight::error::BartError;
+use crate::table::rcs_request::{RcsRequest, aspects};
+use crate::table::rcs_table::check;
 use artifact::scene::Mesh;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 

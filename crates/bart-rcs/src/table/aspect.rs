@@ -4,12 +4,13 @@ use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::stand_off::{check_stand, distance_and_diagonal_m};
 use crate::bodies::world::World;
 use crate::edges::edge_scattering::sum_of_edges;
-use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
 use crate::joins::afforded::afforded;
-use crate::joins::join::{Trees, tree_order};
+use crate::joins::join::tree_order;
+use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of};
-use crate::progress::{Phase, Progress, Unheard};
+use crate::oversight::error::BartError;
+use crate::oversight::progress::{Phase, Progress, Unheard};
 use crate::table::end_tree::EndTree;
 use crate::table::meeting::{Meeting, MeetingSettings, edge_meetings};
 use crate::table::small_mirrors::SmallMirrors;
@@ -396,7 +397,7 @@ struct OfOrder {
     s_m: Vec<Complex64>,
     /// What of it is due to edges.
     edges_m: Vec<Complex64>,
-    /// Of overlaps, as in [`Joints::given_up`](crate::joins::join::Joints).
+    /// Of overlaps, as in [`Joints::given_up`](crate::joins::joint::Joints).
     given_up: [f64; 2],
 }
 

@@ -2,9 +2,9 @@
 
 use crate::beams::beam::{BeamTree, GrowingTree, TraceSettings};
 use crate::bodies::world::World;
-use crate::error::BartError;
 use crate::geometry::antenna::Antenna;
-use crate::progress::Progress;
+use crate::oversight::error::BartError;
+use crate::oversight::progress::Progress;
 
 /// A tree and how many of its orders an aspect has asked for.
 pub(crate) enum EndTree<'a> {

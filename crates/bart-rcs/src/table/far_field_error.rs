@@ -4,9 +4,10 @@
 //! at 25 m, and the complex error is as large as the field. The table is right for what it is; this is the warning on it.
 
 use crate::bodies::world::World;
-use crate::error::BartError;
+use crate::oversight::error::BartError;
+use crate::table::amplitude_ratio::ratio;
 use crate::table::aspect::{Aspect, AspectSettings, Check, Checks, Scattering, scattering};
-use crate::table::rcs_table::{RcsRequest, aspects, ratio};
+use crate::table::rcs_request::{RcsRequest, aspects};
 use artifact::units::db_from_power;
 use num_complex::Complex64;
 use rayon::prelude::*;

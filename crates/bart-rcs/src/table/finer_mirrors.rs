@@ -4,9 +4,9 @@
 //! for. Where mirrors are as many in every octave of area as among large facets, Σa² of those not followed falls with the
 //! square of the least area; where all facets are small it falls with the area itself. The second is slower, and asked for.
 
-use crate::error::BartError;
+use crate::oversight::error::BartError;
+use crate::table::amplitude_ratio::ratio;
 use crate::table::aspect::{AspectSettings, Scattering};
-use crate::table::rcs_table::ratio;
 
 /// Least areas of the aspects of a table.
 pub(crate) struct FinerMirrors {

@@ -1,7 +1,7 @@
 //! S of joints over frequency: tiles gathered by their length, taken at few frequencies (see [`crate::joins::band`]).
 
 use crate::joins::band::{self, Band, Groups, INTERPOLATION_ERROR, Kind};
-use crate::joins::join::{Joint, Joints};
+use crate::joins::joint::{Joint, Joints};
 use crate::joins::scatterer::{Integration, JointTile, Scatterer};
 use artifact::paths::Amplitude;
 use glam::DVec3;
@@ -70,11 +70,11 @@ mod tests {
     use super::*;
     use crate::beams::beam::{BeamTree, TraceSettings};
     use crate::beams::image_tree::Received;
-    use crate::bodies::road::image;
+    use crate::bodies::road_mirror::image;
     use crate::bodies::world::World;
     use crate::geometry::antenna::Antenna;
-    use crate::integral::physical_optics::Bracket;
-    use crate::joins::join::Trees;
+    use crate::integral::node::Bracket;
+    use crate::joins::joint::Trees;
     use crate::joins::scatterer::{ZenithH, bracket_of};
     use artifact::material::{Material, Road};
     use artifact::permittivity::substance;

@@ -4,7 +4,7 @@ use crate::beams::body_ways::BodyWays;
 use crate::edges::edge_scattering::sum_of_edges;
 use crate::edges::lit_edge::{EdgeJoint, edge_joints};
 use crate::joins::band::add;
-use crate::joins::join::Joints;
+use crate::joins::joint::Joints;
 use crate::joins::scatterer::{Integration, Scatterer, sequence};
 use crate::table::joint_sum::sum_of_joints;
 use artifact::paths::Amplitude;

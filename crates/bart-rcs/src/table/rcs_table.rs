@@ -2,71 +2,29 @@
 
 use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::world::World;
-use crate::error::BartError;
-use crate::geometry::antenna::Antenna;
-use crate::integral::polarization::zenith_h;
 use crate::joins::join::tree_order;
 use crate::joins::scatterer::check_order;
-use crate::memory::{MemoryLimit, memory_estimate_bytes};
-use crate::progress::{Phase, Progress};
+use crate::oversight::error::BartError;
+use crate::oversight::memory::{MemoryLimit, memory_estimate_bytes};
+use crate::oversight::progress::{Phase, Progress};
 use crate::surface::skin::Skin;
+use crate::table::amplitude_ratio::ratio;
 use crate::table::aspect::{Aspect, AspectSettings, Check, Checks, Company, Scattering, scattering, scattering_with};
 use crate::table::far_field_error::{FarFieldError, far_field_error};
 use crate::table::finer_mirrors::{FinerMirrors, dropped_error};
 use crate::table::keeper::{Keeper, NothingKept, Piece};
+use crate::table::rcs_request::{RcsRequest, aspects};
 use crate::table::work_meter::WorkMeter;
 use artifact::material::{Makeup, Material, Transmission};
-use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::{Edges, NodeRule, Surface};
 use artifact::units::SPEED_OF_LIGHT_MPS;
-use artifact::{Accuracy, ErrorBudget, ModelError};
-use glam::DVec3;
+use artifact::{ErrorBudget, ModelError};
 use num_complex::Complex64;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
-
-/// S(frequency, elevation, azimuth) that is asked for; body axes.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RcsRequest {
-    /// Axis 0.
-    pub frequency_hz: Vec<f64>,
-    /// Axis 1: of the antenna above the horizon.
-    pub elevation_rad: Vec<f64>,
-    /// Axis 2: of the antenna, from body x towards body y.
-    pub azimuth_rad: Vec<f64>,
-    /// Antenna to origin; infinite for the far field.
-    pub range_m: f64,
-    /// A receiver that stands still while the transmitter takes every aspect; `None` where it is the transmitter.
-    pub receiver: Option<Standpoint>,
-    /// Of the result.
-    pub polarization: Polarization,
-    /// Highest bounce order, 1 to 5.
-    pub bounces: u8,
-    /// Node of multiple reflections.
-    pub nodes: NodeRule,
-    /// Which sides of a facet scatter.
-    pub sides: Sides,
-    /// Diffraction by edges.
-    pub edges: Edges,
-    /// What the facets stand for.
-    pub surface: Surface,
-    /// Relative amplitude error allowed over the whole table; not carried below −160 dB.
-    pub accuracy: Accuracy,
-}
-
-/// Where an antenna stands, seen from the body.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Standpoint {
-    /// From body x towards body y.
-    pub azimuth_rad: f64,
-    /// Above the horizon.
-    pub elevation_rad: f64,
-    /// To the origin; infinite for the far field.
-    pub range_m: f64,
-}
 
 /// S in metres and what is known of it.
 #[derive(Debug, Clone, PartialEq)]
@@ -250,49 +208,6 @@ pub(crate) fn check(request: &RcsRequest) -> Result<(), BartError> {
     Ok(())
 }
 
-impl RcsRequest {
-    /// k = 2πf/c.
-    pub(crate) fn wavenumbers_per_m(&self) -> Vec<f64> {
-        self.frequency_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect()
-    }
-
-    /// The same with antennas that are infinitely far at this range instead.
-    pub(crate) fn at_range(&self, range_m: f64) -> Self {
-        let moved = |at: f64| if at.is_finite() { at } else { range_m };
-        let receiver = self.receiver.map(|r| Standpoint { range_m: moved(r.range_m), ..r });
-        Self { range_m: moved(self.range_m), receiver, ..self.clone() }
-    }
-}
-
-impl Standpoint {
-    /// Unit vector from the origin.
-    pub fn direction(&self) -> DVec3 {
-        let (sin_el, cos_el) = self.elevation_rad.sin_cos();
-        let (sin_az, cos_az) = self.azimuth_rad.sin_cos();
-        DVec3::new(cos_el * cos_az, cos_el * sin_az, sin_el)
-    }
-
-    fn antenna(&self) -> Antenna {
-        if self.range_m.is_finite() {
-            Antenna::Point(self.range_m * self.direction())
-        } else {
-            Antenna::Direction(self.direction())
-        }
-    }
-}
-
-/// Elevation by elevation, azimuth by azimuth.
-pub(crate) fn aspects(request: &RcsRequest) -> Vec<Aspect> {
-    let of = |elevation_rad: f64, azimuth_rad: f64| {
-        let transmitter = Standpoint { azimuth_rad, elevation_rad, range_m: request.range_m };
-        Aspect {
-            transmit: (transmitter.antenna(), zenith_h(azimuth_rad)),
-            receive: request.receiver.map(|r| (r.antenna(), zenith_h(r.azimuth_rad))),
-        }
-    };
-    request.elevation_rad.iter().flat_map(|el| request.azimuth_rad.iter().map(move |az| of(*el, *az))).collect()
-}
-
 fn mean_facet_m2(world: &World) -> f64 {
     let facets = world.facets();
     facets.iter().map(|facet| facet.area_m2).sum::<f64>() / facets.len().max(1) as f64
@@ -458,11 +373,6 @@ fn measured_error(table: &[Scattering]) -> f64 {
     const OWN_ERROR: f64 = 0.1;
     let difference = ratio(measured.iter().sum::<f64>() / measured.len().max(1) as f64, mean_power);
     (difference / (1.0 - OWN_ERROR)).max(ROUNDING)
-}
-
-/// Amplitude ratio of two powers; 0 of nothing.
-pub(crate) fn ratio(part: f64, whole: f64) -> f64 {
-    if whole > 0.0 { (part / whole).sqrt() } else { 0.0 }
 }
 
 fn result(request: &RcsRequest, table: &[Scattering], build: f64) -> RcsResult {

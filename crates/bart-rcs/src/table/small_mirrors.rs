@@ -15,7 +15,7 @@
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::geometry::clip::doubled_area;
-use crate::joins::join::{Joint, Joints, Trees};
+use crate::joins::joint::{Joint, Joints, Trees};
 use crate::joins::scatterer::{Integration, Part, Scatterer, with_reverse};
 use artifact::radar::Polarization;
 use glam::DVec3;

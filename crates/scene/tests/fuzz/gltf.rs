@@ -1,7 +1,10 @@
 //! glTF changed by its structure: values of its JSON, numbers of its arrays, lengths and kinds of its chunks.
 
-use crate::glb_file::{GlbFile, floats};
+#[path = "../glb_file/mod.rs"]
+mod glb_file;
+
 use crate::noise::Noise;
+use glb_file::{GlbFile, floats};
 use serde_json::{Value, json};
 
 /// Sound files that reach every branch of the reader.

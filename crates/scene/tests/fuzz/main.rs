@@ -13,8 +13,6 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 
-#[path = "../glb_file/mod.rs"]
-mod glb_file;
 mod gltf;
 mod noise;
 mod readers;

@@ -1,0 +1,287 @@
+//! Facets sorted by where an antenna sees them: what may hide a polygon shares a cell of a grid across the view with it.
+//!
+//! A box across the view is as tight around a facet as the view can tell, a box in space is not. Cells come in sizes that
+//! double; a facet is listed where the cells are just larger than it is, so in four at most: details crowd in few places of the
+//! view, and panels that span hundreds of details are listed once. Like the hierarchy it decides nothing.
+
+use crate::beams::sight::projected_triangle::ProjectedTriangle;
+use crate::beams::sight::prospect::{Extent, Outlook, across};
+use crate::beams::sight::shadow::Shadow;
+use crate::beams::sight::view::View;
+use glam::{DVec2, Vec4};
+use rayon::prelude::*;
+use std::ops::ControlFlow;
+
+/// Shadows of a view by the cells that they reach.
+pub(crate) struct ProjectionGrid {
+    /// Boxes in units of the finest cells, in the order of the shadows.
+    boxes: Vec<Extent>,
+    /// In the same units and order.
+    triangles: Vec<ProjectedTriangle>,
+    /// From the finest on.
+    levels: Vec<Level>,
+    /// Where each cell's entries begin, level by level and row by row, and where the last one's end.
+    starts: Vec<u32>,
+    /// By cell, the nearest first.
+    entries: Vec<Entry>,
+}
+
+/// Cells of one size.
+#[derive(Debug, Clone, Copy)]
+struct Level {
+    /// Cells per finest cell.
+    scale: f64,
+    columns: usize,
+    /// Its first cell among those of all levels.
+    first: usize,
+}
+
+/// As much of a box as the search looks at, small: single precision, rounded outwards.
+#[derive(Debug, Clone, Copy)]
+struct Entry {
+    /// Of its extent: one instruction compares two boxes.
+    bounds: Vec4,
+    slot: u32,
+    first_cell: [u16; 2],
+    near_m: f32,
+}
+
+/// Columns and rows of cells, both ends included.
+#[derive(Debug, Clone, Copy)]
+struct Cells {
+    first: [usize; 2],
+    last: [usize; 2],
+}
+
+/// Details crowd in few places of the view: with more cells than facets there, most cells are empty and few are crowded.
+const CELLS_PER_FACET: f64 = 8.0;
+/// Facets that one thread looks at, at least.
+const FEW: usize = 1024;
+/// Finest cells per facet that are looked at at most; else they are made larger.
+const LOOKS_PER_FACET: usize = 64;
+
+impl ProjectionGrid {
+    /// Of all shadows of a view; `None` where the antenna stands among the facets.
+    pub(crate) fn over(shadows: &[Shadow], view: &View) -> Option<Self> {
+        let corners = shadows.iter().flat_map(|shadow| view.world.facet(shadow.facet).corners_m);
+        let around = corners.map(|c| [c, c]).reduce(|[a, b], [c, d]| [a.min(c), b.max(d)])?;
+        let outlook = Outlook::onto(around, view.antenna)?;
+        let extent = |shadow: &Shadow| outlook.sight(shadow.facet, shadow.seen, view).extent;
+        let boxes: Vec<Extent> = shadows.iter().map(extent).collect();
+        if outlook.holds(boxes.iter()) { Self::of(&boxes) } else { None }
+    }
+
+    /// Of shadows that appear here, in their order.
+    pub(crate) fn of(boxes: &[Extent]) -> Option<Self> {
+        let (low, high) = across(boxes.iter())?;
+        let span = (high - low).max(DVec2::splat((high - low).max_element() * 1e-6));
+        let mut cell = (span.x * span.y / (CELLS_PER_FACET * boxes.len() as f64)).sqrt();
+        if !(cell.is_finite() && cell > 0.0) {
+            return None;
+        }
+        loop {
+            let scaled: Vec<Extent> = boxes.par_iter().with_min_len(FEW).map(|b| b.in_cells(low, cell)).collect();
+            let looks: usize = scaled.iter().map(|b| Cells::of(b, 1.0).count()).sum();
+            let size = span / cell;
+            if looks <= LOOKS_PER_FACET * boxes.len() && size.max_element() < f64::from(u16::MAX) {
+                return Some(Self::filled(scaled, size));
+            }
+            cell *= 2.0;
+        }
+    }
+
+    /// Calls `visit` with the slot of every shadow that may lie before the one in `slot`, until it breaks.
+    pub(crate) fn visit_before(&self, slot: u32, mut visit: impl FnMut(u32) -> ControlFlow<()>) -> ControlFlow<()> {
+        let extent = &self.boxes[slot as usize];
+        let triangle = &self.triangles[slot as usize];
+        let most = extent.most();
+        // From the largest on: one of them may hide all.
+        for level in self.levels.iter().rev() {
+            let cells = Cells::of(extent, level.scale);
+            for (column, row) in cells.all() {
+                for entry in self.before(level.cell(column, row), extent) {
+                    // A pair meets in many cells; it counts in the first that both reach.
+                    let first = |axis: usize| usize::from(entry.first_cell[axis]).max(cells.first[axis]);
+                    if entry.bounds.cmple(most).all()
+                        && column == first(0)
+                        && row == first(1)
+                        && !triangle.is_apart_from(&self.triangles[entry.slot as usize])
+                    {
+                        visit(entry.slot)?;
+                    }
+                }
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Of the entries of a cell those that begin nearer than a box ends.
+    fn before(&self, cell: usize, extent: &Extent) -> impl Iterator<Item = &Entry> {
+        let far_m = (extent.far_m as f32).next_up();
+        let entries = &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize];
+        entries.iter().take_while(move |entry| entry.near_m <= far_m)
+    }
+
+    fn filled(boxes: Vec<Extent>, size: DVec2) -> Self {
+        let levels = levels(size);
+        let count = levels.last().map_or(0, |last| last.first + last.cells_in(size));
+        let own: Vec<(&Level, Cells)> = boxes.iter().map(|b| b.listed(&levels)).collect();
+        let mut starts = vec![0_u32; count + 1];
+        let cells = |slot: usize| {
+            own[slot].1.all().map({
+                let level = own[slot].0;
+                move |(column, row)| level.cell(column, row)
+            })
+        };
+        (0..boxes.len()).flat_map(cells).for_each(|cell| starts[cell + 1] += 1);
+        (0..count).for_each(|cell| starts[cell + 1] += starts[cell]);
+        let mut by_depth: Vec<u32> = (0..boxes.len() as u32).collect();
+        by_depth.sort_by(|&a, &b| boxes[a as usize].near_m.total_cmp(&boxes[b as usize].near_m));
+        let nothing = Entry { bounds: Vec4::ZERO, slot: 0, first_cell: [0; 2], near_m: 0.0 };
+        let mut entries = vec![nothing; starts[count] as usize];
+        let mut next = starts.clone();
+        for slot in by_depth {
+            let entry = Entry::of(slot, &boxes[slot as usize], &own[slot as usize].1);
+            for cell in cells(slot as usize) {
+                entries[next[cell] as usize] = entry;
+                next[cell] += 1;
+            }
+        }
+        let triangle = |b: &Extent| ProjectedTriangle::new(b.corners, size.max_element() + 1.0, b.slack);
+        let triangles = boxes.par_iter().with_min_len(FEW).map(triangle).collect();
+        Self { boxes, triangles, levels, starts, entries }
+    }
+}
+
+/// From the finest cells to one that holds the view.
+fn levels(size: DVec2) -> Vec<Level> {
+    let mut levels = Vec::new();
+    let (mut scale, mut first) = (1.0, 0);
+    loop {
+        let level = Level { scale, columns: (size.x * scale) as usize + 1, first };
+        levels.push(level);
+        if (size.max_element() * scale) < 1.0 {
+            return levels;
+        }
+        first += level.cells_in(size);
+        scale *= 0.5;
+    }
+}
+
+impl Level {
+    fn cell(&self, column: usize, row: usize) -> usize {
+        self.first + row * self.columns + column
+    }
+
+    fn cells_in(&self, size: DVec2) -> usize {
+        self.columns * ((size.y * self.scale) as usize + 1)
+    }
+}
+
+impl Cells {
+    fn of(extent: &Extent, scale: f64) -> Self {
+        let at = |x: DVec2| (x * scale).to_array().map(|x| x as usize);
+        Self { first: at(extent.low), last: at(extent.high) }
+    }
+
+    fn all(self) -> impl Iterator<Item = (usize, usize)> {
+        let ([column, row], [last_column, last_row]) = (self.first, self.last);
+        (row..=last_row).flat_map(move |row| (column..=last_column).map(move |column| (column, row)))
+    }
+
+    fn count(&self) -> usize {
+        (self.last[0] - self.first[0] + 1).saturating_mul(self.last[1] - self.first[1] + 1)
+    }
+}
+
+impl Extent {
+    /// Low x, low y, −high x, −high y, rounded outwards.
+    fn bounds(&self) -> Vec4 {
+        let ([low_x, low_y], [high_x, high_y]) = (self.low.to_array(), self.high.to_array());
+        Vec4::from_array([low_x, low_y, -high_x, -high_y].map(|x| (x as f32).next_down()))
+    }
+
+    /// The bounds that another's may not exceed if both overlap: high x, high y, −low x, −low y.
+    fn most(&self) -> Vec4 {
+        let bounds = self.bounds();
+        -Vec4::new(bounds.z, bounds.w, bounds.x, bounds.y)
+    }
+
+    /// Where it is listed: in the finest cells that are not smaller.
+    fn listed<'l>(&self, levels: &'l [Level]) -> (&'l Level, Cells) {
+        let longest = (self.high - self.low).max_element();
+        let index = levels.partition_point(|level| longest * level.scale > 1.0).min(levels.len() - 1);
+        (&levels[index], Cells::of(self, levels[index].scale))
+    }
+}
+
+impl Entry {
+    fn of(slot: u32, extent: &Extent, cells: &Cells) -> Self {
+        Self {
+            bounds: extent.bounds(),
+            slot,
+            first_cell: cells.first.map(|n| n as u16),
+            near_m: (extent.near_m as f32).next_down(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bodies::world::World;
+    use crate::geometry::antenna::Antenna;
+    use artifact::scene::Mesh;
+    use artifact::settings::Sides;
+    use glam::DVec3;
+
+    /// Triangles of any size about the origin, from the fractions of multiples of irrational numbers.
+    fn strewn(count: usize) -> World {
+        let at = |i: usize, step: f64| ((i as f64 + 1.0) * step).fract() - 0.5;
+        let corner = |i: usize| {
+            let size = 10.0_f64.powf(2.0 * at(i / 3, 0.259_921) - 1.0);
+            let middle = [0.618_034, 0.414_214, 0.732_051].map(|step| 2.0 * at(i / 3, step));
+            [0, 1, 2].map(|k| middle[k] + size * at(i, [0.236_068, 0.645_751, 0.316_625][k]))
+        };
+        let triangles = (0..count as u32).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]).collect();
+        let vertices_m = (0..3 * count).map(corner).collect();
+        World::of_mesh(&Mesh { vertices_m, triangles, ..Mesh::default() }).unwrap()
+    }
+
+    #[test]
+    fn every_facet_that_shares_a_ray_with_a_farther_one_is_proposed_once() {
+        let world = strewn(300);
+        for antenna in [Antenna::Point(DVec3::new(6.0, 2.0, 3.0)), Antenna::Direction(DVec3::new(0.36, 0.48, 0.8))] {
+            let view = View::direct(&world, Sides::Two, antenna);
+            let shadows: Vec<Shadow> = (0..300).filter_map(|facet| Shadow::of(facet, &view)).collect();
+            let grid = ProjectionGrid::over(&shadows, &view).unwrap();
+            let mut met = 0;
+            for (slot, target) in (0..).zip(&shadows) {
+                let mut proposed = Vec::new();
+                let _ = grid.visit_before(slot, |other| {
+                    proposed.push(other);
+                    ControlFlow::Continue(())
+                });
+                let [a, b, c] = world.facet(target.facet).corners_m;
+                let points = [(a + b + c) / 3.0, 0.5 * (a + b), 0.9 * c + 0.1 * a];
+                for (other, shadow) in (0..).zip(&shadows).filter(|(other, _)| *other != slot) {
+                    let hides = |x: &DVec3| shadow.edges.iter().chain([&-shadow.front]).all(|p| p.distance_m(*x) > 0.0);
+                    let times = proposed.iter().filter(|&&p| p == other).count();
+                    assert!(times <= 1, "facet {other} twice for {slot}");
+                    assert!(times == 1 || !points.iter().any(hides), "facet {other} is missing for {slot}");
+                    met += times;
+                }
+            }
+            println!("{met} pairs proposed of {}", shadows.len() * (shadows.len() - 1));
+            assert!(met < shadows.len() * shadows.len() / 2, "the grid leaves out most");
+        }
+    }
+
+    #[test]
+    fn an_antenna_among_the_facets_has_no_grid() {
+        let world = strewn(50);
+        let view = View::direct(&world, Sides::Two, Antenna::Point(DVec3::splat(0.1)));
+        let shadows: Vec<Shadow> = (0..50).filter_map(|facet| Shadow::of(facet, &view)).collect();
+        assert!(ProjectionGrid::over(&shadows, &view).is_none() && ProjectionGrid::over(&[], &view).is_none());
+    }
+}

@@ -1,0 +1,131 @@
+//! Where facets appear across a view: their places on a plane across it, and how deep they lie.
+
+use crate::beams::sight::shadow::{Seen, seen_side};
+use crate::beams::sight::view::View;
+use crate::geometry::antenna::Antenna;
+use crate::geometry::facet_geometry::FacetGeometry;
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+
+/// All facets of a view that show a side, on one plane across it.
+pub(crate) struct Prospect {
+    pub(crate) outlook: Outlook,
+    /// By facet.
+    pub(crate) sights: Vec<Sight>,
+}
+
+/// A facet as it is seen.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sight {
+    /// Index into the world's facets.
+    pub(crate) facet: u32,
+    pub(crate) seen: Seen,
+    pub(crate) extent: Extent,
+}
+
+/// Coordinates across a view: tangents of the angles to its middle, or metres across a direction.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Outlook {
+    pub(crate) antenna: Antenna,
+    pub(crate) forward: DVec3,
+    pub(crate) right: DVec3,
+    pub(crate) up: DVec3,
+}
+
+/// Where a facet appears, and its depth in metres.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Extent {
+    /// In the order of the winding as the antenna sees it.
+    pub(crate) corners: [DVec2; 3],
+    /// How far off the corners may be.
+    pub(crate) slack: f64,
+    pub(crate) low: DVec2,
+    pub(crate) high: DVec2,
+    pub(crate) near_m: f64,
+    pub(crate) far_m: f64,
+}
+
+/// A facet whose depths differ by more than this factor from another's, or that reaches behind the antenna, has no place on
+/// one plane across the view: such a view has no grid.
+const NEAREST_OF_FARTHEST: f64 = 1e-3;
+
+impl Prospect {
+    /// Of all facets of a direct view; `None` where the antenna stands among them.
+    pub(crate) fn of_all(view: &View) -> Option<Self> {
+        let seen = |(index, facet): (usize, &FacetGeometry)| {
+            let (seen, _) = seen_side(facet, view.antenna, view.tolerance_m())?;
+            Some((index as u32, seen))
+        };
+        let seen: Vec<(u32, Seen)> = view.world.facets().par_iter().enumerate().filter_map(seen).collect();
+        let corners = seen.par_iter().flat_map_iter(|&(facet, _)| view.world.facet(facet).corners_m);
+        let around = corners.map(|c| [c, c]).reduce_with(|[a, b], [c, d]| [a.min(c), b.max(d)])?;
+        let outlook = Outlook::onto(around, view.antenna)?;
+        let sight = |&(facet, seen): &(u32, Seen)| outlook.sight(facet, seen, view);
+        let sights: Vec<Sight> = seen.par_iter().map(sight).collect();
+        outlook.holds(sights.iter().map(|sight| &sight.extent)).then_some(Self { outlook, sights })
+    }
+}
+
+impl Outlook {
+    /// Onto what lies between two corners of a box.
+    pub(crate) fn onto([low, high]: [DVec3; 2], antenna: Antenna) -> Option<Self> {
+        let forward = -antenna.towards(0.5 * low + 0.5 * high).try_normalize()?;
+        let right = forward.any_orthonormal_vector();
+        Some(Self { antenna, forward, right, up: forward.cross(right) })
+    }
+
+    pub(crate) fn sight(&self, facet: u32, seen: Seen, view: &View) -> Sight {
+        let [a, b, c] = view.world.facet(facet).corners_m.map(|corner| self.place(corner));
+        let corners = if seen == Seen::Front { [a, b, c] } else { [a, c, b] };
+        Sight { facet, seen, extent: Extent::around(corners, view) }
+    }
+
+    /// Whether facets with these extents have a place on one plane across the view.
+    pub(crate) fn holds<'e>(&self, extents: impl Iterator<Item = &'e Extent> + Clone) -> bool {
+        let range = |(near_m, far_m): (f64, f64), b: &Extent| (b.near_m.min(near_m), b.far_m.max(far_m));
+        let (near_m, far_m) = extents.clone().fold((f64::INFINITY, 0.0), range);
+        let is_apart = match self.antenna {
+            Antenna::Point(_) => near_m > NEAREST_OF_FARTHEST * far_m,
+            Antenna::Direction(_) => true,
+        };
+        is_apart && extents.into_iter().all(|b| b.low.is_finite() && b.high.is_finite())
+    }
+
+    fn place(&self, x: DVec3) -> (DVec2, f64) {
+        match self.antenna {
+            Antenna::Point(p) => {
+                let way = x - p;
+                let depth_m = way.dot(self.forward);
+                (DVec2::new(way.dot(self.right), way.dot(self.up)) / depth_m, depth_m)
+            }
+            Antenna::Direction(_) => (DVec2::new(x.dot(self.right), x.dot(self.up)), x.dot(self.forward)),
+        }
+    }
+}
+
+impl Extent {
+    /// Widened by what is rounding.
+    fn around(corners: [(DVec2, f64); 3], view: &View) -> Self {
+        let [(a, da), (b, db), (c, dc)] = corners;
+        let (near_m, far_m) = (da.min(db).min(dc), da.max(db).max(dc));
+        let slack_m = 4.0 * view.tolerance_m();
+        let slack = match view.antenna {
+            Antenna::Point(_) => slack_m / near_m.max(f64::MIN_POSITIVE),
+            Antenna::Direction(_) => slack_m,
+        };
+        let (low, high) = (a.min(b).min(c) - slack, a.max(b).max(c) + slack);
+        Self { corners: [a, b, c], slack, low, high, near_m: near_m - slack_m, far_m: far_m + slack_m }
+    }
+
+    /// In units of cells from an origin on.
+    pub(crate) fn in_cells(&self, origin: DVec2, cell: f64) -> Self {
+        let scaled = |x: DVec2| (x - origin) / cell;
+        let corners = self.corners.map(scaled);
+        Self { corners, slack: self.slack / cell, low: scaled(self.low), high: scaled(self.high), ..*self }
+    }
+}
+
+/// The box across the view that holds these.
+pub(crate) fn across<'e>(extents: impl Iterator<Item = &'e Extent>) -> Option<(DVec2, DVec2)> {
+    extents.map(|b| (b.low, b.high)).reduce(|(a, b), (c, d)| (a.min(c), b.max(d)))
+}

@@ -1,0 +1,197 @@
+//! What one facet hides from an antenna: the part of its cone that lies behind it.
+//!
+//! A point y is hidden by facet O from antenna p when y lies inside the three planes through p and O's edges, and behind O.
+//! Where O and the target pass through each other, one more plane through p parts them ([`crate::beams::sight::depth_order`]). In a
+//! reflected beam only the part of O beyond the mirror counts, which a plane through p and the line where O meets the
+//! mirror's plane cuts off. So everything is a test of y against planes through p that are made of original corners, and
+//! what one facet's shadow loses at such a plane, its neighbour's takes, bit by bit.
+
+use crate::beams::sight::depth_order::{DepthOrder, are_coincident, depth_order};
+use crate::beams::sight::view::{Mirror, View};
+use crate::bodies::world::World;
+use crate::geometry::antenna::Antenna;
+use crate::geometry::border::Border;
+use crate::geometry::clip::Corner;
+use crate::geometry::facet_geometry::FacetGeometry;
+use crate::geometry::plane::Plane;
+use artifact::settings::Sides;
+
+/// The planes of a facet's shadow.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Shadow {
+    /// Index into the world's facets.
+    pub(crate) facet: u32,
+    /// The side that the antenna sees.
+    pub(crate) seen: Seen,
+    /// Through the antenna and each edge, in the winding as the antenna sees it; positive inside.
+    pub(crate) edges: [Plane; 3],
+    /// The facet's own plane, positive towards the antenna.
+    pub(crate) front: Plane,
+    /// Positive where the facet is met beyond the mirror; `None` where all of it is beyond.
+    pub(crate) beyond_mirror: Option<Plane>,
+    /// How much of the view the facet takes, for sorting only.
+    pub(crate) apparent_size: f64,
+}
+
+/// The side of a facet that an antenna sees.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Seen {
+    /// The winding is counter-clockwise.
+    Front,
+    /// It is clockwise.
+    Back,
+}
+
+/// What of a target a facet may hide.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Hides {
+    /// Nothing: it lies behind, or is the one of two coincident facets that yields.
+    Nothing,
+    /// Whatever lies in its cone.
+    AllInItsCone,
+    /// What lies in its cone and on the positive side of a plane through the antenna: the facets pass through each other.
+    InItsConeAnd(Plane),
+}
+
+/// Where a polygon lies in a shadow.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Cover {
+    /// Outside.
+    Apart,
+    /// Some of it may be inside.
+    Partial,
+    /// Inside.
+    Whole,
+}
+
+impl Shadow {
+    /// The shadow of a facet; `None` where the antenna sees it edge-on, where it has no plane, or where none of it lies
+    /// beyond the mirror.
+    pub(crate) fn of(index: u32, view: &View) -> Option<Self> {
+        let facet = view.world.facet(index);
+        let (seen, front) = seen_side(facet, view.antenna, view.tolerance_m())?;
+        let beyond_mirror = match &view.mirror {
+            Some(mirror) => reach_beyond(mirror, facet, &front, view)?,
+            None => None,
+        };
+        let [a, b, c] = facet.corners_m;
+        let [a, b, c] = if seen == Seen::Front { [a, b, c] } else { [a, c, b] };
+        let edge = |from, to| Plane::through_edge(view.antenna, from, to);
+        let edges = [edge(a, b)?, edge(b, c)?, edge(c, a)?];
+        let apparent_size = apparent_size(facet, view.antenna);
+        Some(Self { facet: index, seen, edges, front, beyond_mirror, apparent_size })
+    }
+
+    /// The facet as a polygon, counter-clockwise as the antenna sees it.
+    pub(crate) fn polygon(&self, world: &World) -> [Corner; 3] {
+        let [a, b, c] = world.facet(self.facet).corners_m;
+        let points = if self.seen == Seen::Front { [a, b, c] } else { [a, c, b] };
+        // Edge i of the facet runs from corner i; seen from the back they run the other way and in the other order.
+        let order = if self.seen == Seen::Front { [0, 1, 2] } else { [2, 1, 0] };
+        let border = |edge| if world.is_inside_patch(self.facet, edge) { Border::Inner } else { Border::Own };
+        [0, 1, 2].map(|i| Corner { point_m: points[i], edge: self.edges[i], border: border(order[i]) })
+    }
+
+    /// What this facet may hide of another; a sheet that waves are followed through hides nothing.
+    pub(crate) fn hides(&self, target: &Self, view: &View) -> Hides {
+        if view.world.is_passed(self.facet) { Hides::Nothing } else { self.stands_before(target, view) }
+    }
+
+    /// What of another facet this one stands before.
+    pub(crate) fn stands_before(&self, target: &Self, view: &View) -> Hides {
+        let [own, other] = [self, target].map(|shadow| (&shadow.front, view.world.facet(shadow.facet)));
+        match depth_order(own, other, view.antenna, view.tolerance_m()) {
+            DepthOrder::FirstInFront => Hides::AllInItsCone,
+            DepthOrder::SecondInFront => Hides::Nothing,
+            DepthOrder::PartedBy(plane) => Hides::InItsConeAnd(plane),
+            DepthOrder::Coincident if self.is_before(target, view.sides) => Hides::AllInItsCone,
+            DepthOrder::Coincident => Hides::Nothing,
+        }
+    }
+
+    /// Where a polygon of the target lies.
+    pub(crate) fn cover(&self, hides: Hides, polygon: &[Corner], tolerance_m: f64) -> Cover {
+        let mut cover = Cover::Whole;
+        for plane in &self.edges {
+            cover = cover.and(plane, polygon, tolerance_m);
+            if cover == Cover::Apart {
+                return cover;
+            }
+        }
+        if let Some(plane) = &self.beyond_mirror {
+            cover = cover.and(plane, polygon, tolerance_m);
+        }
+        if let Hides::InItsConeAnd(plane) = &hides {
+            cover = cover.and(plane, polygon, tolerance_m);
+        }
+        cover
+    }
+
+    /// The planes that bound what is hidden, positive inside.
+    pub(crate) fn planes(&self, hides: Hides) -> impl Iterator<Item = Plane> {
+        let behind = if let Hides::InItsConeAnd(plane) = hides { Some(plane) } else { None };
+        self.edges.into_iter().chain(self.beyond_mirror).chain(behind)
+    }
+
+    /// Of coincident facets one is lit: the one whose front is seen where only fronts scatter, else the first.
+    fn is_before(&self, other: &Self, sides: Sides) -> bool {
+        let key = |shadow: &Self| ((sides == Sides::One).then_some(shadow.seen), shadow.facet);
+        key(self) < key(other)
+    }
+}
+
+impl Cover {
+    /// What is left of a cover on the positive side of one more plane.
+    #[inline]
+    pub(crate) fn and(self, plane: &Plane, polygon: &[Corner], tolerance_m: f64) -> Self {
+        let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+        for corner in polygon {
+            let d = plane.distance_m(corner.point_m);
+            least = if d < least { d } else { least };
+            greatest = if d > greatest { d } else { greatest };
+        }
+        match () {
+            () if self == Self::Apart || greatest <= tolerance_m => Self::Apart,
+            () if least < -tolerance_m => Self::Partial,
+            () => self,
+        }
+    }
+}
+
+/// The side that is seen and the plane towards the antenna; `None` where it is seen edge-on.
+pub(crate) fn seen_side(facet: &FacetGeometry, antenna: Antenna, tolerance_m: f64) -> Option<(Seen, Plane)> {
+    // Directions are rounded to ε; a facet this close to edge-on has no area across the wave.
+    let least = if matches!(antenna, Antenna::Point(_)) { tolerance_m } else { 16.0 * f64::EPSILON };
+    let height = facet.plane.side_of(antenna);
+    match () {
+        () if !facet.has_plane() => None,
+        () if height > least => Some((Seen::Front, facet.plane)),
+        () if height < -least => Some((Seen::Back, -facet.plane)),
+        () => None,
+    }
+}
+
+/// `None` where nothing of the facet is beyond the mirror, `Some(None)` where everything is.
+#[expect(
+    clippy::option_option,
+    reason = "the outer says whether there is a shadow, the inner whether the mirror cuts it"
+)]
+fn reach_beyond(mirror: &Mirror, facet: &FacetGeometry, front: &Plane, view: &View) -> Option<Option<Plane>> {
+    let tolerance_m = view.tolerance_m();
+    let (low, high) = mirror.front.extent_m(&facet.corners_m);
+    match () {
+        () if high <= tolerance_m || are_coincident(mirror.facet, facet, tolerance_m) => None,
+        () if low >= -tolerance_m => Some(None),
+        () => Plane::through_meeting(view.antenna, &mirror.front, front).map(Some),
+    }
+}
+
+fn apparent_size(facet: &FacetGeometry, antenna: Antenna) -> f64 {
+    let [a, b, c] = facet.corners_m;
+    let towards = antenna.towards((a + b + c) / 3.0);
+    let across = facet.area_m2 * facet.plane.normal.dot(towards).abs();
+    match antenna {
+        Antenna::Point(_) => across / (towards.length_squared() * towards.length()).max(f64::MIN_POSITIVE),
+        Antenna::Direction(_) => across,
+    }
+}

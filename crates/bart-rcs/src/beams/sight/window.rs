@@ -1,0 +1,44 @@
+//! What the window of a view leaves of a facet.
+
+use crate::beams::sight::shadow::{Seen, Shadow};
+use crate::beams::sight::view::View;
+use crate::geometry::border::Border;
+use crate::geometry::clip::{Corner, Split, split};
+use artifact::settings::Sides;
+use std::ops::Range;
+
+impl View<'_> {
+    /// Puts the polygon that the window leaves of a facet into `corners` and gives its range; `None` where it leaves none.
+    pub(crate) fn clip(
+        &self,
+        target: &Shadow,
+        corners: &mut Vec<Corner>,
+        distances_m: &mut Vec<f64>,
+    ) -> Option<Range<usize>> {
+        if self.sides == Sides::One && target.seen == Seen::Back || !self.is_followed(target.facet) {
+            return None;
+        }
+        corners.clear();
+        corners.extend(target.polygon(self.world));
+        // A facet that crosses the mirror's plane ends at the plane that also ends its shadow.
+        let beyond = target.beyond_mirror.map(|plane| (plane, Border::Tied));
+        self.window.iter().copied().chain(beyond).try_fold(0..3, |polygon, (plane, border)| {
+            match split(corners, polygon.clone(), &plane, [border; 2], self.tolerance_m(), distances_m) {
+                Split::Inside => {
+                    meet(&mut corners[polygon.clone()], distances_m, border);
+                    Some(polygon)
+                }
+                Split::Outside => None,
+                Split::Cut { inside, .. } => Some(inside),
+            }
+        })
+    }
+}
+
+/// Marks edges that lie on a plane of the window, whose distances from the corners are given.
+fn meet(corners: &mut [Corner], distances_m: &[f64], window: Border) {
+    let n = corners.len();
+    for i in (0..n).filter(|&i| distances_m[i] == 0.0 && distances_m[(i + 1) % n] == 0.0) {
+        corners[i].border = corners[i].border.met_by(window);
+    }
+}

@@ -1,0 +1,50 @@
+//! Cells of a frame's paths are counted while they grow, so that a frame ends with figures before memory does.
+
+use crate::oversight::error::BartError;
+use crate::oversight::memory::MemoryLimit;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Room for cells, which several threads take at a time.
+#[derive(Debug)]
+pub(crate) struct CellRoom {
+    limit: MemoryLimit,
+    bytes_per_cell: u64,
+    taken: AtomicU64,
+}
+
+impl CellRoom {
+    /// What a limit leaves beside `held_bytes`.
+    pub(crate) fn beside(held_bytes: usize, limit: MemoryLimit, bytes_per_cell: usize) -> Self {
+        let limit = limit.shared(held_bytes as u64, 1);
+        Self { limit, bytes_per_cell: bytes_per_cell as u64, taken: AtomicU64::new(0) }
+    }
+
+    /// Room for one more; false where there is none, and then [`CellRoom::check`] says so.
+    pub(crate) fn take(&self) -> bool {
+        let before = self.taken.fetch_add(1, Ordering::Relaxed);
+        self.limit.check_cells(self.bytes_of(before + 1)).is_ok()
+    }
+
+    /// Refuses what was found where there was not room for all of it.
+    pub(crate) fn check(&self) -> Result<(), BartError> {
+        self.limit.check_cells(self.bytes_of(self.taken.load(Ordering::Relaxed)))
+    }
+
+    fn bytes_of(&self, cells: u64) -> u64 {
+        cells.saturating_mul(self.bytes_per_cell)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn there_is_room_up_to_the_limit_and_what_had_none_is_told() {
+        let room = CellRoom::beside(1000, MemoryLimit::of_bytes(1000 + 3 * 700), 700);
+        assert_eq!([0; 3].map(|_| room.take()), [true; 3]);
+        room.check().unwrap();
+        assert!(!room.take());
+        assert_eq!(room.check(), Err(BartError::CellsTakeTooMuchMemory { bytes: 2800, limit_bytes: 2100 }));
+    }
+}

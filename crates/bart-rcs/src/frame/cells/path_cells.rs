@@ -1,0 +1,223 @@
+//! Lit polygons cut and gathered into cells so small that one node, one amplitude and one slope stand for each during a
+//! frame.
+
+use crate::beams::beam::BeamTree;
+use crate::beams::image_tree::origin;
+use crate::bodies::motion::Motion;
+use crate::bodies::road::Half;
+use crate::frame::cells::cell_room::CellRoom;
+use crate::geometry::antenna::Antenna;
+use crate::geometry::convex_intersection::{bounds, left_of};
+use crate::geometry::plane_frame::{PlaneFrame, area_m2, centroid_m};
+use crate::integral::field::length_difference_m;
+use crate::integral::node::Bracket;
+use crate::joins::joint::{Joint, Joints, Reverse};
+use crate::joins::scatterer::{Part, Scatterer, scaled, sequence, sum, transposed};
+use artifact::paths::{Amplitude, Facet, MAX_ORDER};
+use glam::{DVec2, DVec3};
+use num_complex::Complex64;
+use rayon::prelude::*;
+
+/// A part of the scattering with one node: amplitudes at several frequencies, apparent points and their velocities.
+#[derive(Debug, Clone)]
+pub(crate) struct Cell {
+    pub(crate) order: u8,
+    pub(crate) facets: [Facet; MAX_ORDER],
+    /// From the transmitter, from the receiver; world metres at the world's instant.
+    pub(crate) apparent_m: [DVec3; 2],
+    pub(crate) motion: [Motion; 2],
+    /// `a` of a path record at each wavenumber.
+    pub(crate) amplitudes_m: Vec<Amplitude>,
+    pub(crate) area_m2: f64,
+    /// Bound of the error of every amplitude.
+    pub(crate) error_m: f64,
+}
+
+/// Of a cell with its amplitudes at three frequencies where it is made, in the list of all, and as the path that it becomes.
+pub(crate) const BYTES_PER_CELL: usize =
+    2 * (size_of::<Cell>() + 3 * size_of::<Amplitude>()) + size_of::<artifact::paths::Path>();
+
+/// How fine cells are and how exactly they are integrated.
+#[derive(Clone, Copy)]
+pub(crate) struct CellSettings<'a> {
+    pub(crate) size_m: f64,
+    /// Apparent points whose velocities differ by less may share a cell.
+    pub(crate) velocity_quantum_mps: f64,
+    pub(crate) wavenumbers_per_m: &'a [f64],
+    /// Of every integral, by the body that it is taken on.
+    pub(crate) accuracy_of_body: &'a [f64],
+    pub(crate) bracket: Bracket,
+    /// No more cells are made than it has a place for.
+    pub(crate) room: &'a CellRoom,
+}
+
+/// Cells of all joints, the reverse ones behind their own; in the order of the joints.
+pub(crate) fn cells(scatterer: &Scatterer<'_>, joints: &Joints, settings: &CellSettings<'_>) -> Vec<Cell> {
+    let of_joint = |joint: &Joint| cells_of(scatterer, joint, joints.polygon(joint), settings);
+    let parts: Vec<Vec<Cell>> = joints.list.par_iter().map(of_joint).collect();
+    parts.into_iter().flatten().collect()
+}
+
+/// Cells whose apparent points lie in one cube, seen through the same bodies and as fast, become one.
+pub(crate) fn gathered(mut cells: Vec<Cell>, ends: [Antenna; 2], settings: &CellSettings<'_>) -> Vec<Cell> {
+    let key = |cell: &Cell| key(cell, ends, settings);
+    cells.sort_by_cached_key(key);
+    cells.chunk_by(|a, b| key(a) == key(b)).map(|group| one_of(group, ends, settings)).collect()
+}
+
+fn cells_of(scatterer: &Scatterer<'_>, joint: &Joint, corners_m: &[DVec3], settings: &CellSettings<'_>) -> Vec<Cell> {
+    let frame = PlaneFrame::new(corners_m[0], scatterer.forward(joint).lit_normal);
+    let facets = facets_of(scatterer, joint.forward, joint.backward);
+    let motion = motions(scatterer, joint.forward, joint.backward);
+    let accuracy = settings.accuracy_of_body[scatterer.node_body(joint.forward)];
+    let mut cells = Vec::new();
+    for piece in cut_into_squares(&frame, corners_m, settings.size_m) {
+        if !settings.room.take() {
+            break;
+        }
+        let reference_m = frame.to_world(centroid_m(&piece));
+        let in_world_m: Vec<DVec3> = piece.iter().map(|c| frame.to_world(*c)).collect();
+        let part = Part { corners_m: &in_world_m, reference_m, bracket: settings.bracket };
+        let estimate = scatterer.amplitudes(joint, &part, settings.wavenumbers_per_m, accuracy);
+        cells.push(Cell {
+            order: facets.len() as u8,
+            facets: padded(&facets),
+            apparent_m: scatterer.apparent_m(joint, reference_m),
+            motion,
+            amplitudes_m: estimate.value,
+            area_m2: area_m2(&piece),
+            error_m: estimate.error,
+        });
+    }
+    if joint.reverse == Reverse::Included {
+        let back: Vec<Cell> = cells.iter().map(reversed).collect();
+        cells.extend(back);
+    }
+    cells
+}
+
+/// The way back.
+pub(crate) fn reversed(cell: &Cell) -> Cell {
+    let mut facets = cell.facets;
+    facets[..usize::from(cell.order)].reverse();
+    Cell {
+        facets,
+        apparent_m: [cell.apparent_m[1], cell.apparent_m[0]],
+        motion: [cell.motion[1], cell.motion[0]],
+        amplitudes_m: cell.amplitudes_m.iter().map(transposed).collect(),
+        ..*cell
+    }
+}
+
+/// The facets of a way in the order of travel, by its beams.
+pub(crate) fn facets_of(scatterer: &Scatterer<'_>, forward: u32, backward: u32) -> Vec<Facet> {
+    sequence(scatterer, forward, backward).into_iter().map(|facet| scatterer.world.facet(facet).id).collect()
+}
+
+/// As a path record holds them.
+pub(crate) fn padded(facets: &[Facet]) -> [Facet; MAX_ORDER] {
+    let mut all = [Facet::default(); MAX_ORDER];
+    all.iter_mut().zip(facets).for_each(|(place, facet)| *place = *facet);
+    all
+}
+
+/// Of the apparent points.
+pub(crate) fn motions(scatterer: &Scatterer<'_>, forward: u32, backward: u32) -> [Motion; 2] {
+    let world = scatterer.world;
+    let of_node = world.motion(scatterer.trees.transmit().beams[forward as usize].facet);
+    let through = |tree: &BeamTree, beam: u32| {
+        let mirrors = std::iter::successors(tree.beams[beam as usize].parent, |b| tree.beams[*b as usize].parent);
+        let at_antenna = mirrors.fold(of_node, |motion, mirror| {
+            let facet = tree.beams[mirror as usize].facet;
+            motion.mirrored(&world.motion(facet), world.facet(facet).normal())
+        });
+        match origin(tree, &tree.beams[beam as usize]) {
+            Half::Above => at_antenna,
+            Half::Below => at_antenna.below_road(),
+        }
+    };
+    [through(scatterer.trees.transmit(), forward), through(scatterer.trees.receive(), backward)]
+}
+
+/// Convex parts between the lines of a square grid about the polygon's first corner.
+pub(crate) fn cut_into_squares(frame: &PlaneFrame, corners_m: &[DVec3], size_m: f64) -> Vec<Vec<DVec2>> {
+    let polygon: Vec<DVec2> = corners_m.iter().map(|c| frame.plane_from_world(*c)).collect();
+    let strips = cut_along(polygon, DVec2::X, size_m);
+    strips.into_iter().flat_map(|strip| cut_along(strip, DVec2::Y, size_m)).collect()
+}
+
+/// Strips of equal width, at most `size_m`, across `axis`.
+fn cut_along(polygon: Vec<DVec2>, axis: DVec2, size_m: f64) -> Vec<Vec<DVec2>> {
+    let [low, high] = bounds(&polygon).map(|corner| corner.dot(axis));
+    let count = ((high - low) / size_m).ceil().max(1.0);
+    let line = |i: f64| axis * (low + (high - low) * i / count);
+    let mut strips = Vec::new();
+    let mut rest = polygon;
+    for i in 1..count as u64 {
+        strips.push(left_of(&rest, line(i as f64), axis.perp()));
+        rest = left_of(&rest, line(i as f64), -axis.perp());
+    }
+    strips.push(rest);
+    strips.retain(|strip| area_m2(strip) > 0.0);
+    strips
+}
+
+/// What cells must have in common to be gathered.
+type Key = (u8, [u32; MAX_ORDER], [[i64; 3]; 4]);
+
+/// Cubes are counted from the antennas, so that a scene moved as a whole keeps its cells.
+fn key(cell: &Cell, ends: [Antenna; 2], settings: &CellSettings<'_>) -> Key {
+    let cube = |v: DVec3, side: f64| (v / side).round().to_array().map(|x| x as i64);
+    let places = [0, 1].map(|end| cube(-ends[end].towards(cell.apparent_m[end]), settings.size_m));
+    let speeds = cell.motion.map(|motion| cube(motion.velocity_mps, settings.velocity_quantum_mps));
+    (cell.order, cell.facets.map(|facet| facet.body), [places[0], places[1], speeds[0], speeds[1]])
+}
+
+/// The sum of a group as seen from its centre of area; named by its strongest member.
+fn one_of(group: &[Cell], ends: [Antenna; 2], settings: &CellSettings<'_>) -> Cell {
+    let area_m2: f64 = group.iter().map(|cell| cell.area_m2).sum();
+    let mean = |of: &dyn Fn(&Cell) -> DVec3| group.iter().map(|c| c.area_m2 * of(c)).sum::<DVec3>() / area_m2;
+    let apparent_m = [0, 1].map(|end| mean(&|cell: &Cell| cell.apparent_m[end]));
+    let motion = [0, 1].map(|end| Motion::weighed(group.iter().map(|c| (c.area_m2 / area_m2, c.motion[end]))));
+    let strongest =
+        group.iter().fold(&group[0], |best, cell| if strength(cell) > strength(best) { cell } else { best });
+    let mut amplitudes_m = vec![Amplitude::default(); settings.wavenumbers_per_m.len()];
+    let mut error_m = 0.0;
+    for cell in group {
+        let difference = [0, 1].map(|end| length_difference_m(ends[end], cell.apparent_m[end], apparent_m[end]));
+        let spread: f64 = (0..2)
+            .map(|end| ends[end].path_length_m(apparent_m[end]) / ends[end].path_length_m(cell.apparent_m[end]))
+            .product();
+        for ((total, a), k) in amplitudes_m.iter_mut().zip(&cell.amplitudes_m).zip(settings.wavenumbers_per_m) {
+            let factor = Complex64::from_polar(spread, -k * (difference[0] + difference[1]));
+            *total = sum(total, &scaled(a, factor));
+        }
+        error_m += spread * cell.error_m;
+    }
+    Cell { apparent_m, motion, amplitudes_m, area_m2, error_m, ..*strongest }
+}
+
+/// Power of the middle frequency, both co-polarizations.
+fn strength(cell: &Cell) -> f64 {
+    let a = &cell.amplitudes_m[cell.amplitudes_m.len() / 2];
+    a[0][0].norm_sqr() + a[1][1].norm_sqr()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn squares_cover_a_polygon_without_overlap() {
+        let corners = [[0.0, 0.0], [1.0, 0.2], [0.7, 0.9], [0.1, 0.5]].map(|[x, y]| DVec3::new(x, y, 0.0));
+        let frame = PlaneFrame::new(corners[0], DVec3::Z);
+        let whole = area_m2(&corners.map(|c| frame.plane_from_world(c)));
+        let pieces = cut_into_squares(&frame, &corners, 0.13);
+        let total: f64 = pieces.iter().map(|p| area_m2(p)).sum();
+        assert!((total - whole).abs() < 1e-14 && pieces.len() > 30);
+        for piece in &pieces {
+            let [low, high] = bounds(piece);
+            assert!((high - low).max_element() <= 0.13 + 1e-12);
+        }
+    }
+}

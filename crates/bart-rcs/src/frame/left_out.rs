@@ -1,0 +1,5 @@
+//! What ways that are not traced would add to a frame.
+
+pub(crate) mod ways; // some ways added up beside what was traced
+pub(crate) mod road; // those by a road
+pub(crate) mod between_bodies; // those between bodies

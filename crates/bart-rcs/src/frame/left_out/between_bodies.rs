@@ -1,0 +1,39 @@
+//! What leaving out the ways between bodies costs: two bounces on two bodies, added up beside what was traced.
+
+use crate::bodies::world::World;
+use crate::frame::frame_error::Reference;
+use crate::frame::left_out::ways::LeftOutWays;
+use crate::frame::path_plan::Plan;
+use crate::frame::snapshot::Snapshot;
+use crate::joins::joint::Joint;
+use crate::joins::scatterer::{Scatterer, sequence};
+use crate::oversight::error::BartError;
+use crate::oversight::progress::Phase;
+
+/// What one body throws on another comes off its panels.
+const WAYS: LeftOutWays = LeftOutWays { bounces: 2, mirror_wavelengths: 10.0 };
+
+/// ‖S between bodies‖ over ‖S‖ at the moment and the place of the check, with the margin of the measurement.
+///
+/// `None` where no such way is left out by [`artifact::settings::BetweenBodies`], and where their beams would take more memory
+/// than the frame may.
+pub(crate) fn between_bodies_left_out(
+    world: &World,
+    plan: &Plan<'_>,
+    reference: &Reference,
+) -> Result<Option<f64>, BartError> {
+    if !world.leaves_bodies_apart() || plan.header.fidelity.bounces < WAYS.bounces {
+        return Ok(None);
+    }
+    let world = world.joined()?;
+    let Some(tree) = WAYS.tree(&world, plan)? else { return Ok(None) };
+    let snapshot = Snapshot::of(world, tree);
+    let scatterer = snapshot.scatterer(plan, Phase::Checking);
+    Ok(WAYS.relative(&scatterer, plan, reference, |joint| meets_several_bodies(&scatterer, joint)))
+}
+
+fn meets_several_bodies(scatterer: &Scatterer<'_>, joint: &Joint) -> bool {
+    let facets = sequence(scatterer, joint.forward, joint.backward);
+    let bodies: Vec<u32> = facets.into_iter().map(|facet| scatterer.world.facet(facet).id.body).collect();
+    bodies.windows(2).any(|pair| pair[0] != pair[1])
+}

@@ -1,0 +1,81 @@
+//! Integrals of e^{−jkL} over a tile, to be weighed at a few of its points.
+
+use crate::integral::field::{Field, SurfacePoint};
+use crate::integral::polygon_phase::{linear_phase_integrals, six_point_weights};
+use crate::integral::turns::{TOGETHER, Turns, turns};
+use glam::DVec2;
+use num_complex::Complex64;
+
+/// A polygon whose phase is linear.
+pub(crate) struct Whole {
+    /// Where the weight is taken.
+    pub(crate) centre: SurfacePoint,
+    /// Of L₁ + L₂ there, and its value.
+    gradient: DVec2,
+    length_m: f64,
+    about_centre_m: Vec<DVec2>,
+}
+
+impl Whole {
+    /// Calls `give` with the place of every wavenumber and ∫ e^{−jkL} dA.
+    pub(crate) fn for_each_integral(&self, wavenumbers_per_m: &[f64], give: &mut dyn FnMut(usize, Complex64)) {
+        for (chunk, some) in wavenumbers_per_m.chunks(TOGETHER).enumerate() {
+            let at_centre = turns(self.length_m, some);
+            let about_centre_m2 = linear_phase_integrals(&self.about_centre_m, self.gradient, some);
+            (0..some.len()).for_each(|i| give(chunk * TOGETHER + i, at_centre[i] * about_centre_m2[i]));
+        }
+    }
+}
+
+/// A triangle over which weight times the remainder of the phase is a quadratic.
+pub(crate) struct SixPoints {
+    /// Where the weights are taken: corners, and the middles of the edges opposite to them.
+    pub(crate) points: [SurfacePoint; 6],
+    /// L₁ + L₂ there: its linear part, and all of it.
+    linear_m: [f64; 6],
+    lengths_m: [f64; 6],
+    area_m2: f64,
+}
+
+impl SixPoints {
+    /// Calls `give` with the place of every wavenumber and what the weight at each point is to be multiplied with: together
+    /// ∫ weight·e^{−jkL} dA.
+    pub(crate) fn for_each_integral(&self, wavenumbers_per_m: &[f64], give: &mut dyn FnMut(usize, [Complex64; 6])) {
+        for (chunk, some) in wavenumbers_per_m.chunks(TOGETHER).enumerate() {
+            let at_corners = [0, 1, 2].map(|i| turns(self.linear_m[i], some));
+            // The linear part is in the weights; what the length does beyond it turns the sampled value.
+            let beyond: [Turns; 6] = std::array::from_fn(|i| turns(self.lengths_m[i] - self.linear_m[i], some));
+            for (i, k) in some.iter().enumerate() {
+                let phases = [0, 1, 2].map(|corner| -k * self.linear_m[corner]);
+                let under_phase = six_point_weights(phases, at_corners.map(|turns| turns[i]));
+                let integrals_m2 = std::array::from_fn(|point| under_phase[point] * beyond[point][i] * self.area_m2);
+                give(chunk * TOGETHER + i, integrals_m2);
+            }
+        }
+    }
+}
+
+impl Field<'_> {
+    pub(crate) fn whole(&self, corners_m: &[DVec2], centre_m: DVec2) -> Whole {
+        let centre = self.surface_at(centre_m);
+        Whole {
+            centre,
+            gradient: self.length_gradient(&centre),
+            length_m: self.length_m(centre.x_m),
+            about_centre_m: corners_m.iter().map(|c| *c - centre_m).collect(),
+        }
+    }
+
+    pub(crate) fn six_points(&self, [a, b, c]: [DVec2; 3]) -> SixPoints {
+        let centre_m = (a + b + c) / 3.0;
+        let points_m = [a, b, c, 0.5 * (b + c), 0.5 * (c + a), 0.5 * (a + b)];
+        let gradient = self.length_gradient(&self.surface_at(centre_m));
+        let points = points_m.map(|p| self.surface_at(p));
+        SixPoints {
+            points,
+            linear_m: points_m.map(|p| gradient.dot(p - centre_m)),
+            lengths_m: points.map(|at| self.length_m(at.x_m)),
+            area_m2: 0.5 * (b - a).perp_dot(c - a),
+        }
+    }
+}

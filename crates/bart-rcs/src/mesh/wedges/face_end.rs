@@ -1,0 +1,76 @@
+//! How far a face goes: from a point of an edge along its plane to where its currents end.
+
+use crate::mesh::wedges::body_edges::PatchEnd;
+use glam::{DVec2, DVec3};
+
+/// The ends of a flat patch in the coordinates of one of its edges: x square to the edge into the patch, z along it.
+pub(crate) struct FaceEnds {
+    ends: Vec<([DVec2; 2], Option<u32>)>,
+}
+
+/// Where a ray along a face meets its end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Met {
+    /// Along the ray.
+    pub(crate) way_m: f64,
+    /// The edge there; `None` at a wall.
+    pub(crate) edge: Option<u32>,
+}
+
+impl FaceEnds {
+    /// Seen from the edge that begins at `from_m` and runs along `along`; its own line is no end.
+    pub(crate) fn seen_from(from_m: DVec3, along: DVec3, inward: DVec3, ends: &[PatchEnd]) -> Self {
+        let place = |x: &DVec3| DVec2::new((*x - from_m).dot(inward), (*x - from_m).dot(along));
+        let extent_m = ends.iter().flat_map(|end| end.ends_m).map(|x| x.distance(from_m)).fold(0.0, f64::max);
+        // Corners of one line differ by single precision (body_edges::tolerance_m).
+        let own_m = 16.0 * f64::from(f32::EPSILON) * extent_m;
+        let placed = ends.iter().map(|end| ([place(&end.ends_m[0]), place(&end.ends_m[1])], end.edge));
+        Self { ends: placed.filter(|(end, _)| end[0].x > own_m || end[1].x > own_m).collect() }
+    }
+
+    /// The nearest end from (0, `at_m`) along the unit vector `direction` (x > 0).
+    pub(crate) fn nearest(&self, at_m: f64, direction: DVec2) -> Option<Met> {
+        let start = DVec2::new(0.0, at_m);
+        let meets = |&([p, q], edge): &([DVec2; 2], Option<u32>)| {
+            let [across_p, across_q] = [p, q].map(|x| direction.perp_dot(x - start));
+            if (across_p < 0.0) == (across_q < 0.0) {
+                return None;
+            }
+            let way_m = direction.dot(p.lerp(q, across_p / (across_p - across_q)) - start);
+            (way_m > 0.0).then_some(Met { way_m, edge })
+        };
+        let nearer = |a: Met, b: Met| if b.way_m < a.way_m { b } else { a };
+        self.ends.iter().filter_map(meets).reduce(nearer)
+    }
+
+    /// Where along the edge rays in `direction` change from one end to another: the ends' corners, within `span_m`.
+    pub(crate) fn changes_m(&self, direction: DVec2, span_m: [f64; 2]) -> Vec<f64> {
+        let corners = self.ends.iter().flat_map(|(end, _)| end).filter(|corner| corner.x > 0.0);
+        let mut changes: Vec<f64> = corners.map(|corner| corner.y - corner.x * direction.y / direction.x).collect();
+        changes.retain(|at| *at > span_m[0] && *at < span_m[1]);
+        changes.sort_by(f64::total_cmp);
+        changes.dedup();
+        changes
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ray_ends_at_the_nearest_end_that_it_meets() {
+        let corner = |x: f64, y: f64| DVec3::new(x, y, 0.0);
+        let square = [corner(0.0, 0.0), corner(0.0, 2.0), corner(3.0, 2.0), corner(3.0, 0.0)];
+        let end = |i: usize| PatchEnd { ends_m: [square[i], square[(i + 1) % 4]], edge: Some(i as u32) };
+        let ends: Vec<PatchEnd> = (0..4).map(end).collect();
+        let seen = FaceEnds::seen_from(DVec3::ZERO, DVec3::Y, DVec3::X, &ends);
+        assert_eq!(seen.nearest(0.5, DVec2::X), Some(Met { way_m: 3.0, edge: Some(2) }));
+        let slant = DVec2::new(0.6, 0.8);
+        assert!((seen.nearest(0.4, slant).unwrap().way_m - 2.0).abs() < 1e-14, "to the upper side");
+        assert!((seen.nearest(-3.9, slant).unwrap().way_m - 4.875).abs() < 1e-14, "through the lower side");
+        let changes = seen.changes_m(DVec2::new(0.8, 0.6), [0.0, 2.0]);
+        assert!(changes.is_empty() || changes.iter().all(|c| *c > 0.0));
+        assert_eq!(FaceEnds { ends: Vec::new() }.nearest(0.0, DVec2::X), None);
+    }
+}

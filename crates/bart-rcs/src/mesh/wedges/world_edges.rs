@@ -1,0 +1,124 @@
+//! The edges of all bodies at one instant.
+
+use crate::mesh::wedges::body_edges::{BodyEdge, BodyEdges, EdgeSide, Patch, PatchEnd};
+use crate::mesh::wedges::face_end::FaceEnds;
+use crate::mesh::wedges::wedge::Wedge;
+use glam::{DMat3, DVec2, DVec3};
+
+/// Edges in world metres, and which facets end at them.
+pub(crate) struct WorldEdges {
+    pub(crate) edges: Vec<EdgeGeometry>,
+    patches: Vec<Patch>,
+    /// By facet: where its list of sides begins and ends.
+    first_side: Vec<u32>,
+    /// (facet, side, edge), by facet.
+    sides: Vec<FacetSide>,
+}
+
+/// A straight edge.
+#[derive(Debug, Clone)]
+pub(crate) struct EdgeGeometry {
+    pub(crate) from_m: DVec3,
+    pub(crate) length_m: f64,
+    pub(crate) wedge: Wedge,
+    /// Of face 1 and face 2.
+    patches: [u32; 2],
+}
+
+/// A side of a facet that is (a part of) an edge.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct FacetSide {
+    facet: u32,
+    /// From this corner to the next.
+    pub(crate) side: u8,
+    pub(crate) edge: u32,
+}
+
+impl EdgeGeometry {
+    /// The point at `at_m` from the edge's beginning.
+    pub(crate) fn point_m(&self, at_m: f64) -> DVec3 {
+        self.from_m + at_m * self.wedge.along
+    }
+}
+
+/// Where a body stands.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Placed {
+    pub(crate) world_from_body: DMat3,
+    pub(crate) position_m: DVec3,
+}
+
+impl WorldEdges {
+    /// No edges yet.
+    pub(crate) fn for_facets(facets: usize) -> Self {
+        Self { edges: Vec::new(), patches: Vec::new(), first_side: vec![0; facets + 1], sides: Vec::new() }
+    }
+
+    /// Appends a body's; its facets come after those of the bodies before.
+    ///
+    /// The wedge beside a side narrower than `thin_m` is the open edge of its other face ([`seen_from_afar`]).
+    pub(crate) fn add(&mut self, body: &BodyEdges, place: &Placed, first_facet: u32, thin_m: f64) {
+        let Placed { world_from_body, position_m } = *place;
+        let seen: Vec<BodyEdge> = body.edges.iter().map(|edge| seen_from_afar(edge, &body.patches, thin_m)).collect();
+        let (first_edge, first_patch) = (self.edges.len() as u32, self.patches.len() as u32);
+        let place = |x: DVec3| position_m + world_from_body * x;
+        let posed = |edge: &BodyEdge| EdgeGeometry {
+            from_m: place(edge.ends_m[0]),
+            length_m: edge.ends_m[0].distance(edge.ends_m[1]),
+            wedge: edge.wedge.turned(world_from_body),
+            patches: edge.patches.map(|patch| first_patch + patch),
+        };
+        self.edges.extend(seen.iter().map(posed));
+        let posed_end =
+            |end: &PatchEnd| PatchEnd { ends_m: end.ends_m.map(place), edge: end.edge.map(|edge| first_edge + edge) };
+        let placed = |patch: &Patch| Patch { ends: patch.ends.iter().map(posed_end).collect() };
+        self.patches.extend(body.patches.iter().map(placed));
+        for (edge, of_body) in (first_edge..).zip(&seen) {
+            let side = |s: &EdgeSide| FacetSide { facet: first_facet + s.triangle, side: s.side, edge };
+            self.sides.extend(of_body.sides.iter().map(side));
+        }
+        self.sides.sort_unstable();
+        for (facet, first) in self.first_side.iter_mut().enumerate() {
+            *first = self.sides.partition_point(|side| (side.facet as usize) < facet) as u32;
+        }
+    }
+
+    /// Where currents end on face 0 or 1 of an edge.
+    pub(crate) fn ends_of_face(&self, edge: &EdgeGeometry, face: usize) -> &[PatchEnd] {
+        &self.patches[edge.patches[face] as usize].ends
+    }
+
+    /// The sides of a facet that are edges.
+    pub(crate) fn sides_of(&self, facet: u32) -> &[FacetSide] {
+        let [from, to] = [facet, facet + 1].map(|f| self.first_side[f as usize] as usize);
+        &self.sides[from..to]
+    }
+}
+
+/// The edge of a sheet of some thickness: beside a side so narrow that the wave does not tell its two edges apart, k·width < 1,
+/// a wedge is the open edge of its wide face.
+///
+/// The currents of two wedges a fraction of a wavelength apart are no sum of those of each alone, and all further terms of the series
+/// are as large; a half plane is the limit of width 0. Lit it is where its wide face is.
+fn seen_from_afar(edge: &BodyEdge, patches: &[Patch], thin_m: f64) -> BodyEdge {
+    let Wedge { along, inward, normal, .. } = edge.wedge;
+    let width_m = |face: usize| {
+        let ends = &patches[edge.patches[face] as usize].ends;
+        let seen = FaceEnds::seen_from(edge.ends_m[0], along, inward[face], ends);
+        let middle_m = 0.5 * edge.ends_m[0].distance(edge.ends_m[1]);
+        seen.nearest(middle_m, DVec2::X).map_or(f64::INFINITY, |met| met.way_m)
+    };
+    let wide = match [0, 1].map(|face| width_m(face) < thin_m) {
+        _ if edge.patches[0] == edge.patches[1] => return edge.clone(),
+        [true, false] => 1,
+        [false, true] => 0,
+        _ => return edge.clone(),
+    };
+    let (x, n) = (inward[wide], if wide == 0 { normal[0] } else { -normal[1] });
+    BodyEdge {
+        ends_m: edge.ends_m,
+        wedge: Wedge { along, inward: [x; 2], normal: [n, -n], exterior: 2.0 },
+        patches: [edge.patches[wide]; 2],
+        sides: edge.sides.iter().filter(|side| side.patch == edge.patches[wide]).copied().collect(),
+    }
+}

@@ -1,0 +1,302 @@
+//! What can be wrong with a mesh file.
+
+use crate::wording::number::Number;
+use artifact::bounded::ReadFault;
+use std::fmt;
+use std::path::PathBuf;
+
+/// A mesh file that was refused or could not be read.
+#[derive(Debug)]
+pub struct MeshError {
+    /// The file.
+    pub file: PathBuf,
+    /// Where in it.
+    pub place: MeshPlace,
+    /// What is wrong there.
+    pub fault: MeshFault,
+}
+
+impl MeshError {
+    /// Whether the machine failed (the file or a buffer beside it is missing or unreadable), not the content.
+    pub fn is_system(&self) -> bool {
+        match &self.fault {
+            MeshFault::Unread(error) | MeshFault::BufferUnread { error, .. } => error.is_system(),
+            _ => false,
+        }
+    }
+}
+
+impl fmt::Display for MeshError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (file, fault) = (self.file.display(), &self.fault);
+        match self.place {
+            MeshPlace::File => write!(f, "{file}: {fault}"),
+            MeshPlace::Line(line) => write!(f, "{file}:{line}: {fault}"),
+            MeshPlace::Facet(facet) => write!(f, "{file}: facet {facet}: {fault}"),
+            MeshPlace::Buffer(i) => write!(f, "{file}: buffers[{i}]: {fault}"),
+            MeshPlace::View(i) => write!(f, "{file}: bufferViews[{i}]: {fault}"),
+            MeshPlace::Accessor(i) => write!(f, "{file}: accessors[{i}]: {fault}"),
+            MeshPlace::Node(i) => write!(f, "{file}: nodes[{i}]: {fault}"),
+            MeshPlace::Primitive { mesh, primitive } => {
+                write!(f, "{file}: meshes[{mesh}].primitives[{primitive}]: {fault}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for MeshError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        Some(&self.fault)
+    }
+}
+
+/// A place in a mesh file; glTF's arrays count from 0, lines and facets from 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MeshPlace {
+    /// All of it.
+    File,
+    /// A line of text.
+    Line(u64),
+    /// A facet of STL.
+    Facet(u64),
+    /// A glTF buffer.
+    Buffer(usize),
+    /// A glTF buffer view.
+    View(usize),
+    /// A glTF accessor.
+    Accessor(usize),
+    /// A glTF node.
+    Node(usize),
+    /// A glTF primitive.
+    Primitive {
+        /// Its mesh.
+        mesh: usize,
+        /// In that mesh.
+        primitive: usize,
+    },
+}
+
+/// The rules of a mesh file, broken.
+#[derive(Debug, thiserror::Error)]
+pub enum MeshFault {
+    /// The file cannot be read, or is longer than what is read.
+    #[error("{0}")]
+    Unread(#[source] ReadFault),
+    /// A buffer beside the file likewise.
+    #[error("buffer file {} {error}", path.display())]
+    BufferUnread {
+        /// Where it was looked for.
+        path: PathBuf,
+        /// Why not.
+        #[source]
+        error: ReadFault,
+    },
+    /// More bytes than are read.
+    #[error("has buffers of more than {limit} bytes together, the most that are read")]
+    BuffersTooLong {
+        /// Most that is read.
+        limit: u64,
+    },
+    /// More values than any model needs.
+    #[error("its JSON has more than {limit} values, the most that are read")]
+    TooManyValues {
+        /// Most values.
+        limit: usize,
+    },
+    /// More positions and normals than triangles can use.
+    #[error("has more than {limit} positions and normals, the most that are read")]
+    TooManyVectors {
+        /// Most that is read.
+        limit: usize,
+    },
+    /// A small file can show one mesh through many nodes.
+    #[error("shows more than {limit} primitives, the most that are read")]
+    TooManyPrimitives {
+        /// Most that is read.
+        limit: usize,
+    },
+    /// Polygons whose dents cost more than the stages that follow.
+    #[error("has polygons so dented that cutting them takes more than {limit} comparisons: write it as triangles")]
+    TooDented {
+        /// Most comparisons.
+        limit: u64,
+    },
+    /// By its extension.
+    #[error("is not a .glb, .gltf, .stl or .obj file by its name")]
+    UnknownFormat,
+    /// The container of binary glTF.
+    #[error("is not binary glTF 2.0: {0}")]
+    Container(#[source] gltf::Error),
+    /// Shorter than its own header.
+    #[error("is cut off: {found} bytes where at least {needed} belong")]
+    CutOff {
+        /// In the file.
+        found: u64,
+        /// For what its header says.
+        needed: u64,
+    },
+    /// The JSON of glTF.
+    #[error("is not glTF: {0}")]
+    Json(#[source] serde_json::Error),
+    /// Another major version.
+    #[error("is glTF {found}; version 2 is read")]
+    Version {
+        /// As written.
+        found: String,
+    },
+    /// Without it the geometry cannot be understood.
+    #[error("needs the extension `{0}`, which is not supported")]
+    Extension(String),
+    /// Compressed geometry.
+    #[error("is compressed by `{0}`; write it without compression")]
+    Compressed(String),
+    /// A reference into nothing.
+    #[error("refers to {what} {index} of {count}")]
+    NoSuch {
+        /// What is referred to.
+        what: &'static str,
+        /// From 0.
+        index: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// Neither in the file nor beside it.
+    #[error("has no data: neither `uri` nor a binary chunk")]
+    BufferMissing,
+    /// A URI that names no file and holds no data.
+    #[error("`uri` is neither base64 data nor a relative path")]
+    BadUri,
+    /// A buffer, view or accessor that ends behind what holds it.
+    #[error("ends at byte {end} of {bytes}")]
+    Outside {
+        /// Of the part.
+        end: u64,
+        /// Of the whole.
+        bytes: u64,
+    },
+    /// Elements that overlap or leave no room.
+    #[error("byte stride {stride} is less than the {element} bytes of an element")]
+    Stride {
+        /// Of the view.
+        stride: u64,
+        /// Of the accessor.
+        element: u64,
+    },
+    /// An accessor of the wrong kind.
+    #[error("must hold {expected}")]
+    AccessorType {
+        /// What it is used for needs.
+        expected: &'static str,
+    },
+    /// An accessor without elements.
+    #[error("holds nothing")]
+    Empty,
+    /// An accessor without a view.
+    #[error("has neither a buffer view nor a moderate number of sparse values")]
+    NoView,
+    /// Indices of sparse values.
+    #[error("sparse indices must rise and stay below {count}; found {index}")]
+    Sparse {
+        /// Of the accessor.
+        count: usize,
+        /// The one that does not.
+        index: usize,
+    },
+    /// Vertices are missing.
+    #[error("has no attribute POSITION")]
+    NoPositions,
+    /// Normals that do not match.
+    #[error("has {normals} normals for {vertices} vertices")]
+    NormalCount {
+        /// Of NORMAL.
+        normals: usize,
+        /// Of POSITION.
+        vertices: usize,
+    },
+    /// A kind of primitive that glTF does not have.
+    #[error("has an unknown mode")]
+    Mode,
+    /// Left-over corners.
+    #[error("{0} corners are no whole triangles")]
+    Corners(usize),
+    /// A polygon beyond what is cut into triangles.
+    #[error("is a polygon of {corners} corners; at most {limit} are cut into triangles")]
+    TooManyCorners {
+        /// Of the polygon.
+        corners: usize,
+        /// Most that are cut.
+        limit: usize,
+    },
+    /// A corner that is no vertex.
+    #[error("vertex index {index} is out of range: there are {vertices} vertices")]
+    VertexIndex {
+        /// As read; OBJ counts from 1 or, negative, from the end.
+        index: i64,
+        /// How many there are.
+        vertices: usize,
+    },
+    /// NaN or infinity in a position.
+    #[error("vertex {0} is not finite")]
+    Vertex(usize),
+    /// NaN or infinity in a normal.
+    #[error("normal {0} is not finite")]
+    Normal(usize),
+    /// A node with two parents, or its own ancestor.
+    #[error("is reached twice: nodes must form trees")]
+    NodeTwice,
+    /// A transform that is no affine map.
+    #[error("its transform is not finite and affine")]
+    Transform,
+    /// Shapes that depend on joints or weights.
+    #[error("has {0}, which is not supported: apply it and write the mesh anew")]
+    Deformed(&'static str),
+    /// Text that cannot be understood.
+    #[error("expected {expected}, found `{found}`")]
+    Expected {
+        /// By the format.
+        expected: &'static str,
+        /// In the file.
+        found: String,
+    },
+    /// Not text.
+    #[error("is not UTF-8 text")]
+    NotText,
+    /// Nothing that could scatter.
+    #[error("has no triangle with area ({degenerate} without)")]
+    NoTriangles {
+        /// Dropped for want of area.
+        degenerate: u64,
+    },
+    /// More than the stages can carry.
+    #[error("has more than {limit} triangles")]
+    TooManyTriangles {
+        /// Most that are read.
+        limit: usize,
+    },
+    /// Materials are numbered with 16 bits.
+    #[error("has more than 65535 materials")]
+    TooManyMaterials,
+    /// Not in metres.
+    #[error("is {} m large, not {} to {} m: say its unit by a scale", Number(*.size_m), Number(*.least_m), Number(*.most_m))]
+    Size {
+        /// Longest side of the bounding box.
+        size_m: f64,
+        /// Smallest taken for metres.
+        least_m: f64,
+        /// Largest taken for metres.
+        most_m: f64,
+    },
+}
+
+/// A fault with its place; the file is known further out.
+#[derive(Debug)]
+pub(crate) struct Located {
+    pub place: MeshPlace,
+    pub fault: MeshFault,
+}
+
+impl MeshPlace {
+    pub(crate) fn fault(self, fault: MeshFault) -> Located {
+        Located { place: self, fault }
+    }
+}

@@ -1,0 +1,44 @@
+//! Formats of mesh files, and how they are read.
+
+use crate::wording::allowed::Allowed;
+use std::path::Path;
+
+/// How a mesh file is read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshOptions {
+    /// Metres in one unit of the file. `None`: metres, and a model below a millimetre or above a kilometre is refused,
+    /// for then it is not.
+    pub unit_scale: Option<f64>,
+}
+
+/// Format of a mesh file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// Binary glTF 2.0.
+    Glb,
+    /// glTF 2.0 as JSON, buffers beside it or inside.
+    Gltf,
+    /// Stereolithography, text or binary.
+    Stl,
+    /// Wavefront.
+    Obj,
+}
+
+impl Format {
+    /// By the file name's extension, in either case.
+    pub fn of(path: &Path) -> Option<Self> {
+        match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
+            "glb" => Some(Self::Glb),
+            "gltf" => Some(Self::Gltf),
+            "stl" => Some(Self::Stl),
+            "obj" => Some(Self::Obj),
+            _ => None,
+        }
+    }
+}
+
+/// Scales from a nanometre to a thousand kilometres for one unit.
+pub(crate) const UNIT_SCALES: Allowed = Allowed::Between(1e-9, 1e6);
+
+/// The largest vehicle of film studios has some 10⁷ triangles in 10⁹ bytes; the stages would not end on it.
+pub(crate) const LIMIT_BYTES: u64 = 1 << 30;

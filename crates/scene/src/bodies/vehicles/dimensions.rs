@@ -1,0 +1,41 @@
+//! Dimensions: nominal for seed 0, spread over real ranges for every other seed.
+
+use std::ops::RangeInclusive;
+
+/// Draws the dimensions of one vehicle.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Draw<'a> {
+    pub(crate) model: &'a str,
+    pub(crate) seed: u64,
+}
+
+impl Draw<'_> {
+    /// `nominal` for seed 0, else uniform over `range`; `what` names the dimension, so that one drawn more changes no
+    /// other.
+    pub(crate) fn value(&self, what: &str, nominal: f64, range: RangeInclusive<f64>) -> f64 {
+        if self.seed == 0 {
+            return nominal;
+        }
+        let key = artifact::seed::key(self.seed, &format!("vehicles/{}/{what}", self.model), &[]);
+        let mut low = [0; 8];
+        low.copy_from_slice(&key[..8]);
+        // 53 bits, so that the fraction is exact and below 1.
+        let fraction = (u64::from_le_bytes(low) >> 11) as f64 / (1_u64 << 53) as f64;
+        range.start() + (range.end() - range.start()) * fraction
+    }
+
+    /// Overall length, width over mirrors (handlebar) and height.
+    pub(crate) fn size_m(&self, size: &SizeRange) -> [f64; 3] {
+        [(0, "length"), (1, "width"), (2, "height")].map(|(k, what)| {
+            let [low, high] = size.range_m[k];
+            self.value(what, size.nominal_m[k], low..=high)
+        })
+    }
+}
+
+/// Nominal length, width, height and their ranges.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SizeRange {
+    pub(crate) nominal_m: [f64; 3],
+    pub(crate) range_m: [[f64; 2]; 3],
+}

@@ -1,0 +1,12 @@
+//! A motorcycle before it is made to its size.
+
+use crate::bodies::vehicles::drawing::mesh_builder::Assembly;
+use crate::bodies::vehicles::motorcycle::parts::CycleWheel;
+
+/// A motorcycle as drawn at nominal size.
+pub(crate) struct Machine {
+    /// All but the wheels: these stretch with the size.
+    pub(crate) parts: Assembly,
+    pub(crate) front: CycleWheel,
+    pub(crate) rear: CycleWheel,
+}

@@ -1,0 +1,444 @@
+//! What can be wrong with a scene: facts as fields, the sentence made once.
+
+use crate::bodies::mesh::MeshError;
+use crate::measured::calibration::CalibrationFileError;
+use crate::measured::pattern_table::PatternFileError;
+use crate::recording::fcd::FcdError;
+use crate::recording::net::NetError;
+use crate::wording::allowed::Allowed;
+use crate::wording::number::Number;
+use artifact::bounded::ReadFault;
+use std::fmt;
+use std::path::PathBuf;
+
+/// The rules that a scene file breaks, in the order of the file, never empty: the first hundred, and how many more there are.
+#[derive(Debug)]
+pub struct SceneErrors(pub Vec<SceneError>, pub u64);
+
+impl SceneErrors {
+    /// Whether the machine failed (a file is missing or unreadable) and nothing that was read is at fault.
+    pub fn is_system(&self) -> bool {
+        self.0.iter().all(|error| error.rule.is_system())
+    }
+}
+
+impl fmt::Display for SceneErrors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, error) in self.0.iter().enumerate() {
+            if i > 0 {
+                writeln!(f)?;
+            }
+            write!(f, "{error}")?;
+        }
+        match self.1 {
+            0 => Ok(()),
+            more => write!(f, "\nand {more} more"),
+        }
+    }
+}
+
+impl std::error::Error for SceneErrors {}
+
+/// One broken rule.
+#[derive(Debug)]
+pub struct SceneError {
+    /// The scene file.
+    pub file: PathBuf,
+    /// Where in it; `None` where the file could not be read at all.
+    pub position: Option<Position>,
+    /// The table or target concerned.
+    pub place: Place,
+    /// What is broken.
+    pub rule: Rule,
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:", self.file.display())?;
+        if let Some(position) = self.position {
+            write!(f, "{}:{}:", position.line, position.column)?;
+        }
+        match &self.place {
+            Place::Scene => write!(f, " {}", self.rule),
+            Place::Table(name) => write!(f, " [{name}]: {}", self.rule),
+            Place::Target(id) => write!(f, " target `{id}`: {}", self.rule),
+            Place::Clutter(id) => write!(f, " clutter `{id}`: {}", self.rule),
+            Place::Radar(id) => write!(f, " radar `{id}`: {}", self.rule),
+            Place::Material(name) => write!(f, " material `{name}`: {}", self.rule),
+        }
+    }
+}
+
+impl std::error::Error for SceneError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match &self.rule {
+            Rule::File(error) => Some(error),
+            Rule::Mesh(error) => Some(error),
+            Rule::Traffic(error) => Some(error),
+            Rule::Net(error) => Some(error),
+            Rule::Pattern(error) => Some(error),
+            Rule::Calibration(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+/// A place in a text file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Position {
+    /// From 1.
+    pub line: u32,
+    /// From 1, in characters.
+    pub column: u32,
+}
+
+/// Which part of a scene a rule concerns.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Place {
+    /// The file, or its keys outside any table.
+    Scene,
+    /// A table, by its dotted name.
+    Table(&'static str),
+    /// A target, by its id or, without one, its number from 1 (`#2`).
+    Target(String),
+    /// A piece of clutter, likewise.
+    Clutter(String),
+    /// One of several radars, likewise.
+    Radar(String),
+    /// A material, by its name.
+    Material(String),
+}
+
+/// An axis of a range-Doppler map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MapAxis {
+    /// Chirps.
+    Doppler,
+    /// Samples.
+    Range,
+}
+
+impl fmt::Display for MapAxis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Doppler => "Doppler",
+            Self::Range => "range",
+        })
+    }
+}
+
+/// The rules of a scene, broken.
+#[derive(Debug, thiserror::Error)]
+pub enum Rule {
+    /// The scene file cannot be read, is longer than a page of text, or is no text.
+    #[error("{0}")]
+    File(#[source] ReadFault),
+    /// Not TOML.
+    #[error("not valid TOML: {message}")]
+    Syntax {
+        /// The parser's words.
+        message: String,
+    },
+    /// A key that does not exist here.
+    #[error("unknown key `{found}`{}{}", nearest_key(.nearest), of_table(.home))]
+    UnknownKey {
+        /// As written.
+        found: String,
+        /// Spelt alike, or what others call so.
+        nearest: Option<&'static str>,
+        /// The heading of its table, where that is another one.
+        home: Option<&'static str>,
+    },
+    /// A key that exists in another table.
+    #[error("unknown key `{found}` here; it belongs into {table}")]
+    WrongTable {
+        /// As written.
+        found: String,
+        /// Where it belongs, as in the file.
+        table: &'static str,
+    },
+    /// A key that exists, but not for this.
+    #[error("key `{key}` has no meaning for {owner}")]
+    Misplaced {
+        /// As written.
+        key: &'static str,
+        /// Where it stands.
+        owner: &'static str,
+    },
+    /// A key without which nothing can be said.
+    #[error("key `{key}` is missing")]
+    Missing {
+        /// Its name.
+        key: &'static str,
+    },
+    /// The wrong type of value.
+    #[error("`{key}` must be {expected}, is {found}")]
+    WrongType {
+        /// Its name.
+        key: &'static str,
+        /// What it takes.
+        expected: &'static str,
+        /// What stands there.
+        found: &'static str,
+    },
+    /// A list of the wrong length.
+    #[error("`{key}` must have {expected} values, has {found}")]
+    WrongLength {
+        /// Its name.
+        key: &'static str,
+        /// How many it takes.
+        expected: Allowed,
+        /// How many stand there.
+        found: usize,
+    },
+    /// A number outside what is allowed, or not finite.
+    #[error("`{key}` must be a number {allowed}, is {}", Number(*.found))]
+    OutOfRange {
+        /// Its name.
+        key: &'static str,
+        /// As read.
+        found: f64,
+        /// What it takes.
+        allowed: Allowed,
+    },
+    /// A word that is not one of a list.
+    #[error("`{key}` cannot be `{found}`; it can be {}", quoted(.known))]
+    UnknownWord {
+        /// Its name.
+        key: &'static str,
+        /// As written.
+        found: String,
+        /// What it can be.
+        known: Vec<&'static str>,
+    },
+    /// Two keys that exclude one another.
+    #[error("`{key}` and `{other}` exclude one another")]
+    Contradiction {
+        /// One, the place of the error.
+        key: &'static str,
+        /// The other.
+        other: &'static str,
+    },
+    /// A key that means nothing without another.
+    #[error("`{key}` needs `{companion}` beside it")]
+    Alone {
+        /// Given.
+        key: &'static str,
+        /// Not given.
+        companion: &'static str,
+    },
+    /// Pairs out of order.
+    #[error("the first numbers of the pairs of `{key}` must grow")]
+    NotGrowing {
+        /// Its name.
+        key: &'static str,
+    },
+    /// Names become file names, table cells and JSON.
+    #[error(
+        "`{key}` must be 1 to 64 letters, digits, spaces or any of `-_.+()`, and not begin with a dot or space; is `{found}`"
+    )]
+    BadName {
+        /// Its name.
+        key: &'static str,
+        /// As written.
+        found: String,
+    },
+    /// Two bodies of one name.
+    #[error("id `{id}` is taken by the one in line {first_line}")]
+    DuplicateId {
+        /// The id.
+        id: String,
+        /// Of the body that had it first.
+        first_line: u32,
+    },
+    /// A tone tells no range.
+    #[error("`slope_mhz_per_us` must not be 0: a tone tells no range")]
+    NoSlope,
+    /// A sweep down to nothing, or beyond what any radar sends.
+    #[error("the sweep ends at {} GHz; with `slope_mhz_per_us` it must end {allowed} GHz", Number(*.end_ghz))]
+    SweepTooLong {
+        /// Last sample's frequency.
+        end_ghz: f64,
+        /// Where it may end.
+        allowed: Allowed,
+    },
+    /// A turn from chirp to chirp is no velocity where the chirps' intervals change.
+    #[error("`stagger_us` and the multiplexing `{multiplexing}` exclude one another")]
+    StaggeredDivision {
+        /// As written.
+        multiplexing: &'static str,
+    },
+    /// A cube beyond the memory of the stages.
+    #[error("{channels} channels × {chirps} chirps × {samples} samples are more than {limit} values in a frame")]
+    CubeTooLarge {
+        /// Of a map.
+        channels: u64,
+        /// Of each transmitter.
+        chirps: u64,
+        /// Of each chirp.
+        samples: u64,
+        /// Most values.
+        limit: u64,
+    },
+    /// Another radar's chirps that would overlap.
+    #[error("`chirp_interval_us` is {interval_us}, shorter than a chirp of {sweep_us} µs")]
+    ChirpsOverlap {
+        /// Of a chirp.
+        sweep_us: f64,
+        /// From one to the next.
+        interval_us: f64,
+    },
+    /// Frames that would overlap.
+    #[error("`frame_interval_s` is {interval_s}, shorter than a frame of {duration_s} s")]
+    FramesOverlap {
+        /// Asked for.
+        interval_s: f64,
+        /// Of one frame.
+        duration_s: f64,
+    },
+    /// The CFAR window is larger than the map.
+    #[error("guard and training cells need {needed} cells of {axis}, the map has {cells}")]
+    WindowTooLarge {
+        /// Of the map.
+        axis: MapAxis,
+        /// 2·(guard + training) + 1.
+        needed: u64,
+        /// Of the map.
+        cells: u64,
+    },
+    /// A CFAR window that estimates nothing.
+    #[error("`training_cells` are none: noise cannot be estimated")]
+    NoTrainingCells,
+    /// Lanes that share ground.
+    #[error("lanes {first} and {second} overlap: centres {distance_m} m apart, {width_m} m wide")]
+    LanesOverlap {
+        /// Number of one.
+        first: usize,
+        /// Number of the other.
+        second: usize,
+        /// Between centres.
+        distance_m: f64,
+        /// Of a lane.
+        width_m: f64,
+    },
+    /// A lane of a scene that has none.
+    #[error("lane {0} does not exist: the scene has no lanes; beside [traffic] they are said in [intersection]")]
+    NoLanes(u64),
+    /// A network that cannot be used.
+    #[error("{0}")]
+    Net(#[source] NetError),
+    /// A lane that the intersection does not have.
+    #[error("lane {lane} does not exist; lanes are numbered 1 to {lanes}")]
+    UnknownLane {
+        /// Asked for.
+        lane: u64,
+        /// How many there are.
+        lanes: usize,
+    },
+    /// Several radars, and none was asked for.
+    #[error("the scene has several radars, and is read as one of them has it: {}", quoted(.known))]
+    WhichRadar {
+        /// Their names.
+        known: Vec<String>,
+    },
+    /// A radar that the scene does not have.
+    #[error("there is no radar `{found}`; {}", those_there(.known))]
+    UnknownRadar {
+        /// Asked for.
+        found: String,
+        /// Names of those there; none where `[radar]` is the only one.
+        known: Vec<String>,
+    },
+    /// A point in the antenna.
+    #[error(
+        "a point target must be a wavelength of {wavelength_m} m or more from every element of the radar's array, is {distance_m} m"
+    )]
+    AtTheAntenna {
+        /// From the nearest element.
+        distance_m: f64,
+        /// Of the sweep's centre.
+        wavelength_m: f64,
+    },
+    /// Neither a file of a known format nor one of the project's own.
+    #[error("model `{found}` is neither a .glb, .gltf, .stl or .obj file nor one of the project's {own}{}", nearest_key(.nearest))]
+    UnknownModel {
+        /// As written.
+        found: String,
+        /// What of the project's own it could be.
+        own: &'static str,
+        /// One spelt alike.
+        nearest: Option<&'static str>,
+    },
+    /// Models beyond the memory of the stages.
+    #[error("the models up to this one have more than {limit} triangles together, the most that a scene may have")]
+    TooManyTriangles {
+        /// Most triangles.
+        limit: usize,
+    },
+    /// Not a substance of the table of permittivities.
+    #[error("there is no substance `{found}`{}; docs/materials.md has them all", nearest_key(.nearest))]
+    UnknownSubstance {
+        /// As written.
+        found: String,
+        /// One spelt alike.
+        nearest: Option<&'static str>,
+    },
+    /// A file of materials was refused or could not be read.
+    #[error("{0}")]
+    Materials(#[source] SceneErrors),
+    /// A table of an antenna pattern was refused or could not be read.
+    #[error("{0}")]
+    Pattern(#[source] PatternFileError),
+    /// A file of measured errors was refused or could not be read.
+    #[error("{0}")]
+    Calibration(#[source] CalibrationFileError),
+    /// A time that runs backwards.
+    #[error("`end_s` is {end_s}, before `begin_s`, which is {begin_s}")]
+    EndsBeforeItBegins {
+        /// Of the first frame.
+        begin_s: f64,
+        /// Of the last.
+        end_s: f64,
+    },
+    /// A recording of traffic was refused or could not be read.
+    #[error("{0}")]
+    Traffic(#[source] FcdError),
+    /// A mesh file was refused or could not be read.
+    #[error("{0}")]
+    Mesh(#[source] MeshError),
+}
+
+impl Rule {
+    /// Whether the machine is at fault, not the content of a file.
+    pub fn is_system(&self) -> bool {
+        match self {
+            Self::File(error) => error.is_system(),
+            Self::Mesh(error) => error.is_system(),
+            Self::Traffic(error) => error.is_system(),
+            Self::Net(error) => error.is_system(),
+            Self::Materials(errors) => errors.is_system(),
+            Self::Pattern(error) => error.is_system(),
+            Self::Calibration(error) => error.is_system(),
+            _ => false,
+        }
+    }
+}
+
+fn nearest_key(nearest: &Option<&'static str>) -> String {
+    nearest.map_or(String::new(), |nearest| format!("; the nearest is `{nearest}`"))
+}
+
+fn of_table(home: &Option<&'static str>) -> String {
+    home.map_or(String::new(), |home| format!(" of {home}"))
+}
+
+fn quoted(words: &[impl fmt::Display]) -> String {
+    words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ")
+}
+
+fn those_there(radars: &[String]) -> String {
+    match radars {
+        [] => "the only one is that of [radar], without a name".to_owned(),
+        radars => format!("there are {}", quoted(radars)),
+    }
+}

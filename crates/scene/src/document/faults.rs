@@ -1,0 +1,92 @@
+//! Broken rules of one file, noted in any order and told in the file's: the first hundred, however many there are.
+
+use crate::document::errors::{Place, Position, Rule, SceneError, SceneErrors};
+use std::cell::{OnceCell, RefCell};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+/// What a person reads; a file that breaks more is another one given by mistake.
+const TOLD: usize = 100;
+
+/// Broken rules of one file. Noting one takes the same however many there are.
+pub(crate) struct Faults<'s> {
+    file: &'s Path,
+    text: &'s str,
+    /// Where lines begin, found when it is asked for.
+    lines: OnceCell<Vec<usize>>,
+    syntax: RefCell<First>,
+    others: RefCell<First>,
+}
+
+/// The first of the file, by their bytes and then as they were noted.
+#[derive(Default)]
+struct First {
+    kept: BTreeMap<(usize, u64), (Place, Rule)>,
+    noted: u64,
+}
+
+impl First {
+    fn note(&mut self, byte: usize, place: Place, rule: Rule) {
+        self.kept.insert((byte, self.noted), (place, rule));
+        self.noted += 1;
+        if self.kept.len() > TOLD {
+            self.kept.pop_last();
+        }
+    }
+
+    /// How many are not kept.
+    fn more(&self) -> u64 {
+        self.noted - self.kept.len() as u64
+    }
+}
+
+impl<'s> Faults<'s> {
+    pub(crate) fn new(file: &'s Path, text: &'s str) -> Self {
+        Self { file, text, lines: OnceCell::new(), syntax: RefCell::default(), others: RefCell::default() }
+    }
+
+    pub(crate) fn note(&self, byte: usize, place: Place, rule: Rule) {
+        let first = if matches!(rule, Rule::Syntax { .. }) { &self.syntax } else { &self.others };
+        first.borrow_mut().note(byte, place, rule);
+    }
+
+    /// The line of a byte, from 1.
+    pub(crate) fn line(&self, byte: usize) -> u32 {
+        let newlines = |text: &str| text.bytes().enumerate().filter(|(_, b)| *b == b'\n').map(|(i, _)| i + 1).collect();
+        let begins = self.lines.get_or_init(|| newlines(self.text));
+        begins.partition_point(|begin| *begin <= byte) as u32 + 1
+    }
+
+    fn position(&self, byte: usize) -> Position {
+        let before = self.text.get(..byte).unwrap_or(self.text);
+        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        Position { line: self.line(before.len()), column: before[line_start..].chars().count() as u32 + 1 }
+    }
+
+    /// What was noted, in the order of the file. Where the text is not TOML, what else is said of the same line, or said to be
+    /// missing, only follows from the first that is.
+    pub(crate) fn into_errors(self) -> Result<(), SceneErrors> {
+        let (syntax, others) = (self.syntax.take(), self.others.take());
+        let mut more = syntax.more() + others.more();
+        let damaged: BTreeSet<u32> = syntax.kept.keys().map(|(byte, _)| self.line(*byte)).collect();
+        let follows = |byte: usize, rule: &Rule| match rule {
+            Rule::Missing { .. } => !damaged.is_empty(),
+            _ => damaged.contains(&self.line(byte)),
+        };
+        let mut told: BTreeMap<_, _> = others.kept;
+        told.retain(|(byte, _), (_, rule)| !follows(*byte, rule));
+        let mut lines = BTreeSet::new();
+        told.extend(syntax.kept.into_iter().filter(|((byte, _), _)| lines.insert(self.line(*byte))));
+        while told.len() > TOLD {
+            told.pop_last();
+            more += 1;
+        }
+        let error = |((byte, _), (place, rule)): ((usize, u64), (Place, Rule))| SceneError {
+            file: PathBuf::from(self.file),
+            position: Some(self.position(byte)),
+            place,
+            rule,
+        };
+        if told.is_empty() { Ok(()) } else { Err(SceneErrors(told.into_iter().map(error).collect(), more)) }
+    }
+}

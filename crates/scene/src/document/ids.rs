@@ -1,0 +1,23 @@
+//! The `id` of each of several tables.
+
+use crate::document::errors::Rule;
+use crate::document::section::Section;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
+/// The `id` of each; noted are those without one and those that another has before them.
+pub(crate) fn read_ids<'d>(sections: &[Section<'d>]) -> Vec<Option<&'d str>> {
+    let mut lines: HashMap<&str, u32> = HashMap::new();
+    let mut read = |section: &Section<'d>| {
+        section.require("id");
+        let id = section.name("id")?;
+        match lines.entry(id) {
+            Entry::Occupied(first) => {
+                section.note("id", Rule::DuplicateId { id: id.to_owned(), first_line: *first.get() });
+            }
+            Entry::Vacant(new) => drop(new.insert(section.line())),
+        }
+        Some(id)
+    };
+    sections.iter().map(&mut read).collect()
+}

@@ -1,0 +1,235 @@
+//! Models of bodies: files and the project's own vehicles and street furniture, each read once however many targets share it.
+
+use crate::bodies::mesh::{self, MeshOptions, centred, read_mesh};
+use crate::bodies::{street, vehicles};
+use crate::document::errors::Rule;
+use crate::document::ranges::SEEDS;
+use crate::document::section::Section;
+use crate::models::options::{Meshes, ReadOptions};
+use crate::models::street_piece::read_size;
+use crate::wording::likeness::nearest;
+use artifact::material::MaterialMap;
+use artifact::scene::Mesh;
+use artifact::settings::Class;
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+/// What a target's `model` says.
+#[derive(Debug, Clone, PartialEq)]
+enum Model {
+    /// One of the project's own vehicles.
+    Vehicle { name: &'static str, seed: u64 },
+    /// A piece of the project's own street furniture.
+    Street(street::Piece),
+    /// A mesh file, with the scale asked for.
+    File { path: PathBuf, unit_scale: Option<f64> },
+}
+
+impl Model {
+    /// Of the own vehicle or of the file, without folders.
+    fn name(&self) -> String {
+        match self {
+            Self::Vehicle { name, .. } => (*name).to_owned(),
+            Self::Street(piece) => piece.name().to_owned(),
+            Self::File { path, .. } => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        }
+    }
+}
+
+/// The meshes of a scene, in the order in which targets first name them.
+pub(crate) struct Models {
+    folder: PathBuf,
+    options: ReadOptions,
+    beside: Vec<PathBuf>,
+    known: Vec<Model>,
+    /// Their places, by what is said of them.
+    places: HashMap<String, usize>,
+    meshes: Vec<Mesh>,
+    triangles: usize,
+}
+
+/// Triangles of all models of a scene: as many as one file may have, for one body may be all of it.
+const TRIANGLE_LIMIT: usize = 1 << 24;
+
+/// A model as a target holds it.
+pub(crate) struct Chosen {
+    /// Of the own vehicle or of the file, without folders.
+    pub name: String,
+    /// Index into the scene's meshes.
+    pub mesh: u32,
+    /// Of an own vehicle.
+    pub class: Option<Class>,
+}
+
+impl Models {
+    /// `folder` holds the scene: relative paths start there.
+    pub(crate) fn new(folder: &Path, options: &ReadOptions) -> Self {
+        let (folder, options) = (folder.to_owned(), options.clone());
+        Self { folder, options, beside: vec![], known: vec![], places: HashMap::new(), meshes: vec![], triangles: 0 }
+    }
+
+    /// The model of a mesh target; what is wrong with it is noted at its key.
+    pub(crate) fn choose(&mut self, target: &Section<'_>) -> Option<Chosen> {
+        if self.options.model.is_none() {
+            target.require("model");
+        }
+        let written = target.text("model");
+        self.choose_written(target, written.or(self.options.model.is_some().then_some(""))?)
+    }
+
+    /// The model of that name, its scale and seed from the section; what is wrong with it is noted there.
+    pub(crate) fn choose_written(&mut self, target: &Section<'_>, written: &str) -> Option<Chosen> {
+        let model = self.named(target, written)?;
+        Some(self.chosen(target, model))
+    }
+
+    fn chosen(&mut self, target: &Section<'_>, model: Model) -> Chosen {
+        let name = model.name();
+        let said = format!("{model:?}");
+        let mesh = match self.places.get(&said) {
+            Some(index) => *index,
+            None => {
+                let index = self.add(target, model);
+                self.places.insert(said, index);
+                index
+            }
+        };
+        Chosen { class: vehicles::class_of(&name), name, mesh: mesh as u32 }
+    }
+
+    /// A mesh file; sizes are its own.
+    fn named_clutter(&self, clutter: &Section<'_>, written: &str) -> Option<Model> {
+        for key in ["length_m", "height_m", "diameter_m"].into_iter().filter(|key| clutter.has(key)) {
+            clutter.note(key, Rule::Misplaced { key, owner: "a mesh file" });
+        }
+        if mesh::Format::of(Path::new(written)).is_none() {
+            let (found, nearest) = (written.to_owned(), nearest(written, &street::NAMES));
+            clutter.note("model", Rule::UnknownModel { found, own: "street furniture", nearest });
+            return None;
+        }
+        let unit_scale = clutter.number("unit_scale", mesh::UNIT_SCALES);
+        Some(Model::File { path: self.folder.join(written), unit_scale })
+    }
+
+    /// The model of a piece of clutter, which no option replaces; what is wrong with it is noted at its key.
+    pub(crate) fn choose_clutter(&mut self, clutter: &Section<'_>, written: &str) -> Option<Chosen> {
+        let model = if street::NAMES.contains(&written) {
+            Model::Street(read_size(clutter, written)?)
+        } else {
+            self.named_clutter(clutter, written)?
+        };
+        Some(self.chosen(clutter, model))
+    }
+
+    /// The meshes so far, without their materials; empty where only names were asked for.
+    pub(crate) fn meshes(&self) -> &[Mesh] {
+        &self.meshes
+    }
+
+    /// Whether models are opened.
+    pub(crate) fn are_opened(&self) -> bool {
+        self.options.meshes == Meshes::Whole
+    }
+
+    /// The meshes in their materials, handed over once.
+    pub(crate) fn take_meshes(&mut self, materials: &MaterialMap) -> Vec<Mesh> {
+        let dressed = |mesh: Mesh| Mesh { makeup: materials.makeup(&mesh.materials), ..mesh };
+        std::mem::take(&mut self.meshes).into_iter().map(dressed).collect()
+    }
+
+    /// A file beside the scene, of which the result depends too.
+    pub(crate) fn file_beside(&mut self, written: &str) -> PathBuf {
+        let path = self.folder.join(written);
+        self.beside.push(path.clone());
+        path
+    }
+
+    /// Every file that the models and their materials consist of.
+    pub(crate) fn files(&self) -> Vec<PathBuf> {
+        let paths = self.known.iter().filter_map(|model| match model {
+            Model::File { path, .. } => Some(path),
+            Model::Vehicle { .. } | Model::Street(_) => None,
+        });
+        self.beside.iter().cloned().chain(paths.flat_map(|path| mesh::files(path))).collect()
+    }
+
+    /// The model that the options or else the target names, its scale and seed with it.
+    fn named(&self, target: &Section<'_>, written: &str) -> Option<Model> {
+        let unit_scale = target.number("unit_scale", mesh::UNIT_SCALES);
+        let seed = target.integer("vehicle_seed", SEEDS);
+        if let Some(path) = &self.options.model {
+            return replacing(target, path);
+        }
+        named_model(target, written, &self.folder, unit_scale, seed)
+    }
+
+    fn add(&mut self, target: &Section<'_>, model: Model) -> usize {
+        let mesh = match self.options.meshes {
+            Meshes::Whole if self.triangles > TRIANGLE_LIMIT => Mesh::default(), // that is noted
+            Meshes::Whole => load(target, &model),
+            Meshes::NamesOnly => Mesh { name: model.name(), ..Mesh::default() },
+        };
+        let room = TRIANGLE_LIMIT.saturating_sub(self.triangles);
+        self.triangles += mesh.triangles.len();
+        if mesh.triangles.len() > room {
+            target.note("model", Rule::TooManyTriangles { limit: TRIANGLE_LIMIT });
+        }
+        self.known.push(model);
+        self.meshes.push(mesh);
+        self.meshes.len() - 1
+    }
+}
+
+/// The model that an option names; its path need not be text.
+fn replacing(target: &Section<'_>, path: &Path) -> Option<Model> {
+    match path.to_str() {
+        None if mesh::Format::of(path).is_some() => Some(Model::File { path: path.to_owned(), unit_scale: None }),
+        _ => named_model(target, &path.to_string_lossy(), Path::new(""), None, None),
+    }
+}
+
+fn named_model(
+    target: &Section<'_>,
+    written: &str,
+    folder: &Path,
+    unit_scale: Option<f64>,
+    seed: Option<u64>,
+) -> Option<Model> {
+    let name = vehicles::names().into_iter().find(|name| *name == written);
+    match (name, mesh::Format::of(Path::new(written))) {
+        (Some(name), _) => {
+            if unit_scale.is_some() {
+                target
+                    .note("unit_scale", Rule::Misplaced { key: "unit_scale", owner: "one of the project's vehicles" });
+            }
+            Some(Model::Vehicle { name, seed: seed.unwrap_or(0) })
+        }
+        (None, Some(_)) => {
+            if seed.is_some() {
+                target.note("vehicle_seed", Rule::Misplaced { key: "vehicle_seed", owner: "a mesh file" });
+            }
+            Some(Model::File { path: folder.join(written), unit_scale })
+        }
+        (None, None) => {
+            let nearest = nearest(written, &vehicles::names());
+            target.note("model", Rule::UnknownModel { found: written.to_owned(), own: "vehicles", nearest });
+            None
+        }
+    }
+}
+
+/// The mesh with its origin on the ground under its middle; an empty one where it was refused, and that is noted.
+fn load(target: &Section<'_>, model: &Model) -> Mesh {
+    let mesh = match model {
+        Model::Vehicle { name, seed } => {
+            let unknown = || Rule::UnknownModel { found: (*name).to_owned(), own: "vehicles", nearest: None };
+            vehicles::mesh(name, *seed).ok_or_else(unknown)
+        }
+        Model::Street(piece) => Ok(street::mesh(piece)),
+        Model::File { path, unit_scale } => {
+            read_mesh(path, &MeshOptions { unit_scale: *unit_scale }).map_err(Rule::Mesh)
+        }
+    };
+    let mesh = mesh.map_err(|rule| target.note("model", rule));
+    centred(mesh.unwrap_or_default())
+}

@@ -1,0 +1,78 @@
+//! `[[radars]]`: several radars in one scene. Each inherits what `[radar]` says and says what is otherwise with it; a scene is read
+//! as one of them has it.
+
+use crate::document::errors::{Rule, SceneErrors};
+use crate::document::ids::read_ids;
+use crate::document::keys;
+use crate::document::section::Section;
+use crate::document::text::{at_no_place, read_text};
+use std::borrow::Cow;
+use std::path::Path;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Names of the radars of the scene in `path`, in its order; none where it has the one of `[radar]` alone. What is wrong with
+/// them [`read`](crate::read()) tells.
+///
+/// # Errors
+/// The file cannot be read, or is no text.
+pub fn radars(path: &Path) -> Result<Vec<String>, SceneErrors> {
+    let text = read_text(path).map_err(|rule| at_no_place(path, rule))?;
+    let (document, _) = DeTable::parse_recoverable(&text);
+    Ok(entries(document.get_ref()).filter_map(|(_, entry)| id_of(entry)).map(str::to_owned).collect())
+}
+
+/// The document as one of its radars has it: `[radar]` with what the entry of that `id` says in its place, table by table.
+/// Without such an entry it is the document as it stands.
+pub(crate) fn through<'a, 'd>(document: &'a DeTable<'d>, id: Option<&str>) -> Cow<'a, DeTable<'d>> {
+    let Some((value, entry)) = entries(document).find(|(_, entry)| id.is_some() && id_of(entry) == id) else {
+        return Cow::Borrowed(document);
+    };
+    let mut own = entry.clone();
+    own.remove("id");
+    let mut merged = document.clone();
+    let none_yet = || Spanned::new(value.span(), DeValue::Table(DeTable::new()));
+    let radar = merged.entry(Spanned::new(value.span(), "radar".into())).or_insert_with(none_yet);
+    if let DeValue::Table(radar) = radar.get_mut() {
+        merge(radar, own);
+    }
+    Cow::Owned(merged)
+}
+
+/// The scene's name, followed by that of the radar that was asked for. Noted are radars without a name or with another's, one
+/// that is missing, and that none was asked for where there are several.
+pub(crate) fn read_name(root: &Section<'_>, asked: Option<&str>) -> String {
+    root.require("name");
+    let name = root.name("name").unwrap_or_default();
+    let sections = root.sections(&keys::RADARS);
+    let known: Vec<String> = read_ids(&sections).into_iter().flatten().map(str::to_owned).collect();
+    match asked {
+        None if !sections.is_empty() => root.note("radars", Rule::WhichRadar { known }),
+        Some(asked) if !known.iter().any(|id| id == asked) => {
+            root.note("radars", Rule::UnknownRadar { found: asked.to_owned(), known });
+        }
+        _ => {}
+    }
+    asked.map_or_else(|| name.to_owned(), |radar| format!("{name}/{radar}"))
+}
+
+fn entries<'a, 'd>(document: &'a DeTable<'d>) -> impl Iterator<Item = (&'a Spanned<DeValue<'d>>, &'a DeTable<'d>)> {
+    let array = document.get("radars").and_then(|value| value.get_ref().as_array());
+    array.into_iter().flatten().filter_map(|value| Some((value, value.get_ref().as_table()?)))
+}
+
+fn id_of<'a>(entry: &'a DeTable<'_>) -> Option<&'a str> {
+    entry.get("id")?.get_ref().as_str()
+}
+
+/// Tables are merged, everything else is replaced.
+fn merge<'d>(into: &mut DeTable<'d>, from: DeTable<'d>) {
+    for (key, value) in from {
+        let known = into.get_mut(&key).map(Spanned::get_mut);
+        if let (Some(DeValue::Table(known)), DeValue::Table(own)) = (known, value.get_ref()) {
+            merge(known, own.clone());
+        } else {
+            into.insert(key, value);
+        }
+    }
+}

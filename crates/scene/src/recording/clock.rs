@@ -1,0 +1,73 @@
+//! When the frames of a scene with recorded traffic are, and whether the recording reaches so far.
+
+use crate::recording::fcd::FcdRule;
+
+/// Frames and where they lie in the recording.
+#[derive(Clone, Copy)]
+pub(crate) struct Times {
+    /// As the scene says; `None` for as many as there are.
+    pub(crate) frames: Option<u32>,
+    /// From one to the next.
+    pub(crate) interval_s: f64,
+    /// Of the first frame; `None` for the recording's first step.
+    pub(crate) begin_s: Option<f64>,
+    /// Of the last frame at most; `None` for the recording's last step.
+    pub(crate) end_s: Option<f64>,
+}
+
+/// Moments of frames, one after the other.
+pub(crate) struct Clock {
+    times: Times,
+    first_s: f64,
+    begin_s: f64,
+    next: u32,
+}
+
+/// As many as a scene may say.
+pub(crate) const FRAME_LIMIT: u32 = 1_000_000;
+
+/// SUMO writes milliseconds: what misses a step by less is that step.
+const ROUNDING_S: f64 = 1e-6;
+
+impl Clock {
+    pub(crate) fn of(times: Times, first_s: f64) -> Self {
+        Self { times, first_s, begin_s: times.begin_s.unwrap_or(first_s), next: 0 }
+    }
+
+    fn at(&self, frame: u32) -> f64 {
+        self.begin_s + f64::from(frame) * self.times.interval_s
+    }
+
+    /// No frame is left.
+    pub(crate) fn is_done(&self) -> bool {
+        let ended = self.times.end_s.is_some_and(|end_s| self.at(self.next) > end_s + ROUNDING_S);
+        self.times.frames.map_or(ended, |frames| self.next >= frames)
+    }
+
+    /// The next frame's moment where the recording has come so far.
+    pub(crate) fn frame_until(&mut self, end_s: f64) -> Result<Option<f64>, FcdRule> {
+        let time_s = self.at(self.next);
+        let is_known = !self.is_done() && time_s >= self.first_s - ROUNDING_S && time_s <= end_s + ROUNDING_S;
+        if is_known && self.next == FRAME_LIMIT {
+            let (begin, interval) = (self.begin_s, self.times.interval_s);
+            return Err(FcdRule::TooManyFrames { begin, interval, limit: FRAME_LIMIT });
+        }
+        self.next += u32::from(is_known);
+        Ok(is_known.then_some(time_s))
+    }
+
+    /// All frames asked for were there.
+    pub(crate) fn checked(&self, last: f64) -> Result<(), FcdRule> {
+        let until_s = match (self.times.frames, self.times.end_s) {
+            (Some(frames), Some(end_s)) => self.at(frames - 1).max(end_s),
+            (Some(frames), None) => self.at(frames - 1),
+            (None, Some(end_s)) => end_s,
+            (None, None) => self.begin_s,
+        };
+        let is_there = self.is_done() || (self.times.frames.is_none() && self.times.end_s.is_none() && self.next > 0);
+        let within_end = self.times.frames.zip(self.times.end_s);
+        let within_end = within_end.is_none_or(|(frames, end_s)| self.at(frames - 1) <= end_s + ROUNDING_S);
+        let rule = FcdRule::OutsideRecording { first: self.first_s, last, begin: self.begin_s, end: until_s };
+        if is_there && within_end { Ok(()) } else { Err(rule) }
+    }
+}

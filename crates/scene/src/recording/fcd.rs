@@ -1,0 +1,397 @@
+//! SUMO's floating-car data, step by step: `.xml` as it is or packed by gzip, of any length; one step is held at a time.
+//!
+//! Schema: `fcd_file.xsd` of SUMO (<https://sumo.dlr.de/docs/Simulation/Output/FCDOutput.html>): `<fcd-export>` holds
+//! `<timestep time>`, which hold `<vehicle id x y angle type speed …>`. Attributes that are not read (`pos`, `lane`, `slope`,
+//! `acceleration`, signals and more) may be there or not; elements other than vehicles (`<person>`, `<container>`) are
+//! passed over, since no model of ours is meant by them.
+
+use crate::recording::xml::{self, Element, XmlFault, XmlText};
+use crate::wording::excerpt::excerpt;
+use quick_xml::events::BytesStart;
+use std::path::{Path, PathBuf};
+
+/// One step of a recording.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct FcdStep {
+    /// The simulation's clock.
+    pub time_s: f64,
+    /// Line on which the step begins, from 1.
+    pub line: u64,
+    /// In the order of the file.
+    pub vehicles: Vec<FcdVehicle>,
+}
+
+/// A vehicle at one step, as recorded.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FcdVehicle {
+    /// Unique among the vehicles of a step.
+    pub id: String,
+    /// `type`: the recording's vType.
+    pub kind: String,
+    /// `x`, `y` and, where there is one, `z` (else 0): the middle of the front bumper.
+    pub front_m: [f64; 3],
+    /// `angle`: clockwise from +y, as a compass.
+    pub angle_deg: f64,
+    /// `speed`: along the heading.
+    pub speed_mps: f64,
+    /// Line of the file, from 1.
+    pub line: u64,
+}
+
+/// What is wrong with a recording, and where.
+#[derive(Debug, thiserror::Error)]
+#[error("{}:{line}: {rule}", file.display())]
+pub struct FcdError {
+    /// The recording.
+    pub file: PathBuf,
+    /// From 1; of the unpacked text.
+    pub line: u64,
+    /// What is broken.
+    pub rule: Box<FcdRule>,
+}
+
+impl FcdError {
+    /// Whether the machine is at fault, not the content of the file.
+    pub fn is_system(&self) -> bool {
+        matches!(*self.rule, FcdRule::Text(XmlFault::Unreadable(_)))
+    }
+}
+
+/// The rules of a recording, broken.
+#[derive(Debug, thiserror::Error)]
+pub enum FcdRule {
+    /// It cannot be read, or not as XML.
+    #[error("{0}")]
+    Text(#[source] XmlFault),
+    /// XML, but of something else.
+    #[error("the first element is <{0}>; floating-car data begin with <fcd-export>")]
+    NotFcd(String),
+    /// No element at all.
+    #[error("there is no XML element in it; floating-car data begin with <fcd-export>")]
+    Empty,
+    /// Much text of which none is a step.
+    #[error("more than {0} bytes without a <timestep>")]
+    StepTooLong(u64),
+    /// More vehicles than any simulation has at once.
+    #[error("the step has more than {0} vehicles, the most that are read")]
+    TooManyVehicles(usize),
+    /// An id or a type that is none.
+    #[error("`{attribute}` has more than {limit} bytes: `{found}`")]
+    NameTooLong {
+        /// `id` or `type`.
+        attribute: &'static str,
+        /// Its beginning.
+        found: String,
+        /// Most bytes.
+        limit: usize,
+    },
+    /// A recording that goes on for longer than any run.
+    #[error(
+        "from {begin} s on, every {interval} s, it holds more than {limit} frames: say `frames`, `end_s` or a longer `frame_interval_s`"
+    )]
+    TooManyFrames {
+        /// Of the first frame.
+        begin: f64,
+        /// From one frame to the next.
+        interval: f64,
+        /// Most frames.
+        limit: u32,
+    },
+    /// More than memory should hold.
+    #[error("more than {0} poses of vehicles are in view: ask for fewer frames, or see less far by `view_range_m`")]
+    TooManyPoses(usize),
+    /// The text ends within an element.
+    #[error("the file ends before </fcd-export>: it was cut off or is still being written")]
+    CutOff,
+    /// A vehicle outside any step.
+    #[error("<vehicle> outside a <timestep>")]
+    OutsideStep,
+    /// An attribute that is needed.
+    #[error("<{element}{}>: attribute `{attribute}` is missing", named(.id))]
+    Missing {
+        /// Of the element.
+        element: &'static str,
+        /// Of the vehicle, where it is known.
+        id: Option<String>,
+        /// Its name.
+        attribute: &'static str,
+    },
+    /// An attribute that should be a number in a range.
+    #[error("<{element}{}>: `{attribute}` is `{found}`; it must be {allowed}", named(.id))]
+    NotANumber {
+        /// Of the element.
+        element: &'static str,
+        /// Of the vehicle, where it is known.
+        id: Option<String>,
+        /// Its name.
+        attribute: &'static str,
+        /// As written.
+        found: String,
+        /// What may stand there.
+        allowed: &'static str,
+    },
+    /// Time that stands still or runs back.
+    #[error("the step's time {found} s does not come after {before} s")]
+    TimeNotGrowing {
+        /// Of this step.
+        found: f64,
+        /// Of the step before.
+        before: f64,
+    },
+    /// Two vehicles of one name in one step.
+    #[error("vehicle `{0}` is there twice in one step")]
+    Twice(String),
+    /// vTypes without a model.
+    #[error("{}not in `models` of [traffic]; known are {}", unknown_types(.found), .known.join(", "))]
+    UnknownTypes {
+        /// Each with the first vehicle that has it.
+        found: Vec<UnknownType>,
+        /// Types that have a model.
+        known: Vec<String>,
+    },
+    /// An id that would break a table of results.
+    #[error("the id `{0}` holds a comma, a quote or a control character")]
+    BadId(String),
+    /// An id that is taken.
+    #[error("vehicle `{0}` has the id of a [[target]] of the scene")]
+    IdOfTarget(String),
+    /// The recording does not reach the time asked for.
+    #[error("the recording runs from {first} s to {last} s; frames from {begin} s to {end} s were asked for")]
+    OutsideRecording {
+        /// Of the first step.
+        first: f64,
+        /// Of the last step read.
+        last: f64,
+        /// Of the first frame.
+        begin: f64,
+        /// Of the last frame.
+        end: f64,
+    },
+    /// Steps, but not one.
+    #[error("there is no <timestep> in it")]
+    NoSteps,
+}
+
+fn named(id: &Option<String>) -> String {
+    id.as_ref().map_or(String::new(), |id| format!(" id=\"{id}\""))
+}
+
+/// A vType without a model, and the first vehicle that has it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UnknownType {
+    /// As written.
+    pub kind: String,
+    /// Of the vehicle.
+    pub id: String,
+    /// Where it stands.
+    pub line: u64,
+}
+
+/// The beginning of a sentence.
+fn unknown_types(found: &[UnknownType]) -> String {
+    let named = |t: &UnknownType| format!("type `{}` of vehicle `{}`", t.kind, t.id);
+    match found {
+        [] => String::new(),
+        [one] => format!("{} is ", named(one)),
+        [first, others @ ..] => {
+            let other = |t: &UnknownType| format!(", {} (line {})", named(t), t.line);
+            format!("{}{} are ", named(first), others.iter().map(other).collect::<String>())
+        }
+    }
+}
+
+/// A step of the most vehicles takes less, and so does what SUMO writes before the first.
+const STEP_LIMIT_BYTES: u64 = 1 << 30;
+/// A country's rush hour.
+const VEHICLE_LIMIT: usize = 1 << 19;
+const NAME_LIMIT_BYTES: usize = 256;
+
+/// Steps of a recording, in order; [`FcdReader::next_step`] hands out one after the other.
+pub struct FcdReader {
+    file: PathBuf,
+    text: XmlText,
+    last_time_s: Option<f64>,
+    place: Place,
+}
+
+/// Where in the document the reader stands.
+#[derive(Clone, Copy, PartialEq)]
+enum Place {
+    Before,
+    Inside,
+    Behind,
+}
+
+impl FcdReader {
+    /// Opens a recording; whether it is packed is told by its first bytes, not by its name.
+    pub fn open(file: &Path) -> Result<Self, FcdError> {
+        let error = |rule| FcdError { file: file.to_owned(), line: 1, rule: Box::new(rule) };
+        let text = XmlText::open(file).map_err(|fault| error(FcdRule::Text(fault)))?;
+        Ok(Self { file: file.to_owned(), text, last_time_s: None, place: Place::Before })
+    }
+
+    /// The recording.
+    pub fn file(&self) -> &Path {
+        &self.file
+    }
+
+    /// The next step; `None` behind the last.
+    pub fn next_step(&mut self) -> Result<Option<FcdStep>, FcdError> {
+        let mut step = None;
+        let end = self.text.bytes() + STEP_LIMIT_BYTES;
+        loop {
+            match self.advance(&mut step) {
+                Ok(true) if self.text.bytes() > end => {
+                    return Err(self.error_at(self.text.line(), FcdRule::StepTooLong(STEP_LIMIT_BYTES)));
+                }
+                Ok(true) => {}
+                Ok(false) => break,
+                Err(rule) => return Err(self.error_at(self.text.line(), rule)),
+            }
+        }
+        match step {
+            Some(step) => self.checked(step).map(Some),
+            None => Ok(None),
+        }
+    }
+
+    /// An error of this recording at a line.
+    pub(crate) fn error_at(&self, line: u64, rule: FcdRule) -> FcdError {
+        FcdError { file: self.file.clone(), line, rule: Box::new(rule) }
+    }
+
+    /// Reads one element; false where a step or the document ends.
+    fn advance(&mut self, step: &mut Option<FcdStep>) -> Result<bool, FcdRule> {
+        let (element, line) = self.text.next_element().map_err(FcdRule::Text)?;
+        match element {
+            Element::Opens(tag) => open_element(&tag, line, &mut self.place, step, Extent::ToItsEnd),
+            Element::Empty(tag) => open_element(&tag, line, &mut self.place, step, Extent::Empty),
+            Element::Closes(tag) => {
+                if tag.name().as_ref() == "fcd-export" {
+                    self.place = Place::Behind;
+                }
+                Ok(tag.name().as_ref() != "timestep")
+            }
+            Element::FileEnds => match self.place {
+                Place::Before => Err(FcdRule::Empty),
+                Place::Inside => Err(FcdRule::CutOff),
+                Place::Behind => Ok(false),
+            },
+            Element::Other => Ok(true),
+        }
+    }
+
+    /// Time must grow, and a name is a vehicle's own.
+    fn checked(&mut self, step: FcdStep) -> Result<FcdStep, FcdError> {
+        if let Some(before) = self.last_time_s.filter(|before| step.time_s <= *before) {
+            return Err(self.error_at(step.line, FcdRule::TimeNotGrowing { found: step.time_s, before }));
+        }
+        let mut ids: Vec<(&str, u64)> = step.vehicles.iter().map(|v| (v.id.as_str(), v.line)).collect();
+        ids.sort_unstable();
+        if let Some(pair) = ids.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+            return Err(self.error_at(pair[1].1, FcdRule::Twice(pair[1].0.to_owned())));
+        }
+        self.last_time_s = Some(step.time_s);
+        Ok(step)
+    }
+}
+
+/// Whether an element has an inside.
+#[derive(Clone, Copy, PartialEq)]
+enum Extent {
+    ToItsEnd,
+    Empty,
+}
+
+/// False where a step is whole already.
+fn open_element(
+    tag: &BytesStart<'_>,
+    line: u64,
+    place: &mut Place,
+    step: &mut Option<FcdStep>,
+    extent: Extent,
+) -> Result<bool, FcdRule> {
+    match (tag.name().as_ref(), *place) {
+        ("fcd-export", Place::Before) => {
+            *place = if extent == Extent::Empty { Place::Behind } else { Place::Inside };
+            Ok(true)
+        }
+        (other, Place::Before) => Err(FcdRule::NotFcd(excerpt(other))),
+        ("timestep", _) => {
+            let time_s = Attributes::of(tag, "timestep")?.number("time", "a number of seconds", |t| t.is_finite())?;
+            *step = Some(FcdStep { time_s, line, vehicles: vec![] });
+            Ok(extent == Extent::ToItsEnd)
+        }
+        ("vehicle", _) => {
+            let step = step.as_mut().ok_or(FcdRule::OutsideStep)?;
+            if step.vehicles.len() == VEHICLE_LIMIT {
+                return Err(FcdRule::TooManyVehicles(VEHICLE_LIMIT));
+            }
+            step.vehicles.push(vehicle(tag, line)?);
+            Ok(true)
+        }
+        _ => Ok(true),
+    }
+}
+
+/// Coordinates beyond this are a slip of units, or degrees of a map (docs/scenes.md).
+const COORDINATE_LIMIT_M: f64 = 1e5;
+/// Beyond the speed of sound nothing drives.
+const SPEED_LIMIT_MPS: f64 = 340.0;
+
+fn vehicle(tag: &BytesStart<'_>, line: u64) -> Result<FcdVehicle, FcdRule> {
+    let attributes = Attributes::of(tag, "vehicle")?;
+    let coordinate = |name| attributes.number(name, "m within ±1e5", |x| x.abs() <= COORDINATE_LIMIT_M);
+    let z = if attributes.find("z").is_some() { coordinate("z")? } else { 0.0 };
+    Ok(FcdVehicle {
+        id: attributes.name("id")?.to_owned(),
+        kind: attributes.name("type")?.to_owned(),
+        front_m: [coordinate("x")?, coordinate("y")?, z],
+        angle_deg: attributes.number("angle", "degrees within ±3600", |a| a.abs() <= 3600.0)?,
+        speed_mps: attributes.number("speed", "m/s from 0 to 340", |v| (0.0..=SPEED_LIMIT_MPS).contains(&v))?,
+        line,
+    })
+}
+
+/// Attributes of one element.
+struct Attributes {
+    element: &'static str,
+    values: Vec<(String, String)>,
+}
+
+impl Attributes {
+    fn of(tag: &BytesStart<'_>, element: &'static str) -> Result<Self, FcdRule> {
+        Ok(Self { element, values: xml::attributes(tag).map_err(FcdRule::Text)? })
+    }
+
+    fn find(&self, name: &str) -> Option<&str> {
+        self.values.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
+    }
+
+    fn id(&self) -> Option<String> {
+        self.find("id").map(excerpt)
+    }
+
+    fn text(&self, name: &'static str) -> Result<&str, FcdRule> {
+        let missing = || FcdRule::Missing { element: self.element, id: self.id(), attribute: name };
+        self.find(name).filter(|text| !text.is_empty()).ok_or_else(missing)
+    }
+
+    /// A text of moderate length.
+    fn name(&self, name: &'static str) -> Result<&str, FcdRule> {
+        let text = self.text(name)?;
+        if text.len() <= NAME_LIMIT_BYTES {
+            return Ok(text);
+        }
+        Err(FcdRule::NameTooLong { attribute: name, found: excerpt(text), limit: NAME_LIMIT_BYTES })
+    }
+
+    fn number(&self, name: &'static str, allowed: &'static str, holds: impl Fn(f64) -> bool) -> Result<f64, FcdRule> {
+        let text = self.text(name)?;
+        let wrong = || {
+            let found = excerpt(text);
+            FcdRule::NotANumber { element: self.element, id: self.id(), attribute: name, found, allowed }
+        };
+        text.trim().parse().ok().filter(|number: &f64| number.is_finite() && holds(*number)).ok_or_else(wrong)
+    }
+}

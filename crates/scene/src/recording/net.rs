@@ -1,0 +1,230 @@
+//! Lanes of a SUMO network (`.net.xml`, as it is or packed by gzip): where they run, how wide they are, what they are called.
+//!
+//! Schema: `net_file.xsd` of SUMO (<https://sumo.dlr.de/docs/Networks/SUMO_Road_Networks.html>): `<net>` holds `<edge>`, which hold
+//! `<lane id shape width …>`, the shape a list of places x,y along the lane's middle. Coordinates are those of the recording, and like
+//! them the scene's. Passed over are lanes inside junctions and crossings (`function` of the edge), which lie across one another, and those
+//! that only pedestrians use.
+
+use crate::recording::in_view::View;
+use crate::recording::xml::{self, Element, XmlFault, XmlText};
+use crate::wording::excerpt::excerpt;
+use artifact::settings::Course;
+use quick_xml::events::BytesStart;
+use std::path::{Path, PathBuf};
+
+/// What is wrong with a network, and where.
+#[derive(Debug, thiserror::Error)]
+#[error("{}:{line}: {rule}", file.display())]
+pub struct NetError {
+    /// The network.
+    pub file: PathBuf,
+    /// From 1; of the unpacked text.
+    pub line: u64,
+    /// What is broken.
+    pub rule: NetRule,
+}
+
+impl NetError {
+    /// Whether the machine is at fault, not the content of the file.
+    pub fn is_system(&self) -> bool {
+        matches!(self.rule, NetRule::Text(XmlFault::Unreadable(_)))
+    }
+}
+
+/// The rules of a network, broken.
+#[derive(Debug, thiserror::Error)]
+pub enum NetRule {
+    /// It cannot be read, or not as XML.
+    #[error("{0}")]
+    Text(#[source] XmlFault),
+    /// XML, but of something else.
+    #[error("the first element is <{0}>; networks begin with <net>")]
+    NotANetwork(String),
+    /// No element at all, or an end too early.
+    #[error("the file ends before </net>: it was cut off, or holds no network")]
+    CutOff,
+    /// More text than any town's network has.
+    #[error("more than {0} bytes of text")]
+    TooLong(u64),
+    /// A lane without what tells where it is.
+    #[error("<lane{}>: attribute `{attribute}` is missing", named(.id))]
+    Missing {
+        /// Of the lane, where it is known.
+        id: Option<String>,
+        /// Its name.
+        attribute: &'static str,
+    },
+    /// An attribute that is not what it should be.
+    #[error("<lane{}>: `{attribute}` is `{found}`; it must be {allowed}", named(.id))]
+    Wrong {
+        /// Of the lane, where it is known.
+        id: Option<String>,
+        /// Its name.
+        attribute: &'static str,
+        /// As written.
+        found: String,
+        /// What may stand there.
+        allowed: &'static str,
+    },
+    /// More than can be counted.
+    #[error("more than {0} lanes are in view: see less far by `view_range_m`")]
+    TooMany(usize),
+    /// Lanes, but of another place; or no lanes.
+    #[error(
+        "none of its {lanes} lanes comes within {range_m:.1} m of the radar's foot: the origin of both is the same?"
+    )]
+    NoneInView {
+        /// For vehicles.
+        lanes: usize,
+        /// `view_range_m`.
+        range_m: f64,
+    },
+}
+
+fn named(id: &Option<String>) -> String {
+    id.as_ref().map_or(String::new(), |id| format!(" id=\"{id}\""))
+}
+
+/// A large town's network has some hundred megabytes.
+const LIMIT_BYTES: u64 = 1 << 30;
+/// Lanes are numbered by a byte, from 1.
+const LANE_LIMIT: usize = 255;
+/// Of SUMO, where a lane says nothing.
+const DEFAULT_WIDTH_M: f64 = 3.2;
+const COORDINATE_LIMIT_M: f64 = 1e5;
+const NAME_LIMIT_BYTES: usize = 256;
+
+/// Lanes of which a part lies within the range of view, to whichever side, numbered from 1 in the order of the file.
+pub(crate) fn read_net(file: &Path, view: &View) -> Result<Vec<Course>, NetError> {
+    let error = |line, rule| NetError { file: file.to_owned(), line, rule };
+    let mut text = XmlText::open(file).map_err(|fault| error(1, NetRule::Text(fault)))?;
+    let mut net = Net { view, place: Place::Before, is_passed_over: false, lanes: 0, courses: vec![] };
+    loop {
+        let read = net.advance(&mut text);
+        match read.map_err(|rule| error(text.line(), rule))? {
+            Progress::Goes if text.bytes() > LIMIT_BYTES => {
+                return Err(error(text.line(), NetRule::TooLong(LIMIT_BYTES)));
+            }
+            Progress::Goes => {}
+            Progress::IsDone if net.courses.is_empty() => {
+                return Err(error(text.line(), NetRule::NoneInView { lanes: net.lanes, range_m: view.range_m() }));
+            }
+            Progress::IsDone => return Ok(net.courses),
+        }
+    }
+}
+
+/// Where in the document the reader stands.
+#[derive(Clone, Copy, PartialEq)]
+enum Place {
+    Before,
+    Inside,
+    Behind,
+}
+
+enum Progress {
+    Goes,
+    IsDone,
+}
+
+struct Net<'v> {
+    view: &'v View,
+    place: Place,
+    /// Of the edge that is open.
+    is_passed_over: bool,
+    /// For vehicles, in view or not.
+    lanes: usize,
+    courses: Vec<Course>,
+}
+
+impl Net<'_> {
+    /// Reads one element.
+    fn advance(&mut self, text: &mut XmlText) -> Result<Progress, NetRule> {
+        let (element, _) = text.next_element().map_err(NetRule::Text)?;
+        match element {
+            Element::Opens(tag) => self.open(&tag, Place::Inside)?,
+            Element::Empty(tag) => self.open(&tag, Place::Behind)?,
+            Element::Closes(tag) if tag.name().as_ref() == "net" => self.place = Place::Behind,
+            Element::FileEnds if self.place == Place::Behind => return Ok(Progress::IsDone),
+            Element::FileEnds => return Err(NetRule::CutOff),
+            Element::Closes(_) | Element::Other => {}
+        }
+        Ok(Progress::Goes)
+    }
+
+    /// `within`: where the reader stands after an element that is the first.
+    fn open(&mut self, tag: &BytesStart<'_>, within: Place) -> Result<(), NetRule> {
+        match (tag.name().as_ref(), self.place) {
+            ("net", Place::Before) => self.place = within,
+            (other, Place::Before) => return Err(NetRule::NotANetwork(excerpt(other))),
+            ("edge", _) => {
+                let attributes = xml::attributes(tag).map_err(NetRule::Text)?;
+                let function = find(&attributes, "function").unwrap_or("normal");
+                self.is_passed_over = !matches!(function, "normal" | "connector");
+            }
+            ("lane", _) if !self.is_passed_over => self.add(&xml::attributes(tag).map_err(NetRule::Text)?)?,
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn add(&mut self, attributes: &[(String, String)]) -> Result<(), NetRule> {
+        if find(attributes, "allow").is_some_and(|allowed| allowed.trim() == "pedestrian") {
+            return Ok(());
+        }
+        let (line_m, width_m) = (shape(attributes)?, width(attributes)?);
+        let name = text(attributes, "id")?;
+        if name.len() > NAME_LIMIT_BYTES {
+            return Err(wrong(attributes, "id", name, "of at most 256 bytes"));
+        }
+        self.lanes += 1;
+        if !line_m.windows(2).any(|ends| self.view.reaches(ends[0].into(), ends[1].into())) {
+            return Ok(());
+        }
+        if self.courses.len() == LANE_LIMIT {
+            return Err(NetRule::TooMany(LANE_LIMIT));
+        }
+        let number = (self.courses.len() + 1) as u8;
+        self.courses.push(Course { number, name: name.to_owned(), width_m, line_m });
+        Ok(())
+    }
+}
+
+fn find<'a>(attributes: &'a [(String, String)], name: &str) -> Option<&'a str> {
+    attributes.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
+}
+
+fn text<'a>(attributes: &'a [(String, String)], attribute: &'static str) -> Result<&'a str, NetRule> {
+    let missing = || NetRule::Missing { id: find(attributes, "id").map(excerpt), attribute };
+    find(attributes, attribute).filter(|text| !text.is_empty()).ok_or_else(missing)
+}
+
+fn wrong(attributes: &[(String, String)], attribute: &'static str, found: &str, allowed: &'static str) -> NetRule {
+    NetRule::Wrong { id: find(attributes, "id").map(excerpt), attribute, found: excerpt(found), allowed }
+}
+
+fn width(attributes: &[(String, String)]) -> Result<f64, NetRule> {
+    let Some(found) = find(attributes, "width") else { return Ok(DEFAULT_WIDTH_M) };
+    let width_m = found.trim().parse().ok().filter(|width_m: &f64| *width_m > 0.0 && *width_m <= 100.0);
+    width_m.ok_or_else(|| wrong(attributes, "width", found, "m above 0, to 100"))
+}
+
+/// At least two places; a third coordinate is the height, which nothing here asks for.
+fn shape(attributes: &[(String, String)]) -> Result<Vec<[f64; 2]>, NetRule> {
+    let found = text(attributes, "shape")?;
+    let places: Option<Vec<[f64; 2]>> = found.split_whitespace().map(place).collect();
+    let places = places.map(|mut places| {
+        places.dedup();
+        places
+    });
+    let places = places.filter(|places| places.len() >= 2);
+    places.ok_or_else(|| wrong(attributes, "shape", found, "two places x,y or more, m within ±1e5"))
+}
+
+fn place(text: &str) -> Option<[f64; 2]> {
+    let coordinates: Vec<f64> = text.split(',').map(|part| part.parse().ok()).collect::<Option<_>>()?;
+    match coordinates[..] {
+        [x, y] | [x, y, _] if [x, y].iter().all(|c| c.abs() <= COORDINATE_LIMIT_M) => Some([x, y]),
+        _ => None,
+    }
+}

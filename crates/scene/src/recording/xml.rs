@@ -1,0 +1,184 @@
+//! XML of SUMO as a stream: as it is or packed by gzip, of any length, each element with its line, in bounded memory.
+
+use crate::wording::excerpt::beginning;
+use artifact::bounded;
+use quick_xml::XmlVersion;
+use quick_xml::events::{BytesEnd, BytesStart, Event};
+use std::io::{self, BufRead, BufReader, Read};
+use std::path::Path;
+
+/// Elements within one another: SUMO's files have four.
+const DEPTH_LIMIT: usize = 64;
+/// Largest element, and largest gap between elements, that is read: SUMO's are some hundred bytes.
+const ELEMENT_LIMIT_BYTES: u64 = 1 << 20;
+/// Of one element: SUMO's have up to thirty.
+const ATTRIBUTE_LIMIT: usize = 256;
+
+/// Why a file is not read on as XML.
+#[derive(Debug, thiserror::Error)]
+pub enum XmlFault {
+    /// The system refused, or it is no plain file.
+    #[error("cannot be read: {0}")]
+    Unreadable(#[source] io::Error),
+    /// gzip's own checks failed, or the file ends too early for them.
+    #[error("the gzip file is damaged or cut off: {0}")]
+    DamagedGzip(#[source] io::Error),
+    /// Not XML.
+    #[error("not valid XML: {}", beginning(&.0.to_string(), 300))]
+    Xml(quick_xml::Error),
+    /// An element that never ends, or megabytes between elements.
+    #[error("more than {0} bytes without an element")]
+    ElementTooLong(u64),
+    /// Elements that are opened one within the other and not closed.
+    #[error("elements lie within one another more than {0} deep")]
+    TooDeep(usize),
+    /// More attributes than any element has.
+    #[error("an element has more than {0} attributes")]
+    TooManyAttributes(usize),
+}
+
+/// What stands in the file next.
+pub(crate) enum Element<'b> {
+    /// An element, open until its end.
+    Opens(BytesStart<'b>),
+    /// An element without an inside.
+    Empty(BytesStart<'b>),
+    /// The end of an element.
+    Closes(BytesEnd<'b>),
+    /// Text, a comment, a declaration.
+    Other,
+    /// The end of the file.
+    FileEnds,
+}
+
+/// A file of XML that is read element by element.
+pub(crate) struct XmlText {
+    xml: quick_xml::Reader<Lines>,
+    buffer: Vec<u8>,
+    depth: usize,
+}
+
+impl XmlText {
+    /// Opens a file; whether it is packed is told by its first bytes, not by its name.
+    pub(crate) fn open(file: &Path) -> Result<Self, XmlFault> {
+        let source = Lines::open(file).map_err(XmlFault::Unreadable)?;
+        Ok(Self { xml: quick_xml::Reader::from_reader(source), buffer: vec![], depth: 0 })
+    }
+
+    /// The line up to which the unpacked text was read, from 1.
+    pub(crate) fn line(&self) -> u64 {
+        self.xml.get_ref().line
+    }
+
+    /// How many bytes of the unpacked text were read.
+    pub(crate) fn bytes(&self) -> u64 {
+        self.xml.get_ref().bytes
+    }
+
+    /// What stands next, and the line on which it ends.
+    pub(crate) fn next_element(&mut self) -> Result<(Element<'_>, u64), XmlFault> {
+        self.buffer.clear();
+        self.xml.get_mut().since_element = 0;
+        let event = self.xml.read_event_into(&mut self.buffer);
+        let Lines { line, packing, .. } = *self.xml.get_ref();
+        let element = match event.map_err(|error| fault(error, packing))? {
+            Event::Start(_) if self.depth == DEPTH_LIMIT => return Err(XmlFault::TooDeep(DEPTH_LIMIT)),
+            Event::Start(tag) => {
+                self.depth += 1;
+                Element::Opens(tag)
+            }
+            Event::Empty(tag) => Element::Empty(tag),
+            Event::End(tag) => {
+                self.depth = self.depth.saturating_sub(1);
+                Element::Closes(tag)
+            }
+            Event::Eof => Element::FileEnds,
+            _ => Element::Other,
+        };
+        Ok((element, line))
+    }
+}
+
+/// Names and values of an element's attributes.
+pub(crate) fn attributes(tag: &BytesStart<'_>) -> Result<Vec<(String, String)>, XmlFault> {
+    let mut values = Vec::with_capacity(12);
+    // They are read one by one, each compared with those before it.
+    for attribute in tag.attributes() {
+        if values.len() == ATTRIBUTE_LIMIT {
+            return Err(XmlFault::TooManyAttributes(ATTRIBUTE_LIMIT));
+        }
+        let attribute = attribute.map_err(|e| XmlFault::Xml(e.into()))?;
+        let value = attribute.normalized_value(XmlVersion::Implicit1_0).map_err(XmlFault::Xml)?;
+        values.push((attribute.key.as_ref().to_owned(), value.into_owned()));
+    }
+    Ok(values)
+}
+
+fn fault(error: quick_xml::Error, packing: Packing) -> XmlFault {
+    let quick_xml::Error::Io(io) = &error else { return XmlFault::Xml(error) };
+    // Whether the system or the unpacking failed is told by the kind alone.
+    let copy = || io::Error::new(io.kind(), io.to_string());
+    match io.kind() {
+        io::ErrorKind::FileTooLarge => XmlFault::ElementTooLong(ELEMENT_LIMIT_BYTES),
+        io::ErrorKind::UnexpectedEof | io::ErrorKind::InvalidData | io::ErrorKind::InvalidInput
+            if packing == Packing::Gzip =>
+        {
+            XmlFault::DamagedGzip(copy())
+        }
+        _ => XmlFault::Unreadable(copy()),
+    }
+}
+
+/// How the text lies on disk.
+#[derive(Clone, Copy, PartialEq)]
+enum Packing {
+    Plain,
+    Gzip,
+}
+
+/// A text that counts its lines as it is read.
+struct Lines {
+    source: BufReader<Box<dyn Read>>,
+    packing: Packing,
+    line: u64,
+    bytes: u64,
+    since_element: u64,
+}
+
+impl Lines {
+    fn open(file: &Path) -> io::Result<Self> {
+        let mut packed = BufReader::new(bounded::open(file)?);
+        let packing = if packed.fill_buf()?.starts_with(&[0x1f, 0x8b]) { Packing::Gzip } else { Packing::Plain };
+        let source: Box<dyn Read> = match packing {
+            Packing::Gzip => Box::new(flate2::bufread::MultiGzDecoder::new(packed)),
+            Packing::Plain => Box::new(packed),
+        };
+        let source = BufReader::with_capacity(1 << 16, source);
+        Ok(Self { source, packing, line: 1, bytes: 0, since_element: 0 })
+    }
+}
+
+impl Read for Lines {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let read = self.fill_buf()?.read(buffer)?;
+        self.consume(read);
+        Ok(read)
+    }
+}
+
+impl BufRead for Lines {
+    fn fill_buf(&mut self) -> io::Result<&[u8]> {
+        if self.since_element > ELEMENT_LIMIT_BYTES {
+            return Err(io::ErrorKind::FileTooLarge.into());
+        }
+        self.source.fill_buf()
+    }
+
+    fn consume(&mut self, amount: usize) {
+        let read = self.source.buffer().get(..amount).unwrap_or_default();
+        self.line += read.iter().filter(|byte| **byte == b'\n').count() as u64;
+        self.bytes += amount as u64;
+        self.since_element += amount as u64;
+        self.source.consume(amount);
+    }
+}

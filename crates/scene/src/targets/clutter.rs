@@ -1,0 +1,30 @@
+//! `[[clutter]]`: what stands about in a street, of its own making or from a file. It scatters and hides as targets do, and stands
+//! still.
+
+use crate::document::ranges::COORDINATES_M;
+use crate::document::section::Section;
+use crate::models::library::Models;
+use crate::wording::allowed::Allowed;
+use artifact::scene::{Pose, Role, Target, TargetKind};
+
+/// The scene's clutter; pieces that break a rule are noted and left out.
+pub(crate) fn read_clutter(sections: &[Section<'_>], ids: &[Option<&str>], models: &mut Models) -> Vec<Target> {
+    sections.iter().zip(ids).filter_map(|(section, id)| read_piece(section, *id, models)).collect()
+}
+
+fn read_piece(section: &Section<'_>, id: Option<&str>, models: &mut Models) -> Option<Target> {
+    section.require("model");
+    section.require("position_m");
+    let position_m = section.vector("position_m", COORDINATES_M);
+    // As targets that stand still: down the road.
+    let yaw_deg = section.number("yaw_deg", Allowed::Between(-360.0, 360.0)).unwrap_or(-90.0);
+    let chosen = models.choose_clutter(section, section.text("model")?)?;
+    let start = Pose {
+        position_m: position_m?,
+        yaw_rad: yaw_deg.to_radians(),
+        velocity_mps: [0.0; 3],
+        acceleration_mps2: [0.0; 3],
+    };
+    let kind = TargetKind::Mesh { class: None, model: chosen.name, mesh: chosen.mesh };
+    Some(Target { id: id?.to_owned(), role: Role::Clutter, kind, start })
+}

@@ -1,0 +1,6 @@
+//! Sentences about what was read: what is allowed, what was found, what may be meant.
+
+pub(crate) mod number;
+pub(crate) mod allowed;
+pub(crate) mod excerpt;
+pub(crate) mod likeness;

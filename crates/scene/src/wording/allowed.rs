@@ -1,0 +1,41 @@
+//! Which numbers are allowed, as a sentence says it.
+
+use crate::wording::number::Number;
+use std::fmt;
+
+/// Which numbers a key takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Allowed {
+    /// Both ends included.
+    Between(f64, f64),
+    /// Above the first, up to and including the second.
+    Above(f64, f64),
+    /// Neither end included.
+    Inside(f64, f64),
+    /// From and including the first, below the second.
+    Below(f64, f64),
+}
+
+impl Allowed {
+    /// Whether `value` is allowed; never for NaN.
+    pub fn holds(self, value: f64) -> bool {
+        match self {
+            Self::Between(low, high) => low <= value && value <= high,
+            Self::Above(low, high) => low < value && value <= high,
+            Self::Inside(low, high) => low < value && value < high,
+            Self::Below(low, high) => low <= value && value < high,
+        }
+    }
+}
+
+impl fmt::Display for Allowed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Between(low, high) if low == high => write!(f, "{}", Number(low)),
+            Self::Between(low, high) => write!(f, "from {} to {}", Number(low), Number(high)),
+            Self::Above(low, high) => write!(f, "above {}, up to {}", Number(low), Number(high)),
+            Self::Inside(low, high) => write!(f, "above {} and below {}", Number(low), Number(high)),
+            Self::Below(low, high) => write!(f, "from {}, below {}", Number(low), Number(high)),
+        }
+    }
+}

@@ -1,0 +1,14 @@
+//! The beginning of what a file says.
+
+/// The beginning of what a file says, for a sentence about it.
+pub(crate) fn excerpt(text: &str) -> String {
+    beginning(text, 80)
+}
+
+/// At most `shown` characters of a text, and a sign that there are more.
+pub(crate) fn beginning(text: &str, shown: usize) -> String {
+    match text.char_indices().nth(shown) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}
