@@ -1,21 +1,33 @@
-//! The room rule: a room of `bart-rcs` uses only rooms that stand before it in its `lib.rs`, tests aside. So the crate can
+//! The room rule: a room of a crate uses only rooms that stand before it in its `lib.rs`, tests aside. So the crate can
 //! be read from the first room on, and no two rooms need each other.
 
+use crate::house;
 use crate::house::folders::sources;
 use crate::project::project_root;
 use std::path::{Path, PathBuf};
 use wayside::host::failure::Failure;
 
 pub(super) fn check() -> Result<(), Failure> {
-    let source = project_root().join("crates/bart-rcs/src");
-    let rooms = rooms(&read(&source.join("lib.rs"))?);
     let mut broken = Vec::new();
-    for (index, room) in rooms.iter().enumerate() {
-        for file in files(&source, room) {
-            broken.extend(forbidden(&file, &read(&file)?, &rooms[..=index]));
+    for folder in house::crates(&project_root())? {
+        let source = folder.join("src");
+        // A program has a `main.rs` alone, and `classifier-training` ten files in one room.
+        if source.join("lib.rs").is_file() {
+            broken.extend(broken_in(&source)?);
         }
     }
     if broken.is_empty() { Ok(()) } else { Err(Failure::Refused(broken.join("\n"))) }
+}
+
+fn broken_in(source: &Path) -> Result<Vec<String>, Failure> {
+    let rooms = rooms(&read(&source.join("lib.rs"))?);
+    let mut broken = Vec::new();
+    for (index, room) in rooms.iter().enumerate() {
+        for file in files(source, room) {
+            broken.extend(forbidden(&file, &read(&file)?, &rooms[..=index]));
+        }
+    }
+    Ok(broken)
 }
 
 fn read(file: &Path) -> Result<String, Failure> {
@@ -68,7 +80,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rooms_of_bart_rcs_use_only_rooms_before_them() {
+    fn rooms_use_only_rooms_before_them() {
         check().unwrap();
     }
 
