@@ -1,5 +1,5 @@
-//! Hashes the sources of each stage together with those of `artifact`, for cache keys: a hand-kept version number is
-//! forgotten, a hash is not.
+//! Hashes the sources of each stage together with those of `artifact`, for cache keys: a hand-kept version
+//! number is forgotten, a hash is not.
 
 use std::path::{Path, PathBuf};
 

@@ -32,7 +32,8 @@ fn line(c: &Comparison) -> String {
     let ours = format!("{}: {:.4} s", c.name, c.ours_s);
     match &c.rival {
         Ok((rival, rival_s)) => {
-            let error = c.error.map(|e| format!(", {:.0} dB from it", db_from_amplitude(e))).unwrap_or_default();
+            let error =
+                c.error.map(|e| format!(", {:.0} dB from it", db_from_amplitude(e))).unwrap_or_default();
             format!("{ours}, {rival} {rival_s:.4} s, ratio {:.1}{error} ({})", rival_s / c.ours_s, c.work)
         }
         Err(NotHere { program, advice }) => format!("{ours}, {program} is not here: {advice} ({})", c.work),

@@ -1,6 +1,6 @@
-//! `bytes`: a checksum of every file that a program of any version makes of every scene and of ten tables, so that two versions
-//! can be compared to the byte. What may differ from run to run (seconds, memory, what was cached) is left out of
-//! `summary.json`; `report.html` holds the same figures and is left out whole.
+//! `bytes`: a checksum of every file that a program of any version makes of every scene and of ten tables, so
+//! that two versions can be compared to the byte. What may differ from run to run (seconds, memory, what was
+//! cached) is left out of `summary.json`; `report.html` holds the same figures and is left out whole.
 
 mod runs;
 
@@ -18,8 +18,14 @@ use wayside::host::progress::Work;
 use wayside::program::terminal;
 
 /// Keys of `summary.json` that differ from run to run.
-const OF_THE_RUN: [&str; 6] =
-    ["stage_seconds", "frames_seconds", "frames_processor_seconds", "cached", "peak_memory_mib", "memory_estimate_mib"];
+const OF_THE_RUN: [&str; 6] = [
+    "stage_seconds",
+    "frames_seconds",
+    "frames_processor_seconds",
+    "cached",
+    "peak_memory_mib",
+    "memory_estimate_mib",
+];
 
 /// Names of files and their checksums.
 type Sums = BTreeMap<String, String>;
@@ -29,7 +35,8 @@ pub(crate) fn run(arguments: &BytesArguments) -> Result<(), Failure> {
     let program = arguments.program.clone().map_or_else(std::env::current_exe, Ok);
     let program = program.map_err(|e| Failure::System(format!("this program: {e}")))?;
     let mut sums = Sums::new();
-    let runs: Vec<Run> = runs::all(&project_root())?.into_iter().filter(|run| asked(arguments, run)).collect();
+    let runs: Vec<Run> =
+        runs::all(&project_root())?.into_iter().filter(|run| asked(arguments, run)).collect();
     let work = Work::begin("runs");
     for (number, run) in runs.iter().enumerate() {
         work.at(number, runs.len());
@@ -38,7 +45,9 @@ pub(crate) fn run(arguments: &BytesArguments) -> Result<(), Failure> {
     let text: String = sums.iter().map(|(name, sum)| format!("{sum}  {name}\n")).collect();
     files::write_file(&arguments.out, text.as_bytes())?;
     match &arguments.against {
-        Some(file) => compare(&sums, file, &|name| runs.iter().any(|run| name.starts_with(&format!("{}/", run.name)))),
+        Some(file) => {
+            compare(&sums, file, &|name| runs.iter().any(|run| name.starts_with(&format!("{}/", run.name))))
+        }
         None => {
             let _: () = terminal::line(format!("{} files", sums.len()));
             Ok(())
@@ -102,7 +111,8 @@ fn without(value: &mut Value, keys: &[&str]) {
 fn compare(sums: &Sums, file: &Path, is_asked: &dyn Fn(&str) -> bool) -> Result<(), Failure> {
     let text = std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))?;
     let pairs = text.lines().filter_map(|line| line.split_once("  "));
-    let known: Sums = pairs.map(|(sum, name)| (name.to_owned(), sum.to_owned())).filter(|(n, _)| is_asked(n)).collect();
+    let known: Sums =
+        pairs.map(|(sum, name)| (name.to_owned(), sum.to_owned())).filter(|(n, _)| is_asked(n)).collect();
     let names: std::collections::BTreeSet<&String> = sums.keys().chain(known.keys()).collect();
     let verdict = |name: &String| match (known.get(name), sums.get(name)) {
         (Some(a), Some(b)) if a == b => None,

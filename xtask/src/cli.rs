@@ -30,9 +30,11 @@ pub(crate) enum Command {
     Levels(StudyArguments),
     /// Benchmarks as ratios measured in one run.
     Bench(BenchArguments),
-    /// Checksums of every file that a program makes of every scene and of ten tables, beside those of another version.
+    /// Checksums of every file that a program makes of every scene and of ten tables, beside those of another
+    /// version.
     Bytes(BytesArguments),
-    /// Counts of the source, crate by crate: files, code, arrows between files, circles of them, crowded folders.
+    /// Counts of the source, crate by crate: files, code, arrows between files, circles of them, crowded
+    /// folders.
     House,
     /// Every check of the project, cheapest first.
     Ci,

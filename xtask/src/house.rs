@@ -1,5 +1,5 @@
-//! `house`: what the source looks like, crate by crate: files, code, arrows between files, circles of them, and how many files
-//! stand side by side. `ci` refuses circles and crowded folders by the same counts.
+//! `house`: what the source looks like, crate by crate: files, code, arrows between files, circles of them,
+//! and how many files stand side by side. `ci` refuses circles and crowded folders by the same counts.
 
 pub(crate) mod source;
 pub(crate) mod names;
@@ -43,7 +43,8 @@ pub(crate) fn run() -> Result<(), Failure> {
 pub(crate) fn crates(root: &Path) -> Result<Vec<PathBuf>, Failure> {
     let place = root.join("crates");
     let entries = std::fs::read_dir(&place).map_err(|e| Failure::system(&place, "read", e))?;
-    let mut crates: Vec<PathBuf> = entries.flatten().map(|e| e.path()).filter(|p| p.join("src").is_dir()).collect();
+    let mut crates: Vec<PathBuf> =
+        entries.flatten().map(|e| e.path()).filter(|p| p.join("src").is_dir()).collect();
     crates.push(root.join("xtask"));
     crates.sort();
     Ok(crates)

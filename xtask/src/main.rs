@@ -1,4 +1,5 @@
-//! `cargo xtask`: every command of the program `wayside`, and what only developers need: checks, studies, benchmarks.
+//! `cargo xtask`: every command of the program `wayside`, and what only developers need: checks, studies,
+//! benchmarks.
 
 mod cli;
 mod project;

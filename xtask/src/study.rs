@@ -1,5 +1,5 @@
-//! `chart`, `atlas` and `levels`: speed against accuracy, where each method fails, and levels of detail; each a table,
-//! a picture and a page.
+//! `chart`, `atlas` and `levels`: speed against accuracy, where each method fails, and levels of detail; each
+//! a table, a picture and a page.
 
 mod extent;
 mod looks;
@@ -24,8 +24,9 @@ use wayside::program::terminal;
 
 /// Seconds against error, method by method.
 pub(crate) fn chart(arguments: &StudyArguments) -> Result<(), Failure> {
-    let draw =
-        |table: &Table| vec![("chart", chart::picture(table)), ("chart-frames", chart::picture_of_frames(table))];
+    let draw = |table: &Table| {
+        vec![("chart", chart::picture(table)), ("chart-frames", chart::picture_of_frames(table))]
+    };
     let drawing = Drawing { name: "chart", columns: &chart::COLUMNS, draw: &draw };
     if let Some(file) = &arguments.table {
         return drawing.again(file, arguments);

@@ -20,7 +20,9 @@ use std::time::Instant;
 fn help_is_given_for_every_command_of_developers_and_of_the_program() {
     let place = Workplace::new();
     let commands = ["chart", "atlas", "levels", "bench", "ci", "run", "rcs", "export"];
-    commands.iter().for_each(|c| assert!(place.run(&format!("{c} --help")).contains("Usage: cargo xtask"), "{c}"));
+    commands
+        .iter()
+        .for_each(|c| assert!(place.run(&format!("{c} --help")).contains("Usage: cargo xtask"), "{c}"));
 }
 
 #[test]
@@ -44,8 +46,10 @@ fn a_benchmark_is_not_written_where_no_plain_file_can_be() {
 #[ignore = "takes minutes: cargo test --release -p xtask --test commands -- --include-ignored"]
 fn a_study_that_is_killed_leaves_nothing_half_written() {
     let words = "chart --quick --out out --quiet";
-    // Its seconds differ from run to run: a table that is there ends with a line's end, a picture as pictures do.
-    let ends: [(&str, &[u8]); 3] = [("chart.csv", b"\n"), ("chart.svg", b"</svg>"), ("chart.png", b"IEND\xaeB`\x82")];
+    // Its seconds differ from run to run: a table that is there ends with a line's end, a picture as pictures
+    // do.
+    let ends: [(&str, &[u8]); 3] =
+        [("chart.csv", b"\n"), ("chart.svg", b"</svg>"), ("chart.png", b"IEND\xaeB`\x82")];
     let place = Workplace::new();
     let start = Instant::now();
     place.run(words);
@@ -54,7 +58,11 @@ fn a_study_that_is_killed_leaves_nothing_half_written() {
     let mut kills = 0;
     for _ in 0..asked("WAYSIDE_KILLS", 3) {
         // Most of the time nothing is written; half of the kills fall into the end.
-        let share = if random.random::<bool>() { random.random::<f64>() } else { 1.0 - 0.05 * random.random::<f64>() };
+        let share = if random.random::<bool>() {
+            random.random::<f64>()
+        } else {
+            1.0 - 0.05 * random.random::<f64>()
+        };
         begin_anew(&place);
         kills += u64::from(killed_after(&place, words, duration.mul_f64(share)));
         for (name, end) in ends {

@@ -1,15 +1,16 @@
 //! What the stages hand to each other: plain data, no physics.
 //!
-//! Five stages (`scene`, `bart-rcs`, `fmcw-echo`, `dsp`, `classifier`) know this crate and not each other. Each reads
-//! one kind of artifact and writes the next:
+//! Five stages (`scene`, `bart-rcs`, `fmcw-echo`, `dsp`, `classifier`) know this crate and not each other.
+//! Each reads one kind of artifact and writes the next:
 //!
 //! ```text
 //! scene.toml → .scene → .paths (or .rcs) → .cube → .rdm → .points → crops → classes
 //! ```
 //!
-//! An artifact is one [`envelope`]: what it is, where it came from, a header, then one record per radar frame, each with
-//! its length and checksum, then an end mark. It is written as a stream and renamed when whole; it is read as a stream
-//! with bounded memory. Signs, axes and units are those of `docs/conventions.md`.
+//! An artifact is one [`envelope`]: what it is, where it came from, a header, then one record per radar
+//! frame, each with its length and checksum, then an end mark. It is written as a stream and renamed when
+//! whole; it is read as a stream with bounded memory. Signs, axes and units are those of
+//! `docs/conventions.md`.
 //!
 //! ```
 //! use artifact::{Provenance, Reader, Writer, points::{Points, PointsFrame, PointsHeader}};
@@ -30,7 +31,9 @@ mod schemas; // the artifacts
 
 pub use descriptions::radar::{Radar, Waveform};
 pub use descriptions::{material, pattern, permittivity, radar, settings};
-pub use files::envelope::{ArtifactError, Fault, Preamble, Provenance, Reader, Schema, Writer, read_preamble};
+pub use files::envelope::{
+    ArtifactError, Fault, Preamble, Provenance, Reader, Schema, Writer, read_preamble,
+};
 pub use files::{bounded, envelope, inputs, whole_file};
 pub use quantities::accuracy::{Accuracy, ErrorBudget, ModelError};
 pub use quantities::{accuracy, seed, units};

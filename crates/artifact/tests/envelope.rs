@@ -78,7 +78,11 @@ fn every_truncation_is_refused_before_a_frame_is_handed_out() {
     let cut = folder.path().join("cut.points");
     for length in 0..whole.len() {
         std::fs::write(&cut, &whole[..length]).unwrap();
-        assert!(Reader::<Points>::open(&cut).is_err(), "{length} of {} bytes were taken for whole", whole.len());
+        assert!(
+            Reader::<Points>::open(&cut).is_err(),
+            "{length} of {} bytes were taken for whole",
+            whole.len()
+        );
     }
 }
 
@@ -118,7 +122,10 @@ fn a_length_beyond_the_file_is_refused_before_it_is_allocated() {
 fn another_kind_of_artifact_is_refused_by_name() {
     let (_folder, file) = written();
     let error = Reader::<Rdm>::open(&file).map(drop).unwrap_err();
-    assert!(error.to_string().ends_with("is a `points` artifact where a `rdm` artifact is needed"), "{error}");
+    assert!(
+        error.to_string().ends_with("is a `points` artifact where a `rdm` artifact is needed"),
+        "{error}"
+    );
 }
 
 /// The schema of points, one version later.

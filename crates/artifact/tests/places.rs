@@ -81,7 +81,11 @@ fn a_link_to_a_plain_file_stays_and_the_file_is_replaced() {
     write(&link, "new").unwrap();
     assert!(std::fs::symlink_metadata(&link).unwrap().is_symlink());
     assert_eq!(std::fs::read(&file).unwrap(), b"new");
-    assert_eq!(std::fs::metadata(&file).unwrap().permissions().mode() & 0o777, 0o600, "what is private stays private");
+    assert_eq!(
+        std::fs::metadata(&file).unwrap().permissions().mode() & 0o777,
+        0o600,
+        "what is private stays private"
+    );
     assert_eq!((names_in(folder.path()).len(), names_in(elsewhere.path()).len()), (1, 1));
 }
 
@@ -95,7 +99,8 @@ fn an_input_is_refused_by_whatever_name_it_is_asked_for() {
     symlink(&input, &soft).unwrap();
     std::fs::write(&late, "mine").unwrap();
     drop(inputs::open(&input).unwrap());
-    for place in [input.clone(), hard, soft, folder.path().join("./input"), folder.path().join("x/../input")] {
+    for place in [input.clone(), hard, soft, folder.path().join("./input"), folder.path().join("x/../input")]
+    {
         std::fs::create_dir_all(folder.path().join("x")).unwrap();
         assert!(matches!(rule(&place), PlaceRule::Input { .. }), "{}", place.display());
         assert!(check(&place).is_err_and(|e| e.is_system()));
@@ -105,8 +110,14 @@ fn an_input_is_refused_by_whatever_name_it_is_asked_for() {
     let mut output = WholeFile::create(&late).unwrap();
     output.write_all(b"new").unwrap();
     inputs::note(&late);
-    assert!(matches!(output.finish(Durability::OnDisk).unwrap_err().fault, Fault::Place(PlaceRule::Input { .. })));
-    assert_eq!((std::fs::read(&input).unwrap(), std::fs::read(&late).unwrap()), (b"mine".to_vec(), b"mine".to_vec()));
+    assert!(matches!(
+        output.finish(Durability::OnDisk).unwrap_err().fault,
+        Fault::Place(PlaceRule::Input { .. })
+    ));
+    assert_eq!(
+        (std::fs::read(&input).unwrap(), std::fs::read(&late).unwrap()),
+        (b"mine".to_vec(), b"mine".to_vec())
+    );
     assert_eq!(names_in(folder.path()), ["hard", "input", "late", "other", "soft", "x"]);
 }
 

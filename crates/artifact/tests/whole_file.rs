@@ -1,4 +1,5 @@
-//! Files that are written whole or not at all. A program of its own, as [`abandon_all`] removes what any test is writing.
+//! Files that are written whole or not at all. A program of its own, as [`abandon_all`] removes what any test
+//! is writing.
 
 #![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
 

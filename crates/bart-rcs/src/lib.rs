@@ -1,9 +1,9 @@
-//! Scattering of vehicles at millimetre waves by bidirectional analytic ray tracing (BART; Xu and Jin, IEEE T-AP 57 (2009)
-//! 1495).
+//! Scattering of vehicles at millimetre waves by bidirectional analytic ray tracing (BART; Xu and Jin, IEEE
+//! T-AP 57 (2009) 1495).
 //!
-//! A mesh goes in, the scattering amplitude S in metres comes out ([`rcs`]); |S|² is the radar cross section in m². Or a
-//! scene's frame goes in and its scattering paths come out ([`trace_frame`]), from which echoes are made. Signs, axes and
-//! units: `docs/conventions.md`; formulas: `docs/physics.md`.
+//! A mesh goes in, the scattering amplitude S in metres comes out ([`rcs`]); |S|² is the radar cross section
+//! in m². Or a scene's frame goes in and its scattering paths come out ([`trace_frame`]), from which echoes
+//! are made. Signs, axes and units: `docs/conventions.md`; formulas: `docs/physics.md`.
 //!
 //! ```
 //! use artifact::{Accuracy, radar::Polarization, scene::Mesh, settings::{Edges, NodeRule, Sides, Surface}};
@@ -33,12 +33,12 @@
 //! # Ok::<(), bart_rcs::BartError>(())
 //! ```
 //!
-//! How it works, and in which order to read: a [`World`] holds every facet of every body at one instant. From an
-//! [`Antenna`] a [`BeamTree`] grows: each facet is clipped exactly against those that hide it, and each lit polygon is a
-//! mirror for the next order. No ray is sampled; what is lit is the silhouette to rounding. The tree knows no frequency and
-//! no polarization. Where a beam from the transmitter and one from the receiver end on the same facet, they are joined, and
-//! physical optics is integrated over the common polygon in closed form. [`mod@reference`] holds slow, obvious rivals that
-//! share none of this.
+//! How it works, and in which order to read: a [`World`] holds every facet of every body at one instant. From
+//! an [`Antenna`] a [`BeamTree`] grows: each facet is clipped exactly against those that hide it, and each
+//! lit polygon is a mirror for the next order. No ray is sampled; what is lit is the silhouette to rounding.
+//! The tree knows no frequency and no polarization. Where a beam from the transmitter and one from the
+//! receiver end on the same facet, they are joined, and physical optics is integrated over the common polygon
+//! in closed form. [`mod@reference`] holds slow, obvious rivals that share none of this.
 
 mod oversight; // what can be wrong, how much memory, who hears how far it is
 mod geometry; // points, planes, polygons

@@ -1,9 +1,10 @@
-//! Two slow obvious references: [`po`] (first order, dense sampling) and [`sbr`] (shooting and bouncing rays).
+//! Two slow obvious references: [`po`] (first order, dense sampling) and [`sbr`] (shooting and bouncing
+//! rays).
 //!
-//! A mesh, an aspect and frequencies go in, the scattering amplitude S in metres comes out, 2 × 2 over polarization. They
-//! share no visibility and no integration code with the beam tracer: rays of their own decide what is lit, and sums over
-//! small cells take the place of closed forms; reflection by materials has formulas of its own. They are right as their
-//! density grows, and are compared as they converge.
+//! A mesh, an aspect and frequencies go in, the scattering amplitude S in metres comes out, 2 × 2 over
+//! polarization. They share no visibility and no integration code with the beam tracer: rays of their own
+//! decide what is lit, and sums over small cells take the place of closed forms; reflection by materials has
+//! formulas of its own. They are right as their density grows, and are compared as they converge.
 //!
 //! ```
 //! use artifact::{scene::Mesh, settings::Sides};

@@ -1,5 +1,8 @@
 //! Closed forms of docs/physics.md §11 at 77 GHz: each test prints what was asked and what was got.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
 
 use artifact::Accuracy;
 use artifact::radar::Polarization;
@@ -73,7 +76,8 @@ fn plate(side_m: f64) -> Mesh {
     parallelograms(&[[[0.0, -h, -h], [0.0, side_m, 0.0], [0.0, 0.0, side_m]]])
 }
 
-/// Two plates 0.15 m × 0.15 m that open towards +x with this angle between them, the fold along z through the origin.
+/// Two plates 0.15 m × 0.15 m that open towards +x with this angle between them, the fold along z through the
+/// origin.
 fn dihedral(angle_deg: f64) -> Mesh {
     let (a, half) = (0.15, 0.5 * angle_deg.to_radians());
     let wall = |side: f64| [a * half.cos(), side * a * half.sin(), 0.0];
@@ -146,12 +150,12 @@ fn bessel_j1(x: f64) -> f64 {
     ((1..n).map(of).sum::<f64>() + 0.5 * (of(0) + of(n))) / f64::from(n)
 }
 
-/// A sphere from the faces of a cube, each cut into `cells`² squares of equal angle and these into two triangles, its
-/// corners pushed out so that the facets' mean lies on the sphere.
+/// A sphere from the faces of a cube, each cut into `cells`² squares of equal angle and these into two
+/// triangles, its corners pushed out so that the facets' mean lies on the sphere.
 fn sphere(radius_m: f64, cells: u32) -> Mesh {
     let coordinate = |i: u32| (0.5 * FRAC_PI_2 * (2.0 * f64::from(i) / f64::from(cells) - 1.0)).tan();
-    // A right triangle with legs e lies e²/12 of a radius below its sphere in the mean: ⟨x² + y²⟩ about the circumcentre is
-    // e²/3 less than the corners' e²/2, halved.
+    // A right triangle with legs e lies e²/12 of a radius below its sphere in the mean: ⟨x² + y²⟩ about the
+    // circumcentre is e²/3 less than the corners' e²/2, halved.
     let edge = FRAC_PI_2 / f64::from(cells);
     let raised = radius_m * (1.0 + edge * edge / 12.0);
     let mut all = mesh(vec![], vec![]);
@@ -183,7 +187,8 @@ fn sphere_physical_optics(radius_m: f64) -> Complex64 {
     j * (4.0 * PI).sqrt() / WAVELENGTH_M * TAU * radius_m * radius_m * bracket
 }
 
-/// An aspect off the cube's symmetries: at az 0 the rim's staircase would add up in phase, 0.7 dB with these facets.
+/// An aspect off the cube's symmetries: at az 0 the rim's staircase would add up in phase, 0.7 dB with these
+/// facets.
 fn sphere_request(range_m: f64) -> RcsRequest {
     RcsRequest { range_m, accuracy: Accuracy::from_db(-30.0), ..at(10.0, 20.0) }
 }
@@ -214,7 +219,8 @@ fn a_cylinder_at_broadside_has_its_level() {
             vertices.push([raised * phi.cos(), raised * phi.sin(), z]);
         }
     }
-    let triangles = (0..sides).flat_map(|j| [[2 * j, 2 * j + 2, 2 * j + 3], [2 * j, 2 * j + 3, 2 * j + 1]]).collect();
+    let triangles =
+        (0..sides).flat_map(|j| [[2 * j, 2 * j + 2, 2 * j + 3], [2 * j, 2 * j + 3, 2 * j + 1]]).collect();
     let exact = 10.0 * (K * radius * length * length).log10();
     check("P6", exact, dbsm(s(&mesh(vertices, triangles), &at(0.0, 0.0))), 0.1);
 }
@@ -289,7 +295,11 @@ fn triangular_trihedral() -> Mesh {
 fn square_trihedral() -> Mesh {
     let a = TRIHEDRAL_SIDE_M;
     let axes = [[a, 0.0, 0.0], [0.0, a, 0.0], [0.0, 0.0, a]];
-    parallelograms(&[[[0.0; 3], axes[0], axes[1]], [[0.0; 3], axes[1], axes[2]], [[0.0; 3], axes[2], axes[0]]])
+    parallelograms(&[
+        [[0.0; 3], axes[0], axes[1]],
+        [[0.0; 3], axes[1], axes[2]],
+        [[0.0; 3], axes[2], axes[0]],
+    ])
 }
 
 /// D2.
@@ -334,21 +344,32 @@ fn top_hat(radius_m: f64, height_m: f64, strips: u32, half_plate_m: f64) -> Mesh
     body
 }
 
-/// D3: 8πρh²cos(el)/λ. A node on the plate misses the divergence behind the cylinder: facets reflect parallel strips.
+/// D3: 8πρh²cos(el)/λ. A node on the plate misses the divergence behind the cylinder: facets reflect parallel
+/// strips.
 #[test]
 fn d3_a_top_hat_has_its_node_on_the_curved_facet() {
-    // Facets of q = a/√(ρλ) = 0.18; the plate reaches beyond what the lower rim's ray meets, h/tan(el) = 0.17 m.
+    // Facets of q = a/√(ρλ) = 0.18; the plate reaches beyond what the lower rim's ray meets, h/tan(el) = 0.17
+    // m.
     for (radius_m, strips, half_plate_m) in [(0.5, 396, 0.75), (2.0, 792, 2.25)] {
         let (height_m, elevation_deg) = (0.1, 30.0_f64);
-        let exact = 8.0 * PI * radius_m * height_m * height_m * elevation_deg.to_radians().cos() / WAVELENGTH_M;
+        let exact =
+            8.0 * PI * radius_m * height_m * height_m * elevation_deg.to_radians().cos() / WAVELENGTH_M;
         let body = top_hat(radius_m, height_m, strips, half_plate_m);
         let of = |nodes| {
-            let request =
-                RcsRequest { bounces: 2, nodes, accuracy: Accuracy::from_db(-40.0), ..at(0.0, elevation_deg) };
+            let request = RcsRequest {
+                bounces: 2,
+                nodes,
+                accuracy: Accuracy::from_db(-40.0),
+                ..at(0.0, elevation_deg)
+            };
             dbsm(run(&body, &request).by_order_m[1][0])
         };
         check(&format!("D3 radius {radius_m} m"), 10.0 * exact.log10(), of(NodeRule::OwnEdge), 0.1);
-        println!("D3 radius {radius_m} m: middle {:.2}, exit {:.2}", of(NodeRule::Middle), of(NodeRule::Exit));
+        println!(
+            "D3 radius {radius_m} m: middle {:.2}, exit {:.2}",
+            of(NodeRule::Middle),
+            of(NodeRule::Exit)
+        );
     }
 }
 
@@ -374,7 +395,8 @@ fn relabelled_split_and_doubled_facets_leave_the_amplitude_unchanged() {
     relabelled.triangles.iter_mut().for_each(|t| t.rotate_left(1));
     let mut split = mesh(body.vertices_m.clone(), vec![]);
     for &[a, b, c] in &body.triangles {
-        let middle = [0, 1, 2].map(|i| 0.5 * (body.vertices_m[b as usize][i] + body.vertices_m[c as usize][i]));
+        let middle =
+            [0, 1, 2].map(|i| 0.5 * (body.vertices_m[b as usize][i] + body.vertices_m[c as usize][i]));
         let new = split.vertices_m.len() as u32;
         split.vertices_m.push(middle);
         split.triangles.extend([[a, b, new], [a, new, c]]);
@@ -404,8 +426,8 @@ fn turning_mesh_and_antenna_together_leaves_the_amplitude_unchanged() {
     assert!(error < 1e-9);
 }
 
-/// A wrong node rule fails here and nowhere else: transmitter and receiver 22° apart on an 88° dihedral, and at two places
-/// before a corner of odd shape for the higher orders.
+/// A wrong node rule fails here and nowhere else: transmitter and receiver 22° apart on an 88° dihedral, and
+/// at two places before a corner of odd shape for the higher orders.
 #[test]
 fn swapping_transmitter_and_receiver_transposes_the_amplitude() {
     for nodes in RULES {
@@ -446,7 +468,9 @@ fn reciprocal(body: &Mesh, stations_deg: [(f64, f64); 2], range_m: f64, bounces:
     for (there, back) in pairs {
         let error = (of(0, 1, there) - of(1, 0, back)).norm() / scale;
         let level_db = 20.0 * error.log10();
-        println!("reciprocity, {nodes:?}, {range_m} m, {bounces} bounces, {there:?}: asked -100 dB, got {level_db:.0}");
+        println!(
+            "reciprocity, {nodes:?}, {range_m} m, {bounces} bounces, {there:?}: asked -100 dB, got {level_db:.0}"
+        );
         assert!(scale > 0.0 && error < 1e-5);
     }
 }
@@ -457,8 +481,14 @@ fn cross_polarizations_of_one_antenna_are_equal() {
     for (nodes, bounces) in RULES.into_iter().flat_map(|nodes| [(nodes, 3), (nodes, 5)]) {
         for range_m in [f64::INFINITY, 2.0] {
             let accuracy = Accuracy::from_db(-40.0);
-            let request =
-                |polarization| RcsRequest { bounces, polarization, nodes, range_m, accuracy, ..at(40.0, 30.0) };
+            let request = |polarization| RcsRequest {
+                bounces,
+                polarization,
+                nodes,
+                range_m,
+                accuracy,
+                ..at(40.0, 30.0)
+            };
             let of = |polarization| s(&odd_corner(), &request(polarization));
             let (vh, hv) = (of(Polarization::Vh), of(Polarization::Hv));
             let error = (vh - hv).norm() / of(Polarization::Vv).norm();
@@ -487,15 +517,17 @@ fn a_receiver_beside_the_transmitter_gives_the_monostatic_amplitude() {
 #[test]
 fn amplitudes_of_bodies_that_do_not_see_each_other_add() {
     let shifted = |x: f64| [[x, -0.1, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]];
-    let of =
-        |list: &[[[f64; 3]; 3]]| s(&parallelograms(list), &RcsRequest { range_m: 20.0, bounces: 2, ..at(10.0, 5.0) });
+    let of = |list: &[[[f64; 3]; 3]]| {
+        s(&parallelograms(list), &RcsRequest { range_m: 20.0, bounces: 2, ..at(10.0, 5.0) })
+    };
     let (a, b) = (shifted(0.0), [[0.3, 0.1, 0.2], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]]);
     let error = (of(&[a, b]) - of(&[a]) - of(&[b])).norm() / of(&[a]).norm();
     println!("additivity: {error:.1e}");
     assert!(error < 1e-6);
 }
 
-/// Slivers are dropped by area; at 1 GHz and −40 dB, λ²/100·accuracy is 9 mm², larger than every facet of this mesh.
+/// Slivers are dropped by area; at 1 GHz and −40 dB, λ²/100·accuracy is 9 mm², larger than every facet of
+/// this mesh.
 #[test]
 fn a_mesh_much_finer_than_the_wavelength_is_not_dropped() {
     let (side_m, cells) = (0.3, 128);

@@ -1,5 +1,8 @@
 //! Edges of bodies, through the crate's front door: against exact strips, by reciprocity and under shadows.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
 
 use artifact::Accuracy;
 use artifact::radar::Polarization;
@@ -13,8 +16,8 @@ const WAVELENGTH_M: f64 = 299_792_458.0 / FREQUENCY_HZ;
 
 fn quads(corners: &[[[f64; 3]; 4]]) -> Mesh {
     let vertices_m = corners.iter().flatten().copied().collect();
-    let triangles =
-        (0..corners.len() as u32).flat_map(|i| [[4 * i, 4 * i + 1, 4 * i + 2], [4 * i, 4 * i + 2, 4 * i + 3]]);
+    let triangles = (0..corners.len() as u32)
+        .flat_map(|i| [[4 * i, 4 * i + 1, 4 * i + 2], [4 * i, 4 * i + 2, 4 * i + 3]]);
     Mesh { vertices_m, triangles: triangles.collect(), ..Mesh::default() }
 }
 
@@ -39,7 +42,13 @@ fn amplitude(
     run(mesh, sent, received, pol, edges).amplitude_m[0]
 }
 
-fn run(mesh: &Mesh, sent: Standpoint, received: Option<Standpoint>, pol: Polarization, edges: Edges) -> RcsResult {
+fn run(
+    mesh: &Mesh,
+    sent: Standpoint,
+    received: Option<Standpoint>,
+    pol: Polarization,
+    edges: Edges,
+) -> RcsResult {
     let request = RcsRequest {
         frequency_hz: vec![FREQUENCY_HZ],
         elevation_rad: vec![sent.elevation_rad],
@@ -61,8 +70,8 @@ const FAR: f64 = f64::INFINITY;
 
 #[test]
 fn e2_a_strip_of_ten_wavelengths_has_its_exact_level_where_its_edges_stay_apart() {
-    // 20·log₁₀|D| of the exact solution (moment method), angle from the plane; two strips of different height share what
-    // their ends scatter, so their difference is that of a strip without ends: S = L/√π · D.
+    // 20·log₁₀|D| of the exact solution (moment method), angle from the plane; two strips of different height
+    // share what their ends scatter, so their difference is that of a strip without ends: S = L/√π · D.
     let angles = [80.0, 70.0, 60.0, 50.0, 40.0, 30.0];
     let exact = [15.18, 4.38, 0.01, 1.05, 1.76, 0.92];
     let [short, long] = [10.0, 20.0].map(|h| strip(10.0 * WAVELENGTH_M, h * WAVELENGTH_M, 0.0));
@@ -70,12 +79,14 @@ fn e2_a_strip_of_ten_wavelengths_has_its_exact_level_where_its_edges_stay_apart(
         let seen = standpoint(90.0 - angle, 0.0, FAR);
         let of = |mesh: &Mesh, edges| amplitude(mesh, seen, None, Polarization::Vv, edges);
         let level = |edges| {
-            let d = (of(&long, edges) - of(&short, edges)) * std::f64::consts::PI.sqrt() / (10.0 * WAVELENGTH_M);
+            let d =
+                (of(&long, edges) - of(&short, edges)) * std::f64::consts::PI.sqrt() / (10.0 * WAVELENGTH_M);
             20.0 * d.norm().log10()
         };
         let (with, without) = (level(Edges::FirstOrder), level(Edges::Ignored));
         println!("E2 {angle}°: exact {known}, with edges {with:.3}, physical optics {without:.3} dB");
-        // The table is printed to 0.01 dB; first order is 0.00–0.04 dB off in the mean at E ∥ (docs/physics.md §4).
+        // The table is printed to 0.01 dB; first order is 0.00–0.04 dB off in the mean at E ∥
+        // (docs/physics.md §4).
         assert!((with - known).abs() < 0.1, "{angle}: {with}");
     }
 }
@@ -109,7 +120,8 @@ fn a_screen_hides_edges_as_it_hides_facets() {
         let corners = |m: &Mesh| [0, 1, 2, 3].map(|i| m.vertices_m[i]);
         quads(&[corners(&plate), screen])
     };
-    let screen = |y: f64| [[0.1, y - 0.2, -0.2], [0.1, y + 0.2, -0.2], [0.1, y + 0.2, 0.2], [0.1, y - 0.2, 0.2]];
+    let screen =
+        |y: f64| [[0.1, y - 0.2, -0.2], [0.1, y + 0.2, -0.2], [0.1, y + 0.2, 0.2], [0.1, y - 0.2, 0.2]];
     // The screen's own level at 25° is told from a screen alone.
     let hidden = of(&behind(screen(0.05))) - of(&quads(&[screen(0.05)]));
     let free = of(&behind(screen(1.0))) - of(&quads(&[screen(1.0)]));
@@ -126,9 +138,12 @@ fn a_screen_hides_edges_as_it_hides_facets() {
 #[test]
 fn a_distant_antenna_sees_the_edges_as_one_infinitely_far_away() {
     let mesh = strip(0.05, 0.03, 0.0);
-    let of = |range_m| amplitude(&mesh, standpoint(40.0, 15.0, range_m), None, Polarization::Vv, Edges::FirstOrder);
+    let of = |range_m| {
+        amplitude(&mesh, standpoint(40.0, 15.0, range_m), None, Polarization::Vv, Edges::FirstOrder)
+    };
     let error = (of(3e6) - of(FAR)).norm() / of(FAR).norm();
-    // Curvature of the wavefront: k·D²/4R = 1614·0.0034/1.2e7 = 5e-7 of the main lobe, which is some 40 dB higher.
+    // Curvature of the wavefront: k·D²/4R = 1614·0.0034/1.2e7 = 5e-7 of the main lobe, which is some 40 dB
+    // higher.
     println!("at 3000 km: {error:.1e}");
     // Each is asked for at −80 dB of itself.
     assert!(error < 3e-4);
@@ -172,7 +187,8 @@ fn a_run_without_edges_says_how_much_they_would_add() {
     assert_eq!(run(&mesh, seen, None, Polarization::Hh, Edges::FirstOrder).model_error.edges, None);
 }
 
-/// Triangles on a coarse grid: shared, doubled, folded and crossing ones, needles and T-junctions come by themselves.
+/// Triangles on a coarse grid: shared, doubled, folded and crossing ones, needles and T-junctions come by
+/// themselves.
 #[test]
 fn random_soups_have_finite_edges() {
     const CASES: u32 = 60;
@@ -189,11 +205,11 @@ fn random_soups_have_finite_edges() {
         let mesh = Mesh { vertices_m, triangles, ..Mesh::default() };
         let range_m = if case % 3 == 0 { 1.5 } else { FAR };
         let seen = standpoint(random(360) as f64, random(170) as f64 - 85.0, range_m);
-        let [with, without] =
-            [Edges::FirstOrder, Edges::Ignored].map(|edges| amplitude(&mesh, seen, None, Polarization::Hh, edges));
+        let [with, without] = [Edges::FirstOrder, Edges::Ignored]
+            .map(|edges| amplitude(&mesh, seen, None, Polarization::Hh, edges));
         assert!(with.is_finite(), "case {case}: {with}");
-        // Ten triangles have at most 30 sides of 5 cm; an edge without end scatters 1.2 of its length/√π at most, and as much
-        // again where its face ends.
+        // Ten triangles have at most 30 sides of 5 cm; an edge without end scatters 1.2 of its length/√π at
+        // most, and as much again where its face ends.
         assert!((with - without).norm() < 30.0 * 0.052 * 2.4 / 1.77, "case {case}: {with} {without}");
         scatter += u32::from(with != without);
     }

@@ -1,5 +1,9 @@
-//! What is expected of a frame before it is traced, beside what it then turns out to be: counts, which no other program disturbs.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+//! What is expected of a frame before it is traced, beside what it then turns out to be: counts, which no
+//! other program disturbs.
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
 
 mod bodies;
 
@@ -13,8 +17,10 @@ use std::f64::consts::FRAC_PI_2;
 /// A car and a box on wheels in the lane beside it.
 fn two_bodies(car_mps: f64) -> (SceneHeader, SceneFrame) {
     let (car, truck) = (car(8).mesh(), cuboid(DVec3::new(-4.0, -1.2, 0.4), DVec3::new(4.0, 1.2, 3.2)).mesh());
-    let places =
-        [([5.75, 30.0, 0.0], -FRAC_PI_2, [0.0, -car_mps, 0.0]), ([9.5, 33.0, 0.0], -FRAC_PI_2, [0.0, 0.0, 0.0])];
+    let places = [
+        ([5.75, 30.0, 0.0], -FRAC_PI_2, [0.0, -car_mps, 0.0]),
+        ([9.5, 33.0, 0.0], -FRAC_PI_2, [0.0, 0.0, 0.0]),
+    ];
     let (mut header, frame) = scene(&car, &places);
     header.fidelity.bounces = 2;
     header.meshes = Meshes::from(vec![car, truck]);

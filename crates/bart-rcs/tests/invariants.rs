@@ -20,7 +20,11 @@ const D5: f64 = 1e-7;
 const ON_THE_BONNET: DVec3 = DVec3::new(1.7, 0.11, 1.03);
 
 fn bodies_to_look_at() -> [(&'static str, Triangles); 3] {
-    [("sphere", sphere(0.7, 2)), ("cube", cuboid(DVec3::splat(-0.4), DVec3::splat(0.6)).refined(1)), ("car", car(12))]
+    [
+        ("sphere", sphere(0.7, 2)),
+        ("cube", cuboid(DVec3::splat(-0.4), DVec3::splat(0.6)).refined(1)),
+        ("car", car(12)),
+    ]
 }
 
 /// A closed room around body and antenna; its facets come first.
@@ -66,14 +70,18 @@ fn an_antenna_in_a_closed_room_lights_the_whole_sphere_and_no_reflection_escapes
             let [first, second] = &tree.audit.orders[..] else { panic!("two orders") };
             assert!((lit_section(&tree, 1) / (4.0 * PI) - 1.0).abs() < G1, "{tracer} {place}");
             assert!((second.incident_section / first.lit_section - 1.0).abs() < G1, "{tracer} {place}");
-            assert!((second.escaped_section / second.incident_section).abs() < G1, "{tracer} {place}: {second:?}");
+            assert!(
+                (second.escaped_section / second.incident_section).abs() < G1,
+                "{tracer} {place}: {second:?}"
+            );
         }
     }
 }
 
 #[test]
 fn every_beam_in_a_closed_room_hands_its_solid_angle_to_its_children() {
-    let tree = BeamTree::trace(&room().and(car(6)).world(), Antenna::Point(ON_THE_BONNET), &settings(3)).unwrap();
+    let tree =
+        BeamTree::trace(&room().and(car(6)).world(), Antenna::Point(ON_THE_BONNET), &settings(3)).unwrap();
     let mut handed = vec![0.0; tree.beams.len()];
     for beam in &tree.beams {
         if let Some(parent) = beam.parent {
@@ -81,7 +89,8 @@ fn every_beam_in_a_closed_room_hands_its_solid_angle_to_its_children() {
         }
     }
     for (beam, handed) in tree.beams.iter().zip(handed).filter(|(beam, _)| beam.order < 3) {
-        // A sliver's children may be thinner than rounding: those are dropped, and are less than 1e-12 of the sphere.
+        // A sliver's children may be thinner than rounding: those are dropped, and are less than 1e-12 of the
+        // sphere.
         assert!((handed - beam.section).abs() < G1 * beam.section + 1e-12, "{beam:?}: {handed:e}");
     }
     assert!(tree.audit.orders.iter().all(|order| order.dropped_section < 1e-11), "{:?}", tree.audit);
@@ -112,7 +121,8 @@ fn a_closed_body_is_never_lit_from_inside() {
         for r in directions() {
             for antenna in [Antenna::Direction(r), Antenna::Point(r * 7.0)] {
                 let tree = BeamTree::trace(&world, antenna, &settings(1)).unwrap();
-                let inside = tree.beams.iter().find(|beam| beam.lit_normal != world.facet(beam.facet).normal());
+                let inside =
+                    tree.beams.iter().find(|beam| beam.lit_normal != world.facet(beam.facet).normal());
                 assert_eq!(inside, None, "{body} {antenna:?}");
             }
         }
@@ -163,7 +173,8 @@ fn d4_relabelling_and_turning_the_scene_change_no_section() {
     for antenna in [Antenna::Point, |p: DVec3| Antenna::Direction(p.normalize_or_zero())] {
         let one = BeamTree::trace(&car.world(), antenna(place), &settings(2)).unwrap();
         let other = BeamTree::trace(&permuted.world(), antenna(turned(place)), &settings(2)).unwrap();
-        // The car's parts coincide in places, and the first facet is lit there: sums by order, not by sequence.
+        // The car's parts coincide in places, and the first facet is lit there: sums by order, not by
+        // sequence.
         for order in [1, 2] {
             let error = lit_section(&other, order) / lit_section(&one, order) - 1.0;
             assert!(error.abs() < G1, "order {order}: {error:e}");
@@ -177,8 +188,10 @@ fn d4_splitting_facets_changes_no_section() {
     for antenna in [Antenna::Point(place), Antenna::Direction(place.normalize_or_zero())] {
         let whole = BeamTree::trace(&car(8).world(), antenna, &settings(2)).unwrap();
         let split = BeamTree::trace(&car(8).refined(1).world(), antenna, &settings(2)).unwrap();
-        let error =
-            difference(&section_of_sequences(&whole, |facet| facet), &section_of_sequences(&split, |facet| facet / 4));
+        let error = difference(
+            &section_of_sequences(&whole, |facet| facet),
+            &section_of_sequences(&split, |facet| facet / 4),
+        );
         assert!(error < G1, "{error:e}");
     }
 }
@@ -222,7 +235,10 @@ fn polygons_are_convex_lie_on_their_facets_and_turn_about_the_lit_normal() {
             assert!(facet.plane.distance_m(corner).abs() < tolerance_m);
             let edge = next(i) - corner;
             let inward = beam.lit_normal.cross(edge).normalize_or_zero();
-            assert!(polygon.iter().all(|&other| inward.dot(other - corner) > -1e3 * tolerance_m), "{polygon:?}");
+            assert!(
+                polygon.iter().all(|&other| inward.dot(other - corner) > -1e3 * tolerance_m),
+                "{polygon:?}"
+            );
         }
         let travel = beam.image.travel_direction_at(polygon[0]);
         assert!(travel.dot(beam.lit_normal) < 0.0, "the wave comes from the lit side");
@@ -239,7 +255,8 @@ fn one_sided_facets_hide_from_both_sides_and_are_lit_from_the_front() {
     assert_eq!(two.beams, one.beams, "of closed bodies only fronts are seen");
     let black = BeamTree::trace(&car.flipped().world(), antenna, &one_sided(2)).unwrap();
     assert!(black.beams.is_empty());
-    // Panels that people model by two coincident facets, one each way: the front one is lit, whichever comes first.
+    // Panels that people model by two coincident facets, one each way: the front one is lit, whichever comes
+    // first.
     for both in [car.clone().and(car.flipped()), car.flipped().and(car.clone())] {
         let tree = BeamTree::trace(&both.world(), antenna, &one_sided(2)).unwrap();
         let error = lit_section(&tree, 1) / lit_section(&one, 1) - 1.0;
@@ -255,7 +272,11 @@ fn what_is_dropped_is_in_the_books() {
     for (tracer, trace) in TRACERS {
         let tree = trace(&triangles.world(), antenna, &coarse).unwrap();
         let [first, second] = &tree.audit.orders[..] else { panic!("two orders") };
-        assert!(first.dropped > 0 && first.unreflected > 0 && second.dropped > 0, "{tracer}: {:?}", tree.audit);
+        assert!(
+            first.dropped > 0 && first.unreflected > 0 && second.dropped > 0,
+            "{tracer}: {:?}",
+            tree.audit
+        );
         let silhouette = silhouette(&triangles.0, antenna);
         let error = (first.lit_section + first.dropped_section) / silhouette - 1.0;
         assert!(error.abs() < G1, "{tracer}: {error:e}");
@@ -305,7 +326,8 @@ fn the_same_tree_grows_on_any_number_of_threads() {
 #[test]
 fn an_antenna_in_the_plane_of_a_facet_neither_lights_nor_loses_it() {
     // The bonnet's mirrors stand between; the plate is seen edge-on from the antenna and hides nothing.
-    let plate = Triangles(vec![[DVec3::new(-1.0, 0.0, 0.0), DVec3::new(1.0, 0.0, 0.0), DVec3::new(0.0, 0.0, 1.0)]]);
+    let plate =
+        Triangles(vec![[DVec3::new(-1.0, 0.0, 0.0), DVec3::new(1.0, 0.0, 0.0), DVec3::new(0.0, 0.0, 1.0)]]);
     let wall = cuboid(DVec3::new(-5.0, -1.0, -5.0), DVec3::new(-4.0, 1.0, 5.0));
     let antenna = Antenna::Point(DVec3::new(8.0, 0.0, 0.3));
     for (tracer, trace) in TRACERS {
@@ -317,13 +339,16 @@ fn an_antenna_in_the_plane_of_a_facet_neither_lights_nor_loses_it() {
 
 #[test]
 fn a_mirror_sends_the_wave_to_where_the_image_sees_through_it() {
-    // A square mirror of 1 m in z = 0 and a plate above it: what the image sees of the plate through the mirror.
+    // A square mirror of 1 m in z = 0 and a plate above it: what the image sees of the plate through the
+    // mirror.
     let mirror = cuboid(DVec3::new(-0.5, -0.5, -0.1), DVec3::new(0.5, 0.5, 0.0));
-    let plate = Triangles(vec![[DVec3::new(-3.0, -2.0, 1.0), DVec3::new(3.0, 2.5, 1.0), DVec3::new(-3.0, 2.5, 1.2)]]);
+    let plate =
+        Triangles(vec![[DVec3::new(-3.0, -2.0, 1.0), DVec3::new(3.0, 2.5, 1.0), DVec3::new(-3.0, 2.5, 1.2)]]);
     let antenna = DVec3::new(2.0, -0.4, 0.9);
     let image = DVec3::new(2.0, -0.4, -0.9);
     for (tracer, trace) in TRACERS {
-        let tree = trace(&mirror.clone().and(plate.clone()).world(), Antenna::Point(antenna), &settings(2)).unwrap();
+        let tree =
+            trace(&mirror.clone().and(plate.clone()).world(), Antenna::Point(antenna), &settings(2)).unwrap();
         let on_top = |facet: u32| mirror.0.get(facet as usize).is_some_and(|t| t.iter().all(|v| v.z == 0.0));
         let plate_index = mirror.0.len() as u32;
         let seen: f64 = tree
@@ -335,7 +360,8 @@ fn a_mirror_sends_the_wave_to_where_the_image_sees_through_it() {
             .map(|beam| beam.section)
             .sum();
         // Union of hole and plate, by A + B − A∪B, both as the image sees them.
-        let hole: Vec<[DVec3; 3]> = mirror.0.iter().filter(|t| t.iter().all(|v| v.z == 0.0)).copied().collect();
+        let hole: Vec<[DVec3; 3]> =
+            mirror.0.iter().filter(|t| t.iter().all(|v| v.z == 0.0)).copied().collect();
         let from_image = |triangles: &[[DVec3; 3]]| silhouette(triangles, Antenna::Point(image));
         let both: Vec<[DVec3; 3]> = hole.iter().chain(&plate.0).copied().collect();
         let expected = from_image(&hole) + from_image(&plate.0) - from_image(&both);

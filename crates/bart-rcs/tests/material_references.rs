@@ -1,5 +1,5 @@
-//! Bodies that are no perfect conductors: beams against dense sampling and against rays, which find the fields at a surface
-//! by formulas of their own (`reference::plane_layers`, `reference::coated`).
+//! Bodies that are no perfect conductors: beams against dense sampling and against rays, which find the
+//! fields at a surface by formulas of their own (`reference::plane_layers`, `reference::coated`).
 
 #![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
 
@@ -99,7 +99,9 @@ fn bart(mesh: &Mesh, aspect: &Aspect, bounces: u8, nodes: NodeRule) -> Vec<Vec<M
     };
     let elements = [Polarization::Vv, Polarization::Vh, Polarization::Hv, Polarization::Hh].map(of);
     let matrix = |order: usize, f: usize| [0, 1].map(|p| [0, 1].map(|q| elements[2 * p + q][order][f]));
-    (0..usize::from(bounces)).map(|order| (0..FREQUENCIES_HZ.len()).map(|f| matrix(order, f)).collect()).collect()
+    (0..usize::from(bounces))
+        .map(|order| (0..FREQUENCIES_HZ.len()).map(|f| matrix(order, f)).collect())
+        .collect()
 }
 
 fn largest(matrices: &[Matrix]) -> f64 {
@@ -107,7 +109,12 @@ fn largest(matrices: &[Matrix]) -> f64 {
 }
 
 fn apart(a: &[Matrix], b: &[Matrix]) -> f64 {
-    a.iter().flatten().flatten().zip(b.iter().flatten().flatten()).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max)
+    a.iter()
+        .flatten()
+        .flatten()
+        .zip(b.iter().flatten().flatten())
+        .map(|(a, b)| (a - b).norm())
+        .fold(0.0, f64::max)
 }
 
 fn cross_polarized(matrices: &[Matrix]) -> f64 {
@@ -134,14 +141,19 @@ fn first_order_of_painted_and_glass_bodies_is_that_of_dense_sampling_in_all_four
         ("dihedral of paint and glass, bistatic", dihedral([paint(), glass()]), bistatic),
         ("dihedral of paint and a half-space", dihedral([paint(), half_space]), monostatic(40.0, 12.0)),
     ];
-    // A rule of degree 5 over cells of λ/6, half of which a phase of at most 2k turns by x = π/3: x⁶/6! of it is left, and
-    // the rule's constant is below a tenth.
-    let sampling =
-        po::Sampling { per_wavelength: 6.0, shadow_levels: 3, sides: Sides::Two, bracket: Bracket::Symmetrised };
+    // A rule of degree 5 over cells of λ/6, half of which a phase of at most 2k turns by x = π/3: x⁶/6! of it
+    // is left, and the rule's constant is below a tenth.
+    let sampling = po::Sampling {
+        per_wavelength: 6.0,
+        shadow_levels: 3,
+        sides: Sides::Two,
+        bracket: Bracket::Symmetrised,
+    };
     for (name, mesh, aspect) in cases {
         let asked = po::amplitude(&mesh, &aspect, &FREQUENCIES_HZ, &sampling).unwrap();
         let got = &bart(&mesh, &aspect, 1, NodeRule::Middle)[0];
-        let (error, crossed) = (apart(got, &asked) / largest(&asked), cross_polarized(&asked) / largest(&asked));
+        let (error, crossed) =
+            (apart(got, &asked) / largest(&asked), cross_polarized(&asked) / largest(&asked));
         println!("{name}: error {:.1} dB, cross-polarized {:.1} dB", db(error), db(crossed));
         println!(
             "  vv asked {:.6}, got {:.6}; vh asked {:.6}, got {:.6}",
@@ -156,7 +168,12 @@ fn orders_two_and_three_in_a_coated_corner_are_what_ever_finer_rays_tend_to() {
     let rubber = Material::HalfSpace { permittivity: RUBBER };
     let cases = [
         ("dihedral of paint and glass", dihedral([paint(), glass()]), monostatic(4.0, 3.0), 2),
-        ("corner of paint, glass and rubber", trihedral([paint(), glass(), rubber.clone()]), monostatic(35.0, 25.0), 3),
+        (
+            "corner of paint, glass and rubber",
+            trihedral([paint(), glass(), rubber.clone()]),
+            monostatic(35.0, 25.0),
+            3,
+        ),
         (
             "corner of paint, metal and rubber",
             trihedral([paint(), Material::Conductor, rubber]),
@@ -166,7 +183,8 @@ fn orders_two_and_three_in_a_coated_corner_are_what_ever_finer_rays_tend_to() {
     ];
     for (name, mesh, aspect, bounces) in cases {
         let rays = |per_wavelength| {
-            let shooting = sbr::Shooting { per_wavelength, bounces, sides: Sides::Two, bracket: Bracket::Plain };
+            let shooting =
+                sbr::Shooting { per_wavelength, bounces, sides: Sides::Two, bracket: Bracket::Plain };
             sbr::amplitude(&mesh, &aspect, &FREQUENCIES_HZ, &shooting).unwrap().orders
         };
         let (coarse, fine) = (rays(16.0), rays(48.0));
@@ -181,8 +199,8 @@ fn orders_two_and_three_in_a_coated_corner_are_what_ever_finer_rays_tend_to() {
                 db(left),
                 db(crossed)
             );
-            // Rays err by spacing^1.5: at a third of it by a fifth, a quarter of how far both are apart. And a coefficient
-            // that is off by 3 % at one face shows.
+            // Rays err by spacing^1.5: at a third of it by a fifth, a quarter of how far both are apart. And
+            // a coefficient that is off by 3 % at one face shows.
             assert!(error < left.min(0.03), "{name}, order {order}: {:.1} dB", db(error));
         }
     }
@@ -192,7 +210,8 @@ fn orders_two_and_three_in_a_coated_corner_are_what_ever_finer_rays_tend_to() {
 fn what_passes_through_a_sheet_is_refused_with_its_name() {
     let mut mesh = dihedral([paint(), glass()]);
     mesh.makeup.transmission = artifact::material::Transmission::Followed;
-    let sampling = po::Sampling { per_wavelength: 2.0, shadow_levels: 0, sides: Sides::Two, bracket: Bracket::Plain };
+    let sampling =
+        po::Sampling { per_wavelength: 2.0, shadow_levels: 0, sides: Sides::Two, bracket: Bracket::Plain };
     let answer = po::amplitude(&mesh, &monostatic(0.0, 0.0), &FREQUENCIES_HZ, &sampling);
     assert_eq!(answer, Err(ReferenceError::Transmission { material: "face 1".to_owned() }));
 }

@@ -14,7 +14,8 @@ use std::f64::consts::PI;
 
 const FREQUENCY_HZ: f64 = 77e9;
 const GLASS: Complex64 = Complex64::new(6.5, -0.15);
-const POLARIZATIONS: [Polarization; 4] = [Polarization::Vv, Polarization::Vh, Polarization::Hv, Polarization::Hh];
+const POLARIZATIONS: [Polarization; 4] =
+    [Polarization::Vv, Polarization::Vh, Polarization::Hv, Polarization::Hh];
 
 fn half_space(permittivity: Complex64) -> Material {
     Material::HalfSpace { permittivity }
@@ -45,7 +46,9 @@ fn in_metal(mesh: &Mesh) -> Mesh {
 
 /// A rectangle across x at `x_m`, facing +x.
 fn screen(x_m: f64, half_y_m: f64, half_z_m: f64) -> Vec<[f64; 3]> {
-    [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[y, z]| [x_m, y * half_y_m, z * half_z_m]).to_vec()
+    [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]
+        .map(|[y, z]| [x_m, y * half_y_m, z * half_z_m])
+        .to_vec()
 }
 
 /// Faces that meet in the z axis and open to +x, turned about x by `roll_deg`.
@@ -56,7 +59,10 @@ fn dihedral(opening_deg: f64, roll_deg: f64) -> [Vec<[f64; 3]>; 2] {
     let rolled = |[x, y, z]: [f64; 3]| [x, y * cos_roll - z * sin_roll, y * sin_roll + z * cos_roll];
     [1.0, -1.0].map(|side| {
         let (x, y, half) = (SIDE_M * cos, SIDE_M * sin * side, 0.5 * SIDE_M);
-        vec![[0.0, 0.0, -half], [x, y, -half], [x, y, half], [0.0, 0.0, half]].into_iter().map(rolled).collect()
+        vec![[0.0, 0.0, -half], [x, y, -half], [x, y, half], [0.0, 0.0, half]]
+            .into_iter()
+            .map(rolled)
+            .collect()
     })
 }
 
@@ -153,7 +159,8 @@ fn a_rolled_dihedral_of_glass_mixes_polarizations_as_the_rotation_of_its_axes_do
             te * sin * sin + tm * cos * cos,
         ];
         let got = of(roll_deg);
-        let error = got.iter().zip(asked).map(|(g, a)| (g.norm() - a.norm()).abs()).fold(0.0, f64::max) / te.norm();
+        let error =
+            got.iter().zip(asked).map(|(g, a)| (g.norm() - a.norm()).abs()).fold(0.0, f64::max) / te.norm();
         println!("roll {roll_deg}: {error:.1e}");
         assert!(error < 1e-9, "{roll_deg}: {got:?} {asked:?}");
         assert!((got[1] - got[2]).norm() < 1e-12 * te.norm());
@@ -164,7 +171,8 @@ fn a_rolled_dihedral_of_glass_mixes_polarizations_as_the_rotation_of_its_axes_do
 #[test]
 fn a_pane_reflects_as_its_thickness_says_and_averaged_as_the_mean_power() {
     let wavenumber_per_m = 2.0 * PI * FREQUENCY_HZ / SPEED_OF_LIGHT_MPS;
-    let level = |material: Material| matrix(&mesh(&[(screen(0.0, 0.05, 0.05), material)]), &request(0.0, 0.0), 1)[0];
+    let level =
+        |material: Material| matrix(&mesh(&[(screen(0.0, 0.05, 0.05), material)]), &request(0.0, 0.0), 1)[0];
     let metal = level(Material::Conductor);
     let r = fresnel(GLASS, 0.0)[0];
     let mut powers = Vec::new();
@@ -179,7 +187,11 @@ fn a_pane_reflects_as_its_thickness_says_and_averaged_as_the_mean_power() {
     }
     let mean = powers.iter().sum::<f64>() / 16.0;
     let averaged = level(sheet(GLASS, 5e-3 + 0.5 * period_m, Thickness::Averaged)).norm_sqr();
-    println!("mean power over a period {:.3} dB, averaged {:.3} dB", 10.0 * mean.log10(), 10.0 * averaged.log10());
+    println!(
+        "mean power over a period {:.3} dB, averaged {:.3} dB",
+        10.0 * mean.log10(),
+        10.0 * averaged.log10()
+    );
     // Absorption changes by 4 % over the period about its middle, and with the square of that in the mean.
     assert!((averaged / mean - 1.0).abs() < 2e-3);
 }
@@ -196,9 +208,11 @@ fn mixed_corner() -> Mesh {
     mesh(&[(a, sheet(GLASS, 4.7e-3, Thickness::Exact)), (b, coat), (floor, Material::Conductor)])
 }
 
-/// The largest element of S of one order between two directions, and what it differs from that of the way back, transposed.
+/// The largest element of S of one order between two directions, and what it differs from that of the way
+/// back, transposed.
 fn scale_and_reciprocity_db(body: &Mesh, bounces: u8, order: usize) -> (f64, f64) {
-    // Far away, where integrals are closed: near by, polygons begin at other corners from the other end and are cut another way.
+    // Far away, where integrals are closed: near by, polygons begin at other corners from the other end and
+    // are cut another way.
     let place = |azimuth_deg: f64, elevation_deg: f64| Standpoint {
         azimuth_rad: azimuth_deg.to_radians(),
         elevation_rad: elevation_deg.to_radians(),
@@ -269,7 +283,8 @@ fn a_skin_that_names_only_conductors_changes_no_bit() {
     let mut body = mixed_corner();
     body.makeup = Makeup { materials: vec![Material::Conductor; 3], transmission: Transmission::Ignored };
     let asked = RcsRequest { range_m: 6.0, ..request(5.0, 18.0) };
-    let [named, bare] = [body.clone(), in_metal(&body)].map(|b| rcs(&b, &asked, &|_, _| {}).unwrap().amplitude_m);
+    let [named, bare] =
+        [body.clone(), in_metal(&body)].map(|b| rcs(&b, &asked, &|_, _| {}).unwrap().amplitude_m);
     assert_eq!(named, bare);
 }
 

@@ -1,6 +1,7 @@
-//! Meshes as they come: open, non-manifold, with T-junctions, overlaps, slivers, doubled and turned faces, faces that cross
-//! each other, faces in the antenna's plane, far from the origin. What is lit and what is hidden add to the whole, facet by
-//! facet: the hidden part is a union of polygons that shares nothing with the tracer.
+//! Meshes as they come: open, non-manifold, with T-junctions, overlaps, slivers, doubled and turned faces,
+//! faces that cross each other, faces in the antenna's plane, far from the origin. What is lit and what is
+//! hidden add to the whole, facet by facet: the hidden part is a union of polygons that shares nothing with
+//! the tracer.
 
 mod bodies;
 
@@ -25,7 +26,8 @@ fn square(origin: DVec3, u: DVec3, v: DVec3) -> Triangles {
 
 /// Four sheets folded along parallel edges, open at both ends.
 fn open_sheet() -> Triangles {
-    let fold = |i: f64| square(at(0.3 * (i % 2.0), 0.4 * i, 0.0), at(0.3 - 0.6 * (i % 2.0), 0.4, 0.0), DVec3::Z);
+    let fold =
+        |i: f64| square(at(0.3 * (i % 2.0), 0.4 * i, 0.0), at(0.3 - 0.6 * (i % 2.0), 0.4, 0.0), DVec3::Z);
     fold(0.0).and(fold(1.0)).and(fold(2.0)).and(fold(3.0))
 }
 
@@ -38,8 +40,9 @@ fn book() -> Triangles {
 /// Halves of different cut along one edge: corners of one within edges of the other.
 fn t_junctions() -> Triangles {
     let upper = square(at(0.0, 0.0, 0.5), DVec3::Y, 0.5 * DVec3::Z);
-    let thirds = [0.0, 0.3, 0.7]
-        .map(|y| square(at(0.0, y, 0.0), at(0.0, [0.3, 0.4, 0.3][(y * 3.0) as usize], 0.0), at(0.1, 0.0, 0.5)));
+    let thirds = [0.0, 0.3, 0.7].map(|y| {
+        square(at(0.0, y, 0.0), at(0.0, [0.3, 0.4, 0.3][(y * 3.0) as usize], 0.0), at(0.1, 0.0, 0.5))
+    });
     thirds.into_iter().fold(upper, |all, third| all.and(third.map(|v| v - at(0.1 * v.z / 0.5, 0.0, 0.0))))
 }
 
@@ -100,8 +103,8 @@ fn meshes() -> Vec<(&'static str, Triangles)> {
     ]
 }
 
-/// The part of a facet that is nearer to the antenna than another facet's plane, as triangles; coincident facets yield to
-/// the first.
+/// The part of a facet that is nearer to the antenna than another facet's plane, as triangles; coincident
+/// facets yield to the first.
 fn before(front: &Facet, order: std::cmp::Ordering, facet: &Facet, antenna: Antenna) -> Vec<Facet> {
     let [a, b, c] = *facet;
     let normal = (b - a).cross(c - a).normalize_or_zero();
@@ -125,7 +128,11 @@ fn before(front: &Facet, order: std::cmp::Ordering, facet: &Facet, antenna: Ante
             part.push(front[here].lerp(front[next], heights[here] / (heights[here] - heights[next])));
         }
     }
-    if part.len() < 3 { vec![] } else { (1..part.len() - 1).map(|i| [part[0], part[i], part[i + 1]]).collect() }
+    if part.len() < 3 {
+        vec![]
+    } else {
+        (1..part.len() - 1).map(|i| [part[0], part[i], part[i + 1]]).collect()
+    }
 }
 
 /// What others hide of a facet: A(facet) + A(others in front) − A(both together), each a union.
@@ -151,7 +158,9 @@ fn lit_and_hidden_add_to_every_facet_of_every_mesh() {
     for (name, triangles) in meshes() {
         let world = triangles.world();
         let r = at(6.0, 2.0, 3.0);
-        for antenna in [Antenna::Point(r), Antenna::Direction(r.normalize_or_zero()), Antenna::Direction(-DVec3::X)] {
+        for antenna in
+            [Antenna::Point(r), Antenna::Direction(r.normalize_or_zero()), Antenna::Direction(-DVec3::X)]
+        {
             let total: f64 = triangles.0.iter().map(|t| silhouette(&[*t], antenna)).sum();
             for (tracer, trace) in TRACERS {
                 let tree = trace(&world, antenna, &settings(1)).unwrap();
@@ -162,7 +171,9 @@ fn lit_and_hidden_add_to_every_facet_of_every_mesh() {
                     worst = worst.max(error.abs() / total);
                 }
                 let union = (lit_section(&tree, 1) - silhouette(&triangles.0, antenna)).abs() / total;
-                println!("{name}, {antenna:?}, {tracer}: asked {G1:e}, facets {worst:.1e}, union {union:.1e}");
+                println!(
+                    "{name}, {antenna:?}, {tracer}: asked {G1:e}, facets {worst:.1e}, union {union:.1e}"
+                );
                 assert!(worst < G1 && union < G1, "{name} {antenna:?} {tracer}: {worst:e} {union:e}");
             }
         }
@@ -175,10 +186,14 @@ fn every_mesh_ten_kilometres_away_is_lit_alike() {
     for (name, triangles) in meshes() {
         let section = |shift: DVec3| {
             let world = triangles.clone().map(|v| v + shift).world();
-            lit_section(&BeamTree::trace(&world, Antenna::Point(shift + at(6.0, 2.0, 3.0)), &settings(2)).unwrap(), 1)
+            lit_section(
+                &BeamTree::trace(&world, Antenna::Point(shift + at(6.0, 2.0, 3.0)), &settings(2)).unwrap(),
+                1,
+            )
         };
         let (here, there) = (section(DVec3::ZERO), section(far));
-        // Coordinates of 10 km are rounded to 1e-12 m; needles of a nanometre turn by a thousandth of their own area.
+        // Coordinates of 10 km are rounded to 1e-12 m; needles of a nanometre turn by a thousandth of their
+        // own area.
         println!("{name}: asked 1e-7, got {:.1e}", (there / here - 1.0).abs());
         assert!((there / here - 1.0).abs() < 1e-7, "{name}: {here:e} {there:e}");
     }

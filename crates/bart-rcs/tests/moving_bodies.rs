@@ -1,8 +1,11 @@
-//! Bodies that light and shade one another while they pass: paths of a frame against the same bodies traced and integrated anew
-//! at many moments of it, and what the frame says that its paths err by.
+//! Bodies that light and shade one another while they pass: paths of a frame against the same bodies traced
+//! and integrated anew at many moments of it, and what the frame says that its paths err by.
 //!
 //! A map's error is that of its samples (Parseval), so S at moments and frequencies tells it.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
 
 mod bodies;
 
@@ -12,7 +15,8 @@ use artifact::radar::Polarization;
 use artifact::scene::{Mesh, Meshes, Pose, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::Surface;
 use bart_rcs::{
-    MOMENTS_MAX, Models, PathView, RcsRequest, Standpoint, rcs, scattering_of_paths, trace_frame, trace_frame_like,
+    MOMENTS_MAX, Models, PathView, RcsRequest, Standpoint, rcs, scattering_of_paths, trace_frame,
+    trace_frame_like,
 };
 use bodies::scenes::scene;
 use bodies::{car, cuboid};
@@ -90,8 +94,13 @@ fn anew(scene: &Scene, seconds: f64) -> Vec<Complex64> {
 
 fn of_paths(scene: &Scene, frame: &PathsFrame, seconds: f64) -> Vec<Complex64> {
     let centre_frequency_hz = scene.0.radar.waveform.centre_frequency_hz();
-    let view =
-        PathView { transmitter_m: RADAR_M, receiver_m: RADAR_M, origin_m: ORIGIN_M, seconds, centre_frequency_hz };
+    let view = PathView {
+        transmitter_m: RADAR_M,
+        receiver_m: RADAR_M,
+        origin_m: ORIGIN_M,
+        seconds,
+        centre_frequency_hz,
+    };
     frequencies_hz().iter().map(|f| scattering_of_paths(&frame.paths, &view, *f)[0][0]).collect()
 }
 
@@ -138,8 +147,8 @@ struct Tally {
     frames: u32,
 }
 
-/// What the frame tells is not below the truth, and it tells no more than was asked for unless it is split as far as it may be or
-/// something else errs most.
+/// What the frame tells is not below the truth, and it tells no more than was asked for unless it is split as
+/// far as it may be or something else errs most.
 fn compared(passings: &[Passing], asked_db: &[f64]) -> Tally {
     let mut tally = Tally::default();
     for (car_y_m, car_mps, yaw_rad) in passings.iter().copied() {
@@ -154,7 +163,10 @@ fn compared(passings: &[Passing], asked_db: &[f64]) -> Tally {
             );
             let error = frame.error;
             let is_mostly_freezing = error.freezing > error.integration && error.freezing > error.dropped;
-            assert!(told <= accuracy_db || moments == MOMENTS_MAX || !is_mostly_freezing, "{told} is not explained");
+            assert!(
+                told <= accuracy_db || moments == MOMENTS_MAX || !is_mostly_freezing,
+                "{told} is not explained"
+            );
             tally.covered += u32::from(got <= told);
             tally.met += u32::from(told <= accuracy_db);
             tally.frames += 1;

@@ -32,7 +32,8 @@ fn plate() -> Mesh {
 fn sphere() -> Mesh {
     let (rings, sides) = (16_u32, 24_u32);
     let place = |ring: u32, side: u32| {
-        let (polar, around) = (PI * f64::from(ring) / f64::from(rings), TAU * f64::from(side) / f64::from(sides));
+        let (polar, around) =
+            (PI * f64::from(ring) / f64::from(rings), TAU * f64::from(side) / f64::from(sides));
         [0.5 * polar.sin() * around.cos(), 0.5 * polar.sin() * around.sin(), 0.5 * polar.cos()]
     };
     let vertices_m = (0..=rings).flat_map(|ring| (0..sides).map(move |side| place(ring, side))).collect();
@@ -65,15 +66,17 @@ fn request(range_m: f64) -> RcsRequest {
 }
 
 fn antenna_m(request: &RcsRequest) -> DVec3 {
-    let ((sin_el, cos_el), (sin_az, cos_az)) = (request.elevation_rad[0].sin_cos(), request.azimuth_rad[0].sin_cos());
+    let ((sin_el, cos_el), (sin_az, cos_az)) =
+        (request.elevation_rad[0].sin_cos(), request.azimuth_rad[0].sin_cos());
     request.range_m * DVec3::new(cos_el * cos_az, cos_el * sin_az, sin_el)
 }
 
-/// S = j√(4π)/λ · ∫ (n·r̂ₓ)(R/r)² e^{−2jk(r−R)} dA over the facets of a convex body that face the antenna, point by point: a
-/// triangle as a square, (u, v) ↦ a + u(1−v)(b−a) + uv(c−a), in steps of a sixteenth of a wavelength by 2 × 2 points of Gauss
-/// and Legendre, which miss (π/8)⁴/270 = 9e-5 of a step's phasor.
+/// S = j√(4π)/λ · ∫ (n·r̂ₓ)(R/r)² e^{−2jk(r−R)} dA over the facets of a convex body that face the antenna,
+/// point by point: a triangle as a square, (u, v) ↦ a + u(1−v)(b−a) + uv(c−a), in steps of a sixteenth of a
+/// wavelength by 2 × 2 points of Gauss and Legendre, which miss (π/8)⁴/270 = 9e-5 of a step's phasor.
 fn brute_force(mesh: &Mesh, request: &RcsRequest) -> Complex64 {
-    let facets = mesh.triangles.iter().map(|t| t.map(|vertex| DVec3::from_array(mesh.vertices_m[vertex as usize])));
+    let facets =
+        mesh.triangles.iter().map(|t| t.map(|vertex| DVec3::from_array(mesh.vertices_m[vertex as usize])));
     let sum: Complex64 = facets
         .map(|facet| over_facet(facet, if mesh.name == "plate" { Sides::Two } else { Sides::One }, request))
         .sum();
@@ -100,7 +103,8 @@ fn over_facet([a, b, c]: [DVec3; 3], sides: Sides, request: &RcsRequest) -> Comp
         let weight = 2.0 * u * side * outward.dot(p - x) / r * (request.range_m / r).powi(2);
         Complex64::from_polar(weight, -2.0 * k * (r - request.range_m))
     };
-    let sum: Complex64 = points.iter().flat_map(|u| points.iter().map(move |v| (*u, *v))).map(|(u, v)| at(u, v)).sum();
+    let sum: Complex64 =
+        points.iter().flat_map(|u| points.iter().map(move |v| (*u, *v))).map(|(u, v)| at(u, v)).sum();
     sum / (points.len() * points.len()) as f64
 }
 
@@ -135,8 +139,7 @@ fn over_five_decades_of_distance_it_ends_with_a_true_error_or_is_refused_with_fi
 #[test]
 fn a_receiver_or_a_transmitter_inside_a_closed_body_is_refused() {
     let receiver = |range_m| Some(Standpoint { azimuth_rad: 0.4, elevation_rad: 0.2, range_m });
-    let inside =
-        |found: Result<_, BartError>| matches!(found, Err(BartError::AntennaEnclosed { share }) if share > 0.999);
+    let inside = |found: Result<_, BartError>| matches!(found, Err(BartError::AntennaEnclosed { share }) if share > 0.999);
     for mesh in [cube(), sphere()] {
         let quiet = |request: &RcsRequest| rcs(&mesh, request, &|_, _| ());
         assert!(inside(quiet(&request(0.1))), "{}", mesh.name);

@@ -66,7 +66,8 @@ fn sum<'a>(paths: impl IntoIterator<Item = &'a Path>) -> Amplitude {
     scattering_of_paths(paths, &view, centre_hz())
 }
 
-/// S from `from` to `to` by sampling, the phase that of |x − to| less that of the plate's distance from the radar.
+/// S from `from` to `to` by sampling, the phase that of |x − to| less that of the plate's distance from the
+/// radar.
 fn sampled(from: DVec3, to: DVec3) -> Amplitude {
     // In the plate's axes: forward is −y of the world.
     let place = |p: DVec3| {
@@ -75,13 +76,18 @@ fn sampled(from: DVec3, to: DVec3) -> Amplitude {
         Standpoint { azimuth_rad: y.atan2(x), elevation_rad: (z / range_m).asin(), range_m }
     };
     let aspect = Aspect { transmitter: place(from), receiver: place(to) };
-    let sampling =
-        po::Sampling { per_wavelength: 4.0, shadow_levels: 0, sides: Sides::Two, bracket: Bracket::Symmetrised };
+    let sampling = po::Sampling {
+        per_wavelength: 4.0,
+        shadow_levels: 0,
+        sides: Sides::Two,
+        bracket: Bracket::Symmetrised,
+    };
     let s = po::amplitude(&plate(), &aspect, &[centre_hz()], &sampling).unwrap()[0];
     let radar_m = RADAR_M.distance(PLATE_M);
     let wavenumber = TAU * centre_hz() / SPEED_OF_LIGHT_MPS;
-    let factor =
-        |p: DVec3| Complex64::from_polar(radar_m / p.distance(PLATE_M), -wavenumber * (p.distance(PLATE_M) - radar_m));
+    let factor = |p: DVec3| {
+        Complex64::from_polar(radar_m / p.distance(PLATE_M), -wavenumber * (p.distance(PLATE_M) - radar_m))
+    };
     s.map(|row| row.map(|x| x * factor(from) * factor(to)))
 }
 
@@ -125,8 +131,8 @@ fn direct_vehicle_road_road_vehicle_and_both_add_up_as_bistatic_physical_optics_
             let asked = direct[i][i] + 2.0 * r * once[i][i] + r * r * twice[i][i];
             let error = (got[i][i] - asked).norm() / asked.norm().max(direct[i][i].norm());
             println!("{material:?}, element {i}: asked {asked:.5}, got {:.5}, error {error:.1e}", got[i][i]);
-            // r of v changes by 1.8 per radian near Brewster's angle, and the plate's rim is 0.6 mrad off its middle: 2·1e-3
-            // of the share by the road, which is 1.5 times the sum.
+            // r of v changes by 1.8 per radian near Brewster's angle, and the plate's rim is 0.6 mrad off its
+            // middle: 2·1e-3 of the share by the road, which is 1.5 times the sum.
             assert!(error < 3.2e-3, "{material:?} {i}: {error:e}");
         }
     }
@@ -156,7 +162,8 @@ fn the_two_ways_by_the_road_come_in_pairs_that_add() {
 
 #[test]
 fn a_rough_road_reflects_less_by_ament_s_factor() {
-    let road = |rms_height_m| Some(Road { material: Material::HalfSpace { permittivity: ASPHALT }, rms_height_m });
+    let road =
+        |rms_height_m| Some(Road { material: Material::HalfSpace { permittivity: ASPHALT }, rms_height_m });
     let by_road = |x: [f64; 3]| DVec3::from_array(x).distance(RADAR_M) > 25.1;
     let level = |road| {
         let paths = traced(road).paths;
@@ -186,7 +193,8 @@ fn without_a_road_its_cost_is_added_up_and_with_one_it_is_not() {
 
 #[test]
 fn corners_over_a_road_have_one_level_by_every_node_rule() {
-    // Upright walls of 10 cm that open at 90° towards the radar: their planes are exact, so that any node serves.
+    // Upright walls of 10 cm that open at 90° towards the radar: their planes are exact, so that any node
+    // serves.
     let wall = |y: f64| [[-0.07, 0.0, 0.4], [0.0, 0.07 * y, 0.4], [0.0, 0.07 * y, 0.6], [-0.07, 0.0, 0.6]];
     let mesh = Mesh {
         name: "corner".into(),
@@ -197,7 +205,8 @@ fn corners_over_a_road_have_one_level_by_every_node_rule() {
     let of = |nodes: NodeRule, road: Option<Road>| {
         let yaw = -std::f64::consts::FRAC_PI_2;
         let (mut header, frame) = bodies::scenes::scene(&mesh, &[([0.0, 25.0, 0.0], yaw, [0.0; 3])]);
-        (header.road, header.fidelity.nodes, header.fidelity.accuracy) = (road, nodes, Accuracy::from_db(-40.0));
+        (header.road, header.fidelity.nodes, header.fidelity.accuracy) =
+            (road, nodes, Accuracy::from_db(-40.0));
         let paths = trace_frame(&Models::build(&header).unwrap(), &header, &frame).unwrap().paths;
         assert!(paths.iter().any(|path| path.order == 2));
         sum(&paths)[1][1]
@@ -206,6 +215,7 @@ fn corners_over_a_road_have_one_level_by_every_node_rule() {
     let (middle, own) = (of(NodeRule::Middle, asphalt()), of(NodeRule::OwnEdge, asphalt()));
     let direct = of(NodeRule::Middle, None);
     println!("middle {middle:.4}, own edges {own:.4}, without the road {direct:.4}");
-    // Spherical waves leave −50 dB between nodes at 30 m (physics.md §2); the road's paths are a degree from the fold's normal.
+    // Spherical waves leave −50 dB between nodes at 30 m (physics.md §2); the road's paths are a degree from
+    // the fold's normal.
     assert!((middle - own).norm() < 0.05 * middle.norm() && (middle - direct).norm() > 0.1 * direct.norm());
 }

@@ -1,5 +1,9 @@
-//! Bodies with a curved skin from coarse meshes (docs/physics.md §3): each test prints what was asked and what was got.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+//! Bodies with a curved skin from coarse meshes (docs/physics.md §3): each test prints what was asked and
+//! what was got.
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
 
 mod bodies;
 
@@ -82,7 +86,8 @@ fn a_coarse_sphere_has_the_amplitude_of_physical_optics_with_stored_normals_and_
     }
 }
 
-/// The exact series (docs/physics.md P4; 0.5 m: Ruck, Radar Cross Section Handbook, ch. 3), with the accuracy that `rcs` has by default.
+/// The exact series (docs/physics.md P4; 0.5 m: Ruck, Radar Cross Section Handbook, ch. 3), with the accuracy
+/// that `rcs` has by default.
 #[test]
 fn a_sphere_of_5120_triangles_is_within_a_fifth_of_a_decibel_of_mie() {
     for (radius_m, mie_dbsm) in [(0.1, -15.0280), (0.5, -1.0491)] {
@@ -101,8 +106,11 @@ fn revolved(outline: &[(f64, f64)], sides: u32) -> Triangles {
     for (above, below) in outline.iter().zip(&outline[1..]) {
         for i in 0..sides {
             let [a, b, c, d] = [at(*above, i), at(*below, i), at(*below, i + 1), at(*above, i + 1)];
-            triangles
-                .extend([[a, b, c], [a, c, d]].into_iter().filter(|[p, q, r]| (*q - *p).cross(*r - *p) != DVec3::ZERO));
+            triangles.extend(
+                [[a, b, c], [a, c, d]]
+                    .into_iter()
+                    .filter(|[p, q, r]| (*q - *p).cross(*r - *p) != DVec3::ZERO),
+            );
         }
     }
     Triangles(triangles)
@@ -122,7 +130,8 @@ fn the_flash_of_a_coarse_cylinder_is_that_of_a_round_one_with_caps_and_without()
     }
 }
 
-/// σ = 8π sin α (z₂^{3/2} − z₁^{3/2})²/(9λ cos⁴α) seen at a right angle to the side (Knott, Shaeffer, Tuley, ch. 6).
+/// σ = 8π sin α (z₂^{3/2} − z₁^{3/2})²/(9λ cos⁴α) seen at a right angle to the side (Knott, Shaeffer, Tuley,
+/// ch. 6).
 #[test]
 fn the_flash_of_a_coarse_cone_is_that_of_a_round_one() {
     let half_angle = 20_f64.to_radians();
@@ -130,7 +139,8 @@ fn the_flash_of_a_coarse_cone_is_that_of_a_round_one() {
         let to_m: f64 = 0.4;
         let outline = [(from_m * half_angle.tan(), -from_m), (to_m * half_angle.tan(), -to_m)];
         let length: f64 = to_m.powf(1.5) - f64::powf(from_m, 1.5);
-        let asked = 8.0 * PI * half_angle.sin() * length * length / (9.0 * WAVELENGTH_M * half_angle.cos().powi(4));
+        let asked =
+            8.0 * PI * half_angle.sin() * length * length / (9.0 * WAVELENGTH_M * half_angle.cos().powi(4));
         let got = dbsm(s(&revolved(&outline, sides).mesh(), &request(3.0, 20.0, -30.0)));
         check(&format!("cone from {from_m} m"), 10.0 * asked.log10(), got, 0.3);
     }
@@ -140,9 +150,11 @@ fn the_flash_of_a_coarse_cone_is_that_of_a_round_one() {
 #[test]
 fn a_closed_body_stays_closed_when_its_skin_is_cut() {
     let capped = [(0.0, 0.3), (0.2, 0.3), (0.25, 0.0), (0.2, -0.3), (0.0, -0.3)];
-    for (name, body) in
-        [("sphere", sphere(0.3, 1)), ("tun", revolved(&capped, 16)), ("car", bodies::cuboid(-DVec3::ONE, DVec3::ONE))]
-    {
+    for (name, body) in [
+        ("sphere", sphere(0.3, 1)),
+        ("tun", revolved(&capped, 16)),
+        ("car", bodies::cuboid(-DVec3::ONE, DVec3::ONE)),
+    ] {
         let world = World::of_skin(&body.mesh(), skin(-30.0)).unwrap();
         let bits = |v: DVec3| v.to_array().map(|x| (x + 0.0).to_bits());
         let mut sides = std::collections::BTreeMap::new();
@@ -179,7 +191,8 @@ fn what_is_flat_stays_what_it_is_bit_for_bit() {
     assert!(World::of_skin(&box_with_normals, skin(-20.0)).unwrap().facets().len() > 100);
 }
 
-/// Long facets whose rulings converge four to one are the hardest case: rows of less taper fall with its fourth power.
+/// Long facets whose rulings converge four to one are the hardest case: rows of less taper fall with its
+/// fourth power.
 #[test]
 fn the_skin_of_a_coarse_cone_lies_closer_to_it_the_more_rows_it_has() {
     let t = 20_f64.to_radians();

@@ -1,4 +1,5 @@
-//! Any set of triangles is fine: strewn, on a grid (touching, coincident, crossing, with T-junctions), slivers, huge and tiny.
+//! Any set of triangles is fine: strewn, on a grid (touching, coincident, crossing, with T-junctions),
+//! slivers, huge and tiny.
 
 mod bodies;
 
@@ -71,7 +72,8 @@ fn lit_and_hidden_add_to_the_union_for_any_soup() {
             let total: f64 = triangles.0.iter().map(|t| silhouette(&[*t], *antenna)).sum();
             for (tracer, trace) in TRACERS {
                 let tree = trace(&world, *antenna, &settings(1)).unwrap();
-                // Strips as wide as rounding along every edge may go either way; the scene is 2 m and more away.
+                // Strips as wide as rounding along every edge may go either way; the scene is 2 m and more
+                // away.
                 let allowed = G1 * total + 4.0 * world.tolerance_m() * outline_m(&triangles);
                 let error = (lit_section(&tree, 1) - expected).abs();
                 worst = worst.max(error / allowed);
@@ -125,7 +127,8 @@ fn coordinates_at_the_ends_of_single_precision_are_traced_or_refused() {
             let mesh = soup(seed).map(|v| v * scale).mesh();
             let world = World::of_mesh(&mesh).unwrap();
             let tree =
-                BeamTree::trace(&world, Antenna::Point(DVec3::new(5.0, 4.0, 3.0) * scale), &settings(2)).unwrap();
+                BeamTree::trace(&world, Antenna::Point(DVec3::new(5.0, 4.0, 3.0) * scale), &settings(2))
+                    .unwrap();
             assert!(is_finite(&tree), "{scale:e} {seed}");
         }
     }

@@ -1,5 +1,8 @@
 //! Tables over aspect: made in one run or in several, and what they are not good for.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
 
 mod bodies;
 
@@ -8,7 +11,8 @@ use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use bart_rcs::{
-    Keeper, MemoryLimit, NothingKept, Piece, RcsRequest, RcsResult, RcsSeconds, Surroundings, Unheard, rcs, rcs_within,
+    Keeper, MemoryLimit, NothingKept, Piece, RcsRequest, RcsResult, RcsSeconds, Surroundings, Unheard, rcs,
+    rcs_within,
 };
 use bodies::car;
 use std::collections::BTreeMap;
@@ -51,7 +55,8 @@ impl Keeper for Memory {
 }
 
 fn made_with(mesh: &Mesh, request: &RcsRequest, keeper: &dyn Keeper) -> RcsResult {
-    let surroundings = Surroundings { memory_limit: MemoryLimit::NONE, keeper, progress: &Unheard, clock_s: &|| 0.0 };
+    let surroundings =
+        Surroundings { memory_limit: MemoryLimit::NONE, keeper, progress: &Unheard, clock_s: &|| 0.0 };
     RcsResult { seconds: RcsSeconds::default(), ..rcs_within(mesh, request, &surroundings).unwrap() }
 }
 
@@ -90,7 +95,8 @@ fn damaged_bytes_of_a_keeper_are_made_anew() {
     let first = Memory::default();
     let whole = made_with(&mesh, &request, &first);
     let cut = |bytes: Vec<u8>| bytes[..bytes.len() - 8].to_vec();
-    let found = first.made.into_inner().unwrap().into_iter().map(|(piece, bytes)| (piece, cut(bytes))).collect();
+    let found =
+        first.made.into_inner().unwrap().into_iter().map(|(piece, bytes)| (piece, cut(bytes))).collect();
     let keeper = Memory { found, made: Mutex::default() };
     assert_eq!(made_with(&mesh, &request, &keeper), whole);
     assert_eq!(keeper.made.into_inner().unwrap().len(), 3);
@@ -144,7 +150,8 @@ fn small_mirrors_before_a_wall() -> Mesh {
     mesh
 }
 
-/// All of the plates are below the least mirror area for −10 dB, λ²·accuracy, and nearly all of S goes over them.
+/// All of the plates are below the least mirror area for −10 dB, λ²·accuracy, and nearly all of S goes over
+/// them.
 #[test]
 fn what_drops_more_than_was_asked_is_traced_again_with_smaller_mirrors() {
     let mesh = small_mirrors_before_a_wall();
@@ -165,8 +172,10 @@ fn what_drops_more_than_was_asked_is_traced_again_with_smaller_mirrors() {
     println!("asked 0.316, dropped {dropped:.3}, true {truth:.3}, {:?}", got.mirrors);
     assert!(dropped <= Accuracy::from_db(-10.0).amplitude() && truth <= dropped);
     assert!(got.mirrors.traced_again == 1 && got.mirrors.least_area_m2 < 1e-6);
-    let resumed =
-        resumed(&mesh, &RcsRequest { azimuth_rad: azimuths.clone(), elevation_rad: vec![0.6], ..request(1, -10.0) });
+    let resumed = resumed(
+        &mesh,
+        &RcsRequest { azimuth_rad: azimuths.clone(), elevation_rad: vec![0.6], ..request(1, -10.0) },
+    );
     assert_eq!(
         resumed.keys().map(|piece| (piece.pass, piece.aspect)).collect::<Vec<_>>(),
         [(0, 0), (0, 1), (0, 2), (1, 0)]

@@ -1,4 +1,5 @@
-//! What a body adds to a frame's error decides how finely it is integrated, not what it could scatter at most.
+//! What a body adds to a frame's error decides how finely it is integrated, not what it could scatter at
+//! most.
 
 mod bodies;
 
@@ -10,10 +11,12 @@ use bodies::{car, cuboid};
 use glam::DVec3;
 use std::f64::consts::FRAC_PI_2;
 
-/// 30 m of kerb could send back 70 dBsm and sends −40 where it is seen along; the car beside it has to be known finer than asked.
+/// 30 m of kerb could send back 70 dBsm and sends −40 where it is seen along; the car beside it has to be
+/// known finer than asked.
 #[test]
 fn a_kerb_beside_a_car_is_integrated_no_finer_than_asked() {
-    let (car, kerb) = (car(8).mesh(), cuboid(DVec3::new(-0.075, -15.0, 0.0), DVec3::new(0.075, 15.0, 0.12)).mesh());
+    let (car, kerb) =
+        (car(8).mesh(), cuboid(DVec3::new(-0.075, -15.0, 0.0), DVec3::new(0.075, 15.0, 0.12)).mesh());
     let places = [([5.75, 40.0, 0.0], -FRAC_PI_2, [0.0, -10.0, 0.0]), ([11.5, 37.5, 0.0], 0.0, [0.0; 3])];
     let (mut header, frame) = scene(&car, &places);
     header.fidelity.bounces = 1;

@@ -1,7 +1,9 @@
-//! Random variation of training crops: where the target lies in the crop, how strong it is, how its level flickers.
+//! Random variation of training crops: where the target lies in the crop, how strong it is, how its level
+//! flickers.
 //!
-//! The paper widens its dataset by translation, rotation and noise of images. A rotation has no meaning in axes of metres
-//! and metres per second; a change of level has one (aspect, link budget), so it stands in its place.
+//! The paper widens its dataset by translation, rotation and noise of images. A rotation has no meaning in
+//! axes of metres and metres per second; a change of level has one (aspect, link budget), so it stands in its
+//! place.
 
 use artifact::dataset::CropFormat;
 use artifact::seed;
@@ -42,8 +44,8 @@ impl Augmentation {
     }
 }
 
-/// One varied copy of a pooled crop `[side, side]`; `key` names the copy, so that no two are varied alike and the same
-/// key always gives the same copy.
+/// One varied copy of a pooled crop `[side, side]`; `key` names the copy, so that no two are varied alike and
+/// the same key always gives the same copy.
 pub(crate) fn varied(pooled: &[u8], format: &CropFormat, augmentation: &Augmentation, key: Key) -> Vec<u8> {
     let mut generator = ChaCha8Rng::from_seed(seed::key(key.seed, "classifier/augmentation", &[key.example]));
     let side = pooled.len().isqrt();
@@ -69,7 +71,8 @@ fn levels_per_db(format: &CropFormat) -> f64 {
     255.0 / (format.ceiling_db - format.floor_db)
 }
 
-/// What every grey level becomes when the target's power is multiplied by `gain` and the noise (power 1) is not.
+/// What every grey level becomes when the target's power is multiplied by `gain` and the noise (power 1) is
+/// not.
 fn gained_levels(format: &CropFormat, gain: f64) -> [u8; 256] {
     std::array::from_fn(|grey| {
         let power = power_from_db(format.floor_db + grey as f64 / levels_per_db(format));
@@ -78,7 +81,8 @@ fn gained_levels(format: &CropFormat, gain: f64) -> [u8; 256] {
     })
 }
 
-/// Moves the image by whole pixels; what comes in at a border is the image mirrored there, so that noise stays noise.
+/// Moves the image by whole pixels; what comes in at a border is the image mirrored there, so that noise
+/// stays noise.
 fn shifted(pooled: &[u8], side: usize, by: [isize; 2]) -> Vec<u8> {
     let source = |at: usize, by: isize| mirrored(at as isize - by, side as isize) as usize;
     (0..side * side).map(|p| pooled[source(p / side, by[0]) * side + source(p % side, by[1])]).collect()
@@ -124,8 +128,8 @@ mod tests {
             let at = copy.iter().position(|p| *p == 255).unwrap();
             places.insert((at / 64, at % 64));
         }
-        // 2 m and 0.5 m/s are 4 pixels each: 9 x 9 places, each missed by 500 draws with probability below e⁻¹·⁵ at
-        // the corners (a quarter of the inner ones' chance); 40 places are certain beyond doubt.
+        // 2 m and 0.5 m/s are 4 pixels each: 9 x 9 places, each missed by 500 draws with probability below
+        // e⁻¹·⁵ at the corners (a quarter of the inner ones' chance); 40 places are certain beyond doubt.
         assert!(places.iter().all(|(r, c)| r.abs_diff(32) <= 4 && c.abs_diff(32) <= 4));
         assert!(places.len() > 40);
         assert_eq!(shifted(&[1, 2, 3, 4], 2, [0, 1]), [1, 1, 3, 3]);

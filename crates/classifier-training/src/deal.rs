@@ -1,11 +1,11 @@
-//! The paper's protocol and two beside it: how four images come of each map, and which of them train, are watched, and are kept
-//! for the end.
+//! The paper's protocol and two beside it: how four images come of each map, and which of them train, are
+//! watched, and are kept for the end.
 //!
-//! The paper makes 1,120 images by augmentation, shuffles them and takes 600, 320 and 200 (section IV-C). Copies of one map then
-//! stand on both sides. Dealing maps first, or whole vehicles first, keeps them apart.
+//! The paper makes 1,120 images by augmentation, shuffles them and takes 600, 320 and 200 (section IV-C).
+//! Copies of one map then stand on both sides. Dealing maps first, or whole vehicles first, keeps them apart.
 
-use crate::TrainingError;
 use crate::augmentation::{Augmentation, Key, varied};
+use crate::error::TrainingError;
 use artifact::dataset::{CropFormat, Split};
 use artifact::seed;
 use artifact::settings::Class;
@@ -30,8 +30,8 @@ pub const COPIES: u64 = 4;
 
 /// The paper's images.
 const ALL: usize = 1120;
-/// Those that train, and with them those that are watched meanwhile (its "test set", which chooses the epoch here); the others
-/// are its "validation set", which is looked at once.
+/// Those that train, and with them those that are watched meanwhile (its "test set", which chooses the epoch
+/// here); the others are its "validation set", which is looked at once.
 const TRAINED: usize = 600;
 const TRAINED_OR_WATCHED: usize = 920;
 
@@ -43,7 +43,11 @@ pub(crate) struct Copying<'a> {
 }
 
 /// The examples of a dataset, augmented and parted anew; which splits they had is not asked.
-pub(crate) fn dealt(examples: &Examples, copying: &Copying<'_>, deal: Deal) -> Result<Examples, TrainingError> {
+pub(crate) fn dealt(
+    examples: &Examples,
+    copying: &Copying<'_>,
+    deal: Deal,
+) -> Result<Examples, TrainingError> {
     let maps: Vec<(u64, &Example)> = (0..).zip(examples.all()).collect();
     let mut random = ChaCha8Rng::from_seed(seed::key(copying.seed, "classifier/deal", &[]));
     let parts = match deal {
@@ -57,7 +61,9 @@ pub(crate) fn dealt(examples: &Examples, copying: &Copying<'_>, deal: Deal) -> R
 
 impl Copying<'_> {
     fn images(&self, maps: &[(u64, &Example)]) -> Vec<Example> {
-        maps.iter().flat_map(|(map, example)| (0..COPIES).map(|copy| self.image(example, *map, copy))).collect()
+        maps.iter()
+            .flat_map(|(map, example)| (0..COPIES).map(|copy| self.image(example, *map, copy)))
+            .collect()
     }
 
     /// The first copy is the map itself.
@@ -95,7 +101,9 @@ fn by_vehicle<'a>(
         if parts.iter().any(Vec::is_empty) {
             return Err(TrainingError::TooFewVehicles { class: Class::ALL[*class], vehicles: models.len() });
         }
-        side.extend((0..).zip(parts).flat_map(|(number, part)| part.into_iter().map(move |m| ((*class, m), number))));
+        side.extend(
+            (0..).zip(parts).flat_map(|(number, part)| part.into_iter().map(move |m| ((*class, m), number))),
+        );
     }
     Ok([0, 1, 2].map(|number| {
         let is_there = |example: &Example| side[&(example.class, example.model.as_str())] == number;
@@ -139,7 +147,8 @@ mod tests {
     fn the_papers_protocol_has_copies_of_a_map_on_both_sides_and_dealing_maps_has_none() {
         let unvaried: BTreeSet<Vec<u8>> = maps().all().map(|example| example.pooled.clone()).collect();
         // Maps that are whole in one part: with all of their copies there, among them the map itself.
-        let whole = |part: &[Example]| part.iter().filter(|example| unvaried.contains(&example.pooled)).count();
+        let whole =
+            |part: &[Example]| part.iter().filter(|example| unvaried.contains(&example.pooled)).count();
         assert_eq!(dealt_by(Deal::Maps).map(|part| whole(&part)), [150, 80, 50]);
         let of_images = dealt_by(Deal::Images).map(|part| whole(&part));
         assert_eq!(of_images.iter().sum::<usize>(), 280);
@@ -160,9 +169,13 @@ mod tests {
     #[test]
     fn a_class_of_two_vehicles_is_refused() {
         let examples = maps();
-        let few: Vec<Example> = examples.all().filter(|e| e.class > 0 || e.model.as_str() < "0-2").cloned().collect();
+        let few: Vec<Example> =
+            examples.all().filter(|e| e.class > 0 || e.model.as_str() < "0-2").cloned().collect();
         let few = Examples::dealt([(Split::Train, few)].into());
         let refused = dealt(&few, &COPYING, Deal::Vehicles).unwrap_err();
-        assert!(matches!(refused, TrainingError::TooFewVehicles { class: Class::Car, vehicles: 2 }), "{refused}");
+        assert!(
+            matches!(refused, TrainingError::TooFewVehicles { class: Class::Car, vehicles: 2 }),
+            "{refused}"
+        );
     }
 }

@@ -1,8 +1,8 @@
 //! How the classifier's network learns.
 //!
-//! It learns from a dataset split by scene, keeps the epoch that validates best, and is calibrated so that its probabilities are what
-//! they say. The weights go to the crate `classifier`, which answers without the learning library that is needed here: a main job
-//! does not build it.
+//! It learns from a dataset split by scene, keeps the epoch that validates best, and is calibrated so that
+//! its probabilities are what they say. The weights go to the crate `classifier`, which answers without the
+//! learning library that is needed here: a main job does not build it.
 //!
 //! Reading order: variation of crops → order → network → training → temperature → model folder.
 //!

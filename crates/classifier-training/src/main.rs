@@ -1,12 +1,15 @@
 //! `classifier-training SHARD… --out MODEL`: what `cargo xtask train` builds and runs.
 //!
-//! Standard output is a JSON object a line: `{"at": iteration, "of": iterations}`, `{"told": sentence}`, and where it ends badly
-//! `{"refused": why}` (exit code 1) or `{"system": why}` (exit code 2). Where nobody reads it, the training ends.
+//! Standard output is a JSON object a line: `{"at": iteration, "of": iterations}`, `{"told": sentence}`, and
+//! where it ends badly `{"refused": why}` (exit code 1) or `{"system": why}` (exit code 2). Where nobody
+//! reads it, the training ends.
 
 use artifact::{Provenance, inputs};
 use clap::{Parser, ValueEnum};
 use classifier::{format_of, samples_of};
-use classifier_training::{Deal, Progress, TrainSettings, Trained, TrainingError, save_model, train, train_dealt};
+use classifier_training::{
+    Deal, Progress, TrainSettings, Trained, TrainingError, save_model, train, train_dealt,
+};
 use serde_json::{Value, json};
 use std::io::Write;
 use std::path::PathBuf;
@@ -21,7 +24,8 @@ struct Arguments {
     /// Model folder.
     #[arg(long, allow_hyphen_values = true, required_unless_present = "deal")]
     out: Option<PathBuf>,
-    /// Parts augmented images as said, whatever splits the dataset has, and tells `{"metrics": …, "curves": …}` in place of a model.
+    /// Parts augmented images as said, whatever splits the dataset has, and tells `{"metrics": …, "curves":
+    /// …}` in place of a model.
     #[arg(long, conflicts_with = "out")]
     deal: Option<DealWord>,
     /// Of the initial weights and the order of samples.
@@ -98,7 +102,8 @@ fn told(trained: &Trained) {
     for (split, evaluation) in &trained.metrics.splits {
         let [low, high] = evaluation.accuracy_interval.map(|share| 100.0 * share);
         let (right, of) = (100.0 * evaluation.accuracy, evaluation.samples);
-        let sentence = format!("{split:?}: {right:.1} % of {of} right (95 % interval {low:.1} … {high:.1} %)");
+        let sentence =
+            format!("{split:?}: {right:.1} % of {of} right (95 % interval {low:.1} … {high:.1} %)");
         say(&json!({ "told": sentence }));
     }
 }

@@ -1,6 +1,7 @@
 //! A trained model to disk: `weights.model` (the artifact), `metrics.json` and `curves.csv`.
 
-use crate::{CurvePoint, Trained, TrainingError};
+use crate::error::TrainingError;
+use crate::training::{CurvePoint, Trained};
 use artifact::model::Model;
 use artifact::whole_file::{self, Durability};
 use artifact::{Provenance, Writer};
@@ -21,7 +22,8 @@ pub fn save_model(folder: &Path, trained: &Trained, provenance: &Provenance) -> 
 }
 
 fn curves_csv(curves: &[CurvePoint]) -> String {
-    let header = "iteration,learning_rate,train_log_loss,train_accuracy,validation_log_loss,validation_accuracy\n";
+    let header =
+        "iteration,learning_rate,train_log_loss,train_accuracy,validation_log_loss,validation_accuracy\n";
     let line = |p: &CurvePoint| {
         let CurvePoint { iteration, learning_rate, train_log_loss, train_accuracy, .. } = p;
         let CurvePoint { validation_log_loss, validation_accuracy, .. } = p;

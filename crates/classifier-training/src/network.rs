@@ -1,7 +1,8 @@
-//! The paper's network (Fig. 7): three blocks of convolution, batch normalization, rectifier and maximum, then a fully
-//! connected layer whose softmax is the probability of each class; here as it learns, by the learning library.
+//! The paper's network (Fig. 7): three blocks of convolution, batch normalization, rectifier and maximum,
+//! then a fully connected layer whose softmax is the probability of each class; here as it learns, by the
+//! learning library.
 
-use crate::TrainingError;
+use crate::error::TrainingError;
 use artifact::settings::Class;
 use burn::module::{Module, Param, RunningState};
 use burn::nn::conv::{Conv2d, Conv2dConfig};
@@ -27,7 +28,11 @@ struct Block {
 
 impl Network {
     /// The network with these parameters.
-    pub(crate) fn new(layout: &Layout, parameters: &Parameters, device: &Device) -> Result<Self, TrainingError> {
+    pub(crate) fn new(
+        layout: &Layout,
+        parameters: &Parameters,
+        device: &Device,
+    ) -> Result<Self, TrainingError> {
         let mut blocks = Vec::new();
         let mut inputs = 1;
         for (index, outputs) in layout.channels.into_iter().enumerate() {
@@ -78,7 +83,8 @@ impl Block {
             .with_bias(false)
             .init(device);
         convolution.weight = parameter(parameters, &name::convolution(index), device)?;
-        let mut normalization = BatchNormConfig::new(channels[1]).with_epsilon(f64::from(VARIANCE_FLOOR)).init(device);
+        let mut normalization =
+            BatchNormConfig::new(channels[1]).with_epsilon(f64::from(VARIANCE_FLOOR)).init(device);
         normalization.gamma = parameter(parameters, &name::scale(index), device)?;
         normalization.beta = parameter(parameters, &name::offset(index), device)?;
         normalization.running_mean = RunningState::new(tensor(parameters, &name::mean(index), device)?);
@@ -89,7 +95,8 @@ impl Block {
 
     fn forward(&self, input: Tensor<4>) -> Tensor<4> {
         let normalized = self.normalization.forward(self.convolution.forward(input));
-        // The maximum and the rectifier commute (both rise); in this order the rectifier sees a quarter of the pixels.
+        // The maximum and the rectifier commute (both rise); in this order the rectifier sees a quarter of
+        // the pixels.
         activation::relu(self.pooling.forward(normalized))
     }
 }
@@ -120,12 +127,18 @@ fn parameter<const D: usize>(
     Ok(Param::from_tensor(tensor(parameters, name, device)?))
 }
 
-fn tensor<const D: usize>(parameters: &Parameters, name: &str, device: &Device) -> Result<Tensor<D>, TrainingError> {
+fn tensor<const D: usize>(
+    parameters: &Parameters,
+    name: &str,
+    device: &Device,
+) -> Result<Tensor<D>, TrainingError> {
     let Values { shape, values } = parameters.get(name)?.clone();
     Ok(Tensor::from_data(TensorData::new(values, shape), device))
 }
 
-fn library<E: Into<Box<dyn std::error::Error + Send + Sync>>>(doing: &'static str) -> impl FnOnce(E) -> TrainingError {
+fn library<E: Into<Box<dyn std::error::Error + Send + Sync>>>(
+    doing: &'static str,
+) -> impl FnOnce(E) -> TrainingError {
     move |cause| TrainingError::Library { doing, cause: cause.into() }
 }
 
@@ -151,16 +164,19 @@ mod tests {
         let learner = Learner::CropNetwork(shape);
         let [least_probability, frame_correlation] = [0.0, 1.0];
         let attributions = vec![];
-        Layout::of(&ModelHeader { classes, learner, least_probability, frame_correlation, attributions }).unwrap()
+        Layout::of(&ModelHeader { classes, learner, least_probability, frame_correlation, attributions })
+            .unwrap()
     }
 
     /// Any numbers that keep the levels of a layer near those of the one before.
     fn drawn(layout: &Layout, generator: &mut ChaCha8Rng) -> Parameters {
         let tensors = layout.tensors().into_iter().map(|(name, shape)| {
-            let inputs: usize = if shape.len() > 1 { shape.iter().product::<usize>() / shape[0].max(4) } else { 1 };
+            let inputs: usize =
+                if shape.len() > 1 { shape.iter().product::<usize>() / shape[0].max(4) } else { 1 };
             let least = if name.ends_with("variance") { 0.2 } else { -1.0 };
             let scale = (3.0 / inputs as f32).sqrt();
-            let values = (0..shape.iter().product()).map(|_| scale * generator.random_range(least..1.0)).collect();
+            let values =
+                (0..shape.iter().product()).map(|_| scale * generator.random_range(least..1.0)).collect();
             (name, Values { shape, values })
         });
         Parameters::new(tensors.collect())
@@ -173,7 +189,8 @@ mod tests {
         for (side, channels) in [(113, [8, 16, 32]), (32, [4, 8, 16]), (9, [1, 3, 2])] {
             let layout = layout(side, channels);
             let parameters = drawn(&layout, &mut generator);
-            let crops: Vec<Vec<u8>> = (0..20).map(|_| (0..side * side).map(|_| generator.random()).collect()).collect();
+            let crops: Vec<Vec<u8>> =
+                (0..20).map(|_| (0..side * side).map(|_| generator.random()).collect()).collect();
             let device = Device::flex();
             let network = Network::new(&layout, &parameters, &device).unwrap().valid();
             let expected = logits(network.forward(input(&crops, side as usize, &device))).unwrap();

@@ -1,5 +1,5 @@
-//! The order in which training takes its examples: one shuffled pass after another, cut into batches without regard to
-//! where a pass ends, so that every batch is whole.
+//! The order in which training takes its examples: one shuffled pass after another, cut into batches without
+//! regard to where a pass ends, so that every batch is whole.
 
 use artifact::seed;
 use rand::{SeedableRng, seq::SliceRandom};
@@ -44,7 +44,8 @@ mod tests {
     fn every_pass_holds_every_example_once_in_another_order() {
         let mut order = Order::new(50, 4);
         let batches: Vec<(u64, usize)> = (0..10).flat_map(|_| order.take(20)).collect();
-        let passes: Vec<Vec<usize>> = batches.chunks(50).map(|c| c.iter().map(|(_, i)| *i).collect()).collect();
+        let passes: Vec<Vec<usize>> =
+            batches.chunks(50).map(|c| c.iter().map(|(_, i)| *i).collect()).collect();
         for pass in &passes {
             let mut sorted = pass.clone();
             sorted.sort_unstable();

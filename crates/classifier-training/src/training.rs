@@ -1,8 +1,8 @@
 //! Fitting the network to a dataset: Adam, the best epoch by validation, calibrated, then tested once.
 
-use crate::TrainingError;
 use crate::augmentation::{Augmentation, Key, varied};
 use crate::deal::{Copying, Deal, dealt};
+use crate::error::TrainingError;
 use crate::initial::initial;
 use crate::metrics::Metrics;
 use crate::network::{self, Network};
@@ -14,8 +14,8 @@ use artifact::settings::Class;
 use burn::optim::{AdamWConfig, GradientsParams, ModuleOptimizer};
 use burn::tensor::{Device, Tensor, TensorData, activation};
 use classifier::{
-    ARCHITECTURE, CHANNELS, Classifier, ClassifierError, Example, Examples, Layout, Logits, Parameters, accuracy,
-    evaluations, fitted_temperature, log_loss, tensor_name,
+    ARCHITECTURE, CHANNELS, Classifier, ClassifierError, Example, Examples, Layout, Logits, Parameters,
+    accuracy, evaluations, fitted_temperature, log_loss, tensor_name,
 };
 use serde::Serialize;
 
@@ -42,7 +42,8 @@ pub struct TrainSettings {
 }
 
 impl TrainSettings {
-    /// The paper's: 451 x 451 input, rate 0.005, 1440 iterations. It does not tell channels and batch: here 8-16-32 and
+    /// The paper's: 451 x 451 input, rate 0.005, 1440 iterations. It does not tell channels and batch: here
+    /// 8-16-32 and
     /// 20. On two cores an iteration takes about 4 s and 1.2 GB.
     pub const PAPER: Self = Self {
         input_side: 451,
@@ -55,13 +56,19 @@ impl TrainSettings {
         augmentation: Augmentation::NONE,
     };
 
-    /// The paper's network on crops pooled to 113 × 113, four pixels in one: 7 cm × 0.07 m/s, finer than any cell.
+    /// The paper's network on crops pooled to 113 × 113, four pixels in one: 7 cm × 0.07 m/s, finer than any
+    /// cell.
     pub fn of_maps(iterations: u32) -> Self {
         Self {
             input_side: 113,
             iterations,
             schedule: Schedule::Cosine { warm_up: 20.min(iterations) },
-            augmentation: Augmentation { range_shift_m: 0.75, velocity_shift_mps: 0.2, gain_db: 3.0, noise_db: 1.0 },
+            augmentation: Augmentation {
+                range_shift_m: 0.75,
+                velocity_shift_mps: 0.2,
+                gain_db: 3.0,
+                noise_db: 1.0,
+            },
             ..Self::PAPER
         }
     }
@@ -79,7 +86,12 @@ impl TrainSettings {
         let rules = [
             ("batch", "from 2 to 4096", f64::from(self.batch), (2..=4096).contains(&self.batch)),
             ("iterations", "at least 1", f64::from(self.iterations), self.iterations >= 1),
-            ("learning_rate", "above 0, at most 1", self.learning_rate, (1e-12..=1.0).contains(&self.learning_rate)),
+            (
+                "learning_rate",
+                "above 0, at most 1",
+                self.learning_rate,
+                (1e-12..=1.0).contains(&self.learning_rate),
+            ),
             ("weight_decay", "from 0 to 1", self.weight_decay, (0.0..=1.0).contains(&self.weight_decay)),
         ];
         match rules.into_iter().find(|(_, _, _, kept)| !kept) {
@@ -94,8 +106,8 @@ impl TrainSettings {
 pub enum Schedule {
     /// It stays.
     Constant,
-    /// It rises evenly over the first `warm_up` iterations (Adam's first steps move every input of a wide layer by a full
-    /// rate in the same direction), then falls to zero along half a cosine.
+    /// It rises evenly over the first `warm_up` iterations (Adam's first steps move every input of a wide
+    /// layer by a full rate in the same direction), then falls to zero along half a cosine.
     Cosine {
         /// Iterations of the rise.
         warm_up: u32,
@@ -159,11 +171,11 @@ pub struct Trained {
     pub metrics: Metrics,
 }
 
-/// Trains on the training split, keeps the weights of the epoch with the lowest log loss on the validation split,
-/// fits a temperature there, and evaluates every split.
+/// Trains on the training split, keeps the weights of the epoch with the lowest log loss on the validation
+/// split, fits a temperature there, and evaluates every split.
 ///
-/// The samples are read once and held at the network's resolution. Those without a class are left out. The same samples,
-/// settings and seed give the same bytes on any number of threads.
+/// The samples are read once and held at the network's resolution. Those without a class are left out. The
+/// same samples, settings and seed give the same bytes on any number of threads.
 pub fn train(
     samples: impl Iterator<Item = Result<Sample, ArtifactError>>,
     format: &CropFormat,
@@ -177,8 +189,8 @@ pub fn train(
     fitted(&Examples::read(samples, &layout)?, header, format, settings, seed, progress)
 }
 
-/// The same with the samples' augmented copies parted as `deal` says and not as the dataset has them: training crops are not
-/// varied any further.
+/// The same with the samples' augmented copies parted as `deal` says and not as the dataset has them:
+/// training crops are not varied any further.
 pub fn train_dealt(
     samples: impl Iterator<Item = Result<Sample, ArtifactError>>,
     format: &CropFormat,
@@ -313,7 +325,11 @@ impl<'a> Training<'a> {
         Ok(Self { examples, layout, format, settings, seed, order, device, network, optimizer })
     }
 
-    fn run(mut self, validation: &[Example], progress: &mut dyn FnMut(Progress)) -> Result<Fitted, TrainingError> {
+    fn run(
+        mut self,
+        validation: &[Example],
+        progress: &mut dyn FnMut(Progress),
+    ) -> Result<Fitted, TrainingError> {
         let iterations = self.settings.iterations;
         let (mut best, mut curves, mut epoch) = (None, Vec::new(), Vec::new());
         for iteration in 1..=iterations {
@@ -321,7 +337,8 @@ impl<'a> Training<'a> {
             let log_loss = log_loss(answers.iter().copied());
             epoch.extend(answers);
             let ended = epoch.len() >= self.examples.len() || iteration == iterations;
-            let point = if ended { Some(self.validate(iteration, &epoch, validation, &mut best)?) } else { None };
+            let point =
+                if ended { Some(self.validate(iteration, &epoch, validation, &mut best)?) } else { None };
             if ended {
                 epoch.clear();
             }
@@ -335,14 +352,16 @@ impl<'a> Training<'a> {
     /// One batch forward, backward and a step; returns true classes and logits.
     fn step(&mut self, iteration: u32) -> Result<Vec<(usize, Logits)>, TrainingError> {
         let taken = self.order.take(self.settings.batch as usize);
-        let crops: Vec<Vec<u8>> = taken.iter().map(|(example, index)| self.varied(*example, *index)).collect();
+        let crops: Vec<Vec<u8>> =
+            taken.iter().map(|(example, index)| self.varied(*example, *index)).collect();
         let classes: Vec<usize> = taken.iter().map(|(_, index)| self.examples[*index].class).collect();
         let logits = self.network.forward(network::input(&crops, self.layout.input_side, &self.device));
         let answers = network::logits(logits.clone().inner())?;
         if answers.iter().flatten().any(|l| !l.is_finite()) {
             return Err(TrainingError::Diverged { iteration });
         }
-        let gradients = GradientsParams::from_grads(cross_entropy(logits, &classes).backward(), &self.network);
+        let gradients =
+            GradientsParams::from_grads(cross_entropy(logits, &classes).backward(), &self.network);
         self.network = self.optimizer.step(self.settings.rate(iteration), self.network.clone(), gradients);
         Ok(classes.into_iter().zip(answers).collect())
     }
@@ -380,7 +399,9 @@ impl<'a> Training<'a> {
 
 /// Mean of −ln p of the true class, over the batch.
 fn cross_entropy(logits: Tensor<2>, classes: &[usize]) -> Tensor<1> {
-    let truth = classes.iter().flat_map(|class| (0..4).map(|c| if c == *class { 1.0_f32 } else { 0.0 })).collect();
-    let truth = Tensor::<2>::from_data(TensorData::new::<f32, _>(truth, [classes.len(), 4]), &logits.device());
+    let truth =
+        classes.iter().flat_map(|class| (0..4).map(|c| if c == *class { 1.0_f32 } else { 0.0 })).collect();
+    let truth =
+        Tensor::<2>::from_data(TensorData::new::<f32, _>(truth, [classes.len(), 4]), &logits.device());
     (activation::log_softmax(logits, 1) * truth).sum() * (-1.0 / classes.len() as f64)
 }

@@ -12,7 +12,8 @@ use toy::{FORMAT, SETTINGS, samples};
 
 static TRAINED: LazyLock<Trained> = LazyLock::new(|| {
     let settings = TrainSettings { iterations: 10, ..SETTINGS };
-    train(samples(200).into_iter().map(Ok), &FORMAT, &settings, 1, &mut |_| ()).expect("the toy task can be trained")
+    train(samples(200).into_iter().map(Ok), &FORMAT, &settings, 1, &mut |_| ())
+        .expect("the toy task can be trained")
 });
 
 fn shape(header: &mut ModelHeader) -> Option<&mut NetworkShape> {
@@ -37,7 +38,8 @@ fn crops() -> Vec<Crop> {
 fn a_saved_and_loaded_model_gives_identical_probabilities() {
     let folder = tempfile::tempdir().unwrap();
     save_model(folder.path(), &TRAINED, &Provenance::default()).unwrap();
-    let before = Classifier::from_model(&TRAINED.header, &TRAINED.weights).unwrap().probabilities(&crops()).unwrap();
+    let before =
+        Classifier::from_model(&TRAINED.header, &TRAINED.weights).unwrap().probabilities(&crops()).unwrap();
     let from_folder = Classifier::open(folder.path()).unwrap();
     let from_file = Classifier::open(&folder.path().join(WEIGHTS_FILE)).unwrap();
     assert_eq!(from_folder.probabilities(&crops()).unwrap(), before);
@@ -60,7 +62,8 @@ fn probabilities_are_positive_and_sum_to_one() {
 fn a_crop_is_answered_alike_alone_and_among_others() {
     let classifier = Classifier::from_model(&TRAINED.header, &TRAINED.weights).unwrap();
     let together = classifier.probabilities(&crops()).unwrap();
-    let alone: Vec<[f32; 4]> = crops().into_iter().flat_map(|c| classifier.probabilities(&[c]).unwrap()).collect();
+    let alone: Vec<[f32; 4]> =
+        crops().into_iter().flat_map(|c| classifier.probabilities(&[c]).unwrap()).collect();
     assert_eq!(together, alone);
 }
 
@@ -106,7 +109,10 @@ fn a_model_of_another_network_is_refused() {
     ));
     assert!(matches!(refused(|h| h.classes.reverse()), ClassifierError::Classes { .. }));
     assert!(matches!(refused(|h| shape(h).unwrap().channels = vec![4, 8]), ClassifierError::Channels { .. }));
-    assert!(matches!(refused(|h| shape(h).unwrap().channels[1] = u32::MAX), ClassifierError::Channels { .. }));
+    assert!(matches!(
+        refused(|h| shape(h).unwrap().channels[1] = u32::MAX),
+        ClassifierError::Channels { .. }
+    ));
     assert!(matches!(refused(|h| shape(h).unwrap().channels[1] = 9), ClassifierError::TensorShape { .. }));
     assert!(matches!(refused(|h| shape(h).unwrap().input_side = 32), ClassifierError::TensorShape { .. }));
     assert!(matches!(refused(|h| shape(h).unwrap().input_side = 0), ClassifierError::Setting { .. }));
@@ -127,7 +133,8 @@ fn weights_that_do_not_fit_are_refused_by_name() {
     };
     let renamed = refused(|h| *h = h.replace("linear.bias", "linear.bios"));
     assert!(matches!(renamed, ClassifierError::TensorUnknown(name) if name == "linear.bios"));
-    let other_type = refused(|h| *h = h.replace("\"dtype\":\"F32\",\"shape\":[4]", "\"dtype\":\"I32\",\"shape\":[4]"));
+    let other_type =
+        refused(|h| *h = h.replace("\"dtype\":\"F32\",\"shape\":[4]", "\"dtype\":\"I32\",\"shape\":[4]"));
     assert!(matches!(other_type, ClassifierError::TensorType { .. }), "{other_type}");
     let other_shape = refused(|h| *h = h.replace("[4,1,3,3]", "[1,4,3,3]"));
     assert!(matches!(other_shape, ClassifierError::TensorShape { .. }), "{other_shape}");
@@ -145,12 +152,14 @@ fn a_weight_that_is_not_a_number_is_refused() {
     assert!(matches!(error, ClassifierError::TensorValue { .. }), "{error}");
 }
 
-/// Damage is refused or harmless (a flipped bit of a weight is another weight; the artifact's checksum finds that one).
+/// Damage is refused or harmless (a flipped bit of a weight is another weight; the artifact's checksum finds
+/// that one).
 #[test]
 fn damaged_weights_never_panic() {
     let bytes = trained_bytes().unwrap();
     let header = 8 + u64::from_le_bytes(bytes[..8].try_into().unwrap()) as usize;
-    let build = |safetensors: Vec<u8>| Classifier::from_model(&TRAINED.header, &Weights::Network { safetensors });
+    let build =
+        |safetensors: Vec<u8>| Classifier::from_model(&TRAINED.header, &Weights::Network { safetensors });
     for length in (0..header + 40).chain([bytes.len() - 1]) {
         assert!(build(bytes[..length].to_vec()).is_err(), "cut to {length}");
     }

@@ -93,7 +93,8 @@ fn weights_do_not_depend_on_the_test_split() {
         sample.crop.iter_mut().for_each(|crop| crop.pixels.fill(255));
         sample.class = Some(Class::Bus);
     }
-    let (with, without) = (trained(samples(200), &quick(), 1).unwrap(), trained(changed, &quick(), 1).unwrap());
+    let (with, without) =
+        (trained(samples(200), &quick(), 1).unwrap(), trained(changed, &quick(), 1).unwrap());
     assert!(with.weights == without.weights);
     assert!(with.metrics.splits[&Split::Test] != without.metrics.splits[&Split::Test]);
 }
@@ -169,19 +170,22 @@ fn settings_outside_their_range_are_refused() {
 #[test]
 fn progress_tells_every_iteration_and_every_epoch() {
     let mut told = Vec::new();
-    let result = train(all_right(samples(200)), &FORMAT, &TrainSettings { iterations: 20, ..SETTINGS }, 1, &mut |p| {
-        told.push(p)
-    });
+    let result =
+        train(all_right(samples(200)), &FORMAT, &TrainSettings { iterations: 20, ..SETTINGS }, 1, &mut |p| {
+            told.push(p)
+        });
     assert!(told.iter().map(|p| p.iteration).eq(1..=20));
     let epochs: Vec<_> = told.iter().filter_map(|p| p.epoch).collect();
-    // 120 training samples in batches of 16: an epoch ends with iterations 8 and 16, and the last closes what is left.
+    // 120 training samples in batches of 16: an epoch ends with iterations 8 and 16, and the last closes what
+    // is left.
     assert_eq!(epochs.iter().map(|p| p.iteration).collect::<Vec<_>>(), [8, 16, 20]);
     assert_eq!(epochs, result.unwrap().curves);
 }
 
 #[test]
 fn a_deal_has_the_papers_proportions_and_does_not_ask_which_splits_a_dataset_has() {
-    let all = || all_right(samples(200)).map(|sample| sample.map(|sample| Sample { split: Split::Test, ..sample }));
+    let all =
+        || all_right(samples(200)).map(|sample| sample.map(|sample| Sample { split: Split::Test, ..sample }));
     let told = train_dealt(all(), &FORMAT, (&quick(), Deal::Maps), 1, &mut |_| ()).unwrap();
     let counts: Vec<u64> = told.metrics.splits.values().map(|of| of.samples).collect();
     // 200 maps as 600 : 320 : 200 of 1120, four images each.

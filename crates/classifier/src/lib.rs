@@ -1,12 +1,14 @@
 //! Vehicle classes from range-Doppler crops by a convolutional network.
 //!
 //! A crop goes in: 24 m x 8 m/s around a detected object, 451 x 451 grey levels in fixed decibel limits
-//! ([`artifact::dataset::CropFormat`]). Four probabilities come out, in the order of [`artifact::settings::Class::ALL`].
-//! The network is the paper's (three blocks of convolution, batch normalization, rectifier and maximum, then a fully
-//! connected layer). It sees levels only: neither range, nor lane, nor truth. Here it answers; the crate `classifier-training`
-//! makes its weights, and needs a learning library for that which this one does without.
+//! ([`artifact::dataset::CropFormat`]). Four probabilities come out, in the order of
+//! [`artifact::settings::Class::ALL`]. The network is the paper's (three blocks of convolution, batch
+//! normalization, rectifier and maximum, then a fully connected layer). It sees levels only: neither range,
+//! nor lane, nor truth. Here it answers; the crate `classifier-training` makes its weights, and needs a
+//! learning library for that which this one does without.
 //!
-//! Reading order is that of the rooms below; each uses only those that stand before it. Of crops: pooling → network → probabilities → evaluation.
+//! Reading order is that of the rooms below; each uses only those that stand before it. Of crops: pooling →
+//! network → probabilities → evaluation.
 //!
 //! ```no_run
 //! use artifact::dataset::Crop;
@@ -29,7 +31,9 @@ mod ensembles; // boosted trees over features of signatures
 
 pub use crops::classify::Classifier;
 pub use crops::layout::{ARCHITECTURE, CHANNELS, Layout};
-pub use crops::model_folder::{CURVES_FILE, METRICS_FILE, MODEL_FILES, WEIGHTS_FILE, load_model, model_of_bytes};
+pub use crops::model_folder::{
+    CURVES_FILE, METRICS_FILE, MODEL_FILES, WEIGHTS_FILE, load_model, model_of_bytes,
+};
 pub use crops::network::{Logits, VARIANCE_FLOOR};
 pub use crops::parameters::{Parameters, Values};
 pub use crops::samples::{Example, Examples, format_of, samples_of};

@@ -1,5 +1,8 @@
 //! What classifying promises, of the project's own model.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
 
 use artifact::dataset::Crop;
 use classifier::{Classifier, ClassifierError, WEIGHTS_FILE, load_model};
@@ -23,7 +26,8 @@ fn crops(classifier: &Classifier) -> Vec<Crop> {
         let width = 5 + 9 * number;
         let begin = generator.random_range(0..side - width);
         let lit = |at: usize| (begin..begin + width).contains(&at);
-        let level = |at: usize| if lit(at / side) && lit(at % side) { 200 } else { generator.random_range(0..60) };
+        let level =
+            |at: usize| if lit(at / side) && lit(at % side) { 200 } else { generator.random_range(0..60) };
         Crop { pixels: (0..side * side).map(level).collect(), range_m: 40.0, radial_velocity_mps: 0.0 }
     };
     (0..24).map(&mut crop).collect()

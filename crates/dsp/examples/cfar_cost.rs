@@ -1,4 +1,5 @@
-//! Seconds of the four detectors' masks on the same noise, in one run: `cargo run --release -p dsp --example cfar_cost`.
+//! Seconds of the four detectors' masks on the same noise, in one run: `cargo run --release -p dsp --example
+//! cfar_cost`.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a measurement, not a library")]
 
 #[path = "../tests/common/mod.rs"]

@@ -7,7 +7,9 @@ use std::fmt;
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum DspError {
     /// Samples said to be real that have an imaginary part.
-    #[error("sample {sample} of channel {channel}, chirp {chirp} has an imaginary part; the radar's sampling is real")]
+    #[error(
+        "sample {sample} of channel {channel}, chirp {chirp} has an imaginary part; the radar's sampling is real"
+    )]
     NotReal {
         /// Channel.
         channel: usize,

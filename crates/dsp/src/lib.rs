@@ -1,21 +1,24 @@
 //! From radar cubes to range-Doppler maps, detections, located points, objects and crops for a classifier.
 //!
 //! In goes a [`CubeHeader`](artifact::cube::CubeHeader) (the radar and the settings of its processing) and a
-//! [`CubeFrame`](artifact::cube::CubeFrame) (IF samples `[channel, chirp, sample]`, √W). No truth is in either, so none is
-//! in what comes out:
+//! [`CubeFrame`](artifact::cube::CubeFrame) (IF samples `[channel, chirp, sample]`, √W). No truth is in
+//! either, so none is in what comes out:
 //!
-//! - [`range_doppler()`]: the map of every transmit–receive pair `[channel, doppler, range]`, zero velocity at N/2, and the
-//!   cells that a cell-averaging CFAR tested and found ([`RdmFrame`](artifact::rdm::RdmFrame));
-//! - [`detect`], or [`detect_refined`] where the samples are at hand: points with range, radial velocity, azimuth, elevation and world position, and the objects that they form
+//! - [`range_doppler()`]: the map of every transmit–receive pair `[channel, doppler, range]`, zero velocity
+//!   at N/2, and the cells that a cell-averaging CFAR tested and found
+//!   ([`RdmFrame`](artifact::rdm::RdmFrame));
+//! - [`detect`], or [`detect_refined`] where the samples are at hand: points with range, radial velocity,
+//!   azimuth, elevation and world position, and the objects that they form
 //!   ([`PointsFrame`](artifact::points::PointsFrame));
 //! - [`Tracker`]: vehicles followed over frames, with identity, velocity, box and lane
 //!   ([`TracksFrame`](artifact::tracks::TracksFrame));
-//! - [`crop()`]: 24 m × 8 m/s around an object on the map beamformed to it, 451 × 451 grey levels of fixed decibels over the
-//!   noise, which a classifier sees; [`rdm_grayscale`]: the whole map likewise;
+//! - [`crop()`]: 24 m × 8 m/s around an object on the map beamformed to it, 451 × 451 grey levels of fixed
+//!   decibels over the noise, which a classifier sees; [`rdm_grayscale`]: the whole map likewise;
 //! - [`power_map`], [`range_axis_m`], [`velocity_axis_mps`], [`noise_power`] for whoever draws or measures.
 //!
-//! Signs, axes and units: `docs/conventions.md`. A growing range is a positive velocity; a target on the + side of the array
-//! reads a positive direction cosine. Everything wrong with an input is a [`DspError`]; nothing panics.
+//! Signs, axes and units: `docs/conventions.md`. A growing range is a positive velocity; a target on the +
+//! side of the array reads a positive direction cosine. Everything wrong with an input is a [`DspError`];
+//! nothing panics.
 //!
 //! Reading order is that of the rooms below; each uses only those that stand before it.
 //!

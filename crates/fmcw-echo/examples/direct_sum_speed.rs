@@ -1,4 +1,5 @@
-//! Seconds and path-samples a second of the reference form and of the direct sum, on the main job's array and waveform.
+//! Seconds and path-samples a second of the reference form and of the direct sum, on the main job's array and
+//! waveform.
 //!
 //! `cargo run --release -p fmcw-echo --example direct_sum_speed [paths]` (40 000 without a number).
 
@@ -35,7 +36,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// Wall clock and, where Linux tells it, the processor time of all threads: other work on the machine spoils the first.
+/// Wall clock and, where Linux tells it, the processor time of all threads: other work on the machine spoils
+/// the first.
 struct Clock {
     wall: Instant,
     cpu_s: Option<f64>,

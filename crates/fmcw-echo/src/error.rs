@@ -3,7 +3,8 @@
 /// Why no echo is made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum EchoError {
-    /// A waveform value that no sample can be made from, or an interval shorter than the sampled part of a chirp.
+    /// A waveform value that no sample can be made from, or an interval shorter than the sampled part of a
+    /// chirp.
     #[error("radar waveform: {quantity} is {value}, which makes no chirps that follow each other")]
     Waveform {
         /// Name of the value.
@@ -52,7 +53,9 @@ pub enum EchoError {
         quantity: &'static str,
     },
     /// An array without a transmitter or without a receiver.
-    #[error("radar array: {transmitters} transmitters and {receivers} receivers; at least one of each is needed")]
+    #[error(
+        "radar array: {transmitters} transmitters and {receivers} receivers; at least one of each is needed"
+    )]
     NoElements {
         /// Transmit elements given.
         transmitters: usize,
@@ -189,7 +192,9 @@ pub enum EchoError {
         wanted: artifact::radar::Polarization,
     },
     /// A table whose axes do not grow, are empty or do not fit its values.
-    #[error("RCS table {table}: {axis} is empty, not growing, not finite, or does not fit the number of values")]
+    #[error(
+        "RCS table {table}: {axis} is empty, not growing, not finite, or does not fit the number of values"
+    )]
     TableShape {
         /// Index of the table.
         table: usize,
@@ -216,9 +221,9 @@ impl EchoError {
     /// Index of the path that is refused, in its frame's list.
     pub fn path(&self) -> Option<usize> {
         match self {
-            Self::NonFinitePath { path, .. } | Self::PathThroughAntenna { path, .. } | Self::TooFast { path, .. } => {
-                Some(*path)
-            }
+            Self::NonFinitePath { path, .. }
+            | Self::PathThroughAntenna { path, .. }
+            | Self::TooFast { path, .. } => Some(*path),
             _ => None,
         }
     }

@@ -1,17 +1,21 @@
 //! FMCW echoes of scattering paths on an antenna array.
 //!
-//! Scattering paths of a frame go in ([`artifact::paths`]), the radar cube comes out ([`artifact::cube`]): one complex
-//! IF sample in √W for every channel, chirp and sample, receiver noise included. A path has its own exact delay to every
-//! element at every instant while the body moves; its IF value is eq. (13) of the paper with the amplitude of the radar
-//! equation applied once. Signs, axes and units are those of `docs/conventions.md`.
+//! Scattering paths of a frame go in ([`artifact::paths`]), the radar cube comes out ([`artifact::cube`]):
+//! one complex IF sample in √W for every channel, chirp and sample, receiver noise included. A path has its
+//! own exact delay to every element at every instant while the body moves; its IF value is eq. (13) of the
+//! paper with the amplitude of the radar equation applied once. Signs, axes and units are those of
+//! `docs/conventions.md`.
 //!
-//! Three forms of the sum stand side by side: [`mod@reference`] writes each sample from the formulas, [`direct_sum`] advances
-//! the phase of a chirp by a quadratic recurrence, [`fast_sum`] transforms all tones at once to an accuracy asked for, a hundred
-//! times faster, and is what [`synthesize`] uses. [`synthesize_tables`] is the paper's
-//! other way, far-field tables over aspect and frequency ([`rcs_table`]).
+//! Three forms of the sum stand side by side: [`mod@reference`] writes each sample from the formulas,
+//! [`direct_sum`] advances the phase of a chirp by a quadratic recurrence, [`fast_sum`] transforms all tones
+//! at once to an accuracy asked for, a hundred times faster, and is what [`synthesize`] uses.
+//! [`synthesize_tables`] is the paper's other way, far-field tables over aspect and frequency
+//! ([`rcs_table`]).
 //!
-//! To read: [`multiplexing`] (which transmissions make a row of the cube), [`antenna`] (radar equation, pattern),
-//! [`mod@reference`], [`direct_sum`], [`fast_sum`], [`rcs_table`], [`ground`] (paths of the road itself), [`oscillator`] and [`phase_noise`], then noise: [`noise`], [`snr_reference`], [`window`]; [`interference`] and [`adc`] come last.
+//! To read: [`multiplexing`] (which transmissions make a row of the cube), [`antenna`] (radar equation,
+//! pattern), [`mod@reference`], [`direct_sum`], [`fast_sum`], [`rcs_table`], [`ground`] (paths of the road
+//! itself), [`oscillator`] and [`phase_noise`], then noise: [`noise`], [`snr_reference`], [`window`];
+//! [`interference`] and [`adc`] come last.
 //!
 //! A point target that recedes at 10 m/s turns by 4π·v·T_c/λ from chirp to chirp:
 //!

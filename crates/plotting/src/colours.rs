@@ -1,5 +1,5 @@
-//! Colours that say the same to most eyes: classes of `light.css` and `dark.css`, on the palette of Okabe & Ito (2008),
-//! darkened where it is too faint on white.
+//! Colours that say the same to most eyes: classes of `light.css` and `dark.css`, on the palette of Okabe &
+//! Ito (2008), darkened where it is too faint on white.
 
 /// Colour of the n-th line of a plot.
 pub fn line_colour(n: usize) -> &'static str {

@@ -41,7 +41,8 @@ impl HeatMap {
             x: Axis { from: self.x.1[0], to: self.x.1[1], start_px: 60.0, end_px: 60.0 + SIDE },
             y: Axis { from: self.y.1[0], to: self.y.1[1], start_px: top + SIDE, end_px: top },
         };
-        let brightest = self.levels_db.iter().copied().filter(|l| l.is_finite()).fold(f64::NEG_INFINITY, f64::max);
+        let brightest =
+            self.levels_db.iter().copied().filter(|l| l.is_finite()).fold(f64::NEG_INFINITY, f64::max);
         let brightest = if brightest.is_finite() { brightest } else { 0.0 };
         let levels = [brightest - self.span_db, brightest];
         sheet.image([60.0, top], [SIDE, SIDE], &heat_png(&self.levels_db, levels)?);
@@ -74,8 +75,10 @@ pub fn head(sheet: &mut Svg, title: &str, notes: &[String]) -> f64 {
 pub fn heat_png(map: &Array2<f64>, [dark, bright]: [f64; 2]) -> Result<Vec<u8>, String> {
     let (rows, columns) = map.dim();
     let upside_down = map.rows().into_iter().rev();
-    let colours: Vec<u8> =
-        upside_down.flat_map(|row| row.to_vec()).flat_map(|level| heat((level - dark) / (bright - dark))).collect();
+    let colours: Vec<u8> = upside_down
+        .flat_map(|row| row.to_vec())
+        .flat_map(|level| heat((level - dark) / (bright - dark)))
+        .collect();
     raster::encode(Pixels::Rgb, [columns, rows], &colours)
 }
 

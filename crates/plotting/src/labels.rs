@@ -33,7 +33,8 @@ impl Labels {
             [left - wide - 4.0, y - 0.5 * high],
         ];
         let boxes = corners.map(|[x, y]| [x, y, x + wide, y + high]);
-        let is_free = |of: &&[f64; 4]| self.is_inside(of) && !self.taken.iter().any(|other| overlap(of, other));
+        let is_free =
+            |of: &&[f64; 4]| self.is_inside(of) && !self.taken.iter().any(|other| overlap(of, other));
         if let Some(free) = boxes.iter().find(is_free).copied() {
             self.taken.push(free);
             self.placed.push(([0.5 * (free[0] + free[2]), free[3] - 2.0], words.to_owned()));

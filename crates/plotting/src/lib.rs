@@ -1,6 +1,8 @@
-//! Plots as SVG, drawn once and put onto a page as they are or onto disk as PNG: axes, lines, maps in decibels, polar diagrams.
+//! Plots as SVG, drawn once and put onto a page as they are or onto disk as PNG: axes, lines, maps in
+//! decibels, polar diagrams.
 //!
-//! A leaf: it knows numbers, words and colours, and no physics. A file of it uses only files that stand before it in this list.
+//! A leaf: it knows numbers, words and colours, and no physics. A file of it uses only files that stand
+//! before it in this list.
 
 pub mod svg;
 pub mod colours;

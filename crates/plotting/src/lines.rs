@@ -101,11 +101,13 @@ fn ticks(scale: Scale, axis: &Axis) -> Vec<Tick> {
     }
 }
 
-/// Powers of ten in words, their multiples as minor ticks; an axis shorter than a power of ten has words at 2 and 5 too.
+/// Powers of ten in words, their multiples as minor ticks; an axis shorter than a power of ten has words at 2
+/// and 5 too.
 fn powers(axis: &Axis) -> Vec<Tick> {
     let (low, high) = (axis.from.min(axis.to), axis.from.max(axis.to));
     let is_short = high - low < 1.5;
-    let places = (low.floor() as i32..=high.ceil() as i32).take(100).flat_map(|p| (1..10).map(move |m| (p, m)));
+    let places =
+        (low.floor() as i32..=high.ceil() as i32).take(100).flat_map(|p| (1..10).map(move |m| (p, m)));
     places
         .map(|(power, multiple)| (power, multiple, f64::from(power) + f64::from(multiple).log10()))
         .filter(|(_, _, value)| (low..=high).contains(value))

@@ -47,7 +47,8 @@ impl Mark {
 
     /// Draws it at its place; lines and outlines as samples of what they are.
     pub fn draw(self, sheet: &mut Svg, colour: &str, [x, y]: [f64; 2]) {
-        let around = |corners: &[[f64; 2]]| corners.iter().map(|[dx, dy]| [x + dx, y + dy]).collect::<Vec<_>>();
+        let around =
+            |corners: &[[f64; 2]]| corners.iter().map(|[dx, dy]| [x + dx, y + dy]).collect::<Vec<_>>();
         match self {
             Self::Dot => sheet.disc(colour, [x, y], 2.2),
             Self::Ring => sheet.ring(colour, [x, y], 7.0, ""),
@@ -58,15 +59,23 @@ impl Mark {
                 sheet.polyline(colour, 2.0, &around(&[[-5.0, 0.0], [5.0, 0.0]]));
                 sheet.polyline(colour, 2.0, &around(&[[0.0, -5.0], [0.0, 5.0]]));
             }
-            Self::Outline => sheet.outline(colour, &around(&[[-7.0, -4.0], [7.0, -4.0], [7.0, 4.0], [-7.0, 4.0]])),
+            Self::Outline => {
+                sheet.outline(colour, &around(&[[-7.0, -4.0], [7.0, -4.0], [7.0, 4.0], [-7.0, 4.0]]))
+            }
             Self::Line => sheet.polyline(colour, 2.0, &around(&[[-8.0, 0.0], [8.0, 0.0]])),
             Self::BrokenLine => sheet.broken(colour, 1.5, &around(&[[-8.0, 0.0], [8.0, 0.0]])),
             Self::Triangle => sheet.solid(colour, &around(&[[-6.0, 5.0], [6.0, 5.0], [0.0, -6.0]])),
             Self::Arrow => sheet.solid(colour, &around(&[[-4.0, -5.0], [5.0, 0.0], [-4.0, 5.0]])),
-            Self::Plate => sheet.solid("plate", &around(&[[-9.0, -9.0], [9.0, -9.0], [9.0, 9.0], [-9.0, 9.0]])),
+            Self::Plate => {
+                sheet.solid("plate", &around(&[[-9.0, -9.0], [9.0, -9.0], [9.0, 9.0], [-9.0, 9.0]]))
+            }
             Self::Disc => sheet.disc(colour, [x, y], 3.8),
-            Self::Square => sheet.solid(colour, &around(&[[-3.5, -3.5], [3.5, -3.5], [3.5, 3.5], [-3.5, 3.5]])),
-            Self::Diamond => sheet.solid(colour, &around(&[[-4.8, 0.0], [0.0, -4.8], [4.8, 0.0], [0.0, 4.8]])),
+            Self::Square => {
+                sheet.solid(colour, &around(&[[-3.5, -3.5], [3.5, -3.5], [3.5, 3.5], [-3.5, 3.5]]))
+            }
+            Self::Diamond => {
+                sheet.solid(colour, &around(&[[-4.8, 0.0], [0.0, -4.8], [4.8, 0.0], [0.0, 4.8]]))
+            }
             Self::Peak => sheet.solid(colour, &around(&[[-4.2, 3.6], [4.2, 3.6], [0.0, -4.4]])),
             Self::Circle => sheet.ring(colour, [x, y], 3.6, ""),
         }

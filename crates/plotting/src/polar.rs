@@ -5,7 +5,8 @@ use crate::heat_map::head;
 use crate::marks::{Legend, Mark};
 use crate::svg::Svg;
 
-/// Decibels over azimuth: 0° points up, where the body's front is, and grows counter-clockwise as seen from above.
+/// Decibels over azimuth: 0° points up, where the body's front is, and grows counter-clockwise as seen from
+/// above.
 #[derive(Debug, Clone)]
 pub struct PolarPlot {
     /// Over the diagram.

@@ -1,5 +1,5 @@
-//! SVG to PNG, with the typeface that the program carries: a bare machine has none. Pictures within a drawing are laid between its
-//! marks here, so that the renderer needs no readers of picture formats.
+//! SVG to PNG, with the typeface that the program carries: a bare machine has none. Pictures within a drawing
+//! are laid between its marks here, so that the renderer needs no readers of picture formats.
 
 use crate::svg::{Layer, Paper, Svg};
 use resvg::tiny_skia::{FilterQuality, Paint, Pattern, Pixmap, PixmapMut, Rect, SpreadMode, Transform};
@@ -23,7 +23,8 @@ pub fn png(picture: &Svg) -> Result<Vec<u8>, String> {
     let (width, height) = ((picture.width as f32 * SCALE) as u32, (picture.height as f32 * SCALE) as u32);
     let mut pixels = Pixmap::new(width.max(1), height.max(1)).ok_or("the picture is too large")?;
     let draw = |marks: &str, paper: Paper, pixels: &mut PixmapMut| {
-        let tree = usvg::Tree::from_str(&picture.of_marks(marks, paper), &options).map_err(|e| e.to_string())?;
+        let tree =
+            usvg::Tree::from_str(&picture.of_marks(marks, paper), &options).map_err(|e| e.to_string())?;
         resvg::render(&tree, Transform::from_scale(SCALE, SCALE), pixels);
         Ok::<_, String>(())
     };
@@ -45,7 +46,8 @@ fn lay(pixels: &mut PixmapMut, corner: [f64; 2], size: [f64; 2], png: &[u8]) -> 
     let (columns, rows) = (image.width() as f32, image.height() as f32);
     let Some(whole) = Rect::from_xywh(0.0, 0.0, columns, rows) else { return Ok(()) };
     let stretched = Transform::from_row(width / columns, 0.0, 0.0, height / rows, x, y);
-    let shader = Pattern::new(image.as_ref(), SpreadMode::Pad, FilterQuality::Nearest, 1.0, Transform::identity());
+    let shader =
+        Pattern::new(image.as_ref(), SpreadMode::Pad, FilterQuality::Nearest, 1.0, Transform::identity());
     let paint = Paint { shader, ..Paint::default() };
     pixels.fill_rect(whole, &paint, Transform::from_scale(SCALE, SCALE).pre_concat(stretched), None);
     Ok(())
@@ -97,6 +99,9 @@ mod tests {
         let picture = image::load_from_memory(&png(&sheet).unwrap()).unwrap().to_rgb8();
         assert_eq!(picture.dimensions(), (30, 15));
         let colour = |x: u32, y: u32| picture.get_pixel(x, y).0;
-        assert_eq!([colour(2, 2), colour(27, 12), colour(15, 7)], [[255, 0, 0], [0, 0, 255], [255, 255, 255]]);
+        assert_eq!(
+            [colour(2, 2), colour(27, 12), colour(15, 7)],
+            [[255, 0, 0], [0, 0, 255], [255, 255, 255]]
+        );
     }
 }

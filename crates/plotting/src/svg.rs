@@ -1,5 +1,5 @@
-//! A drawing made of a few kinds of marks. Colours are classes, so that a page or a dark screen may give them other
-//! values.
+//! A drawing made of a few kinds of marks. Colours are classes, so that a page or a dark screen may give them
+//! other values.
 
 use std::fmt::Write;
 
@@ -29,7 +29,8 @@ pub(crate) enum Layer {
 pub const TEXT_PX: f64 = 12.0;
 /// Size of headings.
 pub const HEADING_PX: f64 = 14.0;
-/// Of a letter, at most, in parts of the size: Ubuntu Light and the system's typefaces stay below it on average.
+/// Of a letter, at most, in parts of the size: Ubuntu Light and the system's typefaces stay below it on
+/// average.
 const LETTER: f64 = 0.56;
 
 /// Paper, ink and colours by day, and what changes in the dark.
@@ -107,7 +108,9 @@ impl Svg {
     /// A straight line of a class.
     pub fn line(&mut self, class: &str, from: [f64; 2], to: [f64; 2]) {
         let ([x1, y1], [x2, y2]) = (from, to);
-        self.put(format_args!("<line class=\"{class}\" x1=\"{x1:.2}\" y1=\"{y1:.2}\" x2=\"{x2:.2}\" y2=\"{y2:.2}\"/>"));
+        self.put(format_args!(
+            "<line class=\"{class}\" x1=\"{x1:.2}\" y1=\"{y1:.2}\" x2=\"{x2:.2}\" y2=\"{y2:.2}\"/>"
+        ));
     }
 
     /// A rectangle of a class.
@@ -189,8 +192,8 @@ impl Svg {
         ));
     }
 
-    /// Words over other marks: with a rim of class `rim` (halo, or shade on maps), in the colour of `class`, which may be
-    /// empty.
+    /// Words over other marks: with a rim of class `rim` (halo, or shade on maps), in the colour of `class`,
+    /// which may be empty.
     pub fn words_over(&mut self, at: [f64; 2], anchor: &str, words: &str, [class, rim]: [&str; 2]) {
         let ([x, y], words) = (at, escaped(words));
         let place = format!("x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{TEXT_PX}\" text-anchor=\"{anchor}\"");
@@ -272,7 +275,10 @@ mod tests {
     fn a_picture_says_its_title_to_those_who_cannot_see_it_whatever_stands_in_it() {
         let text = Svg::new("a \"b\" < c & d", 10.0, 10.0).inline();
         let said = "a &quot;b&quot; &lt; c &amp; d";
-        assert!(text.contains(&format!("<title>{said}</title>")) && text.contains(&format!("aria-label=\"{said}\"")));
+        assert!(
+            text.contains(&format!("<title>{said}</title>"))
+                && text.contains(&format!("aria-label=\"{said}\""))
+        );
     }
 
     #[test]

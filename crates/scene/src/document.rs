@@ -1,4 +1,5 @@
-//! A scene file as tables that know their place: what it may say, what is wrong with it, and its values by type.
+//! A scene file as tables that know their place: what it may say, what is wrong with it, and its values by
+//! type.
 
 pub(crate) mod keys;
 pub(crate) mod synonyms;

@@ -1,10 +1,11 @@
 //! Scenes: what the radar is, what stands on the road, and how it moves.
 //!
 //! A TOML file (`docs/scenes.md` has every key) and the mesh files it names go in; a
-//! [`SceneHeader`](artifact::scene::SceneHeader) comes out: the radar with its elements in world metres, the settings of
-//! every later stage, meshes in body axes (x forward, y left, z up; the centre of the bounding box, on the ground, at the
-//! origin) and each target's pose at the first sample. [`snapshot`] moves the targets to any frame; vehicles of recorded
-//! [`traffic`] stand in it as far as the radar has them in view, and [`frame_view`] has what else is known of them.
+//! [`SceneHeader`](artifact::scene::SceneHeader) comes out: the radar with its elements in world metres, the
+//! settings of every later stage, meshes in body axes (x forward, y left, z up; the centre of the bounding
+//! box, on the ground, at the origin) and each target's pose at the first sample. [`snapshot`] moves the
+//! targets to any frame; vehicles of recorded [`traffic`] stand in it as far as the radar has them in view,
+//! and [`frame_view`] has what else is known of them.
 //!
 //! ```
 //! use scene::{Meshes, ReadOptions, read, snapshot};
@@ -37,10 +38,10 @@
 //!
 //! [`read_mesh`] reads a mesh alone and keeps the file's origin; [`centred`] gives it a scene's.
 //!
-//! Rooms, to read in this order, each of which uses only those before it: below are the bodies themselves, [`mesh`] (glTF, STL,
-//! OBJ), [`vehicles`] and [`street`] (the project's own, made from parameters), and what SUMO recorded; `document` is what a scene may
-//! say (`keys`), what is wrong with it (`faults`) and its typed values with their places (`section`); then come the rooms that read
-//! tables, and `read`, which calls them.
+//! Rooms, to read in this order, each of which uses only those before it: below are the bodies themselves,
+//! [`mesh`] (glTF, STL, OBJ), [`vehicles`] and [`street`] (the project's own, made from parameters), and what
+//! SUMO recorded; `document` is what a scene may say (`keys`), what is wrong with it (`faults`) and its typed
+//! values with their places (`section`); then come the rooms that read tables, and `read`, which calls them.
 
 mod wording; // sentences about what was read
 mod measured; // patterns and calibrations from files

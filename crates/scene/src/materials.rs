@@ -18,7 +18,8 @@ use num_complex::Complex64;
 use std::path::Path;
 use toml::de::DeTable;
 
-/// The materials in a file of the form of a scene's `[materials]`; whether waves pass sheets is not for it to say.
+/// The materials in a file of the form of a scene's `[materials]`; whether waves pass sheets is not for it to
+/// say.
 ///
 /// # Errors
 /// Every broken rule with line and column; `is_system` tells a file that is missing or unreadable.
@@ -62,11 +63,18 @@ fn from_file(fidelity: &Section<'_>, path: &Path) -> Vec<(String, Material)> {
 
 fn by_name(root: &Section<'_>) -> Vec<(String, Material)> {
     let materials = root.materials();
-    materials.iter().filter_map(|(name, section)| Some(((*name).to_owned(), read_material(section)?))).collect()
+    materials
+        .iter()
+        .filter_map(|(name, section)| Some(((*name).to_owned(), read_material(section)?)))
+        .collect()
 }
 
 /// The road as a mirror and what it sends back of itself; `None` where the scene has none of it.
-pub(crate) fn read_road(root: &Section<'_>, radar: &Radar, echo: EchoMode) -> (Option<Road>, Option<Backscatter>) {
+pub(crate) fn read_road(
+    root: &Section<'_>,
+    radar: &Radar,
+    echo: EchoMode,
+) -> (Option<Road>, Option<Backscatter>) {
     let section = root.section(&keys::ROAD);
     if !section.exists() {
         return (None, None);
@@ -85,7 +93,8 @@ fn read_mirror(section: &Section<'_>) -> Option<Road> {
     let named = section.has("substance") || section.has("permittivity");
     let of_asphalt = || substance(ASPHALT).and_then(|asphalt| asphalt.permittivity);
     let permittivity = if named { read_permittivity(section)? } else { of_asphalt() };
-    let material = permittivity.map_or(Material::Conductor, |permittivity| Material::HalfSpace { permittivity });
+    let material =
+        permittivity.map_or(Material::Conductor, |permittivity| Material::HalfSpace { permittivity });
     // 0.5 mm costs 0.1 to 0.9 dB at the grazing angles of 60 to 25 m (docs/physics.md §5).
     let rms_height_mm = section.number("rms_height_mm", Allowed::Between(0.0, 100.0)).unwrap_or(0.5);
     Some(Road { material, rms_height_m: 1e-3 * rms_height_mm })
@@ -117,7 +126,8 @@ fn read_backscatter(section: &Section<'_>, radar: &Radar, echo: EchoMode) -> Opt
 
 fn read_material(section: &Section<'_>) -> Option<Material> {
     let layers = if section.has("layers") { stacked(section)? } else { single(section)? };
-    let backing = section.word("backing", &[("air", Backing::Air), ("metal", Backing::Metal)]).unwrap_or(Backing::Air);
+    let backing =
+        section.word("backing", &[("air", Backing::Air), ("metal", Backing::Metal)]).unwrap_or(Backing::Air);
     let coherent = section.truth("coherent").unwrap_or(true);
     let thickness = if coherent { Thickness::Exact } else { Thickness::Averaged };
     match layers {
@@ -125,7 +135,9 @@ fn read_material(section: &Section<'_>) -> Option<Material> {
             for key in ["backing", "coherent"].into_iter().filter(|key| section.has(key)) {
                 section.note(key, Rule::Alone { key, companion: "thickness_mm" });
             }
-            Some(permittivity.map_or(Material::Conductor, |permittivity| Material::HalfSpace { permittivity }))
+            Some(
+                permittivity.map_or(Material::Conductor, |permittivity| Material::HalfSpace { permittivity }),
+            )
         }
         Body::Layered(layers) => Some(Material::Layers { layers, backing, thickness }),
     }

@@ -10,7 +10,8 @@ pub fn snapshot(scene: &SceneHeader, frame_index: u32) -> SceneFrame {
     SceneFrame { index: frame_index, time_s, poses }
 }
 
-/// Vehicles in view of a frame, at its first sample; none without traffic. A recording has a place for each cycle of sub-frames.
+/// Vehicles in view of a frame, at its first sample; none without traffic. A recording has a place for each
+/// cycle of sub-frames.
 fn placed(scene: &SceneHeader, frame_index: u32) -> impl Iterator<Item = Placed> {
     let cycle = (frame_index / scene.radar.schedule.sub_frames()) as usize;
     let later_s = scene.radar.sub_frame_start_s(frame_index);
@@ -24,15 +25,16 @@ pub fn vehicles_in_view(scene: &SceneHeader, frame_index: u32) -> Vec<&Vehicle> 
     placed(scene, frame_index).filter_map(|placed| vehicles.get(placed.vehicle as usize)).collect()
 }
 
-/// For each pose of a frame's snapshot the place of its body among all of the scene: targets first, then every vehicle that
-/// is in view in some frame.
+/// For each pose of a frame's snapshot the place of its body among all of the scene: targets first, then
+/// every vehicle that is in view in some frame.
 pub fn bodies_in_view(scene: &SceneHeader, frame_index: u32) -> Vec<u32> {
     let targets = scene.targets.len() as u32;
     (0..targets).chain(placed(scene, frame_index).map(|placed| targets + placed.vehicle)).collect()
 }
 
-/// The scene of one frame alone: vehicles in view are targets like any other, in the order of the snapshot's poses, `start`
-/// their pose in that frame. What a frame costs then grows with what is in view, not with the recording.
+/// The scene of one frame alone: vehicles in view are targets like any other, in the order of the snapshot's
+/// poses, `start` their pose in that frame. What a frame costs then grows with what is in view, not with the
+/// recording.
 pub fn frame_view(scene: &SceneHeader, frame_index: u32) -> SceneHeader {
     let in_view = vehicles_in_view(scene, frame_index).into_iter().zip(placed(scene, frame_index));
     let in_view = in_view.map(|(vehicle, placed)| Target {
@@ -63,7 +65,8 @@ pub fn frame_view(scene: &SceneHeader, frame_index: u32) -> SceneHeader {
 /// The pose `elapsed_s` later (or earlier, where negative), rounded once: to half a unit in the last place.
 pub fn pose_after(pose: &Pose, elapsed_s: f64) -> Pose {
     let gained_mps = pose.acceleration_mps2.map(|acceleration_mps2| acceleration_mps2 * elapsed_s);
-    // Fused: after an hour at 30 m/s the product alone would round by 1.5e-11 m, 4e-9 of a wavelength. It costs nothing.
+    // Fused: after an hour at 30 m/s the product alone would round by 1.5e-11 m, 4e-9 of a wavelength. It
+    // costs nothing.
     let mean_mps = |axis: usize| pose.velocity_mps[axis] + 0.5 * gained_mps[axis];
     let along = |axis: usize| mean_mps(axis).mul_add(elapsed_s, pose.position_m[axis]);
     Pose {

@@ -19,20 +19,22 @@ use artifact::settings::Lanes;
 use std::path::{Path, PathBuf};
 use toml::de::DeTable;
 
-/// The scene in `path`, with the meshes of its targets: each in body axes, the centre of its bounding box on the ground
-/// at the origin, a model named twice read once.
+/// The scene in `path`, with the meshes of its targets: each in body axes, the centre of its bounding box on
+/// the ground at the origin, a model named twice read once.
 ///
 /// # Errors
-/// Every broken rule of the file and of the models it names, with line and column; `is_system` tells a file that is
-/// missing or unreadable from one that is refused.
+/// Every broken rule of the file and of the models it names, with line and column; `is_system` tells a file
+/// that is missing or unreadable from one that is refused.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<SceneHeader, SceneErrors> {
     read_with_models(path, options).map(|(header, _)| header)
 }
 
-/// The files that [`read`] opens, the scene first: what a result depends on beside the program and its options.
+/// The files that [`read`] opens, the scene first: what a result depends on beside the program and its
+/// options.
 ///
 /// # Errors
-/// As [`read`]. Meshes are opened only where something is wrong already, so that this too reports all there is.
+/// As [`read`]. Meshes are opened only where something is wrong already, so that this too reports all there
+/// is.
 pub fn inputs(path: &Path, options: &ReadOptions) -> Result<Vec<PathBuf>, SceneErrors> {
     let names_only = ReadOptions { meshes: Meshes::NamesOnly, ..options.clone() };
     let files = read_with_models(path, &names_only)
@@ -72,8 +74,10 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let (intersection, lanes) = read_intersection(root, &radar);
     let targets = read_targets(root, &radar, &lanes, models);
     let recording = read_traffic(root, &radar, frame_interval_s, models);
-    let courses =
-        recording.as_ref().map(|recording| recording.lanes([root, &radar_section], models)).unwrap_or_default();
+    let courses = recording
+        .as_ref()
+        .map(|recording| recording.lanes([root, &radar_section], models))
+        .unwrap_or_default();
     let own_road = Lanes { courses, ..read_own_road(&radar_section, &radar, &lanes) };
     let recording = recording.filter(|_| models.are_opened());
     let traffic = recording.map(|recording| recording.frames(models, &targets));

@@ -12,8 +12,8 @@ use artifact::paths::MAX_ORDER;
 use artifact::radar::{Radar, Sampling};
 use artifact::scene::Intersection;
 use artifact::settings::{
-    Angle, BetweenBodies, Detail, Detector, DspSettings, EchoMode, Edges, FALSE_ALARM_RATES, Fidelity, Lane, Lanes,
-    NodeRule, Noise, Refine, Sides, StaticEchoes, Surface, Window,
+    Angle, BetweenBodies, Detail, Detector, DspSettings, EchoMode, Edges, FALSE_ALARM_RATES, Fidelity, Lane,
+    Lanes, NodeRule, Noise, Refine, Sides, StaticEchoes, Surface, Window,
 };
 use num_complex::Complex64;
 
@@ -61,7 +61,8 @@ pub(crate) fn read_dsp(root: &Section<'_>, radar: &Radar, road: Lanes, models: &
         section.note("refine", Rule::Contradiction { key: "refine", other: "sampling = \"real\"" });
     }
     let guard_cells = read_cells(&section, "guard_cells").unwrap_or(fitting(map, [0, 0], [2, 2]));
-    // 13 × 21 cells less 5 × 5 of guard: 248 training cells, a CFAR loss of about 0.1 dB at 1e-5 (Richards 2014).
+    // 13 × 21 cells less 5 × 5 of guard: 248 training cells, a CFAR loss of about 0.1 dB at 1e-5 (Richards
+    // 2014).
     let training_cells = read_cells(&section, "training_cells").unwrap_or(fitting(map, guard_cells, [4, 8]));
     check_window(&section, map, guard_cells, training_cells);
     let distance = Allowed::Above(0.0, 1e3);
@@ -75,10 +76,15 @@ pub(crate) fn read_dsp(root: &Section<'_>, radar: &Radar, road: Lanes, models: &
         angle: section
             .word("angle", &[("fft", Angle::Fft), ("max-likelihood", Angle::MaximumLikelihood)])
             .unwrap_or(Angle::Fft),
-        refine: section.word("refine", &[("off", Refine::Off), ("on", Refine::Isolated)]).unwrap_or(Refine::Off),
+        refine: section
+            .word("refine", &[("off", Refine::Off), ("on", Refine::Isolated)])
+            .unwrap_or(Refine::Off),
         calibration: read_factors(&section, radar, models).unwrap_or_default(),
         static_echoes: section
-            .word("static", &[StaticEchoes::Keep, StaticEchoes::Mark, StaticEchoes::Remove].map(|s| (s.name(), s)))
+            .word(
+                "static",
+                &[StaticEchoes::Keep, StaticEchoes::Mark, StaticEchoes::Remove].map(|s| (s.name(), s)),
+            )
             .unwrap_or(StaticEchoes::Keep),
         assumed_height_m: section.number("assumed_height_m", Allowed::Between(-100.0, 100.0)).unwrap_or(0.75),
         // Gaps between the glints of one long vehicle, against the gap that drivers keep (docs/scenes.md).
@@ -92,7 +98,9 @@ pub(crate) fn read_dsp(root: &Section<'_>, radar: &Radar, road: Lanes, models: &
 fn read_factors(section: &Section<'_>, radar: &Radar, models: &mut Models) -> Option<Vec<Complex64>> {
     let file = models.file_beside(section.text("calibration")?);
     let elements = [radar.array.tx_m.len(), radar.array.rx_m.len()];
-    read_calibration(&file, elements).map_err(|error| section.note("calibration", Rule::Calibration(error))).ok()
+    read_calibration(&file, elements)
+        .map_err(|error| section.note("calibration", Rule::Calibration(error)))
+        .ok()
 }
 
 /// [doppler, range].
@@ -100,7 +108,8 @@ fn read_cells(section: &Section<'_>, key: &'static str) -> Option<[u32; 2]> {
     section.counts(key, Allowed::Between(0.0, 65536.0)).map(|cells: [u64; 2]| cells.map(|count| count as u32))
 }
 
-/// The defaults as far as the map holds them beside `inner` cells on each side: a map of few chirps is no error.
+/// The defaults as far as the map holds them beside `inner` cells on each side: a map of few chirps is no
+/// error.
 fn fitting(map: [u32; 2], inner: [u32; 2], wanted: [u32; 2]) -> [u32; 2] {
     let room = |axis: usize| ((map[axis].saturating_sub(1)) / 2).saturating_sub(inner[axis]);
     [wanted[0].min(room(0)), wanted[1].min(room(1))]
@@ -149,13 +158,18 @@ pub(crate) fn read_fidelity(root: &Section<'_>) -> Fidelity {
     Fidelity {
         accuracy: Accuracy::from_db(accuracy_db),
         bounces: section.integer("bounces", Allowed::Between(1.0, MAX_ORDER as f64)).unwrap_or(3) as u8,
-        edges: section.word("edges", &[("off", Edges::Ignored), ("on", Edges::FirstOrder)]).unwrap_or(Edges::Ignored),
+        edges: section
+            .word("edges", &[("off", Edges::Ignored), ("on", Edges::FirstOrder)])
+            .unwrap_or(Edges::Ignored),
         surface: section
             .word("surface", &[("flat", Surface::Flat), ("smooth", Surface::Smooth)])
             .unwrap_or(Surface::Flat),
         sides: section.word("sides", &[("two", Sides::Two), ("one", Sides::One)]).unwrap_or(Sides::Two),
         nodes: section
-            .word("nodes", &[("middle", NodeRule::Middle), ("exit", NodeRule::Exit), ("own-edge", NodeRule::OwnEdge)])
+            .word(
+                "nodes",
+                &[("middle", NodeRule::Middle), ("exit", NodeRule::Exit), ("own-edge", NodeRule::OwnEdge)],
+            )
             .unwrap_or(NodeRule::OwnEdge),
         echo: section
             .word("echo", &[("paths", EchoMode::Paths), ("rcs-table", EchoMode::RcsTable)])
@@ -168,14 +182,17 @@ pub(crate) fn read_fidelity(root: &Section<'_>) -> Fidelity {
             )
             .unwrap_or(Detail::Paths),
         between_bodies: section
-            .word("between_bodies", &[("traced", BetweenBodies::Traced), ("left-out", BetweenBodies::LeftOut)])
+            .word(
+                "between_bodies",
+                &[("traced", BetweenBodies::Traced), ("left-out", BetweenBodies::LeftOut)],
+            )
             .unwrap_or_default(),
         measured_every: section.integer("measured_every", Allowed::Between(1.0, 1e6)).unwrap_or(1) as u32,
     }
 }
 
-/// The crossing and its lanes: the paper's Table 1 where the scene says nothing, but none beside recorded traffic, which has a road of its
-/// own. Without lanes the road runs where the radar looks.
+/// The crossing and its lanes: the paper's Table 1 where the scene says nothing, but none beside recorded
+/// traffic, which has a road of its own. Without lanes the road runs where the radar looks.
 pub(crate) fn read_intersection(root: &Section<'_>, radar: &Radar) -> (Intersection, Lanes) {
     let section = root.section(&keys::INTERSECTION);
     let is_table_1 = section.exists() || !root.has("traffic");
@@ -199,7 +216,8 @@ fn read_road(section: &Section<'_>, radar: &Radar, default: &Lanes) -> Lanes {
     if section.exists() {
         check_lanes(section, &centres, width_m);
     }
-    let lanes: Vec<Lane> = centres.iter().zip(1..).map(|(m, number)| Lane { number, centre_m: *m, width_m }).collect();
+    let lanes: Vec<Lane> =
+        centres.iter().zip(1..).map(|(m, number)| Lane { number, centre_m: *m, width_m }).collect();
     let [x_m, y_m, _] = radar.position_m;
     let (origin_m, azimuth_rad) = match lanes[..] {
         [] => ([x_m, y_m], radar.boresight_az_rad),
@@ -221,7 +239,10 @@ fn check_lanes(section: &Section<'_>, centres: &[f64], width_m: f64) {
         for (j, y) in centres.iter().enumerate().skip(i + 1) {
             let distance_m = (x - y).abs();
             if distance_m < width_m - rounding_m {
-                section.note("lane_centres_m", Rule::LanesOverlap { first: i + 1, second: j + 1, distance_m, width_m });
+                section.note(
+                    "lane_centres_m",
+                    Rule::LanesOverlap { first: i + 1, second: j + 1, distance_m, width_m },
+                );
             }
         }
     }

@@ -1,8 +1,8 @@
 //! `[traffic]`: vehicles that move as SUMO recorded them.
 //!
-//! The recording is read once, step by step ([`fcd`]); of every step only what the radar has in view at a frame's first
-//! sample is kept, placed between the steps by [`interpolation`]. So memory grows with what is in view in the
-//! frames asked for, not with the recording.
+//! The recording is read once, step by step ([`fcd`]); of every step only what the radar has in view at a
+//! frame's first sample is kept, placed between the steps by [`interpolation`]. So memory grows with what is
+//! in view in the frames asked for, not with the recording.
 
 pub use crate::recording::{fcd, interpolation, net};
 
@@ -24,7 +24,8 @@ use glam::DVec2;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::PathBuf;
 
-/// Models of SUMO's vTypes and vehicle classes where `models` says nothing: those of the project of about that length.
+/// Models of SUMO's vTypes and vehicle classes where `models` says nothing: those of the project of about
+/// that length.
 const DEFAULT_MODELS: [(&str, &str); 11] = [
     ("car", "car-sedan"),
     ("passenger", "car-sedan"),
@@ -66,8 +67,8 @@ struct Model {
     radius_m: f64,
 }
 
-/// `[traffic]` of a scene, the models that it names loaded, its recording not yet opened; `None` without the table, or where
-/// the recording is not named.
+/// `[traffic]` of a scene, the models that it names loaded, its recording not yet opened; `None` without the
+/// table, or where the recording is not named.
 pub(crate) fn read_traffic<'d>(
     root: &Section<'d>,
     radar: &Radar,
@@ -81,12 +82,14 @@ pub(crate) fn read_traffic<'d>(
     section.require("fcd");
     let times = read_times(root, &section, interval_s);
     let view = read_view(&section, radar);
-    let of_types = section.model_choices().iter().map(|c| (c.kind.to_owned(), models_of_type(c, models))).collect();
+    let of_types =
+        section.model_choices().iter().map(|c| (c.kind.to_owned(), models_of_type(c, models))).collect();
     let file = models.file_beside(section.text("fcd")?);
     Some(Recording { section, file, models: of_types, unknown: vec![], times, view })
 }
 
-/// By default the range up to which a complex beat frequency does not fold, and the half plane before the array.
+/// By default the range up to which a complex beat frequency does not fold, and the half plane before the
+/// array.
 fn read_view(section: &Section<'_>, radar: &Radar) -> View {
     let range_m = section.number("view_range_m", Allowed::Above(0.0, 1e5));
     let nearest_m = section.number("view_nearest_m", Allowed::Between(0.0, 1e5)).unwrap_or(0.0);
@@ -109,7 +112,8 @@ fn read_times(root: &Section<'_>, section: &Section<'_>, interval_s: f64) -> Tim
     {
         section.note("end_s", Rule::EndsBeforeItBegins { begin_s, end_s });
     }
-    let frames = root.has("frames").then(|| root.integer("frames", Allowed::Between(1.0, 1e6)).unwrap_or(1) as u32);
+    let frames =
+        root.has("frames").then(|| root.integer("frames", Allowed::Between(1.0, 1e6)).unwrap_or(1) as u32);
     Times { frames, interval_s, begin_s, end_s }
 }
 
@@ -134,7 +138,8 @@ impl Model {
 }
 
 impl Recording<'_> {
-    /// Lanes of the network that `net` names; what is wrong with it is noted. `roads`: tables that may say lanes themselves.
+    /// Lanes of the network that `net` names; what is wrong with it is noted. `roads`: tables that may say
+    /// lanes themselves.
     pub(crate) fn lanes(&self, roads: [&Section<'_>; 2], models: &mut Models) -> Vec<Course> {
         let Some(written) = self.section.text("net") else { return vec![] };
         let file = models.file_beside(written);
@@ -162,7 +167,9 @@ impl Recording<'_> {
             let clock = clock.get_or_insert_with(|| Clock::of(self.times, step.time_s));
             let line = step.line;
             interval.advance(step);
-            while let Some(time_s) = clock.frame_until(interval.end_s()).map_err(|rule| reader.error_at(line, rule))? {
+            while let Some(time_s) =
+                clock.frame_until(interval.end_s()).map_err(|rule| reader.error_at(line, rule))?
+            {
                 let kept = self.keep_frame(&mut cast, models, &interval, time_s);
                 kept.map_err(|(line, rule)| reader.error_at(line, rule))?;
             }
@@ -205,7 +212,8 @@ impl Recording<'_> {
         Ok(())
     }
 
-    /// One of the models of its type, always the same for the same id; `None` where there is none, and that is kept.
+    /// One of the models of its type, always the same for the same id; `None` where there is none, and that
+    /// is kept.
     fn model_of(&mut self, vehicle: &FcdVehicle, models: &mut Models) -> Option<Model> {
         // A vType that was changed for one vehicle is called `car@flow.3`.
         let name = vehicle.kind.split('@').next().unwrap_or_default();

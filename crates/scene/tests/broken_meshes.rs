@@ -1,4 +1,5 @@
-//! Broken mesh files: each is refused with its place and the rule it breaks; no damage whatever makes the reader panic.
+//! Broken mesh files: each is refused with its place and the rule it breaks; no damage whatever makes the
+//! reader panic.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 
@@ -185,7 +186,10 @@ fn every_broken_mesh_is_refused_at_its_place_with_its_rule() {
             continue;
         };
         let text = error.to_string();
-        if !text.starts_with(&format!("{}{place}", file.display())) || !text.contains(words) || error.is_system() {
+        if !text.starts_with(&format!("{}{place}", file.display()))
+            || !text.contains(words)
+            || error.is_system()
+        {
             failures.push(format!("{name}: wanted {place}{words}\n  got {text}"));
         }
     }
@@ -221,7 +225,9 @@ fn a_small_file_that_shows_one_mesh_many_times_is_refused_before_it_fills_the_me
 #[test]
 fn a_unit_scale_lifts_the_limits_on_size() {
     let kilometres = changed("/nodes/0/scale", json!([1000, 1000, 1000]));
-    let read = |unit_scale| mesh_from_bytes(&kilometres, Format::Glb, Path::new("k.glb"), &MeshOptions { unit_scale });
+    let read = |unit_scale| {
+        mesh_from_bytes(&kilometres, Format::Glb, Path::new("k.glb"), &MeshOptions { unit_scale })
+    };
     assert!(read(None).is_err());
     assert!(read(Some(1.0)).is_ok());
     let length_m = |mesh: &artifact::scene::Mesh| mesh.vertices_m.iter().map(|v| v[0]).fold(0.0, f64::max);
@@ -244,13 +250,14 @@ impl Noise {
     }
 }
 
-/// Turns one or two bits, as often in the first 20 bytes and in the last 128, the binary chunk, as anywhere; cuts off
-/// one file in eight.
+/// Turns one or two bits, as often in the first 20 bytes and in the last 128, the binary chunk, as anywhere;
+/// cuts off one file in eight.
 fn damaged_bytes(noise: &mut Noise, whole: &[u8]) -> Vec<u8> {
     let mut bytes = whole.to_vec();
     for _ in 0..=noise.below(2) {
         let end = bytes.len();
-        let at = [noise.below(end), noise.below(end.min(20)), end - 1 - noise.below(end.min(128))][noise.below(3)];
+        let at =
+            [noise.below(end), noise.below(end.min(20)), end - 1 - noise.below(end.min(128))][noise.below(3)];
         bytes[at] ^= 1 << noise.below(8);
     }
     if noise.below(8) == 0 {
@@ -315,8 +322,8 @@ fn strange_value(noise: &mut Noise) -> Value {
     .clone()
 }
 
-/// Files that reach every branch of the reader: sparse values, strips, nested nodes, quantized positions, indices of
-/// 8 and 32 bits, none.
+/// Files that reach every branch of the reader: sparse values, strips, nested nodes, quantized positions,
+/// indices of 8 and 32 bits, none.
 fn sound_files() -> Vec<GlbFile> {
     let plain = GlbFile::tetrahedron();
     let nested = plain.clone().set(
@@ -338,11 +345,14 @@ fn sound_files() -> Vec<GlbFile> {
     let mut strip = plain.clone();
     let corners = [0_u32, 1, 2, 3].iter().flat_map(|i| i.to_le_bytes()).collect();
     let corners = strip.add_accessor(corners, 4, 5125, "SCALAR");
-    let strip =
-        strip.set("/meshes/0/primitives/0/indices", json!(corners)).set("/meshes/0/primitives/0/mode", json!(5));
-    let fan = strip.clone().without("/meshes/0/primitives/0/indices").set("/meshes/0/primitives/0/mode", json!(6));
+    let strip = strip
+        .set("/meshes/0/primitives/0/indices", json!(corners))
+        .set("/meshes/0/primitives/0/mode", json!(5));
+    let fan =
+        strip.clone().without("/meshes/0/primitives/0/indices").set("/meshes/0/primitives/0/mode", json!(6));
     let mut quantized = plain.clone();
-    let positions = quantized.add_accessor(vec![0, 0, 0, 0, 9, 0, 0, 0, 0, 9, 0, 0, 0, 0, 9, 0], 4, 5120, "VEC3");
+    let positions =
+        quantized.add_accessor(vec![0, 0, 0, 0, 9, 0, 0, 0, 0, 9, 0, 0, 0, 0, 9, 0], 4, 5120, "VEC3");
     let view = format!("/bufferViews/{positions}/byteStride");
     let quantized = quantized
         .set("/meshes/0/primitives/0/attributes/POSITION", json!(positions))
@@ -359,8 +369,14 @@ fn a_hundred_thousand_damaged_files_are_read_or_refused_without_panic() {
     let mut outcomes = [0; 7];
     for i in 0..100_000 {
         let file = &files[i % files.len()];
-        let bytes = if i % 2 == 0 { damaged_bytes(&mut noise, &file.bytes()) } else { damaged_json(&mut noise, file) };
-        match std::panic::catch_unwind(|| mesh_from_bytes(&bytes, Format::Glb, Path::new("damaged.glb"), &METRES)) {
+        let bytes = if i % 2 == 0 {
+            damaged_bytes(&mut noise, &file.bytes())
+        } else {
+            damaged_json(&mut noise, file)
+        };
+        match std::panic::catch_unwind(|| {
+            mesh_from_bytes(&bytes, Format::Glb, Path::new("damaged.glb"), &METRES)
+        }) {
             Ok(Ok(mesh)) => {
                 assert_sound(&mesh);
                 outcomes[0] += 1;
@@ -388,7 +404,8 @@ fn outcome(place: MeshPlace) -> usize {
 fn damaged_stl_and_obj_files_are_read_or_refused_without_panic() {
     let text_stl = b"solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n";
     let obj = b"# square\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nusemtl paint\nf 1//1 2//1 3//1 4//1\nf -4 -3 -2 \\\n-1\n";
-    let sound = [(Format::Stl, binary_stl(0.5)), (Format::Stl, text_stl.to_vec()), (Format::Obj, obj.to_vec())];
+    let sound =
+        [(Format::Stl, binary_stl(0.5)), (Format::Stl, text_stl.to_vec()), (Format::Obj, obj.to_vec())];
     let mut noise = Noise(2);
     for i in 0..30_000 {
         let (format, whole) = &sound[i % sound.len()];
@@ -448,7 +465,10 @@ fn what_is_no_plain_file_is_refused_before_it_is_opened_buffers_too() {
     let fifo = folder.path().join("b.glb");
     assert!(std::process::Command::new("mkfifo").arg(&fifo).status().unwrap().success());
     let error = scene::read_mesh(&fifo, &METRES).unwrap_err();
-    assert!(error.is_system() && error.to_string().contains("b.glb: cannot be read: it is a FIFO"), "{error}");
+    assert!(
+        error.is_system() && error.to_string().contains("b.glb: cannot be read: it is a FIFO"),
+        "{error}"
+    );
     let file = folder.path().join("m.gltf");
     let document = GlbFile::tetrahedron().set("/buffers/0/uri", json!("b.glb"));
     std::fs::write(&file, serde_json::to_vec(&document.json).unwrap()).unwrap();

@@ -11,8 +11,7 @@ const NAME: &str = "name = \"broken\"\n";
 const POINT: &str =
     "name = \"broken\"\n[[target]]\nkind = \"point\"\nid = \"p\"\nposition_m = [2, 30, 1]\nrcs_m2 = 1\n";
 /// A sound vehicle up to line 6; what a case adds begins in line 7.
-const CAR: &str =
-    "name = \"broken\"\n[[target]]\nkind = \"mesh\"\nid = \"c\"\nposition_m = [2, 30, 0]\nmodel = \"car-suv\"\n";
+const CAR: &str = "name = \"broken\"\n[[target]]\nkind = \"mesh\"\nid = \"c\"\nposition_m = [2, 30, 0]\nmodel = \"car-suv\"\n";
 
 /// What a scene holds after its sound beginning, where it is refused (line:column) and in which words.
 type Case = (&'static str, &'static str, &'static str, &'static str);
@@ -234,7 +233,8 @@ chrips = 64
 false_alarm_rate = 2
 ";
     let errors = read_text(&folder.path().join("scene.toml"), text).unwrap_err();
-    let places: Vec<_> = errors.0.iter().map(|error| error.position.map(|p| (p.line, p.column)).unwrap()).collect();
+    let places: Vec<_> =
+        errors.0.iter().map(|error| error.position.map(|p| (p.line, p.column)).unwrap()).collect();
     assert_eq!(places, [(1, 1), (1, 8), (5, 9), (7, 1), (9, 11), (10, 1), (12, 20)], "{errors}");
     assert_eq!(errors.to_string().lines().count(), 7);
 }
@@ -261,7 +261,10 @@ fn a_missing_file_is_the_systems_fault_and_a_broken_one_is_not() {
     assert!(!both.is_system(), "what was read is refused too: {both}");
     std::fs::write(&file, b"name = \"\xff\"\n").unwrap();
     let not_text = scene::read(&file, &whole()).unwrap_err();
-    assert!(!not_text.is_system() && not_text.to_string().contains("not UTF-8 text from byte 8 on"), "{not_text}");
+    assert!(
+        !not_text.is_system() && not_text.to_string().contains("not UTF-8 text from byte 8 on"),
+        "{not_text}"
+    );
     std::fs::write(&file, vec![b'#'; 5 << 20]).unwrap();
     assert!(scene::read(&file, &whole()).unwrap_err().to_string().contains("has more than 4194304 bytes"));
 }

@@ -10,7 +10,10 @@ const PAGE: &str = include_str!("../../../docs/scenes.md");
 fn documented_keys(heading: &str) -> BTreeSet<String> {
     let section = PAGE.split("\n## ").find(|section| section.lines().next() == Some(heading));
     let lines = section.unwrap_or_else(|| panic!("no section `{heading}`")).lines();
-    let table = lines.skip_while(|line| !line.starts_with("| key |")).skip(2).take_while(|line| line.starts_with('|'));
+    let table = lines
+        .skip_while(|line| !line.starts_with("| key |"))
+        .skip(2)
+        .take_while(|line| line.starts_with('|'));
     let first_columns = table.filter_map(|line| line.split('|').nth(1));
     first_columns.flat_map(|column| column.split('`').skip(1).step_by(2).map(str::to_owned)).collect()
 }

@@ -1,4 +1,5 @@
-//! Lanes: the paper's where a scene of one's own says nothing, none beside recorded traffic, those of the network that was recorded.
+//! Lanes: the paper's where a scene of one's own says nothing, none beside recorded traffic, those of the
+//! network that was recorded.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 
@@ -8,7 +9,8 @@ use std::path::{Path, PathBuf};
 
 const FCD: &str = "<fcd-export><timestep time=\"0\"/></fcd-export>";
 
-/// Two edges of two lanes, a footpath, a way through the junction that lies across them, and a lane out of view.
+/// Two edges of two lanes, a footpath, a way through the junction that lies across them, and a lane out of
+/// view.
 const NET: &str = "<?xml version=\"1.0\"?>
 <net version=\"1.20\">
  <edge id=\":c_0\" function=\"internal\"><lane id=\":c_0_0\" index=\"0\" shape=\"2,30 2,-4\" width=\"3.75\"/></edge>
@@ -44,7 +46,11 @@ fn beside_recorded_traffic_there_are_no_lanes_that_nobody_said() {
     assert_eq!(none.at([2.0, 40.0, 0.0]), None, "the paper's lane 1");
     let said = read(NET, &format!("[intersection]\nlane_width_m = 3.5\n{TRAFFIC}")).unwrap();
     assert_eq!((said.lanes.len(), said.at([2.0, 40.0, 0.0])), (3, Some(1)));
-    assert_eq!(read(NET, "").unwrap().at([5.75, 40.0, 0.0]), Some(2), "a scene without a recording has the paper's");
+    assert_eq!(
+        read(NET, "").unwrap().at([5.75, 40.0, 0.0]),
+        Some(2),
+        "a scene without a recording has the paper's"
+    );
 }
 
 /// Without lanes the way across is across the line of sight.
@@ -70,8 +76,12 @@ fn lanes_of_a_network_have_its_shapes_widths_and_names() {
     // SUMO's own width where the lane has none; numbered in the order of the file.
     assert_eq!(told, [(1, "n_in_0", 3.75), (2, "n_in_1", 3.75), (3, "bend_1", 3.2)]);
     let at = |x: f64, y: f64| road.at([x, y, 0.75]);
-    assert_eq!((at(2.0, 40.0), at(3.8, 40.0), at(3.95, 40.0), at(7.7, 40.0)), (Some(1), Some(1), Some(2), None));
-    // Before a lane's beginning and behind its end there is none; a bend has no gap at its corner, inside or outside.
+    assert_eq!(
+        (at(2.0, 40.0), at(3.8, 40.0), at(3.95, 40.0), at(7.7, 40.0)),
+        (Some(1), Some(1), Some(2), None)
+    );
+    // Before a lane's beginning and behind its end there is none; a bend has no gap at its corner, inside or
+    // outside.
     assert_eq!((at(2.0, 29.9), at(2.0, 100.1), at(-20.1, 10.0)), (None, None, None));
     assert_eq!((at(-9.0, 9.0), at(-10.5, 10.5), at(-11.7, 15.0)), (Some(3), Some(3), None));
 }
@@ -90,7 +100,10 @@ fn a_broken_network_is_refused_with_line_and_rule() {
         ("", "t.net.xml:1: the file ends before </net>"),
         ("<fcd-export/>", "t.net.xml:1: the first element is <fcd-export>; networks begin with <net>"),
         ("<net>\n<edge>\n", "t.net.xml:3: the file ends before </net>"),
-        ("<net><edge><lane id=\"a\"/></edge></net>", "t.net.xml:1: <lane id=\"a\">: attribute `shape` is missing"),
+        (
+            "<net><edge><lane id=\"a\"/></edge></net>",
+            "t.net.xml:1: <lane id=\"a\">: attribute `shape` is missing",
+        ),
         ("<net><lane id=\"a\" shape=\"1,2\"/></net>", "`shape` is `1,2`; it must be two places x,y or more"),
         ("<net><lane id=\"a\" shape=\"1,2 1,2\"/></net>", "`shape` is `1,2 1,2`"),
         ("<net><lane id=\"a\" shape=\"1,2 nan,3\"/></net>", "`shape` is `1,2 nan,3`"),

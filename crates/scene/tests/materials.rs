@@ -58,11 +58,17 @@ fn inline_materials_dress_the_meshes_that_name_them() {
         backing: Backing::Air,
         thickness: Thickness::Averaged,
     };
-    let paint =
-        Material::Layers { layers: vec![layer(1e-4, 3.0, -0.1)], backing: Backing::Metal, thickness: Thickness::Exact };
+    let paint = Material::Layers {
+        layers: vec![layer(1e-4, 3.0, -0.1)],
+        backing: Backing::Metal,
+        thickness: Thickness::Exact,
+    };
     assert_eq!(material_of(&scene, "glass"), glass);
     assert_eq!(material_of(&scene, "paint"), paint);
-    assert_eq!(material_of(&scene, "rubber"), Material::HalfSpace { permittivity: Complex64::new(4.1, -0.5) });
+    assert_eq!(
+        material_of(&scene, "rubber"),
+        Material::HalfSpace { permittivity: Complex64::new(4.1, -0.5) }
+    );
     assert_eq!(material_of(&scene, "steel"), Material::Conductor);
     assert_eq!(material_of(&scene, "plastic"), Material::Conductor, "not named in the map");
     assert_eq!(scene.meshes[0].makeup.transmission, Transmission::Followed);
@@ -131,12 +137,18 @@ fn every_mistake_in_materials_is_told_with_its_place() {
             "`permittivity` and `substance` exclude one another",
         ),
         ("glass = { permittivity = [0.5, 0] }", "`permittivity` must be a number from 1 to 1000000, is 0.5"),
-        ("glass = { permittivity = [6.5, -0.1] }", "`permittivity` must be a number from 0 to 1000000, is -0.1"),
+        (
+            "glass = { permittivity = [6.5, -0.1] }",
+            "`permittivity` must be a number from 0 to 1000000, is -0.1",
+        ),
         (
             "glass = { substance = \"glass\", thickness_mm = 0 }",
             "`thickness_mm` must be a number above 0, up to 1000, is 0",
         ),
-        ("glass = { substance = \"glass\", backing = \"metal\" }", "`backing` needs `thickness_mm` beside it"),
+        (
+            "glass = { substance = \"glass\", backing = \"metal\" }",
+            "`backing` needs `thickness_mm` beside it",
+        ),
         ("glass = { layers = [], backing = \"air\" }", "`layers` must have from 1 to 32 values, has 0"),
         ("glass = { layers = [{ substance = \"glass\" }] }", "key `thickness_mm` is missing"),
         (
@@ -164,12 +176,13 @@ fn mistakes_in_a_file_of_materials_name_that_file() {
     let both = "name = \"s\"\n[fidelity]\nmaterials = \"m.toml\"\n";
     let errors = read(&write(folder.path(), "s.toml", both), &OPTIONS).unwrap_err();
     assert!(
-        errors
-            .to_string()
-            .contains("m.toml:2:11: material `glass`: unknown key `thicknes_mm`; the nearest is `thickness_mm`"),
+        errors.to_string().contains(
+            "m.toml:2:11: material `glass`: unknown key `thicknes_mm`; the nearest is `thickness_mm`"
+        ),
         "{errors}"
     );
-    let missing = read(&write(folder.path(), "t.toml", &both.replace("m.toml", "n.toml")), &OPTIONS).unwrap_err();
+    let missing =
+        read(&write(folder.path(), "t.toml", &both.replace("m.toml", "n.toml")), &OPTIONS).unwrap_err();
     assert!(missing.is_system(), "{missing}");
     let twice = refused("name = \"s\"\n[fidelity]\nmaterials = \"m.toml\"\n[materials]\n");
     assert!(twice.contains("`materials` and `[materials]` exclude one another"), "{twice}");

@@ -22,7 +22,8 @@ type Triangle = [[i64; 3]; 3];
 /// glTF's code of a component, and how an index is stored in it.
 type IndexWidth = (u64, fn(u16) -> Vec<u8>);
 
-/// Triangles as micrometres, each turned so that its least corner comes first: equal for equal surfaces and windings.
+/// Triangles as micrometres, each turned so that its least corner comes first: equal for equal surfaces and
+/// windings.
 fn surface(mesh: &Mesh) -> BTreeSet<Triangle> {
     let corner = |i: u32| mesh.vertices_m[i as usize].map(|x| (x * 1e6).round() as i64);
     let turned = |mut t: Triangle| {
@@ -60,10 +61,12 @@ fn indices_of_any_width_or_none_give_the_same_surface() {
     let plain = GlbFile::tetrahedron();
     let expected = surface(&read(&plain));
     let corners: Vec<u16> = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]].as_flattened().to_vec();
-    let widths: [IndexWidth; 2] = [(5121, |i| vec![i as u8]), (5125, |i| u32::from(i).to_le_bytes().to_vec())];
+    let widths: [IndexWidth; 2] =
+        [(5121, |i| vec![i as u8]), (5125, |i| u32::from(i).to_le_bytes().to_vec())];
     for (component, bytes) in widths {
         let mut file = plain.clone();
-        let indices = file.add_accessor(corners.iter().flat_map(|&i| bytes(i)).collect(), 12, component, "SCALAR");
+        let indices =
+            file.add_accessor(corners.iter().flat_map(|&i| bytes(i)).collect(), 12, component, "SCALAR");
         assert_eq!(surface(&read(&file.set("/meshes/0/primitives/0/indices", json!(indices)))), expected);
     }
     let mut soup = plain.clone();
@@ -78,7 +81,11 @@ fn indices_of_any_width_or_none_give_the_same_surface() {
     let mesh = read(&soup);
     assert_eq!(surface(&mesh), expected);
     assert!(mesh.normals.is_empty());
-    assert_eq!((mesh.vertices_m.len(), mesh.statistics.open_edges), (12, 0), "nothing welded, edges equal by position");
+    assert_eq!(
+        (mesh.vertices_m.len(), mesh.statistics.open_edges),
+        (12, 0),
+        "nothing welded, edges equal by position"
+    );
 }
 
 #[test]
@@ -102,7 +109,8 @@ fn strips_and_fans_wind_as_gltf_says() {
 
 #[test]
 fn nested_transforms_apply_from_the_inside_out() {
-    // Parent: a quarter turn about glTF's y (z goes to x) and 10 m along x; child: twice as large, 1 m along z.
+    // Parent: a quarter turn about glTF's y (z goes to x) and 10 m along x; child: twice as large, 1 m along
+    // z.
     let half = std::f64::consts::FRAC_1_SQRT_2;
     let nodes = json!([
         { "children": [1], "rotation": [0, half, 0, half], "translation": [10, 0, 0] },
@@ -117,10 +125,14 @@ fn nested_transforms_apply_from_the_inside_out() {
 
 #[test]
 fn a_matrix_and_its_parts_place_a_mesh_alike() {
-    let parts = json!([{ "mesh": 0, "translation": [1, 2, 3], "rotation": [0, 0, 1, 0], "scale": [2, 3, 4] }]);
+    let parts =
+        json!([{ "mesh": 0, "translation": [1, 2, 3], "rotation": [0, 0, 1, 0], "scale": [2, 3, 4] }]);
     let matrix = json!([{ "mesh": 0, "matrix": [-2, 0, 0, 0, 0, -3, 0, 0, 0, 0, 4, 0, 1, 2, 3, 1] }]);
     let file = GlbFile::tetrahedron();
-    assert_eq!(surface(&read(&file.clone().set("/nodes", parts))), surface(&read(&file.set("/nodes", matrix))));
+    assert_eq!(
+        surface(&read(&file.clone().set("/nodes", parts))),
+        surface(&read(&file.set("/nodes", matrix)))
+    );
 }
 
 #[test]
@@ -227,7 +239,10 @@ fn quantized_positions_are_scaled_by_their_node() {
             .set("/nodes/0/scale", json!([4, 4, 4])),
     );
     let corners: BTreeSet<_> = surface(&mesh).iter().flatten().copied().collect();
-    assert_eq!(corners, BTreeSet::from([[0, 0, 0], [0, 4_000_000, 0], [0, 0, 4_000_000], [-4_000_000, 0, 0]]));
+    assert_eq!(
+        corners,
+        BTreeSet::from([[0, 0, 0], [0, 4_000_000, 0], [0, 0, 4_000_000], [-4_000_000, 0, 0]])
+    );
 }
 
 #[test]
@@ -240,9 +255,10 @@ fn a_gltf_finds_its_buffer_beside_it_or_inside() {
     let beside = plain.clone().set("/buffers/0/uri", json!("a%20b.bin"));
     std::fs::write(&file, serde_json::to_vec(&beside.json).unwrap()).unwrap();
     assert_eq!(surface(&read_mesh(&file, &METRES).unwrap()), expected);
-    let inside = plain
-        .clone()
-        .set("/buffers/0/uri", json!(format!("data:application/gltf-buffer;base64,{}", base64(&plain.binary))));
+    let inside = plain.clone().set(
+        "/buffers/0/uri",
+        json!(format!("data:application/gltf-buffer;base64,{}", base64(&plain.binary))),
+    );
     std::fs::write(&file, serde_json::to_vec(&inside.json).unwrap()).unwrap();
     assert_eq!(surface(&read_mesh(&file, &METRES).unwrap()), expected);
 }
@@ -261,7 +277,8 @@ fn base64(bytes: &[u8]) -> String {
 fn a_file_without_scenes_shows_its_root_nodes_and_one_without_nodes_its_meshes() {
     let expected = surface(&read(&GlbFile::tetrahedron()));
     let sceneless = GlbFile::tetrahedron().without("/scenes").without("/scene");
-    let nested = json!([{ "mesh": 0, "translation": [7, 0, 0] }, { "children": [0], "translation": [-7, 0, 0] }]);
+    let nested =
+        json!([{ "mesh": 0, "translation": [7, 0, 0] }, { "children": [0], "translation": [-7, 0, 0] }]);
     assert_eq!(surface(&read(&sceneless.clone().set("/nodes", nested))), expected);
     assert_eq!(surface(&read(&sceneless.without("/nodes"))), expected);
 }
@@ -293,7 +310,8 @@ fn a_sliver_far_from_the_origin_is_no_triangle_without_area() {
 #[test]
 fn vertices_that_no_triangle_uses_move_no_bounding_box() {
     let mut file = GlbFile::tetrahedron();
-    let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0], [900.0, -5.0, f32::NAN]];
+    let positions =
+        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0], [900.0, -5.0, f32::NAN]];
     let positions = file.add_accessor(floats(&positions), 5, 5126, "VEC3");
     let mesh = read(&file.set("/meshes/0/primitives/0/attributes", json!({ "POSITION": positions })));
     assert_eq!(mesh.vertices_m.len(), 4);
@@ -304,14 +322,18 @@ fn vertices_that_no_triangle_uses_move_no_bounding_box() {
 
 #[test]
 fn binary_and_text_stl_and_obj_hold_the_same_cube_corner() {
-    let corners = [[[0.0_f32; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [[0.0; 3], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]];
+    let corners =
+        [[[0.0_f32; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [[0.0; 3], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]];
     let facet = |t: &[[f32; 3]; 3]| [floats(&[[0.0; 3]]), floats(t), vec![0; 2]].concat();
     // Binary files that begin with `solid` exist.
     let header = [&b"solid liar"[..], &[b' '; 70], &2_u32.to_le_bytes()].concat();
     let binary = [header, facet(&corners[0]), facet(&corners[1])].concat();
     let vertex = |v: &[f32; 3]| format!("vertex {} {} {}\n", v[0], v[1], v[2]);
     let facets = corners.iter().map(|t| {
-        format!("facet normal 0 0 0\nouter loop\n{}endloop\nendfacet\n", t.iter().map(vertex).collect::<String>())
+        format!(
+            "facet normal 0 0 0\nouter loop\n{}endloop\nendfacet\n",
+            t.iter().map(vertex).collect::<String>()
+        )
     });
     let text = format!("solid corner\n{}endsolid corner\n", facets.collect::<String>());
     let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1 1.0\no c\ng c\ns off\nusemtl  bare metal # why\nf 1 2 3\nf -4/1 -2/2 \\\n-1/3\n";
@@ -328,10 +350,13 @@ fn binary_and_text_stl_and_obj_hold_the_same_cube_corner() {
 
 #[test]
 fn obj_normals_and_polygons_are_read() {
-    let text =
-        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nvn 0 0 2\nvn 0 1 0\nf 1//1 2//1 3//1 4//1\nf 1//2 5//2 2//2\n";
+    let text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nvn 0 0 2\nvn 0 1 0\nf 1//1 2//1 3//1 4//1\nf 1//2 5//2 2//2\n";
     let mesh = mesh_from_bytes(text.as_bytes(), Format::Obj, Path::new("n.obj"), &METRES).unwrap();
-    assert_eq!((mesh.triangles.len(), mesh.vertices_m.len()), (3, 7), "a corner with two normals is two vertices");
+    assert_eq!(
+        (mesh.triangles.len(), mesh.vertices_m.len()),
+        (3, 7),
+        "a corner with two normals is two vertices"
+    );
     let up = mesh.normals.iter().filter(|n| **n == [0.0, 0.0, 1.0]).count();
     assert_eq!((up, mesh.normals.len()), (4, 7));
 }
@@ -346,9 +371,13 @@ fn the_projects_vehicles_come_back_from_their_files() {
         let names = |mesh: &Mesh| mesh.materials.iter().cloned().collect::<BTreeSet<_>>();
         assert_eq!(names(&back), names(&made), "{name}");
         let extents = |mesh: &Mesh| [0, 1, 2].map(|axis| extent(mesh, axis));
-        for (read, written) in extents(&back).into_iter().flatten().zip(extents(&made).into_iter().flatten()) {
+        for (read, written) in extents(&back).into_iter().flatten().zip(extents(&made).into_iter().flatten())
+        {
             // Files hold 32-bit floats.
-            assert!((read - written).abs() <= f64::from(f32::EPSILON) * written.abs(), "{name}: {read} {written}");
+            assert!(
+                (read - written).abs() <= f64::from(f32::EPSILON) * written.abs(),
+                "{name}: {read} {written}"
+            );
         }
         assert_eq!(back.normals.len(), back.vertices_m.len(), "{name} is smooth");
     }

@@ -67,7 +67,9 @@ fn each_radar_has_what_its_entry_says_and_else_what_radar_says() {
             [(2.0, 3.5), (6.0, 3.5)]
         );
     }
-    assert!((east.radar.waveform.chirp_interval_s - north.radar.waveform.chirp_interval_s - 10e-6).abs() < 1e-12);
+    assert!(
+        (east.radar.waveform.chirp_interval_s - north.radar.waveform.chirp_interval_s - 10e-6).abs() < 1e-12
+    );
     // Lane 1 of the east, 40 m along it.
     let [x_m, y_m] = east.dsp.road.world_m([2.0, 40.0]);
     assert!((x_m - 29.0).abs() < 1e-12 && (y_m - 9.0).abs() < 1e-12, "{x_m} {y_m}");
@@ -77,16 +79,22 @@ fn each_radar_has_what_its_entry_says_and_else_what_radar_says() {
 
 #[test]
 fn a_scene_of_several_radars_is_read_through_one_of_them() {
-    let many = "scene.toml:9:1: the scene has several radars, and is read as one of them has it: `north`, `east`";
+    let many =
+        "scene.toml:9:1: the scene has several radars, and is read as one of them has it: `north`, `east`";
     assert_eq!(complaint(TWO, None), many);
-    assert_eq!(complaint(TWO, Some("west")), "scene.toml:9:1: there is no radar `west`; there are `north`, `east`");
+    assert_eq!(
+        complaint(TWO, Some("west")),
+        "scene.toml:9:1: there is no radar `west`; there are `north`, `east`"
+    );
     let alone = "scene.toml:1:1: there is no radar `west`; the only one is that of [radar], without a name";
     assert_eq!(complaint("name = \"one\"\n", Some("west")), alone);
 }
 
 #[test]
 fn what_is_wrong_with_an_entry_is_told_in_its_line() {
-    let wrong = TWO.replace("idle_us = 20.0", "idle_us = -20.0").replace("boresight_az_deg = 90.0", "boresite = 90.0");
+    let wrong = TWO
+        .replace("idle_us = 20.0", "idle_us = -20.0")
+        .replace("boresight_az_deg = 90.0", "boresite = 90.0");
     let told = complaint(&wrong, Some("east"));
     assert!(told.contains("scene.toml:14:1: radar `east`: unknown key `boresite`"), "{told}");
     assert!(told.contains("scene.toml:16:11: [radar.waveform]: `idle_us`"), "{told}");

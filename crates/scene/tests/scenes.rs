@@ -33,22 +33,32 @@ fn a_scene_of_a_name_alone_takes_the_documented_defaults() {
     let scene = read_text("");
     assert_eq!((scene.name.as_str(), scene.seed, scene.frames, scene.frame_interval_s), ("test", 1, 1, 0.1));
     let radar = &scene.radar;
-    assert_eq!((radar.position_m, radar.boresight_az_rad, radar.boresight_el_rad), ([0.0, 0.0, 6.0], 0.0, 0.0));
+    assert_eq!(
+        (radar.position_m, radar.boresight_az_rad, radar.boresight_el_rad),
+        ([0.0, 0.0, 6.0], 0.0, 0.0)
+    );
     let waveform = radar.waveform;
     assert_eq!(
         (waveform.start_frequency_hz, waveform.slope_hz_per_s, waveform.sample_rate_hz),
         (77e9, 12.5e12, 5.12e6)
     );
     assert_eq!((waveform.samples, waveform.chirps, waveform.chirp_interval_s), (256, 128, 60e-6));
-    assert_eq!((radar.array.multiplexing, radar.array.polarization), (Multiplexing::Simultaneous, Polarization::Vv));
+    assert_eq!(
+        (radar.array.multiplexing, radar.array.polarization),
+        (Multiplexing::Simultaneous, Polarization::Vv)
+    );
     assert_eq!((&radar.array.pattern, radar.virtual_channels()), (&Pattern::Isotropic, 12));
     assert_close(radar.link.transmit_power_w, 10_f64.powf(-1.8), 0.02);
     assert_eq!(radar.link.antenna_gain_db, 10.0);
     assert_eq!(scene.noise, Noise::Absent);
     let dsp = &scene.dsp;
-    assert_eq!((dsp.range_window, dsp.doppler_window, dsp.false_alarm_rate), (Window::Hann, Window::Hann, 1e-5));
+    assert_eq!(
+        (dsp.range_window, dsp.doppler_window, dsp.false_alarm_rate),
+        (Window::Hann, Window::Hann, 1e-5)
+    );
     assert_eq!((dsp.guard_cells, dsp.training_cells, dsp.assumed_height_m), ([2, 2], [4, 8], 0.75));
-    let lanes: Vec<_> = dsp.road.lanes.iter().map(|lane| (lane.number, lane.centre_m, lane.width_m)).collect();
+    let lanes: Vec<_> =
+        dsp.road.lanes.iter().map(|lane| (lane.number, lane.centre_m, lane.width_m)).collect();
     assert_eq!(lanes, [(1, 2.0, 3.75), (2, 5.75, 3.75), (3, 9.5, 3.75)]);
     assert_eq!(scene.intersection.width_m, 22.5);
     let fidelity = scene.fidelity;
@@ -76,7 +86,10 @@ fn every_setting_is_taken_from_its_key() {
     assert_eq!(scene.radar.position_m, [1.0, 2.0, 3.0]);
     assert_eq!((scene.radar.boresight_az_rad, scene.radar.boresight_el_rad), (FRAC_PI_2, -PI / 18.0));
     let waveform = scene.radar.waveform;
-    assert_eq!((waveform.start_frequency_hz, waveform.slope_hz_per_s, waveform.sample_rate_hz), (76e9, 30e12, 10e6));
+    assert_eq!(
+        (waveform.start_frequency_hz, waveform.slope_hz_per_s, waveform.sample_rate_hz),
+        (76e9, 30e12, 10e6)
+    );
     assert_eq!((waveform.samples, waveform.chirps, waveform.chirp_interval_s), (300, 64, 35e-6));
     let array = &scene.radar.array;
     assert_eq!((array.tx_m.len(), array.rx_m.len()), (1, 4));
@@ -103,7 +116,8 @@ fn sub_frames_are_records_of_their_own_one_after_the_other() {
          [radar.array]\nmultiplexing = \"tdm\"\n",
     );
     assert_eq!(scene.frames, 6);
-    let intervals_s: Vec<f64> = (0..4).map(|index| scene.radar.in_frame(index).waveform.chirp_interval_s).collect();
+    let intervals_s: Vec<f64> =
+        (0..4).map(|index| scene.radar.in_frame(index).waveform.chirp_interval_s).collect();
     assert_eq!(intervals_s, [60e-6, 85e-6, 60e-6, 85e-6]);
     // Three transmitters take turns, so that the first sub-frame lasts 192 chirps.
     assert_eq!(scene::snapshot(&scene, 5).time_s, 2.0 * 0.05 + 192.0 * 60e-6);
@@ -194,9 +208,10 @@ fn elements_lie_half_centre_wavelengths_apart_around_the_radar() {
     let scene = read_text("");
     // λ = c/(77 GHz + 0.3125 GHz), 3.878 mm (physics of Table 2).
     let half_wavelength_m = 0.5 * 299_792_458.0 / 77.3125e9;
-    for (elements, offsets) in
-        [(&scene.radar.array.tx_m, vec![-4.0, 0.0, 4.0]), (&scene.radar.array.rx_m, vec![-1.5, -0.5, 0.5, 1.5])]
-    {
+    for (elements, offsets) in [
+        (&scene.radar.array.tx_m, vec![-4.0, 0.0, 4.0]),
+        (&scene.radar.array.rx_m, vec![-1.5, -0.5, 0.5, 1.5]),
+    ] {
         for (element, offset) in elements.iter().zip(offsets) {
             assert_close(element[0], offset * half_wavelength_m, half_wavelength_m);
             assert_eq!((element[1], element[2]), (0.0, 6.0));
@@ -206,8 +221,7 @@ fn elements_lie_half_centre_wavelengths_apart_around_the_radar() {
 
 #[test]
 fn right_and_up_turn_with_the_boresight() {
-    let lists =
-        "[radar.array]\ntx_half_wavelengths = [[0, 0], [2, 0], [0, 2], [2, 2]]\nrx_half_wavelengths = [[5, 7]]\n";
+    let lists = "[radar.array]\ntx_half_wavelengths = [[0, 0], [2, 0], [0, 2], [2, 2]]\nrx_half_wavelengths = [[5, 7]]\n";
     let element_pair = |turn: &str| {
         let scene = read_text(&format!("[radar]\nposition_m = [1, 2, 3]\n{turn}{lists}"));
         let centre = glam::DVec3::new(1.0, 2.0, 3.0);
@@ -262,14 +276,18 @@ fn a_lane_stands_for_its_middle_on_the_ground() {
 #[test]
 fn targets_keep_the_order_of_the_file_and_share_meshes() {
     let mesh = |id: &str, rest: &str| {
-        format!("[[target]]\nkind = \"mesh\"\nid = \"{id}\"\nposition_m = [2, 30, 0]\nmodel = \"sheet.obj\"\n{rest}")
+        format!(
+            "[[target]]\nkind = \"mesh\"\nid = \"{id}\"\nposition_m = [2, 30, 0]\nmodel = \"sheet.obj\"\n{rest}"
+        )
     };
     let point = "[[target]]\nkind = \"point\"\nid = \"p\"\nposition_m = [2, 30, 1]\nrcs_m2 = 0.5\n";
     let text =
-        [mesh("a", "class = \"truck\"\n"), point.to_owned(), mesh("b", ""), mesh("c", "unit_scale = 0.5\n")].concat();
+        [mesh("a", "class = \"truck\"\n"), point.to_owned(), mesh("b", ""), mesh("c", "unit_scale = 0.5\n")]
+            .concat();
     let scene = read_text(&text);
     let of_mesh = |class, mesh| TargetKind::Mesh { class, model: "sheet.obj".to_owned(), mesh };
-    let kinds: Vec<_> = scene.targets.iter().map(|target| (target.id.as_str(), target.kind.clone())).collect();
+    let kinds: Vec<_> =
+        scene.targets.iter().map(|target| (target.id.as_str(), target.kind.clone())).collect();
     let expected = [
         ("a", of_mesh(Some(Class::Truck), 0)),
         ("p", TargetKind::Point { rcs_m2: 0.5, wheel: None }),
@@ -286,12 +304,18 @@ fn targets_keep_the_order_of_the_file_and_share_meshes() {
 
 #[test]
 fn clutter_follows_the_targets_stands_still_and_shares_meshes_of_one_size() {
-    let piece = |id: &str, rest: &str| format!("[[clutter]]\nid = \"{id}\"\nposition_m = [12, 30, 0]\n{rest}");
+    let piece =
+        |id: &str, rest: &str| format!("[[clutter]]\nid = \"{id}\"\nposition_m = [12, 30, 0]\n{rest}");
     let pole = "model = \"pole\"\nheight_m = 4\n";
     let point = "[[target]]\nkind = \"point\"\nid = \"q\"\nposition_m = [2, 30, 1]\nrcs_m2 = 0.5\n";
     let kerb = "model = \"kerb\"\nlength_m = 30\nyaw_deg = 90\n";
-    let text =
-        [piece("a", pole), piece("b", kerb), piece("c", pole), piece("d", "model = \"sheet.obj\"\n"), point.into()];
+    let text = [
+        piece("a", pole),
+        piece("b", kerb),
+        piece("c", pole),
+        piece("d", "model = \"sheet.obj\"\n"),
+        point.into(),
+    ];
     let scene = read_text(&text.concat());
     let of_mesh = |target: &Target| match &target.kind {
         TargetKind::Mesh { class: None, model, mesh } => Some((model.clone(), *mesh)),
@@ -313,7 +337,9 @@ fn clutter_follows_the_targets_stands_still_and_shares_meshes_of_one_size() {
 #[test]
 fn a_vehicle_brings_its_class_and_a_scene_may_tell_another() {
     let mesh = |rest: &str| {
-        format!("[[target]]\nkind = \"mesh\"\nid = \"a\"\nposition_m = [2, 30, 0]\nmodel = \"car-suv\"\n{rest}")
+        format!(
+            "[[target]]\nkind = \"mesh\"\nid = \"a\"\nposition_m = [2, 30, 0]\nmodel = \"car-suv\"\n{rest}"
+        )
     };
     let class = |rest: &str| match &read_text(&mesh(rest)).targets[0].kind {
         TargetKind::Mesh { class, .. } => *class,
@@ -337,16 +363,23 @@ fn an_option_replaces_the_model_of_every_mesh_target() {
     let options = ReadOptions { model: Some(sheet.clone()), radar: None, meshes: Meshes::Whole };
     let scene = scene::read(&file, &options).unwrap();
     assert_eq!(scene.meshes.len(), 1);
-    assert_eq!(scene.meshes[0].vertices_m[1], [2.0, -1.0, 1.0], "the scale belonged to the model that was replaced");
+    assert_eq!(
+        scene.meshes[0].vertices_m[1],
+        [2.0, -1.0, 1.0],
+        "the scale belonged to the model that was replaced"
+    );
     assert_eq!(scene::inputs(&file, &options).unwrap(), [file.clone(), sheet]);
     let absent = ["absent-a.glb", "absent-b.glb"].map(|name| folder.path().join(name));
-    assert_eq!(scene::inputs(&file, &NAMES_ONLY).unwrap(), [&[file][..], &absent].concat(), "names are not looked up");
+    assert_eq!(
+        scene::inputs(&file, &NAMES_ONLY).unwrap(),
+        [&[file][..], &absent].concat(),
+        "names are not looked up"
+    );
 }
 
 #[test]
 fn names_only_reads_no_model() {
-    let text =
-        "name = \"test\"\n[[target]]\nkind = \"mesh\"\nid = \"a\"\nposition_m = [2, 30, 0]\nmodel = \"absent.glb\"\n";
+    let text = "name = \"test\"\n[[target]]\nkind = \"mesh\"\nid = \"a\"\nposition_m = [2, 30, 0]\nmodel = \"absent.glb\"\n";
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("scene.toml");
     std::fs::write(&file, text).unwrap();
@@ -360,8 +393,11 @@ fn inputs_name_the_buffers_of_a_gltf() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name);
     std::fs::write(file("car.bin"), [0]).unwrap();
-    std::fs::write(file("car.gltf"), r#"{"asset":{"version":"2.0"},"buffers":[{"byteLength":1,"uri":"car.bin"}]}"#)
-        .unwrap();
+    std::fs::write(
+        file("car.gltf"),
+        r#"{"asset":{"version":"2.0"},"buffers":[{"byteLength":1,"uri":"car.bin"}]}"#,
+    )
+    .unwrap();
     let target = "[[target]]\nkind = \"mesh\"\nid = \"a\"\nposition_m = [2, 30, 0]\nmodel = \"car.gltf\"\n";
     std::fs::write(file("scene.toml"), format!("name = \"test\"\n{target}")).unwrap();
     let inputs = scene::inputs(&file("scene.toml"), &WHOLE).unwrap();
@@ -411,8 +447,8 @@ fn a_pose_is_exact_to_half_a_unit_in_the_last_place_at_any_time() {
     }
 }
 
-/// a·b + c rounded once, by splitting the product into two halves that are exact (Dekker 1971) and sorting the sum's
-/// rounding error out (Knuth's two-sum).
+/// a·b + c rounded once, by splitting the product into two halves that are exact (Dekker 1971) and sorting
+/// the sum's rounding error out (Knuth's two-sum).
 fn exactly(a: f64, b: f64, c: f64) -> f64 {
     let split = |x: f64| {
         let high = 134_217_729.0 * x - (134_217_729.0 * x - x);
@@ -478,7 +514,8 @@ fn the_intersection_holds_one_vehicle_of_each_class_in_its_lanes() {
 
 #[test]
 fn the_projects_scenes_read_whole() {
-    for name in ["experiment-1", "experiment-2", "experiment-3", "intersection", "four-directions", "traffic"] {
+    for name in ["experiment-1", "experiment-2", "experiment-3", "intersection", "four-directions", "traffic"]
+    {
         let file = scenes_folder().join(format!("{name}.toml"));
         let radars = scene::radars(&file).unwrap().into_iter().map(Some);
         for radar in radars.chain([None]).take_while(|radar| name != "four-directions" || radar.is_some()) {

@@ -79,8 +79,14 @@ fn a_recorded_vehicle_stands_half_its_length_behind_its_bumper_and_moves_as_the_
     for (index, (y_m, vy_mps)) in (0..).zip(expected) {
         let pose = snapshot(&scene, index).poses[0];
         // Roundings of metres, at most 100 of them, and of steps of 0.1 s.
-        assert!((DVec3::from(pose.position_m) - DVec3::new(5.75, y_m, 0.0)).length() < 1e-12, "{index}: {pose:?}");
-        assert!((DVec3::from(pose.velocity_mps) - DVec3::new(0.0, vy_mps, 0.0)).length() < 1e-9, "{index}: {pose:?}");
+        assert!(
+            (DVec3::from(pose.position_m) - DVec3::new(5.75, y_m, 0.0)).length() < 1e-12,
+            "{index}: {pose:?}"
+        );
+        assert!(
+            (DVec3::from(pose.velocity_mps) - DVec3::new(0.0, vy_mps, 0.0)).length() < 1e-9,
+            "{index}: {pose:?}"
+        );
         assert!((pose.yaw_rad + std::f64::consts::FRAC_PI_2).abs() < 1e-15);
     }
     let view = frame_view(&scene, 2);
@@ -101,7 +107,8 @@ fn packed_and_plain_recordings_are_one() {
 
 #[test]
 fn frames_fill_the_time_asked_for_and_no_more() {
-    let steps: Vec<Step<'_>> = (0..50).map(|i| (f64::from(i) / 10.0, &[("a", 2.0, 30.0, 180.0, 0.0)][..])).collect();
+    let steps: Vec<Step<'_>> =
+        (0..50).map(|i| (f64::from(i) / 10.0, &[("a", 2.0, 30.0, 180.0, 0.0)][..])).collect();
     let recording = fcd(&steps);
     let frames = |head: &str, keys: &str| {
         read_bytes(recording.as_bytes(), head, &format!("{CAR}\n{keys}")).map(|scene| scene.frames)
@@ -127,7 +134,11 @@ fn a_name_of_a_megabyte_is_not_repeated_in_the_error() {
     let sound = fcd(&[(0.0, &[("a", 2.0, 30.0, 180.0, 9.0)]), (0.1, &[("a", 2.0, 29.1, 180.0, 9.0)])]);
     let broken = sound.replace("</fcd-export>", &format!("</fcd-expor{}>", " x".repeat(500_000)));
     let told = read_bytes(broken.as_bytes(), "", CAR).unwrap_err();
-    assert!(told.contains("expected `</fcd-export>`, but `</fcd-expor") && told.len() < 1000, "{} bytes", told.len());
+    assert!(
+        told.contains("expected `</fcd-export>`, but `</fcd-expor") && told.len() < 1000,
+        "{} bytes",
+        told.len()
+    );
 }
 
 #[test]
@@ -150,22 +161,35 @@ fn a_broken_recording_is_refused_with_line_and_rule() {
         (edited("time=\"0.1\"", "time=\"0.0\""), "6: the step's time 0 s does not come after 0 s"),
         (edited("time=\"0.1\"", "time=\"inf\""), "6: <timestep>: `time` is `inf`"),
         (edited(" time=\"0.1\"", ""), "6: <timestep>: attribute `time` is missing"),
-        (edited("type=\"car\"", "type=\"tram\""), "4: type `tram` of vehicle `a` is not in `models` of [traffic]"),
+        (
+            edited("type=\"car\"", "type=\"tram\""),
+            "4: type `tram` of vehicle `a` is not in `models` of [traffic]",
+        ),
         (sound.replace("id=\"a\"", "id=\"a,b\""), "4: the id `a,b` holds a comma"),
         (edited("<timestep time=\"0\">\n", ""), "3: <vehicle> outside a <timestep>"),
         ("<fcd-export></fcd-export>".into(), "1: there is no <timestep> in it"),
         (format!("<fcd-export>{}", "x".repeat(3 << 20)), "more than 1048576 bytes without an element"),
-        (fcd(&[(0.0, &[("a", 2.0, 30.0, 0.0, 9.0), ("a", 2.0, 31.0, 0.0, 9.0)])]), "5: vehicle `a` is there twice"),
+        (
+            fcd(&[(0.0, &[("a", 2.0, 30.0, 0.0, 9.0), ("a", 2.0, 31.0, 0.0, 9.0)])]),
+            "5: vehicle `a` is there twice",
+        ),
     ];
     for (text, rule) in cases {
         let told = read_bytes(text.as_bytes(), "", CAR).unwrap_err();
-        assert!(told.contains(&format!("t.fcd.xml:{rule}")) || told.contains(rule), "asked for `{rule}`, got `{told}`");
+        assert!(
+            told.contains(&format!("t.fcd.xml:{rule}")) || told.contains(rule),
+            "asked for `{rule}`, got `{told}`"
+        );
         assert!(told.starts_with("scene.toml:4:7: [traffic]: t.fcd.xml:"), "{told}");
     }
     let whole = packed(&sound);
     for length in [11, whole.len() / 2, whole.len() - 1] {
         let told = read_bytes(&whole[..length], "", CAR).unwrap_err();
-        assert!(told.contains("the gzip file is damaged or cut off"), "{length} of {} bytes: {told}", whole.len());
+        assert!(
+            told.contains("the gzip file is damaged or cut off"),
+            "{length} of {} bytes: {told}",
+            whole.len()
+        );
     }
 }
 
@@ -189,7 +213,10 @@ fn models_are_told_by_name_list_or_table_and_wrong_ones_at_their_place() {
         ("models = { car = \"car-sv\" }", "5:18: [traffic.models]: model `car-sv` is neither"),
         ("models = { car = 3 }", "5:18: [traffic.models]: `model` must be a text or a list of texts"),
         ("models = { car = { class = \"car\" } }", "[traffic.models]: key `model` is missing"),
-        ("models = { car = { model = \"car-suv\", clas = \"car\" } }", "unknown key `clas`; the nearest is `class`"),
+        (
+            "models = { car = { model = \"car-suv\", clas = \"car\" } }",
+            "unknown key `clas`; the nearest is `class`",
+        ),
         ("models = \"car-suv\"", "`models` must be a table"),
         ("fdc = 1", "unknown key `fdc`"),
         ("view_range_m = 0", "`view_range_m` must be a number above 0"),
@@ -200,8 +227,8 @@ fn models_are_told_by_name_list_or_table_and_wrong_ones_at_their_place() {
     }
 }
 
-/// Velocity is the exact derivative of the position: a difference quotient over ±h of a cubic errs by h²·|x‴|/6, here less
-/// than 1e-8·(12·3.75/4³) + rounding 1e-12/1e-4.
+/// Velocity is the exact derivative of the position: a difference quotient over ±h of a cubic errs by
+/// h²·|x‴|/6, here less than 1e-8·(12·3.75/4³) + rounding 1e-12/1e-4.
 #[test]
 fn velocity_is_the_derivative_of_position_in_turns_and_lane_changes() {
     let at = |x: f64, y: f64, angle_deg: f64, speed_mps: f64| FcdVehicle {
@@ -235,10 +262,16 @@ fn velocity_is_the_derivative_of_position_in_turns_and_lane_changes() {
             assert!(error < 1e-6, "step {i} at {t}: {quotient} against {:?}", now.velocity_mps);
         }
         let start_m = DVec3::from(pose(1e-9).position_m);
-        assert!(last_m.is_none_or(|last| last.distance(start_m) < 1e-6), "step {i} begins where the last ended");
+        assert!(
+            last_m.is_none_or(|last| last.distance(start_m) < 1e-6),
+            "step {i} begins where the last ended"
+        );
         last_m = Some(pose(0.1).position_m.into());
     }
-    assert!((last_m.unwrap().x - 2.0).abs() < 0.5, "0.3 s into a lane change of {LANE_CHANGE_S} s: {last_m:?}");
+    assert!(
+        (last_m.unwrap().x - 2.0).abs() < 0.5,
+        "0.3 s into a lane change of {LANE_CHANGE_S} s: {last_m:?}"
+    );
 }
 
 #[test]
@@ -261,7 +294,10 @@ fn a_lane_change_ends_in_its_lane_and_a_teleport_leaves_a_gap() {
     }
     assert_eq!((x_m[9], x_m[50], x_m[59]), (2.0, 5.75, 5.75));
     assert!((x_m[29] - 3.875).abs() < 1e-9, "half way in half the time: {}", x_m[29]);
-    assert!(x_m.windows(2).all(|pair| pair[0] <= pair[1] && pair[1] - pair[0] <= 0.1 * 1.5 * 3.75 / LANE_CHANGE_S));
+    assert!(
+        x_m.windows(2)
+            .all(|pair| pair[0] <= pair[1] && pair[1] - pair[0] <= 0.1 * 1.5 * 3.75 / LANE_CHANGE_S)
+    );
     let vehicle = &steps[60].vehicles[0];
     assert_eq!(interval.bumper(vehicle, 5.95), None);
     assert_eq!(interval.bumper(vehicle, 6.0).unwrap().front_m.y, -300.0);
@@ -272,7 +308,10 @@ fn rounded_positions_leave_the_told_speed() {
     let recording = fcd(&[(0.0, &[("a", 2.0, 40.0, 180.0, 9.46)]), (0.1, &[("a", 2.0, 39.06, 180.0, 9.46)])]);
     let scene = read(&recording, "");
     let mps = snapshot(&scene, 1).poses[0].velocity_mps;
-    assert!((DVec3::from(mps) - DVec3::new(0.0, -9.46, 0.0)).length() < 1e-12, "the way says 9.4 m/s: {mps:?}");
+    assert!(
+        (DVec3::from(mps) - DVec3::new(0.0, -9.46, 0.0)).length() < 1e-12,
+        "the way says 9.4 m/s: {mps:?}"
+    );
 }
 
 /// The project's own traffic is what its generator makes, and nobody drives through another.
@@ -317,7 +356,8 @@ fn gap_m(a: &FcdVehicle, b: &FcdVehicle) -> f64 {
     nearest - 2.5 * apart
 }
 
-/// A hundred thousand vehicles behind the radar and beyond its range: what is kept is what a file without them gives.
+/// A hundred thousand vehicles behind the radar and beyond its range: what is kept is what a file without
+/// them gives.
 #[test]
 fn what_is_out_of_view_is_not_kept_however_much_it_is() {
     let seen = "<vehicle id=\"a\" x=\"2\" y=\"30\" angle=\"180\" type=\"car\" speed=\"9\"/>\n";
@@ -329,7 +369,8 @@ fn what_is_out_of_view_is_not_kept_however_much_it_is() {
             for other in others * step as usize / 50..others * (step as usize + 1) / 50 {
                 let y = if other.is_multiple_of(2) { -20.0 } else { 90.0 };
                 let rest = "angle=\"0\" type=\"car\" speed=\"0\"";
-                writeln!(packer, "<vehicle id=\"o{other}\" x=\"{}\" y=\"{y}\" {rest}/>", other % 1000).unwrap();
+                writeln!(packer, "<vehicle id=\"o{other}\" x=\"{}\" y=\"{y}\" {rest}/>", other % 1000)
+                    .unwrap();
             }
             packer.write_all(seen.as_bytes()).unwrap();
             packer.write_all(b"</timestep>\n").unwrap();
@@ -353,8 +394,8 @@ fn shared(name: &str) -> Option<PathBuf> {
     file.is_file().then_some(file)
 }
 
-/// Rows and steps as their README says; it counts 22 lane changes on the junction's roads, and 4 more are driven on the
-/// lanes inside it.
+/// Rows and steps as their README says; it counts 22 lane changes on the junction's roads, and 4 more are
+/// driven on the lanes inside it.
 #[test]
 fn recordings_made_with_sumo_are_read_as_their_readme_says() {
     for (name, steps, rows, slow, jumps) in
@@ -369,14 +410,19 @@ fn recordings_made_with_sumo_are_read_as_their_readme_says() {
             got.1 += step.vehicles.len();
             got.2 += step.vehicles.iter().filter(|v| v.speed_mps < 0.1).count();
             let earlier = |v: &FcdVehicle| before.vehicles.iter().find(|b| b.id == v.id);
-            got.3 += step.vehicles.iter().filter(|v| earlier(v).is_some_and(|b| sideways_jump(b, v).is_some())).count();
+            got.3 += step
+                .vehicles
+                .iter()
+                .filter(|v| earlier(v).is_some_and(|b| sideways_jump(b, v).is_some()))
+                .count();
             before = step;
         }
         assert_eq!(got, (steps, rows, slow, jumps), "{name}");
     }
 }
 
-/// A scene of the recording from `begin_s` on, in which bodies have their type's length: their front is at the bumper.
+/// A scene of the recording from `begin_s` on, in which bodies have their type's length: their front is at
+/// the bumper.
 fn sumo_scene(name: &str, begin_s: f64) -> Option<SceneHeader> {
     let file = shared(name)?;
     let folder = tempfile::tempdir().unwrap();
@@ -385,7 +431,8 @@ fn sumo_scene(name: &str, begin_s: f64) -> Option<SceneHeader> {
         std::fs::write(folder.path().join(format!("{kind}.obj")), sheet).unwrap();
     }
     let scene = folder.path().join("scene.toml");
-    let models = "car = \"car.obj\", bus = \"bus.obj\", truck = \"truck.obj\", motorcycle = \"motorcycle.obj\"";
+    let models =
+        "car = \"car.obj\", bus = \"bus.obj\", truck = \"truck.obj\", motorcycle = \"motorcycle.obj\"";
     let view = "view_range_m = 500\nview_half_angle_deg = 180";
     let keys = format!("begin_s = {begin_s}\n{view}\nmodels = {{ {models} }}");
     let text = format!("name = \"sumo\"\nframes = 1\n[traffic]\nfcd = \"{}\"\n{keys}\n", file.display());
@@ -406,12 +453,17 @@ fn positions_of_the_recordings_are_those_checked_by_hand() {
         let target = view.targets.iter().find(|target| target.id == id).unwrap();
         let [x, y, z] = target.start.position_m;
         // The file has millimetres.
-        assert!(DVec2::new(x, y).distance(DVec2::from(centre)) < 5e-4 && z == 0.0, "{id}: {:?}", target.start);
+        assert!(
+            DVec2::new(x, y).distance(DVec2::from(centre)) < 5e-4 && z == 0.0,
+            "{id}: {:?}",
+            target.start
+        );
     }
     let Some(scene) = sumo_scene("approach3.fcd.xml", 30.0) else { return };
     let view = frame_view(&scene, 0);
     let pose = view.targets.iter().find(|target| target.id == "flow.10").unwrap().start;
-    let (bumper, radar) = (DVec3::from(pose.position_m) - DVec3::new(0.0, 2.3, 0.0), DVec3::new(0.0, 0.0, 6.0));
+    let (bumper, radar) =
+        (DVec3::from(pose.position_m) - DVec3::new(0.0, 2.3, 0.0), DVec3::new(0.0, 0.0, 6.0));
     let away = bumper - radar;
     assert!((away.length() - 51.205).abs() < 5e-4);
     assert!((DVec3::from(pose.velocity_mps).dot(away) / away.length() + 15.313).abs() < 5e-4);

@@ -1,5 +1,6 @@
-//! From a 3D model to a vehicle class: a virtual traffic intersection, scattering at 77 GHz by bidirectional analytic ray
-//! tracing (BART), FMCW echoes on a sparse array, range-Doppler maps, CFAR, angles, point clouds, tracks, classes.
+//! From a 3D model to a vehicle class: a virtual traffic intersection, scattering at 77 GHz by bidirectional
+//! analytic ray tracing (BART), FMCW echoes on a sparse array, range-Doppler maps, CFAR, angles, point
+//! clouds, tracks, classes.
 //!
 //! ```no_run
 //! let settings = wayside::Settings::of("scenes/intersection.toml", "out/intersection");
@@ -8,8 +9,8 @@
 //! # Ok::<(), wayside::Failure>(())
 //! ```
 //!
-//! The stages (`scene`, `bart-rcs`, `fmcw-echo`, `dsp`, `classifier`) meet here and nowhere else; each hands an artifact to the
-//! next. A room of this crate uses only rooms that stand before it in this list.
+//! The stages (`scene`, `bart-rcs`, `fmcw-echo`, `dsp`, `classifier`) meet here and nowhere else; each hands
+//! an artifact to the next. A room of this crate uses only rooms that stand before it in this list.
 
 pub mod host;
 pub mod chain;

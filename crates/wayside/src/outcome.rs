@@ -1,4 +1,5 @@
-//! What is told of a run: `summary.json`, whether the accuracy was reached, false objects and tracks, and the lines of a console.
+//! What is told of a run: `summary.json`, whether the accuracy was reached, false objects and tracks, and the
+//! lines of a console.
 
 pub(crate) mod error_figures;
 pub(crate) mod verdict;

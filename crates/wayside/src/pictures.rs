@@ -39,7 +39,11 @@ pub(crate) struct FrameFigures {
 }
 
 /// Draws one frame with its truth.
-pub(crate) fn figures(chain: &Chain, frame: &FrameProducts, truth: &FrameTruth) -> Result<FrameFigures, Failure> {
+pub(crate) fn figures(
+    chain: &Chain,
+    frame: &FrameProducts,
+    truth: &FrameTruth,
+) -> Result<FrameFigures, Failure> {
     let (header, points) = (&chain.cube_header.in_frame(frame.rdm.index), &frame.result.points);
     let is_nobodys = |index: &usize| truth.pairing.body_of(*index).is_none();
     let nobodys: Vec<usize> = (0..points.objects.len()).filter(is_nobodys).collect();
@@ -80,11 +84,19 @@ pub(crate) fn write_frame(
 }
 
 /// Map and points of one frame: what can be drawn without truth.
-pub(crate) fn of_map(header: &CubeHeader, rdm: &RdmFrame, points: &PointsFrame, folder: &Path) -> Result<(), Failure> {
+pub(crate) fn of_map(
+    header: &CubeHeader,
+    rdm: &RdmFrame,
+    points: &PointsFrame,
+    folder: &Path,
+) -> Result<(), Failure> {
     let (header, number) = (&header.in_frame(rdm.index), rdm.index);
     let over = OnMap { points: Some(points), ..OnMap::default() };
     write_png(&folder.join(format!("rdm-{number:04}.png")), &rdm::draw(header, rdm, &over, Form::Wide)?)?;
-    write_png(&folder.join(format!("points-{number:04}.png")), &points::draw(header, points, &[], Form::Wide))?;
+    write_png(
+        &folder.join(format!("points-{number:04}.png")),
+        &points::draw(header, points, &[], Form::Wide),
+    )?;
     rdm_exr(header, rdm, &folder.join(format!("rdm-{number:04}.exr")))
 }
 

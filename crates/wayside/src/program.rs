@@ -1,4 +1,5 @@
-//! The program: words of the command line, the terminal, and one file per command. `wayside` and `cargo xtask` share it.
+//! The program: words of the command line, the terminal, and one file per command. `wayside` and `cargo
+//! xtask` share it.
 
 pub mod cli;
 pub mod commands;
@@ -8,6 +9,7 @@ mod export_formats;
 mod interrupt;
 mod suggestion;
 mod values;
+mod words;
 
 use crate::host::failure::Failure;
 use crate::host::memory::Allowance;
@@ -25,8 +27,8 @@ pub fn main() -> ExitCode {
     enter("wayside", command.name(), &arguments.general, |means| commands::dispatch(command, means))
 }
 
-/// Carries out a command of the program that is typed as `program`: sets up threads, memory, progress and interrupts, and makes
-/// an exit code of how it ends (`docs/interface.md`).
+/// Carries out a command of the program that is typed as `program`: sets up threads, memory, progress and
+/// interrupts, and makes an exit code of how it ends (`docs/interface.md`).
 pub fn enter(
     program: &str,
     command: &str,

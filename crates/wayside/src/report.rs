@@ -34,6 +34,11 @@ pub(crate) fn write(summary: &Value, figures: &Figures, making: &Making, out: &P
 }
 
 /// Writes the report of several radars over theirs.
-pub(crate) fn write_several(summary: &Value, views: &[Figure], making: &Making, out: &Path) -> Result<(), Failure> {
+pub(crate) fn write_several(
+    summary: &Value,
+    views: &[Figure],
+    making: &Making,
+    out: &Path,
+) -> Result<(), Failure> {
     files::write_file(&out.join("report.html"), radars::page(summary, views, making, out).as_bytes())
 }

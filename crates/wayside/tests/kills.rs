@@ -1,5 +1,6 @@
-//! Programs that are killed at any time: nothing half-written, nothing left once the next one has run, and that one goes on to
-//! the same bytes. A few kills by default; as many of each command as `WAYSIDE_KILLS` says when asked for.
+//! Programs that are killed at any time: nothing half-written, nothing left once the next one has run, and
+//! that one goes on to the same bytes. A few kills by default; as many of each command as `WAYSIDE_KILLS`
+//! says when asked for.
 
 #![cfg(unix)]
 #![allow(
@@ -78,14 +79,14 @@ fn whole_or_absent(place: &Workplace, whole: &Workplace, same: &[&str]) {
 
 #[test]
 fn a_run_that_is_killed_goes_on() {
-    let same = ["out/scene.scene", "out/frames.paths", "out/frames.cube", "out/frames.rdm", "out/frames.points"];
+    let same =
+        ["out/scene.scene", "out/frames.paths", "out/frames.cube", "out/frames.rdm", "out/frames.points"];
     Work { words: "run long.toml --out out --quiet", same: &same }.is_resumed_to_the_same_bytes(1);
 }
 
 #[test]
 fn a_table_that_is_killed_goes_on() {
-    let words =
-        "rcs corner.obj --freq-ghz 76:78:32 --az-deg 0:90:400 --el-deg 20 --accuracy-db -30 --quiet --out out/s.npy";
+    let words = "rcs corner.obj --freq-ghz 76:78:32 --az-deg 0:90:400 --el-deg 20 --accuracy-db -30 --quiet --out out/s.npy";
     Work { words, same: &["out/s.npy"] }.is_resumed_to_the_same_bytes(2);
 }
 

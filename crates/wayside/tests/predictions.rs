@@ -1,4 +1,5 @@
-//! What `run --dry-run` promises: figures of this scene on this machine, whatever ran before, and memory that is not exceeded.
+//! What `run --dry-run` promises: figures of this scene on this machine, whatever ran before, and memory that
+//! is not exceeded.
 
 mod common;
 
@@ -6,14 +7,20 @@ use common::{SMALL_SCENE, Workplace};
 
 /// The last line of what is told, which has all figures.
 fn told(place: &Workplace, scene: &str) -> String {
-    place.run(&format!("run {scene} --out told --dry-run --quiet")).lines().last().unwrap_or_default().to_owned()
+    place
+        .run(&format!("run {scene} --out told --dry-run --quiet"))
+        .lines()
+        .last()
+        .unwrap_or_default()
+        .to_owned()
 }
 
 #[test]
 fn seconds_told_do_not_hang_on_what_ran_before() {
     let place = Workplace::new();
     // A scene whose work is divided among the stages in another way.
-    let other = SMALL_SCENE.replace("preset = \"1x4\"", "preset = \"3x4\"").replace("chirps = 16", "chirps = 64");
+    let other =
+        SMALL_SCENE.replace("preset = \"1x4\"", "preset = \"3x4\"").replace("chirps = 16", "chirps = 64");
     std::fs::write(place.path("other.toml"), other.replace("\"small\"", "\"other\"")).unwrap();
     let before = told(&place, "small.toml");
     place.run("run other.toml --out other --quiet");
@@ -32,7 +39,8 @@ fn a_range_of_processor_time_and_memory_are_told() {
 #[test]
 fn what_is_cached_takes_no_time() {
     let place = Workplace::new();
-    let seconds = |line: &str| line.split([' ', ':']).filter_map(|word| word.parse::<f64>().ok()).nth(1).unwrap();
+    let seconds =
+        |line: &str| line.split([' ', ':']).filter_map(|word| word.parse::<f64>().ok()).nth(1).unwrap();
     let cold = seconds(&told(&place, "small.toml"));
     place.run("run small.toml --out a --quiet");
     let warm = seconds(&told(&place, "small.toml"));
@@ -43,7 +51,8 @@ fn what_is_cached_takes_no_time() {
 #[test]
 fn memory_is_not_told_too_low_of_a_body_under_the_mast() {
     let place = Workplace::new();
-    let car = "model = \"motorcycle-scooter\"\nposition_m = [0.0, 2.0, 0.0]\nvelocity_mps = [0.0, -12.0, 0.0]";
+    let car =
+        "model = \"motorcycle-scooter\"\nposition_m = [0.0, 2.0, 0.0]\nvelocity_mps = [0.0, -12.0, 0.0]";
     let corner = "model = \"corner.obj\"\nposition_m = [-5.75, 40.0, 0.0]\nvelocity_mps = [0.0, -3.0, 0.0]";
     let scene = SMALL_SCENE.replace(corner, car).replace("frames = 2", "frames = 1");
     let scene = scene.replace("chirps = 16", "chirps = 128") + "[fidelity]\nbounces = 1\n";

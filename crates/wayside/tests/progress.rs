@@ -10,7 +10,8 @@ use std::process::{Child, Stdio};
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
-/// A rolling sheet of 2.1 million facets: every command that reads it works for some ten seconds before it has a result.
+/// A rolling sheet of 2.1 million facets: every command that reads it works for some ten seconds before it
+/// has a result.
 fn write_large_mesh(file: &std::path::Path) {
     const SIDE: u32 = 1025;
     let mut stl = std::io::BufWriter::new(std::fs::File::create(file).unwrap());

@@ -24,11 +24,13 @@ use wayside::host::processor_time;
 use wayside::program::terminal;
 use wayside::{Allowance, SceneSource};
 
-/// Scenes that a file has already are not run again, only expected anew: their times hold for what is said now as well.
+/// Scenes that a file has already are not run again, only expected anew: their times hold for what is said
+/// now as well.
 pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
     let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
     let known = arguments.out.as_deref().map(table::taken).transpose()?.unwrap_or_default();
-    let scenes = (0..arguments.scenes).map(|number| random_scenes::scene(arguments.seed, number, &project_root()));
+    let scenes =
+        (0..arguments.scenes).map(|number| random_scenes::scene(arguments.seed, number, &project_root()));
     let (old, new): (Vec<_>, Vec<_>) = scenes.partition(|scene| known.contains_key(&scene.name));
     let mut rows = Vec::new();
     for scene in old.into_iter().chain(new) {
@@ -71,7 +73,8 @@ fn quantiles(rows: &[Row]) -> Vec<String> {
     let told = |name: &str, ratio: &dyn Fn(&Row) -> f64| {
         let mut ratios: Vec<f64> = rows.iter().map(ratio).collect();
         ratios.sort_by(f64::total_cmp);
-        let at = |share: f64| ratios.get((share * (ratios.len().max(1) - 1) as f64).round() as usize).copied();
+        let at =
+            |share: f64| ratios.get((share * (ratios.len().max(1) - 1) as f64).round() as usize).copied();
         let at = [0.0, 0.05, 0.25, 0.5, 0.75, 0.95, 1.0].map(|share| at(share).unwrap_or(f64::NAN));
         let within = ratios.iter().filter(|ratio| (0.5..=2.0).contains(*ratio)).count();
         let below = ratios.iter().filter(|ratio| **ratio < 1.0).count();
@@ -100,7 +103,8 @@ fn row(scene: RandomScene, folder: &Path, known: Option<&Taken>) -> Result<Optio
     let Some(taken) = taken else { return Ok(None) };
     let before_s = processor_time::of_process();
     let (expected, load, at_once) = expected(&file, taken.machine_speed)?;
-    let look_s = processor_time::of_process().zip(before_s).map_or(f64::NAN, |(after, before)| after - before);
+    let look_s =
+        processor_time::of_process().zip(before_s).map_or(f64::NAN, |(after, before)| after - before);
     Ok(Some(Row { scene, expected, look_s, load, at_once, taken }))
 }
 

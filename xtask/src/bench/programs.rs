@@ -1,5 +1,5 @@
-//! Rivals that are programs of their own: a script that asks for NumPy, SciPy, FINUFFT or Embree, an example of ours that holds a crate.
-//! What is not installed is no failure: the row says how to get it.
+//! Rivals that are programs of their own: a script that asks for NumPy, SciPy, FINUFFT or Embree, an example
+//! of ours that holds a crate. What is not installed is no failure: the row says how to get it.
 
 use crate::project::project_root;
 use num_complex::Complex64;
@@ -43,13 +43,18 @@ const SCRIPT: &str = include_str!("rivals.py");
 
 impl Job {
     /// Done by a rival, with some words beside the input.
-    pub(super) fn given_to(&self, rival: Language, words: &[String]) -> Result<Result<Answer, NotHere>, Failure> {
+    pub(super) fn given_to(
+        &self,
+        rival: Language,
+        words: &[String],
+    ) -> Result<Result<Answer, NotHere>, Failure> {
         let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
         let input = folder.path().join("input.raw");
         std::fs::write(&input, &self.input).map_err(|e| Failure::system(&input, "write", e))?;
         let mut command = rival.command();
         command.arg(self.name).args(rival.package()).arg(folder.path()).args(words);
-        // A program that is not there, one that says that it lacks something, and one that fails in its own way are alike here.
+        // A program that is not there, one that says that it lacks something, and one that fails in its own
+        // way are alike here.
         let done = command.output().ok().filter(|done| done.status.success());
         let answer = done.and_then(|done| answer(&String::from_utf8_lossy(&done.stdout), folder.path()));
         Ok(answer.ok_or_else(|| rival.not_here()))
@@ -81,7 +86,8 @@ impl Language {
     fn command(self) -> Command {
         match self {
             Self::Python(_) => {
-                let mut command = Command::new(std::env::var_os("PYTHON").unwrap_or_else(|| OsString::from("python3")));
+                let mut command =
+                    Command::new(std::env::var_os("PYTHON").unwrap_or_else(|| OsString::from("python3")));
                 command.args(["-c", SCRIPT]);
                 command
             }
@@ -112,8 +118,9 @@ impl Language {
 
 /// Beside this program, else where the project builds.
 fn built(example: &str) -> PathBuf {
-    let beside =
-        std::env::current_exe().ok().and_then(|program| Some(program.parent()?.join("examples").join(example)));
+    let beside = std::env::current_exe()
+        .ok()
+        .and_then(|program| Some(program.parent()?.join("examples").join(example)));
     let name = PathBuf::from("target/release/examples").join(example);
     beside.filter(|program| program.is_file()).unwrap_or_else(|| project_root().join(name))
 }

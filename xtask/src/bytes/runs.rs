@@ -1,4 +1,5 @@
-//! What is run: every scene, and ten tables that together take every method, polarization, surface and kind of receiver.
+//! What is run: every scene, and ten tables that together take every method, polarization, surface and kind
+//! of receiver.
 
 use std::path::Path;
 use wayside::host::failure::Failure;
@@ -34,9 +35,10 @@ pub(super) fn all(root: &Path) -> Result<Vec<Run>, Failure> {
     let entries = std::fs::read_dir(&folder).map_err(|e| Failure::system(&folder, "read", e))?;
     let mut scenes: Vec<String> = entries.flatten().filter_map(|entry| scene(&entry.path())).collect();
     scenes.sort();
-    let scenes = scenes
-        .into_iter()
-        .map(|name| Run { words: words(&format!("run scenes/{name}.toml --no-cache --quiet --out OUT")), name });
+    let scenes = scenes.into_iter().map(|name| Run {
+        words: words(&format!("run scenes/{name}.toml --no-cache --quiet --out OUT")),
+        name,
+    });
     let table = |(name, text): (&str, &str)| Run {
         name: name.into(),
         words: words(&format!("rcs {text} --quiet --out OUT/s.npy")),

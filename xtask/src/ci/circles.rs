@@ -1,4 +1,5 @@
-//! No circle of files that use each other, in any crate, and no folder with more files side by side than one takes in at a glance.
+//! No circle of files that use each other, in any crate, and no folder with more files side by side than one
+//! takes in at a glance.
 
 use crate::house::{self, arrows::Arrows, folders};
 use crate::project::project_root;
@@ -25,5 +26,6 @@ fn sentence(arrows: &Arrows, circle: &[usize]) -> String {
 
 fn crowded(folder: &Path) -> Vec<String> {
     let many = folders::each(folder).into_iter().filter(|(_, files)| *files > SIDE_BY_SIDE);
-    many.map(|(name, files)| format!("{name}: {files} files side by side, the limit is {SIDE_BY_SIDE}")).collect()
+    many.map(|(name, files)| format!("{name}: {files} files side by side, the limit is {SIDE_BY_SIDE}"))
+        .collect()
 }

@@ -67,7 +67,9 @@ mod tests {
     #[test]
     fn tests_are_counted_from_cargos_own_words() {
         let mut tally = Tally::default();
-        tally.count("test result: ok. 12 passed; 1 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.1s");
+        tally.count(
+            "test result: ok. 12 passed; 1 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.1s",
+        );
         tally.count("test result: FAILED. 3 passed; 0 failed; 0 ignored");
         tally.count("test something_that_passed ... ok");
         assert_eq!(tally, Tally { passed: 15, failed: 1 });

@@ -1,5 +1,5 @@
-//! A program and its tests must ask every dependency for the same features: a second set of features builds what stands on it
-//! twice.
+//! A program and its tests must ask every dependency for the same features: a second set of features builds
+//! what stands on it twice.
 
 use crate::project::project_root;
 use std::collections::BTreeMap;
@@ -27,8 +27,10 @@ pub(super) fn check() -> Result<(), Failure> {
 fn features(arguments: &[&str]) -> Result<Features, Failure> {
     let mut command = Command::new("cargo");
     command.args(["tree", "--offline", "--prefix", "none", "--format", "{p}|{f}"]).args(arguments);
-    let output =
-        command.current_dir(project_root()).output().map_err(|e| Failure::System(format!("cargo tree: {e}")))?;
+    let output = command
+        .current_dir(project_root())
+        .output()
+        .map_err(|e| Failure::System(format!("cargo tree: {e}")))?;
     Ok(parse(&String::from_utf8_lossy(&output.stdout)))
 }
 
@@ -49,7 +51,8 @@ fn parse(tree: &str) -> Features {
 }
 
 fn differences(name: &str, job: &Features, tests: &Features) -> Vec<String> {
-    let differs = |(package, set): &(&String, &String)| tests.get(*package).is_some_and(|other| other != *set);
+    let differs =
+        |(package, set): &(&String, &String)| tests.get(*package).is_some_and(|other| other != *set);
     let sentence = |(package, set): (&String, &String)| {
         format!("{package}: {name} asks for [{set}], the tests for [{}]", tests[package])
     };

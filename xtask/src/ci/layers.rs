@@ -1,5 +1,5 @@
-//! The layer rule: leaves depend on no crate of the workspace, stages on leaves and never on each other; `wayside` links them, and
-//! `xtask` stands above it. What teaches a stage may see it.
+//! The layer rule: leaves depend on no crate of the workspace, stages on leaves and never on each other;
+//! `wayside` links them, and `xtask` stands above it. What teaches a stage may see it.
 
 use crate::project::project_root;
 use std::process::Command;
@@ -66,8 +66,13 @@ mod tests {
             { "name": "plotting", "dependencies": [{ "name": "artifact" }] },
         ] });
         let found = forbidden(&edges(&metadata));
-        let expected =
-            ["dsp → fmcw-echo", "artifact → scene", "scene → wayside", "wayside → xtask", "plotting → artifact"];
+        let expected = [
+            "dsp → fmcw-echo",
+            "artifact → scene",
+            "scene → wayside",
+            "wayside → xtask",
+            "plotting → artifact",
+        ];
         assert_eq!(found, expected.map(|edge| format!("{edge}: pass an artifact instead")));
     }
 }

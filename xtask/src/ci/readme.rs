@@ -12,7 +12,8 @@ pub(super) fn tests(tally: &mut Tally) -> Result<(), Failure> {
     counted(&mut command(1)?, tally)
 }
 
-/// The first command: the main job, which has to find every body and to reach the accuracy that its scene asks.
+/// The first command: the main job, which has to find every body and to reach the accuracy that its scene
+/// asks.
 pub(super) fn main_job() -> Result<(), Failure> {
     let mut command = command(0)?;
     finished(&mut command)?;
@@ -28,7 +29,8 @@ pub(super) fn main_job() -> Result<(), Failure> {
 /// Of a run without `--out`: below `out/`, by the name of its scene.
 fn summary_file(run: &Command) -> Result<PathBuf, Failure> {
     let words = run.get_args().map(Path::new);
-    let scene = words.filter(|word| word.extension().is_some_and(|kind| kind == "toml")).find_map(Path::file_stem);
+    let scene =
+        words.filter(|word| word.extension().is_some_and(|kind| kind == "toml")).find_map(Path::file_stem);
     let scene = scene.ok_or_else(|| Failure::refused("README.md: the first command runs a scene"))?;
     Ok(project_root().join("out").join(scene).join("summary.json"))
 }
@@ -37,12 +39,15 @@ fn summary_file(run: &Command) -> Result<PathBuf, Failure> {
 fn shortcomings(summary: &Value) -> Vec<String> {
     let frames = summary["frames"].as_array().map_or(&[][..], Vec::as_slice);
     let none = frames.is_empty().then(|| "no frame".to_owned());
-    none.into_iter().chain(frames.iter().enumerate().flat_map(|(number, frame)| of_frame(number, frame))).collect()
+    none.into_iter()
+        .chain(frames.iter().enumerate().flat_map(|(number, frame)| of_frame(number, frame)))
+        .collect()
 }
 
 fn of_frame(number: usize, frame: &Value) -> Vec<String> {
     let targets = frame["targets"].as_array().map_or(&[][..], Vec::as_slice);
-    let unseen: Vec<&str> = targets.iter().filter(|t| t["found"] != true).filter_map(|t| t["id"].as_str()).collect();
+    let unseen: Vec<&str> =
+        targets.iter().filter(|t| t["found"] != true).filter_map(|t| t["id"].as_str()).collect();
     let (asked, reached) = (&frame["accuracy"]["asked_db"], &frame["accuracy"]["reached_db"]);
     let is_met = frame["accuracy"]["met"] == true;
     let accuracy = (!is_met).then(|| format!("frame {number}: {reached} dB reached, {asked} dB asked"));
@@ -55,8 +60,9 @@ fn command(number: usize) -> Result<Command, Failure> {
     let file = project_root().join("README.md");
     let text = std::fs::read_to_string(&file).map_err(|e| Failure::system(&file, "read", e))?;
     let commands = shell_lines(&text);
-    let line =
-        commands.get(number).ok_or_else(|| Failure::refused("README.md: two commands in ```sh blocks are promised"))?;
+    let line = commands
+        .get(number)
+        .ok_or_else(|| Failure::refused("README.md: two commands in ```sh blocks are promised"))?;
     let mut words = line.split_whitespace();
     let mut command = Command::new(words.next().unwrap_or("cargo"));
     command.args(words);

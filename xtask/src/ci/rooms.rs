@@ -1,5 +1,5 @@
-//! The room rule: a room of a crate uses only rooms that stand before it in its `lib.rs`, tests aside. So the crate can
-//! be read from the first room on, and no two rooms need each other.
+//! The room rule: a room of a crate uses only rooms that stand before it in its `lib.rs`, tests aside. So the
+//! crate can be read from the first room on, and no two rooms need each other.
 
 use crate::house;
 use crate::house::folders::sources;
@@ -54,11 +54,14 @@ fn files(source: &Path, room: &str) -> Vec<PathBuf> {
 /// A sentence for each use of what is not in `known`, which ends with the file's own room.
 fn forbidden(file: &Path, text: &str, known: &[String]) -> Vec<String> {
     let own = known.last().map_or("", String::as_str);
-    let used =
-        code(text).flat_map(|(number, line)| line.split("crate::").skip(1).map(move |rest| (number, first_word(rest))));
+    let used = code(text)
+        .flat_map(|(number, line)| line.split("crate::").skip(1).map(move |rest| (number, first_word(rest))));
     let strange = used.filter(|(_, name)| !known.iter().any(|room| room == name));
     let sentence = |(number, name): (usize, &str)| {
-        format!("{}:{number}: `{own}` uses `crate::{name}`, which is no room before it in lib.rs", file.display())
+        format!(
+            "{}:{number}: `{own}` uses `crate::{name}`, which is no room before it in lib.rs",
+            file.display()
+        )
     };
     strange.map(sentence).collect()
 }
@@ -86,8 +89,9 @@ mod tests {
 
     #[test]
     fn a_room_that_looks_ahead_is_named_with_its_line() {
-        let known =
-            rooms("//! mod told;\nmod mesh; // what belongs together\npub mod beams;\n#[cfg(test)]\nmod tests;\n");
+        let known = rooms(
+            "//! mod told;\nmod mesh; // what belongs together\npub mod beams;\n#[cfg(test)]\nmod tests;\n",
+        );
         assert_eq!(known, ["mesh", "beams"]);
         let text = "use crate::mesh::patch::Patches;\n// crate::beams may be told of\nuse crate::beams::beam::Beam;\n#[cfg(test)]\nmod tests {\nuse crate::table::rcs;\n";
         let found = forbidden(Path::new("mesh/a.rs"), text, &known[..1]);

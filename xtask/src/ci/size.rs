@@ -1,5 +1,5 @@
-//! Files under 600 lines, no function over 70 (clippy's `too_many_lines` guards single functions too), nine functions in
-//! ten under 25 lines, the median under 10.
+//! Files under 600 lines, no function over 70 (clippy's `too_many_lines` guards single functions too), nine
+//! functions in ten under 25 lines, the median under 10.
 
 use crate::house::folders::sources;
 use crate::project::project_root;
@@ -49,14 +49,16 @@ fn spread(lengths: &mut [usize]) -> Vec<String> {
         broken.push(format!("the median function has {} lines, the limit is under {MEDIAN_LINES}", at(0.5)));
     }
     if at(0.9) >= NINE_IN_TEN_LINES {
-        broken
-            .push(format!("one function in ten has {} lines or more, the limit is under {NINE_IN_TEN_LINES}", at(0.9)));
+        broken.push(format!(
+            "one function in ten has {} lines or more, the limit is under {NINE_IN_TEN_LINES}",
+            at(0.9)
+        ));
     }
     broken
 }
 
-/// First line and body length of each function, told by rustfmt's indentation: the body ends at the first line that
-/// closes a brace at the depth of the `fn`.
+/// First line and body length of each function, told by rustfmt's indentation: the body ends at the first
+/// line that closes a brace at the depth of the `fn`.
 fn functions(text: &str) -> Vec<(usize, usize)> {
     let lines: Vec<&str> = text.lines().collect();
     let mut found = Vec::new();
@@ -72,8 +74,8 @@ fn functions(text: &str) -> Vec<(usize, usize)> {
 
 fn is_function(line: &str) -> bool {
     let words = line.split_whitespace().take_while(|w| !w.contains('('));
-    let starts =
-        ["pub", "fn", "const", "async", "unsafe"].iter().any(|w| line.starts_with(w)) || line.starts_with("pub(");
+    let starts = ["pub", "fn", "const", "async", "unsafe"].iter().any(|w| line.starts_with(w))
+        || line.starts_with("pub(");
     starts && (words.clone().any(|w| w == "fn") || line.contains(") fn ")) && !line.ends_with(';')
 }
 

@@ -1,5 +1,5 @@
-//! The program that trains: built, looked at and tested in a folder of its own beside everything else, and with it the tests of
-//! `train`.
+//! The program that trains: built, looked at and tested in a folder of its own beside everything else, and
+//! with it the tests of `train`.
 
 use crate::ci::commands::{Tally, counted};
 use crate::project::project_root;

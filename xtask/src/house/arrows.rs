@@ -1,4 +1,5 @@
-//! From which file to which a name leads. A parent's re-export of a child's item is no arrow: it is a door, not a use.
+//! From which file to which a name leads. A parent's re-export of a child's item is no arrow: it is a door,
+//! not a use.
 
 use crate::house::folders::sources;
 use crate::house::names::{Import, imports, paths};
@@ -20,7 +21,8 @@ impl Arrows {
         let mut places = Vec::new();
         sources(source, &mut places);
         places.sort();
-        let files = places.iter().map(|place| SourceFile::read(source, place)).collect::<Result<Vec<_>, _>>()?;
+        let files =
+            places.iter().map(|place| SourceFile::read(source, place)).collect::<Result<Vec<_>, _>>()?;
         let to = Names::of(&files).arrows();
         Ok(Self { files, to })
     }
@@ -43,7 +45,8 @@ struct Names<'a> {
 
 impl<'a> Names<'a> {
     fn of(files: &'a [SourceFile]) -> Self {
-        let number_of = files.iter().enumerate().map(|(number, file)| (file.module.as_slice(), number)).collect();
+        let number_of =
+            files.iter().enumerate().map(|(number, file)| (file.module.as_slice(), number)).collect();
         let imports = files.iter().map(|file| imports(&file.text)).collect();
         Self { files, number_of, imports }
     }
@@ -54,7 +57,8 @@ impl<'a> Names<'a> {
 
     fn from(&self, from: usize) -> BTreeSet<usize> {
         let is_door = |import: &&Import| import.is_public && self.is_own(from, &import.path);
-        let imported = self.imports[from].iter().filter(|import| !is_door(import)).map(|import| import.path.clone());
+        let imported =
+            self.imports[from].iter().filter(|import| !is_door(import)).map(|import| import.path.clone());
         let known_as = |path: Vec<String>| {
             let import = self.imports[from].iter().find(|import| import.name == path[0]);
             import.map(|import| [import.path.as_slice(), &path[1..]].concat()).unwrap_or(path)

@@ -1,5 +1,5 @@
-//! Circles of arrows: strongly connected components (Tarjan, *Depth-first search and linear graph algorithms*, SIAM J. Comput.
-//! 1, 1972), here by the slower and shorter way of what reaches what.
+//! Circles of arrows: strongly connected components (Tarjan, *Depth-first search and linear graph
+//! algorithms*, SIAM J. Comput. 1, 1972), here by the slower and shorter way of what reaches what.
 
 use std::collections::BTreeSet;
 
@@ -7,7 +7,8 @@ use std::collections::BTreeSet;
 pub(crate) fn of(to: &[BTreeSet<usize>]) -> Vec<Vec<usize>> {
     let reached: Vec<BTreeSet<usize>> = (0..to.len()).map(|from| reached(to, from)).collect();
     let both_ways = |a: usize, b: usize| reached[a].contains(&b) && reached[b].contains(&a);
-    let group = |node: usize| -> Vec<usize> { (0..to.len()).filter(|other| both_ways(node, *other)).collect() };
+    let group =
+        |node: usize| -> Vec<usize> { (0..to.len()).filter(|other| both_ways(node, *other)).collect() };
     let groups: BTreeSet<_> = (0..to.len()).filter(|node| both_ways(*node, *node)).map(group).collect();
     groups.into_iter().collect()
 }

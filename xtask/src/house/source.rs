@@ -1,4 +1,5 @@
-//! A source file as names are looked for in it: without comments, strings and the words of tests' own modules.
+//! A source file as names are looked for in it: without comments, strings and the words of tests' own
+//! modules.
 
 use std::path::{Path, PathBuf};
 use wayside::host::failure::Failure;
@@ -17,7 +18,8 @@ impl SourceFile {
     /// Reads `place`, which lies below the crate's `source`.
     pub(crate) fn read(source: &Path, place: &Path) -> Result<Self, Failure> {
         let text = std::fs::read_to_string(place).map_err(|e| Failure::system(place, "read", e))?;
-        let lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//")).count();
+        let lines =
+            text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//")).count();
         let mut module: Vec<String> = place
             .strip_prefix(source)
             .unwrap_or(place)
@@ -28,7 +30,12 @@ impl SourceFile {
         if matches!(module.as_slice(), [root] if root == "lib" || root == "main") {
             module.clear();
         }
-        Ok(Self { place: place.to_owned(), module, text: in_own_words(&without_scopes(&stripped(&text))), lines })
+        Ok(Self {
+            place: place.to_owned(),
+            module,
+            text: in_own_words(&without_scopes(&stripped(&text))),
+            lines,
+        })
     }
 
     /// Lines that are neither blank nor comments.
@@ -46,11 +53,14 @@ fn without_scopes(text: &str) -> String {
 
 /// In the file's module of tests `super` is the file itself.
 fn in_own_words(text: &str) -> String {
-    let Some(at) = text.find("#[cfg(test)]\nmod ").filter(|at| text[*at..].lines().nth(1).is_some_and(is_open)) else {
+    let Some(at) =
+        text.find("#[cfg(test)]\nmod ").filter(|at| text[*at..].lines().nth(1).is_some_and(is_open))
+    else {
         return text.to_owned();
     };
     let (own, tests) = text.split_at(at);
-    let tests = tests.replace("super::super::", "\u{1}").replace("super::", "self::").replace('\u{1}', "super::");
+    let tests =
+        tests.replace("super::super::", "\u{1}").replace("super::", "self::").replace('\u{1}', "super::");
     format!("{own}{tests}")
 }
 
@@ -109,8 +119,7 @@ mod tests {
 
     #[test]
     fn names_in_comments_and_strings_are_no_names() {
-        let text =
-            "use a::b; // crate::c\nlet x = \"crate::\\\"d\"; let y = '\"'; fn f<'l>(z: &'l str) { 'n' / e::f }\n";
+        let text = "use a::b; // crate::c\nlet x = \"crate::\\\"d\"; let y = '\"'; fn f<'l>(z: &'l str) { 'n' / e::f }\n";
         assert_eq!(stripped(text), "use a::b; \nlet x = ; let y = ; fn f<'l>(z: &'l str) {  / e::f }\n");
     }
 

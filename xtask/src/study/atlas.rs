@@ -1,4 +1,5 @@
-//! Where each method fails: small cases whose answer is known, and a verdict on what the program says of them.
+//! Where each method fails: small cases whose answer is known, and a verdict on what the program says of
+//! them.
 
 mod verdict;
 mod far_field;

@@ -44,7 +44,8 @@ pub(super) fn plate(side_m: f64) -> Mesh {
 /// The same plate as horizontal strips between these heights, shares of its side from 0 to 1.
 pub(super) fn plate_in_strips(side_m: f64, heights: &[f64]) -> Mesh {
     let h = 0.5 * side_m;
-    let strip = |w: &[f64]| [[0.0, -h, side_m * w[0] - h], [0.0, side_m, 0.0], [0.0, 0.0, side_m * (w[1] - w[0])]];
+    let strip =
+        |w: &[f64]| [[0.0, -h, side_m * w[0] - h], [0.0, side_m, 0.0], [0.0, 0.0, side_m * (w[1] - w[0])]];
     parallelograms(&heights.windows(2).map(strip).collect::<Vec<_>>())
 }
 
@@ -66,7 +67,8 @@ pub(super) enum Face {
 }
 
 impl Face {
-    pub(super) const ALL: [Self; 6] = [Self::Front, Self::Back, Self::Left, Self::Right, Self::Top, Self::Bottom];
+    pub(super) const ALL: [Self; 6] =
+        [Self::Front, Self::Back, Self::Left, Self::Right, Self::Top, Self::Bottom];
 
     /// Of the cube of side 1 on the floor, outward.
     fn unit(self) -> Parallelogram {
@@ -89,7 +91,8 @@ pub(super) fn cube(side_m: f64, faces: &[Face]) -> Mesh {
     parallelograms(&faces.iter().map(|f| scaled(f.unit())).collect::<Vec<_>>())
 }
 
-/// Two plates 0.15 m × 0.15 m that open towards +x with this angle between them, the fold along z through the origin.
+/// Two plates 0.15 m × 0.15 m that open towards +x with this angle between them, the fold along z through the
+/// origin.
 pub(super) fn dihedral(angle_deg: f64) -> Mesh {
     let (a, half) = (0.15, 0.5 * angle_deg.to_radians());
     let wall = |side: f64| [a * half.cos(), side * a * half.sin(), 0.0];
@@ -134,9 +137,9 @@ pub(super) fn top_hat(radius_m: f64, height_m: f64, sides: u32, floor_m: f64) ->
     joined(hat, &floor(floor_m))
 }
 
-/// A sphere from the faces of a cube, each cut into `cells`² squares of equal angle and these into two triangles, its
-/// corners pushed out so that the facets' mean lies on the sphere (a right triangle with legs e lies e²/12 of a radius
-/// below).
+/// A sphere from the faces of a cube, each cut into `cells`² squares of equal angle and these into two
+/// triangles, its corners pushed out so that the facets' mean lies on the sphere (a right triangle with legs
+/// e lies e²/12 of a radius below).
 pub(super) fn sphere(radius_m: f64, cells: u32) -> Mesh {
     let edge = FRAC_PI_2 / f64::from(cells);
     let raised = radius_m * (1.0 + edge * edge / 12.0);

@@ -1,4 +1,5 @@
-//! Speed against accuracy: every method on the same work, its seconds, its memory and its error against another method.
+//! Speed against accuracy: every method on the same work, its seconds, its memory and its error against
+//! another method.
 
 mod row;
 mod work;

@@ -1,4 +1,5 @@
-//! What small bodies must answer: closed forms, series, and integrals carried to convergence (docs/physics.md §11).
+//! What small bodies must answer: closed forms, series, and integrals carried to convergence (docs/physics.md
+//! §11).
 
 use crate::study::looks::{K, WAVELENGTH_M};
 use num_complex::Complex64;
@@ -16,8 +17,8 @@ pub(super) fn plate_far(side_m: f64, azimuth_rad: f64) -> Complex64 {
     front() * side_m * side_m * azimuth_rad.cos() * sinc
 }
 
-/// S of a square plate from `range_m` at this azimuth, elevation 0: the integral of interface.md, at most 1 rad of phase
-/// between four Gauss points, which leaves 1e-8.
+/// S of a square plate from `range_m` at this azimuth, elevation 0: the integral of interface.md, at most 1
+/// rad of phase between four Gauss points, which leaves 1e-8.
 pub(super) fn plate_near(side_m: f64, range_m: f64, azimuth_rad: f64) -> Complex64 {
     let antenna = [range_m * azimuth_rad.cos(), range_m * azimuth_rad.sin()];
     let across = nodes(side_m, 2.0 * K * (azimuth_rad.sin().abs() + side_m / range_m));

@@ -43,7 +43,11 @@ fn cases(extent: Extent) -> Result<Vec<Case>, Failure> {
         case("car-suv, turned by 30°", vehicle("car-suv", 10.0, APPROACHING_DEG + 30.0)?, -20.0),
         case("car-suv, turned by 90°", vehicle("car-suv", 10.0, APPROACHING_DEG + 90.0)?, -20.0),
         case("car-sedan, turned by 180°", vehicle("car-sedan", 10.0, APPROACHING_DEG + 180.0)?, -20.0),
-        case("motorcycle-street, turned by 10°", vehicle("motorcycle-street", 10.0, APPROACHING_DEG + 10.0)?, -20.0),
+        case(
+            "motorcycle-street, turned by 10°",
+            vehicle("motorcycle-street", 10.0, APPROACHING_DEG + 10.0)?,
+            -20.0,
+        ),
     ])
 }
 
@@ -52,7 +56,8 @@ const APPROACHING_DEG: f64 = -90.0;
 
 /// In lane 2, 40 m ahead, moving down the lane.
 fn vehicle(name: &str, speed_mps: f64, yaw_deg: f64) -> Result<SceneHeader, Failure> {
-    let body = scene::vehicles::mesh(name, 0).ok_or_else(|| Failure::refused(format!("`{name}` is missing")))?;
+    let body =
+        scene::vehicles::mesh(name, 0).ok_or_else(|| Failure::refused(format!("`{name}` is missing")))?;
     let mut header = with_body(scene_of("")?, &body, [5.75, 40.0, 0.0], [0.0, -speed_mps, 0.0]);
     header.targets.iter_mut().for_each(|target| target.start.yaw_rad = yaw_deg.to_radians());
     Ok(header)
@@ -149,8 +154,9 @@ fn cube(header: &SceneHeader, paths: &[Path]) -> Vec<Complex64> {
 
 /// Each target's level, in the order of the targets.
 fn chosen(frame: &PathsFrame) -> String {
-    let of =
-        |detail: &artifact::paths::TargetDetail| format!("{} {}→{}", detail.level.name(), detail.traced, detail.kept);
+    let of = |detail: &artifact::paths::TargetDetail| {
+        format!("{} {}→{}", detail.level.name(), detail.traced, detail.kept)
+    };
     frame.trace.detail.iter().map(of).collect::<Vec<_>>().join(", ")
 }
 

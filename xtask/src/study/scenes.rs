@@ -1,4 +1,5 @@
-//! Scenes of the studies: a scene file's radar and settings, bodies in its lanes, and the chain from them to points.
+//! Scenes of the studies: a scene file's radar and settings, bodies in its lanes, and the chain from them to
+//! points.
 
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::paths::PathsFrame;
@@ -14,10 +15,12 @@ use wayside::host::failure::Failure;
 pub(crate) fn scene_of(words: &str) -> Result<SceneHeader, Failure> {
     let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
     let file = folder.path().join("study.toml");
-    std::fs::write(&file, format!("name = \"study\"\n{words}")).map_err(|e| Failure::system(&file, "write", e))?;
+    std::fs::write(&file, format!("name = \"study\"\n{words}"))
+        .map_err(|e| Failure::system(&file, "write", e))?;
     // The folder's name is another in every run; it is left out of what a page quotes.
-    let named =
-        |e: scene::SceneErrors| Failure::refused(e.to_string().replace(&format!("{}/", folder.path().display()), ""));
+    let named = |e: scene::SceneErrors| {
+        Failure::refused(e.to_string().replace(&format!("{}/", folder.path().display()), ""))
+    };
     scene::read(&file, &ReadOptions { model: None, radar: None, meshes: Meshes::Whole }).map_err(named)
 }
 
@@ -45,7 +48,12 @@ pub(super) fn with_point(
 ) -> SceneHeader {
     let id = format!("point-{}", header.targets.len());
     let start = Pose { position_m, yaw_rad: 0.0, velocity_mps, acceleration_mps2: [0.0; 3] };
-    header.targets.push(Target { id, role: Role::Target, kind: TargetKind::Point { rcs_m2, wheel: None }, start });
+    header.targets.push(Target {
+        id,
+        role: Role::Target,
+        kind: TargetKind::Point { rcs_m2, wheel: None },
+        start,
+    });
     header
 }
 

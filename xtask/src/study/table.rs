@@ -13,10 +13,15 @@ pub(super) fn csv(header: &str, rows: impl Iterator<Item = Vec<String>>) -> Stri
 }
 
 fn quoted(field: &str) -> String {
-    if field.contains([',', '"', '\n']) { format!("\"{}\"", field.replace('"', "\"\"")) } else { field.into() }
+    if field.contains([',', '"', '\n']) {
+        format!("\"{}\"", field.replace('"', "\"\""))
+    } else {
+        field.into()
+    }
 }
 
-/// A table as [`csv`] writes it: what pictures are drawn from, so that they can be drawn anew without computing.
+/// A table as [`csv`] writes it: what pictures are drawn from, so that they can be drawn anew without
+/// computing.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Table {
     columns: Vec<String>,
@@ -122,7 +127,10 @@ mod tests {
         let text = csv("x,y", rows);
         assert_eq!(text, "x,y\n\"a, \"\"b\"\"\",c\n");
         let table = Table::read(&text, &["x", "y"]).unwrap();
-        assert_eq!(table.rows().map(|row| (row.word("x"), row.word("y"))).collect::<Vec<_>>(), [("a, \"b\"", "c")]);
+        assert_eq!(
+            table.rows().map(|row| (row.word("x"), row.word("y"))).collect::<Vec<_>>(),
+            [("a, \"b\"", "c")]
+        );
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! What bodies are made of: a conductor, a half-space, or layers on air or metal.
 //!
-//! Plain data; `bart-rcs` computes with it, `scene` reads it from TOML (`docs/materials.md`). Permittivities are relative,
-//! ε = ε′ − jε″ with e^{jωt}, and do not depend on frequency: within 76–81 GHz they change by less than they are known.
+//! Plain data; `bart-rcs` computes with it, `scene` reads it from TOML (`docs/materials.md`). Permittivities
+//! are relative, ε = ε′ − jε″ with e^{jωt}, and do not depend on frequency: within 76–81 GHz they change by
+//! less than they are known.
 
 use num_complex::Complex64;
 use serde::{Deserialize, Serialize};
@@ -9,7 +10,8 @@ use serde::{Deserialize, Serialize};
 /// What the materials of a mesh stand for.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Makeup {
-    /// One for each name of [`Mesh::materials`](crate::schemas::scene::Mesh::materials), or none at all: everything conducts.
+    /// One for each name of [`Mesh::materials`](crate::schemas::scene::Mesh::materials), or none at all:
+    /// everything conducts.
     pub materials: Vec<Material>,
     /// Whether waves are followed through sheets.
     pub transmission: Transmission,
@@ -27,7 +29,8 @@ pub struct MaterialMap {
 impl MaterialMap {
     /// The makeup of a mesh with these names of materials.
     pub fn makeup(&self, names: &[String]) -> Makeup {
-        let known = |name: &String| self.by_name.iter().find(|(known, _)| known == name).map(|(_, m)| m.clone());
+        let known =
+            |name: &String| self.by_name.iter().find(|(known, _)| known == name).map(|(_, m)| m.clone());
         let materials = names.iter().map(|name| known(name).unwrap_or_default()).collect();
         Makeup { materials, transmission: self.transmission }
     }
@@ -78,8 +81,8 @@ pub enum Backing {
 pub enum Thickness {
     /// It is what it says: reflections of both faces interfere.
     Exact,
-    /// It is only about so: powers are averaged over thickness. 4 mm of glass reflects between −15 and −4 dB with a period
-    /// of 0.76 mm at 77 GHz, which no drawing tells.
+    /// It is only about so: powers are averaged over thickness. 4 mm of glass reflects between −15 and −4 dB
+    /// with a period of 0.76 mm at 77 GHz, which no drawing tells.
     Averaged,
 }
 
@@ -130,6 +133,7 @@ impl Makeup {
 pub struct Road {
     /// What it is made of.
     pub material: Material,
-    /// Root mean square of its height, m: the coherent reflection loses e^{−g²/2}, g = 4πσ sinψ/λ (Ament 1953).
+    /// Root mean square of its height, m: the coherent reflection loses e^{−g²/2}, g = 4πσ sinψ/λ (Ament
+    /// 1953).
     pub rms_height_m: f64,
 }

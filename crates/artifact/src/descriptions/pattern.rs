@@ -1,4 +1,5 @@
-//! Gain of an antenna element over direction: what every stage that needs one asks, so that all have the same.
+//! Gain of an antenna element over direction: what every stage that needs one asks, so that all have the
+//! same.
 
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
@@ -17,8 +18,9 @@ pub enum Pattern {
     Table(PatternTable),
 }
 
-/// Gain measured over azimuth (from the boresight to the right as seen along it) and elevation (above the plane of
-/// boresight and right). An axis has one value, which holds for every angle, or three and more, growing.
+/// Gain measured over azimuth (from the boresight to the right as seen along it) and elevation (above the
+/// plane of boresight and right). An axis has one value, which holds for every angle, or three and more,
+/// growing.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PatternTable {
     /// −π … π.
@@ -61,9 +63,9 @@ impl Pattern {
 }
 
 impl PatternTable {
-    /// Cubic along both axes, continuous with its slope; nothing beyond the table. Of steps h it errs by at most
-    /// h³·max|f‴|/(36√3) + O(h⁴) an axis: the slopes are those of parabolas, wrong by h²f‴/6, and reach a value with
-    /// h·t(1−t)(1−2t) ≤ h/(6√3).
+    /// Cubic along both axes, continuous with its slope; nothing beyond the table. Of steps h it errs by at
+    /// most h³·max|f‴|/(36√3) + O(h⁴) an axis: the slopes are those of parabolas, wrong by h²f‴/6, and reach
+    /// a value with h·t(1−t)(1−2t) ≤ h/(6√3).
     pub fn amplitude_at(&self, azimuth_rad: f64, elevation_rad: f64) -> f64 {
         let (Some(columns), Some(rows)) =
             (Stencil::of(&self.azimuth_rad, azimuth_rad), Stencil::of(&self.elevation_rad, elevation_rad))
@@ -82,7 +84,8 @@ struct Stencil {
 }
 
 impl Stencil {
-    /// Hermite's cubic between two values, its slopes there those of the parabolas through them and their neighbours.
+    /// Hermite's cubic between two values, its slopes there those of the parabolas through them and their
+    /// neighbours.
     fn of(axis: &[f64], at: f64) -> Option<Self> {
         let last = axis.len() - 1;
         if last == 0 {
@@ -143,8 +146,9 @@ mod tests {
     fn a_table_of_the_cosine_gives_the_cosine_to_the_stated_error() {
         for (exponent, steps) in [(2.0, 36), (2.0, 180), (4.0, 36), (4.0, 180)] {
             let h = PI / steps as f64;
-            // Third and fourth derivatives of cos² = (1 + cos 2θ)/2: 4 and 8; of cos⁴ = (3 + 4cos 2θ + cos 4θ)/8: at most 12 and 40.
-            // Of the fourth, h⁴/384 of the cubic itself and h⁴/48 of the slopes' difference: below h⁴/40 together.
+            // Third and fourth derivatives of cos² = (1 + cos 2θ)/2: 4 and 8; of cos⁴ = (3 + 4cos 2θ + cos
+            // 4θ)/8: at most 12 and 40. Of the fourth, h⁴/384 of the cubic itself and h⁴/48 of the slopes'
+            // difference: below h⁴/40 together.
             let (third, fourth) = if exponent == 2.0 { (4.0, 8.0) } else { (12.0, 40.0) };
             let of_an_axis = h.powi(3) * third / (36.0 * 3.0_f64.sqrt()) + h.powi(4) * fourth / 40.0;
             let table = cosine(exponent, steps);
@@ -166,7 +170,8 @@ mod tests {
         let table = cosine(2.0, 36);
         assert_eq!(table.amplitude(direction(0.6 * PI, 0.0)), 0.0);
         assert_eq!(table.amplitude([0.0, -1.0, 0.0]), 0.0);
-        // Parabolas lie on the cubics whatever the steps, up to the ends; one value holds for every elevation.
+        // Parabolas lie on the cubics whatever the steps, up to the ends; one value holds for every
+        // elevation.
         let azimuth_rad = vec![-1.0, -0.7, 0.1, 0.2, 0.9];
         let parabola = |x: f64| 2.0 - 0.3 * x - 0.8 * x * x;
         let amplitude = azimuth_rad.iter().map(|x| parabola(*x)).collect();

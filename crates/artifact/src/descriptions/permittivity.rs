@@ -1,7 +1,8 @@
-//! Permittivities of substances at 76–81 GHz, from the literature: the one table that material maps draw from.
+//! Permittivities of substances at 76–81 GHz, from the literature: the one table that material maps draw
+//! from.
 //!
-//! Values carry ±10 % (batch, fillers, temperature, moisture, and where the source ends below 76 GHz the way up): put a
-//! measured value into the map where one is at hand.
+//! Values carry ±10 % (batch, fillers, temperature, moisture, and where the source ends below 76 GHz the way
+//! up): put a measured value into the map where one is at hand.
 
 use num_complex::Complex64;
 
@@ -25,11 +26,26 @@ pub const SUBSTANCES: [Substance; 17] = [
     dielectric("asphalt", [9.5, 0.3], "dense road surface; ε′ 8.6–10.4 by recipe and moisture", ASPHALT),
     dielectric("clear-coat", [3.0, 0.1], "unpigmented paint", PAINT),
     dielectric("concrete", [5.24, 0.32], "σ = 0.0462·f^0.7822 S/m, f in GHz", ITU),
-    dielectric("fabric", [1.6, 0.05], "woven polyester, half of it air (mixing rule of its fibre, 2.8)", ESTIMATE),
-    dielectric("glass", [6.5, 0.15], "float glass; Zhekov's fit gives 6.29 − 0.43j, P.2040 6.31 − 0.28j", GLASS),
+    dielectric(
+        "fabric",
+        [1.6, 0.05],
+        "woven polyester, half of it air (mixing rule of its fibre, 2.8)",
+        ESTIMATE,
+    ),
+    dielectric(
+        "glass",
+        [6.5, 0.15],
+        "float glass; Zhekov's fit gives 6.29 − 0.43j, P.2040 6.31 − 0.28j",
+        GLASS,
+    ),
     dielectric("leather", [2.6, 0.25], "dry, and skin-like materials of protective clothes", ESTIMATE),
     conductor("metal", "steel, aluminium, chrome: |r| = 1 to 1e-3 (σ 10⁷ S/m)"),
-    dielectric("metallic-paint", [15.0, 1.5], "base coat with aluminium flakes; 5 to 40 by pigment content", PAINT),
+    dielectric(
+        "metallic-paint",
+        [15.0, 1.5],
+        "base coat with aluminium flakes; 5 to 40 by pigment content",
+        PAINT,
+    ),
     dielectric("polycarbonate", [2.76, 0.02], "lamp covers, roofs", RIDDLE),
     dielectric("polypropylene", [2.3, 0.01], "bumpers; filled grades up to 2.6", POLYPROPYLENE),
     dielectric("pvb", [2.7, 0.09], "film between the panes of a windscreen", ESTIMATE),
@@ -42,17 +58,20 @@ pub const SUBSTANCES: [Substance; 17] = [
 const ITU: &str = "Recommendation ITU-R P.2040-3 (2023), table 3, 77 GHz";
 const ZHEKOV: &str =
     "Zhekov, Franek, Pedersen, IEEE AP Magazine 62 (2020), 10.1109/MAP.2019.2955680, fit taken to 77 GHz";
-const RIDDLE: &str =
-    "Riddle, Baker-Jarvis, Krupka, IEEE T-MTT 51 (2003) 727, ε′ at 11 GHz; ε″ with a loss of some 0.01 at 77 GHz";
+const RIDDLE: &str = "Riddle, Baker-Jarvis, Krupka, IEEE T-MTT 51 (2003) 727, ε′ at 11 GHz; ε″ with a loss of some 0.01 at 77 GHz";
 const GLASS: &str = "docs/physics.md §5; within 4 % in ε′ of both fits";
 const POLYPROPYLENE: &str =
     "Riddle et al. 2003 (2.27, 11 GHz); Zhekov et al. 2020 (2.19 − 0.007j, 77 GHz); docs/physics.md §5";
-const PAINT: &str = "Pfeiffer, Biebl, IEEE T-MTT 57 (2009) 2627, 76.5 GHz: order of magnitude of base and clear coats";
+const PAINT: &str =
+    "Pfeiffer, Biebl, IEEE T-MTT 57 (2009) 2627, 76.5 GHz: order of magnitude of base and clear coats";
 const RUBBER: &str = "docs/physics.md §5; neoprene of carbon filling 4.0 − 0.1j at 10 GHz (von Hippel 1954)";
 const ASPHALT: &str = "docs/physics.md §5; samples: Kurz et al., Adv. Radio Sci. 19 (2021) 165, 77 GHz";
-const GABRIEL: &str = "Gabriel, Lau, Gabriel, Phys. Med. Biol. 41 (1996) 2271, four Cole-Cole terms at 77 GHz";
-const LIEBE: &str = "Liebe, Hufford, Manabe, Int. J. Infrared Millim. Waves 12 (1991) 659, double Debye at 77 GHz";
-const ESTIMATE: &str = "no measurement at 77 GHz found; from the polymer's value below 40 GHz and the share of air";
+const GABRIEL: &str =
+    "Gabriel, Lau, Gabriel, Phys. Med. Biol. 41 (1996) 2271, four Cole-Cole terms at 77 GHz";
+const LIEBE: &str =
+    "Liebe, Hufford, Manabe, Int. J. Infrared Millim. Waves 12 (1991) 659, double Debye at 77 GHz";
+const ESTIMATE: &str =
+    "no measurement at 77 GHz found; from the polymer's value below 40 GHz and the share of air";
 
 /// The substance of that name.
 pub fn substance(name: &str) -> Option<&'static Substance> {

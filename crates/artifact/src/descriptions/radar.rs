@@ -65,7 +65,8 @@ impl Waveform {
         SPEED_OF_LIGHT_MPS / (2.0 * self.bandwidth_hz().abs())
     }
 
-    /// Range at which the beat frequency folds: at f_s where samples are complex, c·f_s/2|μ|; at half of it where they are real.
+    /// Range at which the beat frequency folds: at f_s where samples are complex, c·f_s/2|μ|; at half of it
+    /// where they are real.
     pub fn range_max_m(&self) -> f64 {
         let band_hz = match self.sampling {
             Sampling::Complex => self.sample_rate_hz,
@@ -88,17 +89,19 @@ impl Waveform {
 pub enum Sampling {
     /// Both parts: an I and a Q channel.
     Complex,
-    /// The real part alone; imaginary parts of a cube's samples are 0. Noise of the image band folds in (3 dB).
+    /// The real part alone; imaginary parts of a cube's samples are 0. Noise of the image band folds in (3
+    /// dB).
     Real,
 }
 
 /// Starts of chirps that do not follow each other at one interval; by default they do.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Schedule {
-    /// T_c of each sub-frame, which follow each other without a pause; each is a frame record of its own ([`Radar::in_frame`]).
-    /// Empty: there is one, of the waveform's T_c.
+    /// T_c of each sub-frame, which follow each other without a pause; each is a frame record of its own
+    /// ([`Radar::in_frame`]). Empty: there is one, of the waveform's T_c.
     pub sub_frame_intervals_s: Vec<f64>,
-    /// By how much chirp k of any transmitter starts later than k·T_c, s: k modulo their number, the first is 0. Empty: none does.
+    /// By how much chirp k of any transmitter starts later than k·T_c, s: k modulo their number, the first is
+    /// 0. Empty: none does.
     pub stagger_s: Vec<f64>,
 }
 
@@ -114,8 +117,8 @@ impl Schedule {
     }
 }
 
-/// What of a radar, and of the air that it listens to, is not ideal; by default nothing. The headers of cubes that a scene is made into leave it out: a detector
-/// knows it no more than that of a real radar.
+/// What of a radar, and of the air that it listens to, is not ideal; by default nothing. The headers of cubes
+/// that a scene is made into leave it out: a detector knows it no more than that of a real radar.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Hardware {
     /// Of each transmit element; empty: ideal.
@@ -153,8 +156,8 @@ pub struct Interferer {
     pub offset_s: f64,
 }
 
-/// Single-sideband phase noise at an offset from the carrier: straight in dB over the offset's logarithm from one to the next,
-/// constant before the first and behind the last.
+/// Single-sideband phase noise at an offset from the carrier: straight in dB over the offset's logarithm from
+/// one to the next, constant before the first and behind the last.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PhaseNoise {
     /// From the carrier.
@@ -201,17 +204,19 @@ pub enum Multiplexing {
     Tdm,
     /// All at once, told apart by Doppler: transmitter i turns by e^{+j2πim/M} in the IF, M = N_tx + 1.
     Ddm,
-    /// All at once, told apart by binary codes over a block of M chirps, M the power of two from N_tx on: transmitter i has
-    /// the sign [`code_sign`] in chirp s of block m, which starts at (m·M + s)·T_c.
+    /// All at once, told apart by binary codes over a block of M chirps, M the power of two from N_tx on:
+    /// transmitter i has the sign [`code_sign`] in chirp s of block m, which starts at (m·M + s)·T_c.
     Bpm,
 }
 
-/// Sylvester's Hadamard matrix, (−1)^(ones that `code` and `slot` share): rows are orthogonal over slots 0 … M − 1.
+/// Sylvester's Hadamard matrix, (−1)^(ones that `code` and `slot` share): rows are orthogonal over slots 0 …
+/// M − 1.
 pub fn code_sign(code: usize, slot: usize) -> f64 {
     if (code & slot).count_ones().is_multiple_of(2) { 1.0 } else { -1.0 }
 }
 
-/// Polarization of transmission and reception: the first letter receives, the second transmits (`vh`: h sent, v received).
+/// Polarization of transmission and reception: the first letter receives, the second transmits (`vh`: h sent,
+/// v received).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Polarization {
     /// v sent and received.
@@ -243,7 +248,8 @@ pub struct Array {
     pub tx_m: Vec<[f64; 3]>,
     /// Receive elements, world metres.
     pub rx_m: Vec<[f64; 3]>,
-    /// The transmit elements in half wavelengths [right, up] as seen along the boresight, as the scene gave them.
+    /// The transmit elements in half wavelengths [right, up] as seen along the boresight, as the scene gave
+    /// them.
     pub tx_half_wavelengths: Vec<[f64; 2]>,
     /// The receive elements likewise.
     pub rx_half_wavelengths: Vec<[f64; 2]>,
@@ -270,8 +276,8 @@ impl Radar {
         self.array.tx_m.len() * self.array.rx_m.len()
     }
 
-    /// Channels of a range-Doppler map: the transmit–receive pairs, and with codes behind them code·N_rx + rx of the codes that no
-    /// transmitter has.
+    /// Channels of a range-Doppler map: the transmit–receive pairs, and with codes behind them code·N_rx + rx
+    /// of the codes that no transmitter has.
     pub fn map_channels(&self) -> usize {
         match self.array.multiplexing {
             Multiplexing::Bpm => self.slots() * self.array.rx_m.len(),
@@ -279,7 +285,8 @@ impl Radar {
         }
     }
 
-    /// Channels of a radar cube: with Doppler division the receivers, with codes slot·N_rx + rx, else the transmit–receive pairs.
+    /// Channels of a radar cube: with Doppler division the receivers, with codes slot·N_rx + rx, else the
+    /// transmit–receive pairs.
     pub fn cube_channels(&self) -> usize {
         match self.array.multiplexing {
             Multiplexing::Ddm => self.array.rx_m.len(),
@@ -317,7 +324,8 @@ impl Radar {
         2.0 * self.velocity_max_mps() / f64::from(self.waveform.chirps)
     }
 
-    /// Start of chirp `chirp` of transmitter `turn`, with codes of slot `turn` of block `chirp`, from the frame's first sample, s.
+    /// Start of chirp `chirp` of transmitter `turn`, with codes of slot `turn` of block `chirp`, from the
+    /// frame's first sample, s.
     pub fn chirp_start_s(&self, turn: usize, chirp: usize) -> f64 {
         self.slot_start_s(match self.array.multiplexing {
             Multiplexing::Tdm | Multiplexing::Bpm => chirp * self.slots() + turn,
@@ -335,7 +343,8 @@ impl Radar {
         0.5 * self.frame_duration_s()
     }
 
-    /// The radar as it is in frame record `index`: its sub-frame's chirp interval, and no sub-frames beside it.
+    /// The radar as it is in frame record `index`: its sub-frame's chirp interval, and no sub-frames beside
+    /// it.
     pub fn in_frame(&self, index: u32) -> Self {
         let mut radar = self.clone();
         let intervals_s = std::mem::take(&mut radar.schedule.sub_frame_intervals_s);

@@ -90,7 +90,8 @@ pub enum BetweenBodies {
     /// As within a body.
     #[default]
     Traced,
-    /// Bodies shade one another; what one reflects into another is left out, multipath ghosts by two vehicles with it.
+    /// Bodies shade one another; what one reflects into another is left out, multipath ghosts by two vehicles
+    /// with it.
     LeftOut,
 }
 
@@ -126,7 +127,8 @@ pub struct Fidelity {
     pub detail: Detail,
     /// Ways that meet several bodies.
     pub between_bodies: BetweenBodies,
-    /// The error of the paths is measured in every n-th frame ([`SceneHeader::measured_in`](crate::schemas::scene::SceneHeader)).
+    /// The error of the paths is measured in every n-th frame
+    /// ([`SceneHeader::measured_in`](crate::schemas::scene::SceneHeader)).
     pub measured_every: u32,
 }
 
@@ -172,7 +174,8 @@ pub enum Angle {
 pub enum Refine {
     /// None: peaks are placed between cells.
     Off,
-    /// Range, velocity and direction of peaks that stand alone, by maximum likelihood on the unwindowed samples.
+    /// Range, velocity and direction of peaks that stand alone, by maximum likelihood on the unwindowed
+    /// samples.
     Isolated,
 }
 
@@ -198,8 +201,9 @@ impl StaticEchoes {
     }
 }
 
-/// False alarms per tested cell for which there is a threshold. A radar that tests 10⁸ cells a second has one of the smallest in 10¹⁴
-/// years, and searches for thresholds still find it in f64; with more than the largest a detection says nothing.
+/// False alarms per tested cell for which there is a threshold. A radar that tests 10⁸ cells a second has one
+/// of the smallest in 10¹⁴ years, and searches for thresholds still find it in f64; with more than the
+/// largest a detection says nothing.
 pub const FALSE_ALARM_RATES: std::ops::RangeInclusive<f64> = 1e-30..=0.5;
 
 /// Signal processing of a radar cube.
@@ -221,8 +225,8 @@ pub struct DspSettings {
     pub angle: Angle,
     /// What is estimated finer than by peaks.
     pub refine: Refine,
-    /// Of each transmit–receive pair, tx·N_rx + rx: what its values are multiplied by before directions are looked for, since its elements
-    /// were measured to differ from ideal ones. Empty: all are taken as ideal.
+    /// Of each transmit–receive pair, tx·N_rx + rx: what its values are multiplied by before directions are
+    /// looked for, since its elements were measured to differ from ideal ones. Empty: all are taken as ideal.
     pub calibration: Vec<Complex64>,
     /// What becomes of echoes at rest.
     pub static_echoes: StaticEchoes,
@@ -238,8 +242,8 @@ pub struct DspSettings {
     pub road: Lanes,
 }
 
-/// Lanes that points, objects and tracks are told by, none of them where a scene has none; and a straight road in coordinates of its own:
-/// across it to the right, and along it.
+/// Lanes that points, objects and tracks are told by, none of them where a scene has none; and a straight
+/// road in coordinates of its own: across it to the right, and along it.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Lanes {
     /// Where across and along start, world x and y.
@@ -290,8 +294,8 @@ impl Course {
     }
 }
 
-/// Where along a straight part its nearest place to another is, as a share of its length that may lie beyond both ends, and the distance
-/// from the part itself; `None` of a part without length.
+/// Where along a straight part its nearest place to another is, as a share of its length that may lie beyond
+/// both ends, and the distance from the part itself; `None` of a part without length.
 fn beside([x, y]: [f64; 2], [[ax, ay], [bx, by]]: [[f64; 2]; 2]) -> Option<(f64, f64)> {
     let (dx, dy) = (bx - ax, by - ay);
     let square = dx * dx + dy * dy;
@@ -319,7 +323,8 @@ impl Lanes {
         [self.origin_m[0] + across_m * cos + along_m * sin, self.origin_m[1] - across_m * sin + along_m * cos]
     }
 
-    /// The lane that holds a place, if any; of a network's lanes that lie across one another the one whose middle is nearest.
+    /// The lane that holds a place, if any; of a network's lanes that lie across one another the one whose
+    /// middle is nearest.
     pub fn at(&self, position_m: [f64; 3]) -> Option<u8> {
         let [across_m, _] = self.across_along_m(position_m);
         let straight = self.lanes.iter().find(|l| (across_m - l.centre_m).abs() <= 0.5 * l.width_m);

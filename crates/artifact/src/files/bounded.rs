@@ -1,7 +1,8 @@
 //! The one way in which files of a user are read: plain files alone, whole and of bounded length.
 //!
-//! A limit counts the bytes that were read, not the length that the system tells: that is 0 of some endless files, and a file
-//! may grow while it is read. What is no plain file is refused before it is opened ([`open`]).
+//! A limit counts the bytes that were read, not the length that the system tells: that is 0 of some endless
+//! files, and a file may grow while it is read. What is no plain file is refused before it is opened
+//! ([`open`]).
 
 use std::io::{self, Read};
 use std::path::Path;

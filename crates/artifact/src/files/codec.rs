@@ -12,9 +12,10 @@ pub(crate) fn encode<T: Serialize>(value: &T) -> Result<Vec<u8>, bincode::error:
     bincode::serde::encode_to_vec(value, configuration())
 }
 
-/// A record from exactly these bytes; left-over bytes are an error. The slice bounds what a length inside may claim:
-/// serde reserves at most 1 MiB before it has seen elements.
+/// A record from exactly these bytes; left-over bytes are an error. The slice bounds what a length inside may
+/// claim: serde reserves at most 1 MiB before it has seen elements.
 pub(crate) fn decode<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, String> {
-    let (value, used) = bincode::serde::decode_from_slice(bytes, configuration()).map_err(|e| e.to_string())?;
+    let (value, used) =
+        bincode::serde::decode_from_slice(bytes, configuration()).map_err(|e| e.to_string())?;
     if used == bytes.len() { Ok(value) } else { Err(format!("{} bytes left over", bytes.len() - used)) }
 }

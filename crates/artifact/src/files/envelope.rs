@@ -8,9 +8,9 @@
 //! end        'E' | number of frames u64 | checksum
 //! ```
 //!
-//! Integers are little endian, checksums the first half of BLAKE3. A reader refuses a newer version naming both, a
-//! wrong checksum, a missing end (looked for before the first frame is handed out), and any length beyond the schema's
-//! limit or the file's size before it allocates.
+//! Integers are little endian, checksums the first half of BLAKE3. A reader refuses a newer version naming
+//! both, a wrong checksum, a missing end (looked for before the first frame is handed out), and any length
+//! beyond the schema's limit or the file's size before it allocates.
 
 mod writer;
 mod reader;
@@ -67,7 +67,8 @@ pub struct Preamble {
     pub provenance: Provenance,
 }
 
-/// BLAKE3 of a value as it would be written: equal values, equal fingerprints, on every machine. For cache keys.
+/// BLAKE3 of a value as it would be written: equal values, equal fingerprints, on every machine. For cache
+/// keys.
 pub fn fingerprint<T: Serialize>(value: &T) -> String {
     match crate::files::codec::encode(value) {
         Ok(bytes) => blake3::hash(&bytes).to_hex().to_string(),

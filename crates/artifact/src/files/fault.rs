@@ -110,7 +110,8 @@ impl Fault {
 }
 
 impl ArtifactError {
-    /// Whether the system refused (missing, unreadable, disk full) or the place of an output, not the content.
+    /// Whether the system refused (missing, unreadable, disk full) or the place of an output, not the
+    /// content.
     pub fn is_system(&self) -> bool {
         matches!(self.fault, Fault::System { .. } | Fault::Place(_))
     }

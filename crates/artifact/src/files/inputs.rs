@@ -1,9 +1,9 @@
 //! Files that are inputs of this program: no output may take the place of one of them.
 //!
-//! Whatever opens a user's file for reading does it here, so that [`whole_file`](crate::files::whole_file) knows it whatever name it is
-//! asked for by: a hard link, a symbolic link or another way to the same folder. What is no plain file (a FIFO, a device, a
-//! socket, a folder) is refused before it is opened, since opening a FIFO waits for its writer and reading a device may never
-//! end.
+//! Whatever opens a user's file for reading does it here, so that [`whole_file`](crate::files::whole_file)
+//! knows it whatever name it is asked for by: a hard link, a symbolic link or another way to the same folder.
+//! What is no plain file (a FIFO, a device, a socket, a folder) is refused before it is opened, since opening
+//! a FIFO waits for its writer and reading a device may never end.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{File, FileType, Metadata};
@@ -11,7 +11,8 @@ use std::io::{self, Result};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Opens a plain file for reading and remembers it as an input, which no output may replace; its reader sees to a bound.
+/// Opens a plain file for reading and remembers it as an input, which no output may replace; its reader sees
+/// to a bound.
 ///
 /// # Errors
 /// The system's, and [`io::ErrorKind::InvalidInput`] where it is no plain file.
@@ -36,7 +37,8 @@ pub fn note(file: &Path) {
     }
 }
 
-/// The name of a plain file and the BLAKE3 hash of its content, as [`Provenance::inputs`](crate::Provenance::inputs) holds them.
+/// The name of a plain file and the BLAKE3 hash of its content, as
+/// [`Provenance::inputs`](crate::Provenance::inputs) holds them.
 ///
 /// The file is read by pieces: a recording may be larger than memory.
 ///
@@ -54,8 +56,9 @@ pub(crate) fn known(file: &Path, about: &Metadata) -> Option<PathBuf> {
     let asked = identity(file, about)?;
     let inputs = remembered().get(&asked)?.clone();
     // An input that is gone has left its number to other files.
-    let is_still_there =
-        |input: &PathBuf| std::fs::metadata(input).is_ok_and(|now| identity(input, &now).as_ref() == Some(&asked));
+    let is_still_there = |input: &PathBuf| {
+        std::fs::metadata(input).is_ok_and(|now| identity(input, &now).as_ref() == Some(&asked))
+    };
     inputs.into_iter().find(is_still_there)
 }
 

@@ -1,8 +1,9 @@
 //! A file that is written whole or not at all: a temporary one beside its place, renamed when it is done.
 //!
-//! Whatever this program writes goes through here, so that one rule holds for all of it: what is no plain file is never
-//! replaced, nor is an input ([`inputs`](crate::files::inputs)), nor a file that is write-protected (the `destination`); and what a
-//! killed program left behind is removed by the next one that writes into the same folder (the `temporary`).
+//! Whatever this program writes goes through here, so that one rule holds for all of it: what is no plain
+//! file is never replaced, nor is an input ([`inputs`](crate::files::inputs)), nor a file that is
+//! write-protected (the `destination`); and what a killed program left behind is removed by the next one that
+//! writes into the same folder (the `temporary`).
 
 mod destination;
 mod temporary;
@@ -37,7 +38,8 @@ pub enum Durability {
 }
 
 impl WholeFile {
-    /// Opens the stream; folders that are missing are made. A symbolic link to a plain file stays, the file is replaced.
+    /// Opens the stream; folders that are missing are made. A symbolic link to a plain file stays, the file
+    /// is replaced.
     pub fn create(place: &Path) -> Result<Self, ArtifactError> {
         Self::open(place).map_err(|fault| fault.of(place))
     }
@@ -87,8 +89,8 @@ pub fn write(place: &Path, bytes: &[u8], durability: Durability) -> Result<(), A
     file.finish(durability)
 }
 
-/// Whether a file could be written there: all that [`WholeFile::create`] refuses is told before the work that it is the
-/// result of. Folders that are missing are made.
+/// Whether a file could be written there: all that [`WholeFile::create`] refuses is told before the work that
+/// it is the result of. Folders that are missing are made.
 pub fn check(place: &Path) -> Result<(), ArtifactError> {
     WholeFile::create(place).map(drop)
 }

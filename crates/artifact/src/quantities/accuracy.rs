@@ -1,7 +1,7 @@
 //! The accuracy that is asked for and the error that is returned.
 //!
-//! Error of an amplitude over a set of values (frequencies, aspects, cells): e = ‖S − S_ref‖₂ / ‖S_ref‖₂, complex,
-//! nothing aligned or scaled first; 20·log₁₀ e in dB (`docs/conventions.md`).
+//! Error of an amplitude over a set of values (frequencies, aspects, cells): e = ‖S − S_ref‖₂ / ‖S_ref‖₂,
+//! complex, nothing aligned or scaled first; 20·log₁₀ e in dB (`docs/conventions.md`).
 
 use crate::quantities::units::{amplitude_from_db, db_from_amplitude};
 use serde::{Deserialize, Serialize};
@@ -34,7 +34,8 @@ impl Accuracy {
     }
 }
 
-/// What one run believes of its numerical error: relative amplitude errors by source, `None` where not estimated.
+/// What one run believes of its numerical error: relative amplitude errors by source, `None` where not
+/// estimated.
 ///
 /// Every figure is computed from the run that prints it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -66,7 +67,8 @@ impl ErrorBudget {
         ]
     }
 
-    /// Root of the sum of squares of the shares that were estimated (their phases are independent); `None` if none was.
+    /// Root of the sum of squares of the shares that were estimated (their phases are independent); `None` if
+    /// none was.
     pub fn total(&self) -> Option<f64> {
         let squares: Vec<f64> = self.shares().iter().filter_map(|(_, e)| e.map(|e| e * e)).collect();
         (!squares.is_empty()).then(|| squares.iter().sum::<f64>().sqrt())
@@ -90,7 +92,8 @@ impl ErrorBudget {
 pub struct ModelError {
     /// Higher bounces than were traced.
     pub bounces: Option<f64>,
-    /// Spread between the node rules of a multiple reflection; on average a lower bound of that model's error.
+    /// Spread between the node rules of a multiple reflection; on average a lower bound of that model's
+    /// error.
     pub nodes: Option<f64>,
     /// Diffraction by edges.
     pub edges: Option<f64>,

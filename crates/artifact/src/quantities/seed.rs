@@ -22,9 +22,12 @@ mod tests {
     fn streams_differ_by_seed_stage_and_index_and_repeat() {
         let base = key(1, "noise", &[0, 1]);
         assert_eq!(base, key(1, "noise", &[0, 1]));
-        for other in
-            [key(2, "noise", &[0, 1]), key(1, "noises", &[0, 1]), key(1, "noise", &[1, 0]), key(1, "noise", &[0])]
-        {
+        for other in [
+            key(2, "noise", &[0, 1]),
+            key(1, "noises", &[0, 1]),
+            key(1, "noise", &[1, 0]),
+            key(1, "noise", &[0]),
+        ] {
             assert_ne!(base, other);
         }
     }

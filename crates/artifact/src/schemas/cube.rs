@@ -35,7 +35,8 @@ pub struct CubeFrame {
     pub index: u32,
     /// The frame's first sample.
     pub time_s: f64,
-    /// √W, row-major `[channel, chirp, sample]`, channel = tx·N_rx + rx (with ddm: rx; with bpm: slot·N_rx + rx).
+    /// √W, row-major `[channel, chirp, sample]`, channel = tx·N_rx + rx (with ddm: rx; with bpm: slot·N_rx +
+    /// rx).
     pub samples: Vec<Complex32>,
     /// Numerical error up to here.
     pub error: ErrorBudget,
@@ -49,6 +50,10 @@ impl CubeHeader {
 
     /// `[channel, chirp, sample]` of every frame.
     pub fn shape(&self) -> [usize; 3] {
-        [self.radar.cube_channels(), self.radar.waveform.chirps as usize, self.radar.waveform.samples as usize]
+        [
+            self.radar.cube_channels(),
+            self.radar.waveform.chirps as usize,
+            self.radar.waveform.samples as usize,
+        ]
     }
 }

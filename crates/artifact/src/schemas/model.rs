@@ -27,7 +27,8 @@ pub struct ModelHeader {
     pub least_probability: f32,
     /// What the answers of a track's frames have in common: 0 is nothing, 1 all.
     pub frame_correlation: f32,
-    /// Where the vehicles come from that it learned from, a line each, as their licences ask; empty: the project's own.
+    /// Where the vehicles come from that it learned from, a line each, as their licences ask; empty: the
+    /// project's own.
     pub attributions: Vec<String>,
 }
 

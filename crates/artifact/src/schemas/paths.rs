@@ -1,4 +1,5 @@
-//! Scattering paths: exact for any bounce order, antenna element, chirp and moving body (`docs/decisions/path-record.md`).
+//! Scattering paths: exact for any bounce order, antenna element, chirp and moving body
+//! (`docs/decisions/path-record.md`).
 
 use crate::descriptions::radar::Radar;
 use crate::descriptions::settings::Detail;
@@ -36,11 +37,11 @@ pub struct PathsFrame {
     pub index: u32,
     /// The frame's first sample.
     pub time_s: f64,
-    /// In the tracer's order: body, facet sequence, cell, and behind them what was traced at several moments, one after the
-    /// other; where detail was taken from them, target by target.
+    /// In the tracer's order: body, facet sequence, cell, and behind them what was traced at several moments,
+    /// one after the other; where detail was taken from them, target by target.
     pub paths: Vec<Path>,
-    /// Nearest lit surface of each body from the radar's position at the frame's middle, m, in the order of the scene
-    /// frame's poses; `None` if all is hidden.
+    /// Nearest lit surface of each body from the radar's position at the frame's middle, m, in the order of
+    /// the scene frame's poses; `None` if all is hidden.
     pub nearest_range_m: Vec<Option<f64>>,
     /// Numerical error of this frame's paths.
     pub error: ErrorBudget,
@@ -67,9 +68,9 @@ pub struct Facet {
 
 /// One way from transmitter to receiver.
 ///
-/// Its node appears from the transmitter at x_a and from the receiver at x_b, unfolded through the reflections; with
-/// L₁ = |x_a − p_t|, L₂ = |x_b − p_r| the scattering amplitude of interface.md is
-/// S = Σ a·R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)}: `a` holds neither its own delay's phase nor 1/length.
+/// Its node appears from the transmitter at x_a and from the receiver at x_b, unfolded through the
+/// reflections; with L₁ = |x_a − p_t|, L₂ = |x_b − p_r| the scattering amplitude of interface.md is S = Σ
+/// a·R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)}: `a` holds neither its own delay's phase nor 1/length.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Path {
     /// Index of the target (of the first facet).
@@ -107,8 +108,8 @@ pub struct Curve {
     pub span: Option<Span>,
 }
 
-/// The part of a frame that a path stands for, where some ways were traced at several moments of it: at any time the paths of
-/// the nearest moments are blended, each with its [`Span::share`].
+/// The part of a frame that a path stands for, where some ways were traced at several moments of it: at any
+/// time the paths of the nearest moments are blended, each with its [`Span::share`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Span {
     /// The first of the moments, from the frame's first sample.
@@ -125,8 +126,8 @@ pub struct Span {
 const BLENDED: u32 = 4;
 
 impl Span {
-    /// Factor of the path's amplitude: Lagrange's polynomial through the four moments about `seconds`, 1 at its own moment and 0
-    /// at the others. The shares of all moments add up to 1.
+    /// Factor of the path's amplitude: Lagrange's polynomial through the four moments about `seconds`, 1 at
+    /// its own moment and 0 at the others. The shares of all moments add up to 1.
     pub fn share(&self, seconds: f64) -> f64 {
         let nodes = self.blended_at(seconds);
         if !nodes.contains(&self.moment) {
@@ -154,8 +155,8 @@ impl Span {
     }
 }
 
-/// A point on the rim of a wheel that rolls upright without slipping: hub + r·(cos φ·forward + sin φ·up), φ = φ₀ − (way of the hub
-/// along forward)/r.
+/// A point on the rim of a wheel that rolls upright without slipping: hub + r·(cos φ·forward + sin φ·up), φ =
+/// φ₀ − (way of the hub along forward)/r.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Rim {
     /// r.

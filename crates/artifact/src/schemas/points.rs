@@ -54,10 +54,11 @@ pub struct Point {
     pub position_m: [f64; 3],
     /// Map power over the local noise estimate.
     pub snr_db: f64,
-    /// Azimuths of the two bodies between which its wave ran, one way round and the other: a ghost, at neither place. `None` where
-    /// echoes of one body each explain its peak, or the array cannot tell.
+    /// Azimuths of the two bodies between which its wave ran, one way round and the other: a ghost, at
+    /// neither place. `None` where echoes of one body each explain its peak, or the array cannot tell.
     pub two_ways_rad: Option<[f64; 2]>,
-    /// Whether the echo under whose peak it lies is at rest, as far as its velocity is known; `None` where the settings do not ask.
+    /// Whether the echo under whose peak it lies is at rest, as far as its velocity is known; `None` where
+    /// the settings do not ask.
     pub stationary: Option<bool>,
     /// Index into [`PointsFrame::objects`]; `None` for a lone detection that forms none.
     pub object: Option<u32>,
@@ -103,8 +104,8 @@ pub struct Object {
     pub range_extent_m: [f64; 2],
     /// Slowest and fastest point.
     pub velocity_extent_mps: [f64; 2],
-    /// Share of its peaks' power that ran between two bodies ([`Point::two_ways_rad`]): an object of 1 is a ghost. `None` where the array
-    /// cannot tell.
+    /// Share of its peaks' power that ran between two bodies ([`Point::two_ways_rad`]): an object of 1 is a
+    /// ghost. `None` where the array cannot tell.
     pub ghost_share: Option<f64>,
     /// Whether all of its peaks are at rest; `None` where the settings do not ask.
     pub stationary: Option<bool>,

@@ -22,7 +22,8 @@ pub struct RdmFrame {
     pub index: u32,
     /// The frame's first sample.
     pub time_s: f64,
-    /// Row-major `[channel, doppler, range]`; zero velocity at N/2, the first of the range cells where samples are real; channels are those of [`Radar::map_channels`](crate::Radar).
+    /// Row-major `[channel, doppler, range]`; zero velocity at N/2, the first of the range cells where
+    /// samples are real; channels are those of [`Radar::map_channels`](crate::Radar).
     pub values: Vec<Complex32>,
     /// Row-major `[doppler, range]`: 0 untested, 1 tested, 2 above the detector's threshold.
     pub mask: Vec<u8>,

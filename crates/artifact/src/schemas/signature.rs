@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 
 /// An object's own echo along range, in the map's own cells: levels, places across and heights.
 ///
-/// Nothing in it is truth. Levels are those of the radar equation for the power and the gain that the radar says it has, so that
-/// neither range nor integration time changes them.
+/// Nothing in it is truth. Levels are those of the radar equation for the power and the gain that the radar
+/// says it has, so that neither range nor integration time changes them.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Signature {
     /// Of the object, from the array's centre.

@@ -1,7 +1,7 @@
-//! How the cost of one aspect grows: `RAYON_NUM_THREADS=1 cargo run --release -p bart-rcs --example growth -- car.stl OUT`
-//! writes OUT/growth.csv and OUT/growth.svg; with a growth.csv in the mesh's place it draws that one anew. Triangles are
-//! those of the mesh, each cut in four again and again; the other sweeps take the mesh as it is. Processor time of the
-//! whole process, as the system counts it.
+//! How the cost of one aspect grows: `RAYON_NUM_THREADS=1 cargo run --release -p bart-rcs --example growth --
+//! car.stl OUT` writes OUT/growth.csv and OUT/growth.svg; with a growth.csv in the mesh's place it draws that
+//! one anew. Triangles are those of the mesh, each cut in four again and again; the other sweeps take the
+//! mesh as it is. Processor time of the whole process, as the system counts it.
 
 #[path = "../profile/processor_time.rs"]
 mod processor_time;
@@ -29,9 +29,12 @@ struct Sweep {
 
 fn main() -> Result<(), Failure> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [file, out] = &arguments[..] else { return Err(Error::new(ErrorKind::InvalidInput, "car.stl OUT").into()) };
+    let [file, out] = &arguments[..] else {
+        return Err(Error::new(ErrorKind::InvalidInput, "car.stl OUT").into());
+    };
     let csv = if file.ends_with(".csv") { std::fs::read_to_string(file)? } else { measured_table(file)? };
-    let picture = picture::picture(&csv).ok_or_else(|| Error::new(ErrorKind::InvalidData, "no table of growth"))?;
+    let picture =
+        picture::picture(&csv).ok_or_else(|| Error::new(ErrorKind::InvalidData, "no table of growth"))?;
     std::fs::write(format!("{out}/growth.csv"), csv)?;
     std::fs::write(format!("{out}/growth.svg"), picture)?;
     Ok(())
@@ -39,7 +42,8 @@ fn main() -> Result<(), Failure> {
 
 /// All sweeps of a mesh as a table.
 fn measured_table(file: &str) -> Result<String, Failure> {
-    let car = stl::binary(&std::fs::read(file)?).ok_or_else(|| Error::new(ErrorKind::InvalidData, "no binary .stl"))?;
+    let car = stl::binary(&std::fs::read(file)?)
+        .ok_or_else(|| Error::new(ErrorKind::InvalidData, "no binary .stl"))?;
     let sweeps = [triangles(&car)?, frequency(&car)?, orders(&car)?, distance(&car)?];
     let mut csv = String::from("sweep,value,unit,beams,processor_seconds\n");
     for sweep in &sweeps {

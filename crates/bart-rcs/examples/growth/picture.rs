@@ -25,7 +25,8 @@ const STYLE: &str = "text{fill:#1b1f23;font:12px 'Ubuntu',system-ui,sans-serif}.
 pub(crate) fn picture(csv: &str) -> Option<String> {
     let sweeps = read(csv)?;
     let seconds = || sweeps.iter().flat_map(|s| s.points.iter().map(|p| p.1.log10()));
-    let span = [seconds().fold(f64::INFINITY, f64::min).floor(), seconds().fold(f64::NEG_INFINITY, f64::max).ceil()];
+    let span =
+        [seconds().fold(f64::INFINITY, f64::min).floor(), seconds().fold(f64::NEG_INFINITY, f64::max).ceil()];
     let (width, height) = (ROOM + (SIDE + ROOM) * sweeps.len() as f64 - 30.0, TOP + SIDE + 84.0);
     let title = "How the cost of one aspect of a car grows";
     let mut svg = format!(
@@ -71,7 +72,8 @@ fn plot(svg: &mut String, left: f64, sweep: &Sweep, [low, high]: [f64; 2]) -> Op
             at + 4.0
         );
     }
-    let _ = writeln!(svg, "<rect class=\"ink\" x=\"{left}\" y=\"{TOP}\" width=\"{SIDE}\" height=\"{SIDE}\"/>");
+    let _ =
+        writeln!(svg, "<rect class=\"ink\" x=\"{left}\" y=\"{TOP}\" width=\"{SIDE}\" height=\"{SIDE}\"/>");
     let _ = writeln!(svg, "<text x=\"{left}\" y=\"{}\">{}</text>", TOP - 10.0, heading(sweep));
     // In proportion, as far as the plot reaches.
     let reach = (10.0_f64.powf(high) / first.1).min(last.0 / first.0);
@@ -89,7 +91,11 @@ fn plot(svg: &mut String, left: f64, sweep: &Sweep, [low, high]: [f64; 2]) -> Op
         let _ = writeln!(svg, "<circle class=\"mark\" cx=\"{px:.1}\" cy=\"{py:.1}\" r=\"3.5\"/>");
         let half = 3.6 * words.len() as f64;
         if px - half > free_from {
-            let _ = writeln!(svg, "<text x=\"{px:.1}\" y=\"{}\" text-anchor=\"middle\">{words}</text>", bottom + 18.0);
+            let _ = writeln!(
+                svg,
+                "<text x=\"{px:.1}\" y=\"{}\" text-anchor=\"middle\">{words}</text>",
+                bottom + 18.0
+            );
             free_from = px + half;
         }
     }
@@ -116,7 +122,9 @@ fn grouped(value: f64) -> String {
 fn read(csv: &str) -> Option<Vec<Sweep>> {
     let mut sweeps: Vec<Sweep> = vec![];
     for line in csv.lines().skip(1) {
-        let [name, value, unit, _beams, seconds] = line.split(',').collect::<Vec<_>>()[..] else { return None };
+        let [name, value, unit, _beams, seconds] = line.split(',').collect::<Vec<_>>()[..] else {
+            return None;
+        };
         let point = (value.parse().ok()?, seconds.parse().ok()?);
         match sweeps.iter_mut().find(|sweep| sweep.name == name) {
             Some(sweep) => sweep.points.push(point),

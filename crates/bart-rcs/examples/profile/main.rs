@@ -1,6 +1,6 @@
-//! One aspect of a mesh, timed by phase: `cargo run --release -p bart-rcs --example profile -- car.stl [azimuth_deg
-//! [range_m [frequencies [bounces [edges|no [accuracy_db]]]]]]`, a binary STL in body axes, the word `edges` for their diffraction; fit
-//! for `valgrind --tool=callgrind` and `perf`.
+//! One aspect of a mesh, timed by phase: `cargo run --release -p bart-rcs --example profile -- car.stl
+//! [azimuth_deg [range_m [frequencies [bounces [edges|no [accuracy_db]]]]]]`, a binary STL in body axes, the
+//! word `edges` for their diffraction; fit for `valgrind --tool=callgrind` and `perf`.
 
 mod processor_time;
 mod stl;
@@ -18,9 +18,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let number = |place: usize, default: f64| arguments.get(place).map_or(Ok(default), |text| text.parse());
     let file = arguments.first().ok_or_else(|| Error::new(ErrorKind::InvalidInput, "name a binary .stl"))?;
-    let mesh =
-        stl::binary(&std::fs::read(file)?).ok_or_else(|| Error::new(ErrorKind::InvalidData, "no binary .stl"))?;
-    let edges = if arguments.get(5).is_some_and(|word| word == "edges") { Edges::FirstOrder } else { Edges::Ignored };
+    let mesh = stl::binary(&std::fs::read(file)?)
+        .ok_or_else(|| Error::new(ErrorKind::InvalidData, "no binary .stl"))?;
+    let edges =
+        if arguments.get(5).is_some_and(|word| word == "edges") { Edges::FirstOrder } else { Edges::Ignored };
     let plain = request(number(1, 23.0)?, number(2, 30.0)?, number(3, 1.0)? as usize, number(4, 3.0)? as u8);
     let request = RcsRequest { edges, accuracy: Accuracy::from_db(number(6, -30.0)?), ..plain };
     let traced_s = traced(&mesh, &request)?;
@@ -42,7 +43,8 @@ fn traced(mesh: &Mesh, request: &RcsRequest) -> Result<f64, Box<dyn std::error::
     let world = World::of_mesh(mesh)?;
     let (azimuth, elevation) = (request.azimuth_rad[0], request.elevation_rad[0]);
     let r = DVec3::new(elevation.cos() * azimuth.cos(), elevation.cos() * azimuth.sin(), elevation.sin());
-    let antenna = if request.range_m.is_finite() { Antenna::Point(request.range_m * r) } else { Antenna::Direction(r) };
+    let antenna =
+        if request.range_m.is_finite() { Antenna::Point(request.range_m * r) } else { Antenna::Direction(r) };
     let least_area_m2 = 1e-2 * (units::SPEED_OF_LIGHT_MPS / 77e9).powi(2) * request.accuracy.amplitude();
     let settings = TraceSettings {
         max_order: request.bounces,

@@ -2,7 +2,8 @@
 
 use artifact::scene::Mesh;
 
-/// Triangles of a binary STL: 80 bytes of anything, their number, and 50 bytes each; equal corners become one vertex.
+/// Triangles of a binary STL: 80 bytes of anything, their number, and 50 bytes each; equal corners become one
+/// vertex.
 pub(crate) fn binary(bytes: &[u8]) -> Option<Mesh> {
     let word = |at: usize| bytes.get(at..at + 4).and_then(|b| <[u8; 4]>::try_from(b).ok());
     let count = u32::from_le_bytes(word(80)?);

@@ -1,7 +1,7 @@
 //! Beam trees: what an antenna lights, and what these facets light as mirrors.
 //!
-//! A beam is a convex lit polygon on a facet, seen straight from the antenna's image behind the facets before it.
-//! Frequency and polarization enter later, in the integration.
+//! A beam is a convex lit polygon on a facet, seen straight from the antenna's image behind the facets before
+//! it. Frequency and polarization enter later, in the integration.
 
 use crate::beams::body_ways::BodyWays;
 use crate::beams::brute_force::EveryFacet;
@@ -30,8 +30,8 @@ pub struct TraceSettings {
     pub sides: Sides,
     /// Beams of less area across the wave (area·cosθ) are dropped, and counted in [`Audit`]; m².
     ///
-    /// A beam scatters at most |S| = √(4π)/λ · area·cosθ · R²/(L₁L₂), so a bound on S over the expected number of dropped
-    /// beams gives this bound. Physics §2 has λ²/100 · accuracy.
+    /// A beam scatters at most |S| = √(4π)/λ · area·cosθ · R²/(L₁L₂), so a bound on S over the expected
+    /// number of dropped beams gives this bound. Physics §2 has λ²/100 · accuracy.
     pub least_area_m2: f64,
     /// Beams of less area across the wave are kept but not reflected further; m², at least `least_area_m2`.
     pub least_mirror_area_m2: f64,
@@ -84,8 +84,8 @@ pub struct Audit {
 
 /// Where the power of one order went.
 ///
-/// "Section" is what an antenna's wave front loses to a polygon: the solid angle at a finite range, sr, or the area across
-/// the direction, m². A mirror leaves it as it is.
+/// "Section" is what an antenna's wave front loses to a polygon: the solid angle at a finite range, sr, or
+/// the area across the direction, m². A mirror leaves it as it is.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct OrderAudit {
     /// Beams kept.
@@ -96,7 +96,8 @@ pub struct OrderAudit {
     pub lit_section: f64,
     /// Section of the beams of the order before that were reflected; at order 1 the section kept and dropped.
     pub incident_section: f64,
-    /// Section that met no facet, or another body where bodies are left apart: incident − lit − dropped; 0 at order 1.
+    /// Section that met no facet, or another body where bodies are left apart: incident − lit − dropped; 0 at
+    /// order 1.
     pub escaped_section: f64,
     /// Polygons given up for their size.
     pub dropped: u64,
@@ -104,7 +105,8 @@ pub struct OrderAudit {
     pub dropped_area_m2: f64,
     /// Their area across the wave, Σ area·cosθ, m²: |S| dropped ≤ √(4π)/λ · this · R²/(L₁L₂).
     pub dropped_across_m2: f64,
-    /// Sum of the squares of these areas, m⁴: with independent phases the square of what they scatter goes with it.
+    /// Sum of the squares of these areas, m⁴: with independent phases the square of what they scatter goes
+    /// with it.
     pub dropped_across_squared_m4: f64,
     /// Their section.
     pub dropped_section: f64,
@@ -132,8 +134,8 @@ impl BeamTree {
         trace_by::<ByHierarchy>(world, Growth::new(antenna, settings, progress))
     }
 
-    /// The same where only some ways are asked for: no other is followed further than its first facet. Of those asked for it
-    /// holds what the whole tree does.
+    /// The same where only some ways are asked for: no other is followed further than its first facet. Of
+    /// those asked for it holds what the whole tree does.
     pub(crate) fn trace_along(
         world: &World,
         antenna: Antenna,
@@ -141,11 +143,18 @@ impl BeamTree {
         ways: &BodyWays,
         progress: &dyn Progress,
     ) -> Result<Self, BartError> {
-        trace_by::<ByHierarchy>(world, Growth { ways: Some(ways), ..Growth::new(antenna, settings, progress) })
+        trace_by::<ByHierarchy>(
+            world,
+            Growth { ways: Some(ways), ..Growth::new(antenna, settings, progress) },
+        )
     }
 
     /// The same by the slow obvious way: every facet is cut by every other. For tests.
-    pub fn trace_by_brute_force(world: &World, antenna: Antenna, settings: &TraceSettings) -> Result<Self, BartError> {
+    pub fn trace_by_brute_force(
+        world: &World,
+        antenna: Antenna,
+        settings: &TraceSettings,
+    ) -> Result<Self, BartError> {
         trace_by::<EveryFacet>(world, Growth::new(antenna, settings, &Unheard))
     }
 
@@ -180,7 +189,8 @@ impl BeamTree {
 
     /// Bytes held, about.
     pub fn bytes(&self) -> usize {
-        self.beams.len() * size_of::<Beam>() + self.vertices_m.len() * (size_of::<DVec3>() + size_of::<Border>())
+        self.beams.len() * size_of::<Beam>()
+            + self.vertices_m.len() * (size_of::<DVec3>() + size_of::<Border>())
     }
 }
 
@@ -265,8 +275,8 @@ fn grow_order<V: Visibility>(world: &World, order: u8, growth: &mut Growth) -> R
     Ok(())
 }
 
-/// Buffers that go back to where they came from: they have a place for every facet of the world, and to make them anew for
-/// every part of every batch was a fifth of the work on two million facets.
+/// Buffers that go back to where they came from: they have a place for every facet of the world, and to make
+/// them anew for every part of every batch was a fifth of the work on two million facets.
 struct Lent<'p> {
     buffers: Buffers,
     pool: &'p Mutex<Vec<Buffers>>,
@@ -339,7 +349,14 @@ impl<'a> Growth<'a> {
         let start = (beam.polygon.start as usize).checked_sub(self.first_edge)?;
         let edges = self.edges.get(start..start + beam.polygon.len())?;
         let opening_m = self.tree.polygon(beam);
-        Some(View::reflected(world, self.settings.sides, beam.image, Mirror { facet, front }, edges, opening_m))
+        Some(View::reflected(
+            world,
+            self.settings.sides,
+            beam.image,
+            Mirror { facet, front },
+            edges,
+            opening_m,
+        ))
     }
 
     /// Adds what one view shows.
@@ -363,7 +380,17 @@ impl<'a> Growth<'a> {
             let &Part { facet, lit_normal, across_m2, section, ref sheets, .. } = part;
             let sheets = sheets.clone();
             let polygon = index(start)?..index(self.tree.vertices_m.len())?;
-            self.tree.beams.push(Beam { parent, order, facet, lit_normal, image, across_m2, section, sheets, polygon });
+            self.tree.beams.push(Beam {
+                parent,
+                order,
+                facet,
+                lit_normal,
+                image,
+                across_m2,
+                section,
+                sheets,
+                polygon,
+            });
             self.audit.keep(part, self.settings);
         }
         Ok(())
@@ -386,9 +413,9 @@ impl<'a> Growth<'a> {
 }
 
 impl OrderAudit {
-    /// Area across the wave of what was dropped and of mirrors that were not followed: its sum, m², and the sum of its
-    /// squares, m⁴, those of mirrors times the share of them that scatters. The last order is not reflected at all: nothing is
-    /// missing behind its mirrors.
+    /// Area across the wave of what was dropped and of mirrors that were not followed: its sum, m², and the
+    /// sum of its squares, m⁴, those of mirrors times the share of them that scatters. The last order is not
+    /// reflected at all: nothing is missing behind its mirrors.
     pub(crate) fn given_up(&self, mirrors: Mirrors) -> [f64; 2] {
         match mirrors {
             Mirrors::Followed { share } => [
@@ -422,7 +449,8 @@ impl OrderAudit {
 /// Whether an order's beams are reflected.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Mirrors {
-    /// Those that are large enough; of the power that the others could scatter at most they would scatter this share.
+    /// Those that are large enough; of the power that the others could scatter at most they would scatter
+    /// this share.
     Followed {
         share: f64,
     },
@@ -432,8 +460,9 @@ pub(crate) enum Mirrors {
 impl Audit {
     /// [`OrderAudit::given_up`] of the first `needed` orders together; `share` tells of each from 1.
     pub(crate) fn given_up(&self, needed: u8, share: impl Fn(u8) -> f64) -> [f64; 2] {
-        let mirrors =
-            |order: u8| if order < needed { Mirrors::Followed { share: share(order) } } else { Mirrors::Last };
+        let mirrors = |order: u8| {
+            if order < needed { Mirrors::Followed { share: share(order) } } else { Mirrors::Last }
+        };
         let of = |(order, audit): (u8, &OrderAudit)| audit.given_up(mirrors(order));
         (1..=needed).zip(&self.orders).map(of).fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])
     }
@@ -457,7 +486,8 @@ mod tests {
             for i in 0..400 {
                 let at = 0.05 * (f64::from(i % 20) * u + f64::from(i / 20) * v);
                 let first = mesh.vertices_m.len() as u32;
-                mesh.vertices_m.extend([at, at + 0.05 * u, at + 0.05 * (u + v), at + 0.05 * v].map(|c| c.to_array()));
+                mesh.vertices_m
+                    .extend([at, at + 0.05 * u, at + 0.05 * (u + v), at + 0.05 * v].map(|c| c.to_array()));
                 mesh.triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
             }
         }
@@ -465,7 +495,8 @@ mod tests {
     }
 
     fn trace(world: &World) -> Result<BeamTree, BartError> {
-        let settings = TraceSettings { max_order: 3, sides: Sides::Two, least_area_m2: 0.0, least_mirror_area_m2: 0.0 };
+        let settings =
+            TraceSettings { max_order: 3, sides: Sides::Two, least_area_m2: 0.0, least_mirror_area_m2: 0.0 };
         BeamTree::trace(world, Antenna::Point(DVec3::new(8.0, 3.0, 7.0)), &settings)
     }
 

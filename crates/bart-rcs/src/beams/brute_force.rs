@@ -1,4 +1,5 @@
-//! The slow obvious reference of [`crate::beams::visibility`]: every facet is cut by every other, without hierarchy or lists.
+//! The slow obvious reference of [`crate::beams::visibility`]: every facet is cut by every other, without
+//! hierarchy or lists.
 
 use crate::beams::sight::lit_parts::Parts;
 use crate::beams::sight::shadow::{Hides, Shadow};
@@ -30,7 +31,10 @@ fn parts_in(view: &View) -> Parts {
         let mut pieces = vec![corners[polygon].to_vec()];
         for occluder in shadows.iter().filter(|occluder| occluder.facet != target.facet) {
             let hides = occluder.hides(target, view);
-            pieces = pieces.into_iter().flat_map(|piece| outside(piece, occluder, hides, view.tolerance_m())).collect();
+            pieces = pieces
+                .into_iter()
+                .flat_map(|piece| outside(piece, occluder, hides, view.tolerance_m()))
+                .collect();
         }
         pieces.iter().for_each(|piece| parts.push(target, view, piece));
     }
@@ -77,8 +81,8 @@ mod tests {
     const ANTENNAS: [Antenna; 2] =
         [Antenna::Point(DVec3::new(7.0, 2.0, 3.0)), Antenna::Direction(DVec3::new(0.36, 0.48, 0.8))];
 
-    /// A ball of radius 1 m with triangles strewn about its middle, some through its skin; every `missing`-th of the ball's own
-    /// is left out, and every third turned over.
+    /// A ball of radius 1 m with triangles strewn about its middle, some through its skin; every `missing`-th
+    /// of the ball's own is left out, and every third turned over.
     fn filled_ball(missing: usize) -> Mesh {
         let turn = |i: u32, n: u32| f64::from(i) / f64::from(n) * std::f64::consts::PI;
         let at = |i: u32, j: u32| {
@@ -92,11 +96,14 @@ mod tests {
             [[a, b, c], [a, c, d]]
         };
         let ball = (0..DOWN).flat_map(|i| (0..ROUND).flat_map(move |j| quad(i, j)));
-        let is_left =
-            |(index, t): &(usize, [u32; 3])| index % missing != 7 && t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
-        let turned = |(index, [a, b, c]): (usize, [u32; 3])| if index % 3 == 0 { [a, c, b] } else { [a, b, c] };
+        let is_left = |(index, t): &(usize, [u32; 3])| {
+            index % missing != 7 && t[0] != t[1] && t[1] != t[2] && t[2] != t[0]
+        };
+        let turned =
+            |(index, [a, b, c]): (usize, [u32; 3])| if index % 3 == 0 { [a, c, b] } else { [a, b, c] };
         let mut triangles: Vec<[u32; 3]> = ball.enumerate().filter(is_left).map(turned).collect();
-        let mut vertices_m: Vec<[f64; 3]> = (0..=DOWN).flat_map(|i| (0..ROUND).map(move |j| at(i, j))).collect();
+        let mut vertices_m: Vec<[f64; 3]> =
+            (0..=DOWN).flat_map(|i| (0..ROUND).map(move |j| at(i, j))).collect();
         let fraction = |i: usize, step: f64| ((i as f64 + 1.0) * step).fract() - 0.5;
         for i in 0..900 {
             let size_m = if i % 90 < 3 { 2.5 } else { 0.3 };
@@ -112,7 +119,10 @@ mod tests {
     /// Lit area of every facet, m².
     fn lit_m2(parts: &[Parts], facets: usize) -> Vec<f64> {
         let mut lit_m2 = vec![0.0; facets];
-        parts.iter().flat_map(|parts| &parts.parts).for_each(|part| lit_m2[part.facet as usize] += part.area_m2);
+        parts
+            .iter()
+            .flat_map(|parts| &parts.parts)
+            .for_each(|part| lit_m2[part.facet as usize] += part.area_m2);
         lit_m2
     }
 
@@ -131,7 +141,10 @@ mod tests {
                 assert!(refused >= least_refused);
                 for (facet, (asked, got)) in asked.iter().zip(&got).enumerate() {
                     assert!((asked - got).abs() < 1e-12, "facet {facet}: {asked} asked, {got} got");
-                    assert!(*asked < 1e-12 || left.contains(&(facet as u32)), "facet {facet} is lit and refused");
+                    assert!(
+                        *asked < 1e-12 || left.contains(&(facet as u32)),
+                        "facet {facet} is lit and refused"
+                    );
                 }
             }
         }
@@ -147,10 +160,12 @@ mod tests {
             let makeup = Makeup { materials: vec![glass.clone(), Material::Conductor], transmission };
             let material_of_triangle = (0..mesh.triangles.len()).map(|t| u16::from(t >= ball)).collect();
             let materials = vec!["glass".to_owned(), "metal".to_owned()];
-            let world = World::of_mesh(&Mesh { materials, material_of_triangle, makeup, ..mesh.clone() }).unwrap();
+            let world =
+                World::of_mesh(&Mesh { materials, material_of_triangle, makeup, ..mesh.clone() }).unwrap();
             let view = View::direct(&world, Sides::Two, ANTENNAS[0]);
             let sights = visible(&Prospect::of_all(&view).unwrap(), &view);
-            let left: Vec<usize> = sights.iter().map(|sight| sight.facet as usize).filter(|f| *f >= ball).collect();
+            let left: Vec<usize> =
+                sights.iter().map(|sight| sight.facet as usize).filter(|f| *f >= ball).collect();
             let lit_m2 = lit_m2(&EveryFacet::direct(&view), world.facets().len());
             let lit: Vec<usize> = (ball..lit_m2.len()).filter(|facet| lit_m2[*facet] > 1e-12).collect();
             assert!(lit.iter().all(|facet| left.contains(facet)), "{transmission:?}: lit and refused");

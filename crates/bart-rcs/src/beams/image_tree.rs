@@ -24,8 +24,11 @@ impl Received {
         for order in beams.chunk_by(of_order) {
             for (half, places) in [Half::Above, Half::Below].into_iter().zip(&mut places) {
                 for &(index, beam) in order {
-                    let beam =
-                        if half == Half::Below { below_road(world, direct, beam, &mut tree) } else { beam.clone() };
+                    let beam = if half == Half::Below {
+                        below_road(world, direct, beam, &mut tree)
+                    } else {
+                        beam.clone()
+                    };
                     places[index] = tree.beams.len() as u32;
                     let parent = beam.parent.map(|parent| places[parent as usize]);
                     tree.beams.push(Beam { parent, ..beam });

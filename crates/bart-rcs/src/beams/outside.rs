@@ -8,7 +8,8 @@ use crate::oversight::error::BartError;
 use crate::oversight::progress::Progress;
 
 impl BeamTree {
-    /// [`BeamTree::trace`] while somebody listens, of an antenna that may stand where it does at this wavelength.
+    /// [`BeamTree::trace`] while somebody listens, of an antenna that may stand where it does at this
+    /// wavelength.
     pub(crate) fn trace_from_outside(
         world: &World,
         antenna: Antenna,

@@ -1,5 +1,5 @@
-//! A few beams of a tree, each with the number of beams that it stands for (Knuth, Mathematics of Computation 29 (1975) 121): how
-//! large a tree will be, for a small part of its cost.
+//! A few beams of a tree, each with the number of beams that it stands for (Knuth, Mathematics of Computation
+//! 29 (1975) 121): how large a tree will be, for a small part of its cost.
 
 use crate::beams::beam::{BeamTree, Growth, TraceSettings};
 use crate::beams::sheets::parted;
@@ -15,7 +15,8 @@ use rayon::prelude::*;
 /// Beams and the number that each stands for.
 pub(crate) struct SampledTree {
     pub(crate) tree: BeamTree,
-    /// By beam; the expectation of their sum over beams of any kind is the number of such beams in the whole tree.
+    /// By beam; the expectation of their sum over beams of any kind is the number of such beams in the whole
+    /// tree.
     pub(crate) stands_for: Vec<f64>,
     /// Facets that may be seen straight, all of them.
     pub(crate) in_sight: usize,
@@ -90,8 +91,9 @@ fn next_order(
     Ok(count)
 }
 
-/// About `most` of some things, each with the number that it stands for, the inverse of its chance to be taken: half of the chances
-/// are equal, half go by size, so that neither the many small nor the few large are missed. In their order, at even steps.
+/// About `most` of some things, each with the number that it stands for, the inverse of its chance to be
+/// taken: half of the chances are equal, half go by size, so that neither the many small nor the few large
+/// are missed. In their order, at even steps.
 pub(crate) fn sample(sizes: &[f64], most: usize) -> Vec<(usize, f64)> {
     let total: f64 = sizes.iter().sum();
     let by_number = 0.5 * most as f64 / sizes.len().max(1) as f64;
@@ -116,7 +118,8 @@ mod tests {
     use artifact::settings::Sides;
     use glam::DVec3;
 
-    /// Two leaves of 20 × 20 squares of 5 cm at right angles, and between them a few thin fins that hide parts of both.
+    /// Two leaves of 20 × 20 squares of 5 cm at right angles, and between them a few thin fins that hide
+    /// parts of both.
     fn fins_in_a_corner() -> World {
         let mut mesh = Mesh::default();
         let mut square = |at: DVec3, u: DVec3, v: DVec3| {
@@ -125,7 +128,9 @@ mod tests {
             mesh.triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
         };
         for (u, v) in [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z)] {
-            (0..400).for_each(|i| square(0.05 * (f64::from(i % 20) * u + f64::from(i / 20) * v), 0.05 * u, 0.05 * v));
+            (0..400).for_each(|i| {
+                square(0.05 * (f64::from(i % 20) * u + f64::from(i / 20) * v), 0.05 * u, 0.05 * v)
+            });
         }
         for i in 0..6 {
             square(DVec3::new(0.1 + 0.15 * f64::from(i), 0.3, 0.2), 0.4 * DVec3::Y, 0.01 * DVec3::Z);
@@ -137,7 +142,8 @@ mod tests {
     fn a_sample_tells_how_many_beams_the_whole_tree_has() {
         let world = fins_in_a_corner();
         let antenna = Antenna::Point(DVec3::new(8.0, 3.0, 7.0));
-        let settings = TraceSettings { max_order: 3, sides: Sides::Two, least_area_m2: 0.0, least_mirror_area_m2: 0.0 };
+        let settings =
+            TraceSettings { max_order: 3, sides: Sides::Two, least_area_m2: 0.0, least_mirror_area_m2: 0.0 };
         let whole = BeamTree::trace(&world, antenna, &settings).unwrap();
         let sampled = SampledTree::trace(&world, antenna, &settings, 200).unwrap();
         assert!(3 * sampled.tree.beams.len() < whole.beams.len());
@@ -145,7 +151,8 @@ mod tests {
             let of_order = |beams: &[Beam]| beams.iter().filter(|beam| beam.order == order).count();
             let beams = sampled.tree.beams.iter().zip(&sampled.stands_for);
             let expected: f64 = beams.filter(|(beam, _)| beam.order == order).map(|(_, each)| each).sum();
-            // 200 of them err by 7 % in each order, were they independent; three times the three orders' together.
+            // 200 of them err by 7 % in each order, were they independent; three times the three orders'
+            // together.
             let ratio = expected / of_order(&whole.beams) as f64;
             assert!((ratio - 1.0).abs() < 3.0 * 0.07 * f64::from(order).sqrt(), "order {order}: × {ratio}");
         }
@@ -155,7 +162,8 @@ mod tests {
     fn a_sample_of_everything_is_the_whole_tree() {
         let world = fins_in_a_corner();
         let antenna = Antenna::Point(DVec3::new(8.0, 3.0, 7.0));
-        let settings = TraceSettings { max_order: 3, sides: Sides::Two, least_area_m2: 0.0, least_mirror_area_m2: 0.0 };
+        let settings =
+            TraceSettings { max_order: 3, sides: Sides::Two, least_area_m2: 0.0, least_mirror_area_m2: 0.0 };
         let whole = BeamTree::trace(&world, antenna, &settings).unwrap();
         let sampled = SampledTree::trace(&world, antenna, &settings, 10_000_000).unwrap();
         assert_eq!(sampled.tree.beams, whole.beams);
@@ -164,7 +172,8 @@ mod tests {
 
     #[test]
     fn a_sample_stands_for_as_many_and_as_much_as_there_are() {
-        let sizes: Vec<f64> = (0..10_000).map(|i| if i % 500 == 0 { 100.0 } else { f64::from(i % 7) * 0.01 }).collect();
+        let sizes: Vec<f64> =
+            (0..10_000).map(|i| if i % 500 == 0 { 100.0 } else { f64::from(i % 7) * 0.01 }).collect();
         let chosen = sample(&sizes, 400);
         let number: f64 = chosen.iter().map(|(_, each)| each).sum();
         let size: f64 = chosen.iter().map(|(place, each)| each * sizes[*place]).sum();

@@ -1,7 +1,8 @@
 //! Lit polygons parted by the sheets that their waves have passed.
 //!
-//! Where waves are followed through sheets, these hide nothing. Each polygon is then cut along the outlines of the sheets before
-//! it, so that every piece has passed the same ones, and remembers them. What a sheet makes of the field is for the integration.
+//! Where waves are followed through sheets, these hide nothing. Each polygon is then cut along the outlines
+//! of the sheets before it, so that every piece has passed the same ones, and remembers them. What a sheet
+//! makes of the field is for the integration.
 
 use crate::beams::sight::lit_parts::Parts;
 use crate::beams::sight::shadow::{Cover, Hides, Shadow};
@@ -58,7 +59,10 @@ fn part_one(view: &View, polygon: &[Corner], target: &Shadow, sheets: &[Shadow],
         }
         let before = sheet.stands_before(target, view);
         if before != Hides::Nothing {
-            pieces = pieces.into_iter().flat_map(|piece| piece.behind(sheet, before, view.tolerance_m())).collect();
+            pieces = pieces
+                .into_iter()
+                .flat_map(|piece| piece.behind(sheet, before, view.tolerance_m()))
+                .collect();
         }
     }
     for piece in pieces {
@@ -85,7 +89,14 @@ impl Piece {
         for plane in sheet.planes(before) {
             let mut corners = inside.clone();
             // The lit surface goes on beyond such an edge.
-            match split(&mut corners, 0..inside.len(), &plane, [Border::Inner; 2], tolerance_m, &mut Vec::new()) {
+            match split(
+                &mut corners,
+                0..inside.len(),
+                &plane,
+                [Border::Inner; 2],
+                tolerance_m,
+                &mut Vec::new(),
+            ) {
                 Split::Inside => {}
                 Split::Outside => return vec![self],
                 Split::Cut { inside: kept, outside } => {

@@ -1,8 +1,8 @@
 //! What an antenna sees: every facet clipped to the view, less what other facets hide, as convex polygons.
 //!
-//! For each facet the hierarchy proposes what may stand in front. The facet's polygon is then cut by one occluder after
-//! the other, the largest first, and every piece carries on only those that may still reach it: a facet behind a dense mesh
-//! costs the outline of its shadow, not the number of facets in front.
+//! For each facet the hierarchy proposes what may stand in front. The facet's polygon is then cut by one
+//! occluder after the other, the largest first, and every piece carries on only those that may still reach
+//! it: a facet behind a dense mesh costs the outline of its shadow, not the number of facets in front.
 
 use crate::beams::sight::lit_parts::Parts;
 use crate::beams::sight::projection_grid::ProjectionGrid;
@@ -40,8 +40,8 @@ pub(crate) struct Buffers {
     cutter: Cutter,
 }
 
-/// Beams with more facets than this in view sort them into a grid of their own, or walk the hierarchy again for each of them
-/// where there can be none; below, trying all pairs is cheaper.
+/// Beams with more facets than this in view sort them into a grid of their own, or walk the hierarchy again
+/// for each of them where there can be none; below, trying all pairs is cheaper.
 const MANY_IN_VIEW: usize = 24;
 const NO_SLOT: u32 = u32::MAX;
 
@@ -87,7 +87,8 @@ fn in_sight(view: &View) -> (Vec<Shadow>, Option<ProjectionGrid>) {
         return (facets.filter_map(|facet| Shadow::of(facet, view)).collect(), None);
     };
     let shadow = |sight: &Sight| Some((Shadow::of(sight.facet, view)?, sight.extent));
-    let (shadows, extents): (Vec<Shadow>, Vec<Extent>) = visible(&prospect, view).par_iter().filter_map(shadow).unzip();
+    let (shadows, extents): (Vec<Shadow>, Vec<Extent>) =
+        visible(&prospect, view).par_iter().filter_map(shadow).unzip();
     let grid = ProjectionGrid::of(&extents);
     (shadows, grid)
 }
@@ -97,7 +98,8 @@ impl Buffers {
     fn gather(&mut self, view: &View) {
         self.slot_of_facet.resize(view.world.facets().len(), NO_SLOT);
         self.found.clear();
-        let planes = view.window.iter().map(|(plane, _)| *plane).chain(view.mirror.map(|mirror| mirror.front));
+        let planes =
+            view.window.iter().map(|(plane, _)| *plane).chain(view.mirror.map(|mirror| mirror.front));
         // Most of what the hierarchy proposes is outside, and a shadow costs more than to see that.
         let found = |facet| {
             if view.reaches(view.world.facet(facet)) {
@@ -173,7 +175,8 @@ impl Search<'_> {
         } else {
             self.walk(walk)?;
         }
-        self.occluders.sort_unstable_by(|a, b| b.apparent_size.total_cmp(&a.apparent_size).then(a.slot.cmp(&b.slot)));
+        self.occluders
+            .sort_unstable_by(|a, b| b.apparent_size.total_cmp(&a.apparent_size).then(a.slot.cmp(&b.slot)));
         ControlFlow::Continue(())
     }
 
@@ -210,7 +213,9 @@ impl Search<'_> {
         };
         match cover {
             Cover::Apart => {}
-            Cover::Partial => self.occluders.push(Occluder { slot, hides, apparent_size: shadow.apparent_size }),
+            Cover::Partial => {
+                self.occluders.push(Occluder { slot, hides, apparent_size: shadow.apparent_size })
+            }
             Cover::Whole => return ControlFlow::Break(()),
         }
         ControlFlow::Continue(())
@@ -243,8 +248,15 @@ struct Piece {
 }
 
 impl Cutter {
-    /// Calls `lit` with every piece of `corners[polygon]` that no occluder hides; all occluders reach the polygon.
-    fn cut(&mut self, polygon: Range<usize>, shadows: &[Shadow], tolerance_m: f64, mut lit: impl FnMut(&[Corner])) {
+    /// Calls `lit` with every piece of `corners[polygon]` that no occluder hides; all occluders reach the
+    /// polygon.
+    fn cut(
+        &mut self,
+        polygon: Range<usize>,
+        shadows: &[Shadow],
+        tolerance_m: f64,
+        mut lit: impl FnMut(&[Corner]),
+    ) {
         self.lists.clear();
         self.lists.extend(0..self.occluders.len() as u32);
         self.open.clear();
@@ -263,7 +275,8 @@ impl Cutter {
         }
     }
 
-    /// Appends those of the piece's occluders that still reach it to the lists; breaks where one hides all of it.
+    /// Appends those of the piece's occluders that still reach it to the lists; breaks where one hides all of
+    /// it.
     fn list_what_reaches(&mut self, piece: &Piece, shadows: &[Shadow], tolerance_m: f64) -> ControlFlow<()> {
         let polygon = &self.corners[piece.polygon.clone()];
         for i in piece.list.clone() {
@@ -278,8 +291,8 @@ impl Cutter {
         ControlFlow::Continue(())
     }
 
-    /// Opens the parts of the polygon outside the first occluder of the last list that really overlaps it; `false` where
-    /// none does.
+    /// Opens the parts of the polygon outside the first occluder of the last list that really overlaps it;
+    /// `false` where none does.
     fn subtract_first_of(
         &mut self,
         list_start: usize,
@@ -301,7 +314,8 @@ impl Cutter {
         false
     }
 
-    /// Cuts the polygon by an occluder's planes, one after the other; `false` where nothing but rounding is hidden.
+    /// Cuts the polygon by an occluder's planes, one after the other; `false` where nothing but rounding is
+    /// hidden.
     fn open_outside_parts(
         &mut self,
         planes: impl Iterator<Item = Plane>,
@@ -311,7 +325,14 @@ impl Cutter {
     ) -> bool {
         for plane in planes {
             let shadow = Border::SHADOW;
-            match split(&mut self.corners, polygon.clone(), &plane, shadow, tolerance_m, &mut self.distances_m) {
+            match split(
+                &mut self.corners,
+                polygon.clone(),
+                &plane,
+                shadow,
+                tolerance_m,
+                &mut self.distances_m,
+            ) {
                 Split::Inside => {}
                 Split::Outside => return false,
                 Split::Cut { inside, outside } => {

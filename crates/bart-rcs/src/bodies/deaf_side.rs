@@ -1,7 +1,8 @@
 //! Bodies that the antennas have no gain towards: a frame is made without them.
 //!
-//! Their echoes are zeros, and they hide nothing that is heard: between the antennas and a place ahead there is nothing that is
-//! behind. Left out with them are ways from a body ahead over one behind to a body ahead again, of three bounces and more.
+//! Their echoes are zeros, and they hide nothing that is heard: between the antennas and a place ahead there
+//! is nothing that is behind. Left out with them are ways from a body ahead over one behind to a body ahead
+//! again, of three bounces and more.
 
 use crate::geometry::plane::Plane;
 use artifact::Radar;
@@ -26,7 +27,8 @@ impl DeafSide {
         let normal = DVec3::new(sin_az * cos_el, cos_az * cos_el, sin_el);
         let centre = DVec3::from_array(radar.position_m);
         let elements = radar.array.tx_m.iter().chain(&radar.array.rx_m);
-        let aside = elements.map(|at_m| normal.dot(DVec3::from_array(*at_m) - centre).abs()).fold(0.0, f64::max);
+        let aside =
+            elements.map(|at_m| normal.dot(DVec3::from_array(*at_m) - centre).abs()).fold(0.0, f64::max);
         let slack_m = aside + fastest_mps * radar.frame_duration_s();
         Some(Self { aperture: Plane { normal, offset_m: normal.dot(centre) }, slack_m })
     }

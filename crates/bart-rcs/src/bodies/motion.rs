@@ -34,8 +34,8 @@ impl Motion {
         self.each(below)
     }
 
-    /// In a plane with the normal n that moves by v_p: a point's velocity v turns into v − 2((v − v_p)·n)n, and so does its
-    /// acceleration, as n does not turn.
+    /// In a plane with the normal n that moves by v_p: a point's velocity v turns into v − 2((v − v_p)·n)n,
+    /// and so does its acceleration, as n does not turn.
     pub(crate) fn mirrored(&self, mirror: &Self, n: DVec3) -> Self {
         let turned = |v: DVec3, of_mirror: DVec3| v - 2.0 * (v - of_mirror).dot(n) * n;
         Self {
@@ -76,9 +76,17 @@ mod tests {
     #[test]
     fn motion_in_a_moving_mirror_is_that_of_the_image() {
         let n = DVec3::new(0.36, 0.48, 0.8);
-        let point = Motion { velocity_mps: DVec3::new(3.0, -9.0, 0.5), acceleration_mps2: DVec3::new(0.4, 7.0, -1.0) };
-        let plane = Motion { velocity_mps: DVec3::new(-2.0, 4.0, 1.0), acceleration_mps2: DVec3::new(1.0, -3.0, 0.2) };
-        let place = |of: &Motion, start: DVec3, t: f64| start + t * (of.velocity_mps + 0.5 * t * of.acceleration_mps2);
+        let point = Motion {
+            velocity_mps: DVec3::new(3.0, -9.0, 0.5),
+            acceleration_mps2: DVec3::new(0.4, 7.0, -1.0),
+        };
+        let plane = Motion {
+            velocity_mps: DVec3::new(-2.0, 4.0, 1.0),
+            acceleration_mps2: DVec3::new(1.0, -3.0, 0.2),
+        };
+        let place = |of: &Motion, start: DVec3, t: f64| {
+            start + t * (of.velocity_mps + 0.5 * t * of.acceleration_mps2)
+        };
         let (x, p) = (DVec3::new(1.0, 2.0, 3.0), DVec3::new(-1.0, 0.5, 0.0));
         let image = |t: f64| {
             let (x, p) = (place(&point, x, t), place(&plane, p, t));

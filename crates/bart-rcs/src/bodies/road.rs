@@ -1,12 +1,14 @@
 //! The road as a mirror: bodies and antenna have images below the plane z = 0, and the plane is taken away.
 //!
-//! Unfolded at the road, every way is straight: a wave that crosses z = 0 has been reflected there. So bodies and their images
-//! are traced together from the antenna, and from its image, which sees the same the other way up; what hides a way before
-//! the road hides it in the picture too. A path begins at the antenna and ends there or at the image, and each is counted
-//! once: direct, vehicle–road, road–vehicle, road–vehicle–road, and the road between two bounces on vehicles.
+//! Unfolded at the road, every way is straight: a wave that crosses z = 0 has been reflected there. So bodies
+//! and their images are traced together from the antenna, and from its image, which sees the same the other
+//! way up; what hides a way before the road hides it in the picture too. A path begins at the antenna and
+//! ends there or at the image, and each is counted once: direct, vehicle–road, road–vehicle,
+//! road–vehicle–road, and the road between two bounces on vehicles.
 //!
-//! Where a leg crosses, the field takes the road's coefficients. Seen unfolded, r_TE stays on E across the plane of incidence
-//! and r_TM changes its sign, for the mirror turns the other vector over (`docs/physics.md` §5).
+//! Where a leg crosses, the field takes the road's coefficients. Seen unfolded, r_TE stays on E across the
+//! plane of incidence and r_TM changes its sign, for the mirror turns the other vector over
+//! (`docs/physics.md` §5).
 
 use crate::bodies::world::World;
 use crate::materials::reflection_coefficients::Pair;
@@ -17,7 +19,8 @@ use artifact::permittivity::substance;
 use artifact::scene::SceneHeader;
 use artifact::settings::{EchoMode, Edges, Sides};
 
-/// What crossing z = 0 makes of a field seen unfolded: r_TE and −r_TM, weakened by e^{−g²/2}, g = 2kσ sinψ (Ament 1953).
+/// What crossing z = 0 makes of a field seen unfolded: r_TE and −r_TM, weakened by e^{−g²/2}, g = 2kσ sinψ
+/// (Ament 1953).
 pub(crate) fn crossing(road: &Material, rms_height_m: f64, sine: f64, wavenumber_per_m: f64) -> Pair {
     let g = 2.0 * wavenumber_per_m * rms_height_m * sine;
     let loss = (-0.5 * g * g).exp();

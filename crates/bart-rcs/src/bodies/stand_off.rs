@@ -1,9 +1,9 @@
 //! Where an antenna may stand among bodies: a wavelength away from every facet, and not shut in by them.
 //!
-//! Waves are taken as spherical and transverse. The field of a dipole has terms of 1/kr and 1/(kr)² beside: they are 0.16
-//! (−16 dB) of the wave at r = λ and grow from there on, and what stands so near changes the antenna itself. Inside a closed
-//! body no wave leaves, so that no order of bounces is the last and nothing comes back from a distance R: S, its (R/r)² and
-//! its phase say nothing there.
+//! Waves are taken as spherical and transverse. The field of a dipole has terms of 1/kr and 1/(kr)² beside:
+//! they are 0.16 (−16 dB) of the wave at r = λ and grow from there on, and what stands so near changes the
+//! antenna itself. Inside a closed body no wave leaves, so that no order of bounces is the last and nothing
+//! comes back from a distance R: S, its (R/r)² and its phase say nothing there.
 
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
@@ -13,7 +13,8 @@ use crate::oversight::error::BartError;
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// Refuses an antenna nearer to a facet than a wavelength, or inside a closed body whose facets are wound one way round.
+/// Refuses an antenna nearer to a facet than a wavelength, or inside a closed body whose facets are wound one
+/// way round.
 pub(crate) fn check_stand(world: &World, antenna: Antenna, wavelength_m: f64) -> Result<(), BartError> {
     let Antenna::Point(at_m) = antenna else { return Ok(()) };
     let Some(reach) = world.facets().iter().map(bounds).reduce(joined) else { return Ok(()) };
@@ -29,14 +30,17 @@ pub(crate) fn check_stand(world: &World, antenna: Antenna, wavelength_m: f64) ->
 
 /// Refuses an antenna that facets surround on all sides, by what they take of all directions, sr.
 pub(crate) fn check_enclosed(taken_sr: f64) -> Result<(), BartError> {
-    // Rounding of a solid angle is below 1e-9 of it; a gap of a millionth of all directions is 4 mm wide at 1 m.
+    // Rounding of a solid angle is below 1e-9 of it; a gap of a millionth of all directions is 4 mm wide at 1
+    // m.
     const ALL: f64 = 4.0 * PI * (1.0 - 1e-6);
     if taken_sr >= ALL { Err(BartError::AntennaEnclosed { share: taken_sr / (4.0 * PI) }) } else { Ok(()) }
 }
 
 /// An antenna's distance from the box about all facets, and the box's diagonal, m.
 pub(crate) fn distance_and_diagonal_m(world: &World, antenna: Antenna) -> (f64, f64) {
-    let Some([low, high]) = world.facets().iter().map(bounds).reduce(joined) else { return (f64::INFINITY, 0.0) };
+    let Some([low, high]) = world.facets().iter().map(bounds).reduce(joined) else {
+        return (f64::INFINITY, 0.0);
+    };
     match antenna {
         Antenna::Point(at_m) => (distance_to_box_m(at_m, [low, high]), low.distance(high)),
         Antenna::Direction(_) => (f64::INFINITY, low.distance(high)),
@@ -101,7 +105,8 @@ mod tests {
         let corner = |i: usize| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { 0.5 } else { -0.5 });
         let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
         let triangles = quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
-        World::of_mesh(&Mesh { vertices_m: (0..8).map(corner).collect(), triangles, ..Mesh::default() }).unwrap()
+        World::of_mesh(&Mesh { vertices_m: (0..8).map(corner).collect(), triangles, ..Mesh::default() })
+            .unwrap()
     }
 
     fn standing(at_m: [f64; 3]) -> Result<(), BartError> {

@@ -1,4 +1,5 @@
-//! The geometry of one instant: every facet of every body in world metres, and each body's hierarchy in its own frame.
+//! The geometry of one instant: every facet of every body in world metres, and each body's hierarchy in its
+//! own frame.
 
 use crate::bodies::deaf_side::DeafSide;
 use crate::bodies::motion::{Motion, position_m};
@@ -46,7 +47,8 @@ pub struct World {
 }
 
 impl World {
-    /// Every mesh target of a frame that antennas have gain towards, `seconds_into_frame` after the frame's first sample.
+    /// Every mesh target of a frame that antennas have gain towards, `seconds_into_frame` after the frame's
+    /// first sample.
     ///
     /// Builds the hierarchies of all meshes: for many frames build [`Models`] once and use [`World::posed`].
     pub fn at(header: &SceneHeader, frame: &SceneFrame, seconds_into_frame: f64) -> Result<Self, BartError> {
@@ -93,9 +95,15 @@ impl World {
         Ok(Self::of_bodies(vec![body], None)?.with_sheets(mesh.makeup.transmission))
     }
 
-    /// The model of a target alone in its own axes, as [`World::of_skin`] of its mesh; without facets for a point.
-    pub(crate) fn alone(models: &Models, target: &Target, transmission: Transmission) -> Result<Self, BartError> {
-        let bodies = models.of(target)?.map(|model| Body::posed(0, model, &AT_ORIGIN, 0.0, &target.id)).transpose()?;
+    /// The model of a target alone in its own axes, as [`World::of_skin`] of its mesh; without facets for a
+    /// point.
+    pub(crate) fn alone(
+        models: &Models,
+        target: &Target,
+        transmission: Transmission,
+    ) -> Result<Self, BartError> {
+        let bodies =
+            models.of(target)?.map(|model| Body::posed(0, model, &AT_ORIGIN, 0.0, &target.id)).transpose()?;
         Ok(Self::of_bodies(bodies.into_iter().collect(), None)?.with_sheets(transmission))
     }
 
@@ -113,7 +121,8 @@ impl World {
 
     /// These bodies, their sheets and memory as of this world's.
     fn of_other_bodies(&self, bodies: Vec<Body>, road: Option<Road>) -> Result<Self, BartError> {
-        let transmission = if self.sheets.is_empty() { Transmission::Ignored } else { Transmission::Followed };
+        let transmission =
+            if self.sheets.is_empty() { Transmission::Ignored } else { Transmission::Followed };
         Ok(Self::of_bodies(bodies, road)?.with_sheets(transmission).within(self.memory_limit))
     }
 
@@ -176,7 +185,8 @@ impl World {
     fn with_sheets(mut self, transmission: Transmission) -> Self {
         if transmission == Transmission::Followed && !self.is_conductor {
             let facets = 0..self.facets.len() as u32;
-            let is_sheet = |&facet: &u32| self.lossy_material(facet).is_some_and(|material| material.is_sheet());
+            let is_sheet =
+                |&facet: &u32| self.lossy_material(facet).is_some_and(|material| material.is_sheet());
             self.sheets = facets.filter(is_sheet).collect();
         }
         self
@@ -204,7 +214,8 @@ impl World {
         self.body_of(facet).is_some_and(|body| body.mesh.patches.is_inside(facet - body.first_facet, edge))
     }
 
-    /// The facet across the side from corner `side` to the next, and how it is wound; `None` where there is none or several.
+    /// The facet across the side from corner `side` to the next, and how it is wound; `None` where there is
+    /// none or several.
     pub(crate) fn across(&self, facet: u32, side: usize) -> Option<(u32, Winding)> {
         let body = self.body_of(facet)?;
         let (triangle, winding) = body.mesh.neighbours.across(facet - body.first_facet, side)?;
@@ -223,9 +234,10 @@ impl World {
 
     /// Distances below this are rounding, m: points so near a plane count as on it.
     ///
-    /// Rounding of a coordinate is ½ε of the largest, C; the plane through three rounded corners adds as much for each
-    /// length of its triangle that one goes outside, and a point that was constructed by a cut has it twice: 256 εC covers
-    /// triangles seen from 60 of their own lengths away (3.4e-12 m at C = 60 m, far below the 3.9e-3 m of a wavelength).
+    /// Rounding of a coordinate is ½ε of the largest, C; the plane through three rounded corners adds as much
+    /// for each length of its triangle that one goes outside, and a point that was constructed by a cut has
+    /// it twice: 256 εC covers triangles seen from 60 of their own lengths away (3.4e-12 m at C = 60 m, far
+    /// below the 3.9e-3 m of a wavelength).
     pub fn tolerance_m(&self) -> f64 {
         self.tolerance_m
     }
@@ -274,8 +286,9 @@ impl World {
         self.memory_limit
     }
 
-    /// Calls `visit` with every facet that may reach the positive side of all `planes` (world) and what a wave lights behind an
-    /// `opening`, body by body and about from the far end of `nearer` on, until it breaks. Decides nothing.
+    /// Calls `visit` with every facet that may reach the positive side of all `planes` (world) and what a
+    /// wave lights behind an `opening`, body by body and about from the far end of `nearer` on, until it
+    /// breaks. Decides nothing.
     pub(crate) fn visit_inside(
         &self,
         planes: impl Iterator<Item = Plane>,
@@ -288,7 +301,8 @@ impl World {
         walk.planes.extend(planes);
         self.bodies.iter().try_for_each(|body| {
             walk.planes_in_body.clear();
-            walk.planes_in_body.extend(walk.planes.iter().map(|plane| body.plane_in_body(plane, self.tolerance_m)));
+            walk.planes_in_body
+                .extend(walk.planes.iter().map(|plane| body.plane_in_body(plane, self.tolerance_m)));
             let body_from_world = body.world_from_body.transpose();
             let sweep = opening.map(|(antenna, opening_m)| {
                 Sweep::behind(opening_m, antenna, &body_from_world, body.position_m, self.tolerance_m)
@@ -379,7 +393,8 @@ impl Models {
     /// The model of a target; `None` for a point.
     fn of(&self, target: &Target) -> Result<Option<Arc<BodyMesh>>, BartError> {
         let TargetKind::Mesh { mesh, .. } = target.kind else { return Ok(None) };
-        let missing = || BartError::MeshOutOfRange { target: target.id.clone(), mesh, meshes: self.meshes.len() };
+        let missing =
+            || BartError::MeshOutOfRange { target: target.id.clone(), mesh, meshes: self.meshes.len() };
         self.meshes.get(mesh as usize).cloned().ok_or_else(missing).map(Some)
     }
 }
@@ -485,7 +500,13 @@ struct Body {
 }
 
 impl Body {
-    fn posed(target: u32, mesh: Arc<BodyMesh>, pose: &Pose, seconds: f64, id: &str) -> Result<Self, BartError> {
+    fn posed(
+        target: u32,
+        mesh: Arc<BodyMesh>,
+        pose: &Pose,
+        seconds: f64,
+        id: &str,
+    ) -> Result<Self, BartError> {
         let motion = Motion::of(pose, seconds);
         let position_m = position_m(pose, seconds);
         if !(position_m.is_finite() && motion.is_finite() && pose.yaw_rad.is_finite()) {

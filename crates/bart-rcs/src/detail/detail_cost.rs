@@ -1,12 +1,12 @@
-//! What levels of detail cost, in processor seconds: figures of one machine, so that the same scene takes the same
-//! level on every machine and any number of threads. Measured: docs/validation/levels-of-detail.md.
+//! What levels of detail cost, in processor seconds: figures of one machine, so that the same scene takes the
+//! same level on every machine and any number of threads. Measured: docs/validation/levels-of-detail.md.
 
 use artifact::Radar;
 
 /// Of the sum over paths one by one, for each path and sample of the cube.
 const ONE_BY_ONE_S: f64 = 1.1e-9;
-/// Of transforms, for each sample of the cube: some instants of two-dimensional transforms on grids four times as
-/// large.
+/// Of transforms, for each sample of the cube: some instants of two-dimensional transforms on grids four
+/// times as large.
 const TRANSFORMS_S: f64 = 4e-8;
 /// Of a path's values and its share of the grids, for each pair of elements.
 const VALUES_S: f64 = 2e-7;
@@ -14,7 +14,8 @@ const VALUES_S: f64 = 2e-7;
 const TRANSFORMED: usize = 40;
 /// Of finding a path its cell and comparing the tables, all attempts.
 const MERGING_S: f64 = 5.5e-6;
-/// Of fitting centres to anything, and to a path's field with twelve pairs of elements, comparing the tables, all attempts.
+/// Of fitting centres to anything, and to a path's field with twelve pairs of elements, comparing the tables,
+/// all attempts.
 const FITTING_LEAST_S: f64 = 3e-3;
 const FITTING_S: f64 = 7e-6;
 /// Wider arrays are looked at from more pairs, up to 64 of them.
@@ -26,7 +27,11 @@ pub(crate) fn echo_s(radar: &Radar, paths: usize) -> f64 {
     let pairs = radar.virtual_channels() as f64;
     let samples = pairs * f64::from(waveform.chirps) * f64::from(waveform.samples);
     let count = paths as f64;
-    if paths < TRANSFORMED { count * samples * ONE_BY_ONE_S } else { samples * TRANSFORMS_S + count * pairs * VALUES_S }
+    if paths < TRANSFORMED {
+        count * samples * ONE_BY_ONE_S
+    } else {
+        samples * TRANSFORMS_S + count * pairs * VALUES_S
+    }
 }
 
 /// Merging one target's paths.

@@ -1,5 +1,5 @@
-//! The cheapest level of detail whose error, measured in the run and added to the frame's others, is within the
-//! accuracy asked for.
+//! The cheapest level of detail whose error, measured in the run and added to the frame's others, is within
+//! the accuracy asked for.
 
 use crate::detail::detail_cost::{centres_s, echo_s, merging_s};
 use crate::detail::looks::{Looks, difference, power};
@@ -14,12 +14,13 @@ use num_complex::Complex64;
 
 /// A frame's paths with no more detail than the scene asks for: fewer paths for the same echo.
 ///
-/// Each target has its own level, and none loses more of itself than the frame may. `Detail::Auto` reduces where that
-/// is cheaper than the echo of all paths, and by no more than what the frame's other errors leave of the accuracy asked
-/// for; where these are beyond it already, by a fifth of them, which adds 2 %. A level asked for by name may take 0.3
-/// of the accuracy at least, statistical points as much as they need. Point targets stay as they are. `error.detail` is
-/// measured: reduced paths against all of them, at pairs of elements, moments and frequencies other than those that
-/// they were made with. `trace.detail` tells each target's level.
+/// Each target has its own level, and none loses more of itself than the frame may. `Detail::Auto` reduces
+/// where that is cheaper than the echo of all paths, and by no more than what the frame's other errors leave
+/// of the accuracy asked for; where these are beyond it already, by a fifth of them, which adds 2 %. A level
+/// asked for by name may take 0.3 of the accuracy at least, statistical points as much as they need. Point
+/// targets stay as they are. `error.detail` is measured: reduced paths against all of them, at pairs of
+/// elements, moments and frequencies other than those that they were made with. `trace.detail` tells each
+/// target's level.
 pub fn reduced(header: &SceneHeader, frame: PathsFrame) -> PathsFrame {
     let asked = header.fidelity.detail;
     let left = left_by_others(header, &frame.error);
@@ -63,8 +64,10 @@ fn with(targets: Vec<Made>, frame: PathsFrame) -> PathsFrame {
     if measured.is_empty() {
         return PathsFrame { trace, ..frame };
     }
-    let all =
-        Measured { missed: measured.iter().map(|m| m.missed).sum(), power: measured.iter().map(|m| m.power).sum() };
+    let all = Measured {
+        missed: measured.iter().map(|m| m.missed).sum(),
+        power: measured.iter().map(|m| m.power).sum(),
+    };
     let error = ErrorBudget { detail: Some(all.error()), ..frame.error };
     PathsFrame { paths: targets.into_iter().flat_map(|target| target.paths).collect(), error, trace, ..frame }
 }
@@ -85,9 +88,10 @@ struct Measured {
     power: f64,
 }
 
-/// The ratio of two mean powers of n complex Gaussian samples follows the F distribution with (2n, 2n) degrees of
-/// freedom. The looks are taken anywhere in the frame: of their 192 samples about 32 are independent where a vehicle
-/// fills few cells of range and angle, and 95 of 100 ratios stay below F(0.95; 64, 64) = 1.51, as an amplitude 1.23.
+/// The ratio of two mean powers of n complex Gaussian samples follows the F distribution with (2n, 2n)
+/// degrees of freedom. The looks are taken anywhere in the frame: of their 192 samples about 32 are
+/// independent where a vehicle fills few cells of range and angle, and 95 of 100 ratios stay below F(0.95;
+/// 64, 64) = 1.51, as an amplitude 1.23.
 const MARGIN: f64 = 1.23;
 const LOOKS: usize = 12;
 const INSTANTS: usize = 16;
@@ -114,7 +118,8 @@ struct Found {
     measured: Measured,
 }
 
-/// A level's error falls about as fast as its setting; the next attempt aims a little lower than what is allowed.
+/// A level's error falls about as fast as its setting; the next attempt aims a little lower than what is
+/// allowed.
 const AIM: f64 = 0.7;
 
 impl<'a> Choice<'a> {
@@ -139,8 +144,8 @@ impl<'a> Choice<'a> {
         }
     }
 
-    /// Nothing is tried whose making costs more than what it may be expected to save. Centres come first: they are fewer than
-    /// merged paths.
+    /// Nothing is tried whose making costs more than what it may be expected to save. Centres come first:
+    /// they are fewer than merged paths.
     fn cheapest(&self) -> Option<Found> {
         let count = self.paths.len();
         let echo = |paths: usize| echo_s(self.radar, paths);
@@ -165,8 +170,14 @@ impl<'a> Choice<'a> {
         Found { level, paths, measured: Measured { missed, power: power(field) } }
     }
 
-    /// The first of several tables that misses no more than is allowed, each made with a finer setting than the last.
-    fn first_within(&self, first: f64, attempts: usize, make: &dyn Fn(f64) -> Option<Found>) -> Option<Found> {
+    /// The first of several tables that misses no more than is allowed, each made with a finer setting than
+    /// the last.
+    fn first_within(
+        &self,
+        first: f64,
+        attempts: usize,
+        make: &dyn Fn(f64) -> Option<Found>,
+    ) -> Option<Found> {
         let mut setting = first;
         for _ in 0..attempts {
             let found = make(setting)?;
@@ -182,7 +193,8 @@ impl<'a> Choice<'a> {
     /// `None` where no merging of few enough paths is within what is allowed.
     fn merged(&self, field: &[Complex64]) -> Option<Found> {
         const ATTEMPTS: usize = 6;
-        // Phases in a cell are spread evenly and cancel: their mean is off by less than a quarter of the spread.
+        // Phases in a cell are spread evenly and cancel: their mean is off by less than a quarter of the
+        // spread.
         self.first_within((4.0 * self.allowed).min(1.0), ATTEMPTS, &|spread_rad| {
             let paths = merged(self.radar, &self.paths, spread_rad);
             (paths.len() < self.paths.len()).then(|| self.found(Detail::Merged, paths, field))
@@ -202,16 +214,22 @@ impl<'a> Choice<'a> {
     }
 
     fn statistical(&self, field: &[Complex64], seed: u64, target: u32) -> Option<Found> {
-        let points = PointModel::of(self.radar, &self.paths, &self.looks)?.drawn(self.radar, &self.looks, seed, target);
+        let points = PointModel::of(self.radar, &self.paths, &self.looks)?.drawn(
+            self.radar,
+            &self.looks,
+            seed,
+            target,
+        );
         Some(self.found(Detail::Statistical, points, field))
     }
 }
 
-/// A car's centres at −20 dB; merging keeps half of the paths where it succeeds (docs/validation/levels-of-detail.md).
+/// A car's centres at −20 dB; merging keeps half of the paths where it succeeds
+/// (docs/validation/levels-of-detail.md).
 const FEW_CENTRES: usize = 15;
 
-/// Phases of the paths that are merged into one candidate, at −20 dB: about two candidates for each cell that samples
-/// tell apart. Values between candidates are interpolated from them, the better the denser they are.
+/// Phases of the paths that are merged into one candidate, at −20 dB: about two candidates for each cell that
+/// samples tell apart. Values between candidates are interpolated from them, the better the denser they are.
 const CANDIDATES_RAD: f64 = 0.6;
 
 #[cfg(test)]
@@ -253,7 +271,8 @@ mod tests {
         }
     }
 
-    /// Anywhere in a car 40 m ahead that approaches at 10 m/s, the nearer end stronger; every third with two bounces.
+    /// Anywhere in a car 40 m ahead that approaches at 10 m/s, the nearer end stronger; every third with two
+    /// bounces.
     fn body(count: u32) -> Vec<Path> {
         let path = |i: u32| {
             let at = |step: f64| (f64::from(i) * step).fract();
@@ -298,8 +317,13 @@ mod tests {
                 let (told, error) = (found.measured.error(), error_elsewhere(&radar, &found.paths, &all));
                 let [told_db, error_db] = [told, error].map(artifact::units::db_from_amplitude);
                 let count = found.paths.len();
-                println!("{name}: asked {allowed_db} dB, told {told_db:.1}, got {error_db:.1}, {count} paths");
-                assert!(told <= choice.allowed && error <= told, "{name} at {allowed_db} dB: {told} told, {error}");
+                println!(
+                    "{name}: asked {allowed_db} dB, told {told_db:.1}, got {error_db:.1}, {count} paths"
+                );
+                assert!(
+                    told <= choice.allowed && error <= told,
+                    "{name} at {allowed_db} dB: {told} told, {error}"
+                );
                 assert!(count >= last && count < all.len(), "{name}: looser must not take more");
                 last = count;
             }
@@ -311,7 +335,8 @@ mod tests {
         let (radar, all) = (radar(), body(2000));
         let choice = Choice::new(&radar, all, 0.1);
         let field = choice.field();
-        let [merged, centres] = [choice.merged(&field), choice.centres(&field)].map(|found| found.unwrap().paths.len());
+        let [merged, centres] =
+            [choice.merged(&field), choice.centres(&field)].map(|found| found.unwrap().paths.len());
         assert!(5 * centres <= merged, "{centres} centres, {merged} merged paths");
     }
 
@@ -321,14 +346,20 @@ mod tests {
         let near: Vec<Path> = all
             .iter()
             .filter(|path| path.order == 1)
-            .map(|path| Path { apparent_tx_m: all[1].apparent_tx_m, apparent_rx_m: all[1].apparent_rx_m, ..*path })
+            .map(|path| Path {
+                apparent_tx_m: all[1].apparent_tx_m,
+                apparent_rx_m: all[1].apparent_rx_m,
+                ..*path
+            })
             .collect();
         let one = merged(&radar, &near, 0.1);
         let sum: Complex64 = near.iter().map(|path| path.amplitude_m[1][0]).sum();
         assert_eq!(one.len(), 1);
-        // The band's line is fitted to three points: rounding of 27 amplitudes of about 1, and of phases of 0.
+        // The band's line is fitted to three points: rounding of 27 amplitudes of about 1, and of phases of
+        // 0.
         assert!(
-            (one[0].amplitude_m[1][0] - sum).norm() < 1e-12 && one[0].amplitude_m[0][0] == one[0].amplitude_m[1][1]
+            (one[0].amplitude_m[1][0] - sum).norm() < 1e-12
+                && one[0].amplitude_m[0][0] == one[0].amplitude_m[1][1]
         );
     }
 
@@ -342,11 +373,12 @@ mod tests {
         let draw = |seed: u64| choice.statistical(&field, seed, 0).unwrap().paths;
         assert_eq!(draw(1), draw(1));
         assert_ne!(draw(1), draw(2));
-        // Of 100 draws; each field's power over the looks is spread by its own mean at most, their mean by a tenth of
-        // it: three times that.
+        // Of 100 draws; each field's power over the looks is spread by its own mean at most, their mean by a
+        // tenth of it: three times that.
         let mean = (0..100).map(|seed| power(&looks.field(&draw(seed)))).sum::<f64>() / 100.0;
         assert!((mean / exact - 1.0).abs() < 0.3, "{}", mean / exact);
-        let error = (0..100).map(|seed| error_elsewhere(&radar, &draw(seed), &all).powi(2)).sum::<f64>() / 100.0;
+        let error =
+            (0..100).map(|seed| error_elsewhere(&radar, &draw(seed), &all).powi(2)).sum::<f64>() / 100.0;
         // Two independent fields of one power: 2, as above.
         assert!((error - 2.0).abs() < 0.6, "{error}");
     }

@@ -1,4 +1,5 @@
-//! Path tables as some samples of a cube see them: pairs of elements, moments of the frame, instants of the sweep.
+//! Path tables as some samples of a cube see them: pairs of elements, moments of the frame, instants of the
+//! sweep.
 
 use crate::frame::path_sum::{apparent_m, share};
 use artifact::Radar;
@@ -60,7 +61,8 @@ pub(crate) struct Looks<'a> {
 impl<'a> Looks<'a> {
     /// `count` looks evenly spread over pairs and moments; sequences of different `start`s share no look.
     ///
-    /// Moments crowd at the frame's ends, as Chebyshev's points do: a fit that knows them does not run away between.
+    /// Moments crowd at the frame's ends, as Chebyshev's points do: a fit that knows them does not run away
+    /// between.
     pub(crate) fn new(radar: &'a Radar, count: usize, instants: usize, start: f64) -> Self {
         let pick = |list: &[[f64; 3]], share: f64| {
             let element = list.get((share * list.len() as f64) as usize);
@@ -138,7 +140,8 @@ impl<'a> Looks<'a> {
         let delay_s = legs_m.iter().map(|leg| leg.length()).sum::<f64>() / SPEED_OF_LIGHT_MPS;
         let step_s = f64::from(waveform.samples) / waveform.sample_rate_hz / self.instants as f64;
         let (first_hz, step_hz) = (0.5 * step_s * waveform.slope_hz_per_s, step_s * waveform.slope_hz_per_s);
-        let cycles = (waveform.start_frequency_hz + first_hz - 0.5 * waveform.slope_hz_per_s * delay_s) * delay_s;
+        let cycles =
+            (waveform.start_frequency_hz + first_hz - 0.5 * waveform.slope_hz_per_s * delay_s) * delay_s;
         let behind_hz = waveform.slope_hz_per_s * delay_s;
         Tone {
             value: Complex64::from_polar(

@@ -56,14 +56,18 @@ impl<'a> Extents<'a> {
             rx.dot(self.right) * of_rx[0],
             rx.dot(self.up) * of_rx[1],
         ];
-        Turns { length_m: legs_m[0].length() + legs_m[1].length(), cycles: ways_m.map(|way_m| way_m / wavelength_m) }
+        Turns {
+            length_m: legs_m[0].length() + legs_m[1].length(),
+            cycles: ways_m.map(|way_m| way_m / wavelength_m),
+        }
     }
 }
 
-/// Paths of one target, order and part of the frame whose phases differ by at most about `spread_rad` from their mean's at the ends of
-/// band, rows and frame are merged into one; in the order of their cells.
+/// Paths of one target, order and part of the frame whose phases differ by at most about `spread_rad` from
+/// their mean's at the ends of band, rows and frame are merged into one; in the order of their cells.
 ///
-/// With slope a′ a path follows a straight line over the band: of a phase that runs over ±θ there it leaves θ²/4.
+/// With slope a′ a path follows a straight line over the band: of a phase that runs over ±θ there it leaves
+/// θ²/4.
 pub(crate) fn merged(radar: &Radar, paths: &[Path], spread_rad: f64) -> Vec<Path> {
     let extents = Extents::of(radar);
     let band_m = SPEED_OF_LIGHT_MPS / radar.waveform.bandwidth_hz().abs();
@@ -73,18 +77,26 @@ pub(crate) fn merged(radar: &Radar, paths: &[Path], spread_rad: f64) -> Vec<Path
         let turns = extents.turns(path);
         let cell = |value: f64, size: f64| (value / size).floor() as i64;
         let moment = path.curve.span.map(|span| (span.moments, span.moment));
-        (path.target, path.order, moment, cell(turns.length_m, length_m), turns.cycles.map(|c| cell(c, cycles)))
+        (
+            path.target,
+            path.order,
+            moment,
+            cell(turns.length_m, length_m),
+            turns.cycles.map(|c| cell(c, cycles)),
+        )
     };
     let mut keyed: Vec<_> = paths.iter().map(|path| (key(path), path)).collect();
     keyed.sort_by_key(|(key, _)| *key);
-    let groups: Vec<Vec<&Path>> =
-        keyed.chunk_by(|a, b| a.0 == b.0).map(|group| group.iter().map(|(_, path)| *path).collect()).collect();
+    let groups: Vec<Vec<&Path>> = keyed
+        .chunk_by(|a, b| a.0 == b.0)
+        .map(|group| group.iter().map(|(_, path)| *path).collect())
+        .collect();
     let band = Band::of(&radar.waveform);
     groups.iter().map(|group| one_of(radar, &band, &extents.middle, group)).collect()
 }
 
-/// The sum of a group as seen from the mean of its points, which are weighed by amplitude; named by its strongest
-/// member.
+/// The sum of a group as seen from the mean of its points, which are weighed by amplitude; named by its
+/// strongest member.
 fn one_of(radar: &Radar, band: &Band, middle: &Look, group: &[&Path]) -> Path {
     if let [alone] = group {
         return **alone;

@@ -1,8 +1,9 @@
 //! Scattering centres of a target: orthogonal matching pursuit over band, elements and frame.
 //!
-//! Pati, Rezaiifar, Krishnaprasad (1993); here with every candidate kept orthogonal to what was taken, so that each
-//! step takes the centre that leaves the least (orthogonal least squares; Chen, Billings, Luo (1989)). Blocks of range
-//! are fitted one by one: what lies cells apart does not take part in the same samples' fit.
+//! Pati, Rezaiifar, Krishnaprasad (1993); here with every candidate kept orthogonal to what was taken, so
+//! that each step takes the centre that leaves the least (orthogonal least squares; Chen, Billings, Luo
+//! (1989)). Blocks of range are fitted one by one: what lies cells apart does not take part in the same
+//! samples' fit.
 
 use crate::detail::looks::{Looks, power};
 use crate::detail::merged_paths::{Extents, Turns, merged};
@@ -12,10 +13,11 @@ use artifact::units::SPEED_OF_LIGHT_MPS;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-/// Length of a block in range cells: longer ones have more candidates for each sample, shorter ones more ends.
+/// Length of a block in range cells: longer ones have more candidates for each sample, shorter ones more
+/// ends.
 const BLOCK_CELLS: f64 = 6.0;
-/// A column of which less is new, of its amplitude, is left: its coefficient would be twenty times what it adds, and
-/// cancel others.
+/// A column of which less is new, of its amplitude, is left: its coefficient would be twenty times what it
+/// adds, and cancel others.
 const LEAST_NEW: f64 = 0.05;
 
 /// Paths of one target that stand close in range, and what they are fitted at.
@@ -24,14 +26,15 @@ struct Block<'a> {
     looks: Looks<'a>,
 }
 
-/// Centres of a target's paths that leave at most `allowed` of their power where they are fitted; candidates are the
-/// paths merged with `spread_rad`.
+/// Centres of a target's paths that leave at most `allowed` of their power where they are fitted; candidates
+/// are the paths merged with `spread_rad`.
 ///
 /// They hold the radar's own polarization alone: that is what is fitted.
 pub(crate) fn centres(radar: &Radar, paths: &[Path], spread_rad: f64, allowed: f64) -> Vec<Path> {
     let blocks = blocks(radar, paths);
     let fields: Vec<Vec<Complex64>> = blocks.iter().map(|block| block.looks.field(&block.paths)).collect();
-    let per_sample: Vec<f64> = blocks.iter().zip(&fields).map(|(b, f)| power(f) / b.looks.len() as f64).collect();
+    let per_sample: Vec<f64> =
+        blocks.iter().zip(&fields).map(|(b, f)| power(f) / b.looks.len() as f64).collect();
     let allowed_per_sample = allowed * per_sample.iter().sum::<f64>() / blocks.len().max(1) as f64;
     let fitted: Vec<Vec<Path>> = blocks
         .par_iter()
@@ -60,7 +63,8 @@ fn blocks<'a>(radar: &'a Radar, paths: &[Path]) -> Vec<Block<'a>> {
 /// Twice as many looks and instants as what the paths spread over needs, and some for the ends.
 fn looks<'a>(radar: &'a Radar, paths: &[(Turns, &Path)]) -> Looks<'a> {
     let extent = |of: &dyn Fn(&Turns) -> f64| {
-        let (low, high) = paths.iter().map(|(t, _)| of(t)).fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)));
+        let (low, high) =
+            paths.iter().map(|(t, _)| of(t)).fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)));
         high - low
     };
     let cells = extent(&|t| t.length_m) * radar.waveform.bandwidth_hz().abs() / SPEED_OF_LIGHT_MPS;
@@ -72,14 +76,24 @@ fn looks<'a>(radar: &'a Radar, paths: &[(Turns, &Path)]) -> Looks<'a> {
 }
 
 /// Candidates taken one by one, the best first, until what is left is below `allowed` power or nothing helps.
-fn pursued(radar: &Radar, looks: &Looks<'_>, candidates: &[Path], field: &[Complex64], allowed: f64) -> Vec<Path> {
+fn pursued(
+    radar: &Radar,
+    looks: &Looks<'_>,
+    candidates: &[Path],
+    field: &[Complex64],
+    allowed: f64,
+) -> Vec<Path> {
     let mut pursuit = Pursuit::new(looks, candidates, field);
     while power(&pursuit.left) > allowed && 2 * pursuit.taken.len() + 2 < field.len() / 2 {
         if !pursuit.take_best() {
             break;
         }
     }
-    pursuit.coefficients().into_iter().map(|(index, of)| centre(radar, &candidates[index], of, looks)).collect()
+    pursuit
+        .coefficients()
+        .into_iter()
+        .map(|(index, of)| centre(radar, &candidates[index], of, looks))
+        .collect()
 }
 
 fn centre(radar: &Radar, candidate: &Path, [value, slope]: [Complex64; 2], looks: &Looks<'_>) -> Path {
@@ -168,8 +182,8 @@ impl Pursuit {
         self.directions.push(direction);
     }
 
-    /// Least squares on the columns of the directions: these are the columns' QR factors, so that back substitution is
-    /// left. Both directions of a candidate follow one another.
+    /// Least squares on the columns of the directions: these are the columns' QR factors, so that back
+    /// substitution is left. Both directions of a candidate follow one another.
     fn coefficients(&self) -> Vec<(usize, [Complex64; 2])> {
         let column = |d: &Direction| &self.columns[d.column.0][d.column.1];
         let mut rest = self.field.clone();

@@ -1,8 +1,8 @@
-//! A body as points drawn like its own: their number, the distribution of their levels and where they lie come from its
-//! paths, the rest from the seed.
+//! A body as points drawn like its own: their number, the distribution of their levels and where they lie
+//! come from its paths, the rest from the seed.
 //!
-//! It keeps the mean level and what of range, angle and velocity the body fills; its field is another one, so that its
-//! complex error is that of two independent fields of one power, +3 dB.
+//! It keeps the mean level and what of range, angle and velocity the body fills; its field is another one, so
+//! that its complex error is that of two independent fields of one power, +3 dB.
 
 use crate::detail::looks::{Looks, power};
 use crate::detail::merged_paths::merged;
@@ -12,8 +12,8 @@ use artifact::seed;
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 
-/// Phases that differ by less stay within one cell of range, Doppler and angle: such paths are one centre with one
-/// level.
+/// Phases that differ by less stay within one cell of range, Doppler and angle: such paths are one centre
+/// with one level.
 const CENTRE_RAD: f64 = 0.5 * PI;
 /// Share of the centres' power that those carry whose number and levels are told.
 const TOLD: f64 = 0.99;
@@ -22,8 +22,8 @@ const TOLD: f64 = 0.99;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PointModel {
     pub(crate) points: usize,
-    /// Mean and standard deviation of ln σ: levels of a vehicle's centres are spread by tens of decibels, as log-normal
-    /// ones.
+    /// Mean and standard deviation of ln σ: levels of a vehicle's centres are spread by tens of decibels, as
+    /// log-normal ones.
     pub(crate) log_level: [f64; 2],
     /// Where a point can be, with the share of points there.
     places: Vec<Path>,
@@ -49,16 +49,23 @@ impl PointModel {
         let mean = logarithms.iter().sum::<f64>() / points.max(1) as f64;
         let variance = logarithms.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / points.max(1) as f64;
         let power = power(&looks.field(paths));
-        (points > 0 && power > 0.0).then(|| Self { points, log_level: [mean, variance.sqrt()], places, power })
+        (points > 0 && power > 0.0).then(|| Self {
+            points,
+            log_level: [mean, variance.sqrt()],
+            places,
+            power,
+        })
     }
 
-    /// Points of `seed` and `target`, all of one bounce order of the place that they were drawn for; their mean power
-    /// is the body's.
+    /// Points of `seed` and `target`, all of one bounce order of the place that they were drawn for; their
+    /// mean power is the body's.
     ///
     /// Levels are log-normal, phases even, places drawn among the body's own by equal chance.
     pub(crate) fn drawn(&self, radar: &Radar, looks: &Looks<'_>, seed: u64, target: u32) -> Vec<Path> {
-        let mut points: Vec<Path> = (0..self.points as u64).map(|i| self.point(radar, seed, target, i)).collect();
-        // Of independent phases the powers add up: what the draw of the levels missed is put right for all alike.
+        let mut points: Vec<Path> =
+            (0..self.points as u64).map(|i| self.point(radar, seed, target, i)).collect();
+        // Of independent phases the powers add up: what the draw of the levels missed is put right for all
+        // alike.
         let drawn: f64 = points.iter().map(|point| power(&looks.field(std::slice::from_ref(point)))).sum();
         let factor = if drawn > 0.0 { (self.power / drawn).sqrt() } else { 0.0 };
         points.iter_mut().flat_map(|point| point.amplitude_m.as_flattened_mut()).for_each(|a| *a *= factor);

@@ -1,12 +1,13 @@
-//! The fringe integral along an edge: what an edge scatters beyond physical optics, as the amplitude of a path whose node
-//! is a point of the edge.
+//! The fringe integral along an edge: what an edge scatters beyond physical optics, as the amplitude of a
+//! path whose node is a point of the edge.
 //!
-//! Three parts: the fringe currents of both faces without end; less what of them lies beyond the end of each face; plus, where
-//! that end is an edge, what the wave that arrives along the face gives rise to there (second order; for H ∥ only, the
-//! wave of E ∥ vanishes on the face).
+//! Three parts: the fringe currents of both faces without end; less what of them lies beyond the end of each
+//! face; plus, where that end is an edge, what the wave that arrives along the face gives rise to there
+//! (second order; for H ∥ only, the wave of E ∥ vanishes on the face).
 //!
-//! S_pq = ∫ R_tR_r/(L₁L₂)·K_pq e^{−jk(L₁+L₂−R_t−R_r)} dl, K the mean of both directions of travel, ½(K(tx → rx) + K(rx → tx)ᵀ): nature has
-//! S(tx, rx) = S(rx, tx)ᵀ, the fringe currents have it at right angles to the edge only (docs/physics.md §4).
+//! S_pq = ∫ R_tR_r/(L₁L₂)·K_pq e^{−jk(L₁+L₂−R_t−R_r)} dl, K the mean of both directions of travel, ½(K(tx →
+//! rx) + K(rx → tx)ᵀ): nature has S(tx, rx) = S(rx, tx)ᵀ, the fringe currents have it at right angles to the
+//! edge only (docs/physics.md §4).
 
 use crate::edges::end_current::EndCurrent;
 use crate::edges::fringe::FaceView;
@@ -51,8 +52,8 @@ impl EdgeNode<'_> {
 
 /// Amplitudes about `reference_m` at several wavenumbers.
 ///
-/// `accuracy` bounds the error of every element as a fraction of length/√π, the amplitude of an edge that is seen square;
-/// `error` is the bound reached, m.
+/// `accuracy` bounds the error of every element as a fraction of length/√π, the amplitude of an edge that is
+/// seen square; `error` is the bound reached, m.
 pub(crate) fn edge_amplitudes(
     node: &EdgeNode<'_>,
     reference_m: DVec3,
@@ -69,8 +70,8 @@ pub(crate) fn edge_amplitudes(
     Estimate { value: sums.iter().map(amplitude_of).collect(), error: error_m * PER_ROOT_PI }
 }
 
-/// Calls `give` with the parts of an edge's integrals, cut for `highest_per_m`, and a bound of the error of each, √π·m: together they
-/// are [`edge_amplitudes`].
+/// Calls `give` with the parts of an edge's integrals, cut for `highest_per_m`, and a bound of the error of
+/// each, √π·m: together they are [`edge_amplitudes`].
 pub(crate) fn for_each_part(
     node: &EdgeNode<'_>,
     reference_m: DVec3,
@@ -88,7 +89,9 @@ pub(crate) fn for_each_part(
         for sense in fringe.senses() {
             let beyond = BeyondEnd { fringe: &fringe, face, ends: &ends, sense };
             for span_m in beyond.pieces() {
-                for_each_piece(&beyond, span_m, highest_per_m, accuracy, &mut |piece, error| give(piece, error));
+                for_each_piece(&beyond, span_m, highest_per_m, accuracy, &mut |piece, error| {
+                    give(piece, error)
+                });
             }
         }
     }
@@ -140,7 +143,8 @@ impl Integrand for Fringe<'_> {
     fn sample(&self, at_m: f64) -> Sample {
         let x_m = self.node.edge.point_m(at_m);
         let length_m = self.node.legs().map(|leg| length_difference_m(leg.image, x_m, self.reference_m));
-        let spread: f64 = self.node.legs().map(|leg| spread(leg.image, x_m, self.reference_m)).iter().product();
+        let spread: f64 =
+            self.node.legs().map(|leg| spread(leg.image, x_m, self.reference_m)).iter().product();
         Sample { length_m: length_m[0] + length_m[1], weights: self.kernel(x_m).map(|k| spread * k) }
     }
 
@@ -162,7 +166,8 @@ impl Fringe<'_> {
         });
         let forth = self.one_way(&ends[0], &ends[1]);
         let back = if self.node.has_one_leg() { forth } else { self.one_way(&ends[1], &ends[0]) };
-        [forth[0] + back[0], forth[1] + back[2], forth[2] + back[1], forth[3] + back[3]].map(|twice| 0.5 * twice)
+        [forth[0] + back[0], forth[1] + back[2], forth[2] + back[1], forth[3] + back[3]]
+            .map(|twice| 0.5 * twice)
     }
 
     /// From one end to the other: [field received][field sent].
@@ -190,7 +195,8 @@ enum Sense {
 
 impl Fringe<'_> {
     fn senses(&self) -> impl Iterator<Item = Sense> {
-        let senses: &[Sense] = if self.node.has_one_leg() { &[Sense::Both] } else { &[Sense::Forth, Sense::Back] };
+        let senses: &[Sense] =
+            if self.node.has_one_leg() { &[Sense::Both] } else { &[Sense::Forth, Sense::Back] };
         senses.iter().copied()
     }
 }
@@ -239,18 +245,19 @@ impl BeyondEnd<'_> {
         DVec2::new(face.sin_in, face.along_face().dot(self.fringe.node.edge.wedge.along))
     }
 
-    /// √π·K of the edge where the face ends, for a wave that arrives along the face with a current of one, per length of the
-    /// first edge; by what is received.
+    /// √π·K of the edge where the face ends, for a wave that arrives along the face with a current of one,
+    /// per length of the first edge; by what is received.
     ///
-    /// A wave that grazes a conductor has the current 2H: E = ½J·n. Its own current up to the edge is there already, so the
-    /// fringe of grazing incidence is what the edge adds.
+    /// A wave that grazes a conductor has the current 2H: E = ½J·n. Its own current up to the edge is there
+    /// already, so the fringe of grazing incidence is what the edge adds.
     fn next_edge(&self, edge: u32, face: &FaceView, to: &Leg, end_m: DVec3) -> [f64; 2] {
         let wedge = &self.fringe.node.edges.edges[edge as usize].wedge;
         let (travel, back) = (face.along_face(), to.image.travel_direction_at(end_m));
         let Some(faces) = wedge.faces_from_face(travel, face.normal, -back) else { return [0.0; 2] };
         let width = face.sin_in / travel.cross(wedge.along).length();
         let received = to.mirrors.fields_at_node(back, to.zenith_h);
-        let [one, other] = faces.map(|f| f.coefficients([f.incident(travel, 0.5 * face.normal)], -back, received));
+        let [one, other] =
+            faces.map(|f| f.coefficients([f.incident(travel, 0.5 * face.normal)], -back, received));
         [0, 1].map(|p| width * (one[p][0] + other[p][0]))
     }
 
@@ -294,7 +301,9 @@ impl Integrand for BeyondEnd<'_> {
     }
 
     fn weights(&self, sample: &Beyond, wavenumber_per_m: f64) -> [Complex64; 4] {
-        let Some(AtEnd { way_m, current, spread, next }) = &sample.current else { return [Complex64::ZERO; 4] };
+        let Some(AtEnd { way_m, current, spread, next }) = &sample.current else {
+            return [Complex64::ZERO; 4];
+        };
         let (beyond, falloff) = current.beyond(*way_m, wavenumber_per_m);
         let second = |p: usize, q: usize| next[p] * current.along_ray[q] * falloff;
         let [vv, vh, hv, hh] =
@@ -333,13 +342,22 @@ mod tests {
         let world = World::of_mesh(&mesh).unwrap();
         let angle: f64 = 0.6;
         let r = DVec3::new(angle.cos(), angle.sin(), 0.0);
-        let leg =
-            Leg { image: Antenna::Direction(r), mirrors: Mirrors::NONE, steps: Steps::default(), zenith_h: DVec3::Y };
+        let leg = Leg {
+            image: Antenna::Direction(r),
+            mirrors: Mirrors::NONE,
+            steps: Steps::default(),
+            zenith_h: DVec3::Y,
+        };
         let mut sum = [Complex64::ZERO; 4];
         let mut long = 0;
         for edge in world.edges(TAU).edges.iter().filter(|e| e.wedge.along.z.abs() > 0.5) {
-            let node =
-                EdgeNode { edge, edges: world.edges(TAU), span_m: [0.0, edge.length_m], transmit: &leg, receive: &leg };
+            let node = EdgeNode {
+                edge,
+                edges: world.edges(TAU),
+                span_m: [0.0, edge.length_m],
+                transmit: &leg,
+                receive: &leg,
+            };
             let mut share = [[Complex64::ZERO; 4]];
             add_line_integral(
                 &Fringe { node: &node, reference_m: DVec3::ZERO },

@@ -10,8 +10,8 @@ use glam::DVec3;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-/// S of the edges in ways of `order` over frequency, 2 × 2, its phase referred to `origin_m`: as that of facets, from few
-/// frequencies (see [`crate::joins::band`]).
+/// S of the edges in ways of `order` over frequency, 2 × 2, its phase referred to `origin_m`: as that of
+/// facets, from few frequencies (see [`crate::joins::band`]).
 ///
 /// Fixed runs are added in their order: the same bits on any number of threads.
 pub(crate) fn sum_of_edges(
@@ -26,7 +26,9 @@ pub(crate) fn sum_of_edges(
     };
     let of_run = |run: &[EdgeJoint]| {
         let mut groups = Groups::new();
-        run.iter().for_each(|joint| add_joint(scatterer, joint, origin_m, integration.accuracy, &band, &mut groups));
+        run.iter().for_each(|joint| {
+            add_joint(scatterer, joint, origin_m, integration.accuracy, &band, &mut groups)
+        });
         groups
     };
     band.sum(joints.par_chunks(RUN).map(of_run).collect())
@@ -86,7 +88,12 @@ pub(crate) fn part_amplitudes(
     (node.middle_m(), edge_amplitudes(&node, node.middle_m(), wavenumbers_per_m, accuracy))
 }
 
-fn node<'a>(scatterer: &'a Scatterer<'_>, joint: &EdgeJoint, span_m: [f64; 2], highest_per_m: f64) -> EdgeNode<'a> {
+fn node<'a>(
+    scatterer: &'a Scatterer<'_>,
+    joint: &EdgeJoint,
+    span_m: [f64; 2],
+    highest_per_m: f64,
+) -> EdgeNode<'a> {
     let edges = scatterer.world.edges(highest_per_m);
     let [transmit, receive] = scatterer.legs(joint.forward, joint.backward);
     EdgeNode { edge: &edges.edges[joint.edge as usize], edges, span_m, transmit, receive }
@@ -106,10 +113,12 @@ pub(crate) fn edge_share(
     integration: &Integration<'_>,
 ) -> Estimate<Vec<Amplitude>> {
     let Integration { wavenumbers_per_m, accuracy, .. } = *integration;
-    let (middle_m, mut estimate) = part_amplitudes(scatterer, joint, joint.span_m, wavenumbers_per_m, accuracy);
+    let (middle_m, mut estimate) =
+        part_amplitudes(scatterer, joint, joint.span_m, wavenumbers_per_m, accuracy);
     let (spread, length_m) = way_from(scatterer, joint, middle_m, origin_m);
     for (amplitude, k) in estimate.value.iter_mut().zip(wavenumbers_per_m) {
-        *amplitude = scaled(&with_reverse(joint.reverse, amplitude), Complex64::from_polar(spread, -k * length_m));
+        *amplitude =
+            scaled(&with_reverse(joint.reverse, amplitude), Complex64::from_polar(spread, -k * length_m));
     }
     estimate
 }
@@ -127,8 +136,8 @@ mod tests {
     use artifact::scene::Mesh;
     use artifact::settings::Sides;
 
-    /// Panels of 2 mm to 2 m, each with a fin of half its height that stands on it: open edges, ends of faces at edges and walls,
-    /// edges seen in mirrors.
+    /// Panels of 2 mm to 2 m, each with a fin of half its height that stands on it: open edges, ends of faces
+    /// at edges and walls, edges seen in mirrors.
     fn panels() -> World {
         let mut mesh = Mesh::default();
         let mut quad = |at: DVec3, u: DVec3, v: DVec3| {
@@ -154,22 +163,36 @@ mod tests {
         let world = panels();
         // A chirp, all of 76 to 81 GHz, and a band of 1 : 3, in which √k is no line.
         let bands = [(1603.0, 21.0, 40), (1592.9, 104.8, 40), (600.0, 1200.0, 60)];
-        let places = [Antenna::Point(DVec3::new(6.0, 1.1, 0.9)), Antenna::Direction(DVec3::new(0.96, 0.0, 0.28))];
-        for ((low, width, count), antenna) in bands.into_iter().flat_map(|band| places.map(|place| (band, place))) {
+        let places =
+            [Antenna::Point(DVec3::new(6.0, 1.1, 0.9)), Antenna::Direction(DVec3::new(0.96, 0.0, 0.28))];
+        for ((low, width, count), antenna) in
+            bands.into_iter().flat_map(|band| places.map(|place| (band, place)))
+        {
             let wavenumbers_per_m: Vec<f64> =
                 (0..count).map(|i| low + width * f64::from(i) / f64::from(count - 1)).collect();
-            let trace =
-                TraceSettings { max_order: 2, sides: Sides::Two, least_area_m2: 1e-9, least_mirror_area_m2: 1e-7 };
+            let trace = TraceSettings {
+                max_order: 2,
+                sides: Sides::Two,
+                least_area_m2: 1e-9,
+                least_mirror_area_m2: 1e-7,
+            };
             let tree = BeamTree::trace(&world, antenna, &trace).unwrap();
-            let scatterer =
-                Scatterer::new(&world, Trees::Shared(&tree), ZenithH { transmit: DVec3::Y, receive: DVec3::Y });
+            let scatterer = Scatterer::new(
+                &world,
+                Trees::Shared(&tree),
+                ZenithH { transmit: DVec3::Y, receive: DVec3::Y },
+            );
             let edges = world.edges(low + width);
             let joints = [1, 2].map(|order| edge_joints(&world, edges, scatterer.trees, order)).concat();
-            // Accuracy is a part of this: every edge seen square. No integral of the two is exact, but both are the same one.
+            // Accuracy is a part of this: every edge seen square. No integral of the two is exact, but both
+            // are the same one.
             let length_m: f64 = joints.iter().map(|joint| joint.span_m[1] - joint.span_m[0]).sum();
             for accuracy in [1e-1, 1e-3, 1e-5, 1e-7] {
-                let integration =
-                    Integration { wavenumbers_per_m: &wavenumbers_per_m, accuracy, bracket: Bracket::Symmetrised };
+                let integration = Integration {
+                    wavenumbers_per_m: &wavenumbers_per_m,
+                    accuracy,
+                    bracket: Bracket::Symmetrised,
+                };
                 let of = |sum: Sum| sum(&scatterer, &joints, DVec3::ZERO, &integration);
                 let (fast, slow) = (of(sum_of_edges), of(sum_at_each));
                 let scale = length_m / std::f64::consts::PI.sqrt();

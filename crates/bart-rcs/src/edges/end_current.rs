@@ -1,15 +1,17 @@
 //! What the fringe current beyond the end of a face would radiate: a face of finite width has it no more.
 //!
-//! The fringe current on a face is an edge wave. On a half plane it is known exactly (docs/physics.md §4): with x from the
-//! edge, κ = k sin²β′, μ the receiver's cosine, a = cosφ′ + μ, b = 1 − μ and W(x) = e^{jx²}erfc(e^{jπ/4}x), the current beyond a way d
-//! along the face radiates, at the phase of a ray that runs along the face and leaves at its end, as
+//! The fringe current on a face is an edge wave. On a half plane it is known exactly (docs/physics.md §4):
+//! with x from the edge, κ = k sin²β′, μ the receiver's cosine, a = cosφ′ + μ, b = 1 − μ and W(x) =
+//! e^{jx²}erfc(e^{jπ/4}x), the current beyond a way d along the face radiates, at the phase of a ray that
+//! runs along the face and leaves at its end, as
 //!
 //! ```text
 //! ∫_d^∞ F dσ = ±τ/jκ      τ = [√((a + b)/b) W(√(κdb)) − W(√(κd(a + b)))]/a      ∫_d^∞ Q dσ = √(2/b) W(√(κdb))/sinβ′
 //! ```
-//! both finite at the reflection boundary a = 0. On a wedge the same functions are taken times the ratio of its edge wave to that of
-//! the half plane far from the edge (r_h of the value, r_s of the slope on the face): exact for N = 2, uniform through
-//! the shadow boundary φ′ = π (where both ratios are 1), and at μ = 1 the singularities of the endless face and of its rest cancel.
+//! both finite at the reflection boundary a = 0. On a wedge the same functions are taken times the ratio of
+//! its edge wave to that of the half plane far from the edge (r_h of the value, r_s of the slope on the
+//! face): exact for N = 2, uniform through the shadow boundary φ′ = π (where both ratios are 1), and at μ = 1
+//! the singularities of the endless face and of its rest cancel.
 
 use crate::edges::fresnel::edge_wave;
 use crate::edges::fringe::{FaceView, Lighting};
@@ -48,7 +50,8 @@ impl EndCurrent {
             let [e, h] = face.incident(travel, sent[q]);
             let [p_x, p_z] = [received[p].dot(face.inward), received[p].dot(face.along) / (s * s)];
             let z_hard = hard * face.cos_in * h;
-            of_wave[i] = -0.5 * (p_x * hard * h / s + p_z * (2.0 * soft * half_cosine * e - z_hard * (ab - 1.0)));
+            of_wave[i] =
+                -0.5 * (p_x * hard * h / s + p_z * (2.0 * soft * half_cosine * e - z_hard * (ab - 1.0)));
             of_edge[i] = 0.5 * p_z * (soft * e - z_hard * half_cosine);
         }
         let along_ray = [0, 1].map(|q| -hard * face.incident(travel, sent[q])[1] / s);
@@ -91,7 +94,8 @@ mod tests {
     #[test]
     fn the_current_of_a_whole_half_plane_is_its_fringe_current_from_any_direction() {
         let unit = |x: f64, y: f64, z: f64| DVec3::new(x, y, z) / DVec3::new(x, y, z).length();
-        let ways = [(-0.9, -0.3, 0.1), (0.4, -0.8, -0.4), (0.2, 0.7, 0.3), (-0.5, -0.6, 0.7), (0.0, -1.0, 0.0)];
+        let ways =
+            [(-0.9, -0.3, 0.1), (0.4, -0.8, -0.4), (0.2, 0.7, 0.3), (-0.5, -0.6, 0.7), (0.0, -1.0, 0.0)];
         for (i, (x, y, z)) in ways.into_iter().enumerate() {
             for (u, v, w) in ways.into_iter().skip(i) {
                 let (travel, out) = (unit(x, y, z), -unit(u, v, w));
@@ -101,13 +105,17 @@ mod tests {
                 let mut whole = [0.0; 4];
                 let mut from_currents = [Complex64::ZERO; 4];
                 for face in &faces {
-                    let shares = face.coefficients(sent.map(|sent| face.incident(travel, sent)), out, received);
+                    let shares =
+                        face.coefficients(sent.map(|sent| face.incident(travel, sent)), out, received);
                     whole.iter_mut().zip(shares.as_flattened()).for_each(|(sum, share)| *sum += share);
                     let beyond = EndCurrent::new(face, travel, &sent, &received).beyond(0.0, 1.0).0;
                     from_currents.iter_mut().zip(beyond).for_each(|(sum, b)| *sum += b);
                 }
                 for (got, known) in from_currents.iter().zip(whole) {
-                    assert!((got - known).norm() < 1e-6 * (1.0 + known.abs()), "{travel} {out}: {got} {known}");
+                    assert!(
+                        (got - known).norm() < 1e-6 * (1.0 + known.abs()),
+                        "{travel} {out}: {got} {known}"
+                    );
                 }
             }
         }

@@ -1,22 +1,25 @@
-//! Fringe currents of a wedge: what the current at an edge differs from physical optics by, as a line source along it.
+//! Fringe currents of a wedge: what the current at an edge differs from physical optics by, as a line source
+//! along it.
 //!
 //! Michaeli's equivalent currents for any direction (IEEE T-AP 34 (1986) 912, 34 (1986) 1252) in the form of
-//! docs/physics.md §4, with the removable singularities gone: with ψ = π − α, h = (ψ − φ′)/2, m = (ψ + φ′)/2 and
-//! c(z) = cot(z/N)/N − U cot z, which is smooth at 0,
+//! docs/physics.md §4, with the removable singularities gone: with ψ = π − α, h = (ψ − φ′)/2, m = (ψ + φ′)/2
+//! and c(z) = cot(z/N)/N − U cot z, which is smooth at 0,
 //!
 //! ```text
 //! D − U sinφ′/(cosφ′ + μ) = ½[c(h) − c(m)]        G − U/(cosφ′ + μ) = ½[c(h) + c(m)]/sinψ
 //! ```
-//! so that the reflection boundary (cosφ′ + μ = 0; monostatically φ′ = 90°) is no special case. At cosines of α below −1
-//! ψ is imaginary, c(h) = −conj c(m), and both stay real. Left is μ = 1, the direction in which the wave along the face
-//! travels: there the current of a face without end has no finite sum, and [`LEAST_GRAZING`] clamps it.
+//! so that the reflection boundary (cosφ′ + μ = 0; monostatically φ′ = 90°) is no special case. At cosines of
+//! α below −1 ψ is imaginary, c(h) = −conj c(m), and both stay real. Left is μ = 1, the direction in which
+//! the wave along the face travels: there the current of a face without end has no finite sum, and
+//! [`LEAST_GRAZING`] clamps it.
 
 use crate::mesh::wedges::wedge::Wedge;
 use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 
-/// A face with the directions of both legs in its coordinates: x̂ into the face, ŷ its normal, ẑ = x̂ × ŷ along the edge.
+/// A face with the directions of both legs in its coordinates: x̂ into the face, ŷ its normal, ẑ = x̂ × ŷ
+/// along the edge.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FaceView {
     /// N.
@@ -42,12 +45,15 @@ pub(crate) enum Lighting {
     Shadowed,
 }
 
-/// Nearest that a receiver may be to the direction of a wave along a face, as 1 − μ: 0.3 mrad at right angles. Where the
-/// face ends, the wave's end is subtracted with the same value, and what is left is exact to 1e-16/√1e-9.
+/// Nearest that a receiver may be to the direction of a wave along a face, as 1 − μ: 0.3 mrad at right
+/// angles. Where the face ends, the wave's end is subtracted with the same value, and what is left is exact
+/// to 1e-16/√1e-9.
 const LEAST_GRAZING: f64 = 1e-9;
-/// Directions are rounded to ε, and facets nearer to edge-on than 16 ε have no shadow and no light (shadow.rs).
+/// Directions are rounded to ε, and facets nearer to edge-on than 16 ε have no shadow and no light
+/// (shadow.rs).
 const EDGE_ON_RAD: f64 = 1e-9;
-/// A leg along the edge itself has no angle φ; within this sine of it the edge is left out (its amplitude is bounded).
+/// A leg along the edge itself has no angle φ; within this sine of it the edge is left out (its amplitude is
+/// bounded).
 const LEAST_SINE: f64 = 1e-6;
 
 /// Planes of one flat patch differ by less.
@@ -61,8 +67,8 @@ impl Wedge {
         if angle < 0.0 { angle + TAU } else { angle }
     }
 
-    /// Both faces for a wave that travels along `travel` and leaves along `out`; `None` where a leg lies along the edge or
-    /// runs inside the wedge.
+    /// Both faces for a wave that travels along `travel` and leaves along `out`; `None` where a leg lies
+    /// along the edge or runs inside the wedge.
     pub(crate) fn faces(&self, travel: DVec3, out: DVec3) -> Option<[FaceView; 2]> {
         let span = self.exterior * PI;
         let (angle_in, angle_out) = (self.angle_of(-travel), self.angle_of(out));
@@ -73,8 +79,8 @@ impl Wedge {
         Some([self.face(0, travel, out, angle_in), self.face(1, travel, out, span - angle_in)])
     }
 
-    /// Both faces for a wave that comes along `travel` on the face that looks along `normal`, at grazing incidence; `None` as
-    /// for [`Self::faces`], and where no face of the wedge looks that way.
+    /// Both faces for a wave that comes along `travel` on the face that looks along `normal`, at grazing
+    /// incidence; `None` as for [`Self::faces`], and where no face of the wedge looks that way.
     pub(crate) fn faces_from_face(&self, travel: DVec3, normal: DVec3, out: DVec3) -> Option<[FaceView; 2]> {
         let span = self.exterior * PI;
         let is_seen = self.angle_of(out) <= span;
@@ -92,7 +98,17 @@ impl Wedge {
         let (cos_in, sin_in) = (travel.dot(along), travel.cross(along).length());
         let out = DVec3::new(out.dot(inward), out.dot(normal), out.dot(along));
         let off_grazing = ((1.0 - out.x * sin_in - out.z * cos_in) / (sin_in * sin_in)).max(LEAST_GRAZING);
-        FaceView { exterior: self.exterior, inward, normal, along, angle_in, cos_in, sin_in, out, off_grazing }
+        FaceView {
+            exterior: self.exterior,
+            inward,
+            normal,
+            along,
+            angle_in,
+            cos_in,
+            sin_in,
+            out,
+            off_grazing,
+        }
     }
 }
 
@@ -112,8 +128,8 @@ impl FaceView {
         [field.dot(self.along), travel.cross(field).dot(self.along)]
     }
 
-    /// Share of this face, without end, in √π·dS/dl: for incident fields with E and Z·H along the edge, seen along `out` by each of
-    /// the unit fields `received`; by [received][sent].
+    /// Share of this face, without end, in √π·dS/dl: for incident fields with E and Z·H along the edge, seen
+    /// along `out` by each of the unit fields `received`; by [received][sent].
     ///
     /// S = (1/√π)∫[−A p·t + B p·(s×t)]dl with A, B the currents of docs/physics.md §4 without their 2j/k.
     pub(crate) fn coefficients<const N: usize>(
@@ -204,8 +220,24 @@ mod tests {
     #[test]
     fn e1_the_fringe_functions_have_their_known_values() {
         let known = [
-            (2.0, [[-0.131292, -0.868708], [-0.380078, -0.619922], [-0.608979, -0.391021], [-0.891753, -0.108247]]),
-            (1.5, [[-0.133287, -0.636513], [-0.411310, -0.358491], [-0.546497, -0.223303], [-0.556327, -0.213474]]),
+            (
+                2.0,
+                [
+                    [-0.131292, -0.868708],
+                    [-0.380078, -0.619922],
+                    [-0.608979, -0.391021],
+                    [-0.891753, -0.108247],
+                ],
+            ),
+            (
+                1.5,
+                [
+                    [-0.133287, -0.636513],
+                    [-0.411310, -0.358491],
+                    [-0.546497, -0.223303],
+                    [-0.556327, -0.213474],
+                ],
+            ),
         ];
         for (n, rows) in known {
             for (angle, expected) in [0.3, 1.1, 2.0, 2.9].into_iter().zip(rows) {
@@ -232,7 +264,8 @@ mod tests {
             let faces = wedge(1.0).faces(travel, out).unwrap();
             let e = travel.any_orthonormal_vector();
             let received = [out.any_orthonormal_vector(); 2];
-            let total: f64 = faces.iter().map(|f| f.coefficients([f.incident(travel, e)], out, received)[0][0]).sum();
+            let total: f64 =
+                faces.iter().map(|f| f.coefficients([f.incident(travel, e)], out, received)[0][0]).sum();
             assert!(total.abs() < 1e-13, "{total:e}");
         }
     }
@@ -246,7 +279,10 @@ mod tests {
                     let near = |d: f64| f_g(n, angle_in, boundary + d);
                     let (below, at, above) = (near(-1e-7), near(0.0), near(1e-7));
                     for i in 0..2 {
-                        assert!((at[i] - 0.5 * (below[i] + above[i])).abs() < 1e-6, "{n} {angle_in}: {at:?} {below:?}");
+                        assert!(
+                            (at[i] - 0.5 * (below[i] + above[i])).abs() < 1e-6,
+                            "{n} {angle_in}: {at:?} {below:?}"
+                        );
                     }
                 }
             }
@@ -284,7 +320,8 @@ mod tests {
         assert!(rows.len() > 400 && worst < 1e-6);
     }
 
-    /// Near the shadow boundary behind the wedge the table's own optics part is another convention's; see the file's README.
+    /// Near the shadow boundary behind the wedge the table's own optics part is another convention's; see the
+    /// file's README.
     #[test]
     fn every_row_of_the_bistatic_wedge_table_is_met_to_1e_minus_6() {
         let Some(rows) = wedge_rows("bistatic.csv") else { return };

@@ -1,5 +1,5 @@
-//! Integrals of a slowly varying weight under a fast phase along a straight line (Filon 1928), cut where the weight or the
-//! phase's curvature asks for it.
+//! Integrals of a slowly varying weight under a fast phase along a straight line (Filon 1928), cut where the
+//! weight or the phase's curvature asks for it.
 
 use num_complex::Complex64;
 
@@ -18,10 +18,12 @@ pub(crate) trait Integrand {
 /// 2⁻²⁴ of a line: where a weight jumps, what is left is below any accuracy asked.
 const HALVINGS_MAX: u32 = 24;
 
-/// A piece may spend this share of the error, however small it is: a root at an end would be halved without end.
+/// A piece may spend this share of the error, however small it is: a root at an end would be halved without
+/// end.
 const SMALLEST_SHARE: f64 = 1.0 / 64.0;
 
-/// ∫ weight·e^{−jkL} over `span_m` for every wavenumber, added to `sums`; gives a bound of the error of every element, m.
+/// ∫ weight·e^{−jkL} over `span_m` for every wavenumber, added to `sums`; gives a bound of the error of every
+/// element, m.
 #[cfg(test)]
 pub(crate) fn add_line_integral<I: Integrand>(
     integrand: &I,
@@ -39,11 +41,13 @@ pub(crate) fn add_line_integral<I: Integrand>(
     error_m
 }
 
-/// Cuts a line into pieces fit for wavenumbers up to `highest_per_m`; `give` gets each with a bound of its error, m.
+/// Cuts a line into pieces fit for wavenumbers up to `highest_per_m`; `give` gets each with a bound of its
+/// error, m.
 ///
-/// A piece takes weight times the remainder of the phase as the quadratic through its ends and middle, exactly under the
-/// linear phase; it is halved until the values at its quarters, at the highest wavenumber, are met to `accuracy`. A cubic
-/// error has 97 % of its greatest value there: h³/16 of h³/9√3 times a sixth of its third derivative.
+/// A piece takes weight times the remainder of the phase as the quadratic through its ends and middle,
+/// exactly under the linear phase; it is halved until the values at its quarters, at the highest wavenumber,
+/// are met to `accuracy`. A cubic error has 97 % of its greatest value there: h³/16 of h³/9√3 times a sixth
+/// of its third derivative.
 pub(crate) fn for_each_piece<I: Integrand>(
     integrand: &I,
     span_m: [f64; 2],
@@ -212,7 +216,10 @@ mod tests {
                 let error = errors.fold(0.0, f64::max) / 0.5;
                 println!("{distance_m} m: asked {asked:.0e}, got {error:.1e}, printed {:.1e}", printed / 0.5);
                 // 600 Gauss points leave 1e-13.
-                assert!(error <= asked && error <= 1.1 * printed / 0.5 + 1e-13, "{distance_m}: {asked:e} {error:e}");
+                assert!(
+                    error <= asked && error <= 1.1 * printed / 0.5 + 1e-13,
+                    "{distance_m}: {asked:e} {error:e}"
+                );
             }
         }
     }

@@ -1,8 +1,8 @@
 //! Which parts of edges a beam tree lights, and where both ends meet on an edge.
 //!
-//! An edge is lit where a lit polygon of one of its facets reaches it: exactly what is lit of the facets, by the same shadows,
-//! straight or through mirrors. Only edges in the plane of vision itself (their facets edge-on to the antenna to rounding)
-//! have no polygon.
+//! An edge is lit where a lit polygon of one of its facets reaches it: exactly what is lit of the facets, by
+//! the same shadows, straight or through mirrors. Only edges in the plane of vision itself (their facets
+//! edge-on to the antenna to rounding) have no polygon.
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::bodies::world::World;
@@ -53,12 +53,20 @@ pub(crate) fn lit_edges(world: &World, edges: &WorldEdges, tree: &BeamTree, max_
         for side in edges.sides_of(beam.facet) {
             let edge = &edges.edges[side.edge as usize];
             let reached = reached_m(world, tree, beam, side, edge);
-            let lit = |span_m| LitEdge { edge: side.edge, order: beam.order, parent: beam.parent, beam: index, span_m };
+            let lit = |span_m| LitEdge {
+                edge: side.edge,
+                order: beam.order,
+                parent: beam.parent,
+                beam: index,
+                span_m,
+            };
             found.extend(reached.map(lit));
         }
     }
     let key = |lit: &LitEdge| (lit.edge, lit.order, lit.parent);
-    found.sort_by(|a, b| key(a).cmp(&key(b)).then(a.span_m[0].total_cmp(&b.span_m[0])).then(a.beam.cmp(&b.beam)));
+    found.sort_by(|a, b| {
+        key(a).cmp(&key(b)).then(a.span_m[0].total_cmp(&b.span_m[0])).then(a.beam.cmp(&b.beam))
+    });
     united(found, world.tolerance_m())
 }
 

@@ -12,7 +12,8 @@ pub(crate) fn frequencies_hz(centre_hz: f64, bandwidth_hz: f64, count: usize) ->
 /// Mean over frequency of |S(paths)|², as the radar sees it.
 pub(crate) fn mean_power(paths: &[Path], plan: &Plan<'_>, seconds: f64, frequencies_hz: &[f64]) -> f64 {
     let view = plan.view(seconds);
-    let seen = element_over_band(paths, &view, plan.header.radar.array.polarization.indices(), frequencies_hz);
+    let seen =
+        element_over_band(paths, &view, plan.header.radar.array.polarization.indices(), frequencies_hz);
     seen.iter().map(|s| s.norm_sqr()).sum::<f64>() / frequencies_hz.len() as f64
 }
 

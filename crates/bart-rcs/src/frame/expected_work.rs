@@ -31,14 +31,15 @@ pub struct ExpectedWork {
     pub tiles: [f64; 2],
     /// And ten times finer, as what they are compared with.
     pub fine_tiles: [f64; 2],
-    /// Of these, those on polygons longer than 2 m: where large parts cancel, integrals are taken again and finer.
+    /// Of these, those on polygons longer than 2 m: where large parts cancel, integrals are taken again and
+    /// finer.
     pub long_tiles: f64,
     /// Cells of all orders at the largest size that is tried.
     pub largest_cells: f64,
     /// At a third of it, which is about the smallest.
     pub smaller_cells: f64,
-    /// Lit polygons of ways between bodies that move against each other, times the wavelengths by which these slide past each other
-    /// during the frame.
+    /// Lit polygons of ways between bodies that move against each other, times the wavelengths by which these
+    /// slide past each other during the frame.
     pub sliding_beams: f64,
     /// The same of the paths' tiles.
     pub sliding_tiles: f64,
@@ -53,7 +54,8 @@ pub struct ExpectedWork {
 /// Kerbs, rails and the like have such polygons, vehicles but for their largest panels do not.
 const LONG_M: f64 = 2.0;
 
-/// Wavelengths that bodies have to slide past each other for a frame to be split in time: an eighth there and back is a quarter cycle.
+/// Wavelengths that bodies have to slide past each other for a frame to be split in time: an eighth there and
+/// back is a quarter cycle.
 const LEAST_SLIDE: f64 = 0.125;
 
 /// Facets and mirrors of an order that are looked at.
@@ -61,9 +63,13 @@ const SAMPLE: usize = 256;
 
 /// The work of the beams and integrals of one moment of a frame.
 ///
-/// A sample of beams is traced as [`crate::BeamTree::trace`] traces all, and each counts for those that it stands for: of 256 facets a
-/// count errs by some 10 %.
-pub fn expected_work(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> Result<ExpectedWork, BartError> {
+/// A sample of beams is traced as [`crate::BeamTree::trace`] traces all, and each counts for those that it
+/// stands for: of 256 facets a count errs by some 10 %.
+pub fn expected_work(
+    models: &Models,
+    header: &SceneHeader,
+    frame: &SceneFrame,
+) -> Result<ExpectedWork, BartError> {
     let header = &header.in_frame(frame.index);
     let plan = Plan::of(header, &Unheard);
     let world = World::posed(models, header, frame, plan.middle_s)?;
@@ -84,12 +90,20 @@ pub fn expected_work(models: &Models, header: &SceneHeader, frame: &SceneFrame) 
 }
 
 impl ExpectedWork {
-    fn add_order(&mut self, order: u8, sampled: &SampledTree, scatterer: &Scatterer<'_>, plan: &Plan<'_>, cell_m: f64) {
+    fn add_order(
+        &mut self,
+        order: u8,
+        sampled: &SampledTree,
+        scatterer: &Scatterer<'_>,
+        plan: &Plan<'_>,
+        cell_m: f64,
+    ) {
         let beams = &sampled.tree.beams;
         let of_order: Vec<usize> = (0..beams.len()).filter(|beam| beams[*beam].order == order).collect();
         let place = usize::from(order > 1);
         self.beams[place] += of_order.iter().map(|beam| sampled.stands_for[*beam]).sum::<f64>();
-        let sizes: Vec<f64> = of_order.iter().map(|beam| beams[*beam].section * sampled.stands_for[*beam]).collect();
+        let sizes: Vec<f64> =
+            of_order.iter().map(|beam| beams[*beam].section * sampled.stands_for[*beam]).collect();
         for (index, each) in sample(&sizes, SAMPLE) {
             let (beam, each) = (of_order[index], each * sampled.stands_for[of_order[index]]);
             let polygon = Lit::new(scatterer, beam as u32, plan);
@@ -116,7 +130,8 @@ impl ExpectedWork {
     }
 }
 
-/// How far the bodies of a beam's way slide past each other during the frame, at most, in wavelengths; 0 within one body.
+/// How far the bodies of a beam's way slide past each other during the frame, at most, in wavelengths; 0
+/// within one body.
 fn slide_wavelengths(sampled: &SampledTree, beam: usize, world: &World, plan: &Plan<'_>) -> f64 {
     let tree = &sampled.tree;
     let own = world.motion(tree.beams[beam].facet).velocity_mps;

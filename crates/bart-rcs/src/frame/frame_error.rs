@@ -1,9 +1,9 @@
-//! What a frame's paths miss, measured: they are compared with the same bodies traced and integrated anew at another moment
-//! and from another element of the array.
+//! What a frame's paths miss, measured: they are compared with the same bodies traced and integrated anew at
+//! another moment and from another element of the array.
 //!
-//! A map's error is that of its samples (Parseval), so it is enough to look at some frequencies and moments. Visibility,
-//! amplitudes and apparent velocities err in proportion to the time from the frame's middle; the moment T/√12 after it has
-//! the mean square of the whole frame.
+//! A map's error is that of its samples (Parseval), so it is enough to look at some frequencies and moments.
+//! Visibility, amplitudes and apparent velocities err in proportion to the time from the frame's middle; the
+//! moment T/√12 after it has the mean square of the whole frame.
 
 use crate::frame::band_power::{frequencies_hz, power_over_frame};
 use crate::frame::path_plan::Plan;
@@ -21,13 +21,13 @@ use artifact::{ErrorBudget, ModelError};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// Frequencies that the comparison is made at: more would repeat what the extent of a vehicle correlates, c/(2·5 m) = 30 MHz
-/// of the 625 MHz of the narrowest band of Table 2.
+/// Frequencies that the comparison is made at: more would repeat what the extent of a vehicle correlates,
+/// c/(2·5 m) = 30 MHz of the 625 MHz of the narrowest band of Table 2.
 const CHECKED_FREQUENCIES: usize = 12;
 
-/// The ratio of two mean powers of n complex Gaussian samples follows the F distribution with (2n, 2n) degrees of freedom.
-/// Scatterers of one vehicle that lie in a few range cells leave about 4 of the 12 frequencies independent: 95 of 100 ratios
-/// stay below F(0.95; 8, 8) = 3.44, as an amplitude 1.85.
+/// The ratio of two mean powers of n complex Gaussian samples follows the F distribution with (2n, 2n)
+/// degrees of freedom. Scatterers of one vehicle that lie in a few range cells leave about 4 of the 12
+/// frequencies independent: 95 of 100 ratios stay below F(0.95; 8, 8) = 3.44, as an amplitude 1.85.
 pub(crate) const MARGIN: f64 = 1.85;
 
 /// The frame's bodies at the moment of the check.
@@ -59,8 +59,8 @@ pub(crate) struct FrameError {
 pub(crate) struct GivenUp {
     pub(crate) paths_power: f64,
     pub(crate) integration_power: f64,
-    /// Area across the wave of beams over L₁L₂ of the nearest facet, as S is over that of [`Plan::view`]: with independent
-    /// phases, with equal ones.
+    /// Area across the wave of beams over L₁L₂ of the nearest facet, as S is over that of [`Plan::view`]:
+    /// with independent phases, with equal ones.
     pub(crate) beams: [f64; 2],
 }
 
@@ -80,7 +80,13 @@ pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference
     let other_m = (1..=fidelity.bounces).map(|o| reaches(o).then(|| by_rule(o, other))).collect();
     let left_out_m = left_out_order(fidelity.bounces, plan.trace.max_order).map(|order| {
         let alone = MeetingSettings { nodes: NodeRule::Middle, edges: Edges::Ignored, ..plan.meetings() };
-        of_meeting(scatterer, plan, &Meeting::of(scatterer, order, &alone), bracket_of(alone.nodes), &fineness)
+        of_meeting(
+            scatterer,
+            plan,
+            &Meeting::of(scatterer, order, &alone),
+            bracket_of(alone.nodes),
+            &fineness,
+        )
     });
     Reference { by_order_m, other_m, left_out_m, frequencies_hz }
 }
@@ -116,7 +122,8 @@ pub(crate) fn of_meeting(
 
 /// Sum over orders, at each of `count` frequencies.
 pub(crate) fn total(orders: impl Iterator<Item = Vec<Complex64>>, count: usize) -> Vec<Complex64> {
-    orders.fold(vec![Complex64::ZERO; count], |all, order| all.iter().zip(&order).map(|(a, b)| a + b).collect())
+    orders
+        .fold(vec![Complex64::ZERO; count], |all, order| all.iter().zip(&order).map(|(a, b)| a + b).collect())
 }
 
 /// Mean of |a − b|².
@@ -130,8 +137,8 @@ pub(crate) fn mean(values: &[Complex64]) -> f64 {
 }
 
 impl Reference {
-    /// Spread between the node rules where both are known, and the first order that is missing; both relative to all
-    /// orders.
+    /// Spread between the node rules where both are known, and the first order that is missing; both relative
+    /// to all orders.
     pub(crate) fn model_error(&self) -> ModelError {
         let power = mean(&self.total_m());
         let relative = |part: f64| if power > 0.0 { (part / power).sqrt() } else { 0.0 };
@@ -144,14 +151,16 @@ impl Reference {
         }
     }
 
-    /// ‖S(of)‖ of the orders up to `orders` over ‖S‖ of all, raised by what the later orders are to these: each is taken to
-    /// gain as much. `of` gives S of an order over the wavenumbers. `None` where nothing scatters.
+    /// ‖S(of)‖ of the orders up to `orders` over ‖S‖ of all, raised by what the later orders are to these:
+    /// each is taken to gain as much. `of` gives S of an order over the wavenumbers. `None` where nothing
+    /// scatters.
     pub(crate) fn relative_to_first_orders(
         &self,
         orders: u8,
         of: impl Fn(u8, &[f64]) -> Vec<Complex64>,
     ) -> Option<f64> {
-        let wavenumbers: Vec<f64> = self.frequencies_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
+        let wavenumbers: Vec<f64> =
+            self.frequencies_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
         let added = total((1..=orders).map(|order| of(order, &wavenumbers)), wavenumbers.len());
         let power = |orders: &[Vec<Complex64>]| orders.iter().map(|order| mean(order)).sum::<f64>();
         let (first, all) = (power(&self.by_order_m[..usize::from(orders)]), power(&self.by_order_m));
@@ -181,7 +190,8 @@ impl FrameError {
         let element = plan.header.radar.array.polarization.indices();
         let sum_of = |paths: &[Path]| element_over_band(paths, &view, element, &reference.frequencies_hz);
         let bodies = reference.total_m();
-        let exact: Vec<Complex64> = bodies.iter().zip(sum_of(points)).map(|(s, of_points)| s + of_points).collect();
+        let exact: Vec<Complex64> =
+            bodies.iter().zip(sum_of(points)).map(|(s, of_points)| s + of_points).collect();
         let error_power = mean_difference(&exact, &sum_of(paths));
         let [beams, beams_at_most] = given_up.beams;
         let scale = (TAU / plan.band.wavelength_m()).powi(2) / std::f64::consts::PI;
@@ -222,7 +232,8 @@ impl FrameError {
 
 /// [`GivenUp::beams`], as much of the mirrors that were not followed as their likes scatter.
 pub(crate) fn dropped_sections(scatterer: &Scatterer<'_>, plan: &Plan<'_>, meetings: &[Meeting]) -> [f64; 2] {
-    let distances_m2 = scatterer.world.facets().iter().map(|f| f.corners_m[0].distance_squared(plan.position_m));
+    let distances_m2 =
+        scatterer.world.facets().iter().map(|f| f.corners_m[0].distance_squared(plan.position_m));
     let nearest_m2 = distances_m2.fold(f64::INFINITY, f64::min);
     let needed = plan.trace.max_order;
     let mut mirrors = SmallMirrors::of(scatterer.trees, needed, plan.trace.least_mirror_area_m2);
@@ -231,7 +242,12 @@ pub(crate) fn dropped_sections(scatterer: &Scatterer<'_>, plan: &Plan<'_>, meeti
     let fineness = Fineness::ten_times(&wavenumbers, plan);
     let integration = fineness.integration(bracket);
     for meeting in meetings {
-        mirrors.add(mirrors.hits(scatterer, &meeting.facets, &integration, plan.header.radar.array.polarization));
+        mirrors.add(mirrors.hits(
+            scatterer,
+            &meeting.facets,
+            &integration,
+            plan.header.radar.array.polarization,
+        ));
     }
     let [sum_m2, squares_m4] = scatterer.trees.transmit().audit.given_up(needed, mirrors.shares(0));
     [squares_m4.sqrt() / nearest_m2, sum_m2 / nearest_m2]

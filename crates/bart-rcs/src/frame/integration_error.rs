@@ -1,8 +1,8 @@
 //! How finely the integrals on each body are taken, by measurement: no finer than the frame's accuracy needs.
 //!
-//! Bounds of tiles are relative to what tiles could scatter at most, and where large parts of a body cancel, what is left of its
-//! sum is known to less. What a body errs by counts against what the frame as a whole scatters: a kerb of −48 dBsm, long and
-//! smooth, need not be known as well as the car beside it.
+//! Bounds of tiles are relative to what tiles could scatter at most, and where large parts of a body cancel,
+//! what is left of its sum is known to less. What a body errs by counts against what the frame as a whole
+//! scatters: a kerb of −48 dBsm, long and smooth, need not be known as well as the car beside it.
 
 use crate::frame::frame_error::{Fineness, MARGIN, mean, mean_difference, of_meeting, total};
 use crate::frame::path_plan::Plan;
@@ -26,10 +26,15 @@ const FINER: f64 = 0.25;
 const FINER_MOST: usize = 3;
 
 /// Every body as fine as the accuracy asked for; where that leaves too much, those finer that leave most.
-pub(crate) fn integration_error(scatterer: &Scatterer<'_>, plan: &Plan<'_>, meetings: &[Meeting]) -> IntegrationError {
+pub(crate) fn integration_error(
+    scatterer: &Scatterer<'_>,
+    plan: &Plan<'_>,
+    meetings: &[Meeting],
+) -> IntegrationError {
     let asked = plan.header.fidelity.accuracy.amplitude();
     let count = plan.header.targets.len();
-    let mut bodies: Vec<OfBody> = (0..count).map(|body| OfBody::at(scatterer, plan, meetings, body, asked)).collect();
+    let mut bodies: Vec<OfBody> =
+        (0..count).map(|body| OfBody::at(scatterer, plan, meetings, body, asked)).collect();
     for _ in 0..FINER_MOST {
         let allowed = (INTEGRATION_SHARE * asked / MARGIN).powi(2) * mean(&sum(&bodies, |body| &body.fine));
         if power(&bodies) <= allowed {
@@ -54,7 +59,13 @@ struct OfBody {
 }
 
 impl OfBody {
-    fn at(scatterer: &Scatterer<'_>, plan: &Plan<'_>, meetings: &[Meeting], body: usize, accuracy: f64) -> Self {
+    fn at(
+        scatterer: &Scatterer<'_>,
+        plan: &Plan<'_>,
+        meetings: &[Meeting],
+        body: usize,
+        accuracy: f64,
+    ) -> Self {
         let wavenumbers_per_m = &plan.band.wavenumbers_per_m();
         let bracket = bracket_of(plan.header.fidelity.nodes);
         let own: Vec<Meeting> = meetings.iter().map(|meeting| meeting.on_body(scatterer, body)).collect();

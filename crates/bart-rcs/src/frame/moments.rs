@@ -1,15 +1,18 @@
-//! Ways that change too much within a frame for one moment: they are traced at several, and blended between them.
+//! Ways that change too much within a frame for one moment: they are traced at several, and blended between
+//! them.
 //!
-//! Where bodies that move against each other light or shade one another, the outlines of what is lit slide over both. Paths keep
-//! what was lit at their moment: once outlines have slid by δ along a phase gradient w, what ends there has turned by θ = wδ,
-//! and is missed whole from half a cycle on. A cubic through moments between which it turns by θ follows it to 3/128·θ⁴ at most,
-//! where the nearest moment alone leaves θ/2 and a straight line between two θ²/8 (docs/speed.md has what was measured). Only
-//! the ways that change are traced again: bodies seen alone keep one moment.
+//! Where bodies that move against each other light or shade one another, the outlines of what is lit slide
+//! over both. Paths keep what was lit at their moment: once outlines have slid by δ along a phase gradient w,
+//! what ends there has turned by θ = wδ, and is missed whole from half a cycle on. A cubic through moments
+//! between which it turns by θ follows it to 3/128·θ⁴ at most, where the nearest moment alone leaves θ/2 and
+//! a straight line between two θ²/8 (docs/speed.md has what was measured). Only the ways that change are
+//! traced again: bodies seen alone keep one moment.
 //!
-//! The moments lie on a grid of equal steps h from the frame's begin to its end, halved until the measured error meets the accuracy
-//! asked for; what was traced for a coarser grid is used again. Between two moments a blend errs by
-//! u(1−u)(1+u)(2−u)·h⁴f⁗/24, u from 0 to 1, in the first and last step by u(1−u)(2−u)(3−u)·h⁴f⁗/24. The moment of the check
-//! is where each of the grids errs as the frame does, to 1.4 dB (a test has it).
+//! The moments lie on a grid of equal steps h from the frame's begin to its end, halved until the measured
+//! error meets the accuracy asked for; what was traced for a coarser grid is used again. Between two moments
+//! a blend errs by u(1−u)(1+u)(2−u)·h⁴f⁗/24, u from 0 to 1, in the first and last step by
+//! u(1−u)(2−u)(3−u)·h⁴f⁗/24. The moment of the check is where each of the grids errs as the frame does, to
+//! 1.4 dB (a test has it).
 
 use crate::beams::body_ways::BodyWays;
 use crate::frame::band_power::{frequencies_hz, power_over_frame};
@@ -27,7 +30,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Steps of the grids that are tried.
 ///
-/// Four would be enough at times, but at the moment of the check their blend errs 5 dB less than over the frame.
+/// Four would be enough at times, but at the moment of the check their blend errs 5 dB less than over the
+/// frame.
 const STEPS: [u32; 3] = [8, 16, 32];
 /// Those of the finest, whose places all moments are counted in.
 const FINEST: u32 = 32;
@@ -35,12 +39,13 @@ const FINEST: u32 = 32;
 pub const MOMENTS_MAX: u32 = FINEST + 1;
 /// Of the accuracy asked for, for all ways together that keep one moment.
 const KEPT_SHARE: f64 = 0.5;
-/// Where what one moment misses at the frame's ends, or a grid halfway between its moments, is less than this of the error measured,
-/// as an amplitude, something else makes that error (a wide array, cells), and no finer grid is tried.
+/// Where what one moment misses at the frame's ends, or a grid halfway between its moments, is less than this
+/// of the error measured, as an amplitude, something else makes that error (a wide array, cells), and no
+/// finer grid is tried.
 const LEAST_SHARE: f64 = 0.5;
 
-/// The table where its freezing is within the accuracy asked for; else one whose ways that change most are blended from as few
-/// moments as meet it, or the best that was found.
+/// The table where its freezing is within the accuracy asked for; else one whose ways that change most are
+/// blended from as few moments as meet it, or the best that was found.
 pub(crate) fn split(
     scenery: &Scenery<'_>,
     whole: PathTable,
@@ -82,10 +87,17 @@ fn least_missed(measured: f64, power: f64) -> f64 {
     (LEAST_SHARE * measured / MARGIN).powi(2) * power
 }
 
-/// Paths of the frame's middle, of which those ways that were blended in another frame are blended from as many moments.
-pub(crate) fn split_alike(scenery: &Scenery<'_>, kept: Kept, fineness: &Fineness) -> Result<Vec<Path>, BartError> {
+/// Paths of the frame's middle, of which those ways that were blended in another frame are blended from as
+/// many moments.
+pub(crate) fn split_alike(
+    scenery: &Scenery<'_>,
+    kept: Kept,
+    fineness: &Fineness,
+) -> Result<Vec<Path>, BartError> {
     let ways = found(&fineness.ways, scenery.plan);
-    let Some(steps) = fineness.moments.checked_sub(1).filter(|steps| STEPS.contains(steps) && !ways.is_empty()) else {
+    let Some(steps) =
+        fineness.moments.checked_sub(1).filter(|steps| STEPS.contains(steps) && !ways.is_empty())
+    else {
         return Ok(kept.paths);
     };
     let mut moments = Moments::new(scenery, fineness, kept.strongest_dropped);
@@ -147,7 +159,8 @@ impl<'a> Moments<'a> {
             None => self.scenery.at(seconds, plan.position_m)?,
         };
         self.bytes = self.bytes.max(snapshot.bytes());
-        let paths = paths_along(&snapshot.scatterer(plan, Phase::Tracing), plan, self.fineness, ways, seconds)?;
+        let paths =
+            paths_along(&snapshot.scatterer(plan, Phase::Tracing), plan, self.fineness, ways, seconds)?;
         let paths = pruned_alike(paths, plan, &self.strongest_dropped);
         let held = self.at.values().map(Vec::len).sum::<usize>() + paths.len();
         snapshot.world.memory_limit().check_cells((held * size_of::<Path>()) as u64)?;
@@ -170,7 +183,8 @@ impl<'a> Moments<'a> {
         let duration_s = self.scenery.plan.header.radar.frame_duration_s();
         let mut all = kept.to_vec();
         for moment in 0..=steps {
-            let span = Span { first_s: 0.0, step_s: duration_s / f64::from(steps), moments: steps + 1, moment };
+            let span =
+                Span { first_s: 0.0, step_s: duration_s / f64::from(steps), moments: steps + 1, moment };
             let paths = self.at.get(&(moment * (FINEST / steps))).into_iter().flatten();
             all.extend(paths.map(|path| {
                 let mut part = *path;
@@ -191,8 +205,9 @@ fn bodies(path: &Path) -> Vec<u32> {
     path.sequence().iter().map(|facet| facet.body).collect()
 }
 
-/// The ways whose paths of the frame's middle miss most of what is there at its `ends`: all but those that together miss a
-/// half of the accuracy asked for there, as an amplitude. None where what they miss does not explain the error measured.
+/// The ways whose paths of the frame's middle miss most of what is there at its `ends`: all but those that
+/// together miss a half of the accuracy asked for there, as an amplitude. None where what they miss does not
+/// explain the error measured.
 fn ways_that_change(plan: &Plan<'_>, middle: &PathTable, ends: [(f64, &[Path]); 2]) -> BodyWays {
     let asked = plan.header.fidelity.accuracy.amplitude();
     let power = power_over_frame(&middle.paths, plan);
@@ -244,13 +259,16 @@ fn field(paths: Option<&Vec<Path>>, plan: &Plan<'_>, seconds: f64) -> Vec<Comple
 
 /// By the ids of their bodies.
 fn named(ways: &BodyWays, plan: &Plan<'_>) -> Vec<Vec<String>> {
-    let id = |body: &u32| plan.header.targets.get(*body as usize).map_or(String::new(), |target| target.id.clone());
+    let id = |body: &u32| {
+        plan.header.targets.get(*body as usize).map_or(String::new(), |target| target.id.clone())
+    };
     ways.iter().map(|way| way.iter().map(id).collect()).collect()
 }
 
 /// Those whose bodies are all in a frame.
 fn found(names: &[Vec<String>], plan: &Plan<'_>) -> BodyWays {
-    let index = |id: &String| plan.header.targets.iter().position(|target| target.id == *id).map(|i| i as u32);
+    let index =
+        |id: &String| plan.header.targets.iter().position(|target| target.id == *id).map(|i| i as u32);
     let mut ways = BodyWays::default();
     for way in names.iter().filter_map(|way| way.iter().map(index).collect::<Option<Vec<u32>>>()) {
         ways.add(&way);
@@ -267,11 +285,18 @@ mod tests {
     #[test]
     fn at_the_moment_of_the_check_every_grid_errs_as_over_the_frame() {
         for steps in STEPS {
-            let span = |moment: u32| Span { first_s: 0.0, step_s: 1.0 / f64::from(steps), moments: steps + 1, moment };
-            let blend =
-                |t: f64| (0..=steps).map(|i| span(i).share(t) * span(i).traced_at_s().powi(4)).sum::<f64>() - t.powi(4);
+            let span = |moment: u32| Span {
+                first_s: 0.0,
+                step_s: 1.0 / f64::from(steps),
+                moments: steps + 1,
+                moment,
+            };
+            let blend = |t: f64| {
+                (0..=steps).map(|i| span(i).share(t) * span(i).traced_at_s().powi(4)).sum::<f64>() - t.powi(4)
+            };
             let squares = (0..4800).map(|i| blend((f64::from(i) + 0.5) / 4800.0).powi(2)).sum::<f64>();
-            let of_check_db = 20.0 * (blend(0.5 + check_offset_s(1.0)).abs() / (squares / 4800.0).sqrt()).log10();
+            let of_check_db =
+                20.0 * (blend(0.5 + check_offset_s(1.0)).abs() / (squares / 4800.0).sqrt()).log10();
             println!("{steps} steps: {of_check_db:.2} dB");
             assert!(of_check_db.abs() < 1.5, "{steps} steps: {of_check_db}");
         }

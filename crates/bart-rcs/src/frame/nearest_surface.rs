@@ -4,9 +4,14 @@ use crate::beams::beam::BeamTree;
 use crate::bodies::world::World;
 use glam::DVec3;
 
-/// Distance from `from_m` to the nearest point of a body's lit polygons of order 1, for each of `targets`; `None` if all of
-/// it is hidden.
-pub(crate) fn nearest_range_m(world: &World, tree: &BeamTree, from_m: DVec3, targets: usize) -> Vec<Option<f64>> {
+/// Distance from `from_m` to the nearest point of a body's lit polygons of order 1, for each of `targets`;
+/// `None` if all of it is hidden.
+pub(crate) fn nearest_range_m(
+    world: &World,
+    tree: &BeamTree,
+    from_m: DVec3,
+    targets: usize,
+) -> Vec<Option<f64>> {
     let mut nearest = vec![None; targets];
     for beam in tree.beams.iter().take_while(|beam| beam.order == 1) {
         let range_m = distance_to_polygon_m(from_m, tree.polygon(beam), beam.lit_normal);

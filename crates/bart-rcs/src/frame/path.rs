@@ -1,5 +1,5 @@
-//! The path table of a frame: bodies frozen at the frame's middle, or what changes at several moments, every cell of their lit
-//! facets a path that moves.
+//! The path table of a frame: bodies frozen at the frame's middle, or what changes at several moments, every
+//! cell of their lit facets a path that moves.
 
 use crate::bodies::road::check_road;
 use crate::bodies::world::Models;
@@ -26,14 +26,19 @@ use std::f64::consts::TAU;
 
 /// Paths of one frame from the radar's position and back, referred to the frame's first sample.
 ///
-/// The world is frozen at the frame's middle; what is lit then is lit all through. Where that errs by more than the accuracy asked
-/// for, the ways that change most are traced at several moments of the frame and blended ([`artifact::paths::Span`]). Amplitudes
-/// are fitted over the sampled sweep. A point target is a path of order 0 with +√σ in vv and hh; bodies do not hide it. Cells are as large as the
-/// accuracy asked for lets them be, by measurement: paths are compared with the bodies traced and integrated anew at
-/// another moment of the frame and from another element of the array, and that is the error that is returned: shadows move with
-/// both, and the paths of one tree do not follow ("freezing"). `error.tessellation` is the bound that a smooth
-/// surface was cut to; `None` where facets are the surface itself.
-pub fn trace_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> Result<PathsFrame, BartError> {
+/// The world is frozen at the frame's middle; what is lit then is lit all through. Where that errs by more
+/// than the accuracy asked for, the ways that change most are traced at several moments of the frame and
+/// blended ([`artifact::paths::Span`]). Amplitudes are fitted over the sampled sweep. A point target is a
+/// path of order 0 with +√σ in vv and hh; bodies do not hide it. Cells are as large as the accuracy asked for
+/// lets them be, by measurement: paths are compared with the bodies traced and integrated anew at another
+/// moment of the frame and from another element of the array, and that is the error that is returned: shadows
+/// move with both, and the paths of one tree do not follow ("freezing"). `error.tessellation` is the bound
+/// that a smooth surface was cut to; `None` where facets are the surface itself.
+pub fn trace_frame(
+    models: &Models,
+    header: &SceneHeader,
+    frame: &SceneFrame,
+) -> Result<PathsFrame, BartError> {
     trace_frame_within(models, header, frame, &FrameSurroundings { like: None, progress: &Unheard })
 }
 
@@ -81,7 +86,8 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
     let points = point_paths(header, frame);
     let (seen, table, bent, has_bodies) = {
         let snapshot = scenery.at(plan.middle_s, plan.position_m)?;
-        let table = Fit::new(&snapshot.scatterer(plan, Phase::Integrating), plan, &points, &reference).table()?;
+        let table =
+            Fit::new(&snapshot.scatterer(plan, Phase::Integrating), plan, &points, &reference).table()?;
         let bent = (header.fidelity.surface == Surface::Smooth).then(|| snapshot.world.skin_error());
         (Seen::of(&snapshot, plan), table, bent, !snapshot.world.facets().is_empty())
     };
@@ -97,9 +103,10 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
     Ok(paths_frame(plan, frame, seen, table.paths, measured))
 }
 
-/// The same with what was `measured` in another frame of the scene near this one: its cells and integrals are as fine, and its
-/// errors are told as this one's. Nothing is traced or integrated twice, which makes such a frame three to six times cheaper.
-/// Where that frame had no bodies this one is measured itself; `trace.origin` says so.
+/// The same with what was `measured` in another frame of the scene near this one: its cells and integrals are
+/// as fine, and its errors are told as this one's. Nothing is traced or integrated twice, which makes such a
+/// frame three to six times cheaper. Where that frame had no bodies this one is measured itself;
+/// `trace.origin` says so.
 pub fn trace_frame_like(
     models: &Models,
     header: &SceneHeader,
@@ -109,11 +116,18 @@ pub fn trace_frame_like(
     trace_frame_within(models, header, frame, &FrameSurroundings { like: Some(measured), progress: &Unheard })
 }
 
-fn traced_like(scenery: &Scenery<'_>, measured: &PathsFrame, fineness: &Fineness) -> Result<PathsFrame, BartError> {
+fn traced_like(
+    scenery: &Scenery<'_>,
+    measured: &PathsFrame,
+    fineness: &Fineness,
+) -> Result<PathsFrame, BartError> {
     let (plan, frame) = (scenery.plan, scenery.frame);
     let (seen, kept) = {
         let snapshot = scenery.at(plan.middle_s, plan.position_m)?;
-        (Seen::of(&snapshot, plan), paths_as_fine(&snapshot.scatterer(plan, Phase::Integrating), plan, fineness)?)
+        (
+            Seen::of(&snapshot, plan),
+            paths_as_fine(&snapshot.scatterer(plan, Phase::Integrating), plan, fineness)?,
+        )
     };
     let mut paths = split_alike(scenery, kept, fineness)?;
     paths.extend(point_paths(plan.header, frame));
@@ -159,7 +173,13 @@ impl Seen {
     }
 }
 
-fn paths_frame(plan: &Plan<'_>, frame: &SceneFrame, seen: Seen, paths: Vec<Path>, measured: Measured) -> PathsFrame {
+fn paths_frame(
+    plan: &Plan<'_>,
+    frame: &SceneFrame,
+    seen: Seen,
+    paths: Vec<Path>,
+    measured: Measured,
+) -> PathsFrame {
     PathsFrame {
         index: frame.index,
         time_s: frame.time_s,

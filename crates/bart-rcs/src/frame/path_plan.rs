@@ -34,7 +34,8 @@ impl<'a> Plan<'a> {
         let band = Band::of(&header.radar.waveform);
         let middle_s = header.radar.frame_middle_s();
         let fidelity = &header.fidelity;
-        // Slivers below λ²/100·accuracy are dropped (physics.md §2), mirrors below a hundred times that are not followed.
+        // Slivers below λ²/100·accuracy are dropped (physics.md §2), mirrors below a hundred times that are
+        // not followed.
         let least_area_m2 = 1e-2 * band.wavelength_m().powi(2) * fidelity.accuracy.amplitude();
         let trace = TraceSettings {
             max_order: tree_order(fidelity.bounces, fidelity.nodes),
@@ -67,7 +68,8 @@ impl<'a> Plan<'a> {
         DVec3::new(-azimuth_rad.cos(), azimuth_rad.sin(), 0.0)
     }
 
-    /// Where paths are summed at a moment of the frame; R_t and R_r are about 1 m, as only ratios are looked at.
+    /// Where paths are summed at a moment of the frame; R_t and R_r are about 1 m, as only ratios are looked
+    /// at.
     pub(crate) fn view(&self, seconds: f64) -> PathView {
         self.view_from(self.position_m, seconds)
     }
@@ -88,14 +90,17 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// The middle of a transmitter and a receiver whose distance from the radar's position is about the root mean square of all
-/// pairs': as with time, what errs in proportion to the distance errs there as the whole array does.
+/// The middle of a transmitter and a receiver whose distance from the radar's position is about the root mean
+/// square of all pairs': as with time, what errs in proportion to the distance errs there as the whole array
+/// does.
 fn checked_from_m(radar: &Radar) -> DVec3 {
     let place = |m: &[f64; 3]| DVec3::from_array(*m);
     let centre = place(&radar.position_m);
-    let of_tx = |tx: &[f64; 3]| radar.array.rx_m.iter().map(|rx| 0.5 * (place(tx) + place(rx))).collect::<Vec<_>>();
+    let of_tx =
+        |tx: &[f64; 3]| radar.array.rx_m.iter().map(|rx| 0.5 * (place(tx) + place(rx))).collect::<Vec<_>>();
     let pairs: Vec<DVec3> = radar.array.tx_m.iter().flat_map(of_tx).collect();
-    let mean_square = pairs.iter().map(|p| p.distance_squared(centre)).sum::<f64>() / pairs.len().max(1) as f64;
+    let mean_square =
+        pairs.iter().map(|p| p.distance_squared(centre)).sum::<f64>() / pairs.len().max(1) as f64;
     let miss = |p: &DVec3| (p.distance(centre) - mean_square.sqrt()).abs();
     pairs.into_iter().min_by(|a, b| miss(a).total_cmp(&miss(b))).unwrap_or(centre)
 }

@@ -8,7 +8,8 @@ use artifact::paths::Path;
 /// Paths kept, in their order, and the power of the others.
 pub(crate) struct Kept {
     pub(crate) paths: Vec<Path>,
-    /// Σ|a·R²/(L₁L₂)|² of the dropped paths in the radar's polarization: their power, as their phases are independent.
+    /// Σ|a·R²/(L₁L₂)|² of the dropped paths in the radar's polarization: their power, as their phases are
+    /// independent.
     pub(crate) dropped_power: f64,
     /// The strongest that was dropped of each target, as power.
     pub(crate) strongest_dropped: Vec<f64>,
@@ -17,8 +18,8 @@ pub(crate) struct Kept {
 /// Share of the accuracy asked for that may be dropped, as an amplitude.
 const SHARE: f64 = 0.3;
 
-/// Drops the weakest paths of every target as long as their powers add up to less than (0.3·accuracy)² of that target's:
-/// a weak target loses no more of itself than a strong one.
+/// Drops the weakest paths of every target as long as their powers add up to less than (0.3·accuracy)² of
+/// that target's: a weak target loses no more of itself than a strong one.
 pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>) -> Kept {
     let view = plan.view(plan.middle_s);
     let most = (SHARE * plan.header.fidelity.accuracy.amplitude()).powi(2);

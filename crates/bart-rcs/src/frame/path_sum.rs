@@ -23,8 +23,8 @@ pub struct PathView {
     pub centre_frequency_hz: f64,
 }
 
-/// S = Σ a(f)·R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)} with a(f) = a + (f − f_c)·a′, metres, 2 × 2; of paths that stand for a part of
-/// the frame what their share is then.
+/// S = Σ a(f)·R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)} with a(f) = a + (f − f_c)·a′, metres, 2 × 2; of paths that
+/// stand for a part of the frame what their share is then.
 pub fn scattering_of_paths<'a>(
     paths: impl IntoIterator<Item = &'a Path>,
     view: &PathView,
@@ -43,7 +43,8 @@ pub fn scattering_of_paths<'a>(
     total
 }
 
-/// One element of [`scattering_of_paths`] at equally spaced frequencies: one turn per path leads from each to the next.
+/// One element of [`scattering_of_paths`] at equally spaced frequencies: one turn per path leads from each to
+/// the next.
 ///
 /// Runs of paths are added in their order: the same bits on any number of threads.
 pub(crate) fn element_over_band(
@@ -53,7 +54,9 @@ pub(crate) fn element_over_band(
     frequencies_hz: &[f64],
 ) -> Vec<Complex64> {
     const RUN: usize = 4096;
-    let (Some(&first_hz), Some(&last_hz)) = (frequencies_hz.first(), frequencies_hz.last()) else { return Vec::new() };
+    let (Some(&first_hz), Some(&last_hz)) = (frequencies_hz.first(), frequencies_hz.last()) else {
+        return Vec::new();
+    };
     let step_hz = (last_hz - first_hz) / (frequencies_hz.len() - 1).max(1) as f64;
     let zero = || vec![Complex64::ZERO; frequencies_hz.len()];
     let of_run = |run: &[Path]| {
@@ -110,7 +113,8 @@ impl PathView {
     fn spread_and_length_m(&self, path: &Path) -> (f64, f64) {
         let [from_tx_m, from_rx_m] = apparent_m(path, self.seconds);
         let (l1, l2) = (from_tx_m.distance(self.transmitter_m), from_rx_m.distance(self.receiver_m));
-        let (r_t, r_r) = (self.origin_m.distance(self.transmitter_m), self.origin_m.distance(self.receiver_m));
+        let (r_t, r_r) =
+            (self.origin_m.distance(self.transmitter_m), self.origin_m.distance(self.receiver_m));
         (share(path, self.seconds) * (r_t * r_r / (l1 * l2)), l1 + l2 - r_t - r_r)
     }
 }

@@ -31,8 +31,8 @@ pub(crate) struct PathTable {
     pub(crate) bytes: u64,
 }
 
-/// Paths of bodies at the frame's middle as fine as was enough in another frame, in no larger cells than this frame's motion and
-/// band allow.
+/// Paths of bodies at the frame's middle as fine as was enough in another frame, in no larger cells than this
+/// frame's motion and band allow.
 pub(crate) fn paths_as_fine(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
@@ -56,9 +56,13 @@ pub(crate) fn paths_along(
 
 /// A body that was not there yet is taken as finely as the finest.
 fn accuracy_of_body(plan: &Plan<'_>, fineness: &Fineness) -> Vec<f64> {
-    let finest =
-        fineness.integrals.iter().map(|of| of.accuracy).fold(plan.header.fidelity.accuracy.amplitude(), f64::min);
-    let of_body = |id: &str| fineness.integrals.iter().find(|of| of.body == id).map_or(finest, |of| of.accuracy);
+    let finest = fineness
+        .integrals
+        .iter()
+        .map(|of| of.accuracy)
+        .fold(plan.header.fidelity.accuracy.amplitude(), f64::min);
+    let of_body =
+        |id: &str| fineness.integrals.iter().find(|of| of.body == id).map_or(finest, |of| of.accuracy);
     plan.header.targets.iter().map(|target| of_body(&target.id)).collect()
 }
 
@@ -105,7 +109,9 @@ impl<'a> Parts<'a> {
         };
         let mut paths = Vec::new();
         for meeting in &self.meetings {
-            paths.extend(self.of_order(meeting, &settings)?.iter().map(|cell| path_of(cell, &self.plan.band, seconds)));
+            paths.extend(
+                self.of_order(meeting, &settings)?.iter().map(|cell| path_of(cell, &self.plan.band, seconds)),
+            );
         }
         Ok(paths)
     }
@@ -141,7 +147,8 @@ impl<'a> Fit<'a> {
         Self { parts, points, reference, integration, beams_given_up }
     }
 
-    /// The table with the largest cells that meet the accuracy; the best found where none does within a few attempts.
+    /// The table with the largest cells that meet the accuracy; the best found where none does within a few
+    /// attempts.
     pub(crate) fn table(&self) -> Result<PathTable, BartError> {
         const ATTEMPTS: usize = 4;
         let Parts { scatterer, plan, .. } = self.parts;
@@ -154,7 +161,8 @@ impl<'a> Fit<'a> {
             if error <= asked || size_m <= smallest_m {
                 break;
             }
-            // Errors of freezing and of the straight line over frequency grow with the first to second power of the size.
+            // Errors of freezing and of the straight line over frequency grow with the first to second power
+            // of the size.
             size_m *= (0.7 * asked / error).sqrt().clamp(0.4, 0.8);
             let finer = self.table_of(size_m)?;
             if finer.error.measured() < best.error.measured() {
@@ -174,22 +182,26 @@ impl<'a> Fit<'a> {
             beams: self.beams_given_up,
         };
         let error = FrameError::measured_on(self.parts.plan, &paths, self.points, self.reference, &given_up);
-        let of =
-            |(target, accuracy): (&Target, &f64)| IntegralFineness { body: target.id.clone(), accuracy: *accuracy };
-        let integrals = self.parts.plan.header.targets.iter().zip(&self.integration.accuracy_of_body).map(of).collect();
+        let of = |(target, accuracy): (&Target, &f64)| IntegralFineness {
+            body: target.id.clone(),
+            accuracy: *accuracy,
+        };
+        let integrals =
+            self.parts.plan.header.targets.iter().zip(&self.integration.accuracy_of_body).map(of).collect();
         let fineness = Fineness { cell_m, integrals, moments: 1, ways: vec![] };
         Ok(PathTable { paths, fineness, error, given_up, strongest_dropped, bytes: 0 })
     }
 }
 
-/// Largest side of the cells that one node, one amplitude and its slope may stand for; smaller ones are tried where the
-/// measured error asks for it.
+/// Largest side of the cells that one node, one amplitude and its slope may stand for; smaller ones are tried
+/// where the measured error asks for it.
 ///
-/// Within D/2 of its node a lit point's length differs from the node's by up to D, there and back: over the band, ±Δk with
-/// Δk = πB/c, its phase runs over ±ΔkD, and a straight line over frequency leaves at most (ΔkD)²/4 of it. While the node
-/// moves by vT/2 at a right angle, or is seen from an element δ off the radar's position, both legs turn by (vT/2 + δ)/R:
-/// the phase between node and point runs over kD(vT/2 + δ)/R. Neighbouring cells cancel most of both (physics.md §6 has
-/// −41 dB with cells of 12 cm where this bound says −14 dB), so either may reach four times the accuracy asked.
+/// Within D/2 of its node a lit point's length differs from the node's by up to D, there and back: over the
+/// band, ±Δk with Δk = πB/c, its phase runs over ±ΔkD, and a straight line over frequency leaves at most
+/// (ΔkD)²/4 of it. While the node moves by vT/2 at a right angle, or is seen from an element δ off the
+/// radar's position, both legs turn by (vT/2 + δ)/R: the phase between node and point runs over kD(vT/2 +
+/// δ)/R. Neighbouring cells cancel most of both (physics.md §6 has −41 dB with cells of 12 cm where this
+/// bound says −14 dB), so either may reach four times the accuracy asked.
 pub fn largest_cell_m(header: &SceneHeader, nearest_m: f64, fastest_mps: f64) -> f64 {
     let waveform = &header.radar.waveform;
     let allowed = 4.0 * header.fidelity.accuracy.amplitude();
@@ -226,7 +238,8 @@ fn velocity_quantum_mps(header: &SceneHeader) -> f64 {
 fn path_of(cell: &Cell, band: &Band, seconds: f64) -> Path {
     let (amplitude_m, slope_m_per_hz) = band.line(&cell.amplitudes_m);
     let at_first_sample = [0, 1].map(|end| cell.motion[end].after(cell.apparent_m[end], -seconds));
-    let [(tx_m, tx_mps), (rx_m, rx_mps)] = at_first_sample.map(|(at_m, mps)| (at_m.to_array(), mps.to_array()));
+    let [(tx_m, tx_mps), (rx_m, rx_mps)] =
+        at_first_sample.map(|(at_m, mps)| (at_m.to_array(), mps.to_array()));
     let [tx_mps2, rx_mps2] = cell.motion.map(|motion| motion.acceleration_mps2.to_array());
     Path {
         target: cell.facets[0].body,

@@ -1,4 +1,5 @@
-//! The paper's σ_f for one frame: far-field tables of every target over frequency and the aspects that it sweeps.
+//! The paper's σ_f for one frame: far-field tables of every target over frequency and the aspects that it
+//! sweeps.
 
 use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::motion::position_m;
@@ -27,10 +28,10 @@ use std::f64::consts::TAU;
 
 /// Far-field tables of one frame, one per target.
 ///
-/// The tree is traced at the frame's middle; over the milliradians of a frame the same facets stay lit. Axes are so fine
-/// that linear interpolation meets the accuracy asked, up to 9 azimuths, 5 elevations and 256 frequencies. Bodies neither
-/// hide one another nor is the wave spherical: `model_error.far_field` compares each table's middle with the spherical wave. A
-/// point target has a table of one value, +√σ.
+/// The tree is traced at the frame's middle; over the milliradians of a frame the same facets stay lit. Axes
+/// are so fine that linear interpolation meets the accuracy asked, up to 9 azimuths, 5 elevations and 256
+/// frequencies. Bodies neither hide one another nor is the wave spherical: `model_error.far_field` compares
+/// each table's middle with the spherical wave. A point target has a table of one value, +√σ.
 pub fn rcs_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, BartError> {
     rcs_frame_within(models, header, frame, &Unheard)
 }
@@ -76,7 +77,8 @@ pub fn rcs_frame_within(
     })
 }
 
-/// Most values of an axis: beyond it interpolation errs more than was asked, and the echo's own check says how much.
+/// Most values of an axis: beyond it interpolation errs more than was asked, and the echo's own check says
+/// how much.
 const AZIMUTHS_MAX: usize = 9;
 const ELEVATIONS_MAX: usize = 5;
 const FREQUENCIES_MAX: usize = 256;
@@ -96,7 +98,8 @@ struct Powers {
     by_order: Vec<f64>,
     /// Frozen shadows at the end of the sweep.
     freezing: f64,
-    /// Difference from the spherical wave, and that wave's own power: the truth that a relative error is told of.
+    /// Difference from the spherical wave, and that wave's own power: the truth that a relative error is told
+    /// of.
     far_field: f64,
     spherical: f64,
 }
@@ -119,7 +122,8 @@ impl<'a> Body<'a> {
     /// Vector from the body's origin to the radar, body axes.
     fn to_radar_m(&self, seconds: f64) -> DVec3 {
         let origin = position_m(self.pose, seconds);
-        DMat3::from_rotation_z(-self.pose.yaw_rad) * (DVec3::from_array(self.header.radar.position_m) - origin)
+        DMat3::from_rotation_z(-self.pose.yaw_rad)
+            * (DVec3::from_array(self.header.radar.position_m) - origin)
     }
 
     fn table(&self, target: u32, scatterer: &Scatterer<'_>, meetings: &[Meeting]) -> RcsTable {
@@ -151,7 +155,8 @@ impl<'a> Body<'a> {
         let (centre_hz, bandwidth_hz) = (waveform.centre_frequency_hz(), waveform.bandwidth_hz());
         let frequencies = frequencies_hz(centre_hz, bandwidth_hz, FREQUENCIES);
         let wavenumbers: Vec<f64> = frequencies.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
-        let [middle, last] = [0.5, 1.0].map(|share| self.to_radar_m(share * self.header.radar.frame_duration_s()));
+        let [middle, last] =
+            [0.5, 1.0].map(|share| self.to_radar_m(share * self.header.radar.frame_duration_s()));
         let last_r = last / last.length();
         let by_order = self.by_order(scatterer, meetings, &wavenumbers);
         let table = total(&by_order, wavenumbers.len());
@@ -169,7 +174,12 @@ impl<'a> Body<'a> {
         })
     }
 
-    fn anew(&self, antenna: Antenna, to_radar_m: DVec3, wavenumbers: &[f64]) -> Result<Vec<Complex64>, BartError> {
+    fn anew(
+        &self,
+        antenna: Antenna,
+        to_radar_m: DVec3,
+        wavenumbers: &[f64],
+    ) -> Result<Vec<Complex64>, BartError> {
         let tree = self.trace(antenna)?;
         let scatterer = self.scatterer(&tree, to_radar_m);
         Ok(self.sums(&scatterer, &self.meetings(&scatterer), wavenumbers))
@@ -180,10 +190,12 @@ impl<'a> Body<'a> {
         BeamTree::trace_from_outside(&self.world, antenna, wavelength_m, &self.trace_settings(), &Unheard)
     }
 
-    /// As for paths: slivers below λ²/100·accuracy are dropped, mirrors below a hundred times that not followed.
+    /// As for paths: slivers below λ²/100·accuracy are dropped, mirrors below a hundred times that not
+    /// followed.
     fn trace_settings(&self) -> TraceSettings {
         let fidelity = &self.header.fidelity;
-        let least_area_m2 = 1e-2 * self.header.radar.waveform.wavelength_m().powi(2) * fidelity.accuracy.amplitude();
+        let least_area_m2 =
+            1e-2 * self.header.radar.waveform.wavelength_m().powi(2) * fidelity.accuracy.amplitude();
         TraceSettings {
             max_order: tree_order(fidelity.bounces, fidelity.nodes),
             sides: fidelity.sides,
@@ -208,7 +220,11 @@ impl<'a> Body<'a> {
 
     fn integration<'b>(&self, wavenumbers_per_m: &'b [f64]) -> Integration<'b> {
         let fidelity = &self.header.fidelity;
-        Integration { wavenumbers_per_m, accuracy: fidelity.accuracy.amplitude(), bracket: bracket_of(fidelity.nodes) }
+        Integration {
+            wavenumbers_per_m,
+            accuracy: fidelity.accuracy.amplitude(),
+            bracket: bracket_of(fidelity.nodes),
+        }
     }
 
     fn sums(&self, scatterer: &Scatterer<'_>, meetings: &[Meeting], wavenumbers: &[f64]) -> Vec<Complex64> {
@@ -216,14 +232,20 @@ impl<'a> Body<'a> {
     }
 
     /// S of each order over frequency, in the radar's polarization.
-    fn by_order(&self, scatterer: &Scatterer<'_>, meetings: &[Meeting], wavenumbers: &[f64]) -> Vec<Vec<Complex64>> {
+    fn by_order(
+        &self,
+        scatterer: &Scatterer<'_>,
+        meetings: &[Meeting],
+        wavenumbers: &[f64],
+    ) -> Vec<Vec<Complex64>> {
         let integration = self.integration(wavenumbers);
         let (p, q) = self.header.radar.array.polarization.indices();
         let of = |m: &Meeting| m.sum(scatterer, DVec3::ZERO, &integration).iter().map(|s| s[p][q]).collect();
         meetings.iter().map(of).collect()
     }
 
-    /// Steps of phase 2kr·Δangle that linear interpolation takes with the accuracy asked; both ends, ascending.
+    /// Steps of phase 2kr·Δangle that linear interpolation takes with the accuracy asked; both ends,
+    /// ascending.
     fn angle_axis(&self, from: f64, to: f64, most: usize) -> Vec<f64> {
         let wavenumber = TAU / self.header.radar.waveform.wavelength_m();
         let count = self.steps(2.0 * wavenumber * self.radius_m * (to - from).abs(), most);
@@ -264,12 +286,17 @@ impl Powers {
 
     /// Far-field integrals are exact to rounding; shadows are as they were at the middle.
     fn error(&self) -> ErrorBudget {
-        ErrorBudget { integration: Some(1e-12), freezing: Some(self.relative(self.freezing)), ..ErrorBudget::default() }
+        ErrorBudget {
+            integration: Some(1e-12),
+            freezing: Some(self.relative(self.freezing)),
+            ..ErrorBudget::default()
+        }
     }
 
     fn model_error(&self, bounces: u8) -> ModelError {
-        let by_order: Vec<f64> =
-            (0..usize::from(bounces)).map(|o| self.relative(self.by_order.get(o).copied().unwrap_or(0.0))).collect();
+        let by_order: Vec<f64> = (0..usize::from(bounces))
+            .map(|o| self.relative(self.by_order.get(o).copied().unwrap_or(0.0)))
+            .collect();
         ModelError {
             bounces: next_order(&by_order),
             far_field: Some(ratio(self.far_field, self.spherical)),

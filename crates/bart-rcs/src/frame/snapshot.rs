@@ -62,8 +62,10 @@ impl Snapshot {
 
     pub(crate) fn scatterer<'s>(&'s self, plan: &Plan<'s>, phase: Phase) -> Scatterer<'s> {
         let h = plan.zenith_h();
-        let trees =
-            self.received.as_ref().map_or(Trees::Shared(&self.tree), |received| Trees::ByRoad(&self.tree, received));
+        let trees = self
+            .received
+            .as_ref()
+            .map_or(Trees::Shared(&self.tree), |received| Trees::ByRoad(&self.tree, received));
         Scatterer::new(&self.world, trees, ZenithH { transmit: h, receive: h }).heard_by(phase, plan.progress)
     }
 

@@ -1,4 +1,5 @@
-//! Where a wave starts or ends: an antenna at finite range or a direction at infinite range, real or mirrored.
+//! Where a wave starts or ends: an antenna at finite range or a direction at infinite range, real or
+//! mirrored.
 
 use crate::geometry::plane::Plane;
 use glam::DVec3;
@@ -26,8 +27,8 @@ impl Antenna {
         -self.towards(x_m).try_normalize().unwrap_or(DVec3::ZERO)
     }
 
-    /// Length of the way from the antenna to `x_m`, m; from a direction it is counted from the plane through the world's
-    /// origin, −r̂·x.
+    /// Length of the way from the antenna to `x_m`, m; from a direction it is counted from the plane through
+    /// the world's origin, −r̂·x.
     pub fn path_length_m(self, x_m: DVec3) -> f64 {
         match self {
             Self::Point(p) => p.distance(x_m),

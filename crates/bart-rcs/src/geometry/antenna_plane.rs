@@ -5,10 +5,11 @@ use crate::geometry::plane::{Plane, accurate_cross};
 use glam::DVec3;
 
 impl Plane {
-    /// The plane through an antenna and the edge `from`–`to`, positive to the left of the edge as the antenna sees it.
+    /// The plane through an antenna and the edge `from`–`to`, positive to the left of the edge as the antenna
+    /// sees it.
     ///
-    /// Both ways along an edge give exactly opposite planes: two facets that share it leave no gap and no overlap, bit by
-    /// bit. `None` where the antenna lies on the edge's line.
+    /// Both ways along an edge give exactly opposite planes: two facets that share it leave no gap and no
+    /// overlap, bit by bit. `None` where the antenna lies on the edge's line.
     pub fn through_edge(antenna: Antenna, from: DVec3, to: DVec3) -> Option<Self> {
         let forwards = is_before(from, to);
         let (a, b) = if forwards { (from, to) } else { (to, from) };
@@ -16,15 +17,17 @@ impl Plane {
         Some(if forwards { plane } else { -plane })
     }
 
-    /// The plane through an antenna and the line where two planes meet: d_a(y)·d_b(p) − d_b(y)·d_a(p) vanishes at the antenna
-    /// p and on the line. On `b` it has the sign of d_a times that of the antenna's side of `b`; exchanging `a` and `b`
-    /// turns it over exactly. `None` where the planes are one or the antenna is on the line.
+    /// The plane through an antenna and the line where two planes meet: d_a(y)·d_b(p) − d_b(y)·d_a(p)
+    /// vanishes at the antenna p and on the line. On `b` it has the sign of d_a times that of the antenna's
+    /// side of `b`; exchanging `a` and `b` turns it over exactly. `None` where the planes are one or the
+    /// antenna is on the line.
     pub fn through_meeting(antenna: Antenna, a: &Self, b: &Self) -> Option<Self> {
         let (of_a, of_b) = (a.side_of(antenna), b.side_of(antenna));
         let normal = of_b * a.normal - of_a * b.normal;
         let length = normal.length();
         let offset_m = of_b * a.offset_m - of_a * b.offset_m;
-        (length > 0.0 && length.is_finite()).then(|| Self { normal: normal / length, offset_m: offset_m / length })
+        (length > 0.0 && length.is_finite())
+            .then(|| Self { normal: normal / length, offset_m: offset_m / length })
     }
 
     /// Signed distance of an antenna, m, or the cosine of its direction to the normal.
@@ -36,7 +39,8 @@ impl Plane {
     }
 }
 
-/// Order of points by their coordinates: the canonical direction of an edge, whatever the indices of its corners are.
+/// Order of points by their coordinates: the canonical direction of an edge, whatever the indices of its
+/// corners are.
 fn is_before(a: DVec3, b: DVec3) -> bool {
     (a.x, a.y, a.z) < (b.x, b.y, b.z)
 }
@@ -50,7 +54,9 @@ mod tests {
 
     #[test]
     fn an_edge_walked_both_ways_gives_exactly_opposite_planes() {
-        for antenna in [Antenna::Point(DVec3::new(5.0, 6.0, 7.0)), Antenna::Direction(DVec3::new(0.36, 0.48, 0.8))] {
+        for antenna in
+            [Antenna::Point(DVec3::new(5.0, 6.0, 7.0)), Antenna::Direction(DVec3::new(0.36, 0.48, 0.8))]
+        {
             let forth = Plane::through_edge(antenna, A, B).unwrap();
             let back = Plane::through_edge(antenna, B, A).unwrap();
             assert_eq!(forth, -back);

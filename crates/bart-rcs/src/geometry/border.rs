@@ -1,8 +1,8 @@
 //! What ends a lit polygon along an edge: the facet itself, a shadow, or the beam that lights it.
 //!
-//! A shadow is cut out by whole lines, so that a line goes on beyond the shadow as a seam between two lit pieces. The piece
-//! on the occluder's side of the line has the seam as [`Border::OwnInside`], the one on the other side as [`Border::Own`]:
-//! counted with opposite signs they cancel, and the true shadow line is left.
+//! A shadow is cut out by whole lines, so that a line goes on beyond the shadow as a seam between two lit
+//! pieces. The piece on the occluder's side of the line has the seam as [`Border::OwnInside`], the one on the
+//! other side as [`Border::Own`]: counted with opposite signs they cancel, and the true shadow line is left.
 
 /// What ends a polygon along one of its edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,7 +13,8 @@ pub(crate) enum Border {
     Own,
     /// The occluder's side of a line that cuts out a shadow.
     OwnInside,
-    /// Patch and mirror end in one line, as both do at the fold of a corner: a node has the right phase there on either.
+    /// Patch and mirror end in one line, as both do at the fold of a corner: a node has the right phase there
+    /// on either.
     Tied,
     /// A mirror before ends, or a shadow on it begins.
     Mirror,
@@ -43,7 +44,8 @@ impl Border {
         }
     }
 
-    /// What ends the overlap of two polygons where an edge of both is the same line: the surface before the beams.
+    /// What ends the overlap of two polygons where an edge of both is the same line: the surface before the
+    /// beams.
     pub(crate) fn and(self, other: Self) -> Self {
         let rank = |border: Self| match border {
             Self::Tied => 5,

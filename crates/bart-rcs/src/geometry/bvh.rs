@@ -1,8 +1,9 @@
-//! Bounding volume hierarchy of one mesh (obvhs, single precision, four boxes side by side) and the walk that finds what
-//! reaches into a beam.
+//! Bounding volume hierarchy of one mesh (obvhs, single precision, four boxes side by side) and the walk that
+//! finds what reaches into a beam.
 //!
-//! The hierarchy only proposes: boxes are rounded outwards from double precision and planes are moved back by what single
-//! precision may lose, and every decision is made again in double precision on the facets themselves.
+//! The hierarchy only proposes: boxes are rounded outwards from double precision and planes are moved back by
+//! what single precision may lose, and every decision is made again in double precision on the facets
+//! themselves.
 
 use crate::geometry::plane::Plane;
 use crate::geometry::sweep::{SlabTest, Sweep};
@@ -63,13 +64,14 @@ impl Hierarchy {
         let mut unused = Duration::ZERO;
         // A box for every triangle: the walk then tests no facet whose own box is outside.
         let params = BvhBuildParams { max_prims_per_leaf: 1, ..BvhBuildParams::fast_build() };
-        let nodes = if boxes.is_empty() { Vec::new() } else { wide(&build_bvh2(&boxes, params, &mut unused)) };
+        let nodes =
+            if boxes.is_empty() { Vec::new() } else { wide(&build_bvh2(&boxes, params, &mut unused)) };
         let reach_m = if low.is_finite() { (high - middle_m).element_sum() } else { 0.0 };
         Self { nodes, middle_m, reach_m }
     }
 
-    /// Calls `visit` with every triangle whose box reaches the positive side of each of the `planes` and the `sweep` (body
-    /// frame), about in the order from the far end of `nearer` on, until it breaks.
+    /// Calls `visit` with every triangle whose box reaches the positive side of each of the `planes` and the
+    /// `sweep` (body frame), about in the order from the far end of `nearer` on, until it breaks.
     pub(crate) fn inside(
         &self,
         planes: &[Plane],
@@ -100,8 +102,8 @@ impl Hierarchy {
         self.nodes.len() * size_of::<Node>()
     }
 
-    /// The plane about the middle, moved back by the rounding of single precision: of the normal, three products, three sums
-    /// and the offset, each at most ½ε of the sum of magnitudes; 8ε covers them all.
+    /// The plane about the middle, moved back by the rounding of single precision: of the normal, three
+    /// products, three sums and the offset, each at most ½ε of the sum of magnitudes; 8ε covers them all.
     fn test(&self, plane: &Plane) -> Test {
         let offset_m = plane.offset_m - plane.normal.dot(self.middle_m);
         let slack_m = 8.0 * f64::from(f32::EPSILON) * (self.reach_m + offset_m.abs());
@@ -150,7 +152,8 @@ impl Node {
     }
 }
 
-/// Takes two levels of a binary hierarchy as one: of the boxes of a node the largest are opened until there are four.
+/// Takes two levels of a binary hierarchy as one: of the boxes of a node the largest are opened until there
+/// are four.
 fn wide(binary: &Bvh2) -> Vec<Node> {
     let mut nodes = vec![Node::of(binary, 0)];
     let mut done = 0;
@@ -183,7 +186,8 @@ impl Node {
         let mut bounds = [[0.0; 4]; 6];
         let mut children = [Child::None; 4];
         for (lane, &member) in members.iter().enumerate() {
-            let (low, high) = (binary.nodes[member].aabb().min.to_array(), binary.nodes[member].aabb().max.to_array());
+            let (low, high) =
+                (binary.nodes[member].aabb().min.to_array(), binary.nodes[member].aabb().max.to_array());
             (0..3).for_each(|axis| (bounds[axis][lane], bounds[axis + 3][lane]) = (low[axis], high[axis]));
             let first = binary.nodes[member].first_index;
             children[lane] = if is_leaf(member) {
@@ -202,7 +206,10 @@ fn box_around(corners_m: &[DVec3; 3]) -> Aabb {
     let (low, high) = (a.min(b).min(c), a.max(b).max(c));
     let down = |x: f64| if f64::from(x as f32) > x { (x as f32).next_down() } else { x as f32 };
     let up = |x: f64| if f64::from(x as f32) < x { (x as f32).next_up() } else { x as f32 };
-    Aabb::new(Vec3A::new(down(low.x), down(low.y), down(low.z)), Vec3A::new(up(high.x), up(high.y), up(high.z)))
+    Aabb::new(
+        Vec3A::new(down(low.x), down(low.y), down(low.z)),
+        Vec3A::new(up(high.x), up(high.y), up(high.z)),
+    )
 }
 
 #[cfg(test)]
@@ -211,7 +218,8 @@ mod tests {
 
     #[test]
     fn boxes_hold_their_corners_in_double_precision() {
-        let corners = [DVec3::new(0.1, -0.2, 1e-30), DVec3::new(0.3, 1.0 / 3.0, -7.7), DVec3::splat(2.0_f64.sqrt())];
+        let corners =
+            [DVec3::new(0.1, -0.2, 1e-30), DVec3::new(0.3, 1.0 / 3.0, -7.7), DVec3::splat(2.0_f64.sqrt())];
         let aabb = box_around(&corners);
         for corner in corners {
             assert!(aabb.min.as_dvec3().cmple(corner).all() && aabb.max.as_dvec3().cmpge(corner).all());
@@ -225,8 +233,10 @@ mod tests {
             [at, at + DVec3::X * 0.2, at + DVec3::Y * 0.3]
         };
         let hierarchy = Hierarchy::over((0..100).map(triangle));
-        let planes =
-            [Plane { normal: DVec3::new(0.6, 0.8, 0.0), offset_m: 1.5 }, Plane { normal: -DVec3::Z, offset_m: -1.4 }];
+        let planes = [
+            Plane { normal: DVec3::new(0.6, 0.8, 0.0), offset_m: 1.5 },
+            Plane { normal: -DVec3::Z, offset_m: -1.4 },
+        ];
         let (mut stack, mut found) = (Stack::default(), Vec::new());
         let _ = hierarchy.inside(&planes, None, DVec3::X, &mut stack, |triangle| {
             found.push(triangle);

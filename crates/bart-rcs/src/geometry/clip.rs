@@ -1,7 +1,8 @@
 //! Cutting convex polygons by planes, in double precision.
 //!
-//! Every edge of a polygon remembers the plane that made it. Later decisions are taken on these original planes, never on
-//! planes through constructed corners: an edge of a nanometre still has the exact direction of its maker.
+//! Every edge of a polygon remembers the plane that made it. Later decisions are taken on these original
+//! planes, never on planes through constructed corners: an edge of a nanometre still has the exact direction
+//! of its maker.
 
 use crate::geometry::border::Border;
 use crate::geometry::plane::Plane;
@@ -13,7 +14,8 @@ use std::ops::Range;
 pub(crate) struct Corner {
     /// World metres.
     pub(crate) point_m: DVec3,
-    /// The plane through the antenna and the edge from here to the next corner, positive on the polygon's side.
+    /// The plane through the antenna and the edge from here to the next corner, positive on the polygon's
+    /// side.
     pub(crate) edge: Plane,
     /// What ends the polygon there.
     pub(crate) border: Border,
@@ -35,9 +37,9 @@ pub(crate) enum Split {
     },
 }
 
-/// Cuts the convex polygon `corners[polygon]` and appends the parts to `corners`; the new edges are `borders` of the part
-/// inside and of the one outside. Corners nearer to the plane than `tolerance_m` count as on it and belong to both parts,
-/// so that no part is thinner than that.
+/// Cuts the convex polygon `corners[polygon]` and appends the parts to `corners`; the new edges are `borders`
+/// of the part inside and of the one outside. Corners nearer to the plane than `tolerance_m` count as on it
+/// and belong to both parts, so that no part is thinner than that.
 pub(crate) fn split(
     corners: &mut Vec<Corner>,
     polygon: Range<usize>,
@@ -47,7 +49,8 @@ pub(crate) fn split(
     distances_m: &mut Vec<f64>,
 ) -> Split {
     distances_m.clear();
-    distances_m.extend(corners[polygon.clone()].iter().map(|c| snapped(plane.distance_m(c.point_m), tolerance_m)));
+    distances_m
+        .extend(corners[polygon.clone()].iter().map(|c| snapped(plane.distance_m(c.point_m), tolerance_m)));
     if !distances_m.iter().any(|&d| d > 0.0) {
         return Split::Outside;
     }
@@ -148,7 +151,8 @@ mod tests {
             for part in [inside, outside] {
                 for (c, next) in part.iter().zip(part.iter().cycle().skip(1)) {
                     assert!(
-                        c.edge.distance_m(c.point_m).abs() < 1e-15 && c.edge.distance_m(next.point_m).abs() < 1e-15
+                        c.edge.distance_m(c.point_m).abs() < 1e-15
+                            && c.edge.distance_m(next.point_m).abs() < 1e-15
                     );
                     assert!(part.iter().all(|other| c.edge.distance_m(other.point_m) > -1e-15));
                 }
@@ -160,8 +164,14 @@ mod tests {
     fn a_plane_along_an_edge_or_through_a_corner_cuts_nothing_off() {
         let mut corners = square();
         let along = Plane { normal: DVec3::X, offset_m: 0.5 * TOLERANCE_M };
-        assert_eq!(split(&mut corners, 0..4, &along, Border::SHADOW, TOLERANCE_M, &mut Vec::new()), Split::Inside);
-        assert_eq!(split(&mut corners, 0..4, &-along, Border::SHADOW, TOLERANCE_M, &mut Vec::new()), Split::Outside);
+        assert_eq!(
+            split(&mut corners, 0..4, &along, Border::SHADOW, TOLERANCE_M, &mut Vec::new()),
+            Split::Inside
+        );
+        assert_eq!(
+            split(&mut corners, 0..4, &-along, Border::SHADOW, TOLERANCE_M, &mut Vec::new()),
+            Split::Outside
+        );
         assert_eq!(corners.len(), 4);
     }
 
@@ -169,10 +179,18 @@ mod tests {
     fn a_cut_through_two_corners_makes_two_triangles() {
         let normal = DVec3::new(1.0, -1.0, 0.0) / 2.0_f64.sqrt();
         let mut corners = square();
-        let split =
-            split(&mut corners, 0..4, &Plane { normal, offset_m: 0.0 }, Border::SHADOW, TOLERANCE_M, &mut Vec::new());
+        let split = split(
+            &mut corners,
+            0..4,
+            &Plane { normal, offset_m: 0.0 },
+            Border::SHADOW,
+            TOLERANCE_M,
+            &mut Vec::new(),
+        );
         let Split::Cut { inside, outside } = split else { panic!("{split:?}") };
         assert_eq!((inside.len(), outside.len()), (3, 3));
-        assert!((area(&corners[inside]) - 0.5).abs() < 1e-15 && (area(&corners[outside]) - 0.5).abs() < 1e-15);
+        assert!(
+            (area(&corners[inside]) - 0.5).abs() < 1e-15 && (area(&corners[outside]) - 0.5).abs() < 1e-15
+        );
     }
 }

@@ -24,7 +24,10 @@ impl ComplexVector {
 
     /// Σ aᵢbᵢ, nothing conjugated: reciprocity knows no direction of time.
     pub(crate) fn dot(self, other: Self) -> Complex64 {
-        Complex64::new(self.re.dot(other.re) - self.im.dot(other.im), self.re.dot(other.im) + self.im.dot(other.re))
+        Complex64::new(
+            self.re.dot(other.re) - self.im.dot(other.im),
+            self.re.dot(other.im) + self.im.dot(other.re),
+        )
     }
 
     /// Turned over at a plane z = const.

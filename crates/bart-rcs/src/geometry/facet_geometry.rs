@@ -9,8 +9,8 @@ use glam::DVec3;
 pub struct FacetGeometry {
     /// World metres, in the mesh's winding.
     pub corners_m: [DVec3; 3],
-    /// The plane through the corners; its unit normal follows the winding. A normal of zero marks a triangle without a
-    /// plane: it neither scatters nor hides.
+    /// The plane through the corners; its unit normal follows the winding. A normal of zero marks a triangle
+    /// without a plane: it neither scatters nor hides.
     pub plane: Plane,
     /// m².
     pub area_m2: f64,

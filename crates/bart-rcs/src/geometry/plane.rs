@@ -21,12 +21,14 @@ impl Plane {
     /// The plane of a triangle, its normal by the winding; `None` where the corners span none.
     pub fn of_triangle(corners_m: &[DVec3; 3]) -> Option<Self> {
         let [a, b, c] = *corners_m;
-        // The corner opposite the longest edge has the best conditioned pair of edges; the choice and its rounding must not
-        // depend on which corner is named first, or a rotated index triple would be another plane.
-        let (origin, u, v) = [(a, b - a, c - a), (b, c - b, a - b), (c, a - c, b - c)].into_iter().min_by(|l, r| {
-            let longest = |t: &(DVec3, DVec3, DVec3)| t.1.length_squared().max(t.2.length_squared());
-            longest(l).total_cmp(&longest(r))
-        })?;
+        // The corner opposite the longest edge has the best conditioned pair of edges; the choice and its
+        // rounding must not depend on which corner is named first, or a rotated index triple would be another
+        // plane.
+        let (origin, u, v) =
+            [(a, b - a, c - a), (b, c - b, a - b), (c, a - c, b - c)].into_iter().min_by(|l, r| {
+                let longest = |t: &(DVec3, DVec3, DVec3)| t.1.length_squared().max(t.2.length_squared());
+                longest(l).total_cmp(&longest(r))
+            })?;
         let normal = accurate_cross(u, v).try_normalize()?;
         Some(Self { normal, offset_m: normal.dot(origin) })
     }
@@ -63,8 +65,8 @@ impl std::ops::Neg for Plane {
 
 /// u × v to rounding of each component, however small it is beside |u||v|.
 ///
-/// The plain formula errs by ε|u||v|: the plane of a needle of 1 m × 1 µm would miss its own corners by 1e-10 m, a thousand
-/// times the tolerance of a world, and a doubled needle would be lit twice.
+/// The plain formula errs by ε|u||v|: the plane of a needle of 1 m × 1 µm would miss its own corners by 1e-10
+/// m, a thousand times the tolerance of a world, and a doubled needle would be lit twice.
 pub(crate) fn accurate_cross(u: DVec3, v: DVec3) -> DVec3 {
     DVec3::new(
         difference_of_products(u.y, v.z, u.z, v.y),
@@ -73,7 +75,8 @@ pub(crate) fn accurate_cross(u: DVec3, v: DVec3) -> DVec3 {
     )
 }
 
-/// ab − cd with an error of 1.5 ulp: Kahan's algorithm (Jeannerod, Louvet, Muller, Math. Comp. 82 (2013) 2245).
+/// ab − cd with an error of 1.5 ulp: Kahan's algorithm (Jeannerod, Louvet, Muller, Math. Comp. 82 (2013)
+/// 2245).
 fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let product = c * d;
     let error = c.mul_add(-d, product);
@@ -93,7 +96,10 @@ mod tests {
         for corners in [[A, B, middle], [B, A, middle], [middle, A, B]] {
             let plane = Plane::of_triangle(&corners).unwrap();
             // Rounding of the corners' differences and of n·x: a few ε of the largest coordinate.
-            assert!(corners.iter().all(|&c| plane.distance_m(c).abs() < 8.0 * f64::EPSILON * 2.0), "{plane:?}");
+            assert!(
+                corners.iter().all(|&c| plane.distance_m(c).abs() < 8.0 * f64::EPSILON * 2.0),
+                "{plane:?}"
+            );
         }
     }
 

@@ -26,7 +26,8 @@ fn solid_angle_sr(mut arms_m: impl Iterator<Item = DVec3>) -> f64 {
 /// Signed solid angle of a triangle from the origin.
 pub(crate) fn triangle_sr(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     let (la, lb, lc) = (a.length(), b.length(), c.length());
-    // a·(b × c) from the differences of the corners: from afar it would be a small difference of large products.
+    // a·(b × c) from the differences of the corners: from afar it would be a small difference of large
+    // products.
     let numerator = a.dot((b - a).cross(c - a));
     let denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
     2.0 * numerator.atan2(denominator)

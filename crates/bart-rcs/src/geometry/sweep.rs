@@ -1,9 +1,9 @@
 //! What a beam sweeps over behind its opening, as boxes see it.
 //!
-//! A beam passes a small box as a ray does: planes through its edges hold most of the boxes beside it, for few of them face
-//! the box's corners. A box misses every ray that leaves its slabs in another order than it entered them (Kay, Kajiya,
-//! SIGGRAPH (1986) 269), and with intervals for the rays' starts and directions it misses all of them at once (Boulos, Wald,
-//! Shirley, Univ. of Utah UUCS-06-010 (2006)).
+//! A beam passes a small box as a ray does: planes through its edges hold most of the boxes beside it, for
+//! few of them face the box's corners. A box misses every ray that leaves its slabs in another order than it
+//! entered them (Kay, Kajiya, SIGGRAPH (1986) 269), and with intervals for the rays' starts and directions it
+//! misses all of them at once (Boulos, Wald, Shirley, Univ. of Utah UUCS-06-010 (2006)).
 
 use crate::geometry::antenna::Antenna;
 use glam::{DMat3, DVec3, Vec4};
@@ -47,19 +47,24 @@ impl Sweep {
         let start = |corner: &DVec3| *body_from_world * (*corner - position_m);
         let direction = |corner: &DVec3| *body_from_world * (-antenna.towards(*corner) / scale);
         let [low, high] = around(opening_m.iter().map(start));
-        Self { starts_m: [low - slack_m, high + slack_m], directions: around(opening_m.iter().map(direction)) }
+        Self {
+            starts_m: [low - slack_m, high + slack_m],
+            directions: around(opening_m.iter().map(direction)),
+        }
     }
 
     /// For boxes about `middle_m` that reach no farther than `reach_m` from it.
     ///
-    /// Starts and bounds of single precision are off by ε/2 of their size; a bound of s by three roundings, for which the
-    /// directions are widened. What is widened holds more boxes, never fewer.
+    /// Starts and bounds of single precision are off by ε/2 of their size; a bound of s by three roundings,
+    /// for which the directions are widened. What is widened holds more boxes, never fewer.
     pub(crate) fn slabs(&self, middle_m: DVec3, reach_m: f64) -> SlabTest {
         let [low, high] = self.starts_m.map(|start| start - middle_m);
         let far_m = reach_m + low.abs().max(high.abs()).max_element();
         let slack_m = 8.0 * f64::from(f32::EPSILON) * far_m;
-        let mut test =
-            SlabTest { bounds_of_s: [Slab { coordinate: 0, start: Vec4::ZERO, inverse: Vec4::ZERO }; 6], entries: 0 };
+        let mut test = SlabTest {
+            bounds_of_s: [Slab { coordinate: 0, start: Vec4::ZERO, inverse: Vec4::ZERO }; 6],
+            entries: 0,
+        };
         let mut exits = 6;
         for coordinate in 0..6 {
             let (axis, is_low) = (coordinate % 3, coordinate < 3);
@@ -68,8 +73,11 @@ impl Sweep {
             } else {
                 (low[axis] - slack_m, widened(self.directions[0][axis], -1.0))
             };
-            let slab =
-                Slab { coordinate, start: Vec4::splat(start as f32), inverse: Vec4::splat((1.0 / direction) as f32) };
+            let slab = Slab {
+                coordinate,
+                start: Vec4::splat(start as f32),
+                inverse: Vec4::splat((1.0 / direction) as f32),
+            };
             if (direction > 0.0) == is_low {
                 test.bounds_of_s[test.entries] = slab;
                 test.entries += 1;

@@ -1,9 +1,11 @@
-//! Few points over a band for a smooth function of frequency: how many, where, and the polynomial through them.
+//! Few points over a band for a smooth function of frequency: how many, where, and the polynomial through
+//! them.
 //!
-//! n points of the second kind meet f(x)e^{jθx} on [−1, 1], f analytic and |f| ≤ 1 in an ellipse with half axes (ρ ± 1/ρ)/2
-//! about it, to 4e^{θ(ρ − 1/ρ)/2}ρ^{1−n}/(ρ − 1), whichever ρ is taken (Trefethen, Approximation Theory and Approximation
-//! Practice (2013), theorem 8.2). n points of the first kind meet a sum of exponentials e^{jtx}, |t| ≤ θ, whose sizes add up
-//! to 1, to θⁿ/(n!·2ⁿ⁻¹): its n-th derivative is at most θⁿ, and their polynomial stays below 2¹⁻ⁿ.
+//! n points of the second kind meet f(x)e^{jθx} on [−1, 1], f analytic and |f| ≤ 1 in an ellipse with half
+//! axes (ρ ± 1/ρ)/2 about it, to 4e^{θ(ρ − 1/ρ)/2}ρ^{1−n}/(ρ − 1), whichever ρ is taken (Trefethen,
+//! Approximation Theory and Approximation Practice (2013), theorem 8.2). n points of the first kind meet a
+//! sum of exponentials e^{jtx}, |t| ≤ θ, whose sizes add up to 1, to θⁿ/(n!·2ⁿ⁻¹): its n-th derivative is at
+//! most θⁿ, and their polynomial stays below 2¹⁻ⁿ.
 
 use std::f64::consts::PI;
 
@@ -18,13 +20,15 @@ pub(crate) struct Chebyshev {
 /// More points than any band has frequencies.
 const POINTS_MAX: u32 = 1 << 16;
 
-/// Points that meet a turn of θ over half the band to an error relative to the amplitude, by an ellipse with ρ ≤ `most`.
+/// Points that meet a turn of θ over half the band to an error relative to the amplitude, by an ellipse with
+/// ρ ≤ `most`.
 pub(crate) fn points(turn_rad: f64, most: f64, error: f64) -> usize {
     let enough = |count: &u32| in_ellipse(*count, turn_rad, most) <= error;
     (2..POINTS_MAX).find(enough).unwrap_or(POINTS_MAX) as usize
 }
 
-/// Error of `count` points of the second kind for a turn of θ over half the band, by an ellipse with ρ ≤ `most`.
+/// Error of `count` points of the second kind for a turn of θ over half the band, by an ellipse with ρ ≤
+/// `most`.
 fn in_ellipse(count: u32, turn_rad: f64, most: f64) -> f64 {
     // Without the limit ρ = 2n/θ is best; the logarithm does not overflow.
     let rho = most.min(2.0 * f64::from(count) / turn_rad);
@@ -32,7 +36,8 @@ fn in_ellipse(count: u32, turn_rad: f64, most: f64) -> f64 {
     if rho > 1.0 { (power + (4.0 / (rho - 1.0)).ln()).exp() } else { f64::INFINITY }
 }
 
-/// The largest θ that `count` points of the second kind meet to an error by an ellipse with ρ ≤ `most`; 0 where there is none.
+/// The largest θ that `count` points of the second kind meet to an error by an ellipse with ρ ≤ `most`; 0
+/// where there is none.
 pub(crate) fn turn_in_ellipse_rad(count: usize, most: f64, error: f64) -> f64 {
     let (mut low, mut high) = (0.0, count as f64);
     for _ in 0..TURN_HALVINGS {
@@ -45,7 +50,8 @@ pub(crate) fn turn_in_ellipse_rad(count: usize, most: f64, error: f64) -> f64 {
 /// The turn to a thousandth.
 const TURN_HALVINGS: usize = 16;
 
-/// The largest θ at which `count` points of the first kind meet sums of exponentials to an error: (error·n!·2ⁿ⁻¹)^{1/n}.
+/// The largest θ at which `count` points of the first kind meet sums of exponentials to an error:
+/// (error·n!·2ⁿ⁻¹)^{1/n}.
 pub(crate) fn turn_of_exponentials_rad(count: usize, error: f64) -> f64 {
     let logarithm: f64 = (1..=count).map(|i| (2.0 * i as f64).ln()).sum();
     ((logarithm - 2.0_f64.ln() + error.ln()) / count as f64).exp()
@@ -79,8 +85,8 @@ impl Chebyshev {
         Self { nodes_per_m, weights: (0..count).map(|i| sign(i) * end(i)).collect() }
     }
 
-    /// Calls `give` with every point and its share in the value at `wavenumber_per_m` of the polynomial through all
-    /// (barycentric formula; Berrut, Trefethen, SIAM Review 46 (2004) 501).
+    /// Calls `give` with every point and its share in the value at `wavenumber_per_m` of the polynomial
+    /// through all (barycentric formula; Berrut, Trefethen, SIAM Review 46 (2004) 501).
     pub(crate) fn shares(&self, wavenumber_per_m: f64, mut give: impl FnMut(usize, f64)) {
         if let Some(at) = self.nodes_per_m.iter().position(|node| *node == wavenumber_per_m) {
             return give(at, 1.0);

@@ -1,18 +1,20 @@
-//! Divided differences of the exponential at points of the imaginary axis: the integrals of a linear phase times a
-//! polynomial over a triangle, in one symmetric code path.
+//! Divided differences of the exponential at points of the imaginary axis: the integrals of a linear phase
+//! times a polynomial over a triangle, in one symmetric code path.
 //!
 //! Hermite–Genocchi: with barycentric coordinates λ and corner phases φ, ∫ λ₁^a λ₂^b λ₃^c e^{jλ·φ} dA =
 //! 2A·a!b!c!·exp[jφ₁ (a+1 times), jφ₂ (b+1 times), jφ₃ (c+1 times)].
 
 use num_complex::Complex64;
 
-/// Highest multiplicity of one corner that [`DividedDifferences::of`] takes: second moments need a corner three times.
+/// Highest multiplicity of one corner that [`DividedDifferences::of`] takes: second moments need a corner
+/// three times.
 pub(crate) const MULTIPLICITY_MAX: usize = 3;
 
-/// Points closer together than this are expanded about their middle, points farther apart are taken by recursion.
+/// Points closer together than this are expanded about their middle, points farther apart are taken by
+/// recursion.
 ///
-/// The recursion divides by the span at every level, so with a span of 1 or more it does not amplify rounding; the
-/// series takes the powers of half the span, here 0.75, and reaches rounding after 18 terms.
+/// The recursion divides by the span at every level, so with a span of 1 or more it does not amplify
+/// rounding; the series takes the powers of half the span, here 0.75, and reaches rounding after 18 terms.
 const SERIES_SPAN: f64 = 1.5;
 /// As many terms as a span of that needs.
 const SERIES_TERMS: usize = 19;
@@ -60,8 +62,11 @@ impl DividedDifferences {
         let low = usize::from(times[0] == 0) * (1 + usize::from(times[1] == 0));
         let high = 2 - usize::from(times[2] == 0) * (1 + usize::from(times[1] == 0));
         let span = self.phases[high] - self.phases[low];
-        let value =
-            if span < SERIES_SPAN { series(self.phases, times, low, high) } else { self.recursion(times, low, high) };
+        let value = if span < SERIES_SPAN {
+            series(self.phases, times, low, high)
+        } else {
+            self.recursion(times, low, high)
+        };
         self.known[slot] = Some(value);
         value
     }
@@ -77,7 +82,8 @@ impl DividedDifferences {
     }
 }
 
-/// e^{jc} Σ_k j^k h_k(φ − c)/(n + k)!, h_k the complete homogeneous symmetric polynomials of all points, c their middle.
+/// e^{jc} Σ_k j^k h_k(φ − c)/(n + k)!, h_k the complete homogeneous symmetric polynomials of all points, c
+/// their middle.
 fn series(phases: [f64; 3], times: [usize; 3], low: usize, high: usize) -> Complex64 {
     let middle = 0.5 * (phases[low] + phases[high]);
     let reach = 0.5 * (phases[high] - phases[low]);
@@ -117,9 +123,9 @@ fn weighted_by_factorials(homogeneous: &[f64], n: usize) -> Complex64 {
     Complex64::new(sum[0] - sum[2], sum[1] - sum[3])
 }
 
-/// The six second moments of a triangle, exp[jφ₁, jφ₂, jφ₃] with two phases more: corner i twice more at i, the other two
-/// corners once more at 3 + i; `turns` are e^{jφ}. All of [`DividedDifferences::of`] at once, without its table: most of the time of a sweep
-/// goes here.
+/// The six second moments of a triangle, exp[jφ₁, jφ₂, jφ₃] with two phases more: corner i twice more at i,
+/// the other two corners once more at 3 + i; `turns` are e^{jφ}. All of [`DividedDifferences::of`] at once,
+/// without its table: most of the time of a sweep goes here.
 pub(crate) fn second_moments(phases: [f64; 3], turns: [Complex64; 3]) -> [Complex64; 6] {
     let mut corner_at = [0, 1, 2];
     corner_at.sort_unstable_by(|&a, &b| phases[a].total_cmp(&phases[b]));
@@ -163,7 +169,8 @@ impl Pair {
             return Self::near(low, high);
         }
         let per_span = 1.0 / (high - low);
-        let step = |without_low: Complex64, without_high: Complex64| over_j(without_low - without_high, per_span);
+        let step =
+            |without_low: Complex64, without_high: Complex64| over_j(without_low - without_high, per_span);
         // exp taken m times at one point is its (m − 1)-th derivative over (m − 1)!.
         let d11 = step(at_high, at_low);
         let (d12, d21) = (step(at_high, d11), step(d11, at_low));
@@ -316,7 +323,8 @@ mod tests {
     }
 
     /// In the order of [`second_moments`].
-    const SECOND_MOMENTS: [[usize; 3]; 6] = [[3, 1, 1], [1, 3, 1], [1, 1, 3], [1, 2, 2], [2, 1, 2], [2, 2, 1]];
+    const SECOND_MOMENTS: [[usize; 3]; 6] =
+        [[3, 1, 1], [1, 3, 1], [1, 1, 3], [1, 2, 2], [2, 1, 2], [2, 2, 1]];
 
     /// P8.
     #[test]
@@ -341,11 +349,14 @@ mod tests {
         let mut worst = 0.0_f64;
         for exponent in -12..=3 {
             let span = 10_f64.powi(exponent);
-            for shape in [[0.0, 1.0, 0.4], [0.0, 1.0, 1.0], [0.7, 0.0, 1.0], [0.0, 1.0, 1e-9], [-0.3, 0.2, 0.5]] {
+            for shape in
+                [[0.0, 1.0, 0.4], [0.0, 1.0, 1.0], [0.7, 0.0, 1.0], [0.0, 1.0, 1e-9], [-0.3, 0.2, 0.5]]
+            {
                 let phases = shape.map(|s| s * span);
                 let mut at = DividedDifferences::new(phases);
                 let mut check = |times: [usize; 3], factorial: f64| {
-                    let points: Vec<f64> = (0..3).flat_map(|i| std::iter::repeat_n(phases[i], times[i])).collect();
+                    let points: Vec<f64> =
+                        (0..3).flat_map(|i| std::iter::repeat_n(phases[i], times[i])).collect();
                     let error = (at.of(times) - opitz(&points)).norm() * factorial / (1.0 + span);
                     worst = worst.max(error);
                 };

@@ -88,8 +88,8 @@ impl<'a> Field<'a> {
         self.node.transmit.image.travel_direction_at(x_m) + self.node.receive.image.travel_direction_at(x_m)
     }
 
-    /// Bound of the derivative of every direction and unit field within `reach_m`, rad/m: 1/L of the nearer antenna, and
-    /// more where its leg is steep, for v̂ and ĥ turn with the azimuth.
+    /// Bound of the derivative of every direction and unit field within `reach_m`, rad/m: 1/L of the nearer
+    /// antenna, and more where its leg is steep, for v̂ and ĥ turn with the azimuth.
     pub(crate) fn turning_per_m(&self, x_m: DVec3, reach_m: f64) -> f64 {
         let of = |leg: &Leg| {
             let range_m = leg.image.range_m(x_m);
@@ -113,11 +113,12 @@ impl<'a> Field<'a> {
         node.material.is_none() && node.transmit.steps.is_perfect() && node.receive.steps.is_perfect()
     }
 
-    /// How much faster than directions and fields the weights turn: of derivatives one to three, in units of the turning.
+    /// How much faster than directions and fields the weights turn: of derivatives one to three, in units of
+    /// the turning.
     ///
-    /// 1/L₁, 1/L₂, d, e_q, e_p each change by at most the turning t in the first derivative; the product of five by 5t,
-    /// (5 + 5·4 + 5)t² and so on; third derivatives of a unit vector stay below 6/L³. Coefficients of exponential type m
-    /// multiply that (Leibniz).
+    /// 1/L₁, 1/L₂, d, e_q, e_p each change by at most the turning t in the first derivative; the product of
+    /// five by 5t, (5 + 5·4 + 5)t² and so on; third derivatives of a unit vector stay below 6/L³.
+    /// Coefficients of exponential type m multiply that (Leibniz).
     pub(crate) fn weight_turns(&self, wavenumber_per_m: f64) -> [f64; 3] {
         if self.is_perfect() {
             return [5.0, 35.0, 300.0];

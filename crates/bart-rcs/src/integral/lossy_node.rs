@@ -1,7 +1,7 @@
 //! The node integral where something on the path is no perfect conductor: weights with phase, by frequency.
 //!
-//! Kirchhoff's currents of a surface that reflects e_r of e (Beckmann, Spizzichino 1963; `docs/physics.md` §5) in place of
-//! the bracket of [`crate::integral::physical_optics`]:
+//! Kirchhoff's currents of a surface that reflects e_r of e (Beckmann, Spizzichino 1963; `docs/physics.md`
+//! §5) in place of the bracket of [`crate::integral::physical_optics`]:
 //!
 //! ```text
 //! ½{ e_p·[n×(d₁×e + d_r×e_r)] + (d₂×e_p)·[n×(e + e_r)] }
@@ -32,7 +32,13 @@ impl Field<'_> {
         }
     }
 
-    fn add_lossy_whole(&self, corners_m: &[DVec2], centre_m: DVec2, wavenumbers_per_m: &[f64], sums: &mut [Weights]) {
+    fn add_lossy_whole(
+        &self,
+        corners_m: &[DVec2],
+        centre_m: DVec2,
+        wavenumbers_per_m: &[f64],
+        sums: &mut [Weights],
+    ) {
         let whole = self.whole(corners_m, centre_m);
         let weights = self.lossy_weights(&[whole.centre], wavenumbers_per_m);
         whole.for_each_integral(wavenumbers_per_m, &mut |i, integral_m2| {
@@ -51,11 +57,17 @@ impl Field<'_> {
         });
     }
 
-    /// Weights of some points at every wavenumber, taken at few where the materials turn little over the band.
+    /// Weights of some points at every wavenumber, taken at few where the materials turn little over the
+    /// band.
     ///
-    /// Layers turn the phase by their length; half-spaces know no frequency; the road's loss e^{−g²/2} is below 1 where
+    /// Layers turn the phase by their length; half-spaces know no frequency; the road's loss e^{−g²/2} is
+    /// below 1 where
     /// |Im k| < Re k, so within ρ = k/Δk.
-    fn lossy_weights<const N: usize>(&self, points: &[SurfacePoint; N], wavenumbers_per_m: &[f64]) -> OverBand<N> {
+    fn lossy_weights<const N: usize>(
+        &self,
+        points: &[SurfacePoint; N],
+        wavenumbers_per_m: &[f64],
+    ) -> OverBand<N> {
         let of = |k: &f64| points.map(|at| self.lossy_weight(&at, *k));
         let few = middle_and_half(wavenumbers_per_m).and_then(|(middle, half)| {
             let error = (WEIGHTS_ERROR * self.accuracy).max(f64::EPSILON);
@@ -66,8 +78,9 @@ impl Field<'_> {
         OverBand { samples: wavenumbers_per_m.iter().map(of).collect(), few }
     }
 
-    /// How much longer than the way the layers on it make the phase turn with frequency, m: their own length back and forth,
-    /// twice, as the echoes inside of one that has gone round once more are still seen and of two hardly.
+    /// How much longer than the way the layers on it make the phase turn with frequency, m: their own length
+    /// back and forth, twice, as the echoes inside of one that has gone round once more are still seen and of
+    /// two hardly.
     pub(crate) fn turning_length_m(&self) -> f64 {
         let own = self.node.material.map_or(0.0, phase_length_m);
         let of = |leg: &Leg| leg.steps.phase_length_m();
@@ -96,7 +109,8 @@ impl Field<'_> {
         }
     }
 
-    /// From the one end to the other, each with its direction of travel and its fields: [at the other][at the one].
+    /// From the one end to the other, each with its direction of travel and its fields: [at the other][at the
+    /// one].
     fn bracket(&self, normal: DVec3, from: End, to: End, wavenumber_per_m: f64) -> Weights {
         const PAIRS: [(usize, usize); 4] = [(0, 0), (0, 1), (1, 0), (1, 1)];
         let Some(material) = self.node.material else {
@@ -112,7 +126,8 @@ impl Field<'_> {
 /// Direction of travel, and the fields of v and h.
 type End = (DVec3, [ComplexVector; 2]);
 
-/// Of the accuracy asked for: weights are interpolated inside of what [`crate::joins::band`] interpolates again.
+/// Of the accuracy asked for: weights are interpolated inside of what [`crate::joins::band`] interpolates
+/// again.
 const WEIGHTS_ERROR: f64 = 1e-3;
 
 /// Weights of N points over a band.

@@ -74,8 +74,8 @@ pub(crate) struct Node<'a> {
 }
 
 impl Node<'_> {
-    /// What is to be asked of the integral so that its error is `accuracy` of an unweakened one: what arrives over the road or through
-    /// glass at a tenth may be wrong by ten times as much of itself.
+    /// What is to be asked of the integral so that its error is `accuracy` of an unweakened one: what arrives
+    /// over the road or through glass at a tenth may be wrong by ten times as much of itself.
     pub(crate) fn accuracy(&self, at_m: DVec3, wavenumbers_per_m: &[f64], accuracy: f64) -> f64 {
         let middle_per_m = wavenumbers_per_m.get(wavenumbers_per_m.len() / 2).copied().unwrap_or(0.0);
         let legs = [self.transmit, self.receive].map(|leg| leg.strength(at_m, middle_per_m));

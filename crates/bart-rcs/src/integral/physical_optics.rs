@@ -3,10 +3,11 @@
 //! ```text
 //! S_pq = j√(4π)/λ ∫ R_tR_r/(L₁L₂) · e_p·[d₁(n·e_q) − e_q(n·d₁)] · e^{−jk(L₁+L₂−R_t−R_r)} dA
 //! ```
-//! p and q are v or h of the receiver's and transmitter's own legs, carried to the node by the mirrors; L, d belong to the
-//! image antennas. Computed is the amplitude `a` of a path whose node is a reference point of the polygon: S without
-//! R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)} taken at that point. So nothing far away enters but small differences. Over a bent
-//! facet x is the skin above the polygon's point, and n·dA its area vector.
+//! p and q are v or h of the receiver's and transmitter's own legs, carried to the node by the mirrors; L, d
+//! belong to the image antennas. Computed is the amplitude `a` of a path whose node is a reference point of
+//! the polygon: S without R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)} taken at that point. So nothing far away
+//! enters but small differences. Over a bent facet x is the skin above the polygon's point, and n·dA its area
+//! vector.
 
 use crate::integral::field::{Field, SurfacePoint};
 use crate::integral::node::{Bracket, Estimate, Node};
@@ -18,9 +19,9 @@ use num_complex::Complex64;
 
 /// Amplitudes at several wavenumbers, on one tiling, of a node that is cut as far as `accuracy` asks.
 ///
-/// `accuracy` bounds the error of every element of the 2 × 2 amplitude as a fraction of √(4π)·area/λ at the highest
-/// wavenumber, the largest amplitude that the polygon can have; `error` is the bound reached, in metres. It is not
-/// carried below 1e-12, where rounding begins.
+/// `accuracy` bounds the error of every element of the 2 × 2 amplitude as a fraction of √(4π)·area/λ at the
+/// highest wavenumber, the largest amplitude that the polygon can have; `error` is the bound reached, in
+/// metres. It is not carried below 1e-12, where rounding begins.
 pub(crate) fn node_amplitudes(
     node: &Node<'_>,
     reference_m: DVec3,
@@ -39,7 +40,8 @@ pub(crate) fn node_amplitudes(
     Estimate { value, error: error_m2 * highest / std::f64::consts::PI.sqrt() }
 }
 
-/// Calls `give` with the tiles of a node as [`node_amplitudes`] takes them, each with a bound of the error of weight·phase.
+/// Calls `give` with the tiles of a node as [`node_amplitudes`] takes them, each with a bound of the error of
+/// weight·phase.
 pub(crate) fn for_each_tile(field: &Field<'_>, highest_per_m: f64, give: &mut dyn FnMut(&Tile<'_>, f64)) {
     tiling::cut(field, highest_per_m, field.accuracy.max(1e-12), give);
 }
@@ -65,7 +67,8 @@ impl Field<'_> {
         let sent = transmit.mirrors.fields_at_node(d1, transmit.zenith_h);
         let received = receive.mirrors.fields_at_node(d2, receive.zenith_h);
         let spread = self.spread(transmit.image, x_m) * self.spread(receive.image, x_m);
-        let plain = |d: DVec3, e: DVec3, other: DVec3| other.dot(d) * normal.dot(e) - other.dot(e) * normal.dot(d);
+        let plain =
+            |d: DVec3, e: DVec3, other: DVec3| other.dot(d) * normal.dot(e) - other.dot(e) * normal.dot(d);
         [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(p, q)| {
             let forth = plain(d1, sent[q], received[p]);
             spread
@@ -76,7 +79,8 @@ impl Field<'_> {
         })
     }
 
-    /// Calls `give` with the index of every wavenumber and the amplitude of a tile alone, as in [`node_amplitudes`].
+    /// Calls `give` with the index of every wavenumber and the amplitude of a tile alone, as in
+    /// [`node_amplitudes`].
     pub(crate) fn for_each_amplitude(
         &self,
         tile: &Tile<'_>,
@@ -97,13 +101,21 @@ impl Field<'_> {
     fn add(&self, tile: &Tile<'_>, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {
         match tile {
             _ if !self.is_perfect() => self.add_lossy(tile, wavenumbers_per_m, sums),
-            Tile::Whole { corners_m, centre_m } => self.add_whole(corners_m, *centre_m, wavenumbers_per_m, sums),
+            Tile::Whole { corners_m, centre_m } => {
+                self.add_whole(corners_m, *centre_m, wavenumbers_per_m, sums)
+            }
             Tile::Triangle(corners_m) => self.add_triangle(*corners_m, wavenumbers_per_m, sums),
         }
     }
 
     /// Weight and curvature of the phase as at the centre: Gordon over the whole polygon.
-    fn add_whole(&self, corners_m: &[DVec2], centre_m: DVec2, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {
+    fn add_whole(
+        &self,
+        corners_m: &[DVec2],
+        centre_m: DVec2,
+        wavenumbers_per_m: &[f64],
+        sums: &mut [[Complex64; 4]],
+    ) {
         let whole = self.whole(corners_m, centre_m);
         let weights = self.weights(&whole.centre);
         whole.for_each_integral(wavenumbers_per_m, &mut |i, integral_m2| {
@@ -111,7 +123,8 @@ impl Field<'_> {
         });
     }
 
-    /// Weight times the remainder of the phase as the quadratic through six points, under the linear phase exactly.
+    /// Weight times the remainder of the phase as the quadratic through six points, under the linear phase
+    /// exactly.
     fn add_triangle(&self, corners_m: [DVec2; 3], wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {
         let six = self.six_points(corners_m);
         let weights = six.points.map(|at| self.weights(&at));
@@ -135,7 +148,8 @@ mod tests {
 
     const WAVENUMBER_PER_M: f64 = std::f64::consts::TAU * 77e9 / SPEED_OF_LIGHT_MPS;
 
-    /// A rectangle in the plane x = 0 about the origin, and two antennas as [along its first side, its second, ahead].
+    /// A rectangle in the plane x = 0 about the origin, and two antennas as [along its first side, its
+    /// second, ahead].
     struct Case {
         name: &'static str,
         sides_m: [f64; 2],
@@ -145,7 +159,13 @@ mod tests {
         gauss_points: usize,
     }
 
-    const fn case(name: &'static str, sides_m: [f64; 2], t: [f64; 3], r: [f64; 3], gauss_points: usize) -> Case {
+    const fn case(
+        name: &'static str,
+        sides_m: [f64; 2],
+        t: [f64; 3],
+        r: [f64; 3],
+        gauss_points: usize,
+    ) -> Case {
         let [transmitter_m, receiver_m] = [DVec3::new(t[2], t[0], t[1]), DVec3::new(r[2], r[0], r[1])];
         Case { name, sides_m, transmitter_m, receiver_m, gauss_points }
     }

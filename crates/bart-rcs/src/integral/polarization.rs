@@ -3,10 +3,12 @@
 use crate::geometry::plane::Plane;
 use glam::{DMat3, DVec3};
 
-/// Below this sine of the angle to the vertical, ĥ is the one that the caller asked for: closer, unit(ẑ × r̂) is rounding.
+/// Below this sine of the angle to the vertical, ĥ is the one that the caller asked for: closer, unit(ẑ × r̂)
+/// is rounding.
 const ZENITH_SINE: f64 = 1e-9;
 
-/// v̂ and ĥ of a leg: ĥ = unit(ẑ × r̂), v̂ = r̂ × ĥ, r̂ from the body to the antenna; the same for both ways of travel.
+/// v̂ and ĥ of a leg: ĥ = unit(ẑ × r̂), v̂ = r̂ × ĥ, r̂ from the body to the antenna; the same for both ways
+/// of travel.
 ///
 /// `zenith_h` is ĥ straight above and below, where the azimuth asked for decides: (−sin az, cos az, 0).
 pub(crate) fn polarization_vectors(to_antenna: DVec3, zenith_h: DVec3) -> [DVec3; 2] {
@@ -21,8 +23,8 @@ pub(crate) fn zenith_h(azimuth_rad: f64) -> DVec3 {
     DVec3::new(-azimuth_rad.sin(), azimuth_rad.cos(), 0.0)
 }
 
-/// The perfect mirrors between an antenna and a node: points, directions and unit fields of the antenna's own leg as they
-/// arrive at the node.
+/// The perfect mirrors between an antenna and a node: points, directions and unit fields of the antenna's own
+/// leg as they arrive at the node.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Mirrors {
     /// Product of the reflections I − 2nnᵀ, the first mirror's rightmost.
@@ -37,9 +39,13 @@ impl Mirrors {
     /// No mirror: first order.
     pub(crate) const NONE: Self = Self { node_from_leg: DMat3::IDENTITY, offset_m: DVec3::ZERO, sign: 1.0 };
 
-    /// Of the antenna's image below the road z = 0: its own leg is turned over. What the road does to the field is told apart.
-    pub(crate) const BELOW_ROAD: Self =
-        Self { node_from_leg: DMat3::from_cols(DVec3::X, DVec3::Y, DVec3::NEG_Z), offset_m: DVec3::ZERO, sign: 1.0 };
+    /// Of the antenna's image below the road z = 0: its own leg is turned over. What the road does to the
+    /// field is told apart.
+    pub(crate) const BELOW_ROAD: Self = Self {
+        node_from_leg: DMat3::from_cols(DVec3::X, DVec3::Y, DVec3::NEG_Z),
+        offset_m: DVec3::ZERO,
+        sign: 1.0,
+    };
 
     /// These mirrors and one more after them.
     pub(crate) fn and(self, plane: &Plane) -> Self {
@@ -99,7 +105,8 @@ mod tests {
         let travel = DVec3::new(-0.3, 0.4, -0.2).try_normalize().unwrap();
         let reflected = travel - 2.0 * n * n.dot(travel);
         let before = Mirrors::NONE.fields_at_node(travel, DVec3::Y);
-        let after = Mirrors::NONE.and(&Plane { normal: n, offset_m: 0.3 }).fields_at_node(reflected, DVec3::Y);
+        let after =
+            Mirrors::NONE.and(&Plane { normal: n, offset_m: 0.3 }).fields_at_node(reflected, DVec3::Y);
         for (e, r) in before.into_iter().zip(after) {
             assert!((r - (-e + 2.0 * n * n.dot(e))).length() < 1e-15);
             assert!(r.dot(reflected).abs() < 1e-15);

@@ -5,33 +5,41 @@ use crate::integral::turns::{SHORT, TOGETHER, Turns, short_sinc, short_turn, tur
 use glam::DVec2;
 use num_complex::Complex64;
 
-/// Below this product of phase gradient and width Gordon's formula gives way to the moment series: every term of its sum
-/// is rounded at ε·D/|w|, the integral is of the size of the area A = D·width, so ε/(|w|·width) of it is lost: 2e-14 here.
-/// (For a body as wide as long this is the ε/(|w|D) of physics.md §1; a needle loses more, by its aspect.)
+/// Below this product of phase gradient and width Gordon's formula gives way to the moment series: every term
+/// of its sum is rounded at ε·D/|w|, the integral is of the size of the area A = D·width, so ε/(|w|·width) of
+/// it is lost: 2e-14 here. (For a body as wide as long this is the ε/(|w|D) of physics.md §1; a needle loses
+/// more, by its aspect.)
 const SERIES_BELOW: f64 = 1e-2;
 
-/// I = ∫_P e^{−jkg·x} dA at the first [`TOGETHER`] of some wavenumbers k, P the convex polygon `corners_m`, counter-clockwise,
-/// and g the `gradient` of a length.
+/// I = ∫_P e^{−jkg·x} dA at the first [`TOGETHER`] of some wavenumbers k, P the convex polygon `corners_m`,
+/// counter-clockwise, and g the `gradient` of a length.
 ///
-/// Gordon (1975): Stokes' theorem turns the integral into a sum over edges, with w = −kg
-/// I = (−j/|w|²) Σ (w·(e × n)) ∫₀¹ e^{jw·(a + te)} dt with edges e from corners a. An edge along the wavefront is
-/// no special case; only a vanishing |w|·width is, and there all moments of the polygon are summed until rounding.
-/// The phase is that of the coordinates' origin, which should lie in or near the polygon. Error: 1e-13 of the area.
-pub(crate) fn linear_phase_integrals(corners_m: &[DVec2], gradient: DVec2, wavenumbers_per_m: &[f64]) -> Turns {
+/// Gordon (1975): Stokes' theorem turns the integral into a sum over edges, with w = −kg I = (−j/|w|²) Σ
+/// (w·(e × n)) ∫₀¹ e^{jw·(a + te)} dt with edges e from corners a. An edge along the wavefront is no special
+/// case; only a vanishing |w|·width is, and there all moments of the polygon are summed until rounding. The
+/// phase is that of the coordinates' origin, which should lie in or near the polygon. Error: 1e-13 of the
+/// area.
+pub(crate) fn linear_phase_integrals(
+    corners_m: &[DVec2],
+    gradient: DVec2,
+    wavenumbers_per_m: &[f64],
+) -> Turns {
     let width = gradient.length() * width_m(corners_m);
     let mut integrals_m2 = gordon(corners_m, gradient, wavenumbers_per_m);
-    for (integral, k) in integrals_m2.iter_mut().zip(wavenumbers_per_m).filter(|(_, k)| *k * width < SERIES_BELOW) {
+    for (integral, k) in
+        integrals_m2.iter_mut().zip(wavenumbers_per_m).filter(|(_, k)| *k * width < SERIES_BELOW)
+    {
         *integral = moment_series(corners_m, -k * gradient);
     }
     integrals_m2
 }
 
-/// Weights W of the six values of a function g at a triangle's corners and edge middles (opposite to the corners) such
-/// that ∫ g e^{jφ} dA = A Σ W_i g_i, exactly for every g of second degree; `phases` are those of the linear φ at the corners,
-/// `turns` their e^{jφ}.
+/// Weights W of the six values of a function g at a triangle's corners and edge middles (opposite to the
+/// corners) such that ∫ g e^{jφ} dA = A Σ W_i g_i, exactly for every g of second degree; `phases` are those
+/// of the linear φ at the corners, `turns` their e^{jφ}.
 ///
-/// With g in Bernstein form (corner values, and 2g(middle) minus the mean of the two corners) each term is one divided
-/// difference with five points.
+/// With g in Bernstein form (corner values, and 2g(middle) minus the mean of the two corners) each term is
+/// one divided difference with five points.
 pub(crate) fn six_point_weights(phases: [f64; 3], turns: [Complex64; 3]) -> [Complex64; 6] {
     let [s0, s1, s2, p0, p1, p2] = second_moments(phases, turns);
     let (squares, products) = ([s0, s1, s2], [p0, p1, p2]);
@@ -109,7 +117,8 @@ mod tests {
     fn disc_polygon(sides: u32, stretch: f64) -> Vec<DVec2> {
         (0..sides)
             .map(|i| {
-                DVec2::from_angle(std::f64::consts::TAU * f64::from(i) / f64::from(sides)) * DVec2::new(1.0, stretch)
+                DVec2::from_angle(std::f64::consts::TAU * f64::from(i) / f64::from(sides))
+                    * DVec2::new(1.0, stretch)
             })
             .collect()
     }
@@ -133,7 +142,8 @@ mod tests {
                 }
             }
         }
-        // Gordon's loss just above the switch, 2e-14 for each of up to 7 edges whose rounding errors are independent.
+        // Gordon's loss just above the switch, 2e-14 for each of up to 7 edges whose rounding errors are
+        // independent.
         println!("asked 1e-13 of the area, got {worst:.1e}");
         assert!(worst < 1e-13);
     }
@@ -178,7 +188,14 @@ mod tests {
                 exact += Complex64::cis(phase) * (0.25 * wu * wv * 2.0 * s * quadratic(l));
             }
         }
-        let at = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.5, 0.5], [0.5, 0.0, 0.5], [0.5, 0.5, 0.0]];
+        let at = [
+            [1.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [0.0, 0.0, 1.0],
+            [0.0, 0.5, 0.5],
+            [0.5, 0.0, 0.5],
+            [0.5, 0.5, 0.0],
+        ];
         let got: Complex64 = weights.iter().zip(at).map(|(w, l)| w * quadratic(l)).sum();
         assert!((got - exact).norm() < 1e-14, "{:e}", (got - exact).norm());
     }

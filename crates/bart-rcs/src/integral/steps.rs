@@ -15,7 +15,8 @@ use std::sync::Arc;
 /// The surfaces between an antenna and a node, the antenna's first.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Steps {
-    /// `None` where all of them are perfect mirrors: [`Mirrors`](crate::integral::polarization::Mirrors) knows enough then.
+    /// `None` where all of them are perfect mirrors: [`Mirrors`](crate::integral::polarization::Mirrors)
+    /// knows enough then.
     steps: Option<Arc<[Step]>>,
 }
 
@@ -46,7 +47,8 @@ pub(crate) enum Event {
 }
 
 impl Steps {
-    /// A way over these surfaces; all of them, the perfect mirrors too. What stands between two that are not perfect becomes one turn.
+    /// A way over these surfaces; all of them, the perfect mirrors too. What stands between two that are not
+    /// perfect becomes one turn.
     pub(crate) fn over(steps: &[Step]) -> Self {
         if steps.iter().all(Step::is_perfect) {
             return Self::default();
@@ -64,7 +66,10 @@ impl Steps {
     /// The fields that arrive where `sent` left along `travel`.
     pub(crate) fn carry(&self, sent: [DVec3; 2], travel: DVec3, wavenumber_per_m: f64) -> [ComplexVector; 2] {
         let start = (sent.map(ComplexVector::from), travel);
-        self.steps().iter().fold(start, |(fields, travel), step| step.pass(fields, travel, wavenumber_per_m)).0
+        self.steps()
+            .iter()
+            .fold(start, |(fields, travel), step| step.pass(fields, travel, wavenumber_per_m))
+            .0
     }
 
     /// What is left of a field that left along `travel`, at most.
@@ -123,7 +128,8 @@ impl Step {
     fn turned(mirrors: &[Self]) -> Self {
         let start = (DMat3::IDENTITY, 1.0);
         let (turn, sign) = mirrors.iter().fold(start, |(turn, sign), mirror| {
-            let of_mirror = DMat3::from_cols(mirror.turn(DVec3::X), mirror.turn(DVec3::Y), mirror.turn(DVec3::Z));
+            let of_mirror =
+                DMat3::from_cols(mirror.turn(DVec3::X), mirror.turn(DVec3::Y), mirror.turn(DVec3::Z));
             // A conductor turns e into −e + 2n(n·e), minus the reflection.
             (of_mirror * turn, if mirror.event == Event::Reflected { -sign } else { sign })
         });
@@ -146,7 +152,9 @@ impl Step {
         match self.event {
             Event::Reflected => Some(reflection(&self.material, cosine, wavenumber_per_m)),
             Event::Passed => Some(transmission(&self.material, cosine, wavenumber_per_m)),
-            Event::Crossed { rms_height_m } => Some(crossing(&self.material, rms_height_m, cosine, wavenumber_per_m)),
+            Event::Crossed { rms_height_m } => {
+                Some(crossing(&self.material, rms_height_m, cosine, wavenumber_per_m))
+            }
             Event::StartedBelow | Event::Turned { .. } => None,
         }
     }
@@ -155,7 +163,12 @@ impl Step {
         self.coefficients(travel, wavenumber_per_m).map_or(1.0, |r| r.te.norm().max(r.tm.norm()))
     }
 
-    fn pass(&self, fields: [ComplexVector; 2], travel: DVec3, wavenumber_per_m: f64) -> ([ComplexVector; 2], DVec3) {
+    fn pass(
+        &self,
+        fields: [ComplexVector; 2],
+        travel: DVec3,
+        wavenumber_per_m: f64,
+    ) -> ([ComplexVector; 2], DVec3) {
         let fields = match (self.event, self.coefficients(travel, wavenumber_per_m)) {
             (Event::Reflected, Some(r)) => reflected_fields(fields, travel, self.normal, r),
             (_, Some(t)) => transmitted_fields(fields, travel, self.normal, t),

@@ -18,7 +18,11 @@ pub(crate) struct Whole {
 
 impl Whole {
     /// Calls `give` with the place of every wavenumber and ∫ e^{−jkL} dA.
-    pub(crate) fn for_each_integral(&self, wavenumbers_per_m: &[f64], give: &mut dyn FnMut(usize, Complex64)) {
+    pub(crate) fn for_each_integral(
+        &self,
+        wavenumbers_per_m: &[f64],
+        give: &mut dyn FnMut(usize, Complex64),
+    ) {
         for (chunk, some) in wavenumbers_per_m.chunks(TOGETHER).enumerate() {
             let at_centre = turns(self.length_m, some);
             let about_centre_m2 = linear_phase_integrals(&self.about_centre_m, self.gradient, some);
@@ -38,17 +42,23 @@ pub(crate) struct SixPoints {
 }
 
 impl SixPoints {
-    /// Calls `give` with the place of every wavenumber and what the weight at each point is to be multiplied with: together
-    /// ∫ weight·e^{−jkL} dA.
-    pub(crate) fn for_each_integral(&self, wavenumbers_per_m: &[f64], give: &mut dyn FnMut(usize, [Complex64; 6])) {
+    /// Calls `give` with the place of every wavenumber and what the weight at each point is to be multiplied
+    /// with: together ∫ weight·e^{−jkL} dA.
+    pub(crate) fn for_each_integral(
+        &self,
+        wavenumbers_per_m: &[f64],
+        give: &mut dyn FnMut(usize, [Complex64; 6]),
+    ) {
         for (chunk, some) in wavenumbers_per_m.chunks(TOGETHER).enumerate() {
             let at_corners = [0, 1, 2].map(|i| turns(self.linear_m[i], some));
             // The linear part is in the weights; what the length does beyond it turns the sampled value.
-            let beyond: [Turns; 6] = std::array::from_fn(|i| turns(self.lengths_m[i] - self.linear_m[i], some));
+            let beyond: [Turns; 6] =
+                std::array::from_fn(|i| turns(self.lengths_m[i] - self.linear_m[i], some));
             for (i, k) in some.iter().enumerate() {
                 let phases = [0, 1, 2].map(|corner| -k * self.linear_m[corner]);
                 let under_phase = six_point_weights(phases, at_corners.map(|turns| turns[i]));
-                let integrals_m2 = std::array::from_fn(|point| under_phase[point] * beyond[point][i] * self.area_m2);
+                let integrals_m2 =
+                    std::array::from_fn(|point| under_phase[point] * beyond[point][i] * self.area_m2);
                 give(chunk * TOGETHER + i, integrals_m2);
             }
         }

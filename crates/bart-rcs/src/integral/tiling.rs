@@ -52,9 +52,15 @@ impl Tile<'_> {
 
 /// Hands out tiles that cover the node's polygon, each with a bound of the error of weight·phase on it.
 ///
-/// The bound is at most `accuracy` but on tiles halved [`HALVINGS_MAX`] times: around a point where the polarization
-/// vectors turn without limit (an antenna straight above) nothing can be expanded, and the area that is left is none.
-pub(crate) fn cut(field: &Field<'_>, wavenumber_per_m: f64, accuracy: f64, give: &mut dyn FnMut(&Tile<'_>, f64)) {
+/// The bound is at most `accuracy` but on tiles halved [`HALVINGS_MAX`] times: around a point where the
+/// polarization vectors turn without limit (an antenna straight above) nothing can be expanded, and the area
+/// that is left is none.
+pub(crate) fn cut(
+    field: &Field<'_>,
+    wavenumber_per_m: f64,
+    accuracy: f64,
+    give: &mut dyn FnMut(&Tile<'_>, f64),
+) {
     let of_triangles = accuracy;
     let _ = subdivide(field, wavenumber_per_m, [accuracy, of_triangles], &mut |tile, error| {
         give(tile, error);
@@ -62,9 +68,11 @@ pub(crate) fn cut(field: &Field<'_>, wavenumber_per_m: f64, accuracy: f64, give:
     });
 }
 
-/// How many tiles [`cut`] would hand out, about, told with a hundredth of its work; no more than `most` are counted.
+/// How many tiles [`cut`] would hand out, about, told with a hundredth of its work; no more than `most` are
+/// counted.
 ///
-/// The error of a triangle goes with the cube of its size: one that has q times the error allowed is cut into q^⅔.
+/// The error of a triangle goes with the cube of its size: one that has q times the error allowed is cut into
+/// q^⅔.
 pub(crate) fn count(field: &Field<'_>, wavenumber_per_m: f64, accuracy: f64, most: u64) -> u64 {
     let mut tiles = 0;
     let _ = subdivide(field, wavenumber_per_m, [accuracy, COARSER * accuracy], &mut |_, error| {
@@ -85,7 +93,8 @@ fn subdivide(
     [of_whole, of_triangles]: [f64; 2],
     give: &mut dyn FnMut(&Tile<'_>, f64) -> ControlFlow<()>,
 ) -> ControlFlow<()> {
-    let corners_m: Vec<DVec2> = field.node.corners_m.iter().map(|c| field.frame.plane_from_world(*c)).collect();
+    let corners_m: Vec<DVec2> =
+        field.node.corners_m.iter().map(|c| field.frame.plane_from_world(*c)).collect();
     let centre_m = centroid_m(&corners_m);
     let along = field.along(corners_m.iter().map(|c| *c - centre_m));
     let smooth = Smoothness::about(field, centre_m, reach_m(&corners_m, centre_m), along, wavenumber_per_m);
@@ -98,7 +107,8 @@ fn subdivide(
     while let Some((triangle, halvings)) = left.pop() {
         let centre_m = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
         let along = field.along(edges_m(&triangle).into_iter());
-        let smooth = Smoothness::about(field, centre_m, reach_m(&triangle, centre_m), along, wavenumber_per_m);
+        let smooth =
+            Smoothness::about(field, centre_m, reach_m(&triangle, centre_m), along, wavenumber_per_m);
         let error = smooth.error_of_quadratic(&triangle, centre_m);
         if error <= of_triangles || halvings == HALVINGS_MAX {
             give(&Tile::Triangle(triangle), error.min(2.0 * smooth.weight))?;
@@ -137,19 +147,23 @@ impl Smoothness {
         let at = field.surface_at(centre_m);
         let x_m = at.x_m;
         let ranges_m = field.ranges_m(x_m);
-        let spread = |range_m: f64| if range_m.is_finite() { range_m / (range_m - reach_m).max(0.0) } else { 1.0 };
+        let spread =
+            |range_m: f64| if range_m.is_finite() { range_m / (range_m - reach_m).max(0.0) } else { 1.0 };
         let nearness_per_m = ranges_m.map(|range_m| 1.0 / (range_m - reach_m).max(0.0));
         let turning_per_m = field.turning_per_m(x_m, reach_m);
         let (t, turns) = (turning_per_m, field.weight_turns(wavenumber_per_m));
         let weight_derivatives = [turns[0] * t, turns[1] * t * t, turns[2] * t * t * t];
-        // A way of ds along the plane is (1 + slope²)^½ ds along the skin, whose height follows the wave along its normal; the
-        // area vector turns with the slope, and the weight w times as fast, for the reflection's coefficient turns with it.
+        // A way of ds along the plane is (1 + slope²)^½ ds along the skin, whose height follows the wave
+        // along its normal; the area vector turns with the slope, and the weight w times as fast, for the
+        // reflection's coefficient turns with it.
         let (steep, w) = (at.area.length() + along.turn, turns[0] - 4.0);
         let nearness: f64 = nearness_per_m.iter().sum();
         let phase_of_height_per_m =
             wavenumber_per_m * (field.both_directions(x_m).dot(field.node.normal).abs() + nearness * reach_m);
-        let hessian =
-            wavenumber_per_m * steep * steep * Self::length_hessian_per_m(field, x_m, nearness_per_m, reach_m);
+        let hessian = wavenumber_per_m
+            * steep
+            * steep
+            * Self::length_hessian_per_m(field, x_m, nearness_per_m, reach_m);
         // d³L/ds³ = −3 sin²θ cosθ/L², at most 2/√3 of 1/L².
         let squares: f64 = nearness_per_m.iter().map(|n| 1.155 * n * n).sum();
         let third = wavenumber_per_m * squares * steep.powi(3);
@@ -169,9 +183,9 @@ impl Smoothness {
         }
     }
 
-    /// Bound of the second derivative of L₁ + L₂ along the plane: Σ (1 − d dᵀ)/L. Along the line of sight, as roofs and kerbs
-    /// are seen, a length is straight. The direction d turns by reach/L over a tile; over a bent one the skin rises out of
-    /// the plane, and no direction of it is straight.
+    /// Bound of the second derivative of L₁ + L₂ along the plane: Σ (1 − d dᵀ)/L. Along the line of sight, as
+    /// roofs and kerbs are seen, a length is straight. The direction d turns by reach/L over a tile; over a
+    /// bent one the skin rises out of the plane, and no direction of it is straight.
     fn length_hessian_per_m(field: &Field<'_>, x_m: DVec3, nearness_per_m: [f64; 2], reach_m: f64) -> DMat2 {
         let of = |image: Antenna, nearness_per_m: f64| {
             let along = field.frame.tangential(image.travel_direction_at(x_m));
@@ -188,8 +202,9 @@ impl Smoothness {
         of_form(v.dot(self.hessian * v)).sqrt()
     }
 
-    /// Mean of |g − g(centre)| for g = weight·e^{jψ}, ψ the phase beyond its tangent plane at the centre: the mean of the
-    /// distance from there is at most the root of its mean square, a half or a third of the reach.
+    /// Mean of |g − g(centre)| for g = weight·e^{jψ}, ψ the phase beyond its tangent plane at the centre: the
+    /// mean of the distance from there is at most the root of its mean square, a half or a third of the
+    /// reach.
     fn error_of_constant(&self, moments: &Moments) -> f64 {
         let mean_square_m2 = moments.mean_square_m2();
         let phase = 0.5 * moments.mean_of(self.hessian) + self.third * self.reach_m / 6.0 * mean_square_m2;
@@ -197,37 +212,44 @@ impl Smoothness {
         self.weight * (phase + self.weight_derivatives[0] * mean_square_m2.sqrt() + bent)
     }
 
-    /// Remainder of six-point interpolation: sup|D³g|·h³/6·Σ|x − xᵢ|³|ℓᵢ|/h³ (Ciarlet, Raviart 1972). It does not change under
-    /// affine maps, so that derivatives along the edges stand for what is not the same in all directions: the phase's first two
-    /// are measured by lengths √(vᵀHv), as |vᵀHx| ≤ √(vᵀHv)·√(xᵀHx).
+    /// Remainder of six-point interpolation: sup|D³g|·h³/6·Σ|x − xᵢ|³|ℓᵢ|/h³ (Ciarlet, Raviart 1972). It does
+    /// not change under affine maps, so that derivatives along the edges stand for what is not the same in
+    /// all directions: the phase's first two are measured by lengths √(vᵀHv), as |vᵀHx| ≤ √(vᵀHv)·√(xᵀHx).
     fn error_of_quadratic(&self, triangle_m: &[DVec2; 3], centre_m: DVec2) -> f64 {
         let (h, [w1, w2, w3]) = (longest_edge_m(triangle_m), self.weight_derivatives);
         let ([b2, b3], [v1, v2]) = (self.bent_phase, self.bent_weight);
         let along = edges_m(triangle_m).map(|edge| self.bend_along(edge)).into_iter().fold(0.0, f64::max);
-        let reach = triangle_m.map(|corner| self.bend_along(corner - centre_m)).into_iter().fold(0.0, f64::max);
+        let reach =
+            triangle_m.map(|corner| self.bend_along(corner - centre_m)).into_iter().fold(0.0, f64::max);
         let first = along * reach + 0.5 * self.third * self.reach_m * self.reach_m * h;
         let [p1, p2, p3] = [first + b2, along * along + b2, self.third * h * h * h + b3];
-        let [w1, w2, w3] = [w1 * h + v1, w2 * h * h + v1 * v1 + v2, w3 * h * h * h + v1 * v1 * v1 + 3.0 * v1 * v2];
-        let third_derivative = p1 * p1 * p1 + 3.0 * p1 * p2 + p3 + 3.0 * w1 * (p1 * p1 + p2) + 3.0 * w2 * p1 + w3;
+        let [w1, w2, w3] =
+            [w1 * h + v1, w2 * h * h + v1 * v1 + v2, w3 * h * h * h + v1 * v1 * v1 + 3.0 * v1 * v2];
+        let third_derivative =
+            p1 * p1 * p1 + 3.0 * p1 * p2 + p3 + 3.0 * w1 * (p1 * p1 + p2) + 3.0 * w2 * p1 + w3;
         self.weight * third_derivative * SIX_POINT_REMAINDER
     }
 
     /// The edge along which the integrand changes most.
     fn worst_edge(&self, field: &Field<'_>, edges_m: &[DVec2; 3]) -> usize {
-        // A tile as large as its distance from an antenna, or from where that stands straight above, has no bound: there the
-        // longest edge is halved, for any other leaves slivers that never come to an end.
+        // A tile as large as its distance from an antenna, or from where that stands straight above, has no
+        // bound: there the longest edge is halved, for any other leaves slivers that never come to an end.
         let squares = self.weight_derivatives[0].powi(2).min(UNBOUNDED);
         let bending = |edge: DVec2| self.bend_along(edge).powi(2).min(UNBOUNDED * edge.length_squared());
         let per_height = self.phase_of_height_per_m.min(UNBOUNDED);
         let change = edges_m.map(|edge| {
             let along = field.along([edge].into_iter());
-            bending(edge) + squares * edge.length_squared() + per_height * along.rise_m + along.turn * along.turn
+            bending(edge)
+                + squares * edge.length_squared()
+                + per_height * along.rise_m
+                + along.turn * along.turn
         });
         (0..3).fold(0, |most, i| if change[i] > change[most] { i } else { most })
     }
 }
 
-/// Stands for what has no bound, rad/m²: beyond every wavelength, and its product with an edge is still a number.
+/// Stands for what has no bound, rad/m²: beyond every wavelength, and its product with an edge is still a
+/// number.
 const UNBOUNDED: f64 = 1e100;
 
 /// sup Σ|x − xᵢ|³|ℓᵢ(x)|/6 over all triangles with longest edge 1 (scanned in the tests).
@@ -237,7 +259,8 @@ const SIX_POINT_REMAINDER: f64 = 0.025;
 struct Moments(DMat2);
 
 impl Moments {
-    /// Of each triangle about the centre (a aᵀ + b bᵀ + (a bᵀ + b aᵀ)/2)/6; where there is no area, as far as the corners reach.
+    /// Of each triangle about the centre (a aᵀ + b bᵀ + (a bᵀ + b aᵀ)/2)/6; where there is no area, as far as
+    /// the corners reach.
     fn about(centre_m: DVec2, corners_m: &[DVec2]) -> Self {
         let outer = |a: DVec2, b: DVec2| DMat2::from_cols(b.x * a, b.y * a);
         let (mut area, mut moment) = (0.0, DMat2::ZERO);

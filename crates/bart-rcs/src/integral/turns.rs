@@ -1,11 +1,12 @@
 //! e^{−jkℓ} of one length at several wavenumbers: one sine and cosine, and short turns from there.
 //!
-//! Over a chirp's band a tile of a few centimetres turns by less than half a radian more at one wavenumber than at another;
-//! for so little seven terms of the series are as good as the library's sine, and cheaper.
+//! Over a chirp's band a tile of a few centimetres turns by less than half a radian more at one wavenumber
+//! than at another; for so little seven terms of the series are as good as the library's sine, and cheaper.
 
 use num_complex::Complex64;
 
-/// As many wavenumbers as are taken together, without memory of the heap: the points of a small tile, with some to spare.
+/// As many wavenumbers as are taken together, without memory of the heap: the points of a small tile, with
+/// some to spare.
 pub(crate) const TOGETHER: usize = 16;
 
 /// Turns of up to [`TOGETHER`] wavenumbers.
@@ -18,7 +19,11 @@ pub(crate) fn turns(length_m: f64, wavenumbers_per_m: &[f64]) -> Turns {
     let at_middle = Complex64::cis(-middle_per_m * length_m);
     for (turn, k) in turns.iter_mut().zip(wavenumbers_per_m) {
         let further = (middle_per_m - k) * length_m;
-        *turn = if further.abs() <= SHORT { at_middle * short_turn(further) } else { Complex64::cis(-k * length_m) };
+        *turn = if further.abs() <= SHORT {
+            at_middle * short_turn(further)
+        } else {
+            Complex64::cis(-k * length_m)
+        };
     }
     turns
 }
@@ -29,7 +34,8 @@ pub(crate) const SHORT: f64 = 0.5;
 /// e^{jx} for |x| ≤ [`SHORT`] by its series: the next terms are below x¹⁵/15! = 2e-17 and x¹⁶/16! = 7e-19.
 pub(crate) fn short_turn(x: f64) -> Complex64 {
     let square = x * x;
-    let sum = |inverses: [f64; 7]| inverses.iter().rev().fold(1.0, |sum, inverse| 1.0 - square * inverse * sum);
+    let sum =
+        |inverses: [f64; 7]| inverses.iter().rev().fold(1.0, |sum, inverse| 1.0 - square * inverse * sum);
     // Each term over the one before: 1/((2n − 1)·2n) and 1/(2n·(2n + 1)).
     let cos = sum([1.0 / 2.0, 1.0 / 12.0, 1.0 / 30.0, 1.0 / 56.0, 1.0 / 90.0, 1.0 / 132.0, 1.0 / 182.0]);
     Complex64::new(cos, x * sinc_sum(square))

@@ -6,11 +6,11 @@ use crate::oversight::error::BartError;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// The accuracy of `integration`, or the next coarser one, fourfold at a time, that cuts all joints into no more than `most`
-/// tiles, and a few more for each joint; an error where none does.
+/// The accuracy of `integration`, or the next coarser one, fourfold at a time, that cuts all joints into no
+/// more than `most` tiles, and a few more for each joint; an error where none does.
 ///
-/// Tiles go with the accuracy to the power −⅔, and near an antenna with the inverse of its distance from a facet, where the
-/// polarization vectors of its own zenith turn along a line.
+/// Tiles go with the accuracy to the power −⅔, and near an antenna with the inverse of its distance from a
+/// facet, where the polarization vectors of its own zenith turn along a line.
 pub(crate) fn afforded<'j>(
     scatterer: &Scatterer<'_>,
     joints: impl Iterator<Item = &'j Joints> + Clone,
@@ -33,8 +33,8 @@ pub(crate) fn afforded<'j>(
     Ok(asked.accuracy)
 }
 
-/// Whether there are no more tiles than that. Counting ends once there are more: which ones were counted by then depends on
-/// the threads, the answer does not.
+/// Whether there are no more tiles than that. Counting ends once there are more: which ones were counted by
+/// then depends on the threads, the answer does not.
 fn fits<'j>(
     scatterer: &Scatterer<'_>,
     joints: impl Iterator<Item = &'j Joints>,
@@ -78,11 +78,18 @@ mod tests {
         let vertices_m = vec![[0.0, -0.1, -0.1], [0.0, 0.1, -0.1], [0.0, 0.1, 0.1], [0.0, -0.1, 0.1]];
         let mesh = Mesh { vertices_m, triangles: vec![[0, 1, 2], [0, 2, 3]], ..Mesh::default() };
         let world = World::of_mesh(&mesh).unwrap();
-        let trace = TraceSettings { max_order: 1, sides: Sides::Two, least_area_m2: 1e-9, least_mirror_area_m2: 1e-9 };
+        let trace = TraceSettings {
+            max_order: 1,
+            sides: Sides::Two,
+            least_area_m2: 1e-9,
+            least_mirror_area_m2: 1e-9,
+        };
         let tree = BeamTree::trace(&world, Antenna::Point(DVec3::new(0.02, 0.01, 0.0)), &trace).unwrap();
-        let scatterer = Scatterer::new(&world, Trees::Shared(&tree), ZenithH { transmit: DVec3::Y, receive: DVec3::Y });
+        let scatterer =
+            Scatterer::new(&world, Trees::Shared(&tree), ZenithH { transmit: DVec3::Y, receive: DVec3::Y });
         let joints = scatterer.joints(1, NodeRule::Middle, 1e-9);
-        let asked = Integration { wavenumbers_per_m: &[1613.8], accuracy: 1e-4, bracket: Bracket::Symmetrised };
+        let asked =
+            Integration { wavenumbers_per_m: &[1613.8], accuracy: 1e-4, bracket: Bracket::Symmetrised };
         let tiles = |accuracy: f64| -> u64 {
             let mut tiles = 0;
             let request = Integration { accuracy, ..asked };

@@ -1,10 +1,11 @@
-//! What scatters, at many frequencies from few: a share of S turns with frequency as its length does, and what is left of the
-//! turning is smooth.
+//! What scatters, at many frequencies from few: a share of S turns with frequency as its length does, and
+//! what is left of the turning is smooth.
 //!
-//! Shares are gathered by their length L₁ + L₂. Less its common phase e^{−jkL}, the sum of a group turns over the band by
-//! θ = Δk·(how far the lengths spread) at most, Δk half the band, and few points of Chebyshev meet that
-//! ([`crate::integral::chebyshev`]). Groups come in classes, each as wide as its number of points can meet: a share takes the
-//! class with fewest points, and groups are gathered again into ones of a wider class until few are left.
+//! Shares are gathered by their length L₁ + L₂. Less its common phase e^{−jkL}, the sum of a group turns over
+//! the band by θ = Δk·(how far the lengths spread) at most, Δk half the band, and few points of Chebyshev
+//! meet that ([`crate::integral::chebyshev`]). Groups come in classes, each as wide as its number of points
+//! can meet: a share takes the class with fewest points, and groups are gathered again into ones of a wider
+//! class until few are left.
 
 use crate::integral::chebyshev::{Chebyshev, middle_and_half, turn_in_ellipse_rad, turn_of_exponentials_rad};
 use crate::joins::group::Group;
@@ -26,19 +27,21 @@ pub(crate) struct Band<'a> {
 pub(crate) enum Kind {
     /// k times a sum of exponentials, as large together as the share can be: integrals over facets.
     Facets,
-    /// Analytic and bounded where Re k > 0, for its edge waves know √k: W(√(kc)) = e^{jkc}erfc(√(jkc)) is below 1 there, and so are
-    /// the edge currents made of it, relative to the whole current of the edge (their integrands are Laplace transforms of one sign).
+    /// Analytic and bounded where Re k > 0, for its edge waves know √k: W(√(kc)) = e^{jkc}erfc(√(jkc)) is
+    /// below 1 there, and so are the edge currents made of it, relative to the whole current of the edge
+    /// (their integrands are Laplace transforms of one sign).
     Edges,
 }
 
 /// Sums by group, in the order of the groups.
 pub(crate) type Groups = BTreeMap<Place, Vec<Amplitude>>;
 
-/// Points of the classes. At finite range tiles are a few centimetres long and need less than ten; a plane wave takes the side of a
-/// lorry as one. What turns farther than the last class allows is integrated at every frequency.
+/// Points of the classes. At finite range tiles are a few centimetres long and need less than ten; a plane
+/// wave takes the side of a lorry as one. What turns farther than the last class allows is integrated at
+/// every frequency.
 const POINTS: [usize; 15] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 20, 24, 32, 48, 64];
-/// Of a group's largest amplitude, as a part of the accuracy that its integrals are asked for; as much again each time that it is
-/// gathered into a wider one, five times at most.
+/// Of a group's largest amplitude, as a part of the accuracy that its integrals are asked for; as much again
+/// each time that it is gathered into a wider one, five times at most.
 pub(crate) const INTERPOLATION_ERROR: f64 = 0.003;
 
 /// Groups that turn alike.
@@ -49,7 +52,8 @@ struct Class {
     nodes_per_m: Vec<f64>,
     /// The class that its groups are gathered into, wide enough for all of one.
     wider: Option<usize>,
-    /// Shares of the nodes (inner) in the values at the nodes of the wider class, or at every wavenumber asked for.
+    /// Shares of the nodes (inner) in the values at the nodes of the wider class, or at every wavenumber
+    /// asked for.
     shares: Vec<Vec<f64>>,
 }
 
@@ -62,7 +66,8 @@ pub(crate) struct Place {
 }
 
 impl<'a> Band<'a> {
-    /// `None` where there are too few frequencies to save any; `error` is that of the interpolation, relative.
+    /// `None` where there are too few frequencies to save any; `error` is that of the interpolation,
+    /// relative.
     pub(crate) fn new(wavenumbers_per_m: &'a [f64], error: f64, kind: Kind) -> Option<Self> {
         let classes = classes(wavenumbers_per_m, error.max(f64::EPSILON), kind);
         (!classes.is_empty()).then_some(Self { wavenumbers_per_m, classes })
@@ -73,7 +78,8 @@ impl<'a> Band<'a> {
         self.wavenumbers_per_m.iter().copied().fold(0.0, f64::max)
     }
 
-    /// The group that a share belongs to; what belongs to no class is of the group behind all classes, at every frequency.
+    /// The group that a share belongs to; what belongs to no class is of the group behind all classes, at
+    /// every frequency.
     pub(crate) fn group<'g>(&'g self, way: Way, groups: &'g mut Groups) -> Group<'g> {
         // Half a reach for the way from the group's length to the share's, half for the share itself.
         let class = self.classes.iter().position(|class| way.extent_m <= 0.5 * class.reach_m);
@@ -158,11 +164,13 @@ fn classes(wavenumbers_per_m: &[f64], error: f64, kind: Kind) -> Vec<Class> {
     all.iter().enumerate().map(class).collect()
 }
 
-/// Of every node in the value at a wavenumber; what facets give is k times the polynomial through their values over k.
+/// Of every node in the value at a wavenumber; what facets give is k times the polynomial through their
+/// values over k.
 fn shares(points: &Chebyshev, wavenumber_per_m: f64, kind: Kind) -> Vec<f64> {
     let mut shares = vec![0.0; points.nodes_per_m.len()];
     points.shares(wavenumber_per_m, |i, share| {
-        shares[i] = if kind == Kind::Facets { share * wavenumber_per_m / points.nodes_per_m[i] } else { share };
+        shares[i] =
+            if kind == Kind::Facets { share * wavenumber_per_m / points.nodes_per_m[i] } else { share };
     });
     shares
 }
@@ -184,8 +192,8 @@ fn add_to_group(groups: &mut Groups, place: Place, share: Vec<Amplitude>) {
     }
 }
 
-/// Shares at every frequency for themselves, without groups: what the interpolation is compared with. Runs of `run` shares are
-/// added in their order: the same bits on any number of threads.
+/// Shares at every frequency for themselves, without groups: what the interpolation is compared with. Runs of
+/// `run` shares are added in their order: the same bits on any number of threads.
 pub(crate) fn sum_at_each<T: Sync>(
     shares: &[T],
     run: usize,
@@ -217,7 +225,11 @@ mod tests {
     fn few_frequencies_or_one_are_taken_one_by_one() {
         for kind in [Kind::Facets, Kind::Edges] {
             let classes = |wavenumbers_per_m: &[f64]| classes(wavenumbers_per_m, 1e-6, kind);
-            assert!(classes(&[]).is_empty() && classes(&[1613.0]).is_empty() && classes(&[1613.0; 300]).is_empty());
+            assert!(
+                classes(&[]).is_empty()
+                    && classes(&[1613.0]).is_empty()
+                    && classes(&[1613.0; 300]).is_empty()
+            );
             assert!(classes(&[1600.0, 1605.0, 1610.0]).is_empty());
             let many: Vec<f64> = (1..=256).map(|i| 1600.0 + f64::from(i)).collect();
             let reaches_m: Vec<f64> = classes(&many).iter().map(|class| class.reach_m).collect();

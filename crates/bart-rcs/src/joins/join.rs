@@ -1,15 +1,17 @@
-//! Joins: a forward and a backward beam that end on one facet make a path of every facet sequence, each counted once.
+//! Joins: a forward and a backward beam that end on one facet make a path of every facet sequence, each
+//! counted once.
 //!
-//! A sequence of K facets has K facets that its integral could be taken on. For smooth mirrors these are one contribution
-//! seen at different nodes, not K contributions, so a rule picks:
+//! A sequence of K facets has K facets that its integral could be taken on. For smooth mirrors these are one
+//! contribution seen at different nodes, not K contributions, so a rule picks:
 //!
 //! | K | middle: (order of b1, order of b2), weight | exit | own edge |
 //! |---|---|---|---|
 //! | odd | ((K+1)/2, (K+1)/2), 1 | (K, 1), 1 | (m, K+1−m) for every m, weights of [`crate::joins::own_edge`] |
 //! | even | (K/2+1, K/2) and (K/2, K/2+1), ½ each | (K, 1), 1 | the same |
 //!
-//! Where transmitter and receiver share a tree, every middle join is the reverse of another one, which is its transpose, and
-//! so is every join of the own-edge rule: only one of both is made. So it is with a road, in whose mirror the way back is.
+//! Where transmitter and receiver share a tree, every middle join is the reverse of another one, which is its
+//! transpose, and so is every join of the own-edge rule: only one of both is made. So it is with a road, in
+//! whose mirror the way back is.
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::bodies::world::World;
@@ -25,7 +27,13 @@ use rayon::prelude::*;
 use std::ops::Range;
 
 /// Every joint of `order` bounces; overlaps below `least_area_m2` are dropped.
-pub(crate) fn joints(world: &World, trees: Trees<'_>, order: u8, rule: NodeRule, least_area_m2: f64) -> Joints {
+pub(crate) fn joints(
+    world: &World,
+    trees: Trees<'_>,
+    order: u8,
+    rule: NodeRule,
+    least_area_m2: f64,
+) -> Joints {
     let mut all = Joints::default();
     let tolerance_m = ONE_LINE * world.tolerance_m();
     let limits = Limits { least_area_m2, one_line_m: (rule == NodeRule::OwnEdge).then_some(tolerance_m) };
@@ -48,8 +56,8 @@ pub(crate) fn joints(world: &World, trees: Trees<'_>, order: u8, rule: NodeRule,
     all
 }
 
-/// Edges of two beams that are one line of the mesh differ by roundings of mirrored planes, which grow with the length over
-/// the mirror: at most a few thousand tolerances, 3e-8 m at 60 m and 1e-5 of a wavelength.
+/// Edges of two beams that are one line of the mesh differ by roundings of mirrored planes, which grow with
+/// the length over the mirror: at most a few thousand tolerances, 3e-8 m at 60 m and 1e-5 of a wavelength.
 const ONE_LINE: f64 = 1e4;
 
 /// What is too small to count.
@@ -91,18 +99,30 @@ fn meetings(trees: Trees<'_>, order: u8, rule: NodeRule) -> Vec<Meeting> {
     let place = if matches!(trees, Trees::Apart(..)) { Place::Apart } else { Place::Shared };
     let with = |orders: [u8; 2], pairs: Pairs| Meeting { orders, weight: 1.0, pairs };
     match (rule, order % 2, place) {
-        (NodeRule::OwnEdge, _, Place::Apart) => (1..=order).map(|m| with([m, order + 1 - m], Pairs::Ordered)).collect(),
+        (NodeRule::OwnEdge, _, Place::Apart) => {
+            (1..=order).map(|m| with([m, order + 1 - m], Pairs::Ordered)).collect()
+        }
         (NodeRule::OwnEdge, _, Place::Shared) if order != 1 => (order.div_ceil(2)..=order)
             .filter(|m| 2 * m > order)
-            .map(|m| with([m, order + 1 - m], if 2 * m == order + 1 { Pairs::Unordered } else { Pairs::WithReverse }))
+            .map(|m| {
+                with(
+                    [m, order + 1 - m],
+                    if 2 * m == order + 1 { Pairs::Unordered } else { Pairs::WithReverse },
+                )
+            })
             .collect(),
-        // Its bracket is not reciprocal: by a road not even one bounce has the transposed amplitude backwards.
+        // Its bracket is not reciprocal: by a road not even one bounce has the transposed amplitude
+        // backwards.
         (NodeRule::Exit, ..) if order != 1 || matches!(trees, Trees::ByRoad(..)) => {
             vec![Meeting { orders: [order, 1], weight: 1.0, pairs: Pairs::Ordered }]
         }
-        (_, 1, Place::Shared) => vec![Meeting { orders: [half + 1; 2], weight: 1.0, pairs: Pairs::Unordered }],
+        (_, 1, Place::Shared) => {
+            vec![Meeting { orders: [half + 1; 2], weight: 1.0, pairs: Pairs::Unordered }]
+        }
         (_, 1, Place::Apart) => vec![Meeting { orders: [half + 1; 2], weight: 1.0, pairs: Pairs::Ordered }],
-        (_, _, Place::Shared) => vec![Meeting { orders: [half + 1, half], weight: 0.5, pairs: Pairs::WithReverse }],
+        (_, _, Place::Shared) => {
+            vec![Meeting { orders: [half + 1, half], weight: 0.5, pairs: Pairs::WithReverse }]
+        }
         (_, _, Place::Apart) => [[half + 1, half], [half, half + 1]]
             .map(|orders| Meeting { orders, weight: 0.5, pairs: Pairs::Ordered })
             .into(),
@@ -162,12 +182,19 @@ fn on_one_facet(
     let mut joints = Joints::default();
     if meeting.orders == [1, 1] && meeting.pairs == Pairs::Unordered && matches!(trees, Trees::Shared(_)) {
         for &(_, beam) in beams[0] {
-            joints.push((beam, beam), meeting.weight, Reverse::Apart, polygon(trees.transmit(), beam).iter().copied());
+            joints.push(
+                (beam, beam),
+                meeting.weight,
+                Reverse::Apart,
+                polygon(trees.transmit(), beam).iter().copied(),
+            );
         }
         return joints;
     }
-    let forward: Vec<Footprint> = beams[0].iter().map(|&(_, b)| Footprint::new(trees.transmit(), b, frame)).collect();
-    let backward: Vec<Footprint> = beams[1].iter().map(|&(_, b)| Footprint::new(trees.receive(), b, frame)).collect();
+    let forward: Vec<Footprint> =
+        beams[0].iter().map(|&(_, b)| Footprint::new(trees.transmit(), b, frame)).collect();
+    let backward: Vec<Footprint> =
+        beams[1].iter().map(|&(_, b)| Footprint::new(trees.receive(), b, frame)).collect();
     for (i, j) in overlapping(&forward, &backward) {
         let (left, right) = (&forward[i], &backward[j]);
         let reverse = match meeting.pairs {
@@ -184,7 +211,11 @@ fn on_one_facet(
             continue;
         }
         if let Some(one_line_m) = limits.one_line_m {
-            joints.outlines.push(Outline::of_overlap(&part, [&left.bordered(), &right.bordered()], one_line_m));
+            joints.outlines.push(Outline::of_overlap(
+                &part,
+                [&left.bordered(), &right.bordered()],
+                one_line_m,
+            ));
         }
         joints.push((left.beam, right.beam), meeting.weight, reverse, left.in_world(frame, part));
     }
@@ -214,7 +245,8 @@ enum Side {
 impl Footprint {
     fn new(tree: &BeamTree, index: u32, frame: &PlaneFrame) -> Self {
         let beam: &Beam = &tree.beams[index as usize];
-        let mut corners_m: Vec<DVec2> = tree.polygon(beam).iter().map(|c| frame.plane_from_world(*c)).collect();
+        let mut corners_m: Vec<DVec2> =
+            tree.polygon(beam).iter().map(|c| frame.plane_from_world(*c)).collect();
         let side = if frame.normal().dot(beam.lit_normal) > 0.0 { Side::Front } else { Side::Back };
         let mut borders = tree.borders(beam).to_vec();
         if side == Side::Back {
@@ -240,7 +272,8 @@ impl Footprint {
     }
 
     fn meets(&self, other: &Self) -> bool {
-        let overlaps = |low: f64, high: f64, other_low: f64, other_high: f64| low < other_high && other_low < high;
+        let overlaps =
+            |low: f64, high: f64, other_low: f64, other_high: f64| low < other_high && other_low < high;
         let ([a, b], [c, d]) = (self.bounds_m, other.bounds_m);
         self.side == other.side && overlaps(a.x, b.x, c.x, d.x) && overlaps(a.y, b.y, c.y, d.y)
     }

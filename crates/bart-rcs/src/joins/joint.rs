@@ -31,8 +31,9 @@ impl<'a> Trees<'a> {
         }
     }
 
-    /// The receiver's beam as one of the transmitter's: the way back of a joint (f, b) is the joint (twin of b, f), in the road's
-    /// mirror where b came over the road. Where the ends are apart there is no such thing.
+    /// The receiver's beam as one of the transmitter's: the way back of a joint (f, b) is the joint (twin of
+    /// b, f), in the road's mirror where b came over the road. Where the ends are apart there is no such
+    /// thing.
     pub(crate) fn twin(self, backward: u32) -> u32 {
         match self {
             Self::Shared(_) | Self::Apart(..) => backward,
@@ -69,7 +70,8 @@ pub(crate) struct Joints {
     corners_m: Vec<DVec3>,
     /// Of every joint, where the rule weighs nodes by them.
     pub(crate) outlines: Vec<Outline>,
-    /// Area of overlaps that were given up for their size, both ways: its sum, m², and the sum of its squares, m⁴.
+    /// Area of overlaps that were given up for their size, both ways: its sum, m², and the sum of its
+    /// squares, m⁴.
     pub(crate) given_up: [f64; 2],
 }
 
@@ -101,7 +103,8 @@ impl Joints {
 
     pub(crate) fn append(&mut self, other: Self) {
         let shift = self.corners_m.len();
-        let moved = |joint: Joint| Joint { corners: joint.corners.start + shift..joint.corners.end + shift, ..joint };
+        let moved =
+            |joint: Joint| Joint { corners: joint.corners.start + shift..joint.corners.end + shift, ..joint };
         self.list.extend(other.list.into_iter().map(moved));
         self.corners_m.extend(other.corners_m);
         self.outlines.extend(other.outlines);

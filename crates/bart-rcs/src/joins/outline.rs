@@ -19,15 +19,16 @@ pub(crate) struct Bordered<'a> {
 }
 
 impl Outline {
-    /// The outline of the overlap of two polygons; seams count negatively on one side, so that pieces add up to their
-    /// union.
+    /// The outline of the overlap of two polygons; seams count negatively on one side, so that pieces add up
+    /// to their union.
     ///
     /// Edges nearer to each other than `tolerance_m` are one line.
     pub(crate) fn of_overlap(overlap_m: &[DVec2], polygons: [&Bordered<'_>; 2], tolerance_m: f64) -> Self {
         let mut outline = Self::default();
         for (i, &from) in overlap_m.iter().enumerate() {
             let to = overlap_m[(i + 1) % overlap_m.len()];
-            let borders = polygons.into_iter().filter_map(|polygon| polygon.border_along(from, to, tolerance_m));
+            let borders =
+                polygons.into_iter().filter_map(|polygon| polygon.border_along(from, to, tolerance_m));
             let Some(border) = borders.reduce(Border::and) else { continue };
             let length_m = border.sign() * from.distance(to);
             match border {
@@ -52,7 +53,8 @@ impl Outline {
 }
 
 impl Bordered<'_> {
-    /// What ends the polygon along a line that may lie on one of its edges; several edges of a polygon can lie in a line.
+    /// What ends the polygon along a line that may lie on one of its edges; several edges of a polygon can
+    /// lie in a line.
     fn border_along(&self, from: DVec2, to: DVec2, tolerance_m: f64) -> Option<Border> {
         let n = self.corners_m.len();
         let on_edge = |&i: &usize| {
@@ -81,11 +83,17 @@ mod tests {
         for (side, [x, y, z]) in squares {
             let first = mesh.vertices_m.len() as u32;
             let corner = |i: f64, j: f64| [x + 0.5 * side * i, y + 0.5 * side * j, *z];
-            mesh.vertices_m.extend([corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)]);
+            mesh.vertices_m.extend([
+                corner(-1.0, -1.0),
+                corner(1.0, -1.0),
+                corner(1.0, 1.0),
+                corner(-1.0, 1.0),
+            ]);
             mesh.triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
         }
         let world = World::of_mesh(&mesh).unwrap();
-        let settings = TraceSettings { max_order: 1, sides: Sides::Two, least_area_m2: 0.0, least_mirror_area_m2: 0.0 };
+        let settings =
+            TraceSettings { max_order: 1, sides: Sides::Two, least_area_m2: 0.0, least_mirror_area_m2: 0.0 };
         let tree = BeamTree::trace(&world, Antenna::Direction(DVec3::Z), &settings).unwrap();
         let mut all = Outline::default();
         for beam in tree.beams.iter().filter(|beam| beam.facet < 2) {

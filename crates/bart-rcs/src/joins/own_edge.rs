@@ -1,15 +1,17 @@
 //! Own-edge weights: every node of a sequence counts by how much of its outline is its own facet's edge.
 //!
-//! The edges that truncate a multiple reflection belong to one of its facets, and only a node there has the right phase
-//! along them. So each node is weighted by the share of its lit polygon's outline that is that flat patch's own edge or an
-//! occluder's shadow line on it; what other facets' beams cut does not count, and a line where both end, as at a fold, is
-//! left out: along it either node is right. Weights are normalised over all K nodes of the sequence; one that does not exist
-//! holds a mean share of nothing, so that a sequence that is seen from one node of three counts a third. Without that, the
-//! many sequences that only one node has (round a duct of narrow facets) would each count whole, once per node: +3 dB
-//! (docs/decisions/node-rule.md). Where planes are exact all nodes are equal, and so is every choice of weights.
+//! The edges that truncate a multiple reflection belong to one of its facets, and only a node there has the
+//! right phase along them. So each node is weighted by the share of its lit polygon's outline that is that
+//! flat patch's own edge or an occluder's shadow line on it; what other facets' beams cut does not count, and
+//! a line where both end, as at a fold, is left out: along it either node is right. Weights are normalised
+//! over all K nodes of the sequence; one that does not exist holds a mean share of nothing, so that a
+//! sequence that is seen from one node of three counts a third. Without that, the many sequences that only
+//! one node has (round a duct of narrow facets) would each count whole, once per node: +3 dB
+//! (docs/decisions/node-rule.md). Where planes are exact all nodes are equal, and so is every choice of
+//! weights.
 //!
-//! Facets of a curved skin reflect parallel strips with gaps, and a node after them misses the divergence. There the node is
-//! on the facet with the smaller radius: weights are the squares of the curvatures.
+//! Facets of a curved skin reflect parallel strips with gaps, and a node after them misses the divergence.
+//! There the node is on the facet with the smaller radius: weights are the squares of the curvatures.
 
 use crate::beams::image_tree::origin;
 use crate::bodies::road::Half;
@@ -84,11 +86,13 @@ fn curved_weight(curvatures_per_m: impl Iterator<Item = f64> + Clone, node: usiz
     squares.nth(node).filter(|_| all > 0.0).map(|own| own / all)
 }
 
-/// A node narrower than this part of the widest of its sequence fades out, so that nothing jumps when it vanishes.
+/// A node narrower than this part of the widest of its sequence fades out, so that nothing jumps when it
+/// vanishes.
 const FADING: f64 = 0.1;
 
-/// A node counts as if this share of its outline were its own at least: where none has an edge of its own all count alike.
-/// Both figures were chosen for continuity; 0.03 … 0.4 and 0.001 … 0.05 change the error against full wave by 0.05 dB.
+/// A node counts as if this share of its outline were its own at least: where none has an edge of its own all
+/// count alike. Both figures were chosen for continuity; 0.03 … 0.4 and 0.001 … 0.05 change the error against
+/// full wave by 0.05 dB.
 const LEAST_SHARE: f64 = 0.02;
 
 /// Share of one node among the K of a sequence of flat patches.
@@ -180,7 +184,9 @@ mod tests {
     #[test]
     fn a_missing_node_holds_a_mean_share_and_one_that_vanishes_comes_to_it() {
         let missing = Node::default();
-        let [first, _, last] = weights(&[node(1.0, 1.0), missing, node(3.0, 2.0)])[..] else { panic!("three nodes") };
+        let [first, _, last] = weights(&[node(1.0, 1.0), missing, node(3.0, 2.0)])[..] else {
+            panic!("three nodes")
+        };
         assert_near(&[first, last], &[0.25 * 2.0 / 3.0, 0.75 * 2.0 / 3.0]);
         let vanishing = weights(&[node(1.0, 1.0), node(4.0, 1e-15), node(3.0, 2.0)]);
         assert_near(&[vanishing[0], vanishing[2]], &[first, last]);
@@ -188,8 +194,9 @@ mod tests {
 
     #[test]
     fn of_curved_facets_the_one_with_the_smaller_radius_has_the_node() {
-        let weights =
-            |list: &[f64]| (0..list.len()).map(|i| curved_weight(list.iter().copied(), i)).collect::<Vec<_>>();
+        let weights = |list: &[f64]| {
+            (0..list.len()).map(|i| curved_weight(list.iter().copied(), i)).collect::<Vec<_>>()
+        };
         assert_eq!(weights(&[0.0, 2.0]), [Some(0.0), Some(1.0)]);
         assert_eq!(weights(&[2.0, 2.0]), [Some(0.5), Some(0.5)]);
         assert_eq!(weights(&[0.0, 0.0]), [None, None]);

@@ -63,10 +63,13 @@ impl<'a> Scatterer<'a> {
 
     /// The same beams with plane waves from another direction: what is lit stays lit.
     ///
-    /// For directions so near to the traced one that shadows have moved by less than matters; one antenna only.
+    /// For directions so near to the traced one that shadows have moved by less than matters; one antenna
+    /// only.
     pub(crate) fn turned_to(&self, direction: DVec3) -> Self {
-        let turned =
-            |leg: &Leg| Leg { image: Antenna::Direction(leg.mirrors.image_direction(direction)), ..leg.clone() };
+        let turned = |leg: &Leg| Leg {
+            image: Antenna::Direction(leg.mirrors.image_direction(direction)),
+            ..leg.clone()
+        };
         Self {
             ends: [Antenna::Direction(direction); 2],
             transmit_legs: self.transmit_legs.iter().map(turned).collect(),
@@ -98,7 +101,8 @@ impl<'a> Scatterer<'a> {
         &legs[joint.backward as usize]
     }
 
-    /// Amplitudes of a part of a joint's polygon about `reference_m`, its weight included; the reverse is not.
+    /// Amplitudes of a part of a joint's polygon about `reference_m`, its weight included; the reverse is
+    /// not.
     pub(crate) fn amplitudes(
         &self,
         joint: &Joint,
@@ -114,7 +118,8 @@ impl<'a> Scatterer<'a> {
         estimate
     }
 
-    /// A joint's share of S, its reverse included: every amplitude with R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)}, R to `origin_m`.
+    /// A joint's share of S, its reverse included: every amplitude with R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)},
+    /// R to `origin_m`.
     pub(crate) fn scattering(
         &self,
         joint: &Joint,
@@ -139,7 +144,8 @@ impl<'a> Scatterer<'a> {
         self.ends.iter().all(|end| matches!(end, Antenna::Direction(_)))
     }
 
-    /// Calls `give` with every tile of a joint's polygon, cut for `highest_per_m`: together they are [`Self::scattering`].
+    /// Calls `give` with every tile of a joint's polygon, cut for `highest_per_m`: together they are
+    /// [`Self::scattering`].
     pub(crate) fn for_each_tile(
         &self,
         joint: &Joint,
@@ -160,7 +166,13 @@ impl<'a> Scatterer<'a> {
     }
 
     /// How many tiles there are, about; no more than `most` are counted.
-    pub(crate) fn tiles(&self, joint: &Joint, corners_m: &[DVec3], request: &Integration<'_>, most: u64) -> u64 {
+    pub(crate) fn tiles(
+        &self,
+        joint: &Joint,
+        corners_m: &[DVec3],
+        request: &Integration<'_>,
+        most: u64,
+    ) -> u64 {
         let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
         let node = self.node(joint, &Part { corners_m, reference_m, bracket: request.bracket });
         let accuracy = node.accuracy(reference_m, request.wavenumbers_per_m, request.accuracy);
@@ -253,12 +265,14 @@ impl JointTile<'_> {
         // Of the length as if it grew by its gradient alone: the least and the greatest are at corners.
         let lengths_m = self.tile.corners_m().iter().map(|corner| gradient.dot(*corner - middle_m));
         let [low_m, high_m] = lengths_m.fold([0.0_f64; 2], |[low, high], l| [low.min(l), high.max(l)]);
-        // Beyond its tangent plane a length grows by reach²/2L at most, L of the nearest point; there are two.
+        // Beyond its tangent plane a length grows by reach²/2L at most, L of the nearest point; there are
+        // two.
         let ranges_m = self.field.ranges_m(middle.x_m);
         let curved_m: f64 =
             ranges_m.map(|l| 0.5 * reach_m * reach_m / (l - reach_m).max(f64::MIN_POSITIVE)).iter().sum();
         // And a skin leaves it by half its second derivative, there and back.
-        let bent_m = if self.field.is_bent() { self.field.along(self.tile.steps_m().into_iter()).rise_m } else { 0.0 };
+        let bent_m =
+            if self.field.is_bent() { self.field.along(self.tile.steps_m().into_iter()).rise_m } else { 0.0 };
         Way {
             length_m: self.length_m + at_middle_m + 0.5 * (low_m + high_m),
             extent_m: 0.5 * (high_m - low_m) + curved_m + bent_m + self.field.turning_length_m(),
@@ -293,7 +307,8 @@ pub(crate) struct Integration<'a> {
     pub(crate) bracket: Bracket,
 }
 
-/// The bracket that belongs to a rule: rays shot from the transmitter know the current that they excite at the exit.
+/// The bracket that belongs to a rule: rays shot from the transmitter know the current that they excite at
+/// the exit.
 pub(crate) fn bracket_of(rule: NodeRule) -> Bracket {
     match rule {
         NodeRule::Middle | NodeRule::OwnEdge => Bracket::Symmetrised,
@@ -353,7 +368,8 @@ fn steps(world: &World, tree: &BeamTree, beam: &Beam) -> Steps {
     let mut beams: Vec<&Beam> = tree.way_back(beam).collect();
     beams.reverse();
     for (i, of_leg) in beams.iter().enumerate() {
-        // On a leg with both, the road is taken before the sheets: another order mixes polarizations a little differently.
+        // On a leg with both, the road is taken before the sheets: another order mixes polarizations a little
+        // differently.
         if half_of(world, of_leg.facet) != half {
             half = half_of(world, of_leg.facet);
             steps.extend(world.road().map(Step::crossed));

@@ -1,4 +1,5 @@
-//! Plane layers on air or on metal: reflection and transmission by recursion from the back (`docs/physics.md` §5).
+//! Plane layers on air or on metal: reflection and transmission by recursion from the back (`docs/physics.md`
+//! §5).
 //!
 //! ```text
 //! Γᵢ = (rᵢ + Γᵢ₊₁P)/(1 + rᵢΓᵢ₊₁P)      Tᵢ = (1 + rᵢ)e^{−jkds}·Tᵢ₊₁/(1 + rᵢΓᵢ₊₁P)      P = e^{−2jkds}
@@ -34,11 +35,11 @@ pub(crate) fn coherent(layers: &[Layer], backing: Backing, cosine: f64, wavenumb
     Passed { reflected: behind.reflected, transmitted: behind.transmitted }
 }
 
-/// Layers of which only the powers are known: every layer's phase takes all values. Amplitudes are roots of mean powers,
-/// with the phases of the first face's reflection and of the straight passage.
+/// Layers of which only the powers are known: every layer's phase takes all values. Amplitudes are roots of
+/// mean powers, with the phases of the first face's reflection and of the straight passage.
 ///
-/// For one layer exactly ⟨|·|²⟩ of [`coherent`] over a period of its thickness (the geometric series of its passages, term
-/// by term); for several the usual recursion of powers.
+/// For one layer exactly ⟨|·|²⟩ of [`coherent`] over a period of its thickness (the geometric series of its
+/// passages, term by term); for several the usual recursion of powers.
 pub(crate) fn averaged(layers: &[Layer], backing: Backing, cosine: f64, wavenumber_per_m: f64) -> Passed {
     let of = |choose: &dyn Fn(Pair) -> Complex64| powers(layers, backing, cosine, wavenumber_per_m, choose);
     let (te, tm) = (of(&|pair| pair.te), of(&|pair| pair.tm));
@@ -118,7 +119,10 @@ fn powers(
         phase += way.arg() + (1.0 + first).arg();
     }
     let reflected_phase = if backing == Backing::Metal { choose(CONDUCTOR).arg() } else { first.arg() };
-    (Complex64::from_polar(reflected.sqrt(), reflected_phase), Complex64::from_polar(transmitted.sqrt(), phase))
+    (
+        Complex64::from_polar(reflected.sqrt(), reflected_phase),
+        Complex64::from_polar(transmitted.sqrt(), phase),
+    )
 }
 
 #[cfg(test)]
@@ -144,7 +148,8 @@ mod tests {
     fn sweep(permittivity: Complex64, from_mm: f64, to_mm: f64, of: impl Fn(f64) -> Complex64) -> [f64; 3] {
         assert!(permittivity.re > 1.0);
         let count = ((to_mm - from_mm) * 1e3).round() as usize;
-        let powers: Vec<f64> = (0..=count).map(|i| of(1e-3 * (from_mm + 1e-3 * i as f64)).norm_sqr()).collect();
+        let powers: Vec<f64> =
+            (0..=count).map(|i| of(1e-3 * (from_mm + 1e-3 * i as f64)).norm_sqr()).collect();
         let mean = powers.iter().sum::<f64>() / powers.len() as f64;
         let extreme = |least: fn(f64, f64) -> f64, start: f64| powers.iter().copied().fold(start, least);
         [extreme(f64::min, f64::INFINITY), extreme(f64::max, 0.0), mean].map(|power| 10.0 * power.log10())
@@ -277,8 +282,14 @@ mod tests {
             let mean = averaged(&layer(5e-3), Backing::Air, cosine, k);
             const STEPS: u32 = 400;
             let powers = |of: &dyn Fn(&Passed) -> Complex64| {
-                let at =
-                    |i| coherent(&layer(5e-3 + period_m * f64::from(i) / f64::from(STEPS)), Backing::Air, cosine, k);
+                let at = |i| {
+                    coherent(
+                        &layer(5e-3 + period_m * f64::from(i) / f64::from(STEPS)),
+                        Backing::Air,
+                        cosine,
+                        k,
+                    )
+                };
                 (0..STEPS).map(|i| of(&at(i)).norm_sqr()).sum::<f64>() / f64::from(STEPS)
             };
             // Equal steps over a period converge geometrically: |r|⁸⁰⁰ is nothing.

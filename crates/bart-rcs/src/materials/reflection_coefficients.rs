@@ -7,8 +7,8 @@
 
 use num_complex::Complex64;
 
-/// Coefficients of the two polarizations: the electric field across the plane of incidence (TE), and the magnetic field
-/// across it (TM).
+/// Coefficients of the two polarizations: the electric field across the plane of incidence (TE), and the
+/// magnetic field across it (TM).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Pair {
     /// On E.
@@ -71,13 +71,20 @@ mod tests {
         let (normal, oblique) = (half_space(glass, 1.0), half_space(glass, 60.0_f64.to_radians().cos()));
         let rubber = half_space(Complex64::new(4.0, -0.4), 1.0);
         // Printed with two and with one decimal: half a unit of the last.
-        let cases =
-            [(normal.te, -7.20, 0.005), (oblique.te, -3.7, 0.05), (oblique.tm, -16.4, 0.05), (rubber.te, -9.5, 0.05)];
+        let cases = [
+            (normal.te, -7.20, 0.005),
+            (oblique.te, -3.7, 0.05),
+            (oblique.tm, -16.4, 0.05),
+            (rubber.te, -9.5, 0.05),
+        ];
         for (r, asked, tolerance) in cases {
             println!("M1 half-space: asked {asked}, got {:.3} dB", db(r));
             assert!((db(r) - asked).abs() <= tolerance + 1e-3, "{asked}: {}", db(r));
         }
-        assert!((normal.te + normal.tm).norm() < 1e-15, "on E and on H the signs differ, and at 0° nothing else");
+        assert!(
+            (normal.te + normal.tm).norm() < 1e-15,
+            "on E and on H the signs differ, and at 0° nothing else"
+        );
     }
 
     #[test]
@@ -90,13 +97,17 @@ mod tests {
             let metal = half_space(Complex64::new(1.0, -1e12), cosine);
             // r + 1 ≈ 2cosθ/√ε and r − 1 ≈ −2/(cosθ√ε), √ε = 1e6.
             let bound = 2.1e-6 / cosine;
-            assert!((metal.te - CONDUCTOR.te).norm() < bound && (metal.tm - CONDUCTOR.tm).norm() < bound, "{degrees}");
+            assert!(
+                (metal.te - CONDUCTOR.te).norm() < bound && (metal.tm - CONDUCTOR.tm).norm() < bound,
+                "{degrees}"
+            );
         }
     }
 
     #[test]
     fn g2_vertical_polarization_passes_into_asphalt_at_a_grazing_angle_of_17_98_degrees() {
-        let reflected = |grazing_deg: f64| half_space(Complex64::from(9.5), grazing_deg.to_radians().sin()).tm.norm();
+        let reflected =
+            |grazing_deg: f64| half_space(Complex64::from(9.5), grazing_deg.to_radians().sin()).tm.norm();
         let brewster_deg = 9.5_f64.sqrt().recip().atan().to_degrees();
         println!("G2: asked 17.98°, got {brewster_deg:.3}°, |r| there {:.1e}", reflected(brewster_deg));
         assert!((brewster_deg - 17.98).abs() < 0.005 && reflected(brewster_deg) < 1e-15);

@@ -16,11 +16,12 @@ pub(crate) fn reflection(material: &Material, cosine: f64, wavenumber_per_m: f64
     }
 }
 
-/// What a sheet without thickness in its place lets through: t_slab·e^{+jkd cosθ}. Nothing but layers on air lets
-/// anything through.
+/// What a sheet without thickness in its place lets through: t_slab·e^{+jkd cosθ}. Nothing but layers on air
+/// lets anything through.
 ///
-/// The thickness is put on the side that the wave comes from: t_slab relates points of both faces straight behind one
-/// another, and the line that goes on behind the sheet already has the phase of the way d·cosθ that the wave did in glass.
+/// The thickness is put on the side that the wave comes from: t_slab relates points of both faces straight
+/// behind one another, and the line that goes on behind the sheet already has the phase of the way d·cosθ
+/// that the wave did in glass.
 pub(crate) fn transmission(material: &Material, cosine: f64, wavenumber_per_m: f64) -> Pair {
     let Pair { te, tm } = passed(material, cosine, wavenumber_per_m).transmitted;
     let thickness_m: f64 = layers_of(material).iter().map(|layer| layer.thickness_m).sum();
@@ -37,7 +38,9 @@ fn passed(material: &Material, cosine: f64, wavenumber_per_m: f64) -> Passed {
         Material::Layers { layers, backing, thickness: Thickness::Averaged } => {
             averaged(layers, *backing, cosine, wavenumber_per_m)
         }
-        Material::Conductor | Material::HalfSpace { .. } => Passed { reflected: CONDUCTOR, transmitted: NOTHING },
+        Material::Conductor | Material::HalfSpace { .. } => {
+            Passed { reflected: CONDUCTOR, transmitted: NOTHING }
+        }
     }
 }
 
@@ -50,18 +53,33 @@ pub(crate) fn layers_of(material: &Material) -> &[Layer] {
 }
 
 /// Reflected fields: e_r = r_TE(e·ŝ)ŝ + r_TM(e·p̂)p̂_r with ŝ = unit(n×d), p̂ = ŝ×d, p̂_r = ŝ×d_r.
-pub(crate) fn reflected_fields(e: [ComplexVector; 2], travel: DVec3, normal: DVec3, r: Pair) -> [ComplexVector; 2] {
+pub(crate) fn reflected_fields(
+    e: [ComplexVector; 2],
+    travel: DVec3,
+    normal: DVec3,
+    r: Pair,
+) -> [ComplexVector; 2] {
     let across = across(travel, normal);
     let onwards = travel - 2.0 * normal.dot(travel) * normal;
     let [before, after] = [across.cross(travel), across.cross(onwards)];
-    e.map(|e| ComplexVector::of(across, r.te * e.along(across)) + ComplexVector::of(after, r.tm * e.along(before)))
+    e.map(|e| {
+        ComplexVector::of(across, r.te * e.along(across)) + ComplexVector::of(after, r.tm * e.along(before))
+    })
 }
 
 /// Fields behind a sheet, their direction as before.
-pub(crate) fn transmitted_fields(e: [ComplexVector; 2], travel: DVec3, normal: DVec3, t: Pair) -> [ComplexVector; 2] {
+pub(crate) fn transmitted_fields(
+    e: [ComplexVector; 2],
+    travel: DVec3,
+    normal: DVec3,
+    t: Pair,
+) -> [ComplexVector; 2] {
     let across = across(travel, normal);
     let in_plane = across.cross(travel);
-    e.map(|e| ComplexVector::of(across, t.te * e.along(across)) + ComplexVector::of(in_plane, t.tm * e.along(in_plane)))
+    e.map(|e| {
+        ComplexVector::of(across, t.te * e.along(across))
+            + ComplexVector::of(in_plane, t.tm * e.along(in_plane))
+    })
 }
 
 /// ŝ; along the normal, where the polarizations are alike, any direction across.
@@ -69,14 +87,20 @@ fn across(travel: DVec3, normal: DVec3) -> DVec3 {
     let cross = normal.cross(travel);
     // Below this ŝ is rounding. te and −tm differ there by the square of it.
     const SINE: f64 = 1e-9;
-    if cross.length_squared() < SINE * SINE { travel.any_orthonormal_vector() } else { cross / cross.length() }
+    if cross.length_squared() < SINE * SINE {
+        travel.any_orthonormal_vector()
+    } else {
+        cross / cross.length()
+    }
 }
 
-/// How fast the coefficients change with the angle, per radian: the exponential type m in |dⁿr/dθⁿ| ≤ mⁿ (Bernstein).
+/// How fast the coefficients change with the angle, per radian: the exponential type m in |dⁿr/dθⁿ| ≤ mⁿ
+/// (Bernstein).
 ///
-/// A half-space changes fastest at grazing incidence in TM, by 2ε/√(ε − 1) ≈ 2√ε; the phase 2kds of a layer by up to
-/// kd/|√(ε − 1)|, and the resonance of its faces sharpens that by (1 + |r|)/(1 − |r|). The vectors ŝ and p̂ turn once with
-/// each of both directions. It decides where polygons are cut, and what comes of it is measured.
+/// A half-space changes fastest at grazing incidence in TM, by 2ε/√(ε − 1) ≈ 2√ε; the phase 2kds of a layer
+/// by up to kd/|√(ε − 1)|, and the resonance of its faces sharpens that by (1 + |r|)/(1 − |r|). The vectors ŝ
+/// and p̂ turn once with each of both directions. It decides where polygons are cut, and what comes of it is
+/// measured.
 pub(crate) fn steepness(material: &Material, wavenumber_per_m: f64) -> f64 {
     let index = |permittivity: Complex64| permittivity.norm().sqrt();
     match material {
@@ -84,13 +108,15 @@ pub(crate) fn steepness(material: &Material, wavenumber_per_m: f64) -> f64 {
         Material::HalfSpace { permittivity } => 2.0 + 2.0 * index(*permittivity),
         Material::Layers { layers, .. } => layers.iter().fold(2.0, |m, layer| {
             let n = index(layer.permittivity);
-            let turns = wavenumber_per_m * layer.thickness_m / (layer.permittivity - 1.0).norm().sqrt().max(0.1);
+            let turns =
+                wavenumber_per_m * layer.thickness_m / (layer.permittivity - 1.0).norm().sqrt().max(0.1);
             m + 2.0 * n + turns * n
         }),
     }
 }
 
-/// Way there and back in the layers times their refractive index, m: how fast the coefficients turn with the wavenumber.
+/// Way there and back in the layers times their refractive index, m: how fast the coefficients turn with the
+/// wavenumber.
 pub(crate) fn phase_length_m(material: &Material) -> f64 {
     layers_of(material).iter().map(|layer| 2.0 * layer.thickness_m * layer.permittivity.norm().sqrt()).sum()
 }

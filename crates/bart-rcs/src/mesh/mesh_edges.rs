@@ -1,7 +1,7 @@
 //! Which triangles meet at an edge: the one topology of a mesh, from the places of its corners alone.
 //!
-//! Any mesh has an answer: open, doubled, wound either way, with many facets at one edge. What a patch, a crease or a
-//! diffracting edge is, others decide.
+//! Any mesh has an answer: open, doubled, wound either way, with many facets at one edge. What a patch, a
+//! crease or a diffracting edge is, others decide.
 
 use crate::mesh::welding::Welding;
 use glam::DVec3;
@@ -90,8 +90,8 @@ impl MeshEdges {
         (0..self.len()).map(|edge| self.edge(edge))
     }
 
-    /// The edges that a side consists of: one, several where it is cut, none where it has no length or its triangle is left
-    /// out.
+    /// The edges that a side consists of: one, several where it is cut, none where it has no length or its
+    /// triangle is left out.
     pub(crate) fn of_side(&self, side: Side) -> &[u32] {
         &self.edges_of_sides[range(&self.starts_of_sides, slot(side))]
     }
@@ -102,8 +102,9 @@ impl MeshEdges {
         sides.map(|other| other.triangle).filter(move |other| *other != side.triangle)
     }
 
-    /// For every triangle the first of `seeds` that it hangs together with, by edges, through others that `belongs(seed, other)`
-    /// lets in and that no seed before has taken; [`MeshEdges::NO_SEED`] for what none of them reaches.
+    /// For every triangle the first of `seeds` that it hangs together with, by edges, through others that
+    /// `belongs(seed, other)` lets in and that no seed before has taken; [`MeshEdges::NO_SEED`] for what none
+    /// of them reaches.
     pub(crate) fn hanging_together(
         &self,
         seeds: impl Iterator<Item = u32>,

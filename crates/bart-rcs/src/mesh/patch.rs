@@ -1,5 +1,5 @@
-//! Flat patches of a mesh: coplanar neighbours are one facet of the body, and the diagonals between them are no edges; and how
-//! much a patch that is a strip of a tessellated curve is bent.
+//! Flat patches of a mesh: coplanar neighbours are one facet of the body, and the diagonals between them are
+//! no edges; and how much a patch that is a strip of a tessellated curve is bent.
 
 use crate::mesh::curve_bend::{may_be_a_step, may_be_of_one_curve};
 use crate::mesh::mesh_edges::{MeshEdges, Side, sides_of};
@@ -16,15 +16,16 @@ pub(crate) struct Patches {
     curvature_per_m: Vec<f64>,
 }
 
-/// Sine of the angle that two neighbours of a flat patch may differ by: over the Fresnel zone of 0.22 m (25 m, 77 GHz) a
-/// surface bent by less deviates from a plane by at most λ/16. Rounding of single precision files is a hundredth of it on
-/// triangles of a centimetre, 5 m from the origin.
+/// Sine of the angle that two neighbours of a flat patch may differ by: over the Fresnel zone of 0.22 m (25
+/// m, 77 GHz) a surface bent by less deviates from a plane by at most λ/16. Rounding of single precision
+/// files is a hundredth of it on triangles of a centimetre, 5 m from the origin.
 const FLAT_SINE: f64 = 1e-3;
 
 impl Patches {
     /// Floods every patch from its first triangle over edges whose two ends are the same points.
     ///
-    /// Flat is measured against the first triangle, so that a finely tessellated cylinder does not become one patch.
+    /// Flat is measured against the first triangle, so that a finely tessellated cylinder does not become one
+    /// patch.
     pub(crate) fn of(triangles_m: &[[DVec3; 3]], edges: &MeshEdges) -> Self {
         let normals: Vec<DVec3> = triangles_m.iter().map(unit_normal).collect();
         let is_flat = |seed: u32, other: u32| {
@@ -48,12 +49,14 @@ impl Patches {
         self.inside[triangle as usize] & (1 << edge) != 0
     }
 
-    /// Curvature of the surface that the triangle's patch is a facet of, 1/m; 0 where the patch stands for itself.
+    /// Curvature of the surface that the triangle's patch is a facet of, 1/m; 0 where the patch stands for
+    /// itself.
     pub(crate) fn curvature_per_m(&self, triangle: u32) -> f64 {
         self.curvature_per_m[triangle as usize]
     }
 
-    /// An edge is inside where a triangle of the same patch lies on its other side; a twin of the triangle does not.
+    /// An edge is inside where a triangle of the same patch lies on its other side; a twin of the triangle
+    /// does not.
     fn mark_inside(&mut self, triangles_m: &[[DVec3; 3]], edges: &MeshEdges, normals: &[DVec3]) {
         for side in (0..triangles_m.len() as u32).flat_map(sides_of) {
             let patch = self.first[side.triangle as usize];
@@ -67,7 +70,8 @@ impl Patches {
     }
 }
 
-/// How far to the left of a side, seen along `normal`, the middle of another triangle lies, times three lengths of the side.
+/// How far to the left of a side, seen along `normal`, the middle of another triangle lies, times three
+/// lengths of the side.
 fn left_of_m3(triangles_m: &[[DVec3; 3]], side: Side, normal: DVec3, other: u32) -> f64 {
     let [from, to] = ends_m(triangles_m, side);
     let [a, b, c] = triangles_m[other as usize];
@@ -89,15 +93,16 @@ struct Bend {
     curvature_per_m: f64,
 }
 
-/// The curvature of every triangle's patch: the largest of its bends that goes on, the same way and about as much, at
-/// another neighbour; a bend at one side alone is an edge of the body.
+/// The curvature of every triangle's patch: the largest of its bends that goes on, the same way and about as
+/// much, at another neighbour; a bend at one side alone is an edge of the body.
 fn curvatures(triangles_m: &[[DVec3; 3]], edges: &MeshEdges, normals: &[DVec3], first: &[u32]) -> Vec<f64> {
     let bends = bends(triangles_m, edges, normals, first);
     let mut of_patch = vec![0.0_f64; triangles_m.len()];
     for group in bends.chunk_by(|a, b| a.patch == b.patch) {
         let goes_on = |bend: &&Bend| {
-            let is_next =
-                |next: &Bend| next.neighbour != bend.neighbour && may_be_of_one_curve(bend.turn_rad, next.turn_rad);
+            let is_next = |next: &Bend| {
+                next.neighbour != bend.neighbour && may_be_of_one_curve(bend.turn_rad, next.turn_rad)
+            };
             group.iter().any(is_next)
         };
         let curved = group.iter().filter(goes_on).map(|bend| bend.curvature_per_m);
@@ -153,9 +158,11 @@ mod tests {
         Patches::of(triangles_m, &MeshEdges::of(&exact_places(triangles_m)))
     }
 
-    /// A square of two triangles in z = 0, and a wall of two on one of its sides, leaning by `sine` from straight on.
+    /// A square of two triangles in z = 0, and a wall of two on one of its sides, leaning by `sine` from
+    /// straight on.
     fn bent_strip(sine: f64) -> Vec<[DVec3; 3]> {
-        let [a, b, c, d] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
+        let [a, b, c, d] =
+            [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
         let [e, f] = [b, c].map(|p| p + DVec3::new((1.0 - sine * sine).sqrt(), 0.0, sine));
         vec![[a, b, c], [a, c, d], [b, e, f], [b, f, c]]
     }
@@ -180,7 +187,10 @@ mod tests {
         let step = 0.9e-3_f64;
         let point = |i: u32, z: f64| DVec3::new((step * f64::from(i)).cos(), (step * f64::from(i)).sin(), z);
         let strip = |i| {
-            [[point(i, 0.0), point(i + 1, 0.0), point(i + 1, 1.0)], [point(i, 0.0), point(i + 1, 1.0), point(i, 1.0)]]
+            [
+                [point(i, 0.0), point(i + 1, 0.0), point(i + 1, 1.0)],
+                [point(i, 0.0), point(i + 1, 1.0), point(i, 1.0)],
+            ]
         };
         let patches = patches_of(&(0..10).flat_map(strip).collect::<Vec<_>>());
         assert_eq!(patches.of_triangle(19), 16, "every second strip starts a patch");

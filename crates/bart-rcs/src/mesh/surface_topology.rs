@@ -1,8 +1,8 @@
 //! The surface that a heap of triangles is: its lines, the facets about each, and the flat patches.
 //!
-//! Corners within a tolerance are one point, a side that passes the corners of its neighbours is cut there, and what hangs
-//! together in one plane is one patch. Any mesh has an answer: open, doubled, with T-junctions or with many facets at one
-//! line.
+//! Corners within a tolerance are one point, a side that passes the corners of its neighbours is cut there,
+//! and what hangs together in one plane is one patch. Any mesh has an answer: open, doubled, with T-junctions
+//! or with many facets at one line.
 
 use crate::geometry::plane::Plane;
 use crate::mesh::mesh_edges::{MeshEdge, MeshEdges, Side, parts};
@@ -128,7 +128,8 @@ impl<'a> Topology<'a> {
         let with_plane = |t: &u32| self.normals[*t as usize] != DVec3::ZERO;
         let mut seeds: Vec<u32> = (0..self.triangles_m.len() as u32).filter(with_plane).collect();
         seeds.sort_by(|&a, &b| doubled_m2(b).total_cmp(&doubled_m2(a)).then(a.cmp(&b)));
-        let in_plane = |seed: u32, other: u32| self.lies_in_plane_of(seed as usize, other as usize, 2.0 * tolerance_m);
+        let in_plane =
+            |seed: u32, other: u32| self.lies_in_plane_of(seed as usize, other as usize, 2.0 * tolerance_m);
         let mut patch_of = self.edges.hanging_together(seeds.iter().copied(), in_plane);
         let mut number = vec![MeshEdges::NO_SEED; patch_of.len()];
         for seed in seeds.into_iter().filter(|seed| patch_of[*seed as usize] == *seed) {
@@ -148,8 +149,8 @@ impl<'a> Topology<'a> {
 }
 
 impl Fan {
-    /// The widest angle without a facet, and the blades that it begins and ends at (one blade: from its one side to the
-    /// other).
+    /// The widest angle without a facet, and the blades that it begins and ends at (one blade: from its one
+    /// side to the other).
     pub(crate) fn widest_gap(&self) -> (f64, [Blade; 2]) {
         let next = self.blades.iter().cycle().skip(1);
         let gap = |(a, b): (&Blade, &Blade)| {
@@ -161,12 +162,17 @@ impl Fan {
     }
 }
 
-/// The same as [`crate::geometry::facet_geometry::FacetGeometry`]: a triangle whose height is rounding has no plane.
+/// The same as [`crate::geometry::facet_geometry::FacetGeometry`]: a triangle whose height is rounding has no
+/// plane.
 fn normal_of(corners_m: &[DVec3; 3], tolerance_m: f64) -> DVec3 {
     let [a, b, c] = *corners_m;
     let longest_m = a.distance(b).max(b.distance(c)).max(c.distance(a));
     let is_thin = (b - a).cross(c - a).length() <= tolerance_m * longest_m;
-    if is_thin { DVec3::ZERO } else { Plane::of_triangle(corners_m).map_or(DVec3::ZERO, |plane| plane.normal) }
+    if is_thin {
+        DVec3::ZERO
+    } else {
+        Plane::of_triangle(corners_m).map_or(DVec3::ZERO, |plane| plane.normal)
+    }
 }
 
 #[cfg(test)]

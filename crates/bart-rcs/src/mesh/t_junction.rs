@@ -41,7 +41,8 @@ pub(crate) fn cut_at_corners(sides: &mut Vec<Part>, points_m: &[DVec3], toleranc
 
 /// Which of sorted sides have ends that no other has.
 fn alone(sides: &[Part]) -> Vec<usize> {
-    let differs = |a: usize, b: usize| sides.get(a).map(|side| side.ends) != sides.get(b).map(|side| side.ends);
+    let differs =
+        |a: usize, b: usize| sides.get(a).map(|side| side.ends) != sides.get(b).map(|side| side.ends);
     (0..sides.len()).filter(|&i| (i == 0 || differs(i - 1, i)) && differs(i, i + 1)).collect()
 }
 

@@ -1,5 +1,5 @@
-//! Which points of a mesh are one place: files repeat a vertex for every facet, material, normal and seam, and single
-//! precision or a converter has moved the repetitions apart by a few ε.
+//! Which points of a mesh are one place: files repeat a vertex for every facet, material, normal and seam,
+//! and single precision or a converter has moved the repetitions apart by a few ε.
 
 use glam::DVec3;
 use std::collections::HashMap;
@@ -7,8 +7,8 @@ use std::collections::HashMap;
 /// When two points are one place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Welding {
-    /// With the same coordinates to the last bit: what facets cover together then has no seam at all, which a beam that is
-    /// cut at their common side relies on.
+    /// With the same coordinates to the last bit: what facets cover together then has no seam at all, which a
+    /// beam that is cut at their common side relies on.
     Exact,
     /// Nearer than this, m.
     Within(f64),
@@ -22,8 +22,8 @@ impl Welding {
 
     /// For every point the first one that is at its place.
     ///
-    /// Points of one chain of neighbours go to the first of them that is near enough and begins a place itself, so that
-    /// the answer depends on nothing but the order of the points.
+    /// Points of one chain of neighbours go to the first of them that is near enough and begins a place
+    /// itself, so that the answer depends on nothing but the order of the points.
     pub(crate) fn places(self, points_m: &[DVec3]) -> Vec<u32> {
         match self {
             Self::Exact => same_bits(points_m),
@@ -32,9 +32,9 @@ impl Welding {
     }
 }
 
-/// Points nearer than this may be one, m: four ε of single precision, in which meshes are stored, of their extent (10 µm for
-/// a bus, λ/400 at 77 GHz; a closed curve that a program walks once around misses its start by a quarter of it), and
-/// rounding of double precision.
+/// Points nearer than this may be one, m: four ε of single precision, in which meshes are stored, of their
+/// extent (10 µm for a bus, λ/400 at 77 GHz; a closed curve that a program walks once around misses its start
+/// by a quarter of it), and rounding of double precision.
 pub(crate) fn rounding_m(points_m: &[DVec3]) -> f64 {
     let low = points_m.iter().copied().fold(DVec3::INFINITY, DVec3::min);
     let high = points_m.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
@@ -52,7 +52,8 @@ fn same_bits(points_m: &[DVec3]) -> Vec<u32> {
 }
 
 fn nearer_than(points_m: &[DVec3], tolerance_m: f64) -> Vec<u32> {
-    let mut firsts = Firsts { cell_m: CELL * tolerance_m, last: HashMap::new(), before: vec![NONE; points_m.len()] };
+    let mut firsts =
+        Firsts { cell_m: CELL * tolerance_m, last: HashMap::new(), before: vec![NONE; points_m.len()] };
     let place = |(index, point): (u32, &DVec3)| {
         let found = firsts.near(*point, points_m, tolerance_m);
         found.unwrap_or_else(|| firsts.add(*point, index))
@@ -124,7 +125,8 @@ mod tests {
     fn what_is_nearer_than_the_tolerance_is_one_point_wherever_the_cells_lie() {
         for shift in 0..40 {
             let at = DVec3::splat(0.45 * f64::from(shift));
-            let points = [at, at + DVec3::new(0.5, 0.5, 0.5), at + DVec3::X * 3.0, at + DVec3::new(3.3, 0.0, -0.6)];
+            let points =
+                [at, at + DVec3::new(0.5, 0.5, 0.5), at + DVec3::X * 3.0, at + DVec3::new(3.3, 0.0, -0.6)];
             assert_eq!(Welding::Within(1.0).places(&points), [0, 0, 2, 2], "{shift}");
             assert_eq!(Welding::Within(1e-3).places(&points), [0, 1, 2, 3], "{shift}");
         }

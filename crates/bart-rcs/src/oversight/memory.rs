@@ -34,16 +34,25 @@ impl MemoryLimit {
     /// Refuses what a frame's cells of paths have grown to.
     pub(crate) fn check_cells(self, bytes: u64) -> Result<(), BartError> {
         let limit_bytes = self.bytes;
-        if bytes <= limit_bytes { Ok(()) } else { Err(BartError::CellsTakeTooMuchMemory { bytes, limit_bytes }) }
+        if bytes <= limit_bytes {
+            Ok(())
+        } else {
+            Err(BartError::CellsTakeTooMuchMemory { bytes, limit_bytes })
+        }
     }
 
     /// Refuses what is expected to need more.
     pub(crate) fn check_estimate(self, triangles: usize, bytes: u64) -> Result<(), BartError> {
         let limit_bytes = self.bytes;
-        if bytes <= limit_bytes { Ok(()) } else { Err(BartError::NeedsTooMuchMemory { triangles, bytes, limit_bytes }) }
+        if bytes <= limit_bytes {
+            Ok(())
+        } else {
+            Err(BartError::NeedsTooMuchMemory { triangles, bytes, limit_bytes })
+        }
     }
 
-    /// Refuses a tree that has grown to `tree_bytes`: what is joined from it later takes [`JOINED_PER_TREE`] times as much.
+    /// Refuses a tree that has grown to `tree_bytes`: what is joined from it later takes [`JOINED_PER_TREE`]
+    /// times as much.
     pub(crate) fn check_tree(self, order: u8, beams: usize, tree_bytes: usize) -> Result<(), BartError> {
         let bytes = (1 + JOINED_PER_TREE) * tree_bytes as u64;
         let limit_bytes = self.bytes;
@@ -55,8 +64,8 @@ impl MemoryLimit {
     }
 }
 
-/// Joints and their polygons, legs and sums beside a tree's own bytes. Assumed, not measured apart: the vehicles and scenes of
-/// `docs/speed.md` stay below their estimates with it.
+/// Joints and their polygons, legs and sums beside a tree's own bytes. Assumed, not measured apart: the
+/// vehicles and scenes of `docs/speed.md` stay below their estimates with it.
 pub(crate) const JOINED_PER_TREE: u64 = 2;
 
 /// Bodies at rest: mesh, facets, hierarchy and topology of a triangle (measured 0.9 to 1.1 KiB).
@@ -66,7 +75,8 @@ const BYTES_PER_TRIANGLE_SEEN: u64 = 640;
 /// Beams and joints of one order of a vehicle alone, per triangle (measured 0.1 to 0.35 KiB).
 const BYTES_PER_TRIANGLE_AND_ORDER: u64 = 448;
 
-/// What `rcs` is expected to hold at most, for so many triangles, orders of beams, and aspects traced at a time.
+/// What `rcs` is expected to hold at most, for so many triangles, orders of beams, and aspects traced at a
+/// time.
 ///
 /// Measured on six vehicles; a body all of cavities may need more: then the trace stops at its limit.
 pub fn memory_estimate_bytes(triangles: usize, orders: u8, aspects_at_a_time: usize) -> u64 {

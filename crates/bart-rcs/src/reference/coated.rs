@@ -1,7 +1,8 @@
-//! The node and the mirror where something is no perfect conductor, from the tangential fields of both polarizations.
+//! The node and the mirror where something is no perfect conductor, from the tangential fields of both
+//! polarizations.
 //!
-//! Where r_TE of E and r_TM of H are reflected (ŝ = unit(n × d) across the plane of incidence, p̂ = ŝ × d in it), the
-//! incident and the reflected wave together have (`docs/physics.md` §5)
+//! Where r_TE of E and r_TM of H are reflected (ŝ = unit(n × d) across the plane of incidence, p̂ = ŝ × d in
+//! it), the incident and the reflected wave together have (`docs/physics.md` §5)
 //!
 //! ```text
 //! n×E = (1 + r_TE)(e·ŝ) n×ŝ + (1 − r_TM)(e·p̂) n×p̂      n×H = (1 + r_TM)(e·p̂) n×ŝ − (1 − r_TE)(e·ŝ) n×p̂
@@ -24,8 +25,8 @@ pub(crate) fn fields_at_all(fields: [DVec3; 2], wavenumbers_per_m: &[f64]) -> Fi
     vec![fields.map(ComplexVector::from); wavenumbers_per_m.len()]
 }
 
-/// What the node adds to S per square metre at one frequency, in place of [`Node::weight`]; `sent` are the fields of the
-/// forward wave.
+/// What the node adds to S per square metre at one frequency, in place of [`Node::weight`]; `sent` are the
+/// fields of the forward wave.
 pub(crate) fn weight(
     node: &Node,
     (forward, sent): (&Arrival, &[ComplexVector; 2]),
@@ -83,7 +84,8 @@ impl Surface<'_> {
     fn of(&self, normal: DVec3, travel: DVec3) -> ([DVec3; 2], [Complex64; 2]) {
         let cross = normal.cross(travel);
         // Where ŝ is rounding both polarizations reflect alike to its square.
-        let across = if cross.length() > 1e-9 { cross / cross.length() } else { travel.any_orthonormal_vector() };
+        let across =
+            if cross.length() > 1e-9 { cross / cross.length() } else { travel.any_orthonormal_vector() };
         let r = reflection(self.material, normal.dot(travel).abs(), self.wavenumber_per_m);
         ([across, across.cross(travel)], r)
     }

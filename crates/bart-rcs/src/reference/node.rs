@@ -10,7 +10,8 @@ use std::f64::consts::PI;
 /// How the two directions at a node enter the vector part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Bracket {
-    /// e_p·[d₁ (n·e_q) − e_q (n·d₁)]: physical optics of the wave that arrives, reciprocal at the specular only.
+    /// e_p·[d₁ (n·e_q) − e_q (n·d₁)]: physical optics of the wave that arrives, reciprocal at the specular
+    /// only.
     Plain,
     /// Mean of that and of the same with both ways exchanged: reciprocal everywhere.
     Symmetrised,
@@ -50,8 +51,8 @@ impl Arrival {
     }
 }
 
-/// The node between a forward and a backward wave on a facet of unit normal `normal`; `None` where they meet different
-/// sides of it.
+/// The node between a forward and a backward wave on a facet of unit normal `normal`; `None` where they meet
+/// different sides of it.
 pub(crate) fn node(
     ends: &Ends,
     forward: &Arrival,
@@ -63,7 +64,8 @@ pub(crate) fn node(
     if normal.dot(backward.travel) >= 0.0 {
         return None;
     }
-    let spreading = ends.transmitter.spreading(forward.length_m) * ends.receiver().spreading(backward.length_m);
+    let spreading =
+        ends.transmitter.spreading(forward.length_m) * ends.receiver().spreading(backward.length_m);
     let mut weight = [[0.0; 2]; 2];
     for (p, row) in weight.iter_mut().enumerate() {
         for (q, value) in row.iter_mut().enumerate() {

@@ -1,13 +1,13 @@
-//! What plane layers reflect, by characteristic matrices (Born, Wolf, Principles of Optics, 1.6): the way of the beam
-//! tracer is a recursion of reflections from the back, and the two share no formula.
+//! What plane layers reflect, by characteristic matrices (Born, Wolf, Principles of Optics, 1.6): the way of
+//! the beam tracer is a recursion of reflections from the back, and the two share no formula.
 //!
 //! ```text
 //! M = Π ½ [1 + P, (1 − P)/q; q(1 − P), 1 + P]     P = e^{−2jkds}     s = √(ε − sin²θ)     q = s (TE), s/ε (TM)
 //! (b, c) = M·(what is behind)     r = (b·cosθ − c)/(b·cosθ + c)
 //! ```
-//! On E for TE, on H for TM; each matrix is without its factor e^{jkds}, which would overflow in thick lossy layers and
-//! leaves r as it is. Behind is (1, q) of a half-space or of air, and of metal where E (TE) or H's partner (TM) ends: (0, 1)
-//! and (1, 0).
+//! On E for TE, on H for TM; each matrix is without its factor e^{jkds}, which would overflow in thick lossy
+//! layers and leaves r as it is. Behind is (1, q) of a half-space or of air, and of metal where E (TE) or H's
+//! partner (TM) ends: (0, 1) and (1, 0).
 
 use artifact::material::{Backing, Layer, Material, Thickness};
 use num_complex::Complex64;
@@ -19,11 +19,15 @@ pub(crate) fn reflection(material: &Material, cosine: f64, wavenumber_per_m: f64
         let wave = Wave { polarization, cosine, wavenumber_per_m };
         match material {
             Material::Conductor => wave.seen(METAL[polarization as usize]),
-            Material::HalfSpace { permittivity } => wave.seen([Complex64::ONE, wave.admittance(*permittivity)]),
+            Material::HalfSpace { permittivity } => {
+                wave.seen([Complex64::ONE, wave.admittance(*permittivity)])
+            }
             Material::Layers { layers, backing, thickness: Thickness::Exact } => {
                 wave.seen(wave.in_front_of(layers, *backing, &vec![0.0; layers.len()]))
             }
-            Material::Layers { layers, backing, thickness: Thickness::Averaged } => wave.averaged(layers, *backing),
+            Material::Layers { layers, backing, thickness: Thickness::Averaged } => {
+                wave.averaged(layers, *backing)
+            }
         }
     })
 }
@@ -44,7 +48,8 @@ struct Wave {
     wavenumber_per_m: f64,
 }
 
-/// Phases that stand for all: the mean over so many equal steps errs by the power of what goes to and fro, |r|³².
+/// Phases that stand for all: the mean over so many equal steps errs by the power of what goes to and fro,
+/// |r|³².
 const PHASES: usize = 16;
 
 impl Wave {
@@ -80,7 +85,8 @@ impl Wave {
         (b * self.cosine - c) / (b * self.cosine + c)
     }
 
-    /// The root of the mean power over all phases of every layer, with the phase of the first face, or of metal behind.
+    /// The root of the mean power over all phases of every layer, with the phase of the first face, or of
+    /// metal behind.
     fn averaged(&self, layers: &[Layer], backing: Backing) -> Complex64 {
         let cases = PHASES.pow(layers.len() as u32);
         let phase = |case: usize, layer: usize| (case / PHASES.pow(layer as u32) % PHASES) as f64;
@@ -111,16 +117,18 @@ mod tests {
         let k = 2.0 * PI * 77e9 / artifact::units::SPEED_OF_LIGHT_MPS;
         let at = |degrees: f64| {
             let cosine = degrees.to_radians().cos();
-            let (got, asked) = (surface_response::reflection(material, cosine, k), reflection(material, cosine, k));
+            let (got, asked) =
+                (surface_response::reflection(material, cosine, k), reflection(material, cosine, k));
             ((got.te - asked[0]).norm().max((got.tm - asked[1]).norm()), degrees)
         };
         (0..=17).map(|i| at(5.0 * f64::from(i))).fold((0.0, 0.0), |a, b| if b.0 > a.0 { b } else { a })
     }
 
     fn layers(list: &[(Complex64, f64)], backing: Backing, thickness: Thickness) -> Material {
-        let layers = list
-            .iter()
-            .map(|(permittivity, thickness_m)| Layer { thickness_m: *thickness_m, permittivity: *permittivity });
+        let layers = list.iter().map(|(permittivity, thickness_m)| Layer {
+            thickness_m: *thickness_m,
+            permittivity: *permittivity,
+        });
         Material::Layers { layers: layers.collect(), backing, thickness }
     }
 
@@ -134,7 +142,10 @@ mod tests {
             ("glass", layers(&windscreen[..1], Backing::Air, Thickness::Exact)),
             ("laminated glass", layers(&windscreen, Backing::Air, Thickness::Exact)),
             ("paint on metal", layers(&paint, Backing::Metal, Thickness::Exact)),
-            ("5 cm of rubber on metal", layers(&[(Complex64::new(4.0, -0.4), 0.05)], Backing::Metal, Thickness::Exact)),
+            (
+                "5 cm of rubber on metal",
+                layers(&[(Complex64::new(4.0, -0.4), 0.05)], Backing::Metal, Thickness::Exact),
+            ),
         ];
         for (name, material) in cases {
             let (error, degrees) = worst(&material);

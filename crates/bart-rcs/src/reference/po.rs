@@ -1,5 +1,5 @@
-//! First-order physical optics by dense sampling: every facet is cut into small cells, a shadow ray goes from each cell
-//! to the antennas, and the integrand is taken as it is at the points of a quadrature rule.
+//! First-order physical optics by dense sampling: every facet is cut into small cells, a shadow ray goes from
+//! each cell to the antennas, and the integrand is taken as it is at the points of a quadrature rule.
 
 use crate::geometry::complex_vector::ComplexVector;
 use crate::reference::coated::{self, Surface};
@@ -28,8 +28,8 @@ pub struct Sampling {
 
 /// S of first order at each frequency, metres, by `interface.md`.
 ///
-/// Inside a lit cell the rule is of degree 5, so that what converges slowly is the border of shadows: its error falls as
-/// (cell edge)^1.5, and `shadow_levels` makes the cells there finer without the rest.
+/// Inside a lit cell the rule is of degree 5, so that what converges slowly is the border of shadows: its
+/// error falls as (cell edge)^1.5, and `shadow_levels` makes the cells there finer without the rest.
 pub fn amplitude(
     mesh: &Mesh,
     aspect: &Aspect,
@@ -41,7 +41,8 @@ pub fn amplitude(
     frequencies_hz.iter().try_for_each(|f| check_positive("frequency", *f))?;
     let wavenumbers_per_m = node::wavenumbers(frequencies_hz);
     let edge_m = node::shortest_wavelength_m(frequencies_hz) / sampling.per_wavelength;
-    let job = Job { body: &body, ends: Ends::of(aspect), wavenumbers_per_m: &wavenumbers_per_m, edge_m, sampling };
+    let job =
+        Job { body: &body, ends: Ends::of(aspect), wavenumbers_per_m: &wavenumbers_per_m, edge_m, sampling };
     job.check_count()?;
     let patches: Vec<Cell> = (0..body.facets.len() as u32).flat_map(|f| job.patches(f)).collect();
     let parts: Vec<Vec<Amplitude>> = patches.par_iter().map(|patch| job.integrate(patch)).collect();
@@ -156,7 +157,8 @@ impl Job<'_> {
 /// Where a cell asks whether it is lit all over, beside its middle.
 const PROBES: [[f64; 3]; 3] = [[0.9, 0.05, 0.05], [0.05, 0.9, 0.05], [0.05, 0.05, 0.9]];
 
-/// Radon's rule of degree 5 with 7 points: barycentric coordinates and share of the area (Abramowitz & Stegun 25.4.63).
+/// Radon's rule of degree 5 with 7 points: barycentric coordinates and share of the area (Abramowitz & Stegun
+/// 25.4.63).
 fn quadrature_points() -> [([f64; 3], f64); 7] {
     let root = 15.0_f64.sqrt();
     let near = |r: f64| ((6.0 + r) / 21.0, (9.0 - 2.0 * r) / 21.0, (155.0 + r) / 1200.0);

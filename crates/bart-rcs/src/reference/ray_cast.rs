@@ -1,4 +1,5 @@
-//! The references' own ray caster: obvhs finds candidates in single precision, a hit is decided in double precision.
+//! The references' own ray caster: obvhs finds candidates in single precision, a hit is decided in double
+//! precision.
 
 use crate::reference::standpoint::Post;
 use artifact::material::{Makeup, Material, Transmission};
@@ -32,7 +33,9 @@ pub enum ReferenceError {
         vertices: usize,
     },
     /// Rays are shot over the silhouette, which needs a view from outside.
-    #[error("the antenna at {distance_m} m from the body's middle is inside its circumscribed sphere of {radius_m} m")]
+    #[error(
+        "the antenna at {distance_m} m from the body's middle is inside its circumscribed sphere of {radius_m} m"
+    )]
     AntennaInside {
         /// Antenna to the middle.
         distance_m: f64,
@@ -46,7 +49,9 @@ pub enum ReferenceError {
         material: String,
     },
     /// A permittivity that grows waves, or a layer without a thickness.
-    #[error("material `{material}`: permittivities need a real part of 1 or more and no gain, layers a thickness")]
+    #[error(
+        "material `{material}`: permittivities need a real part of 1 or more and no gain, layers a thickness"
+    )]
     MaterialNotSound {
         /// Its name.
         material: String,
@@ -100,11 +105,11 @@ pub(crate) struct Body {
     slot_of_triangle: Vec<u16>,
 }
 
-/// Coincident facets count as touching within this share of the body's radius: their hit distances differ by rounding,
-/// 1e-15 of it, and real gaps of vehicles are 1e-5 of it and more.
+/// Coincident facets count as touching within this share of the body's radius: their hit distances differ by
+/// rounding, 1e-15 of it, and real gaps of vehicles are 1e-5 of it and more.
 const TOUCHING: f64 = 1e-10;
-/// Boxes grow by this share of the radius. Single precision moves a box's side by 6e-8 and a ray of two radii by 3e-7 of
-/// the radius (its start, its direction and obvhs's least direction component of 1.2e-7).
+/// Boxes grow by this share of the radius. Single precision moves a box's side by 6e-8 and a ray of two radii
+/// by 3e-7 of the radius (its start, its direction and obvhs's least direction component of 1.2e-7).
 const BOX_MARGIN: f64 = 2e-6;
 
 impl Body {
@@ -129,10 +134,11 @@ impl Body {
         Some(self.makeup.material(slot)).filter(|material| **material != Material::Conductor)
     }
 
-    /// The first facet that a ray from `origin_m` along unit `direction` meets beyond the touching zone, other than
-    /// `left`. Of coincident facets it is the one of lowest index.
+    /// The first facet that a ray from `origin_m` along unit `direction` meets beyond the touching zone,
+    /// other than `left`. Of coincident facets it is the one of lowest index.
     pub(crate) fn nearest(&self, origin_m: DVec3, direction: DVec3, left: Option<u32>) -> Option<Hit> {
-        // The single-precision ray starts where the line enters the circumscribed sphere, so that it stays short.
+        // The single-precision ray starts where the line enters the circumscribed sphere, so that it stays
+        // short.
         let skipped_m = ((self.centre_m - origin_m).dot(direction) - 1.01 * self.radius_m).max(0.0);
         let mut best: Option<Hit> = None;
         let ray = self.single_precision(origin_m + skipped_m * direction, direction, f32::INFINITY);
@@ -159,8 +165,8 @@ impl Body {
         ahead_m > self.touching_m || (ahead_m.abs() <= self.touching_m && facet < than.facet)
     }
 
-    /// Whether the straight line from a point of `facet` to the antenna is free. A facet that touches the point hides it
-    /// only if its index is lower: of coincident facets exactly one is lit.
+    /// Whether the straight line from a point of `facet` to the antenna is free. A facet that touches the
+    /// point hides it only if its index is lower: of coincident facets exactly one is lit.
     pub(crate) fn is_clear(&self, point_m: DVec3, facet: u32, post: &Post) -> bool {
         let leg = post.leg_from(point_m);
         let ray = self.single_precision(point_m, leg.towards, f32::INFINITY);
@@ -201,8 +207,8 @@ impl Body {
     }
 }
 
-/// On which side of the line from–to a ray passes: the sign is exact, so that no ray slips between the facets at an edge
-/// or around a corner (rounded signs let rays aimed at corners pass).
+/// On which side of the line from–to a ray passes: the sign is exact, so that no ray slips between the facets
+/// at an edge or around a corner (rounded signs let rays aimed at corners pass).
 fn side(origin_m: DVec3, direction: DVec3, from: DVec3, to: DVec3) -> f64 {
     let coordinates = |p: DVec3| Coord3D { x: p.x, y: p.y, z: p.z };
     let [origin, through, from, to] = [origin_m, origin_m + direction, from, to].map(coordinates);

@@ -1,10 +1,12 @@
-//! Shooting and bouncing rays (Ling, Chou, Lee 1989): rays on a grid over the silhouette, reflected as by mirrors; where
-//! each meets the body, the physical-optics integral over its tube's footprint, if the receiver sees it.
+//! Shooting and bouncing rays (Ling, Chou, Lee 1989): rays on a grid over the silhouette, reflected as by
+//! mirrors; where each meets the body, the physical-optics integral over its tube's footprint, if the
+//! receiver sees it.
 //!
-//! The node is the last facet of every sequence (exit node). Facets are flat, so a tube spreads as from the image of the
-//! antenna: dA = dΩ·L²/|n·d| after a way of length L (dA = da/|n·d| at infinite range). The footprint is the
-//! parallelogram of a = L(g_u − d (n·g_u)/(n·d)) and b alike, g_u = ∂d/∂u·Δu reflected along with the ray; the phase is
-//! taken as linear over it, which gives sinc(w·a/2)·sinc(w·b/2), w = −k(d₁ + d₂) (their shape function).
+//! The node is the last facet of every sequence (exit node). Facets are flat, so a tube spreads as from the
+//! image of the antenna: dA = dΩ·L²/|n·d| after a way of length L (dA = da/|n·d| at infinite range). The
+//! footprint is the parallelogram of a = L(g_u − d (n·g_u)/(n·d)) and b alike, g_u = ∂d/∂u·Δu reflected along
+//! with the ray; the phase is taken as linear over it, which gives sinc(w·a/2)·sinc(w·b/2), w = −k(d₁ + d₂)
+//! (their shape function).
 
 use crate::reference::coated::{self, Fields, Surface, fields_at_all};
 use crate::reference::node::{self, Arrival, Bracket, Node};
@@ -22,7 +24,8 @@ use rayon::prelude::*;
 /// How many rays, how far.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shooting {
-    /// Rays along a wavelength at the body's middle, across the line of sight (the shortest wavelength asked for).
+    /// Rays along a wavelength at the body's middle, across the line of sight (the shortest wavelength asked
+    /// for).
     pub per_wavelength: f64,
     /// Highest bounce order.
     pub bounces: u8,
@@ -80,7 +83,8 @@ struct Grid {
     columns: u64,
 }
 
-/// A ray and how its direction (finite range) or its place (infinite range) changes to the next ray of the grid.
+/// A ray and how its direction (finite range) or its place (infinite range) changes to the next ray of the
+/// grid.
 #[derive(Clone, Copy)]
 struct Tube {
     origin_m: DVec3,
@@ -91,8 +95,8 @@ struct Tube {
     excess_m: f64,
 }
 
-/// The grid is turned against the body by this angle: rows along an edge would gain or lose a whole row at once, and
-/// convergence would be of first order (a plate: error ∝ spacing instead of spacing^1.5).
+/// The grid is turned against the body by this angle: rows along an edge would gain or lose a whole row at
+/// once, and convergence would be of first order (a plate: error ∝ spacing instead of spacing^1.5).
 const GRID_TURN_RAD: f64 = 0.5;
 
 impl Grid {
@@ -140,7 +144,8 @@ impl Grid {
     fn projected(&self, point_m: DVec3) -> DVec3 {
         let Some(antenna_m) = self.antenna_m else { return point_m - self.centre_m };
         let ray = point_m - antenna_m;
-        antenna_m + ray * ((self.centre_m - antenna_m).dot(self.travel) / ray.dot(self.travel)) - self.centre_m
+        antenna_m + ray * ((self.centre_m - antenna_m).dot(self.travel) / ray.dot(self.travel))
+            - self.centre_m
     }
 
     fn tube(&self, transmitter: &Post, row: u64, column: u64, start_m: f64) -> Tube {
@@ -150,7 +155,8 @@ impl Grid {
             Some(antenna_m) => {
                 let line = through_m - antenna_m;
                 let travel = line / line.length();
-                let across = |axis: DVec3| (axis - travel * travel.dot(axis)) * (self.spacing_m / line.length());
+                let across =
+                    |axis: DVec3| (axis - travel * travel.dot(axis)) * (self.spacing_m / line.length());
                 (antenna_m, travel, self.axes.map(across))
             }
             None => (through_m - start_m * self.travel, self.travel, self.axes.map(|a| a * self.spacing_m)),
@@ -177,7 +183,10 @@ impl Job<'_> {
     fn shoot_row(&self, row: u64) -> Orders {
         let mut sums = self.nothing();
         for column in 0..self.grid.columns {
-            self.follow(self.grid.tube(&self.ends.transmitter, row, column, 1.01 * self.body.radius_m), &mut sums);
+            self.follow(
+                self.grid.tube(&self.ends.transmitter, row, column, 1.01 * self.body.radius_m),
+                &mut sums,
+            );
         }
         sums
     }
@@ -223,10 +232,12 @@ impl Job<'_> {
         let leg = receiver.leg_from(x_m);
         let backward = Arrival::direct(&leg, receiver.polarizations(leg.towards));
         let normal = self.body.facets[facet as usize].normal;
-        let Some(node) = node::node(&self.ends, &tube.arrival(), &backward, normal, self.shooting.bracket) else {
+        let Some(node) = node::node(&self.ends, &tube.arrival(), &backward, normal, self.shooting.bracket)
+        else {
             return;
         };
-        if !self.body.scatters(facet, backward.travel, self.shooting.sides) || !self.body.is_clear(x_m, facet, receiver)
+        if !self.body.scatters(facet, backward.travel, self.shooting.sides)
+            || !self.body.is_clear(x_m, facet, receiver)
         {
             return;
         }
@@ -236,8 +247,12 @@ impl Job<'_> {
             (coated, material) => {
                 let conductor = Material::Conductor;
                 let own = fields_at_all(tube.fields, self.wavenumbers_per_m);
-                let met =
-                    Met { tube, sent: coated.unwrap_or(&own), backward, material: material.unwrap_or(&conductor) };
+                let met = Met {
+                    tube,
+                    sent: coated.unwrap_or(&own),
+                    backward,
+                    material: material.unwrap_or(&conductor),
+                };
                 self.add_coated(&node, &met, footprint, sums);
             }
         }
@@ -253,7 +268,8 @@ impl Job<'_> {
         let forward = met.tube.arrival();
         for ((sum, &wavenumber_per_m), sent) in sums.iter_mut().zip(self.wavenumbers_per_m).zip(met.sent) {
             let surface = Surface { material: met.material, wavenumber_per_m };
-            let weight = coated::weight(node, (&forward, sent), &met.backward, &surface, self.shooting.bracket);
+            let weight =
+                coated::weight(node, (&forward, sent), &met.backward, &surface, self.shooting.bracket);
             node::add_with_phase(sum, &weight, integral(node, footprint, wavenumber_per_m));
         }
     }
@@ -279,7 +295,8 @@ impl Tube {
         self.origin_m += hit.distance_m * self.travel;
         self.length_m += hit.distance_m;
         if order == 0 {
-            // From the point itself: r − R keeps its digits, and at infinite range the ray's start does not matter.
+            // From the point itself: r − R keeps its digits, and at infinite range the ray's start does not
+            // matter.
             self.excess_m = transmitter.leg_from(self.origin_m).excess_m;
         } else {
             self.excess_m += hit.distance_m;

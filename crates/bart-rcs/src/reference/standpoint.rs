@@ -92,8 +92,8 @@ impl Post {
         if self.antenna_m.is_some() { self.range_m / length_m } else { 1.0 }
     }
 
-    /// v̂ and ĥ of a path that reaches the antenna along `towards`: ĥ = unit(ẑ × r̂), v̂ = r̂ × ĥ; straight above or below,
-    /// the azimuth asked for decides.
+    /// v̂ and ĥ of a path that reaches the antenna along `towards`: ĥ = unit(ẑ × r̂), v̂ = r̂ × ĥ; straight
+    /// above or below, the azimuth asked for decides.
     pub(crate) fn polarizations(&self, towards: DVec3) -> [DVec3; 2] {
         // Below 1e-9 rad off the zenith ẑ × r̂ is rounding.
         let horizontal = DVec3::Z.cross(towards);

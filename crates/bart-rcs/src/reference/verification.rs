@@ -26,7 +26,8 @@ fn far(az_deg: f64, el_deg: f64) -> Aspect {
 }
 
 fn by_po(mesh: &Mesh, aspect: &Aspect, per_wavelength: f64, shadow_levels: u32) -> Amplitude {
-    let sampling = po::Sampling { per_wavelength, shadow_levels, sides: Sides::Two, bracket: Bracket::Symmetrised };
+    let sampling =
+        po::Sampling { per_wavelength, shadow_levels, sides: Sides::Two, bracket: Bracket::Symmetrised };
     po::amplitude(mesh, aspect, &[FREQUENCY_HZ], &sampling).unwrap()[0]
 }
 
@@ -79,7 +80,8 @@ fn triangular_trihedral(side_m: f64) -> Mesh {
     mesh_of(&[(0, 1), (1, 2), (2, 0)].map(|(i, j)| vec![[0.0; 3], tip(i), tip(j)]))
 }
 
-/// S of a plate in the plane x = 0 far away (physics.md P1): j√(4π)/λ·cos·∬e^{2jk r̂·x} over `y` and `z` limits.
+/// S of a plate in the plane x = 0 far away (physics.md P1): j√(4π)/λ·cos·∬e^{2jk r̂·x} over `y` and `z`
+/// limits.
 fn screen_far(az_deg: f64, el_deg: f64, x: f64, y: [f64; 2], z: [f64; 2]) -> Complex64 {
     let k = 2.0 * PI / WAVELENGTH_M;
     let r = Ends::of(&far(az_deg, el_deg)).transmitter.towards;
@@ -98,10 +100,14 @@ fn po_of_a_plate_converges_to_the_closed_form_at_any_angle() {
     let peak = screen_far(0.0, 0.0, 0.0, half, half).norm();
     for (az, el) in [(0.0, 0.0), (3.0, 0.0), (20.0, 10.0), (45.0, -30.0), (70.0, 5.0), (180.0, 20.0)] {
         let exact = screen_far(az, el, 0.0, half, half);
-        let error = |density: f64| (by_po(&square(side), &far(az, el), density, 0)[0][0] - exact).norm() / peak;
+        let error =
+            |density: f64| (by_po(&square(side), &far(az, el), density, 0)[0][0] - exact).norm() / peak;
         // Degree 5: twice the density is 2⁶ smaller.
         let (coarse, fine) = (error(2.0), error(8.0));
-        assert!(fine < 1e-7 && (fine < coarse / 64.0 || coarse < 1e-9), "az {az}, el {el}: {coarse:e}, {fine:e}");
+        assert!(
+            fine < 1e-7 && (fine < coarse / 64.0 || coarse < 1e-9),
+            "az {az}, el {el}: {coarse:e}, {fine:e}"
+        );
     }
 }
 
@@ -128,22 +134,28 @@ fn hidden_middle() -> (Mesh, Complex64) {
 #[test]
 fn a_shadow_converges_with_density_and_faster_with_refined_borders() {
     let (mesh, exact) = hidden_middle();
-    let error =
-        |density: f64, levels: u32| (by_po(&mesh, &far(0.0, 0.0), density, levels)[0][0] - exact).norm() / exact.norm();
-    // A border cell is wrong by at most its own area and there are 4·15.4 mm/edge of them: edge·61.6 mm over the lit
-    // 1363 mm² at the very worst, a tenth of it where they cancel as they do.
+    let error = |density: f64, levels: u32| {
+        (by_po(&mesh, &far(0.0, 0.0), density, levels)[0][0] - exact).norm() / exact.norm()
+    };
+    // A border cell is wrong by at most its own area and there are 4·15.4 mm/edge of them: edge·61.6 mm over
+    // the lit 1363 mm² at the very worst, a tenth of it where they cancel as they do.
     let edge_m = |density: f64, levels: u32| WAVELENGTH_M / density / (0.5 * f64::from(levels)).exp2();
     for (density, levels) in [(4.0, 0), (16.0, 0), (4.0, 6), (4.0, 10)] {
         let worst = edge_m(density, levels) * 0.0616 / 1.363e-3;
-        assert!(error(density, levels) < worst, "{density}, {levels}: {:e} of {worst:e}", error(density, levels));
+        assert!(
+            error(density, levels) < worst,
+            "{density}, {levels}: {:e} of {worst:e}",
+            error(density, levels)
+        );
     }
 }
 
 #[test]
 fn sbr_of_first_order_converges_to_po() {
     let (mesh, exact) = hidden_middle();
-    let errors = [2.0, 8.0, 32.0]
-        .map(|density| (by_sbr(&mesh, &far(0.0, 0.0), density, Bracket::Plain)[0][0][0] - exact).norm() / exact.norm());
+    let errors = [2.0, 8.0, 32.0].map(|density| {
+        (by_sbr(&mesh, &far(0.0, 0.0), density, Bracket::Plain)[0][0][0] - exact).norm() / exact.norm()
+    });
     // (spacing)^1.5 from borders at random places; the constant is of order one of borders·spacing^1.5/√area.
     assert!(errors[2] < 2e-3 && errors[2] < errors[0] / 8.0, "{errors:?}");
     let near = Aspect::monostatic(standpoint(10.0, 5.0, 2.0));
@@ -223,7 +235,8 @@ fn the_same_bytes_on_any_number_of_threads() {
     assert_eq!(run(1), run(3));
 }
 
-/// An octahedron cut finer `levels` times and blown up to a unit sphere: closed, shared corners are equal to the bit.
+/// An octahedron cut finer `levels` times and blown up to a unit sphere: closed, shared corners are equal to
+/// the bit.
 fn ball(levels: u32) -> Mesh {
     let tip = |axis: usize, sign: f64| std::array::from_fn(|j| if j == axis { sign } else { 0.0 });
     let mut faces = Vec::new();
@@ -268,15 +281,21 @@ fn no_ray_aimed_at_an_edge_or_a_corner_of_a_closed_mesh_passes_it() {
 
 #[test]
 fn a_ball_meets_a_grid_of_rays_over_its_cross_section() {
-    // First-order S at zero frequency's limit: long waves leave ∬dA cosine = the silhouette, half of the ball is lit.
+    // First-order S at zero frequency's limit: long waves leave ∬dA cosine = the silhouette, half of the ball
+    // is lit.
     let mesh = ball(5);
     let low_hz = 1.0;
     let aspect = far(33.0, 21.0);
-    let sampling =
-        po::Sampling { per_wavelength: 3e9, shadow_levels: 6, sides: Sides::Two, bracket: Bracket::Symmetrised };
+    let sampling = po::Sampling {
+        per_wavelength: 3e9,
+        shadow_levels: 6,
+        sides: Sides::Two,
+        bracket: Bracket::Symmetrised,
+    };
     let po = po::amplitude(&mesh, &aspect, &[low_hz], &sampling).unwrap()[0][0][0];
     let scale = (4.0 * PI).sqrt() * low_hz / SPEED_OF_LIGHT_MPS;
-    let shooting = sbr::Shooting { per_wavelength: 3e10, bounces: 1, sides: Sides::Two, bracket: Bracket::Symmetrised };
+    let shooting =
+        sbr::Shooting { per_wavelength: 3e10, bounces: 1, sides: Sides::Two, bracket: Bracket::Symmetrised };
     let sbr = sbr::amplitude(&mesh, &aspect, &[low_hz], &shooting).unwrap().orders[0][0][0][0];
     // Chords of 2⁻⁵·π/2 leave a polygon whose area is short by ⅔·sagitta ≈ 1e-3; the grid's border adds 2e-4.
     for (name, silhouette) in [("po", po.norm() / scale), ("sbr", sbr.norm() / scale)] {
@@ -289,7 +308,8 @@ fn a_ball_meets_a_grid_of_rays_over_its_cross_section() {
 fn bad_input_is_refused_with_its_place() {
     let mut mesh = square(0.1);
     mesh.triangles[1][2] = 7;
-    let sampling = po::Sampling { per_wavelength: 1.0, shadow_levels: 0, sides: Sides::Two, bracket: Bracket::Plain };
+    let sampling =
+        po::Sampling { per_wavelength: 1.0, shadow_levels: 0, sides: Sides::Two, bracket: Bracket::Plain };
     let run = |mesh: &Mesh, hz: f64| po::amplitude(mesh, &far(0.0, 0.0), &[hz], &sampling);
     let expected = ReferenceError::IndexOutOfRange { triangle: 1, vertex: 7, vertices: 4 };
     assert_eq!(run(&mesh, 77e9), Err(expected));
@@ -297,7 +317,8 @@ fn bad_input_is_refused_with_its_place() {
     mesh.vertices_m[2][1] = f64::NAN;
     assert_eq!(run(&mesh, 77e9), Err(ReferenceError::NotFinite { vertex: 2 }));
     let inside = Aspect::monostatic(standpoint(0.0, 0.0, 0.05));
-    let shooting = sbr::Shooting { per_wavelength: 1.0, bounces: 1, sides: Sides::Two, bracket: Bracket::Plain };
+    let shooting =
+        sbr::Shooting { per_wavelength: 1.0, bounces: 1, sides: Sides::Two, bracket: Bracket::Plain };
     let refused = sbr::amplitude(&square(0.1), &inside, &[77e9], &shooting);
     assert!(matches!(refused, Err(ReferenceError::AntennaInside { .. })));
     assert_eq!(run(&Mesh::default(), 77e9), Ok(vec![Amplitude::default()]));

@@ -1,13 +1,14 @@
 //! The height of a curved skin over a flat facet: a cubic in barycentric coordinates λ.
 //!
-//! Beams end on the flat facet; physical optics is integrated over the skin above it, point for point along the facet's
-//! normal. With h the height, its points are x + h·n and its area vector per area of the facet is n − ∇h.
+//! Beams end on the flat facet; physical optics is integrated over the skin above it, point for point along
+//! the facet's normal. With h the height, its points are x + h·n and its area vector per area of the facet is
+//! n − ∇h.
 
 use crate::geometry::facet_geometry::FacetGeometry;
 use glam::{DMat3, DVec3};
 
-/// Heights of the six control points beside a cubic's corners: on side k (from corner k to the next) the one nearer to its
-/// start and the one nearer to its end, m along the normal of the winding.
+/// Heights of the six control points beside a cubic's corners: on side k (from corner k to the next) the one
+/// nearer to its start and the one nearer to its end, m along the normal of the winding.
 pub(crate) type ControlHeights = [f64; 6];
 
 /// A skin over one facet.
@@ -64,8 +65,9 @@ impl Bend {
         [a, b, c, (a + b + c) / 3.0].map(|x| self.at(x).1.length()).into_iter().fold(0.0, f64::max)
     }
 
-    /// A bound of the slope anywhere: the slope is of second degree, and nowhere larger than its largest control vector
-    /// (Farin 1986). A needle can be flat at its corners and in its middle, and stand upright between them.
+    /// A bound of the slope anywhere: the slope is of second degree, and nowhere larger than its largest
+    /// control vector (Farin 1986). A needle can be flat at its corners and in its middle, and stand upright
+    /// between them.
     pub(crate) fn steepest_bound(&self) -> f64 {
         let [next, before] = [|k: usize| (k + 1) % 3, |k: usize| (k + 2) % 3];
         let of_corner = |k: usize| {
@@ -74,7 +76,9 @@ impl Bend {
         };
         let of_side = |k: usize| {
             let [from, to] = self.of_side(k);
-            from * self.gradients[k] + to * self.gradients[next(k)] + self.middle_m * self.gradients[before(k)]
+            from * self.gradients[k]
+                + to * self.gradients[next(k)]
+                + self.middle_m * self.gradients[before(k)]
         };
         (0..3).flat_map(|k| [of_corner(k), of_side(k)]).map(|slope| 3.0 * slope.length()).fold(0.0, f64::max)
     }
@@ -165,7 +169,8 @@ mod tests {
             let (x, step) = (inside(u, v), 1e-2 * (inside(1.0, 0.0) - inside(0.0, 1.0)));
             let [(low, from), (high, to)] = [bend.at(x - step), bend.at(x + step)];
             let ((middle, gradient), along) = (bend.at(x), bend.along([step].into_iter()));
-            // Central differences of a cubic err by a sixth of its third derivative, and by nothing at the second.
+            // Central differences of a cubic err by a sixth of its third derivative, and by nothing at the
+            // second.
             let first = 0.5 * (high - low) - gradient.dot(step);
             assert!((first.abs() - along.third_m / 6.0).abs() < 1e-14);
             let [second, turn] = [(high - 2.0 * middle + low).abs(), 0.5 * (to - from).length()];
@@ -180,7 +185,8 @@ mod tests {
     fn no_slope_of_the_skin_is_steeper_than_its_bound_nor_half_as_steep() {
         let bend = bend();
         let [a, b, c] = bend.corners_m;
-        let places = (0..=20).flat_map(|i| (0..=20 - i).map(move |j| (f64::from(i) / 20.0, f64::from(j) / 20.0)));
+        let places =
+            (0..=20).flat_map(|i| (0..=20 - i).map(move |j| (f64::from(i) / 20.0, f64::from(j) / 20.0)));
         let slopes = places.map(|(u, v)| bend.at(a + u * (b - a) + v * (c - a)).1.length());
         let (found, bound) = (slopes.fold(0.0, f64::max), bend.steepest_bound());
         println!("steepest {found:.4}, bound {bound:.4}");

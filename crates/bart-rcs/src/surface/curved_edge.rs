@@ -1,6 +1,7 @@
 //! An edge of the curved skin, halved again and again: closed forms that need nothing but its two ends.
 //!
-//! Both triangles at an edge hold the same values and so find the same bits: refined neighbours share every vertex.
+//! Both triangles at an edge hold the same values and so find the same bits: refined neighbours share every
+//! vertex.
 
 use glam::DVec3;
 
@@ -32,13 +33,15 @@ struct Middle {
 }
 
 impl CurvedEdge {
-    /// Largest distance of the curve from its chord, m: a quarter of the length times the larger slope at an end (the control
-    /// polygon of a cubic), which an arc reaches.
+    /// Largest distance of the curve from its chord, m: a quarter of the length times the larger slope at an
+    /// end (the control polygon of a cubic), which an arc reaches.
     pub(crate) fn sagitta_m(&self) -> f64 {
         let chord = self.chord_m();
         match self.curve {
             Curve::Straight => 0.0,
-            Curve::OnSkin(normals) => 0.25 * normals.map(|n| chord.dot(n).abs()).into_iter().fold(0.0, f64::max),
+            Curve::OnSkin(normals) => {
+                0.25 * normals.map(|n| chord.dot(n).abs()).into_iter().fold(0.0, f64::max)
+            }
             Curve::Crease(tangents) => {
                 let across = handles_m(chord, tangents).map(|h| h.cross(chord).length() / chord.length());
                 0.75 * across[0].max(across[1])
@@ -59,8 +62,9 @@ impl CurvedEdge {
 
     /// What a cubic over a facet with this side misses of the skin, m.
     ///
-    /// Of an arc ρθ⁴/128 along the side, of a sphere ρθ⁴/72 = sagitta·θ²/9 over the middle of an equilateral facet; twice
-    /// that, since both neighbours err the same way. And the cubic's rise less that of rulings that converge ([`rise_m`]).
+    /// Of an arc ρθ⁴/128 along the side, of a sphere ρθ⁴/72 = sagitta·θ²/9 over the middle of an equilateral
+    /// facet; twice that, since both neighbours err the same way. And the cubic's rise less that of rulings
+    /// that converge ([`rise_m`]).
     pub(crate) fn cubic_error_m(&self) -> f64 {
         let Curve::OnSkin(normals) = self.curve else { return 0.0 };
         let (chord, turn) = (self.chord_m(), self.turn_rad());
@@ -70,8 +74,8 @@ impl CurvedEdge {
         self.sagitta_m() * turn * turn / 4.5 + 0.125 * chord.length() * (a + b - harmonic).abs()
     }
 
-    /// Heights over a plane through both ends of the control points of a cubic, a third of the chord from the first end and
-    /// from the second: there the tangent planes or tangents at the ends pass.
+    /// Heights over a plane through both ends of the control points of a cubic, a third of the chord from the
+    /// first end and from the second: there the tangent planes or tangents at the ends pass.
     pub(crate) fn control_heights_m(&self, normal: DVec3) -> [f64; 2] {
         let third = self.chord_m() / 3.0;
         let steps = [third, -third];
@@ -129,11 +133,12 @@ impl CurvedEdge {
 
 /// From the chord's middle to the skin.
 ///
-/// With slopes a and b against the chord at its ends the rise is ¼·L·2ab/(a + b), their harmonic mean: on a developable
-/// skin whose rulings converge, a cone, the height along a slanting chord is K·t(1 − t)/(r₀(1 − t) + r₁t), of which this is
-/// the middle; where a = b it is the cubic's, and it differs from the cubic's by fourth order, as the cubic does from the
-/// skin. The divisor 4 + 2|n₀ + n₁| = 8cos²¼γ in place of 8, γ the angle between the normals, makes it exact on a sphere and,
-/// straight or slanting, on a cylinder: ρ(1 − cos ½γ) = ρ(1 − cos γ)/(4cos²¼γ).
+/// With slopes a and b against the chord at its ends the rise is ¼·L·2ab/(a + b), their harmonic mean: on a
+/// developable skin whose rulings converge, a cone, the height along a slanting chord is K·t(1 − t)/(r₀(1 −
+/// t) + r₁t), of which this is the middle; where a = b it is the cubic's, and it differs from the cubic's by
+/// fourth order, as the cubic does from the skin. The divisor 4 + 2|n₀ + n₁| = 8cos²¼γ in place of 8, γ the
+/// angle between the normals, makes it exact on a sphere and, straight or slanting, on a cylinder: ρ(1 − cos
+/// ½γ) = ρ(1 − cos γ)/(4cos²¼γ).
 fn rise_m(chord: DVec3, normals: [DVec3; 2]) -> DVec3 {
     let sum = normals[0] + normals[1];
     let [a, b] = slopes(chord, normals);
@@ -148,8 +153,9 @@ fn slopes(chord: DVec3, normals: [DVec3; 2]) -> [f64; 2] {
     [-normals[0].dot(chord) / length, normals[1].dot(chord) / length]
 }
 
-/// The ends' normals in the ratio of the slopes at the other end, which is square to the chord and on a cone that of the ruling
-/// there, leaning as the height of [`rise_m`] slopes in its middle; of a curve that winds, as a cubic does.
+/// The ends' normals in the ratio of the slopes at the other end, which is square to the chord and on a cone
+/// that of the ruling there, leaning as the height of [`rise_m`] slopes in its middle; of a curve that winds,
+/// as a cubic does.
 fn normal_at_middle(chord: DVec3, normals: [DVec3; 2]) -> DVec3 {
     let [a, b] = slopes(chord, normals);
     let both = a.abs() + b.abs();
@@ -158,14 +164,17 @@ fn normal_at_middle(chord: DVec3, normals: [DVec3; 2]) -> DVec3 {
         return rejected(normals[0] + normals[1], chord).try_normalize().unwrap_or(normals[0]);
     }
     let weighted = (a.abs() * normals[1] + b.abs() * normals[0]) / both;
-    let slope =
-        if a * b > 0.0 { -a * b * (a - b) / (both * both) } else { -0.5 * (a - b) * a.abs().min(b.abs()) / both };
+    let slope = if a * b > 0.0 {
+        -a * b * (a - b) / (both * both)
+    } else {
+        -0.5 * (a - b) * a.abs().min(b.abs()) / both
+    };
     let square = rejected(weighted, chord).try_normalize().unwrap_or(normals[0]);
     (square - slope * chord / chord.length()).try_normalize().unwrap_or(square)
 }
 
-/// Of the cubic: 2/3 of the chord's length over 1 + cos α for a tangent that leaves the chord at α: for an arc of angle 2α
-/// this is the 4/3·ρ·tan ½α of the cubic that leaves it by sixth order only.
+/// Of the cubic: 2/3 of the chord's length over 1 + cos α for a tangent that leaves the chord at α: for an
+/// arc of angle 2α this is the 4/3·ρ·tan ½α of the cubic that leaves it by sixth order only.
 fn handles_m(chord: DVec3, tangents: [DVec3; 2]) -> [DVec3; 2] {
     let length = chord.length();
     tangents.map(|t| t * (2.0 * length / (3.0 * (1.0 + t.dot(chord) / length))))
@@ -203,7 +212,8 @@ mod tests {
         let sphere = worst(on_skin([a, b], [a, b]), 6, &|x| x.length() - 1.0);
         let around = |angle: f64| DVec3::new(angle.cos(), angle.sin(), 0.0);
         let slanting = [around(0.1), around(0.9) + 2.0 * DVec3::Z];
-        let cylinder = worst(on_skin(slanting, [around(0.1), around(0.9)]), 6, &|x| x.truncate().length() - 1.0);
+        let cylinder =
+            worst(on_skin(slanting, [around(0.1), around(0.9)]), 6, &|x| x.truncate().length() - 1.0);
         println!("sphere {sphere:.1e}, cylinder {cylinder:.1e}");
         // A few roundings of coordinates of 1 and 2 per halving.
         assert!(sphere < 64.0 * f64::EPSILON && cylinder < 64.0 * f64::EPSILON);
@@ -213,11 +223,13 @@ mod tests {
     fn an_edge_on_any_other_skin_errs_by_fourth_order() {
         // z = x² − ½y² + 0.3x³ + 0.4x⁴ along the line y = x: its fourth derivative there is that of 0.4x⁴.
         let z = |x: f64, y: f64| x * x - 0.5 * y * y + 0.3 * x.powi(3) + 0.4 * x.powi(4);
-        let normal =
-            |x: f64, y: f64| DVec3::new(-2.0 * x - 0.9 * x * x - 1.6 * x.powi(3), y, 1.0).try_normalize().unwrap();
+        let normal = |x: f64, y: f64| {
+            DVec3::new(-2.0 * x - 0.9 * x * x - 1.6 * x.powi(3), y, 1.0).try_normalize().unwrap()
+        };
         let error = |length: f64| {
             let at = |x: f64| DVec3::new(x, x, z(x, x));
-            let edge = on_skin([at(0.1), at(0.1 + length)], [normal(0.1, 0.1), normal(0.1 + length, 0.1 + length)]);
+            let edge =
+                on_skin([at(0.1), at(0.1 + length)], [normal(0.1, 0.1), normal(0.1 + length, 0.1 + length)]);
             worst(edge, 5, &|x| x.z - z(x.x, x.y))
         };
         let (long, short) = (error(0.2), error(0.1));
@@ -230,7 +242,11 @@ mod tests {
         let around = |angle: f64| DVec3::new(angle.cos(), angle.sin(), 0.0);
         for angle in [0.1, 0.2, 0.4_f64] {
             let tangents = [0.0, angle].map(|a| around(a + std::f64::consts::FRAC_PI_2));
-            let edge = CurvedEdge { ends_m: [around(0.0), around(angle)], curve: Curve::Crease(tangents), halvings: 0 };
+            let edge = CurvedEdge {
+                ends_m: [around(0.0), around(angle)],
+                curve: Curve::Crease(tangents),
+                halvings: 0,
+            };
             let got = worst(edge, 5, &|x| x.length() - 1.0);
             // 4/27·sin⁶(¼θ)/cos²(¼θ) (Goldapp 1991), 1/64 of it at each further halving, and rounding.
             let bound = 4.0 / 27.0 * (0.25 * angle).sin().powi(6) / (0.25 * angle).cos().powi(2);

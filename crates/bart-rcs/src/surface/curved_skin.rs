@@ -1,7 +1,8 @@
 //! The curved skin that a mesh's normals tell of, as flat triangles so small that it does not matter.
 //!
-//! Every edge becomes a curve by the normals at its ends ([`CurvedEdge`]); triangles are cut where their edges bend
-//! ([`refined`]). What is flat stays what it is, bit for bit. Why so: `docs/decisions/curved-skin.md`.
+//! Every edge becomes a curve by the normals at its ends ([`CurvedEdge`]); triangles are cut where their
+//! edges bend ([`refined`]). What is flat stays what it is, bit for bit. Why so:
+//! `docs/decisions/curved-skin.md`.
 
 use crate::geometry::plane::Plane;
 use crate::mesh::mesh_edges::{MeshEdge, MeshEdges, Side};
@@ -25,7 +26,8 @@ pub(crate) struct CurvedSkin {
 const SAME_NORMAL: f64 = 1e-3;
 /// A stored normal further than this from its facet's is none.
 const LEAN_MAX: f64 = 75.0 * std::f64::consts::PI / 180.0;
-/// Two skins whose normals differ by less at an edge that no crease can follow are one skin with careless normals.
+/// Two skins whose normals differ by less at an edge that no crease can follow are one skin with careless
+/// normals.
 const CARELESS: f64 = 20.0 * std::f64::consts::PI / 180.0;
 
 impl CurvedSkin {
@@ -42,8 +44,10 @@ impl CurvedSkin {
         let facets = Facets { corners_m, normals: &face_normals, places: &places, edges: &edges };
         let normals = corner_normals(mesh, &facets);
         let at_m = |place: u32| vertices_m[place as usize];
-        let curves: Vec<CurvedEdge> =
-            (0..edges.len()).into_par_iter().map(|edge| curved(&edges.edge(edge), at_m, &places, &normals)).collect();
+        let curves: Vec<CurvedEdge> = (0..edges.len())
+            .into_par_iter()
+            .map(|edge| curved(&edges.edge(edge), at_m, &places, &normals))
+            .collect();
         let bent = |triangle: usize| {
             let places = places[triangle]?;
             let side = |k: usize| {
@@ -64,7 +68,8 @@ impl CurvedSkin {
         self.triangles.par_iter().map(of).collect::<Vec<_>>().into_iter().sum()
     }
 
-    /// Facets whose sides bend no more than the limits allow; what needs no cut keeps its corners, bit for bit.
+    /// Facets whose sides bend no more than the limits allow; what needs no cut keeps its corners, bit for
+    /// bit.
     pub(crate) fn facets(&self, corners_m: &[[DVec3; 3]], limits: &Limits) -> SkinTriangles {
         let of = |(bent, corners): (&Option<BentTriangle>, &[DVec3; 3])| {
             let Some(bent) = bent else { return vec![(*corners, [DVec3::ZERO; 3], [0.0; 6])] };
@@ -89,7 +94,8 @@ impl CurvedSkin {
     }
 }
 
-/// A skin steeper than this over its facet stands on a sliver: its height is that of the long sides, its slope made of nothing.
+/// A skin steeper than this over its facet stands on a sliver: its height is that of the long sides, its
+/// slope made of nothing.
 const STEEP: f64 = 1.0;
 /// So does one that may be as steep as this anywhere; bounds of round skins are up to twice their slopes.
 const STEEP_BOUND: f64 = 2.0;
@@ -107,7 +113,8 @@ fn control_heights_m(bent: &BentTriangle, limits: &Limits) -> ControlHeights {
     if is_bent { heights_m } else { [0.0; 6] }
 }
 
-/// Unit normals at the corners of every triangle on the side of its winding: stored ones where they are any, made ones else.
+/// Unit normals at the corners of every triangle on the side of its winding: stored ones where they are any,
+/// made ones else.
 fn corner_normals(mesh: &Mesh, facets: &Facets<'_>) -> Vec<[DVec3; 3]> {
     let stored = |triangle: usize, k: usize| {
         let vertex = mesh.triangles[triangle][k] as usize;
@@ -116,12 +123,14 @@ fn corner_normals(mesh: &Mesh, facets: &Facets<'_>) -> Vec<[DVec3; 3]> {
         let normal = if normal.dot(own) < 0.0 { -normal } else { normal };
         (normal.angle_between(own) <= LEAN_MAX).then_some(normal)
     };
-    let stored: Vec<[Option<DVec3>; 3]> = (0..mesh.triangles.len()).map(|t| [0, 1, 2].map(|k| stored(t, k))).collect();
+    let stored: Vec<[Option<DVec3>; 3]> =
+        (0..mesh.triangles.len()).map(|t| [0, 1, 2].map(|k| stored(t, k))).collect();
     if stored.iter().flatten().all(Option::is_some) {
         return stored.into_iter().map(|corners| corners.map(|n| n.unwrap_or(DVec3::ZERO))).collect();
     }
     let made = made_normals(facets);
-    let either = |(stored, made): (&[Option<DVec3>; 3], &[DVec3; 3])| [0, 1, 2].map(|k| stored[k].unwrap_or(made[k]));
+    let either =
+        |(stored, made): (&[Option<DVec3>; 3], &[DVec3; 3])| [0, 1, 2].map(|k| stored[k].unwrap_or(made[k]));
     stored.iter().zip(&made).map(either).collect()
 }
 
@@ -133,8 +142,9 @@ fn curved(
     normals: &[[DVec3; 3]],
 ) -> CurvedEdge {
     let ends_m = edge.ends.map(at_m);
-    let is_forth =
-        |side: &Side| places[side.triangle as usize].is_some_and(|p| p[usize::from(side.side)] == edge.ends[0]);
+    let is_forth = |side: &Side| {
+        places[side.triangle as usize].is_some_and(|p| p[usize::from(side.side)] == edge.ends[0])
+    };
     let of_side = |side: &Side| {
         let (t, k) = (side.triangle as usize, usize::from(side.side));
         let walked = [normals[t][k], normals[t][(k + 1) % 3]];
@@ -177,8 +187,8 @@ fn mean(a: DVec3, b: DVec3) -> DVec3 {
     (a + b).try_normalize().unwrap_or(a)
 }
 
-/// Where two skins meet: along the line that lies in both tangent planes, or in the one where they touch. `None` where that
-/// line leaves the chord by much more than the skins do.
+/// Where two skins meet: along the line that lies in both tangent planes, or in the one where they touch.
+/// `None` where that line leaves the chord by much more than the skins do.
 fn crease(chord: DVec3, a: &[DVec3; 2], b: &[DVec3; 2]) -> Option<Curve> {
     let along = chord.try_normalize()?;
     let lean = |n: &[DVec3; 2]| n.map(|n| n.dot(along).abs().min(1.0).asin()).into_iter().fold(0.0, f64::max);

@@ -1,20 +1,22 @@
-//! Corner normals of a mesh that stores none: which edges are creases, and what the skin's normal is elsewhere.
+//! Corner normals of a mesh that stores none: which edges are creases, and what the skin's normal is
+//! elsewhere.
 //!
-//! A tessellated round turns on from edge to edge about as much; a crease turns once. And a facet beside a round that is
-//! much wider than the round's own, or that goes on flat, is a flat with a round joined to it: it keeps its normal, and
-//! the round takes it over.
+//! A tessellated round turns on from edge to edge about as much; a crease turns once. And a facet beside a
+//! round that is much wider than the round's own, or that goes on flat, is a flat with a round joined to it:
+//! it keeps its normal, and the round takes it over.
 
 use crate::mesh::mesh_edges::{MeshEdges, Side, Winding, sides_of};
 use glam::DVec3;
 
-/// No smooth skin is cut so coarsely that it turns more than this at an edge: a round of eight sides turns 45°, an
-/// icosahedron 41.8°.
+/// No smooth skin is cut so coarsely that it turns more than this at an edge: a round of eight sides turns
+/// 45°, an icosahedron 41.8°.
 const TURN_MAX: f64 = 50.0 * std::f64::consts::PI / 180.0;
 /// A round goes on turning at least by this part of its last turn.
 const GOES_ON: f64 = 0.25;
 /// A facet this many times as wide as its neighbour is no step of the same round.
 const WIDER: f64 = 3.0;
-/// An edge tells what a facet's skin does across another one if the two ways across are at least this parallel (cosine).
+/// An edge tells what a facet's skin does across another one if the two ways across are at least this
+/// parallel (cosine).
 const SAME_WAY: f64 = 0.4;
 
 /// Facets with their planes.
@@ -120,7 +122,9 @@ fn turns(facets: &Facets<'_>) -> Vec<[Turn; 3]> {
     let largest = facets.corners_m.iter().flatten().fold(0.0, |m, c| c.abs().max_element().max(m));
     let rounding_m = largest * f64::from(f32::EPSILON);
     let angle = |side: Side| {
-        let Some((other, sign)) = facets.across(side) else { return Turn { angle: 0.0, kind: TurnKind::Crease } };
+        let Some((other, sign)) = facets.across(side) else {
+            return Turn { angle: 0.0, kind: TurnKind::Crease };
+        };
         let angle = facets.normal(side).angle_between(sign * facets.normal(other));
         let noise = 4.0 * rounding_m / facets.width_m(side).min(facets.width_m(other));
         Turn { angle, kind: if angle <= noise { TurnKind::Flat } else { TurnKind::Crease } }
@@ -131,13 +135,16 @@ fn turns(facets: &Facets<'_>) -> Vec<[Turn; 3]> {
         let Some((other, _)) = facets.across(side) else { return turn };
         let smooth = turn.kind == TurnKind::Crease
             && turn.angle <= TURN_MAX
-            && [side, other].iter().any(|s| goes_on(facets, &plain, *s).is_some_and(|on| on >= GOES_ON * turn.angle));
+            && [side, other]
+                .iter()
+                .any(|s| goes_on(facets, &plain, *s).is_some_and(|on| on >= GOES_ON * turn.angle));
         if smooth { Turn { kind: TurnKind::Smooth, ..turn } } else { turn }
     };
     (0..facets.normals.len()).map(|t| sides(t).map(judged)).collect()
 }
 
-/// How much the skin turns the same way where it leaves a facet that was entered at `side`, rad; `None` where no edge tells.
+/// How much the skin turns the same way where it leaves a facet that was entered at `side`, rad; `None` where
+/// no edge tells.
 ///
 /// A diagonal that is no bend is stepped over once.
 fn goes_on(facets: &Facets<'_>, turns: &[[Turn; 3]], side: Side) -> Option<f64> {
@@ -159,7 +166,8 @@ fn goes_on(facets: &Facets<'_>, turns: &[[Turn; 3]], side: Side) -> Option<f64> 
             return None;
         }
         let own = facets.normal(exit) * facets.normal(exit).dot(facets.normal(side)).signum();
-        let next_normal = sign_next * facets.normal(next) * facets.normal(exit).dot(facets.normal(side)).signum();
+        let next_normal =
+            sign_next * facets.normal(next) * facets.normal(exit).dot(facets.normal(side)).signum();
         let further = (next_normal - own).dot(way) * bend.signum();
         Some(if turn.angle <= TURN_MAX { further } else { 0.0 })
     });
@@ -168,7 +176,8 @@ fn goes_on(facets: &Facets<'_>, turns: &[[Turn; 3]], side: Side) -> Option<f64> 
 
 /// How far a facet and what goes on flat beyond its other sides reach from a side.
 fn patch_width_m(facets: &Facets<'_>, turns: &[[Turn; 3]], side: Side) -> f64 {
-    let (out, from) = (facets.outwards(side), facets.corners_m[side.triangle as usize][usize::from(side.side)]);
+    let (out, from) =
+        (facets.outwards(side), facets.corners_m[side.triangle as usize][usize::from(side.side)]);
     let beyond = other_sides(side).into_iter().filter_map(|exit| {
         let is_flat = turns[exit.triangle as usize][usize::from(exit.side)].kind == TurnKind::Flat;
         facets.across(exit).filter(|_| is_flat).map(|(next, _)| next.triangle)
@@ -195,7 +204,8 @@ fn corner_normal(facets: &Facets<'_>, turns: &[[Turn; 3]], fans: &Fans, triangle
     let Some(places) = facets.places[triangle] else { return own };
     let group = smooth_group(facets, turns, fans.around(places[k]), triangle as u32);
     let at_corner = |(t, k, _): &(u32, u8, f64)| [*k, (*k + 2) % 3].map(|side| Side { triangle: *t, side });
-    let is_flat = |member: &(u32, u8, f64)| at_corner(member).iter().any(|s| is_flat_towards(facets, turns, *s));
+    let is_flat =
+        |member: &(u32, u8, f64)| at_corner(member).iter().any(|s| is_flat_towards(facets, turns, *s));
     let flats: Vec<bool> = group.iter().map(is_flat).collect();
     let any_flat = flats.iter().any(|flat| *flat);
     let voting = group.iter().zip(&flats).filter(|(_, flat)| **flat || !any_flat);
@@ -210,9 +220,14 @@ fn corner_normal(facets: &Facets<'_>, turns: &[[Turn; 3]], fans: &Fans, triangle
     if normal.angle_between(own) <= most { normal } else { own }
 }
 
-/// Triangles of a fan that are joined to `start` by edges at the fan's place that are no creases: corner, and the sign
-/// that brings their winding to that of `start`; ascending.
-fn smooth_group(facets: &Facets<'_>, turns: &[[Turn; 3]], fan: &[(u32, u8)], start: u32) -> Vec<(u32, u8, f64)> {
+/// Triangles of a fan that are joined to `start` by edges at the fan's place that are no creases: corner, and
+/// the sign that brings their winding to that of `start`; ascending.
+fn smooth_group(
+    facets: &Facets<'_>,
+    turns: &[[Turn; 3]],
+    fan: &[(u32, u8)],
+    start: u32,
+) -> Vec<(u32, u8, f64)> {
     let corner_of = |triangle: u32| fan.iter().find(|(t, _)| *t == triangle).map(|(_, k)| *k);
     let mut group: Vec<(u32, u8, f64)> = corner_of(start).map(|k| (start, k, 1.0)).into_iter().collect();
     let mut next = 0;
@@ -234,15 +249,15 @@ fn smooth_group(facets: &Facets<'_>, turns: &[[Turn; 3]], fan: &[(u32, u8)], sta
     group
 }
 
-/// The facet's normal times its angle at a corner (G. Thürmer, C. Wüthrich, J. Graphics Tools 3 (1998) 43): a quad counts the
-/// same whichever way it is cut, so that normals of cylinders and cones are exact.
+/// The facet's normal times its angle at a corner (G. Thürmer, C. Wüthrich, J. Graphics Tools 3 (1998) 43): a
+/// quad counts the same whichever way it is cut, so that normals of cylinders and cones are exact.
 fn by_angle(facets: &Facets<'_>, triangle: u32, k: u8) -> DVec3 {
     let [u, v] = leaving(facets, triangle, k);
     facets.normals[triangle as usize] * u.angle_between(v)
 }
 
-/// u × v/(|u|²|v|²) of the edges that leave a corner (N. Max, J. Graphics Tools 4 (1999) 1): where all vertices lie on a sphere
-/// their sum is its normal, whatever the triangles.
+/// u × v/(|u|²|v|²) of the edges that leave a corner (N. Max, J. Graphics Tools 4 (1999) 1): where all
+/// vertices lie on a sphere their sum is its normal, whatever the triangles.
 fn by_sphere(facets: &Facets<'_>, triangle: u32, k: u8) -> DVec3 {
     let [u, v] = leaving(facets, triangle, k);
     let squares = u.length_squared() * v.length_squared();

@@ -1,6 +1,7 @@
 //! Triangles of the curved skin cut until they lie close enough to it.
 //!
-//! An edge is halved by what it is itself, never by what its triangle is: both its triangles halve it, and no crack opens.
+//! An edge is halved by what it is itself, never by what its triangle is: both its triangles halve it, and no
+//! crack opens.
 
 use crate::surface::bend::ControlHeights;
 use crate::surface::curved_edge::{Curve, CurvedEdge};
@@ -77,8 +78,8 @@ fn is_split(edge: &CurvedEdge, limits: &Limits) -> bool {
     edge.halvings < HALVINGS_MAX && halvings(edge, limits) > 0.0
 }
 
-/// How often an edge is to be halved: sagittas fall to a quarter each time, turns to a half, and what a cubic over the facet
-/// misses to a sixteenth.
+/// How often an edge is to be halved: sagittas fall to a quarter each time, turns to a half, and what a cubic
+/// over the facet misses to a sixteenth.
 fn halvings(edge: &CurvedEdge, limits: &Limits) -> f64 {
     let (sagitta_m, turn) = (edge.sagitta_m(), edge.turn_rad());
     let offset_m = match edge.curve {
@@ -94,7 +95,10 @@ fn halvings(edge: &CurvedEdge, limits: &Limits) -> f64 {
 
 impl BentSide {
     fn straight(from: Corner, to: Corner, halvings: u8) -> Self {
-        Self { edge: CurvedEdge { ends_m: [from.at_m, to.at_m], curve: Curve::Straight, halvings }, walk: Walk::Forth }
+        Self {
+            edge: CurvedEdge { ends_m: [from.at_m, to.at_m], curve: Curve::Straight, halvings },
+            walk: Walk::Forth,
+        }
     }
 
     /// A side of a skin from `from` to `to`.
@@ -179,13 +183,14 @@ impl BentTriangle {
         let m = self.middle(0, &first);
         let [a, b, c] = [0, 1, 2].map(|k| self.corner(k));
         let halvings = first.edge.halvings;
-        let inner = if self.is_fan() { BentSide::straight(m, c, halvings) } else { BentSide::within(m, c, halvings) };
+        let inner =
+            if self.is_fan() { BentSide::straight(m, c, halvings) } else { BentSide::within(m, c, halvings) };
         into.push(Self::of([a, m, c], [first, inner, self.sides[2]]));
         into.push(Self::of([m, b, c], [second, self.sides[1], inner.reversed()]));
     }
 
-    /// Whether sides 1 and 2 are rulings of a cone that meet in its apex, which has no normal that could tell: then so is what
-    /// runs between them. They rise from their chords by less than a quarter of side 0.
+    /// Whether sides 1 and 2 are rulings of a cone that meet in its apex, which has no normal that could
+    /// tell: then so is what runs between them. They rise from their chords by less than a quarter of side 0.
     fn is_fan(&self) -> bool {
         let [base, left, right] = self.sides.each_ref().map(|side| side.edge.sagitta_m());
         left.max(right) < 0.25 * base

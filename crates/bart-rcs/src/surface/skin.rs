@@ -34,8 +34,9 @@ pub enum Role {
     Mirrors,
 }
 
-/// Most facets that a mesh is cut into, about: a facet and its beam take some 3 kB (measured on a car of 10 077 triangles in
-/// 0.9 million facets), so these are 1.5 GiB. A skin that asks for more is cut as fine as this allows, and says so.
+/// Most facets that a mesh is cut into, about: a facet and its beam take some 3 kB (measured on a car of 10
+/// 077 triangles in 0.9 million facets), so these are 1.5 GiB. A skin that asks for more is cut as fine as
+/// this allows, and says so.
 const FACETS_MAX: usize = 1 << 19;
 
 impl Skin {
@@ -66,10 +67,12 @@ impl Skin {
 /// How fine facets must be for a relative amplitude error.
 ///
 /// - A skin that a bent facet misses by s shifts the phase by 2ks there and back: s ≤ λ·error/4π.
-/// - A facet at the terminator is lit or not as a whole. Where it ends, the weight is half of its turn θ instead of nothing, and
-///   an integral along the wave that ends with weight w has w/2k left. The rim of a sphere holds 2πρ/a facets of chord a = θρ
-///   with phases of their own: √(2πρ/a)·a·½θ/2k·k/√π over √π·ρ, or 0.2θ^{3/2}, doubled for facets seen corner on.
-/// - A mirror is flat: its strips keep gaps, which its neighbours' diffraction fills only where q = a/√(ρλ) is below ½: s = q²λ/8.
+/// - A facet at the terminator is lit or not as a whole. Where it ends, the weight is half of its turn θ
+///   instead of nothing, and an integral along the wave that ends with weight w has w/2k left. The rim of a
+///   sphere holds 2πρ/a facets of chord a = θρ with phases of their own: √(2πρ/a)·a·½θ/2k·k/√π over √π·ρ, or
+///   0.2θ^{3/2}, doubled for facets seen corner on.
+/// - A mirror is flat: its strips keep gaps, which its neighbours' diffraction fills only where q = a/√(ρλ)
+///   is below ½: s = q²λ/8.
 fn limits(error: f64, wavelength_m: f64, role: Role) -> Limits {
     let sagitta_m = match role {
         Role::Scatterers => f64::INFINITY,

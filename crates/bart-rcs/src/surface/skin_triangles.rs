@@ -10,7 +10,8 @@ pub(crate) struct SkinTriangles {
     pub(crate) triangles_m: Vec<[DVec3; 3]>,
     /// Which of the mesh's triangles each is a part of.
     pub(crate) triangle_of: Vec<u32>,
-    /// Unit normals at the corners: a smooth skin's; those that the file stores for a flat one, empty where it does not.
+    /// Unit normals at the corners: a smooth skin's; those that the file stores for a flat one, empty where
+    /// it does not.
     pub(crate) corner_normals: Vec<[DVec3; 3]>,
     /// The skin's heights over each; empty where facets are the surface.
     pub(crate) heights_m: Vec<ControlHeights>,

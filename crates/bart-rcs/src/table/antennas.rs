@@ -8,8 +8,8 @@ use crate::table::rcs_table::check;
 use artifact::scene::Mesh;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 
-/// Refuses a request with an antenna nearer to a facet than a wavelength, or inside a closed body: as [`crate::rcs`] does,
-/// for methods that do not look.
+/// Refuses a request with an antenna nearer to a facet than a wavelength, or inside a closed body: as
+/// [`crate::rcs`] does, for methods that do not look.
 pub fn check_antennas(mesh: &Mesh, request: &RcsRequest) -> Result<(), BartError> {
     check(request)?;
     let is_near = request.range_m.is_finite() || request.receiver.is_some_and(|r| r.range_m.is_finite());
@@ -18,5 +18,7 @@ pub fn check_antennas(mesh: &Mesh, request: &RcsRequest) -> Result<(), BartError
     };
     let world = World::of_mesh(mesh)?;
     let antennas = aspects(request).into_iter().flat_map(|aspect| [Some(aspect.transmit), aspect.receive]);
-    antennas.flatten().try_for_each(|(antenna, _)| check_stand(&world, antenna, SPEED_OF_LIGHT_MPS / lowest_hz))
+    antennas
+        .flatten()
+        .try_for_each(|(antenna, _)| check_stand(&world, antenna, SPEED_OF_LIGHT_MPS / lowest_hz))
 }

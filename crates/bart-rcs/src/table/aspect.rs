@@ -1,4 +1,5 @@
-//! Scattering at one aspect: trees, joins and integrals of every order, by the rule asked for and by the other one.
+//! Scattering at one aspect: trees, joins and integrals of every order, by the rule asked for and by the
+//! other one.
 
 use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::stand_off::{check_stand, distance_and_diagonal_m};
@@ -48,8 +49,8 @@ pub(crate) struct AspectSettings {
     pub(crate) polarization: Polarization,
     /// Of every node integral.
     pub(crate) accuracy: f64,
-    /// An aspect whose integrals would be cut into more tiles has coarser ones: what they err by is measured, and what is
-    /// more than was asked for is integrated finer, with more tiles.
+    /// An aspect whose integrals would be cut into more tiles has coarser ones: what they err by is measured,
+    /// and what is more than was asked for is integrated finer, with more tiles.
     pub(crate) most_tiles: u64,
 }
 
@@ -179,12 +180,16 @@ impl<'a> Ends<'a> {
     ) -> Result<Self, BartError> {
         let tree = |antenna: Antenna| EndTree::growing(world, antenna, &settings.trace, progress);
         let transmit_h = aspect.transmit.1;
-        let zenith_h = ZenithH { transmit: transmit_h, receive: aspect.receive.map_or(transmit_h, |(_, h)| h) };
-        let of_receiver = |(antenna, _)| received.map_or_else(|| tree(antenna), |tree| Ok(EndTree::shared(tree)));
+        let zenith_h =
+            ZenithH { transmit: transmit_h, receive: aspect.receive.map_or(transmit_h, |(_, h)| h) };
+        let of_receiver =
+            |(antenna, _)| received.map_or_else(|| tree(antenna), |tree| Ok(EndTree::shared(tree)));
         let receive = aspect.receive.map(of_receiver).transpose()?;
         let wavelength_m = settings.longest_wave_m();
         let antennas = [Some(aspect.transmit), aspect.receive].into_iter().flatten();
-        antennas.map(|(antenna, _)| antenna).try_for_each(|antenna| check_stand(world, antenna, wavelength_m))?;
+        antennas
+            .map(|(antenna, _)| antenna)
+            .try_for_each(|antenna| check_stand(world, antenna, wavelength_m))?;
         let transmit = tree(aspect.transmit.0)?;
         Ok(Self { world, transmit, receive, zenith_h, phase: Phase::Integrating, progress })
     }
@@ -214,7 +219,12 @@ impl<'a> Ends<'a> {
     }
 
     /// S by order from `from` on, then frequency.
-    fn orders(&self, from: u8, rule: NodeRule, settings: &AspectSettings) -> Result<Vec<Vec<Complex64>>, BartError> {
+    fn orders(
+        &self,
+        from: u8,
+        rule: NodeRule,
+        settings: &AspectSettings,
+    ) -> Result<Vec<Vec<Complex64>>, BartError> {
         let scatterer = self.scatterer();
         let meetings = meetings(&scatterer, from, rule, settings);
         let settings = &settings.afforded(&scatterer, &meetings, rule)?;
@@ -229,7 +239,8 @@ impl<'a> Ends<'a> {
         let meetings = meetings(&scatterer, 1, rule, settings);
         let settings = &settings.afforded(&scatterer, &meetings, rule)?;
         let of_order = |meeting: &Meeting| {
-            let hits = mirrors.hits(&scatterer, &meeting.facets, &settings.integration(rule), settings.polarization);
+            let hits =
+                mirrors.hits(&scatterer, &meeting.facets, &settings.integration(rule), settings.polarization);
             (of_meeting(&scatterer, meeting, rule, settings), hits)
         };
         // Side by side: where one order is weighed by one thread, others are integrated.
@@ -244,17 +255,24 @@ impl<'a> Ends<'a> {
 
     fn scatterer(&self) -> Scatterer<'_> {
         let transmit = self.transmit.tree();
-        let trees = self.receive.as_ref().map_or(Trees::Shared(transmit), |tree| Trees::Apart(transmit, tree.tree()));
+        let trees =
+            self.receive.as_ref().map_or(Trees::Shared(transmit), |tree| Trees::Apart(transmit, tree.tree()));
         Scatterer::new(self.world, trees, self.zenith_h).heard_by(self.phase, self.progress)
     }
 
     /// |S − S(ten times finer)|² over frequency; of the edges alone where facets are exact.
-    fn error_power(&self, chosen: &[OfOrder], aspect: &Aspect, settings: &AspectSettings) -> Result<f64, BartError> {
+    fn error_power(
+        &self,
+        chosen: &[OfOrder],
+        aspect: &Aspect,
+        settings: &AspectSettings,
+    ) -> Result<f64, BartError> {
         // 10^⅔ times as many tiles, or some more where they were few: never coarser again.
         let (accuracy, most_tiles) = (0.1 * settings.accuracy, settings.most_tiles.saturating_mul(100));
         let finer = AspectSettings { accuracy, most_tiles, ..settings.clone() };
-        let of =
-            |part: fn(&OfOrder) -> &Vec<Complex64>| chosen.iter().map(|order| part(order).clone()).collect::<Vec<_>>();
+        let of = |part: fn(&OfOrder) -> &Vec<Complex64>| {
+            chosen.iter().map(|order| part(order).clone()).collect::<Vec<_>>()
+        };
         if aspect.is_near() || self.world.skin_error() > 0.0 {
             return Ok(power_between(&of(|order| &order.s_m), &self.orders(1, settings.nodes, &finer)?));
         }
@@ -310,7 +328,8 @@ const FACETS_WITH_CHEAP_EDGES: usize = 2_000;
 /// What is left out is told to 10 %.
 const EDGES_LEFT_OUT_ACCURACY: f64 = 0.1;
 
-/// The order after the last one asked for, where trees of `tree_orders` hold its middle nodes: after every one but the first.
+/// The order after the last one asked for, where trees of `tree_orders` hold its middle nodes: after every
+/// one but the first.
 pub(crate) fn left_out_order(bounces: u8, tree_orders: u8) -> Option<u8> {
     Some(bounces + 1).filter(|order| bounces > 0 && tree_order(*order, NodeRule::Middle) <= tree_orders)
 }
@@ -330,7 +349,12 @@ fn meetings(scatterer: &Scatterer<'_>, from: u8, rule: NodeRule, settings: &Aspe
 }
 
 /// One order's S over frequency, in the polarization asked for.
-fn of_meeting(scatterer: &Scatterer<'_>, meeting: &Meeting, rule: NodeRule, settings: &AspectSettings) -> OfOrder {
+fn of_meeting(
+    scatterer: &Scatterer<'_>,
+    meeting: &Meeting,
+    rule: NodeRule,
+    settings: &AspectSettings,
+) -> OfOrder {
     let (p, q) = settings.polarization.indices();
     let sums = meeting.sums(scatterer, DVec3::ZERO, &settings.integration(rule));
     let [mut s_m, edges_m] = sums.map(|sum| sum.iter().map(|s| s[p][q]).collect::<Vec<_>>());
@@ -359,7 +383,12 @@ impl AspectSettings {
     }
 
     /// With coarser integrals where these would be cut into too many tiles.
-    fn afforded(&self, scatterer: &Scatterer<'_>, meetings: &[Meeting], rule: NodeRule) -> Result<Self, BartError> {
+    fn afforded(
+        &self,
+        scatterer: &Scatterer<'_>,
+        meetings: &[Meeting],
+        rule: NodeRule,
+    ) -> Result<Self, BartError> {
         // A plane wave over a flat polygon is integrated as one.
         let is_flat = scatterer.world.skin_error() == 0.0;
         if is_flat && (scatterer.is_far() || self.is_cheap(scatterer)) {
@@ -370,8 +399,9 @@ impl AspectSettings {
         Ok(Self { accuracy, ..self.clone() })
     }
 
-    /// Whether antennas stand so far off that flat facets are never cut into too many tiles, which need not be counted then:
-    /// tiles are about as many as Fresnel zones, kD²/r, and a hundred at most for each at this accuracy.
+    /// Whether antennas stand so far off that flat facets are never cut into too many tiles, which need not
+    /// be counted then: tiles are about as many as Fresnel zones, kD²/r, and a hundred at most for each at
+    /// this accuracy.
     fn is_cheap(&self, scatterer: &Scatterer<'_>) -> bool {
         const FRESNEL_ZONES: f64 = 2e4;
         const ACCURACY: f64 = 1e-3;
@@ -387,7 +417,11 @@ impl AspectSettings {
     }
 
     fn integration(&self, nodes: NodeRule) -> Integration<'_> {
-        Integration { wavenumbers_per_m: &self.wavenumbers_per_m, accuracy: self.accuracy, bracket: bracket_of(nodes) }
+        Integration {
+            wavenumbers_per_m: &self.wavenumbers_per_m,
+            accuracy: self.accuracy,
+            bracket: bracket_of(nodes),
+        }
     }
 }
 
@@ -401,8 +435,9 @@ struct OfOrder {
     given_up: [f64; 2],
 }
 
-/// k/√π times the area across the wave of what was dropped, of mirrors that were not followed and of overlaps too small to
-/// be joined: with independent phases and as much of the mirrors as their likes scatter, and all as one sum.
+/// k/√π times the area across the wave of what was dropped, of mirrors that were not followed and of overlaps
+/// too small to be joined: with independent phases and as much of the mirrors as their likes scatter, and all
+/// as one sum.
 fn dropped(
     trees: [Option<&BeamTree>; 2],
     orders: &[OfOrder],
@@ -471,11 +506,17 @@ mod tests {
     /// Two plates that reflect each other, seen from two places.
     #[test]
     fn a_receiver_that_stands_still_is_traced_once_and_no_bit_changes() {
-        let vertices_m = vec![[0.0, 0.0, 0.0], [0.4, 0.1, 0.0], [0.0, 0.5, 0.0], [0.0, 0.0, 0.3], [0.1, 0.0, 0.6]];
+        let vertices_m =
+            vec![[0.0, 0.0, 0.0], [0.4, 0.1, 0.0], [0.0, 0.5, 0.0], [0.0, 0.0, 0.3], [0.1, 0.0, 0.6]];
         let triangles = vec![[0, 1, 2], [0, 2, 3], [0, 4, 1]];
         let world = World::of_mesh(&Mesh { vertices_m, triangles, ..Mesh::default() }).unwrap();
         let settings = |nodes: NodeRule| AspectSettings {
-            trace: TraceSettings { max_order: 3, sides: Sides::Two, least_area_m2: 1e-9, least_mirror_area_m2: 1e-9 },
+            trace: TraceSettings {
+                max_order: 3,
+                sides: Sides::Two,
+                least_area_m2: 1e-9,
+                least_mirror_area_m2: 1e-9,
+            },
             wavenumbers_per_m: vec![1600.0, 1613.0],
             bounces: 3,
             nodes,
@@ -494,7 +535,8 @@ mod tests {
             let tree = BeamTree::trace(&world, receiver, &settings.trace).unwrap();
             for (x, model) in [(3.0, Check::Measured), (3.5, Check::Skipped), (2.0, Check::Skipped)] {
                 let transmitter = Antenna::Point(DVec3::new(x, 4.5, 4.0));
-                let aspect = Aspect { transmit: (transmitter, DVec3::Y), receive: Some((receiver, DVec3::Y)) };
+                let aspect =
+                    Aspect { transmit: (transmitter, DVec3::Y), receive: Some((receiver, DVec3::Y)) };
                 let checks = Checks { integrals: Check::Measured, model };
                 let [own, shared] = [None, Some(&tree)].map(|received| {
                     let meter = &WorkMeter::new(&|| 0.0);
@@ -508,25 +550,31 @@ mod tests {
         }
     }
 
-    /// D5: a body and its antenna moved by a kilometre; single precision of the candidates and double precision of the
-    /// clipping both see other coordinates.
+    /// D5: a body and its antenna moved by a kilometre; single precision of the candidates and double
+    /// precision of the clipping both see other coordinates.
     #[test]
     fn a_scene_moved_by_a_kilometre_keeps_its_amplitude_to_1e_minus_7() {
         let corner = |shift: DVec3| {
             let at = |x: f64, y: f64, z: f64| (DVec3::new(x, y, z) + shift).to_array();
-            let vertices_m = vec![at(0.0, 0.0, 0.0), at(0.1, 0.02, 0.0), at(0.0, 0.1, 0.01), at(0.01, 0.0, 0.1)];
+            let vertices_m =
+                vec![at(0.0, 0.0, 0.0), at(0.1, 0.02, 0.0), at(0.0, 0.1, 0.01), at(0.01, 0.0, 0.1)];
             Mesh { vertices_m, triangles: vec![[0, 1, 2], [0, 2, 3], [0, 3, 1]], ..Mesh::default() }
         };
         let amplitude = |shift: DVec3| {
             let world = World::of_mesh(&corner(shift)).unwrap();
-            let trace =
-                TraceSettings { max_order: 2, sides: Sides::Two, least_area_m2: 1e-12, least_mirror_area_m2: 1e-12 };
+            let trace = TraceSettings {
+                max_order: 2,
+                sides: Sides::Two,
+                least_area_m2: 1e-12,
+                least_mirror_area_m2: 1e-12,
+            };
             let antenna = Antenna::Point(shift + DVec3::new(14.0, 13.0, 15.0));
             let tree = BeamTree::trace(&world, antenna, &trace).unwrap();
             let h = ZenithH { transmit: DVec3::Y, receive: DVec3::Y };
             let scatterer = Scatterer::new(&world, Trees::Shared(&tree), h);
             let wavenumbers_per_m = &[1613.8];
-            let integration = Integration { wavenumbers_per_m, accuracy: 1e-3, bracket: bracket_of(NodeRule::Middle) };
+            let integration =
+                Integration { wavenumbers_per_m, accuracy: 1e-3, bracket: bracket_of(NodeRule::Middle) };
             let of = |order: u8| {
                 let joints = scatterer.joints(order, NodeRule::Middle, 1e-12);
                 sum_of_joints(&scatterer, &joints, shift, &integration)[0][0][0]

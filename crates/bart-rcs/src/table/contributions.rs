@@ -1,4 +1,5 @@
-//! Which facets and edges make the level: one aspect's scattering by facet sequence, with the points that its rays touch.
+//! Which facets and edges make the level: one aspect's scattering by facet sequence, with the points that its
+//! rays touch.
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::bodies::world::World;
@@ -24,8 +25,8 @@ use rayon::prelude::*;
 /// A facet sequence, or an edge in one, and what it adds to S.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contribution {
-    /// Triangles of the mesh in the order of travel; an edge stands for one of its own or, where both ends light it by
-    /// different ones, for two.
+    /// Triangles of the mesh in the order of travel; an edge stands for one of its own or, where both ends
+    /// light it by different ones, for two.
     pub triangles: Vec<u32>,
     /// The edge that scatters in place of a facet, from end to end, body axes.
     pub edge_m: Option<[DVec3; 2]>,
@@ -35,16 +36,21 @@ pub struct Contribution {
     pub amplitude_m: Complex64,
 }
 
-/// S of the request's aspect number `aspect` (elevation by elevation, azimuth by azimuth) at its first frequency, by facet
-/// sequence and edge, the strongest first. Their sum is [`crate::rcs`]'s value.
-pub fn contributions(mesh: &Mesh, request: &RcsRequest, aspect: usize) -> Result<Vec<Contribution>, BartError> {
+/// S of the request's aspect number `aspect` (elevation by elevation, azimuth by azimuth) at its first
+/// frequency, by facet sequence and edge, the strongest first. Their sum is [`crate::rcs`]'s value.
+pub fn contributions(
+    mesh: &Mesh,
+    request: &RcsRequest,
+    aspect: usize,
+) -> Result<Vec<Contribution>, BartError> {
     check(request)?;
     let world = World::of_skin(mesh, skin(request))?;
     let aspects = aspects(request);
     let Some(aspect) = aspects.get(aspect) else { return Ok(Vec::new()) };
     let settings = aspect_settings(request, &world, request.accuracy.amplitude());
     let transmit = BeamTree::trace(&world, aspect.transmit.0, &settings.trace)?;
-    let receive = aspect.receive.map(|(antenna, _)| BeamTree::trace(&world, antenna, &settings.trace)).transpose()?;
+    let receive =
+        aspect.receive.map(|(antenna, _)| BeamTree::trace(&world, antenna, &settings.trace)).transpose()?;
     let trees = receive.as_ref().map_or(Trees::Shared(&transmit), |tree| Trees::Apart(&transmit, tree));
     let scatterer = Scatterer::new(&world, trees, zenith_h(aspect));
     let wavenumbers_per_m = request.wavenumbers_per_m();
@@ -86,7 +92,8 @@ type Found = (Option<u32>, Contribution);
 impl Teller<'_> {
     fn of_order(&self, order: u8) -> Vec<Found> {
         let Meeting { facets, edges } = Meeting::of(&self.scatterer, order, &self.what);
-        let of_facets = facets.list.par_iter().map(|joint| (None, self.of_joint(joint, facets.polygon(joint))));
+        let of_facets =
+            facets.list.par_iter().map(|joint| (None, self.of_joint(joint, facets.polygon(joint))));
         let of_edges = edges.par_iter().map(|joint| (Some(joint.edge), self.of_edge(joint)));
         of_facets.chain(of_edges).collect()
     }
@@ -114,7 +121,8 @@ impl Teller<'_> {
             triangles: self.triangles(facets),
             edge_m: Some([edge.from_m, edge.point_m(edge.length_m)]),
             points_m: touched_m(&self.scatterer, (joint.forward, joint.backward), middle_m),
-            amplitude_m: self.element(&edge_share(&self.scatterer, joint, DVec3::ZERO, &self.integration).value),
+            amplitude_m: self
+                .element(&edge_share(&self.scatterer, joint, DVec3::ZERO, &self.integration).value),
         }
     }
 
@@ -130,14 +138,17 @@ impl Teller<'_> {
 
 /// Points of the ray through `node_m` by the beams of both ends, in the order of travel.
 fn touched_m(scatterer: &Scatterer<'_>, (forward, backward): (u32, u32), node_m: DVec3) -> Vec<DVec3> {
-    let way = |tree: &BeamTree, beam: u32| back_to_antenna(scatterer.world, tree, &tree.beams[beam as usize], node_m);
+    let way = |tree: &BeamTree, beam: u32| {
+        back_to_antenna(scatterer.world, tree, &tree.beams[beam as usize], node_m)
+    };
     let mut points = way(scatterer.trees.transmit(), forward);
     points.reverse();
     points.extend(way(scatterer.trees.receive(), backward).into_iter().skip(1));
     points
 }
 
-/// From a point of a beam's polygon over its mirrors towards the antenna: straight to each image until the mirror's plane.
+/// From a point of a beam's polygon over its mirrors towards the antenna: straight to each image until the
+/// mirror's plane.
 fn back_to_antenna(world: &World, tree: &BeamTree, beam: &Beam, node_m: DVec3) -> Vec<DVec3> {
     let mut points = vec![node_m];
     let (mut beam, mut x_m) = (beam, node_m);
@@ -163,7 +174,8 @@ fn by_sequence(mut found: Vec<Found>) -> Vec<Contribution> {
     }
     found.sort_by(|a, b| key(a).cmp(&key(b)));
     let sum = |group: &[Found]| {
-        let strongest = group.iter().fold(&group[0].1, |best, (_, c)| if power(c) > power(best) { c } else { best });
+        let strongest =
+            group.iter().fold(&group[0].1, |best, (_, c)| if power(c) > power(best) { c } else { best });
         Contribution { amplitude_m: group.iter().map(|(_, c)| c.amplitude_m).sum(), ..strongest.clone() }
     };
     let mut sums: Vec<Contribution> = found.chunk_by(|a, b| key(a) == key(b)).map(sum).collect();
@@ -183,8 +195,14 @@ mod tests {
     use artifact::settings::{Edges, NodeRule, Sides, Surface};
 
     fn corner() -> Mesh {
-        let vertices_m =
-            vec![[0.0; 3], [0.2, 0.0, 0.0], [0.2, 0.0, 0.2], [0.0, 0.0, 0.2], [0.0, 0.2, 0.2], [0.0, 0.2, 0.0]];
+        let vertices_m = vec![
+            [0.0; 3],
+            [0.2, 0.0, 0.0],
+            [0.2, 0.0, 0.2],
+            [0.0, 0.0, 0.2],
+            [0.0, 0.2, 0.2],
+            [0.0, 0.2, 0.0],
+        ];
         Mesh { vertices_m, triangles: vec![[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]], ..Mesh::default() }
     }
 
@@ -207,7 +225,8 @@ mod tests {
 
     #[test]
     fn contributions_add_up_to_the_scattering_amplitude() {
-        let sum: Complex64 = contributions(&corner(), &request(), 1).unwrap().iter().map(|c| c.amplitude_m).sum();
+        let sum: Complex64 =
+            contributions(&corner(), &request(), 1).unwrap().iter().map(|c| c.amplitude_m).sum();
         let whole = rcs(&corner(), &request(), &|_, _| {}).unwrap().amplitude_m[1];
         println!("asked {whole}, got {sum}");
         // Integrals of finite range are as exact as was asked, −60 dB.
@@ -224,7 +243,8 @@ mod tests {
             });
             let whole = rcs(&corner(), &asked, &|_, _| {}).unwrap().amplitude_m[aspect];
             println!("{polarization:?}: asked {whole:.6}, got {sum:.6}, of edges up to {of_edges:.6}");
-            // Integrals of finite range are as exact as was asked, −60 dB of the largest that facets and edges can be.
+            // Integrals of finite range are as exact as was asked, −60 dB of the largest that facets and
+            // edges can be.
             let scale = parts.iter().map(|part| part.amplitude_m.norm()).sum::<f64>();
             assert!((sum - whole).norm() < 1e-3 * scale && of_edges > 1e-2 * scale);
         }
@@ -235,8 +255,9 @@ mod tests {
         let asked = RcsRequest { edges: Edges::FirstOrder, bounces: 1, ..request() };
         let parts = contributions(&corner(), &asked, 1).unwrap();
         // The corner's six outer sides and the fold, which is a wedge from behind, each once.
-        let is_fold =
-            |part: &&Contribution| part.edge_m.is_some_and(|ends| ends.iter().all(|x| x.x == 0.0 && x.y == 0.0));
+        let is_fold = |part: &&Contribution| {
+            part.edge_m.is_some_and(|ends| ends.iter().all(|x| x.x == 0.0 && x.y == 0.0))
+        };
         let edges = parts.iter().filter(|part| part.edge_m.is_some());
         assert_eq!((edges.clone().filter(is_fold).count(), edges.count()), (1, 7));
         for part in parts.iter().filter(|part| part.edge_m.is_some()) {
@@ -248,13 +269,18 @@ mod tests {
 
     #[test]
     fn the_touched_points_make_a_mirrored_way() {
-        let antenna = 25.0 * DVec3::new(0.1_f64.cos() * 0.9_f64.cos(), 0.1_f64.cos() * 0.9_f64.sin(), 0.1_f64.sin());
+        let antenna =
+            25.0 * DVec3::new(0.1_f64.cos() * 0.9_f64.cos(), 0.1_f64.cos() * 0.9_f64.sin(), 0.1_f64.sin());
         let all = contributions(&corner(), &request(), 1).unwrap();
         let double = all.iter().find(|c| c.triangles.len() == 2).unwrap();
         let [a, b] = double.points_m[..] else { panic!("{double:?}") };
         let (came, left) = ((a - antenna).normalize_or_zero(), (b - a).normalize_or_zero());
-        // One mirror is the plane y = 0, the other x = 0; the way turns in the first one only, the second is the node.
-        assert!((came.z - left.z).abs() < 1e-12 && (came.x.abs() - left.x.abs()).abs() < 1e-12, "{came} {left}");
+        // One mirror is the plane y = 0, the other x = 0; the way turns in the first one only, the second is
+        // the node.
+        assert!(
+            (came.z - left.z).abs() < 1e-12 && (came.x.abs() - left.x.abs()).abs() < 1e-12,
+            "{came} {left}"
+        );
         assert!(a.x.abs().min(a.y.abs()) < 1e-12 && b.x.abs().min(b.y.abs()) < 1e-12);
     }
 }

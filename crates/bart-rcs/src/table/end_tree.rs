@@ -1,4 +1,5 @@
-//! The tree of one end of an aspect: grown as far as it is asked for, or grown once for an antenna that stands still.
+//! The tree of one end of an aspect: grown as far as it is asked for, or grown once for an antenna that
+//! stands still.
 
 use crate::beams::beam::{BeamTree, GrowingTree, TraceSettings};
 use crate::bodies::world::World;
@@ -10,8 +11,9 @@ use crate::oversight::progress::Progress;
 pub(crate) enum EndTree<'a> {
     /// The aspect's own.
     Growing(Box<GrowingTree<'a>>),
-    /// One that all aspects share. An order of a tree depends on those before it alone, so what an aspect looks at is what it
-    /// would have grown itself, bit by bit; orders beyond `asked` are there but not looked at.
+    /// One that all aspects share. An order of a tree depends on those before it alone, so what an aspect
+    /// looks at is what it would have grown itself, bit by bit; orders beyond `asked` are there but not
+    /// looked at.
     Shared { tree: &'a BeamTree, asked: u8 },
 }
 

@@ -1,7 +1,9 @@
-//! What a user errs by who applies a far-field table near by: the table against spherical waves, at a few of its aspects.
+//! What a user errs by who applies a far-field table near by: the table against spherical waves, at a few of
+//! its aspects.
 //!
-//! 2D²/λ of a car is 13 km at 77 GHz: at the ranges of a road its flat panels are wider than the Fresnel zone √(λR/2), 0.2 m
-//! at 25 m, and the complex error is as large as the field. The table is right for what it is; this is the warning on it.
+//! 2D²/λ of a car is 13 km at 77 GHz: at the ranges of a road its flat panels are wider than the Fresnel zone
+//! √(λR/2), 0.2 m at 25 m, and the complex error is as large as the field. The table is right for what it is;
+//! this is the warning on it.
 
 use crate::bodies::world::World;
 use crate::oversight::error::BartError;
@@ -39,7 +41,8 @@ pub struct Spread {
 /// The ranges of the paper's intersection: vehicles are at 25 to 60 m.
 const RANGES_M: [f64; 4] = [25.0, 30.0, 40.0, 60.0];
 
-/// One aspect in forty is traced at four more places: a tenth of the trees of the table. Fewer than forty aspects have none.
+/// One aspect in forty is traced at four more places: a tenth of the trees of the table. Fewer than forty
+/// aspects have none.
 const ASPECTS_PER_COMPARED: usize = 40;
 /// Enough for a median: the middle 95 % of its sampling lie between the 8th and the 17th of 24.
 const COMPARED_MOST: usize = 24;
@@ -81,7 +84,8 @@ pub(crate) fn far_field_error(
         let far: Vec<Complex64> = frequencies.iter().map(|&f| table[index].total_m(f)).collect();
         Ok(Compared::of(&far, &near))
     };
-    let compared = cases.par_iter().map(compare).collect::<Vec<_>>().into_iter().collect::<Result<Vec<_>, _>>()?;
+    let compared =
+        cases.par_iter().map(compare).collect::<Vec<_>>().into_iter().collect::<Result<Vec<_>, _>>()?;
     let by_range = || compared.chunks(chosen.len());
     Ok(Some(FarFieldError {
         range_m: ranges_m,
@@ -99,7 +103,8 @@ fn ranges_outside(world: &World) -> Vec<f64> {
     RANGES_M.into_iter().filter(|range_m| *range_m > 1.1 * radius_m).collect()
 }
 
-/// One aspect out of each of equal parts of the table, by chance: none of a body's symmetries is met every time.
+/// One aspect out of each of equal parts of the table, by chance: none of a body's symmetries is met every
+/// time.
 fn chosen_aspects(aspects: usize) -> Vec<usize> {
     let count = (aspects / ASPECTS_PER_COMPARED).min(COMPARED_MOST);
     let first = |part: usize| part * aspects / count;
@@ -141,8 +146,8 @@ impl Compared {
         Self { difference, far: power(far), spherical: power(spherical) }
     }
 
-    /// Relative to the spherical wave, which is the truth; over the far field's power the figure would stop at 0 dB where
-    /// the table is far too strong (a 1.5 m plate at 25 m: +35 dB). 0 where both are dark.
+    /// Relative to the spherical wave, which is the truth; over the far field's power the figure would stop
+    /// at 0 dB where the table is far too strong (a 1.5 m plate at 25 m: +35 dB). 0 where both are dark.
     fn complex(&self) -> f64 {
         if self.difference > 0.0 && self.spherical == 0.0 {
             f64::INFINITY
@@ -168,8 +173,9 @@ mod tests {
             let chosen = chosen_aspects(aspects);
             let count = (aspects / 40).min(24);
             assert_eq!(chosen.len(), count);
-            let is_in_part =
-                |(part, &at): (usize, &usize)| (part * aspects / count..(part + 1) * aspects / count).contains(&at);
+            let is_in_part = |(part, &at): (usize, &usize)| {
+                (part * aspects / count..(part + 1) * aspects / count).contains(&at)
+            };
             assert!(chosen.iter().enumerate().all(is_in_part), "{chosen:?}");
         }
     }

@@ -1,8 +1,9 @@
 //! Aspects where what was dropped scatters more than the accuracy lets it, traced again with smaller mirrors.
 //!
-//! Least areas are chosen before a trace, and what is dropped is told by it: over a weak body it may be more than was asked
-//! for. Where mirrors are as many in every octave of area as among large facets, Σa² of those not followed falls with the
-//! square of the least area; where all facets are small it falls with the area itself. The second is slower, and asked for.
+//! Least areas are chosen before a trace, and what is dropped is told by it: over a weak body it may be more
+//! than was asked for. Where mirrors are as many in every octave of area as among large facets, Σa² of those
+//! not followed falls with the square of the least area; where all facets are small it falls with the area
+//! itself. The second is slower, and asked for.
 
 use crate::oversight::error::BartError;
 use crate::table::amplitude_ratio::ratio;
@@ -31,12 +32,15 @@ enum Limit {
 
 /// Most often that an aspect is traced again.
 const MOST_TIMES: u32 = 3;
-/// At a time mirrors become at most a tenth as long: the estimate is of those near the threshold and may be wrong far below.
+/// At a time mirrors become at most a tenth as long: the estimate is of those near the threshold and may be
+/// wrong far below.
 const SMALLEST_STEP: f64 = 1e-2;
-/// And together at most a hundredth. At −60 dB asked that is a micrometre, a hundred thousand times the rounding of coordinates.
+/// And together at most a hundredth. At −60 dB asked that is a micrometre, a hundred thousand times the
+/// rounding of coordinates.
 const SMALLEST: f64 = 1e-4;
 
-/// A sum of independent phases is Rayleigh distributed: in 95 of 100 cases it is below √(ln 20) of its root mean square.
+/// A sum of independent phases is Rayleigh distributed: in 95 of 100 cases it is below √(ln 20) of its root
+/// mean square.
 const RAYLEIGH_95: f64 = 1.730_818;
 
 /// What beams given up scatter over the table's root mean square |S|: more in 5 of 100 cases.
@@ -51,7 +55,8 @@ impl FinerMirrors {
         Self { aspects: vec![Fineness { share: 1.0, before: 1.0, limit: Limit::Open }; aspects], times: 0 }
     }
 
-    /// Aspects to be traced again, ascending: those that drop more than `asked` of the table's level, if all together do.
+    /// Aspects to be traced again, ascending: those that drop more than `asked` of the table's level, if all
+    /// together do.
     pub(crate) fn asked_for(&mut self, table: &[Scattering], asked: f64) -> Vec<usize> {
         if dropped_error(table) <= asked || self.times == MOST_TIMES {
             return Vec::new();
@@ -87,15 +92,17 @@ impl FinerMirrors {
         self.aspects[aspect].share == 1.0
     }
 
-    /// Takes an aspect traced again. One whose beams do not fit into memory stays as it was; any other error is one.
+    /// Takes an aspect traced again. One whose beams do not fit into memory stays as it was; any other error
+    /// is one.
     pub(crate) fn take(
         &mut self,
         aspect: usize,
         found: Result<Scattering, BartError>,
         table: &mut [Scattering],
     ) -> Result<(), BartError> {
-        let is_too_large =
-            |e: &BartError| matches!(e, BartError::BeamsTakeTooMuchMemory { .. } | BartError::TreeTooLarge { .. });
+        let is_too_large = |e: &BartError| {
+            matches!(e, BartError::BeamsTakeTooMuchMemory { .. } | BartError::TreeTooLarge { .. })
+        };
         match found {
             Err(error) if is_too_large(&error) && !self.is_first(aspect) => {
                 let Fineness { before, .. } = self.aspects[aspect];

@@ -1,4 +1,5 @@
-//! S of joints over frequency: tiles gathered by their length, taken at few frequencies (see [`crate::joins::band`]).
+//! S of joints over frequency: tiles gathered by their length, taken at few frequencies (see
+//! [`crate::joins::band`]).
 
 use crate::joins::band::{self, Band, Groups, INTERPOLATION_ERROR, Kind};
 use crate::joins::joint::{Joint, Joints};
@@ -81,8 +82,8 @@ mod tests {
     use artifact::scene::Mesh;
     use artifact::settings::{NodeRule, Sides};
 
-    /// Three leaves of a corner, each of 16 × 16 squares of 25 mm and two panels of up to 5 m beside them: all classes, and what
-    /// belongs to none.
+    /// Three leaves of a corner, each of 16 × 16 squares of 25 mm and two panels of up to 5 m beside them:
+    /// all classes, and what belongs to none.
     fn corner() -> World {
         let mut mesh = Mesh::default();
         let mut square = |at: DVec3, u: DVec3, v: DVec3| {
@@ -105,10 +106,16 @@ mod tests {
     fn a_chirp_of_256_frequencies_from_few_is_that_of_every_one() {
         let world = corner();
         let wavenumbers_per_m: Vec<f64> = (0..256).map(|i| 1603.0 + 21.0 * f64::from(i) / 255.0).collect();
-        for antenna in [Antenna::Point(DVec3::new(9.0, 12.0, 8.0)), Antenna::Direction(DVec3::new(0.36, 0.48, 0.8))] {
+        for antenna in
+            [Antenna::Point(DVec3::new(9.0, 12.0, 8.0)), Antenna::Direction(DVec3::new(0.36, 0.48, 0.8))]
+        {
             let is_far = matches!(antenna, Antenna::Direction(_));
-            let trace =
-                TraceSettings { max_order: 2, sides: Sides::Two, least_area_m2: 1e-7, least_mirror_area_m2: 1e-3 };
+            let trace = TraceSettings {
+                max_order: 2,
+                sides: Sides::Two,
+                least_area_m2: 1e-7,
+                least_mirror_area_m2: 1e-3,
+            };
             let tree = BeamTree::trace(&world, antenna, &trace).unwrap();
             let zenith_h = ZenithH { transmit: DVec3::Y, receive: DVec3::Y };
             let scatterer = Scatterer::new(&world, Trees::Shared(&tree), zenith_h);
@@ -117,7 +124,8 @@ mod tests {
                 for joints in &joints {
                     let of = |accuracy, sum: Sum| {
                         let wavenumbers_per_m = &wavenumbers_per_m;
-                        let integration = Integration { wavenumbers_per_m, accuracy, bracket: Bracket::Symmetrised };
+                        let integration =
+                            Integration { wavenumbers_per_m, accuracy, bracket: Bracket::Symmetrised };
                         sum(&scatterer, joints, DVec3::ZERO, &integration)
                     };
                     let (fast, slow) = (of(accuracy, sum_of_joints), of(accuracy, sum_at_each));
@@ -128,7 +136,10 @@ mod tests {
                     } else {
                         difference(&slow, &of(0.1 * accuracy, sum_at_each))
                     };
-                    println!("{antenna:?}, {accuracy:e}: asked {asked:.1e}, got {error:.1e} of {:.1e}", size(&slow));
+                    println!(
+                        "{antenna:?}, {accuracy:e}: asked {asked:.1e}, got {error:.1e} of {:.1e}",
+                        size(&slow)
+                    );
                     assert!(error < asked && size(&slow) > 0.0);
                 }
             }
@@ -154,10 +165,12 @@ mod tests {
             mesh.vertices_m.extend([at, at + u, at + u + v, at + v].map(|c| c.to_array()));
             mesh.triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
         };
-        let [x, y, z] = [DVec3::new(0.3, 0.05, 0.0), DVec3::new(-0.02, 0.3, 0.01), DVec3::new(0.03, 0.0, 0.3)];
+        let [x, y, z] =
+            [DVec3::new(0.3, 0.05, 0.0), DVec3::new(-0.02, 0.3, 0.01), DVec3::new(0.03, 0.0, 0.3)];
         [(x, y), (y, z), (z, x)].into_iter().for_each(|(u, v)| quad(DVec3::Z, u, v));
         quad(DVec3::new(0.5, 0.1, 0.9), 0.1 * DVec3::Y, 0.1 * DVec3::Z);
-        let asphalt = Material::HalfSpace { permittivity: substance("asphalt").unwrap().permittivity.unwrap() };
+        let asphalt =
+            Material::HalfSpace { permittivity: substance("asphalt").unwrap().permittivity.unwrap() };
         World::of_mesh(&mesh).unwrap().over(&Road { material: asphalt, rms_height_m: 5e-4 }).unwrap()
     }
 
@@ -165,7 +178,12 @@ mod tests {
     fn the_mirrored_tree_and_half_of_the_joints_give_what_two_traces_and_all_joints_give() {
         let world = corner_over_road();
         let antenna = Antenna::Point(DVec3::new(9.0, 6.0, 4.0));
-        let trace = TraceSettings { max_order: 3, sides: Sides::Two, least_area_m2: 1e-9, least_mirror_area_m2: 1e-7 };
+        let trace = TraceSettings {
+            max_order: 3,
+            sides: Sides::Two,
+            least_area_m2: 1e-9,
+            least_mirror_area_m2: 1e-7,
+        };
         let tree = BeamTree::trace(&world, antenna, &trace).unwrap();
         let received = Received::with_image(&world, &tree);
         let traced = BeamTree::trace(&world, image(antenna), &trace).unwrap();
@@ -179,14 +197,19 @@ mod tests {
                     let scatterer = Scatterer::new(&world, trees, zenith_h);
                     let joints = scatterer.joints(order, rule, 1e-9);
                     let wavenumbers_per_m = &[1613.8];
-                    let integration = Integration { wavenumbers_per_m, accuracy: 1e-6, bracket: bracket_of(rule) };
+                    let integration =
+                        Integration { wavenumbers_per_m, accuracy: 1e-6, bracket: bracket_of(rule) };
                     sum_of_joints(&scatterer, &joints, DVec3::ZERO, &integration)[0]
                 };
-                let (half, all) = (of(Trees::ByRoad(&tree, &received)), of(Trees::Apart(&tree, &received.tree)));
+                let (half, all) =
+                    (of(Trees::ByRoad(&tree, &received)), of(Trees::Apart(&tree, &received.tree)));
                 let size = all.as_flattened().iter().map(|s| s.norm()).fold(0.0, f64::max);
-                let error = (0..4).map(|i| (half.as_flattened()[i] - all.as_flattened()[i]).norm()).fold(0.0, f64::max);
+                let error = (0..4)
+                    .map(|i| (half.as_flattened()[i] - all.as_flattened()[i]).norm())
+                    .fold(0.0, f64::max);
                 println!("{rule:?}, order {order}: asked 1e-7, got {:.1e} of {size:.2e}", error / size);
-                // The integrals of a way and of its reverse are equal, but for the last digits of their tiles.
+                // The integrals of a way and of its reverse are equal, but for the last digits of their
+                // tiles.
                 assert!(error < 1e-7 * size);
             }
         }

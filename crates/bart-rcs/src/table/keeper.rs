@@ -5,8 +5,8 @@ use num_complex::Complex64;
 
 /// Keeps the aspects of a table as they are done, for a run that goes on where another one ended.
 ///
-/// Nothing is checked here: a keeper answers only with bytes that it was given for the same mesh, the same request and the
-/// same program.
+/// Nothing is checked here: a keeper answers only with bytes that it was given for the same mesh, the same
+/// request and the same program.
 pub trait Keeper: Sync {
     /// What was kept of a piece; `None` makes it anew.
     fn kept(&self, piece: Piece) -> Option<&[u8]>;
@@ -46,7 +46,9 @@ impl Scattering {
         words.count(self.beams.len());
         self.beams.iter().for_each(|n| words.0.push(*n));
         [self.accuracy, self.dropped_m, self.dropped_at_most_m].iter().for_each(|m| words.number(*m));
-        [self.trace_seconds, self.integrate_seconds, self.check_seconds].iter().for_each(|s| words.number(*s));
+        [self.trace_seconds, self.integrate_seconds, self.check_seconds]
+            .iter()
+            .for_each(|s| words.number(*s));
         words.0.iter().flat_map(|word| word.to_le_bytes()).collect()
     }
 
@@ -126,7 +128,9 @@ impl Reading<'_> {
 
     /// A length cannot claim more than is there: every element takes a word.
     fn list<T>(&mut self, mut element: impl FnMut(&mut Self) -> Option<T>) -> Option<Vec<T>> {
-        let count = usize::try_from(self.word()?).ok().filter(|count| *count <= self.left.len() / size_of::<u64>())?;
+        let count = usize::try_from(self.word()?)
+            .ok()
+            .filter(|count| *count <= self.left.len() / size_of::<u64>())?;
         (0..count).map(|_| element(self)).collect()
     }
 

@@ -54,7 +54,12 @@ impl Meeting {
         };
         Self {
             facets: self.facets.filtered(|joint| is_there(joint.forward, joint.backward)),
-            edges: self.edges.iter().filter(|joint| is_there(joint.forward, joint.backward)).copied().collect(),
+            edges: self
+                .edges
+                .iter()
+                .filter(|joint| is_there(joint.forward, joint.backward))
+                .copied()
+                .collect(),
         }
     }
 
@@ -83,10 +88,16 @@ impl Meeting {
 }
 
 /// Where both ends meet on edges in ways of `order`; nowhere where edges are ignored.
-pub(crate) fn edge_meetings(scatterer: &Scatterer<'_>, order: u8, settings: &MeetingSettings) -> Vec<EdgeJoint> {
+pub(crate) fn edge_meetings(
+    scatterer: &Scatterer<'_>,
+    order: u8,
+    settings: &MeetingSettings,
+) -> Vec<EdgeJoint> {
     let world = scatterer.world;
     match settings.edges {
-        Edges::FirstOrder => edge_joints(world, world.edges(settings.wavenumber_per_m), scatterer.trees, order),
+        Edges::FirstOrder => {
+            edge_joints(world, world.edges(settings.wavenumber_per_m), scatterer.trees, order)
+        }
         Edges::Ignored => Vec::new(),
     }
 }

@@ -21,7 +21,8 @@ pub struct RcsRequest {
     pub azimuth_rad: Vec<f64>,
     /// Antenna to origin; infinite for the far field.
     pub range_m: f64,
-    /// A receiver that stands still while the transmitter takes every aspect; `None` where it is the transmitter.
+    /// A receiver that stands still while the transmitter takes every aspect; `None` where it is the
+    /// transmitter.
     pub receiver: Option<Standpoint>,
     /// Of the result.
     pub polarization: Polarization,
@@ -90,5 +91,9 @@ pub(crate) fn aspects(request: &RcsRequest) -> Vec<Aspect> {
             receive: request.receiver.map(|r| (r.antenna(), zenith_h(r.azimuth_rad))),
         }
     };
-    request.elevation_rad.iter().flat_map(|el| request.azimuth_rad.iter().map(move |az| of(*el, *az))).collect()
+    request
+        .elevation_rad
+        .iter()
+        .flat_map(|el| request.azimuth_rad.iter().map(move |az| of(*el, *az)))
+        .collect()
 }

@@ -1,4 +1,5 @@
-//! Scattering amplitude of a mesh over frequency, elevation and azimuth: far field or finite range, one antenna or two.
+//! Scattering amplitude of a mesh over frequency, elevation and azimuth: far field or finite range, one
+//! antenna or two.
 
 use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::world::World;
@@ -9,7 +10,9 @@ use crate::oversight::memory::{MemoryLimit, memory_estimate_bytes};
 use crate::oversight::progress::{Phase, Progress};
 use crate::surface::skin::Skin;
 use crate::table::amplitude_ratio::ratio;
-use crate::table::aspect::{Aspect, AspectSettings, Check, Checks, Company, Scattering, scattering, scattering_with};
+use crate::table::aspect::{
+    Aspect, AspectSettings, Check, Checks, Company, Scattering, scattering, scattering_with,
+};
 use crate::table::far_field_error::{FarFieldError, far_field_error};
 use crate::table::finer_mirrors::{FinerMirrors, dropped_error};
 use crate::table::keeper::{Keeper, NothingKept, Piece};
@@ -33,23 +36,26 @@ pub struct RcsResult {
     pub amplitude_m: Vec<Complex64>,
     /// The same by bounce order, from order 1; their sum is `amplitude_m`.
     pub by_order_m: Vec<Vec<Complex64>>,
-    /// Beams by order of their tree, all aspects and both ends; orders that only the comparison of node rules needs are
-    /// traced where that is made.
+    /// Beams by order of their tree, all aspects and both ends; orders that only the comparison of node rules
+    /// needs are traced where that is made.
     pub beams: Vec<u64>,
-    /// Work by phase, as [`Surroundings::clock_s`] tells it: of all threads, and of all runs that aspects were kept from.
+    /// Work by phase, as [`Surroundings::clock_s`] tells it: of all threads, and of all runs that aspects
+    /// were kept from.
     pub seconds: RcsSeconds,
     /// Numerical error over the table.
     pub error: ErrorBudget,
     /// What the model leaves out, over the table.
     pub model_error: ModelError,
-    /// Per order from 1: ‖S − S(by the other node rule)‖ of that order over ‖S‖ of all, the other rule exit, and middle for
-    /// exit; over 32 to 64 aspects of a larger table.
+    /// Per order from 1: ‖S − S(by the other node rule)‖ of that order over ‖S‖ of all, the other rule exit,
+    /// and middle for exit; over 32 to 64 aspects of a larger table.
     pub node_spread: Vec<f64>,
-    /// Largest sum over one aspect of what dropped beams could scatter at most, over the table's root mean square |S|.
+    /// Largest sum over one aspect of what dropped beams could scatter at most, over the table's root mean
+    /// square |S|.
     pub dropped_at_most: f64,
     /// How far it went to keep what is dropped within the accuracy.
     pub mirrors: Followed,
-    /// What the table errs by at the ranges of a road; `None` where it is of a finite range, or too small to measure it.
+    /// What the table errs by at the ranges of a road; `None` where it is of a finite range, or too small to
+    /// measure it.
     pub far_field: Option<FarFieldError>,
 }
 
@@ -71,19 +77,21 @@ pub struct RcsSeconds {
     pub trace: f64,
     /// Joins and integrals.
     pub integrate: f64,
-    /// What the errors are measured by: finer integrals, the other node rule and the deeper trees that it needs.
+    /// What the errors are measured by: finer integrals, the other node rule and the deeper trees that it
+    /// needs.
     pub check: f64,
 }
 
 /// S of a mesh in body axes.
 ///
-/// One tree (two with a receiver apart) serves all frequencies of an aspect. `progress` hears (aspects done, aspects).
-/// The same request gives the same bytes on any number of threads, but for `seconds`.
+/// One tree (two with a receiver apart) serves all frequencies of an aspect. `progress` hears (aspects done,
+/// aspects). The same request gives the same bytes on any number of threads, but for `seconds`.
 ///
-/// At finite range, and with edges, the error of the integrals is measured at three aspects of the table against integrals
-/// ten times finer; if it exceeds the accuracy asked, everything is integrated finer. If what was dropped does, the aspects that
-/// drop too much are traced again with smaller mirrors, at most three times and as far as memory lets them. The node rule is compared with the
-/// other one at every n-th aspect of a table of more than 64.
+/// At finite range, and with edges, the error of the integrals is measured at three aspects of the table
+/// against integrals ten times finer; if it exceeds the accuracy asked, everything is integrated finer. If
+/// what was dropped does, the aspects that drop too much are traced again with smaller mirrors, at most three
+/// times and as far as memory lets them. The node rule is compared with the other one at every n-th aspect of
+/// a table of more than 64.
 pub fn rcs(
     mesh: &Mesh,
     request: &RcsRequest,
@@ -96,13 +104,17 @@ pub fn rcs(
     };
     let (memory_limit, start) = (MemoryLimit::NONE, Instant::now());
     let clock_s = &|| start.elapsed().as_secs_f64();
-    rcs_within(mesh, request, &Surroundings { memory_limit, keeper: &NothingKept, progress: &aspects, clock_s })
+    rcs_within(
+        mesh,
+        request,
+        &Surroundings { memory_limit, keeper: &NothingKept, progress: &aspects, clock_s },
+    )
 }
 
 /// What a table is made in.
 pub struct Surroundings<'a> {
-    /// A mesh that is expected to need more is refused before it is traced, and trees that grow beyond their share are given
-    /// up with an error.
+    /// A mesh that is expected to need more is refused before it is traced, and trees that grow beyond their
+    /// share are given up with an error.
     pub memory_limit: MemoryLimit,
     /// Aspects that it has are not made again; the result is the same to the byte.
     pub keeper: &'a dyn Keeper,
@@ -113,7 +125,11 @@ pub struct Surroundings<'a> {
 }
 
 /// The same in surroundings that may limit it and keep what is done.
-pub fn rcs_within(mesh: &Mesh, request: &RcsRequest, surroundings: &Surroundings<'_>) -> Result<RcsResult, BartError> {
+pub fn rcs_within(
+    mesh: &Mesh,
+    request: &RcsRequest,
+    surroundings: &Surroundings<'_>,
+) -> Result<RcsResult, BartError> {
     check(request)?;
     let limit = surroundings.memory_limit;
     let meter = WorkMeter::new(surroundings.clock_s);
@@ -131,7 +147,8 @@ pub fn rcs_within(mesh: &Mesh, request: &RcsRequest, surroundings: &Surroundings
     let world = world.within(limit);
     let build = meter.total_s() - start_s;
     let asked = request.accuracy.amplitude().max(1e-8);
-    // Bounds of bent facets are far above their errors, which cancel from facet to facet: spheres asked for -20 dB have -64 dB.
+    // Bounds of bent facets are far above their errors, which cancel from facet to facet: spheres asked for
+    // -20 dB have -64 dB.
     let accuracy = if world.skin_error() > 0.0 { 10.0 * asked } else { asked };
     let start_s = meter.total_s();
     let first = aspect_settings(request, &world, accuracy);
@@ -153,8 +170,8 @@ pub fn rcs_within(mesh: &Mesh, request: &RcsRequest, surroundings: &Surroundings
     Ok(result)
 }
 
-/// ‖S(through sheets) − S‖ over ‖S(through sheets)‖ of first order at the first, middle and last aspect; `None` where there is no sheet or
-/// waves are followed.
+/// ‖S(through sheets) − S‖ over ‖S(through sheets)‖ of first order at the first, middle and last aspect;
+/// `None` where there is no sheet or waves are followed.
 fn transmission_left_out(
     mesh: &Mesh,
     request: &RcsRequest,
@@ -221,9 +238,11 @@ const MOST_TILES: u64 = 50_000_000;
 pub(crate) fn aspect_settings(request: &RcsRequest, world: &World, accuracy: f64) -> AspectSettings {
     let wavenumbers_per_m = request.wavenumbers_per_m();
     let shortest_m = TAU / wavenumbers_per_m.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-    // λ²/100·accuracy (physics §2), or that part of the mean facet where facets are smaller than the wavelength: a fine
-    // mesh must not be dropped whole. Mirrors of a hundred times that size are the smallest that are followed.
-    let least_area_m2 = 1e-2 * mean_facet_m2(world).min(shortest_m * shortest_m) * request.accuracy.amplitude();
+    // λ²/100·accuracy (physics §2), or that part of the mean facet where facets are smaller than the
+    // wavelength: a fine mesh must not be dropped whole. Mirrors of a hundred times that size are the
+    // smallest that are followed.
+    let least_area_m2 =
+        1e-2 * mean_facet_m2(world).min(shortest_m * shortest_m) * request.accuracy.amplitude();
     let both = tree_order(request.bounces, NodeRule::Exit).max(tree_order(request.bounces, NodeRule::Middle));
     AspectSettings {
         trace: TraceSettings {
@@ -242,9 +261,9 @@ pub(crate) fn aspect_settings(request: &RcsRequest, world: &World, accuracy: f64
     }
 }
 
-/// Aspects of a table at which the node rule is compared with the other one, and the first order left out is added up: all, or every n-th so
-/// that at least half as many are. The spread is a ratio of powers over them: 32 aspects of independent phases know it to
-/// 1/√32, 0.8 dB.
+/// Aspects of a table at which the node rule is compared with the other one, and the first order left out is
+/// added up: all, or every n-th so that at least half as many are. The spread is a ratio of powers over them:
+/// 32 aspects of independent phases know it to 1/√32, 0.8 dB.
 const COMPARED_ASPECTS: usize = 64;
 
 /// What all aspects of a table share: bodies, hierarchy, patches, edges and skin are the world's, built once.
@@ -265,10 +284,14 @@ fn tree_of_receiver(
     progress: &dyn Progress,
 ) -> Result<Option<BeamTree>, BartError> {
     match aspects {
-        [Aspect { receive: Some((antenna, _)), .. }, _, ..] => {
-            BeamTree::trace_from_outside(world, *antenna, settings.longest_wave_m(), &settings.trace, progress)
-                .map(Some)
-        }
+        [Aspect { receive: Some((antenna, _)), .. }, _, ..] => BeamTree::trace_from_outside(
+            world,
+            *antenna,
+            settings.longest_wave_m(),
+            &settings.trace,
+            progress,
+        )
+        .map(Some),
         _ => Ok(None),
     }
 }
@@ -282,7 +305,8 @@ struct FineTable {
 }
 
 impl Sweep<'_> {
-    /// All aspects integrated finer, and those that need it traced finer, until both errors are as asked or no more is to be had.
+    /// All aspects integrated finer, and those that need it traced finer, until both errors are as asked or
+    /// no more is to be had.
     fn fine_table(&self, mut settings: AspectSettings, asked: f64) -> Result<FineTable, BartError> {
         let all: Vec<usize> = (0..self.aspects.len()).collect();
         let mut mirrors = FinerMirrors::of_none(all.len());
@@ -318,7 +342,11 @@ impl Sweep<'_> {
         let one = |&index: &usize| {
             let received = self.received.filter(|_| mirrors.is_first(index));
             let found = self.aspect(index, received, &mirrors.settings(index, settings), pass);
-            self.surroundings.progress.at(Phase::Aspects, done.fetch_add(1, Ordering::Relaxed) + 1, which.len());
+            self.surroundings.progress.at(
+                Phase::Aspects,
+                done.fetch_add(1, Ordering::Relaxed) + 1,
+                which.len(),
+            );
             found
         };
         which.par_iter().map(one).collect()
@@ -347,7 +375,8 @@ impl Sweep<'_> {
         let count = self.aspects.len();
         let is_checked = [0, count / 2, count - 1].contains(&index);
         let is_compared = index.is_multiple_of(count.div_ceil(COMPARED_ASPECTS));
-        // Far away the polygons' closed form is exact; bent facets and currents that end on a face are integrated by pieces.
+        // Far away the polygons' closed form is exact; bent facets and currents that end on a face are
+        // integrated by pieces.
         let is_near = self.aspects[index].is_near();
         let is_exact = !is_near && settings.edges == Edges::Ignored && self.world.skin_error() == 0.0;
         let measured = |is_measured| if is_measured { Check::Measured } else { Check::Skipped };
@@ -360,8 +389,8 @@ fn is_bounded(table: &[Scattering], settings: &AspectSettings) -> bool {
     table.iter().any(|aspect| aspect.accuracy > settings.accuracy)
 }
 
-/// ‖S − S(ten times finer)‖ per value over the table's root mean square |S|; rounding in the far field, where the closed
-/// form is exact to 1e-12.
+/// ‖S − S(ten times finer)‖ per value over the table's root mean square |S|; rounding in the far field, where
+/// the closed form is exact to 1e-12.
 fn measured_error(table: &[Scattering]) -> f64 {
     const ROUNDING: f64 = 1e-12;
     if table.iter().all(|s| s.error_power.is_none()) {
@@ -384,8 +413,9 @@ fn result(request: &RcsRequest, table: &[Scattering], build: f64) -> RcsResult {
     let power = table.iter().map(Scattering::mean_power).sum::<f64>();
     let compared = || table.iter().filter(|s| s.node_spread_power().is_some());
     let compared_power = compared().map(Scattering::mean_power).sum::<f64>();
-    let spread =
-        |of: &dyn Fn(&Scattering) -> Option<f64>| ratio(compared().filter_map(of).sum::<f64>(), compared_power);
+    let spread = |of: &dyn Fn(&Scattering) -> Option<f64>| {
+        ratio(compared().filter_map(of).sum::<f64>(), compared_power)
+    };
     let most_m = table.iter().map(|s| s.dropped_at_most_m).fold(0.0, f64::max);
     RcsResult {
         amplitude_m: transposed(&|s, f| s.total_m(f)),
@@ -422,8 +452,8 @@ fn left_out(table: &[Scattering], power: impl Fn(&Scattering) -> Option<f64>) ->
     measured().next().map(|_| ratio(left_out, all))
 }
 
-/// What the first order left out would carry if orders went on to decay as the last two did, and no growth is assumed;
-/// `None` from one order alone.
+/// What the first order left out would carry if orders went on to decay as the last two did, and no growth is
+/// assumed; `None` from one order alone.
 pub(crate) fn next_order(by_order: &[f64]) -> Option<f64> {
     let [.., before, last] = by_order else { return None };
     Some(if last < before { last * last / before } else { *last })

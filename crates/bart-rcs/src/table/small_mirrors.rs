@@ -1,17 +1,18 @@
-//! How much of a plate's bound the mirrors that are too small to be followed would scatter, told by the smallest ones that
-//! were followed.
+//! How much of a plate's bound the mirrors that are too small to be followed would scatter, told by the
+//! smallest ones that were followed.
 //!
-//! A mirror of area a across the wave is no more than a plate, |S| ≤ k/√π·a. Most of what it reflects escapes, though; what
-//! meets a facet counts only where the other end sees that facet as well; and there its phase turns. So the mean of |S|² over
-//! mirrors is a share of (k/√π·a)². Of a followed mirror of area A whose joints have the areas a_j, seen along the beam, a part
-//! of area a₀ anywhere on it overlaps joint j by a_j·a₀/A in the mean. Where it does, let one of both lie in the other whole,
-//! which is the most for a mean of squares: so it is with the probability max(a_j, a₀)/A, and what is scattered is what j would
-//! scatter if it were no larger than a₀:
+//! A mirror of area a across the wave is no more than a plate, |S| ≤ k/√π·a. Most of what it reflects
+//! escapes, though; what meets a facet counts only where the other end sees that facet as well; and there its
+//! phase turns. So the mean of |S|² over mirrors is a share of (k/√π·a)². Of a followed mirror of area A
+//! whose joints have the areas a_j, seen along the beam, a part of area a₀ anywhere on it overlaps joint j by
+//! a_j·a₀/A in the mean. Where it does, let one of both lie in the other whole, which is the most for a mean
+//! of squares: so it is with the probability max(a_j, a₀)/A, and what is scattered is what j would scatter if
+//! it were no larger than a₀:
 //!
 //! share = Σ_j max(a_j, a₀)/A · |S_j(made no larger than a₀)|²/(k/√π·a₀)²
 //!
-//! a₀ is the mean area of what was not followed. What is assumed: mirrors too small to be followed lie among facets as the
-//! smallest of the larger ones do. Edges that they light are not looked at.
+//! a₀ is the mean area of what was not followed. What is assumed: mirrors too small to be followed lie among
+//! facets as the smallest of the larger ones do. Edges that they light are not looked at.
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::geometry::clip::doubled_area;
@@ -22,8 +23,8 @@ use glam::DVec3;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
-/// Followed mirrors that tell of one order, or every n-th so that at least half as many do: the sums of their shares are known
-/// to a third or better, as a few in a hundred make them, and cost a twentieth of an aspect.
+/// Followed mirrors that tell of one order, or every n-th so that at least half as many do: the sums of their
+/// shares are known to a third or better, as a few in a hundred make them, and cost a twentieth of an aspect.
 const MOST: usize = 2048;
 /// They are at most four times as long as the smallest that is followed.
 const LARGEST: f64 = 16.0;
@@ -104,15 +105,17 @@ impl Sample {
         let area = |index: u32| tree.beams[index as usize].across_m2;
         let is_small = |index: &u32| (least_m2..LARGEST * least_m2).contains(&area(*index));
         let mirrors: Vec<u32> = (start as u32..stop as u32).filter(is_small).collect();
-        let mirrors: Vec<u32> = mirrors.iter().copied().step_by(mirrors.len().div_ceil(MOST).max(1)).collect();
+        let mirrors: Vec<u32> =
+            mirrors.iter().copied().step_by(mirrors.len().div_ceil(MOST).max(1)).collect();
         let shares = vec![0.0; mirrors.len()];
         (area_m2 > 0.0).then_some(Self { end, order, mirrors, area_m2, shares })
     }
 
     /// Mean of the shares, not below the true one in 95 of 100 cases.
     ///
-    /// The sum of n independent shares errs by √Σ share², 1.645 of these where 95 of 100 normal errors are below. It knows nothing
-    /// of shares that are rarer than one in n: 3/n of the mirrors may be whole plates of which none was met (e⁻³ = 5 %).
+    /// The sum of n independent shares errs by √Σ share², 1.645 of these where 95 of 100 normal errors are
+    /// below. It knows nothing of shares that are rarer than one in n: 3/n of the mirrors may be whole plates
+    /// of which none was met (e⁻³ = 5 %).
     fn share(&self) -> f64 {
         let sum: f64 = self.shares.iter().sum();
         let error = self.shares.iter().map(|share| share * share).sum::<f64>().sqrt();
@@ -156,7 +159,8 @@ impl Look<'_> {
     fn sampled_on_way(&self, end: usize, beam: u32) -> impl Iterator<Item = (usize, usize)> {
         let trees = self.scatterer.trees;
         let tree = self.tree(end);
-        let mirrors = std::iter::successors(tree.beams[beam as usize].parent, |m| tree.beams[*m as usize].parent);
+        let mirrors =
+            std::iter::successors(tree.beams[beam as usize].parent, |m| tree.beams[*m as usize].parent);
         mirrors.filter_map(move |mirror| {
             let order = tree.beams[mirror as usize].order;
             let (of_end, mirror) = match (end, trees) {
@@ -182,7 +186,8 @@ impl Look<'_> {
         let area_m2 = across_m2(&self.tree(end).beams[beam as usize], corners_m, middle_m);
         let mirror = &self.tree(sample.end).beams[sample.mirrors[place] as usize];
         let scale = (sample.area_m2 / area_m2).min(1.0);
-        let small_m: Vec<DVec3> = corners_m.iter().map(|x| middle_m + scale.sqrt() * (x - middle_m)).collect();
+        let small_m: Vec<DVec3> =
+            corners_m.iter().map(|x| middle_m + scale.sqrt() * (x - middle_m)).collect();
         let part = Part { corners_m: &small_m, reference_m: middle_m, bracket: self.integration.bracket };
         let amplitudes = self.scatterer.amplitudes(joint, &part, &[self.wavenumber_per_m], ACCURACY).value;
         let (p, q) = self.polarization.indices();
@@ -217,7 +222,8 @@ mod tests {
     const WAVENUMBER_PER_M: f64 = 1613.0;
     const LEAST_M2: f64 = 1e-6;
 
-    /// A floor of many small plates, of 0.6 to 3 mm so that some are below the least area and some are not, and a wall.
+    /// A floor of many small plates, of 0.6 to 3 mm so that some are below the least area and some are not,
+    /// and a wall.
     fn corner(wall: &[[f64; 3]]) -> World {
         let mut mesh = Mesh::default();
         let mut face = |corners: &[[f64; 3]]| {
@@ -240,13 +246,17 @@ mod tests {
     fn told_and_true(world: &World) -> [f64; 2] {
         let antenna = Antenna::Direction(DVec3::new(0.6, 0.48, 0.64));
         let of = |least_mirror_area_m2: f64| {
-            let trace = TraceSettings { max_order: 2, sides: Sides::Two, least_area_m2: 1e-9, least_mirror_area_m2 };
+            let trace =
+                TraceSettings { max_order: 2, sides: Sides::Two, least_area_m2: 1e-9, least_mirror_area_m2 };
             let tree = BeamTree::trace(world, antenna, &trace).unwrap();
             let zenith_h = ZenithH { transmit: DVec3::Y, receive: DVec3::Y };
             let scatterer = Scatterer::new(world, Trees::Shared(&tree), zenith_h);
             let nodes = NodeRule::Exit;
-            let integration =
-                Integration { wavenumbers_per_m: &[WAVENUMBER_PER_M], accuracy: 1e-3, bracket: bracket_of(nodes) };
+            let integration = Integration {
+                wavenumbers_per_m: &[WAVENUMBER_PER_M],
+                accuracy: 1e-3,
+                bracket: bracket_of(nodes),
+            };
             let what = MeetingSettings {
                 nodes,
                 edges: Edges::Ignored,
@@ -263,8 +273,9 @@ mod tests {
                     parent.is_some_and(|p| tree.beams[p as usize].across_m2 < LEAST_M2)
                 };
                 let power = |joint: &Joint| {
-                    scatterer.scattering(joint, joints.polygon(joint), DVec3::ZERO, &integration).value[0][0][0]
-                        .norm_sqr()
+                    scatterer.scattering(joint, joints.polygon(joint), DVec3::ZERO, &integration).value[0][0]
+                        [0]
+                    .norm_sqr()
                 };
                 power_m2 += joints.list.iter().filter(|joint| is_small(joint)).map(power).sum::<f64>();
             }
@@ -278,11 +289,16 @@ mod tests {
     /// The wall takes what the floor reflects, and sends it back.
     #[test]
     fn mirrors_before_a_wall_are_told_to_scatter_what_they_do() {
-        let [told, truth] =
-            told_and_true(&corner(&[[-0.02, -0.2, 0.0], [-0.02, 0.3, 0.0], [-0.02, 0.3, 0.3], [-0.02, -0.2, 0.3]]));
+        let [told, truth] = told_and_true(&corner(&[
+            [-0.02, -0.2, 0.0],
+            [-0.02, 0.3, 0.0],
+            [-0.02, 0.3, 0.3],
+            [-0.02, -0.2, 0.3],
+        ]));
         println!("share told {told:.3}, true {truth:.3}");
-        // At least the truth, and above it by no more than the margins of some hundred mirrors, 1.645/√100 = 16 %, and what small
-        // pieces gain where their phase turns less: within half a wavelength a square loses a third of its power at most.
+        // At least the truth, and above it by no more than the margins of some hundred mirrors, 1.645/√100 =
+        // 16 %, and what small pieces gain where their phase turns less: within half a wavelength a square
+        // loses a third of its power at most.
         assert!(truth > 0.02 && told >= truth && told < 1.5 * truth);
     }
 

@@ -1,8 +1,9 @@
 //! Whose work the processors' time was, where several aspects are made side by side.
 //!
-//! Threads that wait for a part of one aspect take up another one, so that no aspect's time is that of a thread or of a clock
-//! on the wall. Whenever one begins, goes on to another phase or ends, what the program has worked since the last time is
-//! divided equally among those that were under way: together they have all of it.
+//! Threads that wait for a part of one aspect take up another one, so that no aspect's time is that of a
+//! thread or of a clock on the wall. Whenever one begins, goes on to another phase or ends, what the program
+//! has worked since the last time is divided equally among those that were under way: together they have all
+//! of it.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};

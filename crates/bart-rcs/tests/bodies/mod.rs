@@ -73,13 +73,19 @@ fn fan(points: &[DVec3]) -> Vec<[DVec3; 3]> {
 /// A closed box, seen from outside counter-clockwise.
 pub(crate) fn cuboid(low: DVec3, high: DVec3) -> Triangles {
     extruded(
-        &[DVec2::new(low.x, low.z), DVec2::new(high.x, low.z), DVec2::new(high.x, high.z), DVec2::new(low.x, high.z)],
+        &[
+            DVec2::new(low.x, low.z),
+            DVec2::new(high.x, low.z),
+            DVec2::new(high.x, high.z),
+            DVec2::new(low.x, high.z),
+        ],
         low.y,
         high.y,
     )
 }
 
-/// A closed prism: a convex or star-shaped (about its first corner) outline in x–z, counter-clockwise seen from −y.
+/// A closed prism: a convex or star-shaped (about its first corner) outline in x–z, counter-clockwise seen
+/// from −y.
 pub(crate) fn extruded(outline: &[DVec2], y_low: f64, y_high: f64) -> Triangles {
     let at = |y: f64| move |p: &DVec2| DVec3::new(p.x, y, p.y);
     let near: Vec<DVec3> = outline.iter().map(at(y_low)).collect();
@@ -99,7 +105,8 @@ pub(crate) fn sphere(radius_m: f64, refinements: u32) -> Triangles {
     let v: Vec<DVec3> = [(0.0, 1.0), (0.0, -1.0)]
         .iter()
         .flat_map(|&(_, s)| {
-            [1.0, -1.0].map(|t| [DVec3::new(0.0, s, t * g), DVec3::new(s, t * g, 0.0), DVec3::new(t * g, 0.0, s)])
+            [1.0, -1.0]
+                .map(|t| [DVec3::new(0.0, s, t * g), DVec3::new(s, t * g, 0.0), DVec3::new(t * g, 0.0, s)])
         })
         .flatten()
         .collect();
@@ -122,12 +129,14 @@ pub(crate) fn sphere(radius_m: f64, refinements: u32) -> Triangles {
 
 /// A closed cylinder along y.
 fn wheel(centre: DVec3, radius_m: f64, width_m: f64, sides: u32) -> Triangles {
-    let corner = |i: u32| DVec2::from_angle(f64::from(i) / f64::from(sides) * std::f64::consts::TAU) * radius_m;
+    let corner =
+        |i: u32| DVec2::from_angle(f64::from(i) / f64::from(sides) * std::f64::consts::TAU) * radius_m;
     let outline: Vec<DVec2> = (0..sides).map(corner).collect();
     extruded(&outline, -0.5 * width_m, 0.5 * width_m).shifted(centre)
 }
 
-/// A car of closed parts that touch, coincide in places and pass through each other: 4.6 × 1.8 × 1.5 m on z = 0.
+/// A car of closed parts that touch, coincide in places and pass through each other: 4.6 × 1.8 × 1.5 m on z =
+/// 0.
 pub(crate) fn car(wheel_sides: u32) -> Triangles {
     let p = DVec2::new;
     let hull = [
@@ -166,7 +175,15 @@ pub(crate) fn directions() -> Vec<DVec3> {
         let (se, ce) = elevation.to_radians().sin_cos();
         DVec3::new(ca * ce, sa * ce, se)
     };
-    vec![at(0.0, 0.0), at(90.0, 0.0), at(17.0, 11.0), at(133.0, 8.6), at(-71.0, 35.0), at(45.0, -20.0), at(0.0, 90.0)]
+    vec![
+        at(0.0, 0.0),
+        at(90.0, 0.0),
+        at(17.0, 11.0),
+        at(133.0, 8.6),
+        at(-71.0, 35.0),
+        at(45.0, -20.0),
+        at(0.0, 90.0),
+    ]
 }
 
 /// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): enough to strew test geometry.

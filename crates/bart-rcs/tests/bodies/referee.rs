@@ -1,12 +1,14 @@
 //! Silhouettes by a union of projected triangles that shares nothing with the tracer.
 //!
-//! Triangles are projected to a plane (parallel, or from a point). Between two neighbouring heights of all corners and
-//! crossings every outline is straight and none cross, so the union is a row of trapezoids, each summed exactly.
+//! Triangles are projected to a plane (parallel, or from a point). Between two neighbouring heights of all
+//! corners and crossings every outline is straight and none cross, so the union is a row of trapezoids, each
+//! summed exactly.
 
 use bart_rcs::Antenna;
 use glam::{DVec2, DVec3};
 
-/// Area across the direction, m², or solid angle, sr, of the union of the triangles, all of which lie before the antenna.
+/// Area across the direction, m², or solid angle, sr, of the union of the triangles, all of which lie before
+/// the antenna.
 pub(crate) fn silhouette(triangles: &[[DVec3; 3]], antenna: Antenna) -> f64 {
     let view = Projection::towards(triangles, antenna);
     let flat: Vec<[DVec2; 3]> = triangles.iter().map(|t| t.map(|v| view.flat(v))).collect();
@@ -120,7 +122,8 @@ fn trapezoid([left, right]: [Side; 2], low: f64, high: f64, view: &Projection) -
 fn span(t: &[DVec2; 3], low: f64, middle: f64, high: f64) -> Option<[Side; 2]> {
     let mut sides = [(0, 1), (1, 2), (2, 0)].into_iter().filter_map(|(i, j)| {
         let (a, b) = if t[i].y < t[j].y { (t[i], t[j]) } else { (t[j], t[i]) };
-        (a.y < middle && middle < b.y).then(|| [low, middle, high].map(|y| a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x)))
+        (a.y < middle && middle < b.y)
+            .then(|| [low, middle, high].map(|y| a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x)))
     });
     let (first, second) = (sides.next()?, sides.next()?);
     Some(if first[1] < second[1] { [first, second] } else { [second, first] })

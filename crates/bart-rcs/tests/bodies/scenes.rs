@@ -2,11 +2,13 @@
 
 use artifact::Accuracy;
 use artifact::material::MaterialMap;
-use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
+use artifact::radar::{
+    Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform,
+};
 use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
-    Angle, BetweenBodies, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise, Refine,
-    Sides, StaticEchoes, Surface, Window,
+    Angle, BetweenBodies, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise,
+    Refine, Sides, StaticEchoes, Surface, Window,
 };
 
 const RADAR_M: [f64; 3] = [0.0, 0.0, 6.0];

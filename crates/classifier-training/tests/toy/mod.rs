@@ -13,8 +13,13 @@ use rand_chacha::ChaCha8Rng;
 
 pub(crate) const SIDE: usize = 48;
 
-pub(crate) const FORMAT: CropFormat =
-    CropFormat { side: SIDE as u32, range_span_m: 24.0, velocity_span_mps: 8.0, floor_db: 0.0, ceiling_db: 50.0 };
+pub(crate) const FORMAT: CropFormat = CropFormat {
+    side: SIDE as u32,
+    range_span_m: 24.0,
+    velocity_span_mps: 8.0,
+    floor_db: 0.0,
+    ceiling_db: 50.0,
+};
 
 /// Rows and columns of the rectangle of each class.
 const EXTENTS: [[usize; 2]; 4] = [[3, 10], [4, 30], [12, 22], [2, 3]];
@@ -69,6 +74,7 @@ pub(crate) fn sample(number: u64) -> Sample {
 /// As long as the rectangle, in noise.
 fn signature(columns: usize, generator: &mut ChaCha8Rng) -> Signature {
     let level_db = |cell: usize| if cell < columns { 30.0 } else { 0.0 } + generator.random_range(0.0..3.0);
-    let cells = (0..SIDE).map(level_db).map(|level_db| SignatureCell { level_db, ..SignatureCell::default() });
+    let cells =
+        (0..SIDE).map(level_db).map(|level_db| SignatureCell { level_db, ..SignatureCell::default() });
     Signature { range_m: 40.0, cell_m: 0.12, points: 1, cells: cells.collect(), ..Signature::default() }
 }

@@ -27,7 +27,8 @@ impl Classifier {
     ///
     /// The crops must be of the model's [`artifact::dataset::CropFormat`].
     pub fn probabilities(&self, crops: &[Crop]) -> Result<Vec<[f32; 4]>, ClassifierError> {
-        // Every crop is looked at before any is answered, so that the first that is off is told on any number of threads.
+        // Every crop is looked at before any is answered, so that the first that is off is told on any number
+        // of threads.
         crops.iter().enumerate().try_for_each(|(index, crop)| check_pixels(crop, &self.layout, index))?;
         let answer = |crop: &Crop| {
             let pooled = pool(&crop.pixels, self.layout.crop_side, self.layout.input_side);
@@ -62,7 +63,11 @@ pub(crate) fn pooled_crop(crop: &Crop, layout: &Layout, index: usize) -> Result<
 
 fn check_pixels(crop: &Crop, layout: &Layout, index: usize) -> Result<(), ClassifierError> {
     let (found, side) = (crop.pixels.len(), layout.crop_side);
-    if found == side * side { Ok(()) } else { Err(ClassifierError::CropPixels { index, found, side: side as u32 }) }
+    if found == side * side {
+        Ok(())
+    } else {
+        Err(ClassifierError::CropPixels { index, found, side: side as u32 })
+    }
 }
 
 /// e^l / Σ e^l in double precision, the largest logit taken off first so that nothing overflows.

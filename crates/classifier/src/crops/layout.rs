@@ -6,8 +6,9 @@ use artifact::dataset::CropFormat;
 use artifact::model::{Learner, ModelHeader};
 use artifact::settings::Class;
 
-/// Name of the layout in a model's [`NetworkShape`](artifact::model::NetworkShape): three blocks of 3 x 3 convolution, batch normalization,
-/// rectifier and 2 x 2 maximum, then one fully connected layer (the paper's Fig. 7).
+/// Name of the layout in a model's [`NetworkShape`](artifact::model::NetworkShape): three blocks of 3 x 3
+/// convolution, batch normalization, rectifier and 2 x 2 maximum, then one fully connected layer (the paper's
+/// Fig. 7).
 pub const ARCHITECTURE: &str = "3x(conv3x3-batchnorm-relu-maxpool2)-linear";
 /// Channels of the three convolutions where nothing else is wanted (the paper does not tell its own).
 pub const CHANNELS: [u32; 3] = [8, 16, 32];
@@ -35,10 +36,16 @@ impl Layout {
     /// Refuses what this program cannot build.
     pub fn of(header: &ModelHeader) -> Result<Self, ClassifierError> {
         let Learner::CropNetwork(shape) = &header.learner else {
-            return Err(ClassifierError::Architecture { found: header.learner.name().into(), known: ARCHITECTURE });
+            return Err(ClassifierError::Architecture {
+                found: header.learner.name().into(),
+                known: ARCHITECTURE,
+            });
         };
         if shape.architecture != ARCHITECTURE {
-            return Err(ClassifierError::Architecture { found: shape.architecture.clone(), known: ARCHITECTURE });
+            return Err(ClassifierError::Architecture {
+                found: shape.architecture.clone(),
+                known: ARCHITECTURE,
+            });
         }
         check_classes(header)?;
         check_sides(&shape.format, shape.input_side)?;
@@ -75,7 +82,11 @@ impl Layout {
 
 /// The four, in their order.
 pub(crate) fn check_classes(header: &ModelHeader) -> Result<(), ClassifierError> {
-    if header.classes == Class::ALL { Ok(()) } else { Err(ClassifierError::Classes { found: header.classes.clone() }) }
+    if header.classes == Class::ALL {
+        Ok(())
+    } else {
+        Err(ClassifierError::Classes { found: header.classes.clone() })
+    }
 }
 
 fn check_sides(format: &CropFormat, input_side: u32) -> Result<(), ClassifierError> {

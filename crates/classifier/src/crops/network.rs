@@ -1,8 +1,9 @@
-//! The paper's network (Fig. 7) as it answers: three blocks of 3 × 3 convolution, batch normalization, maximum of 2 × 2 and
-//! rectifier, then a fully connected layer. It learns in `classifier-training`, by a library that a main job need not build.
+//! The paper's network (Fig. 7) as it answers: three blocks of 3 × 3 convolution, batch normalization,
+//! maximum of 2 × 2 and rectifier, then a fully connected layer. It learns in `classifier-training`, by a
+//! library that a main job need not build.
 //!
-//! Batch normalization is a factor and an offset once training is over, and both go into the convolution before it. Every sum is
-//! taken in one order, whatever the threads: equal crops give equal bits.
+//! Batch normalization is a factor and an offset once training is over, and both go into the convolution
+//! before it. Every sum is taken in one order, whatever the threads: equal crops give equal bits.
 
 use crate::crops::layout::{KERNEL_SIDE, Layout};
 use crate::crops::parameters::Parameters;
@@ -72,20 +73,27 @@ impl Block {
         let convolution = parameters.get(&tensor_name::convolution(index))?;
         let (scale, offset) = (tensor(tensor_name::scale(index))?, tensor(tensor_name::offset(index))?);
         let (mean, variance) = (tensor(tensor_name::mean(index))?, tensor(tensor_name::variance(index))?);
-        let factors: Vec<f32> =
-            scale.iter().zip(variance).map(|(scale, variance)| scale / (variance + VARIANCE_FLOOR).sqrt()).collect();
+        let factors: Vec<f32> = scale
+            .iter()
+            .zip(variance)
+            .map(|(scale, variance)| scale / (variance + VARIANCE_FLOOR).sqrt())
+            .collect();
         let inputs = convolution.shape[1];
         let kernels = convolution.values.chunks_exact(inputs * KERNEL_SIDE * KERNEL_SIDE);
-        let weights = kernels.zip(&factors).flat_map(|(kernel, factor)| kernel.iter().map(move |w| w * factor));
-        let bias = offset.iter().zip(mean).zip(&factors).map(|((offset, mean), factor)| offset - mean * factor);
+        let weights =
+            kernels.zip(&factors).flat_map(|(kernel, factor)| kernel.iter().map(move |w| w * factor));
+        let bias =
+            offset.iter().zip(mean).zip(&factors).map(|((offset, mean), factor)| offset - mean * factor);
         Ok(Self { weights: weights.collect(), bias: bias.collect(), inputs })
     }
 
-    /// The maximum and the rectifier commute (both rise); in this order the rectifier sees a quarter of the pixels.
+    /// The maximum and the rectifier commute (both rise); in this order the rectifier sees a quarter of the
+    /// pixels.
     fn forward(&self, input: &Maps) -> Maps {
         let framed = input.framed(self.inputs);
         let kernels = self.weights.chunks_exact(self.inputs * KERNEL_SIDE * KERNEL_SIDE).zip(&self.bias);
-        let halved = kernels.flat_map(|(kernel, bias)| halved(&convolved(&framed, kernel, *bias), input.side));
+        let halved =
+            kernels.flat_map(|(kernel, bias)| halved(&convolved(&framed, kernel, *bias), input.side));
         Maps { side: input.side / 2, levels: halved.collect() }
     }
 }
@@ -161,8 +169,9 @@ mod tests {
 
     /// Each layer as its textbook writes it, in double precision, nothing folded into another.
     fn reference(parameters: &Parameters, pooled: &[u8]) -> [f64; 4] {
-        let of =
-            |name: &str| -> Vec<f64> { parameters.get(name).unwrap().values.iter().map(|v| f64::from(*v)).collect() };
+        let of = |name: &str| -> Vec<f64> {
+            parameters.get(name).unwrap().values.iter().map(|v| f64::from(*v)).collect()
+        };
         let mut side = LAYOUT.input_side;
         let mut maps = vec![pooled.iter().map(|g| f64::from(*g) / 255.0).collect::<Vec<f64>>()];
         for (block, outputs) in LAYOUT.channels.into_iter().enumerate() {
@@ -189,8 +198,9 @@ mod tests {
             let largest = |out: usize, row: usize, column: usize| {
                 (0..4).map(|i| answer(out, 2 * row + i / 2, 2 * column + i % 2)).fold(0.0, f64::max)
             };
-            let next: Vec<Vec<f64>> =
-                (0..outputs).map(|out| (0..half * half).map(|p| largest(out, p / half, p % half)).collect()).collect();
+            let next: Vec<Vec<f64>> = (0..outputs)
+                .map(|out| (0..half * half).map(|p| largest(out, p / half, p % half)).collect())
+                .collect();
             (maps, side) = (next, half);
         }
         let (weights, bias) = (of(tensor_name::LINEAR_WEIGHT), of(tensor_name::LINEAR_BIAS));

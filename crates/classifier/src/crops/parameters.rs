@@ -25,7 +25,8 @@ impl Parameters {
         Self(tensors)
     }
 
-    /// Reads weights, and refuses any tensor that is missing, left over, of another shape or type, or not possible.
+    /// Reads weights, and refuses any tensor that is missing, left over, of another shape or type, or not
+    /// possible.
     pub fn from_weights(layout: &Layout, weights: &Weights) -> Result<Self, ClassifierError> {
         let Weights::Network { safetensors } = weights else { return Err(ClassifierError::OtherWeights) };
         let file = SafeTensors::deserialize(safetensors)?;
@@ -51,7 +52,9 @@ impl Parameters {
             .0
             .iter()
             .zip(&bytes)
-            .map(|((name, tensor), bytes)| Ok((name, TensorView::new(Dtype::F32, tensor.shape.clone(), bytes)?)))
+            .map(|((name, tensor), bytes)| {
+                Ok((name, TensorView::new(Dtype::F32, tensor.shape.clone(), bytes)?))
+            })
             .collect::<Result<Vec<_>, ClassifierError>>()?;
         Ok(Weights::Network { safetensors: safetensors::serialize(views, None)? })
     }
@@ -86,7 +89,9 @@ fn checked_values(file: &SafeTensors<'_>, name: &str, shape: Vec<usize>) -> Resu
     }
     let values: Vec<f32> = view.data().as_chunks().0.iter().map(|b| f32::from_le_bytes(*b)).collect();
     match values.iter().position(|v| !v.is_finite() || (name.ends_with("variance") && *v < 0.0)) {
-        Some(index) => Err(ClassifierError::TensorValue { name: name.to_owned(), index, value: values[index] }),
+        Some(index) => {
+            Err(ClassifierError::TensorValue { name: name.to_owned(), index, value: values[index] })
+        }
         None => Ok(Values { shape, values }),
     }
 }

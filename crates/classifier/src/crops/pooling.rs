@@ -1,10 +1,12 @@
 //! Area averaging of a square image to a smaller side, exact for any ratio.
 //!
-//! 451 to 128 is 3.52 pixels to one: an output pixel is the mean over its own square of the input, pixels on the border
-//! of two squares counted by the part of them that lies in each. The crop is resampled from cells of about 0.2 m and
-//! 0.25 m/s, 24 m x 8 m/s in 451 x 451, so 128 pixels (0.19 m, 0.06 m/s) still hold what the map resolves.
+//! 451 to 128 is 3.52 pixels to one: an output pixel is the mean over its own square of the input, pixels on
+//! the border of two squares counted by the part of them that lies in each. The crop is resampled from cells
+//! of about 0.2 m and 0.25 m/s, 24 m x 8 m/s in 451 x 451, so 128 pixels (0.19 m, 0.06 m/s) still hold what
+//! the map resolves.
 
-/// Grey levels `[side, side]`, row-major, averaged to `[pooled_side, pooled_side]` and rounded to the nearest level.
+/// Grey levels `[side, side]`, row-major, averaged to `[pooled_side, pooled_side]` and rounded to the nearest
+/// level.
 ///
 /// `pixels` must hold `side`² levels and `pooled_side` be at most `side`.
 pub(crate) fn pool(pixels: &[u8], side: usize, pooled_side: usize) -> Vec<u8> {
@@ -73,7 +75,8 @@ mod tests {
         let mean = |p: &[u8]| p.iter().map(|v| f64::from(*v)).sum::<f64>() / p.len() as f64;
         let pooled = pool(&pixels, 451, 128);
         assert_eq!(pooled.len(), 128 * 128);
-        // Rounding moves a pixel by at most half a level, independently: 0.29 / 128 levels of the mean, six times that.
+        // Rounding moves a pixel by at most half a level, independently: 0.29 / 128 levels of the mean, six
+        // times that.
         assert!((mean(&pixels) - mean(&pooled)).abs() < 6.0 * 0.29 / 128.0);
     }
 }

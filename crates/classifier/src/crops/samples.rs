@@ -111,7 +111,11 @@ impl Partition {
     fn add(&mut self, sample: &Sample, crop: &Crop) -> Result<(), ClassifierError> {
         let first = *self.split_of_scene.entry(sample.scene).or_insert(sample.split);
         if first != sample.split {
-            return Err(ClassifierError::SceneInTwoSplits { scene: sample.scene, first, second: sample.split });
+            return Err(ClassifierError::SceneInTwoSplits {
+                scene: sample.scene,
+                first,
+                second: sample.split,
+            });
         }
         if !self.ids.insert(sample.id.clone()) {
             return Err(ClassifierError::SampleTwice(sample.id.clone()));
@@ -119,7 +123,9 @@ impl Partition {
         let image = (sample.split, sample.id.clone());
         match self.first_of_image.entry(hash_of(&crop.pixels)).or_insert(image) {
             (split, _) if *split == sample.split => Ok(()),
-            (_, first) => Err(ClassifierError::CropInTwoSplits { first: first.clone(), second: sample.id.clone() }),
+            (_, first) => {
+                Err(ClassifierError::CropInTwoSplits { first: first.clone(), second: sample.id.clone() })
+            }
         }
     }
 }

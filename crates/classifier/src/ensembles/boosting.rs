@@ -1,9 +1,10 @@
 //! How boosted trees learn: each tree takes a step down the log loss of four classes.
 //!
-//! Friedman, Greedy Function Approximation (Ann. Statist. 29 (2001) 1189), with second-order steps as Chen & Guestrin, XGBoost
-//! (arXiv:1603.02754), section 2.2: a leaf moves each logit by −G/(H + λ), G and H the sums of the loss's first and second
-//! derivatives over its examples; a split gains ½Σ(G²/(H + λ)) over the classes. One tree moves all four logits. Columns are
-//! sorted once, and every threshold between two different values is tried.
+//! Friedman, Greedy Function Approximation (Ann. Statist. 29 (2001) 1189), with second-order steps as Chen &
+//! Guestrin, XGBoost (arXiv:1603.02754), section 2.2: a leaf moves each logit by −G/(H + λ), G and H the sums
+//! of the loss's first and second derivatives over its examples; a split gains ½Σ(G²/(H + λ)) over the
+//! classes. One tree moves all four logits. Columns are sorted once, and every threshold between two
+//! different values is tried.
 
 use crate::crops::classify::softmax;
 use crate::ensembles::trees::leaf;
@@ -52,7 +53,11 @@ impl Table {
     /// Examples of these numbers alone.
     pub fn taken(&self, examples: &[usize]) -> Self {
         Self {
-            columns: self.columns.iter().map(|column| examples.iter().map(|i| column[*i]).collect()).collect(),
+            columns: self
+                .columns
+                .iter()
+                .map(|column| examples.iter().map(|i| column[*i]).collect())
+                .collect(),
             classes: examples.iter().map(|i| self.classes[*i]).collect(),
             weights: examples.iter().map(|i| self.weights[*i]).collect(),
         }
@@ -62,7 +67,8 @@ impl Table {
 /// Derivatives of the loss by the four logits, first and second.
 type Slopes = [[f64; 4]; 2];
 
-/// Trees that learned from a table; `heard` is told after each round of the trees so far and stops them by `false`.
+/// Trees that learned from a table; `heard` is told after each round of the trees so far and stops them by
+/// `false`.
 ///
 /// The same table, settings and seed give the same trees on any number of threads.
 pub fn boosted(
@@ -78,7 +84,8 @@ pub fn boosted(
         let mut random = ChaCha8Rng::from_seed(seed::key(seed, "classifier/boosting", &[u64::from(round)]));
         let slopes: Vec<Slopes> = (0..logits.len()).map(|i| slopes(table, i, &logits[i])).collect();
         let rows: Vec<bool> = logits.iter().map(|_| random.random::<f64>() < settings.rows).collect();
-        let columns: Vec<usize> = (0..order.len()).filter(|_| random.random::<f64>() < settings.columns).collect();
+        let columns: Vec<usize> =
+            (0..order.len()).filter(|_| random.random::<f64>() < settings.columns).collect();
         let tree = Growth { table, order: &order, slopes: &slopes, settings, columns }.tree(&rows);
         for (example, logits) in logits.iter_mut().enumerate() {
             let step = leaf(&tree, &table.row(example));
@@ -123,7 +130,8 @@ impl Sums {
     }
 
     fn without(&self, part: &Self) -> Self {
-        let difference = |order: usize| std::array::from_fn(|c| self.slopes[order][c] - part.slopes[order][c]);
+        let difference =
+            |order: usize| std::array::from_fn(|c| self.slopes[order][c] - part.slopes[order][c]);
         Self { slopes: [difference(0), difference(1)], weight: self.weight - part.weight }
     }
 
@@ -135,7 +143,9 @@ impl Sums {
 
     fn step(&self, settings: &BoostingSettings) -> [f32; 4] {
         let [first, second] = &self.slopes;
-        std::array::from_fn(|c| (-settings.learning_rate * first[c] / (second[c] + settings.shrinkage)) as f32)
+        std::array::from_fn(|c| {
+            (-settings.learning_rate * first[c] / (second[c] + settings.shrinkage)) as f32
+        })
     }
 }
 
@@ -210,7 +220,9 @@ impl Growth<'_> {
             (None, next) => next,
             (best, _) => best,
         };
-        (0..totals.len()).map(|node| of_columns.iter().map(|splits| splits[node]).fold(None, better)).collect()
+        (0..totals.len())
+            .map(|node| of_columns.iter().map(|splits| splits[node]).fold(None, better))
+            .collect()
     }
 
     fn splits_by(&self, feature: usize, place: &[usize], totals: &[Sums]) -> Vec<Option<Split>> {
@@ -277,7 +289,8 @@ mod tests {
     /// Classes that two of three features tell together and neither alone; some values are equal.
     fn table(examples: u64, seed: u64) -> Table {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
-        let mut drawn = || (0..examples).map(|_| (20.0 * random.random::<f32>()).round()).collect::<Vec<f32>>();
+        let mut drawn =
+            || (0..examples).map(|_| (20.0 * random.random::<f32>()).round()).collect::<Vec<f32>>();
         let columns = vec![drawn(), drawn(), drawn()];
         let of = |i: usize| 2 * usize::from(columns[0][i] > 10.0) + usize::from(columns[2][i] > 7.0);
         let class = |i: usize| if of(i) == 3 { 0 } else { of(i) + usize::from(of(i) == 0) * 3 };
@@ -287,8 +300,9 @@ mod tests {
     }
 
     fn loss(table: &Table, trees: &BoostedTrees) -> f64 {
-        let one =
-            |i: usize| -table.weights[i] * log_softmax(logits(trees, &table.row(i)).map(f64::from))[table.classes[i]];
+        let one = |i: usize| {
+            -table.weights[i] * log_softmax(logits(trees, &table.row(i)).map(f64::from))[table.classes[i]]
+        };
         (0..table.classes.len()).map(one).sum()
     }
 
@@ -347,8 +361,11 @@ mod tests {
 
     #[test]
     fn a_table_whose_features_say_nothing_grows_no_split() {
-        let table =
-            Table { columns: vec![vec![1.0; 10]], classes: vec![0, 1, 2, 3, 0, 1, 2, 3, 0, 1], weights: vec![1.0; 10] };
+        let table = Table {
+            columns: vec![vec![1.0; 10]],
+            classes: vec![0, 1, 2, 3, 0, 1, 2, 3, 0, 1],
+            weights: vec![1.0; 10],
+        };
         let trees = boosted(&table, &SETTINGS, 1, &mut |trees| trees.trees.len() < 3);
         assert_eq!(trees.trees.len(), 3);
         assert!(trees.trees.iter().all(|tree| tree.nodes.len() == 1));

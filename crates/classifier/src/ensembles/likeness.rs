@@ -3,8 +3,8 @@
 use crate::ensembles::vehicles::Seen;
 use crate::signatures::features::names;
 
-/// Share of pairs, one of each set, in which the greater value is the second's, ties counted half; folded, so that 0.5 is alike and
-/// 1 apart (Mann & Whitney 1947; Hanley & McNeil 1982). `None` without a pair.
+/// Share of pairs, one of each set, in which the greater value is the second's, ties counted half; folded, so
+/// that 0.5 is alike and 1 apart (Mann & Whitney 1947; Hanley & McNeil 1982). `None` without a pair.
 pub fn area_under_roc(first: &[f32], second: &[f32]) -> Option<f64> {
     let mut sorted = first.to_vec();
     sorted.sort_by(f32::total_cmp);

@@ -18,7 +18,8 @@ pub struct SignatureClassifier {
 }
 
 impl SignatureClassifier {
-    /// The trees of a model; refused where they ask for features that this program does not make, or lead nowhere.
+    /// The trees of a model; refused where they ask for features that this program does not make, or lead
+    /// nowhere.
     pub fn from_model(header: &ModelHeader, weights: &Weights) -> Result<Self, ClassifierError> {
         let (Learner::BoostedTrees { features }, Weights::Trees(trees)) = (&header.learner, weights) else {
             return Err(ClassifierError::OtherWeights);

@@ -1,5 +1,6 @@
-//! Trees trained so that what they say of vehicles they never saw is true: vehicles are held out in turn, and what is told of these
-//! chooses the number of trees, the temperature, and how much the frames of a track have in common.
+//! Trees trained so that what they say of vehicles they never saw is true: vehicles are held out in turn, and
+//! what is told of these chooses the number of trees, the temperature, and how much the frames of a track
+//! have in common.
 
 use crate::crops::network::Logits;
 use crate::crops::samples::Example;
@@ -123,7 +124,8 @@ pub fn train_trees(
     let held_out = held_out(sightings, &learned, settings, seed, &mut tick);
     let best = held_out.best_round();
     let temperature = fitted_temperature(&held_out.weighted(best));
-    let cooled: Vec<Logits> = held_out.logits[best].iter().map(|l| l.map(|v| v / temperature as f32)).collect();
+    let cooled: Vec<Logits> =
+        held_out.logits[best].iter().map(|l| l.map(|v| v / temperature as f32)).collect();
     let frame_correlation = fitted_correlation(&sightings.seen(&learned), &cooled);
     let boosting = BoostingSettings { rounds: best as u32 + 1, ..settings.boosting };
     let mut trees = members(&sightings.table(&learned), &boosting, seed, &mut tick);
@@ -136,7 +138,8 @@ pub fn train_trees(
     Ok(TrainedTrees { header, weights: Weights::Trees(trees), curve, metrics, told })
 }
 
-/// Trainings whose logits the model is the mean of: what one of them makes of a close case is chance (Breiman 1996, bagging).
+/// Trainings whose logits the model is the mean of: what one of them makes of a close case is chance (Breiman
+/// 1996, bagging).
 const MEMBERS: u64 = 3;
 
 /// The sum of their trees, divided by their number.
@@ -214,7 +217,8 @@ impl HeldOut {
     fn curve(&self) -> Vec<f64> {
         let total: f64 = self.weights.iter().sum();
         let loss = |round: &Vec<Logits>| {
-            let one = |(i, l): (usize, &Logits)| -self.weights[i] * log_softmax(l.map(f64::from))[self.classes[i]];
+            let one =
+                |(i, l): (usize, &Logits)| -self.weights[i] * log_softmax(l.map(f64::from))[self.classes[i]];
             round.iter().enumerate().map(one).sum::<f64>() / total
         };
         self.logits.iter().map(loss).collect()
@@ -312,8 +316,13 @@ pub fn parts(seen: &[&Seen], logits: &[Logits], correlation: f64) -> [Part; 2] {
 
 fn part(answers: &[(usize, &str)], logits: &[Logits]) -> Part {
     let likeliest = |l: &Logits| (0..4).fold(0, |best, i| if l[i] > l[best] { i } else { best });
-    let told = answers.iter().zip(logits).map(|((truth, model), l)| Told { truth: *truth, model, told: likeliest(l) });
-    let example = |(class, model): &(usize, &str)| Example { pooled: vec![], class: *class, model: (*model).into() };
+    let told = answers.iter().zip(logits).map(|((truth, model), l)| Told {
+        truth: *truth,
+        model,
+        told: likeliest(l),
+    });
+    let example =
+        |(class, model): &(usize, &str)| Example { pooled: vec![], class: *class, model: (*model).into() };
     let examples: Vec<Example> = answers.iter().map(example).collect();
     Part { by_vehicle: by_vehicle(told), evaluation: evaluation(&examples, logits) }
 }

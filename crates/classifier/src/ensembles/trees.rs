@@ -88,7 +88,8 @@ mod tests {
 
     #[test]
     fn trees_that_lead_nowhere_are_refused() {
-        let broken = [stump(0, 2, 0, 1.0), stump(1, 3, 0, 1.0), stump(1, 2, 1, 1.0), stump(1, 2, 0, f32::NAN)];
+        let broken =
+            [stump(0, 2, 0, 1.0), stump(1, 3, 0, 1.0), stump(1, 2, 1, 1.0), stump(1, 2, 0, f32::NAN)];
         for trees in broken {
             assert!(matches!(check(&trees, 1), Err(ClassifierError::Tree { tree: 0, .. })));
         }

@@ -1,4 +1,5 @@
-//! Samples as sightings of vehicles: features, class, vehicle and track; what weighs how much, and which are held out together.
+//! Samples as sightings of vehicles: features, class, vehicle and track; what weighs how much, and which are
+//! held out together.
 
 use crate::ensembles::boosting::Table;
 use crate::error::ClassifierError;
@@ -53,7 +54,8 @@ impl Sightings {
             if !self.ids.insert((dataset, sample.id.clone())) {
                 return Err(ClassifierError::SampleTwice(sample.id));
             }
-            let Some(class) = sample.class.and_then(|class| Class::ALL.iter().position(|c| *c == class)) else {
+            let Some(class) = sample.class.and_then(|class| Class::ALL.iter().position(|c| *c == class))
+            else {
                 self.unlabelled += 1;
                 continue;
             };
@@ -79,7 +81,8 @@ impl Sightings {
         numbers.iter().map(|i| &self.all[*i]).collect()
     }
 
-    /// Those as a table. Every class weighs the same, in a class every vehicle, in a vehicle every sighting; the mean is 1.
+    /// Those as a table. Every class weighs the same, in a class every vehicle, in a vehicle every sighting;
+    /// the mean is 1.
     pub fn table(&self, numbers: &[usize]) -> Table {
         let mut of_model: BTreeMap<(usize, &str), f64> = BTreeMap::new();
         for seen in numbers.iter().map(|i| &self.all[*i]) {

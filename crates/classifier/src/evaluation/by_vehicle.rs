@@ -1,4 +1,5 @@
-//! Accuracy over vehicles: sightings of one vehicle are no independent trials, so its interval is that of drawing vehicles anew.
+//! Accuracy over vehicles: sightings of one vehicle are no independent trials, so its interval is that of
+//! drawing vehicles anew.
 
 use artifact::seed;
 use rand::{RngExt, SeedableRng};
@@ -6,7 +7,8 @@ use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Draws of the bootstrap (Efron & Tibshirani, An Introduction to the Bootstrap, 1993, section 13.3: a thousand for percentiles).
+/// Draws of the bootstrap (Efron & Tibshirani, An Introduction to the Bootstrap, 1993, section 13.3: a
+/// thousand for percentiles).
 const DRAWS: u64 = 1000;
 
 /// An answer: true class, vehicle, class told.
@@ -66,8 +68,9 @@ fn mean(counts: &Counts) -> f64 {
 
 fn drawn_anew(counts: &Counts, draw: u64) -> Counts {
     let mut random = ChaCha8Rng::from_seed(seed::key(draw, "classifier/bootstrap", &[]));
-    let anew =
-        |vehicles: &Vec<[u64; 2]>| vehicles.iter().map(|_| vehicles[random.random_range(0..vehicles.len())]).collect();
+    let anew = |vehicles: &Vec<[u64; 2]>| {
+        vehicles.iter().map(|_| vehicles[random.random_range(0..vehicles.len())]).collect()
+    };
     counts.iter().map(anew).collect()
 }
 
@@ -78,7 +81,8 @@ mod tests {
     #[test]
     fn a_vehicle_seen_a_hundred_times_does_not_narrow_the_interval() {
         let answer = |truth: usize, model: &'static str, told: usize| Told { truth, model, told };
-        // Two vehicles of one class, one always right and one always wrong: the mean is a half, and anything may come.
+        // Two vehicles of one class, one always right and one always wrong: the mean is a half, and anything
+        // may come.
         let many = (0..100).flat_map(|_| [answer(0, "a", 0), answer(0, "b", 1)]);
         let found = by_vehicle(many);
         assert_eq!((found.vehicles, found.answers, found.mean_over_classes), (2, 200, 0.5));

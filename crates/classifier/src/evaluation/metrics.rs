@@ -35,7 +35,8 @@ pub struct Evaluation {
 /// Reliability of the probability given to the likeliest class.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Calibration {
-    /// Mean of |accuracy − confidence| over the bins, weighted by their counts (Naeini, Cooper & Hauskrecht 2015).
+    /// Mean of |accuracy − confidence| over the bins, weighted by their counts (Naeini, Cooper & Hauskrecht
+    /// 2015).
     pub expected_error: f64,
     /// Ten bins of equal width over 0 to 1.
     pub bins: Vec<ReliabilityBin>,
@@ -202,7 +203,10 @@ mod tests {
         assert!((e.log_loss - log_loss).abs() < 1e-6);
         // Three answers of 0.95, all right: gap 0.05; one of 0.55, wrong: gap 0.55.
         assert!((e.calibration.expected_error - (3.0 * 0.05 + 0.55) / 4.0).abs() < 1e-6);
-        assert_eq!(e.calibration.bins.iter().map(|b| b.samples).collect::<Vec<_>>(), [0, 0, 0, 0, 0, 1, 0, 0, 0, 3]);
+        assert_eq!(
+            e.calibration.bins.iter().map(|b| b.samples).collect::<Vec<_>>(),
+            [0, 0, 0, 0, 0, 1, 0, 0, 0, 3]
+        );
     }
 
     #[test]

@@ -1,25 +1,28 @@
 //! Temperature scaling: one number that the logits are divided by, so that probabilities are what they say.
 //!
-//! Guo, Pleiss, Sun & Weinberger, On Calibration of Modern Neural Networks (arXiv:1706.04599), section 4.2. It changes no
-//! answer, only how sure it is.
+//! Guo, Pleiss, Sun & Weinberger, On Calibration of Modern Neural Networks (arXiv:1706.04599), section 4.2.
+//! It changes no answer, only how sure it is.
 
 use crate::crops::network::Logits;
 use crate::evaluation::metrics::log_softmax;
 
 /// Temperatures that are tried: e^±3, a factor of 20 either way.
 const LOG_RANGE: f64 = 3.0;
-/// Golden sections: the bracket shrinks to 6 · 0.618⁴⁰ = 3e-8 in the logarithm, below what f32 weights can hold.
+/// Golden sections: the bracket shrinks to 6 · 0.618⁴⁰ = 3e-8 in the logarithm, below what f32 weights can
+/// hold.
 const SECTIONS: u32 = 40;
 
-/// The likeliest temperature of answers, pairs of true class and logits with their weights, given that ln T is normal about zero with deviation ln 2.
+/// The likeliest temperature of answers, pairs of true class and logits with their weights, given that ln T
+/// is normal about zero with deviation ln 2.
 ///
-/// Without that prior a validation split without a mistake would ask for temperature zero, that is for certainty; its
-/// weight is that of about one example.
+/// Without that prior a validation split without a mistake would ask for temperature zero, that is for
+/// certainty; its weight is that of about one example.
 pub fn fitted_temperature(answers: &[(usize, Logits, f64)]) -> f64 {
     let loss = |log_temperature: f64| {
         let factor = (-log_temperature).exp();
-        let one =
-            |(class, l, weight): &(usize, Logits, f64)| -weight * log_softmax(l.map(|v| f64::from(v) * factor))[*class];
+        let one = |(class, l, weight): &(usize, Logits, f64)| {
+            -weight * log_softmax(l.map(|v| f64::from(v) * factor))[*class]
+        };
         let prior = 0.5 * (log_temperature / std::f64::consts::LN_2).powi(2);
         answers.iter().map(one).sum::<f64>() + prior
     };
@@ -42,13 +45,15 @@ mod tests {
 
     #[test]
     fn answers_that_are_too_sure_are_cooled_to_their_accuracy() {
-        // 70 of 100 right, each with logit 8: e⁸/(e⁸ + 3) = 0.999. The loss is lowest where e^(8/T)/(e^(8/T) + 3) = 0.7.
+        // 70 of 100 right, each with logit 8: e⁸/(e⁸ + 3) = 0.999. The loss is lowest where e^(8/T)/(e^(8/T)
+        // + 3) = 0.7.
         let n = 100_000;
         let class = |i: usize| if i % 10 < 7 { 0 } else { 1 + i % 3 };
         let answers: Vec<_> = (0..n).map(|i| (class(i), [8.0, 0.0, 0.0, 0.0], 1.0)).collect();
         let temperature = fitted_temperature(&answers);
         let expected = 8.0 / (3.0_f64 * 0.7 / 0.3).ln();
-        // The prior pulls ln T = 1.41 towards 0 by 1.41/ln²2 over the information n (8/T)² 0.7 · 0.3 = 0.8 n: 3.7e-5.
+        // The prior pulls ln T = 1.41 towards 0 by 1.41/ln²2 over the information n (8/T)² 0.7 · 0.3 = 0.8 n:
+        // 3.7e-5.
         assert!((temperature / expected - 1.0).abs() < 5e-5, "{temperature} {expected}");
     }
 
@@ -59,7 +64,8 @@ mod tests {
         let p = (3.0 / temperature).exp() / ((3.0 / temperature).exp() + 3.0);
         let pull = 20.0 * 3.0 / temperature * (1.0 - p);
         let prior = -temperature.ln() / std::f64::consts::LN_2.powi(2);
-        // A minimum is seen to the square root of the rounding of the loss, 1e-8; the slopes change by about 10 per unit.
+        // A minimum is seen to the square root of the rounding of the loss, 1e-8; the slopes change by about
+        // 10 per unit.
         assert!((pull - prior).abs() < 1e-6 && p < 0.99, "{pull} {prior} {p}");
     }
 }

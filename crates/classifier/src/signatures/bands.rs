@@ -8,14 +8,19 @@ const BANDS_M: [f64; 6] = [-1.0, 1.5, 3.0, 5.0, 9.0, 21.0];
 
 const NAMES: [[&str; 4]; 5] = [
     ["highest_of_front_m", "height_of_front_m", "lowest_of_front_m", "width_of_front_m"],
-    ["highest_of_behind_front_m", "height_of_behind_front_m", "lowest_of_behind_front_m", "width_of_behind_front_m"],
+    [
+        "highest_of_behind_front_m",
+        "height_of_behind_front_m",
+        "lowest_of_behind_front_m",
+        "width_of_behind_front_m",
+    ],
     ["highest_of_middle_m", "height_of_middle_m", "lowest_of_middle_m", "width_of_middle_m"],
     ["highest_of_rear_m", "height_of_rear_m", "lowest_of_rear_m", "width_of_rear_m"],
     ["highest_of_far_rear_m", "height_of_far_rear_m", "lowest_of_far_rear_m", "width_of_far_rear_m"],
 ];
 
-/// Of each band: highest, mean and lowest place over the road, and its extent across the line of sight; −1 where nothing
-/// is located, heights also where the array has no rows.
+/// Of each band: highest, mean and lowest place over the road, and its extent across the line of sight; −1
+/// where nothing is located, heights also where the array has no rows.
 pub(crate) fn features(profile: &Profile) -> Features {
     let bands = NAMES.iter().zip(BANDS_M.windows(2));
     bands.flat_map(|(names, ends)| names.iter().copied().zip(of_band(profile, [ends[0], ends[1]]))).collect()

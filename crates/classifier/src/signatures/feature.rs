@@ -19,6 +19,7 @@ pub(crate) fn moments(values: impl Iterator<Item = (f64, f64)> + Clone) -> [f64;
 
 /// From the least to the greatest; 0 without any.
 pub(crate) fn span(values: impl Iterator<Item = f64> + Clone) -> f64 {
-    let (least, most) = (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max));
+    let (least, most) =
+        (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max));
     if most >= least { most - least } else { 0.0 }
 }

@@ -1,4 +1,5 @@
-//! What of a signature tells the class: level, extent, form of the range profile, width, height, each a number with its unit.
+//! What of a signature tells the class: level, extent, form of the range profile, width, height, each a
+//! number with its unit.
 
 use crate::signatures::bands;
 use crate::signatures::feature::{Features, NONE_DBSM, moments, span};
@@ -10,7 +11,8 @@ use std::ops::Range;
 
 /// Cells from these cross sections on are visible at any range of a crossing, dBsm.
 const LEVELS_DBSM: [f64; 3] = [-12.0, 0.0, 10.0];
-/// Behind the leading edge, m: bumper, bonnet and windscreen, roof, tail of a car, and what only a long vehicle has.
+/// Behind the leading edge, m: bumper, bonnet and windscreen, roof, tail of a car, and what only a long
+/// vehicle has.
 const ZONES_M: [f64; 9] = [-1.0, 0.75, 1.5, 2.5, 4.0, 6.0, 9.0, 13.0, 21.0];
 /// All features of a signature, in one order.
 pub fn features(signature: &Signature) -> Features {
@@ -52,7 +54,8 @@ fn extents(profile: &Profile) -> Features {
     ];
     let levels = [f64::NEG_INFINITY].into_iter().chain(LEVELS_DBSM);
     let of = |((extent, filled), level): ((&'static str, &'static str), f64)| {
-        let numbers: Vec<usize> = profile.visible.iter().filter(|c| c.dbsm >= level).map(|c| c.number).collect();
+        let numbers: Vec<usize> =
+            profile.visible.iter().filter(|c| c.dbsm >= level).map(|c| c.number).collect();
         let cells = numbers.first().zip(numbers.last()).map_or(0, |(first, last)| last + 1 - first);
         [(extent, cells as f64 * profile.cell_m), (filled, numbers.len() as f64 * profile.cell_m)]
     };
@@ -62,7 +65,8 @@ fn extents(profile: &Profile) -> Features {
 /// Middle and spread of the profile, by power and by decibels over the threshold, and its entropy.
 fn form(profile: &Profile) -> Features {
     let [middle, spread] = moments(profile.visible.iter().map(|c| (c.share, c.behind_m)));
-    let by_db = profile.visible.iter().map(|c| (c.level_db - crate::signatures::profile::VISIBLE_DB, c.behind_m));
+    let by_db =
+        profile.visible.iter().map(|c| (c.level_db - crate::signatures::profile::VISIBLE_DB, c.behind_m));
     let [middle_db, spread_db] = moments(by_db);
     let quantile = |share: f64| power_quantile_m(profile, share);
     let entropy = -profile.visible.iter().map(|c| c.share * c.share.max(1e-9).ln()).sum::<f64>();
@@ -103,14 +107,16 @@ fn zones(profile: &Profile) -> Features {
         "zone_6_dbsm",
         "zone_7_dbsm",
     ];
-    let of =
-        |zone: Range<f64>| dbsm(profile.visible.iter().filter(|c| zone.contains(&c.behind_m)).map(|c| c.rcs_m2).sum());
+    let of = |zone: Range<f64>| {
+        dbsm(profile.visible.iter().filter(|c| zone.contains(&c.behind_m)).map(|c| c.rcs_m2).sum())
+    };
     names.into_iter().zip(ZONES_M.windows(2).map(|ends| of(ends[0]..ends[1]))).collect()
 }
 
 /// Across the line of sight, m.
 fn width(profile: &Profile) -> Features {
-    let weighted = || profile.located().map(|c| (c.level_db - crate::signatures::profile::LOCATED_DB, c.cross_m));
+    let weighted =
+        || profile.located().map(|c| (c.level_db - crate::signatures::profile::LOCATED_DB, c.cross_m));
     let [_, spread] = moments(weighted());
     let [_, spread_by_power] = moments(profile.visible.iter().map(|c| (c.share, c.cross_m)));
     vec![
@@ -128,9 +134,11 @@ fn slope(profile: &Profile) -> f64 {
     if total <= 0.0 {
         return 0.0;
     }
-    let mean = |value: fn(&Visible) -> f64| profile.located().map(|c| weight(c) * value(c)).sum::<f64>() / total;
+    let mean =
+        |value: fn(&Visible) -> f64| profile.located().map(|c| weight(c) * value(c)).sum::<f64>() / total;
     let (behind, cross) = (mean(|c| c.behind_m), mean(|c| c.cross_m));
-    let together: f64 = profile.located().map(|c| weight(c) * (c.behind_m - behind) * (c.cross_m - cross)).sum();
+    let together: f64 =
+        profile.located().map(|c| weight(c) * (c.behind_m - behind) * (c.cross_m - cross)).sum();
     let along: f64 = profile.located().map(|c| weight(c) * (c.behind_m - behind).powi(2)).sum();
     // A cell's own width, so that one cell has no slope.
     (together / (along + 0.05 * total)).abs()
@@ -169,7 +177,16 @@ fn measured_heights(profile: &Profile) -> [f64; 8] {
     };
     let of_strongest = strongest.map_or(0.0, |c| c.height_m);
     let by_power = profile.mean(|c| c.height_m);
-    [mean, spread, quantile(1.0), quantile(0.75), of_strongest, by_power, part(|m| m < 1.5), part(|m| m > 2.5)]
+    [
+        mean,
+        spread,
+        quantile(1.0),
+        quantile(0.75),
+        of_strongest,
+        by_power,
+        part(|m| m < 1.5),
+        part(|m| m > 2.5),
+    ]
 }
 
 /// Of what the object consists: lone scatterers or several in a cell, what turns, what came by two ways.

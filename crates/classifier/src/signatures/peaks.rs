@@ -11,7 +11,8 @@ const AROUND: usize = 4;
 const FAR_M: f64 = 2.8;
 
 pub(crate) fn features(profile: &Profile) -> Features {
-    let along: Vec<&Visible> = profile.visible.iter().filter(|cell| is_peak(&profile.levels_db, cell.number)).collect();
+    let along: Vec<&Visible> =
+        profile.visible.iter().filter(|cell| is_peak(&profile.levels_db, cell.number)).collect();
     let mut all = ranked(&along);
     all.extend(near_and_far(&along));
     all.extend(spacing(&along));
@@ -63,7 +64,8 @@ fn near_and_far(along: &[&Visible]) -> Features {
 /// From one peak to the next, m: panes stand at equal distances; −1 below two peaks.
 fn spacing(along: &[&Visible]) -> Features {
     let gaps: Vec<f64> = along.windows(2).map(|pair| pair[1].behind_m - pair[0].behind_m).collect();
-    let [mean, spread] = if gaps.is_empty() { [-1.0; 2] } else { moments(gaps.iter().map(|gap| (1.0, *gap))) };
+    let [mean, spread] =
+        if gaps.is_empty() { [-1.0; 2] } else { moments(gaps.iter().map(|gap| (1.0, *gap))) };
     vec![
         ("peak_spacing_m", mean),
         ("peak_spacing_spread_m", if gaps.len() > 1 { spread } else { -1.0 }),
@@ -83,8 +85,12 @@ mod tests {
 
     #[test]
     fn three_scatterers_are_three_peaks_with_their_distances() {
-        let mut signature =
-            Signature { cell_m: 0.25, range_extent_m: [40.0, 46.0], first_range_m: 39.0, ..Signature::default() };
+        let mut signature = Signature {
+            cell_m: 0.25,
+            range_extent_m: [40.0, 46.0],
+            first_range_m: 39.0,
+            ..Signature::default()
+        };
         signature.cells = vec![SignatureCell::default(); 32];
         for (cell, level_db) in [(4, 30.0), (12, 20.0), (24, 40.0)] {
             signature.cells[cell].level_db = level_db;

@@ -1,4 +1,5 @@
-//! The cells of a signature that stand over the noise, in distances behind the leading edge and in cross sections.
+//! The cells of a signature that stand over the noise, in distances behind the leading edge and in cross
+//! sections.
 
 use artifact::signature::{Signature, SignatureCell};
 use artifact::units::power_from_db;

@@ -1,6 +1,7 @@
 //! False-alarm rates of our CA-CFAR and of mmwcore's, both asked for the same: `-- alarms`.
 //!
-//! mmwcore takes a factor instead of a rate: the textbook's α = N(P^(−1/N) − 1) of N training cells. It is given powers.
+//! mmwcore takes a factor instead of a rate: the textbook's α = N(P^(−1/N) − 1) of N training cells. It is
+//! given powers.
 
 use crate::mmwcore_way::alarms_of_map;
 use crate::task::{GUARD, TRAINING, common, header};
@@ -17,7 +18,12 @@ pub(crate) fn print_table() {
             let [ours, theirs, cells] = counted(window, rate);
             for zone in 0..3 {
                 let of = |alarms: &[f64; 3]| alarms[zone] / cells[zone] / rate;
-                println!("| {window:?} | {rate:.0e} | {} | {:.3} | {:.3} |", ZONES[zone], of(&ours), of(&theirs));
+                println!(
+                    "| {window:?} | {rate:.0e} | {} | {:.3} | {:.3} |",
+                    ZONES[zone],
+                    of(&ours),
+                    of(&theirs)
+                );
             }
         }
     }

@@ -1,7 +1,8 @@
 //! Our processing beside others' in one run: `cargo run --release -p dsp --example rivals`.
 //!
-//! Beside us: mmwcore, a Rust crate, and, where `python3` finds them, NumPy, SciPy and OpenRadar (`rivals.py` in this folder).
-//! `rivals JOB FOLDER …` does one job for `cargo xtask bench` (`one_job.rs`). All are given the same noise. The quickest of several runs counts; every program uses the threads that it knows to use.
+//! Beside us: mmwcore, a Rust crate, and, where `python3` finds them, NumPy, SciPy and OpenRadar (`rivals.py`
+//! in this folder). `rivals JOB FOLDER …` does one job for `cargo xtask bench` (`one_job.rs`). All are given
+//! the same noise. The quickest of several runs counts; every program uses the threads that it knows to use.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a measurement, not a library")]
 
 mod task; // what all are asked for
@@ -21,7 +22,9 @@ fn main() {
         return;
     }
     let mut all = Vec::new();
-    for (elements, chirps, samples) in [(common::elements_3x4(), 128, 256), (common::elements_12x16(), 256, 512)] {
+    for (elements, chirps, samples) in
+        [(common::elements_3x4(), 128, 256), (common::elements_12x16(), 256, 512)]
+    {
         let header = header(elements, chirps, samples);
         let frame = common::cube(&header, &[], 1);
         all.extend(our_way::measured(&header, &frame));

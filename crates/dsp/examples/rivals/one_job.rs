@@ -1,5 +1,5 @@
-//! One job by mmwcore for `cargo xtask bench`: `rivals JOB FOLDER CHANNELS CHIRPS SAMPLES …` reads `input.raw` there, writes
-//! `result.raw` and prints `program|seconds`.
+//! One job by mmwcore for `cargo xtask bench`: `rivals JOB FOLDER CHANNELS CHIRPS SAMPLES …` reads
+//! `input.raw` there, writes `result.raw` and prints `program|seconds`.
 
 use crate::mmwcore_way::{alarms_of_map, azimuths, maps};
 use crate::task::quickest_s;
@@ -42,7 +42,10 @@ fn averages(input: &[f64], [_, chirps, samples]: [usize; 3]) -> (f64, Vec<u8>) {
 /// As sines of the azimuth; its phases grow the other way.
 fn angles(map: &[Complex32], shape: [usize; 3]) -> (f64, Vec<u8>) {
     let found = azimuths(map, shape);
-    (quickest_s(|| azimuths(map, shape)), found.into_iter().flat_map(|a| (-f64::from(a).sin()).to_le_bytes()).collect())
+    (
+        quickest_s(|| azimuths(map, shape)),
+        found.into_iter().flat_map(|a| (-f64::from(a).sin()).to_le_bytes()).collect(),
+    )
 }
 
 fn singles(bytes: &[u8]) -> Vec<Complex32> {

@@ -10,7 +10,8 @@ use rayon::prelude::*;
 
 pub(crate) fn measured(header: &CubeHeader, frame: &CubeFrame) -> Vec<Measurement> {
     let transform = RangeDoppler::new(header).unwrap();
-    let of = |what: &str, seconds: f64| Measurement { job: job(header, what), program: "ours".into(), seconds };
+    let of =
+        |what: &str, seconds: f64| Measurement { job: job(header, what), program: "ours".into(), seconds };
     let maps = quickest_s(|| all_channels(header, &transform, &frame.samples).unwrap());
     // Copies 16 bytes a value, as a transform must at least.
     let copy = quickest_s(|| frame.samples.clone());
@@ -32,7 +33,8 @@ pub(crate) fn measured(header: &CubeHeader, frame: &CubeFrame) -> Vec<Measuremen
     let columns = header.shape()[2];
     let cells = (0..CANDIDATES).into_par_iter().with_min_len(CANDIDATES / 16);
     let snapshot = |i: usize| [array.snapshot(header, &map, [i / columns, i % columns], 0.0)];
-    let fft = quickest_s(|| cells.clone().map(|i| array.fft_direction(&snapshot(i), 40.0)).collect::<Vec<_>>());
+    let fft =
+        quickest_s(|| cells.clone().map(|i| array.fft_direction(&snapshot(i), 40.0)).collect::<Vec<_>>());
     let beams = quickest_s(|| cells.clone().map(|i| array.direction(&snapshot(i), 40.0)).collect::<Vec<_>>());
     list.push(of("angle FFT of 1000 cells", fft));
     list.push(Measurement {

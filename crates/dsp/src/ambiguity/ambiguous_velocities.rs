@@ -11,7 +11,8 @@ pub(crate) fn folds_are_told(header: &CubeHeader) -> bool {
     radar.slots() > 1 && radar.schedule.is_uniform()
 }
 
-/// Velocities this far apart look alike in the points of a frame: the map's span, or λ/2T where its folds are told.
+/// Velocities this far apart look alike in the points of a frame: the map's span, or λ/2T where its folds are
+/// told.
 pub(crate) fn ambiguity_mps(header: &CubeHeader) -> f64 {
     let slots = if folds_are_told(header) { header.radar.slots() } else { 1 };
     2.0 * slots as f64 * header.radar.velocity_max_mps()

@@ -1,18 +1,21 @@
 //! Velocity folds under time and code division: told from the phases between slots.
 //!
-//! N transmitters in turn, each repeated after N·T, show a velocity up to multiples of λ/2NT. The transmitters' slots are only T
-//! apart: k multiples too many leave 2πk/N between one slot and the next, and the channels then are no point's echo. So every
-//! fold k = 0 … N − 1 is tried on a cell, and what its strongest beam leaves of the cell's power is compared (the generalised
-//! likelihood ratio of one echo in white noise). What is left is an ambiguity of λ/2T, that of a single transmitter.
+//! N transmitters in turn, each repeated after N·T, show a velocity up to multiples of λ/2NT. The
+//! transmitters' slots are only T apart: k multiples too many leave 2πk/N between one slot and the next, and
+//! the channels then are no point's echo. So every fold k = 0 … N − 1 is tried on a cell, and what its
+//! strongest beam leaves of the cell's power is compared (the generalised likelihood ratio of one echo in
+//! white noise). What is left is an ambiguity of λ/2T, that of a single transmitter.
 //!
-//! How well that can work is the array's: with all beams that a wrong fold may turn to, [`least_loss`] is the part of the power that
-//! it must lose. Transmitters that the receivers' own beam follows lose little (3 × 4 contiguous: 30 %; 12 × 16: 2 %); with one
-//! receiver and transmitters in a regular row a wrong fold is exactly another direction, and nothing tells them apart. Two channels in one
-//! place (a transmitter's last element on the next one's first) help: their phases must agree, whatever the direction.
+//! How well that can work is the array's: with all beams that a wrong fold may turn to, [`least_loss`] is the
+//! part of the power that it must lose. Transmitters that the receivers' own beam follows lose little (3 × 4
+//! contiguous: 30 %; 12 × 16: 2 %); with one receiver and transmitters in a regular row a wrong fold is
+//! exactly another direction, and nothing tells them apart. Two channels in one place (a transmitter's last
+//! element on the next one's first) help: their phases must agree, whatever the direction.
 //!
-//! Of codes (`code_division.rs`) there are M slots and folds. A wrong fold passes power on to codes of no transmitter, where there are
-//! any, and exchanges transmitters else; what a beam leaves of all codes' power tells it. Transmitters that all hear an echo in
-//! one phase (M of them, straight ahead) send it in one slot of a block only: all folds are the same values then, and the same direction.
+//! Of codes (`code_division.rs`) there are M slots and folds. A wrong fold passes power on to codes of no
+//! transmitter, where there are any, and exchanges transmitters else; what a beam leaves of all codes' power
+//! tells it. Transmitters that all hear an echo in one phase (M of them, straight ahead) send it in one slot
+//! of a block only: all folds are the same values then, and the same direction.
 
 use crate::ambiguity::ambiguous_velocities::FASTEST_MPS;
 use crate::direction::angle::{Direction, Snapshot, VirtualArray};
@@ -23,8 +26,9 @@ use artifact::rdm::RdmFrame;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// Least likelihood ratio (its logarithm) of the best fold to the next that is believed. Two hypotheses that differ by an expected ratio μ scatter by √2μ:
-/// the wrong one leads by 9 in at most Q(√18) = 1.1e-5 of all draws (μ = 9).
+/// Least likelihood ratio (its logarithm) of the best fold to the next that is believed. Two hypotheses that
+/// differ by an expected ratio μ scatter by √2μ: the wrong one leads by 9 in at most Q(√18) = 1.1e-5 of all
+/// draws (μ = 9).
 pub(crate) const CERTAIN: f64 = 9.0;
 /// Below this (odds of 20) a velocity near zero is preferred.
 const LIKELY: f64 = 3.0;
@@ -64,7 +68,8 @@ impl Folds {
     ) -> Self {
         let span_mps = 2.0 * header.radar.velocity_max_mps();
         let left_of = |fold: usize| {
-            let (snapshot, idle) = array.snapshot_and_idle(header, map, cell, shown_mps + fold as f64 * span_mps);
+            let (snapshot, idle) =
+                array.snapshot_and_idle(header, map, cell, shown_mps + fold as f64 * span_mps);
             left_over(array, &snapshot, idle, range_m)
         };
         let left = (0..header.radar.slots()).map(left_of).collect();
@@ -84,7 +89,8 @@ impl Folds {
 
     /// The fold that leaves least; `noise` is that of one channel's cell.
     ///
-    /// What even the best leaves counts as noise too: a cell of several echoes fits no fold well, and tells little.
+    /// What even the best leaves counts as noise too: a cell of several echoes fits no fold well, and tells
+    /// little.
     pub(crate) fn choice(&self, noise: f64) -> Choice {
         let least = |folds: &mut dyn Iterator<Item = usize>| {
             folds.fold(None, |best: Option<usize>, f| match best {
@@ -122,8 +128,8 @@ fn left_over(array: &VirtualArray, snapshot: &Snapshot, idle: f64, range_m: f64)
     (total + idle - array.explained(snapshot, direction, range_m)).max(0.0)
 }
 
-/// Least part of an echo's power that any wrong fold loses, for echoes from these direction cosines; 0 where one is exactly another
-/// direction.
+/// Least part of an echo's power that any wrong fold loses, for echoes from these direction cosines; 0 where
+/// one is exactly another direction.
 pub fn least_loss(header: &CubeHeader, directions: &[Direction], range_m: f64) -> f64 {
     let array = VirtualArray::new(header);
     let slots = header.radar.slots();

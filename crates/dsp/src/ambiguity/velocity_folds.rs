@@ -1,11 +1,13 @@
 //! Velocity ambiguity resolved from two sub-frames of different chirp intervals.
 //!
-//! Each shows a velocity up to a multiple of its own span (λ/2T, under time division too once the phases between transmitters
-//! have told the folds of a transmitter's longer repetition: `time_division_folds.rs`); the multiples at which both agree, and with them the ranges, directions
-//! and levels, tell the velocity (the Chinese remainder with tolerance: Richards, Fundamentals of Radar Signal Processing
-//! (2014), §5.3.2). A vehicle is many points, so a hypothesis is scored by how well *all* points of an object find partners in the
-//! other sub-frame; vehicles that share range cells are decided together, so that no echo serves two. Also the range
-//! speaks: a hypothesis one span higher is f_c/μ·span nearer (0.11 m at 17.6 m/s) and moves on between the sub-frames.
+//! Each shows a velocity up to a multiple of its own span (λ/2T, under time division too once the phases
+//! between transmitters have told the folds of a transmitter's longer repetition: `time_division_folds.rs`);
+//! the multiples at which both agree, and with them the ranges, directions and levels, tell the velocity (the
+//! Chinese remainder with tolerance: Richards, Fundamentals of Radar Signal Processing (2014), §5.3.2). A
+//! vehicle is many points, so a hypothesis is scored by how well *all* points of an object find partners in
+//! the other sub-frame; vehicles that share range cells are decided together, so that no echo serves two.
+//! Also the range speaks: a hypothesis one span higher is f_c/μ·span nearer (0.11 m at 17.6 m/s) and moves on
+//! between the sub-frames.
 
 use crate::ambiguity::ambiguous_velocities::{FASTEST_MPS, ambiguity_mps};
 use crate::direction::angle::{Direction, VirtualArray};
@@ -26,9 +28,11 @@ pub struct SubFrame<'a> {
     pub points: &'a PointsFrame,
 }
 
-/// Partners differ by the places of cells, of which points on slopes keep the centres: 0.6 cells rms and one more for the body's spread.
+/// Partners differ by the places of cells, of which points on slopes keep the centres: 0.6 cells rms and one
+/// more for the body's spread.
 const CELLS: f64 = 1.0;
-/// Echoes of one body interfere anew after some centimetres: level and direction tell little, but not nothing.
+/// Echoes of one body interfere anew after some centimetres: level and direction tell little, but not
+/// nothing.
 const LEVEL_DB: f64 = 8.0;
 /// Part of a beam.
 const BEAMS: f64 = 0.5;
@@ -37,7 +41,8 @@ const SECOND_BEST: f64 = 0.8;
 /// Combinations of hypotheses of vehicles that share range cells that are all tried.
 const MOST_COMBINATIONS: usize = 4096;
 
-/// The points of `own` with velocities as `other` tells them; objects whose fold is beyond doubt say `velocity_resolved`.
+/// The points of `own` with velocities as `other` tells them; objects whose fold is beyond doubt say
+/// `velocity_resolved`.
 pub fn resolved(own: &SubFrame<'_>, other: &SubFrame<'_>) -> PointsFrame {
     let scorer = Scorer::new(own, other);
     let choices: Vec<Choice> =
@@ -106,7 +111,8 @@ impl<'a> Scorer<'a> {
         choice
     }
 
-    /// Best agreement of a point of this velocity with any of the other sub-frame; `met` keeps the best of each of those.
+    /// Best agreement of a point of this velocity with any of the other sub-frame; `met` keeps the best of
+    /// each of those.
     fn partners(&self, point: &Point, velocity_mps: f64, met: &mut [f64]) -> f64 {
         let mut best = 0.0_f64;
         for (candidate, met) in self.other.points.points.iter().zip(met) {
@@ -117,21 +123,25 @@ impl<'a> Scorer<'a> {
         best
     }
 
-    /// 1 where a candidate is what this point, of this velocity, shows in the other sub-frame; less the farther it is from that.
+    /// 1 where a candidate is what this point, of this velocity, shows in the other sub-frame; less the
+    /// farther it is from that.
     fn agreement(&self, point: &Point, velocity_mps: f64, candidate: &Point) -> f64 {
         let (own, other) = (self.own.header, self.other.header);
-        let velocity_cell_mps = own.radar.velocity_resolution_mps().max(other.radar.velocity_resolution_mps());
-        let velocity = wrapped(other, velocity_mps - candidate.radial_velocity_mps) / (CELLS * velocity_cell_mps);
+        let velocity_cell_mps =
+            own.radar.velocity_resolution_mps().max(other.radar.velocity_resolution_mps());
+        let velocity =
+            wrapped(other, velocity_mps - candidate.radial_velocity_mps) / (CELLS * velocity_cell_mps);
         if velocity.abs() > 5.0 {
             return 0.0;
         }
         let passed_s = self.other.middle_s - self.own.middle_s;
-        let true_m =
-            point.range_m - coupling_m(own, velocity_mps - point.radial_velocity_mps) + velocity_mps * passed_s;
+        let true_m = point.range_m - coupling_m(own, velocity_mps - point.radial_velocity_mps)
+            + velocity_mps * passed_s;
         let shown_m = true_m + coupling_m(other, velocity_mps - candidate.radial_velocity_mps);
         let range = (shown_m - candidate.range_m) / (CELLS * own.radar.waveform.range_resolution_m());
         let level = (point.snr_db - candidate.snr_db) / LEVEL_DB;
-        let squares = velocity.powi(2) + range.powi(2) + level.powi(2) + self.beams_apart(point, candidate).powi(2);
+        let squares =
+            velocity.powi(2) + range.powi(2) + level.powi(2) + self.beams_apart(point, candidate).powi(2);
         (-0.5 * squares).exp()
     }
 
@@ -183,7 +193,8 @@ impl<'a> Scorer<'a> {
         chosen.copy_from_slice(&best.1);
     }
 
-    /// What a group's hypotheses explain: own echoes that find partners, and the others' echoes that are met by any of the group.
+    /// What a group's hypotheses explain: own echoes that find partners, and the others' echoes that are met
+    /// by any of the group.
     fn explained(&self, choices: &[Choice], tried: &[usize], group: &[usize]) -> f64 {
         let own: f64 = group.iter().map(|o| choices[*o].own[tried[*o]]).sum();
         let met = |j: usize| group.iter().map(|o| choices[*o].other[tried[*o]][j]).fold(0.0, f64::max);
@@ -191,7 +202,8 @@ impl<'a> Scorer<'a> {
         own + others.map(|(j, point)| amplitude_from_db(point.snr_db) * met(j)).sum::<f64>()
     }
 
-    /// Objects whose ranges overlap, as far as the fastest moves them between sub-frames and folds shift them.
+    /// Objects whose ranges overlap, as far as the fastest moves them between sub-frames and folds shift
+    /// them.
     fn sharing_ranges(&self) -> Vec<Vec<usize>> {
         let objects = &self.own.points.objects;
         let reach_m = FASTEST_MPS * (self.other.middle_s - self.own.middle_s).abs()
@@ -234,14 +246,15 @@ impl<'a> Scorer<'a> {
 
     /// Place, azimuth and elevation in the same direction from the array, `nearer_m` nearer.
     fn moved(&self, position_m: [f64; 3], range_m: f64, nearer_m: f64) -> ([f64; 3], f64, f64) {
-        let place = place(self.own.header, &self.array, self.direction(position_m, range_m), range_m - nearer_m);
+        let place =
+            place(self.own.header, &self.array, self.direction(position_m, range_m), range_m - nearer_m);
         (place.position_m.to_array(), place.azimuth_rad, place.elevation_rad)
     }
 
     fn direction(&self, position_m: [f64; 3], range_m: f64) -> Direction {
         let [right, up, _] = self.array.axes();
-        let away =
-            (DVec3::from(position_m) - DVec3::from(self.own.header.radar.position_m)) / range_m.max(f64::MIN_POSITIVE);
+        let away = (DVec3::from(position_m) - DVec3::from(self.own.header.radar.position_m))
+            / range_m.max(f64::MIN_POSITIVE);
         Direction { right: away.dot(right), up: self.array.beams()[1].is_finite().then(|| away.dot(up)) }
     }
 }

@@ -1,8 +1,8 @@
 //! Which object a cell of the map belongs to: that of the nearest located point.
 //!
-//! A crop of 24 m × 8 m/s holds what other vehicles left in the map as well, up to stronger than the vehicle itself, and a
-//! classifier that learned from vehicles alone takes it for a part of this one. Distances are counted in cells along both axes,
-//! so that a strong neighbour keeps its own side lobes too.
+//! A crop of 24 m × 8 m/s holds what other vehicles left in the map as well, up to stronger than the vehicle
+//! itself, and a classifier that learned from vehicles alone takes it for a part of this one. Distances are
+//! counted in cells along both axes, so that a strong neighbour keeps its own side lobes too.
 
 use crate::spectrum::axes::{column_at, coupling_m, row_at};
 use artifact::cube::CubeHeader;
@@ -27,14 +27,16 @@ impl CellOwners {
             Some(([row_at(header, velocity_mps), column], point.object?))
         });
         let is_near = |([row, column], _): &([f64; 2], u32)| {
-            wrapped(row - middle, chirps).abs() <= half && (columns[0] as f64..=columns[1] as f64).contains(column)
+            wrapped(row - middle, chirps).abs() <= half
+                && (columns[0] as f64..=columns[1] as f64).contains(column)
         };
         Self { peaks: located.filter(is_near).collect(), rows: chirps }
     }
 
     /// The object of the nearest point, the first of equally near ones; `None` without a point.
     pub(crate) fn of(&self, [row, column]: [i64; 2]) -> Option<u32> {
-        let distance = |[r, c]: [f64; 2]| wrapped(r - row as f64, self.rows).powi(2) + (c - column as f64).powi(2);
+        let distance =
+            |[r, c]: [f64; 2]| wrapped(r - row as f64, self.rows).powi(2) + (c - column as f64).powi(2);
         let distances = self.peaks.iter().map(|(at, object)| (distance(*at), *object));
         distances.min_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, object)| object)
     }

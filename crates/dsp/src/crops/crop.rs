@@ -1,4 +1,5 @@
-//! A crop of the map around an object, beamformed to it, in fixed metres, m/s and decibels over the map's noise.
+//! A crop of the map around an object, beamformed to it, in fixed metres, m/s and decibels over the map's
+//! noise.
 
 use crate::crops::cell_owners::CellOwners;
 use crate::direction::angle::{Direction, VirtualArray};
@@ -16,8 +17,9 @@ use num_complex::Complex64;
 
 /// The paper's 451 × 451 pixels over 24 m × 8 m/s.
 ///
-/// Levels from the noise (0 dB) to 70 dB above it: a car of 10 dBsm stands at 37–52 dB over 60–25 m on a 3 × 4 array
-/// (`S6` and 10.8 dB of beamforming), the flat side of a bus up to 30 dB higher. A grey level is 0.27 dB.
+/// Levels from the noise (0 dB) to 70 dB above it: a car of 10 dBsm stands at 37–52 dB over 60–25 m on a 3 ×
+/// 4 array (`S6` and 10.8 dB of beamforming), the flat side of a bus up to 30 dB higher. A grey level is 0.27
+/// dB.
 pub const PAPER_CROP: CropFormat =
     CropFormat { side: 451, range_span_m: 24.0, velocity_span_mps: 8.0, floor_db: 0.0, ceiling_db: 70.0 };
 
@@ -26,9 +28,15 @@ const LARGEST_SIDE: u32 = 8192;
 
 /// The map beamformed to the object's azimuth, cut around it; columns grow with range, rows with velocity.
 ///
-/// Power is interpolated linearly between cells. Velocity wraps, as the map's does; columns outside the map are black.
-/// Ranges are those of echoes at the object's velocity (free of range–Doppler coupling), as [`Object::range_m`] is.
-pub fn crop(header: &CubeHeader, map: &RdmFrame, object: &Object, format: &CropFormat) -> Result<Crop, DspError> {
+/// Power is interpolated linearly between cells. Velocity wraps, as the map's does; columns outside the map
+/// are black. Ranges are those of echoes at the object's velocity (free of range–Doppler coupling), as
+/// [`Object::range_m`] is.
+pub fn crop(
+    header: &CubeHeader,
+    map: &RdmFrame,
+    object: &Object,
+    format: &CropFormat,
+) -> Result<Crop, DspError> {
     Cropper::new(header, map, format)?.crop(object)
 }
 
@@ -55,7 +63,8 @@ impl<'a> Cropper<'a> {
         self.drawn(object, |patch| patch)
     }
 
-    /// The crop of an object among the others of its frame: what is nearer to a point of another object is no stronger than noise.
+    /// The crop of an object among the others of its frame: what is nearer to a point of another object is no
+    /// stronger than noise.
     pub fn crop_among(&self, points: &PointsFrame, object: u32) -> Result<Crop, DspError> {
         let own = points.objects.get(object as usize).ok_or(DspError::NoSuchObject { object })?;
         self.drawn(own, |patch| {
@@ -67,8 +76,9 @@ impl<'a> Cropper<'a> {
     fn drawn(&self, object: &Object, kept: impl FnOnce(Patch) -> Patch) -> Result<Crop, DspError> {
         check_object(object)?;
         let (header, format, centre_mps) = (&self.header, &self.format, object.radial_velocity_mps);
-        let columns = pixel_centres(object.range_m + coupling_m(header, centre_mps), format.range_span_m, format.side)
-            .map(|range_m| column_at(header, range_m));
+        let columns =
+            pixel_centres(object.range_m + coupling_m(header, centre_mps), format.range_span_m, format.side)
+                .map(|range_m| column_at(header, range_m));
         let rows = pixel_centres(centre_mps, format.velocity_span_mps, format.side)
             .map(|velocity_mps| row_at(header, velocity_mps));
         let (rows, columns): (Vec<f64>, Vec<f64>) = (rows.collect(), columns.collect());
@@ -85,7 +95,8 @@ impl<'a> Cropper<'a> {
     fn cell_power(&self, steering: &[Complex64], object: &Object, [row, column]: [i64; 2]) -> f64 {
         let chirps = i64::from(self.header.radar.waveform.chirps);
         let row = row.rem_euclid(chirps) as usize;
-        let velocity_mps = unwrapped(&self.header, velocity_at(&self.header, row as f64), object.radial_velocity_mps);
+        let velocity_mps =
+            unwrapped(&self.header, velocity_at(&self.header, row as f64), object.radial_velocity_mps);
         let snapshot = self.array.snapshot(&self.header, self.map, [row, column as usize], velocity_mps);
         self.array.beam(&snapshot, steering).norm_sqr() / snapshot.len() as f64
     }
@@ -107,7 +118,8 @@ pub(crate) fn pixel_centres(centre: f64, span: f64, side: u32) -> impl Iterator<
 
 pub(crate) fn check_format(format: &CropFormat) -> Result<(), DspError> {
     let spans = [format.range_span_m, format.velocity_span_mps, format.ceiling_db - format.floor_db];
-    let fits = spans.iter().all(|span| span.is_finite() && *span > 0.0) && (1..=LARGEST_SIDE).contains(&format.side);
+    let fits =
+        spans.iter().all(|span| span.is_finite() && *span > 0.0) && (1..=LARGEST_SIDE).contains(&format.side);
     if fits { Ok(()) } else { Err(DspError::CropFormat) }
 }
 
@@ -136,7 +148,8 @@ impl Patch {
         let [first_row, last_row] = reach(rows);
         let [first_column, last_column] = reach(columns);
         let samples = cropper.header.radar.waveform.range_cells() as i64;
-        let (first_column, end_column) = (first_column.clamp(0, samples), (last_column + 1).clamp(0, samples));
+        let (first_column, end_column) =
+            (first_column.clamp(0, samples), (last_column + 1).clamp(0, samples));
         let direction = direction_of(&cropper.header, &cropper.array, object);
         let steering = cropper.array.steering(direction, object.range_m);
         let size = ((last_row + 1 - first_row) as usize, (end_column - first_column).max(0) as usize);
@@ -155,7 +168,8 @@ impl Patch {
     /// No stronger than `most` where a cell `[row, column]` is to be left out.
     fn capped(mut self, most: f64, is_left_out: impl Fn([i64; 2]) -> bool) -> Self {
         for ((row, column), power) in self.power.indexed_iter_mut() {
-            if *power > most && is_left_out([self.first_row + row as i64, self.first_column + column as i64]) {
+            if *power > most && is_left_out([self.first_row + row as i64, self.first_column + column as i64])
+            {
                 *power = most;
             }
         }

@@ -7,11 +7,12 @@ use artifact::cube::CubeHeader;
 use artifact::rdm::RdmFrame;
 use ndarray::Array2;
 
-/// Noncoherent sum of a map as 451 × 451 grey levels, row-major `[velocity, range]`, velocity growing downwards.
+/// Noncoherent sum of a map as 451 × 451 grey levels, row-major `[velocity, range]`, velocity growing
+/// downwards.
 ///
-/// Grey 0 is the noise, 255 lies 70 dB above it, as in [`PAPER_CROP`]; levels are interpolated linearly in power. Pixel
-/// centres spread from half a cell before the first to half a cell behind the last; beyond the outermost centres their
-/// cells go on.
+/// Grey 0 is the noise, 255 lies 70 dB above it, as in [`PAPER_CROP`]; levels are interpolated linearly in
+/// power. Pixel centres spread from half a cell before the first to half a cell behind the last; beyond the
+/// outermost centres their cells go on.
 pub fn rdm_grayscale(header: &CubeHeader, map: &RdmFrame) -> Result<Vec<u8>, DspError> {
     let power = power_map(header, map)?;
     let noise = noise_power(header, map)? * header.radar.map_channels() as f64;

@@ -1,8 +1,9 @@
-//! An object's signature: its own echo along range, cell by cell, with levels of the radar equation, places across and heights.
+//! An object's signature: its own echo along range, cell by cell, with levels of the radar equation, places
+//! across and heights.
 //!
-//! A rigid vehicle fills a row or two of a map (0.15 m/s at 10 m/s), so what tells of its shape lies along range and in direction.
-//! The strongest of the object's own velocity cells stands for each range cell; cells nearer to a point of another object
-//! (`cell_owners.rs`) are left out.
+//! A rigid vehicle fills a row or two of a map (0.15 m/s at 10 m/s), so what tells of its shape lies along
+//! range and in direction. The strongest of the object's own velocity cells stands for each range cell; cells
+//! nearer to a point of another object (`cell_owners.rs`) are left out.
 
 use crate::crops::cell_owners::CellOwners;
 use crate::crops::crop::{check_object, direction_of};
@@ -27,9 +28,11 @@ const BEFORE_M: f64 = 3.0;
 const BEHIND_M: f64 = 21.0;
 /// Velocities about the object's, either way, m/s.
 const GATE_MPS: f64 = 1.25;
-/// A cell's direction is its own up to here from the object's place, m: no vehicle is wider; else that of the object.
+/// A cell's direction is its own up to here from the object's place, m: no vehicle is wider; else that of the
+/// object.
 const ACROSS_M: f64 = 6.0;
-/// A direction is measured where the channels' mean power is so many standard deviations of noise over its mean.
+/// A direction is measured where the channels' mean power is so many standard deviations of noise over its
+/// mean.
 const DEVIATIONS: f64 = 5.0;
 /// Least amplitude of the antenna pattern that levels are corrected for.
 const LEAST_PATTERN: f64 = 0.1;
@@ -77,7 +80,8 @@ impl<'a> Signatures<'a> {
         check_object(own)?;
         let columns = self.columns(own);
         let search = self.search(points, own, object, columns);
-        let cells: Vec<SignatureCell> = (columns[0]..=columns[1]).map(|column| self.cell(&search, column)).collect();
+        let cells: Vec<SignatureCell> =
+            (columns[0]..=columns[1]).map(|column| self.cell(&search, column)).collect();
         let [across, above] = self.array.beams();
         let width = |beam: f64| beam.is_finite().then_some(beam);
         Ok(Signature {
@@ -108,10 +112,17 @@ impl<'a> Signatures<'a> {
     }
 
     fn range_at(&self, column: i64, velocity_mps: f64) -> f64 {
-        column as f64 * self.header.radar.waveform.range_resolution_m() - coupling_m(&self.header, velocity_mps)
+        column as f64 * self.header.radar.waveform.range_resolution_m()
+            - coupling_m(&self.header, velocity_mps)
     }
 
-    fn search<'o>(&self, points: &PointsFrame, object: &'o Object, number: u32, columns: [i64; 2]) -> Search<'o> {
+    fn search<'o>(
+        &self,
+        points: &PointsFrame,
+        object: &'o Object,
+        number: u32,
+        columns: [i64; 2],
+    ) -> Search<'o> {
         let velocity_mps = object.radial_velocity_mps;
         let chirps = self.power.nrows() as i64;
         let [first, last] = [-GATE_MPS, GATE_MPS].map(|offset| row_at(&self.header, velocity_mps + offset));
@@ -164,7 +175,13 @@ impl<'a> Signatures<'a> {
     }
 
     /// The strongest beam of a cell, if it is near the object; else the object's.
-    fn direction(&self, search: &Search<'_>, snapshot: &[Complex64], range_m: f64, power: f64) -> (Direction, Place) {
+    fn direction(
+        &self,
+        search: &Search<'_>,
+        snapshot: &[Complex64],
+        range_m: f64,
+        power: f64,
+    ) -> (Direction, Place) {
         let own = || (search.direction, place(&self.header, &self.array, search.direction, range_m));
         let deviation = self.noise / (snapshot.len() as f64).sqrt();
         if power < self.noise + DEVIATIONS * deviation {
@@ -172,13 +189,19 @@ impl<'a> Signatures<'a> {
         }
         let direction = self.array.direction(&[snapshot.to_vec()], range_m);
         let found = place(&self.header, &self.array, direction, range_m);
-        if cross_m(&self.header, &search.place, &found).abs() <= ACROSS_M { (direction, found) } else { own() }
+        if cross_m(&self.header, &search.place, &found).abs() <= ACROSS_M {
+            (direction, found)
+        } else {
+            own()
+        }
     }
 
     /// Of the power over the noise.
     fn spread_mps(&self, own: &[(i64, f64)]) -> f64 {
         let weight = |power: f64| (power - self.noise).max(0.0);
-        let sum = |value: &dyn Fn(f64) -> f64| own.iter().map(|(row, p)| weight(*p) * value(*row as f64)).sum::<f64>();
+        let sum = |value: &dyn Fn(f64) -> f64| {
+            own.iter().map(|(row, p)| weight(*p) * value(*row as f64)).sum::<f64>()
+        };
         let total = sum(&|_| 1.0);
         if total <= 0.0 {
             return 0.0;
@@ -196,7 +219,8 @@ impl<'a> Signatures<'a> {
         SignatureCell { level_db: 0.0, cross_m: 0.0, height_m, coherence: 0.0, velocity_spread_mps: 0.0 }
     }
 
-    /// σ = P (4π)³R⁴/(P_t G²λ² N_s²N_c² N) of a beam over N channels, P the noise of one; the windows' coherent gain is 1.
+    /// σ = P (4π)³R⁴/(P_t G²λ² N_s²N_c² N) of a beam over N channels, P the noise of one; the windows'
+    /// coherent gain is 1.
     fn noise_dbsm(&self, object: &Object, direction: Direction) -> f64 {
         let (radar, waveform) = (&self.header.radar, &self.header.radar.waveform);
         let gain = power_from_db(radar.link.antenna_gain_db);
@@ -204,7 +228,8 @@ impl<'a> Signatures<'a> {
         let up = direction.up.unwrap_or_else(|| self.assumed_up(object));
         let ahead = (1.0 - direction.right.powi(2) - up.powi(2)).max(0.0).sqrt();
         let pattern = radar.array.pattern.amplitude([direction.right, ahead, up]).abs().max(LEAST_PATTERN);
-        let echo = radar.link.transmit_power_w * (gain * waveform.wavelength_m() * transform * pattern.powi(2)).powi(2)
+        let echo = radar.link.transmit_power_w
+            * (gain * waveform.wavelength_m() * transform * pattern.powi(2)).powi(2)
             / ((2.0 * TAU).powi(3) * object.range_m.max(1.0).powi(4));
         db_from_power(self.noise / (echo * radar.virtual_channels() as f64))
     }

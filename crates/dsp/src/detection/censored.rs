@@ -1,9 +1,10 @@
 //! Cells that stronger echoes hid from the detector, tested again without those.
 //!
-//! A cell-averaging detector takes the echoes among its training cells for noise: a car of 10 dB that stands ten cells before a bus of
-//! 33 dB stays below its threshold. So cells above the map's own noise are compared once more with the mean of those training cells
-//! that lie outside the echoes found so far, at the threshold of as many cells, and again with what that finds, until nothing is added
-//! (censored cell averaging: Barboy, Lomes and Perkalski, IEE Proc. F 133 (1986) 176).
+//! A cell-averaging detector takes the echoes among its training cells for noise: a car of 10 dB that stands
+//! ten cells before a bus of 33 dB stays below its threshold. So cells above the map's own noise are compared
+//! once more with the mean of those training cells that lie outside the echoes found so far, at the threshold
+//! of as many cells, and again with what that finds, until nothing is added (censored cell averaging: Barboy,
+//! Lomes and Perkalski, IEE Proc. F 133 (1986) 176).
 
 use crate::detection::cfar::{DETECTED, TESTED};
 use crate::detection::cfar_threshold::threshold_factor;
@@ -20,10 +21,12 @@ const LEAST_SHARE: f64 = 0.25;
 /// Each pass finds what the echoes of the one before had hidden.
 const MOST_PASSES: usize = 8;
 
-/// The mask with the hidden cells detected; `noise_threshold` is what noise alone hardly passes, were its level known.
+/// The mask with the hidden cells detected; `noise_threshold` is what noise alone hardly passes, were its
+/// level known.
 ///
-/// Detectors other than those that average (`ca-cfar`, `go-cfar`) have their own way with several echoes, and keep their mask. So does
-/// Doppler division: what its mask leaves out are the other transmitters' bands of an echo, which nothing hides.
+/// Detectors other than those that average (`ca-cfar`, `go-cfar`) have their own way with several echoes, and
+/// keep their mask. So does Doppler division: what its mask leaves out are the other transmitters' bands of
+/// an echo, which nothing hides.
 pub(crate) fn unmasked(
     header: &CubeHeader,
     power: ArrayView2<f64>,
@@ -35,7 +38,8 @@ pub(crate) fn unmasked(
     if !averages || header.radar.array.multiplexing == Multiplexing::Ddm {
         return Ok(mask);
     }
-    let strong = power.iter().enumerate().filter(|(cell, power)| mask[*cell] == TESTED && **power > noise_threshold);
+    let strong =
+        power.iter().enumerate().filter(|(cell, power)| mask[*cell] == TESTED && **power > noise_threshold);
     let mut hidden: Vec<usize> = strong.map(|(cell, _)| cell).collect();
     let mut window = TrainingWindow::new(header, power)?;
     for _ in 0..MOST_PASSES {

@@ -1,24 +1,25 @@
 //! Two-dimensional CFAR with the false-alarm rate asked for in every cell: CA, GO, SO and OS.
 //!
-//! Doppler wraps, range does not: near the first and last range cell the training region is cut, and each cell uses its
-//! own number of training cells (with the middle's number the rate is 28 times too high at range cell 0). What is taken
-//! for the noise:
+//! Doppler wraps, range does not: near the first and last range cell the training region is cut, and each
+//! cell uses its own number of training cells (with the middle's number the rate is 28 times too high at
+//! range cell 0). What is taken for the noise:
 //!
 //! - `ca-cfar`: the mean of all training cells;
-//! - `go-cfar`, `so-cfar`: the greater or smaller mean of two halves, the rectangles before and behind the guard in range
-//!   over all Doppler cells of the region (where training cells lie along Doppler alone: above and below it). Where the
-//!   map's edge leaves one half, it is that half's mean;
+//! - `go-cfar`, `so-cfar`: the greater or smaller mean of two halves, the rectangles before and behind the
+//!   guard in range over all Doppler cells of the region (where training cells lie along Doppler alone: above
+//!   and below it). Where the map's edge leaves one half, it is that half's mean;
 //! - `os-cfar`: the cell of rank ¾N (Rohling, IEEE T-AES 19 (1983) 608).
 //!
-//! Of real samples the cells about range 0 and the last ones are not tested: noise is not circular there. Training cells there are fewer
-//! independent ones on the rows about zero and the fastest velocity, where their own images lie among them (`correlated_cells.rs`).
+//! Of real samples the cells about range 0 and the last ones are not tested: noise is not circular there.
+//! Training cells there are fewer independent ones on the rows about zero and the fastest velocity, where
+//! their own images lie among them (`correlated_cells.rs`).
 //!
 //! Windows correlate neighbouring cells in two ways, both put right per cell:
 //!
 //! - Training cells are fewer independent ones (`correlated_cells.rs`, `noise_estimate.rs`).
-//! - The cell under test leaks into its own estimate where the guard is narrower than the window's main lobe. Given its
-//!   power y, the training mean is c·y + (1 − c)·(noise), c = Σκ_0i/N, so y > α·mean holds where
-//!   y > α(1−c)/(1−αc)·(noise): solved for α, it is α′/(1 − c + α′c) with α′ of the independent case.
+//! - The cell under test leaks into its own estimate where the guard is narrower than the window's main lobe.
+//!   Given its power y, the training mean is c·y + (1 − c)·(noise), c = Σκ_0i/N, so y > α·mean holds where y
+//!   > α(1−c)/(1−αc)·(noise): solved for α, it is α′/(1 − c + α′c) with α′ of the independent case.
 
 use crate::detection::cell_means::LookUp;
 use crate::detection::cfar_threshold::threshold_factor;
@@ -101,7 +102,8 @@ impl Cfar {
         Ok(Self { chirps, samples, detector: header.dsp.detector, zones: kept_zones(header)?, tested })
     }
 
-    /// Mask `[doppler, range]` of a power map; `floor` is added to the noise estimate (0 where there is noise).
+    /// Mask `[doppler, range]` of a power map; `floor` is added to the noise estimate (0 where there is
+    /// noise).
     pub fn mask(&self, power: &[f64], floor: f64) -> Vec<u8> {
         match self.detector {
             Detector::OsCfar => {
@@ -110,7 +112,8 @@ impl Cfar {
                 self.by_rows(&above, |sums, zone, [row, column]| {
                     // y > α(x_k + floor) holds where k cells at least lie below y/α − floor.
                     let level = power[row * self.samples + column] / zone.factor - floor;
-                    !(level <= usual && zone.lie_above(sums)) && self.passes_ordered(power, level, row, column)
+                    !(level <= usual && zone.lie_above(sums))
+                        && self.passes_ordered(power, level, row, column)
                 })
             }
             Detector::CaCfar => self.by_means(power, floor, |sums, [ring, _]| ring.mean(sums)),
@@ -119,7 +122,8 @@ impl Cfar {
         }
     }
 
-    /// Noise estimate of every cell of a power map, cell by cell: what [`Self::mask`] finds without making it, slowly.
+    /// Noise estimate of every cell of a power map, cell by cell: what [`Self::mask`] finds without making
+    /// it, slowly.
     pub fn estimates(&self, power: &[f64]) -> Vec<f64> {
         let estimate = |cell: usize| {
             let (row, column) = (cell / self.samples, cell % self.samples);
@@ -154,7 +158,8 @@ impl Cfar {
             (rows[0]..=rows[1]).contains(&at[0]) && (columns[0]..=columns[1]).contains(&at[1])
         };
         let [rows, columns] = region.whole;
-        let offsets = (rows[0]..=rows[1]).flat_map(|row| (columns[0]..=columns[1]).map(move |column| [row, column]));
+        let offsets =
+            (rows[0]..=rows[1]).flat_map(|row| (columns[0]..=columns[1]).map(move |column| [row, column]));
         let training = offsets.filter(|at| !region.hole.as_ref().is_some_and(|hole| inside(*at, hole)));
         training
             .map(|at| {
@@ -165,21 +170,32 @@ impl Cfar {
     }
 
     /// Marks every cell above its factor times a mean of training cells.
-    fn by_means(&self, power: &[f64], floor: f64, mean: impl Fn(&BoxSums<'_>, &[LookUp; 2]) -> f64 + Sync) -> Vec<u8> {
+    fn by_means(
+        &self,
+        power: &[f64],
+        floor: f64,
+        mean: impl Fn(&BoxSums<'_>, &[LookUp; 2]) -> f64 + Sync,
+    ) -> Vec<u8> {
         self.by_rows(power, |sums, zone, [row, column]| {
             power[row * self.samples + column] > zone.factor * (mean(sums, &zone.look_ups) + floor)
         })
     }
 
     /// Marks every cell by sums over rectangles of a map.
-    fn by_rows(&self, map: &[f64], passes: impl Fn(&BoxSums<'_>, &Zone, [usize; 2]) -> bool + Sync) -> Vec<u8> {
+    fn by_rows(
+        &self,
+        map: &[f64],
+        passes: impl Fn(&BoxSums<'_>, &Zone, [usize; 2]) -> bool + Sync,
+    ) -> Vec<u8> {
         let mut mask = vec![UNTESTED; map.len()];
         mask.par_chunks_mut(ROWS * self.samples).enumerate().for_each(|(run, mask)| {
             let first = run * ROWS;
             let mut sums = BoxSums::at_row(map, self.samples, &self.zones.heights, first);
             for (row, mask) in (first..).zip(mask.chunks_mut(self.samples)) {
                 let zones = &self.zones.of_kind[self.zones.kinds[row]];
-                for (column, ((state, zone), tested)) in mask.iter_mut().zip(zones).zip(&self.tested).enumerate() {
+                for (column, ((state, zone), tested)) in
+                    mask.iter_mut().zip(zones).zip(&self.tested).enumerate()
+                {
                     if *tested {
                         *state = if passes(&sums, zone, [row, column]) { DETECTED } else { TESTED };
                     }
@@ -221,8 +237,8 @@ impl Cfar {
 }
 
 impl Zone {
-    /// Whether N − k + 1 training cells at least are counted, in sums of ones and zeros: then what lies no higher than they do
-    /// does not pass, and in noise that is a look at almost every cell.
+    /// Whether N − k + 1 training cells at least are counted, in sums of ones and zeros: then what lies no
+    /// higher than they do does not pass, and in noise that is a look at almost every cell.
     #[inline]
     fn lie_above(&self, counts: &BoxSums<'_>) -> bool {
         let ring = &self.look_ups[0];
@@ -230,9 +246,9 @@ impl Zone {
     }
 }
 
-/// Columns that are tested: of complex samples all. Of real samples x the spectrum at 0 and at half the sample rate is real, and its
-/// noise has longer tails than thresholds know; windows carry that to cells beside them. There |E[X²]| is |Σw²e^{−j4πnk/N}| over Σw²,
-/// and a hundredth of it is too little to count.
+/// Columns that are tested: of complex samples all. Of real samples x the spectrum at 0 and at half the
+/// sample rate is real, and its noise has longer tails than thresholds know; windows carry that to cells
+/// beside them. There |E[X²]| is |Σw²e^{−j4πnk/N}| over Σw², and a hundredth of it is too little to count.
 fn circular_columns(header: &CubeHeader, columns: usize) -> Result<Vec<bool>, DspError> {
     let waveform = &header.radar.waveform;
     if waveform.sampling == Sampling::Complex {
@@ -255,7 +271,8 @@ static KEPT: Mutex<VecDeque<(CubeHeader, Arc<Zones>)>> = Mutex::new(VecDeque::ne
 const KEPT_SETTINGS: usize = 32;
 
 fn kept_zones(header: &CubeHeader) -> Result<Arc<Zones>, DspError> {
-    // A poisoned lock means that another thread ended while it held the lock; what it kept is whole or not there.
+    // A poisoned lock means that another thread ended while it held the lock; what it kept is whole or not
+    // there.
     let kept = || KEPT.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
     if let Some((_, zones)) = kept().iter().find(|(known, _)| known == header) {
         return Ok(Arc::clone(zones));
@@ -269,7 +286,8 @@ fn kept_zones(header: &CubeHeader) -> Result<Arc<Zones>, DspError> {
     Ok(zones)
 }
 
-/// The zones of all cells: those as far from both ends of the range axis, and as far from their images, share their thresholds.
+/// The zones of all cells: those as far from both ends of the range axis, and as far from their images, share
+/// their thresholds.
 fn zones(header: &CubeHeader) -> Result<Zones, DspError> {
     let [channels, chirps, samples] = checked_shape(header)?;
     let (guard, outer) = regions(header, [chirps, samples])?;
@@ -314,8 +332,8 @@ fn heights<'a>(regions: impl Iterator<Item = &'a Region>) -> Vec<[i64; 2]> {
     heights
 }
 
-/// The ring of CA and OS, or the halves of GO and SO that have cells, where the range axis reaches this far both ways and the cell
-/// under test has its image this far away.
+/// The ring of CA and OS, or the halves of GO and SO that have cells, where the range axis reaches this far
+/// both ways and the cell under test has its image this far away.
 fn training_regions(
     header: &CubeHeader,
     [guard, outer]: [[usize; 2]; 2],
@@ -340,7 +358,12 @@ fn training_regions(
 }
 
 /// Threshold factor, and the rank of the compared cell.
-fn threshold(header: &CubeHeader, correlation: &Correlation, regions: &[Region], channels: usize) -> (f64, usize) {
+fn threshold(
+    header: &CubeHeader,
+    correlation: &Correlation,
+    regions: &[Region],
+    channels: usize,
+) -> (f64, usize) {
     let rate = header.dsp.false_alarm_rate;
     let cells: usize = regions.iter().map(Region::cells).sum();
     let rank = ((OS_RANK * cells as f64).round() as usize).clamp(1, cells);
@@ -355,7 +378,8 @@ fn threshold(header: &CubeHeader, correlation: &Correlation, regions: &[Region],
         _ if is_white => threshold_factor(cells as f64, channels, rate),
         _ => averaged_factor(&regions.iter().flat_map(mean).collect::<Vec<_>>(), channels, rate),
     };
-    let leak: f64 = regions.iter().map(|r| correlation.leak(r) * r.cells() as f64).sum::<f64>() / cells as f64;
+    let leak: f64 =
+        regions.iter().map(|r| correlation.leak(r) * r.cells() as f64).sum::<f64>() / cells as f64;
     (independent / (1.0 - leak + independent * leak), rank)
 }
 

@@ -1,12 +1,14 @@
 //! The threshold factor of cell averaging over M summed channels.
 //!
-//! The cell under test is a sum of M unit exponentials (square law), the training sum one of N·M: their ratio makes
-//! P_fa = I_x(NM, M) with x = N/(N + α), the regularised incomplete beta function (`physics` of CA-CFAR: Richards,
-//! Fundamentals of Radar Signal Processing, 2014, §6.5; M = 1 returns α = N(P_fa^{−1/N} − 1)).
+//! The cell under test is a sum of M unit exponentials (square law), the training sum one of N·M: their ratio
+//! makes P_fa = I_x(NM, M) with x = N/(N + α), the regularised incomplete beta function (`physics` of
+//! CA-CFAR: Richards, Fundamentals of Radar Signal Processing, 2014, §6.5; M = 1 returns α = N(P_fa^{−1/N} −
+//! 1)).
 
 /// α: the factor on the mean of the training cells at which noise passes with probability `false_alarm_rate`.
 ///
-/// `training_cells` is the number of independent cells and need not be whole; `false_alarm_rate` lies in (0, 1).
+/// `training_cells` is the number of independent cells and need not be whole; `false_alarm_rate` lies in (0,
+/// 1).
 pub(crate) fn threshold_factor(training_cells: f64, channels: usize, false_alarm_rate: f64) -> f64 {
     if channels == 1 {
         // expm1 keeps the digits that N(p^{−1/N} − 1) would lose at large N.
@@ -24,12 +26,16 @@ pub(crate) fn threshold_factor(training_cells: f64, channels: usize, false_alarm
         if middle <= low || middle >= high {
             return middle;
         }
-        if ln_false_alarm_rate(middle, training_cells, channels) > asked { low = middle } else { high = middle }
+        if ln_false_alarm_rate(middle, training_cells, channels) > asked {
+            low = middle
+        } else {
+            high = middle
+        }
     }
 }
 
-/// ln I_x(NM, M): for a whole M the incomplete beta function is the finite sum x^a Σ_{k<M} C(a+k−1, k)(1−x)^k, a = NM;
-/// every term is positive, so nothing cancels, and a may be any positive number.
+/// ln I_x(NM, M): for a whole M the incomplete beta function is the finite sum x^a Σ_{k<M} C(a+k−1,
+/// k)(1−x)^k, a = NM; every term is positive, so nothing cancels, and a may be any positive number.
 fn ln_false_alarm_rate(factor: f64, training_cells: f64, channels: usize) -> f64 {
     let a = training_cells * channels as f64;
     let beyond = factor / (training_cells + factor);
@@ -55,9 +61,12 @@ mod tests {
     #[test]
     fn s1_threshold_factors_are_those_of_the_table() {
         // physics.md §8, Pfa 1e-4 and 1e-6; printed to four decimals.
-        for (cells, at_1e4, at_1e6) in
-            [(16.0, 12.4525, 21.9420), (32.0, 10.6727, 17.2776), (64.0, 9.9060, 15.4200), (128.0, 9.5498, 14.5887)]
-        {
+        for (cells, at_1e4, at_1e6) in [
+            (16.0, 12.4525, 21.9420),
+            (32.0, 10.6727, 17.2776),
+            (64.0, 9.9060, 15.4200),
+            (128.0, 9.5498, 14.5887),
+        ] {
             assert!((threshold_factor(cells, 1, 1e-4) - at_1e4).abs() < 1e-4);
             assert!((threshold_factor(cells, 1, 1e-6) - at_1e6).abs() < 1e-4);
         }
@@ -71,7 +80,8 @@ mod tests {
                     let factor = threshold_factor(cells, channels, rate);
                     let (a, b) = (cells * channels as f64, channels as f64);
                     let got = beta_reg(a, b, cells / (cells + factor));
-                    // The reference carries ln Γ(48 000) ≈ 5e5 through an exponential: 5e5·1e-15 is what it keeps.
+                    // The reference carries ln Γ(48 000) ≈ 5e5 through an exponential: 5e5·1e-15 is what it
+                    // keeps.
                     assert!(
                         (got / rate - 1.0).abs() < 1e-8,
                         "{channels} channels, {cells} cells: {got:e} for {rate:e}"

@@ -1,13 +1,15 @@
-//! What windows do to the noise of a region of cells: its spectrum of powers, and its share of the cell under test.
+//! What windows do to the noise of a region of cells: its spectrum of powers, and its share of the cell under
+//! test.
 //!
-//! White samples under a taper w make map cells that correlate as ρ = Σw²e^{−j2πnd/N}/Σw² per axis, d cells apart, and as
-//! the product of both axes. All regions of the detectors are rectangles, or one without another, so every sum over pairs
-//! and triples of cells is made of products of sums along the axes.
+//! White samples under a taper w make map cells that correlate as ρ = Σw²e^{−j2πnd/N}/Σw² per axis, d cells
+//! apart, and as the product of both axes. All regions of the detectors are rectangles, or one without
+//! another, so every sum over pairs and triples of cells is made of products of sums along the axes.
 //!
-//! Of real samples the cell at (−m, −k) of the whole spectrum is the conjugate of that at (m, k). A region's noise then is half of what
-//! it and its image hold together, as 2N real variables instead of N complex ones, and the cells of both correlate by their distance
-//! as any others do: near range 0 and half the sample rate, on the rows about zero velocity and about the fastest, where a region meets
-//! its image. (Column 0 of a rectangular window has each of its powers twice, 2N variables of which N are 0.)
+//! Of real samples the cell at (−m, −k) of the whole spectrum is the conjugate of that at (m, k). A region's
+//! noise then is half of what it and its image hold together, as 2N real variables instead of N complex ones,
+//! and the cells of both correlate by their distance as any others do: near range 0 and half the sample rate,
+//! on the rows about zero velocity and about the fastest, where a region meets its image. (Column 0 of a
+//! rectangular window has each of its powers twice, 2N variables of which N are 0.)
 
 use crate::error::DspError;
 use crate::numerics::gamma_forms::WeightedGamma;
@@ -28,7 +30,8 @@ pub(crate) struct Region {
     pub(crate) whole: Rectangle,
     /// What is left out.
     pub(crate) hole: Option<Rectangle>,
-    /// Offset of the image of the cell under test, [doppler, range], where the region's noise meets that of its image.
+    /// Offset of the image of the cell under test, [doppler, range], where the region's noise meets that of
+    /// its image.
     pub(crate) image: Option<[i64; 2]>,
 }
 
@@ -46,7 +49,8 @@ impl Region {
     fn all_parts(&self) -> impl Iterator<Item = (f64, Rectangle)> + Clone + use<> {
         let own = self.parts();
         let images = self.image.into_iter().flat_map(move |image| {
-            own.clone().map(move |(sign, part)| (sign, [0, 1].map(|axis: usize| mirrored(part[axis], image[axis]))))
+            own.clone()
+                .map(move |(sign, part)| (sign, [0, 1].map(|axis: usize| mirrored(part[axis], image[axis]))))
         });
         self.parts().chain(images)
     }
@@ -70,10 +74,11 @@ pub(crate) struct Correlation {
 
 /// Correlations below this are none: a region of 10⁴ cells gains less than 1e-8 by them.
 const NEGLIGIBLE: f64 = 1e-6;
-/// Noise farther apart than this beyond a region and its image is independent: twice the main lobe of a window of −100 dB.
+/// Noise farther apart than this beyond a region and its image is independent: twice the main lobe of a
+/// window of −100 dB.
 pub(crate) const FAR_CELLS: usize = 8;
-/// A region that shares less than this part of its power with its image does not meet it: with α = 15, N = 100 the rate changes by
-/// α²/2N of it.
+/// A region that shares less than this part of its power with its image does not meet it: with α = 15, N =
+/// 100 the rate changes by α²/2N of it.
 const MEETS: f64 = 1e-4;
 
 impl Correlation {
@@ -89,7 +94,11 @@ impl Correlation {
         ];
         let signed = |power: &[f64], taper: &[f64]| -> Vec<f64> {
             let sign = |lag: usize| amplitude_sign(taper, lag as f64);
-            power.iter().enumerate().map(|(lag, k)| negligible_is_none(k.max(0.0).sqrt() * sign(lag))).collect()
+            power
+                .iter()
+                .enumerate()
+                .map(|(lag, k)| negligible_is_none(k.max(0.0).sqrt() * sign(lag)))
+                .collect()
         };
         let amplitude = [signed(&power[0], &doppler), signed(&power[1], &range)];
         Ok(Self { amplitude, power })
@@ -119,9 +128,9 @@ impl Correlation {
 
     /// The mean power of a region's noise as a sum of Gamma variables: two groups of equal eigenvalues.
     ///
-    /// The power of N correlated cells is Σλ_i·E_i over the eigenvalues of their correlation matrix. All that enters a
-    /// probability is Σ ln(1 + sλ_i); Gauss's rule of two nodes over the eigenvalues keeps their number and their first
-    /// three powers: N, Σρ_ii = N, Σκ_ij and Σρ_ij·ρ_jk·ρ_ki.
+    /// The power of N correlated cells is Σλ_i·E_i over the eigenvalues of their correlation matrix. All that
+    /// enters a probability is Σ ln(1 + sλ_i); Gauss's rule of two nodes over the eigenvalues keeps their
+    /// number and their first three powers: N, Σρ_ii = N, Σκ_ij and Σρ_ij·ρ_jk·ρ_ki.
     pub(crate) fn mean_power(&self, region: &Region, channels: usize) -> Vec<WeightedGamma> {
         let count = region.cells() as f64;
         let group = |eigenvalue: f64, share: f64| WeightedGamma {
@@ -150,8 +159,13 @@ impl Correlation {
             Some(image) => self.of_rectangle_and_image(&region.whole, image),
         };
         let all = region.cells() as f64 * channels as f64;
-        let group = |(eigenvalue, share): (f64, f64)| WeightedGamma { weight: eigenvalue / all, shape: share * all };
-        gauss_nodes(&eigenvalues, 8).into_iter().map(group).filter(|g| g.shape > 1e-9 && g.weight > 0.0).collect()
+        let group =
+            |(eigenvalue, share): (f64, f64)| WeightedGamma { weight: eigenvalue / all, shape: share * all };
+        gauss_nodes(&eigenvalues, 8)
+            .into_iter()
+            .map(group)
+            .filter(|g| g.shape > 1e-9 && g.weight > 0.0)
+            .collect()
     }
 
     /// The products of those of its two sides.
@@ -165,16 +179,18 @@ impl Correlation {
         doppler.iter().flat_map(|a| range.iter().map(move |b| (a * b).max(NO_POWER))).collect()
     }
 
-    /// Of real parts, whose covariances are the sums of those between cells and those with images, and of imaginary parts, their
-    /// differences.
+    /// Of real parts, whose covariances are the sums of those between cells and those with images, and of
+    /// imaginary parts, their differences.
     fn of_rectangle_and_image(&self, [rows, columns]: &Rectangle, image: [i64; 2]) -> Vec<f64> {
         let cells: Vec<[i64; 2]> =
             (rows[0]..=rows[1]).flat_map(|i| (columns[0]..=columns[1]).map(move |j| [i, j])).collect();
         let direct = |a: &[i64; 2], b: &[i64; 2]| self.rho(0, a[0] - b[0]) * self.rho(1, a[1] - b[1]);
         let part = |sign: f64| {
-            let entry =
-                |a: &[i64; 2], b: &[i64; 2]| direct(a, b) + sign * direct(a, &[image[0] - b[0], image[1] - b[1]]);
-            let matrix: Vec<Vec<f64>> = cells.iter().map(|a| cells.iter().map(|b| entry(a, b)).collect()).collect();
+            let entry = |a: &[i64; 2], b: &[i64; 2]| {
+                direct(a, b) + sign * direct(a, &[image[0] - b[0], image[1] - b[1]])
+            };
+            let matrix: Vec<Vec<f64>> =
+                cells.iter().map(|a| cells.iter().map(|b| entry(a, b)).collect()).collect();
             eigenvalues(matrix)
         };
         [1.0, -1.0].into_iter().flat_map(part).map(|value| value.max(NO_POWER)).collect()
@@ -186,7 +202,8 @@ impl Correlation {
 
     /// Σκ^n between the cells of a region, its image's among them, and those of a rectangle.
     fn pairs(&self, region: &Region, with: &Rectangle, exponent: i32) -> f64 {
-        let kappa = [0, 1].map(|axis: usize| self.power[axis].iter().map(|k| k.powi(exponent)).collect::<Vec<f64>>());
+        let kappa =
+            [0, 1].map(|axis: usize| self.power[axis].iter().map(|k| k.powi(exponent)).collect::<Vec<f64>>());
         let sum = |axis: usize, a: [i64; 2], b: [i64; 2]| -> f64 {
             (a[0]..=a[1]).map(|i| (b[0]..=b[1]).map(|j| at_lag(&kappa[axis], i - j)).sum::<f64>()).sum()
         };
@@ -236,8 +253,8 @@ fn triple_sum(rho: &[f64], [a, b, c]: [[i64; 2]; 3]) -> f64 {
     (a[0]..=a[1]).map(|i| near(i, b).map(|j| at(i, j) * closed(i, j)).sum::<f64>()).sum()
 }
 
-/// Nodes and weights of Gauss's rule over equally weighted points (Lanczos's recursion; Golub, Welsch, Math. Comp. 23
-/// (1969) 221).
+/// Nodes and weights of Gauss's rule over equally weighted points (Lanczos's recursion; Golub, Welsch, Math.
+/// Comp. 23 (1969) 221).
 fn gauss_nodes(points: &[f64], nodes: usize) -> Vec<(f64, f64)> {
     let mut before = vec![0.0; points.len()];
     let mut vector = vec![(points.len() as f64).sqrt().recip(); points.len()];
@@ -259,7 +276,8 @@ fn gauss_nodes(points: &[f64], nodes: usize) -> Vec<(f64, f64)> {
     values.into_iter().zip(first.into_iter().map(|f| f * f)).collect()
 }
 
-/// With Doppler division a summed cell holds bands of one receiver, i/M apart: cells correlate where bands meet.
+/// With Doppler division a summed cell holds bands of one receiver, i/M apart: cells correlate where bands
+/// meet.
 fn doppler_correlation(header: &CubeHeader, taper: &[f64], lag: f64) -> f64 {
     if header.radar.array.multiplexing != Multiplexing::Ddm {
         return noise_correlation(taper, lag);

@@ -1,7 +1,9 @@
-//! The fold of a velocity under Doppler division, told by the band that stays empty ([`crate::spectrum::doppler_bands`]).
+//! The fold of a velocity under Doppler division, told by the band that stays empty
+//! ([`crate::spectrum::doppler_bands`]).
 //!
 //! A target at Doppler f fills the bands f, f + 1/M, … f + (N_tx − 1)/M and leaves f − 1/M empty. Summed over
-//! channels, a wrong fold keeps N_tx − 1 of N_tx echoes: too much for a threshold to tell, but its missing band is full.
+//! channels, a wrong fold keeps N_tx − 1 of N_tx echoes: too much for a threshold to tell, but its missing
+//! band is full.
 
 use crate::detection::cfar::{DETECTED, TESTED};
 use crate::spectrum::doppler_bands::band_cycles;
@@ -23,8 +25,10 @@ pub(crate) fn keep_true_folds(
 ) {
     let cells = transform.cells();
     let empty = empty_band(header, transform, samples);
-    let bands: Vec<Vec<f64>> =
-        values.chunks_exact(cells * header.radar.array.rx_m.len()).map(|v| sum_over_channels(v, cells)).collect();
+    let bands: Vec<Vec<f64>> = values
+        .chunks_exact(cells * header.radar.array.rx_m.len())
+        .map(|v| sum_over_channels(v, cells))
+        .collect();
     for (cell, state) in mask.iter_mut().enumerate().filter(|(_, state)| **state == DETECTED) {
         if bands.iter().any(|band| band[cell] < empty[cell]) {
             *state = TESTED;
@@ -32,7 +36,8 @@ pub(crate) fn keep_true_folds(
     }
 }
 
-/// Whether the fold of a cell is beyond doubt: its empty band holds less than a quarter of the weakest full one.
+/// Whether the fold of a cell is beyond doubt: its empty band holds less than a quarter of the weakest full
+/// one.
 ///
 /// A second vehicle in the same range cell that is less than 6 dB weaker fills the band and is flagged here.
 pub(crate) fn fold_is_certain(header: &CubeHeader, map: &RdmFrame, row: usize, column: usize) -> bool {
@@ -45,7 +50,8 @@ pub(crate) fn fold_is_certain(header: &CubeHeader, map: &RdmFrame, row: usize, c
         let channels = tx * receivers..(tx + 1) * receivers;
         channels.map(|c| f64::from(map.values[(c * chirps + row) * samples + column].norm_sqr())).sum()
     };
-    // Transmitter 0 seen one band below is the empty band; rounding to a whole row matters little against 6 dB.
+    // Transmitter 0 seen one band below is the empty band; rounding to a whole row matters little against 6
+    // dB.
     let band_rows = (chirps as f64 / (transmitters + 1) as f64).round() as usize;
     let empty = power(0, (row + chirps - band_rows % chirps) % chirps);
     (0..transmitters).all(|tx| 4.0 * empty < power(tx, row))

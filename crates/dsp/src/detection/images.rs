@@ -1,4 +1,5 @@
-//! Where the images of cells lie in maps of real samples: the cell at (−m, −k) is the conjugate of that at (m, k).
+//! Where the images of cells lie in maps of real samples: the cell at (−m, −k) is the conjugate of that at
+//! (m, k).
 
 use crate::detection::correlated_cells::FAR_CELLS;
 use artifact::cube::CubeHeader;
@@ -19,8 +20,8 @@ pub(crate) struct Images {
 impl Images {
     /// For training regions of these half sizes.
     ///
-    /// Under Doppler division a channel's image lies on other rows, by the sum of its own and another transmitter's band, and at each of
-    /// them it meets only one of many pairs of channels: it is left out.
+    /// Under Doppler division a channel's image lies on other rows, by the sum of its own and another
+    /// transmitter's band, and at each of them it meets only one of many pairs of channels: it is left out.
     pub(crate) fn new(header: &CubeHeader, outer: [usize; 2]) -> Self {
         let waveform = &header.radar.waveform;
         let chirps = waveform.chirps as usize;

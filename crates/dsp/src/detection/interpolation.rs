@@ -1,10 +1,11 @@
 //! Where between cells a peak lies: from the complex values of three cells, read on the window's own curve.
 //!
-//! A tone at offset δ from a cell leaves W(δ − m) in the cell m steps away, W the transform of the window. The ratio
-//! q = Re (X₋₁ − X₊₁)/X₀ grows with δ for every window (rect: 2δ/(1 − δ²), Hann: 6δ/(4 − δ²)); unlike a parabola through
-//! log powers, which for rect says nothing near a cell's centre, it needs the phase and is free of bias (Jacobsen and Kootsookos, IEEE
-//! Signal Processing Magazine 24 (2007) 123, and Candan, IEEE Signal Processing Letters 18 (2011) 351, for rect and Hann).
-//! The curve is computed once per window and read backwards.
+//! A tone at offset δ from a cell leaves W(δ − m) in the cell m steps away, W the transform of the window.
+//! The ratio q = Re (X₋₁ − X₊₁)/X₀ grows with δ for every window (rect: 2δ/(1 − δ²), Hann: 6δ/(4 − δ²));
+//! unlike a parabola through log powers, which for rect says nothing near a cell's centre, it needs the phase
+//! and is free of bias (Jacobsen and Kootsookos, IEEE Signal Processing Magazine 24 (2007) 123, and Candan,
+//! IEEE Signal Processing Letters 18 (2011) 351, for rect and Hann). The curve is computed once per window
+//! and read backwards.
 
 use crate::spectrum::window::transform;
 use num_complex::Complex64;
@@ -18,8 +19,8 @@ pub(crate) struct Interpolator {
 /// Values of one channel in the cell before a peak, in it, and in the next.
 pub(crate) type Trio = [Complex64; 3];
 
-/// Offsets from −½ to ½ at which the curve is kept. Linear reading between them leaves (1/64)²/8 of its curvature, which
-/// is at most 3 per cell (rect): 1e-4 cells.
+/// Offsets from −½ to ½ at which the curve is kept. Linear reading between them leaves (1/64)²/8 of its
+/// curvature, which is at most 3 per cell (rect): 1e-4 cells.
 const STEPS: usize = 64;
 
 impl Interpolator {
@@ -64,7 +65,8 @@ mod tests {
     use crate::spectrum::window::taper;
     use artifact::settings::Window;
 
-    const ALL: [Window; 5] = [Window::Rect, Window::Hann, Window::Hamming, Window::Blackman, Window::Chebyshev(80.0)];
+    const ALL: [Window; 5] =
+        [Window::Rect, Window::Hann, Window::Hamming, Window::Blackman, Window::Chebyshev(80.0)];
 
     #[test]
     fn offsets_of_pure_tones_are_read_to_a_thousandth_of_a_cell() {
@@ -76,7 +78,8 @@ mod tests {
                     let offset = f64::from(step) / 100.0;
                     let tone = [1.0, 0.0, -1.0].map(|cell| transform(&weights, offset + cell));
                     // Two channels that see it in any phase.
-                    let channels = [0.3, 2.0].map(|phase| tone.map(|v| v * Complex64::from_polar(1.0, phase)));
+                    let channels =
+                        [0.3, 2.0].map(|phase| tone.map(|v| v * Complex64::from_polar(1.0, phase)));
                     let error = interpolator.offset(channels.into_iter()) - offset;
                     assert!(error.abs() < 1e-3, "{window:?} of {length} at {offset}: {error}");
                 }

@@ -1,13 +1,13 @@
 //! Threshold factors of every noise estimate: P_fa = P(y > α·T), y the cell under test, T the estimate.
 //!
-//! y is a sum of M unit exponentials (square law, M channels), independent of T. Where T is one sum of Gamma variables
-//! (cell averaging), y > αT is a statement about such a sum too. Else P_fa = ∫ P(y > αt) dG(t) over the distribution G of
-//! T, which is known in closed form:
+//! y is a sum of M unit exponentials (square law, M channels), independent of T. Where T is one sum of Gamma
+//! variables (cell averaging), y > αT is a statement about such a sum too. Else P_fa = ∫ P(y > αt) dG(t) over
+//! the distribution G of T, which is known in closed form:
 //!
-//! - greatest and smallest of two halves (Hansen, Sawyers, IEEE T-AES 16 (1980) 115; Trunk, T-AES 14 (1978) 750):
-//!   G = F_A·F_B and G = 1 − (1 − F_A)(1 − F_B), F of each half's mean;
-//! - ordered statistic (Rohling, IEEE T-AES 19 (1983) 608): G(t) = I_u(k, N − k + 1), u = P(one cell < t). One channel
-//!   returns Rohling's product P_fa = Π_{i<k} (N − i)/(N − i + α).
+//! - greatest and smallest of two halves (Hansen, Sawyers, IEEE T-AES 16 (1980) 115; Trunk, T-AES 14 (1978)
+//!   750): G = F_A·F_B and G = 1 − (1 − F_A)(1 − F_B), F of each half's mean;
+//! - ordered statistic (Rohling, IEEE T-AES 19 (1983) 608): G(t) = I_u(k, N − k + 1), u = P(one cell < t).
+//!   One channel returns Rohling's product P_fa = Π_{i<k} (N − i)/(N − i + α).
 
 use crate::detection::correlated_cells::{Correlation, Region};
 use crate::numerics::gamma_forms::{WeightedGamma, beta_below, gamma_below, gamma_tail, probability_below};
@@ -44,10 +44,11 @@ pub(crate) fn ordered_factor(cells: usize, rank: usize, channels: usize, rate: f
 
 /// α over the cell of this rank of a region whose cells correlate.
 ///
-/// T < t where at least k of the N cells lie below t. Their number has the mean N·u, and, by Kibble's expansion of two
-/// correlated Gamma variables (Sankhyā 5 (1941) 137), the variance N·u(1 − u) + Σ_n c_n² Σ_{i≠j} κ_ij^n, c_n the
-/// coefficients of the step at t in Laguerre polynomials. It is that of n = N·(N u(1 − u))/variance independent cells,
-/// each counted N/n times, of which k′ − ½ = (k − ½)·n/N are asked (½: a count is whole).
+/// T < t where at least k of the N cells lie below t. Their number has the mean N·u, and, by Kibble's
+/// expansion of two correlated Gamma variables (Sankhyā 5 (1941) 137), the variance N·u(1 − u) + Σ_n c_n²
+/// Σ_{i≠j} κ_ij^n, c_n the coefficients of the step at t in Laguerre polynomials. It is that of n = N·(N u(1
+/// − u))/variance independent cells, each counted N/n times, of which k′ − ½ = (k − ½)·n/N are asked (½: a
+/// count is whole).
 pub(crate) fn correlated_ordered_factor(
     correlation: &Correlation,
     region: &Region,
@@ -100,7 +101,8 @@ struct Steps {
 }
 
 impl Steps {
-    /// What lies below the grid passes at most with its own probability, what lies above with less than the rate.
+    /// What lies below the grid passes at most with its own probability, what lies above with less than the
+    /// rate.
     fn new(rate: f64, below: impl Fn(f64) -> f64) -> Self {
         let (mut low, mut high) = (0.9, 1.1);
         while below(low) > 1e-5 * rate {
@@ -129,7 +131,8 @@ impl Steps {
 
 const STEPS: i32 = 256;
 
-/// Where a falling function of a positive number has this value: secants in logarithms within a bracket (Illinois).
+/// Where a falling function of a positive number has this value: secants in logarithms within a bracket
+/// (Illinois).
 fn falling_root(value: f64, function: impl Fn(f64) -> f64) -> f64 {
     let error = |ln_x: f64| function(ln_x.exp()).max(f64::MIN_POSITIVE).ln() - value.ln();
     let (mut low, mut high) = (0.0, 0.5);
@@ -184,7 +187,9 @@ mod tests {
 
     #[test]
     fn averages_of_independent_cells_return_the_closed_form() {
-        for (cells, channels, rate) in [(16.0, 1, 1e-4), (248.0, 1, 1e-6), (71.6, 12, 1e-5), (248.0, 192, 1e-3)] {
+        for (cells, channels, rate) in
+            [(16.0, 1, 1e-4), (248.0, 1, 1e-6), (71.6, 12, 1e-5), (248.0, 192, 1e-3)]
+        {
             let (asked, got) = (
                 threshold_factor(cells, channels, rate),
                 averaged_factor(&independent(cells, channels), channels, rate),
@@ -195,8 +200,8 @@ mod tests {
 
     #[test]
     fn ordered_statistics_of_one_channel_have_rohlings_factors() {
-        // physics.md §8, k = ¾N, Pfa 1e-4 and 1e-6; printed to four decimals, the midpoint rule keeps three digits more
-        // of the rate than of the factor.
+        // physics.md §8, k = ¾N, Pfa 1e-4 and 1e-6; printed to four decimals, the midpoint rule keeps three
+        // digits more of the rate than of the factor.
         for (cells, at_1e4, at_1e6) in
             [(16, 11.0802, 20.9542), (32, 8.5801, 14.3985), (64, 7.5536, 11.9802), (128, 7.0855, 10.9292)]
         {
@@ -210,8 +215,8 @@ mod tests {
 
     #[test]
     fn one_channel_of_two_halves_has_its_closed_form() {
-        // Halves of one cell each: P(y > α·min) = 2/(2 + α)·…: min of two unit exponentials is exponential of mean ½,
-        // so 1/(1 + α/2); and max = both less min: 2/(1 + α) − 1/(1 + α/2).
+        // Halves of one cell each: P(y > α·min) = 2/(2 + α)·…: min of two unit exponentials is exponential of
+        // mean ½, so 1/(1 + α/2); and max = both less min: 2/(1 + α) − 1/(1 + α/2).
         let half = independent(1.0, 1);
         for rate in [1e-2, 1e-4] {
             let smallest = smallest_of_factor([&half, &half], 1, rate);

@@ -1,8 +1,10 @@
-//! Peaks: strong cells that no neighbour exceeds, placed between cells, without the sidelobes of stronger peaks.
+//! Peaks: strong cells that no neighbour exceeds, placed between cells, without the sidelobes of stronger
+//! peaks.
 //!
-//! Beside detected cells, those count that the map's own noise level would have let pass: a vehicle fills the training
-//! cells of its own echoes, and cell averaging then hides the weaker ones between the stronger (a gap of 2.8 m in a car of
-//! 5 m). They make no points, but they tell that what lies on both sides of them is one body.
+//! Beside detected cells, those count that the map's own noise level would have let pass: a vehicle fills the
+//! training cells of its own echoes, and cell averaging then hides the weaker ones between the stronger (a
+//! gap of 2.8 m in a car of 5 m). They make no points, but they tell that what lies on both sides of them is
+//! one body.
 
 use crate::detection::cfar::DETECTED;
 use crate::detection::interpolation::{Interpolator, Trio};
@@ -29,7 +31,8 @@ pub(crate) struct Peak {
     pub(crate) cells: u32,
     /// Whether the detector found it, or its neighbours' echoes hid it.
     pub(crate) detected: bool,
-    /// Cell of the peak on whose slope it stands; its own cell where it stands on none (`directional_peaks.rs`).
+    /// Cell of the peak on whose slope it stands; its own cell where it stands on none
+    /// (`directional_peaks.rs`).
     pub(crate) summit: [usize; 2],
 }
 
@@ -55,10 +58,11 @@ pub(crate) struct PeakFinder {
     leakage: [Vec<f64>; 2],
 }
 
-/// A peak this little above the leakage of stronger ones is taken for leakage: two leaks in phase double their power.
+/// A peak this little above the leakage of stronger ones is taken for leakage: two leaks in phase double
+/// their power.
 pub(crate) const LEAKAGE_MARGIN: f64 = 2.0;
-/// Windows and transforms are rounded: nothing is told apart farther below a peak than single precision carries
-/// (2⁻²⁴ of the amplitude, −144 dB).
+/// Windows and transforms are rounded: nothing is told apart farther below a peak than single precision
+/// carries (2⁻²⁴ of the amplitude, −144 dB).
 const LEAKAGE_FLOOR: f64 = 3.6e-15;
 /// Offsets tried between two cells for the worst leakage.
 const OFFSETS: i32 = 8;
@@ -76,7 +80,8 @@ impl PeakFinder {
     }
 
     /// Peaks of a power map `[doppler, range]` among the cells that the mask calls detected and those above
-    /// `noise_threshold`, strongest first; `values` `[channel, doppler, range]` tell where between cells they lie.
+    /// `noise_threshold`, strongest first; `values` `[channel, doppler, range]` tell where between cells they
+    /// lie.
     pub(crate) fn peaks(
         &self,
         power: ArrayView2<f64>,
@@ -84,7 +89,8 @@ impl PeakFinder {
         mask: &[u8],
         noise_threshold: f64,
     ) -> Vec<Peak> {
-        let strong = power.indexed_iter().zip(mask).filter(|((_, p), m)| **m == DETECTED || **p > noise_threshold);
+        let strong =
+            power.indexed_iter().zip(mask).filter(|((_, p), m)| **m == DETECTED || **p > noise_threshold);
         let mut peaks: Vec<Peak> = strong
             .map(|((cell, _), _)| cell)
             .filter(|cell| is_local_maximum(power, *cell))
@@ -94,11 +100,20 @@ impl PeakFinder {
         self.without_sidelobes(peaks)
     }
 
-    /// Detected cells and the peak whose slope each stands on, in row-major order; those that climb to a sidelobe are left out.
-    pub(crate) fn slopes(&self, power: ArrayView2<f64>, mask: &[u8], peaks: &[Peak]) -> Vec<([usize; 2], usize)> {
+    /// Detected cells and the peak whose slope each stands on, in row-major order; those that climb to a
+    /// sidelobe are left out.
+    pub(crate) fn slopes(
+        &self,
+        power: ArrayView2<f64>,
+        mask: &[u8],
+        peaks: &[Peak],
+    ) -> Vec<([usize; 2], usize)> {
         let (rows, columns) = power.dim();
         let mut peak_at = vec![None; rows * columns];
-        peaks.iter().enumerate().for_each(|(index, peak)| peak_at[peak.row * columns + peak.column] = Some(index));
+        peaks
+            .iter()
+            .enumerate()
+            .for_each(|(index, peak)| peak_at[peak.row * columns + peak.column] = Some(index));
         let detected = (0..rows * columns).filter(|cell| mask[*cell] == DETECTED);
         detected
             .filter_map(|cell| {
@@ -108,17 +123,26 @@ impl PeakFinder {
             .collect()
     }
 
-    fn place(&self, power: ArrayView2<f64>, values: &[Complex32], mask: &[u8], (row, column): (usize, usize)) -> Peak {
+    fn place(
+        &self,
+        power: ArrayView2<f64>,
+        values: &[Complex32],
+        mask: &[u8],
+        (row, column): (usize, usize),
+    ) -> Peak {
         let (rows, columns) = power.dim();
         let trios = |cells: [(usize, usize); 3]| {
-            values.chunks_exact(rows * columns).map(move |channel| trio(channel, cells.map(|(r, c)| r * columns + c)))
+            values
+                .chunks_exact(rows * columns)
+                .map(move |channel| trio(channel, cells.map(|(r, c)| r * columns + c)))
         };
         let along_rows = (rows > 2).then(|| {
             let at = |step: usize| ((row + step) % rows, column);
             self.interpolators[0].offset(trios([at(rows - 1), at(0), at(1)]))
         });
-        let along_columns = (column > 0 && column + 1 < columns)
-            .then(|| self.interpolators[1].offset(trios([(row, column - 1), (row, column), (row, column + 1)])));
+        let along_columns = (column > 0 && column + 1 < columns).then(|| {
+            self.interpolators[1].offset(trios([(row, column - 1), (row, column), (row, column + 1)]))
+        });
         let is_detected = |(r, c): (usize, usize)| mask[r * columns + c] == DETECTED;
         let neighbours = neighbourhood(power.dim(), (row, column)).filter(|cell| is_detected(*cell)).count();
         Peak {
@@ -137,7 +161,8 @@ impl PeakFinder {
     fn without_sidelobes(&self, peaks: Vec<Peak>) -> Vec<Peak> {
         let mut kept: Vec<Peak> = Vec::new();
         for peak in peaks {
-            let leaked: f64 = kept.iter().map(|strong| strong.power * self.leak(strong, [peak.row, peak.column])).sum();
+            let leaked: f64 =
+                kept.iter().map(|strong| strong.power * self.leak(strong, [peak.row, peak.column])).sum();
             if peak.power > LEAKAGE_MARGIN * leaked {
                 kept.push(peak);
             }
@@ -152,8 +177,9 @@ impl PeakFinder {
 
     /// Offsets from the middle of three values along rows and along columns; 0 where there are none.
     pub(crate) fn offsets(&self, [along_rows, along_columns]: [Option<Trio>; 2]) -> [f64; 2] {
-        let offset =
-            |axis: usize, trio: Option<Trio>| trio.map_or(0.0, |t| self.interpolators[axis].offset([t].into_iter()));
+        let offset = |axis: usize, trio: Option<Trio>| {
+            trio.map_or(0.0, |t| self.interpolators[axis].offset([t].into_iter()))
+        };
         [offset(0, along_rows), offset(1, along_columns)]
     }
 }
@@ -162,7 +188,8 @@ fn trio(channel: &[Complex32], cells: [usize; 3]) -> Trio {
     cells.map(|cell| Complex64::new(f64::from(channel[cell].re), f64::from(channel[cell].im)))
 }
 
-/// Largest share of a peak's power that its window leaves in a cell this many cells away, over all offsets of the tone.
+/// Largest share of a peak's power that its window leaves in a cell this many cells away, over all offsets of
+/// the tone.
 fn leakage(taper: &[f64]) -> Vec<f64> {
     let length = taper.len();
     let fine = fine_response(taper);

@@ -1,4 +1,5 @@
-//! Range-Doppler map: window, FFT over samples, window, FFT over chirps, for every transmit–receive pair, and what its detector finds.
+//! Range-Doppler map: window, FFT over samples, window, FFT over chirps, for every transmit–receive pair, and
+//! what its detector finds.
 
 use crate::detection::cfar::{self, Cfar};
 use crate::detection::empty_band::keep_true_folds;
@@ -35,7 +36,8 @@ pub fn range_doppler(header: &CubeHeader, frame: &CubeFrame) -> Result<RdmFrame,
     })
 }
 
-/// A noise-free map has no noise to estimate: a floor 60 dB below its peak stands in (`docs/scenes.md`, `[noise]`).
+/// A noise-free map has no noise to estimate: a floor 60 dB below its peak stands in (`docs/scenes.md`,
+/// `[noise]`).
 fn assumed_floor(noise: Noise, power: &[f64]) -> Option<f64> {
     let peak = power.iter().copied().fold(0.0, f64::max);
     matches!(noise, Noise::Absent).then(|| peak * power_from_db(-FLOOR_BELOW_PEAK_DB))

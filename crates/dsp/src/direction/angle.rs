@@ -1,9 +1,10 @@
 //! Direction of arrival: FFT over the virtual array, then the exact beam's peak.
 //!
-//! A target at direction cosine u along the row makes the phase e^{−j2πp·u/λ} on an element at p (the mixer's sign: a
-//! target on the + side is nearer to + elements), so the angle spectrum is Σ x e^{+j2πp·u/λ}. The FFT, over elements
-//! snapped to a lattice, only finds the right lobe; the peak is then climbed on the beam with the exact distances to every
-//! element, which a 0.34 m row needs at 25 m (0.9 rad of curvature) and a list of odd positions needs always.
+//! A target at direction cosine u along the row makes the phase e^{−j2πp·u/λ} on an element at p (the mixer's
+//! sign: a target on the + side is nearer to + elements), so the angle spectrum is Σ x e^{+j2πp·u/λ}. The
+//! FFT, over elements snapped to a lattice, only finds the right lobe; the peak is then climbed on the beam
+//! with the exact distances to every element, which a 0.34 m row needs at 25 m (0.9 rad of curvature) and a
+//! list of odd positions needs always.
 
 use crate::spectrum::code_division;
 use artifact::cube::CubeHeader;
@@ -47,7 +48,8 @@ pub type Snapshot = Vec<Complex64>;
 
 /// Cells of the angle FFT per null-to-null half lobe: the climb starts within an eighth of the lobe's width.
 const OVERSAMPLING: usize = 4;
-/// Parabola steps of the climb: each quarters the step, so the last is 1/1000 of a lobe and its rest far below 1e-4 of u.
+/// Parabola steps of the climb: each quarters the step, so the last is 1/1000 of a lobe and its rest far
+/// below 1e-4 of u.
 const CLIMBS: usize = 5;
 
 impl VirtualArray {
@@ -67,14 +69,26 @@ impl VirtualArray {
             .collect();
         let wavelength_m = radar.waveform.wavelength_m();
         let lattices = [axes[0], axes[1]].map(|axis| {
-            Lattice::new(&elements.iter().map(|[t, r]| (*t + *r).dot(axis) / wavelength_m).collect::<Vec<_>>())
+            Lattice::new(
+                &elements.iter().map(|[t, r]| (*t + *r).dot(axis) / wavelength_m).collect::<Vec<_>>(),
+            )
         });
         let mut planner = FftPlanner::new();
         let transforms = [0, 1].map(|axis: usize| planner.plan_fft_inverse(lattices[axis].cells()));
         let squares_m2 = elements.iter().map(|[tx, rx]| tx.length_squared() + rx.length_squared()).collect();
         let receivers = radar.array.rx_m.len();
         let calibration = header.dsp.calibration.clone();
-        Self { calibration, wavelength_m, axes, elements, receivers, slot_s, squares_m2, lattices, transforms }
+        Self {
+            calibration,
+            wavelength_m,
+            axes,
+            elements,
+            receivers,
+            slot_s,
+            squares_m2,
+            lattices,
+            transforms,
+        }
     }
 
     /// Whether transmitters, and receivers too, differ in their places along the row.
@@ -86,7 +100,13 @@ impl VirtualArray {
     }
 
     /// Values of one cell; `velocity_mps` turns the later slots of time and code division back.
-    pub fn snapshot(&self, header: &CubeHeader, map: &RdmFrame, cell: [usize; 2], velocity_mps: f64) -> Snapshot {
+    pub fn snapshot(
+        &self,
+        header: &CubeHeader,
+        map: &RdmFrame,
+        cell: [usize; 2],
+        velocity_mps: f64,
+    ) -> Snapshot {
         self.snapshot_and_idle(header, map, cell, velocity_mps).0
     }
 
@@ -120,7 +140,8 @@ impl VirtualArray {
         values
     }
 
-    /// The strongest cell of the angle FFT over one or more cells of a map, their powers added: right to half a cell of the FFT.
+    /// The strongest cell of the angle FFT over one or more cells of a map, their powers added: right to half
+    /// a cell of the FFT.
     pub fn fft_direction(&self, snapshots: &[Snapshot], range_m: f64) -> Direction {
         let found = self.coarse(snapshots, range_m);
         Direction { right: found.x, up: self.lattices[1].has_extent().then_some(found.y) }
@@ -173,10 +194,14 @@ impl VirtualArray {
         [tx, rx]
     }
 
-    /// How much longer the way to a point and back is by each channel's elements than by the array's centre, m.
+    /// How much longer the way to a point and back is by each channel's elements than by the array's centre,
+    /// m.
     pub fn excess_m(&self, direction: Direction, range_m: f64) -> Vec<f64> {
         let point = self.point(direction, range_m);
-        self.elements.iter().map(|[tx, rx]| excess_m(point, *tx, range_m) + excess_m(point, *rx, range_m)).collect()
+        self.elements
+            .iter()
+            .map(|[tx, rx]| excess_m(point, *tx, range_m) + excess_m(point, *rx, range_m))
+            .collect()
     }
 
     /// From the array's centre.
@@ -187,9 +212,11 @@ impl VirtualArray {
         range_m * (u * right + w * up + out_of_plane * ahead)
     }
 
-    /// Change of [`Self::excess_m`] with the direction cosines, m; 0 along axes on which the array has no extent.
+    /// Change of [`Self::excess_m`] with the direction cosines, m; 0 along axes on which the array has no
+    /// extent.
     pub(crate) fn excess_slopes_m(&self, direction: Direction, range_m: f64) -> Vec<[f64; 2]> {
-        // Central difference: the third derivative leaves 1e-12 of the slope, rounding of lengths below 1 m 1e-10.
+        // Central difference: the third derivative leaves 1e-12 of the slope, rounding of lengths below 1 m
+        // 1e-10.
         let small = 1e-6;
         let along = |right: f64, up: f64| {
             let [more, less] = [small, -small].map(|h| {
@@ -210,11 +237,16 @@ impl VirtualArray {
         most_m2 / (2.0 * range_m.max(1e-3) * self.wavelength_m)
     }
 
-    /// Width of a beam in direction cosines along right and up, λ over the virtual extent; infinite without extent.
+    /// Width of a beam in direction cosines along right and up, λ over the virtual extent; infinite without
+    /// extent.
     pub fn beams(&self) -> [f64; 2] {
         [0, 1].map(|axis: usize| {
             let lattice = &self.lattices[axis];
-            if lattice.has_extent() { 1.0 / (lattice.spacing * (lattice.extent + 1) as f64) } else { f64::INFINITY }
+            if lattice.has_extent() {
+                1.0 / (lattice.spacing * (lattice.extent + 1) as f64)
+            } else {
+                f64::INFINITY
+            }
         })
     }
 
@@ -236,10 +268,11 @@ impl VirtualArray {
     /// One parabola on the logarithm of the beam's power along an axis, moving at most one step.
     fn climb(&self, snapshots: &[Snapshot], range_m: f64, at: DVec2, axis: usize, step: f64) -> f64 {
         let along = DVec2::from([[1.0, 0.0], [0.0, 1.0]][axis]) * step;
-        let [before, here, after] =
-            [at - along, at, at + along].map(|p| self.power(snapshots, range_m, p).max(f64::MIN_POSITIVE).ln());
+        let [before, here, after] = [at - along, at, at + along]
+            .map(|p| self.power(snapshots, range_m, p).max(f64::MIN_POSITIVE).ln());
         let curvature = before - 2.0 * here + after;
-        let offset = if curvature < 0.0 { (0.5 * (before - after) / curvature).clamp(-1.0, 1.0) } else { 0.0 };
+        let offset =
+            if curvature < 0.0 { (0.5 * (before - after) / curvature).clamp(-1.0, 1.0) } else { 0.0 };
         (at[axis] + offset * step).clamp(-1.0, 1.0)
     }
 
@@ -278,7 +311,8 @@ impl VirtualArray {
             // Curvature of the wavefront as for a target ahead; what is left at the side is climbed.
             let cycles = self.squares_m2[channel] * per_square_m2;
             let turn = turned_back(if cycles < FLAT { 0.0 } else { cycles });
-            grid[self.lattices[1].places[channel] * columns + self.lattices[0].places[channel]] += value * turn;
+            grid[self.lattices[1].places[channel] * columns + self.lattices[0].places[channel]] +=
+                value * turn;
         }
         self.transforms[0].process_with_scratch(grid, scratch);
         if rows > 1 {
@@ -332,8 +366,8 @@ struct Lattice {
     extent: usize,
 }
 
-/// Spacing for positions that share no grid: a phase error of at most π/8 at the edge of the visible region, in the
-/// coarse search only.
+/// Spacing for positions that share no grid: a phase error of at most π/8 at the edge of the visible region,
+/// in the coarse search only.
 const FINE_SPACING: f64 = 0.125;
 /// Longest grid; a wider array is snapped to as many places.
 const MOST_PLACES: f64 = 4096.0;
@@ -361,8 +395,11 @@ impl Lattice {
 
     /// Direction cosine of an FFT cell.
     fn cosine(&self, cell: usize) -> f64 {
-        let signed =
-            if 2 * cell >= self.cells() && self.has_extent() { cell as f64 - self.cells() as f64 } else { cell as f64 };
+        let signed = if 2 * cell >= self.cells() && self.has_extent() {
+            cell as f64 - self.cells() as f64
+        } else {
+            cell as f64
+        };
         signed * self.step()
     }
 

@@ -1,8 +1,8 @@
 //! Errors of the virtual array's channels, measured on a reflector that stands at a known place.
 //!
-//! What its echo has in a channel, less the phase of its exact way there and back, is the channel's own gain and phase, but for one factor
-//! of all. White noise moves a phase by
-//! 1/√(2·SNR) rad of the channel's cell; frames are averaged.
+//! What its echo has in a channel, less the phase of its exact way there and back, is the channel's own gain
+//! and phase, but for one factor of all. White noise moves a phase by 1/√(2·SNR) rad of the channel's cell;
+//! frames are averaged.
 
 use crate::direction::angle::{Direction, VirtualArray};
 use crate::error::DspError;
@@ -16,13 +16,20 @@ use num_complex::Complex64;
 
 /// The weakest channel's cell over its noise that is believed, dB: 4° of phase.
 const LEAST_SNR_DB: f64 = 20.0;
-/// Range cells on either side of the known one where the echo is looked for: lines are up to half a cell long.
+/// Range cells on either side of the known one where the echo is looked for: lines are up to half a cell
+/// long.
 const REACH: usize = 2;
 
-/// Gain and phase of each transmit–receive pair, tx·N_rx + rx, against an ideal one; their mean power is 1, their sum real.
+/// Gain and phase of each transmit–receive pair, tx·N_rx + rx, against an ideal one; their mean power is 1,
+/// their sum real.
 ///
-/// The reflector is at rest at `position_m`, world metres. Settings of the header are used but for its calibration.
-pub fn channel_errors(header: &CubeHeader, map: &RdmFrame, position_m: [f64; 3]) -> Result<Vec<Complex64>, DspError> {
+/// The reflector is at rest at `position_m`, world metres. Settings of the header are used but for its
+/// calibration.
+pub fn channel_errors(
+    header: &CubeHeader,
+    map: &RdmFrame,
+    position_m: [f64; 3],
+) -> Result<Vec<Complex64>, DspError> {
     let mut header = header.in_frame(map.index);
     header.dsp.calibration = vec![];
     let away_m = DVec3::from(position_m) - DVec3::from(header.radar.position_m);

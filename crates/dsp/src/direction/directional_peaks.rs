@@ -1,8 +1,9 @@
 //! Peaks of range, velocity and direction together, where the power summed over channels shows a slope.
 //!
-//! Bodies abreast at one velocity, whose fronts stand a cell or two apart in range, lie under one main lobe of the map: the stronger is
-//! the peak, the others stand on its slope. A beam towards one of them leaves the others out, and in it the cell is the highest around.
-//! What it holds has to be more than the main lobes and sidelobes of stronger echoes, seen in the same beam.
+//! Bodies abreast at one velocity, whose fronts stand a cell or two apart in range, lie under one main lobe
+//! of the map: the stronger is the peak, the others stand on its slope. A beam towards one of them leaves the
+//! others out, and in it the cell is the highest around. What it holds has to be more than the main lobes and
+//! sidelobes of stronger echoes, seen in the same beam.
 
 use crate::detection::interpolation::Trio;
 use crate::detection::peaks::{Peak, PeakFinder, neighbourhood};
@@ -22,7 +23,8 @@ pub(crate) struct Beams<'a> {
 }
 
 impl Beams<'_> {
-    /// Peaks of their own on the slopes of `peaks`, strongest first: `slopes` are detected cells and whose slope they stand on.
+    /// Peaks of their own on the slopes of `peaks`, strongest first: `slopes` are detected cells and whose
+    /// slope they stand on.
     pub(crate) fn on_slopes(&self, slopes: &[([usize; 2], usize)], peaks: &[Peak]) -> Vec<Peak> {
         if !self.array.beams().iter().any(|beam| beam.is_finite()) {
             return vec![];
@@ -59,8 +61,8 @@ impl Beams<'_> {
             let at = |step: usize| [(row + step) % rows, column];
             trio([at(rows - 1), at(0), at(1)])
         });
-        let along_columns =
-            (column > 0 && column + 1 < columns).then(|| trio([[row, column - 1], [row, column], [row, column + 1]]));
+        let along_columns = (column > 0 && column + 1 < columns)
+            .then(|| trio([[row, column - 1], [row, column], [row, column + 1]]));
         let power = beam.power(self, [row, column]) / beam.steering.len() as f64;
         let offsets = self.finder.offsets([along_rows, along_columns]);
         Peak {

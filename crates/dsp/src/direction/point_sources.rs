@@ -1,10 +1,11 @@
 //! Directions of several echoes in one cell: deterministic maximum likelihood on a single snapshot.
 //!
-//! A map cell gives one value per channel, so no covariance can be averaged and methods on its eigenvectors (MUSIC, ESPRIT)
-//! would have to smooth over sub-arrays, which sparse rows and elevation rows do not have. Maximum likelihood needs
-//! none of it: the directions whose echoes leave the smallest residual (Ziskind and Wax, IEEE Trans. ASSP 36 (1988) 1553, here by Gauss–Newton
-//! with the amplitudes projected out: Golub and Pereyra, SIAM J. Numer. Anal. 10 (1973) 413), any array, spherical waves.
-//! One echo more is believed if it takes more from the residual than noise would (generalised likelihood ratio).
+//! A map cell gives one value per channel, so no covariance can be averaged and methods on its eigenvectors
+//! (MUSIC, ESPRIT) would have to smooth over sub-arrays, which sparse rows and elevation rows do not have.
+//! Maximum likelihood needs none of it: the directions whose echoes leave the smallest residual (Ziskind and
+//! Wax, IEEE Trans. ASSP 36 (1988) 1553, here by Gauss–Newton with the amplitudes projected out: Golub and
+//! Pereyra, SIAM J. Numer. Anal. 10 (1973) 413), any array, spherical waves. One echo more is believed if it
+//! takes more from the residual than noise would (generalised likelihood ratio).
 
 use crate::direction::angle::{Direction, VirtualArray};
 use crate::numerics::normal_equations::solve;
@@ -26,7 +27,8 @@ pub(crate) const MOST_SOURCES: usize = 3;
 const PARAMETERS: usize = 2 * MOST_SOURCES;
 /// Chance that noise alone makes an echo of a cell that holds one less.
 const FALSE_SPLIT_RATE: f64 = 1e-4;
-/// An echo below this part of the cell's power is not believed: a range cell's response differs by up to −30 dB along a row of 0.34 m.
+/// An echo below this part of the cell's power is not believed: a range cell's response differs by up to −30
+/// dB along a row of 0.34 m.
 const WEAKEST_SHARE: f64 = 1e-3;
 /// Starts left and right of an echo that may be two, in beams (λ over the array's extent).
 const SPLITS: [f64; 3] = [0.15, 0.4, 0.9];
@@ -43,13 +45,19 @@ pub fn sources(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, noise
 }
 
 /// Power that the echoes of [`sources`] leave of a cell, and how many they are.
-pub(crate) fn direct_fit(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, noise: f64) -> (f64, usize) {
+pub(crate) fn direct_fit(
+    array: &VirtualArray,
+    snapshot: &[Complex64],
+    range_m: f64,
+    noise: f64,
+) -> (f64, usize) {
     let strongest = array.direction(&[snapshot.to_vec()], range_m);
     let fit = likeliest(array, snapshot, range_m, strongest, noise);
     fit.map_or((power(snapshot), 0), |fit| (fit.residual_power, fit.directions.len()))
 }
 
-/// As many echoes as noise would not have made of less; `None` where the strongest beam's direction is not visible.
+/// As many echoes as noise would not have made of less; `None` where the strongest beam's direction is not
+/// visible.
 fn likeliest(
     array: &VirtualArray,
     snapshot: &[Complex64],
@@ -65,7 +73,8 @@ fn likeliest(
     while best.directions.len() < MOST_SOURCES.min(snapshot.len() / 3) {
         match one_more(array, snapshot, range_m, &best) {
             Some(more)
-                if best.residual_power - more.residual_power > threshold && more.weakest() > WEAKEST_SHARE * total =>
+                if best.residual_power - more.residual_power > threshold
+                    && more.weakest() > WEAKEST_SHARE * total =>
             {
                 best = more;
             }
@@ -75,8 +84,9 @@ fn likeliest(
     Some(best)
 }
 
-/// Cramér–Rao bound of the direction cosines of echoes of known number: least standard errors along right and up of each
-/// (Stoica and Nehorai, IEEE Trans. ASSP 37 (1989) 720, eq. 4.1, of one snapshot); 0 along axes without extent, `None` where two coincide.
+/// Cramér–Rao bound of the direction cosines of echoes of known number: least standard errors along right and
+/// up of each (Stoica and Nehorai, IEEE Trans. ASSP 37 (1989) 720, eq. 4.1, of one snapshot); 0 along axes
+/// without extent, `None` where two coincide.
 pub fn least_errors(
     array: &VirtualArray,
     echoes: &[(Direction, Complex64)],
@@ -85,19 +95,27 @@ pub fn least_errors(
 ) -> Option<Vec<[f64; 2]>> {
     let directions: Vec<Direction> = echoes.iter().map(|(direction, _)| *direction).collect();
     let turns: Vec<Vec<Complex64>> = directions.iter().map(|d| array.steering(*d, range_m)).collect();
-    let sum = |c: usize| -> Complex64 { echoes.iter().zip(&turns).map(|((_, a), turns)| a * turns[c].conj()).sum() };
+    let sum = |c: usize| -> Complex64 {
+        echoes.iter().zip(&turns).map(|((_, a), turns)| a * turns[c].conj()).sum()
+    };
     let noiseless: Vec<Complex64> = (0..turns.first()?.len()).map(sum).collect();
     let slopes = Fit::new(array, &noiseless, range_m, &directions)?.slopes(array, range_m);
     let mut information = [[0.0; PARAMETERS]; PARAMETERS];
     for (i, a) in slopes.iter().enumerate().take(PARAMETERS) {
-        slopes.iter().enumerate().take(PARAMETERS).for_each(|(j, b)| information[i][j] = 2.0 / noise * inner(a, b).re);
+        slopes
+            .iter()
+            .enumerate()
+            .take(PARAMETERS)
+            .for_each(|(j, b)| information[i][j] = 2.0 / noise * inner(a, b).re);
     }
     let variance = |i: usize| {
         let mut unit = [0.0; PARAMETERS];
         unit[i] = 1.0;
         solve(information, unit).map(|column| column[i])
     };
-    (0..echoes.len().min(MOST_SOURCES)).map(|k| Some([variance(2 * k)?.sqrt(), variance(2 * k + 1)?.sqrt()])).collect()
+    (0..echoes.len().min(MOST_SOURCES))
+        .map(|k| Some([variance(2 * k)?.sqrt(), variance(2 * k + 1)?.sqrt()]))
+        .collect()
 }
 
 /// t of M·t·e^{−t} = the rate.
@@ -108,7 +126,8 @@ fn split_threshold(channels: usize) -> f64 {
     (0..20).fold(10.0, next)
 }
 
-/// The best fit with one echo more: one of those there made two, or a new one where the residual's beam is strongest.
+/// The best fit with one echo more: one of those there made two, or a new one where the residual's beam is
+/// strongest.
 fn one_more(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, fit: &Fit) -> Option<Fit> {
     let found = array.direction(std::slice::from_ref(&fit.residual), range_m);
     let mut starts = vec![[fit.directions.as_slice(), &[found]].concat()];
@@ -123,9 +142,9 @@ fn one_more(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, fit: &Fi
             }
         }
     }
-    let fits = starts
-        .iter()
-        .filter_map(|start| Some(settled(array, snapshot, range_m, Fit::new(array, snapshot, range_m, start)?)));
+    let fits = starts.iter().filter_map(|start| {
+        Some(settled(array, snapshot, range_m, Fit::new(array, snapshot, range_m, start)?))
+    });
     fits.min_by(|a, b| a.residual_power.total_cmp(&b.residual_power))
 }
 
@@ -168,12 +187,18 @@ struct Fit {
 
 impl Fit {
     /// `None` where a direction is not visible or two cannot be told apart.
-    fn new(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, directions: &[Direction]) -> Option<Self> {
+    fn new(
+        array: &VirtualArray,
+        snapshot: &[Complex64],
+        range_m: f64,
+        directions: &[Direction],
+    ) -> Option<Self> {
         let visible = |d: &Direction| d.right.powi(2) + d.up.unwrap_or(0.0).powi(2) < 1.0;
         directions.iter().all(visible).then_some(())?;
         let (mut basis, mut triangle): (Vec<Vec<Complex64>>, Vec<Vec<Complex64>>) = (vec![], vec![]);
         for direction in directions {
-            let mut echo: Vec<Complex64> = array.steering(*direction, range_m).iter().map(|turn| turn.conj()).collect();
+            let mut echo: Vec<Complex64> =
+                array.steering(*direction, range_m).iter().map(|turn| turn.conj()).collect();
             let mut column: Vec<Complex64> = basis.iter().map(|q| take_out(q, &mut echo)).collect();
             let left = power(&echo).sqrt();
             // Closer than this the amplitudes are beyond a thousand times the echo: a beam's 1/2000.

@@ -17,9 +17,10 @@ pub(crate) struct Place {
 
 /// Place of a point at `range_m` from the array's centre.
 ///
-/// With elevation rows both direction cosines are measured. Without, range and the one cosine u leave a circle (the
-/// sphere cut by the cone around the row); the assumed height picks the point in front of the array:
-/// along the row R·u, up h − z_radar, ahead √(R² − (R·u)² − (h − z_radar)²), 0 where the point is nearer than its height.
+/// With elevation rows both direction cosines are measured. Without, range and the one cosine u leave a
+/// circle (the sphere cut by the cone around the row); the assumed height picks the point in front of the
+/// array: along the row R·u, up h − z_radar, ahead √(R² − (R·u)² − (h − z_radar)²), 0 where the point is
+/// nearer than its height.
 pub(crate) fn place(header: &CubeHeader, array: &VirtualArray, direction: Direction, range_m: f64) -> Place {
     let [right, up, ahead] = array.axes();
     let u = direction.right;

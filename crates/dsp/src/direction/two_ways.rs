@@ -1,13 +1,16 @@
-//! Whether an echo went out by one direction and came back by another: a ghost, made by two bodies and standing at neither.
+//! Whether an echo went out by one direction and came back by another: a ghost, made by two bodies and
+//! standing at neither.
 //!
-//! Between two bodies a wave runs both ways round, equally long and, with transmitters and receivers side by side, equally
-//! strong (reciprocity): with t(u) and r(u) the phases of transmit and receive elements towards direction u, channels hold
-//! a·(t(u)r(v) + t(v)r(u)). One body alone is u = v. Several bodies in one cell, each for itself, are sums of t(u)r(u). Which of
-//! the two the channels hold is asked by likelihood: the pair has to leave less than the direct echoes that maximum likelihood
-//! finds ([`crate::direction::point_sources`]), by more than noise and its greater freedom would give it.
+//! Between two bodies a wave runs both ways round, equally long and, with transmitters and receivers side by
+//! side, equally strong (reciprocity): with t(u) and r(u) the phases of transmit and receive elements towards
+//! direction u, channels hold a·(t(u)r(v) + t(v)r(u)). One body alone is u = v. Several bodies in one cell,
+//! each for itself, are sums of t(u)r(u). Which of the two the channels hold is asked by likelihood: the pair
+//! has to leave less than the direct echoes that maximum likelihood finds
+//! ([`crate::direction::point_sources`]), by more than noise and its greater freedom would give it.
 //!
-//! That departure and arrival differ is what tells ghosts in MIMO radars (Engels, Heidenreich, Wintermantel, Stäcker, Al Kadi and
-//! Zoubir, IEEE Signal Process. Mag. 38(4), 2021); it needs more than one transmit and more than one receive element along the row.
+//! That departure and arrival differ is what tells ghosts in MIMO radars (Engels, Heidenreich, Wintermantel,
+//! Stäcker, Al Kadi and Zoubir, IEEE Signal Process. Mag. 38(4), 2021); it needs more than one transmit and
+//! more than one receive element along the row.
 
 use crate::direction::angle::{Direction, VirtualArray};
 use crate::direction::point_sources::direct_fit;
@@ -18,7 +21,8 @@ use num_complex::Complex64;
 pub struct TwoWays {
     /// Of the two bodies.
     pub directions: [Direction; 2],
-    /// Log-likelihood over that of direct echoes, each less half its parameters times ln of the real samples (Schwarz 1978).
+    /// Log-likelihood over that of direct echoes, each less half its parameters times ln of the real samples
+    /// (Schwarz 1978).
     pub evidence: f64,
 }
 
@@ -30,23 +34,31 @@ const LEAST_APART_BEAMS: f64 = 0.5;
 const STEP_BEAMS: f64 = 0.5;
 const HALVINGS: usize = 7;
 /// Steps of the climb: which of the pair, along which axis, to which side.
-const STEPS: [(usize, usize, f64); 8] =
-    [(0, 0, 1.0), (0, 0, -1.0), (1, 0, 1.0), (1, 0, -1.0), (0, 1, 1.0), (0, 1, -1.0), (1, 1, 1.0), (1, 1, -1.0)];
+const STEPS: [(usize, usize, f64); 8] = [
+    (0, 0, 1.0),
+    (0, 0, -1.0),
+    (1, 0, 1.0),
+    (1, 0, -1.0),
+    (0, 1, 1.0),
+    (0, 1, -1.0),
+    (1, 1, 1.0),
+    (1, 1, -1.0),
+];
 /// Wavefronts that curve less than this over the array are flat: it costs (2π·0.01)² of the power, −24 dB.
 const FLAT_CYCLES: f64 = 0.01;
 /// Grids of more directions than this would take longer than the rest of a detection.
 const MOST_DIRECTIONS: usize = 512;
 
-/// Whether this array tells such a pair from direct echoes at all: both its transmitters and its receivers stand in more than one place
-/// along the row (else one end has the same phases for both directions, and the pair is a sum of two direct echoes), and the row is not
-/// too long to be searched.
+/// Whether this array tells such a pair from direct echoes at all: both its transmitters and its receivers
+/// stand in more than one place along the row (else one end has the same phases for both directions, and the
+/// pair is a sum of two direct echoes), and the row is not too long to be searched.
 pub(crate) fn can_tell(array: &VirtualArray) -> bool {
     let steps = (1.0 / (STEP_BEAMS * array.beams()[0])).floor();
     array.ends_have_rows() && 2.0 * steps + 1.0 <= MOST_DIRECTIONS as f64
 }
 
-/// The pair of directions that a cell's echo went by; `None` where direct echoes explain it, or the array cannot tell. `direct` is
-/// the direction of the strongest beam, `noise` the mean noise power of one channel.
+/// The pair of directions that a cell's echo went by; `None` where direct echoes explain it, or the array
+/// cannot tell. `direct` is the direction of the strongest beam, `noise` the mean noise power of one channel.
 pub fn two_ways(
     array: &VirtualArray,
     snapshot: &[Complex64],
@@ -71,8 +83,8 @@ pub fn two_ways(
     // Complex amplitudes and directions, with elevations where there are any.
     let axes = 1 + usize::from(direct.up.is_some());
     let [of_pair, of_direct] = [2 + 2 * axes, directions * (2 + axes)].map(|count| count as f64);
-    let evidence =
-        (directly - (total - by_waves)) / noise - 0.5 * (of_pair - of_direct) * (2.0 * snapshot.len() as f64).ln();
+    let evidence = (directly - (total - by_waves)) / noise
+        - 0.5 * (of_pair - of_direct) * (2.0 * snapshot.len() as f64).ln();
     (evidence > least_evidence).then_some(TwoWays { directions: pair, evidence })
 }
 
@@ -96,7 +108,11 @@ impl<'a> Rows<'a> {
     fn of(array: &'a VirtualArray, snapshot: &'a [Complex64], range_m: f64) -> Option<Self> {
         let receivers = array.receivers();
         let values: Vec<&[Complex64]> = snapshot.chunks_exact(receivers.max(1)).collect();
-        (receivers > 1 && values.len() > 1 && array.beams()[0].is_finite()).then_some(Self { array, values, range_m })
+        (receivers > 1 && values.len() > 1 && array.beams()[0].is_finite()).then_some(Self {
+            array,
+            values,
+            range_m,
+        })
     }
 
     fn turns(&self, direction: Direction, range_m: f64) -> Turns {
@@ -130,8 +146,9 @@ impl<'a> Rows<'a> {
 
     /// The best pair near this one, each of its own elevation, and the power that it explains.
     ///
-    /// Waves curve as from points at the range that the cell shows, or half as much: a flat body mirrors the other end, which appears at the
-    /// whole way's length. Over 12 × 16 elements that is half a radian at 50 m, over 3 × 4 nothing.
+    /// Waves curve as from points at the range that the cell shows, or half as much: a flat body mirrors the
+    /// other end, which appears at the whole way's length. Over 12 × 16 elements that is half a radian at 50
+    /// m, over 3 × 4 nothing.
     fn climbed(&self, start: [Direction; 2]) -> ([Direction; 2], f64) {
         let curved = self.climbed_at(start, self.range_m);
         if self.array.curvature_cycles(self.range_m) < FLAT_CYCLES {
@@ -187,7 +204,8 @@ fn moved(direction: &mut Direction, axis: usize, by: f64) {
 
 /// ‖t(u)r(v) + t(v)r(u)‖².
 fn norm(u: &Turns, v: &Turns) -> f64 {
-    let cross = |a: &[Complex64], b: &[Complex64]| a.iter().zip(b).map(|(a, b)| a * b.conj()).sum::<Complex64>();
+    let cross =
+        |a: &[Complex64], b: &[Complex64]| a.iter().zip(b).map(|(a, b)| a * b.conj()).sum::<Complex64>();
     let channels = (u.tx.len() * u.rx.len()) as f64;
     (2.0 * channels + 2.0 * (cross(&u.tx, &v.tx) * cross(&v.rx, &u.rx)).re).max(1e-9 * channels)
 }

@@ -1,10 +1,11 @@
 //! Cramér–Rao bound of a lone point echo: the smallest standard error that any unbiased estimate can have.
 //!
-//! A tone of unknown amplitude and phase over N regular samples has var(cycles per sample) ≥ 6/(4π²·γ·N(N² − 1)), γ the
-//! power ratio of one sample (Rife and Boorstyn, IEEE Trans. IT 20 (1974) 591, eq. 16; Kay, Fundamentals of Statistical Signal Processing
-//! (1993), example 3.14). Over samples × chirps × elements the phase is a sum of one term for each axis, whose moments
-//! about their means do not mix, so the bounds of the three axes hold side by side, each with the signal-to-noise ratio of
-//! all values together. `docs/physics.md` §8 counts it per cell of one channel: γ·N_s·N_c.
+//! A tone of unknown amplitude and phase over N regular samples has var(cycles per sample) ≥ 6/(4π²·γ·N(N² −
+//! 1)), γ the power ratio of one sample (Rife and Boorstyn, IEEE Trans. IT 20 (1974) 591, eq. 16; Kay,
+//! Fundamentals of Statistical Signal Processing (1993), example 3.14). Over samples × chirps × elements the
+//! phase is a sum of one term for each axis, whose moments about their means do not mix, so the bounds of the
+//! three axes hold side by side, each with the signal-to-noise ratio of all values together.
+//! `docs/physics.md` §8 counts it per cell of one channel: γ·N_s·N_c.
 
 use artifact::cube::CubeHeader;
 
@@ -19,7 +20,8 @@ pub struct Bound {
     pub cosines: [f64; 2],
 }
 
-/// Bound at a power ratio of signal to noise per cell of one channel's unwindowed map, for simultaneous transmitters.
+/// Bound at a power ratio of signal to noise per cell of one channel's unwindowed map, for simultaneous
+/// transmitters.
 pub fn cramer_rao(header: &CubeHeader, snr_per_cell: f64) -> Bound {
     let (radar, waveform) = (&header.radar, &header.radar.waveform);
     let snr = snr_per_cell * radar.virtual_channels() as f64;
@@ -33,7 +35,8 @@ pub fn cramer_rao(header: &CubeHeader, snr_per_cell: f64) -> Bound {
     Bound { range_m: shown_m.hypot(coupled_m), velocity_mps, cosines: cosines(header, snr) }
 }
 
-/// Inverse of 2·SNR·(2π/λ)²·M₂, M₂ the 2 × 2 central second moments of the virtual elements (Kay (1993), example 3.15, for any array).
+/// Inverse of 2·SNR·(2π/λ)²·M₂, M₂ the 2 × 2 central second moments of the virtual elements (Kay (1993),
+/// example 3.15, for any array).
 fn cosines(header: &CubeHeader, snr: f64) -> [f64; 2] {
     let array = &header.radar.array;
     let places: Vec<[f64; 2]> = (array.tx_half_wavelengths.iter())
@@ -43,7 +46,8 @@ fn cosines(header: &CubeHeader, snr: f64) -> [f64; 2] {
         .collect();
     let count = places.len() as f64;
     let mean = [0, 1].map(|axis: usize| places.iter().map(|p| p[axis]).sum::<f64>() / count);
-    let moment = |a: usize, b: usize| places.iter().map(|p| (p[a] - mean[a]) * (p[b] - mean[b])).sum::<f64>() / count;
+    let moment =
+        |a: usize, b: usize| places.iter().map(|p| (p[a] - mean[a]) * (p[b] - mean[b])).sum::<f64>() / count;
     let [along, across, mixed] = [moment(0, 0), moment(1, 1), moment(0, 1)];
     let information = 2.0 * snr * std::f64::consts::TAU.powi(2);
     let left = |own: f64, other: f64| if other > 0.0 { own - mixed * mixed / other } else { own };
@@ -52,7 +56,8 @@ fn cosines(header: &CubeHeader, snr: f64) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
-    /// 12 half-wavelength elements: var(u) = 6/(π²·SNR·M(M² − 1)), SNR per element (Kay (1993), eq. 3.43 at broadside).
+    /// 12 half-wavelength elements: var(u) = 6/(π²·SNR·M(M² − 1)), SNR per element (Kay (1993), eq. 3.43 at
+    /// broadside).
     #[test]
     fn a_filled_rows_bound_is_the_textbooks() {
         let elements: Vec<f64> = (0..12).map(|i| 0.5 * f64::from(i)).collect();

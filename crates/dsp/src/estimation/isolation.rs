@@ -1,13 +1,16 @@
-//! Whether an echo stands alone: what the others do to its maximum-likelihood estimates, against the Cramér–Rao bound.
+//! Whether an echo stands alone: what the others do to its maximum-likelihood estimates, against the
+//! Cramér–Rao bound.
 //!
-//! The likelihood's score of a parameter is the samples' correlation with the echo's slope, ∂s/∂θ with what its amplitude follows
-//! taken out. Another echo of energy E over the noise (|a|²/σ² times all samples of all channels), whose correlation with the
-//! slope of unit length is h, moves the estimate by up to √(2E)·h standard errors of the bound, E·h² in the mean square over its phase.
-//! Along range and velocity h falls with the distance as the slope of the Dirichlet kernel, three times the power that leaks
-//! into the peak's own cell; over the array it is the other's beam towards the echo's direction.
+//! The likelihood's score of a parameter is the samples' correlation with the echo's slope, ∂s/∂θ with what
+//! its amplitude follows taken out. Another echo of energy E over the noise (|a|²/σ² times all samples of all
+//! channels), whose correlation with the slope of unit length is h, moves the estimate by up to √(2E)·h
+//! standard errors of the bound, E·h² in the mean square over its phase. Along range and velocity h falls
+//! with the distance as the slope of the Dirichlet kernel, three times the power that leaks into the peak's
+//! own cell; over the array it is the other's beam towards the echo's direction.
 //!
-//! Two tests say so. [`Neighbours`] adds that up over all other peaks of the map. What lies under the same peak is not among
-//! them: [`fits_alone`] looks for a second echo in what is left of the samples when the fitted one is taken out.
+//! Two tests say so. [`Neighbours`] adds that up over all other peaks of the map. What lies under the same
+//! peak is not among them: [`fits_alone`] looks for a second echo in what is left of the samples when the
+//! fitted one is taken out.
 
 use crate::detection::peaks::Peak;
 use crate::direction::angle::{Direction, VirtualArray};
@@ -37,12 +40,14 @@ pub(crate) struct Neighbours<'a> {
 }
 
 impl Neighbours<'_> {
-    /// Whether the other peaks leave the estimates of an echo, whose peak this is, within 0.4 dB of their bound.
+    /// Whether the other peaks leave the estimates of an echo, whose peak this is, within 0.4 dB of their
+    /// bound.
     pub(crate) fn leave_alone(&self, peak: &Peak, echo: PointEcho) -> bool {
         let beams = Beams::new(self.array, echo);
         let mut bias = [0.0; PARAMETERS];
         for other in self.peaks.iter().filter(|other| (other.row, other.column) != (peak.row, peak.column)) {
-            // As the echo's own slots of time division see it: turned back by the echo's velocity, not by its own.
+            // As the echo's own slots of time division see it: turned back by the echo's velocity, not by its
+            // own.
             let cell = [other.row, other.column];
             let snapshot = self.array.snapshot(self.header, self.map, cell, echo.radial_velocity_mps);
             let energy = self.bandwidth_cells / self.noise;
@@ -81,7 +86,8 @@ impl Correlation {
     /// Envelopes of the Dirichlet kernel sin πx/(N sin πx/N) and of its slope over π/√3, the slope's length.
     fn of(cells: f64, count: u32) -> Self {
         let away = f64::from(count) * (PI * cells / f64::from(count)).sin().abs();
-        let [value, slope] = [1.0, 3f64.sqrt() * (1.0 + 1.0 / away)].map(|most: f64| (most / away).powi(2).min(1.0));
+        let [value, slope] =
+            [1.0, 3f64.sqrt() * (1.0 + 1.0 / away)].map(|most: f64| (most / away).powi(2).min(1.0));
         Self { value, slope }
     }
 }
@@ -108,7 +114,9 @@ impl Beams {
     }
 
     fn correlations(&self, snapshot: &[Complex64]) -> [f64; PARAMETERS] {
-        let with = |beam: &Vec<Complex64>| beam.iter().zip(snapshot).map(|(b, v)| b * v).sum::<Complex64>().norm_sqr();
+        let with = |beam: &Vec<Complex64>| {
+            beam.iter().zip(snapshot).map(|(b, v)| b * v).sum::<Complex64>().norm_sqr()
+        };
         [0, 1, 2, 3].map(|i: usize| with(&self.of_parameters[i]))
     }
 }
@@ -117,11 +125,12 @@ impl Beams {
 const NEAR_CELLS: usize = 2;
 /// Chance that noise alone is taken for a second echo.
 const FALSE_SECOND_RATE: f64 = 1e-3;
-/// A second echo is not told from errors of the model below this part of the first, −50 dB; it moves a range by at most 1/600 cell
-/// (√3/π·10^−2.5).
+/// A second echo is not told from errors of the model below this part of the first, −50 dB; it moves a range
+/// by at most 1/600 cell (√3/π·10^−2.5).
 const MODEL_ERROR: f64 = 1e-5;
 
-/// Whether nothing like a second echo is left near a fitted one, in any direction; `noise` is that of one sample.
+/// Whether nothing like a second echo is left near a fitted one, in any direction; `noise` is that of one
+/// sample.
 pub(crate) fn fits_alone(
     header: &CubeHeader,
     array: &VirtualArray,
@@ -138,7 +147,8 @@ pub(crate) fn fits_alone(
     let believed = second_threshold(array, cells * channels) * noise * weight;
     let most = believed.max(MODEL_ERROR * amplitude.norm_sqr() * weight * weight);
     let steering = array.steering(echo.direction, echo.range_m);
-    let of_channel: Vec<Vec<Complex64>> = left.chunks(left.len() / channels).map(|b| near_cells(header, b)).collect();
+    let of_channel: Vec<Vec<Complex64>> =
+        left.chunks(left.len() / channels).map(|b| near_cells(header, b)).collect();
     (0..cells).all(|cell| {
         // The blocks are turned to the echo's direction: back again, for the beam to look around.
         let snapshot: Vec<Complex64> =
@@ -148,7 +158,8 @@ pub(crate) fn fits_alone(
     })
 }
 
-/// t of M·t^axes·e^{−t} = the rate: powers of M independent cells and beams, and between beams the highest of a field along each axis.
+/// t of M·t^axes·e^{−t} = the rate: powers of M independent cells and beams, and between beams the highest of
+/// a field along each axis.
 fn second_threshold(array: &VirtualArray, independent: usize) -> f64 {
     let axes = array.beams().into_iter().filter(|beam| beam.is_finite()).count();
     let next = |t: f64, _| (independent as f64 * t.powi(axes as i32) / FALSE_SECOND_RATE).ln();
@@ -200,7 +211,10 @@ mod tests {
             let cells = f64::from(step) / 50.0;
             let ([value, slope], most) = (kernel(cells), Correlation::of(cells, count));
             // The slope's length is π/√3·√(1 − 1/N²) of a cell.
-            assert!(value <= most.value + 1e-12 && slope <= most.slope * (1.0 + 1e-3) + 1e-12, "{cells}: {slope}");
+            assert!(
+                value <= most.value + 1e-12 && slope <= most.slope * (1.0 + 1e-3) + 1e-12,
+                "{cells}: {slope}"
+            );
             assert!(value + slope <= 1.0 + 1e-12, "two parts of one tone");
         }
     }

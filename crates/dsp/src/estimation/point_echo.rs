@@ -1,8 +1,8 @@
 //! Phase of a lone point's echo in every sample, and a cube's samples with it taken out, summed over blocks.
 //!
-//! cycles = f₀τ + μtτ − ½μτ², cτ = 2R(T) + what the channel's elements are nearer or farther than the array's centre
-//! (`docs/interface.md`; the point's place in the frame's middle decides that part). R(T) is linear, so a chirp's phase is
-//! a parabola in t exactly.
+//! cycles = f₀τ + μtτ − ½μτ², cτ = 2R(T) + what the channel's elements are nearer or farther than the array's
+//! centre (`docs/interface.md`; the point's place in the frame's middle decides that part). R(T) is linear,
+//! so a chirp's phase is a parabola in t exactly.
 
 use crate::direction::angle::{Direction, VirtualArray};
 use crate::spectrum::doppler_bands::source_of;
@@ -39,8 +39,8 @@ pub(crate) struct Block {
     pub(crate) frame_s: f64,
 }
 
-/// Blocks along each axis: a point half a cell beside the phase taken out turns by 1/32 cycle within a block, which takes
-/// 1.6e-3 of its amplitude.
+/// Blocks along each axis: a point half a cell beside the phase taken out turns by 1/32 cycle within a block,
+/// which takes 1.6e-3 of its amplitude.
 const BLOCKS: usize = 16;
 
 /// Blocks of all channels, the point's phase taken out, in order of channel, chirp and sample.
@@ -73,7 +73,8 @@ fn blocks_of_channel(
         .flat_map(|chirps| {
             let mut sums = vec![Complex64::ZERO; length.div_ceil(columns)];
             let mut frame_s = 0.0;
-            for (chirp, from) in chirps.clone().flat_map(|chirp| heard.iter().map(move |from| (chirp, from))) {
+            for (chirp, from) in chirps.clone().flat_map(|chirp| heard.iter().map(move |from| (chirp, from)))
+            {
                 let start_s = header.radar.chirp_start_s(from.turn, chirp) - header.radar.frame_middle_s();
                 let phase = ChirpPhase::new(header, point, excess_m, start_s, from.cycles * chirp as f64);
                 frame_s += start_s / (chirps.len() * heard.len()) as f64;
@@ -102,7 +103,8 @@ struct Heard {
     share: f64,
 }
 
-/// One channel; with codes every slot, since what other transmitters add to them has as many signs as the pair's own, plus and minus.
+/// One channel; with codes every slot, since what other transmitters add to them has as many signs as the
+/// pair's own, plus and minus.
 fn heard(header: &CubeHeader, channel: usize) -> Vec<Heard> {
     let receivers = header.radar.array.rx_m.len();
     let (tx, rx) = (channel / receivers, channel % receivers);
@@ -144,7 +146,8 @@ impl ChirpPhase {
     fn new(header: &CubeHeader, point: &PointEcho, excess_m: f64, start_s: f64, turn_cycles: f64) -> Self {
         let waveform = &header.radar.waveform;
         let (f0, mu) = (waveform.start_frequency_hz, waveform.slope_hz_per_s);
-        let tau_s = (2.0 * (point.range_m + point.radial_velocity_mps * start_s) + excess_m) / SPEED_OF_LIGHT_MPS;
+        let tau_s =
+            (2.0 * (point.range_m + point.radial_velocity_mps * start_s) + excess_m) / SPEED_OF_LIGHT_MPS;
         let rate = 2.0 * point.radial_velocity_mps / SPEED_OF_LIGHT_MPS;
         let sample_s = 1.0 / waveform.sample_rate_hz;
         Self {

@@ -1,10 +1,12 @@
-//! Maximum-likelihood range, velocity and direction of a lone point echo, jointly, by Fisher scoring on unwindowed samples.
+//! Maximum-likelihood range, velocity and direction of a lone point echo, jointly, by Fisher scoring on
+//! unwindowed samples.
 //!
-//! The interpolated peak starts it. Its phase is taken out of the samples, which are then summed over blocks; what is
-//! left turns slowly from block to block, and the score's zero is found on a few thousand sums instead of a million samples
-//! (Kay, Fundamentals of Statistical Signal Processing (1993), §7.7). Twice over, so that nothing is left of
-//! linearising the phase about the start. On a lone echo in white noise this reaches the Cramér–Rao bound
-//! (`docs/validation/estimates.md`); it knows of one echo only, so peaks that others bias are left as they are ([`crate::estimation::isolation`]).
+//! The interpolated peak starts it. Its phase is taken out of the samples, which are then summed over blocks;
+//! what is left turns slowly from block to block, and the score's zero is found on a few thousand sums
+//! instead of a million samples (Kay, Fundamentals of Statistical Signal Processing (1993), §7.7). Twice
+//! over, so that nothing is left of linearising the phase about the start. On a lone echo in white noise this
+//! reaches the Cramér–Rao bound (`docs/validation/estimates.md`); it knows of one echo only, so peaks that
+//! others bias are left as they are ([`crate::estimation::isolation`]).
 
 use crate::direction::angle::{Direction, VirtualArray};
 use crate::estimation::point_echo::{Block, PointEcho, blocks};
@@ -18,7 +20,8 @@ use std::f64::consts::TAU;
 const PARAMETERS: usize = 4;
 /// Passes over the samples.
 const PASSES: usize = 2;
-/// Scoring steps of a pass. From a tenth of a cell each leaves the square of what it finds: 0.3 rad becomes 1e-6 in four.
+/// Scoring steps of a pass. From a tenth of a cell each leaves the square of what it finds: 0.3 rad becomes
+/// 1e-6 in four.
 const STEPS: usize = 6;
 
 /// The echo that fits the samples best, near `start`; `None` where they do not settle within a cell of it.
@@ -39,12 +42,20 @@ pub(crate) fn refined(
 }
 
 /// Change of the parameters that maximises |Σ blocks · e^{−j·what they turn by}|.
-fn best_step(header: &CubeHeader, array: &VirtualArray, blocks: &[Block], at: &PointEcho) -> Option<[f64; PARAMETERS]> {
+fn best_step(
+    header: &CubeHeader,
+    array: &VirtualArray,
+    blocks: &[Block],
+    at: &PointEcho,
+) -> Option<[f64; PARAMETERS]> {
     let slopes = centred(phase_slopes(header, array, blocks, at), blocks);
     let mut step = [0.0; PARAMETERS];
     for _ in 0..STEPS {
-        let turned: Vec<Complex64> =
-            blocks.iter().zip(&slopes).map(|(b, g)| b.sum * Complex64::from_polar(1.0, -dot(g, &step))).collect();
+        let turned: Vec<Complex64> = blocks
+            .iter()
+            .zip(&slopes)
+            .map(|(b, g)| b.sum * Complex64::from_polar(1.0, -dot(g, &step)))
+            .collect();
         let sum: Complex64 = turned.iter().sum();
         let in_phase = sum.conj() / sum.norm();
         let weight: f64 = blocks.iter().map(|b| b.weight).sum();
@@ -53,7 +64,8 @@ fn best_step(header: &CubeHeader, array: &VirtualArray, blocks: &[Block], at: &P
         for ((block, slope), value) in blocks.iter().zip(&slopes).zip(&turned) {
             for i in 0..PARAMETERS {
                 score[i] += slope[i] * (value * in_phase).im;
-                (0..PARAMETERS).for_each(|j| information[i][j] += amplitude * block.weight * slope[i] * slope[j]);
+                (0..PARAMETERS)
+                    .for_each(|j| information[i][j] += amplitude * block.weight * slope[i] * slope[j]);
             }
         }
         let change = solve(information, score)?;
@@ -62,8 +74,14 @@ fn best_step(header: &CubeHeader, array: &VirtualArray, blocks: &[Block], at: &P
     step.iter().all(|s| s.is_finite()).then_some(step)
 }
 
-/// Radians of each block per metre, metre a second and unit cosines; 0 along axes that the array does not have.
-fn phase_slopes(header: &CubeHeader, array: &VirtualArray, blocks: &[Block], at: &PointEcho) -> Vec<[f64; PARAMETERS]> {
+/// Radians of each block per metre, metre a second and unit cosines; 0 along axes that the array does not
+/// have.
+fn phase_slopes(
+    header: &CubeHeader,
+    array: &VirtualArray,
+    blocks: &[Block],
+    at: &PointEcho,
+) -> Vec<[f64; PARAMETERS]> {
     let waveform = &header.radar.waveform;
     let tau_s = 2.0 * at.range_m / SPEED_OF_LIGHT_MPS;
     let of_cosines = array.excess_slopes_m(at.direction, at.range_m);
@@ -80,7 +98,8 @@ fn phase_slopes(header: &CubeHeader, array: &VirtualArray, blocks: &[Block], at:
 fn centred(mut slopes: Vec<[f64; PARAMETERS]>, blocks: &[Block]) -> Vec<[f64; PARAMETERS]> {
     let weight: f64 = blocks.iter().map(|b| b.weight).sum();
     for i in 0..PARAMETERS {
-        let mean = slopes.iter().zip(blocks).map(|(slope, block)| slope[i] * block.weight).sum::<f64>() / weight;
+        let mean =
+            slopes.iter().zip(blocks).map(|(slope, block)| slope[i] * block.weight).sum::<f64>() / weight;
         slopes.iter_mut().for_each(|slope| slope[i] -= mean);
     }
     slopes
@@ -94,7 +113,10 @@ fn moved(point: &PointEcho, step: [f64; PARAMETERS]) -> PointEcho {
     PointEcho {
         range_m: point.range_m + step[0],
         radial_velocity_mps: point.radial_velocity_mps + step[1],
-        direction: Direction { right: point.direction.right + step[2], up: point.direction.up.map(|up| up + step[3]) },
+        direction: Direction {
+            right: point.direction.right + step[2],
+            up: point.direction.up.map(|up| up + step[3]),
+        },
     }
 }
 
@@ -102,6 +124,7 @@ fn moved(point: &PointEcho, step: [f64; PARAMETERS]) -> PointEcho {
 fn is_near(header: &CubeHeader, start: &PointEcho, point: &PointEcho) -> bool {
     let up = point.direction.up.unwrap_or(0.0);
     (point.range_m - start.range_m).abs() < header.radar.waveform.range_resolution_m()
-        && (point.radial_velocity_mps - start.radial_velocity_mps).abs() < header.radar.velocity_resolution_mps()
+        && (point.radial_velocity_mps - start.radial_velocity_mps).abs()
+            < header.radar.velocity_resolution_mps()
         && point.direction.right.powi(2) + up.powi(2) < 1.0
 }

@@ -1,15 +1,17 @@
-//! Optimal assignment of rows to columns: shortest augmenting paths with dual prices (Kuhn 1955, Munkres 1957; in the form of
-//! Jonker and Volgenant, Computing 38 (1987) 325).
+//! Optimal assignment of rows to columns: shortest augmenting paths with dual prices (Kuhn 1955, Munkres
+//! 1957; in the form of Jonker and Volgenant, Computing 38 (1987) 325).
 //!
-//! O(n²·(rows + columns)), n the fewer of both: a dozen tracks and objects take microseconds, thousands of bodies beside one object
-//! milliseconds. A row may stay without a column at a price, which is what gates and the cut-off of a metric ask for.
+//! O(n²·(rows + columns)), n the fewer of both: a dozen tracks and objects take microseconds, thousands of
+//! bodies beside one object milliseconds. A row may stay without a column at a price, which is what gates and
+//! the cut-off of a metric ask for.
 
 use ndarray::ArrayView2;
 
-/// For each row its column, or `None`, so that Σ of `costs[(row, column)]` over assigned rows plus `unassigned` for every other
-/// row is least. Columns are used once at most.
+/// For each row its column, or `None`, so that Σ of `costs[(row, column)]` over assigned rows plus
+/// `unassigned` for every other row is least. Columns are used once at most.
 ///
-/// A cost that is not finite, or not below `unassigned`, is never chosen. Of equally good answers always the same one.
+/// A cost that is not finite, or not below `unassigned`, is never chosen. Of equally good answers always the
+/// same one.
 pub fn assignment(costs: ArrayView2<f64>, unassigned: f64) -> Vec<Option<usize>> {
     let (rows, columns) = costs.dim();
     if rows == 0 || !unassigned.is_finite() {
@@ -56,7 +58,12 @@ struct Prices {
 }
 
 /// Gives a free row a column, along the path of least reduced cost to a free one (Dijkstra).
-fn augment(cost: &impl Fn(usize, usize) -> f64, start: usize, prices: &mut Prices, row_of: &mut [Option<usize>]) {
+fn augment(
+    cost: &impl Fn(usize, usize) -> f64,
+    start: usize,
+    prices: &mut Prices,
+    row_of: &mut [Option<usize>],
+) {
     let count = row_of.len();
     let (mut distance, mut before) = (vec![f64::INFINITY; count], vec![None; count]);
     let mut done = vec![false; count];
@@ -69,7 +76,9 @@ fn augment(cost: &impl Fn(usize, usize) -> f64, start: usize, prices: &mut Price
             }
         }
         // There are at least as many columns as rows, so one is always left.
-        let Some(next) = (0..count).filter(|c| !done[*c]).min_by(|a, b| distance[*a].total_cmp(&distance[*b])) else {
+        let Some(next) =
+            (0..count).filter(|c| !done[*c]).min_by(|a, b| distance[*a].total_cmp(&distance[*b]))
+        else {
             return;
         };
         reached = distance[next];

@@ -1,7 +1,7 @@
 //! Sums of a map over rectangles around every cell of a row: Doppler wraps, range ends.
 //!
-//! Rows of one height are added up column by column and slide from row to row; their sums along range then give a
-//! rectangle in two look-ups.
+//! Rows of one height are added up column by column and slide from row to row; their sums along range then
+//! give a rectangle in two look-ups.
 
 /// Sliding sums of a map for every height that rectangles have.
 pub(crate) struct BoxSums<'a> {
@@ -23,8 +23,11 @@ struct Band {
 impl<'a> BoxSums<'a> {
     /// For rectangles with these rows, at the map's row `row`.
     pub(crate) fn at_row(power: &'a [f64], samples: usize, heights: &[[i64; 2]], row: usize) -> Self {
-        let band =
-            |rows: &[i64; 2]| Band { rows: *rows, of_column: vec![0.0; samples], before: vec![0.0; samples + 1] };
+        let band = |rows: &[i64; 2]| Band {
+            rows: *rows,
+            of_column: vec![0.0; samples],
+            before: vec![0.0; samples + 1],
+        };
         let mut sums = Self { power, samples, bands: heights.iter().map(band).collect() };
         for band in &mut sums.bands {
             for offset in band.rows[0]..=band.rows[1] {
@@ -46,7 +49,8 @@ impl<'a> BoxSums<'a> {
         }
     }
 
-    /// Power between two columns, the last one left out, in the rows of a height, by its place among those asked for.
+    /// Power between two columns, the last one left out, in the rows of a height, by its place among those
+    /// asked for.
     #[inline]
     pub(crate) fn sum(&self, height: usize, first: usize, behind_last: usize) -> f64 {
         let before = &self.bands[height].before;

@@ -1,9 +1,11 @@
-//! Distribution of weighted sums of Gamma variables, which every noise estimate and every comparison with it is.
+//! Distribution of weighted sums of Gamma variables, which every noise estimate and every comparison with it
+//! is.
 //!
-//! Q = Σ_q w_q·G(n_q), G of unit scale and shape n_q, has E e^{−sQ} = Π(1 + s·w_q)^{−n_q}, so that
-//! P(Q < t) = 1/(2πj) ∫ e^{st} Π(1 + s·w_q)^{−n_q} ds/s on any line right of 0 and left of the first −1/w_q > 0
-//! (Bromwich's inversion). The line goes through the integrand's saddle point, where nothing cancels (Helstrom, IEEE
-//! T-AES 19 (1983) 428), and bends as the path of steepest descent does; the trapezoidal rule then converges geometrically.
+//! Q = Σ_q w_q·G(n_q), G of unit scale and shape n_q, has E e^{−sQ} = Π(1 + s·w_q)^{−n_q}, so that P(Q < t) =
+//! 1/(2πj) ∫ e^{st} Π(1 + s·w_q)^{−n_q} ds/s on any line right of 0 and left of the first −1/w_q > 0
+//! (Bromwich's inversion). The line goes through the integrand's saddle point, where nothing cancels
+//! (Helstrom, IEEE T-AES 19 (1983) 428), and bends as the path of steepest descent does; the trapezoidal rule
+//! then converges geometrically.
 
 use num_complex::Complex64;
 use std::f64::consts::PI;
@@ -44,7 +46,8 @@ pub(crate) fn probability_below(form: &[WeightedGamma], t: f64) -> f64 {
     (sum * STEP / PI * peak.exp()).clamp(0.0, 1.0)
 }
 
-/// The integrand has no pole within 0.4 of the real axis of x: the rule's error is below e^{−2π·0.4/STEP} = 1e-11.
+/// The integrand has no pole within 0.4 of the real axis of x: the rule's error is below e^{−2π·0.4/STEP} =
+/// 1e-11.
 const STEP: f64 = 0.1;
 const STEPS: i32 = 400;
 
@@ -62,7 +65,8 @@ fn slopes(form: &[WeightedGamma], t: f64, s: f64) -> [f64; 3] {
     })
 }
 
-/// Where the exponent, convex between its poles, is least: Newton's steps, halving the bracket where they leave it.
+/// Where the exponent, convex between its poles, is least: Newton's steps, halving the bracket where they
+/// leave it.
 fn saddle_point(form: &[WeightedGamma], t: f64) -> f64 {
     let pole = form.iter().filter(|g| g.weight < 0.0).map(|g| -1.0 / g.weight).fold(f64::INFINITY, f64::min);
     let (mut low, mut high) = (0.0, pole);
@@ -95,7 +99,8 @@ fn saddle_point(form: &[WeightedGamma], t: f64) -> f64 {
 
 /// P(G(M) > x) of a whole M: e^{−x} Σ_{k<M} x^k/k!.
 pub fn gamma_tail(shape: usize, x: f64) -> f64 {
-    // Largest term first would be safest; from k = 0 with the exponent carried apart nothing overflows either.
+    // Largest term first would be safest; from k = 0 with the exponent carried apart nothing overflows
+    // either.
     let (mut term, mut sum, mut scale) = (1.0_f64, 1.0_f64, -x);
     for k in 1..shape {
         term *= x / k as f64;
@@ -107,7 +112,8 @@ pub fn gamma_tail(shape: usize, x: f64) -> f64 {
     (sum.ln() + scale).exp()
 }
 
-/// P(G(M) < x) of a whole M by the series of positive terms e^{−x} x^M/M!·(1 + x/(M+1) + …), or 1 less the tail.
+/// P(G(M) < x) of a whole M by the series of positive terms e^{−x} x^M/M!·(1 + x/(M+1) + …), or 1 less the
+/// tail.
 pub(crate) fn gamma_below(shape: usize, x: f64) -> f64 {
     if x > shape as f64 + 1.0 {
         return 1.0 - gamma_tail(shape, x);
@@ -146,7 +152,10 @@ mod tests {
                 let asked = gamma_lr(shape, t * shape);
                 let got = probability_below(&[WeightedGamma { weight: 1.0 / shape, shape }], t);
                 let tolerance = 1e-9 * asked + 1e-13;
-                assert!(asked < 1e-250 || (got - asked).abs() < tolerance, "{shape}, {t}: {got:e} against {asked:e}");
+                assert!(
+                    asked < 1e-250 || (got - asked).abs() < tolerance,
+                    "{shape}, {t}: {got:e} against {asked:e}"
+                );
             }
         }
     }
@@ -168,7 +177,10 @@ mod tests {
         for (a, b) in [(1.0, 1.0), (6.0, 3.0), (54.3, 18.2), (186.0, 63.0)] {
             for u in [0.05, 0.4, 0.6, 0.75, 0.9] {
                 let (asked, got) = (beta_reg(a, b, u), beta_below(a, b, u));
-                assert!((got - asked).abs() < 1e-9 * asked + 1e-13, "{a}, {b}, {u}: {got:e} against {asked:e}");
+                assert!(
+                    (got - asked).abs() < 1e-9 * asked + 1e-13,
+                    "{a}, {b}, {u}: {got:e} against {asked:e}"
+                );
             }
         }
     }

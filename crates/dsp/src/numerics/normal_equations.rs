@@ -1,12 +1,15 @@
-//! Small symmetric systems by Cholesky, scaled to a unit diagonal: parameters are metres and cosines side by side.
+//! Small symmetric systems by Cholesky, scaled to a unit diagonal: parameters are metres and cosines side by
+//! side.
 
-/// x of M·x = b; parameters of which M knows nothing (a zero on its diagonal) stay 0. `None` where two cannot be told apart.
+/// x of M·x = b; parameters of which M knows nothing (a zero on its diagonal) stay 0. `None` where two cannot
+/// be told apart.
 pub(crate) fn solve<const N: usize>(matrix: [[f64; N]; N], right: [f64; N]) -> Option<[f64; N]> {
     let largest = (0..N).map(|i| matrix[i][i]).fold(0.0, f64::max);
     if !(largest > 0.0 && largest.is_finite()) {
         return None;
     }
-    let scale: [f64; N] = std::array::from_fn(|i| if matrix[i][i] > 0.0 { matrix[i][i].sqrt().recip() } else { 0.0 });
+    let scale: [f64; N] =
+        std::array::from_fn(|i| if matrix[i][i] > 0.0 { matrix[i][i].sqrt().recip() } else { 0.0 });
     let lower = cholesky::<N>(std::array::from_fn(|i| {
         std::array::from_fn(|j| if i == j { 1.0 } else { matrix[i][j] * scale[i] * scale[j] })
     }))?;

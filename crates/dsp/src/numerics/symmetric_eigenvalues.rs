@@ -1,5 +1,5 @@
-//! Eigenvalues of symmetric matrices: Householder's reduction to three diagonals, then QR steps with Wilkinson's shift (Golub, Van
-//! Loan, Matrix Computations (2013), §8.3).
+//! Eigenvalues of symmetric matrices: Householder's reduction to three diagonals, then QR steps with
+//! Wilkinson's shift (Golub, Van Loan, Matrix Computations (2013), §8.3).
 
 /// Eigenvalues of a symmetric matrix, by rows, in no order.
 pub(crate) fn eigenvalues(matrix: Vec<Vec<f64>>) -> Vec<f64> {
@@ -28,7 +28,10 @@ fn tridiagonal(mut a: Vec<Vec<f64>>) -> (Vec<f64>, Vec<f64>) {
         w.iter_mut().zip(&mirror).for_each(|(w, v)| *w -= along * v);
         for (i, row) in a[k + 1..].iter_mut().enumerate() {
             let (own_v, own_w) = (2.0 * mirror[i], 2.0 * w[i]);
-            row[k + 1..].iter_mut().zip(w.iter().zip(&mirror)).for_each(|(x, (w, v))| *x -= own_v * w + own_w * v);
+            row[k + 1..]
+                .iter_mut()
+                .zip(w.iter().zip(&mirror))
+                .for_each(|(x, (w, v))| *x -= own_v * w + own_w * v);
         }
     }
     ((0..size).map(|i| a[i][i]).collect(), beside)
@@ -37,7 +40,10 @@ fn tridiagonal(mut a: Vec<Vec<f64>>) -> (Vec<f64>, Vec<f64>) {
 /// Eigenvalues of a symmetric matrix of three diagonals, and the first components of their eigenvectors.
 ///
 /// `beside` may be longer than needed.
-pub(crate) fn eigenvalues_of_tridiagonal(mut diagonal: Vec<f64>, mut beside: Vec<f64>) -> (Vec<f64>, Vec<f64>) {
+pub(crate) fn eigenvalues_of_tridiagonal(
+    mut diagonal: Vec<f64>,
+    mut beside: Vec<f64>,
+) -> (Vec<f64>, Vec<f64>) {
     let size = diagonal.len();
     beside.resize(size, 0.0);
     let mut first: Vec<f64> = (0..size).map(|i| if i == 0 { 1.0 } else { 0.0 }).collect();
@@ -57,10 +63,12 @@ pub(crate) fn eigenvalues_of_tridiagonal(mut diagonal: Vec<f64>, mut beside: Vec
 }
 
 fn is_small(diagonal: &[f64], beside: &[f64], at: usize) -> bool {
-    beside[at].abs() <= f64::EPSILON * (diagonal[at].abs() + diagonal[at + 1].abs()) || beside[at].abs() < 1e-300
+    beside[at].abs() <= f64::EPSILON * (diagonal[at].abs() + diagonal[at + 1].abs())
+        || beside[at].abs() < 1e-300
 }
 
-/// One QR step with an implicit shift on rows `start..=end`: a bulge beside the diagonals is chased out at the end.
+/// One QR step with an implicit shift on rows `start..=end`: a bulge beside the diagonals is chased out at
+/// the end.
 fn step(diagonal: &mut [f64], beside: &mut [f64], first: &mut [f64], [start, end]: [usize; 2]) {
     let half = 0.5 * (diagonal[end - 1] - diagonal[end]);
     let square = beside[end - 1] * beside[end - 1];
@@ -102,17 +110,24 @@ mod tests {
     #[test]
     fn eigenvalues_have_their_closed_form_and_first_components_their_unit_length() {
         for size in [1_usize, 2, 3, 20, 104] {
-            // 2 on the diagonal, −1 beside it: 2 − 2cos(πk/(n + 1)) with first components √(2/(n + 1))·sin(πk/(n + 1)).
+            // 2 on the diagonal, −1 beside it: 2 − 2cos(πk/(n + 1)) with first components √(2/(n +
+            // 1))·sin(πk/(n + 1)).
             let n = size as f64 + 1.0;
             let (mut values, first) = eigenvalues_of_tridiagonal(vec![2.0; size], vec![-1.0; size]);
             assert!((norm(&first) - 1.0).abs() < 1e-12);
             for (value, first) in values.iter().zip(&first) {
                 let angle = (1.0 - 0.5 * value).clamp(-1.0, 1.0).acos();
-                assert!((first.abs() - (2.0 / n).sqrt() * angle.sin()).abs() < 1e-9, "{size}: {value}, {first}");
+                assert!(
+                    (first.abs() - (2.0 / n).sqrt() * angle.sin()).abs() < 1e-9,
+                    "{size}: {value}, {first}"
+                );
             }
             values.sort_by(f64::total_cmp);
             for (k, value) in values.iter().enumerate() {
-                assert!((value - 2.0 + 2.0 * (PI * (k as f64 + 1.0) / n).cos()).abs() < 1e-12, "{size}: {value}");
+                assert!(
+                    (value - 2.0 + 2.0 * (PI * (k as f64 + 1.0) / n).cos()).abs() < 1e-12,
+                    "{size}: {value}"
+                );
             }
         }
     }

@@ -1,30 +1,40 @@
-//! Clusters: points of one vehicle, grown from the strongest point along range and velocity within one strip of road.
+//! Clusters: points of one vehicle, grown from the strongest point along range and velocity within one strip
+//! of road.
 //!
-//! A vehicle is a chain of scatterers along its lane, its echoes of several bounces a tail behind it, all at nearly one
-//! radial velocity. So a point joins when it is near *any* member in range and velocity (a chain of any length), but near
-//! the *whole* object's power-weighted mean across the lanes: chains must not creep from one lane to the next, which
-//! density clustering (DBSCAN) in all three allows as soon as one weak point between them is badly placed.
+//! A vehicle is a chain of scatterers along its lane, its echoes of several bounces a tail behind it, all at
+//! nearly one radial velocity. So a point joins when it is near *any* member in range and velocity (a chain
+//! of any length), but near the *whole* object's power-weighted mean across the lanes: chains must not creep
+//! from one lane to the next, which density clustering (DBSCAN) in all three allows as soon as one weak point
+//! between them is badly placed.
 //!
-//! A body whose echoes leave a longer gap, or one of which stood too far aside when it was met, is two groups then. They are joined
-//! if they stand in one strip (their means within half a lane), move alike (their mean velocities within half a reach) and are apart by less than
-//! two cars of a queue are; not if the farther is ten times stronger, as a follower's front is and a hidden rear is not. Across the line of
-//! sight a vehicle is longer than the strip is wide, and shows other velocities from end to end: parts that one velocity explains, and
-//! that lie one behind the other along it, are joined as well (`rigid_pieces.rs`).
+//! A body whose echoes leave a longer gap, or one of which stood too far aside when it was met, is two groups
+//! then. They are joined if they stand in one strip (their means within half a lane), move alike (their mean
+//! velocities within half a reach) and are apart by less than two cars of a queue are; not if the farther is
+//! ten times stronger, as a follower's front is and a hidden rear is not. Across the line of sight a vehicle
+//! is longer than the strip is wide, and shows other velocities from end to end: parts that one velocity
+//! explains, and that lie one behind the other along it, are joined as well (`rigid_pieces.rs`).
 //!
-//! What is left behind a group, in its strip and at its velocity, but twenty times weaker, is its tail: the far end of a long
-//! body, which sends little back beside the front, or an echo of several bounces. (A box truck of 8 m at 30 m: the front at
-//! 25 dB, the rear 6 m behind the last echo before it at 11 dB.) A follower of like strength stays its own object; one that
-//! is twenty times weaker, that near and that equal in speed is lost to the one ahead; at ten times, the fading of two like
-//! cars 6 m apart was enough to lose one. Weaker and beside the front is its far corner: a bus is as wide as the strip.
+//! What is left behind a group, in its strip and at its velocity, but twenty times weaker, is its tail: the
+//! far end of a long body, which sends little back beside the front, or an echo of several bounces. (A box
+//! truck of 8 m at 30 m: the front at 25 dB, the rear 6 m behind the last echo before it at 11 dB.) A
+//! follower of like strength stays its own object; one that is twenty times weaker, that near and that equal
+//! in speed is lost to the one ahead; at ten times, the fading of two like cars 6 m apart was enough to lose
+//! one. Weaker and beside the front is its far corner: a bus is as wide as the strip.
 
 use crate::objects::cluster_member::{Member, on_circle};
 use crate::objects::rigid_pieces::drive_as_one;
 use artifact::settings::DspSettings;
 
-/// Groups of indices into `members`, which come strongest first; `velocity_span_mps` is where velocities wrap.
+/// Groups of indices into `members`, which come strongest first; `velocity_span_mps` is where velocities
+/// wrap.
 ///
-/// Every member is in exactly one group; groups are in the order of their strongest member, members in order of index.
-pub(crate) fn clusters(members: &[Member], settings: &DspSettings, velocity_span_mps: f64) -> Vec<Vec<usize>> {
+/// Every member is in exactly one group; groups are in the order of their strongest member, members in order
+/// of index.
+pub(crate) fn clusters(
+    members: &[Member],
+    settings: &DspSettings,
+    velocity_span_mps: f64,
+) -> Vec<Vec<usize>> {
     let mut free: Vec<bool> = vec![true; members.len()];
     let mut groups = Vec::new();
     for seed in 0..members.len() {
@@ -56,8 +66,12 @@ const WING_POWER: f64 = 0.1;
 /// Standard errors by which a wing may seem farther across than it is.
 const WING_ERRORS: f64 = 2.0;
 
-/// Groups, strongest first, each joined to the strongest earlier one that it belongs to, until none belongs to another.
-fn joined_to_earlier(mut groups: Vec<Vec<usize>>, belongs: impl Fn(&[usize], &[usize]) -> bool) -> Vec<Vec<usize>> {
+/// Groups, strongest first, each joined to the strongest earlier one that it belongs to, until none belongs
+/// to another.
+fn joined_to_earlier(
+    mut groups: Vec<Vec<usize>>,
+    belongs: impl Fn(&[usize], &[usize]) -> bool,
+) -> Vec<Vec<usize>> {
     loop {
         let before = groups.len();
         groups = joined_once(groups, &belongs);
@@ -81,27 +95,29 @@ fn joined_once(groups: Vec<Vec<usize>>, belongs: &impl Fn(&[usize], &[usize]) ->
     joined
 }
 
-/// Two pieces of one body are this many reaches apart at most: 4.4 m of the default 2.5 m. The rear of a car is hidden from the front, so that
-/// the echoes of two that stand a metre apart are farther from each other.
+/// Two pieces of one body are this many reaches apart at most: 4.4 m of the default 2.5 m. The rear of a car
+/// is hidden from the front, so that the echoes of two that stand a metre apart are farther from each other.
 const PIECE_REACHES: f64 = 1.75;
 /// Their means are apart by at most this part of the reach across: 1.5 m, two fifths of a lane.
 const PIECE_STRIP: f64 = 0.6;
 /// And by this part of the reach in velocity.
 const PIECE_VELOCITY: f64 = 0.5;
-/// What lies farther and is so much stronger than what lies before it is a follower's front: a body's own front hides its rear.
+/// What lies farther and is so much stronger than what lies before it is a follower's front: a body's own
+/// front hides its rear.
 const FOLLOWER_POWER: f64 = 10.0;
-/// So is what is stronger at all and lies farther behind the first echo than cars are long: the strongest of a body comes from its front,
-/// its windscreen or the load over its cab, m.
+/// So is what is stronger at all and lies farther behind the first echo than cars are long: the strongest of
+/// a body comes from its front, its windscreen or the load over its cab, m.
 const FRONT_M: f64 = 5.0;
 /// What lies ahead of a front and is weaker than this part of it is its sidelobes.
 const SIDELOBES: f64 = 0.01;
 
-/// A grown group, and before it what stands ahead of its strongest echo's body: the chain of a queue is cut at the weakest echo
-/// between two fronts.
+/// A grown group, and before it what stands ahead of its strongest echo's body: the chain of a queue is cut
+/// at the weakest echo between two fronts.
 fn without_those_ahead(members: &[Member], group: Vec<usize>) -> Vec<Vec<usize>> {
     let strongest = &members[group[0]];
     let ahead = group.iter().find(|i| members[**i].range_m < strongest.range_m - FRONT_M);
-    let Some(front) = ahead.map(|i| &members[*i]).filter(|front| front.power > SIDELOBES * strongest.power) else {
+    let Some(front) = ahead.map(|i| &members[*i]).filter(|front| front.power > SIDELOBES * strongest.power)
+    else {
         return vec![group];
     };
     let between = |i: &&usize| (front.range_m..strongest.range_m).contains(&members[**i].range_m);
@@ -115,7 +131,13 @@ fn without_those_ahead(members: &[Member], group: Vec<usize>) -> Vec<Vec<usize>>
     groups
 }
 
-fn is_piece(members: &[Member], settings: &DspSettings, velocity_span_mps: f64, a: &[usize], b: &[usize]) -> bool {
+fn is_piece(
+    members: &[Member],
+    settings: &DspSettings,
+    velocity_span_mps: f64,
+    a: &[usize],
+    b: &[usize],
+) -> bool {
     let gaps = a.iter().flat_map(|i| b.iter().map(|j| (members[*i].range_m - members[*j].range_m).abs()));
     let [(cross_a_m, velocity_a), (cross_b_m, velocity_b)] =
         [a, b].map(|group| means(members, velocity_span_mps, group));
@@ -146,7 +168,13 @@ fn means(members: &[Member], velocity_span_mps: f64, group: &[usize]) -> (f64, f
     (cross / weight, strongest_mps + velocity / weight)
 }
 
-fn is_tail(members: &[Member], settings: &DspSettings, velocity_span_mps: f64, tail: &[usize], body: &[usize]) -> bool {
+fn is_tail(
+    members: &[Member],
+    settings: &DspSettings,
+    velocity_span_mps: f64,
+    tail: &[usize],
+    body: &[usize],
+) -> bool {
     let (strongest, weak) = (&members[body[0]], &members[tail[0]]);
     let ranges = |group: &[usize]| group.iter().map(|i| members[*i].range_m).collect::<Vec<_>>();
     let first_m = |group: &[usize]| ranges(group).into_iter().fold(f64::INFINITY, f64::min);
@@ -158,9 +186,15 @@ fn is_tail(members: &[Member], settings: &DspSettings, velocity_span_mps: f64, t
         && (strongest.cross_m - weak.cross_m).abs() <= settings.cluster_cross_m
 }
 
-/// A front's far corner: much weaker, as far in range as the front's strongest point, and across no farther than the reach and
-/// what noise lets it err by (a bus is as wide as the reach).
-fn is_wing(members: &[Member], settings: &DspSettings, velocity_span_mps: f64, wing: &[usize], body: &[usize]) -> bool {
+/// A front's far corner: much weaker, as far in range as the front's strongest point, and across no farther
+/// than the reach and what noise lets it err by (a bus is as wide as the reach).
+fn is_wing(
+    members: &[Member],
+    settings: &DspSettings,
+    velocity_span_mps: f64,
+    wing: &[usize],
+    body: &[usize],
+) -> bool {
     let (strongest, weak) = (&members[body[0]], &members[wing[0]]);
     let reach_m = settings.cluster_cross_m + WING_ERRORS * weak.cross_error_m;
     weak.power <= WING_POWER * strongest.power
@@ -181,7 +215,8 @@ fn grow(
     let (mut moment, mut weight) = (0.0, 0.0);
     free[seed] = false;
     while let Some(next) = strongest(&mut reached) {
-        let strays = weight > 0.0 && (members[next].cross_m - moment / weight).abs() > settings.cluster_cross_m;
+        let strays =
+            weight > 0.0 && (members[next].cross_m - moment / weight).abs() > settings.cluster_cross_m;
         if strays {
             free[next] = true;
             continue;
@@ -246,10 +281,12 @@ mod tests {
         }
     }
 
-    /// The third car and the truck behind it of scenes/traffic.toml, with the echoes of several bounces between them.
+    /// The third car and the truck behind it of scenes/traffic.toml, with the echoes of several bounces
+    /// between them.
     #[test]
     fn a_car_before_a_stronger_truck_is_not_chained_to_it_by_weak_echoes_between() {
-        let echoes = [(27.6, 37.0), (28.1, 27.0), (29.8, 28.0), (30.9, 10.0), (31.4, 15.0), (33.3, 4.0), (33.8, 45.0)];
+        let echoes =
+            [(27.6, 37.0), (28.1, 27.0), (29.8, 28.0), (30.9, 10.0), (31.4, 15.0), (33.3, 4.0), (33.8, 45.0)];
         assert_eq!(groups_of(&echoes), [vec![27.6, 28.1, 29.8, 30.9, 31.4], vec![33.3, 33.8]]);
     }
 

@@ -1,8 +1,9 @@
 //! From a map to located points and the objects they form.
 //!
-//! One point per detected cell, as in the paper's clouds (14, 15, 18 points for a car; its flow sends every cell that
-//! passes the detector to the angle FFT). The cells under one main lobe, about 3 × 3 with Hann windows, are one measurement:
-//! its peak is placed between cells, the others stand at their cells' centres. Objects are made of peaks alone.
+//! One point per detected cell, as in the paper's clouds (14, 15, 18 points for a car; its flow sends every
+//! cell that passes the detector to the angle FFT). The cells under one main lobe, about 3 × 3 with Hann
+//! windows, are one measurement: its peak is placed between cells, the others stand at their cells' centres.
+//! Objects are made of peaks alone.
 
 use crate::ambiguity::ambiguous_velocities::folds_are_told;
 use crate::ambiguity::time_division_folds::{Choice, Folds};
@@ -40,15 +41,20 @@ use std::f64::consts::TAU;
 
 /// Points of a map, strongest first, and objects in the order of their strongest peaks.
 ///
-/// Knows the map and its header alone. A vehicle is one object, its points share the object's index; a detection without
-/// a detected neighbour, as noise makes them, is a point of no object. Detected cells on sidelobes are no points.
+/// Knows the map and its header alone. A vehicle is one object, its points share the object's index; a
+/// detection without a detected neighbour, as noise makes them, is a point of no object. Detected cells on
+/// sidelobes are no points.
 pub fn detect(header: &CubeHeader, map: &RdmFrame) -> Result<PointsFrame, DspError> {
     detect_in(header, map, None)
 }
 
-/// The same with the samples that the map was made of: where the settings ask for it, peaks that stand alone are refined
-/// on them (`refinement.rs`).
-pub fn detect_refined(header: &CubeHeader, cube: &CubeFrame, map: &RdmFrame) -> Result<PointsFrame, DspError> {
+/// The same with the samples that the map was made of: where the settings ask for it, peaks that stand alone
+/// are refined on them (`refinement.rs`).
+pub fn detect_refined(
+    header: &CubeHeader,
+    cube: &CubeFrame,
+    map: &RdmFrame,
+) -> Result<PointsFrame, DspError> {
     check_samples(header, &cube.samples)?;
     if header.dsp.refine == Refine::Isolated && !is_one_tone(header) {
         return Err(DspError::Refinement);
@@ -61,7 +67,11 @@ fn is_one_tone(header: &CubeHeader) -> bool {
     header.radar.waveform.sampling == Sampling::Complex
 }
 
-fn detect_in(header: &CubeHeader, map: &RdmFrame, samples: Option<&[Complex32]>) -> Result<PointsFrame, DspError> {
+fn detect_in(
+    header: &CubeHeader,
+    map: &RdmFrame,
+    samples: Option<&[Complex32]>,
+) -> Result<PointsFrame, DspError> {
     let header = &header.in_frame(map.index);
     let power = power_map(header, map)?;
     let noise = noise_power(header, map)? * header.radar.map_channels() as f64;
@@ -82,12 +92,17 @@ fn detect_in(header: &CubeHeader, map: &RdmFrame, samples: Option<&[Complex32]>)
         sighted.retain(|s| !view.is_at_rest(s));
     }
     let groups = view.groups(&sighted);
-    let object_of = |index: usize| groups.iter().position(|g| g.binary_search(&index).is_ok()).map(|o| o as u32);
+    let object_of =
+        |index: usize| groups.iter().position(|g| g.binary_search(&index).is_ok()).map(|o| o as u32);
     let points: Vec<Point> = slopes
         .par_iter()
         .flat_map_iter(|(cell, peak)| {
-            let seen =
-                view.on_slope(&sighted, power[(cell[0], cell[1])], *cell, [peaks[*peak].row, peaks[*peak].column]);
+            let seen = view.on_slope(
+                &sighted,
+                power[(cell[0], cell[1])],
+                *cell,
+                [peaks[*peak].row, peaks[*peak].column],
+            );
             seen.into_iter()
                 .map(|(sighting, index)| Point {
                     stationary: view.stationary([&sighted[index]].into_iter()),
@@ -97,7 +112,8 @@ fn detect_in(header: &CubeHeader, map: &RdmFrame, samples: Option<&[Complex32]>)
         })
         .collect();
     let objects = groups.iter().enumerate().map(|(index, group)| {
-        let members: Vec<&Sighting> = group.iter().map(|i| &sighted[*i]).filter(|s| s.peak.detected).collect();
+        let members: Vec<&Sighting> =
+            group.iter().map(|i| &sighted[*i]).filter(|s| s.peak.detected).collect();
         let own: Vec<&Point> = points.iter().filter(|p| p.object == Some(index as u32)).collect();
         view.object(&members, &own)
     });
@@ -163,8 +179,8 @@ impl View<'_> {
         found.map(|two| two.directions.map(azimuth))
     }
 
-    /// Of a cell on the slope of a peak, by its strongest echo: that of the peak if it is the peak's, seen in the same beam. Another one
-    /// may lie there, with no peak of its own.
+    /// Of a cell on the slope of a peak, by its strongest echo: that of the peak if it is the peak's, seen in
+    /// the same beam. Another one may lie there, with no peak of its own.
     fn on_slope_of(&self, owner: &Sighting, strongest: &Sighting) -> Option<[f64; 2]> {
         let apart_beams = (owner.direction.right - strongest.direction.right).abs() / self.array.beams()[0];
         if apart_beams < 0.5 { owner.two_ways_rad } else { self.two_ways_rad(strongest) }
@@ -219,8 +235,8 @@ impl View<'_> {
         self.noise / self.header.radar.map_channels() as f64
     }
 
-    /// Signal over noise of the transmit–receive pairs: the noise's own mean is taken out of the cell, and codes of no transmitter hold
-    /// nothing else.
+    /// Signal over noise of the transmit–receive pairs: the noise's own mean is taken out of the cell, and
+    /// codes of no transmitter hold nothing else.
     fn snr_db(&self, power: f64) -> f64 {
         let pairs = self.header.radar.virtual_channels() as f64 / self.header.radar.map_channels() as f64;
         snr_db(power - (1.0 - pairs) * self.noise, pairs * self.noise)
@@ -266,8 +282,9 @@ impl View<'_> {
         }
     }
 
-    /// Cramér–Rao bound of the direction cosine of a lone echo, its power and the noise's added over channels, on a filled row of a
-    /// beam's width λ/D: σ = √6/(2π)·λ/D/√(channels·signal over noise); 0 of an array without extent.
+    /// Cramér–Rao bound of the direction cosine of a lone echo, its power and the noise's added over
+    /// channels, on a filled row of a beam's width λ/D: σ = √6/(2π)·λ/D/√(channels·signal over noise); 0 of
+    /// an array without extent.
     fn cosine_error(&self, power: f64) -> f64 {
         let beam = self.array.beams()[0];
         if beam.is_finite() { 6f64.sqrt() / TAU * beam / self.over_noise(power).max(1.0).sqrt() } else { 0.0 }
@@ -299,7 +316,8 @@ impl View<'_> {
         }
     }
 
-    /// Echoes of a detected cell, each with the peak's echo that it belongs to: its own, or the nearest across.
+    /// Echoes of a detected cell, each with the peak's echo that it belongs to: its own, or the nearest
+    /// across.
     fn on_slope(
         &self,
         sighted: &[Sighting],
@@ -318,7 +336,8 @@ impl View<'_> {
         let mut echoes = self.sight_at(Peak::at_centre(row, column, power), velocity_mps, None);
         let two_ways_rad = echoes.first().and_then(|strongest| self.on_slope_of(&sighted[owner], strongest));
         echoes.iter_mut().for_each(|echo| echo.two_ways_rad = two_ways_rad);
-        let nearest = |s: &Sighting| own().min_by(|a, b| across(&sighted[*a], s).total_cmp(&across(&sighted[*b], s)));
+        let nearest =
+            |s: &Sighting| own().min_by(|a, b| across(&sighted[*a], s).total_cmp(&across(&sighted[*b], s)));
         echoes.into_iter().filter_map(|echo| nearest(&echo).map(|index| (echo, index))).collect()
     }
 }
@@ -379,14 +398,20 @@ impl Sighting {
         [self.peak.row, self.peak.column]
     }
 
-    /// Whether it is that of a summit, or stands on the slope of that summit no farther from a cell of it than a main lobe reaches.
+    /// Whether it is that of a summit, or stands on the slope of that summit no farther from a cell of it
+    /// than a main lobe reaches.
     fn is_over(&self, [row, column]: [usize; 2], summit: [usize; 2]) -> bool {
-        let is_near = self.peak.row.abs_diff(row) <= LOBE_CELLS && self.peak.column.abs_diff(column) <= LOBE_CELLS;
+        let is_near =
+            self.peak.row.abs_diff(row) <= LOBE_CELLS && self.peak.column.abs_diff(column) <= LOBE_CELLS;
         self.cell() == summit || (self.peak.summit == summit && is_near)
     }
 
     fn echo(&self) -> PointEcho {
-        PointEcho { range_m: self.range_m, radial_velocity_mps: self.radial_velocity_mps, direction: self.direction }
+        PointEcho {
+            range_m: self.range_m,
+            radial_velocity_mps: self.radial_velocity_mps,
+            direction: self.direction,
+        }
     }
 
     fn point(&self, snr_db: f64, object: Option<u32>) -> Point {
@@ -406,15 +431,16 @@ impl Sighting {
     }
 }
 
-/// Signal over noise: the noise's own mean is taken out of the cell. A detection lies above the noise; what little of a
-/// hundredth is kept is for the logarithm's sake. Without any noise to compare with: the highest value, 300 dB.
+/// Signal over noise: the noise's own mean is taken out of the cell. A detection lies above the noise; what
+/// little of a hundredth is kept is for the logarithm's sake. Without any noise to compare with: the highest
+/// value, 300 dB.
 fn snr_db(power: f64, noise: f64) -> f64 {
     if noise > 0.0 { db_from_power((power / noise - 1.0).max(0.01)) } else { -LOWEST_DB }
 }
 
-/// Whether a group is more than a lone cell. A window spreads an echo over neighbours that are at most 8 dB lower, noise
-/// passes in single cells (at a rate of 1e-5, 0.3 a map): such a cell is a point, but no object. Without a window an echo
-/// on a bin's centre is alone too.
+/// Whether a group is more than a lone cell. A window spreads an echo over neighbours that are at most 8 dB
+/// lower, noise passes in single cells (at a rate of 1e-5, 0.3 a map): such a cell is a point, but no object.
+/// Without a window an echo on a bin's centre is alone too.
 fn is_supported(header: &CubeHeader, sighted: &[Sighting], group: &[usize]) -> bool {
     let spreads = |window: Window| window != Window::Rect;
     let lone_is_noise = spreads(header.dsp.range_window) || spreads(header.dsp.doppler_window);
@@ -426,10 +452,12 @@ impl View<'_> {
     /// The object of detected peaks, strongest first, and of the points on their slopes.
     fn object(&self, peaks: &[&Sighting], points: &[&Point]) -> Object {
         let (header, strongest) = (self.header, peaks[0]);
-        let near_strongest = |velocity_mps: f64| unwrapped(header, velocity_mps, strongest.radial_velocity_mps);
+        let near_strongest =
+            |velocity_mps: f64| unwrapped(header, velocity_mps, strongest.radial_velocity_mps);
         let weights: Vec<f64> = peaks.iter().map(|s| s.peak.power).collect();
         let range_m = weighted_mean(peaks.iter().map(|s| s.range_m), &weights);
-        let velocity_mps = weighted_mean(peaks.iter().map(|s| near_strongest(s.radial_velocity_mps)), &weights);
+        let velocity_mps =
+            weighted_mean(peaks.iter().map(|s| near_strongest(s.radial_velocity_mps)), &weights);
         let place = place(header, self.array, self.direction(peaks, &weights, range_m), range_m);
         Object {
             range_m,
@@ -442,8 +470,9 @@ impl View<'_> {
             points: points.len() as u32,
             range_extent_m: extent(points.iter().map(|p| p.range_m)),
             velocity_extent_mps: extent(points.iter().map(|p| near_strongest(p.radial_velocity_mps))),
-            ghost_share: two_ways::can_tell(self.array)
-                .then(|| weighted_mean(peaks.iter().map(|s| f64::from(u8::from(s.two_ways_rad.is_some()))), &weights)),
+            ghost_share: two_ways::can_tell(self.array).then(|| {
+                weighted_mean(peaks.iter().map(|s| f64::from(u8::from(s.two_ways_rad.is_some()))), &weights)
+            }),
             stationary: self.stationary(peaks.iter().copied()),
         }
     }

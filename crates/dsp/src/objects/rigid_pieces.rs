@@ -1,31 +1,37 @@
 //! Whether two groups of points are parts of one body that drives across the line of sight.
 //!
-//! A point of a body with the velocity V shows V·û, û the unit vector from the radar to it: over the length of a vehicle that crosses, the
-//! radial velocity changes by metres per second, and both components of V follow from that profile by least squares (Kellner,
-//! Barjenbruch, Klappstein, Dickmann and Dietmayer, IEEE IV 2013). A vehicle drives the way it is long, so that its parts lie in a
-//! strip along V no wider than it is. Two vehicles abreast that drive away from the radar do not: a velocity that explained both would
-//! point across their lanes. Bodies at rest show no velocity at all, and are not asked.
+//! A point of a body with the velocity V shows V·û, û the unit vector from the radar to it: over the length
+//! of a vehicle that crosses, the radial velocity changes by metres per second, and both components of V
+//! follow from that profile by least squares (Kellner, Barjenbruch, Klappstein, Dickmann and Dietmayer, IEEE
+//! IV 2013). A vehicle drives the way it is long, so that its parts lie in a strip along V no wider than it
+//! is. Two vehicles abreast that drive away from the radar do not: a velocity that explained both would point
+//! across their lanes. Bodies at rest show no velocity at all, and are not asked.
 //!
-//! Two parts of one peak each have no misfit to judge by: two radial velocities are any velocity's. That this velocity points from one to
-//! the other is then what tells: two parts of a side line up along it, and its component across the line of sight is beyond its error.
+//! Two parts of one peak each have no misfit to judge by: two radial velocities are any velocity's. That this
+//! velocity points from one to the other is then what tells: two parts of a side line up along it, and its
+//! component across the line of sight is beyond its error.
 
 use crate::objects::cluster_member::{Member, on_circle};
 use artifact::settings::DspSettings;
 use glam::{DMat2, DVec2};
 
-/// A slower body hardly changes its velocity from cell to cell over its length; a faster one drives on no street, m/s.
+/// A slower body hardly changes its velocity from cell to cell over its length; a faster one drives on no
+/// street, m/s.
 const SPEEDS_MPS: [f64; 2] = [2.0, 35.0];
 /// Standard error of a peak's velocity, several parts of a body in its cell, m/s.
 const VELOCITY_ERROR_MPS: f64 = 0.15;
 /// Points of one body differ from its motion by this part of the reach in velocity, rms.
 const MISFIT: f64 = 0.35;
-/// A group foretells another's velocities to so many standard errors, where these are no larger than this, m/s.
+/// A group foretells another's velocities to so many standard errors, where these are no larger than this,
+/// m/s.
 const FORETOLD: (f64, f64) = (2.5, 0.5);
 /// Longest vehicle on roads without special leave, an articulated bus or a lorry and trailer, m.
 const LONGEST_M: f64 = 18.75;
-/// Echoes of one side stand in a strip of this part of the reach across: 1.5 m, as pieces of one body in its lane do.
+/// Echoes of one side stand in a strip of this part of the reach across: 1.5 m, as pieces of one body in its
+/// lane do.
 const SIDE_WIDTH: f64 = 0.6;
-/// Bodies abreast show echoes a lane apart: what lines up along its own motion nearer than the narrowest lane for lorries is one side, m.
+/// Bodies abreast show echoes a lane apart: what lines up along its own motion nearer than the narrowest lane
+/// for lorries is one side, m.
 const LANE_M: f64 = 3.25;
 /// What strips along a velocity known from few points are wider by, m.
 const STRIP_MARGIN_M: f64 = 1.0;
@@ -55,11 +61,13 @@ pub(crate) fn drive_as_one(
     let width_m = length(extent(&all, |place_m| along.perp_dot(place_m)));
     let [of_a, of_b] = [&a, &b].map(|part| extent(part, |place_m| along.dot(place_m)));
     let gap_m = (of_b[0] - of_a[1]).max(of_a[0] - of_b[1]);
-    let continues = gap_m <= reach_m && width_m <= settings.cluster_cross_m + STRIP_MARGIN_M && foretells(&a, &b);
+    let continues =
+        gap_m <= reach_m && width_m <= settings.cluster_cross_m + STRIP_MARGIN_M && foretells(&a, &b);
     let adjoins = width_m <= settings.cluster_cross_m
         && nearest_m(&a, &b) <= settings.cluster_range_m
         && drives_across(&all, fit.velocity_mps);
-    let lines_up = width_m <= SIDE_WIDTH * settings.cluster_cross_m && gap_m <= LANE_M && fit.is_known_to_cross(&all);
+    let lines_up =
+        width_m <= SIDE_WIDTH * settings.cluster_cross_m && gap_m <= LANE_M && fit.is_known_to_cross(&all);
     length(extent(&all, |place_m| along.dot(place_m))) <= LONGEST_M && (continues || adjoins || lines_up)
 }
 
@@ -216,8 +224,12 @@ mod tests {
     #[test]
     fn a_car_that_meets_another_is_not_its_continuation() {
         let [there, back] = [8.0, -8.0].map(|x| DVec2::new(x, 0.0));
-        let pair =
-            [member(-3.0, 9.0, there), member(-1.0, 9.0, there), member(1.5, 12.5, back), member(3.5, 12.5, back)];
+        let pair = [
+            member(-3.0, 9.0, there),
+            member(-1.0, 9.0, there),
+            member(1.5, 12.5, back),
+            member(3.5, 12.5, back),
+        ];
         assert!(!are_one(&pair, [&[0, 1], &[2, 3]]));
     }
 }

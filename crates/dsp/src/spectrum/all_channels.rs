@@ -35,7 +35,8 @@ pub(crate) fn check_samples(header: &CubeHeader, samples: &[Complex32]) -> Resul
     }
 }
 
-/// Maps `[channel, doppler, range]` of a cube's samples, before any detection; 16 bytes of memory traffic a value at least.
+/// Maps `[channel, doppler, range]` of a cube's samples, before any detection; 16 bytes of memory traffic a
+/// value at least.
 pub fn all_channels(
     header: &CubeHeader,
     transform: &RangeDoppler,
@@ -60,7 +61,8 @@ pub fn all_channels(
     }
 }
 
-/// Zeros, written by all threads: to be given new memory takes longer than to write to it, and a large cube's maps are always new.
+/// Zeros, written by all threads: to be given new memory takes longer than to write to it, and a large cube's
+/// maps are always new.
 fn blank(values: usize) -> Vec<Complex32> {
     (0..values).into_par_iter().with_min_len(1 << 16).map(|_| Complex32::ZERO).collect()
 }

@@ -26,13 +26,14 @@ pub(crate) fn row_at(header: &CubeHeader, velocity_mps: f64) -> f64 {
     velocity_mps / header.radar.velocity_resolution_mps() + (header.radar.waveform.chirps / 2) as f64
 }
 
-/// Range–Doppler coupling: a receding target's beat frequency is f_c·τ̇ higher, and shows this much farther away
-/// (61.9 mm at 10 m/s and 12.5 MHz/µs; `docs/conventions.md`, eq. 13 of the paper).
+/// Range–Doppler coupling: a receding target's beat frequency is f_c·τ̇ higher, and shows this much farther
+/// away (61.9 mm at 10 m/s and 12.5 MHz/µs; `docs/conventions.md`, eq. 13 of the paper).
 pub(crate) fn coupling_m(header: &CubeHeader, velocity_mps: f64) -> f64 {
     velocity_mps * header.radar.waveform.centre_frequency_hz() / header.radar.waveform.slope_hz_per_s
 }
 
-/// Range cells per second of round-trip delay times c/2; the sign of the slope is undone when the map is made.
+/// Range cells per second of round-trip delay times c/2; the sign of the slope is undone when the map is
+/// made.
 pub(crate) fn column_at(header: &CubeHeader, range_m: f64) -> f64 {
     range_m / header.radar.waveform.range_resolution_m()
 }

@@ -1,10 +1,12 @@
-//! Code division: in slot s of a block of M chirps, transmitter i has the sign H_is of Sylvester's Hadamard matrix.
+//! Code division: in slot s of a block of M chirps, transmitter i has the sign H_is of Sylvester's Hadamard
+//! matrix.
 //!
-//! The slots' maps are those of transmitters in turn, each of which hears all. In a slot an echo of f cycles a block is turned by
-//! f·(s − s̄)/M against the block's middle s̄. That turned back, X_i = Σ_s H_is·Y_s/M is transmitter i alone, to rounding: the rows of H are
-//! orthogonal. Echoes turned by a wrong f pass from code to code instead, and their power, Σ_i |X_i|² = Σ_s |Y_s|²/M, stays what it is.
-//! So a map takes each row's own f, keeps all M codes, those of no transmitter too, and is detected on their sum, which knows no
-//! fold; directions are looked for once the velocity of an echo is told, with `in_phase`.
+//! The slots' maps are those of transmitters in turn, each of which hears all. In a slot an echo of f cycles
+//! a block is turned by f·(s − s̄)/M against the block's middle s̄. That turned back, X_i = Σ_s H_is·Y_s/M is
+//! transmitter i alone, to rounding: the rows of H are orthogonal. Echoes turned by a wrong f pass from code
+//! to code instead, and their power, Σ_i |X_i|² = Σ_s |Y_s|²/M, stays what it is. So a map takes each row's
+//! own f, keeps all M codes, those of no transmitter too, and is detected on their sum, which knows no fold;
+//! directions are looked for once the velocity of an echo is told, with `in_phase`.
 
 use artifact::cube::CubeHeader;
 use artifact::radar::code_sign;
@@ -31,18 +33,21 @@ pub(crate) fn codes_of_slots(header: &CubeHeader, of_slots: &[Complex32]) -> Vec
     codes
 }
 
-/// Values `[code·N_rx + rx]` of an echo that turns by `cycles` from slot to slot, of those of a cell in row `row`.
+/// Values `[code·N_rx + rx]` of an echo that turns by `cycles` from slot to slot, of those of a cell in row
+/// `row`.
 pub(crate) fn in_phase(header: &CubeHeader, codes: &[Complex64], row: usize, cycles: f64) -> Vec<Complex64> {
     let (slots, receivers) = (header.radar.slots(), header.radar.array.rx_m.len());
     let more = cycles - cycles_per_slot(header, row);
     let of_slot = |slot: usize, rx: usize| {
-        let sum: Complex64 = (0..slots).map(|code| code_sign(code, slot) * codes[code * receivers + rx]).sum();
+        let sum: Complex64 =
+            (0..slots).map(|code| code_sign(code, slot) * codes[code * receivers + rx]).sum();
         sum * turned_back(slots, slot, more)
     };
     let of_slots: Vec<Complex64> = (0..codes.len()).map(|i| of_slot(i / receivers, i % receivers)).collect();
     let of_code = |i: usize| {
         let (code, rx) = (i / receivers, i % receivers);
-        let sum: Complex64 = (0..slots).map(|slot| code_sign(code, slot) * of_slots[slot * receivers + rx]).sum();
+        let sum: Complex64 =
+            (0..slots).map(|slot| code_sign(code, slot) * of_slots[slot * receivers + rx]).sum();
         sum / slots as f64
     };
     (0..codes.len()).map(of_code).collect()

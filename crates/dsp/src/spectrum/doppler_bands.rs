@@ -1,6 +1,8 @@
-//! Doppler division: transmitter i turns by e^{+j2πim/M} on chirp m, M = N_tx + 1, and one of the M bands stays empty.
+//! Doppler division: transmitter i turns by e^{+j2πim/M} on chirp m, M = N_tx + 1, and one of the M bands
+//! stays empty.
 //!
-//! Taking a transmitter's turn out puts its echo at the true Doppler, and those of the others i'/M of the span away.
+//! Taking a transmitter's turn out puts its echo at the true Doppler, and those of the others i'/M of the
+//! span away.
 
 use artifact::cube::CubeHeader;
 use artifact::radar::Multiplexing;

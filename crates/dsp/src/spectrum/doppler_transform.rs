@@ -1,9 +1,9 @@
 //! From the chirps of a range cell to its Doppler rows.
 //!
-//! Where chirps follow each other at one interval T that is an FFT. Where chirp m starts δ_m later than m·T, with δ_m the same
-//! for every P-th chirp, row k of N is Σ_r e^{−j2πkδ_r/NT}·Σ_{m = r, r + P, …} x_m·e^{−j2πkm/N}: P transforms of the same
-//! length, each turned row by row, and nothing is approximated. k counts from −N/2, since a turn by a part of an interval is not
-//! periodic in k.
+//! Where chirps follow each other at one interval T that is an FFT. Where chirp m starts δ_m later than m·T,
+//! with δ_m the same for every P-th chirp, row k of N is Σ_r e^{−j2πkδ_r/NT}·Σ_{m = r, r + P, …}
+//! x_m·e^{−j2πkm/N}: P transforms of the same length, each turned row by row, and nothing is approximated. k
+//! counts from −N/2, since a turn by a part of an interval is not periodic in k.
 
 use crate::error::DspError;
 use crate::numerics::precision::Precision;
@@ -23,7 +23,8 @@ pub(crate) struct DopplerTransform<T> {
 }
 
 impl<T: Precision> DopplerTransform<T> {
-    /// Refuses staggered chirps where transmitters are told apart by Doppler or by codes: a velocity is no constant turn per chirp then.
+    /// Refuses staggered chirps where transmitters are told apart by Doppler or by codes: a velocity is no
+    /// constant turn per chirp then.
     pub(crate) fn new(radar: &Radar, planner: &mut FftPlanner<T>) -> Result<Self, DspError> {
         let fft = planner.plan_fft_forward(radar.waveform.chirps as usize);
         if radar.schedule.is_uniform() {
@@ -41,7 +42,8 @@ impl<T: Precision> DopplerTransform<T> {
         self.fft.get_inplace_scratch_len()
     }
 
-    /// Columns of a transmitter's chirps become its rows, in the order of an FFT: 0, 1, … then the negative ones.
+    /// Columns of a transmitter's chirps become its rows, in the order of an FFT: 0, 1, … then the negative
+    /// ones.
     pub(crate) fn process(&self, transmitter: usize, columns: &mut [Complex<T>], scratch: &mut [Complex<T>]) {
         let Some(turns) = self.turns.get(transmitter) else {
             return self.fft.process_with_scratch(columns, scratch);
@@ -61,7 +63,8 @@ impl<T: Precision> DopplerTransform<T> {
     }
 }
 
-/// `[chirp modulo the number of delays][row]`. A transmitter meets the delays again after that many of its chirps at the latest.
+/// `[chirp modulo the number of delays][row]`. A transmitter meets the delays again after that many of its
+/// chirps at the latest.
 fn turns_of<T: Precision>(radar: &Radar, tx: usize) -> Vec<Vec<Complex<T>>> {
     let (rows, interval_s) = (radar.waveform.chirps as usize, radar.repetition_interval_s());
     let delay_cycles = |chirp: usize| {

@@ -1,9 +1,10 @@
 //! Both transforms of a channel: window, FFT over samples, window, FFT over chirps.
 //!
-//! Maps are made in single precision, as cubes and maps are stored (the same code in double precision is the reference): of N values rms each, a transform adds an error of about
-//! ε·√(log₂N)/2·rms to every cell (Schatzman, SIAM J. Sci. Comput. 17 (1996) 1150), √N below the peak of a single tone on top: -180 dB
-//! of it in a map of 128 × 256, what rounding a cube to single precision has cost before.
-//! Chirps are transformed where they lie, Doppler columns in blocks that fit a core's first cache.
+//! Maps are made in single precision, as cubes and maps are stored (the same code in double precision is the
+//! reference): of N values rms each, a transform adds an error of about ε·√(log₂N)/2·rms to every cell
+//! (Schatzman, SIAM J. Sci. Comput. 17 (1996) 1150), √N below the peak of a single tone on top: -180 dB of it
+//! in a map of 128 × 256, what rounding a cube to single precision has cost before. Chirps are transformed
+//! where they lie, Doppler columns in blocks that fit a core's first cache.
 
 use crate::error::DspError;
 use crate::numerics::precision::Precision;
@@ -64,7 +65,8 @@ impl<T: Precision> RangeDoppler<T> {
         })
     }
 
-    /// Map `[doppler, range]` of one channel's `[chirp, sample]`, unscaled, zero velocity at N/2, range growing.
+    /// Map `[doppler, range]` of one channel's `[chirp, sample]`, unscaled, zero velocity at N/2, range
+    /// growing.
     ///
     /// `turn_cycles` is taken out per chirp first: the offset of a transmitter under Doppler division.
     pub fn channel(&self, samples: &[Complex32], turn_cycles: f64) -> Vec<Complex<T>> {
@@ -149,7 +151,8 @@ impl<T: Precision> RangeDoppler<T> {
             let weight = T::of(self.doppler_taper[chirp]);
             return values.for_each(|((tapered, x), w)| *tapered = x * (weight * *w));
         }
-        let turn = Complex64::from_polar(self.doppler_taper[chirp], -TAU * (chirp as f64 * turn_cycles).fract());
+        let turn =
+            Complex64::from_polar(self.doppler_taper[chirp], -TAU * (chirp as f64 * turn_cycles).fract());
         let weight = Complex::new(T::of(turn.re), T::of(turn.im));
         values.for_each(|((tapered, x), w)| *tapered = weight * (x * *w));
     }

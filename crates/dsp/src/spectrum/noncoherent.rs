@@ -23,9 +23,11 @@ pub fn power_map(header: &CubeHeader, map: &RdmFrame) -> Result<Array2<f64>, Dsp
     })
 }
 
-/// Mean noise power of one cell of one channel: the assumed floor of a noise-free map, else from the map's median.
+/// Mean noise power of one cell of one channel: the assumed floor of a noise-free map, else from the map's
+/// median.
 ///
-/// The median does not feel targets as long as they fill few cells (1 % of the cells: 0.06 dB for one channel).
+/// The median does not feel targets as long as they fill few cells (1 % of the cells: 0.06 dB for one
+/// channel).
 pub fn noise_power(header: &CubeHeader, map: &RdmFrame) -> Result<f64, DspError> {
     let channels = checked_map(header, map)?[0] as f64;
     if let Some(floor) = map.assumed_floor {
@@ -70,7 +72,8 @@ pub(crate) fn checked_map(header: &CubeHeader, map: &RdmFrame) -> Result<[usize;
     }
 }
 
-/// Median of a sum of M unit exponentials: exact for one, else Choi (Proc. AMS 121 (1994) 245), M − 1/3 + 8/405M.
+/// Median of a sum of M unit exponentials: exact for one, else Choi (Proc. AMS 121 (1994) 245), M − 1/3 +
+/// 8/405M.
 fn gamma_median(channels: f64) -> f64 {
     if channels == 1.0 { std::f64::consts::LN_2 } else { channels - 1.0 / 3.0 + 8.0 / (405.0 * channels) }
 }

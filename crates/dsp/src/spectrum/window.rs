@@ -7,7 +7,8 @@ use num_complex::Complex64;
 use rustfft::FftPlanner;
 use std::f64::consts::{PI, TAU};
 
-/// Weights of a window over `length` samples, mean 1, so that a tone of amplitude A on a bin centre gives |A|·N.
+/// Weights of a window over `length` samples, mean 1, so that a tone of amplitude A on a bin centre gives
+/// |A|·N.
 pub fn taper(window: Window, length: usize) -> Result<Vec<f64>, DspError> {
     let raw = match window {
         Window::Rect => vec![1.0; length],
@@ -18,7 +19,8 @@ pub fn taper(window: Window, length: usize) -> Result<Vec<f64>, DspError> {
         Window::Chebyshev(sidelobe_db) => dolph_chebyshev(sidelobe_db, length)?,
     };
     let mean = raw.iter().sum::<f64>() / length as f64;
-    // Short tapers can vanish (Hann of one sample): without weight there is nothing to normalise, so they are flat.
+    // Short tapers can vanish (Hann of one sample): without weight there is nothing to normalise, so they are
+    // flat.
     Ok(if mean > 0.0 { raw.iter().map(|w| w / mean).collect() } else { vec![1.0; length] })
 }
 
@@ -57,8 +59,8 @@ fn cosine_sum(coefficients: &[f64], length: usize) -> Vec<f64> {
     (0..length).map(weight).collect()
 }
 
-/// Dolph (Proc. IRE 34 (1946) 335): the symmetric window of N + 1 points whose spectrum is the Chebyshev polynomial of
-/// degree N, without its last point (that makes it periodic).
+/// Dolph (Proc. IRE 34 (1946) 335): the symmetric window of N + 1 points whose spectrum is the Chebyshev
+/// polynomial of degree N, without its last point (that makes it periodic).
 fn dolph_chebyshev(sidelobe_db: f64, length: usize) -> Result<Vec<f64>, DspError> {
     if !(10.0..=300.0).contains(&sidelobe_db) {
         return Err(DspError::Sidelobes(sidelobe_db));
@@ -87,11 +89,13 @@ fn chebyshev(degree: f64, x: f64) -> f64 {
 mod tests {
     use super::*;
 
-    const ALL: [Window; 5] = [Window::Rect, Window::Hann, Window::Hamming, Window::Blackman, Window::Chebyshev(80.0)];
+    const ALL: [Window; 5] =
+        [Window::Rect, Window::Hann, Window::Hamming, Window::Blackman, Window::Chebyshev(80.0)];
 
     #[test]
     fn s3_noise_bandwidths_are_those_of_the_windows() {
-        // physics.md §8: periodic windows; the closed forms of the cosine sums are Σa²-ratios and hold for any N > 4.
+        // physics.md §8: periodic windows; the closed forms of the cosine sums are Σa²-ratios and hold for
+        // any N > 4.
         for (window, bins) in [
             (Window::Rect, 1.0),
             (Window::Hann, 1.5),
@@ -124,7 +128,10 @@ mod tests {
             for length in [16, 17] {
                 let weights = taper(window, length).unwrap();
                 for n in 1..length {
-                    assert!((weights[n] - weights[length - n]).abs() < 1e-12, "{window:?} of {length} at {n}");
+                    assert!(
+                        (weights[n] - weights[length - n]).abs() < 1e-12,
+                        "{window:?} of {length} at {n}"
+                    );
                 }
             }
         }

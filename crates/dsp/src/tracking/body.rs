@@ -1,7 +1,8 @@
 //! Box of a tracked body: how far its points reach along its heading, over frames.
 //!
-//! Which parts of a body are bright changes from frame to frame, so a box is what was seen of it lately: an end goes outwards to
-//! a point quickly and comes back slowly. Across, points say little: a beam of 8.5° is 6 m wide at 40 m.
+//! Which parts of a body are bright changes from frame to frame, so a box is what was seen of it lately: an
+//! end goes outwards to a point quickly and comes back slowly. Across, points say little: a beam of 8.5° is 6
+//! m wide at 40 m.
 
 use crate::tracking::kalman::Estimate;
 use crate::tracking::measurement::turned;
@@ -70,8 +71,8 @@ impl Body {
         self.is_seen = true;
     }
 
-    /// Whether a place lies in the box, widened by `margin_m` on all sides; a box of which little was seen reaches as far as the
-    /// shortest car.
+    /// Whether a place lies in the box, widened by `margin_m` on all sides; a box of which little was seen
+    /// reaches as far as the shortest car.
     pub(super) fn holds(&self, state: &Estimate, place: DVec2, width_m: f64, margin_m: f64) -> bool {
         let away = place - DVec2::new(state.mean.x, state.mean.y);
         let (along, across) = (away.dot(self.forward()), away.perp_dot(self.forward()));
@@ -80,8 +81,8 @@ impl Body {
         (back - margin_m..=front + margin_m).contains(&along) && across.abs() <= 0.5 * width_m + margin_m
     }
 
-    /// The box, as seen from a radar's place: no shorter than a car. What of a car was not seen lies behind what was, as much
-    /// more so as the radar looks along the body.
+    /// The box, as seen from a radar's place: no shorter than a car. What of a car was not seen lies behind
+    /// what was, as much more so as the radar looks along the body.
     pub(super) fn footprint(&self, state: &Estimate, width_m: f64, radar_m: DVec2) -> Footprint {
         let middle = DVec2::new(state.mean.x, state.mean.y);
         let away = (middle - radar_m).normalize_or_zero().dot(self.forward());
@@ -89,7 +90,12 @@ impl Body {
         let back = self.ends_m[0] - 0.5 * (1.0 - away) * unseen_m;
         let front = self.ends_m[1] + 0.5 * (1.0 + away) * unseen_m;
         let centre = middle + self.forward() * (0.5 * (back + front));
-        Footprint { centre_m: centre.to_array(), length_m: front - back, width_m, heading_rad: self.heading_rad }
+        Footprint {
+            centre_m: centre.to_array(),
+            length_m: front - back,
+            width_m,
+            heading_rad: self.heading_rad,
+        }
     }
 
     fn forward(&self) -> DVec2 {

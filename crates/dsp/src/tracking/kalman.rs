@@ -1,9 +1,9 @@
 //! Kalman filter of a body that moves at a nearly constant velocity: state (x, y, v_x, v_y).
 //!
-//! Its acceleration is white noise of a spectral density q: over T seconds the velocity gains a variance of qT, the place of
-//! qT³/3 (Bar-Shalom, Li, Kirubarajan, *Estimation with Applications to Tracking and Navigation*, 2001, §6.2.2), whatever the
-//! number of frames in them. Measurements come one number at a time, which equals taking them at once as long as their errors
-//! are independent, and inverts no matrix.
+//! Its acceleration is white noise of a spectral density q: over T seconds the velocity gains a variance of
+//! qT, the place of qT³/3 (Bar-Shalom, Li, Kirubarajan, *Estimation with Applications to Tracking and
+//! Navigation*, 2001, §6.2.2), whatever the number of frames in them. Measurements come one number at a time,
+//! which equals taking them at once as long as their errors are independent, and inverts no matrix.
 
 use glam::{DMat4, DVec4};
 
@@ -41,7 +41,8 @@ impl Estimate {
     /// After `interval_s`; `acceleration_density` is q in m²/s³ along each axis.
     pub fn predicted(&self, interval_s: f64, acceleration_density: f64) -> Self {
         let t = interval_s;
-        let step = DMat4::from_cols(DVec4::X, DVec4::Y, DVec4::new(t, 0.0, 1.0, 0.0), DVec4::new(0.0, t, 0.0, 1.0));
+        let step =
+            DMat4::from_cols(DVec4::X, DVec4::Y, DVec4::new(t, 0.0, 1.0, 0.0), DVec4::new(0.0, t, 0.0, 1.0));
         let (place, mixed, velocity) = (t * t * t / 3.0, 0.5 * t * t, t);
         let noise = DMat4::from_cols(
             DVec4::new(place, 0.0, mixed, 0.0),
@@ -53,7 +54,8 @@ impl Estimate {
         Self { mean: step * self.mean, covariance }
     }
 
-    /// What a number that grows by `row` with the state, measured with this variance, is expected to differ by.
+    /// What a number that grows by `row` with the state, measured with this variance, is expected to differ
+    /// by.
     pub fn innovation(&self, row: DVec4, residual: f64, variance: f64) -> Innovation {
         Innovation { residual, variance: row.dot(self.covariance * row) + variance }
     }
@@ -84,10 +86,12 @@ mod tests {
     /// Expected state just before a measurement of x, after so many that nothing changes any more.
     fn settled() -> Estimate {
         let start = Estimate { mean: DVec4::ZERO, covariance: DMat4::IDENTITY * 100.0 };
-        (0..2000).fold(start, |state, _| state.updated(DVec4::X, 0.0, VARIANCE).predicted(INTERVAL_S, DENSITY))
+        (0..2000)
+            .fold(start, |state, _| state.updated(DVec4::X, 0.0, VARIANCE).predicted(INTERVAL_S, DENSITY))
     }
 
-    /// With λ² = qT³/r, gains α and β/T obey λ² = β²/(1 − α) and β = 3(2 − α) − √(3(α² − 12α + 12)) (Bar-Shalom §6.5.3).
+    /// With λ² = qT³/r, gains α and β/T obey λ² = β²/(1 − α) and β = 3(2 − α) − √(3(α² − 12α + 12))
+    /// (Bar-Shalom §6.5.3).
     #[test]
     fn the_settled_gain_is_that_of_the_closed_form() {
         let state = settled();
@@ -106,8 +110,10 @@ mod tests {
         let state = settled();
         let (p, h) = (state.covariance, DVec4::X);
         let left = p - outer(p * h, p * h) * (1.0 / (h.dot(p * h) + VARIANCE));
-        // F·left·Fᵀ + Q by the prediction, which is tested by the closed form above; unmeasured y grows and is left out.
-        let right = Estimate { mean: DVec4::ZERO, covariance: left }.predicted(INTERVAL_S, DENSITY).covariance;
+        // F·left·Fᵀ + Q by the prediction, which is tested by the closed form above; unmeasured y grows and
+        // is left out.
+        let right =
+            Estimate { mean: DVec4::ZERO, covariance: left }.predicted(INTERVAL_S, DENSITY).covariance;
         for (i, j) in [(0, 0), (0, 2), (2, 0), (2, 2)] {
             assert!((p.col(j)[i] - right.col(j)[i]).abs() < 1e-12, "{i}, {j}");
         }

@@ -1,5 +1,5 @@
-//! What an object measures of a body: range, azimuth and radial velocity, each with the variance that its strength, the
-//! radar's resolution and the body's own size give it.
+//! What an object measures of a body: range, azimuth and radial velocity, each with the variance that its
+//! strength, the radar's resolution and the body's own size give it.
 
 use crate::spectrum::axes::coupling_m;
 use crate::tracking::kalman::{Estimate, Innovation};
@@ -76,14 +76,17 @@ impl Site {
 
     /// What an object measures.
     ///
-    /// Noise: the Cramér–Rao bounds of a tone's frequency in cells, 6/(2π)²ρ, and of the direction cosine over elements that
-    /// spread by σ half wavelengths, 1/2π²σ²ρ, ρ the power over noise of all channels. Size: what reflects is somewhere
-    /// between the body's ends, evenly, with a variance of a twelfth of their distance squared. Points on the slopes of the two
-    /// outermost peaks stand a cell beyond them; echoes less than a cell apart are one peak, somewhere between them.
+    /// Noise: the Cramér–Rao bounds of a tone's frequency in cells, 6/(2π)²ρ, and of the direction cosine
+    /// over elements that spread by σ half wavelengths, 1/2π²σ²ρ, ρ the power over noise of all channels.
+    /// Size: what reflects is somewhere between the body's ends, evenly, with a variance of a twelfth of
+    /// their distance squared. Points on the slopes of the two outermost peaks stand a cell beyond them;
+    /// echoes less than a cell apart are one peak, somewhere between them.
     pub fn measurement(&self, object: &Object, settings: &TrackerSettings) -> Measurement {
         let strength = power_from_db(object.snr_db).max(1.0) * self.channels;
         let tone = 6.0 / (TAU * TAU * strength);
-        let even = |extent: [f64; 2], cell: f64| ((extent[1] - extent[0]).abs() - 2.0 * cell).max(cell).powi(2) / 12.0;
+        let even = |extent: [f64; 2], cell: f64| {
+            ((extent[1] - extent[0]).abs() - 2.0 * cell).max(cell).powi(2) / 12.0
+        };
         let across = settings.body_width_m.powi(2) / (12.0 * object.range_m.max(self.range_cell_m).powi(2));
         // u = sin(azimuth) before the boresight; along it both are alike.
         let beam = 0.5 / (PI * PI * self.aperture * strength);
@@ -96,7 +99,8 @@ impl Site {
             variance: [
                 tone * self.range_cell_m.powi(2) + even(object.range_extent_m, self.range_cell_m),
                 beam + across,
-                tone * self.velocity_cell_mps.powi(2) + even(object.velocity_extent_mps, self.velocity_cell_mps),
+                tone * self.velocity_cell_mps.powi(2)
+                    + even(object.velocity_extent_mps, self.velocity_cell_mps),
             ],
             coupling_m_per_mps: self.coupling_m_per_mps,
             site_m: self.place_m,
@@ -116,12 +120,14 @@ pub struct Update {
 }
 
 impl Measurement {
-    /// Where it says the body is, and how well: what is measured along and across the line of sight; the velocity across it is
-    /// unknown but for `tangential_mps`. `radial_velocity_mps` is one of those that the object's may stand for.
+    /// Where it says the body is, and how well: what is measured along and across the line of sight; the
+    /// velocity across it is unknown but for `tangential_mps`. `radial_velocity_mps` is one of those that the
+    /// object's may stand for.
     pub fn first_estimate(&self, radial_velocity_mps: f64, tangential_mps: f64) -> Estimate {
         let (sin, cos) = self.azimuth_rad.sin_cos();
         let (along, across) = (DVec2::new(sin, cos), DVec2::new(cos, -sin));
-        let range_m = self.range_m - self.coupling_m_per_mps * (radial_velocity_mps - self.radial_velocity_mps);
+        let range_m =
+            self.range_m - self.coupling_m_per_mps * (radial_velocity_mps - self.radial_velocity_mps);
         let ground_m = (range_m * range_m - self.up_m * self.up_m).max(0.0).sqrt().max(MIN_GROUND_M);
         let slant = range_m.max(ground_m) / ground_m;
         let place = self.site_m + along * ground_m;
@@ -137,8 +143,8 @@ impl Measurement {
         let mut covariance = glam::DMat4::ZERO;
         for (direction, of_place, of_velocity) in blocks {
             let (p, v) = (direction.extend(0.0).extend(0.0), DVec4::new(0.0, 0.0, direction.x, direction.y));
-            covariance +=
-                crate::tracking::kalman::outer(p, p) * of_place + crate::tracking::kalman::outer(v, v) * of_velocity;
+            covariance += crate::tracking::kalman::outer(p, p) * of_place
+                + crate::tracking::kalman::outer(v, v) * of_velocity;
         }
         Estimate { mean: DVec4::new(place.x, place.y, velocity.x, velocity.y), covariance }
     }
@@ -157,7 +163,8 @@ impl Measurement {
     /// Extended Kalman filter, each number with the derivatives where the ones before it have led.
     pub fn updated(&self, expected: &Estimate) -> Update {
         let sight = Sight::of(self, expected);
-        let turns = self.span_mps.map_or(0.0, |span| ((sight.rate_mps - self.radial_velocity_mps) / span).round());
+        let turns =
+            self.span_mps.map_or(0.0, |span| ((sight.rate_mps - self.radial_velocity_mps) / span).round());
         let unfolded_mps = self.radial_velocity_mps + turns * self.span_mps.unwrap_or(0.0);
         let range_m = self.range_m - self.coupling_m_per_mps * (unfolded_mps - self.radial_velocity_mps);
         let mut update = Update { estimate: *expected, distance2: 0.0, surprise: 0.0 };
@@ -219,8 +226,8 @@ impl Sight {
         DVec4::new(by_place.x, by_place.y, toward.x, toward.y)
     }
 
-    /// The rate is bilinear in direction and velocity across: what their errors make together, E[(δv·δs/R)²] of Gaussians. A
-    /// young track (10 m/s, 0.8 m at 40 m) errs by 0.2 m/s by it, more than a Doppler cell.
+    /// The rate is bilinear in direction and velocity across: what their errors make together, E[(δv·δs/R)²]
+    /// of Gaussians. A young track (10 m/s, 0.8 m at 40 m) errs by 0.2 m/s by it, more than a Doppler cell.
     fn bend_variance(&self, state: &Estimate) -> f64 {
         let across = DVec2::new(self.away_m.y, -self.away_m.x) / self.away_m.length();
         let (p, v) = (across.extend(0.0).extend(0.0), DVec4::new(0.0, 0.0, across.x, across.y));
@@ -228,8 +235,8 @@ impl Sight {
         (place * velocity + p.dot(state.covariance * v).powi(2)) / (self.range_m * self.range_m)
     }
 
-    /// That error is the same from frame to frame, and is not averaged away: the velocity along the line of sight is never known
-    /// better.
+    /// That error is the same from frame to frame, and is not averaged away: the velocity along the line of
+    /// sight is never known better.
     fn keep_bend(&self, state: &mut Estimate) {
         let toward = self.away_m / self.away_m.length();
         let v = DVec4::new(0.0, 0.0, toward.x, toward.y);

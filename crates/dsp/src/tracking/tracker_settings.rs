@@ -27,9 +27,9 @@ pub struct TrackerSettings {
     pub coast_s: [f64; 2],
 }
 
-/// Vehicles on roads. Acceleration: 3 m/s² that lasts about a second, σ²τ = 9 (Singer 1970, IEEE Trans. AES 6, 473, halves it
-/// for the share of time that it is used). Gate: all but 1e-5 of a χ² of three degrees of freedom. New objects: one a frame in
-/// 60 m × 30 m/s × 1 rad.
+/// Vehicles on roads. Acceleration: 3 m/s² that lasts about a second, σ²τ = 9 (Singer 1970, IEEE Trans. AES
+/// 6, 473, halves it for the share of time that it is used). Gate: all but 1e-5 of a χ² of three degrees of
+/// freedom. New objects: one a frame in 60 m × 30 m/s × 1 rad.
 pub const ROAD_TRAFFIC: TrackerSettings = TrackerSettings {
     acceleration_density: 4.5,
     tangential_mps: 10.0,

@@ -1,9 +1,11 @@
-//! Tracks: bodies followed over frames by a Kalman filter each, objects given to them by global nearest neighbours.
+//! Tracks: bodies followed over frames by a Kalman filter each, objects given to them by global nearest
+//! neighbours.
 //!
-//! Each frame: every track is predicted; objects within the gate go to tracks so that all together are likeliest
-//! ([`crate::numerics::assignment`]); an object left over that lies in the box of a believed track is one more piece of the same body; any
-//! other begins a track, which is believed when it was seen in M of its first N frames. A track without an object coasts on its
-//! prediction and dies after a while, later where another's object covers its place, sooner where it leaves the radar's range.
+//! Each frame: every track is predicted; objects within the gate go to tracks so that all together are
+//! likeliest ([`crate::numerics::assignment`]); an object left over that lies in the box of a believed track
+//! is one more piece of the same body; any other begins a track, which is believed when it was seen in M of
+//! its first N frames. A track without an object coasts on its prediction and dies after a while, later where
+//! another's object covers its place, sooner where it leaves the radar's range.
 //!
 //! Velocities that a map shows but for multiples of its span are followed as several hypotheses
 //! ([`crate::tracking::velocity_bank`]) until the range has told which is true; a track says so.
@@ -23,12 +25,13 @@ use glam::{DMat2, DVec2};
 use ndarray::Array2;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// An object of an equal velocity this near to a believed track's box is a piece of it: cars in a queue leave 2 m between them.
+/// An object of an equal velocity this near to a believed track's box is a piece of it: cars in a queue leave
+/// 2 m between them.
 const PIECE_MARGIN_M: f64 = 1.0;
 /// Velocities of one body's pieces.
 const PIECE_MPS: f64 = 1.0;
-/// A frame in which another's object covers the place counts for so much of a frame without any: a body that merges with its
-/// neighbour or stands in its shadow comes back.
+/// A frame in which another's object covers the place counts for so much of a frame without any: a body that
+/// merges with its neighbour or stands in its shadow comes back.
 const COVERED: f64 = 0.2;
 
 /// Follows the objects of one radar, frame by frame.
@@ -107,12 +110,13 @@ impl Tracker {
 
     /// For each object the track (by place in the list) whose own it is.
     ///
-    /// A pair costs −2 ln of its density, a track without object −2 ln of what an unexplained object would be instead: the
-    /// likelihood ratio of Blackman and Popoli, *Modern Tracking Systems*, 1999, §6.2.
+    /// A pair costs −2 ln of its density, a track without object −2 ln of what an unexplained object would be
+    /// instead: the likelihood ratio of Blackman and Popoli, *Modern Tracking Systems*, 1999, §6.2.
     fn associate(&self, measurements: &[Measurement]) -> Vec<Option<usize>> {
         let settings = &self.settings;
-        let odds =
-            settings.detection_probability / (1.0 - settings.detection_probability) / settings.new_object_density;
+        let odds = settings.detection_probability
+            / (1.0 - settings.detection_probability)
+            / settings.new_object_density;
         let costs = Array2::from_shape_fn((self.followed.len(), measurements.len()), |(track, object)| {
             let suit = self.followed[track].bank.suit(&measurements[object]);
             if suit.distance2 <= settings.gate_distance2 { suit.surprise } else { f64::INFINITY }
@@ -134,7 +138,8 @@ impl Tracker {
             *owner = believed()
                 .find(|(_, f)| {
                     let moves_along = rate_apart_mps(f, &measurements[object]).abs() <= PIECE_MPS;
-                    moves_along && f.body.holds(f.bank.best(), place, self.settings.body_width_m, PIECE_MARGIN_M)
+                    moves_along
+                        && f.body.holds(f.bank.best(), place, self.settings.body_width_m, PIECE_MARGIN_M)
                 })
                 .map(|(track, _)| track);
         }
@@ -144,7 +149,8 @@ impl Tracker {
         for (object, owner) in owner.iter().enumerate() {
             let Some(track) = *owner else { continue };
             let followed = &mut self.followed[track];
-            // Of several objects the filter takes the one that was assigned; without such, the strongest, which comes first.
+            // Of several objects the filter takes the one that was assigned; without such, the strongest,
+            // which comes first.
             if followed.objects.is_empty() {
                 followed.bank.update(&measurements[object]);
             }
@@ -184,8 +190,9 @@ impl Tracker {
     }
 
     fn age(&mut self, interval_s: f64, frame: &PointsFrame, measurements: &[Measurement]) {
-        let covers =
-            |f: &Followed| (0..measurements.len()).any(|o| self.covers(&frame.objects[o], &measurements[o], f));
+        let covers = |f: &Followed| {
+            (0..measurements.len()).any(|o| self.covers(&frame.objects[o], &measurements[o], f))
+        };
         let covered: Vec<bool> = self.followed.iter().map(|f| f.objects.is_empty() && covers(f)).collect();
         for (followed, is_covered) in self.followed.iter_mut().zip(covered) {
             followed.age_frames += 1;
@@ -201,8 +208,8 @@ impl Tracker {
         }
     }
 
-    /// Whether an object reaches over the range and velocity at which a track expects its own, in its direction: points that near
-    /// across are one object to the clusters.
+    /// Whether an object reaches over the range and velocity at which a track expects its own, in its
+    /// direction: points that near across are one object to the clusters.
     fn covers(&self, object: &Object, measurement: &Measurement, followed: &Followed) -> bool {
         let range_m = self.range_m(followed, measurement.up_m);
         let across_m = measurement.azimuth_residual_rad(followed.bank.best()).sin().abs() * range_m;
@@ -219,7 +226,8 @@ impl Tracker {
         (DVec2::new(mean.x, mean.y) - self.site.place_m()).length().hypot(up_m)
     }
 
-    /// A younger track in the box of an older believed one, at its velocity, is the same body: its objects go to the older.
+    /// A younger track in the box of an older believed one, at its velocity, is the same body: its objects go
+    /// to the older.
     fn join_doubles(&mut self) {
         let mut kept: Vec<Followed> = Vec::new();
         for younger in std::mem::take(&mut self.followed) {
@@ -248,7 +256,8 @@ impl Tracker {
             let is_in_view = away_m.length() <= far_m && away_m.dot(ahead) > 0.0;
             let [least_s, most_s] = settings.coast_s;
             let coast_s = (settings.coast_share * f.seen_s).clamp(least_s, most_s);
-            let lives = if f.is_believed { f.unseen_s < coast_s } else { f.age_frames < settings.confirmed_within };
+            let lives =
+                if f.is_believed { f.unseen_s < coast_s } else { f.age_frames < settings.confirmed_within };
             mean.is_finite() && lives && (is_in_view || f.missed_frames == 0)
         });
     }
@@ -286,7 +295,8 @@ impl Followed {
     }
 }
 
-/// Whether two velocities are one within [`PIECE_MPS`] or within what is known of them: two degrees of freedom, 99 of 100.
+/// Whether two velocities are one within [`PIECE_MPS`] or within what is known of them: two degrees of
+/// freedom, 99 of 100.
 fn moves_like(a: &Estimate, b: &Estimate) -> bool {
     let apart = DVec2::new(a.mean.z - b.mean.z, a.mean.w - b.mean.w);
     let both = a.covariance + b.covariance;
@@ -309,7 +319,8 @@ fn check_object(object: &Object) -> Result<(), DspError> {
         ("range", object.range_m.is_finite() && object.range_extent_m.iter().all(|x| x.is_finite())),
         (
             "velocity",
-            object.radial_velocity_mps.is_finite() && object.velocity_extent_mps.iter().all(|x| x.is_finite()),
+            object.radial_velocity_mps.is_finite()
+                && object.velocity_extent_mps.iter().all(|x| x.is_finite()),
         ),
         ("azimuth", object.azimuth_rad.is_finite()),
         ("position", object.position_m.iter().all(|x| x.is_finite())),

@@ -1,9 +1,10 @@
 //! Several filters of one body, one for each velocity that an aliased measurement may stand for.
 //!
-//! A map shows a velocity but for multiples of its span. Each multiple that a vehicle can drive has a filter, all take the same
-//! measurements in, and each one's weight is multiplied by how likely it found them (multiple models without switching,
-//! Bar-Shalom, Li, Kirubarajan 2001, §11.6.2). What tells them apart is the range: a span of 32 m/s moves it by 3.2 m in a tenth
-//! of a second, 0.4 m where the radar's cells are finest.
+//! A map shows a velocity but for multiples of its span. Each multiple that a vehicle can drive has a filter,
+//! all take the same measurements in, and each one's weight is multiplied by how likely it found them
+//! (multiple models without switching, Bar-Shalom, Li, Kirubarajan 2001, §11.6.2). What tells them apart is
+//! the range: a span of 32 m/s moves it by 3.2 m in a tenth of a second, 0.4 m where the radar's cells are
+//! finest.
 
 use crate::tracking::kalman::Estimate;
 use crate::tracking::measurement::Measurement;
@@ -28,10 +29,12 @@ pub(crate) struct Suit {
 }
 
 impl VelocityBank {
-    /// All velocities up to the fastest that a first measurement may stand for, equally likely; at least the one it shows.
+    /// All velocities up to the fastest that a first measurement may stand for, equally likely; at least the
+    /// one it shows.
     pub(crate) fn new(first: &Measurement, settings: &TrackerSettings) -> Self {
         let shown_mps = first.radial_velocity_mps;
-        let turns = first.span_mps.map_or(0, |span| ((settings.fastest_mps + shown_mps.abs()) / span).ceil() as i32);
+        let turns =
+            first.span_mps.map_or(0, |span| ((settings.fastest_mps + shown_mps.abs()) / span).ceil() as i32);
         let velocity_mps = |turn: i32| shown_mps + f64::from(turn) * first.span_mps.unwrap_or(0.0);
         let turns = turns.min(MOST_TURNS);
         let possible = (-turns..=turns).filter(|t| *t == 0 || velocity_mps(*t).abs() <= settings.fastest_mps);
@@ -43,7 +46,8 @@ impl VelocityBank {
 
     /// Likeliest filter.
     pub(crate) fn best(&self) -> &Estimate {
-        let best = self.filters.iter().skip(1).fold(&self.filters[0], |best, f| if f.0 > best.0 { f } else { best });
+        let best =
+            self.filters.iter().skip(1).fold(&self.filters[0], |best, f| if f.0 > best.0 { f } else { best });
         &best.1
     }
 
@@ -73,9 +77,11 @@ impl VelocityBank {
 
     /// Takes a measurement in.
     pub(crate) fn update(&mut self, measurement: &Measurement) {
-        let updates: Vec<_> = self.filters.iter().map(|(w, state)| (*w, measurement.updated(state))).collect();
+        let updates: Vec<_> =
+            self.filters.iter().map(|(w, state)| (*w, measurement.updated(state))).collect();
         let least = updates.iter().map(|(_, u)| u.surprise).fold(f64::INFINITY, f64::min);
-        self.filters = updates.into_iter().map(|(w, u)| (w * (0.5 * (least - u.surprise)).exp(), u.estimate)).collect();
+        self.filters =
+            updates.into_iter().map(|(w, u)| (w * (0.5 * (least - u.surprise)).exp(), u.estimate)).collect();
         self.weigh();
     }
 

@@ -7,7 +7,9 @@ mod test_settings;
 
 use artifact::ErrorBudget;
 use artifact::cube::{CubeFrame, CubeHeader};
-use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
+use artifact::radar::{
+    Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform,
+};
 use artifact::seed::key;
 use artifact::settings::{DspSettings, Lane, Lanes, Noise};
 use artifact::units::{BOLTZMANN_J_PER_K, SPEED_OF_LIGHT_MPS, power_from_db};
@@ -97,7 +99,8 @@ pub fn place_elements(radar: &mut Radar) {
     let world = |places: &[[f64; 2]]| -> Vec<[f64; 3]> {
         let count = places.len() as f64;
         let centre = [0, 1].map(|a: usize| places.iter().map(|p| p[a]).sum::<f64>() / count);
-        let offset = |p: &[f64; 2], i: usize| half * ((p[0] - centre[0]) * right[i] + (p[1] - centre[1]) * up[i]);
+        let offset =
+            |p: &[f64; 2], i: usize| half * ((p[0] - centre[0]) * right[i] + (p[1] - centre[1]) * up[i]);
         places.iter().map(|p| [0, 1, 2].map(|i: usize| radar.position_m[i] + offset(p, i))).collect()
     };
     let (tx, rx) = (world(&radar.array.tx_half_wavelengths), world(&radar.array.rx_half_wavelengths));
@@ -124,7 +127,12 @@ pub fn cube(header: &CubeHeader, targets: &[Target], seed: u64) -> CubeFrame {
     let mut values = vec![Complex64::ZERO; channels * chirps * samples];
     for target in targets {
         for channel in 0..channels {
-            add_channel(header, target, channel, &mut values[channel * chirps * samples..][..chirps * samples]);
+            add_channel(
+                header,
+                target,
+                channel,
+                &mut values[channel * chirps * samples..][..chirps * samples],
+            );
         }
     }
     add_noise(header, &mut values, seed);
@@ -173,10 +181,11 @@ struct Sent {
     cycles: f64,
 }
 
-/// A·exp j2π[f₀τ + μtτ − ½μτ²] of one transmitter and receiver, with its sign and turned by its cycles a chirp.
+/// A·exp j2π[f₀τ + μtτ − ½μτ²] of one transmitter and receiver, with its sign and turned by its cycles a
+/// chirp.
 ///
-/// The delay is taken as linear over a chirp's 50 µs (its curvature there moves the phase by 1e-9 rad), which makes the
-/// phase a parabola in time: three values by the formula, the rest by steps.
+/// The delay is taken as linear over a chirp's 50 µs (its curvature there moves the phase by 1e-9 rad), which
+/// makes the phase a parabola in time: three values by the formula, the rest by steps.
 fn add_pair(header: &CubeHeader, target: &Target, sent: &Sent, rx: usize, out: &mut [Complex64]) {
     let samples = header.radar.waveform.samples as usize;
     for (chirp, row) in out.chunks_exact_mut(samples).enumerate() {
@@ -202,11 +211,22 @@ fn add_pair(header: &CubeHeader, target: &Target, sent: &Sent, rx: usize, out: &
 }
 
 /// Amplitude and phase in cycles of one sample, by the formula alone.
-pub fn sample_cycles(header: &CubeHeader, target: &Target, [tx, rx]: [usize; 2], [chirp, n]: [usize; 2]) -> (f64, f64) {
+pub fn sample_cycles(
+    header: &CubeHeader,
+    target: &Target,
+    [tx, rx]: [usize; 2],
+    [chirp, n]: [usize; 2],
+) -> (f64, f64) {
     cycles_at(header, target, [tx, rx], header.radar.chirp_start_s(tx, chirp), n)
 }
 
-fn cycles_at(header: &CubeHeader, target: &Target, [tx, rx]: [usize; 2], start_s: f64, n: usize) -> (f64, f64) {
+fn cycles_at(
+    header: &CubeHeader,
+    target: &Target,
+    [tx, rx]: [usize; 2],
+    start_s: f64,
+    n: usize,
+) -> (f64, f64) {
     let w = &header.radar.waveform;
     let (p_t, p_r) = (header.radar.array.tx_m[tx], header.radar.array.rx_m[rx]);
     let t = n as f64 / w.sample_rate_hz;
@@ -238,7 +258,10 @@ pub fn noise_variance(header: &CubeHeader) -> f64 {
     match header.noise {
         Noise::Absent => 0.0,
         Noise::Figure { noise_figure_db, temperature_k } => {
-            BOLTZMANN_J_PER_K * temperature_k * power_from_db(noise_figure_db) * header.radar.waveform.sample_rate_hz
+            BOLTZMANN_J_PER_K
+                * temperature_k
+                * power_from_db(noise_figure_db)
+                * header.radar.waveform.sample_rate_hz
         }
         Noise::SnrDb(_) => panic!("tests give a noise figure"),
     }
@@ -268,9 +291,14 @@ pub fn truth(header: &CubeHeader, target: &Target) -> (f64, f64, [f64; 3]) {
     (range_m, radial_mps, position_m)
 }
 
-/// `count` points with random strengths over the outline of a vehicle: a box `length` × `width` × `height` whose centre
-/// stands at `(x, y)` on the road, moving along it.
-pub fn vehicle([x, y]: [f64; 2], [length, width, height]: [f64; 3], velocity_mps: f64, seed: u64) -> Vec<Target> {
+/// `count` points with random strengths over the outline of a vehicle: a box `length` × `width` × `height`
+/// whose centre stands at `(x, y)` on the road, moving along it.
+pub fn vehicle(
+    [x, y]: [f64; 2],
+    [length, width, height]: [f64; 3],
+    velocity_mps: f64,
+    seed: u64,
+) -> Vec<Target> {
     let mut random = ChaCha8Rng::from_seed(key(seed, "dsp/test-vehicle", &[]));
     let mut uniform = || (random.next_u32() as f64 + 0.5) / 2f64.powi(32);
     let count = (12.0 * length) as usize;

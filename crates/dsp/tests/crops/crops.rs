@@ -34,10 +34,16 @@ fn a_stronger_neighbour_is_left_out_of_a_crop_and_the_rest_of_it_stays() {
     let among = cropper.crop_among(&points, own).unwrap();
     let [(row, column, level), (other_row, _, other), (own_row, own_column, own_level)] =
         [&alone, &with_it, &among].map(brightest);
-    assert!(other > level + 20 && (other_row - row).abs() > 60.0, "the neighbour is not seen: {other} {level}");
-    assert!((own_row - row).abs() <= 1.0 && (own_column - column).abs() <= 1.0 && own_level.abs_diff(level) <= 1);
+    assert!(
+        other > level + 20 && (other_row - row).abs() > 60.0,
+        "the neighbour is not seen: {other} {level}"
+    );
+    assert!(
+        (own_row - row).abs() <= 1.0 && (own_column - column).abs() <= 1.0 && own_level.abs_diff(level) <= 1
+    );
     // A velocity resolution and a half is 20 rows here: so far around its own peak the crop is as it was.
-    let near = |i: &usize| ((i / 451) as f64 - own_row).abs() < 20.0 && ((i % 451) as f64 - own_column).abs() < 8.0;
+    let near =
+        |i: &usize| ((i / 451) as f64 - own_row).abs() < 20.0 && ((i % 451) as f64 - own_column).abs() < 8.0;
     assert!((0..451 * 451).filter(near).all(|i| among.pixels[i] == with_it.pixels[i]));
     assert_eq!(cropper.crop_among(&points, 2), Err(DspError::NoSuchObject { object: 2 }));
 }
@@ -65,7 +71,8 @@ fn a_point_stands_in_the_middle_of_its_crop_at_its_level_over_the_noise() {
     let (row, column, level) = brightest(&crop);
     // Interpolated between cells: half a cell is 7 rows (0.2525 m/s of 8) and 2.3 columns (0.24 m of 24).
     assert!((row - 225.0).abs() < 8.0 && (column - 225.0).abs() < 3.0, "{row}, {column}");
-    // S6: 36.7 dB at 40 m less 3.5 dB of windows plus 10.8 dB of twelve channels; scalloping up to 2.8 dB, 0.27 dB a grey level.
+    // S6: 36.7 dB at 40 m less 3.5 dB of windows plus 10.8 dB of twelve channels; scalloping up to 2.8 dB,
+    // 0.27 dB a grey level.
     let level_db = f64::from(level) * 70.0 / 255.0;
     assert!((40.5..45.0).contains(&level_db), "{level_db}");
     assert!((crop.range_m - truth(&header, &target).0).abs() < 0.02);
@@ -75,8 +82,9 @@ fn a_point_stands_in_the_middle_of_its_crop_at_its_level_over_the_noise() {
 #[test]
 fn a_tenfold_echo_is_ten_db_brighter() {
     let header = noisy();
-    let level =
-        |rcs_m2| f64::from(brightest(&seen(&header, &[target([5.75, 30.3, 0.75], [0.0, -6.1, 0.0], rcs_m2)]).1).2);
+    let level = |rcs_m2| {
+        f64::from(brightest(&seen(&header, &[target([5.75, 30.3, 0.75], [0.0, -6.1, 0.0], rcs_m2)]).1).2)
+    };
     // Two roundings to a grey level.
     assert!((level(100.0) - level(10.0) - 10.0 * 255.0 / 70.0).abs() <= 1.0);
 }
@@ -84,11 +92,14 @@ fn a_tenfold_echo_is_ten_db_brighter() {
 #[test]
 fn farther_is_to_the_right_and_receding_is_down() {
     let header = noisy();
-    let pair =
-        [target([5.75, 30.0, 0.75], [0.0, -6.0, 0.0], 100.0), target([5.75, 32.0, 0.75], [0.0, -5.3, 0.0], 10.0)];
+    let pair = [
+        target([5.75, 30.0, 0.75], [0.0, -6.0, 0.0], 100.0),
+        target([5.75, 32.0, 0.75], [0.0, -5.3, 0.0], 10.0),
+    ];
     let (_, crop) = seen(&header, &pair);
-    // The stronger stands in the middle, so the weaker stands in the quarter down and right of it, 38 columns and 39 rows
-    // away, and the quarter up and left holds noise alone beyond the main lobe (2 cells: 9 columns, 29 rows).
+    // The stronger stands in the middle, so the weaker stands in the quarter down and right of it, 38 columns
+    // and 39 rows away, and the quarter up and left holds noise alone beyond the main lobe (2 cells: 9
+    // columns, 29 rows).
     let brightest = |rows: std::ops::Range<usize>, columns: std::ops::Range<usize>| {
         rows.flat_map(|row| crop.pixels[row * 451..][columns.clone()].iter().copied()).max().unwrap()
     };
@@ -105,8 +116,9 @@ fn crops_at_the_maps_edges_are_black_outside_and_wrap_in_velocity() {
     // 7 m of the 12 m on the left lie before range 0, 131 columns; half a cell may still be interpolated.
     assert!((0..451).all(|row| crop.pixels[row * 451..][..125].iter().all(|p| *p == 0)));
     // 4 m/s below the middle is beyond the seam; a white noise floor has pixels above its mean there too.
-    let beyond =
-        (300..451).map(|row| crop.pixels[row * 451 + 150..][..300].iter().filter(|p| **p > 0).count()).sum::<usize>();
+    let beyond = (300..451)
+        .map(|row| crop.pixels[row * 451 + 150..][..300].iter().filter(|p| **p > 0).count())
+        .sum::<usize>();
     assert!(beyond > 10_000, "{beyond} grey pixels beyond the seam");
     let (row, column, _) = brightest(&crop);
     assert!((row - 225.0).abs() < 8.0 && (column - 225.0).abs() < 3.0, "{row}, {column}");
@@ -125,7 +137,8 @@ fn a_crop_wider_than_the_velocity_axis_repeats_it() {
 #[test]
 fn formats_and_objects_that_make_no_picture_are_refused() {
     let header = noisy();
-    let map = range_doppler(&header, &cube(&header, &[target([0.0, 30.0, 6.0], [0.0, 0.0, 0.0], 10.0)], 1)).unwrap();
+    let map = range_doppler(&header, &cube(&header, &[target([0.0, 30.0, 6.0], [0.0, 0.0, 0.0], 10.0)], 1))
+        .unwrap();
     let mut object = detect(&header, &map).unwrap().objects[0];
     let mut formats = [PAPER_CROP; 5];
     formats[0].side = 0;
@@ -137,13 +150,17 @@ fn formats_and_objects_that_make_no_picture_are_refused() {
         assert_eq!(crop(&header, &map, &object, &format), Err(DspError::CropFormat));
     }
     object.range_m = f64::NAN;
-    assert_eq!(crop(&header, &map, &object, &PAPER_CROP), Err(DspError::ObjectNotFinite { quantity: "range_m" }));
+    assert_eq!(
+        crop(&header, &map, &object, &PAPER_CROP),
+        Err(DspError::ObjectNotFinite { quantity: "range_m" })
+    );
 }
 
 #[test]
 fn an_object_far_outside_the_map_gives_a_black_crop() {
     let header = noisy();
-    let map = range_doppler(&header, &cube(&header, &[target([0.0, 30.0, 6.0], [0.0, 0.0, 0.0], 10.0)], 1)).unwrap();
+    let map = range_doppler(&header, &cube(&header, &[target([0.0, 30.0, 6.0], [0.0, 0.0, 0.0], 10.0)], 1))
+        .unwrap();
     let mut object = detect(&header, &map).unwrap().objects[0];
     for range_m in [-1e9, 1e3, 1e300] {
         object.range_m = range_m;
@@ -154,7 +171,8 @@ fn an_object_far_outside_the_map_gives_a_black_crop() {
 #[test]
 fn the_grayscale_map_is_451_square_with_zero_velocity_in_the_middle() {
     let header = noisy();
-    let map = range_doppler(&header, &cube(&header, &[target([0.0, 30.0, 6.0], [0.0, 0.0, 0.0], 10.0)], 1)).unwrap();
+    let map = range_doppler(&header, &cube(&header, &[target([0.0, 30.0, 6.0], [0.0, 0.0, 0.0], 10.0)], 1))
+        .unwrap();
     let picture = rdm_grayscale(&header, &map).unwrap();
     assert_eq!(picture.len(), 451 * 451);
     let peak = (0..picture.len()).max_by_key(|i| picture[*i]).unwrap();

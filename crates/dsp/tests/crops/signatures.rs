@@ -34,7 +34,8 @@ fn a_point_stands_in_its_cell_with_its_own_cross_section_at_any_range_and_by_any
         for (range_m, rcs_m2) in [(25.0, 1.0), (40.0, 10.0), (60.0, 100.0)] {
             let mut header = noisy(elements_3x4());
             header.radar.array.multiplexing = multiplexing;
-            // On the centre of a velocity cell of every multiplexing, and of a range cell: windows take nothing off there.
+            // On the centre of a velocity cell of every multiplexing, and of a range cell: windows take
+            // nothing off there.
             let cell_m = header.radar.waveform.range_resolution_m();
             let ahead_m = (range_m / cell_m).round() * cell_m;
             let found = signature(&header, &[target([0.0, ahead_m, 6.0], [0.0, 0.0, 0.0], rcs_m2)]);
@@ -42,7 +43,10 @@ fn a_point_stands_in_its_cell_with_its_own_cross_section_at_any_range_and_by_any
             let dbsm = f64::from(cell.level_db) + found.noise_dbsm;
             let expected = 10.0 * f64::log10(rcs_m2);
             // Noise 25 dB below the echo or more turns it by 0.5 dB at most.
-            assert!((dbsm - expected).abs() < 0.6, "{multiplexing:?}, {range_m} m: {dbsm:.2} dBsm for {expected}");
+            assert!(
+                (dbsm - expected).abs() < 0.6,
+                "{multiplexing:?}, {range_m} m: {dbsm:.2} dBsm for {expected}"
+            );
             let place_m = found.first_range_m + at as f64 * found.cell_m;
             assert!((place_m - ahead_m).abs() < 0.5 * cell_m, "{place_m} {ahead_m}");
             assert!(cell.coherence > 0.95 && cell.cross_m.abs() < 0.5, "{cell:?}");
@@ -60,7 +64,8 @@ fn the_gain_of_the_pattern_is_taken_out() {
     let (level_db, noise_dbsm) = at(&header);
     header.radar.array.pattern = artifact::radar::Pattern::Cosine { exponent: 3.0 };
     let (lower_db, higher_dbsm) = at(&header);
-    // The cube of these tests knows no pattern, so the level stays and the cross section grows by what the pattern would take.
+    // The cube of these tests knows no pattern, so the level stays and the cross section grows by what the
+    // pattern would take.
     let taken_db = -20.0 * 2.0 * 3.0 * (38.0 / 10.0_f64.hypot(38.0).hypot(5.25)).log10();
     assert!((lower_db - level_db).abs() < 1e-9 && (higher_dbsm - noise_dbsm - taken_db).abs() < 0.02);
 }
@@ -76,7 +81,8 @@ fn places_across_and_heights_are_those_of_the_cells() {
     };
     let (first, second) = (near(36.0, 1.0, 0.5), near(38.0, 2.0, 3.0));
     assert!((first.height_m.unwrap() - 0.5).abs() < 0.25 && (second.height_m.unwrap() - 3.0).abs() < 0.25);
-    // Across the line of sight to the object, which lies 1.5 m to the right at 37 m: 2 m of depth come to 0.08 m.
+    // Across the line of sight to the object, which lies 1.5 m to the right at 37 m: 2 m of depth come to
+    // 0.08 m.
     assert!((second.cross_m - first.cross_m - 0.92).abs() < 0.25, "{first:?} {second:?}");
     let without_rows = signature(&noisy(elements_3x4()), &parts[..1]);
     assert!(without_rows.cells.iter().all(|cell| cell.height_m.is_none()) && without_rows.beams[1].is_none());
@@ -95,7 +101,10 @@ fn cells_of_another_object_are_left_out() {
     let own = u32::from(points.objects[0].snr_db > points.objects[1].snr_db);
     let among = signatures.of(&points, own).unwrap();
     let (level, expected) = (strongest(&among), strongest(&alone));
-    assert!(level.0 == expected.0 && (level.1.level_db - expected.1.level_db).abs() < 0.5, "{level:?} {expected:?}");
+    assert!(
+        level.0 == expected.0 && (level.1.level_db - expected.1.level_db).abs() < 0.5,
+        "{level:?} {expected:?}"
+    );
     let neighbour = signatures.of(&points, 1 - own).unwrap();
     assert!(strongest(&neighbour).1.level_db > level.1.level_db + 20.0);
     assert_eq!(signatures.of(&points, 2), Err(DspError::NoSuchObject { object: 2 }));

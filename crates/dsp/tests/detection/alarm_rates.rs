@@ -40,9 +40,10 @@ pub fn noise_power_map(header: &CubeHeader, seed: u64) -> Vec<f64> {
         dsp::window::taper(window, length).unwrap().iter().map(|w| w * w).sum()
     };
     let is_real = header.radar.waveform.sampling == Sampling::Real;
-    let unit =
-        noise_variance(header) * energy(header.dsp.doppler_window, chirps) * energy(header.dsp.range_window, samples)
-            / if is_real { 2.0 } else { 1.0 };
+    let unit = noise_variance(header)
+        * energy(header.dsp.doppler_window, chirps)
+        * energy(header.dsp.range_window, samples)
+        / if is_real { 2.0 } else { 1.0 };
     let mut noise = cube(header, &[], seed);
     if is_real {
         noise.samples.iter_mut().for_each(|sample| sample.im = 0.0);
@@ -98,7 +99,8 @@ impl Zones {
             ],
         };
         let of_cell = |cell: usize| -> Vec<usize> {
-            let inside = |zone: &usize| mask[cell] != UNTESTED && zones[*zone].1(cell / columns, cell % columns);
+            let inside =
+                |zone: &usize| mask[cell] != UNTESTED && zones[*zone].1(cell / columns, cell % columns);
             (0..zones.len()).filter(inside).collect()
         };
         let of_cells: Vec<Vec<usize>> = (0..rows * columns).map(of_cell).collect();
@@ -116,9 +118,9 @@ fn cfar(header: &CubeHeader, detector: Detector, rate: f64) -> Cfar {
 
 /// Per rate and zone: rate got over rate asked, and its standard error.
 ///
-/// The cell under test is independent of its training cells (no window here reaches over two guard cells), so its chance
-/// to pass is known once these are drawn: P(G(M) > threshold). Its mean is what weighted alarms of a scaled cell under
-/// test (importance sampling) tend to, with less scatter than any scale leaves.
+/// The cell under test is independent of its training cells (no window here reaches over two guard cells), so
+/// its chance to pass is known once these are drawn: P(G(M) > threshold). Its mean is what weighted alarms of
+/// a scaled cell under test (importance sampling) tend to, with less scatter than any scale leaves.
 pub fn weighed(header: &CubeHeader, detector: Detector, rates: &[f64], maps: u64) -> Vec<Vec<(f64, f64)>> {
     let zones = Zones::of(header);
     let by_rate: Vec<Cfar> = rates.iter().map(|rate| cfar(header, detector, *rate)).collect();
@@ -127,10 +129,14 @@ pub fn weighed(header: &CubeHeader, detector: Detector, rates: &[f64], maps: u64
         let estimates = by_rate[0].estimates(&noise_power_map(header, seed));
         let of_rate = |(cfar, rate): (&Cfar, &f64)| {
             let mut sums = vec![0.0; zones.sizes.len()];
-            for (cell, estimate) in estimates.iter().enumerate().filter(|(cell, _)| !zones.of_cells[*cell].is_empty()) {
+            for (cell, estimate) in
+                estimates.iter().enumerate().filter(|(cell, _)| !zones.of_cells[*cell].is_empty())
+            {
                 let factor = cfar.factor([cell / columns, cell % columns]);
                 let chance = gamma_tail(header.shape()[0], factor * estimate) / rate;
-                zones.of_cells[cell].iter().for_each(|zone| sums[*zone] += chance / zones.sizes[*zone] as f64);
+                zones.of_cells[cell]
+                    .iter()
+                    .for_each(|zone| sums[*zone] += chance / zones.sizes[*zone] as f64);
             }
             sums
         };
@@ -168,7 +174,8 @@ pub fn counted(header: &CubeHeader, rate: f64, maps: u64) -> Vec<Vec<(u64, u64)>
             all[sum].iter_mut().zip(found).for_each(|(sum, found)| *sum += found);
         }
     }
-    let with_cells = |found: Vec<u64>| found.into_iter().zip(&zones.sizes).map(|(n, size)| (n, size * maps)).collect();
+    let with_cells =
+        |found: Vec<u64>| found.into_iter().zip(&zones.sizes).map(|(n, size)| (n, size * maps)).collect();
     all.into_iter().map(with_cells).collect()
 }
 

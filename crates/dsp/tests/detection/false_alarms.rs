@@ -13,13 +13,15 @@ use rayon::prelude::*;
 const RATE: f64 = 1e-3;
 const ZONES: [&str; 4] = ["interior", "range edges", "doppler edges", "corners"];
 
-/// False alarms over those asked for, per zone, of as many 32 × 32 maps as give 10⁶ cells in the smallest zone.
+/// False alarms over those asked for, per zone, of as many 32 × 32 maps as give 10⁶ cells in the smallest
+/// zone.
 fn alarms(header: &CubeHeader) -> [f64; 4] {
     let half = [0, 1].map(|i: usize| (header.dsp.guard_cells[i] + header.dsp.training_cells[i]) as usize);
     let [_, rows, columns] = artifact::rdm::shape(header);
     let zone = |cell: usize| {
         let at_edge = |at: usize, half: usize, cells: usize| at < half || at + half >= cells;
-        usize::from(at_edge(cell % columns, half[1], columns)) + 2 * usize::from(at_edge(cell / columns, half[0], rows))
+        usize::from(at_edge(cell % columns, half[1], columns))
+            + 2 * usize::from(at_edge(cell / columns, half[0], rows))
     };
     let mut cells = [0_u64; 4];
     (0..rows * columns).for_each(|cell| cells[zone(cell)] += 1);
@@ -30,12 +32,17 @@ fn alarms(header: &CubeHeader) -> [f64; 4] {
             let map = range_doppler(header, &cube(header, &[], seed)).unwrap();
             assert_eq!(map.cells, (rows * columns) as u64);
             let mut counts = [0; 4];
-            map.mask.iter().enumerate().filter(|(_, m)| **m == DETECTED).for_each(|(cell, _)| counts[zone(cell)] += 1);
+            map.mask
+                .iter()
+                .enumerate()
+                .filter(|(_, m)| **m == DETECTED)
+                .for_each(|(cell, _)| counts[zone(cell)] += 1);
             counts
         })
         .collect();
     [0, 1, 2, 3].map(|z: usize| {
-        counts.iter().map(|c| c[z]).sum::<u64>() as f64 / ((maps * cells[z]) as f64 * header.dsp.false_alarm_rate)
+        counts.iter().map(|c| c[z]).sum::<u64>() as f64
+            / ((maps * cells[z]) as f64 * header.dsp.false_alarm_rate)
     })
 }
 
@@ -86,7 +93,8 @@ fn s2_the_sum_of_channels_keeps_the_rate() {
 
 #[test]
 fn s2_doppler_division_alarms_no_more_than_asked() {
-    let mut header = noise_header(Window::Hann, [2, 2], [vec![[0.0, 0.0], [2.0, 0.0], [4.0, 0.0]], vec![[0.0, 0.0]]]);
+    let mut header =
+        noise_header(Window::Hann, [2, 2], [vec![[0.0, 0.0], [2.0, 0.0], [4.0, 0.0]], vec![[0.0, 0.0]]]);
     header.radar.array.multiplexing = Multiplexing::Ddm;
     // Only the best of M folds may alarm; the upper side is what is promised.
     assert_band("ddm", alarms(&header), 0.3, 1.3);
@@ -94,9 +102,14 @@ fn s2_doppler_division_alarms_no_more_than_asked() {
 
 #[test]
 fn all_detectors_keep_the_rate_at_every_range_edge_and_corner() {
-    // Zones of 12 × 32, 20 × 20 and 20 × 12 cells; the scatter of these maps is printed and allowed for twice.
+    // Zones of 12 × 32, 20 × 20 and 20 × 12 cells; the scatter of these maps is printed and allowed for
+    // twice.
     for (window, channels, maps) in [(Window::Rect, 1, 150), (Window::Hann, 1, 150), (Window::Hann, 12, 40)] {
-        assert_weighed(&alarm_rates::noise_header(Sampling::Complex, window, channels), &[1e-2, 1e-3, 1e-4], maps);
+        assert_weighed(
+            &alarm_rates::noise_header(Sampling::Complex, window, channels),
+            &[1e-2, 1e-3, 1e-4],
+            maps,
+        );
     }
 }
 
@@ -125,7 +138,11 @@ fn masks_are_those_of_estimates_made_cell_by_cell() {
                 let mut found = 0;
                 for (cell, estimate) in slow {
                     let passes = power[cell] > cfar.factor([cell / 32, cell % 32]) * (estimate + floor);
-                    assert_eq!(mask[cell] == DETECTED, passes, "{name}, {training:?}, floor {floor}, cell {cell}");
+                    assert_eq!(
+                        mask[cell] == DETECTED,
+                        passes,
+                        "{name}, {training:?}, floor {floor}, cell {cell}"
+                    );
                     found += usize::from(passes);
                 }
                 assert!(floor > 0.0 || found > 0, "{name} finds nothing to compare");
@@ -159,7 +176,8 @@ fn study_of_false_alarms_of_all_detectors() {
 #[test]
 #[ignore = "minutes of processor time: writes the second part of docs/validation/false-alarms.md"]
 fn study_of_false_alarms_of_real_samples() {
-    // 10⁴ alarms in the 96 cells next to range 0 and to half the sample rate down to 1e-3, at 1e-4 in the 300 of either edge.
+    // 10⁴ alarms in the 96 cells next to range 0 and to half the sample rate down to 1e-3, at 1e-4 in the 300
+    // of either edge.
     let study = [
         (Window::Rect, 1, [11_000, 105_000, 420_000], 8_000),
         (Window::Hann, 1, [11_000, 105_000, 420_000], 8_000),
@@ -176,7 +194,8 @@ fn study_of_false_alarms_of_real_samples() {
 
 /// Windows, channels, maps to count in at 1e-2, 1e-3 and 1e-4, and maps to weigh.
 fn table_of(sampling: Sampling, study: &[(Window, u32, [u64; 3], u64)]) -> String {
-    let percent: u64 = std::env::var("FALSE_ALARM_MAPS_PERCENT").map_or(100, |percent| percent.parse().unwrap());
+    let percent: u64 =
+        std::env::var("FALSE_ALARM_MAPS_PERCENT").map_or(100, |percent| percent.parse().unwrap());
     let mut page = String::new();
     for (window, channels, counted_maps, weighed_maps) in study {
         let header = alarm_rates::noise_header(sampling, *window, *channels);
@@ -189,21 +208,24 @@ fn table_of(sampling: Sampling, study: &[(Window, u32, [u64; 3], u64)]) -> Strin
             page.push_str(&format!("{}\n", "---|".repeat(names.len())));
         }
         let mut add = |name: &str, rate: f64, how: &str, shown: Vec<String>| {
-            let row = format!("| {name} | {window:?} | {channels} | {rate:e} | {how} | {} |\n", shown.join(" | "));
+            let row =
+                format!("| {name} | {window:?} | {channels} | {rate:e} | {how} | {} |\n", shown.join(" | "));
             print!("{row}");
             page.push_str(&row);
         };
         for (rate, maps) in [1e-2, 1e-3, 1e-4].into_iter().zip(counted_maps).filter(|(_, maps)| **maps > 0) {
             let found = counted(&header, rate, maps * percent / 100);
             for ((name, _), of_zones) in DETECTORS.iter().zip(found) {
-                let show =
-                    |(alarms, cells): (u64, u64)| format!("{:.3} ({alarms})", alarms as f64 / (cells as f64 * rate));
+                let show = |(alarms, cells): (u64, u64)| {
+                    format!("{:.3} ({alarms})", alarms as f64 / (cells as f64 * rate))
+                };
                 add(name, rate, "counted", of_zones.into_iter().map(show).collect());
             }
         }
         let rates = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
         for (name, detector) in DETECTORS {
-            // The smaller mean of a thin half now and then is very small, and few maps then make most of the rate.
+            // The smaller mean of a thin half now and then is very small, and few maps then make most of the
+            // rate.
             let more = if detector == Detector::SoCfar && *channels == 1 { 8 } else { 1 };
             let of_rates = weighed(&header, detector, &rates, more * weighed_maps * percent / 100);
             for (rate, of_zones) in rates.iter().zip(of_rates) {

@@ -36,14 +36,17 @@ fn rising_and_falling_chirps_show_range_and_velocity_in_the_half_that_is_kept() 
         println!("slope {slope:e}: {:.3} m, {:.3} m/s", point.range_m, point.radial_velocity_mps);
         // 5 m/s move 0.01 m to the frame's middle; cells are 0.24 m and 0.51 m/s, told to a hundredth.
         assert!((point.range_m - 19.99).abs() < 0.03 && (point.radial_velocity_mps + 5.0).abs() < 0.02);
-        // The same in the half that complex samples show, of half the amplitude: the image is the window's −100 dB away.
+        // The same in the half that complex samples show, of half the amplitude: the image is the window's
+        // −100 dB away.
         let mut whole = header.clone();
         whole.radar.waveform.sampling = Sampling::Complex;
         let complex = range_doppler(&whole, &cube(&whole, &[target], 1)).unwrap();
         let [half, all] = [power_map(&header, &map).unwrap(), power_map(&whole, &complex).unwrap()];
         let peak = half.iter().copied().fold(0.0, f64::max);
-        let worst =
-            half.indexed_iter().map(|(at, power)| (power.sqrt() - 0.5 * all[at].sqrt()).abs()).fold(0.0, f64::max);
+        let worst = half
+            .indexed_iter()
+            .map(|(at, power)| (power.sqrt() - 0.5 * all[at].sqrt()).abs())
+            .fold(0.0, f64::max);
         assert!(worst < 2e-5 * peak.sqrt(), "{:e}", worst / peak.sqrt());
     }
 }
@@ -81,16 +84,21 @@ fn noise_of_real_samples_alarms_at_the_rate_asked_for_in_the_interior_and_at_bot
                 "{window:?}, asked {rate:e}: near {:.3}, interior {:.3}, far {:.3}",
                 ratios[0], ratios[1], ratios[2]
             );
-            // Some 1500 alarms a zone: 2.6 %; three of them with a few windows' correlated cells. With windows as for complex samples.
+            // Some 1500 alarms a zone: 2.6 %; three of them with a few windows' correlated cells. With
+            // windows as for complex samples.
             let (low, high) = if window == Window::Rect { (0.9, 1.1) } else { (0.8, 1.3) };
-            assert!(ratios.iter().all(|ratio| (low..=high).contains(ratio)), "{window:?}, {rate}: {ratios:?}");
+            assert!(
+                ratios.iter().all(|ratio| (low..=high).contains(ratio)),
+                "{window:?}, {rate}: {ratios:?}"
+            );
         }
     }
 }
 
 #[test]
 fn all_detectors_keep_the_rate_next_to_range_0_and_to_half_the_sample_rate() {
-    // Where images are taken for cells of their own, SO alarms 7.6 times as often as asked at 1e-6 (Rect, next to range 0, on the rows of images).
+    // Where images are taken for cells of their own, SO alarms 7.6 times as often as asked at 1e-6 (Rect,
+    // next to range 0, on the rows of images).
     for (window, channels, maps) in [(Window::Rect, 1, 150), (Window::Hann, 1, 150), (Window::Hann, 12, 60)] {
         let header = alarm_rates::noise_header(Sampling::Real, window, channels);
         alarm_rates::assert_weighed(&header, &[1e-3], maps);

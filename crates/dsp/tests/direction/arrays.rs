@@ -67,7 +67,8 @@ fn a_wide_array_sees_the_wavefronts_curvature() {
     let header = header(256, 16, elements_12x16());
     let mut header = header;
     header.dsp.training_cells = [4, 8];
-    // Lane 3 at 25 m: 0.9 rad per leg at the row's end, which a plane wave would turn into a blurred, shifted lobe.
+    // Lane 3 at 25 m: 0.9 rad per leg at the row's end, which a plane wave would turn into a blurred, shifted
+    // lobe.
     let target = target([9.5, 23.0, 0.75], [0.0, -1.0, 0.0], 10.0);
     assert_placed("12x16", &header, &target, [5e-3, 0.02, 1e-9]);
     let map = range_doppler(&header, &cube(&header, &[target], 1)).unwrap();
@@ -80,7 +81,8 @@ fn a_wide_array_sees_the_wavefronts_curvature() {
     let direction = dsp::angle::Direction { right: position_m[0] / range_m, up: None };
     let gain = array.beam(&snapshot, &array.steering(direction, range_m)).norm();
     let all: f64 = snapshot.iter().map(|v| v.norm()).sum();
-    // The range cell's response changes by the delays across the row (0.07 m of 0.24 m): below 0.1 dB in the sum.
+    // The range cell's response changes by the delays across the row (0.07 m of 0.24 m): below 0.1 dB in the
+    // sum.
     assert!(gain > 0.99 * all, "the beam collects {} of the aperture", gain / all);
 }
 

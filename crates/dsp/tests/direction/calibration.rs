@@ -29,7 +29,8 @@ fn radar(elements: [Vec<[f64; 2]>; 2]) -> CubeHeader {
 fn errors(header: &CubeHeader, seed: u64) -> Vec<Complex64> {
     let mut random = ChaCha8Rng::from_seed(key(seed, "dsp/test-elements", &[]));
     let mut element = || {
-        let (gain, phase): (f64, f64) = (StandardNormal.sample(&mut random), StandardNormal.sample(&mut random));
+        let (gain, phase): (f64, f64) =
+            (StandardNormal.sample(&mut random), StandardNormal.sample(&mut random));
         Complex64::from_polar(amplitude_from_db(SPREAD.0 * gain), (SPREAD.1 * phase).to_radians())
     };
     let array = &header.radar.array;
@@ -54,7 +55,11 @@ fn calibrated(header: &CubeHeader, errors: &[Complex64], seed: u64) -> CubeHeade
     let reflector = target([1.0, 12.0, 5.0], [0.0; 3], 100.0);
     let frames: Vec<Vec<Complex64>> = (0..4)
         .map(|frame| {
-            channel_errors(header, &map(header, errors, &reflector, 1000 * seed + frame), reflector.position_m)
+            channel_errors(
+                header,
+                &map(header, errors, &reflector, 1000 * seed + frame),
+                reflector.position_m,
+            )
         })
         .collect::<Result<_, _>>()
         .unwrap();
@@ -65,11 +70,13 @@ fn calibrated(header: &CubeHeader, errors: &[Complex64], seed: u64) -> CubeHeade
 
 /// Error of the direction cosine in beams, and the highest sidelobe under the peak, dB.
 fn seen(header: &CubeHeader, errors: &[Complex64], direction: f64, seed: u64) -> [f64; 2] {
-    let target = target([14.0 * direction, 14.0 * (1.0 - direction * direction).sqrt(), 6.0], [0.0; 3], 100.0);
+    let target =
+        target([14.0 * direction, 14.0 * (1.0 - direction * direction).sqrt(), 6.0], [0.0; 3], 100.0);
     let map = map(header, errors, &target, seed);
     let array = VirtualArray::new(header);
     let power = power_map(header, &map).unwrap();
-    let (cell, _) = power.indexed_iter().fold(((0, 0), 0.0), |best, (at, p)| if *p > best.1 { (at, *p) } else { best });
+    let (cell, _) =
+        power.indexed_iter().fold(((0, 0), 0.0), |best, (at, p)| if *p > best.1 { (at, *p) } else { best });
     let snapshot = array.snapshot(header, &map, [cell.0, cell.1], 0.0);
     let found = array.direction(std::slice::from_ref(&snapshot), 14.0).right;
     let (beam, up) = (array.beams()[0], Some(0.0));
@@ -80,7 +87,8 @@ fn seen(header: &CubeHeader, errors: &[Complex64], direction: f64, seed: u64) ->
     [(found - direction) / beam, 10.0 * (highest / level(found)).log10()]
 }
 
-/// Root mean square of direction errors in beams, mean of the highest sidelobes in dB: ideal, erring, calibrated.
+/// Root mean square of direction errors in beams, mean of the highest sidelobes in dB: ideal, erring,
+/// calibrated.
 fn compared(elements: [Vec<[f64; 2]>; 2], draws: u64) -> [[f64; 2]; 3] {
     let header = radar(elements);
     let ideal = vec![Complex64::ONE; header.radar.virtual_channels()];
@@ -105,8 +113,11 @@ fn compared(elements: [Vec<[f64; 2]>; 2], draws: u64) -> [[f64; 2]; 3] {
 fn a_calibrated_array_of_erring_elements_is_as_good_as_an_ideal_one() {
     for (name, elements, draws) in [("3x4", elements_3x4(), 24), ("12x16", elements_12x16(), 3)] {
         let [ideal, erring, calibrated] = compared(elements, draws);
-        println!("{name}: ideal {ideal:.4?}, 3 dB and 30° {erring:.4?}, calibrated {calibrated:.4?} (beams rms, dB)");
-        // The reflector is 25 dB over a channel's noise in four frames and more: 2° and 0.3 dB of a channel, a fifteenth of what was.
+        println!(
+            "{name}: ideal {ideal:.4?}, 3 dB and 30° {erring:.4?}, calibrated {calibrated:.4?} (beams rms, dB)"
+        );
+        // The reflector is 25 dB over a channel's noise in four frames and more: 2° and 0.3 dB of a channel,
+        // a fifteenth of what was.
         assert!(calibrated[0] < 0.2 * erring[0] && (calibrated[1] - ideal[1]).abs() < 0.7, "{name}");
         assert!(erring[1] > ideal[1] + 2.0, "{name}: errors raise sidelobes");
     }
@@ -132,7 +143,10 @@ fn calibrations_that_do_not_fit_and_reflectors_that_are_not_there_are_refused() 
     let reflector = target([1.0, 12.0, 5.0], [0.0; 3], 100.0);
     let map = map(&header, &ideal, &reflector, 1);
     assert!(matches!(channel_errors(&header, &map, [0.0, 70.0, 6.0]), Err(DspError::ReflectorRange { .. })));
-    assert!(matches!(channel_errors(&header, &map, [0.0, f64::NAN, 6.0]), Err(DspError::ReflectorRange { .. })));
+    assert!(matches!(
+        channel_errors(&header, &map, [0.0, f64::NAN, 6.0]),
+        Err(DspError::ReflectorRange { .. })
+    ));
     assert!(matches!(channel_errors(&header, &map, [0.0, 6.0, 6.0]), Err(DspError::WeakReflector { .. })));
     let mut short = header;
     short.dsp.calibration = vec![Complex64::ONE; 11];
@@ -151,7 +165,8 @@ fn study_of_erring_elements() {
         }
     }
     print!("{page}");
-    std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/validation/calibration.md"), page).unwrap();
+    std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/validation/calibration.md"), page)
+        .unwrap();
 }
 
 const PREAMBLE: &str = "# Erring elements, before and after calibration

@@ -30,7 +30,8 @@ fn row(places: &[f64]) -> Vec<[f64; 2]> {
     places.iter().map(|p| [*p, 0.0]).collect()
 }
 
-/// Beside as many repetitions of ideal transmitters: the echo of M chirps is added up, and so is their noise, over M.
+/// Beside as many repetitions of ideal transmitters: the echo of M chirps is added up, and so is their noise,
+/// over M.
 #[test]
 fn codes_gain_m_over_ideal_transmitters_that_repeat_as_often() {
     for (elements, slots) in [(elements_3x4(), 4.0), (elements_6x8(), 8.0), (elements_12x16(), 16.0)] {
@@ -53,10 +54,12 @@ fn codes_gain_m_over_ideal_transmitters_that_repeat_as_often() {
         };
         let echo = peak(&codes) / peak(&together);
         let fall = noise(&together) / noise(&codes);
-        println!("{slots} slots: echo {echo:.6} of ideal transmitters', noise lower by {fall:.3}, asked {slots}");
+        println!(
+            "{slots} slots: echo {echo:.6} of ideal transmitters', noise lower by {fall:.3}, asked {slots}"
+        );
         assert!((echo - 1.0).abs() < 1e-5, "rounding of single precision: {echo}");
-        // Medians of 8 maps of 2048 cells, Hann windows leave 1 cell in 2.25 independent along each axis, sums of 12 channels and more:
-        // 1.25/√(8·2048/5·12) = 0.6 % each.
+        // Medians of 8 maps of 2048 cells, Hann windows leave 1 cell in 2.25 independent along each axis,
+        // sums of 12 channels and more: 1.25/√(8·2048/5·12) = 0.6 % each.
         assert!((fall / slots - 1.0).abs() < 0.03, "{fall}");
     }
 }
@@ -83,7 +86,8 @@ fn noise_of_codes_passes_the_detector_at_the_rate_asked_for() {
     }
 }
 
-/// Lone points of −30 to 30 m/s: found, certain, right in velocity, right in azimuth, and certain though wrong.
+/// Lone points of −30 to 30 m/s: found, certain, right in velocity, right in azimuth, and certain though
+/// wrong.
 fn points_told(header: &CubeHeader, trials: u64) -> [usize; 5] {
     let beam = dsp::angle::VirtualArray::new(header).beams()[0];
     let outcomes: Vec<[bool; 5]> = (0..trials)
@@ -111,19 +115,23 @@ fn points_told(header: &CubeHeader, trials: u64) -> [usize; 5] {
 
 #[test]
 fn velocities_and_directions_from_minus_30_to_30_mps_are_told_by_the_codes() {
-    for (name, blocks, elements, trials) in
-        [("3x4", 64, elements_3x4(), 60), ("6x8", 32, elements_6x8(), 30), ("12x16", 16, elements_12x16(), 16)]
-    {
+    for (name, blocks, elements, trials) in [
+        ("3x4", 64, elements_3x4(), 60),
+        ("6x8", 32, elements_6x8(), 30),
+        ("12x16", 16, elements_12x16(), 16),
+    ] {
         let header = fast(blocks, elements);
         let [found, certain, right, aimed, wrong] = points_told(&header, trials);
         println!(
             "{name}: {found} of {trials} found, {right} right in velocity, {aimed} in azimuth too, {certain} certain"
         );
         assert_eq!([found, wrong], [trials as usize, 0], "{name}");
-        let directions: Vec<Direction> = (-8..=8).map(|i| Direction { right: 0.05 * f64::from(i), up: None }).collect();
+        let directions: Vec<Direction> =
+            (-8..=8).map(|i| Direction { right: 0.05 * f64::from(i), up: None }).collect();
         let lost = least_loss(&header, &directions, 1e6);
         println!("{name}: a wrong fold loses {:.2} % of the power at least", 100.0 * lost);
-        // Of an even number of transmitters those of each pair exchange places half way through the folds: nothing straight ahead tells.
+        // Of an even number of transmitters those of each pair exchange places half way through the folds:
+        // nothing straight ahead tells.
         assert_eq!(lost < 1e-3, name != "3x4", "{name}: {lost}");
         assert!(aimed == found && 10 * certain >= 9 * found, "{name}: {certain}");
     }
@@ -151,9 +159,13 @@ fn straight_ahead_of_four_transmitters_no_fold_is_claimed_and_the_direction_is_r
     assert!(least_loss(&header, &[ahead], 1e6) < 1e-6);
     for velocity_mps in [-25.0, -3.0, 20.0] {
         let far = target([0.0, 50.0, 6.0], [0.0, velocity_mps, 0.0], 10.0);
-        let objects = detect(&header, &range_doppler(&header, &cube(&header, &[far], 3)).unwrap()).unwrap().objects;
+        let objects =
+            detect(&header, &range_doppler(&header, &cube(&header, &[far], 3)).unwrap()).unwrap().objects;
         let object = objects[0];
-        println!("{velocity_mps} m/s: shown {:.2}, azimuth {:.4} rad", object.radial_velocity_mps, object.azimuth_rad);
+        println!(
+            "{velocity_mps} m/s: shown {:.2}, azimuth {:.4} rad",
+            object.radial_velocity_mps, object.azimuth_rad
+        );
         assert!(!object.velocity_resolved || (object.radial_velocity_mps - velocity_mps).abs() < 0.5);
         // A beam is λ/16 half wavelengths wide, 0.125; the signal 25 dB over the noise of all channels.
         assert!(object.azimuth_rad.abs() < 0.01, "{}", object.azimuth_rad);
@@ -163,7 +175,8 @@ fn straight_ahead_of_four_transmitters_no_fold_is_claimed_and_the_direction_is_r
 /// Three transmitters: of the power that a wrong fold turns, a third goes to the code of none.
 #[test]
 fn a_wrong_fold_of_three_transmitters_loses_a_third_of_the_power_at_least() {
-    let directions: Vec<Direction> = (-10..=10).map(|i| Direction { right: 0.05 * f64::from(i), up: None }).collect();
+    let directions: Vec<Direction> =
+        (-10..=10).map(|i| Direction { right: 0.05 * f64::from(i), up: None }).collect();
     let lost = least_loss(&fast(64, elements_3x4()), &directions, 1e6);
     println!("3x4: {:.3} of the power at least", lost);
     assert!(lost >= 1.0 / 3.0 - 1e-9, "{lost}");

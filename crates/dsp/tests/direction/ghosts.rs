@@ -38,7 +38,8 @@ impl Site {
         (0..channels).map(|_| Complex64::new(part(), part())).collect()
     }
 
-    /// Adds a wave from each transmit element over `out` and back over `back` to each receive element, by exact lengths.
+    /// Adds a wave from each transmit element over `out` and back over `back` to each receive element, by
+    /// exact lengths.
     fn add(&self, values: &mut [Complex64], amplitude: Complex64, out: DVec3, back: DVec3) {
         let (radar, wavelength_m) = (&self.header.radar, self.header.radar.waveform.wavelength_m());
         let centre = DVec3::from(radar.position_m);
@@ -134,7 +135,8 @@ fn a_wave_between_two_bodies_is_marked_with_both_directions() {
         let (share, rms) = (f64::from(hits) / f64::from(trials), (square / (2.0 * f64::from(hits))).sqrt());
         println!("{beams} beams apart, 20 dB a channel: {share:.3} marked, cosines within {rms:.4} rms");
         assert!(share >= least);
-        // A quarter of a beam; near ranges that differ by tens of metres curve the wave as one distance does not.
+        // A quarter of a beam; near ranges that differ by tens of metres curve the wave as one distance does
+        // not.
         assert!(rms < 0.25 * site.array.beams()[0], "{rms}");
     }
 }
@@ -182,7 +184,8 @@ fn study() {
                         (values, range_m)
                     })
             };
-            let row: Vec<String> = [0.5, 0.7, 1.0, 2.0, 4.0].map(|b| format!("{:.0} %", of(&mut site, b))).into();
+            let row: Vec<String> =
+                [0.5, 0.7, 1.0, 2.0, 4.0].map(|b| format!("{:.0} %", of(&mut site, b))).into();
             println!("| {snr_db} | {} |", row.join(" | "));
         }
         println!("\n| direct echoes within 30 m · | 1 | 2 | 3 | 8 | 20 |\n|---|---|---|---|---|---|");

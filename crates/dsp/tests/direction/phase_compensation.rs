@@ -1,4 +1,5 @@
-//! What is left of the phases that time, Doppler and code division put on the transmitters' echoes of a moving target.
+//! What is left of the phases that time, Doppler and code division put on the transmitters' echoes of a
+//! moving target.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use crate::common::*;
@@ -13,7 +14,8 @@ use num_complex::Complex64;
 fn snapshot(header: &CubeHeader, target: &Target) -> Vec<Complex64> {
     let map = range_doppler(header, &cube(header, &[*target], 1)).unwrap();
     let power = power_map(header, &map).unwrap();
-    let (cell, _) = power.indexed_iter().fold(((0, 0), 0.0), |best, (at, p)| if *p > best.1 { (at, *p) } else { best });
+    let (cell, _) =
+        power.indexed_iter().fold(((0, 0), 0.0), |best, (at, p)| if *p > best.1 { (at, *p) } else { best });
     // The chirps' phases turn at f_c − μτ, not at f_c (third term of eq. 13): 4e-5 of the velocity.
     let waveform = &header.radar.waveform;
     let (range_m, velocity_mps, _) = truth(header, target);
@@ -32,11 +34,13 @@ fn radar(multiplexing: Multiplexing) -> CubeHeader {
     let mut header = header(256, 128, elements_3x4());
     header.radar.array.multiplexing = multiplexing;
     // What one transmitter's echo leaks into another's band is then below 1e-7.
-    (header.dsp.range_window, header.dsp.doppler_window) = (Window::Chebyshev(140.0), Window::Chebyshev(140.0));
+    (header.dsp.range_window, header.dsp.doppler_window) =
+        (Window::Chebyshev(140.0), Window::Chebyshev(140.0));
     header
 }
 
-/// Moving along the line of sight: a tangential speed turns the direction between slots, which no Doppler tells.
+/// Moving along the line of sight: a tangential speed turns the direction between slots, which no Doppler
+/// tells.
 fn radial(velocity_mps: f64) -> Target {
     radial_from(32.1, velocity_mps)
 }
@@ -51,8 +55,9 @@ fn radial_from(range_m: f64, velocity_mps: f64) -> Target {
     )
 }
 
-/// On a Doppler cell's centre. Beside it a cell of a target that migrates through range cells weighs the chirps of each transmitter a
-/// little differently: 4e-4 rad at −27 m/s, half a cell off and 2.6 range cells a frame; that is the map's, not the compensation's.
+/// On a Doppler cell's centre. Beside it a cell of a target that migrates through range cells weighs the
+/// chirps of each transmitter a little differently: 4e-4 rad at −27 m/s, half a cell off and 2.6 range cells
+/// a frame; that is the map's, not the compensation's.
 #[test]
 fn transmitters_in_turn_are_in_phase_to_1e_6_rad_once_the_velocity_is_known() {
     for cells in [-50.0, -13.0, 3.0, 31.0, 128.0 + 31.0] {
@@ -62,21 +67,23 @@ fn transmitters_in_turn_are_in_phase_to_1e_6_rad_once_the_velocity_is_known() {
     }
 }
 
-/// At rest to 1e-6 rad. A target that moves on between slots changes its strength in a cell, by the slope of the range lobe and as 1/R²,
-/// and so much of it passes between the transmitters.
+/// At rest to 1e-6 rad. A target that moves on between slots changes its strength in a cell, by the slope of
+/// the range lobe and as 1/R², and so much of it passes between the transmitters.
 #[test]
 fn transmitters_told_apart_by_codes_are_in_phase_to_what_an_echo_changes_in_strength_from_slot_to_slot() {
     for cells in [0.0, -50.0, 31.0, 128.0 + 31.0, -256.0 - 7.0] {
         let header = radar(Multiplexing::Bpm);
-        let (velocity_mps, waveform) = (cells * header.radar.velocity_resolution_mps(), &header.radar.waveform);
+        let (velocity_mps, waveform) =
+            (cells * header.radar.velocity_resolution_mps(), &header.radar.waveform);
         let coupling_m = velocity_mps * waveform.centre_frequency_hz() / waveform.slope_hz_per_s;
         // Cell 132; a chirp's own middle is where its range is measured.
         let half_chirp_s = 0.5 * f64::from(waveform.samples) / waveform.sample_rate_hz;
-        let passed_m = velocity_mps * (header.radar.frame_middle_s() + half_chirp_s - 0.5 * waveform.chirp_interval_s);
+        let passed_m =
+            velocity_mps * (header.radar.frame_middle_s() + half_chirp_s - 0.5 * waveform.chirp_interval_s);
         let centred_m = 132.0 * waveform.range_resolution_m() - coupling_m - passed_m;
         let (shown_mps, apart) = against_ideal(Multiplexing::Bpm, cells, centred_m);
-        // The outer slots are 1.5 from the block's middle. The lobe falls as e^{−0.76δ²} (140 dB at 4.6 cells), 1.52δ per cell at δ, and
-        // the elements see the point at ±1.1 mm of range.
+        // The outer slots are 1.5 from the block's middle. The lobe falls as e^{−0.76δ²} (140 dB at 4.6
+        // cells), 1.52δ per cell at δ, and the elements see the point at ±1.1 mm of range.
         let slots_m = 1.5 * velocity_mps.abs() * waveform.chirp_interval_s;
         let cell_m = waveform.range_resolution_m();
         let limit = |aside_cells: f64| 1e-6 + slots_m * (2.0 / 32.0 + 1.52 * aside_cells / cell_m);
@@ -98,7 +105,8 @@ fn against_ideal(multiplexing: Multiplexing, cells: f64, first_range_m: f64) -> 
     let shown_mps = cells * shared.radar.velocity_resolution_mps();
     let range_m = truth(&shared, &radial_from(first_range_m, shown_mps)).0;
     let delayed = 2.0 * shared.radar.waveform.slope_hz_per_s * range_m / artifact::units::SPEED_OF_LIGHT_MPS;
-    let target = radial_from(first_range_m, shown_mps / (1.0 - delayed / shared.radar.waveform.centre_frequency_hz()));
+    let target =
+        radial_from(first_range_m, shown_mps / (1.0 - delayed / shared.radar.waveform.centre_frequency_hz()));
     (shown_mps, phase_apart(&snapshot(&shared, &target), &snapshot(&together, &target)))
 }
 

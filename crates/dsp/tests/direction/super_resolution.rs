@@ -15,7 +15,11 @@ use rayon::prelude::*;
 const RANGE_M: f64 = 40.0;
 
 /// Unit noise on every channel under echoes of these amplitudes.
-fn snapshot(array: &VirtualArray, echoes: &[(Direction, Complex64)], random: &mut ChaCha8Rng) -> Vec<Complex64> {
+fn snapshot(
+    array: &VirtualArray,
+    echoes: &[(Direction, Complex64)],
+    random: &mut ChaCha8Rng,
+) -> Vec<Complex64> {
     let mut values: Vec<Complex64> = (0..array.excess_m(echoes[0].0, RANGE_M).len())
         .map(|_| {
             let [re, im]: [f64; 2] = std::array::from_fn(|_| StandardNormal.sample(random));
@@ -101,9 +105,9 @@ fn over_bound_db(header: &CubeHeader, snr_db: f64, axis: usize, beams: f64, tria
             let bound = least_errors(&array, &truth, RANGE_M, 1.0).unwrap();
             let cosine = |d: Direction| if axis == 0 { d.right } else { d.up.unwrap() };
             let error = |(i, at): (usize, &(Direction, Complex64))| {
-                let nearest = found
-                    .iter()
-                    .min_by(|a, b| distance(&array, a.direction, at.0).total_cmp(&distance(&array, b.direction, at.0)));
+                let nearest = found.iter().min_by(|a, b| {
+                    distance(&array, a.direction, at.0).total_cmp(&distance(&array, b.direction, at.0))
+                });
                 ((cosine(nearest.unwrap().direction) - cosine(at.0)) / bound[i][axis]).powi(2)
             };
             resolves(&array, &truth, &found).then(|| 0.5 * truth.iter().enumerate().map(error).sum::<f64>())
@@ -132,9 +136,11 @@ fn resolved(header: &CubeHeader, snr_db: f64, axis: usize, beams: f64, trials: u
 
 #[test]
 fn two_echoes_half_a_beam_apart_are_two_in_azimuth_and_in_elevation() {
-    for (name, elements, axis) in
-        [("3x4 azimuth", elements_3x4(), 0), ("6x8 azimuth", elements_6x8(), 0), ("6x8 elevation", elements_6x8(), 1)]
-    {
+    for (name, elements, axis) in [
+        ("3x4 azimuth", elements_3x4(), 0),
+        ("6x8 azimuth", elements_6x8(), 0),
+        ("6x8 elevation", elements_6x8(), 1),
+    ] {
         let [ours, fft] = resolved(&header(256, 64, elements), 30.0, axis, 0.5, 100);
         println!("{name}: two told apart at half a beam, 30 dB a channel: {ours} of trials, by FFT {fft}");
         assert!(ours > 0.9, "{name}: {ours}");
@@ -144,7 +150,9 @@ fn two_echoes_half_a_beam_apart_are_two_in_azimuth_and_in_elevation() {
 
 #[test]
 fn directions_of_two_echoes_reach_their_cramer_rao_bound() {
-    for (name, elements, axis, beams) in [("3x4", elements_3x4(), 0, 0.8), ("6x8 elevation", elements_6x8(), 1, 0.8)] {
+    for (name, elements, axis, beams) in
+        [("3x4", elements_3x4(), 0, 0.8), ("6x8 elevation", elements_6x8(), 1, 0.8)]
+    {
         let got_db = over_bound_db(&header(256, 64, elements), 30.0, axis, beams, 200);
         println!("{name}: two at {beams} beams, 30 dB a channel: {got_db:.2} dB over the bound");
         // 200 pairs of errors stray by 4.34·√(2/400) = 0.31 dB.
@@ -165,7 +173,8 @@ fn one_echo_stays_one_at_the_rate_that_was_asked_for() {
         });
         let splits = splits.count();
         println!("{name}: {splits} of 1000 made two");
-        // 0.1 expected of 1e-4; the rate's estimate M·t·e^{−t} is good to a factor of a few: three would be 3e-3.
+        // 0.1 expected of 1e-4; the rate's estimate M·t·e^{−t} is good to a factor of a few: three would be
+        // 3e-3.
         assert!(splits < 3, "{name}: {splits}");
     }
 }
@@ -232,7 +241,8 @@ fn study_of_resolution_against_separation_and_noise() {
             page += &format!("{line}\n");
         }
     }
-    std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/validation/super-resolution.md"), page).unwrap();
+    std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/validation/super-resolution.md"), page)
+        .unwrap();
 }
 
 const PREAMBLE: &str = "# Two echoes in one cell

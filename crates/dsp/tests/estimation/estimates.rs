@@ -23,7 +23,8 @@ fn radar(elements: [Vec<[f64; 2]>; 2], refine: Refine) -> CubeHeader {
     header
 }
 
-/// A point at a place and speed drawn at random, of this signal-to-noise ratio per cell of one channel's unwindowed map.
+/// A point at a place and speed drawn at random, of this signal-to-noise ratio per cell of one channel's
+/// unwindowed map.
 fn drawn(header: &CubeHeader, snr: f64, seed: u64) -> Target {
     let mut random = ChaCha8Rng::from_seed(key(seed, "dsp/test-estimates", &[]));
     let mut between = |low: f64, high: f64| low + (high - low) * f64::from(random.next_u32()) / 2f64.powi(32);
@@ -44,8 +45,10 @@ fn drawn(header: &CubeHeader, snr: f64, seed: u64) -> Target {
 fn errors(header: &CubeHeader, target: &Target, point: &Point, snr: f64) -> Errors {
     let bound = cramer_rao(header, snr);
     let (range_m, velocity_mps, position_m) = truth(header, target);
-    let cosine = |at: &[f64; 3], range_m: f64, axis: usize| (at[axis] - header.radar.position_m[axis]) / range_m;
-    let of_cosine = |axis: usize| cosine(&point.position_m, point.range_m, axis) - cosine(&position_m, range_m, axis);
+    let cosine =
+        |at: &[f64; 3], range_m: f64, axis: usize| (at[axis] - header.radar.position_m[axis]) / range_m;
+    let of_cosine =
+        |axis: usize| cosine(&point.position_m, point.range_m, axis) - cosine(&position_m, range_m, axis);
     [
         (point.range_m - range_m) / bound.range_m,
         (point.radial_velocity_mps - velocity_mps) / bound.velocity_mps,
@@ -55,7 +58,12 @@ fn errors(header: &CubeHeader, target: &Target, point: &Point, snr: f64) -> Erro
 }
 
 /// One trial through the whole chain, beside other targets; `None` no point lies within a cell of the target.
-fn trial(header: &CubeHeader, snr: f64, seed: u64, beside: &(dyn Fn(&Target) -> Vec<Target> + Sync)) -> Option<Errors> {
+fn trial(
+    header: &CubeHeader,
+    snr: f64,
+    seed: u64,
+    beside: &(dyn Fn(&Target) -> Vec<Target> + Sync),
+) -> Option<Errors> {
     let target = drawn(header, snr, seed);
     let mut targets = beside(&target);
     targets.push(target);
@@ -82,7 +90,8 @@ fn over_bound_beside_db(
     beside: &(dyn Fn(&Target) -> Vec<Target> + Sync),
 ) -> ([f64; 4], f64) {
     let snr = 10f64.powf(0.1 * snr_db);
-    let found: Vec<Errors> = (0..trials).into_par_iter().filter_map(|seed| trial(header, snr, seed, beside)).collect();
+    let found: Vec<Errors> =
+        (0..trials).into_par_iter().filter_map(|seed| trial(header, snr, seed, beside)).collect();
     let mean = |i: usize| found.iter().map(|e| e[i] * e[i]).sum::<f64>() / found.len() as f64;
     ([0, 1, 2, 3].map(|i: usize| 10.0 * mean(i).log10()), found.len() as f64 / trials as f64)
 }
@@ -105,7 +114,8 @@ fn pairs_refined(header: &CubeHeader, snr_db: f64, trials: u64, apart: [f64; 3])
     let beside = |target: &Target| vec![second(header, target, apart)];
     let both = |seed: u64| Some((trial(header, snr, seed, &beside)?, trial(&peaks, snr, seed, &beside)?));
     let found: Vec<(Errors, Errors)> = (0..trials).into_par_iter().filter_map(both).collect();
-    let refined: Vec<Errors> = found.iter().filter(|(with, without)| with != without).map(|(with, _)| *with).collect();
+    let refined: Vec<Errors> =
+        found.iter().filter(|(with, without)| with != without).map(|(with, _)| *with).collect();
     let mean = |i: usize| refined.iter().map(|e| e[i] * e[i]).sum::<f64>() / refined.len() as f64;
     Pairs {
         found: found.len() as f64 / trials as f64,
@@ -114,14 +124,16 @@ fn pairs_refined(header: &CubeHeader, snr_db: f64, trials: u64, apart: [f64; 3])
     }
 }
 
-/// An echo of equal power on the cube, so many cells of range and velocity and beams (λ over the virtual extent) beside another.
+/// An echo of equal power on the cube, so many cells of range and velocity and beams (λ over the virtual
+/// extent) beside another.
 fn second(header: &CubeHeader, target: &Target, [cells, rows, beams]: [f64; 3]) -> Target {
     let (range_m, velocity_mps, _) = truth(header, target);
     let away_m = range_m + cells * header.radar.waveform.range_resolution_m();
     let from = [0, 1, 2].map(|i: usize| target.position_m[i] - header.radar.position_m[i]);
     let start_m = from.iter().map(|x| x * x).sum::<f64>().sqrt();
     let (sin, cos) = (beams / 6.0).asin().sin_cos();
-    let direction = [cos * from[0] + sin * from[1], cos * from[1] - sin * from[0], from[2]].map(|x| x / start_m);
+    let direction =
+        [cos * from[0] + sin * from[1], cos * from[1] - sin * from[0], from[2]].map(|x| x / start_m);
     let scale = away_m / range_m;
     let speed_mps = velocity_mps + rows * header.radar.velocity_resolution_mps();
     Target {
@@ -140,7 +152,8 @@ fn refined_estimates_of_a_lone_point_stay_within_1_db_of_the_cramer_rao_bound() 
             let (got_db, found) = over_bound_db(&header, snr_db, trials);
             println!("{name}, {snr_db} dB: over the bound {got_db:.2?} dB, found {found}");
             assert_eq!(found, 1.0);
-            // The mean square of n normal errors strays by √(2/n): three times 0.35 dB of 300, 0.50 dB of 150.
+            // The mean square of n normal errors strays by √(2/n): three times 0.35 dB of 300, 0.50 dB of
+            // 150.
             let strays_db = 3.0 * 10.0 / std::f64::consts::LN_10 * (2.0 / trials as f64).sqrt();
             for got_db in &got_db[..parameters] {
                 assert!(got_db.abs() < 1.0 + strays_db, "{name} at {snr_db} dB: {got_db}");
@@ -152,7 +165,8 @@ fn refined_estimates_of_a_lone_point_stay_within_1_db_of_the_cramer_rao_bound() 
 #[test]
 fn refined_estimates_under_time_doppler_and_code_division_have_no_bias() {
     use artifact::radar::Multiplexing;
-    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm] {
+    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm]
+    {
         let mut header = radar(elements_3x4(), Refine::Isolated);
         header.radar.array.multiplexing = multiplexing;
         header.dsp.range_window = Window::Hann;
@@ -166,7 +180,8 @@ fn refined_estimates_under_time_doppler_and_code_division_have_no_bias() {
             let point = detect_refined(&header, &cube, &map).unwrap().points[0];
             let (range_m, velocity_mps, _) = truth(&header, &target);
             let range_cells = (point.range_m - range_m) / header.radar.waveform.range_resolution_m();
-            let velocity_cells = (point.radial_velocity_mps - velocity_mps) / header.radar.velocity_resolution_mps();
+            let velocity_cells =
+                (point.radial_velocity_mps - velocity_mps) / header.radar.velocity_resolution_mps();
             assert!(
                 range_cells.abs() < 0.01 && velocity_cells.abs() < 0.01,
                 "{multiplexing:?}, {seed}: {range_cells}, {velocity_cells}"
@@ -178,13 +193,15 @@ fn refined_estimates_under_time_doppler_and_code_division_have_no_bias() {
 #[test]
 fn an_equal_echo_anywhere_near_leaves_those_refined_within_1_db_of_their_bound() {
     let header = radar(elements_3x4(), Refine::Isolated);
-    // Same direction from unresolved to far, other velocities, other directions in the same cell; apart in both ways.
+    // Same direction from unresolved to far, other velocities, other directions in the same cell; apart in
+    // both ways.
     let apart = [[0.6, 0.0, 0.0], [3.0, 0.0, 0.0], [24.0, 0.0, 0.0], [0.0, 8.0, 0.0], [0.0, 0.0, 1.5]];
     for (apart, least_refined) in apart.map(|a| (a, 0.0)).into_iter().chain([([24.0, 8.0, 0.0], 0.95)]) {
         let pairs = pairs_refined(&header, 25.0, 100, apart);
         let got_db = pairs.over_bound_db;
         println!("{apart:?} apart: {:.2} refined, over the bound {got_db:.2?} dB", pairs.refined);
-        // Few refined stray by 4.34·√(2/n) dB, three times; the leakage may add 0.4 dB to the 1 dB of a lone one.
+        // Few refined stray by 4.34·√(2/n) dB, three times; the leakage may add 0.4 dB to the 1 dB of a lone
+        // one.
         let count = pairs.refined * pairs.found * 100.0;
         let strays_db = 3.0 * 10.0 / std::f64::consts::LN_10 * (2.0 / count).sqrt();
         assert!(pairs.refined >= least_refined, "{apart:?}: {}", pairs.refined);
@@ -238,9 +255,14 @@ fn study_of_estimates_against_the_bound() {
     for (what, places) in [
         (
             "range",
-            [0.3, 0.6, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 31.0].map(|n| [n, 0.0, 0.0]).as_slice(),
+            [0.3, 0.6, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 31.0]
+                .map(|n| [n, 0.0, 0.0])
+                .as_slice(),
         ),
-        ("velocity", [0.3, 0.6, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0].map(|n| [0.0, n, 0.0]).as_slice()),
+        (
+            "velocity",
+            [0.3, 0.6, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0].map(|n| [0.0, n, 0.0]).as_slice(),
+        ),
         ("direction", [0.3, 0.6, 1.0, 1.5, 2.0, 2.5, 3.0].map(|n| [0.0, 0.0, n]).as_slice()),
         ("range and direction", [1.0, 3.0, 6.0, 12.0, 24.0, 31.0].map(|n| [n, 0.0, 1.5]).as_slice()),
         ("range and velocity", [1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 24.0].map(|n| [n, 8.0, 0.0]).as_slice()),

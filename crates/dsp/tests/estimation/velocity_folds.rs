@@ -24,7 +24,8 @@ fn pair(samples: u32, chirps: u32, second_idle_s: f64) -> [CubeHeader; 2] {
     })
 }
 
-/// Both sub-frames, one after the other, with the targets where they are then; the first one's points, resolved.
+/// Both sub-frames, one after the other, with the targets where they are then; the first one's points,
+/// resolved.
 fn seen(headers: &[CubeHeader; 2], targets: &[Target], seed: u64) -> PointsFrame {
     let start_s = [0.0, headers[0].radar.frame_duration_s()];
     let frames = [0, 1].map(|i: usize| {
@@ -34,8 +35,11 @@ fn seen(headers: &[CubeHeader; 2], targets: &[Target], seed: u64) -> PointsFrame
                 ..*t
             })
             .collect();
-        detect(&headers[i], &range_doppler(&headers[i], &cube(&headers[i], &moved, 2 * seed + i as u64)).unwrap())
-            .unwrap()
+        detect(
+            &headers[i],
+            &range_doppler(&headers[i], &cube(&headers[i], &moved, 2 * seed + i as u64)).unwrap(),
+        )
+        .unwrap()
     });
     let sub_frame = |i: usize| SubFrame {
         header: &headers[i],
@@ -72,7 +76,8 @@ fn x2_ten_metres_a_second_of_experiment_3_come_out_right_with_two_intervals() {
             object.radial_velocity_mps, object.range_m
         );
         assert!(object.velocity_resolved);
-        // Interpolation is good to 0.003 cells of 0.27 m/s, noise to 0.01 cells; the range is free of the wrong fold's 0.11 m.
+        // Interpolation is good to 0.003 cells of 0.27 m/s, noise to 0.01 cells; the range is free of the
+        // wrong fold's 0.11 m.
         assert!((object.radial_velocity_mps - velocity_mps).abs() < 0.01, "{object:?}");
         assert!((object.range_m - range_m).abs() < 0.01, "{object:?}");
     }
@@ -88,10 +93,12 @@ fn isolated_is_right(headers: &[CubeHeader; 2], seed: u64) -> bool {
     let target = isolated(seed);
     let (range_m, velocity_mps, _) = truth(&headers[0], &target);
     let points = seen(headers, &[target], seed);
-    nearest(&points, range_m, velocity_mps).is_some_and(|o| (o.radial_velocity_mps - velocity_mps).abs() < 1.0)
+    nearest(&points, range_m, velocity_mps)
+        .is_some_and(|o| (o.radial_velocity_mps - velocity_mps).abs() < 1.0)
 }
 
-/// Vehicles of several scatterers, each at a speed of its own, and how many come out right, how many are said to be certain and wrong.
+/// Vehicles of several scatterers, each at a speed of its own, and how many come out right, how many are said
+/// to be certain and wrong.
 fn vehicles_right(headers: &[CubeHeader; 2], count: usize, seed: u64) -> [usize; 2] {
     let vehicles = vehicles(&headers[0], count, seed);
     let targets: Vec<Target> = vehicles.iter().flat_map(|v| v.0.clone()).collect();
@@ -113,7 +120,8 @@ fn vehicles(header: &CubeHeader, count: usize, seed: u64) -> Vec<Vehicle> {
             let speed = between(-30.0, 30.0);
             let points = vehicle(at, size, speed, 7 * seed + i as u64);
             let power: f64 = points.iter().map(|p| p.rcs_m2).sum();
-            let mean = |f: &dyn Fn(&Target) -> f64| points.iter().map(|p| p.rcs_m2 * f(p)).sum::<f64>() / power;
+            let mean =
+                |f: &dyn Fn(&Target) -> f64| points.iter().map(|p| p.rcs_m2 * f(p)).sum::<f64>() / power;
             let (range_m, velocity_mps) = (mean(&|p| truth(header, p).0), mean(&|p| truth(header, p).1));
             (points, range_m, velocity_mps)
         })
@@ -122,7 +130,8 @@ fn vehicles(header: &CubeHeader, count: usize, seed: u64) -> Vec<Vehicle> {
 
 fn right_of(points: &PointsFrame, vehicles: &[Vehicle]) -> [usize; 2] {
     let right = |(_, range_m, velocity_mps): &&Vehicle| {
-        nearest(points, *range_m, *velocity_mps).is_some_and(|o| (o.radial_velocity_mps - velocity_mps).abs() < 1.5)
+        nearest(points, *range_m, *velocity_mps)
+            .is_some_and(|o| (o.radial_velocity_mps - velocity_mps).abs() < 1.5)
     };
     let is_of = |o: &Object| vehicles.iter().any(|v| (o.radial_velocity_mps - v.2).abs() < 1.5);
     let wrong = points.objects.iter().filter(|o| o.velocity_resolved && !is_of(o)).count();
@@ -133,8 +142,10 @@ fn right_of(points: &PointsFrame, vehicles: &[Vehicle]) -> [usize; 2] {
 fn velocities_from_minus_30_to_30_come_out_right() {
     let headers = pair(256, 64, 25e-6);
     let isolated = (0..60_u64).into_par_iter().filter(|seed| isolated_is_right(&headers, *seed)).count();
-    let lone: Vec<[usize; 2]> = (0..12_u64).into_par_iter().map(|seed| vehicles_right(&headers, 1, seed)).collect();
-    let two: Vec<[usize; 2]> = (0..12_u64).into_par_iter().map(|seed| vehicles_right(&headers, 2, seed)).collect();
+    let lone: Vec<[usize; 2]> =
+        (0..12_u64).into_par_iter().map(|seed| vehicles_right(&headers, 1, seed)).collect();
+    let two: Vec<[usize; 2]> =
+        (0..12_u64).into_par_iter().map(|seed| vehicles_right(&headers, 2, seed)).collect();
     let sum = |all: &[[usize; 2]]| all.iter().map(|t| t[0]).sum::<usize>();
     println!(
         "right: {isolated} of 60 points, {} of 12 vehicles, {} of 24 that share range cells",
@@ -147,7 +158,8 @@ fn velocities_from_minus_30_to_30_come_out_right() {
     assert!(sum(&two) >= 20);
 }
 
-/// Three transmitters in turn on 3 × 4 elements or others: 128 samples, 29 µs from chirp to chirp, so that λ/2T is 67 m/s.
+/// Three transmitters in turn on 3 × 4 elements or others: 128 samples, 29 µs from chirp to chirp, so that
+/// λ/2T is 67 m/s.
 fn in_turn(elements: [Vec<[f64; 2]>; 2]) -> CubeHeader {
     let mut header = header(128, 64, elements);
     header.noise = NOISE_12_DB;
@@ -195,9 +207,12 @@ fn folds_of_vehicles(header: &CubeHeader, count: usize, seed: u64) -> [usize; 2]
 fn velocities_from_minus_30_to_30_are_told_by_the_phases_between_transmitters() {
     for (name, elements) in [("3x4", elements_3x4()), ("6x8", elements_6x8())] {
         let [found, certain, right, certain_right] = folds_of_points(&in_turn(elements), 60);
-        println!("{name}: {found} of 60 found, {right} right, {certain} certain, {certain_right} of them right");
+        println!(
+            "{name}: {found} of 60 found, {right} right, {certain} certain, {certain_right} of them right"
+        );
         assert!(found == 60 && certain_right == certain, "{name}");
-        // A wrong fold of 3 × 4 loses 30 % of the beam, of 6 × 8 6 %: the weakest points, at 55 m, are 14 dB over a channel's noise.
+        // A wrong fold of 3 × 4 loses 30 % of the beam, of 6 × 8 6 %: the weakest points, at 55 m, are 14 dB
+        // over a channel's noise.
         assert!(certain >= 57, "{name}: {certain}");
     }
 }
@@ -224,10 +239,13 @@ fn an_array_whose_wrong_folds_are_other_directions_claims_nothing() {
 fn what_a_wrong_fold_loses_is_the_receivers_pattern_at_the_turn() {
     let ahead = Direction { right: 0.0, up: None };
     let lost = least_loss(&in_turn(elements_3x4()), &[ahead], 1e6);
-    // 3 × 4 contiguous: a fold turns the row of transmitters by a third of a cycle, over 2 λ to u = 1/6; the receivers look ahead.
-    let row_of = |count: f64, x: f64| if x == 0.0 { 1.0 } else { ((count * x).sin() / (count * x.sin())).powi(2) };
-    let kept =
-        |u: f64| row_of(3.0, std::f64::consts::TAU * (u - 1.0 / 6.0)) * row_of(4.0, 0.5 * std::f64::consts::PI * u);
+    // 3 × 4 contiguous: a fold turns the row of transmitters by a third of a cycle, over 2 λ to u = 1/6; the
+    // receivers look ahead.
+    let row_of =
+        |count: f64, x: f64| if x == 0.0 { 1.0 } else { ((count * x).sin() / (count * x.sin())).powi(2) };
+    let kept = |u: f64| {
+        row_of(3.0, std::f64::consts::TAU * (u - 1.0 / 6.0)) * row_of(4.0, 0.5 * std::f64::consts::PI * u)
+    };
     let most = (0..10_000).map(|i| kept(f64::from(i) / 30_000.0)).fold(0.0, f64::max);
     println!("3x4 keeps {:.5}, by the rows' patterns {most:.5} ({:.2} dB)", 1.0 - lost, 10.0 * most.log10());
     // Steps of 3e-5 beside a maximum of curvature 200 leave 1e-7; the climb stops within 1e-4 of u.
@@ -248,9 +266,12 @@ fn study_of_velocities_beyond_the_span() {
         let points = if samples == 256 { 3000 } else { 1500 };
         let isolated = (0..points).into_par_iter().filter(|seed| isolated_is_right(&headers, *seed)).count();
         row(&mut page, name, "lone points", isolated, points as usize, None);
-        for (what, count, trials) in [("vehicles", 1, 300), ("vehicles, two in the same range cells", 2, 300)] {
-            let all: Vec<[usize; 2]> =
-                (0..trials).into_par_iter().map(|seed| vehicles_right(&headers, count, 1000 + seed)).collect();
+        for (what, count, trials) in [("vehicles", 1, 300), ("vehicles, two in the same range cells", 2, 300)]
+        {
+            let all: Vec<[usize; 2]> = (0..trials)
+                .into_par_iter()
+                .map(|seed| vehicles_right(&headers, count, 1000 + seed))
+                .collect();
             let sum = |i: usize| all.iter().map(|t| t[i]).sum::<usize>();
             row(&mut page, name, what, sum(0), count * trials as usize, Some(sum(1)));
         }
@@ -267,19 +288,27 @@ fn in_turn_study() {
     arrays_in_turn(&mut page);
     page.push_str(VEHICLES_IN_TURN);
     vehicles_in_turn(&mut page);
-    std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/validation/transmitters-in-turn.md"), page)
-        .unwrap();
+    std::fs::write(
+        concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/validation/transmitters-in-turn.md"),
+        page,
+    )
+    .unwrap();
 }
 
 /// What arrays can tell, and what they told of lone points.
 fn arrays_in_turn(page: &mut String) {
     let row = |places: &[f64]| places.iter().map(|p| [*p, 0.0]).collect::<Vec<_>>();
-    let directions: Vec<Direction> = (-10..=10).map(|i| Direction { right: 0.05 * f64::from(i), up: None }).collect();
+    let directions: Vec<Direction> =
+        (-10..=10).map(|i| Direction { right: 0.05 * f64::from(i), up: None }).collect();
     for (name, elements, trials) in [
         ("2x4: 0, 4", [row(&[0.0, 4.0]), row(&[0.0, 1.0, 2.0, 3.0])], 300),
         ("3x4: 0, 4, 8", elements_3x4(), 1000),
         ("3x4, one overlapping: 0, 3, 6", [row(&[0.0, 3.0, 6.0]), row(&[0.0, 1.0, 2.0, 3.0])], 300),
-        ("3x4, wide receivers: 0, 1, 2 by 0, 3, 6, 9", [row(&[0.0, 1.0, 2.0]), row(&[0.0, 3.0, 6.0, 9.0])], 300),
+        (
+            "3x4, wide receivers: 0, 1, 2 by 0, 3, 6, 9",
+            [row(&[0.0, 1.0, 2.0]), row(&[0.0, 3.0, 6.0, 9.0])],
+            300,
+        ),
         ("6x8 with elevation", elements_6x8(), 300),
         ("12x16", elements_12x16(), 40),
         ("4x1: 0, 1, 2, 3", [row(&[0.0, 1.0, 2.0, 3.0]), row(&[0.0])], 300),

@@ -21,7 +21,10 @@ fn noisy(samples: u32) -> CubeHeader {
 fn two_targets_in_neighbouring_lanes_are_two_objects_in_their_lanes() {
     let header = noisy(256);
     // 1.5 m apart in range and 3.75 m across: nearer than the clusters' reach in range.
-    let pair = [target([2.0, 38.0, 0.75], [0.0, -8.0, 0.0], 10.0), target([5.75, 39.2, 0.75], [0.0, -8.2, 0.0], 10.0)];
+    let pair = [
+        target([2.0, 38.0, 0.75], [0.0, -8.0, 0.0], 10.0),
+        target([5.75, 39.2, 0.75], [0.0, -8.2, 0.0], 10.0),
+    ];
     let points = seen(&header, &pair, 3);
     let mut lanes: Vec<_> = points.objects.iter().map(|o| o.lane).collect();
     lanes.sort();
@@ -88,9 +91,15 @@ fn cars_abreast_in_three_lanes_at_their_own_speeds_are_three_objects() {
             .flat_map(|(i, (x, y, v))| vehicle([*x, *y], [5.0, 2.0, 1.8], *v, 100 * seed + i as u64))
             .collect();
         let points = seen(&noisy(256), &cars, seed);
-        println!("seed {seed}: {:?}", points.objects.iter().map(|o| (o.points, o.lane, o.snr_db)).collect::<Vec<_>>());
+        println!(
+            "seed {seed}: {:?}",
+            points.objects.iter().map(|o| (o.points, o.lane, o.snr_db)).collect::<Vec<_>>()
+        );
         assert_eq!(points.objects.len(), 3, "seed {seed}: {:#?}", points.objects);
-        assert_eq!(points.objects.iter().filter_map(|o| o.lane).collect::<std::collections::BTreeSet<_>>().len(), 3);
+        assert_eq!(
+            points.objects.iter().filter_map(|o| o.lane).collect::<std::collections::BTreeSet<_>>().len(),
+            3
+        );
     }
 }
 
@@ -116,7 +125,8 @@ fn sidelobes_of_a_very_strong_target_become_no_objects() {
 #[test]
 fn a_weak_target_well_beside_a_strong_ones_sidelobes_is_kept() {
     let header = noisy(256);
-    let pair = [target([2.0, 30.0, 0.75], [0.0, -6.0, 0.0], 1e4), target([5.75, 45.0, 0.75], [0.0, 3.0, 0.0], 1.0)];
+    let pair =
+        [target([2.0, 30.0, 0.75], [0.0, -6.0, 0.0], 1e4), target([5.75, 45.0, 0.75], [0.0, 3.0, 0.0], 1.0)];
     assert_eq!(seen(&header, &pair, 2).objects.len(), 2);
 }
 

@@ -50,7 +50,8 @@ fn a_row_of_reflectors_is_told_to_be_at_rest_and_a_car_beside_it_is_not() {
         assert_eq!(moving.len(), 1, "seed {seed}: {:#?}", frame.objects);
         assert!((moving[0].range_m - 35.0).abs() < 3.0 && moving[0].lane == Some(2), "{:#?}", moving[0]);
         assert!(frame.objects.len() > 1, "the row is seen: {:#?}", frame.objects);
-        // Each point is told with the peak that it lies under: points of an object at rest are at rest, on whatever row of the lobe.
+        // Each point is told with the peak that it lies under: points of an object at rest are at rest, on
+        // whatever row of the lobe.
         for point in &frame.points {
             let of_object = point.object.and_then(|o| frame.objects[o as usize].stationary);
             assert!(
@@ -108,7 +109,9 @@ fn what_is_slower_than_half_a_doppler_cell_is_at_rest_and_what_is_faster_is_not(
 fn a_blind_speed_is_rest_unless_its_fold_is_told() {
     let mut header = asked(StaticEchoes::Mark);
     let span_mps = 2.0 * header.radar.velocity_max_mps();
-    assert!(is_at_rest(&header, span_mps, Fold::Assumed, 1e6) && !is_at_rest(&header, span_mps, Fold::Told, 1e6));
+    assert!(
+        is_at_rest(&header, span_mps, Fold::Assumed, 1e6) && !is_at_rest(&header, span_mps, Fold::Told, 1e6)
+    );
     // Time division tells the folds by the turns of its slots: λ/4T of three slots is 5.4 m/s.
     header.radar.array.multiplexing = Multiplexing::Tdm;
     let span_mps = 2.0 * header.radar.velocity_max_mps();

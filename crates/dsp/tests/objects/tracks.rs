@@ -1,4 +1,5 @@
-//! Tracks of bodies that move as the filter believes: what it says of its own errors, identities, births and deaths.
+//! Tracks of bodies that move as the filter believes: what it says of its own errors, identities, births and
+//! deaths.
 
 use crate::common::{elements_3x4, header};
 use artifact::cube::CubeHeader;
@@ -62,7 +63,8 @@ fn object(header: &CubeHeader, body: Body, random: &mut ChaCha8Rng) -> Object {
     let variance = Site::new(header).measurement(&exact, &ROAD_TRAFFIC).variance;
     let [range, azimuth, rate] = variance.map(|v| v.sqrt() * normal(random));
     let ground_m = DVec2::new(away.x, away.y).length();
-    let place = DVec2::from_angle(std::f64::consts::FRAC_PI_2 - exact.azimuth_rad - azimuth) * (ground_m + range);
+    let place =
+        DVec2::from_angle(std::f64::consts::FRAC_PI_2 - exact.azimuth_rad - azimuth) * (ground_m + range);
     Object {
         range_m: exact.range_m + range,
         radial_velocity_mps: exact.radial_velocity_mps + rate,
@@ -105,7 +107,8 @@ fn follow(bodies: &[Body], frames: u32, seed: u64, seen: impl Fn(usize, u32) -> 
     (0..frames)
         .map(|index| {
             let now = bodies.iter().map(|b| b.after(f64::from(index) * INTERVAL_S)).enumerate();
-            let objects = now.filter(|(i, _)| seen(*i, index)).map(|(_, b)| object(&header, b, &mut random)).collect();
+            let objects =
+                now.filter(|(i, _)| seen(*i, index)).map(|(_, b)| object(&header, b, &mut random)).collect();
             tracker.step(&frame(index, objects)).expect("frames go forward")
         })
         .collect()
@@ -155,7 +158,8 @@ fn normalised_errors_are_chi_squared_of_four_degrees_of_freedom() {
         let mut truth = body(4.0, 45.0, ROAD_TRAFFIC.tangential_mps * normal(&mut random), along);
         let mut tracker = tracker(&header);
         for index in 0..FRAMES {
-            let tracks = tracker.step(&frame(index, vec![object(&header, truth, &mut random)])).unwrap().tracks;
+            let tracks =
+                tracker.step(&frame(index, vec![object(&header, truth, &mut random)])).unwrap().tracks;
             if tracks.len() > 1 {
                 println!("run {run} frame {index}: the object is outside of the gate");
                 break;
@@ -171,7 +175,11 @@ fn normalised_errors_are_chi_squared_of_four_degrees_of_freedom() {
     // 1e-5 of 10,000 objects lie outside of the gate; more than two have a chance of 2e-4.
     assert!(counts[FRAMES as usize - 1] + 2 >= RUNS as u32, "{counts:?}");
     for index in [3, 5, 10, 20, 39] {
-        assert!((means[index] - 4.0).abs() < 4.0 * (8.0 / RUNS as f64).sqrt(), "frame {index}: {}", means[index]);
+        assert!(
+            (means[index] - 4.0).abs() < 4.0 * (8.0 / RUNS as f64).sqrt(),
+            "frame {index}: {}",
+            means[index]
+        );
     }
 }
 
@@ -187,8 +195,9 @@ fn bodies_that_cross_keep_their_tracks() {
         for seed in 0..20 {
             let frames = follow(pair, 30, seed, |_, _| true);
             for (i, start) in pair.iter().enumerate() {
-                let [early, late] = [5_u32, 29]
-                    .map(|index| nearest(&frames[index as usize], start.after(f64::from(index) * INTERVAL_S)).id);
+                let [early, late] = [5_u32, 29].map(|index| {
+                    nearest(&frames[index as usize], start.after(f64::from(index) * INTERVAL_S)).id
+                });
                 assert_eq!(early, late, "case {case}, seed {seed}, body {i}");
             }
             assert_eq!(believed(&frames[29]).len(), 2, "case {case}, seed {seed}");
@@ -200,13 +209,19 @@ fn bodies_that_cross_keep_their_tracks() {
 fn a_body_missed_in_one_frame_of_four_stays_one_track_that_says_when_it_coasts() {
     for seed in 0..20 {
         // A fixed pattern that misses up to two frames in a row.
-        let is_seen =
-            |_: usize, index: u32| index < 4 || !(index + seed as u32).wrapping_mul(2_654_435_761).is_multiple_of(4);
+        let is_seen = |_: usize, index: u32| {
+            index < 4 || !(index + seed as u32).wrapping_mul(2_654_435_761).is_multiple_of(4)
+        };
         let frames = follow(&[body(5.75, 50.0, 0.0, -6.0)], 50, seed, is_seen);
         for f in &frames[3..] {
             assert_eq!(f.tracks.len(), 1, "seed {seed} frame {}", f.index);
             let (track, seen) = (&f.tracks[0], is_seen(0, f.index));
-            assert_eq!((track.id, track.state == TrackState::Coasting), (0, !seen), "seed {seed} frame {}", f.index);
+            assert_eq!(
+                (track.id, track.state == TrackState::Coasting),
+                (0, !seen),
+                "seed {seed} frame {}",
+                f.index
+            );
         }
     }
 }
@@ -222,7 +237,8 @@ fn a_track_is_believed_with_its_third_object_and_outlives_its_last_by_a_quarter_
     // Last object in frame 59; coasting through ten intervals but one, however long it was seen.
     assert_eq!((long[68].tracks.len(), long[69].tracks.len()), (1, 0));
     assert_eq!(frames[8].tracks[0].age_frames, 4);
-    let again = follow(&[body(2.0, 40.0, 0.0, -5.0)], 60, 1, |_, index| (5..20).contains(&index) || index > 35);
+    let again =
+        follow(&[body(2.0, 40.0, 0.0, -5.0)], 60, 1, |_, index| (5..20).contains(&index) || index > 35);
     assert_eq!(again[40].tracks[0].id, 1, "a body that comes back after its track's death is a new one");
 }
 
@@ -267,8 +283,8 @@ fn objects_of_noise_are_hardly_ever_believed() {
         ever.extend(believed(&tracks).iter().map(|t| t.id));
     }
     println!("{} believed of 300 objects", ever.len());
-    // A second object within a new track's gate (about 5 m × 5 m/s × 0.3 rad of 60 m × 30 m/s × 3 rad, in four frames of 0.3
-    // objects) follows 1e-3 of them, a third fewer still.
+    // A second object within a new track's gate (about 5 m × 5 m/s × 0.3 rad of 60 m × 30 m/s × 3 rad, in
+    // four frames of 0.3 objects) follows 1e-3 of them, a third fewer still.
     assert!(ever.len() <= 1, "{ever:?}");
 }
 
@@ -286,7 +302,8 @@ fn an_aliased_velocity_is_told_by_the_range_after_some_frames_and_the_track_says
                 let mut seen = object(&header, start.after(f64::from(index) * INTERVAL_S), &mut random);
                 let exact_mps = seen.radial_velocity_mps;
                 seen.radial_velocity_mps -= span_mps * (exact_mps / span_mps).round();
-                // The map shows the range with the coupling of the true velocity, points with that of the folded one.
+                // The map shows the range with the coupling of the true velocity, points with that of the
+                // folded one.
                 let w = &header.radar.waveform;
                 let coupling = w.centre_frequency_hz() / w.slope_hz_per_s;
                 seen.range_m += coupling * (exact_mps - seen.radial_velocity_mps);
@@ -314,8 +331,8 @@ fn pieces_of_a_long_body_are_one_track_and_a_queue_is_many() {
     let mut tracker = tracker(&header);
     let mut last = None;
     for index in 0..24 {
-        let ends =
-            [30.0, 41.0].map(|y| object(&header, body(5.75, y, 0.0, -4.0).after(f64::from(index) * 0.1), &mut random));
+        let ends = [30.0, 41.0]
+            .map(|y| object(&header, body(5.75, y, 0.0, -4.0).after(f64::from(index) * 0.1), &mut random));
         let seen = if index % 4 == 3 {
             frame(index, ends.to_vec())
         } else {
@@ -351,8 +368,8 @@ fn the_box_lies_along_the_way_and_reaches_over_the_points() {
     let cell_m = header.radar.waveform.range_resolution_m();
     println!("{:?}", track.footprint);
     assert!((track.footprint.heading_rad + std::f64::consts::FRAC_PI_2).abs() < 0.1);
-    // Points reach over 5 m and stand a cell beyond the body at either end; the filter's own place errs by 0.1 m, and an end
-    // comes back slowly.
+    // Points reach over 5 m and stand a cell beyond the body at either end; the filter's own place errs by
+    // 0.1 m, and an end comes back slowly.
     assert!((track.footprint.length_m - (5.0 - 2.0 * cell_m)).abs() < 0.4, "{:?}", track.footprint);
     let middle = DVec2::from(track.footprint.centre_m);
     assert!((middle.y - (now.place_m.y + 1.0)).abs() < 0.4, "{middle} {now:?}");
@@ -367,13 +384,15 @@ fn what_of_a_car_is_not_seen_lies_behind_what_is() {
     let (now, footprint) = (towards.after(19.0 * INTERVAL_S), frames[19].tracks[0].footprint);
     println!("{footprint:?} of {now:?}");
     assert_eq!(footprint.length_m, 4.0);
-    // Half a car behind the point; the filter's own place errs by 0.1 m, and along by the cell that it takes points to be spread.
+    // Half a car behind the point; the filter's own place errs by 0.1 m, and along by the cell that it takes
+    // points to be spread.
     assert!((footprint.centre_m[1] - (now.place_m.y + 2.0)).abs() < 0.4);
 }
 
 #[test]
 fn the_same_objects_give_the_same_tracks() {
-    let bodies: Vec<Body> = (0..5).map(|i| body(2.0 + f64::from(i), 20.0 + 6.0 * f64::from(i), 0.0, -3.0)).collect();
+    let bodies: Vec<Body> =
+        (0..5).map(|i| body(2.0 + f64::from(i), 20.0 + 6.0 * f64::from(i), 0.0, -3.0)).collect();
     let run = || follow(&bodies, 25, 9, |i, index| !(i as u32 + index).is_multiple_of(5));
     assert_eq!(run(), run());
 }
@@ -395,7 +414,15 @@ fn frames_that_do_not_go_forward_and_objects_that_are_not_finite_are_refused() {
 
 fn any_object() -> impl Strategy<Value = Object> {
     let number = || prop_oneof![-100.0_f64..100.0, Just(0.0), Just(1e12), Just(-1e12), Just(1e-300)];
-    (number(), number(), number(), [number(), number(), number()], number(), [number(), number()], any::<bool>())
+    (
+        number(),
+        number(),
+        number(),
+        [number(), number(), number()],
+        number(),
+        [number(), number()],
+        any::<bool>(),
+    )
         .prop_map(|(range_m, rate, azimuth_rad, position_m, snr_db, extent, velocity_resolved)| Object {
             range_m,
             radial_velocity_mps: rate,

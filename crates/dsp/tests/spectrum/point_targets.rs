@@ -15,7 +15,8 @@ fn seen(header: &CubeHeader, targets: &[Target]) -> PointsFrame {
 fn peak(header: &CubeHeader, targets: &[Target]) -> (f64, f64) {
     let map = range_doppler(header, &cube(header, targets, 1)).unwrap();
     let power = power_map(header, &map).unwrap();
-    let (cell, _) = power.indexed_iter().fold(((0, 0), 0.0), |best, (at, p)| if *p > best.1 { (at, *p) } else { best });
+    let (cell, _) =
+        power.indexed_iter().fold(((0, 0), 0.0), |best, (at, p)| if *p > best.1 { (at, *p) } else { best });
     (velocity_axis_mps(header)[cell.0], range_axis_m(header)[cell.1])
 }
 
@@ -62,7 +63,8 @@ fn a_moving_point_is_placed_to_2_cm_and_0_005_mps() {
     }
 }
 
-const WINDOWS: [Window; 5] = [Window::Rect, Window::Hann, Window::Hamming, Window::Blackman, Window::Chebyshev(80.0)];
+const WINDOWS: [Window; 5] =
+    [Window::Rect, Window::Hann, Window::Hamming, Window::Blackman, Window::Chebyshev(80.0)];
 
 #[test]
 fn interpolated_peaks_lie_within_2_percent_of_a_cell_for_every_window() {
@@ -73,7 +75,8 @@ fn interpolated_peaks_lie_within_2_percent_of_a_cell_for_every_window() {
         let cells = [header.radar.waveform.range_resolution_m(), header.radar.velocity_resolution_mps()];
         let mut worst = [0.0_f64; 2];
         for step in 0..21 {
-            // On the line along the boresight, in the frame's middle: off the cells' centres by −½ to ½, in either axis.
+            // On the line along the boresight, in the frame's middle: off the cells' centres by −½ to ½, in
+            // either axis.
             let (part, other) = (f64::from(step) / 20.0 - 0.5, f64::from(7 * step % 21) / 20.0 - 0.5);
             let velocity = (-12.0 + other) * cells[1];
             let range = (150.0 + part) * cells[0] - velocity * header.radar.frame_middle_s();

@@ -128,7 +128,8 @@ fn odd_sizes_put_zero_velocity_at_half_rounded_down() {
     header.dsp.training_cells = [4, 8];
     let map = range_doppler(&header, &cube(&header, &[target([0.0, 12.0, 6.0], [0.0; 3], 1.0)], 1)).unwrap();
     let power = power_map(&header, &map).unwrap();
-    let (peak, _) = power.indexed_iter().fold(((0, 0), 0.0), |b, (at, p)| if *p > b.1 { (at, *p) } else { b });
+    let (peak, _) =
+        power.indexed_iter().fold(((0, 0), 0.0), |b, (at, p)| if *p > b.1 { (at, *p) } else { b });
     assert_eq!(peak.0, 16);
     assert_eq!(dsp::velocity_axis_mps(&header)[16], 0.0);
 }
@@ -140,9 +141,12 @@ fn a_falling_slope_makes_the_same_map_axes() {
     header.radar.waveform.start_frequency_hz += 0.625e9;
     place_elements(&mut header.radar);
     let target = target([5.75, 30.3, 0.75], [0.0, -5.0, 0.0], 10.0);
-    let object = detect(&header, &range_doppler(&header, &cube(&header, &[target], 1)).unwrap()).unwrap().objects[0];
+    let object =
+        detect(&header, &range_doppler(&header, &cube(&header, &[target], 1)).unwrap()).unwrap().objects[0];
     let (range_m, radial_mps, position_m) = truth(&header, &target);
-    assert!((object.range_m - range_m).abs() < 0.02 && (object.radial_velocity_mps - radial_mps).abs() < 5e-3);
+    assert!(
+        (object.range_m - range_m).abs() < 0.02 && (object.radial_velocity_mps - radial_mps).abs() < 5e-3
+    );
     assert!((object.position_m[0] - position_m[0]).abs() < 5e-3);
 }
 
@@ -173,7 +177,8 @@ fn a_noise_free_map_says_what_floor_it_took() {
 
 #[test]
 fn the_same_cube_gives_the_same_bytes_on_one_and_two_threads() {
-    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm] {
+    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm]
+    {
         let mut header = header(128, 64, elements_3x4());
         header.noise = NOISE_12_DB;
         header.radar.array.multiplexing = multiplexing;
@@ -184,7 +189,8 @@ fn the_same_cube_gives_the_same_bytes_on_one_and_two_threads() {
             let crop = crop(&header, &map, &points.objects[0], &PAPER_CROP).unwrap();
             (map, points, crop)
         };
-        let on = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(work);
+        let on =
+            |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(work);
         assert_eq!(on(1), on(2));
     }
 }

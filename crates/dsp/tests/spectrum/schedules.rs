@@ -34,7 +34,8 @@ fn rows_of_staggered_chirps_are_the_sums_at_their_own_times() {
                     let mut sum = Complex64::ZERO;
                     for (i, x) in samples.iter().enumerate() {
                         let (chirp, n) = (i / 8, i % 8);
-                        let later_s = header.radar.chirp_start_s(tx, chirp) - header.radar.chirp_start_s(tx, 0);
+                        let later_s =
+                            header.radar.chirp_start_s(tx, chirp) - header.radar.chirp_start_s(tx, 0);
                         let cycles = doppler_hz * later_s + (n * (at % 8)) as f64 / 8.0;
                         let weight = doppler_taper[chirp] * range_taper[n];
                         sum += Complex64::new(x.re.into(), x.im.into())
@@ -42,7 +43,10 @@ fn rows_of_staggered_chirps_are_the_sums_at_their_own_times() {
                             * Complex64::from_polar(1.0, -TAU * cycles);
                     }
                     // Rounding of 56 terms, 2e-16 each.
-                    assert!((got - sum).norm() < 1e-13 * scale, "{chirps} chirps, cell {at}: {got} against {sum}");
+                    assert!(
+                        (got - sum).norm() < 1e-13 * scale,
+                        "{chirps} chirps, cell {at}: {got} against {sum}"
+                    );
                 }
             }
         }
@@ -63,8 +67,12 @@ fn a_point_seen_by_staggered_chirps_is_placed_as_by_even_ones() {
             "{multiplexing:?}: {} m, {} m/s against {range_m}, {velocity_mps}",
             object.range_m, object.radial_velocity_mps
         );
-        // As in point_targets.rs, where chirps are even; the stagger's sidelobes lie where the main lobe does not reach.
-        assert!((object.range_m - range_m).abs() < 0.02 && (object.radial_velocity_mps - velocity_mps).abs() < 5e-3);
+        // As in point_targets.rs, where chirps are even; the stagger's sidelobes lie where the main lobe does
+        // not reach.
+        assert!(
+            (object.range_m - range_m).abs() < 0.02
+                && (object.radial_velocity_mps - velocity_mps).abs() < 5e-3
+        );
         assert!((object.position_m[0] - at_m[0]).abs() < 5e-3);
     }
 }

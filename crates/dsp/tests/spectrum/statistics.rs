@@ -17,7 +17,8 @@ fn s4_the_unwindowed_map_keeps_the_energy_of_the_samples() {
         header.dsp.doppler_window = Window::Rect;
         let frame = cube(&header, &[target([2.0, 20.0, 1.0], [0.0, -3.0, 0.0], 1.0)], 4);
         let map = RangeDoppler::<f64>::new(&header).unwrap().channel(&frame.samples, 0.0);
-        let before: f64 = frame.samples.iter().map(|x| f64::from(x.re).powi(2) + f64::from(x.im).powi(2)).sum();
+        let before: f64 =
+            frame.samples.iter().map(|x| f64::from(x.re).powi(2) + f64::from(x.im).powi(2)).sum();
         let after: f64 = map.iter().map(|v| v.norm_sqr()).sum();
         let error = (after / (before * map.len() as f64) - 1.0).abs();
         println!("S4, {samples} × {chirps}: asked 1e-12, got {error:.1e}");
@@ -35,7 +36,8 @@ fn a_map_in_single_precision_errs_by_what_rounding_its_cube_costs() {
         let narrow = RangeDoppler::<f32>::new(&header).unwrap().channel(&frame.samples, 0.1);
         let wide = RangeDoppler::<f64>::new(&header).unwrap().channel(&frame.samples, 0.1);
         let energy: f64 = wide.iter().map(|v| v.norm_sqr()).sum();
-        let difference = |(n, w): (&Complex32, &Complex64)| (Complex64::new(n.re.into(), n.im.into()) - w).norm_sqr();
+        let difference =
+            |(n, w): (&Complex32, &Complex64)| (Complex64::new(n.re.into(), n.im.into()) - w).norm_sqr();
         let error = (narrow.iter().zip(&wide).map(difference).sum::<f64>() / energy).sqrt();
         // ε/2 for each of four roundings of input and windows, and of every other stage of the transforms.
         let stages = f64::from(samples * chirps).log2();
@@ -55,8 +57,10 @@ fn a_tone_on_a_bins_centre_gives_amplitude_times_cells_with_every_window() {
             let cycles = 9.0 * n as f64 / 64.0 - 5.0 * chirp as f64 / 32.0;
             Complex64::from_polar(0.25, std::f64::consts::TAU * cycles)
         };
-        let samples: Vec<_> =
-            (0..32 * 64).map(|at| tone(at / 64, at % 64)).map(|v| Complex32::new(v.re as f32, v.im as f32)).collect();
+        let samples: Vec<_> = (0..32 * 64)
+            .map(|at| tone(at / 64, at % 64))
+            .map(|v| Complex32::new(v.re as f32, v.im as f32))
+            .collect();
         let map = RangeDoppler::<f64>::new(&header).unwrap().channel(&samples, 0.0);
         // Single-precision samples: 6e-8 of the amplitude each.
         assert!((map[(16 - 5) * 64 + 9].norm() / (0.25 * 32.0 * 64.0) - 1.0).abs() < 1e-6, "{window:?}");
@@ -72,7 +76,8 @@ fn at_bin_centre(header: &artifact::cube::CubeHeader, range_m: f64) -> Target {
 
 #[test]
 fn s6_ten_dbsm_at_25_40_60_m_has_the_signal_to_noise_ratio_of_the_radar_equation() {
-    // physics.md §9: P_t + G_t + G_r − F = −12 dB, no window: 42.9 / 34.75 / 27.7 dB; F = 14 dB makes the sum.
+    // physics.md §9: P_t + G_t + G_r − F = −12 dB, no window: 42.9 / 34.75 / 27.7 dB; F = 14 dB makes the
+    // sum.
     for (range_m, asked_db) in [(25.0, 42.9), (40.0, 34.75), (60.0, 27.7)] {
         for window in [Window::Rect, Window::Hann] {
             let mut header = header(256, 128, elements_1x1());
@@ -80,9 +85,12 @@ fn s6_ten_dbsm_at_25_40_60_m_has_the_signal_to_noise_ratio_of_the_radar_equation
             header.dsp.range_window = window;
             header.dsp.doppler_window = window;
             let asked_db = asked_db - 10.0 * (enbw(window, 256) * enbw(window, 128)).log10();
-            let ratio: f64 =
-                (0..16).map(|seed| signal_to_noise(&header, at_bin_centre(&header, range_m), seed)).sum::<f64>() / 16.0;
-            // 16 peaks of 27 dB: 20·log₁₀(1 + 1/√(2·16·500)) = 0.07 dB standard deviation at worst; rounding of the printed figures 0.05.
+            let ratio: f64 = (0..16)
+                .map(|seed| signal_to_noise(&header, at_bin_centre(&header, range_m), seed))
+                .sum::<f64>()
+                / 16.0;
+            // 16 peaks of 27 dB: 20·log₁₀(1 + 1/√(2·16·500)) = 0.07 dB standard deviation at worst; rounding
+            // of the printed figures 0.05.
             assert!(
                 (10.0 * ratio.log10() - asked_db).abs() < 0.2,
                 "{window:?} at {range_m} m: {} against {asked_db}",
@@ -99,7 +107,8 @@ fn enbw(window: Window, length: usize) -> f64 {
 /// Peak over the mean of a noise-only map, less the noise under the peak.
 fn signal_to_noise(header: &artifact::cube::CubeHeader, target: Target, seed: u64) -> f64 {
     let with = power_map(header, &range_doppler(header, &cube(header, &[target], seed)).unwrap()).unwrap();
-    let without = power_map(header, &range_doppler(header, &cube(header, &[], seed + 1000)).unwrap()).unwrap();
+    let without =
+        power_map(header, &range_doppler(header, &cube(header, &[], seed + 1000)).unwrap()).unwrap();
     with.iter().copied().fold(0.0, f64::max) / without.mean().unwrap() - 1.0
 }
 
@@ -109,7 +118,8 @@ fn s6_points_report_this_ratio_over_the_maps_own_noise() {
     header.noise = Noise::Figure { noise_figure_db: 14.0, temperature_k: 290.0 };
     let target = at_bin_centre(&header, 40.0);
     let points = detect(&header, &range_doppler(&header, &cube(&header, &[target], 3)).unwrap()).unwrap();
-    // 34.75 dB less 3.52 dB for Hann on both axes; 12 channels of 31 dB: 0.06 dB standard deviation, the median 0.05 dB.
+    // 34.75 dB less 3.52 dB for Hann on both axes; 12 channels of 31 dB: 0.06 dB standard deviation, the
+    // median 0.05 dB.
     assert!((points.objects[0].snr_db - (34.75 - 3.52)).abs() < 0.3, "{}", points.objects[0].snr_db);
 }
 
@@ -121,7 +131,8 @@ fn the_noise_level_comes_from_the_map_whatever_stands_in_it() {
     for targets in [vec![], vec![target([5.0, 30.0, 1.0], [0.0, -5.0, 0.0], 1000.0)]] {
         let map = range_doppler(&header, &cube(&header, &targets, 7)).unwrap();
         let got = noise_power(&header, &map).unwrap();
-        // Median of 32 768 sums of 12 correlated over ≈ 4 cells: 1.25·√(4/12/32768) = 0.4 % standard deviation.
+        // Median of 32 768 sums of 12 correlated over ≈ 4 cells: 1.25·√(4/12/32768) = 0.4 % standard
+        // deviation.
         assert!((got / asked - 1.0).abs() < 0.02, "{}", got / asked);
     }
 }

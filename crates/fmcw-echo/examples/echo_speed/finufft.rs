@@ -13,7 +13,10 @@ pub(crate) fn print_seconds(radar: &Radar, paths: &[Path]) {
     let tones: Vec<u8> = paths.iter().flat_map(|path| tone(radar, path)).flat_map(f32::to_le_bytes).collect();
     let script = include_str!("finufft.py");
     let mut command = Command::new("python3");
-    command.args(["-c", script, "48", "1e-3"]).arg(rayon::current_num_threads().to_string()).stdin(Stdio::piped());
+    command
+        .args(["-c", script, "48", "1e-3"])
+        .arg(rayon::current_num_threads().to_string())
+        .stdin(Stdio::piped());
     let given = command.spawn().and_then(|mut child| {
         if let Some(pipe) = child.stdin.as_mut() {
             pipe.write_all(&tones)?;

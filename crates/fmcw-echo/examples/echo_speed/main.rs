@@ -1,6 +1,6 @@
-//! Seconds and error of the fast sum beside the direct one: `cargo run --release -p fmcw-echo --example echo_speed -- [paths
-//! [bodies [direct|finufft]]]`, 3 × 4 elements, 128 chirps of 256 samples; the last word also times the direct sum, or FINUFFT's
-//! transforms of the same tones at -60 dB, where `python3` finds it.
+//! Seconds and error of the fast sum beside the direct one: `cargo run --release -p fmcw-echo --example
+//! echo_speed -- [paths [bodies [direct|finufft]]]`, 3 × 4 elements, 128 chirps of 256 samples; the last word
+//! also times the direct sum, or FINUFFT's transforms of the same tones at -60 dB, where `python3` finds it.
 
 mod finufft;
 #[path = "../../tests/echo/setting.rs"]
@@ -16,8 +16,9 @@ use std::time::Instant;
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let number =
-        |place: usize, default: usize| arguments.get(place).and_then(|text| text.parse().ok()).unwrap_or(default);
+    let number = |place: usize, default: usize| {
+        arguments.get(place).and_then(|text| text.parse().ok()).unwrap_or(default)
+    };
     let (count, bodies) = (number(0, 67_000), number(1, 1));
     let radar = setting::radar(setting::experiment(1), &setting::presets()[2], Multiplexing::Simultaneous);
     let paths: Vec<_> = (0..bodies)
@@ -33,7 +34,8 @@ fn main() {
     let exact: Vec<Complex64> =
         probes.par_iter().map(|at| reference::cube_sample(&radar, centre_hz, &paths, *at, None)).collect();
     let error_db = |cube: &[Complex64]| {
-        let got: Vec<Complex64> = probes.iter().map(|[c, n, m]| cube[(c * chirps + n) * samples + m]).collect();
+        let got: Vec<Complex64> =
+            probes.iter().map(|[c, n, m]| cube[(c * chirps + n) * samples + m]).collect();
         setting::error_db(&got, &exact)
     };
     println!("{} paths of {bodies} bodies, {} threads", paths.len(), rayon::current_num_threads());

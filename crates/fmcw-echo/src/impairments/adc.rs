@@ -4,9 +4,11 @@ use artifact::radar::Adc;
 use num_complex::Complex32;
 use rayon::prelude::*;
 
-/// Rounds and clips samples as a converter with codes −2^(b−1) … 2^(b−1) − 1 does, a code being full scale/2^(b−1).
+/// Rounds and clips samples as a converter with codes −2^(b−1) … 2^(b−1) − 1 does, a code being full
+/// scale/2^(b−1).
 ///
-/// Between the clips the error of a part is spread evenly over a code q: variance q²/12 (Bennett, Bell Syst. Tech. J. 27 (1948) 446).
+/// Between the clips the error of a part is spread evenly over a code q: variance q²/12 (Bennett, Bell Syst.
+/// Tech. J. 27 (1948) 446).
 pub fn convert(adc: &Adc, samples: &mut [Complex32]) {
     let codes = 2.0_f64.powi(i32::from(adc.bits) - 1);
     let code = adc.full_scale / codes;
@@ -24,13 +26,16 @@ mod tests {
         for bits in [4, 8, 12] {
             let adc = Adc { bits, full_scale: 2.0 };
             let exact = |i: usize| ((i as f64 * turn).fract() - 0.5) as f32 * 3.0;
-            let mut samples: Vec<Complex32> = (0..count).map(|i| Complex32::new(exact(i), -exact(i))).collect();
+            let mut samples: Vec<Complex32> =
+                (0..count).map(|i| Complex32::new(exact(i), -exact(i))).collect();
             convert(&adc, &mut samples);
-            let power: f64 = samples.iter().enumerate().map(|(i, x)| f64::from(x.re - exact(i)).powi(2)).sum();
+            let power: f64 =
+                samples.iter().enumerate().map(|(i, x)| f64::from(x.re - exact(i)).powi(2)).sum();
             let code = 4.0 / 2.0_f64.powi(i32::from(bits));
             let got = power / count as f64 / (code * code / 12.0);
             println!("{bits} bits: error {got:.4} of q²/12");
-            // Golden-ratio places are even to 1/count; the range of 3 holds codes in part, one of 12 at least.
+            // Golden-ratio places are even to 1/count; the range of 3 holds codes in part, one of 12 at
+            // least.
             assert!((got - 1.0).abs() < 0.02, "{bits} bits: {got}");
         }
     }

@@ -1,4 +1,5 @@
-//! Errors of elements that the seed draws: gains in dB and phases, each normal, beside those that the scene lists.
+//! Errors of elements that the seed draws: gains in dB and phases, each normal, beside those that the scene
+//! lists.
 
 use crate::impairments::noise::NoiseStream;
 use artifact::Radar;
@@ -25,9 +26,14 @@ fn add(errors: &mut Vec<ElementError>, elements: usize, more: impl Fn(u64) -> El
     }
 }
 
-/// Of an end, 0 where it transmits, and its element: a stream of its own, so that none moves when others come.
+/// Of an end, 0 where it transmits, and its element: a stream of its own, so that none moves when others
+/// come.
 fn error(spread: ElementSpread, seed: u64, of: [u64; 2]) -> ElementError {
     // Of mean power 2: real and imaginary part are independent, of variance 1.
     let normal = NoiseStream::of(seed, "fmcw-echo/element-errors", &of).next_sample(2.0);
-    ElementError { gain_db: spread.gain_db * normal.re, phase_rad: spread.phase_rad * normal.im, delay_s: 0.0 }
+    ElementError {
+        gain_db: spread.gain_db * normal.re,
+        phase_rad: spread.phase_rad * normal.im,
+        delay_s: 0.0,
+    }
 }

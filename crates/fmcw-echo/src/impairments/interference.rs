@@ -1,9 +1,11 @@
-//! Other FMCW radars in the air: where a chirp of theirs crosses ours, the mixer turns it into a short chirp of the IF.
+//! Other FMCW radars in the air: where a chirp of theirs crosses ours, the mixer turns it into a short chirp
+//! of the IF.
 //!
-//! A wave of an interferer's chirp that began at t_j has the phase 2π(f₁s + ½μ₁s²), s = T − τ − t_j, τ = R/c one way. Mixed with
-//! ours as every echo is (transmit times conj receive) it is e^{j2π[f₀t + ½μt² − f₁s − ½μ₁s²]}, of frequency f₀ + μt − f₁ − μ₁s. The IF
-//! filter is a brick wall: only samples whose frequency lies within ±f_s/2 hear it, f_s/|μ − μ₁| seconds of a crossing (Brooker, IEEE
-//! Trans. EMC 49 (2007) 170). Its power is EIRP·G_r·λ²/(4πR)², polarizations taken as equal.
+//! A wave of an interferer's chirp that began at t_j has the phase 2π(f₁s + ½μ₁s²), s = T − τ − t_j, τ = R/c
+//! one way. Mixed with ours as every echo is (transmit times conj receive) it is e^{j2π[f₀t + ½μt² − f₁s −
+//! ½μ₁s²]}, of frequency f₀ + μt − f₁ − μ₁s. The IF filter is a brick wall: only samples whose frequency lies
+//! within ±f_s/2 hear it, f_s/|μ − μ₁| seconds of a crossing (Brooker, IEEE Trans. EMC 49 (2007) 170). Its
+//! power is EIRP·G_r·λ²/(4πR)², polarizations taken as equal.
 
 use crate::links::antenna::{axes, pattern_amplitude};
 use crate::links::multiplexing::{Transmission, receiver_factor, row as transmissions};
@@ -56,8 +58,10 @@ impl Receiver<'_> {
         let start_s = self.time_s + self.transmission.start_s;
         let duration_s = samples.len() as f64 / self.radar.waveform.sample_rate_hz;
         let delay_s = self.way_m(interferer, start_s).length() / SPEED_OF_LIGHT_MPS;
-        // Its chirps that can arrive within ours: one that began a sweep before the first sample's departure to the last.
-        let number = |departure_s: f64| ((departure_s - interferer.offset_s) / interferer.chirp_interval_s).floor();
+        // Its chirps that can arrive within ours: one that began a sweep before the first sample's departure
+        // to the last.
+        let number =
+            |departure_s: f64| ((departure_s - interferer.offset_s) / interferer.chirp_interval_s).floor();
         let (first, last) =
             (number(start_s - delay_s - interferer.sweep_s), number(start_s - delay_s + duration_s) + 1.0);
         let mut chirp = first;
@@ -92,12 +96,13 @@ impl Receiver<'_> {
         }
     }
 
-    /// Samples that can lie in the band, with two to spare on either side for what the interferer moves within a chirp.
+    /// Samples that can lie in the band, with two to spare on either side for what the interferer moves
+    /// within a chirp.
     fn near_crossing(&self, interferer: &Interferer, since_s: f64, samples: usize) -> std::ops::Range<usize> {
         let waveform = &self.radar.waveform;
         let start_s = self.time_s + self.transmission.start_s;
-        let delay_s =
-            self.way_m(interferer, start_s).length() / SPEED_OF_LIGHT_MPS + self.transmission.receiver_delay_s;
+        let delay_s = self.way_m(interferer, start_s).length() / SPEED_OF_LIGHT_MPS
+            + self.transmission.receiver_delay_s;
         let first_hz = waveform.start_frequency_hz
             - interferer.start_frequency_hz
             - interferer.slope_hz_per_s * (since_s - delay_s);
@@ -118,11 +123,13 @@ impl Receiver<'_> {
         (interferer.eirp_w * gain).sqrt() * self.radar.waveform.wavelength_m() / (4.0 * PI)
     }
 
-    /// From the element to the interferer as it was when the wave left that arrives `time_s` after the scene's first sample.
+    /// From the element to the interferer as it was when the wave left that arrives `time_s` after the
+    /// scene's first sample.
     fn way_m(&self, interferer: &Interferer, time_s: f64) -> DVec3 {
         let velocity_mps = DVec3::from_array(interferer.velocity_mps);
-        let at =
-            |time_s: f64| DVec3::from_array(interferer.position_m) + velocity_mps * time_s - self.transmission.rx_m;
+        let at = |time_s: f64| {
+            DVec3::from_array(interferer.position_m) + velocity_mps * time_s - self.transmission.rx_m
+        };
         // Each step divides the error by c/v: after two 1e-15 of the way at 10 m/s.
         let earlier_s = |way_m: DVec3| way_m.length() / SPEED_OF_LIGHT_MPS;
         at(time_s - earlier_s(at(time_s - earlier_s(at(time_s)))))

@@ -13,7 +13,12 @@ use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 /// Adds the header's noise to a noise-free cube.
-pub(crate) fn add(header: &CubeHeader, seed: u64, frame: u32, samples: &mut [Complex32]) -> Result<(), EchoError> {
+pub(crate) fn add(
+    header: &CubeHeader,
+    seed: u64,
+    frame: u32,
+    samples: &mut [Complex32],
+) -> Result<(), EchoError> {
     let variance_w = variance_w(header, frame, samples)?;
     if variance_w == 0.0 {
         return Ok(());
@@ -38,13 +43,19 @@ pub fn variance_w(header: &CubeHeader, frame: u32, noise_free: &[Complex32]) -> 
         }
         Noise::SnrDb(snr_db) => {
             let ratio = positive("snr_db", snr_db, power_from_db(snr_db))?;
-            peak_cell_over_noise(header, noise_free).map(|peak| peak / ratio).ok_or(EchoError::NoPeak { frame })
+            peak_cell_over_noise(header, noise_free)
+                .map(|peak| peak / ratio)
+                .ok_or(EchoError::NoPeak { frame })
         }
     }
 }
 
 /// k·T·F·f_s: complex samples see the band f_s once (physics.md §9).
-pub fn thermal_variance_w(noise_figure_db: f64, temperature_k: f64, sample_rate_hz: f64) -> Result<f64, EchoError> {
+pub fn thermal_variance_w(
+    noise_figure_db: f64,
+    temperature_k: f64,
+    sample_rate_hz: f64,
+) -> Result<f64, EchoError> {
     let factor = positive("noise_figure_db", noise_figure_db, power_from_db(noise_figure_db))?;
     let temperature_k = positive("temperature_k", temperature_k, temperature_k)?;
     Ok(BOLTZMANN_J_PER_K * temperature_k * factor * sample_rate_hz)
@@ -69,8 +80,8 @@ impl NoiseStream {
         Self(ChaCha8Rng::from_seed(seed::key(seed, stage, index)))
     }
 
-    /// The next complex normal value of mean power `variance_w`: Box and Muller's transform, which takes exactly two
-    /// uniform numbers a value, so that a value's place in the stream is its sample's number.
+    /// The next complex normal value of mean power `variance_w`: Box and Muller's transform, which takes
+    /// exactly two uniform numbers a value, so that a value's place in the stream is its sample's number.
     pub fn next_sample(&mut self, variance_w: f64) -> Complex64 {
         let power = -variance_w * (1.0 - self.uniform()).ln();
         Complex64::from_polar(power.sqrt(), TAU * self.uniform())
@@ -93,7 +104,10 @@ mod tests {
             assert!((dbw - noise_figure_db + 136.9).abs() < 0.05, "{dbw}"); // physics.md §9 gives one decimal
         }
         assert!(matches!(thermal_variance_w(f64::NAN, 290.0, 1.0), Err(EchoError::Noise { .. })));
-        assert!(matches!(thermal_variance_w(3.0, 0.0, 1.0), Err(EchoError::Noise { quantity: "temperature_k", .. })));
+        assert!(matches!(
+            thermal_variance_w(3.0, 0.0, 1.0),
+            Err(EchoError::Noise { quantity: "temperature_k", .. })
+        ));
     }
 
     #[test]
@@ -101,7 +115,8 @@ mod tests {
         let count = 200_000;
         let mut stream = NoiseStream::new(7, 0, 0, 0);
         let values: Vec<Complex64> = (0..count).map(|_| stream.next_sample(2.0)).collect();
-        let mean = |f: &dyn Fn(usize) -> Complex64| (0..count - 1).map(f).sum::<Complex64>() / (count - 1) as f64;
+        let mean =
+            |f: &dyn Fn(usize) -> Complex64| (0..count - 1).map(f).sum::<Complex64>() / (count - 1) as f64;
         // Standard errors over n values of power P = 2: √(P/n) of the mean, P/√n of the three second moments,
         // 2√5·P²/√n /2 = of the fourth (E|x|⁴ = 2P², var |x|⁴ = 20P⁴). Five of them are allowed.
         let five = 5.0 / (count as f64).sqrt();
@@ -109,12 +124,15 @@ mod tests {
         assert!((mean(&|i| values[i].norm_sqr().into()).re - 2.0).abs() < five * 2.0);
         assert!(mean(&|i| values[i] * values[i]).norm() < five * 2.0 * 2.0_f64.sqrt()); // circular
         assert!(mean(&|i| values[i] * values[i + 1].conj()).norm() < five * 2.0); // white
-        assert!((mean(&|i| values[i].norm_sqr().powi(2).into()).re - 8.0).abs() < five * 20.0_f64.sqrt() * 4.0);
+        assert!(
+            (mean(&|i| values[i].norm_sqr().powi(2).into()).re - 8.0).abs() < five * 20.0_f64.sqrt() * 4.0
+        );
     }
 
     #[test]
     fn streams_of_neighbouring_rows_frames_and_seeds_differ_and_repeat() {
-        let first = |seed, frame, channel, chirp| NoiseStream::new(seed, frame, channel, chirp).next_sample(1.0);
+        let first =
+            |seed, frame, channel, chirp| NoiseStream::new(seed, frame, channel, chirp).next_sample(1.0);
         let base = first(1, 2, 3, 4);
         assert_eq!(base, first(1, 2, 3, 4));
         for other in [first(2, 2, 3, 4), first(1, 3, 3, 4), first(1, 2, 4, 4), first(1, 2, 3, 5)] {

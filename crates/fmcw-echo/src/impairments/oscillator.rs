@@ -1,9 +1,11 @@
-//! Phase noise of the oscillator that all elements share: one random process a frame, and how much of it an echo keeps.
+//! Phase noise of the oscillator that all elements share: one random process a frame, and how much of it an
+//! echo keeps.
 //!
-//! The oscillator's phase is φ(T), stationary, with the two-sided spectral density L(|f|) rad²/Hz, which is the single-sideband noise
-//! that data sheets tell (IEEE Std 1139: L = S_φ/2, S_φ one-sided). What is sent at T − τ meets the oscillator as it is at T:
-//! an echo of delay τ is turned by φ(T) − φ(T − τ), of density 4·L(f)·sin²(πfτ) on either side of its line. Near targets keep
-//! next to nothing of slow noise ("range correlation": Budge, Burt, IEEE National Radar Conf. 1993, 185).
+//! The oscillator's phase is φ(T), stationary, with the two-sided spectral density L(|f|) rad²/Hz, which is
+//! the single-sideband noise that data sheets tell (IEEE Std 1139: L = S_φ/2, S_φ one-sided). What is sent at
+//! T − τ meets the oscillator as it is at T: an echo of delay τ is turned by φ(T) − φ(T − τ), of density
+//! 4·L(f)·sin²(πfτ) on either side of its line. Near targets keep next to nothing of slow noise ("range
+//! correlation": Budge, Burt, IEEE National Radar Conf. 1993, 185).
 
 use crate::impairments::noise::NoiseStream;
 use artifact::Radar;
@@ -94,12 +96,14 @@ pub(crate) fn samples_of(radar: &Radar) -> usize {
     (needed.ceil() as usize).next_power_of_two()
 }
 
-/// Powers of φ's Fourier coefficients at 1, 2, … over the time, below half the sample rate: what lies beyond falls outside the IF filter.
+/// Powers of φ's Fourier coefficients at 1, 2, … over the time, below half the sample rate: what lies beyond
+/// falls outside the IF filter.
 fn powers(noise: &[PhaseNoise], step_hz: f64, count: usize) -> Vec<f64> {
     (1..count / 2).map(|k| density(noise, k as f64 * step_hz) * step_hz).collect()
 }
 
-/// L(f), rad²/Hz: straight in dB over log f between the frequencies told, constant before the first and behind the last.
+/// L(f), rad²/Hz: straight in dB over log f between the frequencies told, constant before the first and
+/// behind the last.
 pub fn density(noise: &[PhaseNoise], offset_hz: f64) -> f64 {
     let above = noise.partition_point(|point| point.offset_hz <= offset_hz);
     let dbc_per_hz = match (above.checked_sub(1).map(|below| noise[below]), noise.get(above)) {

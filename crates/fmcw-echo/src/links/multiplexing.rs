@@ -1,4 +1,5 @@
-//! Which transmissions make up one row (channel, chirp) of a cube, and when each starts (interface.md: tdm, ddm and bpm).
+//! Which transmissions make up one row (channel, chirp) of a cube, and when each starts (interface.md: tdm,
+//! ddm and bpm).
 
 use artifact::Radar;
 use artifact::radar::{ElementError, Multiplexing, code_sign};
@@ -7,7 +8,8 @@ use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// The transmissions whose sum is the row `[channel, chirp, ..]` of a cube: one, or with Doppler division or codes all.
+/// The transmissions whose sum is the row `[channel, chirp, ..]` of a cube: one, or with Doppler division or
+/// codes all.
 pub fn row(radar: &Radar, channel: usize, chirp: usize) -> Vec<Transmission> {
     let receivers = radar.array.rx_m.len();
     match radar.array.multiplexing {
@@ -17,7 +19,8 @@ pub fn row(radar: &Radar, channel: usize, chirp: usize) -> Vec<Transmission> {
         }
         Multiplexing::Ddm => {
             let transmitters = radar.array.tx_m.len();
-            let turn = |tx| doppler_division_turn(tx, chirp, transmitters) * element_factor(radar, tx, channel);
+            let turn =
+                |tx| doppler_division_turn(tx, chirp, transmitters) * element_factor(radar, tx, channel);
             (0..transmitters).map(|tx| Transmission::new(radar, tx, channel, chirp, turn(tx))).collect()
         }
         Multiplexing::Bpm => {

@@ -6,13 +6,15 @@ use artifact::radar::{Multiplexing, Sampling};
 use num_complex::{Complex32, Complex64};
 use rustfft::FftPlanner;
 
-/// Power of the peak cell of channel 0 over what white noise of unit power per sample makes of a cell; `None` where
-/// the channel is silent. With codes that of the mean over transmitters, as the first receiver hears them.
+/// Power of the peak cell of channel 0 over what white noise of unit power per sample makes of a cell; `None`
+/// where the channel is silent. With codes that of the mean over transmitters, as the first receiver hears
+/// them.
 ///
-/// A cell of the map holds noise of N_s·N_c·ENBW_r·ENBW_d times the power of a sample (physics.md §8: windows of unit
-/// coherent gain, FFTs without scaling). With Doppler division the map of receiver 0 before its bands are taken apart
-/// has the same peak and the same noise. Taking codes apart shares the power of the M slots' maps among N_tx transmitters, whatever the
-/// velocity: of their sum a cell has an (M·N_tx)-th, and of a slot's noise an M-th.
+/// A cell of the map holds noise of N_s·N_c·ENBW_r·ENBW_d times the power of a sample (physics.md §8: windows
+/// of unit coherent gain, FFTs without scaling). With Doppler division the map of receiver 0 before its bands
+/// are taken apart has the same peak and the same noise. Taking codes apart shares the power of the M slots'
+/// maps among N_tx transmitters, whatever the velocity: of their sum a cell has an (M·N_tx)-th, and of a
+/// slot's noise an M-th.
 pub fn peak_cell_over_noise(header: &CubeHeader, samples: &[Complex32]) -> Option<f64> {
     let [_, chirps, length] = header.shape();
     let range_weights = weights(header.dsp.range_window, length);
@@ -33,8 +35,10 @@ pub fn peak_cell_over_noise(header: &CubeHeader, samples: &[Complex32]) -> Optio
     let peak = power.into_iter().fold(0.0, f64::max);
     // Of a real mixer half of the noise arrives.
     let arrives = if header.radar.waveform.sampling == Sampling::Real { 0.5 } else { 1.0 };
-    let noise =
-        arrives * (chirps * length) as f64 * noise_bandwidth(&range_weights) * noise_bandwidth(&doppler_weights);
+    let noise = arrives
+        * (chirps * length) as f64
+        * noise_bandwidth(&range_weights)
+        * noise_bandwidth(&doppler_weights);
     (peak > 0.0).then_some(peak / noise)
 }
 
@@ -63,8 +67,10 @@ fn range_doppler(samples: &[Complex32], range_weights: &[f64], doppler_weights: 
         .collect();
     let mut planner = FftPlanner::new();
     planner.plan_fft_forward(length).process(&mut rows);
-    let mut columns: Vec<Complex64> =
-        (0..length).flat_map(|n| (0..chirps).map(move |m| (m, n))).map(|(m, n)| rows[m * length + n]).collect();
+    let mut columns: Vec<Complex64> = (0..length)
+        .flat_map(|n| (0..chirps).map(move |m| (m, n)))
+        .map(|(m, n)| rows[m * length + n])
+        .collect();
     planner.plan_fft_forward(chirps).process(&mut columns);
     columns
 }

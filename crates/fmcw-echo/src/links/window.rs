@@ -1,4 +1,5 @@
-//! Tapers of the map that `snr_db` refers to: periodic (N in the denominator), unit coherent gain (conventions.md).
+//! Tapers of the map that `snr_db` refers to: periodic (N in the denominator), unit coherent gain
+//! (conventions.md).
 
 use artifact::settings::Window;
 use num_complex::Complex64;
@@ -35,8 +36,8 @@ fn cosine_sum(coefficients: &[f64], length: usize) -> Vec<f64> {
 
 /// Periodic Dolph–Chebyshev window: the symmetric one of `length` + 1 points without its last.
 ///
-/// The symmetric window's spectrum is T_M(β·cos(πk/(M+1))), M = points − 1 (Dolph, Proc. IRE 34 (1946) 335); here the
-/// window is summed from it with its centre at (M)/2, so that odd and even counts are one case.
+/// The symmetric window's spectrum is T_M(β·cos(πk/(M+1))), M = points − 1 (Dolph, Proc. IRE 34 (1946) 335);
+/// here the window is summed from it with its centre at (M)/2, so that odd and even counts are one case.
 fn dolph_chebyshev(sidelobe_db: f64, length: usize) -> Vec<f64> {
     let points = length + 1;
     let order = length as f64;
@@ -44,7 +45,8 @@ fn dolph_chebyshev(sidelobe_db: f64, length: usize) -> Vec<f64> {
     let half_turn = std::f64::consts::PI / points as f64;
     let mut spectrum: Vec<Complex64> = (0..points)
         .map(|k| {
-            chebyshev(order, beta * (half_turn * k as f64).cos()) * Complex64::cis(half_turn * (k * length) as f64)
+            chebyshev(order, beta * (half_turn * k as f64).cos())
+                * Complex64::cis(half_turn * (k * length) as f64)
         })
         .collect();
     FftPlanner::new().plan_fft_forward(points).process(&mut spectrum);
@@ -84,12 +86,14 @@ mod tests {
     #[test]
     fn a_chebyshev_window_keeps_its_sidelobes_down_by_what_is_asked() {
         let (length, padded) = (64, 64 * 32);
-        let mut spectrum: Vec<Complex64> = weights(Window::Chebyshev(80.0), length).iter().map(|&w| w.into()).collect();
+        let mut spectrum: Vec<Complex64> =
+            weights(Window::Chebyshev(80.0), length).iter().map(|&w| w.into()).collect();
         spectrum.push(spectrum[0]); // the point that makes it symmetric again
         spectrum.resize(padded, Complex64::ZERO);
         FftPlanner::new().plan_fft_forward(padded).process(&mut spectrum);
         let level = |k: usize| 20.0 * (spectrum[k].norm() / spectrum[0].norm()).log10();
-        // The main lobe ends where T's argument falls to 1: cell (M+1)/π·acos(1/β) = 3.87 here, 124 of the padded grid.
+        // The main lobe ends where T's argument falls to 1: cell (M+1)/π·acos(1/β) = 3.87 here, 124 of the
+        // padded grid.
         let highest = (126..padded / 2).map(level).fold(f64::NEG_INFINITY, f64::max);
         assert!((highest + 80.0).abs() < 0.05, "{highest}");
     }

@@ -1,11 +1,15 @@
-//! The road's own backscatter: patches of the plane z = 0, smaller than what the radar resolves, each a point that scatters at random.
+//! The road's own backscatter: patches of the plane z = 0, smaller than what the radar resolves, each a point
+//! that scatters at random.
 //!
-//! On a plane that is h below the radar, slant ranges from R on by δR over an azimuth δφ cover the area R·δR·δφ exactly (ρdρ = RdR).
-//! With σ⁰ = γ·sin ψ and sin ψ = h/R a patch therefore has the mean RCS γ·h·δR·δφ, wherever it lies. Its amplitude is √σ·g, g a circular complex
-//! Gaussian number of unit power: then every sum over patches is Gaussian, whatever the windows, channels and antenna patterns, a cell's
-//! amplitude has Rayleigh's distribution, and its mean power is the radar equation's integral ∫σ⁰G²λ²/((4π)³R⁴)dA over what it sees.
+//! On a plane that is h below the radar, slant ranges from R on by δR over an azimuth δφ cover the area
+//! R·δR·δφ exactly (ρdρ = RdR). With σ⁰ = γ·sin ψ and sin ψ = h/R a patch therefore has the mean RCS
+//! γ·h·δR·δφ, wherever it lies. Its amplitude is √σ·g, g a circular complex Gaussian number of unit power:
+//! then every sum over patches is Gaussian, whatever the windows, channels and antenna patterns, a cell's
+//! amplitude has Rayleigh's distribution, and its mean power is the radar equation's integral
+//! ∫σ⁰G²λ²/((4π)³R⁴)dA over what it sees.
 //!
-//! The ground is at rest and so is the radar: a seed draws the same patches in every frame, and all of it is at zero Doppler.
+//! The ground is at rest and so is the radar: a seed draws the same patches in every frame, and all of it is
+//! at zero Doppler.
 
 use crate::error::EchoError;
 use artifact::paths::{Curve, Facet, MAX_ORDER, Path};
@@ -27,8 +31,9 @@ const PATCHES_PER_CELL: f64 = 2.0;
 /// At 296 bytes each a gibibyte.
 const PATCH_LIMIT: usize = 1 << 22;
 
-/// Paths of the ground that the array faces, from below the radar to the range limit of its waveform, beyond which beat frequencies
-/// fold; none where the radar is not above the ground. In the order of ranges, then of azimuths.
+/// Paths of the ground that the array faces, from below the radar to the range limit of its waveform, beyond
+/// which beat frequencies fold; none where the radar is not above the ground. In the order of ranges, then of
+/// azimuths.
 ///
 /// # Errors
 /// More patches than [`EchoError::GroundTooFine`] names.
@@ -61,9 +66,16 @@ impl Grid {
         let height_m = radar.position_m[2];
         let deep_m = if height_m > 0.0 { (radar.waveform.range_max_m() - height_m).max(0.0) } else { 0.0 };
         let rings = (PATCHES_PER_CELL * deep_m / radar.waveform.range_resolution_m()).ceil() as usize;
-        // A row of n virtual elements half a wavelength apart has beams of 2/n rad straight ahead, where they are narrowest.
+        // A row of n virtual elements half a wavelength apart has beams of 2/n rad straight ahead, where they
+        // are narrowest.
         let sectors = (PATCHES_PER_CELL * PI * 0.5 * virtual_row(radar)).ceil() as usize;
-        Self { height_m, rings, ring_m: deep_m / rings.max(1) as f64, sectors, sector_rad: PI / sectors as f64 }
+        Self {
+            height_m,
+            rings,
+            ring_m: deep_m / rings.max(1) as f64,
+            sectors,
+            sector_rad: PI / sectors as f64,
+        }
     }
 
     fn patches(&self) -> usize {
@@ -75,7 +87,8 @@ impl Grid {
         let [x, y, _] = radar.position_m;
         let patch = |sector: usize| {
             let range_m = self.height_m + self.ring_m * (ring as f64 + draw.uniform());
-            let azimuth = radar.boresight_az_rad - FRAC_PI_2 + self.sector_rad * (sector as f64 + draw.uniform());
+            let azimuth =
+                radar.boresight_az_rad - FRAC_PI_2 + self.sector_rad * (sector as f64 + draw.uniform());
             let away_m = ((range_m - self.height_m) * (range_m + self.height_m)).sqrt();
             let place_m = [x + away_m * azimuth.sin(), y + away_m * azimuth.cos(), 0.0];
             let [vv, hh] = [draw.normal() * amplitude_m, draw.normal() * amplitude_m];

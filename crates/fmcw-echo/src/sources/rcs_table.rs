@@ -1,10 +1,11 @@
-//! The paper's second way: each target answers from its body's origin with σ_f, looked up by aspect once per chirp and
-//! swept by the chirp's frequencies (eqs. 9–13; physics.md §6 says what of these is physics).
+//! The paper's second way: each target answers from its body's origin with σ_f, looked up by aspect once per
+//! chirp and swept by the chirp's frequencies (eqs. 9–13; physics.md §6 says what of these is physics).
 //!
-//! For a linear chirp the response at f₀ + μ(t − τ) multiplies the IF sample at t: that is what eq. (13) with σ_t does.
-//! With the delay of the origin, τ = (R_t + R_r)/c, the factor is conj S/(R_tR_r); the link amplitude has no σ in it, so
-//! that σ is not applied twice as eqs. (7) and (9) together would. The table is far-field (physics.md §0): on a vehicle
-//! at 30 m its error is as large as the field. That is the model's error, not this module's.
+//! For a linear chirp the response at f₀ + μ(t − τ) multiplies the IF sample at t: that is what eq. (13) with
+//! σ_t does. With the delay of the origin, τ = (R_t + R_r)/c, the factor is conj S/(R_tR_r); the link
+//! amplitude has no σ in it, so that σ is not applied twice as eqs. (7) and (9) together would. The table is
+//! far-field (physics.md §0): on a vehicle at 30 m its error is as large as the field. That is the model's
+//! error, not this module's.
 
 use crate::error::EchoError;
 use crate::impairments::oscillator::Oscillator;
@@ -27,7 +28,8 @@ pub struct TableSum<'a> {
 }
 
 impl<'a> TableSum<'a> {
-    /// `poses` are those at the frame's first sample, in the order that the tables' `target` counts; `None` is an ideal oscillator.
+    /// `poses` are those at the frame's first sample, in the order that the tables' `target` counts; `None`
+    /// is an ideal oscillator.
     pub fn new(
         radar: &'a Radar,
         poses: &[Pose],
@@ -53,8 +55,8 @@ impl<'a> TableSum<'a> {
 
 /// Every second value of each axis of three or more, the last one kept.
 ///
-/// Linear interpolation errs as the square of the step: a third of the difference between an echo from the thinned and
-/// from the full table estimates the error of the latter.
+/// Linear interpolation errs as the square of the step: a third of the difference between an echo from the
+/// thinned and from the full table estimates the error of the latter.
 pub(crate) fn thin(frame: &RcsFrame) -> RcsFrame {
     RcsFrame { tables: frame.tables.iter().map(thin_table).collect(), ..frame.clone() }
 }
@@ -96,7 +98,12 @@ impl<'a> Body<'a> {
         check(radar, index, table)?;
         let missing = EchoError::TargetMissing { table: index, target: table.target, targets: poses.len() };
         let pose = poses.get(table.target as usize).ok_or(missing)?;
-        Ok(Self { index, table, origin: origin_path(pose), body_from_world: DQuat::from_rotation_z(-pose.yaw_rad) })
+        Ok(Self {
+            index,
+            table,
+            origin: origin_path(pose),
+            body_from_world: DQuat::from_rotation_z(-pose.yaw_rad),
+        })
     }
 
     /// Adds the body's echo of one transmission.
@@ -119,17 +126,20 @@ impl<'a> Body<'a> {
             let gain = link_amplitude(radar) * legs.gain(radar);
             let phasor = Complex64::cis(TAU * if_cycles(radar, t, tau).fract());
             let turn = sum.oscillator.map_or(Complex64::ONE, |oscillator| oscillator.turn(time_s, tau));
-            *sample += transmission.turn * turn * gain * self.at_frequency(&response, frequency_hz)?.conj() * phasor;
+            *sample +=
+                transmission.turn * turn * gain * self.at_frequency(&response, frequency_hz)?.conj() * phasor;
         }
         Ok(())
     }
 
-    /// σ_f of one chirp: S over the table's frequencies at the aspect under which the radar is seen from the origin.
+    /// σ_f of one chirp: S over the table's frequencies at the aspect under which the radar is seen from the
+    /// origin.
     fn response(&self, radar: &Radar, time_s: f64) -> Result<Vec<Complex64>, EchoError> {
         let table = self.table;
         let (elevation_rad, azimuth_rad) = self.aspect(radar, time_s);
         let el = self.bracket("elevation_rad", &table.elevation_rad, elevation_rad)?;
-        let az = self.bracket("azimuth_rad", &table.azimuth_rad, nearest_turn(&table.azimuth_rad, azimuth_rad))?;
+        let az =
+            self.bracket("azimuth_rad", &table.azimuth_rad, nearest_turn(&table.azimuth_rad, azimuth_rad))?;
         let columns = table.azimuth_rad.len();
         let along_az = |row: &[Complex64]| az.mix(row[az.below], row[az.above]);
         let plane = |plane: &[Complex64]| {
@@ -142,7 +152,8 @@ impl<'a> Body<'a> {
     /// Elevation and azimuth of the radar in body axes.
     fn aspect(&self, radar: &Radar, time_s: f64) -> (f64, f64) {
         let Path { apparent_tx_m, apparent_tx_mps, curve, .. } = &self.origin;
-        let [at_m, mps, mps2] = [*apparent_tx_m, *apparent_tx_mps, curve.apparent_tx_mps2].map(DVec3::from_array);
+        let [at_m, mps, mps2] =
+            [*apparent_tx_m, *apparent_tx_mps, curve.apparent_tx_mps2].map(DVec3::from_array);
         let origin_m = at_m + time_s * (mps + 0.5 * time_s * mps2);
         let to_radar = self.body_from_world * (DVec3::from_array(radar.position_m) - origin_m);
         (to_radar.z.atan2(to_radar.truncate().length()), to_radar.y.atan2(to_radar.x))
@@ -153,8 +164,8 @@ impl<'a> Body<'a> {
         Ok(f.mix(response[f.below], response[f.above]))
     }
 
-    /// Neighbours of `value` on a growing axis. Up to one step beyond an end the last two values are drawn on: a chirp
-    /// starts μτ (3 MHz at 40 m) below f₀. An axis of one value holds for every value.
+    /// Neighbours of `value` on a growing axis. Up to one step beyond an end the last two values are drawn
+    /// on: a chirp starts μτ (3 MHz at 40 m) below f₀. An axis of one value holds for every value.
     fn bracket(&self, axis: &'static str, values: &[f64], value: f64) -> Result<Bracket, EchoError> {
         let last = values.len() - 1;
         if last == 0 {

@@ -6,14 +6,14 @@ use artifact::paths::Path;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use std::f64::consts::TAU;
 
-/// Phase error in rad, and amplitude error over the path's greatest amplitude in the band, that a parabola may leave:
-/// −140 dB.
+/// Phase error in rad, and amplitude error over the path's greatest amplitude in the band, that a parabola
+/// may leave: −140 dB.
 const REMAINDER: f64 = 1e-7;
 
 /// Samples of one segment: what the worst of the paths needs. Traffic at 20 m and beyond needs no cut.
 ///
-/// The parabola through three equidistant instants leaves max|x‴|·(T/2)³/(9√3) of a chirp of length T, and a third of
-/// the length leaves a 27th of it. The antenna pattern's own curvature is not in the bound.
+/// The parabola through three equidistant instants leaves max|x‴|·(T/2)³/(9√3) of a chirp of length T, and a
+/// third of the length leaves a 27th of it. The antenna pattern's own curvature is not in the bound.
 pub(crate) fn samples_per_segment(radar: &Radar, paths: &[&Path]) -> usize {
     let worst = paths.iter().map(|path| third_derivative(radar, path)).fold(0.0, f64::max);
     let remainder = worst / (8.0 * 9.0 * 3.0_f64.sqrt());
@@ -24,10 +24,11 @@ pub(crate) fn samples_per_segment(radar: &Radar, paths: &[&Path]) -> usize {
 
 /// Bound of |x‴|·T³ over phase in rad and relative amplitude.
 ///
-/// A leg of length L whose point moves at v and is accelerated by a has |L̈| ≤ v²/L + a and |L⃛| ≤ 3(v/L)(v²/L + a). With e = vT/L and
-/// b = aT²/L, of phase 2π(f₀τ + μtτ − …): 2π(f·τ⃛ + 3μτ̈)T³ ≤ 2π·Σ(3fe + 3μT)(e² + b)L/c. Of 1/(L₁L₂) relative to itself: second derivative
-/// ≤ 3(Σe)², third ≤ 15(Σe)³; times an amplitude that is straight over the band and changes by at most twice its greatest
-/// value: 18(Σe)² + 15(Σe)³, with √(e² + b) for e.
+/// A leg of length L whose point moves at v and is accelerated by a has |L̈| ≤ v²/L + a and |L⃛| ≤
+/// 3(v/L)(v²/L + a). With e = vT/L and b = aT²/L, of phase 2π(f₀τ + μtτ − …): 2π(f·τ⃛ + 3μτ̈)T³ ≤ 2π·Σ(3fe +
+/// 3μT)(e² + b)L/c. Of 1/(L₁L₂) relative to itself: second derivative ≤ 3(Σe)², third ≤ 15(Σe)³; times an
+/// amplitude that is straight over the band and changes by at most twice its greatest value: 18(Σe)² +
+/// 15(Σe)³, with √(e² + b) for e.
 fn third_derivative(radar: &Radar, path: &Path) -> f64 {
     let waveform = &radar.waveform;
     let chirp_s = f64::from(waveform.samples) / waveform.sample_rate_hz;
@@ -101,7 +102,8 @@ mod tests {
     fn traffic_needs_one_parabola_a_chirp_and_near_fast_points_more() {
         assert_eq!(samples_for(25.0, 0.0), 256);
         assert_eq!(samples_for(25.0, 15.0), 256);
-        // e = 1.25e-3: phase 2.9e-4, amplitude 1.1e-4, over 124.7 · 1e-7: 32, its cube root 3.2, four segments.
+        // e = 1.25e-3: phase 2.9e-4, amplitude 1.1e-4, over 124.7 · 1e-7: 32, its cube root 3.2, four
+        // segments.
         assert_eq!(samples_for(2.0, 50.0), 64);
         assert_eq!(samples_for(0.004, 3e3), 3);
     }

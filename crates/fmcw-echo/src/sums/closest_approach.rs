@@ -61,10 +61,11 @@ impl<'a> Leg<'a> {
         let from_element_m = self.point_m - element_m;
         let square = self.velocity_mps.length_squared();
         let nearest_s = if square > 0.0 { -from_element_m.dot(self.velocity_mps) / square } else { 0.0 };
-        let straight_m = (from_element_m + self.velocity_mps * nearest_s.clamp(0.0, radar.frame_duration_s())).length();
+        let straight_m =
+            (from_element_m + self.velocity_mps * nearest_s.clamp(0.0, radar.frame_duration_s())).length();
         // No nearer than that less what acceleration and wheel can move it.
-        let aside_m =
-            0.5 * self.acceleration_mps2 * radar.frame_duration_s().powi(2) + self.rim_radius_m.unwrap_or(0.0);
+        let aside_m = 0.5 * self.acceleration_mps2 * radar.frame_duration_s().powi(2)
+            + self.rim_radius_m.unwrap_or(0.0);
         (straight_m - aside_m).max(0.0)
     }
 }

@@ -1,17 +1,18 @@
 //! Eq. (13) summed directly over all paths, the phase advanced by a quadratic recurrence in f64.
 //!
-//! Within one chirp a path's phase is a parabola: the exact phase is taken at the first, middle and last sample
-//! ([`Path`] with its own delay, elements and scattering time), and the parabola through these three is walked with two
-//! complex multiplications a sample: z ← z·w, w ← w·q. What it leaves out is the third difference. With
-//! τ = τ₀ + τ̇t + ½τ̈t² it is μ·½τ̈·t³ cycles, τ̈ ≤ 2v²/(cR): at 10 m/s, 25 m and 50 µs 2.1e-8 cycles over the chirp, and
-//! 0.048 of it, 6e-9 rad, remain between the three points. The amplitude conj a(f)/(L₁L₂) with both pattern gains is a
-//! parabola through the same three instants; it differs from a straight line by the product of its slopes over the band
-//! and over the way driven (1e-5 at 10 m/s, 25 m and a path that doubles over the band), from a parabola by 1e-9.
-//! Where something passes near and fast, a chirp is cut into several parabolas, so that no path errs by more than 1e-7
-//! (`chirp_segments.rs` has the bound).
+//! Within one chirp a path's phase is a parabola: the exact phase is taken at the first, middle and last
+//! sample ([`Path`] with its own delay, elements and scattering time), and the parabola through these three
+//! is walked with two complex multiplications a sample: z ← z·w, w ← w·q. What it leaves out is the third
+//! difference. With τ = τ₀ + τ̇t + ½τ̈t² it is μ·½τ̈·t³ cycles, τ̈ ≤ 2v²/(cR): at 10 m/s, 25 m and 50 µs
+//! 2.1e-8 cycles over the chirp, and 0.048 of it, 6e-9 rad, remain between the three points. The amplitude
+//! conj a(f)/(L₁L₂) with both pattern gains is a parabola through the same three instants; it differs from a
+//! straight line by the product of its slopes over the band and over the way driven (1e-5 at 10 m/s, 25 m and
+//! a path that doubles over the band), from a parabola by 1e-9. Where something passes near and fast, a chirp
+//! is cut into several parabolas, so that no path errs by more than 1e-7 (`chirp_segments.rs` has the bound).
 //!
-//! Lanes hold paths, not samples, so that the set-up of a chirp (square roots, phasors) is as wide as the sum. Each row
-//! (channel, chirp) is added by one thread, in the order of the paths: any number of threads gives the same bytes.
+//! Lanes hold paths, not samples, so that the set-up of a chirp (square roots, phasors) is as wide as the
+//! sum. Each row (channel, chirp) is added by one thread, in the order of the paths: any number of threads
+//! gives the same bytes.
 
 use crate::links::antenna::{axes, link_amplitude};
 use crate::links::multiplexing::{Transmission, row};
@@ -43,12 +44,13 @@ pub struct DirectSum<'a> {
 }
 
 impl<'a> DirectSum<'a> {
-    /// `centre_frequency_hz` is f_c of the amplitudes. Paths without amplitude in the array's polarization are left
-    /// out, so that they change no byte.
+    /// `centre_frequency_hz` is f_c of the amplitudes. Paths without amplitude in the array's polarization
+    /// are left out, so that they change no byte.
     pub fn new(radar: &'a Radar, centre_frequency_hz: f64, paths: &[Path]) -> Self {
         let heard = paths.iter().filter(|path| is_heard(radar, path));
         let (on_rims, steady): (Vec<&Path>, Vec<&Path>) = heard.partition(|path| path.curve.rim.is_some());
-        let (spanning, steady): (Vec<&Path>, Vec<&Path>) = steady.into_iter().partition(|p| p.curve.span.is_some());
+        let (spanning, steady): (Vec<&Path>, Vec<&Path>) =
+            steady.into_iter().partition(|p| p.curve.span.is_some());
         let part = |(span, paths): (Option<Span>, Vec<&Path>)| {
             span.map(|span| (span, Self::of_steady(radar, centre_frequency_hz, &paths)))
         };
@@ -62,8 +64,8 @@ impl<'a> DirectSum<'a> {
         Self { samples_per_segment, ..Self::for_moments(radar, centre_frequency_hz, steady) }
     }
 
-    /// Of paths that are all heard and none on a rim, in their order, to be asked for [`Self::values`] alone: those do not know
-    /// that a path stands for a part of the frame.
+    /// Of paths that are all heard and none on a rim, in their order, to be asked for [`Self::values`] alone:
+    /// those do not know that a path stands for a part of the frame.
     pub(crate) fn for_moments(radar: &'a Radar, centre_frequency_hz: f64, heard: &[&Path]) -> Self {
         Self {
             radar,
@@ -81,9 +83,12 @@ impl<'a> DirectSum<'a> {
     pub fn row(&self, channel: usize, chirp: usize) -> Vec<Complex64> {
         let transmissions = row(self.radar, channel, chirp);
         let mut samples = Arch::new().dispatch(RowSum { sum: self, transmissions: &transmissions });
-        for (transmission, path) in transmissions.iter().flat_map(|t| self.on_rims.iter().map(move |path| (t, path))) {
+        for (transmission, path) in
+            transmissions.iter().flat_map(|t| self.on_rims.iter().map(move |path| (t, path)))
+        {
             for (n, sample) in samples.iter_mut().enumerate() {
-                *sample += transmission.turn * if_sample(self.radar, self.centre_frequency_hz, path, transmission, n);
+                *sample += transmission.turn
+                    * if_sample(self.radar, self.centre_frequency_hz, path, transmission, n);
             }
         }
         // All transmissions of a row start at one time.
@@ -92,14 +97,18 @@ impl<'a> DirectSum<'a> {
             let shares = shares_of_row(self.radar, span, start_s);
             if shares.iter().any(|share| *share != 0.0) {
                 let values = part.row(channel, chirp);
-                samples.iter_mut().zip(shares).zip(values).for_each(|((sum, share), value)| *sum += share * value);
+                samples
+                    .iter_mut()
+                    .zip(shares)
+                    .zip(values)
+                    .for_each(|((sum, share), value)| *sum += share * value);
             }
         }
         samples
     }
 
-    /// IF values of every path at one moment, each less some cycles of its own: `cycles` in the order of the paths, as many as
-    /// there are, none of them without amplitude.
+    /// IF values of every path at one moment, each less some cycles of its own: `cycles` in the order of the
+    /// paths, as many as there are, none of them without amplitude.
     pub(crate) fn values(&self, transmission: &Transmission, sample: f64, cycles: &[f64]) -> Vec<Complex64> {
         let mut padded = cycles.to_vec();
         padded.resize(self.columns.amplitude_m[0].len(), 0.0);
@@ -309,8 +318,8 @@ impl<'a, S: Simd> Chirp<'a, S> {
         }
     }
 
-    /// With u from 0 to 1 over the segment, x(u) = x₀ + bu + cu², b = 3(x₁ − x₀) − (x₂ − x₁), c = 2(x₂ − x₁) − 2(x₁ − x₀);
-    /// one sample is a step h in u, the first difference bh + ch², the second 2ch².
+    /// With u from 0 to 1 over the segment, x(u) = x₀ + bu + cu², b = 3(x₁ − x₀) − (x₂ − x₁), c = 2(x₂ − x₁)
+    /// − 2(x₁ − x₀); one sample is a step h in u, the first difference bh + ch², the second 2ch².
     #[inline(always)]
     fn parabolas(&self, group: usize, first: usize, samples: usize) -> Parabolas<S> {
         // One sample alone has no length: its parabola reaches to the next.
@@ -352,9 +361,9 @@ impl<'a, S: Simd> Chirp<'a, S> {
 
     /// Both legs at the scattering time of what is received at `time_s`.
     ///
-    /// With d = x_b(T) − p_r and β = v_b/c, |d − βL₂| = L₂ is a quadratic equation in L₂:
-    /// L₂ = (√((d·β)² + (1 − β²)d²) − d·β)/(1 − β²). β is that at T: acceleration on the way back moves a point by ½a(L₂/c)², 1e-12 m
-    /// at 100 m/s² and 40 m.
+    /// With d = x_b(T) − p_r and β = v_b/c, |d − βL₂| = L₂ is a quadratic equation in L₂: L₂ = (√((d·β)² + (1
+    /// − β²)d²) − d·β)/(1 − β²). β is that at T: acceleration on the way back moves a point by ½a(L₂/c)²,
+    /// 1e-12 m at 100 m/s² and 40 m.
     #[inline(always)]
     fn legs(&self, group: usize, time_s: f64) -> Legs<S> {
         let beta = self.vector(&self.rx_beta, group);
@@ -390,7 +399,8 @@ impl<'a, S: Simd> Chirp<'a, S> {
     /// Link amplitude and both pattern gains over L₁L₂.
     #[inline(always)]
     fn gain(&self, legs: &Legs<S>) -> Real<S> {
-        let spreading = (legs.departing_length_m * legs.arriving_length_m).recip().scale(self.sum.link_amplitude);
+        let spreading =
+            (legs.departing_length_m * legs.arriving_length_m).recip().scale(self.sum.link_amplitude);
         match &self.sum.radar.array.pattern {
             Pattern::Isotropic => spreading,
             pattern => {
@@ -412,15 +422,23 @@ impl<'a, S: Simd> Chirp<'a, S> {
     #[inline(always)]
     fn conjugate_amplitude(&self, group: usize, offset_hz: Real<S>, gain: Real<S>) -> Complex<S> {
         let turn = self.transmission.turn;
-        let re = self.load(self.slope_m_per_hz[0], group).mul_add(offset_hz, self.load(self.amplitude_m[0], group));
-        let im = self.load(self.slope_m_per_hz[1], group).mul_add(offset_hz, self.load(self.amplitude_m[1], group));
+        let re = self
+            .load(self.slope_m_per_hz[0], group)
+            .mul_add(offset_hz, self.load(self.amplitude_m[0], group));
+        let im = self
+            .load(self.slope_m_per_hz[1], group)
+            .mul_add(offset_hz, self.load(self.amplitude_m[1], group));
         let (re, im) = (re * gain, im * gain);
         Complex { re: re.scale(turn.re) + im.scale(turn.im), im: re.scale(turn.im) - im.scale(turn.re) }
     }
 
     #[inline(always)]
     fn vector(&self, columns: &[&[S::f64s]; 3], group: usize) -> Vector<S> {
-        Vector { x: self.load(columns[0], group), y: self.load(columns[1], group), z: self.load(columns[2], group) }
+        Vector {
+            x: self.load(columns[0], group),
+            y: self.load(columns[1], group),
+            z: self.load(columns[2], group),
+        }
     }
 
     #[inline(always)]

@@ -1,8 +1,10 @@
-//! Numbers of several paths side by side: f64 lanes of the machine's widest instruction set, found at run time.
+//! Numbers of several paths side by side: f64 lanes of the machine's widest instruction set, found at run
+//! time.
 //!
-//! Products and sums are fused where the instruction set can; results are the same bytes for one instruction set,
-//! and differ in the last bits between two. Everything is `inline(always)` and free of closures: only what is inlined
-//! is compiled for the instruction set that `pulp` has chosen, and a closure handed to `map` is not (a factor of 3).
+//! Products and sums are fused where the instruction set can; results are the same bytes for one instruction
+//! set, and differ in the last bits between two. Everything is `inline(always)` and free of closures: only
+//! what is inlined is compiled for the instruction set that `pulp` has chosen, and a closure handed to `map`
+//! is not (a factor of 3).
 
 use glam::DVec3;
 use pulp::Simd;
@@ -53,7 +55,8 @@ impl<S: Simd> Real<S> {
         Self { value: self.simd.mul_f64s(self.value, self.simd.splat_f64s(factor)), ..self }
     }
 
-    /// Distance to the nearest integer, in −½ … ½, for |x| < 2⁵¹: adding 1.5·2⁵² leaves no room for a fraction.
+    /// Distance to the nearest integer, in −½ … ½, for |x| < 2⁵¹: adding 1.5·2⁵² leaves no room for a
+    /// fraction.
     #[inline(always)]
     pub(crate) fn fraction(self) -> Self {
         let integer_only = Self::splat(self.simd, 6_755_399_441_055_744.0);
@@ -118,8 +121,9 @@ impl<S: Simd> Complex<S> {
 
     /// e^{j2πx}, x in cycles.
     ///
-    /// x is reduced to a quarter of its fraction (|angle| ≤ π/4), taken through the Taylor series to θ¹⁵ and θ¹⁶
-    /// (remainders 5e-17 and 2e-18 there) and squared twice, which makes the error four times as large: below 2e-15.
+    /// x is reduced to a quarter of its fraction (|angle| ≤ π/4), taken through the Taylor series to θ¹⁵ and
+    /// θ¹⁶ (remainders 5e-17 and 2e-18 there) and squared twice, which makes the error four times as large:
+    /// below 2e-15.
     #[inline(always)]
     pub(crate) fn from_cycles(cycles: Real<S>) -> Self {
         let angle = cycles.fraction().scale(std::f64::consts::FRAC_PI_2);
@@ -156,7 +160,11 @@ impl<S: Simd> Vector<S> {
     /// `self·factor + term`.
     #[inline(always)]
     pub(crate) fn mul_add(self, factor: Real<S>, term: Self) -> Self {
-        Self { x: self.x.mul_add(factor, term.x), y: self.y.mul_add(factor, term.y), z: self.z.mul_add(factor, term.z) }
+        Self {
+            x: self.x.mul_add(factor, term.x),
+            y: self.y.mul_add(factor, term.y),
+            z: self.z.mul_add(factor, term.z),
+        }
     }
 
     /// `term − self·factor`.

@@ -1,7 +1,7 @@
 //! The slow obvious form: every sample of every path from the formulas of interface.md, one by one, in f64.
 //!
-//! Nothing here is shared with [`crate::sums::direct_sum`] but the radar's data, the link amplitude and the schedule of
-//! transmissions. Never optimised.
+//! Nothing here is shared with [`crate::sums::direct_sum`] but the radar's data, the link amplitude and the
+//! schedule of transmissions. Never optimised.
 
 use crate::impairments::oscillator::Oscillator;
 use crate::links::antenna::{axes, link_amplitude, pattern_amplitude};
@@ -26,8 +26,8 @@ pub fn cube(radar: &Radar, centre_frequency_hz: f64, paths: &[Path]) -> Vec<Comp
     samples
 }
 
-/// One sample of a cube at `[channel, chirp, sample]`: the sum over its transmissions and all paths, √W, each turned by the
-/// oscillator's phase as it is less as it was, where there is one.
+/// One sample of a cube at `[channel, chirp, sample]`: the sum over its transmissions and all paths, √W, each
+/// turned by the oscillator's phase as it is less as it was, where there is one.
 pub fn cube_sample(
     radar: &Radar,
     centre_frequency_hz: f64,
@@ -40,7 +40,8 @@ pub fn cube_sample(
     for transmission in row(radar, channel, chirp) {
         let time_s = transmission.start_s + sample as f64 / radar.waveform.sample_rate_hz;
         for path in paths {
-            let value = transmission.turn * if_sample(radar, centre_frequency_hz, path, &transmission, sample);
+            let value =
+                transmission.turn * if_sample(radar, centre_frequency_hz, path, &transmission, sample);
             let delay_s = || legs_at(path, &transmission, time_s).delay_s() + transmission.line_delay_s;
             sum += oscillator.map_or(value, |oscillator| value * oscillator.turn(time_s, delay_s()));
         }
@@ -48,8 +49,8 @@ pub fn cube_sample(
     sum
 }
 
-/// IF value of one path: `√(P_tG_tG_r)·λ/(4π)^{3/2}·conj a(f)/(L₁L₂)·e^{j2π[f₀τ + μtτ − ½μτ²]}` with f = f₀ + μ(t − τ), times its
-/// share of the echo then, where it stands for a part of the frame.
+/// IF value of one path: `√(P_tG_tG_r)·λ/(4π)^{3/2}·conj a(f)/(L₁L₂)·e^{j2π[f₀τ + μtτ − ½μτ²]}` with f = f₀ +
+/// μ(t − τ), times its share of the echo then, where it stands for a part of the frame.
 pub fn if_sample(
     radar: &Radar,
     centre_frequency_hz: f64,
@@ -100,12 +101,13 @@ impl Legs {
 
 /// Legs of a path received at `time_s` into the frame.
 ///
-/// The scattering time t_s = T − |x_b(t_s) − p_r|/c is iterated from T. One step divides its error by c/v (3e7 at
-/// 10 m/s), so that four steps leave nothing at any speed this crate accepts (1e-5·c).
+/// The scattering time t_s = T − |x_b(t_s) − p_r|/c is iterated from T. One step divides its error by c/v
+/// (3e7 at 10 m/s), so that four steps leave nothing at any speed this crate accepts (1e-5·c).
 pub fn legs_at(path: &Path, transmission: &Transmission, time_s: f64) -> Legs {
     let (curve, rim) = (&path.curve, path.curve.rim);
     let at = |point_m: [f64; 3], velocity_mps: [f64; 3], acceleration_mps2: [f64; 3], t: f64| {
-        let way_m = DVec3::from_array(velocity_mps) * t + DVec3::from_array(acceleration_mps2) * (0.5 * t * t);
+        let way_m =
+            DVec3::from_array(velocity_mps) * t + DVec3::from_array(acceleration_mps2) * (0.5 * t * t);
         DVec3::from_array(point_m) + way_m + rim.map_or(DVec3::ZERO, |rim| from_hub_m(&rim, way_m))
     };
     let arriving_m =

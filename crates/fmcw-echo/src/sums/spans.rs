@@ -1,9 +1,11 @@
-//! Paths that stand for a part of a frame: which belong together, and their share of the echo at every sample.
+//! Paths that stand for a part of a frame: which belong together, and their share of the echo at every
+//! sample.
 
 use artifact::Radar;
 use artifact::paths::{Path, Span};
 
-/// Paths by the part of the frame that they stand for, in their order within each; those that stand for all of it come first.
+/// Paths by the part of the frame that they stand for, in their order within each; those that stand for all
+/// of it come first.
 pub(crate) fn by_span(mut paths: Vec<&Path>) -> Vec<(Option<Span>, Vec<&Path>)> {
     paths.sort_by_key(|path| order(path));
     let groups = paths.chunk_by(|a, b| order(a) == order(b));
@@ -12,7 +14,8 @@ pub(crate) fn by_span(mut paths: Vec<&Path>) -> Vec<(Option<Span>, Vec<&Path>)> 
 
 /// What paths of one part of the frame have in common, to be sorted by.
 pub(crate) fn order(path: &Path) -> Option<[u64; 4]> {
-    let of = |span: Span| [span.moments.into(), span.first_s.to_bits(), span.step_s.to_bits(), span.moment.into()];
+    let of =
+        |span: Span| [span.moments.into(), span.first_s.to_bits(), span.step_s.to_bits(), span.moment.into()];
     path.curve.span.map(of)
 }
 

@@ -1,4 +1,5 @@
-//! What is looked at before the first sample is made: every number finite, every length meaningful, the cube bounded.
+//! What is looked at before the first sample is made: every number finite, every length meaningful, the cube
+//! bounded.
 
 use crate::error::EchoError;
 use crate::impairments::oscillator;
@@ -10,7 +11,8 @@ use artifact::{Radar, Schema};
 use glam::DVec3;
 use num_complex::Complex32;
 
-/// A hundred-thousandth of c, three times a bullet's speed: beyond, the scattering time wants more care than it gets here.
+/// A hundred-thousandth of c, three times a bullet's speed: beyond, the scattering time wants more care than
+/// it gets here.
 pub(crate) const SPEED_LIMIT_MPS: f64 = 3e3;
 
 /// Refuses radars that make no samples, and cubes that one record of a file could not hold.
@@ -73,7 +75,11 @@ fn check_waveform(radar: &Radar) -> Result<(), EchoError> {
     let sampled_s = f64::from(waveform.samples) / waveform.sample_rate_hz;
     let more = [
         ("slope_hz_per_s", waveform.slope_hz_per_s, waveform.slope_hz_per_s.is_finite()),
-        ("chirp_interval_s", waveform.chirp_interval_s, waveform.chirp_interval_s >= sampled_s * (1.0 - 1e-7)),
+        (
+            "chirp_interval_s",
+            waveform.chirp_interval_s,
+            waveform.chirp_interval_s >= sampled_s * (1.0 - 1e-7),
+        ),
     ];
     match more.iter().find(|(_, _, good)| !good) {
         None => check_schedule(radar),
@@ -142,8 +148,13 @@ fn is_usable(pattern: &Pattern) -> bool {
 /// Refuses radars whose chirps do not follow each other, or that stand within a metre of ours.
 fn check_interferers(radar: &Radar) -> Result<(), EchoError> {
     for (index, other) in radar.hardware.interferers.iter().enumerate() {
-        let numbers = [other.eirp_w, other.start_frequency_hz, other.slope_hz_per_s, other.sweep_s, other.offset_s];
-        let all = numbers.iter().chain(&other.position_m).chain(&other.velocity_mps).chain([&other.chirp_interval_s]);
+        let numbers =
+            [other.eirp_w, other.start_frequency_hz, other.slope_hz_per_s, other.sweep_s, other.offset_s];
+        let all = numbers
+            .iter()
+            .chain(&other.position_m)
+            .chain(&other.velocity_mps)
+            .chain([&other.chirp_interval_s]);
         let away_m = DVec3::from_array(other.position_m).distance(DVec3::from_array(radar.position_m));
         let rules = [
             ("a number is not finite", all.copied().all(f64::is_finite)),
@@ -159,10 +170,12 @@ fn check_interferers(radar: &Radar) -> Result<(), EchoError> {
     Ok(())
 }
 
-/// Refuses phase noise that is no density over growing offsets, and frames whose oscillator would not fit into memory.
+/// Refuses phase noise that is no density over growing offsets, and frames whose oscillator would not fit
+/// into memory.
 fn check_phase_noise(radar: &Radar) -> Result<(), EchoError> {
     let told = &radar.hardware.phase_noise;
-    let is_density = |point: &PhaseNoise| point.offset_hz > 0.0 && (point.offset_hz + point.dbc_per_hz).is_finite();
+    let is_density =
+        |point: &PhaseNoise| point.offset_hz > 0.0 && (point.offset_hz + point.dbc_per_hz).is_finite();
     if !told.iter().all(is_density) || !told.windows(2).all(|pair| pair[0].offset_hz < pair[1].offset_hz) {
         return Err(EchoError::PhaseNoise);
     }
@@ -212,7 +225,9 @@ impl Place {
         ];
         match parts.iter().find(|(_, finite)| !finite) {
             None => Ok(()),
-            Some((quantity, _)) => Err(EchoError::NonFinitePath { frame: self.frame, path: self.path, quantity }),
+            Some((quantity, _)) => {
+                Err(EchoError::NonFinitePath { frame: self.frame, path: self.path, quantity })
+            }
         }
     }
 
@@ -224,9 +239,14 @@ impl Place {
         };
         match path.curve.span.filter(|span| !is_part(span)) {
             None => Ok(()),
-            Some(Span { first_s, step_s, moments, moment }) => {
-                Err(EchoError::NoSuchMoment { frame: self.frame, path: self.path, moment, moments, first_s, step_s })
-            }
+            Some(Span { first_s, step_s, moments, moment }) => Err(EchoError::NoSuchMoment {
+                frame: self.frame,
+                path: self.path,
+                moment,
+                moments,
+                first_s,
+                step_s,
+            }),
         }
     }
 

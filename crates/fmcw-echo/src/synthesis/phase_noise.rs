@@ -1,10 +1,12 @@
 //! Echoes with the oscillator's phase noise, by a few sums without it.
 //!
-//! A path's value is turned by e^{j[φ(T) − φ(T − τ)]}. Over the delays of a frame's paths (a microsecond at most) the second part
-//! is smooth, of band f_s/2: it is told by its values at a few delays τ_k, which are Chebyshev's and as many as the accuracy
-//! asks for. So Σ_p x_p·e^{j[φ(T) − φ(T − τ_p)]} = Σ_k e^{j[φ(T) − φ(T − τ_k)]}·Σ_p ℓ_k(τ_p)·x_p, and the inner sums are fast ones of
-//! weighted paths. The delays τ_k move with the paths' middle one, from pair to pair of elements and from chirp to chirp; what paths move
-//! against it is bounded. Where either error is too large, paths are halved by delay; a path alone is written from the formulas.
+//! A path's value is turned by e^{j[φ(T) − φ(T − τ)]}. Over the delays of a frame's paths (a microsecond at
+//! most) the second part is smooth, of band f_s/2: it is told by its values at a few delays τ_k, which are
+//! Chebyshev's and as many as the accuracy asks for. So Σ_p x_p·e^{j[φ(T) − φ(T − τ_p)]} = Σ_k e^{j[φ(T) −
+//! φ(T − τ_k)]}·Σ_p ℓ_k(τ_p)·x_p, and the inner sums are fast ones of weighted paths. The delays τ_k move
+//! with the paths' middle one, from pair to pair of elements and from chirp to chirp; what paths move against
+//! it is bounded. Where either error is too large, paths are halved by delay; a path alone is written from
+//! the formulas.
 
 use crate::impairments::oscillator::Oscillator;
 use crate::links::multiplexing::{Transmission, row};
@@ -16,8 +18,8 @@ use num_complex::{Complex32, Complex64};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
-/// The noise-free cube, √W, `[channel][chirp][sample]`, with the oscillator's phase, to an error of `accuracy` of its root mean
-/// square, as long as paths do not cancel each other.
+/// The noise-free cube, √W, `[channel][chirp][sample]`, with the oscillator's phase, to an error of
+/// `accuracy` of its root mean square, as long as paths do not cancel each other.
 pub fn cube(
     radar: &Radar,
     centre_frequency_hz: f64,
@@ -77,7 +79,9 @@ impl Sum<'_> {
             return self.add_exactly(middle.path, cube);
         }
         match self.delays(paths).filter(|_| self.move_alike(paths)) {
-            Some(delays) => delays.0.iter().enumerate().for_each(|(k, _)| self.add_weighted(paths, &delays, k, cube)),
+            Some(delays) => {
+                delays.0.iter().enumerate().for_each(|(k, _)| self.add_weighted(paths, &delays, k, cube))
+            }
             None => {
                 let (near, far) = paths.split_at(paths.len() / 2);
                 self.add(near, cube);
@@ -123,16 +127,21 @@ impl Sum<'_> {
         now.iter().zip(then).map(|(now, then)| Complex64::cis(now - then)).collect()
     }
 
-    /// Whether no path's delay changes against the middle one's, over elements and time, by more than the oscillator forgives.
+    /// Whether no path's delay changes against the middle one's, over elements and time, by more than the
+    /// oscillator forgives.
     fn move_alike(&self, paths: &[Delayed<'_>]) -> bool {
         let allowed_s = 0.25 * self.accuracy.amplitude() / self.oscillator.rate_rms_rad_per_s();
         let middle = paths[paths.len() / 2];
         let [channels, chirps] = [self.radar.cube_channels(), self.radar.waveform.chirps as usize];
-        let corners: Vec<Transmission> =
-            [0, channels - 1].iter().flat_map(|c| [0, chirps - 1].map(|m| row(self.radar, *c, m))).flatten().collect();
+        let corners: Vec<Transmission> = [0, channels - 1]
+            .iter()
+            .flat_map(|c| [0, chirps - 1].map(|m| row(self.radar, *c, m)))
+            .flatten()
+            .collect();
         paths.par_iter().all(|delayed| {
             corners.iter().all(|transmission| {
-                let moved_s = |of: &Delayed<'_>| delay_s(of.path, transmission, transmission.start_s) - of.delay_s;
+                let moved_s =
+                    |of: &Delayed<'_>| delay_s(of.path, transmission, transmission.start_s) - of.delay_s;
                 (moved_s(delayed) - moved_s(&middle)).abs() <= allowed_s
             })
         })
@@ -180,7 +189,8 @@ impl<'a> Probes<'a> {
 struct Delays(Vec<f64>);
 
 impl Delays {
-    /// As few as leave `error`, root mean square over the frame, at the worst delay between them; `None` where too many would be needed.
+    /// As few as leave `error`, root mean square over the frame, at the worst delay between them; `None`
+    /// where too many would be needed.
     fn of(probes: &Probes<'_>, paths: &[Delayed<'_>], error: f64) -> Option<Self> {
         let (first, last) = (paths.first()?.delay_s, paths.last()?.delay_s);
         let chebyshev = |count: usize| {
@@ -198,7 +208,8 @@ impl Delays {
             let delay_s = first + (last - first) * i as f64 / between as f64;
             let (exact, shares) = (probes.turns(delay_s), self.shares(delay_s));
             let square = |(moment, exact): (usize, &Complex64)| {
-                let told: Complex64 = known.iter().zip(&shares).map(|(known, share)| known[moment] * share).sum();
+                let told: Complex64 =
+                    known.iter().zip(&shares).map(|(known, share)| known[moment] * share).sum();
                 (told - exact).norm_sqr()
             };
             (exact.iter().enumerate().map(square).sum::<f64>() / exact.len() as f64).sqrt()

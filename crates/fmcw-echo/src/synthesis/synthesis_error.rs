@@ -17,7 +17,8 @@ use rayon::prelude::*;
 /// Samples that are compared: their mean power is known to 1/√48 (0.6 dB), the cost is that of 48 of 400 000.
 const PROBES: u64 = 48;
 
-/// ‖x − x_ref‖/‖x_ref‖ over a few samples of the noise-free cube as stored; `None` where the reference is silent.
+/// ‖x − x_ref‖/‖x_ref‖ over a few samples of the noise-free cube as stored; `None` where the reference is
+/// silent.
 ///
 /// The places follow from the frame's number alone, so that every run of a scene compares the same ones.
 pub(crate) fn of_paths(

@@ -24,11 +24,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Is told the share of the work done, 0 … 1, from several threads.
 pub type Progress<'a> = &'a (dyn Fn(f64) + Sync);
 
-/// The cube of one frame, noise included; `seed` is the scene's, `centre_frequency_hz` f_c of the paths' amplitudes, `accuracy`
-/// that of the sum over the paths.
+/// The cube of one frame, noise included; `seed` is the scene's, `centre_frequency_hz` f_c of the paths'
+/// amplitudes, `accuracy` that of the sum over the paths.
 ///
-/// The frame's error budget gets its share `synthesis` from a comparison with [`crate::sums::reference`] in this run.
-/// Refuses paths that have no finite echo, radars without samples, and cubes that do not fit into a file's record.
+/// The frame's error budget gets its share `synthesis` from a comparison with [`crate::sums::reference`] in
+/// this run. Refuses paths that have no finite echo, radars without samples, and cubes that do not fit into a
+/// file's record.
 pub fn synthesize(
     header: &CubeHeader,
     seed: u64,
@@ -49,17 +50,19 @@ pub fn synthesize(
     };
     progress(1.0);
     check_samples(header, frame.index, &samples)?;
-    let synthesis = synthesis_error::of_paths(radar, centre_frequency_hz, frame, &samples, oscillator.as_ref());
+    let synthesis =
+        synthesis_error::of_paths(radar, centre_frequency_hz, frame, &samples, oscillator.as_ref());
     receive(header, seed, (frame.index, frame.time_s), &mut samples)?;
     let error = frame.error.joined(ErrorBudget { synthesis, ..ErrorBudget::default() });
     Ok(CubeFrame { index: frame.index, time_s: frame.time_s, samples, error })
 }
 
-/// The cube of one frame from far-field tables, the paper's way; `poses` are those at the frame's first sample, in the
-/// order that the tables' `target` counts.
+/// The cube of one frame from far-field tables, the paper's way; `poses` are those at the frame's first
+/// sample, in the order that the tables' `target` counts.
 ///
-/// The share `synthesis` of the error is that of interpolating the tables, estimated by thinning them. Refuses what
-/// [`synthesize`] does, and tables of another polarization, broken shape, or that do not hold the aspects needed.
+/// The share `synthesis` of the error is that of interpolating the tables, estimated by thinning them.
+/// Refuses what [`synthesize`] does, and tables of another polarization, broken shape, or that do not hold
+/// the aspects needed.
 pub fn synthesize_tables(
     header: &CubeHeader,
     seed: u64,
@@ -84,10 +87,11 @@ fn with_drawn_errors(header: CubeHeader, seed: u64) -> CubeHeader {
     CubeHeader { radar: element_errors::drawn(&header.radar, seed), ..header }
 }
 
-/// What comes to the echoes in the receiver: noise, other radars; of a real mixer one part of it all; the converter.
+/// What comes to the echoes in the receiver: noise, other radars; of a real mixer one part of it all; the
+/// converter.
 ///
-/// Half of an echo's power is in that part and half of the noise's, but the echo's is shared by two lines of the spectrum: 3 dB
-/// less signal to noise than complex samples have (physics.md §9).
+/// Half of an echo's power is in that part and half of the noise's, but the echo's is shared by two lines of
+/// the spectrum: 3 dB less signal to noise than complex samples have (physics.md §9).
 fn receive(
     header: &CubeHeader,
     seed: u64,
@@ -131,8 +135,8 @@ fn rows(
     Ok(samples)
 }
 
-/// Bytes that making one frame takes at most beside its paths: the cube and its sums, the map of one channel for `snr_db`, and a
-/// row of sums for each thread.
+/// Bytes that making one frame takes at most beside its paths: the cube and its sums, the map of one channel
+/// for `snr_db`, and a row of sums for each thread.
 pub fn memory_estimate_bytes(header: &CubeHeader, accuracy: Accuracy) -> u64 {
     let [channels, chirps, length] = header.shape().map(|n| n as u64);
     let cube = channels * chirps * length * size_of::<Complex32>() as u64;
@@ -141,5 +145,8 @@ pub fn memory_estimate_bytes(header: &CubeHeader, accuracy: Accuracy) -> u64 {
     // With phase noise a sum in double precision and a part of it.
     let sums = if header.radar.hardware.phase_noise.is_empty() { 0 } else { 4 * cube };
     let sum = fast_sum::memory_estimate_bytes(&header.radar, accuracy) + sums;
-    cube + map + row * rayon::current_num_threads() as u64 + sum + oscillator::memory_estimate_bytes(&header.radar)
+    cube + map
+        + row * rayon::current_num_threads() as u64
+        + sum
+        + oscillator::memory_estimate_bytes(&header.radar)
 }

@@ -1,9 +1,15 @@
 //! Radars and paths that the tests and the benchmark share.
-#![allow(dead_code, unreachable_pub, reason = "each test file takes the part that it needs as a module of its own")]
+#![allow(
+    dead_code,
+    unreachable_pub,
+    reason = "each test file takes the part that it needs as a module of its own"
+)]
 
 use artifact::cube::CubeHeader;
 use artifact::paths::{Curve, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
-use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform};
+use artifact::radar::{
+    Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform,
+};
 use artifact::settings::{Angle, Detector, DspSettings, Lanes, Noise, Refine, StaticEchoes, Window};
 use artifact::units::{power_from_db, watts_from_dbm};
 use artifact::{Accuracy, ErrorBudget, ModelError};
@@ -146,21 +152,23 @@ pub fn frame(paths: Vec<Path>) -> PathsFrame {
     }
 }
 
-/// Paths as a tracer makes them, and worse: bounces apart by metres, both apparent points moving differently, every
-/// polarization of its own phase, amplitudes that turn by up to 3 rad over 1 GHz; 12 to 60 m away, up to 20 m/s.
+/// Paths as a tracer makes them, and worse: bounces apart by metres, both apparent points moving differently,
+/// every polarization of its own phase, amplitudes that turn by up to 3 rad over 1 GHz; 12 to 60 m away, up
+/// to 20 m/s.
 pub fn random_paths(seed: u64, count: usize) -> Vec<Path> {
     let mut random = Random(ChaCha8Rng::seed_from_u64(seed));
     (0..count).map(|_| random.path()).collect()
 }
 
-/// Paths of one rigid vehicle of 4.5 × 1.8 × 1.4 m about a place: one bounce or two a way of metres apart, amplitudes that turn over
-/// the band by what 3 cm of length make.
+/// Paths of one rigid vehicle of 4.5 × 1.8 × 1.4 m about a place: one bounce or two a way of metres apart,
+/// amplitudes that turn over the band by what 3 cm of length make.
 pub fn body(seed: u64, count: usize, middle_m: [f64; 3], velocity_mps: [f64; 3]) -> Vec<Path> {
     let mut random = Random(ChaCha8Rng::seed_from_u64(seed));
     let half_m = [0.9, 2.25, 0.7];
     (0..count)
         .map(|i| {
-            let mut node = || [0, 1, 2].map(|axis| middle_m[axis] + random.between(-half_m[axis], half_m[axis]));
+            let mut node =
+                || [0, 1, 2].map(|axis| middle_m[axis] + random.between(-half_m[axis], half_m[axis]));
             let apparent_tx_m = node();
             let apparent_rx_m = if i % 3 == 0 { node() } else { apparent_tx_m };
             Path {
@@ -193,7 +201,10 @@ impl Random {
     fn amplitude(&mut self, scale: f64) -> [[Complex64; 2]; 2] {
         [[(); 2]; 2].map(|row| {
             row.map(|()| {
-                Complex64::from_polar(self.between(0.1, 1.0) * scale, self.between(0.0, std::f64::consts::TAU))
+                Complex64::from_polar(
+                    self.between(0.1, 1.0) * scale,
+                    self.between(0.0, std::f64::consts::TAU),
+                )
             })
         })
     }

@@ -5,7 +5,8 @@ use artifact::{Accuracy, Radar};
 use fmcw_echo::direct_sum::DirectSum;
 use fmcw_echo::{fast_sum, reference};
 
-/// Four paths anywhere by direct sum and formulas; a body of 300 by direct and fast sum, −20 to −100 dB asked.
+/// Four paths anywhere by direct sum and formulas; a body of 300 by direct and fast sum, −20 to −100 dB
+/// asked.
 pub(crate) fn the_three_sums_agree(radar: &Radar, what: &str, seed: u64) {
     let (f_c, few) = (radar.waveform.centre_frequency_hz(), random_paths(seed, 4));
     let name = format!("{:?}, {what}", radar.array.multiplexing);

@@ -86,7 +86,8 @@ impl Sheet {
         let room = [TILE[0] as f64 - 12.0, TILE[1] as f64 - 12.0];
         let scale = (room[0] / (high.x - low.x)).min(room[1] / (high.y - low.y));
         let corner = [(tile[0] * TILE[0]) as f64 + 6.0, ((tile[1] + 1) * TILE[1]) as f64 - 6.0];
-        let place = |p: DVec3| DVec3::new(corner[0] + (p.x - low.x) * scale, corner[1] - (p.y - low.y) * scale, p.z);
+        let place =
+            |p: DVec3| DVec3::new(corner[0] + (p.x - low.x) * scale, corner[1] - (p.y - low.y) * scale, p.z);
         for (t, slot) in mesh.triangles.iter().zip(&mesh.material_of_triangle) {
             let [a, b, c] = t.map(|i| points[i as usize]);
             let normal = (b - a).cross(c - a).try_normalize().unwrap_or(DVec3::Z);

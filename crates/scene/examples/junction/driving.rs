@@ -1,10 +1,11 @@
-//! A junction of two roads with six lanes each, told by a car-following model: queues build up before a red light and
-//! dissolve at green. Lanes lie where the paper's Table 1 has them (x = 2, 5.75, 9.5 m towards the radar); the lane at
-//! x = 2 m turns right, all others go straight on.
+//! A junction of two roads with six lanes each, told by a car-following model: queues build up before a red
+//! light and dissolve at green. Lanes lie where the paper's Table 1 has them (x = 2, 5.75, 9.5 m towards the
+//! radar); the lane at x = 2 m turns right, all others go straight on.
 //!
-//! Each vehicle follows the intelligent driver model (Treiber, Hennecke and Helbing 2000, eq. 2–3): acceleration
-//! a·[1 − (v/v₀)⁴ − (s*/s)²] with s* = s₀ + vT + vΔv/(2√(ab)), s the gap to the vehicle ahead or to the stop line of a red
-//! light. Steps are Euler's, as SUMO's are: v(t) = v(t − Δ) + aΔ, x(t) = x(t − Δ) + v(t)Δ. Equal seeds give equal text.
+//! Each vehicle follows the intelligent driver model (Treiber, Hennecke and Helbing 2000, eq. 2–3):
+//! acceleration a·[1 − (v/v₀)⁴ − (s*/s)²] with s* = s₀ + vT + vΔv/(2√(ab)), s the gap to the vehicle ahead or
+//! to the stop line of a red light. Steps are Euler's, as SUMO's are: v(t) = v(t − Δ) + aΔ, x(t) = x(t − Δ) +
+//! v(t)Δ. Equal seeds give equal text.
 
 use std::fmt::Write;
 
@@ -41,7 +42,8 @@ const BRAKING: f64 = 2.5;
 const HEADWAY_S: f64 = 1.2;
 const GAP_M: f64 = 2.0;
 
-/// The way of one lane through the junction: a straight, or a straight, a quarter circle to the right and a straight.
+/// The way of one lane through the junction: a straight, or a straight, a quarter circle to the right and a
+/// straight.
 struct Lane {
     name: String,
     start_m: [f64; 2],
@@ -118,7 +120,8 @@ fn lanes() -> Vec<Lane> {
     let mut lanes = vec![];
     for index in 0..3 {
         let across = 3.75 * f64::from(index);
-        // South along the lanes of Table 1, north beside them, east and west on the crossing road (y = 0 … 22.5 m).
+        // South along the lanes of Table 1, north beside them, east and west on the crossing road (y = 0 …
+        // 22.5 m).
         for (name, start_m, angle_deg, stop_m) in [
             ("n", [2.0 + across, 26.5 + ARM_M], 180.0, ARM_M),
             ("s", [20.75 - across, -4.0 - ARM_M], 0.0, ARM_M),
@@ -126,7 +129,8 @@ fn lanes() -> Vec<Lane> {
             ("e", [24.75 + ARM_M, 20.625 - across], 270.0, ARM_M),
         ] {
             let is_first = start_m[0] > 0.0 && start_m[0] < 24.0;
-            // From x = 2 m into the lane at y = 20.625 m by 5 m: it begins 26.5 − 25.625 m behind the stop line.
+            // From x = 2 m into the lane at y = 20.625 m by 5 m: it begins 26.5 − 25.625 m behind the stop
+            // line.
             let turn = (name == "n" && index == 0).then_some((ARM_M + 0.875, 5.0));
             let end_m = if turn.is_some() { 2.0 * ARM_M } else { 2.0 * ARM_M + 30.5 };
             let name = format!("{name}_in_{index}");
@@ -190,7 +194,12 @@ fn arrive(lane: &Lane, road: &mut Road, time_s: f64, dice: &mut Dice) {
         draw -= KINDS[kind].share;
         kind += 1;
     }
-    road.vehicles.push(Vehicle { number: road.count, kind, front_m: 0.0, speed_mps: 0.7 * KINDS[kind].speed_mps });
+    road.vehicles.push(Vehicle {
+        number: road.count,
+        kind,
+        front_m: 0.0,
+        speed_mps: 0.7 * KINDS[kind].speed_mps,
+    });
     // At least 2 s, else exponential.
     road.count += 1;
     road.next_s = time_s + 2.0 - (lane.arrival_s - 2.0) * (1.0 - dice.share()).ln();
@@ -204,13 +213,20 @@ fn drive(lane: &Lane, road: &mut Vec<Vehicle>, time_s: f64) {
         let to_line_m = lane.stop_m - vehicle.front_m;
         // Who could only stop by more than twice the comfortable braking drives on.
         let can_stop = vehicle.speed_mps.powi(2) <= 4.0 * BRAKING * to_line_m;
-        let line = (!lane.is_open(time_s) && to_line_m > 0.0 && can_stop).then_some((lane.stop_m + GAP_M - 0.5, 0.0));
-        let (gap_m, other_mps) = [ahead, line].into_iter().flatten().fold((f64::INFINITY, 0.0), |nearest, next| {
-            if next.0 - vehicle.front_m < nearest.0 { (next.0 - vehicle.front_m, next.1) } else { nearest }
-        });
+        let line = (!lane.is_open(time_s) && to_line_m > 0.0 && can_stop)
+            .then_some((lane.stop_m + GAP_M - 0.5, 0.0));
+        let (gap_m, other_mps) =
+            [ahead, line].into_iter().flatten().fold((f64::INFINITY, 0.0), |nearest, next| {
+                if next.0 - vehicle.front_m < nearest.0 {
+                    (next.0 - vehicle.front_m, next.1)
+                } else {
+                    nearest
+                }
+            });
         let wanted_mps = lane.speed_limit_mps(vehicle.front_m, kind.speed_mps);
         let v = vehicle.speed_mps;
-        let wish_m = GAP_M + v * HEADWAY_S + v * (v - other_mps) / (2.0 * (kind.acceleration * BRAKING).sqrt());
+        let wish_m =
+            GAP_M + v * HEADWAY_S + v * (v - other_mps) / (2.0 * (kind.acceleration * BRAKING).sqrt());
         let rate = 1.0 - (v / wanted_mps).powi(4) - (wish_m.max(0.0) / gap_m.max(0.1)).powi(2);
         vehicle.speed_mps = (v + STEP_S * (kind.acceleration * rate).max(-8.0)).max(0.0);
         vehicle.front_m += STEP_S * vehicle.speed_mps;

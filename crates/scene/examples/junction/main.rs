@@ -1,4 +1,5 @@
-//! Writes the project's own traffic, a minute of a junction with a light, in the form of SUMO's floating-car data:
+//! Writes the project's own traffic, a minute of a junction with a light, in the form of SUMO's floating-car
+//! data:
 //!
 //! ```text
 //! cargo run --release -p scene --example junction -- --seed 1 --out fixtures/junction.fcd.xml.gz

@@ -22,7 +22,8 @@ impl Buffer {
     pub(crate) fn vectors(&mut self, values: &[[f32; 3]], extent: Option<[[f32; 3]; 2]>) -> usize {
         let bytes = values.iter().flatten().flat_map(|v| v.to_le_bytes()).collect();
         let view = self.view(bytes, ARRAY_BUFFER);
-        let mut accessor = json!({ "bufferView": view, "componentType": FLOAT, "count": values.len(), "type": "VEC3" });
+        let mut accessor =
+            json!({ "bufferView": view, "componentType": FLOAT, "count": values.len(), "type": "VEC3" });
         if let Some([low, high]) = extent {
             accessor["min"] = json!(low);
             accessor["max"] = json!(high);
@@ -34,7 +35,9 @@ impl Buffer {
         let bytes: Vec<u8> = indices.flat_map(u32::to_le_bytes).collect();
         let count = bytes.len() / 4;
         let view = self.view(bytes, ELEMENT_ARRAY_BUFFER);
-        self.accessor(json!({ "bufferView": view, "componentType": UNSIGNED_INT, "count": count, "type": "SCALAR" }))
+        self.accessor(
+            json!({ "bufferView": view, "componentType": UNSIGNED_INT, "count": count, "type": "SCALAR" }),
+        )
     }
 
     /// RGBA, a byte each.
@@ -65,8 +68,9 @@ pub(crate) fn gltf_axes([x, y, z]: [f32; 3]) -> [f32; 3] {
 
 /// Least and greatest corner.
 pub(crate) fn extent(positions: &[[f32; 3]]) -> [[f32; 3]; 2] {
-    let fold =
-        |start: f32, pick: fn(f32, f32) -> f32| [0, 1, 2].map(|k| positions.iter().map(|p| p[k]).fold(start, pick));
+    let fold = |start: f32, pick: fn(f32, f32) -> f32| {
+        [0, 1, 2].map(|k| positions.iter().map(|p| p[k]).fold(start, pick))
+    };
     [fold(f32::INFINITY, f32::min), fold(f32::NEG_INFINITY, f32::max)]
 }
 

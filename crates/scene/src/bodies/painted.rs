@@ -24,8 +24,8 @@ pub struct PaintedLine {
     pub colour: [u8; 3],
 }
 
-/// Binary glTF 2.0: triangles with their own corners and vertex colours, lines as line segments, no lighting needed
-/// (`KHR_materials_unlit` where a viewer knows it).
+/// Binary glTF 2.0: triangles with their own corners and vertex colours, lines as line segments, no lighting
+/// needed (`KHR_materials_unlit` where a viewer knows it).
 pub fn painted_glb(painted: &Painted) -> Vec<u8> {
     let mut buffer = Buffer::default();
     let primitives: Vec<Value> =
@@ -55,7 +55,11 @@ fn triangles(buffer: &mut Buffer, painted: &Painted) -> Option<Value> {
 
 fn lines(buffer: &mut Buffer, painted: &Painted) -> Option<Value> {
     let segments = |line: &PaintedLine| {
-        line.points_m.windows(2).flat_map(|pair| [pair[0], pair[1]]).map(|p| (p, line.colour)).collect::<Vec<_>>()
+        line.points_m
+            .windows(2)
+            .flat_map(|pair| [pair[0], pair[1]])
+            .map(|p| (p, line.colour))
+            .collect::<Vec<_>>()
     };
     let (ends, colours): (Vec<_>, Vec<_>) = painted.lines.iter().flat_map(segments).unzip();
     primitive(buffer, 1, &ends, &colours.into_iter().map(opaque).collect::<Vec<_>>())
@@ -84,7 +88,8 @@ mod tests {
     fn a_painted_mesh_is_sound_glb_with_its_triangles_lines_and_colours() {
         let vertices_m = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
         let mesh = Mesh { name: "one".into(), vertices_m, triangles: vec![[0, 1, 2]], ..Mesh::default() };
-        let line = PaintedLine { points_m: vec![[0.0; 3], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]], colour: [1, 2, 3] };
+        let line =
+            PaintedLine { points_m: vec![[0.0; 3], [0.0, 0.0, 2.0], [1.0, 1.0, 1.0]], colour: [1, 2, 3] };
         let bytes = painted_glb(&Painted { mesh: &mesh, triangle_colours: &[[9, 8, 7]], lines: &[line] });
         let document = gltf::Gltf::from_slice(&bytes).unwrap();
         let blob = document.blob.as_deref().unwrap();

@@ -1,8 +1,9 @@
-//! Street furniture of the project's own: poles, signs, guard rails and kerbs, drawn as prisms to the size asked for.
+//! Street furniture of the project's own: poles, signs, guard rails and kerbs, drawn as prisms to the size
+//! asked for.
 //!
-//! A piece goes in, a closed [`Mesh`] in body axes comes out, its materials named as those of the vehicles are. Tubes get
-//! facets so narrow that flat ones show them (chord over √(ρλ) at most 0.35, `docs/physics.md` §3); along the piece facets are as
-//! long as it is.
+//! A piece goes in, a closed [`Mesh`] in body axes comes out, its materials named as those of the vehicles
+//! are. Tubes get facets so narrow that flat ones show them (chord over √(ρλ) at most 0.35, `docs/physics.md`
+//! §3); along the piece facets are as long as it is.
 
 mod prism;
 mod outline;
@@ -128,7 +129,8 @@ mod tests {
 
     #[test]
     fn every_piece_stands_on_the_ground_and_has_the_size_asked_for() {
-        // Pole: diameter and height; sign: plate before a tube; rail: face 83 mm deep, posts 60 mm behind; kerb: 15 × 12 cm.
+        // Pole: diameter and height; sign: plate before a tube; rail: face 83 mm deep, posts 60 mm behind;
+        // kerb: 15 × 12 cm.
         let asked = [[0.114, 0.114, 6.0], [0.0801, 0.9, 2.85], [8.0, 0.1557, 0.75], [20.0, 0.15, 0.12]];
         for (piece, asked) in PIECES.iter().zip(asked) {
             let mesh = mesh(piece);
@@ -136,11 +138,16 @@ mod tests {
             let low = points().fold(DVec3::INFINITY, DVec3::min);
             let size = points().fold(DVec3::NEG_INFINITY, DVec3::max) - low;
             assert_eq!(low.z, 0.0, "{}", mesh.name);
-            assert!(size.abs_diff_eq(DVec3::from_array(asked), 1e-9), "{}: asked {asked:?}, got {size}", mesh.name);
+            assert!(
+                size.abs_diff_eq(DVec3::from_array(asked), 1e-9),
+                "{}: asked {asked:?}, got {size}",
+                mesh.name
+            );
         }
     }
 
-    /// A prism of n sides that has the circle's area is by less than (2π/n)² smaller than the cylinder around it.
+    /// A prism of n sides that has the circle's area is by less than (2π/n)² smaller than the cylinder around
+    /// it.
     #[test]
     fn a_pole_has_the_volume_of_its_cylinder_and_chords_that_show_no_facets() {
         let [height_m, diameter_m] = [6.0, 0.114];
@@ -148,7 +155,10 @@ mod tests {
         let sides = mesh.vertices_m.len() as f64 / 2.0;
         let cylinder_m3 = std::f64::consts::PI * 0.25 * diameter_m * diameter_m * height_m;
         let share = volume_m3(&mesh) / cylinder_m3;
-        assert!(share < 1.0 && 1.0 - share < (std::f64::consts::TAU / sides).powi(2), "{share} with {sides} sides");
+        assert!(
+            share < 1.0 && 1.0 - share < (std::f64::consts::TAU / sides).powi(2),
+            "{share} with {sides} sides"
+        );
         let chord_m = diameter_m * (std::f64::consts::PI / sides).sin();
         let q = chord_m / (0.5 * diameter_m * 3.893e-3_f64).sqrt();
         assert!(q <= 0.35, "q = {q}");

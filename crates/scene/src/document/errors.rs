@@ -11,7 +11,8 @@ use artifact::bounded::ReadFault;
 use std::fmt;
 use std::path::PathBuf;
 
-/// The rules that a scene file breaks, in the order of the file, never empty: the first hundred, and how many more there are.
+/// The rules that a scene file breaks, in the order of the file, never empty: the first hundred, and how many
+/// more there are.
 #[derive(Debug)]
 pub struct SceneErrors(pub Vec<SceneError>, pub u64);
 
@@ -269,7 +270,9 @@ pub enum Rule {
         multiplexing: &'static str,
     },
     /// A cube beyond the memory of the stages.
-    #[error("{channels} channels × {chirps} chirps × {samples} samples are more than {limit} values in a frame")]
+    #[error(
+        "{channels} channels × {chirps} chirps × {samples} samples are more than {limit} values in a frame"
+    )]
     CubeTooLarge {
         /// Of a map.
         channels: u64,
@@ -322,7 +325,9 @@ pub enum Rule {
         width_m: f64,
     },
     /// A lane of a scene that has none.
-    #[error("lane {0} does not exist: the scene has no lanes; beside [traffic] they are said in [intersection]")]
+    #[error(
+        "lane {0} does not exist: the scene has no lanes; beside [traffic] they are said in [intersection]"
+    )]
     NoLanes(u64),
     /// A network that cannot be used.
     #[error("{0}")]
@@ -370,7 +375,9 @@ pub enum Rule {
         nearest: Option<&'static str>,
     },
     /// Models beyond the memory of the stages.
-    #[error("the models up to this one have more than {limit} triangles together, the most that a scene may have")]
+    #[error(
+        "the models up to this one have more than {limit} triangles together, the most that a scene may have"
+    )]
     TooManyTriangles {
         /// Most triangles.
         limit: usize,

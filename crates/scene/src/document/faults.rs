@@ -1,4 +1,5 @@
-//! Broken rules of one file, noted in any order and told in the file's: the first hundred, however many there are.
+//! Broken rules of one file, noted in any order and told in the file's: the first hundred, however many there
+//! are.
 
 use crate::document::errors::{Place, Position, Rule, SceneError, SceneErrors};
 use std::cell::{OnceCell, RefCell};
@@ -52,7 +53,8 @@ impl<'s> Faults<'s> {
 
     /// The line of a byte, from 1.
     pub(crate) fn line(&self, byte: usize) -> u32 {
-        let newlines = |text: &str| text.bytes().enumerate().filter(|(_, b)| *b == b'\n').map(|(i, _)| i + 1).collect();
+        let newlines =
+            |text: &str| text.bytes().enumerate().filter(|(_, b)| *b == b'\n').map(|(i, _)| i + 1).collect();
         let begins = self.lines.get_or_init(|| newlines(self.text));
         begins.partition_point(|begin| *begin <= byte) as u32 + 1
     }
@@ -63,8 +65,8 @@ impl<'s> Faults<'s> {
         Position { line: self.line(before.len()), column: before[line_start..].chars().count() as u32 + 1 }
     }
 
-    /// What was noted, in the order of the file. Where the text is not TOML, what else is said of the same line, or said to be
-    /// missing, only follows from the first that is.
+    /// What was noted, in the order of the file. Where the text is not TOML, what else is said of the same
+    /// line, or said to be missing, only follows from the first that is.
     pub(crate) fn into_errors(self) -> Result<(), SceneErrors> {
         let (syntax, others) = (self.syntax.take(), self.others.take());
         let mut more = syntax.more() + others.more();

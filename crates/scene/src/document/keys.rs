@@ -1,4 +1,5 @@
-//! Every key of a scene, once: what the reader accepts, what an error suggests and what `docs/scenes.md` explains.
+//! Every key of a scene, once: what the reader accepts, what an error suggests and what `docs/scenes.md`
+//! explains.
 
 /// A table of a scene file and the keys it may hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -212,7 +213,8 @@ pub(crate) const LAYER: Table = Table {
 };
 
 /// A file of materials.
-pub(crate) const MATERIAL_FILE: Table = Table { name: "", heading: "the beginning of the file", keys: &["materials"] };
+pub(crate) const MATERIAL_FILE: Table =
+    Table { name: "", heading: "the beginning of the file", keys: &["materials"] };
 
 pub(crate) const ROAD: Table = Table {
     name: "road",
@@ -264,7 +266,16 @@ pub(crate) const CLUTTER: Table = Table {
 pub(crate) const TRAFFIC: Table = Table {
     name: "traffic",
     heading: "[traffic]",
-    keys: &["fcd", "net", "begin_s", "end_s", "models", "view_nearest_m", "view_range_m", "view_half_angle_deg"],
+    keys: &[
+        "fcd",
+        "net",
+        "begin_s",
+        "end_s",
+        "models",
+        "view_nearest_m",
+        "view_range_m",
+        "view_half_angle_deg",
+    ],
 };
 
 /// Each entry of `models` in `[traffic]` that is a table.
@@ -276,5 +287,8 @@ pub(crate) const MODEL_OF_TYPE: Table = Table {
 
 /// The heading of a table, other than `here`, that knows `key`.
 pub(crate) fn home_of(key: &str, here: &Table) -> Option<&'static str> {
-    TABLES.iter().find(|table| table.name != here.name && table.keys.contains(&key)).map(|table| table.heading)
+    TABLES
+        .iter()
+        .find(|table| table.name != here.name && table.keys.contains(&key))
+        .map(|table| table.heading)
 }

@@ -5,7 +5,8 @@ use crate::wording::allowed::Allowed;
 /// TOML's whole numbers end there.
 pub(crate) const SEEDS: Allowed = Allowed::Between(0.0, i64::MAX as f64);
 
-/// Coordinates beyond this are a slip of units; within it f64 resolves 1.5e-11 m, 4e-9 of a wavelength at 77 GHz.
+/// Coordinates beyond this are a slip of units; within it f64 resolves 1.5e-11 m, 4e-9 of a wavelength at 77
+/// GHz.
 pub(crate) const COORDINATES_M: Allowed = Allowed::Between(-1e5, 1e5);
 
 /// Beyond the speed of sound nothing drives.

@@ -88,7 +88,8 @@ impl<'d> Section<'d> {
         table.iter().filter_map(material).collect()
     }
 
-    /// What the `models` of recorded traffic say: for each type a name, a list of names, or a table with more.
+    /// What the `models` of recorded traffic say: for each type a name, a list of names, or a table with
+    /// more.
     pub(crate) fn model_choices(&self) -> Vec<ModelChoice<'d>> {
         let Some(value) = self.find("models") else { return vec![] };
         let DeValue::Table(table) = value.get_ref() else {
@@ -134,7 +135,10 @@ impl<'d> Section<'d> {
                 return None;
             };
             let (place, start) = (self.place.clone(), value.span().start);
-            Some(Section { table: Some(table), known: &keys::LAYER, place, start, faults: self.faults }.checked())
+            Some(
+                Section { table: Some(table), known: &keys::LAYER, place, start, faults: self.faults }
+                    .checked(),
+            )
         };
         layers.iter().map(layer).collect()
     }
@@ -240,7 +244,9 @@ impl<'d> Section<'d> {
     pub(crate) fn name(&self, key: &'static str) -> Option<&'d str> {
         let name = self.text(key)?;
         let plain = |c: char| c.is_alphanumeric() || " -_.+()".contains(c);
-        let good = (1..=64).contains(&name.chars().count()) && name.chars().all(plain) && !name.starts_with(['.', ' ']);
+        let good = (1..=64).contains(&name.chars().count())
+            && name.chars().all(plain)
+            && !name.starts_with(['.', ' ']);
         if !good {
             self.note(key, Rule::BadName { key, found: name.to_owned() });
         }
@@ -264,14 +270,16 @@ impl<'d> Section<'d> {
     /// Exactly `N` numbers, each in the range; `None` where absent or wrong.
     pub(crate) fn vector<const N: usize>(&self, key: &'static str, allowed: Allowed) -> Option<[f64; N]> {
         let numbers = self.list(key, Allowed::Between(N as f64, N as f64))?;
-        let numbers: Option<Vec<f64>> = numbers.iter().map(|value| self.number_in(key, value, allowed)).collect();
+        let numbers: Option<Vec<f64>> =
+            numbers.iter().map(|value| self.number_in(key, value, allowed)).collect();
         numbers?.try_into().ok()
     }
 
     /// Exactly `N` whole numbers, each in the range; `None` where absent or wrong.
     pub(crate) fn counts<const N: usize>(&self, key: &'static str, allowed: Allowed) -> Option<[u64; N]> {
         let numbers = self.list(key, Allowed::Between(N as f64, N as f64))?;
-        let numbers: Option<Vec<u64>> = numbers.iter().map(|value| self.integer_in(key, value, allowed)).collect();
+        let numbers: Option<Vec<u64>> =
+            numbers.iter().map(|value| self.integer_in(key, value, allowed)).collect();
         numbers?.try_into().ok()
     }
 
@@ -281,7 +289,12 @@ impl<'d> Section<'d> {
     }
 
     /// A list of pairs of numbers; `None` where absent or wrong.
-    pub(crate) fn pairs(&self, key: &'static str, length: Allowed, allowed: Allowed) -> Option<Vec<[f64; 2]>> {
+    pub(crate) fn pairs(
+        &self,
+        key: &'static str,
+        length: Allowed,
+        allowed: Allowed,
+    ) -> Option<Vec<[f64; 2]>> {
         self.list(key, length)?.iter().map(|value| self.pair(key, value, allowed)).collect()
     }
 
@@ -295,7 +308,8 @@ impl<'d> Section<'d> {
             self.note_at(value.span(), Rule::WrongLength { key, expected, found: pair.len() });
             return None;
         }
-        let numbers: Option<Vec<f64>> = pair.iter().map(|value| self.number_in(key, value, allowed)).collect();
+        let numbers: Option<Vec<f64>> =
+            pair.iter().map(|value| self.number_in(key, value, allowed)).collect();
         numbers?.try_into().ok()
     }
 

@@ -1,4 +1,5 @@
-//! Keys as other programs and data sheets call them: too unlike ours for the likeness of letters to find them.
+//! Keys as other programs and data sheets call them: too unlike ours for the likeness of letters to find
+//! them.
 
 use crate::document::keys::Table;
 

@@ -20,7 +20,10 @@ pub(crate) fn read_calibration(
 ) -> Result<Vec<Complex64>, CalibrationFileError> {
     let at = |line, rule| CalibrationFileError { file: file.to_owned(), line, rule };
     let text = bounded::read_text(file, LIMIT_BYTES).map_err(|error| at(0, CalibrationRule::File(error)))?;
-    let lines = text.lines().zip(1..).map(|(line, number)| (number, line.split('#').next().unwrap_or_default().trim()));
+    let lines = text
+        .lines()
+        .zip(1..)
+        .map(|(line, number)| (number, line.split('#').next().unwrap_or_default().trim()));
     let mut lines = lines.filter(|(_, line)| !line.is_empty());
     let heading = lines.next().filter(|(_, heading)| heading.split(',').map(str::trim).eq(COLUMNS));
     let (_, _) = heading.ok_or_else(|| at(1, CalibrationRule::NoHeading))?;
@@ -70,7 +73,9 @@ pub enum CalibrationRule {
     #[error("the first line must be `tx,rx,gain_db,phase_deg`")]
     NoHeading,
     /// Not two whole numbers and two numbers in their ranges.
-    #[error("must be tx,rx,gain_db,phase_deg: two counts from 0, a gain within ±60, a phase within ±360; is `{found}`")]
+    #[error(
+        "must be tx,rx,gain_db,phase_deg: two counts from 0, a gain within ±60, a phase within ±360; is `{found}`"
+    )]
     NotNumbers {
         /// The line.
         found: String,
@@ -143,7 +148,8 @@ mod tests {
 
     #[test]
     fn factors_undo_what_the_file_tells_up_to_one_common_gain() {
-        let factors = read("# measured\ntx,rx,gain_db,phase_deg\n1,0,-6.0206,-30\n0,0,0,90 # the first\n").unwrap();
+        let factors =
+            read("# measured\ntx,rx,gain_db,phase_deg\n1,0,-6.0206,-30\n0,0,0,90 # the first\n").unwrap();
         // Undone: ×1 turned by −90°, ×2 turned by 30°; over √((1 + 4)/2).
         let scale = 2.5_f64.sqrt();
         assert!((factors[0] * scale - Complex64::new(0.0, -1.0)).norm() < 1e-5);
@@ -157,7 +163,10 @@ mod tests {
             ("", "c.csv:1: the first line must be `tx,rx,gain_db,phase_deg`"),
             (&format!("{HEADING}0,0,1\n"), "c.csv:2: must be tx,rx,gain_db,phase_deg"),
             (&format!("{HEADING}0,0,nan,0\n"), "c.csv:2: must be tx,rx,gain_db,phase_deg"),
-            (&format!("{HEADING}0,1,0,0\n"), "c.csv:2: there is no pair 0,1: the array has 2 transmit and 1 receive"),
+            (
+                &format!("{HEADING}0,1,0,0\n"),
+                "c.csv:2: there is no pair 0,1: the array has 2 transmit and 1 receive",
+            ),
             (&format!("{HEADING}0,0,0,0\n0,0,0,0\n"), "c.csv:3: the pair 0,0 is told twice"),
             (&format!("{HEADING}0,0,0,0\n"), "c.csv:0: the pair 1,0 is missing"),
         ] {

@@ -5,8 +5,9 @@
 //! -90, 0, -24.5               one direction a line, in any order; # begins a comment
 //! ```
 //!
-//! Lines for every pair of some azimuths and elevations are a table. Otherwise every line lies on one of the two cuts, el_deg = 0
-//! or az_deg = 0, and beside them the gain is the sum of both in dB less that at the crossing.
+//! Lines for every pair of some azimuths and elevations are a table. Otherwise every line lies on one of the
+//! two cuts, el_deg = 0 or az_deg = 0, and beside them the gain is the sum of both in dB less that at the
+//! crossing.
 
 use artifact::bounded::{self, ReadFault};
 use artifact::radar::PatternTable;
@@ -20,7 +21,10 @@ use std::path::{Path, PathBuf};
 pub(crate) fn read_pattern_table(file: &Path) -> Result<PatternTable, PatternFileError> {
     let at = |line, rule| PatternFileError { file: file.to_owned(), line, rule };
     let text = text_of(file).map_err(|rule| at(0, rule))?;
-    let lines = text.lines().zip(1..).map(|(line, number)| (number, line.split('#').next().unwrap_or_default().trim()));
+    let lines = text
+        .lines()
+        .zip(1..)
+        .map(|(line, number)| (number, line.split('#').next().unwrap_or_default().trim()));
     let mut lines = lines.filter(|(_, line)| !line.is_empty());
     let Some((first, heading)) = lines.next() else { return Err(at(0, PatternRule::NoHeading)) };
     if heading.split(',').map(str::trim).ne(COLUMNS) {
@@ -187,8 +191,10 @@ fn distinct(directions: &[Direction]) -> Result<Vec<Direction>, Fault> {
         let by_elevation = a.elevation_deg.total_cmp(&b.elevation_deg);
         by_elevation.then(a.azimuth_deg.total_cmp(&b.azimuth_deg)).then(a.line.cmp(&b.line))
     });
-    let is_same = |a: &Direction, b: &Direction| [a.elevation_deg, a.azimuth_deg] == [b.elevation_deg, b.azimuth_deg];
-    let twice = sorted.windows(2).find(|pair| is_same(&pair[0], &pair[1]) && pair[0].gain_db != pair[1].gain_db);
+    let is_same =
+        |a: &Direction, b: &Direction| [a.elevation_deg, a.azimuth_deg] == [b.elevation_deg, b.azimuth_deg];
+    let twice =
+        sorted.windows(2).find(|pair| is_same(&pair[0], &pair[1]) && pair[0].gain_db != pair[1].gain_db);
     if let Some([first, second]) = twice {
         let Direction { line, azimuth_deg, elevation_deg, .. } = *second;
         return Err((line, PatternRule::ToldTwice { azimuth_deg, elevation_deg, first_line: first.line }));
@@ -208,8 +214,11 @@ fn from_cuts(sorted: &[Direction]) -> Result<Vec<f64>, Fault> {
     }
     let along_azimuth: Vec<&Direction> = sorted.iter().filter(|d| d.elevation_deg == 0.0).collect();
     let along_elevation = sorted.iter().filter(|d| d.azimuth_deg == 0.0);
-    let crossing = along_azimuth.iter().find(|d| d.azimuth_deg == 0.0).ok_or((0, PatternRule::NoCrossing))?.gain_db;
-    let row = |up: &Direction| along_azimuth.iter().map(move |d| d.gain_db + up.gain_db - crossing).collect::<Vec<_>>();
+    let crossing =
+        along_azimuth.iter().find(|d| d.azimuth_deg == 0.0).ok_or((0, PatternRule::NoCrossing))?.gain_db;
+    let row = |up: &Direction| {
+        along_azimuth.iter().map(move |d| d.gain_db + up.gain_db - crossing).collect::<Vec<_>>()
+    };
     Ok(along_elevation.flat_map(row).collect())
 }
 
@@ -244,8 +253,10 @@ mod tests {
         let cuts = read(&lines(steps().map(|az| [az, 0]).chain(steps().map(|el| [0, el])))).unwrap();
         assert_eq!(whole.azimuth_rad, cuts.azimuth_rad);
         assert_eq!((cuts.azimuth_rad.len(), cuts.elevation_rad.len()), (37, 37));
-        // The gains are told in f64 decimals; beyond cos = 1e-5 the test's own floor of −200 dB is all that differs.
-        let missed = whole.amplitude.iter().zip(&cuts.amplitude).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        // The gains are told in f64 decimals; beyond cos = 1e-5 the test's own floor of −200 dB is all that
+        // differs.
+        let missed =
+            whole.amplitude.iter().zip(&cuts.amplitude).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(missed < 1e-9, "{missed:e}");
         let ahead = Pattern::Table(cuts).amplitude([0.0, 1.0, 0.0]);
         assert!((ahead - 1.0).abs() < 1e-14, "{ahead}");
@@ -262,7 +273,10 @@ mod tests {
             (&format!("{HEADING}\n0,0,x\n"), "p.csv:3: must be three numbers"),
             (&format!("{HEADING}181,0,0\n"), "p.csv:2: az_deg must lie within ±180, is 181"),
             (&format!("{HEADING}0,0,NaN\n"), "p.csv:2: gain_db must lie within ±200, is NaN"),
-            (&format!("{HEADING}0,0,0\n1,0,0\n0,-0,1\n"), "p.csv:4: direction 0, 0 has another gain in line 2"),
+            (
+                &format!("{HEADING}0,0,0\n1,0,0\n0,-0,1\n"),
+                "p.csv:4: direction 0, 0 has another gain in line 2",
+            ),
             (&format!("{HEADING}0,0,0\n1,0,0\n"), "p.csv:0: az_deg takes 2 values; one or at least three"),
             (HEADING, "p.csv:0: az_deg takes 0 values"),
             (&format!("{HEADING}-9,0,0\n0,0,0\n9,0,0\n0,-9,0\n0,9,0\n5,5,0\n"), "p.csv:7: not every pair"),

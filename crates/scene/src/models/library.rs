@@ -1,4 +1,5 @@
-//! Models of bodies: files and the project's own vehicles and street furniture, each read once however many targets share it.
+//! Models of bodies: files and the project's own vehicles and street furniture, each read once however many
+//! targets share it.
 
 use crate::bodies::mesh::{self, MeshOptions, centred, read_mesh};
 use crate::bodies::{street, vehicles};
@@ -65,7 +66,15 @@ impl Models {
     /// `folder` holds the scene: relative paths start there.
     pub(crate) fn new(folder: &Path, options: &ReadOptions) -> Self {
         let (folder, options) = (folder.to_owned(), options.clone());
-        Self { folder, options, beside: vec![], known: vec![], places: HashMap::new(), meshes: vec![], triangles: 0 }
+        Self {
+            folder,
+            options,
+            beside: vec![],
+            known: vec![],
+            places: HashMap::new(),
+            meshes: vec![],
+            triangles: 0,
+        }
     }
 
     /// The model of a mesh target; what is wrong with it is noted at its key.
@@ -183,7 +192,9 @@ impl Models {
 /// The model that an option names; its path need not be text.
 fn replacing(target: &Section<'_>, path: &Path) -> Option<Model> {
     match path.to_str() {
-        None if mesh::Format::of(path).is_some() => Some(Model::File { path: path.to_owned(), unit_scale: None }),
+        None if mesh::Format::of(path).is_some() => {
+            Some(Model::File { path: path.to_owned(), unit_scale: None })
+        }
         _ => named_model(target, &path.to_string_lossy(), Path::new(""), None, None),
     }
 }
@@ -199,8 +210,10 @@ fn named_model(
     match (name, mesh::Format::of(Path::new(written))) {
         (Some(name), _) => {
             if unit_scale.is_some() {
-                target
-                    .note("unit_scale", Rule::Misplaced { key: "unit_scale", owner: "one of the project's vehicles" });
+                target.note(
+                    "unit_scale",
+                    Rule::Misplaced { key: "unit_scale", owner: "one of the project's vehicles" },
+                );
             }
             Some(Model::Vehicle { name, seed: seed.unwrap_or(0) })
         }
@@ -218,7 +231,8 @@ fn named_model(
     }
 }
 
-/// The mesh with its origin on the ground under its middle; an empty one where it was refused, and that is noted.
+/// The mesh with its origin on the ground under its middle; an empty one where it was refused, and that is
+/// noted.
 fn load(target: &Section<'_>, model: &Model) -> Mesh {
     let mesh = match model {
         Model::Vehicle { name, seed } => {

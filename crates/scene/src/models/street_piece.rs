@@ -5,7 +5,8 @@ use crate::document::errors::Rule;
 use crate::document::section::Section;
 use crate::wording::allowed::Allowed;
 
-/// The piece of that name in the size that the section gives; `None` for any other name, or where a size is wrong or missing.
+/// The piece of that name in the size that the section gives; `None` for any other name, or where a size is
+/// wrong or missing.
 pub(crate) fn read_size(section: &Section<'_>, name: &str) -> Option<Piece> {
     let (used, owner): (&[&str], _) = match name {
         "pole" => (&["height_m", "diameter_m"], "a pole"),
@@ -25,7 +26,9 @@ pub(crate) fn read_size(section: &Section<'_>, name: &str) -> Option<Piece> {
             diameter_m: size(section, "diameter_m", Allowed::Between(0.01, 5.0), 0.1143)?,
         }),
         // The plate's lower edge 2.25 m over a footway.
-        "sign" => Some(Piece::Sign { height_m: size(section, "height_m", Allowed::Between(0.7, 20.0), 2.85)? }),
+        "sign" => {
+            Some(Piece::Sign { height_m: size(section, "height_m", Allowed::Between(0.7, 20.0), 2.85)? })
+        }
         "guard-rail" => Some(Piece::GuardRail { length_m: length(section)? }),
         "kerb" => Some(Piece::Kerb { length_m: length(section)? }),
         _ => None,

@@ -1,4 +1,5 @@
-//! `[radar.array]`: antenna elements, from half wavelengths along the boresight's right and up to world metres.
+//! `[radar.array]`: antenna elements, from half wavelengths along the boresight's right and up to world
+//! metres.
 
 use crate::document::errors::Rule;
 use crate::document::section::Section;
@@ -26,7 +27,8 @@ type Elements = Vec<[f64; 2]>;
 /// Name and maker of transmit and receive elements.
 type Preset = (&'static str, fn() -> (Elements, Elements));
 
-/// Transmit and receive elements of the presets (table of `docs/scenes.md`); the last has 192 virtual elements.
+/// Transmit and receive elements of the presets (table of `docs/scenes.md`); the last has 192 virtual
+/// elements.
 const PRESETS: [Preset; 5] = [
     ("1x1", || (row(1, 1.0), row(1, 1.0))),
     ("1x4", || (row(1, 1.0), row(4, 1.0))),
@@ -49,8 +51,12 @@ pub(crate) fn read_array(section: &Section<'_>, mount: &Mount, models: &mut Mode
         ("ddm", Multiplexing::Ddm),
         ("bpm", Multiplexing::Bpm),
     ];
-    let polarization =
-        [("vv", Polarization::Vv), ("hh", Polarization::Hh), ("vh", Polarization::Vh), ("hv", Polarization::Hv)];
+    let polarization = [
+        ("vv", Polarization::Vv),
+        ("hh", Polarization::Hh),
+        ("vh", Polarization::Vh),
+        ("hv", Polarization::Hv),
+    ];
     Array {
         tx_m: mount.world_positions_m(&tx_half_wavelengths),
         rx_m: mount.world_positions_m(&rx_half_wavelengths),
@@ -63,17 +69,22 @@ pub(crate) fn read_array(section: &Section<'_>, mount: &Mount, models: &mut Mode
 }
 
 impl Mount {
-    /// World metres of elements centred on the mount: their mean, the row's phase centre, lies at its position.
+    /// World metres of elements centred on the mount: their mean, the row's phase centre, lies at its
+    /// position.
     pub(crate) fn world_positions_m(&self, elements: &[[f64; 2]]) -> Vec<[f64; 3]> {
         let (right, up) = self.right_and_up();
         let count = elements.len().max(1) as f64;
         let mean = |axis: usize| elements.iter().map(|element| element[axis]).sum::<f64>() / count;
         let centre = [mean(0), mean(1)];
         let in_plane = |e: &[f64; 2]| right * (e[0] - centre[0]) + up * (e[1] - centre[1]);
-        elements.iter().map(|e| (DVec3::from(self.position_m) + in_plane(e) * self.half_wavelength_m).into()).collect()
+        elements
+            .iter()
+            .map(|e| (DVec3::from(self.position_m) + in_plane(e) * self.half_wavelength_m).into())
+            .collect()
     }
 
-    /// Unit vectors to the right, horizontal, and up, both across the boresight, as seen when looking along it.
+    /// Unit vectors to the right, horizontal, and up, both across the boresight, as seen when looking along
+    /// it.
     fn right_and_up(&self) -> (DVec3, DVec3) {
         let (sin_az, cos_az) = self.boresight_az_rad.sin_cos();
         let (sin_el, cos_el) = self.boresight_el_rad.sin_cos();
@@ -88,7 +99,8 @@ pub fn remounted(radar: &Radar, height_m: f64, boresight_el_rad: f64) -> Radar {
     let [x_m, y_m, _] = radar.position_m;
     let position_m = [x_m, y_m, height_m];
     let half_wavelength_m = 0.5 * radar.waveform.wavelength_m();
-    let mount = Mount { position_m, boresight_az_rad: radar.boresight_az_rad, boresight_el_rad, half_wavelength_m };
+    let mount =
+        Mount { position_m, boresight_az_rad: radar.boresight_az_rad, boresight_el_rad, half_wavelength_m };
     let array = Array {
         tx_m: mount.world_positions_m(&radar.array.tx_half_wavelengths),
         rx_m: mount.world_positions_m(&radar.array.rx_half_wavelengths),
@@ -106,13 +118,18 @@ fn read_elements(section: &Section<'_>) -> (Elements, Elements) {
         section.note("preset", Rule::Contradiction { key: "preset", other });
     }
     match (has_tx, has_rx) {
-        (true, false) => section
-            .note("tx_half_wavelengths", Rule::Alone { key: "tx_half_wavelengths", companion: "rx_half_wavelengths" }),
-        (false, true) => section
-            .note("rx_half_wavelengths", Rule::Alone { key: "rx_half_wavelengths", companion: "tx_half_wavelengths" }),
+        (true, false) => section.note(
+            "tx_half_wavelengths",
+            Rule::Alone { key: "tx_half_wavelengths", companion: "rx_half_wavelengths" },
+        ),
+        (false, true) => section.note(
+            "rx_half_wavelengths",
+            Rule::Alone { key: "rx_half_wavelengths", companion: "tx_half_wavelengths" },
+        ),
         _ => {}
     }
-    tx.zip(rx).unwrap_or_else(|| section.word("preset", &PRESETS).map_or_else(default_elements, |preset| preset()))
+    tx.zip(rx)
+        .unwrap_or_else(|| section.word("preset", &PRESETS).map_or_else(default_elements, |preset| preset()))
 }
 
 fn default_elements() -> (Elements, Elements) {

@@ -1,5 +1,5 @@
-//! What of the radar is not ideal: errors of its elements in `[radar.array]`, converter and oscillator in `[radar.receiver]`,
-//! and other radars, `[[radar.interferer]]`.
+//! What of the radar is not ideal: errors of its elements in `[radar.array]`, converter and oscillator in
+//! `[radar.receiver]`, and other radars, `[[radar.interferer]]`.
 
 use crate::document::errors::Rule;
 use crate::document::keys;
@@ -26,7 +26,10 @@ pub(crate) fn read_hardware(
         rx: read_elements(array, ["rx_gain_errors_db", "rx_phase_errors_deg", "rx_delays_ps"], rx),
         spread: ElementSpread {
             gain_db: array.number("gain_spread_db", Allowed::Between(0.0, 10.0)).unwrap_or(0.0),
-            phase_rad: array.number("phase_spread_deg", Allowed::Between(0.0, 180.0)).unwrap_or(0.0).to_radians(),
+            phase_rad: array
+                .number("phase_spread_deg", Allowed::Between(0.0, 180.0))
+                .unwrap_or(0.0)
+                .to_radians(),
         },
         adc: read_adc(receiver),
         phase_noise: read_phase_noise(receiver),
@@ -35,7 +38,11 @@ pub(crate) fn read_hardware(
 }
 
 /// As many as there are elements, or none where no key is there.
-fn read_elements(section: &Section<'_>, [gains, phases, delays]: [&'static str; 3], count: usize) -> Vec<ElementError> {
+fn read_elements(
+    section: &Section<'_>,
+    [gains, phases, delays]: [&'static str; 3],
+    count: usize,
+) -> Vec<ElementError> {
     let length = Allowed::Between(count as f64, count as f64);
     let listed = |key, allowed| section.numbers(key, length, allowed).unwrap_or(vec![0.0; count]);
     let (gains_db, phases_deg, delays_ps) =
@@ -59,14 +66,16 @@ fn read_adc(section: &Section<'_>) -> Option<Adc> {
             section.note(key, Rule::Alone { key, companion });
         }
     }
-    bits.zip(full_scale_dbm).map(|(bits, dbm)| Adc { bits: bits as u8, full_scale: watts_from_dbm(dbm).sqrt() })
+    bits.zip(full_scale_dbm)
+        .map(|(bits, dbm)| Adc { bits: bits as u8, full_scale: watts_from_dbm(dbm).sqrt() })
 }
 
 /// Offsets from the carrier up to a terahertz, levels below the carrier's own.
 fn read_phase_noise(section: &Section<'_>) -> Vec<PhaseNoise> {
     const KEY: &str = "phase_noise_dbc_hz";
     let (offsets, levels) = (Allowed::Above(0.0, 1e12), Allowed::Between(-300.0, 0.0));
-    let told = section.pairs(KEY, Allowed::Between(1.0, 64.0), Allowed::Between(-300.0, 1e12)).unwrap_or_default();
+    let told =
+        section.pairs(KEY, Allowed::Between(1.0, 64.0), Allowed::Between(-300.0, 1e12)).unwrap_or_default();
     for (found, allowed) in told.iter().flat_map(|[offset, level]| [(*offset, offsets), (*level, levels)]) {
         if !allowed.holds(found) {
             section.note(KEY, Rule::OutOfRange { key: KEY, found, allowed });

@@ -1,5 +1,5 @@
-//! `[[radars]]`: several radars in one scene. Each inherits what `[radar]` says and says what is otherwise with it; a scene is read
-//! as one of them has it.
+//! `[[radars]]`: several radars in one scene. Each inherits what `[radar]` says and says what is otherwise
+//! with it; a scene is read as one of them has it.
 
 use crate::document::errors::{Rule, SceneErrors};
 use crate::document::ids::read_ids;
@@ -11,8 +11,8 @@ use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Names of the radars of the scene in `path`, in its order; none where it has the one of `[radar]` alone. What is wrong with
-/// them [`read`](crate::read()) tells.
+/// Names of the radars of the scene in `path`, in its order; none where it has the one of `[radar]` alone.
+/// What is wrong with them [`read`](crate::read()) tells.
 ///
 /// # Errors
 /// The file cannot be read, or is no text.
@@ -22,8 +22,8 @@ pub fn radars(path: &Path) -> Result<Vec<String>, SceneErrors> {
     Ok(entries(document.get_ref()).filter_map(|(_, entry)| id_of(entry)).map(str::to_owned).collect())
 }
 
-/// The document as one of its radars has it: `[radar]` with what the entry of that `id` says in its place, table by table.
-/// Without such an entry it is the document as it stands.
+/// The document as one of its radars has it: `[radar]` with what the entry of that `id` says in its place,
+/// table by table. Without such an entry it is the document as it stands.
 pub(crate) fn through<'a, 'd>(document: &'a DeTable<'d>, id: Option<&str>) -> Cow<'a, DeTable<'d>> {
     let Some((value, entry)) = entries(document).find(|(_, entry)| id.is_some() && id_of(entry) == id) else {
         return Cow::Borrowed(document);
@@ -39,8 +39,8 @@ pub(crate) fn through<'a, 'd>(document: &'a DeTable<'d>, id: Option<&str>) -> Co
     Cow::Owned(merged)
 }
 
-/// The scene's name, followed by that of the radar that was asked for. Noted are radars without a name or with another's, one
-/// that is missing, and that none was asked for where there are several.
+/// The scene's name, followed by that of the radar that was asked for. Noted are radars without a name or
+/// with another's, one that is missing, and that none was asked for where there are several.
 pub(crate) fn read_name(root: &Section<'_>, asked: Option<&str>) -> String {
     root.require("name");
     let name = root.name("name").unwrap_or_default();
@@ -56,7 +56,9 @@ pub(crate) fn read_name(root: &Section<'_>, asked: Option<&str>) -> String {
     asked.map_or_else(|| name.to_owned(), |radar| format!("{name}/{radar}"))
 }
 
-fn entries<'a, 'd>(document: &'a DeTable<'d>) -> impl Iterator<Item = (&'a Spanned<DeValue<'d>>, &'a DeTable<'d>)> {
+fn entries<'a, 'd>(
+    document: &'a DeTable<'d>,
+) -> impl Iterator<Item = (&'a Spanned<DeValue<'d>>, &'a DeTable<'d>)> {
     let array = document.get("radars").and_then(|value| value.get_ref().as_array());
     array.into_iter().flatten().filter_map(|value| Some((value, value.get_ref().as_table()?)))
 }

@@ -58,7 +58,8 @@ fn degrees(section: &Section<'_>, key: &'static str, limit: f64) -> f64 {
 }
 
 fn read_link(section: &Section<'_>) -> Link {
-    let transmit_power_dbm = section.number("transmit_power_dbm", Allowed::Between(-200.0, 200.0)).unwrap_or(12.0);
+    let transmit_power_dbm =
+        section.number("transmit_power_dbm", Allowed::Between(-200.0, 200.0)).unwrap_or(12.0);
     let antenna_gain_db = section.number("antenna_gain_dbi", Allowed::Between(-100.0, 100.0)).unwrap_or(10.0);
     Link { transmit_power_w: watts_from_dbm(transmit_power_dbm), antenna_gain_db }
 }

@@ -42,14 +42,16 @@ pub(crate) fn read_waveform(section: &Section<'_>, sampling: Sampling) -> (Wavef
 /// Idle time of each sub-frame, µs; empty where the frame has no parts.
 fn read_sub_frames(section: &Section<'_>) -> Vec<f64> {
     // Two tell a velocity; more than eight no radar sends.
-    let idle_us = section.numbers("sub_frame_idle_us", Allowed::Between(2.0, 8.0), Allowed::Between(0.0, 1e6));
+    let idle_us =
+        section.numbers("sub_frame_idle_us", Allowed::Between(2.0, 8.0), Allowed::Between(0.0, 1e6));
     if section.has("sub_frame_idle_us") && section.has("idle_us") {
         section.note("sub_frame_idle_us", Rule::Contradiction { key: "sub_frame_idle_us", other: "idle_us" });
     }
     idle_us.unwrap_or_default()
 }
 
-/// By how much each chirp of a turn starts later than at the mean interval, s, and by how much that is longer than without, µs.
+/// By how much each chirp of a turn starts later than at the mean interval, s, and by how much that is longer
+/// than without, µs.
 fn read_stagger(section: &Section<'_>) -> (Vec<f64>, f64) {
     let longer_us = section.numbers("stagger_us", Allowed::Between(2.0, 64.0), Allowed::Between(0.0, 1e6));
     let longer_us = longer_us.unwrap_or_default();

@@ -64,7 +64,8 @@ impl Clock {
             (None, Some(end_s)) => end_s,
             (None, None) => self.begin_s,
         };
-        let is_there = self.is_done() || (self.times.frames.is_none() && self.times.end_s.is_none() && self.next > 0);
+        let is_there =
+            self.is_done() || (self.times.frames.is_none() && self.times.end_s.is_none() && self.next > 0);
         let within_end = self.times.frames.zip(self.times.end_s);
         let within_end = within_end.is_none_or(|(frames, end_s)| self.at(frames - 1) <= end_s + ROUNDING_S);
         let rule = FcdRule::OutsideRecording { first: self.first_s, last, begin: self.begin_s, end: until_s };

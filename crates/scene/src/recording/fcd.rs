@@ -1,9 +1,10 @@
-//! SUMO's floating-car data, step by step: `.xml` as it is or packed by gzip, of any length; one step is held at a time.
+//! SUMO's floating-car data, step by step: `.xml` as it is or packed by gzip, of any length; one step is held
+//! at a time.
 //!
-//! Schema: `fcd_file.xsd` of SUMO (<https://sumo.dlr.de/docs/Simulation/Output/FCDOutput.html>): `<fcd-export>` holds
-//! `<timestep time>`, which hold `<vehicle id x y angle type speed …>`. Attributes that are not read (`pos`, `lane`, `slope`,
-//! `acceleration`, signals and more) may be there or not; elements other than vehicles (`<person>`, `<container>`) are
-//! passed over, since no model of ours is meant by them.
+//! Schema: `fcd_file.xsd` of SUMO (<https://sumo.dlr.de/docs/Simulation/Output/FCDOutput.html>):
+//! `<fcd-export>` holds `<timestep time>`, which hold `<vehicle id x y angle type speed …>`. Attributes that
+//! are not read (`pos`, `lane`, `slope`, `acceleration`, signals and more) may be there or not; elements
+//! other than vehicles (`<person>`, `<container>`) are passed over, since no model of ours is meant by them.
 
 use crate::recording::xml::{self, Element, XmlFault, XmlText};
 use crate::wording::excerpt::excerpt;
@@ -98,7 +99,9 @@ pub enum FcdRule {
         limit: u32,
     },
     /// More than memory should hold.
-    #[error("more than {0} poses of vehicles are in view: ask for fewer frames, or see less far by `view_range_m`")]
+    #[error(
+        "more than {0} poses of vehicles are in view: ask for fewer frames, or see less far by `view_range_m`"
+    )]
     TooManyPoses(usize),
     /// The text ends within an element.
     #[error("the file ends before </fcd-export>: it was cut off or is still being written")]
@@ -318,7 +321,8 @@ fn open_element(
         }
         (other, Place::Before) => Err(FcdRule::NotFcd(excerpt(other))),
         ("timestep", _) => {
-            let time_s = Attributes::of(tag, "timestep")?.number("time", "a number of seconds", |t| t.is_finite())?;
+            let time_s =
+                Attributes::of(tag, "timestep")?.number("time", "a number of seconds", |t| t.is_finite())?;
             *step = Some(FcdStep { time_s, line, vehicles: vec![] });
             Ok(extent == Extent::ToItsEnd)
         }
@@ -348,7 +352,8 @@ fn vehicle(tag: &BytesStart<'_>, line: u64) -> Result<FcdVehicle, FcdRule> {
         kind: attributes.name("type")?.to_owned(),
         front_m: [coordinate("x")?, coordinate("y")?, z],
         angle_deg: attributes.number("angle", "degrees within ±3600", |a| a.abs() <= 3600.0)?,
-        speed_mps: attributes.number("speed", "m/s from 0 to 340", |v| (0.0..=SPEED_LIMIT_MPS).contains(&v))?,
+        speed_mps: attributes
+            .number("speed", "m/s from 0 to 340", |v| (0.0..=SPEED_LIMIT_MPS).contains(&v))?,
         line,
     })
 }
@@ -386,7 +391,12 @@ impl Attributes {
         Err(FcdRule::NameTooLong { attribute: name, found: excerpt(text), limit: NAME_LIMIT_BYTES })
     }
 
-    fn number(&self, name: &'static str, allowed: &'static str, holds: impl Fn(f64) -> bool) -> Result<f64, FcdRule> {
+    fn number(
+        &self,
+        name: &'static str,
+        allowed: &'static str,
+        holds: impl Fn(f64) -> bool,
+    ) -> Result<f64, FcdRule> {
         let text = self.text(name)?;
         let wrong = || {
             let found = excerpt(text);

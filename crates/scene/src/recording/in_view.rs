@@ -49,7 +49,13 @@ mod tests {
 
     fn view(half_angle_deg: f64) -> View {
         let half_angle_rad = f64::to_radians(half_angle_deg);
-        View { foot_m: DVec2::new(1.0, 0.0), boresight: DVec2::Y, nearest_m: 0.0, range_m: 50.0, half_angle_rad }
+        View {
+            foot_m: DVec2::new(1.0, 0.0),
+            boresight: DVec2::Y,
+            nearest_m: 0.0,
+            range_m: 50.0,
+            half_angle_rad,
+        }
     }
 
     #[test]

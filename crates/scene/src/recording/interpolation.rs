@@ -1,19 +1,22 @@
-//! Where recorded vehicles are between the steps of a recording, so that position, velocity and yaw belong together.
+//! Where recorded vehicles are between the steps of a recording, so that position, velocity and yaw belong
+//! together.
 //!
-//! SUMO moves a vehicle by x(t) = x(t − Δ) + Δ·v(t) (its default, Euler): between two steps the velocity is constant and is
-//! the one told with the second. So for a moment t in (t₁, t₂], u = (t − t₁)/(t₂ − t₁):
+//! SUMO moves a vehicle by x(t) = x(t − Δ) + Δ·v(t) (its default, Euler): between two steps the velocity is
+//! constant and is the one told with the second. So for a moment t in (t₁, t₂], u = (t − t₁)/(t₂ − t₁):
 //!
-//! - the front bumper moves by v, the way p₂ − p₁ over t₂ − t₁, and is at p₂ − (t₂ − t)·v. Positions are rounded, by SUMO's
-//!   default to 1 cm, so that the way of 0.1 s tells 0.1 m/s at best; where its length is the told speed's to
-//!   [`ROUNDING_M`], that speed is taken, along the way or, where this is too short to have a direction, the heading;
-//! - the heading turns evenly, by the shorter way, and the body's origin, half a length behind the bumper, moves as both
-//!   say: its velocity is the exact derivative of its position;
+//! - the front bumper moves by v, the way p₂ − p₁ over t₂ − t₁, and is at p₂ − (t₂ − t)·v. Positions are
+//!   rounded, by SUMO's default to 1 cm, so that the way of 0.1 s tells 0.1 m/s at best; where its length is
+//!   the told speed's to [`ROUNDING_M`], that speed is taken, along the way or, where this is too short to
+//!   have a direction, the heading;
+//! - the heading turns evenly, by the shorter way, and the body's origin, half a length behind the bumper,
+//!   moves as both say: its velocity is the exact derivative of its position;
 //! - a vehicle is there from its first step to its last, at its first with the speed told there;
-//! - a lane change, which SUMO's default model makes within one step, is driven in [`LANE_CHANGE_S`]: the sideways part of
-//!   the jump, told by [`SIDEWAYS_JUMP_M`], follows 3s² − 2s³ from the step before the jump on. Yaw stays as recorded:
-//!   the body slides across by up to 1.5·3.75 m/4 s = 1.4 m/s, at 10 m/s 8° off its axis;
-//! - a vehicle that would have to be faster than [`TELEPORT_MPS`] was put elsewhere by the simulation: it is not there
-//!   between the two steps.
+//! - a lane change, which SUMO's default model makes within one step, is driven in [`LANE_CHANGE_S`]: the
+//!   sideways part of the jump, told by [`SIDEWAYS_JUMP_M`], follows 3s² − 2s³ from the step before the jump
+//!   on. Yaw stays as recorded: the body slides across by up to 1.5·3.75 m/4 s = 1.4 m/s, at 10 m/s 8° off
+//!   its axis;
+//! - a vehicle that would have to be faster than [`TELEPORT_MPS`] was put elsewhere by the simulation: it is
+//!   not there between the two steps.
 
 use crate::recording::fcd::{FcdStep, FcdVehicle};
 use artifact::scene::Pose;
@@ -21,14 +24,16 @@ use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
-/// What a lane change takes: the mean of 1790 observed ones is 4.6 s, their median near 4 (Toledo & Zohar 2007).
+/// What a lane change takes: the mean of 1790 observed ones is 4.6 s, their median near 4 (Toledo & Zohar
+/// 2007).
 pub const LANE_CHANGE_S: f64 = 4.0;
 
-/// A step that leads further than this across the mean heading of its two ends is a jump: twice what a turn of 0.1 s shows
-/// (0.5 m on the recorded junctions), half of what the narrowest lanes are apart (2.5 m).
+/// A step that leads further than this across the mean heading of its two ends is a jump: twice what a turn
+/// of 0.1 s shows (0.5 m on the recorded junctions), half of what the narrowest lanes are apart (2.5 m).
 pub const SIDEWAYS_JUMP_M: f64 = 1.2;
 
-/// Jumps of [`SIDEWAYS_JUMP_M`] at [`TELEPORT_MPS`] and the steps of 0.1 s that people record are at most 40 in that time.
+/// Jumps of [`SIDEWAYS_JUMP_M`] at [`TELEPORT_MPS`] and the steps of 0.1 s that people record are at most 40
+/// in that time.
 const SLIDES_AT_ONCE: usize = 64;
 
 /// What of a way may be rounding: four coordinates of 5 mm, and the speed's 5 mm/s over a second.
@@ -146,8 +151,8 @@ impl Interval {
         &self.after.vehicles
     }
 
-    /// Where a vehicle of the later step is at a moment after the earlier step and not after the later; `None` where it is
-    /// not there.
+    /// Where a vehicle of the later step is at a moment after the earlier step and not after the later;
+    /// `None` where it is not there.
     pub fn bumper(&self, vehicle: &FcdVehicle, time_s: f64) -> Option<Bumper> {
         let earlier = self.before.as_ref().zip(self.known.get(&vehicle.id));
         let Some((before, index)) = earlier else {
@@ -206,7 +211,8 @@ fn turn_rad(a: &FcdVehicle, b: &FcdVehicle) -> f64 {
     turn - TAU * (turn / TAU).round()
 }
 
-/// What of a step leads across the mean heading, where it is a jump. Along a circle the chord has the mean heading.
+/// What of a step leads across the mean heading, where it is a jump. Along a circle the chord has the mean
+/// heading.
 pub fn sideways_jump(a: &FcdVehicle, b: &FcdVehicle) -> Option<DVec2> {
     let way = DVec3::from(b.front_m).truncate() - DVec3::from(a.front_m).truncate();
     let across = heading(yaw_rad(a.angle_deg) + 0.5 * turn_rad(a, b)).perp();

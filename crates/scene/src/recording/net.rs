@@ -1,9 +1,11 @@
-//! Lanes of a SUMO network (`.net.xml`, as it is or packed by gzip): where they run, how wide they are, what they are called.
+//! Lanes of a SUMO network (`.net.xml`, as it is or packed by gzip): where they run, how wide they are, what
+//! they are called.
 //!
-//! Schema: `net_file.xsd` of SUMO (<https://sumo.dlr.de/docs/Networks/SUMO_Road_Networks.html>): `<net>` holds `<edge>`, which hold
-//! `<lane id shape width …>`, the shape a list of places x,y along the lane's middle. Coordinates are those of the recording, and like
-//! them the scene's. Passed over are lanes inside junctions and crossings (`function` of the edge), which lie across one another, and those
-//! that only pedestrians use.
+//! Schema: `net_file.xsd` of SUMO (<https://sumo.dlr.de/docs/Networks/SUMO_Road_Networks.html>): `<net>`
+//! holds `<edge>`, which hold `<lane id shape width …>`, the shape a list of places x,y along the lane's
+//! middle. Coordinates are those of the recording, and like them the scene's. Passed over are lanes inside
+//! junctions and crossings (`function` of the edge), which lie across one another, and those that only
+//! pedestrians use.
 
 use crate::recording::in_view::View;
 use crate::recording::xml::{self, Element, XmlFault, XmlText};
@@ -94,7 +96,8 @@ const DEFAULT_WIDTH_M: f64 = 3.2;
 const COORDINATE_LIMIT_M: f64 = 1e5;
 const NAME_LIMIT_BYTES: usize = 256;
 
-/// Lanes of which a part lies within the range of view, to whichever side, numbered from 1 in the order of the file.
+/// Lanes of which a part lies within the range of view, to whichever side, numbered from 1 in the order of
+/// the file.
 pub(crate) fn read_net(file: &Path, view: &View) -> Result<Vec<Course>, NetError> {
     let error = |line, rule| NetError { file: file.to_owned(), line, rule };
     let mut text = XmlText::open(file).map_err(|fault| error(1, NetRule::Text(fault)))?;
@@ -107,7 +110,10 @@ pub(crate) fn read_net(file: &Path, view: &View) -> Result<Vec<Course>, NetError
             }
             Progress::Goes => {}
             Progress::IsDone if net.courses.is_empty() => {
-                return Err(error(text.line(), NetRule::NoneInView { lanes: net.lanes, range_m: view.range_m() }));
+                return Err(error(
+                    text.line(),
+                    NetRule::NoneInView { lanes: net.lanes, range_m: view.range_m() },
+                ));
             }
             Progress::IsDone => return Ok(net.courses),
         }
@@ -199,7 +205,12 @@ fn text<'a>(attributes: &'a [(String, String)], attribute: &'static str) -> Resu
     find(attributes, attribute).filter(|text| !text.is_empty()).ok_or_else(missing)
 }
 
-fn wrong(attributes: &[(String, String)], attribute: &'static str, found: &str, allowed: &'static str) -> NetRule {
+fn wrong(
+    attributes: &[(String, String)],
+    attribute: &'static str,
+    found: &str,
+    allowed: &'static str,
+) -> NetRule {
     NetRule::Wrong { id: find(attributes, "id").map(excerpt), attribute, found: excerpt(found), allowed }
 }
 

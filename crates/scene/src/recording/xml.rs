@@ -1,4 +1,5 @@
-//! XML of SUMO as a stream: as it is or packed by gzip, of any length, each element with its line, in bounded memory.
+//! XML of SUMO as a stream: as it is or packed by gzip, of any length, each element with its line, in bounded
+//! memory.
 
 use crate::wording::excerpt::beginning;
 use artifact::bounded;
@@ -148,7 +149,8 @@ struct Lines {
 impl Lines {
     fn open(file: &Path) -> io::Result<Self> {
         let mut packed = BufReader::new(bounded::open(file)?);
-        let packing = if packed.fill_buf()?.starts_with(&[0x1f, 0x8b]) { Packing::Gzip } else { Packing::Plain };
+        let packing =
+            if packed.fill_buf()?.starts_with(&[0x1f, 0x8b]) { Packing::Gzip } else { Packing::Plain };
         let source: Box<dyn Read> = match packing {
             Packing::Gzip => Box::new(flate2::bufread::MultiGzDecoder::new(packed)),
             Packing::Plain => Box::new(packed),

@@ -1,5 +1,5 @@
-//! `[[clutter]]`: what stands about in a street, of its own making or from a file. It scatters and hides as targets do, and stands
-//! still.
+//! `[[clutter]]`: what stands about in a street, of its own making or from a file. It scatters and hides as
+//! targets do, and stands still.
 
 use crate::document::ranges::COORDINATES_M;
 use crate::document::section::Section;
@@ -8,7 +8,11 @@ use crate::wording::allowed::Allowed;
 use artifact::scene::{Pose, Role, Target, TargetKind};
 
 /// The scene's clutter; pieces that break a rule are noted and left out.
-pub(crate) fn read_clutter(sections: &[Section<'_>], ids: &[Option<&str>], models: &mut Models) -> Vec<Target> {
+pub(crate) fn read_clutter(
+    sections: &[Section<'_>],
+    ids: &[Option<&str>],
+    models: &mut Models,
+) -> Vec<Target> {
     sections.iter().zip(ids).filter_map(|(section, id)| read_piece(section, *id, models)).collect()
 }
 

@@ -23,7 +23,12 @@ enum Kind {
 }
 
 /// The scene's targets, then its clutter; those that break a rule are noted and left out.
-pub(crate) fn read_targets(root: &Section<'_>, radar: &Radar, road: &Lanes, models: &mut Models) -> Vec<Target> {
+pub(crate) fn read_targets(
+    root: &Section<'_>,
+    radar: &Radar,
+    road: &Lanes,
+    models: &mut Models,
+) -> Vec<Target> {
     let (sections, clutter) = (root.sections(&keys::TARGET), root.sections(&keys::CLUTTER));
     let ids = read_ids(&[&sections[..], &clutter[..]].concat());
     let (ids, ids_of_clutter) = ids.split_at(sections.len());
@@ -55,7 +60,8 @@ fn check_distance(section: &Section<'_>, radar: &Radar, target: &Target) {
     }
     let place_m = DVec3::from(target.start.position_m);
     let elements = radar.array.tx_m.iter().chain(&radar.array.rx_m);
-    let distance_m = elements.map(|element| place_m.distance((*element).into())).fold(f64::INFINITY, f64::min);
+    let distance_m =
+        elements.map(|element| place_m.distance((*element).into())).fold(f64::INFINITY, f64::min);
     let wavelength_m = radar.waveform.wavelength_m();
     if distance_m < wavelength_m {
         let key = if section.has("position_m") { "position_m" } else { "y_m" };
@@ -73,7 +79,8 @@ fn read_mesh_target(section: &Section<'_>, models: &mut Models) -> Option<Target
 fn read_point_target(section: &Section<'_>) -> Option<TargetKind> {
     misplaced(section, &["class", "model", "vehicle_seed", "unit_scale"], "a point target");
     if section.has("yaw_deg") && !section.has("wheel_radius_m") {
-        section.note("yaw_deg", Rule::Misplaced { key: "yaw_deg", owner: "a point target that is on no wheel" });
+        section
+            .note("yaw_deg", Rule::Misplaced { key: "yaw_deg", owner: "a point target that is on no wheel" });
     }
     section.require("rcs_m2");
     let wheel = read_wheel(section);

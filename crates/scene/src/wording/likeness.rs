@@ -2,8 +2,9 @@
 
 /// The word of `known` spelt most like `found`, if any is like it at all.
 pub(crate) fn nearest(found: &str, known: &[&'static str]) -> Option<&'static str> {
-    // 0.6 lets one wrong or missing letter in three pass: `slope` finds `slope_mhz_per_us`, `velocty_mps` finds
-    // `velocity_mps`, `colour` finds nothing. Jaro–Winkler favours common beginnings, where our keys carry their sense.
+    // 0.6 lets one wrong or missing letter in three pass: `slope` finds `slope_mhz_per_us`, `velocty_mps`
+    // finds `velocity_mps`, `colour` finds nothing. Jaro–Winkler favours common beginnings, where our keys
+    // carry their sense.
     nearest_from(0.6, found, known)
 }
 

@@ -20,17 +20,31 @@ pub(crate) fn sound() -> Vec<GlbFile> {
     let values = sparse.add_accessor(floats(&[[4.0, 0.0, 0.0], [0.0, 0.0, 4.0]]), 2, 5126, "VEC3");
     let replaced = json!({ "count": 2, "indices": { "bufferView": indices, "componentType": 5121 }, "values": { "bufferView": values } });
     let mut strip = plain.clone();
-    let corners =
-        strip.add_accessor([0_u32, 1, 2, 3].iter().flat_map(|i| i.to_le_bytes()).collect(), 4, 5125, "SCALAR");
-    let strip =
-        strip.set("/meshes/0/primitives/0/indices", json!(corners)).set("/meshes/0/primitives/0/mode", json!(5));
+    let corners = strip.add_accessor(
+        [0_u32, 1, 2, 3].iter().flat_map(|i| i.to_le_bytes()).collect(),
+        4,
+        5125,
+        "SCALAR",
+    );
+    let strip = strip
+        .set("/meshes/0/primitives/0/indices", json!(corners))
+        .set("/meshes/0/primitives/0/mode", json!(5));
     let mut quantized = plain.clone();
-    let positions = quantized.add_accessor(vec![0, 0, 0, 0, 9, 0, 0, 0, 0, 9, 0, 0, 0, 0, 9, 0], 4, 5120, "VEC3");
+    let positions =
+        quantized.add_accessor(vec![0, 0, 0, 0, 9, 0, 0, 0, 0, 9, 0, 0, 0, 0, 9, 0], 4, 5120, "VEC3");
     let quantized = quantized
         .set("/meshes/0/primitives/0/attributes/POSITION", json!(positions))
         .set("/extensionsUsed", json!(["KHR_mesh_quantization"]));
-    let fan = strip.clone().without("/meshes/0/primitives/0/indices").set("/meshes/0/primitives/0/mode", json!(6));
-    vec![plain.clone().set("/nodes", nodes), plain, sparse.set("/accessors/0/sparse", replaced), strip, fan, quantized]
+    let fan =
+        strip.clone().without("/meshes/0/primitives/0/indices").set("/meshes/0/primitives/0/mode", json!(6));
+    vec![
+        plain.clone().set("/nodes", nodes),
+        plain,
+        sparse.set("/accessors/0/sparse", replaced),
+        strip,
+        fan,
+        quantized,
+    ]
 }
 
 /// A binary file, changed.
@@ -136,13 +150,21 @@ fn strange(noise: &mut Noise) -> Value {
         8 => json!({ "POSITION": small, "NORMAL": small }),
         9 => json!("x".repeat(noise.times())),
         10 => json!([u32::MAX, -1, 1e300, null]),
-        _ => json!(noise.pick(&["VEC3", "SCALAR", "MAT4", "2.0", "KHR_draco_mesh_compression", "data:;base64,AAA="])),
+        _ => json!(noise.pick(&[
+            "VEC3",
+            "SCALAR",
+            "MAT4",
+            "2.0",
+            "KHR_draco_mesh_compression",
+            "data:;base64,AAA="
+        ])),
     }
 }
 
 /// Words of 16 or 32 bits anywhere.
 pub(crate) fn change_numbers(noise: &mut Noise, bytes: &mut [u8]) {
-    let strange = [f32::NAN, f32::INFINITY, -f32::MAX, f32::MIN_POSITIVE, 1e-45, 1e19, 0.0, -0.0].map(f32::to_bits);
+    let strange =
+        [f32::NAN, f32::INFINITY, -f32::MAX, f32::MIN_POSITIVE, 1e-45, 1e19, 0.0, -0.0].map(f32::to_bits);
     let (words, at) = (bytes.len() / 4, noise.below(bytes.len() / 4));
     let word = if noise.one_in(2) { strange[noise.below(8)] } else { noise.next() as u32 >> noise.below(32) };
     if words > 0 {

@@ -1,6 +1,6 @@
-//! Every reader of this crate against files changed by their structure: lengths, counts, indices, heads of chunks, values of JSON,
-//! tags, words and numbers. Each is read or refused with a sentence that names the file; none panics, takes a minute, or fills
-//! the memory.
+//! Every reader of this crate against files changed by their structure: lengths, counts, indices, heads of
+//! chunks, values of JSON, tags, words and numbers. Each is read or refused with a sentence that names the
+//! file; none panics, takes a minute, or fills the memory.
 //!
 //! ```text
 //! WAYSIDE_FUZZ_CASES=100000   cases for each reader (400)
@@ -44,7 +44,8 @@ fn files_of_changed_structure_are_read_or_refused_with_a_sentence() {
     let folder = tempfile::Builder::new().prefix("wayside-fuzz-").tempdir().unwrap().keep();
     watch::start(&folder);
     let only: Option<String> = asked("WAYSIDE_FUZZ_READER");
-    let chosen: Vec<&Reader> = READERS.iter().filter(|r| only.as_ref().is_none_or(|name| r.name == *name)).collect();
+    let chosen: Vec<&Reader> =
+        READERS.iter().filter(|r| only.as_ref().is_none_or(|name| r.name == *name)).collect();
     let mut tallies = vec![Tally::default(); chosen.len()];
     while let Some(next) = next_of(&tallies) {
         let begin = watch::processor_time();
@@ -58,7 +59,10 @@ fn files_of_changed_structure_are_read_or_refused_with_a_sentence() {
     }
     chosen.iter().zip(&tallies).for_each(|(reader, tally)| tell(reader, tally));
     watch::rest();
-    assert!(tallies.iter().all(|tally| tally.read > 0 && tally.read < tally.cases), "some are read and some refused");
+    assert!(
+        tallies.iter().all(|tally| tally.read > 0 && tally.read < tally.cases),
+        "some are read and some refused"
+    );
     std::fs::remove_dir_all(folder).unwrap();
 }
 
@@ -71,7 +75,9 @@ fn next_of(tallies: &[Tally]) -> Option<usize> {
         None => tally.cases >= cases,
     };
     let open = (0..tallies.len()).filter(|i| !is_enough(&tallies[*i]));
-    open.min_by_key(|i| if minutes.is_some() { tallies[*i].spent.as_millis() as u64 } else { tallies[*i].cases })
+    open.min_by_key(
+        |i| if minutes.is_some() { tallies[*i].spent.as_millis() as u64 } else { tallies[*i].cases },
+    )
 }
 
 fn one_case(reader: &Reader, tally: &mut Tally, folder: &Path) {

@@ -23,7 +23,11 @@ pub(crate) const READERS: [Reader; 12] = [
     Reader { name: "glb", write: |n, at| put(at, "m.glb", &gltf::binary(n)), read: |at| mesh(at, "m.glb") },
     Reader { name: "gltf", write: write_gltf, read: |at| mesh(at, "m.gltf") },
     Reader { name: "stl", write: write_stl, read: |at| mesh(at, "m.stl") },
-    Reader { name: "stl-text", write: |n, at| text(n, at, "m.stl", sound::STL), read: |at| mesh(at, "m.stl") },
+    Reader {
+        name: "stl-text",
+        write: |n, at| text(n, at, "m.stl", sound::STL),
+        read: |at| mesh(at, "m.stl"),
+    },
     Reader { name: "obj", write: |n, at| text(n, at, "m.obj", sound::OBJ), read: |at| mesh(at, "m.obj") },
     Reader { name: "scene", write: write_scene, read: |at| whole_scene(at, "s.toml") },
     Reader { name: "materials", write: |n, at| text(n, at, "m.toml", sound::MATERIALS), read: materials },
@@ -59,7 +63,11 @@ impl Reader {
             Err(sentence) => {
                 assert!(!sentence.trim().is_empty(), "{}: refused without a word", self.name);
                 assert!(sentence.len() < 1 << 20, "{}: refused in {} bytes", self.name, sentence.len());
-                assert!(sentence.contains(&*folder.to_string_lossy()), "{}: no file named: {sentence}", self.name);
+                assert!(
+                    sentence.contains(&*folder.to_string_lossy()),
+                    "{}: no file named: {sentence}",
+                    self.name
+                );
                 false
             }
         }
@@ -95,7 +103,8 @@ fn write_gltf(noise: &mut Noise, folder: &Path) {
 fn write_stl(noise: &mut Noise, folder: &Path) {
     let facets = 1 + noise.below(20);
     let number = |i: usize| (((i * 2_654_435_761) % 1000) as f32 / 100.0).to_le_bytes();
-    let facet = |f: usize| [(0..12).flat_map(|i| number(12 * f + i)).collect::<Vec<u8>>(), vec![0; 2]].concat();
+    let facet =
+        |f: usize| [(0..12).flat_map(|i| number(12 * f + i)).collect::<Vec<u8>>(), vec![0; 2]].concat();
     let head = if noise.one_in(4) { b"solid " } else { b"binary" };
     let mut bytes = [&head[..], &[0; 74]].concat();
     let count = if noise.one_in(3) { noise.next() as u32 >> noise.below(32) } else { facets as u32 };
@@ -140,7 +149,8 @@ fn write_scene(noise: &mut Noise, folder: &Path) {
 
 fn mesh(folder: &Path, name: &str) -> Result<(), String> {
     let file = folder.join(name);
-    let mesh = scene::read_mesh(&file, &MeshOptions { unit_scale: None }).map_err(|error| error.to_string())?;
+    let mesh =
+        scene::read_mesh(&file, &MeshOptions { unit_scale: None }).map_err(|error| error.to_string())?;
     assert!(mesh.vertices_m.as_flattened().iter().all(|x| x.is_finite()));
     assert!(mesh.triangles.as_flattened().iter().all(|&i| (i as usize) < mesh.vertices_m.len()));
     assert!(mesh.material_of_triangle.iter().all(|&i| usize::from(i) < mesh.materials.len()));

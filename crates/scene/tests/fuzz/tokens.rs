@@ -25,7 +25,9 @@ impl Tokens {
 
     /// A place of something that says something, if a few tries find one.
     fn word(&self, noise: &mut Noise) -> usize {
-        let says = |i: &usize| self.0.get(*i).is_some_and(|token| token[0].is_ascii_alphanumeric() || token[0] == b'-');
+        let says = |i: &usize| {
+            self.0.get(*i).is_some_and(|token| token[0].is_ascii_alphanumeric() || token[0] == b'-')
+        };
         let tries: Vec<usize> = (0..8).map(|_| self.place(noise)).collect();
         tries.iter().copied().find(says).unwrap_or(tries[0])
     }

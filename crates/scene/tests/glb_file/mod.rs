@@ -10,8 +10,8 @@ pub(crate) struct GlbFile {
 }
 
 impl GlbFile {
-    /// A tetrahedron with corners at the origin and 1, 2, 3 m along x, y, z of glTF; indices of 16 bits, normals, a
-    /// material, and a node that does nothing. Accessors: 0 positions, 1 normals, 2 indices.
+    /// A tetrahedron with corners at the origin and 1, 2, 3 m along x, y, z of glTF; indices of 16 bits,
+    /// normals, a material, and a node that does nothing. Accessors: 0 positions, 1 normals, 2 indices.
     pub(crate) fn tetrahedron() -> Self {
         let mut file = Self { json: json!({ "asset": { "version": "2.0" } }), binary: vec![] };
         let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0]];
@@ -21,7 +21,12 @@ impl GlbFile {
         file.json["accessors"] = json!([]);
         file.add_accessor(floats(&positions), 4, 5126, "VEC3");
         file.add_accessor(floats(&normals), 4, 5126, "VEC3");
-        file.add_accessor(faces.as_flattened().iter().flat_map(|i| i.to_le_bytes()).collect(), 12, 5123, "SCALAR");
+        file.add_accessor(
+            faces.as_flattened().iter().flat_map(|i| i.to_le_bytes()).collect(),
+            12,
+            5123,
+            "SCALAR",
+        );
         file.json["materials"] = json!([{ "name": "paint" }]);
         file.json["meshes"] = json!([{ "primitives": [
             { "attributes": { "POSITION": 0, "NORMAL": 1 }, "indices": 2, "material": 0, "mode": 4 }] }]);
@@ -41,7 +46,8 @@ impl GlbFile {
         views.push(view);
         let view = views.len() - 1;
         let accessors = self.json["accessors"].as_array_mut().unwrap();
-        accessors.push(json!({ "bufferView": view, "componentType": component, "count": count, "type": kind }));
+        accessors
+            .push(json!({ "bufferView": view, "componentType": component, "count": count, "type": kind }));
         accessors.len() - 1
     }
 
@@ -68,7 +74,8 @@ impl GlbFile {
         let mut json = serde_json::to_vec(&self.json).unwrap();
         json.resize(json.len().next_multiple_of(4), b' ');
         let length = 12 + 8 + json.len() + 8 + self.binary.len();
-        let chunk = |bytes: &[u8], kind: &[u8; 4]| [&(bytes.len() as u32).to_le_bytes()[..], kind, bytes].concat();
+        let chunk =
+            |bytes: &[u8], kind: &[u8; 4]| [&(bytes.len() as u32).to_le_bytes()[..], kind, bytes].concat();
         let header = [&b"glTF"[..], &2_u32.to_le_bytes(), &(length as u32).to_le_bytes()].concat();
         [header, chunk(&json, b"JSON"), chunk(&self.binary, b"BIN\0")].concat()
     }

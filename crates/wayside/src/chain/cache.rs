@@ -1,12 +1,13 @@
 //! Whole frames of stages, found by what they depend on.
 //!
-//! One artifact of one frame per entry, `<stage>/<first two letters>/<key>.<kind>`, written whole or not at all, so that
-//! two runs at once do not hurt each other: at worst both compute the same bytes. A hit renews an entry's time; beyond
-//! the size limit the oldest go first. `<stage>/last/<scene>-<frame>.json` remembers the key's parts, so that a plan can
-//! say which of them changed.
+//! One artifact of one frame per entry, `<stage>/<first two letters>/<key>.<kind>`, written whole or not at
+//! all, so that two runs at once do not hurt each other: at worst both compute the same bytes. A hit renews
+//! an entry's time; beyond the size limit the oldest go first. `<stage>/last/<scene>-<frame>.json` remembers
+//! the key's parts, so that a plan can say which of them changed.
 //!
-//! A folder is used as a cache if it is marked as one (`marker`), and files are removed from it if their names are a cache's
-//! (`own_files`): whatever folder is given with `--cache`, nothing else in it is ever touched.
+//! A folder is used as a cache if it is marked as one (`marker`), and files are removed from it if their
+//! names are a cache's (`own_files`): whatever folder is given with `--cache`, nothing else in it is ever
+//! touched.
 
 mod marker;
 mod own_files;
@@ -91,7 +92,8 @@ impl Cache {
         self.keep::<S>(stage, key, header, &[]);
     }
 
-    /// The key that this frame of this scene had when it was last computed; a damaged file is named and not believed.
+    /// The key that this frame of this scene had when it was last computed; a damaged file is named and not
+    /// believed.
     pub(crate) fn last_key(&self, stage: Stage, scene: &str, frame: u32) -> Option<Key> {
         sealed::read(&self.last_place(stage, scene, frame))
     }
@@ -104,7 +106,8 @@ impl Cache {
     }
 
     fn last_place(&self, stage: Stage, scene: &str, frame: u32) -> PathBuf {
-        let scene: String = scene.chars().map(|c| if c.is_alphanumeric() || c == '-' { c } else { '_' }).collect();
+        let scene: String =
+            scene.chars().map(|c| if c.is_alphanumeric() || c == '-' { c } else { '_' }).collect();
         self.root.join(stage.name()).join("last").join(format!("{scene}-{frame:04}.json"))
     }
 
@@ -145,7 +148,12 @@ impl Cache {
         Ok(())
     }
 
-    fn entry<S: Schema>(&self, stage: Stage, key: &Key, content: Content) -> Option<(S::Header, Option<S::Frame>)> {
+    fn entry<S: Schema>(
+        &self,
+        stage: Stage,
+        key: &Key,
+        content: Content,
+    ) -> Option<(S::Header, Option<S::Frame>)> {
         let place = self.place(stage, key, S::NAME);
         if !place.is_file() {
             return None;
@@ -167,7 +175,8 @@ impl Cache {
         if !self.is_marked() || own_files::is_link(&place) {
             return;
         }
-        let provenance = Provenance { stage: stage.name().into(), inputs: key.parts.clone(), ..Provenance::default() };
+        let provenance =
+            Provenance { stage: stage.name().into(), inputs: key.parts.clone(), ..Provenance::default() };
         let written = Writer::<S>::create(&place, &provenance, header).and_then(|mut writer| {
             frames.iter().try_for_each(|frame| writer.write(frame))?;
             writer.finish()
@@ -202,7 +211,11 @@ enum EntryFault {
 }
 
 /// An entry, read to its end.
-fn whole<S: Schema>(place: &Path, key: &Key, content: Content) -> Result<(S::Header, Option<S::Frame>), EntryFault> {
+fn whole<S: Schema>(
+    place: &Path,
+    key: &Key,
+    content: Content,
+) -> Result<(S::Header, Option<S::Frame>), EntryFault> {
     let mut reader = Reader::<S>::open_own(place)?;
     if reader.preamble().provenance.inputs != key.parts {
         return Err(EntryFault::OtherKey(place.to_owned()));

@@ -1,4 +1,5 @@
-//! What a run is expected to take: the work of its stages, counted before it begins, at rates that were measured on many scenes.
+//! What a run is expected to take: the work of its stages, counted before it begins, at rates that were
+//! measured on many scenes.
 
 pub mod machine_speed;
 pub(crate) mod rates;
@@ -49,7 +50,11 @@ impl Expectation {
 }
 
 /// What the plans cost, in lines.
-pub(crate) fn lines(chain: &Chain, cache: Option<&Cache>, plans: &[FramePlan]) -> Result<Vec<String>, Failure> {
+pub(crate) fn lines(
+    chain: &Chain,
+    cache: Option<&Cache>,
+    plans: &[FramePlan],
+) -> Result<Vec<String>, Failure> {
     let of_frame = |plan: &FramePlan| {
         let running: Vec<&str> =
             plan.steps.iter().filter(|(_, why)| why.is_some()).map(|(stage, _)| stage.name()).collect();

@@ -71,11 +71,18 @@ pub(crate) struct FrameKeys {
 }
 
 impl FrameKeys {
-    pub(crate) fn of(header: &SceneHeader, parts: &SceneParts, frame: &SceneFrame, model: Option<&str>) -> Self {
+    pub(crate) fn of(
+        header: &SceneHeader,
+        parts: &SceneParts,
+        frame: &SceneFrame,
+        model: Option<&str>,
+    ) -> Self {
         let bart_rcs = measured_or_like(header, parts, frame);
         let fmcw_echo = fmcw_echo(header, parts, &bart_rcs, frame);
-        let dsp = Key::of(Stage::Dsp, vec![("echo", fmcw_echo.id()), ("dsp settings", fingerprint(&header.dsp))]);
-        let of_model = |model: &str| Key::of(Stage::Classifier, vec![("maps", dsp.id()), ("model", model.to_owned())]);
+        let dsp =
+            Key::of(Stage::Dsp, vec![("echo", fmcw_echo.id()), ("dsp settings", fingerprint(&header.dsp))]);
+        let of_model =
+            |model: &str| Key::of(Stage::Classifier, vec![("maps", dsp.id()), ("model", model.to_owned())]);
         let classifier = model.map(of_model);
         Self { bart_rcs, fmcw_echo, dsp, classifier }
     }
@@ -91,8 +98,8 @@ impl FrameKeys {
     }
 }
 
-/// A frame that takes over what was measured in another one depends on that one too; where nothing moved in between it is that
-/// one.
+/// A frame that takes over what was measured in another one depends on that one too; where nothing moved in
+/// between it is that one.
 fn measured_or_like(header: &SceneHeader, parts: &SceneParts, frame: &SceneFrame) -> Key {
     let own = bart_rcs(header, parts, frame);
     let measured_in = header.measured_in(frame.index);
@@ -107,12 +114,13 @@ fn measured_or_like(header: &SceneHeader, parts: &SceneParts, frame: &SceneFrame
     Key { parts: own.parts.into_iter().chain([also]).collect() }
 }
 
-/// Without the frame's number and time: bodies that stand still scatter the same in every frame. Of recorded vehicles only
-/// those in view: a longer recording leaves the frames that it had as they are.
+/// Without the frame's number and time: bodies that stand still scatter the same in every frame. Of recorded
+/// vehicles only those in view: a longer recording leaves the frames that it had as they are.
 fn bart_rcs(header: &SceneHeader, parts: &SceneParts, frame: &SceneFrame) -> Key {
     let poses = fingerprint(&frame.poses);
     let vehicles = scene::vehicles_in_view(header, frame.index);
-    let kinds = header.targets.iter().map(|target| &target.kind).chain(vehicles.iter().map(|vehicle| &vehicle.kind));
+    let kinds =
+        header.targets.iter().map(|target| &target.kind).chain(vehicles.iter().map(|vehicle| &vehicle.kind));
     let meshes: Vec<_> = kinds.map(|kind| mesh_of(parts, kind)).collect();
     let (vehicles, meshes) = (fingerprint(&vehicles), fingerprint(&meshes));
     let all = [
@@ -167,7 +175,9 @@ pub(crate) fn echo_header(header: &SceneHeader) -> CubeHeader {
 mod tests {
     use super::*;
     use artifact::material::{Backing, Layer, Makeup, Material, MaterialMap, Road, Thickness, Transmission};
-    use artifact::radar::{Adc, ElementError, ElementSpread, Interferer, Pattern, PatternTable, PhaseNoise, Schedule};
+    use artifact::radar::{
+        Adc, ElementError, ElementSpread, Interferer, Pattern, PatternTable, PhaseNoise, Schedule,
+    };
     use artifact::scene::{Backscatter, Mesh, Placed, Traffic, Vehicle, Wheel};
     use artifact::settings::Course;
     use num_complex::Complex64;
@@ -179,7 +189,8 @@ mod tests {
         let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/intersection.toml");
         let mut header = scene::read(&file, &options).unwrap();
         let glass = Layer { thickness_m: 4e-3, permittivity: Complex64::new(6.5, -0.15) };
-        let pane = Material::Layers { layers: vec![glass], backing: Backing::Air, thickness: Thickness::Exact };
+        let pane =
+            Material::Layers { layers: vec![glass], backing: Backing::Air, thickness: Thickness::Exact };
         let asphalt = Material::HalfSpace { permittivity: Complex64::new(5.0, -0.3) };
         let materials = vec![pane.clone(), asphalt.clone()];
         header.meshes = vec![Mesh {
@@ -201,7 +212,8 @@ mod tests {
         let (azimuth_rad, elevation_rad) = (vec![-1.0, 0.0, 1.0], vec![0.0]);
         let table = PatternTable { azimuth_rad, elevation_rad, amplitude: vec![0.1, 1.0, 0.1] };
         header.radar.array.pattern = Pattern::Table(table);
-        header.radar.schedule = Schedule { sub_frame_intervals_s: vec![60e-6, 85e-6], stagger_s: vec![0.0, 1e-6] };
+        header.radar.schedule =
+            Schedule { sub_frame_intervals_s: vec![60e-6, 85e-6], stagger_s: vec![0.0, 1e-6] };
         let error = ElementError { gain_db: 1.0, phase_rad: 0.1, delay_s: 1e-12 };
         let adc = Some(Adc { bits: 12, full_scale: 1e-3 });
         let (place, hz) = ([0.0, 80.0, 1.0], 77e9);
@@ -216,12 +228,19 @@ mod tests {
             offset_s: 0.0,
         };
         let spread = ElementSpread { gain_db: 1.0, phase_rad: 0.1 };
-        let course = Course { number: 4, name: "n_in_0".into(), width_m: 3.0, line_m: vec![[1.0, 2.0], [3.0, 4.0]] };
+        let course =
+            Course { number: 4, name: "n_in_0".into(), width_m: 3.0, line_m: vec![[1.0, 2.0], [3.0, 4.0]] };
         header.dsp.road.courses = vec![course];
         header.dsp.calibration = vec![Complex64::new(1.0, 0.1)];
         let phase_noise = vec![PhaseNoise { offset_hz: 1e6, dbc_per_hz: -95.0 }];
-        header.radar.hardware =
-            Hardware { tx: vec![error; 3], rx: vec![error; 4], spread, adc, phase_noise, interferers: vec![other] };
+        header.radar.hardware = Hardware {
+            tx: vec![error; 3],
+            rx: vec![error; 4],
+            spread,
+            adc,
+            phase_noise,
+            interferers: vec![other],
+        };
         header.targets.truncate(2);
         header.targets[1].kind =
             TargetKind::Point { rcs_m2: 1.0, wheel: Some(Wheel { radius_m: 0.3, angle_rad: 0.0 }) };
@@ -247,7 +266,10 @@ mod tests {
     }
 
     /// The same with another value at a leaf; `None` where it can have one value only.
-    fn changed<T: serde::Serialize + serde::de::DeserializeOwned + PartialEq>(whole: &T, leaf: &str) -> Option<T> {
+    fn changed<T: serde::Serialize + serde::de::DeserializeOwned + PartialEq>(
+        whole: &T,
+        leaf: &str,
+    ) -> Option<T> {
         let json = serde_json::to_value(whole).unwrap();
         let with = |value: Value| {
             let mut other = json.clone();
@@ -268,13 +290,15 @@ mod tests {
         candidates.into_iter().filter_map(|value| with(value).ok()).find(|other| other != whole)
     }
 
-    /// The first stage whose frames depend on a value of the header; `None` where what it does to a frame is told by the
-    /// frame itself, or it is for the report alone.
+    /// The first stage whose frames depend on a value of the header; `None` where what it does to a frame is
+    /// told by the frame itself, or it is for the report alone.
     fn first_stage(leaf: &str) -> Option<Stage> {
         match leaf.split('/').nth(1)? {
             "name" | "frames" | "frame_interval_s" | "intersection" => None,
             // What is not in view of the frame, and poses: those are the frame's.
-            "traffic" if ["/vehicles/1/", "/frames/1/", "/pose/"].iter().any(|part| leaf.contains(part)) => None,
+            "traffic" if ["/vehicles/1/", "/frames/1/", "/pose/"].iter().any(|part| leaf.contains(part)) => {
+                None
+            }
             "seed" | "noise" | "backscatter" => Some(Stage::FmcwEcho),
             "dsp" => Some(Stage::Dsp),
             _ => Some(Stage::BartRcs),
@@ -297,7 +321,11 @@ mod tests {
             let got = keys(&other, &frame);
             let differs = |stage: &Stage| asked.get(*stage).map(Key::id) != got.get(*stage).map(Key::id);
             let first = Stage::ALL.into_iter().find(differs);
-            assert_eq!(first, first_stage(leaf), "{leaf} changes the keys from this stage on, asked is the other");
+            assert_eq!(
+                first,
+                first_stage(leaf),
+                "{leaf} changes the keys from this stage on, asked is the other"
+            );
         }
         let must_be_there = ["/fidelity/edges", "/fidelity/surface", "/fidelity/nodes", "/road/rms_height_m"];
         assert!(must_be_there.iter().all(|leaf| all.iter().any(|found| found == leaf)));

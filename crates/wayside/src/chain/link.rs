@@ -1,5 +1,5 @@
-//! The stages linked: one frame from the scene snapshot to classes, each stage's frame taken from the cache where it is
-//! there. What goes into a stage is what its artifact holds, nothing else.
+//! The stages linked: one frame from the scene snapshot to classes, each stage's frame taken from the cache
+//! where it is there. What goes into a stage is what its artifact holds, nothing else.
 
 use crate::chain::cache::Cache;
 use crate::chain::frame_result::FrameResult;
@@ -61,8 +61,8 @@ pub(crate) struct FrameProducts {
     pub(crate) result: FrameResult,
 }
 
-/// What the sum over paths may err by: a tenth of what the paths themselves may, and no more than −60 dB, so that nothing of it
-/// is seen above the floor of a map without noise.
+/// What the sum over paths may err by: a tenth of what the paths themselves may, and no more than −60 dB, so
+/// that nothing of it is seen above the floor of a map without noise.
 pub fn echo_accuracy(header: &SceneHeader) -> Accuracy {
     Accuracy::from_db((header.fidelity.accuracy.db() - 20.0).min(-60.0))
 }
@@ -86,7 +86,8 @@ pub struct Chain<'a> {
 }
 
 impl<'a> Chain<'a> {
-    /// Its frames are looked for in the cache and classified by the model, and tracing takes no more memory than it may.
+    /// Its frames are looked for in the cache and classified by the model, and tracing takes no more memory
+    /// than it may.
     pub fn of(
         header: &'a SceneHeader,
         cache: Option<&'a Cache>,
@@ -167,7 +168,9 @@ impl<'a> Chain<'a> {
     pub(crate) fn triangles(&self, index: u32) -> usize {
         let vehicles = scene::vehicles_in_view(self.header, index).into_iter().map(|vehicle| &vehicle.kind);
         let triangles = |kind: &TargetKind| match kind {
-            TargetKind::Mesh { mesh, .. } => self.header.meshes.get(*mesh as usize).map_or(0, |m| m.triangles.len()),
+            TargetKind::Mesh { mesh, .. } => {
+                self.header.meshes.get(*mesh as usize).map_or(0, |m| m.triangles.len())
+            }
             TargetKind::Point { .. } => 1,
         };
         self.header.targets.iter().map(|target| &target.kind).chain(vehicles).map(triangles).sum()
@@ -232,7 +235,9 @@ impl<'a> Chain<'a> {
                 let renumber = |body: &mut u32| *body = bodies.get(*body as usize).copied().unwrap_or(*body);
                 for path in &mut frame.paths {
                     renumber(&mut path.target);
-                    path.facets[..usize::from(path.order)].iter_mut().for_each(|facet| renumber(&mut facet.body));
+                    path.facets[..usize::from(path.order)]
+                        .iter_mut()
+                        .for_each(|facet| renumber(&mut facet.body));
                 }
                 Scattering::Paths(frame)
             }
@@ -246,8 +251,13 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// Paths or tables of one frame; a frame whose bodies stand and move as in another one has that one's, found in the cache.
-    pub(crate) fn scattering(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<Step<Scattering>, Failure> {
+    /// Paths or tables of one frame; a frame whose bodies stand and move as in another one has that one's,
+    /// found in the cache.
+    pub(crate) fn scattering(
+        &self,
+        plan: &FramePlan,
+        scene: &SceneFrame,
+    ) -> Result<Step<Scattering>, Failure> {
         let (key, stage) = (&plan.keys.bart_rcs, Stage::BartRcs);
         let view = || scene::frame_view(self.header, scene.index);
         match self.header.fidelity.echo {
@@ -275,7 +285,8 @@ impl<'a> Chain<'a> {
     fn traced(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<PathsFrame, Failure> {
         let (view, bodies) = (scene::frame_view(self.header, scene.index), self.bodies(plan)?);
         let measured_in = self.header.measured_in(scene.index);
-        let in_this_scene = || (measured_in != scene.index).then(|| self.measured_frame(measured_in)).transpose();
+        let in_this_scene =
+            || (measured_in != scene.index).then(|| self.measured_frame(measured_in)).transpose();
         let measured = match self.measured.taken_over(measured_in) {
             Some(known) => Some(known),
             None => in_this_scene()?,
@@ -299,7 +310,8 @@ impl<'a> Chain<'a> {
         let _ = self.at_once.set(at_once);
     }
 
-    /// The models of all targets, to be traced; refused where the frame cannot fit into the memory that it may take.
+    /// The models of all targets, to be traced; refused where the frame cannot fit into the memory that it
+    /// may take.
     fn bodies(&self, plan: &FramePlan) -> Result<&bart_rcs::Models, Failure> {
         self.memory.check(self.least_memory_mib(plan)?)?;
         let models = self.models()?;
@@ -318,13 +330,22 @@ impl<'a> Chain<'a> {
         self.bodies.get_or_init(build).as_ref().map_err(Failure::refused)
     }
 
-    fn cube(&self, plan: &FramePlan, scene: &SceneFrame, scattering: &Scattering) -> Result<Step<CubeFrame>, Failure> {
+    fn cube(
+        &self,
+        plan: &FramePlan,
+        scene: &SceneFrame,
+        scattering: &Scattering,
+    ) -> Result<Step<CubeFrame>, Failure> {
         let compute = || self.synthesize(scene, scattering);
         self.step::<Cube>(plan, Stage::FmcwEcho, &plan.keys.fmcw_echo, &self.cube_header, compute)
     }
 
     /// The echo of paths or tables.
-    pub(crate) fn synthesize(&self, scene: &SceneFrame, scattering: &Scattering) -> Result<CubeFrame, Failure> {
+    pub(crate) fn synthesize(
+        &self,
+        scene: &SceneFrame,
+        scattering: &Scattering,
+    ) -> Result<CubeFrame, Failure> {
         let work = Work::begin(format!("frame {}, echo, percent", scene.index));
         let progress = |share: f64| work.at((100.0 * share) as usize, 100);
         let (header, seed) = (&self.echo_header, self.header.seed);
@@ -337,7 +358,8 @@ impl<'a> Chain<'a> {
                     .map_err(|error| self.of_echo(&error, frame))
             }
             Scattering::Tables(frame) => {
-                fmcw_echo::synthesize_tables(header, seed, &scene.poses, frame, &progress).map_err(Failure::refused)
+                fmcw_echo::synthesize_tables(header, seed, &scene.poses, frame, &progress)
+                    .map_err(Failure::refused)
             }
         }
     }
@@ -352,7 +374,8 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// The paths of a frame and those of the road's own backscatter, which no `.paths` holds: the seed tells them.
+    /// The paths of a frame and those of the road's own backscatter, which no `.paths` holds: the seed tells
+    /// them.
     pub(crate) fn with_ground<'p>(&self, frame: &'p PathsFrame) -> Result<Cow<'p, PathsFrame>, Failure> {
         let Some(backscatter) = &self.header.backscatter else { return Ok(Cow::Borrowed(frame)) };
         let draw = || {
@@ -380,7 +403,12 @@ impl<'a> Chain<'a> {
         self.model.map(LoadedModel::rule).unwrap_or_default()
     }
 
-    fn classes(&self, plan: &FramePlan, rdm: &RdmFrame, points: &PointsFrame) -> Result<Step<Vec<[f32; 4]>>, Failure> {
+    fn classes(
+        &self,
+        plan: &FramePlan,
+        rdm: &RdmFrame,
+        points: &PointsFrame,
+    ) -> Result<Step<Vec<[f32; 4]>>, Failure> {
         let stage = Stage::Classifier;
         let Some((model, key)) = self.model.zip(plan.keys.classifier.as_ref()) else {
             return Ok(Step { value: vec![], cached: false });
@@ -402,7 +430,8 @@ impl<'a> Chain<'a> {
         header: &S::Header,
         compute: impl FnOnce() -> Result<S::Frame, Failure>,
     ) -> Result<Step<S::Frame>, Failure> {
-        // Looked for even where the plan found nothing: an equal frame of this run may have put it there since.
+        // Looked for even where the plan found nothing: an equal frame of this run may have put it there
+        // since.
         if let Some(value) = self.cache.and_then(|c| c.get::<S>(stage, key)) {
             return Ok(Step { value, cached: true });
         }
@@ -435,7 +464,11 @@ struct Log {
 }
 
 impl Log {
-    fn time<T>(&mut self, stage: Stage, work: impl FnOnce() -> Result<Step<T>, Failure>) -> Result<T, Failure> {
+    fn time<T>(
+        &mut self,
+        stage: Stage,
+        work: impl FnOnce() -> Result<Step<T>, Failure>,
+    ) -> Result<T, Failure> {
         let start = Instant::now();
         let step = work()?;
         self.seconds.push((stage, start.elapsed().as_secs_f64()));

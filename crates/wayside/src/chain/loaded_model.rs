@@ -1,4 +1,5 @@
-//! A classifier's model as a run uses it: what it looks at is taken from the map, its answers are kept with its name.
+//! A classifier's model as a run uses it: what it looks at is taken from the map, its answers are kept with
+//! its name.
 
 use crate::host::failure::Failure;
 use artifact::classes::ClassesHeader;
@@ -70,14 +71,18 @@ impl LoadedModel {
                 let cropper = dsp::Cropper::new(header, rdm, &shape.format).map_err(Failure::refused)?;
                 by_crops(network, &cropper, points)
             }
-            (Ready::Crops(_), Learner::BoostedTrees { .. }) => Err(Failure::refused("trees look at no crops")),
+            (Ready::Crops(_), Learner::BoostedTrees { .. }) => {
+                Err(Failure::refused("trees look at no crops"))
+            }
         }
     }
 
     /// Probabilities of the samples of a dataset.
     pub(crate) fn of_samples(&self, samples: &[Sample]) -> Result<Vec<[f32; 4]>, Failure> {
         match self.ready()? {
-            Ready::Signatures(trees) => Ok(samples.iter().map(|s| trees.probabilities(&s.signature)).collect()),
+            Ready::Signatures(trees) => {
+                Ok(samples.iter().map(|s| trees.probabilities(&s.signature)).collect())
+            }
             Ready::Crops(network) => {
                 let crops: Vec<Crop> = samples.iter().map(crop_of).collect::<Result<_, _>>()?;
                 network.probabilities(&crops).map_err(Failure::refused)
@@ -90,7 +95,9 @@ impl LoadedModel {
         let build = || {
             match header.learner {
                 Learner::CropNetwork(_) => Classifier::from_model(header, weights).map(Ready::Crops),
-                Learner::BoostedTrees { .. } => SignatureClassifier::from_model(header, weights).map(Ready::Signatures),
+                Learner::BoostedTrees { .. } => {
+                    SignatureClassifier::from_model(header, weights).map(Ready::Signatures)
+                }
             }
             .map_err(|e| e.to_string())
         };
@@ -100,7 +107,10 @@ impl LoadedModel {
 
 fn crop_of(sample: &Sample) -> Result<Crop, Failure> {
     let without = || {
-        Failure::refused(format!("sample `{}` has no image: the recipe of this dataset says crops = false", sample.id))
+        Failure::refused(format!(
+            "sample `{}` has no image: the recipe of this dataset says crops = false",
+            sample.id
+        ))
     };
     sample.crop.clone().ok_or_else(without)
 }
@@ -114,10 +124,20 @@ fn by_signatures(
     let signatures = dsp::Signatures::new(header, rdm).map_err(Failure::refused)?;
     let objects = 0..points.objects.len() as u32;
     let of = |object| signatures.of(points, object).map(|signature| trees.probabilities(&signature));
-    objects.into_par_iter().map(of).collect::<Vec<_>>().into_iter().collect::<Result<_, _>>().map_err(Failure::refused)
+    objects
+        .into_par_iter()
+        .map(of)
+        .collect::<Vec<_>>()
+        .into_iter()
+        .collect::<Result<_, _>>()
+        .map_err(Failure::refused)
 }
 
-fn by_crops(network: &Classifier, cropper: &dsp::Cropper<'_>, points: &PointsFrame) -> Result<Vec<[f32; 4]>, Failure> {
+fn by_crops(
+    network: &Classifier,
+    cropper: &dsp::Cropper<'_>,
+    points: &PointsFrame,
+) -> Result<Vec<[f32; 4]>, Failure> {
     let mut rows = Vec::with_capacity(points.objects.len());
     let objects: Vec<u32> = (0..).take(points.objects.len()).collect();
     for objects in objects.chunks(CROPS) {
@@ -148,12 +168,17 @@ pub(crate) struct ClassRule {
 impl ClassRule {
     /// The class that is told, or "unknown".
     pub(crate) fn told(&self, probabilities: &[f32; 4]) -> &'static str {
-        let likeliest = (0..4).fold(0, |best, i| if probabilities[i] > probabilities[best] { i } else { best });
-        if probabilities[likeliest] >= self.least_probability { Class::ALL[likeliest].name() } else { UNKNOWN }
+        let likeliest =
+            (0..4).fold(0, |best, i| if probabilities[i] > probabilities[best] { i } else { best });
+        if probabilities[likeliest] >= self.least_probability {
+            Class::ALL[likeliest].name()
+        } else {
+            UNKNOWN
+        }
     }
 
-    /// Probabilities of a track from the sums of their logarithms over its frames. Frames of one vehicle have much in common, so
-    /// n of them count as n/(1 + (n − 1)ρ), as the mean of values of correlation ρ does.
+    /// Probabilities of a track from the sums of their logarithms over its frames. Frames of one vehicle have
+    /// much in common, so n of them count as n/(1 + (n − 1)ρ), as the mean of values of correlation ρ does.
     pub(crate) fn joined(&self, log_sums: &[f64; 4], frames: u32) -> [f32; 4] {
         let more = f64::from(frames.max(1) - 1);
         let per_frame = 1.0 / (1.0 + more * f64::from(self.frame_correlation));

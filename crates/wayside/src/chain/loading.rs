@@ -89,12 +89,17 @@ pub(crate) fn of_mesh(error: scene::MeshError) -> Failure {
 
 /// A scene's rules were broken, or the system refused.
 pub(crate) fn of_scene(errors: scene::SceneErrors) -> Failure {
-    if errors.is_system() { Failure::System(errors.to_string()) } else { Failure::Refused(errors.to_string()) }
+    if errors.is_system() {
+        Failure::System(errors.to_string())
+    } else {
+        Failure::Refused(errors.to_string())
+    }
 }
 
 /// Name and content hash of files.
 pub(crate) fn hashed(files: &[PathBuf]) -> Result<Vec<(String, String)>, Failure> {
-    let hash = |file: &PathBuf| artifact::inputs::named_hash(file).map_err(|e| Failure::system(file, "read", e));
+    let hash =
+        |file: &PathBuf| artifact::inputs::named_hash(file).map_err(|e| Failure::system(file, "read", e));
     files.iter().map(hash).collect()
 }
 
@@ -117,7 +122,8 @@ pub(crate) fn provenance(stage: Stage, header: &SceneHeader, inputs: Vec<(String
 /// The shards of a dataset folder, in the order of their names.
 pub(crate) fn shards(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|e| e.path());
-    let mut shards: Vec<PathBuf> = entries.filter(|p| p.extension().is_some_and(|e| e == "dataset")).collect();
+    let mut shards: Vec<PathBuf> =
+        entries.filter(|p| p.extension().is_some_and(|e| e == "dataset")).collect();
     shards.sort();
     shards
 }

@@ -28,7 +28,8 @@ pub(crate) struct Look {
 const LOOKED_AT: u32 = 3;
 
 impl Looks {
-    /// At the first frame of each third of the scene; `expected` looks at one, `triangles` counts those in view of one.
+    /// At the first frame of each third of the scene; `expected` looks at one, `triangles` counts those in
+    /// view of one.
     pub(crate) fn of(
         &self,
         header: &SceneHeader,

@@ -1,4 +1,5 @@
-//! How much memory a run is expected to hold at most: what is known of its arrays, and bounds of what the tracer finds.
+//! How much memory a run is expected to hold at most: what is known of its arrays, and bounds of what the
+//! tracer finds.
 
 use crate::chain::expectation::rates::{
     BYTES_PER_BEAM, BYTES_PER_CELL, BYTES_PER_CHANGING_CELL, BYTES_PER_FACET, BYTES_PER_MOVING_CELL,
@@ -33,8 +34,8 @@ pub struct Load {
 }
 
 impl Load {
-    /// What a frame cannot do without: signals, facets and lit polygons. How many cells an accuracy takes, and how many of
-    /// their paths it drops, is known only from the trace, which watches them grow.
+    /// What a frame cannot do without: signals, facets and lit polygons. How many cells an accuracy takes,
+    /// and how many of their paths it drops, is known only from the trace, which watches them grow.
     pub(crate) fn least_mib(&self) -> f64 {
         self.signal_mib + mib((self.facets * BYTES_PER_FACET + self.beams * BYTES_PER_BEAM) as u64)
     }
@@ -66,8 +67,9 @@ impl Chain<'_> {
         Ok(PROGRAM_MIB + self.largest_load(plans)?.mib() * at_once)
     }
 
-    /// How many frames are computed at a time: one a thread, as many as are expected to fit into the memory that they may
-    /// take. A frame's own work is in parallel too; what of it is not, is done beside another frame.
+    /// How many frames are computed at a time: one a thread, as many as are expected to fit into the memory
+    /// that they may take. A frame's own work is in parallel too; what of it is not, is done beside another
+    /// frame.
     pub fn side_by_side(&self, plans: &[FramePlan]) -> Result<usize, Failure> {
         let most = rayon::current_num_threads().min(plans.len()).max(1);
         let Some(limit_mib) = self.memory().mib().filter(|_| most > 1) else { return Ok(most) };
@@ -89,7 +91,8 @@ impl Chain<'_> {
             return Ok(signal);
         }
         let Look { work, facets, cells } = self.look(plan.index)?;
-        let bodies = Load { facets: facets * work.facets, beams: facets * (work.beams[0] + work.beams[1]), ..signal };
+        let bodies =
+            Load { facets: facets * work.facets, beams: facets * (work.beams[0] + work.beams[1]), ..signal };
         Ok(match self.header.fidelity.echo {
             EchoMode::RcsTable => bodies,
             EchoMode::Paths => Load {

@@ -12,7 +12,8 @@ pub(crate) enum Stage {
 
 impl Stage {
     /// All, in the order of the chain.
-    pub(crate) const ALL: [Self; 5] = [Self::Scene, Self::BartRcs, Self::FmcwEcho, Self::Dsp, Self::Classifier];
+    pub(crate) const ALL: [Self; 5] =
+        [Self::Scene, Self::BartRcs, Self::FmcwEcho, Self::Dsp, Self::Classifier];
 
     /// As `summary.json` and the cache's folders name it.
     pub(crate) fn name(self) -> &'static str {

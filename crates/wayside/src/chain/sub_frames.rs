@@ -10,10 +10,12 @@ pub(crate) fn in_cycle(header: &CubeHeader) -> usize {
     header.radar.schedule.sub_frames() as usize
 }
 
-/// The points of a whole cycle with their velocities resolved. Left as they are where there is one sub-frame, and under time
-/// division of chirps at changing intervals: there a velocity's fold would turn the directions too.
+/// The points of a whole cycle with their velocities resolved. Left as they are where there is one sub-frame,
+/// and under time division of chirps at changing intervals: there a velocity's fold would turn the directions
+/// too.
 pub(crate) fn with_velocities(header: &CubeHeader, points: Vec<PointsFrame>) -> Vec<PointsFrame> {
-    let turns_directions = header.radar.array.multiplexing == Multiplexing::Tdm && !header.radar.schedule.is_uniform();
+    let turns_directions =
+        header.radar.array.multiplexing == Multiplexing::Tdm && !header.radar.schedule.is_uniform();
     if points.len() < 2 || turns_directions {
         return points;
     }

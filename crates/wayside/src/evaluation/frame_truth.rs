@@ -1,5 +1,5 @@
-//! All that is true of one frame, made once when nothing can look at it any more: its bodies, whose objects are whose, and what made
-//! each point.
+//! All that is true of one frame, made once when nothing can look at it any more: its bodies, whose objects
+//! are whose, and what made each point.
 
 use crate::chain::link::{Chain, FrameProducts};
 use crate::evaluation::labels::{self, Origin};

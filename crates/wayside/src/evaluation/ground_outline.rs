@@ -26,7 +26,12 @@ impl GroundOutline {
     /// A place alone.
     pub(crate) fn of_point(pose: &Pose) -> Self {
         let [x_m, y_m, _] = pose.position_m;
-        Self { origin_m: DVec2::new(x_m, y_m), yaw_rad: pose.yaw_rad, low_m: DVec2::ZERO, high_m: DVec2::ZERO }
+        Self {
+            origin_m: DVec2::new(x_m, y_m),
+            yaw_rad: pose.yaw_rad,
+            low_m: DVec2::ZERO,
+            high_m: DVec2::ZERO,
+        }
     }
 
     /// From a place to the nearest part of the outline; 0 inside.
@@ -50,9 +55,13 @@ mod tests {
         // 12 m × 2.5 m, its front towards −y: x from 0.75 to 3.25 m, y from 44 to 56 m.
         let vertices_m = vec![[-6.0, -1.25, 0.0], [6.0, 1.25, 3.0]];
         let bus = GroundOutline::of_mesh(&Mesh { vertices_m, ..Mesh::default() }, &pose(2.0, 50.0, -90.0));
-        for (place, asked_m) in
-            [([2.0, 44.0], 0.0), ([2.0, 50.0], 0.0), ([2.0, 43.0], 1.0), ([5.25, 50.0], 2.0), ([6.25, 40.0], 5.0)]
-        {
+        for (place, asked_m) in [
+            ([2.0, 44.0], 0.0),
+            ([2.0, 50.0], 0.0),
+            ([2.0, 43.0], 1.0),
+            ([5.25, 50.0], 2.0),
+            ([6.25, 40.0], 5.0),
+        ] {
             let got_m = bus.distance_m(DVec2::from(place));
             // A rotation of numbers below 100 rounds by 100 ε at most.
             assert!((got_m - asked_m).abs() < 1e-12, "{place:?}: {got_m}, {asked_m}");

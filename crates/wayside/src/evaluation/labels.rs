@@ -1,11 +1,12 @@
-//! What each detected point is in truth: the target, its class and the bounce order whose echo fills the point's cell most, from
-//! the paths that made the echo. Only reports come here: nothing behind the radar cube reads it.
+//! What each detected point is in truth: the target, its class and the bounce order whose echo fills the
+//! point's cell most, from the paths that made the echo. Only reports come here: nothing behind the radar
+//! cube reads it.
 //!
-//! A cell of the map, seen in the point's direction, holds Σ over paths of conj a/(L₁L₂)·e^{j2π(f_cτ − ½μτ²)}, each with what
-//! the two windows and the array leave of it there (`docs/interface.md`, eq. of a path, at the middle of frame and sweep). The
-//! sum is taken apart by target and order, coherently within each: cells of one surface cancel away from its mirror direction,
-//! and powers of single paths would say nothing of it. A point whose paths all together stay below the noise is a false alarm
-//! and has no label.
+//! A cell of the map, seen in the point's direction, holds Σ over paths of conj a/(L₁L₂)·e^{j2π(f_cτ −
+//! ½μτ²)}, each with what the two windows and the array leave of it there (`docs/interface.md`, eq. of a
+//! path, at the middle of frame and sweep). The sum is taken apart by target and order, coherently within
+//! each: cells of one surface cancel away from its mirror direction, and powers of single paths would say
+//! nothing of it. A point whose paths all together stay below the noise is a false alarm and has no label.
 
 use crate::evaluation::path_legs::{legs, mean_share};
 use artifact::cube::CubeHeader;
@@ -42,7 +43,8 @@ impl Origin {
     }
 }
 
-/// Origins of points that paths made; `noise_power` is that of one cell of one channel of the map, in its units.
+/// Origins of points that paths made; `noise_power` is that of one cell of one channel of the map, in its
+/// units.
 pub(crate) fn origins(
     header: &CubeHeader,
     paths: &PathsFrame,
@@ -85,13 +87,13 @@ impl Share {
 /// The strongest group, where all together reach the noise.
 fn strongest(shares: &BTreeMap<Group, Share>, noise: f64) -> Option<Label> {
     let sum: f64 = shares.values().map(Share::power).sum();
-    let best =
-        shares.iter().map(|(group, share)| (group, share.power())).fold(None, |best: Option<(&Group, f64)>, new| {
-            match best {
-                Some(best) if best.1 >= new.1 => Some(best),
-                _ => Some(new),
-            }
-        });
+    let best = shares.iter().map(|(group, share)| (group, share.power())).fold(
+        None,
+        |best: Option<(&Group, f64)>, new| match best {
+            Some(best) if best.1 >= new.1 => Some(best),
+            _ => Some(new),
+        },
+    );
     let (group, power) = best.filter(|_| sum > 0.0 && sum >= noise)?;
     Some(Label { target: group.target, order: group.order, bodies: group.bodies, share: power / sum })
 }
@@ -104,8 +106,9 @@ fn met(path: &Path) -> BTreeSet<u32> {
     }
 }
 
-/// What ways have in common whose echoes are added: the first target, bounces, and how many different targets they meet. A way and the
-/// same one backwards are one echo: its target is the one of both ends that comes first in the scene.
+/// What ways have in common whose echoes are added: the first target, bounces, and how many different targets
+/// they meet. A way and the same one backwards are one echo: its target is the one of both ends that comes
+/// first in the scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Group {
     target: u32,
@@ -223,13 +226,15 @@ fn at(response: &[f64], cells: f64) -> f64 {
     response.get((cells.abs() / STEP).round() as usize).copied().unwrap_or(0.0)
 }
 
-/// Amplitude that a tone so far from a cell's centre leaves in it, about the window's middle, where it is real.
+/// Amplitude that a tone so far from a cell's centre leaves in it, about the window's middle, where it is
+/// real.
 fn response(taper: &[f64]) -> Vec<f64> {
     let length = taper.len() as f64;
     let steps = (REACH_CELLS / STEP) as usize;
     let of = |step: usize| {
         let turn = TAU * STEP * step as f64 / length;
-        taper.iter().enumerate().map(|(n, w)| w * (turn * (n as f64 - 0.5 * length)).cos()).sum::<f64>() / length
+        taper.iter().enumerate().map(|(n, w)| w * (turn * (n as f64 - 0.5 * length)).cos()).sum::<f64>()
+            / length
     };
     (0..=steps).map(of).collect()
 }
@@ -241,7 +246,8 @@ fn direction(point: &Point) -> DVec3 {
     DVec3::new(sin * level, cos * level, up)
 }
 
-/// What is left of an echo in the beam to a direction: the mean over transmitters times the mean over receivers.
+/// What is left of an echo in the beam to a direction: the mean over transmitters times the mean over
+/// receivers.
 fn beam(radar: &Radar, echo: &Echo, toward: DVec3) -> Complex64 {
     let wavenumber = TAU / radar.waveform.wavelength_m();
     let mean = |elements: &[[f64; 3]], direction: DVec3| {

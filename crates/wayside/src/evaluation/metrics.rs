@@ -1,9 +1,11 @@
-//! How well objects and tracks agree with the truth over a run. Only reports come here: nothing behind the radar cube reads it.
+//! How well objects and tracks agree with the truth over a run. Only reports come here: nothing behind the
+//! radar cube reads it.
 //!
-//! Truths of a frame are the bodies that send back any echo from within the radar's range, clutter left out: what is found of it counts
-//! as false. Objects of single frames say where something reflects, and are paired with the nearest parts of bodies
-//! ([`crate::evaluation::pairing`]); tracks say where a body stands, and the middles of their boxes are compared with the middles of bodies.
-//! Neither bodies whose echoes were removed as echoes at rest count, nor objects at rest that are nobody's and tracks that have no others.
+//! Truths of a frame are the bodies that send back any echo from within the radar's range, clutter left out:
+//! what is found of it counts as false. Objects of single frames say where something reflects, and are paired
+//! with the nearest parts of bodies ([`crate::evaluation::pairing`]); tracks say where a body stands, and the
+//! middles of their boxes are compared with the middles of bodies. Neither bodies whose echoes were removed
+//! as echoes at rest count, nor objects at rest that are nobody's and tracks that have no others.
 
 mod distances;
 pub(crate) mod gospa;
@@ -23,7 +25,8 @@ use ndarray::{Array2, ArrayView2, Axis};
 use ospa::ospa_m;
 use serde_json::{Value, json};
 
-/// c of GOSPA and OSPA of tracks: a box whose middle is further from a body's middle than this is another's. Half of a bus is 6 m.
+/// c of GOSPA and OSPA of tracks: a box whose middle is further from a body's middle than this is another's.
+/// Half of a bus is 6 m.
 const CUTOFF_M: f64 = 6.0;
 
 /// What was found over all frames so far.
@@ -59,7 +62,8 @@ pub(crate) fn believed(tracks: &TracksFrame) -> Vec<&Track> {
 /// For each believed track the place of its body among the truths, as the metric pairs them.
 pub(crate) fn bodies_of_tracks(truth: &FrameTruth, tracks: &[&Track]) -> Vec<Option<usize>> {
     let pairs = gospa(of_tracks(truth, tracks).view(), CUTOFF_M).chosen;
-    let body_of = |track: usize| pairs.iter().position(|t| *t == Some(track)).map(|row| truth.pairing.shown[row]);
+    let body_of =
+        |track: usize| pairs.iter().position(|t| *t == Some(track)).map(|row| truth.pairing.shown[row]);
     (0..tracks.len()).map(body_of).collect()
 }
 

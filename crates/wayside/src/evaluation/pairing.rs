@@ -1,11 +1,13 @@
 //! Which detected object is whose: one answer for estimates, metrics, the console and the report.
 //!
-//! An object belongs to a body by its distance, seen from above, to the nearest part of the body's outline: radar sees what faces it,
-//! and of a bus seen from the front that is 6 m before its middle. It has to move as the body does there: a ghost of two others that shows
-//! within the outline is not the body. Bodies and objects are paired one to one so that the sum of squares is least, as GOSPA pairs them.
+//! An object belongs to a body by its distance, seen from above, to the nearest part of the body's outline:
+//! radar sees what faces it, and of a bus seen from the front that is 6 m before its middle. It has to move
+//! as the body does there: a ghost of two others that shows within the outline is not the body. Bodies and
+//! objects are paired one to one so that the sum of squares is least, as GOSPA pairs them.
 //!
-//! What the settings ask of echoes at rest decides what is left over: an object that the radar itself tells to be at rest claims no vehicle,
-//! and is no false one where it is nobody's; a body whose echoes were removed with the rest is not missed.
+//! What the settings ask of echoes at rest decides what is left over: an object that the radar itself tells
+//! to be at rest claims no vehicle, and is no false one where it is nobody's; a body whose echoes were
+//! removed with the rest is not missed.
 
 use crate::evaluation::metrics::gospa::{Gospa, gospa};
 use crate::evaluation::truth::Truth;
@@ -16,13 +18,13 @@ use artifact::tracks::Track;
 use glam::{DVec2, DVec3};
 use ndarray::{Array2, Axis};
 
-/// An object further than this from a body's outline is not that body's: what stands in the middle of the next lane, 3.75 m on, is 2.9 m from
-/// the side of a car.
+/// An object further than this from a body's outline is not that body's: what stands in the middle of the
+/// next lane, 3.75 m on, is 2.9 m from the side of a car.
 pub(crate) const GATE_M: f64 = 3.0;
 
-/// An object whose radial velocity differs by more from that of the body seen at the object's place, as the map folds it, is not that body's.
-/// Off by the gate at 30 m, a body that crosses at 14 m/s differs by 1.4 m/s; parts of one object by a metre a second
-/// (`cluster_velocity_mps`).
+/// An object whose radial velocity differs by more from that of the body seen at the object's place, as the
+/// map folds it, is not that body's. Off by the gate at 30 m, a body that crosses at 14 m/s differs by 1.4
+/// m/s; parts of one object by a metre a second (`cluster_velocity_mps`).
 pub(crate) const VELOCITY_GATE_MPS: f64 = 2.0;
 
 /// How far a radar tells places and velocities.
@@ -85,9 +87,11 @@ pub(crate) struct Pairing {
 }
 
 impl Pairing {
-    /// Only what is to be found has an object: nothing that is clutter, hidden, or beyond the range that the waveform tells.
+    /// Only what is to be found has an object: nothing that is clutter, hidden, or beyond the range that the
+    /// waveform tells.
     pub(crate) fn of(truths: &[Truth], objects: &[Object], reach: &Reach) -> Self {
-        let asked: Vec<usize> = (0..truths.len()).filter(|t| truths[*t].is_to_be_found(reach.range_max_m)).collect();
+        let asked: Vec<usize> =
+            (0..truths.len()).filter(|t| truths[*t].is_to_be_found(reach.range_max_m)).collect();
         let squares_m2 = Array2::from_shape_fn((asked.len(), objects.len()), |(row, o)| {
             reach.square_m2(&truths[asked[row]], &objects[o])
         });
@@ -115,7 +119,8 @@ impl Pairing {
 
     /// Whether a track has objects in this frame, and none but standing ones.
     pub(crate) fn is_standing(&self, track: &Track) -> bool {
-        !track.objects.is_empty() && track.objects.iter().all(|object| self.standing.contains(&(*object as usize)))
+        !track.objects.is_empty()
+            && track.objects.iter().all(|object| self.standing.contains(&(*object as usize)))
     }
 }
 
@@ -134,7 +139,12 @@ mod tests {
     /// A body of this length that comes down its lane, its middle at a place.
     fn body(length_m: f64, [x_m, y_m]: [f64; 2]) -> Truth {
         let yaw_rad = -std::f64::consts::FRAC_PI_2;
-        let pose = Pose { position_m: [x_m, y_m, 0.0], yaw_rad, velocity_mps: [0.0; 3], acceleration_mps2: [0.0; 3] };
+        let pose = Pose {
+            position_m: [x_m, y_m, 0.0],
+            yaw_rad,
+            velocity_mps: [0.0; 3],
+            acceleration_mps2: [0.0; 3],
+        };
         let vertices_m = vec![[-0.5 * length_m, -1.0, 0.0], [0.5 * length_m, 1.0, 1.5]];
         Truth {
             role: Role::Target,
@@ -188,10 +198,16 @@ mod tests {
             (&vec![Some(0)], &vec![1]),
             "a vehicle that waits is found"
         );
-        assert_eq!((pairing.gospa.missed, pairing.gospa.false_ones, pairing.squares_m2.dim()), (0, 1, (1, 2)));
+        assert_eq!(
+            (pairing.gospa.missed, pairing.gospa.false_ones, pairing.squares_m2.dim()),
+            (0, 1, (1, 2))
+        );
         let unmarked = objects.map(|object| told(None, object));
         let pairing = Pairing::of(&[body(4.0, [2.0, 42.0])], &unmarked, &REACH);
-        assert_eq!((pairing.standing.len(), pairing.gospa.false_ones, pairing.squares_m2.dim()), (0, 2, (1, 3)));
+        assert_eq!(
+            (pairing.standing.len(), pairing.gospa.false_ones, pairing.squares_m2.dim()),
+            (0, 2, (1, 3))
+        );
     }
 
     #[test]
@@ -201,7 +217,11 @@ mod tests {
         let object = object_at([9.5, 20.0]);
         let removing = Reach { removed_to_mps: Some(0.25), ..REACH };
         let pairing = Pairing::of(&truths, &[object], &removing);
-        assert_eq!((&pairing.removed, &pairing.shown), (&vec![0], &vec![1, 2]), "what has an object is found");
+        assert_eq!(
+            (&pairing.removed, &pairing.shown),
+            (&vec![0], &vec![1, 2]),
+            "what has an object is found"
+        );
         assert_eq!((pairing.gospa.missed, &pairing.gospa.chosen), (1, &vec![None, Some(0)]));
         let blind = |truth: Truth| Truth { radial_velocity_mps: -20.0, ..truth };
         assert_eq!(
@@ -239,8 +259,11 @@ mod tests {
     #[test]
     fn what_is_clutter_or_hidden_or_out_of_range_has_no_object_however_near() {
         let near = || body(4.0, [2.0, 40.0]);
-        let none =
-            [Truth { role: Role::Clutter, ..near() }, Truth { sends_back: false, ..near() }, body(4.0, [2.0, 101.0])];
+        let none = [
+            Truth { role: Role::Clutter, ..near() },
+            Truth { sends_back: false, ..near() },
+            body(4.0, [2.0, 101.0]),
+        ];
         let objects = [object_at([2.0, 40.0]), object_at([2.0, 101.0])];
         assert_eq!(objects_of(&none, &objects), [None; 3]);
     }

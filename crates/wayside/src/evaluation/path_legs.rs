@@ -1,4 +1,5 @@
-//! Where a path's node appears in the frame's middle, seen from the radar's position, and how much of the frame it stands for.
+//! Where a path's node appears in the frame's middle, seen from the radar's position, and how much of the
+//! frame it stands for.
 
 use artifact::paths::Path;
 use artifact::radar::Radar;

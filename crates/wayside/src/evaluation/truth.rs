@@ -25,9 +25,12 @@ pub(crate) struct Truth {
 }
 
 impl Truth {
-    /// Whether the radar is to find it: a target that sends back any echo, from within the range that the waveform tells.
+    /// Whether the radar is to find it: a target that sends back any echo, from within the range that the
+    /// waveform tells.
     pub(crate) fn is_to_be_found(&self, range_max_m: f64) -> bool {
-        self.role == Role::Target && self.sends_back && self.echo.map_or(self.range_m, |e| e.range_m) <= range_max_m
+        self.role == Role::Target
+            && self.sends_back
+            && self.echo.map_or(self.range_m, |e| e.range_m) <= range_max_m
     }
 }
 
@@ -88,8 +91,8 @@ fn is_wholly_on(target: usize, path: &Path) -> bool {
     path.target as usize == target && path.sequence().iter().all(|facet| facet.body as usize == target)
 }
 
-/// Power of a path up to a common factor, |a|²/(L₁L₂)² times its mean share over the frame (the shares of what is traced at several
-/// moments add up to 1), and half its length and rate at the frame's middle.
+/// Power of a path up to a common factor, |a|²/(L₁L₂)² times its mean share over the frame (the shares of
+/// what is traced at several moments add up to 1), and half its length and rate at the frame's middle.
 fn received(header: &SceneHeader, path: &Path) -> (f64, Echo) {
     let [there, back] = legs(&header.radar, path);
     let (receive, transmit) = header.radar.array.polarization.indices();

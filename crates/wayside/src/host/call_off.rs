@@ -4,7 +4,8 @@ use crate::host::failure::Failure;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// A switch that whoever runs a scene keeps a copy of; switched once, the work ends with [`Failure::CalledOff`].
+/// A switch that whoever runs a scene keeps a copy of; switched once, the work ends with
+/// [`Failure::CalledOff`].
 #[derive(Debug, Clone, Default)]
 pub struct CallOff(Arc<AtomicBool>);
 

@@ -1,13 +1,13 @@
-//! What is done of long work, beside the result it will become: the next run of the same work goes on from there, a run of
-//! other work never looks at it, and a finished run removes it.
+//! What is done of long work, beside the result it will become: the next run of the same work goes on from
+//! there, a run of other work never looks at it, and a finished run removes it.
 //!
 //! ```text
 //! magic "WAYSIDE CHECKPOINT 1\n", key in 64 hexadecimal digits, "\n"
 //! record  length u32 | checksum 16 bytes | pass u32 | aspect u32 | bytes      (any number, in the order they were done)
 //! ```
 //!
-//! Integers are little endian; checksums are the first half of BLAKE3 over what follows them. A run that is killed leaves at
-//! most one record half-written: reading ends at the first one that is not whole.
+//! Integers are little endian; checksums are the first half of BLAKE3 over what follows them. A run that is
+//! killed leaves at most one record half-written: reading ends at the first one that is not whole.
 
 use crate::host::progress;
 use bart_rcs::{Keeper, Piece};
@@ -40,7 +40,8 @@ enum State {
 }
 
 impl Checkpoint {
-    /// Of the work that `key` names and whose result goes to `out`; `key` has to tell of everything the result depends on.
+    /// Of the work that `key` names and whose result goes to `out`; `key` has to tell of everything the
+    /// result depends on.
     pub(crate) fn open(out: &Path, key: &str) -> Self {
         let mut name = out.as_os_str().to_owned();
         name.push(".checkpoint");
@@ -52,7 +53,8 @@ impl Checkpoint {
         };
         // A FIFO would be waited for, a link leads to what is somebody else's.
         let is_plain = std::fs::symlink_metadata(&checkpoint.place).is_ok_and(|about| about.is_file());
-        let file = is_plain.then(|| File::options().read(true).write(true).open(&checkpoint.place).ok()).flatten();
+        let file =
+            is_plain.then(|| File::options().read(true).write(true).open(&checkpoint.place).ok()).flatten();
         if let Some(file) = file {
             let state = checkpoint.take_up(file).unwrap_or_else(|why| checkpoint.give_up(&why));
             checkpoint.state = Mutex::new(state);
@@ -141,7 +143,8 @@ impl Keeper for Checkpoint {
     }
 }
 
-/// One call to the system for a record: a run that is killed has written it or a part of it, and nothing behind it.
+/// One call to the system for a record: a run that is killed has written it or a part of it, and nothing
+/// behind it.
 fn append(file: &mut File, piece: Piece, bytes: &[u8]) -> std::io::Result<()> {
     let body = [&piece.pass.to_le_bytes(), &piece.aspect.to_le_bytes(), bytes].concat();
     let length = u32::try_from(body.len()).map_err(std::io::Error::other)?;

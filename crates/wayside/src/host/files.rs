@@ -7,8 +7,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-/// Refuses what could not be written, before the work that it is the result of: no plain file, an input, a place without
-/// permission, or one place for two results.
+/// Refuses what could not be written, before the work that it is the result of: no plain file, an input, a
+/// place without permission, or one place for two results.
 pub fn claim(places: &[PathBuf]) -> Result<(), Failure> {
     let mut claimed = BTreeSet::new();
     for place in places {
@@ -40,7 +40,8 @@ pub(crate) fn write_with(
     write(file, Durability::InCache, content)
 }
 
-/// As [`write_with`], and waits for the disk: what took hours, and what they were kept in until now is removed next.
+/// As [`write_with`], and waits for the disk: what took hours, and what they were kept in until now is
+/// removed next.
 pub(crate) fn write_lasting(
     file: &Path,
     content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,
@@ -65,7 +66,10 @@ fn write(
 static WRITTEN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 fn twice(place: &Path) -> Failure {
-    Failure::System(format!("{}: cannot be written: two results of this command have this name", place.display()))
+    Failure::System(format!(
+        "{}: cannot be written: two results of this command have this name",
+        place.display()
+    ))
 }
 
 /// The same for all ways to a file in a folder that exists.

@@ -5,7 +5,8 @@ use bart_rcs::MemoryLimit;
 
 const MIB: f64 = 1024.0 * 1024.0;
 
-/// Largest resident size so far, MiB; `None` where the system does not tell (it is read from `/proc/self/status`).
+/// Largest resident size so far, MiB; `None` where the system does not tell (it is read from
+/// `/proc/self/status`).
 pub fn peak_mib() -> Option<f64> {
     peak_mib_of("self")
 }

@@ -1,10 +1,11 @@
-//! Where data lie that no argument names. The rule: inside the project's folder (this folder or one above it that holds
-//! `scenes/` and `crates/wayside/`) the cache is its `.cache`; elsewhere it is the user's cache folder. The model that ships is part of
-//! the program.
+//! Where data lie that no argument names. The rule: inside the project's folder (this folder or one above it
+//! that holds `scenes/` and `crates/wayside/`) the cache is its `.cache`; elsewhere it is the user's cache
+//! folder. The model that ships is part of the program.
 
 use std::path::{Path, PathBuf};
 
-/// The project's folder: `$WAYSIDE_PROJECT`, else as seen from the folder in which the process runs; `None` outside.
+/// The project's folder: `$WAYSIDE_PROJECT`, else as seen from the folder in which the process runs; `None`
+/// outside.
 pub fn project_folder() -> Option<PathBuf> {
     if let Some(folder) = std::env::var_os("WAYSIDE_PROJECT").filter(|folder| !folder.is_empty()) {
         return Some(PathBuf::from(folder));
@@ -13,7 +14,8 @@ pub fn project_folder() -> Option<PathBuf> {
 }
 
 fn project_folder_of(here: &Path) -> Option<PathBuf> {
-    let is_project = |folder: &&Path| folder.join("scenes").is_dir() && folder.join("crates/wayside").is_dir();
+    let is_project =
+        |folder: &&Path| folder.join("scenes").is_dir() && folder.join("crates/wayside").is_dir();
     here.ancestors().find(is_project).map(Path::to_owned)
 }
 

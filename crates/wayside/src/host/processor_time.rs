@@ -2,16 +2,17 @@
 
 use std::time::Instant;
 
-/// Seconds that all threads so far have spent on processors, ended ones included; `None` where the system does not tell.
+/// Seconds that all threads so far have spent on processors, ended ones included; `None` where the system
+/// does not tell.
 ///
-/// Read from `/proc/self/stat` (`proc(5)`: utime and stime), which counts in hundredths of a second: for differences of a
-/// tenth of a second and more.
+/// Read from `/proc/self/stat` (`proc(5)`: utime and stime), which counts in hundredths of a second: for
+/// differences of a tenth of a second and more.
 pub fn of_process() -> Option<f64> {
     ticks(&std::fs::read_to_string("/proc/self/stat").ok()?).map(|ticks| ticks as f64 / TICKS_PER_SECOND)
 }
 
-/// The same of the threads that are alive, in nanoseconds (`proc(5)`, schedstat): for differences between two moments
-/// between which no thread ends.
+/// The same of the threads that are alive, in nanoseconds (`proc(5)`, schedstat): for differences between two
+/// moments between which no thread ends.
 pub fn of_living_threads() -> Option<f64> {
     let mut sum_ns = 0_u64;
     for task in std::fs::read_dir("/proc/self/task").ok()?.flatten() {
@@ -85,7 +86,8 @@ fn ticks(stat: &str) -> Option<u64> {
     ticks_from(stat, 11)
 }
 
-/// Two fields, the first `place` fields behind the program's name. That is the second, in parentheses, and may hold anything.
+/// Two fields, the first `place` fields behind the program's name. That is the second, in parentheses, and
+/// may hold anything.
 fn ticks_from(stat: &str, place: usize) -> Option<u64> {
     let mut behind_name = stat.rsplit_once(')')?.1.split_whitespace().skip(place);
     let mut next = || behind_name.next()?.parse::<u64>().ok();

@@ -9,7 +9,8 @@ pub(crate) fn db(amplitude: Option<f64>) -> Value {
     amplitude.map_or(Value::Null, |a| json!(db_from_amplitude(a)))
 }
 
-/// `{total, tessellation, integration, dropped, freezing, detail, synthesis}` in dB, null where not estimated.
+/// `{total, tessellation, integration, dropped, freezing, detail, synthesis}` in dB, null where not
+/// estimated.
 pub(crate) fn error_db(error: &ErrorBudget) -> Value {
     let mut map = Map::new();
     map.insert("total".into(), db(error.total()));
@@ -19,5 +20,10 @@ pub(crate) fn error_db(error: &ErrorBudget) -> Value {
 
 /// `{bounces, nodes, edges, far_field}` in dB, null where not estimated.
 pub(crate) fn model_error_db(error: &ModelError) -> Value {
-    error.sources().iter().map(|(name, source)| ((*name).to_owned(), db(*source))).collect::<Map<_, _>>().into()
+    error
+        .sources()
+        .iter()
+        .map(|(name, source)| ((*name).to_owned(), db(*source)))
+        .collect::<Map<_, _>>()
+        .into()
 }

@@ -72,7 +72,8 @@ impl Cause {
 
 /// `false_objects` of a frame of `summary.json`: nobody's, and not told to be at rest.
 pub(crate) fn told(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth) -> Value {
-    let is_false = |index: &usize| truth.pairing.body_of(*index).is_none() && !truth.pairing.standing.contains(index);
+    let is_false =
+        |index: &usize| truth.pairing.body_of(*index).is_none() && !truth.pairing.standing.contains(index);
     all_json(header, result, truth, (0..result.points.objects.len()).filter(is_false))
 }
 
@@ -87,8 +88,9 @@ fn all_json(
     truth: &FrameTruth,
     objects: impl Iterator<Item = usize>,
 ) -> Value {
-    let json =
-        |index: usize| object_json(header, index, &result.points.objects[index], &cause(header, result, truth, index));
+    let json = |index: usize| {
+        object_json(header, index, &result.points.objects[index], &cause(header, result, truth, index))
+    };
     objects.map(json).collect()
 }
 
@@ -139,7 +141,8 @@ fn of_point(header: &SceneHeader, truth: &FrameTruth, object: &Object, origin: &
 fn of_one_body(truth: &FrameTruth, object: &Object, label: &Label) -> Cause {
     let (body, bounces) = (label.target, label.order);
     let has_object = truth.pairing.object_of.get(body as usize).is_some_and(Option::is_some);
-    let is_there = truth.truths.get(body as usize).is_some_and(|t| t.outline.distance_m(place(object)) <= GATE_M);
+    let is_there =
+        truth.truths.get(body as usize).is_some_and(|t| t.outline.distance_m(place(object)) <= GATE_M);
     match (has_object, is_there) {
         (true, false) if bounces > 1 => Cause::Ghost { bodies: BTreeSet::from([body]), bounces },
         (true, _) => Cause::Split { body, bounces },

@@ -52,7 +52,8 @@ fn radar(header: &SceneHeader) -> Value {
 fn lanes(header: &SceneHeader) -> Value {
     let road = &header.dsp.road;
     let straight = road.lanes.iter().map(|l| json!({ "number": l.number, "id": null, "width_m": l.width_m }));
-    let of_net = road.courses.iter().map(|c| json!({ "number": c.number, "id": c.name, "width_m": c.width_m }));
+    let of_net =
+        road.courses.iter().map(|c| json!({ "number": c.number, "id": c.name, "width_m": c.width_m }));
     straight.chain(of_net).collect()
 }
 
@@ -73,7 +74,8 @@ fn element_errors(header: &SceneHeader) -> Value {
 pub(crate) fn frame(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth) -> Value {
     let measured_in = result.paths.as_ref().map(|paths| errors_of_frame(header, result.scene.index, paths));
     let header = &header.in_frame(result.scene.index);
-    let resolved = !result.points.objects.is_empty() && result.points.objects.iter().all(|o| o.velocity_resolved);
+    let resolved =
+        !result.points.objects.is_empty() && result.points.objects.iter().all(|o| o.velocity_resolved);
     let of_role = |role: Role| (0..truth.truths.len()).filter(move |i| header.targets[*i].role == role);
     let targets: Vec<Value> = of_role(Role::Target).map(|i| target(header, result, truth, i)).collect();
     let clutter: Vec<Value> = of_role(Role::Clutter).map(|i| clutter(header, i, &truth.truths[i])).collect();
@@ -124,8 +126,8 @@ fn seconds(seconds: &[(Stage, f64)]) -> Value {
     seconds.iter().map(|(stage, s)| (stage.name().to_owned(), json!(s))).collect::<Map<_, _>>().into()
 }
 
-/// The map's velocity minus the truth's, rounded to multiples of the unambiguous span, is not zero. Without an
-/// estimate the truth itself decides: a velocity beyond the span cannot show right.
+/// The map's velocity minus the truth's, rounded to multiples of the unambiguous span, is not zero. Without
+/// an estimate the truth itself decides: a velocity beyond the span cannot show right.
 fn is_aliased(header: &SceneHeader, truth: &Truth, object: Option<&Object>) -> bool {
     let span = 2.0 * header.radar.velocity_max_mps();
     let shown = object.map(|o| header.radar.folded_velocity_mps(o.radial_velocity_mps));
@@ -204,6 +206,7 @@ fn estimate(object: &Object) -> Value {
 
 /// `{car, bus, truck, motorcycle}`, null where there is no crop of the target.
 pub(crate) fn probabilities(values: Option<&[f32; 4]>) -> Value {
-    let of = |(i, class): (usize, &Class)| (class.name().to_owned(), values.map_or(Value::Null, |v| json!(v[i])));
+    let of =
+        |(i, class): (usize, &Class)| (class.name().to_owned(), values.map_or(Value::Null, |v| json!(v[i])));
     Class::ALL.iter().enumerate().map(of).collect::<Map<_, _>>().into()
 }

@@ -1,4 +1,5 @@
-//! What `run` says at its end, from `summary.json` alone: what was found, how well, and whether the accuracy asked for was reached.
+//! What `run` says at its end, from `summary.json` alone: what was found, how well, and whether the accuracy
+//! asked for was reached.
 
 use crate::outcome::verdict::{self, FRAMES_IN_FULL, decibels};
 use serde_json::Value;
@@ -9,7 +10,8 @@ const FRAMES_TOLD: usize = 24;
 /// False objects of a frame that have a line of their own.
 const FALSE_OBJECTS_LISTED: usize = 8;
 
-/// What several radars have in common, from the summary above theirs: a line for each, and what none of them found.
+/// What several radars have in common, from the summary above theirs: a line for each, and what none of them
+/// found.
 pub(crate) fn lines_of_radars(summary: &Value) -> Vec<String> {
     let of_radar = |radar: &Value| {
         let count = |key: &str| radar[key].as_u64().unwrap_or(0) as usize;
@@ -29,7 +31,8 @@ pub(crate) fn lines_of_radars(summary: &Value) -> Vec<String> {
     };
     let by_nobody = items(&summary["frames"]).enumerate().flat_map(|(number, frame)| {
         let is_empty = |list: &Value| items(list).next().is_none();
-        let unseen = items(&frame["targets"]).filter(move |t| is_empty(&t["found_by"]) && !is_empty(&t["missed_by"]));
+        let unseen =
+            items(&frame["targets"]).filter(move |t| is_empty(&t["found_by"]) && !is_empty(&t["missed_by"]));
         unseen.map(move |target| {
             format!("  frame {number}: {} is found by no radar", target["id"].as_str().unwrap_or("?"))
         })
@@ -83,7 +86,8 @@ struct Count {
 
 impl Count {
     fn of(frame: &Value) -> Self {
-        let targets = |found: Value| items(&frame["targets"]).filter(|target| target["found"] == found).count();
+        let targets =
+            |found: Value| items(&frame["targets"]).filter(|target| target["found"] == found).count();
         let removed = items(&frame["targets"]).filter(|target| target["removed"] == true).count();
         Self {
             found: targets(true.into()),
@@ -113,7 +117,8 @@ impl Count {
             (removed, "removed as echoes at rest"),
             (hidden, "hidden or out of range"),
         ];
-        let more = more.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("; {count} {what}"));
+        let more =
+            more.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("; {count} {what}"));
         let more: String = more.collect();
         format!("{found} of {} targets found, {missed} missed, {false_ones} false{more}", found + missed)
     }
@@ -133,7 +138,8 @@ fn in_a_line(number: usize, frame: &Value) -> String {
 fn together(frames: &[&Value]) -> Vec<String> {
     let count = frames.iter().map(|frame| Count::of(frame)).fold(Count::default(), Count::and);
     let false_ones: Vec<&Value> = frames.iter().flat_map(|frame| items(&frame["false_objects"])).collect();
-    let causes = if false_ones.is_empty() { String::new() } else { format!(" (false: {})", causes(&false_ones)) };
+    let causes =
+        if false_ones.is_empty() { String::new() } else { format!(" (false: {})", causes(&false_ones)) };
     let mut lines = vec![format!("all {} frames: {}{causes}", frames.len(), count.text())];
     lines.extend(worst_error(frames));
     lines
@@ -150,7 +156,9 @@ fn worst_error(frames: &[&Value]) -> Vec<String> {
         frames.len() - missed,
         frames.len()
     )];
-    lines.extend(verdict::lines(&frame["accuracy"], &frame["error_db"]).into_iter().map(|line| format!("    {line}")));
+    lines.extend(
+        verdict::lines(&frame["accuracy"], &frame["error_db"]).into_iter().map(|line| format!("    {line}")),
+    );
     lines.extend(left_out(frame));
     lines
 }
@@ -162,7 +170,9 @@ fn in_full(number: usize, frame: &Value) -> Vec<String> {
         number_of(&frame["time_s"]),
         Count::of(frame).text()
     )];
-    lines.extend(verdict::lines(&frame["accuracy"], &frame["error_db"]).into_iter().map(|line| format!("  {line}")));
+    lines.extend(
+        verdict::lines(&frame["accuracy"], &frame["error_db"]).into_iter().map(|line| format!("  {line}")),
+    );
     lines.extend(left_out(frame));
     lines.extend(targets(frame));
     lines.extend(false_objects(frame));
@@ -212,7 +222,13 @@ fn targets(frame: &Value) -> Vec<String> {
     if targets.is_empty() {
         return vec![];
     }
-    let width = targets.iter().filter_map(|t| t["id"].as_str()).map(|id| id.chars().count()).max().unwrap_or(0).max(6);
+    let width = targets
+        .iter()
+        .filter_map(|t| t["id"].as_str())
+        .map(|id| id.chars().count())
+        .max()
+        .unwrap_or(0)
+        .max(6);
     let head = format!("  {:<width$}   range   error    velocity   error     SNR  lane  predicted", "target");
     std::iter::once(head).chain(targets.iter().map(|target| target_row(target, width))).collect()
 }
@@ -229,7 +245,8 @@ fn target_row(target: &Value, width: usize) -> String {
         let range = number_of(first(&truth["echo_range_m"], &truth["range_m"]));
         return format!("  {id:<width$} {range:6.2} m  {why}");
     }
-    let (range, range_error) = compared(&estimate["range_m"], first(&truth["echo_range_m"], &truth["range_m"]));
+    let (range, range_error) =
+        compared(&estimate["range_m"], first(&truth["echo_range_m"], &truth["range_m"]));
     let told = &truth["echo_radial_velocity_mps"];
     let (velocity, velocity_error) =
         compared(&estimate["radial_velocity_mps"], first(told, &truth["radial_velocity_mps"]));
@@ -272,8 +289,11 @@ fn class(target: &Value) -> String {
     let keys = [("track_class", "track_probabilities"), ("predicted_class", "probabilities")];
     let told = keys.iter().find_map(|(class, p)| Some((target[*class].as_str()?, &target[*p])));
     let Some((predicted, probabilities)) = told else { return "–".into() };
-    let likeliest = probabilities.as_object().into_iter().flatten().filter_map(|(name, p)| Some((name, p.as_f64()?)));
-    let Some((name, probability)) = likeliest.max_by(|a, b| a.1.total_cmp(&b.1)) else { return predicted.into() };
+    let likeliest =
+        probabilities.as_object().into_iter().flatten().filter_map(|(name, p)| Some((name, p.as_f64()?)));
+    let Some((name, probability)) = likeliest.max_by(|a, b| a.1.total_cmp(&b.1)) else {
+        return predicted.into();
+    };
     let class = if predicted == name { predicted.to_owned() } else { format!("{predicted}, {name}") };
     let wrong = target["class"].as_str().filter(|class| *class != predicted);
     format!("{class} {probability:.2}{}", wrong.map_or(String::new(), |class| format!(" (is a {class})")))
@@ -288,7 +308,8 @@ fn aliasing(target: &Value) -> &'static str {
 }
 
 fn false_object(object: &Value) -> String {
-    let [range, velocity, snr] = ["range_m", "radial_velocity_mps", "snr_db"].map(|key| number_of(&object[key]));
+    let [range, velocity, snr] =
+        ["range_m", "radial_velocity_mps", "snr_db"].map(|key| number_of(&object[key]));
     let [x, y] = ["x_m", "y_m"].map(|key| number_of(&object[key]));
     let velocity = signed(velocity, 1);
     let text = format!("  false object at {range:.2} m ({x:.1}, {y:.1}), {velocity} m/s, {snr:.0} dB: ");

@@ -54,7 +54,8 @@ impl Tracking {
         let tracks = self.tracker.step(&result.points).map_err(Failure::refused)?;
         self.score.add(truth, |body| truth.number_of(body), &result.points.objects, &tracks);
         tracks.tracks.iter().for_each(|track| self.hear(track, result));
-        let class = |track: &Track| self.classes.get(&track.id).map(|e| result.rule.joined(&e.log_sums, e.frames));
+        let class =
+            |track: &Track| self.classes.get(&track.id).map(|e| result.rule.joined(&e.log_sums, e.frames));
         let told = told(
             &tracks,
             truth,
@@ -70,7 +71,8 @@ impl Tracking {
     /// The strongest of a track's objects says what this frame knows of its class.
     fn hear(&mut self, track: &Track, result: &FrameResult) {
         let objects = track.objects.iter().map(|object| *object as usize);
-        let snr_db = |object: &usize| result.points.objects.get(*object).map_or(f64::NEG_INFINITY, |o| o.snr_db);
+        let snr_db =
+            |object: &usize| result.points.objects.get(*object).map_or(f64::NEG_INFINITY, |o| o.snr_db);
         let strongest = objects.max_by(|a, b| snr_db(a).total_cmp(&snr_db(b)));
         if let Some(probabilities) = strongest.and_then(|object| result.classes.get(object)) {
             self.classes.entry(track.id).or_default().add(probabilities);

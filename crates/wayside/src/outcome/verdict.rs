@@ -95,14 +95,15 @@ pub(crate) fn of_frames(frames: &[(u32, Verdict)]) -> Vec<String> {
         return frames.iter().flat_map(frame).collect();
     }
     let missed = frames.iter().filter(|(_, verdict)| verdict.is_met() == Some(false)).count();
-    let head = format!("accuracy reached in {} of {} frames; the worst:", frames.len() - missed, frames.len());
+    let head =
+        format!("accuracy reached in {} of {} frames; the worst:", frames.len() - missed, frames.len());
     let error = |verdict: &Verdict| verdict.error.total().unwrap_or(0.0);
     let worst = frames.iter().max_by(|a, b| error(&a.1).total_cmp(&error(&b.1)));
     std::iter::once(head).chain(worst.into_iter().flat_map(frame)).collect()
 }
 
-/// Asked, reached and the shares that make up most of it, from `accuracy` and `error_db` of `summary.json`; then, where it was not
-/// reached, what limits it and what would help.
+/// Asked, reached and the shares that make up most of it, from `accuracy` and `error_db` of `summary.json`;
+/// then, where it was not reached, what limits it and what would help.
 pub(crate) fn lines(accuracy: &Value, error_db: &Value) -> Vec<String> {
     let asked = decibels(&accuracy["asked_db"]);
     if accuracy["reached_db"].is_null() {
@@ -116,10 +117,12 @@ pub(crate) fn lines(accuracy: &Value, error_db: &Value) -> Vec<String> {
     std::iter::once(head).chain(accuracy["advice"].as_str().map(str::to_owned)).collect()
 }
 
-/// Shares within 10 dB of the largest, largest first: each of the others changes the total by less than half a decibel.
+/// Shares within 10 dB of the largest, largest first: each of the others changes the total by less than half
+/// a decibel.
 fn shares_that_matter(error_db: &Value) -> Vec<(&str, f64)> {
     let all = error_db.as_object().into_iter().flatten().filter(|(name, _)| *name != "total");
-    let mut shares: Vec<(&str, f64)> = all.filter_map(|(name, db)| Some((name.as_str(), db.as_f64()?))).collect();
+    let mut shares: Vec<(&str, f64)> =
+        all.filter_map(|(name, db)| Some((name.as_str(), db.as_f64()?))).collect();
     shares.sort_by(|a, b| b.1.total_cmp(&a.1));
     let largest = shares.first().map_or(0.0, |(_, db)| *db);
     shares.retain(|(_, db)| *db >= largest - 10.0);
@@ -138,21 +141,26 @@ fn cause_and_help(share: &str, asking: Asking) -> (&'static str, &'static str) {
             "parts of a body cancel, and what is left of their sum is known to less",
             "accuracy_db = {finer} in [fidelity]",
         ),
-        "integration" => {
-            ("parts of the body cancel, and what is left of their sum is known to less", "--accuracy-db {finer}")
+        "integration" => (
+            "parts of the body cancel, and what is left of their sum is known to less",
+            "--accuracy-db {finer}",
+        ),
+        "dropped" if is_scene => (
+            "beams and mirrors too small were given up",
+            "accuracy_db = {finer} in [fidelity], or fewer bounces",
+        ),
+        "dropped" => {
+            ("beams and mirrors too small were given up", "--accuracy-db {finer}, or fewer --bounces")
         }
-        "dropped" if is_scene => {
-            ("beams and mirrors too small were given up", "accuracy_db = {finer} in [fidelity], or fewer bounces")
-        }
-        "dropped" => ("beams and mirrors too small were given up", "--accuracy-db {finer}, or fewer --bounces"),
         "freezing" => (
             "bodies move and shadows shift within the frame, and paths follow them only so far",
             "a shorter frame (fewer chirps, shorter intervals), or fewer bounces where bodies reflect each other",
         ),
         "detail" => ("fewer paths stand for all that were traced", "detail = \"paths\" in [fidelity]"),
-        "synthesis" => {
-            ("echoes are summed from tables or by transforms", "echo = \"paths\" and a finer accuracy_db in [fidelity]")
-        }
+        "synthesis" => (
+            "echoes are summed from tables or by transforms",
+            "echo = \"paths\" and a finer accuracy_db in [fidelity]",
+        ),
         _ => ("of unknown cause", "a finer accuracy"),
     }
 }
@@ -182,7 +190,11 @@ mod tests {
     use super::*;
 
     fn of(integration: f64, freezing: f64) -> Verdict {
-        let error = ErrorBudget { integration: Some(integration), freezing: Some(freezing), ..ErrorBudget::default() };
+        let error = ErrorBudget {
+            integration: Some(integration),
+            freezing: Some(freezing),
+            ..ErrorBudget::default()
+        };
         Verdict::of(Accuracy::from_db(-20.0), &error)
     }
 
@@ -196,14 +208,20 @@ mod tests {
         let advice = told["advice"].as_str().unwrap();
         assert!(advice.contains("freezing") && advice.contains("shorter frame"), "{advice}");
         let lines = missed.lines(Asking::Scene);
-        assert!(lines[0].contains("−12.4 dB") && lines[0].contains("−20.0 dB asked: NOT REACHED"), "{lines:?}");
+        assert!(
+            lines[0].contains("−12.4 dB") && lines[0].contains("−20.0 dB asked: NOT REACHED"),
+            "{lines:?}"
+        );
         assert!(!lines[0].contains("integration"), "0.02 changes 0.24 by 0.03 dB: {lines:?}");
     }
 
     #[test]
     fn an_accuracy_that_was_reached_needs_no_advice_and_one_not_estimated_no_verdict() {
         let met = of(0.05, 0.06).json(Asking::Scene);
-        assert_eq!((&met["met"], &met["advice"], &met["limited_by"]), (&json!(true), &Value::Null, &json!("freezing")));
+        assert_eq!(
+            (&met["met"], &met["advice"], &met["limited_by"]),
+            (&json!(true), &Value::Null, &json!("freezing"))
+        );
         let unknown = Verdict::of(Accuracy::from_db(-20.0), &ErrorBudget::default()).json(Asking::Scene);
         assert_eq!(
             (&unknown["met"], &unknown["limited_by"], &unknown["reached_db"]),
@@ -228,7 +246,8 @@ mod tests {
         assert!(advice.ends_with("--accuracy-db -27."), "{advice}");
     }
 
-    /// More moments are no help where all that there are were used, and none where fewer were found to do as well.
+    /// More moments are no help where all that there are were used, and none where fewer were found to do as
+    /// well.
     #[test]
     fn what_helps_against_freezing_depends_on_the_moments_at_which_the_frame_was_traced() {
         let advice = |moments| Verdict { moments, ..of(0.02, 0.24) }.advice(Asking::Scene).unwrap();

@@ -1,5 +1,5 @@
-//! What lies beyond the edges of a drawing: an arrow at the edge where it would be, with a number where there are
-//! several.
+//! What lies beyond the edges of a drawing: an arrow at the edge where it would be, with a number where there
+//! are several.
 
 use plotting::svg::Svg;
 
@@ -71,7 +71,12 @@ impl Beyond {
             let count = self.things.iter().filter(|(thing, ..)| *thing == kind).count();
             (count, if count == 1 { one } else { many })
         });
-        counts.iter().filter(|(n, _)| *n > 0).map(|(n, name)| format!("{n} {name}")).collect::<Vec<_>>().join(", ")
+        counts
+            .iter()
+            .filter(|(n, _)| *n > 0)
+            .map(|(n, name)| format!("{n} {name}"))
+            .collect::<Vec<_>>()
+            .join(", ")
     }
 }
 

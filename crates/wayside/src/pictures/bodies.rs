@@ -47,7 +47,9 @@ fn body(header: &SceneHeader, target: &Target, pose: &Pose) -> Body {
 fn colour(target: &Target) -> (&'static str, &'static str) {
     match &target.kind {
         TargetKind::Mesh { .. } if target.role == Role::Clutter => ("clutter", "clutter"),
-        TargetKind::Mesh { class, .. } => (class_colour(*class), class.map_or("body of no class", Class::name)),
+        TargetKind::Mesh { class, .. } => {
+            (class_colour(*class), class.map_or("body of no class", Class::name))
+        }
         TargetKind::Point { .. } => (class_colour(None), "point target"),
     }
 }

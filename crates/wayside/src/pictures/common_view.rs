@@ -15,8 +15,8 @@ use plotting::svg::Svg;
 /// Around what is to be seen.
 const MARGIN_M: f64 = 10.0;
 
-/// One frame: what there was, and the points and objects of each radar in a colour of its own. `radars` are names and what they
-/// saw, at least one.
+/// One frame: what there was, and the points and objects of each radar in a colour of its own. `radars` are
+/// names and what they saw, at least one.
 pub(crate) fn common_view(radars: &[(&str, &Seen)]) -> Figure {
     Figure::of(|form| draw(radars, form))
 }
@@ -43,7 +43,10 @@ fn draw(radars: &[(&str, &Seen)], form: Form) -> Svg {
     if let Some((_, seen)) = radars.first() {
         ground.say(Mark::Dot, "plain", "detected point, in its radar's colour");
         ground.say(Mark::Ring, "plain", "object, in its radar's colour");
-        if radars.iter().any(|(_, seen)| seen.points.objects.iter().any(|object| object.stationary == Some(true))) {
+        if radars
+            .iter()
+            .any(|(_, seen)| seen.points.objects.iter().any(|object| object.stationary == Some(true)))
+        {
             ground.say(Mark::Hollow, "plain", found::POINT_AT_REST);
             ground.say(Mark::Box, "plain", "object at rest");
         }

@@ -15,7 +15,8 @@ use std::path::Path;
 pub(crate) fn rdm_exr(header: &CubeHeader, frame: &RdmFrame, out: &Path) -> Result<(), Failure> {
     let [_, doppler, range] = artifact::rdm::shape(header);
     let cells = doppler * range;
-    let power: Vec<f32> = dsp::power_map(header, frame).map_err(Failure::refused)?.iter().map(|p| *p as f32).collect();
+    let power: Vec<f32> =
+        dsp::power_map(header, frame).map_err(Failure::refused)?.iter().map(|p| *p as f32).collect();
     let first = &frame.values[..cells];
     let channels: SmallVec<[AnyChannel<FlatSamples>; 4]> = SmallVec::from_vec(vec![
         AnyChannel::new("im", FlatSamples::F32(first.iter().map(|v| v.im).collect())),
@@ -24,7 +25,8 @@ pub(crate) fn rdm_exr(header: &CubeHeader, frame: &RdmFrame, out: &Path) -> Resu
         AnyChannel::new("re", FlatSamples::F32(first.iter().map(|v| v.re).collect())),
     ]);
     let attributes = LayerAttributes::named("range-doppler");
-    let layer = Layer::new((range, doppler), attributes, Encoding::SMALL_LOSSLESS, AnyChannels::sort(channels));
+    let layer =
+        Layer::new((range, doppler), attributes, Encoding::SMALL_LOSSLESS, AnyChannels::sort(channels));
     let size = ::exr::math::Vec2(range, doppler);
     let image = Image::empty(ImageAttributes::with_size(size)).with_layer(layer);
     let mut bytes = std::io::Cursor::new(Vec::new());

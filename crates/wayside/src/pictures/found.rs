@@ -1,4 +1,5 @@
-//! Marks of what was found, and what they mean; echoes at rest have marks of their own where the radar tells them.
+//! Marks of what was found, and what they mean; echoes at rest have marks of their own where the radar tells
+//! them.
 
 use artifact::points::{Object, Point};
 use plotting::marks::Mark;

@@ -1,4 +1,5 @@
-//! The ground from above, to scale: bodies, radars and what was found on it; what lies beyond is marked at the edges.
+//! The ground from above, to scale: bodies, radars and what was found on it; what lies beyond is marked at
+//! the edges.
 
 use crate::pictures::beyond::{Beyond, Thing};
 use crate::pictures::bodies::Body;
@@ -214,7 +215,8 @@ impl Ground {
             [] if body.corners_m.is_empty() && self.holds(middle) => {
                 Mark::Cross.draw(&mut self.sheet, body.colour, middle);
                 self.say(Mark::Cross, body.colour, format!("{} (truth)", body.kind));
-                self.labels.put([middle[0] - 6.0, middle[1] - 6.0, middle[0] + 6.0, middle[1] + 6.0], &body.name);
+                self.labels
+                    .put([middle[0] - 6.0, middle[1] - 6.0, middle[0] + 6.0, middle[1] + 6.0], &body.name);
             }
             [] => self.beyond.mark(Thing::Body, body.colour, middle),
             _ => {

@@ -2,7 +2,8 @@
 
 use artifact::settings::Course;
 
-/// A corner's side lies no further out than this many half widths: at hairpins the true one would be anywhere.
+/// A corner's side lies no further out than this many half widths: at hairpins the true one would be
+/// anywhere.
 const CORNER_LIMIT: f64 = 2.0;
 
 /// Left and right of its middle, half a width away, a place for each of the middle's.
@@ -16,7 +17,8 @@ fn beside(line_m: &[[f64; 2]], by_m: f64) -> Vec<[f64; 2]> {
     let corner = |(i, [x, y]): (usize, &[f64; 2])| {
         let (before, after) = (rights[i.saturating_sub(1)], rights[i.min(rights.len() - 1)]);
         let sum = [before[0] + after[0], before[1] + after[1]];
-        // Of unit vectors that include an angle: their sum over half its square reaches the crossing of both sides.
+        // Of unit vectors that include an angle: their sum over half its square reaches the crossing of both
+        // sides.
         let half_square = 0.5 * (sum[0] * sum[0] + sum[1] * sum[1]);
         let reach = 1.0 / half_square.max(2.0 / CORNER_LIMIT.powi(2));
         [x + by_m * reach * sum[0], y + by_m * reach * sum[1]]
@@ -40,7 +42,8 @@ mod tests {
     }
 
     fn is_near(got: &[[f64; 2]], asked: &[[f64; 2]]) -> bool {
-        got.len() == asked.len() && got.iter().flatten().zip(asked.iter().flatten()).all(|(a, b)| (a - b).abs() < 1e-12)
+        got.len() == asked.len()
+            && got.iter().flatten().zip(asked.iter().flatten()).all(|(a, b)| (a - b).abs() < 1e-12)
     }
 
     #[test]
@@ -54,7 +57,10 @@ mod tests {
     #[test]
     fn a_hairpin_has_sides_that_stay_near_and_a_line_of_one_place_has_none() {
         let [left, right] = lane_sides_m(&course(&[[0.0, 0.0], [0.0, 10.0], [0.0, 0.0]]));
-        assert!(left.iter().chain(&right).all(|[x, y]| x.abs() <= 4.0 && y.abs() <= 14.0), "{left:?} {right:?}");
+        assert!(
+            left.iter().chain(&right).all(|[x, y]| x.abs() <= 4.0 && y.abs() <= 14.0),
+            "{left:?} {right:?}"
+        );
         assert!(lane_sides_m(&course(&[[0.0, 0.0]])).iter().all(Vec::is_empty));
     }
 }

@@ -1,5 +1,5 @@
-//! The scene from above as one radar has it: the radar and its view, its lanes if it has any, true outlines, objects and
-//! points.
+//! The scene from above as one radar has it: the radar and its view, its lanes if it has any, true outlines,
+//! objects and points.
 
 use crate::chain::frame_result::FrameResult;
 use crate::pictures::beyond::Thing;

@@ -1,4 +1,5 @@
-//! The point cloud, coloured by object: from above, and where the array measures elevation from two sides too.
+//! The point cloud, coloured by object: from above, and where the array measures elevation from two sides
+//! too.
 
 use crate::pictures::beyond::Thing;
 use crate::pictures::bodies::Body;
@@ -19,7 +20,11 @@ use plotting::svg::Svg;
 
 /// Points and objects, and the bodies that there were, none where truth is not known.
 pub(super) fn draw(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) -> Svg {
-    if measures_elevation(header) { views(header, frame, bodies, form) } else { plan(header, frame, bodies, form) }
+    if measures_elevation(header) {
+        views(header, frame, bodies, form)
+    } else {
+        plan(header, frame, bodies, form)
+    }
 }
 
 /// Whether heights are told by the echoes, not assumed.
@@ -72,8 +77,10 @@ fn meanings(frame: &PointsFrame, object: &'static str) -> Vec<(Mark, &'static st
         (Mark::Hollow, "c0", found::POINT_AT_REST, frame.points.iter().any(|p| p.stationary == Some(true))),
         (Mark::Box, "c0", "object at rest", frame.objects.iter().any(|o| o.stationary == Some(true))),
     ];
-    let shown =
-        at_rest.into_iter().filter(|(.., is_shown)| *is_shown).map(|(mark, class, words, _)| (mark, class, words));
+    let shown = at_rest
+        .into_iter()
+        .filter(|(.., is_shown)| *is_shown)
+        .map(|(mark, class, words, _)| (mark, class, words));
     usual.into_iter().chain(shown).collect()
 }
 
@@ -225,7 +232,8 @@ fn span(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], coordinate: u
     let range_m = header.radar.waveform.range_max_m();
     let usual = [(-4.0, lanes.fold(4.0, f64::max)), (0.0, range_m), (-0.5, 6.5)][coordinate];
     let points = frame.points.iter().map(|p| on_road(header, p.position_m));
-    let of_bodies = bodies.iter().map(|body| on_road(header, body.place_m)).filter(|at| at[0].hypot(at[1]) <= range_m);
+    let of_bodies =
+        bodies.iter().map(|body| on_road(header, body.place_m)).filter(|at| at[0].hypot(at[1]) <= range_m);
     let values = points.chain(of_bodies).map(|at| at[coordinate]).filter(|v| v.is_finite());
     values.fold(usual, |(low, high), v| (low.min(v), high.max(v)))
 }

@@ -105,8 +105,10 @@ fn shaded(sheet: &mut Svg, mark: Mark, colour: &str, at: [f64; 2]) {
 /// Strongest cell over Doppler.
 pub(super) fn range_profile(header: &CubeHeader, rdm: &RdmFrame, form: Form) -> Result<Svg, Failure> {
     let map = decibels(header, rdm)?;
-    let strongest = |column: ndarray::ArrayView1<f64>| column.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let points = dsp::range_axis_m(header).into_iter().zip(map.columns()).map(|(r, c)| [r, strongest(c)]).collect();
+    let strongest =
+        |column: ndarray::ArrayView1<f64>| column.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let points =
+        dsp::range_axis_m(header).into_iter().zip(map.columns()).map(|(r, c)| [r, strongest(c)]).collect();
     let plot = LinePlot {
         title: format!("Range profile, frame {}", rdm.index),
         notes: vec![],

@@ -1,16 +1,21 @@
-//! The words a user types. What they mean is in `docs/interface.md`; the defaults here are the promise made there.
+//! The words a user types. What they mean is in `docs/interface.md`; the defaults here are the promise made
+//! there.
 
 use crate::chain::cache::CacheLocation;
 use crate::chain::loading::SceneSource;
 use crate::program::export_formats::FORMATS;
 use crate::program::suggestion::suggest;
 use crate::program::terminal::{self, Results};
-pub(crate) use crate::program::values::{Axis, Place, Shard};
+use crate::program::values::{Axis, Place, Shard};
 use crate::program::values::{
     accuracy_db, azimuth_deg, azimuths, density, elevation_deg, elevations, frequencies, place, range,
 };
 use crate::program::values::{scale, shard, step};
-use clap::{Args, Parser, Subcommand, ValueEnum};
+pub(crate) use crate::program::words::{
+    AxesWord, EdgesWord, FormatWord, LearnerWord, MethodWord, NodesWord, PolarizationWord, SidesWord,
+    SurfaceWord, TransmissionWord,
+};
+use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
 
 /// From a 3D model to a vehicle class: scattering at 77 GHz, FMCW echoes, detection, classification.
@@ -31,7 +36,8 @@ pub struct General {
     /// Threads to use; the result does not depend on it, to the byte.
     #[arg(long, global = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Memory that tracing may take; what cannot fit is refused with figures [default: nine tenths of what is free].
+    /// Memory that tracing may take; what cannot fit is refused with figures [default: nine tenths of what is
+    /// free].
     #[arg(long, global = true, value_name = "MIB", value_parser = clap::value_parser!(u64).range(1..=1 << 24))]
     pub memory_limit: Option<u64>,
     /// No progress, no remarks.
@@ -65,16 +71,18 @@ impl Command {
     /// What it leaves.
     pub fn results(&self) -> Results {
         match self {
-            Self::Classify(_) | Self::Evaluate(_) | Self::Protocols(_) | Self::Inspect(_) | Self::Cache(_) => {
-                Results::Lines
-            }
+            Self::Classify(_)
+            | Self::Evaluate(_)
+            | Self::Protocols(_)
+            | Self::Inspect(_)
+            | Self::Cache(_) => Results::Lines,
             _ => Results::Files,
         }
     }
 }
 
-/// The words of this process. Ends the program with exit code 2 on wrong words, 0 after `--help`. Option values may begin
-/// with a minus.
+/// The words of this process. Ends the program with exit code 2 on wrong words, 0 after `--help`. Option
+/// values may begin with a minus.
 pub fn parse_or_exit<P: Parser>() -> P {
     let matches = with_negative_values(P::command()).try_get_matches();
     let matches = matches.unwrap_or_else(|told| tell_and_exit(&suggest::<P>(told)));
@@ -91,9 +99,9 @@ fn tell_and_exit(told: &clap::Error) -> ! {
 }
 
 fn with_negative_values(command: clap::Command) -> clap::Command {
-    command
-        .mut_subcommands(with_negative_values)
-        .mut_args(|a| if a.get_action().takes_values() && !a.is_positional() { a.allow_hyphen_values(true) } else { a })
+    command.mut_subcommands(with_negative_values).mut_args(|a| {
+        if a.get_action().takes_values() && !a.is_positional() { a.allow_hyphen_values(true) } else { a }
+    })
 }
 
 /// What a user may ask for.
@@ -117,11 +125,13 @@ pub enum Command {
     Classify(ClassifyArguments),
     /// A model and datasets to how often it is right, by frame and by track, with its spread over vehicles.
     Evaluate(EvaluateArguments),
-    /// Datasets to how right trees are that several seeds train: on unseen scenes, unseen vehicles, other datasets.
+    /// Datasets to how right trees are that several seeds train: on unseen scenes, unseen vehicles, other
+    /// datasets.
     Protocols(ProtocolsArguments),
     /// Samples from anywhere (.npy, DCA1000 .bin, SigMF) to a radar cube.
     Import(ImportArguments),
-    /// Radar cubes of a reflector at a known place to the errors of the array's channels, for `calibration` of [dsp].
+    /// Radar cubes of a reflector at a known place to the errors of the array's channels, for `calibration`
+    /// of [dsp].
     Calibrate(CalibrateArguments),
     /// Any artifact to a format that others read.
     Export(ExportArguments),
@@ -151,7 +161,8 @@ pub(crate) struct SceneArguments {
 
 #[derive(Debug, Clone, Args)]
 pub(crate) struct CacheArguments {
-    /// Folder of cached frames [default: .cache of the project's folder; outside of it the user's cache folder].
+    /// Folder of cached frames [default: .cache of the project's folder; outside of it the user's cache
+    /// folder].
     #[arg(long, value_name = "DIR")]
     pub(crate) cache: Option<PathBuf>,
     /// Largest size of the cache; the oldest frames go first.
@@ -261,7 +272,8 @@ pub struct RcsArguments {
     /// Metres per unit of the mesh file.
     #[arg(long, value_parser = scale)]
     pub(crate) unit_scale: Option<f64>,
-    /// Pictures beside the result: level over azimuth and frequency, range profile, ISAR image, the facets that make the level.
+    /// Pictures beside the result: level over azimuth and frequency, range profile, ISAR image, the facets
+    /// that make the level.
     #[arg(long)]
     pub(crate) pictures: bool,
     /// Result; S.json is written beside it.
@@ -329,13 +341,6 @@ pub struct DatasetArguments {
     pub(crate) seed: Option<u64>,
 }
 
-/// Learners.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum LearnerWord {
-    Trees,
-    Paper,
-}
-
 /// Words of `train`.
 #[derive(Debug, Args)]
 pub struct TrainArguments {
@@ -382,7 +387,8 @@ pub struct ProtocolsArguments {
     /// Dataset folders that never train.
     #[arg(long, value_name = "DIR")]
     pub(crate) test: Vec<PathBuf>,
-    /// Who is asked: trees, or the paper's network by the paper's protocol (P) and by two that keep copies of a map apart.
+    /// Who is asked: trees, or the paper's network by the paper's protocol (P) and by two that keep copies of
+    /// a map apart.
     #[arg(long, value_enum, default_value = "trees")]
     pub(crate) learner: LearnerWord,
     /// Steps of the network's optimizer in each training.
@@ -492,74 +498,6 @@ pub struct CacheCommandArguments {
     /// Empties it.
     #[arg(long)]
     pub(crate) clear: bool,
-}
-
-#[derive(Debug, Clone, Copy, ValueEnum)]
-pub(crate) enum PolarizationWord {
-    Vv,
-    Hh,
-    Vh,
-    Hv,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum MethodWord {
-    Bart,
-    Sbr,
-    Po,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum EdgesWord {
-    On,
-    Off,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum TransmissionWord {
-    On,
-    Off,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum NodesWord {
-    Middle,
-    Exit,
-    OwnEdge,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum SurfaceWord {
-    Flat,
-    Smooth,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum SidesWord {
-    Two,
-    One,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum AxesWord {
-    On,
-    Off,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum FormatWord {
-    Npy,
-    Exr,
-    Png,
-    Csv,
-    Pcd,
-    Ply,
-    Json,
-    Safetensors,
-    /// The .bin of a DCA1000EVM.
-    Dca1000,
-    /// .sigmf-data and .sigmf-meta.
-    Sigmf,
 }
 
 /// Which artifact goes to which format.

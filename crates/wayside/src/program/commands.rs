@@ -33,7 +33,9 @@ pub fn dispatch(command: Command, means: &Means) -> Result<(), Failure> {
     let memory = means.memory;
     match command {
         Command::Run(arguments) => run::run(&arguments, means),
-        Command::Rcs(arguments) => rcs::run(&arguments, memory).map_err(|failure| failure.about(&arguments.mesh)),
+        Command::Rcs(arguments) => {
+            rcs::run(&arguments, memory).map_err(|failure| failure.about(&arguments.mesh))
+        }
         Command::Paths(arguments) => {
             paths::run(&arguments, memory).map_err(|failure| failure.about(&arguments.scene.scene))
         }
@@ -49,7 +51,9 @@ pub fn dispatch(command: Command, means: &Means) -> Result<(), Failure> {
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         Command::Protocols(arguments) => protocols::run(&arguments),
         Command::Import(arguments) => import::run(&arguments),
-        Command::Calibrate(arguments) => calibrate::run(&arguments).map_err(|failure| failure.about(&arguments.cube)),
+        Command::Calibrate(arguments) => {
+            calibrate::run(&arguments).map_err(|failure| failure.about(&arguments.cube))
+        }
         Command::Export(arguments) => export::run(&arguments),
         Command::Inspect(arguments) => inspect::run(&arguments),
         Command::Vehicles(arguments) => vehicles::run(&arguments),

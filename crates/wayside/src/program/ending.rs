@@ -4,8 +4,8 @@ use crate::host::failure::Failure;
 use crate::program::terminal;
 use std::process::ExitCode;
 
-/// Prints the sentence on standard error; exit code 1 of what was refused, 2 of what the system or the words of the command are to
-/// blame for, 130 of what was called off.
+/// Prints the sentence on standard error; exit code 1 of what was refused, 2 of what the system or the words
+/// of the command are to blame for, 130 of what was called off.
 pub(crate) fn report(failure: &Failure) -> ExitCode {
     terminal::end_progress();
     terminal::say(format_args!("error: {}", printable(&failure.to_string())));
@@ -16,7 +16,8 @@ pub(crate) fn report(failure: &Failure) -> ExitCode {
     }
 }
 
-/// What a file says, as a terminal may show it: no signs that move its cursor, and of a line no more than a screen full.
+/// What a file says, as a terminal may show it: no signs that move its cursor, and of a line no more than a
+/// screen full.
 fn printable(text: &str) -> String {
     const SHOWN: usize = 2000;
     let line = |line: &str| {

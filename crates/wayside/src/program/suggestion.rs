@@ -29,7 +29,8 @@ pub(crate) const SYNONYMS: [(&str, &str); 22] = [
     ("check", "ci"),
 ];
 
-/// The same error, with a command that may be meant where clap knows none: of a short word it finds no letters exchanged.
+/// The same error, with a command that may be meant where clap knows none: of a short word it finds no
+/// letters exchanged.
 pub(crate) fn suggest<C: CommandFactory>(mut error: clap::Error) -> clap::Error {
     let knows = error.get(ContextKind::SuggestedSubcommand).is_some();
     if error.kind() != ErrorKind::InvalidSubcommand || knows {

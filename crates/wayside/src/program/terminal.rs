@@ -1,6 +1,7 @@
-//! Results on standard output; for a person on standard error a bar with the time left on a terminal and plain lines elsewhere,
-//! which `--quiet` silences. One thread looks at all work that is under way ten times a second: so a command that is silent inside
-//! one long step is heard of all the same, 2 s after its begin at the latest.
+//! Results on standard output; for a person on standard error a bar with the time left on a terminal and
+//! plain lines elsewhere, which `--quiet` silences. One thread looks at all work that is under way ten times
+//! a second: so a command that is silent inside one long step is heard of all the same, 2 s after its begin
+//! at the latest.
 
 use crate::host::progress;
 use artifact::whole_file;
@@ -79,7 +80,8 @@ fn draw(now: Instant) {
 const SHARES: f64 = 1000.0;
 
 fn empty_bar() -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:24} {wide_msg}").unwrap_or_else(|_| ProgressStyle::default_bar());
+    let style =
+        ProgressStyle::with_template("{bar:24} {wide_msg}").unwrap_or_else(|_| ProgressStyle::default_bar());
     ProgressBar::new(SHARES as u64).with_style(style)
 }
 
@@ -90,7 +92,8 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 /// What a command leaves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Results {
-    /// Files: where the reader of standard output goes away (`| head`), the command goes on to its end, unheard.
+    /// Files: where the reader of standard output goes away (`| head`), the command goes on to its end,
+    /// unheard.
     Files,
     /// Lines of standard output alone: there it ends quietly.
     Lines,
@@ -129,8 +132,8 @@ pub(crate) fn say(text: impl std::fmt::Display) {
     let _ = writeln!(std::io::stderr(), "{text}");
 }
 
-/// A disk that is full ends the program with exit code 2; a reader that has gone away ends it quietly where nobody else hears of
-/// its results. What is being written is removed either way.
+/// A disk that is full ends the program with exit code 2; a reader that has gone away ends it quietly where
+/// nobody else hears of its results. What is being written is removed either way.
 fn give_up(error: &std::io::Error) {
     if error.kind() == ErrorKind::BrokenPipe && GOES_ON.load(Ordering::Relaxed) {
         IS_UNHEARD.store(true, Ordering::Relaxed);

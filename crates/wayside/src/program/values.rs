@@ -1,4 +1,5 @@
-//! Values that a user types behind options: each has a range within which the work ends, and a sentence for what lies outside.
+//! Values that a user types behind options: each has a range within which the work ends, and a sentence for
+//! what lies outside.
 
 use std::ops::RangeInclusive;
 
@@ -40,7 +41,9 @@ fn axis(text: &str, allowed: RangeInclusive<f64>) -> Result<Axis, String> {
             match count {
                 1 if start == stop => Ok(Axis { values: vec![start] }),
                 2..=AXIS_LIMIT => Ok(Axis { values: evenly(start, stop, count) }),
-                _ => Err(format!("START:STOP:N needs N from 2 to {AXIS_LIMIT}, both ends included; N is {count}")),
+                _ => Err(format!(
+                    "START:STOP:N needs N from 2 to {AXIS_LIMIT}, both ends included; N is {count}"
+                )),
             }
         }
         _ => Err("one number, or START:STOP:N".into()),
@@ -123,7 +126,8 @@ pub(crate) struct Shard {
 }
 
 pub(crate) fn shard(text: &str) -> Result<Shard, String> {
-    let parsed = text.split_once('/').and_then(|(k, n)| Some(Shard { number: k.parse().ok()?, of: n.parse().ok()? }));
+    let parsed =
+        text.split_once('/').and_then(|(k, n)| Some(Shard { number: k.parse().ok()?, of: n.parse().ok()? }));
     match parsed {
         Some(s) if s.number >= 1 && s.number <= s.of => Ok(s),
         _ => Err("K/N with 1 ≤ K ≤ N".into()),

@@ -4,7 +4,8 @@ use crate::report::tables::{rounded, scrolled, whole};
 use maud::{Markup, html};
 use serde_json::Value;
 
-/// A row per false object, and per object that the radar tells to be at rest; nothing where the summary does not tell.
+/// A row per false object, and per object that the radar tells to be at rest; nothing where the summary does
+/// not tell.
 pub(super) fn section(frame: &Value) -> Markup {
     let Some(objects) = frame["false_objects"].as_array() else { return html! {} };
     let standing = frame["stationary_objects"].as_array().map_or(&[][..], Vec::as_slice);
@@ -46,7 +47,8 @@ fn row(object: &Value) -> Markup {
 
 /// The cause in words, with the bodies and bounces that it names.
 fn cause(object: &Value) -> String {
-    let bodies: Vec<&str> = object["bodies"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+    let bodies: Vec<&str> =
+        object["bodies"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
     let (bodies, bounces) = (bodies.join(", "), object["bounces"].as_u64());
     match (object["cause"].as_str().unwrap_or("unknown"), bodies.as_str()) {
         ("ghost", _) => match bounces {
@@ -69,8 +71,7 @@ mod tests {
 
     #[test]
     fn a_false_object_says_what_made_it() {
-        let ghost =
-            json!({ "object": 3, "cause": "ghost", "bodies": ["bus-1", "truck-1"], "bounces": 2, "ghost_share": null });
+        let ghost = json!({ "object": 3, "cause": "ghost", "bodies": ["bus-1", "truck-1"], "bounces": 2, "ghost_share": null });
         let text = section(&json!({ "false_objects": [ghost] })).into_string();
         for said in ["#3", "multipath ghost: bus-1, truck-1, 2 bounces", "<td>–</td>"] {
             assert!(text.contains(said), "{said}: {text}");
@@ -78,7 +79,10 @@ mod tests {
         assert!(section(&json!({ "false_objects": [] })).into_string().contains("None"));
         let rail = json!({ "object": 5, "cause": "clutter", "bodies": ["rail"], "bounces": 1 });
         let text = section(&json!({ "false_objects": [], "stationary_objects": [rail] })).into_string();
-        assert!(text.contains("every object that moves is a body's") && text.contains("clutter: rail"), "{text}");
+        assert!(
+            text.contains("every object that moves is a body's") && text.contains("clutter: rail"),
+            "{text}"
+        );
         assert!(section(&json!({})).into_string().is_empty());
     }
 }

@@ -57,9 +57,11 @@ pub(super) fn made(making: &Making, out: &Path) -> Markup {
 
 /// A command line that a shell reads back as these words.
 fn command(program: &str, words: impl Iterator<Item = String>) -> String {
-    let is_plain =
-        |word: &str| !word.is_empty() && word.chars().all(|c| c.is_alphanumeric() || "-_./=:,+@%".contains(c));
-    let quoted = |word: String| if is_plain(&word) { word } else { format!("'{}'", word.replace('\'', "'\\''")) };
+    let is_plain = |word: &str| {
+        !word.is_empty() && word.chars().all(|c| c.is_alphanumeric() || "-_./=:,+@%".contains(c))
+    };
+    let quoted =
+        |word: String| if is_plain(&word) { word } else { format!("'{}'", word.replace('\'', "'\\''")) };
     std::iter::once(program.to_owned()).chain(words.map(quoted)).collect::<Vec<_>>().join(" ")
 }
 
@@ -70,6 +72,9 @@ mod tests {
     #[test]
     fn a_command_can_be_typed_again_whatever_its_words_hold() {
         let words = ["run", "my scenes/it's.toml", "--out", "x"].map(str::to_owned);
-        assert_eq!(command("cargo xtask", words.into_iter()), "cargo xtask run 'my scenes/it'\\''s.toml' --out x");
+        assert_eq!(
+            command("cargo xtask", words.into_iter()),
+            "cargo xtask run 'my scenes/it'\\''s.toml' --out x"
+        );
     }
 }

@@ -81,8 +81,10 @@ fn lead(frames: &[&Value], metrics: &Value) -> String {
     let (found, missed, false_ones) = (count("found"), count("missed"), count("false"));
     let over = if frames.len() == 1 { "one frame".into() } else { format!("{} frames", frames.len()) };
     let objects = if false_ones == 1 { "object is" } else { "objects are" };
-    let more =
-        [(count("stationary"), "objects at rest are no body's"), (count("removed"), "bodies at rest were removed")];
+    let more = [
+        (count("stationary"), "objects at rest are no body's"),
+        (count("removed"), "bodies at rest were removed"),
+    ];
     let more = more.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("; {count} {what}"));
     format!(
         "{found} of {} bodies with an echo found in {over}; {false_ones} {objects} false{}; {points} points detected.",

@@ -33,7 +33,8 @@ pub(super) fn page(summary: &Value, views: &[Figure], making: &Making, out: &Pat
 
 fn lead(frames: &[&Value]) -> String {
     let targets = || frames.iter().flat_map(|frame| frame["targets"].as_array().into_iter().flatten());
-    let found_by = |least: usize| targets().filter(|t| t["found_by"].as_array().map_or(0, Vec::len) >= least).count();
+    let found_by =
+        |least: usize| targets().filter(|t| t["found_by"].as_array().map_or(0, Vec::len) >= least).count();
     let (all, some, several) = (targets().count(), found_by(1), found_by(2));
     let over = if frames.len() == 1 { "one frame".into() } else { format!("{} frames", frames.len()) };
     format!("{some} of {all} targets found by some radar in {over}, {several} by two or more.")
@@ -95,8 +96,7 @@ mod tests {
 
     #[test]
     fn a_radars_row_has_a_cell_under_every_heading() {
-        let radar =
-            json!({ "id": "north", "found": 1, "missed": 2, "false": 3, "points": 11, "largest_error_db": -13.4 });
+        let radar = json!({ "id": "north", "found": 1, "missed": 2, "false": 3, "points": 11, "largest_error_db": -13.4 });
         let table = radars(&json!({ "radars": [radar] })).into_string();
         assert_eq!(table.matches("<td").count(), table.matches("<th>").count(), "{table}");
         assert!(table.contains("<td class=\"bad\">2</td><td>3</td><td>11</td>"), "{table}");

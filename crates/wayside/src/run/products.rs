@@ -98,8 +98,12 @@ impl Products {
 impl ScatteringWriter {
     fn create(chain: &Chain, out: &Path, from: &Provenance) -> Result<Self, Failure> {
         Ok(match chain.header.fidelity.echo {
-            EchoMode::Paths => Self::Paths(Writer::create(&out.join("frames.paths"), from, &chain.paths_header())?),
-            EchoMode::RcsTable => Self::Tables(Writer::create(&out.join("frames.rcs"), from, &chain.rcs_header())?),
+            EchoMode::Paths => {
+                Self::Paths(Writer::create(&out.join("frames.paths"), from, &chain.paths_header())?)
+            }
+            EchoMode::RcsTable => {
+                Self::Tables(Writer::create(&out.join("frames.rcs"), from, &chain.rcs_header())?)
+            }
         })
     }
 
@@ -126,6 +130,7 @@ fn join_truth(truth: &FrameTruth, frame: &mut FrameProducts) {
         point.target = body.map(|body| truth.number_of(body));
     }
     for (point, origin) in points.iter_mut().zip(&truth.origins) {
-        point.label = origin.label().map(|label| Label { target: truth.number_of(label.target as usize), ..label });
+        point.label =
+            origin.label().map(|label| Label { target: truth.number_of(label.target as usize), ..label });
     }
 }

@@ -51,8 +51,8 @@ pub struct Settings<'a> {
 }
 
 impl Settings<'_> {
-    /// Of a scene file and the folder of its results: the model that ships, the default cache, nine tenths of the free memory,
-    /// and nothing told.
+    /// Of a scene file and the folder of its results: the model that ships, the default cache, nine tenths of
+    /// the free memory, and nothing told.
     pub fn of(scene: impl Into<PathBuf>, out: impl Into<PathBuf>) -> Self {
         Self {
             scene: SceneSource { file: scene.into(), ..SceneSource::default() },
@@ -76,10 +76,13 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// `summary.json` (`docs/interface.md`): of the only radar, or of all together where the scene has several; null after a
-    /// dry run.
+    /// `summary.json` (`docs/interface.md`): of the only radar, or of all together where the scene has
+    /// several; null after a dry run.
     pub fn summary(&self) -> &Value {
-        self.of_all.as_ref().or_else(|| self.of_radars.first().map(|told| &told.summary)).unwrap_or(&Value::Null)
+        self.of_all
+            .as_ref()
+            .or_else(|| self.of_radars.first().map(|told| &told.summary))
+            .unwrap_or(&Value::Null)
     }
 
     /// Folder and `summary.json` of each radar.
@@ -91,7 +94,8 @@ impl Outcome {
 /// Runs a scene through the whole chain and writes artifacts, `summary.json`, `report.html` and pictures.
 ///
 /// # Errors
-/// A sentence that names file, place and rule where the scene, a model or the memory refuses; what is whole is kept.
+/// A sentence that names file, place and rule where the scene, a model or the memory refuses; what is whole
+/// is kept.
 pub fn run(settings: &Settings) -> Result<Outcome, Failure> {
     whole(settings).map_err(|failure| failure.about(&settings.scene.file))
 }
@@ -232,7 +236,9 @@ fn compute(
                     tracking::join(&mut told["targets"], &told_of_tracks);
                     told["tracks"] = told_of_tracks;
                     frames.push(told);
-                    progress::during("artifacts and pictures", || products.write(chain, frame, &truth, &tracks))?;
+                    progress::during("artifacts and pictures", || {
+                        products.write(chain, frame, &truth, &tracks)
+                    })?;
                 }
             }
         }
@@ -248,11 +254,12 @@ fn resolved(chain: &Chain, mut cycle: Vec<FrameProducts>) -> Vec<FrameProducts> 
     cycle
 }
 
-/// Frames computed at the same time, in their order. Where bodies stand as in another of them, a frame waits for that one's
-/// paths and finds them in the cache; so does one that takes over what is measured in another.
+/// Frames computed at the same time, in their order. Where bodies stand as in another of them, a frame waits
+/// for that one's paths and finds them in the cache; so does one that takes over what is measured in another.
 fn side_by_side(chain: &Chain, plans: &[FramePlan]) -> Result<Vec<FrameProducts>, Failure> {
     let waits_for = |i: usize, earlier: &FramePlan| {
-        earlier.keys.bart_rcs == plans[i].keys.bart_rcs || earlier.index == chain.header.measured_in(plans[i].index)
+        earlier.keys.bart_rcs == plans[i].keys.bart_rcs
+            || earlier.index == chain.header.measured_in(plans[i].index)
     };
     let is_new = |i: usize| plans[..i].iter().all(|earlier| !waits_for(i, earlier));
     let (new, known): (Vec<usize>, Vec<usize>) = (0..plans.len()).partition(|i| is_new(*i));
@@ -262,12 +269,16 @@ fn side_by_side(chain: &Chain, plans: &[FramePlan]) -> Result<Vec<FrameProducts>
     Ok(frames)
 }
 
-/// Each frame on a thread of its own: threads of the pool would take up a further frame while they wait for a part of one,
-/// and hold more than was allowed.
-fn at_once<'a>(chain: &Chain, plans: impl Iterator<Item = &'a FramePlan>) -> Result<Vec<FrameProducts>, Failure> {
+/// Each frame on a thread of its own: threads of the pool would take up a further frame while they wait for a
+/// part of one, and hold more than was allowed.
+fn at_once<'a>(
+    chain: &Chain,
+    plans: impl Iterator<Item = &'a FramePlan>,
+) -> Result<Vec<FrameProducts>, Failure> {
     std::thread::scope(|scope| {
         let threads: Vec<_> = plans.map(|plan| scope.spawn(|| chain.frame(plan))).collect();
-        let joined = threads.into_iter().map(|thread| thread.join().unwrap_or_else(|p| std::panic::resume_unwind(p)));
+        let joined =
+            threads.into_iter().map(|thread| thread.join().unwrap_or_else(|p| std::panic::resume_unwind(p)));
         joined.collect()
     })
 }

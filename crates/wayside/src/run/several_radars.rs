@@ -1,4 +1,5 @@
-//! What several radars of one scene saw, side by side: `summary.json` and `report.html` above the folders of each.
+//! What several radars of one scene saw, side by side: `summary.json` and `report.html` above the folders of
+//! each.
 
 use crate::host::failure::Failure;
 use crate::host::files;
@@ -50,7 +51,8 @@ pub(crate) fn conclude(radars: &[Told], making: &Making, tell: &dyn Fn(&str)) ->
 /// The first frames from above, as long as every radar has one: their frames are cut alike.
 fn views(radars: &[Told]) -> Vec<Figure> {
     let frames = radars.iter().map(|radar| radar.seen.len()).min().unwrap_or(0);
-    let view = |i: usize| common_view(&radars.iter().map(|radar| (radar.id(), &radar.seen[i])).collect::<Vec<_>>());
+    let view =
+        |i: usize| common_view(&radars.iter().map(|radar| (radar.id(), &radar.seen[i])).collect::<Vec<_>>());
     (0..frames).map(view).collect()
 }
 
@@ -67,10 +69,12 @@ fn summary(radars: &[Told]) -> Value {
 }
 
 fn radar(radar: &Told) -> Value {
-    let every =
-        |key: &'static str| radar.frames().iter().flat_map(move |frame| frame[key].as_array().into_iter().flatten());
+    let every = |key: &'static str| {
+        radar.frames().iter().flat_map(move |frame| frame[key].as_array().into_iter().flatten())
+    };
     let count = |found: Value| every("targets").filter(|target| target["found"] == found).count();
-    let errors = || radar.frames().iter().filter_map(|frame| Some((frame, frame["error_db"]["total"].as_f64()?)));
+    let errors =
+        || radar.frames().iter().filter_map(|frame| Some((frame, frame["error_db"]["total"].as_f64()?)));
     let worst = errors().max_by(|a, b| a.1.total_cmp(&b.1));
     json!({
         "id": radar.id(),
@@ -102,7 +106,9 @@ struct Common<'a> {
 fn frame(radars: &[Told], index: usize) -> Value {
     let mut targets: Vec<Common> = vec![];
     for radar in radars {
-        for target in radar.frames().get(index).and_then(|frame| frame["targets"].as_array()).into_iter().flatten() {
+        for target in
+            radar.frames().get(index).and_then(|frame| frame["targets"].as_array()).into_iter().flatten()
+        {
             let id = target["id"].as_str().unwrap_or_default();
             let place = targets.iter().position(|known| known.id == id).unwrap_or(targets.len());
             if place == targets.len() {
@@ -115,7 +121,8 @@ fn frame(radars: &[Told], index: usize) -> Value {
             }
         }
     }
-    let time_s = radars.iter().find_map(|radar| radar.frames().get(index)).map_or(&Value::Null, |f| &f["time_s"]);
+    let time_s =
+        radars.iter().find_map(|radar| radar.frames().get(index)).map_or(&Value::Null, |f| &f["time_s"]);
     let told = |t: &Common| json!({ "id": t.id, "class": t.class, "found_by": t.found_by, "missed_by": t.missed_by });
     json!({ "time_s": time_s, "targets": targets.iter().map(told).collect::<Vec<_>>() })
 }

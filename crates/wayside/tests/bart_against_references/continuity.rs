@@ -1,5 +1,5 @@
-//! A moving body chirp by chirp: does the scattered field run on smoothly? What jumps from one chirp to the next is noise in
-//! the Doppler spectrum that no integration removes.
+//! A moving body chirp by chirp: does the scattered field run on smoothly? What jumps from one chirp to the
+//! next is noise in the Doppler spectrum that no integration removes.
 
 use crate::methods::{Run, decibels};
 use artifact::scene::Mesh;
@@ -38,18 +38,19 @@ pub(crate) fn echoes(slide: &Slide<'_>, method: &dyn Fn(&Mesh, Standpoint, &[f64
     (0..slide.chirps).map(of).collect()
 }
 
-/// Root mean square difference of the phase increments from chirp to chirp, rad, each weighted by its power: where the
-/// field passes through a null its phase says nothing.
+/// Root mean square difference of the phase increments from chirp to chirp, rad, each weighted by its power:
+/// where the field passes through a null its phase says nothing.
 pub(crate) fn increment_error_rad(got: &[Complex64], reference: &[Complex64]) -> f64 {
     let steps = |s: &[Complex64]| s.windows(2).map(|pair| pair[1] * pair[0].conj()).collect::<Vec<_>>();
     let (got, reference) = (steps(got), steps(reference));
     let weighted = got.iter().zip(&reference).map(|(g, r)| (r.norm(), (g * r.conj()).arg()));
-    let (sum, weight) = weighted.fold((0.0, 0.0), |(s, w), (weight, error)| (s + weight * error * error, w + weight));
+    let (sum, weight) =
+        weighted.fold((0.0, 0.0), |(s, w), (weight, error)| (s + weight * error * error, w + weight));
     (sum / weight).sqrt()
 }
 
-/// Median power of the half of the Doppler cells that lie farthest from the strongest one, over that one's, dB. The window
-/// (Blackman–Harris, −92 dB) hides nothing above.
+/// Median power of the half of the Doppler cells that lie farthest from the strongest one, over that one's,
+/// dB. The window (Blackman–Harris, −92 dB) hides nothing above.
 pub(crate) fn spectral_floor_db(echoes: &[Complex64]) -> f64 {
     let count = echoes.len();
     let power: Vec<f64> = (0..count).map(|cell| cell_power(echoes, cell)).collect();
@@ -68,7 +69,8 @@ fn cell_power(echoes: &[Complex64], cell: usize) -> f64 {
     let term = |(n, s): (usize, &Complex64)| {
         let turn = TAU * (n as f64 + 0.5) / count;
         // Harris, Proc. IEEE 66 (1978) 51, minimum four-term window.
-        let taper = 0.35875 - 0.48829 * turn.cos() + 0.14128 * (2.0 * turn).cos() - 0.01168 * (3.0 * turn).cos();
+        let taper =
+            0.35875 - 0.48829 * turn.cos() + 0.14128 * (2.0 * turn).cos() - 0.01168 * (3.0 * turn).cos();
         s * taper * Complex64::cis(-TAU * (n * cell) as f64 / count)
     };
     echoes.iter().enumerate().map(term).sum::<Complex64>().norm_sqr()

@@ -1,8 +1,9 @@
 //! BART against the crate's two references as these converge: complex error and seconds by bounce order.
 //!
-//! The tests take the project's own vehicles at 10 GHz, where a wavelength of 3 cm keeps dense rays affordable; geometry
-//! and formulas are those of 77 GHz. `cargo test --release -p wayside --test bart_against_references -- --ignored` makes the
-//! table of `docs/validation/bart-against-references.md` at 77 GHz and prints it (an hour of one core).
+//! The tests take the project's own vehicles at 10 GHz, where a wavelength of 3 cm keeps dense rays
+//! affordable; geometry and formulas are those of 77 GHz. `cargo test --release -p wayside --test
+//! bart_against_references -- --ignored` makes the table of `docs/validation/bart-against-references.md` at
+//! 77 GHz and prints it (an hour of one core).
 #![allow(
     clippy::unwrap_used,
     clippy::panic,
@@ -40,14 +41,15 @@ fn first_order_of_bart_is_what_dense_sampling_converges_to() {
     let errors = [(1.0, 0), (2.0, 4), (2.0, 8)].map(|(density, levels)| {
         decibels(error(&po(&mesh, place, &LOW_HZ, density, levels).orders[0], &exact.orders[0]))
     });
-    // The border of shadows is wrong by (cell edge)^1.5; edges at the border are 1, 1/8 and 1/32 of a wavelength:
-    // 27 and 45 dB smaller. A third of that is asked, for the coarse errors are not yet in that regime.
+    // The border of shadows is wrong by (cell edge)^1.5; edges at the border are 1, 1/8 and 1/32 of a
+    // wavelength: 27 and 45 dB smaller. A third of that is asked, for the coarse errors are not yet in that
+    // regime.
     println!("{errors:?}");
     assert!(errors[1] < errors[0] - 9.0 && errors[2] < errors[0] - 15.0, "{errors:?}");
 }
 
-/// Boxes on a plate, two of them an inner corner that looks at azimuth 25°: walls in front of walls, corners of two and
-/// of three planes, gaps.
+/// Boxes on a plate, two of them an inner corner that looks at azimuth 25°: walls in front of walls, corners
+/// of two and of three planes, gaps.
 fn boxes_on_a_plate() -> Mesh {
     let plate = vec![[-0.8, -0.7, 0.0], [0.8, -0.7, 0.0], [0.8, 0.7, 0.0], [-0.8, 0.7, 0.0]];
     let boxes = [
@@ -76,7 +78,8 @@ fn every_order_of_bart_is_what_shooting_and_bouncing_rays_converge_to() {
     let exact = bart(&mesh, place, &LOW_HZ, 3, -60.0);
     let runs = [2.0, 16.0].map(|density| sbr(&mesh, place, &LOW_HZ, density, 3));
     for order in 0..3 {
-        let [coarse, fine] = [&runs[0], &runs[1]].map(|run| decibels(error(&run.orders[order], &exact.orders[order])));
+        let [coarse, fine] =
+            [&runs[0], &runs[1]].map(|run| decibels(error(&run.orders[order], &exact.orders[order])));
         println!("order {}: {coarse:.1} dB, then {fine:.1} dB", order + 1);
         // (spacing)^1.5 makes 27 dB; half of it is asked of one random draw of borders.
         assert!(fine < coarse - 13.5, "order {}: {coarse:.1} dB, then {fine:.1} dB", order + 1);
@@ -96,7 +99,9 @@ fn the_printed_error_of_random_cases_covers_the_true_one() {
 /// The densities of the page's table.
 fn page_runs(mesh: &Mesh, place: Standpoint, frequencies_hz: &[f64]) -> Vec<Run> {
     let mut runs: Vec<Run> = [-20.0, -40.0].map(|db| bart(mesh, place, frequencies_hz, 3, db)).into();
-    runs.extend([(1.0, 0), (1.0, 4)].map(|(density, levels)| po(mesh, place, frequencies_hz, density, levels)));
+    runs.extend(
+        [(1.0, 0), (1.0, 4)].map(|(density, levels)| po(mesh, place, frequencies_hz, density, levels)),
+    );
     runs.extend([0.5, 1.0, 2.0, 4.0].map(|density| sbr(mesh, place, frequencies_hz, density, 3)));
     runs
 }
@@ -139,7 +144,11 @@ fn real_cars_are_compared_at_four_aspects() {
             let levels: Vec<String> = exact.orders.iter().map(|o| format!("{:.1} dB", of_field(o))).collect();
             println!("| {name} | {az_deg}° | level over order 1 | | {} | |", levels.join(" | "));
             let row = |run: &Run, reference: &Run, method: &str| {
-                println!("| {name} | {az_deg}° | {method} | {:.1} | {} |", run.seconds, columns(run, reference));
+                println!(
+                    "| {name} | {az_deg}° | {method} | {:.1} | {} |",
+                    run.seconds,
+                    columns(run, reference)
+                );
             };
             row(&bart(mesh, place, &frequencies_hz, 3, -20.0), &exact, "BART, −20 dB asked");
             for (density, levels) in [(1.0, 0), (1.0, 6), (2.0, 6)] {
@@ -151,7 +160,9 @@ fn real_cars_are_compared_at_four_aspects() {
                 let run = sbr(mesh, place, &frequencies_hz, density, 3);
                 row(&run, &exact, &run.name);
                 if let Some(coarser) = before.replace(run) {
-                    before.iter().for_each(|finer| row(&coarser, finer, "the line before the last against the last"));
+                    before
+                        .iter()
+                        .for_each(|finer| row(&coarser, finer, "the line before the last against the last"));
                 }
             }
         }
@@ -192,7 +203,8 @@ fn experiment_1() -> artifact::scene::SceneHeader {
 /// Own vehicles, and the real ones where they are there.
 fn vehicles() -> Vec<(String, Mesh)> {
     let mut meshes = own_vehicles();
-    let folder = std::env::var("WAYSIDE_SHARED").unwrap_or(format!("{}/../../../shared", env!("CARGO_MANIFEST_DIR")));
+    let folder =
+        std::env::var("WAYSIDE_SHARED").unwrap_or(format!("{}/../../../shared", env!("CARGO_MANIFEST_DIR")));
     let Ok(files) = std::fs::read_dir(format!("{folder}/vehicles")) else {
         println!("skipped: {folder}/vehicles is not here; own vehicles only");
         return meshes;
@@ -271,20 +283,32 @@ fn random_roads_are_left_out() {
     told(&cases().map(try_one).collect::<Vec<_>>());
 }
 
-/// The rows of docs/validation/continuity.md: name, increment error in rad against BART 60 dB below the field with as many
-/// bounces, spectral floor in dB.
-fn continuity_rows(slide: &continuity::Slide<'_>, methods: &[(&str, u8, Box<Method<'_>>)]) -> Vec<(String, f64, f64)> {
-    let fine = |bounces: u8| continuity::echoes(slide, &|mesh, place, f| bart(mesh, place, f, bounces, -60.0));
+/// The rows of docs/validation/continuity.md: name, increment error in rad against BART 60 dB below the field
+/// with as many bounces, spectral floor in dB.
+fn continuity_rows(
+    slide: &continuity::Slide<'_>,
+    methods: &[(&str, u8, Box<Method<'_>>)],
+) -> Vec<(String, f64, f64)> {
+    let fine =
+        |bounces: u8| continuity::echoes(slide, &|mesh, place, f| bart(mesh, place, f, bounces, -60.0));
     let references = [fine(1), fine(3)];
     let row = |(name, bounces, method): &(&str, u8, Box<Method<'_>>)| {
         let found = continuity::echoes(slide, method);
         let reference = &references[usize::from(*bounces > 1)];
-        (name.to_string(), continuity::increment_error_rad(&found, reference), continuity::spectral_floor_db(&found))
+        (
+            name.to_string(),
+            continuity::increment_error_rad(&found, reference),
+            continuity::spectral_floor_db(&found),
+        )
     };
     let mut rows: Vec<_> = methods.iter().map(row).collect();
-    let names = ["BART, one bounce, −60 dB asked (reference)", "BART, three bounces, −60 dB asked (reference)"];
-    rows.extend(names.iter().zip(&references).map(|(n, s)| (n.to_string(), 0.0, continuity::spectral_floor_db(s))));
-    rows.iter().for_each(|(name, error_rad, floor_db)| println!("| {name} | {error_rad:.1e} | {floor_db:.1} |"));
+    let names =
+        ["BART, one bounce, −60 dB asked (reference)", "BART, three bounces, −60 dB asked (reference)"];
+    rows.extend(
+        names.iter().zip(&references).map(|(n, s)| (n.to_string(), 0.0, continuity::spectral_floor_db(s))),
+    );
+    rows.iter()
+        .for_each(|(name, error_rad, floor_db)| println!("| {name} | {error_rad:.1e} | {floor_db:.1} |"));
     rows
 }
 

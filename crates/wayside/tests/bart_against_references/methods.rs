@@ -19,7 +19,13 @@ pub(crate) struct Run {
     pub(crate) orders: Vec<Vec<Complex64>>,
 }
 
-pub(crate) fn request(place: Standpoint, frequencies_hz: &[f64], bounces: u8, nodes: NodeRule, db: f64) -> RcsRequest {
+pub(crate) fn request(
+    place: Standpoint,
+    frequencies_hz: &[f64],
+    bounces: u8,
+    nodes: NodeRule,
+    db: f64,
+) -> RcsRequest {
     RcsRequest {
         frequency_hz: frequencies_hz.to_vec(),
         elevation_rad: vec![place.elevation_rad],
@@ -53,18 +59,30 @@ pub(crate) fn po(
     per_wavelength: f64,
     shadow_levels: u32,
 ) -> Run {
-    let sampling =
-        reference::po::Sampling { per_wavelength, shadow_levels, sides: Sides::Two, bracket: Bracket::Symmetrised };
+    let sampling = reference::po::Sampling {
+        per_wavelength,
+        shadow_levels,
+        sides: Sides::Two,
+        bracket: Bracket::Symmetrised,
+    };
     let start_s = processor_seconds().unwrap_or(f64::NAN);
     let s = reference::po::amplitude(mesh, &Aspect::monostatic(place), frequencies_hz, &sampling).unwrap();
     let name = format!("po, {per_wavelength} cells per λ, borders halved {shadow_levels} times");
     Run { name, seconds: processor_seconds().unwrap_or(f64::NAN) - start_s, orders: vec![vv(&s)] }
 }
 
-pub(crate) fn sbr(mesh: &Mesh, place: Standpoint, frequencies_hz: &[f64], per_wavelength: f64, bounces: u8) -> Run {
-    let shooting = reference::sbr::Shooting { per_wavelength, bounces, sides: Sides::Two, bracket: Bracket::Plain };
+pub(crate) fn sbr(
+    mesh: &Mesh,
+    place: Standpoint,
+    frequencies_hz: &[f64],
+    per_wavelength: f64,
+    bounces: u8,
+) -> Run {
+    let shooting =
+        reference::sbr::Shooting { per_wavelength, bounces, sides: Sides::Two, bracket: Bracket::Plain };
     let start_s = processor_seconds().unwrap_or(f64::NAN);
-    let found = reference::sbr::amplitude(mesh, &Aspect::monostatic(place), frequencies_hz, &shooting).unwrap();
+    let found =
+        reference::sbr::amplitude(mesh, &Aspect::monostatic(place), frequencies_hz, &shooting).unwrap();
     let name = format!("sbr, {per_wavelength} rays per λ ({:.2} million)", found.rays as f64 * 1e-6);
     Run {
         name,

@@ -1,5 +1,5 @@
-//! Random vehicles, aspects, frequencies, orders and accuracies: the error that is printed beside the true one, of S and of
-//! a frame's map.
+//! Random vehicles, aspects, frequencies, orders and accuracies: the error that is printed beside the true
+//! one, of S and of a frame's map.
 
 use crate::methods::{decibels, error, request};
 use artifact::scene::{Mesh, Pose, SceneHeader};
@@ -22,8 +22,8 @@ pub(crate) struct Found {
     pub(crate) true_db: f64,
 }
 
-/// Case number `case`: S at the accuracy asked against S asked 15 dB finer: where both are just met, the reference's own error is 18 % of what
-/// is measured, and blurs it by 1.5 dB at most.
+/// Case number `case`: S at the accuracy asked against S asked 15 dB finer: where both are just met, the
+/// reference's own error is 18 % of what is measured, and blurs it by 1.5 dB at most.
 pub(crate) fn try_case(case: u64, meshes: &[(&str, Mesh)], band_hz: [f64; 2]) -> Found {
     let mut rng = ChaCha12Rng::from_seed(artifact::seed::key(7, "validation/random-cases", &[case]));
     let (name, mesh) = &meshes[rng.random_range(0..meshes.len())];
@@ -35,7 +35,9 @@ pub(crate) fn try_case(case: u64, meshes: &[(&str, Mesh)], band_hz: [f64; 2]) ->
     let bounces = rng.random_range(1..=3);
     let asked_db = rng.random_range(-40.0..-15.0);
     let frequencies_hz: Vec<f64> = (0..3).map(|_| rng.random_range(band_hz[0]..band_hz[1])).collect();
-    let at = |db: f64| rcs(mesh, &request(place, &frequencies_hz, bounces, NodeRule::Middle, db), &|_, _| {}).unwrap();
+    let at = |db: f64| {
+        rcs(mesh, &request(place, &frequencies_hz, bounces, NodeRule::Middle, db), &|_, _| {}).unwrap()
+    };
     let (got, truth) = (at(asked_db), at(asked_db - 15.0));
     Found {
         name: (*name).to_owned(),
@@ -68,11 +70,11 @@ pub(crate) struct FoundFrame {
     pub(crate) true_db: f64,
 }
 
-/// Frame number `case`: its paths against the body traced and integrated anew, 15 dB finer, where it is at three random
-/// moments of the frame.
+/// Frame number `case`: its paths against the body traced and integrated anew, 15 dB finer, where it is at
+/// three random moments of the frame.
 ///
-/// A map is a unitary transform of the frame's samples (Parseval), so its relative error is that of the samples; each is S
-/// at its moment and frequency.
+/// A map is a unitary transform of the frame's samples (Parseval), so its relative error is that of the
+/// samples; each is S at its moment and frequency.
 pub(crate) fn try_frame(case: u64, meshes: &[(&str, Mesh)], empty: &SceneHeader) -> FoundFrame {
     let mut rng = ChaCha12Rng::from_seed(artifact::seed::key(11, "validation/random-frames", &[case]));
     let (name, mesh) = &meshes[rng.random_range(0..meshes.len())];
@@ -97,7 +99,8 @@ pub(crate) fn try_frame(case: u64, meshes: &[(&str, Mesh)], empty: &SceneHeader)
         let seconds = rng.random_range(0.0..header.radar.frame_duration_s());
         let frequencies_hz: Vec<f64> = (0..12).map(|_| random_frequency_hz(&header, &mut rng)).collect();
         let array = &header.radar.array;
-        let pair = [&array.tx_m, &array.rx_m].map(|from| DVec3::from_array(from[rng.random_range(0..from.len())]));
+        let pair =
+            [&array.tx_m, &array.rx_m].map(|from| DVec3::from_array(from[rng.random_range(0..from.len())]));
         of_paths.extend(frequencies_hz.iter().map(|f| at(&header, &paths.paths, &pose, pair, seconds, *f)));
         anew.extend(traced_anew(&header, &pose, pair, seconds, &frequencies_hz));
     }
@@ -168,7 +171,12 @@ impl std::fmt::Display for FoundFrame {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let [x, y, _] = self.pose.position_m;
         let speed_mps = DVec3::from_array(self.pose.velocity_mps).length();
-        write!(f, "| {} | {x:.1}, {y:.1} | {:.0} | {speed_mps:.1} |", self.name, self.pose.yaw_rad.to_degrees())?;
+        write!(
+            f,
+            "| {} | {x:.1}, {y:.1} | {:.0} | {speed_mps:.1} |",
+            self.name,
+            self.pose.yaw_rad.to_degrees()
+        )?;
         write!(f, " {} | {:.1} | {} |", self.bounces, self.asked_db, self.paths)?;
         write!(f, " {:.1} | {:.1} | {:.1} |", self.printed_db, self.true_db, self.printed_db - self.true_db)
     }

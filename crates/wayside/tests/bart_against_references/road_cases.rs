@@ -25,10 +25,15 @@ pub(crate) struct FoundRoad {
 }
 
 /// What a road may be made of: asphalt by recipe and moisture, and concrete (docs/materials.md).
-const ROADS: [(&str, [f64; 2]); 4] =
-    [("asphalt", [9.5, 0.3]), ("dry asphalt", [8.6, 0.3]), ("moist asphalt", [10.4, 0.3]), ("concrete", [5.24, 0.32])];
+const ROADS: [(&str, [f64; 2]); 4] = [
+    ("asphalt", [9.5, 0.3]),
+    ("dry asphalt", [8.6, 0.3]),
+    ("moist asphalt", [10.4, 0.3]),
+    ("concrete", [5.24, 0.32]),
+];
 
-/// Case number `case`: paths with a road less those without, at the moment of the frame's check and all over the band.
+/// Case number `case`: paths with a road less those without, at the moment of the frame's check and all over
+/// the band.
 pub(crate) fn try_road(case: u64, meshes: &[(&str, Mesh)], empty: &SceneHeader) -> FoundRoad {
     let mut rng = ChaCha12Rng::from_seed(artifact::seed::key(13, "validation/random-roads", &[case]));
     let (name, mesh) = &meshes[rng.random_range(0..meshes.len())];

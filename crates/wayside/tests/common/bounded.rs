@@ -29,7 +29,8 @@ impl Ended {
     }
 }
 
-/// Runs the program in a folder; it is killed where it takes a minute of the processor, and gets no more than gibibytes.
+/// Runs the program in a folder; it is killed where it takes a minute of the processor, and gets no more than
+/// gibibytes.
 pub(crate) fn run(folder: &Path, words: impl IntoIterator<Item = impl AsRef<OsStr>>) -> Ended {
     let bounds = format!("ulimit -v {MOST_KIB}; ulimit -t {LONGEST_PROCESSOR_S}; exec \"$@\"");
     let mut command = Command::new("sh");

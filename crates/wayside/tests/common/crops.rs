@@ -13,10 +13,16 @@ const SIDE: usize = 113;
 /// Rows and columns of the rectangle of each class.
 const EXTENTS: [[usize; 2]; 4] = [[8, 25], [10, 70], [28, 50], [5, 8]];
 
-/// Writes a dataset of so many crops of each class, a shard for each class; every fourth scene validates, every fifth tests.
+/// Writes a dataset of so many crops of each class, a shard for each class; every fourth scene validates,
+/// every fifth tests.
 pub(crate) fn write(folder: &Path, of_each_class: u64) {
-    let format =
-        CropFormat { side: SIDE as u32, range_span_m: 24.0, velocity_span_mps: 8.0, floor_db: 0.0, ceiling_db: 50.0 };
+    let format = CropFormat {
+        side: SIDE as u32,
+        range_span_m: 24.0,
+        velocity_span_mps: 8.0,
+        floor_db: 0.0,
+        ceiling_db: 50.0,
+    };
     std::fs::create_dir_all(folder).unwrap();
     for class in 0..Class::ALL.len() {
         let file = folder.join(format!("shard-{class:04}.dataset"));

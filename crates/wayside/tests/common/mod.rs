@@ -11,12 +11,14 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 /// The program that is tested: that of the crate that the tests belong to.
-pub(crate) const PROGRAM: &str = match (option_env!("CARGO_BIN_EXE_wayside"), option_env!("CARGO_BIN_EXE_xtask")) {
-    (Some(program), _) | (None, Some(program)) => program,
-    (None, None) => panic!("tests of a crate without a program"),
-};
+pub(crate) const PROGRAM: &str =
+    match (option_env!("CARGO_BIN_EXE_wayside"), option_env!("CARGO_BIN_EXE_xtask")) {
+        (Some(program), _) | (None, Some(program)) => program,
+        (None, None) => panic!("tests of a crate without a program"),
+    };
 
-/// A scene that takes a tenth of a second: a small radar (cells of 0.96 m × 5.4 m/s), a corner reflector and a point.
+/// A scene that takes a tenth of a second: a small radar (cells of 0.96 m × 5.4 m/s), a corner reflector and
+/// a point.
 pub(crate) const SMALL_SCENE: &str = r#"
 name = "small"
 seed = 3

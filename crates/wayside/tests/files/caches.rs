@@ -1,7 +1,10 @@
 //! A cache is known by its mark and its files by their names; what is damaged is named and made anew.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
 
 use crate::common::Workplace;
 use std::os::unix::fs::symlink;
@@ -28,9 +31,12 @@ fn said(output: &std::process::Output) -> String {
 
 /// A folder of the user's that has the names of stages in it.
 fn sources(place: &Workplace) {
-    for file in
-        ["cache/scene/src/lib.rs", "cache/dsp/ab/notes.txt", "cache/classifier/Cargo.toml", "cache/seconds.json"]
-    {
+    for file in [
+        "cache/scene/src/lib.rs",
+        "cache/dsp/ab/notes.txt",
+        "cache/classifier/Cargo.toml",
+        "cache/seconds.json",
+    ] {
         std::fs::create_dir_all(place.path(file).parent().unwrap()).unwrap();
         std::fs::write(place.path(file), "mine").unwrap();
     }
@@ -40,7 +46,9 @@ fn sources(place: &Workplace) {
 fn a_folder_without_the_mark_is_neither_cleared_nor_used() {
     let place = Workplace::new();
     sources(&place);
-    for words in ["cache --clear", "cache", "run small.toml --out a --quiet", "run small.toml --dry-run --quiet"] {
+    for words in
+        ["cache --clear", "cache", "run small.toml --out a --quiet", "run small.toml --dry-run --quiet"]
+    {
         let output = place.try_run(words);
         assert_eq!(output.status.code(), Some(2), "{words}: {}", said(&output));
         assert!(said(&output).contains("no CACHEDIR.TAG"), "{words}: {}", said(&output));
@@ -55,8 +63,10 @@ fn only_files_with_the_names_of_a_cache_are_removed_from_one() {
     place.run("run small.toml --out a --quiet");
     assert!(place.bytes("cache/CACHEDIR.TAG").starts_with(TAG.as_bytes()));
     // The user's own files in it, and links out of it.
-    let own =
-        files(&place.path("cache")).into_iter().find(|file| file.extension().is_some_and(|e| e == "cube")).unwrap();
+    let own = files(&place.path("cache"))
+        .into_iter()
+        .find(|file| file.extension().is_some_and(|e| e == "cube"))
+        .unwrap();
     let name = own.file_name().unwrap().to_str().unwrap().replace(".cube", ".rdm");
     std::fs::create_dir_all(place.path("mine/aa")).unwrap();
     std::fs::write(place.path("mine/aa").join(&name), "mine").unwrap();
@@ -88,18 +98,24 @@ fn a_cache_of_an_earlier_version_has_no_mark_and_gets_one() {
     place.run("run small.toml --out a --quiet");
     std::fs::remove_file(place.path("cache/CACHEDIR.TAG")).unwrap();
     std::fs::write(place.path("cache/seconds.json"), "{}").unwrap();
-    let entry =
-        files(&place.path("cache")).into_iter().find(|file| file.extension().is_some_and(|e| e == "cube")).unwrap();
+    let entry = files(&place.path("cache"))
+        .into_iter()
+        .find(|file| file.extension().is_some_and(|e| e == "cube"))
+        .unwrap();
     std::fs::write(entry.with_extension("json"), "[[0.25,0.25,0.25,0.25]]").unwrap();
     let left = format!(".{}.aB3dE6.part", entry.file_name().unwrap().to_str().unwrap());
     std::fs::write(entry.with_file_name(left), "half").unwrap();
     place.run("cache");
-    std::fs::write(place.path("small.toml"), crate::common::SMALL_SCENE.replace("seed = 3", "seed = 4")).unwrap();
+    std::fs::write(place.path("small.toml"), crate::common::SMALL_SCENE.replace("seed = 3", "seed = 4"))
+        .unwrap();
     place.run("run small.toml --out b --quiet");
     assert!(place.path("cache/CACHEDIR.TAG").is_file());
     place.run("cache --clear");
     let left = files(&place.path("cache"));
-    assert!(left.iter().all(|file| file.ends_with("CACHEDIR.TAG") || file.extension().unwrap() == "part"), "{left:?}");
+    assert!(
+        left.iter().all(|file| file.ends_with("CACHEDIR.TAG") || file.extension().unwrap() == "part"),
+        "{left:?}"
+    );
 }
 
 #[test]
@@ -120,7 +136,8 @@ fn damaged_classes_are_named_and_made_anew() {
     };
     let (right, _) = classified("a");
     let entries = files(&place.path("cache/classifier"));
-    let classes: Vec<_> = entries.iter().filter(|file| file.extension().is_some_and(|e| e == "classes")).collect();
+    let classes: Vec<_> =
+        entries.iter().filter(|file| file.extension().is_some_and(|e| e == "classes")).collect();
     assert!(!classes.is_empty(), "classes are kept: {entries:?}");
     for entry in &classes {
         let whole = std::fs::read(entry).unwrap();
@@ -141,8 +158,10 @@ fn damaged_classes_are_named_and_made_anew() {
 fn an_entry_under_another_key_is_not_believed() {
     let place = Workplace::new();
     place.run("run small.toml --out a --quiet");
-    let cubes: Vec<PathBuf> =
-        files(&place.path("cache")).into_iter().filter(|file| file.extension().is_some_and(|e| e == "cube")).collect();
+    let cubes: Vec<PathBuf> = files(&place.path("cache"))
+        .into_iter()
+        .filter(|file| file.extension().is_some_and(|e| e == "cube"))
+        .collect();
     std::fs::copy(&cubes[0], &cubes[1]).unwrap();
     let output = place.try_run("run small.toml --out b");
     assert!(output.status.success() && said(&output).contains("of another key"), "{}", said(&output));
@@ -153,9 +172,14 @@ fn an_entry_under_another_key_is_not_believed() {
 fn what_dead_runs_left_in_a_cache_goes_with_the_next_run() {
     let place = Workplace::new();
     place.run("run small.toml --out a --quiet");
-    let entry =
-        files(&place.path("cache")).into_iter().find(|file| file.extension().is_some_and(|e| e == "cube")).unwrap();
-    let left = [entry.with_file_name(".x.cube.aB3dE6.wayside.part"), place.path("a/.frames.cube.aB3dE6.wayside.part")];
+    let entry = files(&place.path("cache"))
+        .into_iter()
+        .find(|file| file.extension().is_some_and(|e| e == "cube"))
+        .unwrap();
+    let left = [
+        entry.with_file_name(".x.cube.aB3dE6.wayside.part"),
+        place.path("a/.frames.cube.aB3dE6.wayside.part"),
+    ];
     left.iter().for_each(|file| std::fs::write(file, "half").unwrap());
     place.run("run small.toml --out a --quiet");
     left.iter().for_each(|file| assert!(!file.exists(), "{}", file.display()));

@@ -1,5 +1,5 @@
-//! Artifacts whose checksums are right and whose content is not: every command that reads them ends with exit code 0, 1 or 2,
-//! within a minute and gibibytes, and does not panic.
+//! Artifacts whose checksums are right and whose content is not: every command that reads them ends with exit
+//! code 0, 1 or 2, within a minute and gibibytes, and does not panic.
 //!
 //! ```text
 //! WAYSIDE_CRAFTED=5000        cases (60)
@@ -13,7 +13,8 @@ use crate::common::bounded::{self, Ended};
 use crate::common::{SMALL_SCENE, Workplace};
 use std::time::Instant;
 
-/// Magic, then records: a mark of one byte but before the first, a length of eight, a checksum of sixteen, the content.
+/// Magic, then records: a mark of one byte but before the first, a length of eight, a checksum of sixteen,
+/// the content.
 const MAGIC_BYTES: usize = 8;
 const SUM_BYTES: usize = 16;
 
@@ -22,7 +23,12 @@ const COMMANDS: [(&str, &[&str]); 7] = [
     ("scene", &["inspect F", "export F --to json --out x"]),
     (
         "paths",
-        &["inspect F", "export F --to csv --out x", "export F --to json --out x", "echo small.toml --paths F --out x"],
+        &[
+            "inspect F",
+            "export F --to csv --out x",
+            "export F --to json --out x",
+            "echo small.toml --paths F --out x",
+        ],
     ),
     ("rcs", &["inspect F", "export F --to npy --out x.npy", "export F --to json --out x"]),
     (
@@ -106,7 +112,8 @@ fn crafted(noise: &mut Noise, sound: &[u8]) -> Vec<u8> {
     bytes
 }
 
-/// A byte, a number of four or eight bytes, or a piece that is moved; the beginning, where lengths stand, more often.
+/// A byte, a number of four or eight bytes, or a piece that is moved; the beginning, where lengths stand,
+/// more often.
 fn change(noise: &mut Noise, content: &mut [u8]) {
     let end = [content.len(), content.len().min(300), content.len().min(24)][noise.below(3)];
     let at = noise.below(end);
@@ -125,7 +132,8 @@ fn change(noise: &mut Noise, content: &mut [u8]) {
 fn sound_artifacts(place: &Workplace) -> Vec<(&'static str, Vec<u8>)> {
     place.run("run small.toml --out out");
     let tables = SMALL_SCENE.replace("[noise]", "[fidelity]\necho = \"rcs-table\"\n[noise]");
-    std::fs::write(place.path("tables.toml"), tables.replace("name = \"small\"", "name = \"tables\"")).unwrap();
+    std::fs::write(place.path("tables.toml"), tables.replace("name = \"small\"", "name = \"tables\""))
+        .unwrap();
     place.run("run tables.toml --out tables");
     let read = |name: &str| std::fs::read(place.path(name)).unwrap();
     let file = |kind: &str| match kind {
@@ -152,7 +160,8 @@ fn artifacts_of_right_checksums_and_wrong_content_do_not_make_a_command_panic() 
     let sound = sound_artifacts(&place);
     let model = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/classifier.model");
     let seed: u64 = asked("WAYSIDE_CRAFTED_SEED").unwrap_or(1);
-    let (cases, minutes) = (asked("WAYSIDE_CRAFTED").unwrap_or(60_u64), asked::<f64>("WAYSIDE_CRAFTED_MINUTES"));
+    let (cases, minutes) =
+        (asked("WAYSIDE_CRAFTED").unwrap_or(60_u64), asked::<f64>("WAYSIDE_CRAFTED_MINUTES"));
     let start = Instant::now();
     let mut done = 0_u64;
     while minutes.map_or(done < cases, |minutes| start.elapsed().as_secs_f64() < 60.0 * minutes) {

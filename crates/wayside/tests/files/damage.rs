@@ -1,5 +1,5 @@
-//! Damaged artifacts and cache entries: never a panic, never taken for right. A part of them by default; as many as
-//! `WAYSIDE_DAMAGES` says, drawn from `WAYSIDE_SEED`, when asked for.
+//! Damaged artifacts and cache entries: never a panic, never taken for right. A part of them by default; as
+//! many as `WAYSIDE_DAMAGES` says, drawn from `WAYSIDE_SEED`, when asked for.
 
 #![cfg(unix)]
 #![allow(
@@ -58,14 +58,16 @@ type Accepted = fn(&Path) -> Option<String>;
 /// One artifact of every kind, the reader of its content and a command that takes it.
 fn artifacts(place: &Workplace) -> Vec<(&'static str, Accepted, &'static str)> {
     use artifact::{classes, cube, dataset, model, paths, points, rcs, rdm, scene, tracks};
-    std::fs::write(place.path("table.toml"), format!("{SMALL_SCENE}\n[fidelity]\necho = \"rcs-table\"\n")).unwrap();
+    std::fs::write(place.path("table.toml"), format!("{SMALL_SCENE}\n[fidelity]\necho = \"rcs-table\"\n"))
+        .unwrap();
     std::fs::write(place.path("base.toml"), BASE).unwrap();
     std::fs::write(place.path("spec.toml"), RECIPE).unwrap();
     place.run("run small.toml --out a --quiet");
     place.run("run table.toml --out t --no-cache --quiet");
     place.run("dataset spec.toml --out d --quiet");
     std::fs::copy(Workplace::project_file("fixtures/classifier.model"), place.path("m.model")).unwrap();
-    let classes = entries(place).into_iter().find(|entry| entry.extension().is_some_and(|e| e == "classes")).unwrap();
+    let classes =
+        entries(place).into_iter().find(|entry| entry.extension().is_some_and(|e| e == "classes")).unwrap();
     std::fs::copy(classes, place.path("c.classes")).unwrap();
     vec![
         ("a/scene.scene", accepted::<scene::Scene> as Accepted, "export x --to json --out y"),
@@ -142,7 +144,8 @@ fn entries(place: &Workplace) -> Vec<PathBuf> {
 #[test]
 fn no_damaged_cache_entry_changes_a_result() {
     let place = Workplace::new();
-    let results = ["scene.scene", "frames.paths", "frames.cube", "frames.rdm", "frames.points", "frames.tracks"];
+    let results =
+        ["scene.scene", "frames.paths", "frames.cube", "frames.rdm", "frames.points", "frames.tracks"];
     let classes = |out: &str| place.summary(&format!("{out}/summary.json"))["frames"][0]["targets"].clone();
     place.run("run small.toml --out right --quiet");
     let mut random = ChaCha8Rng::seed_from_u64(asked("WAYSIDE_SEED", 2));
@@ -158,7 +161,11 @@ fn no_damaged_cache_entry_changes_a_result() {
         let said = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "{said}");
         results.iter().for_each(|file| {
-            assert_eq!(place.bytes(&format!("again/{file}")), place.bytes(&format!("right/{file}")), "{file}: {said}");
+            assert_eq!(
+                place.bytes(&format!("again/{file}")),
+                place.bytes(&format!("right/{file}")),
+                "{file}: {said}"
+            );
         });
         assert_eq!(classes("again"), classes("right"));
         damages += done.len() as u64;

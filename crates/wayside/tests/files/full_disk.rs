@@ -1,4 +1,5 @@
-//! A disk of 2 MiB that is full: every command ends with exit code 2, says so, and leaves nothing half-written.
+//! A disk of 2 MiB that is full: every command ends with exit code 2, says so, and leaves nothing
+//! half-written.
 
 #![cfg(target_os = "linux")]
 #![allow(
@@ -10,14 +11,16 @@
 use crate::common::{Workplace, crops};
 use std::process::Command;
 
-/// What a command did on a disk with so much room: its exit code, what it said, and what the disk held afterwards.
+/// What a command did on a disk with so much room: its exit code, what it said, and what the disk held
+/// afterwards.
 struct Outcome {
     code: i32,
     said: String,
     left: Vec<String>,
 }
 
-/// Runs in a mount of its own, which no other program sees and which ends with it. `None` where the system allows no such thing.
+/// Runs in a mount of its own, which no other program sees and which ends with it. `None` where the system
+/// allows no such thing.
 fn on_small_disk(place: &Workplace, words: &str, free_kib: u64) -> Option<Outcome> {
     let script = "mount -t tmpfs -o size=2m tmpfs disk || exit 99
         head -c $((2097152 - $1 * 1024)) /dev/zero > disk/filler 2>/dev/null
@@ -52,9 +55,8 @@ fn is_whole(place: &Workplace, file: &str) -> bool {
         "png" => bytes.ends_with(b"IEND\xaeB`\x82"),
         "html" => bytes.trim_ascii_end().ends_with(b"</html>"),
         "svg" => bytes.trim_ascii_end().ends_with(b"</svg>"),
-        "scene" | "paths" | "rcs" | "cube" | "rdm" | "points" | "tracks" | "dataset" | "model" | "classes" => {
-            place.try_run(&format!("inspect kept/{file}")).status.success()
-        }
+        "scene" | "paths" | "rcs" | "cube" | "rdm" | "points" | "tracks" | "dataset" | "model"
+        | "classes" => place.try_run(&format!("inspect kept/{file}")).status.success(),
         "npy" | "glb" | "exr" | "bin" | "sigmf-data" | "sigmf-meta" | "ply" | "pcd" | "safetensors" => true,
         "TAG" => bytes.starts_with(b"Signature: 8a477f597d28d172789f06886806bc55"),
         "checkpoint" => bytes.starts_with(b"WAYSIDE CHECKPOINT") || b"WAYSIDE CHECKPOINT".starts_with(&bytes),

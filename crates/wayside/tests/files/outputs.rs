@@ -1,7 +1,11 @@
-//! Nothing of the user's is destroyed by where a result is put: no input, no device, no file that belongs to another one.
+//! Nothing of the user's is destroyed by where a result is put: no input, no device, no file that belongs to
+//! another one.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
 
 use crate::common::{SMALL_SCENE, Workplace};
 use std::os::unix::fs::{FileTypeExt, symlink};
@@ -104,7 +108,8 @@ fn every_file_that_a_scene_refers_to_is_an_input() {
     let corners: [f32; 9] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
     let bytes: Vec<u8> = corners.iter().flat_map(|x| x.to_le_bytes()).collect();
     std::fs::write(place.path("corner.bin"), &bytes).unwrap();
-    std::fs::write(place.path("errors.csv"), "tx,rx,gain_db,phase_deg\n0,0,0,0\n0,1,0,0\n0,2,0,0\n0,3,0,0\n").unwrap();
+    std::fs::write(place.path("errors.csv"), "tx,rx,gain_db,phase_deg\n0,0,0,0\n0,1,0,0\n0,2,0,0\n0,3,0,0\n")
+        .unwrap();
     std::fs::write(place.path("gain.csv"), "az_deg,el_deg,gain_db\n-90,0,-20\n0,0,0\n90,0,-20\n").unwrap();
     let scene = SMALL_SCENE
         .replace("corner.obj", "corner.gltf")
@@ -129,9 +134,13 @@ fn what_is_no_plain_file_is_refused_by_every_command_and_stays() {
     symlink("fifo", place.path("link")).unwrap();
     symlink("nowhere", place.path("dangling")).unwrap();
     place.run("export f.cube --to npy --out f.npy");
-    for (out, word) in
-        [("fifo", "FIFO"), ("link", "FIFO"), ("socket", "socket"), ("a", "folder"), ("dangling", "link to nothing")]
-    {
+    for (out, word) in [
+        ("fifo", "FIFO"),
+        ("link", "FIFO"),
+        ("socket", "socket"),
+        ("a", "folder"),
+        ("dangling", "link to nothing"),
+    ] {
         for words in [
             "echo small.toml --quiet",
             "paths small.toml --quiet",

@@ -123,7 +123,8 @@ fn a_step_is_taken_from_the_file_that_tells_of_these_samples_or_said_to_be_missi
     std::fs::rename(place.path("x.bin.json"), place.path("kept.json")).unwrap();
     assert_eq!(imported("x.bin", "").0, right);
     // The sidecar of another file: an earlier version's of an array, and that of other samples.
-    std::fs::write(place.path("x.json"), "{\"shape\": [\"frame\", \"channel\", \"chirp\", \"sample\"]}").unwrap();
+    std::fs::write(place.path("x.json"), "{\"shape\": [\"frame\", \"channel\", \"chirp\", \"sample\"]}")
+        .unwrap();
     let (unit, said, about) = imported("x.bin", "");
     assert!(said.contains("no step is told") && about.contains("not told"), "{said}{about}");
     assert_ne!(unit, right);
@@ -142,5 +143,7 @@ fn the_mask_of_a_map_is_named_by_the_whole_name_of_the_map() {
     place.run("export a/a.rdm --to npy --out map.1");
     place.run("export a/a.rdm --to npy --out map.2");
     place.run("export a/a.rdm --to npy --out map.npy");
-    assert!(["map.1.mask.npy", "map.2.mask.npy", "map.mask.npy"].iter().all(|name| place.path(name).is_file()));
+    assert!(
+        ["map.1.mask.npy", "map.2.mask.npy", "map.mask.npy"].iter().all(|name| place.path(name).is_file())
+    );
 }

@@ -1,14 +1,18 @@
 //! `rcs`: a table that is interrupted goes on where it was, and is the same to the byte.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
 
 use crate::common::Workplace;
 use serde_json::Value;
 use std::process::Child;
 use std::time::Duration;
 
-/// Three plates that meet at right angles, each in 2 × 6 × 6 triangles: a table of a few hundredths of a second an aspect.
+/// Three plates that meet at right angles, each in 2 × 6 × 6 triangles: a table of a few hundredths of a
+/// second an aspect.
 fn cut_corner() -> String {
     const CUTS: usize = 6;
     let mut text = String::new();
@@ -28,7 +32,8 @@ fn cut_corner() -> String {
     text
 }
 
-const WORDS: &str = "rcs cut.obj --freq-ghz 76:78:8 --az-deg 0:90:80 --el-deg 20 --accuracy-db -20 --quiet --out";
+const WORDS: &str =
+    "rcs cut.obj --freq-ghz 76:78:8 --az-deg 0:90:80 --el-deg 20 --accuracy-db -20 --quiet --out";
 
 fn workplace() -> Workplace {
     let place = Workplace::new();
@@ -80,7 +85,13 @@ fn a_table_that_is_killed_or_interrupted_goes_on_to_the_same_bytes() {
     resumed(&place, &words, "whole");
     std::fs::remove_file(place.path("s.npy")).unwrap();
     let mut child = begun(&place, &words, "s.npy.checkpoint");
-    assert!(std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    assert!(
+        std::process::Command::new("kill")
+            .args(["-INT", &child.id().to_string()])
+            .status()
+            .unwrap()
+            .success()
+    );
     assert_eq!(child.wait().unwrap().code(), Some(130));
     assert!(!place.path("s.npy").exists());
     resumed(&place, &words, "whole");

@@ -73,7 +73,9 @@ pub(crate) fn headers() -> Vec<Vec<u8>> {
         "(1.5, 4, 16, 64)",
     ];
     let mut all: Vec<String> = shapes.iter().map(|shape| dictionary("<c8", "False", shape)).collect();
-    all.extend(["<c16", "<f4", "|O", "<c8', 'x': '", ""].map(|descr| dictionary(descr, "False", "(1, 4, 16, 64)")));
+    all.extend(
+        ["<c16", "<f4", "|O", "<c8', 'x': '", ""].map(|descr| dictionary(descr, "False", "(1, 4, 16, 64)")),
+    );
     all.extend(["True", "Maybe", ""].map(|order| dictionary("<c8", order, "(9, 4, 16, 64)")));
     all.extend(["{}", "{'shape': (1, 4, 16, 64)}", "\u{1f697}", &"(".repeat(60_000)].map(str::to_owned));
     let mut files: Vec<Vec<u8>> = all.iter().map(|header| npy(header, 4096)).collect();

@@ -25,13 +25,15 @@ fn document(buffers: Value, bytes: usize, count: usize, accessors: usize) -> Val
 /// `large.bin` beside them has 64 MiB.
 pub(crate) fn expensive() -> Vec<Vec<u8>> {
     let large = |bytes: usize| json!({ "byteLength": bytes, "uri": "large.bin" });
-    let (bytes, mut quantized) = (64 << 20, document(json!([large(64 << 20)]), 64 << 20, (64 << 20) / 3, 200));
+    let (bytes, mut quantized) =
+        (64 << 20, document(json!([large(64 << 20)]), 64 << 20, (64 << 20) / 3, 200));
     quantized["extensionsUsed"] = json!(["KHR_mesh_quantization"]);
     for accessor in quantized["accessors"].as_array_mut().unwrap() {
         accessor["componentType"] = json!(5121);
     }
     let mut instances = document(json!([large(36)]), 36, 3, 1);
-    instances["meshes"][0]["primitives"] = json!(vec![json!({ "attributes": { "POSITION": 0 }, "mode": 1 }); 10_000]);
+    instances["meshes"][0]["primitives"] =
+        json!(vec![json!({ "attributes": { "POSITION": 0 }, "mode": 1 }); 10_000]);
     instances["nodes"] = json!(vec![json!({ "mesh": 0 }); 10_000]);
     let mut names = document(json!([large(36)]), 36, 3, 1);
     names["materials"] = json!([{ "name": "x".repeat(1 << 20) }]);
@@ -49,9 +51,15 @@ pub(crate) fn expensive() -> Vec<Vec<u8>> {
         text(&names),
         text(&circle),
         deep.into_bytes(),
-        format!("{{\"asset\":{{\"version\":\"2.0\"}},\"nodes\":[{}{{}}]}}", "{},".repeat(3_000_000)).into_bytes(),
+        format!("{{\"asset\":{{\"version\":\"2.0\"}},\"nodes\":[{}{{}}]}}", "{},".repeat(3_000_000))
+            .into_bytes(),
         text(&document(json!([{ "byteLength": 36, "uri": "/etc/passwd" }]), 36, 3, 1)),
-        text(&document(json!([{ "byteLength": 36, "uri": "h.gltf/../../../../../../../../dev/zero" }]), 36, 3, 1)),
+        text(&document(
+            json!([{ "byteLength": 36, "uri": "h.gltf/../../../../../../../../dev/zero" }]),
+            36,
+            3,
+            1,
+        )),
         text(&document(json!([{ "byteLength": 36, "uri": "." }]), 36, 3, 1)),
         text(&document(json!([{ "byteLength": 36, "uri": "b%00.bin" }]), 36, 3, 1)),
         text(&document(
@@ -75,7 +83,9 @@ pub(crate) fn chunks() -> Vec<Vec<u8>> {
     let size = json.len() as u32;
     [0, 1, 11, 12, 13, 19, 20, 20 + size, 21 + size, 1 << 30, u32::MAX]
         .into_iter()
-        .flat_map(|total| [0, 1, size, size + 1, u32::MAX - 3, u32::MAX].map(|length| file(total, length, b"JSON")))
+        .flat_map(|total| {
+            [0, 1, size, size + 1, u32::MAX - 3, u32::MAX].map(|length| file(total, length, b"JSON"))
+        })
         .chain([file(20 + size, size, b"BIN\0"), file(20 + size, size, b"\xff\xff\xff\xff")])
         .collect()
 }

@@ -1,5 +1,5 @@
-//! Hostile files for every reader: each is refused with exit code 1 or 2 and a sentence that names it, within a minute and
-//! gibibytes, and what is no plain file is refused before it is opened.
+//! Hostile files for every reader: each is refused with exit code 1 or 2 and a sentence that names it, within
+//! a minute and gibibytes, and what is no plain file is refused before it is opened.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 
@@ -43,7 +43,10 @@ const READERS: [(&str, &str); 23] = [
 fn prepare(place: &Workplace) {
     let small = std::fs::read_to_string(place.path("small.toml")).unwrap();
     let scenes = [
-        ("traffic", "name = \"t\"\n[traffic]\nfcd = \"h.fcd.xml\"\nmodels = { car = \"corner.obj\" }\n".to_owned()),
+        (
+            "traffic",
+            "name = \"t\"\n[traffic]\nfcd = \"h.fcd.xml\"\nmodels = { car = \"corner.obj\" }\n".to_owned(),
+        ),
         ("network", "name = \"n\"\n[traffic]\nfcd = \"sound.fcd.xml\"\nnet = \"h.net.xml\"\n".to_owned()),
         ("pattern", small.replace("preset =", "pattern = \"table\"\npattern_file = \"h.csv\"\npreset =")),
         ("calibration", small.replace("[dsp]", "[dsp]\ncalibration = \"h.csv\"")),
@@ -59,14 +62,16 @@ fn prepare(place: &Workplace) {
     std::fs::write(place.path("s.sigmf-meta"), told).unwrap();
 }
 
-/// Exit code 1 or 2, one of `names` in a sentence of moderate length, nothing written, in bounded time and memory.
+/// Exit code 1 or 2, one of `names` in a sentence of moderate length, nothing written, in bounded time and
+/// memory.
 fn assert_refused(place: &Workplace, words: &str, names: &[&str], what: &str) {
     let ended = bounded::run(place.root(), words.split_whitespace());
     let (said, is_refused) = (ended.said.as_str(), ended.is_refused());
     let about = format!("{words}, {what}: {} after {:?}: {said}", ended.status, ended.after);
     assert!(is_refused && names.iter().any(|name| said.contains(name)), "{about}");
     assert!(said.len() < 300_000 && !said.contains('\u{1b}'), "{} bytes: {about}", said.len());
-    let left: Vec<_> = std::fs::read_dir(place.root()).unwrap().flatten().map(|entry| entry.file_name()).collect();
+    let left: Vec<_> =
+        std::fs::read_dir(place.root()).unwrap().flatten().map(|entry| entry.file_name()).collect();
     assert!(!left.iter().any(|name| name.to_string_lossy().starts_with("a.")), "{left:?}: {about}");
 }
 
@@ -188,6 +193,13 @@ fn names_that_are_no_text_work_like_others() {
         &name(b"maps"),
     ]);
     run(&[word("export"), &name(b".cube"), word("--to"), word("npy"), word("--out"), &name(b"c.npy")]);
-    run(&[word("import"), &name(b"c.npy"), word("--scene"), &name(b".toml"), word("--out"), &name(b"i.cube")]);
+    run(&[
+        word("import"),
+        &name(b"c.npy"),
+        word("--scene"),
+        &name(b".toml"),
+        word("--out"),
+        &name(b"i.cube"),
+    ]);
     run(&[word("inspect"), &name(b"i.cube")]);
 }

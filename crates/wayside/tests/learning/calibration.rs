@@ -1,4 +1,5 @@
-//! An array whose elements err by what the seed draws, measured on a reflector, and right once its file is named.
+//! An array whose elements err by what the seed draws, measured on a reflector, and right once its file is
+//! named.
 #![allow(clippy::unwrap_used, reason = "a helper of tests fails the test")]
 
 use crate::common::Workplace;
@@ -52,13 +53,15 @@ fn a_seed_draws_the_elements_errors_and_a_measured_calibration_undoes_them() {
     let [before, after] = ["target.toml", "known.toml"].map(|scene| azimuth_deg(&place, "target", scene));
     let truth = (-8.0_f64).atan2(30.0).to_degrees();
     println!("azimuth {truth:.3}°: {before:.3}° before, {after:.3}° after");
-    // 40 dB and more over the noise of the virtual array's channels: 0.1° of a beam of 10°, and the assumed height's 0.1°.
+    // 40 dB and more over the noise of the virtual array's channels: 0.1° of a beam of 10°, and the assumed
+    // height's 0.1°.
     assert!((after - truth).abs() < 0.2 && (before - truth).abs() > 3.0 * (after - truth).abs());
 
     // Another seed has another array, which the summary tells; without spread there is none to tell.
     let other = |seed: u32| {
         place.run(&format!("run target.toml --out out-{seed} --seed {seed} --quiet"));
-        place.summary(&format!("out-{seed}/summary.json"))["radar"]["element_errors"]["tx"][2]["phase_deg"].clone()
+        place.summary(&format!("out-{seed}/summary.json"))["radar"]["element_errors"]["tx"][2]["phase_deg"]
+            .clone()
     };
     assert!(other(5).is_f64() && other(5) == other(5) && other(5) != other(6));
     std::fs::write(place.path("small.csv"), "tx,rx,gain_db,phase_deg\n0,0,0,0\n").unwrap();

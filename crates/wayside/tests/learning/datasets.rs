@@ -1,4 +1,5 @@
-//! Recipes of datasets: what they may say, what comes of it, and that neither threads nor interruptions change it.
+//! Recipes of datasets: what they may say, what comes of it, and that neither threads nor interruptions
+//! change it.
 
 #![allow(
     clippy::unwrap_used,
@@ -35,11 +36,18 @@ fn made(place: &Workplace, recipe: &str, out: &str) -> Vec<Sample> {
 }
 
 fn samples(place: &Workplace, out: &str) -> Vec<Sample> {
-    Reader::<Dataset>::open(&place.path(&format!("{out}/shard-0000.dataset"))).unwrap().map(Result::unwrap).collect()
+    Reader::<Dataset>::open(&place.path(&format!("{out}/shard-0000.dataset")))
+        .unwrap()
+        .map(Result::unwrap)
+        .collect()
 }
 
 fn lines(place: &Workplace, file: &str) -> Vec<Value> {
-    String::from_utf8(place.bytes(file)).unwrap().lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+    String::from_utf8(place.bytes(file))
+        .unwrap()
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect()
 }
 
 fn vehicles(line: &Value) -> &[Value] {
@@ -52,7 +60,8 @@ fn files_folders_and_manifests_are_models_beside_the_own_vehicles() {
     place.run("vehicles --out v --quiet");
     std::fs::create_dir(place.path("cars")).unwrap();
     for name in ["car-suv", "car-sedan"] {
-        std::fs::copy(place.path(&format!("v/{name}.glb")), place.path(&format!("cars/my-{name}.glb"))).unwrap();
+        std::fs::copy(place.path(&format!("v/{name}.glb")), place.path(&format!("cars/my-{name}.glb")))
+            .unwrap();
     }
     std::fs::create_dir(place.path("listed")).unwrap();
     std::fs::copy(place.path("v/bus-mini.glb"), place.path("listed/minibus.glb")).unwrap();
@@ -71,8 +80,10 @@ fn files_folders_and_manifests_are_models_beside_the_own_vehicles() {
         assert!(sample.crop.is_some() && sample.signature.points > 0);
     }
     let inputs = Reader::<Dataset>::open(&place.path("d/shard-0000.dataset")).unwrap();
-    let hashed: Vec<String> = inputs.preamble().provenance.inputs.iter().map(|(name, _)| name.clone()).collect();
-    let files = ["spec.toml", "base.toml", "manifest.toml", "my-car-sedan.glb", "my-car-suv.glb", "minibus.glb"];
+    let hashed: Vec<String> =
+        inputs.preamble().provenance.inputs.iter().map(|(name, _)| name.clone()).collect();
+    let files =
+        ["spec.toml", "base.toml", "manifest.toml", "my-car-sedan.glb", "my-car-suv.glb", "minibus.glb"];
     assert_eq!(hashed.iter().map(String::as_str).collect::<BTreeSet<_>>(), {
         files.into_iter().chain(["motorcycle-street.glb"]).collect()
     });
@@ -96,7 +107,8 @@ fn a_recipe_that_spells_out_the_defaults_draws_the_same_scenes() {
 #[test]
 fn vehicles_of_a_scene_keep_clear_of_one_another_and_each_that_is_found_is_a_sample() {
     let place = prepared();
-    let keys = "vehicles_per_scene = [2, 3]\nqueue_share = 0.5\nyaw_deg = [-5.0, 5.0]\noffset_m = [-0.3, 0.3]\n";
+    let keys =
+        "vehicles_per_scene = [2, 3]\nqueue_share = 0.5\nyaw_deg = [-5.0, 5.0]\noffset_m = [-0.3, 0.3]\n";
     let recipe = format!("{NEEDED}{keys}{OWN}").replace("scenes_per_class = 3", "scenes_per_class = 8");
     let samples = made(&place, &recipe, "d");
     let lines = lines(&place, "d/scenes.jsonl");
@@ -146,7 +158,10 @@ fn a_dataset_without_images_is_classified_by_trees_and_neither_exported_nor_clas
         let output = place.try_run(&words);
         let said = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(1), "{words}: {said}");
-        assert!(said.contains("shard-0000.dataset: sample `scene-0000") && said.contains("crops = false"), "{said}");
+        assert!(
+            said.contains("shard-0000.dataset: sample `scene-0000") && said.contains("crops = false"),
+            "{said}"
+        );
     }
     assert!(["x.npy", "x.npy.json", "x"].iter().all(|file| !place.path(file).exists()));
 }
@@ -184,7 +199,8 @@ fn neither_threads_nor_parts_change_a_byte_and_each_kind_is_measured_once_a_shar
         let mut measured = BTreeSet::new();
         for line in lines(&place, shard) {
             let vehicles = vehicles(&line);
-            let kind = if vehicles.len() > 1 { "several" } else { vehicles[0]["class"].as_str().unwrap() }.to_owned();
+            let kind = if vehicles.len() > 1 { "several" } else { vehicles[0]["class"].as_str().unwrap() }
+                .to_owned();
             let is_first = line["measured_in"] == line["scene"];
             assert_eq!(measured.insert(kind), is_first, "{line}");
         }
@@ -197,7 +213,8 @@ fn a_recipe_that_breaks_a_rule_is_refused_with_file_key_and_rule() {
     std::fs::write(place.path("silent.toml"), BASE.replace("[noise]\nnoise_figure_db = 12.0\n", "")).unwrap();
     std::fs::create_dir(place.path("empty")).unwrap();
     std::fs::create_dir(place.path("up")).unwrap();
-    std::fs::write(place.path("up/manifest.toml"), "[[vehicle]]\nname = \"../x\"\nclass = \"car\"\n").unwrap();
+    std::fs::write(place.path("up/manifest.toml"), "[[vehicle]]\nname = \"../x\"\nclass = \"car\"\n")
+        .unwrap();
     std::fs::write(place.path("car-hatchback.obj"), crate::common::CORNER).unwrap();
     let recipe = |keys: &str| format!("{NEEDED}{keys}{OWN}");
     let with_models = |models: &str| format!("{NEEDED}[models]\n{models}");
@@ -212,7 +229,10 @@ fn a_recipe_that_breaks_a_rule_is_refused_with_file_key_and_rule() {
         (recipe("vehicles_per_scene = [2, 1]\n"), "vehicles_per_scene must be"),
         (recipe("queue_share = 1.5\n"), "queue_share must be from 0 to 1"),
         (recipe("scenes_per_shard = 0\n"), "scenes_per_shard must be at least 1"),
-        (recipe("extra_noise_db = [0.0, 3.0]\n").replace("base", "silent"), "extra_noise_db: silent.toml has no noise"),
+        (
+            recipe("extra_noise_db = [0.0, 3.0]\n").replace("base", "silent"),
+            "extra_noise_db: silent.toml has no noise",
+        ),
         (recipe("crop = true\n"), "unknown field `crop`"),
         (with_models(""), "models: name at least one"),
         (with_models("car = []\n"), "models.car: name at least one"),
@@ -220,7 +240,10 @@ fn a_recipe_that_breaks_a_rule_is_refused_with_file_key_and_rule() {
         (with_models("car = [\"bmw\"]\n"), "models.car: `bmw` is no mesh file"),
         (with_models("car = [\"empty\"]\n"), "models.car: `empty`: the folder holds no .glb"),
         (with_models("vehicles = \"up\"\n"), "manifest.toml: vehicle: name `../x` is no name of a file"),
-        (with_models("car = [\"car-hatchback\", \"car-hatchback.obj\"]\n"), "models.car: two different models"),
+        (
+            with_models("car = [\"car-hatchback\", \"car-hatchback.obj\"]\n"),
+            "models.car: two different models",
+        ),
     ] {
         std::fs::write(place.path("spec.toml"), &text).unwrap();
         let output = place.try_run("dataset spec.toml --out d --quiet");

@@ -1,13 +1,15 @@
 //! Points with their true origin, and tracks with their metrics, through the whole chain.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
 
 use crate::common::Workplace;
 use std::collections::BTreeMap;
 
 /// A floor and a wall of a metre, open towards the front; and the wall alone.
-const DIHEDRAL: &str =
-    "v 0 -0.5 0\nv 1 -0.5 0\nv 1 0.5 0\nv 0 0.5 0\nv 0 -0.5 1\nv 0 0.5 1\nf 1 2 3\nf 1 3 4\nf 1 4 6\nf 1 6 5\n";
+const DIHEDRAL: &str = "v 0 -0.5 0\nv 1 -0.5 0\nv 1 0.5 0\nv 0 0.5 0\nv 0 -0.5 1\nv 0 0.5 1\nf 1 2 3\nf 1 3 4\nf 1 4 6\nf 1 6 5\n";
 const WALL: &str = "v 0 -0.5 -0.5\nv 0 0.5 -0.5\nv 0 0.5 0.5\nv 0 -0.5 0.5\nf 1 2 3\nf 1 3 4\n";
 
 /// Cells of 0.96 m × 0.6 m/s; each target at a range of its own, the wall as high as the radar.
@@ -53,7 +55,8 @@ fn points_are_labelled_with_target_class_and_bounce_order() {
     let number = |row: &BTreeMap<String, String>, key: &str| row[key].parse::<f64>().unwrap();
     let range_of = |y: f64, up: f64| f64::hypot(y, up);
     for (id, class, order, range_m) in [
-        // Floor and wall send back what falls on both, whatever its elevation; a wall at right angles one bounce; a point none.
+        // Floor and wall send back what falls on both, whatever its elevation; a wall at right angles one
+        // bounce; a point none.
         ("dihedral", "car", "2", range_of(40.0, 6.0)),
         ("wall", "bus", "1", 30.0),
         ("reflector", "", "0", range_of(20.1, 5.0)),
@@ -67,8 +70,9 @@ fn points_are_labelled_with_target_class_and_bounce_order() {
         assert!(number(strongest, "true_share") > 0.98, "{strongest:?}");
     }
     // 4,096 cells at 1e-3: some points are of noise, which lies on no target's range and has no origin.
-    let is_far =
-        |row: &&BTreeMap<String, String>| [40.4, 30.0, 20.7].iter().all(|r| (number(row, "range_m") - r).abs() > 10.0);
+    let is_far = |row: &&BTreeMap<String, String>| {
+        [40.4, 30.0, 20.7].iter().all(|r| (number(row, "range_m") - r).abs() > 10.0)
+    };
     assert!(rows.iter().filter(is_far).all(|row| row["true_target"].is_empty()));
 }
 
@@ -85,7 +89,8 @@ fn a_run_of_many_frames_has_tracks_with_metrics_and_identities() {
     }
     assert_eq!(metrics["identities"]["switches"], 0);
     assert_eq!(metrics["identities"]["purity"], 1.0);
-    // Believed from the third of twelve frames on: ten of twelve frames for three bodies, were the detector never to miss.
+    // Believed from the third of twelve frames on: ten of twelve frames for three bodies, were the detector
+    // never to miss.
     assert!(metrics["tracks"]["found"].as_u64().unwrap() <= 30);
     assert!(metrics["tracks"]["found"].as_u64().unwrap() >= 27, "{metrics:#}");
     let rows = table(&place, "frames.tracks");

@@ -1,6 +1,6 @@
-//! Every number of a scene, mutated: sign, zero, subnormal, huge, NaN, infinity, a little beyond its range, any. Each scene is
-//! read and planned or refused with file, place and rule; and some of those that are read are run, within a minute and
-//! gibibytes.
+//! Every number of a scene, mutated: sign, zero, subnormal, huge, NaN, infinity, a little beyond its range,
+//! any. Each scene is read and planned or refused with file, place and rule; and some of those that are read
+//! are run, within a minute and gibibytes.
 //!
 //! ```text
 //! WAYSIDE_NUMBERS=40          mutations of each number (6); 40 make 4,000 scenes
@@ -117,7 +117,8 @@ fn values(number: &Number, folder: &Path, each: u64, state: &mut u64) -> Vec<Str
         1 => format!("{}", noise(state) >> (noise(state) % 64)),
         _ => format!(
             "{:.6}",
-            ((noise(state) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0) * 10_f64.powi((noise(state) % 9) as i32 - 3)
+            ((noise(state) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0)
+                * 10_f64.powi((noise(state) % 9) as i32 - 3)
         ),
     };
     all.extend((0..each).map(|_| any(state)));
@@ -133,7 +134,9 @@ fn ends(number: &Number, folder: &Path) -> Vec<String> {
         let Some((_, range)) = told.split_once("must be a number ") else { continue };
         let range = range.split(", is").next().unwrap_or_default();
         for end in range.split([' ', ',']).filter_map(|word| word.parse::<f64>().ok()) {
-            ends.extend([end, end.next_down(), end.next_up(), end - 1.0, end + 1.0].map(|x| written(x, number)));
+            ends.extend(
+                [end, end.next_down(), end.next_up(), end - 1.0, end + 1.0].map(|x| written(x, number)),
+            );
         }
     }
     ends
@@ -189,7 +192,8 @@ fn tried(folder: &Path, number: &Number, value: &str, mode: &[&str]) -> Ended {
     ended
 }
 
-/// The upper end of the processor time that a dry run tells: `1 frames: 20 s, 10 to 40 s of processor time; …`.
+/// The upper end of the processor time that a dry run tells: `1 frames: 20 s, 10 to 40 s of processor time;
+/// …`.
 fn most_seconds(printed: &str) -> Option<f64> {
     let (told, _) = printed.split_once(" s of processor time")?;
     told.split(' ').next_back()?.parse().ok()

@@ -45,8 +45,10 @@ pub(crate) const SCENE: [(&str, &str, &str); 8] = [
 /// The point's own key, which bodies have not.
 pub(crate) const POINT: (&str, &str, &str) = (BODY, "rcs_m2", "10.0");
 
-const MESH: Setting = With(&[(BODY, "kind", "\"mesh\""), (BODY, "model", "\"sheet.obj\""), (BODY, "rcs_m2", "")]);
-const VEHICLE: Setting = With(&[(BODY, "kind", "\"mesh\""), (BODY, "model", "\"car-suv\""), (BODY, "rcs_m2", "")]);
+const MESH: Setting =
+    With(&[(BODY, "kind", "\"mesh\""), (BODY, "model", "\"sheet.obj\""), (BODY, "rcs_m2", "")]);
+const VEHICLE: Setting =
+    With(&[(BODY, "kind", "\"mesh\""), (BODY, "model", "\"car-suv\""), (BODY, "rcs_m2", "")]);
 const LANE: Setting = With(&[
     (BODY, "position_m", ""),
     (BODY, "lane", "2"),
@@ -54,7 +56,8 @@ const LANE: Setting = With(&[
     (INTERSECTION, "lane_centres_m", "[2, 5.75]"),
 ]);
 const WHEEL: Setting = With(&[(BODY, "wheel_radius_m", "0.3")]);
-const ROD: Setting = With(&[(PIECE, "id", "\"k\""), (PIECE, "model", "\"pole\""), (PIECE, "position_m", "[5, 20, 0]")]);
+const ROD: Setting =
+    With(&[(PIECE, "id", "\"k\""), (PIECE, "model", "\"pole\""), (PIECE, "position_m", "[5, 20, 0]")]);
 const KERB: Setting = With(&[
     (PIECE, "id", "\"k\""),
     (PIECE, "model", "\"kerb\""),
@@ -70,8 +73,11 @@ const TRAFFIC: Setting = With(&[
     ("traffic", "models", "{ car = \"sheet.obj\" }"),
     ("", "frame_interval_s", "0.1"),
 ]);
-const FEW: Setting =
-    With(&[("traffic", "fcd", "\"t.fcd.xml\""), ("traffic", "models", "{ car = \"sheet.obj\" }"), ("", "frames", "1")]);
+const FEW: Setting = With(&[
+    ("traffic", "fcd", "\"t.fcd.xml\""),
+    ("traffic", "models", "{ car = \"sheet.obj\" }"),
+    ("", "frames", "1"),
+]);
 const LIST: Setting = With(&[
     (ARRAY, "preset", ""),
     (ARRAY, "rx_half_wavelengths", "[[0, 0]]"),
@@ -88,7 +94,8 @@ const SKIN: Setting = With(&[
 const RANKED: Setting = With(&[("dsp", "detector", "\"os-cfar\"")]);
 const GREATEST: Setting = With(&[("dsp", "detector", "\"go-cfar\"")]);
 const COSINE: Setting = With(&[(ARRAY, "pattern", "\"cosine\"")]);
-const CODES: Setting = With(&[("radar.receiver", "full_scale_dbm", "-40"), ("radar.receiver", "adc_bits", "12")]);
+const CODES: Setting =
+    With(&[("radar.receiver", "full_scale_dbm", "-40"), ("radar.receiver", "adc_bits", "12")]);
 const INTERSECTION: &str = "intersection";
 const SEEN: &str = "radar.intersection";
 
@@ -153,7 +160,12 @@ pub(crate) const NUMBERS: &[Number] = &[
     number("materials", "paint", "{ permittivity = [@, 0.1], thickness_mm = 1 }", SKIN),
     number("materials", "paint", "{ permittivity = [3, @] }", SKIN),
     number("materials", "paint", "{ substance = \"glass\", thickness_mm = @ }", SKIN),
-    number("materials", "paint", "{ layers = [{ substance = \"glass\", thickness_mm = @ }], coherent = false }", SKIN),
+    number(
+        "materials",
+        "paint",
+        "{ layers = [{ substance = \"glass\", thickness_mm = @ }], coherent = false }",
+        SKIN,
+    ),
     number("materials", "paint", "{ layers = [{ permittivity = [2, @], thickness_mm = 1 }] }", SKIN),
     number(INTERSECTION, "lane_centres_m", "[2, @]", LANE),
     number(INTERSECTION, "lane_width_m", "@", LANE),

@@ -1,4 +1,5 @@
-//! The Austin RCS benchmark suite: bodies of flat facets, where the error of physical optics is physics and known.
+//! The Austin RCS benchmark suite: bodies of flat facets, where the error of physical optics is physics and
+//! known.
 
 use crate::bodies;
 use crate::method::{Bart, antenna};
@@ -88,9 +89,21 @@ fn almond_rows(almond: &Cut) -> Vec<Row> {
         let pol = POLARIZATIONS[i];
         let reference = almond.part(&almond.reference_dbsm[i], 60.0, 120.0);
         let figure = mean_db(&got, &reference)[0];
-        rows.push(Row::near(format!("almond 7 GHz, {pol}, az 60–120: mean |dB|"), figure, broadside, 0.1, "dB"));
+        rows.push(Row::near(
+            format!("almond 7 GHz, {pol}, az 60–120: mean |dB|"),
+            figure,
+            broadside,
+            0.1,
+            "dB",
+        ));
         let figure = mean_db(&almond.got_dbsm, &almond.reference_dbsm[i])[0];
-        rows.push(Row::near(format!("almond 7 GHz, {pol}, all aspects: mean |dB|"), figure, over_all, 0.1, "dB"));
+        rows.push(Row::near(
+            format!("almond 7 GHz, {pol}, all aspects: mean |dB|"),
+            figure,
+            over_all,
+            0.1,
+            "dB",
+        ));
     }
     rows
 }

@@ -39,7 +39,8 @@ pub(crate) fn disc(radius_m: f64, corners: u32) -> Mesh {
     mesh_of(&[(0..corners).map(corner).collect()])
 }
 
-/// The half of a cylinder shell about the z axis that faces +x, in flat strips whose mean lies on the surface.
+/// The half of a cylinder shell about the z axis that faces +x, in flat strips whose mean lies on the
+/// surface.
 pub(crate) fn half_cylinder(radius_m: f64, length_m: f64, strips: u32) -> Mesh {
     let step = PI / f64::from(strips);
     // Mean sagitta a²/12ρ (docs/physics.md §3).
@@ -49,7 +50,9 @@ pub(crate) fn half_cylinder(radius_m: f64, length_m: f64, strips: u32) -> Mesh {
         [outer_m * cos, outer_m * sin, z]
     };
     let h = 0.5 * length_m;
-    mesh_of(&(0..strips).map(|i| vec![end(i, -h), end(i + 1, -h), end(i + 1, h), end(i, h)]).collect::<Vec<_>>())
+    mesh_of(
+        &(0..strips).map(|i| vec![end(i, -h), end(i + 1, -h), end(i + 1, h), end(i, h)]).collect::<Vec<_>>(),
+    )
 }
 
 /// A sphere: an octahedron halved `levels` times, corners on the surface.

@@ -1,4 +1,5 @@
-//! First-order physical optics is exact on flat facets: implementation errors show here, physics needs no tolerance.
+//! First-order physical optics is exact on flat facets: implementation errors show here, physics needs no
+//! tolerance.
 
 use crate::bodies;
 use crate::method::{Bart, FREQUENCY_HZ, antenna};
@@ -34,7 +35,8 @@ fn aspects(table: &Table, az: &str, el: Option<&str>, range: Option<&str>) -> Ve
 fn polarization_error(s: &[Vec<Amplitude>]) -> f64 {
     let s: Vec<Amplitude> = s.iter().map(|orders| orders[0]).collect();
     let peak = s.iter().map(|s| s[0][0].norm()).fold(0.0, f64::max);
-    s.iter().map(|s| (s[0][0] - s[1][1]).norm().max(s[0][1].norm()).max(s[1][0].norm())).fold(0.0, f64::max) / peak
+    s.iter().map(|s| (s[0][0] - s[1][1]).norm().max(s[0][1].norm()).max(s[1][0].norm())).fold(0.0, f64::max)
+        / peak
 }
 
 fn plates_far(folder: &Path, polarizations: &mut f64) -> Vec<Row> {
@@ -63,7 +65,12 @@ fn plates_near(folder: &Path) -> Vec<Row> {
         let got = Bart::first_order(&mesh).vv(&aspects(&cut, "az_deg", Some("el_deg"), Some("range_m")));
         let (got, reference) = (got, cut.complex("s_re_m", "s_im_m"));
         let error = worst_of_peak(&got, &reference);
-        rows.push(Row::at_most(format!("plate {side} m, 5 m to 1 km: worst |ΔS| over the peak"), error, 1e-3, ""));
+        rows.push(Row::at_most(
+            format!("plate {side} m, 5 m to 1 km: worst |ΔS| over the peak"),
+            error,
+            1e-3,
+            "",
+        ));
         let db = got.iter().zip(&reference).map(|(g, r)| (dbsm(*g) - dbsm(*r)).abs()).fold(0.0, f64::max);
         rows.push(Row::at_most(format!("plate {side} m, 5 m to 1 km: worst level"), db, 0.01, "dB"));
     }
@@ -94,7 +101,12 @@ fn discs(folder: &Path) -> Vec<Row> {
         let aspects: Vec<Standpoint> = cut.numbers("range_m").iter().map(|r| antenna(0.0, 0.0, *r)).collect();
         let got = Bart::first_order(&mesh).vv(&aspects);
         let error = worst_of_peak(&got, &cut.complex("s_re_m", "s_im_m"));
-        Row::at_most(format!("disc radius {radius} m on its axis, 5–60 m: worst |ΔS| over the peak"), error, 1e-3, "")
+        Row::at_most(
+            format!("disc radius {radius} m on its axis, 5–60 m: worst |ΔS| over the peak"),
+            error,
+            1e-3,
+            "",
+        )
     };
     let mut rows: Vec<Row> = ["0.01", "0.05", "0.15"].into_iter().map(far_row).collect();
     rows.extend(["0.1", "0.3", "0.3115", "0.5"].into_iter().map(near_row));
@@ -118,7 +130,8 @@ fn disc_null(folder: &Path) -> Vec<Row> {
     ]
 }
 
-/// Strips at q = 0.08 of physics.md §3: −43 dB of complex error at q = 0.1 where their mean lies on the surface.
+/// Strips at q = 0.08 of physics.md §3: −43 dB of complex error at q = 0.1 where their mean lies on the
+/// surface.
 fn cylinders(folder: &Path) -> Vec<Row> {
     let table = Table::read(&folder.join("cylinder_far.csv"));
     let row = |(radius_m, radius): (f64, &str)| {
@@ -130,7 +143,12 @@ fn cylinders(folder: &Path) -> Vec<Row> {
             cut.numbers("off_broadside_deg").iter().map(|el| antenna(0.0, *el, f64::INFINITY)).collect();
         let got = Bart::first_order(&mesh).vv(&aspects);
         let error = worst_of_peak(&got, &cut.complex("s_re_m", "s_im_m"));
-        Row::at_most(format!("cylinder radius {radius} m, {strips} strips: worst |ΔS| over the peak"), error, 1e-2, "")
+        Row::at_most(
+            format!("cylinder radius {radius} m, {strips} strips: worst |ΔS| over the peak"),
+            error,
+            1e-2,
+            "",
+        )
     };
     [(0.02, "0.02"), (0.05, "0.05"), (0.1, "0.1"), (0.25, "0.25")].map(row).into()
 }

@@ -28,14 +28,22 @@ fn far(az_deg: f64, el_deg: f64) -> Standpoint {
 fn peaks(folder: &Path) -> Vec<Row> {
     let known = Table::read(&folder.join("corner_peaks.csv")).only(&[("side_m", "0.1"), ("freq_ghz", "77")]);
     let mut rows = Vec::new();
-    for (faces, column) in [(Faces::Triangular, "triangular_trihedral_dbsm"), (Faces::Square, "square_trihedral_dbsm")]
+    for (faces, column) in
+        [(Faces::Triangular, "triangular_trihedral_dbsm"), (Faces::Square, "square_trihedral_dbsm")]
     {
-        let s = Bart::bounces(&bodies::trihedral(0.1, faces), 3).orders(&[far(45.0, AXIS_EL_DEG)])[0][2][0][0];
+        let s =
+            Bart::bounces(&bodies::trihedral(0.1, faces), 3).orders(&[far(45.0, AXIS_EL_DEG)])[0][2][0][0];
         let check = format!("{faces:?} trihedral 0.1 m, triple bounce on the axis").to_lowercase();
         rows.push(Row::near(check, dbsm(s), known.numbers(column)[0], 0.1, "dBsm"));
     }
     let s = Bart::bounces(&bodies::dihedral(0.1), 2).orders(&[far(0.0, 0.0)])[0][1][0][0];
-    rows.push(Row::near("dihedral 0.1 m, double bounce", dbsm(s), known.numbers("dihedral_dbsm")[0], 0.1, "dBsm"));
+    rows.push(Row::near(
+        "dihedral 0.1 m, double bounce",
+        dbsm(s),
+        known.numbers("dihedral_dbsm")[0],
+        0.1,
+        "dBsm",
+    ));
     rows
 }
 
@@ -49,7 +57,8 @@ fn off_axis(folder: &Path) -> Vec<Row> {
         let (az, el) = (near_peak.numbers("az_deg"), near_peak.numbers("el_deg"));
         let antennas: Vec<Standpoint> = az.iter().zip(&el).map(|(az, el)| far(*az, *el)).collect();
         let got = Bart::bounces(&mesh, 3).orders(&antennas);
-        let off = got.iter().zip(near_peak.numbers(column)).map(|(s, known)| (dbsm(s[2][0][0]) - known).abs());
+        let off =
+            got.iter().zip(near_peak.numbers(column)).map(|(s, known)| (dbsm(s[2][0][0]) - known).abs());
         let worst = off.fold(0.0, f64::max);
         let check = format!("{faces:?} trihedral 0.1 m, triple bounce, {} directions: worst level", az.len());
         Row::at_most(check.to_lowercase(), worst, 0.1, "dB")
@@ -66,7 +75,8 @@ fn signs() -> Vec<Row> {
     let j = Complex64::I;
     let plate: Amplitude = Bart::bounces(&bodies::square(0.1), 1).orders(&[far(0.0, 0.0)])[0][0];
     let double = Bart::bounces(&bodies::dihedral(0.1), 2).orders(&[far(0.0, 0.0)])[0][1];
-    let triple = Bart::bounces(&bodies::trihedral(0.1, Faces::Triangular), 3).orders(&[far(45.0, AXIS_EL_DEG)])[0][2];
+    let triple =
+        Bart::bounces(&bodies::trihedral(0.1, Faces::Triangular), 3).orders(&[far(45.0, AXIS_EL_DEG)])[0][2];
     let cases = [
         ("plate seen square, vv: +j|S|", plate[0][0], j),
         ("plate seen square, hh: +j|S|", plate[1][1], j),
@@ -75,7 +85,9 @@ fn signs() -> Vec<Row> {
         ("trihedral's triple bounce, vv: −j|S|", triple[0][0], -j),
         ("trihedral's triple bounce, hh: −j|S|", triple[1][1], -j),
     ];
-    cases.map(|(check, s, sign)| Row::at_most(format!("sign of a {check}"), off_sign_deg(s, sign), 1.0, "°")).into()
+    cases
+        .map(|(check, s, sign)| Row::at_most(format!("sign of a {check}"), off_sign_deg(s, sign), 1.0, "°"))
+        .into()
 }
 
 fn dihedral_sums(folder: &Path) -> Vec<Row> {

@@ -1,5 +1,5 @@
-//! Edges against exact, measured and full-wave solutions: each figure beside its gate, beside plain physical optics and beside
-//! what the data itself is worth.
+//! Edges against exact, measured and full-wave solutions: each figure beside its gate, beside plain physical
+//! optics and beside what the data itself is worth.
 
 use crate::bodies;
 use crate::method::{Bart, FREQUENCY_HZ, antenna, sum};
@@ -27,7 +27,12 @@ fn far(az_deg: f64, el_deg: f64) -> Standpoint {
 }
 
 /// S over antennas with edges and without, orders added.
-fn with_and_without(mesh: &Mesh, frequency_hz: f64, bounces: u8, antennas: &[Standpoint]) -> [Vec<Amplitude>; 2] {
+fn with_and_without(
+    mesh: &Mesh,
+    frequency_hz: f64,
+    bounces: u8,
+    antennas: &[Standpoint],
+) -> [Vec<Amplitude>; 2] {
     [Edges::FirstOrder, Edges::Ignored].map(|edges| {
         let bart = Bart { frequency_hz, bounces, edges, ..Bart::with_edges(mesh) };
         bart.orders(antennas).iter().map(|orders| sum(orders)).collect()
@@ -40,17 +45,19 @@ fn row(check: &str, [with, without]: [f64; 2], gate: f64, floor: &str, unit: &'s
     Row::at_most(check, with, gate, unit)
 }
 
-/// Strips without ends: two of different height share what their ends scatter, so their difference is F over the rest of the
-/// height, S_vv = −(l/√π)F, S_hh = +(l/√π)F.
+/// Strips without ends: two of different height share what their ends scatter, so their difference is F over
+/// the rest of the height, S_vv = −(l/√π)F, S_hh = +(l/√π)F.
 fn strips(folder: &Path) -> Vec<Row> {
     let table = Table::read(&folder.join("wedge/strip.csv"));
     let wavelength_m = 299_792_458.0 / FREQUENCY_HZ;
     let mut rows = Vec::new();
     for (width, gates) in [("5", [0.05, 1.4]), ("10", [0.05, 1.0]), ("20", [0.05, 0.7])] {
-        let cut =
-            |pol| table.only(&[("width_wavelengths", width), ("pol", pol)]).between("phi_deg", 30.0, 90.0).every(3);
+        let cut = |pol| {
+            table.only(&[("width_wavelengths", width), ("pol", pol)]).between("phi_deg", 30.0, 90.0).every(3)
+        };
         let exact = ["soft", "hard"].map(cut);
-        let antennas: Vec<Standpoint> = exact[0].numbers("phi_deg").iter().map(|phi| far(90.0 - phi, 0.0)).collect();
+        let antennas: Vec<Standpoint> =
+            exact[0].numbers("phi_deg").iter().map(|phi| far(90.0 - phi, 0.0)).collect();
         let heights = [10.0, 20.0].map(|h| h * wavelength_m);
         let of = |h_m: f64| {
             let (w, h) = (0.5 * width.parse::<f64>().unwrap() * wavelength_m, 0.5 * h_m);
@@ -68,7 +75,8 @@ fn strips(folder: &Path) -> Vec<Row> {
                 let got: Vec<f64> = short[edges].iter().zip(&long[edges]).map(level).collect();
                 mean_db(&got, &known)[0]
             });
-            let check = format!("strip of {width} wavelengths, {name}, 30° and more from its plane: mean |dB|");
+            let check =
+                format!("strip of {width} wavelengths, {name}, 30° and more from its plane: mean |dB|");
             rows.push(row(&check, figure, gates[p], "1e-6", "dB"));
         }
     }
@@ -113,7 +121,13 @@ fn austin(folder: &Path) -> Vec<Row> {
         let levels = cut.levels(folder);
         for (p, pol) in POLARIZATIONS.into_iter().enumerate() {
             let figure = levels.got.each_ref().map(|got| mean_db(&got[p], &levels.reference[p])[0]);
-            rows.push(row(&format!("{}, {pol}: mean |dB|", cut.name), figure, cut.gate_db[p], cut.floor[p], "dB"));
+            rows.push(row(
+                &format!("{}, {pol}: mean |dB|", cut.name),
+                figure,
+                cut.gate_db[p],
+                cut.floor[p],
+                "dB",
+            ));
         }
     }
     rows.extend(closed_box(folder));
@@ -160,7 +174,9 @@ fn closed_box(folder: &Path) -> Vec<Row> {
     let mut rows = Vec::new();
     for (p, pol) in POLARIZATIONS.into_iter().enumerate() {
         let means = levels.got.each_ref().map(|got| mean_db(&got[p], &levels.reference[p]));
-        for (i, (what, gate)) in [("all", cut.gate_db[p]), ("top 30", [0.15, 0.35][p])].into_iter().enumerate() {
+        for (i, (what, gate)) in
+            [("all", cut.gate_db[p]), ("top 30", [0.15, 0.35][p])].into_iter().enumerate()
+        {
             let check = format!("{}, {pol}, {what}: mean |dB|", cut.name);
             rows.push(row(&check, means.map(|m| m[i]), gate, cut.floor[p], "dB"));
         }
@@ -175,7 +191,8 @@ fn closed_box(folder: &Path) -> Vec<Row> {
     rows
 }
 
-/// A cut through a full-wave body: gates on the mean |dB| and on the complex error; none where it is shown for comparison.
+/// A cut through a full-wave body: gates on the mean |dB| and on the complex error; none where it is shown
+/// for comparison.
 struct Solved {
     body: &'static str,
     el_deg: f64,
@@ -231,7 +248,8 @@ fn solved_rows(case: &Solved, folder: &Path) -> Vec<Row> {
     let table = table.between("el_deg", case.el_deg - 1e-3, case.el_deg + 1e-3);
     let table = table.between("az_deg", case.az_deg[0], case.az_deg[1]);
     let of = |pol: &str| table.only(&[("pol", pol)]).every(if case.bounces > 1 { 3 } else { 1 });
-    let antennas: Vec<Standpoint> = of("vv").numbers("az_deg").iter().map(|az| far(*az, case.el_deg)).collect();
+    let antennas: Vec<Standpoint> =
+        of("vv").numbers("az_deg").iter().map(|az| far(*az, case.el_deg)).collect();
     let mesh = bodies::stl(&folder.join(format!("{}.stl", case.body)));
     let got = with_and_without(&mesh, FREQUENCY_HZ, case.bounces, &antennas);
     let mut rows = Vec::new();

@@ -1,4 +1,5 @@
-//! Geometrical optics between bounces on bodies of some wavelengths: how far it is from full-wave solutions is known.
+//! Geometrical optics between bounces on bodies of some wavelengths: how far it is from full-wave solutions
+//! is known.
 
 use crate::bodies;
 use crate::method::{Bart, antenna, sum};
@@ -10,8 +11,8 @@ use artifact::settings::NodeRule::{self, Exit, Middle, OwnEdge};
 use bart_rcs::Standpoint;
 use std::path::Path;
 
-/// A cut through a full-wave body and the mean |dB| it may be off, vv and hh, with exit nodes: the gates are figures of
-/// shooting and bouncing rays, whose node is the last facet.
+/// A cut through a full-wave body and the mean |dB| it may be off, vv and hh, with exit nodes: the gates are
+/// figures of shooting and bouncing rays, whose node is the last facet.
 struct Case {
     body: &'static str,
     el_deg: f64,
@@ -24,7 +25,13 @@ const CASES: [Case; 5] = [
     Case { body: "dihedral_3lambda", el_deg: 0.0, az_deg: [-44.0, 44.0], bounces: 2, gate_db: [1.0, 1.2] },
     Case { body: "dihedral_6lambda", el_deg: 0.0, az_deg: [-44.0, 44.0], bounces: 2, gate_db: [1.0, 1.0] },
     Case { body: "dihedral100_3lambda", el_deg: 0.0, az_deg: [-49.0, 49.0], bounces: 2, gate_db: [1.4, 1.8] },
-    Case { body: "trihedral_4lambda", el_deg: AXIS_EL_DEG, az_deg: [1.0, 89.0], bounces: 3, gate_db: [0.9, 0.7] },
+    Case {
+        body: "trihedral_4lambda",
+        el_deg: AXIS_EL_DEG,
+        az_deg: [1.0, 89.0],
+        bounces: 3,
+        gate_db: [0.9, 0.7],
+    },
     Case { body: "trihedral_4lambda", el_deg: 15.0, az_deg: [1.0, 89.0], bounces: 3, gate_db: [1.2, 0.6] },
 ];
 
@@ -57,7 +64,8 @@ fn case_rows(case: &Case, nodes: NodeRule, folder: &Path) -> Vec<Row> {
     let table = table.between("az_deg", case.az_deg[0], case.az_deg[1]);
     let mesh = bodies::stl(&folder.join(format!("{}.stl", case.body)));
     let az_deg = table.only(&[("pol", "vv")]).numbers("az_deg");
-    let antennas: Vec<Standpoint> = az_deg.into_iter().map(|az| antenna(az, case.el_deg, f64::INFINITY)).collect();
+    let antennas: Vec<Standpoint> =
+        az_deg.into_iter().map(|az| antenna(az, case.el_deg, f64::INFINITY)).collect();
     let bart = Bart { nodes, ..Bart::bounces(&mesh, case.bounces) };
     let got: Vec<Amplitude> = bart.orders(&antennas).iter().map(|s| sum(s)).collect();
     let mut rows = Vec::new();
@@ -85,7 +93,8 @@ fn trihedral_peak(nodes: NodeRule, folder: &Path) -> Option<Row> {
     Some(Row::near(check, dbsm(s), -17.89, 0.1, "dBsm"))
 }
 
-/// A box with a round blind duct, 10.2451 GHz: the mean level over az 10–45 and the mean |dB| at whole degrees.
+/// A box with a round blind duct, 10.2451 GHz: the mean level over az 10–45 and the mean |dB| at whole
+/// degrees.
 fn duct_box(nodes: NodeRule, folder: &Path) -> Vec<Row> {
     let table = Table::read(&folder.join("derived/IIIS.C.s1.f11.csv")).only(&[("source", "reference")]);
     let table = table.between("az_deg", 10.0, 45.0);
@@ -121,16 +130,20 @@ fn duct_box(nodes: NodeRule, folder: &Path) -> Vec<Row> {
     rows
 }
 
-/// A plate of 2.5 wavelengths that hovers over a mirror of 6: the sequence mirror, plate, mirror is specular at az 0.
-const HOVERING: [(&str, [f64; 2]); 2] = [("mirror35_6lambda", [20.0, 50.0]), ("mirror15_6lambda", [5.0, 30.0])];
+/// A plate of 2.5 wavelengths that hovers over a mirror of 6: the sequence mirror, plate, mirror is specular
+/// at az 0.
+const HOVERING: [(&str, [f64; 2]); 2] =
+    [("mirror35_6lambda", [20.0, 50.0]), ("mirror15_6lambda", [5.0, 30.0])];
 
-/// Complex error over elevations about the specular, orders 1 to 4; too small for geometrical optics to be good.
+/// Complex error over elevations about the specular, orders 1 to 4; too small for geometrical optics to be
+/// good.
 fn hovering_rows((body, el_deg): &(&str, [f64; 2]), nodes: NodeRule, folder: &Path) -> Vec<Row> {
     let table = Table::read(&folder.join(format!("{body}.csv"))).between("az_deg", -1e-3, 1e-3);
     let table = table.between("el_deg", el_deg[0], el_deg[1]);
     let mesh = bodies::stl(&folder.join(format!("{body}.stl")));
     let elevations = table.only(&[("pol", "vv")]).numbers("el_deg");
-    let antennas: Vec<Standpoint> = elevations.into_iter().map(|el| antenna(0.0, el, f64::INFINITY)).collect();
+    let antennas: Vec<Standpoint> =
+        elevations.into_iter().map(|el| antenna(0.0, el, f64::INFINITY)).collect();
     let got: Vec<Amplitude> =
         Bart { nodes, ..Bart::bounces(&mesh, 4) }.orders(&antennas).iter().map(|s| sum(s)).collect();
     let row = |(p, pol): (usize, &str)| {
@@ -143,7 +156,8 @@ fn hovering_rows((body, el_deg): &(&str, [f64; 2]), nodes: NodeRule, folder: &Pa
     ["vv", "hh"].into_iter().enumerate().map(row).collect()
 }
 
-/// Strips of 10 to 24 wavelengths in the x-z plane (`generate2d.py`), as bodies of this length along y, in wavelengths.
+/// Strips of 10 to 24 wavelengths in the x-z plane (`generate2d.py`), as bodies of this length along y, in
+/// wavelengths.
 const LENGTH: f64 = 1000.0;
 
 /// The six scenes of `corners2d.csv`: mean over scenes of the complex error of S over the cut, 4 bounces.
@@ -157,8 +171,9 @@ fn corners_in_the_plane(folder: &Path) -> Vec<Row> {
             .into_iter()
             .enumerate()
             .map(move |(p, pol)| {
-                let check =
-                    format!("corners2d, mean of six scenes, el 5–75.5, {pol}, 4 bounces, {nodes:?}: complex error");
+                let check = format!(
+                    "corners2d, mean of six scenes, el 5–75.5, {pol}, 4 bounces, {nodes:?}: complex error"
+                );
                 Row::shown(check, mean(p), "dB")
             })
             .collect::<Vec<_>>()
@@ -174,7 +189,8 @@ fn in_the_plane(scene: &str, nodes: NodeRule, table: &Table) -> [f64; 2] {
     // Every second of 142 elevations.
     let table = ["vv", "hh"].map(|pol| table.only(&[("pol", pol)]).every(2));
     let elevations = table[0].numbers("el_deg");
-    let antennas: Vec<Standpoint> = elevations.into_iter().map(|el| antenna(0.0, el, f64::INFINITY)).collect();
+    let antennas: Vec<Standpoint> =
+        elevations.into_iter().map(|el| antenna(0.0, el, f64::INFINITY)).collect();
     let got: Vec<Amplitude> =
         Bart { nodes, ..Bart::bounces(&mesh, 4) }.orders(&antennas).iter().map(|s| sum(s)).collect();
     [0, 1].map(|p| {

@@ -1,8 +1,8 @@
-//! Gates of the reference data beside the checkout (`../shared/reference`): measurements, exact and full-wave solutions that
-//! no code of the project made. Without that folder every test says so and passes.
+//! Gates of the reference data beside the checkout (`../shared/reference`): measurements, exact and full-wave
+//! solutions that no code of the project made. Without that folder every test says so and passes.
 //!
-//! Each check yields rows of figure beside gate; `cargo test --release -p wayside --test reference_gates -- --ignored`
-//! writes them to `docs/validation/reference-gates.md`.
+//! Each check yields rows of figure beside gate; `cargo test --release -p wayside --test reference_gates --
+//! --ignored` writes them to `docs/validation/reference-gates.md`.
 #![allow(
     clippy::unwrap_used,
     clippy::panic,
@@ -24,7 +24,8 @@ use std::path::PathBuf;
 
 /// `../shared/reference`, or `None` with a word about it.
 fn reference_folder() -> Option<PathBuf> {
-    let shared = std::env::var("WAYSIDE_SHARED").unwrap_or(format!("{}/../../../shared", env!("CARGO_MANIFEST_DIR")));
+    let shared =
+        std::env::var("WAYSIDE_SHARED").unwrap_or(format!("{}/../../../shared", env!("CARGO_MANIFEST_DIR")));
     let folder = PathBuf::from(shared).join("reference");
     let found = folder.is_dir().then_some(folder);
     if found.is_none() {

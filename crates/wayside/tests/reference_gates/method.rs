@@ -19,8 +19,8 @@ pub(crate) fn antenna(az_deg: f64, el_deg: f64, range_m: f64) -> Standpoint {
     Standpoint { azimuth_rad: az_deg.to_radians(), elevation_rad: el_deg.to_radians(), range_m }
 }
 
-/// S of bounce orders 1 to `bounces` in vv and hh (and vh where `cross`), `[antenna][order − 1]`; one antenna sends and
-/// receives.
+/// S of bounce orders 1 to `bounces` in vv and hh (and vh where `cross`), `[antenna][order − 1]`; one antenna
+/// sends and receives.
 pub(crate) struct Bart<'a> {
     pub(crate) mesh: &'a Mesh,
     pub(crate) frequency_hz: f64,

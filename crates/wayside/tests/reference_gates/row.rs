@@ -17,7 +17,13 @@ impl Row {
     }
 
     /// A figure that must land on a known one.
-    pub(crate) fn near(check: impl Into<String>, figure: f64, known: f64, tolerance: f64, unit: &'static str) -> Self {
+    pub(crate) fn near(
+        check: impl Into<String>,
+        figure: f64,
+        known: f64,
+        tolerance: f64,
+        unit: &'static str,
+    ) -> Self {
         Self { check: check.into(), figure, gate: known - tolerance..=known + tolerance, unit }
     }
 

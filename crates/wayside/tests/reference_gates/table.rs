@@ -23,7 +23,8 @@ impl Table {
 
     /// The rows that have all these texts or numbers.
     pub(crate) fn only(&self, conditions: &[(&str, &str)]) -> Self {
-        let keep = |row: &&Vec<String>| conditions.iter().all(|(name, value)| same(&row[self.column(name)], value));
+        let keep =
+            |row: &&Vec<String>| conditions.iter().all(|(name, value)| same(&row[self.column(name)], value));
         Self { names: self.names.clone(), rows: self.rows.iter().filter(keep).cloned().collect() }
     }
 
@@ -50,7 +51,8 @@ impl Table {
 }
 
 fn same(cell: &str, value: &str) -> bool {
-    cell == value || matches!((cell.parse::<f64>(), value.parse::<f64>()), (Ok(a), Ok(b)) if (a - b).abs() < 1e-9)
+    cell == value
+        || matches!((cell.parse::<f64>(), value.parse::<f64>()), (Ok(a), Ok(b)) if (a - b).abs() < 1e-9)
 }
 
 /// σ in dBsm.

@@ -1,6 +1,9 @@
 //! Marks of waves between two bodies against traced truth, through the whole chain.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
 
 use crate::common::Workplace;
 use std::collections::BTreeMap;
@@ -35,12 +38,15 @@ struct Street {
 }
 
 impl Street {
-    /// Five pairs of plates, each turned so that a wave runs from the radar over both and back, and five that face the radar, so fast that
-    /// no window's slope of theirs reaches a pair's cells. Everything
-    /// is spread by multiples of the golden ratio, from `seed` on.
+    /// Five pairs of plates, each turned so that a wave runs from the radar over both and back, and five that
+    /// face the radar, so fast that no window's slope of theirs reaches a pair's cells. Everything is spread
+    /// by multiples of the golden ratio, from `seed` on.
     fn new(array: &str, seed: u32) -> Self {
-        let mut street =
-            Self { place: Workplace::new(), scene: format!("{HEAD}[radar.array]\n{array}\n"), apart: BTreeMap::new() };
+        let mut street = Self {
+            place: Workplace::new(),
+            scene: format!("{HEAD}[radar.array]\n{array}\n"),
+            apart: BTreeMap::new(),
+        };
         let mut drawn = f64::from(seed);
         let mut uniform = |from: f64, to: f64| {
             drawn += 0.618_033_988_75;
@@ -116,8 +122,8 @@ impl Count {
     }
 }
 
-/// Cells of 15 dB a channel and more that at least nine tenths of the power in their own beam come from: a way over two bodies that stand a beam apart,
-/// and one body.
+/// Cells of 15 dB a channel and more that at least nine tenths of the power in their own beam come from: a
+/// way over two bodies that stand a beam apart, and one body.
 fn counts(array: &str, beam: f64, seeds: std::ops::Range<u32>) -> [Count; 2] {
     let [mut ghosts, mut direct] = [Count::default(), Count::default()];
     for seed in seeds {
@@ -142,13 +148,14 @@ fn counts(array: &str, beam: f64, seeds: std::ops::Range<u32>) -> [Count; 2] {
     [ghosts, direct]
 }
 
-/// On larger arrays a model of two points is not all there is to say of plates a metre wide at 18 m; their counts are on the page.
+/// On larger arrays a model of two points is not all there is to say of plates a metre wide at 18 m; their
+/// counts are on the page.
 #[test]
 fn traced_waves_between_two_bodies_are_marked_and_echoes_of_one_are_not() {
     let [ghosts, direct] = counts("preset = \"3x4\"", 1.0 / 6.0, 0..3);
     assert!(ghosts.all >= 20 && direct.all >= 20, "{} and {} cells are too few", ghosts.all, direct.all);
-    // Between 77 and 100 % at 10 and 20 dB, one beam apart (docs/validation/ghosts.md): few cells are that weak and that near. A cell
-    // between two echoes may be the other's.
+    // Between 77 and 100 % at 10 and 20 dB, one beam apart (docs/validation/ghosts.md): few cells are that
+    // weak and that near. A cell between two echoes may be the other's.
     assert!(f64::from(ghosts.marked) >= 0.95 * f64::from(ghosts.all), "{} of {}", ghosts.marked, ghosts.all);
     assert!(f64::from(direct.marked) <= 0.02 * f64::from(direct.all), "{} of {}", direct.marked, direct.all);
 }

@@ -1,4 +1,5 @@
-//! What `run` promises: everything is there, nothing is computed twice, nothing depends on threads or on truth.
+//! What `run` promises: everything is there, nothing is computed twice, nothing depends on threads or on
+//! truth.
 
 use crate::common::{SMALL_SCENE, Workplace};
 use serde_json::Value;
@@ -10,10 +11,13 @@ const ARTIFACTS: [&str; 6] =
 fn a_run_writes_every_artifact_and_picture_that_is_promised() {
     let place = Workplace::new();
     place.run("run small.toml --out out --quiet");
-    let pictures =
-        ["scene-0000.png", "rdm-0001.png", "points-0001.png", "rdm-0000.exr"].map(|p| format!("pictures/{p}"));
-    for name in
-        ARTIFACTS.iter().map(|a| (*a).to_owned()).chain(pictures).chain(["summary.json".into(), "report.html".into()])
+    let pictures = ["scene-0000.png", "rdm-0001.png", "points-0001.png", "rdm-0000.exr"]
+        .map(|p| format!("pictures/{p}"));
+    for name in ARTIFACTS
+        .iter()
+        .map(|a| (*a).to_owned())
+        .chain(pictures)
+        .chain(["summary.json".into(), "report.html".into()])
     {
         assert!(!place.bytes(&format!("out/{name}")).is_empty(), "{name}");
     }
@@ -35,17 +39,21 @@ fn a_second_run_computes_nothing_and_says_so() {
     assert!(!explained.contains("runs:"), "{explained}");
     let summary = place.summary("b/summary.json");
     for frame in summary["frames"].as_array().unwrap() {
-        let cached: Vec<&str> = frame["cached"].as_array().unwrap().iter().filter_map(Value::as_str).collect();
+        let cached: Vec<&str> =
+            frame["cached"].as_array().unwrap().iter().filter_map(Value::as_str).collect();
         assert!(["scene", "bart_rcs", "fmcw_echo", "dsp"].iter().all(|s| cached.contains(s)), "{cached:?}");
     }
-    ARTIFACTS.iter().for_each(|a| assert_eq!(place.bytes(&format!("a/{a}")), place.bytes(&format!("b/{a}")), "{a}"));
+    ARTIFACTS
+        .iter()
+        .for_each(|a| assert_eq!(place.bytes(&format!("a/{a}")), place.bytes(&format!("b/{a}")), "{a}"));
 }
 
 #[test]
 fn a_changed_setting_of_the_detector_runs_from_there_and_says_why() {
     let place = Workplace::new();
     place.run("run small.toml --out a --quiet");
-    let changed = SMALL_SCENE.replace("training_cells = [3, 6]", "training_cells = [3, 6]\nfalse_alarm_rate = 1e-3");
+    let changed =
+        SMALL_SCENE.replace("training_cells = [3, 6]", "training_cells = [3, 6]\nfalse_alarm_rate = 1e-3");
     std::fs::write(place.path("small.toml"), changed).unwrap();
     let explained = place.run("run small.toml --out a --explain --quiet");
     assert!(
@@ -98,8 +106,10 @@ fn detections_do_not_change_when_the_truth_is_shuffled() {
 fn a_damaged_cache_entry_is_made_again() {
     let place = Workplace::new();
     place.run("run small.toml --out a --quiet");
-    for folder in
-        std::fs::read_dir(place.path("cache/fmcw_echo")).unwrap().flatten().filter(|f| f.file_name() != "last")
+    for folder in std::fs::read_dir(place.path("cache/fmcw_echo"))
+        .unwrap()
+        .flatten()
+        .filter(|f| f.file_name() != "last")
     {
         for entry in std::fs::read_dir(folder.path()).unwrap().flatten() {
             let mut bytes = std::fs::read(entry.path()).unwrap();
@@ -148,11 +158,13 @@ fn frames_of_bodies_at_rest_are_traced_once_and_are_the_same_bytes() {
     let place = Workplace::new();
     let at_rest = SMALL_SCENE.replace("velocity_mps = [0.0, -3.0, 0.0]", "velocity_mps = [0.0, 0.0, 0.0]");
     for echo in ["paths", "rcs-table"] {
-        let text = format!("{}\n[fidelity]\necho = \"{echo}\"\n", at_rest.replace("frames = 2", "frames = 3"));
+        let text =
+            format!("{}\n[fidelity]\necho = \"{echo}\"\n", at_rest.replace("frames = 2", "frames = 3"));
         std::fs::write(place.path("small.toml"), text).unwrap();
         place.run(&format!("run small.toml --out shared-{echo} --quiet"));
         place.run(&format!("run small.toml --out apart-{echo} --no-cache --quiet"));
-        let frames = place.summary(&format!("shared-{echo}/summary.json"))["frames"].as_array().unwrap().clone();
+        let frames =
+            place.summary(&format!("shared-{echo}/summary.json"))["frames"].as_array().unwrap().clone();
         let is_shared = |frame: &Value| frame["cached"].as_array().unwrap().contains(&"bart_rcs".into());
         assert_eq!(frames.iter().map(is_shared).collect::<Vec<_>>(), [false, true, true]);
         let traced = if echo == "paths" { "frames.paths" } else { "frames.rcs" };
@@ -170,7 +182,9 @@ fn two_runs_at_once_do_not_hurt_each_other() {
     for mut child in [start("a"), start("b"), start("a")] {
         assert!(child.wait().unwrap().success());
     }
-    ARTIFACTS.iter().for_each(|a| assert_eq!(place.bytes(&format!("a/{a}")), place.bytes(&format!("b/{a}")), "{a}"));
+    ARTIFACTS
+        .iter()
+        .for_each(|a| assert_eq!(place.bytes(&format!("a/{a}")), place.bytes(&format!("b/{a}")), "{a}"));
 }
 
 #[test]
@@ -192,7 +206,9 @@ fn an_imported_cube_is_processed_like_our_own() {
 fn every_artifact_is_inspected_and_exported() {
     let place = Workplace::new();
     place.run("run small.toml --out a --quiet");
-    ARTIFACTS.iter().for_each(|a| assert!(place.run(&format!("inspect a/{a}")).contains(", version "), "{a}"));
+    ARTIFACTS
+        .iter()
+        .for_each(|a| assert!(place.run(&format!("inspect a/{a}")).contains(", version "), "{a}"));
     let exports = [
         ("scene.scene", "json"),
         ("frames.paths", "csv"),

@@ -33,7 +33,11 @@ fn every_picture_is_named_for_those_who_cannot_see_it_and_read_by_those_who_can(
     let drawings = drawings(&page);
     assert!(drawings.len() >= 8, "four pictures of two frames");
     for drawing in &drawings {
-        assert!(drawing.contains("<title>") && drawing.contains("role=\"img\" aria-label=\""), "{}", &drawing[..200]);
+        assert!(
+            drawing.contains("<title>") && drawing.contains("role=\"img\" aria-label=\""),
+            "{}",
+            &drawing[..200]
+        );
         let smallest = numbers(drawing, "font-size").into_iter().fold(f64::INFINITY, f64::min);
         assert!(smallest >= 12.0, "words of {smallest} px in {}", &drawing[..200]);
     }
@@ -55,10 +59,17 @@ fn every_picture_has_a_form_that_fits_a_telephone_with_words_as_large() {
 fn a_report_names_its_command_and_links_to_what_lies_beside_it() {
     let (place, page) = report_of(SMALL_SCENE);
     assert!(page.contains("wayside run small.toml --out out"));
-    let links: Vec<&str> = page.split(" href=\"").skip(1).map(|rest| rest.split('"').next().unwrap()).collect();
-    for artifact in
-        ["scene.scene", "frames.paths", "frames.cube", "frames.rdm", "frames.points", "frames.tracks", "summary.json"]
-    {
+    let links: Vec<&str> =
+        page.split(" href=\"").skip(1).map(|rest| rest.split('"').next().unwrap()).collect();
+    for artifact in [
+        "scene.scene",
+        "frames.paths",
+        "frames.cube",
+        "frames.rdm",
+        "frames.points",
+        "frames.tracks",
+        "summary.json",
+    ] {
         assert!(links.contains(&artifact), "{artifact} of {links:?}");
     }
     links.iter().for_each(|link| assert!(place.path("out").join(link).exists(), "{link}"));
@@ -67,7 +78,9 @@ fn a_report_names_its_command_and_links_to_what_lies_beside_it() {
 #[test]
 fn a_report_speaks_as_the_field_does() {
     let (_place, page) = report_of(SMALL_SCENE);
-    for words in ["Chirp interval", "Samples per chirp", "Maximum unambiguous velocity", "predicted class", "aliased"] {
+    for words in
+        ["Chirp interval", "Samples per chirp", "Maximum unambiguous velocity", "predicted class", "aliased"]
+    {
         assert!(page.contains(words), "{words}");
     }
     for words in ["Pulse time", "Sampling points", "abnormal"] {
@@ -91,8 +104,8 @@ fn truth_and_objects_stand_in_the_plan_the_map_and_the_points() {
 
 #[test]
 fn the_radar_its_boresight_and_its_field_of_view_are_in_the_plan() {
-    let cosine =
-        SMALL_SCENE.replace("preset = \"1x4\"", "preset = \"1x4\"\npattern = \"cosine\"\ncosine_exponent = 2.0");
+    let cosine = SMALL_SCENE
+        .replace("preset = \"1x4\"", "preset = \"1x4\"\npattern = \"cosine\"\ncosine_exponent = 2.0");
     let (_place, page) = report_of(&cosine);
     let plan = drawings(&page).into_iter().find(|d| d.contains("aria-label=\"Scene from above")).unwrap();
     // cos⁴ θ is a half at 32.8°.
@@ -109,7 +122,11 @@ fn heights_are_drawn_where_the_array_measures_them_and_nowhere_else() {
         rx_half_wavelengths = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 0.0]]";
     let rows = SMALL_SCENE.replace("preset = \"1x4\"", array);
     let (_place, high) = report_of(&rows);
-    assert!(high.contains("height, m") && high.contains("from the side") && !high.contains("heights are not measured"));
+    assert!(
+        high.contains("height, m")
+            && high.contains("from the side")
+            && !high.contains("heights are not measured")
+    );
 }
 
 #[test]
@@ -128,7 +145,8 @@ fn a_map_is_exported_with_axes_on_request_and_other_artifacts_are_not() {
     let (place, _page) = report_of(SMALL_SCENE);
     place.run("export out/frames.rdm --to png --out plain.png");
     place.run("export out/frames.rdm --to png --axes on --out axes.png");
-    let size = |name: &str| image::load_from_memory(&place.bytes(name)).map(|i| (i.width(), i.height())).unwrap();
+    let size =
+        |name: &str| image::load_from_memory(&place.bytes(name)).map(|i| (i.width(), i.height())).unwrap();
     assert_eq!(size("plain-0000.png"), (451, 451));
     assert!(size("axes-0000.png").0 > 1000);
     let refused = place.try_run("export out/frames.points --to csv --axes on --out p.csv");
@@ -159,7 +177,8 @@ fn pictures_of_a_table_say_on_which_axes_the_body_lies_upon_itself() {
     let words = "rcs corner.obj --freq-ghz 76:78:3 --az-deg 0:1.1459:3 --pictures --bounces 1 --out S.npy";
     let told = place.run(words);
     assert!(
-        told.contains("ambiguous in range: 3 frequencies") && told.contains("ambiguous in cross-range: 3 azimuths")
+        told.contains("ambiguous in range: 3 frequencies")
+            && told.contains("ambiguous in cross-range: 3 azimuths")
     );
     let pictures = &place.summary("S.json")["pictures"];
     println!("{pictures:#}");
@@ -169,8 +188,9 @@ fn pictures_of_a_table_say_on_which_axes_the_body_lies_upon_itself() {
         assert!(needed > 3 && needed < 30, "{needed}");
     }
     let enough = pictures["range"]["needed"].as_u64().unwrap();
-    let told =
-        place.run(&format!("rcs corner.obj --freq-ghz 76:78:{enough} --az-deg 0 --pictures --bounces 1 --out T.npy"));
+    let told = place.run(&format!(
+        "rcs corner.obj --freq-ghz 76:78:{enough} --az-deg 0 --pictures --bounces 1 --out T.npy"
+    ));
     assert!(!told.contains("ambiguous"));
     assert_eq!(place.summary("T.json")["pictures"]["range"]["ambiguous"], false);
 }

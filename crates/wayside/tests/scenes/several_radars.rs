@@ -26,7 +26,8 @@ fn reflector(id: &str, position_m: [f64; 3], velocity_mps: [f64; 3]) -> String {
     )
 }
 
-/// Radars that look north from the origin and east from (−11, 11) m, with the same two reflectors before each.
+/// Radars that look north from the origin and east from (−11, 11) m, with the same two reflectors before
+/// each.
 fn crossing() -> String {
     let radars = r#"[[radars]]
 id = "north"
@@ -88,8 +89,8 @@ fn every_radar_has_its_folder_and_above_them_stands_what_they_have_in_common() {
             ["east", "all/east"].map(|place| std::fs::read(folder.path().join(place).join(file)).unwrap());
         assert!(alone == among, "{file}");
     }
-    let [north, east] =
-        ["north", "east"].map(|id| std::fs::read(folder.path().join("all").join(id).join("frames.cube")).unwrap());
+    let [north, east] = ["north", "east"]
+        .map(|id| std::fs::read(folder.path().join("all").join(id).join("frames.cube")).unwrap());
     assert!(north != east);
 }
 

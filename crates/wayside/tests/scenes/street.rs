@@ -1,11 +1,15 @@
 //! What stands about in a street, and the road itself, through the whole chain: seen, never compared with.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
 
 use crate::common::Workplace;
 use serde_json::Value;
 
-/// A small radar over a road that sends back of itself; a reflector at 30 m, a pole in the middle of the lane beside it, at 20 m.
+/// A small radar over a road that sends back of itself; a reflector at 30 m, a pole in the middle of the lane
+/// beside it, at 20 m.
 fn scene(noise: &str, road: &str) -> String {
     format!(
         "name = \"street\"\nframes = 2\n[radar.waveform]\nsamples = 64\nchirps = 16\n[radar.array]\npreset = \"1x4\"\n{noise}\
@@ -27,7 +31,8 @@ fn ids(list: &Value) -> Vec<&str> {
     list.as_array().unwrap().iter().map(|body| body["id"].as_str().unwrap()).collect()
 }
 
-/// A pole higher than the radar shows where it is seen square on, at the radar's height: √(5.75² + 20²) = 20.81 m, less its radius.
+/// A pole higher than the radar shows where it is seen square on, at the radar's height: √(5.75² + 20²) =
+/// 20.81 m, less its radius.
 #[test]
 fn a_pole_is_seen_and_labelled_and_is_no_target() {
     let place = place(NOISE, "");
@@ -42,7 +47,11 @@ fn a_pole_is_seen_and_labelled_and_is_no_target() {
     }
     // What is found of the pole is false, whoever asks for vehicles.
     assert_eq!(summary["metrics"]["objects"]["found"], 2);
-    assert!(summary["metrics"]["objects"]["false"].as_u64().unwrap() >= 2, "{}", summary["metrics"]["objects"]);
+    assert!(
+        summary["metrics"]["objects"]["false"].as_u64().unwrap() >= 2,
+        "{}",
+        summary["metrics"]["objects"]
+    );
     place.run("export out/frames.points --to csv --out points.csv");
     let table = String::from_utf8(place.bytes("points.csv")).unwrap();
     assert!(table.lines().any(|line| line.contains("mast")), "{table}");
@@ -76,7 +85,8 @@ fn a_floor_raises_the_cells_before_the_radar_and_hides_no_strong_target() {
     assert_eq!(paths("out/summary.json"), paths("floor/summary.json"), "the floor is in no .paths");
 }
 
-/// With a car besides, at two of the small radar's Doppler cells of 5.4 m/s; a scene for each value of `static`.
+/// With a car besides, at two of the small radar's Doppler cells of 5.4 m/s; a scene for each value of
+/// `static`.
 fn with_static() -> Workplace {
     let car = "[fidelity]\naccuracy_db = -10.0\nbounces = 1\n[[target]]\nkind = \"point\"\nid = \"car\"\nrcs_m2 = 10.0\n\
                position_m = [2.0, 40.0, 1.0]\nvelocity_mps = [0.0, -11.0, 0.0]\n";
@@ -104,16 +114,24 @@ fn clutter_at_rest_is_counted_apart_where_it_is_marked_and_what_waits_is_found_a
     // Every object of the one is there in the other: false or at rest.
     assert_eq!(count(&marked, "false") + count(&marked, "stationary"), count(&kept, "false"));
     assert!(count(&marked, "stationary") >= 2, "{}", marked["metrics"]["objects"]);
-    for (before, after) in kept["frames"].as_array().unwrap().iter().zip(marked["frames"].as_array().unwrap()) {
+    for (before, after) in kept["frames"].as_array().unwrap().iter().zip(marked["frames"].as_array().unwrap())
+    {
         let standing = after["stationary_objects"].as_array().unwrap();
-        assert!(standing.iter().any(|object| object["cause"] == "clutter" && object["bodies"][0] == "mast"), "{after}");
+        assert!(
+            standing.iter().any(|object| object["cause"] == "clutter" && object["bodies"][0] == "mast"),
+            "{after}"
+        );
         assert!(
             after["false_objects"].as_array().unwrap().iter().all(|object| object["cause"] != "clutter"),
             "{after}"
         );
         for (id, rests) in [("reflector", true), ("car", false)] {
             let (old, new) = (of_target(before, id), of_target(after, id));
-            assert_eq!((&new["found"], &new["estimate"]["stationary"]), (&true.into(), &rests.into()), "{new}");
+            assert_eq!(
+                (&new["found"], &new["estimate"]["stationary"]),
+                (&true.into(), &rests.into()),
+                "{new}"
+            );
             assert_eq!(
                 (&old["estimate"]["range_m"], &old["estimate"]["stationary"]),
                 (&new["estimate"]["range_m"], &Value::Null)
@@ -138,7 +156,8 @@ fn what_was_removed_as_an_echo_at_rest_is_told_so_and_is_not_missed() {
     let place = with_static();
     let said = place.run("run remove.toml --out out");
     assert!(
-        said.contains("1 removed as echoes at rest") && said.contains("removed as an echo at rest (static in [dsp])"),
+        said.contains("1 removed as echoes at rest")
+            && said.contains("removed as an echo at rest (static in [dsp])"),
         "{said}"
     );
     let summary = place.summary("out/summary.json");

@@ -1,7 +1,10 @@
-//! What a run says of itself: accuracy asked and reached, what was found, and what made the false objects; the same in `summary.json`,
-//! on the console and in the report.
+//! What a run says of itself: accuracy asked and reached, what was found, and what made the false objects;
+//! the same in `summary.json`, on the console and in the report.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
 
 use crate::common::{SMALL_SCENE, Workplace};
 use serde_json::Value;
@@ -32,7 +35,11 @@ fn an_accuracy_that_was_not_reached_is_said_with_what_limits_it_and_what_would_h
     let summary = place.summary("out/summary.json");
     for frame in items(&summary["frames"]) {
         let accuracy = &frame["accuracy"];
-        assert_eq!((&accuracy["met"], &accuracy["limited_by"]), (&false.into(), &"detail".into()), "{accuracy}");
+        assert_eq!(
+            (&accuracy["met"], &accuracy["limited_by"]),
+            (&false.into(), &"detail".into()),
+            "{accuracy}"
+        );
         assert_eq!(accuracy["reached_db"], frame["error_db"]["total"]);
         assert!((accuracy["asked_db"].as_f64().unwrap() + 20.0).abs() < 1e-9, "{accuracy}");
         assert!(accuracy["reached_db"].as_f64().unwrap() > -20.0, "{accuracy}");
@@ -55,7 +62,8 @@ fn a_table_says_whether_its_accuracy_was_reached() {
     let place = Workplace::new();
     let told = place.run("rcs corner.obj --freq-ghz 77 --az-deg 10:40:3 --el-deg 20 --out s.npy --quiet");
     let accuracy = &place.summary("s.json")["accuracy"];
-    let verdict = if accuracy["met"] == true { "−40.0 dB asked: reached" } else { "−40.0 dB asked: NOT REACHED" };
+    let verdict =
+        if accuracy["met"] == true { "−40.0 dB asked: reached" } else { "−40.0 dB asked: NOT REACHED" };
     assert!(told.contains(verdict), "{told}\n{accuracy}");
     assert!((accuracy["asked_db"].as_f64().unwrap() + 40.0).abs() < 1e-9, "{accuracy}");
 }
@@ -74,7 +82,10 @@ fn a_bus_seen_from_the_front_is_found_in_the_summary_on_the_console_and_in_the_r
     let behind_m = target["truth"]["y_m"].as_f64().unwrap() - target["estimate"]["y_m"].as_f64().unwrap();
     assert!(behind_m > 5.0, "its front is found: {target}");
     let false_ones = items(&frame["false_objects"]).len();
-    assert_eq!((&metrics["found"], &metrics["missed"], &metrics["false"]), (&1.into(), &0.into(), &false_ones.into()));
+    assert_eq!(
+        (&metrics["found"], &metrics["missed"], &metrics["false"]),
+        (&1.into(), &0.into(), &false_ones.into())
+    );
     assert!(told.contains(&format!("1 of 1 targets found, 0 missed, {false_ones} false")), "{told}");
     assert!(metrics["localisation_rms_m"].as_f64().unwrap() < 1.0, "from its outline: {metrics}");
 }
@@ -110,7 +121,8 @@ fn plate(place: &Workplace, heading: &str, id: &str, at_m: [f64; 3], normal: [f6
     )
 }
 
-/// Two plates turned so that a wave runs from the radar over both and back, and a third, no target, that faces the radar.
+/// Two plates turned so that a wave runs from the radar over both and back, and a third, no target, that
+/// faces the radar.
 fn street(place: &Workplace, array: &str) -> String {
     let [left, right, facing] = [[-6.0, 40.0, 2.0], [6.0, 40.0, 2.0], [2.0, 25.0, 6.0]];
     let over = |own: [f64; 3], other: [f64; 3]| {
@@ -134,12 +146,19 @@ fn false_objects_are_told_with_the_bodies_and_bounces_that_made_them() {
     let objects = items(&summary["frames"][0]["false_objects"]);
     let of = |cause: &str| objects.iter().find(|object| object["cause"] == cause).unwrap_or(&Value::Null);
     let ghost = of("ghost");
-    assert_eq!((&ghost["bodies"], &ghost["bounces"]), (&serde_json::json!(["left", "right"]), &2.into()), "{told}");
+    assert_eq!(
+        (&ghost["bodies"], &ghost["bounces"]),
+        (&serde_json::json!(["left", "right"]), &2.into()),
+        "{told}"
+    );
     // Half the way radar, left, right, radar: √(6² + 40² + 4²) + 6 m.
     assert!((ghost["range_m"].as_f64().unwrap() - 46.64).abs() < 0.24, "{ghost}");
     assert!(ghost["ghost_share"].as_f64().unwrap() > 0.9, "{ghost}");
     assert_eq!(of("clutter")["bodies"], serde_json::json!(["sign-1"]), "{told}");
-    assert!(told.contains("ghost by left and right, 2 bounces") && told.contains("clutter: sign-1"), "{told}");
+    assert!(
+        told.contains("ghost by left and right, 2 bounces") && told.contains("clutter: sign-1"),
+        "{told}"
+    );
     assert_eq!(summary["metrics"]["objects"]["false"], objects.len());
 }
 

@@ -1,6 +1,9 @@
-//! Recorded traffic through the chain: a queue in which vehicles hide others, and the same bytes however many frames are
-//! computed side by side.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+//! Recorded traffic through the chain: a queue in which vehicles hide others, and the same bytes however many
+//! frames are computed side by side.
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
 
 use crate::common::Workplace;
 use std::collections::BTreeMap;
@@ -22,7 +25,8 @@ fn recording(vehicles: &[(&str, &str, f64, f64)], speed_mps: f64, steps: u32) ->
         let time_s = f64::from(step) * 0.1;
         let _ = writeln!(text, "<timestep time=\"{time_s:.2}\">");
         for (id, kind, x, y) in vehicles {
-            let (y, rest) = (y - speed_mps * time_s, format!("angle=\"180\" type=\"{kind}\" speed=\"{speed_mps}\""));
+            let (y, rest) =
+                (y - speed_mps * time_s, format!("angle=\"180\" type=\"{kind}\" speed=\"{speed_mps}\""));
             let _ = writeln!(text, "<vehicle id=\"{id}\" x=\"{x}\" y=\"{y:.3}\" {rest}/>");
         }
         text += "</timestep>\n";
@@ -53,15 +57,16 @@ fn power_of_vehicles(place: &Workplace, name: &str) -> BTreeMap<String, f64> {
     powers
 }
 
-/// Three lanes at 60 m, the radar 6 m up. A line of sight over the rear edge of a bus (3.0 m high, 12 m long, its front at 60 m)
-/// falls by (6 − 3)/72 m a metre: 2 m behind it, it is 2.9 m high and 7 m behind 2.7 m: a car of 1.5 m behind it in the lane
-/// before the radar is in its shadow wholly. One behind a car is seen over its roof, and the foremost are untouched by
-/// those behind.
+/// Three lanes at 60 m, the radar 6 m up. A line of sight over the rear edge of a bus (3.0 m high, 12 m long,
+/// its front at 60 m) falls by (6 − 3)/72 m a metre: 2 m behind it, it is 2.9 m high and 7 m behind 2.7 m: a
+/// car of 1.5 m behind it in the lane before the radar is in its shadow wholly. One behind a car is seen over
+/// its roof, and the foremost are untouched by those behind.
 #[test]
 fn in_a_queue_of_three_lanes_a_bus_hides_the_car_behind_it_and_a_car_only_a_part() {
     let place = Workplace::new();
     let front = [("bus-1", "bus", 2.0, 60.0), ("car-1", "car", 5.75, 60.0), ("truck-1", "truck", 9.5, 60.0)];
-    let behind = [("car-2", "car", 2.0, 74.0), ("car-3", "car", 5.75, 67.0), ("moto-1", "motorcycle", 9.7, 70.5)];
+    let behind =
+        [("car-2", "car", 2.0, 74.0), ("car-3", "car", 5.75, 67.0), ("moto-1", "motorcycle", 9.7, 70.5)];
     let queue: Vec<_> = front.iter().chain(&behind).copied().collect();
     write(&place, "queue", &recording(&queue, 0.0, 1));
     write(&place, "front", &recording(&front, 0.0, 1));
@@ -75,7 +80,8 @@ fn in_a_queue_of_three_lanes_a_bus_hides_the_car_behind_it_and_a_car_only_a_part
     assert_eq!(of(&queue, "car-2"), 0.0, "in the bus's shadow");
     assert!(of(&behind, "car-2") > 0.0, "it is seen without the bus");
     let partly = of(&queue, "car-3") / of(&behind, "car-3");
-    // Σ |a|² knows the cells that a frame was cut into, not only what is lit: a tenth of it, as below, is no shadow yet.
+    // Σ |a|² knows the cells that a frame was cut into, not only what is lit: a tenth of it, as below, is no
+    // shadow yet.
     assert!(partly > 0.0 && partly < 0.9, "a part of it is hidden, and not all: {partly}");
     for id in ["bus-1", "truck-1"] {
         // Each tells its cells apart at −10 dB: what the same paths' sum may differ by.
@@ -93,7 +99,11 @@ fn frames_side_by_side_have_the_bytes_of_frames_one_by_one() {
         place.run(&format!("run drive.toml --out t{threads} --threads {threads} --no-cache --quiet"));
     }
     for artifact in ["scene.scene", "frames.paths", "frames.cube", "frames.rdm", "frames.points"] {
-        assert_eq!(place.bytes(&format!("t1/{artifact}")), place.bytes(&format!("t3/{artifact}")), "{artifact}");
+        assert_eq!(
+            place.bytes(&format!("t1/{artifact}")),
+            place.bytes(&format!("t3/{artifact}")),
+            "{artifact}"
+        );
     }
     let summary = place.summary("t3/summary.json");
     assert_eq!(summary["frames"].as_array().unwrap().len(), 5);
@@ -101,8 +111,8 @@ fn frames_side_by_side_have_the_bytes_of_frames_one_by_one() {
     assert_eq!(ids.collect::<Vec<_>>(), ["a", "b"]);
 }
 
-/// With `measured_every = 3`: frames between take over, and whatever was computed first, with a cache, without one, or one frame
-/// alone, they are the same.
+/// With `measured_every = 3`: frames between take over, and whatever was computed first, with a cache,
+/// without one, or one frame alone, they are the same.
 #[test]
 fn frames_between_measured_ones_tell_whose_error_they_have_and_have_the_same_bytes_in_any_order() {
     let place = Workplace::new();
@@ -124,10 +134,14 @@ fn frames_between_measured_ones_tell_whose_error_they_have_and_have_the_same_byt
     for (frame, measured_in) in frames.iter().zip(&measured_in) {
         assert_eq!(frame["error_db"]["freezing"], frames[*measured_in as usize]["error_db"]["freezing"]);
     }
-    assert_ne!(frames[0]["error_db"]["freezing"], frames[3]["error_db"]["freezing"], "each is measured itself");
+    assert_ne!(
+        frames[0]["error_db"]["freezing"], frames[3]["error_db"]["freezing"],
+        "each is measured itself"
+    );
 }
 
-/// Of two recordings one has more vehicles out of view and goes on for longer: frames that both have are found in the cache.
+/// Of two recordings one has more vehicles out of view and goes on for longer: frames that both have are
+/// found in the cache.
 #[test]
 fn a_longer_recording_leaves_the_frames_that_it_had_in_the_cache() {
     let place = Workplace::new();

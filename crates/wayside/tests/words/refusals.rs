@@ -1,4 +1,5 @@
-//! Bad inputs end with the file, the place and the rule, exit code 1 or 2; nothing panics, nothing is half-written.
+//! Bad inputs end with the file, the place and the rule, exit code 1 or 2; nothing panics, nothing is
+//! half-written.
 
 use crate::common::{SMALL_SCENE, Workplace};
 use std::process::Output;
@@ -154,7 +155,12 @@ fn an_artifact_of_another_kind_is_refused_by_name() {
     let place = Workplace::new();
     place.run("echo small.toml --out a.cube --quiet");
     refused(&place.try_run("export a.cube --to csv --out a.csv"), 1, &["`cube`", "npy"], "cube to csv");
-    refused(&place.try_run("echo small.toml --paths a.cube --out b.cube"), 1, &["`cube`", "`paths`"], "cube as paths");
+    refused(
+        &place.try_run("echo small.toml --paths a.cube --out b.cube"),
+        1,
+        &["`cube`", "`paths`"],
+        "cube as paths",
+    );
     refused(&place.try_run("classify a.cube a.cube"), 1, &["`cube`", "`model`"], "cube as model");
 }
 
@@ -179,8 +185,8 @@ fn an_array_of_another_shape_or_with_nan_is_refused() {
 fn what_a_reference_method_does_not_have_is_refused_not_ignored() {
     let place = Workplace::new();
     for option in ["--edges on", "--surface smooth"] {
-        let output =
-            place.try_run(&format!("rcs corner.obj --freq-ghz 77 --az-deg 0 --method po {option} --out s.npy"));
+        let output = place
+            .try_run(&format!("rcs corner.obj --freq-ghz 77 --az-deg 0 --method po {option} --out s.npy"));
         refused(&output, 1, &[option, "bart"], option);
     }
 }
@@ -197,7 +203,8 @@ fn a_full_disk_is_told_and_leaves_nothing() {
         .unwrap();
     // A limit of 8 KiB a file stands for a disk that is full: writes beyond it fail.
     refused(&output, 2, &["cannot write"], "limit of file size");
-    let left = std::fs::read_dir(place.path("a")).map_or(0, |d| d.flatten().filter(|e| e.path().is_file()).count());
+    let left =
+        std::fs::read_dir(place.path("a")).map_or(0, |d| d.flatten().filter(|e| e.path().is_file()).count());
     assert_eq!(left, 0);
 }
 
@@ -210,7 +217,13 @@ fn an_interrupt_ends_with_130_and_leaves_nothing_half_written() {
     while !place.path("cache/dsp").exists() {
         std::thread::sleep(std::time::Duration::from_millis(5));
     }
-    assert!(std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    assert!(
+        std::process::Command::new("kill")
+            .args(["-INT", &child.id().to_string()])
+            .status()
+            .unwrap()
+            .success()
+    );
     assert_eq!(child.wait().unwrap().code(), Some(130));
     let left = std::fs::read_dir(place.path("a")).unwrap().flatten().filter(|e| e.path().is_file()).count();
     assert_eq!(left, 0, "temporary files were left");

@@ -1,17 +1,24 @@
 //! Results that cannot be written to standard output are a failure; a reader that has gone away is none.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
 
 use crate::common::Workplace;
 use std::process::{Command, Output, Stdio};
 
-/// Runs with one stream going to a file that cannot grow: no file of the process may be longer than it is, 64 KiB.
+/// Runs with one stream going to a file that cannot grow: no file of the process may be longer than it is, 64
+/// KiB.
 fn on_full_file(place: &Workplace, words: &str, stream: &str) -> Output {
     std::fs::write(place.path("full"), vec![b'x'; 64 << 10]).unwrap();
     let script = format!("ulimit -f 64; trap '' XFSZ; exec \"$0\" {words} {stream}>>full");
-    let output =
-        Command::new("bash").args(["-c", &script, crate::common::PROGRAM]).current_dir(place.root()).output().unwrap();
+    let output = Command::new("bash")
+        .args(["-c", &script, crate::common::PROGRAM])
+        .current_dir(place.root())
+        .output()
+        .unwrap();
     assert_eq!(place.bytes("full").len(), 64 << 10);
     output
 }

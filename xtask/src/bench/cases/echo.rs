@@ -1,4 +1,5 @@
-//! The echo: the recurrence against its formulas, the sum by transforms against the direct sum and another program's transforms.
+//! The echo: the recurrence against its formulas, the sum by transforms against the direct sum and another
+//! program's transforms.
 
 use crate::bench::cases::timing::{FULL, Sizes, timed};
 use crate::bench::comparison::Comparison;
@@ -20,7 +21,8 @@ pub(super) fn all(sizes: Sizes) -> Result<Vec<Comparison>, Failure> {
     let radar = scene_of("")?.radar;
     let paths: Vec<Path> = (0..sizes.paths).map(point).collect();
     let centre_hz = radar.waveform.centre_frequency_hz();
-    let (cube, ours_s) = timed(|| Ok(fast_sum::cube(&radar, centre_hz, &paths, Accuracy::from_db(ACCURACY_DB))))?;
+    let (cube, ours_s) =
+        timed(|| Ok(fast_sum::cube(&radar, centre_hz, &paths, Accuracy::from_db(ACCURACY_DB))))?;
     let made = Made { radar: &radar, paths: &paths, cube: &cube, ours_s };
     Ok(vec![
         recurrence(&alone, if sizes == FULL { 20_000 } else { 500 })?,
@@ -73,8 +75,9 @@ impl Made<'_> {
         let (radar, chirps) = (self.radar, self.radar.waveform.chirps as usize);
         let sum = DirectSum::new(radar, radar.waveform.centre_frequency_hz(), self.paths);
         let rows = (0..radar.virtual_channels() * chirps).into_par_iter();
-        let (theirs, rival_s) =
-            timed(|| Ok(rows.flat_map_iter(|row| sum.row(row / chirps, row % chirps)).collect::<Vec<Complex64>>()))?;
+        let (theirs, rival_s) = timed(|| {
+            Ok(rows.flat_map_iter(|row| sum.row(row / chirps, row % chirps)).collect::<Vec<Complex64>>())
+        })?;
         Ok(Comparison {
             name: "echo, by transforms".into(),
             ours_s: self.ours_s,
@@ -84,7 +87,8 @@ impl Made<'_> {
         })
     }
 
-    /// The rival sums one tone a path, as it is in the frame's middle; what moves over the frame is left out, which the error shows.
+    /// The rival sums one tone a path, as it is in the frame's middle; what moves over the frame is left out,
+    /// which the error shows.
     fn against_finufft(&self) -> Result<Comparison, Failure> {
         let [chirps, samples] = [self.radar.waveform.chirps, self.radar.waveform.samples];
         let job = Job { name: "tones", input: self.tones() };
@@ -94,26 +98,34 @@ impl Made<'_> {
         Ok(Comparison {
             name: "echo, by transforms, beside tones that stand still".into(),
             ours_s: self.ours_s,
-            rival: answer.map(|answer| (format!("{}, type 1, single precision, 1e-3", answer.program), answer.seconds)),
+            rival: answer.map(|answer| {
+                (format!("{}, type 1, single precision, 1e-3", answer.program), answer.seconds)
+            }),
             error,
             work: self.work(),
         })
     }
 
-    /// Turns per chirp and per sample of each path on the first channel, rad in double precision; then strengths in the frame's
-    /// middle, by channel and path, in single precision.
+    /// Turns per chirp and per sample of each path on the first channel, rad in double precision; then
+    /// strengths in the frame's middle, by channel and path, in single precision.
     fn tones(&self) -> Vec<u8> {
         let [m, n] = [self.radar.waveform.chirps as usize / 2, self.radar.waveform.samples as usize / 2];
-        let turn = |path: &Path, to: [usize; 3]| (self.value(path, to) * self.value(path, [0, m, n]).conj()).arg();
-        let turns: Vec<[f64; 2]> =
-            self.paths.par_iter().map(|path| [turn(path, [0, m + 1, n]), turn(path, [0, m, n + 1])]).collect();
+        let turn =
+            |path: &Path, to: [usize; 3]| (self.value(path, to) * self.value(path, [0, m, n]).conj()).arg();
+        let turns: Vec<[f64; 2]> = self
+            .paths
+            .par_iter()
+            .map(|path| [turn(path, [0, m + 1, n]), turn(path, [0, m, n + 1])])
+            .collect();
         let channels = (0..self.radar.virtual_channels()).into_par_iter();
         let strengths: Vec<Complex64> = channels
             .flat_map_iter(|channel| self.paths.iter().map(move |path| self.value(path, [channel, m, n])))
             .collect();
-        let turns = (0..2).flat_map(|axis| turns.iter().map(move |turn| turn[axis].rem_euclid(TAU).to_le_bytes()));
+        let turns =
+            (0..2).flat_map(|axis| turns.iter().map(move |turn| turn[axis].rem_euclid(TAU).to_le_bytes()));
         let mut bytes: Vec<u8> = turns.flatten().collect();
-        let single = strengths.iter().flat_map(|z| [(z.re as f32).to_le_bytes(), (z.im as f32).to_le_bytes()]);
+        let single =
+            strengths.iter().flat_map(|z| [(z.re as f32).to_le_bytes(), (z.im as f32).to_le_bytes()]);
         bytes.extend(single.flatten());
         bytes
     }

@@ -15,8 +15,8 @@ use num_complex::{Complex32, Complex64};
 use rayon::prelude::*;
 use wayside::host::failure::Failure;
 
-/// Guard and training cells on each side, both ways: others know squares only. One alarm in a hundred cells, so that there is
-/// something to compare.
+/// Guard and training cells on each side, both ways: others know squares only. One alarm in a hundred cells,
+/// so that there is something to compare.
 const GUARD: u32 = 2;
 const TRAINING: u32 = 6;
 const FALSE_ALARM_RATE: f64 = 1e-2;
@@ -46,7 +46,8 @@ fn noise() -> Result<Noise, Failure> {
     let mut header = cube_header(&scene_of("[noise]\nnoise_figure_db = 12.0\n")?);
     (header.dsp.guard_cells, header.dsp.training_cells) = ([GUARD; 2], [TRAINING; 2]);
     header.dsp.false_alarm_rate = FALSE_ALARM_RATE;
-    let (centre_hz, accuracy) = (header.radar.waveform.centre_frequency_hz(), artifact::Accuracy::from_db(-60.0));
+    let (centre_hz, accuracy) =
+        (header.radar.waveform.centre_frequency_hz(), artifact::Accuracy::from_db(-60.0));
     let frame = fmcw_echo::synthesize(&header, 1, &nothing(), centre_hz, accuracy, &|_| ());
     let frame = frame.map_err(Failure::refused)?;
     let map = dsp::range_doppler(&header, &frame).map_err(Failure::refused)?;
@@ -76,13 +77,25 @@ impl Noise {
     }
 
     fn detectors(&self, sizes: Sizes) -> Result<Vec<Comparison>, Failure> {
-        let mut list =
-            self.detector(sizes, Detector::CaCfar, "CA-CFAR", "ca-cfar", &[Language::Python("scipy"), MMWCORE])?;
-        list.extend(self.detector(sizes, Detector::OsCfar, "OS-CFAR", "os-cfar", &[Language::Python("scipy")])?);
+        let mut list = self.detector(
+            sizes,
+            Detector::CaCfar,
+            "CA-CFAR",
+            "ca-cfar",
+            &[Language::Python("scipy"), MMWCORE],
+        )?;
+        list.extend(self.detector(
+            sizes,
+            Detector::OsCfar,
+            "OS-CFAR",
+            "os-cfar",
+            &[Language::Python("scipy")],
+        )?);
         Ok(list)
     }
 
-    /// The rival is given the factor of our middle cell; it knows neither edges nor what windows do to training cells near them.
+    /// The rival is given the factor of our middle cell; it knows neither edges nor what windows do to
+    /// training cells near them.
     fn detector(
         &self,
         sizes: Sizes,
@@ -98,7 +111,8 @@ impl Noise {
         let (mask, ours_s) = quickest(sizes, || Ok(cfar.mask(&power, 0.0)))?;
         let [_, chirps, samples] = header.shape();
         let factor = cfar.factor([chirps / 2, samples / 2]);
-        let input = factor.to_le_bytes().into_iter().chain(power.iter().flat_map(|p| p.to_le_bytes())).collect();
+        let input =
+            factor.to_le_bytes().into_iter().chain(power.iter().flat_map(|p| p.to_le_bytes())).collect();
         // Of masks, 1 where there is an alarm: the root of what differs over what there is.
         let error = |answer: &Answer| {
             let alarms = |of: &dyn Fn(usize) -> bool| (0..mask.len()).filter(|cell| of(*cell)).count() as f64;
@@ -120,16 +134,24 @@ impl Noise {
         let right = |i: usize| array.fft_direction(&snapshot(i), RANGE_M).right;
         let (ours, ours_s) = quickest(sizes, || Ok(cells.clone().map(right).collect::<Vec<f64>>()))?;
         let job = Job { name: "angles", input: single(&self.map.values) };
-        // Cells that hear nothing but noise have two beams alike now and then: told is the share of cells that differ by more than a
-        // cell of the transform.
+        // Cells that hear nothing but noise have two beams alike now and then: told is the share of cells
+        // that differ by more than a cell of the transform.
         let error = |answer: &Answer| {
             let apart = |(a, b): (&f64, f64)| {
                 let turn = (a - b).rem_euclid(2.0);
                 turn.min(2.0 - turn) > 1.0 / self.header.shape()[0] as f64
             };
-            (ours.iter().zip(answer.numbers()).filter(|pair| apart(*pair)).count() as f64 / CELLS as f64).sqrt()
+            (ours.iter().zip(answer.numbers()).filter(|pair| apart(*pair)).count() as f64 / CELLS as f64)
+                .sqrt()
         };
-        self.beside("angle FFT of 1000 cells", ours_s, &job, sizes, &[Language::Python("numpy"), MMWCORE], &error)
+        self.beside(
+            "angle FFT of 1000 cells",
+            ours_s,
+            &job,
+            sizes,
+            &[Language::Python("numpy"), MMWCORE],
+            &error,
+        )
     }
 
     fn beside(

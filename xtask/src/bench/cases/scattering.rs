@@ -20,7 +20,8 @@ const ELEVATION_RAD: f64 = 0.15;
 
 pub(super) fn all(sizes: Sizes) -> Result<Vec<Comparison>, Failure> {
     let model = if sizes == FULL { "car-suv" } else { "motorcycle-street" };
-    let mesh = scene::vehicles::mesh(model, 0).ok_or_else(|| Failure::refused(format!("`{model}` is missing")))?;
+    let mesh =
+        scene::vehicles::mesh(model, 0).ok_or_else(|| Failure::refused(format!("`{model}` is missing")))?;
     let case = Case { model, mesh: &mesh, density: sizes.per_wavelength, frequency_hz: sizes.frequency_hz };
     Ok(vec![case.against_po()?, case.against_sbr()?, case.against_embree()?])
 }
@@ -44,7 +45,11 @@ fn traced(case: &Case<'_>, bounces: u8, nodes: NodeRule) -> Result<RcsResult, Fa
 }
 
 fn aspect() -> Aspect {
-    Aspect::monostatic(Standpoint { azimuth_rad: AZIMUTH_RAD, elevation_rad: ELEVATION_RAD, range_m: RANGE_M })
+    Aspect::monostatic(Standpoint {
+        azimuth_rad: AZIMUTH_RAD,
+        elevation_rad: ELEVATION_RAD,
+        range_m: RANGE_M,
+    })
 }
 
 /// A body, and how finely and at which frequency others sample it.
@@ -93,18 +98,25 @@ impl Case<'_> {
             ours_s,
             rival: Ok((format!("sbr, {density} rays per wavelength"), rival_s)),
             error: Some(difference(ours.amplitude_m[0], sum)),
-            work: format!("{} triangles, one aspect, one frequency, {} rays", mesh.triangles.len(), rival.rays),
+            work: format!(
+                "{} triangles, one aspect, one frequency, {} rays",
+                mesh.triangles.len(),
+                rival.rays
+            ),
         })
     }
 
     /// First hits: the lit silhouette across one direction, exactly by beams, by rays at even steps else.
     fn against_embree(&self) -> Result<Comparison, Failure> {
         let Case { model, mesh, density, frequency_hz } = *self;
-        let towards = DVec3::new(AZIMUTH_RAD.cos(), AZIMUTH_RAD.sin(), ELEVATION_RAD.tan()).normalize_or_zero();
-        let settings = TraceSettings { max_order: 1, sides: Sides::Two, least_area_m2: 0.0, least_mirror_area_m2: 0.0 };
+        let towards =
+            DVec3::new(AZIMUTH_RAD.cos(), AZIMUTH_RAD.sin(), ELEVATION_RAD.tan()).normalize_or_zero();
+        let settings =
+            TraceSettings { max_order: 1, sides: Sides::Two, least_area_m2: 0.0, least_mirror_area_m2: 0.0 };
         let (ours_m2, ours_s) = timed(|| {
             let world = World::of_mesh(mesh).map_err(Failure::refused)?;
-            let tree = BeamTree::trace(&world, Antenna::Direction(towards), &settings).map_err(Failure::refused)?;
+            let tree =
+                BeamTree::trace(&world, Antenna::Direction(towards), &settings).map_err(Failure::refused)?;
             Ok(tree.audit.orders.first().map_or(0.0, |order| order.lit_section))
         })?;
         let step_m = artifact::units::SPEED_OF_LIGHT_MPS / frequency_hz / density;

@@ -27,7 +27,10 @@ pub(super) fn timed<T>(work: impl FnOnce() -> Result<T, Failure>) -> Result<(T, 
 }
 
 /// The quickest run of three at least, and what it gave.
-pub(super) fn quickest<T>(sizes: Sizes, mut work: impl FnMut() -> Result<T, Failure>) -> Result<(T, f64), Failure> {
+pub(super) fn quickest<T>(
+    sizes: Sizes,
+    mut work: impl FnMut() -> Result<T, Failure>,
+) -> Result<(T, f64), Failure> {
     let start = Instant::now();
     let (mut value, mut quickest_s) = timed(&mut work)?;
     let mut runs = 1;

@@ -1,4 +1,5 @@
-//! One run of the program as a process of its own: its processor time and its largest size are that run's alone.
+//! One run of the program as a process of its own: its processor time and its largest size are that run's
+//! alone.
 
 use artifact::Reader;
 use artifact::paths::{Paths, PathsFrame};
@@ -43,7 +44,9 @@ pub(super) fn run(scene: &Path, out: &Path, threads: Option<u16>) -> Result<Opti
     if !status.success() {
         return Err(Failure::refused(format!("{}: {status}", scene.display())));
     }
-    let Some(((before_s, after_s), peak_mib)) = before.zip(of_children()).zip(peak_mib) else { return Ok(None) };
+    let Some(((before_s, after_s), peak_mib)) = before.zip(of_children()).zip(peak_mib) else {
+        return Ok(None);
+    };
     Ok(Some(Taken { machine_speed, ..told(out, after_s - before_s, peak_mib)? }))
 }
 
@@ -83,8 +86,8 @@ impl Taken {
     }
 }
 
-/// The largest size that is seen until the process ends: the system keeps the maximum, so only what grows in the last
-/// hundredth of a second may be missed.
+/// The largest size that is seen until the process ends: the system keeps the maximum, so only what grows in
+/// the last hundredth of a second may be missed.
 fn watch(child: &mut Child) -> std::io::Result<Option<f64>> {
     let mut peak_mib = None;
     while child.try_wait()?.is_none() {

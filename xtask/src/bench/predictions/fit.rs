@@ -1,6 +1,7 @@
-//! The rates that tell some runs best: of the logarithms, so that a factor of two counts alike whether a run takes a tenth of a
-//! second or a minute; small errors by their squares and large ones by their size (Charbonnier's loss), so that no single run decides;
-//! and held to the rates that are, so that work which few scenes have keeps its own.
+//! The rates that tell some runs best: of the logarithms, so that a factor of two counts alike whether a run
+//! takes a tenth of a second or a minute; small errors by their squares and large ones by their size
+//! (Charbonnier's loss), so that no single run decides; and held to the rates that are, so that work which
+//! few scenes have keeps its own.
 
 use wayside::chain::expectation::work::{ITEMS, Work};
 

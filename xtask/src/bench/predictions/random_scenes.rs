@@ -1,4 +1,5 @@
-//! Scenes drawn from a seed: what a radar at a junction may be asked, from one car at rest to a queue under the mast.
+//! Scenes drawn from a seed: what a radar at a junction may be asked, from one car at rest to a queue under
+//! the mast.
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -46,7 +47,8 @@ pub(super) fn scene(seed: u64, number: u64, root: &Path) -> RandomScene {
 fn radar(draw: &mut Draw, text: &mut String) {
     let preset = draw.one_of(&["1x1", "1x1", "3x4", "3x4", "3x4", "3x4", "12x16"]);
     let chirps = draw.one_of(&[32, 64, 128, 128]);
-    let samples = if preset == "12x16" { draw.one_of(&[128, 256]) } else { draw.one_of(&[128, 256, 256, 512]) };
+    let samples =
+        if preset == "12x16" { draw.one_of(&[128, 256]) } else { draw.one_of(&[128, 256, 256, 512]) };
     let multiplexing = draw.one_of(&["simultaneous", "simultaneous", "tdm"]);
     // Twelve transmitters in turn take longer than from one frame to the next.
     let multiplexing = if preset == "12x16" { "simultaneous" } else { multiplexing };
@@ -63,12 +65,14 @@ fn radar(draw: &mut Draw, text: &mut String) {
 fn bodies(draw: &mut Draw, root: &Path, text: &mut String) {
     let count = draw.one_of(&[1, 1, 1, 1, 1, 2, 2, 2, 3, 4, 6]);
     // Many vehicles stand in few frames, and are asked for less.
-    let frames = if count < 3 { draw.one_of(&[1, 1, 1, 1, 1, 1, 2, 3, 5]) } else { draw.one_of(&[1, 1, 1, 2]) };
+    let frames =
+        if count < 3 { draw.one_of(&[1, 1, 1, 1, 1, 1, 2, 3, 5]) } else { draw.one_of(&[1, 1, 1, 2]) };
     let _ = writeln!(text, "frames = {frames}");
     radar(draw, text);
     let bounces = if count < 4 { draw.one_of(&[1, 1, 2, 3]) } else { draw.one_of(&[1, 1, 2]) };
     let finest_db = [-30.0, -24.0, -18.0][(count - 1).min(2)];
-    let accuracy_db = (10.0 * draw.between(finest_db, -10.0).max(draw.between(finest_db, -10.0))).round() / 10.0;
+    let accuracy_db =
+        (10.0 * draw.between(finest_db, -10.0).max(draw.between(finest_db, -10.0))).round() / 10.0;
     let measured_every = draw.one_of(&[1, 2, 5]);
     let _ = write!(
         text,
@@ -110,7 +114,8 @@ fn variants(draw: &mut Draw, root: &Path, text: &mut String) {
     }
 }
 
-/// In a lane, mostly 12 to 80 m away; now and then right under the mast. `lanes_m`: where each lane's first vehicle stands.
+/// In a lane, mostly 12 to 80 m away; now and then right under the mast. `lanes_m`: where each lane's first
+/// vehicle stands.
 fn vehicle(draw: &mut Draw, number: usize, lanes_m: &mut [f64; 3], text: &mut String) {
     let (model, class) = draw.one_of(&VEHICLES);
     let first_m = &mut lanes_m[number % 3];
@@ -139,7 +144,10 @@ fn clutter(draw: &mut Draw, text: &mut String) {
         "guard-rail" => format!("length_m = {:.1}\n", draw.between(2.0, 8.0)),
         _ => String::new(),
     };
-    let _ = write!(text, "[[clutter]]\nid = \"piece\"\nmodel = \"{kind}\"\nposition_m = [13.0, {y_m:.2}, 0.0]\n{size}");
+    let _ = write!(
+        text,
+        "[[clutter]]\nid = \"piece\"\nmodel = \"{kind}\"\nposition_m = [13.0, {y_m:.2}, 0.0]\n{size}"
+    );
 }
 
 /// Some tenths of a second of the project's own junction.
@@ -190,7 +198,8 @@ mod tests {
             let file = folder.path().join("random.toml");
             std::fs::write(&file, &drawn.text).unwrap();
             let options = ReadOptions { model: None, radar: None, meshes: Meshes::NamesOnly };
-            let read = scene::read(&file, &options).unwrap_or_else(|e| panic!("{}: {e}\n{}", drawn.name, drawn.text));
+            let read = scene::read(&file, &options)
+                .unwrap_or_else(|e| panic!("{}: {e}\n{}", drawn.name, drawn.text));
             assert_eq!(read.name, drawn.name);
         }
     }

@@ -31,7 +31,8 @@ pub(super) fn taken(file: &Path) -> Result<BTreeMap<String, Taken>, Failure> {
         Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(BTreeMap::new()),
         Err(e) => return Err(Failure::system(file, "read", e)),
     };
-    known(&text).ok_or_else(|| Failure::refused(format!("{}: it is no table of this command", file.display())))
+    known(&text)
+        .ok_or_else(|| Failure::refused(format!("{}: it is no table of this command", file.display())))
 }
 
 fn known(text: &str) -> Option<BTreeMap<String, Taken>> {

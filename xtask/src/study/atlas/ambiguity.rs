@@ -14,7 +14,10 @@ const PLACE_M: [f64; 3] = [5.75, 40.0, 1.0];
 fn strongest(header: &SceneHeader) -> Result<Object, Failure> {
     let mut objects = seen(header)?.points.objects;
     objects.sort_by(|a, b| b.snr_db.total_cmp(&a.snr_db));
-    objects.into_iter().next().ok_or_else(|| Failure::Refused("atlas: a lone strong point was not detected".into()))
+    objects
+        .into_iter()
+        .next()
+        .ok_or_else(|| Failure::Refused("atlas: a lone strong point was not detected".into()))
 }
 
 fn unless_resolved(object: &Object) -> Says {
@@ -49,7 +52,8 @@ pub(super) fn velocity(_: Extent) -> Result<Vec<Row>, Failure> {
 
 /// 256 samples at 5.12 MHz: a beat of f_s is 61.4 m away.
 pub(super) fn range(_: Extent) -> Result<Vec<Row>, Failure> {
-    let trial = Trial { stage: "dsp", method: "map", case: "range against R_max 61.4 m", parameter: "range_m" };
+    let trial =
+        Trial { stage: "dsp", method: "map", case: "range against R_max 61.4 m", parameter: "range_m" };
     let says = Says::Words("summary: range_max_m below the truth's range, estimate null");
     let row = |range_m: f64| {
         let header = scene_of(&format!("{NOISE}[radar.array]\npreset = \"1x4\"\n"))?;
@@ -63,7 +67,8 @@ pub(super) fn range(_: Extent) -> Result<Vec<Row>, Failure> {
     [50.0, 60.0, 70.0].into_iter().map(row).collect()
 }
 
-/// Three transmitters share the velocity span with `tdm`, and keep it with `ddm`; a wrong fold is a wrong angle.
+/// Three transmitters share the velocity span with `tdm`, and keep it with `ddm`; a wrong fold is a wrong
+/// angle.
 pub(super) fn transmitters_in_turn(_: Extent) -> Result<Vec<Row>, Failure> {
     let trial = Trial {
         stage: "dsp",

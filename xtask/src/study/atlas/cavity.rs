@@ -15,7 +15,8 @@ const ORDERS: [u8; 5] = [1, 2, 3, 4, 5];
 
 /// Against rays that bounce eight times, 30 along a wavelength.
 pub(super) fn open_box(_: Extent) -> Result<Vec<Row>, Failure> {
-    let trial = Trial { stage: "bart-rcs", method: "bart", case: "box without a front", parameter: "bounces" };
+    let trial =
+        Trial { stage: "bart-rcs", method: "bart", case: "box without a front", parameter: "bounces" };
     let body = bodies::cube(0.06, &Face::ALL[1..]);
     let all = by_rays(&body)?;
     let row = |bounces: u8| {
@@ -30,7 +31,8 @@ pub(super) fn open_box(_: Extent) -> Result<Vec<Row>, Failure> {
 }
 
 fn by_rays(body: &artifact::scene::Mesh) -> Result<Complex64, Failure> {
-    let shooting = sbr::Shooting { per_wavelength: 30.0, bounces: 8, sides: Sides::Two, bracket: Bracket::Symmetrised };
+    let shooting =
+        sbr::Shooting { per_wavelength: 30.0, bounces: 8, sides: Sides::Two, bracket: Bracket::Symmetrised };
     let aspect = looks::aspect(&looks::first_order(25.0, 15.0));
     let found = sbr::amplitude(body, &aspect, &[looks::FREQUENCY_HZ], &shooting).map_err(Failure::refused)?;
     Ok(found.orders.iter().map(|order| order[0][0][0]).sum())

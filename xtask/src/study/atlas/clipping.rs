@@ -12,9 +12,16 @@ use num_complex::Complex64;
 use wayside::host::failure::Failure;
 
 /// A row where two meshes must answer alike, the second turned in phase by `turn`.
-fn alike(trial: Trial, value: &str, meshes: [&Mesh; 2], request: &RcsRequest, turn: Complex64) -> Result<Row, Failure> {
+fn alike(
+    trial: Trial,
+    value: &str,
+    meshes: [&Mesh; 2],
+    request: &RcsRequest,
+    turn: Complex64,
+) -> Result<Row, Failure> {
     let found = looks::traced(meshes[0], request)?;
-    let expected: Vec<Complex64> = looks::traced(meshes[1], request)?.amplitude_m.iter().map(|s| s * turn).collect();
+    let expected: Vec<Complex64> =
+        looks::traced(meshes[1], request)?.amplitude_m.iter().map(|s| s * turn).collect();
     Ok(trial.answered(
         value,
         looks::relative_error(&found.amplitude_m, &expected),
@@ -24,16 +31,27 @@ fn alike(trial: Trial, value: &str, meshes: [&Mesh; 2], request: &RcsRequest, tu
 
 /// Of coincident facets one is lit.
 pub(super) fn doubled(_: Extent) -> Result<Vec<Row>, Failure> {
-    let trial = Trial { stage: "bart-rcs", method: "bart", case: "every triangle there twice", parameter: "body" };
+    let trial =
+        Trial { stage: "bart-rcs", method: "bart", case: "every triangle there twice", parameter: "body" };
     let hat = bodies::top_hat(0.05, 0.02, 60, 0.3);
     let twice = bodies::joined(hat.clone(), &hat);
-    Ok(vec![alike(trial, "top hat, three bounces", [&twice, &hat], &looks::bounced(5.0, 30.0, 3), Complex64::ONE)?])
+    Ok(vec![alike(
+        trial,
+        "top hat, three bounces",
+        [&twice, &hat],
+        &looks::bounced(5.0, 30.0, 3),
+        Complex64::ONE,
+    )?])
 }
 
 /// Lengths are kept relative to the body.
 pub(super) fn far_from_the_origin(_: Extent) -> Result<Vec<Row>, Failure> {
-    let trial =
-        Trial { stage: "bart-rcs", method: "bart", case: "mesh a kilometre from its origin", parameter: "body" };
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "bart",
+        case: "mesh a kilometre from its origin",
+        parameter: "body",
+    };
     let hat = bodies::top_hat(0.05, 0.02, 60, 0.3);
     let away = bodies::shifted(hat.clone(), [1000.0, 0.0, 0.0]);
     let (azimuth_deg, elevation_deg) = (5.0_f64, 30.0_f64);
@@ -50,8 +68,12 @@ pub(super) fn far_from_the_origin(_: Extent) -> Result<Vec<Row>, Failure> {
 
 /// Strips of a micrometre beside whole ones, and edges that meet no vertex.
 pub(super) fn needles(_: Extent) -> Result<Vec<Row>, Failure> {
-    let trial =
-        Trial { stage: "bart-rcs", method: "bart", case: "plate of needles and T-junctions", parameter: "mesh" };
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "bart",
+        case: "plate of needles and T-junctions",
+        parameter: "mesh",
+    };
     let needles = bodies::plate_in_strips(0.3, &[0.0, 0.3, 0.300_001, 0.300_002, 0.6, 0.600_000_01, 1.0]);
     let row = |(name, body): (&str, Mesh)| {
         let found = looks::traced(&body, &looks::first_order(3.0, 0.0))?;
@@ -62,7 +84,10 @@ pub(super) fn needles(_: Extent) -> Result<Vec<Row>, Failure> {
             crate::study::atlas::integration::printed(&found),
         ))
     };
-    [("slivers of 0.3 µm and 3 nm", needles), ("T-junctions", with_t_junctions())].into_iter().map(row).collect()
+    [("slivers of 0.3 µm and 3 nm", needles), ("T-junctions", with_t_junctions())]
+        .into_iter()
+        .map(row)
+        .collect()
 }
 
 /// The left half of a plate as two triangles, the right half as six strips.
@@ -102,7 +127,10 @@ pub(super) fn flipped(_: Extent) -> Result<Vec<Row>, Failure> {
         case: "a tenth of the facets wound wrongly, open rim",
         parameter: "sides",
     };
-    let tube = bodies::joined(bodies::tube(0.1, 0.1, 120, 0.0), &bodies::shifted(bodies::plate(0.2), [-0.3, 0.0, 0.0]));
+    let tube = bodies::joined(
+        bodies::tube(0.1, 0.1, 120, 0.0),
+        &bodies::shifted(bodies::plate(0.2), [-0.3, 0.0, 0.0]),
+    );
     let mut wrong = tube.clone();
     wrong.triangles.iter_mut().step_by(10).for_each(|t| t.swap(1, 2));
     Ok(vec![alike(trial, "two", [&wrong, &tube], &looks::bounced(5.0, 20.0, 3), Complex64::ONE)?])

@@ -24,7 +24,13 @@ pub(super) fn right_angles(_: Extent) -> Result<Vec<Row>, Failure> {
     Ok(vec![
         order_alone("dihedral, azimuth 0", &bodies::dihedral(90.0), [0.0, 0.0], 2, dihedral)?,
         order_alone("dihedral, azimuth 20", &bodies::dihedral(90.0), [20.0, 0.0], 2, turned)?,
-        order_alone("square trihedral", &bodies::square_trihedral(0.1), [45.0, diagonal_deg], 3, trihedral(12.0))?,
+        order_alone(
+            "square trihedral",
+            &bodies::square_trihedral(0.1),
+            [45.0, diagonal_deg],
+            3,
+            trihedral(12.0),
+        )?,
         order_alone(
             "triangular trihedral",
             &bodies::triangular_trihedral(0.1),
@@ -44,7 +50,11 @@ fn order_alone(
 ) -> Result<Row, Failure> {
     let result = looks::traced(body, &looks::bounced(azimuth_deg, elevation_deg, order))?;
     let found = result.by_order_m[usize::from(order) - 1][0].norm();
-    Ok(TRIAL.answered(name, looks::level_error(found, level), crate::study::atlas::integration::printed(&result)))
+    Ok(TRIAL.answered(
+        name,
+        looks::level_error(found, level),
+        crate::study::atlas::integration::printed(&result),
+    ))
 }
 
 /// Off 90° the node decides; neither is exact, and the spread is printed.
@@ -64,5 +74,8 @@ pub(super) fn other_angles(_: Extent) -> Result<Vec<Row>, Failure> {
         let says = middle.model_error.nodes.map_or(Says::Nothing, Says::About);
         Ok(trial.answered(format!("{angle_deg}, {azimuth_deg}"), error, says))
     };
-    [(90.0, 0.0), (88.0, 0.0), (88.0, 7.0), (95.0, 0.0), (95.0, 7.0), (100.0, 10.0)].into_iter().map(row).collect()
+    [(90.0, 0.0), (88.0, 0.0), (88.0, 7.0), (95.0, 0.0), (95.0, 7.0), (100.0, 10.0)]
+        .into_iter()
+        .map(row)
+        .collect()
 }

@@ -38,7 +38,8 @@ pub(super) fn facets_of_a_cylinder(_: Extent) -> Result<Vec<Row>, Failure> {
 fn worst_turn(sides: u32, radius_m: f64, height_m: f64, exact: Complex64) -> Result<f64, Failure> {
     let mut worst = 0.0_f64;
     for turn in [0.0, 0.2, 0.4, 0.6, 0.8] {
-        let tube = bodies::shifted(bodies::tube(radius_m, height_m, sides, turn), [0.0, 0.0, -0.5 * height_m]);
+        let tube =
+            bodies::shifted(bodies::tube(radius_m, height_m, sides, turn), [0.0, 0.0, -0.5 * height_m]);
         let result = looks::traced(&tube, &looks::first_order(0.0, 0.0))?;
         worst = worst.max(looks::relative_error(&result.amplitude_m, &[exact]));
     }
@@ -47,8 +48,12 @@ fn worst_turn(sides: u32, radius_m: f64, height_m: f64, exact: Complex64) -> Res
 
 /// What physical optics leaves out of small spheres: penumbra and creeping waves.
 pub(super) fn spheres_against_mie(extent: Extent) -> Result<Vec<Row>, Failure> {
-    let trial =
-        Trial { stage: "bart-rcs", method: "bart", case: "level of spheres against Mie's series", parameter: "ka" };
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "bart",
+        case: "level of spheres against Mie's series",
+        parameter: "ka",
+    };
     let says = Says::Words("model_error_db.edges is null: diffraction is left out");
     let row = |radius_m: f64| {
         let cells = (0.5 * PI * radius_m / (0.12 * (radius_m * looks::WAVELENGTH_M).sqrt())).ceil() as u32;
@@ -63,12 +68,15 @@ pub(super) fn spheres_against_mie(extent: Extent) -> Result<Vec<Row>, Failure> {
     radii_m.iter().copied().map(row).collect()
 }
 
-/// A cylinder on a floor, elevation 30°: 8πρh²cos(el)/λ; a node on the floor loses the divergence of the wall (D3).
+/// A cylinder on a floor, elevation 30°: 8πρh²cos(el)/λ; a node on the floor loses the divergence of the wall
+/// (D3).
 pub(super) fn top_hat(_: Extent) -> Result<Vec<Row>, Failure> {
-    let trial = Trial { stage: "bart-rcs", method: "bart", case: "top hat, order 2 alone", parameter: "nodes" };
+    let trial =
+        Trial { stage: "bart-rcs", method: "bart", case: "top hat, order 2 alone", parameter: "nodes" };
     let (radius_m, height_m) = (0.5, 0.1);
     let elevation_deg = 30.0_f64;
-    let level = (8.0 * PI * radius_m * elevation_deg.to_radians().cos() / looks::WAVELENGTH_M).sqrt() * height_m;
+    let level =
+        (8.0 * PI * radius_m * elevation_deg.to_radians().cos() / looks::WAVELENGTH_M).sqrt() * height_m;
     let hat = bodies::top_hat(radius_m, height_m, 594, 1.6);
     let row = |(name, nodes): (&str, NodeRule)| {
         let request = RcsRequest { nodes, ..looks::bounced(5.0, elevation_deg, 2) };

@@ -23,8 +23,12 @@ const RIM: usize = 10;
 
 /// Noise alone, by zone. Counting alone leaves 2 % in the interior and 5 % at an edge of 2·10⁵ cells.
 fn false_alarms(extent: Extent, name: &str, window: Window) -> Result<Vec<Row>, Failure> {
-    let trial =
-        Trial { stage: "dsp", method: "ca-cfar", case: "false alarms by zone, asked 1e-2", parameter: "window, zone" };
+    let trial = Trial {
+        stage: "dsp",
+        method: "ca-cfar",
+        case: "false alarms by zone, asked 1e-2",
+        parameter: "window, zone",
+    };
     let says = match window {
         Window::Rect => Says::Nothing,
         _ => Says::Words("docs/physics.md §8: tapered cells are correlated, 0.8 to 1.3 of the rate asked"),
@@ -37,7 +41,8 @@ fn false_alarms(extent: Extent, name: &str, window: Window) -> Result<Vec<Row>, 
         Extent::Full => 120,
     };
     let [edge, interior] = counted(&header, frames)?;
-    let row = |zone: &str, rate: f64| trial.answered(format!("{name}, {zone}"), (rate / ASKED - 1.0).abs(), says);
+    let row =
+        |zone: &str, rate: f64| trial.answered(format!("{name}, {zone}"), (rate / ASKED - 1.0).abs(), says);
     Ok(vec![row("edge", edge), row("interior", interior)])
 }
 
@@ -72,8 +77,9 @@ fn noise_map(header: &SceneHeader, seed: u64) -> Result<Vec<u8>, Failure> {
     Ok(dsp::range_doppler(&cube_header, &cube).map_err(Failure::refused)?.mask)
 }
 
-/// Two equal points three range cells apart: both must be points of the cloud. An error is the further one's distance
-/// to the nearest point, over the three cells. The stronger one stands in the noise estimate of the weaker.
+/// Two equal points three range cells apart: both must be points of the cloud. An error is the further one's
+/// distance to the nearest point, over the three cells. The stronger one stands in the noise estimate of the
+/// weaker.
 fn neighbours() -> Result<Vec<Row>, Failure> {
     let trial = Trial {
         stage: "dsp",
@@ -88,13 +94,15 @@ fn neighbours() -> Result<Vec<Row>, Failure> {
         let header = with_point(header, 1.0, [0.0, 40.0, 6.0], [0.0; 3]);
         let header = with_point(header, 10_f64.powf(-0.1 * below_db), [0.0, 40.0 + gap_m, 6.0], [0.0; 3]);
         let points = seen(&header)?.points.points;
-        let away = |range_m: f64| points.iter().map(|p| (p.range_m - range_m).abs()).fold(f64::INFINITY, f64::min);
+        let away =
+            |range_m: f64| points.iter().map(|p| (p.range_m - range_m).abs()).fold(f64::INFINITY, f64::min);
         Ok(trial.answered(below_db, away(40.0).max(away(40.0 + gap_m)) / gap_m, says))
     };
     [0.0, 15.0].into_iter().map(row).collect()
 }
 
-/// Without noise the floor is 60 dB below the peak: what is weaker is not seen, and the map says which floor it took.
+/// Without noise the floor is 60 dB below the peak: what is weaker is not seen, and the map says which floor
+/// it took.
 fn without_noise() -> Result<Vec<Row>, Failure> {
     let trial = Trial {
         stage: "dsp",

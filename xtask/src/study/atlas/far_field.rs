@@ -1,4 +1,5 @@
-//! A plate of 1.5 m at the ranges of a road, 2D²/λ = 1.2 km: a far-field table against paths of spherical waves.
+//! A plate of 1.5 m at the ranges of a road, 2D²/λ = 1.2 km: a far-field table against paths of spherical
+//! waves.
 
 use crate::study::atlas::verdict::Trial;
 use crate::study::atlas::{Row, Says};
@@ -18,8 +19,9 @@ const RANGES_M: [f64; 4] = [10.0, 25.0, 40.0, 100.0];
 
 /// A plate square to the radar and as high as it; the sweep is centred on the frequency of the closed forms.
 fn scene_at(range_m: f64) -> Result<SceneHeader, Failure> {
-    let header =
-        scene_of("[radar.waveform]\nstart_frequency_ghz = 76.6875\nchirps = 32\n[radar.array]\npreset = \"1x1\"\n")?;
+    let header = scene_of(
+        "[radar.waveform]\nstart_frequency_ghz = 76.6875\nchirps = 32\n[radar.array]\npreset = \"1x1\"\n",
+    )?;
     Ok(with_body(header, &bodies::plate(SIDE_M), [0.0, range_m, 6.0], [0.0; 3]))
 }
 
@@ -45,7 +47,8 @@ pub(super) fn table_over_range(_: Extent) -> Result<Vec<Row>, Failure> {
 
 /// What takes the table's place.
 pub(super) fn paths_over_range(_: Extent) -> Result<Vec<Row>, Failure> {
-    let trial = Trial { stage: "bart-rcs", method: "paths", case: "paths of the same plate", parameter: "range_m" };
+    let trial =
+        Trial { stage: "bart-rcs", method: "paths", case: "paths of the same plate", parameter: "range_m" };
     let row = |range_m: f64| {
         let header = scene_at(range_m)?;
         let frame = paths_of(&header)?;

@@ -89,9 +89,13 @@ pub(super) fn single_precision(_: Extent) -> Result<Vec<Row>, Failure> {
         let header = with_point(header, 1.0, [0.0, range_m, 6.0], [0.0, -10.0, 0.0]);
         let paths = paths_of(&header)?;
         let cube = cube_of(&header, &paths)?;
-        let exact =
-            fmcw_echo::reference::cube(&header.radar, header.radar.waveform.centre_frequency_hz(), &paths.paths);
-        let found: Vec<Complex64> = cube.samples.iter().map(|z| Complex64::new(z.re.into(), z.im.into())).collect();
+        let exact = fmcw_echo::reference::cube(
+            &header.radar,
+            header.radar.waveform.centre_frequency_hz(),
+            &paths.paths,
+        );
+        let found: Vec<Complex64> =
+            cube.samples.iter().map(|z| Complex64::new(z.re.into(), z.im.into())).collect();
         let says = cube.error.synthesis.map_or(Says::Nothing, Says::AtMost);
         Ok(trial.answered(range_m, looks::relative_error(&found, &exact), says))
     };

@@ -26,12 +26,17 @@ pub(super) fn small_phases(_: Extent) -> Result<Vec<Row>, Failure> {
     let row = |azimuth_deg: f64| {
         let result = looks::traced(&plate, &looks::first_order(azimuth_deg, 0.0))?;
         let exact = closed_forms::plate_far(0.3, azimuth_deg.to_radians());
-        Ok(trial.answered(azimuth_deg, looks::relative_error(&result.amplitude_m, &[exact]), printed(&result)))
+        Ok(trial.answered(
+            azimuth_deg,
+            looks::relative_error(&result.amplitude_m, &[exact]),
+            printed(&result),
+        ))
     };
     [0.0, 1e-9, 1e-6, 1e-4, 1e-2, 1.0].into_iter().map(row).collect()
 }
 
-/// A plate of 1.2 m from 25 m is cut until its phases are straight; off the specular the pieces all but cancel.
+/// A plate of 1.2 m from 25 m is cut until its phases are straight; off the specular the pieces all but
+/// cancel.
 pub(super) fn off_specular(_: Extent) -> Result<Vec<Row>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
@@ -48,7 +53,11 @@ pub(super) fn off_specular(_: Extent) -> Result<Vec<Row>, Failure> {
         };
         let result = looks::traced(&plate, &request)?;
         let exact = closed_forms::plate_near(1.2, 25.0, azimuth_deg.to_radians());
-        Ok(trial.answered(azimuth_deg, looks::relative_error(&result.amplitude_m, &[exact]), printed(&result)))
+        Ok(trial.answered(
+            azimuth_deg,
+            looks::relative_error(&result.amplitude_m, &[exact]),
+            printed(&result),
+        ))
     };
     [0.0, 2.0, 20.0].into_iter().map(row).collect()
 }

@@ -18,7 +18,8 @@ const SPAN_DB: [f64; 2] = [-120.0, 45.0];
 /// A line for each case, a mark for each row: its error and its verdict.
 pub(in crate::study) fn picture(table: &Table) -> Svg {
     let rows: Vec<RowOf> = table.rows().collect();
-    let is_one = |a: &RowOf, b: &RowOf| (a.word("case"), a.word("method")) == (b.word("case"), b.word("method"));
+    let is_one =
+        |a: &RowOf, b: &RowOf| (a.word("case"), a.word("method")) == (b.word("case"), b.word("method"));
     let cases: Vec<&[RowOf]> = rows.chunk_by(is_one).collect();
     let bottom = TOP_PX + LINE_PX * cases.len() as f64;
     let mut sheet = Svg::new("Atlas: error and verdict of every case, method by method", 1000.0, 0.0);
@@ -80,9 +81,15 @@ fn scale(sheet: &mut Svg, bottom: f64) {
 
 fn draw_case(sheet: &mut Svg, y: f64, rows: &[RowOf]) {
     let Some(first) = rows.first() else { return };
-    sheet.words([LEFT_PX - 14.0, y + 4.0], "end", &format!("{} · {}", first.word("method"), first.word("case")));
+    sheet.words(
+        [LEFT_PX - 14.0, y + 4.0],
+        "end",
+        &format!("{} · {}", first.word("method"), first.word("case")),
+    );
     for (number, row) in rows.iter().enumerate() {
-        let Some(verdict) = Verdict::ALL.into_iter().find(|v| v.name() == row.word("verdict")) else { continue };
+        let Some(verdict) = Verdict::ALL.into_iter().find(|v| v.name() == row.word("verdict")) else {
+            continue;
+        };
         let error_db = row.number("error_db");
         let place = if error_db.is_nan() { RIGHT_PX + 30.0 + 13.0 * number as f64 } else { at(error_db) };
         mark(verdict).draw(sheet, verdict.name(), [place, y]);

@@ -11,7 +11,8 @@ pub(in crate::study) fn count(rows: &[Row], verdict: Verdict) -> usize {
 /// Columns of interface.md.
 pub(in crate::study) fn csv(rows: &[Row]) -> String {
     let fields = |r: &Row| {
-        let words = [r.stage, r.method, r.case, r.parameter, &r.value, &table::decibels(r.error), r.verdict.name()];
+        let words =
+            [r.stage, r.method, r.case, r.parameter, &r.value, &table::decibels(r.error), r.verdict.name()];
         words.map(str::to_owned).to_vec()
     };
     table::csv("stage,method,case,parameter,value,error_db,verdict", rows.iter().map(fields))
@@ -41,11 +42,20 @@ pub(in crate::study) fn page(rows: &[Row], extent: Extent) -> String {
     };
     let counts: Vec<String> = Verdict::ALL.map(|v| format!("{} {}", count(rows, v), v.name())).to_vec();
     let fields = |r: &Row| {
-        let words =
-            [r.stage, r.method, r.case, r.parameter, &r.value, &table::decibels(r.error), r.verdict.name(), &r.said];
+        let words = [
+            r.stage,
+            r.method,
+            r.case,
+            r.parameter,
+            &r.value,
+            &table::decibels(r.error),
+            r.verdict.name(),
+            &r.said,
+        ];
         words.map(str::to_owned).to_vec()
     };
-    let header = ["stage", "method", "case", "parameter", "value", "error, dB", "verdict", "what the program says"];
+    let header =
+        ["stage", "method", "case", "parameter", "value", "error, dB", "verdict", "what the program says"];
     format!(
         "{RULE}\nMade by `{command}`. {} cases, {} rows: {}.\n\n![verdicts](pictures/atlas.svg)\n\n{}",
         cases(rows).len(),

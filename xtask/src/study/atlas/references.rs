@@ -26,7 +26,8 @@ pub(super) fn few_rays(_: Extent) -> Result<Vec<Row>, Failure> {
     let request = looks::first_order(45.0, 0.5_f64.sqrt().atan().to_degrees());
     let level = (12.0 * PI).sqrt() * 0.01 / looks::WAVELENGTH_M;
     let row = |per_wavelength: f64| {
-        let shooting = sbr::Shooting { per_wavelength, bounces: 3, sides: Sides::Two, bracket: Bracket::Plain };
+        let shooting =
+            sbr::Shooting { per_wavelength, bounces: 3, sides: Sides::Two, bracket: Bracket::Plain };
         let found = sbr::amplitude(&body, &looks::aspect(&request), &request.frequency_hz, &shooting);
         let found = found.map_err(Failure::refused)?.orders[2][0][0][0].norm();
         Ok(trial.answered(per_wavelength, looks::level_error(found, level), BY_DENSITY))
@@ -45,8 +46,12 @@ pub(super) fn few_samples(_: Extent) -> Result<Vec<Row>, Failure> {
     let (body, request) = (bodies::plate(0.3), looks::first_order(20.0, 0.0));
     let exact = closed_forms::plate_far(0.3, 20_f64.to_radians());
     let row = |per_wavelength: f64| {
-        let sampling =
-            po::Sampling { per_wavelength, shadow_levels: 0, sides: Sides::Two, bracket: Bracket::Symmetrised };
+        let sampling = po::Sampling {
+            per_wavelength,
+            shadow_levels: 0,
+            sides: Sides::Two,
+            bracket: Bracket::Symmetrised,
+        };
         let found = po::amplitude(&body, &looks::aspect(&request), &request.frequency_hz, &sampling);
         let found = found.map_err(Failure::refused)?[0][0][0];
         Ok(trial.answered(per_wavelength, looks::relative_error(&[found], &[exact]), BY_DENSITY))

@@ -19,7 +19,8 @@ pub(super) fn meshes(_: Extent) -> Result<Vec<Row>, Failure> {
     let trial = Trial { stage: "scene", method: "mesh", case: "meshes without an answer", parameter: "file" };
     let file = |name: &str, text: &str| {
         let options = MeshOptions { unit_scale: None };
-        trial.must_refuse(name, mesh_from_bytes(text.as_bytes(), Format::Obj, Path::new("body.obj"), &options))
+        trial
+            .must_refuse(name, mesh_from_bytes(text.as_bytes(), Format::Obj, Path::new("body.obj"), &options))
     };
     let traced = Trial { stage: "bart-rcs", method: "bart", ..trial };
     let infinite = bodies::mesh(vec![[0.0; 3], [0.0, f64::INFINITY, 0.0], [0.0, 0.0, 1.0]], vec![[0, 1, 2]]);
@@ -37,7 +38,8 @@ pub(super) fn meshes(_: Extent) -> Result<Vec<Row>, Failure> {
 
 /// Scene files.
 pub(super) fn scenes(_: Extent) -> Result<Vec<Row>, Failure> {
-    let trial = Trial { stage: "scene", method: "read", case: "scenes without an answer", parameter: "scene" };
+    let trial =
+        Trial { stage: "scene", method: "read", case: "scenes without an answer", parameter: "scene" };
     let scene = |name: &str, words: &str| trial.must_refuse(name, scene_of(words));
     Ok(vec![
         scene("a key that is misspelt", "[radar]\npositon_m = [0.0, 0.0, 6.0]\n"),
@@ -52,7 +54,8 @@ pub(super) fn scenes(_: Extent) -> Result<Vec<Row>, Failure> {
 
 /// Places from where nothing can be looked at.
 pub(super) fn antennas(_: Extent) -> Result<Vec<Row>, Failure> {
-    let trial = Trial { stage: "bart-rcs", method: "bart", case: "requests without an answer", parameter: "request" };
+    let trial =
+        Trial { stage: "bart-rcs", method: "bart", case: "requests without an answer", parameter: "request" };
     let plate = bodies::plate(0.3);
     let ask = |change: &dyn Fn(&mut RcsRequest)| {
         let mut request = looks::first_order(0.0, 0.0);
@@ -68,13 +71,15 @@ pub(super) fn antennas(_: Extent) -> Result<Vec<Row>, Failure> {
 }
 
 fn small_scene() -> Result<SceneHeader, Failure> {
-    let header = scene_of("[radar.waveform]\nchirps = 32\n[radar.array]\npreset = \"1x1\"\n[noise]\nsnr_db = 20.0\n")?;
+    let header =
+        scene_of("[radar.waveform]\nchirps = 32\n[radar.array]\npreset = \"1x1\"\n[noise]\nsnr_db = 20.0\n")?;
     Ok(with_point(header, 1.0, [0.0, 30.0, 6.0], [0.0; 3]))
 }
 
 /// Paths and samples.
 pub(super) fn echoes(_: Extent) -> Result<Vec<Row>, Failure> {
-    let echo = Trial { stage: "fmcw-echo", method: "recurrence", case: "paths without an echo", parameter: "path" };
+    let echo =
+        Trial { stage: "fmcw-echo", method: "recurrence", case: "paths without an echo", parameter: "path" };
     let map = Trial { stage: "dsp", method: "map", case: "cubes without a map", parameter: "cube" };
     let header = small_scene()?;
     let paths = paths_of(&header)?;

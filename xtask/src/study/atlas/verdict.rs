@@ -10,7 +10,8 @@ pub(in crate::study) enum Says {
     Nothing,
     /// A figure that is meant to hold the error.
     AtMost(f64),
-    /// A figure that estimates what a model leaves out: the spread of node rules, the next order, the far field.
+    /// A figure that estimates what a model leaves out: the spread of node rules, the next order, the far
+    /// field.
     About(f64),
     /// A flag, a null or a remark in the result, or a limit that the method's documentation states.
     Words(&'static str),
@@ -40,11 +41,12 @@ impl Verdict {
 
 /// −20 dB, the default accuracy of a scene: an error below it is good.
 const GOOD: f64 = 0.1;
-/// An estimate of a model's error covers an error up to 10 dB above it: the spread of node rules lies 5 to 8 dB below the
-/// error of its model in the mean over full-wave scenes (docs/physics.md §2).
+/// An estimate of a model's error covers an error up to 10 dB above it: the spread of node rules lies 5 to 8
+/// dB below the error of its model in the mean over full-wave scenes (docs/physics.md §2).
 const ABOVE_ESTIMATE: f64 = 3.1623;
 
-/// Good within −20 dB; beyond it degraded where the program's own answer covers the error, wrong where it does not.
+/// Good within −20 dB; beyond it degraded where the program's own answer covers the error, wrong where it
+/// does not.
 fn verdict(error: f64, says: Says) -> Verdict {
     let covered = match says {
         Says::Nothing => false,

@@ -1,9 +1,12 @@
-//! Vehicles on the road at several ranges, each frame echoed both ways: path by path, and by the paper's table.
+//! Vehicles on the road at several ranges, each frame echoed both ways: path by path, and by the paper's
+//! table.
 
 use crate::study::chart::row::Row;
 use crate::study::chart::work::{Measured, measured};
 use crate::study::looks;
-use crate::study::scenes::{cube_header, cube_of, frame_of, paths_at, paths_of, scene_of, tables_at, with_body};
+use crate::study::scenes::{
+    cube_header, cube_of, frame_of, paths_at, paths_of, scene_of, tables_at, with_body,
+};
 use artifact::Accuracy;
 use artifact::cube::CubeFrame;
 use artifact::paths::Path;
@@ -21,7 +24,8 @@ const PARTS: u32 = 2;
 const LANE_M: f64 = 5.75;
 const RADAR_M: f64 = 6.0;
 
-/// A vehicle in lane 2, approaching; the radar is that of experiment 1: 3 × 4 elements, 128 chirps of 256 samples.
+/// A vehicle in lane 2, approaching; the radar is that of experiment 1: 3 × 4 elements, 128 chirps of 256
+/// samples.
 struct Case {
     name: &'static str,
     vehicle: &'static str,
@@ -29,7 +33,8 @@ struct Case {
     speed_mps: f64,
 }
 
-/// Ahead of the radar's foot so that the way from the radar to the middle of the vehicle on the road is `range_m`.
+/// Ahead of the radar's foot so that the way from the radar to the middle of the vehicle on the road is
+/// `range_m`.
 fn ahead_m(range_m: f64) -> f64 {
     (range_m.powi(2) - RADAR_M.powi(2) - LANE_M.powi(2)).sqrt()
 }
@@ -79,7 +84,8 @@ fn reference(case: &Case) -> Result<CubeFrame, Failure> {
     }
     let of_channel = part.radar.waveform.chirps as usize * part.radar.waveform.samples as usize;
     let channels = 0..whole.radar.cube_channels();
-    let rows = channels.flat_map(|channel| parts.iter().map(move |p| &p.samples[channel * of_channel..][..of_channel]));
+    let rows = channels
+        .flat_map(|channel| parts.iter().map(move |p| &p.samples[channel * of_channel..][..of_channel]));
     let samples = rows.flatten().copied().collect();
     Ok(CubeFrame { samples, ..parts[0].clone() })
 }
@@ -107,7 +113,8 @@ fn by_tables(case: &Case, exact: &CubeFrame) -> Result<Vec<Row>, Failure> {
 }
 
 fn size_of_tables(frame: &RcsFrame) -> String {
-    let axes = |t: &artifact::rcs::RcsTable| [t.frequency_hz.len(), t.elevation_rad.len(), t.azimuth_rad.len()];
+    let axes =
+        |t: &artifact::rcs::RcsTable| [t.frequency_hz.len(), t.elevation_rad.len(), t.azimuth_rad.len()];
     let [f, el, az] = frame.tables.first().map_or([0; 3], axes);
     let values: usize = frame.tables.iter().map(|table| table.amplitude_m.len()).sum();
     format!("{f} × {el} × {az} values, {} kB", values * size_of::<Complex64>() / 1000)

@@ -3,7 +3,9 @@
 use crate::study::chart::row::Row;
 use crate::study::chart::work::{Measured, Subject, measured};
 use crate::study::looks;
-use crate::study::scenes::{cube_header, cube_of, frame_of, paths_at, paths_of, scene_of, tables_at, with_body};
+use crate::study::scenes::{
+    cube_header, cube_of, frame_of, paths_at, paths_of, scene_of, tables_at, with_body,
+};
 use artifact::Accuracy;
 use artifact::cube::CubeFrame;
 use artifact::paths::{Curve, Facet, MAX_ORDER, Path};
@@ -90,7 +92,8 @@ pub(super) fn tables(subject: &Subject) -> Result<Vec<Row>, Failure> {
     Ok(vec![row(subject, "rcs-table", "far field, −20 dB asked".into(), &cube, &exact)])
 }
 
-/// The sum as the formulas have it, and with the phase advanced by recurrence; 8 chirps of one channel, one thread.
+/// The sum as the formulas have it, and with the phase advanced by recurrence; 8 chirps of one channel, one
+/// thread.
 pub(super) fn synthesis(subject: &Subject) -> Result<Vec<Row>, Failure> {
     let mut header = scene_of(ONE_CHANNEL)?;
     header.radar.waveform.chirps = 8;
@@ -99,19 +102,22 @@ pub(super) fn synthesis(subject: &Subject) -> Result<Vec<Row>, Failure> {
     let slow = measured(|| Ok(fmcw_echo::reference::cube(radar, centre_hz, &paths)))?;
     let sum = fmcw_echo::direct_sum::DirectSum::new(radar, centre_hz, &paths);
     let fast = measured(|| Ok((0..8).flat_map(|chirp| sum.row(0, chirp)).collect::<Vec<_>>()))?;
-    let row =
-        |method, setting: &str, from: &Measured<Vec<Complex64>>, other: &Measured<Vec<Complex64>>, reference: &str| {
-            Row {
-                stage: "fmcw-echo",
-                scene: format!("{} paths, 8 chirps of 256 samples", paths.len()),
-                method,
-                setting: setting.into(),
-                seconds: from.seconds,
-                peak_mib: from.peak_mib,
-                error: looks::relative_error(&from.value, &other.value),
-                reference: reference.into(),
-            }
-        };
+    let row = |method,
+               setting: &str,
+               from: &Measured<Vec<Complex64>>,
+               other: &Measured<Vec<Complex64>>,
+               reference: &str| {
+        Row {
+            stage: "fmcw-echo",
+            scene: format!("{} paths, 8 chirps of 256 samples", paths.len()),
+            method,
+            setting: setting.into(),
+            seconds: from.seconds,
+            peak_mib: from.peak_mib,
+            error: looks::relative_error(&from.value, &other.value),
+            reference: reference.into(),
+        }
+    };
     Ok(vec![
         row("echo, formulas", "every sample alone", &slow, &fast, "echo, recurrence"),
         row("echo, recurrence", "quadratic phase", &fast, &slow, "echo, formulas"),

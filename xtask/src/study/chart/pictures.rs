@@ -12,7 +12,8 @@ pub(in crate::study) const COLUMNS: [&str; 5] = ["scene", "method", "setting", "
 const LEAST_DB: f64 = -120.0;
 const BETTER: &str = "Better is lower (less time) and further left (less error).";
 
-/// Seconds (by powers of ten) over error in dB, which is by powers of ten too; a line for each method on parts of the chain.
+/// Seconds (by powers of ten) over error in dB, which is by powers of ten too; a line for each method on
+/// parts of the chain.
 pub(in crate::study) fn picture(table: &Table) -> Svg {
     let rows: Vec<RowOf> = table.rows().filter(|row| !row.word("method").starts_with(WHOLE_FRAME)).collect();
     let mut lines = lines(rows.iter().map(|row| (row.word("method"), row)));
@@ -27,7 +28,8 @@ pub(in crate::study) fn picture(table: &Table) -> Svg {
 
 /// The same of whole frames and their cubes: a line for each, from paths to table.
 pub(in crate::study) fn picture_of_frames(table: &Table) -> Svg {
-    let is_cube = |row: &RowOf| row.word("method").starts_with(WHOLE_FRAME) && row.word("method").ends_with("cube");
+    let is_cube =
+        |row: &RowOf| row.word("method").starts_with(WHOLE_FRAME) && row.word("method").ends_with("cube");
     let rows: Vec<RowOf> = table.rows().filter(is_cube).collect();
     fn name<'t>(row: &RowOf<'t>) -> &'t str {
         row.word("scene").split(", a frame").next().unwrap_or_default()

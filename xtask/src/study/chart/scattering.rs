@@ -10,7 +10,8 @@ use bart_rcs::{RcsRequest, RcsResult};
 use num_complex::Complex64;
 use wayside::host::failure::Failure;
 
-/// The radar's frequencies: three over 0.6 GHz, so that an error is that of a profile and not of one lucky phase.
+/// The radar's frequencies: three over 0.6 GHz, so that an error is that of a profile and not of one lucky
+/// phase.
 const FREQUENCIES_HZ: [f64; 3] = [77e9, 77.3e9, 77.6e9];
 /// Asked of the beams where they are the reference.
 const FINE_DB: f64 = -80.0;
@@ -32,11 +33,16 @@ fn traced(subject: &Subject, bounces: u8, accuracy_db: f64) -> Result<Measured<R
     measured(|| looks::traced(&subject.body, &request(subject, bounces, accuracy_db)))
 }
 
-fn sampled(subject: &Subject, per_wavelength: f64, shadow_levels: u32) -> Result<Measured<Vec<Complex64>>, Failure> {
+fn sampled(
+    subject: &Subject,
+    per_wavelength: f64,
+    shadow_levels: u32,
+) -> Result<Measured<Vec<Complex64>>, Failure> {
     let sampling = po::Sampling { per_wavelength, shadow_levels, sides: Sides::Two, bracket: Bracket::Plain };
     let aspect = looks::aspect(&request(subject, 1, FINE_DB));
     measured(|| {
-        let found = po::amplitude(&subject.body, &aspect, &FREQUENCIES_HZ, &sampling).map_err(Failure::refused)?;
+        let found =
+            po::amplitude(&subject.body, &aspect, &FREQUENCIES_HZ, &sampling).map_err(Failure::refused)?;
         Ok(found.iter().map(|s| s[0][0]).collect())
     })
 }
@@ -46,7 +52,8 @@ fn shot(subject: &Subject, per_wavelength: f64) -> Result<Measured<Vec<Vec<Compl
     let shooting = sbr::Shooting { per_wavelength, bounces: 3, sides: Sides::Two, bracket: Bracket::Plain };
     let aspect = looks::aspect(&request(subject, 3, FINE_DB));
     measured(|| {
-        let found = sbr::amplitude(&subject.body, &aspect, &FREQUENCIES_HZ, &shooting).map_err(Failure::refused)?;
+        let found =
+            sbr::amplitude(&subject.body, &aspect, &FREQUENCIES_HZ, &shooting).map_err(Failure::refused)?;
         Ok(found.orders.iter().map(|order| order.iter().map(|s| s[0][0]).collect()).collect())
     })
 }
@@ -60,10 +67,20 @@ fn row<T>(
     reference: String,
 ) -> Row {
     let (seconds, peak_mib) = (from.seconds, from.peak_mib);
-    Row { stage: "bart-rcs", scene: subject.name.clone(), method, setting, seconds, peak_mib, error, reference }
+    Row {
+        stage: "bart-rcs",
+        scene: subject.name.clone(),
+        method,
+        setting,
+        seconds,
+        peak_mib,
+        error,
+        reference,
+    }
 }
 
-/// First order: beams by the accuracy asked against the densest sampling; sampling by its density against beams.
+/// First order: beams by the accuracy asked against the densest sampling; sampling by its density against
+/// beams.
 pub(super) fn first_order(subject: &Subject) -> Result<Vec<Row>, Failure> {
     let dense = sampled(subject, subject.fine_samples, SHADOW_LEVELS + 2)?;
     let exact = traced(subject, 1, FINE_DB)?.value.amplitude_m;
@@ -72,7 +89,14 @@ pub(super) fn first_order(subject: &Subject) -> Result<Vec<Row>, Failure> {
     for accuracy_db in [-20.0, -40.0, -60.0] {
         let found = traced(subject, 1, accuracy_db)?;
         let error = looks::relative_error(&found.value.amplitude_m, &dense.value);
-        rows.push(row(subject, "bart, order 1", format!("{accuracy_db} dB asked"), &found, error, dense_name.clone()));
+        rows.push(row(
+            subject,
+            "bart, order 1",
+            format!("{accuracy_db} dB asked"),
+            &found,
+            error,
+            dense_name.clone(),
+        ));
     }
     for density in subject.densities {
         let found = sampled(subject, *density, SHADOW_LEVELS)?;
@@ -83,8 +107,9 @@ pub(super) fn first_order(subject: &Subject) -> Result<Vec<Row>, Failure> {
     Ok(rows)
 }
 
-/// Orders by themselves, with the exit node that rays have; errors are over the field of that order. Beams of order 1 are
-/// in [`first_order`]: against rays they would show the error of the rays, whose first order converges slowly.
+/// Orders by themselves, with the exit node that rays have; errors are over the field of that order. Beams of
+/// order 1 are in [`first_order`]: against rays they would show the error of the rays, whose first order
+/// converges slowly.
 pub(super) fn by_order(subject: &Subject) -> Result<Vec<Row>, Failure> {
     let dense = shot(subject, subject.fine_rays)?;
     let exact = traced(subject, 3, FINE_DB)?;
@@ -94,7 +119,14 @@ pub(super) fn by_order(subject: &Subject) -> Result<Vec<Row>, Failure> {
         let of_order = usize::from(order) - 1;
         let error = looks::relative_error(&found.value.by_order_m[of_order], &dense.value[of_order]);
         let reference = format!("sbr, order {order}, {} rays per wavelength", subject.fine_rays);
-        rows.push(row(subject, "bart, by order", format!("order {order}, −40 dB asked"), &found, error, reference));
+        rows.push(row(
+            subject,
+            "bart, by order",
+            format!("order {order}, −40 dB asked"),
+            &found,
+            error,
+            reference,
+        ));
     }
     for density in subject.densities {
         let found = shot(subject, *density)?;

@@ -10,16 +10,19 @@ use plotting::lines::{Line, LinePlot, Scale};
 use plotting::svg::Svg;
 
 pub(in crate::study) fn csv(rows: &[Row]) -> String {
-    let header =
-        "scene,asked_db,level,paths,error_told_db,error_db,total_db,trace_seconds,reduce_seconds,echo_seconds,chosen";
+    let header = "scene,asked_db,level,paths,error_told_db,error_db,total_db,trace_seconds,reduce_seconds,echo_seconds,chosen";
     table::csv(header, rows.iter().map(fields))
 }
 
 fn fields(row: &Row) -> Vec<String> {
     let [trace, reduce, echo] = row.seconds.map(|s| format!("{s:.3}"));
     let errors = [row.told, row.error, row.total].map(table::decibels);
-    let mut fields =
-        vec![row.scene.to_owned(), format!("{}", row.asked_db), row.level.name().into(), row.paths.to_string()];
+    let mut fields = vec![
+        row.scene.to_owned(),
+        format!("{}", row.asked_db),
+        row.level.name().into(),
+        row.paths.to_string(),
+    ];
     fields.extend(errors);
     fields.extend([trace, reduce, echo, row.chosen.clone()]);
     fields
@@ -77,7 +80,8 @@ fn told_against_true(rows: &[Row]) -> String {
 }
 
 /// Columns that are drawn.
-pub(in crate::study) const COLUMNS: [&str; 5] = ["scene", "asked_db", "level", "reduce_seconds", "echo_seconds"];
+pub(in crate::study) const COLUMNS: [&str; 5] =
+    ["scene", "asked_db", "level", "reduce_seconds", "echo_seconds"];
 
 /// Seconds of reducing and echo over the accuracy asked, a line for each level of the first scene.
 pub(in crate::study) fn picture(table: &Table) -> Svg {

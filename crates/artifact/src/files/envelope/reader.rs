@@ -1,6 +1,7 @@
 use crate::files::codec;
 use crate::files::envelope::{
-    ArtifactError, CHECKSUM_BYTES, END_BYTES, Fault, MAGIC, PREAMBLE_LIMIT, Preamble, Schema, checksum, end_mark,
+    ArtifactError, CHECKSUM_BYTES, END_BYTES, Fault, MAGIC, PREAMBLE_LIMIT, Preamble, Schema, checksum,
+    end_mark,
 };
 use crate::files::inputs;
 use serde::de::DeserializeOwned;
@@ -34,7 +35,8 @@ impl<S: Schema> Reader<S> {
     /// As [`Reader::open`], of what is in memory already; errors name it as if it were the file `name`.
     pub fn of_bytes(name: &str, bytes: &'static [u8]) -> Result<Self, ArtifactError> {
         let file = Path::new(name);
-        Self::of_stream(Stream::of(file, Box::new(Cursor::new(bytes)), bytes.len() as u64)).map_err(|f| f.of(file))
+        Self::of_stream(Stream::of(file, Box::new(Cursor::new(bytes)), bytes.len() as u64))
+            .map_err(|f| f.of(file))
     }
 
     fn of(file: &Path, open: impl FnOnce(&Path) -> std::io::Result<File>) -> Result<Self, ArtifactError> {

@@ -20,7 +20,8 @@ impl<S: Schema> Writer<S> {
     pub fn create(file: &Path, provenance: &Provenance, header: &S::Header) -> Result<Self, ArtifactError> {
         let stream = WholeFile::create(file)?;
         let mut writer = Self { file: file.to_owned(), stream, frames: 0, schema: PhantomData };
-        let preamble = Preamble { schema: S::NAME.into(), version: S::VERSION, provenance: provenance.clone() };
+        let preamble =
+            Preamble { schema: S::NAME.into(), version: S::VERSION, provenance: provenance.clone() };
         writer.raw(MAGIC)?;
         writer.record(None, &preamble)?;
         writer.record(Some(b'H'), header)?;

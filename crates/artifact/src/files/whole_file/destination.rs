@@ -25,7 +25,9 @@ impl Destination {
         match std::fs::symlink_metadata(place) {
             Ok(about) if about.is_symlink() => Self::behind_link(place),
             Ok(about) => Self::replacing(place, place.to_owned(), &about),
-            Err(e) if e.kind() == ErrorKind::NotFound => Ok(Self { target: place.to_owned(), permissions: None }),
+            Err(e) if e.kind() == ErrorKind::NotFound => {
+                Ok(Self { target: place.to_owned(), permissions: None })
+            }
             Err(e) => Err(Fault::system("look at")(e)),
         }
     }
@@ -44,7 +46,9 @@ impl Destination {
         let broken = match special(about.file_type()) {
             Some(rule) => Some(rule),
             None if about.permissions().readonly() => Some(PlaceRule::WriteProtected),
-            None => inputs::known(&target, about).map(|input| PlaceRule::Input { place: place.to_owned(), input }),
+            None => {
+                inputs::known(&target, about).map(|input| PlaceRule::Input { place: place.to_owned(), input })
+            }
         };
         match broken {
             Some(rule) => Err(Fault::Place(rule)),

@@ -1,8 +1,8 @@
 //! Temporary files: named so that they are known again, locked as long as their writer lives.
 //!
-//! A program that is killed leaves them behind and loses its locks. The next one that writes into the folder removes those
-//! that nobody holds; those of a program that still runs it cannot lock, and leaves alone. On file systems without locks
-//! nothing is removed.
+//! A program that is killed leaves them behind and loses its locks. The next one that writes into the folder
+//! removes those that nobody holds; those of a program that still runs it cannot lock, and leaves alone. On
+//! file systems without locks nothing is removed.
 
 use crate::files::fault::Fault;
 use std::collections::BTreeSet;
@@ -11,13 +11,15 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use tempfile::TempPath;
 
-/// How a temporary file's name ends; before it stand a dot, the name that the file will have, a dot and six random letters.
+/// How a temporary file's name ends; before it stand a dot, the name that the file will have, a dot and six
+/// random letters.
 const SUFFIX: &str = ".wayside.part";
 
 /// Bytes of the later name that go into the temporary one: names end at 255 bytes on most file systems.
 const NAME_BYTES: usize = 200;
 
-/// A name is taken from a sweeper that met the file between its making and its locking; a second time is chance.
+/// A name is taken from a sweeper that met the file between its making and its locking; a second time is
+/// chance.
 const ATTEMPTS: usize = 16;
 
 /// A temporary file that is listed while it is open, and removed unless it is persisted.

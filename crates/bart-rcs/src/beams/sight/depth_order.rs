@@ -1,9 +1,9 @@
 //! Which of two facets an antenna sees in front of the other, decided once for both.
 //!
-//! Facets of imported meshes often lie within rounding of each other over large areas. Were "A hides B" and "B hides A"
-//! decided apart, a strip between them could be lit twice or not at all, as wide as rounding over the sine of their angle.
-//! So there is one answer for the pair, and where the facets pass through each other one plane parts them, the one
-//! through the antenna and the line where their planes meet.
+//! Facets of imported meshes often lie within rounding of each other over large areas. Were "A hides B" and
+//! "B hides A" decided apart, a strip between them could be lit twice or not at all, as wide as rounding over
+//! the sine of their angle. So there is one answer for the pair, and where the facets pass through each other
+//! one plane parts them, the one through the antenna and the line where their planes meet.
 
 use crate::geometry::antenna::Antenna;
 use crate::geometry::facet_geometry::FacetGeometry;
@@ -22,7 +22,8 @@ pub(crate) enum DepthOrder {
     PartedBy(Plane),
 }
 
-/// The order of two facets, each with its plane turned towards the antenna. Exchanging them exchanges the answer, exactly.
+/// The order of two facets, each with its plane turned towards the antenna. Exchanging them exchanges the
+/// answer, exactly.
 pub(crate) fn depth_order(
     first: (&Plane, &FacetGeometry),
     second: (&Plane, &FacetGeometry),
@@ -42,7 +43,8 @@ pub(crate) fn depth_order(
 
 /// Whether two facets are one surface to rounding: all corners of either lie in the plane of the other.
 pub(crate) fn are_coincident(a: &FacetGeometry, b: &FacetGeometry, tolerance_m: f64) -> bool {
-    lies_in(a.plane.extent_m(&b.corners_m), tolerance_m) || lies_in(b.plane.extent_m(&a.corners_m), tolerance_m)
+    lies_in(a.plane.extent_m(&b.corners_m), tolerance_m)
+        || lies_in(b.plane.extent_m(&a.corners_m), tolerance_m)
 }
 
 fn in_listed_order(
@@ -57,7 +59,8 @@ fn in_listed_order(
         () if lies_in(other, tolerance_m) || lies_in(own, tolerance_m) => DepthOrder::Coincident,
         () if other.1 <= tolerance_m || own.0 >= -tolerance_m => DepthOrder::FirstInFront,
         () if other.0 >= -tolerance_m || own.1 <= tolerance_m => DepthOrder::SecondInFront,
-        () => Plane::through_meeting(antenna, other_plane, plane).map_or(DepthOrder::Coincident, DepthOrder::PartedBy),
+        () => Plane::through_meeting(antenna, other_plane, plane)
+            .map_or(DepthOrder::Coincident, DepthOrder::PartedBy),
     }
 }
 
@@ -74,7 +77,8 @@ mod tests {
     /// The order of two triangles, both ways, seen from far up.
     fn both_ways(corners_m: [[f64; 3]; 6]) -> [DepthOrder; 2] {
         let triangles = vec![[0, 1, 2], [3, 4, 5]];
-        let world = World::of_mesh(&Mesh { vertices_m: corners_m.to_vec(), triangles, ..Mesh::default() }).unwrap();
+        let world =
+            World::of_mesh(&Mesh { vertices_m: corners_m.to_vec(), triangles, ..Mesh::default() }).unwrap();
         let antenna = Antenna::Direction(glam::DVec3::Z);
         let [a, b] = [0, 1].map(|i| (&world.facet(i).plane, world.facet(i)));
         [depth_order(a, b, antenna, world.tolerance_m()), depth_order(b, a, antenna, world.tolerance_m())]
@@ -91,6 +95,9 @@ mod tests {
         let leaning = [[0.0, 0.0, -0.5], [1.0, 0.0, 0.5], [0.0, 1.0, -0.5]];
         let [PartedBy(a), PartedBy(b)] = pair(flat(0.0), leaning) else { panic!("they cross") };
         assert_eq!(a, -b);
-        assert!(a.distance_m(glam::DVec3::ZERO) > 0.4, "the flat one is in front where the leaning one is low");
+        assert!(
+            a.distance_m(glam::DVec3::ZERO) > 0.4,
+            "the flat one is in front where the leaning one is low"
+        );
     }
 }

@@ -36,7 +36,8 @@ pub(crate) struct Part {
 }
 
 impl Parts {
-    /// Adds a lit polygon. One that is thinner than rounding keeps its area, for the books, and loses its corners.
+    /// Adds a lit polygon. One that is thinner than rounding keeps its area, for the books, and loses its
+    /// corners.
     pub(crate) fn push(&mut self, target: &Shadow, view: &View, polygon: &[Corner]) {
         let area_m2 = 0.5 * doubled_area(polygon.iter().map(|c| c.point_m)).dot(target.front.normal).max(0.0);
         let start = self.corners.len();

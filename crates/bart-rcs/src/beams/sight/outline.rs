@@ -1,4 +1,5 @@
-//! A facet among the cells of a view: which it touches, which centres it holds, where its sides pass, and how deep it lies there.
+//! A facet among the cells of a view: which it touches, which centres it holds, where its sides pass, and how
+//! deep it lies there.
 //!
 //! Every answer errs to its safe side by [`MARGIN`].
 
@@ -74,8 +75,10 @@ impl Outline {
         };
         let (mut low, mut high) = (self.low.x - MARGIN - 0.5 - half, self.high.x + MARGIN - 0.5 + half);
         for HalfPlane { normal, offset } in self.sides {
-            // normal.x·(column + ½) ≥ bound; what rounding loses of a steep one is less than the margin along the normal.
-            let bound = offset + least - normal.y * (row as f64 + 0.5) - half * (normal.x.abs() + normal.y.abs());
+            // normal.x·(column + ½) ≥ bound; what rounding loses of a steep one is less than the margin along
+            // the normal.
+            let bound =
+                offset + least - normal.y * (row as f64 + 0.5) - half * (normal.x.abs() + normal.y.abs());
             if normal.x > 0.0 {
                 low = low.max(bound / normal.x - 0.5);
             } else if normal.x < 0.0 {
@@ -119,8 +122,8 @@ impl HalfPlane {
     }
 }
 
-/// Depth over a facet's plane, a quotient of linear functions of column and row: n·(a − p)/n·d from a point p along d,
-/// n·(a − x)/n·r̂ for a direction r̂ and x across it.
+/// Depth over a facet's plane, a quotient of linear functions of column and row: n·(a − p)/n·d from a point p
+/// along d, n·(a − x)/n·r̂ for a direction r̂ and x across it.
 #[derive(Clone, Copy)]
 struct DepthPlane {
     /// At the origin, and how it grows with each column and row.
@@ -128,8 +131,9 @@ struct DepthPlane {
     denominator: [f64; 3],
 }
 
-/// Planes of facets that are longer than a thousand of their heights or this near to edge-on are not relied on: of the others
-/// rounding makes less than a millionth of the gap of [`crate::beams::sight::solid_cells::SolidCells`].
+/// Planes of facets that are longer than a thousand of their heights or this near to edge-on are not relied
+/// on: of the others rounding makes less than a millionth of the gap of
+/// [`crate::beams::sight::solid_cells::SolidCells`].
 const LEAST_AREA_OF_SQUARE: f64 = 5e-4;
 const LEAST_COSINE: f64 = 1e-2;
 
@@ -145,12 +149,14 @@ impl DepthPlane {
         let [forward, right, up] = [outlook.forward, outlook.right, outlook.up].map(|axis| n.dot(axis));
         let across = [right * origin.x + up * origin.y, right * cell, up * cell];
         Some(match outlook.antenna {
-            Antenna::Point(p) => {
-                Self { numerator_m: [n.dot(a - p), 0.0, 0.0], denominator: [forward + across[0], across[1], across[2]] }
-            }
-            Antenna::Direction(_) => {
-                Self { numerator_m: [n.dot(a) - across[0], -across[1], -across[2]], denominator: [forward, 0.0, 0.0] }
-            }
+            Antenna::Point(p) => Self {
+                numerator_m: [n.dot(a - p), 0.0, 0.0],
+                denominator: [forward + across[0], across[1], across[2]],
+            },
+            Antenna::Direction(_) => Self {
+                numerator_m: [n.dot(a) - across[0], -across[1], -across[2]],
+                denominator: [forward, 0.0, 0.0],
+            },
         })
     }
 

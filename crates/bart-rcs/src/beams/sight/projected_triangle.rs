@@ -7,21 +7,24 @@ use glam::{DVec2, Vec4};
 pub(crate) struct ProjectedTriangle {
     /// x and y of the corners, the third twice.
     corners: [Vec4; 2],
-    /// By edge: nx, ny, offset; a point with nx·x + ny·y below the offset is beyond the edge by more than rounding.
+    /// By edge: nx, ny, offset; a point with nx·x + ny·y below the offset is beyond the edge by more than
+    /// rounding.
     edges: [[f32; 3]; 3],
 }
 
 impl ProjectedTriangle {
-    /// Of corners whose coordinates are known to `slack` and are at most `reach` in size, as are those of all others.
+    /// Of corners whose coordinates are known to `slack` and are at most `reach` in size, as are those of all
+    /// others.
     pub(crate) fn new(corners: [DVec2; 3], reach: f64, slack: f64) -> Self {
         let [a, b, c] = corners;
         let of = |values: [f64; 3]| Vec4::from_array([0, 1, 2, 2].map(|i| values[i] as f32));
-        let edges =
-            [(a, b, c), (b, c, a), (c, a, b)].map(|(from, to, opposite)| beyond(from, to, opposite, reach, slack));
+        let edges = [(a, b, c), (b, c, a), (c, a, b)]
+            .map(|(from, to, opposite)| beyond(from, to, opposite, reach, slack));
         Self { corners: [of([a.x, b.x, c.x]), of([a.y, b.y, c.y])], edges }
     }
 
-    /// Whether an edge of one has all of the other beyond it; what is told apart has nothing in common but rounding.
+    /// Whether an edge of one has all of the other beyond it; what is told apart has nothing in common but
+    /// rounding.
     #[inline]
     pub(crate) fn is_apart_from(&self, other: &Self) -> bool {
         self.has_beyond_an_edge(&other.corners) || other.has_beyond_an_edge(&self.corners)
@@ -34,9 +37,11 @@ impl ProjectedTriangle {
     }
 }
 
-/// The half plane beyond an edge, whichever way the triangle runs; one that holds no point where rounding decides its side.
+/// The half plane beyond an edge, whichever way the triangle runs; one that holds no point where rounding
+/// decides its side.
 ///
-/// A coordinate, a product and a sum of single precision lose half an ε each, of nx·x and ny·y at most: 4ε hold them all.
+/// A coordinate, a product and a sum of single precision lose half an ε each, of nx·x and ny·y at most: 4ε
+/// hold them all.
 fn beyond(from: DVec2, to: DVec2, opposite: DVec2, reach: f64, slack: f64) -> [f32; 3] {
     let edge = to - from;
     let normal = DVec2::new(-edge.y, edge.x);

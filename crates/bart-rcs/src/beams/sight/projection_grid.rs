@@ -1,8 +1,10 @@
-//! Facets sorted by where an antenna sees them: what may hide a polygon shares a cell of a grid across the view with it.
+//! Facets sorted by where an antenna sees them: what may hide a polygon shares a cell of a grid across the
+//! view with it.
 //!
-//! A box across the view is as tight around a facet as the view can tell, a box in space is not. Cells come in sizes that
-//! double; a facet is listed where the cells are just larger than it is, so in four at most: details crowd in few places of the
-//! view, and panels that span hundreds of details are listed once. Like the hierarchy it decides nothing.
+//! A box across the view is as tight around a facet as the view can tell, a box in space is not. Cells come
+//! in sizes that double; a facet is listed where the cells are just larger than it is, so in four at most:
+//! details crowd in few places of the view, and panels that span hundreds of details are listed once. Like
+//! the hierarchy it decides nothing.
 
 use crate::beams::sight::projected_triangle::ProjectedTriangle;
 use crate::beams::sight::prospect::{Extent, Outlook, across};
@@ -53,7 +55,8 @@ struct Cells {
     last: [usize; 2],
 }
 
-/// Details crowd in few places of the view: with more cells than facets there, most cells are empty and few are crowded.
+/// Details crowd in few places of the view: with more cells than facets there, most cells are empty and few
+/// are crowded.
 const CELLS_PER_FACET: f64 = 8.0;
 /// Facets that one thread looks at, at least.
 const FEW: usize = 1024;
@@ -80,7 +83,8 @@ impl ProjectionGrid {
             return None;
         }
         loop {
-            let scaled: Vec<Extent> = boxes.par_iter().with_min_len(FEW).map(|b| b.in_cells(low, cell)).collect();
+            let scaled: Vec<Extent> =
+                boxes.par_iter().with_min_len(FEW).map(|b| b.in_cells(low, cell)).collect();
             let looks: usize = scaled.iter().map(|b| Cells::of(b, 1.0).count()).sum();
             let size = span / cell;
             if looks <= LOOKS_PER_FACET * boxes.len() && size.max_element() < f64::from(u16::MAX) {
@@ -91,7 +95,11 @@ impl ProjectionGrid {
     }
 
     /// Calls `visit` with the slot of every shadow that may lie before the one in `slot`, until it breaks.
-    pub(crate) fn visit_before(&self, slot: u32, mut visit: impl FnMut(u32) -> ControlFlow<()>) -> ControlFlow<()> {
+    pub(crate) fn visit_before(
+        &self,
+        slot: u32,
+        mut visit: impl FnMut(u32) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
         let extent = &self.boxes[slot as usize];
         let triangle = &self.triangles[slot as usize];
         let most = extent.most();
@@ -251,7 +259,9 @@ mod tests {
     #[test]
     fn every_facet_that_shares_a_ray_with_a_farther_one_is_proposed_once() {
         let world = strewn(300);
-        for antenna in [Antenna::Point(DVec3::new(6.0, 2.0, 3.0)), Antenna::Direction(DVec3::new(0.36, 0.48, 0.8))] {
+        for antenna in
+            [Antenna::Point(DVec3::new(6.0, 2.0, 3.0)), Antenna::Direction(DVec3::new(0.36, 0.48, 0.8))]
+        {
             let view = View::direct(&world, Sides::Two, antenna);
             let shadows: Vec<Shadow> = (0..300).filter_map(|facet| Shadow::of(facet, &view)).collect();
             let grid = ProjectionGrid::over(&shadows, &view).unwrap();
@@ -265,7 +275,9 @@ mod tests {
                 let [a, b, c] = world.facet(target.facet).corners_m;
                 let points = [(a + b + c) / 3.0, 0.5 * (a + b), 0.9 * c + 0.1 * a];
                 for (other, shadow) in (0..).zip(&shadows).filter(|(other, _)| *other != slot) {
-                    let hides = |x: &DVec3| shadow.edges.iter().chain([&-shadow.front]).all(|p| p.distance_m(*x) > 0.0);
+                    let hides = |x: &DVec3| {
+                        shadow.edges.iter().chain([&-shadow.front]).all(|p| p.distance_m(*x) > 0.0)
+                    };
                     let times = proposed.iter().filter(|&&p| p == other).count();
                     assert!(times <= 1, "facet {other} twice for {slot}");
                     assert!(times == 1 || !points.iter().any(hides), "facet {other} is missing for {slot}");
@@ -282,6 +294,8 @@ mod tests {
         let world = strewn(50);
         let view = View::direct(&world, Sides::Two, Antenna::Point(DVec3::splat(0.1)));
         let shadows: Vec<Shadow> = (0..50).filter_map(|facet| Shadow::of(facet, &view)).collect();
-        assert!(ProjectionGrid::over(&shadows, &view).is_none() && ProjectionGrid::over(&[], &view).is_none());
+        assert!(
+            ProjectionGrid::over(&shadows, &view).is_none() && ProjectionGrid::over(&[], &view).is_none()
+        );
     }
 }

@@ -45,8 +45,8 @@ pub(crate) struct Extent {
     pub(crate) far_m: f64,
 }
 
-/// A facet whose depths differ by more than this factor from another's, or that reaches behind the antenna, has no place on
-/// one plane across the view: such a view has no grid.
+/// A facet whose depths differ by more than this factor from another's, or that reaches behind the antenna,
+/// has no place on one plane across the view: such a view has no grid.
 const NEAREST_OF_FARTHEST: f64 = 1e-3;
 
 impl Prospect {

@@ -1,10 +1,11 @@
 //! What one facet hides from an antenna: the part of its cone that lies behind it.
 //!
-//! A point y is hidden by facet O from antenna p when y lies inside the three planes through p and O's edges, and behind O.
-//! Where O and the target pass through each other, one more plane through p parts them ([`crate::beams::sight::depth_order`]). In a
-//! reflected beam only the part of O beyond the mirror counts, which a plane through p and the line where O meets the
-//! mirror's plane cuts off. So everything is a test of y against planes through p that are made of original corners, and
-//! what one facet's shadow loses at such a plane, its neighbour's takes, bit by bit.
+//! A point y is hidden by facet O from antenna p when y lies inside the three planes through p and O's edges,
+//! and behind O. Where O and the target pass through each other, one more plane through p parts them
+//! ([`crate::beams::sight::depth_order`]). In a reflected beam only the part of O beyond the mirror counts,
+//! which a plane through p and the line where O meets the mirror's plane cuts off. So everything is a test of
+//! y against planes through p that are made of original corners, and what one facet's shadow loses at such a
+//! plane, its neighbour's takes, bit by bit.
 
 use crate::beams::sight::depth_order::{DepthOrder, are_coincident, depth_order};
 use crate::beams::sight::view::{Mirror, View};
@@ -49,7 +50,8 @@ pub(crate) enum Hides {
     Nothing,
     /// Whatever lies in its cone.
     AllInItsCone,
-    /// What lies in its cone and on the positive side of a plane through the antenna: the facets pass through each other.
+    /// What lies in its cone and on the positive side of a plane through the antenna: the facets pass through
+    /// each other.
     InItsConeAnd(Plane),
 }
 
@@ -65,8 +67,8 @@ pub(crate) enum Cover {
 }
 
 impl Shadow {
-    /// The shadow of a facet; `None` where the antenna sees it edge-on, where it has no plane, or where none of it lies
-    /// beyond the mirror.
+    /// The shadow of a facet; `None` where the antenna sees it edge-on, where it has no plane, or where none
+    /// of it lies beyond the mirror.
     pub(crate) fn of(index: u32, view: &View) -> Option<Self> {
         let facet = view.world.facet(index);
         let (seen, front) = seen_side(facet, view.antenna, view.tolerance_m())?;
@@ -86,7 +88,8 @@ impl Shadow {
     pub(crate) fn polygon(&self, world: &World) -> [Corner; 3] {
         let [a, b, c] = world.facet(self.facet).corners_m;
         let points = if self.seen == Seen::Front { [a, b, c] } else { [a, c, b] };
-        // Edge i of the facet runs from corner i; seen from the back they run the other way and in the other order.
+        // Edge i of the facet runs from corner i; seen from the back they run the other way and in the other
+        // order.
         let order = if self.seen == Seen::Front { [0, 1, 2] } else { [2, 1, 0] };
         let border = |edge| if world.is_inside_patch(self.facet, edge) { Border::Inner } else { Border::Own };
         [0, 1, 2].map(|i| Corner { point_m: points[i], edge: self.edges[i], border: border(order[i]) })
@@ -133,7 +136,8 @@ impl Shadow {
         self.edges.into_iter().chain(self.beyond_mirror).chain(behind)
     }
 
-    /// Of coincident facets one is lit: the one whose front is seen where only fronts scatter, else the first.
+    /// Of coincident facets one is lit: the one whose front is seen where only fronts scatter, else the
+    /// first.
     fn is_before(&self, other: &Self, sides: Sides) -> bool {
         let key = |shadow: &Self| ((sides == Sides::One).then_some(shadow.seen), shadow.facet);
         key(self) < key(other)

@@ -1,15 +1,17 @@
-//! Cells of a view that facets fill without a gap, so that nothing behind them is seen there: most of what is inside a body is
-//! refused before it is cut.
+//! Cells of a view that facets fill without a gap, so that nothing behind them is seen there: most of what is
+//! inside a body is refused before it is cut.
 //!
-//! Take facets as the antenna sees them, all turned counter-clockwise, and any set of them that goes on beyond every side that
-//! may pass through a cell: the facet across the side is in the set and runs along it the other way. Then the sides' sum has no part in
-//! the cell, and how many of the facets lie over a point is one number for all of the cell. One facet that surely holds the cell's
-//! centre makes it at least one: no ray through the cell misses them all. Neighbours share corners to the last bit, so there is
-//! no seam. A set is flooded from a facet at the centre on; where it meets an open side, the next facet behind is tried.
+//! Take facets as the antenna sees them, all turned counter-clockwise, and any set of them that goes on
+//! beyond every side that may pass through a cell: the facet across the side is in the set and runs along it
+//! the other way. Then the sides' sum has no part in the cell, and how many of the facets lie over a point is
+//! one number for all of the cell. One facet that surely holds the cell's centre makes it at least one: no
+//! ray through the cell misses them all. Neighbours share corners to the last bit, so there is no seam. A set
+//! is flooded from a facet at the centre on; where it meets an open side, the next facet behind is tried.
 //!
-//! What lies behind the set's farthest depth in every cell that it touches is dark. It hides nothing either: what is behind
-//! it is behind the set. And the foremost set of a cell is itself never refused there, so everything refused is hidden by facets
-//! that are left. Like the hierarchy it draws no outline: what is left is cut as ever.
+//! What lies behind the set's farthest depth in every cell that it touches is dark. It hides nothing either:
+//! what is behind it is behind the set. And the foremost set of a cell is itself never refused there, so
+//! everything refused is hidden by facets that are left. Like the hierarchy it draws no outline: what is left
+//! is cut as ever.
 
 use crate::beams::sight::outline::{MARGIN, Outline, Reach};
 use crate::beams::sight::prospect::{Extent, Prospect, Sight, across};
@@ -28,8 +30,8 @@ pub(crate) struct SolidCells {
     gap_m: f64,
 }
 
-/// Of five vehicles of 14,000 to 79,000 triangles first orders were fastest with a quarter to one: larger cells are filled less
-/// often, smaller ones are too many.
+/// Of five vehicles of 14,000 to 79,000 triangles first orders were fastest with a quarter to one: larger
+/// cells are filled less often, smaller ones are too many.
 const CELLS_PER_FACET: f64 = 0.5;
 /// Cells per facet that are looked at at most; else they are made larger.
 const LOOKS_PER_FACET: usize = 64;
@@ -39,8 +41,8 @@ const LAYERS: usize = 8;
 const MOST_IN_A_CELL: usize = 64;
 /// Rows are filled in so many parts side by side.
 const BANDS: usize = 16;
-/// Depths nearer than this are not told apart, in units of rounding: facets within rounding of each other are one surface, of
-/// which [`crate::beams::sight::depth_order`] says what is lit.
+/// Depths nearer than this are not told apart, in units of rounding: facets within rounding of each other are
+/// one surface, of which [`crate::beams::sight::depth_order`] says what is lit.
 const GAP: f64 = 1e6;
 /// No facet.
 const NONE: u32 = u32::MAX;
@@ -97,7 +99,8 @@ impl SolidCells {
     fn hide(&self, outline: &Outline) -> bool {
         outline.rows().all(|row| {
             outline.columns(row, Reach::Touched, self.columns).all(|column| {
-                let depth_m = self.depth_m.get(row * self.columns + column).map_or(f64::INFINITY, |d| d + self.gap_m);
+                let depth_m =
+                    self.depth_m.get(row * self.columns + column).map_or(f64::INFINITY, |d| d + self.gap_m);
                 depth_m < outline.near_m() || depth_m < outline.depths_m(column, row)[0]
             })
         })
@@ -106,7 +109,8 @@ impl SolidCells {
 
 /// How facets that hide go on beyond their sides.
 struct Surfaces {
-    /// By sight: the one beyond each of its sides, in the order of its corners, or [`NONE`]; `None` for what waves pass through.
+    /// By sight: the one beyond each of its sides, in the order of its corners, or [`NONE`]; `None` for what
+    /// waves pass through.
     beyond: Vec<Option<[u32; 3]>>,
 }
 
@@ -139,7 +143,10 @@ impl Surfaces {
         let mut depth_m = |(index, layers): (usize, &[(f64, u32); LAYERS])| {
             let cell = (index % columns, rows.start + index / columns);
             let seeds = layers.iter().map(|(_, seed)| *seed).take_while(|seed| *seed != NONE);
-            seeds.into_iter().find_map(|seed| self.filled_from(seed, cell, outlines, &mut set)).unwrap_or(f64::INFINITY)
+            seeds
+                .into_iter()
+                .find_map(|seed| self.filled_from(seed, cell, outlines, &mut set))
+                .unwrap_or(f64::INFINITY)
         };
         layers.iter().enumerate().map(&mut depth_m).collect()
     }
@@ -164,7 +171,8 @@ impl Surfaces {
         layers
     }
 
-    /// The farthest depth of facets that fill a cell from one at its centre on; `None` where they meet an open side in it.
+    /// The farthest depth of facets that fill a cell from one at its centre on; `None` where they meet an
+    /// open side in it.
     fn filled_from(
         &self,
         seed: u32,

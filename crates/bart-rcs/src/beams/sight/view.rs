@@ -19,7 +19,8 @@ pub(crate) struct View<'w> {
     pub(crate) antenna: Antenna,
     /// The facet that reflects; `None` looks straight and all round.
     pub(crate) mirror: Option<Mirror<'w>>,
-    /// Planes through the antenna and the edges of the lit polygon on the mirror, positive inside, and what they end.
+    /// Planes through the antenna and the edges of the lit polygon on the mirror, positive inside, and what
+    /// they end.
     pub(crate) window: Vec<(Plane, Border)>,
     /// Corners of the lit polygon on the mirror; none without one.
     pub(crate) opening_m: &'w [DVec3],
@@ -49,9 +50,18 @@ impl<'w> View<'w> {
         edges: &[(Plane, Border)],
         opening_m: &'w [DVec3],
     ) -> Self {
-        let window =
-            edges.iter().map(|(edge, border)| (edge.mirrored(&mirror.front), border.through_mirror())).collect();
-        Self { world, sides, antenna: lit_by.mirrored(&mirror.front), mirror: Some(mirror), window, opening_m }
+        let window = edges
+            .iter()
+            .map(|(edge, border)| (edge.mirrored(&mirror.front), border.through_mirror()))
+            .collect();
+        Self {
+            world,
+            sides,
+            antenna: lit_by.mirrored(&mirror.front),
+            mirror: Some(mirror),
+            window,
+            opening_m,
+        }
     }
 
     /// Distances below this are rounding, m.
@@ -64,8 +74,8 @@ impl<'w> View<'w> {
         (!self.opening_m.is_empty()).then_some((self.antenna, self.opening_m))
     }
 
-    /// Whether a facet reaches into the view: outside no plane of the window, and with no edge that has all of the window on
-    /// its far side. What is refused touches the view in rounding at most.
+    /// Whether a facet reaches into the view: outside no plane of the window, and with no edge that has all
+    /// of the window on its far side. What is refused touches the view in rounding at most.
     pub(crate) fn reaches(&self, facet: &FacetGeometry) -> bool {
         let tolerance_m = self.tolerance_m();
         let mut planes =
@@ -73,13 +83,14 @@ impl<'w> View<'w> {
         planes.all(|plane| plane.extent_m(&facet.corners_m).1 > tolerance_m) && !self.is_beside_opening(facet)
     }
 
-    /// Whether what is seen of a facet counts as lit; where bodies are left apart a mirror lights its own body alone, and others
-    /// shade it.
+    /// Whether what is seen of a facet counts as lit; where bodies are left apart a mirror lights its own
+    /// body alone, and others shade it.
     pub(crate) fn is_followed(&self, facet: u32) -> bool {
         self.mirror.is_none_or(|mirror| self.world.is_followed(mirror.facet, facet))
     }
 
-    /// Whether one of the planes through the antenna and a facet's edges parts the facet from the mirror's lit polygon.
+    /// Whether one of the planes through the antenna and a facet's edges parts the facet from the mirror's
+    /// lit polygon.
     fn is_beside_opening(&self, facet: &FacetGeometry) -> bool {
         let [a, b, c] = facet.corners_m;
         [(a, b, c), (b, c, a), (c, a, b)].into_iter().any(|(from, to, opposite)| {

@@ -8,7 +8,8 @@ use artifact::settings::Sides;
 use std::ops::Range;
 
 impl View<'_> {
-    /// Puts the polygon that the window leaves of a facet into `corners` and gives its range; `None` where it leaves none.
+    /// Puts the polygon that the window leaves of a facet into `corners` and gives its range; `None` where it
+    /// leaves none.
     pub(crate) fn clip(
         &self,
         target: &Shadow,

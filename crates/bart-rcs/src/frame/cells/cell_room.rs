@@ -1,4 +1,5 @@
-//! Cells of a frame's paths are counted while they grow, so that a frame ends with figures before memory does.
+//! Cells of a frame's paths are counted while they grow, so that a frame ends with figures before memory
+//! does.
 
 use crate::oversight::error::BartError;
 use crate::oversight::memory::MemoryLimit;

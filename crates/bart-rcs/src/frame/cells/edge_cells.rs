@@ -9,7 +9,11 @@ use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 /// Cells of all joints, the reverse ones behind their own; in the order of the joints.
-pub(crate) fn edge_cells(scatterer: &Scatterer<'_>, joints: &[EdgeJoint], settings: &CellSettings<'_>) -> Vec<Cell> {
+pub(crate) fn edge_cells(
+    scatterer: &Scatterer<'_>,
+    joints: &[EdgeJoint],
+    settings: &CellSettings<'_>,
+) -> Vec<Cell> {
     let parts: Vec<Vec<Cell>> = joints.par_iter().map(|joint| cells_of(scatterer, joint, settings)).collect();
     parts.into_iter().flatten().collect()
 }
@@ -27,11 +31,14 @@ fn cells_of(scatterer: &Scatterer<'_>, joint: &EdgeJoint, settings: &CellSetting
             break;
         }
         let span_m = [place(f64::from(i)), place(f64::from(i + 1))];
-        let (middle_m, estimate) = part_amplitudes(scatterer, joint, span_m, settings.wavenumbers_per_m, accuracy);
+        let (middle_m, estimate) =
+            part_amplitudes(scatterer, joint, span_m, settings.wavenumbers_per_m, accuracy);
         cells.push(Cell {
             order: facets.len() as u8,
             facets: padded(&facets),
-            apparent_m: scatterer.legs(joint.forward, joint.backward).map(|leg| leg.mirrors.unfolded(middle_m)),
+            apparent_m: scatterer
+                .legs(joint.forward, joint.backward)
+                .map(|leg| leg.mirrors.unfolded(middle_m)),
             motion,
             amplitudes_m: estimate.value,
             area_m2: as_area_m2(span_m, settings),

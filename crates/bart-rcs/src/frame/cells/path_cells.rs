@@ -1,5 +1,5 @@
-//! Lit polygons cut and gathered into cells so small that one node, one amplitude and one slope stand for each during a
-//! frame.
+//! Lit polygons cut and gathered into cells so small that one node, one amplitude and one slope stand for
+//! each during a frame.
 
 use crate::beams::beam::BeamTree;
 use crate::beams::image_tree::origin;
@@ -18,7 +18,8 @@ use glam::{DVec2, DVec3};
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-/// A part of the scattering with one node: amplitudes at several frequencies, apparent points and their velocities.
+/// A part of the scattering with one node: amplitudes at several frequencies, apparent points and their
+/// velocities.
 #[derive(Debug, Clone)]
 pub(crate) struct Cell {
     pub(crate) order: u8,
@@ -33,7 +34,8 @@ pub(crate) struct Cell {
     pub(crate) error_m: f64,
 }
 
-/// Of a cell with its amplitudes at three frequencies where it is made, in the list of all, and as the path that it becomes.
+/// Of a cell with its amplitudes at three frequencies where it is made, in the list of all, and as the path
+/// that it becomes.
 pub(crate) const BYTES_PER_CELL: usize =
     2 * (size_of::<Cell>() + 3 * size_of::<Amplitude>()) + size_of::<artifact::paths::Path>();
 
@@ -65,7 +67,12 @@ pub(crate) fn gathered(mut cells: Vec<Cell>, ends: [Antenna; 2], settings: &Cell
     cells.chunk_by(|a, b| key(a) == key(b)).map(|group| one_of(group, ends, settings)).collect()
 }
 
-fn cells_of(scatterer: &Scatterer<'_>, joint: &Joint, corners_m: &[DVec3], settings: &CellSettings<'_>) -> Vec<Cell> {
+fn cells_of(
+    scatterer: &Scatterer<'_>,
+    joint: &Joint,
+    corners_m: &[DVec3],
+    settings: &CellSettings<'_>,
+) -> Vec<Cell> {
     let frame = PlaneFrame::new(corners_m[0], scatterer.forward(joint).lit_normal);
     let facets = facets_of(scatterer, joint.forward, joint.backward);
     let motion = motions(scatterer, joint.forward, joint.backward);
@@ -126,7 +133,8 @@ pub(crate) fn motions(scatterer: &Scatterer<'_>, forward: u32, backward: u32) ->
     let world = scatterer.world;
     let of_node = world.motion(scatterer.trees.transmit().beams[forward as usize].facet);
     let through = |tree: &BeamTree, beam: u32| {
-        let mirrors = std::iter::successors(tree.beams[beam as usize].parent, |b| tree.beams[*b as usize].parent);
+        let mirrors =
+            std::iter::successors(tree.beams[beam as usize].parent, |b| tree.beams[*b as usize].parent);
         let at_antenna = mirrors.fold(of_node, |motion, mirror| {
             let facet = tree.beams[mirror as usize].facet;
             motion.mirrored(&world.motion(facet), world.facet(facet).normal())
@@ -178,17 +186,22 @@ fn one_of(group: &[Cell], ends: [Antenna; 2], settings: &CellSettings<'_>) -> Ce
     let area_m2: f64 = group.iter().map(|cell| cell.area_m2).sum();
     let mean = |of: &dyn Fn(&Cell) -> DVec3| group.iter().map(|c| c.area_m2 * of(c)).sum::<DVec3>() / area_m2;
     let apparent_m = [0, 1].map(|end| mean(&|cell: &Cell| cell.apparent_m[end]));
-    let motion = [0, 1].map(|end| Motion::weighed(group.iter().map(|c| (c.area_m2 / area_m2, c.motion[end]))));
+    let motion =
+        [0, 1].map(|end| Motion::weighed(group.iter().map(|c| (c.area_m2 / area_m2, c.motion[end]))));
     let strongest =
         group.iter().fold(&group[0], |best, cell| if strength(cell) > strength(best) { cell } else { best });
     let mut amplitudes_m = vec![Amplitude::default(); settings.wavenumbers_per_m.len()];
     let mut error_m = 0.0;
     for cell in group {
-        let difference = [0, 1].map(|end| length_difference_m(ends[end], cell.apparent_m[end], apparent_m[end]));
+        let difference =
+            [0, 1].map(|end| length_difference_m(ends[end], cell.apparent_m[end], apparent_m[end]));
         let spread: f64 = (0..2)
-            .map(|end| ends[end].path_length_m(apparent_m[end]) / ends[end].path_length_m(cell.apparent_m[end]))
+            .map(|end| {
+                ends[end].path_length_m(apparent_m[end]) / ends[end].path_length_m(cell.apparent_m[end])
+            })
             .product();
-        for ((total, a), k) in amplitudes_m.iter_mut().zip(&cell.amplitudes_m).zip(settings.wavenumbers_per_m) {
+        for ((total, a), k) in amplitudes_m.iter_mut().zip(&cell.amplitudes_m).zip(settings.wavenumbers_per_m)
+        {
             let factor = Complex64::from_polar(spread, -k * (difference[0] + difference[1]));
             *total = sum(total, &scaled(a, factor));
         }

@@ -1,4 +1,5 @@
-//! What leaving out the ways between bodies costs: two bounces on two bodies, added up beside what was traced.
+//! What leaving out the ways between bodies costs: two bounces on two bodies, added up beside what was
+//! traced.
 
 use crate::bodies::world::World;
 use crate::frame::frame_error::Reference;
@@ -15,8 +16,8 @@ const WAYS: LeftOutWays = LeftOutWays { bounces: 2, mirror_wavelengths: 10.0 };
 
 /// ‖S between bodies‖ over ‖S‖ at the moment and the place of the check, with the margin of the measurement.
 ///
-/// `None` where no such way is left out by [`artifact::settings::BetweenBodies`], and where their beams would take more memory
-/// than the frame may.
+/// `None` where no such way is left out by [`artifact::settings::BetweenBodies`], and where their beams would
+/// take more memory than the frame may.
 pub(crate) fn between_bodies_left_out(
     world: &World,
     plan: &Plan<'_>,

@@ -1,5 +1,5 @@
-//! The edges of a body: open edges and wedges of its surface, but neither seams, diagonals, concave corners nor the bends of
-//! a tessellated curve (docs/decisions/edges.md).
+//! The edges of a body: open edges and wedges of its surface, but neither seams, diagonals, concave corners
+//! nor the bends of a tessellated curve (docs/decisions/edges.md).
 
 use crate::mesh::curve_bend::{may_be_a_step, may_be_of_one_curve};
 use crate::mesh::mesh_edges::{MeshEdge, Side};
@@ -51,12 +51,15 @@ pub(crate) struct PatchEnd {
     pub(crate) edge: Option<u32>,
 }
 
-/// Facets whose planes turn by less are one surface: the fringe of such a bend is below 1 % of an open edge's.
+/// Facets whose planes turn by less are one surface: the fringe of such a bend is below 1 % of an open
+/// edge's.
 const LEAST_BEND_RAD: f64 = 1.0 * PI / 180.0;
-/// Bends above are edges whatever the file's normals say: a box with averaged normals stays a box, a hexagon may be round.
+/// Bends above are edges whatever the file's normals say: a box with averaged normals stays a box, a hexagon
+/// may be round.
 const SHADED_BEND_RAD: f64 = 65.0 * PI / 180.0;
 
-/// The edges of a mesh; `corner_normals` are those stored for the corners of its triangles, empty where there are none.
+/// The edges of a mesh; `corner_normals` are those stored for the corners of its triangles, empty where there
+/// are none.
 pub(crate) fn body_edges(triangles_m: &[[DVec3; 3]], corner_normals: &[[DVec3; 3]]) -> BodyEdges {
     let tolerance_m = rounding_m(triangles_m.as_flattened());
     let topology = Topology::of(triangles_m, tolerance_m);
@@ -107,7 +110,8 @@ impl Bend {
 
     /// The same two patches: pieces of one edge.
     fn is_of_the_edge(&self, other: &Self) -> bool {
-        self.edge.patches == other.edge.patches || self.edge.patches == [other.edge.patches[1], other.edge.patches[0]]
+        self.edge.patches == other.edge.patches
+            || self.edge.patches == [other.edge.patches[1], other.edge.patches[0]]
     }
 
     /// The outward normal that this bend gives one of its patches.
@@ -124,7 +128,8 @@ fn by_patch(bends: &[Bend], patches: usize) -> Vec<Vec<u32>> {
     by_patch
 }
 
-/// Whether a bend is a piece of a tessellated curve: by the normals that the file stores, else by its neighbours.
+/// Whether a bend is a piece of a tessellated curve: by the normals that the file stores, else by its
+/// neighbours.
 fn is_curve(bend: &Bend, bends: &[Bend], by_patch: &[Vec<u32>], corner_normals: &[[DVec3; 3]]) -> bool {
     if bend.turn_rad > SHADED_BEND_RAD {
         return false;
@@ -273,7 +278,9 @@ mod tests {
         let edges = body_edges(&plate, &[]);
         assert_eq!(edges.edges.len(), 4);
         assert!((length_of(&edges) - 6.0).abs() < 1e-12);
-        assert!(edges.edges.iter().all(|e| e.wedge.exterior == 2.0 && e.wedge.normal[0] == -e.wedge.normal[1]));
+        assert!(
+            edges.edges.iter().all(|e| e.wedge.exterior == 2.0 && e.wedge.normal[0] == -e.wedge.normal[1])
+        );
         let edges = body_edges(&cube(), &[]);
         assert_eq!(edges.edges.len(), 12);
         let centre = DVec3::splat(0.5);
@@ -338,7 +345,10 @@ mod tests {
         let hexagon = prism(6);
         let round = |t: &[DVec3; 3]| t.map(|c| DVec3::new(c.x, c.y, 0.0).normalize_or_zero());
         let normals: Vec<_> = hexagon.iter().map(round).collect();
-        assert_eq!((body_edges(&hexagon, &[]).edges.len(), body_edges(&hexagon, &normals).edges.len()), (18, 12));
+        assert_eq!(
+            (body_edges(&hexagon, &[]).edges.len(), body_edges(&hexagon, &normals).edges.len()),
+            (18, 12)
+        );
         assert_eq!(body_edges(&triangles, &flat).edges.len(), 24, "flat shading tells nothing");
     }
 

@@ -3,7 +3,8 @@
 use crate::mesh::wedges::body_edges::PatchEnd;
 use glam::{DVec2, DVec3};
 
-/// The ends of a flat patch in the coordinates of one of its edges: x square to the edge into the patch, z along it.
+/// The ends of a flat patch in the coordinates of one of its edges: x square to the edge into the patch, z
+/// along it.
 pub(crate) struct FaceEnds {
     ends: Vec<([DVec2; 2], Option<u32>)>,
 }
@@ -43,10 +44,12 @@ impl FaceEnds {
         self.ends.iter().filter_map(meets).reduce(nearer)
     }
 
-    /// Where along the edge rays in `direction` change from one end to another: the ends' corners, within `span_m`.
+    /// Where along the edge rays in `direction` change from one end to another: the ends' corners, within
+    /// `span_m`.
     pub(crate) fn changes_m(&self, direction: DVec2, span_m: [f64; 2]) -> Vec<f64> {
         let corners = self.ends.iter().flat_map(|(end, _)| end).filter(|corner| corner.x > 0.0);
-        let mut changes: Vec<f64> = corners.map(|corner| corner.y - corner.x * direction.y / direction.x).collect();
+        let mut changes: Vec<f64> =
+            corners.map(|corner| corner.y - corner.x * direction.y / direction.x).collect();
         changes.retain(|at| *at > span_m[0] && *at < span_m[1]);
         changes.sort_by(f64::total_cmp);
         changes.dedup();

@@ -2,7 +2,8 @@
 
 use glam::{DMat3, DVec3};
 
-/// A wedge as its edge sees it. Face 1 lies along `inward[0]`; its exterior angle φ turns about `along` to Nπ at face 2.
+/// A wedge as its edge sees it. Face 1 lies along `inward[0]`; its exterior angle φ turns about `along` to Nπ
+/// at face 2.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Wedge {
     /// Unit vector t along the edge.
@@ -19,6 +20,11 @@ impl Wedge {
     /// The same wedge on a turned body.
     pub(crate) fn turned(&self, world_from_body: DMat3) -> Self {
         let turn = |v: DVec3| world_from_body * v;
-        Self { along: turn(self.along), inward: self.inward.map(turn), normal: self.normal.map(turn), ..*self }
+        Self {
+            along: turn(self.along),
+            inward: self.inward.map(turn),
+            normal: self.normal.map(turn),
+            ..*self
+        }
     }
 }

@@ -56,10 +56,12 @@ impl WorldEdges {
 
     /// Appends a body's; its facets come after those of the bodies before.
     ///
-    /// The wedge beside a side narrower than `thin_m` is the open edge of its other face ([`seen_from_afar`]).
+    /// The wedge beside a side narrower than `thin_m` is the open edge of its other face
+    /// ([`seen_from_afar`]).
     pub(crate) fn add(&mut self, body: &BodyEdges, place: &Placed, first_facet: u32, thin_m: f64) {
         let Placed { world_from_body, position_m } = *place;
-        let seen: Vec<BodyEdge> = body.edges.iter().map(|edge| seen_from_afar(edge, &body.patches, thin_m)).collect();
+        let seen: Vec<BodyEdge> =
+            body.edges.iter().map(|edge| seen_from_afar(edge, &body.patches, thin_m)).collect();
         let (first_edge, first_patch) = (self.edges.len() as u32, self.patches.len() as u32);
         let place = |x: DVec3| position_m + world_from_body * x;
         let posed = |edge: &BodyEdge| EdgeGeometry {
@@ -69,8 +71,10 @@ impl WorldEdges {
             patches: edge.patches.map(|patch| first_patch + patch),
         };
         self.edges.extend(seen.iter().map(posed));
-        let posed_end =
-            |end: &PatchEnd| PatchEnd { ends_m: end.ends_m.map(place), edge: end.edge.map(|edge| first_edge + edge) };
+        let posed_end = |end: &PatchEnd| PatchEnd {
+            ends_m: end.ends_m.map(place),
+            edge: end.edge.map(|edge| first_edge + edge),
+        };
         let placed = |patch: &Patch| Patch { ends: patch.ends.iter().map(posed_end).collect() };
         self.patches.extend(body.patches.iter().map(placed));
         for (edge, of_body) in (first_edge..).zip(&seen) {
@@ -95,11 +99,12 @@ impl WorldEdges {
     }
 }
 
-/// The edge of a sheet of some thickness: beside a side so narrow that the wave does not tell its two edges apart, k·width < 1,
-/// a wedge is the open edge of its wide face.
+/// The edge of a sheet of some thickness: beside a side so narrow that the wave does not tell its two edges
+/// apart, k·width < 1, a wedge is the open edge of its wide face.
 ///
-/// The currents of two wedges a fraction of a wavelength apart are no sum of those of each alone, and all further terms of the series
-/// are as large; a half plane is the limit of width 0. Lit it is where its wide face is.
+/// The currents of two wedges a fraction of a wavelength apart are no sum of those of each alone, and all
+/// further terms of the series are as large; a half plane is the limit of width 0. Lit it is where its wide
+/// face is.
 fn seen_from_afar(edge: &BodyEdge, patches: &[Patch], thin_m: f64) -> BodyEdge {
     let Wedge { along, inward, normal, .. } = edge.wedge;
     let width_m = |face: usize| {

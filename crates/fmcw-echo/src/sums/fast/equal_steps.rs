@@ -1,7 +1,7 @@
 //! Chirps of a frame that follow each other at equal steps: all, or of a staggered frame every P-th.
 //!
-//! Staggered starts repeat after P chirps of a transmitter. What transforms need, equal steps, then holds for chirps r, r + P,
-//! r + 2P, …: a staggered frame is P frames of equal steps laid into one another, exactly.
+//! Staggered starts repeat after P chirps of a transmitter. What transforms need, equal steps, then holds for
+//! chirps r, r + P, r + 2P, …: a staggered frame is P frames of equal steps laid into one another, exactly.
 
 use artifact::Radar;
 use artifact::radar::Multiplexing;
@@ -57,8 +57,8 @@ impl EqualSteps {
     }
 }
 
-/// P: of n delays that take turns with every chirp in the air, each transmitter meets n/gcd(n, chirps in the air from one of its to
-/// the next).
+/// P: of n delays that take turns with every chirp in the air, each transmitter meets n/gcd(n, chirps in the
+/// air from one of its to the next).
 fn chirps_to_repeat(radar: &Radar) -> usize {
     if radar.schedule.is_uniform() {
         return 1;

@@ -1,8 +1,8 @@
 //! A cube by transforms: tones of all paths at once, what changes slowly at a few instants.
 //!
-//! x(n, m) = Σ_groups Σ_i shape_i(n, m)·Σ_p value_p(instant i)·e^{j2π(α_p n + β_p m)}: see `smooth_part.rs` for the
-//! outer sum, `tone_grid.rs` for the inner. Values are exact at their instants, for every pair of elements. Links are
-//! taken in fixed blocks, one thread each: any number of threads gives the same bytes.
+//! x(n, m) = Σ_groups Σ_i shape_i(n, m)·Σ_p value_p(instant i)·e^{j2π(α_p n + β_p m)}: see `smooth_part.rs`
+//! for the outer sum, `tone_grid.rs` for the inner. Values are exact at their instants, for every pair of
+//! elements. Links are taken in fixed blocks, one thread each: any number of threads gives the same bytes.
 
 use crate::links::multiplexing::{Transmission, element_factor, row};
 use crate::sums::direct_sum::{DirectSum, is_heard};
@@ -20,8 +20,8 @@ use artifact::{Accuracy, Radar};
 use num_complex::{Complex, Complex32, Complex64};
 use rayon::prelude::*;
 
-/// The noise-free cube, √W, `[channel][chirp][sample]`, to an error of `accuracy` of its root mean square, as long as paths do
-/// not cancel each other.
+/// The noise-free cube, √W, `[channel][chirp][sample]`, to an error of `accuracy` of its root mean square, as
+/// long as paths do not cancel each other.
 pub fn cube(radar: &Radar, centre_frequency_hz: f64, paths: &[Path], accuracy: Accuracy) -> Vec<Complex64> {
     if accuracy.amplitude() >= SINGLE {
         let cube = cube_in::<f32>(radar, centre_frequency_hz, paths, accuracy.amplitude());
@@ -51,7 +51,8 @@ pub(crate) fn memory_estimate_bytes(radar: &Radar, accuracy: Accuracy) -> u64 {
         [radar.virtual_channels() as u64, radar.waveform.chirps.into(), radar.waveform.samples.into()];
     let is_single = accuracy.amplitude() >= SINGLE;
     let value = if is_single { size_of::<Complex32>() } else { size_of::<Complex64>() } as u64;
-    // Sums of single precision are the cube, but for links that are added up and chirps that are laid into one another.
+    // Sums of single precision are the cube, but for links that are added up and chirps that are laid into
+    // one another.
     let are_the_cube = is_single && is_link_by_link(radar) && radar.schedule.is_uniform();
     // With codes those of one slot after the other, and the cube that they are laid into.
     let laid = if radar.array.multiplexing == Multiplexing::Bpm { radar.cube_channels() as u64 } else { 0 };
@@ -61,16 +62,24 @@ pub(crate) fn memory_estimate_bytes(radar: &Radar, accuracy: Accuracy) -> u64 {
     sums + (grid + of_a_set) * rayon::current_num_threads() as u64
 }
 
-/// Down to −100 dB sums of single precision are good enough: rounding of 6e-8 for each of some hundred additions.
+/// Down to −100 dB sums of single precision are good enough: rounding of 6e-8 for each of some hundred
+/// additions.
 const SINGLE: f64 = 1e-5;
 /// Instants of one group; more mean that it is to be halved.
 const INSTANTS_MAX: usize = 12;
 
 /// Chirps at equal steps, one set after the other, laid into one another.
-fn cube_in<T: Scalar>(radar: &Radar, centre_frequency_hz: f64, paths: &[Path], error: f64) -> Vec<Complex<T>> {
+fn cube_in<T: Scalar>(
+    radar: &Radar,
+    centre_frequency_hz: f64,
+    paths: &[Path],
+    error: f64,
+) -> Vec<Complex<T>> {
     let (chirps, samples) = (radar.waveform.chirps as usize, radar.waveform.samples as usize);
-    let mut listeners: Vec<Listener<'_>> =
-        EqualSteps::of(radar).into_iter().map(|steps| Listener::new(radar, centre_frequency_hz, steps)).collect();
+    let mut listeners: Vec<Listener<'_>> = EqualSteps::of(radar)
+        .into_iter()
+        .map(|steps| Listener::new(radar, centre_frequency_hz, steps))
+        .collect();
     if listeners.len() == 1 {
         return part_of_cube(&listeners.remove(0), paths, error);
     }
@@ -141,8 +150,9 @@ fn add_group<T: Scalar>(
     let ordered: Vec<&Path> = grid.order().map(|i| group.paths[i]).collect();
     let tones: Vec<Tone> = grid.order().map(|i| tones[i]).collect();
     let exact = DirectSum::for_moments(listener.radar, listener.centre_frequency_hz, &ordered);
-    let sets: Vec<(usize, usize)> =
-        (0..links.len()).flat_map(|link| (0..smooth.instants.len()).map(move |instant| (link, instant))).collect();
+    let sets: Vec<(usize, usize)> = (0..links.len())
+        .flat_map(|link| (0..smooth.instants.len()).map(move |instant| (link, instant)))
+        .collect();
     let length = modes[0] * modes[1];
     let shares: Option<Vec<Vec<T>>> = group.span().map(|span| shares(listener, &span));
     // A link's instants lie in one block.
@@ -151,13 +161,18 @@ fn add_group<T: Scalar>(
         |(of_block, sets)| {
             let strengths: Vec<Vec<Complex<T>>> = sets
                 .par_iter()
-                .map(|&(link, instant)| strengths(listener, &exact, &tones, links[link], smooth.instants[instant]))
+                .map(|&(link, instant)| {
+                    strengths(listener, &exact, &tones, links[link], smooth.instants[instant])
+                })
                 .collect();
             grid.transform(&strengths, &mut |set, values| {
                 let (link, instant) = sets[set];
                 let mut shape: Vec<Complex<T>> = smooth.shape(instant, link, modes[0], modes[1]);
                 if let Some(shares) = &shares {
-                    shape.iter_mut().zip(&shares[links[link].tx]).for_each(|(value, share)| *value = *value * *share);
+                    shape
+                        .iter_mut()
+                        .zip(&shares[links[link].tx])
+                        .for_each(|(value, share)| *value = *value * *share);
                 }
                 let total = &mut of_block[(link - sets[0].0) * length..][..length];
                 let terms = values.iter().zip(&shape).map(|(value, shape)| *value * *shape);
@@ -170,8 +185,10 @@ fn add_group<T: Scalar>(
 /// By transmitter, of every chirp and sample.
 fn shares<T: Scalar>(listener: &Listener<'_>, span: &Span) -> Vec<Vec<T>> {
     let radar = listener.radar;
-    let of_chirp = |tx: usize, chirp: usize| shares_of_row(radar, span, listener.steps.start_s(tx, chirp as f64));
-    let of_tx = |tx: usize| (0..listener.steps.chirps).flat_map(|chirp| of_chirp(tx, chirp)).map(T::of).collect();
+    let of_chirp =
+        |tx: usize, chirp: usize| shares_of_row(radar, span, listener.steps.start_s(tx, chirp as f64));
+    let of_tx =
+        |tx: usize| (0..listener.steps.chirps).flat_map(|chirp| of_chirp(tx, chirp)).map(T::of).collect();
     (0..radar.array.tx_m.len()).map(of_tx).collect()
 }
 
@@ -195,8 +212,13 @@ fn is_link_by_link(radar: &Radar) -> bool {
     matches!(radar.array.multiplexing, Multiplexing::Simultaneous | Multiplexing::Tdm)
 }
 
-/// Links as channels; with Doppler division and codes a receiver's channel is the sum of all its links, each turned chirp by chirp.
-fn channels<T: Scalar>(listener: &Listener<'_>, mut of_links: Vec<Complex<T>>, length: usize) -> Vec<Complex<T>> {
+/// Links as channels; with Doppler division and codes a receiver's channel is the sum of all its links, each
+/// turned chirp by chirp.
+fn channels<T: Scalar>(
+    listener: &Listener<'_>,
+    mut of_links: Vec<Complex<T>>,
+    length: usize,
+) -> Vec<Complex<T>> {
     let (radar, steps) = (listener.radar, &listener.steps);
     if is_link_by_link(radar) {
         for (link, values) in links(radar).iter().zip(of_links.chunks_exact_mut(length)) {

@@ -5,7 +5,8 @@ use crate::sums::fast::smooth_part::{Asked, SmoothPart};
 use crate::sums::spans;
 use artifact::paths::{Path, Span};
 
-/// Paths and their slow part; `None` where no few instants tell them, or where they are fewer than a transform pays for.
+/// Paths and their slow part; `None` where no few instants tell them, or where they are fewer than a
+/// transform pays for.
 pub(crate) struct Group<'p> {
     pub(crate) paths: Vec<&'p Path>,
     pub(crate) smooth: Option<SmoothPart>,
@@ -18,9 +19,14 @@ impl Group<'_> {
     }
 }
 
-/// Paths of one target and one part of the frame each, halved by velocity and by range until their slow parts are told by few
-/// instants.
-pub(crate) fn groups<'p>(listener: &Listener<'_>, paths: &[&'p Path], links: &[Link], asked: Asked) -> Vec<Group<'p>> {
+/// Paths of one target and one part of the frame each, halved by velocity and by range until their slow parts
+/// are told by few instants.
+pub(crate) fn groups<'p>(
+    listener: &Listener<'_>,
+    paths: &[&'p Path],
+    links: &[Link],
+    asked: Asked,
+) -> Vec<Group<'p>> {
     let key = |path: &Path| (path.target, spans::order(path));
     let mut by_target = paths.to_vec();
     by_target.sort_by_key(|path| key(path));
@@ -30,9 +36,9 @@ pub(crate) fn groups<'p>(listener: &Listener<'_>, paths: &[&'p Path], links: &[L
         .collect()
 }
 
-/// Fewer are summed one by one: the transforms of a group's instants cost as much, whatever the channels, chirps and samples.
-/// Measured with 3 × 4 elements, 128 chirps of 256 samples: equal at 32 paths for −40 dB, 40 for −60, 64 for −80, 100 for −100
-/// and, in double precision, 200 for −120 dB (`echo_speed -- 64 1`).
+/// Fewer are summed one by one: the transforms of a group's instants cost as much, whatever the channels,
+/// chirps and samples. Measured with 3 × 4 elements, 128 chirps of 256 samples: equal at 32 paths for −40 dB,
+/// 40 for −60, 64 for −80, 100 for −100 and, in double precision, 200 for −120 dB (`echo_speed -- 64 1`).
 pub(crate) fn paths_min(error: f64) -> usize {
     match error {
         _ if error >= 1e-3 => 40,
@@ -53,7 +59,8 @@ fn split<'p>(listener: &Listener<'_>, paths: Vec<&'p Path>, links: &[Link], aske
     [slow, fast].into_iter().flat_map(|half| split(listener, half, links, asked)).collect()
 }
 
-/// About the median of the tone that spreads over more of its cells: by chirps it is the velocity, by samples the range.
+/// About the median of the tone that spreads over more of its cells: by chirps it is the velocity, by samples
+/// the range.
 fn halves<'p>(listener: &Listener<'_>, paths: Vec<&'p Path>) -> (Vec<&'p Path>, Vec<&'p Path>) {
     let waveform = &listener.radar.waveform;
     let cells = |path: &Path| {

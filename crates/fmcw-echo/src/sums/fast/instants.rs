@@ -1,7 +1,8 @@
 //! The exact IF value of a path at any instant of a frame, for all transmit–receive pairs of an array.
 //!
-//! The formulas are those of [`mod@crate::sums::reference`]; an instant is a chirp and a sample that need not be whole. What does not
-//! change from pair to pair is taken once per element: a leg's length, its gain, its rate.
+//! The formulas are those of [`mod@crate::sums::reference`]; an instant is a chirp and a sample that need not
+//! be whole. What does not change from pair to pair is taken once per element: a leg's length, its gain, its
+//! rate.
 
 use crate::links::antenna::{axes, link_amplitude, pattern_amplitude};
 use crate::links::multiplexing::line_delay_s;
@@ -70,8 +71,15 @@ impl<'a> Listener<'a> {
         Instant { chirp: (self.steps.chirps / 2) as f64, sample: f64::from(self.radar.waveform.samples / 2) }
     }
 
-    /// Calls `give` with the place of every link, which come transmitter by transmitter, and the value of a path there.
-    pub(crate) fn for_each_value(&self, path: &Path, links: &[Link], at: Instant, give: &mut dyn FnMut(usize, Value)) {
+    /// Calls `give` with the place of every link, which come transmitter by transmitter, and the value of a
+    /// path there.
+    pub(crate) fn for_each_value(
+        &self,
+        path: &Path,
+        links: &[Link],
+        at: Instant,
+        give: &mut dyn FnMut(usize, Value),
+    ) {
         let t = at.sample / self.radar.waveform.sample_rate_hz;
         let mut place = 0;
         for of_tx in links.chunk_by(|a, b| a.tx == b.tx) {
@@ -91,8 +99,9 @@ impl<'a> Listener<'a> {
             for link in of_tx {
                 let arriving = arriving(link.rx);
                 let line_s = line_delay_s(&hardware.rx, link.rx);
-                let later_s =
-                    (first.length_m - arriving.length_m) / C + line_delay_s(&hardware.rx, of_tx[0].rx) - line_s;
+                let later_s = (first.length_m - arriving.length_m) / C
+                    + line_delay_s(&hardware.rx, of_tx[0].rx)
+                    - line_s;
                 let way_s = (departing.length_m + departing.rate_mps * later_s + arriving.length_m) / C;
                 let tau = way_s + line_delay_s(&hardware.tx, link.tx) + line_s;
                 give(place, self.value(path, t, tau, departing.gain_per_m * arriving.gain_per_m));
@@ -109,10 +118,14 @@ impl<'a> Listener<'a> {
         let time_s = self.steps.start_s(0, at.chirp) + t;
         let position_m = DVec3::from_array(self.radar.position_m);
         let legs = [self.departing(path, position_m, time_s), self.arriving(path, position_m, time_s)];
-        let (tau, rate) = ((legs[0].length_m + legs[1].length_m) / C, (legs[0].rate_mps + legs[1].rate_mps) / C);
+        let (tau, rate) =
+            ((legs[0].length_m + legs[1].length_m) / C, (legs[0].rate_mps + legs[1].rate_mps) / C);
         let beat_hz = waveform.slope_hz_per_s * tau;
         let doppler_hz = rate * (waveform.start_frequency_hz + waveform.slope_hz_per_s * (t - tau));
-        Tone { per_chirp: doppler_hz * self.steps.step_s, per_sample: (beat_hz + doppler_hz) / waveform.sample_rate_hz }
+        Tone {
+            per_chirp: doppler_hz * self.steps.step_s,
+            per_sample: (beat_hz + doppler_hz) / waveform.sample_rate_hz,
+        }
     }
 
     /// Eq. (13): √(P_tG_tG_r)·λ/(4π)^{3/2}·conj a(f)·gain, and f₀τ + μtτ − ½μτ².
@@ -120,7 +133,8 @@ impl<'a> Listener<'a> {
         let (f0, mu) = (self.radar.waveform.start_frequency_hz, self.radar.waveform.slope_hz_per_s);
         let (receive, transmit) = self.radar.array.polarization.indices();
         let offset_hz = f0 + mu * (t - tau) - self.centre_frequency_hz;
-        let amplitude_m = path.amplitude_m[receive][transmit] + offset_hz * path.slope_m_per_hz[receive][transmit];
+        let amplitude_m =
+            path.amplitude_m[receive][transmit] + offset_hz * path.slope_m_per_hz[receive][transmit];
         let amplitude = self.link_amplitude * gain_per_m2 * amplitude_m.conj();
         Value { amplitude, cycles: f0 * tau + mu * t * tau - 0.5 * mu * tau * tau }
     }
@@ -133,7 +147,8 @@ impl<'a> Listener<'a> {
         self.leg(way_m / length_m, length_m, velocity_mps)
     }
 
-    /// At the scattering time t_s = T − |x(t_s) − p|/c: |x(t_s) − p| = |x(T) − p|/(1 + v·d/c), but for (v/c)².
+    /// At the scattering time t_s = T − |x(t_s) − p|/c: |x(t_s) − p| = |x(T) − p|/(1 + v·d/c), but for
+    /// (v/c)².
     fn arriving(&self, path: &Path, element_m: DVec3, time_s: f64) -> Leg {
         let (position_m, velocity_mps) =
             at(path.apparent_rx_m, path.apparent_rx_mps, path.curve.apparent_rx_mps2, time_s);
@@ -151,7 +166,8 @@ impl<'a> Listener<'a> {
 
 /// Place and velocity of an apparent point.
 fn at(point_m: [f64; 3], velocity_mps: [f64; 3], acceleration_mps2: [f64; 3], time_s: f64) -> (DVec3, DVec3) {
-    let (velocity_mps, gained_mps) = (DVec3::from_array(velocity_mps), DVec3::from_array(acceleration_mps2) * time_s);
+    let (velocity_mps, gained_mps) =
+        (DVec3::from_array(velocity_mps), DVec3::from_array(acceleration_mps2) * time_s);
     (DVec3::from_array(point_m) + (velocity_mps + 0.5 * gained_mps) * time_s, velocity_mps + gained_mps)
 }
 

@@ -1,9 +1,9 @@
 //! What carries a tone to the cells of a regular grid beside it: the "exponential of a semicircle".
 //!
-//! φ(z) = e^{β(√(1 − z²) − 1)} for |z| ≤ 1, over w cells of a grid with twice as many cells as there are modes (Barnett,
-//! Magland, af Klinteberg, SIAM J. Sci. Comput. 41 (2019) C479). A tone leaks into the modes that alias with its own: of mode
-//! k, φ̂(k ± M)/φ̂(k). The narrowest kernel whose largest leak is the error asked for is taken, with the β of a few
-//! about 2.3w that leaks least.
+//! φ(z) = e^{β(√(1 − z²) − 1)} for |z| ≤ 1, over w cells of a grid with twice as many cells as there are
+//! modes (Barnett, Magland, af Klinteberg, SIAM J. Sci. Comput. 41 (2019) C479). A tone leaks into the modes
+//! that alias with its own: of mode k, φ̂(k ± M)/φ̂(k). The narrowest kernel whose largest leak is the error
+//! asked for is taken, with the β of a few about 2.3w that leaks least.
 
 use crate::sums::fast::scalar::Scalar;
 use std::f64::consts::PI;
@@ -19,12 +19,14 @@ pub(crate) struct Kernel {
 pub(crate) const CELLS_MAX: usize = 16;
 
 impl Kernel {
-    /// For an error of a two-dimensional transform, relative to the root of the sum of the strengths' squares.
+    /// For an error of a two-dimensional transform, relative to the root of the sum of the strengths'
+    /// squares.
     pub(crate) fn for_error(error: f64) -> Self {
         // 10^{1−w} is what β = 2.3w leaves.
         let about = (-error.log10()).floor().clamp(2.0, CELLS_MAX as f64) as usize;
         let best = |cells: usize| {
-            let shapes = [2.20, 2.26, 2.32, 2.38].map(|per_cell| Self { cells, shape: per_cell * cells as f64 });
+            let shapes =
+                [2.20, 2.26, 2.32, 2.38].map(|per_cell| Self { cells, shape: per_cell * cells as f64 });
             shapes.into_iter().map(|kernel| (kernel.leak(), kernel)).min_by(|a, b| a.0.total_cmp(&b.0))
         };
         let kernels = (about..=CELLS_MAX).filter_map(best);
@@ -64,7 +66,9 @@ impl Kernel {
         let at = |i: i32| {
             let theta = 0.5 * PI * f64::from(i) / f64::from(TRAPEZOIDS);
             let (z, cosine) = theta.sin_cos();
-            (self.shape * (cosine - 1.0)).exp() * cosine * (2.0 * PI * mode * half * z / grid_cells as f64).cos()
+            (self.shape * (cosine - 1.0)).exp()
+                * cosine
+                * (2.0 * PI * mode * half * z / grid_cells as f64).cos()
         };
         let sum: f64 = (-TRAPEZOIDS..=TRAPEZOIDS).map(at).sum();
         sum * 0.5 * PI / f64::from(TRAPEZOIDS) * half

@@ -1,8 +1,10 @@
-//! A few instants of a frame that know all of it: interpolation from points that are chosen by the functions themselves.
+//! A few instants of a frame that know all of it: interpolation from points that are chosen by the functions
+//! themselves.
 //!
-//! Functions of a family, known at the points of a grid, are told from their values at a few of these points. A point is added
-//! where most is left (Barrault, Maday, Nguyen, Patera, C. R. Acad. Sci. Paris 339 (2004) 667), then each point may move to where
-//! it leaves least, and the shares of the points are those with the least mean square over the known functions.
+//! Functions of a family, known at the points of a grid, are told from their values at a few of these points.
+//! A point is added where most is left (Barrault, Maday, Nguyen, Patera, C. R. Acad. Sci. Paris 339 (2004)
+//! 667), then each point may move to where it leaves least, and the shares of the points are those with the
+//! least mean square over the known functions.
 
 use num_complex::Complex64;
 
@@ -18,8 +20,8 @@ pub(crate) struct Skeleton {
 }
 
 impl Skeleton {
-    /// Of some functions of the family, none larger than about 1, until the root mean square of what is left is `error`, or up to
-    /// `most` points.
+    /// Of some functions of the family, none larger than about 1, until the root mean square of what is left
+    /// is `error`, or up to `most` points.
     pub(crate) fn of(functions: &[Vec<Complex64>], error: f64, most: usize) -> Self {
         let mut found = Self { left: root_mean_square(functions), ..Self::default() };
         let products = Products::of(functions);
@@ -29,10 +31,13 @@ impl Skeleton {
             points.push(most_left(&left_over));
             let mut moved = points.clone();
             products.improve(&mut moved);
-            // A point that the others tell already has huge shares of either sign. Where most is left none tells it.
+            // A point that the others tell already has huge shares of either sign. Where most is left none
+            // tells it.
             let of_points = |points: Vec<usize>| (shares(functions, &points), points);
-            let steady =
-                [moved, points].into_iter().map(of_points).find(|(shares, _)| enlarged(shares) <= ENLARGED_MAX);
+            let steady = [moved, points]
+                .into_iter()
+                .map(of_points)
+                .find(|(shares, _)| enlarged(shares) <= ENLARGED_MAX);
             let Some((shares, points)) = steady else { return found };
             left_over = functions.iter().map(|function| missed(function, &points, &shares)).collect();
             let left = root_mean_square(&left_over);
@@ -50,7 +55,8 @@ impl Skeleton {
     }
 }
 
-/// Shares enlarge the rounding of values, 6e-8 in single precision, which makes sums down to 1e-5: 30 times that is a fifth of it.
+/// Shares enlarge the rounding of values, 6e-8 in single precision, which makes sums down to 1e-5: 30 times
+/// that is a fifth of it.
 const ENLARGED_MAX: f64 = 30.0;
 
 /// Largest sum of shares' sizes in a value.
@@ -80,8 +86,8 @@ fn most_left(functions: &[Vec<Complex64>]) -> usize {
     (0..powers.len()).fold(0, |most, point| if powers[point] > powers[most] { point } else { most })
 }
 
-/// Shares X of some points with the least Σ|M − A·X|² over functions, A their values at the points: A = QR by modified Gram and
-/// Schmidt, RX = QᴴM.
+/// Shares X of some points with the least Σ|M − A·X|² over functions, A their values at the points: A = QR by
+/// modified Gram and Schmidt, RX = QᴴM.
 fn shares(functions: &[Vec<Complex64>], points: &[usize]) -> Vec<Vec<Complex64>> {
     let count = points.len();
     let mut columns: Vec<Vec<Complex64>> =
@@ -143,7 +149,8 @@ impl Products {
         }
     }
 
-    /// Σ|M|² that the best shares of some points tell: the points' columns made orthogonal one after the other.
+    /// Σ|M|² that the best shares of some points tell: the points' columns made orthogonal one after the
+    /// other.
     fn told(&self, points: &[usize]) -> f64 {
         let mut rows: Vec<Vec<Complex64>> = Vec::with_capacity(points.len());
         let mut told = 0.0;
@@ -174,7 +181,8 @@ mod tests {
     fn functions_of_three_shapes_are_told_by_three_points() {
         let at = |i: usize| i as f64 / 20.0 - 0.5;
         let function = |k: usize| {
-            let of = |i: usize| Complex64::new(1.0 + 0.1 * k as f64 * at(i), (k as f64).sin() * at(i).powi(2));
+            let of =
+                |i: usize| Complex64::new(1.0 + 0.1 * k as f64 * at(i), (k as f64).sin() * at(i).powi(2));
             (0..21).map(of).collect::<Vec<_>>()
         };
         let known: Vec<Vec<Complex64>> = (0..9).map(function).collect();

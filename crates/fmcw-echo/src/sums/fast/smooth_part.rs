@@ -1,9 +1,9 @@
 //! What a group of paths has in common beside its tones: the few instants that tell all of a frame.
 //!
-//! A path's IF value is its tone, e^{j2π(αn + βm)}, times something that changes slowly with chirp n and sample m: range
-//! migration, acceleration, spreading, the element's own delay, the amplitude over the band. Over the same of the group's middle
-//! path it hardly changes, so that its values at one to a few instants tell the frame ([`Skeleton`]). Grids of Chebyshev
-//! points carry the middle path's.
+//! A path's IF value is its tone, e^{j2π(αn + βm)}, times something that changes slowly with chirp n and
+//! sample m: range migration, acceleration, spreading, the element's own delay, the amplitude over the band.
+//! Over the same of the group's middle path it hardly changes, so that its values at one to a few instants
+//! tell the frame ([`Skeleton`]). Grids of Chebyshev points carry the middle path's.
 
 use crate::sums::fast::instants::{Instant, Link, Listener, Tone};
 use crate::sums::fast::scalar::{Scalar, rounded};
@@ -33,7 +33,8 @@ pub(crate) struct Asked {
 }
 
 impl SmoothPart {
-    /// Of some paths; `None` where more instants than allowed, or a finer grid than [`GRID_MAX`], would be needed.
+    /// Of some paths; `None` where more instants than allowed, or a finer grid than [`GRID_MAX`], would be
+    /// needed.
     pub(crate) fn of(listener: &Listener<'_>, paths: &[&Path], links: &[Link], asked: Asked) -> Option<Self> {
         let middle = middle_of(paths)?;
         let some = spread_over(listener, paths);
@@ -45,7 +46,11 @@ impl SmoothPart {
         let (train, test): (Vec<_>, Vec<_>) = some.into_iter().enumerate().partition(|(i, _)| i % 2 == 0);
         let relative = |(_, path): &(usize, &Path)| {
             let values = slow_values(listener, path, &few, &grid);
-            values.into_iter().zip(&of_few).map(|(own, middle)| unit(quotient(own, middle))).collect::<Vec<_>>()
+            values
+                .into_iter()
+                .zip(&of_few)
+                .map(|(own, middle)| unit(quotient(own, middle)))
+                .collect::<Vec<_>>()
         };
         let known: Vec<Vec<Complex64>> = train.iter().flat_map(relative).collect();
         let skeleton = Skeleton::of(&known, 0.7 * asked.error, asked.instants_max);
@@ -58,7 +63,8 @@ impl SmoothPart {
             let at_point = of_link[skeleton.points[i]];
             skeleton.shares[i].iter().zip(of_link).map(|(share, value)| share * value / at_point).collect()
         };
-        let shapes = (0..skeleton.points.len()).map(|i| of_middle.iter().map(|v| shape(i, v)).collect()).collect();
+        let shapes =
+            (0..skeleton.points.len()).map(|i| of_middle.iter().map(|v| shape(i, v)).collect()).collect();
         let instants = skeleton.points.iter().map(|&point| grid[point]).collect();
         Some(Self { instants, axes, shapes })
     }
@@ -124,8 +130,10 @@ impl ChebyshevAxis {
             return (0..self.places.len()).map(|i| if i == hit { 1.0 } else { 0.0 }).collect();
         }
         let count = self.places.len() as f64;
-        let weight = |i: usize| (PI * (i as f64 + 0.5) / count).sin() * if i.is_multiple_of(2) { 1.0 } else { -1.0 };
-        let terms: Vec<f64> = self.places.iter().enumerate().map(|(i, place)| weight(i) / (at - place)).collect();
+        let weight =
+            |i: usize| (PI * (i as f64 + 0.5) / count).sin() * if i.is_multiple_of(2) { 1.0 } else { -1.0 };
+        let terms: Vec<f64> =
+            self.places.iter().enumerate().map(|(i, place)| weight(i) / (at - place)).collect();
         let total: f64 = terms.iter().sum();
         terms.iter().map(|term| term / total).collect()
     }
@@ -140,7 +148,8 @@ fn points(axes: &[ChebyshevAxis; 2]) -> Vec<Instant> {
 /// Most points along an axis: a turn of 20 rad is told to 1e-8.
 const GRID_MAX: usize = 32;
 
-/// The grid that tells the slow part of the middle path and of those farthest from it, checked between its points.
+/// The grid that tells the slow part of the middle path and of those farthest from it, checked between its
+/// points.
 fn grid_for(
     listener: &Listener<'_>,
     middle: &Path,
@@ -155,7 +164,10 @@ fn grid_for(
     let between: Vec<Instant> = (1..=24)
         .map(|i| {
             let part = |step: f64| (f64::from(i) * step).fract();
-            Instant { chirp: part(0.618_034) * (chirps as f64 - 1.0), sample: part(0.414_214) * (samples as f64 - 1.0) }
+            Instant {
+                chirp: part(0.618_034) * (chirps as f64 - 1.0),
+                sample: part(0.414_214) * (samples as f64 - 1.0),
+            }
         })
         .collect();
     let mut counts = [2_usize, 2];
@@ -183,12 +195,18 @@ fn grid_for(
 
 fn on_grid(axes: &[ChebyshevAxis; 2], coarse: &[Complex64], at: Instant) -> Complex64 {
     let [chirps, samples] = [axes[0].shares_at(at.chirp), axes[1].shares_at(at.sample)];
-    let row = |row: &[Complex64]| samples.iter().zip(row).map(|(share, value)| *share * value).sum::<Complex64>();
+    let row =
+        |row: &[Complex64]| samples.iter().zip(row).map(|(share, value)| *share * value).sum::<Complex64>();
     coarse.chunks_exact(samples.len()).zip(&chirps).map(|(values, share)| *share * row(values)).sum()
 }
 
 /// By link, then instant: values less the path's tone.
-fn slow_values(listener: &Listener<'_>, path: &Path, links: &[Link], instants: &[Instant]) -> Vec<Vec<Complex64>> {
+fn slow_values(
+    listener: &Listener<'_>,
+    path: &Path,
+    links: &[Link],
+    instants: &[Instant],
+) -> Vec<Vec<Complex64>> {
     let tone = listener.tone(path);
     let mut values = vec![Vec::with_capacity(instants.len()); links.len()];
     for at in instants {
@@ -238,7 +256,8 @@ fn middle_of(paths: &[&Path]) -> Option<Path> {
     })
 }
 
-/// Paths that a group is told by: those with the least and the greatest tones, and others between, alternately.
+/// Paths that a group is told by: those with the least and the greatest tones, and others between,
+/// alternately.
 fn spread_over<'p>(listener: &Listener<'_>, paths: &[&'p Path]) -> Vec<&'p Path> {
     let tones: Vec<Tone> = paths.par_iter().map(|path| listener.tone(path)).collect();
     let extreme = |of: fn(&Tone) -> f64| {
@@ -299,7 +318,8 @@ mod tests {
         }
     }
 
-    /// X5: a body of 5 m whose points differ by ±0.3 m/s, straight ahead and so far away that nothing but the bilinear phase is left.
+    /// X5: a body of 5 m whose points differ by ±0.3 m/s, straight ahead and so far away that nothing but the
+    /// bilinear phase is left.
     #[test]
     fn x5_one_two_and_three_instants_leave_39_78_and_116_db() {
         let radar = radar();
@@ -323,7 +343,9 @@ mod tests {
         let axes = [ChebyshevAxis::new(128, 9), ChebyshevAxis::new(512, 9)];
         // Even places, so that the mean over points is that over the frame.
         let even = |axis: &ChebyshevAxis, length: f64| ChebyshevAxis {
-            places: (0..axis.places.len()).map(|i| length * (i as f64 + 0.5) / axis.places.len() as f64).collect(),
+            places: (0..axis.places.len())
+                .map(|i| length * (i as f64 + 0.5) / axis.places.len() as f64)
+                .collect(),
         };
         let grid = points(&[even(&axes[0], 127.0), even(&axes[1], 511.0)]);
         let one = [Link { tx: 0, rx: 0 }];

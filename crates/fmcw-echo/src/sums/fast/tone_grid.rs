@@ -1,8 +1,9 @@
 //! Many tones on all chirps and samples: two-dimensional type-1 non-uniform FFT.
 //!
-//! Tones are spread over the cells of a grid with twice as many cells as there are chirps and samples ([`Kernel`]), the grid is
-//! transformed, and each chirp and sample is divided by what the kernel does to it. Several sets of strengths share the
-//! tones: their cells lie side by side, so that one weight serves all of them. Only Doppler rows that a tone reaches exist.
+//! Tones are spread over the cells of a grid with twice as many cells as there are chirps and samples
+//! ([`Kernel`]), the grid is transformed, and each chirp and sample is divided by what the kernel does to it.
+//! Several sets of strengths share the tones: their cells lie side by side, so that one weight serves all of
+//! them. Only Doppler rows that a tone reaches exist.
 
 use crate::sums::fast::instants::Tone;
 use crate::sums::fast::kernel::{CELLS_MAX, Kernel};
@@ -48,8 +49,11 @@ impl<T: Scalar> ToneGrid<T> {
     pub(crate) fn new(tones: &[Tone], modes: [usize; 2], error: f64) -> Self {
         let kernel = Kernel::for_error(error);
         let cells = modes.map(|modes| smooth_at_least((2 * modes).max(2 * kernel.cells)));
-        let mut order: Vec<([u32; 2], u32)> =
-            tones.par_iter().enumerate().map(|(i, tone)| (first_cells(&kernel, cells, tone), i as u32)).collect();
+        let mut order: Vec<([u32; 2], u32)> = tones
+            .par_iter()
+            .enumerate()
+            .map(|(i, tone)| (first_cells(&kernel, cells, tone), i as u32))
+            .collect();
         order.par_sort_unstable();
         let spots: Vec<Spot<T>> =
             order.par_iter().map(|&(first, i)| spot(&kernel, cells, tones[i as usize], first, i)).collect();
@@ -70,9 +74,13 @@ impl<T: Scalar> ToneGrid<T> {
         self.spots.iter().map(|spot| spot.tone as usize)
     }
 
-    /// Σ over tones of strength·e^{j2π(αn + βm)}, n and m from the frame's middle: `[set][chirp][sample]` are given one set
-    /// after the other. `strengths` are `[set][tone]`, tones in [`Self::order`].
-    pub(crate) fn transform(&self, strengths: &[Vec<Complex<T>>], give: &mut dyn FnMut(usize, &[Complex<T>])) {
+    /// Σ over tones of strength·e^{j2π(αn + βm)}, n and m from the frame's middle: `[set][chirp][sample]` are
+    /// given one set after the other. `strengths` are `[set][tone]`, tones in [`Self::order`].
+    pub(crate) fn transform(
+        &self,
+        strengths: &[Vec<Complex<T>>],
+        give: &mut dyn FnMut(usize, &[Complex<T>]),
+    ) {
         let sets = strengths.len();
         let grid = self.spread(strengths);
         let zero = Complex::new(T::zero(), T::zero());
@@ -119,7 +127,8 @@ impl<T: Scalar> ToneGrid<T> {
 
     /// `[row][column][set]`.
     fn spread(&self, strengths: &[Vec<Complex<T>>]) -> Vec<Complex<T>> {
-        let mut grid = vec![Complex::new(T::zero(), T::zero()); self.rows.len() * self.columns() * strengths.len()];
+        let mut grid =
+            vec![Complex::new(T::zero(), T::zero()); self.rows.len() * self.columns() * strengths.len()];
         // Inside, the loops are compiled for what the processor has.
         Arch::new().dispatch(|| self.spread_into(strengths, &mut grid));
         grid
@@ -209,14 +218,18 @@ mod tests {
     fn many_tones_are_those_of_the_direct_sum_over_ten_decades_of_error() {
         let fraction = |i: usize, step: f64| (i as f64 * step).fract();
         let tones: Vec<Tone> = (1..300)
-            .map(|i| Tone { per_chirp: 3.0 * fraction(i, 0.618_034) - 1.5, per_sample: fraction(i, 0.732_051) })
+            .map(|i| Tone {
+                per_chirp: 3.0 * fraction(i, 0.618_034) - 1.5,
+                per_sample: fraction(i, 0.732_051),
+            })
             .collect();
         let strengths: Vec<Complex64> =
             (1..300).map(|i| Complex64::from_polar(fraction(i, 0.414_214), fraction(i, 0.236_068))).collect();
         for modes in [[16, 30], [9, 7], [1, 5]] {
             let exact = |n: usize, m: usize| -> Complex64 {
                 let turn = |t: &Tone| {
-                    t.per_chirp * (n as f64 - (modes[0] / 2) as f64) + t.per_sample * (m as f64 - (modes[1] / 2) as f64)
+                    t.per_chirp * (n as f64 - (modes[0] / 2) as f64)
+                        + t.per_sample * (m as f64 - (modes[1] / 2) as f64)
                 };
                 tones.iter().zip(&strengths).map(|(t, s)| s * Complex64::cis(TAU * turn(t))).sum()
             };

@@ -17,7 +17,8 @@ fn error(gain_db: f64, phase_rad: f64, delay_s: f64) -> ElementError {
 fn flawed(multiplexing: Multiplexing, chirps: u32) -> Radar {
     let mut radar = radar(Waveform { chirps, ..experiment(1) }, &presets()[2], multiplexing);
     radar.hardware.tx = vec![error(0.0, 0.0, 0.0), error(1.5, -0.4, 40e-12), error(-2.0, 2.5, 700e-12)];
-    radar.hardware.rx = (0..4).map(|i| error(f64::from(i) - 1.0, 0.3 * f64::from(i), 50e-12 * f64::from(i))).collect();
+    radar.hardware.rx =
+        (0..4).map(|i| error(f64::from(i) - 1.0, 0.3 * f64::from(i), 50e-12 * f64::from(i))).collect();
     radar
 }
 
@@ -31,7 +32,9 @@ fn an_element_error_is_its_gain_its_phase_and_the_length_of_its_line() {
     let w = &radar.waveform;
     for channel in 0..12 {
         let (tx, rx) = (radar.hardware.tx[channel / 4], radar.hardware.rx[channel % 4]);
-        let to = |element_m: [f64; 3]| glam::DVec3::from_array(element_m).distance(glam::DVec3::new(3.0, 30.0, 1.0));
+        let to = |element_m: [f64; 3]| {
+            glam::DVec3::from_array(element_m).distance(glam::DVec3::new(3.0, 30.0, 1.0))
+        };
         let tau = (to(radar.array.tx_m[channel / 4]) + to(radar.array.rx_m[channel % 4])) / 299_792_458.0;
         let line_s = tx.delay_s + rx.delay_s;
         for n in [0, 100, 255] {
@@ -50,7 +53,8 @@ fn an_element_error_is_its_gain_its_phase_and_the_length_of_its_line() {
 
 #[test]
 fn the_three_sums_agree_on_flawed_elements_under_every_multiplexing() {
-    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm] {
+    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm]
+    {
         let radar = flawed(multiplexing, 16);
         the_three_sums_agree(&radar, "flawed", 71);
     }
@@ -61,7 +65,14 @@ fn a_converter_rounds_what_the_receiver_hears_noise_included() {
     let mut header =
         header(single_channel(experiment(1)), Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 });
     let cube = |header: &artifact::cube::CubeHeader| {
-        synthesize(header, 3, &frame(vec![point([0.0, 40.0, 6.0], [0.0; 3], 10.0)]), 77.3125e9, asked(), &|_| ())
+        synthesize(
+            header,
+            3,
+            &frame(vec![point([0.0, 40.0, 6.0], [0.0; 3], 10.0)]),
+            77.3125e9,
+            asked(),
+            &|_| (),
+        )
     };
     let fine = cube(&header).unwrap().samples;
     let full_scale = f64::from(fine.iter().map(|x| x.re.abs().max(x.im.abs())).fold(0.0, f32::max)) * 0.5;
@@ -71,7 +82,10 @@ fn a_converter_rounds_what_the_receiver_hears_noise_included() {
     for (rounded, fine) in rounded.iter().zip(&fine) {
         for (rounded, fine) in [(rounded.re, fine.re), (rounded.im, fine.im)] {
             let expected = f64::from(fine).clamp(-full_scale, full_scale - code);
-            assert!((f64::from(rounded) - expected).abs() <= 0.5 * code * (1.0 + 1e-6), "{rounded} of {fine}");
+            assert!(
+                (f64::from(rounded) - expected).abs() <= 0.5 * code * (1.0 + 1e-6),
+                "{rounded} of {fine}"
+            );
         }
     }
     header.radar.hardware.adc = Some(Adc { bits: 0, full_scale });

@@ -25,19 +25,24 @@ fn interferer() -> Interferer {
 }
 
 fn disturbed(layout: usize, interferers: Vec<Interferer>) -> Radar {
-    let mut radar = radar(Waveform { chirps: 4, ..experiment(1) }, &presets()[layout], Multiplexing::Simultaneous);
+    let mut radar =
+        radar(Waveform { chirps: 4, ..experiment(1) }, &presets()[layout], Multiplexing::Simultaneous);
     radar.hardware.interferers = interferers;
     radar
 }
 
 #[test]
 fn a_crossing_lasts_the_band_over_the_difference_of_slopes_and_has_the_power_of_one_way() {
-    // Falls as fast as ours rises: 5.12 MHz over 25 MHz/µs, 0.2 µs: one sample or two. A tenth of the difference: ten times.
+    // Falls as fast as ours rises: 5.12 MHz over 25 MHz/µs, 0.2 µs: one sample or two. A tenth of the
+    // difference: ten times.
     for slope_hz_per_s in [-12.5e12, 11.25e12, 13.5e12, 14e12, 3e12] {
         let start_frequency_hz = 77e9 + (12.5e12 - slope_hz_per_s) * 22e-6;
         let radar = disturbed(0, vec![Interferer { slope_hz_per_s, start_frequency_hz, ..interferer() }]);
-        let heard: Vec<f64> =
-            interference::row(&radar, 0.0, 0, 0).iter().map(|x| x.norm_sqr()).filter(|power| *power > 0.0).collect();
+        let heard: Vec<f64> = interference::row(&radar, 0.0, 0, 0)
+            .iter()
+            .map(|x| x.norm_sqr())
+            .filter(|power| *power > 0.0)
+            .collect();
         // Difference f₀ − f₁ + μt − μ₁(t − τ) is 0 at (22 µs·Δμ − μ₁τ)/Δμ, within our 50 µs for all of them.
         let expected = 5.12e6 * 5.12e6 / (12.5e12 - slope_hz_per_s).abs();
         println!("slope {slope_hz_per_s:e}: {} samples, {expected:.2} by the band", heard.len());
@@ -74,7 +79,9 @@ fn interferers_add_and_come_from_their_direction() {
     let start_frequency_hz = 77.003e9;
     let one = Interferer { position_m: aside, slope_hz_per_s: 12.4e12, start_frequency_hz, ..interferer() };
     let other = Interferer { slope_hz_per_s: 12.6e12, velocity_mps: [0.0, -20.0, 0.0], ..interferer() };
-    let of = |interferers: Vec<Interferer>, channel| interference::row(&disturbed(2, interferers), 0.3, channel, 2);
+    let of = |interferers: Vec<Interferer>, channel| {
+        interference::row(&disturbed(2, interferers), 0.3, channel, 2)
+    };
     for channel in [0, 5, 11] {
         let (both, [a, b]) = (of(vec![one, other], channel), [one, other].map(|i| of(vec![i], channel)));
         assert!(a.iter().chain(&b).filter(|x| **x != Complex64::ZERO).count() > 100);
@@ -82,7 +89,8 @@ fn interferers_add_and_come_from_their_direction() {
             assert_eq!(*both, a + b);
         }
     }
-    // Half a wavelength further right: e^{−jπu}, as an echo has it. Left out: the wavefront's curvature and f for f_c, 0.01 rad.
+    // Half a wavelength further right: e^{−jπu}, as an echo has it. Left out: the wavefront's curvature and f
+    // for f_c, 0.01 rad.
     let rows: Vec<Vec<Complex64>> = (0..4).map(|channel| of(vec![one], channel)).collect();
     let n = (0..256).find(|n| rows.iter().all(|row| row[*n] != Complex64::ZERO)).unwrap();
     for pair in rows.windows(2) {
@@ -96,7 +104,14 @@ fn an_interferer_is_in_the_cube_beside_echoes_and_noise_and_refused_where_it_mea
     let radar = disturbed(0, vec![Interferer { slope_hz_per_s: 12.4e12, ..interferer() }]);
     let cube = |radar: &Radar| {
         let header = header(radar.clone(), Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 });
-        synthesize(&header, 1, &frame(vec![point([0.0, 40.0, 6.0], [0.0; 3], 10.0)]), 77.3125e9, asked(), &|_| ())
+        synthesize(
+            &header,
+            1,
+            &frame(vec![point([0.0, 40.0, 6.0], [0.0; 3], 10.0)]),
+            77.3125e9,
+            asked(),
+            &|_| (),
+        )
     };
     let (with, without) = (cube(&radar).unwrap().samples, cube(&disturbed(0, vec![])).unwrap().samples);
     for chirp in 0..4 {
@@ -104,7 +119,9 @@ fn an_interferer_is_in_the_cube_beside_echoes_and_noise_and_refused_where_it_mea
         for (n, heard) in heard.iter().enumerate() {
             let [with, without] = [&with, &without].map(|cube| widened(&cube[chirp * 256 + n..][..1])[0]);
             // One sum in f32.
-            assert!((with - without - heard).norm() <= 1.2e-7 * (with.norm() + without.norm() + heard.norm()));
+            assert!(
+                (with - without - heard).norm() <= 1.2e-7 * (with.norm() + without.norm() + heard.norm())
+            );
         }
     }
     let wrong = [

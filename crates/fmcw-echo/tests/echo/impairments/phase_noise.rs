@@ -32,7 +32,8 @@ fn exact(radar: &Radar, paths: &[artifact::paths::Path], oscillator: &Oscillator
     (0..count).map(|i| reference::cube_sample(radar, f_c, paths, at(i), Some(oscillator))).collect()
 }
 
-/// The spectrum of a chirp of `samples` shows density S through |D|², D Dirichlet's kernel of a rectangular window: mean of
+/// The spectrum of a chirp of `samples` shows density S through |D|², D Dirichlet's kernel of a rectangular
+/// window: mean of
 /// |FFT|² at bin k, S told at every step of the oscillator's frame.
 fn expected_power(radar: &Radar, delay_s: f64, bin: usize) -> f64 {
     let (rate_hz, samples) = (radar.waveform.sample_rate_hz, f64::from(radar.waveform.samples));
@@ -53,7 +54,8 @@ fn expected_power(radar: &Radar, delay_s: f64, bin: usize) -> f64 {
 
 #[test]
 fn beside_a_target_stands_4_l_sin_squared_pi_f_tau_and_near_targets_keep_little_of_it() {
-    // 127 · 60 µs + 10 µs of 5.12 MHz are rounded up to 2¹⁶ steps; the expectation's 2¹⁴ are as fine as a chirp's bins need.
+    // 127 · 60 µs + 10 µs of 5.12 MHz are rounded up to 2¹⁶ steps; the expectation's 2¹⁴ are as fine as a
+    // chirp's bins need.
     let radar = noisy(Multiplexing::Simultaneous, 0, 128);
     let (samples, seeds) = (256, 8);
     let mut plain = radar.clone();
@@ -66,7 +68,9 @@ fn beside_a_target_stands_4_l_sin_squared_pi_f_tau_and_near_targets_keep_little_
         for seed in 0..seeds {
             let oscillator = Oscillator::of(&radar, seed, 0).unwrap();
             for chirp in 0..128 {
-                let turn = |n: usize| oscillator.turn(radar.chirp_start_s(0, chirp) + n as f64 / 5.12e6, delay_s).arg();
+                let turn = |n: usize| {
+                    oscillator.turn(radar.chirp_start_s(0, chirp) + n as f64 / 5.12e6, delay_s).arg()
+                };
                 let mut row: Vec<Complex64> = (0..samples).map(|n| Complex64::from(turn(n))).collect();
                 fft.process(&mut row);
                 power.iter_mut().zip(&row).for_each(|(sum, value)| *sum += value.norm_sqr());
@@ -79,7 +83,8 @@ fn beside_a_target_stands_4_l_sin_squared_pi_f_tau_and_near_targets_keep_little_
             worst = worst.max((power[bin] / expected - 1.0).abs());
             println!("{range_m} m, bin {bin}: {:.2} dB of 4·L·sin²", 10.0 * (power[bin] / expected).log10());
         }
-        // Exponentially distributed, 1024 of them, chirps apart by more than slow noise is left over: 3.1 %; five of those.
+        // Exponentially distributed, 1024 of them, chirps apart by more than slow noise is left over: 3.1 %;
+        // five of those.
         assert!(worst < 5.0 / (128.0 * seeds as f64).sqrt(), "{range_m} m: {worst}");
         total_of.push(power[3]);
     }
@@ -114,7 +119,8 @@ fn what_the_phase_is_told_from_neighbours_is_its_fourier_series() {
     let mut radar = noisy(Multiplexing::Simultaneous, 0, 1);
     radar.hardware.phase_noise = vec![PhaseNoise { offset_hz: 1e6, dbc_per_hz: -80.0 }];
     let oscillator = Oscillator::of(&radar, 3, 0).unwrap();
-    // 70 µs are rounded up to 512 samples of 5.12 MHz: the series from the values at the samples, told between them.
+    // 70 µs are rounded up to 512 samples of 5.12 MHz: the series from the values at the samples, told
+    // between them.
     let (count, rate_hz) = (512, 5.12e6);
     let mut series: Vec<Complex64> =
         (0..count).map(|n| Complex64::from(oscillator.phase_rad(n as f64 / rate_hz))).collect();
@@ -131,7 +137,8 @@ fn what_the_phase_is_told_from_neighbours_is_its_fourier_series() {
         size += exact * exact;
     }
     let missed_db = 10.0 * f64::log10(missed / size);
-    // Eighth-order interpolation at four steps a sample leaves 43/8!·(π/4)⁸ = 1.5e-4 of the fastest part, a √17th of it over all.
+    // Eighth-order interpolation at four steps a sample leaves 43/8!·(π/4)⁸ = 1.5e-4 of the fastest part, a
+    // √17th of it over all.
     println!("between neighbours: {missed_db:.1} dB");
     assert!(missed_db < -80.0);
 }
@@ -143,7 +150,8 @@ fn a_cube_with_phase_noise_follows_from_the_seed_and_knows_its_error() {
         header.radar.hardware.phase_noise = noise;
         header
     };
-    let still = || frame(vec![point([0.0, 40.0, 6.0], [0.0; 3], 10.0), point([1.0, 20.0, 6.0], [0.0; 3], 1.0)]);
+    let still =
+        || frame(vec![point([0.0, 40.0, 6.0], [0.0; 3], 10.0), point([1.0, 20.0, 6.0], [0.0; 3], 1.0)]);
     let cube = |noise, seed| synthesize(&header(noise), seed, &still(), 77.3125e9, asked(), &|_| ());
     let [one, again, other] = [1, 1, 2].map(|seed| cube(silicon(), seed).unwrap());
     assert_eq!(one.samples, again.samples);

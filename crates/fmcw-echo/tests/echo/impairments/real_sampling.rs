@@ -9,7 +9,8 @@ use rustfft::FftPlanner;
 
 /// The samples of one frame with a still point at 23.98 m, cell 100 of 256.
 fn samples(sampling: Sampling, noise: Noise, seed: u64) -> Vec<Complex64> {
-    let mut header = header(single_channel(artifact::Waveform { chirps: 64, sampling, ..experiment(1) }), noise);
+    let mut header =
+        header(single_channel(artifact::Waveform { chirps: 64, sampling, ..experiment(1) }), noise);
     (header.dsp.range_window, header.dsp.doppler_window) = (Window::Rect, Window::Rect);
     let range_m = 100.0 * header.radar.waveform.range_resolution_m();
     let still = frame(vec![point([0.0, range_m, 6.0], [0.0; 3], 10.0)]);

@@ -8,7 +8,9 @@ use fmcw_echo::{EchoError, synthesize, window};
 use num_complex::{Complex32, Complex64};
 
 fn cube(header: &CubeHeader, paths: Vec<artifact::paths::Path>) -> Vec<Complex32> {
-    synthesize(header, 9, &frame(paths), header.radar.waveform.centre_frequency_hz(), asked(), &|_| ()).unwrap().samples
+    synthesize(header, 9, &frame(paths), header.radar.waveform.centre_frequency_hz(), asked(), &|_| ())
+        .unwrap()
+        .samples
 }
 
 /// Mean power of a map's cells: by Parseval's theorem the power of the windowed samples.
@@ -47,8 +49,10 @@ fn s6_an_empty_scene_holds_thermal_noise_of_minus_136_9_dbw_plus_the_noise_figur
     let header = header(radar, Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 });
     let samples = widened(&cube(&header, vec![]));
     for channel in samples.chunks(128 * 256) {
-        let power_dbw = 10.0 * (channel.iter().map(|x| x.norm_sqr()).sum::<f64>() / channel.len() as f64).log10();
-        // k·290 K·5.12 MHz = −136.88 dBW; the mean of 32 768 exponential powers is known to 1/√32768: 0.024 dB, five of them.
+        let power_dbw =
+            10.0 * (channel.iter().map(|x| x.norm_sqr()).sum::<f64>() / channel.len() as f64).log10();
+        // k·290 K·5.12 MHz = −136.88 dBW; the mean of 32 768 exponential powers is known to 1/√32768: 0.024
+        // dB, five of them.
         assert!((power_dbw + 136.88 - 12.0).abs() < 0.12, "{power_dbw}");
     }
 }
@@ -57,15 +61,20 @@ fn s6_an_empty_scene_holds_thermal_noise_of_minus_136_9_dbw_plus_the_noise_figur
 fn snr_db_is_the_peak_cell_of_one_channel_over_the_mean_noise_cell_with_the_windows_set() {
     let mut header = header(single_channel(experiment(1)), Noise::Absent);
     let paths = vec![point([2.0, 40.0, 1.0], [0.0, -7.0, 0.0], 3.0), point([2.0, 30.0, 1.0], [0.0; 3], 0.2)];
-    for windows in
-        [[Window::Hann, Window::Hann], [Window::Rect, Window::Chebyshev(80.0)], [Window::Blackman, Window::Hamming]]
-    {
+    for windows in [
+        [Window::Hann, Window::Hann],
+        [Window::Rect, Window::Chebyshev(80.0)],
+        [Window::Blackman, Window::Hamming],
+    ] {
         [header.dsp.range_window, header.dsp.doppler_window] = windows;
         header.noise = Noise::Absent;
         let clean = widened(&cube(&header, paths.clone()));
         header.noise = Noise::SnrDb(23.0);
-        let noise: Vec<Complex64> =
-            widened(&cube(&header, paths.clone())).iter().zip(&clean).map(|(noisy, clean)| noisy - clean).collect();
+        let noise: Vec<Complex64> = widened(&cube(&header, paths.clone()))
+            .iter()
+            .zip(&clean)
+            .map(|(noisy, clean)| noisy - clean)
+            .collect();
         // 40.4 m away, the beat lies in cell 168; Hann's main lobe is four cells wide.
         let peak = peak_cell_power(&header, &clean, 160..176);
         let snr_db = 10.0 * (peak / mean_cell_power(&header, &noise)).log10();
@@ -83,7 +92,8 @@ fn snr_db_without_any_echo_is_refused() {
 
 #[test]
 fn noise_differs_between_frames_channels_and_seeds_and_not_with_the_echo() {
-    let radar = radar(artifact::Waveform { chirps: 2, ..experiment(1) }, &presets()[1], Multiplexing::Simultaneous);
+    let radar =
+        radar(artifact::Waveform { chirps: 2, ..experiment(1) }, &presets()[1], Multiplexing::Simultaneous);
     let header = header(radar, Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 });
     let of = |seed: u64, index: u32| {
         let frame = artifact::paths::PathsFrame { index, ..frame(vec![]) };
@@ -95,15 +105,23 @@ fn noise_differs_between_frames_channels_and_seeds_and_not_with_the_echo() {
     let paths = vec![point([2.0, 40.0, 1.0], [0.0; 3], 1e-9)];
     let f_c = header.radar.waveform.centre_frequency_hz();
     let noisy = synthesize(&header, 1, &frame(paths.clone()), f_c, asked(), &|_| ()).unwrap().samples;
-    let clean =
-        synthesize(&CubeHeader { noise: Noise::Absent, ..header.clone() }, 1, &frame(paths), f_c, asked(), &|_| ())
-            .unwrap();
-    let difference: Vec<Complex64> = widened(&noisy).iter().zip(widened(&clean.samples)).map(|(a, b)| a - b).collect();
+    let clean = synthesize(
+        &CubeHeader { noise: Noise::Absent, ..header.clone() },
+        1,
+        &frame(paths),
+        f_c,
+        asked(),
+        &|_| (),
+    )
+    .unwrap();
+    let difference: Vec<Complex64> =
+        widened(&noisy).iter().zip(widened(&clean.samples)).map(|(a, b)| a - b).collect();
     // The sum is rounded to f32 once more: 2⁻²⁴ of it.
     assert!(error_db(&difference, &widened(&base)) < -138.0);
 }
 
-/// Transmitters in phase straight ahead: the sum of the slots' powers is M·N_tx times one transmitter's, the noise of a slot one.
+/// Transmitters in phase straight ahead: the sum of the slots' powers is M·N_tx times one transmitter's, the
+/// noise of a slot one.
 #[test]
 fn snr_db_under_codes_is_that_of_the_transmitters_taken_apart() {
     let at = |multiplexing| {

@@ -1,4 +1,5 @@
-//! Phase from chirp to chirp against the exact distance, to 1e-6 rad: accelerated points, points on rolling wheels, falling chirps.
+//! Phase from chirp to chirp against the exact distance, to 1e-6 rad: accelerated points, points on rolling
+//! wheels, falling chirps.
 
 use crate::setting::*;
 use artifact::paths::{Curve, Path, Rim};
@@ -28,7 +29,8 @@ fn braking_path() -> Path {
     Path { curve, ..point([5.75, 40.0, 0.5], [0.3, -15.0, 0.0], 1.0) }
 }
 
-/// Hub 0.33 m above the road, 20 m/s towards the radar, braking: 60 turns/s at the wheel, 0.47 rad in a frame.
+/// Hub 0.33 m above the road, 20 m/s towards the radar, braking: 60 turns/s at the wheel, 0.47 rad in a
+/// frame.
 fn rolling(t: f64) -> DVec3 {
     let way_m = 20.0 * t - 0.5 * 8.0 * t * t;
     let angle = 0.4 - way_m / 0.33;
@@ -51,13 +53,17 @@ fn exact(radar: &Radar, way: Way, [tx, rx]: [usize; 2], [chirp, sample]: [usize;
     let w = &radar.waveform;
     let t = sample as f64 / w.sample_rate_hz;
     let time_s = radar.chirp_start_s(tx, chirp) + t;
-    let to = |element_m: [f64; 3], at_s: f64| way(at_s).distance(DVec3::from_array(element_m)) / SPEED_OF_LIGHT_MPS;
+    let to = |element_m: [f64; 3], at_s: f64| {
+        way(at_s).distance(DVec3::from_array(element_m)) / SPEED_OF_LIGHT_MPS
+    };
     let mut back_s = 0.0;
     for _ in 0..5 {
         back_s = to(radar.array.rx_m[rx], time_s - back_s);
     }
     let tau = back_s + to(radar.array.tx_m[tx], time_s - back_s);
-    Complex64::cis(TAU * (w.start_frequency_hz * tau + w.slope_hz_per_s * (t * tau - 0.5 * tau * tau)).fract())
+    Complex64::cis(
+        TAU * (w.start_frequency_hz * tau + w.slope_hz_per_s * (t * tau - 0.5 * tau * tau)).fract(),
+    )
 }
 
 /// Largest error of the phase over all channels, chirps and some samples.
@@ -99,8 +105,13 @@ fn every_chirp_has_the_phase_of_the_exact_distance_to_1e_6_rad() {
         for (i, value) in formulas.iter_mut().enumerate() {
             let (n, r) = (i % 256, i / 256);
             if [0, 1, 85, 255].contains(&n) {
-                *value =
-                    reference::cube_sample(&radar, f_c, &[path], [r / CHIRPS as usize, r % CHIRPS as usize, n], None);
+                *value = reference::cube_sample(
+                    &radar,
+                    f_c,
+                    &[path],
+                    [r / CHIRPS as usize, r % CHIRPS as usize, n],
+                    None,
+                );
             }
         }
         for (sum, cube) in [("formulas", &formulas), ("direct", &direct), ("fast", &fast)] {
@@ -124,8 +135,8 @@ fn accelerated_bodies_are_summed_by_transforms_to_the_error_asked_for() {
     let steady: Vec<Path> = body.iter().map(|path| Path { curve: Curve::default(), ..*path }).collect();
     let ignored_db = error_db(&DirectSum::new(&radar, f_c, &steady).cube(), &exact);
     println!("acceleration ignored: {ignored_db:.1} dB");
-    // ½aT² is 66 µm of way, 0.214 rad at the end of the frame, φ ~ t²: root mean square 0.214/√5, −20.4 dB; within 1 dB, since the
-    // body is seen a little from the side.
+    // ½aT² is 66 µm of way, 0.214 rad at the end of the frame, φ ~ t²: root mean square 0.214/√5, −20.4 dB;
+    // within 1 dB, since the body is seen a little from the side.
     assert!((ignored_db + 20.4).abs() < 1.0);
     for asked_db in [-20.0, -60.0, -100.0] {
         let got = error_db(&fast_sum::cube(&radar, f_c, &body, Accuracy::from_db(asked_db)), &exact);
@@ -134,21 +145,28 @@ fn accelerated_bodies_are_summed_by_transforms_to_the_error_asked_for() {
     }
 }
 
-/// The rim of a rolling wheel moves at 0 on the road and at 2v on top: Doppler from the hub's −v to its +v, seen at every angle.
+/// The rim of a rolling wheel moves at 0 on the road and at 2v on top: Doppler from the hub's −v to its +v,
+/// seen at every angle.
 #[test]
 fn a_rolling_rim_spreads_over_twice_the_velocity_of_its_hub() {
     let radar = single_channel(experiment(1));
     let f_c = radar.waveform.centre_frequency_hz();
     let shown_mps = |angle_rad: f64| {
         let rim = Some(Rim { radius_m: 0.33, forward: [0.0, -1.0, 0.0], angle_rad });
-        let path = Path { curve: Curve { rim, ..Curve::default() }, ..point([0.0, 1e3, 6.0], [0.0, -8.0, 0.0], 1.0) };
+        let path = Path {
+            curve: Curve { rim, ..Curve::default() },
+            ..point([0.0, 1e3, 6.0], [0.0, -8.0, 0.0], 1.0)
+        };
         let cube = DirectSum::new(&radar, f_c, &[path]).cube();
         (cube[256 + 128] * cube[128].conj()).arg() * radar.waveform.wavelength_m() / (2.0 * TAU * 60e-6)
     };
-    for (angle_rad, velocity_mps) in [(FRAC_PI_2, -16.0), (-FRAC_PI_2, 0.0), (0.0, -8.0), (2.0 * FRAC_PI_2, -8.0)] {
+    for (angle_rad, velocity_mps) in
+        [(FRAC_PI_2, -16.0), (-FRAC_PI_2, 0.0), (0.0, -8.0), (2.0 * FRAC_PI_2, -8.0)]
+    {
         let got = shown_mps(angle_rad);
         println!("rim at {:.0}°: {got:.3} m/s, known {velocity_mps}", angle_rad.to_degrees());
-        // The wheel turns by 24.2/s·85 µs = 2 mrad until between the two chirps: 0.0002 % of 8 m/s ahead and 0.016 m/s at the sides.
+        // The wheel turns by 24.2/s·85 µs = 2 mrad until between the two chirps: 0.0002 % of 8 m/s ahead and
+        // 0.016 m/s at the sides.
         assert!((got - velocity_mps).abs() < 0.02, "{got} against {velocity_mps}");
     }
 }

@@ -9,8 +9,9 @@ use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// Bound of the phase that a plane wave leaves out at an element δ off the centre, a leg of length r in direction d̂:
-/// 2π/λ·(|δ|² − (d̂·δ)²)/2r, and of the next order |δ|³/2r² (from the centre: Taylor's |r·d̂ − δ|).
+/// Bound of the phase that a plane wave leaves out at an element δ off the centre, a leg of length r in
+/// direction d̂: 2π/λ·(|δ|² − (d̂·δ)²)/2r, and of the next order |δ|³/2r² (from the centre: Taylor's |r·d̂ −
+/// δ|).
 fn bound_rad(radar: &Radar, offset_m: DVec3, to_target_m: DVec3) -> f64 {
     let (r, d) = (to_target_m.length(), to_target_m.normalize_or_zero());
     let curvature_m = (offset_m.length_squared() - d.dot(offset_m).powi(2)) / (2.0 * r);
@@ -47,16 +48,25 @@ fn a_plane_wave_would_err_by_its_bound_and_no_sum_takes_one() {
             for channel in 0..radar.virtual_channels() {
                 let receivers = radar.array.rx_m.len();
                 let ends = [radar.array.tx_m[channel / receivers], radar.array.rx_m[channel % receivers]];
-                let bound: f64 =
-                    ends.iter().map(|end| bound_rad(&radar, DVec3::from_array(*end) - centre_m, at_m - centre_m)).sum();
+                let bound: f64 = ends
+                    .iter()
+                    .map(|end| bound_rad(&radar, DVec3::from_array(*end) - centre_m, at_m - centre_m))
+                    .sum();
                 for cube in [&direct, &fast] {
                     let got = curvature_rad(&radar, cube, at_m, channel).abs();
-                    assert!(got <= bound + 1e-6, "{}: channel {channel} errs by {got}, bound {bound}", layout.name);
+                    assert!(
+                        got <= bound + 1e-6,
+                        "{}: channel {channel} errs by {got}, bound {bound}",
+                        layout.name
+                    );
                     worst = worst.max(got);
                 }
                 worst_bound = worst_bound.max(bound);
             }
-            println!("{}: a plane wave errs by {worst:.4} rad, bound {worst_bound:.4} rad, at {at_m}", layout.name);
+            println!(
+                "{}: a plane wave errs by {worst:.4} rad, bound {worst_bound:.4} rad, at {at_m}",
+                layout.name
+            );
             // The bound is no more than what the elements' own waves are: none of it is thrown away.
             assert!(worst > 0.9 * worst_bound, "{}: {worst} of {worst_bound}", layout.name);
         }

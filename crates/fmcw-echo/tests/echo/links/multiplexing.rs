@@ -26,7 +26,8 @@ fn a_still_target_looks_the_same_with_tdm_as_with_simultaneous_transmitters() {
 #[test]
 fn with_tdm_chirp_m_of_transmitter_i_is_slot_m_n_tx_plus_i() {
     let moving = random_paths(31, 6);
-    let (tdm, simultaneous) = (three_by_four(Multiplexing::Tdm, 4), three_by_four(Multiplexing::Simultaneous, 12));
+    let (tdm, simultaneous) =
+        (three_by_four(Multiplexing::Tdm, 4), three_by_four(Multiplexing::Simultaneous, 12));
     let (got, slots) = (samples(&tdm, &moving), samples(&simultaneous, &moving));
     let length = 256;
     for channel in 0..12 {
@@ -34,7 +35,11 @@ fn with_tdm_chirp_m_of_transmitter_i_is_slot_m_n_tx_plus_i() {
         for chirp in 0..4 {
             let slot = chirp * 3 + tx;
             let row = &got[(channel * 4 + chirp) * length..][..length];
-            assert_eq!(row, &slots[(channel * 12 + slot) * length..][..length], "channel {channel}, chirp {chirp}");
+            assert_eq!(
+                row,
+                &slots[(channel * 12 + slot) * length..][..length],
+                "channel {channel}, chirp {chirp}"
+            );
         }
     }
 }
@@ -47,8 +52,9 @@ fn with_tdm_a_target_at_10_mps_turns_1_944_rad_from_transmitter_to_transmitter()
     for channel in 0..12 {
         let at = channel * 256 + 128;
         let turn = (moving[at] * still[at].conj()).arg();
-        // Slot i starts i·T_c later, the chirp's middle is 25 µs after that, and the wave left the target R/c before
-        // (4πv(R/c)/λ = 0.0043 rad). Left out: f_c − μτ for f_c, 4e-5 of at most 4.7 rad, and the elements' spread.
+        // Slot i starts i·T_c later, the chirp's middle is 25 µs after that, and the wave left the target R/c
+        // before (4πv(R/c)/λ = 0.0043 rad). Left out: f_c − μτ for f_c, 4e-5 of at most 4.7 rad, and the
+        // elements' spread.
         let since_start_s = (channel / 4) as f64 * 60e-6 + 25e-6 - 40.0 / SPEED_OF_LIGHT_MPS;
         let expected = 4.0 * PI * 10.0 * since_start_s / radar.waveform.wavelength_m();
         let difference = (turn - expected + PI).rem_euclid(TAU) - PI;
@@ -77,7 +83,8 @@ fn a_ddm_receiver_hears_every_transmitter_turned_by_its_share_of_m_bands() {
             expected.extend((0..256).map(sum));
         }
     }
-    // The turn enters the amplitude before the recurrence: rounding only, 3e-14 as for any factor (superposition.rs).
+    // The turn enters the amplitude before the recurrence: rounding only, 3e-14 as for any factor
+    // (superposition.rs).
     assert!(error_db(&got, &expected) < -260.0);
 }
 
@@ -93,7 +100,9 @@ fn a_bpm_receiver_hears_every_transmitter_with_its_sign_at_the_slots_own_start()
     let mut expected = Vec::new();
     for (slot, rx) in (0..slots).flat_map(|slot| (0..4).map(move |rx| (slot, rx))) {
         for block in 0..blocks {
-            let row = |tx: usize| &single[((tx * 4 + rx) * blocks * slots + block * slots + slot) * length..][..length];
+            let row = |tx: usize| {
+                &single[((tx * 4 + rx) * blocks * slots + block * slots + slot) * length..][..length]
+            };
             let sum = |n: usize| (0..3).map(|tx| signs[tx][slot] * row(tx)[n]).sum::<Complex64>();
             expected.extend((0..length).map(sum));
         }

@@ -33,8 +33,8 @@ fn a_table_of_the_cosine_gives_the_cosines_echo_to_the_interpolations_error() {
     };
     let exact = cube(Pattern::Cosine { exponent: 2.0 });
     for steps in [36, 180] {
-        // Of cos², third derivative 4, by both axes and both ways; relative to gains of 0.2 at least (paths lie within 40° across and 35°
-        // down, cos²·cos² = 0.39).
+        // Of cos², third derivative 4, by both axes and both ways; relative to gains of 0.2 at least (paths
+        // lie within 40° across and 35° down, cos²·cos² = 0.39).
         let h = PI / steps as f64;
         let bound_db = 20.0 * (4.0 * h.powi(3) * 4.0 / (36.0 * 3.0_f64.sqrt()) / 0.2).log10();
         let got = error_db(&cube(Pattern::Table(cosine_table(steps))), &exact);
@@ -45,7 +45,8 @@ fn a_table_of_the_cosine_gives_the_cosines_echo_to_the_interpolations_error() {
 
 #[test]
 fn the_three_sums_agree_on_a_table_under_every_multiplexing() {
-    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm] {
+    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm]
+    {
         let radar = with(Pattern::Table(cosine_table(36)), multiplexing);
         the_three_sums_agree(&radar, "table", 82);
     }
@@ -77,8 +78,10 @@ fn behind_a_table_of_the_front_nothing_is_heard_and_a_table_with_a_back_hears_it
 fn a_whole_body_behind_the_array_adds_nothing_to_the_fast_sum() {
     let radar = with(Pattern::Cosine { exponent: 2.0 }, Multiplexing::Simultaneous);
     let f_c = radar.waveform.centre_frequency_hz();
-    let (ahead, behind) =
-        (body(84, 300, [5.75, 40.0, 0.7], [0.0, -10.0, 0.0]), body(85, 300, [0.0, -20.0, 0.7], [0.0, 5.0, 0.0]));
+    let (ahead, behind) = (
+        body(84, 300, [5.75, 40.0, 0.7], [0.0, -10.0, 0.0]),
+        body(85, 300, [0.0, -20.0, 0.7], [0.0, 5.0, 0.0]),
+    );
     let behind: Vec<_> = behind.into_iter().map(|path| artifact::paths::Path { target: 1, ..path }).collect();
     let sum = |paths: &[_]| fast_sum::cube(&radar, f_c, paths, Accuracy::from_db(-60.0));
     assert_eq!(sum(&[&ahead[..], &behind].concat()), sum(&ahead));

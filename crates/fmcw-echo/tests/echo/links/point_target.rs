@@ -13,7 +13,8 @@ use std::f64::consts::PI;
 fn samples(radar: &Radar, position_m: [f64; 3], velocity_mps: [f64; 3], rcs_m2: f64) -> Vec<Complex64> {
     let paths = vec![point(position_m, velocity_mps, rcs_m2)];
     let f_c = radar.waveform.centre_frequency_hz();
-    let cube = synthesize(&header(radar.clone(), Noise::Absent), 1, &frame(paths), f_c, asked(), &|_| ()).unwrap();
+    let cube =
+        synthesize(&header(radar.clone(), Noise::Absent), 1, &frame(paths), f_c, asked(), &|_| ()).unwrap();
     widened(&cube.samples)
 }
 
@@ -38,8 +39,10 @@ fn x2_a_target_receding_at_10_mps_shows_minus_7_5548_mps_in_experiment_3() {
     let radar = single_channel(experiment(3));
     let samples = samples(&radar, [0.0, 40.0, 6.0], [0.0, 10.0, 0.0], 1.0);
     let waveform = &radar.waveform;
-    let shown = turn_per_chirp_rad(&radar, &samples) * waveform.wavelength_m() / (4.0 * PI * waveform.chirp_interval_s);
-    // At the middle of the sweep the wave that comes back has f_c − μτ: 3.3 MHz of 77.6 GHz, 4.3e-4 m/s of 10 m/s.
+    let shown = turn_per_chirp_rad(&radar, &samples) * waveform.wavelength_m()
+        / (4.0 * PI * waveform.chirp_interval_s);
+    // At the middle of the sweep the wave that comes back has f_c − μτ: 3.3 MHz of 77.6 GHz, 4.3e-4 m/s of 10
+    // m/s.
     assert!((shown + 7.5548).abs() < 6e-4, "{shown}");
 }
 
@@ -51,8 +54,8 @@ fn x2_range_grows_by_v_f_c_over_slope_61_85_61_98_62_10_mm() {
         let samples = samples(&radar, [0.0, start_m, 6.0], [0.0, speed_mps, 0.0], 1.0);
         let waveform = &radar.waveform;
         let middle = waveform.samples as usize / 2;
-        // The central difference of a parabola is its slope at the middle; two samples turn by less than half a cycle
-        // more or less than twice the beat of 40 m.
+        // The central difference of a parabola is its slope at the middle; two samples turn by less than half
+        // a cycle more or less than twice the beat of 40 m.
         let expected_cycles =
             2.0 * 2.0 * start_m / SPEED_OF_LIGHT_MPS * waveform.slope_hz_per_s / waveform.sample_rate_hz;
         let turn_cycles = (samples[middle + 1] * samples[middle - 1].conj()).arg() / (2.0 * PI);
@@ -60,7 +63,8 @@ fn x2_range_grows_by_v_f_c_over_slope_61_85_61_98_62_10_mm() {
         let beat_hz = 0.5 * cycles * waveform.sample_rate_hz;
         let apparent_m = beat_hz * SPEED_OF_LIGHT_MPS / (2.0 * waveform.slope_hz_per_s);
         let true_m = start_m + speed_mps * middle as f64 / waveform.sample_rate_hz;
-        // Left out of v·f_c/μ: −μττ̇ (2.7 µm), the way during the flight (1.3 µm), f32 (6e-8 rad over two samples: 0.1 µm).
+        // Left out of v·f_c/μ: −μττ̇ (2.7 µm), the way during the flight (1.3 µm), f32 (6e-8 rad over two
+        // samples: 0.1 µm).
         let coupling_mm = 1e3 * (apparent_m - true_m);
         assert!((coupling_mm - expected_mm).abs() < 0.005 + 0.005, "{coupling_mm} against {expected_mm}");
     }
@@ -102,8 +106,8 @@ fn s5_a_target_to_the_right_is_nearer_to_the_elements_on_the_right() {
     let row = samples.len() / radar.virtual_channels();
     let middle = radar.waveform.samples as usize / 2;
     for channel in 1..radar.virtual_channels() {
-        // Half a wavelength further right: e^{−jπu}. Left out: the wavefront's curvature, (5 λ/2)²·k/2R = 0.004 rad
-        // between neighbours, and f_c − μτ for f_c.
+        // Half a wavelength further right: e^{−jπu}. Left out: the wavefront's curvature, (5 λ/2)²·k/2R =
+        // 0.004 rad between neighbours, and f_c − μτ for f_c.
         let turn = (samples[channel * row + middle] * samples[(channel - 1) * row + middle].conj()).arg();
         assert!((turn + PI * sine).abs() < 0.008, "channel {channel}: {turn}");
     }

@@ -29,7 +29,8 @@ fn a_staggered_chirp_turns_by_the_way_driven_up_to_its_own_start() {
     for chirp in 1..7 {
         let start_s = chirp as f64 * 60e-6 + STAGGER_S[chirp % 3];
         assert_eq!(radar.chirp_start_s(0, chirp), start_s);
-        // Phase 2π(f_c − μτ)Δτ − πμΔτ², Δτ the change of the delay; leaving and scattering times move Δτ by v/c of it, 1e-6 rad.
+        // Phase 2π(f_c − μτ)Δτ − πμΔτ², Δτ the change of the delay; leaving and scattering times move Δτ by
+        // v/c of it, 1e-6 rad.
         let tau = 2.0 * (40.0 + 10.0 * (25e-6 - 40.0 / SPEED_OF_LIGHT_MPS)) / SPEED_OF_LIGHT_MPS;
         let later_s = 2.0 * 10.0 * start_s / SPEED_OF_LIGHT_MPS;
         let cycles = (radar.waveform.centre_frequency_hz() - 12.5e12 * (tau + 0.5 * later_s)) * later_s;
@@ -41,7 +42,8 @@ fn a_staggered_chirp_turns_by_the_way_driven_up_to_its_own_start() {
 
 #[test]
 fn the_three_sums_agree_on_staggered_chirps() {
-    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm] {
+    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm]
+    {
         let radar = staggered(2, multiplexing, 32);
         the_three_sums_agree(&radar, "staggered", 51);
     }
@@ -49,8 +51,10 @@ fn the_three_sums_agree_on_staggered_chirps() {
 
 #[test]
 fn a_record_of_a_sub_frame_is_the_frame_of_a_radar_with_its_interval() {
-    let mut header =
-        header(radar(Waveform { chirps: 8, ..experiment(1) }, &presets()[1], Multiplexing::Tdm), Noise::Absent);
+    let mut header = header(
+        radar(Waveform { chirps: 8, ..experiment(1) }, &presets()[1], Multiplexing::Tdm),
+        Noise::Absent,
+    );
     header.radar.schedule.sub_frame_intervals_s = vec![60e-6, 85e-6];
     let paths = random_paths(53, 5);
     let cube = |header: &artifact::cube::CubeHeader, index: u32| {
@@ -81,7 +85,8 @@ fn a_chirp_within_another_is_refused() {
 fn more_delays_than_chirps_are_frames_of_one_chirp() {
     let mut radar = staggered(0, Multiplexing::Simultaneous, 3);
     radar.schedule.stagger_s = vec![0.0, 1e-6, 3e-6, 2e-6, 5e-6];
-    let (f_c, body) = (radar.waveform.centre_frequency_hz(), body(54, 300, [5.75, 40.0, 0.7], [0.0, -10.0, 0.0]));
+    let (f_c, body) =
+        (radar.waveform.centre_frequency_hz(), body(54, 300, [5.75, 40.0, 0.7], [0.0, -10.0, 0.0]));
     let exact: Vec<Complex64> = DirectSum::new(&radar, f_c, &body).cube();
     assert!(error_db(&fast_sum::cube(&radar, f_c, &body, Accuracy::from_db(-60.0)), &exact) <= -60.0);
 }

@@ -62,7 +62,8 @@ fn asked_powers(radar: &Radar, band: Range<usize>) -> Vec<f64> {
     let power = |i: usize| power_per_metre(radar, HEIGHT_M + (i as f64 + 0.5) * step_m) * step_m;
     let powers: Vec<f64> = (0..steps).map(power).collect();
     // A bin's distance from a midpoint depends on bin·STEPS − i alone.
-    let first = band.start as f64 - (HEIGHT_M / cell_m + 0.5 / STEPS as f64) - (steps - 1) as f64 / STEPS as f64;
+    let first =
+        band.start as f64 - (HEIGHT_M / cell_m + 0.5 / STEPS as f64) - (steps - 1) as f64 / STEPS as f64;
     let responses: Vec<f64> =
         (0..steps + STEPS * band.len()).map(|d| response(first + d as f64 / STEPS as f64, length)).collect();
     let of_bin = |k: usize| {
@@ -74,8 +75,8 @@ fn asked_powers(radar: &Radar, band: Range<usize>) -> Vec<f64> {
 
 const SEEDS: u64 = 80;
 
-/// Powers of one cell are exponential: standard error 1 over the root of the number of independent ones. With a Hann window
-/// every second bin counts as one (Σ|ρ|² over neighbours is 1.94).
+/// Powers of one cell are exponential: standard error 1 over the root of the number of independent ones. With
+/// a Hann window every second bin counts as one (Σ|ρ|² over neighbours is 1.94).
 #[test]
 fn mean_power_per_range_is_that_of_the_radar_equation_and_amplitudes_are_rayleighs() {
     let radar = one_chirp();
@@ -100,7 +101,8 @@ fn mean_power_per_range_is_that_of_the_radar_equation_and_amplitudes_are_rayleig
     }
 }
 
-/// Σ over patches of their RCS is ∫σ⁰dA = γ·h·π·(R_max − h); of n exponential powers with a standard error of 1/√n.
+/// Σ over patches of their RCS is ∫σ⁰dA = γ·h·π·(R_max − h); of n exponential powers with a standard error of
+/// 1/√n.
 #[test]
 fn patches_fill_the_half_plane_before_the_array_with_the_cross_section_of_its_area() {
     let mut radar = radar(experiment(1), &presets()[2], Multiplexing::Simultaneous);
@@ -120,7 +122,10 @@ fn patches_fill_the_half_plane_before_the_array_with_the_cross_section_of_its_ar
         let range_m = ((x - 30.0).powi(2) + (y + 7.0).powi(2) + 16.0).sqrt();
         let ahead_m = (x - 30.0) * 2.0_f64.sin() + (y + 7.0) * 2.0_f64.cos();
         assert!(z == 0.0 && (4.0..=radar.waveform.range_max_m()).contains(&range_m), "{path:?}");
-        assert!(ahead_m >= -1e-9 && path.apparent_tx_mps == [0.0; 3] && path.target == ground::GROUND, "{path:?}");
+        assert!(
+            ahead_m >= -1e-9 && path.apparent_tx_mps == [0.0; 3] && path.target == ground::GROUND,
+            "{path:?}"
+        );
     }
 }
 
@@ -129,14 +134,18 @@ fn a_pattern_weighs_the_ground_as_it_does_targets() {
     let isotropic = one_chirp();
     let mut cosine = isotropic.clone();
     cosine.array.pattern = Pattern::Cosine { exponent: 1.0 };
-    // All of the ground at 45° to 61 m is a few degrees below the horizon: ∫cos⁴φ dφ over the half plane is 3/8 of it.
+    // All of the ground at 45° to 61 m is a few degrees below the horizon: ∫cos⁴φ dφ over the half plane is
+    // 3/8 of it.
     let band = 200..250;
     let power = |radar: &Radar| -> f64 {
-        (0..SEEDS).map(|seed| bins(radar, seed, band.clone()).iter().map(Complex64::norm_sqr).sum::<f64>()).sum()
+        (0..SEEDS)
+            .map(|seed| bins(radar, seed, band.clone()).iter().map(Complex64::norm_sqr).sum::<f64>())
+            .sum()
     };
     let depression = HEIGHT_M / (225.0 * isotropic.waveform.range_resolution_m());
     let (asked, got) = (0.375 * (1.0 - depression * depression).powi(2), power(&cosine) / power(&isotropic));
-    // The same draws in both: what is left is how unevenly the patches of a ring weigh, less than the draws themselves would.
+    // The same draws in both: what is left is how unevenly the patches of a ring weigh, less than the draws
+    // themselves would.
     let error = (1.94 / (SEEDS as f64 * 50.0)).sqrt();
     println!("asked {asked:.4}, got {got:.4}, standard error below {error:.4}");
     assert!((got - asked).abs() < 4.0 * error * asked);
@@ -159,7 +168,8 @@ fn a_radar_on_the_ground_sees_none_of_it_and_too_fine_a_ground_is_refused() {
     let mut low = one_chirp();
     low.position_m[2] = 0.0;
     assert!(ground::paths(&low, &GAMMA, 1).unwrap().is_empty());
-    let mut fine = radar(Waveform { samples: 1 << 15, ..experiment(1) }, &presets()[4], Multiplexing::Simultaneous);
+    let mut fine =
+        radar(Waveform { samples: 1 << 15, ..experiment(1) }, &presets()[4], Multiplexing::Simultaneous);
     fine.waveform.sample_rate_hz *= 100.0;
     let patches = ground::patches(&fine);
     let refused = fmcw_echo::EchoError::GroundTooFine { patches, limit: 1 << 22 };

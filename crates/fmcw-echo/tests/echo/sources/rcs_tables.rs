@@ -13,7 +13,13 @@ use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 fn rcs_frame(tables: Vec<RcsTable>) -> RcsFrame {
-    RcsFrame { index: 0, time_s: 0.0, tables, error: ErrorBudget::default(), model_error: ModelError::default() }
+    RcsFrame {
+        index: 0,
+        time_s: 0.0,
+        tables,
+        error: ErrorBudget::default(),
+        model_error: ModelError::default(),
+    }
 }
 
 fn constant_table(amplitude_m: Complex64) -> RcsTable {
@@ -56,13 +62,16 @@ fn samples_of_tables(radar: &Radar, pose: Pose, frame: &RcsFrame) -> (Vec<Comple
 fn samples_of_paths(radar: &Radar, paths: Vec<artifact::paths::Path>) -> Vec<Complex64> {
     let f_c = radar.waveform.centre_frequency_hz();
     widened(
-        &synthesize(&header(radar.clone(), Noise::Absent), 1, &frame(paths), f_c, asked(), &|_| ()).unwrap().samples,
+        &synthesize(&header(radar.clone(), Noise::Absent), 1, &frame(paths), f_c, asked(), &|_| ())
+            .unwrap()
+            .samples,
     )
 }
 
 #[test]
 fn a_table_of_one_value_is_a_point_target() {
-    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm] {
+    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm]
+    {
         let radar = radar(artifact::Waveform { chirps: 4, ..experiment(1) }, &presets()[2], multiplexing);
         let pose = Pose {
             position_m: [5.75, 40.0, 0.5],
@@ -87,20 +96,25 @@ struct FarCase {
 
 impl FarCase {
     fn new() -> Self {
-        let radar = radar(artifact::Waveform { chirps: 4, ..experiment(1) }, &presets()[1], Multiplexing::Simultaneous);
+        let radar = radar(
+            artifact::Waveform { chirps: 4, ..experiment(1) },
+            &presets()[1],
+            Multiplexing::Simultaneous,
+        );
         let pose = Pose {
             position_m: [0.0, 2000.0, 6.0],
             yaw_rad: -1.4,
             velocity_mps: [0.0, -10.0, 0.0],
             acceleration_mps2: [0.0; 3],
         };
-        let points_m = [DVec3::new(0.3, 0.02, 0.0), DVec3::new(-0.2, 0.01, 0.03), DVec3::new(0.1, -0.02, -0.02)];
+        let points_m =
+            [DVec3::new(0.3, 0.02, 0.0), DVec3::new(-0.2, 0.01, 0.03), DVec3::new(0.1, -0.02, -0.02)];
         Self { radar, pose, points_m }
     }
 
     fn table_error_db(&self, frequencies: usize) -> (f64, f64) {
-        // Seen from the body the radar stands at azimuth −π/2 + 1.4, on the horizon. The wave that comes back started
-        // μτ = 167 MHz lower.
+        // Seen from the body the radar stands at azimuth −π/2 + 1.4, on the horizon. The wave that comes back
+        // started μτ = 167 MHz lower.
         let azimuth = 1.4 - FRAC_PI_2;
         let aspects = [steps(-1e-3, 1e-3, 5), steps(azimuth - 1e-3, azimuth + 1e-3, 5)];
         let table = table_of_points(&self.points_m, steps(76.8e9, 77.7e9, frequencies), aspects);
@@ -114,8 +128,9 @@ impl FarCase {
 
 #[test]
 fn a_far_body_sounds_the_same_by_its_table_as_by_its_points() {
-    // Left out far away: 1/r of points 0.3 m apart over 2 km (1.5e-4 each way), the wavefront's curvature over up to
-    // 0.07 m across (k·x²/R = 4e-3 rad: −48 dB at most), interpolation over 1 MHz and 0.5 mrad (1e-5).
+    // Left out far away: 1/r of points 0.3 m apart over 2 km (1.5e-4 each way), the wavefront's curvature
+    // over up to 0.07 m across (k·x²/R = 4e-3 rad: −48 dB at most), interpolation over 1 MHz and 0.5 mrad
+    // (1e-5).
     let (error_db, _) = FarCase::new().table_error_db(901);
     println!("table against points at 2 km: {error_db:.1} dB");
     assert!(error_db < -48.0);
@@ -134,14 +149,21 @@ type IsExpected = fn(&EchoError) -> bool;
 #[test]
 fn tables_that_cannot_answer_are_refused() {
     let radar = single_channel(artifact::Waveform { chirps: 2, ..experiment(1) });
-    let pose = Pose { position_m: [0.0, 40.0, 6.0], yaw_rad: 0.0, velocity_mps: [0.0; 3], acceleration_mps2: [0.0; 3] };
+    let pose = Pose {
+        position_m: [0.0, 40.0, 6.0],
+        yaw_rad: 0.0,
+        velocity_mps: [0.0; 3],
+        acceleration_mps2: [0.0; 3],
+    };
     let whole = table_of_points(&[DVec3::ZERO], steps(76.9e9, 77.7e9, 9), [vec![0.0], steps(-3.15, 3.15, 9)]);
     let refuse = |table: RcsTable| {
         synthesize_tables(&header(radar.clone(), Noise::Absent), 1, &[pose], &rcs_frame(vec![table]), &|_| ())
     };
     assert!(refuse(whole.clone()).is_ok());
     let cases: [(RcsTable, IsExpected); 6] = [
-        (RcsTable { target: 3, ..whole.clone() }, |e| matches!(e, EchoError::TargetMissing { target: 3, .. })),
+        (RcsTable { target: 3, ..whole.clone() }, |e| {
+            matches!(e, EchoError::TargetMissing { target: 3, .. })
+        }),
         (RcsTable { polarization: Polarization::Hh, ..whole.clone() }, |e| {
             matches!(e, EchoError::TablePolarization { found: Polarization::Hh, .. })
         }),

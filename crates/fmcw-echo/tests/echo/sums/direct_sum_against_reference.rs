@@ -4,8 +4,8 @@ use crate::setting::*;
 use artifact::radar::{Multiplexing, Pattern, Polarization, Radar};
 use fmcw_echo::{direct_sum::DirectSum, reference};
 
-/// −100 dB is asked; no path may err by more than 1e-7 of its phase and 1e-7 of its amplitude (−137 dB together), and
-/// 20 random paths do not cancel by more than 7 dB over a whole cube.
+/// −100 dB is asked; no path may err by more than 1e-7 of its phase and 1e-7 of its amplitude (−137 dB
+/// together), and 20 random paths do not cancel by more than 7 dB over a whole cube.
 const ASKED_DB: f64 = -130.0;
 
 fn error_over_whole_cube_db(radar: &Radar, seed: u64, paths: usize) -> f64 {
@@ -35,7 +35,9 @@ fn every_sample_of_a_whole_cube_agrees_for_every_experiment() {
 #[test]
 fn every_preset_and_multiplexing_agrees() {
     for layout in presets() {
-        for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm] {
+        for multiplexing in
+            [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm]
+        {
             let radar = radar(thinned(1, 2), &layout, multiplexing);
             let db = error_over_whole_cube_db(&radar, 12, 5);
             println!("{} {multiplexing:?}: {db:.1} dB", layout.name);
@@ -81,8 +83,9 @@ fn long_chirps_do_not_wear_the_recurrence_out() {
 fn no_path_errs_by_more_than_1e_7_however_near_or_fast() {
     let mut worst_db = f64::NEG_INFINITY;
     for case in 0..400 {
-        let share =
-            |cases: u32, below: f64, above: f64| below * (above / below).powf(f64::from(case / cases % 5) / 4.0);
+        let share = |cases: u32, below: f64, above: f64| {
+            below * (above / below).powf(f64::from(case / cases % 5) / 4.0)
+        };
         let (range_m, speed_mps) = (share(1, 0.05, 100.0), share(5, 0.1, 2000.0));
         let mut waveform = artifact::Waveform { chirps: 2, ..experiment(1) };
         (waveform.samples, waveform.slope_hz_per_s) =
@@ -94,13 +97,15 @@ fn no_path_errs_by_more_than_1e_7_however_near_or_fast() {
         let mut path = point([0.3 * range_m, range_m, 6.0], aslant, 1.0);
         path.slope_m_per_hz[0][0] = num_complex::Complex64::new(-1.9, 0.7) / radar.waveform.bandwidth_hz();
         let f_c = radar.waveform.centre_frequency_hz();
-        let error = error_db(&DirectSum::new(&radar, f_c, &[path]).cube(), &reference::cube(&radar, f_c, &[path]));
+        let error =
+            error_db(&DirectSum::new(&radar, f_c, &[path]).cube(), &reference::cube(&radar, f_c, &[path]));
         if error > worst_db {
             println!("{error:.1} dB: {range_m} m, {speed_mps} m/s, {} samples", waveform.samples);
         }
         worst_db = worst_db.max(error);
     }
     println!("worst of 400: {worst_db:.1} dB");
-    // 1e-7 of phase and of amplitude each; the amplitude's is of its greatest value in the band, 1.4 of the rms here.
+    // 1e-7 of phase and of amplitude each; the amplitude's is of its greatest value in the band, 1.4 of the
+    // rms here.
     assert!(worst_db < -135.0, "{worst_db}");
 }

@@ -60,7 +60,11 @@ fn x3_the_error_asked_for_is_the_error_got_over_seven_settings_and_six_decades()
             radar(shortened(1, 16), &layouts[3], Multiplexing::Tdm),
             body(7, 300, [0.0, 20.0, 0.7], [1.0, -20.0, 0.0]),
         ),
-        ("anything anywhere", radar(shortened(1, 32), &layouts[1], Multiplexing::Simultaneous), random_paths(8, 600)),
+        (
+            "anything anywhere",
+            radar(shortened(1, 32), &layouts[1], Multiplexing::Simultaneous),
+            random_paths(8, 600),
+        ),
     ];
     for (name, radar, paths) in &cases {
         for asked_db in [-20.0, -40.0, -60.0, -80.0, -100.0, -120.0] {

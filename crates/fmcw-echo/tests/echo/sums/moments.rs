@@ -1,4 +1,5 @@
-//! Paths that stand for a part of the frame: all sums weigh them alike, and what is the same at all moments is one list of paths.
+//! Paths that stand for a part of the frame: all sums weigh them alike, and what is the same at all moments
+//! is one list of paths.
 
 use crate::setting::*;
 use artifact::Accuracy;
@@ -30,7 +31,8 @@ fn cubes(radar: &Radar, paths: &[Path]) -> [Vec<Complex64>; 2] {
 #[test]
 fn the_direct_sum_weighs_paths_of_moments_as_the_formula_does() {
     let short = artifact::Waveform { chirps: 7, ..experiment(1) };
-    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm] {
+    for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm]
+    {
         let mut radar = radar(short, &presets()[1], multiplexing);
         radar.schedule.stagger_s = vec![0.0, 2e-6, 5e-6];
         let paths = spread_over(&radar, 5, random_paths(31, 24));
@@ -62,10 +64,12 @@ fn the_fast_sum_of_paths_of_moments_has_the_error_asked_for() {
 
 #[test]
 fn paths_that_are_the_same_at_all_moments_are_those_of_the_whole_frame() {
-    let radar = radar(artifact::Waveform { chirps: 16, ..experiment(1) }, &presets()[1], Multiplexing::Simultaneous);
+    let radar =
+        radar(artifact::Waveform { chirps: 16, ..experiment(1) }, &presets()[1], Multiplexing::Simultaneous);
     let whole = random_paths(33, 20);
     for moments in [2, 3, 4, 9] {
-        let copy = |moment| whole.iter().map(|path| at_moment(&radar, moments, moment, *path)).collect::<Vec<_>>();
+        let copy =
+            |moment| whole.iter().map(|path| at_moment(&radar, moments, moment, *path)).collect::<Vec<_>>();
         let parts: Vec<Path> = (0..moments).flat_map(copy).collect();
         let f_c = radar.waveform.centre_frequency_hz();
         let [got, exact] = [&parts, &whole].map(|paths| DirectSum::new(&radar, f_c, paths).cube());

@@ -38,7 +38,8 @@ fn x4_a_path_length_in_f32_costs_all_below_minus_48_9_db() {
     // 80 m lie between 64 and 128: steps of 2⁻¹⁷ m, 1/√12 of a step rms, 2π/λ each.
     let lambda_m = experiment(1).wavelength_m();
     let derived = 20.0 * (TAU / lambda_m * 2.0_f64.powi(-17) / 12.0_f64.sqrt()).log10();
-    // 32 768 samples of a uniform error: its rms is known to 0.2 %, 0.02 dB; the steps are driven through slowly.
+    // 32 768 samples of a uniform error: its rms is known to 0.2 %, 0.02 dB; the steps are driven through
+    // slowly.
     assert!((db - derived).abs() < 0.1, "{db} against {derived}");
     assert!((db + 48.9).abs() < 0.15, "{db}");
 }
@@ -62,7 +63,8 @@ fn x4_the_stored_cube_loses_only_the_rounding_of_its_samples() {
     let exact = DirectSum::new(&radar, f_c, &paths).cube();
     let stored = synthesize(&header(radar, Noise::Absent), 1, &frame(paths), f_c, asked(), &|_| ()).unwrap();
     let db = error_db(&widened(&stored.samples), &exact);
-    // Rounding moves a number by at most 2⁻²⁴ of itself; evenly spread mantissas make it about 0.42·2⁻²⁴ rms: −152 dB.
+    // Rounding moves a number by at most 2⁻²⁴ of itself; evenly spread mantissas make it about 0.42·2⁻²⁴ rms:
+    // −152 dB.
     let bound_db = 20.0 * 2.0_f64.powi(-24).log10();
     println!("f32 storage: {db:.1} dB, bound {bound_db:.1} dB");
     assert!(db < bound_db && db > bound_db - 4.0 * PI, "{db}");

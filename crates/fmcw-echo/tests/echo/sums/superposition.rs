@@ -31,9 +31,10 @@ fn x6_the_echo_of_two_lists_is_the_sum_of_their_echoes() {
     let paths = random_paths(21, 40);
     for split in [1, 7, 20, 39] {
         let (first, second) = paths.split_at(split);
-        let sum: Vec<Complex64> = noise_free(first).iter().zip(noise_free(second)).map(|(a, b)| a + b).collect();
-        // A path's own samples do not depend on its neighbours; only the order of 40 additions differs: 40·2⁻⁵³, −287 dB,
-        // and 20 dB for cancellation.
+        let sum: Vec<Complex64> =
+            noise_free(first).iter().zip(noise_free(second)).map(|(a, b)| a + b).collect();
+        // A path's own samples do not depend on its neighbours; only the order of 40 additions differs:
+        // 40·2⁻⁵³, −287 dB, and 20 dB for cancellation.
         assert!(error_db(&noise_free(&paths), &sum) < -267.0);
     }
 }
@@ -51,14 +52,19 @@ fn x6_amplitudes_scaled_scale_every_sample_conjugated() {
         })
         .collect();
     let expected: Vec<Complex64> = noise_free(&paths).iter().map(|x| x * factor.conj()).collect();
-    // Rounding of 256 steps of the amplitude's recurrence and of 40 sums, each 2⁻⁵³: below 3e-14 even if they all add.
+    // Rounding of 256 steps of the amplitude's recurrence and of 40 sums, each 2⁻⁵³: below 3e-14 even if they
+    // all add.
     assert!(error_db(&noise_free(&scaled), &expected) < -260.0);
 }
 
 #[test]
 fn x6_a_path_of_zero_amplitude_changes_no_byte() {
     let paths = random_paths(23, 21);
-    let silent = Path { amplitude_m: [[Complex64::ZERO; 2]; 2], slope_m_per_hz: [[Complex64::ZERO; 2]; 2], ..paths[3] };
+    let silent = Path {
+        amplitude_m: [[Complex64::ZERO; 2]; 2],
+        slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
+        ..paths[3]
+    };
     // Heard in every polarization but the array's vv.
     let mut elsewhere = paths[4];
     (elsewhere.amplitude_m[0][0], elsewhere.slope_m_per_hz[0][0]) = (Complex64::ZERO, Complex64::ZERO);

@@ -76,7 +76,10 @@ fn speeds_beyond_the_parabola_are_refused() {
 #[test]
 fn samples_beyond_f32_are_refused() {
     let refused = refusal_of_path(|p| p.amplitude_m[0][0] = Complex64::from(1e200));
-    assert!(matches!(refused, EchoError::SampleOverflow { channel: 0, chirp: 0, sample: 0, .. }), "{refused}");
+    assert!(
+        matches!(refused, EchoError::SampleOverflow { channel: 0, chirp: 0, sample: 0, .. }),
+        "{refused}"
+    );
 }
 
 #[test]
@@ -96,7 +99,10 @@ fn radars_without_samples_or_elements_are_refused() {
     assert!(matches!(broken(&|h| h.radar.array.tx_m.clear()), EchoError::NoElements { transmitters: 0, .. }));
     assert!(matches!(broken(&|h| h.radar.array.rx_m[0][2] = f64::NAN), EchoError::NonFiniteRadar { .. }));
     assert!(matches!(broken(&|h| h.radar.link.transmit_power_w = -1.0), EchoError::NonFiniteRadar { .. }));
-    assert!(matches!(broken(&|h| h.noise = Noise::SnrDb(f64::NAN)), EchoError::Noise { quantity: "snr_db", .. }));
+    assert!(matches!(
+        broken(&|h| h.noise = Noise::SnrDb(f64::NAN)),
+        EchoError::Noise { quantity: "snr_db", .. }
+    ));
     for f_c in [0.0, -1.0, f64::NAN] {
         assert!(matches!(refusal(&sound_header(), vec![], f_c), EchoError::CentreFrequency(_)));
     }

@@ -38,14 +38,17 @@ fn the_same_seed_gives_the_same_bytes_on_1_2_and_7_threads() {
 
 #[test]
 fn the_synthesis_error_printed_is_the_error_made() {
-    let radar = radar(artifact::Waveform { chirps: 4, ..experiment(1) }, &presets()[1], Multiplexing::Simultaneous);
+    let radar =
+        radar(artifact::Waveform { chirps: 4, ..experiment(1) }, &presets()[1], Multiplexing::Simultaneous);
     let f_c = radar.waveform.centre_frequency_hz();
     let paths = random_paths(42, 33);
     let cube =
-        synthesize(&header(radar.clone(), Noise::Absent), 1, &frame(paths.clone()), f_c, asked(), &|_| ()).unwrap();
+        synthesize(&header(radar.clone(), Noise::Absent), 1, &frame(paths.clone()), f_c, asked(), &|_| ())
+            .unwrap();
     let printed_db = 20.0 * cube.error.synthesis.unwrap().log10();
     let true_db = error_db(&widened(&cube.samples), &reference::cube(&radar, f_c, &paths));
-    // 48 probes of 4096 samples: ±20 % of the rms at two standard errors, and the heaviest sample may be among them.
+    // 48 probes of 4096 samples: ±20 % of the rms at two standard errors, and the heaviest sample may be
+    // among them.
     assert!((printed_db - true_db).abs() < 3.0, "{printed_db} against {true_db}");
 }
 
@@ -62,8 +65,10 @@ fn progress_ends_at_one() {
     let radar = single_channel(artifact::Waveform { chirps: 16, ..experiment(1) });
     let shares = Mutex::new(vec![]);
     let paths = frame(random_paths(43, 3));
-    synthesize(&header(radar, Noise::Absent), 1, &paths, 77e9, asked(), &|share| shares.lock().unwrap().push(share))
-        .unwrap();
+    synthesize(&header(radar, Noise::Absent), 1, &paths, 77e9, asked(), &|share| {
+        shares.lock().unwrap().push(share)
+    })
+    .unwrap();
     let mut shares = shares.into_inner().unwrap();
     shares.sort_by(f64::total_cmp);
     assert_eq!(shares.last(), Some(&1.0));

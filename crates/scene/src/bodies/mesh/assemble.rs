@@ -70,7 +70,8 @@ impl Joined {
     }
 
     fn drop_degenerate(&mut self) -> u64 {
-        let keep: Vec<bool> = self.triangles.iter().map(|corners| has_area(self.corners_m(corners))).collect();
+        let keep: Vec<bool> =
+            self.triangles.iter().map(|corners| has_area(self.corners_m(corners))).collect();
         let mut kept = keep.iter();
         self.triangles.retain(|_| *kept.next().unwrap_or(&true));
         let mut kept = keep.iter();
@@ -124,9 +125,9 @@ impl Joined {
     }
 }
 
-/// Whether a triangle's area exceeds what rounding makes of none. Each coordinate carries an error of up to ε/2·|x| from
-/// its transform and ε·|x| from the difference, so the doubled area of collinear corners stays below
-/// 2·√3·(3/2)·ε·|x|·edge < 8·ε·|x|·edge.
+/// Whether a triangle's area exceeds what rounding makes of none. Each coordinate carries an error of up to
+/// ε/2·|x| from its transform and ε·|x| from the difference, so the doubled area of collinear corners stays
+/// below 2·√3·(3/2)·ε·|x|·edge < 8·ε·|x|·edge.
 fn has_area([a, b, c]: [DVec3; 3]) -> bool {
     let farthest = a.abs().max(b.abs()).max(c.abs()).max_element();
     let longest = (b - a).length().max((c - a).length()).max((c - b).length());
@@ -141,7 +142,11 @@ fn check_size(mesh: &Mesh, options: &MeshOptions) -> Result<(), MeshFault> {
         // Whatever a person asked for, as long as squares of it stay numbers.
         Some(_) => (1e-100, 1e100),
     };
-    if (least_m..=most_m).contains(&size_m) { Ok(()) } else { Err(MeshFault::Size { size_m, least_m, most_m }) }
+    if (least_m..=most_m).contains(&size_m) {
+        Ok(())
+    } else {
+        Err(MeshFault::Size { size_m, least_m, most_m })
+    }
 }
 
 /// Edges with one triangle only, corners being equal where their positions are.

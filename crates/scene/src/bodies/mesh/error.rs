@@ -116,7 +116,9 @@ pub enum MeshFault {
         limit: usize,
     },
     /// Polygons whose dents cost more than the stages that follow.
-    #[error("has polygons so dented that cutting them takes more than {limit} comparisons: write it as triangles")]
+    #[error(
+        "has polygons so dented that cutting them takes more than {limit} comparisons: write it as triangles"
+    )]
     TooDented {
         /// Most comparisons.
         limit: u64,

@@ -8,11 +8,12 @@ use artifact::bounded;
 use artifact::scene::Mesh;
 use std::path::{Path, PathBuf};
 
-/// The mesh in a file, in body axes with the file's own origin: glTF's +Z is forward, +X left, +Y up; STL and OBJ are
-/// taken to be in body axes already.
+/// The mesh in a file, in body axes with the file's own origin: glTF's +Z is forward, +X left, +Y up; STL and
+/// OBJ are taken to be in body axes already.
 ///
 /// # Errors
-/// Names the file, the place in it and the broken rule; `is_system` tells a file that is missing or unreadable.
+/// Names the file, the place in it and the broken rule; `is_system` tells a file that is missing or
+/// unreadable.
 pub fn read_mesh(path: &Path, options: &MeshOptions) -> Result<Mesh, MeshError> {
     let located = |fault| MeshError { file: path.to_owned(), place: MeshPlace::File, fault };
     let format = Format::of(path).ok_or_else(|| located(MeshFault::UnknownFormat))?;
@@ -24,7 +25,12 @@ pub fn read_mesh(path: &Path, options: &MeshOptions) -> Result<Mesh, MeshError> 
 ///
 /// # Errors
 /// As [`read_mesh`].
-pub fn mesh_from_bytes(bytes: &[u8], format: Format, path: &Path, options: &MeshOptions) -> Result<Mesh, MeshError> {
+pub fn mesh_from_bytes(
+    bytes: &[u8],
+    format: Format,
+    path: &Path,
+    options: &MeshOptions,
+) -> Result<Mesh, MeshError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     read_parts(bytes, format, path)
         .and_then(|parts| assemble::assemble(name, parts, options))

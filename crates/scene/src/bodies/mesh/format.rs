@@ -6,8 +6,8 @@ use std::path::Path;
 /// How a mesh file is read.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshOptions {
-    /// Metres in one unit of the file. `None`: metres, and a model below a millimetre or above a kilometre is refused,
-    /// for then it is not.
+    /// Metres in one unit of the file. `None`: metres, and a model below a millimetre or above a kilometre is
+    /// refused, for then it is not.
     pub unit_scale: Option<f64>,
 }
 

@@ -4,13 +4,16 @@ use crate::bodies::mesh::error::{Located, MeshFault, MeshPlace};
 use crate::bodies::mesh::gltf_buffers::Buffers;
 use crate::bodies::mesh::part::{CORNER_LIMIT, check_vectors, too_many_triangles};
 use glam::DVec3;
-use gltf::json::accessor::{Accessor, ComponentType, GenericComponentType, IndexComponentType, Type, sparse::Sparse};
+use gltf::json::accessor::{
+    Accessor, ComponentType, GenericComponentType, IndexComponentType, Type, sparse::Sparse,
+};
 use gltf::json::validation::Checked;
 use gltf::json::{Index, Root, buffer};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// Vertices that a sparse accessor may have without a view behind it: more would take memory that no bytes answer for.
+/// Vertices that a sparse accessor may have without a view behind it: more would take memory that no bytes
+/// answer for.
 const SPARSE_LIMIT: u64 = 1 << 20;
 
 /// The accessors of one document; vectors that several primitives share are decoded once.
@@ -73,7 +76,8 @@ impl<'d> Accessors<'d> {
         vectors: &mut [DVec3],
     ) -> Result<(), Located> {
         let (values, count) = (&sparse.values, sparse.count.0);
-        let values = self.elements(place, values.buffer_view, values.byte_offset.0, count, encoding.vector_bytes())?;
+        let values =
+            self.elements(place, values.buffer_view, values.byte_offset.0, count, encoding.vector_bytes())?;
         for (i, bytes) in self.sparse_indices(place, sparse, vectors.len())?.into_iter().zip(values.iter()) {
             vectors[i] = encoding.vector(bytes);
         }
@@ -84,7 +88,8 @@ impl<'d> Accessors<'d> {
     pub(crate) fn indices(&self, user: MeshPlace, index: usize) -> Result<Vec<u32>, Located> {
         let accessor = self.accessor(user, index)?;
         let place = MeshPlace::Accessor(index);
-        let refuse = || place.fault(MeshFault::AccessorType { expected: "scalars of 8, 16 or 32 unsigned bits" });
+        let refuse =
+            || place.fault(MeshFault::AccessorType { expected: "scalars of 8, 16 or 32 unsigned bits" });
         let component = match (accessor.type_, accessor.component_type) {
             (Checked::Valid(Type::Scalar), Checked::Valid(GenericComponentType(component)))
                 if is_index(component) && !accessor.normalized && accessor.sparse.is_none() =>
@@ -93,7 +98,8 @@ impl<'d> Accessors<'d> {
             }
             _ => return Err(refuse()),
         };
-        let elements = self.base(place, accessor, size_of(component))?.ok_or_else(|| place.fault(MeshFault::NoView))?;
+        let elements =
+            self.base(place, accessor, size_of(component))?.ok_or_else(|| place.fault(MeshFault::NoView))?;
         if elements.count as u64 > CORNER_LIMIT {
             return Err(too_many_triangles());
         }
@@ -102,7 +108,10 @@ impl<'d> Accessors<'d> {
 
     fn accessor(&self, user: MeshPlace, index: usize) -> Result<&'d Accessor, Located> {
         let count = self.root.accessors.len();
-        self.root.accessors.get(index).ok_or_else(|| user.fault(MeshFault::NoSuch { what: "accessor", index, count }))
+        self.root
+            .accessors
+            .get(index)
+            .ok_or_else(|| user.fault(MeshFault::NoSuch { what: "accessor", index, count }))
     }
 
     /// Three floats, or with KHR_mesh_quantization three small integers.
@@ -119,7 +128,12 @@ impl<'d> Accessors<'d> {
     }
 
     /// The elements before sparse values replace some; `None` where they are all zero.
-    fn base(&self, place: MeshPlace, accessor: &Accessor, size: u64) -> Result<Option<Elements<'d>>, Located> {
+    fn base(
+        &self,
+        place: MeshPlace,
+        accessor: &Accessor,
+        size: u64,
+    ) -> Result<Option<Elements<'d>>, Located> {
         let count = accessor.count.0;
         let offset = accessor.byte_offset.unwrap_or_default().0;
         match accessor.buffer_view {
@@ -131,13 +145,17 @@ impl<'d> Accessors<'d> {
 
     fn sparse_indices(&self, place: MeshPlace, sparse: &Sparse, count: usize) -> Result<Vec<usize>, Located> {
         let Checked::Valid(IndexComponentType(component)) = sparse.indices.component_type else {
-            return Err(
-                place.fault(MeshFault::AccessorType { expected: "sparse indices of 8, 16 or 32 unsigned bits" })
-            );
+            return Err(place
+                .fault(MeshFault::AccessorType { expected: "sparse indices of 8, 16 or 32 unsigned bits" }));
         };
         let indices = &sparse.indices;
-        let elements =
-            self.elements(place, indices.buffer_view, indices.byte_offset.0, sparse.count.0, size_of(component))?;
+        let elements = self.elements(
+            place,
+            indices.buffer_view,
+            indices.byte_offset.0,
+            sparse.count.0,
+            size_of(component),
+        )?;
         let found: Vec<usize> = elements.iter().map(|bytes| decode_index(bytes) as usize).collect();
         let beyond = found.iter().find(|&&i| i >= count);
         let falling = found.windows(2).find(|pair| pair[0] >= pair[1]).map(|pair| &pair[1]);

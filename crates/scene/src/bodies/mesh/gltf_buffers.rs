@@ -36,7 +36,8 @@ pub(crate) fn read_buffers(root: &Root, binary: Option<Vec<u8>>, path: &Path) ->
         .map(|(i, buffer)| {
             // The chunk belongs to the first buffer, if that has no URI (glTF 2.0, 4.4.3.2).
             let chunk = if i == 0 { binary.take() } else { None };
-            let bytes = read_buffer(buffer, chunk, path, left).map_err(|fault| MeshPlace::Buffer(i).fault(fault))?;
+            let bytes =
+                read_buffer(buffer, chunk, path, left).map_err(|fault| MeshPlace::Buffer(i).fault(fault))?;
             left = left.saturating_sub(bytes.len() as u64);
             Ok(bytes)
         })
@@ -53,7 +54,12 @@ pub(crate) fn files_beside(json: &[u8], path: &Path) -> Vec<PathBuf> {
 }
 
 /// At most `left` bytes of it.
-fn read_buffer(buffer: &Buffer, chunk: Option<Vec<u8>>, path: &Path, left: u64) -> Result<Vec<u8>, MeshFault> {
+fn read_buffer(
+    buffer: &Buffer,
+    chunk: Option<Vec<u8>>,
+    path: &Path,
+    left: u64,
+) -> Result<Vec<u8>, MeshFault> {
     let bytes = match (&buffer.uri, chunk) {
         (Some(uri), _) => read_uri(uri, path, left)?,
         (None, Some(chunk)) => chunk,
@@ -70,7 +76,9 @@ fn read_uri(uri: &str, path: &Path, left: u64) -> Result<Vec<u8>, MeshFault> {
     }
     let file = file_of(uri, path).ok_or(MeshFault::BadUri)?;
     bounded::read(&file, left).map_err(|error| match error {
-        ReadFault::TooLong { limit } if limit < LIMIT_BYTES => MeshFault::BuffersTooLong { limit: LIMIT_BYTES },
+        ReadFault::TooLong { limit } if limit < LIMIT_BYTES => {
+            MeshFault::BuffersTooLong { limit: LIMIT_BYTES }
+        }
         error => MeshFault::BufferUnread { path: file, error },
     })
 }
@@ -127,7 +135,8 @@ mod tests {
 
     #[test]
     fn base64_decodes_the_vectors_of_rfc_4648_and_refuses_the_rest() {
-        for (text, bytes) in [("", ""), ("Zg==", "f"), ("Zm8=", "fo"), ("Zm9v", "foo"), ("Zm9vYg==", "foob")] {
+        for (text, bytes) in [("", ""), ("Zg==", "f"), ("Zm8=", "fo"), ("Zm9v", "foo"), ("Zm9vYg==", "foob")]
+        {
             assert_eq!(base64(text).as_deref(), Some(bytes.as_bytes()), "{text}");
         }
         for text in ["Z", "Zm9vY", "Zm\n9v", "Zm9-", "é"] {
@@ -139,7 +148,9 @@ mod tests {
     fn buffer_references_are_relative_and_percent_decoded() {
         let path = Path::new("models/car.gltf");
         assert_eq!(file_of("a%20b.bin", path), Some(PathBuf::from("models/a b.bin")));
-        for uri in ["", "/etc/car.bin", "https://example.invalid/car.bin", "C:\\car.bin", "a%2.bin", "a%ff.bin"] {
+        for uri in
+            ["", "/etc/car.bin", "https://example.invalid/car.bin", "C:\\car.bin", "a%2.bin", "a%ff.bin"]
+        {
             assert_eq!(file_of(uri, path), None, "{uri}");
         }
     }

@@ -1,5 +1,5 @@
-//! glTF 2.0. The `gltf` crate opens the container and types the JSON; whatever that JSON refers to is looked up with a
-//! check here, because the crate's own validation and readers panic on damaged files.
+//! glTF 2.0. The `gltf` crate opens the container and types the JSON; whatever that JSON refers to is looked
+//! up with a check here, because the crate's own validation and readers panic on damaged files.
 
 use crate::bodies::mesh::error::{Located, MeshFault, MeshPlace};
 use crate::bodies::mesh::gltf_accessor::Accessors;
@@ -16,12 +16,20 @@ use std::path::Path;
 use std::rc::Rc;
 
 /// Extensions that leave the geometry as it is.
-const HARMLESS: [&str; 6] =
-    ["KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_punctual", "KHR_xmp", "KHR_mesh_quantization"];
-const COMPRESSION: [&str; 3] = ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
+const HARMLESS: [&str; 6] = [
+    "KHR_materials_",
+    "KHR_texture_",
+    "EXT_texture_",
+    "KHR_lights_punctual",
+    "KHR_xmp",
+    "KHR_mesh_quantization",
+];
+const COMPRESSION: [&str; 3] =
+    ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
 
 pub(crate) fn read_glb(bytes: &[u8], path: &Path) -> Result<Vec<Part>, Located> {
-    let (json, binary) = gltf_buffers::split_container(bytes).map_err(|fault| MeshPlace::File.fault(fault))?;
+    let (json, binary) =
+        gltf_buffers::split_container(bytes).map_err(|fault| MeshPlace::File.fault(fault))?;
     read_document(&json, binary, path)
 }
 
@@ -31,8 +39,11 @@ pub(crate) fn read_gltf(bytes: &[u8], path: &Path) -> Result<Vec<Part>, Located>
 
 fn read_document(json: &[u8], binary: Option<Vec<u8>>, path: &Path) -> Result<Vec<Part>, Located> {
     check_values(json).map_err(|fault| MeshPlace::File.fault(fault))?;
-    let root: Root = deserialize::from_slice(json).map_err(|error| MeshPlace::File.fault(MeshFault::Json(error)))?;
-    check_version(&root).and_then(|()| check_extensions(&root)).map_err(|fault| MeshPlace::File.fault(fault))?;
+    let root: Root =
+        deserialize::from_slice(json).map_err(|error| MeshPlace::File.fault(MeshFault::Json(error)))?;
+    check_version(&root)
+        .and_then(|()| check_extensions(&root))
+        .map_err(|fault| MeshPlace::File.fault(fault))?;
     let buffers = read_buffers(&root, binary, path)?;
     let mut accessors = Accessors::new(&root, &buffers);
     let mut shown = Shown::default();
@@ -114,7 +125,8 @@ fn read_primitive(
     let attribute = |name| primitive.attributes.get(&Checked::Valid(name)).map(|accessor| accessor.value());
     let positions = attribute(Semantic::Positions).ok_or_else(|| place.fault(MeshFault::NoPositions))?;
     let positions = accessors.vectors(place, positions)?;
-    let normals = attribute(Semantic::Normals).map(|normals| accessors.vectors(place, normals)).transpose()?;
+    let normals =
+        attribute(Semantic::Normals).map(|normals| accessors.vectors(place, normals)).transpose()?;
     if let Some(normals) = normals.as_ref().filter(|normals| normals.len() != positions.len()) {
         return Err(place.fault(MeshFault::NormalCount { normals: normals.len(), vertices: positions.len() }));
     }
@@ -135,10 +147,15 @@ fn triangles(mode: Mode, corners: &[u32]) -> Result<Vec<[u32; 3]>, MeshFault> {
             .enumerate()
             .map(|(i, w)| if i % 2 == 0 { [w[0], w[1], w[2]] } else { [w[0], w[2], w[1]] })
             .collect()),
-        Mode::TriangleFan => {
-            Ok(corners.iter().skip(1).zip(corners.iter().skip(2)).map(|(b, c)| [*b, *c, corners[0]]).collect())
+        Mode::TriangleFan => Ok(corners
+            .iter()
+            .skip(1)
+            .zip(corners.iter().skip(2))
+            .map(|(b, c)| [*b, *c, corners[0]])
+            .collect()),
+        _ if corners.len().is_multiple_of(3) => {
+            Ok(corners.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect())
         }
-        _ if corners.len().is_multiple_of(3) => Ok(corners.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect()),
         _ => Err(MeshFault::Corners(corners.len())),
     }
 }
@@ -146,16 +163,19 @@ fn triangles(mode: Mode, corners: &[u32]) -> Result<Vec<[u32; 3]>, MeshFault> {
 impl Shown {
     /// The name of a primitive's material, one for all that have it; empty without.
     fn material(&mut self, root: &Root, primitive: &Primitive) -> Result<Rc<str>, MeshFault> {
-        let Some(index) = primitive.material.map(|material| material.value()) else { return Ok(Rc::default()) };
+        let Some(index) = primitive.material.map(|material| material.value()) else {
+            return Ok(Rc::default());
+        };
         let count = root.materials.len();
-        let material = root.materials.get(index).ok_or(MeshFault::NoSuch { what: "material", index, count })?;
+        let material =
+            root.materials.get(index).ok_or(MeshFault::NoSuch { what: "material", index, count })?;
         let name = || material.name.as_deref().unwrap_or_default().into();
         Ok(self.materials.entry(index).or_insert_with(name).clone())
     }
 }
 
-/// glTF looks along +Z with +Y up, a body along +x with +z up: (x, y, z)_body = (z, x, y)_glTF. A mirroring transform
-/// turns the winding, so that outward stays outward (glTF 2.0, 3.7.4).
+/// glTF looks along +Z with +Y up, a body along +x with +z up: (x, y, z)_body = (z, x, y)_glTF. A mirroring
+/// transform turns the winding, so that outward stays outward (glTF 2.0, 3.7.4).
 fn in_body_axes(mut part: Part, instance: &Instance) -> Part {
     let body = |v: DVec3| DVec3::new(v.z, v.x, v.y);
     let linear = DMat3::from_mat4(instance.scene_from_mesh);
@@ -173,7 +193,8 @@ fn in_body_axes(mut part: Part, instance: &Instance) -> Part {
     part
 }
 
-/// The inverse transpose but for a positive factor: the cofactors, which exist for a flattening transform too.
+/// The inverse transpose but for a positive factor: the cofactors, which exist for a flattening transform
+/// too.
 fn normals_matrix(linear: DMat3) -> DMat3 {
     let [a, b, c] = [linear.x_axis, linear.y_axis, linear.z_axis];
     let cofactors = DMat3::from_cols(b.cross(c), c.cross(a), a.cross(b));

@@ -1,8 +1,10 @@
-//! How much a glTF's JSON says, told before it is read: typed values take a hundred times the bytes that say them.
+//! How much a glTF's JSON says, told before it is read: typed values take a hundred times the bytes that say
+//! them.
 
 use crate::bodies::mesh::error::MeshFault;
 
-/// Some hundred values for each of the parts that the largest models from design programs have; a gibibyte once they are typed.
+/// Some hundred values for each of the parts that the largest models from design programs have; a gibibyte
+/// once they are typed.
 const VALUE_LIMIT: usize = 1 << 22;
 
 /// Refuses JSON of more values than that. How deep they lie is its reader's to bound (128 levels).
@@ -52,6 +54,9 @@ mod tests {
     fn more_values_than_any_model_needs_are_refused_before_they_are_typed() {
         let json = |count: usize| format!("[{}]", ",".repeat(count));
         assert!(check_values(json(VALUE_LIMIT - 2).as_bytes()).is_ok());
-        assert!(matches!(check_values(json(VALUE_LIMIT - 1).as_bytes()), Err(MeshFault::TooManyValues { .. })));
+        assert!(matches!(
+            check_values(json(VALUE_LIMIT - 1).as_bytes()),
+            Err(MeshFault::TooManyValues { .. })
+        ));
     }
 }

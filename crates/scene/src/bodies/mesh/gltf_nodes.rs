@@ -13,16 +13,20 @@ pub(crate) struct Instance {
     pub scene_from_mesh: DMat4,
 }
 
-/// Every mesh of the scene that the file shows (else its first; without scenes, all nodes; without nodes, each mesh as
-/// it is), parents before children, in the order of the file.
+/// Every mesh of the scene that the file shows (else its first; without scenes, all nodes; without nodes,
+/// each mesh as it is), parents before children, in the order of the file.
 pub(crate) fn instances(root: &Root) -> Result<Vec<Instance>, Located> {
     if root.nodes.is_empty() {
-        return Ok((0..root.meshes.len()).map(|mesh| Instance { mesh, scene_from_mesh: DMat4::IDENTITY }).collect());
+        return Ok((0..root.meshes.len())
+            .map(|mesh| Instance { mesh, scene_from_mesh: DMat4::IDENTITY })
+            .collect());
     }
     let mut found = vec![];
     let mut reached = vec![false; root.nodes.len()];
-    // A stack of our own: a chain of 10⁶ nodes must not end ours. Reversed, so that the first is popped first.
-    let mut waiting: Vec<(usize, DMat4)> = roots(root)?.into_iter().rev().map(|i| (i, DMat4::IDENTITY)).collect();
+    // A stack of our own: a chain of 10⁶ nodes must not end ours. Reversed, so that the first is popped
+    // first.
+    let mut waiting: Vec<(usize, DMat4)> =
+        roots(root)?.into_iter().rev().map(|i| (i, DMat4::IDENTITY)).collect();
     while let Some((index, scene_from_parent)) = waiting.pop() {
         let place = MeshPlace::Node(index);
         let count = root.nodes.len();
@@ -53,7 +57,12 @@ fn roots(root: &Root) -> Result<Vec<usize>, Located> {
     Ok(scene.nodes.iter().map(|node| node.value()).collect())
 }
 
-fn instance(root: &Root, place: MeshPlace, node: &Node, scene_from_mesh: DMat4) -> Result<Option<Instance>, Located> {
+fn instance(
+    root: &Root,
+    place: MeshPlace,
+    node: &Node,
+    scene_from_mesh: DMat4,
+) -> Result<Option<Instance>, Located> {
     let Some(mesh) = node.mesh.map(|mesh| mesh.value()) else { return Ok(None) };
     let count = root.meshes.len();
     if mesh >= count {
@@ -74,7 +83,8 @@ fn transform(node: &Node) -> Option<DMat4> {
     let matrix = match node.matrix {
         Some(columns) => DMat4::from_cols_array(&columns.map(f64::from)),
         None => {
-            let vector = |v: Option<[f32; 3]>, default: DVec3| v.map_or(default, |v| DVec3::from(v.map(f64::from)));
+            let vector =
+                |v: Option<[f32; 3]>, default: DVec3| v.map_or(default, |v| DVec3::from(v.map(f64::from)));
             let rotation = node.rotation.unwrap_or_default().0.map(f64::from);
             let rotation = DVec4::from(rotation).try_normalize().map(DQuat::from_vec4)?;
             let (scale, offset) = (vector(node.scale, DVec3::ONE), vector(node.translation, DVec3::ZERO));

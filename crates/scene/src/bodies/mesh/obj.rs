@@ -1,4 +1,5 @@
-//! Wavefront OBJ: polygons with materials by name, in metres and body axes. Curves, points and lines are left out.
+//! Wavefront OBJ: polygons with materials by name, in metres and body axes. Curves, points and lines are left
+//! out.
 
 use crate::bodies::mesh::error::{Located, MeshFault, MeshPlace};
 use crate::bodies::mesh::part::{Part, check_count, check_vectors};
@@ -82,7 +83,9 @@ impl Document {
             Some("v") => self.vertices.push(three_numbers(words)?),
             Some("vn") => self.normals.push(three_numbers(words)?),
             Some("f") => self.read_face(words, material)?,
-            Some("usemtl") => *material = content.trim().strip_prefix("usemtl").unwrap_or_default().trim().into(),
+            Some("usemtl") => {
+                *material = content.trim().strip_prefix("usemtl").unwrap_or_default().trim().into()
+            }
             Some(word) if IGNORED.contains(&word) => {}
             Some(other) => {
                 let expected = "a polygonal OBJ statement (v, vn, vt, f, usemtl, g, o, s, mtllib, l, p)";
@@ -145,11 +148,14 @@ impl Document {
 fn into_part(group: Group, vertices: &[DVec3], normals: &[DVec3]) -> Result<Part, Located> {
     let given = group.normals == Normals::Given;
     let key = |(vertex, normal): Corner| (vertex, normal.filter(|_| given));
-    let mut numbers: BTreeMap<Corner, u32> = group.triangles.iter().flatten().map(|corner| (key(*corner), 0)).collect();
+    let mut numbers: BTreeMap<Corner, u32> =
+        group.triangles.iter().flatten().map(|corner| (key(*corner), 0)).collect();
     numbers.values_mut().zip(0..).for_each(|(number, next)| *number = next);
     let positions: Vec<DVec3> = numbers.keys().map(|(vertex, _)| vertices[*vertex as usize]).collect();
-    let of_corners: Vec<DVec3> = numbers.keys().filter_map(|(_, normal)| Some(normals[(*normal)? as usize])).collect();
-    let triangles = group.triangles.iter().map(|corners| corners.map(|corner| numbers[&key(corner)])).collect();
+    let of_corners: Vec<DVec3> =
+        numbers.keys().filter_map(|(_, normal)| Some(normals[(*normal)? as usize])).collect();
+    let triangles =
+        group.triangles.iter().map(|corners| corners.map(|corner| numbers[&key(corner)])).collect();
     let of_corners = given.then_some(of_corners.as_slice());
     Part::new(MeshPlace::File, &positions, of_corners, triangles, group.material)
 }
@@ -169,7 +175,8 @@ pub(crate) fn three_numbers<'w>(words: impl Iterator<Item = &'w str>) -> Result<
     let mut words = words;
     for number in &mut numbers {
         let word = words.next().unwrap_or_default();
-        *number = word.parse().map_err(|_| MeshFault::Expected { expected: "a number", found: excerpt(word) })?;
+        *number =
+            word.parse().map_err(|_| MeshFault::Expected { expected: "a number", found: excerpt(word) })?;
     }
     Ok(DVec3::from(numbers))
 }

@@ -7,7 +7,8 @@ use std::rc::Rc;
 /// 16 million triangles take 2 GiB in the stages; the most detailed vehicle at hand has 79 200.
 const TRIANGLE_LIMIT: usize = 1 << 24;
 
-/// Positions and normals of so many triangles that share none; a small file can say many accessors over the same bytes.
+/// Positions and normals of so many triangles that share none; a small file can say many accessors over the
+/// same bytes.
 const VECTOR_LIMIT: usize = 6 * TRIANGLE_LIMIT;
 
 /// Corners that a file may list before they are read.
@@ -18,8 +19,8 @@ pub(crate) fn check_vectors(vectors: usize) -> Result<(), MeshFault> {
     if vectors <= VECTOR_LIMIT { Ok(()) } else { Err(MeshFault::TooManyVectors { limit: VECTOR_LIMIT }) }
 }
 
-/// Whether so many triangles may be read. To be asked while parts are gathered too: a small glTF can show one mesh
-/// through many nodes.
+/// Whether so many triangles may be read. To be asked while parts are gathered too: a small glTF can show one
+/// mesh through many nodes.
 pub(crate) fn check_count(triangles: usize) -> Result<(), Located> {
     if triangles <= TRIANGLE_LIMIT { Ok(()) } else { Err(too_many_triangles()) }
 }
@@ -39,7 +40,8 @@ pub(crate) struct Part {
 }
 
 impl Part {
-    /// The part with the vertices that `triangles` use, in their order; everything finite, every index in range.
+    /// The part with the vertices that `triangles` use, in their order; everything finite, every index in
+    /// range.
     pub(crate) fn new(
         place: MeshPlace,
         vertices: &[DVec3],
@@ -59,8 +61,8 @@ impl Part {
         })
     }
 
-    /// The same triangles with three vertices each, their normals those of the facets (glTF 2.0, 3.7.2.1: where normals
-    /// are not given, flat ones are meant); a triangle without area gets none.
+    /// The same triangles with three vertices each, their normals those of the facets (glTF 2.0, 3.7.2.1:
+    /// where normals are not given, flat ones are meant); a triangle without area gets none.
     pub(crate) fn with_flat_normals(self) -> Self {
         let corners: Vec<[DVec3; 3]> =
             self.triangles.iter().map(|corners| corners.map(|i| self.vertices[i as usize])).collect();

@@ -2,8 +2,8 @@
 
 use glam::{DVec2, DVec3};
 
-/// The corners of a polygon's triangles, wound as it is: by cutting ears, so that a polygon with dents keeps its area. The
-/// comparisons of places that it takes are added to `comparisons`.
+/// The corners of a polygon's triangles, wound as it is: by cutting ears, so that a polygon with dents keeps
+/// its area. The comparisons of places that it takes are added to `comparisons`.
 pub(crate) fn triangulate(points: &[DVec3], comparisons: &mut u64) -> Vec<[usize; 3]> {
     let flat = projected(points);
     let mut left: Vec<usize> = (0..points.len()).collect();
@@ -23,7 +23,8 @@ pub(crate) fn triangulate(points: &[DVec3], comparisons: &mut u64) -> Vec<[usize
 /// Onto the coordinate plane that the polygon covers most of, wound counter-clockwise there.
 fn projected(points: &[DVec3]) -> Vec<DVec2> {
     let origin = points.first().copied().unwrap_or_default();
-    let area = points.windows(2).fold(DVec3::ZERO, |sum, pair| sum + (pair[0] - origin).cross(pair[1] - origin));
+    let area =
+        points.windows(2).fold(DVec3::ZERO, |sum, pair| sum + (pair[0] - origin).cross(pair[1] - origin));
     let size = area.abs();
     let flatten = |v: DVec3| match size.max_element() {
         m if m == size.x => DVec2::new(v.y, v.z * area.x.signum()),

@@ -1,5 +1,5 @@
-//! Stereolithography (3D Systems, 1989): binary and text, in metres and body axes. The facet normals it stores repeat
-//! the winding and are left out.
+//! Stereolithography (3D Systems, 1989): binary and text, in metres and body axes. The facet normals it
+//! stores repeat the winding and are left out.
 
 use crate::bodies::mesh::error::{Located, MeshFault, MeshPlace};
 use crate::bodies::mesh::obj::three_numbers;
@@ -28,8 +28,9 @@ fn is_text(bytes: &[u8]) -> bool {
 
 /// What the header of a binary file says of its length.
 fn binary_bytes(bytes: &[u8]) -> u64 {
-    let count =
-        bytes.get(80..HEADER_BYTES).map_or(0, |count| u32::from_le_bytes([count[0], count[1], count[2], count[3]]));
+    let count = bytes
+        .get(80..HEADER_BYTES)
+        .map_or(0, |count| u32::from_le_bytes([count[0], count[1], count[2], count[3]]));
     HEADER_BYTES as u64 + FACET_BYTES as u64 * u64::from(count)
 }
 
@@ -44,7 +45,8 @@ fn read_binary(bytes: &[u8]) -> Result<Vec<DVec3>, Located> {
 }
 
 fn vector(bytes: &[u8]) -> DVec3 {
-    let number = |i: usize| f64::from(f32::from_le_bytes([bytes[i], bytes[i + 1], bytes[i + 2], bytes[i + 3]]));
+    let number =
+        |i: usize| f64::from(f32::from_le_bytes([bytes[i], bytes[i + 1], bytes[i + 2], bytes[i + 3]]));
     DVec3::new(number(0), number(4), number(8))
 }
 
@@ -60,7 +62,9 @@ fn read_text(bytes: &[u8]) -> Result<Vec<DVec3>, Located> {
                 check_count(corners.len() / 3)?;
                 corners.push(three_numbers(words).map_err(|fault| place.fault(fault))?);
             }
-            Some("endfacet") if !whole_facets => return Err(place.fault(MeshFault::Corners(corners.len() % 3))),
+            Some("endfacet") if !whole_facets => {
+                return Err(place.fault(MeshFault::Corners(corners.len() % 3)));
+            }
             None | Some("solid" | "facet" | "outer" | "endloop" | "endfacet" | "endsolid") => {}
             Some(other) => {
                 let expected = "a line of STL (solid, facet, outer, vertex, endloop, endfacet, endsolid)";

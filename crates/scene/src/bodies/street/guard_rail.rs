@@ -4,15 +4,17 @@ use crate::bodies::street::outline::rectangle;
 use crate::bodies::street::prism::{Point, Prisms};
 use std::f64::consts::TAU;
 
-/// Height and depth of the W profile: 12¼ × 3¼ inches (AASHTO M 180), as the rails of Europe are. Its waves are drawn as two of a cosine.
+/// Height and depth of the W profile: 12¼ × 3¼ inches (AASHTO M 180), as the rails of Europe are. Its waves
+/// are drawn as two of a cosine.
 const RAIL_M: [f64; 2] = [0.312, 0.083];
 /// Of the sheet, 12 gauge.
 const SHEET_M: f64 = 0.0027;
 /// Of the rail's upper edge.
 const TOP_M: f64 = 0.75;
-/// A multiple of four, so that the crests are among the corners. Chords of 13 mm on crests of 15 mm radius are a rail bent of flat
-/// strips: down the road, where ends and posts answer, that is enough, and square on its crests are up to 9 dB off
-/// (`docs/physics.md` §3, chord over √(ρλ) 1.7). Four times as many take a tracer four times as long.
+/// A multiple of four, so that the crests are among the corners. Chords of 13 mm on crests of 15 mm radius
+/// are a rail bent of flat strips: down the road, where ends and posts answer, that is enough, and square on
+/// its crests are up to 9 dB off (`docs/physics.md` §3, chord over √(ρλ) 1.7). Four times as many take a
+/// tracer four times as long.
 const CHORDS: usize = 24;
 
 /// From post to post, their size along and across, their height.

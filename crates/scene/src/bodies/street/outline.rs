@@ -29,9 +29,9 @@ pub(crate) fn rectangle(low_m: Point, high_m: Point) -> Vec<Point> {
     vec![low_m, [high_m[0], low_m[1]], high_m, [low_m[0], high_m[1]]]
 }
 
-/// Width, what stands out of the road, and the bevel of the upper edges: kerbstones between carriageway and footway stand 10 to
-/// 15 cm high and are 12 to 18 cm wide. Rounded edges in place of bevels take a tracer twice as long for 4 m of kerb at 38 m, 7.7
-/// processor seconds, whose echo is −45 to −48 dBsm either way.
+/// Width, what stands out of the road, and the bevel of the upper edges: kerbstones between carriageway and
+/// footway stand 10 to 15 cm high and are 12 to 18 cm wide. Rounded edges in place of bevels take a tracer
+/// twice as long for 4 m of kerb at 38 m, 7.7 processor seconds, whose echo is −45 to −48 dBsm either way.
 const KERB_M: [f64; 2] = [0.15, 0.12];
 const BEVEL_M: f64 = 0.02;
 

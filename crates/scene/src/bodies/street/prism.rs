@@ -22,9 +22,16 @@ impl Prisms {
         self.add(outline, ends_m, material, |[y, z], x| [x, y, z]);
     }
 
-    /// `place` puts the outline's axes and the prism's onto a right-handed triad. The ends are cut into the strips between points
-    /// number k from the start and k from the end: right for convex outlines, and for sheets whose sides face each other so.
-    fn add(&mut self, outline: &[Point], ends_m: [f64; 2], material: &str, place: impl Fn(Point, f64) -> [f64; 3]) {
+    /// `place` puts the outline's axes and the prism's onto a right-handed triad. The ends are cut into the
+    /// strips between points number k from the start and k from the end: right for convex outlines, and for
+    /// sheets whose sides face each other so.
+    fn add(
+        &mut self,
+        outline: &[Point],
+        ends_m: [f64; 2],
+        material: &str,
+        place: impl Fn(Point, f64) -> [f64; 3],
+    ) {
         let (first, n) = (self.mesh.vertices_m.len() as u32, outline.len() as u32);
         for end_m in ends_m {
             self.mesh.vertices_m.extend(outline.iter().map(|point| place(*point, end_m)));

@@ -1,5 +1,5 @@
-//! Two-wheelers of the families: wheels, fork and handlebar from numbers, all else solids of the table, with a rider or
-//! without one.
+//! Two-wheelers of the families: wheels, fork and handlebar from numbers, all else solids of the table, with
+//! a rider or without one.
 
 use crate::bodies::vehicles::drawing::mesh_builder::Assembly;
 use crate::bodies::vehicles::drawing::rider::Rider;
@@ -71,8 +71,14 @@ fn lamp(drawn: &Drawn<'_>, to: &mut Assembly) {
         let half_m = [0.4 * radius, 1.3 * radius, 0.7 * radius];
         return to.add(ellipsoid(half_m, 14, Material::Lamp).moved(x, 0.0, z));
     }
-    let profile =
-        [(0.0, 0.0), (0.6 * radius, 0.012), (radius, 0.04), (1.08 * radius, 0.03), (0.7 * radius, -0.10), (0.0, -0.12)];
+    let profile = [
+        (0.0, 0.0),
+        (0.6 * radius, 0.012),
+        (radius, 0.04),
+        (1.08 * radius, 0.03),
+        (0.7 * radius, -0.10),
+        (0.0, -0.12),
+    ];
     let dish = lathe(&profile, 18, Material::Lamp).map(|p| DVec3::new(p.y, -p.x, p.z)).outward();
     to.add(dish.moved(x, 0.0, z));
 }

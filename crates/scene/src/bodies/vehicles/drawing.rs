@@ -1,4 +1,5 @@
-//! What every vehicle is drawn with: lines, skins, holes in them, solids, wheels and riders, and the whole made a mesh.
+//! What every vehicle is drawn with: lines, skins, holes in them, solids, wheels and riders, and the whole
+//! made a mesh.
 
 pub(crate) mod curve;
 pub(crate) mod surface;

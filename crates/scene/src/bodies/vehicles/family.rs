@@ -1,9 +1,9 @@
 //! Families: the rows of readable tables, and the values that a seed draws from them.
 //!
-//! A class has one table (`crates/scene/vehicles/CLASS.toml`), a section of it one family, `[default]` what its
-//! families have in common. A number stands for itself, `[low, high]` for a uniform draw with its middle as the nominal
-//! value, a list of words for one of them with the first as the nominal word. Under a key that asks whether something
-//! is there, a number is the probability that it is.
+//! A class has one table (`crates/scene/vehicles/CLASS.toml`), a section of it one family, `[default]` what
+//! its families have in common. A number stands for itself, `[low, high]` for a uniform draw with its middle
+//! as the nominal value, a list of words for one of them with the first as the nominal word. Under a key that
+//! asks whether something is there, a number is the probability that it is.
 
 use crate::bodies::vehicles::dimensions::{Draw, SizeRange};
 use artifact::settings::Class;
@@ -103,7 +103,9 @@ impl<'a> Drawn<'a> {
     /// Several numbers, each drawn for itself.
     pub(crate) fn numbers<const N: usize>(&self, key: &str) -> [f64; N] {
         let written = self.list(key);
-        std::array::from_fn(|k| written.get(k).map_or(f64::NAN, |value| self.value(&format!("{key} {k}"), value)))
+        std::array::from_fn(|k| {
+            written.get(k).map_or(f64::NAN, |value| self.value(&format!("{key} {k}"), value))
+        })
     }
 
     /// A list of rows of numbers, each drawn for itself.

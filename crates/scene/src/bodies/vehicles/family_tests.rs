@@ -14,7 +14,9 @@ const SEEDS: [u64; 4] = [0, 1, 7, 77];
 
 /// Every family with every seed, drawn once for all tests.
 static EVERY: LazyLock<Vec<(&str, u64, Mesh)>> = LazyLock::new(|| {
-    let drawn = |(family, seed): (&'static Family, u64)| Some((family.name.as_str(), seed, mesh(&family.name, seed)?));
+    let drawn = |(family, seed): (&'static Family, u64)| {
+        Some((family.name.as_str(), seed, mesh(&family.name, seed)?))
+    };
     family::all().iter().flat_map(|family| SEEDS.map(|seed| (family, seed))).filter_map(drawn).collect()
 });
 
@@ -50,7 +52,10 @@ fn every_family_gives_a_finite_mesh_of_some_thousand_triangles_for_every_seed() 
     for (name, seed, mesh) in EVERY.iter() {
         assert!(mesh.vertices_m.iter().flatten().all(|v| v.is_finite()), "{name} {seed}");
         assert!((1_500..=17_000).contains(&mesh.triangles.len()), "{name} {seed}: {}", mesh.triangles.len());
-        assert!(mesh.triangles.iter().flatten().all(|i| (*i as usize) < mesh.vertices_m.len()), "{name} {seed}");
+        assert!(
+            mesh.triangles.iter().flatten().all(|i| (*i as usize) < mesh.vertices_m.len()),
+            "{name} {seed}"
+        );
         assert_eq!(mesh.normals.len(), mesh.vertices_m.len());
     }
 }
@@ -61,7 +66,10 @@ fn dimensions_are_drawn_within_the_ranges_of_the_tables() {
         let (size_m, ranges_m) = (size_m(mesh), ranges_m(name).unwrap());
         for k in 0..3 {
             let [low, high] = ranges_m[k];
-            assert!((low - 2e-6..=high + 2e-6).contains(&size_m[k]), "{name} {seed}: {size_m:?} of {ranges_m:?}");
+            assert!(
+                (low - 2e-6..=high + 2e-6).contains(&size_m[k]),
+                "{name} {seed}: {size_m:?} of {ranges_m:?}"
+            );
         }
     }
 }
@@ -97,7 +105,11 @@ fn no_triangle_is_degenerate_and_every_normal_is_a_unit_vector_on_the_outer_side
 #[test]
 fn equal_seeds_give_equal_bytes_and_other_seeds_others() {
     for pair in EVERY.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
-        assert_ne!(pair[0].2.vertices_m, pair[1].2.vertices_m, "{}: {} and {}", pair[0].0, pair[0].1, pair[1].1);
+        assert_ne!(
+            pair[0].2.vertices_m, pair[1].2.vertices_m,
+            "{}: {} and {}",
+            pair[0].0, pair[0].1, pair[1].1
+        );
     }
     for (name, seed, drawn_before) in EVERY.iter().filter(|(_, seed, _)| *seed == 1) {
         assert_eq!(glb(&mesh(name, *seed).unwrap()), glb(drawn_before), "{name}");
@@ -115,6 +127,7 @@ fn two_wheelers_come_with_and_without_riders() {
 
 #[test]
 fn every_drawn_value_is_keyed_by_the_family() {
-    let lengths: BTreeSet<u64> = family::all().iter().map(|f| f.drawn(5).number("tyre_width_m").to_bits()).collect();
+    let lengths: BTreeSet<u64> =
+        family::all().iter().map(|f| f.drawn(5).number("tyre_width_m").to_bits()).collect();
     assert!(lengths.len() > 30, "{}", lengths.len());
 }

@@ -4,13 +4,16 @@ use crate::bodies::glb::{Buffer, container, extent, gltf_axes};
 use artifact::scene::Mesh;
 use serde_json::{Value, json};
 
-/// Binary glTF: one node, one mesh, one primitive per material, POSITION, NORMAL and 32-bit indices, in glTF's axes
-/// (+Z forward, +X left, +Y up; (x, y, z) of the body is (z, x, y) there). Equal meshes give equal bytes.
+/// Binary glTF: one node, one mesh, one primitive per material, POSITION, NORMAL and 32-bit indices, in
+/// glTF's axes (+Z forward, +X left, +Y up; (x, y, z) of the body is (z, x, y) there). Equal meshes give
+/// equal bytes.
 ///
-/// Needs what [`mesh`](crate::bodies::vehicles::catalogue::mesh) gives: vertices ordered by material and not shared between materials, a normal each.
+/// Needs what [`mesh`](crate::bodies::vehicles::catalogue::mesh) gives: vertices ordered by material and not
+/// shared between materials, a normal each.
 pub fn glb(mesh: &Mesh) -> Vec<u8> {
     let mut buffer = Buffer::default();
-    let primitives: Vec<Value> = (0..mesh.materials.len()).map(|slot| primitive(&mut buffer, mesh, slot)).collect();
+    let primitives: Vec<Value> =
+        (0..mesh.materials.len()).map(|slot| primitive(&mut buffer, mesh, slot)).collect();
     let materials: Vec<Value> = mesh.materials.iter().map(|name| material(name)).collect();
     let document = json!({
         "asset": { "version": "2.0", "generator": "wayside" },

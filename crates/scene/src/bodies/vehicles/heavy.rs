@@ -1,7 +1,7 @@
 //! Trucks of the families: a cab, a chassis, and what it carries; or one body where the cab is part of it.
 //!
-//! Lengths of the cab are shares of `cab_m` = [length, height of its roof]. `carries` tells the body: "box" (a hull
-//! with panels drawn a little out of true), "tank", or "parts" where the table lists solids only.
+//! Lengths of the cab are shares of `cab_m` = [length, height of its roof]. `carries` tells the body: "box"
+//! (a hull with panels drawn a little out of true), "tank", or "parts" where the table lists solids only.
 
 use crate::bodies::vehicles::drawing::curve::Curve;
 use crate::bodies::vehicles::drawing::mesh_builder::Assembly;
@@ -85,7 +85,11 @@ fn hull(drawn: &Drawn<'_>, form: &Form, truck: &mut Assembly) {
         bottom_z: Curve::flat(low),
         waist_z: Curve::flat(0.5 * (low + high)),
         rail_z: Curve::flat(high - crown_m - 0.01),
-        top_z: Curve::through(&[(rear, high), (front - 1.0, high), (front, high - drawn.number("hull_drop_m"))]),
+        top_z: Curve::through(&[
+            (rear, high),
+            (front - 1.0, high),
+            (front, high - drawn.number("hull_drop_m")),
+        ]),
         sill_y: Curve::flat(half - 0.5 * bow_m),
         belly_y: Curve::flat(half),
         waist_y: Curve::flat(half),
@@ -96,11 +100,13 @@ fn hull(drawn: &Drawn<'_>, form: &Form, truck: &mut Assembly) {
         end_radius_m: [radius_m, 0.03],
         ends_x: [front, rear],
     };
-    let layout = Layout { stations_x: spaced(rear, front, 1.2), lower: even(3), upper: even(3), half_columns: 3 };
+    let layout =
+        Layout { stations_x: spaced(rear, front, 1.2), lower: even(3), upper: even(3), half_columns: 3 };
     let middle_z = 0.5 * (low + high);
     let bent = |p: DVec3| {
         let at_front = ((p.x - rear) / (front - rear)).clamp(0.0, 1.0).powi(8);
-        let out = 1.0 - (p.y / half).powi(2) * (1.0 - ((p.z - middle_z) / (high - middle_z)).powi(2)).max(0.0);
+        let out =
+            1.0 - (p.y / half).powi(2) * (1.0 - ((p.z - middle_z) / (high - middle_z)).powi(2)).max(0.0);
         let lean = (p.z - low) / (high - low) * lean_m;
         DVec3::new(p.x - at_front * (lean + bow_m * (1.0 - out)), p.y, p.z)
     };

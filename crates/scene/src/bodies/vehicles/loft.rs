@@ -60,5 +60,10 @@ fn add_wheels(drawn: &Drawn<'_>, form: &Form, number: usize, to: &mut Assembly) 
         wheel.add_inner_pair(to, axle_x, outer_y - form.tyre_width_m - 0.03);
     }
     let casing_radius_m = drawn.number("axle_casing_m");
-    to.add(axle(axle_x, form.wheel_radius_m, outer_y - 0.6 * form.tyre_width_m, Drive::Driven { casing_radius_m }));
+    to.add(axle(
+        axle_x,
+        form.wheel_radius_m,
+        outer_y - 0.6 * form.tyre_width_m,
+        Drive::Driven { casing_radius_m },
+    ));
 }

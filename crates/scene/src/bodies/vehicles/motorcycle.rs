@@ -11,11 +11,12 @@ use crate::bodies::vehicles::drawing::mesh_builder::Assembly;
 use glam::DVec3;
 use parts::CycleWheel;
 
-/// Overall length, width over handlebar (mirrors, cases), height with the rider seated. Ranges: published figures of
-/// machines sold in Europe, rounded to 5 cm. Street: 300 to 900 cm³ without fairing (Honda CB500F 2.1 × 0.8, Yamaha MT-07
-/// 2.1 × 0.75); scooters of 110 to 350 cm³ (Honda SH125, PCX, Yamaha XMAX: 1.9 to 2.2 × 0.75); tourers (BMW R 1250 RT
-/// 2.2 × 1.0, Honda Gold Wing 2.5 × 0.95). The height over the helmet is that of a seat 0.75 to 0.85 m high and a sitting
-/// height of 0.80 to 0.95 m (5th to 95th percentile of adults) with the helmet, less the lean.
+/// Overall length, width over handlebar (mirrors, cases), height with the rider seated. Ranges: published
+/// figures of machines sold in Europe, rounded to 5 cm. Street: 300 to 900 cm³ without fairing (Honda CB500F
+/// 2.1 × 0.8, Yamaha MT-07 2.1 × 0.75); scooters of 110 to 350 cm³ (Honda SH125, PCX, Yamaha XMAX: 1.9 to 2.2
+/// × 0.75); tourers (BMW R 1250 RT 2.2 × 1.0, Honda Gold Wing 2.5 × 0.95). The height over the helmet is that
+/// of a seat 0.75 to 0.85 m high and a sitting height of 0.80 to 0.95 m (5th to 95th percentile of adults)
+/// with the helmet, less the lean.
 pub(crate) fn size_range(model: &str) -> SizeRange {
     match model {
         "motorcycle-street" => {

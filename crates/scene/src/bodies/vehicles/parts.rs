@@ -1,10 +1,11 @@
-//! Solids that a family's table lists: boxes, balls, drums, tubes and limbs in the metres of the nominal drawing.
+//! Solids that a family's table lists: boxes, balls, drums, tubes and limbs in the metres of the nominal
+//! drawing.
 //!
-//! Keys of a part: `solid` (box, ball, drum, tube, limb), `at` = [x, y, z], `size` = [length, width, height], `round`
-//! (radius of a box's edges), `pitch_deg` (the front goes down), `yaw_deg`, `radius`, `length` and `axis` of a drum,
-//! `path` of a tube (rows x, y, z) or a limb (rows x, y, z, half width, half height), `material`, `pair` (with its mirror
-//! image), `chance`, `when` = "key=word" (only where the family's word of that key is drawn), `repeat` and `step` =
-//! [x, y, z] (a row of them).
+//! Keys of a part: `solid` (box, ball, drum, tube, limb), `at` = [x, y, z], `size` = [length, width, height],
+//! `round` (radius of a box's edges), `pitch_deg` (the front goes down), `yaw_deg`, `radius`, `length` and
+//! `axis` of a drum, `path` of a tube (rows x, y, z) or a limb (rows x, y, z, half width, half height),
+//! `material`, `pair` (with its mirror image), `chance`, `when` = "key=word" (only where the family's word of
+//! that key is drawn), `repeat` and `step` = [x, y, z] (a row of them).
 
 use crate::bodies::vehicles::drawing::mesh_builder::Assembly;
 use crate::bodies::vehicles::drawing::solids::{
@@ -45,13 +46,18 @@ fn solid(part: &Drawn<'_>) -> Surface {
     let solid = match part.word("solid") {
         "tube" => {
             let path = part.rows::<3>("path");
-            let path = if part.knows("bend") && path.len() > 2 { bent(&path, part.number("bend")) } else { path };
+            let path =
+                if part.knows("bend") && path.len() > 2 { bent(&path, part.number("bend")) } else { path };
             return tube(&path, part.number("radius"), sectors.min(8), material);
         }
         "limb" => {
             let rows = part.rows::<5>("path");
             let sections: Vec<_> = rows.iter().map(|[x, y, z, w, h]| section([*x, *y, *z], *w, *h)).collect();
-            return limb(&smoothed(&sections, part.number_or("between", 1.0) as usize), sectors.max(14), material);
+            return limb(
+                &smoothed(&sections, part.number_or("between", 1.0) as usize),
+                sectors.max(14),
+                material,
+            );
         }
         "ball" => ellipsoid(part.numbers::<3>("size").map(|full| 0.5 * full), sectors.max(12), material),
         "drum" => drum(part, sectors.max(14), material),

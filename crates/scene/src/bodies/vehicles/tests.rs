@@ -76,7 +76,10 @@ fn the_origin_is_the_middle_of_the_bounding_box_on_the_ground() {
     for (name, seed, mesh) in every() {
         let (low, high) = bounds_m(mesh);
         let middle = 0.5 * (low + high);
-        assert!(middle.x.abs() < 1e-6 && middle.y.abs() < 1e-6 && low.z.abs() < 1e-6, "{name} {seed}: {low} {high}");
+        assert!(
+            middle.x.abs() < 1e-6 && middle.y.abs() < 1e-6 && low.z.abs() < 1e-6,
+            "{name} {seed}: {low} {high}"
+        );
     }
 }
 
@@ -87,9 +90,11 @@ fn other_seeds_spread_every_dimension_within_its_range() {
         let sizes_m: Vec<[f64; 3]> = (1..=8).map(|seed| Draw { model: name, seed }.size_m(&size)).collect();
         for k in 0..3 {
             let [low, high] = size.range_m[k];
-            let (least, most) = sizes_m.iter().fold((f64::INFINITY, 0.0_f64), |(a, b), s| (a.min(s[k]), b.max(s[k])));
+            let (least, most) =
+                sizes_m.iter().fold((f64::INFINITY, 0.0_f64), |(a, b), s| (a.min(s[k]), b.max(s[k])));
             assert!(least >= low && most <= high, "{name}: {least}..{most} outside {low}..{high}");
-            // Eight uniform draws cover less than a quarter of their range once in 2600 (8·¼⁷ − 7·¼⁸); the seeds are fixed.
+            // Eight uniform draws cover less than a quarter of their range once in 2600 (8·¼⁷ − 7·¼⁸); the
+            // seeds are fixed.
             assert!(most - least > 0.25 * (high - low), "{name}: {least}..{most} of {low}..{high}");
         }
     }
@@ -133,8 +138,14 @@ fn everything_is_finite_and_every_index_is_in_range() {
         assert!(mesh.normals.iter().flatten().all(|v| v.is_finite()), "{name} {seed}");
         assert_eq!(mesh.normals.len(), mesh.vertices_m.len());
         assert_eq!(mesh.material_of_triangle.len(), mesh.triangles.len());
-        assert!(mesh.triangles.iter().flatten().all(|i| (*i as usize) < mesh.vertices_m.len()), "{name} {seed}");
-        assert!(mesh.material_of_triangle.iter().all(|m| (*m as usize) < mesh.materials.len()), "{name} {seed}");
+        assert!(
+            mesh.triangles.iter().flatten().all(|i| (*i as usize) < mesh.vertices_m.len()),
+            "{name} {seed}"
+        );
+        assert!(
+            mesh.material_of_triangle.iter().all(|m| (*m as usize) < mesh.materials.len()),
+            "{name} {seed}"
+        );
     }
 }
 
@@ -166,11 +177,13 @@ fn normals_are_unit_vectors_on_the_outer_side_of_their_facets() {
 
 #[test]
 fn parts_are_wound_outwards() {
-    // A body hides its inside: seen from ahead, behind, aside, above and below the nearest facet faces the viewer.
+    // A body hides its inside: seen from ahead, behind, aside, above and below the nearest facet faces the
+    // viewer.
     for (name, seed, mesh) in every().filter(|(_, seed, _)| *seed == 0) {
         for axis in 0..3 {
             let (turned, total) = facing_away(mesh, axis);
-            // Where outlines cross a rounded corner slivers may fold: of 1000 rays one at most may meet such a one.
+            // Where outlines cross a rounded corner slivers may fold: of 1000 rays one at most may meet such
+            // a one.
             assert!(
                 turned * 1000 <= total,
                 "{name} {seed} axis {axis}: {turned} of {total} rays meet a facet from behind"
@@ -179,14 +192,16 @@ fn parts_are_wound_outwards() {
     }
 }
 
-/// Rays along `axis`, both ways, on a grid of 24 × 24: how many meet a facet's inner side first, how many meet any.
+/// Rays along `axis`, both ways, on a grid of 24 × 24: how many meet a facet's inner side first, how many
+/// meet any.
 fn facing_away(mesh: &Mesh, axis: usize) -> (usize, usize) {
     let (low, high) = bounds_m(mesh);
     let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
     let (mut turned, mut total) = (0, 0);
     for k in 0..576 {
         let share = |n: usize| (n as f64 + 0.4817) / 24.0;
-        let (at_u, at_v) = (low[u] + (high[u] - low[u]) * share(k % 24), low[v] + (high[v] - low[v]) * share(k / 24));
+        let (at_u, at_v) =
+            (low[u] + (high[u] - low[u]) * share(k % 24), low[v] + (high[v] - low[v]) * share(k / 24));
         let crossed = |t: &[u32; 3]| crossing(corners_m(mesh, *t), [axis, u, v], [at_u, at_v]);
         let mut hits: Vec<(f64, f64)> = mesh.triangles.iter().filter_map(crossed).collect();
         hits.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -198,8 +213,8 @@ fn facing_away(mesh: &Mesh, axis: usize) -> (usize, usize) {
     (turned, total)
 }
 
-/// Where a line along the first of `axes` through the two coordinates given meets the triangle, and its signed area seen
-/// along that axis.
+/// Where a line along the first of `axes` through the two coordinates given meets the triangle, and its
+/// signed area seen along that axis.
 fn crossing(corners: [DVec3; 3], [axis, u, v]: [usize; 3], at: [f64; 2]) -> Option<(f64, f64)> {
     let side = |a: DVec3, b: DVec3| (a[u] - at[0]) * (b[v] - at[1]) - (a[v] - at[1]) * (b[u] - at[0]);
     let [a, b, c] = corners;
@@ -220,7 +235,10 @@ fn meshes_have_three_to_sixteen_thousand_triangles() {
 fn materials_are_named_once_and_used() {
     for (name, seed, mesh) in every() {
         for (slot, material) in mesh.materials.iter().enumerate() {
-            assert!(mesh.material_of_triangle.iter().any(|m| *m as usize == slot), "{name} {seed}: {material}");
+            assert!(
+                mesh.material_of_triangle.iter().any(|m| *m as usize == slot),
+                "{name} {seed}: {material}"
+            );
             assert!(!mesh.materials[..slot].contains(material), "{name} {seed}: {material}");
         }
         for needed in ["paint", "glass", "rubber", "steel", "lamp", "tail_lamp", "plate"] {
@@ -240,7 +258,10 @@ fn both_sides_of_a_vehicle_weigh_the_same_but_for_doors_exhausts_and_tanks() {
             mesh.triangles.iter().map(area).sum()
         };
         let (left, right) = (side(1.0), side(-1.0));
-        assert!((left - right).abs() < 0.05 * (left + right), "{name} {seed}: {left} m² left, {right} m² right");
+        assert!(
+            (left - right).abs() < 0.05 * (left + right),
+            "{name} {seed}: {left} m² left, {right} m² right"
+        );
     }
 }
 

@@ -1,8 +1,9 @@
 //! What tells a cache from other folders: `CACHEDIR.TAG`, the mark that backup programs know too.
 //!
-//! A folder without it is a cache only if it is missing, empty, or holds nothing but files that a cache names: those that
-//! earlier versions made have no mark, and hold no file that somebody else could have put there under such names. It gets its
-//! mark with the next file. Every other folder is refused, so that no slip of `--cache` mixes entries into a user's files.
+//! A folder without it is a cache only if it is missing, empty, or holds nothing but files that a cache
+//! names: those that earlier versions made have no mark, and hold no file that somebody else could have put
+//! there under such names. It gets its mark with the next file. Every other folder is refused, so that no
+//! slip of `--cache` mixes entries into a user's files.
 
 use crate::chain::cache::own_files::{self, MARK};
 use crate::host::failure::Failure;
@@ -38,7 +39,10 @@ pub(super) fn check(root: &Path) -> Result<(), Failure> {
 }
 
 fn refused(root: &Path, why: &str) -> Failure {
-    Failure::System(format!("{}: is no cache: {why}; --cache takes a cache, or a new or empty folder", root.display()))
+    Failure::System(format!(
+        "{}: is no cache: {why}; --cache takes a cache, or a new or empty folder",
+        root.display()
+    ))
 }
 
 /// Whether the mark is there: a plain file that begins as the standard says.

@@ -1,4 +1,5 @@
-//! The files that a cache makes, known by their names; links are none of them, and nothing is looked for behind one.
+//! The files that a cache makes, known by their names; links are none of them, and nothing is looked for
+//! behind one.
 
 use crate::chain::stages::Stage;
 use artifact::whole_file;
@@ -41,7 +42,8 @@ pub(super) fn of(root: &Path) -> Found {
 pub(super) fn sweep(root: &Path) {
     for (_, folder) in folders(root) {
         whole_file::sweep(&folder);
-        let old = files_in(&folder).filter(|(file, about)| is_of_earlier_version(file) && is_older_than_an_hour(about));
+        let old = files_in(&folder)
+            .filter(|(file, about)| is_of_earlier_version(file) && is_older_than_an_hour(about));
         old.for_each(|(file, _)| drop(std::fs::remove_file(file)));
     }
 }
@@ -98,7 +100,8 @@ fn is_key(name: &str, begin: [u8; 2]) -> bool {
 }
 
 fn is_kind(name: &str) -> bool {
-    (2..=24).contains(&name.len()) && name.bytes().all(|c| matches!(c, b'a'..=b'z' | b'0'..=b'9' | b'-' | b'_'))
+    (2..=24).contains(&name.len())
+        && name.bytes().all(|c| matches!(c, b'a'..=b'z' | b'0'..=b'9' | b'-' | b'_'))
 }
 
 /// What earlier versions named their temporary files: `.<name>.<six letters>.part`.
@@ -178,7 +181,9 @@ mod tests {
         foreign.iter().for_each(|name| assert!(!entries.holds(name), "{name}"));
         let last = Folder::Root.inner("dsp").and_then(|stage| stage.inner("last")).unwrap();
         assert!(last.holds("small-0000.json") && !last.holds("notes.txt") && !last.holds(".json"));
-        for (folder, inner) in [(Folder::Root, "src"), (Folder::Stage, "src"), (Folder::Stage, "AB"), (last, "ab")] {
+        for (folder, inner) in
+            [(Folder::Root, "src"), (Folder::Stage, "src"), (Folder::Stage, "AB"), (last, "ab")]
+        {
             assert!(folder.inner(inner).is_none(), "{folder:?} {inner}");
         }
         assert!(!Folder::Root.holds("Cargo.toml") && !Folder::Stage.holds("Cargo.toml"));

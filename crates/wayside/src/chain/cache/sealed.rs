@@ -1,4 +1,5 @@
-//! Small remarks that a cache keeps as JSON, each with the checksum of its text: a damaged one is named and not believed.
+//! Small remarks that a cache keeps as JSON, each with the checksum of its text: a damaged one is named and
+//! not believed.
 
 use crate::chain::cache::own_files;
 use crate::host::progress;

@@ -1,5 +1,5 @@
-//! How fast this machine is beside the one that the rates were measured on: a small table of a motorcycle, traced until half a
-//! processor second is spent; once for each machine and build, kept in the cache.
+//! How fast this machine is beside the one that the rates were measured on: a small table of a motorcycle,
+//! traced until half a processor second is spent; once for each machine and build, kept in the cache.
 
 use crate::chain::cache::Cache;
 use crate::chain::keys::Key;
@@ -28,7 +28,8 @@ const REFERENCE_S: f64 = 0.64;
 /// Processor seconds that are measured at least.
 const MEASURED_S: f64 = 0.5;
 
-/// 1 for the machine of the rates, 2 for one twice as fast; 1 where the system does not tell what a process took.
+/// 1 for the machine of the rates, 2 for one twice as fast; 1 where the system does not tell what a process
+/// took.
 pub(super) fn of_this_machine(cache: Option<&Cache>) -> Result<f64, Failure> {
     let key = key();
     if let Some(known) = cache.and_then(|c| c.get::<MachineSpeed>(Stage::BartRcs, &key)).filter(is_sound) {
@@ -64,7 +65,8 @@ fn key() -> Key {
 pub fn measured() -> Result<f64, Failure> {
     let Some(begin) = processor_time::of_process() else { return Ok(1.0) };
     let mesh = scene::vehicles::mesh("motorcycle-scooter", 0);
-    let mesh = mesh.ok_or_else(|| Failure::refused("the motorcycle that speeds are measured with is missing"))?;
+    let mesh =
+        mesh.ok_or_else(|| Failure::refused("the motorcycle that speeds are measured with is missing"))?;
     let mut count = 0.0;
     loop {
         bart_rcs::rcs(&mesh, &request(), &|_, _| ()).map_err(Failure::refused)?;

@@ -2,26 +2,30 @@
 
 use crate::chain::expectation::work::{ITEMS, Item, Work};
 
-/// What the program holds beside frames: code, thread stacks, the classifier (32 to 40 MiB were measured when the
-/// learning library was part of it).
+/// What the program holds beside frames: code, thread stacks, the classifier (32 to 40 MiB were measured when
+/// the learning library was part of it).
 pub(crate) const PROGRAM_MIB: f64 = 48.0;
 
 /// Bytes of a facet, at rest and placed, and of a beam with what is joined on it.
 pub(crate) const BYTES_PER_FACET: f64 = 2000.0;
 pub(crate) const BYTES_PER_BEAM: f64 = 1500.0;
-/// Of a cell with its path: most were 5.2 KB (192 channels, which hardly anything could be left out for); a quarter more.
+/// Of a cell with its path: most were 5.2 KB (192 channels, which hardly anything could be left out for); a
+/// quarter more.
 pub(crate) const BYTES_PER_CELL: f64 = 6500.0;
-/// More where a body moves, whose paths may be held for up to 33 moments: most were 8.6 KB in all (under the mast); 14 KB in all.
+/// More where a body moves, whose paths may be held for up to 33 moments: most were 8.6 KB in all (under the
+/// mast); 14 KB in all.
 pub(crate) const BYTES_PER_CHANGING_CELL: f64 = 7500.0;
 /// Of a tile between bodies that slide past each other, for each wavelength; of a cell of such ways.
 pub(crate) const BYTES_PER_SLIDING_TILE: f64 = 2500.0;
 pub(crate) const BYTES_PER_MOVING_CELL: f64 = 0.0;
 
-/// Nine of ten runs are meant to take between the expected time over this and times this (docs/validation/predictions.md).
+/// Nine of ten runs are meant to take between the expected time over this and times this
+/// (docs/validation/predictions.md).
 pub(crate) const SPREAD: f64 = 2.0;
 
-/// Fitted to the first 36 scenes of `cargo xtask bench --predictions --seed 1`, held to first rates from the figures of docs/speed.md,
-/// which work keeps that these scenes have little of (edges, tables, frames split in time).
+/// Fitted to the first 36 scenes of `cargo xtask bench --predictions --seed 1`, held to first rates from the
+/// figures of docs/speed.md, which work keeps that these scenes have little of (edges, tables, frames split
+/// in time).
 const SECONDS: [(Item, f64); ITEMS] = [
     (Item::Run, 0.13),
     (Item::Triangles, 4.6e-6),

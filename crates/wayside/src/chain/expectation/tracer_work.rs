@@ -26,7 +26,8 @@ pub(super) fn add(
         let look = chain.look(plan.index)?;
         paths.push(look.cells * look.work.largest_cells);
         // Frames whose bodies stand as in an earlier one find its paths in the cache.
-        let is_known = cache.is_some() && plans[..number].iter().any(|p| p.keys.bart_rcs == plan.keys.bart_rcs);
+        let is_known =
+            cache.is_some() && plans[..number].iter().any(|p| p.keys.bart_rcs == plan.keys.bart_rcs);
         if plan.runs(Stage::BartRcs) && !is_known {
             add_frame(chain.header, plan.index, &look, work);
         }

@@ -29,10 +29,11 @@ pub enum Item {
     MeasuredCells,
     /// Cells of frames that take errors over.
     Cells,
-    /// Measured cells times the metres that the array reaches from its middle: outlines of what is lit differ from element to element,
-    /// and finer cells are tried in vain against that.
+    /// Measured cells times the metres that the array reaches from its middle: outlines of what is lit differ
+    /// from element to element, and finer cells are tried in vain against that.
     WideCells,
-    /// Lit polygons of ways between bodies that move against each other, times the wavelengths that they slide.
+    /// Lit polygons of ways between bodies that move against each other, times the wavelengths that they
+    /// slide.
     SlidingBeams,
     /// Tiles of such ways.
     SlidingTiles,

@@ -1,10 +1,11 @@
-//! Generalised optimal sub-pattern assignment of truths and estimates: Rahmathullah, García-Fernández, Svensson, *Generalized
-//! optimal sub-pattern assignment metric*, FUSION 2017, with α = 2 and p = 2.
+//! Generalised optimal sub-pattern assignment of truths and estimates: Rahmathullah, García-Fernández,
+//! Svensson, *Generalized optimal sub-pattern assignment metric*, FUSION 2017, with α = 2 and p = 2.
 //!
-//! d² = min over assignments of Σ d(x, y)² + c²/2·(number of truths and of estimates left over). With α = 2 it falls into what
-//! places err by, what is missed and what is false (their proposition 1), which is why it is preferred to OSPA. Between places d is
-//! their distance, and the whole is a metric; between a body and an object it is that to the nearest part of the body, which is none
-//! (two places of one body are no distance from it), and the sum is read as an error alone.
+//! d² = min over assignments of Σ d(x, y)² + c²/2·(number of truths and of estimates left over). With α = 2
+//! it falls into what places err by, what is missed and what is false (their proposition 1), which is why it
+//! is preferred to OSPA. Between places d is their distance, and the whole is a metric; between a body and an
+//! object it is that to the nearest part of the body, which is none (two places of one body are no distance
+//! from it), and the sum is read as an error alone.
 
 use dsp::assignment::assignment;
 use ndarray::{Array2, ArrayView2};
@@ -30,7 +31,8 @@ impl Gospa {
         (self.localisation_m2 + 0.5 * self.cutoff_m.powi(2) * left_over).sqrt()
     }
 
-    /// The same less some that were left over and do not count: truths by their places, estimates by their number.
+    /// The same less some that were left over and do not count: truths by their places, estimates by their
+    /// number.
     pub(crate) fn without(self, truths: &[usize], estimates: usize) -> Self {
         let chosen = self.chosen.into_iter().enumerate().filter(|(truth, _)| !truths.contains(truth));
         Self {
@@ -42,8 +44,8 @@ impl Gospa {
     }
 }
 
-/// Estimates are given in the order of their strength: of two that are equally good the earlier is taken. Its price per place in that order
-/// is a square millimetre in a million, far below what any place is known to.
+/// Estimates are given in the order of their strength: of two that are equally good the earlier is taken. Its
+/// price per place in that order is a square millimetre in a million, far below what any place is known to.
 const RANK_M2: f64 = 1e-12;
 
 /// Of squared distances, `[truth, estimate]`; pairs further apart than the cut-off c are none.

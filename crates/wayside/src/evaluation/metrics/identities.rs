@@ -1,8 +1,8 @@
 //! Whether a body keeps its track and a track its body.
 //!
-//! A *switch* is a frame in which a body has another track than it had last (as in CLEAR MOT, Bernardin and Stiefelhagen, J. Image
-//! Video Process. 2008, 246309). *Purity* is the share of the frames of a track in which it follows the body that it follows
-//! most, over all tracks.
+//! A *switch* is a frame in which a body has another track than it had last (as in CLEAR MOT, Bernardin and
+//! Stiefelhagen, J. Image Video Process. 2008, 246309). *Purity* is the share of the frames of a track in
+//! which it follows the body that it follows most, over all tracks.
 
 use std::collections::BTreeMap;
 

@@ -1,15 +1,16 @@
-//! Optimal sub-pattern assignment of truths and estimates: Schuhmacher, Vo, Vo, IEEE Trans. Signal Processing 56 (2008) 3447,
-//! with p = 2.
+//! Optimal sub-pattern assignment of truths and estimates: Schuhmacher, Vo, Vo, IEEE Trans. Signal Processing
+//! 56 (2008) 3447, with p = 2.
 //!
-//! d² = (min over assignments of Σ min(d(x, y), c)² + c²·difference of their numbers)/(larger number): a mean error per body in
-//! which a missing one counts c.
+//! d² = (min over assignments of Σ min(d(x, y), c)² + c²·difference of their numbers)/(larger number): a mean
+//! error per body in which a missing one counts c.
 
 use dsp::assignment::assignment;
 use ndarray::ArrayView2;
 
 /// Of squared distances, `[truth, estimate]`: between 0 and the cut-off; 0 of two empty sets.
 pub(crate) fn ospa_m(squares_m2: ArrayView2<f64>, cutoff_m: f64) -> f64 {
-    let fewer_first = if squares_m2.nrows() <= squares_m2.ncols() { squares_m2 } else { squares_m2.reversed_axes() };
+    let fewer_first =
+        if squares_m2.nrows() <= squares_m2.ncols() { squares_m2 } else { squares_m2.reversed_axes() };
     let (fewer, more) = fewer_first.dim();
     if more == 0 {
         return 0.0;
@@ -35,7 +36,8 @@ mod tests {
     #[test]
     fn it_is_the_closed_form_of_hand_made_sets() {
         let at = |x: f64| DVec2::new(x, 0.0);
-        // Schuhmacher, Vo, Vo, eq. (3): one pair 3 m apart; one of two missing; a pair beyond the cut-off; nothing.
+        // Schuhmacher, Vo, Vo, eq. (3): one pair 3 m apart; one of two missing; a pair beyond the cut-off;
+        // nothing.
         assert_eq!(of_places(&[at(0.0)], &[at(3.0)], 5.0), 3.0);
         let missing = of_places(&[at(0.0), at(30.0)], &[at(3.0)], 5.0);
         assert!((missing - ((9.0 + 25.0) / 2.0_f64).sqrt()).abs() < 1e-12);

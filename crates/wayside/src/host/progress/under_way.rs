@@ -14,7 +14,8 @@ pub(super) struct UnderWay {
     told: BTreeSet<String>,
 }
 
-/// Work, or a part of it, that is silent for so long has a line: with a look and what the system takes, within 2 s.
+/// Work, or a part of it, that is silent for so long has a line: with a look and what the system takes,
+/// within 2 s.
 const FIRST_LINE: Duration = Duration::from_millis(1500);
 /// Lines of other work are at least so far apart.
 const BETWEEN_FIRST_LINES: Duration = Duration::from_millis(400);
@@ -189,7 +190,8 @@ mod tests {
                 item = Some(under_way.begin("reading bus.glb".into(), 0, now));
             }
         });
-        let expected = [(1.5, 1), (11.5, 11), (21.5, 21)].map(|(at, s)| (at, format!("reading bus.glb, for {s} s")));
+        let expected =
+            [(1.5, 1), (11.5, 11), (21.5, 21)].map(|(at, s)| (at, format!("reading bus.glb, for {s} s")));
         assert_eq!(lines, expected);
     }
 

@@ -21,6 +21,10 @@ pub(crate) fn run(arguments: &CacheCommandArguments) -> Result<(), Failure> {
     }
     let total = files.iter().map(|file| file.bytes).sum();
     let limit = arguments.location.cache_limit_mib;
-    terminal::line(format!("{} holds {:.1} MiB; its limit is {limit} MiB", cache.root().display(), mib(total)));
+    terminal::line(format!(
+        "{} holds {:.1} MiB; its limit is {limit} MiB",
+        cache.root().display(),
+        mib(total)
+    ));
     Ok(())
 }

@@ -14,12 +14,13 @@ use crate::host::files;
 use crate::host::memory::Allowance;
 use crate::host::processor_time::{Counted, WorkClock};
 use crate::host::progress::{self, Work};
-use crate::program::cli::{
-    EdgesWord, MethodWord, NodesWord, PolarizationWord, RcsArguments, SidesWord, SurfaceWord, TransmissionWord,
-};
+use crate::program::cli::RcsArguments;
 use crate::program::commands::formats::npy_stream::NpyStream;
 use crate::program::commands::formats::sidecar;
 use crate::program::terminal;
+use crate::program::words::{
+    EdgesWord, MethodWord, NodesWord, PolarizationWord, SidesWord, SurfaceWord, TransmissionWord,
+};
 use answer::{Answer, Took};
 use artifact::Accuracy;
 use artifact::envelope::fingerprint;
@@ -36,17 +37,22 @@ use std::time::Instant;
 
 pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Failure> {
     let (start, clock) = (Instant::now(), WorkClock::start());
-    std::iter::once(&arguments.mesh).chain(&arguments.materials).for_each(|file| artifact::inputs::note(file));
+    std::iter::once(&arguments.mesh)
+        .chain(&arguments.materials)
+        .for_each(|file| artifact::inputs::note(file));
     let request = request(arguments)?;
     let mesh = progress::during(format!("reading {}", arguments.mesh.display()), || {
         dressed(mesh(&arguments.mesh, arguments.unit_scale)?, arguments)
     })?;
     claim(arguments)?;
     let load = clock.seconds();
-    let checkpoint = progress::during("looking for an earlier run of this", || checkpoint(arguments, &mesh, &request));
+    let checkpoint =
+        progress::during("looking for an earlier run of this", || checkpoint(arguments, &mesh, &request));
     let answer = match arguments.method {
         MethodWord::Bart => traced(&mesh, &request, &checkpoint, &clock, memory)?,
-        MethodWord::Po | MethodWord::Sbr => references::answer(arguments, &mesh, &request, &checkpoint, &clock)?,
+        MethodWord::Po | MethodWord::Sbr => {
+            references::answer(arguments, &mesh, &request, &checkpoint, &clock)?
+        }
     };
     let shape = [request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len()];
     NpyStream::write::<Complex64>(&arguments.out, &shape, |stream| stream.append(&answer.amplitude_m))?;
@@ -104,14 +110,20 @@ fn traced(
 ) -> Result<Answer, Failure> {
     let work = Work::resumed("aspects", checkpoint.aspects());
     let (memory_limit, clock_s) = (memory.limit(), &|| clock.seconds());
-    bart_rcs::rcs_within(mesh, request, &Surroundings { memory_limit, keeper: checkpoint, progress: &work, clock_s })
-        .map(Answer::of_bart)
-        .map_err(Failure::refused)
+    bart_rcs::rcs_within(
+        mesh,
+        request,
+        &Surroundings { memory_limit, keeper: checkpoint, progress: &work, clock_s },
+    )
+    .map(Answer::of_bart)
+    .map_err(Failure::refused)
 }
 
 /// A mesh file as it is, or an own vehicle by its name.
 fn mesh(place: &Path, unit_scale: Option<f64>) -> Result<Mesh, Failure> {
-    if let Some(mesh) = place.to_str().filter(|_| !place.exists()).and_then(|name| scene::vehicles::mesh(name, 0)) {
+    if let Some(mesh) =
+        place.to_str().filter(|_| !place.exists()).and_then(|name| scene::vehicles::mesh(name, 0))
+    {
         return Ok(mesh);
     }
     scene::read_mesh(place, &scene::MeshOptions { unit_scale }).map_err(|error| match error.is_system() {

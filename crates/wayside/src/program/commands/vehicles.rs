@@ -16,7 +16,8 @@ pub(crate) fn run(arguments: &VehiclesArguments) -> Result<(), Failure> {
     for number in 0..arguments.count {
         for name in &names {
             work.at(manifest.len(), total);
-            let file = if arguments.count == 1 { format!("{name}.glb") } else { format!("{name}-{number}.glb") };
+            let file =
+                if arguments.count == 1 { format!("{name}.glb") } else { format!("{name}-{number}.glb") };
             let seed = arguments.seed + number;
             let Some(mesh) = scene::vehicles::mesh(name, seed) else { continue };
             files::write_file(&arguments.out.join(&file), &scene::vehicles::glb(&mesh))?;

@@ -37,15 +37,19 @@ pub(crate) struct Form {
     pub(crate) doors_x: Vec<[f64; 2]>,
 }
 
-/// Overall length, width over mirrors, height. The body is 2.55 m wide (the limit of Directive 96/53/EC) in city bus and
-/// coach. Ranges: city buses from 10.5 m midi to 12.2 m standard, 2.95 m (diesel) to 3.4 m (gas or batteries on the roof),
-/// as Mercedes Citaro and MAN Lion's City; coaches from 10.5 m to 13.5 m (the Directive's limit with two axles), 3.4 to
-/// 3.85 m high, as Setra's Comfort and Top Class; minibuses on the vans Mercedes Sprinter, Iveco Daily: 5.9 to 7.4 m,
-/// 2.6 to 2.9 m high. Rounded to 5 cm.
+/// Overall length, width over mirrors, height. The body is 2.55 m wide (the limit of Directive 96/53/EC) in
+/// city bus and coach. Ranges: city buses from 10.5 m midi to 12.2 m standard, 2.95 m (diesel) to 3.4 m (gas
+/// or batteries on the roof), as Mercedes Citaro and MAN Lion's City; coaches from 10.5 m to 13.5 m (the
+/// Directive's limit with two axles), 3.4 to 3.85 m high, as Setra's Comfort and Top Class; minibuses on the
+/// vans Mercedes Sprinter, Iveco Daily: 5.9 to 7.4 m, 2.6 to 2.9 m high. Rounded to 5 cm.
 pub(crate) fn size_range(model: &str) -> SizeRange {
     match model {
-        "bus-city" => SizeRange { nominal_m: [12.1, 2.95, 3.15], range_m: [[10.5, 12.3], [2.9, 3.05], [2.95, 3.4]] },
-        "bus-coach" => SizeRange { nominal_m: [12.4, 2.95, 3.75], range_m: [[10.5, 13.5], [2.9, 3.05], [3.4, 3.85]] },
+        "bus-city" => {
+            SizeRange { nominal_m: [12.1, 2.95, 3.15], range_m: [[10.5, 12.3], [2.9, 3.05], [2.95, 3.4]] }
+        }
+        "bus-coach" => {
+            SizeRange { nominal_m: [12.4, 2.95, 3.75], range_m: [[10.5, 13.5], [2.9, 3.05], [3.4, 3.85]] }
+        }
         _ => SizeRange { nominal_m: [6.95, 2.4, 2.75], range_m: [[5.9, 7.4], [2.35, 2.5], [2.6, 2.9]] },
     }
 }
@@ -81,7 +85,11 @@ impl Form {
             windscreen_z: [1.0, size_m[2] - 0.72],
             lean: draw.value("lean", 0.06, 0.03..=0.09),
             pane_width_m: draw.value("pane", 1.45, 1.25..=1.6),
-            doors_x: vec![[front - 1.62, front - 0.42], [middle - 0.65, middle + 0.65], [rear + 0.85, rear + 2.0]],
+            doors_x: vec![
+                [front - 1.62, front - 0.42],
+                [middle - 0.65, middle + 0.65],
+                [rear + 0.85, rear + 2.0],
+            ],
         }
     }
 

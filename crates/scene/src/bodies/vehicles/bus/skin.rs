@@ -19,7 +19,8 @@ pub(crate) fn cut_skin(form: &Form) -> Surface {
         wheel_arch(skin, [axle_x, form.wheel_radius_m], form.arch_radius_m(), form.arch_inner_y())
     });
     let skin = panes(form, doors(form, glazing_band(form, skin)));
-    let skin = if form.kind == Kind::Mini { van_windscreen(form, &shell, skin) } else { windscreen(form, skin) };
+    let skin =
+        if form.kind == Kind::Mini { van_windscreen(form, &shell, skin) } else { windscreen(form, skin) };
     rear_face(form, front_lamps(form, skin))
 }
 
@@ -28,7 +29,8 @@ pub(crate) fn shell(form: &Form) -> Shell {
     let top_z = form.top_z();
     let half = form.half_width_m;
     let below = |drop: f64| {
-        let samples: Vec<_> = spaced(rear, front, 0.12).into_iter().map(|x| (x, top_z.at(x) - drop)).collect();
+        let samples: Vec<_> =
+            spaced(rear, front, 0.12).into_iter().map(|x| (x, top_z.at(x) - drop)).collect();
         Curve::through(&samples)
     };
     let waist = form.panes_z[0] - WAIST_BELOW_PANES_M;
@@ -69,8 +71,8 @@ pub(crate) fn shell(form: &Form) -> Shell {
     }
 }
 
-/// Sections where a pane or a door begins or ends, close together around the arches and a van's nose, wide apart along
-/// the flat flanks between.
+/// Sections where a pane or a door begins or ends, close together around the arches and a van's nose, wide
+/// apart along the flat flanks between.
 fn layout(form: &Form) -> Layout {
     let [front, rear] = form.ends_x;
     let mut stations_x = spaced(rear, front, 0.8);
@@ -97,8 +99,8 @@ fn layout(form: &Form) -> Layout {
     Layout { stations_x, lower: even(7), upper: upper_rows(form), half_columns: 5 }
 }
 
-/// Radius of the panes' corners; a row and a section of the skin stand that far inside every pane's edge. Behind a dark
-/// band corners are square.
+/// Radius of the panes' corners; a row and a section of the skin stand that far inside every pane's edge.
+/// Behind a dark band corners are square.
 fn corner_m(form: &Form) -> f64 {
     if form.kind == Kind::Mini { 0.07 } else { 0.0 }
 }
@@ -165,17 +167,18 @@ fn glazing_band(form: &Form, skin: Surface) -> Surface {
 }
 
 fn panes(form: &Form, skin: Surface) -> Surface {
-    let door_free =
-        |span: &[f64; 2]| form.doors_x.iter().all(|door| span[1] < door[0] - 0.02 || span[0] > door[1] + 0.02);
+    let door_free = |span: &[f64; 2]| {
+        form.doors_x.iter().all(|door| span[1] < door[0] - 0.02 || span[0] > door[1] + 0.02)
+    };
     pane_spans(form).into_iter().fold(skin, |skin, span| {
         let skin = flank_panel(skin, Flank::Left, panel(span, form.panes_z, corner_m(form)), PANE);
         // The coach's doors end below its panes.
         if form.kind == Kind::Coach || door_free(&span) {
             return flank_panel(skin, Flank::Right, panel(span, form.panes_z, corner_m(form)), PANE);
         }
-        clipped_by_doors(form, span)
-            .into_iter()
-            .fold(skin, |skin, rest| flank_panel(skin, Flank::Right, panel(rest, form.panes_z, corner_m(form)), PANE))
+        clipped_by_doors(form, span).into_iter().fold(skin, |skin, rest| {
+            flank_panel(skin, Flank::Right, panel(rest, form.panes_z, corner_m(form)), PANE)
+        })
     })
 }
 
@@ -183,8 +186,9 @@ fn panes(form: &Form, skin: Surface) -> Surface {
 fn clipped_by_doors(form: &Form, span: [f64; 2]) -> Vec<[f64; 2]> {
     let mut rest = vec![span];
     for door in &form.doors_x {
-        let cut =
-            |[behind, ahead]: [f64; 2]| [[behind, ahead.min(door[0] - 0.07)], [behind.max(door[1] + 0.07), ahead]];
+        let cut = |[behind, ahead]: [f64; 2]| {
+            [[behind, ahead.min(door[0] - 0.07)], [behind.max(door[1] + 0.07), ahead]]
+        };
         rest = rest.into_iter().flat_map(cut).filter(|[behind, ahead]| ahead - behind > 0.3).collect();
     }
     rest
@@ -205,9 +209,9 @@ fn doors(form: &Form, skin: Surface) -> Surface {
         } else {
             vec![[*behind, *ahead]]
         };
-        leaves
-            .into_iter()
-            .fold(skin, |skin, leaf| flank_panel(skin, Flank::Right, panel(leaf, [low, top], corner_m(form)), PANE))
+        leaves.into_iter().fold(skin, |skin, leaf| {
+            flank_panel(skin, Flank::Right, panel(leaf, [low, top], corner_m(form)), PANE)
+        })
     })
 }
 
@@ -264,7 +268,8 @@ fn rear_face(form: &Form, skin: Surface) -> Surface {
     let window_top = form.panes_z[1] - 0.02;
     let window_low = window_top - if form.kind == Kind::City { 0.75 } else { 0.85 };
     let skin = end_panel_pair(skin, reach, panel([0.80 * half, 0.95 * half], [0.75, 1.30], 0.05), lamp);
-    let skin = end_panel(skin, reach, panel([-0.78 * half, 0.78 * half], [window_low, window_top], 0.1), PANE);
+    let skin =
+        end_panel(skin, reach, panel([-0.78 * half, 0.78 * half], [window_low, window_top], 0.1), PANE);
     if form.kind == Kind::Mini {
         return skin;
     }

@@ -20,9 +20,17 @@ pub(crate) fn add(form: &Form, bus: &mut Assembly) {
 fn city_mirrors(form: &Form, bus: &mut Assembly) {
     let [front, _] = form.ends_x;
     let (outer, z) = (0.5 * form.size_m[1] - 0.11, form.windscreen_z[1] - 0.1);
-    let arm = [[front - 0.35, 1.15, z + 0.2], [front - 0.05, outer - 0.05, z + 0.18], [front - 0.02, outer, z - 0.05]];
+    let arm = [
+        [front - 0.35, 1.15, z + 0.2],
+        [front - 0.05, outer - 0.05, z + 0.18],
+        [front - 0.02, outer, z - 0.05],
+    ];
     bus.add_pair(tube(&bent(&arm, 0.4), 0.018, 8, Material::Plastic));
-    bus.add_pair(rounded_box([0.10, 0.21, 0.42], 0.04, Material::Plastic).moved(front - 0.02, outer, z - 0.25));
+    bus.add_pair(rounded_box([0.10, 0.21, 0.42], 0.04, Material::Plastic).moved(
+        front - 0.02,
+        outer,
+        z - 0.25,
+    ));
     bus.add_pair(sharp_box([0.006, 0.16, 0.36], Material::Glass).moved(front - 0.073, outer, z - 0.25));
 }
 
@@ -56,9 +64,11 @@ fn roof(form: &Form, bus: &mut Assembly) {
             bus.add(pod(2.6, 1.8, 0.28, form.front_axle_x - 1.2));
         }
         Kind::Coach => bus.add(pod(2.9, 1.8, 0.24, 0.5 * (front + rear))),
-        Kind::Mini => {
-            bus.add(rounded_box([1.1, 1.1, 0.16], 0.05, Material::Paint).moved(rear + 2.1, 0.0, form.roof_z - 0.03))
-        }
+        Kind::Mini => bus.add(rounded_box([1.1, 1.1, 0.16], 0.05, Material::Paint).moved(
+            rear + 2.1,
+            0.0,
+            form.roof_z - 0.03,
+        )),
     }
 }
 

@@ -38,14 +38,18 @@ pub(crate) struct Form {
     pub(crate) roof_y: f64,
 }
 
-/// Overall length, width over mirrors, height. Ranges: published figures of cars sold in Europe in the 2010s and 2020s,
-/// rounded to 5 cm. Sport utility: from Kia Sportage (4.5 × 2.1 × 1.65) to Toyota Land Cruiser (5.0 × 2.2 × 1.95); nominal
-/// the 5 × 2 × 1.8 m of the paper's car. Saloon: Toyota Corolla (4.65 × 2.0 × 1.45) to BMW 5 (4.95 × 2.15 × 1.5).
-/// Hatchback: VW Polo (4.05 × 1.95 × 1.45) to VW Golf (4.3 × 2.05 × 1.5).
+/// Overall length, width over mirrors, height. Ranges: published figures of cars sold in Europe in the 2010s
+/// and 2020s, rounded to 5 cm. Sport utility: from Kia Sportage (4.5 × 2.1 × 1.65) to Toyota Land Cruiser
+/// (5.0 × 2.2 × 1.95); nominal the 5 × 2 × 1.8 m of the paper's car. Saloon: Toyota Corolla (4.65 × 2.0 ×
+/// 1.45) to BMW 5 (4.95 × 2.15 × 1.5). Hatchback: VW Polo (4.05 × 1.95 × 1.45) to VW Golf (4.3 × 2.05 × 1.5).
 pub(crate) fn size_range(model: &str) -> SizeRange {
     match model {
-        "car-suv" => SizeRange { nominal_m: [5.0, 2.0, 1.8], range_m: [[4.5, 5.05], [2.0, 2.2], [1.65, 1.95]] },
-        "car-sedan" => SizeRange { nominal_m: [4.8, 2.05, 1.46], range_m: [[4.6, 4.95], [2.0, 2.15], [1.43, 1.5]] },
+        "car-suv" => {
+            SizeRange { nominal_m: [5.0, 2.0, 1.8], range_m: [[4.5, 5.05], [2.0, 2.2], [1.65, 1.95]] }
+        }
+        "car-sedan" => {
+            SizeRange { nominal_m: [4.8, 2.05, 1.46], range_m: [[4.6, 4.95], [2.0, 2.15], [1.43, 1.5]] }
+        }
         _ => SizeRange { nominal_m: [4.2, 2.0, 1.48], range_m: [[3.95, 4.35], [1.9, 2.05], [1.44, 1.55]] },
     }
 }

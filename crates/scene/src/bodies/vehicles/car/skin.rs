@@ -83,7 +83,8 @@ fn layout(form: &Form, shell: &Shell) -> Layout {
     let edges_x: Vec<f64> = pane_edges.filter(|x| *x < form.header.0).collect();
     stations_x.retain(|x| edges_x.iter().all(|edge| (x - edge).abs() > 0.04));
     stations_x.extend(edges_x);
-    // Rows where the side panes begin and end, 2.5 cm above the waist and 5 cm below the rail of a side half a metre high.
+    // Rows where the side panes begin and end, 2.5 cm above the waist and 5 cm below the rail of a side half
+    // a metre high.
     let upper = vec![0.0, 0.05, 0.17, 0.5, 0.78, 0.90, 1.0];
     Layout { stations_x, lower: even(7), upper, half_columns: 5 }
 }
@@ -107,9 +108,11 @@ fn cladding(form: &Form, skin: Surface) -> Surface {
     let [front, rear] = form.ends_x();
     let bumper = if form.body == Body::SportUtility { 0.14 } else { 0.0 };
     let outline = |p: DVec3| {
-        let near_end = smooth_step(front - 0.75, front - 0.45, p.x) + smooth_step(rear + 0.75, rear + 0.45, p.x);
+        let near_end =
+            smooth_step(front - 0.75, front - 0.45, p.x) + smooth_step(rear + 0.75, rear + 0.45, p.x);
         let sill_z = sill_z + bumper * near_end;
-        let around = form.axles_x().map(|x| form.arch_radius_m() + lip - (p.x - x).hypot(p.z - form.wheel_radius_m));
+        let around =
+            form.axles_x().map(|x| form.arch_radius_m() + lip - (p.x - x).hypot(p.z - form.wheel_radius_m));
         (sill_z - p.z).max(around[0]).max(around[1])
     };
     cut(skin, outline, Inside::Recoloured(Material::Plastic))
@@ -157,10 +160,13 @@ fn windscreens(form: &Form, shell: &Shell, skin: Surface) -> Surface {
         let pillar = shell.rail_y.at(p.x) - margin - p.y.abs();
         soft_minimum(&[pillar, p.z - low, high - p.z], 0.08).min(p.z - shell.waist_z.at(p.x))
     };
-    let front = |p: DVec3| between(p, [form.cowl.1 + 0.0, form.header.1 - 0.03], 0.045).min(p.x - form.header.0 + 0.1);
+    let front = |p: DVec3| {
+        between(p, [form.cowl.1 + 0.0, form.header.1 - 0.03], 0.045).min(p.x - form.header.0 + 0.1)
+    };
     let skin = cut(skin, front, PANE);
-    let rear =
-        |p: DVec3| between(p, [form.deck.1 + 0.05, form.roof_end.1 - 0.05], 0.07).min(form.roof_end.0 + 0.1 - p.x);
+    let rear = |p: DVec3| {
+        between(p, [form.deck.1 + 0.05, form.roof_end.1 - 0.05], 0.07).min(form.roof_end.0 + 0.1 - p.x)
+    };
     cut(skin, rear, PANE)
 }
 
@@ -170,7 +176,8 @@ fn front_face(form: &Form, skin: Surface) -> Surface {
     let grille_top = nose - 0.03;
     let grille_low = if form.body == Body::SportUtility { nose - 0.30 } else { nose - 0.19 };
     let grille = |p: DVec3| {
-        rounded_rectangle(p.y, p.z, [-0.40 * half, 0.40 * half], [grille_low, grille_top - 0.05], 0.05).min(p.x - ahead)
+        rounded_rectangle(p.y, p.z, [-0.40 * half, 0.40 * half], [grille_low, grille_top - 0.05], 0.05)
+            .min(p.x - ahead)
     };
     let lamps = |p: DVec3| {
         let span = [0.52 * half, 0.97 * half];
@@ -178,12 +185,20 @@ fn front_face(form: &Form, skin: Surface) -> Surface {
         rounded_rectangle(p.y.abs(), p.z - rise, span, [nose - 0.165, nose - 0.04], 0.05).min(p.x - ahead)
     };
     let intake = |p: DVec3| {
-        rounded_rectangle(p.y, p.z, [-0.62 * half, 0.62 * half], [low + 0.13, low + 0.25], 0.05).min(p.x - ahead)
+        rounded_rectangle(p.y, p.z, [-0.62 * half, 0.62 * half], [low + 0.13, low + 0.25], 0.05)
+            .min(p.x - ahead)
     };
-    let skin = cut(skin, grille, Inside::Inset { material: Material::Plastic, rim: Material::Chrome, depth_m: 0.025 });
+    let skin = cut(
+        skin,
+        grille,
+        Inside::Inset { material: Material::Plastic, rim: Material::Chrome, depth_m: 0.025 },
+    );
     let skin = cut(skin, lamps, Inside::Recoloured(Material::Lamp));
-    let (trim, depth_m) =
-        if form.body == Body::SportUtility { (Material::Aluminium, 0.012) } else { (Material::Plastic, 0.03) };
+    let (trim, depth_m) = if form.body == Body::SportUtility {
+        (Material::Aluminium, 0.012)
+    } else {
+        (Material::Plastic, 0.03)
+    };
     cut(skin, intake, Inside::Inset { material: trim, rim: Material::Plastic, depth_m })
 }
 
@@ -198,7 +213,8 @@ fn rear_face(form: &Form, skin: Surface) -> Surface {
         rounded_rectangle(p.y.abs(), p.z, span, heights, 0.04).min(behind - 0.18 - p.x)
     };
     let skin = cut(skin, lamps, Inside::Recoloured(Material::TailLamp));
-    let recess =
-        |p: DVec3| rounded_rectangle(p.y, p.z, [-0.33, 0.33], [low + 0.36, low + 0.51], 0.03).min(behind - p.x);
+    let recess = |p: DVec3| {
+        rounded_rectangle(p.y, p.z, [-0.33, 0.33], [low + 0.36, low + 0.51], 0.03).min(behind - p.x)
+    };
     cut(skin, recess, Inside::Inset { material: Material::Paint, rim: Material::Paint, depth_m: 0.02 })
 }

@@ -42,7 +42,8 @@ fn handles(form: &Form, shell: &Shell, car: &mut Assembly) {
 fn plates(form: &Form, car: &mut Assembly) {
     let [front, rear] = form.ends_x();
     let low = form.clearance_m;
-    // 520 × 110 mm: the European plate (Council Regulation (EC) 2411/98 leaves the size to the member states' common one).
+    // 520 × 110 mm: the European plate (Council Regulation (EC) 2411/98 leaves the size to the member states'
+    // common one).
     let plate = || sharp_box([0.012, 0.52, 0.11], Material::Plate);
     car.add(plate().moved(front + 0.004, 0.0, low + 0.33));
     car.add(plate().moved(rear + 0.026, 0.0, low + 0.435));
@@ -70,7 +71,10 @@ fn roof_rails(form: &Form, shell: &Shell, car: &mut Assembly) {
     let at = |x: f64, lift: f64| [x, form.roof_y - 0.055, shell.rail_z.at(x) + 0.045 + lift];
     let steps = 6;
     let mut path = vec![at(front, -0.01)];
-    path.extend((0..=steps).map(|k| at(front - 0.12 + (rear - front + 0.24) * f64::from(k) / f64::from(steps), 0.045)));
+    path.extend(
+        (0..=steps)
+            .map(|k| at(front - 0.12 + (rear - front + 0.24) * f64::from(k) / f64::from(steps), 0.045)),
+    );
     path.push(at(rear, -0.01));
     let rail: Surface = tube(&path, 0.018, 8, Material::Aluminium);
     car.add_pair(rail);

@@ -1,7 +1,7 @@
 //! Monotone cubic curves through the control points of a drawing.
 
-/// A once-differentiable curve y(x) through control points that never overshoots them (Fritsch and Carlson 1980), so a
-/// roof line drawn from five points has no dents that its draughtsman did not draw.
+/// A once-differentiable curve y(x) through control points that never overshoots them (Fritsch and Carlson
+/// 1980), so a roof line drawn from five points has no dents that its draughtsman did not draw.
 #[derive(Debug, Clone)]
 pub(crate) struct Curve {
     points: Vec<(f64, f64)>,
@@ -36,7 +36,9 @@ impl Curve {
         let width = x1 - x0;
         let t = (x - x0) / width;
         let (rest, square) = (1.0 - t, t * t);
-        y0 * (1.0 + 2.0 * t) * rest * rest + self.slopes[i] * width * t * rest * rest + y1 * square * (3.0 - 2.0 * t)
+        y0 * (1.0 + 2.0 * t) * rest * rest
+            + self.slopes[i] * width * t * rest * rest
+            + y1 * square * (3.0 - 2.0 * t)
             - self.slopes[i + 1] * width * square * rest
     }
 

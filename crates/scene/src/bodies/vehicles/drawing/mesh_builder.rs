@@ -1,4 +1,5 @@
-//! From parts to the mesh that is handed on: scaled to its dimensions, smooth normals split at creases, single precision.
+//! From parts to the mesh that is handed on: scaled to its dimensions, smooth normals split at creases,
+//! single precision.
 
 use crate::bodies::vehicles::drawing::surface::{Material, Surface, Triangle};
 use artifact::scene::{Mesh, MeshStatistics};
@@ -40,8 +41,8 @@ impl Assembly {
         &self.parts
     }
 
-    /// The mesh, its bounding box exactly `size_m` (length, width, height), its origin in the middle of that box on the
-    /// ground.
+    /// The mesh, its bounding box exactly `size_m` (length, width, height), its origin in the middle of that
+    /// box on the ground.
     pub(crate) fn finish(self, name: &str, size_m: [f64; 3]) -> Mesh {
         let parts = fitted(self.parts, DVec3::from_array(size_m));
         let mut output = Output::default();

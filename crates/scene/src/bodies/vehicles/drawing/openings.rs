@@ -12,7 +12,8 @@ pub(crate) const fn pane(depth_m: f64) -> Inside {
     inset(Material::Glass, Material::Plastic, depth_m)
 }
 
-/// A panel of another material, as far behind the skin as told; less than `FLUSH_M`, or negative: in the skin.
+/// A panel of another material, as far behind the skin as told; less than `FLUSH_M`, or negative: in the
+/// skin.
 pub(crate) const fn inset(material: Material, rim: Material, depth_m: f64) -> Inside {
     if depth_m < FLUSH_M { Inside::Recoloured(material) } else { Inside::Inset { material, rim, depth_m } }
 }
@@ -63,7 +64,11 @@ pub(crate) fn flank_panel(skin: Surface, flank: Flank, panel: Panel, inside: Ins
 
 /// A panel in an end; `along_m` is y.
 pub(crate) fn end_panel(skin: Surface, end: End, panel: Panel, inside: Inside) -> Surface {
-    cut(skin, |p| rounded_rectangle(p.y, p.z, panel.along_m, panel.height_m, panel.radius_m).min(end.reach(p)), inside)
+    cut(
+        skin,
+        |p| rounded_rectangle(p.y, p.z, panel.along_m, panel.height_m, panel.radius_m).min(end.reach(p)),
+        inside,
+    )
 }
 
 /// The same panel on the left and on the right of an end; `along_m` is |y|.

@@ -48,7 +48,11 @@ impl Rider {
         ];
         to.add(limb(&smoothed(&sections, 1), 20, Material::Fabric));
         let chin = [self.head_m[0] - 0.01, 0.0, self.head_m[1] - 0.05];
-        to.add(limb(&[section([sx, 0.0, sz], 0.065, 0.065), section(chin, 0.06, 0.06)], 12, Material::Fabric));
+        to.add(limb(
+            &[section([sx, 0.0, sz], 0.065, 0.065), section(chin, 0.06, 0.06)],
+            12,
+            Material::Fabric,
+        ));
     }
 
     /// A full-face helmet: shell with chin bar and visor.
@@ -64,7 +68,8 @@ impl Rider {
 
     fn arms(&self, to: &mut Assembly) {
         let [sx, sz] = self.shoulder_m;
-        let (root, shoulder) = ([sx, SHOULDER_Y - 0.05, sz - 0.015], [sx + 0.005, SHOULDER_Y + 0.015, sz - 0.04]);
+        let (root, shoulder) =
+            ([sx, SHOULDER_Y - 0.05, sz - 0.015], [sx + 0.005, SHOULDER_Y + 0.015, sz - 0.04]);
         let arm = [
             section(root, 0.065, 0.065),
             section(shoulder, 0.072, 0.072),

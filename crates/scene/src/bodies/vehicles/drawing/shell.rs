@@ -92,7 +92,8 @@ impl Shell {
         let [front, rear] = self.ends_x;
         let [front_radius, rear_radius] = self.end_radius_m;
         let inner = rear + rear_radius + 1e-3..front - front_radius - 1e-3;
-        let mut stations: Vec<f64> = layout.stations_x.iter().copied().filter(|x| inner.contains(x)).collect();
+        let mut stations: Vec<f64> =
+            layout.stations_x.iter().copied().filter(|x| inner.contains(x)).collect();
         for step in END_STEPS {
             let depth = 1.0 - (step * FRAC_PI_2).cos();
             stations.extend([front - front_radius * depth, rear + rear_radius * depth]);
@@ -103,14 +104,18 @@ impl Shell {
         stations
     }
 
-    /// Counter-clockwise seen from the front, from the middle of the underside: floor, left side, roof, right side, floor.
+    /// Counter-clockwise seen from the front, from the middle of the underside: floor, left side, roof, right
+    /// side, floor.
     fn ring(&self, x: f64, layout: &Layout) -> Vec<DVec3> {
         let mut half: Vec<(f64, f64)> = Vec::new();
         let floor_y = self.lower_y(x, 0.0);
         let floor = |k: usize| (floor_y * k as f64 / layout.half_columns as f64, self.bottom_z.at(x));
         half.extend((0..layout.half_columns).map(floor));
         half.extend(
-            layout.lower.iter().map(|t| (self.lower_y(x, *t), lerp(self.bottom_z.at(x), self.waist_z.at(x), *t))),
+            layout
+                .lower
+                .iter()
+                .map(|t| (self.lower_y(x, *t), lerp(self.bottom_z.at(x), self.waist_z.at(x), *t))),
         );
         let upper = layout.upper.iter().skip(1);
         half.extend(upper.map(|t| (self.upper_y(x, *t), lerp(self.waist_z.at(x), self.rail_z.at(x), *t))));
@@ -125,7 +130,8 @@ impl Shell {
     /// Parabola through sill, belly and waist, with the sill's rounding.
     fn lower_y(&self, x: f64, t: f64) -> f64 {
         let (sill, belly, waist) = (self.sill_y.at(x), self.belly_y.at(x), self.waist_y.at(x));
-        let parabola = sill * (1.0 - t) * (1.0 - 2.0 * t) + belly * 4.0 * t * (1.0 - t) + waist * t * (2.0 * t - 1.0);
+        let parabola =
+            sill * (1.0 - t) * (1.0 - 2.0 * t) + belly * 4.0 * t * (1.0 - t) + waist * t * (2.0 * t - 1.0);
         let height = t * (self.waist_z.at(x) - self.bottom_z.at(x));
         let below = (1.0 - height / self.sill_radius_m).max(0.0);
         parabola - self.sill_radius_m * (1.0 - (1.0 - below * below).max(0.0).sqrt())
@@ -175,7 +181,8 @@ fn cap(ring: &[DVec3], layout: &Layout) -> Surface {
     let left = |j: usize| at(half + j);
     let roof = |i: usize| at(half + rows + (columns - i));
     let right = |j: usize| at(ring.len() - half - j);
-    // By lengths along the outline, not by counts: rows crowd at the waist, and a grid by counts would fold there.
+    // By lengths along the outline, not by counts: rows crowd at the waist, and a grid by counts would fold
+    // there.
     let across = shares(&(0..=columns).map(|i| 0.5 * (floor(i) + roof(i))).collect::<Vec<_>>());
     let up = shares(&(0..=rows).map(left).collect::<Vec<_>>());
     let point = |i: usize, j: usize| {

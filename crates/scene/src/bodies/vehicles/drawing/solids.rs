@@ -44,8 +44,8 @@ fn round_corner(p: DVec3, half: DVec3, radius: f64) -> DVec3 {
     nearest + radius * (p - nearest).try_normalize().unwrap_or(DVec3::ZERO)
 }
 
-/// A solid of revolution about the y axis. `profile` holds (radius, y) along the outline; where it does not begin and end
-/// at radius 0 it should return to its first point.
+/// A solid of revolution about the y axis. `profile` holds (radius, y) along the outline; where it does not
+/// begin and end at radius 0 it should return to its first point.
 pub(crate) fn lathe(profile: &[(f64, f64)], sectors: usize, material: Material) -> Surface {
     let row = |&(radius, y): &(f64, f64)| {
         let at = |k: usize| {
@@ -74,14 +74,21 @@ pub(crate) fn disc(radius_m: f64, width_m: f64, sectors: usize, material: Materi
     let (half, bevel) = (0.5 * width_m, 0.15 * width_m.min(radius_m));
     let rim = radius_m - bevel;
     lathe(
-        &[(0.0, half), (rim, half), (radius_m, half - bevel), (radius_m, bevel - half), (rim, -half), (0.0, -half)],
+        &[
+            (0.0, half),
+            (rim, half),
+            (radius_m, half - bevel),
+            (radius_m, bevel - half),
+            (rim, -half),
+            (0.0, -half),
+        ],
         sectors,
         material,
     )
 }
 
-/// One elliptical cross section of a limb: its centre, its half width (across, horizontal where it can be) and its half
-/// height.
+/// One elliptical cross section of a limb: its centre, its half width (across, horizontal where it can be)
+/// and its half height.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Section {
     pub(crate) centre_m: DVec3,
@@ -130,7 +137,8 @@ pub(crate) fn tube(path_m: &[[f64; 3]], radius_m: f64, sectors: usize, material:
     limb(&sections, sectors, material)
 }
 
-/// The path with each inner corner replaced by a curve through its neighbourhood (`share` of the shorter leg).
+/// The path with each inner corner replaced by a curve through its neighbourhood (`share` of the shorter
+/// leg).
 pub(crate) fn bent(path_m: &[[f64; 3]], share: f64) -> Vec<[f64; 3]> {
     let at: Vec<DVec3> = path_m.iter().map(|p| DVec3::from_array(*p)).collect();
     let mut bent = vec![path_m[0]];
@@ -176,7 +184,8 @@ fn level_across(tangent: DVec3) -> DVec3 {
     if across.y < 0.0 { -across } else { across }
 }
 
-/// Horizontal again on the same side as before; where the limb turns away too far for that, carried along without twist.
+/// Horizontal again on the same side as before; where the limb turns away too far for that, carried along
+/// without twist.
 fn continued_across(tangent: DVec3, before: DVec3) -> DVec3 {
     let level = level_across(tangent);
     let level = if level.dot(before) < 0.0 { -level } else { level };
@@ -194,7 +203,8 @@ fn ring(s: &Section, frame: &Frame, sectors: usize) -> Vec<DVec3> {
     (0..=sectors).map(at).collect()
 }
 
-/// Rings from the end section outwards (`sign` along the tangent) to the tip, a quarter ellipse a little flatter than round.
+/// Rings from the end section outwards (`sign` along the tangent) to the tip, a quarter ellipse a little
+/// flatter than round.
 fn dome(s: &Section, frame: &Frame, sign: f64, sectors: usize) -> Vec<Vec<DVec3>> {
     let height = 0.7 * s.half_width_m.min(s.half_height_m);
     let smaller = |k: usize| {

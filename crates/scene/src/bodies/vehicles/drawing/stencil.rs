@@ -1,8 +1,9 @@
 //! Openings, panes and trim cut out of a skin along exact outlines.
 //!
-//! An outline is an implicit function of position, positive inside. The skin's triangles are split where it is zero;
-//! neighbours share the new points, so no T-junction arises. Points that lie close to the outline are first slid onto it
-//! along an edge, so no sliver arises either (after Labelle and Shewchuk 2007, "Isosurface stuffing").
+//! An outline is an implicit function of position, positive inside. The skin's triangles are split where it
+//! is zero; neighbours share the new points, so no T-junction arises. Points that lie close to the outline
+//! are first slid onto it along an edge, so no sliver arises either (after Labelle and Shewchuk 2007,
+//! "Isosurface stuffing").
 
 use crate::bodies::vehicles::drawing::surface::{Material, Surface, Triangle};
 use glam::DVec3;
@@ -17,7 +18,8 @@ pub(crate) enum Inside {
     Inset { material: Material, rim: Material, depth_m: f64 },
     /// Becomes another material, lowered by `depth_m` straight down with a wall of `rim` around.
     Sunk { material: Material, rim: Material, depth_m: f64 },
-    /// Is taken away; along the opening of an upright skin a flange stands inwards (−y on the left, +y on the right).
+    /// Is taken away; along the opening of an upright skin a flange stands inwards (−y on the left, +y on the
+    /// right).
     Opened { flange_m: f64 },
 }
 
@@ -115,7 +117,8 @@ impl Split {
     }
 
     fn opened(self, flange_m: f64) -> Surface {
-        // Where the skin lies (a floor), a flange along y would lie in it: the wall has no width there and is welded away.
+        // Where the skin lies (a floor), a flange along y would lie in it: the wall has no width there and is
+        // welded away.
         let normals = self.whole().point_normals();
         let upright = |i: usize| if normals[i].y.abs() > 0.4 { 1.0 } else { 0.0 };
         let inwards = |(i, p): (usize, &DVec3)| *p - DVec3::Y * flange_m * upright(i) * p.y.signum();
@@ -123,7 +126,8 @@ impl Split {
         self.walled(Material::Paint, &moved).welded()
     }
 
-    /// The outer side with a wall from the outline to the same points in `moved`, which follow the present points.
+    /// The outer side with a wall from the outline to the same points in `moved`, which follow the present
+    /// points.
     fn walled(&self, rim: Material, moved: &[DVec3]) -> Surface {
         let first = self.points_m.len() as u32;
         let mut surface = Surface { points_m: self.points_m.clone(), triangles: self.outer.clone() };
@@ -153,7 +157,8 @@ fn edges([a, b, c]: [u32; 3]) -> [(u32, u32); 3] {
     [(a, b), (b, c), (c, a)]
 }
 
-/// Points nearer to the outline than a quarter of their shortest edge slide onto it along the edge that crosses soonest.
+/// Points nearer to the outline than a quarter of their shortest edge slide onto it along the edge that
+/// crosses soonest.
 fn slide_onto_outline(skin: &mut Surface, values: &mut [f64], outline: &impl Fn(DVec3) -> f64) {
     let mut reach = vec![f64::INFINITY; values.len()];
     for (a, b) in skin.triangles.iter().flat_map(|t| edges(t.corners)) {

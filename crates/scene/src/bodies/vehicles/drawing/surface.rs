@@ -71,8 +71,8 @@ pub(crate) struct Surface {
 }
 
 impl Surface {
-    /// Rows of points joined by quadrilaterals, each split along its shorter diagonal. Rows have equal lengths; points
-    /// that coincide (a closed row's seam, a pole) are one point afterwards.
+    /// Rows of points joined by quadrilaterals, each split along its shorter diagonal. Rows have equal
+    /// lengths; points that coincide (a closed row's seam, a pole) are one point afterwards.
     pub(crate) fn from_rows(rows: &[Vec<DVec3>], material: Material) -> Self {
         let mut surface = Self::default();
         for pair in rows.windows(2) {
@@ -136,7 +136,10 @@ impl Surface {
             let [a, b, c] = t.corners;
             for (from, to) in [(a, b), (b, c), (c, a)] {
                 let (low, high) = (from.min(to) as usize, from.max(to) as usize);
-                if !touched[low] && !touched[high] && self.points_m[low].distance(self.points_m[high]) < shortest_m {
+                if !touched[low]
+                    && !touched[high]
+                    && self.points_m[low].distance(self.points_m[high]) < shortest_m
+                {
                     end_of[high] = low as u32;
                     (touched[low], touched[high]) = (true, true);
                 }

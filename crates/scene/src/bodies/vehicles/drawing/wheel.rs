@@ -40,7 +40,8 @@ impl Wheel {
     /// The inner wheels of twins: of these only the tyres can be seen.
     pub(crate) fn add_inner_pair(&self, to: &mut Assembly, axle_x: f64, outer_y: f64) {
         let half = 0.5 * self.width_m;
-        let outer = [(self.rim_radius_m, 0.8 * half), (0.9 * self.radius_m, half), (self.radius_m, 0.6 * half)];
+        let outer =
+            [(self.rim_radius_m, 0.8 * half), (0.9 * self.radius_m, half), (self.radius_m, 0.6 * half)];
         let tyre = lathe(&mirrored_profile(&outer), self.sectors, Material::Rubber);
         to.add_pair(tyre.moved(axle_x, outer_y - half, self.radius_m));
     }
@@ -59,7 +60,12 @@ impl Wheel {
                 (r, 0.25 * half),
             ],
             Rim::SteelConvex | Rim::SteelConcave => {
-                vec![(bead, 0.80 * half), (bead + 0.50 * wall, half), (r - 0.09 * wall, 0.92 * half), (r, 0.78 * half)]
+                vec![
+                    (bead, 0.80 * half),
+                    (bead + 0.50 * wall, half),
+                    (r - 0.09 * wall, 0.92 * half),
+                    (r, 0.78 * half),
+                ]
             }
         };
         lathe(&mirrored_profile(&outer), self.sectors, Material::Rubber)
@@ -151,7 +157,9 @@ pub(crate) fn arch_lining(lining: &Lining) -> Surface {
     let dip = ((axle[1] - low_z) / radius_m).clamp(-0.9, 0.9).asin();
     let row = |k: usize| {
         let angle = -dip + (std::f64::consts::PI + 2.0 * dip) * k as f64 / steps as f64;
-        let at = |radius: f64, y: f64| DVec3::new(axle[0] + radius * angle.cos(), y, axle[1] + radius * angle.sin());
+        let at = |radius: f64, y: f64| {
+            DVec3::new(axle[0] + radius * angle.cos(), y, axle[1] + radius * angle.sin())
+        };
         let (core, outside) = (0.3 * radius_m, radius_m + sheet);
         let section = [
             at(core, inner_y),

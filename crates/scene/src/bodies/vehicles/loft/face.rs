@@ -26,7 +26,11 @@ fn side_panel(drawn: &Drawn<'_>, form: &Form, top_z: f64, key: &str) -> Panel {
 
 /// Where the front panel ends upwards.
 pub(crate) fn front_top_z(drawn: &Drawn<'_>, form: &Form) -> f64 {
-    if form.front.upright { drawn.numbers::<3>("windscreen")[1] * form.room.roof_z - 0.05 } else { form.nose_z }
+    if form.front.upright {
+        drawn.numbers::<3>("windscreen")[1] * form.room.roof_z - 0.05
+    } else {
+        form.nose_z
+    }
 }
 
 /// Where the rear panel ends upwards.
@@ -62,6 +66,7 @@ pub(crate) fn cut_rear(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface
     if !drawn.knows("tail_panel") {
         return skin;
     }
-    let recess = inset(material(drawn.word("tail_panel_of")), Material::Paint, drawn.number("tail_panel_depth_m"));
+    let recess =
+        inset(material(drawn.word("tail_panel_of")), Material::Paint, drawn.number("tail_panel_depth_m"));
     end_panel(skin, reach, middle_panel(drawn, form, top_z, "tail_panel"), recess)
 }

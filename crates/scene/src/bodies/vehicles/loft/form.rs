@@ -101,7 +101,8 @@ impl Form {
         let share = |key: &str| drawn.number(key) * roof;
         let waist = drawn.numbers::<2>("waist").map(|up| up * roof);
         let lean_in = drawn.number("tumblehome_deg").to_radians().tan();
-        let axles_x = drawn.rows::<1>("axles").into_iter().map(|[x]| if x > 0.0 { front_x - x } else { rear_x - x });
+        let axles_x =
+            drawn.rows::<1>("axles").into_iter().map(|[x]| if x > 0.0 { front_x - x } else { rear_x - x });
         Self {
             room: *room,
             half_width_m: room.half_width_m,
@@ -148,12 +149,17 @@ impl Form {
         let [front, _] = self.room.ends_x;
         let roof = self.room.roof_z;
         if self.front.upright {
-            return vec![(front, self.nose_z), (front - 0.35, 0.3 * self.nose_z + 0.7 * roof), (front - 0.9, roof)];
+            return vec![
+                (front, self.nose_z),
+                (front - 0.35, 0.3 * self.nose_z + 0.7 * roof),
+                (front - 0.9, roof),
+            ];
         }
         let ((cx, cz), (hx, hz)) = (self.cowl, self.header);
         let slope = (hz - cz) / (hx - cx);
         let run = (front - cx).min(1.0);
-        let mut points = vec![(front, self.nose_z), (front - 0.12 * run, self.nose_z + 0.3 * (cz - self.nose_z))];
+        let mut points =
+            vec![(front, self.nose_z), (front - 0.12 * run, self.nose_z + 0.3 * (cz - self.nose_z))];
         points.extend([
             (0.5 * (front + cx), 0.3 * self.nose_z + 0.7 * cz),
             (cx + 0.10 * run, cz - 0.012),
@@ -214,7 +220,8 @@ impl Form {
         ]);
         let waist = Curve::through(&[(rear, self.waist[1]), (front, self.waist[0])]);
         let gap = if self.rail_drop_m > 0.1 { self.rail_drop_m + 0.06 } else { 0.12 };
-        let lift = |x: f64| 0.07 * smooth_step(front - 0.75, front, x) + 0.09 * smooth_step(rear + 0.9, rear, x);
+        let lift =
+            |x: f64| 0.07 * smooth_step(front - 0.75, front, x) + 0.09 * smooth_step(rear + 0.9, rear, x);
         let rail = |x: f64| {
             let bonnet = plan.at(x) - 0.07;
             bonnet + (self.roof_y - bonnet) * self.cabin(x)

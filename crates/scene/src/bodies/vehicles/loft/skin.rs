@@ -1,7 +1,9 @@
 //! The skin: lofted, bent at both ends, with arches and panes cut in.
 
 use crate::bodies::vehicles::drawing::curve::smooth_step;
-use crate::bodies::vehicles::drawing::openings::{End, Flank, end_panel, flank_panel, inset, pane, panel, wheel_arch};
+use crate::bodies::vehicles::drawing::openings::{
+    End, Flank, end_panel, flank_panel, inset, pane, panel, wheel_arch,
+};
 use crate::bodies::vehicles::drawing::shell::{Layout, Shell, even, spaced};
 use crate::bodies::vehicles::drawing::stencil::{Inside, cut, rounded_rectangle, soft_minimum};
 use crate::bodies::vehicles::drawing::surface::{Material, Surface};
@@ -31,7 +33,8 @@ fn bent(form: &Form, p: DVec3) -> DVec3 {
     let back = |face: &Face| {
         let (up, down) = ((p.z - form.bumper_z).max(0.0), (form.bumper_z - 0.10 - p.z).max(0.0));
         let over_bumper = face.bumper_m * smooth_step(form.bumper_z, form.bumper_z + 0.12, p.z);
-        let back = face.bow_m * across + (face.lean + face.curve_per_m * up) * up + face.chin * down + over_bumper;
+        let back =
+            face.bow_m * across + (face.lean + face.curve_per_m * up) * up + face.chin * down + over_bumper;
         // However far it leans, a section never passes the one behind it.
         back / (1.0 + back.max(0.0) / (1.3 * reach(face)))
     };
@@ -40,8 +43,8 @@ fn bent(form: &Form, p: DVec3) -> DVec3 {
     DVec3::new(p.x - ahead + behind, p.y, p.z)
 }
 
-/// Sections close together where the silhouette bends, around the arches and at both ends, wide apart between; one at
-/// every pane's edge.
+/// Sections close together where the silhouette bends, around the arches and at both ends, wide apart
+/// between; one at every pane's edge.
 fn layout(drawn: &Drawn<'_>, form: &Form, shell: &Shell) -> Layout {
     let [front, rear] = form.room.ends_x;
     let (fine, coarse) = (drawn.number("step_m"), drawn.number("coarse_step_m"));
@@ -76,7 +79,8 @@ fn layout(drawn: &Drawn<'_>, form: &Form, shell: &Shell) -> Layout {
     }
 }
 
-/// A section and a row of the skin stand that far inside every pane's edge, so that no cell cuts its corner off.
+/// A section and a row of the skin stand that far inside every pane's edge, so that no cell cuts its corner
+/// off.
 const CORNER_M: f64 = 0.06;
 
 /// Rows 12 cm apart, at least five.
@@ -106,7 +110,8 @@ pub(crate) fn pane_spans(drawn: &Drawn<'_>, form: &Form) -> Vec<[f64; 2]> {
     let [first, last] = drawn.numbers::<2>("pane_row").map(at);
     let count = ((first - last) / drawn.number("pane_pitch_m")).round().max(1.0);
     let pitch = (first - last) / count;
-    let span = |k: u32| [first - f64::from(k + 1) * pitch + drawn.number("pillar_m"), first - f64::from(k) * pitch];
+    let span =
+        |k: u32| [first - f64::from(k + 1) * pitch + drawn.number("pillar_m"), first - f64::from(k) * pitch];
     (0..count as u32).map(span).collect()
 }
 
@@ -118,7 +123,8 @@ fn side_panes(drawn: &Drawn<'_>, form: &Form, shell: &Shell, skin: Surface) -> S
         let outline = |p: DVec3| {
             let rail = (shell.rail_z.at(p.x) - p.z) / (1.0 + shell.rail_z.slope(p.x).powi(2)).sqrt();
             let side = if blocked { p.y } else { p.y.abs() };
-            let edges = [rail - top, p.z - shell.waist_z.at(p.x) - 0.03, p.x - behind, ahead - p.x, side - 0.3];
+            let edges =
+                [rail - top, p.z - shell.waist_z.at(p.x) - 0.03, p.x - behind, ahead - p.x, side - 0.3];
             soft_minimum(&edges, corner)
         };
         cut(skin, outline, pane)
@@ -165,7 +171,8 @@ fn doors(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
     })
 }
 
-/// Windscreen and rear window: on the roof's side of the rail where the end is raked, in the face where it is upright.
+/// Windscreen and rear window: on the roof's side of the rail where the end is raked, in the face where it is
+/// upright.
 fn screens(drawn: &Drawn<'_>, form: &Form, shell: &Shell, skin: Surface) -> Surface {
     let [front, rear] = form.room.ends_x;
     let screen = pane(drawn.number("screen_depth_m"));
@@ -189,7 +196,11 @@ fn screens(drawn: &Drawn<'_>, form: &Form, shell: &Shell, skin: Surface) -> Surf
     if form.rear.upright {
         return end_panel(skin, End::Rear { beyond_x: rear + 0.5 }, upright("rear_window"), screen);
     }
-    cut(skin, |p| raked(p, [form.deck.1 + 0.05, form.roof_end.1 - 0.05]).min(form.roof_end.0 + 0.1 - p.x), screen)
+    cut(
+        skin,
+        |p| raked(p, [form.deck.1 + 0.05, form.roof_end.1 - 0.05]).min(form.roof_end.0 + 0.1 - p.x),
+        screen,
+    )
 }
 
 /// What lies open from above: the bed of a pick-up, the seats of a roadster.
@@ -202,7 +213,8 @@ fn bed(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
     let [ahead, behind] = [from, to].map(|share| front - share * (front - rear));
     let half = half * form.half_width_m;
     let floor = form.room.roof_z * drawn.number("bed_above");
-    let outline = |p: DVec3| rounded_rectangle(p.x, p.y, [behind, ahead], [-half, half], 0.1).min(p.z - floor);
+    let outline =
+        |p: DVec3| rounded_rectangle(p.x, p.y, [behind, ahead], [-half, half], 0.1).min(p.z - floor);
     let material = if drawn.has("leather") { Material::Leather } else { Material::Paint };
     cut(skin, outline, Inside::Sunk { material, rim: Material::Paint, depth_m })
 }
@@ -213,7 +225,8 @@ fn cladding(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
     let sill_z = form.clearance_m + drawn.number("sill_m");
     let bumper_z = if drawn.word("bumper") == "plastic" { form.bumper_z + 0.1 } else { sill_z };
     let outline = |p: DVec3| {
-        let near_end = smooth_step(front - 0.6, front - 0.4, p.x).max(smooth_step(rear + 0.6, rear + 0.4, p.x));
+        let near_end =
+            smooth_step(front - 0.6, front - 0.4, p.x).max(smooth_step(rear + 0.6, rear + 0.4, p.x));
         sill_z + (bumper_z - sill_z) * near_end - p.z
     };
     cut(skin, outline, Inside::Recoloured(Material::Plastic))

@@ -45,8 +45,9 @@ fn on_face(skin: &Surface, sign: f64, y: f64, z: f64) -> Option<f64> {
 fn on_skin(part: Surface, skin: &Surface, sign: f64, [y, z, tilt_rad]: [f64; 3]) -> Surface {
     let at = |z: f64| on_face(skin, sign, y, z);
     let middle = at(z).unwrap_or(0.0);
-    let lean =
-        at(z + 0.06).zip(at(z - 0.06)).map_or(0.0, |(high, low)| (sign * (low - high) / 0.12).clamp(-0.6, 0.6).atan());
+    let lean = at(z + 0.06)
+        .zip(at(z - 0.06))
+        .map_or(0.0, |(high, low)| (sign * (low - high) / 0.12).clamp(-0.6, 0.6).atan());
     pitched(part, -sign * (lean + tilt_rad)).moved(middle + 0.012 * sign, y, z)
 }
 
@@ -104,7 +105,8 @@ fn slats(drawn: &Drawn<'_>, form: &Form, skin: &Surface, to: &mut Assembly) {
 fn round_lamps(drawn: &Drawn<'_>, form: &Form, skin: &Surface, to: &mut Assembly) {
     let [y_share, z_share, radius] = drawn.numbers("round_lamp");
     let z = form.clearance_m + z_share * (front_top_z(drawn, form) - form.clearance_m);
-    let dish = [(0.0, 0.01), (0.5 * radius, 0.016), (0.85 * radius, 0.03), (radius, 0.045), (1.1 * radius, 0.04)];
+    let dish =
+        [(0.0, 0.01), (0.5 * radius, 0.016), (0.85 * radius, 0.03), (radius, 0.045), (1.1 * radius, 0.04)];
     let rear = [(1.1 * radius, -0.06), (0.0, -0.06)];
     let profile: Vec<_> = dish.into_iter().chain(rear).collect();
     let lamp = lathe(&profile, 16, Material::Lamp).map(|p| DVec3::new(p.y, -p.x, p.z));
@@ -152,7 +154,8 @@ fn underbody(drawn: &Drawn<'_>, form: &Form, to: &mut Assembly) {
     let [share, deep] = drawn.numbers("tank");
     let tank = rounded_box([0.14 * length.min(6.0), form.half_width_m, 0.18], 0.05, Material::Plastic);
     to.add(tank.moved(front - share * length, -0.05, z + 0.09 - deep));
-    let silencer = disc(0.09, 0.5, 10, Material::Steel).moved(rear + 0.45, 0.35 * form.half_width_m, z + 0.12);
+    let silencer =
+        disc(0.09, 0.5, 10, Material::Steel).moved(rear + 0.45, 0.35 * form.half_width_m, z + 0.12);
     to.add(silencer);
     let y = 0.55 * form.half_width_m;
     to.add(tube(&[[rear + 0.6, y, z + 0.08], [rear + 0.06, y, z + 0.12]], 0.03, 8, Material::Steel));

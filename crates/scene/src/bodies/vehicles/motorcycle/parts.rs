@@ -1,7 +1,9 @@
 //! Parts that every motorcycle has: wheels, forks, handlebar, mudguards, plate.
 
 use crate::bodies::vehicles::drawing::mesh_builder::Assembly;
-use crate::bodies::vehicles::drawing::solids::{bent, disc, ellipsoid, lathe, limb, section, sharp_box, tube};
+use crate::bodies::vehicles::drawing::solids::{
+    bent, disc, ellipsoid, lathe, limb, section, sharp_box, tube,
+};
 use crate::bodies::vehicles::drawing::surface::{Material, Surface};
 use glam::DVec3;
 use std::f64::consts::TAU;
@@ -115,12 +117,20 @@ pub(crate) fn mudguard(axle: [f64; 2], radius_m: f64, half_width_m: f64, [from, 
     let steps = 8;
     let row = |k: usize| {
         let angle = (from + (to - from) * k as f64 / steps as f64).to_radians();
-        let at = |radius: f64, y: f64| DVec3::new(axle[0] + radius * angle.cos(), y, axle[1] + radius * angle.sin());
+        let at = |radius: f64, y: f64| {
+            DVec3::new(axle[0] + radius * angle.cos(), y, axle[1] + radius * angle.sin())
+        };
         let (top, side) = (radius_m, radius_m - 0.03);
         let outer = [(side, -1.0), (top - 0.008, -0.75), (top, 0.0), (top - 0.008, 0.75), (side, 1.0)];
-        let inner =
-            [(side - 0.002, 0.93), (top - 0.014, 0.7), (top - 0.006, 0.0), (top - 0.014, -0.7), (side - 0.002, -0.93)];
-        let mut points: Vec<DVec3> = outer.iter().chain(&inner).map(|(r, y)| at(*r, y * half_width_m)).collect();
+        let inner = [
+            (side - 0.002, 0.93),
+            (top - 0.014, 0.7),
+            (top - 0.006, 0.0),
+            (top - 0.014, -0.7),
+            (side - 0.002, -0.93),
+        ];
+        let mut points: Vec<DVec3> =
+            outer.iter().chain(&inner).map(|(r, y)| at(*r, y * half_width_m)).collect();
         points.push(points[0]);
         points
     };
@@ -140,7 +150,12 @@ pub(crate) fn mudguard(axle: [f64; 2], radius_m: f64, half_width_m: f64, [from, 
 pub(crate) fn tail(x: f64, lamp_z: f64, plate_z: f64, to: &mut Assembly) {
     to.add(sharp_box([0.05, 0.16, 0.05], Material::TailLamp).moved(x, 0.0, lamp_z));
     to.add(sharp_box([0.008, 0.18, 0.20], Material::Plate).moved(x - 0.02, 0.0, plate_z));
-    to.add(tube(&[[x + 0.06, 0.0, lamp_z - 0.02], [x + 0.01, 0.0, plate_z + 0.04]], 0.018, 8, Material::Plastic));
+    to.add(tube(
+        &[[x + 0.06, 0.0, lamp_z - 0.02], [x + 0.01, 0.0, plate_z + 0.04]],
+        0.018,
+        8,
+        Material::Plastic,
+    ));
     for k in [-1.0, 1.0] {
         to.add(ellipsoid([0.03, 0.035, 0.02], 10, Material::Lamp).moved(x, 0.14 * k, lamp_z - 0.01));
         to.add(tube(&[[x, 0.0, lamp_z - 0.01], [x, 0.12 * k, lamp_z - 0.01]], 0.006, 6, Material::Plastic));

@@ -3,7 +3,9 @@
 use crate::bodies::vehicles::dimensions::Draw;
 use crate::bodies::vehicles::drawing::mesh_builder::Assembly;
 use crate::bodies::vehicles::drawing::rider::Rider;
-use crate::bodies::vehicles::drawing::solids::{ellipsoid, limb, rounded_box, section, sharp_box, smoothed, tube};
+use crate::bodies::vehicles::drawing::solids::{
+    ellipsoid, limb, rounded_box, section, sharp_box, smoothed, tube,
+};
 use crate::bodies::vehicles::drawing::surface::Material;
 use crate::bodies::vehicles::motorcycle::machine::Machine;
 use crate::bodies::vehicles::motorcycle::parts::{CycleWheel, forks, handlebar, mirror, mudguard, tail};
@@ -116,7 +118,11 @@ fn rear_body(parts: &mut Assembly) {
 
 /// Engine and gearbox swing with the rear wheel.
 fn engine(radius_m: f64, parts: &mut Assembly) {
-    parts.add(rounded_box([0.62, 0.10, 0.17], 0.045, Material::Aluminium).moved(-0.46, 0.14, radius_m + 0.02));
+    parts.add(rounded_box([0.62, 0.10, 0.17], 0.045, Material::Aluminium).moved(
+        -0.46,
+        0.14,
+        radius_m + 0.02,
+    ));
     parts.add(rounded_box([0.34, 0.26, 0.20], 0.05, Material::Aluminium).moved(-0.25, 0.0, 0.31));
     let silencer = [
         section([-0.36, -0.17, 0.25], 0.035, 0.035),

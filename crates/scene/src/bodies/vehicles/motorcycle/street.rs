@@ -8,7 +8,9 @@ use crate::bodies::vehicles::drawing::solids::{
 };
 use crate::bodies::vehicles::drawing::surface::Material;
 use crate::bodies::vehicles::motorcycle::machine::Machine;
-use crate::bodies::vehicles::motorcycle::parts::{CycleWheel, foot_rest, forks, handlebar, mirror, mudguard, tail};
+use crate::bodies::vehicles::motorcycle::parts::{
+    CycleWheel, foot_rest, forks, handlebar, mirror, mudguard, tail,
+};
 use glam::DVec3;
 
 pub(crate) fn machine(draw: &Draw) -> Machine {
@@ -93,11 +95,19 @@ fn body(parts: &mut Assembly) {
 fn frame(half_wheelbase: f64, radius_m: f64, parts: &mut Assembly) {
     let spar = [[0.37, 0.045, 0.90], [0.20, 0.14, 0.74], [-0.18, 0.15, 0.62], [-0.24, 0.13, 0.40]];
     parts.add_pair(tube(&bent(&spar, 0.3), 0.026, 8, Material::Steel));
-    let cradle = [[0.38, 0.04, 0.84], [0.30, 0.12, 0.45], [0.20, 0.13, 0.26], [-0.20, 0.13, 0.26], [-0.24, 0.13, 0.40]];
+    let cradle = [
+        [0.38, 0.04, 0.84],
+        [0.30, 0.12, 0.45],
+        [0.20, 0.13, 0.26],
+        [-0.20, 0.13, 0.26],
+        [-0.24, 0.13, 0.40],
+    ];
     parts.add_pair(tube(&bent(&cradle, 0.3), 0.018, 8, Material::Steel));
     parts.add_pair(tube(&[[-0.18, 0.12, 0.62], [-0.75, 0.09, 0.80]], 0.014, 8, Material::Steel));
-    let arm =
-        [section([-0.22, 0.13, 0.41], 0.03, 0.045), section([-half_wheelbase - 0.03, 0.125, radius_m], 0.022, 0.03)];
+    let arm = [
+        section([-0.22, 0.13, 0.41], 0.03, 0.045),
+        section([-half_wheelbase - 0.03, 0.125, radius_m], 0.022, 0.03),
+    ];
     parts.add_pair(limb(&arm, 8, Material::Aluminium));
     parts.add(tube(
         &[[-half_wheelbase, -0.15, radius_m], [-half_wheelbase, 0.15, radius_m]],

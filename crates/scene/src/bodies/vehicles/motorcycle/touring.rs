@@ -134,7 +134,10 @@ fn engine(radius_m: f64, parts: &mut Assembly) {
         section([-0.92, 0.215, 0.37], 0.048, 0.058),
     ];
     parts.add_pair(limb(&smoothed(&silencer, 1), 16, Material::Chrome));
-    let arm = [section([-0.20, -0.14, 0.42], 0.04, 0.05), section([-HALF_WHEELBASE_M, -0.13, radius_m], 0.045, 0.06)];
+    let arm = [
+        section([-0.20, -0.14, 0.42], 0.04, 0.05),
+        section([-HALF_WHEELBASE_M, -0.13, radius_m], 0.045, 0.06),
+    ];
     parts.add(limb(&arm, 12, Material::Aluminium));
     parts.add(tube(
         &[[-HALF_WHEELBASE_M, -0.12, radius_m], [-HALF_WHEELBASE_M, 0.10, radius_m]],
@@ -142,6 +145,11 @@ fn engine(radius_m: f64, parts: &mut Assembly) {
         8,
         Material::Steel,
     ));
-    parts.add_pair(tube(&[[0.45, 0.10, 0.86], [0.10, 0.18, 0.66], [-0.24, 0.16, 0.42]], 0.024, 8, Material::Steel));
+    parts.add_pair(tube(
+        &[[0.45, 0.10, 0.86], [0.10, 0.18, 0.66], [-0.24, 0.16, 0.42]],
+        0.024,
+        8,
+        Material::Steel,
+    ));
     foot_rest([-0.08, 0.27, 0.36], 0.15, parts);
 }

@@ -74,7 +74,11 @@ fn shell(form: &Form) -> Shell {
             (front, BOTTOM_Z),
         ]),
         waist_z: Curve::flat(panes_z(form)[0] - WAIST_BELOW_PANES_M),
-        rail_z: Curve::through(&[(rear, roof - 0.17), (front - 0.9, roof - 0.18), (front, roof - 0.17 - roof_slope)]),
+        rail_z: Curve::through(&[
+            (rear, roof - 0.17),
+            (front - 0.9, roof - 0.18),
+            (front, roof - 0.17 - roof_slope),
+        ]),
         top_z: Curve::through(&[
             (rear, roof - 0.02),
             (front - 1.0, roof),
@@ -124,7 +128,11 @@ fn mirrors(form: &Form, truck: &mut Assembly) {
     truck.add_pair(sharp_box([0.006, 0.17, 0.36], Material::Glass).moved(x - 0.067, outer, z + 0.09));
     truck.add_pair(sharp_box([0.006, 0.17, 0.14], Material::Glass).moved(x - 0.067, outer, z - 0.20));
     for dz in [-0.24, 0.24] {
-        let arm = [[x - 0.28, form.half_width_m - 0.08, z + dz], [x - 0.1, outer - 0.05, z + dz], [x, outer, z + dz]];
+        let arm = [
+            [x - 0.28, form.half_width_m - 0.08, z + dz],
+            [x - 0.1, outer - 0.05, z + dz],
+            [x, outer, z + dz],
+        ];
         truck.add_pair(tube(&bent(&arm, 0.3), 0.018, 8, Material::Plastic));
     }
 }
@@ -139,7 +147,8 @@ fn steps(form: &Form, truck: &mut Assembly) {
         ));
     }
     let (x, side) = (front - 1.32, form.half_width_m);
-    let handle = [[x, side - 0.03, 1.3], [x, side + 0.03, 1.35], [x, side + 0.02, 2.0], [x, side - 0.05, 2.05]];
+    let handle =
+        [[x, side - 0.03, 1.3], [x, side + 0.03, 1.35], [x, side + 0.02, 2.0], [x, side - 0.05, 2.05]];
     truck.add_pair(tube(&handle, 0.014, 6, Material::Chrome));
 }
 
@@ -159,7 +168,11 @@ fn deflector(form: &Form, truck: &mut Assembly) {
     let shell = Shell {
         bottom_z: Curve::flat(roof - 0.08),
         waist_z: Curve::through(&[(rear, roof + 0.45 * rise), (front, roof)]),
-        rail_z: Curve::through(&[(rear, roof + 0.85 * rise), (rear + 0.5, roof + 0.72 * rise), (front, roof + 0.03)]),
+        rail_z: Curve::through(&[
+            (rear, roof + 0.85 * rise),
+            (rear + 0.5, roof + 0.72 * rise),
+            (front, roof + 0.03),
+        ]),
         top_z: Curve::through(&[
             (rear, roof + rise),
             (rear + 0.5, roof + 0.88 * rise),
@@ -176,6 +189,7 @@ fn deflector(form: &Form, truck: &mut Assembly) {
         end_radius_m: [0.03, 0.03],
         ends_x: [front, rear],
     };
-    let layout = Layout { stations_x: spaced(rear, front, 0.2), lower: even(1), upper: even(3), half_columns: 5 };
+    let layout =
+        Layout { stations_x: spaced(rear, front, 0.2), lower: even(1), upper: even(3), half_columns: 5 };
     truck.add(shell.skin(&layout));
 }

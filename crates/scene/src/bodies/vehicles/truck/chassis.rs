@@ -98,15 +98,19 @@ fn mudguard(form: &Form, axle_x: f64, truck: &mut Assembly) {
     truck.add_pair(guard.welded().outward());
 }
 
-/// Bar below the rear end that keeps cars from running under (UN Regulation 58: at most 0.55 m above the ground), lamps
-/// and plate on it.
+/// Bar below the rear end that keeps cars from running under (UN Regulation 58: at most 0.55 m above the
+/// ground), lamps and plate on it.
 fn rear_guard(form: &Form, truck: &mut Assembly) {
     let rear = form.ends_x[1];
     let z = 0.50;
     let bar = sharp_box([0.10, 2.36, 0.12], Material::Steel);
     truck.add(bar.moved(rear + 0.12, 0.0, z));
     let frame_z = if form.kind == Kind::Semi { form.load_floor_z } else { form.frame_z } - 0.2;
-    truck.add_pair(sharp_box([0.08, 0.06, frame_z - z], Material::Steel).moved(rear + 0.14, 0.42, 0.5 * (frame_z + z)));
+    truck.add_pair(sharp_box([0.08, 0.06, frame_z - z], Material::Steel).moved(
+        rear + 0.14,
+        0.42,
+        0.5 * (frame_z + z),
+    ));
     let lamp_z = 0.5 * (z + 0.06 + frame_z) + 0.06;
     truck.add_pair(sharp_box([0.07, 0.44, 0.15], Material::TailLamp).moved(rear + 0.10, 0.95, lamp_z));
     truck.add(sharp_box([0.03, 2.3, 0.05], Material::Steel).moved(rear + 0.14, 0.0, lamp_z));
@@ -117,7 +121,9 @@ fn rear_guard(form: &Form, truck: &mut Assembly) {
 fn side_guards(form: &Form, truck: &mut Assembly) {
     let [front, rear] = match form.kind {
         Kind::Semi => [form.load_x[0] - 3.4, form.single_axles_x[0] + 0.7],
-        _ => [form.front_axle_x - form.wheel_radius_m - 1.6, form.twin_axles_x[0] + form.wheel_radius_m + 0.25],
+        _ => {
+            [form.front_axle_x - form.wheel_radius_m - 1.6, form.twin_axles_x[0] + form.wheel_radius_m + 0.25]
+        }
     };
     if front - rear < 0.5 {
         return;

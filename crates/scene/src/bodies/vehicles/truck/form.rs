@@ -39,14 +39,19 @@ pub(crate) struct Form {
     pub(crate) load_top_z: f64,
 }
 
-/// Overall length, width over mirrors, height. Body 2.5 m wide; the law's limits are 2.55 m (2.6 m refrigerated), 4.0 m
-/// high, 12 m long, with semitrailer 16.5 m (Directive 96/53/EC). Ranges: box trucks of 7.5 to 18 t from 7 to 9.5 m and
-/// 3.3 to 3.8 m high; three-axle fuel tankers 8.8 to 10 m and 3.1 to 3.5 m; semitrailers 13.6 m long behind two-axle
-/// tractors, 15.9 to 16.5 m, 3.8 to 4.0 m high. Mirrors reach 0.2 to 0.25 m beyond the cab. Rounded to 5 cm.
+/// Overall length, width over mirrors, height. Body 2.5 m wide; the law's limits are 2.55 m (2.6 m
+/// refrigerated), 4.0 m high, 12 m long, with semitrailer 16.5 m (Directive 96/53/EC). Ranges: box trucks of
+/// 7.5 to 18 t from 7 to 9.5 m and 3.3 to 3.8 m high; three-axle fuel tankers 8.8 to 10 m and 3.1 to 3.5 m;
+/// semitrailers 13.6 m long behind two-axle tractors, 15.9 to 16.5 m, 3.8 to 4.0 m high. Mirrors reach 0.2 to
+/// 0.25 m beyond the cab. Rounded to 5 cm.
 pub(crate) fn size_range(model: &str) -> SizeRange {
     match model {
-        "truck-box" => SizeRange { nominal_m: [8.5, 2.95, 3.6], range_m: [[7.0, 9.5], [2.9, 3.05], [3.3, 3.8]] },
-        "truck-tanker" => SizeRange { nominal_m: [9.4, 2.95, 3.3], range_m: [[8.8, 10.0], [2.9, 3.05], [3.1, 3.5]] },
+        "truck-box" => {
+            SizeRange { nominal_m: [8.5, 2.95, 3.6], range_m: [[7.0, 9.5], [2.9, 3.05], [3.3, 3.8]] }
+        }
+        "truck-tanker" => {
+            SizeRange { nominal_m: [9.4, 2.95, 3.3], range_m: [[8.8, 10.0], [2.9, 3.05], [3.1, 3.5]] }
+        }
         _ => SizeRange { nominal_m: [16.5, 2.95, 4.0], range_m: [[15.9, 16.5], [2.9, 3.05], [3.8, 4.0]] },
     }
 }

@@ -23,7 +23,11 @@ fn van_body(form: &Form, truck: &mut Assembly) {
     let (low, high) = (form.load_floor_z, form.load_top_z);
     let (length, middle, height) = (front - rear, 0.5 * (front + rear), high - low);
     let width = 2.0 * form.half_width_m + 0.04;
-    truck.add(rounded_box([length, width, height], 0.045, Material::Paint).moved(middle, 0.0, 0.5 * (low + high)));
+    truck.add(rounded_box([length, width, height], 0.045, Material::Paint).moved(
+        middle,
+        0.0,
+        0.5 * (low + high),
+    ));
     truck.add_pair(sharp_box([length - 0.1, 0.03, 0.13], Material::Aluminium).moved(
         middle,
         0.5 * width - 0.005,
@@ -50,7 +54,11 @@ pub(crate) fn rear_doors(form: &Form, truck: &mut Assembly) {
     for y in [0.28, 0.92] {
         let bar = [[rear - 0.022, y, low + 0.06], [rear - 0.022, y, high - 0.06]];
         truck.add_pair(tube(&bar, 0.017, 8, Material::Steel));
-        truck.add_pair(sharp_box([0.03, 0.26, 0.03], Material::Steel).moved(rear - 0.02, y - 0.1, low + 0.55));
+        truck.add_pair(sharp_box([0.03, 0.26, 0.03], Material::Steel).moved(
+            rear - 0.02,
+            y - 0.1,
+            low + 0.55,
+        ));
     }
     truck.add(sharp_box([0.02, 0.04, high - low - 0.12], Material::Rubber).moved(
         rear - 0.004,
@@ -58,7 +66,11 @@ pub(crate) fn rear_doors(form: &Form, truck: &mut Assembly) {
         0.5 * (low + high),
     ));
     for z in [low + 0.3, 0.5 * (low + high), high - 0.3] {
-        truck.add_pair(sharp_box([0.03, 0.16, 0.06], Material::Steel).moved(rear - 0.01, form.half_width_m - 0.09, z));
+        truck.add_pair(sharp_box([0.03, 0.16, 0.06], Material::Steel).moved(
+            rear - 0.01,
+            form.half_width_m - 0.09,
+            z,
+        ));
     }
 }
 
@@ -148,5 +160,9 @@ fn cabinets(form: &Form, truck: &mut Assembly) {
     let x = form.twin_axles_x[0] + form.wheel_radius_m + 0.95;
     truck.add_pair(rounded_box([1.1, 0.55, 0.5], 0.03, Material::Paint).moved(x, 0.93, form.frame_z + 0.05));
     let rear = form.load_x[1];
-    truck.add(rounded_box([0.5, 2.2, 0.12], 0.03, Material::Plastic).moved(rear + 0.35, 0.0, form.frame_z - 0.02));
+    truck.add(rounded_box([0.5, 2.2, 0.12], 0.03, Material::Plastic).moved(
+        rear + 0.35,
+        0.0,
+        form.frame_z - 0.02,
+    ));
 }

@@ -10,11 +10,12 @@ mod tracks;
 
 use crate::host::failure::Failure;
 use crate::host::files;
-use crate::program::cli::{AxesWord, ExportArguments, FormatWord};
+use crate::program::cli::ExportArguments;
 use crate::program::commands::formats::raw_data::dca1000;
 use crate::program::commands::formats::raw_data::sigmf;
 use crate::program::commands::formats::writing::fail;
 use crate::program::export_formats::FORMATS;
+use crate::program::words::{AxesWord, FormatWord};
 use artifact::{Reader, Schema, read_preamble};
 use clap::ValueEnum;
 use std::path::Path;
@@ -60,7 +61,10 @@ fn refuse(file: &Path, schema: &str, to: FormatWord) -> Failure {
         return crate::program::commands::formats::inspect::unknown(file, schema);
     };
     let to = to.to_possible_value().map_or_else(String::new, |v| v.get_name().to_owned());
-    Failure::Refused(format!("{}: a `{schema}` artifact is exported to {formats}, not to {to}", file.display()))
+    Failure::Refused(format!(
+        "{}: a `{schema}` artifact is exported to {formats}, not to {to}",
+        file.display()
+    ))
 }
 
 fn model(file: &Path, out: &Path) -> Result<(), Failure> {

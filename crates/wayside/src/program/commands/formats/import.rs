@@ -41,7 +41,11 @@ pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
 }
 
 /// The step of integer samples stands among the settings, and the file that told it among the inputs.
-fn provenance_of(arguments: &ImportArguments, scene: &SceneHeader, step: &Step) -> Result<Provenance, Failure> {
+fn provenance_of(
+    arguments: &ImportArguments,
+    scene: &SceneHeader,
+    step: &Step,
+) -> Result<Provenance, Failure> {
     let mut files = vec![arguments.array.clone(), arguments.scene.clone()];
     match step {
         Step::Told(_, place) => files.push(place.clone()),
@@ -77,11 +81,19 @@ fn read(file: &Path) -> Result<Array4<Complex32>, Failure> {
     npy::complex_values(&bytes).map_err(refused)
 }
 
-fn check(file: &Path, frame: usize, samples: &[Complex32], [_, chirps, length]: [usize; 3]) -> Result<(), Failure> {
+fn check(
+    file: &Path,
+    frame: usize,
+    samples: &[Complex32],
+    [_, chirps, length]: [usize; 3],
+) -> Result<(), Failure> {
     match samples.iter().position(|v| !(v.re.is_finite() && v.im.is_finite())) {
         Some(at) => {
             let place = (frame, at / (chirps * length), at / length % chirps, at % length);
-            let text = format!("{} at [frame, channel, chirp, sample] {place:?}: samples must be finite", samples[at]);
+            let text = format!(
+                "{} at [frame, channel, chirp, sample] {place:?}: samples must be finite",
+                samples[at]
+            );
             Err(Failure::Refused(format!("{}: {text}", file.display())))
         }
         None => Ok(()),

@@ -47,7 +47,10 @@ pub(crate) fn unknown(file: &Path, schema: &str) -> Failure {
 fn provenance(preamble: &Preamble) {
     let Preamble { schema, version, provenance } = preamble;
     line(format!("kind         {schema}, version {version}"));
-    line(format!("written by   {} {}, seed {}", provenance.stage, provenance.program_version, provenance.seed));
+    line(format!(
+        "written by   {} {}, seed {}",
+        provenance.stage, provenance.program_version, provenance.seed
+    ));
     for (name, hash) in &provenance.inputs {
         line(format!("input        {name} {hash}"));
     }
@@ -96,11 +99,15 @@ fn scene(reader: Reader<Scene>) -> Result<(), Failure> {
     for mesh in meshes.iter() {
         let s = mesh.statistics;
         let (kept, dropped, open) = (mesh.triangles.len(), s.degenerate, s.open_edges);
-        line(format!("mesh         {}: {kept} triangles, {dropped} degenerate dropped, {open} open edges", mesh.name));
+        line(format!(
+            "mesh         {}: {kept} triangles, {dropped} degenerate dropped, {open} open edges",
+            mesh.name
+        ));
     }
     for frame in reader {
         let frame = frame?;
-        let finite = frame.poses.iter().all(|p| p.position_m.iter().chain(&p.velocity_mps).all(|v| v.is_finite()));
+        let finite =
+            frame.poses.iter().all(|p| p.position_m.iter().chain(&p.velocity_mps).all(|v| v.is_finite()));
         line(format!(
             "frame {:<6} {:.6} s, {} poses, {}",
             frame.index,
@@ -181,7 +188,10 @@ fn rdm(reader: Reader<Rdm>) -> Result<(), Failure> {
     for frame in reader {
         let frame = frame?;
         samples(frame.index, frame.time_s, &frame.values, shape);
-        line(format!("detector     {} of {} tested cells above the threshold", frame.detections, frame.cells));
+        line(format!(
+            "detector     {} of {} tested cells above the threshold",
+            frame.detections, frame.cells
+        ));
     }
     Ok(())
 }
@@ -222,7 +232,8 @@ fn tracks(reader: Reader<Tracks>) -> Result<(), Failure> {
     line("units        m, m/s, rad; world axes");
     for frame in reader {
         let frame = frame?;
-        let finite = frame.tracks.iter().all(|t| t.position_m.iter().chain(&t.velocity_mps).all(|v| v.is_finite()));
+        let finite =
+            frame.tracks.iter().all(|t| t.position_m.iter().chain(&t.velocity_mps).all(|v| v.is_finite()));
         let count = |state: TrackState| frame.tracks.iter().filter(|t| t.state == state).count();
         let [confirmed, coasting, tentative] =
             [TrackState::Confirmed, TrackState::Coasting, TrackState::Tentative].map(count);
@@ -272,9 +283,14 @@ fn model(mut reader: Reader<Model>) -> Result<(), Failure> {
     let classes: Vec<_> = header.classes.iter().map(|c| c.name()).collect();
     line(match &header.learner {
         Learner::CropNetwork(n) => {
-            format!("network      {}, channels {:?}, crops pooled to {}", n.architecture, n.channels, n.input_side)
+            format!(
+                "network      {}, channels {:?}, crops pooled to {}",
+                n.architecture, n.channels, n.input_side
+            )
         }
-        Learner::BoostedTrees { features } => format!("trees        of {} features of signatures", features.len()),
+        Learner::BoostedTrees { features } => {
+            format!("trees        of {} features of signatures", features.len())
+        }
     });
     line(format!("classes      {}", classes.join(", ")));
     let weights = reader.next_frame()?;

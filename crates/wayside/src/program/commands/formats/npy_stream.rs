@@ -1,5 +1,5 @@
-//! NumPy arrays written frame by frame, so that their size is bounded by the disk, not by memory (libraries at hand
-//! write an array that is already whole in memory).
+//! NumPy arrays written frame by frame, so that their size is bounded by the disk, not by memory (libraries
+//! at hand write an array that is already whole in memory).
 
 use crate::host::failure::Failure;
 use crate::host::files;
@@ -64,7 +64,8 @@ impl NpyStream<'_> {
     }
 }
 
-/// Version 1.0 of the format: magic, length, a Python dictionary padded to a multiple of 64 bytes (NumPy NEP 1).
+/// Version 1.0 of the format: magic, length, a Python dictionary padded to a multiple of 64 bytes (NumPy NEP
+/// 1).
 fn header<T: Element>(shape: &[usize]) -> Vec<u8> {
     let shape: String = shape.iter().map(|n| format!("{n}, ")).collect();
     let mut text = format!("{{'descr': '{}', 'fortran_order': False, 'shape': ({shape}), }}", T::DESCRIPTION);
@@ -86,7 +87,10 @@ mod tests {
     fn a_stream_is_read_back_by_another_library() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("a.npy");
-        let rows = [[Complex32::new(1.0, -2.0), Complex32::new(0.5, 0.0)], [Complex32::new(3.0, 4.0), Complex32::i()]];
+        let rows = [
+            [Complex32::new(1.0, -2.0), Complex32::new(0.5, 0.0)],
+            [Complex32::new(3.0, 4.0), Complex32::i()],
+        ];
         NpyStream::write::<Complex32>(&file, &[2, 2], |s| rows.iter().try_for_each(|r| s.append(r))).unwrap();
         let array = ndarray::Array2::<Complex32>::read_npy(std::fs::File::open(file).unwrap()).unwrap();
         assert_eq!(array, ndarray::arr2(&rows));

@@ -1,7 +1,8 @@
 //! Samples as devices record them: the order of a capture card and of SigMF.
 //!
-//! A device records receivers while transmitters take turns: slot after slot, slot m·N_tx + i is chirp m of transmitter i (tdm), or
-//! slot m·M + s is chirp s of all transmitters' codes in block m (bpm). Samples of a cube are `[turn·N_rx + rx][chirp][sample]`.
+//! A device records receivers while transmitters take turns: slot after slot, slot m·N_tx + i is chirp m of
+//! transmitter i (tdm), or slot m·M + s is chirp s of all transmitters' codes in block m (bpm). Samples of a
+//! cube are `[turn·N_rx + rx][chirp][sample]`.
 
 pub(crate) mod dca1000;
 pub(crate) mod npy;
@@ -27,7 +28,8 @@ pub(crate) struct Recording {
 }
 
 impl Recording {
-    /// Refused where a cube holds what no device can record: transmitters that send at once and are told apart all the same.
+    /// Refused where a cube holds what no device can record: transmitters that send at once and are told
+    /// apart all the same.
     pub(crate) fn of(file: &Path, header: &CubeHeader) -> Result<Self, Failure> {
         if header.radar.waveform.sampling == Sampling::Real {
             let text = "samples are real: recordings of complex samples alone are read and written";
@@ -65,7 +67,8 @@ impl Recording {
 
     /// `[slot][receiver][sample]` of a cube's frame.
     pub(crate) fn by_slot(&self, cube: &[Complex32]) -> Vec<Complex32> {
-        let rows = (0..self.slots()).flat_map(|slot| (0..self.receivers).map(move |receiver| (slot, receiver)));
+        let rows =
+            (0..self.slots()).flat_map(|slot| (0..self.receivers).map(move |receiver| (slot, receiver)));
         rows.flat_map(|(slot, receiver)| cube[self.row(slot, receiver)].iter().copied()).collect()
     }
 
@@ -97,7 +100,10 @@ impl Recording {
                 self.receivers,
                 self.samples
             );
-            return Err(Failure::Refused(format!("{}: {asked}, as the scene's radar has them", file.display())));
+            return Err(Failure::Refused(format!(
+                "{}: {asked}, as the scene's radar has them",
+                file.display()
+            )));
         }
         Ok(values / self.values())
     }
@@ -105,7 +111,9 @@ impl Recording {
 
 /// Each run of `rows` × `columns` values with rows and columns exchanged.
 fn transposed(values: &[Complex32], rows: usize, columns: usize) -> Vec<Complex32> {
-    let run = |run: &[Complex32]| (0..rows * columns).map(|i| run[i % rows * columns + i / rows]).collect::<Vec<_>>();
+    let run = |run: &[Complex32]| {
+        (0..rows * columns).map(|i| run[i % rows * columns + i / rows]).collect::<Vec<_>>()
+    };
     values.chunks_exact(rows * columns).flat_map(run).collect()
 }
 

@@ -1,7 +1,8 @@
-//! What stands beside a file and tells of it: `F.json` behind the file's whole name, so that no two files share one.
+//! What stands beside a file and tells of it: `F.json` behind the file's whole name, so that no two files
+//! share one.
 //!
-//! Each says in `of` which file it belongs to; the description of a table of `rcs` is known by what it holds. What belongs to
-//! another file, or is no sidecar, is never replaced.
+//! Each says in `of` which file it belongs to; the description of a table of `rcs` is known by what it holds.
+//! What belongs to another file, or is no sidecar, is never replaced.
 
 use crate::host::failure::Failure;
 use crate::host::files;
@@ -16,7 +17,8 @@ pub(crate) fn beside(file: &Path) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// `S.npy` → `S.json`, the name of a table's description in `docs/interface.md`; `S.json` itself gets `S.axes.json`.
+/// `S.npy` → `S.json`, the name of a table's description in `docs/interface.md`; `S.json` itself gets
+/// `S.axes.json`.
 pub(crate) fn of_table(table: &Path) -> PathBuf {
     let json = table.with_extension("json");
     if json == table { table.with_extension("axes.json") } else { json }
@@ -89,7 +91,8 @@ fn keep_foreign(place: &Path, file: &Path) -> Result<(), Failure> {
     if is_own {
         return Ok(());
     }
-    let rule = format!("does not belong to {}, beside which it would be written; choose another --out", name(file));
+    let rule =
+        format!("does not belong to {}, beside which it would be written; choose another --out", name(file));
     Err(Failure::System(format!("{}: {rule}", place.display())))
 }
 

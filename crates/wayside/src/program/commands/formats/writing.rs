@@ -8,7 +8,10 @@ pub(crate) fn plain_name(name: &str) -> String {
 }
 
 /// Keeps an artifact's error while a stream that can only fail with I/O errors is given up.
-pub(crate) fn fail(keep: &mut Option<artifact::ArtifactError>, error: artifact::ArtifactError) -> std::io::Error {
+pub(crate) fn fail(
+    keep: &mut Option<artifact::ArtifactError>,
+    error: artifact::ArtifactError,
+) -> std::io::Error {
     *keep = Some(error);
     std::io::Error::other("the artifact is damaged")
 }

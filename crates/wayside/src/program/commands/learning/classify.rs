@@ -1,4 +1,5 @@
-//! `classify`: class and probabilities of every object of a map, or of every sample of a dataset, one JSON line each.
+//! `classify`: class and probabilities of every object of a map, or of every sample of a dataset, one JSON
+//! line each.
 
 use crate::chain::loaded_model::LoadedModel;
 use crate::chain::loading;
@@ -35,9 +36,9 @@ fn expanded(place: &Path) -> Vec<PathBuf> {
 
 fn unfit(file: &Path, schema: &str) -> Failure {
     match schema {
-        "scene" | "paths" | "rcs" | "cube" | "points" | "tracks" | "model" | "classes" => {
-            Failure::Refused(format!("{}: a `{schema}` artifact where maps or a dataset are needed", file.display()))
-        }
+        "scene" | "paths" | "rcs" | "cube" | "points" | "tracks" | "model" | "classes" => Failure::Refused(
+            format!("{}: a `{schema}` artifact where maps or a dataset are needed", file.display()),
+        ),
         other => inspect::unknown(file, other),
     }
 }
@@ -62,7 +63,8 @@ fn samples(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
         if batch.is_empty() {
             return Ok(());
         }
-        for (sample, p) in batch.iter().zip(model.of_samples(&batch).map_err(|failure| failure.about(file))?) {
+        for (sample, p) in batch.iter().zip(model.of_samples(&batch).map_err(|failure| failure.about(file))?)
+        {
             tell(model, file, sample.frame, &sample.id, &p);
         }
     }

@@ -1,5 +1,6 @@
-//! `dataset`: labelled signatures and crops of scenes that a recipe draws. Shards are written whole or not at all, and a shard
-//! that exists, whole and of this recipe, is not made again; beside each stands one line per scene with truth and estimates.
+//! `dataset`: labelled signatures and crops of scenes that a recipe draws. Shards are written whole or not at
+//! all, and a shard that exists, whole and of this recipe, is not made again; beside each stands one line per
+//! scene with truth and estimates.
 
 mod recipe;
 mod rules;
@@ -31,7 +32,8 @@ use std::path::{Path, PathBuf};
 pub(crate) fn run(arguments: &DatasetArguments, memory: Allowance) -> Result<(), Failure> {
     let recipe = Recipe::read(&arguments.spec, arguments.seed)?;
     let drawn = draws::draw(&recipe);
-    let shards: Vec<(usize, &[Drawn])> = drawn.chunks(recipe.asked.scenes_per_shard as usize).enumerate().collect();
+    let shards: Vec<(usize, &[Drawn])> =
+        drawn.chunks(recipe.asked.scenes_per_shard as usize).enumerate().collect();
     let mine = |number: usize| number % arguments.shard.of as usize == (arguments.shard.number - 1) as usize;
     files::claim(&["manifest.jsonl", "scenes.jsonl", "detection.md"].map(|name| arguments.out.join(name)))?;
     let work = Work::begin("dataset");
@@ -40,7 +42,8 @@ pub(crate) fn run(arguments: &DatasetArguments, memory: Allowance) -> Result<(),
     for (number, scenes) in shards.iter().filter(|(number, _)| mine(*number)) {
         let (shard, lines) = (shard_file(&arguments.out, *number), scene_lines(&arguments.out, *number));
         if !resumption::is_made(&recipe, scenes, &shard, &lines)? {
-            let making = shard::Making { recipe: &recipe, memory, tell: &|within| work.at(done + within, total) };
+            let making =
+                shard::Making { recipe: &recipe, memory, tell: &|within| work.at(done + within, total) };
             shard::make(&making, scenes, &shard, &lines)?;
         }
         done += scenes.len();
@@ -59,7 +62,8 @@ fn scene_lines(out: &Path, number: usize) -> PathBuf {
     out.join(format!("shard-{number:04}.jsonl"))
 }
 
-/// `manifest.jsonl`: a line a sample; `scenes.jsonl`: a line a scene; `detection.md`: errors of all vehicles, found or not.
+/// `manifest.jsonl`: a line a sample; `scenes.jsonl`: a line a scene; `detection.md`: errors of all vehicles,
+/// found or not.
 fn conclude(out: &Path, shards: &[(usize, &[Drawn])]) -> Result<(), Failure> {
     let mut scenes: Vec<Value> = Vec::new();
     for (number, _) in shards {
@@ -76,7 +80,11 @@ fn conclude(out: &Path, shards: &[(usize, &[Drawn])]) -> Result<(), Failure> {
     files::write_with(&out.join("scenes.jsonl"), |s| scenes.iter().try_for_each(|l| writeln!(s, "{l}")))?;
     files::write_file(&out.join("detection.md"), table::detection(&vehicles).as_bytes())?;
     let (samples, asked) = (found.len(), vehicles.len());
-    terminal::line(format!("{samples} samples of {asked} vehicles in {} scenes: {}", scenes.len(), out.display()));
+    terminal::line(format!(
+        "{samples} samples of {asked} vehicles in {} scenes: {}",
+        scenes.len(),
+        out.display()
+    ));
     accuracy::lines(&scenes).into_iter().for_each(terminal::line);
     Ok(())
 }

@@ -1,4 +1,5 @@
-//! `evaluate`: how often a model is right on datasets, by frame and by track, with its spread over vehicles, as a page.
+//! `evaluate`: how often a model is right on datasets, by frame and by track, with its spread over vehicles,
+//! as a page.
 
 use crate::chain::loaded_model::{LoadedModel, of_classifier};
 use crate::chain::loading;

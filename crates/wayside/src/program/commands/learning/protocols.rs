@@ -1,6 +1,6 @@
-//! `protocols`: boosted trees trained with several seeds, and how right they are where they never looked: on scenes of the test
-//! split (S), on vehicles held out in turn (V, folder by folder), and on datasets that never trained (T). Or the paper's network by
-//! the paper's protocol (P).
+//! `protocols`: boosted trees trained with several seeds, and how right they are where they never looked: on
+//! scenes of the test split (S), on vehicles held out in turn (V, folder by folder), and on datasets that
+//! never trained (T). Or the paper's network by the paper's protocol (P).
 
 mod asked;
 mod conditions;
@@ -11,13 +11,15 @@ use crate::chain::loaded_model::{ClassRule, UNKNOWN, of_classifier};
 use crate::host::failure::Failure;
 use crate::host::files;
 use crate::host::progress::Work;
-use crate::program::cli::{LearnerWord, ProtocolsArguments};
+use crate::program::cli::ProtocolsArguments;
 use crate::program::commands::learning::evaluate::{confusion, sightings_of};
 use crate::program::terminal;
+use crate::program::words::LearnerWord;
 use artifact::settings::Class;
 use asked::{HELD_OUT, Kept, Protocol, answers, of_test, of_training, told};
 use classifier::{
-    Logits, Part, ReliabilityBin, Seen, Sightings, TrainedTrees, TreeSettings, likeness, log_softmax, train_trees,
+    Logits, Part, ReliabilityBin, Seen, Sightings, TrainedTrees, TreeSettings, likeness, log_softmax,
+    train_trees,
 };
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -41,8 +43,11 @@ pub(crate) fn run(arguments: &ProtocolsArguments) -> Result<(), Failure> {
 
 fn of_trees(arguments: &ProtocolsArguments) -> Result<String, Failure> {
     let learned = sightings_of(&arguments.datasets)?;
-    let tests: Vec<Sightings> =
-        arguments.test.iter().map(|folder| sightings_of(std::slice::from_ref(folder))).collect::<Result<_, _>>()?;
+    let tests: Vec<Sightings> = arguments
+        .test
+        .iter()
+        .map(|folder| sightings_of(std::slice::from_ref(folder)))
+        .collect::<Result<_, _>>()?;
     let mut protocols = of_training(&learned, &arguments.datasets);
     let named = |folder: &PathBuf| format!("T: {} never seen", folder.display());
     protocols.extend(arguments.test.iter().zip(&tests).map(|(folder, test)| of_test(named(folder), test)));
@@ -51,8 +56,9 @@ fn of_trees(arguments: &ProtocolsArguments) -> Result<String, Failure> {
     for seed in 1..=arguments.seeds {
         let before = (seed - 1) as usize;
         let all = arguments.seeds as usize;
-        let one =
-            train_trees(&learned, &TreeSettings::default(), seed, &mut |at, of| work.at(before * of + at, all * of));
+        let one = train_trees(&learned, &TreeSettings::default(), seed, &mut |at, of| {
+            work.at(before * of + at, all * of)
+        });
         trained.push(one.map_err(of_classifier)?);
     }
     drop(work);
@@ -92,14 +98,16 @@ fn page(protocols: &[Protocol<'_>], trained: &[TrainedTrees]) -> String {
     for protocol in protocols {
         if let Some([_, tracks]) = trained.first().and_then(|first| told(protocol, first, |_| true)) {
             let table = confusion(&tracks.evaluation);
-            let _ = write!(page, "\n{}, by track, seed 1, rows true, columns told:\n\n{table}", protocol.name);
+            let _ =
+                write!(page, "\n{}, by track, seed 1, rows true, columns told:\n\n{table}", protocol.name);
         }
     }
     page
 }
 
 fn row(name: &str, array: &str, told: &[[Part; 2]]) -> String {
-    let mean = |value: &dyn Fn(&[Part; 2]) -> f64| 100.0 * told.iter().map(value).sum::<f64>() / told.len() as f64;
+    let mean =
+        |value: &dyn Fn(&[Part; 2]) -> f64| 100.0 * told.iter().map(value).sum::<f64>() / told.len() as f64;
     let right = |at: usize| {
         let of = |one: &[Part; 2]| one[at].by_vehicle.mean_over_classes;
         let middle = mean(&of);
@@ -109,7 +117,13 @@ fn row(name: &str, array: &str, told: &[[Part; 2]]) -> String {
     };
     let error = |at: usize| mean(&|one| one[at].evaluation.calibration.expected_error);
     let vehicles = told[0][0].by_vehicle.vehicles;
-    format!("| {name} | {array} | {vehicles} | {} | {} | {:.1} % | {:.1} % |", right(0), right(1), error(0), error(1))
+    format!(
+        "| {name} | {array} | {vehicles} | {} | {} | {:.1} % | {:.1} % |",
+        right(0),
+        right(1),
+        error(0),
+        error(1)
+    )
 }
 
 /// How often answers of a probability are right, by frame: what a reliability diagram draws.
@@ -121,11 +135,19 @@ fn reliability(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
         let Some([frames, _]) = told(protocol, trained, |_| true) else { continue };
         let bins = &frames.evaluation.calibration.bins[LEAST_BIN..];
         if number == 0 {
-            let ends = bins.iter().map(|bin| format!("{:.1} to {:.1} |", bin.probability[0], bin.probability[1]));
-            let _ = writeln!(table, "| protocol |{}\n|---|{}", ends.collect::<String>(), "---|".repeat(bins.len()));
+            let ends =
+                bins.iter().map(|bin| format!("{:.1} to {:.1} |", bin.probability[0], bin.probability[1]));
+            let _ = writeln!(
+                table,
+                "| protocol |{}\n|---|{}",
+                ends.collect::<String>(),
+                "---|".repeat(bins.len())
+            );
         }
         let of_bin = |bin: &ReliabilityBin| match (bin.confidence, bin.accuracy) {
-            (Some(told), Some(right)) => format!(" {:.0} / {:.0} ({}) |", 100.0 * told, 100.0 * right, bin.samples),
+            (Some(told), Some(right)) => {
+                format!(" {:.0} / {:.0} ({}) |", 100.0 * told, 100.0 * right, bin.samples)
+            }
             _ => " – |".into(),
         };
         let _ = writeln!(table, "| {} |{}", protocol.name, bins.iter().map(of_bin).collect::<String>());
@@ -139,7 +161,8 @@ const LEAST_BIN: usize = 2;
 /// Probabilities from which on a class could be told.
 const THRESHOLDS: [f32; 5] = [0.3, 0.4, 0.5, 0.6, 0.7];
 
-/// What each protocol's tracks are told right, wrong and not at all, by the probability from which on a class is told.
+/// What each protocol's tracks are told right, wrong and not at all, by the probability from which on a class
+/// is told.
 fn by_threshold(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
     let heads: String = THRESHOLDS.iter().map(|least| format!(" from {least} |")).collect();
     let mut table = format!(
@@ -149,7 +172,8 @@ fn by_threshold(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
     );
     for protocol in protocols {
         let answers = answers(protocol, trained, |_| true);
-        let shares: String = THRESHOLDS.iter().map(|least| format!(" {} |", shares(&answers, *least))).collect();
+        let shares: String =
+            THRESHOLDS.iter().map(|least| format!(" {} |", shares(&answers, *least))).collect();
         let _ = writeln!(table, "| {} |{shares}", protocol.name);
     }
     table
@@ -166,7 +190,8 @@ fn shares(answers: &[(&Seen, Logits)], least: f32) -> String {
     counts.map(|share| format!("{share:.0}")).join(" / ")
 }
 
-/// How often a protocol's vehicles are told right, by what their sightings were like; nothing of folders that do not tell.
+/// How often a protocol's vehicles are told right, by what their sightings were like; nothing of folders that
+/// do not tell.
 fn by_condition(protocol: &Protocol<'_>, folders: &[PathBuf], trained: &TrainedTrees) -> String {
     let known = conditions::conditions(folders);
     let mut of: BTreeMap<(usize, &str, &conditions::Bin), Protocol<'_>> = BTreeMap::new();
@@ -184,7 +209,11 @@ fn by_condition(protocol: &Protocol<'_>, folders: &[PathBuf], trained: &TrainedT
         let Some(parts) = told(protocol, trained, |_| true) else { continue };
         let [frames, tracks] = parts.map(|part| part.by_vehicle);
         let [right, by_track] = [&frames, &tracks].map(|told| 100.0 * told.mean_over_classes);
-        let _ = writeln!(table, "| {condition} | {value} | {} | {right:.1} % | {by_track:.1} % |", frames.answers);
+        let _ = writeln!(
+            table,
+            "| {condition} | {value} | {} | {right:.1} % | {by_track:.1} % |",
+            frames.answers
+        );
     }
     if of.is_empty() { String::new() } else { table }
 }
@@ -202,7 +231,8 @@ fn likenesses(folder: &Path, learned: &Sightings, test: &Sightings) -> String {
     );
     for (number, class) in Class::ALL.iter().enumerate() {
         let area = |feature: &&str| likeness(feature, number, &learned, &test);
-        let told = COMPARED.iter().map(|feature| area(feature).map_or("–".into(), |area| format!("{area:.2}")));
+        let told =
+            COMPARED.iter().map(|feature| area(feature).map_or("–".into(), |area| format!("{area:.2}")));
         let _ = writeln!(table, "| {} | {} |", class.name(), told.collect::<Vec<String>>().join(" | "));
     }
     table

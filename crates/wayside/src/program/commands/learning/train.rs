@@ -1,7 +1,8 @@
 //! `train`: a dataset to a model with its curves and its evaluation.
 //!
-//! Trees learn here. The program that trains the paper's network, `classifier-training`, stands on a learning library that is most of a first build; so it is built when it
-//! is asked for, and runs as a process of its own.
+//! Trees learn here. The program that trains the paper's network, `classifier-training`, stands on a learning
+//! library that is most of a first build; so it is built when it is asked for, and runs as a process of its
+//! own.
 
 mod trees;
 
@@ -11,8 +12,9 @@ use crate::host::failure::Failure;
 use crate::host::files;
 use crate::host::places;
 use crate::host::progress::Work;
-use crate::program::cli::{LearnerWord, TrainArguments};
+use crate::program::cli::TrainArguments;
 use crate::program::terminal;
+use crate::program::words::LearnerWord;
 use serde_json::Value;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
@@ -22,7 +24,8 @@ use std::process::{Child, Command, Stdio};
 pub const PROGRAM: &str = "classifier-training";
 
 pub(crate) fn run(arguments: &TrainArguments) -> Result<(), Failure> {
-    let datasets: Vec<Vec<PathBuf>> = arguments.datasets.iter().map(|folder| loading::shards(folder)).collect();
+    let datasets: Vec<Vec<PathBuf>> =
+        arguments.datasets.iter().map(|folder| loading::shards(folder)).collect();
     for (folder, shards) in arguments.datasets.iter().zip(&datasets) {
         if classifier::format_of(shards).map_err(of_classifier)?.is_none() {
             return Err(Failure::System(format!("{}: no shards of a dataset here", folder.display())));
@@ -51,8 +54,8 @@ pub(super) fn ran(mut command: Command, shards: &[PathBuf], work: &Work) -> Resu
     heard(child.map_err(|e| Failure::System(format!("{PROGRAM}: cannot be run: {e}")))?, work)
 }
 
-/// Where it is built: what it stands on has other features than what the main job stands on, and neither undoes
-/// the other's work.
+/// Where it is built: what it stands on has other features than what the main job stands on, and neither
+/// undoes the other's work.
 pub fn target_folder(project: &Path) -> PathBuf {
     project.join("target/training")
 }
@@ -64,7 +67,15 @@ pub(super) fn built() -> Result<PathBuf, Failure> {
         Failure::System(format!("{PROGRAM}: {rule}"))
     })?;
     let _under_way = Work::begin("building the program that trains (minutes the first time)");
-    let words = ["build", "--release", "--quiet", "--package", PROGRAM, "--message-format", "json-render-diagnostics"];
+    let words = [
+        "build",
+        "--release",
+        "--quiet",
+        "--package",
+        PROGRAM,
+        "--message-format",
+        "json-render-diagnostics",
+    ];
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let ended = Command::new(cargo)
         .args(words)
@@ -81,7 +92,8 @@ pub(super) fn built() -> Result<PathBuf, Failure> {
     };
     let output = ended.map_err(|e| unbuilt(format!("cargo cannot be run: {e}")))?;
     let messages = output.stdout.split(|byte| *byte == b'\n');
-    let program = messages.filter_map(|message| program_of(&serde_json::from_slice(message).ok()?)).next_back();
+    let program =
+        messages.filter_map(|message| program_of(&serde_json::from_slice(message).ok()?)).next_back();
     program
         .filter(|_| output.status.success())
         .ok_or_else(|| unbuilt(format!("its build ended with {}", output.status)))
@@ -96,7 +108,12 @@ fn program_of(message: &Value) -> Option<PathBuf> {
 /// Tells what the program says until it ends.
 fn heard(mut child: Child, work: &Work) -> Result<Value, Failure> {
     let (mut ended_badly, mut answer) = (None, Value::Null);
-    for line in child.stdout.take().into_iter().flat_map(|stdout| BufReader::new(stdout).lines()).map_while(Result::ok)
+    for line in child
+        .stdout
+        .take()
+        .into_iter()
+        .flat_map(|stdout| BufReader::new(stdout).lines())
+        .map_while(Result::ok)
     {
         let said: Value = serde_json::from_str(&line).unwrap_or(Value::Null);
         let text = |key: &str| said[key].as_str().map(str::to_owned);
@@ -107,7 +124,8 @@ fn heard(mut child: Child, work: &Work) -> Result<Value, Failure> {
         if said["metrics"].is_object() {
             answer = said.clone();
         }
-        ended_badly = text("refused").map(Failure::Refused).or(text("system").map(Failure::System)).or(ended_badly);
+        ended_badly =
+            text("refused").map(Failure::Refused).or(text("system").map(Failure::System)).or(ended_badly);
     }
     let status = child.wait().map_err(|e| Failure::System(format!("{PROGRAM}: {e}")))?;
     match ended_badly {

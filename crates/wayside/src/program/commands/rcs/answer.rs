@@ -104,7 +104,8 @@ impl Answer {
         let told = |e: Option<f64>| e.map_or("not estimated".into(), decibels);
         let (nodes, bounces) = (told(self.model_error.nodes), told(self.model_error.bounces));
         let by_order = self.node_spread.iter().enumerate().skip(1);
-        let by_order: Vec<String> = by_order.map(|(i, e)| format!("order {} {}", i + 1, decibels(*e))).collect();
+        let by_order: Vec<String> =
+            by_order.map(|(i, e)| format!("order {} {}", i + 1, decibels(*e))).collect();
         self.verdict(arguments).lines(Asking::Options).into_iter().for_each(terminal::line);
         terminal::line(format!(
             "model: spread of node rules {nodes} ({}), first order left out {bounces}",
@@ -129,7 +130,9 @@ impl Answer {
         let frequency_hz: Vec<f64> = arguments.freq_ghz.values.iter().map(|f| f * 1e9).collect();
         let from_m = far_field_from_m(mesh, &frequency_hz);
         let Some(error) = &self.far_field else {
-            return format!("far field: right from 2D²/λ = {from_m:.0} m on; its error near by was not measured");
+            return format!(
+                "far field: right from 2D²/λ = {from_m:.0} m on; its error near by was not measured"
+            );
         };
         let listed = |digits: usize, of: &mut dyn Iterator<Item = f64>| {
             of.map(|value| format!("{value:.digits$}")).collect::<Vec<_>>().join(", ")
@@ -158,7 +161,8 @@ fn far_field_from_m(mesh: &Mesh, frequency_hz: &[f64]) -> f64 {
 }
 
 fn far_field_error(error: &FarFieldError) -> Value {
-    let complex = |of: fn(&Spread) -> f64| error.complex.iter().map(|s| db_from_amplitude(of(s))).collect::<Vec<_>>();
+    let complex =
+        |of: fn(&Spread) -> f64| error.complex.iter().map(|s| db_from_amplitude(of(s))).collect::<Vec<_>>();
     let level = |of: fn(&Spread) -> f64| error.level_db.iter().map(of).collect::<Vec<_>>();
     json!({
         "range_m": error.range_m,

@@ -1,7 +1,7 @@
 //! Range profiles and inverse synthetic aperture images of a table S(frequency, azimuth).
 //!
-//! A scatterer at x has S ∝ e^{+2jk r̂·x}: the transform over frequency gathers it at its range −r̂·x, and the sum over
-//! azimuths of each profile's value there at its place.
+//! A scatterer at x has S ∝ e^{+2jk r̂·x}: the transform over frequency gathers it at its range −r̂·x, and
+//! the sum over azimuths of each profile's value there at its place.
 
 use crate::program::commands::rcs::sampling::centre;
 use artifact::units::SPEED_OF_LIGHT_MPS;
@@ -27,11 +27,17 @@ pub(super) enum Sum {
 
 /// Cells of an image along each side.
 const SIDE: usize = 240;
-/// Values per range cell, so that linear interpolation errs by less than 2 % of the peak (π²/8·4²·…, Hann's main lobe).
+/// Values per range cell, so that linear interpolation errs by less than 2 % of the peak (π²/8·4²·…, Hann's
+/// main lobe).
 const FINER: usize = 8;
 
-/// (range beyond the origin in m, value) over the unambiguous range about `middle_m`; Hann, peaks keep their level.
-pub(super) fn range_profile(frequency_hz: &[f64], samples: &[Complex64], middle_m: f64) -> Vec<(f64, Complex64)> {
+/// (range beyond the origin in m, value) over the unambiguous range about `middle_m`; Hann, peaks keep their
+/// level.
+pub(super) fn range_profile(
+    frequency_hz: &[f64],
+    samples: &[Complex64],
+    middle_m: f64,
+) -> Vec<(f64, Complex64)> {
     let profile = Profile::of(frequency_hz, samples.iter().copied());
     let count = profile.values.len() as i64;
     let first = (middle_m / profile.cell_m).round() as i64 - count / 2;
@@ -39,8 +45,8 @@ pub(super) fn range_profile(frequency_hz: &[f64], samples: &[Complex64], middle_
     (first..first + count).map(value).collect()
 }
 
-/// Backprojection of all azimuths onto a square of ±`half_width_m`, in which the body lies; coherent where its `width_m` is
-/// sampled once (neighbours differ by λ/(2·width) at most), else power is added.
+/// Backprojection of all azimuths onto a square of ±`half_width_m`, in which the body lies; coherent where
+/// its `width_m` is sampled once (neighbours differ by λ/(2·width) at most), else power is added.
 pub(super) fn image(
     frequency_hz: &[f64],
     azimuth_rad: &[f64],
@@ -134,8 +140,12 @@ mod tests {
     fn an_image_puts_a_scatterer_where_it_is() {
         // 0.02 rad, a cross-range cell of 0.1 m, in steps below λ/(2·3 m) = 6.5e-4.
         let azimuths: Vec<f64> = (0..128).map(|i| 0.3 + 1.6e-4 * f64::from(i)).collect();
-        let image =
-            image(&frequencies(), &azimuths, &scatterer(0.9, -0.7, &frequencies(), &azimuths).view(), [1.5, 3.0]);
+        let image = image(
+            &frequencies(),
+            &azimuths,
+            &scatterer(0.9, -0.7, &frequencies(), &azimuths).view(),
+            [1.5, 3.0],
+        );
         let best = image.power_m2.indexed_iter().max_by(|a, b| a.1.total_cmp(b.1)).unwrap().0;
         let place = |i: usize| 1.5 * (2.0 * (i as f64 + 0.5) / SIDE as f64 - 1.0);
         println!("asked (0.9, −0.7), got ({:.2}, {:.2}), {:?}", place(best.0), place(best.1), image.sum);

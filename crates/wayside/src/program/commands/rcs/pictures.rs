@@ -1,4 +1,5 @@
-//! Pictures of a table: level over azimuth and frequency, range profile, ISAR image, and the facets that make the level.
+//! Pictures of a table: level over azimuth and frequency, range profile, ISAR image, and the facets that make
+//! the level.
 
 use crate::host::failure::Failure;
 use crate::host::files;
@@ -21,8 +22,9 @@ use plotting::svg::Svg;
 use scene::{Painted, PaintedLine, painted_glb};
 use std::path::{Path, PathBuf};
 
-/// Beside `S.npy`: `S-polar.png` and `S-azimuth.png`, `S-frequency.png`, `S-profile.png`, `S-isar.png`, each where the axes
-/// that it needs have more than one value. Cuts are at the first elevation; on which axes they are ambiguous, they say.
+/// Beside `S.npy`: `S-polar.png` and `S-azimuth.png`, `S-frequency.png`, `S-profile.png`, `S-isar.png`, each
+/// where the axes that it needs have more than one value. Cuts are at the first elevation; on which axes they
+/// are ambiguous, they say.
 pub(super) fn write(
     out: &Path,
     mesh: &Mesh,
@@ -47,14 +49,15 @@ pub(super) fn write(
     Ok(())
 }
 
-/// `S-facets.glb`: triangles coloured by the power of the sequences they take part in, at the middle aspect and the first
-/// frequency, and the rays of the strongest sequences as lines.
+/// `S-facets.glb`: triangles coloured by the power of the sequences they take part in, at the middle aspect
+/// and the first frequency, and the rays of the strongest sequences as lines.
 pub(super) fn write_facets(out: &Path, mesh: &Mesh, request: &RcsRequest) -> Result<(), Failure> {
     let aspects = request.elevation_rad.len() * request.azimuth_rad.len();
     let parts = contributions(mesh, request, aspects / 2).map_err(Failure::refused)?;
     let strongest = parts.first().map_or(1.0, |c| c.amplitude_m.norm_sqr());
     let colours = triangle_colours(mesh, &parts, strongest);
-    let lines: Vec<PaintedLine> = parts.iter().take(LINES).map(|c| ray(request, aspects / 2, c, strongest)).collect();
+    let lines: Vec<PaintedLine> =
+        parts.iter().take(LINES).map(|c| ray(request, aspects / 2, c, strongest)).collect();
     let bytes = painted_glb(&Painted { mesh, triangle_colours: &colours, lines: &lines });
     files::write_file(&beside(out, FACETS), &bytes)
 }
@@ -99,7 +102,8 @@ fn few(count: usize) -> Vec<usize> {
 
 fn cuts(request: &RcsRequest, table: &ArrayView3<Complex64>) -> Vec<(String, Vec<[f64; 2]>)> {
     let cut = |f: usize| {
-        let points = request.azimuth_rad.iter().enumerate().map(|(a, az)| [az.to_degrees(), dbsm(&table[[f, 0, a]])]);
+        let points =
+            request.azimuth_rad.iter().enumerate().map(|(a, az)| [az.to_degrees(), dbsm(&table[[f, 0, a]])]);
         (ghz(request.frequency_hz[f]), points.collect())
     };
     few(request.frequency_hz.len()).into_iter().map(cut).collect()
@@ -124,14 +128,20 @@ fn line_plot(title: &str, x_label: &str, y_label: &str, lines: Vec<Line>) -> Lin
 }
 
 fn over_azimuth(request: &RcsRequest, table: &ArrayView3<Complex64>) -> LinePlot {
-    let lines = cuts(request, table).into_iter().map(|(name, points)| Line { name, points, marked: false }).collect();
+    let lines =
+        cuts(request, table).into_iter().map(|(name, points)| Line { name, points, marked: false }).collect();
     line_plot("Radar cross section over azimuth", "azimuth, degrees", "|S|², dBsm", lines)
 }
 
 fn over_frequency(request: &RcsRequest, table: &ArrayView3<Complex64>) -> LinePlot {
     let line = |a: usize| Line {
         name: azimuth_name(request, a),
-        points: request.frequency_hz.iter().enumerate().map(|(f, hz)| [1e-9 * hz, dbsm(&table[[f, 0, a]])]).collect(),
+        points: request
+            .frequency_hz
+            .iter()
+            .enumerate()
+            .map(|(f, hz)| [1e-9 * hz, dbsm(&table[[f, 0, a]])])
+            .collect(),
         marked: false,
     };
     let lines = few(request.azimuth_rad.len()).into_iter().map(line).collect();
@@ -142,7 +152,12 @@ fn azimuth_name(request: &RcsRequest, azimuth: usize) -> String {
     format!("azimuth {:.2}°", request.azimuth_rad[azimuth].to_degrees()).replace('-', "−")
 }
 
-fn profile(mesh: &Mesh, request: &RcsRequest, samplings: &Samplings, table: &ArrayView3<Complex64>) -> LinePlot {
+fn profile(
+    mesh: &Mesh,
+    request: &RcsRequest,
+    samplings: &Samplings,
+    table: &ArrayView3<Complex64>,
+) -> LinePlot {
     let line = |a: usize| {
         let samples: Vec<Complex64> = table.slice(s![.., 0, a]).to_vec();
         let middle_m = middle_m(mesh, request, request.azimuth_rad[a]);
@@ -164,7 +179,10 @@ fn ambiguous(warnings: &[String]) -> &'static str {
 
 fn capital(sentence: String) -> String {
     let mut letters = sentence.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().collect::<String>() + letters.as_str()) + "."
+    letters
+        .next()
+        .map_or_else(String::new, |first| first.to_uppercase().collect::<String>() + letters.as_str())
+        + "."
 }
 
 /// The image with the mesh's outline.
@@ -181,7 +199,9 @@ fn image(
     let levels_db: Array2<f64> = image.power_m2.slice(s![.., ..;-1]).mapv(db_from_power);
     let how = match image.sum {
         Sum::Coherent => "Azimuths added with their phases.",
-        Sum::Incoherent => "Azimuths too coarse for phases: profiles added in power, so that cross-range is blurred.",
+        Sum::Incoherent => {
+            "Azimuths too coarse for phases: profiles added in power, so that cross-range is blurred."
+        }
     };
     let warnings = samplings.warnings();
     let mark = ambiguous(&warnings);
@@ -201,7 +221,8 @@ fn image(
     map.draw_square().map_err(Failure::refused)
 }
 
-/// Each triangle by the power of the sequences it takes part in over its own area, so that large and small ones compare.
+/// Each triangle by the power of the sequences it takes part in over its own area, so that large and small
+/// ones compare.
 fn triangle_colours(mesh: &Mesh, parts: &[Contribution], strongest: f64) -> Vec<[u8; 3]> {
     let mut power = vec![0.0; mesh.triangles.len()];
     for part in parts {
@@ -216,10 +237,12 @@ fn ray(request: &RcsRequest, aspect: usize, part: &Contribution, strongest: f64)
     let (elevation_rad, azimuth_rad) =
         (request.elevation_rad[aspect / azimuths], request.azimuth_rad[aspect % azimuths]);
     let transmitter = Standpoint { azimuth_rad, elevation_rad, range_m: request.range_m };
-    let [direction, back] = [transmitter, request.receiver.unwrap_or(transmitter)].map(|s| s.direction().to_array());
+    let [direction, back] =
+        [transmitter, request.receiver.unwrap_or(transmitter)].map(|s| s.direction().to_array());
     let out = |from: &[f64; 3], along: [f64; 3]| [0, 1, 2].map(|i| from[i] + RAY_M * along[i]);
     let points: Vec<[f64; 3]> = part.points_m.iter().map(|p| p.to_array()).collect();
-    let ends = points.first().zip(points.last()).map(|(first, last)| [out(first, direction), out(last, back)]);
+    let ends =
+        points.first().zip(points.last()).map(|(first, last)| [out(first, direction), out(last, back)]);
     let points_m = ends.map_or(vec![], |[start, end]| [vec![start], points.clone(), vec![end]].concat());
     PaintedLine { points_m, colour: colour(part.amplitude_m.norm_sqr(), strongest) }
 }

@@ -1,7 +1,7 @@
 //! How many frequencies and azimuths a range profile and an image need, so that they show a body once.
 //!
-//! Frequencies Δf apart repeat every c/2Δf in range, azimuths Δφ apart every λ/2Δφ across it: a body that is longer or wider
-//! lies upon itself.
+//! Frequencies Δf apart repeat every c/2Δf in range, azimuths Δφ apart every λ/2Δφ across it: a body that is
+//! longer or wider lies upon itself.
 
 use artifact::scene::Mesh;
 use artifact::units::SPEED_OF_LIGHT_MPS;
@@ -62,7 +62,8 @@ impl Samplings {
     /// A sentence for each axis on which the body lies upon itself.
     pub(super) fn warnings(&self) -> Vec<String> {
         let range = self.range.filter(Sampling::is_ambiguous).map(|s| s.warning("range", "frequencies"));
-        let cross = self.cross_range.filter(Sampling::is_ambiguous).map(|s| s.warning("cross-range", "azimuths"));
+        let cross =
+            self.cross_range.filter(Sampling::is_ambiguous).map(|s| s.warning("cross-range", "azimuths"));
         range.into_iter().chain(cross).collect()
     }
 }
@@ -140,7 +141,8 @@ mod tests {
 
     #[test]
     fn as_many_frequencies_and_azimuths_are_asked_for_as_show_the_body_once() {
-        // c/2B of 1 GHz is 0.1499 m: 4 m are 26.7 of them, 28 frequencies; λ/2Δφ of 0.01 rad at 77 GHz is 0.195 m.
+        // c/2B of 1 GHz is 0.1499 m: 4 m are 26.7 of them, 28 frequencies; λ/2Δφ of 0.01 rad at 77 GHz is
+        // 0.195 m.
         let frequencies: Vec<f64> = (0..9).map(|i| 76.5e9 + 1e9 * f64::from(i) / 8.0).collect();
         let samplings = Samplings::of(&body(), &request_of(&frequencies, &[0.0, 0.005, 0.01]));
         let (range, cross) = (samplings.range.unwrap(), samplings.cross_range.unwrap());

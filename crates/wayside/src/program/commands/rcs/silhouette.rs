@@ -7,8 +7,8 @@ use plotting::raster::{self, Pixels};
 /// Pixels along each side.
 const SIDE: usize = 480;
 
-/// The rim of what the mesh covers of a square of ±`half_width_m` about the origin, front up and left on the left: white, the
-/// rest transparent.
+/// The rim of what the mesh covers of a square of ±`half_width_m` about the origin, front up and left on the
+/// left: white, the rest transparent.
 pub(super) fn png(mesh: &Mesh, half_width_m: f64) -> Result<Vec<u8>, Failure> {
     let covered = covered(mesh, half_width_m);
     let is_covered = |x: i64, y: i64| {
@@ -45,11 +45,15 @@ fn covered(mesh: &Mesh, half_width_m: f64) -> Vec<bool> {
 }
 
 fn fill(covered: &mut [bool], corners: [[f64; 2]; 3]) {
-    let bound = |axis: usize, pick: fn(f64, f64) -> f64, start: f64| corners.iter().map(|c| c[axis]).fold(start, pick);
+    let bound = |axis: usize, pick: fn(f64, f64) -> f64, start: f64| {
+        corners.iter().map(|c| c[axis]).fold(start, pick)
+    };
     let rows = |v: f64| v.clamp(0.0, SIDE as f64) as usize;
     let [x0, y0] = [0, 1].map(|axis| rows(bound(axis, f64::min, f64::INFINITY)));
     let [x1, y1] = [0, 1].map(|axis| rows(bound(axis, f64::max, f64::NEG_INFINITY)));
-    let side = |[ax, ay]: [f64; 2], [bx, by]: [f64; 2], [x, y]: [f64; 2]| (bx - ax) * (y - ay) - (by - ay) * (x - ax);
+    let side = |[ax, ay]: [f64; 2], [bx, by]: [f64; 2], [x, y]: [f64; 2]| {
+        (bx - ax) * (y - ay) - (by - ay) * (x - ax)
+    };
     for y in y0..y1 {
         for x in x0..x1 {
             let at = [x as f64 + 0.5, y as f64 + 0.5];

@@ -32,7 +32,8 @@ pub(crate) fn npy(reader: Reader<Cube>, out: &Path) -> Result<(), Failure> {
 
 fn axes(header: &CubeHeader, frame_times_s: &[f64]) -> Value {
     let waveform = &header.radar.waveform;
-    let sample_times: Vec<f64> = (0..waveform.samples).map(|n| f64::from(n) / waveform.sample_rate_hz).collect();
+    let sample_times: Vec<f64> =
+        (0..waveform.samples).map(|n| f64::from(n) / waveform.sample_rate_hz).collect();
     json!({
         "shape": ["frame", "channel", "chirp", "sample"],
         "unit": "sqrt(W)",
@@ -47,7 +48,8 @@ fn axes(header: &CubeHeader, frame_times_s: &[f64]) -> Value {
     })
 }
 
-/// Start of each chirp from the record's first sample: `[chirp]`, with tdm `[tx][chirp]`, with bpm `[slot][chirp]`; with sub-frames a list of these.
+/// Start of each chirp from the record's first sample: `[chirp]`, with tdm `[tx][chirp]`, with bpm
+/// `[slot][chirp]`; with sub-frames a list of these.
 fn chirp_times(header: &CubeHeader) -> Value {
     match header.radar.schedule.sub_frames() {
         1 => times_of(&header.radar),
@@ -81,7 +83,8 @@ fn receivers(header: &CubeHeader) -> impl Iterator<Item = Value> {
 /// Transmit–receive pairs, channel = tx·N_rx + rx, with bpm codes of no transmitter behind them.
 pub(crate) fn map_channels(header: &CubeHeader) -> Value {
     let array = &header.radar.array;
-    let pairs = array.tx_m.iter().flat_map(|tx| array.rx_m.iter().map(move |rx| json!({ "tx_m": tx, "rx_m": rx })));
+    let pairs =
+        array.tx_m.iter().flat_map(|tx| array.rx_m.iter().map(move |rx| json!({ "tx_m": tx, "rx_m": rx })));
     let idle_codes = match array.multiplexing {
         Multiplexing::Bpm => header.radar.slots() - array.tx_m.len(),
         Multiplexing::Simultaneous | Multiplexing::Tdm | Multiplexing::Ddm => 0,

@@ -19,7 +19,8 @@ pub(crate) fn npy(file: &Path, out: &Path) -> Result<(), Failure> {
     let mut failed = None;
     let written = NpyStream::write::<u8>(out, &[reader.frames() as usize, side, side], |stream| {
         for sample in reader {
-            match sample.map_err(Failure::from).and_then(|sample| Ok((label(&sample), image(file, sample)?))) {
+            match sample.map_err(Failure::from).and_then(|sample| Ok((label(&sample), image(file, sample)?)))
+            {
                 Ok((label, crop)) => {
                     labels.push(label);
                     stream.append(&crop.pixels)?;
@@ -33,14 +34,21 @@ pub(crate) fn npy(file: &Path, out: &Path) -> Result<(), Failure> {
         Ok(())
     });
     failed.map_or(written, Err)?;
-    sidecar::write(out, &json!({ "shape": ["sample", "velocity", "range"], "format": format, "samples": labels }))
+    sidecar::write(
+        out,
+        &json!({ "shape": ["sample", "velocity", "range"], "format": format, "samples": labels }),
+    )
 }
 
 /// The features of every sample's signature, a row each.
 pub(crate) fn csv(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
     let mut failed = None;
     let written = crate::host::files::write_with(out, |stream| {
-        writeln!(stream, "id,class,model,variant,scene,target,frame,split,{}", classifier::feature_names().join(","))?;
+        writeln!(
+            stream,
+            "id,class,model,variant,scene,target,frame,split,{}",
+            classifier::feature_names().join(",")
+        )?;
         for sample in reader {
             let sample = sample.map_err(|e| fail(&mut failed, e))?;
             writeln!(stream, "{}", row(&sample))?;
@@ -53,7 +61,8 @@ pub(crate) fn csv(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
 fn row(sample: &Sample) -> String {
     let Sample { id, model, variant, scene, target, frame, split, .. } = sample;
     let class = sample.class.map_or("", |class| class.name());
-    let values: Vec<String> = classifier::features(&sample.signature).iter().map(|(_, v)| format!("{v:.6}")).collect();
+    let values: Vec<String> =
+        classifier::features(&sample.signature).iter().map(|(_, v)| format!("{v:.6}")).collect();
     let split = format!("{split:?}").to_lowercase();
     format!("{id},{class},{model},{variant},{scene},{target},{frame},{split},{}", values.join(","))
 }

@@ -1,4 +1,5 @@
-//! Paths as the table of `docs/interface.md`: positions at the frame's first sample, one row per polarization.
+//! Paths as the table of `docs/interface.md`: positions at the frame's first sample, one row per
+//! polarization.
 
 use crate::host::failure::Failure;
 use crate::host::files;
@@ -39,17 +40,21 @@ pub(crate) fn csv(reader: Reader<Paths>, out: &Path) -> Result<(), Failure> {
 fn rows(sink: &mut dyn Write, header: &PathsHeader, frame: u32, path: &Record) -> std::io::Result<()> {
     let target = header.targets.get(path.target as usize).map_or("", String::as_str);
     let (delay_s, rate) = delay_at_middle(header, path);
-    let geometry: Vec<String> = [path.apparent_tx_m, path.apparent_rx_m, path.apparent_tx_mps, path.apparent_rx_mps]
-        .concat()
-        .iter()
-        .map(f64::to_string)
-        .collect();
+    let geometry: Vec<String> =
+        [path.apparent_tx_m, path.apparent_rx_m, path.apparent_tx_mps, path.apparent_rx_mps]
+            .concat()
+            .iter()
+            .map(f64::to_string)
+            .collect();
     let facets: Vec<String> = path.sequence().iter().map(|f| format!("{}:{}", f.body, f.triangle)).collect();
     let (geometry, facets, order, span) = (geometry.join(","), facets.join(" "), path.order, span(path));
     for (name, receive, transmit) in POLARIZATIONS {
         let (a, slope) = (path.amplitude_m[receive][transmit], path.slope_m_per_hz[receive][transmit] * 1e9);
         let amplitude = format!("{},{},{},{}", a.re, a.im, slope.re, slope.im);
-        writeln!(sink, "{frame},{target},{order},{name},{amplitude},{geometry},{delay_s},{rate},{facets},{span}")?;
+        writeln!(
+            sink,
+            "{frame},{target},{order},{name},{amplitude},{geometry},{delay_s},{rate},{facets},{span}"
+        )?;
     }
     Ok(())
 }

@@ -26,7 +26,11 @@ pub(crate) fn csv(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
 }
 
 /// Rows of one frame.
-pub(crate) fn write_csv(sink: &mut dyn Write, frame: &PointsFrame, header: &PointsHeader) -> std::io::Result<()> {
+pub(crate) fn write_csv(
+    sink: &mut dyn Write,
+    frame: &PointsFrame,
+    header: &PointsHeader,
+) -> std::io::Result<()> {
     for p in &frame.points {
         let object = p.object.map_or_else(String::new, |o| o.to_string());
         let of_object = p.object.and_then(|object| frame.objects.get(object as usize));
@@ -38,7 +42,9 @@ pub(crate) fn write_csv(sink: &mut dyn Write, frame: &PointsFrame, header: &Poin
         let (az, el) = (p.azimuth_rad.to_degrees(), p.elevation_rad.to_degrees());
         let (frame, time, range, velocity) = (frame.index, frame.time_s, p.range_m, p.radial_velocity_mps);
         let snr = p.snr_db;
-        let ways = p.two_ways_rad.map_or_else(String::new, |[a, b]| format!("{} {}", a.to_degrees(), b.to_degrees()));
+        let ways = p
+            .two_ways_rad
+            .map_or_else(String::new, |[a, b]| format!("{} {}", a.to_degrees(), b.to_degrees()));
         let bodies = p.label.map_or_else(String::new, |label| label.bodies.to_string());
         let rest = p.stationary.map_or("", |rest| if rest { "yes" } else { "no" });
         writeln!(
@@ -62,8 +68,14 @@ pub(crate) fn pcd(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
     let rows = rows(reader)?;
     let n = rows.len();
     files::write_with(out, |s| {
-        writeln!(s, "VERSION .7\nFIELDS x y z velocity snr frame object\nSIZE 4 4 4 4 4 4 4\nTYPE F F F F F U I")?;
-        writeln!(s, "COUNT 1 1 1 1 1 1 1\nWIDTH {n}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {n}\nDATA ascii")?;
+        writeln!(
+            s,
+            "VERSION .7\nFIELDS x y z velocity snr frame object\nSIZE 4 4 4 4 4 4 4\nTYPE F F F F F U I"
+        )?;
+        writeln!(
+            s,
+            "COUNT 1 1 1 1 1 1 1\nWIDTH {n}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {n}\nDATA ascii"
+        )?;
         rows.iter().try_for_each(|row| writeln!(s, "{row}"))
     })
 }

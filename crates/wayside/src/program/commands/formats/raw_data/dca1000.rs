@@ -1,7 +1,9 @@
-//! The `.bin` of a DCA1000EVM behind a device with two LVDS lanes (xWR16xx, 18xx, 68xx), complex samples, one file.
+//! The `.bin` of a DCA1000EVM behind a device with two LVDS lanes (xWR16xx, 18xx, 68xx), complex samples, one
+//! file.
 //!
-//! Little-endian 16-bit integers, chirp after chirp, receiver after receiver, two samples at a time: I₀ I₁ Q₀ Q₁ (Texas
-//! Instruments, Mmwave Radar Device ADC Raw Data Capture, SWRA581B, section 6.2, lanes not interleaved).
+//! Little-endian 16-bit integers, chirp after chirp, receiver after receiver, two samples at a time: I₀ I₁ Q₀
+//! Q₁ (Texas Instruments, Mmwave Radar Device ADC Raw Data Capture, SWRA581B, section 6.2, lanes not
+//! interleaved).
 
 use crate::host::failure::Failure;
 use crate::host::files;
@@ -17,8 +19,9 @@ use serde_json::{Value, json};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// Writes a cube; the strongest sample takes most of the converter's range, the `.json` beside it says what one step is and
-/// of which samples, by their BLAKE3: whatever else is recorded under this name later has steps of its own.
+/// Writes a cube; the strongest sample takes most of the converter's range, the `.json` beside it says what
+/// one step is and of which samples, by their BLAKE3: whatever else is recorded under this name later has
+/// steps of its own.
 pub(crate) fn write(file: &Path, out: &Path) -> Result<(), Failure> {
     let reader = Reader::<Cube>::open(file)?;
     let header = reader.header().clone();
@@ -46,7 +49,8 @@ pub(crate) fn write(file: &Path, out: &Path) -> Result<(), Failure> {
     sidecar::write(out, &told)
 }
 
-/// Reads frames; a step is `step`, √W, else what the `.json` beside the file says of these very samples, else 1.
+/// Reads frames; a step is `step`, √W, else what the `.json` beside the file says of these very samples, else
+/// 1.
 pub(crate) fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Imported, Failure> {
     let recording = even(file, Recording::of(file, header)?)?;
     let bytes = bounded::read(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
@@ -58,7 +62,8 @@ pub(crate) fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Resul
     let step = Step::of(step, || step_beside(file, &bytes));
     let two = |pair| two(pair, step.sqrt_w());
     let values: Vec<Complex32> = bytes.as_chunks::<8>().0.iter().flat_map(two).collect();
-    let frames = values.chunks_exact(recording.values()).map(|frame| recording.cube_of_slots(frame)).collect();
+    let frames =
+        values.chunks_exact(recording.values()).map(|frame| recording.cube_of_slots(frame)).collect();
     Ok(Imported { frames, step })
 }
 
@@ -141,7 +146,9 @@ mod tests {
         let samples = [1_u8; 32];
         let of = |told: Value| is_of(&told, &samples);
         assert!(of(json!({ HASH: blake3::hash(&samples).to_hex().to_string() })));
-        assert!(!of(json!({ HASH: blake3::hash(&[2]).to_hex().to_string(), "shape": SHAPE, "sizes": [1, 1, 1, 8] })));
+        assert!(!of(
+            json!({ HASH: blake3::hash(&[2]).to_hex().to_string(), "shape": SHAPE, "sizes": [1, 1, 1, 8] })
+        ));
         assert!(of(json!({ "shape": SHAPE, "sizes": [1, 2, 2, 2] })), "of an earlier version");
         assert!(!of(json!({ "shape": SHAPE, "sizes": [1, 2, 2, 3] })));
         assert!(!of(json!({ "shape": ["frame", "channel", "chirp", "sample"], "sizes": [1, 2, 2, 2] })));

@@ -1,5 +1,5 @@
-//! NumPy's `.npy` of complex64 (NumPy Enhancement Proposal 1), its head checked before it is believed: the values that it tells of
-//! have to be there.
+//! NumPy's `.npy` of complex64 (NumPy Enhancement Proposal 1), its head checked before it is believed: the
+//! values that it tells of have to be there.
 
 use ndarray::{Array4, ShapeBuilder};
 use num_complex::Complex32;
@@ -12,7 +12,8 @@ const COMPLEX64: &str = "<c8";
 /// The values of an array of four axes, row- or column-major.
 ///
 /// # Errors
-/// A head that is cut off, tells of another type or number of axes, or of none or of other than the values that stand behind it.
+/// A head that is cut off, tells of another type or number of axes, or of none or of other than the values
+/// that stand behind it.
 pub(crate) fn complex_values(bytes: &[u8]) -> Result<Array4<Complex32>, String> {
     let (head, values) = head_and_values(bytes).ok_or("it ends within its head")?;
     let head = String::from_utf8_lossy(head);
@@ -50,7 +51,8 @@ fn quoted(text: &str) -> Option<&str> {
     Some(text.strip_prefix('\'')?.split_once('\'')?.0)
 }
 
-/// Magic, version, length of the head in two bytes or, from version 2 on, four, the head (NumPy Enhancement Proposal 1).
+/// Magic, version, length of the head in two bytes or, from version 2 on, four, the head (NumPy Enhancement
+/// Proposal 1).
 fn head_and_values(bytes: &[u8]) -> Option<(&[u8], &[u8])> {
     let behind = bytes.strip_prefix(b"\x93NUMPY")?;
     let ([major, _], behind) = behind.split_first_chunk::<2>()?;
@@ -79,15 +81,22 @@ mod tests {
 
     fn file(shape: &str, values: usize) -> Vec<u8> {
         let head = format!("{{'descr': '<c8', 'fortran_order': False, 'shape': {shape}, }}\n");
-        [&b"\x93NUMPY\x01\0"[..], &(head.len() as u16).to_le_bytes(), head.as_bytes(), &vec![0; 8 * values]].concat()
+        [&b"\x93NUMPY\x01\0"[..], &(head.len() as u16).to_le_bytes(), head.as_bytes(), &vec![0; 8 * values]]
+            .concat()
     }
 
     #[test]
     fn a_head_is_believed_as_far_as_there_are_values() {
         assert_eq!(complex_values(&file("(2, 3, 1, 1)", 6)).unwrap().dim(), (2, 3, 1, 1));
-        for shape in
-            ["(2, 4)", "(2, 3)", "(0, 6)", "(-1, 6)", "(4294967296, 4294967296, 4294967296)", "2, 3", "(1.0, 6)"]
-        {
+        for shape in [
+            "(2, 4)",
+            "(2, 3)",
+            "(0, 6)",
+            "(-1, 6)",
+            "(4294967296, 4294967296, 4294967296)",
+            "2, 3",
+            "(1.0, 6)",
+        ] {
             assert!(complex_values(&file(shape, 6)).is_err(), "{shape}");
         }
         let long = [&b"\x93NUMPY\x02\0"[..], &u32::MAX.to_le_bytes(), b"{}"].concat();

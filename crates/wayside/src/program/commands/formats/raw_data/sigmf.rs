@@ -1,4 +1,5 @@
-//! SigMF recordings (sigmf.org, version 1.0): `.sigmf-data`, receivers interleaved, and `.sigmf-meta` beside it.
+//! SigMF recordings (sigmf.org, version 1.0): `.sigmf-data`, receivers interleaved, and `.sigmf-meta` beside
+//! it.
 
 use crate::host::failure::Failure;
 use crate::host::files;
@@ -26,7 +27,8 @@ pub(crate) fn write(file: &Path, out: &Path) -> Result<(), Failure> {
             let frame = frame.map_err(|e| fail(&mut failed, e))?;
             times.push(frame.time_s);
             let values = recording.interleaved(&recording.by_slot(&frame.samples));
-            let bytes: Vec<u8> = values.iter().flat_map(|x| [x.re, x.im]).flat_map(f32::to_le_bytes).collect();
+            let bytes: Vec<u8> =
+                values.iter().flat_map(|x| [x.re, x.im]).flat_map(f32::to_le_bytes).collect();
             stream.write_all(&bytes)
         })
     });
@@ -43,7 +45,10 @@ pub(crate) fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Resul
     let told: Value = serde_json::from_str(&text).map_err(|e| refused(&meta, e.to_string()))?;
     let channels = told["global"]["core:num_channels"].as_u64().unwrap_or(1);
     if channels != recording.receivers as u64 {
-        let text = format!("core:num_channels is {channels}, the scene's radar has {} receivers", recording.receivers);
+        let text = format!(
+            "core:num_channels is {channels}, the scene's radar has {} receivers",
+            recording.receivers
+        );
         return Err(refused(&meta, text));
     }
     let bytes = bounded::read(&data, LIMIT_BYTES).map_err(|fault| Failure::unread(&data, &fault))?;

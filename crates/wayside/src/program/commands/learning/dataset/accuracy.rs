@@ -8,7 +8,8 @@ use std::collections::BTreeMap;
 pub(super) fn lines(scenes: &[Value]) -> Vec<String> {
     let is_measured = |scene: &&Value| scene["measured_in"] == scene["scene"];
     let first = |scene: &Value| scene["frames"][0]["accuracy"].clone();
-    let told: Vec<Value> = scenes.iter().filter(is_measured).map(first).filter(|t| t["met"].is_boolean()).collect();
+    let told: Vec<Value> =
+        scenes.iter().filter(is_measured).map(first).filter(|t| t["met"].is_boolean()).collect();
     let reached_db = |told: &Value| told["reached_db"].as_f64().unwrap_or(f64::NEG_INFINITY);
     let Some(worst) = told.iter().max_by(|a, b| reached_db(a).total_cmp(&reached_db(b))) else {
         return vec!["numerical errors were not estimated".into()];

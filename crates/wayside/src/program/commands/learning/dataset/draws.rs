@@ -46,7 +46,8 @@ pub(super) struct Drive {
     pub(super) speed_mps: f64,
 }
 
-/// What scenes have in common whose errors are alike: the base scene and the class of a lone vehicle, `None` of several.
+/// What scenes have in common whose errors are alike: the base scene and the class of a lone vehicle, `None`
+/// of several.
 pub(super) type Kind = (usize, Option<Class>);
 
 impl Drawn {
@@ -82,7 +83,8 @@ fn draw_one(recipe: &Recipe, number: u64, class: Class, model: usize) -> Drawn {
     let [least, most] = asked.vehicles_per_scene;
     let count = random.random_range(least..=most);
     let queues = random.random::<f64>() < asked.queue_share;
-    let rolling_mps = if random.random::<f64>() < STANDING_SHARE { 0.0 } else { ROLLING_MPS * random.random::<f64>() };
+    let rolling_mps =
+        if random.random::<f64>() < STANDING_SHARE { 0.0 } else { ROLLING_MPS * random.random::<f64>() };
     let mut vehicles = vec![vehicle(recipe, number, 0, (class, model, variant))];
     for target in 1..u64::from(count) {
         let drawn = any_model(recipe, &mut random);
@@ -114,11 +116,17 @@ fn any_model(recipe: &Recipe, random: &mut ChaCha8Rng) -> (Class, usize, u64) {
     let number = random.random_range(0..recipe.models.len());
     let variant = random.random_range(0..recipe.asked.vehicle_seeds);
     let share: f64 = random.random();
-    let (class, models) = recipe.models.iter().nth(number).map_or((Class::Car, 0), |(class, of)| (*class, of.len()));
+    let (class, models) =
+        recipe.models.iter().nth(number).map_or((Class::Car, 0), |(class, of)| (*class, of.len()));
     (class, (share * models as f64) as usize, variant)
 }
 
-fn vehicle(recipe: &Recipe, number: u64, target: u64, (class, model, variant): (Class, usize, u64)) -> Vehicle {
+fn vehicle(
+    recipe: &Recipe,
+    number: u64,
+    target: u64,
+    (class, model, variant): (Class, usize, u64),
+) -> Vehicle {
     let mut random = stream(recipe, "dataset/pose", &[number, target]);
     let [yaw, offset] = std::array::from_fn(|_| random.random());
     Vehicle {

@@ -1,4 +1,5 @@
-//! What a dataset tells in words of JSON: a line a scene beside each shard, from which a line a sample is made.
+//! What a dataset tells in words of JSON: a line a scene beside each shard, from which a line a sample is
+//! made.
 
 use crate::evaluation::truth::Truth;
 use crate::outcome::verdict::{Asking, Verdict};
@@ -86,8 +87,11 @@ fn vehicle(id: &str, target: usize, told: &Told, truth: &Truth, object: Option<&
 
 /// Every vehicle of every frame of such lines, with what its scene tells of all.
 pub(super) fn vehicles(scenes: &[Value]) -> Vec<Value> {
-    let frames = scenes.iter().flat_map(|scene| list(&scene["frames"]).iter().map(move |frame| (scene, frame)));
-    frames.flat_map(|(scene, frame)| list(&frame["vehicles"]).iter().map(move |v| joined(scene, frame, v))).collect()
+    let frames =
+        scenes.iter().flat_map(|scene| list(&scene["frames"]).iter().map(move |frame| (scene, frame)));
+    frames
+        .flat_map(|(scene, frame)| list(&frame["vehicles"]).iter().map(move |v| joined(scene, frame, v)))
+        .collect()
 }
 
 /// Whether such a vehicle was found, and is a sample.

@@ -1,4 +1,5 @@
-//! `[models]` of a recipe: the project's own vehicles, mesh files, folders of them, and a folder whose manifest tells classes.
+//! `[models]` of a recipe: the project's own vehicles, mesh files, folders of them, and a folder whose
+//! manifest tells classes.
 
 use crate::chain::loading;
 use crate::host::failure::Failure;
@@ -82,7 +83,8 @@ pub(super) fn read(
     }
     check(&all, choice).map_err(refused)?;
     let mut models: BTreeMap<Class, Vec<Model>> = BTreeMap::new();
-    for (class, (name, file)) in all.into_iter().flat_map(|(class, of)| of.into_iter().map(move |named| (class, named)))
+    for (class, (name, file)) in
+        all.into_iter().flat_map(|(class, of)| of.into_iter().map(move |named| (class, named)))
     {
         models.entry(class).or_default().push(model(name, file, files)?);
     }
@@ -119,7 +121,9 @@ fn manifest_of(file: &Path) -> Result<Manifest, Failure> {
     let manifest: Manifest = toml::from_str(&text).map_err(|e| refused(e.to_string()))?;
     let is_plain = |name: &str| Path::new(name).file_name().is_some_and(|own| own == name);
     match manifest.vehicle.iter().find(|entry| !is_plain(&entry.name)) {
-        Some(entry) => Err(refused(format!("vehicle: name `{}` is no name of a file in this folder", entry.name))),
+        Some(entry) => {
+            Err(refused(format!("vehicle: name `{}` is no name of a file in this folder", entry.name)))
+        }
         None => Ok(manifest),
     }
 }
@@ -131,7 +135,9 @@ fn named(class: Class, written: &str, folder: &Path) -> Result<Vec<Named>, Strin
     match vehicles::class_of(written) {
         Some(own) if own == class => return Ok(vec![(written.to_owned(), None)]),
         Some(own) => return Err(format!("{key}: `{written}` is a {}", own.name())),
-        None if path.is_dir() => return glb_files(&path).map_err(|rule| format!("{key}: `{written}`: {rule}")),
+        None if path.is_dir() => {
+            return glb_files(&path).map_err(|rule| format!("{key}: `{written}`: {rule}"));
+        }
         None => {}
     }
     match Format::of(&path) {

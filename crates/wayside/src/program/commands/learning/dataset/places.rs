@@ -80,9 +80,13 @@ mod tests {
     #[test]
     fn vehicles_of_a_lane_are_clear_from_one_and_a_half_metres_on() {
         let first = car([2.0, 30.0], 0.0);
-        assert!(car([2.0, 35.5], 0.0).is_clear_of(&first, 0.0) && !car([2.0, 35.4], 0.0).is_clear_of(&first, 0.0));
+        assert!(
+            car([2.0, 35.5], 0.0).is_clear_of(&first, 0.0) && !car([2.0, 35.4], 0.0).is_clear_of(&first, 0.0)
+        );
         assert!(car([2.0, 24.5], 0.0).is_clear_of(&first, 0.0), "before it as behind it");
-        assert!(car([4.3, 30.0], 0.0).is_clear_of(&first, 0.0) && !car([4.2, 30.0], 0.0).is_clear_of(&first, 0.0));
+        assert!(
+            car([4.3, 30.0], 0.0).is_clear_of(&first, 0.0) && !car([4.2, 30.0], 0.0).is_clear_of(&first, 0.0)
+        );
     }
 
     #[test]

@@ -44,13 +44,16 @@ impl Recipe {
         Ok(Self { inputs: loading::hashed(&files)?, asked, bases, models, seed, text })
     }
 
-    /// Whether a recipe of that text, read from those inputs, draws the same scenes; how many of them is left open, as more
-    /// scenes leave the first ones as they are.
+    /// Whether a recipe of that text, read from those inputs, draws the same scenes; how many of them is left
+    /// open, as more scenes leave the first ones as they are.
     pub(super) fn draws_as(&self, text: &str, inputs: &[(String, String)]) -> bool {
-        let open = |text: &str| toml::from_str::<Document>(text).map(|known| Document { scenes_per_class: 0, ..known });
+        let open = |text: &str| {
+            toml::from_str::<Document>(text).map(|known| Document { scenes_per_class: 0, ..known })
+        };
         let is_same = matches!((open(text), open(&self.text)), (Ok(its), Ok(own)) if its == own);
-        let hashes =
-            |inputs: &[(String, String)]| inputs.iter().skip(1).map(|(_, hash)| hash.clone()).collect::<Vec<_>>();
+        let hashes = |inputs: &[(String, String)]| {
+            inputs.iter().skip(1).map(|(_, hash)| hash.clone()).collect::<Vec<_>>()
+        };
         is_same && hashes(inputs) == hashes(&self.inputs)
     }
 }

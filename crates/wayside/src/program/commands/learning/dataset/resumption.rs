@@ -10,9 +10,14 @@ use artifact::{ArtifactError, Reader};
 use serde_json::Value;
 use std::path::Path;
 
-/// Whether a shard need not be made; a damaged one is named and made anew. Refused where the folder is another recipe's: what
-/// two recipes make is no dataset.
-pub(super) fn is_made(recipe: &Recipe, scenes: &[Drawn], shard: &Path, lines: &Path) -> Result<bool, Failure> {
+/// Whether a shard need not be made; a damaged one is named and made anew. Refused where the folder is
+/// another recipe's: what two recipes make is no dataset.
+pub(super) fn is_made(
+    recipe: &Recipe,
+    scenes: &[Drawn],
+    shard: &Path,
+    lines: &Path,
+) -> Result<bool, Failure> {
     if !shard.is_file() {
         return Ok(false);
     }
@@ -29,7 +34,10 @@ pub(super) fn is_made(recipe: &Recipe, scenes: &[Drawn], shard: &Path, lines: &P
     }
     let is_whole = std::fs::read_to_string(lines).is_ok_and(|text| agree(scenes, &samples, &text));
     if !is_whole {
-        progress::note(format!("note: made anew: {}: does not tell of the scenes of its shard", lines.display()));
+        progress::note(format!(
+            "note: made anew: {}: does not tell of the scenes of its shard",
+            lines.display()
+        ));
     }
     Ok(is_whole)
 }
@@ -60,7 +68,8 @@ fn agree(scenes: &[Drawn], samples: &[Sample], text: &str) -> bool {
     let Ok(lines) = lines else { return false };
     let numbers = lines.iter().map(|line| line["scene"].as_u64());
     let vehicles = told::vehicles(&lines);
-    let found = vehicles.iter().filter(|vehicle| told::is_found(vehicle)).map(|vehicle| vehicle["id"].as_str());
+    let found =
+        vehicles.iter().filter(|vehicle| told::is_found(vehicle)).map(|vehicle| vehicle["id"].as_str());
     numbers.eq(scenes.iter().map(|drawn| Some(drawn.number)))
         && found.eq(samples.iter().map(|sample| Some(sample.id.as_str())))
 }

@@ -46,7 +46,10 @@ fn check_counts(asked: &Document) -> Result<(), String> {
         return Err("vehicle_seeds and scenes_per_class must be at least 1".into());
     }
     if asked.scenes_per_class > SCENES_LIMIT {
-        return Err(format!("scenes_per_class must be at most {SCENES_LIMIT}, is {}", asked.scenes_per_class));
+        return Err(format!(
+            "scenes_per_class must be at most {SCENES_LIMIT}, is {}",
+            asked.scenes_per_class
+        ));
     }
     if asked.scenes_per_shard == 0 {
         return Err("scenes_per_shard must be at least 1".into());
@@ -61,7 +64,9 @@ fn check_vehicles(asked: &Document) -> Result<(), String> {
     let [least, most] = asked.vehicles_per_scene;
     if least < 1 || most < least || most > VEHICLES_LIMIT {
         let is = asked.vehicles_per_scene;
-        return Err(format!("vehicles_per_scene must be [least, most], from 1 to {VEHICLES_LIMIT}, is {is:?}"));
+        return Err(format!(
+            "vehicles_per_scene must be [least, most], from 1 to {VEHICLES_LIMIT}, is {is:?}"
+        ));
     }
     match asked.queue_share {
         0.0..=1.0 => Ok(()),
@@ -79,9 +84,9 @@ fn check_base(asked: &Document, Base { name, header }: &Base) -> Result<(), Stri
     }
     let duration_s = header.radar.cycle_duration_s();
     match asked.frame_interval_s {
-        Some(interval_s) if !(duration_s..=1e4).contains(&interval_s) => {
-            Err(format!("frame_interval_s must be from {duration_s} (a frame of {name}) to 10000, is {interval_s}"))
-        }
+        Some(interval_s) if !(duration_s..=1e4).contains(&interval_s) => Err(format!(
+            "frame_interval_s must be from {duration_s} (a frame of {name}) to 10000, is {interval_s}"
+        )),
         _ => Ok(()),
     }
 }

@@ -1,4 +1,5 @@
-//! A shard made whole: the first scene of each kind is measured, the others take its errors over; several scenes at a time.
+//! A shard made whole: the first scene of each kind is measured, the others take its errors over; several
+//! scenes at a time.
 
 use crate::chain::link::Chain;
 use crate::host::failure::Failure;
@@ -35,7 +36,8 @@ pub(super) fn make(making: &Making, scenes: &[Drawn], shard: &Path, lines: &Path
     let work = Work { making, scenes, shard: &name, at_once: at_once(making, scenes, &first)? };
     let done = AtomicUsize::new(0);
     let mut measured = work.shots(&first, &BTreeMap::new(), &done)?;
-    let errors = measured.iter().map(|(place, shot)| (scenes[*place].kind(), shot.measured.clone())).collect();
+    let errors =
+        measured.iter().map(|(place, shot)| (scenes[*place].kind(), shot.measured.clone())).collect();
     let places: Vec<usize> = (0..scenes.len()).collect();
     for places in places.chunks(HELD * work.at_once) {
         let others: Vec<usize> = places.iter().copied().filter(|place| !first.contains(place)).collect();
@@ -65,11 +67,13 @@ fn first_of_kinds(scenes: &[Drawn]) -> Vec<usize> {
     (0..scenes.len()).filter(|place| kinds.insert(scenes[*place].kind())).collect()
 }
 
-/// One a thread, as many as are expected to fit into the memory that they may take if all are as large as the largest measured.
+/// One a thread, as many as are expected to fit into the memory that they may take if all are as large as the
+/// largest measured.
 fn at_once(making: &Making, scenes: &[Drawn], first: &[usize]) -> Result<usize, Failure> {
     let threads = rayon::current_num_threads().min(scenes.len()).max(1);
     let Some(limit_mib) = making.memory.mib().filter(|_| threads > 1) else { return Ok(threads) };
-    let triangles = |staged: &Staged| staged.header.meshes.iter().map(|mesh| mesh.triangles.len()).sum::<usize>();
+    let triangles =
+        |staged: &Staged| staged.header.meshes.iter().map(|mesh| mesh.triangles.len()).sum::<usize>();
     let largest = first.iter().map(|place| stage(making.recipe, &scenes[*place])).max_by_key(triangles);
     let Some(Staged { header, .. }) = largest else { return Ok(1) };
     let chain = Chain::of(&header, None, None, making.memory);
@@ -106,8 +110,8 @@ impl Work<'_> {
     }
 }
 
-/// Each on one of so many threads: threads of the pool would take up a further scene while they wait for a part of one, and hold
-/// more than was allowed.
+/// Each on one of so many threads: threads of the pool would take up a further scene while they wait for a
+/// part of one, and hold more than was allowed.
 fn side_by_side<T: Send>(
     places: &[usize],
     at_once: usize,

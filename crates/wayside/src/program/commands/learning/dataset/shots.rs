@@ -43,7 +43,11 @@ pub(super) struct Surroundings<'a> {
 }
 
 /// Computes one scene.
-pub(super) fn shoot(recipe: &Recipe, drawn: &Drawn, surroundings: &Surroundings<'_>) -> Result<Shot, Failure> {
+pub(super) fn shoot(
+    recipe: &Recipe,
+    drawn: &Drawn,
+    surroundings: &Surroundings<'_>,
+) -> Result<Shot, Failure> {
     let staged = stage(recipe, drawn);
     let chain = Chain::of(&staged.header, None, None, surroundings.memory);
     chain.share_memory(surroundings.at_once);
@@ -76,7 +80,9 @@ fn samples_of(
     let (points, rdm) = (&seen.products.result.points, &seen.products.rdm);
     let signatures = dsp::Signatures::new(&chain.cube_header, rdm).map_err(Failure::refused)?;
     let mut samples = Vec::new();
-    for (target, object) in seen.object_of.iter().enumerate().filter_map(|(t, object)| Some((t, (*object)? as u32))) {
+    for (target, object) in
+        seen.object_of.iter().enumerate().filter_map(|(t, object)| Some((t, (*object)? as u32)))
+    {
         let (told, truth) = (&staged.vehicles[target], &seen.truths[target]);
         samples.push(Sample {
             id: lines::id(drawn.number, target, points.index),
@@ -101,5 +107,7 @@ fn samples_of(
 /// As a detector among its neighbours shows it.
 fn crop(chain: &Chain, seen: &Seen, object: u32) -> Result<Crop, Failure> {
     let cropper = dsp::Cropper::new(&chain.cube_header, &seen.products.rdm, &dsp::PAPER_CROP);
-    cropper.and_then(|cropper| cropper.crop_among(&seen.products.result.points, object)).map_err(Failure::refused)
+    cropper
+        .and_then(|cropper| cropper.crop_among(&seen.products.result.points, object))
+        .map_err(Failure::refused)
 }

@@ -48,7 +48,11 @@ pub(super) fn stage(recipe: &Recipe, drawn: &Drawn) -> Staged {
         // What was measured of a body in one scene is that of its like in another.
         let number = 1 + vehicles.iter().filter(|before| before.class == told.class).count();
         let id = format!("{}-{number}", told.class.name());
-        let kind = TargetKind::Mesh { class: Some(told.class), model: told.model.clone(), mesh: vehicles.len() as u32 };
+        let kind = TargetKind::Mesh {
+            class: Some(told.class),
+            model: told.model.clone(),
+            mesh: vehicles.len() as u32,
+        };
         targets.push(Target { id, role: Role::Target, kind, start: place.pose(&base) });
         meshes.push(mesh);
         vehicles.push(told);
@@ -139,10 +143,14 @@ impl Road<'_> {
     ) -> Option<Placed> {
         let speed_mps = self.drawn.queue_mps.unwrap_or(drive.speed_mps);
         let across_m = self.across_m(drive.lane) + vehicle.offset_m;
-        let at = |along_m: f64| Place::of([across_m, along_m], half_extent_m(mesh), speed_mps, vehicle.yaw_rad);
+        let at =
+            |along_m: f64| Place::of([across_m, along_m], half_extent_m(mesh), speed_mps, vehicle.yaw_rad);
         let mut place = at(self.along_m(across_m, drive.range_m));
-        let last =
-            before.iter().rev().find(|other| other.lane == drive.lane).filter(|_| self.drawn.queue_mps.is_some());
+        let last = before
+            .iter()
+            .rev()
+            .find(|other| other.lane == drive.lane)
+            .filter(|_| self.drawn.queue_mps.is_some());
         if let Some(Placed { place: last, .. }) = last {
             let gap_m = draws::within(QUEUE_GAP_M, random.random());
             place = at(last.at_m[1] + last.half_along_m() + gap_m + place.half_along_m());

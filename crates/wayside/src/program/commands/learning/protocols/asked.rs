@@ -32,11 +32,14 @@ pub(super) fn of_training<'a>(learned: &'a Sightings, folders: &[PathBuf]) -> Ve
         Protocol { name, seen: all.map(|(number, seen)| (seen, Source::Trained(number))).collect() }
     };
     let held_out = |seen: &Seen| seen.split != Split::Test;
-    let mut all =
-        vec![those("S: scenes of the test split".into(), &|seen| !held_out(seen)), those(HELD_OUT.into(), &held_out)];
+    let mut all = vec![
+        those("S: scenes of the test split".into(), &|seen| !held_out(seen)),
+        those(HELD_OUT.into(), &held_out),
+    ];
     let name = |folder: &Path| format!("V: of {}", folder.display());
     if folders.len() > 1 {
-        let one = |(n, folder): (usize, &PathBuf)| those(name(folder), &|seen| held_out(seen) && seen.track.0 == n);
+        let one =
+            |(n, folder): (usize, &PathBuf)| those(name(folder), &|seen| held_out(seen) && seen.track.0 == n);
         all.extend(folders.iter().enumerate().map(one));
     }
     all.retain(|protocol| !protocol.seen.is_empty());
@@ -53,7 +56,11 @@ pub(super) fn told(protocol: &Protocol<'_>, trained: &TrainedTrees, kept: Kept) 
     (!seen.is_empty()).then(|| parts(&seen, &logits, trained.metrics.frame_correlation))
 }
 
-pub(super) fn answers<'a>(protocol: &Protocol<'a>, trained: &TrainedTrees, kept: Kept) -> Vec<(&'a Seen, Logits)> {
+pub(super) fn answers<'a>(
+    protocol: &Protocol<'a>,
+    trained: &TrainedTrees,
+    kept: Kept,
+) -> Vec<(&'a Seen, Logits)> {
     let Weights::Trees(trees) = &trained.weights else { return vec![] };
     let answer = |&(seen, source): &(&'a Seen, Source)| match source {
         Source::Trained(number) => (seen, trained.told[number]),

@@ -1,4 +1,5 @@
-//! What a sighting was like, from the truth beside its shard: signal-to-noise ratio, range, aspect, company, line of sight, radar.
+//! What a sighting was like, from the truth beside its shard: signal-to-noise ratio, range, aspect, company,
+//! line of sight, radar.
 
 use crate::chain::loading;
 use classifier::TrackKey;
@@ -22,7 +23,8 @@ const TILT_DEG: [f64; 2] = [-8.0, -4.0];
 /// Between the vehicle's heading and the way from it to the radar.
 const ASPECT_DEG: [f64; 4] = [20.0, 70.0, 110.0, 160.0];
 
-/// Of every vehicle that was found, as it was in its first frame; nothing of folders without the lines of their scenes.
+/// Of every vehicle that was found, as it was in its first frame; nothing of folders without the lines of
+/// their scenes.
 pub(super) fn conditions(folders: &[PathBuf]) -> BTreeMap<TrackKey, Conditions> {
     let mut all = BTreeMap::new();
     for (number, folder) in folders.iter().enumerate() {
@@ -37,13 +39,16 @@ pub(super) fn conditions(folders: &[PathBuf]) -> BTreeMap<TrackKey, Conditions> 
 
 fn of_scene(dataset: usize, scene: &Value, all: &mut BTreeMap<TrackKey, Conditions>) {
     let Some(number) = scene["scene"].as_u64() else { return };
-    for vehicles in scene["frames"].as_array().into_iter().flatten().flat_map(|frame| frame["vehicles"].as_array()) {
+    for vehicles in
+        scene["frames"].as_array().into_iter().flatten().flat_map(|frame| frame["vehicles"].as_array())
+    {
         let company = vehicles.len();
         for vehicle in vehicles.iter().filter(|vehicle| !vehicle["estimate"].is_null()) {
             let target = vehicle["target"].as_u64().unwrap_or_default() as u32;
             let is_behind = vehicles.iter().any(|other| stands_before(other, vehicle));
             let sight = if is_behind { (1, "behind another".into()) } else { (0, "free".into()) };
-            all.entry((dataset, number, target)).or_insert_with(|| of_vehicle(scene, company, sight, vehicle));
+            all.entry((dataset, number, target))
+                .or_insert_with(|| of_vehicle(scene, company, sight, vehicle));
         }
     }
 }
@@ -112,7 +117,9 @@ mod tests {
     #[test]
     fn a_nearer_vehicle_less_than_a_width_off_the_line_of_sight_stands_before_another() {
         let at = |x: f64, y: f64| json!({"x_m": x, "y_m": y});
-        assert!(stands_before(&at(2.0, 30.0), &at(2.0, 40.0)) && !stands_before(&at(2.0, 40.0), &at(2.0, 30.0)));
+        assert!(
+            stands_before(&at(2.0, 30.0), &at(2.0, 40.0)) && !stands_before(&at(2.0, 40.0), &at(2.0, 30.0))
+        );
         assert!(!stands_before(&at(5.75, 30.0), &at(2.0, 40.0)), "in the next lane");
         assert!(!stands_before(&at(-2.0, -30.0), &at(2.0, 40.0)), "on the radar's other side");
         let itself = at(2.0, 30.0);

@@ -18,8 +18,8 @@ const SEED: u64 = 1;
 /// What a part keeps.
 type Keeps = fn(&Seen, f64) -> bool;
 
-/// One table over scenes and one over vehicles; each row but that of the `whole` trains anew. `tests` are names and what never
-/// trains.
+/// One table over scenes and one over vehicles; each row but that of the `whole` trains anew. `tests` are
+/// names and what never trains.
 pub(super) fn page(
     learned: &Sightings,
     whole: &TrainedTrees,
@@ -68,8 +68,10 @@ fn keeps_scene(seen: &Seen, share: f64) -> bool {
 }
 
 fn keeps_vehicle(seen: &Seen, share: f64) -> bool {
-    let number =
-        seen.model.bytes().fold(seen.class as u64, |all, byte| all.wrapping_mul(257).wrapping_add(byte.into()));
+    let number = seen
+        .model
+        .bytes()
+        .fold(seen.class as u64, |all, byte| all.wrapping_mul(257).wrapping_add(byte.into()));
     is_drawn(&[number], share)
 }
 
@@ -87,12 +89,20 @@ fn row(part: &Sightings, trained: &TrainedTrees, tests: &[(String, &Sightings)])
         told(protocol, trained, |_| true)
     };
     let right = |told: &Option<[Part; 2]>, at: usize| {
-        told.as_ref().map_or("–".into(), |parts| format!("{:.1} %", 100.0 * parts[at].by_vehicle.mean_over_classes))
+        told.as_ref()
+            .map_or("–".into(), |parts| format!("{:.1} %", 100.0 * parts[at].by_vehicle.mean_over_classes))
     };
     let learned = || part.all.iter().filter(|seen| seen.split != Split::Test);
     let scenes: BTreeSet<(usize, u64)> = learned().map(|seen| (seen.track.0, seen.track.1)).collect();
     let vehicles: BTreeSet<(usize, &str)> = learned().map(|seen| (seen.class, seen.model.as_str())).collect();
     let (s, v) = (of_own("S"), of_own("V"));
     let tested: String = tests.iter().map(|test| format!(" {} |", right(&by_test(test), 1))).collect();
-    format!("{} | {} | {} | {} | {} |{tested}", scenes.len(), vehicles.len(), right(&s, 0), right(&v, 0), right(&v, 1))
+    format!(
+        "{} | {} | {} | {} | {} |{tested}",
+        scenes.len(),
+        vehicles.len(),
+        right(&s, 0),
+        right(&v, 0),
+        right(&v, 1)
+    )
 }

@@ -17,9 +17,11 @@ const PROTOCOLS: [(&str, &str, &str); 3] = [
     ("P″", "vehicles", "vehicles, with all of their maps"),
 ];
 
-/// The paper's own figures: its "test set" of 320 images, its "validation set" of 200, and by class in the order of this project
-/// (section IV-C: buses and trucks "about 96 %", cars "about 93.5 %", motorcycles 98.16 %).
-const PAPER: &str = "| the paper | images, after augmentation | 92.23 % | 90.81 % | 93.5 % | 96 % | 96 % | 98.16 % |";
+/// The paper's own figures: its "test set" of 320 images, its "validation set" of 200, and by class in the
+/// order of this project (section IV-C: buses and trucks "about 96 %", cars "about 93.5 %", motorcycles 98.16
+/// %).
+const PAPER: &str =
+    "| the paper | images, after augmentation | 92.23 % | 90.81 % | 93.5 % | 96 % | 96 % | 98.16 % |";
 
 /// Points of a curve that are told.
 const POINTS: usize = 8;
@@ -27,7 +29,9 @@ const POINTS: usize = 8;
 /// Trains each protocol with every seed and tables what came out.
 pub(super) fn page(arguments: &ProtocolsArguments) -> Result<String, Failure> {
     if !arguments.test.is_empty() || arguments.curves {
-        return Err(Failure::refused("--test and --curves are asked of trees; the paper's protocols have neither"));
+        return Err(Failure::refused(
+            "--test and --curves are asked of trees; the paper's protocols have neither",
+        ));
     }
     let shards: Vec<PathBuf> = arguments.datasets.iter().flat_map(|folder| loading::shards(folder)).collect();
     let program = train::built()?;
@@ -63,14 +67,20 @@ fn row(name: &str, parted: &str, told: &[Value]) -> String {
         spread(&told.iter().filter_map(share).collect::<Vec<f64>>())
     };
     let classes: Vec<String> = (0..4).map(|class| of("test", Some(class))).collect();
-    format!("| {name} | {parted} | {} | {} | {} |", of("validation", None), of("test", None), classes.join(" | "))
+    format!(
+        "| {name} | {parted} | {} | {} | {} |",
+        of("validation", None),
+        of("test", None),
+        classes.join(" | ")
+    )
 }
 
 /// Mean, least and most, in percent.
 fn spread(shares: &[f64]) -> String {
     let percent = |share: f64| 100.0 * share;
     let mean = percent(shares.iter().sum::<f64>() / shares.len().max(1) as f64);
-    let [low, high] = [shares.iter().copied().fold(1.0, f64::min), shares.iter().copied().fold(0.0, f64::max)];
+    let [low, high] =
+        [shares.iter().copied().fold(1.0, f64::min), shares.iter().copied().fold(0.0, f64::max)];
     format!("{mean:.1} % ({:.0} … {:.0})", percent(low), percent(high))
 }
 

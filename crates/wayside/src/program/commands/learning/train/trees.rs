@@ -9,7 +9,9 @@ use crate::program::cli::TrainArguments;
 use crate::program::terminal;
 use artifact::model::Model;
 use artifact::{Provenance, Writer, bounded};
-use classifier::{CURVES_FILE, METRICS_FILE, Part, Sightings, TrainedTrees, TreeSettings, WEIGHTS_FILE, train_trees};
+use classifier::{
+    CURVES_FILE, METRICS_FILE, Part, Sightings, TrainedTrees, TreeSettings, WEIGHTS_FILE, train_trees,
+};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -38,7 +40,8 @@ pub(super) fn train(arguments: &TrainArguments, datasets: &[Vec<PathBuf>]) -> Re
 
 fn attributions(arguments: &TrainArguments) -> Result<Vec<String>, Failure> {
     let Some(file) = &arguments.attributions else { return Ok(vec![]) };
-    let text = bounded::read_text(file, ATTRIBUTIONS_LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
+    let text =
+        bounded::read_text(file, ATTRIBUTIONS_LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
     Ok(text.lines().map(str::trim).filter(|line| !line.is_empty()).map(str::to_owned).collect())
 }
 

@@ -1,211 +1,42 @@
-//! What the paths of a frame promise: they are S, they move with the bodies, and the error that they print is true.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking; clippy knows only functions marked as tests")]
+//! What the paths of a frame promise: they are S, they move with the bodies, and the error that they print is
+//! true.
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
 
+#[path = "../bodies/mod.rs"]
 mod bodies;
+mod frames;
 
-use artifact::material::MaterialMap;
-use artifact::paths::{Amplitude, ErrorOrigin, PathsFrame};
-use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Schedule};
-use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
-use artifact::settings::{
-    Angle, BetweenBodies, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise, Refine,
-    Sides, StaticEchoes, Surface, Window,
-};
+use artifact::Accuracy;
+use artifact::paths::{ErrorOrigin, PathsFrame};
+use artifact::radar::Polarization;
+use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader};
+use artifact::settings::{BetweenBodies, Edges, NodeRule, Sides, Surface};
 use artifact::units::SPEED_OF_LIGHT_MPS;
-use artifact::{Accuracy, Radar, Waveform};
 use bart_rcs::{
-    BartError, MemoryLimit, Models, PathView, RcsRequest, Standpoint, rcs, rcs_frame, scattering_of_paths, trace_frame,
-    trace_frame_like,
+    BartError, MemoryLimit, Models, PathView, RcsRequest, Standpoint, rcs, rcs_frame, scattering_of_paths,
+    trace_frame, trace_frame_like,
 };
 use bodies::carts::{cart, joined, mesh, parallelogram};
+use frames::{RADAR_M, anew, exact, of_paths, pose, radar, relative, scene, trace};
 use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::FRAC_PI_2;
 
-const RADAR_M: [f64; 3] = [0.0, 0.0, 6.0];
-
-fn waveform() -> Waveform {
-    Waveform {
-        start_frequency_hz: 77e9,
-        slope_hz_per_s: 12.5e12,
-        sample_rate_hz: 5.12e6,
-        sampling: artifact::radar::Sampling::Complex,
-        samples: 256,
-        chirp_interval_s: 60e-6,
-        chirps: 128,
-    }
-}
-
-fn pose(position_m: [f64; 3], velocity_mps: [f64; 3], yaw_rad: f64) -> Pose {
-    Pose { position_m, yaw_rad, velocity_mps, acceleration_mps2: [0.0; 3] }
-}
-
-/// A scene of bodies, each with its own mesh, and of points.
-fn scene(bodies: &[(Mesh, Pose)], points: &[(f64, Pose)], accuracy_db: f64, bounces: u8) -> (SceneHeader, SceneFrame) {
-    let mesh_target = |(mesh, (_, start)): (u32, &(Mesh, Pose))| Target {
-        id: format!("body-{mesh}"),
-        role: Role::Target,
-        kind: TargetKind::Mesh { class: None, model: "test".into(), mesh },
-        start: *start,
-    };
-    let point_target = |(rcs_m2, start): &(f64, Pose)| Target {
-        id: "point".into(),
-        role: Role::Target,
-        kind: TargetKind::Point { rcs_m2: *rcs_m2, wheel: None },
-        start: *start,
-    };
-    let targets: Vec<Target> = (0..).zip(bodies).map(mesh_target).chain(points.iter().map(point_target)).collect();
-    let poses = targets.iter().map(|target| target.start).collect();
-    let header = SceneHeader {
-        name: "test".into(),
-        seed: 1,
-        frames: 1,
-        frame_interval_s: 0.1,
-        radar: radar(),
-        noise: Noise::Absent,
-        dsp: dsp(),
-        fidelity: Fidelity {
-            accuracy: Accuracy::from_db(accuracy_db),
-            bounces,
-            edges: Edges::Ignored,
-            surface: Surface::Flat,
-            sides: Sides::Two,
-            nodes: NodeRule::Middle,
-            echo: EchoMode::Paths,
-            detail: Detail::Paths,
-            between_bodies: BetweenBodies::Traced,
-            measured_every: 1,
-        },
-        intersection: Intersection { width_m: 22.5 },
-        materials: MaterialMap::default(),
-        road: None,
-        backscatter: None,
-        meshes: bodies.iter().map(|(mesh, _)| mesh.clone()).collect::<Vec<_>>().into(),
-        targets,
-        traffic: None,
-    };
-    (header, SceneFrame { index: 0, time_s: 0.0, poses })
-}
-
-fn radar() -> Radar {
-    Radar {
-        position_m: RADAR_M,
-        boresight_az_rad: 0.0,
-        boresight_el_rad: 0.0,
-        waveform: waveform(),
-        schedule: Schedule::default(),
-        hardware: Hardware::default(),
-        array: Array {
-            tx_m: vec![RADAR_M],
-            rx_m: vec![RADAR_M],
-            tx_half_wavelengths: vec![[0.0; 2]],
-            rx_half_wavelengths: vec![[0.0; 2]],
-            multiplexing: Multiplexing::Simultaneous,
-            polarization: Polarization::Vv,
-            pattern: Pattern::Isotropic,
-        },
-        link: Link { transmit_power_w: 0.016, antenna_gain_db: 10.0 },
-    }
-}
-
-fn dsp() -> DspSettings {
-    DspSettings {
-        range_window: Window::Hann,
-        doppler_window: Window::Hann,
-        detector: Detector::CaCfar,
-        false_alarm_rate: 1e-5,
-        guard_cells: [2, 2],
-        training_cells: [8, 8],
-        angle: Angle::Fft,
-        refine: Refine::Off,
-        calibration: vec![],
-        static_echoes: StaticEchoes::Keep,
-        assumed_height_m: 0.75,
-        cluster_range_m: 1.0,
-        cluster_velocity_mps: 1.0,
-        cluster_cross_m: 1.0,
-        road: Lanes::default(),
-    }
-}
-
-fn trace(scene: &(SceneHeader, SceneFrame)) -> PathsFrame {
-    trace_frame(&Models::build(&scene.0).unwrap(), &scene.0, &scene.1).unwrap()
-}
-
-/// S of the paths about the first target's origin at a moment.
-fn of_paths(scene: &(SceneHeader, SceneFrame), frame: &PathsFrame, seconds: f64, frequency_hz: f64) -> Amplitude {
-    let start = scene.1.poses[0];
-    let origin_m = DVec3::from_array(start.position_m) + seconds * DVec3::from_array(start.velocity_mps);
-    let (transmitter_m, receiver_m) = (DVec3::from_array(RADAR_M), DVec3::from_array(RADAR_M));
-    let view = PathView {
-        transmitter_m,
-        receiver_m,
-        origin_m,
-        seconds,
-        centre_frequency_hz: scene.0.radar.waveform.centre_frequency_hz(),
-    };
-    scattering_of_paths(&frame.paths, &view, frequency_hz)
-}
-
-/// S of the first body alone, traced and integrated where it is at that moment.
-fn anew(
-    scene: &(SceneHeader, SceneFrame),
-    seconds: f64,
-    frequency_hz: &[f64],
-    polarization: Polarization,
-) -> Vec<Complex64> {
-    exact(scene, seconds, [RADAR_M; 2], frequency_hz, polarization)
-}
-
-/// S of the first body alone at a moment between two points, from trees of their own.
-fn exact(
-    scene: &(SceneHeader, SceneFrame),
-    seconds: f64,
-    [tx_m, rx_m]: [[f64; 3]; 2],
-    frequency_hz: &[f64],
-    polarization: Polarization,
-) -> Vec<Complex64> {
-    let start = scene.1.poses[0];
-    let origin_m = DVec3::from_array(start.position_m) + seconds * DVec3::from_array(start.velocity_mps);
-    let place = |x_m: [f64; 3]| {
-        let way = glam::DMat3::from_rotation_z(-start.yaw_rad) * (DVec3::from_array(x_m) - origin_m);
-        Standpoint {
-            azimuth_rad: way.y.atan2(way.x),
-            elevation_rad: (way.z / way.length()).asin(),
-            range_m: way.length(),
-        }
-    };
-    let transmitter = place(tx_m);
-    let request = RcsRequest {
-        frequency_hz: frequency_hz.to_vec(),
-        elevation_rad: vec![transmitter.elevation_rad],
-        azimuth_rad: vec![transmitter.azimuth_rad],
-        range_m: transmitter.range_m,
-        receiver: (tx_m != rx_m).then(|| place(rx_m)),
-        polarization,
-        bounces: scene.0.fidelity.bounces,
-        nodes: scene.0.fidelity.nodes,
-        sides: scene.0.fidelity.sides,
-        edges: scene.0.fidelity.edges,
-        surface: Surface::Flat,
-        accuracy: Accuracy::from_db(-45.0),
-    };
-    rcs(&scene.0.meshes[0], &request, &|_, _| ()).unwrap().amplitude_m
-}
-
-fn relative(a: Complex64, b: Complex64) -> f64 {
-    (a - b).norm() / b.norm()
-}
-
-/// A path's amplitude a against S by its definition: at the frame's middle, over the band, in all polarizations.
+/// A path's amplitude a against S by its definition: at the frame's middle, over the band, in all
+/// polarizations.
 #[test]
 fn paths_add_up_to_the_scattering_amplitude_by_their_definition() {
-    for (accuracy_db, polarizations) in
-        [(-20.0, [Polarization::Vv, Polarization::Hh, Polarization::Vh].as_slice()), (-35.0, &[Polarization::Vv])]
-    {
+    for (accuracy_db, polarizations) in [
+        (-20.0, [Polarization::Vv, Polarization::Hh, Polarization::Vh].as_slice()),
+        (-35.0, &[Polarization::Vv]),
+    ] {
         let frequencies: Vec<f64> = (0..9).map(|i| 77e9 + 0.625e9 * f64::from(i) / 8.0).collect();
         for &polarization in polarizations {
-            let mut scene = scene(&[(cart(0.1), pose([5.75, 30.0, 0.0], [0.0; 3], -FRAC_PI_2))], &[], accuracy_db, 3);
+            let mut scene =
+                scene(&[(cart(0.1), pose([5.75, 30.0, 0.0], [0.0; 3], -FRAC_PI_2))], &[], accuracy_db, 3);
             scene.0.radar.array.polarization = polarization;
             let frame = trace(&scene);
             let (p, q) = polarization.indices();
@@ -225,8 +56,8 @@ fn paths_add_up_to_the_scattering_amplitude_by_their_definition() {
     }
 }
 
-/// One tree for all elements: twelve pairs of an aperture of 5 cm, each against trees of its own. Shadows of neighbouring
-/// bodies move from element to element, which paths do not follow: the printed error knows.
+/// One tree for all elements: twelve pairs of an aperture of 5 cm, each against trees of its own. Shadows of
+/// neighbouring bodies move from element to element, which paths do not follow: the printed error knows.
 #[test]
 fn the_paths_of_one_tree_serve_every_pair_of_an_array_within_the_printed_error() {
     let accuracy_db = -25.0;
@@ -266,9 +97,14 @@ fn the_paths_of_one_tree_serve_every_pair_of_an_array_within_the_printed_error()
 #[test]
 fn looser_accuracy_needs_fewer_paths() {
     let count = |accuracy_db| {
-        trace(&scene(&[(cart(0.1), pose([5.75, 30.0, 0.0], [0.0, -10.0, 0.0], -FRAC_PI_2))], &[], accuracy_db, 2))
-            .paths
-            .len()
+        trace(&scene(
+            &[(cart(0.1), pose([5.75, 30.0, 0.0], [0.0, -10.0, 0.0], -FRAC_PI_2))],
+            &[],
+            accuracy_db,
+            2,
+        ))
+        .paths
+        .len()
     };
     let (loose, tight) = (count(-10.0), count(-30.0));
     println!("{loose} paths at −10 dB, {tight} at −30 dB");
@@ -299,8 +135,8 @@ fn a_roof_under_the_mast_is_integrated_like_any_other() {
     assert!(got <= told && got <= -10.0);
 }
 
-/// Two walls of a dihedral that move apart, and brake: each bounce has its own Doppler, and changes it. Braking at 9 m/s² is
-/// 0.27 mm over the frame, 0.9 rad there and back.
+/// Two walls of a dihedral that move apart, and brake: each bounce has its own Doppler, and changes it.
+/// Braking at 9 m/s² is 0.27 mm over the frame, 0.9 rad there and back.
 #[test]
 fn the_delay_of_a_double_bounce_follows_both_moving_bodies() {
     let wall = |side: f64| parallelogram([0.0, 0.0, -0.2], [-0.4, side * 0.4, 0.0], [0.0, 0.0, 0.4]);
@@ -308,7 +144,10 @@ fn the_delay_of_a_double_bounce_follows_both_moving_bodies() {
     let start = pose([2.0, 20.0, 6.0], [0.0, -10.0, 0.0], FRAC_PI_2);
     let ahead = Pose { acceleration_mps2: [0.0, 9.0, 0.0], ..start };
     let slower = Pose { velocity_mps: [1.0, -9.0, 0.0], acceleration_mps2: [-3.0, -6.0, 0.0], ..start };
-    let turned = |mesh: Mesh| Mesh { vertices_m: mesh.vertices_m.iter().map(|&[x, y, z]| [x, y, z]).collect(), ..mesh };
+    let turned = |mesh: Mesh| Mesh {
+        vertices_m: mesh.vertices_m.iter().map(|&[x, y, z]| [x, y, z]).collect(),
+        ..mesh
+    };
     let scene = scene(&[(turned(wall(1.0)), ahead), (turned(wall(-1.0)), slower)], &[], -40.0, 2);
     let frame = trace(&scene);
     let double: Vec<_> = frame.paths.iter().filter(|path| path.order == 2).copied().collect();
@@ -334,7 +173,8 @@ fn the_delay_of_a_double_bounce_follows_both_moving_bodies() {
     };
     for seconds in [0.0, 0.5 * duration, duration] {
         let still = trace(&later(seconds));
-        let exact = scattering_of_paths(still.paths.iter().filter(|p| p.order == 2), &view(0.0), centre)[0][0];
+        let exact =
+            scattering_of_paths(still.paths.iter().filter(|p| p.order == 2), &view(0.0), centre)[0][0];
         let moving = scattering_of_paths(&double, &view(seconds), centre)[0][0];
         println!(
             "moving dihedral after {:.2} ms: asked −20 dB, got {:.1} dB",
@@ -345,8 +185,8 @@ fn the_delay_of_a_double_bounce_follows_both_moving_bodies() {
     }
 }
 
-/// The same dihedral at rest: with its walls left apart there is no double bounce, each wall is lit as before, and what is told to
-/// be left out is what the double bounces were.
+/// The same dihedral at rest: with its walls left apart there is no double bounce, each wall is lit as
+/// before, and what is told to be left out is what the double bounces were.
 #[test]
 fn bodies_left_apart_shade_each_other_and_what_that_leaves_out_is_told() {
     let wall = |side: f64| parallelogram([0.0, 0.0, -0.2], [-0.4, side * 0.4, 0.0], [0.0, 0.0, 0.4]);
@@ -382,7 +222,10 @@ fn a_point_target_is_a_path_of_order_zero_with_the_root_of_its_cross_section() {
     let frame = trace(&scene);
     assert_eq!(frame.paths.len(), 1);
     let path = frame.paths[0];
-    assert_eq!((path.order, path.apparent_tx_m, path.apparent_rx_mps), (0, [2.0, 30.0, 1.0], [0.5, -3.0, 0.0]));
+    assert_eq!(
+        (path.order, path.apparent_tx_m, path.apparent_rx_mps),
+        (0, [2.0, 30.0, 1.0], [0.5, -3.0, 0.0])
+    );
     assert_eq!(path.amplitude_m[0][0], Complex64::from(2.0));
     assert_eq!(path.amplitude_m[0][1], Complex64::ZERO);
     assert_eq!(frame.nearest_range_m, [None]);
@@ -408,8 +251,8 @@ fn paths_are_the_same_bytes_on_one_and_two_threads() {
     assert_eq!(on(1), on(2));
 }
 
-/// ‖S of the paths − S‖/‖S‖ over the band at the middles of three equal parts of the frame: the map's error is the mean over all
-/// its chirps.
+/// ‖S of the paths − S‖/‖S‖ over the band at the middles of three equal parts of the frame: the map's error
+/// is the mean over all its chirps.
 fn true_error(scene: &(SceneHeader, SceneFrame), frame: &PathsFrame) -> f64 {
     let duration = scene.0.radar.frame_duration_s();
     let frequencies: Vec<f64> = (0..12).map(|i| 77e9 + 0.625e9 * (f64::from(i) + 0.37) / 12.0).collect();
@@ -432,13 +275,18 @@ fn a_frame_like_itself_has_the_paths_it_would_have_and_one_like_an_empty_frame_i
     let measured = trace_frame(&models, &header, &frame).unwrap();
     let like = trace_frame_like(&models, &header, &frame, &measured).unwrap();
     assert_eq!((measured.trace.origin, like.trace.origin), (ErrorOrigin::Measured, ErrorOrigin::TakenOver));
-    assert!(like.paths == measured.paths && like.error == measured.error && like.model_error == measured.model_error);
+    assert!(
+        like.paths == measured.paths
+            && like.error == measured.error
+            && like.model_error == measured.model_error
+    );
     let empty = trace(&scene(&[], &[(2.0, start)], -20.0, 3));
     assert_eq!(empty.trace.fineness, None);
     assert_eq!(trace_frame_like(&models, &header, &frame, &empty).unwrap(), measured);
 }
 
-/// A body that drives on for half a second after the frame that was measured: its own error is near what that frame told.
+/// A body that drives on for half a second after the frame that was measured: its own error is near what that
+/// frame told.
 #[test]
 fn frames_that_take_an_error_over_err_about_as_it_tells() {
     let (mut covered, mut frames) = (0, 0);
@@ -449,10 +297,13 @@ fn frames_that_take_an_error_over_err_about_as_it_tells() {
         let told = measured.error.total().unwrap();
         for step in 1..=5 {
             let later = scene(&[(cart(lean), at(f64::from(step)))], &[], accuracy_db, 3);
-            let frame = trace_frame_like(&Models::build(&later.0).unwrap(), &later.0, &later.1, &measured).unwrap();
+            let frame =
+                trace_frame_like(&Models::build(&later.0).unwrap(), &later.0, &later.1, &measured).unwrap();
             let got = true_error(&later, &frame);
             let [told_db, got_db] = [told, got].map(|amplitude| 20.0 * amplitude.log10());
-            println!("{x_m} m, {step} frames on: asked {accuracy_db}, told {told_db:.1}, true {got_db:.1} dB");
+            println!(
+                "{x_m} m, {step} frames on: asked {accuracy_db}, told {told_db:.1}, true {got_db:.1} dB"
+            );
             covered += u32::from(got <= told);
             frames += 1;
         }
@@ -462,13 +313,15 @@ fn frames_that_take_an_error_over_err_about_as_it_tells() {
     assert!(covered >= 12);
 }
 
-/// The printed error against bodies traced and integrated anew at several moments and frequencies of the frame.
+/// The printed error against bodies traced and integrated anew at several moments and frequencies of the
+/// frame.
 #[test]
 fn the_error_printed_with_paths_covers_the_true_one() {
     const CASES: u32 = 8;
     let (mut covered, mut excess_db) = (0, Vec::new());
     for case in 0..CASES {
-        // A low-discrepancy walk over lanes, distances, headings, leans and accuracies: no two cases are alike.
+        // A low-discrepancy walk over lanes, distances, headings, leans and accuracies: no two cases are
+        // alike.
         let share = |prime: f64| (f64::from(case) * prime.sqrt() + 0.37).fract();
         let place = [2.0 + 7.5 * share(2.0), 25.0 + 30.0 * share(3.0), 0.0];
         let motion = [0.0, -0.5 - 12.0 * share(5.0), 0.0];
@@ -492,8 +345,8 @@ fn the_error_printed_with_paths_covers_the_true_one() {
     assert!(excess_db[CASES as usize / 2] <= 10.0);
 }
 
-/// Sharp panels seen away from their speculars: without the paths of their edges a fifth of the sum is missed (13.5 dB), with them
-/// no more than a tenth, and no more than is told.
+/// Sharp panels seen away from their speculars: without the paths of their edges a fifth of the sum is missed
+/// (13.5 dB), with them no more than a tenth, and no more than is told.
 #[test]
 fn paths_of_edges_move_with_the_body_and_add_up_to_its_amplitude() {
     let panel = parallelogram([-0.3, -0.2, 0.4], [0.25, 0.4, 0.0], [0.0, 0.1, 0.5]);
@@ -581,8 +434,8 @@ fn a_frames_table_reaches_below_the_sweep_by_what_the_delay_takes_off() {
     assert!(got_hz <= lowest_hz);
 }
 
-/// The plate of docs/physics.md §0 at 25 m, 66.23 dBsm far away and 31.59 there: the figure is over the spherical wave, so
-/// that it tells 34.6 dB and not that a table is as wrong as it is large.
+/// The plate of docs/physics.md §0 at 25 m, 66.23 dBsm far away and 31.59 there: the figure is over the
+/// spherical wave, so that it tells 34.6 dB and not that a table is as wrong as it is large.
 #[test]
 fn the_far_field_error_of_a_large_plate_is_told_of_the_spherical_wave() {
     let plate = mesh(
@@ -593,7 +446,12 @@ fn the_far_field_error_of_a_large_plate_is_told_of_the_spherical_wave() {
     let start = pose([0.0, 25.0, radar_height_m], [0.0; 3], -FRAC_PI_2);
     let (header, frame) = scene(&[(plate, start)], &[], -20.0, 1);
     let error_db = 20.0
-        * rcs_frame(&Models::build(&header).unwrap(), &header, &frame).unwrap().model_error.far_field.unwrap().log10();
+        * rcs_frame(&Models::build(&header).unwrap(), &header, &frame)
+            .unwrap()
+            .model_error
+            .far_field
+            .unwrap()
+            .log10();
     println!("asked 34.6 dB ± 1.5 dB (the ripple of the plate's edges over the band), got {error_db:.1} dB");
     assert!((error_db - 34.6).abs() < 1.5);
 }

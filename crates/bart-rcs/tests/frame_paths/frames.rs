@@ -1,0 +1,200 @@
+//! Frames that are traced, and what their paths are compared with.
+
+use artifact::material::MaterialMap;
+use artifact::paths::{Amplitude, PathsFrame};
+use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Schedule};
+use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
+use artifact::settings::{
+    Angle, BetweenBodies, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise,
+    Refine, Sides, StaticEchoes, Surface, Window,
+};
+use artifact::{Accuracy, Radar, Waveform};
+use bart_rcs::{Models, PathView, RcsRequest, Standpoint, rcs, scattering_of_paths, trace_frame};
+use glam::DVec3;
+use num_complex::Complex64;
+
+pub(crate) const RADAR_M: [f64; 3] = [0.0, 0.0, 6.0];
+
+pub(crate) fn waveform() -> Waveform {
+    Waveform {
+        start_frequency_hz: 77e9,
+        slope_hz_per_s: 12.5e12,
+        sample_rate_hz: 5.12e6,
+        sampling: artifact::radar::Sampling::Complex,
+        samples: 256,
+        chirp_interval_s: 60e-6,
+        chirps: 128,
+    }
+}
+
+pub(crate) fn pose(position_m: [f64; 3], velocity_mps: [f64; 3], yaw_rad: f64) -> Pose {
+    Pose { position_m, yaw_rad, velocity_mps, acceleration_mps2: [0.0; 3] }
+}
+
+/// A scene of bodies, each with its own mesh, and of points.
+pub(crate) fn scene(
+    bodies: &[(Mesh, Pose)],
+    points: &[(f64, Pose)],
+    accuracy_db: f64,
+    bounces: u8,
+) -> (SceneHeader, SceneFrame) {
+    let mesh_target = |(mesh, (_, start)): (u32, &(Mesh, Pose))| Target {
+        id: format!("body-{mesh}"),
+        role: Role::Target,
+        kind: TargetKind::Mesh { class: None, model: "test".into(), mesh },
+        start: *start,
+    };
+    let point_target = |(rcs_m2, start): &(f64, Pose)| Target {
+        id: "point".into(),
+        role: Role::Target,
+        kind: TargetKind::Point { rcs_m2: *rcs_m2, wheel: None },
+        start: *start,
+    };
+    let targets: Vec<Target> =
+        (0..).zip(bodies).map(mesh_target).chain(points.iter().map(point_target)).collect();
+    let poses = targets.iter().map(|target| target.start).collect();
+    let header = SceneHeader {
+        name: "test".into(),
+        seed: 1,
+        frames: 1,
+        frame_interval_s: 0.1,
+        radar: radar(),
+        noise: Noise::Absent,
+        dsp: dsp(),
+        fidelity: Fidelity {
+            accuracy: Accuracy::from_db(accuracy_db),
+            bounces,
+            edges: Edges::Ignored,
+            surface: Surface::Flat,
+            sides: Sides::Two,
+            nodes: NodeRule::Middle,
+            echo: EchoMode::Paths,
+            detail: Detail::Paths,
+            between_bodies: BetweenBodies::Traced,
+            measured_every: 1,
+        },
+        intersection: Intersection { width_m: 22.5 },
+        materials: MaterialMap::default(),
+        road: None,
+        backscatter: None,
+        meshes: bodies.iter().map(|(mesh, _)| mesh.clone()).collect::<Vec<_>>().into(),
+        targets,
+        traffic: None,
+    };
+    (header, SceneFrame { index: 0, time_s: 0.0, poses })
+}
+
+pub(crate) fn radar() -> Radar {
+    Radar {
+        position_m: RADAR_M,
+        boresight_az_rad: 0.0,
+        boresight_el_rad: 0.0,
+        waveform: waveform(),
+        schedule: Schedule::default(),
+        hardware: Hardware::default(),
+        array: Array {
+            tx_m: vec![RADAR_M],
+            rx_m: vec![RADAR_M],
+            tx_half_wavelengths: vec![[0.0; 2]],
+            rx_half_wavelengths: vec![[0.0; 2]],
+            multiplexing: Multiplexing::Simultaneous,
+            polarization: Polarization::Vv,
+            pattern: Pattern::Isotropic,
+        },
+        link: Link { transmit_power_w: 0.016, antenna_gain_db: 10.0 },
+    }
+}
+
+pub(crate) fn dsp() -> DspSettings {
+    DspSettings {
+        range_window: Window::Hann,
+        doppler_window: Window::Hann,
+        detector: Detector::CaCfar,
+        false_alarm_rate: 1e-5,
+        guard_cells: [2, 2],
+        training_cells: [8, 8],
+        angle: Angle::Fft,
+        refine: Refine::Off,
+        calibration: vec![],
+        static_echoes: StaticEchoes::Keep,
+        assumed_height_m: 0.75,
+        cluster_range_m: 1.0,
+        cluster_velocity_mps: 1.0,
+        cluster_cross_m: 1.0,
+        road: Lanes::default(),
+    }
+}
+
+pub(crate) fn trace(scene: &(SceneHeader, SceneFrame)) -> PathsFrame {
+    trace_frame(&Models::build(&scene.0).unwrap(), &scene.0, &scene.1).unwrap()
+}
+
+/// S of the paths about the first target's origin at a moment.
+pub(crate) fn of_paths(
+    scene: &(SceneHeader, SceneFrame),
+    frame: &PathsFrame,
+    seconds: f64,
+    frequency_hz: f64,
+) -> Amplitude {
+    let start = scene.1.poses[0];
+    let origin_m = DVec3::from_array(start.position_m) + seconds * DVec3::from_array(start.velocity_mps);
+    let (transmitter_m, receiver_m) = (DVec3::from_array(RADAR_M), DVec3::from_array(RADAR_M));
+    let view = PathView {
+        transmitter_m,
+        receiver_m,
+        origin_m,
+        seconds,
+        centre_frequency_hz: scene.0.radar.waveform.centre_frequency_hz(),
+    };
+    scattering_of_paths(&frame.paths, &view, frequency_hz)
+}
+
+/// S of the first body alone, traced and integrated where it is at that moment.
+pub(crate) fn anew(
+    scene: &(SceneHeader, SceneFrame),
+    seconds: f64,
+    frequency_hz: &[f64],
+    polarization: Polarization,
+) -> Vec<Complex64> {
+    exact(scene, seconds, [RADAR_M; 2], frequency_hz, polarization)
+}
+
+/// S of the first body alone at a moment between two points, from trees of their own.
+pub(crate) fn exact(
+    scene: &(SceneHeader, SceneFrame),
+    seconds: f64,
+    [tx_m, rx_m]: [[f64; 3]; 2],
+    frequency_hz: &[f64],
+    polarization: Polarization,
+) -> Vec<Complex64> {
+    let start = scene.1.poses[0];
+    let origin_m = DVec3::from_array(start.position_m) + seconds * DVec3::from_array(start.velocity_mps);
+    let place = |x_m: [f64; 3]| {
+        let way = glam::DMat3::from_rotation_z(-start.yaw_rad) * (DVec3::from_array(x_m) - origin_m);
+        Standpoint {
+            azimuth_rad: way.y.atan2(way.x),
+            elevation_rad: (way.z / way.length()).asin(),
+            range_m: way.length(),
+        }
+    };
+    let transmitter = place(tx_m);
+    let request = RcsRequest {
+        frequency_hz: frequency_hz.to_vec(),
+        elevation_rad: vec![transmitter.elevation_rad],
+        azimuth_rad: vec![transmitter.azimuth_rad],
+        range_m: transmitter.range_m,
+        receiver: (tx_m != rx_m).then(|| place(rx_m)),
+        polarization,
+        bounces: scene.0.fidelity.bounces,
+        nodes: scene.0.fidelity.nodes,
+        sides: scene.0.fidelity.sides,
+        edges: scene.0.fidelity.edges,
+        surface: Surface::Flat,
+        accuracy: Accuracy::from_db(-45.0),
+    };
+    rcs(&scene.0.meshes[0], &request, &|_, _| ()).unwrap().amplitude_m
+}
+
+pub(crate) fn relative(a: Complex64, b: Complex64) -> f64 {
+    (a - b).norm() / b.norm()
+}
