@@ -1,5 +1,5 @@
-//! Hashes the sources of each stage together with those of `artifact`, for cache keys: a hand-kept version
-//! number is forgotten, a hash is not.
+//! Hashes the sources of each stage together with those of the leaves that it sees, for cache keys: a
+//! hand-kept version number is forgotten, a hash is not.
 
 use std::path::{Path, PathBuf};
 
@@ -9,7 +9,7 @@ fn main() {
     // Read when it runs: a build script kept from another checkout must not look there.
     let manifest = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
     let root = Path::new(&manifest).join("../..");
-    let common = [root.join("crates/artifact"), root.join("Cargo.lock")];
+    let common = [root.join("crates/artifact"), root.join("crates/radar"), root.join("Cargo.lock")];
     for stage in STAGES {
         let own = root.join("crates").join(stage);
         let hash = hash_of(common.iter().chain([&own]));

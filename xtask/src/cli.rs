@@ -37,7 +37,7 @@ pub(crate) enum Command {
     /// folders.
     House,
     /// Every check of the project, cheapest first.
-    Ci,
+    Ci(CiArguments),
 }
 
 impl Command {
@@ -51,7 +51,7 @@ impl Command {
             Self::Bench(_) => "bench",
             Self::Bytes(_) => "bytes",
             Self::House => "house",
-            Self::Ci => "ci",
+            Self::Ci(_) => "ci",
         }
     }
 
@@ -60,7 +60,7 @@ impl Command {
         match self {
             Self::Wayside(command) => command.results(),
             Self::Chart(_) | Self::Atlas(_) | Self::Levels(_) | Self::Bytes(_) => Results::Files,
-            Self::Bench(_) | Self::House | Self::Ci => Results::Lines,
+            Self::Bench(_) | Self::House | Self::Ci(_) => Results::Lines,
         }
     }
 }
@@ -115,4 +115,12 @@ pub(crate) struct BytesArguments {
     /// Result: a line for each file.
     #[arg(long, value_name = "F.txt")]
     pub(crate) out: PathBuf,
+}
+
+/// Words of `ci`.
+#[derive(Debug, Args)]
+pub(crate) struct CiArguments {
+    /// The cheap checks of all, then lints and tests of this crate alone.
+    #[arg(long, value_name = "CRATE")]
+    pub(crate) only: Option<String>,
 }

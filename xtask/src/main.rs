@@ -31,6 +31,6 @@ fn carry_out(command: Command, means: &Means) -> Result<(), Failure> {
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Bytes(arguments) => bytes::run(&arguments),
         Command::House => house::run(),
-        Command::Ci => ci::run(),
+        Command::Ci(arguments) => ci::run(&arguments),
     }
 }

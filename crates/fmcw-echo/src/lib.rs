@@ -14,7 +14,7 @@
 //!
 //! To read: [`multiplexing`] (which transmissions make a row of the cube), [`antenna`] (radar equation,
 //! pattern), [`mod@reference`], [`direct_sum`], [`fast_sum`], [`rcs_table`], [`ground`] (paths of the road
-//! itself), [`oscillator`] and [`phase_noise`], then noise: [`noise`], [`snr_reference`], [`window`];
+//! itself), [`oscillator`] and [`phase_noise`], then noise: [`noise`], [`snr_reference`];
 //! [`interference`] and [`adc`] come last.
 //!
 //! A point target that recedes at 10 m/s turns by 4π·v·T_c/λ from chirp to chirp:
@@ -96,7 +96,7 @@ mod synthesis; // a frame of samples
 
 pub use error::EchoError;
 pub use impairments::{adc, element_errors, interference, noise, oscillator};
-pub use links::{antenna, multiplexing, snr_reference, window};
+pub use links::{antenna, multiplexing, snr_reference};
 pub use sources::{ground, rcs_table};
 pub use sums::fast::fast_sum;
 pub use sums::{direct_sum, reference};

@@ -2,5 +2,4 @@
 
 pub mod multiplexing; // which transmissions make a row of the cube
 pub mod antenna; // radar equation, pattern
-pub mod window; // tapers of the map that `snr_db` refers to
 pub mod snr_reference; // its peak cell

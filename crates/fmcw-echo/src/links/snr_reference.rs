@@ -1,9 +1,9 @@
 //! What `snr_db` of a scene refers to: the peak cell of one channel's noise-free range-Doppler map.
 
-use crate::links::window::{noise_bandwidth, weights};
 use artifact::cube::CubeHeader;
 use artifact::radar::{Multiplexing, Sampling};
 use num_complex::{Complex32, Complex64};
+use radar::window::{noise_bandwidth_bins, taper};
 use rustfft::FftPlanner;
 
 /// Power of the peak cell of channel 0 over what white noise of unit power per sample makes of a cell; `None`
@@ -17,8 +17,8 @@ use rustfft::FftPlanner;
 /// slot's noise an M-th.
 pub fn peak_cell_over_noise(header: &CubeHeader, samples: &[Complex32]) -> Option<f64> {
     let [_, chirps, length] = header.shape();
-    let range_weights = weights(header.dsp.range_window, length);
-    let doppler_weights = weights(header.dsp.doppler_window, chirps);
+    let range_weights = taper(header.dsp.range_window, length).ok()?;
+    let doppler_weights = taper(header.dsp.doppler_window, chirps).ok()?;
     let receivers = header.radar.array.rx_m.len();
     let (heard, among): (Vec<usize>, usize) = match header.radar.array.multiplexing {
         Multiplexing::Simultaneous | Multiplexing::Tdm | Multiplexing::Ddm => (vec![0], 1),
@@ -37,8 +37,8 @@ pub fn peak_cell_over_noise(header: &CubeHeader, samples: &[Complex32]) -> Optio
     let arrives = if header.radar.waveform.sampling == Sampling::Real { 0.5 } else { 1.0 };
     let noise = arrives
         * (chirps * length) as f64
-        * noise_bandwidth(&range_weights)
-        * noise_bandwidth(&doppler_weights);
+        * noise_bandwidth_bins(&range_weights)
+        * noise_bandwidth_bins(&doppler_weights);
     (peak > 0.0).then_some(peak / noise)
 }
 

@@ -1,5 +1,5 @@
 //! How far long work is. Work says what it is and, where it can count, how far it is; it never prints.
-//! Whoever shows it looks at [`line`] or [`shown`] as often as it likes, and hears remarks by [`listen`]:
+//! Whoever shows it looks at [`line()`] or [`shown`] as often as it likes, and hears remarks by [`listen`]:
 //! nothing of it depends on what is computed.
 
 mod under_way;

@@ -4,8 +4,9 @@ use crate::setting::*;
 use artifact::cube::CubeHeader;
 use artifact::radar::Multiplexing;
 use artifact::settings::{Noise, Window};
-use fmcw_echo::{EchoError, synthesize, window};
+use fmcw_echo::{EchoError, synthesize};
 use num_complex::{Complex32, Complex64};
+use radar::window::taper;
 
 fn cube(header: &CubeHeader, paths: Vec<artifact::paths::Path>) -> Vec<Complex32> {
     synthesize(header, 9, &frame(paths), header.radar.waveform.centre_frequency_hz(), asked(), &|_| ())
@@ -16,16 +17,16 @@ fn cube(header: &CubeHeader, paths: Vec<artifact::paths::Path>) -> Vec<Complex32
 /// Mean power of a map's cells: by Parseval's theorem the power of the windowed samples.
 fn mean_cell_power(header: &CubeHeader, samples: &[Complex64]) -> f64 {
     let [_, chirps, length] = header.shape();
-    let range = window::weights(header.dsp.range_window, length);
-    let doppler = window::weights(header.dsp.doppler_window, chirps);
+    let range = taper(header.dsp.range_window, length).unwrap();
+    let doppler = taper(header.dsp.doppler_window, chirps).unwrap();
     samples.iter().enumerate().map(|(i, x)| (x * range[i % length] * doppler[i / length]).norm_sqr()).sum()
 }
 
 /// Power of the strongest cell, by the transform's definition over the columns that may hold it.
 fn peak_cell_power(header: &CubeHeader, samples: &[Complex64], ranges: std::ops::Range<usize>) -> f64 {
     let [_, chirps, length] = header.shape();
-    let range = window::weights(header.dsp.range_window, length);
-    let doppler = window::weights(header.dsp.doppler_window, chirps);
+    let range = taper(header.dsp.range_window, length).unwrap();
+    let doppler = taper(header.dsp.doppler_window, chirps).unwrap();
     let turn = |cells: usize, n: usize, k: usize| {
         Complex64::cis(-std::f64::consts::TAU * (n * k % cells) as f64 / cells as f64)
     };
@@ -81,6 +82,21 @@ fn snr_db_is_the_peak_cell_of_one_channel_over_the_mean_noise_cell_with_the_wind
         // 32 768 noise samples, weighted by windows of ENBW ≤ 1.75²: 0.042 dB; five of them.
         assert!((snr_db - 23.0).abs() < 0.21, "{windows:?}: {snr_db}");
     }
+}
+
+/// Hann over one chirp has no weight at all: the map's window is flat there, as the detector's is.
+#[test]
+fn snr_db_refers_to_the_map_of_a_single_chirp_too() {
+    let waveform = artifact::Waveform { chirps: 1, ..experiment(1) };
+    let mut header = header(single_channel(waveform), Noise::SnrDb(23.0));
+    let paths = vec![point([2.0, 40.0, 1.0], [0.0; 3], 3.0)];
+    let both = widened(&cube(&header, paths.clone()));
+    header.noise = Noise::Absent;
+    let clean = widened(&cube(&header, paths));
+    let noise: Vec<Complex64> = both.iter().zip(&clean).map(|(both, clean)| both - clean).collect();
+    let got = peak_cell_power(&header, &clean, 0..256) / mean_cell_power(&header, &noise);
+    // 256 exponential powers are known to 1/16: 0.27 dB, four of them.
+    assert!((10.0 * got.log10() - 23.0).abs() < 1.1, "{got}");
 }
 
 #[test]

@@ -1,0 +1,178 @@
+//! Tapers of the FFT axes: periodic (N, not N − 1, in the denominator) and of unit coherent gain (mean 1).
+
+use artifact::settings::Window;
+use artifact::units::amplitude_from_db;
+use num_complex::Complex64;
+use rustfft::FftPlanner;
+use std::f64::consts::{PI, TAU};
+
+/// A Dolph–Chebyshev window was asked for that no FFT axis can use.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[error("a Chebyshev window has sidelobes from 10 to 300 dB below its peak, not {0}")]
+pub struct Sidelobes(
+    /// Asked for, dB.
+    pub f64,
+);
+
+/// Weights of a window over `length` samples, mean 1, so that a tone of amplitude A on a bin centre gives
+/// |A|·N.
+pub fn taper(window: Window, length: usize) -> Result<Vec<f64>, Sidelobes> {
+    let raw = match window {
+        Window::Rect => vec![1.0; length],
+        Window::Hann => cosine_sum(&[0.5, 0.5], length),
+        Window::Hamming => cosine_sum(&[0.54, 0.46], length),
+        // The "not very serious proposal" of Blackman & Tukey (1958), §B.5.
+        Window::Blackman => cosine_sum(&[0.42, 0.5, 0.08], length),
+        Window::Chebyshev(sidelobe_db) => dolph_chebyshev(sidelobe_db, length)?,
+    };
+    let mean = raw.iter().sum::<f64>() / length as f64;
+    // Short tapers can vanish (Hann of one sample): without weight there is nothing to normalise, so they are
+    // flat.
+    Ok(if mean > 0.0 { raw.iter().map(|w| w / mean).collect() } else { vec![1.0; length] })
+}
+
+/// Equivalent noise bandwidth in bins: N·Σw²/(Σw)² (Harris, Proc. IEEE 66 (1978) 51, eq. 11).
+pub fn noise_bandwidth_bins(taper: &[f64]) -> f64 {
+    let sum: f64 = taper.iter().sum();
+    let energy: f64 = taper.iter().map(|w| w * w).sum();
+    taper.len() as f64 * energy / (sum * sum)
+}
+
+/// Power that a tone `offset_bins` from a cell's centre leaves in it, 1 at the centre.
+pub fn response(taper: &[f64], offset_bins: f64) -> f64 {
+    transform(taper, offset_bins).norm_sqr() / (taper.len() as f64).powi(2)
+}
+
+/// W(δ) = Σ wₙ e^{j2πδn/N}: what a tone δ cells above a cell's centre leaves in it.
+pub fn transform(taper: &[f64], offset_bins: f64) -> Complex64 {
+    let step = TAU * offset_bins / taper.len() as f64;
+    taper.iter().enumerate().map(|(n, w)| Complex64::from_polar(*w, step * n as f64)).sum()
+}
+
+/// |ρ|² between the noise of two cells `lag_bins` apart: white samples keep the correlation of the window squared.
+pub fn noise_correlation(taper: &[f64], lag_bins: f64) -> f64 {
+    let squared: Vec<f64> = taper.iter().map(|w| w * w).collect();
+    let energy: f64 = squared.iter().sum();
+    response(&squared, lag_bins) * (taper.len() as f64 / energy).powi(2)
+}
+
+/// Σ (−1)^k a_k cos(2πkn/N).
+fn cosine_sum(coefficients: &[f64], length: usize) -> Vec<f64> {
+    let weight = |n: usize| -> f64 {
+        let angle = TAU * n as f64 / length as f64;
+        let terms = coefficients.iter().enumerate().map(|(k, a)| (k as f64 * angle).cos() * a);
+        terms.enumerate().map(|(k, term)| if k % 2 == 0 { term } else { -term }).sum()
+    };
+    (0..length).map(weight).collect()
+}
+
+/// Dolph (Proc. IRE 34 (1946) 335): the symmetric window of N + 1 points whose spectrum is the Chebyshev
+/// polynomial of degree N, without its last point (that makes it periodic).
+fn dolph_chebyshev(sidelobe_db: f64, length: usize) -> Result<Vec<f64>, Sidelobes> {
+    if !(10.0..=300.0).contains(&sidelobe_db) {
+        return Err(Sidelobes(sidelobe_db));
+    }
+    let points = length + 1;
+    let degree = length as f64;
+    let stretch = (amplitude_from_db(sidelobe_db).acosh() / degree).cosh();
+    let spectrum = |k: usize| {
+        let angle = PI * k as f64 / points as f64;
+        // The second factor puts the middle of the window at point N/2.
+        Complex64::from_polar(1.0, angle * degree) * chebyshev(degree, stretch * angle.cos())
+    };
+    let mut weights: Vec<Complex64> = (0..points).map(spectrum).collect();
+    FftPlanner::new().plan_fft_forward(points).process(&mut weights);
+    Ok(weights[..length].iter().map(|w| w.re).collect())
+}
+
+/// T_n(x) of integer degree n.
+fn chebyshev(degree: f64, x: f64) -> f64 {
+    let sign = if x < 0.0 && degree % 2.0 != 0.0 { -1.0 } else { 1.0 };
+    let x = x.abs();
+    sign * if x <= 1.0 { (degree * x.acos()).cos() } else { (degree * x.acosh()).cosh() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ALL: [Window; 5] =
+        [Window::Rect, Window::Hann, Window::Hamming, Window::Blackman, Window::Chebyshev(80.0)];
+
+    #[test]
+    fn s3_noise_bandwidths_are_those_of_the_windows() {
+        // physics.md §8: periodic windows; the closed forms of the cosine sums are Σa²-ratios and hold for
+        // any N > 4.
+        for (window, bins) in [
+            (Window::Rect, 1.0),
+            (Window::Hann, 1.5),
+            (Window::Hamming, 1.0 + 0.5 * (0.46_f64 / 0.54).powi(2)),
+            (Window::Blackman, 1.0 + 0.5 * (0.5_f64.powi(2) + 0.08_f64.powi(2)) / 0.42_f64.powi(2)),
+        ] {
+            for length in [128, 255, 512] {
+                let got = noise_bandwidth_bins(&taper(window, length).unwrap());
+                assert!((got - bins).abs() < 1e-12, "{window:?} of {length}: {got} against {bins}");
+            }
+        }
+        assert!((noise_bandwidth_bins(&taper(Window::Hamming, 256).unwrap()) - 1.363).abs() < 5e-4);
+    }
+
+    #[test]
+    fn every_window_has_unit_coherent_gain_for_odd_even_and_tiny_lengths() {
+        for window in ALL {
+            for length in [1, 2, 3, 7, 64, 101] {
+                let weights = taper(window, length).unwrap();
+                let mean = weights.iter().sum::<f64>() / length as f64;
+                assert!((mean - 1.0).abs() < 1e-12, "{window:?} of {length}: mean {mean}");
+                assert!(weights.iter().all(|w| w.is_finite()));
+            }
+        }
+    }
+
+    #[test]
+    fn windows_are_periodic_their_middle_lies_at_n_half() {
+        for window in ALL {
+            for length in [16, 17] {
+                let weights = taper(window, length).unwrap();
+                for n in 1..length {
+                    assert!(
+                        (weights[n] - weights[length - n]).abs() < 1e-12,
+                        "{window:?} of {length} at {n}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn noise_of_hann_cells_correlates_over_two_neighbours_only() {
+        // Autocorrelation of the kernel (−1/4, 1/2, −1/4): 3/8, −1/4, 1/16, 0.
+        let hann = taper(Window::Hann, 64).unwrap();
+        for (lag, rho) in [(0.0, 1.0), (1.0, -2.0 / 3.0), (2.0, 1.0 / 6.0), (3.0, 0.0), (4.0, 0.0)] {
+            let rho: f64 = rho;
+            assert!((noise_correlation(&hann, lag) - rho * rho).abs() < 1e-14, "lag {lag}");
+        }
+    }
+
+    #[test]
+    fn chebyshev_sidelobes_outside_a_sensible_range_are_refused() {
+        for level in [f64::NAN, -80.0, 0.0, 1e9] {
+            assert!(taper(Window::Chebyshev(level), 64).is_err());
+        }
+    }
+
+    #[test]
+    fn a_chebyshev_window_keeps_its_sidelobes_down_by_what_is_asked() {
+        let (length, padded) = (64, 64 * 32);
+        let mut spectrum: Vec<Complex64> =
+            taper(Window::Chebyshev(80.0), length).unwrap().iter().map(|&w| w.into()).collect();
+        spectrum.push(spectrum[0]); // the point that makes it symmetric again
+        spectrum.resize(padded, Complex64::ZERO);
+        FftPlanner::new().plan_fft_forward(padded).process(&mut spectrum);
+        let level = |k: usize| 20.0 * (spectrum[k].norm() / spectrum[0].norm()).log10();
+        // The main lobe ends where T's argument falls to 1: cell (M+1)/π·acos(1/β) = 3.87 here, 124 of the
+        // padded grid.
+        let highest = (126..padded / 2).map(level).fold(f64::NEG_INFINITY, f64::max);
+        assert!((highest + 80.0).abs() < 0.05, "{highest}");
+    }
+}

@@ -1,0 +1,154 @@
+//! Pages that name what is there: source files and tests that exist, libraries that the manifests list, prose in lines that fit.
+
+use crate::house::folders::files_below;
+use crate::project::project_root;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use wayside::host::failure::Failure;
+
+/// Columns of prose; tables, pictures, links and programs' own pages may be wider.
+const COLUMNS: usize = 110;
+/// Pages whose text a program writes.
+const MADE: [&str; 4] = ["docs/validation", "docs/chart.md", "docs/atlas.md", "docs/pictures"];
+
+pub(super) fn check() -> Result<(), Failure> {
+    let root = project_root();
+    let (pages, sources) = (pages(&root), sources(&root));
+    let mut broken = Vec::new();
+    for page in &pages {
+        let text = read(page)?;
+        let name = page.strip_prefix(&root).unwrap_or(page).display().to_string();
+        let gone = gone_files(&text, &sources).into_iter().chain(gone_tests(&text, &sources));
+        broken.extend(gone.map(|what| format!("{name}: names {what}, which is not there")));
+        if !MADE.iter().any(|made| name.starts_with(made)) {
+            broken
+                .extend(long_lines(&text).map(|line| format!("{name}:{line}: more than {COLUMNS} columns")));
+        }
+    }
+    broken.extend(libraries(
+        &read(&root.join("Cargo.toml"))?,
+        &read(&root.join("docs/decisions/dependencies.md"))?,
+    ));
+    if broken.is_empty() { Ok(()) } else { Err(Failure::Refused(broken.join("\n"))) }
+}
+
+fn read(file: &Path) -> Result<String, Failure> {
+    std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))
+}
+
+fn pages(root: &Path) -> Vec<PathBuf> {
+    let own = ["README.md", "CONTRIBUTING.md"].map(|name| root.join(name));
+    let docs = files_below(&root.join("docs"))
+        .into_iter()
+        .filter(|file| file.extension().is_some_and(|e| e == "md"));
+    own.into_iter().chain(docs).collect()
+}
+
+/// Paths of all source files of the workspace, from its root on.
+fn sources(root: &Path) -> BTreeSet<String> {
+    let below = |name: &str| files_below(&root.join(name));
+    let all = below("crates")
+        .into_iter()
+        .chain(["src", "tests"].iter().flat_map(|part| below(&format!("xtask/{part}"))));
+    let sources = all.filter(|file| file.extension().is_some_and(|e| e == "rs"));
+    sources.filter_map(|file| Some(file.strip_prefix(root).ok()?.display().to_string())).collect()
+}
+
+/// Words in backticks that end with `.rs` and are the end of no source file's path.
+fn gone_files(text: &str, sources: &BTreeSet<String>) -> Vec<String> {
+    let named =
+        text.split('`').skip(1).step_by(2).filter(|word| word.ends_with(".rs") && !word.contains([' ', '*']));
+    let is_there = |word: &&str| {
+        let end = word.trim_start_matches("../");
+        sources.iter().any(|file| file == end || file.ends_with(&format!("/{end}")))
+    };
+    named.filter(|word| !is_there(word)).map(str::to_owned).collect()
+}
+
+/// Programs of tests that commands name: `-p CRATE --test NAME`.
+fn gone_tests(text: &str, sources: &BTreeSet<String>) -> Vec<String> {
+    let words: Vec<&str> = text.split(|c: char| c.is_whitespace() || c == '`').collect();
+    let mut package = "";
+    let mut gone = Vec::new();
+    for pair in words.windows(2) {
+        match pair {
+            ["-p" | "--package", name] => package = name,
+            ["--test", name] => {
+                let folder =
+                    if package == "xtask" { "xtask".to_owned() } else { format!("crates/{package}") };
+                let places = [format!("{folder}/tests/{name}.rs"), format!("{folder}/tests/{name}/main.rs")];
+                if folder != "crates/" && !places.iter().any(|place| sources.contains(place)) {
+                    gone.push(format!("the test `{name}` of `{package}`"));
+                }
+            }
+            _ => {}
+        }
+    }
+    gone
+}
+
+/// Numbers of lines of prose that are too long.
+fn long_lines(text: &str) -> impl Iterator<Item = usize> {
+    let mut is_code = false;
+    let is_prose = move |line: &str| {
+        let is_fence = line.trim_start().starts_with("```");
+        is_code ^= is_fence;
+        !is_code
+            && !is_fence
+            && !line.trim_start().starts_with(['|', '<', '!', '#'])
+            && !line.starts_with("    ")
+    };
+    let prose: Vec<bool> = text.lines().map(is_prose).collect();
+    let lines = text.lines().zip(prose).zip(1..);
+    let long: Vec<usize> = lines
+        .filter(|((line, is_prose), _)| {
+            *is_prose && line.chars().count() > COLUMNS && line.trim().contains(' ')
+        })
+        .map(|(_, number)| number)
+        .collect();
+    long.into_iter()
+}
+
+/// A sentence for each library of the workspace without a row, and each row without a library.
+fn libraries(manifest: &str, page: &str) -> Vec<String> {
+    let section = manifest.split("[workspace.dependencies]").nth(1).unwrap_or_default();
+    let section = section.split("\n[").next().unwrap_or_default();
+    let listed =
+        section.lines().filter(|line| !line.contains("path = ")).filter_map(|line| line.split_once(" = "));
+    let listed: BTreeSet<String> = listed.map(|(name, _)| name.trim().replace('_', "-")).collect();
+    let rows = page.lines().filter_map(|line| line.strip_prefix("| ")?.split(" | ").next());
+    let words = rows.flat_map(|row| row.split(|c: char| !(c.is_alphanumeric() || "-_".contains(c))));
+    let told: BTreeSet<String> = words.map(|word| word.replace('_', "-")).collect();
+    let untold = listed.iter().filter(|name| !told.contains(*name));
+    untold.map(|name| format!("docs/decisions/dependencies.md: no row tells of `{name}`")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_page_names_has_to_be_there() {
+        let sources = BTreeSet::from(
+            ["crates/dsp/src/cfar.rs", "crates/dsp/tests/detection/main.rs"].map(str::to_owned),
+        );
+        let text =
+            "`cfar.rs`, `dsp/src/cfar.rs`, `old.rs`; `cargo test -p dsp --test detection -p dsp --test gone`";
+        assert_eq!(gone_files(text, &sources), ["old.rs"]);
+        assert_eq!(gone_tests(text, &sources), ["the test `gone` of `dsp`"]);
+    }
+
+    #[test]
+    fn prose_is_measured_and_tables_are_not() {
+        let long = "word ".repeat(30);
+        let text = format!("{long}\n| {long} |\n```\n{long}\n```\n    {long}\nshort\n{long}\n");
+        assert_eq!(long_lines(&text).collect::<Vec<_>>(), [1, 8]);
+    }
+
+    #[test]
+    fn every_library_has_its_reason() {
+        let manifest = "[workspace.dependencies]\nown = { path = \"x\" }\nserde = \"1\"\nnum_traits = \"1\"\nclap = \"4\"\n[profile]\n";
+        let page = "| library | for |\n|---|---|\n| serde, num-traits | records |\n";
+        assert_eq!(libraries(manifest, page), ["docs/decisions/dependencies.md: no row tells of `clap`"]);
+    }
+}
