@@ -50,7 +50,7 @@
 //!     road: Lanes { lanes: vec![Lane { number: 2, centre_m: 5.75, width_m: 3.75 }], ..Lanes::default() },
 //! }};
 //!
-//! // A point at 40 m in lane 2 (u = 5.75/40), approaching at 10 m/s: beat, Doppler and element phases of eq. (13).
+//! // A point at 40 m in lane 2 (u = 5.75/40), approaching at 10 m/s: phases of eq. (13).
 //! let (range_m, velocity_mps, u) = (40.0, -10.0, 5.75 / 40.0);
 //! let cycles = |rx: i32, chirp: i32, sample: i32| {
 //!     let time_s = f64::from(sample) / 5.12e6;

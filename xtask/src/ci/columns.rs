@@ -1,4 +1,5 @@
-//! Lines of code and comments that fit: strings aside, which say what they say.
+//! Comments that fit their columns; rustfmt sees to code (`rustfmt.toml`). Tables, programs and formulas
+//! within comments are as wide as they are.
 
 use crate::house::folders::sources;
 use crate::project::project_root;
@@ -20,25 +21,22 @@ pub(super) fn check() -> Result<(), Failure> {
     if broken.is_empty() { Ok(()) } else { Err(Failure::Refused(broken.join("\n"))) }
 }
 
-/// Numbers of lines that are too long; a string is continued over lines that rustfmt leaves alone.
+/// Numbers of lines of prose that are too long.
 fn long_lines(text: &str) -> impl Iterator<Item = usize> {
-    let is_string = |line: &str| line.contains('"') || line.ends_with('\\') || !line.contains(' ');
-    let lines = text.lines().zip(1..).filter(|(line, _)| line.chars().count() > COLUMNS);
-    let long: Vec<usize> = lines
-        .filter(|(line, _)| line.trim_start().starts_with("//") || !is_string(line.trim()))
-        .filter(|(line, _)| !is_table_or_program(line.trim_start()))
+    let is_long = |line: &&str| line.chars().count() > COLUMNS && line.trim_start().starts_with("//");
+    let long: Vec<usize> = text
+        .lines()
+        .zip(1..)
+        .filter(|(line, _)| is_long(line) && !is_table_or_program(line.trim_start()))
         .map(|(_, number)| number)
         .collect();
     long.into_iter()
 }
 
-/// A row of a table, or a line of a program within a comment.
+/// A row of a table, a line of a program, or formulas in columns.
 fn is_table_or_program(line: &str) -> bool {
     let inside = line.trim_start_matches(['/', '!']);
-    inside.trim_start().starts_with('|')
-        || inside.starts_with("     ")
-        || inside.contains(';')
-        || inside.contains('#')
+    inside.trim_start().starts_with('|') || inside.contains([';', '#', '{']) || inside.contains("    ")
 }
 
 #[cfg(test)]
@@ -46,9 +44,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn long_comments_and_code_are_told_and_strings_are_not() {
+    fn long_comments_are_told_and_what_has_columns_of_its_own_is_not() {
         let long = "word ".repeat(30);
-        let text = format!("// {long}\nlet x = \"{long}\";\nlet y = {};\nshort\n", "x + ".repeat(40));
-        assert_eq!(long_lines(&text).collect::<Vec<_>>(), [1, 3]);
+        let text =
+            format!("// {long}\nlet x = \"{long}\";\n/// | {long} |\n//! let y = {long};\n    /// {long}\n");
+        assert_eq!(long_lines(&text).collect::<Vec<_>>(), [1, 5]);
     }
 }

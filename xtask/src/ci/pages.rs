@@ -1,4 +1,5 @@
-//! Pages that name what is there: source files and tests that exist, libraries that the manifests list, prose in lines that fit.
+//! Pages that name what is there: source files and tests that exist, libraries that the manifests list, prose
+//! in lines that fit.
 
 use crate::house::folders::files_below;
 use crate::project::project_root;
