@@ -16,39 +16,61 @@ const COMPLEX64: &str = "<c8";
 /// that stand behind it.
 pub(crate) fn complex_values(bytes: &[u8]) -> Result<Array4<Complex32>, String> {
     let (head, values) = head_and_values(bytes).ok_or("it ends within its head")?;
-    let head = String::from_utf8_lossy(head);
-    let shape = shape(&head).ok_or("its head tells no shape")?;
+    let head = std::str::from_utf8(head).map_err(|_| "its head is no text")?;
+    let [descr, order, shape] = told(head).ok_or("its head tells no shape, type and order alone")?;
+    let shape = sides(shape).ok_or("its head tells no shape")?;
     match shape.iter().try_fold(VALUE_BYTES, |bytes, side| bytes.checked_mul(*side)) {
         Some(0) => return Err("it holds no values".to_owned()),
         Some(told) if told == values.len() as u64 => {}
         _ => return Err(format!("its head tells of {shape:?} values, behind it are {} bytes", values.len())),
     }
-    match entry(&head, "descr").and_then(quoted) {
-        Some(COMPLEX64) => {}
-        found => return Err(format!("its values are of type {}", found.unwrap_or("unknown"))),
+    if descr != COMPLEX64 {
+        return Err(format!("its values are of type {descr}"));
     }
-    let sides: [usize; 4] = shape
-        .iter()
-        .map(|side| *side as usize)
-        .collect::<Vec<_>>()
-        .try_into()
-        .map_err(|sides: Vec<usize>| format!("it has {} axes", sides.len()))?;
-    let is_column_major = entry(&head, "fortran_order").is_some_and(|value| value.starts_with("True"));
+    let sides: Vec<usize> = shape.iter().map(|side| *side as usize).collect();
+    let sides: [usize; 4] = sides.try_into().map_err(|s: Vec<usize>| format!("it has {} axes", s.len()))?;
+    let is_column_major = match order {
+        "True" => true,
+        "False" => false,
+        other => return Err(format!("fortran_order is True or False, not {other}")),
+    };
     let part = |bytes: &[u8]| f32::from_le_bytes(std::array::from_fn(|i| bytes[i]));
     let value = |bytes: &[u8]| Complex32::new(part(bytes), part(&bytes[4..]));
     let values = values.chunks_exact(VALUE_BYTES as usize).map(value).collect();
     Array4::from_shape_vec(sides.set_f(is_column_major), values).map_err(|e| e.to_string())
 }
 
-/// What stands behind a key of the head.
-fn entry<'h>(head: &'h str, key: &str) -> Option<&'h str> {
-    let (_, behind) = head.split_once(&format!("'{key}'"))?;
-    Some(behind.trim_start().strip_prefix(':')?.trim_start())
+/// The values of `descr`, `fortran_order` and `shape`, the only keys that a head has.
+fn told(head: &str) -> Option<[&str; 3]> {
+    let mut entries = entries(head)?;
+    entries.sort_unstable();
+    match entries[..] {
+        [("descr", descr), ("fortran_order", order), ("shape", shape)] => Some([descr, order, shape]),
+        _ => None,
+    }
 }
 
-/// The text between two quotation marks.
-fn quoted(text: &str) -> Option<&str> {
-    Some(text.strip_prefix('\'')?.split_once('\'')?.0)
+/// Keys and values of a dictionary as Python writes it.
+fn entries(head: &str) -> Option<Vec<(&str, &str)>> {
+    let mut rest = head.trim().strip_prefix('{')?.strip_suffix('}')?.trim();
+    let mut all = Vec::new();
+    while !rest.is_empty() {
+        let (key, behind) = rest.strip_prefix('\'')?.split_once('\'')?;
+        let (value, behind) = value_and_rest(behind.trim_start().strip_prefix(':')?.trim_start())?;
+        all.push((key, value.trim()));
+        rest = behind.trim_start();
+        rest = rest.strip_prefix(',').unwrap_or(rest).trim_start();
+    }
+    Some(all)
+}
+
+/// A number, word, quoted text or what stands in brackets.
+fn value_and_rest(text: &str) -> Option<(&str, &str)> {
+    if let Some(quoted) = text.strip_prefix('\'') {
+        return quoted.split_once('\'');
+    }
+    let end = if text.starts_with('(') { text.find(')')? + 1 } else { text.find(',').unwrap_or(text.len()) };
+    Some(text.split_at(end))
 }
 
 /// Magic, version, length of the head in two bytes or, from version 2 on, four, the head (NumPy Enhancement
@@ -66,11 +88,9 @@ fn head_and_values(bytes: &[u8]) -> Option<(&[u8], &[u8])> {
     behind.split_at_checked(length as usize)
 }
 
-/// The numbers in the brackets behind `shape`.
-fn shape(head: &str) -> Option<Vec<u64>> {
-    let (_, behind) = head.split_once("shape")?;
-    let (_, behind) = behind.split_once('(')?;
-    let (inside, _) = behind.split_once(')')?;
+/// Numbers in brackets.
+fn sides(shape: &str) -> Option<Vec<u64>> {
+    let inside = shape.strip_prefix('(')?.strip_suffix(')')?;
     inside.split(',').map(str::trim).filter(|side| !side.is_empty()).map(|side| side.parse().ok()).collect()
 }
 
