@@ -98,7 +98,7 @@ fn a_dataset_that_is_killed_goes_on() {
 
 /// Training begins anew and ends with the same weights.
 #[test]
-#[ignore = "builds the learning library: cargo test --release -p wayside --test kills -- --ignored a_training"]
+#[ignore = "builds the learning library: WAYSIDE_PROJECT=$PWD cargo test --release -p wayside --test kills -- --ignored a_training"]
 fn a_training_that_is_killed_leaves_nothing_half_written_and_ends_the_same_way() {
     let same = ["out/weights.model", "out/metrics.json", "out/curves.csv"];
     let words = "train crops --learner paper --iterations 3 --quiet --out out";

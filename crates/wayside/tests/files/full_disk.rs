@@ -112,7 +112,7 @@ fn every_command_ends_with_2_and_leaves_nothing_half_written() {
 }
 
 #[test]
-#[ignore = "builds the learning library: cargo test --release -p wayside --test files -- --ignored a_training"]
+#[ignore = "builds the learning library: WAYSIDE_PROJECT=$PWD cargo test --release -p wayside --test files -- --ignored a_training"]
 fn a_training_ends_with_2_and_leaves_nothing_half_written() {
     ends_with_2_on_a_full_disk(&filled(), "train crops --learner paper --iterations 1 --quiet --out disk/m");
 }
