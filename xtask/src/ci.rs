@@ -4,6 +4,7 @@ mod circles;
 mod columns;
 mod commands;
 mod features;
+mod findings;
 mod layers;
 mod pages;
 mod readme;
@@ -21,7 +22,8 @@ use wayside::program::terminal;
 
 type Check = fn(&mut Tally) -> Result<(), Failure>;
 
-const CHECKS: [(&str, Check); 12] = [
+/// Rules of the source, seconds all together.
+const CHEAP: [(&str, Check); 8] = [
     ("format", |_| cargo(&["fmt", "--all", "--check"])),
     ("layer rule", |_| layers::check()),
     ("room rule", |_| rooms::check()),
@@ -30,46 +32,46 @@ const CHECKS: [(&str, Check); 12] = [
     ("lines of code and comments", |_| columns::check()),
     ("pages name what is there", |_| pages::check()),
     ("one set of features", |_| features::check()),
+];
+
+/// What builds and runs all crates.
+const WHOLE: [(&str, Check); 4] = [
     ("lints", |_| cargo(&["clippy", "--release", "--all-targets", "--", "-D", "warnings"])),
     ("docs", |_| documentation()),
     ("tests and doctests (README)", |tally| readme::tests(tally)),
     ("main job (README)", |_| readme::main_job()),
 ];
 
-/// Of one crate alone: format, the cheap rules of all, then its own lints and tests.
-const OF_ONE: usize = 8;
-
 pub(crate) fn run(arguments: &CiArguments) -> Result<(), Failure> {
+    let mut tally = Tally::default();
     match &arguments.only {
-        Some(package) => only(package),
-        None => all(),
+        Some(package) => only(package, &mut tally)?,
+        None => all(&mut tally)?,
     }
+    terminal::line(format!("{} passed, {} failed", tally.passed, tally.failed));
+    Ok(())
 }
 
-fn only(package: &str) -> Result<(), Failure> {
-    let mut tally = Tally::default();
-    for (name, check) in &CHECKS[..OF_ONE] {
-        good(name, || check(&mut tally))?;
-    }
+/// The rules of the source, then lints and tests of one crate.
+fn only(package: &str, tally: &mut Tally) -> Result<(), Failure> {
+    each(&CHEAP, tally)?;
     let words = ["clippy", "--release", "--all-targets", "--package", package, "--", "-D", "warnings"];
     good("lints", || cargo(&words))?;
     let mut tests = Command::new("cargo");
     tests.args(["test", "--release", "--package", package]);
-    good("tests and doctests", || counted(&mut tests, &mut tally))?;
-    terminal::line(format!("{} passed, {} failed", tally.passed, tally.failed));
-    Ok(())
+    good("tests and doctests", || counted(&mut tests, tally))
 }
 
-fn all() -> Result<(), Failure> {
-    let mut tally = Tally::default();
+fn all(tally: &mut Tally) -> Result<(), Failure> {
     // Its library is one piece of work for minutes: beside the others it costs least.
     let training = Training::begin()?;
-    for (name, check) in CHECKS {
-        good(name, || check(&mut tally))?;
-    }
-    good("training", || training.end(&mut tally))?;
-    terminal::line(format!("{} passed, {} failed", tally.passed, tally.failed));
-    Ok(())
+    each(&CHEAP, tally)?;
+    each(&WHOLE, tally)?;
+    good("training", || training.end(tally))
+}
+
+fn each(checks: &[(&str, Check)], tally: &mut Tally) -> Result<(), Failure> {
+    checks.iter().try_for_each(|(name, check)| good(name, || check(tally)))
 }
 
 fn good(name: &str, check: impl FnOnce() -> Result<(), Failure>) -> Result<(), Failure> {

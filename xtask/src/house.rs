@@ -30,7 +30,7 @@ pub(crate) fn run() -> Result<(), Failure> {
             arrows.files.len(),
             arrows.count(),
             found.len(),
-            folders::largest(&folder),
+            folders::side_by_side(&folder).into_values().max().unwrap_or(0),
         ));
         files += arrows.files.len();
         (code, count, circles) = (code + lines, count + arrows.count(), circles + found.len());
@@ -57,7 +57,7 @@ pub(crate) fn look(folder: &Path) -> Result<(Arrows, Vec<Vec<usize>>), Failure> 
     Ok((arrows, circles))
 }
 
-/// Of a crate, as its folder is called.
+/// A crate is called as its folder is.
 pub(crate) fn name_of(folder: &Path) -> String {
     folder.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }

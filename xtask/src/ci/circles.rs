@@ -1,6 +1,7 @@
 //! No circle of files that use each other, in any crate, and no folder with more files side by side than one
 //! takes in at a glance.
 
+use crate::ci::findings::none_of;
 use crate::house::{self, arrows::Arrows, folders};
 use crate::project::project_root;
 use std::path::Path;
@@ -16,7 +17,7 @@ pub(super) fn check() -> Result<(), Failure> {
         broken.extend(circles.iter().map(|circle| sentence(&arrows, circle)));
         broken.extend(crowded(&folder));
     }
-    if broken.is_empty() { Ok(()) } else { Err(Failure::Refused(broken.join("\n"))) }
+    none_of(broken)
 }
 
 fn sentence(arrows: &Arrows, circle: &[usize]) -> String {
@@ -25,7 +26,9 @@ fn sentence(arrows: &Arrows, circle: &[usize]) -> String {
 }
 
 fn crowded(folder: &Path) -> Vec<String> {
-    let many = folders::each(folder).into_iter().filter(|(_, files)| *files > SIDE_BY_SIDE);
-    many.map(|(name, files)| format!("{name}: {files} files side by side, the limit is {SIDE_BY_SIDE}"))
-        .collect()
+    let many = folders::side_by_side(folder).into_iter().filter(|(_, files)| *files > SIDE_BY_SIDE);
+    many.map(|(place, files)| {
+        format!("{}: {files} files side by side, the limit is {SIDE_BY_SIDE}", place.display())
+    })
+    .collect()
 }

@@ -1,15 +1,14 @@
 //! Pages that name what is there: source files and tests that exist, libraries that the manifests list, prose
 //! in lines that fit.
 
+use crate::ci::findings::{self, COLUMNS, none_of, read};
 use crate::house::folders::files_below;
 use crate::project::project_root;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use wayside::host::failure::Failure;
 
-/// Columns of prose; tables, pictures, links and programs' own pages may be wider.
-const COLUMNS: usize = 110;
-/// Pages whose text a program writes.
+/// Pages whose text a program writes: as wide as it writes them.
 const MADE: [&str; 4] = ["docs/validation", "docs/chart.md", "docs/atlas.md", "docs/pictures"];
 
 pub(super) fn check() -> Result<(), Failure> {
@@ -22,19 +21,18 @@ pub(super) fn check() -> Result<(), Failure> {
         let gone = gone_files(&text, &sources).into_iter().chain(gone_tests(&text, &sources));
         broken.extend(gone.map(|what| format!("{name}: names {what}, which is not there")));
         if !MADE.iter().any(|made| name.starts_with(made)) {
-            broken
-                .extend(long_lines(&text).map(|line| format!("{name}:{line}: more than {COLUMNS} columns")));
+            broken.extend(
+                long_lines(&text)
+                    .into_iter()
+                    .map(|line| format!("{name}:{line}: more than {COLUMNS} columns")),
+            );
         }
     }
     broken.extend(libraries(
         &read(&root.join("Cargo.toml"))?,
         &read(&root.join("docs/decisions/dependencies.md"))?,
     ));
-    if broken.is_empty() { Ok(()) } else { Err(Failure::Refused(broken.join("\n"))) }
-}
-
-fn read(file: &Path) -> Result<String, Failure> {
-    std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))
+    none_of(broken)
 }
 
 fn pages(root: &Path) -> Vec<PathBuf> {
@@ -47,12 +45,8 @@ fn pages(root: &Path) -> Vec<PathBuf> {
 
 /// Paths of all source files of the workspace, from its root on.
 fn sources(root: &Path) -> BTreeSet<String> {
-    let below = |name: &str| files_below(&root.join(name));
-    let all = below("crates")
-        .into_iter()
-        .chain(["src", "tests"].iter().flat_map(|part| below(&format!("xtask/{part}"))));
-    let sources = all.filter(|file| file.extension().is_some_and(|e| e == "rs"));
-    sources.filter_map(|file| Some(file.strip_prefix(root).ok()?.display().to_string())).collect()
+    let from_root = |file: PathBuf| Some(file.strip_prefix(root).ok()?.display().to_string());
+    findings::sources().into_iter().filter_map(from_root).collect()
 }
 
 /// Words in backticks that end with `.rs` and are the end of no source file's path.
@@ -88,29 +82,21 @@ fn gone_tests(text: &str, sources: &BTreeSet<String>) -> Vec<String> {
     gone
 }
 
-/// Numbers of lines of prose that are too long.
-fn long_lines(text: &str) -> impl Iterator<Item = usize> {
-    let mut is_code = false;
-    let is_prose = move |line: &str| {
-        let is_fence = line.trim_start().starts_with("```");
-        is_code ^= is_fence;
-        !is_code
-            && !is_fence
-            && !line.trim_start().starts_with(['|', '<', '!', '#'])
-            && !line.starts_with("    ")
-    };
-    let prose: Vec<bool> = text.lines().map(is_prose).collect();
-    let lines = text.lines().zip(prose).zip(1..);
-    let long: Vec<usize> = lines
-        .filter(|((line, is_prose), _)| {
-            *is_prose && line.chars().count() > COLUMNS && line.trim().contains(' ')
-        })
-        .map(|(_, number)| number)
-        .collect();
-    long.into_iter()
+/// Numbers of lines of prose that are too long; tables, pictures, links and programs may be wider.
+fn long_lines(text: &str) -> Vec<usize> {
+    let (mut is_code, mut long) = (false, vec![]);
+    for (line, number) in text.lines().zip(1..) {
+        let inside = line.trim_start();
+        is_code ^= inside.starts_with("```");
+        let is_prose = !is_code && !inside.starts_with(['|', '<', '!', '#']) && !line.starts_with("    ");
+        if is_prose && line.chars().count() > COLUMNS && line.trim().contains(' ') {
+            long.push(number);
+        }
+    }
+    long
 }
 
-/// A sentence for each library of the workspace without a row, and each row without a library.
+/// A sentence for each library of the workspace of which no row tells.
 fn libraries(manifest: &str, page: &str) -> Vec<String> {
     let section = manifest.split("[workspace.dependencies]").nth(1).unwrap_or_default();
     let section = section.split("\n[").next().unwrap_or_default();
@@ -143,7 +129,7 @@ mod tests {
     fn prose_is_measured_and_tables_are_not() {
         let long = "word ".repeat(30);
         let text = format!("{long}\n| {long} |\n```\n{long}\n```\n    {long}\nshort\n{long}\n");
-        assert_eq!(long_lines(&text).collect::<Vec<_>>(), [1, 8]);
+        assert_eq!(long_lines(&text), [1, 8]);
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! The room rule: a room of a crate uses only rooms that stand before it in its `lib.rs`, tests aside. So the
 //! crate can be read from the first room on, and no two rooms need each other.
 
-use crate::house;
-use crate::house::folders::sources;
+use crate::ci::findings::{none_of, read};
+use crate::house::{self, folders};
 use crate::project::project_root;
 use std::path::{Path, PathBuf};
 use wayside::host::failure::Failure;
@@ -11,12 +11,12 @@ pub(super) fn check() -> Result<(), Failure> {
     let mut broken = Vec::new();
     for folder in house::crates(&project_root())? {
         let source = folder.join("src");
-        // A program has a `main.rs` alone, and `classifier-training` ten files in one room.
+        // A program has a `main.rs` alone.
         if source.join("lib.rs").is_file() {
             broken.extend(broken_in(&source)?);
         }
     }
-    if broken.is_empty() { Ok(()) } else { Err(Failure::Refused(broken.join("\n"))) }
+    none_of(broken)
 }
 
 fn broken_in(source: &Path) -> Result<Vec<String>, Failure> {
@@ -30,10 +30,6 @@ fn broken_in(source: &Path) -> Result<Vec<String>, Failure> {
     Ok(broken)
 }
 
-fn read(file: &Path) -> Result<String, Failure> {
-    std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))
-}
-
 /// Modules in the order of a `lib.rs`.
 fn rooms(lib: &str) -> Vec<String> {
     let name = |line: &str| {
@@ -45,10 +41,8 @@ fn rooms(lib: &str) -> Vec<String> {
 
 /// A room's own file and those in its folder, in a fixed order.
 fn files(source: &Path, room: &str) -> Vec<PathBuf> {
-    let mut files = vec![source.join(format!("{room}.rs"))];
-    sources(&source.join(room), &mut files);
-    files.sort();
-    files
+    let own = source.join(format!("{room}.rs"));
+    std::iter::once(own).chain(folders::sources(&source.join(room))).collect()
 }
 
 /// A sentence for each use of what is not in `known`, which ends with the file's own room.

@@ -1,8 +1,7 @@
 //! Files under 600 lines, no function over 70 (clippy's `too_many_lines` guards single functions too), nine
 //! functions in ten under 25 lines, the median under 10.
 
-use crate::house::folders::sources;
-use crate::project::project_root;
+use crate::ci::findings::{none_of, read, sources};
 use std::path::Path;
 use wayside::host::failure::Failure;
 
@@ -12,17 +11,13 @@ const NINE_IN_TEN_LINES: usize = 25;
 const MEDIAN_LINES: usize = 10;
 
 pub(super) fn check() -> Result<(), Failure> {
-    let mut files = Vec::new();
-    for place in ["crates", "xtask"] {
-        sources(&project_root().join(place), &mut files);
-    }
     let (mut broken, mut lengths) = (Vec::new(), Vec::new());
-    for file in files {
-        let text = std::fs::read_to_string(&file).map_err(|e| Failure::system(&file, "read", e))?;
+    for file in sources() {
+        let text = read(&file)?;
         judge(&file, &text, &mut broken, &mut lengths);
     }
     broken.extend(spread(&mut lengths));
-    if broken.is_empty() { Ok(()) } else { Err(Failure::Refused(broken.join("\n"))) }
+    none_of(broken)
 }
 
 fn judge(file: &Path, text: &str, broken: &mut Vec<String>, lengths: &mut Vec<usize>) {

@@ -18,11 +18,10 @@ pub(crate) struct Arrows {
 impl Arrows {
     /// Of the files below a crate's `src`.
     pub(crate) fn of(source: &Path) -> Result<Self, Failure> {
-        let mut places = Vec::new();
-        sources(source, &mut places);
-        places.sort();
-        let files =
-            places.iter().map(|place| SourceFile::read(source, place)).collect::<Result<Vec<_>, _>>()?;
+        let files = sources(source)
+            .iter()
+            .map(|place| SourceFile::read(source, place))
+            .collect::<Result<Vec<_>, _>>()?;
         let to = Names::of(&files).arrows();
         Ok(Self { files, to })
     }

@@ -1,44 +1,31 @@
-//! Files that stand side by side.
+//! Files of folders: all of them, those of source, and how many stand side by side.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// The most source files in one folder of a crate.
-pub(crate) fn largest(folder: &Path) -> usize {
-    each(folder).into_iter().map(|(_, files)| files).max().unwrap_or(0)
-}
-
-/// Folders of a crate with their number of source files.
-pub(crate) fn each(folder: &Path) -> Vec<(String, usize)> {
-    let mut all = Vec::new();
-    count(folder, &mut all);
-    all
-}
-
-fn count(folder: &Path, all: &mut Vec<(String, usize)>) {
-    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
-    let (folders, files): (Vec<_>, Vec<_>) = entries.partition(|place| place.is_dir());
-    let sources = files.iter().filter(|file| file.extension().is_some_and(|kind| kind == "rs")).count();
-    all.push((folder.display().to_string(), sources));
-    folders.iter().filter(|folder| !folder.ends_with("target")).for_each(|folder| count(folder, all));
-}
-
-/// Rust files of a folder and of those in it.
-pub(crate) fn sources(folder: &Path, files: &mut Vec<PathBuf>) {
-    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|e| e.path());
-    for entry in entries {
-        match entry.extension() {
-            _ if entry.is_dir() && !entry.ends_with("target") => sources(&entry, files),
-            Some(e) if e == "rs" => files.push(entry),
-            _ => {}
-        }
-    }
-}
-
-/// All files of a folder and of those in it, in the order of their paths.
+/// All files of a folder and of those in it, in the order of their paths; what cargo builds is none of them.
 pub(crate) fn files_below(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|e| e.path());
-    let each = |place: PathBuf| if place.is_dir() { files_below(&place) } else { vec![place] };
+    let each = |place: PathBuf| match place.is_dir() {
+        true if place.ends_with("target") => vec![],
+        true => files_below(&place),
+        false => vec![place],
+    };
     let mut files: Vec<PathBuf> = entries.flat_map(each).collect();
     files.sort();
     files
+}
+
+/// The Rust files among them.
+pub(crate) fn sources(folder: &Path) -> Vec<PathBuf> {
+    files_below(folder).into_iter().filter(|file| file.extension().is_some_and(|kind| kind == "rs")).collect()
+}
+
+/// Folders of a crate that hold source files, with their numbers of them.
+pub(crate) fn side_by_side(folder: &Path) -> BTreeMap<PathBuf, usize> {
+    let mut all = BTreeMap::new();
+    for file in sources(folder) {
+        *all.entry(file.parent().unwrap_or(folder).to_owned()).or_default() += 1;
+    }
+    all
 }

@@ -1,0 +1,24 @@
+//! What the checks of the source have in common: its files, and a failure that holds every finding.
+
+use crate::house::folders;
+use crate::project::project_root;
+use std::path::{Path, PathBuf};
+use wayside::host::failure::Failure;
+
+/// Columns of code, comments and prose, as `rustfmt.toml` has them.
+pub(super) const COLUMNS: usize = 110;
+
+/// A failure with a line for each finding, if there are any.
+pub(super) fn none_of(findings: Vec<String>) -> Result<(), Failure> {
+    if findings.is_empty() { Ok(()) } else { Err(Failure::Refused(findings.join("\n"))) }
+}
+
+/// The text of a file.
+pub(super) fn read(file: &Path) -> Result<String, Failure> {
+    std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))
+}
+
+/// Every source file of the workspace.
+pub(super) fn sources() -> Vec<PathBuf> {
+    ["crates", "xtask"].iter().flat_map(|place| folders::sources(&project_root().join(place))).collect()
+}
