@@ -1,4 +1,4 @@
-//! What several artifacts describe alike: the radar, what is asked of the stages, and materials.
+//! Descriptions that several artifacts share: the radar, what is asked of the stages, and materials.
 
 pub mod pattern; // gain of an element over direction
 pub mod radar; // waveform, array, link

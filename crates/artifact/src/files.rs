@@ -1,4 +1,4 @@
-//! How files are read and written: bounded, whole, and each artifact in one envelope.
+//! Reading and writing of files: bounded, whole, and each artifact in one envelope.
 
 pub(crate) mod codec; // bytes of a record
 pub mod inputs; // what no output may replace

@@ -1,4 +1,4 @@
-//! What the stages hand to each other: plain data, no physics.
+//! Artifacts that the stages hand to each other: plain data, no physics.
 //!
 //! Five stages (`scene`, `bart-rcs`, `fmcw-echo`, `dsp`, `classifier`) know this crate and not each other.
 //! Each reads one kind of artifact and writes the next:

@@ -1,4 +1,4 @@
-//! What the envelope promises, on artifacts made here.
+//! Promises of the envelope, on artifacts made here.
 
 #![allow(clippy::unwrap_used, reason = "a helper of tests fails the test")]
 

@@ -1,4 +1,5 @@
-//! What killed programs leave behind is removed by the next one; what living ones are writing is not.
+//! Files that killed programs leave behind are removed by the next one; those that living ones are
+//! writing are not.
 
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
@@ -8,10 +9,10 @@ use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 
-/// Where the child writes; the test is a child where it is set.
+/// Variable that names the place where the child writes; the test is a child where it is set.
 const PLACE: &str = "WRITER_OF_A_TEST";
 
-/// Not a test by itself: writes without end if it is a child.
+/// Writes without end if it is a child; no test by itself.
 #[test]
 fn a_writer() {
     let Some(place) = std::env::var_os(PLACE) else { return };

@@ -1,4 +1,4 @@
-//! Where a file may be put, and what is never replaced.
+//! Places where a file may be put, and what is never replaced.
 
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]

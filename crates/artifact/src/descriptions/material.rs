@@ -1,4 +1,4 @@
-//! What bodies are made of: a conductor, a half-space, or layers on air or metal.
+//! Materials of bodies: a conductor, a half-space, or layers on air or metal.
 //!
 //! Plain data; `bart-rcs` computes with it, `scene` reads it from TOML (`docs/materials.md`). Permittivities
 //! are relative, ε = ε′ − jε″ with e^{jωt}, and do not depend on frequency: within 76–81 GHz they change by
@@ -7,17 +7,17 @@
 use num_complex::Complex64;
 use serde::{Deserialize, Serialize};
 
-/// What the materials of a mesh stand for.
+/// Materials of a mesh, and whether waves go through its sheets.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Makeup {
-    /// One for each name of [`Mesh::materials`](crate::schemas::scene::Mesh::materials), or none at all:
+    /// Material of each name of [`Mesh::materials`](crate::schemas::scene::Mesh::materials); empty:
     /// everything conducts.
     pub materials: Vec<Material>,
     /// Whether waves are followed through sheets.
     pub transmission: Transmission,
 }
 
-/// What names of materials stand for; a name that is not there is a perfect conductor.
+/// Materials of a scene by their names; a name that is not there is a perfect conductor.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct MaterialMap {
     /// Name and material; names are unique.
@@ -36,7 +36,7 @@ impl MaterialMap {
     }
 }
 
-/// What a facet is made of.
+/// Material of a facet.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub enum Material {
     /// A perfect conductor.
@@ -44,14 +44,14 @@ pub enum Material {
     Conductor,
     /// Filled with one substance, thick enough that nothing comes back from inside.
     HalfSpace {
-        /// ε′ − jε″.
+        /// Relative permittivity ε′ − jε″.
         permittivity: Complex64,
     },
     /// Plane layers, the outermost first.
     Layers {
-        /// At least one.
+        /// Layers, the outermost first; at least one.
         layers: Vec<Layer>,
-        /// What is behind the last.
+        /// Medium behind the last layer.
         backing: Backing,
         /// Whether the thickness is known to a fraction of a wavelength.
         thickness: Thickness,
@@ -61,13 +61,13 @@ pub enum Material {
 /// A plane layer of one substance.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Layer {
-    /// Across the layer.
+    /// Thickness of the layer.
     pub thickness_m: f64,
-    /// ε′ − jε″.
+    /// Relative permittivity ε′ − jε″.
     pub permittivity: Complex64,
 }
 
-/// What layers lie on.
+/// Medium that layers lie on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Backing {
     /// Air: a sheet that waves pass.
@@ -76,33 +76,34 @@ pub enum Backing {
     Metal,
 }
 
-/// What is known of a thickness.
+/// Precision to which a thickness is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Thickness {
-    /// It is what it says: reflections of both faces interfere.
+    /// The thickness is exact: reflections of both faces interfere.
     Exact,
-    /// It is only about so: powers are averaged over thickness. 4 mm of glass reflects between −15 and −4 dB
-    /// with a period of 0.76 mm at 77 GHz, which no drawing tells.
+    /// The thickness is known only roughly: powers are averaged over it. 4 mm of glass reflects between −15
+    /// and −4 dB with a period of 0.76 mm at 77 GHz, which no drawing tells.
     Averaged,
 }
 
 /// Whether a wave that meets a sheet goes on behind it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Transmission {
-    /// No: a sheet reflects, and hides what is behind it.
+    /// A sheet reflects, and hides what is behind it.
     #[default]
     Ignored,
-    /// Yes: it goes on along its line, weakened and shifted, and comes back the same way.
+    /// The wave goes on along its line, weakened and shifted, and comes back the same way.
     Followed,
 }
 
 impl Material {
-    /// Whether waves pass: layers on air.
+    /// Whether waves pass the material: layers on air.
     pub fn is_sheet(&self) -> bool {
         matches!(self, Self::Layers { backing: Backing::Air, .. })
     }
 
-    /// Whether it can be: no permittivity below that of air or with a gain, and layers with a thickness.
+    /// Whether the material is possible: no permittivity below that of air or with a gain, and layers with
+    /// a thickness.
     pub fn is_sound(&self) -> bool {
         let can_be = |e: Complex64| e.is_finite() && e.re >= 1.0 && e.im <= 0.0;
         match self {
@@ -131,9 +132,9 @@ impl Makeup {
 /// The road as a plane z = 0 that reflects.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Road {
-    /// What it is made of.
+    /// Material of the road.
     pub material: Material,
-    /// Root mean square of its height, m: the coherent reflection loses e^{−g²/2}, g = 4πσ sinψ/λ (Ament
-    /// 1953).
+    /// Root mean square of the road's height, m: the coherent reflection loses e^{−g²/2}, g = 4πσ sinψ/λ
+    /// (Ament 1953).
     pub rms_height_m: f64,
 }

@@ -7,14 +7,14 @@ use std::f64::consts::FRAC_PI_2;
 /// Gain of an element over direction, relative to [`crate::descriptions::radar::Link::antenna_gain_db`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Pattern {
-    /// The same in every direction.
+    /// Equal gain in every direction.
     Isotropic,
     /// Amplitude cosⁿ of the angle off boresight, nothing behind.
     Cosine {
-        /// n.
+        /// Exponent n.
         exponent: f64,
     },
-    /// As measured; nothing beyond the table.
+    /// Measured table; no gain beyond it.
     Table(PatternTable),
 }
 
@@ -23,9 +23,9 @@ pub enum Pattern {
 /// growing.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PatternTable {
-    /// −π … π.
+    /// Azimuths of the table, −π … π.
     pub azimuth_rad: Vec<f64>,
-    /// −π/2 … π/2.
+    /// Elevations of the table, −π/2 … π/2.
     pub elevation_rad: Vec<f64>,
     /// Amplitude, row-major `[elevation, azimuth]`.
     pub amplitude: Vec<f64>,
@@ -63,9 +63,9 @@ impl Pattern {
 }
 
 impl PatternTable {
-    /// Cubic along both axes, continuous with its slope; nothing beyond the table. Of steps h it errs by at
-    /// most h³·max|f‴|/(36√3) + O(h⁴) an axis: the slopes are those of parabolas, wrong by h²f‴/6, and reach
-    /// a value with h·t(1−t)(1−2t) ≤ h/(6√3).
+    /// Amplitude by cubic interpolation along both axes, continuous with its slope; nothing beyond the
+    /// table. Of steps h it errs by at most h³·max|f‴|/(36√3) + O(h⁴) an axis: the slopes are those of
+    /// parabolas, wrong by h²f‴/6, and reach a value with h·t(1−t)(1−2t) ≤ h/(6√3).
     pub fn amplitude_at(&self, azimuth_rad: f64, elevation_rad: f64) -> f64 {
         let (Some(columns), Some(rows)) =
             (Stencil::of(&self.azimuth_rad, azimuth_rad), Stencil::of(&self.elevation_rad, elevation_rad))
@@ -128,7 +128,7 @@ mod tests {
     use super::*;
     use std::f64::consts::PI;
 
-    /// cosⁿ of the angle off boresight is cosⁿ(az)·cosⁿ(el).
+    /// The amplitude cosⁿ of the angle off boresight is cosⁿ(az)·cosⁿ(el).
     fn cosine(exponent: f64, steps: usize) -> Pattern {
         let half = 0.5 * PI;
         let angles: Vec<f64> = (0..=steps).map(|i| half * (2.0 * i as f64 / steps as f64 - 1.0)).collect();

@@ -9,17 +9,17 @@ use num_complex::Complex64;
 /// A substance of the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Substance {
-    /// As a map names it.
+    /// Name of the substance in a material map.
     pub name: &'static str,
-    /// ε′ − jε″; `None` is a perfect conductor.
+    /// Relative permittivity ε′ − jε″; `None` is a perfect conductor.
     pub permittivity: Option<Complex64>,
-    /// What it is, in a few words.
+    /// Meaning of the name, in a few words.
     pub meaning: &'static str,
-    /// Where the value is from.
+    /// Source of the value.
     pub source: &'static str,
 }
 
-/// All of them, by name.
+/// All substances of the table, by name.
 pub const SUBSTANCES: [Substance; 17] = [
     dielectric("abs", [2.7, 0.03], "acrylonitrile-butadiene-styrene: grilles, mirror caps", RIDDLE),
     dielectric("acrylic", [2.56, 0.019], "PMMA: lamp covers", ZHEKOV),

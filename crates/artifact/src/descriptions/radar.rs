@@ -9,43 +9,44 @@ use serde::{Deserialize, Serialize};
 pub struct Radar {
     /// Centre of the transmit row and of the receive row, world metres.
     pub position_m: [f64; 3],
-    /// Boresight from +y towards +x.
+    /// Azimuth of the boresight, from +y towards +x.
     pub boresight_az_rad: f64,
-    /// Boresight above the horizon.
+    /// Elevation of the boresight above the horizon.
     pub boresight_el_rad: f64,
-    /// What is sent.
+    /// Waveform that is sent.
     pub waveform: Waveform,
-    /// When it is sent, where not at one interval.
+    /// Schedule of the chirps, where they do not follow each other at one interval.
     pub schedule: Schedule,
-    /// What it is sent and received with.
+    /// Antenna elements that send and receive.
     pub array: Array,
     /// Power and gain.
     pub link: Link,
-    /// What of it is not ideal.
+    /// Imperfections of the radar.
     pub hardware: Hardware,
 }
 
 /// Linear chirps. Sampled time runs from the start of the sampled part of a chirp (`docs/conventions.md`).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Waveform {
-    /// f₀: instantaneous frequency at the first sample.
+    /// Start frequency f₀: instantaneous frequency at the first sample.
     pub start_frequency_hz: f64,
-    /// μ.
+    /// Slope μ of a chirp.
     pub slope_hz_per_s: f64,
-    /// f_s, of complex or of real samples.
+    /// Sample rate f_s, of complex or of real samples.
     pub sample_rate_hz: f64,
-    /// What of the mixer's product is sampled.
+    /// Part of the mixer's product that is sampled.
     pub sampling: Sampling,
-    /// N_s: samples of a chirp.
+    /// Samples of a chirp, N_s.
     pub samples: u32,
-    /// T_c: from one chirp of any transmitter to the next; of several intervals their mean ([`Schedule`]).
+    /// Chirp interval T_c, from one chirp of any transmitter to the next; the mean where there are several
+    /// ([`Schedule`]).
     pub chirp_interval_s: f64,
-    /// N_c: chirps that each transmitter sends in a frame; with codes blocks of chirps.
+    /// Chirps that each transmitter sends in a frame, N_c; with codes blocks of chirps.
     pub chirps: u32,
 }
 
 impl Waveform {
-    /// B = μ·N_s/f_s (Table 2).
+    /// Bandwidth of the sampled sweep, B = μ·N_s/f_s (Table 2).
     pub fn bandwidth_hz(&self) -> f64 {
         self.slope_hz_per_s * f64::from(self.samples) / self.sample_rate_hz
     }
@@ -60,7 +61,7 @@ impl Waveform {
         SPEED_OF_LIGHT_MPS / self.centre_frequency_hz()
     }
 
-    /// ΔR = c/2|B|, one range cell.
+    /// Range resolution ΔR = c/2|B|, one range cell.
     pub fn range_resolution_m(&self) -> f64 {
         SPEED_OF_LIGHT_MPS / (2.0 * self.bandwidth_hz().abs())
     }
@@ -75,7 +76,7 @@ impl Waveform {
         SPEED_OF_LIGHT_MPS * band_hz / (2.0 * self.slope_hz_per_s.abs())
     }
 
-    /// Range cells of a map: of real samples the half of the spectrum that is not the other's image.
+    /// Range cells of a map: with real samples the half of the spectrum that is not the other's image.
     pub fn range_cells(&self) -> usize {
         match self.sampling {
             Sampling::Complex => self.samples as usize,
@@ -84,10 +85,10 @@ impl Waveform {
     }
 }
 
-/// What of the mixer's product is sampled.
+/// Part of the mixer's product that is sampled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Sampling {
-    /// Both parts: an I and a Q channel.
+    /// Both parts, of an I and a Q channel.
     Complex,
     /// The real part alone; imaginary parts of a cube's samples are 0. Noise of the image band folds in (3
     /// dB).
@@ -100,8 +101,8 @@ pub struct Schedule {
     /// T_c of each sub-frame, which follow each other without a pause; each is a frame record of its own
     /// ([`Radar::in_frame`]). Empty: there is one, of the waveform's T_c.
     pub sub_frame_intervals_s: Vec<f64>,
-    /// By how much chirp k of any transmitter starts later than k·T_c, s: k modulo their number, the first is
-    /// 0. Empty: none does.
+    /// Delay of chirp k of any transmitter after k·T_c, s, at the index k modulo their number; the first is
+    /// 0. Empty: no chirp is late.
     pub stagger_s: Vec<f64>,
 }
 
@@ -117,19 +118,19 @@ impl Schedule {
     }
 }
 
-/// What of a radar, and of the air that it listens to, is not ideal; by default nothing. The headers of cubes
+/// Imperfections of a radar, and of the air that it listens to; by default none. The headers of cubes
 /// that a scene is made into leave it out: a detector knows it no more than that of a real radar.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Hardware {
-    /// Of each transmit element; empty: ideal.
+    /// Error of each transmit element; empty: ideal.
     pub tx: Vec<ElementError>,
-    /// Of each receive element; empty: ideal.
+    /// Error of each receive element; empty: ideal.
     pub rx: Vec<ElementError>,
-    /// Of what comes to the errors of every element, drawn from the scene's seed.
+    /// Spread of the random errors that are added to those of every element, drawn from the scene's seed.
     pub spread: ElementSpread,
-    /// `None`: samples are not rounded.
+    /// Converter of the samples; `None`: they are not rounded.
     pub adc: Option<Adc>,
-    /// Of the oscillator that all elements share, growing in offset; empty: none.
+    /// Phase noise of the oscillator that all elements share, growing in offset; empty: none.
     pub phase_noise: Vec<PhaseNoise>,
     /// Other radars that are heard.
     pub interferers: Vec<Interferer>,
@@ -138,21 +139,21 @@ pub struct Hardware {
 /// Another FMCW radar: chirps that follow each other at one interval, before the scene's first sample too.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Interferer {
-    /// World metres, at the scene's first sample.
+    /// Position at the scene's first sample, world metres.
     pub position_m: [f64; 3],
-    /// World, constant.
+    /// Velocity in world axes, constant.
     pub velocity_mps: [f64; 3],
     /// Transmit power times antenna gain, in our direction.
     pub eirp_w: f64,
     /// Frequency at which its chirps begin.
     pub start_frequency_hz: f64,
-    /// Of its chirps; 0 is a tone.
+    /// Slope of the chirps; 0 is a tone.
     pub slope_hz_per_s: f64,
     /// Length of a chirp.
     pub sweep_s: f64,
-    /// From the beginning of one chirp to that of the next.
+    /// Time from the beginning of one chirp to that of the next.
     pub chirp_interval_s: f64,
-    /// Beginning of one of them after the scene's first sample.
+    /// Beginning of one of the chirps after the scene's first sample.
     pub offset_s: f64,
 }
 
@@ -160,52 +161,54 @@ pub struct Interferer {
 /// one to the next, constant before the first and behind the last.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PhaseNoise {
-    /// From the carrier.
+    /// Offset from the carrier.
     pub offset_hz: f64,
     /// L, dBc/Hz: half the one-sided density of the phase in rad²/Hz.
     pub dbc_per_hz: f64,
 }
 
-/// How an element differs from an ideal one.
+/// Deviation of an antenna element from an ideal one.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct ElementError {
-    /// Of its amplitude.
+    /// Error of the amplitude.
     pub gain_db: f64,
-    /// Of the IF value of its echoes.
+    /// Error of the phase of the IF value of its echoes.
     pub phase_rad: f64,
-    /// Of its line.
+    /// Delay of its line.
     pub delay_s: f64,
 }
 
 /// Standard deviations of elements' errors.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct ElementSpread {
-    /// Of the amplitude.
+    /// Standard deviation of the amplitude error.
     pub gain_db: f64,
-    /// Of the IF value of echoes.
+    /// Standard deviation of the phase error of echoes' IF values.
     pub phase_rad: f64,
 }
 
 /// An analogue-to-digital converter for each part of a complex sample.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Adc {
-    /// b: 2^b codes.
+    /// Number of bits b: 2^b codes.
     pub bits: u8,
     /// Largest part of a sample, √W.
     pub full_scale: f64,
 }
 
-/// How the transmitters share the air.
+/// Multiplexing: how the transmitters share the air.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Multiplexing {
     /// Ideal orthogonal transmitters (the paper's).
     Simultaneous,
     /// One transmitter at a time: chirp m of transmitter i starts at (m·N_tx + i)·T_c.
     Tdm,
-    /// All at once, told apart by Doppler: transmitter i turns by e^{+j2πim/M} in the IF, M = N_tx + 1.
+    /// All transmitters at once, told apart by Doppler: transmitter i turns by e^{+j2πim/M} in the IF, M =
+    /// N_tx + 1.
     Ddm,
-    /// All at once, told apart by binary codes over a block of M chirps, M the power of two from N_tx on:
-    /// transmitter i has the sign [`code_sign`] in chirp s of block m, which starts at (m·M + s)·T_c.
+    /// All transmitters at once, told apart by binary codes over a block of M chirps, M the power of two
+    /// from N_tx on: transmitter i has the sign [`code_sign`] in chirp s of block m, which starts at (m·M +
+    /// s)·T_c.
     Bpm,
 }
 
@@ -219,18 +222,18 @@ pub fn code_sign(code: usize, slot: usize) -> f64 {
 /// v received).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Polarization {
-    /// v sent and received.
+    /// Sends v and receives v.
     Vv,
-    /// h sent and received.
+    /// Sends h and receives h.
     Hh,
-    /// h sent, v received.
+    /// Sends h and receives v.
     Vh,
-    /// v sent, h received.
+    /// Sends v and receives h.
     Hv,
 }
 
 impl Polarization {
-    /// (receive, transmit) indices into a 2 × 2 amplitude, v = 0, h = 1.
+    /// Indices (receive, transmit) into a 2 × 2 amplitude, v = 0, h = 1.
     pub fn indices(self) -> (usize, usize) {
         match self {
             Self::Vv => (0, 0),
@@ -251,13 +254,14 @@ pub struct Array {
     /// The transmit elements in half wavelengths [right, up] as seen along the boresight, as the scene gave
     /// them.
     pub tx_half_wavelengths: Vec<[f64; 2]>,
-    /// The receive elements likewise.
+    /// The receive elements in half wavelengths [right, up] as seen along the boresight, as the scene gave
+    /// them.
     pub rx_half_wavelengths: Vec<[f64; 2]>,
-    /// How transmitters share the air.
+    /// Multiplexing of the transmitters.
     pub multiplexing: Multiplexing,
-    /// Of all elements.
+    /// Polarization of all elements.
     pub polarization: Polarization,
-    /// Of all elements.
+    /// Pattern of all elements.
     pub pattern: Pattern,
 }
 
@@ -303,12 +307,12 @@ impl Radar {
         }
     }
 
-    /// From one chirp of a cube's channel to its next, s.
+    /// Time from one chirp of a cube's channel to its next, s.
     pub fn repetition_interval_s(&self) -> f64 {
         self.waveform.chirp_interval_s * self.slots() as f64
     }
 
-    /// λ/4T, T the repetition of one channel, m/s.
+    /// Maximum unambiguous velocity λ/4T, T the repetition of one channel, m/s.
     pub fn velocity_max_mps(&self) -> f64 {
         self.waveform.wavelength_m() / (4.0 * self.repetition_interval_s())
     }
@@ -319,7 +323,7 @@ impl Radar {
         velocity_mps - span * (velocity_mps / span).round()
     }
 
-    /// λ/2N_cT, one Doppler cell, m/s.
+    /// Velocity resolution λ/2N_cT, one Doppler cell, m/s.
     pub fn velocity_resolution_mps(&self) -> f64 {
         2.0 * self.velocity_max_mps() / f64::from(self.waveform.chirps)
     }
@@ -333,7 +337,7 @@ impl Radar {
         })
     }
 
-    /// From the frame's first sample to the end of its last chirp and its idle time, s.
+    /// Time from the frame's first sample to the end of its last chirp and its idle time, s.
     pub fn frame_duration_s(&self) -> f64 {
         self.slot_start_s(self.waveform.chirps as usize * self.slots())
     }
@@ -354,12 +358,12 @@ impl Radar {
         radar
     }
 
-    /// From the first sample of a cycle's first sub-frame to that of record `index`, s.
+    /// Time from the first sample of a cycle's first sub-frame to that of record `index`, s.
     pub fn sub_frame_start_s(&self, index: u32) -> f64 {
         (0..index % self.schedule.sub_frames()).map(|earlier| self.in_frame(earlier).frame_duration_s()).sum()
     }
 
-    /// From the first sample of a cycle's first sub-frame to the end of its last, s.
+    /// Time from the first sample of a cycle's first sub-frame to the end of its last, s.
     pub fn cycle_duration_s(&self) -> f64 {
         (0..self.schedule.sub_frames()).map(|index| self.in_frame(index).frame_duration_s()).sum()
     }

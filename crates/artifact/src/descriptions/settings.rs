@@ -1,4 +1,4 @@
-//! What a scene asks of the stages.
+//! Settings that a scene asks of the stages.
 
 use crate::quantities::accuracy::Accuracy;
 use num_complex::Complex64;
@@ -7,20 +7,20 @@ use serde::{Deserialize, Serialize};
 /// Receiver noise.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Noise {
-    /// None; the detector then takes a floor 60 dB below the map's peak, and says so.
+    /// No noise; the detector then takes a floor 60 dB below the map's peak, and says so.
     Absent,
     /// Thermal: k·T·F·f_s per complex sample.
     Figure {
-        /// F in dB.
+        /// Noise figure F, dB.
         noise_figure_db: f64,
-        /// T.
+        /// Noise temperature T.
         temperature_k: f64,
     },
     /// Noise-free peak cell over mean noise power, one channel, windows as set, dB.
     SnrDb(f64),
 }
 
-/// How scattering reaches the echo.
+/// Form in which scattering reaches the echo.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum EchoMode {
     /// Path by path, spherical waves.
@@ -29,12 +29,13 @@ pub enum EchoMode {
     RcsTable,
 }
 
-/// How much of a frame's paths the echo is made of (`docs/decisions/levels-of-detail.md`).
+/// Level of detail: how much of a frame's paths the echo is made of
+/// (`docs/decisions/levels-of-detail.md`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Detail {
     /// The cheapest of the next three that keeps the accuracy asked for.
     Auto,
-    /// All that were traced.
+    /// All paths that were traced.
     Paths,
     /// Paths whose phases stay together as one.
     Merged,
@@ -45,7 +46,7 @@ pub enum Detail {
 }
 
 impl Detail {
-    /// As people write it.
+    /// Name as people write it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Auto => "auto",
@@ -66,28 +67,28 @@ pub enum Edges {
     FirstOrder,
 }
 
-/// What the facets stand for.
+/// Surface that the facets stand for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Surface {
-    /// Themselves.
+    /// The flat facets themselves.
     Flat,
     /// The curved skin that the vertex normals tell of.
     Smooth,
 }
 
-/// From which sides a facet scatters.
+/// Sides from which a facet scatters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Sides {
-    /// Either: the meshes that people have are open and their winding is unreliable.
+    /// Either side: the meshes that people have are open and their winding is unreliable.
     Two,
-    /// Only where the winding is counter-clockwise.
+    /// The side alone from which the winding is counter-clockwise.
     One,
 }
 
 /// Whether ways are followed from one body to another.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum BetweenBodies {
-    /// As within a body.
+    /// Ways from body to body are traced like those within a body.
     #[default]
     Traced,
     /// Bodies shade one another; what one reflects into another is left out, multipath ghosts by two vehicles
@@ -95,7 +96,8 @@ pub enum BetweenBodies {
     LeftOut,
 }
 
-/// On which facet of a multiple reflection the integral is taken (`docs/decisions/node-rule.md`).
+/// Rule for the facet of a multiple reflection on which the integral is taken
+/// (`docs/decisions/node-rule.md`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum NodeRule {
     /// The middle of the sequence; even orders the symmetrised mean of both middles.
@@ -115,15 +117,15 @@ pub struct Fidelity {
     pub bounces: u8,
     /// Edge diffraction.
     pub edges: Edges,
-    /// What facets stand for.
+    /// Surface that facets stand for.
     pub surface: Surface,
-    /// Which sides of a facet scatter.
+    /// Sides of a facet that scatter.
     pub sides: Sides,
     /// Node of multiple reflections.
     pub nodes: NodeRule,
     /// Paths or the paper's table.
     pub echo: EchoMode,
-    /// How much of the paths the echo is made of.
+    /// Level of detail: how much of the paths the echo is made of.
     pub detail: Detail,
     /// Ways that meet several bodies.
     pub between_bodies: BetweenBodies,
@@ -135,7 +137,7 @@ pub struct Fidelity {
 /// Taper of an FFT axis, periodic, of unit coherent gain.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Window {
-    /// None.
+    /// No taper.
     Rect,
     /// Hann.
     Hann,
@@ -160,7 +162,7 @@ pub enum Detector {
     OsCfar,
 }
 
-/// How directions are found in a cell.
+/// Method by which directions are found in a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Angle {
     /// One echo a cell: the strongest beam, by FFT over the array.
@@ -169,29 +171,29 @@ pub enum Angle {
     MaximumLikelihood,
 }
 
-/// Which estimates are made finer than the map's peaks.
+/// Estimates that are made finer than the map's peaks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Refine {
-    /// None: peaks are placed between cells.
+    /// No estimate: peaks are placed between cells.
     Off,
     /// Range, velocity and direction of peaks that stand alone, by maximum likelihood on the unwindowed
     /// samples.
     Isolated,
 }
 
-/// What becomes of echoes at rest, as the ground, kerbs and rails send them back, and vehicles that wait.
+/// Treatment of echoes at rest, as the ground, kerbs and rails send them back, and vehicles that wait.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum StaticEchoes {
-    /// They are points and objects like others, and nothing is told of it.
+    /// Echoes at rest are points and objects like others, and nothing is told of it.
     Keep,
-    /// The same, and points and objects tell whether they are at rest.
+    /// Points and objects tell whether they are at rest, and are otherwise kept.
     Mark,
-    /// They are no points, and no objects are formed of them.
+    /// Echoes at rest are no points, and no objects are formed of them.
     Remove,
 }
 
 impl StaticEchoes {
-    /// As people write it.
+    /// Name as people write it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Keep => "keep",
@@ -215,20 +217,21 @@ pub struct DspSettings {
     pub doppler_window: Window,
     /// Detector.
     pub detector: Detector,
-    /// Asked for, per tested cell; within [`FALSE_ALARM_RATES`].
+    /// False alarms asked for per tested cell; within [`FALSE_ALARM_RATES`].
     pub false_alarm_rate: f64,
     /// Cells on each side that stay out of the noise estimate, [doppler, range].
     pub guard_cells: [u32; 2],
     /// Cells on each side beyond the guard that make the noise estimate, [doppler, range].
     pub training_cells: [u32; 2],
-    /// How directions are found.
+    /// Method by which directions are found.
     pub angle: Angle,
-    /// What is estimated finer than by peaks.
+    /// Estimates that are made finer than by peaks.
     pub refine: Refine,
-    /// Of each transmit–receive pair, tx·N_rx + rx: what its values are multiplied by before directions are
-    /// looked for, since its elements were measured to differ from ideal ones. Empty: all are taken as ideal.
+    /// Correction of each transmit–receive pair, tx·N_rx + rx: the factor of its values before directions
+    /// are looked for, since its elements were measured to differ from ideal ones. Empty: all are taken as
+    /// ideal.
     pub calibration: Vec<Complex64>,
-    /// What becomes of echoes at rest.
+    /// Treatment of echoes at rest.
     pub static_echoes: StaticEchoes,
     /// Height given to points where the array has no elevation rows.
     pub assumed_height_m: f64,
@@ -246,9 +249,9 @@ pub struct DspSettings {
 /// road in coordinates of its own: across it to the right, and along it.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Lanes {
-    /// Where across and along start, world x and y.
+    /// Origin of the coordinates across and along, world x and y.
     pub origin_m: [f64; 2],
-    /// Along the road, from world +y towards +x.
+    /// Direction along the road, from world +y towards +x.
     pub azimuth_rad: f64,
     /// Straight lanes, side by side along the road.
     pub lanes: Vec<Lane>,
@@ -259,29 +262,29 @@ pub struct Lanes {
 /// A lane along a road.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Lane {
-    /// Counted from 1 at the radar.
+    /// Number of the lane, counted from 1 at the radar.
     pub number: u8,
-    /// Of its middle, across the road.
+    /// Place of the lane's middle across the road.
     pub centre_m: f64,
-    /// Across.
+    /// Width across the lane.
     pub width_m: f64,
 }
 
 /// A lane of a network.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Course {
-    /// Counted from 1 in the order of the network.
+    /// Number of the lane, counted from 1 in the order of the network.
     pub number: u8,
-    /// As the network calls it.
+    /// Name of the lane in the network.
     pub name: String,
-    /// Across.
+    /// Width across the lane.
     pub width_m: f64,
-    /// Its middle: world x and y of two places or more, in driving direction.
+    /// Middle of the lane: world x and y of two places or more, in driving direction.
     pub line_m: Vec<[f64; 2]>,
 }
 
 impl Course {
-    /// From its middle to a place beside it; `None` before its beginning and behind its end.
+    /// Distance of a place from the lane's middle; `None` before its beginning and behind its end.
     pub fn distance_m(&self, place_m: [f64; 2]) -> Option<f64> {
         let last = self.line_m.len().saturating_sub(2);
         let parts = self.line_m.windows(2).enumerate();
@@ -294,8 +297,8 @@ impl Course {
     }
 }
 
-/// Where along a straight part its nearest place to another is, as a share of its length that may lie beyond
-/// both ends, and the distance from the part itself; `None` of a part without length.
+/// Place on a straight part that is nearest to another, as a share of the part's length that may lie
+/// beyond both ends, and the distance from the part itself; `None` of a part without length.
 fn beside([x, y]: [f64; 2], [[ax, ay], [bx, by]]: [[f64; 2]; 2]) -> Option<(f64, f64)> {
     let (dx, dy) = (bx - ax, by - ay);
     let square = dx * dx + dy * dy;
@@ -353,10 +356,10 @@ pub enum Class {
 }
 
 impl Class {
-    /// All, in the order of every table and network output.
+    /// All classes, in the order of every table and network output.
     pub const ALL: [Self; 4] = [Self::Car, Self::Bus, Self::Truck, Self::Motorcycle];
 
-    /// As people write it.
+    /// Name as people write it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Car => "car",

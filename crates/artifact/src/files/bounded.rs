@@ -18,13 +18,13 @@ pub enum ReadFault {
     /// Longer than its reader allows.
     #[error("has more than {limit} bytes, the most that are read")]
     TooLong {
-        /// Most bytes.
+        /// Most bytes that are allowed.
         limit: u64,
     },
-    /// Not text.
+    /// The file is not text.
     #[error("is not UTF-8 text from byte {byte} on")]
     NotText {
-        /// The first that does not fit, from 0.
+        /// Index of the first byte that does not fit, from 0.
         byte: usize,
     },
 }
@@ -55,7 +55,8 @@ pub fn read_text(file: &Path, limit: u64) -> Result<String, ReadFault> {
     String::from_utf8(bytes).map_err(|error| ReadFault::NotText { byte: error.utf8_error().valid_up_to() })
 }
 
-/// What is told only refuses early and reserves room.
+/// Reads all of `source`, at most `limit` bytes; the length `told` only refuses early and reserves
+/// room.
 fn read_at_most(source: impl Read, told: u64, limit: u64) -> Result<Vec<u8>, ReadFault> {
     let too_long = ReadFault::TooLong { limit };
     if told > limit {

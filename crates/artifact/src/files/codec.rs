@@ -1,4 +1,5 @@
-//! bincode 2 behind one module: the day it has to go, it goes here (docs/decisions/serialization.md).
+//! Use of bincode 2 behind one module: the day it has to go, it goes here
+//! (docs/decisions/serialization.md).
 
 use serde::{Serialize, de::DeserializeOwned};
 

@@ -41,7 +41,7 @@ pub trait Schema {
     type Frame: Serialize + DeserializeOwned;
 }
 
-/// Where an artifact came from: no clock, no host, so that equal work gives equal bytes.
+/// Origin of an artifact: no clock, no host, so that equal work gives equal bytes.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Provenance {
     /// Stage that wrote it.
@@ -56,14 +56,14 @@ pub struct Provenance {
     pub seed: u64,
 }
 
-/// What an artifact says of itself before its content.
+/// Description of an artifact that stands before its content.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Preamble {
     /// [`Schema::NAME`].
     pub schema: String,
     /// [`Schema::VERSION`].
     pub version: u32,
-    /// Where it came from.
+    /// Origin of the artifact.
     pub provenance: Provenance,
 }
 

@@ -13,13 +13,13 @@ pub struct ArtifactError {
     pub fault: Fault,
 }
 
-/// What can be wrong with an artifact.
+/// Fault of an artifact.
 #[derive(Debug, thiserror::Error)]
 pub enum Fault {
     /// The system refused: missing, unreadable, unwritable, disk full.
     #[error("cannot {doing}: {cause}")]
     System {
-        /// What was tried.
+        /// Action that was tried.
         doing: &'static str,
         /// The system's answer.
         cause: std::io::Error,
@@ -30,33 +30,33 @@ pub enum Fault {
     /// The first bytes are not the envelope's.
     #[error("not a Wayside artifact (the first 8 bytes are not its magic)")]
     Magic,
-    /// Another kind of artifact than asked for.
+    /// The file holds another kind of artifact than asked for.
     #[error("is a `{found}` artifact where a `{expected}` artifact is needed")]
     Schema {
-        /// Needed.
+        /// Kind that was asked for.
         expected: &'static str,
-        /// In the file.
+        /// Kind in the file.
         found: String,
     },
-    /// Written by another version of the schema.
+    /// The file was written by another version of the schema.
     #[error("`{schema}` version {found}; this program reads version {known}")]
     Version {
         /// Kind of artifact.
         schema: String,
-        /// In the file.
+        /// Version in the file.
         found: u32,
-        /// Known here.
+        /// Version known here.
         known: u32,
     },
     /// Bytes changed since they were written.
     #[error("byte {offset}: checksum of {record} does not match: the file is damaged")]
     Checksum {
-        /// Which record.
+        /// Name of the record.
         record: String,
-        /// Where it starts in the file.
+        /// Byte of the file at which the record starts.
         offset: u64,
     },
-    /// Cut off, or still being written by a program that died.
+    /// The file is cut off, or still being written by a program that died.
     #[error("has no end mark: the file is cut off")]
     MissingEnd,
     /// The end mark tells of another number of frames.
@@ -70,21 +70,21 @@ pub enum Fault {
     /// A length that the file or the schema cannot hold.
     #[error("byte {offset}: {record} claims {length} bytes, the limit is {limit}")]
     TooLong {
-        /// Which record.
+        /// Name of the record.
         record: String,
-        /// Where it starts in the file.
+        /// Byte of the file at which the record starts.
         offset: u64,
-        /// Claimed.
+        /// Length that the record claims.
         length: u64,
-        /// Allowed.
+        /// Length that is allowed.
         limit: u64,
     },
     /// A record of the right checksum that is not of the schema's shape.
     #[error("byte {offset}: {record} is not of the schema's shape: {why}")]
     Shape {
-        /// Which record.
+        /// Name of the record.
         record: String,
-        /// Where it starts in the file.
+        /// Byte of the file at which the record starts.
         offset: u64,
         /// The decoder's words.
         why: String,
@@ -92,7 +92,7 @@ pub enum Fault {
     /// Bytes where a record should begin that begin none.
     #[error("byte {offset}: no record begins with {found:#04x}")]
     Marker {
-        /// Where.
+        /// Byte of the file at which they stand.
         offset: u64,
         /// The byte.
         found: u8,

@@ -62,7 +62,7 @@ pub(crate) fn known(file: &Path, about: &Metadata) -> Option<PathBuf> {
     inputs.into_iter().find(is_still_there)
 }
 
-/// What is one and the same however it is named.
+/// Identity of a file, one and the same however it is named.
 #[cfg(unix)]
 type Identity = (u64, u64);
 #[cfg(not(unix))]

@@ -17,15 +17,15 @@ pub enum PlaceRule {
     /// A symbolic link that leads nowhere: what it is meant to lead to is not known to be a plain file.
     #[error("it is a symbolic link to nothing; remove it, or make the file that it leads to")]
     DanglingLink,
-    /// Its owner has protected it.
+    /// The owner has protected the file at that place.
     #[error("it is write-protected")]
     WriteProtected,
-    /// It would destroy what it is made from.
+    /// The output would destroy an input that it is made from.
     #[error("it is an input of this command{}", name_of(.input, .place))]
     Input {
-        /// As it was asked for as an output.
+        /// Place that was asked for as an output.
         place: PathBuf,
-        /// As it was read.
+        /// Name by which the input was read.
         input: PathBuf,
     },
 }

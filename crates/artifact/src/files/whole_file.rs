@@ -31,9 +31,9 @@ pub struct WholeFile {
 /// Whether a finished file outlives a loss of power.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Durability {
-    /// It waits for the disk.
+    /// Finishing waits for the disk.
     OnDisk,
-    /// It is as durable as the system's own time table makes it: what can be made again.
+    /// The file is as durable as the system's own time table makes it: enough for what can be made again.
     InCache,
 }
 

@@ -34,7 +34,7 @@ impl Accuracy {
     }
 }
 
-/// What one run believes of its numerical error: relative amplitude errors by source, `None` where not
+/// Numerical error of one run as it believes it: relative amplitude errors by source, `None` where not
 /// estimated.
 ///
 /// Every figure is computed from the run that prints it.
@@ -87,7 +87,8 @@ impl ErrorBudget {
     }
 }
 
-/// What the physical model leaves out: relative amplitude errors by source, `None` where not estimated.
+/// Error of the physical model by what it leaves out: relative amplitude errors by source, `None` where
+/// not estimated.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct ModelError {
     /// Higher bounces than were traced.
@@ -103,7 +104,7 @@ pub struct ModelError {
     pub road: Option<f64>,
     /// Ways that meet several bodies.
     pub between_bodies: Option<f64>,
-    /// What is behind sheets, where waves are not followed through them.
+    /// Echoes from behind sheets, where waves are not followed through them.
     pub transmission: Option<f64>,
 }
 

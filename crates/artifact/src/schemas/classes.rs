@@ -1,4 +1,4 @@
-//! What the classifier says of a frame's objects.
+//! Classes of a frame's objects, as the classifier tells them.
 
 use crate::descriptions::settings::Class;
 use crate::files::envelope::Schema;
@@ -14,16 +14,16 @@ impl Schema for Classes {
     type Frame = ClassesFrame;
 }
 
-/// What does not change from frame to frame.
+/// Header of the artifact, the same for all frames.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ClassesHeader {
-    /// In the order of the probabilities.
+    /// Classes in the order of the probabilities.
     pub classes: Vec<Class>,
 }
 
 /// Classes of the objects of one frame.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ClassesFrame {
-    /// Of each object, in the order of the points' objects: how probable each class is.
+    /// Probability of each class for each object, in the order of the points' objects.
     pub probabilities: Vec<[f32; 4]>,
 }

@@ -17,7 +17,7 @@ impl Schema for Cube {
     type Frame = CubeFrame;
 }
 
-/// What a detector may know: the radar and its settings, no truth.
+/// Header with what a detector may know: the radar and its settings, no truth.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CubeHeader {
     /// The radar.
@@ -31,14 +31,14 @@ pub struct CubeHeader {
 /// Samples of one frame.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CubeFrame {
-    /// From 0.
+    /// Index of the frame record, from 0.
     pub index: u32,
-    /// The frame's first sample.
+    /// Time of the frame's first sample.
     pub time_s: f64,
     /// √W, row-major `[channel, chirp, sample]`, channel = tx·N_rx + rx (with ddm: rx; with bpm: slot·N_rx +
     /// rx).
     pub samples: Vec<Complex32>,
-    /// Numerical error up to here.
+    /// Numerical error of the stages up to here.
     pub error: ErrorBudget,
 }
 

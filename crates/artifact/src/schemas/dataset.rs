@@ -16,7 +16,7 @@ impl Schema for Dataset {
     type Frame = Sample;
 }
 
-/// What a crop shows: fixed metres, m/s and decibels, so that level and extent stay comparable.
+/// Scale of a crop: fixed metres, m/s and decibels, so that level and extent stay comparable.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct CropFormat {
     /// Pixels on a side: the paper's 451.
@@ -36,9 +36,9 @@ pub struct CropFormat {
 pub struct Crop {
     /// Grey levels, row-major `[velocity, range]`, `side`² of them; velocity grows downwards.
     pub pixels: Vec<u8>,
-    /// Centre of the columns.
+    /// Range of the middle column.
     pub range_m: f64,
-    /// Centre of the rows.
+    /// Radial velocity of the middle row.
     pub radial_velocity_mps: f64,
 }
 
@@ -47,7 +47,7 @@ pub struct Crop {
 pub struct Sample {
     /// Unique in the dataset.
     pub id: String,
-    /// What its map tells of it.
+    /// Signature of the object in its map.
     pub signature: Signature,
     /// The image; `None` of a dataset without images.
     pub crop: Option<Crop>,
@@ -55,15 +55,15 @@ pub struct Sample {
     pub class: Option<Class>,
     /// Vehicle model.
     pub model: String,
-    /// Which variant of the model's dimensions.
+    /// Number of the variant of the model's dimensions.
     pub variant: u64,
     /// Scene it was cut from: splits go by scene.
     pub scene: u64,
-    /// Which of the scene's vehicles it is.
+    /// Index of the vehicle among those of its scene.
     pub target: u32,
     /// Frame of its scene: those of one target are a track.
     pub frame: u32,
-    /// Which part of a split it belongs to.
+    /// Part of a split that the sample belongs to.
     pub split: Split,
     /// True range of the body's origin.
     pub range_m: f64,

@@ -16,18 +16,18 @@ impl Schema for Model {
     type Frame = Weights;
 }
 
-/// What a model looks at and answers.
+/// Header of a model: what it looks at and what it answers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ModelHeader {
     /// Classes in the order of its outputs.
     pub classes: Vec<Class>,
-    /// What it looks at, and its shape.
+    /// Kind of the model, what it looks at, and its shape.
     pub learner: Learner,
     /// Probability from which on the likeliest class is told; below it the answer is "unknown".
     pub least_probability: f32,
-    /// What the answers of a track's frames have in common: 0 is nothing, 1 all.
+    /// Share that the answers of a track's frames have in common: 0 is nothing, 1 all.
     pub frame_correlation: f32,
-    /// Where the vehicles come from that it learned from, a line each, as their licences ask; empty: the
+    /// Sources of the vehicles that it learned from, a line each, as their licences ask; empty: the
     /// project's own.
     pub attributions: Vec<String>,
 }
@@ -39,13 +39,13 @@ pub enum Learner {
     CropNetwork(NetworkShape),
     /// Boosted decision trees on features of signatures, by their names.
     BoostedTrees {
-        /// In the order of the columns that trees ask for.
+        /// Names of the features, in the order of the columns that trees ask for.
         features: Vec<String>,
     },
 }
 
 impl Learner {
-    /// As people write it.
+    /// Name as people write it.
     pub fn name(&self) -> &'static str {
         match self {
             Self::CropNetwork(_) => "paper",
@@ -54,7 +54,7 @@ impl Learner {
     }
 }
 
-/// What a network expects.
+/// Shape of a network and of the crops that it expects.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct NetworkShape {
     /// Crops it was trained on.
@@ -84,33 +84,33 @@ pub enum Weights {
 pub struct BoostedTrees {
     /// Logits before the first tree.
     pub prior: [f32; 4],
-    /// That the sum is divided by.
+    /// Divisor of the sum of logits.
     pub temperature: f32,
-    /// In the order in which they were grown.
+    /// Trees in the order in which they were grown.
     pub trees: Vec<Tree>,
 }
 
 /// A decision tree: the first node is its root, children stand behind their parents.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Tree {
-    /// Of all levels.
+    /// Nodes of all levels.
     pub nodes: Vec<Node>,
 }
 
 /// A node of a tree.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Node {
-    /// Goes on `above` where the feature is greater than the threshold, else `below`.
+    /// Goes on at `above` where the feature is greater than the threshold, else at `below`.
     Split {
         /// Number of the feature.
         feature: u32,
-        /// Between two values.
+        /// Threshold between two values of the feature.
         threshold: f32,
-        /// Number of a node.
+        /// Number of the node for values up to the threshold.
         below: u32,
-        /// Number of a node.
+        /// Number of the node for greater values.
         above: u32,
     },
-    /// What it adds to each logit.
+    /// Addends to the logits.
     Leaf([f32; 4]),
 }

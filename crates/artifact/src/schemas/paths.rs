@@ -19,12 +19,12 @@ impl Schema for Paths {
     type Frame = PathsFrame;
 }
 
-/// What does not change from frame to frame.
+/// Header of the artifact, the same for all frames.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PathsHeader {
     /// The radar the paths were traced for.
     pub radar: Radar,
-    /// f_c of the amplitudes and their slopes: the centre of the sampled sweep.
+    /// Frequency f_c of the amplitudes and their slopes: the centre of the sampled sweep.
     pub centre_frequency_hz: f64,
     /// Ids of the scene's targets; [`Path::target`] points here.
     pub targets: Vec<String>,
@@ -33,21 +33,21 @@ pub struct PathsHeader {
 /// Paths of one frame, referred to its first sample.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PathsFrame {
-    /// From 0.
+    /// Index of the frame record, from 0.
     pub index: u32,
-    /// The frame's first sample.
+    /// Time of the frame's first sample.
     pub time_s: f64,
-    /// In the tracer's order: body, facet sequence, cell, and behind them what was traced at several moments,
-    /// one after the other; where detail was taken from them, target by target.
+    /// Paths in the tracer's order: body, facet sequence, cell, and behind them what was traced at several
+    /// moments, one after the other; where detail was taken from them, target by target.
     pub paths: Vec<Path>,
     /// Nearest lit surface of each body from the radar's position at the frame's middle, m, in the order of
     /// the scene frame's poses; `None` if all is hidden.
     pub nearest_range_m: Vec<Option<f64>>,
     /// Numerical error of this frame's paths.
     pub error: ErrorBudget,
-    /// What the model leaves out in this frame.
+    /// Errors of the physical model in this frame.
     pub model_error: ModelError,
-    /// What the tracer did.
+    /// Statistics of the tracer's work.
     pub trace: TraceStatistics,
 }
 
@@ -77,25 +77,25 @@ pub struct Path {
     pub target: u32,
     /// Bounces; 0 for a point target.
     pub order: u8,
-    /// x_a at the frame's first sample, world metres.
+    /// Apparent point x_a at the frame's first sample, world metres.
     pub apparent_tx_m: [f64; 3],
     /// Velocity of x_a.
     pub apparent_tx_mps: [f64; 3],
-    /// x_b at the frame's first sample, world metres.
+    /// Apparent point x_b at the frame's first sample, world metres.
     pub apparent_rx_m: [f64; 3],
     /// Velocity of x_b.
     pub apparent_rx_mps: [f64; 3],
-    /// a at f_c.
+    /// Amplitude a at f_c.
     pub amplitude_m: Amplitude,
-    /// a′ = da/df, m/Hz: a(f) = a + (f − f_c)·a′.
+    /// Slope a′ = da/df, m/Hz: a(f) = a + (f − f_c)·a′.
     pub slope_m_per_hz: Amplitude,
     /// The facets in the order of travel; the first `order` are meant.
     pub facets: [Facet; MAX_ORDER],
-    /// What of it is not the same throughout the frame, beside a constant velocity.
+    /// Changes of the path within the frame, beside a constant velocity.
     pub curve: Curve,
 }
 
-/// What of a path is not the same throughout the frame, beside a constant velocity; nothing by default.
+/// Changes of a path within the frame, beside a constant velocity; none by default.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Curve {
     /// Constant acceleration of x_a.
@@ -104,7 +104,7 @@ pub struct Curve {
     pub apparent_rx_mps2: [f64; 3],
     /// The node goes round with a wheel; x_a and x_b are then where its hub appears.
     pub rim: Option<Rim>,
-    /// The part of the frame that it stands for; `None` for all of it.
+    /// The part of the frame that the path stands for; `None` for all of it.
     pub span: Option<Span>,
 }
 
@@ -114,11 +114,11 @@ pub struct Curve {
 pub struct Span {
     /// The first of the moments, from the frame's first sample.
     pub first_s: f64,
-    /// From one to the next.
+    /// Step from one moment to the next.
     pub step_s: f64,
-    /// How many there are.
+    /// Number of moments.
     pub moments: u32,
-    /// At which of them the path was traced, from 0.
+    /// Index of the moment at which the path was traced, from 0.
     pub moment: u32,
 }
 
@@ -141,7 +141,7 @@ impl Span {
             .product()
     }
 
-    /// When the path was traced, from the frame's first sample.
+    /// Time at which the path was traced, from the frame's first sample.
     pub fn traced_at_s(&self) -> f64 {
         self.first_s + f64::from(self.moment) * self.step_s
     }
@@ -159,11 +159,11 @@ impl Span {
 /// φ₀ − (way of the hub along forward)/r.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Rim {
-    /// r.
+    /// Radius r.
     pub radius_m: f64,
     /// Unit vector in the plane of the wheel, horizontal.
     pub forward: [f64; 3],
-    /// φ₀, at the frame's first sample: from forward towards up.
+    /// Angle φ₀ at the frame's first sample, from forward towards up.
     pub angle_rad: f64,
 }
 
@@ -174,7 +174,7 @@ impl Path {
     }
 }
 
-/// What the tracer did.
+/// Statistics of the tracer's work.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct TraceStatistics {
     /// Triangles of all bodies.
@@ -187,43 +187,44 @@ pub struct TraceStatistics {
     pub dropped_power_ratio: f64,
     /// Bytes that the tracer's own structures held at most, estimated.
     pub bytes: u64,
-    /// How finely bodies were cut and integrated; `None` where there was no body.
+    /// Fineness to which bodies were cut and integrated; `None` where there was no body.
     pub fineness: Option<Fineness>,
-    /// Where `error` and `model_error` come from.
+    /// Origin of `error` and `model_error`.
     pub origin: ErrorOrigin,
-    /// What became of each target's paths; empty where nothing was asked of them.
+    /// Reduction of each target's paths; empty where nothing was asked of them.
     pub detail: Vec<TargetDetail>,
 }
 
-/// What the accuracy asked for turned out to need.
+/// Fineness that the accuracy asked for turned out to need.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Fineness {
     /// Largest side of the parts of a facet that are one path.
     pub cell_m: f64,
-    /// Of the integrals on each body.
+    /// Fineness of the integrals on each body.
     pub integrals: Vec<IntegralFineness>,
-    /// At how many moments of the frame `ways` were traced; 1 where the frame's middle is enough.
+    /// Number of moments of the frame at which `ways` were traced; 1 where the frame's middle is enough.
     pub moments: u32,
-    /// What was traced at all of them: ids of the bodies in the order of travel, ways back among them.
+    /// Ways that were traced at all moments: ids of the bodies in the order of travel, ways back among
+    /// them.
     pub ways: Vec<Vec<String>>,
 }
 
-/// How finely integrals on one body were taken.
+/// Fineness of the integrals on one body.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct IntegralFineness {
     /// The body's id: in another frame it may stand elsewhere among the targets.
     pub body: String,
-    /// Of each, relative to the largest that it could be.
+    /// Accuracy of each integral, relative to the largest that it could be.
     pub accuracy: f64,
 }
 
 /// Whether a frame's errors were measured in it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum ErrorOrigin {
-    /// In this frame.
+    /// The errors were measured in this frame.
     #[default]
     Measured,
-    /// In another frame, whose fineness this one has.
+    /// The errors are those of another frame, whose fineness this one has.
     TakenOver,
 }
 
@@ -236,7 +237,8 @@ pub struct TargetDetail {
     pub traced: u64,
     /// Paths of the frame.
     pub kept: u64,
-    /// Of the target's echo against that of all its paths, relative amplitude; `None` where these were kept.
+    /// Error of the target's echo against that of all its paths, relative amplitude; `None` where these
+    /// were kept.
     pub error: Option<f64>,
 }
 

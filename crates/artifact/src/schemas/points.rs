@@ -15,23 +15,23 @@ impl Schema for Points {
     type Frame = PointsFrame;
 }
 
-/// What does not change from frame to frame.
+/// Header of the artifact, the same for all frames.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct PointsHeader {
     /// The radar and settings that made the points; `None` for points from elsewhere.
     pub cube: Option<CubeHeader>,
     /// Ids that [`Point::target`] and [`Label::target`] point to; empty until a report joins the truth.
     pub targets: Vec<String>,
-    /// Their classes, where the scene tells them.
+    /// Classes of the targets, where the scene tells them.
     pub classes: Vec<Option<Class>>,
 }
 
 /// Points of one frame.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PointsFrame {
-    /// From 0.
+    /// Index of the frame record, from 0.
     pub index: u32,
-    /// The frame's first sample.
+    /// Time of the frame's first sample.
     pub time_s: f64,
     /// Detections.
     pub points: Vec<Point>,
@@ -42,13 +42,13 @@ pub struct PointsFrame {
 /// A detection, located.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Point {
-    /// From the array's centre.
+    /// Range from the array's centre.
     pub range_m: f64,
     /// Positive when the range grows.
     pub radial_velocity_mps: f64,
-    /// From world +y towards +x.
+    /// Azimuth from world +y towards +x.
     pub azimuth_rad: f64,
-    /// Above the horizon: measured with elevation rows, else what the assumed height gives.
+    /// Elevation above the horizon: measured with elevation rows, else what the assumed height gives.
     pub elevation_rad: f64,
     /// World metres.
     pub position_m: [f64; 3],
@@ -57,14 +57,15 @@ pub struct Point {
     /// Azimuths of the two bodies between which its wave ran, one way round and the other: a ghost, at
     /// neither place. `None` where echoes of one body each explain its peak, or the array cannot tell.
     pub two_ways_rad: Option<[f64; 2]>,
-    /// Whether the echo under whose peak it lies is at rest, as far as its velocity is known; `None` where
-    /// the settings do not ask.
+    /// Whether the echo under whose peak the point lies is at rest, as far as its velocity is known; `None`
+    /// where the settings do not ask.
     pub stationary: Option<bool>,
     /// Index into [`PointsFrame::objects`]; `None` for a lone detection that forms none.
     pub object: Option<u32>,
     /// True target of its object, joined afterwards by a report; never set by a detector.
     pub target: Option<u32>,
-    /// What echoes in its own cell, joined afterwards by a report; never set by a detector.
+    /// True origin of what echoes in the point's own cell, joined afterwards by a report; never set by a
+    /// detector.
     pub label: Option<Label>,
 }
 
@@ -77,7 +78,7 @@ pub struct Label {
     pub order: u8,
     /// Different targets on the way; more than one: a ghost.
     pub bodies: u8,
-    /// Of the power that all targets and orders have in the cell, each for itself.
+    /// Share in the power that all targets and orders have in the cell, each for itself.
     pub share: f64,
 }
 
@@ -96,7 +97,7 @@ pub struct Object {
     pub position_m: [f64; 3],
     /// Lane that holds it.
     pub lane: Option<u8>,
-    /// Of its strongest cell.
+    /// Signal-to-noise ratio of the strongest cell.
     pub snr_db: f64,
     /// Number of points.
     pub points: u32,
@@ -104,9 +105,9 @@ pub struct Object {
     pub range_extent_m: [f64; 2],
     /// Slowest and fastest point.
     pub velocity_extent_mps: [f64; 2],
-    /// Share of its peaks' power that ran between two bodies ([`Point::two_ways_rad`]): an object of 1 is a
-    /// ghost. `None` where the array cannot tell.
+    /// Share of the power of the object's peaks that ran between two bodies ([`Point::two_ways_rad`]): an
+    /// object of 1 is a ghost. `None` where the array cannot tell.
     pub ghost_share: Option<f64>,
-    /// Whether all of its peaks are at rest; `None` where the settings do not ask.
+    /// Whether all of the object's peaks are at rest; `None` where the settings do not ask.
     pub stationary: Option<bool>,
 }

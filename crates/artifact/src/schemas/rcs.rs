@@ -16,7 +16,7 @@ impl Schema for Rcs {
     type Frame = RcsFrame;
 }
 
-/// What does not change from frame to frame.
+/// Header of the artifact, the same for all frames.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RcsHeader {
     /// The radar the tables were made for; `None` for a table of a mesh alone.
@@ -28,15 +28,15 @@ pub struct RcsHeader {
 /// Tables of one frame.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RcsFrame {
-    /// From 0.
+    /// Index of the frame record, from 0.
     pub index: u32,
-    /// The frame's first sample.
+    /// Time of the frame's first sample.
     pub time_s: f64,
     /// One for each target in view.
     pub tables: Vec<RcsTable>,
     /// Numerical error of the tables.
     pub error: ErrorBudget,
-    /// What the model leaves out.
+    /// Errors of the physical model.
     pub model_error: ModelError,
 }
 

@@ -18,9 +18,9 @@ impl Schema for Rdm {
 /// Map of one frame.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RdmFrame {
-    /// From 0.
+    /// Index of the frame record, from 0.
     pub index: u32,
-    /// The frame's first sample.
+    /// Time of the frame's first sample.
     pub time_s: f64,
     /// Row-major `[channel, doppler, range]`; zero velocity at N/2, the first of the range cells where
     /// samples are real; channels are those of [`Radar::map_channels`](crate::Radar).

@@ -19,16 +19,16 @@ impl Schema for Scene {
     type Frame = SceneFrame;
 }
 
-/// What does not change from frame to frame.
+/// Header of the artifact, the same for all frames.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SceneHeader {
-    /// As the scene file says.
+    /// Name as the scene file gives it.
     pub name: String,
-    /// Noise and everything random.
+    /// Seed of noise and of everything random.
     pub seed: u64,
     /// Number of frame records: of radar frames, or of their sub-frames.
     pub frames: u32,
-    /// From one radar frame's first sample to the next's.
+    /// Time from one radar frame's first sample to the next's.
     pub frame_interval_s: f64,
     /// The radar.
     pub radar: Radar,
@@ -40,15 +40,15 @@ pub struct SceneHeader {
     pub fidelity: Fidelity,
     /// The road's lanes.
     pub intersection: Intersection,
-    /// What the meshes' materials stand for; each mesh has its own share as [`Mesh::makeup`].
+    /// Materials that the meshes' names stand for; each mesh has its own share as [`Mesh::makeup`].
     pub materials: MaterialMap,
     /// The road as a mirror; `None` leaves its reflections out.
     pub road: Option<Road>,
-    /// What the road sends back of itself; `None` leaves it out.
+    /// Backscatter of the road itself; `None` leaves it out.
     pub backscatter: Option<Backscatter>,
     /// Meshes that targets share.
     pub meshes: Meshes,
-    /// What is there in every frame; it comes first in [`SceneFrame::poses`].
+    /// Targets that are there in every frame; they come first in [`SceneFrame::poses`].
     pub targets: Vec<Target>,
     /// Recorded traffic, if any; in [`SceneFrame::poses`] it follows the targets.
     pub traffic: Option<Traffic>,
@@ -59,7 +59,7 @@ pub struct SceneHeader {
 pub struct Traffic {
     /// Every vehicle that is in view in some frame, in the order of appearance.
     pub vehicles: Vec<Vehicle>,
-    /// For each frame of the scene the vehicles in view, in the order of the recording.
+    /// Vehicles in view for each frame of the scene, in the order of the recording.
     pub frames: Vec<Vec<Placed>>,
 }
 
@@ -68,7 +68,7 @@ pub struct Traffic {
 pub struct Vehicle {
     /// The recording's, unique in the scene.
     pub id: String,
-    /// What scatters.
+    /// Mesh or point that scatters.
     pub kind: TargetKind,
 }
 
@@ -77,7 +77,7 @@ pub struct Vehicle {
 pub struct Placed {
     /// Index into [`Traffic::vehicles`].
     pub vehicle: u32,
-    /// At the frame's first sample.
+    /// Pose at the frame's first sample.
     pub pose: Pose,
 }
 
@@ -162,20 +162,20 @@ pub struct Target {
     pub role: Role,
     /// What scatters.
     pub kind: TargetKind,
-    /// Where it is at the first frame's first sample; acceleration and yaw stay as they are from then on.
+    /// Pose at the first frame's first sample; acceleration and yaw stay as they are from then on.
     pub start: Pose,
 }
 
 /// Whether a body is what the radar is to find. For all that scatters it is the same.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Role {
-    /// It is: results are compared with it.
+    /// A target proper: results are compared with it.
     Target,
     /// A pole, a rail, a kerb: nothing is asked of it.
     Clutter,
 }
 
-/// What a target is.
+/// Mesh or point that a target is.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum TargetKind {
     /// A body with a mesh.
@@ -191,7 +191,8 @@ pub enum TargetKind {
     Point {
         /// σ.
         rcs_m2: f64,
-        /// The point goes round with a wheel; its pose is then that of the hub.
+        /// Wheel that the point goes round with, its pose then that of the hub; `None` for a point that does
+        /// not.
         wheel: Option<Wheel>,
     },
 }
@@ -199,31 +200,31 @@ pub enum TargetKind {
 /// A wheel that rolls along its yaw without slipping, and the place on its rim that scatters.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Wheel {
-    /// Of the rim.
+    /// Radius of the rim.
     pub radius_m: f64,
-    /// At the first frame's first sample, from forward towards up.
+    /// Angle at the first frame's first sample, from forward towards up.
     pub angle_rad: f64,
 }
 
 /// Pose of every target, and of every vehicle in view, at the frame's first sample.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SceneFrame {
-    /// From 0.
+    /// Index of the frame record, from 0.
     pub index: u32,
-    /// The frame's first sample.
+    /// Time of the frame's first sample.
     pub time_s: f64,
-    /// In the order of [`SceneHeader::targets`], then of the frame's [`Traffic::frames`].
+    /// Poses in the order of [`SceneHeader::targets`], then of the frame's [`Traffic::frames`].
     pub poses: Vec<Pose>,
 }
 
-/// Where a body is and how it moves; `world = position + Rz(yaw)·body`.
+/// Place of a body and its motion; `world = position + Rz(yaw)·body`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Pose {
     /// Body origin, world metres.
     pub position_m: [f64; 3],
     /// Body x axis (forward) from world +x towards +y.
     pub yaw_rad: f64,
-    /// At the moment of the pose.
+    /// Velocity at the moment of the pose.
     pub velocity_mps: [f64; 3],
     /// Constant over the frame.
     pub acceleration_mps2: [f64; 3],
@@ -244,13 +245,13 @@ pub struct Mesh {
     pub material_of_triangle: Vec<u16>,
     /// Names of materials; an empty name is a perfect conductor.
     pub materials: Vec<String>,
-    /// What these names stand for.
+    /// Materials that these names stand for.
     pub makeup: Makeup,
-    /// What was found when the file was read.
+    /// Findings of the reader of a mesh.
     pub statistics: MeshStatistics,
 }
 
-/// What was found when a mesh was read.
+/// Findings of the reader of a mesh.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct MeshStatistics {
     /// Triangles in the file.

@@ -1,4 +1,4 @@
-//! What a map tells of one object, cell by cell of range: the input of a classifier.
+//! Signature of one object in a map, cell by cell of range: the input of a classifier.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,27 +8,28 @@ use serde::{Deserialize, Serialize};
 /// says it has, so that neither range nor integration time changes them.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Signature {
-    /// Of the object, from the array's centre.
+    /// Range of the object, from the array's centre.
     pub range_m: f64,
-    /// Of the object, positive when the range grows.
+    /// Radial velocity of the object, positive when the range grows.
     pub radial_velocity_mps: f64,
-    /// Of the object, from the boresight towards the right.
+    /// Azimuth of the object, from the boresight towards the right.
     pub azimuth_rad: f64,
     /// Height of the radar over the road.
     pub radar_height_m: f64,
     /// Width of a beam along right and up, direction cosines; `None` where the array has no extent.
     pub beams: [Option<f64>; 2],
-    /// From one cell of range to the next.
+    /// Step from one cell of range to the next.
     pub cell_m: f64,
-    /// From one cell of velocity to the next.
+    /// Step from one cell of velocity to the next.
     pub velocity_cell_mps: f64,
     /// Cross section whose echo at the object's range is as strong as a beam's noise, dBsm.
     pub noise_dbsm: f64,
     /// Detected points of the object.
     pub points: u32,
-    /// Nearest and farthest of them.
+    /// Ranges of the nearest and the farthest of the points.
     pub range_extent_m: [f64; 2],
-    /// Share of its peaks' power that ran between two bodies; `None` where the array cannot tell.
+    /// Share of the power of the object's peaks that ran between two bodies; `None` where the array cannot
+    /// tell.
     pub ghost_share: Option<f64>,
     /// Range of the first of the cells: before the nearest point.
     pub first_range_m: f64,
@@ -43,7 +44,7 @@ pub struct SignatureCell {
     pub level_db: f32,
     /// Place across the line of sight, to the right of the object's, m.
     pub cross_m: f32,
-    /// Over the road, m; `None` where the array has no rows.
+    /// Height over the road, m; `None` where the array has no rows.
     pub height_m: Option<f32>,
     /// Share of the channels' power that one direction explains.
     pub coherence: f32,

@@ -14,7 +14,7 @@ impl Schema for Tracks {
     type Frame = TracksFrame;
 }
 
-/// What does not change from frame to frame.
+/// Header of the artifact, the same for all frames.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct TracksHeader {
     /// The radar and settings whose objects were followed; `None` for tracks from elsewhere.
@@ -24,11 +24,11 @@ pub struct TracksHeader {
 /// Tracks of one frame.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TracksFrame {
-    /// From 0.
+    /// Index of the frame record, from 0.
     pub index: u32,
-    /// The frame's first sample.
+    /// Time of the frame's first sample.
     pub time_s: f64,
-    /// All that are alive, in the order of their birth.
+    /// Tracks that are alive, in the order of their birth.
     pub tracks: Vec<Track>,
 }
 
@@ -37,23 +37,23 @@ pub struct TracksFrame {
 pub struct Track {
     /// Counted from 0 over the scene; never given twice.
     pub id: u32,
-    /// How sure it is.
+    /// Stage of the track's life.
     pub state: TrackState,
     /// Frames since its birth, this one included.
     pub age_frames: u32,
     /// Frames in a row without an object of its own; 0 where it has one.
     pub missed_frames: u32,
-    /// What reflects, in the mean: x, y in world metres.
+    /// Mean place of what reflects: x, y in world metres.
     pub position_m: [f64; 2],
     /// World m/s.
     pub velocity_mps: [f64; 2],
-    /// Of (x, y, v_x, v_y), row by row.
+    /// Covariance of (x, y, v_x, v_y), row by row.
     pub covariance: [[f64; 4]; 4],
     /// Whether one multiple of the velocity span is left; else `velocity_mps` is the likeliest.
     pub velocity_resolved: bool,
     /// Lane that holds the box's middle.
     pub lane: Option<u8>,
-    /// Where the body stands.
+    /// Rectangle on the road where the body stands.
     pub footprint: Footprint,
     /// Indices of the frame's objects that are its own.
     pub objects: Vec<u32>,
@@ -71,7 +71,7 @@ pub enum TrackState {
 }
 
 impl TrackState {
-    /// As people write it.
+    /// Name as people write it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Tentative => "tentative",
@@ -84,12 +84,12 @@ impl TrackState {
 /// A rectangle on the road, its length along the heading.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Footprint {
-    /// Of its middle, world metres.
+    /// Place of the middle, world metres.
     pub centre_m: [f64; 2],
-    /// Along the heading: as far as it was seen, and no shorter than a car of 4 m.
+    /// Extent along the heading: as far as it was seen, and no shorter than a car of 4 m.
     pub length_m: f64,
-    /// Across; assumed, for no beam here is as narrow as a vehicle.
+    /// Extent across the heading; assumed, for no beam here is as narrow as a vehicle.
     pub width_m: f64,
-    /// From world +x towards +y, as a body's yaw.
+    /// Heading from world +x towards +y, as a body's yaw.
     pub heading_rad: f64,
 }

@@ -27,12 +27,14 @@ impl<S: Schema> Reader<S> {
         Self::of(file, inputs::open)
     }
 
-    /// As [`Reader::open`], for what this program has made for itself and may replace: it is no input.
+    /// Opens as [`Reader::open`] does a file that this program has made for itself and may replace: it is
+    /// no input.
     pub fn open_own(file: &Path) -> Result<Self, ArtifactError> {
         Self::of(file, |file| File::open(file))
     }
 
-    /// As [`Reader::open`], of what is in memory already; errors name it as if it were the file `name`.
+    /// Reads as [`Reader::open`] does an artifact that is in memory already; errors name it as if it were
+    /// the file `name`.
     pub fn of_bytes(name: &str, bytes: &'static [u8]) -> Result<Self, ArtifactError> {
         let file = Path::new(name);
         Self::of_stream(Stream::of(file, Box::new(Cursor::new(bytes)), bytes.len() as u64))
@@ -49,22 +51,22 @@ impl<S: Schema> Reader<S> {
         Ok(Self { stream, preamble, header, told, found: 0, done: false, schema: PhantomData })
     }
 
-    /// What is common to all frames.
+    /// Header, common to all frames.
     pub fn header(&self) -> &S::Header {
         &self.header
     }
 
-    /// What is common to all frames, when they are read.
+    /// Header, common to all frames, once they are read.
     pub fn into_header(self) -> S::Header {
         self.header
     }
 
-    /// Where the artifact came from.
+    /// Preamble of the artifact: what it is and where it came from.
     pub fn preamble(&self) -> &Preamble {
         &self.preamble
     }
 
-    /// How many frames the end mark tells of.
+    /// Number of frames that the end mark tells of.
     pub fn frames(&self) -> u64 {
         self.told
     }
@@ -100,7 +102,7 @@ impl<S: Schema> Iterator for Reader<S> {
     }
 }
 
-/// What an artifact of any kind says of itself.
+/// Reads the preamble of an artifact of any kind.
 pub fn read_preamble(file: &Path) -> Result<Preamble, ArtifactError> {
     open_stream(file, inputs::open).and_then(|mut stream| stream.preamble()).map_err(|f| f.of(file))
 }

@@ -1,4 +1,4 @@
-//! Where a file may be put.
+//! Places where a file may be put.
 
 use crate::files::fault::Fault;
 use crate::files::inputs;
@@ -10,14 +10,14 @@ use std::path::{Path, PathBuf};
 /// A place that a file may be put at.
 #[derive(Debug)]
 pub(super) struct Destination {
-    /// What is written: the place, or the plain file that it is a symbolic link to.
+    /// Path that is written: the place, or the plain file that it is a symbolic link to.
     pub(super) target: PathBuf,
-    /// Those of the file that is replaced.
+    /// Permissions of the file that is replaced.
     pub(super) permissions: Option<Permissions>,
 }
 
 impl Destination {
-    /// Refused where it is no plain file, an input or write-protected.
+    /// Destination at `place`; refused where it is no plain file, an input or write-protected.
     pub(super) fn of(place: &Path) -> Result<Self, Fault> {
         if place.file_name().is_none() {
             return Err(Fault::Place(if place.is_dir() { PlaceRule::Folder } else { PlaceRule::Nameless }));
@@ -57,7 +57,7 @@ impl Destination {
     }
 }
 
-/// What is no plain file.
+/// Rule that a file of this kind breaks, unless it is a plain one.
 fn special(kind: FileType) -> Option<PlaceRule> {
     if kind.is_file() {
         return None;
@@ -80,7 +80,7 @@ fn name_of_special(_: FileType) -> &'static str {
     "no plain file"
 }
 
-/// Read, write and execute; a program that sets its user is replaced by data.
+/// Permissions to read, write and execute alone; a program that sets its user is replaced by data.
 #[cfg(unix)]
 fn plain(permissions: Permissions) -> Permissions {
     use std::os::unix::fs::PermissionsExt;

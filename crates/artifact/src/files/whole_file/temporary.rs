@@ -11,8 +11,8 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use tempfile::TempPath;
 
-/// How a temporary file's name ends; before it stand a dot, the name that the file will have, a dot and six
-/// random letters.
+/// Ending of a temporary file's name; before it stand a dot, the name that the file will have, a dot
+/// and six random letters.
 const SUFFIX: &str = ".wayside.part";
 
 /// Bytes of the later name that go into the temporary one: names end at 255 bytes on most file systems.
@@ -26,7 +26,7 @@ const ATTEMPTS: usize = 16;
 pub(super) struct Temporary(Option<TempPath>);
 
 impl Temporary {
-    /// In the folder of `target`, which is made where it is missing.
+    /// Makes a temporary file in the folder of `target`, which is made where it is missing.
     pub(super) fn beside(target: &Path) -> Result<(File, Self), Fault> {
         let folder = target.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
         std::fs::create_dir_all(folder).map_err(Fault::system("make the folder"))?;
@@ -55,7 +55,8 @@ impl Drop for Temporary {
     }
 }
 
-/// Removes the temporary files that dead writers have left in a folder, not below it; how many.
+/// Removes the temporary files that dead writers have left in a folder, not below it, and returns their
+/// number.
 pub fn sweep(folder: &Path) -> usize {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     entries.filter(|file| is_temporary(file) && remove_if_abandoned(file)).count()
@@ -90,7 +91,8 @@ fn sweep_once(folder: &Path) {
     }
 }
 
-/// Removed while it is locked, so that no writer can take it up; a link is not followed.
+/// Removes a temporary file while it is locked, so that no writer can take it up; a link is not
+/// followed.
 fn remove_if_abandoned(file: &Path) -> bool {
     let is_plain = std::fs::symlink_metadata(file).is_ok_and(|about| about.is_file());
     let Some(handle) = is_plain.then(|| File::open(file).ok()).flatten() else { return false };
