@@ -1,4 +1,4 @@
-//! What edges add to physical optics.
+//! Scattering of edges, beyond physical optics.
 
 pub(crate) mod fringe; // currents of a wedge beyond physical optics
 pub(crate) mod line_integral; // of a weight under a fast phase

@@ -1,4 +1,4 @@
-//! What belongs together in a mesh.
+//! Topology of a mesh: what belongs together in it.
 
 pub(crate) mod welding; // points of one place
 pub(crate) mod mesh_edges; // triangles that meet at an edge

@@ -1,4 +1,5 @@
-//! What a run answers to: what it refuses, the memory that it may take, and who hears how far it is.
+//! Limits and listeners of a run: what it refuses, the memory that it may take, and who hears how far
+//! it is.
 
 pub(crate) mod error; // what can be wrong with a body or an antenna
 pub(crate) mod memory; // expected, watched, refused

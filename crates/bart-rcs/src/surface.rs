@@ -1,4 +1,4 @@
-//! What facets stand for: themselves, or a curved surface.
+//! Surface that facets stand for: themselves, or a curved one.
 
 pub(crate) mod made_normals; // creases, and normals where a mesh stores none
 pub(crate) mod curved_edge; // an edge bent by the normals at its ends

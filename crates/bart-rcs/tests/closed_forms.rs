@@ -92,7 +92,7 @@ fn check(id: &str, asked: f64, got: f64, tolerance: f64) {
     assert!((asked - got).abs() <= tolerance, "{id}: asked {asked}, got {got}, tolerance {tolerance}");
 }
 
-/// P1.
+/// Claim P1.
 #[test]
 fn a_square_plate_follows_its_sinc_and_its_phase_is_plus_ninety_degrees() {
     let plate = plate(0.3);
@@ -109,7 +109,7 @@ fn a_square_plate_follows_its_sinc_and_its_phase_is_plus_ninety_degrees() {
     }
 }
 
-/// P2: the Fresnel integral squared, and brute force.
+/// Claim P2, by the Fresnel integral squared and by brute force.
 #[test]
 fn a_plate_at_finite_range_loses_what_its_wavefront_curvature_takes() {
     for (range_m, exact) in [(100.0, 38.1685), (30.0, 37.1288)] {
@@ -118,7 +118,7 @@ fn a_plate_at_finite_range_loses_what_its_wavefront_curvature_takes() {
     }
 }
 
-/// P3.
+/// Claim P3.
 #[test]
 fn a_disc_has_the_main_lobe_of_its_bessel_function() {
     let (a, sides) = (0.1, 256_u32);
@@ -206,7 +206,7 @@ fn a_fine_sphere_has_the_amplitude_of_physical_optics_and_grows_nearby() {
     }
 }
 
-/// P6: kρL², kρ = 161.
+/// Claim P6: kρL², kρ = 161.
 #[test]
 fn a_cylinder_at_broadside_has_its_level() {
     let (radius, length, sides) = (0.1, 0.2, 512_u32);
@@ -238,7 +238,7 @@ fn a_large_plate_nearby_acts_as_a_mirror() {
     }
 }
 
-/// D1.
+/// Claim D1.
 #[test]
 fn a_right_dihedral_has_its_closed_form_off_axis_and_its_signs() {
     RULES.into_iter().for_each(right_dihedral);
@@ -267,7 +267,8 @@ fn right_dihedral(nodes: NodeRule) {
     check("D1 30 m", 27.94, dbsm(run(&body, &near).by_order_m[1][0]), 0.03);
 }
 
-/// D1: where the planes are not at right angles the node matters, and the symmetrised mean has no preference.
+/// Claim D1: where the planes are not at right angles the node matters, and the symmetrised mean has no
+/// preference.
 #[test]
 fn a_dihedral_off_ninety_degrees_has_the_level_of_the_symmetrised_node() {
     for (angle_deg, asked) in [(88.0, 8.78), (95.0, 5.67)] {
@@ -302,7 +303,7 @@ fn square_trihedral() -> Mesh {
     ])
 }
 
-/// D2.
+/// Claim D2.
 #[test]
 fn a_trihedral_of_order_three_has_its_closed_forms_on_and_off_axis() {
     RULES.into_iter().for_each(trihedral);
@@ -386,7 +387,7 @@ fn relative(a: Complex64, b: Complex64) -> f64 {
     (a - b).norm() / b.norm()
 }
 
-/// D4.
+/// Claim D4.
 #[test]
 fn relabelled_split_and_doubled_facets_leave_the_amplitude_unchanged() {
     let body = odd_corner();

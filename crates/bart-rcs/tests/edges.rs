@@ -21,7 +21,7 @@ fn quads(corners: &[[[f64; 3]; 4]]) -> Mesh {
     Mesh { vertices_m, triangles: triangles.collect(), ..Mesh::default() }
 }
 
-/// In the plane x = 0: `width_m` along y about `middle_y_m`, `height_m` along z.
+/// A strip in the plane x = 0: `width_m` along y about `middle_y_m`, `height_m` along z.
 fn strip(width_m: f64, height_m: f64, middle_y_m: f64) -> Mesh {
     let (w, h) = (0.5 * width_m, 0.5 * height_m);
     let corner = |y: f64, z: f64| [0.0, middle_y_m + y, z];

@@ -1,4 +1,4 @@
-//! What is expected of a frame before it is traced, beside what it then turns out to be: counts, which no
+//! Expected work of a frame before it is traced, beside what it then turns out to be: counts, which no
 //! other program disturbs.
 #![allow(
     clippy::unwrap_used,

@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 const G1: f64 = 1e-9;
 /// D5's tolerance, relative.
 const D5: f64 = 1e-7;
-/// Above the car's bonnet, within its bounding box.
+/// Place above the car's bonnet, within its bounding box.
 const ON_THE_BONNET: DVec3 = DVec3::new(1.7, 0.11, 1.03);
 
 fn bodies_to_look_at() -> [(&'static str, Triangles); 3] {

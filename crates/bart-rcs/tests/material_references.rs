@@ -51,7 +51,7 @@ fn body(faces: &[([f64; 3], [f64; 3], Material)]) -> Mesh {
     mesh
 }
 
-/// By 0.4 rad about x and 0.1 rad about z: v and h are mixed at every face.
+/// Turns a point by 0.4 rad about x and 0.1 rad about z: v and h are mixed at every face.
 fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
     let ((s, c), (t, d)) = (0.4_f64.sin_cos(), 0.1_f64.sin_cos());
     let (y, z) = (c * y - s * z, s * y + c * z);

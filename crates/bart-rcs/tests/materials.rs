@@ -91,7 +91,7 @@ fn matrix(mesh: &Mesh, request: &RcsRequest, order: usize) -> [Complex64; 4] {
     })
 }
 
-/// r_TE and r_TM of a half-space, written down once more.
+/// Coefficients r_TE and r_TM of a half-space, written down once more.
 fn fresnel(permittivity: Complex64, angle_deg: f64) -> [Complex64; 2] {
     let (sin, cos) = angle_deg.to_radians().sin_cos();
     let s = (permittivity - sin * sin).sqrt();
@@ -292,7 +292,7 @@ fn through_sheets(mesh: Mesh) -> Mesh {
     Mesh { makeup: Makeup { transmission: Transmission::Followed, ..mesh.makeup.clone() }, ..mesh }
 }
 
-/// r and t·e^{jkd} of a sheet at 0°, written down once more.
+/// Coefficients r and t·e^{jkd} of a sheet at 0°, written down once more.
 fn slab(permittivity: Complex64, thickness_m: f64) -> [Complex64; 2] {
     let k = 2.0 * PI * FREQUENCY_HZ / SPEED_OF_LIGHT_MPS;
     let r = fresnel(permittivity, 0.0)[0];

@@ -78,7 +78,7 @@ fn crossing_boxes() -> Triangles {
     cuboid(DVec3::splat(-0.5), DVec3::splat(0.5)).and(cuboid(at(-0.2, -0.8, -0.3), at(0.9, 0.3, 0.7)))
 }
 
-/// With faces whose planes hold the antenna at (6, 2, 3) or run along the direction to it.
+/// Triangles with faces whose planes hold the antenna at (6, 2, 3) or run along the direction to it.
 fn edge_on() -> Triangles {
     let towards = at(6.0, 2.0, 3.0);
     let fin = |across: DVec3| square(0.02 * towards, 0.1 * towards, across);
@@ -135,7 +135,7 @@ fn before(front: &Facet, order: std::cmp::Ordering, facet: &Facet, antenna: Ante
     }
 }
 
-/// What others hide of a facet: A(facet) + A(others in front) − A(both together), each a union.
+/// Area that others hide of a facet: A(facet) + A(others in front) − A(both together), each a union.
 fn hidden(triangles: &[Facet], index: usize, antenna: Antenna) -> f64 {
     let facet = &triangles[index];
     let others: Vec<Facet> = (0..triangles.len())

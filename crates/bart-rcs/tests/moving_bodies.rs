@@ -147,8 +147,8 @@ struct Tally {
     frames: u32,
 }
 
-/// What the frame tells is not below the truth, and it tells no more than was asked for unless it is split as
-/// far as it may be or something else errs most.
+/// Compares frames with the truth: what a frame tells is not below it, and no more than was asked for
+/// unless it is split as far as it may be or something else errs most.
 fn compared(passings: &[Passing], asked_db: &[f64]) -> Tally {
     let mut tally = Tally::default();
     for (car_y_m, car_mps, yaw_rad) in passings.iter().copied() {

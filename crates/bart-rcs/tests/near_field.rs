@@ -1,4 +1,4 @@
-//! Antennas near a body: what is refused, what ends, and whether the error told there is true.
+//! Antennas near a body: some are refused, work ends, and the error told there is true.
 
 use artifact::Accuracy;
 use artifact::radar::Polarization;
@@ -14,7 +14,7 @@ const FREQUENCY_HZ: f64 = 10e9;
 /// 3 cm.
 const WAVELENGTH_M: f64 = SPEED_OF_LIGHT_MPS / FREQUENCY_HZ;
 
-/// Of 1 m about the origin, all facets outward.
+/// A cube of 1 m about the origin, all facets outward.
 fn cube() -> Mesh {
     let corner = |i: usize| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { 0.5 } else { -0.5 });
     let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
@@ -28,7 +28,7 @@ fn plate() -> Mesh {
     Mesh { name: "plate".into(), vertices_m, triangles: vec![[0, 1, 2], [0, 2, 3]], ..Mesh::default() }
 }
 
-/// Of 0.5 m, 16 rings of 24 facets.
+/// A sphere of 0.5 m, 16 rings of 24 facets.
 fn sphere() -> Mesh {
     let (rings, sides) = (16_u32, 24_u32);
     let place = |ring: u32, side: u32| {

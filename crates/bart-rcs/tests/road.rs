@@ -91,7 +91,7 @@ fn sampled(from: DVec3, to: DVec3) -> Amplitude {
     s.map(|row| row.map(|x| x * factor(from) * factor(to)))
 }
 
-/// r on E of h, r on H of v at the plate's middle.
+/// Coefficients r on E of h and r on H of v at the plate's middle.
 fn fresnel() -> [Complex64; 2] {
     let way = PLATE_M - RADAR_M.with_z(-RADAR_M.z);
     let cos = way.z / way.length();

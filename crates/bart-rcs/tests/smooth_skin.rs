@@ -50,7 +50,7 @@ fn dbsm(s: Complex64) -> f64 {
     10.0 * s.norm_sqr().log10()
 }
 
-/// With the normals that `of` gives at each vertex.
+/// Mesh with the normals that `of` gives at each vertex.
 fn with_normals(triangles: &Triangles, of: impl Fn(DVec3) -> DVec3) -> Mesh {
     let mut mesh = triangles.mesh();
     let normal = |v: &[f64; 3]| of(DVec3::from_array(*v)).as_vec3().to_array();
@@ -116,7 +116,7 @@ fn revolved(outline: &[(f64, f64)], sides: u32) -> Triangles {
     Triangles(triangles)
 }
 
-/// P6: kρL². Its own error is 1/(8kρ) of the amplitude (Debye), 0.03 dB at kρ = 32.
+/// Claim P6, kρL². Its own error is 1/(8kρ) of the amplitude (Debye), 0.03 dB at kρ = 32.
 #[test]
 fn the_flash_of_a_coarse_cylinder_is_that_of_a_round_one_with_caps_and_without() {
     for (radius_m, sides) in [(0.1, 24), (0.5, 48)] {

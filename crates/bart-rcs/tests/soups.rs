@@ -151,7 +151,8 @@ fn outline_m(triangles: &Triangles) -> f64 {
     triangles.0.iter().map(|[a, b, c]| a.distance(*b) + b.distance(*c) + c.distance(*a)).sum()
 }
 
-/// How many soups: more by hand, `SOUPS=100000 cargo test --release -p bart-rcs --test soups -- --nocapture`.
+/// Number of soups: more by hand, `SOUPS=100000 cargo test --release -p bart-rcs --test soups --
+/// --nocapture`.
 fn soups() -> u64 {
     std::env::var("SOUPS").ok().and_then(|n| n.parse().ok()).unwrap_or(SOUPS)
 }

@@ -37,7 +37,7 @@ fn request(count: usize, accuracy_db: f64) -> RcsRequest {
     }
 }
 
-/// What was given and what is given.
+/// Pieces that a keeper hands out, and those that it is given.
 #[derive(Default)]
 struct Memory {
     found: BTreeMap<Piece, Vec<u8>>,
@@ -150,8 +150,8 @@ fn small_mirrors_before_a_wall() -> Mesh {
     mesh
 }
 
-/// All of the plates are below the least mirror area for −10 dB, λ²·accuracy, and nearly all of S goes over
-/// them.
+/// The plates are all below the least mirror area for −10 dB, λ²·accuracy, and nearly all of S goes
+/// over them.
 #[test]
 fn what_drops_more_than_was_asked_is_traced_again_with_smaller_mirrors() {
     let mesh = small_mirrors_before_a_wall();

@@ -1,5 +1,5 @@
-//! What a body adds to a frame's error decides how finely it is integrated, not what it could scatter at
-//! most.
+//! Addition of a body to a frame's error, which decides how finely it is integrated, not what it could
+//! scatter at most.
 
 mod bodies;
 

@@ -1,7 +1,7 @@
-//! How the cost of one aspect grows: `RAYON_NUM_THREADS=1 cargo run --release -p bart-rcs --example growth --
-//! car.stl OUT` writes OUT/growth.csv and OUT/growth.svg; with a growth.csv in the mesh's place it draws that
-//! one anew. Triangles are those of the mesh, each cut in four again and again; the other sweeps take the
-//! mesh as it is. Processor time of the whole process, as the system counts it.
+//! Growth of the cost of one aspect: `RAYON_NUM_THREADS=1 cargo run --release -p bart-rcs --example
+//! growth -- car.stl OUT` writes OUT/growth.csv and OUT/growth.svg; with a growth.csv in the mesh's
+//! place it draws that one anew. Triangles are those of the mesh, each cut in four again and again; the
+//! other sweeps take the mesh as it is. Processor time of the whole process, as the system counts it.
 
 #[path = "../profile/processor_time.rs"]
 mod processor_time;
@@ -117,7 +117,7 @@ fn thinned(mesh: &Mesh, n: usize) -> Mesh {
     Mesh { triangles: mesh.triangles.iter().step_by(n).copied().collect(), ..mesh.clone() }
 }
 
-/// Every triangle in four.
+/// Every triangle cut in four.
 fn quartered(mesh: &Mesh) -> Mesh {
     let mut fine = Mesh { triangles: Vec::new(), ..mesh.clone() };
     let mut known = std::collections::HashMap::new();

@@ -1,6 +1,7 @@
 //! Processor time, all threads together: other work beside does not count.
 
-/// From `/proc/self/task/*/schedstat` (nanoseconds on a processor come first).
+/// Processor time of the process, from `/proc/self/task/*/schedstat` (nanoseconds on a processor come
+/// first).
 pub(crate) fn processor_seconds() -> Result<f64, Box<dyn std::error::Error>> {
     let mut nanoseconds = 0;
     for task in std::fs::read_dir("/proc/self/task")? {

@@ -1,4 +1,4 @@
-//! Beam trees: what an antenna lights, and what these facets light as mirrors.
+//! Beam trees: the facets that an antenna lights, and those that these light as mirrors.
 //!
 //! A beam is a convex lit polygon on a facet, seen straight from the antenna's image behind the facets before
 //! it. Frequency and polarization enter later, in the integration.
@@ -21,12 +21,12 @@ use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
-/// What a tree shall hold.
+/// Settings of a beam tree.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TraceSettings {
     /// Highest number of facets in a beam's sequence: 1 is what the antenna lights directly.
     pub max_order: u8,
-    /// Which sides of a facet scatter.
+    /// Sides of a facet that scatter.
     pub sides: Sides,
     /// Beams of less area across the wave (area·cosθ) are dropped, and counted in [`Audit`]; m².
     ///
@@ -63,26 +63,26 @@ pub struct Beam {
 /// Every beam of one antenna.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BeamTree {
-    /// Where it was traced from.
+    /// Antenna that the tree was traced from.
     pub antenna: Antenna,
     /// Parents before children; by order, parent, facet and piece.
     pub beams: Vec<Beam>,
     /// Corners of all polygons, world metres.
     pub(crate) vertices_m: Vec<DVec3>,
-    /// What ends a polygon from each vertex to the next.
+    /// Border of a polygon from each vertex to the next: what ends it there.
     pub(crate) borders: Vec<Border>,
-    /// What became of the power.
+    /// Power kept, dropped and escaped.
     pub audit: Audit,
 }
 
-/// Where the power of a tree went, by order (index 0 is order 1).
+/// Power of a tree by order (index 0 is order 1): how much was kept, dropped and lost.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Audit {
     /// One entry per order traced.
     pub orders: Vec<OrderAudit>,
 }
 
-/// Where the power of one order went.
+/// Power of one order: how much of it was kept, dropped and lost.
 ///
 /// "Section" is what an antenna's wave front loses to a polygon: the solid angle at a finite range, sr, or
 /// the area across the direction, m². A mirror leaves it as it is.
@@ -101,18 +101,19 @@ pub struct OrderAudit {
     pub escaped_section: f64,
     /// Polygons given up for their size.
     pub dropped: u64,
-    /// Their area, m².
+    /// Area of the polygons given up, m².
     pub dropped_area_m2: f64,
-    /// Their area across the wave, Σ area·cosθ, m²: |S| dropped ≤ √(4π)/λ · this · R²/(L₁L₂).
+    /// Area across the wave of the polygons given up, Σ area·cosθ, m²: |S| dropped ≤ √(4π)/λ · this ·
+    /// R²/(L₁L₂).
     pub dropped_across_m2: f64,
     /// Sum of the squares of these areas, m⁴: with independent phases the square of what they scatter goes
     /// with it.
     pub dropped_across_squared_m4: f64,
-    /// Their section.
+    /// Section of the polygons given up.
     pub dropped_section: f64,
     /// Beams of this order kept but too small to be reflected further.
     pub unreflected: u64,
-    /// Their area across the wave, m².
+    /// Area across the wave of the beams that are not reflected further, m².
     pub unreflected_across_m2: f64,
     /// Sum of the squares of these areas, m⁴.
     pub unreflected_across_squared_m4: f64,
@@ -124,7 +125,7 @@ impl BeamTree {
         Self::trace_heard(world, antenna, settings, &Unheard)
     }
 
-    /// The same while somebody listens.
+    /// Traces as [`BeamTree::trace`] does, and tells `progress` how far it is.
     pub(crate) fn trace_heard(
         world: &World,
         antenna: Antenna,
@@ -134,8 +135,8 @@ impl BeamTree {
         trace_by::<ByHierarchy>(world, Growth::new(antenna, settings, progress))
     }
 
-    /// The same where only some ways are asked for: no other is followed further than its first facet. Of
-    /// those asked for it holds what the whole tree does.
+    /// Traces only some ways: no other is followed further than its first facet. Of those asked for the
+    /// tree holds what the whole tree does.
     pub(crate) fn trace_along(
         world: &World,
         antenna: Antenna,
@@ -149,7 +150,7 @@ impl BeamTree {
         )
     }
 
-    /// The same by the slow obvious way: every facet is cut by every other. For tests.
+    /// Traces by the slow obvious way: every facet is cut by every other. For tests.
     pub fn trace_by_brute_force(
         world: &World,
         antenna: Antenna,
@@ -163,7 +164,7 @@ impl BeamTree {
         &self.vertices_m[beam.polygon.start as usize..beam.polygon.end as usize]
     }
 
-    /// What ends the lit polygon from each of its corners to the next.
+    /// Borders of the lit polygon from each of its corners to the next.
     pub(crate) fn borders(&self, beam: &Beam) -> &[Border] {
         &self.borders[beam.polygon.start as usize..beam.polygon.end as usize]
     }
@@ -182,7 +183,7 @@ impl BeamTree {
         bodies
     }
 
-    /// A beam, its mirror's, and so on to the antenna.
+    /// A beam, that of its mirror, and so on to the antenna.
     pub(crate) fn way_back<'a>(&'a self, beam: &'a Beam) -> impl Iterator<Item = &'a Beam> {
         std::iter::successors(Some(beam), |b| b.parent.map(|parent| &self.beams[parent as usize]))
     }
@@ -209,7 +210,7 @@ pub(crate) struct GrowingTree<'a> {
 }
 
 impl<'a> GrowingTree<'a> {
-    /// Of no order yet.
+    /// A tree of no order yet.
     pub(crate) fn new(
         world: &'a World,
         antenna: Antenna,
@@ -301,12 +302,12 @@ pub(crate) struct Growth<'a> {
     pub(crate) tree: BeamTree,
     pub(crate) settings: &'a TraceSettings,
     progress: &'a dyn Progress,
-    /// Which are followed; `None` for all.
+    /// Ways that are followed; `None` for all.
     ways: Option<&'a BodyWays>,
     /// The edges of the two last orders' polygons, from vertex `first_edge` of the tree on.
     edges: Vec<(Plane, Border)>,
     first_edge: usize,
-    /// Where the last order begins.
+    /// Index of the last order's first beam.
     first_beam: usize,
     audit: OrderAudit,
 }
@@ -341,7 +342,7 @@ impl<'a> Growth<'a> {
         last.filter(reflected).map(|index| index as u32).collect()
     }
 
-    /// What a beam of the order before shows as a mirror; `None` for a beam of an older order.
+    /// View of a beam of the order before as a mirror; `None` for a beam of an older order.
     pub(crate) fn view<'w>(&'w self, world: &'w World, index: u32) -> Option<View<'w>> {
         let beam = &self.tree.beams[index as usize];
         let facet = world.facet(beam.facet);
@@ -449,8 +450,8 @@ impl OrderAudit {
 /// Whether an order's beams are reflected.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Mirrors {
-    /// Those that are large enough; of the power that the others could scatter at most they would scatter
-    /// this share.
+    /// Large enough mirrors are followed; of the power that the others could scatter at most they would
+    /// scatter this share.
     Followed {
         share: f64,
     },

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-/// Some of them; with each also the way back.
+/// A set of ways; with each also the way back.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct BodyWays(BTreeSet<Vec<u32>>);
 
@@ -21,17 +21,17 @@ impl BodyWays {
         self.0.is_empty()
     }
 
-    /// Whether one of them begins so and goes on.
+    /// Whether some way begins with these bodies and goes on.
     pub(crate) fn go_on_from(&self, bodies: &[u32]) -> bool {
         self.0.iter().any(|way| way.len() > bodies.len() && way.starts_with(bodies))
     }
 
-    /// Whether one of them meets so many bodies.
+    /// Whether some way meets so many bodies.
     pub(crate) fn have_order(&self, order: u8) -> bool {
         self.0.iter().any(|way| way.len() == usize::from(order))
     }
 
-    /// In their order, ways back among them.
+    /// The ways in their order, ways back among them.
     pub(crate) fn iter(&self) -> impl Iterator<Item = &[u32]> {
         self.0.iter().map(Vec::as_slice)
     }

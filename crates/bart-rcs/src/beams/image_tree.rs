@@ -5,11 +5,11 @@ use crate::bodies::road::Half;
 use crate::bodies::road_mirror::{below, image};
 use crate::bodies::world::World;
 
-/// What arrives at the antenna, straight and by the road.
+/// Beams that arrive at the antenna, straight and by the road.
 pub(crate) struct Received {
     /// The beams of the antenna and of its image as those of one antenna, by order.
     pub(crate) tree: BeamTree,
-    /// Of every beam: itself among the antenna's, or the one whose image it is.
+    /// Twin of every beam: itself among the antenna's, or the one whose image it is.
     pub(crate) twins: Vec<u32>,
 }
 
@@ -62,7 +62,7 @@ fn below_road(world: &World, direct: &BeamTree, beam: &Beam, tree: &mut BeamTree
     }
 }
 
-/// Which of the two antennas a beam came from.
+/// Antenna, the real one or its image, that a beam came from.
 pub(crate) fn origin(tree: &BeamTree, beam: &Beam) -> Half {
     let is_direct = tree.way_back(beam).last().is_none_or(|first| first.image == tree.antenna);
     if is_direct { Half::Above } else { Half::Below }

@@ -15,10 +15,10 @@ use rayon::prelude::*;
 /// Beams and the number that each stands for.
 pub(crate) struct SampledTree {
     pub(crate) tree: BeamTree,
-    /// By beam; the expectation of their sum over beams of any kind is the number of such beams in the whole
-    /// tree.
+    /// Number of beams that each beam stands for; the expectation of their sum over beams of any kind is
+    /// the number of such beams in the whole tree.
     pub(crate) stands_for: Vec<f64>,
-    /// Facets that may be seen straight, all of them.
+    /// Facets that may be seen straight.
     pub(crate) in_sight: usize,
     /// Mirrors that the whole tree looks into, by order of the beam that is reflected.
     pub(crate) mirrors: Vec<f64>,

@@ -1,4 +1,4 @@
-//! Lit polygons parted by the sheets that their waves have passed.
+//! Parting of lit polygons by the sheets that their waves have passed.
 //!
 //! Where waves are followed through sheets, these hide nothing. Each polygon is then cut along the outlines
 //! of the sheets before it, so that every piece has passed the same ones, and remembers them. What a sheet

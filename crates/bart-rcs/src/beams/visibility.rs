@@ -1,4 +1,5 @@
-//! What an antenna sees: every facet clipped to the view, less what other facets hide, as convex polygons.
+//! Visibility from an antenna: every facet clipped to the view, less what other facets hide, as convex
+//! polygons.
 //!
 //! For each facet the hierarchy proposes what may stand in front. The facet's polygon is then cut by one
 //! occluder after the other, the largest first, and every piece carries on only those that may still reach
@@ -21,13 +22,13 @@ use std::ops::{ControlFlow, Range};
 
 /// A way to find what a view shows. All give the same up to how they cut it.
 pub(crate) trait Visibility {
-    /// What is seen straight, by facet.
+    /// Lit polygons of all facets seen straight, by facet.
     fn direct(view: &View) -> Vec<Parts>;
-    /// What a reflected beam meets.
+    /// Lit polygons that a reflected beam meets.
     fn reflected(view: &View, buffers: &mut Buffers) -> Parts;
 }
 
-/// By the bodies' hierarchies.
+/// Visibility by the bodies' hierarchies.
 pub(crate) struct ByHierarchy;
 
 /// Memory that is used again from view to view.
@@ -65,7 +66,8 @@ impl Visibility for ByHierarchy {
     }
 }
 
-/// What is seen straight of those of the facets in sight that `choose` gives the places of, in its order.
+/// Lit polygons of those of the facets in sight that `choose` gives the places of, seen straight, in
+/// its order.
 pub(crate) fn direct_of(view: &View, choose: impl FnOnce(&[Shadow]) -> Vec<u32>) -> Vec<Parts> {
     let (shadows, grid) = in_sight(view);
     let mut slot_of_facet = vec![NO_SLOT; view.world.facets().len()];
@@ -124,7 +126,7 @@ impl Buffers {
 struct Table<'a> {
     shadows: &'a [Shadow],
     slot_of_facet: &'a [u32],
-    /// Of a direct view with all facets before the antenna.
+    /// Grid of a direct view with all facets before the antenna.
     grid: Option<&'a ProjectionGrid>,
 }
 
@@ -159,7 +161,7 @@ struct Search<'a> {
 /// An occluder of one target.
 #[derive(Debug, Clone, Copy)]
 struct Occluder {
-    /// In the table of shadows.
+    /// Index into the table of shadows.
     slot: u32,
     hides: Hides,
     apparent_size: f64,

@@ -1,4 +1,4 @@
-//! How bodies move within a frame, and how what moves appears in mirrors that move themselves.
+//! Motion of bodies within a frame, and of their images in mirrors that move themselves.
 
 use crate::bodies::road_mirror::below;
 use artifact::scene::Pose;
@@ -14,7 +14,7 @@ pub(crate) struct Motion {
 impl Motion {
     pub(crate) const REST: Self = Self { velocity_mps: DVec3::ZERO, acceleration_mps2: DVec3::ZERO };
 
-    /// `seconds` after the pose.
+    /// Motion of a body `seconds` after its pose.
     pub(crate) fn of(pose: &Pose, seconds: f64) -> Self {
         let start = Self::from_arrays(pose.velocity_mps, pose.acceleration_mps2);
         Self { velocity_mps: start.after(DVec3::ZERO, seconds).1, ..start }
@@ -29,13 +29,13 @@ impl Motion {
         self.velocity_mps.is_finite() && self.acceleration_mps2.is_finite()
     }
 
-    /// In the road's mirror.
+    /// Motion of the image in the road's mirror.
     pub(crate) fn below_road(&self) -> Self {
         self.each(below)
     }
 
-    /// In a plane with the normal n that moves by v_p: a point's velocity v turns into v − 2((v − v_p)·n)n,
-    /// and so does its acceleration, as n does not turn.
+    /// Motion of the image in a plane with the normal n that moves by v_p: a point's velocity v turns into
+    /// v − 2((v − v_p)·n)n, and so does its acceleration, as n does not turn.
     pub(crate) fn mirrored(&self, mirror: &Self, n: DVec3) -> Self {
         let turned = |v: DVec3, of_mirror: DVec3| v - 2.0 * (v - of_mirror).dot(n) * n;
         Self {
@@ -44,7 +44,7 @@ impl Motion {
         }
     }
 
-    /// Where a point that is at `at_m` now is `seconds` later (earlier, where negative), and how fast.
+    /// Place and velocity, `seconds` later (earlier, where negative), of a point that is at `at_m` now.
     pub(crate) fn after(&self, at_m: DVec3, seconds: f64) -> (DVec3, DVec3) {
         let gained_mps = seconds * self.acceleration_mps2;
         (at_m + seconds * (self.velocity_mps + 0.5 * gained_mps), self.velocity_mps + gained_mps)
@@ -63,7 +63,7 @@ impl Motion {
     }
 }
 
-/// Of a body's origin `seconds` after its pose.
+/// Position of a body's origin `seconds` after its pose.
 pub(crate) fn position_m(pose: &Pose, seconds: f64) -> DVec3 {
     Motion::of(pose, 0.0).after(DVec3::from_array(pose.position_m), seconds).0
 }

@@ -19,8 +19,8 @@ use artifact::permittivity::substance;
 use artifact::scene::SceneHeader;
 use artifact::settings::{EchoMode, Edges, Sides};
 
-/// What crossing z = 0 makes of a field seen unfolded: r_TE and −r_TM, weakened by e^{−g²/2}, g = 2kσ sinψ
-/// (Ament 1953).
+/// Factors of a field, seen unfolded, where it crosses z = 0: r_TE and −r_TM, weakened by e^{−g²/2}, g
+/// = 2kσ sinψ (Ament 1953).
 pub(crate) fn crossing(road: &Material, rms_height_m: f64, sine: f64, wavenumber_per_m: f64) -> Pair {
     let g = 2.0 * wavenumber_per_m * rms_height_m * sine;
     let loss = (-0.5 * g * g).exp();
@@ -28,16 +28,16 @@ pub(crate) fn crossing(road: &Material, rms_height_m: f64, sine: f64, wavenumber
     Pair { te: loss * te, tm: -loss * tm }
 }
 
-/// On which side of the road something stands.
+/// Half of space above or below the road.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Half {
-    /// Where the vehicles are.
+    /// Half with the vehicles.
     Above,
-    /// Where their images are.
+    /// Half with their images.
     Below,
 }
 
-/// What the road cannot go with is refused by name.
+/// Refuses by name what the road cannot go with.
 pub(crate) fn check_road(header: &SceneHeader) -> Result<(), BartError> {
     let refused = |choice| Err(BartError::NotBuilt { choice });
     let fidelity = &header.fidelity;
@@ -59,7 +59,7 @@ pub(crate) fn usual_road() -> Option<Road> {
     Some(Road { material: asphalt, rms_height_m: 5e-4 })
 }
 
-/// Which side a facet is on.
+/// Half of space that a facet is in.
 pub(crate) fn half_of(world: &World, facet: u32) -> Half {
     if world.is_image(facet) { Half::Below } else { Half::Above }
 }

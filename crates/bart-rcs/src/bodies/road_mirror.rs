@@ -4,7 +4,7 @@ use crate::geometry::antenna::Antenna;
 use crate::geometry::plane::Plane;
 use glam::DVec3;
 
-/// z = 0.
+/// The plane z = 0.
 pub(crate) const ROAD_PLANE: Plane = Plane { normal: DVec3::Z, offset_m: 0.0 };
 
 /// The other side of the road.

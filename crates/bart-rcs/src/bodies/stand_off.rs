@@ -1,4 +1,5 @@
-//! Where an antenna may stand among bodies: a wavelength away from every facet, and not shut in by them.
+//! Places where an antenna may stand among bodies: a wavelength away from every facet, and not shut in
+//! by them.
 //!
 //! Waves are taken as spherical and transverse. The field of a dipole has terms of 1/kr and 1/(kr)² beside:
 //! they are 0.16 (−16 dB) of the wave at r = λ and grow from there on, and what stands so near changes the
@@ -76,7 +77,7 @@ fn distance_to_box_m(at_m: DVec3, [low, high]: [DVec3; 2]) -> f64 {
     at_m.distance(at_m.clamp(low, high))
 }
 
-/// To the foot on the plane where it lies inside, else to the nearest side.
+/// Distance to the foot on the plane where it lies inside, else to the nearest side.
 fn distance_to_triangle_m(at_m: DVec3, corners_m: &[DVec3; 3]) -> f64 {
     let [a, b, c] = *corners_m;
     let normal = (b - a).cross(c - a);
@@ -100,7 +101,7 @@ mod tests {
     use super::*;
     use artifact::scene::Mesh;
 
-    /// Of 1 m about the origin, all facets outward.
+    /// A cube of 1 m about the origin, all facets outward.
     fn cube() -> World {
         let corner = |i: usize| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { 0.5 } else { -0.5 });
         let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];

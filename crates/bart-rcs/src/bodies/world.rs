@@ -34,14 +34,14 @@ pub struct World {
     bodies: Vec<Body>,
     /// Whether every body is a perfect conductor.
     is_conductor: bool,
-    /// Where there is one, the second half of the bodies and facets are images of the first.
+    /// The road, where there is one: the second half of the bodies and facets are then images of the first.
     road: Option<Road>,
     /// Facets that waves are followed through, ascending.
     sheets: Vec<u32>,
     /// Whether a mirror lights other bodies.
     between_bodies: BetweenBodies,
     tolerance_m: f64,
-    /// Of every tree.
+    /// Limit of every tree.
     memory_limit: MemoryLimit,
     edges: OnceLock<WorldEdges>,
 }
@@ -55,7 +55,7 @@ impl World {
         Self::posed(&Models::build(header)?, header, frame, seconds_into_frame)
     }
 
-    /// As [`World::at`], with models that were built before from the same header.
+    /// Builds the world as [`World::at`] does, with models that were built before from the same header.
     pub fn posed(
         models: &Models,
         header: &SceneHeader,
@@ -89,7 +89,7 @@ impl World {
         Self::of_skin(mesh, Skin::Flat)
     }
 
-    /// The same with its facets bent.
+    /// Builds the world of a mesh alone with its facets bent.
     pub fn of_skin(mesh: &Mesh, skin: Skin) -> Result<Self, BartError> {
         let body = Body::posed(0, Arc::new(BodyMesh::build(mesh, skin)?), &AT_ORIGIN, 0.0, &mesh.name)?;
         Ok(Self::of_bodies(vec![body], None)?.with_sheets(mesh.makeup.transmission))
@@ -107,19 +107,19 @@ impl World {
         Ok(Self::of_bodies(bodies.into_iter().collect(), None)?.with_sheets(transmission))
     }
 
-    /// The same bodies over a road, with their images below it.
+    /// These bodies over a road, with their images below it.
     pub(crate) fn over(&self, road: &Road) -> Result<Self, BartError> {
         let images = self.bodies.iter().map(Body::below_road);
         let bodies = self.bodies.iter().cloned().chain(images).collect();
         Ok(Self { between_bodies: self.between_bodies, ..self.of_other_bodies(bodies, Some(road.clone()))? })
     }
 
-    /// The same bodies, followed from one to another.
+    /// These bodies, with ways followed from one to another.
     pub(crate) fn joined(&self) -> Result<Self, BartError> {
         self.of_other_bodies(self.bodies.clone(), self.road.clone())
     }
 
-    /// These bodies, their sheets and memory as of this world's.
+    /// World of other bodies, their sheets and memory as of this world's.
     fn of_other_bodies(&self, bodies: Vec<Body>, road: Option<Road>) -> Result<Self, BartError> {
         let transmission =
             if self.sheets.is_empty() { Transmission::Ignored } else { Transmission::Followed };
@@ -192,7 +192,7 @@ impl World {
         self
     }
 
-    /// What a facet is made of; `None` is a perfect conductor.
+    /// Material of a facet; `None` is a perfect conductor.
     pub(crate) fn lossy_material(&self, facet: u32) -> Option<&Arc<Material>> {
         let body = self.body_of(facet).filter(|_| !self.is_conductor)?;
         body.mesh.material(facet - body.first_facet)
@@ -204,7 +204,7 @@ impl World {
             .map_or(facet, |body| body.first_facet + body.mesh.patches.of_triangle(facet - body.first_facet))
     }
 
-    /// Curvature of the surface that a facet is a piece of, 1/m; 0 where it stands for itself.
+    /// Curvature of the surface that a facet is part of, 1/m; 0 where it stands for itself.
     pub(crate) fn curvature_per_m(&self, facet: u32) -> f64 {
         self.body_of(facet).map_or(0.0, |body| body.mesh.patches.curvature_per_m(facet - body.first_facet))
     }
@@ -222,12 +222,12 @@ impl World {
         Some((body.first_facet + triangle, winding))
     }
 
-    /// How the body that a facet belongs to moves.
+    /// Motion of the body that a facet belongs to.
     pub(crate) fn motion(&self, facet: u32) -> Motion {
         self.body_of(facet).map_or(Motion::REST, |body| body.motion)
     }
 
-    /// Of all bodies, m/s.
+    /// Speed of the fastest of all bodies, m/s.
     pub(crate) fn fastest_mps(&self) -> f64 {
         self.bodies.iter().map(|body| body.motion.velocity_mps.length()).fold(0.0, f64::max)
     }
@@ -276,19 +276,19 @@ impl World {
         })
     }
 
-    /// The same with a limit of what one tree and its joints may hold.
+    /// This world with a limit of what one tree and its joints may hold.
     pub fn within(self, limit: MemoryLimit) -> Self {
         Self { memory_limit: limit, ..self }
     }
 
-    /// What one tree and its joints may hold.
+    /// Limit of what one tree and its joints may hold.
     pub(crate) fn memory_limit(&self) -> MemoryLimit {
         self.memory_limit
     }
 
     /// Calls `visit` with every facet that may reach the positive side of all `planes` (world) and what a
     /// wave lights behind an `opening`, body by body and about from the far end of `nearer` on, until it
-    /// breaks. Decides nothing.
+    /// breaks. It decides nothing.
     pub(crate) fn visit_inside(
         &self,
         planes: impl Iterator<Item = Plane>,
@@ -313,7 +313,7 @@ impl World {
         })
     }
 
-    /// What the body of a facet is called: the target's id, or the name of a mesh alone.
+    /// Name of a facet's body: the target's id, or the name of a mesh alone.
     pub(crate) fn id_of_body(&self, facet: u32) -> &str {
         self.body_of(facet).map_or("", |body| &body.id)
     }
@@ -375,7 +375,7 @@ pub struct Models {
 }
 
 impl Models {
-    /// All meshes of the header, with the skin that it asks for.
+    /// Builds all meshes of the header, with the skin that it asks for.
     pub fn build(header: &SceneHeader) -> Result<Self, BartError> {
         let (fidelity, wavelength_m) = (&header.fidelity, header.radar.waveform.wavelength_m());
         let skin = Skin::of(fidelity.surface, fidelity.accuracy, wavelength_m, fidelity.bounces);
@@ -385,7 +385,7 @@ impl Models {
         Ok(Self { meshes: meshes.into_iter().collect::<Result<_, _>>()?, memory_limit })
     }
 
-    /// The same with a limit of what the bodies and beams of a frame may hold.
+    /// These models with a limit of what the bodies and beams of a frame may hold.
     pub fn within(self, limit: MemoryLimit) -> Self {
         Self { memory_limit: limit, ..self }
     }
@@ -406,9 +406,9 @@ struct BodyMesh {
     neighbours: Neighbours,
     hierarchy: Hierarchy,
     edges: OnceLock<BodyEdges>,
-    /// By slot, `None` for a perfect conductor; empty where all are.
+    /// Materials by slot, `None` for a perfect conductor; empty where all are.
     materials: Vec<Option<Arc<Material>>>,
-    /// Of the mesh's own triangles.
+    /// Slots of the mesh's own triangles.
     slot_of_triangle: Vec<u16>,
 }
 
@@ -528,7 +528,7 @@ impl Body {
         !is_on(self) || (header.road.is_some() && !is_on(&self.below_road()))
     }
 
-    /// Its image in the plane z = 0; windings turn over with it.
+    /// Image of the body in the plane z = 0; windings turn over with it.
     fn below_road(&self) -> Self {
         Self {
             target: self.target,

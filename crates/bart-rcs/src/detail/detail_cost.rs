@@ -1,27 +1,28 @@
-//! What levels of detail cost, in processor seconds: figures of one machine, so that the same scene takes the
-//! same level on every machine and any number of threads. Measured: docs/validation/levels-of-detail.md.
+//! Costs of levels of detail, in processor seconds: figures of one machine, so that the same scene
+//! takes the same level on every machine and any number of threads. Measured:
+//! docs/validation/levels-of-detail.md.
 
 use artifact::Radar;
 
-/// Of the sum over paths one by one, for each path and sample of the cube.
+/// Cost of the sum over paths one by one, for each path and sample of the cube.
 const ONE_BY_ONE_S: f64 = 1.1e-9;
-/// Of transforms, for each sample of the cube: some instants of two-dimensional transforms on grids four
-/// times as large.
+/// Cost of transforms, for each sample of the cube: some instants of two-dimensional transforms on
+/// grids four times as large.
 const TRANSFORMS_S: f64 = 4e-8;
-/// Of a path's values and its share of the grids, for each pair of elements.
+/// Cost of a path's values and its share of the grids, for each pair of elements.
 const VALUES_S: f64 = 2e-7;
 /// Paths of one target from which on transforms are taken, at −60 dB.
 const TRANSFORMED: usize = 40;
-/// Of finding a path its cell and comparing the tables, all attempts.
+/// Cost of finding a path its cell and comparing the tables, all attempts.
 const MERGING_S: f64 = 5.5e-6;
-/// Of fitting centres to anything, and to a path's field with twelve pairs of elements, comparing the tables,
-/// all attempts.
+/// Cost of fitting centres to anything, and to a path's field with twelve pairs of elements, comparing
+/// the tables, all attempts.
 const FITTING_LEAST_S: f64 = 3e-3;
 const FITTING_S: f64 = 7e-6;
 /// Wider arrays are looked at from more pairs, up to 64 of them.
 const FITTING_PAIRS: [f64; 2] = [12.0, 64.0];
 
-/// Echo of one target's paths.
+/// Cost of the echo of one target's paths.
 pub(crate) fn echo_s(radar: &Radar, paths: usize) -> f64 {
     let waveform = &radar.waveform;
     let pairs = radar.virtual_channels() as f64;
@@ -34,12 +35,12 @@ pub(crate) fn echo_s(radar: &Radar, paths: usize) -> f64 {
     }
 }
 
-/// Merging one target's paths.
+/// Cost of merging one target's paths.
 pub(crate) fn merging_s(paths: usize) -> f64 {
     MERGING_S * paths as f64
 }
 
-/// Finding scattering centres of one target's paths.
+/// Cost of finding scattering centres of one target's paths.
 pub(crate) fn centres_s(radar: &Radar, paths: usize) -> f64 {
     let [usual, most] = FITTING_PAIRS;
     let wider = (radar.virtual_channels() as f64).clamp(usual, most) / usual;

@@ -39,17 +39,17 @@ pub fn reduced(header: &SceneHeader, frame: PathsFrame) -> PathsFrame {
     with(targets, frame)
 }
 
-/// Of the accuracy asked for, for a level that was asked for by name.
+/// Share of the accuracy asked for that a level may take at least when it was asked for by name.
 const LEAST_SHARE: f64 = 0.3;
 
-/// What the other errors of a frame leave of the accuracy asked for, as an amplitude.
+/// Error that the other errors of a frame leave of the accuracy asked for, as an amplitude.
 fn left_by_others(header: &SceneHeader, error: &ErrorBudget) -> f64 {
     let asked = header.fidelity.accuracy.amplitude();
     let others = error.total().unwrap_or(0.0);
     if others < asked { (asked.powi(2) - others.powi(2)).sqrt() } else { BEYOND_SHARE * others }
 }
 
-/// Of other errors that are beyond the accuracy asked for: √(1 + 0.2²) is 1.02 of them.
+/// Share of other errors that are beyond the accuracy asked for: √(1 + 0.2²) is 1.02 of them.
 const BEYOND_SHARE: f64 = 0.2;
 
 fn with(targets: Vec<Made>, frame: PathsFrame) -> PathsFrame {
@@ -77,7 +77,7 @@ struct Made {
     level: Detail,
     traced: usize,
     paths: Vec<Path>,
-    /// `None` of all paths.
+    /// Measured error of the level; `None` of all paths.
     measured: Option<Measured>,
 }
 
@@ -97,7 +97,7 @@ const LOOKS: usize = 12;
 const INSTANTS: usize = 16;
 
 impl Measured {
-    /// Relative amplitude, with the margin of the measurement; none of what scatters nothing.
+    /// Relative amplitude error, with the margin of the measurement; 0 of what scatters nothing.
     fn error(self) -> f64 {
         if self.power > 0.0 { MARGIN * (self.missed / self.power).sqrt() } else { 0.0 }
     }
@@ -144,8 +144,8 @@ impl<'a> Choice<'a> {
         }
     }
 
-    /// Nothing is tried whose making costs more than what it may be expected to save. Centres come first:
-    /// they are fewer than merged paths.
+    /// The cheapest level that is found; nothing is tried whose making costs more than what it may be
+    /// expected to save. Centres come first: they are fewer than merged paths.
     fn cheapest(&self) -> Option<Found> {
         let count = self.paths.len();
         let echo = |paths: usize| echo_s(self.radar, paths);
@@ -160,7 +160,7 @@ impl<'a> Choice<'a> {
         fitted.or_else(|| is_merging_worth_it.then(|| self.merged(&field)).flatten().filter(saved))
     }
 
-    /// All paths, as the looks see them.
+    /// Field of all paths, as the looks see it.
     fn field(&self) -> Vec<Complex64> {
         self.looks.field(&self.paths)
     }
@@ -190,7 +190,7 @@ impl<'a> Choice<'a> {
         None
     }
 
-    /// `None` where no merging of few enough paths is within what is allowed.
+    /// Merged paths; `None` where no merging of few enough paths is within what is allowed.
     fn merged(&self, field: &[Complex64]) -> Option<Found> {
         const ATTEMPTS: usize = 6;
         // Phases in a cell are spread evenly and cancel: their mean is off by less than a quarter of the
@@ -201,7 +201,7 @@ impl<'a> Choice<'a> {
         })
     }
 
-    /// `None` where no few centres are within what is allowed.
+    /// Scattering centres; `None` where no few of them are within what is allowed.
     fn centres(&self, field: &[Complex64]) -> Option<Found> {
         const ATTEMPTS: usize = 4;
         let finest_rad = CANDIDATES_RAD * (self.allowed / 0.1).powf(0.25).min(1.0);
@@ -239,7 +239,7 @@ mod tests {
     use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Schedule, Waveform};
     use std::f64::consts::TAU;
 
-    /// 3 × 4 elements, 128 chirps of 256 samples over 0.6 GHz.
+    /// A radar of 3 × 4 elements, 128 chirps of 256 samples over 0.6 GHz.
     fn radar() -> Radar {
         let position_m = [0.0, 0.0, 6.0];
         let row = |steps: &[f64]| steps.iter().map(|x| [x * 1.94e-3, 0.0, 6.0]).collect::<Vec<[f64; 3]>>();
@@ -271,8 +271,8 @@ mod tests {
         }
     }
 
-    /// Anywhere in a car 40 m ahead that approaches at 10 m/s, the nearer end stronger; every third with two
-    /// bounces.
+    /// Paths anywhere in a car 40 m ahead that approaches at 10 m/s, the nearer end stronger; every third
+    /// with two bounces.
     fn body(count: u32) -> Vec<Path> {
         let path = |i: u32| {
             let at = |step: f64| (f64::from(i) * step).fract();
@@ -295,7 +295,7 @@ mod tests {
         (0..count).map(path).collect()
     }
 
-    /// At looks that no level was made or measured with.
+    /// Relative error at looks that no level was made or measured with.
     fn error_elsewhere(radar: &Radar, paths: &[Path], all: &[Path]) -> f64 {
         let looks = Looks::new(radar, 40, 29, 0.271_828);
         let field = looks.field(all);

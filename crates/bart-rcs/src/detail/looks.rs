@@ -19,13 +19,13 @@ pub(crate) struct Look {
 }
 
 impl Look {
-    /// From the radar's position at the frame's middle.
+    /// Look from the radar's position at the frame's middle.
     pub(crate) fn middle(radar: &Radar) -> Self {
         let place_m = DVec3::from_array(radar.position_m);
         Self { tx_m: place_m, rx_m: place_m, seconds: radar.frame_middle_s() }
     }
 
-    /// x_a − p_t and x_b − p_r.
+    /// Legs x_a − p_t and x_b − p_r.
     pub(crate) fn legs_m(&self, path: &Path) -> [DVec3; 2] {
         let [from_tx_m, from_rx_m] = apparent_m(path, self.seconds);
         [from_tx_m - self.tx_m, from_rx_m - self.rx_m]
@@ -42,7 +42,7 @@ fn gain(radar: &Radar, direction: DVec3) -> f64 {
     radar.array.pattern.amplitude(axes(radar).map(|axis| axis.dot(direction)))
 }
 
-/// Right, ahead along the boresight, up.
+/// Axes of the array: right, ahead along the boresight, up.
 pub(crate) fn axes(radar: &Radar) -> [DVec3; 3] {
     let (sin_az, cos_az) = radar.boresight_az_rad.sin_cos();
     let (sin_el, cos_el) = radar.boresight_el_rad.sin_cos();
@@ -81,7 +81,7 @@ impl<'a> Looks<'a> {
         Self { radar, looks: (0..count).map(look).collect(), instants }
     }
 
-    /// Values of a field.
+    /// Number of values of a field.
     pub(crate) fn len(&self) -> usize {
         self.looks.len() * self.instants
     }
@@ -159,7 +159,7 @@ impl<'a> Looks<'a> {
 struct Tone {
     value: Complex64,
     turn: Complex64,
-    /// f − f_c.
+    /// Frequency offset f − f_c.
     offset_hz: f64,
     step_hz: f64,
 }

@@ -11,7 +11,7 @@ use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 
-/// How a path's phase turns: what paths must have in common to be merged.
+/// Turns of a path's phase: what paths must have in common to be merged.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Turns {
     /// L₁ + L₂ at the frame's middle from the radar's position, m.
@@ -20,13 +20,13 @@ pub(crate) struct Turns {
     pub(crate) cycles: [f64; 5],
 }
 
-/// What turns are counted in.
+/// Extents over which turns are counted.
 pub(crate) struct Extents<'a> {
     radar: &'a Radar,
     middle: Look,
     right: DVec3,
     up: DVec3,
-    /// Of the transmit and of the receive elements, [right, up].
+    /// Extents of the rows of transmit and of receive elements, [right, up].
     rows_m: [[f64; 2]; 2],
 }
 
@@ -149,7 +149,7 @@ impl Seen {
         Self { length_m: legs_m[0].length() + legs_m[1].length(), strength: strength(radar, legs_m) }
     }
 
-    /// Amplitude that `node` takes over; none of what no element hears.
+    /// Amplitude that `node` takes over; 0 of what no element hears.
     fn over(&self, node: &Self) -> f64 {
         if node.strength > 0.0 { self.strength / node.strength } else { 0.0 }
     }

@@ -113,9 +113,9 @@ struct Direction {
 }
 
 struct Pursuit {
-    /// As the candidates are: value, slope.
+    /// Columns of the candidates: value, slope.
     columns: Vec<[Vec<Complex64>; 2]>,
-    /// The same less what the directions hold.
+    /// Columns less what the directions hold.
     new: Vec<[Vec<Complex64>; 2]>,
     taken: Vec<usize>,
     directions: Vec<Direction>,
@@ -166,7 +166,7 @@ impl Pursuit {
         of_value.norm_sqr() + of_slope
     }
 
-    /// What is new in a column, of length 1; `None` where that is too little.
+    /// Part of a column that is new, of length 1; `None` where that is too little.
     fn unit(&self, index: usize, column: usize) -> Option<Vec<Complex64>> {
         let (new, whole) = (&self.new[index][column], &self.columns[index][column]);
         let norm = power(new).sqrt();
@@ -182,8 +182,8 @@ impl Pursuit {
         self.directions.push(direction);
     }
 
-    /// Least squares on the columns of the directions: these are the columns' QR factors, so that back
-    /// substitution is left. Both directions of a candidate follow one another.
+    /// Least-squares coefficients on the columns of the directions: these are the columns' QR factors, so
+    /// that back substitution is left. Both directions of a candidate follow one another.
     fn coefficients(&self) -> Vec<(usize, [Complex64; 2])> {
         let column = |d: &Direction| &self.columns[d.column.0][d.column.1];
         let mut rest = self.field.clone();
@@ -204,12 +204,12 @@ impl Pursuit {
     }
 }
 
-/// aᴴb.
+/// Product aᴴb.
 fn dot(a: &[Complex64], b: &[Complex64]) -> Complex64 {
     a.iter().zip(b).map(|(a, b)| a.conj() * b).sum()
 }
 
-/// x − share·y.
+/// Difference x − share·y.
 fn less(x: &[Complex64], y: &[Complex64], share: Complex64) -> Vec<Complex64> {
     x.iter().zip(y).map(|(x, y)| x - share * y).collect()
 }

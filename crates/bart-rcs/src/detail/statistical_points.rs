@@ -18,21 +18,21 @@ const CENTRE_RAD: f64 = 0.5 * PI;
 /// Share of the centres' power that those carry whose number and levels are told.
 const TOLD: f64 = 0.99;
 
-/// What is told of a body: of its centres that carry 99 % of the power.
+/// Statistics of a body: of its centres that carry 99 % of the power.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PointModel {
     pub(crate) points: usize,
     /// Mean and standard deviation of ln σ: levels of a vehicle's centres are spread by tens of decibels, as
     /// log-normal ones.
     pub(crate) log_level: [f64; 2],
-    /// Where a point can be, with the share of points there.
+    /// Places where a point can be, with the share of points there.
     places: Vec<Path>,
     /// Mean power of the whole, as the looks see it.
     power: f64,
 }
 
 impl PointModel {
-    /// Of the paths of one target; `None` where they scatter nothing.
+    /// Model of the paths of one target; `None` where they scatter nothing.
     pub(crate) fn of(radar: &Radar, paths: &[Path], looks: &Looks<'_>) -> Option<Self> {
         let mut places = merged(radar, paths, CENTRE_RAD);
         places.sort_by(|a, b| level(radar, b).total_cmp(&level(radar, a)));
@@ -86,7 +86,7 @@ impl PointModel {
     }
 }
 
-/// σ of a path in the radar's polarization.
+/// Cross section σ of a path in the radar's polarization.
 fn level(radar: &Radar, path: &Path) -> f64 {
     let (p, q) = radar.array.polarization.indices();
     path.amplitude_m[p][q].norm_sqr()

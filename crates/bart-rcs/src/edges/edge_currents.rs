@@ -27,7 +27,7 @@ use num_complex::Complex64;
 #[derive(Clone, Copy)]
 pub(crate) struct EdgeNode<'a> {
     pub(crate) edge: &'a EdgeGeometry,
-    /// What its faces end at.
+    /// Edges of the world, which its faces end at.
     pub(crate) edges: &'a WorldEdges,
     pub(crate) span_m: [f64; 2],
     pub(crate) transmit: &'a Leg,
@@ -118,7 +118,7 @@ impl<I: Integrand> EdgePart for Piece<'_, I> {
 /// 1/√π.
 const PER_ROOT_PI: f64 = std::f64::consts::FRAC_2_SQRT_PI * 0.5;
 
-/// What [`EdgePart::add_to`] adds, as an amplitude.
+/// Amplitude of the sum that [`EdgePart::add_to`] adds to.
 pub(crate) fn amplitude_of(sum: &[Complex64; 4]) -> Amplitude {
     let [vv, vh, hv, hh] = sum.map(|s| s * PER_ROOT_PI);
     [[vv, vh], [hv, hh]]
@@ -170,7 +170,7 @@ impl Fringe<'_> {
             .map(|twice| 0.5 * twice)
     }
 
-    /// From one end to the other: [field received][field sent].
+    /// Field received for the field sent, from one end to the other: [field received][field sent].
     fn one_way(&self, sent: &(DVec3, [DVec3; 2]), received: &(DVec3, [DVec3; 2])) -> [f64; 4] {
         let (travel, out) = (sent.0, -received.0);
         let Some(faces) = self.node.edge.wedge.faces(travel, out) else { return [0.0; 4] };
@@ -182,14 +182,14 @@ impl Fringe<'_> {
     }
 }
 
-/// From which end the wave comes.
+/// Direction of travel along a way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Sense {
-    /// From the transmitter to the receiver.
+    /// The wave runs from the transmitter to the receiver.
     Forth,
-    /// From the receiver to the transmitter, transposed.
+    /// The wave runs from the receiver to the transmitter, transposed.
     Back,
-    /// One antenna: back is forth, transposed.
+    /// Both directions with one antenna: back is forth, transposed.
     Both,
 }
 
@@ -201,7 +201,7 @@ impl Fringe<'_> {
     }
 }
 
-/// What the currents beyond the ends of a face would add; it is taken away.
+/// Amplitude of the currents beyond the ends of a face; it is taken away.
 struct BeyondEnd<'a> {
     fringe: &'a Fringe<'a>,
     face: usize,
@@ -213,7 +213,7 @@ struct BeyondEnd<'a> {
 #[derive(Clone)]
 struct Beyond {
     length_m: f64,
-    /// `None` where the face has no end or the edge is not lit.
+    /// Edge wave at the end; `None` where the face has no end or the edge is not lit.
     current: Option<AtEnd>,
 }
 
@@ -228,7 +228,7 @@ struct AtEnd {
 }
 
 impl BeyondEnd<'_> {
-    /// Where the wave comes from, where it goes.
+    /// Legs of the wave: where it comes from and where it goes.
     fn legs(&self) -> [&Leg; 2] {
         let EdgeNode { transmit, receive, .. } = *self.fringe.node;
         if self.sense == Sense::Back { [receive, transmit] } else { [transmit, receive] }

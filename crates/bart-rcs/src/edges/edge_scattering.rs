@@ -63,7 +63,7 @@ fn add_joint(
     });
 }
 
-/// The same at every frequency for itself: what the interpolation is compared with.
+/// Sums at every frequency for itself: what the interpolation is compared with.
 fn sum_at_each(
     scatterer: &Scatterer<'_>,
     joints: &[EdgeJoint],

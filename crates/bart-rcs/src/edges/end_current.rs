@@ -22,7 +22,7 @@ use std::f64::consts::PI;
 /// √π·dS/dl of the current beyond a way along a face, its phase that of the ray along the face to there.
 #[derive(Clone)]
 pub(crate) struct EndCurrent {
-    /// a + b = 1 + cosφ′ and b.
+    /// Parameters a + b = 1 + cosφ′ and b.
     ab: f64,
     b: f64,
     square_in: f64,
@@ -34,7 +34,7 @@ pub(crate) struct EndCurrent {
 }
 
 impl EndCurrent {
-    /// For both incident fields and both unit fields of the receiver.
+    /// Current of a face for both incident fields and both unit fields of the receiver.
     pub(crate) fn new(face: &FaceView, travel: DVec3, sent: &[DVec3; 2], received: &[DVec3; 2]) -> Self {
         let (n, s) = (face.exterior, face.sin_in);
         let half = 0.5 * (PI - face.angle_in);
@@ -58,7 +58,8 @@ impl EndCurrent {
         Self { ab, b, square_in: s * s, of_wave, of_edge, along_ray }
     }
 
-    /// By [received][sent], and W(√(κd(a + b))): how the edge wave has fallen off after the way.
+    /// Current beyond a way by [received][sent], and W(√(κd(a + b))): how the edge wave has fallen off
+    /// after the way.
     pub(crate) fn beyond(&self, way_m: f64, wavenumber_per_m: f64) -> ([Complex64; 4], Complex64) {
         let kd = wavenumber_per_m * self.square_in * way_m;
         let [edge, falloff] = [self.b, self.ab].map(|share| edge_wave((kd * share).sqrt()));
@@ -90,7 +91,7 @@ mod tests {
         Wedge { along: DVec3::Z, inward: [DVec3::X; 2], normal: [DVec3::Y, -DVec3::Y], exterior: 2.0 }
     }
 
-    /// Beyond 0 lies the whole current: what the half plane's edge current is made of.
+    /// The current beyond 0 is the whole one: what the half plane's edge current is made of.
     #[test]
     fn the_current_of_a_whole_half_plane_is_its_fringe_current_from_any_direction() {
         let unit = |x: f64, y: f64, z: f64| DVec3::new(x, y, z) / DVec3::new(x, y, z).length();

@@ -4,7 +4,7 @@ use num_complex::Complex64;
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 use std::sync::OnceLock;
 
-/// e^{jπ/4}.
+/// Phasor of an eighth of a turn, e^{jπ/4}.
 pub(crate) const EIGHTH_TURN: Complex64 = Complex64::new(FRAC_1_SQRT_2, FRAC_1_SQRT_2);
 
 /// W(x) = e^{jx²} erfc(e^{jπ/4} x) for x ≥ 0: 1 at 0, e^{−jπ/4}/(√π x) far off, without oscillation between.
@@ -48,7 +48,7 @@ fn clenshaw(c: &Coefficients, t: f64) -> Complex64 {
     c[0] + next * t - after
 }
 
-/// The same as its definition gives it: what the polynomials are made of and compared with.
+/// W(x) as its definition gives it: what the polynomials are made of and compared with.
 ///
 /// Error below 1e-13 (tested against quadrature): the power series of erf loses e^{x²} = 500 ε at the switch;
 /// Laplace's continued fraction for erfc (Abramowitz and Stegun 7.1.14) takes over.
@@ -59,7 +59,7 @@ fn edge_wave_by_series(x: f64) -> Complex64 {
 
 const SERIES_END: f64 = 2.5;
 
-/// erf z = 2z/√π Σ (−z²)ⁿ/(n!(2n + 1)).
+/// Error function by its series, erf z = 2z/√π Σ (−z²)ⁿ/(n!(2n + 1)).
 fn erf_series(z: Complex64) -> Complex64 {
     let square = -z * z;
     let (mut power, mut sum) = (Complex64::ONE, Complex64::ONE);
@@ -70,7 +70,8 @@ fn erf_series(z: Complex64) -> Complex64 {
     z * sum * 2.0 / PI.sqrt()
 }
 
-/// e^{z²} erfc z = 1/(√π(z + ½/(z + 1/(z + 3⁄2/(z + …))))), from the far end on; it converges as e^{−c|z|√n}.
+/// Laplace's continued fraction, e^{z²} erfc z = 1/(√π(z + ½/(z + 1/(z + 3⁄2/(z + …))))), from the far
+/// end on; it converges as e^{−c|z|√n}.
 fn continued_fraction(z: Complex64) -> Complex64 {
     let terms = 16 + (360.0 / z.norm_sqr()) as u32;
     let tail = (1..=terms).rev().fold(z, |tail, n| z + 0.5 * f64::from(n) / tail);
@@ -82,7 +83,7 @@ mod tests {
     use super::*;
     use crate::integral::test_quadrature::gauss_legendre;
 
-    /// e^{jx²}erfc(e^{jπ/4}x) = (2/√π)∫₀^∞ e^{−t² − 2e^{jπ/4}xt} dt.
+    /// W(x) by quadrature, e^{jx²}erfc(e^{jπ/4}x) = (2/√π)∫₀^∞ e^{−t² − 2e^{jπ/4}xt} dt.
     fn by_quadrature(x: f64, (nodes, weights): &(Vec<f64>, Vec<f64>)) -> Complex64 {
         let end = 6.5;
         let at = |node: f64| {

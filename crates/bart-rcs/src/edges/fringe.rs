@@ -1,5 +1,5 @@
-//! Fringe currents of a wedge: what the current at an edge differs from physical optics by, as a line source
-//! along it.
+//! Fringe currents of a wedge: the difference of the current at an edge from physical optics, as a line
+//! source along it.
 //!
 //! Michaeli's equivalent currents for any direction (IEEE T-AP 34 (1986) 912, 34 (1986) 1252) in the form of
 //! docs/physics.md §4, with the removable singularities gone: with ψ = π − α, h = (ψ − φ′)/2, m = (ψ + φ′)/2
@@ -22,14 +22,14 @@ use std::f64::consts::{PI, TAU};
 /// along the edge.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FaceView {
-    /// N.
+    /// Exterior angle over π, N.
     pub(crate) exterior: f64,
     pub(crate) inward: DVec3,
     pub(crate) normal: DVec3,
     pub(crate) along: DVec3,
-    /// φ′ of the incident wave, from this face.
+    /// Angle φ′ of the incident wave, from this face.
     pub(crate) angle_in: f64,
-    /// cosβ′ and sinβ′ of the direction of travel of the incident wave to ẑ.
+    /// Cosine and sine of β′, the angle of the incident wave's direction of travel to ẑ.
     pub(crate) cos_in: f64,
     pub(crate) sin_in: f64,
     /// The direction of the receiver in these axes, sinβ·(cosφ, sinφ) and cosβ.
@@ -67,8 +67,8 @@ impl Wedge {
         if angle < 0.0 { angle + TAU } else { angle }
     }
 
-    /// Both faces for a wave that travels along `travel` and leaves along `out`; `None` where a leg lies
-    /// along the edge or runs inside the wedge.
+    /// Views of both faces for a wave that travels along `travel` and leaves along `out`; `None` where a
+    /// leg lies along the edge or runs inside the wedge.
     pub(crate) fn faces(&self, travel: DVec3, out: DVec3) -> Option<[FaceView; 2]> {
         let span = self.exterior * PI;
         let (angle_in, angle_out) = (self.angle_of(-travel), self.angle_of(out));
@@ -79,8 +79,8 @@ impl Wedge {
         Some([self.face(0, travel, out, angle_in), self.face(1, travel, out, span - angle_in)])
     }
 
-    /// Both faces for a wave that comes along `travel` on the face that looks along `normal`, at grazing
-    /// incidence; `None` as for [`Self::faces`], and where no face of the wedge looks that way.
+    /// Views of both faces for a wave that comes along `travel` on the face that looks along `normal`, at
+    /// grazing incidence; `None` as for [`Self::faces`], and where no face of the wedge looks that way.
     pub(crate) fn faces_from_face(&self, travel: DVec3, normal: DVec3, out: DVec3) -> Option<[FaceView; 2]> {
         let span = self.exterior * PI;
         let is_seen = self.angle_of(out) <= span;
@@ -113,7 +113,7 @@ impl Wedge {
 }
 
 impl FaceView {
-    /// U; a face that is edge-on to rounding has no lit polygon either.
+    /// Lighting U of the face; one that is edge-on to rounding has no lit polygon either.
     pub(crate) fn lighting(&self) -> Lighting {
         if (0.0..PI - EDGE_ON_RAD).contains(&self.angle_in) { Lighting::Lit } else { Lighting::Shadowed }
     }
@@ -175,7 +175,7 @@ impl FaceView {
     }
 }
 
-/// c(z) = cot(z/N)/N − U cot z.
+/// Difference c(z) = cot(z/N)/N − U cot z.
 fn cotangents(z: Complex64, n: f64, lighting: Lighting) -> Complex64 {
     let cot = |z: Complex64| z.cos() / z.sin();
     match lighting {
@@ -204,7 +204,7 @@ mod tests {
         }
     }
 
-    /// f¹ and g¹ at right angles to the edge.
+    /// Fringe coefficients f¹ and g¹ at right angles to the edge.
     pub(crate) fn f_g(n: f64, angle_in: f64, angle_out: f64) -> [f64; 2] {
         let away = |angle: f64| DVec3::new(angle.cos(), angle.sin(), 0.0);
         let (travel, out) = (-away(angle_in), away(angle_out));

@@ -5,9 +5,9 @@ use num_complex::Complex64;
 
 /// Weight and length along a line.
 pub(crate) trait Integrand {
-    /// What a point costs once for all wavenumbers.
+    /// Values of a point that cost once for all wavenumbers.
     type Sample: Clone;
-    /// At a coordinate along the line, m.
+    /// Sample at a coordinate along the line, m.
     fn sample(&self, at_m: f64) -> Self::Sample;
     /// L of the phase −kL, m.
     fn length_m(sample: &Self::Sample) -> f64;
@@ -85,7 +85,7 @@ pub(crate) struct Piece<'a, I: Integrand> {
     samples: &'a [I::Sample; 3],
     half_m: f64,
     middle_length_m: f64,
-    /// dL/ds of the straight line between the ends.
+    /// Slope dL/ds of the straight line between the ends.
     slope: f64,
     /// L of the ends beyond that line, the same at both.
     bend_m: f64,
@@ -107,12 +107,12 @@ impl<'a, I: Integrand> Piece<'a, I> {
         self.middle_length_m
     }
 
-    /// How far L of other points is from that.
+    /// Greatest difference of L on the piece from that in the middle.
     pub(crate) fn extent_m(&self) -> f64 {
         self.slope.abs() * self.half_m + self.bend_m.abs()
     }
 
-    /// weight·e^{−jk(L − linear part)} at the ends and in the middle.
+    /// Values weight·e^{−jk(L − linear part)} at the ends and in the middle.
     fn values(&self, wavenumber_per_m: f64) -> [[Complex64; 4]; 3] {
         let turned = Complex64::cis(-wavenumber_per_m * self.bend_m);
         let at = |i: usize| self.integrand.weights(&self.samples[i], wavenumber_per_m);

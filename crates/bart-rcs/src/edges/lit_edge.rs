@@ -1,4 +1,4 @@
-//! Which parts of edges a beam tree lights, and where both ends meet on an edge.
+//! Parts of edges that a beam tree lights, and where both ends meet on an edge.
 //!
 //! An edge is lit where a lit polygon of one of its facets reaches it: exactly what is lit of the facets, by
 //! the same shadows, straight or through mirrors. Only edges in the plane of vision itself (their facets
@@ -20,7 +20,7 @@ pub(crate) struct LitEdge {
     parent: Option<u32>,
     /// A beam that reaches the edge: its leg is the way there.
     pub(crate) beam: u32,
-    /// Along the edge, m.
+    /// Span along the edge, m.
     pub(crate) span_m: [f64; 2],
 }
 

@@ -1,4 +1,4 @@
-//! What a frame will take, told from a sample of its beams before it is traced.
+//! Work that a frame will take, told from a sample of its beams before it is traced.
 
 use crate::beams::beam::TraceSettings;
 use crate::beams::sampled_tree::{SampledTree, sample};
@@ -29,25 +29,25 @@ pub struct ExpectedWork {
     pub mirrors: f64,
     /// Tiles of the integrals of the first and of later orders, as fine as the scene asks.
     pub tiles: [f64; 2],
-    /// And ten times finer, as what they are compared with.
+    /// Tiles of the integrals ten times finer, with which they are compared.
     pub fine_tiles: [f64; 2],
-    /// Of these, those on polygons longer than 2 m: where large parts cancel, integrals are taken again and
-    /// finer.
+    /// Share of these tiles on polygons longer than 2 m: where large parts cancel, integrals are taken
+    /// again and finer.
     pub long_tiles: f64,
     /// Cells of all orders at the largest size that is tried.
     pub largest_cells: f64,
-    /// At a third of it, which is about the smallest.
+    /// Cells of all orders at a third of the largest size, which is about the smallest.
     pub smaller_cells: f64,
     /// Lit polygons of ways between bodies that move against each other, times the wavelengths by which these
     /// slide past each other during the frame.
     pub sliding_beams: f64,
-    /// The same of the paths' tiles.
+    /// Tiles of the paths on such ways, times the same wavelengths.
     pub sliding_tiles: f64,
-    /// Lit polygons, paths' tiles and smaller cells of such ways, however far the bodies slide.
+    /// Lit polygons of ways between bodies that move against each other, however far these slide.
     pub moving_beams: f64,
-    /// As above.
+    /// Tiles of the paths on ways between bodies that move against each other, however far these slide.
     pub moving_tiles: f64,
-    /// As above.
+    /// Smaller cells on ways between bodies that move against each other, however far these slide.
     pub moving_cells: f64,
 }
 
@@ -130,8 +130,8 @@ impl ExpectedWork {
     }
 }
 
-/// How far the bodies of a beam's way slide past each other during the frame, at most, in wavelengths; 0
-/// within one body.
+/// Greatest distance by which the bodies of a beam's way slide past each other during the frame, in
+/// wavelengths; 0 within one body.
 fn slide_wavelengths(sampled: &SampledTree, beam: usize, world: &World, plan: &Plan<'_>) -> f64 {
     let tree = &sampled.tree;
     let own = world.motion(tree.beams[beam].facet).velocity_mps;
@@ -167,7 +167,7 @@ impl<'a> Lit<'a> {
         Self { scatterer, plan, beam, frame, parts, area_m2: area_m2(&on_plane), extent_m: high - low }
     }
 
-    /// Of the integral over it.
+    /// Tiles of the integral over it.
     fn tiles(&self, accuracy: f64) -> f64 {
         let step = self.parts.len().div_ceil(PARTS).max(1);
         let highest_per_m = self.plan.band.wavenumbers_per_m()[2];

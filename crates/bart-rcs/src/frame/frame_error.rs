@@ -1,5 +1,5 @@
-//! What a frame's paths miss, measured: they are compared with the same bodies traced and integrated anew at
-//! another moment and from another element of the array.
+//! Measured error of a frame's paths: they are compared with the same bodies traced and integrated anew
+//! at another moment and from another element of the array.
 //!
 //! A map's error is that of its samples (Parseval), so it is enough to look at some frequencies and moments.
 //! Visibility, amplitudes and apparent velocities err in proportion to the time from the frame's middle; the
@@ -33,24 +33,26 @@ pub(crate) const MARGIN: f64 = 1.85;
 /// The frame's bodies at the moment of the check.
 pub(crate) struct Reference {
     frequencies_hz: Vec<f64>,
-    /// By order from 1, then frequency.
+    /// Scattering amplitude by order from 1, then frequency.
     by_order_m: Vec<Vec<Complex64>>,
-    /// The other node rule, where there is a choice and the tree reaches that far: by order from 1.
+    /// Scattering amplitude by the other node rule, where there is a choice and the tree reaches that far:
+    /// by order from 1.
     other_m: Vec<Option<Vec<Complex64>>>,
-    /// The order after the last by the middle rule, facets alone, where the tree reaches that far.
+    /// Scattering amplitude of the order after the last by the middle rule, facets alone, where the tree
+    /// reaches that far.
     left_out_m: Option<Vec<Complex64>>,
 }
 
-/// What was measured of one table of paths, as amplitudes relative to the frame's.
+/// Measured errors of one table of paths, as amplitudes relative to the frame's.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FrameError {
-    /// Against the reference, at the moment of the check.
+    /// Error against the reference, at the moment of the check.
     total: f64,
-    /// Of the integrals alone, at the frame's middle.
+    /// Error of the integrals alone, at the frame's middle.
     integration: f64,
     /// Paths and beams given up, with independent phases.
     dropped: f64,
-    /// The same, with equal phases of the beams.
+    /// Paths and beams given up, with equal phases of the beams.
     pub(crate) dropped_at_most: f64,
 }
 
@@ -91,7 +93,7 @@ pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference
     Reference { by_order_m, other_m, left_out_m, frequencies_hz }
 }
 
-/// How finely integrals of a comparison are taken.
+/// Fineness of the integrals of a comparison.
 #[derive(Clone, Copy)]
 pub(crate) struct Fineness<'a> {
     pub(crate) wavenumbers_per_m: &'a [f64],
@@ -169,14 +171,14 @@ impl Reference {
         (whole > 0.0).then(|| MARGIN * (mean(&added) * raised / whole).sqrt())
     }
 
-    /// All orders, over frequency.
+    /// Scattering amplitude of all orders together, over frequency.
     fn total_m(&self) -> Vec<Complex64> {
         total(self.by_order_m.iter().cloned(), self.frequencies_hz.len())
     }
 }
 
 impl FrameError {
-    /// `points` are among `paths`, and exact.
+    /// Errors of `paths` against the reference; `points` are among them, and exact.
     pub(crate) fn measured_on(
         plan: &Plan<'_>,
         paths: &[Path],
@@ -213,7 +215,7 @@ impl FrameError {
         self.freezing() >= self.integration.max(self.dropped)
     }
 
-    /// What is neither integration nor dropped.
+    /// Error that is neither integration nor dropped.
     fn freezing(&self) -> f64 {
         let known = self.integration.powi(2) + self.dropped.powi(2);
         (self.total.powi(2) - known).max(0.0).sqrt()

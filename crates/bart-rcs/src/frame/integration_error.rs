@@ -1,4 +1,4 @@
-//! How finely the integrals on each body are taken, by measurement: no finer than the frame's accuracy needs.
+//! Fineness of the integrals on each body, by measurement: no finer than the frame's accuracy needs.
 //!
 //! Bounds of tiles are relative to what tiles could scatter at most, and where large parts of a body cancel,
 //! what is left of its sum is known to less. What a body errs by counts against what the frame as a whole
@@ -10,16 +10,17 @@ use crate::joins::scatterer::{Scatterer, bracket_of};
 use crate::table::meeting::Meeting;
 use num_complex::Complex64;
 
-/// What was found.
+/// Accuracies that were found, with the error that they leave.
 #[derive(Debug, Clone)]
 pub(crate) struct IntegrationError {
-    /// Of every node integral on a body, in the order of the targets.
+    /// Accuracy of every node integral on a body, in the order of the targets.
     pub(crate) accuracy_of_body: Vec<f64>,
     /// Mean over the band's three points of |S − S(ten times finer)|².
     pub(crate) power: f64,
 }
 
-/// Of the accuracy asked for; freezing and what is dropped have the rest, √(1 − 0.7²) = 0.71.
+/// Share of the accuracy asked for that integrals may take; freezing and what is dropped have the rest,
+/// √(1 − 0.7²) = 0.71.
 const INTEGRATION_SHARE: f64 = 0.7;
 /// Steps by which integrals are made finer where they err by too much, and how many are tried.
 const FINER: f64 = 0.25;
@@ -50,11 +51,11 @@ pub(crate) fn integration_error(
     IntegrationError { accuracy_of_body, power: power(&bodies) }
 }
 
-/// What has its node on one body, over frequency.
+/// Scattering amplitude of the nodes on one body, over frequency.
 struct OfBody {
     accuracy: f64,
     coarse: Vec<Complex64>,
-    /// Ten times finer.
+    /// Amplitude of integrals ten times finer.
     fine: Vec<Complex64>,
 }
 
@@ -82,7 +83,7 @@ impl OfBody {
     }
 }
 
-/// Of all bodies together.
+/// Power of the differences of all bodies together.
 fn power(bodies: &[OfBody]) -> f64 {
     mean_difference(&sum(bodies, |body| &body.fine), &sum(bodies, |body| &body.coarse))
 }

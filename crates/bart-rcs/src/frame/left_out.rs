@@ -1,4 +1,4 @@
-//! What ways that are not traced would add to a frame.
+//! Error of ways that are not traced: what they would add to a frame.
 
 pub(crate) mod ways; // some ways added up beside what was traced
 pub(crate) mod road; // those by a road

@@ -33,15 +33,15 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Four would be enough at times, but at the moment of the check their blend errs 5 dB less than over the
 /// frame.
 const STEPS: [u32; 3] = [8, 16, 32];
-/// Those of the finest, whose places all moments are counted in.
+/// Steps of the finest grid, in whose places all moments are counted.
 const FINEST: u32 = 32;
 /// Most moments that a frame is split into.
 pub const MOMENTS_MAX: u32 = FINEST + 1;
-/// Of the accuracy asked for, for all ways together that keep one moment.
+/// Share of the accuracy asked for that all ways together that keep one moment may miss.
 const KEPT_SHARE: f64 = 0.5;
-/// Where what one moment misses at the frame's ends, or a grid halfway between its moments, is less than this
-/// of the error measured, as an amplitude, something else makes that error (a wide array, cells), and no
-/// finer grid is tried.
+/// Least share of the measured error: where what one moment misses at the frame's ends, or a grid
+/// halfway between its moments, is less, as an amplitude, something else makes that error (a wide
+/// array, cells), and no finer grid is tried.
 const LEAST_SHARE: f64 = 0.5;
 
 /// The table where its freezing is within the accuracy asked for; else one whose ways that change most are
@@ -111,9 +111,9 @@ struct Moments<'a> {
     scenery: &'a Scenery<'a>,
     fineness: &'a Fineness,
     strongest_dropped: Vec<f64>,
-    /// By place, in parts of the frame of which there are [`FINEST`].
+    /// Paths by place, in parts of the frame of which there are [`FINEST`].
     at: BTreeMap<u32, Vec<Path>>,
-    /// Held at most by what was traced.
+    /// Most bytes held by what was traced.
     bytes: u64,
 }
 
@@ -178,7 +178,7 @@ impl<'a> Moments<'a> {
         places.map(missed).sum::<f64>() / f64::from(steps)
     }
 
-    /// What keeps one moment, and behind it the paths of a grid's moments, one after the other.
+    /// Paths that keep one moment, and behind them those of a grid's moments, one after the other.
     fn blended(&self, kept: &[Path], steps: u32) -> Vec<Path> {
         let duration_s = self.scenery.plan.header.radar.frame_duration_s();
         let mut all = kept.to_vec();
@@ -200,7 +200,7 @@ impl<'a> Moments<'a> {
     }
 }
 
-/// Of a path, in the order of travel; none of a point target.
+/// Bodies of a path, in the order of travel; none of a point target.
 fn bodies(path: &Path) -> Vec<u32> {
     path.sequence().iter().map(|facet| facet.body).collect()
 }
@@ -257,7 +257,7 @@ fn field(paths: Option<&Vec<Path>>, plan: &Plan<'_>, seconds: f64) -> Vec<Comple
     element_over_band(paths.map_or(&[], Vec::as_slice), &plan.view(seconds), element, &frequencies)
 }
 
-/// By the ids of their bodies.
+/// Ways by the ids of their bodies.
 fn named(ways: &BodyWays, plan: &Plan<'_>) -> Vec<Vec<String>> {
     let id = |body: &u32| {
         plan.header.targets.get(*body as usize).map_or(String::new(), |target| target.id.clone())
@@ -265,7 +265,7 @@ fn named(ways: &BodyWays, plan: &Plan<'_>) -> Vec<Vec<String>> {
     ways.iter().map(|way| way.iter().map(id).collect()).collect()
 }
 
-/// Those whose bodies are all in a frame.
+/// Ways among these names whose bodies are all in a frame.
 fn found(names: &[Vec<String>], plan: &Plan<'_>) -> BodyWays {
     let index =
         |id: &String| plan.header.targets.iter().position(|target| target.id == *id).map(|i| i as u32);
@@ -281,7 +281,8 @@ mod tests {
     use super::*;
     use crate::frame::path_plan::check_offset_s;
 
-    /// Of a fourth power, whose fourth derivative is constant: at the check's moment, and rms over the frame.
+    /// Errors of blends of a fourth power, whose fourth derivative is constant: at the check's moment, and
+    /// rms over the frame.
     #[test]
     fn at_the_moment_of_the_check_every_grid_errs_as_over_the_frame() {
         for steps in STEPS {

@@ -22,7 +22,7 @@ pub(crate) fn nearest_range_m(
     nearest
 }
 
-/// To the plane where the foot lies inside, else to the nearest edge.
+/// Distance to the plane where the foot lies inside, else to the nearest edge.
 fn distance_to_polygon_m(x_m: DVec3, corners_m: &[DVec3], normal: DVec3) -> f64 {
     let edges = || corners_m.iter().zip(corners_m.iter().cycle().skip(1));
     let inside = edges().all(|(a, b)| (b - a).cross(x_m - a).dot(normal) >= 0.0);

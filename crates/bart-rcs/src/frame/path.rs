@@ -1,5 +1,5 @@
-//! The path table of a frame: bodies frozen at the frame's middle, or what changes at several moments, every
-//! cell of their lit facets a path that moves.
+//! The path table of a frame: bodies frozen at the frame's middle, or traced at several moments where
+//! they change, every cell of their lit facets a path that moves.
 
 use crate::bodies::road::check_road;
 use crate::bodies::world::Models;
@@ -42,12 +42,13 @@ pub fn trace_frame(
     trace_frame_within(models, header, frame, &FrameSurroundings { like: None, progress: &Unheard })
 }
 
-/// What a frame is made in.
+/// Surroundings that a frame is made in.
 #[derive(Clone, Copy)]
 pub struct FrameSurroundings<'a> {
-    /// As fine as this frame of the scene was, whose errors are told as this one's ([`trace_frame_like`]).
+    /// Frame of the scene that this one is as fine as, and whose errors are told as this one's
+    /// ([`trace_frame_like`]).
     pub like: Option<&'a PathsFrame>,
-    /// Hears how far it is.
+    /// Listener that hears how far it is.
     pub progress: &'a dyn Progress,
 }
 
@@ -103,9 +104,9 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
     Ok(paths_frame(plan, frame, seen, table.paths, measured))
 }
 
-/// The same with what was `measured` in another frame of the scene near this one: its cells and integrals are
-/// as fine, and its errors are told as this one's. Nothing is traced or integrated twice, which makes such a
-/// frame three to six times cheaper. Where that frame had no bodies this one is measured itself;
+/// Traces a frame like one that was `measured` near it in the scene: its cells and integrals are as
+/// fine, and its errors are told as this one's. Nothing is traced or integrated twice, which makes such
+/// a frame three to six times cheaper. Where that frame had no bodies this one is measured itself;
 /// `trace.origin` says so.
 pub fn trace_frame_like(
     models: &Models,
@@ -142,18 +143,18 @@ fn traced_like(
     Ok(paths_frame(plan, frame, seen, paths, taken_over))
 }
 
-/// What is told of a frame's paths beside themselves.
+/// Errors and statistics that are told of a frame's paths.
 struct Measured {
     error: ErrorBudget,
     model_error: ModelError,
     dropped_power_ratio: f64,
     fineness: Option<Fineness>,
     origin: ErrorOrigin,
-    /// Held at most by what they were compared with.
+    /// Most bytes held by what they were compared with.
     bytes: u64,
 }
 
-/// What is told of the bodies and beams at the frame's middle.
+/// Findings about the bodies and beams at the frame's middle.
 struct Seen {
     nearest_range_m: Vec<Option<f64>>,
     triangles: u64,

@@ -1,4 +1,4 @@
-//! What the paths of a frame are traced with: fixed by the scene's header.
+//! Plan of a frame's paths: what they are traced with, fixed by the scene's header.
 
 use crate::beams::beam::TraceSettings;
 use crate::frame::path_sum::PathView;
@@ -14,16 +14,16 @@ use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// What a frame is traced with, from its header.
+/// Plan of a frame's paths, from its header.
 pub(crate) struct Plan<'a> {
     pub(crate) header: &'a SceneHeader,
     pub(crate) position_m: DVec3,
     pub(crate) band: Band,
     pub(crate) trace: TraceSettings,
-    /// After the frame's first sample: when paths are traced, and when they are checked.
+    /// Times after the frame's first sample at which paths are traced, and at which they are checked.
     pub(crate) middle_s: f64,
     pub(crate) check_s: f64,
-    /// Where they are checked from.
+    /// Place that they are checked from.
     pub(crate) check_m: DVec3,
     /// Hears how far the frame is.
     pub(crate) progress: &'a dyn Progress,
@@ -55,7 +55,7 @@ impl<'a> Plan<'a> {
         amplitude[receive][transmit]
     }
 
-    /// What of the bodies scatters.
+    /// Settings of the meetings: what of the bodies scatters.
     pub(crate) fn meetings(&self) -> MeetingSettings {
         let Fidelity { nodes, edges, .. } = self.header.fidelity;
         let wavenumber_per_m = TAU / self.band.wavelength_m();
@@ -68,8 +68,7 @@ impl<'a> Plan<'a> {
         DVec3::new(-azimuth_rad.cos(), azimuth_rad.sin(), 0.0)
     }
 
-    /// Where paths are summed at a moment of the frame; R_t and R_r are about 1 m, as only ratios are looked
-    /// at.
+    /// Place and time at which paths are summed; R_t and R_r are about 1 m, as only ratios are looked at.
     pub(crate) fn view(&self, seconds: f64) -> PathView {
         self.view_from(self.position_m, seconds)
     }
@@ -109,7 +108,7 @@ fn checked_from_m(radar: &Radar) -> DVec3 {
 pub(crate) struct Band {
     pub(crate) centre_hz: f64,
     pub(crate) bandwidth_hz: f64,
-    /// From the centre to the outer points.
+    /// Offset from the centre to the outer points.
     offset_hz: f64,
 }
 

@@ -8,18 +8,18 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Where and when paths are summed.
+/// Place and time at which paths are summed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PathView {
-    /// p_t.
+    /// Place p_t of the transmitter.
     pub transmitter_m: DVec3,
-    /// p_r.
+    /// Place p_r of the receiver.
     pub receiver_m: DVec3,
     /// Point that R_t and R_r lead to.
     pub origin_m: DVec3,
-    /// After the frame's first sample.
+    /// Time after the frame's first sample.
     pub seconds: f64,
-    /// f_c of the amplitudes and slopes.
+    /// Centre frequency f_c of the amplitudes and slopes.
     pub centre_frequency_hz: f64,
 }
 
@@ -81,17 +81,18 @@ fn wavenumber_per_m(frequency_hz: f64) -> f64 {
     TAU * frequency_hz / SPEED_OF_LIGHT_MPS
 }
 
-/// Of a path's echo some seconds after the frame's first sample.
+/// Share of a path's echo some seconds after the frame's first sample.
 pub(crate) fn share(path: &Path, seconds: f64) -> f64 {
     path.curve.span.map_or(1.0, |span| span.share(seconds))
 }
 
-/// x_a and x_b some seconds after the frame's first sample; of a wheel those of its hub.
+/// Apparent points x_a and x_b some seconds after the frame's first sample; of a wheel those of its
+/// hub.
 pub(crate) fn apparent_m(path: &Path, seconds: f64) -> [DVec3; 2] {
     moved_to(path, seconds).map(|(at_m, _)| at_m)
 }
 
-/// The same with their velocities then.
+/// Apparent points x_a and x_b with their velocities some seconds after the frame's first sample.
 pub(crate) fn moved_to(path: &Path, seconds: f64) -> [(DVec3, DVec3); 2] {
     let Path { apparent_tx_m, apparent_tx_mps, apparent_rx_m, apparent_rx_mps, curve, .. } = path;
     let after = |at_m: &[f64; 3], mps: &[f64; 3], mps2: [f64; 3]| {

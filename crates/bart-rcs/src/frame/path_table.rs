@@ -25,9 +25,9 @@ pub(crate) struct PathTable {
     pub(crate) fineness: Fineness,
     pub(crate) error: FrameError,
     pub(crate) given_up: GivenUp,
-    /// As of [`Kept`].
+    /// Power of the strongest path of each target that was dropped, as of [`Kept`].
     pub(crate) strongest_dropped: Vec<f64>,
-    /// Held at most by the moments that it was blended from.
+    /// Most bytes held by the moments that it was blended from.
     pub(crate) bytes: u64,
 }
 
@@ -54,7 +54,7 @@ pub(crate) fn paths_along(
     Parts::along(scatterer, plan, ways).found(cell_m, &accuracy_of_body(plan, fineness), seconds)
 }
 
-/// A body that was not there yet is taken as finely as the finest.
+/// Accuracy of each body; one that was not there yet is taken as finely as the finest.
 fn accuracy_of_body(plan: &Plan<'_>, fineness: &Fineness) -> Vec<f64> {
     let finest = fineness
         .integrals
@@ -66,11 +66,11 @@ fn accuracy_of_body(plan: &Plan<'_>, fineness: &Fineness) -> Vec<f64> {
     plan.header.targets.iter().map(|target| of_body(&target.id)).collect()
 }
 
-/// What paths are cut from.
+/// Parts of bodies that paths are cut from.
 struct Parts<'a> {
     scatterer: &'a Scatterer<'a>,
     plan: &'a Plan<'a>,
-    /// By order from 1.
+    /// Meetings by order from 1.
     meetings: Vec<Meeting>,
 }
 
@@ -80,7 +80,7 @@ impl<'a> Parts<'a> {
         Self { scatterer, plan, meetings: (1..=plan.header.fidelity.bounces).map(of_order).collect() }
     }
 
-    /// Of some ways alone.
+    /// Parts on some ways alone.
     fn along(scatterer: &'a Scatterer<'a>, plan: &'a Plan<'a>, ways: Option<&BodyWays>) -> Self {
         let Some(ways) = ways else { return Self::of(scatterer, plan) };
         let orders = (1..=plan.header.fidelity.bounces).filter(|order| ways.have_order(*order));
@@ -92,7 +92,7 @@ impl<'a> Parts<'a> {
         Ok(pruned(self.found(cell_m, accuracy_of_body, self.plan.middle_s)?, self.plan))
     }
 
-    /// All of them, of bodies as they are some `seconds` after the frame's first sample.
+    /// Paths of all parts, of bodies as they are some `seconds` after the frame's first sample.
     fn found(&self, cell_m: f64, accuracy_of_body: &[f64], seconds: f64) -> Result<Vec<Path>, BartError> {
         let wavenumbers = self.plan.band.wavenumbers_per_m();
         let room = {
@@ -124,7 +124,7 @@ impl<'a> Parts<'a> {
     }
 }
 
-/// What every attempt at a table starts from.
+/// Start of every attempt at a table.
 pub(crate) struct Fit<'a> {
     parts: Parts<'a>,
     /// Paths of point targets: exact, and part of the frame.
@@ -213,7 +213,7 @@ pub fn largest_cell_m(header: &SceneHeader, nearest_m: f64, fastest_mps: f64) ->
     by_band.min(by_motion).clamp(2.0 * waveform.wavelength_m(), waveform.range_resolution_m())
 }
 
-/// Of the bodies of a world.
+/// Largest side of cells for the bodies of a world.
 pub(crate) fn largest_cell_of_world_m(plan: &Plan<'_>, world: &World) -> f64 {
     let ranges_m = world.facets().iter().map(|f| plan.position_m.distance(f.corners_m[0]));
     largest_cell_m(plan.header, ranges_m.fold(f64::INFINITY, f64::min), world.fastest_mps())
@@ -234,7 +234,7 @@ fn velocity_quantum_mps(header: &SceneHeader) -> f64 {
     header.fidelity.accuracy.amplitude() / (2.0 * wavenumber * half_frame_s)
 }
 
-/// Of a cell that is as it is some `seconds` after the frame's first sample.
+/// Path of a cell that is as it is some `seconds` after the frame's first sample.
 fn path_of(cell: &Cell, band: &Band, seconds: f64) -> Path {
     let (amplitude_m, slope_m_per_hz) = band.line(&cell.amplitudes_m);
     let at_first_sample = [0, 1].map(|end| cell.motion[end].after(cell.apparent_m[end], -seconds));

@@ -36,7 +36,7 @@ pub fn rcs_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> R
     rcs_frame_within(models, header, frame, &Unheard)
 }
 
-/// The same while somebody listens.
+/// Makes the tables as [`rcs_frame`] does, and tells `progress` how far it is.
 pub fn rcs_frame_within(
     models: &Models,
     header: &SceneHeader,
@@ -148,7 +148,7 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// What the errors of the table are told from, at a few frequencies.
+    /// Powers that the errors of the table are told from, at a few frequencies.
     fn powers(&self, scatterer: &Scatterer<'_>, meetings: &[Meeting]) -> Result<Powers, BartError> {
         const FREQUENCIES: usize = 12;
         let waveform = &self.header.radar.waveform;
@@ -190,8 +190,8 @@ impl<'a> Body<'a> {
         BeamTree::trace_from_outside(&self.world, antenna, wavelength_m, &self.trace_settings(), &Unheard)
     }
 
-    /// As for paths: slivers below λ²/100·accuracy are dropped, mirrors below a hundred times that not
-    /// followed.
+    /// Settings as for paths: slivers below λ²/100·accuracy are dropped, mirrors below a hundred times that
+    /// not followed.
     fn trace_settings(&self) -> TraceSettings {
         let fidelity = &self.header.fidelity;
         let least_area_m2 =
@@ -263,7 +263,7 @@ impl<'a> Body<'a> {
         axis(centre_hz - half_hz - behind_hz, centre_hz + half_hz, self.steps(turn, FREQUENCIES_MAX))
     }
 
-    /// Between two values a phasor that turns by Δφ is missed by Δφ²/8 at most.
+    /// Number of steps, between two of which a phasor that turns by Δφ is missed by Δφ²/8 at most.
     fn steps(&self, turn_rad: f64, most: usize) -> usize {
         let step = (8.0 * self.header.fidelity.accuracy.amplitude()).sqrt();
         ((turn_rad / step).ceil() as usize + 1).clamp(2, most)
@@ -329,12 +329,12 @@ fn direction(elevation_rad: f64, azimuth_rad: f64) -> DVec3 {
     DVec3::new(cos_el * cos_az, cos_el * sin_az, sin_el)
 }
 
-/// `angle` within half a turn of `near`.
+/// The equivalent of `angle` within half a turn of `near`.
 fn nearest_turn(angle: f64, near: f64) -> f64 {
     angle + TAU * ((near - angle) / TAU).round()
 }
 
-/// `count` values, both ends included; one where there is no span.
+/// An axis of `count` values, both ends included; one where there is no span.
 fn axis(from: f64, to: f64, count: usize) -> Vec<f64> {
     if to <= from {
         return vec![from];

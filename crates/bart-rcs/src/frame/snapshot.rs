@@ -14,7 +14,7 @@ use crate::oversight::progress::Phase;
 use artifact::scene::SceneFrame;
 use glam::DVec3;
 
-/// What a frame is traced from.
+/// Scene that a frame is traced from.
 pub(crate) struct Scenery<'a> {
     pub(crate) models: &'a Models,
     pub(crate) frame: &'a SceneFrame,
@@ -25,7 +25,7 @@ pub(crate) struct Scenery<'a> {
 pub(crate) struct Snapshot {
     pub(crate) world: World,
     pub(crate) tree: BeamTree,
-    /// With that of the antenna's image, where there is a road.
+    /// Beams of the antenna with those of its image, where there is a road.
     received: Option<Received>,
 }
 
@@ -38,7 +38,7 @@ impl Scenery<'_> {
         Ok(Snapshot::of(world, tree))
     }
 
-    /// The same where only some ways are asked for.
+    /// Bodies and beams of some ways alone, some `seconds` after the frame's first sample.
     pub(crate) fn along(&self, ways: &BodyWays, seconds: f64, place_m: DVec3) -> Result<Snapshot, BartError> {
         let (world, plan) = (self.world(seconds)?, self.plan);
         let antenna = Antenna::Point(place_m);

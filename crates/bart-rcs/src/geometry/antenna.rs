@@ -1,10 +1,9 @@
-//! Where a wave starts or ends: an antenna at finite range or a direction at infinite range, real or
-//! mirrored.
+//! Ends of a wave: an antenna at finite range or a direction at infinite range, real or mirrored.
 
 use crate::geometry::plane::Plane;
 use glam::DVec3;
 
-/// Where a wave comes from (or goes to).
+/// Origin or destination of a wave.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Antenna {
     /// An antenna at finite range, world metres: spherical waves.

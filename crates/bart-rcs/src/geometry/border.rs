@@ -1,13 +1,13 @@
-//! What ends a lit polygon along an edge: the facet itself, a shadow, or the beam that lights it.
+//! Borders of lit polygons along an edge: the facet itself, a shadow, or the beam that lights it.
 //!
 //! A shadow is cut out by whole lines, so that a line goes on beyond the shadow as a seam between two lit
 //! pieces. The piece on the occluder's side of the line has the seam as [`Border::OwnInside`], the one on the
 //! other side as [`Border::Own`]: counted with opposite signs they cancel, and the true shadow line is left.
 
-/// What ends a polygon along one of its edges.
+/// Border of a polygon along one of its edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Border {
-    /// Nothing: the flat patch goes on, as beyond the diagonal of a square.
+    /// No border: the flat patch goes on, as beyond the diagonal of a square.
     Inner,
     /// The flat patch ends, or an occluder's shadow begins.
     Own,
@@ -26,7 +26,7 @@ impl Border {
     /// New edges where an occluder's plane cuts: of the part inside the shadow's plane, of the one outside.
     pub(crate) const SHADOW: [Self; 2] = [Self::OwnInside, Self::Own];
 
-    /// The same edge as it cuts the beam behind the mirror.
+    /// Border of the same edge where it cuts the beam behind the mirror.
     pub(crate) fn through_mirror(self) -> Self {
         match self {
             Self::Own | Self::Tied => Self::Mirror,
@@ -35,7 +35,7 @@ impl Border {
         }
     }
 
-    /// The same edge where the window of a beam ends along it.
+    /// Border of the same edge where the window of a beam ends along it.
     pub(crate) fn met_by(self, window: Self) -> Self {
         match (self, window) {
             (Self::Own, Self::Mirror | Self::MirrorInside) => Self::Tied,
@@ -44,7 +44,7 @@ impl Border {
         }
     }
 
-    /// What ends the overlap of two polygons where an edge of both is the same line: the surface before the
+    /// Border of the overlap of two polygons where an edge of both is the same line: the surface before the
     /// beams.
     pub(crate) fn and(self, other: Self) -> Self {
         let rank = |border: Self| match border {
@@ -58,7 +58,7 @@ impl Border {
         if rank(self) >= rank(other) { self } else { other }
     }
 
-    /// How often the edge counts in the outline of all pieces together: seams cancel.
+    /// Sign with which the edge counts in the outline of all pieces together: seams cancel.
     pub(crate) fn sign(self) -> f64 {
         match self {
             Self::Own | Self::Tied | Self::Mirror => 1.0,

@@ -29,7 +29,7 @@ pub(crate) struct Hierarchy {
 struct Node {
     /// Low x, y, z, high x, y, z.
     bounds: [Vec4; 6],
-    /// Of each box: a node, a triangle, or nothing.
+    /// Child in each box: a node, a triangle, or nothing.
     children: [Child; 4],
 }
 
@@ -55,7 +55,7 @@ pub(crate) struct Stack {
 }
 
 impl Hierarchy {
-    /// Over these triangles (body metres, finite).
+    /// Hierarchy over these triangles (body metres, finite).
     pub(crate) fn over(triangles: impl Iterator<Item = [DVec3; 3]> + Clone) -> Self {
         let start = [DVec3::INFINITY, DVec3::NEG_INFINITY];
         let [low, high] = triangles.clone().flatten().fold(start, |[low, high], c| [low.min(c), high.max(c)]);
@@ -170,7 +170,7 @@ fn wide(binary: &Bvh2) -> Vec<Node> {
 }
 
 impl Node {
-    /// From a node of a binary hierarchy; children that are nodes still count there.
+    /// Node from that of a binary hierarchy; children that are nodes still count there.
     fn of(binary: &Bvh2, index: usize) -> Self {
         let is_leaf = |i: usize| binary.nodes[i].is_leaf();
         let area = |i: usize| binary.nodes[i].aabb().half_area();

@@ -17,22 +17,22 @@ pub(crate) struct Corner {
     /// The plane through the antenna and the edge from here to the next corner, positive on the polygon's
     /// side.
     pub(crate) edge: Plane,
-    /// What ends the polygon there.
+    /// Border of the polygon along that edge.
     pub(crate) border: Border,
 }
 
-/// What a plane makes of a polygon.
+/// Parts of a polygon on both sides of a plane.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Split {
-    /// All of it is on the positive side, or on the plane.
+    /// The whole polygon is on the positive side, or on the plane.
     Inside,
-    /// None of it is on the positive side.
+    /// No part of the polygon is on the positive side.
     Outside,
     /// Both parts were appended.
     Cut {
-        /// On the positive side.
+        /// Corners of the part on the positive side.
         inside: Range<usize>,
-        /// The rest.
+        /// Corners of the rest.
         outside: Range<usize>,
     },
 }

@@ -30,17 +30,17 @@ impl ComplexVector {
         )
     }
 
-    /// Turned over at a plane z = const.
+    /// The vector turned over at a plane z = const.
     pub(crate) fn with_z_turned(self) -> Self {
         Self { re: self.re.with_z(-self.re.z), im: self.im.with_z(-self.im.z) }
     }
 
-    /// A matrix times it.
+    /// The product of a matrix and the vector.
     pub(crate) fn turned(self, by: DMat3) -> Self {
         Self { re: by * self.re, im: by * self.im }
     }
 
-    /// `direction` × self.
+    /// The product `direction` × self.
     pub(crate) fn crossed_by(self, direction: DVec3) -> Self {
         Self { re: direction.cross(self.re), im: direction.cross(self.im) }
     }

@@ -28,7 +28,7 @@ pub(crate) fn left_of(corners: &[DVec2], from: DVec2, edge: DVec2) -> Vec<DVec2>
     part
 }
 
-/// The same into a list that is emptied first.
+/// Puts the part to the left of a line, as [`left_of`] tells it, into a list that is emptied first.
 fn cut_left_of(corners: &[DVec2], from: DVec2, edge: DVec2, part: &mut Vec<DVec2>) {
     let height = |c: DVec2| edge.perp_dot(c - from);
     part.clear();

@@ -12,7 +12,7 @@ pub struct FacetGeometry {
     /// The plane through the corners; its unit normal follows the winding. A normal of zero marks a triangle
     /// without a plane: it neither scatters nor hides.
     pub plane: Plane,
-    /// m².
+    /// Area, m².
     pub area_m2: f64,
     /// Target and triangle in its mesh, which may have been cut into several facets.
     pub id: Facet,
@@ -29,7 +29,7 @@ impl FacetGeometry {
         self.plane.normal != DVec3::ZERO
     }
 
-    /// With the plane through its corners.
+    /// Facet with the plane through its corners.
     pub(crate) fn of_triangle(corners_m: [DVec3; 3], id: Facet) -> Self {
         let [a, b, c] = corners_m;
         let plane = Plane::of_triangle(&corners_m).unwrap_or(Plane { normal: DVec3::ZERO, offset_m: 0.0 });

@@ -2,12 +2,12 @@
 
 use glam::DVec3;
 
-/// All x with n·x = offset.
+/// Plane of all x with n·x = offset.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plane {
     /// Unit normal n.
     pub normal: DVec3,
-    /// n·x on the plane, m.
+    /// Value of n·x on the plane, m.
     pub offset_m: f64,
 }
 
@@ -63,7 +63,7 @@ impl std::ops::Neg for Plane {
     }
 }
 
-/// u × v to rounding of each component, however small it is beside |u||v|.
+/// Cross product u × v to rounding of each component, however small it is beside |u||v|.
 ///
 /// The plain formula errs by ε|u||v|: the plane of a needle of 1 m × 1 µm would miss its own corners by 1e-10
 /// m, a thousand times the tolerance of a world, and a doubled needle would be lit twice.
@@ -75,8 +75,8 @@ pub(crate) fn accurate_cross(u: DVec3, v: DVec3) -> DVec3 {
     )
 }
 
-/// ab − cd with an error of 1.5 ulp: Kahan's algorithm (Jeannerod, Louvet, Muller, Math. Comp. 82 (2013)
-/// 2245).
+/// Difference ab − cd with an error of 1.5 ulp: Kahan's algorithm (Jeannerod, Louvet, Muller, Math.
+/// Comp. 82 (2013) 2245). Comp. 82 (2013) 2245).
 fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let product = c * d;
     let error = c.mul_add(-d, product);

@@ -11,13 +11,13 @@ pub(crate) struct PlaneFrame {
 }
 
 impl PlaneFrame {
-    /// About `origin_m`; `normal` is unit.
+    /// Coordinates about `origin_m`; `normal` is unit.
     pub(crate) fn new(origin_m: DVec3, normal: DVec3) -> Self {
         let u = normal.any_orthonormal_vector();
         Self { origin_m, u, v: normal.cross(u) }
     }
 
-    /// u × v.
+    /// Unit normal u × v.
     pub(crate) fn normal(&self) -> DVec3 {
         self.u.cross(self.v)
     }

@@ -1,4 +1,5 @@
-//! What a wave front loses to a polygon: its solid angle, or its area across the direction of a plane wave.
+//! Section of a wave front that a polygon takes: its solid angle, or its area across the direction of a
+//! plane wave.
 
 use crate::geometry::antenna::Antenna;
 use crate::geometry::clip::doubled_area;

@@ -1,4 +1,4 @@
-//! What a beam sweeps over behind its opening, as boxes see it.
+//! Sweep of a beam behind its opening, as boxes see it.
 //!
 //! A beam passes a small box as a ray does: planes through its edges hold most of the boxes beside it, for
 //! few of them face the box's corners. A box misses every ray that leaves its slabs in another order than it
@@ -11,15 +11,15 @@ use glam::{DMat3, DVec3, Vec4};
 /// The points x + s·d, s ≥ 0, with x and d in boxes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sweep {
-    /// Low, high.
+    /// Low and high corner of the box of starts.
     starts_m: [DVec3; 2],
-    /// About of length 1.
+    /// Low and high corner of the box of directions, about of length 1.
     directions: [DVec3; 2],
 }
 
 /// A sweep as four boxes of single precision are tested against it, side by side.
 pub(crate) struct SlabTest {
-    /// Those that s must be at least come first.
+    /// Bounds of s; those that it must be at least come first.
     bounds_of_s: [Slab; 6],
     entries: usize,
 }
@@ -27,14 +27,15 @@ pub(crate) struct SlabTest {
 /// One bound of s: (coordinate − start)/direction.
 #[derive(Clone, Copy)]
 struct Slab {
-    /// Of low x, y, z, high x, y, z.
+    /// Index of the coordinate among low x, y, z, high x, y, z.
     coordinate: usize,
     start: Vec4,
     inverse: Vec4,
 }
 
 impl Sweep {
-    /// Of a wave from `antenna` behind an opening (convex; world), in a body's frame, widened by `slack_m`.
+    /// Sweep of a wave from `antenna` behind an opening (convex; world), in a body's frame, widened by
+    /// `slack_m`.
     pub(crate) fn behind(
         opening_m: &[DVec3],
         antenna: Antenna,
@@ -53,7 +54,7 @@ impl Sweep {
         }
     }
 
-    /// For boxes about `middle_m` that reach no farther than `reach_m` from it.
+    /// Test for boxes about `middle_m` that reach no farther than `reach_m` from it.
     ///
     /// Starts and bounds of single precision are off by ε/2 of their size; a bound of s by three roundings,
     /// for which the directions are widened. What is widened holds more boxes, never fewer.
@@ -103,7 +104,7 @@ impl SlabTest {
     }
 }
 
-/// The smallest box.
+/// The smallest box around some points: its low and high corner.
 fn around(points: impl Iterator<Item = DVec3>) -> [DVec3; 2] {
     points.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
 }

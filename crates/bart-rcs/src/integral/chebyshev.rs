@@ -11,13 +11,13 @@ use std::f64::consts::PI;
 
 /// Chebyshev points over a band of wavenumbers.
 pub(crate) struct Chebyshev {
-    /// From the highest on.
+    /// Wavenumbers of the points, from the highest on.
     pub(crate) nodes_per_m: Vec<f64>,
     /// Barycentric weights.
     weights: Vec<f64>,
 }
 
-/// More points than any band has frequencies.
+/// Limit of the search: more points than any band has frequencies.
 const POINTS_MAX: u32 = 1 << 16;
 
 /// Points that meet a turn of θ over half the band to an error relative to the amplitude, by an ellipse with
@@ -102,7 +102,7 @@ impl Chebyshev {
 mod tests {
     use super::*;
 
-    /// e^{jtx} at the points of a band about zero, on a line, for the turns t from −θ to θ.
+    /// Worst error of e^{jtx} at the points of a band about zero, on a line, for the turns t from −θ to θ.
     fn worst(points: &Chebyshev, turn_rad: f64) -> f64 {
         let error = |turn: f64, x: f64| {
             let mut sum = [0.0; 2];

@@ -16,14 +16,14 @@ pub(crate) const MULTIPLICITY_MAX: usize = 3;
 /// The recursion divides by the span at every level, so with a span of 1 or more it does not amplify
 /// rounding; the series takes the powers of half the span, here 0.75, and reaches rounding after 18 terms.
 const SERIES_SPAN: f64 = 1.5;
-/// As many terms as a span of that needs.
+/// Terms of the series: as many as that span needs.
 const SERIES_TERMS: usize = 19;
 
 /// Divided differences of exp at j times three phases, each phase taken up to [`MULTIPLICITY_MAX`] times.
 ///
 /// Those already computed are kept: the six second moments of a triangle share most of their recursion.
 pub(crate) struct DividedDifferences {
-    /// Ascending.
+    /// Phases, ascending.
     phases: [f64; 3],
     /// Place of each corner in `phases`.
     place: [usize; 3],
@@ -42,7 +42,8 @@ impl DividedDifferences {
         Self { phases: corner_at.map(|corner| phases[corner]), place, known: [None; _] }
     }
 
-    /// exp[jφ₁ (m₁ times), jφ₂ (m₂ times), jφ₃ (m₃ times)]; at least one multiplicity is not zero.
+    /// Divided difference exp[jφ₁ (m₁ times), jφ₂ (m₂ times), jφ₃ (m₃ times)]; at least one multiplicity is
+    /// not zero.
     ///
     /// Error: a few ε of 1/n!, n one less than the number of points, whatever the phases (P8).
     pub(crate) fn of(&mut self, multiplicity: [usize; 3]) -> Complex64 {
@@ -71,7 +72,7 @@ impl DividedDifferences {
         value
     }
 
-    /// exp[z₀ … zₙ] = (exp[z₁ … zₙ] − exp[z₀ … zₙ₋₁])/(zₙ − z₀).
+    /// Recursion exp[z₀ … zₙ] = (exp[z₁ … zₙ] − exp[z₀ … zₙ₋₁])/(zₙ − z₀).
     fn recursion(&mut self, times: [usize; 3], low: usize, high: usize) -> Complex64 {
         let span = self.phases[high] - self.phases[low];
         let (mut without_low, mut without_high) = (times, times);
@@ -82,8 +83,8 @@ impl DividedDifferences {
     }
 }
 
-/// e^{jc} Σ_k j^k h_k(φ − c)/(n + k)!, h_k the complete homogeneous symmetric polynomials of all points, c
-/// their middle.
+/// Series e^{jc} Σ_k j^k h_k(φ − c)/(n + k)!, h_k the complete homogeneous symmetric polynomials of all
+/// points, c their middle.
 fn series(phases: [f64; 3], times: [usize; 3], low: usize, high: usize) -> Complex64 {
     let middle = 0.5 * (phases[low] + phases[high]);
     let reach = 0.5 * (phases[high] - phases[low]);
@@ -139,7 +140,7 @@ pub(crate) fn second_moments(phases: [f64; 3], turns: [Complex64; 3]) -> [Comple
     moments
 }
 
-/// By recursion from the pairs of neighbours; sorted phases.
+/// Second moments by recursion from the pairs of neighbours; sorted phases.
 fn far([a, b, c]: [f64; 3], [ea, eb, ec]: [Complex64; 3]) -> [Complex64; 6] {
     let [ab, bc] = [Pair::of((a, ea), (b, eb)), Pair::of((b, eb), (c, ec))];
     let per_span = 1.0 / (c - a);
@@ -163,7 +164,7 @@ struct Pair {
 }
 
 impl Pair {
-    /// Of phases with their exponentials, ascending.
+    /// Pair of phases with their exponentials, ascending.
     fn of((low, at_low): (f64, Complex64), (high, at_high): (f64, Complex64)) -> Self {
         if high - low < SERIES_SPAN {
             return Self::near(low, high);
@@ -194,7 +195,7 @@ impl Pair {
     }
 }
 
-/// By the series about the middle; sorted phases.
+/// Second moments by the series about the middle; sorted phases.
 fn near(phases: [f64; 3]) -> [Complex64; 6] {
     let series = Series::about(phases[0], phases[2]);
     let [x, y, z] = phases.map(|phase| phase - series.middle);
@@ -215,7 +216,7 @@ struct Series {
 }
 
 impl Series {
-    /// Of no offset.
+    /// Terms of no offset.
     const START: Terms = {
         let mut terms = [0.0; SERIES_TERMS];
         terms[0] = 1.0;
@@ -228,7 +229,7 @@ impl Series {
         Self { middle, turn: Complex64::cis(middle), terms }
     }
 
-    /// With one offset more.
+    /// Terms with one offset more.
     fn with(&self, terms: &Terms, offset: f64) -> Terms {
         let mut more = *terms;
         for k in 1..self.terms {
@@ -237,7 +238,7 @@ impl Series {
         more
     }
 
-    /// Of one point more than `n`.
+    /// Sum of the series of a divided difference with one point more than `n`.
     fn sum(&self, terms: &Terms, n: usize) -> Complex64 {
         let mut sum = [0.0; 4];
         for k in 0..self.terms {
@@ -322,11 +323,11 @@ mod tests {
         sum
     }
 
-    /// In the order of [`second_moments`].
+    /// Multiplicities of the corners in the order of [`second_moments`].
     const SECOND_MOMENTS: [[usize; 3]; 6] =
         [[3, 1, 1], [1, 3, 1], [1, 1, 3], [1, 2, 2], [2, 1, 2], [2, 2, 1]];
 
-    /// P8.
+    /// Claim P8.
     #[test]
     fn the_integral_over_a_triangle_equals_quadrature() {
         let phases = [0.3, 2.1, -4.0];
@@ -335,7 +336,7 @@ mod tests {
         assert!(error < 1e-14);
     }
 
-    /// P8.
+    /// Claim P8.
     #[test]
     fn equal_phases_give_the_plain_area() {
         let mut at = DividedDifferences::new([1.7; 3]);
@@ -343,7 +344,7 @@ mod tests {
         assert!((at.of([3, 1, 1]) - Complex64::cis(1.7) / 24.0).norm() < 1e-17);
     }
 
-    /// P8: against the matrix exponential, whose own squarings lose up to the span times ε.
+    /// Claim P8, against the matrix exponential, whose own squarings lose up to the span times ε.
     #[test]
     fn spans_from_1e_minus_12_to_1e3_keep_rounding_accuracy() {
         let mut worst = 0.0_f64;
@@ -368,7 +369,7 @@ mod tests {
         assert!(worst < 1e-14);
     }
 
-    /// P8.
+    /// Claim P8.
     #[test]
     fn nothing_jumps_where_the_series_gives_way_to_the_recursion() {
         for times in SECOND_MOMENTS.into_iter().chain([[1; 3]]) {
@@ -389,7 +390,7 @@ mod tests {
         assert_eq!(a, b);
     }
 
-    /// All at once against one by one, where series and recursion meet in every way.
+    /// Comparison of all at once with one by one, where series and recursion meet in every way.
     #[test]
     fn the_six_second_moments_at_once_are_those_one_by_one() {
         let mut worst = 0.0_f64;

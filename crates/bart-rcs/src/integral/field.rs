@@ -21,7 +21,7 @@ pub(crate) struct Field<'a> {
     /// Plane coordinates about the reference point.
     pub(crate) frame: PlaneFrame,
     reference_m: DVec3,
-    /// As in [`node_amplitudes`](crate::integral::physical_optics::node_amplitudes).
+    /// Accuracy as in [`node_amplitudes`](crate::integral::physical_optics::node_amplitudes).
     pub(crate) accuracy: f64,
 }
 
@@ -59,7 +59,7 @@ impl<'a> Field<'a> {
         self.node.bend.is_some()
     }
 
-    /// What the skin does along some steps in the polygon's plane; nothing where it is flat.
+    /// Rise of the skin along some steps in the polygon's plane; nothing where it is flat.
     pub(crate) fn along(&self, steps_m: impl Iterator<Item = DVec2>) -> Along {
         let origin = self.frame.to_world(DVec2::ZERO);
         let in_world = steps_m.map(|step| self.frame.to_world(step) - origin);
@@ -83,7 +83,7 @@ impl<'a> Field<'a> {
         self.frame.tangential(both + both.dot(at.up) * at.slope)
     }
 
-    /// d₁ + d₂.
+    /// Sum d₁ + d₂ of both directions.
     pub(crate) fn both_directions(&self, x_m: DVec3) -> DVec3 {
         self.node.transmit.image.travel_direction_at(x_m) + self.node.receive.image.travel_direction_at(x_m)
     }
@@ -113,8 +113,8 @@ impl<'a> Field<'a> {
         node.material.is_none() && node.transmit.steps.is_perfect() && node.receive.steps.is_perfect()
     }
 
-    /// How much faster than directions and fields the weights turn: of derivatives one to three, in units of
-    /// the turning.
+    /// Ratio of the turning of the weights to that of directions and fields: of derivatives one to three,
+    /// in units of the turning.
     ///
     /// 1/L₁, 1/L₂, d, e_q, e_p each change by at most the turning t in the first derivative; the product of
     /// five by 5t, (5 + 5·4 + 5)t² and so on; third derivatives of a unit vector stay below 6/L³.

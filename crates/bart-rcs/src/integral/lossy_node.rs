@@ -18,11 +18,11 @@ use artifact::material::Material;
 use glam::{DVec2, DVec3};
 use num_complex::Complex64;
 
-/// Receiver first: [vv, vh, hv, hh].
+/// Weights [vv, vh, hv, hh], receiver first.
 type Weights = [Complex64; 4];
 
 impl Field<'_> {
-    /// As [`Field::add`] with weights of every frequency.
+    /// Adds a tile as [`Field::add`] does, with weights of every frequency.
     pub(crate) fn add_lossy(&self, tile: &Tile<'_>, wavenumbers_per_m: &[f64], sums: &mut [Weights]) {
         match tile {
             Tile::Whole { corners_m, centre_m } => {
@@ -78,9 +78,9 @@ impl Field<'_> {
         OverBand { samples: wavenumbers_per_m.iter().map(of).collect(), few }
     }
 
-    /// How much longer than the way the layers on it make the phase turn with frequency, m: their own length
-    /// back and forth, twice, as the echoes inside of one that has gone round once more are still seen and of
-    /// two hardly.
+    /// Length by which the layers on the way make the phase turn more with frequency than the way does, m:
+    /// their own length back and forth, twice, as the echoes inside of one that has gone round once more
+    /// are still seen and of two hardly.
     pub(crate) fn turning_length_m(&self) -> f64 {
         let own = self.node.material.map_or(0.0, phase_length_m);
         let of = |leg: &Leg| leg.steps.phase_length_m();
@@ -109,8 +109,8 @@ impl Field<'_> {
         }
     }
 
-    /// From the one end to the other, each with its direction of travel and its fields: [at the other][at the
-    /// one].
+    /// Bracket from the one end to the other, each with its direction of travel and its fields: [at the
+    /// other][at the one].
     fn bracket(&self, normal: DVec3, from: End, to: End, wavenumber_per_m: f64) -> Weights {
         const PAIRS: [(usize, usize); 4] = [(0, 0), (0, 1), (1, 0), (1, 1)];
         let Some(material) = self.node.material else {
@@ -126,19 +126,19 @@ impl Field<'_> {
 /// Direction of travel, and the fields of v and h.
 type End = (DVec3, [ComplexVector; 2]);
 
-/// Of the accuracy asked for: weights are interpolated inside of what [`crate::joins::band`] interpolates
-/// again.
+/// Share of the accuracy asked for: weights are interpolated inside of what [`crate::joins::band`]
+/// interpolates again.
 const WEIGHTS_ERROR: f64 = 1e-3;
 
 /// Weights of N points over a band.
 struct OverBand<const N: usize> {
     samples: Vec<[Weights; N]>,
-    /// Where they were taken; at every wavenumber where there is none.
+    /// Points at which they were taken; `None` where they were at every wavenumber.
     few: Option<Chebyshev>,
 }
 
 impl<const N: usize> OverBand<N> {
-    /// At a wavenumber, the one at `place` of those asked for.
+    /// Weights at a wavenumber, the one at `place` of those asked for.
     fn at(&self, wavenumber_per_m: f64, place: usize) -> [Weights; N] {
         let Some(few) = &self.few else { return self.samples[place] };
         let mut total = [[Complex64::ZERO; 4]; N];
@@ -160,7 +160,7 @@ fn surface_currents(material: &Material, n: DVec3, (travel, e): End, wavenumber_
     })
 }
 
-/// n×H and n×E on the lit side.
+/// Tangential fields n×H and n×E on the lit side.
 #[derive(Clone, Copy)]
 struct Current {
     electric: ComplexVector,

@@ -20,9 +20,9 @@ pub(crate) struct Estimate<T> {
 pub(crate) struct Leg {
     /// The antenna mirrored in the facets between.
     pub(crate) image: Antenna,
-    /// Those facets, as perfect mirrors.
+    /// The facets between as perfect mirrors.
     pub(crate) mirrors: Mirrors,
-    /// What they and the sheets between are, where that matters.
+    /// Materials of these facets and of the sheets between, where they matter.
     pub(crate) steps: Steps,
     /// ĥ straight above and below.
     pub(crate) zenith_h: DVec3,
@@ -41,14 +41,14 @@ impl Leg {
 }
 
 impl Leg {
-    /// What is left at a point of a field that was sent, at most.
+    /// Largest share of a field that was sent that may be left at a point.
     fn strength(&self, at_m: DVec3, wavenumber_per_m: f64) -> f64 {
         let to_antenna = self.mirrors.antenna_direction(self.image.travel_direction_at(at_m));
         self.steps.strength(-to_antenna, wavenumber_per_m)
     }
 }
 
-/// How the current at the node is projected on the receiver.
+/// Projection of the current at the node on the receiver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Bracket {
     /// Mean of both directions of travel: S(b1, b2) = S(b2, b1)ᵀ.
@@ -64,7 +64,7 @@ pub(crate) struct Node<'a> {
     pub(crate) corners_m: &'a [DVec3],
     /// Unit normal on the lit side.
     pub(crate) normal: DVec3,
-    /// `None` is a perfect conductor.
+    /// Material of the polygon's facet; `None` is a perfect conductor.
     pub(crate) material: Option<&'a Material>,
     /// The skin that is integrated over where it is not the polygon itself.
     pub(crate) bend: Option<Bend>,
@@ -74,7 +74,7 @@ pub(crate) struct Node<'a> {
 }
 
 impl Node<'_> {
-    /// What is to be asked of the integral so that its error is `accuracy` of an unweakened one: what arrives
+    /// Accuracy to ask of the integral so that its error is `accuracy` of an unweakened one: what arrives
     /// over the road or through glass at a tenth may be wrong by ten times as much of itself.
     pub(crate) fn accuracy(&self, at_m: DVec3, wavenumbers_per_m: &[f64], accuracy: f64) -> f64 {
         let middle_per_m = wavenumbers_per_m.get(wavenumbers_per_m.len() / 2).copied().unwrap_or(0.0);

@@ -46,12 +46,12 @@ pub(crate) fn for_each_tile(field: &Field<'_>, highest_per_m: f64, give: &mut dy
     tiling::cut(field, highest_per_m, field.accuracy.max(1e-12), give);
 }
 
-/// How many there are, about; no more than `most` are counted.
+/// Number of the tiles, about; no more than `most` are counted.
 pub(crate) fn count_tiles(field: &Field<'_>, highest_per_m: f64, most: u64) -> u64 {
     tiling::count(field, highest_per_m, field.accuracy.max(1e-12), most)
 }
 
-/// j√(4π)/λ = jk/√π before the integrals.
+/// Amplitude j√(4π)/λ = jk/√π times the integrals.
 fn amplitude_of(integrals_m2: &[Complex64; 4], wavenumber_per_m: f64) -> Amplitude {
     let factor = Complex64::new(0.0, wavenumber_per_m / std::f64::consts::PI.sqrt());
     let [vv, vh, hv, hh] = integrals_m2.map(|i| factor * i);

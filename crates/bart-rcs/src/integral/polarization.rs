@@ -3,12 +3,12 @@
 use crate::geometry::plane::Plane;
 use glam::{DMat3, DVec3};
 
-/// Below this sine of the angle to the vertical, ĥ is the one that the caller asked for: closer, unit(ẑ × r̂)
-/// is rounding.
+/// Sine of the angle to the vertical below which ĥ is the one that the caller asked for: closer, unit(ẑ
+/// × r̂) is rounding.
 const ZENITH_SINE: f64 = 1e-9;
 
-/// v̂ and ĥ of a leg: ĥ = unit(ẑ × r̂), v̂ = r̂ × ĥ, r̂ from the body to the antenna; the same for both ways
-/// of travel.
+/// Vectors v̂ and ĥ of a leg: ĥ = unit(ẑ × r̂), v̂ = r̂ × ĥ, r̂ from the body to the antenna; the same
+/// for both ways of travel.
 ///
 /// `zenith_h` is ĥ straight above and below, where the azimuth asked for decides: (−sin az, cos az, 0).
 pub(crate) fn polarization_vectors(to_antenna: DVec3, zenith_h: DVec3) -> [DVec3; 2] {
@@ -29,7 +29,7 @@ pub(crate) fn zenith_h(azimuth_rad: f64) -> DVec3 {
 pub(crate) struct Mirrors {
     /// Product of the reflections I − 2nnᵀ, the first mirror's rightmost.
     node_from_leg: DMat3,
-    /// Where the leg's origin of coordinates appears: x_node = node_from_leg·x_leg + offset.
+    /// Offset of the leg's origin of coordinates as it appears: x_node = node_from_leg·x_leg + offset.
     offset_m: DVec3,
     /// A conductor turns e into −e + 2n(n·e), minus the reflection: −1 for an odd number of mirrors.
     sign: f64,
@@ -39,8 +39,8 @@ impl Mirrors {
     /// No mirror: first order.
     pub(crate) const NONE: Self = Self { node_from_leg: DMat3::IDENTITY, offset_m: DVec3::ZERO, sign: 1.0 };
 
-    /// Of the antenna's image below the road z = 0: its own leg is turned over. What the road does to the
-    /// field is told apart.
+    /// Mirror of the antenna's image below the road z = 0: its own leg is turned over. What the road does
+    /// to the field is told apart.
     pub(crate) const BELOW_ROAD: Self = Self {
         node_from_leg: DMat3::from_cols(DVec3::X, DVec3::Y, DVec3::NEG_Z),
         offset_m: DVec3::ZERO,
@@ -58,12 +58,12 @@ impl Mirrors {
         }
     }
 
-    /// Where a point at the node appears from the antenna, unfolded through the mirrors.
+    /// Apparent place of a point at the node from the antenna, unfolded through the mirrors.
     pub(crate) fn unfolded(&self, x_m: DVec3) -> DVec3 {
         self.node_from_leg.transpose() * (x_m - self.offset_m)
     }
 
-    /// r̂ of an infinitely distant antenna as its image has it.
+    /// Direction r̂ of an infinitely distant antenna as its image has it.
     pub(crate) fn image_direction(&self, r: DVec3) -> DVec3 {
         self.node_from_leg * r
     }
@@ -74,7 +74,7 @@ impl Mirrors {
         polarization_vectors(to_antenna, zenith_h).map(|e| self.sign * (self.node_from_leg * e))
     }
 
-    /// r̂ of the antenna's own leg for the direction of travel at the node.
+    /// Direction r̂ of the antenna's own leg for the direction of travel at the node.
     pub(crate) fn antenna_direction(&self, travel: DVec3) -> DVec3 {
         -(self.node_from_leg.transpose() * travel)
     }

@@ -5,10 +5,10 @@ use crate::integral::turns::{SHORT, TOGETHER, Turns, short_sinc, short_turn, tur
 use glam::DVec2;
 use num_complex::Complex64;
 
-/// Below this product of phase gradient and width Gordon's formula gives way to the moment series: every term
-/// of its sum is rounded at ε·D/|w|, the integral is of the size of the area A = D·width, so ε/(|w|·width) of
-/// it is lost: 2e-14 here. (For a body as wide as long this is the ε/(|w|D) of physics.md §1; a needle loses
-/// more, by its aspect.)
+/// Product of phase gradient and width below which Gordon's formula gives way to the moment series:
+/// every term of its sum is rounded at ε·D/|w|, the integral is of the size of the area A = D·width, so
+/// ε/(|w|·width) of it is lost: 2e-14 here. (For a body as wide as long this is the ε/(|w|D) of
+/// physics.md §1; a needle loses more, by its aspect.)
 const SERIES_BELOW: f64 = 1e-2;
 
 /// I = ∫_P e^{−jkg·x} dA at the first [`TOGETHER`] of some wavenumbers k, P the convex polygon `corners_m`,

@@ -1,4 +1,5 @@
-//! What a wave meets on its way between an antenna and a node, where not everything is a perfect mirror.
+//! Surfaces that a wave meets on its way between an antenna and a node, where not everything is a
+//! perfect mirror.
 
 use crate::bodies::road::crossing;
 use crate::bodies::road_mirror::below;
@@ -15,8 +16,8 @@ use std::sync::Arc;
 /// The surfaces between an antenna and a node, the antenna's first.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Steps {
-    /// `None` where all of them are perfect mirrors: [`Mirrors`](crate::integral::polarization::Mirrors)
-    /// knows enough then.
+    /// Surfaces that are no perfect mirrors; `None` where all are:
+    /// [`Mirrors`](crate::integral::polarization::Mirrors) knows enough then.
     steps: Option<Arc<[Step]>>,
 }
 
@@ -28,27 +29,27 @@ pub(crate) struct Step {
     pub(crate) event: Event,
 }
 
-/// What becomes of a wave at a surface.
+/// Event of a wave at a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Event {
-    /// It goes on reflected.
+    /// The wave goes on reflected.
     Reflected,
-    /// It goes on as it came, behind a sheet.
+    /// The wave goes on as it came, behind a sheet.
     Passed,
-    /// It starts at the antenna's image below the road.
+    /// The wave starts at the antenna's image below the road.
     StartedBelow,
-    /// It is reflected by the road, and goes on as it came in the picture below it.
+    /// The wave is reflected by the road, and goes on as it came in the picture below it.
     Crossed {
-        /// Of the road.
+        /// Root mean square of the road's height.
         rms_height_m: f64,
     },
-    /// It is turned as by perfect mirrors: its travel by this matrix, its field by `sign` times it.
+    /// The wave is turned as by perfect mirrors: its travel by this matrix, its field by `sign` times it.
     Turned { turn: DMat3, sign: f64 },
 }
 
 impl Steps {
-    /// A way over these surfaces; all of them, the perfect mirrors too. What stands between two that are not
-    /// perfect becomes one turn.
+    /// A way over these surfaces; all of them are given, the perfect mirrors too. What stands between two
+    /// that are not perfect becomes one turn.
     pub(crate) fn over(steps: &[Step]) -> Self {
         if steps.iter().all(Step::is_perfect) {
             return Self::default();
@@ -72,7 +73,7 @@ impl Steps {
             .0
     }
 
-    /// What is left of a field that left along `travel`, at most.
+    /// Largest share of a field that left along `travel` that may be left.
     pub(crate) fn strength(&self, travel: DVec3, wavenumber_per_m: f64) -> f64 {
         let weakened = |(strength, travel): (f64, DVec3), step: &Step| {
             (strength * step.strength(travel, wavenumber_per_m), step.turn(travel))
@@ -96,23 +97,23 @@ impl Steps {
 }
 
 impl Step {
-    /// At a facet.
+    /// Reflection at a facet.
     pub(crate) fn reflected(world: &World, facet: u32) -> Self {
         let material = world.lossy_material(facet).cloned().unwrap_or_default();
         Self { normal: world.facet(facet).normal(), material, event: Event::Reflected }
     }
 
-    /// Through a sheet.
+    /// Passage through a sheet.
     pub(crate) fn passed(world: &World, facet: u32) -> Self {
         Self { event: Event::Passed, ..Self::reflected(world, facet) }
     }
 
-    /// At the antenna's image.
+    /// Start at the antenna's image.
     pub(crate) fn started_below() -> Self {
         Self { normal: DVec3::Z, material: Arc::default(), event: Event::StartedBelow }
     }
 
-    /// At the road.
+    /// Reflection at the road.
     pub(crate) fn crossed(road: &Road) -> Self {
         let event = Event::Crossed { rms_height_m: road.rms_height_m };
         Self { normal: DVec3::Z, material: Arc::new(road.material.clone()), event }
@@ -136,7 +137,7 @@ impl Step {
         Self { normal: DVec3::Z, material: Arc::default(), event: Event::Turned { turn, sign } }
     }
 
-    /// The direction of travel behind it.
+    /// The direction of travel behind the surface.
     fn turn(&self, travel: DVec3) -> DVec3 {
         match self.event {
             Event::Reflected => travel - 2.0 * self.normal.dot(travel) * self.normal,
@@ -146,7 +147,7 @@ impl Step {
         }
     }
 
-    /// Its coefficients; `None` of a turn.
+    /// Coefficients of the surface; `None` of a turn.
     fn coefficients(&self, travel: DVec3, wavenumber_per_m: f64) -> Option<Pair> {
         let cosine = self.normal.dot(travel).abs();
         match self.event {

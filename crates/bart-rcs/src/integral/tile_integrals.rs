@@ -8,9 +8,9 @@ use num_complex::Complex64;
 
 /// A polygon whose phase is linear.
 pub(crate) struct Whole {
-    /// Where the weight is taken.
+    /// Point at which the weight is taken.
     pub(crate) centre: SurfacePoint,
-    /// Of L₁ + L₂ there, and its value.
+    /// Gradient of L₁ + L₂ at the centre, and its value.
     gradient: DVec2,
     length_m: f64,
     about_centre_m: Vec<DVec2>,
@@ -33,9 +33,9 @@ impl Whole {
 
 /// A triangle over which weight times the remainder of the phase is a quadratic.
 pub(crate) struct SixPoints {
-    /// Where the weights are taken: corners, and the middles of the edges opposite to them.
+    /// Points at which the weights are taken: corners, and the middles of the edges opposite to them.
     pub(crate) points: [SurfacePoint; 6],
-    /// L₁ + L₂ there: its linear part, and all of it.
+    /// Lengths L₁ + L₂ at the points: the linear part, and all of it.
     linear_m: [f64; 6],
     lengths_m: [f64; 6],
     area_m2: f64,

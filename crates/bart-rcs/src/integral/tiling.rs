@@ -1,4 +1,5 @@
-//! How far a lit polygon has to be cut for the integrand to be what the closed forms take it for.
+//! Tiling of a lit polygon: how far it has to be cut for the integrand to be what the closed forms take
+//! it for.
 
 use crate::geometry::antenna::Antenna;
 use crate::geometry::plane_frame::{area_m2, centroid_m};
@@ -34,7 +35,7 @@ impl Tile<'_> {
         }
     }
 
-    /// From the middle to the corners, or along the edges.
+    /// Steps from the middle to the corners, or along the edges.
     pub(crate) fn steps_m(&self) -> Vec<DVec2> {
         match self {
             Self::Whole { corners_m, centre_m } => corners_m.iter().map(|c| *c - *centre_m).collect(),
@@ -68,8 +69,8 @@ pub(crate) fn cut(
     });
 }
 
-/// How many tiles [`cut`] would hand out, about, told with a hundredth of its work; no more than `most` are
-/// counted.
+/// Number of tiles that [`cut`] would hand out, about, told with a hundredth of its work; no more than
+/// `most` are counted.
 ///
 /// The error of a triangle goes with the cube of its size: one that has q times the error allowed is cut into
 /// q^⅔.
@@ -129,14 +130,16 @@ struct Smoothness {
     weight: f64,
     /// Weight's relative first, second, third derivative, per m, m², m³.
     weight_derivatives: [f64; 3],
-    /// Of the phase: its second derivative along the plane anywhere on the tile is at most this form, rad/m².
+    /// Form that the second derivative of the phase along the plane is at most anywhere on the tile,
+    /// rad/m².
     hessian: DMat2,
-    /// Its third derivative, rad/m³.
+    /// Bound of the third derivative of the phase, rad/m³.
     third: f64,
     reach_m: f64,
-    /// What a bent facet adds along the tile: of the phase its second and third derivative, rad.
+    /// Bounds of what a bent facet adds to the second and third derivative of the phase along the tile,
+    /// rad.
     bent_phase: [f64; 2],
-    /// And of the weight its first and second.
+    /// Bounds of what a bent facet adds to the first and second derivative of the weight.
     bent_weight: [f64; 2],
     /// Phase for each metre of height, rad/m.
     phase_of_height_per_m: f64,
@@ -197,7 +200,7 @@ impl Smoothness {
         of(transmit, nearness_per_m[0]) + of(receive, nearness_per_m[1])
     }
 
-    /// √(vᵀHv), rad^½.
+    /// Root √(vᵀHv), rad^½.
     fn bend_along(&self, v: DVec2) -> f64 {
         of_form(v.dot(self.hessian * v)).sqrt()
     }
@@ -252,15 +255,15 @@ impl Smoothness {
 /// number.
 const UNBOUNDED: f64 = 1e100;
 
-/// sup Σ|x − xᵢ|³|ℓᵢ(x)|/6 over all triangles with longest edge 1 (scanned in the tests).
+/// Supremum of Σ|x − xᵢ|³|ℓᵢ(x)|/6 over all triangles with longest edge 1 (scanned in the tests).
 const SIX_POINT_REMAINDER: f64 = 0.025;
 
 /// Mean of x xᵀ over a polygon about a centre, m².
 struct Moments(DMat2);
 
 impl Moments {
-    /// Of each triangle about the centre (a aᵀ + b bᵀ + (a bᵀ + b aᵀ)/2)/6; where there is no area, as far as
-    /// the corners reach.
+    /// Moments of each triangle about the centre, (a aᵀ + b bᵀ + (a bᵀ + b aᵀ)/2)/6; where there is no
+    /// area, as far as the corners reach.
     fn about(centre_m: DVec2, corners_m: &[DVec2]) -> Self {
         let outer = |a: DVec2, b: DVec2| DMat2::from_cols(b.x * a, b.y * a);
         let (mut area, mut moment) = (0.0, DMat2::ZERO);
@@ -276,12 +279,12 @@ impl Moments {
         if is_sound { mean } else { Self(DMat2::IDENTITY * at_most_m2) }
     }
 
-    /// Of |x|².
+    /// Mean of |x|².
     fn mean_square_m2(&self) -> f64 {
         self.0.x_axis.x + self.0.y_axis.y
     }
 
-    /// Of xᵀHx, H symmetric.
+    /// Mean of xᵀHx, H symmetric.
     fn mean_of(&self, form: DMat2) -> f64 {
         of_form(form.x_axis.dot(self.0.x_axis) + form.y_axis.dot(self.0.y_axis))
     }

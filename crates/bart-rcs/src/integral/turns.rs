@@ -1,18 +1,19 @@
-//! e^{−jkℓ} of one length at several wavenumbers: one sine and cosine, and short turns from there.
+//! Turns e^{−jkℓ} of one length at several wavenumbers: one sine and cosine, and short turns from
+//! there.
 //!
 //! Over a chirp's band a tile of a few centimetres turns by less than half a radian more at one wavenumber
 //! than at another; for so little seven terms of the series are as good as the library's sine, and cheaper.
 
 use num_complex::Complex64;
 
-/// As many wavenumbers as are taken together, without memory of the heap: the points of a small tile, with
-/// some to spare.
+/// Number of wavenumbers that are taken together, without memory of the heap: the points of a small
+/// tile, with some to spare.
 pub(crate) const TOGETHER: usize = 16;
 
 /// Turns of up to [`TOGETHER`] wavenumbers.
 pub(crate) type Turns = [Complex64; TOGETHER];
 
-/// e^{−jkℓ} at the first [`TOGETHER`] of some wavenumbers; error: 2 ε beside that of k·ℓ.
+/// Turns e^{−jkℓ} at the first [`TOGETHER`] of some wavenumbers; error: 2 ε beside that of k·ℓ.
 pub(crate) fn turns(length_m: f64, wavenumbers_per_m: &[f64]) -> Turns {
     let mut turns = [Complex64::ZERO; TOGETHER];
     let Some(&middle_per_m) = wavenumbers_per_m.get(wavenumbers_per_m.len() / 2) else { return turns };
@@ -31,7 +32,8 @@ pub(crate) fn turns(length_m: f64, wavenumbers_per_m: &[f64]) -> Turns {
 /// Turns that [`short_turn`] takes, rad.
 pub(crate) const SHORT: f64 = 0.5;
 
-/// e^{jx} for |x| ≤ [`SHORT`] by its series: the next terms are below x¹⁵/15! = 2e-17 and x¹⁶/16! = 7e-19.
+/// Phasor e^{jx} for |x| ≤ [`SHORT`] by its series: the next terms are below x¹⁵/15! = 2e-17 and
+/// x¹⁶/16! = 7e-19.
 pub(crate) fn short_turn(x: f64) -> Complex64 {
     let square = x * x;
     let sum =
@@ -41,7 +43,7 @@ pub(crate) fn short_turn(x: f64) -> Complex64 {
     Complex64::new(cos, x * sinc_sum(square))
 }
 
-/// sin x/x for |x| ≤ [`SHORT`].
+/// Quotient sin x/x for |x| ≤ [`SHORT`].
 pub(crate) fn short_sinc(x: f64) -> f64 {
     sinc_sum(x * x)
 }

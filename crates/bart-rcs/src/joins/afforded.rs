@@ -1,4 +1,4 @@
-//! How exactly integrals can be had for a given work: they end, and what is left is measured.
+//! Accuracy of integrals that a given work affords: they end, and what is left is measured.
 
 use crate::joins::joint::{Joint, Joints};
 use crate::joins::scatterer::{Integration, Scatterer};

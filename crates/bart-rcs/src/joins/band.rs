@@ -1,4 +1,4 @@
-//! What scatters, at many frequencies from few: a share of S turns with frequency as its length does, and
+//! Scattering at many frequencies from few: a share of S turns with frequency as its length does, and
 //! what is left of the turning is smooth.
 //!
 //! Shares are gathered by their length L₁ + L₂. Less its common phase e^{−jkL}, the sum of a group turns over
@@ -16,20 +16,20 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-/// Where S is asked for, and the few frequencies that it is taken at instead.
+/// Frequencies at which S is asked for, and the few that it is taken at instead.
 pub(crate) struct Band<'a> {
     wavenumbers_per_m: &'a [f64],
     classes: Vec<Class>,
 }
 
-/// What a share of S is beside its turning.
+/// Kind of a share of S, by what it is beside its turning.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
-    /// k times a sum of exponentials, as large together as the share can be: integrals over facets.
+    /// Integrals over facets: k times a sum of exponentials, as large together as the share can be.
     Facets,
-    /// Analytic and bounded where Re k > 0, for its edge waves know √k: W(√(kc)) = e^{jkc}erfc(√(jkc)) is
-    /// below 1 there, and so are the edge currents made of it, relative to the whole current of the edge
-    /// (their integrands are Laplace transforms of one sign).
+    /// Integrals along edges, analytic and bounded where Re k > 0, for their edge waves know √k: W(√(kc)) =
+    /// e^{jkc}erfc(√(jkc)) is below 1 there, and so are the edge currents made of it, relative to the whole
+    /// current of the edge (their integrands are Laplace transforms of one sign).
     Edges,
 }
 
@@ -40,15 +40,15 @@ pub(crate) type Groups = BTreeMap<Place, Vec<Amplitude>>;
 /// wave takes the side of a lorry as one. What turns farther than the last class allows is integrated at
 /// every frequency.
 const POINTS: [usize; 15] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 20, 24, 32, 48, 64];
-/// Of a group's largest amplitude, as a part of the accuracy that its integrals are asked for; as much again
-/// each time that it is gathered into a wider one, five times at most.
+/// Share of a group's largest amplitude, as a part of the accuracy that its integrals are asked for; as
+/// much again each time that it is gathered into a wider one, five times at most.
 pub(crate) const INTERPOLATION_ERROR: f64 = 0.003;
 
 /// Groups that turn alike.
 struct Class {
     /// Farthest that the length of a member or of a point on it may be from the group's, m.
     reach_m: f64,
-    /// Over the band.
+    /// Wavenumbers of the nodes over the band.
     nodes_per_m: Vec<f64>,
     /// The class that its groups are gathered into, wide enough for all of one.
     wider: Option<usize>,
@@ -61,19 +61,19 @@ struct Class {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Place {
     class: usize,
-    /// Of its length, in units of the class's reach.
+    /// Bin of its length, in units of the class's reach.
     bin: i64,
 }
 
 impl<'a> Band<'a> {
-    /// `None` where there are too few frequencies to save any; `error` is that of the interpolation,
-    /// relative.
+    /// Band of these wavenumbers; `None` where there are too few frequencies to save any; `error` is that
+    /// of the interpolation, relative.
     pub(crate) fn new(wavenumbers_per_m: &'a [f64], error: f64, kind: Kind) -> Option<Self> {
         let classes = classes(wavenumbers_per_m, error.max(f64::EPSILON), kind);
         (!classes.is_empty()).then_some(Self { wavenumbers_per_m, classes })
     }
 
-    /// For shares to be cut for.
+    /// Highest wavenumber, for which shares are to be cut.
     pub(crate) fn highest_per_m(&self) -> f64 {
         self.wavenumbers_per_m.iter().copied().fold(0.0, f64::max)
     }
@@ -137,7 +137,8 @@ impl<'a> Band<'a> {
     }
 }
 
-/// Those with half as many points as there are frequencies at most, from the one with fewest points on.
+/// Classes with half as many points as there are frequencies at most, from the one with fewest points
+/// on.
 fn classes(wavenumbers_per_m: &[f64], error: f64, kind: Kind) -> Vec<Class> {
     let Some((middle, half)) = middle_and_half(wavenumbers_per_m) else { return Vec::new() };
     let counts = POINTS.into_iter().filter(|count| 2 * *count <= wavenumbers_per_m.len());
@@ -164,8 +165,8 @@ fn classes(wavenumbers_per_m: &[f64], error: f64, kind: Kind) -> Vec<Class> {
     all.iter().enumerate().map(class).collect()
 }
 
-/// Of every node in the value at a wavenumber; what facets give is k times the polynomial through their
-/// values over k.
+/// Share of every node in the value at a wavenumber; what facets give is k times the polynomial through
+/// their values over k.
 fn shares(points: &Chebyshev, wavenumber_per_m: f64, kind: Kind) -> Vec<f64> {
     let mut shares = vec![0.0; points.nodes_per_m.len()];
     points.shares(wavenumber_per_m, |i, share| {

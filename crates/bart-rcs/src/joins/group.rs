@@ -4,7 +4,7 @@ use artifact::paths::Amplitude;
 
 /// A group that a share is to be added to.
 pub(crate) struct Group<'g> {
-    /// By wavenumber, each without e^{−jk·length}.
+    /// Sums by wavenumber, each without e^{−jk·length}.
     pub(crate) sums: &'g mut [Amplitude],
     pub(crate) wavenumbers_per_m: &'g [f64],
     pub(crate) length_m: f64,

@@ -60,7 +60,7 @@ pub(crate) fn joints(
 /// the length over the mirror: at most a few thousand tolerances, 3e-8 m at 60 m and 1e-5 of a wavelength.
 const ONE_LINE: f64 = 1e4;
 
-/// What is too small to count.
+/// Limits below which a piece is too small to count.
 #[derive(Clone, Copy)]
 struct Limits {
     least_area_m2: f64,
@@ -83,12 +83,12 @@ struct Meeting {
     pairs: Pairs,
 }
 
-/// Which pairs of beams on a facet are joined.
+/// Pairs of beams on a facet that are joined.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Pairs {
-    /// All; each for itself.
+    /// All pairs; each for itself.
     Ordered,
-    /// All; each with its reverse.
+    /// All pairs; each with its reverse.
     WithReverse,
     /// One tree, one order: each unordered pair with its reverse, and each beam with itself.
     Unordered,
@@ -262,7 +262,7 @@ impl Footprint {
         Bordered { corners_m: &self.corners_m, borders: &self.borders }
     }
 
-    /// Corners that run about the facet's normal, back in the world and about the lit normal.
+    /// Corners that run about the facet's normal, carried back into the world and about the lit normal.
     fn in_world(&self, frame: &PlaneFrame, mut corners_m: Vec<DVec2>) -> impl Iterator<Item = DVec3> {
         if self.side == Side::Back {
             corners_m.reverse();

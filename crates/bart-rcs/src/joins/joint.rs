@@ -13,7 +13,8 @@ pub(crate) enum Trees<'a> {
     Shared(&'a BeamTree),
     /// Transmitter, receiver.
     Apart(&'a BeamTree, &'a BeamTree),
-    /// Both at one place, and the road: what arrives at the receiver also comes over it.
+    /// Transmitter and receiver at one place, and the road: what arrives at the receiver also comes over
+    /// it.
     ByRoad(&'a BeamTree, &'a Received),
 }
 
@@ -45,9 +46,9 @@ impl<'a> Trees<'a> {
 /// Whether a joint stands for its reverse as well.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Reverse {
-    /// Also for the transposed amplitude of the way back.
+    /// The joint counts for the transposed amplitude of the way back too.
     Included,
-    /// For itself only.
+    /// The joint counts for itself only.
     Apart,
 }
 
@@ -68,7 +69,7 @@ pub(crate) struct Joint {
 pub(crate) struct Joints {
     pub(crate) list: Vec<Joint>,
     corners_m: Vec<DVec3>,
-    /// Of every joint, where the rule weighs nodes by them.
+    /// Outlines of all joints, where the rule weighs nodes by them.
     pub(crate) outlines: Vec<Outline>,
     /// Area of overlaps that were given up for their size, both ways: its sum, m², and the sum of its
     /// squares, m⁴.
@@ -86,7 +87,7 @@ impl Joints {
         self.retain(|joint| joint.weight > 0.0);
     }
 
-    /// Those alone.
+    /// The joints alone that are kept.
     pub(crate) fn filtered(&self, mut is_kept: impl FnMut(&Joint) -> bool) -> Self {
         let mut some = Self::default();
         for joint in self.list.iter().filter(|joint| is_kept(joint)) {
@@ -96,7 +97,7 @@ impl Joints {
         some
     }
 
-    /// Forgets all others.
+    /// Forgets all joints that are not kept.
     pub(crate) fn retain(&mut self, is_kept: impl FnMut(&Joint) -> bool) {
         self.list.retain(is_kept);
     }

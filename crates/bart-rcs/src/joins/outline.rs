@@ -6,9 +6,9 @@ use glam::DVec2;
 /// Outline of a polygon, or of many pieces together, m; edges that end facet and beam alike are left out.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Outline {
-    /// Along the facet's own edges and shadow lines on it.
+    /// Length along the facet's own edges and shadow lines on it.
     pub(crate) own_m: f64,
-    /// Along what mirrors before cut.
+    /// Length along what mirrors before cut.
     pub(crate) cut_m: f64,
 }
 
@@ -45,7 +45,7 @@ impl Outline {
         self.cut_m += other.cut_m;
     }
 
-    /// Between 0 and 1.
+    /// Share of the own edges in the outline, between 0 and 1.
     pub(crate) fn own_share(self) -> f64 {
         let (own_m, cut_m) = (self.own_m.max(0.0), self.cut_m.max(0.0));
         if own_m > 0.0 { own_m / (own_m + cut_m) } else { 0.0 }
@@ -53,7 +53,7 @@ impl Outline {
 }
 
 impl Bordered<'_> {
-    /// What ends the polygon along a line that may lie on one of its edges; several edges of a polygon can
+    /// Border of the polygon along a line that may lie on one of its edges; several edges of a polygon can
     /// lie in a line.
     fn border_along(&self, from: DVec2, to: DVec2, tolerance_m: f64) -> Option<Border> {
         let n = self.corners_m.len();

@@ -30,7 +30,7 @@ type Sequence = [u32; MAX_ORDER];
 /// Marks the end of a path to the antenna's image below the road; facets are far fewer than 2³¹.
 const BY_ROAD: u32 = 1 << 31;
 
-/// What is known of one node of a sequence, all its pieces together.
+/// Sizes of one node of a sequence, all its pieces together.
 #[derive(Debug, Clone, Copy, Default)]
 struct Node {
     outline: Outline,
@@ -56,7 +56,7 @@ pub(crate) fn weigh(world: &World, trees: Trees<'_>, order: u8, joints: &mut Joi
     joints.drop_weightless();
 }
 
-/// What is known of the nodes of every sequence.
+/// Sizes of the nodes of every sequence.
 fn gathered(
     world: &World,
     count: usize,
@@ -121,9 +121,9 @@ fn across_m2(trees: Trees<'_>, joint: &Joint, corners_m: &[DVec3]) -> f64 {
 struct Placed {
     /// The patches that its path meets.
     sequence: Sequence,
-    /// Which of them is its node.
+    /// Index of its node among the patches.
     node: usize,
-    /// Of its polygon, mean of both legs.
+    /// Area of its polygon across the wave, mean of both legs.
     across_m2: f64,
 }
 

@@ -51,7 +51,7 @@ impl<'a> Scatterer<'a> {
         Self { world, trees, ends, transmit_legs, receive_legs, heard: (Phase::Integrating, &Unheard) }
     }
 
-    /// The same while somebody listens to its sums, which belong to `phase`.
+    /// The scatterer while somebody listens to its sums, which belong to `phase`.
     pub(crate) fn heard_by(self, phase: Phase, progress: &'a dyn Progress) -> Self {
         Self { heard: (phase, progress), ..self }
     }
@@ -165,7 +165,7 @@ impl<'a> Scatterer<'a> {
         });
     }
 
-    /// How many tiles there are, about; no more than `most` are counted.
+    /// Number of the joint's tiles, about; no more than `most` are counted.
     pub(crate) fn tiles(
         &self,
         joint: &Joint,
@@ -231,7 +231,7 @@ impl<'a> Scatterer<'a> {
         [&self.transmit_legs[forward as usize], &receive[backward as usize]]
     }
 
-    /// Where a node appears from the transmitter and from the receiver.
+    /// Apparent places of a node from the transmitter and from the receiver.
     pub(crate) fn apparent_m(&self, joint: &Joint, x_m: DVec3) -> [DVec3; 2] {
         [self.transmit_leg(joint).mirrors.unfolded(x_m), self.receive_leg(joint).mirrors.unfolded(x_m)]
     }
@@ -247,12 +247,12 @@ pub(crate) struct JointTile<'a> {
     length_m: f64,
 }
 
-/// How long the way over a tile is.
+/// Length of the way over a tile.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Way {
     /// L₁ + L₂ − R_t − R_r halfway between its least and its greatest, m.
     pub(crate) length_m: f64,
-    /// How far that of any point may differ, m.
+    /// Largest difference of any point's length from that, m.
     pub(crate) extent_m: f64,
 }
 
@@ -298,11 +298,11 @@ pub(crate) struct Part<'a> {
     pub(crate) bracket: Bracket,
 }
 
-/// What an integral is asked for.
+/// Request of an integral: its wavenumbers, bracket and accuracy.
 #[derive(Clone, Copy)]
 pub(crate) struct Integration<'a> {
     pub(crate) wavenumbers_per_m: &'a [f64],
-    /// As in [`node_amplitudes`].
+    /// Accuracy as in [`node_amplitudes`].
     pub(crate) accuracy: f64,
     pub(crate) bracket: Bracket,
 }
@@ -358,7 +358,7 @@ fn legs(world: &World, tree: &BeamTree, zenith_h: DVec3) -> Vec<Leg> {
     legs
 }
 
-/// What a beam has met before it came to its facet.
+/// Surfaces that a beam has met before it came to its facet.
 fn steps(world: &World, tree: &BeamTree, beam: &Beam) -> Steps {
     if world.is_conductor() {
         return Steps::default();

@@ -11,12 +11,12 @@ use crate::materials::reflection_coefficients::{CONDUCTOR, Medium, Pair};
 use artifact::material::{Backing, Layer};
 use num_complex::Complex64;
 
-/// What layers make of a wave.
+/// Coefficients of layers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Passed {
-    /// From the front face to the front face.
+    /// Reflection, from the front face to the front face.
     pub(crate) reflected: Pair,
-    /// From the front face to the point of the back face straight behind it; nothing on metal.
+    /// Transmission from the front face to the point of the back face straight behind it; nothing on metal.
     pub(crate) transmitted: Pair,
 }
 

@@ -11,20 +11,20 @@ use num_complex::Complex64;
 /// magnetic field across it (TM).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Pair {
-    /// On E.
+    /// Coefficient of E.
     pub(crate) te: Complex64,
-    /// On H.
+    /// Coefficient of H.
     pub(crate) tm: Complex64,
 }
 
-/// What a perfect conductor reflects.
+/// Reflection by a perfect conductor.
 pub(crate) const CONDUCTOR: Pair = Pair { te: Complex64::new(-1.0, 0.0), tm: Complex64::new(1.0, 0.0) };
 
 /// One side of a boundary for a wave that came from air at a given angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Medium {
     permittivity: Complex64,
-    /// s: cosine of the (complex) angle inside times the refractive index.
+    /// Parameter s: cosine of the (complex) angle inside times the refractive index.
     pub(crate) s: Complex64,
 }
 
@@ -39,7 +39,7 @@ impl Medium {
         Self { permittivity, s: decaying_root(permittivity - (1.0 - cosine * cosine)) }
     }
 
-    /// What the boundary to `next` reflects.
+    /// Reflection by the boundary to `next`.
     pub(crate) fn reflection_at(&self, next: &Self) -> Pair {
         let ratio = |a: Complex64, b: Complex64| (a - b) / (a + b);
         Pair { te: ratio(self.s, next.s), tm: ratio(next.permittivity * self.s, self.permittivity * next.s) }
@@ -52,7 +52,7 @@ fn decaying_root(square: Complex64) -> Complex64 {
     if root.im > 0.0 || (root.im == 0.0 && root.re < 0.0) { -root } else { root }
 }
 
-/// What a half-space of this permittivity reflects.
+/// Reflection by a half-space of this permittivity.
 pub(crate) fn half_space(permittivity: Complex64, cosine: f64) -> Pair {
     Medium::air(cosine).reflection_at(&Medium::entered(permittivity, cosine))
 }

@@ -1,4 +1,4 @@
-//! What a material does to a plane wave, and to the field vectors of one.
+//! Response of a material to a plane wave, and to the field vectors of one.
 
 use crate::geometry::complex_vector::ComplexVector;
 use crate::materials::layers::{Passed, averaged, coherent};
@@ -16,8 +16,8 @@ pub(crate) fn reflection(material: &Material, cosine: f64, wavenumber_per_m: f64
     }
 }
 
-/// What a sheet without thickness in its place lets through: t_slab·e^{+jkd cosθ}. Nothing but layers on air
-/// lets anything through.
+/// Transmission of a sheet without thickness in its place, t_slab·e^{+jkd cosθ}; nothing but layers on
+/// air lets anything through.
 ///
 /// The thickness is put on the side that the wave comes from: t_slab relates points of both faces straight
 /// behind one another, and the line that goes on behind the sheet already has the phase of the way d·cosθ
@@ -82,7 +82,7 @@ pub(crate) fn transmitted_fields(
     })
 }
 
-/// ŝ; along the normal, where the polarizations are alike, any direction across.
+/// Unit vector ŝ; along the normal, where the polarizations are alike, any direction across.
 fn across(travel: DVec3, normal: DVec3) -> DVec3 {
     let cross = normal.cross(travel);
     // Below this ŝ is rounding. te and −tm differ there by the square of it.
@@ -94,7 +94,7 @@ fn across(travel: DVec3, normal: DVec3) -> DVec3 {
     }
 }
 
-/// How fast the coefficients change with the angle, per radian: the exponential type m in |dⁿr/dθⁿ| ≤ mⁿ
+/// Steepness of the coefficients over the angle, per radian: the exponential type m in |dⁿr/dθⁿ| ≤ mⁿ
 /// (Bernstein).
 ///
 /// A half-space changes fastest at grazing incidence in TM, by 2ε/√(ε − 1) ≈ 2√ε; the phase 2kds of a layer

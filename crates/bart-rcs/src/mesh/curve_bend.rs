@@ -1,5 +1,5 @@
-//! What tells the steps of a tessellated curve from the edges of a body: a curve goes on bending, an edge
-//! bends once.
+//! Bends of tessellated curves and edges of bodies told apart: a curve goes on bending, an edge bends
+//! once.
 
 /// Bends above are edges of the body, not facets of a curve: twelve facets round a cylinder bend by 30°.
 const CURVE_BEND_RAD: f64 = 35.0 * std::f64::consts::PI / 180.0;

@@ -1,4 +1,5 @@
-//! Which triangles meet at an edge: the one topology of a mesh, from the places of its corners alone.
+//! Edges of a mesh and the triangles that meet there: the one topology of a mesh, from the places of
+//! its corners alone.
 //!
 //! Any mesh has an answer: open, doubled, wound either way, with many facets at one edge. What a patch, a
 //! crease or a diffracting edge is, others decide.
@@ -17,7 +18,7 @@ pub(crate) struct Side {
 /// A side, or the part of one between corners of its neighbours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Part {
-    /// Places, ascending.
+    /// Places of the two ends, ascending.
     pub(crate) ends: [u32; 2],
     pub(crate) of: Side,
 }
@@ -25,16 +26,16 @@ pub(crate) struct Part {
 /// Two places and the triangles that have both.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MeshEdge<'a> {
-    /// Ascending.
+    /// Places of the two ends, ascending.
     pub(crate) ends: [u32; 2],
-    /// Ascending by triangle; none twice but of triangles without a height.
+    /// Sides at the edge, ascending by triangle; none twice but of triangles without a height.
     pub(crate) sides: &'a [Side],
 }
 
-/// How two triangles at an edge are wound.
+/// Winding of two triangles at an edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Winding {
-    /// They walk along the edge in opposite ways: their normals are on one side of the surface.
+    /// The triangles walk along the edge in opposite ways: their normals are on one side of the surface.
     Alike,
     Opposite,
 }
@@ -43,7 +44,7 @@ pub(crate) enum Winding {
 #[derive(Debug, Default)]
 pub(crate) struct MeshEdges {
     ends: Vec<[u32; 2]>,
-    /// Where in `sides` those of each edge begin, and the end.
+    /// Beginning of each edge's sides in `sides`, and the end of the last one's.
     starts: Vec<u32>,
     sides: Vec<Side>,
     /// Edges of every side of every triangle, `edges_of_sides[starts_of_sides[3·triangle + side]..]`.
@@ -52,12 +53,13 @@ pub(crate) struct MeshEdges {
 }
 
 impl MeshEdges {
-    /// `places` are a triangle's corners; `None` leaves it out. Sides without length are no edges.
+    /// Edges of triangles whose corners are `places`; `None` leaves it out. Sides without length are no
+    /// edges.
     pub(crate) fn of(places: &[Option<[u32; 3]>]) -> Self {
         Self::of_parts(parts(places), places.len())
     }
 
-    /// Of sides that may have been cut, of so many triangles.
+    /// Edges of sides that may have been cut, of so many triangles.
     pub(crate) fn of_parts(mut parts: Vec<Part>, triangles: usize) -> Self {
         parts.sort_unstable();
         let mut edges = Self { starts: vec![0], ..Self::default() };
@@ -75,17 +77,17 @@ impl MeshEdges {
         edges
     }
 
-    /// How many there are.
+    /// Number of edges.
     pub(crate) fn len(&self) -> usize {
         self.ends.len()
     }
 
-    /// By its number.
+    /// The edge of this number.
     pub(crate) fn edge(&self, edge: usize) -> MeshEdge<'_> {
         MeshEdge { ends: self.ends[edge], sides: &self.sides[range(&self.starts, edge)] }
     }
 
-    /// All of them.
+    /// All edges.
     pub(crate) fn iter(&self) -> impl Iterator<Item = MeshEdge<'_>> {
         (0..self.len()).map(|edge| self.edge(edge))
     }
@@ -102,9 +104,9 @@ impl MeshEdges {
         sides.map(|other| other.triangle).filter(move |other| *other != side.triangle)
     }
 
-    /// For every triangle the first of `seeds` that it hangs together with, by edges, through others that
-    /// `belongs(seed, other)` lets in and that no seed before has taken; [`MeshEdges::NO_SEED`] for what none
-    /// of them reaches.
+    /// The first of `seeds` that each triangle hangs together with, by edges, through others that
+    /// `belongs(seed, other)` lets in and that no seed before has taken; [`MeshEdges::NO_SEED`] for what
+    /// none of them reaches.
     pub(crate) fn hanging_together(
         &self,
         seeds: impl Iterator<Item = u32>,
@@ -150,7 +152,7 @@ pub(crate) fn exact_places(triangles_m: &[[DVec3; 3]]) -> Vec<Option<[u32; 3]>> 
     places.as_chunks::<3>().0.iter().map(|corners| Some(*corners)).collect()
 }
 
-/// All three.
+/// All three sides of a triangle.
 pub(crate) fn sides_of(triangle: u32) -> [Side; 3] {
     [0, 1, 2].map(|side| Side { triangle, side })
 }
@@ -181,7 +183,7 @@ fn range(starts: &[u32], index: usize) -> Range<usize> {
     starts[index] as usize..starts[index + 1] as usize
 }
 
-/// Where each slot begins in a list that is sorted by slot, and the end.
+/// Beginning of each slot in a list that is sorted by slot, and the end.
 fn starts_by(slots: impl Iterator<Item = usize>, count: usize) -> Vec<u32> {
     let mut starts = vec![0; count + 1];
     slots.for_each(|slot| starts[slot + 1] += 1);

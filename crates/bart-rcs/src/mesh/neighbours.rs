@@ -1,8 +1,8 @@
-//! Which triangle a surface goes on with beyond each side of a triangle.
+//! Neighbours of triangles: which one a surface goes on with beyond each side.
 
 use crate::mesh::mesh_edges::{MeshEdges, Winding};
 
-/// Of every side of every triangle the one on the other side.
+/// Neighbour of every side of every triangle.
 #[derive(Debug, Default)]
 pub(crate) struct Neighbours {
     across: Vec<[u32; 3]>,
@@ -13,7 +13,7 @@ pub(crate) struct Neighbours {
 const NONE: u32 = u32::MAX;
 
 impl Neighbours {
-    /// At edges of exactly two triangles; `places` are the corners of all.
+    /// Neighbours at edges of exactly two triangles; `places` are the corners of all.
     pub(crate) fn of(edges: &MeshEdges, places: &[Option<[u32; 3]>]) -> Self {
         let mut neighbours = Self { across: vec![[NONE; 3]; places.len()], opposite: vec![0; places.len()] };
         for edge in edges.iter() {

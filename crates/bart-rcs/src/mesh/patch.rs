@@ -5,14 +5,14 @@ use crate::mesh::curve_bend::{may_be_a_step, may_be_of_one_curve};
 use crate::mesh::mesh_edges::{MeshEdges, Side, sides_of};
 use glam::DVec3;
 
-/// Which triangles are one flat patch, and which of their edges lie inside it.
+/// Patches of a mesh: which triangles are one, and which of their edges lie inside it.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Patches {
     /// The patch of each triangle, named by its first one.
     first: Vec<u32>,
     /// Bit i of each triangle: the patch goes on beyond the edge from corner i to the next.
     inside: Vec<u8>,
-    /// 1/m, of each triangle's patch.
+    /// Curvature of each triangle's patch, 1/m.
     curvature_per_m: Vec<f64>,
 }
 
@@ -70,7 +70,7 @@ impl Patches {
     }
 }
 
-/// How far to the left of a side, seen along `normal`, the middle of another triangle lies, times three
+/// Distance to the left of a side, seen along `normal`, of the middle of another triangle, times three
 /// lengths of the side.
 fn left_of_m3(triangles_m: &[[DVec3; 3]], side: Side, normal: DVec3, other: u32) -> f64 {
     let [from, to] = ends_m(triangles_m, side);
@@ -83,7 +83,7 @@ fn ends_m(triangles_m: &[[DVec3; 3]], Side { triangle, side }: Side) -> [DVec3; 
     [corners[usize::from(side)], corners[(usize::from(side) + 1) % 3]]
 }
 
-/// Where two patches meet.
+/// Bend where two patches meet.
 #[derive(Clone, Copy)]
 struct Bend {
     patch: u32,

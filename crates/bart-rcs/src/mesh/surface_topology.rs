@@ -20,7 +20,7 @@ const FLAT_RAD: f64 = 0.5 * std::f64::consts::PI / 180.0;
 pub(crate) struct Topology<'a> {
     triangles_m: &'a [[DVec3; 3]],
     edges: MeshEdges,
-    /// Of triangles, unit, by the winding; zero without a plane.
+    /// Unit normals of triangles by the winding; zero without a plane.
     normals: Vec<DVec3>,
     patch_of: Vec<u32>,
     patches: u32,
@@ -28,7 +28,7 @@ pub(crate) struct Topology<'a> {
 
 /// Directions of the facets at a line, square to it and away from it, by their angle about it.
 pub(crate) struct Fan {
-    /// Unit, along the line.
+    /// Unit vector along the line.
     pub(crate) along: DVec3,
     /// Facets that lie on each other are one.
     pub(crate) blades: Vec<Blade>,
@@ -37,15 +37,15 @@ pub(crate) struct Fan {
 /// A facet at a line.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Blade {
-    /// About the line, from the first blade on.
+    /// Angle about the line, from the first blade on.
     pub(crate) angle_rad: f64,
-    /// Unit, in the facet and away from the line.
+    /// Unit vector in the facet and away from the line.
     pub(crate) inward: DVec3,
     pub(crate) side: Side,
 }
 
 impl<'a> Topology<'a> {
-    /// Of triangles in one frame; corners nearer than `tolerance_m` are one.
+    /// Topology of triangles in one frame; corners nearer than `tolerance_m` are one.
     pub(crate) fn of(triangles_m: &'a [[DVec3; 3]], tolerance_m: f64) -> Self {
         let points_m = triangles_m.as_flattened();
         let names = Welding::Within(tolerance_m).places(points_m);
@@ -66,7 +66,7 @@ impl<'a> Topology<'a> {
         self.edges.iter()
     }
 
-    /// Where a line runs.
+    /// Ends of a line.
     pub(crate) fn ends_m(&self, line: &MeshEdge<'_>) -> [DVec3; 2] {
         line.ends.map(|corner| self.triangles_m.as_flattened()[corner as usize])
     }
@@ -76,12 +76,12 @@ impl<'a> Topology<'a> {
         self.patch_of[triangle as usize]
     }
 
-    /// How many patches there are.
+    /// Number of patches.
     pub(crate) fn patches(&self) -> usize {
         self.patches as usize
     }
 
-    /// By the winding; zero without a plane.
+    /// Normal of a triangle by the winding; zero without a plane.
     pub(crate) fn normal(&self, triangle: u32) -> DVec3 {
         self.normals[triangle as usize]
     }
@@ -162,8 +162,8 @@ impl Fan {
     }
 }
 
-/// The same as [`crate::geometry::facet_geometry::FacetGeometry`]: a triangle whose height is rounding has no
-/// plane.
+/// Normal as [`crate::geometry::facet_geometry::FacetGeometry`] has it: a triangle whose height is
+/// rounding has no plane.
 fn normal_of(corners_m: &[DVec3; 3], tolerance_m: f64) -> DVec3 {
     let [a, b, c] = *corners_m;
     let longest_m = a.distance(b).max(b.distance(c)).max(c.distance(a));

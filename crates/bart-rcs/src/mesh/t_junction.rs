@@ -39,7 +39,7 @@ pub(crate) fn cut_at_corners(sides: &mut Vec<Part>, points_m: &[DVec3], toleranc
     sides.extend(parts);
 }
 
-/// Which of sorted sides have ends that no other has.
+/// Indices of those of sorted sides whose ends no other side has.
 fn alone(sides: &[Part]) -> Vec<usize> {
     let differs =
         |a: usize, b: usize| sides.get(a).map(|side| side.ends) != sides.get(b).map(|side| side.ends);

@@ -1,4 +1,4 @@
-//! Where bodies have edges: open edges and wedges, and how far their faces go.
+//! Edges of bodies: open edges and wedges, and how far their faces go.
 
 pub(crate) mod wedge; // two faces at an edge
 pub(crate) mod body_edges; // which edges of a mesh diffract

@@ -1,26 +1,26 @@
-//! Which points of a mesh are one place: files repeat a vertex for every facet, material, normal and seam,
-//! and single precision or a converter has moved the repetitions apart by a few ε.
+//! Points of a mesh that are one place: files repeat a vertex for every facet, material, normal and
+//! seam, and single precision or a converter has moved the repetitions apart by a few ε.
 
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// When two points are one place.
+/// Condition for two points to be one place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Welding {
-    /// With the same coordinates to the last bit: what facets cover together then has no seam at all, which a
-    /// beam that is cut at their common side relies on.
+    /// Points with the same coordinates to the last bit: what facets cover together then has no seam at
+    /// all, which a beam that is cut at their common side relies on.
     Exact,
-    /// Nearer than this, m.
+    /// Points nearer than this, m.
     Within(f64),
 }
 
 impl Welding {
-    /// What single precision of a file leaves apart is one place.
+    /// Welding within what single precision of a file leaves apart.
     pub(crate) fn of_rounded(points_m: &[DVec3]) -> Self {
         Self::Within(rounding_m(points_m))
     }
 
-    /// For every point the first one that is at its place.
+    /// First point at the place of each point.
     ///
     /// Points of one chain of neighbours go to the first of them that is near enough and begins a place
     /// itself, so that the answer depends on nothing but the order of the points.
@@ -69,7 +69,7 @@ const NONE: u32 = u32::MAX;
 struct Firsts {
     cell_m: f64,
     last: HashMap<[i64; 3], u32>,
-    /// Of a first point the one that its cell had before.
+    /// First point that the cell of each first point had before.
     before: Vec<u32>,
 }
 

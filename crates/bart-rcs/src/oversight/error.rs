@@ -1,4 +1,4 @@
-//! What can be wrong with a body or an antenna.
+//! Faults of a body or an antenna.
 
 /// Why a scene cannot be traced.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -6,7 +6,7 @@ pub enum BartError {
     /// A choice of the interface that this version does not have.
     #[error("{choice} is not built yet; docs/interface.md says what is")]
     NotBuilt {
-        /// As the user writes it.
+        /// Choice as the user writes it.
         choice: &'static str,
     },
     /// A coordinate is NaN or infinite.
@@ -32,9 +32,9 @@ pub enum BartError {
         mesh: String,
         /// Index of the triangle.
         triangle: usize,
-        /// What it names.
+        /// Index of the vertex that it names.
         vertex: u32,
-        /// How many there are.
+        /// Number of vertices.
         vertices: usize,
     },
     /// A target names a mesh that is not there.
@@ -42,9 +42,9 @@ pub enum BartError {
     MeshOutOfRange {
         /// Id of the target.
         target: String,
-        /// What it names.
+        /// Index of the mesh that it names.
         mesh: u32,
-        /// How many there are.
+        /// Number of meshes.
         meshes: usize,
     },
     /// A frame does not have one pose per target.
@@ -52,9 +52,9 @@ pub enum BartError {
     PosesDoNotMatch {
         /// Index of the frame.
         frame: u32,
-        /// How many it has.
+        /// Number of poses that the frame has.
         poses: usize,
-        /// How many it needs.
+        /// Number of poses that it needs.
         targets: usize,
     },
     /// A position, yaw or velocity is NaN or infinite.
@@ -66,7 +66,7 @@ pub enum BartError {
     /// Facets are counted in 32 bits.
     #[error("{triangles} triangles in one scene; at most {most} can be counted")]
     TooManyTriangles {
-        /// In all bodies.
+        /// Triangles in all bodies.
         triangles: usize,
         /// 2³² − 1.
         most: usize,
@@ -74,11 +74,11 @@ pub enum BartError {
     /// A body is larger than the memory that it may take.
     #[error("{triangles} triangles are expected to take {} MiB; the limit is {} MiB", bytes >> 20, limit_bytes >> 20)]
     NeedsTooMuchMemory {
-        /// In all bodies.
+        /// Triangles in all bodies.
         triangles: usize,
-        /// Expected.
+        /// Bytes that are expected.
         bytes: u64,
-        /// Allowed.
+        /// Bytes that are allowed.
         limit_bytes: u64,
     },
     /// A tree has grown beyond the memory that it may take.
@@ -91,14 +91,14 @@ pub enum BartError {
     BeamsTakeTooMuchMemory {
         /// Order being traced.
         order: u8,
-        /// So far.
+        /// Beams so far.
         beams: usize,
-        /// With what will be joined.
+        /// Bytes with what will be joined.
         bytes: u64,
-        /// Allowed.
+        /// Bytes that are allowed.
         limit_bytes: u64,
     },
-    /// What a frame's polygons are cut into has grown beyond the memory that it may take.
+    /// The pieces that a frame's polygons are cut into have grown beyond the memory that they may take.
     #[error(
         "cells of paths take {} MiB and more; they may take {} MiB here: fewer bounces, a coarser mesh, a looser accuracy, \
          fewer threads or a higher limit help",
@@ -106,21 +106,21 @@ pub enum BartError {
         limit_bytes >> 20
     )]
     CellsTakeTooMuchMemory {
-        /// So far.
+        /// Bytes so far.
         bytes: u64,
-        /// Allowed.
+        /// Bytes that are allowed.
         limit_bytes: u64,
     },
     /// Vertices of a tree are counted in 32 bits.
     #[error("the beam tree has {vertices} vertices; at most 2³² − 1 can be counted")]
     TreeTooLarge {
-        /// So far.
+        /// Vertices so far.
         vertices: usize,
     },
     /// A road reflects what is above it.
     #[error("the radar stands {height_m} m above the road z = 0, which is not above it")]
     AntennaBelowRoad {
-        /// Of the radar's position.
+        /// Height of the radar's position.
         height_m: f64,
     },
     /// An antenna's own near field is no spherical wave.
@@ -133,19 +133,20 @@ pub enum BartError {
     AntennaTooNear {
         /// Id of the target, or the name of the mesh.
         body: String,
-        /// To the nearest facet.
+        /// Distance to the nearest facet.
         distance_m: f64,
-        /// Allowed.
+        /// Least distance that is allowed.
         least_m: f64,
     },
-    /// Nothing comes back from inside a closed body to a distance, and no order of bounces is the last.
+    /// An antenna stands inside a closed body: nothing comes back from there to a distance, and no order of
+    /// bounces is the last.
     #[error(
         "an antenna stands inside a closed body: facets take {:.4} % of all directions from it, so that no wave leaves and no \
          order of bounces is the last: move it out, or open the body",
         100.0 * share
     )]
     AntennaEnclosed {
-        /// Of all directions.
+        /// Share of all directions that facets take.
         share: f64,
     },
     /// A node integral that would not end.
@@ -154,7 +155,7 @@ pub enum BartError {
          near: move it away, or ask for fewer bounces or a lower frequency"
     )]
     TooManyPieces {
-        /// Allowed.
+        /// Most pieces that are allowed.
         most: u64,
     },
     /// The antenna's place or direction is NaN, infinite or, for a direction, zero.
@@ -163,21 +164,21 @@ pub enum BartError {
     /// A path record holds a few facets only.
     #[error("{bounces} bounces asked for; a path record holds {most}")]
     TooManyBounces {
-        /// Asked for.
+        /// Bounces asked for.
         bounces: u8,
-        /// Held.
+        /// Most bounces that a record holds.
         most: u8,
     },
     /// A wave has a frequency.
     #[error("a frequency must be positive and finite, is {frequency_hz} Hz")]
     FrequencyNotPositive {
-        /// Asked for.
+        /// Frequency asked for.
         frequency_hz: f64,
     },
     /// An antenna stands away from the origin, or infinitely far.
     #[error("a range must be positive, is {range_m} m")]
     RangeNotPositive {
-        /// Asked for.
+        /// Range asked for.
         range_m: f64,
     },
 }

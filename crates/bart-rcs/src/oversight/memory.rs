@@ -1,4 +1,4 @@
-//! How much memory a trace may take: expected before it begins, watched while it grows, refused with figures.
+//! Memory of a trace: expected before it begins, watched while it grows, refused with figures.
 
 use crate::oversight::error::BartError;
 
@@ -9,10 +9,10 @@ pub struct MemoryLimit {
 }
 
 impl MemoryLimit {
-    /// Only what 32 bits can count ends a tree.
+    /// No limit: only what 32 bits can count ends a tree.
     pub const NONE: Self = Self { bytes: u64::MAX };
 
-    /// So many bytes.
+    /// Limit of so many bytes.
     pub fn of_bytes(bytes: u64) -> Self {
         Self { bytes }
     }
@@ -75,8 +75,8 @@ const BYTES_PER_TRIANGLE_SEEN: u64 = 640;
 /// Beams and joints of one order of a vehicle alone, per triangle (measured 0.1 to 0.35 KiB).
 const BYTES_PER_TRIANGLE_AND_ORDER: u64 = 448;
 
-/// What `rcs` is expected to hold at most, for so many triangles, orders of beams, and aspects traced at a
-/// time.
+/// Most bytes that `rcs` is expected to hold, for so many triangles, orders of beams, and aspects
+/// traced at a time.
 ///
 /// Measured on six vehicles; a body all of cavities may need more: then the trace stops at its limit.
 pub fn memory_estimate_bytes(triangles: usize, orders: u8, aspects_at_a_time: usize) -> u64 {

@@ -1,4 +1,4 @@
-//! What hears how far long work is; it never changes what comes out.
+//! Listeners that hear how far long work is; they never change what comes out.
 
 /// A part of the work on a mesh or on a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -9,7 +9,7 @@ pub enum Phase {
     Tracing,
     /// Joints of one order.
     Integrating,
-    /// What errors are measured by.
+    /// Comparisons that errors are measured by.
     Checking,
     /// Aspects of a table.
     Aspects,

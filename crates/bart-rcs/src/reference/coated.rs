@@ -25,8 +25,8 @@ pub(crate) fn fields_at_all(fields: [DVec3; 2], wavenumbers_per_m: &[f64]) -> Fi
     vec![fields.map(ComplexVector::from); wavenumbers_per_m.len()]
 }
 
-/// What the node adds to S per square metre at one frequency, in place of [`Node::weight`]; `sent` are the
-/// fields of the forward wave.
+/// Weight of a node: what it adds to S per square metre at one frequency, in place of [`Node::weight`];
+/// `sent` are the fields of the forward wave.
 pub(crate) fn weight(
     node: &Node,
     (forward, sent): (&Arrival, &[ComplexVector; 2]),

@@ -7,11 +7,11 @@ use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
-/// How the two directions at a node enter the vector part.
+/// Form of the vector part: how the two directions at a node enter it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Bracket {
-    /// e_p·[d₁ (n·e_q) − e_q (n·d₁)]: physical optics of the wave that arrives, reciprocal at the specular
-    /// only.
+    /// The form e_p·[d₁ (n·e_q) − e_q (n·d₁)]: physical optics of the wave that arrives, reciprocal at the
+    /// specular only.
     Plain,
     /// Mean of that and of the same with both ways exchanged: reciprocal everywhere.
     Symmetrised,
@@ -20,7 +20,7 @@ pub enum Bracket {
 /// A wave that arrives at a surface point.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Arrival {
-    /// d: unit direction of travel.
+    /// Unit direction of travel d.
     pub(crate) travel: DVec3,
     /// Unit fields of sent v and h.
     pub(crate) fields: [DVec3; 2],
@@ -30,17 +30,18 @@ pub(crate) struct Arrival {
     pub(crate) length_m: f64,
 }
 
-/// What a node adds to S per square metre, without frequency: S = Σ j√(4π)/λ·`weight`·e^{−jk·excess}·dA.
+/// Integrand at a node: what it adds to S per square metre, without frequency, S = Σ
+/// j√(4π)/λ·`weight`·e^{−jk·excess}·dA.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Node {
-    /// On a perfect conductor, by waves that have met nothing else.
+    /// Weight on a perfect conductor, by waves that have met nothing else.
     pub(crate) weight: [[f64; 2]; 2],
     /// R_t·R_r over the lengths of both ways.
     pub(crate) spreading: f64,
-    /// The facet's, on the side of both waves.
+    /// Unit normal of the facet, on the side of both waves.
     pub(crate) normal: DVec3,
     pub(crate) excess_m: f64,
-    /// d₁ + d₂: its tangential part is −∇φ/k.
+    /// Sum d₁ + d₂: its tangential part is −∇φ/k.
     pub(crate) travel_sum: DVec3,
 }
 
@@ -82,12 +83,12 @@ pub(crate) fn node(
     Some(Node { weight, spreading, normal, excess_m, travel_sum: forward.travel + backward.travel })
 }
 
-/// e_out·[d (n·e_in) − e_in (n·d)].
+/// Vector part e_out·[d (n·e_in) − e_in (n·d)].
 fn one_way(travel: DVec3, field_in: DVec3, field_out: DVec3, normal: DVec3) -> f64 {
     field_out.dot(travel * normal.dot(field_in) - field_in * normal.dot(travel))
 }
 
-/// k of each frequency.
+/// Wavenumber k of each frequency.
 pub(crate) fn wavenumbers(frequencies_hz: &[f64]) -> Vec<f64> {
     frequencies_hz.iter().map(|f| 2.0 * PI * f / SPEED_OF_LIGHT_MPS).collect()
 }
@@ -97,13 +98,13 @@ pub(crate) fn shortest_wavelength_m(frequencies_hz: &[f64]) -> f64 {
     SPEED_OF_LIGHT_MPS / frequencies_hz.iter().copied().fold(f64::MIN_POSITIVE, f64::max)
 }
 
-/// e^{−jk·excess} with the cycles reduced before the sine.
+/// Phasor e^{−jk·excess} with the cycles reduced before the sine.
 pub(crate) fn phasor(wavenumber_per_m: f64, excess_m: f64) -> Complex64 {
     let cycles = wavenumber_per_m * excess_m / (2.0 * PI);
     Complex64::cis(-2.0 * PI * (cycles - cycles.round()))
 }
 
-/// j√(4π)/λ applied to the sums over nodes.
+/// Amplitudes j√(4π)/λ times the sums over nodes.
 pub(crate) fn scaled(sums: &[Amplitude], wavenumbers_per_m: &[f64]) -> Vec<Amplitude> {
     let scale = |k: f64| Complex64::new(0.0, (4.0 * PI).sqrt() * k / (2.0 * PI));
     sums.iter().zip(wavenumbers_per_m).map(|(s, k)| s.map(|row| row.map(|v| v * scale(*k)))).collect()

@@ -1,5 +1,5 @@
-//! What plane layers reflect, by characteristic matrices (Born, Wolf, Principles of Optics, 1.6): the way of
-//! the beam tracer is a recursion of reflections from the back, and the two share no formula.
+//! Reflection by plane layers, by characteristic matrices (Born, Wolf, Principles of Optics, 1.6): the
+//! way of the beam tracer is a recursion of reflections from the back, and the two share no formula.
 //!
 //! ```text
 //! M = Π ½ [1 + P, (1 − P)/q; q(1 − P), 1 + P]     P = e^{−2jkds}     s = √(ε − sin²θ)     q = s (TE), s/ε (TM)
@@ -13,7 +13,7 @@ use artifact::material::{Backing, Layer, Material, Thickness};
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
-/// r_TE on E and r_TM on H of a material for a wave from air.
+/// Coefficients r_TE on E and r_TM on H of a material for a wave from air.
 pub(crate) fn reflection(material: &Material, cosine: f64, wavenumber_per_m: f64) -> [Complex64; 2] {
     POLARIZATIONS.map(|polarization| {
         let wave = Wave { polarization, cosine, wavenumber_per_m };
@@ -53,7 +53,7 @@ struct Wave {
 const PHASES: usize = 16;
 
 impl Wave {
-    /// s; forwards and decaying is the principal root, as Im ε ≤ 0.
+    /// Parameter s of the wave inside; forwards and decaying is the principal root, as Im ε ≤ 0.
     fn cosine_inside(&self, permittivity: Complex64) -> Complex64 {
         (permittivity - (1.0 - self.cosine * self.cosine)).sqrt()
     }

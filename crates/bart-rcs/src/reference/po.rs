@@ -13,14 +13,14 @@ use glam::DVec3;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-/// How densely to look.
+/// Density of the samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sampling {
     /// Cells have no edge longer than a wavelength over this (the shortest wavelength asked for).
     pub per_wavelength: f64,
     /// A cell across a shadow's border is halved this many times; 0 asks one shadow ray of each cell.
     pub shadow_levels: u32,
-    /// Which sides of a facet scatter.
+    /// Sides of a facet that scatter.
     pub sides: Sides,
     /// Vector part where transmitter and receiver are apart; together they are equal.
     pub bracket: Bracket,
@@ -154,7 +154,7 @@ impl Job<'_> {
     }
 }
 
-/// Where a cell asks whether it is lit all over, beside its middle.
+/// Points at which a cell asks whether it is lit all over, beside its middle.
 const PROBES: [[f64; 3]; 3] = [[0.9, 0.05, 0.05], [0.05, 0.9, 0.05], [0.05, 0.05, 0.9]];
 
 /// Radon's rule of degree 5 with 7 points: barycentric coordinates and share of the area (Abramowitz & Stegun

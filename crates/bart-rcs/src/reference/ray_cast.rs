@@ -16,20 +16,20 @@ use std::time::Duration;
 /// Why a reference did not start.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ReferenceError {
-    /// obvhs would panic on it.
+    /// A coordinate is NaN or infinite: obvhs would panic on it.
     #[error("vertex {vertex} is not finite")]
     NotFinite {
-        /// Its index.
+        /// Index of the vertex.
         vertex: usize,
     },
     /// A triangle names a vertex that is not there.
     #[error("triangle {triangle} names vertex {vertex} of {vertices}")]
     IndexOutOfRange {
-        /// Its index.
+        /// Index of the triangle.
         triangle: usize,
-        /// What it names.
+        /// Index of the vertex that it names.
         vertex: u32,
-        /// How many there are.
+        /// Number of vertices.
         vertices: usize,
     },
     /// Rays are shot over the silhouette, which needs a view from outside.
@@ -37,15 +37,15 @@ pub enum ReferenceError {
         "the antenna at {distance_m} m from the body's middle is inside its circumscribed sphere of {radius_m} m"
     )]
     AntennaInside {
-        /// Antenna to the middle.
+        /// Distance from the antenna to the body's middle.
         distance_m: f64,
-        /// Of the sphere.
+        /// Radius of the sphere.
         radius_m: f64,
     },
     /// The references reflect at a sheet and follow nothing through it.
     #[error("material `{material}` is a sheet, and waves through sheets are for --method bart alone")]
     Transmission {
-        /// Its name.
+        /// Name of the material.
         material: String,
     },
     /// A permittivity that grows waves, or a layer without a thickness.
@@ -53,7 +53,7 @@ pub enum ReferenceError {
         "material `{material}`: permittivities need a real part of 1 or more and no gain, layers a thickness"
     )]
     MaterialNotSound {
-        /// Its name.
+        /// Name of the material.
         material: String,
     },
     /// Sampling that would not end.
@@ -61,11 +61,11 @@ pub enum ReferenceError {
         "{what}: one aspect would take {count:.1e} of them, at most {most:.0e} are allowed: ask for a lower density"
     )]
     TooMany {
-        /// What is counted.
+        /// Name of what is counted.
         what: &'static str,
-        /// Expected.
+        /// Number that is expected.
         count: f64,
-        /// Allowed.
+        /// Number that is allowed.
         most: f64,
     },
     /// Densities and frequencies are positive and finite.
@@ -73,7 +73,7 @@ pub enum ReferenceError {
     NotPositive {
         /// Name of the quantity.
         what: &'static str,
-        /// Its value.
+        /// Value of the quantity.
         value: f64,
     },
 }
@@ -83,11 +83,11 @@ pub enum ReferenceError {
 pub(crate) struct Facet {
     pub(crate) corners_m: [DVec3; 3],
     pub(crate) normal: DVec3,
-    /// Its triangle in the mesh.
+    /// Index of its triangle in the mesh.
     triangle: u32,
 }
 
-/// What a ray meets first.
+/// Facet that a ray meets first.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Hit {
     pub(crate) facet: u32,
@@ -128,7 +128,7 @@ impl Body {
         Ok(Self { facets, centre_m, radius_m, bvh, touching_m, makeup, slot_of_triangle })
     }
 
-    /// What a facet is made of; `None` for a perfect conductor.
+    /// Material of a facet; `None` for a perfect conductor.
     pub(crate) fn material(&self, facet: u32) -> Option<&Material> {
         let slot = *self.slot_of_triangle.get(self.facets[facet as usize].triangle as usize)?;
         Some(self.makeup.material(slot)).filter(|material| **material != Material::Conductor)
@@ -207,8 +207,8 @@ impl Body {
     }
 }
 
-/// On which side of the line from–to a ray passes: the sign is exact, so that no ray slips between the facets
-/// at an edge or around a corner (rounded signs let rays aimed at corners pass).
+/// Side of the line from–to on which a ray passes: the sign is exact, so that no ray slips between the
+/// facets at an edge or around a corner (rounded signs let rays aimed at corners pass).
 fn side(origin_m: DVec3, direction: DVec3, from: DVec3, to: DVec3) -> f64 {
     let coordinates = |p: DVec3| Coord3D { x: p.x, y: p.y, z: p.z };
     let [origin, through, from, to] = [origin_m, origin_m + direction, from, to].map(coordinates);

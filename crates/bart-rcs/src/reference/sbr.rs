@@ -21,7 +21,7 @@ use glam::DVec3;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-/// How many rays, how far.
+/// Number of rays, and of their bounces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shooting {
     /// Rays along a wavelength at the body's middle, across the line of sight (the shortest wavelength asked
@@ -29,7 +29,7 @@ pub struct Shooting {
     pub per_wavelength: f64,
     /// Highest bounce order.
     pub bounces: u8,
-    /// Which sides of a facet scatter; the other side absorbs.
+    /// Sides of a facet that scatter; the other side absorbs.
     pub sides: Sides,
     /// Vector part at the exit node.
     pub bracket: Bracket,
@@ -283,14 +283,14 @@ struct Met<'a> {
     material: &'a Material,
 }
 
-/// e^{−jk·way} over the parallelogram of a footprint.
+/// Integral of e^{−jk·way} over the parallelogram of a footprint.
 fn integral(node: &Node, [a, b]: [DVec3; 2], wavenumber_per_m: f64) -> Complex64 {
     let shape = [a, b].map(|edge| sinc(0.5 * wavenumber_per_m * node.travel_sum.dot(edge)));
     node::phasor(wavenumber_per_m, node.excess_m) * (a.cross(b).length() * shape[0] * shape[1])
 }
 
 impl Tube {
-    /// Moves on to what was hit.
+    /// Moves on to the facet that was hit.
     fn advance(&mut self, hit: &Hit, transmitter: &Post, order: usize) {
         self.origin_m += hit.distance_m * self.travel;
         self.length_m += hit.distance_m;
@@ -316,7 +316,8 @@ impl Tube {
         self.gradients.map(|g| (g - self.travel * (normal.dot(g) / normal.dot(self.travel))) * spread)
     }
 
-    /// As by a mirror; a field tangential to a perfect conductor turns its sign: e → −e + 2n(n·e).
+    /// Reflects the ray as by a mirror; a field tangential to a perfect conductor turns its sign: e → −e +
+    /// 2n(n·e).
     fn reflect(&mut self, normal: DVec3) {
         let mirrored = |v: DVec3| v - 2.0 * normal.dot(v) * normal;
         self.travel = mirrored(self.travel);

@@ -6,20 +6,20 @@ use glam::DVec3;
 /// A transmitter and a receiver.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Aspect {
-    /// Where the wave comes from.
+    /// Standpoint that the wave comes from.
     pub transmitter: Standpoint,
-    /// Where it is received.
+    /// Standpoint that receives it.
     pub receiver: Standpoint,
 }
 
 /// The straight line between a surface point and an antenna.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Leg {
-    /// r̂: unit, from the surface point to the antenna.
+    /// Unit vector r̂ from the surface point to the antenna.
     pub(crate) towards: DVec3,
-    /// r − R, metres; −r̂·x at infinite range.
+    /// Excess r − R of the length, metres; −r̂·x at infinite range.
     pub(crate) excess_m: f64,
-    /// r, metres; infinite at infinite range.
+    /// Length r, metres; infinite at infinite range.
     pub(crate) length_m: f64,
 }
 
@@ -33,7 +33,7 @@ impl Aspect {
 /// An antenna ready for many legs.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Post {
-    /// r̂: unit, from the origin to the antenna.
+    /// Unit vector r̂ from the origin to the antenna.
     pub(crate) towards: DVec3,
     /// Place of an antenna at finite range.
     pub(crate) antenna_m: Option<DVec3>,
@@ -45,7 +45,7 @@ pub(crate) struct Post {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Ends {
     pub(crate) transmitter: Post,
-    /// `None` where it is the transmitter.
+    /// Receiver; `None` where it is the transmitter.
     apart: Option<Post>,
 }
 
@@ -92,8 +92,8 @@ impl Post {
         if self.antenna_m.is_some() { self.range_m / length_m } else { 1.0 }
     }
 
-    /// v̂ and ĥ of a path that reaches the antenna along `towards`: ĥ = unit(ẑ × r̂), v̂ = r̂ × ĥ; straight
-    /// above or below, the azimuth asked for decides.
+    /// Vectors v̂ and ĥ of a path that reaches the antenna along `towards`: ĥ = unit(ẑ × r̂), v̂ = r̂ × ĥ;
+    /// straight above or below, the azimuth asked for decides.
     pub(crate) fn polarizations(&self, towards: DVec3) -> [DVec3; 2] {
         // Below 1e-9 rad off the zenith ẑ × r̂ is rounding.
         let horizontal = DVec3::Z.cross(towards);

@@ -1,4 +1,4 @@
-//! Both references against closed forms, as their densities grow.
+//! Tests of both references against closed forms, as their densities grow.
 
 use crate::reference::po;
 use crate::reference::ray_cast::Body;

@@ -15,21 +15,22 @@ pub(crate) type ControlHeights = [f64; 6];
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bend {
     corners_m: [DVec3; 3],
-    /// Unit, by the winding.
+    /// Unit normal by the winding.
     pub(crate) normal: DVec3,
     /// ∇λ of each corner, 1/m.
     gradients: [DVec3; 3],
     heights_m: ControlHeights,
-    /// Of the control point in the middle: with it the cubic has every quadratic exactly (Farin 1986).
+    /// Height of the control point in the middle: with it the cubic has every quadratic exactly (Farin
+    /// 1986).
     middle_m: f64,
     /// Second derivatives H at the corners, 1/m; between them they are linear.
     second_per_m: [DMat3; 3],
 }
 
-/// What a skin does along some steps, anywhere over its facet: the largest of each.
+/// Rise and turn of a skin along some steps, anywhere over its facet: the largest of each.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Along {
-    /// e·He, m: twice what it rises beyond its tangent plane.
+    /// Second difference e·He of the height, m: twice what it rises beyond its tangent plane.
     pub(crate) rise_m: f64,
     /// Third derivative of the height, m.
     pub(crate) third_m: f64,
@@ -40,13 +41,13 @@ pub(crate) struct Along {
 }
 
 impl Bend {
-    /// `None` over a facet without a plane and where the skin is the facet.
+    /// Skin over a facet; `None` over a facet without a plane and where the skin is the facet.
     pub(crate) fn over(facet: &FacetGeometry, heights_m: &ControlHeights) -> Option<Self> {
         let is_bent = facet.has_plane() && heights_m.iter().any(|h| *h != 0.0);
         is_bent.then(|| Self::new(facet.corners_m, facet.normal(), heights_m))
     }
 
-    /// Over a triangle that has an area.
+    /// Skin over a triangle that has an area.
     pub(crate) fn new(corners_m: [DVec3; 3], normal: DVec3, heights_m: &ControlHeights) -> Self {
         let [a, b, c] = corners_m;
         let doubled_area_m2 = (b - a).cross(c - a).length();

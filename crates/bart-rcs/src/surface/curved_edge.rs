@@ -10,25 +10,25 @@ use glam::DVec3;
 pub(crate) struct CurvedEdge {
     pub(crate) ends_m: [DVec3; 2],
     pub(crate) curve: Curve,
-    /// How often the edge that it is a part of was halved.
+    /// Number of times that the edge that it is a part of was halved.
     pub(crate) halvings: u8,
 }
 
-/// What bends an edge.
+/// Curve that an edge is bent to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Curve {
-    /// Nothing.
+    /// The edge is straight.
     Straight,
-    /// It lies on a smooth skin with these unit normals at the ends.
+    /// The edge lies on a smooth skin with these unit normals at the ends.
     OnSkin([DVec3; 2]),
-    /// Two skins meet along it: unit tangents at the ends, from the first to the second.
+    /// The edge is where two skins meet: unit tangents at the ends, from the first to the second.
     Crease([DVec3; 2]),
 }
 
 /// An edge's middle.
 struct Middle {
     point_m: DVec3,
-    /// Of the curve on either half.
+    /// Curves of both halves.
     curves: [Curve; 2],
 }
 
@@ -49,7 +49,8 @@ impl CurvedEdge {
         }
     }
 
-    /// How far the curve turns from one end to the other, rad: twice its larger angle with the chord.
+    /// Angle by which the curve turns from one end to the other, rad: twice its larger angle with the
+    /// chord.
     pub(crate) fn turn_rad(&self) -> f64 {
         let chord = self.chord_m();
         let sines = match self.curve {
@@ -60,7 +61,7 @@ impl CurvedEdge {
         2.0 * sines[0].max(sines[1]).min(1.0).asin()
     }
 
-    /// What a cubic over a facet with this side misses of the skin, m.
+    /// Distance by which a cubic over a facet with this side misses the skin, m.
     ///
     /// Of an arc ρθ⁴/128 along the side, of a sphere ρθ⁴/72 = sagitta·θ²/9 over the middle of an equilateral
     /// facet; twice that, since both neighbours err the same way. And the cubic's rise less that of rulings
@@ -131,7 +132,7 @@ impl CurvedEdge {
     }
 }
 
-/// From the chord's middle to the skin.
+/// Vector from the chord's middle to the skin.
 ///
 /// With slopes a and b against the chord at its ends the rise is ¼·L·2ab/(a + b), their harmonic mean: on a
 /// developable skin whose rulings converge, a cone, the height along a slanting chord is K·t(1 − t)/(r₀(1 −
@@ -147,7 +148,8 @@ fn rise_m(chord: DVec3, normals: [DVec3; 2]) -> DVec3 {
     rejected(sum, chord).try_normalize().map_or(DVec3::ZERO, |up| rise * up)
 }
 
-/// How steeply a skin rises from its chord at the first end, and falls back to it at the second.
+/// Slopes of a skin against its chord: its rise at the first end, and its fall back to it at the
+/// second.
 fn slopes(chord: DVec3, normals: [DVec3; 2]) -> [f64; 2] {
     let length = chord.length();
     [-normals[0].dot(chord) / length, normals[1].dot(chord) / length]
@@ -173,8 +175,9 @@ fn normal_at_middle(chord: DVec3, normals: [DVec3; 2]) -> DVec3 {
     (square - slope * chord / chord.length()).try_normalize().unwrap_or(square)
 }
 
-/// Of the cubic: 2/3 of the chord's length over 1 + cos α for a tangent that leaves the chord at α: for an
-/// arc of angle 2α this is the 4/3·ρ·tan ½α of the cubic that leaves it by sixth order only.
+/// Handles of the cubic: 2/3 of the chord's length over 1 + cos α for a tangent that leaves the chord
+/// at α: for an arc of angle 2α this is the 4/3·ρ·tan ½α of the cubic that leaves it by sixth order
+/// only.
 fn handles_m(chord: DVec3, tangents: [DVec3; 2]) -> [DVec3; 2] {
     let length = chord.length();
     tangents.map(|t| t * (2.0 * length / (3.0 * (1.0 + t.dot(chord) / length))))

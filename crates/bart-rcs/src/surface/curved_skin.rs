@@ -18,7 +18,7 @@ use rayon::prelude::*;
 
 /// The triangles of a mesh, bent.
 pub(crate) struct CurvedSkin {
-    /// By triangle; `None` for one without a plane.
+    /// Triangles with their bends; `None` for one without a plane.
     triangles: Vec<Option<BentTriangle>>,
 }
 
@@ -31,7 +31,7 @@ const LEAN_MAX: f64 = 75.0 * std::f64::consts::PI / 180.0;
 const CARELESS: f64 = 20.0 * std::f64::consts::PI / 180.0;
 
 impl CurvedSkin {
-    /// Of a mesh whose triangles have these corners.
+    /// Skin of a mesh whose triangles have these corners.
     pub(crate) fn of(mesh: &Mesh, corners_m: &[[DVec3; 3]]) -> Self {
         let vertices_m: Vec<DVec3> = mesh.vertices_m.iter().map(|v| DVec3::from_array(*v)).collect();
         let place_of = Welding::of_rounded(&vertices_m).places(&vertices_m);
@@ -62,7 +62,7 @@ impl CurvedSkin {
         Self { triangles: (0..corners_m.len()).into_par_iter().map(bent).collect() }
     }
 
-    /// How many facets [`CurvedSkin::facets`] makes.
+    /// Number of facets that [`CurvedSkin::facets`] makes.
     pub(crate) fn count(&self, limits: &Limits) -> usize {
         let of = |bent: &Option<BentTriangle>| bent.as_ref().map_or(1, |b| count(b, limits));
         self.triangles.par_iter().map(of).collect::<Vec<_>>().into_iter().sum()
@@ -97,10 +97,12 @@ impl CurvedSkin {
 /// A skin steeper than this over its facet stands on a sliver: its height is that of the long sides, its
 /// slope made of nothing.
 const STEEP: f64 = 1.0;
-/// So does one that may be as steep as this anywhere; bounds of round skins are up to twice their slopes.
+/// Bound of the slope from which on a skin stands on a sliver as well; bounds of round skins are up to
+/// twice their slopes.
 const STEEP_BOUND: f64 = 2.0;
 
-/// Where the skin rises by a hundredth of what is allowed, or stands on a sliver, the facet is flat.
+/// Control heights of the skin; where it rises by less than a hundredth of what is allowed, or stands
+/// on a sliver, the facet is flat.
 fn control_heights_m(bent: &BentTriangle, limits: &Limits) -> ControlHeights {
     let heights_m = bent.control_heights_m();
     let [a, b, c] = bent.corners_m;
@@ -165,7 +167,7 @@ fn curved(
     CurvedEdge { ends_m, curve: curve_between(ends_m[1] - ends_m[0], &sides), halvings: 0 }
 }
 
-/// `sides` are the normals at both ends, all on one side of the skin.
+/// Curve over a chord; `sides` are the normals at both ends, all on one side of the skin.
 fn curve_between(chord: DVec3, sides: &[[DVec3; 2]]) -> Curve {
     let Some((&first, others)) = sides.split_first() else { return Curve::Straight };
     // Skins bend by less than a right angle between two vertices.
@@ -187,8 +189,8 @@ fn mean(a: DVec3, b: DVec3) -> DVec3 {
     (a + b).try_normalize().unwrap_or(a)
 }
 
-/// Where two skins meet: along the line that lies in both tangent planes, or in the one where they touch.
-/// `None` where that line leaves the chord by much more than the skins do.
+/// Crease where two skins meet: along the line that lies in both tangent planes, or in the one where
+/// they touch. `None` where that line leaves the chord by much more than the skins do.
 fn crease(chord: DVec3, a: &[DVec3; 2], b: &[DVec3; 2]) -> Option<Curve> {
     let along = chord.try_normalize()?;
     let lean = |n: &[DVec3; 2]| n.map(|n| n.dot(along).abs().min(1.0).asin()).into_iter().fold(0.0, f64::max);

@@ -1,5 +1,5 @@
-//! Corner normals of a mesh that stores none: which edges are creases, and what the skin's normal is
-//! elsewhere.
+//! Corner normals of a mesh that stores none: edges are told to be creases or not, and elsewhere the
+//! skin's normal is made.
 //!
 //! A tessellated round turns on from edge to edge about as much; a crease turns once. And a facet beside a
 //! round that is much wider than the round's own, or that goes on flat, is a flat with a round joined to it:
@@ -21,9 +21,9 @@ const SAME_WAY: f64 = 0.4;
 
 /// Facets with their planes.
 pub(crate) struct Facets<'a> {
-    /// By triangle; those left out of `edges` are not read.
+    /// Corners by triangle; those left out of `edges` are not read.
     pub(crate) corners_m: &'a [[DVec3; 3]],
-    /// Unit, by the winding; zero where a triangle is left out.
+    /// Unit normals by the winding; zero where a triangle is left out.
     pub(crate) normals: &'a [DVec3],
     pub(crate) places: &'a [Option<[u32; 3]>],
     pub(crate) edges: &'a MeshEdges,
@@ -33,7 +33,7 @@ pub(crate) struct Facets<'a> {
 #[derive(Debug, Clone, Copy)]
 struct Turn {
     angle: f64,
-    /// Below what single precision of the corners makes of a flat edge.
+    /// Kind of the turn; flat where it is below what single precision of the corners makes of a flat edge.
     kind: TurnKind,
 }
 
@@ -93,18 +93,18 @@ impl Facets<'_> {
         self.normals[side.triangle as usize]
     }
 
-    /// From the side's start to its end.
+    /// Vector from the side's start to its end.
     fn along_m(&self, side: Side) -> DVec3 {
         let corners = &self.corners_m[side.triangle as usize];
         corners[(usize::from(side.side) + 1) % 3] - corners[usize::from(side.side)]
     }
 
-    /// Unit, in the facet's plane, out of the facet.
+    /// Unit vector in the facet's plane, out of the facet.
     fn outwards(&self, side: Side) -> DVec3 {
         self.along_m(side).cross(self.normal(side)).try_normalize().unwrap_or(DVec3::ZERO)
     }
 
-    /// Of the facet across the side: the height over it.
+    /// Width of the facet across the side: the height over it.
     fn width_m(&self, side: Side) -> f64 {
         let corners = &self.corners_m[side.triangle as usize];
         let third = corners[(usize::from(side.side) + 2) % 3];
@@ -116,7 +116,7 @@ fn other_sides(side: Side) -> [Side; 2] {
     [1, 2].map(|i| Side { side: (side.side + i) % 3, ..side })
 }
 
-/// By triangle and side.
+/// Turns by triangle and side.
 fn turns(facets: &Facets<'_>) -> Vec<[Turn; 3]> {
     let sides = |triangle: usize| sides_of(triangle as u32);
     let largest = facets.corners_m.iter().flatten().fold(0.0, |m, c| c.abs().max_element().max(m));
@@ -143,8 +143,8 @@ fn turns(facets: &Facets<'_>) -> Vec<[Turn; 3]> {
     (0..facets.normals.len()).map(|t| sides(t).map(judged)).collect()
 }
 
-/// How much the skin turns the same way where it leaves a facet that was entered at `side`, rad; `None` where
-/// no edge tells.
+/// Angle by which the skin turns on the same way where it leaves a facet that was entered at `side`,
+/// rad; `None` where no edge tells.
 ///
 /// A diagonal that is no bend is stepped over once.
 fn goes_on(facets: &Facets<'_>, turns: &[[Turn; 3]], side: Side) -> Option<f64> {
@@ -174,7 +174,7 @@ fn goes_on(facets: &Facets<'_>, turns: &[[Turn; 3]], side: Side) -> Option<f64> 
     on.fold(None, |most: Option<f64>, x| Some(most.map_or(x, |m| m.max(x))))
 }
 
-/// How far a facet and what goes on flat beyond its other sides reach from a side.
+/// Distance from a side that a facet and what goes on flat beyond its other sides reach.
 fn patch_width_m(facets: &Facets<'_>, turns: &[[Turn; 3]], side: Side) -> f64 {
     let (out, from) =
         (facets.outwards(side), facets.corners_m[side.triangle as usize][usize::from(side.side)]);
@@ -256,8 +256,10 @@ fn by_angle(facets: &Facets<'_>, triangle: u32, k: u8) -> DVec3 {
     facets.normals[triangle as usize] * u.angle_between(v)
 }
 
-/// u × v/(|u|²|v|²) of the edges that leave a corner (N. Max, J. Graphics Tools 4 (1999) 1): where all
-/// vertices lie on a sphere their sum is its normal, whatever the triangles.
+/// Normal u × v/(|u|²|v|²) of the edges that leave a corner (N. Max, J. Graphics Tools 4 (1999) 1):
+/// where all vertices lie on a sphere their sum is its normal, whatever the triangles. Max, J. Graphics
+/// Tools 4 (1999) 1): where all vertices lie on a sphere their sum is its normal, whatever the
+/// triangles.
 fn by_sphere(facets: &Facets<'_>, triangle: u32, k: u8) -> DVec3 {
     let [u, v] = leaving(facets, triangle, k);
     let squares = u.length_squared() * v.length_squared();

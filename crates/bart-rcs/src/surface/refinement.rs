@@ -10,7 +10,7 @@ use glam::DVec3;
 /// A triangle whose sides are curves of the skin.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BentTriangle {
-    /// In the triangle's winding.
+    /// Corners in the triangle's winding.
     pub(crate) corners_m: [DVec3; 3],
     /// Unit normals of the skin at the corners.
     pub(crate) normals: [DVec3; 3],
@@ -32,14 +32,14 @@ pub(crate) enum Walk {
     Back,
 }
 
-/// How far sides may bend before they are cut.
+/// Limits of the bend of sides; beyond them they are cut.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Limits {
-    /// Of a flat facet in place of the skin, m.
+    /// Sagitta of a flat facet in place of the skin, m.
     pub(crate) sagitta_m: f64,
-    /// Between the ends of a side, rad.
+    /// Turn between the ends of a side, rad.
     pub(crate) turn_rad: f64,
-    /// Of a bent facet in place of the skin, and of a facet's outline in its own plane, m.
+    /// Offset of a bent facet in place of the skin, and of a facet's outline in its own plane, m.
     pub(crate) offset_m: f64,
 }
 
@@ -61,7 +61,7 @@ pub(crate) fn refined(whole: BentTriangle, limits: &Limits) -> Vec<BentTriangle>
     good
 }
 
-/// How many triangles [`refined`] makes.
+/// Number of triangles that [`refined`] makes.
 pub(crate) fn count(whole: &BentTriangle, limits: &Limits) -> usize {
     let mut left = vec![*whole];
     let mut good = 0;
@@ -78,8 +78,8 @@ fn is_split(edge: &CurvedEdge, limits: &Limits) -> bool {
     edge.halvings < HALVINGS_MAX && halvings(edge, limits) > 0.0
 }
 
-/// How often an edge is to be halved: sagittas fall to a quarter each time, turns to a half, and what a cubic
-/// over the facet misses to a sixteenth.
+/// Number of times that an edge is to be halved: sagittas fall to a quarter each time, turns to a half,
+/// and what a cubic over the facet misses to a sixteenth.
 fn halvings(edge: &CurvedEdge, limits: &Limits) -> f64 {
     let (sagitta_m, turn) = (edge.sagitta_m(), edge.turn_rad());
     let offset_m = match edge.curve {
@@ -112,7 +112,7 @@ impl BentSide {
         Self { walk, ..self }
     }
 
-    /// In the order of the walk.
+    /// Both halves in the order of the walk.
     fn halves(&self) -> [Self; 2] {
         let [first, second] = self.edge.halves().map(|edge| Self { edge, walk: self.walk });
         if self.walk == Walk::Forth { [first, second] } else { [second, first] }
@@ -127,7 +127,7 @@ struct Corner {
 }
 
 impl BentTriangle {
-    /// Of the skin over the flat triangle, by the slopes of its sides at their ends.
+    /// Control heights of the skin over the flat triangle, by the slopes of its sides at their ends.
     pub(crate) fn control_heights_m(&self) -> ControlHeights {
         let [a, b, c] = self.corners_m;
         let normal = (b - a).cross(c - a).try_normalize().unwrap_or(DVec3::ZERO);
@@ -143,7 +143,7 @@ impl BentTriangle {
         Corner { at_m: self.corners_m[k % 3], normal: self.normals[k % 3] }
     }
 
-    /// Where side `k` is halved, with this triangle's own normal there.
+    /// Corner at which side `k` is halved, with this triangle's own normal there.
     fn middle(&self, k: usize, half: &BentSide) -> Corner {
         let end = if half.walk == Walk::Forth { 1 } else { 0 };
         let normal = self.sides[k].edge.normal_at_middle([self.normals[k], self.normals[(k + 1) % 3]]);
@@ -154,7 +154,7 @@ impl BentTriangle {
         Self { corners_m: corners.map(|c| c.at_m), normals: corners.map(|c| c.normal), sides }
     }
 
-    /// Turned so that corner `k` comes first.
+    /// The triangle turned so that corner `k` comes first.
     fn turned_to(&self, k: usize) -> Self {
         let turned = [0, 1, 2].map(|i| (k + i) % 3);
         Self {
@@ -177,7 +177,7 @@ impl BentTriangle {
         }
     }
 
-    /// Side 0 is halved.
+    /// Halves side 0.
     fn cut_in_two(&self, into: &mut Vec<Self>) {
         let [first, second] = self.sides[0].halves();
         let m = self.middle(0, &first);
@@ -196,7 +196,7 @@ impl BentTriangle {
         left.max(right) < 0.25 * base
     }
 
-    /// Sides 0 and 1 are halved: corner 1 is cut off, and what is left by its shorter diagonal.
+    /// Halves sides 0 and 1: corner 1 is cut off, and what is left by its shorter diagonal.
     fn cut_in_three(&self, into: &mut Vec<Self>) {
         let ([from_a, to_b], [from_b, to_c]) = (self.sides[0].halves(), self.sides[1].halves());
         let (m, n) = (self.middle(0, &from_a), self.middle(1, &from_b));

@@ -1,4 +1,4 @@
-//! What the facets of a mesh stand for: themselves, or the curved skin that they were cut from.
+//! Surface that the facets of a mesh stand for: themselves, or the curved skin that they were cut from.
 
 use crate::surface::curved_skin::CurvedSkin;
 use crate::surface::refinement::Limits;
@@ -9,16 +9,16 @@ use artifact::settings::Surface;
 use glam::{DVec3, Vec3};
 use std::f64::consts::PI;
 
-/// How a mesh becomes facets.
+/// Way in which a mesh becomes facets.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Skin {
-    /// As it is.
+    /// The mesh is taken as it is.
     Flat,
     /// Facets bent by the normals at their corners, so small that they err by a fraction of the amplitude.
     Smooth {
         /// Relative amplitude error allowed for want of smaller facets; at least 1e-6.
         accuracy: Accuracy,
-        /// The shortest.
+        /// Shortest wavelength.
         wavelength_m: f64,
         /// Whether facets reflect onto others, as they do from the second order on.
         role: Role,
@@ -28,9 +28,9 @@ pub enum Skin {
 /// Whether facets reflect onto others.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
-    /// What is lit directly scatters.
+    /// Facets that are lit directly scatter, and reflect onto no others.
     Scatterers,
-    /// Each is a flat mirror for the next, too.
+    /// Each facet is a flat mirror for the next, too.
     Mirrors,
 }
 
@@ -40,7 +40,7 @@ pub enum Role {
 const FACETS_MAX: usize = 1 << 19;
 
 impl Skin {
-    /// What a run asks for.
+    /// Skin that a run asks for.
     pub fn of(surface: Surface, accuracy: Accuracy, wavelength_m: f64, bounces: u8) -> Self {
         let role = if bounces > 1 { Role::Mirrors } else { Role::Scatterers };
         match surface {
@@ -64,7 +64,7 @@ impl Skin {
     }
 }
 
-/// How fine facets must be for a relative amplitude error.
+/// Limits of facets for a relative amplitude error: how fine they must be.
 ///
 /// - A skin that a bent facet misses by s shifts the phase by 2ks there and back: s ≤ λ·error/4π.
 /// - A facet at the terminator is lit or not as a whole. Where it ends, the weight is half of its turn θ
@@ -82,7 +82,7 @@ fn limits(error: f64, wavelength_m: f64, role: Role) -> Limits {
     Limits { sagitta_m, turn_rad, offset_m: wavelength_m * error / (4.0 * PI) }
 }
 
-/// For twice the error.
+/// Limits for twice the error.
 fn limits_coarser(limits: Limits) -> Limits {
     Limits {
         sagitta_m: 2.0 * limits.sagitta_m,

@@ -8,7 +8,7 @@ use glam::DVec3;
 pub(crate) struct SkinTriangles {
     /// Body metres.
     pub(crate) triangles_m: Vec<[DVec3; 3]>,
-    /// Which of the mesh's triangles each is a part of.
+    /// Triangle of the mesh that each is a part of.
     pub(crate) triangle_of: Vec<u32>,
     /// Unit normals at the corners: a smooth skin's; those that the file stores for a flat one, empty where
     /// it does not.

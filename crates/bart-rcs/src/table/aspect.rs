@@ -22,11 +22,11 @@ use glam::DVec3;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-/// Where the antennas are, with ĥ straight above and below.
+/// Place of the antennas, with ĥ straight above and below.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Aspect {
     pub(crate) transmit: (Antenna, DVec3),
-    /// `None` where it is the transmitter.
+    /// Receiver; `None` where it is the transmitter.
     pub(crate) receive: Option<(Antenna, DVec3)>,
 }
 
@@ -38,7 +38,7 @@ impl Aspect {
     }
 }
 
-/// What is asked at every aspect.
+/// Settings that are the same at every aspect.
 #[derive(Debug, Clone)]
 pub(crate) struct AspectSettings {
     pub(crate) trace: TraceSettings,
@@ -47,7 +47,7 @@ pub(crate) struct AspectSettings {
     pub(crate) nodes: NodeRule,
     pub(crate) edges: Edges,
     pub(crate) polarization: Polarization,
-    /// Of every node integral.
+    /// Accuracy of every node integral.
     pub(crate) accuracy: f64,
     /// An aspect whose integrals would be cut into more tiles has coarser ones: what they err by is measured,
     /// and what is more than was asked for is integrated finer, with more tiles.
@@ -57,9 +57,9 @@ pub(crate) struct AspectSettings {
 /// S of one aspect.
 #[derive(Debug, Clone)]
 pub(crate) struct Scattering {
-    /// By order from 1, then frequency: the rule asked for.
+    /// Scattering by the rule asked for, by order from 1, then frequency.
     pub(crate) chosen_m: Vec<Vec<Complex64>>,
-    /// The same by the other rule, where it was measured.
+    /// Scattering by the other rule, where it was measured.
     pub(crate) other_m: Option<Vec<Vec<Complex64>>>,
     /// |S − S(ten times finer)|² over frequency, where it was measured.
     pub(crate) error_power: Option<f64>,
@@ -68,18 +68,18 @@ pub(crate) struct Scattering {
     /// |S of the edges that are left out|² at the middle frequency.
     pub(crate) edges_power: Option<f64>,
     pub(crate) beams: Vec<u64>,
-    /// That the integrals were asked for: as the settings have it, or coarser.
+    /// Accuracy that the integrals were asked for: as the settings have it, or coarser.
     pub(crate) accuracy: f64,
-    /// Independent phases of all beams given up.
+    /// Amplitude of all beams given up with independent phases.
     pub(crate) dropped_m: f64,
-    /// Equal phases of all beams given up.
+    /// Amplitude of all beams given up with equal phases.
     pub(crate) dropped_at_most_m: f64,
     pub(crate) trace_seconds: f64,
     pub(crate) integrate_seconds: f64,
     pub(crate) check_seconds: f64,
 }
 
-/// What is measured at an aspect beside S.
+/// Measurements at an aspect beside S.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Checks {
     /// The integrals against ones ten times finer.
@@ -106,18 +106,18 @@ pub(crate) fn scattering(
     scattering_with(world, aspect, settings, checks, &Company { received: None, progress: &Unheard, meter })
 }
 
-/// What an aspect shares with others.
+/// Company of an aspect: what it shares with others.
 #[derive(Clone, Copy)]
 pub(crate) struct Company<'a> {
     /// The receiver's tree where it was traced before, by the same settings, up to their last order.
     pub(crate) received: Option<&'a BeamTree>,
-    /// Hears how far the aspect is.
+    /// Listener that hears how far the aspect is.
     pub(crate) progress: &'a dyn Progress,
     /// Tells what of the work is the aspect's.
     pub(crate) meter: &'a WorkMeter<'a>,
 }
 
-/// The same in company.
+/// Traces and integrates as [`scattering`] does, in company.
 pub(crate) fn scattering_with(
     world: &World,
     aspect: &Aspect,
@@ -166,7 +166,7 @@ struct Ends<'a> {
     transmit: EndTree<'a>,
     receive: Option<EndTree<'a>>,
     zenith_h: ZenithH,
-    /// What the sums belong to, and who hears of them.
+    /// Phase that the sums belong to, and who hears of them.
     phase: Phase,
     progress: &'a dyn Progress,
 }
@@ -208,7 +208,7 @@ impl<'a> Ends<'a> {
         [Some(self.transmit.tree()), self.receive.as_ref().map(EndTree::tree)]
     }
 
-    /// By order, both ends together.
+    /// Beams by order, both ends together.
     fn beams(&self) -> Vec<u64> {
         let mut beams = Vec::new();
         for end in [Some(&self.transmit), self.receive.as_ref()].into_iter().flatten() {
@@ -323,9 +323,10 @@ impl<'a> Ends<'a> {
     }
 }
 
-/// On more facets the edges cost more than a tenth of a second, as much as the rest of an aspect.
+/// Most facets on which edges are cheap: on more they cost more than a tenth of a second, as much as
+/// the rest of an aspect.
 const FACETS_WITH_CHEAP_EDGES: usize = 2_000;
-/// What is left out is told to 10 %.
+/// Accuracy of what edges would add: it is told to 10 %.
 const EDGES_LEFT_OUT_ACCURACY: f64 = 0.1;
 
 /// The order after the last one asked for, where trees of `tree_orders` hold its middle nodes: after every
@@ -342,7 +343,7 @@ pub(crate) fn other(rule: NodeRule) -> NodeRule {
     }
 }
 
-/// Where both ends meet in every order from `from` on.
+/// Meetings of both ends in every order from `from` on.
 fn meetings(scatterer: &Scatterer<'_>, from: u8, rule: NodeRule, settings: &AspectSettings) -> Vec<Meeting> {
     let of_order = |order: u8| Meeting::of(scatterer, order, &settings.meeting(rule));
     (from..=settings.bounces).into_par_iter().map(of_order).collect()
@@ -362,7 +363,7 @@ fn of_meeting(
     OfOrder { s_m, edges_m, given_up: meeting.facets.given_up }
 }
 
-/// What edges add to one order.
+/// Scattering amplitude of the edges in one order.
 fn edges_of_order(scatterer: &Scatterer<'_>, order: u8, settings: &AspectSettings) -> Vec<Complex64> {
     let (p, q) = settings.polarization.indices();
     let edges = edge_meetings(scatterer, order, &settings.meeting(settings.nodes));
@@ -382,7 +383,7 @@ impl AspectSettings {
         MeetingSettings { nodes, edges: self.edges, least_area_m2, wavenumber_per_m }
     }
 
-    /// With coarser integrals where these would be cut into too many tiles.
+    /// Settings with coarser integrals where these would be cut into too many tiles.
     fn afforded(
         &self,
         scatterer: &Scatterer<'_>,
@@ -425,19 +426,19 @@ impl AspectSettings {
     }
 }
 
-/// What one order adds.
+/// Contribution of one order.
 struct OfOrder {
     /// S over frequency.
     s_m: Vec<Complex64>,
-    /// What of it is due to edges.
+    /// Part of it that is due to edges.
     edges_m: Vec<Complex64>,
-    /// Of overlaps, as in [`Joints::given_up`](crate::joins::joint::Joints).
+    /// Area of overlaps given up, as in [`Joints::given_up`](crate::joins::joint::Joints).
     given_up: [f64; 2],
 }
 
-/// k/√π times the area across the wave of what was dropped, of mirrors that were not followed and of overlaps
-/// too small to be joined: with independent phases and as much of the mirrors as their likes scatter, and all
-/// as one sum.
+/// Amplitude of what was dropped, k/√π times the area across the wave of beams dropped, of mirrors that
+/// were not followed and of overlaps too small to be joined: with independent phases and as much of the
+/// mirrors as their likes scatter, and all as one sum.
 fn dropped(
     trees: [Option<&BeamTree>; 2],
     orders: &[OfOrder],
@@ -455,7 +456,7 @@ fn dropped(
 }
 
 impl Scattering {
-    /// All orders at one frequency.
+    /// Scattering amplitude of all orders at one frequency.
     pub(crate) fn total_m(&self, frequency: usize) -> Complex64 {
         self.chosen_m.iter().map(|order| order[frequency]).sum()
     }
@@ -476,7 +477,8 @@ impl Scattering {
         Some(mean_over_frequencies(self.frequencies(), |f| self.chosen_m[order][f] - other_m[f]))
     }
 
-    /// The same for the sum of all orders.
+    /// Power of the difference between both rules, as [`Self::order_spread_power`], for the sum of all
+    /// orders.
     pub(crate) fn node_spread_power(&self) -> Option<f64> {
         self.other_m.as_ref().map(|other_m| power_between(&self.chosen_m, other_m))
     }

@@ -1,5 +1,5 @@
-//! Which facets and edges make the level: one aspect's scattering by facet sequence, with the points that its
-//! rays touch.
+//! Contributions of facets and edges: one aspect's scattering by facet sequence, with the points that
+//! its rays touch.
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::bodies::world::World;
@@ -30,9 +30,10 @@ pub struct Contribution {
     pub triangles: Vec<u32>,
     /// The edge that scatters in place of a facet, from end to end, body axes.
     pub edge_m: Option<[DVec3; 2]>,
-    /// Where the ray through the strongest polygon's or part's middle touches them, body axes.
+    /// Points where the ray through the middle of the strongest polygon or part touches them, body axes.
     pub points_m: Vec<DVec3>,
-    /// Its share of S, the way back included, at the request's first frequency; metres, phase at the origin.
+    /// Contribution to S, the way back included, at the request's first frequency; metres, phase at the
+    /// origin.
     pub amplitude_m: Complex64,
 }
 
@@ -77,16 +78,16 @@ fn zenith_h(aspect: &Aspect) -> ZenithH {
     ZenithH { transmit: aspect.transmit.1, receive: aspect.receive.map_or(aspect.transmit.1, |(_, h)| h) }
 }
 
-/// What one aspect is told with.
+/// Tools by which one aspect is told.
 struct Teller<'a> {
     scatterer: Scatterer<'a>,
     what: MeetingSettings,
-    /// At the first frequency.
+    /// Integration at the first frequency.
     integration: Integration<'a>,
     polarization: Polarization,
 }
 
-/// With the number of the edge, if it is one's.
+/// Contribution with the number of the edge, if it is one's.
 type Found = (Option<u32>, Contribution);
 
 impl Teller<'_> {
@@ -147,8 +148,8 @@ fn touched_m(scatterer: &Scatterer<'_>, (forward, backward): (u32, u32), node_m:
     points
 }
 
-/// From a point of a beam's polygon over its mirrors towards the antenna: straight to each image until the
-/// mirror's plane.
+/// Points from one of a beam's polygon over its mirrors towards the antenna: straight to each image
+/// until the mirror's plane.
 fn back_to_antenna(world: &World, tree: &BeamTree, beam: &Beam, node_m: DVec3) -> Vec<DVec3> {
     let mut points = vec![node_m];
     let (mut beam, mut x_m) = (beam, node_m);

@@ -18,7 +18,7 @@ pub(crate) enum EndTree<'a> {
 }
 
 impl<'a> EndTree<'a> {
-    /// Nothing asked for yet.
+    /// Growing tree of which nothing is asked for yet.
     pub(crate) fn growing(
         world: &'a World,
         antenna: Antenna,
@@ -28,7 +28,7 @@ impl<'a> EndTree<'a> {
         Ok(Self::Growing(Box::new(GrowingTree::new(world, antenna, settings, progress)?)))
     }
 
-    /// The same of a tree that is grown as far as any aspect may ask.
+    /// Shared tree that is grown as far as any aspect may ask, of which nothing is asked for yet.
     pub(crate) fn shared(tree: &'a BeamTree) -> Self {
         Self::Shared { tree, asked: 0 }
     }

@@ -1,5 +1,5 @@
-//! What a user errs by who applies a far-field table near by: the table against spherical waves, at a few of
-//! its aspects.
+//! Error of a user who applies a far-field table near by: the table against spherical waves, at a few
+//! of its aspects.
 //!
 //! 2D²/λ of a car is 13 km at 77 GHz: at the ranges of a road its flat panels are wider than the Fresnel zone
 //! √(λR/2), 0.2 m at 25 m, and the complex error is as large as the field. The table is right for what it is;
@@ -17,24 +17,25 @@ use rayon::prelude::*;
 /// A far-field table against the same body in spherical waves.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FarFieldError {
-    /// Where the table was applied; a receiver that is infinitely far stands there too.
+    /// Ranges at which the table was applied; a receiver that is infinitely far stands there too.
     pub range_m: Vec<f64>,
-    /// By range: of each aspect ‖S − S(range)‖ over ‖S(range)‖, over frequency.
+    /// Complex error by range: of each aspect ‖S − S(range)‖ over ‖S(range)‖, over frequency.
     pub complex: Vec<Spread>,
-    /// By range: of each aspect by how many dB its level, |S|² over frequency, is off, either way.
+    /// Level error by range: of each aspect by how many dB its level, |S|² over frequency, is off, either
+    /// way.
     pub level_db: Vec<Spread>,
-    /// How many aspects it was measured at.
+    /// Number of aspects that it was measured at.
     pub aspects: usize,
-    /// How many frequencies of the table.
+    /// Number of frequencies of the table that it was measured at.
     pub frequencies: usize,
 }
 
-/// What some aspects err by.
+/// Spread of the errors of some aspects.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
     /// Half of the aspects err less.
     pub median: f64,
-    /// None errs more.
+    /// Largest error of all aspects.
     pub worst: f64,
 }
 
@@ -46,12 +47,13 @@ const RANGES_M: [f64; 4] = [25.0, 30.0, 40.0, 60.0];
 const ASPECTS_PER_COMPARED: usize = 40;
 /// Enough for a median: the middle 95 % of its sampling lie between the 8th and the 17th of 24.
 const COMPARED_MOST: usize = 24;
-/// More would repeat what the extent of a vehicle correlates, as in `frame_error`.
+/// Most frequencies of the comparison: more would repeat what the extent of a vehicle correlates, as in
+/// `frame_error`.
 const FREQUENCIES_MOST: usize = 12;
 /// An error near 0 dB need not be known better than to 1 %.
 const SPHERICAL_ACCURACY: f64 = 1e-2;
 
-/// `None` for a table of a finite range, and for one too small to bear the cost.
+/// Far-field error; `None` for a table of a finite range, and for one too small to bear the cost.
 pub(crate) fn far_field_error(
     world: &World,
     request: &RcsRequest,
@@ -96,7 +98,7 @@ pub(crate) fn far_field_error(
     }))
 }
 
-/// Those that are not among the facets of a large body.
+/// Ranges that are not among the facets of a large body.
 fn ranges_outside(world: &World) -> Vec<f64> {
     let corners_m = world.facets().iter().flat_map(|facet| facet.corners_m);
     let radius_m = corners_m.map(|corner| corner.length()).fold(0.0, f64::max);
@@ -146,8 +148,9 @@ impl Compared {
         Self { difference, far: power(far), spherical: power(spherical) }
     }
 
-    /// Relative to the spherical wave, which is the truth; over the far field's power the figure would stop
-    /// at 0 dB where the table is far too strong (a 1.5 m plate at 25 m: +35 dB). 0 where both are dark.
+    /// Complex error relative to the spherical wave, which is the truth; over the far field's power the
+    /// figure would stop at 0 dB where the table is far too strong (a 1.5 m plate at 25 m: +35 dB). 0 where
+    /// both are dark.
     fn complex(&self) -> f64 {
         if self.difference > 0.0 && self.spherical == 0.0 {
             f64::INFINITY
@@ -156,7 +159,7 @@ impl Compared {
         }
     }
 
-    /// Positive where the far field is too strong.
+    /// Level of the far field over the spherical wave, positive where the far field is too strong.
     fn level_db(&self) -> f64 {
         if self.far == self.spherical { 0.0 } else { db_from_power(self.far / self.spherical) }
     }

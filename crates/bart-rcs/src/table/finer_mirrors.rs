@@ -17,7 +17,7 @@ pub(crate) struct FinerMirrors {
 
 #[derive(Clone, Copy)]
 struct Fineness {
-    /// Of the least areas that the table began with.
+    /// Share of the least areas that the table began with.
     share: f64,
     before: f64,
     limit: Limit,
@@ -32,25 +32,25 @@ enum Limit {
 
 /// Most often that an aspect is traced again.
 const MOST_TIMES: u32 = 3;
-/// At a time mirrors become at most a tenth as long: the estimate is of those near the threshold and may be
-/// wrong far below.
+/// Smallest factor of the share at a time: mirrors become at most a tenth as long, since the estimate
+/// is of those near the threshold and may be wrong far below.
 const SMALLEST_STEP: f64 = 1e-2;
-/// And together at most a hundredth. At −60 dB asked that is a micrometre, a hundred thousand times the
-/// rounding of coordinates.
+/// Smallest share: mirrors become at most a hundredth as long in all. At −60 dB asked that is a
+/// micrometre, a hundred thousand times the rounding of coordinates.
 const SMALLEST: f64 = 1e-4;
 
 /// A sum of independent phases is Rayleigh distributed: in 95 of 100 cases it is below √(ln 20) of its root
 /// mean square.
 const RAYLEIGH_95: f64 = 1.730_818;
 
-/// What beams given up scatter over the table's root mean square |S|: more in 5 of 100 cases.
+/// Scattering of the beams given up over the table's root mean square |S|: more in 5 of 100 cases.
 pub(crate) fn dropped_error(table: &[Scattering]) -> f64 {
     let dropped_m2: f64 = table.iter().map(|s| s.dropped_m.powi(2)).sum();
     RAYLEIGH_95 * ratio(dropped_m2, table.iter().map(Scattering::mean_power).sum())
 }
 
 impl FinerMirrors {
-    /// Of so many aspects that are all traced with the areas asked for.
+    /// Start with so many aspects that are all traced with the areas asked for.
     pub(crate) fn of_none(aspects: usize) -> Self {
         Self { aspects: vec![Fineness { share: 1.0, before: 1.0, limit: Limit::Open }; aspects], times: 0 }
     }
@@ -78,7 +78,7 @@ impl FinerMirrors {
         again
     }
 
-    /// What an aspect is traced with.
+    /// Settings that an aspect is traced with.
     pub(crate) fn settings(&self, aspect: usize, settings: &AspectSettings) -> AspectSettings {
         let share = self.aspects[aspect].share;
         let mut finer = settings.clone();

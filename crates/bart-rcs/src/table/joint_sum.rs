@@ -46,7 +46,7 @@ pub(crate) fn sum_of_joints(
     band.sum(joints.list.par_chunks(RUN).map(of_run).collect())
 }
 
-/// The same at every frequency for itself: what the interpolation is compared with.
+/// Sums at every frequency for itself: what the interpolation is compared with.
 pub(crate) fn sum_at_each(
     scatterer: &Scatterer<'_>,
     joints: &Joints,

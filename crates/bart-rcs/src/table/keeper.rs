@@ -1,4 +1,4 @@
-//! What a table that is made in several runs leaves to the next one.
+//! Results that a table made in several runs leaves from one run to the next.
 
 use crate::table::aspect::Scattering;
 use num_complex::Complex64;
@@ -8,18 +8,18 @@ use num_complex::Complex64;
 /// Nothing is checked here: a keeper answers only with bytes that it was given for the same mesh, the same
 /// request and the same program.
 pub trait Keeper: Sync {
-    /// What was kept of a piece; `None` makes it anew.
+    /// Bytes kept of a piece; `None` makes it anew.
     fn kept(&self, piece: Piece) -> Option<&[u8]>;
-    /// A piece that has just been done.
+    /// Keeps a piece that has just been done.
     fn keep(&self, piece: Piece, bytes: &[u8]);
 }
 
 /// An aspect of a table, which may be integrated again and finer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Piece {
-    /// How often the whole table was integrated before.
+    /// Number of times that the whole table was integrated before.
     pub pass: u32,
-    /// Row-major `[elevation, azimuth]`.
+    /// Index of the aspect, row-major `[elevation, azimuth]`.
     pub aspect: u32,
 }
 
@@ -35,7 +35,7 @@ impl Keeper for NothingKept {
 }
 
 impl Scattering {
-    /// Every number exactly, little endian.
+    /// Bytes of every number exactly, little endian.
     pub(crate) fn to_bytes(&self) -> Vec<u8> {
         let mut words = Words::default();
         words.orders(&self.chosen_m);
@@ -52,7 +52,7 @@ impl Scattering {
         words.0.iter().flat_map(|word| word.to_le_bytes()).collect()
     }
 
-    /// `None` unless these are exactly the bytes of one.
+    /// Result from its bytes; `None` unless these are exactly the bytes of one.
     pub(crate) fn from_bytes(bytes: &[u8]) -> Option<Self> {
         let mut words = Reading { left: bytes };
         let found = Self {
@@ -102,7 +102,7 @@ impl Words {
     }
 }
 
-/// What is not read yet of [`Words`].
+/// Rest of [`Words`] that is not read yet.
 struct Reading<'a> {
     left: &'a [u8],
 }

@@ -1,4 +1,4 @@
-//! Where both ends meet in ways of one order: on facets and, where they are asked for, on edges.
+//! Meetings of both ends in ways of one order: on facets and, where they are asked for, on edges.
 
 use crate::beams::body_ways::BodyWays;
 use crate::edges::edge_scattering::sum_of_edges;
@@ -17,7 +17,7 @@ pub(crate) struct Meeting {
     pub(crate) edges: Vec<EdgeJoint>,
 }
 
-/// What meetings are looked for.
+/// Settings of the meetings that are looked for.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MeetingSettings {
     pub(crate) nodes: NodeRule,
@@ -36,7 +36,7 @@ impl Meeting {
         }
     }
 
-    /// What of it has its node on one body.
+    /// Part of the meeting that has its node on one body.
     pub(crate) fn on_body(&self, scatterer: &Scatterer<'_>, body: usize) -> Self {
         let is_there = |forward: u32| scatterer.node_body(forward) == body;
         Self {
@@ -45,7 +45,7 @@ impl Meeting {
         }
     }
 
-    /// What of it is among some ways.
+    /// Part of the meeting that is among some ways.
     pub(crate) fn along(&self, scatterer: &Scatterer<'_>, ways: &BodyWays) -> Self {
         let body = |facet: u32| scatterer.world.facet(facet).id.body;
         let is_there = |forward: u32, backward: u32| {
@@ -75,7 +75,7 @@ impl Meeting {
         total
     }
 
-    /// The same of facets, and of edges.
+    /// Sums of facets and of edges, each as [`Self::sum`] has it.
     pub(crate) fn sums(
         &self,
         scatterer: &Scatterer<'_>,
@@ -87,7 +87,7 @@ impl Meeting {
     }
 }
 
-/// Where both ends meet on edges in ways of `order`; nowhere where edges are ignored.
+/// Meetings of both ends on edges in ways of `order`; none where edges are ignored.
 pub(crate) fn edge_meetings(
     scatterer: &Scatterer<'_>,
     order: u8,

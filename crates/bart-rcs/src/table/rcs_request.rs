@@ -1,4 +1,4 @@
-//! What a table of S is asked for, and the antennas of its aspects.
+//! Request of a table of S, and the antennas of its aspects.
 
 use crate::geometry::antenna::Antenna;
 use crate::integral::polarization::zenith_h;
@@ -24,40 +24,40 @@ pub struct RcsRequest {
     /// A receiver that stands still while the transmitter takes every aspect; `None` where it is the
     /// transmitter.
     pub receiver: Option<Standpoint>,
-    /// Of the result.
+    /// Polarization of the result.
     pub polarization: Polarization,
     /// Highest bounce order, 1 to 5.
     pub bounces: u8,
     /// Node of multiple reflections.
     pub nodes: NodeRule,
-    /// Which sides of a facet scatter.
+    /// Sides of a facet that scatter.
     pub sides: Sides,
     /// Diffraction by edges.
     pub edges: Edges,
-    /// What the facets stand for.
+    /// Surface that the facets stand for.
     pub surface: Surface,
     /// Relative amplitude error allowed over the whole table; not carried below −160 dB.
     pub accuracy: Accuracy,
 }
 
-/// Where an antenna stands, seen from the body.
+/// Place of an antenna, seen from the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Standpoint {
-    /// From body x towards body y.
+    /// Azimuth from body x towards body y.
     pub azimuth_rad: f64,
-    /// Above the horizon.
+    /// Elevation above the horizon.
     pub elevation_rad: f64,
-    /// To the origin; infinite for the far field.
+    /// Distance to the origin; infinite for the far field.
     pub range_m: f64,
 }
 
 impl RcsRequest {
-    /// k = 2πf/c.
+    /// Wavenumbers k = 2πf/c.
     pub(crate) fn wavenumbers_per_m(&self) -> Vec<f64> {
         self.frequency_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect()
     }
 
-    /// The same with antennas that are infinitely far at this range instead.
+    /// The request with antennas that are infinitely far at this range instead.
     pub(crate) fn at_range(&self, range_m: f64) -> Self {
         let moved = |at: f64| if at.is_finite() { at } else { range_m };
         let receiver = self.receiver.map(|r| Standpoint { range_m: moved(r.range_m), ..r });

@@ -34,7 +34,7 @@ use std::time::Instant;
 pub struct RcsResult {
     /// Row-major `[frequency, elevation, azimuth]`, phase at the body's origin.
     pub amplitude_m: Vec<Complex64>,
-    /// The same by bounce order, from order 1; their sum is `amplitude_m`.
+    /// Scattering amplitude by bounce order, from order 1; their sum is `amplitude_m`.
     pub by_order_m: Vec<Vec<Complex64>>,
     /// Beams by order of their tree, all aspects and both ends; orders that only the comparison of node rules
     /// needs are traced where that is made.
@@ -44,7 +44,7 @@ pub struct RcsResult {
     pub seconds: RcsSeconds,
     /// Numerical error over the table.
     pub error: ErrorBudget,
-    /// What the model leaves out, over the table.
+    /// Errors of the physical model, over the table.
     pub model_error: ModelError,
     /// Per order from 1: ‖S − S(by the other node rule)‖ of that order over ‖S‖ of all, the other rule exit,
     /// and middle for exit; over 32 to 64 aspects of a larger table.
@@ -52,14 +52,14 @@ pub struct RcsResult {
     /// Largest sum over one aspect of what dropped beams could scatter at most, over the table's root mean
     /// square |S|.
     pub dropped_at_most: f64,
-    /// How far it went to keep what is dropped within the accuracy.
+    /// Mirrors that were followed to keep what is dropped within the accuracy.
     pub mirrors: Followed,
-    /// What the table errs by at the ranges of a road; `None` where it is of a finite range, or too small to
+    /// Error of the table at the ranges of a road; `None` where it is of a finite range, or too small to
     /// measure it.
     pub far_field: Option<FarFieldError>,
 }
 
-/// What mirrors were followed.
+/// Mirrors that were followed.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Followed {
     /// The smallest area across the wave of any aspect, m².
@@ -77,8 +77,7 @@ pub struct RcsSeconds {
     pub trace: f64,
     /// Joins and integrals.
     pub integrate: f64,
-    /// What the errors are measured by: finer integrals, the other node rule and the deeper trees that it
-    /// needs.
+    /// Measurement of the errors: finer integrals, the other node rule and the deeper trees that it needs.
     pub check: f64,
 }
 
@@ -111,20 +110,20 @@ pub fn rcs(
     )
 }
 
-/// What a table is made in.
+/// Surroundings that a table is made in.
 pub struct Surroundings<'a> {
-    /// A mesh that is expected to need more is refused before it is traced, and trees that grow beyond their
-    /// share are given up with an error.
+    /// Limit of the memory: a mesh that is expected to need more is refused before it is traced, and trees
+    /// that grow beyond their share are given up with an error.
     pub memory_limit: MemoryLimit,
     /// Aspects that it has are not made again; the result is the same to the byte.
     pub keeper: &'a dyn Keeper,
-    /// Hears how far it is.
+    /// Listener that hears how far it is.
     pub progress: &'a dyn Progress,
     /// Seconds that the program has worked so far, on all processors: what [`RcsSeconds`] are told by.
     pub clock_s: &'a (dyn Fn() -> f64 + Sync),
 }
 
-/// The same in surroundings that may limit it and keep what is done.
+/// Makes the table as [`rcs`] does, in surroundings that may limit it and keep what is done.
 pub fn rcs_within(
     mesh: &Mesh,
     request: &RcsRequest,
@@ -199,7 +198,7 @@ fn transmission_left_out(
     Ok(Some(ratio(missing, whole)))
 }
 
-/// Fine enough at the highest frequency.
+/// Skin fine enough at the highest frequency.
 pub(crate) fn skin(request: &RcsRequest) -> Skin {
     let highest_hz = request.frequency_hz.iter().copied().fold(0.0, f64::max);
     Skin::of(request.surface, request.accuracy, SPEED_OF_LIGHT_MPS / highest_hz, request.bounces)
@@ -232,7 +231,8 @@ fn mean_facet_m2(world: &World) -> f64 {
 
 /// An aspect's integrals begin with so many tiles at most: some seconds of one processor.
 const FEW_TILES: u64 = 2_000_000;
-/// And end with so many, if errors are still larger than was asked for: they are told.
+/// Most tiles of an aspect's integrals in the end, if errors are still larger than was asked for: they
+/// are told.
 const MOST_TILES: u64 = 50_000_000;
 
 pub(crate) fn aspect_settings(request: &RcsRequest, world: &World, accuracy: f64) -> AspectSettings {
@@ -266,17 +266,18 @@ pub(crate) fn aspect_settings(request: &RcsRequest, world: &World, accuracy: f64
 /// 32 aspects of independent phases know it to 1/√32, 0.8 dB.
 const COMPARED_ASPECTS: usize = 64;
 
-/// What all aspects of a table share: bodies, hierarchy, patches, edges and skin are the world's, built once.
+/// Things that all aspects of a table share: bodies, hierarchy, patches, edges and skin are the
+/// world's, built once.
 struct Sweep<'a> {
     world: &'a World,
     aspects: &'a [Aspect],
-    /// Of a receiver that stands still: it does not depend on the aspect.
+    /// Tree of a receiver that stands still: it does not depend on the aspect.
     received: Option<&'a BeamTree>,
     surroundings: &'a Surroundings<'a>,
     meter: &'a WorkMeter<'a>,
 }
 
-/// What a receiver that stands still lights, where more than one aspect asks for it.
+/// Beam tree of a receiver that stands still, where more than one aspect asks for it.
 fn tree_of_receiver(
     world: &World,
     aspects: &[Aspect],
@@ -299,7 +300,7 @@ fn tree_of_receiver(
 /// A table with what it was made with at last.
 struct FineTable {
     table: Vec<Scattering>,
-    /// Before mirrors were made smaller anywhere.
+    /// Settings before mirrors were made smaller anywhere.
     settings: AspectSettings,
     mirrors: FinerMirrors,
 }
@@ -352,7 +353,7 @@ impl Sweep<'_> {
         which.par_iter().map(one).collect()
     }
 
-    /// As it was kept, or made now and kept.
+    /// Scattering of an aspect as it was kept, or made now and kept.
     fn aspect(
         &self,
         index: usize,
@@ -452,8 +453,8 @@ fn left_out(table: &[Scattering], power: impl Fn(&Scattering) -> Option<f64>) ->
     measured().next().map(|_| ratio(left_out, all))
 }
 
-/// What the first order left out would carry if orders went on to decay as the last two did, and no growth is
-/// assumed; `None` from one order alone.
+/// Power that the first order left out would carry if orders went on to decay as the last two did, and
+/// no growth is assumed; `None` from one order alone.
 pub(crate) fn next_order(by_order: &[f64]) -> Option<f64> {
     let [.., before, last] = by_order else { return None };
     Some(if last < before { last * last / before } else { *last })

@@ -1,4 +1,4 @@
-//! How much of a plate's bound the mirrors that are too small to be followed would scatter, told by the
+//! Share of a plate's bound that the mirrors too small to be followed would scatter, told by the
 //! smallest ones that were followed.
 //!
 //! A mirror of area a across the wave is no more than a plate, |S| ≤ k/√π·a. Most of what it reflects
@@ -26,7 +26,8 @@ use std::f64::consts::PI;
 /// Followed mirrors that tell of one order, or every n-th so that at least half as many do: the sums of their
 /// shares are known to a third or better, as a few in a hundred make them, and cost a twentieth of an aspect.
 const MOST: usize = 2048;
-/// They are at most four times as long as the smallest that is followed.
+/// Largest area of these mirrors over the smallest that is followed: they are at most four times as
+/// long.
 const LARGEST: f64 = 16.0;
 
 /// The smallest followed mirrors of every order that is reflected, with what they scatter.
@@ -34,7 +35,7 @@ pub(crate) struct SmallMirrors {
     samples: Vec<Sample>,
 }
 
-/// Of one order of one end's tree.
+/// Sample of one order of one end's tree.
 struct Sample {
     end: usize,
     order: u8,
@@ -54,7 +55,8 @@ pub(crate) struct Hit {
 }
 
 impl SmallMirrors {
-    /// For trees whose first `needed` orders are joined, and their mirrors from `least_m2` on followed.
+    /// Mirrors of trees whose first `needed` orders are joined, and their mirrors from `least_m2` on
+    /// followed.
     pub(crate) fn of(trees: Trees<'_>, needed: u8, least_m2: f64) -> Self {
         let ends = [Some(trees.transmit()), matches!(trees, Trees::Apart(..)).then(|| trees.receive())];
         let of_end = |(end, tree): (usize, &BeamTree)| {
@@ -63,7 +65,7 @@ impl SmallMirrors {
         Self { samples: ends.into_iter().flatten().enumerate().flat_map(of_end).collect() }
     }
 
-    /// What the joints of one order show, at the highest of the wavenumbers.
+    /// Hits by the joints of one order, at the highest of the wavenumbers.
     pub(crate) fn hits(
         &self,
         scatterer: &Scatterer<'_>,
@@ -79,7 +81,7 @@ impl SmallMirrors {
         found.into_iter().flatten().collect()
     }
 
-    /// Adds them.
+    /// Adds the hits to their samples.
     pub(crate) fn add(&mut self, hits: Vec<Hit>) {
         for hit in hits {
             self.samples[hit.sample].shares[hit.place] += hit.share;
@@ -96,7 +98,7 @@ impl SmallMirrors {
 const RUN: usize = 256;
 
 impl Sample {
-    /// `None` where nothing of the order was left unfollowed.
+    /// Sample of an order; `None` where nothing of it was left unfollowed.
     fn of(tree: &BeamTree, end: usize, order: u8, least_m2: f64) -> Option<Self> {
         let audit = tree.audit.orders.get(usize::from(order) - 1)?;
         let area_m2 = audit.unreflected_across_squared_m4 / audit.unreflected_across_m2;
@@ -124,7 +126,7 @@ impl Sample {
     }
 }
 
-/// What joints are looked at with.
+/// Tools by which joints are looked at.
 struct Look<'a> {
     scatterer: &'a Scatterer<'a>,
     samples: &'a [Sample],
@@ -137,7 +139,7 @@ struct Look<'a> {
 const ACCURACY: f64 = 0.1;
 
 impl Look<'_> {
-    /// What a joint adds to each sampled mirror on its ways.
+    /// Hits of a joint: what it adds to each sampled mirror on its ways.
     fn hits(&self, joint: &Joint, corners_m: &[DVec3]) -> Vec<Hit> {
         let mut hits: Vec<Hit> = Vec::new();
         if joint.weight == 0.0 {
@@ -173,7 +175,7 @@ impl Look<'_> {
         })
     }
 
-    /// max(a_j, a₀)/A · |S_j(made no larger than a₀)|²/(k/√π·a₀)².
+    /// Share max(a_j, a₀)/A · |S_j(made no larger than a₀)|²/(k/√π·a₀)².
     fn share(
         &self,
         joint: &Joint,

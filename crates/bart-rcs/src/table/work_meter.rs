@@ -1,4 +1,4 @@
-//! Whose work the processors' time was, where several aspects are made side by side.
+//! Division of the processors' time among aspects that are made side by side.
 //!
 //! Threads that wait for a part of one aspect take up another one, so that no aspect's time is that of a
 //! thread or of a clock on the wall. Whenever one begins, goes on to another phase or ends, what the program
@@ -16,7 +16,7 @@ pub(crate) struct WorkMeter<'a> {
 }
 
 struct State {
-    /// What those under way have since they were last asked, by number.
+    /// Seconds of those under way since they were last asked, by number.
     under_way_s: BTreeMap<u64, f64>,
     next: u64,
     read_s: f64,
@@ -28,7 +28,7 @@ struct State {
 const READINGS_APART: u32 = 20;
 
 impl<'a> WorkMeter<'a> {
-    /// By a clock that grows with what the program works, s.
+    /// Meter by a clock that grows with what the program works, s.
     pub(crate) fn new(clock_s: &'a (dyn Fn() -> f64 + Sync)) -> Self {
         let (under_way_s, read_at) = (BTreeMap::new(), Instant::now());
         let read_s = clock_s();
@@ -45,7 +45,7 @@ impl<'a> WorkMeter<'a> {
         Metered { meter: self, number }
     }
 
-    /// What all work so far took, s.
+    /// Time that all work so far took, s.
     pub(crate) fn total_s(&self) -> f64 {
         (self.clock_s)()
     }
@@ -70,7 +70,7 @@ pub(crate) struct Metered<'m> {
 }
 
 impl Metered<'_> {
-    /// Its share since it began, or since this was last asked, s.
+    /// Share since the piece began, or since this was last asked, s.
     pub(crate) fn lap_s(&self) -> f64 {
         let mut state = self.meter.read();
         state.under_way_s.get_mut(&self.number).map(std::mem::take).unwrap_or(0.0)

@@ -11,7 +11,7 @@ pub(crate) mod referee;
 pub(crate) mod scenes;
 pub(crate) mod sums;
 
-/// Both tracers: each test runs over them.
+/// Tracer that each test runs over: both of them.
 pub(crate) type Tracer = fn(&World, Antenna, &TraceSettings) -> Result<BeamTree, BartError>;
 pub(crate) const TRACERS: [(&str, Tracer); 2] =
     [("beam tree", BeamTree::trace), ("every facet against every other", BeamTree::trace_by_brute_force)];
@@ -190,7 +190,7 @@ pub(crate) fn directions() -> Vec<DVec3> {
 pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
-    /// In [0, 1).
+    /// A number in [0, 1).
     pub(crate) fn unit(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -199,12 +199,12 @@ impl Random {
         ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// In the cube [−1, 1)³.
+    /// A point in the cube [−1, 1)³.
     pub(crate) fn point(&mut self) -> DVec3 {
         DVec3::new(self.unit(), self.unit(), self.unit()) * 2.0 - 1.0
     }
 
-    /// Below `n`.
+    /// A number below `n`.
     pub(crate) fn below(&mut self, n: usize) -> usize {
         ((self.unit() * n as f64) as usize).min(n - 1)
     }

@@ -16,7 +16,7 @@ const RADAR_M: [f64; 3] = [0.0, 0.0, 6.0];
 /// A pose: position, yaw, velocity.
 pub(crate) type Placed = ([f64; 3], f64, [f64; 3]);
 
-/// The same mesh at every place.
+/// A scene with the same mesh at every place.
 pub(crate) fn scene(mesh: &Mesh, places: &[Placed]) -> (SceneHeader, SceneFrame) {
     let pose = |&(position_m, yaw_rad, velocity_mps): &Placed| Pose {
         position_m,

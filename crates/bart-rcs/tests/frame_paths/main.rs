@@ -1,4 +1,4 @@
-//! What the paths of a frame promise: they are S, they move with the bodies, and the error that they print is
+//! Promises of a frame's paths: they are S, they move with the bodies, and the error that they print is
 //! true.
 #![allow(
     clippy::unwrap_used,
@@ -185,7 +185,7 @@ fn the_delay_of_a_double_bounce_follows_both_moving_bodies() {
     }
 }
 
-/// The same dihedral at rest: with its walls left apart there is no double bounce, each wall is lit as
+/// The dihedral at rest: with its walls left apart there is no double bounce, each wall is lit as
 /// before, and what is told to be left out is what the double bounces were.
 #[test]
 fn bodies_left_apart_shade_each_other_and_what_that_leaves_out_is_told() {
@@ -421,7 +421,7 @@ fn a_frames_table_holds_the_far_field_amplitude_and_says_how_far_from_the_spheri
     assert!(tables.model_error.far_field.unwrap() > 0.1);
 }
 
-/// At 300 m a sample's frequency is 25 MHz below what is sent: more than a step of a long body's axis.
+/// A sample's frequency at 300 m is 25 MHz below what is sent: more than a step of a long body's axis.
 #[test]
 fn a_frames_table_reaches_below_the_sweep_by_what_the_delay_takes_off() {
     let start = pose([5.75, 300.0, 0.0], [0.0, 10.0, 0.0], -FRAC_PI_2);

@@ -1,4 +1,4 @@
-//! Which of two facets an antenna sees in front of the other, decided once for both.
+//! Order of two facets in depth as an antenna sees them, decided once for both.
 //!
 //! Facets of imported meshes often lie within rounding of each other over large areas. Were "A hides B" and
 //! "B hides A" decided apart, a strip between them could be lit twice or not at all, as wide as rounding over
@@ -9,14 +9,14 @@ use crate::geometry::antenna::Antenna;
 use crate::geometry::facet_geometry::FacetGeometry;
 use crate::geometry::plane::Plane;
 
-/// Along any ray that meets both facets.
+/// Order in which any ray that meets both facets meets them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum DepthOrder {
     /// The first is met first.
     FirstInFront,
     /// The second is met first.
     SecondInFront,
-    /// They are one surface to rounding.
+    /// Both are one surface to rounding.
     Coincident,
     /// The first is met first on the positive side.
     PartedBy(Plane),

@@ -10,9 +10,9 @@ use std::ops::Range;
 /// Lit polygons of one view.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Parts {
-    /// By facet, then piece.
+    /// Polygons by facet, then piece.
     pub(crate) parts: Vec<Part>,
-    /// Their corners.
+    /// Corners of all polygons.
     pub(crate) corners: Vec<Corner>,
 }
 
@@ -23,9 +23,9 @@ pub(crate) struct Part {
     pub(crate) facet: u32,
     /// Unit, on the lit side.
     pub(crate) lit_normal: DVec3,
-    /// In [`Parts::corners`]; empty where the polygon is nothing but rounding.
+    /// Place of the corners in [`Parts::corners`]; empty where the polygon is nothing but rounding.
     pub(crate) corners: Range<usize>,
-    /// m².
+    /// Area, m².
     pub(crate) area_m2: f64,
     /// Area across the wave, area·cosθ at the middle, m².
     pub(crate) across_m2: f64,

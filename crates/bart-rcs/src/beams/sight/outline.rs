@@ -9,7 +9,7 @@ use crate::geometry::antenna::Antenna;
 use glam::DVec2;
 use std::ops::{Range, RangeInclusive};
 
-/// What is nearer than this is not told apart, in cells; rounding must be well below.
+/// Margin of every answer, in cells: what is nearer is not told apart, and rounding must be well below.
 pub(crate) const MARGIN: f64 = 1e-6;
 
 /// A facet in units of cells.
@@ -17,15 +17,15 @@ pub(crate) struct Outline {
     low: DVec2,
     high: DVec2,
     corners: [DVec2; 3],
-    /// From each corner to the next.
+    /// Half planes within the sides, from each corner to the next.
     sides: [HalfPlane; 3],
     near_m: f64,
     far_m: f64,
-    /// Of a facet that is larger than a cell.
+    /// Depth over the plane of a facet that is larger than a cell.
     depth: Option<DepthPlane>,
 }
 
-/// Where normal · x ≥ offset; the normal is unit, or zero where the facet is too thin to tell.
+/// Half plane normal · x ≥ offset; the normal is unit, or zero where the facet is too thin to tell.
 #[derive(Clone, Copy)]
 struct HalfPlane {
     normal: DVec2,
@@ -35,14 +35,14 @@ struct HalfPlane {
 /// A row's cells that count as reached.
 #[derive(Clone, Copy)]
 pub(crate) enum Reach {
-    /// Some of the square may be inside.
+    /// Cells of which some of the square may be inside.
     Touched,
-    /// The centre may be inside.
+    /// Cells whose centre may be inside.
     Centre,
 }
 
 impl Outline {
-    /// Of a facet in cells of this size from an origin on.
+    /// Outline of a facet in cells of this size from an origin on.
     pub(crate) fn of(sight: &Sight, outlook: &Outlook, view: &View, origin: DVec2, cell: f64) -> Self {
         let Extent { corners, low, high, near_m, far_m, .. } = sight.extent.in_cells(origin, cell);
         let [a, b, c] = corners;
@@ -67,7 +67,7 @@ impl Outline {
         (self.low.y - MARGIN).max(0.0) as usize..=(self.high.y + MARGIN).max(0.0) as usize
     }
 
-    /// Of a row's `count` cells those that it reaches, and possibly others.
+    /// Cells among the `count` of a row that the outline reaches, and possibly others.
     pub(crate) fn columns(&self, row: usize, reach: Reach, count: usize) -> Range<usize> {
         let (half, least) = match reach {
             Reach::Touched => (0.5, -MARGIN),
@@ -126,7 +126,7 @@ impl HalfPlane {
 /// along d, n·(a − x)/n·r̂ for a direction r̂ and x across it.
 #[derive(Clone, Copy)]
 struct DepthPlane {
-    /// At the origin, and how it grows with each column and row.
+    /// Numerator at the origin, and its growth with each column and row.
     numerator_m: [f64; 3],
     denominator: [f64; 3],
 }
@@ -160,7 +160,8 @@ impl DepthPlane {
         })
     }
 
-    /// Over a cell; both functions are monotonous along lines, so that its corners have the extremes.
+    /// Least and greatest depth over a cell; both functions are monotonous along lines, so that its corners
+    /// have the extremes.
     fn range_m(&self, column: f64, row: f64) -> Option<[f64; 2]> {
         let at = |[start, by_column, by_row]: [f64; 3], [x, y]: [f64; 2]| start + by_column * x + by_row * y;
         let steps = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];

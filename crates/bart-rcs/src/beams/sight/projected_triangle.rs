@@ -5,16 +5,16 @@ use glam::{DVec2, Vec4};
 /// A triangle by its corners and by the half planes beyond its edges.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ProjectedTriangle {
-    /// x and y of the corners, the third twice.
+    /// Coordinates x and y of the corners, the third twice.
     corners: [Vec4; 2],
-    /// By edge: nx, ny, offset; a point with nx·x + ny·y below the offset is beyond the edge by more than
-    /// rounding.
+    /// Half plane beyond each edge, nx, ny, offset; a point with nx·x + ny·y below the offset is beyond the
+    /// edge by more than rounding.
     edges: [[f32; 3]; 3],
 }
 
 impl ProjectedTriangle {
-    /// Of corners whose coordinates are known to `slack` and are at most `reach` in size, as are those of all
-    /// others.
+    /// Triangle of corners whose coordinates are known to `slack` and are at most `reach` in size, as are
+    /// those of all others.
     pub(crate) fn new(corners: [DVec2; 3], reach: f64, slack: f64) -> Self {
         let [a, b, c] = corners;
         let of = |values: [f64; 3]| Vec4::from_array([0, 1, 2, 2].map(|i| values[i] as f32));

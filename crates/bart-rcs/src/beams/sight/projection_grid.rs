@@ -18,13 +18,13 @@ use std::ops::ControlFlow;
 pub(crate) struct ProjectionGrid {
     /// Boxes in units of the finest cells, in the order of the shadows.
     boxes: Vec<Extent>,
-    /// In the same units and order.
+    /// Triangles in the same units and order.
     triangles: Vec<ProjectedTriangle>,
-    /// From the finest on.
+    /// Levels of cells, from the finest on.
     levels: Vec<Level>,
-    /// Where each cell's entries begin, level by level and row by row, and where the last one's end.
+    /// Beginning of each cell's entries, level by level and row by row, and the end of the last one's.
     starts: Vec<u32>,
-    /// By cell, the nearest first.
+    /// Entries by cell, the nearest first.
     entries: Vec<Entry>,
 }
 
@@ -34,14 +34,14 @@ struct Level {
     /// Cells per finest cell.
     scale: f64,
     columns: usize,
-    /// Its first cell among those of all levels.
+    /// Index of its first cell among those of all levels.
     first: usize,
 }
 
-/// As much of a box as the search looks at, small: single precision, rounded outwards.
+/// The part of a box that the search looks at, small: single precision, rounded outwards.
 #[derive(Debug, Clone, Copy)]
 struct Entry {
-    /// Of its extent: one instruction compares two boxes.
+    /// Bounds of its extent: one instruction compares two boxes.
     bounds: Vec4,
     slot: u32,
     first_cell: [u16; 2],
@@ -64,7 +64,7 @@ const FEW: usize = 1024;
 const LOOKS_PER_FACET: usize = 64;
 
 impl ProjectionGrid {
-    /// Of all shadows of a view; `None` where the antenna stands among the facets.
+    /// Grid of all shadows of a view; `None` where the antenna stands among the facets.
     pub(crate) fn over(shadows: &[Shadow], view: &View) -> Option<Self> {
         let corners = shadows.iter().flat_map(|shadow| view.world.facet(shadow.facet).corners_m);
         let around = corners.map(|c| [c, c]).reduce(|[a, b], [c, d]| [a.min(c), b.max(d)])?;
@@ -74,7 +74,7 @@ impl ProjectionGrid {
         if outlook.holds(boxes.iter()) { Self::of(&boxes) } else { None }
     }
 
-    /// Of shadows that appear here, in their order.
+    /// Grid of shadows that appear in these boxes, in their order.
     pub(crate) fn of(boxes: &[Extent]) -> Option<Self> {
         let (low, high) = across(boxes.iter())?;
         let span = (high - low).max(DVec2::splat((high - low).max_element() * 1e-6));
@@ -123,7 +123,7 @@ impl ProjectionGrid {
         ControlFlow::Continue(())
     }
 
-    /// Of the entries of a cell those that begin nearer than a box ends.
+    /// Entries of a cell that begin nearer than a box ends.
     fn before(&self, cell: usize, extent: &Extent) -> impl Iterator<Item = &Entry> {
         let far_m = (extent.far_m as f32).next_up();
         let entries = &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize];
@@ -161,7 +161,7 @@ impl ProjectionGrid {
     }
 }
 
-/// From the finest cells to one that holds the view.
+/// Levels of cells from the finest to one that holds the view.
 fn levels(size: DVec2) -> Vec<Level> {
     let mut levels = Vec::new();
     let (mut scale, mut first) = (1.0, 0);
@@ -215,7 +215,7 @@ impl Extent {
         -Vec4::new(bounds.z, bounds.w, bounds.x, bounds.y)
     }
 
-    /// Where it is listed: in the finest cells that are not smaller.
+    /// Level and cells that list a box: the finest that are not smaller.
     fn listed<'l>(&self, levels: &'l [Level]) -> (&'l Level, Cells) {
         let longest = (self.high - self.low).max_element();
         let index = levels.partition_point(|level| longest * level.scale > 1.0).min(levels.len() - 1);

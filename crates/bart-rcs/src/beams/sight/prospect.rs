@@ -1,4 +1,4 @@
-//! Where facets appear across a view: their places on a plane across it, and how deep they lie.
+//! Appearance of facets across a view: their places on a plane across it, and how deep they lie.
 
 use crate::beams::sight::shadow::{Seen, seen_side};
 use crate::beams::sight::view::View;
@@ -7,10 +7,10 @@ use crate::geometry::facet_geometry::FacetGeometry;
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
-/// All facets of a view that show a side, on one plane across it.
+/// Facets of a view that show a side, on one plane across it.
 pub(crate) struct Prospect {
     pub(crate) outlook: Outlook,
-    /// By facet.
+    /// Sights by facet.
     pub(crate) sights: Vec<Sight>,
 }
 
@@ -32,12 +32,12 @@ pub(crate) struct Outlook {
     pub(crate) up: DVec3,
 }
 
-/// Where a facet appears, and its depth in metres.
+/// Place where a facet appears, and its depth in metres.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Extent {
-    /// In the order of the winding as the antenna sees it.
+    /// Corners in the order of the winding as the antenna sees it.
     pub(crate) corners: [DVec2; 3],
-    /// How far off the corners may be.
+    /// Greatest error of the corners' coordinates.
     pub(crate) slack: f64,
     pub(crate) low: DVec2,
     pub(crate) high: DVec2,
@@ -50,7 +50,7 @@ pub(crate) struct Extent {
 const NEAREST_OF_FARTHEST: f64 = 1e-3;
 
 impl Prospect {
-    /// Of all facets of a direct view; `None` where the antenna stands among them.
+    /// Prospect of all facets of a direct view; `None` where the antenna stands among them.
     pub(crate) fn of_all(view: &View) -> Option<Self> {
         let seen = |(index, facet): (usize, &FacetGeometry)| {
             let (seen, _) = seen_side(facet, view.antenna, view.tolerance_m())?;
@@ -67,7 +67,7 @@ impl Prospect {
 }
 
 impl Outlook {
-    /// Onto what lies between two corners of a box.
+    /// Outlook onto what lies between two corners of a box.
     pub(crate) fn onto([low, high]: [DVec3; 2], antenna: Antenna) -> Option<Self> {
         let forward = -antenna.towards(0.5 * low + 0.5 * high).try_normalize()?;
         let right = forward.any_orthonormal_vector();
@@ -104,7 +104,7 @@ impl Outlook {
 }
 
 impl Extent {
-    /// Widened by what is rounding.
+    /// Extent of these corners, widened by what is rounding.
     fn around(corners: [(DVec2, f64); 3], view: &View) -> Self {
         let [(a, da), (b, db), (c, dc)] = corners;
         let (near_m, far_m) = (da.min(db).min(dc), da.max(db).max(dc));
@@ -117,7 +117,7 @@ impl Extent {
         Self { corners: [a, b, c], slack, low, high, near_m: near_m - slack_m, far_m: far_m + slack_m }
     }
 
-    /// In units of cells from an origin on.
+    /// Corners in units of cells from an origin on.
     pub(crate) fn in_cells(&self, origin: DVec2, cell: f64) -> Self {
         let scaled = |x: DVec2| (x - origin) / cell;
         let corners = self.corners.map(scaled);

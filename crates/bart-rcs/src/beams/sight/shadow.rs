@@ -1,4 +1,4 @@
-//! What one facet hides from an antenna: the part of its cone that lies behind it.
+//! Shadow of a facet: the part of its cone, as the antenna sees it, that lies behind it.
 //!
 //! A point y is hidden by facet O from antenna p when y lies inside the three planes through p and O's edges,
 //! and behind O. Where O and the target pass through each other, one more plane through p parts them
@@ -24,13 +24,13 @@ pub(crate) struct Shadow {
     pub(crate) facet: u32,
     /// The side that the antenna sees.
     pub(crate) seen: Seen,
-    /// Through the antenna and each edge, in the winding as the antenna sees it; positive inside.
+    /// Planes through the antenna and each edge, in the winding as the antenna sees it; positive inside.
     pub(crate) edges: [Plane; 3],
     /// The facet's own plane, positive towards the antenna.
     pub(crate) front: Plane,
     /// Positive where the facet is met beyond the mirror; `None` where all of it is beyond.
     pub(crate) beyond_mirror: Option<Plane>,
-    /// How much of the view the facet takes, for sorting only.
+    /// Share of the view that the facet takes, for sorting only.
     pub(crate) apparent_size: f64,
 }
 
@@ -39,30 +39,30 @@ pub(crate) struct Shadow {
 pub(crate) enum Seen {
     /// The winding is counter-clockwise.
     Front,
-    /// It is clockwise.
+    /// The winding is clockwise.
     Back,
 }
 
-/// What of a target a facet may hide.
+/// Part of a target that a facet may hide.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Hides {
-    /// Nothing: it lies behind, or is the one of two coincident facets that yields.
+    /// Nothing: the facet lies behind the target, or is the one of two coincident facets that yields.
     Nothing,
     /// Whatever lies in its cone.
     AllInItsCone,
-    /// What lies in its cone and on the positive side of a plane through the antenna: the facets pass through
-    /// each other.
+    /// Whatever lies in its cone and on the positive side of a plane through the antenna: the facets pass
+    /// through each other.
     InItsConeAnd(Plane),
 }
 
-/// Where a polygon lies in a shadow.
+/// Place of a polygon relative to a shadow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Cover {
-    /// Outside.
+    /// Outside the shadow.
     Apart,
-    /// Some of it may be inside.
+    /// Part of it may be inside.
     Partial,
-    /// Inside.
+    /// Inside the shadow.
     Whole,
 }
 
@@ -95,12 +95,12 @@ impl Shadow {
         [0, 1, 2].map(|i| Corner { point_m: points[i], edge: self.edges[i], border: border(order[i]) })
     }
 
-    /// What this facet may hide of another; a sheet that waves are followed through hides nothing.
+    /// Part of another facet that this one may hide; a sheet that waves are followed through hides nothing.
     pub(crate) fn hides(&self, target: &Self, view: &View) -> Hides {
         if view.world.is_passed(self.facet) { Hides::Nothing } else { self.stands_before(target, view) }
     }
 
-    /// What of another facet this one stands before.
+    /// Part of another facet that this one stands before.
     pub(crate) fn stands_before(&self, target: &Self, view: &View) -> Hides {
         let [own, other] = [self, target].map(|shadow| (&shadow.front, view.world.facet(shadow.facet)));
         match depth_order(own, other, view.antenna, view.tolerance_m()) {
@@ -112,7 +112,7 @@ impl Shadow {
         }
     }
 
-    /// Where a polygon of the target lies.
+    /// Place of a polygon of the target relative to the part that is hidden.
     pub(crate) fn cover(&self, hides: Hides, polygon: &[Corner], tolerance_m: f64) -> Cover {
         let mut cover = Cover::Whole;
         for plane in &self.edges {
@@ -136,8 +136,8 @@ impl Shadow {
         self.edges.into_iter().chain(self.beyond_mirror).chain(behind)
     }
 
-    /// Of coincident facets one is lit: the one whose front is seen where only fronts scatter, else the
-    /// first.
+    /// Whether this one of coincident facets is lit: the one whose front is seen where only fronts scatter,
+    /// else the first.
     fn is_before(&self, other: &Self, sides: Sides) -> bool {
         let key = |shadow: &Self| ((sides == Sides::One).then_some(shadow.seen), shadow.facet);
         key(self) < key(other)
@@ -145,7 +145,7 @@ impl Shadow {
 }
 
 impl Cover {
-    /// What is left of a cover on the positive side of one more plane.
+    /// The cover that is left on the positive side of one more plane.
     #[inline]
     pub(crate) fn and(self, plane: &Plane, polygon: &[Corner], tolerance_m: f64) -> Self {
         let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -175,7 +175,8 @@ pub(crate) fn seen_side(facet: &FacetGeometry, antenna: Antenna, tolerance_m: f6
     }
 }
 
-/// `None` where nothing of the facet is beyond the mirror, `Some(None)` where everything is.
+/// Plane that parts a facet at the mirror: `None` where nothing of it is beyond the mirror,
+/// `Some(None)` where everything is.
 #[expect(
     clippy::option_option,
     reason = "the outer says whether there is a shadow, the inner whether the mirror cuts it"

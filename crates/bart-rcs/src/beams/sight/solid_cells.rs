@@ -22,16 +22,16 @@ use glam::DVec2;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// How far away in each cell begins what cannot be seen.
+/// Depth in each cell beyond which nothing can be seen.
 pub(crate) struct SolidCells {
     columns: usize,
-    /// Row by row; infinite where the cell is not known to be filled.
+    /// Depths row by row; infinite where the cell is not known to be filled.
     depth_m: Vec<f64>,
     gap_m: f64,
 }
 
-/// Of five vehicles of 14,000 to 79,000 triangles first orders were fastest with a quarter to one: larger
-/// cells are filled less often, smaller ones are too many.
+/// Cells for each facet: for five vehicles of 14,000 to 79,000 triangles first orders were fastest with
+/// a quarter to one: larger cells are filled less often, smaller ones are too many.
 const CELLS_PER_FACET: f64 = 0.5;
 /// Cells per facet that are looked at at most; else they are made larger.
 const LOOKS_PER_FACET: usize = 64;
@@ -47,7 +47,7 @@ const GAP: f64 = 1e6;
 /// No facet.
 const NONE: u32 = u32::MAX;
 
-/// What of a prospect may be seen, in its order.
+/// Sights of a prospect that may be seen, in its order.
 pub(crate) fn visible(prospect: &Prospect, view: &View) -> Vec<Sight> {
     let Some((origin, cell, size)) = cells_for(&prospect.sights) else { return prospect.sights.clone() };
     let outline = |sight: &Sight| Outline::of(sight, &prospect.outlook, view, origin, cell);
@@ -57,7 +57,8 @@ pub(crate) fn visible(prospect: &Prospect, view: &View) -> Vec<Sight> {
     seen.map(|(sight, _)| *sight).collect()
 }
 
-/// Where cells begin, their size, and their columns and rows; `None` where rounding is not far below a cell.
+/// Origin of the cells, their size, and their columns and rows; `None` where rounding is not far below
+/// a cell.
 fn cells_for(sights: &[Sight]) -> Option<(DVec2, f64, [usize; 2])> {
     let (low, high) = across(sights.iter().map(|sight| &sight.extent))?;
     let span = (high - low).max(DVec2::splat((high - low).max_element() * 1e-6));
@@ -107,10 +108,10 @@ impl SolidCells {
     }
 }
 
-/// How facets that hide go on beyond their sides.
+/// Neighbours of facets that hide, beyond their sides.
 struct Surfaces {
-    /// By sight: the one beyond each of its sides, in the order of its corners, or [`NONE`]; `None` for what
-    /// waves pass through.
+    /// Sights beyond each side of a sight, in the order of its corners, or [`NONE`]; `None` for what waves
+    /// pass through.
     beyond: Vec<Option<[u32; 3]>>,
 }
 

@@ -1,4 +1,4 @@
-//! Where one looks from, through which hole, and by which rules.
+//! View of a world: from which point, through which hole, and by which rules.
 
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
@@ -11,9 +11,9 @@ use glam::DVec3;
 /// A world as an antenna or its image sees it.
 #[derive(Clone)]
 pub(crate) struct View<'w> {
-    /// What is looked at.
+    /// World that is looked at.
     pub(crate) world: &'w World,
-    /// Which sides of a facet scatter.
+    /// Sides of a facet that scatter.
     pub(crate) sides: Sides,
     /// The antenna or its image.
     pub(crate) antenna: Antenna,
@@ -31,17 +31,17 @@ pub(crate) struct View<'w> {
 pub(crate) struct Mirror<'w> {
     /// The facet.
     pub(crate) facet: &'w FacetGeometry,
-    /// Its plane, positive on the lit side.
+    /// Plane of the facet, positive on the lit side.
     pub(crate) front: Plane,
 }
 
 impl<'w> View<'w> {
-    /// Straight from the antenna, all round.
+    /// View straight from the antenna, all round.
     pub(crate) fn direct(world: &'w World, sides: Sides, antenna: Antenna) -> Self {
         Self { world, sides, antenna, mirror: None, window: Vec::new(), opening_m: &[] }
     }
 
-    /// From the antenna's image through a lit polygon; the planes of its edges hold the antenna.
+    /// View from the antenna's image through a lit polygon; the planes of its edges hold the antenna.
     pub(crate) fn reflected(
         world: &'w World,
         sides: Sides,

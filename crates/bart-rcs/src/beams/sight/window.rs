@@ -1,4 +1,4 @@
-//! What the window of a view leaves of a facet.
+//! Clipping of a facet to the window of a view.
 
 use crate::beams::sight::shadow::{Seen, Shadow};
 use crate::beams::sight::view::View;

@@ -14,7 +14,7 @@ pub(crate) struct CellRoom {
 }
 
 impl CellRoom {
-    /// What a limit leaves beside `held_bytes`.
+    /// Room that a limit leaves beside `held_bytes`.
     pub(crate) fn beside(held_bytes: usize, limit: MemoryLimit, bytes_per_cell: usize) -> Self {
         let limit = limit.shared(held_bytes as u64, 1);
         Self { limit, bytes_per_cell: bytes_per_cell as u64, taken: AtomicU64::new(0) }

@@ -24,7 +24,7 @@ use rayon::prelude::*;
 pub(crate) struct Cell {
     pub(crate) order: u8,
     pub(crate) facets: [Facet; MAX_ORDER],
-    /// From the transmitter, from the receiver; world metres at the world's instant.
+    /// Apparent points from the transmitter and from the receiver; world metres at the world's instant.
     pub(crate) apparent_m: [DVec3; 2],
     pub(crate) motion: [Motion; 2],
     /// `a` of a path record at each wavenumber.
@@ -34,19 +34,19 @@ pub(crate) struct Cell {
     pub(crate) error_m: f64,
 }
 
-/// Of a cell with its amplitudes at three frequencies where it is made, in the list of all, and as the path
-/// that it becomes.
+/// Bytes of a cell with its amplitudes at three frequencies where it is made, in the list of all, and
+/// as the path that it becomes.
 pub(crate) const BYTES_PER_CELL: usize =
     2 * (size_of::<Cell>() + 3 * size_of::<Amplitude>()) + size_of::<artifact::paths::Path>();
 
-/// How fine cells are and how exactly they are integrated.
+/// Size of cells, and how exactly they are integrated.
 #[derive(Clone, Copy)]
 pub(crate) struct CellSettings<'a> {
     pub(crate) size_m: f64,
     /// Apparent points whose velocities differ by less may share a cell.
     pub(crate) velocity_quantum_mps: f64,
     pub(crate) wavenumbers_per_m: &'a [f64],
-    /// Of every integral, by the body that it is taken on.
+    /// Accuracy of every integral, by the body that it is taken on.
     pub(crate) accuracy_of_body: &'a [f64],
     pub(crate) bracket: Bracket,
     /// No more cells are made than it has a place for.
@@ -103,7 +103,7 @@ fn cells_of(
     cells
 }
 
-/// The way back.
+/// The cell of the way back.
 pub(crate) fn reversed(cell: &Cell) -> Cell {
     let mut facets = cell.facets;
     facets[..usize::from(cell.order)].reverse();
@@ -121,14 +121,14 @@ pub(crate) fn facets_of(scatterer: &Scatterer<'_>, forward: u32, backward: u32) 
     sequence(scatterer, forward, backward).into_iter().map(|facet| scatterer.world.facet(facet).id).collect()
 }
 
-/// As a path record holds them.
+/// Facets as a path record holds them.
 pub(crate) fn padded(facets: &[Facet]) -> [Facet; MAX_ORDER] {
     let mut all = [Facet::default(); MAX_ORDER];
     all.iter_mut().zip(facets).for_each(|(place, facet)| *place = *facet);
     all
 }
 
-/// Of the apparent points.
+/// Motions of the apparent points.
 pub(crate) fn motions(scatterer: &Scatterer<'_>, forward: u32, backward: u32) -> [Motion; 2] {
     let world = scatterer.world;
     let of_node = world.motion(scatterer.trees.transmit().beams[forward as usize].facet);
@@ -170,7 +170,7 @@ fn cut_along(polygon: Vec<DVec2>, axis: DVec2, size_m: f64) -> Vec<Vec<DVec2>> {
     strips
 }
 
-/// What cells must have in common to be gathered.
+/// Key that cells must have in common to be gathered.
 type Key = (u8, [u32; MAX_ORDER], [[i64; 3]; 4]);
 
 /// Cubes are counted from the antennas, so that a scene moved as a whole keeps its cells.

@@ -1,4 +1,4 @@
-//! What leaving out the ways between bodies costs: two bounces on two bodies, added up beside what was
+//! Error of leaving out the ways between bodies: two bounces on two bodies, added up beside what was
 //! traced.
 
 use crate::bodies::world::World;
@@ -11,7 +11,7 @@ use crate::joins::scatterer::{Scatterer, sequence};
 use crate::oversight::error::BartError;
 use crate::oversight::progress::Phase;
 
-/// What one body throws on another comes off its panels.
+/// Settings of these ways: what one body throws on another comes off its panels.
 const WAYS: LeftOutWays = LeftOutWays { bounces: 2, mirror_wavelengths: 10.0 };
 
 /// ‖S between bodies‖ over ‖S‖ at the moment and the place of the check, with the margin of the measurement.

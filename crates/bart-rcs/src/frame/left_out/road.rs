@@ -1,4 +1,4 @@
-//! What leaving the road out costs: the ways by a road, added up beside what was traced without.
+//! Error of leaving the road out: the ways by a road, added up beside what was traced without.
 
 use crate::beams::image_tree::{Received, origin};
 use crate::bodies::road::{Half, half_of, usual_road};

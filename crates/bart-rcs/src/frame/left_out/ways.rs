@@ -13,10 +13,10 @@ use crate::oversight::error::BartError;
 use crate::table::joint_sum::sum_of_joints;
 use artifact::settings::NodeRule;
 
-/// Of every integral: the figure is told to a few decibels.
+/// Accuracy of every integral: the figure is told to a few decibels.
 const ACCURACY: f64 = 0.25;
 
-/// Which orders are added up by the middle rule, and how far their mirrors are followed.
+/// Orders that are added up by the middle rule, and the reach of their mirrors.
 pub(crate) struct LeftOutWays {
     /// Orders that are added up.
     pub(crate) bounces: u8,

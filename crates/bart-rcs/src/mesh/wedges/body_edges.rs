@@ -31,7 +31,7 @@ pub(crate) struct BodyEdge {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct EdgeSide {
     pub(crate) triangle: u32,
-    /// From this corner to the next.
+    /// Corner that the side begins at; it runs to the next.
     pub(crate) side: u8,
     pub(crate) patch: u32,
 }
@@ -39,7 +39,7 @@ pub(crate) struct EdgeSide {
 /// Triangles in one plane that hang together.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Patch {
-    /// Where currents on it end, in no order: its outline but for where a smooth skin goes on.
+    /// Ends of currents on the patch, in no order: its outline but for where a smooth skin goes on.
     pub(crate) ends: Vec<PatchEnd>,
 }
 
@@ -47,7 +47,7 @@ pub(crate) struct Patch {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PatchEnd {
     pub(crate) ends_m: [DVec3; 2],
-    /// In [`BodyEdges::edges`]; `None` for a wall that stands on the patch.
+    /// Index in [`BodyEdges::edges`]; `None` for a wall that stands on the patch.
     pub(crate) edge: Option<u32>,
 }
 
@@ -108,7 +108,7 @@ impl Bend {
         Some(Self { edge, blades, turn_rad: gap_rad - PI })
     }
 
-    /// The same two patches: pieces of one edge.
+    /// Whether another bend is between the same two patches: a piece of one edge.
     fn is_of_the_edge(&self, other: &Self) -> bool {
         self.edge.patches == other.edge.patches
             || self.edge.patches == [other.edge.patches[1], other.edge.patches[0]]
@@ -141,13 +141,13 @@ fn is_curve(bend: &Bend, bends: &[Bend], by_patch: &[Vec<u32>], corner_normals: 
     }
 }
 
-/// What the normals that a file stores say of a bend.
+/// Answer of the normals that a file stores about a bend.
 enum Shading {
     /// Both facets have the same normals at their common line: a curve.
     Smooth,
-    /// They differ, though a facet bends with its normals elsewhere: an edge in a curved skin.
+    /// The normals differ, though a facet bends with its normals elsewhere: an edge in a curved skin.
     Creased,
-    /// There are none, or only the facets' own, which tell nothing of what the facets stand for.
+    /// The file has no normals, or only the facets' own, which tell nothing of what the facets stand for.
     Flat,
 }
 
@@ -209,7 +209,7 @@ fn merged(mut pieces: Vec<BodyEdge>, tolerance_m: f64) -> Vec<BodyEdge> {
     edges
 }
 
-/// Both ways along an edge are the same edge.
+/// Turns an edge forwards: both ways along it are the same edge.
 fn turn_forwards(edge: &mut BodyEdge) {
     let Wedge { along, inward: [x1, x2], normal: [n1, n2], exterior } = edge.wedge;
     if along.dot(FORWARDS) < 0.0 {

@@ -1,4 +1,4 @@
-//! How far a face goes: from a point of an edge along its plane to where its currents end.
+//! Extent of a face: from a point of an edge along its plane to where its currents end.
 
 use crate::mesh::wedges::body_edges::PatchEnd;
 use glam::{DVec2, DVec3};
@@ -9,17 +9,17 @@ pub(crate) struct FaceEnds {
     ends: Vec<([DVec2; 2], Option<u32>)>,
 }
 
-/// Where a ray along a face meets its end.
+/// Meeting of a ray along a face with its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Met {
-    /// Along the ray.
+    /// Distance along the ray.
     pub(crate) way_m: f64,
     /// The edge there; `None` at a wall.
     pub(crate) edge: Option<u32>,
 }
 
 impl FaceEnds {
-    /// Seen from the edge that begins at `from_m` and runs along `along`; its own line is no end.
+    /// Ends seen from the edge that begins at `from_m` and runs along `along`; its own line is no end.
     pub(crate) fn seen_from(from_m: DVec3, along: DVec3, inward: DVec3, ends: &[PatchEnd]) -> Self {
         let place = |x: &DVec3| DVec2::new((*x - from_m).dot(inward), (*x - from_m).dot(along));
         let extent_m = ends.iter().flat_map(|end| end.ends_m).map(|x| x.distance(from_m)).fold(0.0, f64::max);
@@ -44,8 +44,8 @@ impl FaceEnds {
         self.ends.iter().filter_map(meets).reduce(nearer)
     }
 
-    /// Where along the edge rays in `direction` change from one end to another: the ends' corners, within
-    /// `span_m`.
+    /// Places along the edge where rays in `direction` change from one end to another: the ends' corners,
+    /// within `span_m`.
     pub(crate) fn changes_m(&self, direction: DVec2, span_m: [f64; 2]) -> Vec<f64> {
         let corners = self.ends.iter().flat_map(|(end, _)| end).filter(|corner| corner.x > 0.0);
         let mut changes: Vec<f64> =

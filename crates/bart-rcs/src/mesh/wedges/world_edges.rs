@@ -9,7 +9,7 @@ use glam::{DMat3, DVec2, DVec3};
 pub(crate) struct WorldEdges {
     pub(crate) edges: Vec<EdgeGeometry>,
     patches: Vec<Patch>,
-    /// By facet: where its list of sides begins and ends.
+    /// Beginning and end of each facet's list of sides.
     first_side: Vec<u32>,
     /// (facet, side, edge), by facet.
     sides: Vec<FacetSide>,
@@ -21,7 +21,7 @@ pub(crate) struct EdgeGeometry {
     pub(crate) from_m: DVec3,
     pub(crate) length_m: f64,
     pub(crate) wedge: Wedge,
-    /// Of face 1 and face 2.
+    /// Patches of face 1 and face 2.
     patches: [u32; 2],
 }
 
@@ -29,7 +29,7 @@ pub(crate) struct EdgeGeometry {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct FacetSide {
     facet: u32,
-    /// From this corner to the next.
+    /// Corner that the side begins at; it runs to the next.
     pub(crate) side: u8,
     pub(crate) edge: u32,
 }
@@ -41,7 +41,7 @@ impl EdgeGeometry {
     }
 }
 
-/// Where a body stands.
+/// Place of a body.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Placed {
     pub(crate) world_from_body: DMat3,
@@ -54,7 +54,7 @@ impl WorldEdges {
         Self { edges: Vec::new(), patches: Vec::new(), first_side: vec![0; facets + 1], sides: Vec::new() }
     }
 
-    /// Appends a body's; its facets come after those of the bodies before.
+    /// Appends the edges of a body; its facets come after those of the bodies before.
     ///
     /// The wedge beside a side narrower than `thin_m` is the open edge of its other face
     /// ([`seen_from_afar`]).
@@ -87,7 +87,7 @@ impl WorldEdges {
         }
     }
 
-    /// Where currents end on face 0 or 1 of an edge.
+    /// Ends of the currents on face 0 or 1 of an edge.
     pub(crate) fn ends_of_face(&self, edge: &EdgeGeometry, face: usize) -> &[PatchEnd] {
         &self.patches[edge.patches[face] as usize].ends
     }
