@@ -3,7 +3,7 @@ use artifact::dataset::Split;
 use artifact::settings::Class;
 use std::path::PathBuf;
 
-/// What can be wrong with crops, settings, a dataset or a model.
+/// Faults of crops, settings, a dataset or a model.
 #[derive(Debug, thiserror::Error)]
 pub enum ClassifierError {
     /// A dataset or model file broke a rule, or the system refused.
@@ -12,7 +12,7 @@ pub enum ClassifierError {
     /// A crop is not as large as its format says.
     #[error("crop {index} has {found} pixels, its format says {side} x {side}")]
     CropPixels {
-        /// Of the crop among those handed in.
+        /// Index of the crop among those handed in.
         index: usize,
         /// Pixels it has.
         found: usize,
@@ -22,7 +22,7 @@ pub enum ClassifierError {
     /// A dataset without images, where the network needs them.
     #[error("sample {index} has no crop: its dataset was made with `crops = false`")]
     NoCrop {
-        /// Of the sample among those handed in.
+        /// Index of the sample among those handed in.
         index: usize,
     },
     /// A setting is outside its range.
@@ -32,7 +32,7 @@ pub enum ClassifierError {
         setting: &'static str,
         /// The range.
         rule: &'static str,
-        /// As given.
+        /// Value as given.
         found: f64,
     },
     /// Shards of a dataset that do not belong together.
@@ -40,7 +40,7 @@ pub enum ClassifierError {
     ShardFormat {
         /// The one that differs.
         shard: PathBuf,
-        /// That it is compared with.
+        /// Shard that it is compared with.
         first: PathBuf,
     },
     /// Samples of one scene look alike: a split goes by scene, or the test knows its answers.
@@ -53,21 +53,21 @@ pub enum ClassifierError {
         /// Another one.
         second: Split,
     },
-    /// The same sample came twice.
+    /// A sample came twice.
     #[error("sample `{0}` is there twice")]
     SampleTwice(String),
-    /// The same image in two splits: a scene was made twice, or a file was copied.
+    /// An image is in two splits: a scene was made twice, or a file was copied.
     #[error("samples `{first}` and `{second}` show the same pixels in different splits")]
     CropInTwoSplits {
         /// Sample that came first.
         first: String,
-        /// Its copy.
+        /// Copy of it.
         second: String,
     },
     /// A model of another layout than this program builds.
     #[error("the model's network is `{found}`, this program builds `{known}`")]
     Architecture {
-        /// In the model.
+        /// Layout in the model.
         found: String,
         /// Known here.
         known: &'static str,
@@ -75,13 +75,13 @@ pub enum ClassifierError {
     /// A model with other classes, or in another order.
     #[error("the model answers {found:?}, this program knows {:?}", Class::ALL)]
     Classes {
-        /// In the model.
+        /// Classes in the model.
         found: Vec<Class>,
     },
-    /// Not three numbers of channels, each from 1 to the limit.
+    /// The header has not three numbers of channels, each from 1 to the limit.
     #[error("the model has channels {found:?}, needed are three numbers from 1 to {limit}")]
     Channels {
-        /// In the model.
+        /// Channels in the model.
         found: Vec<u32>,
         /// Largest number of channels.
         limit: u32,
@@ -100,9 +100,9 @@ pub enum ClassifierError {
     TensorShape {
         /// Name of the tensor.
         name: String,
-        /// In the weights.
+        /// Shape in the weights.
         found: Vec<usize>,
-        /// From the header.
+        /// Shape by the header.
         expected: Vec<usize>,
     },
     /// A tensor of another type than 32-bit floats.
@@ -110,7 +110,7 @@ pub enum ClassifierError {
     TensorType {
         /// Name of the tensor.
         name: String,
-        /// In the weights.
+        /// Type in the weights.
         found: safetensors::Dtype,
     },
     /// A parameter that no training gives: not finite, or a negative variance.
@@ -118,12 +118,12 @@ pub enum ClassifierError {
     TensorValue {
         /// Name of the tensor.
         name: String,
-        /// Of the element, row-major.
+        /// Index of the element, row-major.
         index: usize,
-        /// As found.
+        /// Value as found.
         value: f32,
     },
-    /// Nothing to learn a class from.
+    /// No example shows a class: there is nothing to learn it from.
     #[error("no sample of a {} to learn from", class.name())]
     MissingClass {
         /// The class.
@@ -135,23 +135,23 @@ pub enum ClassifierError {
     /// Trees that ask for a feature that this program does not make, or that are not in its order.
     #[error("the model asks for the feature `{found}` where this program makes `{known}`")]
     Feature {
-        /// In the model.
+        /// Feature in the model.
         found: String,
-        /// Here.
+        /// Feature here.
         known: String,
     },
     /// A tree that leads nowhere.
     #[error("tree {tree} breaks a rule: {rule}")]
     Tree {
-        /// Its number.
+        /// Number of the tree.
         tree: usize,
-        /// What trees have.
+        /// Rule of all trees.
         rule: &'static str,
     },
     /// The artifact holds no weights, or more than one set.
     #[error("the model holds {found} sets of weights, needed is one")]
     WeightSets {
-        /// In the artifact.
+        /// Sets in the artifact.
         found: u64,
     },
 }

@@ -1,4 +1,4 @@
-//! How good answers are.
+//! Measures of how good answers are.
 
 pub(crate) mod split; // which scenes train, validate, test
 pub(crate) mod metrics; // accuracy, confusion, log loss, reliability

@@ -1,4 +1,4 @@
-//! What of a signature tells the class.
+//! Features of a signature, which tell the class.
 
 pub(crate) mod profile; // its visible cells
 pub(crate) mod feature; // names and numbers

@@ -1,4 +1,4 @@
-//! What classifying promises, of the project's own model.
+//! Promises of classifying, of the project's own model.
 #![allow(
     clippy::unwrap_used,
     reason = "a test fails by panicking; clippy knows only functions marked as tests"

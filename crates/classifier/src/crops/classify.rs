@@ -42,7 +42,7 @@ impl Classifier {
         Ok(Self { layout, network: Network::new(&layout, parameters)? })
     }
 
-    /// What it expects.
+    /// Layout that the network expects.
     pub fn layout(&self) -> &Layout {
         &self.layout
     }
@@ -70,7 +70,8 @@ fn check_pixels(crop: &Crop, layout: &Layout, index: usize) -> Result<(), Classi
     }
 }
 
-/// e^l / Σ e^l in double precision, the largest logit taken off first so that nothing overflows.
+/// Softmax e^l / Σ e^l in double precision, the largest logit taken off first so that nothing
+/// overflows.
 pub(crate) fn softmax(logits: Logits) -> [f64; 4] {
     let largest = logits.into_iter().fold(f32::NEG_INFINITY, f32::max);
     let powers = logits.map(|l| (f64::from(l) - f64::from(largest)).exp());

@@ -18,17 +18,17 @@ const CHANNELS_LIMIT: u32 = 512;
 const SMALLEST_INPUT_SIDE: u32 = 8;
 /// Largest side of the input: bounds what a header can make this program allocate.
 const LARGEST_INPUT_SIDE: u32 = 1024;
-/// Of every convolution, pixels.
+/// Side of every convolution, pixels.
 pub(crate) const KERNEL_SIDE: usize = 3;
 
 /// A checked shape of the network.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Layout {
-    /// Of crops as they come, pixels.
+    /// Side of crops as they come, pixels.
     pub crop_side: usize,
-    /// That they are pooled to.
+    /// Side that crops are pooled to.
     pub input_side: usize,
-    /// Of the three convolutions.
+    /// Channels of the three convolutions.
     pub channels: [usize; 3],
 }
 
@@ -80,7 +80,7 @@ impl Layout {
     }
 }
 
-/// The four, in their order.
+/// Refuses a model whose classes are not the four in their order.
 pub(crate) fn check_classes(header: &ModelHeader) -> Result<(), ClassifierError> {
     if header.classes == Class::ALL {
         Ok(())

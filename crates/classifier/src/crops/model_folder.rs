@@ -13,7 +13,7 @@ pub const METRICS_FILE: &str = "metrics.json";
 /// Name of the training curves in a model folder.
 pub const CURVES_FILE: &str = "curves.csv";
 
-/// All files of a model folder.
+/// Names of all files of a model folder.
 pub const MODEL_FILES: [&str; 3] = [METRICS_FILE, CURVES_FILE, WEIGHTS_FILE];
 
 /// Reads a model from its folder or from the artifact itself.

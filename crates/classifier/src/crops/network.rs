@@ -22,7 +22,7 @@ pub const VARIANCE_FLOOR: f32 = 1e-5;
 pub(crate) struct Network {
     input_side: usize,
     blocks: Vec<Block>,
-    /// `[in, class]`.
+    /// Weights of the last layer, `[in, class]`.
     linear: Vec<f32>,
     linear_bias: Vec<f32>,
 }
@@ -30,7 +30,7 @@ pub(crate) struct Network {
 /// A convolution that keeps the side, its batch normalization in it, and the halving behind it.
 #[derive(Debug)]
 struct Block {
-    /// `[out, in, row, column]`.
+    /// Weights `[out, in, row, column]`.
     weights: Vec<f32>,
     bias: Vec<f32>,
     inputs: usize,
@@ -43,7 +43,7 @@ struct Maps {
 }
 
 impl Network {
-    /// Refused where a tensor is missing.
+    /// Network with these parameters; refused where a tensor is missing.
     pub(crate) fn new(layout: &Layout, parameters: &Parameters) -> Result<Self, ClassifierError> {
         let blocks = (0..layout.channels.len()).map(|index| Block::new(index, parameters));
         Ok(Self {
@@ -54,7 +54,7 @@ impl Network {
         })
     }
 
-    /// Of grey levels `[input_side, input_side]`.
+    /// Logits of grey levels `[input_side, input_side]`.
     pub(crate) fn logits(&self, pooled: &[u8]) -> Logits {
         let levels = pooled.iter().map(|level| f32::from(*level) / 255.0).collect();
         let input = Maps { side: self.input_side, levels };
@@ -99,7 +99,7 @@ impl Block {
 }
 
 impl Maps {
-    /// With a frame of zeros one pixel wide around each channel.
+    /// The maps with a frame of zeros one pixel wide around each channel.
     fn framed(&self, channels: usize) -> Self {
         let side = self.side + KERNEL_SIDE - 1;
         let mut levels = vec![0.0; channels * side * side];

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 pub struct Values {
     /// Sides, the slowest first.
     pub shape: Vec<usize>,
-    /// As many as the product of the sides.
+    /// Numbers of the tensor, as many as the product of the sides.
     pub values: Vec<f32>,
 }
 
@@ -20,7 +20,7 @@ pub struct Values {
 pub struct Parameters(BTreeMap<String, Values>);
 
 impl Parameters {
-    /// From tensors of the names and shapes of [`Layout::tensors`].
+    /// Parameters from tensors of the names and shapes of [`Layout::tensors`].
     pub fn new(tensors: BTreeMap<String, Values>) -> Self {
         Self(tensors)
     }
@@ -64,7 +64,7 @@ impl Parameters {
         self.0.get(name).ok_or_else(|| ClassifierError::TensorMissing(name.to_owned()))
     }
 
-    /// The same with every number of some tensors replaced.
+    /// The parameters with every number of some tensors replaced.
     pub fn changed(mut self, names: &[&str], change: impl Fn(f32) -> f32) -> Self {
         for (_, tensor) in self.0.iter_mut().filter(|(name, _)| names.contains(&name.as_str())) {
             tensor.values.iter_mut().for_each(|value| *value = change(*value));
@@ -72,7 +72,7 @@ impl Parameters {
         self
     }
 
-    /// How many numbers are fitted or kept.
+    /// Number of values that are fitted or kept.
     pub fn count(&self) -> u64 {
         self.0.values().map(|t| t.values.len() as u64).sum()
     }

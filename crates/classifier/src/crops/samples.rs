@@ -25,7 +25,7 @@ pub fn format_of(shards: &[PathBuf]) -> Result<Option<CropFormat>, ClassifierErr
     Ok(Some(format))
 }
 
-/// What a shard holds, one by one; the error of one that cannot be opened comes in their place.
+/// Samples of a shard, one by one; the error of one that cannot be opened comes in their place.
 pub fn samples_of(shard: &Path) -> Box<dyn Iterator<Item = Result<Sample, ArtifactError>>> {
     match Reader::<Dataset>::open(shard) {
         Ok(reader) => Box::new(reader),
@@ -87,7 +87,7 @@ impl Examples {
         Self { splits, unlabelled: 0 }
     }
 
-    /// Of all splits, one after the other.
+    /// Examples of all splits, one after the other.
     pub fn all(&self) -> impl Iterator<Item = &Example> {
         self.splits.values().flatten()
     }
@@ -98,11 +98,12 @@ impl Examples {
     }
 }
 
-/// Which scene and which image is in which split, and which samples were there.
+/// Partition of a dataset: which scene and which image is in which split, and which samples were there.
 #[derive(Debug, Default)]
 struct Partition {
     split_of_scene: BTreeMap<u64, Split>,
-    /// By the hash of the pixels: of 10⁵ different images two share one with a probability of 3e-10.
+    /// First sample of each image, by the hash of the pixels: of 10⁵ different images two share one with a
+    /// probability of 3e-10.
     first_of_image: BTreeMap<u64, (Split, String)>,
     ids: BTreeSet<String>,
 }

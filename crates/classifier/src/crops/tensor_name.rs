@@ -1,31 +1,31 @@
 //! Names of tensors in the weights.
 
-/// Of the fully connected layer, `[in, out]`.
+/// Weights of the fully connected layer, `[in, out]`.
 pub const LINEAR_WEIGHT: &str = "linear.weight";
-/// `[out]`.
+/// Bias of the fully connected layer, `[out]`.
 pub const LINEAR_BIAS: &str = "linear.bias";
 
-/// `[out, in, row, column]`, of a block from 0.
+/// Weights of the convolution of a block (from 0), `[out, in, row, column]`.
 pub fn convolution(block: usize) -> String {
     format!("blocks.{block}.convolution.weight")
 }
 
-/// γ of a block's batch normalization.
+/// Scale γ of a block's batch normalization.
 pub fn scale(block: usize) -> String {
     format!("blocks.{block}.normalization.scale")
 }
 
-/// β.
+/// Offset β of a block's batch normalization.
 pub fn offset(block: usize) -> String {
     format!("blocks.{block}.normalization.offset")
 }
 
-/// Of the training crops, as it ran.
+/// Running mean of a block's batch normalization over the training crops.
 pub fn mean(block: usize) -> String {
     format!("blocks.{block}.normalization.running_mean")
 }
 
-/// Likewise.
+/// Running variance of a block's batch normalization over the training crops.
 pub fn variance(block: usize) -> String {
     format!("blocks.{block}.normalization.running_variance")
 }

@@ -1,4 +1,4 @@
-//! How boosted trees learn: each tree takes a step down the log loss of four classes.
+//! Learning of boosted trees: each takes a step down the log loss of four classes.
 //!
 //! Friedman, Greedy Function Approximation (Ann. Statist. 29 (2001) 1189), with second-order steps as Chen &
 //! Guestrin, XGBoost (arXiv:1603.02754), section 2.2: a leaf moves each logit by −G/(H + λ), G and H the sums
@@ -14,7 +14,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-/// How trees are grown.
+/// Settings by which trees are grown.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct BoostingSettings {
     /// Trees at most.
@@ -23,7 +23,7 @@ pub struct BoostingSettings {
     pub depth: u32,
     /// Part of each step that is taken.
     pub learning_rate: f64,
-    /// λ: second derivatives that every leaf has besides its examples'.
+    /// Regularization λ: second derivatives that every leaf has besides its examples'.
     pub shrinkage: f64,
     /// Least sum of an example's weights on either side of a split.
     pub least_weight: f64,
@@ -40,7 +40,7 @@ pub struct Table {
     pub columns: Vec<Vec<f32>>,
     /// Index in [`artifact::settings::Class::ALL`].
     pub classes: Vec<usize>,
-    /// Of each example in the loss.
+    /// Weight of each example in the loss.
     pub weights: Vec<f64>,
 }
 
@@ -106,7 +106,7 @@ fn sorted(column: &[f32]) -> Vec<u32> {
     order
 }
 
-/// Of the weighted log loss of the softmax: p − y and p(1 − p).
+/// Slopes of the weighted log loss of the softmax: p − y and p(1 − p).
 fn slopes(table: &Table, example: usize, logits: &[f64; 4]) -> Slopes {
     let p = softmax(logits.map(|l| l as f32));
     let weight = table.weights[example];
@@ -135,7 +135,7 @@ impl Sums {
         Self { slopes: [difference(0), difference(1)], weight: self.weight - part.weight }
     }
 
-    /// By how much the loss falls at the best step, up to the second order.
+    /// Gain of the best step: by how much the loss falls at it, up to the second order.
     fn gain(&self, shrinkage: f64) -> f64 {
         let [first, second] = &self.slopes;
         first.iter().zip(second).map(|(g, h)| 0.5 * g * g / (h + shrinkage)).sum()
@@ -157,7 +157,7 @@ struct Split {
     threshold: f32,
 }
 
-/// What a tree grows on.
+/// State of a tree that grows.
 struct Growth<'a> {
     table: &'a Table,
     order: &'a [Vec<u32>],
@@ -166,11 +166,11 @@ struct Growth<'a> {
     columns: Vec<usize>,
 }
 
-/// Of an example that is in no open node.
+/// Place of an example that is in no open node.
 const NOWHERE: usize = usize::MAX;
 
 impl Growth<'_> {
-    /// Level by level.
+    /// Grows a tree level by level.
     fn tree(&self, rows: &[bool]) -> Tree {
         let mut place: Vec<usize> = rows.iter().map(|taken| if *taken { 0 } else { NOWHERE }).collect();
         let mut nodes = vec![Node::Leaf(self.sums(&place, 1)[0].step(self.settings))];
@@ -202,7 +202,7 @@ impl Growth<'_> {
         Tree { nodes }
     }
 
-    /// Over the examples of each open node.
+    /// Sums over the examples of each open node.
     fn sums(&self, place: &[usize], open: usize) -> Vec<Sums> {
         let mut sums = vec![Sums::default(); open];
         for (example, node) in place.iter().enumerate().filter(|(_, node)| **node != NOWHERE) {
@@ -211,7 +211,7 @@ impl Growth<'_> {
         sums
     }
 
-    /// Of each open node the best over all features, the first of equal ones.
+    /// Best split of each open node over all features, the first of equal ones.
     fn splits(&self, place: &[usize], totals: &[Sums]) -> Vec<Option<Split>> {
         let of_columns: Vec<Vec<Option<Split>>> =
             self.columns.par_iter().map(|feature| self.splits_by(*feature, place, totals)).collect();
@@ -245,7 +245,7 @@ impl Growth<'_> {
         best
     }
 
-    /// Between two values, if both sides are heavy enough and the loss falls.
+    /// Split between two values, if both sides are heavy enough and the loss falls.
     fn split(&self, below: &Sums, total: &Sums, feature: usize, [low, high]: [f32; 2]) -> Option<Split> {
         let above = total.without(below);
         let least = self.settings.least_weight;
@@ -260,7 +260,7 @@ impl Growth<'_> {
         })
     }
 
-    /// Examples go to the children of their nodes; those of a leaf are done.
+    /// Moves examples to the children of their nodes; those of a leaf are done.
     fn descend(&self, place: &mut [usize], children: &[Option<(Split, usize)>]) {
         for (example, node) in place.iter_mut().enumerate().filter(|(_, node)| **node != NOWHERE) {
             *node = children[*node].map_or(NOWHERE, |(split, first)| {

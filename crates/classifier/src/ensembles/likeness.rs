@@ -1,4 +1,5 @@
-//! How like two sets of sightings are: the area under the curve by which one number would tell them apart.
+//! Likeness of two sets of sightings: the area under the curve by which one number would tell them
+//! apart.
 
 use crate::ensembles::vehicles::Seen;
 use crate::signatures::features::names;
@@ -18,7 +19,8 @@ pub fn area_under_roc(first: &[f32], second: &[f32]) -> Option<f64> {
     (pairs > 0.0).then(|| area.max(1.0 - area))
 }
 
-/// That of a feature, over the sightings of one class; of heights those that arrays with rows tell.
+/// Likeness of two sets by a feature, over the sightings of one class; of heights those that arrays
+/// with rows tell.
 pub fn likeness(feature: &str, class: usize, first: &[&Seen], second: &[&Seen]) -> Option<f64> {
     let column = names().iter().position(|name| *name == feature)?;
     let needs_rows = feature.contains("height");

@@ -37,7 +37,7 @@ impl SignatureClassifier {
         Ok(Self { trees: trees.clone() })
     }
 
-    /// Of a model's folder or file.
+    /// Classifier of a model's folder or file.
     pub fn open(folder_or_file: &Path) -> Result<Self, ClassifierError> {
         let (header, weights) = load_model(folder_or_file)?;
         Self::from_model(&header, &weights)
@@ -48,7 +48,7 @@ impl SignatureClassifier {
         softmax(self.logits(signature)).map(|p| p as f32)
     }
 
-    /// Logarithms of the same, up to a constant.
+    /// Logarithms of the probabilities, up to a constant.
     pub fn logits(&self, signature: &Signature) -> Logits {
         let row: Vec<f32> = features(signature).into_iter().map(|(_, value)| value as f32).collect();
         logits(&self.trees, &row)

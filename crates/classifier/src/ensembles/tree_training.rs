@@ -1,6 +1,6 @@
-//! Trees trained so that what they say of vehicles they never saw is true: vehicles are held out in turn, and
-//! what is told of these chooses the number of trees, the temperature, and how much the frames of a track
-//! have in common.
+//! Training of trees so that what they say of vehicles they never saw is true: vehicles are held out in
+//! turn, and what is told of these chooses the number of trees, the temperature, and how much the
+//! frames of a track have in common.
 
 use crate::crops::network::Logits;
 use crate::crops::samples::Example;
@@ -18,10 +18,10 @@ use artifact::settings::Class;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// How trees are trained.
+/// Settings by which trees are trained.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct TreeSettings {
-    /// How they grow.
+    /// Settings by which they grow.
     pub boosting: BoostingSettings,
     /// Parts into which vehicles are dealt; each is held out once.
     pub folds: usize,
@@ -48,7 +48,7 @@ impl Default for TreeSettings {
 const LEAST_OF_A_LEAF: f64 = 1.0 / 40.0;
 
 impl TreeSettings {
-    /// With leaves that so many sightings can fill.
+    /// Settings with leaves that so many sightings can fill.
     fn for_so_many(&self, sightings: usize) -> Self {
         let least_weight = self.boosting.least_weight.min(LEAST_OF_A_LEAF * sightings as f64);
         Self { boosting: BoostingSettings { least_weight, ..self.boosting }, ..*self }
@@ -58,44 +58,44 @@ impl TreeSettings {
 /// A trained model and how it came about.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TrainedTrees {
-    /// What it looks at and answers.
+    /// Header of the model: what it looks at and what it answers.
     pub header: ModelHeader,
     /// Trees, their temperature among them.
     pub weights: Weights,
     /// Log loss on held-out vehicles after each round.
     pub curve: Vec<f64>,
-    /// How good it is.
+    /// Measures of how good it is.
     pub metrics: TreeMetrics,
-    /// What is told of each sighting by trees that never saw its vehicle, or, of the test split, its scene.
+    /// Logits of each sighting by trees that never saw its vehicle, or, of the test split, its scene.
     pub told: Vec<Logits>,
 }
 
-/// What `metrics.json` holds.
+/// Content of `metrics.json`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TreeMetrics {
     /// Order of rows, columns and probabilities.
     pub classes: [Class; 4],
-    /// Of the training.
+    /// Seed of the training.
     pub seed: u64,
-    /// Trees.
+    /// Number of trees.
     pub rounds: usize,
-    /// What the logits are divided by.
+    /// Temperature: the divisor of the logits.
     pub temperature: f64,
-    /// What the answers of a track's frames have in common.
+    /// Share that the answers of a track's frames have in common.
     pub frame_correlation: f64,
     /// Samples without a class, left out.
     pub unlabelled: u64,
     /// Vehicles that were held out, frame by frame.
     pub unseen_vehicles: Part,
-    /// The same, by track.
+    /// Vehicles that were held out, by track.
     pub unseen_vehicles_by_track: Part,
     /// Scenes of the test split, of vehicles that other scenes showed; `None` without any.
     pub unseen_scenes: Option<Part>,
-    /// The same, by track.
+    /// Scenes of the test split, by track; `None` without any.
     pub unseen_scenes_by_track: Option<Part>,
 }
 
-/// How good answers are.
+/// Measures of how good answers are.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Part {
     /// Mean over classes, with its spread over vehicles.
@@ -156,7 +156,7 @@ fn members(table: &Table, settings: &BoostingSettings, seed: u64, tick: &mut dyn
     all
 }
 
-/// What a training found.
+/// Result of a training.
 struct Fitted<'a> {
     seed: u64,
     temperature: f64,
@@ -205,9 +205,9 @@ fn check_classes(sightings: &Sightings, learned: &[usize]) -> Result<(), Classif
     }
 }
 
-/// What is told of vehicles by trees that never saw them.
+/// Logits of vehicles by trees that never saw them.
 struct HeldOut {
-    /// `[round][sighting]`.
+    /// Logits, `[round][sighting]`.
     logits: Vec<Vec<Logits>>,
     classes: Vec<usize>,
     weights: Vec<f64>,
@@ -260,7 +260,7 @@ fn held_out(
     HeldOut { logits: all, classes: table.classes, weights: table.weights }
 }
 
-/// What the newest tree adds.
+/// Adds what the newest tree tells.
 fn add_last<'f>(trees: &BoostedTrees, sums: &mut [Logits], features: impl Fn(usize) -> &'f [f32]) {
     let Some(tree) = trees.trees.last() else { return };
     for (at, sum) in sums.iter_mut().enumerate() {
@@ -278,7 +278,7 @@ fn fitted_correlation(seen: &[&Seen], logits: &[Logits]) -> f64 {
     steps.min_by(|a, b| loss(*a).total_cmp(&loss(*b))).unwrap_or(1.0)
 }
 
-/// What the frames of one track say together.
+/// Answers of the frames of one track together.
 struct Track<'a> {
     class: usize,
     model: &'a str,
@@ -305,7 +305,7 @@ fn tracks<'a>(seen: &[&'a Seen], logits: &[Logits]) -> Vec<Track<'a>> {
     tracks.into_values().collect()
 }
 
-/// Frame by frame, and by track.
+/// Measures frame by frame, and by track.
 pub fn parts(seen: &[&Seen], logits: &[Logits], correlation: f64) -> [Part; 2] {
     let frames: Vec<(usize, &str)> = seen.iter().map(|s| (s.class, s.model.as_str())).collect();
     let tracks = tracks(seen, logits);

@@ -17,7 +17,7 @@ pub fn logits(trees: &BoostedTrees, features: &[f32]) -> Logits {
     sum.map(|logit| (logit / f64::from(trees.temperature)) as f32)
 }
 
-/// What the leaf says that these features fall into.
+/// Leaf of a tree that these features fall into.
 pub(crate) fn leaf(tree: &Tree, features: &[f32]) -> Logits {
     let mut at = 0;
     loop {

@@ -1,5 +1,5 @@
-//! Samples as sightings of vehicles: features, class, vehicle and track; what weighs how much, and which are
-//! held out together.
+//! Samples as sightings of vehicles: features, class, vehicle and track; what weighs how much, and
+//! which are held out together.
 
 use crate::ensembles::boosting::Table;
 use crate::error::ClassifierError;
@@ -18,15 +18,15 @@ pub type TrackKey = (usize, u64, u32);
 /// One sighting.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Seen {
-    /// In the order of [`crate::feature_names`].
+    /// Features in the order of [`crate::feature_names`].
     pub features: Vec<f32>,
     /// Index in [`Class::ALL`].
     pub class: usize,
     /// Vehicle model.
     pub model: String,
-    /// Whose frames belong together.
+    /// Key of the track whose frames belong together.
     pub track: TrackKey,
-    /// Of its scene.
+    /// Split of its scene.
     pub split: Split,
     /// Whether the array has rows, which tell heights.
     pub has_rows: bool,
@@ -35,7 +35,7 @@ pub struct Seen {
 /// Sightings of one or more datasets.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Sightings {
-    /// In the order in which they came.
+    /// Sightings in the order in which they came.
     pub all: Vec<Seen>,
     /// Samples without a class, left out.
     pub unlabelled: u64,
@@ -76,13 +76,13 @@ impl Sightings {
         (0..self.all.len()).filter(|i| splits.contains(&self.all[*i].split)).collect()
     }
 
-    /// Those themselves.
+    /// Sightings of these numbers.
     pub fn seen(&self, numbers: &[usize]) -> Vec<&Seen> {
         numbers.iter().map(|i| &self.all[*i]).collect()
     }
 
-    /// Those as a table. Every class weighs the same, in a class every vehicle, in a vehicle every sighting;
-    /// the mean is 1.
+    /// Sightings of these numbers as a table. Every class weighs the same, in a class every vehicle, in a
+    /// vehicle every sighting; the mean is 1.
     pub fn table(&self, numbers: &[usize]) -> Table {
         let mut of_model: BTreeMap<(usize, &str), f64> = BTreeMap::new();
         for seen in numbers.iter().map(|i| &self.all[*i]) {

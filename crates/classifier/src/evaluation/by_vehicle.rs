@@ -28,7 +28,7 @@ pub struct ByVehicle {
     pub vehicles: usize,
     /// Answers.
     pub answers: usize,
-    /// Of these answers.
+    /// Mean of the share of right answers over the classes, of these answers.
     pub mean_over_classes: f64,
     /// 95 % interval over vehicles: they are drawn anew, with replacement, in each class.
     pub interval: [f64; 2],
@@ -37,7 +37,7 @@ pub struct ByVehicle {
 /// Right answers and answers of each vehicle, by class.
 type Counts = Vec<Vec<[u64; 2]>>;
 
-/// How often answers are right.
+/// Accuracy of answers over vehicles.
 pub fn by_vehicle<'a>(answers: impl Iterator<Item = Told<'a>>) -> ByVehicle {
     let mut of_vehicle: BTreeMap<(usize, &str), [u64; 2]> = BTreeMap::new();
     for answer in answers {
@@ -57,7 +57,7 @@ pub fn by_vehicle<'a>(answers: impl Iterator<Item = Told<'a>>) -> ByVehicle {
     }
 }
 
-/// Over classes; 0 without any.
+/// Mean over classes; 0 without any.
 fn mean(counts: &Counts) -> f64 {
     let share = |vehicles: &Vec<[u64; 2]>| {
         let sum = |at: usize| vehicles.iter().map(|n| n[at]).sum::<u64>() as f64;

@@ -1,4 +1,4 @@
-//! How good a classifier is on a dataset.
+//! Evaluation of a classifier on a dataset.
 
 use crate::crops::classify::Classifier;
 use crate::crops::samples::Examples;
@@ -8,7 +8,7 @@ use artifact::ArtifactError;
 use artifact::dataset::{Sample, Split};
 use std::collections::BTreeMap;
 
-/// How good a classifier is on each split of these samples; those without a class are left out.
+/// Evaluation of a classifier on each split of these samples; those without a class are left out.
 pub fn evaluate(
     classifier: &Classifier,
     samples: impl Iterator<Item = Result<Sample, ArtifactError>>,
@@ -16,7 +16,7 @@ pub fn evaluate(
     Ok(evaluations(classifier, &Examples::read(samples, classifier.layout())?))
 }
 
-/// The same of examples that were read; a split without any has no evaluation.
+/// Evaluation of a classifier on each split of examples that were read; a split without any has none.
 pub fn evaluations(classifier: &Classifier, examples: &Examples) -> BTreeMap<Split, Evaluation> {
     let splits = [Split::Train, Split::Validation, Split::Test].map(|split| (split, examples.of(split)));
     let of = |(split, examples): (Split, &[_])| (split, evaluation(examples, &classifier.logits(examples)));

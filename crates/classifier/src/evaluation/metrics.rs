@@ -1,4 +1,4 @@
-//! How good a classifier is: accuracy, confusion, log loss and calibration of a set of answers.
+//! Measures of a classifier: accuracy, confusion, log loss and calibration of a set of answers.
 
 use crate::crops::classify::softmax;
 use crate::crops::network::Logits;
@@ -11,7 +11,7 @@ const BINS: usize = 10;
 /// Normal quantile of a two-sided 95 % interval.
 const QUANTILE_95: f64 = 1.959_964;
 
-/// How good the answers to a set of labelled crops are.
+/// Measures of the answers to a set of labelled crops.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Evaluation {
     /// Labelled crops.
@@ -47,7 +47,7 @@ pub struct Calibration {
 pub struct ReliabilityBin {
     /// Probabilities of the bin, from and to.
     pub probability: [f64; 2],
-    /// Answers in it.
+    /// Answers in the bin.
     pub samples: u64,
     /// Mean probability of the answers; `None` without any.
     pub confidence: Option<f64>,
@@ -93,7 +93,7 @@ pub fn accuracy(answers: impl ExactSizeIterator<Item = (usize, Logits)>) -> f64 
     answers.filter(|(class, logits)| likeliest(&logits.map(f64::from)) == *class).count() as f64 / count
 }
 
-/// ln of the softmax, without the underflow of taking the logarithm behind it.
+/// Logarithm of the softmax, without the underflow of taking it behind.
 pub fn log_softmax(logits: [f64; 4]) -> [f64; 4] {
     let largest = logits.into_iter().fold(f64::NEG_INFINITY, f64::max);
     let sum: f64 = logits.iter().map(|l| (l - largest).exp()).sum();

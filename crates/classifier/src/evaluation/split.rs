@@ -1,4 +1,4 @@
-//! Which part of a dataset a scene belongs to.
+//! Split of a dataset by scenes.
 
 use artifact::dataset::Split;
 use artifact::seed;

@@ -1,4 +1,4 @@
-//! What a feature is, and numbers that several rooms make of weighted values.
+//! Type of a feature, and numbers that several rooms make of weighted values.
 
 /// Names and numbers of features: dB and dBsm, m, or shares.
 pub type Features = Vec<(&'static str, f64)>;
@@ -17,7 +17,7 @@ pub(crate) fn moments(values: impl Iterator<Item = (f64, f64)> + Clone) -> [f64;
     [mean, variance.sqrt()]
 }
 
-/// From the least to the greatest; 0 without any.
+/// Span from the least to the greatest value; 0 without any.
 pub(crate) fn span(values: impl Iterator<Item = f64> + Clone) -> f64 {
     let (least, most) =
         (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max));

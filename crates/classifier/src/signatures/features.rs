@@ -1,5 +1,5 @@
-//! What of a signature tells the class: level, extent, form of the range profile, width, height, each a
-//! number with its unit.
+//! Features of a signature that tell the class: level, extent, form of the range profile, width,
+//! height, each a number with its unit.
 
 use crate::signatures::bands;
 use crate::signatures::feature::{Features, NONE_DBSM, moments, span};
@@ -11,8 +11,8 @@ use std::ops::Range;
 
 /// Cells from these cross sections on are visible at any range of a crossing, dBsm.
 const LEVELS_DBSM: [f64; 3] = [-12.0, 0.0, 10.0];
-/// Behind the leading edge, m: bumper, bonnet and windscreen, roof, tail of a car, and what only a long
-/// vehicle has.
+/// Zones behind the leading edge, m: bumper, bonnet and windscreen, roof, tail of a car, and what only
+/// a long vehicle has.
 const ZONES_M: [f64; 9] = [-1.0, 0.75, 1.5, 2.5, 4.0, 6.0, 9.0, 13.0, 21.0];
 /// All features of a signature, in one order.
 pub fn features(signature: &Signature) -> Features {
@@ -30,7 +30,7 @@ pub fn features(signature: &Signature) -> Features {
     all
 }
 
-/// Their names.
+/// Names of the features.
 pub fn names() -> Vec<&'static str> {
     features(&nothing()).into_iter().map(|(name, _)| name).collect()
 }
@@ -44,7 +44,7 @@ fn dbsm(rcs_m2: f64) -> f64 {
     db_from_power(rcs_m2.max(1e-6)).max(NONE_DBSM)
 }
 
-/// From the first to the last cell of a level, and how many there are between, m.
+/// Extent from the first to the last cell over each level, and the length that such cells fill, m.
 fn extents(profile: &Profile) -> Features {
     let names = [
         ("extent_m", "filled_m"),
@@ -85,7 +85,7 @@ fn form(profile: &Profile) -> Features {
     ]
 }
 
-/// How far behind the leading edge that share of the power lies in front of, m; 0 without any.
+/// Distance behind the leading edge that this share of the power lies in front of, m; 0 without any.
 fn power_quantile_m(profile: &Profile, share: f64) -> f64 {
     let mut sum = 0.0;
     let reached = profile.visible.iter().find(|cell| {
@@ -113,7 +113,7 @@ fn zones(profile: &Profile) -> Features {
     names.into_iter().zip(ZONES_M.windows(2).map(|ends| of(ends[0]..ends[1]))).collect()
 }
 
-/// Across the line of sight, m.
+/// Width across the line of sight, m.
 fn width(profile: &Profile) -> Features {
     let weighted =
         || profile.located().map(|c| (c.level_db - crate::signatures::profile::LOCATED_DB, c.cross_m));
@@ -127,7 +127,7 @@ fn width(profile: &Profile) -> Features {
     ]
 }
 
-/// How far cells move across with each metre behind the leading edge, either way.
+/// Slope of the cells' places across over the distance behind the leading edge, either way.
 fn slope(profile: &Profile) -> f64 {
     let weight = |c: &Visible| c.level_db - crate::signatures::profile::LOCATED_DB;
     let total: f64 = profile.located().map(weight).sum();
@@ -144,7 +144,7 @@ fn slope(profile: &Profile) -> f64 {
     (together / (along + 0.05 * total)).abs()
 }
 
-/// Over the road, m; zeros where the array has no rows.
+/// Heights over the road, m; zeros where the array has no rows.
 fn heights(profile: &Profile) -> Features {
     let has_rows = profile.has_rows;
     let names = [
@@ -189,7 +189,8 @@ fn measured_heights(profile: &Profile) -> [f64; 8] {
     ]
 }
 
-/// Of what the object consists: lone scatterers or several in a cell, what turns, what came by two ways.
+/// Quality of the object's echo: lone scatterers or several in a cell, what turns, what came by two
+/// ways.
 fn quality(profile: &Profile, signature: &Signature) -> Features {
     let located = profile.located().count().max(1) as f64;
     let mean = |value: fn(&Visible) -> f64| profile.located().map(value).sum::<f64>() / located;
@@ -202,7 +203,7 @@ fn quality(profile: &Profile, signature: &Signature) -> Features {
     ]
 }
 
-/// From where it was seen, and how well.
+/// View of the object: from where it was seen, and how well.
 fn view(signature: &Signature) -> Features {
     vec![
         ("range_m", signature.range_m),

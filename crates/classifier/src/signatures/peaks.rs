@@ -7,7 +7,8 @@ use crate::signatures::profile::{Profile, Visible};
 const PROMINENCE_DB: f64 = 6.0;
 /// Cells around a peak, either way: two main lobes.
 const AROUND: usize = 4;
-/// Behind the front, whatever the class; windows, axles and loads are farther back, m.
+/// Distance behind the front beyond which a peak is far, whatever the class; windows, axles and loads
+/// are farther back, m.
 const FAR_M: f64 = 2.8;
 
 pub(crate) fn features(profile: &Profile) -> Features {
@@ -27,7 +28,7 @@ fn is_peak(levels_db: &[f64], at: usize) -> bool {
     levels_db[at] >= before && levels_db[at] > after && levels_db[at] - lowest >= PROMINENCE_DB
 }
 
-/// How many peaks there are, where the strongest is, and how strong those after it are.
+/// Number of peaks, place of the strongest, and levels of those after it.
 fn ranked(along: &[&Visible]) -> Features {
     let mut peaks = along.to_vec();
     peaks.sort_by(|a, b| b.dbsm.total_cmp(&a.dbsm));
@@ -47,7 +48,7 @@ fn ranked(along: &[&Visible]) -> Features {
     ]
 }
 
-/// What stands behind the front and what in it.
+/// Peaks behind the front and in it.
 fn near_and_far(along: &[&Visible]) -> Features {
     let far = || along.iter().filter(|cell| cell.behind_m > FAR_M);
     let near = along.iter().filter(|cell| cell.behind_m <= FAR_M);
@@ -61,7 +62,7 @@ fn near_and_far(along: &[&Visible]) -> Features {
     ]
 }
 
-/// From one peak to the next, m: panes stand at equal distances; −1 below two peaks.
+/// Spacing from one peak to the next, m: panes stand at equal distances; −1 below two peaks.
 fn spacing(along: &[&Visible]) -> Features {
     let gaps: Vec<f64> = along.windows(2).map(|pair| pair[1].behind_m - pair[0].behind_m).collect();
     let [mean, spread] =

@@ -14,7 +14,7 @@ pub(crate) const LOCATED_DB: f64 = 20.0;
 pub(crate) struct Visible {
     /// Number of the cell in the signature.
     pub(crate) number: usize,
-    /// From the object's nearest point, m.
+    /// Distance behind the object's nearest point, m.
     pub(crate) behind_m: f64,
     pub(crate) level_db: f64,
     /// Cross section, dBsm and m².
@@ -28,18 +28,18 @@ pub(crate) struct Visible {
     pub(crate) velocity_spread_mps: f64,
 }
 
-/// All of a signature.
+/// Visible cells of a signature, and what they have in all.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Profile {
     pub(crate) cell_m: f64,
     /// Whether the array tells heights.
     pub(crate) has_rows: bool,
-    /// Over the noise of every cell, visible or not, dB.
+    /// Levels over the noise of every cell, visible or not, dB.
     pub(crate) levels_db: Vec<f64>,
     pub(crate) noise_dbsm: f64,
-    /// In their order.
+    /// Visible cells in their order.
     pub(crate) visible: Vec<Visible>,
-    /// Of the visible cells, m².
+    /// Cross section of all visible cells, m².
     pub(crate) total_m2: f64,
 }
 
@@ -62,7 +62,7 @@ impl Profile {
         }
     }
 
-    /// Those that tell a direction.
+    /// Cells that tell a direction.
     pub(crate) fn located(&self) -> impl Iterator<Item = &Visible> + Clone {
         self.visible.iter().filter(|cell| cell.level_db >= LOCATED_DB)
     }
