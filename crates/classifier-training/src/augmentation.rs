@@ -13,7 +13,7 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-/// How far a training crop is varied; zero everywhere leaves it as it is.
+/// Amount by which a training crop is varied; zero everywhere leaves it as it is.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Augmentation {
     /// Largest shift along range, either way; uniform.
@@ -71,8 +71,8 @@ fn levels_per_db(format: &CropFormat) -> f64 {
     255.0 / (format.ceiling_db - format.floor_db)
 }
 
-/// What every grey level becomes when the target's power is multiplied by `gain` and the noise (power 1) is
-/// not.
+/// Grey level that every level becomes when the target's power is multiplied by `gain` and the noise
+/// (power 1) is not.
 fn gained_levels(format: &CropFormat, gain: f64) -> [u8; 256] {
     std::array::from_fn(|grey| {
         let power = power_from_db(format.floor_db + grey as f64 / levels_per_db(format));

@@ -14,7 +14,7 @@ use rand::{SeedableRng, seq::SliceRandom};
 use rand_chacha::ChaCha8Rng;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What is parted before the network learns.
+/// Things that are parted before the network learns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Deal {
     /// Images, after maps were augmented: the paper's protocol.
@@ -30,12 +30,12 @@ pub const COPIES: u64 = 4;
 
 /// The paper's images.
 const ALL: usize = 1120;
-/// Those that train, and with them those that are watched meanwhile (its "test set", which chooses the epoch
-/// here); the others are its "validation set", which is looked at once.
+/// Images that train, and with them those that are watched meanwhile (the paper's "test set", which
+/// chooses the epoch here); the others are its "validation set", which is looked at once.
 const TRAINED: usize = 600;
 const TRAINED_OR_WATCHED: usize = 920;
 
-/// How copies are made.
+/// Way in which copies are made.
 pub(crate) struct Copying<'a> {
     pub(crate) format: &'a CropFormat,
     pub(crate) augmentation: &'a Augmentation,
@@ -86,7 +86,8 @@ fn parted<T>(mut all: Vec<T>, random: &mut ChaCha8Rng) -> [Vec<T>; 3] {
     [all, watched, kept]
 }
 
-/// All maps of a vehicle on one side; of every class at least one vehicle on each.
+/// Parts the maps so that all of a vehicle are on one side, and of every class at least one vehicle on
+/// each.
 fn by_vehicle<'a>(
     maps: &[(u64, &'a Example)],
     random: &mut ChaCha8Rng,

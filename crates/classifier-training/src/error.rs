@@ -4,7 +4,7 @@ use artifact::settings::Class;
 use classifier::ClassifierError;
 use std::path::PathBuf;
 
-/// What can be wrong with a dataset, settings or a training.
+/// Faults of a dataset, settings or a training.
 #[derive(Debug, thiserror::Error)]
 pub enum TrainingError {
     /// Samples, settings or weights broke a rule of the classifier's.
@@ -16,21 +16,21 @@ pub enum TrainingError {
     /// The network cannot learn what it never sees.
     #[error("no sample of class {} in the training split", .0.name())]
     MissingClass(Class),
-    /// Not one vehicle for each part.
+    /// A class has not one vehicle for each part.
     #[error("class {} has {vehicles} vehicles; to part them takes five", class.name())]
     TooFewVehicles {
-        /// Whose they are.
+        /// Class of the vehicles.
         class: Class,
-        /// How many.
+        /// Number of its vehicles.
         vehicles: usize,
     },
     /// The loss is no number any more.
     #[error("training diverged at iteration {iteration}: the loss is not finite; lower the learning rate")]
     Diverged {
-        /// From 1.
+        /// Iteration, from 1.
         iteration: u32,
     },
-    /// There is nothing to learn from.
+    /// No shard was given: there is nothing to learn from.
     #[error("no shards of a dataset")]
     NoShards,
     /// A shard cannot be read.
@@ -44,9 +44,9 @@ pub enum TrainingError {
     /// The learning library failed.
     #[error("the learning library cannot {doing}: {cause}")]
     Library {
-        /// What was tried.
+        /// Action that was tried.
         doing: &'static str,
-        /// Its words.
+        /// Words of the library.
         cause: Box<dyn std::error::Error + Send + Sync>,
     },
 }

@@ -1,4 +1,4 @@
-//! How the classifier's network learns.
+//! Training of the classifier's network.
 //!
 //! It learns from a dataset split by scene, keeps the epoch that validates best, and is calibrated so that
 //! its probabilities are what they say. The weights go to the crate `classifier`, which answers without the

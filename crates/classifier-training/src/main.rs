@@ -28,7 +28,7 @@ struct Arguments {
     /// …}` in place of a model.
     #[arg(long, conflicts_with = "out")]
     deal: Option<DealWord>,
-    /// Of the initial weights and the order of samples.
+    /// Seed of the initial weights and the order of samples.
     #[arg(long)]
     seed: u64,
     /// Steps of the optimizer.

@@ -1,4 +1,4 @@
-//! What is told of a training.
+//! Measures that are told of a training.
 
 use artifact::dataset::Split;
 use artifact::settings::Class;
@@ -6,7 +6,7 @@ use classifier::Evaluation;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// What `metrics.json` holds.
+/// Content of `metrics.json`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Metrics {
     /// Order of rows, columns and probabilities.
@@ -17,7 +17,7 @@ pub struct Metrics {
     pub parameters: u64,
     /// Iteration whose weights were kept: the lowest log loss on the validation split.
     pub best_iteration: u32,
-    /// What the logits were divided by (it is inside the weights).
+    /// Temperature that the logits were divided by (it is inside the weights).
     pub temperature: f64,
     /// Samples without a class, left out.
     pub unlabelled: u64,

@@ -182,7 +182,7 @@ mod tests {
         Parameters::new(tensors.collect())
     }
 
-    /// What was learned here is what `classifier` answers with: probabilities to 1e-5.
+    /// The network that was learned here answers in `classifier` alike: probabilities to 1e-5.
     #[test]
     fn the_classifier_answers_as_the_learning_library_does() {
         let mut generator = ChaCha8Rng::seed_from_u64(7);

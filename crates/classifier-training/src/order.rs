@@ -14,7 +14,7 @@ pub(crate) struct Order {
 }
 
 impl Order {
-    /// Of `count` examples, at least one.
+    /// Order of `count` examples, at least one.
     pub(crate) fn new(count: usize, seed: u64) -> Self {
         Self { seed, taken: 0, pass: (0..count).collect() }
     }

@@ -19,7 +19,7 @@ use classifier::{
 };
 use serde::Serialize;
 
-/// How to train.
+/// Settings of a training.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct TrainSettings {
     /// Side that crops are pooled to before the first convolution, pixels, 8 to 1024.
@@ -32,7 +32,7 @@ pub struct TrainSettings {
     pub iterations: u32,
     /// Adam's step size where the schedule is 1.
     pub learning_rate: f64,
-    /// How the step size goes.
+    /// Schedule of the step size.
     pub schedule: Schedule,
     /// Part of the step size by which every weight shrinks each step (decoupled: Loshchilov & Hutter,
     /// arXiv:1711.05101); 0 is plain Adam.
@@ -73,7 +73,7 @@ impl TrainSettings {
         }
     }
 
-    /// The same with the paper's rate throughout.
+    /// Settings of [`Self::of_maps`] with the paper's rate throughout.
     pub fn dealt(iterations: u32) -> Self {
         Self { schedule: Schedule::Constant, ..Self::of_maps(iterations) }
     }
@@ -101,13 +101,13 @@ impl TrainSettings {
     }
 }
 
-/// How the step size goes over the iterations.
+/// Schedule of the step size over the iterations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Schedule {
-    /// It stays.
+    /// The step size stays.
     Constant,
-    /// It rises evenly over the first `warm_up` iterations (Adam's first steps move every input of a wide
-    /// layer by a full rate in the same direction), then falls to zero along half a cosine.
+    /// The step size rises evenly over the first `warm_up` iterations (Adam's first steps move every input
+    /// of a wide layer by a full rate in the same direction), then falls to zero along half a cosine.
     Cosine {
         /// Iterations of the rise.
         warm_up: u32,
@@ -115,7 +115,7 @@ pub enum Schedule {
 }
 
 impl Schedule {
-    /// `iteration` from 1.
+    /// Share of the step size at `iteration`, which counts from 1.
     fn factor(self, iteration: u32, iterations: u32) -> f64 {
         match self {
             Self::Constant => 1.0,
@@ -128,46 +128,46 @@ impl Schedule {
     }
 }
 
-/// What is told after each iteration.
+/// Progress that is told after each iteration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Progress {
-    /// From 1.
+    /// Number of the iteration, from 1.
     pub iteration: u32,
-    /// The last one.
+    /// Number of the last iteration.
     pub iterations: u32,
-    /// Of the iteration's batch.
+    /// Log loss of the iteration's batch.
     pub log_loss: f64,
-    /// Where an epoch ended with this iteration.
+    /// Point of the curves, where an epoch ended with this iteration.
     pub epoch: Option<CurvePoint>,
 }
 
 /// A point of the training curves: the end of an epoch.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct CurvePoint {
-    /// From 1.
+    /// Number of the iteration, from 1.
     pub iteration: u32,
     /// Step size of this iteration.
     pub learning_rate: f64,
-    /// Mean over the epoch's batches, varied crops, weights as they were at each.
+    /// Mean log loss over the epoch's batches, varied crops, weights as they were at each.
     pub train_log_loss: f64,
-    /// Likewise.
+    /// Mean accuracy over the epoch's batches, varied crops, weights as they were at each.
     pub train_accuracy: f64,
-    /// On the whole validation split, before calibration.
+    /// Log loss on the whole validation split, before calibration.
     pub validation_log_loss: f64,
-    /// Likewise.
+    /// Accuracy on the whole validation split, before calibration.
     pub validation_accuracy: f64,
 }
 
 /// A trained model and how it came about.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trained {
-    /// What the network expects and answers.
+    /// Header of the model: what the network expects and answers.
     pub header: ModelHeader,
-    /// Of the best epoch, calibrated.
+    /// Weights of the best epoch, calibrated.
     pub weights: Weights,
     /// One point an epoch.
     pub curves: Vec<CurvePoint>,
-    /// How good it is, by split.
+    /// Measures of how good it is, by split.
     pub metrics: Metrics,
 }
 
@@ -189,8 +189,8 @@ pub fn train(
     fitted(&Examples::read(samples, &layout)?, header, format, settings, seed, progress)
 }
 
-/// The same with the samples' augmented copies parted as `deal` says and not as the dataset has them:
-/// training crops are not varied any further.
+/// Trains as [`train`] does, with the samples' augmented copies parted as `deal` says and not as the
+/// dataset has them: training crops are not varied any further.
 pub fn train_dealt(
     samples: impl Iterator<Item = Result<Sample, ArtifactError>>,
     format: &CropFormat,
@@ -296,7 +296,7 @@ struct Training<'a> {
     optimizer: ModuleOptimizer,
 }
 
-/// What a training leaves.
+/// Result of a training.
 struct Fitted {
     best: Best,
     curves: Vec<CurvePoint>,

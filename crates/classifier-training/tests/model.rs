@@ -1,4 +1,4 @@
-//! What saving and loading promise.
+//! Promises of saving and loading.
 
 mod toy;
 

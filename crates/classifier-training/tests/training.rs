@@ -1,4 +1,4 @@
-//! What training promises.
+//! Promises of training.
 
 mod toy;
 

@@ -71,7 +71,7 @@ pub(crate) fn sample(number: u64) -> Sample {
     }
 }
 
-/// As long as the rectangle, in noise.
+/// Signature as long as the rectangle, in noise.
 fn signature(columns: usize, generator: &mut ChaCha8Rng) -> Signature {
     let level_db = |cell: usize| if cell < columns { 30.0 } else { 0.0 } + generator.random_range(0.0..3.0);
     let cells =
