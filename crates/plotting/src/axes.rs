@@ -46,9 +46,9 @@ fn round_step(step: f64) -> f64 {
 /// A box with a horizontal and a vertical axis.
 #[derive(Debug, Clone, Copy)]
 pub struct Axes {
-    /// To the right.
+    /// Horizontal axis, to the right.
     pub x: Axis,
-    /// Upwards: it starts at the lower pixel.
+    /// Vertical axis, upwards: it starts at the lower pixel.
     pub y: Axis,
 }
 
@@ -58,7 +58,7 @@ impl Axes {
         self.draw_with(sheet, [x_label, y_label], [&numbered(&self.x), &numbered(&self.y)]);
     }
 
-    /// As [`Axes::draw`] with other ticks, [x, y].
+    /// Draws as [`Axes::draw`] does, with other ticks, [x, y].
     pub fn draw_with(&self, sheet: &mut Svg, labels: [&str; 2], ticks: [&[Tick]; 2]) {
         let (left, right) = (self.x.start_px, self.x.end_px);
         let (bottom, top) = (self.y.start_px, self.y.end_px);

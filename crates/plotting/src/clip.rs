@@ -25,7 +25,7 @@ pub fn segment([from, to]: [[f64; 2]; 2], frame: [f64; 4]) -> Option<[[f64; 2]; 
     (enters < leaves).then(|| [at(enters), at(leaves)])
 }
 
-/// What lies at one side of a line along an axis.
+/// Part of a polygon at one side of a line along an axis.
 fn half(corners: &[[f64; 2]], axis: usize, at: f64, side: f64) -> Vec<[f64; 2]> {
     let inside = |p: &[f64; 2]| side * (p[axis] - at) >= 0.0;
     let mut kept = vec![];

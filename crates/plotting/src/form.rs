@@ -1,4 +1,5 @@
-//! The same picture for a page and for a telephone: words stay as large, so the drawing is laid out anew.
+//! Forms of a picture, for a page and for a telephone: words stay as large, so the drawing is laid out
+//! anew.
 
 use crate::svg::Svg;
 
@@ -32,9 +33,9 @@ impl Form {
 /// A picture in both forms.
 #[derive(Debug, Clone)]
 pub struct Figure {
-    /// For a page.
+    /// Drawing for a page.
     pub wide: Svg,
-    /// For a telephone.
+    /// Drawing for a telephone.
     pub narrow: Svg,
 }
 

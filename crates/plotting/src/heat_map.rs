@@ -11,9 +11,9 @@ use ndarray::Array2;
 /// A map with axes; row 0 lies at the bottom, and axes run between the middles of the outer cells.
 #[derive(Debug, Clone)]
 pub struct HeatMap {
-    /// Over the map.
+    /// Title over the map.
     pub title: String,
-    /// Said below the title.
+    /// Notes below the title.
     pub notes: Vec<String>,
     /// Label and ends of the horizontal axis.
     pub x: (String, [f64; 2]),
@@ -21,18 +21,18 @@ pub struct HeatMap {
     pub y: (String, [f64; 2]),
     /// Decibels, `[y, x]`.
     pub levels_db: Array2<f64>,
-    /// Shown below the brightest cell.
+    /// Span of the levels that are shown below the brightest cell.
     pub span_db: f64,
-    /// Of the levels, below their scale.
+    /// Unit of the levels, below their scale.
     pub unit: String,
     /// A picture with transparent parts that is laid over the map.
     pub over: Option<Vec<u8>>,
-    /// What marks mean.
+    /// Legend of what marks mean.
     pub legend: Legend,
 }
 
 impl HeatMap {
-    /// As high as wide: a metre is as long across as up.
+    /// Draws the map as high as wide: a metre is as long across as up.
     pub fn draw_square(&self) -> Result<Svg, String> {
         const SIDE: f64 = 420.0;
         let mut sheet = Svg::new(self.title.clone(), SIDE + 130.0, 0.0);

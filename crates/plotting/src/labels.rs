@@ -12,17 +12,18 @@ pub struct Labels {
 }
 
 impl Labels {
-    /// Inside a box.
+    /// Labels inside a box.
     pub fn within(frame: [f64; 4]) -> Self {
         Self { frame, taken: vec![], placed: vec![] }
     }
 
-    /// None yet, with no room where these stand.
+    /// Labels, none yet, with no room where these stand.
     pub fn beside(&self) -> Self {
         Self { placed: vec![], ..self.clone() }
     }
 
-    /// Above, below, right or left of a box, where there is room first; left out where there is none.
+    /// Puts a name above, below, right or left of a box, where there is room first; left out where there is
+    /// none.
     pub fn put(&mut self, [left, top, right, bottom]: [f64; 4], words: &str) {
         let (wide, high) = (width_px(words), TEXT_PX);
         let (x, y) = (0.5 * (left + right), 0.5 * (top + bottom));
@@ -46,14 +47,14 @@ impl Labels {
         *left >= x0 && *top >= y0 && *right <= x1 && *bottom <= y1
     }
 
-    /// Writes them over everything else.
+    /// Writes the names over everything else.
     pub fn draw(&self, sheet: &mut Svg) {
         for (at, words) in &self.placed {
             sheet.words_over(*at, "middle", words, ["", "halo"]);
         }
     }
 
-    /// As [`Labels::draw`], on a map of colours.
+    /// Draws as [`Labels::draw`] does, on a map of colours.
     pub fn draw_on_map(&self, sheet: &mut Svg, class: &str) {
         for (at, words) in &self.placed {
             sheet.words_over(*at, "middle", words, [class, "shade"]);

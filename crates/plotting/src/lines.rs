@@ -7,19 +7,19 @@ use crate::heat_map::head;
 use crate::marks::{Legend, Mark};
 use crate::svg::Svg;
 
-/// How an axis runs.
+/// Division of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scale {
-    /// Evenly.
+    /// Equal steps are equally long.
     Linear,
-    /// By powers of ten.
+    /// Powers of ten are equally far apart.
     Logarithmic,
 }
 
 /// A named line.
 #[derive(Debug, Clone)]
 pub struct Line {
-    /// Said in the legend.
+    /// Name in the legend.
     pub name: String,
     /// Numbers `[x, y]`, in the order in which they are joined.
     pub points: Vec<[f64; 2]>,
@@ -30,19 +30,19 @@ pub struct Line {
 /// Lines with axes and a legend.
 #[derive(Debug, Clone)]
 pub struct LinePlot {
-    /// Over the plot.
+    /// Title over the plot.
     pub title: String,
-    /// What is to be known beforehand: scene, which side is better.
+    /// Notes on what is to be known beforehand: scene, which side is better.
     pub notes: Vec<String>,
-    /// Below the horizontal axis.
+    /// Label below the horizontal axis.
     pub x_label: String,
-    /// Beside the vertical axis.
+    /// Label beside the vertical axis.
     pub y_label: String,
-    /// Of the horizontal axis.
+    /// Scale of the horizontal axis.
     pub x_scale: Scale,
-    /// Of the vertical axis.
+    /// Scale of the vertical axis.
     pub y_scale: Scale,
-    /// Drawn in this order.
+    /// Lines in the order in which they are drawn.
     pub lines: Vec<Line>,
 }
 
@@ -80,7 +80,7 @@ impl LinePlot {
 
 const HEIGHT_PX: f64 = 320.0;
 
-/// What a line shows in the legend.
+/// Marks that a line shows in the legend.
 fn samples(n: usize, line: &Line) -> Vec<Mark> {
     let is_line = line.points.len() > 1;
     let value = line.marked.then(|| Mark::OF_LINES[n % Mark::OF_LINES.len()]);

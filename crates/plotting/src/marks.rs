@@ -1,4 +1,4 @@
-//! What marks look like: the same on the drawing and in its legend.
+//! Forms of marks: the same on the drawing and in its legend.
 
 use crate::svg::{Svg, TEXT_PX, width_px, wrapped};
 
@@ -15,7 +15,7 @@ pub enum Mark {
     Hollow,
     /// An object at rest.
     Box,
-    /// What is true of a body.
+    /// True place or value of a body.
     Cross,
     /// The rim of a body.
     Outline,
@@ -23,9 +23,9 @@ pub enum Mark {
     Line,
     /// A boundary or a direction.
     BrokenLine,
-    /// Where a radar stands.
+    /// Place of a radar.
     Triangle,
-    /// What lies beyond the edge.
+    /// Direction to something beyond the edge.
     Arrow,
     /// The dark of a map below a mark.
     Plate,
@@ -45,7 +45,7 @@ impl Mark {
     /// Marks of the lines of a plot: told apart by more than colour.
     pub const OF_LINES: [Self; 5] = [Self::Disc, Self::Square, Self::Diamond, Self::Peak, Self::Circle];
 
-    /// Draws it at its place; lines and outlines as samples of what they are.
+    /// Draws the mark at its place; lines and outlines as samples of what they are.
     pub fn draw(self, sheet: &mut Svg, colour: &str, [x, y]: [f64; 2]) {
         let around =
             |corners: &[[f64; 2]]| corners.iter().map(|[dx, dy]| [x + dx, y + dy]).collect::<Vec<_>>();
@@ -82,13 +82,13 @@ impl Mark {
     }
 }
 
-/// What the marks of a drawing mean, in the order in which they were told.
+/// Legend of the marks of a drawing, in the order in which they were told.
 #[derive(Debug, Clone, Default)]
 pub struct Legend {
     entries: Vec<(Vec<Mark>, String, String)>,
 }
 
-/// From a mark's middle to its words, and from words to the next mark.
+/// Distances from a mark's middle to its words, and from words to the next mark.
 const TO_WORDS_PX: f64 = 14.0;
 const TO_NEXT_PX: f64 = 26.0;
 const LINE_PX: f64 = 19.0;
@@ -99,7 +99,7 @@ impl Legend {
         self.say_of(&[mark], colour, words);
     }
 
-    /// Of marks that lie one upon another.
+    /// Says once what marks mean that lie one upon another.
     pub fn say_of(&mut self, marks: &[Mark], colour: &str, words: impl Into<String>) {
         let entry = (marks.to_vec(), colour.to_owned(), words.into());
         if !self.entries.contains(&entry) {
@@ -107,7 +107,7 @@ impl Legend {
         }
     }
 
-    /// Draws it below `top_px` between two sides; the sheet grows to hold it.
+    /// Draws the legend below `top_px` between two sides; the sheet grows to hold it.
     pub fn draw(&self, sheet: &mut Svg, top_px: f64, [left, right]: [f64; 2]) {
         let (mut x, mut y) = (left + 9.0, top_px);
         for (marks, colour, words) in &self.entries {

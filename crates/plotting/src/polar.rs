@@ -9,9 +9,9 @@ use crate::svg::Svg;
 /// above.
 #[derive(Debug, Clone)]
 pub struct PolarPlot {
-    /// Over the diagram.
+    /// Title over the diagram.
     pub title: String,
-    /// Of the levels.
+    /// Unit of the levels.
     pub unit: String,
     /// Name and (degrees, decibels) of each line.
     pub lines: Vec<(String, Vec<[f64; 2]>)>,
@@ -19,7 +19,7 @@ pub struct PolarPlot {
 
 const CENTRE_PX: [f64; 2] = [240.0, 270.0];
 const RADIUS_PX: f64 = 195.0;
-/// From the rim to the centre.
+/// Span of levels from the rim to the centre.
 const SPAN_DB: f64 = 60.0;
 const RING_DB: f64 = 10.0;
 

@@ -53,12 +53,12 @@ fn lay(pixels: &mut PixmapMut, corner: [f64; 2], size: [f64; 2], png: &[u8]) -> 
     Ok(())
 }
 
-/// As the drawing's text has it.
+/// The value rounded to hundredths, as the drawing's text has it.
 fn hundredths(value: f64) -> f32 {
     ((value * 100.0).round() / 100.0) as f32
 }
 
-/// What the values of a pixel are.
+/// Meaning of the values of a pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pixels {
     /// One grey level.

@@ -6,13 +6,13 @@ use std::fmt::Write;
 /// A picture of fixed size in pixels.
 #[derive(Debug, Clone)]
 pub struct Svg {
-    /// Pixels.
+    /// Width in pixels.
     pub width: f64,
-    /// Pixels.
+    /// Height in pixels.
     pub height: f64,
-    /// Said to people who cannot see it.
+    /// Title, said to people who cannot see it.
     pub title: String,
-    /// From the undermost on.
+    /// Layers from the undermost on.
     layers: Vec<Layer>,
 }
 
@@ -29,8 +29,8 @@ pub(crate) enum Layer {
 pub const TEXT_PX: f64 = 12.0;
 /// Size of headings.
 pub const HEADING_PX: f64 = 14.0;
-/// Of a letter, at most, in parts of the size: Ubuntu Light and the system's typefaces stay below it on
-/// average.
+/// Width of a letter, at most, in parts of the size: Ubuntu Light and the system's typefaces stay below
+/// it on average.
 const LETTER: f64 = 0.56;
 
 /// Paper, ink and colours by day, and what changes in the dark.
@@ -73,7 +73,7 @@ impl Svg {
         self.with_style(&format!("<style>{}</style>", style()))
     }
 
-    /// What is drawn, from the undermost on.
+    /// Layers of the drawing, from the undermost on.
     pub(crate) fn layers(&self) -> &[Layer] {
         &self.layers
     }
@@ -235,7 +235,7 @@ impl Svg {
     }
 }
 
-/// What marks lie on.
+/// Paper that marks lie on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Paper {
     White,
@@ -243,7 +243,7 @@ pub(crate) enum Paper {
 }
 
 impl Layer {
-    /// As a part of an SVG.
+    /// The picture as a part of an SVG.
     fn text(&self) -> String {
         use base64::Engine;
         match self {
