@@ -1,4 +1,4 @@
-//! What receivers, oscillators, elements, converters and other radars do to samples.
+//! Effects of receivers, oscillators, elements, converters and other radars on samples.
 
 pub mod noise; // of the receiver
 pub mod oscillator; // its phase noise

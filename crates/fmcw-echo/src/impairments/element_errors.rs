@@ -26,8 +26,8 @@ fn add(errors: &mut Vec<ElementError>, elements: usize, more: impl Fn(u64) -> El
     }
 }
 
-/// Of an end, 0 where it transmits, and its element: a stream of its own, so that none moves when others
-/// come.
+/// Error of an element of an end, 0 where it transmits: from a stream of its own, so that none moves
+/// when others come.
 fn error(spread: ElementSpread, seed: u64, of: [u64; 2]) -> ElementError {
     // Of mean power 2: real and imaginary part are independent, of variance 1.
     let normal = NoiseStream::of(seed, "fmcw-echo/element-errors", &of).next_sample(2.0);

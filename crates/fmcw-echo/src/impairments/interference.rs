@@ -30,7 +30,7 @@ pub(crate) fn add(radar: &Radar, time_s: f64, samples: &mut [Complex32]) {
     });
 }
 
-/// What all interferers add to one row of a cube, √W.
+/// Sum of what all interferers add to one row of a cube, √W.
 pub fn row(radar: &Radar, time_s: f64, channel: usize, chirp: usize) -> Vec<Complex64> {
     let mut samples = vec![Complex64::ZERO; radar.waveform.samples as usize];
     // All transmissions of a row start together and are received by the same element.
@@ -117,14 +117,14 @@ impl Receiver<'_> {
         from.min(samples)..(to + 1).min(samples)
     }
 
-    /// √(EIRP·G_r)·λ/4π, √W·m, at boresight.
+    /// Link amplitude √(EIRP·G_r)·λ/4π, √W·m, at boresight.
     fn link_amplitude(&self, interferer: &Interferer) -> f64 {
         let gain = power_from_db(self.radar.link.antenna_gain_db);
         (interferer.eirp_w * gain).sqrt() * self.radar.waveform.wavelength_m() / (4.0 * PI)
     }
 
-    /// From the element to the interferer as it was when the wave left that arrives `time_s` after the
-    /// scene's first sample.
+    /// Vector from the element to the interferer as it was when the wave left that arrives `time_s` after
+    /// the scene's first sample.
     fn way_m(&self, interferer: &Interferer, time_s: f64) -> DVec3 {
         let velocity_mps = DVec3::from_array(interferer.velocity_mps);
         let at = |time_s: f64| {

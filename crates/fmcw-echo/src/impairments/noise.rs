@@ -50,7 +50,7 @@ pub fn variance_w(header: &CubeHeader, frame: u32, noise_free: &[Complex32]) -> 
     }
 }
 
-/// k·T·F·f_s: complex samples see the band f_s once (physics.md §9).
+/// Thermal noise power k·T·F·f_s: complex samples see the band f_s once (physics.md §9).
 pub fn thermal_variance_w(
     noise_figure_db: f64,
     temperature_k: f64,
@@ -87,7 +87,7 @@ impl NoiseStream {
         Complex64::from_polar(power.sqrt(), TAU * self.uniform())
     }
 
-    /// 0 … 1 without 1, 53 bits.
+    /// A number in [0, 1), 53 bits.
     fn uniform(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 * (0.5_f64).powi(53)
     }

@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 
 /// The phase of a radar's oscillator over a frame and as long before it as echoes take.
 pub struct Oscillator {
-    /// φ at even steps, rad; it comes back to its beginning.
+    /// Phase φ at even steps, rad; it comes back to its beginning.
     phase_rad: Vec<f64>,
     steps_per_s: f64,
     rate_rms_rad_per_s: f64,
@@ -26,13 +26,13 @@ pub struct Oscillator {
 const STEPS: usize = 4;
 /// Values around a moment that its phase is told from.
 const NEIGHBOURS: usize = 8;
-/// Before the frame's first sample: the way to 1.5 km and back.
+/// Time before the frame's first sample that is held: the way to 1.5 km and back.
 const BEFORE_S: f64 = 1e-5;
 /// Samples of the longest frame: half a second at 5.12 MHz, whose phase takes 70 MB.
 pub(crate) const SAMPLES_MAX: usize = 1 << 21;
 
 impl Oscillator {
-    /// Of one frame; `None` where the radar's oscillator is ideal.
+    /// Oscillator of one frame; `None` where the radar's is ideal.
     pub fn of(radar: &Radar, seed: u64, frame: u32) -> Option<Self> {
         let noise = &radar.hardware.phase_noise;
         if noise.is_empty() {
@@ -53,17 +53,17 @@ impl Oscillator {
         Some(Self { phase_rad, steps_per_s: STEPS as f64 * rate_hz, rate_rms_rad_per_s: rate_square.sqrt() })
     }
 
-    /// φ, rad, `time_s` after the frame's first sample, a little before it too.
+    /// Phase φ, rad, `time_s` after the frame's first sample, a little before it too.
     pub fn phase_rad(&self, time_s: f64) -> f64 {
         self.phases_rad(time_s, 1)[0]
     }
 
-    /// e^{j[φ(T) − φ(T − τ)]} of an echo of delay τ received at T.
+    /// Turn e^{j[φ(T) − φ(T − τ)]} of an echo of delay τ received at T.
     pub fn turn(&self, time_s: f64, delay_s: f64) -> Complex64 {
         Complex64::cis(self.phase_rad(time_s) - self.phase_rad(time_s - delay_s))
     }
 
-    /// φ at a moment and a sample, two samples, … later.
+    /// Phases φ at a moment and a sample, two samples, … later.
     pub(crate) fn phases_rad(&self, time_s: f64, samples: usize) -> Vec<f64> {
         let place = time_s * self.steps_per_s;
         let below = place.floor();
@@ -102,8 +102,8 @@ fn powers(noise: &[PhaseNoise], step_hz: f64, count: usize) -> Vec<f64> {
     (1..count / 2).map(|k| density(noise, k as f64 * step_hz) * step_hz).collect()
 }
 
-/// L(f), rad²/Hz: straight in dB over log f between the frequencies told, constant before the first and
-/// behind the last.
+/// Density L(f), rad²/Hz: straight in dB over log f between the frequencies told, constant before the
+/// first and behind the last.
 pub fn density(noise: &[PhaseNoise], offset_hz: f64) -> f64 {
     let above = noise.partition_point(|point| point.offset_hz <= offset_hz);
     let dbc_per_hz = match (above.checked_sub(1).map(|below| noise[below]), noise.get(above)) {

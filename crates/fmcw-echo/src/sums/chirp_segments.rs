@@ -1,4 +1,5 @@
-//! Into how many parabolas a chirp is cut so that phase and amplitude stay within 1e-7 of exact.
+//! Segments of a chirp: into how many parabolas it is cut so that phase and amplitude stay within 1e-7
+//! of exact.
 
 use crate::sums::closest_approach::Leg;
 use artifact::Radar;
@@ -10,7 +11,8 @@ use std::f64::consts::TAU;
 /// may leave: −140 dB.
 const REMAINDER: f64 = 1e-7;
 
-/// Samples of one segment: what the worst of the paths needs. Traffic at 20 m and beyond needs no cut.
+/// Samples of one segment, as the worst of the paths needs them. Traffic at 20 m and beyond needs no
+/// cut.
 ///
 /// The parabola through three equidistant instants leaves max|x‴|·(T/2)³/(9√3) of a chirp of length T, and a
 /// third of the length leaves a 27th of it. The antenna pattern's own curvature is not in the bound.

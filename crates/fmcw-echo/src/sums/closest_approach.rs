@@ -1,4 +1,4 @@
-//! How near a path's moving apparent point comes to the antenna elements within a frame.
+//! Closest approach of a path's moving apparent point to the antenna elements within a frame.
 
 use artifact::Radar;
 use artifact::paths::Path;
@@ -6,7 +6,7 @@ use glam::DVec3;
 
 /// One of the two legs of a path: the elements at its end, its apparent point and that point's velocity.
 pub(crate) struct Leg<'a> {
-    /// "transmit" or "receive".
+    /// End of the path, "transmit" or "receive".
     pub(crate) element: &'static str,
     elements_m: &'a [[f64; 3]],
     point_m: DVec3,
@@ -34,7 +34,7 @@ impl<'a> Leg<'a> {
         ]
     }
 
-    /// Index of the element that the point comes nearest to, and how near.
+    /// Index of the element that the point comes nearest to, and the distance, m.
     pub(crate) fn nearest(&self, radar: &Radar) -> (usize, f64) {
         let mut nearest = (0, f64::INFINITY);
         for (index, &element_m) in self.elements_m.iter().enumerate() {

@@ -64,8 +64,8 @@ impl<'a> DirectSum<'a> {
         Self { samples_per_segment, ..Self::for_moments(radar, centre_frequency_hz, steady) }
     }
 
-    /// Of paths that are all heard and none on a rim, in their order, to be asked for [`Self::values`] alone:
-    /// those do not know that a path stands for a part of the frame.
+    /// Sum of paths that are all heard and none on a rim, in their order, to be asked for [`Self::values`]
+    /// alone: those do not know that a path stands for a part of the frame.
     pub(crate) fn for_moments(radar: &'a Radar, centre_frequency_hz: f64, heard: &[&Path]) -> Self {
         Self {
             radar,
@@ -117,7 +117,7 @@ impl<'a> DirectSum<'a> {
         values
     }
 
-    /// All rows in order, √W, noise-free, row-major `[channel, chirp, sample]`; one thread.
+    /// All rows of the cube in order, √W, noise-free, row-major `[channel, chirp, sample]`; one thread.
     pub fn cube(&self) -> Vec<Complex64> {
         let chirps = self.radar.waveform.chirps as usize;
         (0..self.radar.cube_channels() * chirps).flat_map(|r| self.row(r / chirps, r % chirps)).collect()
@@ -126,24 +126,24 @@ impl<'a> DirectSum<'a> {
 
 /// One array for each number of a path, its length a multiple of every lane count.
 struct Columns {
-    /// x_a at the frame's first sample.
+    /// Apparent points x_a at the frame's first sample.
     tx_m: [Vec<f64>; 3],
-    /// Its velocity.
+    /// Velocities of x_a.
     tx_mps: [Vec<f64>; 3],
-    /// x_b at the frame's first sample.
+    /// Apparent points x_b at the frame's first sample.
     rx_m: [Vec<f64>; 3],
-    /// Its velocity over c.
+    /// Velocities of x_b over c.
     rx_beta: [Vec<f64>; 3],
     /// Half the accelerations of x_a, and of x_b over c; `None` where there are none.
     bends: Option<[[Vec<f64>; 3]; 2]>,
-    /// a, real and imaginary.
+    /// Amplitudes a, real and imaginary.
     amplitude_m: [Vec<f64>; 2],
-    /// a′, real and imaginary.
+    /// Slopes a′, real and imaginary.
     slope_m_per_hz: [Vec<f64>; 2],
 }
 
 impl Columns {
-    /// Silent copies of the last path fill the lanes that are left over.
+    /// Lays the paths out; silent copies of the last one fill the lanes that are left over.
     fn new(radar: &Radar, heard: &[&Path]) -> Self {
         let lanes = heard.len().next_multiple_of(MAX_LANES);
         let filled = |number: &(dyn Fn(&Path) -> f64 + Sync), fill: Option<f64>| {
@@ -182,7 +182,7 @@ pub(crate) fn is_heard(radar: &Radar, path: &Path) -> bool {
     amplitude_and_slope(radar, path) != (Complex64::ZERO, Complex64::ZERO)
 }
 
-/// a and a′ in the array's polarization.
+/// Amplitude a and slope a′ in the array's polarization.
 fn amplitude_and_slope(radar: &Radar, path: &Path) -> (Complex64, Complex64) {
     let (receive, transmit) = radar.array.polarization.indices();
     (path.amplitude_m[receive][transmit], path.slope_m_per_hz[receive][transmit])
@@ -318,8 +318,9 @@ impl<'a, S: Simd> Chirp<'a, S> {
         }
     }
 
-    /// With u from 0 to 1 over the segment, x(u) = x₀ + bu + cu², b = 3(x₁ − x₀) − (x₂ − x₁), c = 2(x₂ − x₁)
-    /// − 2(x₁ − x₀); one sample is a step h in u, the first difference bh + ch², the second 2ch².
+    /// Parabolas of a segment with u from 0 to 1 over it, x(u) = x₀ + bu + cu², b = 3(x₁ − x₀) − (x₂ − x₁),
+    /// c = 2(x₂ − x₁) − 2(x₁ − x₀); one sample is a step h in u, the first difference bh + ch², the second
+    /// 2ch².
     #[inline(always)]
     fn parabolas(&self, group: usize, first: usize, samples: usize) -> Parabolas<S> {
         // One sample alone has no length: its parabola reaches to the next.
@@ -418,7 +419,7 @@ impl<'a, S: Simd> Chirp<'a, S> {
         Real::map3([along(right), along(ahead), along(up)], |direction| pattern.amplitude(direction))
     }
 
-    /// turn·conj(a + (f − f_c)a′)·gain.
+    /// Conjugate amplitude turn·conj(a + (f − f_c)a′)·gain.
     #[inline(always)]
     fn conjugate_amplitude(&self, group: usize, offset_hz: Real<S>, gain: Real<S>) -> Complex<S> {
         let turn = self.transmission.turn;
@@ -454,12 +455,12 @@ impl<'a, S: Simd> Chirp<'a, S> {
 
 /// A group of paths between the elements of a transmission.
 struct Legs<S: Simd> {
-    /// x_a(t_s) − p_t.
+    /// Vectors x_a(t_s) − p_t.
     departing_m: Vector<S>,
-    /// L₁.
+    /// Lengths L₁ of the departing legs.
     departing_length_m: Real<S>,
-    /// x_b(t_s) − p_r.
+    /// Vectors x_b(t_s) − p_r.
     arriving_m: Vector<S>,
-    /// L₂.
+    /// Lengths L₂ of the arriving legs.
     arriving_length_m: Real<S>,
 }

@@ -28,13 +28,13 @@ impl<S: Simd> Real<S> {
         Self { simd, value: simd.splat_f64s(value) }
     }
 
-    /// `self·factor + term`.
+    /// The fused product and sum `self·factor + term`.
     #[inline(always)]
     pub(crate) fn mul_add(self, factor: Self, term: Self) -> Self {
         Self { value: self.simd.mul_add_e_f64s(self.value, factor.value, term.value), ..self }
     }
 
-    /// `term − self·factor`.
+    /// The fused difference `term − self·factor`.
     #[inline(always)]
     pub(crate) fn negate_mul_add(self, factor: Self, term: Self) -> Self {
         Self { value: self.simd.negate_mul_add_e_f64s(self.value, factor.value, term.value), ..self }
@@ -119,7 +119,7 @@ impl<S: Simd> Complex<S> {
         Self { re: self.re.scale(factor), im: self.im.scale(factor) }
     }
 
-    /// e^{j2πx}, x in cycles.
+    /// Phasors e^{j2πx}, x in cycles.
     ///
     /// x is reduced to a quarter of its fraction (|angle| ≤ π/4), taken through the Taylor series to θ¹⁵ and
     /// θ¹⁶ (remainders 5e-17 and 2e-18 there) and squared twice, which makes the error four times as large:
@@ -157,7 +157,7 @@ impl<S: Simd> Vector<S> {
         self.z.mul_add(other.z, self.y.mul_add(other.y, self.x * other.x))
     }
 
-    /// `self·factor + term`.
+    /// The fused product and sum `self·factor + term`.
     #[inline(always)]
     pub(crate) fn mul_add(self, factor: Real<S>, term: Self) -> Self {
         Self {
@@ -167,7 +167,7 @@ impl<S: Simd> Vector<S> {
         }
     }
 
-    /// `term − self·factor`.
+    /// The fused difference `term − self·factor`.
     #[inline(always)]
     pub(crate) fn negate_mul_add(self, factor: Real<S>, term: Self) -> Self {
         Self {
@@ -213,7 +213,7 @@ impl<S: Simd> Mul for Complex<S> {
     }
 }
 
-/// Σ c_k·x^k by Horner's rule.
+/// Polynomial Σ c_k·x^k by Horner's rule.
 #[inline(always)]
 fn series<S: Simd, const N: usize>(x: Real<S>, coefficients: &[f64; N]) -> Real<S> {
     let mut sum = Real::splat(x.simd, coefficients[N - 1]);
@@ -225,7 +225,7 @@ fn series<S: Simd, const N: usize>(x: Real<S>, coefficients: &[f64; N]) -> Real<
     sum
 }
 
-/// (−1)^k/(2k+1)!
+/// Coefficients (−1)^k/(2k+1)! of the sine.
 const SINE: [f64; 8] = [
     1.0,
     -1.0 / 6.0,
@@ -237,7 +237,7 @@ const SINE: [f64; 8] = [
     -1.0 / 1_307_674_368_000.0,
 ];
 
-/// (−1)^k/(2k)!
+/// Coefficients (−1)^k/(2k)! of the cosine.
 const COSINE: [f64; 9] = [
     1.0,
     -1.0 / 2.0,

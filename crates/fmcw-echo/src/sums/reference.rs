@@ -69,7 +69,7 @@ pub fn if_sample(
     gain * amplitude * Complex64::cis(TAU * if_cycles(radar, t, tau).fract())
 }
 
-/// f₀τ + μtτ − ½μτ², the phase of eq. (13) in cycles.
+/// Phase of eq. (13) in cycles, f₀τ + μtτ − ½μτ². (13) in cycles.
 pub fn if_cycles(radar: &Radar, t: f64, tau: f64) -> f64 {
     let (f0, mu) = (radar.waveform.start_frequency_hz, radar.waveform.slope_hz_per_s);
     f0 * tau + mu * t * tau - 0.5 * mu * tau * tau
@@ -78,14 +78,14 @@ pub fn if_cycles(radar: &Radar, t: f64, tau: f64) -> f64 {
 /// The two legs of a path as a sample sees them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Legs {
-    /// x_a(t_s) − p_t; its length is L₁.
+    /// Vector x_a(t_s) − p_t; its length is L₁.
     pub departing_m: DVec3,
-    /// x_b(t_s) − p_r; its length is L₂.
+    /// Vector x_b(t_s) − p_r; its length is L₂.
     pub arriving_m: DVec3,
 }
 
 impl Legs {
-    /// τ = (L₁ + L₂)/c.
+    /// Delay τ = (L₁ + L₂)/c.
     pub fn delay_s(&self) -> f64 {
         (self.departing_m.length() + self.arriving_m.length()) / SPEED_OF_LIGHT_MPS
     }
@@ -124,14 +124,15 @@ pub fn legs_at(path: &Path, transmission: &Transmission, time_s: f64) -> Legs {
     }
 }
 
-/// From the hub of a rolling wheel to the point on its rim, `way_m` after the frame's first sample.
+/// Vector from the hub of a rolling wheel to the point on its rim, `way_m` after the frame's first
+/// sample.
 fn from_hub_m(rim: &Rim, way_m: DVec3) -> DVec3 {
     let forward = DVec3::from_array(rim.forward);
     let (sin, cos) = (rim.angle_rad - way_m.dot(forward) / rim.radius_m).sin_cos();
     rim.radius_m * (cos * forward + sin * DVec3::Z)
 }
 
-/// a + (f − f_c)·a′ in the array's polarization, metres.
+/// Amplitude a + (f − f_c)·a′ in the array's polarization, metres.
 fn amplitude_m(radar: &Radar, path: &Path, offset_hz: f64) -> Complex64 {
     let (receive, transmit) = radar.array.polarization.indices();
     path.amplitude_m[receive][transmit] + offset_hz * path.slope_m_per_hz[receive][transmit]

@@ -12,14 +12,14 @@ pub(crate) fn by_span(mut paths: Vec<&Path>) -> Vec<(Option<Span>, Vec<&Path>)> 
     groups.map(|group| (group[0].curve.span, group.to_vec())).collect()
 }
 
-/// What paths of one part of the frame have in common, to be sorted by.
+/// Sort key that paths of one part of the frame have in common.
 pub(crate) fn order(path: &Path) -> Option<[u64; 4]> {
     let of =
         |span: Span| [span.moments.into(), span.first_s.to_bits(), span.step_s.to_bits(), span.moment.into()];
     path.curve.span.map(of)
 }
 
-/// Of every sample of a chirp whose first is taken at `start_s`.
+/// Share of every sample of a chirp whose first is taken at `start_s`.
 pub(crate) fn shares_of_row(radar: &Radar, span: &Span, start_s: f64) -> Vec<f64> {
     let time_s = |sample: u32| start_s + f64::from(sample) / radar.waveform.sample_rate_hz;
     (0..radar.waveform.samples).map(|sample| span.share(time_s(sample))).collect()

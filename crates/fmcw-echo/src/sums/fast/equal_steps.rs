@@ -11,18 +11,18 @@ use artifact::radar::Multiplexing;
 pub(crate) struct EqualSteps {
     pub(crate) first: usize,
     pub(crate) every: usize,
-    /// Of the cube, whose rows these chirps are.
+    /// First channel of the cube whose rows these chirps are.
     pub(crate) first_channel: usize,
-    /// How many there are.
+    /// Number of the chirps.
     pub(crate) chirps: usize,
-    /// From one to the next, s.
+    /// Step from one chirp to the next, s.
     pub(crate) step_s: f64,
     /// Start of the first of each transmitter, from the frame's first sample.
     first_s: Vec<f64>,
 }
 
 impl EqualSteps {
-    /// All chirps of a frame.
+    /// All chirps of a frame, in sets of equal steps.
     pub(crate) fn of(radar: &Radar) -> Vec<Self> {
         let (every, chirps) = (chirps_to_repeat(radar), radar.waveform.chirps as usize);
         let [transmitters, receivers] = [radar.array.tx_m.len(), radar.array.rx_m.len()];
@@ -57,8 +57,8 @@ impl EqualSteps {
     }
 }
 
-/// P: of n delays that take turns with every chirp in the air, each transmitter meets n/gcd(n, chirps in the
-/// air from one of its to the next).
+/// Number of chirps P after which starts repeat: of n delays that take turns with every chirp in the
+/// air, each transmitter meets n/gcd(n, chirps in the air from one of its to the next).
 fn chirps_to_repeat(radar: &Radar) -> usize {
     if radar.schedule.is_uniform() {
         return 1;

@@ -1,4 +1,5 @@
-//! A cube by transforms: tones of all paths at once, what changes slowly at a few instants.
+//! A cube by transforms: tones of all paths at once, and the part that changes slowly at a few
+//! instants.
 //!
 //! x(n, m) = Σ_groups Σ_i shape_i(n, m)·Σ_p value_p(instant i)·e^{j2π(α_p n + β_p m)}: see `smooth_part.rs`
 //! for the outer sum, `tone_grid.rs` for the inner. Values are exact at their instants, for every pair of
@@ -31,7 +32,7 @@ pub fn cube(radar: &Radar, centre_frequency_hz: f64, paths: &[Path], accuracy: A
     }
 }
 
-/// The same as a cube is stored.
+/// Makes the cube as [`cube`] does, in the precision in which it is stored.
 pub(crate) fn single_cube(
     radar: &Radar,
     centre_frequency_hz: f64,
@@ -182,7 +183,7 @@ fn add_group<T: Scalar>(
     );
 }
 
-/// By transmitter, of every chirp and sample.
+/// Share of every chirp and sample, by transmitter.
 fn shares<T: Scalar>(listener: &Listener<'_>, span: &Span) -> Vec<Vec<T>> {
     let radar = listener.radar;
     let of_chirp =

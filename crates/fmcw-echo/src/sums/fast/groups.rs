@@ -36,9 +36,10 @@ pub(crate) fn groups<'p>(
         .collect()
 }
 
-/// Fewer are summed one by one: the transforms of a group's instants cost as much, whatever the channels,
-/// chirps and samples. Measured with 3 × 4 elements, 128 chirps of 256 samples: equal at 32 paths for −40 dB,
-/// 40 for −60, 64 for −80, 100 for −100 and, in double precision, 200 for −120 dB (`echo_speed -- 64 1`).
+/// Least number of paths of a group: fewer are summed one by one, as the transforms of a group's
+/// instants cost as much, whatever the channels, chirps and samples. Measured with 3 × 4 elements, 128
+/// chirps of 256 samples: equal at 32 paths for −40 dB, 40 for −60, 64 for −80, 100 for −100 and, in
+/// double precision, 200 for −120 dB (`echo_speed -- 64 1`).
 pub(crate) fn paths_min(error: f64) -> usize {
     match error {
         _ if error >= 1e-3 => 40,
@@ -59,8 +60,8 @@ fn split<'p>(listener: &Listener<'_>, paths: Vec<&'p Path>, links: &[Link], aske
     [slow, fast].into_iter().flat_map(|half| split(listener, half, links, asked)).collect()
 }
 
-/// About the median of the tone that spreads over more of its cells: by chirps it is the velocity, by samples
-/// the range.
+/// Halves of some paths, about the median of the tone that spreads over more of its cells: by chirps it
+/// is the velocity, by samples the range.
 fn halves<'p>(listener: &Listener<'_>, paths: Vec<&'p Path>) -> (Vec<&'p Path>, Vec<&'p Path>) {
     let waveform = &listener.radar.waveform;
     let cells = |path: &Path| {

@@ -56,7 +56,7 @@ pub(crate) struct Listener<'a> {
 struct Leg {
     length_m: f64,
     rate_mps: f64,
-    /// Pattern over length.
+    /// Pattern gain over length, 1/m.
     gain_per_m: f64,
 }
 
@@ -110,7 +110,7 @@ impl<'a> Listener<'a> {
         }
     }
 
-    /// From the array's position, at the frame's middle.
+    /// Tone of a path from the array's position, at the frame's middle.
     pub(crate) fn tone(&self, path: &Path) -> Tone {
         let waveform = &self.radar.waveform;
         let at = self.middle();
@@ -128,7 +128,8 @@ impl<'a> Listener<'a> {
         }
     }
 
-    /// Eq. (13): √(P_tG_tG_r)·λ/(4π)^{3/2}·conj a(f)·gain, and f₀τ + μtτ − ½μτ².
+    /// Value by eq. (13): √(P_tG_tG_r)·λ/(4π)^{3/2}·conj a(f)·gain, and f₀τ + μtτ − ½μτ². (13):
+    /// √(P_tG_tG_r)·λ/(4π)^{3/2}·conj a(f)·gain, and f₀τ + μtτ − ½μτ².
     fn value(&self, path: &Path, t: f64, tau: f64, gain_per_m2: f64) -> Value {
         let (f0, mu) = (self.radar.waveform.start_frequency_hz, self.radar.waveform.slope_hz_per_s);
         let (receive, transmit) = self.radar.array.polarization.indices();
@@ -147,8 +148,8 @@ impl<'a> Listener<'a> {
         self.leg(way_m / length_m, length_m, velocity_mps)
     }
 
-    /// At the scattering time t_s = T − |x(t_s) − p|/c: |x(t_s) − p| = |x(T) − p|/(1 + v·d/c), but for
-    /// (v/c)².
+    /// Leg of arrival at the scattering time t_s = T − |x(t_s) − p|/c: |x(t_s) − p| = |x(T) − p|/(1 +
+    /// v·d/c), but for (v/c)².
     fn arriving(&self, path: &Path, element_m: DVec3, time_s: f64) -> Leg {
         let (position_m, velocity_mps) =
             at(path.apparent_rx_m, path.apparent_rx_mps, path.curve.apparent_rx_mps2, time_s);

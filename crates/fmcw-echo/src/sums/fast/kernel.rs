@@ -1,4 +1,5 @@
-//! What carries a tone to the cells of a regular grid beside it: the "exponential of a semicircle".
+//! Kernel that carries a tone to the cells of a regular grid beside it: the "exponential of a
+//! semicircle".
 //!
 //! φ(z) = e^{β(√(1 − z²) − 1)} for |z| ≤ 1, over w cells of a grid with twice as many cells as there are
 //! modes (Barnett, Magland, af Klinteberg, SIAM J. Sci. Comput. 41 (2019) C479). A tone leaks into the modes
@@ -8,7 +9,7 @@
 use crate::sums::fast::scalar::Scalar;
 use std::f64::consts::PI;
 
-/// φ over a number of cells.
+/// Kernel φ over a number of cells.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Kernel {
     pub(crate) cells: usize,
@@ -19,8 +20,8 @@ pub(crate) struct Kernel {
 pub(crate) const CELLS_MAX: usize = 16;
 
 impl Kernel {
-    /// For an error of a two-dimensional transform, relative to the root of the sum of the strengths'
-    /// squares.
+    /// Kernel for an error of a two-dimensional transform, relative to the root of the sum of the
+    /// strengths' squares.
     pub(crate) fn for_error(error: f64) -> Self {
         // 10^{1−w} is what β = 2.3w leaves.
         let about = (-error.log10()).floor().clamp(2.0, CELLS_MAX as f64) as usize;
@@ -34,7 +35,7 @@ impl Kernel {
         narrow.next().map_or(Self { cells: CELLS_MAX, shape: 2.32 * CELLS_MAX as f64 }, |(_, kernel)| kernel)
     }
 
-    /// What the nearest aliases leak into the mode that they leak most into, along one axis.
+    /// Leak of the nearest aliases into the mode that they leak most into, along one axis.
     fn leak(&self) -> f64 {
         let of = |part: f64| {
             let own = self.transform(part, 2);
@@ -58,7 +59,8 @@ impl Kernel {
         }
     }
 
-    /// ∫φ(u/half)·cos(2πku/M) du over the w cells: what mode `mode` of a grid of M `cells` is weighted with.
+    /// Transform ∫φ(u/half)·cos(2πku/M) du over the w cells: what mode `mode` of a grid of M `cells` is
+    /// weighted with.
     ///
     /// With z = sin θ the integrand is smooth; what the trapezoids leave is below e^{−β}.
     pub(crate) fn transform(&self, mode: f64, grid_cells: usize) -> f64 {
@@ -79,5 +81,5 @@ impl Kernel {
     }
 }
 
-/// On each side.
+/// Trapezoids on each side.
 const TRAPEZOIDS: i32 = 64;

@@ -3,11 +3,11 @@
 use num_complex::Complex;
 use rustfft::FftNum;
 
-/// f32 or f64.
+/// Precision of a grid's numbers: f32 or f64.
 pub(crate) trait Scalar: FftNum + Default {
     /// The nearest value.
     fn of(value: f64) -> Self;
-    /// As it is stored.
+    /// The value as it is stored.
     fn stored(value: Complex<Self>) -> Complex<f64>;
 }
 

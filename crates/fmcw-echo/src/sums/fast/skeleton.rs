@@ -13,15 +13,15 @@ use num_complex::Complex64;
 pub(crate) struct Skeleton {
     /// Indices into the grid.
     pub(crate) points: Vec<usize>,
-    /// Of each point, its share in the value at every point of the grid.
+    /// Share of each point in the value at every point of the grid.
     pub(crate) shares: Vec<Vec<Complex64>>,
     /// Root mean square over functions and points of what is left.
     pub(crate) left: f64,
 }
 
 impl Skeleton {
-    /// Of some functions of the family, none larger than about 1, until the root mean square of what is left
-    /// is `error`, or up to `most` points.
+    /// Skeleton of some functions of the family, none larger than about 1, until the root mean square of
+    /// what is left is `error`, or up to `most` points.
     pub(crate) fn of(functions: &[Vec<Complex64>], error: f64, most: usize) -> Self {
         let mut found = Self { left: root_mean_square(functions), ..Self::default() };
         let products = Products::of(functions);
@@ -49,7 +49,7 @@ impl Skeleton {
         found
     }
 
-    /// What a function's values at the points miss of it, at every point of the grid.
+    /// Difference of a function from what its values at the points tell of it, at every point of the grid.
     pub(crate) fn missed(&self, function: &[Complex64]) -> Vec<Complex64> {
         missed(function, &self.points, &self.shares)
     }
@@ -73,7 +73,7 @@ fn missed(function: &[Complex64], points: &[usize], shares: &[Vec<Complex64>]) -
     left
 }
 
-/// Over all values of some functions.
+/// Root mean square over all values of some functions.
 pub(crate) fn root_mean_square(functions: &[Vec<Complex64>]) -> f64 {
     let count: usize = functions.iter().map(Vec::len).sum();
     (functions.iter().flatten().map(|value| value.norm_sqr()).sum::<f64>() / count.max(1) as f64).sqrt()
@@ -116,7 +116,7 @@ fn shares(functions: &[Vec<Complex64>], points: &[usize]) -> Vec<Vec<Complex64>>
     shares
 }
 
-/// Σ conj(a)·b.
+/// Inner product Σ conj(a)·b.
 fn inner(a: &[Complex64], b: &[Complex64]) -> Complex64 {
     a.iter().zip(b).map(|(a, b)| a.conj() * b).sum()
 }
@@ -149,8 +149,8 @@ impl Products {
         }
     }
 
-    /// Σ|M|² that the best shares of some points tell: the points' columns made orthogonal one after the
-    /// other.
+    /// Power Σ|M|² that the best shares of some points tell: the points' columns made orthogonal one after
+    /// the other.
     fn told(&self, points: &[usize]) -> f64 {
         let mut rows: Vec<Vec<Complex64>> = Vec::with_capacity(points.len());
         let mut told = 0.0;

@@ -1,4 +1,5 @@
-//! What a group of paths has in common beside its tones: the few instants that tell all of a frame.
+//! Slow part of a group of paths, which they have in common beside their tones: the few instants that
+//! tell all of a frame.
 //!
 //! A path's IF value is its tone, e^{j2π(αn + βm)}, times something that changes slowly with chirp n and
 //! sample m: range migration, acceleration, spreading, the element's own delay, the amplitude over the band.
@@ -15,26 +16,26 @@ use std::f64::consts::{PI, TAU};
 
 /// The slow part of a group: x(n, m) ≈ Σ_i shape_i(n, m)·Σ_paths value(instant i)·tone, of every link.
 pub(crate) struct SmoothPart {
-    /// Where the paths' values are taken.
+    /// Instants at which the paths' values are taken.
     pub(crate) instants: Vec<Instant>,
     axes: [ChebyshevAxis; 2],
-    /// By instant, link, grid point.
+    /// Shapes by instant, link, grid point.
     shapes: Vec<Vec<Vec<Complex64>>>,
 }
 
-/// What a smooth part is asked for.
+/// Request for a smooth part.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Asked {
     /// Root mean square, relative to each path at its strongest.
     pub(crate) error: f64,
     pub(crate) instants_max: usize,
-    /// Fewer paths have none.
+    /// Least number of paths; fewer have no smooth part.
     pub(crate) paths_min: usize,
 }
 
 impl SmoothPart {
-    /// Of some paths; `None` where more instants than allowed, or a finer grid than [`GRID_MAX`], would be
-    /// needed.
+    /// Smooth part of some paths; `None` where more instants than allowed, or a finer grid than
+    /// [`GRID_MAX`], would be needed.
     pub(crate) fn of(listener: &Listener<'_>, paths: &[&Path], links: &[Link], asked: Asked) -> Option<Self> {
         let middle = middle_of(paths)?;
         let some = spread_over(listener, paths);
@@ -69,7 +70,7 @@ impl SmoothPart {
         Some(Self { instants, axes, shapes })
     }
 
-    /// `[chirp][sample]` of the shape of an instant at a link.
+    /// Shape of an instant at a link, `[chirp][sample]`.
     pub(crate) fn shape<T: Scalar>(
         &self,
         instant: usize,
@@ -119,7 +120,7 @@ impl ChebyshevAxis {
         Self { places: (0..count).map(|i| half * (1.0 - angle(i).cos())).collect() }
     }
 
-    /// Of every point in the value at 0, 1, … `length` − 1, row by row.
+    /// Share of every point in the value at 0, 1, … `length` − 1, row by row.
     fn shares<T: Scalar>(&self, length: usize) -> Vec<T> {
         (0..length).flat_map(|at| self.shares_at(at as f64)).map(T::of).collect()
     }
@@ -200,7 +201,7 @@ fn on_grid(axes: &[ChebyshevAxis; 2], coarse: &[Complex64], at: Instant) -> Comp
     coarse.chunks_exact(samples.len()).zip(&chirps).map(|(values, share)| *share * row(values)).sum()
 }
 
-/// By link, then instant: values less the path's tone.
+/// Values by link, then instant, less the path's tone.
 fn slow_values(
     listener: &Listener<'_>,
     path: &Path,
@@ -218,7 +219,7 @@ fn slow_values(
     values
 }
 
-/// Of a tone, counted from the frame's middle.
+/// Cycles of a tone, counted from the frame's middle.
 pub(crate) fn cycles_of(tone: Tone, at: Instant, middle: Instant) -> f64 {
     tone.per_chirp * (at.chirp - middle.chirp) + tone.per_sample * (at.sample - middle.sample)
 }
@@ -227,7 +228,7 @@ fn quotient(own: Vec<Complex64>, middle: &[Complex64]) -> Vec<Complex64> {
     own.into_iter().zip(middle).map(|(own, middle)| own / middle).collect()
 }
 
-/// Scaled so that its largest value is 1.
+/// The function scaled so that its largest value is 1.
 fn unit(function: Vec<Complex64>) -> Vec<Complex64> {
     let size = function.iter().map(|v| v.norm()).fold(0.0, f64::max);
     if size > 0.0 { function.into_iter().map(|v| v / size).collect() } else { function }
@@ -318,8 +319,8 @@ mod tests {
         }
     }
 
-    /// X5: a body of 5 m whose points differ by ±0.3 m/s, straight ahead and so far away that nothing but the
-    /// bilinear phase is left.
+    /// Claim X5: a body of 5 m whose points differ by ±0.3 m/s, straight ahead and so far away that nothing
+    /// but the bilinear phase is left.
     #[test]
     fn x5_one_two_and_three_instants_leave_39_78_and_116_db() {
         let radar = radar();

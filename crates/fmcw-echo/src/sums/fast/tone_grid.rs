@@ -14,19 +14,19 @@ use rayon::prelude::*;
 use rustfft::{Fft, FftPlanner};
 use std::sync::Arc;
 
-/// Where tones lie on a grid, and what shapes it has.
+/// Places of tones on a grid, and the shapes that it has.
 pub(crate) struct ToneGrid<T: Scalar> {
     kernel: Kernel,
-    /// Chirps, samples.
+    /// Number of chirps and of samples.
     modes: [usize; 2],
     cells: [usize; 2],
-    /// In the order of the cells that they reach.
+    /// Tones in the order of the cells that they reach.
     spots: Vec<Spot<T>>,
     /// Rows of cells that some tone reaches, ascending.
     rows: Vec<usize>,
-    /// Of a row, its place among those; `u32::MAX` where there is none.
+    /// Place of a row among those that tones reach; `u32::MAX` where it is none of them.
     place_of_row: Vec<u32>,
-    /// 1/(what the kernel weights a mode with), by axis and mode.
+    /// Reciprocal of what the kernel weights a mode with, by axis and mode.
     corrections: [Vec<T>; 2],
     transforms: [Arc<dyn Fft<T>>; 2],
 }
@@ -45,7 +45,7 @@ struct Spot<T> {
 pub(crate) const SETS: usize = 16;
 
 impl<T: Scalar> ToneGrid<T> {
-    /// For an error relative to Σ|strengths|.
+    /// Grid for an error relative to Σ|strengths|.
     pub(crate) fn new(tones: &[Tone], modes: [usize; 2], error: f64) -> Self {
         let kernel = Kernel::for_error(error);
         let cells = modes.map(|modes| smooth_at_least((2 * modes).max(2 * kernel.cells)));
@@ -125,7 +125,7 @@ impl<T: Scalar> ToneGrid<T> {
         row.iter_mut().zip(beyond).for_each(|(value, cell)| *value = *value + *cell);
     }
 
-    /// `[row][column][set]`.
+    /// Spreads strengths over the cells, `[row][column][set]`.
     fn spread(&self, strengths: &[Vec<Complex<T>>]) -> Vec<Complex<T>> {
         let mut grid =
             vec![Complex::new(T::zero(), T::zero()); self.rows.len() * self.columns() * strengths.len()];
@@ -183,7 +183,7 @@ fn rows_of(first: u32, width: usize, cells: usize) -> impl Iterator<Item = usize
     })
 }
 
-/// Where the transform has mode n − N/2.
+/// Cell where the transform has mode n − N/2.
 fn cell_of(n: usize, modes: usize, cells: usize) -> usize {
     let middle = modes / 2;
     if n >= middle { n - middle } else { cells + n - middle }
