@@ -1,4 +1,4 @@
-//! What was measured of a radar, from files: its pattern, and how its channels differ.
+//! Measurements of a radar, from files: its pattern, and how its channels differ.
 
 pub(crate) mod pattern_table;
 pub(crate) mod calibration;

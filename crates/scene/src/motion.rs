@@ -25,8 +25,8 @@ pub fn vehicles_in_view(scene: &SceneHeader, frame_index: u32) -> Vec<&Vehicle> 
     placed(scene, frame_index).filter_map(|placed| vehicles.get(placed.vehicle as usize)).collect()
 }
 
-/// For each pose of a frame's snapshot the place of its body among all of the scene: targets first, then
-/// every vehicle that is in view in some frame.
+/// Place of the body of each pose of a frame's snapshot among all bodies of the scene: targets first,
+/// then every vehicle that is in view in some frame.
 pub fn bodies_in_view(scene: &SceneHeader, frame_index: u32) -> Vec<u32> {
     let targets = scene.targets.len() as u32;
     (0..targets).chain(placed(scene, frame_index).map(|placed| targets + placed.vehicle)).collect()

@@ -1,4 +1,4 @@
-//! What SUMO writes: recorded vehicles step by step, and the lanes of a network.
+//! Recordings of SUMO: vehicles step by step, and the lanes of a network.
 
 pub(crate) mod xml;
 pub mod fcd;

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-/// glTF's component and target codes (glTF 2.0, §3.6.2.2 and §5.11).
+/// Component and target codes of glTF (glTF 2.0, §3.6.2.2 and §5.11).
 const UNSIGNED_BYTE: u32 = 5121;
 const FLOAT: u32 = 5126;
 const UNSIGNED_INT: u32 = 5125;
@@ -18,7 +18,7 @@ pub(crate) struct Buffer {
 }
 
 impl Buffer {
-    /// VEC3; the extent is required of positions.
+    /// Adds a VEC3 accessor; the extent is required of positions.
     pub(crate) fn vectors(&mut self, values: &[[f32; 3]], extent: Option<[[f32; 3]; 2]>) -> usize {
         let bytes = values.iter().flatten().flat_map(|v| v.to_le_bytes()).collect();
         let view = self.view(bytes, ARRAY_BUFFER);
@@ -40,7 +40,7 @@ impl Buffer {
         )
     }
 
-    /// RGBA, a byte each.
+    /// Adds colours in RGBA, a byte each.
     pub(crate) fn colours(&mut self, values: &[[u8; 4]]) -> usize {
         let view = self.view(values.concat(), ARRAY_BUFFER);
         let count = values.len();
@@ -61,7 +61,7 @@ impl Buffer {
     }
 }
 
-/// (x, y, z) in glTF is (y, z, x) of the body.
+/// Point of a body in the axes of glTF, where its (x, y, z) is (y, z, x).
 pub(crate) fn gltf_axes([x, y, z]: [f32; 3]) -> [f32; 3] {
     [y, z, x]
 }

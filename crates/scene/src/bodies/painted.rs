@@ -4,7 +4,7 @@ use crate::bodies::glb::{Buffer, container, extent, gltf_axes};
 use artifact::scene::Mesh;
 use serde_json::{Value, json};
 
-/// What is painted; body axes, metres.
+/// Parts of a painted mesh; body axes, metres.
 #[derive(Debug, Clone)]
 pub struct Painted<'a> {
     /// The mesh.
@@ -18,9 +18,9 @@ pub struct Painted<'a> {
 /// A line through two or more points.
 #[derive(Debug, Clone)]
 pub struct PaintedLine {
-    /// In their order.
+    /// Points in their order.
     pub points_m: Vec<[f64; 3]>,
-    /// RGB.
+    /// Colour in RGB.
     pub colour: [u8; 3],
 }
 
@@ -65,7 +65,8 @@ fn lines(buffer: &mut Buffer, painted: &Painted) -> Option<Value> {
     primitive(buffer, 1, &ends, &colours.into_iter().map(opaque).collect::<Vec<_>>())
 }
 
-/// glTF allows no accessor without elements.
+/// A primitive of points with their colours; none without points, since glTF allows no accessor without
+/// elements.
 fn primitive(buffer: &mut Buffer, mode: u32, points_m: &[[f64; 3]], colours: &[[u8; 4]]) -> Option<Value> {
     if points_m.is_empty() {
         return None;

@@ -21,30 +21,30 @@ pub const NAMES: [&str; 4] = ["pole", "sign", "guard-rail", "kerb"];
 pub enum Piece {
     /// An upright steel tube.
     Pole {
-        /// Over the ground.
+        /// Height over the ground.
         height_m: f64,
-        /// Of the tube.
+        /// Diameter of the tube.
         diameter_m: f64,
     },
     /// A plate of aluminium, 0.9 × 0.6 m, before the top of a steel tube; it looks along x.
     Sign {
-        /// Of its upper edge, over the ground.
+        /// Height of its upper edge over the ground.
         height_m: f64,
     },
     /// A corrugated rail of steel on posts along x; its face looks along y.
     GuardRail {
-        /// Along x.
+        /// Length along x.
         length_m: f64,
     },
     /// A kerb of concrete along x.
     Kerb {
-        /// Along x.
+        /// Length along x.
         length_m: f64,
     },
 }
 
 impl Piece {
-    /// One of [`NAMES`].
+    /// Name of the piece, one of [`NAMES`].
     pub fn name(&self) -> &'static str {
         match self {
             Self::Pole { .. } => NAMES[0],

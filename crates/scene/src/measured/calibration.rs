@@ -1,4 +1,4 @@
-//! `calibration` of `[dsp]`: what the channels of a radar were measured to differ by from ideal ones.
+//! `calibration` of `[dsp]`: the measured differences of a radar's channels from ideal ones.
 //!
 //! ```text
 //! tx,rx,gain_db,phase_deg     the first line
@@ -48,11 +48,11 @@ pub(crate) fn read_calibration(
 #[derive(Debug, thiserror::Error)]
 #[error("{}:{line}: {rule}", file.display())]
 pub struct CalibrationFileError {
-    /// As the scene names it.
+    /// Path as the scene names it.
     pub file: PathBuf,
-    /// From 1; 0 where no line is at fault.
+    /// Line of the file, from 1; 0 where no line is at fault.
     pub line: u32,
-    /// What is broken.
+    /// Rule that is broken.
     pub rule: CalibrationRule,
 }
 
@@ -72,7 +72,7 @@ pub enum CalibrationRule {
     /// Another table, or none.
     #[error("the first line must be `tx,rx,gain_db,phase_deg`")]
     NoHeading,
-    /// Not two whole numbers and two numbers in their ranges.
+    /// A line has not two whole numbers and two numbers in their ranges.
     #[error(
         "must be tx,rx,gain_db,phase_deg: two counts from 0, a gain within ±60, a phase within ±360; is `{found}`"
     )]
@@ -89,9 +89,9 @@ pub enum CalibrationRule {
         tx: usize,
         /// Receive element.
         rx: usize,
-        /// Of the scene's array.
+        /// Number of transmit elements of the scene's array.
         transmitters: usize,
-        /// Of the scene's array.
+        /// Number of receive elements of the scene's array.
         receivers: usize,
     },
     /// A pair with two lines.

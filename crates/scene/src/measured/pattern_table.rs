@@ -39,11 +39,11 @@ pub(crate) fn read_pattern_table(file: &Path) -> Result<PatternTable, PatternFil
 #[derive(Debug, thiserror::Error)]
 #[error("{}:{line}: {rule}", file.display())]
 pub struct PatternFileError {
-    /// As the scene names it.
+    /// Path as the scene names it.
     pub file: PathBuf,
-    /// From 1; 0 where no line is at fault.
+    /// Line of the file, from 1; 0 where no line is at fault.
     pub line: u32,
-    /// What is broken.
+    /// Rule that is broken.
     pub rule: PatternRule,
 }
 
@@ -56,7 +56,7 @@ pub enum PatternRule {
     /// Another table, or none.
     #[error("the first line must be `az_deg,el_deg,gain_db`")]
     NoHeading,
-    /// Not three numbers.
+    /// A line has not three numbers.
     #[error("must be three numbers az_deg,el_deg,gain_db, is `{found}`")]
     NotNumbers {
         /// The line.
@@ -65,9 +65,9 @@ pub enum PatternRule {
     /// An angle or a gain that is none.
     #[error("{column} must lie within ±{limit}, is {found}")]
     OutOfRange {
-        /// Its name.
+        /// Name of the column.
         column: &'static str,
-        /// As read.
+        /// Value as read.
         found: f64,
         /// Largest size.
         limit: f64,
@@ -75,19 +75,19 @@ pub enum PatternRule {
     /// A direction told twice, with two gains.
     #[error("direction {azimuth_deg}, {elevation_deg} has another gain in line {first_line}")]
     ToldTwice {
-        /// Of the direction.
+        /// Azimuth of the direction.
         azimuth_deg: f64,
-        /// Of the direction.
+        /// Elevation of the direction.
         elevation_deg: f64,
-        /// Where it was told first.
+        /// Line on which it was told first.
         first_line: u32,
     },
     /// A cubic needs three values.
     #[error("{column} takes {found} values; one or at least three are needed")]
     TooFew {
-        /// Which axis.
+        /// Name of the axis.
         column: &'static str,
-        /// How many there are.
+        /// Number of its values.
         found: usize,
     },
     /// Neither a table nor cuts.
@@ -101,9 +101,9 @@ pub enum PatternRule {
     /// A table beyond what headers of artifacts should hold.
     #[error("{azimuths} azimuths × {elevations} elevations are more than {limit} values")]
     TooLarge {
-        /// Of the table.
+        /// Number of azimuths of the table.
         azimuths: usize,
-        /// Of the table.
+        /// Number of elevations of the table.
         elevations: usize,
         /// Most values.
         limit: usize,
@@ -184,7 +184,7 @@ fn table(directions: &[Direction]) -> Result<PatternTable, Fault> {
     })
 }
 
-/// Elevation by elevation, each direction once.
+/// Directions elevation by elevation, each once.
 fn distinct(directions: &[Direction]) -> Result<Vec<Direction>, Fault> {
     let mut sorted = directions.to_vec();
     sorted.sort_by(|a, b| {

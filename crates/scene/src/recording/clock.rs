@@ -1,17 +1,17 @@
-//! When the frames of a scene with recorded traffic are, and whether the recording reaches so far.
+//! Times of the frames of a scene with recorded traffic, and whether the recording reaches so far.
 
 use crate::recording::fcd::FcdRule;
 
 /// Frames and where they lie in the recording.
 #[derive(Clone, Copy)]
 pub(crate) struct Times {
-    /// As the scene says; `None` for as many as there are.
+    /// Number of frames as the scene says it; `None` for as many as there are.
     pub(crate) frames: Option<u32>,
-    /// From one to the next.
+    /// Interval from one frame to the next.
     pub(crate) interval_s: f64,
-    /// Of the first frame; `None` for the recording's first step.
+    /// Time of the first frame; `None` for the recording's first step.
     pub(crate) begin_s: Option<f64>,
-    /// Of the last frame at most; `None` for the recording's last step.
+    /// Time of the last frame at most; `None` for the recording's last step.
     pub(crate) end_s: Option<f64>,
 }
 
@@ -23,7 +23,7 @@ pub(crate) struct Clock {
     next: u32,
 }
 
-/// As many as a scene may say.
+/// Most frames that a scene may say.
 pub(crate) const FRAME_LIMIT: u32 = 1_000_000;
 
 /// SUMO writes milliseconds: what misses a step by less is that step.
@@ -38,7 +38,7 @@ impl Clock {
         self.begin_s + f64::from(frame) * self.times.interval_s
     }
 
-    /// No frame is left.
+    /// Whether no frame is left.
     pub(crate) fn is_done(&self) -> bool {
         let ended = self.times.end_s.is_some_and(|end_s| self.at(self.next) > end_s + ROUNDING_S);
         self.times.frames.map_or(ended, |frames| self.next >= frames)
@@ -56,7 +56,7 @@ impl Clock {
         Ok(is_known.then_some(time_s))
     }
 
-    /// All frames asked for were there.
+    /// Refuses a recording that ended before all frames asked for were there.
     pub(crate) fn checked(&self, last: f64) -> Result<(), FcdRule> {
         let until_s = match (self.times.frames, self.times.end_s) {
             (Some(frames), Some(end_s)) => self.at(frames - 1).max(end_s),

@@ -18,7 +18,7 @@ pub struct FcdStep {
     pub time_s: f64,
     /// Line on which the step begins, from 1.
     pub line: u64,
-    /// In the order of the file.
+    /// Vehicles in the order of the file.
     pub vehicles: Vec<FcdVehicle>,
 }
 
@@ -27,27 +27,27 @@ pub struct FcdStep {
 pub struct FcdVehicle {
     /// Unique among the vehicles of a step.
     pub id: String,
-    /// `type`: the recording's vType.
+    /// Type in the recording, its vType: the attribute `type`.
     pub kind: String,
-    /// `x`, `y` and, where there is one, `z` (else 0): the middle of the front bumper.
+    /// Middle of the front bumper: the attributes `x`, `y` and, where there is one, `z` (else 0).
     pub front_m: [f64; 3],
-    /// `angle`: clockwise from +y, as a compass.
+    /// Heading clockwise from +y, as a compass: the attribute `angle`.
     pub angle_deg: f64,
-    /// `speed`: along the heading.
+    /// Speed along the heading: the attribute `speed`.
     pub speed_mps: f64,
     /// Line of the file, from 1.
     pub line: u64,
 }
 
-/// What is wrong with a recording, and where.
+/// Fault of a recording, and its place.
 #[derive(Debug, thiserror::Error)]
 #[error("{}:{line}: {rule}", file.display())]
 pub struct FcdError {
     /// The recording.
     pub file: PathBuf,
-    /// From 1; of the unpacked text.
+    /// Line of the unpacked text, from 1.
     pub line: u64,
-    /// What is broken.
+    /// Rule that is broken.
     pub rule: Box<FcdRule>,
 }
 
@@ -61,7 +61,7 @@ impl FcdError {
 /// The rules of a recording, broken.
 #[derive(Debug, thiserror::Error)]
 pub enum FcdRule {
-    /// It cannot be read, or not as XML.
+    /// The file cannot be read, or not as XML.
     #[error("{0}")]
     Text(#[source] XmlFault),
     /// XML, but of something else.
@@ -73,15 +73,15 @@ pub enum FcdRule {
     /// Much text of which none is a step.
     #[error("more than {0} bytes without a <timestep>")]
     StepTooLong(u64),
-    /// More vehicles than any simulation has at once.
+    /// A step has more vehicles than any simulation has at once.
     #[error("the step has more than {0} vehicles, the most that are read")]
     TooManyVehicles(usize),
     /// An id or a type that is none.
     #[error("`{attribute}` has more than {limit} bytes: `{found}`")]
     NameTooLong {
-        /// `id` or `type`.
+        /// Name of the attribute: `id` or `type`.
         attribute: &'static str,
-        /// Its beginning.
+        /// Beginning of the name.
         found: String,
         /// Most bytes.
         limit: usize,
@@ -91,14 +91,14 @@ pub enum FcdRule {
         "from {begin} s on, every {interval} s, it holds more than {limit} frames: say `frames`, `end_s` or a longer `frame_interval_s`"
     )]
     TooManyFrames {
-        /// Of the first frame.
+        /// Time of the first frame.
         begin: f64,
-        /// From one frame to the next.
+        /// Interval from one frame to the next.
         interval: f64,
         /// Most frames.
         limit: u32,
     },
-    /// More than memory should hold.
+    /// More poses of vehicles are in view than memory should hold.
     #[error(
         "more than {0} poses of vehicles are in view: ask for fewer frames, or see less far by `view_range_m`"
     )]
@@ -112,39 +112,39 @@ pub enum FcdRule {
     /// An attribute that is needed.
     #[error("<{element}{}>: attribute `{attribute}` is missing", named(.id))]
     Missing {
-        /// Of the element.
+        /// Name of the element.
         element: &'static str,
-        /// Of the vehicle, where it is known.
+        /// Id of the vehicle, where it is known.
         id: Option<String>,
-        /// Its name.
+        /// Name of the attribute.
         attribute: &'static str,
     },
     /// An attribute that should be a number in a range.
     #[error("<{element}{}>: `{attribute}` is `{found}`; it must be {allowed}", named(.id))]
     NotANumber {
-        /// Of the element.
+        /// Name of the element.
         element: &'static str,
-        /// Of the vehicle, where it is known.
+        /// Id of the vehicle, where it is known.
         id: Option<String>,
-        /// Its name.
+        /// Name of the attribute.
         attribute: &'static str,
-        /// As written.
+        /// Value as written.
         found: String,
-        /// What may stand there.
+        /// Values that may stand there.
         allowed: &'static str,
     },
     /// Time that stands still or runs back.
     #[error("the step's time {found} s does not come after {before} s")]
     TimeNotGrowing {
-        /// Of this step.
+        /// Time of this step.
         found: f64,
-        /// Of the step before.
+        /// Time of the step before.
         before: f64,
     },
     /// Two vehicles of one name in one step.
     #[error("vehicle `{0}` is there twice in one step")]
     Twice(String),
-    /// vTypes without a model.
+    /// Some vTypes have no model.
     #[error("{}not in `models` of [traffic]; known are {}", unknown_types(.found), .known.join(", "))]
     UnknownTypes {
         /// Each with the first vehicle that has it.
@@ -161,13 +161,13 @@ pub enum FcdRule {
     /// The recording does not reach the time asked for.
     #[error("the recording runs from {first} s to {last} s; frames from {begin} s to {end} s were asked for")]
     OutsideRecording {
-        /// Of the first step.
+        /// Time of the first step.
         first: f64,
-        /// Of the last step read.
+        /// Time of the last step read.
         last: f64,
-        /// Of the first frame.
+        /// Time of the first frame.
         begin: f64,
-        /// Of the last frame.
+        /// Time of the last frame.
         end: f64,
     },
     /// Steps, but not one.
@@ -182,11 +182,11 @@ fn named(id: &Option<String>) -> String {
 /// A vType without a model, and the first vehicle that has it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnknownType {
-    /// As written.
+    /// Name of the type as written.
     pub kind: String,
-    /// Of the vehicle.
+    /// Id of the vehicle.
     pub id: String,
-    /// Where it stands.
+    /// Line on which it stands.
     pub line: u64,
 }
 
@@ -217,7 +217,7 @@ pub struct FcdReader {
     place: Place,
 }
 
-/// Where in the document the reader stands.
+/// Place of the reader in the document.
 #[derive(Clone, Copy, PartialEq)]
 enum Place {
     Before,
@@ -284,7 +284,7 @@ impl FcdReader {
         }
     }
 
-    /// Time must grow, and a name is a vehicle's own.
+    /// The step, refused where time does not grow or two vehicles have one name.
     fn checked(&mut self, step: FcdStep) -> Result<FcdStep, FcdError> {
         if let Some(before) = self.last_time_s.filter(|before| step.time_s <= *before) {
             return Err(self.error_at(step.line, FcdRule::TimeNotGrowing { found: step.time_s, before }));
@@ -306,7 +306,7 @@ enum Extent {
     Empty,
 }
 
-/// False where a step is whole already.
+/// Takes an element that opens; false where a step is whole already.
 fn open_element(
     tag: &BytesStart<'_>,
     line: u64,
@@ -340,7 +340,7 @@ fn open_element(
 
 /// Coordinates beyond this are a slip of units, or degrees of a map (docs/scenes.md).
 const COORDINATE_LIMIT_M: f64 = 1e5;
-/// Beyond the speed of sound nothing drives.
+/// Speed of sound: beyond it nothing drives.
 const SPEED_LIMIT_MPS: f64 = 340.0;
 
 fn vehicle(tag: &BytesStart<'_>, line: u64) -> Result<FcdVehicle, FcdRule> {

@@ -1,4 +1,4 @@
-//! What of recorded traffic a radar may see: what stands within range and on the side it looks to.
+//! Recorded traffic in view of a radar: what stands within range and on the side it looks to.
 
 use glam::DVec2;
 
@@ -7,14 +7,14 @@ pub(crate) struct View {
     pub(crate) foot_m: DVec2,
     /// Unit vector.
     pub(crate) boresight: DVec2,
-    /// What reaches nearer stands below the beam.
+    /// Nearest distance in view: what reaches nearer stands below the beam.
     pub(crate) nearest_m: f64,
     pub(crate) range_m: f64,
     pub(crate) half_angle_rad: f64,
 }
 
 impl View {
-    /// How far from the radar's foot anything is in view.
+    /// Farthest distance from the radar's foot at which anything is in view.
     pub(crate) fn range_m(&self) -> f64 {
         self.range_m
     }

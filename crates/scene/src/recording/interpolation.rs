@@ -1,4 +1,4 @@
-//! Where recorded vehicles are between the steps of a recording, so that position, velocity and yaw belong
+//! Recorded vehicles between the steps of a recording, so that position, velocity and yaw belong
 //! together.
 //!
 //! SUMO moves a vehicle by x(t) = x(t − Δ) + Δ·v(t) (its default, Euler): between two steps the velocity is
@@ -24,8 +24,8 @@ use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
-/// What a lane change takes: the mean of 1790 observed ones is 4.6 s, their median near 4 (Toledo & Zohar
-/// 2007).
+/// Duration of a lane change: the mean of 1790 observed ones is 4.6 s, their median near 4 (Toledo &
+/// Zohar 2007).
 pub const LANE_CHANGE_S: f64 = 4.0;
 
 /// A step that leads further than this across the mean heading of its two ends is a jump: twice what a turn
@@ -36,7 +36,7 @@ pub const SIDEWAYS_JUMP_M: f64 = 1.2;
 /// in that time.
 const SLIDES_AT_ONCE: usize = 64;
 
-/// What of a way may be rounding: four coordinates of 5 mm, and the speed's 5 mm/s over a second.
+/// Part of a way that may be rounding: four coordinates of 5 mm, and the speed's 5 mm/s over a second.
 pub const ROUNDING_M: f64 = 0.025;
 
 /// Faster than any car on a road.
@@ -50,23 +50,23 @@ const SAME_MOMENT_S: f64 = 1e-6;
 pub struct Bumper {
     /// World metres.
     pub front_m: DVec3,
-    /// Of the front bumper.
+    /// Velocity of the front bumper.
     pub velocity_mps: DVec3,
-    /// Of the body's x axis, from world +x towards +y.
+    /// Direction of the body's x axis, from world +x towards +y.
     pub yaw_rad: f64,
     /// Rate of `yaw_rad`.
     pub yaw_radps: f64,
 }
 
 impl Bumper {
-    /// As told with one step.
+    /// Bumper of a vehicle as told with one step.
     fn as_told(vehicle: &FcdVehicle) -> Self {
         let yaw_rad = yaw_rad(vehicle.angle_deg);
         let velocity_mps = heading(yaw_rad).extend(0.0) * vehicle.speed_mps;
         Self { front_m: vehicle.front_m.into(), velocity_mps, yaw_rad, yaw_radps: 0.0 }
     }
 
-    /// Of a body whose origin lies `reach_m` behind its front.
+    /// Pose of a body whose origin lies `reach_m` behind its front.
     pub fn pose(&self, reach_m: f64) -> Pose {
         let ahead = heading(self.yaw_rad);
         let turning = ahead.perp() * self.yaw_radps;
@@ -80,7 +80,7 @@ impl Bumper {
     }
 }
 
-/// ψ = 90° − angle.
+/// Yaw ψ = 90° − angle.
 fn yaw_rad(angle_deg: f64) -> f64 {
     (90.0 - angle_deg).to_radians()
 }
@@ -151,8 +151,8 @@ impl Interval {
         &self.after.vehicles
     }
 
-    /// Where a vehicle of the later step is at a moment after the earlier step and not after the later;
-    /// `None` where it is not there.
+    /// Bumper of a vehicle of the later step at a moment after the earlier step and not after the later;
+    /// `None` where the vehicle is not there.
     pub fn bumper(&self, vehicle: &FcdVehicle, time_s: f64) -> Option<Bumper> {
         let earlier = self.before.as_ref().zip(self.known.get(&vehicle.id));
         let Some((before, index)) = earlier else {
@@ -193,7 +193,7 @@ fn own_jump(slides: Option<&Vec<Slide>>, start_s: f64) -> DVec2 {
     own.map(|slide| slide.jump_m).sum()
 }
 
-/// Of a vehicle that came this way in a step, jumps left out.
+/// Velocity of a vehicle that came this way in a step, jumps left out.
 fn velocity(vehicle: &FcdVehicle, way_m: DVec3, step_s: f64) -> DVec3 {
     // Below 30 roundings of 5 mm to a side a way's direction is known to no better than 2°.
     const SHORT_M: f64 = 0.15;
@@ -205,14 +205,14 @@ fn velocity(vehicle: &FcdVehicle, way_m: DVec3, step_s: f64) -> DVec3 {
     vehicle.speed_mps * if length_m > SHORT_M { way_m / length_m } else { ahead }
 }
 
-/// By the shorter way, counter-clockwise.
+/// Turn by the shorter way, counter-clockwise.
 fn turn_rad(a: &FcdVehicle, b: &FcdVehicle) -> f64 {
     let turn = yaw_rad(b.angle_deg) - yaw_rad(a.angle_deg);
     turn - TAU * (turn / TAU).round()
 }
 
-/// What of a step leads across the mean heading, where it is a jump. Along a circle the chord has the mean
-/// heading.
+/// Part of a step that leads across the mean heading, where it is a jump. Along a circle the chord has
+/// the mean heading.
 pub fn sideways_jump(a: &FcdVehicle, b: &FcdVehicle) -> Option<DVec2> {
     let way = DVec3::from(b.front_m).truncate() - DVec3::from(a.front_m).truncate();
     let across = heading(yaw_rad(a.angle_deg) + 0.5 * turn_rad(a, b)).perp();

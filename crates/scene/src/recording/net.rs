@@ -1,5 +1,4 @@
-//! Lanes of a SUMO network (`.net.xml`, as it is or packed by gzip): where they run, how wide they are, what
-//! they are called.
+//! Lanes of a SUMO network (`.net.xml`, as it is or packed by gzip): their courses, widths and names.
 //!
 //! Schema: `net_file.xsd` of SUMO (<https://sumo.dlr.de/docs/Networks/SUMO_Road_Networks.html>): `<net>`
 //! holds `<edge>`, which hold `<lane id shape width …>`, the shape a list of places x,y along the lane's
@@ -14,15 +13,15 @@ use artifact::settings::Course;
 use quick_xml::events::BytesStart;
 use std::path::{Path, PathBuf};
 
-/// What is wrong with a network, and where.
+/// Fault of a network, and its place.
 #[derive(Debug, thiserror::Error)]
 #[error("{}:{line}: {rule}", file.display())]
 pub struct NetError {
     /// The network.
     pub file: PathBuf,
-    /// From 1; of the unpacked text.
+    /// Line of the unpacked text, from 1.
     pub line: u64,
-    /// What is broken.
+    /// Rule that is broken.
     pub rule: NetRule,
 }
 
@@ -36,7 +35,7 @@ impl NetError {
 /// The rules of a network, broken.
 #[derive(Debug, thiserror::Error)]
 pub enum NetRule {
-    /// It cannot be read, or not as XML.
+    /// The file cannot be read, or not as XML.
     #[error("{0}")]
     Text(#[source] XmlFault),
     /// XML, but of something else.
@@ -45,30 +44,30 @@ pub enum NetRule {
     /// No element at all, or an end too early.
     #[error("the file ends before </net>: it was cut off, or holds no network")]
     CutOff,
-    /// More text than any town's network has.
+    /// The file has more text than any town's network has.
     #[error("more than {0} bytes of text")]
     TooLong(u64),
     /// A lane without what tells where it is.
     #[error("<lane{}>: attribute `{attribute}` is missing", named(.id))]
     Missing {
-        /// Of the lane, where it is known.
+        /// Id of the lane, where it is known.
         id: Option<String>,
-        /// Its name.
+        /// Name of the attribute.
         attribute: &'static str,
     },
     /// An attribute that is not what it should be.
     #[error("<lane{}>: `{attribute}` is `{found}`; it must be {allowed}", named(.id))]
     Wrong {
-        /// Of the lane, where it is known.
+        /// Id of the lane, where it is known.
         id: Option<String>,
-        /// Its name.
+        /// Name of the attribute.
         attribute: &'static str,
-        /// As written.
+        /// Value as written.
         found: String,
-        /// What may stand there.
+        /// Values that may stand there.
         allowed: &'static str,
     },
-    /// More than can be counted.
+    /// The network has more lanes than can be counted.
     #[error("more than {0} lanes are in view: see less far by `view_range_m`")]
     TooMany(usize),
     /// Lanes, but of another place; or no lanes.
@@ -76,9 +75,9 @@ pub enum NetRule {
         "none of its {lanes} lanes comes within {range_m:.1} m of the radar's foot: the origin of both is the same?"
     )]
     NoneInView {
-        /// For vehicles.
+        /// Number of lanes for vehicles.
         lanes: usize,
-        /// `view_range_m`.
+        /// Range of view, `view_range_m`.
         range_m: f64,
     },
 }
@@ -91,7 +90,7 @@ fn named(id: &Option<String>) -> String {
 const LIMIT_BYTES: u64 = 1 << 30;
 /// Lanes are numbered by a byte, from 1.
 const LANE_LIMIT: usize = 255;
-/// Of SUMO, where a lane says nothing.
+/// Width by SUMO, where a lane says nothing.
 const DEFAULT_WIDTH_M: f64 = 3.2;
 const COORDINATE_LIMIT_M: f64 = 1e5;
 const NAME_LIMIT_BYTES: usize = 256;
@@ -120,7 +119,7 @@ pub(crate) fn read_net(file: &Path, view: &View) -> Result<Vec<Course>, NetError
     }
 }
 
-/// Where in the document the reader stands.
+/// Place of the reader in the document.
 #[derive(Clone, Copy, PartialEq)]
 enum Place {
     Before,
@@ -136,9 +135,9 @@ enum Progress {
 struct Net<'v> {
     view: &'v View,
     place: Place,
-    /// Of the edge that is open.
+    /// Whether the edge that is open is passed over.
     is_passed_over: bool,
-    /// For vehicles, in view or not.
+    /// Number of lanes for vehicles, in view or not.
     lanes: usize,
     courses: Vec<Course>,
 }
@@ -158,7 +157,7 @@ impl Net<'_> {
         Ok(Progress::Goes)
     }
 
-    /// `within`: where the reader stands after an element that is the first.
+    /// Takes an element that opens; `within` is where the reader stands after one that is the first.
     fn open(&mut self, tag: &BytesStart<'_>, within: Place) -> Result<(), NetRule> {
         match (tag.name().as_ref(), self.place) {
             ("net", Place::Before) => self.place = within,
@@ -220,7 +219,8 @@ fn width(attributes: &[(String, String)]) -> Result<f64, NetRule> {
     width_m.ok_or_else(|| wrong(attributes, "width", found, "m above 0, to 100"))
 }
 
-/// At least two places; a third coordinate is the height, which nothing here asks for.
+/// Places along a lane's middle, two at least; a third coordinate is the height, which nothing here
+/// asks for.
 fn shape(attributes: &[(String, String)]) -> Result<Vec<[f64; 2]>, NetRule> {
     let found = text(attributes, "shape")?;
     let places: Option<Vec<[f64; 2]>> = found.split_whitespace().map(place).collect();

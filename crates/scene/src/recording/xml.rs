@@ -12,7 +12,7 @@ use std::path::Path;
 const DEPTH_LIMIT: usize = 64;
 /// Largest element, and largest gap between elements, that is read: SUMO's are some hundred bytes.
 const ELEMENT_LIMIT_BYTES: u64 = 1 << 20;
-/// Of one element: SUMO's have up to thirty.
+/// Most attributes of one element: SUMO's have up to thirty.
 const ATTRIBUTE_LIMIT: usize = 256;
 
 /// Why a file is not read on as XML.
@@ -21,10 +21,10 @@ pub enum XmlFault {
     /// The system refused, or it is no plain file.
     #[error("cannot be read: {0}")]
     Unreadable(#[source] io::Error),
-    /// gzip's own checks failed, or the file ends too early for them.
+    /// The checks of gzip failed, or the file ends too early for them.
     #[error("the gzip file is damaged or cut off: {0}")]
     DamagedGzip(#[source] io::Error),
-    /// Not XML.
+    /// The file is not XML.
     #[error("not valid XML: {}", beginning(&.0.to_string(), 300))]
     Xml(quick_xml::Error),
     /// An element that never ends, or megabytes between elements.
@@ -33,12 +33,12 @@ pub enum XmlFault {
     /// Elements that are opened one within the other and not closed.
     #[error("elements lie within one another more than {0} deep")]
     TooDeep(usize),
-    /// More attributes than any element has.
+    /// An element has more attributes than any has.
     #[error("an element has more than {0} attributes")]
     TooManyAttributes(usize),
 }
 
-/// What stands in the file next.
+/// Part of the file that stands next.
 pub(crate) enum Element<'b> {
     /// An element, open until its end.
     Opens(BytesStart<'b>),
@@ -71,12 +71,12 @@ impl XmlText {
         self.xml.get_ref().line
     }
 
-    /// How many bytes of the unpacked text were read.
+    /// Number of bytes of the unpacked text that were read.
     pub(crate) fn bytes(&self) -> u64 {
         self.xml.get_ref().bytes
     }
 
-    /// What stands next, and the line on which it ends.
+    /// Reads the part that stands next, and tells the line on which it ends.
     pub(crate) fn next_element(&mut self) -> Result<(Element<'_>, u64), XmlFault> {
         self.buffer.clear();
         self.xml.get_mut().since_element = 0;
@@ -130,7 +130,7 @@ fn fault(error: quick_xml::Error, packing: Packing) -> XmlFault {
     }
 }
 
-/// How the text lies on disk.
+/// Packing of the text on disk.
 #[derive(Clone, Copy, PartialEq)]
 enum Packing {
     Plain,

@@ -11,7 +11,7 @@ use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::rc::Rc;
 
-/// Models that claim metres.
+/// Sizes of models that claim metres.
 const SIZES_M: std::ops::RangeInclusive<f64> = 1e-3..=1e3;
 
 pub(crate) fn assemble(name: String, parts: Vec<Part>, options: &MeshOptions) -> Result<Mesh, Located> {
@@ -43,7 +43,7 @@ struct Joined {
     triangles: Vec<[u32; 3]>,
     material_of_triangle: Vec<u16>,
     materials: Vec<String>,
-    /// Their places.
+    /// Places of materials in the list, by name.
     known: HashMap<Rc<str>, u16>,
 }
 
@@ -162,7 +162,7 @@ fn open_edges(mesh: &Mesh) -> u64 {
     edges.chunk_by(|a, b| a == b).filter(|same| same.len() == 1).count() as u64
 }
 
-/// For each vertex the first, in the order of positions, that stands at the same place.
+/// First vertex, in the order of positions, that stands at the same place, for each vertex.
 fn first_at_each_position(vertices_m: &[[f64; 3]]) -> Vec<u32> {
     // Adding zero makes −0 equal to +0 in their bits.
     let key = |i: u32| vertices_m[i as usize].map(|x| (x + 0.0).to_bits());

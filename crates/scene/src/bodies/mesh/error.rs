@@ -1,4 +1,4 @@
-//! What can be wrong with a mesh file.
+//! Faults of a mesh file.
 
 use crate::wording::number::Number;
 use artifact::bounded::ReadFault;
@@ -10,9 +10,9 @@ use std::path::PathBuf;
 pub struct MeshError {
     /// The file.
     pub file: PathBuf,
-    /// Where in it.
+    /// Place in the file.
     pub place: MeshPlace,
-    /// What is wrong there.
+    /// Fault at that place.
     pub fault: MeshFault,
 }
 
@@ -53,7 +53,7 @@ impl std::error::Error for MeshError {
 /// A place in a mesh file; glTF's arrays count from 0, lines and facets from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MeshPlace {
-    /// All of it.
+    /// The whole file.
     File,
     /// A line of text.
     Line(u64),
@@ -69,9 +69,9 @@ pub enum MeshPlace {
     Node(usize),
     /// A glTF primitive.
     Primitive {
-        /// Its mesh.
+        /// Index of its mesh.
         mesh: usize,
-        /// In that mesh.
+        /// Index in that mesh.
         primitive: usize,
     },
 }
@@ -82,28 +82,28 @@ pub enum MeshFault {
     /// The file cannot be read, or is longer than what is read.
     #[error("{0}")]
     Unread(#[source] ReadFault),
-    /// A buffer beside the file likewise.
+    /// A buffer beside the file cannot be read, or is longer than what is read.
     #[error("buffer file {} {error}", path.display())]
     BufferUnread {
-        /// Where it was looked for.
+        /// Path at which it was looked for.
         path: PathBuf,
-        /// Why not.
+        /// Reason that it was not read.
         #[source]
         error: ReadFault,
     },
-    /// More bytes than are read.
+    /// The buffers have more bytes than are read.
     #[error("has buffers of more than {limit} bytes together, the most that are read")]
     BuffersTooLong {
         /// Most that is read.
         limit: u64,
     },
-    /// More values than any model needs.
+    /// The file has more values than any model needs.
     #[error("its JSON has more than {limit} values, the most that are read")]
     TooManyValues {
         /// Most values.
         limit: usize,
     },
-    /// More positions and normals than triangles can use.
+    /// The file has more positions and normals than triangles can use.
     #[error("has more than {limit} positions and normals, the most that are read")]
     TooManyVectors {
         /// Most that is read.
@@ -123,18 +123,18 @@ pub enum MeshFault {
         /// Most comparisons.
         limit: u64,
     },
-    /// By its extension.
+    /// The format cannot be told by the file's extension.
     #[error("is not a .glb, .gltf, .stl or .obj file by its name")]
     UnknownFormat,
     /// The container of binary glTF.
     #[error("is not binary glTF 2.0: {0}")]
     Container(#[source] gltf::Error),
-    /// Shorter than its own header.
+    /// The file is shorter than its own header.
     #[error("is cut off: {found} bytes where at least {needed} belong")]
     CutOff {
-        /// In the file.
+        /// Bytes in the file.
         found: u64,
-        /// For what its header says.
+        /// Bytes needed for what its header says.
         needed: u64,
     },
     /// The JSON of glTF.
@@ -143,10 +143,10 @@ pub enum MeshFault {
     /// Another major version.
     #[error("is glTF {found}; version 2 is read")]
     Version {
-        /// As written.
+        /// Version as written.
         found: String,
     },
-    /// Without it the geometry cannot be understood.
+    /// An extension is required without which the geometry cannot be understood.
     #[error("needs the extension `{0}`, which is not supported")]
     Extension(String),
     /// Compressed geometry.
@@ -155,14 +155,14 @@ pub enum MeshFault {
     /// A reference into nothing.
     #[error("refers to {what} {index} of {count}")]
     NoSuch {
-        /// What is referred to.
+        /// Kind of what is referred to.
         what: &'static str,
-        /// From 0.
+        /// Index that is referred to, from 0.
         index: usize,
-        /// How many there are.
+        /// Number of those that there are.
         count: usize,
     },
-    /// Neither in the file nor beside it.
+    /// A buffer is neither in the file nor beside it.
     #[error("has no data: neither `uri` nor a binary chunk")]
     BufferMissing,
     /// A URI that names no file and holds no data.
@@ -171,23 +171,23 @@ pub enum MeshFault {
     /// A buffer, view or accessor that ends behind what holds it.
     #[error("ends at byte {end} of {bytes}")]
     Outside {
-        /// Of the part.
+        /// End of the part, bytes.
         end: u64,
-        /// Of the whole.
+        /// Size of the whole, bytes.
         bytes: u64,
     },
     /// Elements that overlap or leave no room.
     #[error("byte stride {stride} is less than the {element} bytes of an element")]
     Stride {
-        /// Of the view.
+        /// Stride of the view, bytes.
         stride: u64,
-        /// Of the accessor.
+        /// Size of an element of the accessor, bytes.
         element: u64,
     },
     /// An accessor of the wrong kind.
     #[error("must hold {expected}")]
     AccessorType {
-        /// What it is used for needs.
+        /// Kind that its use needs.
         expected: &'static str,
     },
     /// An accessor without elements.
@@ -199,9 +199,9 @@ pub enum MeshFault {
     /// Indices of sparse values.
     #[error("sparse indices must rise and stay below {count}; found {index}")]
     Sparse {
-        /// Of the accessor.
+        /// Number of elements of the accessor.
         count: usize,
-        /// The one that does not.
+        /// Index that does not rise, or is not below.
         index: usize,
     },
     /// Vertices are missing.
@@ -210,9 +210,9 @@ pub enum MeshFault {
     /// Normals that do not match.
     #[error("has {normals} normals for {vertices} vertices")]
     NormalCount {
-        /// Of NORMAL.
+        /// Number of normals in NORMAL.
         normals: usize,
-        /// Of POSITION.
+        /// Number of vertices in POSITION.
         vertices: usize,
     },
     /// A kind of primitive that glTF does not have.
@@ -224,7 +224,7 @@ pub enum MeshFault {
     /// A polygon beyond what is cut into triangles.
     #[error("is a polygon of {corners} corners; at most {limit} are cut into triangles")]
     TooManyCorners {
-        /// Of the polygon.
+        /// Corners of the polygon.
         corners: usize,
         /// Most that are cut.
         limit: usize,
@@ -232,9 +232,9 @@ pub enum MeshFault {
     /// A corner that is no vertex.
     #[error("vertex index {index} is out of range: there are {vertices} vertices")]
     VertexIndex {
-        /// As read; OBJ counts from 1 or, negative, from the end.
+        /// Index as read; OBJ counts from 1 or, negative, from the end.
         index: i64,
-        /// How many there are.
+        /// Number of vertices.
         vertices: usize,
     },
     /// NaN or infinity in a position.
@@ -255,21 +255,21 @@ pub enum MeshFault {
     /// Text that cannot be understood.
     #[error("expected {expected}, found `{found}`")]
     Expected {
-        /// By the format.
+        /// Words that the format expects.
         expected: &'static str,
-        /// In the file.
+        /// Words in the file.
         found: String,
     },
-    /// Not text.
+    /// The file is not text.
     #[error("is not UTF-8 text")]
     NotText,
-    /// Nothing that could scatter.
+    /// The file has nothing that could scatter.
     #[error("has no triangle with area ({degenerate} without)")]
     NoTriangles {
-        /// Dropped for want of area.
+        /// Triangles that were dropped for want of area.
         degenerate: u64,
     },
-    /// More than the stages can carry.
+    /// The file has more triangles than the stages can carry.
     #[error("has more than {limit} triangles")]
     TooManyTriangles {
         /// Most that are read.
@@ -278,7 +278,7 @@ pub enum MeshFault {
     /// Materials are numbered with 16 bits.
     #[error("has more than 65535 materials")]
     TooManyMaterials,
-    /// Not in metres.
+    /// The model's size is not one in metres.
     #[error("is {} m large, not {} to {} m: say its unit by a scale", Number(*.size_m), Number(*.least_m), Number(*.most_m))]
     Size {
         /// Longest side of the bounding box.

@@ -21,7 +21,8 @@ pub fn read_mesh(path: &Path, options: &MeshOptions) -> Result<Mesh, MeshError> 
     mesh_from_bytes(&bytes, format, path, options)
 }
 
-/// The mesh in these bytes; `path` names it in errors, and buffers beside a `.gltf` are looked for there.
+/// The mesh in these bytes; `path` names it in errors, and buffers beside a `.gltf` are looked for
+/// there.
 ///
 /// # Errors
 /// As [`read_mesh`].

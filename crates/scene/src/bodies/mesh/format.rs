@@ -3,11 +3,12 @@
 use crate::wording::allowed::Allowed;
 use std::path::Path;
 
-/// How a mesh file is read.
+/// Options for how a mesh file is read.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshOptions {
-    /// Metres in one unit of the file. `None`: metres, and a model below a millimetre or above a kilometre is
-    /// refused, for then it is not.
+    /// Metres in one unit of the file; `None` for a file in metres, where a model below a millimetre or
+    /// above a kilometre is refused, for then it is not. `None`: metres, and a model below a millimetre or
+    /// above a kilometre is refused, for then it is not.
     pub unit_scale: Option<f64>,
 }
 
@@ -16,7 +17,7 @@ pub struct MeshOptions {
 pub enum Format {
     /// Binary glTF 2.0.
     Glb,
-    /// glTF 2.0 as JSON, buffers beside it or inside.
+    /// Text glTF 2.0: JSON, buffers beside it or inside.
     Gltf,
     /// Stereolithography, text or binary.
     Stl,
@@ -25,7 +26,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// By the file name's extension, in either case.
+    /// Format by the file name's extension, in either case.
     pub fn of(path: &Path) -> Option<Self> {
         match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "glb" => Some(Self::Glb),

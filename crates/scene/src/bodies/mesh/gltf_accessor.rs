@@ -21,7 +21,7 @@ pub(crate) struct Accessors<'d> {
     root: &'d Root,
     buffers: &'d Buffers,
     vectors: BTreeMap<usize, Rc<Vec<DVec3>>>,
-    /// How many are held.
+    /// Number of vectors that are held.
     held: usize,
 }
 
@@ -114,7 +114,7 @@ impl<'d> Accessors<'d> {
             .ok_or_else(|| user.fault(MeshFault::NoSuch { what: "accessor", index, count }))
     }
 
-    /// Three floats, or with KHR_mesh_quantization three small integers.
+    /// Encoding of three floats, or with KHR_mesh_quantization of three small integers.
     fn encoding(&self, accessor: &Accessor) -> Result<Encoding, MeshFault> {
         let quantized = self.root.extensions_used.iter().any(|name| name == "KHR_mesh_quantization");
         match (accessor.type_, accessor.component_type) {
@@ -217,7 +217,7 @@ fn decode_index(bytes: &[u8]) -> u32 {
     bytes.iter().rev().fold(0, |value, byte| value << 8 | u32::from(*byte))
 }
 
-/// How a vector's three numbers are stored.
+/// Storage of a vector's three numbers.
 #[derive(Clone, Copy)]
 struct Encoding {
     component: ComponentType,

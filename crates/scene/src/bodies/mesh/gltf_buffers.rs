@@ -1,4 +1,4 @@
-//! Where a glTF's bytes come from: the binary chunk, files beside it, or base64 in its JSON.
+//! Buffers of a glTF: the binary chunk, files beside it, or base64 in its JSON.
 
 use crate::bodies::mesh::error::{Located, MeshFault, MeshPlace};
 use crate::bodies::mesh::format::LIMIT_BYTES;
@@ -27,7 +27,7 @@ pub(crate) fn split_container(bytes: &[u8]) -> Result<(Vec<u8>, Option<Vec<u8>>)
     Ok((parts.json.into_owned(), parts.bin.map(std::borrow::Cow::into_owned)))
 }
 
-/// All buffers, each as long as it says.
+/// Reads all buffers, each as long as it says.
 pub(crate) fn read_buffers(root: &Root, binary: Option<Vec<u8>>, path: &Path) -> Result<Buffers, Located> {
     let mut binary = binary;
     let mut left = LIMIT_BYTES;
@@ -53,7 +53,7 @@ pub(crate) fn files_beside(json: &[u8], path: &Path) -> Vec<PathBuf> {
     files.filter(|file| known.insert(file.canonicalize().unwrap_or(file.clone()))).collect()
 }
 
-/// At most `left` bytes of it.
+/// Reads a buffer, at most `left` bytes of it.
 fn read_buffer(
     buffer: &Buffer,
     chunk: Option<Vec<u8>>,
@@ -91,7 +91,7 @@ fn file_of(uri: &str, path: &Path) -> Option<PathBuf> {
     Some(path.parent().unwrap_or(Path::new("")).join(name))
 }
 
-/// RFC 3986, 2.1.
+/// The text without percent signs (RFC 3986, 2.1).
 fn percent_decoded(uri: &str) -> Option<String> {
     let mut decoded = vec![];
     let mut bytes = uri.bytes();
@@ -105,7 +105,7 @@ fn hex(digit: u8) -> Option<u8> {
     char::from(digit).to_digit(16).map(|value| value as u8)
 }
 
-/// RFC 4648, 4; `None` where it is not.
+/// Bytes of base64 (RFC 4648, 4); `None` where the text is none.
 fn base64(text: &str) -> Option<Vec<u8>> {
     let digits = text.trim_end_matches('=');
     let mut decoded = Vec::with_capacity(digits.len() / 4 * 3 + 2);

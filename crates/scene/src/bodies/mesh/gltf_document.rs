@@ -1,5 +1,6 @@
-//! glTF 2.0. The `gltf` crate opens the container and types the JSON; whatever that JSON refers to is looked
-//! up with a check here, because the crate's own validation and readers panic on damaged files.
+//! Document of glTF 2.0. The `gltf` crate opens the container and types the JSON; whatever that JSON
+//! refers to is looked up with a check here, because the crate's own validation and readers panic on
+//! damaged files.
 
 use crate::bodies::mesh::error::{Located, MeshFault, MeshPlace};
 use crate::bodies::mesh::gltf_accessor::Accessors;
@@ -110,7 +111,7 @@ fn read_mesh_instance(
     Ok(())
 }
 
-/// `None` for points and lines, which have no area.
+/// Reads a primitive; `None` for points and lines, which have no area.
 fn read_primitive(
     accessors: &mut Accessors<'_>,
     instance: &Instance,
@@ -174,8 +175,9 @@ impl Shown {
     }
 }
 
-/// glTF looks along +Z with +Y up, a body along +x with +z up: (x, y, z)_body = (z, x, y)_glTF. A mirroring
-/// transform turns the winding, so that outward stays outward (glTF 2.0, 3.7.4).
+/// The part in body axes: glTF looks along +Z with +Y up, a body along +x with +z up: (x, y, z)_body =
+/// (z, x, y)_glTF. A mirroring transform turns the winding, so that outward stays outward (glTF 2.0,
+/// 3.7.4).
 fn in_body_axes(mut part: Part, instance: &Instance) -> Part {
     let body = |v: DVec3| DVec3::new(v.z, v.x, v.y);
     let linear = DMat3::from_mat4(instance.scene_from_mesh);

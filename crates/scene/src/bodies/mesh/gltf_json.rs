@@ -1,4 +1,4 @@
-//! How much a glTF's JSON says, told before it is read: typed values take a hundred times the bytes that say
+//! Size of a glTF's JSON, told before it is read: typed values take a hundred times the bytes that say
 //! them.
 
 use crate::bodies::mesh::error::MeshFault;
@@ -12,7 +12,7 @@ pub(crate) fn check_values(json: &[u8]) -> Result<(), MeshFault> {
     if values(json) <= VALUE_LIMIT { Ok(()) } else { Err(MeshFault::TooManyValues { limit: VALUE_LIMIT }) }
 }
 
-/// Not fewer than there are: what opens a list or an object, and what separates values, outside texts.
+/// Number of values, or more: what opens a list or an object, and what separates values, outside texts.
 fn values(json: &[u8]) -> usize {
     let mut bytes = json.iter();
     let mut values = 1;

@@ -9,7 +9,7 @@ use gltf::json::scene::Node;
 pub(crate) struct Instance {
     /// Index of the mesh, which exists.
     pub mesh: usize,
-    /// From the mesh's own axes to the scene's.
+    /// Transform from the mesh's own axes to the scene's.
     pub scene_from_mesh: DMat4,
 }
 
@@ -78,7 +78,7 @@ fn instance(
     Ok(Some(Instance { mesh, scene_from_mesh }))
 }
 
-/// `None` where it is not finite and affine.
+/// Transform of a node; `None` where it is not finite and affine.
 fn transform(node: &Node) -> Option<DMat4> {
     let matrix = match node.matrix {
         Some(columns) => DMat4::from_cols_array(&columns.map(f64::from)),

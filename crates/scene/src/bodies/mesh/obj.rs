@@ -25,9 +25,10 @@ type Corner = (u32, Option<u32>);
 struct Document {
     vertices: Vec<DVec3>,
     normals: Vec<DVec3>,
-    /// By material and by whether the corners have normals; materials in the order of their first use.
+    /// Groups by material and by whether the corners have normals; materials in the order of their first
+    /// use.
     groups: Vec<Group>,
-    /// Their places.
+    /// Places of the groups.
     known: HashMap<(Rc<str>, Normals), usize>,
     triangles: usize,
     /// Comparisons that cutting polygons took.
@@ -129,7 +130,7 @@ impl Document {
         &mut self.groups[index]
     }
 
-    /// `v`, `v/vt`, `v//vn` or `v/vt/vn`.
+    /// Corner written as `v`, `v/vt`, `v//vn` or `v/vt/vn`.
     fn corner(&self, word: &str) -> Result<Corner, MeshFault> {
         let mut fields = word.split('/');
         let vertex = index(fields.next().unwrap_or_default(), self.vertices.len())?;
@@ -160,7 +161,7 @@ fn into_part(group: Group, vertices: &[DVec3], normals: &[DVec3]) -> Result<Part
     Part::new(MeshPlace::File, &positions, of_corners, triangles, group.material)
 }
 
-/// From 1, or negative from the end of what stands before.
+/// Index that counts from 1, or negative from the end of what stands before, as one from 0.
 fn index(field: &str, count: usize) -> Result<u32, MeshFault> {
     let written: i64 =
         field.parse().map_err(|_| MeshFault::Expected { expected: "an index", found: excerpt(field) })?;

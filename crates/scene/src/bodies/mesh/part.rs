@@ -32,10 +32,10 @@ pub(crate) fn too_many_triangles() -> Located {
 /// Triangles of one material in body axes and units of the file.
 pub(crate) struct Part {
     pub vertices: Vec<DVec3>,
-    /// As many as vertices, of any length; `None` where the file stores none.
+    /// Normals, as many as vertices, of any length; `None` where the file stores none.
     pub normals: Option<Vec<DVec3>>,
     pub triangles: Vec<[u32; 3]>,
-    /// Its name, shared by the parts that have it.
+    /// Name of the material, shared by the parts that have it.
     pub material: Rc<str>,
 }
 

@@ -20,7 +20,7 @@ pub(crate) fn triangulate(points: &[DVec3], comparisons: &mut u64) -> Vec<[usize
     triangles
 }
 
-/// Onto the coordinate plane that the polygon covers most of, wound counter-clockwise there.
+/// Projection onto the coordinate plane that the polygon covers most of, wound counter-clockwise there.
 fn projected(points: &[DVec3]) -> Vec<DVec2> {
     let origin = points.first().copied().unwrap_or_default();
     let area =

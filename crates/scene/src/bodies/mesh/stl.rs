@@ -26,7 +26,7 @@ fn is_text(bytes: &[u8]) -> bool {
     bytes.trim_ascii_start().starts_with(b"solid") && bytes.len() as u64 != binary_bytes(bytes)
 }
 
-/// What the header of a binary file says of its length.
+/// Bytes that the header of a binary file claims.
 fn binary_bytes(bytes: &[u8]) -> u64 {
     let count = bytes
         .get(80..HEADER_BYTES)

@@ -7,9 +7,9 @@ use std::f64::consts::TAU;
 /// Height and depth of the W profile: 12¼ × 3¼ inches (AASHTO M 180), as the rails of Europe are. Its waves
 /// are drawn as two of a cosine.
 const RAIL_M: [f64; 2] = [0.312, 0.083];
-/// Of the sheet, 12 gauge.
+/// Thickness of the sheet, 12 gauge.
 const SHEET_M: f64 = 0.0027;
-/// Of the rail's upper edge.
+/// Height of the rail's upper edge.
 const TOP_M: f64 = 0.75;
 /// A multiple of four, so that the crests are among the corners. Chords of 13 mm on crests of 15 mm radius
 /// are a rail bent of flat strips: down the road, where ends and posts answer, that is enough, and square on
@@ -17,11 +17,11 @@ const TOP_M: f64 = 0.75;
 /// tracer four times as long.
 const CHORDS: usize = 24;
 
-/// From post to post, their size along and across, their height.
+/// Spacing of the posts, their size along and across, their height.
 const SPACING_M: f64 = 2.0;
 const POST_M: [f64; 2] = [0.1, 0.06];
 const POST_HEIGHT_M: f64 = 0.7;
-/// Of air between the rail's back and the posts.
+/// Gap of air between the rail's back and the posts.
 const GAP_M: f64 = 0.01;
 
 /// The rail and its posts, from the middle out; blocks and bolts are left out.
@@ -37,7 +37,7 @@ pub(crate) fn draw(prisms: &mut Prisms, length_m: f64) {
     }
 }
 
-/// Up the face, down the back.
+/// Profile of the rail, up the face and down the back.
 fn profile() -> Vec<Point> {
     let face = |k: usize| {
         let share = k as f64 / CHORDS as f64;

@@ -3,17 +3,17 @@
 use crate::bodies::street::prism::Point;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// At 77 GHz.
+/// Wavelength at 77 GHz.
 const WAVELENGTH_M: f64 = 3.893e-3;
 /// Chord over √(ρλ): facets no wider show within 0.35 dB what the round surface shows (`docs/physics.md` §3).
 const CHORD_SHARE: f64 = 0.35;
 
-/// How many chords an arc needs.
+/// Number of chords that an arc needs.
 pub(crate) fn chords(radius_m: f64, angle_rad: f64) -> usize {
     (radius_m * angle_rad / (CHORD_SHARE * (radius_m * WAVELENGTH_M).sqrt())).ceil() as usize
 }
 
-/// Around a centre; a multiple of four points, so that it is as wide as it is long.
+/// A circle around a centre; a multiple of four points, so that it is as wide as it is long.
 pub(crate) fn circle(centre_m: Point, diameter_m: f64) -> Vec<Point> {
     let radius_m = 0.5 * diameter_m;
     let points = 4 * chords(radius_m, FRAC_PI_2).max(2);
@@ -24,7 +24,7 @@ pub(crate) fn circle(centre_m: Point, diameter_m: f64) -> Vec<Point> {
     (0..points).map(at).collect()
 }
 
-/// Between two corners.
+/// A rectangle between two corners.
 pub(crate) fn rectangle(low_m: Point, high_m: Point) -> Vec<Point> {
     vec![low_m, [high_m[0], low_m[1]], high_m, [low_m[0], high_m[1]]]
 }

@@ -12,19 +12,20 @@ pub(crate) struct Prisms {
 }
 
 impl Prisms {
-    /// One whose outline is in (x, y), counter-clockwise seen from above, between two heights.
+    /// Adds a prism whose outline is in (x, y), counter-clockwise seen from above, between two heights.
     pub(crate) fn upright(&mut self, outline: &[Point], heights_m: [f64; 2], material: &str) {
         self.add(outline, heights_m, material, |[x, y], z| [x, y, z]);
     }
 
-    /// One whose outline is in (y, z), counter-clockwise seen from ahead, between two places on the x axis.
+    /// Adds a prism whose outline is in (y, z), counter-clockwise seen from ahead, between two places on
+    /// the x axis.
     pub(crate) fn along(&mut self, outline: &[Point], ends_m: [f64; 2], material: &str) {
         self.add(outline, ends_m, material, |[y, z], x| [x, y, z]);
     }
 
-    /// `place` puts the outline's axes and the prism's onto a right-handed triad. The ends are cut into the
-    /// strips between points number k from the start and k from the end: right for convex outlines, and for
-    /// sheets whose sides face each other so.
+    /// Adds a prism; `place` puts the outline's axes and the prism's onto a right-handed triad. The ends
+    /// are cut into the strips between points number k from the start and k from the end: right for convex
+    /// outlines, and for sheets whose sides face each other so.
     fn add(
         &mut self,
         outline: &[Point],
@@ -66,7 +67,7 @@ impl Prisms {
         slot as u16
     }
 
-    /// All of them as one mesh, without normals: its faces are flat.
+    /// All prisms as one mesh, without normals: its faces are flat.
     pub(crate) fn into_mesh(self, name: &str) -> Mesh {
         let triangles_read = self.mesh.triangles.len() as u64;
         let statistics = MeshStatistics { triangles_read, ..MeshStatistics::default() };

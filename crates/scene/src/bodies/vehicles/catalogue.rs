@@ -1,4 +1,4 @@
-//! All vehicles by their names: the twelve models and the families, drawn by their class.
+//! Catalogue of all vehicles by their names: the twelve models and the families, drawn by their class.
 
 use crate::bodies::vehicles::dimensions::{Draw, SizeRange};
 use crate::bodies::vehicles::drawing::mesh_builder::Assembly;

@@ -64,7 +64,7 @@ fn front(drawn: &Drawn<'_>, to: &mut Assembly) {
     lamp(drawn, to);
 }
 
-/// A round lamp with a dished reflector, or an oblong one.
+/// Adds a round lamp with a dished reflector, or an oblong one.
 fn lamp(drawn: &Drawn<'_>, to: &mut Assembly) {
     let [x, z, radius] = drawn.numbers("lamp");
     if drawn.has("oblong_lamp") {

@@ -1,5 +1,5 @@
-//! What every vehicle is drawn with: lines, skins, holes in them, solids, wheels and riders, and the whole
-//! made a mesh.
+//! Tools that every vehicle is drawn with: lines, skins, holes in them, solids, wheels and riders, and
+//! the whole made a mesh.
 
 pub(crate) mod curve;
 pub(crate) mod surface;

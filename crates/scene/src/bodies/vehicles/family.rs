@@ -29,7 +29,7 @@ static FAMILIES: LazyLock<Vec<Family>> = LazyLock::new(|| {
     tables.into_iter().flat_map(|(class, text)| families(class, text)).collect()
 });
 
-/// What a table says; a table that is none has no families, which a test would see.
+/// Families of a table; a table that is none has no families, which a test would see.
 fn families(class: Class, text: &str) -> Vec<Family> {
     let table: Table = text.parse().unwrap_or_default();
     let section = |name: &str| table.get(name).and_then(Value::as_table);
@@ -52,7 +52,7 @@ pub(crate) fn find(name: &str) -> Option<&'static Family> {
 }
 
 impl Family {
-    /// What a seed draws of it.
+    /// Values that a seed draws of the family.
     pub(crate) fn drawn(&self, seed: u64) -> Drawn<'_> {
         Drawn { draw: Draw { model: &self.name, seed }, table: &self.values, scope: String::new() }
     }
@@ -74,7 +74,7 @@ impl Family {
 pub(crate) struct Drawn<'a> {
     draw: Draw<'a>,
     table: &'a Table,
-    /// Where in the family's table this one lies, so that equal keys of two parts are drawn apart.
+    /// Place in the family's table where this one lies, so that equal keys of two parts are drawn apart.
     scope: String,
 }
 

@@ -1,4 +1,4 @@
-//! What the families promise.
+//! Promises of the families.
 
 use crate::bodies::vehicles::catalogue::{NAMES, class_of, drawing, mesh, names, ranges_m};
 use crate::bodies::vehicles::drawing::mesh_builder;

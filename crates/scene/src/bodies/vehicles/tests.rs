@@ -1,4 +1,4 @@
-//! What the vehicles promise.
+//! Promises of the vehicles.
 
 use crate::bodies::mesh::{MeshOptions, read_mesh};
 use crate::bodies::vehicles::catalogue::{NAMES, class_of, drawing, mesh, size_range};
@@ -213,8 +213,8 @@ fn facing_away(mesh: &Mesh, axis: usize) -> (usize, usize) {
     (turned, total)
 }
 
-/// Where a line along the first of `axes` through the two coordinates given meets the triangle, and its
-/// signed area seen along that axis.
+/// Place where a line along the first of `axes` through the two coordinates given meets the triangle,
+/// and the triangle's signed area seen along that axis.
 fn crossing(corners: [DVec3; 3], [axis, u, v]: [usize; 3], at: [f64; 2]) -> Option<(f64, f64)> {
     let side = |a: DVec3, b: DVec3| (a[u] - at[0]) * (b[v] - at[1]) - (a[v] - at[1]) * (b[u] - at[0]);
     let [a, b, c] = corners;

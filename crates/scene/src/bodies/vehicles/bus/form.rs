@@ -55,7 +55,7 @@ pub(crate) fn size_range(model: &str) -> SizeRange {
 }
 
 impl Form {
-    /// Drawn for the model and seed, made to the size given.
+    /// Form drawn for the model and seed, made to the size given.
     pub(crate) fn of(draw: &Draw, size_m: [f64; 3]) -> Self {
         match draw.model {
             "bus-city" => Self::city(draw, size_m),
@@ -137,12 +137,12 @@ impl Form {
         }
     }
 
-    /// Room to steer and to spring.
+    /// Radius of an arch, with room to steer and to spring.
     pub(crate) fn arch_radius_m(&self) -> f64 {
         self.wheel_radius_m + 0.07
     }
 
-    /// How far towards the middle an arch reaches: twin tyres need twice the room.
+    /// Distance from the middle plane that an arch reaches inwards to: twin tyres need twice the room.
     pub(crate) fn arch_inner_y(&self) -> f64 {
         self.half_width_m - 2.0 * self.tyre_width_m - 0.16
     }

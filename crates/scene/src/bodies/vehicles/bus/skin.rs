@@ -182,7 +182,7 @@ fn panes(form: &Form, skin: Surface) -> Surface {
     })
 }
 
-/// What the doors leave of a pane, where that is wide enough for one.
+/// Parts of a pane that the doors leave, where they are wide enough for one.
 fn clipped_by_doors(form: &Form, span: [f64; 2]) -> Vec<[f64; 2]> {
     let mut rest = vec![span];
     for door in &form.doors_x {

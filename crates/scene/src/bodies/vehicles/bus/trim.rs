@@ -1,4 +1,5 @@
-//! What is fixed to a bus's skin: mirrors on arms, pods on the roof, plates, the floor's machinery.
+//! Trim that is fixed to a bus's skin: mirrors on arms, pods on the roof, plates, the floor's
+//! machinery.
 
 use crate::bodies::vehicles::bus::form::{Form, Kind};
 use crate::bodies::vehicles::drawing::mesh_builder::Assembly;

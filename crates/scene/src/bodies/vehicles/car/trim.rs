@@ -1,4 +1,5 @@
-//! What is fixed to a car's skin: mirrors, handles, plates, rails, exhaust, seats behind the glass.
+//! Trim that is fixed to a car's skin: mirrors, handles, plates, rails, exhaust, seats behind the
+//! glass.
 
 use crate::bodies::vehicles::car::form::{Body, Form};
 use crate::bodies::vehicles::car::skin::shell;

@@ -9,7 +9,7 @@ pub(crate) struct Curve {
 }
 
 impl Curve {
-    /// Through `points`, sorted here by x; constant beyond the ends.
+    /// Curve through `points`, sorted here by x; constant beyond the ends.
     pub(crate) fn through(points: &[(f64, f64)]) -> Self {
         let mut points = points.to_vec();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -17,7 +17,7 @@ impl Curve {
         Self { points, slopes }
     }
 
-    /// The same value everywhere.
+    /// Curve of the same value everywhere.
     pub(crate) fn flat(value: f64) -> Self {
         Self::through(&[(0.0, value)])
     }
@@ -60,7 +60,7 @@ fn slope_at(points: &[(f64, f64)], i: usize) -> f64 {
     }
 }
 
-/// 0 below `from`, 1 above `to`, an S of continuous slope between (either order).
+/// Step of 0 below `from`, 1 above `to`, an S of continuous slope between (either order).
 pub(crate) fn smooth_step(from: f64, to: f64, x: f64) -> f64 {
     let t = ((x - from) / (to - from)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)

@@ -1,5 +1,5 @@
-//! From parts to the mesh that is handed on: scaled to its dimensions, smooth normals split at creases,
-//! single precision.
+//! Making of the mesh that is handed on, from parts: scaled to its dimensions, smooth normals split at
+//! creases, single precision.
 
 use crate::bodies::vehicles::drawing::surface::{Material, Surface, Triangle};
 use artifact::scene::{Mesh, MeshStatistics};
@@ -19,23 +19,23 @@ pub(crate) struct Assembly {
 }
 
 impl Assembly {
-    /// One more part.
+    /// Adds one more part.
     pub(crate) fn add(&mut self, part: Surface) {
         self.parts.push(part);
     }
 
-    /// A part of the left side and its mirror image on the right.
+    /// Adds a part of the left side and its mirror image on the right.
     pub(crate) fn add_pair(&mut self, part: Surface) {
         self.parts.push(part.clone());
         self.parts.push(part.mirrored());
     }
 
-    /// Parts of another assembly, each changed.
+    /// Adds the parts of another assembly, each changed.
     pub(crate) fn add_all(&mut self, other: Assembly, change: impl Fn(Surface) -> Surface) {
         self.parts.extend(other.parts.into_iter().map(change));
     }
 
-    /// What has been added so far.
+    /// Parts that have been added so far.
     #[cfg(test)]
     pub(crate) fn parts(&self) -> &[Surface] {
         &self.parts

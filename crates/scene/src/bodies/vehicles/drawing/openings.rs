@@ -18,10 +18,10 @@ pub(crate) const fn inset(material: Material, rim: Material, depth_m: f64) -> In
     if depth_m < FLUSH_M { Inside::Recoloured(material) } else { Inside::Inset { material, rim, depth_m } }
 }
 
-/// Less than this does not show: a walled panel would have edges shorter than those of a skin.
+/// Depth below which a panel does not show: a walled one would have edges shorter than those of a skin.
 const FLUSH_M: f64 = 0.006;
 
-/// Which flank of a body.
+/// Side of a body that a flank is on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Flank {
     Left,
@@ -29,14 +29,14 @@ pub(crate) enum Flank {
     Both,
 }
 
-/// Which end of a body, and how far along x it still reaches.
+/// End of a body, and how far along x it still reaches.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum End {
     Front { beyond_x: f64 },
     Rear { beyond_x: f64 },
 }
 
-/// Where a panel lies in its own two coordinates (x or y, then z), and the radius of its corners.
+/// Place of a panel in its own two coordinates (x or y, then z), and the radius of its corners.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Panel {
     pub(crate) along_m: [f64; 2],
@@ -71,7 +71,7 @@ pub(crate) fn end_panel(skin: Surface, end: End, panel: Panel, inside: Inside) -
     )
 }
 
-/// The same panel on the left and on the right of an end; `along_m` is |y|.
+/// One panel on the left and one on the right of an end; `along_m` is |y|.
 pub(crate) fn end_panel_pair(skin: Surface, end: End, panel: Panel, inside: Inside) -> Surface {
     let outline = |p: DVec3| rounded_rectangle(p.y.abs(), p.z, panel.along_m, panel.height_m, panel.radius_m);
     cut(skin, |p| outline(p).min(end.reach(p)), inside)

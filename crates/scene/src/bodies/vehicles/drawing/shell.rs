@@ -10,9 +10,9 @@ use std::f64::consts::FRAC_PI_2;
 pub(crate) struct Shell {
     /// Underside.
     pub(crate) bottom_z: Curve,
-    /// Where the lower side ends and the upper side (windows) begins.
+    /// Height where the lower side ends and the upper side (windows) begins.
     pub(crate) waist_z: Curve,
-    /// Where the upper side meets the roof or bonnet.
+    /// Height where the upper side meets the roof or bonnet.
     pub(crate) rail_z: Curve,
     /// Middle of roof or bonnet.
     pub(crate) top_z: Curve,
@@ -36,7 +36,7 @@ pub(crate) struct Shell {
     pub(crate) ends_x: [f64; 2],
 }
 
-/// How finely a shell is laid out.
+/// Fineness with which a shell is laid out.
 #[derive(Debug, Clone)]
 pub(crate) struct Layout {
     /// Sections, any order; those of the rounded ends are added.
@@ -49,12 +49,12 @@ pub(crate) struct Layout {
     pub(crate) half_columns: usize,
 }
 
-/// `count` equal steps from 0 to 1.
+/// Fractions from 0 to 1 in `count` equal steps.
 pub(crate) fn even(count: usize) -> Vec<f64> {
     (0..=count).map(|k| k as f64 / count as f64).collect()
 }
 
-/// From `from` to `to` in equal steps of at most `step`.
+/// Values from `from` to `to` in equal steps of at most `step`.
 pub(crate) fn spaced(from: f64, to: f64, step: f64) -> Vec<f64> {
     let count = ((to - from).abs() / step).ceil().max(1.0) as usize;
     (0..=count).map(|k| from + (to - from) * k as f64 / count as f64).collect()
@@ -78,7 +78,7 @@ impl Shell {
         skin.welded().outward()
     }
 
-    /// Where the body is not rounded off by its ends: half width of the side at height `z`.
+    /// Half width of the side at height `z`, where the body is not rounded off by its ends.
     pub(crate) fn side_y(&self, x: f64, z: f64) -> f64 {
         let (bottom, waist, rail) = (self.bottom_z.at(x), self.waist_z.at(x), self.rail_z.at(x));
         if z < waist {
@@ -104,8 +104,8 @@ impl Shell {
         stations
     }
 
-    /// Counter-clockwise seen from the front, from the middle of the underside: floor, left side, roof, right
-    /// side, floor.
+    /// Ring of a section, counter-clockwise seen from the front, from the middle of the underside: floor,
+    /// left side, roof, right side, floor.
     fn ring(&self, x: f64, layout: &Layout) -> Vec<DVec3> {
         let mut half: Vec<(f64, f64)> = Vec::new();
         let floor_y = self.lower_y(x, 0.0);
@@ -141,7 +141,7 @@ impl Shell {
         lerp(self.waist_y.at(x), self.rail_y.at(x), t) + self.upper_bow_m * 4.0 * t * (1.0 - t)
     }
 
-    /// From the rail (0) to the middle (1) along a quarter of a superellipse.
+    /// Point (y, z) of the roof, from the rail (0) to the middle (1) along a quarter of a superellipse.
     fn roof(&self, x: f64, t: f64) -> (f64, f64) {
         let (rail_z, top_z) = (self.rail_z.at(x), self.top_z.at(x));
         let power = 2.0 / self.roof_exponent;
@@ -149,7 +149,7 @@ impl Shell {
         (self.rail_y.at(x) * cosine.powf(power), rail_z + (top_z - rail_z) * sine.powf(power))
     }
 
-    /// How far the section at `x` lies inside the full one because an end is rounded.
+    /// Distance by which the section at `x` lies inside the full one because an end is rounded.
     fn end_shrink_m(&self, x: f64) -> f64 {
         let [front, rear] = self.ends_x;
         let quarter = |depth: f64, radius: f64| {
@@ -194,7 +194,7 @@ fn cap(ring: &[DVec3], layout: &Layout) -> Surface {
     Surface::from_rows(&grid, Material::Paint).flipped()
 }
 
-/// How far along the polyline each of its points lies, from 0 to 1.
+/// Share of the polyline's length at each of its points, from 0 to 1.
 fn shares(polyline: &[DVec3]) -> Vec<f64> {
     let steps = polyline.windows(2).map(|pair| pair[0].distance(pair[1]));
     let lengths: Vec<f64> = [0.0]

@@ -219,7 +219,7 @@ fn dome(s: &Section, frame: &Frame, sign: f64, sectors: usize) -> Vec<Vec<DVec3>
     (1..=2).map(|k| ring(&smaller(k), frame, sectors)).collect()
 }
 
-/// Turned about the y axis through the origin; a positive angle lowers the front.
+/// The surface turned about the y axis through the origin; a positive angle lowers the front.
 pub(crate) fn pitched(surface: Surface, angle_rad: f64) -> Surface {
     let turn = DQuat::from_rotation_y(angle_rad);
     surface.map(|p| turn * p)

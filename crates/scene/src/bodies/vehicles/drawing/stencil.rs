@@ -9,21 +9,23 @@ use crate::bodies::vehicles::drawing::surface::{Material, Surface, Triangle};
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What happens to the skin inside an outline.
+/// Change of the skin inside an outline.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Inside {
-    /// Becomes another material in place.
+    /// The skin becomes another material in place.
     Recoloured(Material),
-    /// Becomes another material, lowered along the skin's normal by `depth_m` with a wall of `rim` around.
+    /// The skin becomes another material, lowered along its normal by `depth_m` with a wall of `rim`
+    /// around.
     Inset { material: Material, rim: Material, depth_m: f64 },
-    /// Becomes another material, lowered by `depth_m` straight down with a wall of `rim` around.
+    /// The skin becomes another material, lowered by `depth_m` straight down with a wall of `rim` around.
     Sunk { material: Material, rim: Material, depth_m: f64 },
-    /// Is taken away; along the opening of an upright skin a flange stands inwards (−y on the left, +y on the
-    /// right).
+    /// The skin is taken away; along the opening of an upright skin a flange stands inwards (−y on the
+    /// left, +y on the right).
     Opened { flange_m: f64 },
 }
 
-/// Where two outlines meet they leave edges that nobody drew; all that is drawn is larger.
+/// Shortest edge that is left: where two outlines meet they leave shorter ones that nobody drew; all
+/// that is drawn is larger.
 const SHORTEST_EDGE_M: f64 = 0.0025;
 
 /// Cuts `skin` along the zero line of `outline`.
@@ -106,7 +108,7 @@ impl Split {
         Surface { points_m: self.points_m, triangles }
     }
 
-    /// The inner side as far from its place as told of each point.
+    /// The skin with its inner side moved by `shift`, and a wall of `rim` around it.
     fn moved(self, material: Material, rim: Material, shift: impl Fn(usize) -> DVec3) -> Surface {
         let lowered: Vec<DVec3> = self.points_m.iter().enumerate().map(|(i, p)| *p + shift(i)).collect();
         let first = self.points_m.len() as u32;

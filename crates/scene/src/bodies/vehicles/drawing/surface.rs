@@ -3,7 +3,7 @@
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// What a facet is made of; the names stand in the meshes' material lists.
+/// Material of a facet; the names stand in the meshes' material lists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Material {
     Paint,
@@ -37,7 +37,7 @@ impl Material {
         Self::Leather,
     ];
 
-    /// As written to files.
+    /// Name as written to files.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Paint => "paint",
@@ -56,7 +56,7 @@ impl Material {
     }
 }
 
-/// Counter-clockwise seen from outside.
+/// A triangle, counter-clockwise seen from outside.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Triangle {
     pub(crate) corners: [u32; 3],
@@ -157,7 +157,7 @@ impl Surface {
         self
     }
 
-    /// Shifted.
+    /// The part shifted.
     pub(crate) fn moved(self, x: f64, y: f64, z: f64) -> Self {
         self.map(|p| p + DVec3::new(x, y, z))
     }
@@ -167,7 +167,7 @@ impl Surface {
         self.map(|p| DVec3::new(p.x, -p.y, p.z)).flipped()
     }
 
-    /// The other side out.
+    /// The part with the other side out.
     pub(crate) fn flipped(mut self) -> Self {
         for t in &mut self.triangles {
             t.corners.swap(1, 2);
@@ -175,7 +175,7 @@ impl Surface {
         self
     }
 
-    /// Wound outwards, for a closed part: its signed volume tells.
+    /// The part wound outwards, where it is closed: its signed volume tells.
     pub(crate) fn outward(self) -> Self {
         let six_volumes: f64 = self.triangles.iter().map(|t| self.corner_triple(t)).sum();
         if six_volumes < 0.0 { self.flipped() } else { self }

@@ -7,14 +7,14 @@ use crate::bodies::vehicles::drawing::surface::{Material, Surface};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// What the rim looks like.
+/// Form of a rim.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Rim {
     /// Cast spokes with deep gaps between.
     Spoked { spokes: u32 },
     /// Steel disc of a heavy vehicle, bulging outwards, with hand holes.
     SteelConvex,
-    /// The same turned round: the outer wheel of a twin pair.
+    /// Steel disc turned round: the outer wheel of a twin pair.
     SteelConcave,
 }
 
@@ -37,7 +37,7 @@ impl Wheel {
         }
     }
 
-    /// The inner wheels of twins: of these only the tyres can be seen.
+    /// Places the inner wheels of twins: of these only the tyres can be seen.
     pub(crate) fn add_inner_pair(&self, to: &mut Assembly, axle_x: f64, outer_y: f64) {
         let half = 0.5 * self.width_m;
         let outer =
@@ -105,7 +105,7 @@ impl Wheel {
         cut(rim, gaps, Inside::Inset { material: Material::Steel, rim: Material::Aluminium, depth_m })
     }
 
-    /// `bulge`: where the disc's middle stands, as a share of the half width.
+    /// Steel disc of a wheel; `bulge` is where its middle stands, as a share of the half width.
     fn steel_rim(&self, bulge: f64) -> Surface {
         let (r, half) = (self.rim_radius_m, 0.5 * self.width_m);
         let (hub, foot) = (bulge * half, bulge.min(0.45) * half);
@@ -138,14 +138,14 @@ fn mirrored_profile(outer: &[(f64, f64)]) -> Vec<(f64, f64)> {
     outer.iter().copied().chain(inner).chain([outer[0]]).collect()
 }
 
-/// Where an arch's lining runs.
+/// Place of an arch's lining.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Lining {
     pub(crate) axle: [f64; 2],
     pub(crate) radius_m: f64,
-    /// Its lower ends, level with the underside.
+    /// Height of its lower ends, level with the underside.
     pub(crate) low_z: f64,
-    /// Its wall towards the middle, and its open side.
+    /// Place of its wall towards the middle, and of its open side.
     pub(crate) inner_y: f64,
     pub(crate) outer_y: f64,
 }
@@ -202,8 +202,8 @@ pub(crate) fn axle(axle_x: f64, axle_z: f64, half_track_m: f64, drive: Drive) ->
 /// Whether an axle carries a differential.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Drive {
-    /// With a casing in the middle.
+    /// The axle has a casing in the middle.
     Driven { casing_radius_m: f64 },
-    /// A beam.
+    /// The axle is a beam.
     Plain { radius_m: f64 },
 }

@@ -24,7 +24,7 @@ fn side_panel(drawn: &Drawn<'_>, form: &Form, top_z: f64, key: &str) -> Panel {
     panel([inner, outer].map(|share| share * form.half_width_m), heights(form, top_z, [low, high]), 0.04)
 }
 
-/// Where the front panel ends upwards.
+/// Height at which the front panel ends upwards.
 pub(crate) fn front_top_z(drawn: &Drawn<'_>, form: &Form) -> f64 {
     if form.front.upright {
         drawn.numbers::<3>("windscreen")[1] * form.room.roof_z - 0.05
@@ -33,7 +33,7 @@ pub(crate) fn front_top_z(drawn: &Drawn<'_>, form: &Form) -> f64 {
     }
 }
 
-/// Where the rear panel ends upwards.
+/// Height at which the rear panel ends upwards.
 pub(crate) fn rear_top_z(form: &Form) -> f64 {
     if form.rear.upright { 0.5 * form.room.roof_z } else { form.tail_z.min(form.deck.1) }
 }

@@ -11,14 +11,14 @@ pub(crate) struct Room {
     pub(crate) ends_x: [f64; 2],
     /// Top of the roof.
     pub(crate) roof_z: f64,
-    /// Without mirrors.
+    /// Half width without mirrors.
     pub(crate) half_width_m: f64,
     /// Half the width over the mirrors.
     pub(crate) outer_y: f64,
 }
 
 impl Room {
-    /// All of the size but what stands on the roof, behind the tail and beside the doors.
+    /// Room of the whole size but for what stands on the roof, behind the tail and beside the doors.
     pub(crate) fn whole(drawn: &Drawn<'_>, size_m: [f64; 3]) -> Self {
         let [ahead, behind] = ["ahead_m", "behind_m"].map(|key| drawn.number_or(key, 0.0));
         Self {
@@ -30,7 +30,7 @@ impl Room {
     }
 }
 
-/// How one end face stands.
+/// Form of one end face.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Face {
     /// Lean inwards above the bumper, metres per metre up, and its growth with height, per metre.
@@ -38,9 +38,9 @@ pub(crate) struct Face {
     pub(crate) curve_per_m: f64,
     /// Lean inwards below the bumper, metres per metre down.
     pub(crate) chin: f64,
-    /// How far the middle stands before the corners.
+    /// Distance by which the middle stands before the corners.
     pub(crate) bow_m: f64,
-    /// How far the bumper stands before the panel above it.
+    /// Distance by which the bumper stands before the panel above it.
     pub(crate) bumper_m: f64,
     /// Loss of half width towards the end.
     pub(crate) taper_m: f64,
@@ -90,7 +90,7 @@ fn face(drawn: &Drawn<'_>, end: &str) -> Face {
 }
 
 impl Form {
-    /// Drawn into the room given.
+    /// Form drawn into the room given.
     pub(crate) fn of(drawn: &Drawn<'_>, room: &Room) -> Self {
         let [front_x, rear_x] = room.ends_x;
         let (length, roof) = (front_x - rear_x, room.roof_z);
@@ -127,12 +127,12 @@ impl Form {
         }
     }
 
-    /// Room to steer and to spring.
+    /// Radius of an arch, with room to steer and to spring.
     pub(crate) fn arch_radius_m(&self) -> f64 {
         1.08 * self.wheel_radius_m + 0.03
     }
 
-    /// How far towards the middle an arch reaches; twin tyres need twice the room.
+    /// Distance from the middle plane that an arch reaches inwards to; twin tyres need twice the room.
     pub(crate) fn arch_inner_y(&self) -> f64 {
         let tyres = if self.twin { 2.0 * self.tyre_width_m + 0.06 } else { self.tyre_width_m };
         self.half_width_m - tyres - 0.10
@@ -196,7 +196,7 @@ impl Form {
         points
     }
 
-    /// 1 where the cabin stands, 0 over bonnet and boot.
+    /// Share of the cabin: 1 where it stands, 0 over bonnet and boot.
     fn cabin(&self, x: f64) -> f64 {
         let front = if self.front.upright { 1.0 } else { smooth_step(self.cowl.0 + 0.05, self.header.0, x) };
         let rear = if self.rear.upright { 1.0 } else { smooth_step(self.deck.0 - 0.05, self.roof_end.0, x) };

@@ -203,7 +203,7 @@ fn screens(drawn: &Drawn<'_>, form: &Form, shell: &Shell, skin: Surface) -> Surf
     )
 }
 
-/// What lies open from above: the bed of a pick-up, the seats of a roadster.
+/// Cuts what lies open from above: the bed of a pick-up, the seats of a roadster.
 fn bed(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
     if !drawn.knows("bed") {
         return skin;

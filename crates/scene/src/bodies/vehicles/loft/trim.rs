@@ -1,4 +1,5 @@
-//! What is fixed to a skin: mirrors, plates, slats, round lamps, bumper bars, handles, the machinery below.
+//! Trim that is fixed to a skin: mirrors, plates, slats, round lamps, bumper bars, handles, the
+//! machinery below.
 
 use crate::bodies::vehicles::drawing::mesh_builder::Assembly;
 use crate::bodies::vehicles::drawing::solids::{

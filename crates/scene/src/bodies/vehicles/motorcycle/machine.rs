@@ -5,7 +5,7 @@ use crate::bodies::vehicles::motorcycle::parts::CycleWheel;
 
 /// A motorcycle as drawn at nominal size.
 pub(crate) struct Machine {
-    /// All but the wheels: these stretch with the size.
+    /// Parts without the wheels: these stretch with the size.
     pub(crate) parts: Assembly,
     pub(crate) front: CycleWheel,
     pub(crate) rear: CycleWheel,

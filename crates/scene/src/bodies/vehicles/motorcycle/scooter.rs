@@ -31,7 +31,7 @@ pub(crate) fn machine(draw: &Draw) -> Machine {
     Machine { parts, front: wheel(HALF_WHEELBASE_M, 0.11, 0.11), rear: wheel(-HALF_WHEELBASE_M, 0.13, 0.09) }
 }
 
-/// Upright, feet together on the floor.
+/// Rider who sits upright, feet together on the floor.
 fn rider(draw: &Draw) -> Rider {
     let lean = draw.value("rider lean", 0.0, -0.03..=0.05);
     Rider {

@@ -1,4 +1,4 @@
-//! What a truck drives on: ladder frame, axles, wheels, tanks, guards.
+//! Chassis of a truck: ladder frame, axles, wheels, tanks, guards.
 
 use crate::bodies::vehicles::drawing::mesh_builder::Assembly;
 use crate::bodies::vehicles::drawing::solids::{disc, rounded_box, sharp_box, tube};

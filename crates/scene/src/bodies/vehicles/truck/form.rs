@@ -22,7 +22,7 @@ pub(crate) struct Form {
     pub(crate) cab_length_m: f64,
     pub(crate) cab_roof_z: f64,
     pub(crate) wheel_radius_m: f64,
-    /// Of the polygon that stands for a tyre's circle.
+    /// Sectors of the polygon that stands for a tyre's circle.
     pub(crate) wheel_sectors: usize,
     pub(crate) front_axle_x: f64,
     /// Driven axles with twin wheels.
@@ -57,7 +57,7 @@ pub(crate) fn size_range(model: &str) -> SizeRange {
 }
 
 impl Form {
-    /// Drawn for the model and seed, made to the size given.
+    /// Form drawn for the model and seed, made to the size given.
     pub(crate) fn of(draw: &Draw, size_m: [f64; 3]) -> Self {
         match draw.model {
             "truck-box" => Self::box_truck(draw, size_m),

@@ -1,4 +1,4 @@
-//! What a truck carries: a box, a tank, a trailer's box.
+//! Loads of a truck: a box, a tank, a trailer's box.
 
 use crate::bodies::vehicles::drawing::mesh_builder::Assembly;
 use crate::bodies::vehicles::drawing::solids::{disc, limb, rounded_box, section, sharp_box, tube};
