@@ -52,7 +52,7 @@ impl<'a> Leg<'a> {
         if self.rim_radius_m.is_some() { 2.0 * of_hub_mps } else { of_hub_mps }
     }
 
-    /// |a|, m/s².
+    /// Size of the acceleration |a|, m/s².
     pub(crate) fn acceleration_mps2(&self) -> f64 {
         self.acceleration_mps2
     }
