@@ -70,7 +70,7 @@ fn parallelograms(list: &[[[f64; 3]; 3]]) -> Mesh {
     all
 }
 
-/// Facing +x, centred on the origin.
+/// A square plate that faces +x, centred on the origin.
 fn plate(side_m: f64) -> Mesh {
     let h = 0.5 * side_m;
     parallelograms(&[[[0.0, -h, -h], [0.0, side_m, 0.0], [0.0, 0.0, side_m]]])
@@ -193,7 +193,8 @@ fn sphere_request(range_m: f64) -> RcsRequest {
     RcsRequest { range_m, accuracy: Accuracy::from_db(-30.0), ..at(10.0, 20.0) }
 }
 
-/// P4 and P5: 0.1 m with facets of 1.7 mm; a sphere nearby grows by (R/(R − ρ))², the divergence of its wave.
+/// Claims P4 and P5: 0.1 m with facets of 1.7 mm; a sphere nearby grows by (R/(R − ρ))², the divergence
+/// of its wave.
 #[test]
 fn a_fine_sphere_has_the_amplitude_of_physical_optics_and_grows_nearby() {
     let sphere = sphere(0.1, 90);

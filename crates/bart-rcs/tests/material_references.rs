@@ -78,7 +78,7 @@ fn standpoint(azimuth_deg: f64, elevation_deg: f64) -> Standpoint {
     Standpoint { azimuth_rad, elevation_rad, range_m: RANGE_M }
 }
 
-/// `[order − 1][frequency]`.
+/// Amplitudes by BART, `[order − 1][frequency]`.
 fn bart(mesh: &Mesh, aspect: &Aspect, bounces: u8, nodes: NodeRule) -> Vec<Vec<Matrix>> {
     let of = |polarization| {
         let request = RcsRequest {

@@ -83,7 +83,7 @@ fn request(azimuth_deg: f64, elevation_deg: f64) -> RcsRequest {
     }
 }
 
-/// [vv, vh, hv, hh] of one order (from 1) at the first frequency.
+/// Amplitudes [vv, vh, hv, hh] of one order (from 1) at the first frequency.
 fn matrix(mesh: &Mesh, request: &RcsRequest, order: usize) -> [Complex64; 4] {
     POLARIZATIONS.map(|polarization| {
         let asked = RcsRequest { polarization, ..request.clone() };

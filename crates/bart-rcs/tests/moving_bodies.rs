@@ -25,7 +25,7 @@ use num_complex::Complex64;
 use std::f64::consts::FRAC_PI_2;
 
 const RADAR_M: DVec3 = DVec3::new(0.0, 0.0, 6.0);
-/// R is counted to here.
+/// Origin that R is counted to.
 const ORIGIN_M: DVec3 = DVec3::new(7.5, 34.0, 0.0);
 const FREQUENCIES: u32 = 12;
 
@@ -115,7 +115,7 @@ impl Known {
         Self((0..MOMENTS).map(|i| (seconds(i), anew(scene, seconds(i)))).collect())
     }
 
-    /// ‖S of the paths − S‖/‖S‖ over the frame, dB.
+    /// Error ‖S of the paths − S‖/‖S‖ over the frame, dB.
     fn error_db(&self, scene: &Scene, frame: &PathsFrame) -> f64 {
         let (mut error, mut power) = (0.0, 0.0);
         for (seconds, known) in &self.0 {

@@ -11,7 +11,7 @@ use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 
 const FREQUENCY_HZ: f64 = 10e9;
-/// 3 cm.
+/// Wavelength of 3 cm.
 const WAVELENGTH_M: f64 = SPEED_OF_LIGHT_MPS / FREQUENCY_HZ;
 
 /// A cube of 1 m about the origin, all facets outward.

@@ -77,7 +77,7 @@ impl Copying<'_> {
     }
 }
 
-/// Shuffled and cut in the paper's proportions.
+/// Parts that were shuffled and cut in the paper's proportions.
 fn parted<T>(mut all: Vec<T>, random: &mut ChaCha8Rng) -> [Vec<T>; 3] {
     all.shuffle(random);
     let count = all.len();

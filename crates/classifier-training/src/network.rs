@@ -168,7 +168,7 @@ mod tests {
             .unwrap()
     }
 
-    /// Any numbers that keep the levels of a layer near those of the one before.
+    /// Parameters of any numbers that keep the levels of a layer near those of the one before.
     fn drawn(layout: &Layout, generator: &mut ChaCha8Rng) -> Parameters {
         let tensors = layout.tensors().into_iter().map(|(name, shape)| {
             let inputs: usize =

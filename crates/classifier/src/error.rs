@@ -50,7 +50,7 @@ pub enum ClassifierError {
         scene: u64,
         /// Split of its first sample.
         first: Split,
-        /// Another one.
+        /// Split of another one.
         second: Split,
     },
     /// A sample came twice.
@@ -69,7 +69,7 @@ pub enum ClassifierError {
     Architecture {
         /// Layout in the model.
         found: String,
-        /// Known here.
+        /// Layout that is known here.
         known: &'static str,
     },
     /// A model with other classes, or in another order.

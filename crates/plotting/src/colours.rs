@@ -7,7 +7,8 @@ pub fn line_colour(n: usize) -> &'static str {
     COLOURS[n % COLOURS.len()]
 }
 
-/// Dark to bright for 0 to 1: eight samples of matplotlib's `inferno`, linear between (perceptually even).
+/// Colour from dark to bright for 0 to 1: eight samples of matplotlib's `inferno`, linear between
+/// (perceptually even).
 pub fn heat(level: f64) -> [u8; 3] {
     const STOPS: [[f64; 3]; 8] = [
         [0.0, 0.0, 4.0],

@@ -89,7 +89,7 @@ pub fn encode(pixels: Pixels, [width, height]: [usize; 2], values: &[u8]) -> Res
 mod tests {
     use super::*;
 
-    /// Read by another library: white paper, one picture of two pixels, a line over it.
+    /// Picture read by another library: white paper, one picture of two pixels, a line over it.
     #[test]
     fn a_picture_lies_between_the_marks_before_and_after_it() {
         let mut sheet = Svg::new("two pixels", 20.0, 10.0);

@@ -163,7 +163,7 @@ pub struct Interferer {
 pub struct PhaseNoise {
     /// Offset from the carrier.
     pub offset_hz: f64,
-    /// L, dBc/Hz: half the one-sided density of the phase in rad²/Hz.
+    /// Phase noise L, dBc/Hz: half the one-sided density of the phase in rad²/Hz.
     pub dbc_per_hz: f64,
 }
 

@@ -61,7 +61,7 @@ impl Detail {
 /// Diffraction by edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Edges {
-    /// Left out.
+    /// Diffraction is left out.
     Ignored,
     /// Fringe currents of open edges and wedges, first order (physical theory of diffraction).
     FirstOrder,
@@ -139,11 +139,11 @@ pub struct Fidelity {
 pub enum Window {
     /// No taper.
     Rect,
-    /// Hann.
+    /// Hann window.
     Hann,
-    /// Hamming.
+    /// Hamming window.
     Hamming,
-    /// Blackman.
+    /// Blackman window.
     Blackman,
     /// Dolph–Chebyshev with this sidelobe level below the peak, dB.
     Chebyshev(f64),
@@ -215,7 +215,7 @@ pub struct DspSettings {
     pub range_window: Window,
     /// Taper over chirps.
     pub doppler_window: Window,
-    /// Detector.
+    /// Detector of echoes in the map.
     pub detector: Detector,
     /// False alarms asked for per tested cell; within [`FALSE_ALARM_RATES`].
     pub false_alarm_rate: f64,

@@ -9,13 +9,13 @@ use std::path::Path;
 
 pub use crate::files::inputs::open;
 
-/// Why a file was not read whole.
+/// Reason that a file was not read whole.
 #[derive(Debug, thiserror::Error)]
 pub enum ReadFault {
-    /// Missing, unreadable, or no plain file.
+    /// The file is missing, unreadable, or no plain file.
     #[error("cannot be read: {0}")]
     System(#[from] io::Error),
-    /// Longer than its reader allows.
+    /// The file is longer than its reader allows.
     #[error("has more than {limit} bytes, the most that are read")]
     TooLong {
         /// Most bytes that are allowed.

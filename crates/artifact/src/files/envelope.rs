@@ -31,11 +31,11 @@ pub(crate) const PREAMBLE_LIMIT: u64 = 1 << 20;
 pub trait Schema {
     /// Name in the envelope, and the file extension.
     const NAME: &'static str;
-    /// Raised when `Header` or `Frame` change shape.
+    /// Version of the schema, raised when `Header` or `Frame` change shape.
     const VERSION: u32;
     /// Longest record that a reader allocates for, bytes.
     const RECORD_LIMIT: u64 = 4 << 30;
-    /// Common to all frames.
+    /// Header, common to all frames.
     type Header: Serialize + DeserializeOwned;
     /// One radar frame.
     type Frame: Serialize + DeserializeOwned;
@@ -59,9 +59,9 @@ pub struct Provenance {
 /// Description of an artifact that stands before its content.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Preamble {
-    /// [`Schema::NAME`].
+    /// Name of the schema, [`Schema::NAME`].
     pub schema: String,
-    /// [`Schema::VERSION`].
+    /// Version of the schema, [`Schema::VERSION`].
     pub version: u32,
     /// Origin of the artifact.
     pub provenance: Provenance,

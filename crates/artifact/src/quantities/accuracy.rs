@@ -13,7 +13,7 @@ pub struct Accuracy {
 }
 
 impl Accuracy {
-    /// −20 dB allows an error of 10 % of the amplitude.
+    /// Accuracy of a level in dB: −20 dB allows an error of 10 % of the amplitude.
     pub fn from_db(db: f64) -> Self {
         Self { amplitude: amplitude_from_db(db) }
     }

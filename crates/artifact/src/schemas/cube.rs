@@ -35,8 +35,8 @@ pub struct CubeFrame {
     pub index: u32,
     /// Time of the frame's first sample.
     pub time_s: f64,
-    /// √W, row-major `[channel, chirp, sample]`, channel = tx·N_rx + rx (with ddm: rx; with bpm: slot·N_rx +
-    /// rx).
+    /// Samples in √W, row-major `[channel, chirp, sample]`, channel = tx·N_rx + rx (with ddm: rx; with bpm:
+    /// slot·N_rx + rx).
     pub samples: Vec<Complex32>,
     /// Numerical error of the stages up to here.
     pub error: ErrorBudget,
@@ -48,7 +48,7 @@ impl CubeHeader {
         Self { radar: self.radar.in_frame(index), ..self.clone() }
     }
 
-    /// `[channel, chirp, sample]` of every frame.
+    /// Shape `[channel, chirp, sample]` of every frame.
     pub fn shape(&self) -> [usize; 3] {
         [
             self.radar.cube_channels(),

@@ -45,7 +45,7 @@ pub struct Crop {
 /// An object of a frame with its label.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Sample {
-    /// Unique in the dataset.
+    /// Name of the sample, unique in the dataset.
     pub id: String,
     /// Signature of the object in its map.
     pub signature: Signature,
@@ -83,6 +83,6 @@ pub enum Split {
     Train,
     /// Epochs are chosen by it.
     Validation,
-    /// Seen once, at the end.
+    /// The test is seen once, at the end.
     Test,
 }

@@ -67,7 +67,7 @@ pub struct NetworkShape {
     pub input_side: u32,
 }
 
-/// Parameters.
+/// Parameters of a model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Weights {
     /// A network's: a safetensors file, its metadata cleared so that equal weights are equal bytes.
@@ -75,7 +75,7 @@ pub enum Weights {
         /// The file.
         safetensors: Vec<u8>,
     },
-    /// Trees.
+    /// Boosted trees.
     Trees(BoostedTrees),
 }
 

@@ -98,9 +98,9 @@ pub struct Path {
 /// Changes of a path within the frame, beside a constant velocity; none by default.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Curve {
-    /// Constant acceleration of x_a.
+    /// Acceleration of x_a, constant.
     pub apparent_tx_mps2: [f64; 3],
-    /// Constant acceleration of x_b.
+    /// Acceleration of x_b, constant.
     pub apparent_rx_mps2: [f64; 3],
     /// The node goes round with a wheel; x_a and x_b are then where its hub appears.
     pub rim: Option<Rim>,
@@ -231,7 +231,7 @@ pub enum ErrorOrigin {
 /// A target's level of detail.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TargetDetail {
-    /// Never `Auto`.
+    /// Level of detail, never `Auto`.
     pub level: Detail,
     /// Paths that were traced.
     pub traced: u64,

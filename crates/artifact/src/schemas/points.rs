@@ -44,7 +44,7 @@ pub struct PointsFrame {
 pub struct Point {
     /// Range from the array's centre.
     pub range_m: f64,
-    /// Positive when the range grows.
+    /// Radial velocity, positive when the range grows.
     pub radial_velocity_mps: f64,
     /// Azimuth from world +y towards +x.
     pub azimuth_rad: f64,
@@ -76,7 +76,7 @@ pub struct Label {
     pub target: u32,
     /// Bounces; 0 of a point target.
     pub order: u8,
-    /// Different targets on the way; more than one: a ghost.
+    /// Number of different targets on the way; more than one: a ghost.
     pub bodies: u8,
     /// Share in the power that all targets and orders have in the cell, each for itself.
     pub share: f64,

@@ -55,6 +55,6 @@ pub struct RcsTable {
     pub range_m: f64,
     /// Polarization of `amplitude_m`.
     pub polarization: Polarization,
-    /// Row-major `[frequency, elevation, azimuth]`.
+    /// Scattering amplitude S, row-major `[frequency, elevation, azimuth]`.
     pub amplitude_m: Vec<Complex64>,
 }

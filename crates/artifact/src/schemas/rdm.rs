@@ -22,10 +22,11 @@ pub struct RdmFrame {
     pub index: u32,
     /// Time of the frame's first sample.
     pub time_s: f64,
-    /// Row-major `[channel, doppler, range]`; zero velocity at N/2, the first of the range cells where
-    /// samples are real; channels are those of [`Radar::map_channels`](crate::Radar).
+    /// Map values, row-major `[channel, doppler, range]`; zero velocity at N/2, the first of the range
+    /// cells where samples are real; channels are those of [`Radar::map_channels`](crate::Radar).
     pub values: Vec<Complex32>,
-    /// Row-major `[doppler, range]`: 0 untested, 1 tested, 2 above the detector's threshold.
+    /// State of each cell, row-major `[doppler, range]`: 0 untested, 1 tested, 2 above the detector's
+    /// threshold.
     pub mask: Vec<u8>,
     /// Cells above the threshold, before any grouping.
     pub detections: u64,
@@ -35,7 +36,7 @@ pub struct RdmFrame {
     pub assumed_floor: Option<f64>,
 }
 
-/// `[channel, doppler, range]` of a map.
+/// Shape `[channel, doppler, range]` of a map.
 pub fn shape(header: &CubeHeader) -> [usize; 3] {
     let waveform = &header.radar.waveform;
     [header.radar.map_channels(), waveform.chirps as usize, waveform.range_cells()]

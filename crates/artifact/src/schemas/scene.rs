@@ -149,18 +149,18 @@ pub struct Intersection {
 /// The road's own backscatter: the plane z = 0 with σ⁰ = γ·sin ψ, ψ the grazing angle, in vv and hh alike.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Backscatter {
-    /// γ, of power.
+    /// Coefficient γ, of power.
     pub gamma: f64,
 }
 
 /// A target of the scene, or what stands about.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Target {
-    /// Unique in the scene.
+    /// Name of the target, unique in the scene.
     pub id: String,
     /// Whether the radar is to find it.
     pub role: Role,
-    /// What scatters.
+    /// Mesh or point that scatters.
     pub kind: TargetKind,
     /// Pose at the first frame's first sample; acceleration and yaw stay as they are from then on.
     pub start: Pose,
@@ -180,7 +180,7 @@ pub enum Role {
 pub enum TargetKind {
     /// A body with a mesh.
     Mesh {
-        /// Told by the scene, truth for the classifier.
+        /// Class told by the scene, truth for the classifier.
         class: Option<Class>,
         /// Name of the own vehicle, or file name.
         model: String,
@@ -189,7 +189,7 @@ pub enum TargetKind {
     },
     /// A point with scattering amplitude +√σ in vv and hh.
     Point {
-        /// σ.
+        /// Cross section σ.
         rcs_m2: f64,
         /// Wheel that the point goes round with, its pose then that of the hub; `None` for a point that does
         /// not.
@@ -226,7 +226,7 @@ pub struct Pose {
     pub yaw_rad: f64,
     /// Velocity at the moment of the pose.
     pub velocity_mps: [f64; 3],
-    /// Constant over the frame.
+    /// Acceleration, constant over the frame.
     pub acceleration_mps2: [f64; 3],
 }
 
@@ -256,7 +256,7 @@ pub struct Mesh {
 pub struct MeshStatistics {
     /// Triangles in the file.
     pub triangles_read: u64,
-    /// Dropped for want of area.
+    /// Triangles that were dropped for want of area.
     pub degenerate: u64,
     /// Edges with one triangle only (by position).
     pub open_edges: u64,

@@ -35,7 +35,7 @@ pub struct TracksFrame {
 /// A vehicle that is followed, at the frame's middle.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Track {
-    /// Counted from 0 over the scene; never given twice.
+    /// Number of the track, counted from 0 over the scene; never given twice.
     pub id: u32,
     /// Stage of the track's life.
     pub state: TrackState,
@@ -62,7 +62,7 @@ pub struct Track {
 /// Stages of a track's life.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum TrackState {
-    /// Too few frames to be believed.
+    /// The track has too few frames to be believed.
     Tentative,
     /// Believed, and seen in this frame.
     Confirmed,

@@ -50,7 +50,7 @@ impl Motion {
         (at_m + seconds * (self.velocity_mps + 0.5 * gained_mps), self.velocity_mps + gained_mps)
     }
 
-    /// Σ w·motion.
+    /// Weighted sum Σ w·motion.
     pub(crate) fn weighed(of: impl Iterator<Item = (f64, Self)>) -> Self {
         of.fold(Self::REST, |sum, (weight, motion)| Self {
             velocity_mps: sum.velocity_mps + weight * motion.velocity_mps,
@@ -72,7 +72,7 @@ pub(crate) fn position_m(pose: &Pose, seconds: f64) -> DVec3 {
 mod tests {
     use super::*;
 
-    /// Against the mirror images of both ends of a second, made of places alone.
+    /// Comparison with the mirror images of both ends of a second, made of places alone.
     #[test]
     fn motion_in_a_moving_mirror_is_that_of_the_image() {
         let n = DVec3::new(0.36, 0.48, 0.8);

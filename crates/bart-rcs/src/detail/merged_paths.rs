@@ -14,7 +14,7 @@ use std::f64::consts::{PI, TAU};
 /// Turns of a path's phase: what paths must have in common to be merged.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Turns {
-    /// L₁ + L₂ at the frame's middle from the radar's position, m.
+    /// Length L₁ + L₂ at the frame's middle from the radar's position, m.
     pub(crate) length_m: f64,
     /// Cycles over the frame, over the transmit row [right, up], over the receive row.
     pub(crate) cycles: [f64; 5],

@@ -99,7 +99,7 @@ pub(crate) fn for_each_part(
 
 /// A part of an edge's integrals.
 pub(crate) trait EdgePart {
-    /// L₁ + L₂ of its middle, less that of the reference point.
+    /// Length L₁ + L₂ of its middle, less that of the reference point.
     fn way(&self) -> Way;
     /// Adds √π·S without the way of the reference point: [vv, vh, hv, hh].
     fn add_to(&self, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]);
@@ -115,7 +115,7 @@ impl<I: Integrand> EdgePart for Piece<'_, I> {
     }
 }
 
-/// 1/√π.
+/// Factor 1/√π.
 const PER_ROOT_PI: f64 = std::f64::consts::FRAC_2_SQRT_PI * 0.5;
 
 /// Amplitude of the sum that [`EdgePart::add_to`] adds to.
@@ -158,7 +158,7 @@ impl Integrand for Fringe<'_> {
 }
 
 impl Fringe<'_> {
-    /// √π·K: [vv, vh, hv, hh], receiver first.
+    /// Kernel √π·K: [vv, vh, hv, hh], receiver first.
     fn kernel(&self, x_m: DVec3) -> [f64; 4] {
         let ends = self.node.legs().map(|leg| {
             let travel = leg.image.travel_direction_at(x_m);
@@ -223,7 +223,7 @@ struct AtEnd {
     way_m: f64,
     current: EndCurrent,
     spread: f64,
-    /// √π·K of the edge there for a current along the ray of one, by what is received.
+    /// Kernel √π·K of the edge there for a current along the ray of one, by what is received.
     next: [f64; 2],
 }
 
@@ -245,8 +245,8 @@ impl BeyondEnd<'_> {
         DVec2::new(face.sin_in, face.along_face().dot(self.fringe.node.edge.wedge.along))
     }
 
-    /// √π·K of the edge where the face ends, for a wave that arrives along the face with a current of one,
-    /// per length of the first edge; by what is received.
+    /// Kernel √π·K of the edge where the face ends, for a wave that arrives along the face with a current
+    /// of one, per length of the first edge; by what is received.
     ///
     /// A wave that grazes a conductor has the current 2H: E = ½J·n. Its own current up to the edge is there
     /// already, so the fringe of grazing incidence is what the edge adds.
@@ -316,7 +316,7 @@ impl Integrand for BeyondEnd<'_> {
     }
 }
 
-/// L(reference)/L.
+/// Ratio L(reference)/L.
 fn spread(image: Antenna, x_m: DVec3, reference_m: DVec3) -> f64 {
     match image {
         Antenna::Point(p) => p.distance(reference_m) / p.distance(x_m),

@@ -1,4 +1,4 @@
-//! What the fringe current beyond the end of a face would radiate: a face of finite width has it no more.
+//! Radiation of the fringe current beyond the end of a face: a face of finite width has it no more.
 //!
 //! The fringe current on a face is an edge wave. On a half plane it is known exactly (docs/physics.md §4):
 //! with x from the edge, κ = k sin²β′, μ the receiver's cosine, a = cosφ′ + μ, b = 1 − μ and W(x) =
@@ -19,7 +19,7 @@ use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
-/// √π·dS/dl of the current beyond a way along a face, its phase that of the ray along the face to there.
+/// Current beyond a way along a face as √π·dS/dl, its phase that of the ray along the face to there.
 #[derive(Clone)]
 pub(crate) struct EndCurrent {
     /// Parameters a + b = 1 + cosφ′ and b.

@@ -22,7 +22,7 @@ pub(crate) fn edge_wave(x: f64) -> Complex64 {
 }
 
 const PIECES_OF_UNIT: usize = 64;
-/// Ten Chebyshev coefficients on a 64th leave 1e-18.
+/// Number of Chebyshev coefficients: ten on a 64th leave 1e-18.
 const TERMS: usize = 10;
 type Coefficients = [Complex64; TERMS];
 
@@ -39,7 +39,7 @@ fn coefficients(piece: usize) -> Coefficients {
     })
 }
 
-/// Σ cₘ Tₘ(t) (Clenshaw 1955).
+/// Sum Σ cₘ Tₘ(t) (Clenshaw 1955).
 fn clenshaw(c: &Coefficients, t: f64) -> Complex64 {
     let [mut next, mut after] = [Complex64::ZERO; 2];
     for m in (1..TERMS).rev() {

@@ -34,7 +34,7 @@ pub(crate) struct FaceView {
     pub(crate) sin_in: f64,
     /// The direction of the receiver in these axes, sinβ·(cosφ, sinφ) and cosβ.
     pub(crate) out: DVec3,
-    /// 1 − μ: how far the receiver is from the direction of the wave along the face, 1 − ŝ·σ̂ over sin²β′.
+    /// Distance 1 − μ of the receiver from the direction of the wave along the face, 1 − ŝ·σ̂ over sin²β′.
     pub(crate) off_grazing: f64,
 }
 
@@ -123,7 +123,7 @@ impl FaceView {
         self.inward * self.sin_in + self.along * self.cos_in
     }
 
-    /// E and Z·H of the incident wave along the edge.
+    /// Components E and Z·H of the incident wave along the edge.
     pub(crate) fn incident(&self, travel: DVec3, field: DVec3) -> [f64; 2] {
         [field.dot(self.along), travel.cross(field).dot(self.along)]
     }
@@ -155,7 +155,7 @@ impl FaceView {
         })
     }
 
-    /// D − U sinφ′/(cosφ′ + μ) and G − U/(cosφ′ + μ).
+    /// Fringe functions D − U sinφ′/(cosφ′ + μ) and G − U/(cosφ′ + μ).
     fn fringe_functions(&self) -> (f64, f64) {
         let of = |z: Complex64| cotangents(z, self.exterior, self.lighting());
         let mut mu = 1.0 - self.off_grazing;

@@ -9,21 +9,22 @@ pub(crate) trait Integrand {
     type Sample: Clone;
     /// Sample at a coordinate along the line, m.
     fn sample(&self, at_m: f64) -> Self::Sample;
-    /// L of the phase −kL, m.
+    /// Length L of the phase −kL, m.
     fn length_m(sample: &Self::Sample) -> f64;
-    /// [vv, vh, hv, hh] without that phase.
+    /// Weights [vv, vh, hv, hh] without that phase.
     fn weights(&self, sample: &Self::Sample, wavenumber_per_m: f64) -> [Complex64; 4];
 }
 
-/// 2⁻²⁴ of a line: where a weight jumps, what is left is below any accuracy asked.
+/// Number of halvings: at 2⁻²⁴ of a line, where a weight jumps, what is left is below any accuracy
+/// asked.
 const HALVINGS_MAX: u32 = 24;
 
 /// A piece may spend this share of the error, however small it is: a root at an end would be halved without
 /// end.
 const SMALLEST_SHARE: f64 = 1.0 / 64.0;
 
-/// ∫ weight·e^{−jkL} over `span_m` for every wavenumber, added to `sums`; gives a bound of the error of every
-/// element, m.
+/// Adds ∫ weight·e^{−jkL} over `span_m` for every wavenumber to `sums`; gives a bound of the error of
+/// every element, m.
 #[cfg(test)]
 pub(crate) fn add_line_integral<I: Integrand>(
     integrand: &I,
@@ -87,7 +88,7 @@ pub(crate) struct Piece<'a, I: Integrand> {
     middle_length_m: f64,
     /// Slope dL/ds of the straight line between the ends.
     slope: f64,
-    /// L of the ends beyond that line, the same at both.
+    /// Length L of the ends beyond that line, the same at both.
     bend_m: f64,
 }
 
@@ -102,7 +103,7 @@ impl<'a, I: Integrand> Piece<'a, I> {
         Self { integrand, samples, half_m, middle_length_m, slope, bend_m }
     }
 
-    /// L in the middle.
+    /// Length L in the middle.
     pub(crate) fn length_m(&self) -> f64 {
         self.middle_length_m
     }
@@ -147,7 +148,7 @@ impl<'a, I: Integrand> Piece<'a, I> {
     }
 }
 
-/// ∫cos θu, ∫u sin θu, ∫u² cos θu over −1 < u < 1.
+/// Moments ∫cos θu, ∫u sin θu, ∫u² cos θu over −1 < u < 1.
 fn moments(theta: f64) -> [f64; 3] {
     // Below, the closed forms lose ε/θ³; the series' next terms are θ⁸/181440 and below: 4e-10·ε... at 0.1.
     if theta.abs() < 0.1 {

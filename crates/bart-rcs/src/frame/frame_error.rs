@@ -153,9 +153,9 @@ impl Reference {
         }
     }
 
-    /// ‖S(of)‖ of the orders up to `orders` over ‖S‖ of all, raised by what the later orders are to these:
-    /// each is taken to gain as much. `of` gives S of an order over the wavenumbers. `None` where nothing
-    /// scatters.
+    /// Ratio ‖S(of)‖ of the orders up to `orders` over ‖S‖ of all, raised by what the later orders are to
+    /// these: each is taken to gain as much. `of` gives S of an order over the wavenumbers. `None` where
+    /// nothing scatters.
     pub(crate) fn relative_to_first_orders(
         &self,
         orders: u8,

@@ -62,7 +62,7 @@ impl<'a> Plan<'a> {
         MeetingSettings { nodes, edges, least_area_m2: self.trace.least_area_m2, wavenumber_per_m }
     }
 
-    /// ĥ straight above and below the radar: to the left of its boresight.
+    /// Vector ĥ straight above and below the radar: to the left of its boresight.
     pub(crate) fn zenith_h(&self) -> DVec3 {
         let azimuth_rad = self.header.radar.boresight_az_rad;
         DVec3::new(-azimuth_rad.cos(), azimuth_rad.sin(), 0.0)

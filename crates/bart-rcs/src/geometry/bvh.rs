@@ -20,7 +20,7 @@ pub(crate) struct Hierarchy {
     nodes: Vec<Node>,
     /// Middle of all boxes: coordinates of single precision count from here, so that a far body loses none.
     middle_m: DVec3,
-    /// |x| + |y| + |z| of the farthest corner from there, m.
+    /// Reach |x| + |y| + |z| of the farthest corner from there, m.
     reach_m: f64,
 }
 

@@ -22,7 +22,7 @@ impl ComplexVector {
         Self { re: direction * amplitude.re, im: direction * amplitude.im }
     }
 
-    /// Σ aᵢbᵢ, nothing conjugated: reciprocity knows no direction of time.
+    /// Product Σ aᵢbᵢ, nothing conjugated: reciprocity knows no direction of time.
     pub(crate) fn dot(self, other: Self) -> Complex64 {
         Complex64::new(
             self.re.dot(other.re) - self.im.dot(other.im),

@@ -248,7 +248,7 @@ impl Series {
     }
 }
 
-/// 1/n!.
+/// Reciprocals 1/n!.
 const INVERSE_FACTORIALS: [f64; SERIES_TERMS + 4] = {
     let mut table = [1.0; SERIES_TERMS + 4];
     let mut n = 1;
@@ -309,7 +309,7 @@ mod tests {
         (0..n).map(|i| (0..n).map(|j| (0..n).map(|k| a[i][k] * b[k][j]).sum()).collect()).collect()
     }
 
-    /// ∫ over the unit triangle (A = ½) of e^{jλ·φ} by Gauss–Legendre in collapsed coordinates.
+    /// Integral over the unit triangle (A = ½) of e^{jλ·φ} by Gauss–Legendre in collapsed coordinates.
     fn quadrature(phases: [f64; 3]) -> Complex64 {
         let (nodes, weights) = crate::integral::test_quadrature::gauss_legendre(40);
         let mut sum = Complex64::ZERO;

@@ -7,7 +7,7 @@ use crate::materials::surface_response::steepness;
 use crate::surface::bend::Along;
 use glam::{DVec2, DVec3};
 
-/// |x − p| − |y − p| without the cancellation of two long lengths.
+/// Difference |x − p| − |y − p| without the cancellation of two long lengths.
 pub(crate) fn length_difference_m(antenna: Antenna, x_m: DVec3, y_m: DVec3) -> f64 {
     match antenna {
         Antenna::Point(p) => (x_m - y_m).dot((x_m - p) + (y_m - p)) / (x_m.distance(p) + y_m.distance(p)),
@@ -71,7 +71,7 @@ impl<'a> Field<'a> {
         [self.node.transmit.image.range_m(x_m), self.node.receive.image.range_m(x_m)]
     }
 
-    /// L₁ + L₂ at `x_m` less that at the reference point, without the cancellation.
+    /// Length L₁ + L₂ at `x_m` less that at the reference point, without the cancellation.
     pub(crate) fn length_m(&self, x_m: DVec3) -> f64 {
         length_difference_m(self.node.transmit.image, x_m, self.reference_m)
             + length_difference_m(self.node.receive.image, x_m, self.reference_m)

@@ -24,7 +24,7 @@ pub(crate) struct Leg {
     pub(crate) mirrors: Mirrors,
     /// Materials of these facets and of the sheets between, where they matter.
     pub(crate) steps: Steps,
-    /// ĥ straight above and below.
+    /// Vector ĥ straight above and below.
     pub(crate) zenith_h: DVec3,
 }
 
@@ -60,7 +60,7 @@ pub(crate) enum Bracket {
 /// A lit polygon with its two legs.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Node<'a> {
-    /// Convex, counter-clockwise about `normal`, world metres.
+    /// Corners of a convex polygon, counter-clockwise about `normal`, world metres.
     pub(crate) corners_m: &'a [DVec3],
     /// Unit normal on the lit side.
     pub(crate) normal: DVec3,

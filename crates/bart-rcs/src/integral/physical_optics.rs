@@ -155,7 +155,7 @@ mod tests {
         sides_m: [f64; 2],
         transmitter_m: DVec3,
         receiver_m: DVec3,
-        /// Enough for 1e-13: a third of the phase's span in radians and some.
+        /// Number of points, enough for 1e-13: a third of the phase's span in radians and some.
         gauss_points: usize,
     }
 
@@ -238,7 +238,7 @@ mod tests {
             [0, 1].map(|p| [0, 1].map(|q| factor * received[p].dot(d1 * sent[q].x - sent[q] * d1.x)))
         }
 
-        /// √(4π)·area/λ.
+        /// Scale √(4π)·area/λ.
         fn scale_m(&self) -> f64 {
             self.sides_m[0] * self.sides_m[1] * WAVENUMBER_PER_M / std::f64::consts::PI.sqrt()
         }

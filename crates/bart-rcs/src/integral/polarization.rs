@@ -18,7 +18,7 @@ pub(crate) fn polarization_vectors(to_antenna: DVec3, zenith_h: DVec3) -> [DVec3
     [to_antenna.cross(h), h]
 }
 
-/// ĥ at the zenith for an azimuth from x towards y.
+/// Vector ĥ at the zenith for an azimuth from x towards y.
 pub(crate) fn zenith_h(azimuth_rad: f64) -> DVec3 {
     DVec3::new(-azimuth_rad.sin(), azimuth_rad.cos(), 0.0)
 }

@@ -11,8 +11,8 @@ use num_complex::Complex64;
 /// physics.md §1; a needle loses more, by its aspect.)
 const SERIES_BELOW: f64 = 1e-2;
 
-/// I = ∫_P e^{−jkg·x} dA at the first [`TOGETHER`] of some wavenumbers k, P the convex polygon `corners_m`,
-/// counter-clockwise, and g the `gradient` of a length.
+/// Integral I = ∫_P e^{−jkg·x} dA at the first [`TOGETHER`] of some wavenumbers k, P the convex polygon
+/// `corners_m`, counter-clockwise, and g the `gradient` of a length.
 ///
 /// Gordon (1975): Stokes' theorem turns the integral into a sum over edges, with w = −kg I = (−j/|w|²) Σ
 /// (w·(e × n)) ∫₀¹ e^{jw·(a + te)} dt with edges e from corners a. An edge along the wavefront is no special
@@ -70,7 +70,7 @@ fn gordon(corners_m: &[DVec2], gradient: DVec2, wavenumbers_per_m: &[f64]) -> Tu
     sums
 }
 
-/// ∫₀¹ e^{j(φ + tΔ)} dt of e^{jφ} and e^{j(φ + Δ)}.
+/// Integral ∫₀¹ e^{j(φ + tΔ)} dt of e^{jφ} and e^{j(φ + Δ)}.
 fn along_edge(further: f64, from: Complex64, to: Complex64) -> Complex64 {
     let half = 0.5 * further;
     if half.abs() <= SHORT {

@@ -84,7 +84,7 @@ pub(crate) fn count(field: &Field<'_>, wavenumber_per_m: f64, accuracy: f64, mos
     tiles
 }
 
-/// 8³: a triangle that would be cut into 64 is not.
+/// Coarser error, 8³ times as large: a triangle that would be cut into 64 is not.
 const COARSER: f64 = 512.0;
 
 /// Cuts until the error of a whole polygon, or of triangles, is allowed; or until `give` has enough.
@@ -121,7 +121,7 @@ fn subdivide(
     ControlFlow::Continue(())
 }
 
-/// 2⁻⁴⁸ of a polygon's area is below rounding.
+/// Number of halvings: 2⁻⁴⁸ of a polygon's area is below rounding.
 const HALVINGS_MAX: u32 = 48;
 
 /// Bounds of what the integrand does within `reach_m` of a centre.
@@ -251,8 +251,8 @@ impl Smoothness {
     }
 }
 
-/// Stands for what has no bound, rad/m²: beyond every wavelength, and its product with an edge is still a
-/// number.
+/// Value for what has no bound, rad/m²: beyond every wavelength, and its product with an edge is still
+/// a number.
 const UNBOUNDED: f64 = 1e100;
 
 /// Supremum of Σ|x − xᵢ|³|ℓᵢ(x)|/6 over all triangles with longest edge 1 (scanned in the tests).

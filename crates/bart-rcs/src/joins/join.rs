@@ -138,7 +138,7 @@ enum Place {
 
 /// Beams of one order sorted by facet.
 struct ByFacet {
-    /// (facet, beam), ascending.
+    /// Pairs (facet, beam), ascending.
     beams: Vec<(u32, u32)>,
 }
 

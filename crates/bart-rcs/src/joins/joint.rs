@@ -77,7 +77,7 @@ pub(crate) struct Joints {
 }
 
 impl Joints {
-    /// Convex, counter-clockwise about the forward beam's lit normal, world metres.
+    /// Polygon of a joint: convex, counter-clockwise about the forward beam's lit normal, world metres.
     pub(crate) fn polygon(&self, joint: &Joint) -> &[DVec3] {
         &self.corners_m[joint.corners.clone()]
     }

@@ -33,7 +33,7 @@ pub(crate) struct Scatterer<'a> {
     heard: (Phase, &'a dyn Progress),
 }
 
-/// ĥ straight above and below, at each end.
+/// Vectors ĥ straight above and below, at each end.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ZenithH {
     pub(crate) transmit: DVec3,
@@ -250,7 +250,7 @@ pub(crate) struct JointTile<'a> {
 /// Length of the way over a tile.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Way {
-    /// L₁ + L₂ − R_t − R_r halfway between its least and its greatest, m.
+    /// Length L₁ + L₂ − R_t − R_r halfway between its least and its greatest, m.
     pub(crate) length_m: f64,
     /// Largest difference of any point's length from that, m.
     pub(crate) extent_m: f64,

@@ -62,7 +62,8 @@ struct Behind {
 }
 
 impl Behind {
-    /// Seen from inside the last layer: metal, or nothing before the boundary to the air is counted.
+    /// Backing as seen from inside the last layer: metal, or nothing before the boundary to the air is
+    /// counted.
     fn of(backing: Backing) -> Self {
         let pair = |x: f64| Pair { te: Complex64::from(x), tm: Complex64::from(x) };
         match backing {

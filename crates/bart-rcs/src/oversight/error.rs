@@ -1,6 +1,6 @@
 //! Faults of a body or an antenna.
 
-/// Why a scene cannot be traced.
+/// Reason that a scene cannot be traced.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BartError {
     /// A choice of the interface that this version does not have.
@@ -68,7 +68,7 @@ pub enum BartError {
     TooManyTriangles {
         /// Triangles in all bodies.
         triangles: usize,
-        /// 2³² − 1.
+        /// Most triangles, 2³² − 1.
         most: usize,
     },
     /// A body is larger than the memory that it may take.

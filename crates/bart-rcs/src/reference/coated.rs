@@ -80,7 +80,7 @@ impl Surface<'_> {
         }
     }
 
-    /// ŝ and p̂ of a direction of travel, and r_TE and r_TM; along the normal any ŝ is one.
+    /// Vectors ŝ and p̂ of a direction of travel, and r_TE and r_TM; along the normal any ŝ is one.
     fn of(&self, normal: DVec3, travel: DVec3) -> ([DVec3; 2], [Complex64; 2]) {
         let cross = normal.cross(travel);
         // Where ŝ is rounding both polarizations reflect alike to its square.

@@ -13,7 +13,7 @@ use obvhs::ray::{Ray, RayHit};
 use robust::{Coord3D, orient3d};
 use std::time::Duration;
 
-/// Why a reference did not start.
+/// Reason that a reference did not start.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ReferenceError {
     /// A coordinate is NaN or infinite: obvhs would panic on it.

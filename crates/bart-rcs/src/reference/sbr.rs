@@ -38,7 +38,7 @@ pub struct Shooting {
 /// Amplitudes of one aspect.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ByOrder {
-    /// `[order − 1][frequency]`: S in metres of each bounce order alone.
+    /// Scattering amplitude S in metres of each bounce order alone, `[order − 1][frequency]`.
     pub orders: Vec<Vec<Amplitude>>,
     /// Rays shot.
     pub rays: u64,
@@ -68,7 +68,7 @@ pub fn amplitude(
     Ok(ByOrder { orders, rays: job.grid.rows * job.grid.columns })
 }
 
-/// `[order − 1][frequency]`, without j√(4π)/λ.
+/// Sums `[order − 1][frequency]`, without j√(4π)/λ.
 type Orders = Vec<Vec<Amplitude>>;
 
 /// Rays on a plane through the body's middle, across the line of sight.

@@ -17,7 +17,7 @@ pub(crate) struct Bend {
     corners_m: [DVec3; 3],
     /// Unit normal by the winding.
     pub(crate) normal: DVec3,
-    /// ∇λ of each corner, 1/m.
+    /// Gradients ∇λ of each corner, 1/m.
     gradients: [DVec3; 3],
     heights_m: ControlHeights,
     /// Height of the control point in the middle: with it the cubic has every quadratic exactly (Farin
@@ -34,7 +34,7 @@ pub(crate) struct Along {
     pub(crate) rise_m: f64,
     /// Third derivative of the height, m.
     pub(crate) third_m: f64,
-    /// |He|: change of the slope.
+    /// Change |He| of the slope.
     pub(crate) turn: f64,
     /// Second derivative of the slope.
     pub(crate) turn_second: f64,

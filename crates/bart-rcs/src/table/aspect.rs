@@ -61,11 +61,11 @@ pub(crate) struct Scattering {
     pub(crate) chosen_m: Vec<Vec<Complex64>>,
     /// Scattering by the other rule, where it was measured.
     pub(crate) other_m: Option<Vec<Vec<Complex64>>>,
-    /// |S − S(ten times finer)|² over frequency, where it was measured.
+    /// Power |S − S(ten times finer)|² over frequency, where it was measured.
     pub(crate) error_power: Option<f64>,
-    /// |S|² over frequency of the first order that is left out, where it was measured.
+    /// Power |S|² over frequency of the first order that is left out, where it was measured.
     pub(crate) left_out_power: Option<f64>,
-    /// |S of the edges that are left out|² at the middle frequency.
+    /// Power |S of the edges that are left out|² at the middle frequency.
     pub(crate) edges_power: Option<f64>,
     pub(crate) beams: Vec<u64>,
     /// Accuracy that the integrals were asked for: as the settings have it, or coarser.
@@ -260,7 +260,7 @@ impl<'a> Ends<'a> {
         Scatterer::new(self.world, trees, self.zenith_h).heard_by(self.phase, self.progress)
     }
 
-    /// |S − S(ten times finer)|² over frequency; of the edges alone where facets are exact.
+    /// Power |S − S(ten times finer)|² over frequency; of the edges alone where facets are exact.
     fn error_power(
         &self,
         chosen: &[OfOrder],
@@ -299,7 +299,8 @@ impl<'a> Ends<'a> {
         Ok(other_m)
     }
 
-    /// |S|² of the edges seen straight at the middle frequency, where they are left out and cheap to ask for.
+    /// Power |S|² of the edges seen straight at the middle frequency, where they are left out and cheap to
+    /// ask for.
     fn edges_power(&self, settings: &AspectSettings) -> Option<f64> {
         let wavenumber_per_m = *settings.wavenumbers_per_m.get(settings.wavenumbers_per_m.len() / 2)?;
         if settings.edges == Edges::FirstOrder || self.world.facets().len() > FACETS_WITH_CHEAP_EDGES {
@@ -314,7 +315,7 @@ impl<'a> Ends<'a> {
         Some(edges_of_order(&self.scatterer(), 1, &cheap)[0].norm_sqr())
     }
 
-    /// |S|² over frequency of the order after the last, if the trees hold its nodes.
+    /// Power |S|² over frequency of the order after the last, if the trees hold its nodes.
     fn left_out_power(&self, settings: &AspectSettings) -> Option<f64> {
         let order = left_out_order(settings.bounces, self.transmit.tree().audit.orders.len() as u8)?;
         let settings = AspectSettings { bounces: order, edges: Edges::Ignored, ..settings.clone() };
@@ -461,17 +462,17 @@ impl Scattering {
         self.chosen_m.iter().map(|order| order[frequency]).sum()
     }
 
-    /// |S|² over frequency.
+    /// Mean power |S|² over frequency.
     pub(crate) fn mean_power(&self) -> f64 {
         mean_over_frequencies(self.frequencies(), |f| self.total_m(f))
     }
 
-    /// |S − S(other)|² over frequency, first order.
+    /// Power |S − S(other)|² over frequency, first order.
     pub(crate) fn first_order_difference(&self, other: &Self) -> f64 {
         power_between(&self.chosen_m[..1], &other.chosen_m[..1])
     }
 
-    /// |S(this rule) − S(the other)|² of one order (from 0) over frequency, where both are known.
+    /// Power |S(this rule) − S(the other)|² of one order (from 0) over frequency, where both are known.
     pub(crate) fn order_spread_power(&self, order: usize) -> Option<f64> {
         let other_m = &self.other_m.as_ref()?[order];
         Some(mean_over_frequencies(self.frequencies(), |f| self.chosen_m[order][f] - other_m[f]))

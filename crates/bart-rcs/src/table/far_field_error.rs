@@ -45,7 +45,8 @@ const RANGES_M: [f64; 4] = [25.0, 30.0, 40.0, 60.0];
 /// One aspect in forty is traced at four more places: a tenth of the trees of the table. Fewer than forty
 /// aspects have none.
 const ASPECTS_PER_COMPARED: usize = 40;
-/// Enough for a median: the middle 95 % of its sampling lie between the 8th and the 17th of 24.
+/// Most aspects of the comparison, enough for a median: the middle 95 % of its sampling lie between the
+/// 8th and the 17th of 24.
 const COMPARED_MOST: usize = 24;
 /// Most frequencies of the comparison: more would repeat what the extent of a vehicle correlates, as in
 /// `frame_error`.

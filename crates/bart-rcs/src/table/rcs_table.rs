@@ -32,7 +32,7 @@ use std::time::Instant;
 /// S in metres and what is known of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RcsResult {
-    /// Row-major `[frequency, elevation, azimuth]`, phase at the body's origin.
+    /// Scattering amplitude S, row-major `[frequency, elevation, azimuth]`, phase at the body's origin.
     pub amplitude_m: Vec<Complex64>,
     /// Scattering amplitude by bounce order, from order 1; their sum is `amplitude_m`.
     pub by_order_m: Vec<Vec<Complex64>>,
@@ -169,8 +169,8 @@ pub fn rcs_within(
     Ok(result)
 }
 
-/// ‖S(through sheets) − S‖ over ‖S(through sheets)‖ of first order at the first, middle and last aspect;
-/// `None` where there is no sheet or waves are followed.
+/// Ratio ‖S(through sheets) − S‖ over ‖S(through sheets)‖ of first order at the first, middle and last
+/// aspect; `None` where there is no sheet or waves are followed.
 fn transmission_left_out(
     mesh: &Mesh,
     request: &RcsRequest,
@@ -331,7 +331,7 @@ impl Sweep<'_> {
         Ok(FineTable { table, settings, mirrors })
     }
 
-    /// Some aspects, in their order.
+    /// Scattering of some aspects, in their order.
     fn made(
         &self,
         which: &[usize],
@@ -390,8 +390,8 @@ fn is_bounded(table: &[Scattering], settings: &AspectSettings) -> bool {
     table.iter().any(|aspect| aspect.accuracy > settings.accuracy)
 }
 
-/// ‖S − S(ten times finer)‖ per value over the table's root mean square |S|; rounding in the far field, where
-/// the closed form is exact to 1e-12.
+/// Ratio of ‖S − S(ten times finer)‖ per value to the table's root mean square |S|; rounding in the far
+/// field, where the closed form is exact to 1e-12.
 fn measured_error(table: &[Scattering]) -> f64 {
     const ROUNDING: f64 = 1e-12;
     if table.iter().all(|s| s.error_power.is_none()) {
@@ -446,7 +446,7 @@ fn result(request: &RcsRequest, table: &[Scattering], build: f64) -> RcsResult {
     }
 }
 
-/// ‖S‖ of what is left out over ‖S‖, at the aspects where it was measured.
+/// Ratio of ‖S‖ of what is left out to ‖S‖, at the aspects where it was measured.
 fn left_out(table: &[Scattering], power: impl Fn(&Scattering) -> Option<f64>) -> Option<f64> {
     let measured = || table.iter().filter_map(|s| power(s).map(|power| (power, s.mean_power())));
     let (left_out, all) = measured().fold((0.0, 0.0), |sum, (left_out, all)| (sum.0 + left_out, sum.1 + all));

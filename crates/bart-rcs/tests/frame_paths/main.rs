@@ -251,8 +251,8 @@ fn paths_are_the_same_bytes_on_one_and_two_threads() {
     assert_eq!(on(1), on(2));
 }
 
-/// ‖S of the paths − S‖/‖S‖ over the band at the middles of three equal parts of the frame: the map's error
-/// is the mean over all its chirps.
+/// Error ‖S of the paths − S‖/‖S‖ over the band at the middles of three equal parts of the frame: the
+/// map's error is the mean over all its chirps.
 fn true_error(scene: &(SceneHeader, SceneFrame), frame: &PathsFrame) -> f64 {
     let duration = scene.0.radar.frame_duration_s();
     let frequencies: Vec<f64> = (0..12).map(|i| 77e9 + 0.625e9 * (f64::from(i) + 0.37) / 12.0).collect();

@@ -14,7 +14,7 @@ use artifact::settings::Class;
 /// Numbers whose softmax is the probability of each class, in the order of [`Class::ALL`].
 pub type Logits = [f32; 4];
 
-/// Added to a variance before its root is taken; the weights were trained with it.
+/// Floor added to a variance before its root is taken; the weights were trained with it.
 pub const VARIANCE_FLOOR: f32 = 1e-5;
 
 /// The network with its parameters.
@@ -156,7 +156,7 @@ mod tests {
 
     const LAYOUT: Layout = Layout { crop_side: 30, input_side: 21, channels: [3, 4, 2] };
 
-    /// Any numbers, variances above zero.
+    /// Parameters of any numbers, variances above zero.
     fn drawn() -> Parameters {
         let mut generator = ChaCha8Rng::seed_from_u64(5);
         let tensors = LAYOUT.tensors().into_iter().map(|(name, shape)| {

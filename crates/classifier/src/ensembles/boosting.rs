@@ -36,7 +36,7 @@ pub struct BoostingSettings {
 /// Examples to learn from: features by column, classes, weights.
 #[derive(Debug, Clone, Default)]
 pub struct Table {
-    /// `[feature][example]`, all of one length.
+    /// Features by column, `[feature][example]`, all of one length.
     pub columns: Vec<Vec<f32>>,
     /// Index in [`artifact::settings::Class::ALL`].
     pub classes: Vec<usize>,

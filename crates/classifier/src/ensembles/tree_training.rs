@@ -287,7 +287,7 @@ struct Track<'a> {
 }
 
 impl Track<'_> {
-    /// n frames of correlation ρ count as n/(1 + (n − 1)ρ).
+    /// Answers joined: n frames of correlation ρ count as n/(1 + (n − 1)ρ).
     fn joined(&self, correlation: f64) -> Logits {
         self.log_sums.map(|sum| (sum / (1.0 + (self.frames - 1.0) * correlation)) as f32)
     }

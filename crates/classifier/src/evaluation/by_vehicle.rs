@@ -24,9 +24,9 @@ pub struct Told<'a> {
 /// Mean over the classes of the share of right answers.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ByVehicle {
-    /// Different vehicles.
+    /// Number of different vehicles.
     pub vehicles: usize,
-    /// Answers.
+    /// Number of answers.
     pub answers: usize,
     /// Mean of the share of right answers over the classes, of these answers.
     pub mean_over_classes: f64,

@@ -58,7 +58,7 @@ pub struct ReliabilityBin {
 /// Answers on the crops of one vehicle model.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct ModelAccuracy {
-    /// Crops.
+    /// Number of crops.
     pub samples: u64,
     /// Right answers.
     pub right: u64,

@@ -44,7 +44,7 @@ pub(crate) fn read_calibration(
     Ok(factors.into_iter().map(|factor| factor / power.sqrt()).collect())
 }
 
-/// Why a calibration file is refused.
+/// Reason that a calibration file is refused.
 #[derive(Debug, thiserror::Error)]
 #[error("{}:{line}: {rule}", file.display())]
 pub struct CalibrationFileError {
@@ -69,7 +69,7 @@ pub enum CalibrationRule {
     /// The file cannot be read, has more bytes than any table of an array takes, or is no text.
     #[error("{0}")]
     File(#[source] ReadFault),
-    /// Another table, or none.
+    /// The first line is of another table, or of none.
     #[error("the first line must be `tx,rx,gain_db,phase_deg`")]
     NoHeading,
     /// A line has not two whole numbers and two numbers in their ranges.
@@ -112,7 +112,7 @@ pub enum CalibrationRule {
     },
 }
 
-/// 256 × 256 pairs, a line of 256 bytes each.
+/// Most bytes of a file: 256 × 256 pairs, a line of 256 bytes each.
 const LIMIT_BYTES: u64 = 16 << 20;
 const COLUMNS: [&str; 4] = ["tx", "rx", "gain_db", "phase_deg"];
 

@@ -35,7 +35,7 @@ pub(crate) fn read_pattern_table(file: &Path) -> Result<PatternTable, PatternFil
     table(&directions).map_err(|(line, rule)| at(line, rule))
 }
 
-/// Why a pattern file is refused.
+/// Reason that a pattern file is refused.
 #[derive(Debug, thiserror::Error)]
 #[error("{}:{line}: {rule}", file.display())]
 pub struct PatternFileError {
@@ -53,7 +53,7 @@ pub enum PatternRule {
     /// The file cannot be read, or has more bytes than any table of the size allowed takes.
     #[error("{0}")]
     File(#[source] ReadFault),
-    /// Another table, or none.
+    /// The first line is of another table, or of none.
     #[error("the first line must be `az_deg,el_deg,gain_db`")]
     NoHeading,
     /// A line has not three numbers.
@@ -69,7 +69,7 @@ pub enum PatternRule {
         column: &'static str,
         /// Value as read.
         found: f64,
-        /// Largest size.
+        /// Largest size that is allowed.
         limit: f64,
     },
     /// A direction told twice, with two gains.
@@ -90,7 +90,7 @@ pub enum PatternRule {
         /// Number of its values.
         found: usize,
     },
-    /// Neither a table nor cuts.
+    /// The directions are neither a table nor cuts.
     #[error(
         "not every pair of azimuth and elevation is there, and this direction lies on neither cut, el_deg = 0 or az_deg = 0"
     )]
@@ -105,7 +105,7 @@ pub enum PatternRule {
         azimuths: usize,
         /// Number of elevations of the table.
         elevations: usize,
-        /// Most values.
+        /// Most values of a table.
         limit: usize,
     },
 }

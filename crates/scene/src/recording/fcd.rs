@@ -25,7 +25,7 @@ pub struct FcdStep {
 /// A vehicle at one step, as recorded.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FcdVehicle {
-    /// Unique among the vehicles of a step.
+    /// Id, unique among the vehicles of a step.
     pub id: String,
     /// Type in the recording, its vType: the attribute `type`.
     pub kind: String,
@@ -70,7 +70,7 @@ pub enum FcdRule {
     /// No element at all.
     #[error("there is no XML element in it; floating-car data begin with <fcd-export>")]
     Empty,
-    /// Much text of which none is a step.
+    /// The file has much text of which none is a step.
     #[error("more than {0} bytes without a <timestep>")]
     StepTooLong(u64),
     /// A step has more vehicles than any simulation has at once.
@@ -83,7 +83,7 @@ pub enum FcdRule {
         attribute: &'static str,
         /// Beginning of the name.
         found: String,
-        /// Most bytes.
+        /// Most bytes of a name.
         limit: usize,
     },
     /// A recording that goes on for longer than any run.
@@ -95,7 +95,7 @@ pub enum FcdRule {
         begin: f64,
         /// Interval from one frame to the next.
         interval: f64,
-        /// Most frames.
+        /// Most frames that are made.
         limit: u32,
     },
     /// More poses of vehicles are in view than memory should hold.

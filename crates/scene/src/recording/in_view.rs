@@ -5,7 +5,7 @@ use glam::DVec2;
 /// A sector on the ground, its tip at the radar's foot.
 pub(crate) struct View {
     pub(crate) foot_m: DVec2,
-    /// Unit vector.
+    /// Unit vector of the boresight.
     pub(crate) boresight: DVec2,
     /// Nearest distance in view: what reaches nearer stands below the beam.
     pub(crate) nearest_m: f64,

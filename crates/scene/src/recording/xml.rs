@@ -15,7 +15,7 @@ const ELEMENT_LIMIT_BYTES: u64 = 1 << 20;
 /// Most attributes of one element: SUMO's have up to thirty.
 const ATTRIBUTE_LIMIT: usize = 256;
 
-/// Why a file is not read on as XML.
+/// Reason that a file is not read on as XML.
 #[derive(Debug, thiserror::Error)]
 pub enum XmlFault {
     /// The system refused, or it is no plain file.

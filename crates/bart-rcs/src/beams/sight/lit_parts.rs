@@ -21,7 +21,7 @@ pub(crate) struct Parts {
 pub(crate) struct Part {
     /// Index into the world's facets.
     pub(crate) facet: u32,
-    /// Unit, on the lit side.
+    /// Unit normal on the lit side.
     pub(crate) lit_normal: DVec3,
     /// Place of the corners in [`Parts::corners`]; empty where the polygon is nothing but rounding.
     pub(crate) corners: Range<usize>,

@@ -28,7 +28,7 @@ pub(crate) struct Shadow {
     pub(crate) edges: [Plane; 3],
     /// The facet's own plane, positive towards the antenna.
     pub(crate) front: Plane,
-    /// Positive where the facet is met beyond the mirror; `None` where all of it is beyond.
+    /// Plane that is positive where the facet is met beyond the mirror; `None` where all of it is beyond.
     pub(crate) beyond_mirror: Option<Plane>,
     /// Share of the view that the facet takes, for sorting only.
     pub(crate) apparent_size: f64,
@@ -48,10 +48,10 @@ pub(crate) enum Seen {
 pub(crate) enum Hides {
     /// Nothing: the facet lies behind the target, or is the one of two coincident facets that yields.
     Nothing,
-    /// Whatever lies in its cone.
+    /// The facet may hide whatever lies in its cone.
     AllInItsCone,
-    /// Whatever lies in its cone and on the positive side of a plane through the antenna: the facets pass
-    /// through each other.
+    /// The facet may hide whatever lies in its cone and on the positive side of a plane through the
+    /// antenna: the facets pass through each other.
     InItsConeAnd(Plane),
 }
 

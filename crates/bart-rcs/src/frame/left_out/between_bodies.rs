@@ -14,7 +14,8 @@ use crate::oversight::progress::Phase;
 /// Settings of these ways: what one body throws on another comes off its panels.
 const WAYS: LeftOutWays = LeftOutWays { bounces: 2, mirror_wavelengths: 10.0 };
 
-/// ‖S between bodies‖ over ‖S‖ at the moment and the place of the check, with the margin of the measurement.
+/// Ratio ‖S between bodies‖ over ‖S‖ at the moment and the place of the check, with the margin of the
+/// measurement.
 ///
 /// `None` where no such way is left out by [`artifact::settings::BetweenBodies`], and where their beams would
 /// take more memory than the frame may.

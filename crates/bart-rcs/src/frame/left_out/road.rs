@@ -11,8 +11,8 @@ use crate::joins::scatterer::{Scatterer, ZenithH};
 use crate::oversight::error::BartError;
 use artifact::settings::Sides;
 
-/// ‖S by the road‖ over ‖S without‖ for the usual road, at the moment and the place of the check, with the
-/// margin of the measurement.
+/// Ratio ‖S by the road‖ over ‖S without‖ for the usual road, at the moment and the place of the check,
+/// with the margin of the measurement.
 ///
 /// One and two bounces on bodies by the middle rule, facets alone, to a quarter of each integral; what has
 /// more bounces is taken to gain as much as these do. `None` where a road is there, or no body; where ways by

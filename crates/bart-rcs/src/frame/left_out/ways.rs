@@ -37,8 +37,8 @@ impl LeftOutWays {
         }
     }
 
-    /// ‖S of the joints that are left out‖ over ‖S‖, facets alone, with the margin of the measurement; what
-    /// has more bounces is taken to gain as much as these do.
+    /// Ratio ‖S of the joints that are left out‖ over ‖S‖, facets alone, with the margin of the
+    /// measurement; what has more bounces is taken to gain as much as these do.
     pub(crate) fn relative(
         &self,
         scatterer: &Scatterer<'_>,

@@ -76,7 +76,7 @@ struct Bend {
     edge: BodyEdge,
     /// The facets of face 1 and face 2.
     blades: [Blade; 2],
-    /// (N − 1)π.
+    /// Exterior angle beyond a half turn, (N − 1)π.
     turn_rad: f64,
 }
 

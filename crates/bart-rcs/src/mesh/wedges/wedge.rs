@@ -12,7 +12,7 @@ pub(crate) struct Wedge {
     pub(crate) inward: [DVec3; 2],
     /// Unit normals of the faces, out of the wedge.
     pub(crate) normal: [DVec3; 2],
-    /// N: the exterior angle over π; 2 for an open edge, 3/2 for the edge of a box.
+    /// Exterior angle over π, N; 2 for an open edge, 3/2 for the edge of a box.
     pub(crate) exterior: f64,
 }
 

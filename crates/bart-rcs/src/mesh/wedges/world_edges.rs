@@ -11,7 +11,7 @@ pub(crate) struct WorldEdges {
     patches: Vec<Patch>,
     /// Beginning and end of each facet's list of sides.
     first_side: Vec<u32>,
-    /// (facet, side, edge), by facet.
+    /// Sides (facet, side, edge), by facet.
     sides: Vec<FacetSide>,
 }
 

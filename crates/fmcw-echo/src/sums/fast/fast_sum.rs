@@ -63,8 +63,8 @@ pub(crate) fn memory_estimate_bytes(radar: &Radar, accuracy: Accuracy) -> u64 {
     sums + (grid + of_a_set) * rayon::current_num_threads() as u64
 }
 
-/// Down to −100 dB sums of single precision are good enough: rounding of 6e-8 for each of some hundred
-/// additions.
+/// Least error for sums of single precision, which are good enough down to −100 dB: rounding of 6e-8
+/// for each of some hundred additions.
 const SINGLE: f64 = 1e-5;
 /// Instants of one group; more mean that it is to be halved.
 const INSTANTS_MAX: usize = 12;

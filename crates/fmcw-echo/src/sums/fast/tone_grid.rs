@@ -74,8 +74,9 @@ impl<T: Scalar> ToneGrid<T> {
         self.spots.iter().map(|spot| spot.tone as usize)
     }
 
-    /// Σ over tones of strength·e^{j2π(αn + βm)}, n and m from the frame's middle: `[set][chirp][sample]` are
-    /// given one set after the other. `strengths` are `[set][tone]`, tones in [`Self::order`].
+    /// Sums Σ over tones of strength·e^{j2π(αn + βm)}, n and m from the frame's middle:
+    /// `[set][chirp][sample]` are given one set after the other. `strengths` are `[set][tone]`, tones in
+    /// [`Self::order`].
     pub(crate) fn transform(
         &self,
         strengths: &[Vec<Complex<T>>],

@@ -94,25 +94,25 @@ pub enum MeshFault {
     /// The buffers have more bytes than are read.
     #[error("has buffers of more than {limit} bytes together, the most that are read")]
     BuffersTooLong {
-        /// Most that is read.
+        /// Most bytes that are read.
         limit: u64,
     },
     /// The file has more values than any model needs.
     #[error("its JSON has more than {limit} values, the most that are read")]
     TooManyValues {
-        /// Most values.
+        /// Most values that are read.
         limit: usize,
     },
     /// The file has more positions and normals than triangles can use.
     #[error("has more than {limit} positions and normals, the most that are read")]
     TooManyVectors {
-        /// Most that is read.
+        /// Most vectors that are read.
         limit: usize,
     },
     /// A small file can show one mesh through many nodes.
     #[error("shows more than {limit} primitives, the most that are read")]
     TooManyPrimitives {
-        /// Most that is read.
+        /// Most primitives that are read.
         limit: usize,
     },
     /// Polygons whose dents cost more than the stages that follow.
@@ -120,7 +120,7 @@ pub enum MeshFault {
         "has polygons so dented that cutting them takes more than {limit} comparisons: write it as triangles"
     )]
     TooDented {
-        /// Most comparisons.
+        /// Most comparisons that are made.
         limit: u64,
     },
     /// The format cannot be told by the file's extension.
@@ -140,7 +140,7 @@ pub enum MeshFault {
     /// The JSON of glTF.
     #[error("is not glTF: {0}")]
     Json(#[source] serde_json::Error),
-    /// Another major version.
+    /// The file is of another major version.
     #[error("is glTF {found}; version 2 is read")]
     Version {
         /// Version as written.
@@ -218,7 +218,7 @@ pub enum MeshFault {
     /// A kind of primitive that glTF does not have.
     #[error("has an unknown mode")]
     Mode,
-    /// Left-over corners.
+    /// Corners are left over.
     #[error("{0} corners are no whole triangles")]
     Corners(usize),
     /// A polygon beyond what is cut into triangles.
@@ -226,7 +226,7 @@ pub enum MeshFault {
     TooManyCorners {
         /// Corners of the polygon.
         corners: usize,
-        /// Most that are cut.
+        /// Most corners that are cut.
         limit: usize,
     },
     /// A corner that is no vertex.
@@ -272,7 +272,7 @@ pub enum MeshFault {
     /// The file has more triangles than the stages can carry.
     #[error("has more than {limit} triangles")]
     TooManyTriangles {
-        /// Most that are read.
+        /// Most triangles that are read.
         limit: usize,
     },
     /// Materials are numbered with 16 bits.
@@ -283,9 +283,9 @@ pub enum MeshFault {
     Size {
         /// Longest side of the bounding box.
         size_m: f64,
-        /// Smallest taken for metres.
+        /// Smallest size that is taken for metres.
         least_m: f64,
-        /// Largest taken for metres.
+        /// Largest size that is taken for metres.
         most_m: f64,
     },
 }

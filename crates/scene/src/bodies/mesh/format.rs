@@ -21,7 +21,7 @@ pub enum Format {
     Gltf,
     /// Stereolithography, text or binary.
     Stl,
-    /// Wavefront.
+    /// Wavefront OBJ, text.
     Obj,
 }
 

@@ -8,7 +8,7 @@ use std::f64::consts::FRAC_PI_2;
 /// Lines of a body as a coachbuilder draws them, each over x.
 #[derive(Debug, Clone)]
 pub(crate) struct Shell {
-    /// Underside.
+    /// Height of the underside.
     pub(crate) bottom_z: Curve,
     /// Height where the lower side ends and the upper side (windows) begins.
     pub(crate) waist_z: Curve,

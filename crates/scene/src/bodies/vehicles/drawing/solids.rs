@@ -176,7 +176,8 @@ fn frames(sections: &[Section]) -> Vec<Frame> {
     frames
 }
 
-/// Horizontal, towards the left; of an upright limb straight to the left.
+/// Direction across a limb that is horizontal, towards the left; of an upright limb straight to the
+/// left.
 fn level_across(tangent: DVec3) -> DVec3 {
     let upright = tangent.cross(DVec3::Z).length() < 0.2;
     let across = if upright { DVec3::Y } else { tangent.cross(DVec3::Z) };
@@ -184,8 +185,8 @@ fn level_across(tangent: DVec3) -> DVec3 {
     if across.y < 0.0 { -across } else { across }
 }
 
-/// Horizontal again on the same side as before; where the limb turns away too far for that, carried along
-/// without twist.
+/// Direction across a limb that is horizontal again on the same side as before; where the limb turns
+/// away too far for that, carried along without twist.
 fn continued_across(tangent: DVec3, before: DVec3) -> DVec3 {
     let level = level_across(tangent);
     let level = if level.dot(before) < 0.0 { -level } else { level };

@@ -193,7 +193,7 @@ impl Surface {
         t.corners.map(|i| self.points_m[i as usize])
     }
 
-    /// Twice the area times the normal.
+    /// Vector area of a triangle, twice its area times the normal.
     pub(crate) fn area_vector_m2(&self, t: &Triangle) -> DVec3 {
         let [a, b, c] = self.corners_m(t);
         (b - a).cross(c - a)
