@@ -9,6 +9,7 @@ mod layers;
 mod pages;
 mod readme;
 mod rooms;
+mod sentences;
 mod size;
 mod training;
 
@@ -23,13 +24,14 @@ use wayside::program::terminal;
 type Check = fn(&mut Tally) -> Result<(), Failure>;
 
 /// Rules of the source, seconds all together.
-const CHEAP: [(&str, Check); 8] = [
+const CHEAP: [(&str, Check); 9] = [
     ("format", |_| cargo(&["fmt", "--all", "--check"])),
     ("layer rule", |_| layers::check()),
     ("room rule", |_| rooms::check()),
     ("no circle of files, no crowded folder", |_| circles::check()),
     ("sizes of files and functions", |_| size::check()),
     ("lines of code and comments", |_| columns::check()),
+    ("doc comments are sentences", |_| sentences::check()),
     ("pages name what is there", |_| pages::check()),
     ("one set of features", |_| features::check()),
 ];

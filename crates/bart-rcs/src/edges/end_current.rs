@@ -26,7 +26,7 @@ pub(crate) struct EndCurrent {
     ab: f64,
     b: f64,
     square_in: f64,
-    /// Factors of τ and of √(2/b)·W by [received][sent].
+    /// Factors of τ and of √(2/b)·W by `[received][sent]`.
     of_wave: [f64; 4],
     of_edge: [f64; 4],
     /// The current along the ray far from the edge over W(√(κd(a + b))), by what was sent; per unit Z·H.
@@ -58,7 +58,7 @@ impl EndCurrent {
         Self { ab, b, square_in: s * s, of_wave, of_edge, along_ray }
     }
 
-    /// Current beyond a way by [received][sent], and W(√(κd(a + b))): how the edge wave has fallen off
+    /// Current beyond a way by `[received][sent]`, and W(√(κd(a + b))): how the edge wave has fallen off
     /// after the way.
     pub(crate) fn beyond(&self, way_m: f64, wavenumber_per_m: f64) -> ([Complex64; 4], Complex64) {
         let kd = wavenumber_per_m * self.square_in * way_m;

@@ -129,7 +129,7 @@ impl FaceView {
     }
 
     /// Share of this face, without end, in √π·dS/dl: for incident fields with E and Z·H along the edge, seen
-    /// along `out` by each of the unit fields `received`; by [received][sent].
+    /// along `out` by each of the unit fields `received`; by `[received][sent]`.
     ///
     /// S = (1/√π)∫[−A p·t + B p·(s×t)]dl with A, B the currents of docs/physics.md §4 without their 2j/k.
     pub(crate) fn coefficients<const N: usize>(
