@@ -131,7 +131,7 @@ fn the_flash_of_a_coarse_cylinder_is_that_of_a_round_one_with_caps_and_without()
 }
 
 /// Cross section σ = 8π sin α (z₂^{3/2} − z₁^{3/2})²/(9λ cos⁴α) seen at a right angle to the side
-/// (Knott, Shaeffer, Tuley, ch. 6). 6).
+/// (Knott, Shaeffer, Tuley, ch. 6).
 #[test]
 fn the_flash_of_a_coarse_cone_is_that_of_a_round_one() {
     let half_angle = 20_f64.to_radians();

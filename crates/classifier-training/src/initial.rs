@@ -17,9 +17,8 @@ pub(crate) fn initial(layout: &Layout, seed: u64) -> Parameters {
 }
 
 /// Values of a tensor by He et al. 2015 (arXiv:1502.01852, eq. 10): uniform within ±√(6 / inputs)
-/// before a rectifier, so that the variance neither grows nor dies. 2015 (arXiv:1502.01852, eq. 10):
-/// uniform within ±√(6 / inputs) before a rectifier, so that the variance neither grows nor dies. The
-/// last layer begins at zero: all classes equally likely, a loss of ln 4.
+/// before a rectifier, so that the variance neither grows nor dies. The last layer begins at zero: all
+/// classes equally likely, a loss of ln 4.
 fn initial_values(name: &str, shape: Vec<usize>, seed: u64, index: u64) -> Values {
     let count = shape.iter().product();
     let constant = |value: f32| vec![value; count];

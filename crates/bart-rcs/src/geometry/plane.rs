@@ -76,7 +76,7 @@ pub(crate) fn accurate_cross(u: DVec3, v: DVec3) -> DVec3 {
 }
 
 /// Difference ab − cd with an error of 1.5 ulp: Kahan's algorithm (Jeannerod, Louvet, Muller, Math.
-/// Comp. 82 (2013) 2245). Comp. 82 (2013) 2245).
+/// Comp. 82 (2013) 2245).
 fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let product = c * d;
     let error = c.mul_add(-d, product);

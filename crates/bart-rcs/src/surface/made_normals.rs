@@ -257,9 +257,7 @@ fn by_angle(facets: &Facets<'_>, triangle: u32, k: u8) -> DVec3 {
 }
 
 /// Normal u × v/(|u|²|v|²) of the edges that leave a corner (N. Max, J. Graphics Tools 4 (1999) 1):
-/// where all vertices lie on a sphere their sum is its normal, whatever the triangles. Max, J. Graphics
-/// Tools 4 (1999) 1): where all vertices lie on a sphere their sum is its normal, whatever the
-/// triangles.
+/// where all vertices lie on a sphere their sum is its normal, whatever the triangles.
 fn by_sphere(facets: &Facets<'_>, triangle: u32, k: u8) -> DVec3 {
     let [u, v] = leaving(facets, triangle, k);
     let squares = u.length_squared() * v.length_squared();

@@ -69,7 +69,7 @@ pub fn if_sample(
     gain * amplitude * Complex64::cis(TAU * if_cycles(radar, t, tau).fract())
 }
 
-/// Phase of eq. (13) in cycles, f₀τ + μtτ − ½μτ². (13) in cycles.
+/// Phase of eq. (13) in cycles, f₀τ + μtτ − ½μτ².
 pub fn if_cycles(radar: &Radar, t: f64, tau: f64) -> f64 {
     let (f0, mu) = (radar.waveform.start_frequency_hz, radar.waveform.slope_hz_per_s);
     f0 * tau + mu * t * tau - 0.5 * mu * tau * tau

@@ -128,8 +128,7 @@ impl<'a> Listener<'a> {
         }
     }
 
-    /// Value by eq. (13): √(P_tG_tG_r)·λ/(4π)^{3/2}·conj a(f)·gain, and f₀τ + μtτ − ½μτ². (13):
-    /// √(P_tG_tG_r)·λ/(4π)^{3/2}·conj a(f)·gain, and f₀τ + μtτ − ½μτ².
+    /// Value by eq. (13): √(P_tG_tG_r)·λ/(4π)^{3/2}·conj a(f)·gain, and f₀τ + μtτ − ½μτ².
     fn value(&self, path: &Path, t: f64, tau: f64, gain_per_m2: f64) -> Value {
         let (f0, mu) = (self.radar.waveform.start_frequency_hz, self.radar.waveform.slope_hz_per_s);
         let (receive, transmit) = self.radar.array.polarization.indices();

@@ -7,7 +7,6 @@ use std::path::Path;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshOptions {
     /// Metres in one unit of the file; `None` for a file in metres, where a model below a millimetre or
-    /// above a kilometre is refused, for then it is not. `None`: metres, and a model below a millimetre or
     /// above a kilometre is refused, for then it is not.
     pub unit_scale: Option<f64>,
 }
