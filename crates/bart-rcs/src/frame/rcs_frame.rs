@@ -96,7 +96,7 @@ struct Body<'a> {
 struct Powers {
     total: f64,
     by_order: Vec<f64>,
-    /// Power of frozen shadows at the end of the sweep.
+    /// Error of frozen shadows at the end of the sweep.
     freezing: f64,
     /// Difference from the spherical wave, and that wave's own power: the truth that a relative error is told
     /// of.
