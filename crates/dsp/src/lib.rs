@@ -94,7 +94,6 @@ pub use direction::two_ways::two_ways;
 pub use direction::{angle, calibration};
 pub use error::{Axis, DspError};
 pub use estimation::cramer_rao::cramer_rao;
-pub use numerics::assignment;
 pub use numerics::gamma_forms::gamma_tail;
 pub use objects::points::{detect, detect_refined};
 pub use objects::stationary::{Fold, is_at_rest, tolerance_mps};

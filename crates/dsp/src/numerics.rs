@@ -6,4 +6,3 @@ pub(crate) mod box_sums; // sums over rectangles of a map
 pub(crate) mod gamma_forms; // distributions of weighted sums of Gamma variables
 pub(crate) mod symmetric_eigenvalues; // of small matrices
 pub(crate) mod normal_equations; // least squares of few unknowns
-pub mod assignment; // rows to columns at the least cost

@@ -88,7 +88,7 @@
 //! ```
 
 mod error; // what is refused, and where
-mod links; // transmissions, antennas, levels
+mod links; // transmissions, levels
 mod impairments; // noise, oscillators, elements, converters, other radars
 mod sums; // three forms of the sum over paths
 mod sources; // tables, and the road
@@ -96,7 +96,7 @@ mod synthesis; // a frame of samples
 
 pub use error::EchoError;
 pub use impairments::{adc, element_errors, interference, noise, oscillator};
-pub use links::{antenna, multiplexing, snr_reference};
+pub use links::{multiplexing, snr_reference};
 pub use sources::{ground, rcs_table};
 pub use sums::fast::fast_sum;
 pub use sums::{direct_sum, reference};

@@ -8,4 +8,11 @@
 //! # Ok::<(), radar::window::Sidelobes>(())
 //! ```
 
+pub mod aperture; // axes, elements, mounting
+pub mod assignment; // optimal association of rows and columns
+pub mod beat; // phase of eq. (13), range–Doppler coupling
+pub mod doppler_ambiguity; // velocities that look alike
+pub mod link; // link budget
+pub mod motion; // of bodies
+pub mod path_kinematics; // legs of a path and their rates
 pub mod window; // tapers of the FFT axes

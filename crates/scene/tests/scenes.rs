@@ -5,7 +5,8 @@
 use artifact::radar::{Multiplexing, Pattern, Polarization};
 use artifact::scene::{Pose, Role, SceneHeader, Target, TargetKind};
 use artifact::settings::{Class, EchoMode, NodeRule, Noise, Sides, Window};
-use scene::{Meshes, ReadOptions, pose_after, snapshot};
+use radar::motion::pose_after;
+use scene::{Meshes, ReadOptions, snapshot};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::{Path, PathBuf};
 

@@ -14,7 +14,6 @@
 
 pub mod host;
 pub mod chain;
-pub mod evaluation;
 pub mod outcome;
 pub mod pictures;
 pub mod report;

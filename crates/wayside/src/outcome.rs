@@ -3,6 +3,7 @@
 
 pub(crate) mod error_figures;
 pub(crate) mod verdict;
+pub(crate) mod frame_truth;
 pub(crate) mod false_objects;
 pub(crate) mod summary;
 pub(crate) mod tracking;

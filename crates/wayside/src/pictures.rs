@@ -14,13 +14,12 @@ pub(crate) mod seen;
 mod common_view;
 
 use crate::chain::link::{Chain, FrameProducts};
-use crate::evaluation::frame_truth::FrameTruth;
-use crate::evaluation::truth::Truth;
 use crate::host::failure::Failure;
 use crate::host::files;
 use artifact::cube::CubeHeader;
 use artifact::points::PointsFrame;
 use artifact::rdm::RdmFrame;
+use evaluation::{FrameTruth, Truth};
 use plotting::form::{Figure, Form};
 use plotting::raster::{self, Pixels};
 use plotting::svg::Svg;

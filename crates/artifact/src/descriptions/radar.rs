@@ -317,12 +317,6 @@ impl Radar {
         self.waveform.wavelength_m() / (4.0 * self.repetition_interval_s())
     }
 
-    /// A velocity as a map shows it: folded into −v_max … +v_max.
-    pub fn folded_velocity_mps(&self, velocity_mps: f64) -> f64 {
-        let span = 2.0 * self.velocity_max_mps();
-        velocity_mps - span * (velocity_mps / span).round()
-    }
-
     /// Velocity resolution λ/2N_cT, one Doppler cell, m/s.
     pub fn velocity_resolution_mps(&self) -> f64 {
         2.0 * self.velocity_max_mps() / f64::from(self.waveform.chirps)

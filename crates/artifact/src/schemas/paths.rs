@@ -51,6 +51,9 @@ pub struct PathsFrame {
     pub trace: TraceStatistics,
 }
 
+/// The [`Path::target`] of the road's own backscatter.
+pub const GROUND: u32 = u32::MAX;
+
 /// Highest bounce order that a path record holds.
 pub const MAX_ORDER: usize = 5;
 

@@ -22,9 +22,7 @@ impl DeafSide {
         if radar.array.pattern.hears_behind() {
             return None;
         }
-        let (sin_az, cos_az) = radar.boresight_az_rad.sin_cos();
-        let (sin_el, cos_el) = radar.boresight_el_rad.sin_cos();
-        let normal = DVec3::new(sin_az * cos_el, cos_az * cos_el, sin_el);
+        let [_, normal, _] = radar::aperture::axes(radar);
         let centre = DVec3::from_array(radar.position_m);
         let elements = radar.array.tx_m.iter().chain(&radar.array.rx_m);
         let aside =

@@ -7,6 +7,7 @@ use artifact::paths::Path;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 use num_complex::Complex64;
+use radar::aperture::{axes, pattern_amplitude};
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 
@@ -34,21 +35,9 @@ impl Look {
 
 /// Both elements' gain over L₁L₂, 1/m².
 pub(crate) fn strength(radar: &Radar, legs_m: [DVec3; 2]) -> f64 {
-    legs_m.iter().map(|leg| gain(radar, *leg / leg.length()) / leg.length()).product()
-}
-
-/// Amplitude gain of an element towards a unit direction, over that at boresight.
-fn gain(radar: &Radar, direction: DVec3) -> f64 {
-    radar.array.pattern.amplitude(axes(radar).map(|axis| axis.dot(direction)))
-}
-
-/// Axes of the array: right, ahead along the boresight, up.
-pub(crate) fn axes(radar: &Radar) -> [DVec3; 3] {
-    let (sin_az, cos_az) = radar.boresight_az_rad.sin_cos();
-    let (sin_el, cos_el) = radar.boresight_el_rad.sin_cos();
-    let right = DVec3::new(cos_az, -sin_az, 0.0);
-    let ahead = DVec3::new(sin_az * cos_el, cos_az * cos_el, sin_el);
-    [right, ahead, right.cross(ahead)]
+    let axes = axes(radar);
+    let gain = |leg: &DVec3| pattern_amplitude(radar, &axes, *leg / leg.length());
+    legs_m.iter().map(|leg| gain(leg) / leg.length()).product()
 }
 
 /// Looks, each over equally spaced instants of the sampled sweep.

@@ -1,6 +1,6 @@
 //! Paths whose phases stay together over band, elements and frame become one path.
 
-use crate::detail::looks::{Look, axes, strength};
+use crate::detail::looks::{Look, strength};
 use crate::frame::path_plan::Band;
 use crate::frame::path_sum::moved_to;
 use crate::joins::scatterer::{scaled, sum};
@@ -9,6 +9,7 @@ use artifact::paths::{Amplitude, Path};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 use num_complex::Complex64;
+use radar::aperture::axes;
 use std::f64::consts::{PI, TAU};
 
 /// Turns of a path's phase: what paths must have in common to be merged.

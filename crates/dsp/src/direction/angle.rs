@@ -56,7 +56,8 @@ impl VirtualArray {
     /// The array of a radar (already checked for finite elements).
     pub fn new(header: &CubeHeader) -> Self {
         let radar = &header.radar;
-        let axes = aperture_axes(radar.boresight_az_rad, radar.boresight_el_rad);
+        let [right, ahead, up] = radar::aperture::axes(radar);
+        let axes = [right, up, ahead];
         let centre = DVec3::from(radar.position_m);
         let elements: Vec<[DVec3; 2]> = (radar.array.tx_m.iter())
             .flat_map(|tx| radar.array.rx_m.iter().map(move |rx| [tx, rx].map(|p| DVec3::from(*p) - centre)))
@@ -348,15 +349,6 @@ fn excess_m(point: DVec3, element: DVec3, range_m: f64) -> f64 {
     let distance = (point - element).length();
     let difference = element.length_squared() - 2.0 * point.dot(element);
     if distance + range_m > 0.0 { difference / (distance + range_m) } else { 0.0 }
-}
-
-/// Right (horizontal), up and ahead for a boresight at azimuth (from +y towards +x) and elevation.
-pub(crate) fn aperture_axes(azimuth_rad: f64, elevation_rad: f64) -> [DVec3; 3] {
-    let (sin_az, cos_az) = azimuth_rad.sin_cos();
-    let (sin_el, cos_el) = elevation_rad.sin_cos();
-    let ahead = DVec3::new(sin_az * cos_el, cos_az * cos_el, sin_el);
-    let right = DVec3::new(cos_az, -sin_az, 0.0);
-    [right, right.cross(ahead), ahead]
 }
 
 /// Element positions along one axis as places on a regular grid, wavelengths.

@@ -1,4 +1,4 @@
-//! What clustering knows of a point, and the circle of its velocities.
+//! What clustering knows of a point.
 
 use glam::DVec2;
 
@@ -17,10 +17,4 @@ pub(crate) struct Member {
     pub(crate) power: f64,
     /// On the ground, from the radar.
     pub(crate) place_m: DVec2,
-}
-
-/// A difference of velocities that wrap, nearest to zero.
-pub(crate) fn on_circle(difference_mps: f64, velocity_span_mps: f64) -> f64 {
-    let half = 0.5 * velocity_span_mps;
-    (difference_mps + half).rem_euclid(velocity_span_mps) - half
 }

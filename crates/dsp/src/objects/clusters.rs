@@ -21,9 +21,10 @@
 //! in speed is lost to the one ahead; at ten times, the fading of two like cars 6 m apart was enough to lose
 //! one. Weaker and beside the front is its far corner: a bus is as wide as the strip.
 
-use crate::objects::cluster_member::{Member, on_circle};
+use crate::objects::cluster_member::Member;
 use crate::objects::rigid_pieces::drive_as_one;
 use artifact::settings::DspSettings;
+use radar::doppler_ambiguity::wrapped_mps;
 
 /// Groups of indices into `members`, which come strongest first; `velocity_span_mps` is where velocities
 /// wrap.
@@ -141,7 +142,7 @@ fn is_piece(
     let gaps = a.iter().flat_map(|i| b.iter().map(|j| (members[*i].range_m - members[*j].range_m).abs()));
     let [(cross_a_m, velocity_a), (cross_b_m, velocity_b)] =
         [a, b].map(|group| means(members, velocity_span_mps, group));
-    let apart = on_circle(velocity_a - velocity_b, velocity_span_mps).abs();
+    let apart = wrapped_mps(velocity_a - velocity_b, velocity_span_mps).abs();
     !is_follower(members, a, b)
         && apart <= PIECE_VELOCITY * settings.cluster_velocity_mps
         && (cross_a_m - cross_b_m).abs() <= PIECE_STRIP * settings.cluster_cross_m
@@ -162,7 +163,7 @@ fn means(members: &[Member], velocity_span_mps: f64, group: &[usize]) -> (f64, f
     let (mut cross, mut velocity, mut weight) = (0.0, 0.0, 0.0);
     for member in group.iter().map(|i| &members[*i]) {
         cross += member.power * member.cross_m;
-        velocity += member.power * on_circle(member.radial_velocity_mps - strongest_mps, velocity_span_mps);
+        velocity += member.power * wrapped_mps(member.radial_velocity_mps - strongest_mps, velocity_span_mps);
         weight += member.power;
     }
     (cross / weight, strongest_mps + velocity / weight)
@@ -247,7 +248,7 @@ fn near(a: &Member, b: &Member, settings: &DspSettings, velocity_span_mps: f64) 
 
 /// Distance of two velocities on their circle.
 fn apart_mps(a: &Member, b: &Member, velocity_span_mps: f64) -> f64 {
-    on_circle(a.radial_velocity_mps - b.radial_velocity_mps, velocity_span_mps).abs()
+    wrapped_mps(a.radial_velocity_mps - b.radial_velocity_mps, velocity_span_mps).abs()
 }
 
 #[cfg(test)]

@@ -11,9 +11,10 @@
 //! velocity points from one to the other is then what tells: two parts of a side line up along it, and its
 //! component across the line of sight is beyond its error.
 
-use crate::objects::cluster_member::{Member, on_circle};
+use crate::objects::cluster_member::Member;
 use artifact::settings::DspSettings;
 use glam::{DMat2, DVec2};
+use radar::doppler_ambiguity::wrapped_mps;
 
 /// A slower body hardly changes its velocity from cell to cell over its length; a faster one drives on no
 /// street, m/s.
@@ -82,7 +83,7 @@ struct Echo {
 
 impl Echo {
     fn of(member: &Member, near_mps: f64, velocity_span_mps: f64) -> Self {
-        let velocity_mps = near_mps + on_circle(member.radial_velocity_mps - near_mps, velocity_span_mps);
+        let velocity_mps = near_mps + wrapped_mps(member.radial_velocity_mps - near_mps, velocity_span_mps);
         Self { place_m: member.place_m, sight: member.place_m.normalize_or_zero(), velocity_mps }
     }
 }

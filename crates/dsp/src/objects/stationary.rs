@@ -8,6 +8,7 @@
 //! so does what moves across the line of sight.
 
 use artifact::cube::CubeHeader;
+use radar::doppler_ambiguity::shown_mps;
 use std::f64::consts::TAU;
 
 /// How sure the multiple of the map's span is.
@@ -29,7 +30,7 @@ const OVER_BOUND: f64 = 2.0;
 pub fn is_at_rest(header: &CubeHeader, velocity_mps: f64, fold: Fold, over_noise: f64) -> bool {
     let shown_mps = match fold {
         Fold::Told => velocity_mps,
-        Fold::Assumed => header.radar.folded_velocity_mps(velocity_mps),
+        Fold::Assumed => shown_mps(&header.radar, velocity_mps),
     };
     shown_mps.abs() <= tolerance_mps(header, over_noise)
 }

@@ -3,6 +3,7 @@
 use crate::error::DspError;
 use artifact::cube::CubeHeader;
 use artifact::rdm;
+use radar::doppler_ambiguity::wrapped_mps;
 
 /// Range of every column, m: k·ΔR. The beat frequency folds at the last column.
 pub fn range_axis_m(header: &CubeHeader) -> Vec<f64> {
@@ -26,10 +27,9 @@ pub(crate) fn row_at(header: &CubeHeader, velocity_mps: f64) -> f64 {
     velocity_mps / header.radar.velocity_resolution_mps() + (header.radar.waveform.chirps / 2) as f64
 }
 
-/// Range–Doppler coupling: a receding target's beat frequency is f_c·τ̇ higher, and shows this much farther
-/// away (61.9 mm at 10 m/s and 12.5 MHz/µs; `docs/conventions.md`, eq. 13 of the paper).
+/// Range–Doppler coupling of a velocity on this cube's maps, m.
 pub(crate) fn coupling_m(header: &CubeHeader, velocity_mps: f64) -> f64 {
-    velocity_mps * header.radar.waveform.centre_frequency_hz() / header.radar.waveform.slope_hz_per_s
+    radar::beat::coupling_m(&header.radar.waveform, velocity_mps)
 }
 
 /// Range cells per second of round-trip delay times c/2; the sign of the slope is undone when the map is
@@ -40,8 +40,7 @@ pub(crate) fn column_at(header: &CubeHeader, range_m: f64) -> f64 {
 
 /// `velocity_mps` brought into one span of the axis, [−λ/4T, λ/4T).
 pub(crate) fn wrapped(header: &CubeHeader, velocity_mps: f64) -> f64 {
-    let half = header.radar.velocity_max_mps();
-    (velocity_mps + half).rem_euclid(2.0 * half) - half
+    wrapped_mps(velocity_mps, 2.0 * header.radar.velocity_max_mps())
 }
 
 /// `velocity_mps` moved by whole spans until it is nearest to `near_mps`.

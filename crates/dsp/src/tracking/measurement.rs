@@ -8,6 +8,7 @@ use artifact::cube::CubeHeader;
 use artifact::points::Object;
 use artifact::units::power_from_db;
 use glam::{DVec2, DVec4};
+use radar::doppler_ambiguity::folded_mps;
 use std::f64::consts::{PI, TAU};
 
 /// What a tracker knows of its radar.
@@ -152,7 +153,7 @@ impl Measurement {
     /// Measured radial velocity less that of a state, on the velocity circle.
     pub fn rate_residual_mps(&self, state: &Estimate) -> f64 {
         let apart_mps = self.radial_velocity_mps - Sight::of(self, state).rate_mps;
-        apart_mps - self.span_mps.map_or(0.0, |span| span * (apart_mps / span).round())
+        self.span_mps.map_or(apart_mps, |span| folded_mps(apart_mps, span))
     }
 
     /// Measured azimuth less that of a state.

@@ -2,7 +2,7 @@
 //! neighbours.
 //!
 //! Each frame: every track is predicted; objects within the gate go to tracks so that all together are
-//! likeliest ([`crate::numerics::assignment`]); an object left over that lies in the box of a believed track
+//! likeliest ([`radar::assignment`]); an object left over that lies in the box of a believed track
 //! is one more piece of the same body; any other begins a track, which is believed when it was seen in M of
 //! its first N frames. A track without an object coasts on its prediction and dies after a while, later where
 //! another's object covers its place, sooner where it leaves the radar's range.
@@ -11,7 +11,6 @@
 //! ([`crate::tracking::velocity_bank`]) until the range has told which is true; a track says so.
 
 use crate::error::DspError;
-use crate::numerics::assignment::assignment;
 use crate::spectrum::axes::checked_shape;
 use crate::tracking::body::Body;
 use crate::tracking::kalman::Estimate;
@@ -23,6 +22,7 @@ use artifact::points::{Object, PointsFrame};
 use artifact::tracks::{Track, TrackState, TracksFrame};
 use glam::{DMat2, DVec2};
 use ndarray::Array2;
+use radar::assignment::assignment;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// An object of an equal velocity this near to a believed track's box is a piece of it: cars in a queue leave

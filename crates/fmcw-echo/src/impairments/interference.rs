@@ -7,13 +7,13 @@
 //! within ±f_s/2 hear it, f_s/|μ − μ₁| seconds of a crossing (Brooker, IEEE Trans. EMC 49 (2007) 170). Its
 //! power is EIRP·G_r·λ²/(4πR)², polarizations taken as equal.
 
-use crate::links::antenna::{axes, pattern_amplitude};
 use crate::links::multiplexing::{Transmission, receiver_factor, row as transmissions};
 use artifact::Radar;
 use artifact::radar::Interferer;
 use artifact::units::{SPEED_OF_LIGHT_MPS, power_from_db};
 use glam::DVec3;
 use num_complex::{Complex32, Complex64};
+use radar::aperture::{axes, pattern_amplitude};
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 

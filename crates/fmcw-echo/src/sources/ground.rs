@@ -12,7 +12,7 @@
 //! at zero Doppler.
 
 use crate::error::EchoError;
-use artifact::paths::{Curve, Facet, MAX_ORDER, Path};
+use artifact::paths::{Curve, Facet, GROUND, MAX_ORDER, Path};
 use artifact::radar::Radar;
 use artifact::scene::Backscatter;
 use artifact::seed;
@@ -21,9 +21,6 @@ use rand::rand_core::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-
-/// [`Path::target`] of the ground, which is no target.
-pub const GROUND: u32 = u32::MAX;
 
 /// Patches along one range cell and across one beam.
 const PATCHES_PER_CELL: f64 = 2.0;

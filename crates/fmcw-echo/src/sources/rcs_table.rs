@@ -9,15 +9,16 @@
 
 use crate::error::EchoError;
 use crate::impairments::oscillator::Oscillator;
-use crate::links::antenna::link_amplitude;
 use crate::links::multiplexing::{Transmission, row};
-use crate::sums::reference::{if_cycles, legs_at};
+use crate::sums::reference::legs_at;
 use artifact::Radar;
 use artifact::paths::{Curve, Facet, MAX_ORDER, Path};
 use artifact::rcs::{RcsFrame, RcsTable};
 use artifact::scene::Pose;
 use glam::{DQuat, DVec3};
 use num_complex::Complex64;
+use radar::beat::if_cycles;
+use radar::link::link_amplitude;
 use std::f64::consts::TAU;
 
 /// Targets of one frame, each a table at a moving origin.
@@ -124,7 +125,7 @@ impl<'a> Body<'a> {
             let tau = legs.delay_s() + transmission.line_delay_s;
             let frequency_hz = waveform.start_frequency_hz + waveform.slope_hz_per_s * (t - tau);
             let gain = link_amplitude(radar) * legs.gain(radar);
-            let phasor = Complex64::cis(TAU * if_cycles(radar, t, tau).fract());
+            let phasor = Complex64::cis(TAU * if_cycles(&radar.waveform, t, tau).fract());
             let turn = sum.oscillator.map_or(Complex64::ONE, |oscillator| oscillator.turn(time_s, tau));
             *sample +=
                 transmission.turn * turn * gain * self.at_frequency(&response, frequency_hz)?.conj() * phasor;

@@ -14,7 +14,6 @@
 //! sum. Each row (channel, chirp) is added by one thread, in the order of the paths: any number of threads
 //! gives the same bytes.
 
-use crate::links::antenna::{axes, link_amplitude};
 use crate::links::multiplexing::{Transmission, row};
 use crate::sums::chirp_segments::samples_per_segment;
 use crate::sums::lanes::{Complex, MAX_LANES, Real, Vector};
@@ -27,6 +26,8 @@ use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 use num_complex::Complex64;
 use pulp::{Arch, Simd, WithSimd};
+use radar::aperture::axes;
+use radar::link::link_amplitude;
 use rayon::prelude::*;
 
 /// Paths laid out for the sum over one frame.

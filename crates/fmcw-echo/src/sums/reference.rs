@@ -4,13 +4,15 @@
 //! schedule of transmissions. Never optimised.
 
 use crate::impairments::oscillator::Oscillator;
-use crate::links::antenna::{axes, link_amplitude, pattern_amplitude};
 use crate::links::multiplexing::{Transmission, row};
 use artifact::Radar;
 use artifact::paths::{Path, Rim};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 use num_complex::Complex64;
+use radar::aperture::{axes, pattern_amplitude};
+use radar::beat::if_cycles;
+use radar::link::link_amplitude;
 use std::f64::consts::TAU;
 
 /// All samples of a cube, √W, row-major `[channel, chirp, sample]`.
@@ -66,13 +68,7 @@ pub fn if_sample(
     let amplitude = amplitude_m(radar, path, frequency_hz - centre_frequency_hz).conj();
     let share = path.curve.span.map_or(1.0, |span| span.share(transmission.start_s + t));
     let gain = share * link_amplitude(radar) * legs.gain(radar);
-    gain * amplitude * Complex64::cis(TAU * if_cycles(radar, t, tau).fract())
-}
-
-/// Phase of eq. (13) in cycles, f₀τ + μtτ − ½μτ².
-pub fn if_cycles(radar: &Radar, t: f64, tau: f64) -> f64 {
-    let (f0, mu) = (radar.waveform.start_frequency_hz, radar.waveform.slope_hz_per_s);
-    f0 * tau + mu * t * tau - 0.5 * mu * tau * tau
+    gain * amplitude * Complex64::cis(TAU * if_cycles(waveform, t, tau).fract())
 }
 
 /// The two legs of a path as a sample sees them.

@@ -5,12 +5,13 @@ use crate::document::keys;
 use crate::document::ranges::COORDINATES_M;
 use crate::document::section::Section;
 use crate::models::library::Models;
-use crate::radar::array::{Mount, read_array};
+use crate::radar::array::read_array;
 use crate::radar::hardware::read_hardware;
 use crate::radar::waveform::read_waveform;
 use crate::wording::allowed::Allowed;
 use artifact::radar::{Hardware, Link, Multiplexing, Radar, Sampling};
 use artifact::units::watts_from_dbm;
+use radar::aperture::mounted;
 
 /// Values of a frame's cube: at 8 bytes each one GiB, of which the stages hold a few.
 const CUBE_LIMIT: u64 = 1 << 27;
@@ -22,23 +23,17 @@ pub(crate) fn read_radar(section: &Section<'_>, models: &mut Models) -> Radar {
     let words = [("complex", Sampling::Complex), ("real", Sampling::Real)];
     let sampling = receiver.word("sampling", &words).unwrap_or(Sampling::Complex);
     let (waveform, schedule) = read_waveform(&waveform_section, sampling);
-    let mount = Mount {
+    let array_section = section.section(&keys::ARRAY);
+    let mut radar = mounted(Radar {
         position_m: section.vector("position_m", COORDINATES_M).unwrap_or([0.0, 0.0, 6.0]),
         boresight_az_rad: degrees(section, "boresight_az_deg", 360.0),
         boresight_el_rad: degrees(section, "boresight_el_deg", 90.0),
-        half_wavelength_m: 0.5 * waveform.wavelength_m(),
-    };
-    let array_section = section.section(&keys::ARRAY);
-    let mut radar = Radar {
-        position_m: mount.position_m,
-        boresight_az_rad: mount.boresight_az_rad,
-        boresight_el_rad: mount.boresight_el_rad,
         waveform,
         schedule,
-        array: read_array(&array_section, &mount, models),
+        array: read_array(&array_section, models),
         link: read_link(&section.section(&keys::LINK)),
         hardware: Hardware::default(),
-    };
+    });
     let elements = [radar.array.tx_m.len(), radar.array.rx_m.len()];
     radar.hardware = read_hardware(section, &receiver, &array_section, elements);
     check_cube(&waveform_section, &radar);

@@ -1,12 +1,10 @@
 //! Objects that belong to no body, false or at rest, and what made each of them in truth.
 
 use crate::chain::frame_result::FrameResult;
-use crate::evaluation::frame_truth::FrameTruth;
-use crate::evaluation::labels::Origin;
-use crate::evaluation::pairing::{GATE_M, place};
 use artifact::points::{Label, Object};
 use artifact::scene::{Role, SceneHeader};
 use artifact::units::power_from_db;
+use evaluation::{FrameTruth, GATE_M, Origin, place};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 

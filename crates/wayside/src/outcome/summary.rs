@@ -3,8 +3,6 @@
 use crate::chain::frame_result::FrameResult;
 use crate::chain::measured_frames::errors_of_frame;
 use crate::chain::stages::Stage;
-use crate::evaluation::frame_truth::FrameTruth;
-use crate::evaluation::truth::Truth;
 use crate::outcome::error_figures::{db, error_db, model_error_db};
 use crate::outcome::false_objects;
 use crate::outcome::verdict::{Asking, Verdict};
@@ -13,6 +11,8 @@ use artifact::points::Object;
 use artifact::radar::{ElementError, Sampling};
 use artifact::scene::{Role, SceneHeader, TargetKind};
 use artifact::settings::{Class, StaticEchoes};
+use evaluation::{FrameTruth, Truth};
+use radar::doppler_ambiguity::shown_mps;
 use serde_json::{Map, Value, json};
 
 /// The file's first level without its frames.
@@ -130,8 +130,8 @@ fn seconds(seconds: &[(Stage, f64)]) -> Value {
 /// an estimate the truth itself decides: a velocity beyond the span cannot show right.
 fn is_aliased(header: &SceneHeader, truth: &Truth, object: Option<&Object>) -> bool {
     let span = 2.0 * header.radar.velocity_max_mps();
-    let shown = object.map(|o| header.radar.folded_velocity_mps(o.radial_velocity_mps));
-    let difference = shown.unwrap_or_else(|| header.radar.folded_velocity_mps(truth.radial_velocity_mps))
+    let shown = object.map(|o| shown_mps(&header.radar, o.radial_velocity_mps));
+    let difference = shown.unwrap_or_else(|| shown_mps(&header.radar, truth.radial_velocity_mps))
         - truth.radial_velocity_mps;
     (difference / span).round() != 0.0
 }

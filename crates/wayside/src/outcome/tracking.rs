@@ -2,12 +2,11 @@
 
 use crate::chain::frame_result::FrameResult;
 use crate::chain::link::{Chain, FrameProducts};
-use crate::evaluation::frame_truth::FrameTruth;
-use crate::evaluation::metrics::{self, Score};
 use crate::host::failure::Failure;
 use crate::outcome::summary;
 use artifact::tracks::{Track, TracksFrame};
 use dsp::{ROAD_TRAFFIC, Tracker};
+use evaluation::{FrameTruth, Score, believed, bodies_of_tracks};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
@@ -52,7 +51,7 @@ impl Tracking {
     ) -> Result<(TracksFrame, Value), Failure> {
         let result = &frame.result;
         let tracks = self.tracker.step(&result.points).map_err(Failure::refused)?;
-        self.score.add(truth, |body| truth.number_of(body), &result.points.objects, &tracks);
+        self.score.add(truth, &result.points.objects, &tracks);
         tracks.tracks.iter().for_each(|track| self.hear(track, result));
         let class =
             |track: &Track| self.classes.get(&track.id).map(|e| result.rule.joined(&e.log_sums, e.frames));
@@ -81,7 +80,7 @@ impl Tracking {
 
     /// Of all frames so far.
     pub(crate) fn metrics(&self) -> Value {
-        self.score.told()
+        json!(self.score.metrics())
     }
 }
 
@@ -100,8 +99,8 @@ fn told<'a>(
     id_of: impl Fn(usize) -> Option<&'a str>,
     class_of: impl Fn(&Track) -> (Option<&'static str>, Value),
 ) -> Value {
-    let believed = metrics::believed(tracks);
-    let bodies = metrics::bodies_of_tracks(truth, &believed);
+    let believed = believed(tracks);
+    let bodies = bodies_of_tracks(truth, &believed);
     let of = |(track, body): (&&Track, Option<usize>)| {
         let mut told = track_json(track, body.and_then(&id_of));
         let (class, probabilities) = class_of(track);

@@ -21,7 +21,8 @@ pub(super) struct Body {
 /// All of a frame; `header` is the scene as this frame has it.
 pub(super) fn bodies(header: &SceneHeader, frame: &SceneFrame) -> Vec<Body> {
     let middle_s = header.in_frame(frame.index).radar.frame_middle_s();
-    let of = |(target, pose): (&Target, &Pose)| body(header, target, &scene::pose_after(pose, middle_s));
+    let of =
+        |(target, pose): (&Target, &Pose)| body(header, target, &radar::motion::pose_after(pose, middle_s));
     header.targets.iter().zip(&frame.poses).map(of).collect()
 }
 

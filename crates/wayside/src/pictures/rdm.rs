@@ -14,6 +14,7 @@ use plotting::labels::Labels;
 use plotting::lines::{Line, LinePlot, Scale};
 use plotting::marks::{Legend, Mark};
 use plotting::svg::Svg;
+use radar::doppler_ambiguity::shown_mps;
 
 /// Decibels shown below the brightest cell at most, and below the noise.
 const SPAN_DB: f64 = 60.0;
@@ -70,7 +71,7 @@ fn marks(sheet: &mut Svg, header: &CubeHeader, axes: &Axes, over: &OnMap) -> Leg
     let frame = [axes.x.start_px, axes.y.end_px, axes.x.end_px, axes.y.start_px];
     let mut bodies = Labels::within(frame);
     let at = |range_m: f64, velocity_mps: f64| {
-        [axes.x.at(range_m), axes.y.at(header.radar.folded_velocity_mps(velocity_mps))]
+        [axes.x.at(range_m), axes.y.at(shown_mps(&header.radar, velocity_mps))]
     };
     for echo in over.truth {
         let at = at(echo.range_m, echo.radial_velocity_mps);

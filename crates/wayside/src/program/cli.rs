@@ -59,6 +59,7 @@ impl Command {
             Self::Classify(_) => "classify",
             Self::Evaluate(_) => "evaluate",
             Self::Protocols(_) => "protocols",
+            Self::Score(_) => "score",
             Self::Import(_) => "import",
             Self::Calibrate(_) => "calibrate",
             Self::Export(_) => "export",
@@ -74,6 +75,7 @@ impl Command {
             Self::Classify(_)
             | Self::Evaluate(_)
             | Self::Protocols(_)
+            | Self::Score(_)
             | Self::Inspect(_)
             | Self::Cache(_) => Results::Lines,
             _ => Results::Files,
@@ -128,6 +130,8 @@ pub enum Command {
     /// Datasets to how right trees are that several seeds train: on unseen scenes, unseen vehicles, other
     /// datasets.
     Protocols(ProtocolsArguments),
+    /// Points and tracks of any program, and a scene, to what was found, missed and false (JSON).
+    Score(ScoreArguments),
     /// Samples from anywhere (.npy, DCA1000 .bin, SigMF) to a radar cube.
     Import(ImportArguments),
     /// Radar cubes of a reflector at a known place to the errors of the array's channels, for `calibration`
@@ -466,6 +470,23 @@ pub struct ExportArguments {
     /// Result.
     #[arg(long, value_name = "PATH")]
     pub(crate) out: PathBuf,
+}
+
+/// Words of `score`.
+#[derive(Debug, Args)]
+pub struct ScoreArguments {
+    /// Points with their objects.
+    #[arg(value_name = "F.points")]
+    pub(crate) points: PathBuf,
+    /// What is true: the scene of these points.
+    #[arg(long, value_name = "F.scene")]
+    pub(crate) scene: PathBuf,
+    /// The paths of their echoes; without them every body in range is to be found, also one that is hidden.
+    #[arg(long, value_name = "F.paths")]
+    pub(crate) paths: Option<PathBuf>,
+    /// Tracks of the same frames [default: those of the objects by the tracker of `dsp`].
+    #[arg(long, value_name = "F.tracks")]
+    pub(crate) tracks: Option<PathBuf>,
 }
 
 /// Words of `inspect`.

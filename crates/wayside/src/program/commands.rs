@@ -7,6 +7,7 @@ mod echo;
 mod paths;
 mod rcs;
 mod run;
+mod score;
 mod vehicles;
 mod formats;
 mod learning;
@@ -50,6 +51,7 @@ pub fn dispatch(command: Command, means: &Means) -> Result<(), Failure> {
         Command::Classify(arguments) => classify::run(&arguments),
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         Command::Protocols(arguments) => protocols::run(&arguments),
+        Command::Score(arguments) => score::run(&arguments),
         Command::Import(arguments) => import::run(&arguments),
         Command::Calibrate(arguments) => {
             calibrate::run(&arguments).map_err(|failure| failure.about(&arguments.cube))

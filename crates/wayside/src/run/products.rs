@@ -3,7 +3,6 @@
 use crate::chain::link::{Chain, FrameProducts, Scattering};
 use crate::chain::loading::provenance;
 use crate::chain::stages::Stage;
-use crate::evaluation::frame_truth::FrameTruth;
 use crate::host::failure::Failure;
 use crate::pictures;
 use crate::pictures::seen::Seen;
@@ -18,6 +17,7 @@ use artifact::scene::Scene;
 use artifact::settings::EchoMode;
 use artifact::tracks::{Tracks, TracksFrame, TracksHeader};
 use artifact::{Provenance, Writer};
+use evaluation::FrameTruth;
 use std::path::{Path, PathBuf};
 
 /// Open writers of all artifacts of a run.

@@ -8,13 +8,13 @@ use crate::chain::loading::{self, LoadedScene, SceneSource};
 use crate::chain::plan::FramePlan;
 use crate::chain::stages::Stage;
 use crate::chain::sub_frames;
-use crate::evaluation::frame_truth::FrameTruth;
 use crate::host::call_off::CallOff;
 use crate::host::failure::Failure;
 use crate::host::files;
 use crate::host::memory::Allowance;
 use crate::host::processor_time;
 use crate::host::progress::{self, Work};
+use crate::outcome::frame_truth::frame_truth;
 use crate::outcome::summary;
 use crate::outcome::told;
 use crate::outcome::tracking::{self, Tracking};
@@ -230,7 +230,7 @@ fn compute(
             cycle.push(frame);
             if cycle.len() == sub_frames::in_cycle(&chain.cube_header) {
                 for frame in resolved(chain, std::mem::take(&mut cycle)) {
-                    let truth = FrameTruth::of(chain, &frame)?;
+                    let truth = frame_truth(chain, &frame)?;
                     let (tracks, told_of_tracks) = tracking.follow(&frame, &truth)?;
                     let mut told = summary::frame(&frame.view, &frame.result, &truth);
                     tracking::join(&mut told["targets"], &told_of_tracks);

@@ -6,6 +6,7 @@ mod common;
 mod ghosts;
 mod main_job;
 mod report;
+mod score;
 mod several_radars;
 mod street;
 mod told;

@@ -26,7 +26,7 @@ fn unless_resolved(object: &Object) -> Says {
 
 /// Range and its rate at the middle of the frame.
 fn truth(header: &SceneHeader) -> (f64, f64) {
-    let pose = scene::pose_after(&header.targets[0].start, header.radar.frame_middle_s());
+    let pose = radar::motion::pose_after(&header.targets[0].start, header.radar.frame_middle_s());
     let away = glam::DVec3::from(pose.position_m) - glam::DVec3::from(header.radar.position_m);
     (away.length(), glam::DVec3::from(pose.velocity_mps).dot(away) / away.length())
 }

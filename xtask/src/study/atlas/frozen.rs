@@ -57,7 +57,7 @@ fn instant(header: &SceneHeader, seconds: f64) -> (SceneHeader, SceneFrame) {
     instant.radar.waveform.chirps = 1;
     let begin_s = seconds - instant.radar.frame_middle_s();
     let mut frame = frame_of(header);
-    frame.poses = frame.poses.iter().map(|pose| scene::pose_after(pose, begin_s)).collect();
+    frame.poses = frame.poses.iter().map(|pose| radar::motion::pose_after(pose, begin_s)).collect();
     (instant, frame)
 }
 

@@ -79,7 +79,7 @@ fn reference(case: &Case) -> Result<CubeFrame, Failure> {
     for number in 0..PARTS {
         let mut frame = frame_of(&part);
         let begin_s = f64::from(number) * part.radar.frame_duration_s();
-        frame.poses = frame.poses.iter().map(|pose| scene::pose_after(pose, begin_s)).collect();
+        frame.poses = frame.poses.iter().map(|pose| radar::motion::pose_after(pose, begin_s)).collect();
         parts.push(cube_of(&part, &paths_at(&part, &frame)?)?);
     }
     let of_channel = part.radar.waveform.chirps as usize * part.radar.waveform.samples as usize;

@@ -39,7 +39,7 @@ fn retraced(subject: &Subject) -> Result<Vec<Complex64>, Failure> {
     for number in 0..whole.radar.waveform.chirps / subject.retraced_chirps {
         let mut frame = frame_of(&part);
         let begin_s = f64::from(number) * part.radar.frame_duration_s();
-        frame.poses = frame.poses.iter().map(|pose| scene::pose_after(pose, begin_s)).collect();
+        frame.poses = frame.poses.iter().map(|pose| radar::motion::pose_after(pose, begin_s)).collect();
         samples.extend(wide(&cube_of(&part, &paths_at(&part, &frame)?)?));
     }
     Ok(samples)

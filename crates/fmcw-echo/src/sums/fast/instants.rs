@@ -4,7 +4,6 @@
 //! be whole. What does not change from pair to pair is taken once per element: a leg's length, its gain, its
 //! rate.
 
-use crate::links::antenna::{axes, link_amplitude, pattern_amplitude};
 use crate::links::multiplexing::line_delay_s;
 use crate::sums::fast::equal_steps::EqualSteps;
 use artifact::Radar;
@@ -12,6 +11,8 @@ use artifact::paths::Path;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 use num_complex::Complex64;
+use radar::aperture::{axes, pattern_amplitude};
+use radar::link::link_amplitude;
 
 /// One transmit element heard by one receive element.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

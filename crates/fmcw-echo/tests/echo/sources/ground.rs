@@ -123,7 +123,7 @@ fn patches_fill_the_half_plane_before_the_array_with_the_cross_section_of_its_ar
         let ahead_m = (x - 30.0) * 2.0_f64.sin() + (y + 7.0) * 2.0_f64.cos();
         assert!(z == 0.0 && (4.0..=radar.waveform.range_max_m()).contains(&range_m), "{path:?}");
         assert!(
-            ahead_m >= -1e-9 && path.apparent_tx_mps == [0.0; 3] && path.target == ground::GROUND,
+            ahead_m >= -1e-9 && path.apparent_tx_mps == [0.0; 3] && path.target == artifact::paths::GROUND,
             "{path:?}"
         );
     }

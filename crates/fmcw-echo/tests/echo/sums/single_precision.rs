@@ -5,9 +5,10 @@ use artifact::settings::Noise;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use fmcw_echo::direct_sum::DirectSum;
 use fmcw_echo::multiplexing::row;
-use fmcw_echo::reference::{if_cycles, legs_at};
+use fmcw_echo::reference::legs_at;
 use fmcw_echo::synthesize;
 use num_complex::Complex64;
+use radar::beat::if_cycles;
 use std::f64::consts::{PI, TAU};
 
 /// Phasors of a point from 40 m on, receding at 10 m/s, its phase in cycles made by `cycles(t, path length)`.
@@ -27,7 +28,7 @@ fn phasors(cycles: impl Fn(f64, f64) -> f64) -> Vec<Complex64> {
 }
 
 fn cycles_of_length(t: f64, length_m: f64) -> f64 {
-    if_cycles(&single_channel(experiment(1)), t, length_m / SPEED_OF_LIGHT_MPS)
+    if_cycles(&experiment(1), t, length_m / SPEED_OF_LIGHT_MPS)
 }
 
 #[test]

@@ -1,13 +1,13 @@
 //! What a dataset tells in words of JSON: a line a scene beside each shard, from which a line a sample is
 //! made.
 
-use crate::evaluation::truth::Truth;
 use crate::outcome::verdict::{Asking, Verdict};
 use crate::program::commands::learning::dataset::draws::Drawn;
 use crate::program::commands::learning::dataset::recipe::Recipe;
 use crate::program::commands::learning::dataset::seen::Seen;
 use crate::program::commands::learning::dataset::staging::{Staged, Told};
 use artifact::points::Object;
+use evaluation::Truth;
 use serde_json::{Map, Value, json};
 
 /// Of one vehicle in one frame, found or not.

@@ -1,9 +1,8 @@
 //! One frame of a drawn scene, beside its truth.
 
 use crate::chain::link::FrameProducts;
-use crate::evaluation::pairing::{Pairing, Reach};
-use crate::evaluation::truth::{self, Truth};
 use crate::program::commands::learning::dataset::staging::Staged;
+use evaluation::{Pairing, Reach, Truth, truths};
 
 /// One frame of a scene.
 pub(super) struct Seen {
@@ -16,7 +15,7 @@ pub(super) struct Seen {
 /// Pairs the vehicles of a frame with its objects.
 pub(super) fn seen(staged: &Staged, products: FrameProducts) -> Seen {
     let result = &products.result;
-    let truths = truth::truths(&staged.header, &result.scene, result.paths.as_ref());
+    let truths = truths(&staged.header, &result.scene, result.paths.as_ref());
     let object_of = Pairing::of(&truths, &result.points.objects, &Reach::of(&staged.header)).object_of;
     Seen { products, truths, object_of }
 }

@@ -81,7 +81,7 @@ fn before_radar(recipe: &Recipe, drawn: &Drawn) -> SceneHeader {
         seed: recipe.seed.wrapping_add(drawn.number),
         frames: recipe.asked.frames,
         frame_interval_s: recipe.asked.frame_interval_s.unwrap_or(base.frame_interval_s),
-        radar: scene::remounted(&base.radar, height_m, tilt_rad),
+        radar: radar::aperture::remounted(&base.radar, height_m, tilt_rad),
         noise: noisier(base.noise, drawn.extra_noise_db),
         fidelity,
         meshes: vec![].into(),

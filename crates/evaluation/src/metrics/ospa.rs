@@ -4,11 +4,11 @@
 //! d² = (min over assignments of Σ min(d(x, y), c)² + c²·difference of their numbers)/(larger number): a mean
 //! error per body in which a missing one counts c.
 
-use dsp::assignment::assignment;
 use ndarray::ArrayView2;
+use radar::assignment::assignment;
 
 /// Of squared distances, `[truth, estimate]`: between 0 and the cut-off; 0 of two empty sets.
-pub(crate) fn ospa_m(squares_m2: ArrayView2<f64>, cutoff_m: f64) -> f64 {
+pub fn ospa_m(squares_m2: ArrayView2<f64>, cutoff_m: f64) -> f64 {
     let fewer_first =
         if squares_m2.nrows() <= squares_m2.ncols() { squares_m2 } else { squares_m2.reversed_axes() };
     let (fewer, more) = fewer_first.dim();
@@ -26,7 +26,7 @@ pub(crate) fn ospa_m(squares_m2: ArrayView2<f64>, cutoff_m: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluation::metrics::distances::squares_m2;
+    use crate::metrics::distances::squares_m2;
     use glam::DVec2;
 
     fn of_places(truths: &[DVec2], estimates: &[DVec2], cutoff_m: f64) -> f64 {

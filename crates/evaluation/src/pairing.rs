@@ -9,37 +9,41 @@
 //! to be at rest claims no vehicle, and is no false one where it is nobody's; a body whose echoes were
 //! removed with the rest is not missed.
 
-use crate::evaluation::metrics::gospa::{Gospa, gospa};
-use crate::evaluation::truth::Truth;
+use crate::metrics::gospa::{Gospa, gospa};
+use crate::truth::Truth;
 use artifact::points::Object;
 use artifact::scene::SceneHeader;
 use artifact::settings::StaticEchoes;
 use artifact::tracks::Track;
 use glam::{DVec2, DVec3};
 use ndarray::{Array2, Axis};
+use radar::doppler_ambiguity::folded_mps;
 
 /// An object further than this from a body's outline is not that body's: what stands in the middle of the
 /// next lane, 3.75 m on, is 2.9 m from the side of a car.
-pub(crate) const GATE_M: f64 = 3.0;
+pub const GATE_M: f64 = 3.0;
 
 /// An object whose radial velocity differs by more from that of the body seen at the object's place, as the
 /// map folds it, is not that body's. Off by the gate at 30 m, a body that crosses at 14 m/s differs by 1.4
 /// m/s; parts of one object by a metre a second (`cluster_velocity_mps`).
-pub(crate) const VELOCITY_GATE_MPS: f64 = 2.0;
+pub const VELOCITY_GATE_MPS: f64 = 2.0;
 
 /// How far a radar tells places and velocities.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Reach {
-    pub(crate) position_m: DVec3,
-    pub(crate) range_max_m: f64,
+pub struct Reach {
+    /// The radar's position, m.
+    pub position_m: DVec3,
+    /// Range to which the waveform tells, m.
+    pub range_max_m: f64,
     /// Velocities that differ by it look alike.
-    pub(crate) velocity_span_mps: f64,
+    pub velocity_span_mps: f64,
     /// Echoes no faster than this, as the map folds them, may have been removed; `None` where none are.
-    pub(crate) removed_to_mps: Option<f64>,
+    pub removed_to_mps: Option<f64>,
 }
 
 impl Reach {
-    pub(crate) fn of(header: &SceneHeader) -> Self {
+    /// The reach of a scene's radar with its settings.
+    pub fn of(header: &SceneHeader) -> Self {
         let (radar, removes) = (&header.radar, header.dsp.static_echoes == StaticEchoes::Remove);
         Self {
             // Half a Doppler cell, and as much again for what a weak echo's velocity errs by.
@@ -59,7 +63,7 @@ impl Reach {
     }
 
     fn folded_mps(&self, velocity_mps: f64) -> f64 {
-        velocity_mps - self.velocity_span_mps * (velocity_mps / self.velocity_span_mps).round()
+        folded_mps(velocity_mps, self.velocity_span_mps)
     }
 
     /// Whether a body's echoes are at rest and none is left of them.
@@ -71,25 +75,25 @@ impl Reach {
 
 /// Bodies of a frame and the objects that are theirs.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Pairing {
+pub struct Pairing {
     /// For each truth its object.
-    pub(crate) object_of: Vec<Option<usize>>,
+    pub object_of: Vec<Option<usize>>,
     /// The truths that are to be found, in their order: rows of `squares_m2`.
-    pub(crate) shown: Vec<usize>,
+    pub shown: Vec<usize>,
     /// Truths that would be among them, had their echoes not been removed as echoes at rest.
-    pub(crate) removed: Vec<usize>,
+    pub removed: Vec<usize>,
     /// Objects that the radar tells to be at rest and that are nobody's.
-    pub(crate) standing: Vec<usize>,
+    pub standing: Vec<usize>,
     /// From the outline of each to each object that is not standing; infinite where they do not move alike.
-    pub(crate) squares_m2: Array2<f64>,
+    pub squares_m2: Array2<f64>,
     /// Of these; objects by their own indices.
-    pub(crate) gospa: Gospa,
+    pub gospa: Gospa,
 }
 
 impl Pairing {
     /// Only what is to be found has an object: nothing that is clutter, hidden, or beyond the range that the
     /// waveform tells.
-    pub(crate) fn of(truths: &[Truth], objects: &[Object], reach: &Reach) -> Self {
+    pub fn of(truths: &[Truth], objects: &[Object], reach: &Reach) -> Self {
         let asked: Vec<usize> =
             (0..truths.len()).filter(|t| truths[*t].is_to_be_found(reach.range_max_m)).collect();
         let squares_m2 = Array2::from_shape_fn((asked.len(), objects.len()), |(row, o)| {
@@ -113,26 +117,26 @@ impl Pairing {
     }
 
     /// The body whose object this is.
-    pub(crate) fn body_of(&self, object: usize) -> Option<usize> {
+    pub fn body_of(&self, object: usize) -> Option<usize> {
         self.object_of.iter().position(|own| *own == Some(object))
     }
 
     /// Whether a track has objects in this frame, and none but standing ones.
-    pub(crate) fn is_standing(&self, track: &Track) -> bool {
+    pub fn is_standing(&self, track: &Track) -> bool {
         !track.objects.is_empty()
             && track.objects.iter().all(|object| self.standing.contains(&(*object as usize)))
     }
 }
 
 /// An object seen from above.
-pub(crate) fn place(object: &Object) -> DVec2 {
+pub fn place(object: &Object) -> DVec2 {
     DVec2::new(object.position_m[0], object.position_m[1])
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluation::ground_outline::GroundOutline;
+    use crate::ground_outline::GroundOutline;
     use artifact::scene::{Mesh, Pose, Role};
     use glam::DVec3;
 

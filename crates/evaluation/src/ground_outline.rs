@@ -5,7 +5,7 @@ use glam::DVec2;
 
 /// A rectangle on the road; a point target's has no extent.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct GroundOutline {
+pub struct GroundOutline {
     origin_m: DVec2,
     yaw_rad: f64,
     /// Corners in body axes.
@@ -15,7 +15,7 @@ pub(crate) struct GroundOutline {
 
 impl GroundOutline {
     /// The outline of a body's mesh at a pose.
-    pub(crate) fn of_mesh(mesh: &Mesh, pose: &Pose) -> Self {
+    pub fn of_mesh(mesh: &Mesh, pose: &Pose) -> Self {
         let corner = |pick: fn(f64, f64) -> f64| {
             let along = |axis: usize| mesh.vertices_m.iter().map(|v| v[axis]).reduce(pick).unwrap_or(0.0);
             DVec2::new(along(0), along(1))
@@ -24,7 +24,7 @@ impl GroundOutline {
     }
 
     /// A place alone.
-    pub(crate) fn of_point(pose: &Pose) -> Self {
+    pub fn of_point(pose: &Pose) -> Self {
         let [x_m, y_m, _] = pose.position_m;
         Self {
             origin_m: DVec2::new(x_m, y_m),
@@ -35,7 +35,7 @@ impl GroundOutline {
     }
 
     /// From a place to the nearest part of the outline; 0 inside.
-    pub(crate) fn distance_m(&self, place_m: DVec2) -> f64 {
+    pub fn distance_m(&self, place_m: DVec2) -> f64 {
         let in_body = DVec2::from_angle(-self.yaw_rad).rotate(place_m - self.origin_m);
         in_body.distance(in_body.clamp(self.low_m, self.high_m))
     }

@@ -7,33 +7,33 @@
 //! object it is that to the nearest part of the body, which is none (two places of one body are no distance
 //! from it), and the sum is read as an error alone.
 
-use dsp::assignment::assignment;
 use ndarray::{Array2, ArrayView2};
+use radar::assignment::assignment;
 
 /// The parts of d².
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Gospa {
+pub struct Gospa {
     /// Σ d² over assigned pairs, m².
-    pub(crate) localisation_m2: f64,
+    pub localisation_m2: f64,
     /// Truths without an estimate.
-    pub(crate) missed: usize,
+    pub missed: usize,
     /// Estimates without a truth.
-    pub(crate) false_ones: usize,
+    pub false_ones: usize,
     /// For each truth its estimate.
-    pub(crate) chosen: Vec<Option<usize>>,
+    pub chosen: Vec<Option<usize>>,
     cutoff_m: f64,
 }
 
 impl Gospa {
     /// The metric itself, m.
-    pub(crate) fn distance_m(&self) -> f64 {
+    pub fn distance_m(&self) -> f64 {
         let left_over = (self.missed + self.false_ones) as f64;
         (self.localisation_m2 + 0.5 * self.cutoff_m.powi(2) * left_over).sqrt()
     }
 
     /// The same less some that were left over and do not count: truths by their places, estimates by their
     /// number.
-    pub(crate) fn without(self, truths: &[usize], estimates: usize) -> Self {
+    pub fn without(self, truths: &[usize], estimates: usize) -> Self {
         let chosen = self.chosen.into_iter().enumerate().filter(|(truth, _)| !truths.contains(truth));
         Self {
             chosen: chosen.map(|(_, estimate)| estimate).collect(),
@@ -49,7 +49,7 @@ impl Gospa {
 const RANK_M2: f64 = 1e-12;
 
 /// Of squared distances, `[truth, estimate]`; pairs further apart than the cut-off c are none.
-pub(crate) fn gospa(squares_m2: ArrayView2<f64>, cutoff_m: f64) -> Gospa {
+pub fn gospa(squares_m2: ArrayView2<f64>, cutoff_m: f64) -> Gospa {
     let (truths, estimates) = squares_m2.dim();
     let ranked = Array2::from_shape_fn((truths, estimates), |at| squares_m2[at] + RANK_M2 * at.1 as f64);
     // A truth left over costs c²/2, and leaves an estimate over for another c²/2.
@@ -62,7 +62,7 @@ pub(crate) fn gospa(squares_m2: ArrayView2<f64>, cutoff_m: f64) -> Gospa {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evaluation::metrics::distances::squares_m2;
+    use crate::metrics::distances::squares_m2;
     use glam::DVec2;
 
     fn of_places(truths: &[DVec2], estimates: &[DVec2], cutoff_m: f64) -> Gospa {

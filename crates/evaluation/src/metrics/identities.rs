@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 /// Pairs of bodies and tracks, frame by frame.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Identities {
+pub struct Identities {
     last_track_of: BTreeMap<u32, u32>,
     frames_of: BTreeMap<u32, BTreeMap<u32, u32>>,
     switches: u32,
@@ -16,7 +16,7 @@ pub(crate) struct Identities {
 
 impl Identities {
     /// A body has this track in a frame.
-    pub(crate) fn pair(&mut self, body: u32, track: u32) {
+    pub fn pair(&mut self, body: u32, track: u32) {
         if self.last_track_of.insert(body, track).is_some_and(|last| last != track) {
             self.switches += 1;
         }
@@ -24,17 +24,17 @@ impl Identities {
     }
 
     /// How often a body changed its track.
-    pub(crate) fn switches(&self) -> u32 {
+    pub fn switches(&self) -> u32 {
         self.switches
     }
 
     /// How many bodies had a track in some frame.
-    pub(crate) fn bodies(&self) -> usize {
+    pub fn bodies(&self) -> usize {
         self.last_track_of.len()
     }
 
     /// `None` without any pair.
-    pub(crate) fn purity(&self) -> Option<f64> {
+    pub fn purity(&self) -> Option<f64> {
         let most = |bodies: &BTreeMap<u32, u32>| bodies.values().copied().max().unwrap_or(0);
         let frames: u32 = self.frames_of.values().flat_map(BTreeMap::values).sum();
         let pure: u32 = self.frames_of.values().map(most).sum();

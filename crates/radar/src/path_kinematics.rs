@@ -5,17 +5,19 @@ use artifact::paths::Path;
 use artifact::radar::Radar;
 use glam::DVec3;
 
-/// The way to a node as it appears from one end.
-pub(crate) struct Leg {
-    pub(crate) length_m: f64,
-    /// Positive where the length grows.
-    pub(crate) rate_mps: f64,
+/// The one-way leg from an antenna to a node as it appears from there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Leg {
+    /// Its length, m.
+    pub length_m: f64,
+    /// Its rate of change, m/s: positive where the length grows.
+    pub rate_mps: f64,
     /// Unit vector away from the radar.
-    pub(crate) direction: DVec3,
+    pub direction: DVec3,
 }
 
-/// From the transmitter, from the receiver; of a wheel those of its hub.
-pub(crate) fn legs(radar: &Radar, path: &Path) -> [Leg; 2] {
+/// The legs from the transmitter and from the receiver in the frame's middle; of a wheel those of its hub.
+pub fn legs(radar: &Radar, path: &Path) -> [Leg; 2] {
     let curve = &path.curve;
     [
         leg(radar, path.apparent_tx_m, path.apparent_tx_mps, curve.apparent_tx_mps2),
@@ -24,7 +26,7 @@ pub(crate) fn legs(radar: &Radar, path: &Path) -> [Leg; 2] {
 }
 
 /// Mean over the frame of a path's share of the echo: 1 where it stands for all of it.
-pub(crate) fn mean_share(radar: &Radar, path: &Path) -> f64 {
+pub fn mean_share(radar: &Radar, path: &Path) -> f64 {
     const INSTANTS: u32 = 128;
     let Some(span) = path.curve.span else { return 1.0 };
     let seconds = |i: u32| (f64::from(i) + 0.5) / f64::from(INSTANTS) * radar.frame_duration_s();

@@ -3,40 +3,88 @@
 //!
 //! Truths of a frame are the bodies that send back any echo from within the radar's range, clutter left out:
 //! what is found of it counts as false. Objects of single frames say where something reflects, and are paired
-//! with the nearest parts of bodies ([`crate::evaluation::pairing`]); tracks say where a body stands, and the
+//! with the nearest parts of bodies ([`Pairing`]); tracks say where a body stands, and the
 //! middles of their boxes are compared with the middles of bodies. Neither bodies whose echoes were removed
 //! as echoes at rest count, nor objects at rest that are nobody's and tracks that have no others.
 
-mod distances;
-pub(crate) mod gospa;
-mod identities;
-mod ospa;
-
-use crate::evaluation::frame_truth::FrameTruth;
-use crate::evaluation::pairing::{GATE_M, Pairing};
-use crate::evaluation::truth::Truth;
+use crate::frame_truth::FrameTruth;
+use crate::metrics::distances::squares_m2;
+use crate::metrics::gospa::{Gospa, gospa};
+use crate::metrics::identities::Identities;
+use crate::metrics::ospa::ospa_m;
+use crate::pairing::{GATE_M, Pairing};
+use crate::truth::Truth;
 use artifact::points::Object;
 use artifact::tracks::{Track, TrackState, TracksFrame};
-use distances::squares_m2;
 use glam::DVec2;
-use gospa::{Gospa, gospa};
-use identities::Identities;
 use ndarray::{Array2, ArrayView2, Axis};
-use ospa::ospa_m;
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 
 /// c of GOSPA and OSPA of tracks: a box whose middle is further from a body's middle than this is another's.
 /// Half of a bus is 6 m.
-const CUTOFF_M: f64 = 6.0;
+pub const CUTOFF_M: f64 = 6.0;
 
 /// What was found over all frames so far.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Score {
+pub struct Score {
     frames: u32,
     objects: Sums,
     tracks: Sums,
     identities: Identities,
-    ids: std::collections::BTreeSet<u32>,
+    ids: BTreeSet<u32>,
+}
+
+/// How objects and tracks agree with the truth: `metrics` of `summary.json`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Metrics {
+    /// c of GOSPA and OSPA of tracks, m.
+    pub cutoff_m: f64,
+    /// Objects of single frames.
+    pub objects: Agreement,
+    /// Confirmed and coasted tracks.
+    pub tracks: Agreement,
+    /// Whether bodies keep their tracks.
+    pub identities: IdentityFigures,
+}
+
+/// How one kind of estimates agrees with the truth; means are over frames and `None` where there were none.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Agreement {
+    /// c of these metrics, m.
+    pub cutoff_m: f64,
+    /// Mean GOSPA, m.
+    pub gospa_m: Option<f64>,
+    /// Mean OSPA, m.
+    pub ospa_m: Option<f64>,
+    /// Root mean square distance of pairs, m.
+    pub localisation_rms_m: Option<f64>,
+    /// Truths with an estimate, over all frames.
+    pub found: usize,
+    /// Truths without one.
+    pub missed: usize,
+    /// Estimates without a truth.
+    #[serde(rename = "false")]
+    pub false_ones: usize,
+    /// Estimates at rest that are nobody's and do not count as false.
+    pub stationary: usize,
+    /// Truths whose echoes were removed as echoes at rest, which do not count as missed.
+    pub removed: usize,
+    /// Share of found bodies in a lane whose estimate is in the same one.
+    pub lane_rate: Option<f64>,
+}
+
+/// Whether a body keeps its track and a track its body.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct IdentityFigures {
+    /// Bodies that had a track in some frame.
+    pub bodies: usize,
+    /// Believed tracks.
+    pub tracks: usize,
+    /// Frames in which a body has another track than it had last.
+    pub switches: u32,
+    /// Share of the frames of tracks in which they follow the body that they follow most.
+    pub purity: Option<f64>,
 }
 
 /// Sums over frames.
@@ -55,12 +103,12 @@ struct Sums {
 }
 
 /// Tracks that are believed.
-pub(crate) fn believed(tracks: &TracksFrame) -> Vec<&Track> {
+pub fn believed(tracks: &TracksFrame) -> Vec<&Track> {
     tracks.tracks.iter().filter(|t| t.state != TrackState::Tentative).collect()
 }
 
 /// For each believed track the place of its body among the truths, as the metric pairs them.
-pub(crate) fn bodies_of_tracks(truth: &FrameTruth, tracks: &[&Track]) -> Vec<Option<usize>> {
+pub fn bodies_of_tracks(truth: &FrameTruth, tracks: &[&Track]) -> Vec<Option<usize>> {
     let pairs = gospa(of_tracks(truth, tracks).view(), CUTOFF_M).chosen;
     let body_of =
         |track: usize| pairs.iter().position(|t| *t == Some(track)).map(|row| truth.pairing.shown[row]);
@@ -80,14 +128,8 @@ fn shown(truth: &FrameTruth) -> impl Iterator<Item = &Truth> {
 }
 
 impl Score {
-    /// Takes in one frame; `body_of` numbers the bodies of its truths through the whole run.
-    pub(crate) fn add(
-        &mut self,
-        truth: &FrameTruth,
-        body_of: impl Fn(usize) -> u32,
-        objects: &[Object],
-        tracks: &TracksFrame,
-    ) {
+    /// Takes in one frame.
+    pub fn add(&mut self, truth: &FrameTruth, objects: &[Object], tracks: &TracksFrame) {
         let tracks = believed(tracks);
         self.frames += 1;
         let Pairing { squares_m2, gospa: of_objects, standing, removed, .. } = &truth.pairing;
@@ -106,25 +148,25 @@ impl Score {
         self.tracks.add_lanes(lanes.filter_map(|(t, body)| Some((body.lane?, tracks[(*t)?].lane))));
         for (track, body) in pairs.chosen.iter().zip(&truth.pairing.shown) {
             if let Some(track) = track {
-                self.identities.pair(body_of(*body), tracks[*track].id);
+                self.identities.pair(truth.number_of(*body), tracks[*track].id);
             }
         }
         self.ids.extend(tracks.iter().map(|t| t.id));
     }
 
-    /// As `summary.json` has it.
-    pub(crate) fn told(&self) -> Value {
-        json!({
-            "cutoff_m": CUTOFF_M,
-            "objects": self.objects.told(self.frames, GATE_M),
-            "tracks": self.tracks.told(self.frames, CUTOFF_M),
-            "identities": {
-                "bodies": self.identities.bodies(),
-                "tracks": self.ids.len(),
-                "switches": self.identities.switches(),
-                "purity": self.identities.purity(),
+    /// What all frames so far say.
+    pub fn metrics(&self) -> Metrics {
+        Metrics {
+            cutoff_m: CUTOFF_M,
+            objects: self.objects.agreement(self.frames, GATE_M),
+            tracks: self.tracks.agreement(self.frames, CUTOFF_M),
+            identities: IdentityFigures {
+                bodies: self.identities.bodies(),
+                tracks: self.ids.len(),
+                switches: self.identities.switches(),
+                purity: self.identities.purity(),
             },
-        })
+        }
     }
 }
 
@@ -152,19 +194,19 @@ impl Sums {
         }
     }
 
-    fn told(&self, frames: u32, cutoff_m: f64) -> Value {
+    fn agreement(&self, frames: u32, cutoff_m: f64) -> Agreement {
         let mean = |sum: f64, count: f64| (count > 0.0).then(|| sum / count);
-        json!({
-            "cutoff_m": cutoff_m,
-            "gospa_m": mean(self.gospa_m, f64::from(frames)),
-            "ospa_m": mean(self.ospa_m, f64::from(frames)),
-            "localisation_rms_m": mean(self.localisation_m2, self.pairs as f64).map(f64::sqrt),
-            "found": self.pairs,
-            "missed": self.missed,
-            "false": self.false_ones,
-            "stationary": self.stationary,
-            "removed": self.removed,
-            "lane_rate": mean(self.lanes_right as f64, self.lanes as f64),
-        })
+        Agreement {
+            cutoff_m,
+            gospa_m: mean(self.gospa_m, f64::from(frames)),
+            ospa_m: mean(self.ospa_m, f64::from(frames)),
+            localisation_rms_m: mean(self.localisation_m2, self.pairs as f64).map(f64::sqrt),
+            found: self.pairs,
+            missed: self.missed,
+            false_ones: self.false_ones,
+            stationary: self.stationary,
+            removed: self.removed,
+            lane_rate: mean(self.lanes_right as f64, self.lanes as f64),
+        }
     }
 }

@@ -1,33 +1,40 @@
 //! What is true of each target of a frame. Only reports come here: nothing behind the radar cube reads it.
 
-use crate::evaluation::ground_outline::GroundOutline;
-use crate::evaluation::path_legs::{legs, mean_share};
+use crate::ground_outline::GroundOutline;
 use artifact::paths::{Path, PathsFrame};
 use artifact::scene::{Pose, Role, SceneFrame, SceneHeader, TargetKind};
 use glam::DVec3;
+use radar::path_kinematics::{legs, mean_share};
 
 /// Truth of one target at the frame's middle, seen from the radar's position.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Truth {
-    pub(crate) position_m: DVec3,
+pub struct Truth {
+    /// World position of the body's origin, m.
+    pub position_m: DVec3,
     /// The ground that it covers.
-    pub(crate) outline: GroundOutline,
-    pub(crate) range_m: f64,
-    pub(crate) velocity_mps: DVec3,
-    pub(crate) radial_velocity_mps: f64,
-    pub(crate) lane: Option<u8>,
-    pub(crate) nearest_range_m: Option<f64>,
-    pub(crate) echo: Option<Echo>,
+    pub outline: GroundOutline,
+    /// Distance of the position from the radar, m.
+    pub range_m: f64,
+    /// World velocity, m/s.
+    pub velocity_mps: DVec3,
+    /// Rate of the range, m/s.
+    pub radial_velocity_mps: f64,
+    /// Number of the lane that the position is in.
+    pub lane: Option<u8>,
+    /// Distance of the nearest lit surface, m; `None` where all is hidden or nothing was traced.
+    pub nearest_range_m: Option<f64>,
+    /// Where the echo comes from; `None` where there is none of its own or nothing was traced.
+    pub echo: Option<Echo>,
     /// Clutter is what results are not compared with.
-    pub(crate) role: Role,
+    pub role: Role,
     /// Whether it has an echo of its own; echoes of tables are not traced, and taken for granted.
-    pub(crate) sends_back: bool,
+    pub sends_back: bool,
 }
 
 impl Truth {
     /// Whether the radar is to find it: a target that sends back any echo, from within the range that the
     /// waveform tells.
-    pub(crate) fn is_to_be_found(&self, range_max_m: f64) -> bool {
+    pub fn is_to_be_found(&self, range_max_m: f64) -> bool {
         self.role == Role::Target
             && self.sends_back
             && self.echo.map_or(self.range_m, |e| e.range_m) <= range_max_m
@@ -36,19 +43,21 @@ impl Truth {
 
 /// Power-weighted means over the paths that touch this target only.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Echo {
-    pub(crate) range_m: f64,
-    pub(crate) radial_velocity_mps: f64,
+pub struct Echo {
+    /// Half the two-way length, m.
+    pub range_m: f64,
+    /// Half the rate of the two-way length, m/s.
+    pub radial_velocity_mps: f64,
 }
 
 /// In the order of the scene's targets; `paths` is `None` where the echo was made from tables.
-pub(crate) fn truths(header: &SceneHeader, frame: &SceneFrame, paths: Option<&PathsFrame>) -> Vec<Truth> {
+pub fn truths(header: &SceneHeader, frame: &SceneFrame, paths: Option<&PathsFrame>) -> Vec<Truth> {
     let of = |(i, pose): (usize, &Pose)| truth(header, i, pose, paths);
     frame.poses.iter().enumerate().map(of).collect()
 }
 
 fn truth(header: &SceneHeader, index: usize, pose: &Pose, paths: Option<&PathsFrame>) -> Truth {
-    let pose = &scene::pose_after(pose, header.radar.frame_middle_s());
+    let pose = &radar::motion::pose_after(pose, header.radar.frame_middle_s());
     let position_m = DVec3::from(pose.position_m);
     let away = position_m - DVec3::from(header.radar.position_m);
     let (range_m, velocity_mps) = (away.length(), DVec3::from(pose.velocity_mps));

@@ -8,25 +8,30 @@
 //! each: cells of one surface cancel away from its mirror direction, and powers of single paths would say
 //! nothing of it. A point whose paths all together stay below the noise is a false alarm and has no label.
 
-use crate::evaluation::path_legs::{legs, mean_share};
 use artifact::cube::CubeHeader;
 use artifact::paths::{Path, PathsFrame};
 use artifact::points::{Label, Point};
 use artifact::radar::{Radar, Sampling};
 use artifact::units::SPEED_OF_LIGHT_MPS;
-use dsp::DspError;
-use dsp::window::taper;
-use fmcw_echo::antenna::link_amplitude;
 use glam::DVec3;
 use num_complex::Complex64;
+use radar::beat::{coupling_m, mid_sweep_cycles};
+use radar::link::link_amplitude;
+use radar::path_kinematics::{legs, mean_share};
+use radar::window::{Sidelobes, taper};
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
 
 /// What made a point, in truth.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Origin {
+pub enum Origin {
     /// Echoes of bodies: the strongest kind of them, and the bodies on its strongest way.
-    Echo { label: Label, bodies: BTreeSet<u32> },
+    Echo {
+        /// Target, bounce order and share of the strongest kind.
+        label: Label,
+        /// Bodies that its strongest way meets.
+        bodies: BTreeSet<u32>,
+    },
     /// The road's own backscatter.
     Ground,
     /// The paths all together stay below the noise there.
@@ -35,7 +40,7 @@ pub(crate) enum Origin {
 
 impl Origin {
     /// The label of an echo.
-    pub(crate) fn label(&self) -> Option<Label> {
+    pub fn label(&self) -> Option<Label> {
         match self {
             Self::Echo { label, .. } => Some(*label),
             Self::Ground | Self::Noise => None,
@@ -45,12 +50,12 @@ impl Origin {
 
 /// Origins of points that paths made; `noise_power` is that of one cell of one channel of the map, in its
 /// units.
-pub(crate) fn origins(
+pub fn origins(
     header: &CubeHeader,
     paths: &PathsFrame,
     noise_power: f64,
     points: &[Point],
-) -> Result<Vec<Origin>, DspError> {
+) -> Result<Vec<Origin>, Sidelobes> {
     let map = MapResponse::new(header)?;
     let echoes: Vec<Echo> = paths.paths.iter().map(|path| Echo::of(&header.radar, path)).collect();
     // The beam averages over channels: so does its noise.
@@ -61,7 +66,7 @@ pub(crate) fn origins(
         let group = Group { target: label.target, order: label.order, bodies: label.bodies };
         match shares.get(&group).map(|share| share.strongest) {
             // Where the road itself is strongest, the point is no target's.
-            _ if label.target == fmcw_echo::ground::GROUND => Origin::Ground,
+            _ if label.target == artifact::paths::GROUND => Origin::Ground,
             Some(way) => Origin::Echo { label, bodies: met(&paths.paths[way]) },
             None => Origin::Noise,
         }
@@ -140,7 +145,7 @@ impl Echo {
         let (w, length_m) = (&radar.waveform, there.length_m + back.length_m);
         let delay_s = length_m / SPEED_OF_LIGHT_MPS;
         let (receive, transmit) = radar.array.polarization.indices();
-        let cycles = w.centre_frequency_hz() * delay_s - 0.5 * w.slope_hz_per_s * delay_s * delay_s;
+        let cycles = mid_sweep_cycles(w, delay_s);
         let strength = path.amplitude_m[receive][transmit].conj() / (there.length_m * back.length_m);
         Self {
             group: Group::of(path),
@@ -178,7 +183,7 @@ fn line_share(header: &CubeHeader) -> f64 {
 }
 
 impl MapResponse {
-    fn new(header: &CubeHeader) -> Result<Self, DspError> {
+    fn new(header: &CubeHeader) -> Result<Self, Sidelobes> {
         let waveform = &header.radar.waveform;
         let doppler = taper(header.dsp.doppler_window, waveform.chirps as usize)?;
         let range = taper(header.dsp.range_window, waveform.samples as usize)?;
@@ -209,9 +214,8 @@ impl MapResponse {
     fn left_of(&self, radar: &Radar, echo: &Echo, point: &Point) -> Option<f64> {
         // Both as the map shows them: a moving echo stands f_c/μ metres farther for each m/s.
         let w = &radar.waveform;
-        let coupling = w.centre_frequency_hz() / w.slope_hz_per_s;
         let apart_mps = echo.radial_velocity_mps - point.radial_velocity_mps;
-        let columns = (echo.range_m - point.range_m + coupling * apart_mps) / self.cells[1];
+        let columns = (echo.range_m - point.range_m + coupling_m(w, apart_mps)) / self.cells[1];
         if columns.abs() >= REACH_CELLS {
             return None;
         }

@@ -1,0 +1,128 @@
+//! Where an antenna's elements are and how it looks: aperture axes, rows of elements, mounting.
+
+use artifact::radar::{Array, Radar};
+use glam::DVec3;
+
+/// Elements in half wavelengths, [right, up] as seen along the boresight.
+pub type Elements = Vec<[f64; 2]>;
+
+/// Unit vectors to the right (horizontal), ahead along the boresight, and up, of a boresight at an azimuth
+/// (from +y towards +x) and an elevation (above the horizon), rad.
+pub fn axes_looking(azimuth_rad: f64, elevation_rad: f64) -> [DVec3; 3] {
+    let (sin_az, cos_az) = azimuth_rad.sin_cos();
+    let (sin_el, cos_el) = elevation_rad.sin_cos();
+    let right = DVec3::new(cos_az, -sin_az, 0.0);
+    let ahead = DVec3::new(sin_az * cos_el, cos_az * cos_el, sin_el);
+    [right, ahead, right.cross(ahead)]
+}
+
+/// The aperture axes of a radar: right, ahead, up.
+pub fn axes(radar: &Radar) -> [DVec3; 3] {
+    axes_looking(radar.boresight_az_rad, radar.boresight_el_rad)
+}
+
+/// Amplitude gain of an element towards a unit direction, relative to boresight; `axes` are those of the
+/// radar ([`axes`]).
+pub fn pattern_amplitude(radar: &Radar, axes: &[DVec3; 3], direction: DVec3) -> f64 {
+    radar.array.pattern.amplitude(axes.map(|axis| axis.dot(direction)))
+}
+
+/// A horizontal row of elements, equally spaced by so many half wavelengths.
+pub fn row(count: u8, spacing: f64) -> Elements {
+    (0..count).map(|i| [f64::from(i) * spacing, 0.0]).collect()
+}
+
+/// Two columns by four rows at 0, 1, 4, 6 half wavelengths: a Golomb ruler, all differences from 1 to 6
+/// (physics.md §7).
+pub fn golomb_rows() -> Elements {
+    [0.0, 1.0, 4.0, 6.0].iter().flat_map(|up| [[0.0, *up], [1.0, *up]]).collect()
+}
+
+/// Transmit and receive elements of an array that has a name; `None` of an unknown one.
+///
+/// `1x1`, `1x4`, `3x4` (the paper's), `6x8` and `12x16`, the last with 192 virtual elements (physics.md §7).
+pub fn preset(name: &str) -> Option<[Elements; 2]> {
+    let found = PRESETS.iter().find(|(known, _)| *known == name);
+    found.map(|(_, elements)| elements())
+}
+
+/// Name, and maker of transmit and receive elements.
+pub type Preset = (&'static str, fn() -> [Elements; 2]);
+
+/// All arrays that have a name, from the smallest to the largest.
+pub const PRESETS: [Preset; 5] = [
+    ("1x1", || [row(1, 1.0), row(1, 1.0)]),
+    ("1x4", || [row(1, 1.0), row(4, 1.0)]),
+    ("3x4", || [row(3, 4.0), row(4, 1.0)]),
+    ("6x8", || [row(6, 2.0), golomb_rows()]),
+    ("12x16", || [row(12, 16.0), row(16, 1.0)]),
+];
+
+/// World positions of a row's elements, m: their mean, the row's phase centre, lies at the radar's position.
+pub fn world_positions_m(radar: &Radar, elements: &[[f64; 2]]) -> Vec<[f64; 3]> {
+    let [right, _, up] = axes(radar);
+    let half_wavelength_m = 0.5 * radar.waveform.wavelength_m();
+    let count = elements.len().max(1) as f64;
+    let mean = |axis: usize| elements.iter().map(|element| element[axis]).sum::<f64>() / count;
+    let centre = [mean(0), mean(1)];
+    let in_plane = |e: &[f64; 2]| right * (e[0] - centre[0]) + up * (e[1] - centre[1]);
+    elements
+        .iter()
+        .map(|e| (DVec3::from(radar.position_m) + in_plane(e) * half_wavelength_m).into())
+        .collect()
+}
+
+/// The radar with its elements where its position, boresight, wavelength and the elements' places in half
+/// wavelengths put them.
+pub fn mounted(radar: Radar) -> Radar {
+    let array = Array {
+        tx_m: world_positions_m(&radar, &radar.array.tx_half_wavelengths),
+        rx_m: world_positions_m(&radar, &radar.array.rx_half_wavelengths),
+        ..radar.array.clone()
+    };
+    Radar { array, ..radar }
+}
+
+/// The same radar at another height (m) and tilt (rad above the horizon), its elements where they then are.
+pub fn remounted(radar: &Radar, height_m: f64, boresight_el_rad: f64) -> Radar {
+    let [x_m, y_m, _] = radar.position_m;
+    mounted(Radar { position_m: [x_m, y_m, height_m], boresight_el_rad, ..radar.clone() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
+    #[test]
+    fn the_axes_are_right_handed_and_follow_azimuth_and_elevation() {
+        let near = |a: DVec3, b: [f64; 3]| assert!((a - DVec3::from(b)).length() < 1e-15, "{a} {b:?}");
+        let [right, ahead, up] = axes_looking(0.0, 0.0);
+        near(right, [1.0, 0.0, 0.0]);
+        near(ahead, [0.0, 1.0, 0.0]);
+        near(up, [0.0, 0.0, 1.0]);
+        // Towards +x, and 45° up: what is up leans back towards −x.
+        let [right, ahead, up] = axes_looking(FRAC_PI_2, FRAC_PI_4);
+        let half = 0.5_f64.sqrt();
+        near(right, [0.0, -1.0, 0.0]);
+        near(ahead, [half, 0.0, half]);
+        near(up, [-half, 0.0, half]);
+    }
+
+    #[test]
+    fn the_virtual_rows_of_the_presets_are_filled_or_golomb() {
+        let virtual_places = |name: &str, axis: usize| -> Vec<i64> {
+            let [tx, rx] = preset(name).unwrap();
+            let sums = tx.iter().flat_map(|t| rx.iter().map(move |r| (t[axis] + r[axis]) as i64));
+            let mut places: Vec<i64> = sums.collect();
+            places.sort_unstable();
+            places.dedup();
+            places
+        };
+        assert_eq!(virtual_places("3x4", 0), (0..12).collect::<Vec<_>>());
+        assert_eq!(virtual_places("12x16", 0), (0..192).collect::<Vec<_>>());
+        assert_eq!(virtual_places("6x8", 0), (0..12).collect::<Vec<_>>());
+        assert_eq!(virtual_places("6x8", 1), [0, 1, 4, 6]);
+        assert!(preset("2x2").is_none());
+    }
+}

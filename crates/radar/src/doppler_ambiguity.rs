@@ -1,0 +1,35 @@
+//! Doppler ambiguity: velocities that differ by whole spans 2·v_max = λ/2T look alike, as on a circle.
+
+use artifact::radar::Radar;
+
+/// A velocity as a map's axis has it, in [−span/2, span/2), m/s.
+pub fn wrapped_mps(velocity_mps: f64, span_mps: f64) -> f64 {
+    let half = 0.5 * span_mps;
+    (velocity_mps + half).rem_euclid(span_mps) - half
+}
+
+/// A velocity, or a difference of two, folded by whole spans to the one nearest to zero, m/s; what is within
+/// half a span is left as it is to the last bit.
+pub fn folded_mps(velocity_mps: f64, span_mps: f64) -> f64 {
+    velocity_mps - span_mps * (velocity_mps / span_mps).round()
+}
+
+/// A velocity as a radar's map shows it: folded into −v_max … +v_max, m/s.
+pub fn shown_mps(radar: &Radar, velocity_mps: f64) -> f64 {
+    folded_mps(velocity_mps, 2.0 * radar.velocity_max_mps())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whole_spans_fold_away_and_nothing_is_beyond_half_of_one() {
+        for (velocity_mps, folded) in [(0.0, 0.0), (3.0, 3.0), (7.0, -3.0), (-12.0, -2.0), (26.0, -4.0)] {
+            assert_eq!(folded_mps(velocity_mps, 10.0), folded, "{velocity_mps}");
+            assert_eq!(wrapped_mps(velocity_mps, 10.0), folded, "{velocity_mps}");
+        }
+        // The end of the axis is its beginning.
+        assert_eq!((wrapped_mps(5.0, 10.0), wrapped_mps(-5.0, 10.0)), (-5.0, -5.0));
+    }
+}

@@ -1,0 +1,56 @@
+//! `score` says of a run's own artifacts what its summary says, and refuses what does not belong together.
+
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
+
+use crate::common::Workplace;
+use serde_json::Value;
+
+const TRAFFIC: &str = "name = \"driving\"\n[radar.waveform]\nsamples = 64\nchirps = 16\nslope_mhz_per_us = 6.25\n\
+    [radar.array]\npreset = \"1x4\"\n[noise]\nnoise_figure_db = 12.0\n[dsp]\ntraining_cells = [3, 6]\n\
+    [fidelity]\naccuracy_db = -10.0\nbounces = 1\n[traffic]\nfcd = \"driving.fcd.xml\"\n";
+
+/// Two cars, the first of which comes into view a step later than the other one.
+const RECORDING: &str = "<fcd-export>\
+    <timestep time=\"0.00\"><vehicle id=\"b\" x=\"5.75\" y=\"40\" angle=\"180\" type=\"car\" speed=\"8\"/></timestep>\
+    <timestep time=\"0.10\"><vehicle id=\"a\" x=\"2\" y=\"30\" angle=\"180\" type=\"car\" speed=\"8\"/>\
+    <vehicle id=\"b\" x=\"5.75\" y=\"39.2\" angle=\"180\" type=\"car\" speed=\"8\"/></timestep>\
+    <timestep time=\"0.20\"><vehicle id=\"a\" x=\"2\" y=\"29.2\" angle=\"180\" type=\"car\" speed=\"8\"/></timestep>\
+    </fcd-export>";
+
+fn scored(place: &Workplace, more: &str) -> Value {
+    let told = place.run(&format!(
+        "score out/frames.points --scene out/scene.scene --paths out/frames.paths {more} --quiet"
+    ));
+    serde_json::from_str(&told).unwrap()
+}
+
+#[test]
+fn the_score_of_a_run_is_the_one_of_its_summary_with_its_tracks_and_with_those_made_anew() {
+    let place = Workplace::new();
+    std::fs::write(place.path("driving.toml"), TRAFFIC).unwrap();
+    std::fs::write(place.path("driving.fcd.xml"), RECORDING).unwrap();
+    for scene in ["small.toml", "driving.toml"] {
+        place.run(&format!("run {scene} --out out --quiet"));
+        let metrics = place.summary("out/summary.json")["metrics"].clone();
+        assert!(metrics["objects"]["found"].as_u64().unwrap() > 0, "{scene}: {metrics}");
+        assert_eq!(scored(&place, "--tracks out/frames.tracks"), metrics, "{scene}");
+        assert_eq!(scored(&place, ""), metrics, "{scene}");
+    }
+}
+
+#[test]
+fn a_scene_of_fewer_frames_than_the_points_is_refused_by_name() {
+    let place = Workplace::new();
+    place.run("run small.toml --out out --quiet");
+    let shorter =
+        std::fs::read_to_string(place.path("small.toml")).unwrap().replace("frames = 2", "frames = 1");
+    std::fs::write(place.path("shorter.toml"), shorter).unwrap();
+    place.run("run shorter.toml --out shorter --quiet");
+    let output = place.try_run("score out/frames.points --scene shorter/scene.scene");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("shorter/scene.scene: frame 1 of the points is not in it"), "{said}");
+}
