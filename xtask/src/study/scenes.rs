@@ -96,7 +96,8 @@ pub(super) struct Seen {
 
 pub(super) fn seen(header: &SceneHeader) -> Result<Seen, Failure> {
     let cube = cube_of(header, &paths_of(header)?)?;
-    let map = dsp::range_doppler(&cube_header(header), &cube).map_err(Failure::refused)?;
-    let points = dsp::detect(&cube_header(header), &map).map_err(Failure::refused)?;
+    let receiver = dsp::Receiver::new(&cube_header(header)).map_err(Failure::refused)?;
+    let map = receiver.range_doppler(&cube).map_err(Failure::refused)?;
+    let points = receiver.detect(&map).map_err(Failure::refused)?;
     Ok(Seen { map, points })
 }

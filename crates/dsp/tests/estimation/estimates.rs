@@ -6,8 +6,8 @@ use artifact::cube::CubeHeader;
 use artifact::points::Point;
 use artifact::seed::key;
 use artifact::settings::{Refine, Window};
+use dsp::Receiver;
 use dsp::cramer_rao;
-use dsp::{detect_refined, range_doppler};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -43,7 +43,7 @@ fn drawn(header: &CubeHeader, snr: f64, seed: u64) -> Target {
 }
 
 fn errors(header: &CubeHeader, target: &Target, point: &Point, snr: f64) -> Errors {
-    let bound = cramer_rao(header, snr);
+    let bound = cramer_rao(&header.radar, snr);
     let (range_m, velocity_mps, position_m) = truth(header, target);
     let cosine =
         |at: &[f64; 3], range_m: f64, axis: usize| (at[axis] - header.radar.position_m[axis]) / range_m;
@@ -68,8 +68,9 @@ fn trial(
     let mut targets = beside(&target);
     targets.push(target);
     let cube = cube(header, &targets, seed);
-    let map = range_doppler(header, &cube).unwrap();
-    let points = detect_refined(header, &cube, &map).unwrap().points;
+    let receiver = Receiver::new(header).unwrap();
+    let map = receiver.range_doppler(&cube).unwrap();
+    let points = receiver.detect_refined(&map, &cube).unwrap().points;
     let (range_m, velocity_mps, _) = truth(header, &target);
     let near = |p: &&Point| {
         (p.range_m - range_m).abs() < header.radar.waveform.range_resolution_m()
@@ -176,8 +177,9 @@ fn refined_estimates_under_time_doppler_and_code_division_have_no_bias() {
             let mut target = drawn(&header, 1e6, seed);
             target.velocity_mps = target.velocity_mps.map(|v| 0.3 * v);
             let cube = cube(&header, &[target], seed);
-            let map = range_doppler(&header, &cube).unwrap();
-            let point = detect_refined(&header, &cube, &map).unwrap().points[0];
+            let receiver = Receiver::new(&header).unwrap();
+            let map = receiver.range_doppler(&cube).unwrap();
+            let point = receiver.detect_refined(&map, &cube).unwrap().points[0];
             let (range_m, velocity_mps, _) = truth(&header, &target);
             let range_cells = (point.range_m - range_m) / header.radar.waveform.range_resolution_m();
             let velocity_cells =
@@ -216,7 +218,10 @@ fn a_point_beside_another_is_left_as_its_peak_says() {
     let place = |refine: Refine| {
         let header = radar(elements_3x4(), refine);
         let cube = cube(&header, &pair, 1);
-        detect_refined(&header, &cube, &range_doppler(&header, &cube).unwrap()).unwrap()
+        Receiver::new(&header)
+            .unwrap()
+            .detect_refined(&Receiver::new(&header).unwrap().range_doppler(&cube).unwrap(), &cube)
+            .unwrap()
     };
     assert_eq!(place(Refine::Isolated), place(Refine::Off));
 }

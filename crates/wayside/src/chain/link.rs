@@ -77,6 +77,7 @@ pub struct Chain<'a> {
     parts: SceneParts,
     bodies: OnceLock<Result<bart_rcs::Models, String>>,
     ground: OnceLock<Result<Vec<artifact::paths::Path>, String>>,
+    receiver: OnceLock<Result<dsp::Receiver, String>>,
     measured: MeasuredFrames,
     looks: Looks,
     /// Frames that share what tracing may take; one where no plan was made of them.
@@ -96,7 +97,7 @@ impl<'a> Chain<'a> {
     ) -> Self {
         let (cube_header, parts) = (cube_header(header), SceneParts::of(header));
         let (echo_header, measured) = (echo_header(header), MeasuredFrames::default());
-        let (bodies, ground) = (OnceLock::new(), OnceLock::new());
+        let (bodies, ground, receiver) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         let (looks, at_once, limited) = (Looks::default(), OnceLock::new(), OnceLock::new());
         Self {
             header,
@@ -107,6 +108,7 @@ impl<'a> Chain<'a> {
             parts,
             bodies,
             ground,
+            receiver,
             measured,
             looks,
             at_once,
@@ -388,12 +390,18 @@ impl<'a> Chain<'a> {
         Ok(Cow::Owned(all))
     }
 
+    /// What makes maps and points of the scene's cubes, built when the first frame asks for it.
+    pub(crate) fn receiver(&self) -> Result<&dsp::Receiver, Failure> {
+        let build = || dsp::Receiver::new(&self.cube_header).map_err(|error| error.to_string());
+        self.receiver.get_or_init(build).as_ref().map_err(Failure::refused)
+    }
+
     fn maps(&self, plan: &FramePlan, cube: &CubeFrame) -> Result<Step<(RdmFrame, PointsFrame)>, Failure> {
         let (key, stage) = (&plan.keys.dsp, Stage::Dsp);
         let _under_way = Work::begin(format!("frame {}, range-Doppler map and points", plan.index));
-        let compute = || dsp::range_doppler(&self.cube_header, cube).map_err(Failure::refused);
+        let compute = || self.receiver()?.range_doppler(cube).map_err(Failure::refused);
         let rdm = self.step::<Rdm>(plan, stage, key, &self.cube_header, compute)?;
-        let detect = || dsp::detect_refined(&self.cube_header, cube, &rdm.value).map_err(Failure::refused);
+        let detect = || self.receiver()?.detect_refined(&rdm.value, cube).map_err(Failure::refused);
         let points = self.step::<Points>(plan, stage, key, &self.points_header(), detect)?;
         Ok(Step { cached: rdm.cached && points.cached, value: (rdm.value, points.value) })
     }
@@ -415,7 +423,7 @@ impl<'a> Chain<'a> {
         };
         let name = format!("frame {}, classification", plan.index);
         let compute = || {
-            let probabilities = progress::during(name, || model.classify(&self.cube_header, rdm, points))?;
+            let probabilities = progress::during(name, || model.classify(self.receiver()?, rdm, points))?;
             Ok(ClassesFrame { probabilities })
         };
         let step = self.step::<Classes>(plan, stage, key, &model.classes_header(), compute)?;

@@ -152,6 +152,7 @@ fn wide(cube: &CubeFrame) -> Vec<Complex64> {
 
 /// |X| of every cell of the range-Doppler map of every channel.
 fn levels(case: &Case, cube: &CubeFrame) -> Result<Vec<Complex64>, Failure> {
-    let map = dsp::range_doppler(&cube_header(&scene(case, ASKED_DB)?), cube).map_err(Failure::refused)?;
+    let receiver = dsp::Receiver::new(&cube_header(&scene(case, ASKED_DB)?)).map_err(Failure::refused)?;
+    let map = receiver.range_doppler(cube).map_err(Failure::refused)?;
     Ok(map.values.iter().map(|z| Complex64::from(f64::from(z.norm()))).collect())
 }
