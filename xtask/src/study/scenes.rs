@@ -82,10 +82,13 @@ pub(crate) fn cube_header(header: &SceneHeader) -> CubeHeader {
 }
 
 pub(super) fn cube_of(header: &SceneHeader, paths: &PathsFrame) -> Result<CubeFrame, Failure> {
-    let centre_hz = header.radar.waveform.centre_frequency_hz();
-    let accuracy = wayside::chain::link::echo_accuracy(header);
-    fmcw_echo::synthesize(&cube_header(header), header.seed, paths, centre_hz, accuracy, &|_| ())
-        .map_err(Failure::refused)
+    synthesizer(header, header.seed)?.frame(paths, &|_| ()).map_err(Failure::refused)
+}
+
+/// Of a scene's cubes, without the ground.
+pub(super) fn synthesizer(header: &SceneHeader, seed: u64) -> Result<fmcw_echo::Synthesizer, Failure> {
+    let accuracy = fmcw_echo::sum_accuracy(header.fidelity.accuracy);
+    fmcw_echo::Synthesizer::new(&cube_header(header), seed, accuracy, vec![]).map_err(Failure::refused)
 }
 
 /// What a radar sees of the first frame.

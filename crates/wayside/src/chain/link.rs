@@ -20,10 +20,9 @@ use artifact::rcs::{Rcs, RcsFrame, RcsHeader};
 use artifact::rdm::{Rdm, RdmFrame};
 use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
 use artifact::settings::{Class, EchoMode};
-use artifact::{Accuracy, ErrorBudget, ModelError, Schema};
+use artifact::{ErrorBudget, ModelError, Schema};
 use bart_rcs::FrameSurroundings;
 use fmcw_echo::EchoError;
-use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 use std::time::Instant;
 
@@ -61,12 +60,6 @@ pub(crate) struct FrameProducts {
     pub(crate) result: FrameResult,
 }
 
-/// What the sum over paths may err by: a tenth of what the paths themselves may, and no more than −60 dB, so
-/// that nothing of it is seen above the floor of a map without noise.
-pub fn echo_accuracy(header: &SceneHeader) -> Accuracy {
-    Accuracy::from_db((header.fidelity.accuracy.db() - 20.0).min(-60.0))
-}
-
 /// A scene with everything that its frames share.
 pub struct Chain<'a> {
     pub(crate) header: &'a SceneHeader,
@@ -76,7 +69,7 @@ pub struct Chain<'a> {
     model: Option<&'a LoadedModel>,
     parts: SceneParts,
     bodies: OnceLock<Result<bart_rcs::Models, String>>,
-    ground: OnceLock<Result<Vec<artifact::paths::Path>, String>>,
+    synthesizer: OnceLock<Result<fmcw_echo::Synthesizer, String>>,
     receiver: OnceLock<Result<dsp::Receiver, String>>,
     measured: MeasuredFrames,
     looks: Looks,
@@ -97,7 +90,7 @@ impl<'a> Chain<'a> {
     ) -> Self {
         let (cube_header, parts) = (cube_header(header), SceneParts::of(header));
         let (echo_header, measured) = (echo_header(header), MeasuredFrames::default());
-        let (bodies, ground, receiver) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
+        let (bodies, synthesizer, receiver) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         let (looks, at_once, limited) = (Looks::default(), OnceLock::new(), OnceLock::new());
         Self {
             header,
@@ -107,7 +100,7 @@ impl<'a> Chain<'a> {
             model,
             parts,
             bodies,
-            ground,
+            synthesizer,
             receiver,
             measured,
             looks,
@@ -350,18 +343,13 @@ impl<'a> Chain<'a> {
     ) -> Result<CubeFrame, Failure> {
         let work = Work::begin(format!("frame {}, echo, percent", scene.index));
         let progress = |share: f64| work.at((100.0 * share) as usize, 100);
-        let (header, seed) = (&self.echo_header, self.header.seed);
+        let synthesizer = self.synthesizer()?;
         match scattering {
             Scattering::Paths(frame) => {
-                let centre_hz = self.header.radar.waveform.centre_frequency_hz();
-                let accuracy = echo_accuracy(self.header);
-                let all = &self.with_ground(frame)?;
-                fmcw_echo::synthesize(header, seed, all, centre_hz, accuracy, &progress)
-                    .map_err(|error| self.of_echo(&error, frame))
+                synthesizer.frame(frame, &progress).map_err(|error| self.of_echo(&error, frame))
             }
             Scattering::Tables(frame) => {
-                fmcw_echo::synthesize_tables(header, seed, &scene.poses, frame, &progress)
-                    .map_err(Failure::refused)
+                synthesizer.frame_of_tables(&scene.poses, frame, &progress).map_err(Failure::refused)
             }
         }
     }
@@ -376,18 +364,19 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// The paths of a frame and those of the road's own backscatter, which no `.paths` holds: the seed tells
-    /// them.
-    pub(crate) fn with_ground<'p>(&self, frame: &'p PathsFrame) -> Result<Cow<'p, PathsFrame>, Failure> {
-        let Some(backscatter) = &self.header.backscatter else { return Ok(Cow::Borrowed(frame)) };
-        let draw = || {
-            let drawn = fmcw_echo::ground::paths(&self.header.radar, backscatter, self.header.seed);
-            drawn.map_err(|error| error.to_string())
+    /// What makes cubes of the scene's paths, built when the first frame asks for it: with the road's own
+    /// backscatter, which no `.paths` holds and no table hears.
+    pub(crate) fn synthesizer(&self) -> Result<&fmcw_echo::Synthesizer, Failure> {
+        let SceneHeader { radar, backscatter, seed, fidelity, .. } = self.header;
+        let build = || {
+            let heard = backscatter.as_ref().filter(|_| fidelity.echo == EchoMode::Paths);
+            let draw = |road| fmcw_echo::ground::paths(radar, road, *seed);
+            let ground = heard.map(draw).transpose()?.unwrap_or_default();
+            let accuracy = fmcw_echo::sum_accuracy(fidelity.accuracy);
+            fmcw_echo::Synthesizer::new(&self.echo_header, *seed, accuracy, ground)
         };
-        let ground = self.ground.get_or_init(draw).as_ref().map_err(Failure::refused)?;
-        let mut all = frame.clone();
-        all.paths.extend_from_slice(ground);
-        Ok(Cow::Owned(all))
+        let build = || build().map_err(|error: EchoError| error.to_string());
+        self.synthesizer.get_or_init(build).as_ref().map_err(Failure::refused)
     }
 
     /// What makes maps and points of the scene's cubes, built when the first frame asks for it.

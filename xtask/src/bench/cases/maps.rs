@@ -47,9 +47,9 @@ fn noise() -> Result<Noise, Failure> {
     let mut header = cube_header(&scene_of("[noise]\nnoise_figure_db = 12.0\n")?);
     (header.dsp.guard_cells, header.dsp.training_cells) = ([GUARD; 2], [TRAINING; 2]);
     header.dsp.false_alarm_rate = FALSE_ALARM_RATE;
-    let (centre_hz, accuracy) =
-        (header.radar.waveform.centre_frequency_hz(), artifact::Accuracy::from_db(-60.0));
-    let frame = fmcw_echo::synthesize(&header, 1, &nothing(), centre_hz, accuracy, &|_| ());
+    let accuracy = artifact::Accuracy::from_db(-60.0);
+    let frame = fmcw_echo::Synthesizer::new(&header, 1, accuracy, vec![])
+        .and_then(|synthesizer| synthesizer.frame(&nothing(), &|_| ()));
     let frame = frame.map_err(Failure::refused)?;
     let receiver = dsp::Receiver::new(&header).map_err(Failure::refused)?;
     let map = receiver.range_doppler(&frame).map_err(Failure::refused)?;

@@ -3,8 +3,7 @@
 use crate::study::atlas::verdict::Trial;
 use crate::study::atlas::{Row, Says};
 use crate::study::extent::Extent;
-use crate::study::scenes::{cube_header, paths_of, scene_of, seen, with_point};
-use artifact::cube::CubeFrame;
+use crate::study::scenes::{cube_header, paths_of, scene_of, seen, synthesizer, with_point};
 use artifact::scene::SceneHeader;
 use artifact::settings::Window;
 use wayside::host::failure::Failure;
@@ -64,16 +63,7 @@ fn counted(header: &SceneHeader, frames: u64) -> Result<[f64; 2], Failure> {
 
 fn noise_map(header: &SceneHeader, receiver: &dsp::Receiver, seed: u64) -> Result<Vec<u8>, Failure> {
     let nothing = paths_of(header)?;
-    let centre_hz = header.radar.waveform.centre_frequency_hz();
-    let cube: CubeFrame = fmcw_echo::synthesize(
-        &cube_header(header),
-        seed,
-        &nothing,
-        centre_hz,
-        wayside::chain::link::echo_accuracy(header),
-        &|_| (),
-    )
-    .map_err(Failure::refused)?;
+    let cube = synthesizer(header, seed)?.frame(&nothing, &|_| ()).map_err(Failure::refused)?;
     Ok(receiver.range_doppler(&cube).map_err(Failure::refused)?.mask)
 }
 

@@ -5,7 +5,7 @@ use crate::study::chart::row::Row;
 use crate::study::chart::work::{Measured, measured};
 use crate::study::looks;
 use crate::study::scenes::{
-    cube_header, cube_of, frame_of, paths_at, paths_of, scene_of, tables_at, with_body,
+    cube_header, cube_of, frame_of, paths_at, paths_of, scene_of, synthesizer, tables_at, with_body,
 };
 use artifact::Accuracy;
 use artifact::cube::CubeFrame;
@@ -105,7 +105,8 @@ fn by_tables(case: &Case, exact: &CubeFrame) -> Result<Vec<Row>, Failure> {
     let frame = frame_of(&header);
     let tables = measured(|| tables_at(&header, &frame))?;
     let cube = measured(|| {
-        fmcw_echo::synthesize_tables(&cube_header(&header), header.seed, &frame.poses, &tables.value, &|_| ())
+        synthesizer(&header, header.seed)?
+            .frame_of_tables(&frame.poses, &tables.value, &|_| ())
             .map_err(Failure::refused)
     })?;
     let methods = ["frame by table, cube", "frame by table, levels"];
