@@ -67,14 +67,14 @@ pub(super) fn paths_of(header: &SceneHeader) -> Result<PathsFrame, Failure> {
 }
 
 pub(super) fn paths_at(header: &SceneHeader, frame: &SceneFrame) -> Result<PathsFrame, Failure> {
-    let models = bart_rcs::Models::build(header).map_err(Failure::refused)?;
-    bart_rcs::trace_frame(&models, header, frame).map_err(Failure::refused)
+    let tracer = bart_rcs::Tracer::new(header).map_err(Failure::refused)?;
+    tracer.all_paths(header, frame, &bart_rcs::FrameSurroundings::ALONE).map_err(Failure::refused)
 }
 
 /// The paper's σ_f at a frame.
 pub(super) fn tables_at(header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, Failure> {
-    let models = bart_rcs::Models::build(header).map_err(Failure::refused)?;
-    bart_rcs::rcs_frame(&models, header, frame).map_err(Failure::refused)
+    let tracer = bart_rcs::Tracer::new(header).map_err(Failure::refused)?;
+    tracer.tables(header, frame, &bart_rcs::Unheard).map_err(Failure::refused)
 }
 
 pub(crate) fn cube_header(header: &SceneHeader) -> CubeHeader {

@@ -68,14 +68,14 @@ pub struct Chain<'a> {
     cache: Option<&'a Cache>,
     model: Option<&'a LoadedModel>,
     parts: SceneParts,
-    bodies: OnceLock<Result<bart_rcs::Models, String>>,
+    tracer: OnceLock<Result<bart_rcs::Tracer, String>>,
     synthesizer: OnceLock<Result<fmcw_echo::Synthesizer, String>>,
     receiver: OnceLock<Result<dsp::Receiver, String>>,
     measured: MeasuredFrames,
     looks: Looks,
     /// Frames that share what tracing may take; one where no plan was made of them.
     at_once: OnceLock<usize>,
-    limited: OnceLock<bart_rcs::Models>,
+    limited: OnceLock<bart_rcs::Tracer>,
     memory: Allowance,
 }
 
@@ -90,7 +90,7 @@ impl<'a> Chain<'a> {
     ) -> Self {
         let (cube_header, parts) = (cube_header(header), SceneParts::of(header));
         let (echo_header, measured) = (echo_header(header), MeasuredFrames::default());
-        let (bodies, synthesizer, receiver) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
+        let (tracer, synthesizer, receiver) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         let (looks, at_once, limited) = (Looks::default(), OnceLock::new(), OnceLock::new());
         Self {
             header,
@@ -99,7 +99,7 @@ impl<'a> Chain<'a> {
             cache,
             model,
             parts,
-            bodies,
+            tracer,
             synthesizer,
             receiver,
             measured,
@@ -184,7 +184,7 @@ impl<'a> Chain<'a> {
     /// What a frame's tracing will take, from a sample of it.
     pub(crate) fn expected_work(&self, index: u32) -> Result<bart_rcs::ExpectedWork, Failure> {
         let (view, frame) = (scene::frame_view(self.header, index), scene::snapshot(self.header, index));
-        bart_rcs::expected_work(self.models()?, &view, &frame).map_err(Failure::refused)
+        self.unlimited_tracer()?.expected_work(&view, &frame).map_err(Failure::refused)
     }
 
     /// Header of the `.paths` artifact.
@@ -254,10 +254,9 @@ impl<'a> Chain<'a> {
         scene: &SceneFrame,
     ) -> Result<Step<Scattering>, Failure> {
         let (key, stage) = (&plan.keys.bart_rcs, Stage::BartRcs);
-        let view = || scene::frame_view(self.header, scene.index);
         match self.header.fidelity.echo {
             EchoMode::Paths => {
-                let compute = || Ok(bart_rcs::reduced(&view(), self.traced(plan, scene)?));
+                let compute = || self.paths(plan, scene);
                 let step = self.step::<Paths>(plan, stage, key, &self.paths_header(), compute)?;
                 self.measured.keep(self.header, scene.index, &step.value);
                 let (index, time_s) = (scene.index, scene.time_s);
@@ -265,9 +264,9 @@ impl<'a> Chain<'a> {
             }
             EchoMode::RcsTable => {
                 let compute = || {
-                    let bodies = self.bodies(plan)?;
+                    let (tracer, view) = (self.tracer(plan)?, scene::frame_view(self.header, scene.index));
                     let progress = &Work::begin(format!("frame {}, tables of bodies", scene.index));
-                    bart_rcs::rcs_frame_within(bodies, &view(), scene, progress).map_err(Failure::refused)
+                    tracer.tables(&view, scene, progress).map_err(Failure::refused)
                 };
                 let step = self.step::<Rcs>(plan, stage, key, &self.rcs_header(), compute)?;
                 let (index, time_s) = (scene.index, scene.time_s);
@@ -277,8 +276,8 @@ impl<'a> Chain<'a> {
     }
 
     /// Measured, or like the frame that was.
-    fn traced(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<PathsFrame, Failure> {
-        let (view, bodies) = (scene::frame_view(self.header, scene.index), self.bodies(plan)?);
+    fn paths(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<PathsFrame, Failure> {
+        let (view, tracer) = (scene::frame_view(self.header, scene.index), self.tracer(plan)?);
         let measured_in = self.header.measured_in(scene.index);
         let in_this_scene =
             || (measured_in != scene.index).then(|| self.measured_frame(measured_in)).transpose();
@@ -288,7 +287,7 @@ impl<'a> Chain<'a> {
         };
         let progress = &Work::begin(format!("frame {}, paths", scene.index));
         let surroundings = FrameSurroundings { like: measured.as_deref(), progress };
-        bart_rcs::trace_frame_within(bodies, &view, scene, &surroundings).map_err(Failure::refused)
+        tracer.paths(&view, scene, &surroundings).map_err(Failure::refused)
     }
 
     /// What was measured in a frame; computed where no earlier frame of this run needed it.
@@ -305,24 +304,23 @@ impl<'a> Chain<'a> {
         let _ = self.at_once.set(at_once);
     }
 
-    /// The models of all targets, to be traced; refused where the frame cannot fit into the memory that it
-    /// may take.
-    fn bodies(&self, plan: &FramePlan) -> Result<&bart_rcs::Models, Failure> {
+    /// What traces the frames; refused where the frame cannot fit into the memory that it may take.
+    fn tracer(&self, plan: &FramePlan) -> Result<&bart_rcs::Tracer, Failure> {
         self.memory.check(self.least_memory_mib(plan)?)?;
-        let models = self.models()?;
+        let tracer = self.unlimited_tracer()?;
         let share = || self.memory.limit().share_of(*self.at_once.get_or_init(|| 1));
-        Ok(self.limited.get_or_init(|| models.clone().within(share())))
+        Ok(self.limited.get_or_init(|| tracer.clone().within(share())))
     }
 
     /// The same to look at; refused where the bodies at rest do not fit.
-    fn models(&self) -> Result<&bart_rcs::Models, Failure> {
+    fn unlimited_tracer(&self) -> Result<&bart_rcs::Tracer, Failure> {
         let triangles = self.header.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
         self.memory.check(memory::mib(bart_rcs::memory_estimate_bytes(triangles, 0, 0)))?;
         let build = || {
             let _under_way = Work::begin("building the hierarchies of the meshes");
-            bart_rcs::Models::build(self.header).map_err(|e| e.to_string())
+            bart_rcs::Tracer::new(self.header).map_err(|e| e.to_string())
         };
-        self.bodies.get_or_init(build).as_ref().map_err(Failure::refused)
+        self.tracer.get_or_init(build).as_ref().map_err(Failure::refused)
     }
 
     fn cube(
