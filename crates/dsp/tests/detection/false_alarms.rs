@@ -26,10 +26,11 @@ fn alarms(header: &CubeHeader) -> [f64; 4] {
     let mut cells = [0_u64; 4];
     (0..rows * columns).for_each(|cell| cells[zone(cell)] += 1);
     let maps = 1_000_000_u64.div_ceil(*cells.iter().min().unwrap());
+    let receiver = Receiver::new(header).unwrap();
     let counts: Vec<[u64; 4]> = (0..maps)
         .into_par_iter()
         .map(|seed| {
-            let map = Receiver::new(header).unwrap().range_doppler(&cube(header, &[], seed)).unwrap();
+            let map = receiver.range_doppler(&cube(header, &[], seed)).unwrap();
             assert_eq!(map.cells, (rows * columns) as u64);
             let mut counts = [0; 4];
             map.mask

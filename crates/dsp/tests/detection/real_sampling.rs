@@ -67,13 +67,11 @@ fn noise_of_real_samples_alarms_at_the_rate_asked_for_in_the_interior_and_at_bot
                 _ => 1,
             };
             let maps = if rate == 1e-2 { 600 } else { 6000 };
+            let receiver = Receiver::new(&header).unwrap();
             let counts: Vec<[[u64; 3]; 2]> = (0..maps)
                 .into_par_iter()
                 .map(|seed| {
-                    let map = Receiver::new(&header)
-                        .unwrap()
-                        .range_doppler(&real_cube(&header, &[], seed))
-                        .unwrap();
+                    let map = receiver.range_doppler(&real_cube(&header, &[], seed)).unwrap();
                     let mut counts = [[0; 3]; 2];
                     for (cell, state) in map.mask.iter().enumerate() {
                         counts[0][zone(cell)] += u64::from(*state != UNTESTED);

@@ -127,9 +127,9 @@ fn doppler_division_in_noise_finds_a_weak_target_once() {
     let mut header = header(256, 128, elements_3x4());
     header.radar.array.multiplexing = Multiplexing::Ddm;
     header.noise = NOISE_12_DB;
+    let receiver = Receiver::new(&header).unwrap();
     for seed in 0..10 {
         let target = target([2.0, 55.0, 0.75], [0.0, -11.0, 0.0], 1.0);
-        let receiver = Receiver::new(&header).unwrap();
         let map = receiver.range_doppler(&cube(&header, &[target], seed)).unwrap();
         let found = receiver.detect(&map).unwrap().objects;
         assert_eq!(found.len(), 1, "seed {seed}: {found:?}");

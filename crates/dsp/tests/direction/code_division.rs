@@ -50,8 +50,8 @@ fn codes_gain_m_over_ideal_transmitters_that_repeat_as_often() {
         };
         let noise = |header: &CubeHeader| {
             let noisy = CubeHeader { noise: NOISE_12_DB, ..header.clone() };
-            let maps = (0..8)
-                .map(|seed| Receiver::new(&noisy).unwrap().range_doppler(&cube(&noisy, &[], seed)).unwrap());
+            let receiver = Receiver::new(&noisy).unwrap();
+            let maps = (0..8).map(|seed| receiver.range_doppler(&cube(&noisy, &[], seed)).unwrap());
             maps.map(|map| noise_power(&noisy, &map).unwrap()).sum::<f64>() / 8.0
         };
         let echo = peak(&codes) / peak(&together);
@@ -73,11 +73,12 @@ fn noise_of_codes_passes_the_detector_at_the_rate_asked_for() {
         header.noise = NOISE_12_DB;
         header.dsp.false_alarm_rate = 1e-2;
         (header.dsp.range_window, header.dsp.doppler_window) = (window, window);
+        let receiver = Receiver::new(&header).unwrap();
         let maps = 800;
         let counts: Vec<u64> = (0..maps)
             .into_par_iter()
             .map(|seed| {
-                let map = Receiver::new(&header).unwrap().range_doppler(&cube(&header, &[], seed)).unwrap();
+                let map = receiver.range_doppler(&cube(&header, &[], seed)).unwrap();
                 map.mask.iter().filter(|m| **m == DETECTED).count() as u64
             })
             .collect();
@@ -92,6 +93,7 @@ fn noise_of_codes_passes_the_detector_at_the_rate_asked_for() {
 /// wrong.
 fn points_told(header: &CubeHeader, trials: u64) -> [usize; 5] {
     let beam = dsp::angle::VirtualArray::new(header).beams()[0];
+    let receiver = Receiver::new(header).unwrap();
     let outcomes: Vec<[bool; 5]> = (0..trials)
         .into_par_iter()
         .filter_map(|seed| {
@@ -100,7 +102,6 @@ fn points_told(header: &CubeHeader, trials: u64) -> [usize; 5] {
             let (x, y) = (-5.0 + 15.0 * part(0.618_034), 20.0 + 20.0 * part(0.414_214));
             let target = target([x, y, 0.75], [0.0, -30.0 + 60.0 * part(0.754_878), 0.0], 10.0);
             let (range_m, velocity_mps, position_m) = truth(header, &target);
-            let receiver = Receiver::new(header).unwrap();
             let map = receiver.range_doppler(&cube(header, &[target], seed)).unwrap();
             let near = |o: &Object| (o.range_m - range_m).abs();
             let objects = receiver.detect(&map).unwrap().objects;
