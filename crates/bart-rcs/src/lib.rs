@@ -2,7 +2,7 @@
 //! T-AP 57 (2009) 1495).
 //!
 //! A mesh goes in, the scattering amplitude S in metres comes out ([`rcs`]); |S|² is the radar cross section
-//! in m². Or a scene's frame goes in and its scattering paths come out ([`trace_frame`]), from which echoes
+//! in m². Or a scene's frame goes in and its scattering paths come out ([`Tracer::paths`]), from which echoes
 //! are made. Signs, axes and units: `docs/conventions.md`; formulas: `docs/physics.md`.
 //!
 //! ```
@@ -53,17 +53,17 @@ mod edges; // what edges add to physical optics
 mod table; // S at aspects, over frequency
 mod frame; // paths of a frame, or its table
 mod detail; // fewer paths for the same echo
+mod tracer; // the stage: all of the above for one scene
 pub mod reference;
 
 pub use beams::beam::{Audit, Beam, BeamTree, OrderAudit, TraceSettings};
-pub use bodies::world::{Models, World};
+pub use bodies::world::World;
 pub use detail::level::reduced;
-pub use frame::expected_work::{ExpectedWork, expected_work};
+pub use frame::expected_work::ExpectedWork;
 pub use frame::moments::MOMENTS_MAX;
-pub use frame::path::{FrameSurroundings, trace_frame, trace_frame_like, trace_frame_within};
+pub use frame::path::FrameSurroundings;
 pub use frame::path_sum::{PathView, scattering_of_paths};
 pub use frame::path_table::{element_offset_m, largest_cell_m};
-pub use frame::rcs_frame::{rcs_frame, rcs_frame_within};
 pub use geometry::antenna::Antenna;
 pub use geometry::facet_geometry::FacetGeometry;
 pub use geometry::plane::Plane;
@@ -77,3 +77,4 @@ pub use table::far_field_error::{FarFieldError, Spread};
 pub use table::keeper::{Keeper, NothingKept, Piece};
 pub use table::rcs_request::{RcsRequest, Standpoint};
 pub use table::rcs_table::{Followed, RcsResult, RcsSeconds, Surroundings, rcs, rcs_within};
+pub use tracer::Tracer;

@@ -8,7 +8,7 @@
 mod bodies;
 
 use artifact::scene::{Meshes, SceneFrame, SceneHeader, Target, TargetKind};
-use bart_rcs::{ExpectedWork, Models, expected_work, trace_frame};
+use bart_rcs::{ExpectedWork, FrameSurroundings, Tracer};
 use bodies::scenes::scene;
 use bodies::{car, cuboid};
 use glam::DVec3;
@@ -30,14 +30,15 @@ fn two_bodies(car_mps: f64) -> (SceneHeader, SceneFrame) {
 }
 
 fn expected((header, frame): &(SceneHeader, SceneFrame)) -> ExpectedWork {
-    expected_work(&Models::build(header).unwrap(), header, frame).unwrap()
+    Tracer::new(header).unwrap().expected_work(header, frame).unwrap()
 }
 
 #[test]
 fn as_many_facets_and_beams_are_expected_as_a_frame_has() {
     let scene = two_bodies(0.0);
     let expected = expected(&scene);
-    let traced = trace_frame(&Models::build(&scene.0).unwrap(), &scene.0, &scene.1).unwrap().trace;
+    let traced =
+        Tracer::new(&scene.0).unwrap().paths(&scene.0, &scene.1, &FrameSurroundings::ALONE).unwrap().trace;
     assert_eq!(expected.facets, traced.triangles as f64);
     for (order, expected) in (1..).zip(expected.beams) {
         let ratio = expected / traced.beams[order - 1] as f64;

@@ -15,8 +15,7 @@ use artifact::radar::Polarization;
 use artifact::scene::{Mesh, Meshes, Pose, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::Surface;
 use bart_rcs::{
-    MOMENTS_MAX, Models, PathView, RcsRequest, Standpoint, rcs, scattering_of_paths, trace_frame,
-    trace_frame_like,
+    FrameSurroundings, MOMENTS_MAX, PathView, RcsRequest, Standpoint, Tracer, rcs, scattering_of_paths,
 };
 use bodies::scenes::scene;
 use bodies::{car, cuboid};
@@ -47,7 +46,7 @@ fn passing(car_y_m: f64, car_mps: f64, yaw_rad: f64, accuracy_db: f64) -> Scene 
 }
 
 fn traced((header, frame): &Scene) -> PathsFrame {
-    trace_frame(&Models::build(header).unwrap(), header, frame).unwrap()
+    Tracer::new(header).unwrap().paths(header, frame, &FrameSurroundings::ALONE).unwrap()
 }
 
 /// All bodies of a moment as one mesh at rest about [`ORIGIN_M`].
@@ -198,7 +197,10 @@ fn a_frame_like_a_split_one_is_split_as_that_one() {
     let scene = passing(38.0, 10.0, 0.0, -25.0);
     let measured = traced(&scene);
     assert!(moments(&measured) > 1, "one moment does not do");
-    let like = trace_frame_like(&Models::build(&scene.0).unwrap(), &scene.0, &scene.1, &measured).unwrap();
+    let like = Tracer::new(&scene.0)
+        .unwrap()
+        .paths(&scene.0, &scene.1, &FrameSurroundings { like: Some(&measured), ..FrameSurroundings::ALONE })
+        .unwrap();
     assert!(like.paths == measured.paths && like.trace.fineness == measured.trace.fineness);
 }
 

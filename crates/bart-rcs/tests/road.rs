@@ -9,7 +9,7 @@ use artifact::scene::{Mesh, SceneFrame, SceneHeader};
 use artifact::settings::{NodeRule, Sides};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use bart_rcs::reference::{Aspect, Bracket, po};
-use bart_rcs::{Models, PathView, Standpoint, scattering_of_paths, trace_frame};
+use bart_rcs::{FrameSurroundings, PathView, Standpoint, Tracer, scattering_of_paths};
 use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -43,7 +43,7 @@ fn scene(road: Option<Road>) -> (SceneHeader, SceneFrame) {
 
 fn traced(road: Option<Road>) -> PathsFrame {
     let (header, frame) = scene(road);
-    trace_frame(&Models::build(&header).unwrap(), &header, &frame).unwrap()
+    Tracer::new(&header).unwrap().paths(&header, &frame, &FrameSurroundings::ALONE).unwrap()
 }
 
 fn smooth(material: Material) -> Option<Road> {
@@ -207,7 +207,8 @@ fn corners_over_a_road_have_one_level_by_every_node_rule() {
         let (mut header, frame) = bodies::scenes::scene(&mesh, &[([0.0, 25.0, 0.0], yaw, [0.0; 3])]);
         (header.road, header.fidelity.nodes, header.fidelity.accuracy) =
             (road, nodes, Accuracy::from_db(-40.0));
-        let paths = trace_frame(&Models::build(&header).unwrap(), &header, &frame).unwrap().paths;
+        let paths =
+            Tracer::new(&header).unwrap().paths(&header, &frame, &FrameSurroundings::ALONE).unwrap().paths;
         assert!(paths.iter().any(|path| path.order == 2));
         sum(&paths)[1][1]
     };

@@ -5,7 +5,7 @@ mod bodies;
 
 use artifact::Accuracy;
 use artifact::scene::{Meshes, Target, TargetKind};
-use bart_rcs::{Models, trace_frame};
+use bart_rcs::{FrameSurroundings, Tracer};
 use bodies::scenes::scene;
 use bodies::{car, cuboid};
 use glam::DVec3;
@@ -24,7 +24,7 @@ fn a_kerb_beside_a_car_is_integrated_no_finer_than_asked() {
     header.meshes = Meshes::from(vec![car, kerb]);
     let kind = TargetKind::Mesh { class: None, model: "kerb".into(), mesh: 1 };
     header.targets[1] = Target { kind, ..header.targets[1].clone() };
-    let traced = trace_frame(&Models::build(&header).unwrap(), &header, &frame).unwrap();
+    let traced = Tracer::new(&header).unwrap().paths(&header, &frame, &FrameSurroundings::ALONE).unwrap();
     let fineness = traced.trace.fineness.unwrap().integrals;
     println!("{fineness:?}; told {:.1} dB", 20.0 * traced.error.total().unwrap().log10());
     let asked = header.fidelity.accuracy.amplitude();

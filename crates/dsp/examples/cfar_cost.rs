@@ -15,7 +15,7 @@ const RUNS: usize = 61;
 fn main() {
     let mut header = header(256, 128, elements_1x1());
     header.noise = NOISE_12_DB;
-    let map = dsp::range_doppler(&header, &cube(&header, &[], 1)).unwrap();
+    let map = dsp::Receiver::new(&header).unwrap().range_doppler(&cube(&header, &[], 1)).unwrap();
     let power: Vec<f64> = dsp::power_map(&header, &map).unwrap().into_raw_vec_and_offset().0;
     let mut of_averages = 0.0;
     println!("map 128 × 256, guard [2, 2], training [4, 8], quickest of {RUNS} masks");

@@ -5,4 +5,4 @@ pub(crate) mod directional_peaks; // echoes beside stronger ones, seen in other 
 pub(crate) mod point_sources; // several echoes of one cell
 pub(crate) mod two_ways; // waves that came back by another way
 pub(crate) mod position; // world axes
-pub mod calibration; // channel errors from a reflector
+pub(crate) mod calibration; // channel errors from a reflector

@@ -4,17 +4,22 @@
 //! [`CubeFrame`](artifact::cube::CubeFrame) (IF samples `[channel, chirp, sample]`, √W). No truth is in
 //! either, so none is in what comes out:
 //!
-//! - [`range_doppler()`]: the map of every transmit–receive pair `[channel, doppler, range]`, zero velocity
-//!   at N/2, and the cells that a cell-averaging CFAR tested and found
+//! A [`Receiver`] is made once of a header, which it checks, and then takes frames:
+//!
+//! - [`Receiver::range_doppler`]: the map of every transmit–receive pair `[channel, doppler, range]`, zero
+//!   velocity at N/2, and the cells that a cell-averaging CFAR tested and found
 //!   ([`RdmFrame`](artifact::rdm::RdmFrame));
-//! - [`detect`], or [`detect_refined`] where the samples are at hand: points with range, radial velocity,
-//!   azimuth, elevation and world position, and the objects that they form
-//!   ([`PointsFrame`](artifact::points::PointsFrame));
+//! - [`Receiver::detect`], or [`Receiver::detect_refined`] where the samples are at hand: points with range,
+//!   radial velocity, azimuth, elevation and world position, and the objects that they form
+//!   ([`PointsFrame`](artifact::points::PointsFrame)); [`Receiver::process`] does both,
+//!   [`Receiver::resolved`] tells the velocities of a cycle's sub-frames by each other;
+//! - [`Receiver::cropper`]: 24 m × 8 m/s around an object on the map beamformed to it, 451 × 451 grey levels
+//!   of fixed decibels over the noise, which a classifier sees; [`Receiver::signatures`]: its echo along
+//!   range;
 //! - [`Tracker`]: vehicles followed over frames, with identity, velocity, box and lane
 //!   ([`TracksFrame`](artifact::tracks::TracksFrame));
-//! - [`crop()`]: 24 m × 8 m/s around an object on the map beamformed to it, 451 × 451 grey levels of fixed
-//!   decibels over the noise, which a classifier sees; [`rdm_grayscale`]: the whole map likewise;
-//! - [`power_map`], [`range_axis_m`], [`velocity_axis_mps`], [`noise_power`] for whoever draws or measures.
+//! - [`power_map`], [`rdm_grayscale`], [`range_axis_m`], [`velocity_axis_mps`], [`noise_power`] for whoever
+//!   draws or measures a map.
 //!
 //! Signs, axes and units: `docs/conventions.md`. A growing range is a positive velocity; a target on the +
 //! side of the array reads a positive direction cosine. Everything wrong with an input is a [`DspError`];
@@ -61,12 +66,12 @@
 //! let samples = (0..4 * 64 * 256).map(|i| Complex32::from_polar(1e-6, sample(i))).collect();
 //! let frame = CubeFrame { index: 0, time_s: 0.0, samples, error: Default::default() };
 //!
-//! let map = dsp::range_doppler(&header, &frame)?;
-//! let seen = dsp::detect(&header, &map)?;
+//! let receiver = dsp::Receiver::new(&header)?;
+//! let (map, seen) = receiver.process(&frame)?;
 //! let object = seen.objects[0];
 //! assert_eq!((seen.objects.len(), object.lane), (1, Some(2)));
 //! assert!((object.range_m - 40.0).abs() < 0.05 && (object.radial_velocity_mps + 10.0).abs() < 0.02);
-//! let crop = dsp::crop(&header, &map, &object, &dsp::PAPER_CROP)?;
+//! let crop = receiver.cropper(&map, &dsp::PAPER_CROP)?.crop(&object)?;
 //! assert_eq!(crop.pixels.len(), 451 * 451);
 //! # Ok::<(), dsp::DspError>(())
 //! ```
@@ -76,28 +81,28 @@ mod numerics; // mathematics that knows no radar
 mod spectrum; // samples to maps
 mod detection; // which cells hold echoes
 mod direction; // where they come from
+mod plan; // what all frames of a radar share
 mod estimation; // those that stand alone, on the samples
 mod ambiguity; // velocities that look alike
 mod objects; // points, and what they form
 mod tracking; // objects over frames
 mod crops; // what a classifier sees
+mod receiver; // the stage: all of the above for one radar
 
 pub use ambiguity::time_division_folds::least_loss;
-pub use ambiguity::velocity_folds;
-pub use crops::crop::{Cropper, PAPER_CROP, crop};
+pub use crops::crop::{Cropper, PAPER_CROP};
 pub use crops::grayscale::rdm_grayscale;
 pub use crops::signature::Signatures;
 pub use detection::cfar;
-pub use detection::range_doppler::range_doppler;
+pub use direction::angle;
+pub use direction::calibration::mean_errors;
 pub use direction::point_sources::{Source, least_errors, sources};
 pub use direction::two_ways::two_ways;
-pub use direction::{angle, calibration};
 pub use error::{Axis, DspError};
 pub use estimation::cramer_rao::cramer_rao;
 pub use numerics::gamma_forms::gamma_tail;
-pub use objects::points::{detect, detect_refined};
 pub use objects::stationary::{Fold, is_at_rest, tolerance_mps};
-pub use spectrum::all_channels::all_channels;
+pub use receiver::Receiver;
 pub use spectrum::axes::{range_axis_m, velocity_axis_mps};
 pub use spectrum::map_transform::RangeDoppler;
 pub use spectrum::noncoherent::{noise_power, power_map};

@@ -1,6 +1,8 @@
 //! From samples to the maps of all channels, their axes and their sum.
 
+pub(crate) mod shapes; // what header, cube and map have to be like
 pub(crate) mod axes; // metres and metres per second of rows and columns
+pub(crate) mod division; // channels of transmitters and receivers
 pub mod window; // tapers, and what they do to tones and to noise
 pub(crate) mod doppler_transform; // chirps to Doppler rows, staggered ones too
 pub(crate) mod map_transform; // both transforms of a channel

@@ -8,7 +8,7 @@ mod setting;
 
 use artifact::radar::Multiplexing;
 use artifact::settings::Noise;
-use fmcw_echo::{direct_sum::DirectSum, reference, synthesize};
+use fmcw_echo::{direct_sum::DirectSum, reference};
 use std::time::Instant;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     let header = setting::header(radar, Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 });
     let start = Clock::now();
-    let cube = synthesize(&header, 1, &setting::frame(paths), f_c, setting::asked(), &|_| ())?;
+    let cube = setting::synthesized(&header, 1, &setting::frame(paths))?;
     print_rate("synthesize, whole cube with noise and error", start, cube.samples.len() * count);
     println!("  threads: {}, error.synthesis: {:?}", rayon::current_num_threads(), cube.error.synthesis);
     Ok(())

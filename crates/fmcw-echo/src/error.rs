@@ -156,9 +156,6 @@ pub enum EchoError {
         /// The limit.
         limit_mps: f64,
     },
-    /// The amplitudes' reference frequency is not a positive number.
-    #[error("centre frequency of the paths' amplitudes is {0} Hz")]
-    CentreFrequency(f64),
     /// A sample left the range of f32.
     #[error("frame {frame}: sample {sample} of channel {channel}, chirp {chirp} does not fit into f32")]
     SampleOverflow {

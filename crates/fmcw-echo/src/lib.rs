@@ -8,8 +8,8 @@
 //!
 //! Three forms of the sum stand side by side: [`mod@reference`] writes each sample from the formulas,
 //! [`direct_sum`] advances the phase of a chirp by a quadratic recurrence, [`fast_sum`] transforms all tones
-//! at once to an accuracy asked for, a hundred times faster, and is what [`synthesize`] uses.
-//! [`synthesize_tables`] is the paper's other way, far-field tables over aspect and frequency
+//! at once to an accuracy asked for, a hundred times faster, and is what [`Synthesizer::frame`] uses.
+//! [`Synthesizer::frame_of_tables`] is the paper's other way, far-field tables over aspect and frequency
 //! ([`rcs_table`]).
 //!
 //! To read: [`multiplexing`] (which transmissions make a row of the cube), [`antenna`] (radar equation,
@@ -78,7 +78,7 @@
 //! let accuracy = artifact::Accuracy::from_db(-60.0);
 //! let header = CubeHeader { radar, noise: Noise::Absent, dsp };
 //!
-//! let cube = fmcw_echo::synthesize(&header, 1, &frame, waveform.centre_frequency_hz(), accuracy, &|_share_done| ())?;
+//! let cube = fmcw_echo::Synthesizer::new(&header, 1, accuracy, vec![])?.frame(&frame, &|_share_done| ())?;
 //!
 //! let middle_of_chirp = |chirp: usize| cube.samples[chirp * 256 + 128];
 //! let turn_rad = (middle_of_chirp(1) * middle_of_chirp(0).conj()).arg();
@@ -101,4 +101,4 @@ pub use sources::{ground, rcs_table};
 pub use sums::fast::fast_sum;
 pub use sums::{direct_sum, reference};
 pub use synthesis::phase_noise;
-pub use synthesis::synthesize::{Progress, memory_estimate_bytes, synthesize, synthesize_tables};
+pub use synthesis::synthesizer::{Progress, Synthesizer, memory_estimate_bytes, sum_accuracy};

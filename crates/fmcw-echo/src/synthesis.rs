@@ -3,4 +3,4 @@
 pub mod phase_noise; // echoes with it, by a few sums without
 pub(crate) mod admission; // what is looked at first
 pub(crate) mod synthesis_error; // measured in the run
-pub(crate) mod synthesize; // all of it
+pub(crate) mod synthesizer; // all of it

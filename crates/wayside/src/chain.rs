@@ -9,7 +9,6 @@ pub mod loaded_model;
 pub mod loading;
 pub mod looks;
 pub mod measured_frames;
-pub mod sub_frames;
 pub mod frame_result;
 pub mod link;
 pub mod memory_estimate;

@@ -17,7 +17,6 @@ use num_complex::Complex64;
 use row::Row;
 use scene::{Meshes, ReadOptions};
 use std::time::Instant;
-use wayside::chain::link::echo_accuracy;
 use wayside::host::failure::Failure;
 use wayside::host::processor_time;
 use wayside::host::progress::Work;
@@ -149,7 +148,8 @@ fn of_levels(
 
 fn cube(header: &SceneHeader, paths: &[Path]) -> Vec<Complex64> {
     let radar = &cube_header(header).radar;
-    fmcw_echo::fast_sum::cube(radar, radar.waveform.centre_frequency_hz(), paths, echo_accuracy(header))
+    let accuracy = fmcw_echo::sum_accuracy(header.fidelity.accuracy);
+    fmcw_echo::fast_sum::cube(radar, radar.waveform.centre_frequency_hz(), paths, accuracy)
 }
 
 /// Each target's level, in the order of the targets.

@@ -67,14 +67,14 @@ pub(super) fn paths_of(header: &SceneHeader) -> Result<PathsFrame, Failure> {
 }
 
 pub(super) fn paths_at(header: &SceneHeader, frame: &SceneFrame) -> Result<PathsFrame, Failure> {
-    let models = bart_rcs::Models::build(header).map_err(Failure::refused)?;
-    bart_rcs::trace_frame(&models, header, frame).map_err(Failure::refused)
+    let tracer = bart_rcs::Tracer::new(header).map_err(Failure::refused)?;
+    tracer.all_paths(header, frame, &bart_rcs::FrameSurroundings::ALONE).map_err(Failure::refused)
 }
 
 /// The paper's σ_f at a frame.
 pub(super) fn tables_at(header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, Failure> {
-    let models = bart_rcs::Models::build(header).map_err(Failure::refused)?;
-    bart_rcs::rcs_frame(&models, header, frame).map_err(Failure::refused)
+    let tracer = bart_rcs::Tracer::new(header).map_err(Failure::refused)?;
+    tracer.tables(header, frame, &bart_rcs::Unheard).map_err(Failure::refused)
 }
 
 pub(crate) fn cube_header(header: &SceneHeader) -> CubeHeader {
@@ -82,10 +82,13 @@ pub(crate) fn cube_header(header: &SceneHeader) -> CubeHeader {
 }
 
 pub(super) fn cube_of(header: &SceneHeader, paths: &PathsFrame) -> Result<CubeFrame, Failure> {
-    let centre_hz = header.radar.waveform.centre_frequency_hz();
-    let accuracy = wayside::chain::link::echo_accuracy(header);
-    fmcw_echo::synthesize(&cube_header(header), header.seed, paths, centre_hz, accuracy, &|_| ())
-        .map_err(Failure::refused)
+    synthesizer(header, header.seed)?.frame(paths, &|_| ()).map_err(Failure::refused)
+}
+
+/// Of a scene's cubes, without the ground.
+pub(super) fn synthesizer(header: &SceneHeader, seed: u64) -> Result<fmcw_echo::Synthesizer, Failure> {
+    let accuracy = fmcw_echo::sum_accuracy(header.fidelity.accuracy);
+    fmcw_echo::Synthesizer::new(&cube_header(header), seed, accuracy, vec![]).map_err(Failure::refused)
 }
 
 /// What a radar sees of the first frame.
@@ -96,7 +99,8 @@ pub(super) struct Seen {
 
 pub(super) fn seen(header: &SceneHeader) -> Result<Seen, Failure> {
     let cube = cube_of(header, &paths_of(header)?)?;
-    let map = dsp::range_doppler(&cube_header(header), &cube).map_err(Failure::refused)?;
-    let points = dsp::detect(&cube_header(header), &map).map_err(Failure::refused)?;
+    let receiver = dsp::Receiver::new(&cube_header(header)).map_err(Failure::refused)?;
+    let map = receiver.range_doppler(&cube).map_err(Failure::refused)?;
+    let points = receiver.detect(&map).map_err(Failure::refused)?;
     Ok(Seen { map, points })
 }

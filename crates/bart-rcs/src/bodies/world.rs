@@ -56,7 +56,7 @@ impl World {
     }
 
     /// Builds the world as [`World::at`] does, with models that were built before from the same header.
-    pub fn posed(
+    pub(crate) fn posed(
         models: &Models,
         header: &SceneHeader,
         frame: &SceneFrame,
@@ -369,14 +369,14 @@ pub(crate) struct Walk {
 
 /// The meshes of a scene, each with its hierarchy, shared by all frames and poses.
 #[derive(Clone)]
-pub struct Models {
+pub(crate) struct Models {
     meshes: Vec<Arc<BodyMesh>>,
     memory_limit: MemoryLimit,
 }
 
 impl Models {
     /// Builds all meshes of the header, with the skin that it asks for.
-    pub fn build(header: &SceneHeader) -> Result<Self, BartError> {
+    pub(crate) fn build(header: &SceneHeader) -> Result<Self, BartError> {
         let (fidelity, wavelength_m) = (&header.fidelity, header.radar.waveform.wavelength_m());
         let skin = Skin::of(fidelity.surface, fidelity.accuracy, wavelength_m, fidelity.bounces);
         let build = |mesh: &Mesh| BodyMesh::build(mesh, skin).map(Arc::new);
@@ -386,7 +386,7 @@ impl Models {
     }
 
     /// These models with a limit of what the bodies and beams of a frame may hold.
-    pub fn within(self, limit: MemoryLimit) -> Self {
+    pub(crate) fn within(self, limit: MemoryLimit) -> Self {
         Self { memory_limit: limit, ..self }
     }
 

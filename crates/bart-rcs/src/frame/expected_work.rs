@@ -61,11 +61,8 @@ const LEAST_SLIDE: f64 = 0.125;
 /// Facets and mirrors of an order that are looked at.
 const SAMPLE: usize = 256;
 
-/// The work of the beams and integrals of one moment of a frame.
-///
-/// A sample of beams is traced as [`crate::BeamTree::trace`] traces all, and each counts for those that it
-/// stands for: of 256 facets a count errs by some 10 %.
-pub fn expected_work(
+/// [`crate::Tracer::expected_work`] of these models.
+pub(crate) fn expected_work(
     models: &Models,
     header: &SceneHeader,
     frame: &SceneFrame,

@@ -24,36 +24,24 @@ use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// Paths of one frame from the radar's position and back, referred to the frame's first sample.
-///
-/// The world is frozen at the frame's middle; what is lit then is lit all through. Where that errs by more
-/// than the accuracy asked for, the ways that change most are traced at several moments of the frame and
-/// blended ([`artifact::paths::Span`]). Amplitudes are fitted over the sampled sweep. A point target is a
-/// path of order 0 with +√σ in vv and hh; bodies do not hide it. Cells are as large as the accuracy asked for
-/// lets them be, by measurement: paths are compared with the bodies traced and integrated anew at another
-/// moment of the frame and from another element of the array, and that is the error that is returned: shadows
-/// move with both, and the paths of one tree do not follow ("freezing"). `error.tessellation` is the bound
-/// that a smooth surface was cut to; `None` where facets are the surface itself.
-pub fn trace_frame(
-    models: &Models,
-    header: &SceneHeader,
-    frame: &SceneFrame,
-) -> Result<PathsFrame, BartError> {
-    trace_frame_within(models, header, frame, &FrameSurroundings { like: None, progress: &Unheard })
-}
-
 /// Surroundings that a frame is made in.
 #[derive(Clone, Copy)]
 pub struct FrameSurroundings<'a> {
-    /// Frame of the scene that this one is as fine as, and whose errors are told as this one's
-    /// ([`trace_frame_like`]).
+    /// As fine as this frame of the scene near this one was: what was measured there is told as this one's
+    /// errors. Nothing is traced or integrated twice then, which makes a frame three to six times cheaper.
+    /// Where that frame had no bodies this one is measured itself; `trace.origin` says so.
     pub like: Option<&'a PathsFrame>,
     /// Listener that hears how far it is.
     pub progress: &'a dyn Progress,
 }
 
-/// [`trace_frame`] or [`trace_frame_like`] in surroundings that hear of it.
-pub fn trace_frame_within(
+impl FrameSurroundings<'static> {
+    /// Measured itself, and heard by nobody.
+    pub const ALONE: Self = Self { like: None, progress: &Unheard };
+}
+
+/// [`crate::Tracer::all_paths`] of these models.
+pub(crate) fn trace_frame(
     models: &Models,
     header: &SceneHeader,
     frame: &SceneFrame,
@@ -102,19 +90,6 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
         bytes: check_bytes.max(table.bytes),
     };
     Ok(paths_frame(plan, frame, seen, table.paths, measured))
-}
-
-/// Traces a frame like one that was `measured` near it in the scene: its cells and integrals are as
-/// fine, and its errors are told as this one's. Nothing is traced or integrated twice, which makes such
-/// a frame three to six times cheaper. Where that frame had no bodies this one is measured itself;
-/// `trace.origin` says so.
-pub fn trace_frame_like(
-    models: &Models,
-    header: &SceneHeader,
-    frame: &SceneFrame,
-    measured: &PathsFrame,
-) -> Result<PathsFrame, BartError> {
-    trace_frame_within(models, header, frame, &FrameSurroundings { like: Some(measured), progress: &Unheard })
 }
 
 fn traced_like(

@@ -26,18 +26,8 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Far-field tables of one frame, one per target.
-///
-/// The tree is traced at the frame's middle; over the milliradians of a frame the same facets stay lit. Axes
-/// are so fine that linear interpolation meets the accuracy asked, up to 9 azimuths, 5 elevations and 256
-/// frequencies. Bodies neither hide one another nor is the wave spherical: `model_error.far_field` compares
-/// each table's middle with the spherical wave. A point target has a table of one value, +√σ.
-pub fn rcs_frame(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, BartError> {
-    rcs_frame_within(models, header, frame, &Unheard)
-}
-
-/// Makes the tables as [`rcs_frame`] does, and tells `progress` how far it is.
-pub fn rcs_frame_within(
+/// [`crate::Tracer::tables`] of these models.
+pub(crate) fn rcs_frame(
     models: &Models,
     header: &SceneHeader,
     frame: &SceneFrame,

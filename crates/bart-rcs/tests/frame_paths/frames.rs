@@ -9,7 +9,7 @@ use artifact::settings::{
     Refine, Sides, StaticEchoes, Surface, Window,
 };
 use artifact::{Accuracy, Radar, Waveform};
-use bart_rcs::{Models, PathView, RcsRequest, Standpoint, rcs, scattering_of_paths, trace_frame};
+use bart_rcs::{FrameSurroundings, PathView, RcsRequest, Standpoint, Tracer, rcs, scattering_of_paths};
 use glam::DVec3;
 use num_complex::Complex64;
 
@@ -126,7 +126,7 @@ pub(crate) fn dsp() -> DspSettings {
 }
 
 pub(crate) fn trace(scene: &(SceneHeader, SceneFrame)) -> PathsFrame {
-    trace_frame(&Models::build(&scene.0).unwrap(), &scene.0, &scene.1).unwrap()
+    Tracer::new(&scene.0).unwrap().paths(&scene.0, &scene.1, &FrameSurroundings::ALONE).unwrap()
 }
 
 /// S of the paths about the first target's origin at a moment.

@@ -16,8 +16,8 @@ use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader};
 use artifact::settings::{BetweenBodies, Edges, NodeRule, Sides, Surface};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use bart_rcs::{
-    BartError, MemoryLimit, Models, PathView, RcsRequest, Standpoint, rcs, rcs_frame, scattering_of_paths,
-    trace_frame, trace_frame_like,
+    BartError, FrameSurroundings, MemoryLimit, PathView, RcsRequest, Standpoint, Tracer, Unheard, rcs,
+    scattering_of_paths,
 };
 use bodies::carts::{cart, joined, mesh, parallelogram};
 use frames::{RADAR_M, anew, exact, of_paths, pose, radar, relative, scene, trace};
@@ -116,8 +116,8 @@ fn cells_that_outgrow_their_memory_end_the_frame_and_enough_of_it_changes_nothin
     let roof = parallelogram([-2.0, -0.5, 4.6], [4.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
     let (header, frame) = scene(&[(roof, pose([0.8, 0.3, 0.0], [8.0, 0.0, 0.0], 0.0))], &[], -20.0, 1);
     let traced = |mib: u64| {
-        let models = Models::build(&header).unwrap().within(MemoryLimit::of_bytes(mib << 20));
-        trace_frame(&models, &header, &frame)
+        let tracer = Tracer::new(&header).unwrap().within(MemoryLimit::of_bytes(mib << 20));
+        tracer.paths(&header, &frame, &FrameSurroundings::ALONE)
     };
     let Err(BartError::CellsTakeTooMuchMemory { bytes, limit_bytes }) = traced(1) else { panic!("it fits") };
     assert!(bytes > limit_bytes && (1 << 19..=1 << 20).contains(&limit_bytes));
@@ -271,9 +271,11 @@ fn true_error(scene: &(SceneHeader, SceneFrame), frame: &PathsFrame) -> f64 {
 fn a_frame_like_itself_has_the_paths_it_would_have_and_one_like_an_empty_frame_is_measured() {
     let start = pose([5.75, 30.0, 0.0], [0.0, -9.0, 0.0], -FRAC_PI_2);
     let (header, frame) = scene(&[(cart(0.1), start)], &[(2.0, start)], -20.0, 3);
-    let models = Models::build(&header).unwrap();
-    let measured = trace_frame(&models, &header, &frame).unwrap();
-    let like = trace_frame_like(&models, &header, &frame, &measured).unwrap();
+    let tracer = Tracer::new(&header).unwrap();
+    let measured = tracer.paths(&header, &frame, &FrameSurroundings::ALONE).unwrap();
+    let like = tracer
+        .paths(&header, &frame, &FrameSurroundings { like: Some(&measured), ..FrameSurroundings::ALONE })
+        .unwrap();
     assert_eq!((measured.trace.origin, like.trace.origin), (ErrorOrigin::Measured, ErrorOrigin::TakenOver));
     assert!(
         like.paths == measured.paths
@@ -282,7 +284,12 @@ fn a_frame_like_itself_has_the_paths_it_would_have_and_one_like_an_empty_frame_i
     );
     let empty = trace(&scene(&[], &[(2.0, start)], -20.0, 3));
     assert_eq!(empty.trace.fineness, None);
-    assert_eq!(trace_frame_like(&models, &header, &frame, &empty).unwrap(), measured);
+    assert_eq!(
+        tracer
+            .paths(&header, &frame, &FrameSurroundings { like: Some(&empty), ..FrameSurroundings::ALONE })
+            .unwrap(),
+        measured
+    );
 }
 
 /// A body that drives on for half a second after the frame that was measured: its own error is near what that
@@ -297,8 +304,14 @@ fn frames_that_take_an_error_over_err_about_as_it_tells() {
         let told = measured.error.total().unwrap();
         for step in 1..=5 {
             let later = scene(&[(cart(lean), at(f64::from(step)))], &[], accuracy_db, 3);
-            let frame =
-                trace_frame_like(&Models::build(&later.0).unwrap(), &later.0, &later.1, &measured).unwrap();
+            let frame = Tracer::new(&later.0)
+                .unwrap()
+                .paths(
+                    &later.0,
+                    &later.1,
+                    &FrameSurroundings { like: Some(&measured), ..FrameSurroundings::ALONE },
+                )
+                .unwrap();
             let got = true_error(&later, &frame);
             let [told_db, got_db] = [told, got].map(|amplitude| 20.0 * amplitude.log10());
             println!(
@@ -375,7 +388,7 @@ fn paths_of_edges_move_with_the_body_and_add_up_to_its_amplitude() {
         without.paths.len()
     );
     assert!(error <= printed && error < 0.1 && missed > 0.2);
-    let tables = rcs_frame(&Models::build(&scene.0).unwrap(), &scene.0, &scene.1).unwrap();
+    let tables = Tracer::new(&scene.0).unwrap().tables(&scene.0, &scene.1, &Unheard).unwrap();
     assert!(tables.tables[0].amplitude_m.iter().all(|s| s.is_finite()));
 }
 
@@ -384,7 +397,7 @@ fn paths_of_edges_move_with_the_body_and_add_up_to_its_amplitude() {
 fn a_frames_table_holds_the_far_field_amplitude_and_says_how_far_from_the_spherical_wave_it_is() {
     let start = pose([5.75, 30.0, 0.0], [0.0, -10.0, 0.0], -FRAC_PI_2);
     let (header, frame) = scene(&[(cart(0.1), start)], &[(1.0, start)], -20.0, 2);
-    let tables = rcs_frame(&Models::build(&header).unwrap(), &header, &frame).unwrap();
+    let tables = Tracer::new(&header).unwrap().tables(&header, &frame, &Unheard).unwrap();
     assert_eq!(tables.tables.len(), 2);
     assert_eq!(tables.tables[1].amplitude_m, [Complex64::from(1.0)]);
     let table = &tables.tables[0];
@@ -426,7 +439,7 @@ fn a_frames_table_holds_the_far_field_amplitude_and_says_how_far_from_the_spheri
 fn a_frames_table_reaches_below_the_sweep_by_what_the_delay_takes_off() {
     let start = pose([5.75, 300.0, 0.0], [0.0, 10.0, 0.0], -FRAC_PI_2);
     let (header, frame) = scene(&[(cart(0.1), start)], &[], -20.0, 1);
-    let tables = rcs_frame(&Models::build(&header).unwrap(), &header, &frame).unwrap();
+    let tables = Tracer::new(&header).unwrap().tables(&header, &frame, &Unheard).unwrap();
     let waveform = &header.radar.waveform;
     let lowest_hz = waveform.start_frequency_hz - waveform.slope_hz_per_s * 2.0 * 300.0 / SPEED_OF_LIGHT_MPS;
     let got_hz = tables.tables[0].frequency_hz[0];
@@ -446,7 +459,9 @@ fn the_far_field_error_of_a_large_plate_is_told_of_the_spherical_wave() {
     let start = pose([0.0, 25.0, radar_height_m], [0.0; 3], -FRAC_PI_2);
     let (header, frame) = scene(&[(plate, start)], &[], -20.0, 1);
     let error_db = 20.0
-        * rcs_frame(&Models::build(&header).unwrap(), &header, &frame)
+        * Tracer::new(&header)
+            .unwrap()
+            .tables(&header, &frame, &Unheard)
             .unwrap()
             .model_error
             .far_field

@@ -15,7 +15,7 @@ use artifact::cube::CubeHeader;
 use artifact::points::Point;
 use artifact::seed::key;
 use common::{Target, cube, elements_3x4, header, truth, vehicle};
-use dsp::{detect, range_doppler};
+use dsp::Receiver;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -50,8 +50,7 @@ fn main() {
 fn street(header: &CubeHeader, seed: u64) -> String {
     let vehicles = vehicles(seed);
     let targets: Vec<Target> = vehicles.concat();
-    let points =
-        detect(header, &range_doppler(header, &cube(header, &targets, seed)).unwrap()).unwrap().points;
+    let points = Receiver::new(header).unwrap().process(&cube(header, &targets, seed)).unwrap().1.points;
     let mut lines = String::new();
     for point in &points {
         let object = point.object.map_or(-1, i64::from);

@@ -40,7 +40,8 @@ fn counted(window: Window, rate: f64) -> [[f64; 3]; 3] {
     let factor = training * (rate.powf(-1.0 / training) - 1.0);
     let mut sums = [[0.0; 3]; 3];
     for seed in 0..MAPS {
-        let map = dsp::range_doppler(&header, &common::cube(&header, &[], seed)).unwrap();
+        let map =
+            dsp::Receiver::new(&header).unwrap().range_doppler(&common::cube(&header, &[], seed)).unwrap();
         let power: Vec<f64> = dsp::power_map(&header, &map).unwrap().into_raw_vec_and_offset().0;
         let ours = cfar.mask(&power, 0.0);
         (0..power.len()).for_each(|cell| sums[2][zone(cell)] += 1.0);

@@ -3,19 +3,19 @@
 use crate::task::{CANDIDATES, Measurement, job, quickest_s};
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::settings::Detector;
+use dsp::RangeDoppler;
 use dsp::angle::VirtualArray;
 use dsp::cfar::Cfar;
-use dsp::{RangeDoppler, all_channels};
 use rayon::prelude::*;
 
 pub(crate) fn measured(header: &CubeHeader, frame: &CubeFrame) -> Vec<Measurement> {
     let transform = RangeDoppler::new(header).unwrap();
     let of =
         |what: &str, seconds: f64| Measurement { job: job(header, what), program: "ours".into(), seconds };
-    let maps = quickest_s(|| all_channels(header, &transform, &frame.samples).unwrap());
+    let maps = quickest_s(|| transform.all_channels(&frame.samples).unwrap());
     // Copies 16 bytes a value, as a transform must at least.
     let copy = quickest_s(|| frame.samples.clone());
-    let map = dsp::range_doppler(header, frame).unwrap();
+    let map = dsp::Receiver::new(header).unwrap().range_doppler(frame).unwrap();
     let mut list = vec![of("range-Doppler", maps)];
     list.push(Measurement {
         job: job(header, "range-Doppler"),
@@ -32,7 +32,7 @@ pub(crate) fn measured(header: &CubeHeader, frame: &CubeFrame) -> Vec<Measuremen
     let array = VirtualArray::new(header);
     let columns = header.shape()[2];
     let cells = (0..CANDIDATES).into_par_iter().with_min_len(CANDIDATES / 16);
-    let snapshot = |i: usize| [array.snapshot(header, &map, [i / columns, i % columns], 0.0)];
+    let snapshot = |i: usize| [array.snapshot(&map, [i / columns, i % columns], 0.0)];
     let fft =
         quickest_s(|| cells.clone().map(|i| array.fft_direction(&snapshot(i), 40.0)).collect::<Vec<_>>());
     let beams = quickest_s(|| cells.clone().map(|i| array.direction(&snapshot(i), 40.0)).collect::<Vec<_>>());

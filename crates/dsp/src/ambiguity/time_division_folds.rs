@@ -60,20 +60,18 @@ pub(crate) struct Choice {
 impl Folds {
     /// Of a cell that shows `shown_mps`, one for each slot.
     pub(crate) fn of_cell(
-        header: &CubeHeader,
-        map: &RdmFrame,
         array: &VirtualArray,
+        map: &RdmFrame,
         cell: [usize; 2],
         (shown_mps, range_m): (f64, f64),
     ) -> Self {
-        let span_mps = 2.0 * header.radar.velocity_max_mps();
+        let span_mps = 2.0 * array.cells().velocity_max_mps;
         let left_of = |fold: usize| {
-            let (snapshot, idle) =
-                array.snapshot_and_idle(header, map, cell, shown_mps + fold as f64 * span_mps);
+            let (snapshot, idle) = array.snapshot_and_idle(map, cell, shown_mps + fold as f64 * span_mps);
             left_over(array, &snapshot, idle, range_m)
         };
-        let left = (0..header.radar.slots()).map(left_of).collect();
-        Self { shown_mps, span_mps, left, freedom: header.radar.map_channels() as f64 - 2.0 }
+        let left = (0..array.division().slots).map(left_of).collect();
+        Self { shown_mps, span_mps, left, freedom: array.division().map_channels as f64 - 2.0 }
     }
 
     /// The same body's in one more cell.
@@ -132,12 +130,12 @@ fn left_over(array: &VirtualArray, snapshot: &Snapshot, idle: f64, range_m: f64)
 /// one is exactly another direction.
 pub fn least_loss(header: &CubeHeader, directions: &[Direction], range_m: f64) -> f64 {
     let array = VirtualArray::new(header);
-    let slots = header.radar.slots();
+    let slots = array.division().slots;
     let lost = |direction: &Direction, fold: usize| {
         let echo: Snapshot =
             array.steering(*direction, range_m).into_iter().map(|turn_back| turn_back.conj()).collect();
         let power = echo.len() as f64;
-        let (snapshot, idle) = misfolded(header, echo, fold);
+        let (snapshot, idle) = misfolded(&array, echo, fold);
         left_over(&array, &snapshot, idle, range_m) / power
     };
     let losses = directions.iter().flat_map(|d| (1..slots).map(move |fold| lost(d, fold)));
@@ -145,18 +143,18 @@ pub fn least_loss(header: &CubeHeader, directions: &[Direction], range_m: f64) -
 }
 
 /// An echo of a row's middle, so many folds beside it, and what idle codes have of it.
-fn misfolded(header: &CubeHeader, echo: Snapshot, fold: usize) -> (Snapshot, f64) {
-    let (slots, receivers) = (header.radar.slots(), header.radar.array.rx_m.len());
-    let cycles = fold as f64 / slots as f64;
-    if header.radar.array.multiplexing == Multiplexing::Bpm {
+fn misfolded(array: &VirtualArray, echo: Snapshot, fold: usize) -> (Snapshot, f64) {
+    let (division, rows) = (array.division(), array.cells().rows);
+    let cycles = fold as f64 / division.slots as f64;
+    if division.multiplexing == Multiplexing::Bpm {
         let mut codes = echo;
-        codes.resize(header.radar.map_channels(), Complex64::ZERO);
-        let mut turned = in_phase(header, &codes, header.radar.waveform.chirps as usize / 2, -cycles);
-        let idle = turned.split_off(header.radar.virtual_channels());
+        codes.resize(division.map_channels, Complex64::ZERO);
+        let mut turned = in_phase(division, &codes, [rows / 2, rows], -cycles);
+        let idle = turned.split_off(division.pairs());
         return (turned, idle.iter().map(|value| value.norm_sqr()).sum());
     }
     let turned = |(channel, value): (usize, Complex64)| {
-        value * Complex64::from_polar(1.0, TAU * cycles * (channel / receivers) as f64)
+        value * Complex64::from_polar(1.0, TAU * cycles * (channel / division.receivers) as f64)
     };
     (echo.into_iter().enumerate().map(turned).collect(), 0.0)
 }

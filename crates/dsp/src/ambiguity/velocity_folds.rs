@@ -10,22 +10,23 @@
 //! between the sub-frames.
 
 use crate::ambiguity::ambiguous_velocities::{FASTEST_MPS, ambiguity_mps};
-use crate::direction::angle::{Direction, VirtualArray};
+use crate::direction::angle::Direction;
 use crate::direction::position::place;
-use crate::spectrum::axes::coupling_m;
-use artifact::cube::CubeHeader;
+use crate::plan::Plan;
+use artifact::Radar;
 use artifact::points::{Object, Point, PointsFrame};
+use artifact::radar::Multiplexing;
 use artifact::units::amplitude_from_db;
 use glam::DVec3;
 
 /// Points of one sub-frame.
-pub struct SubFrame<'a> {
+struct SubFrame<'a> {
     /// The radar as it is in this sub-frame.
-    pub header: &'a CubeHeader,
+    plan: &'a Plan,
     /// Middle of the sub-frame on any clock that both share, s.
-    pub middle_s: f64,
+    middle_s: f64,
     /// What it shows, velocities folded.
-    pub points: &'a PointsFrame,
+    points: &'a PointsFrame,
 }
 
 /// Partners differ by the places of cells, of which points on slopes keep the centres: 0.6 cells rms and one
@@ -41,10 +42,26 @@ const SECOND_BEST: f64 = 0.8;
 /// Combinations of hypotheses of vehicles that share range cells that are all tried.
 const MOST_COMBINATIONS: usize = 4096;
 
+/// The points of a cycle's sub-frames, each with the velocities that the next one's other chirp interval
+/// tells. Left as they are where there is one sub-frame, and under time division of chirps at changing
+/// intervals: there a velocity's fold would turn the directions too.
+pub(crate) fn resolved<'p>(plan_of: impl Fn(u32) -> &'p Plan, points: Vec<PointsFrame>) -> Vec<PointsFrame> {
+    let turns_directions =
+        |radar: &Radar| radar.array.multiplexing == Multiplexing::Tdm && !radar.schedule.is_uniform();
+    if points.len() < 2 || turns_directions(&plan_of(0).radar) {
+        return points;
+    }
+    let sub_frame = |i: usize| {
+        let (plan, points) = (plan_of(points[i].index), &points[i]);
+        SubFrame { plan, middle_s: points.time_s + plan.radar.frame_middle_s(), points }
+    };
+    (0..points.len()).map(|i| resolved_by(&sub_frame(i), &sub_frame((i + 1) % points.len()))).collect()
+}
+
 /// The points of `own` with velocities as `other` tells them; objects whose fold is beyond doubt say
 /// `velocity_resolved`.
-pub fn resolved(own: &SubFrame<'_>, other: &SubFrame<'_>) -> PointsFrame {
-    let scorer = Scorer::new(own, other);
+fn resolved_by(own: &SubFrame<'_>, other: &SubFrame<'_>) -> PointsFrame {
+    let scorer = Scorer { own, other };
     let choices: Vec<Choice> =
         own.points.objects.iter().enumerate().map(|(o, _)| scorer.choices(Some(o as u32))).collect();
     let chosen = scorer.together(&choices);
@@ -75,17 +92,12 @@ struct Choice {
 struct Scorer<'a> {
     own: &'a SubFrame<'a>,
     other: &'a SubFrame<'a>,
-    array: VirtualArray,
 }
 
-impl<'a> Scorer<'a> {
-    fn new(own: &'a SubFrame<'a>, other: &'a SubFrame<'a>) -> Self {
-        Self { own, other, array: VirtualArray::new(own.header) }
-    }
-
+impl Scorer<'_> {
     /// Folds that stay below the fastest vehicle, and their scores.
     fn choices(&self, object: Option<u32>) -> Choice {
-        let span_mps = ambiguity_mps(self.own.header);
+        let span_mps = ambiguity_mps(&self.own.plan.radar);
         let points: Vec<&Point> = self.own.points.points.iter().filter(|p| p.object == object).collect();
         let strongest_mps = points.first().map_or(0.0, |p| p.radial_velocity_mps);
         let most = (2.0 * FASTEST_MPS / span_mps).ceil() as i32;
@@ -101,7 +113,8 @@ impl<'a> Scorer<'a> {
             let mut met = vec![0.0_f64; self.other.points.points.len()];
             let mut sum = 0.0;
             for point in &points {
-                let near_mps = unwrapped(self.own.header, point.radial_velocity_mps, strongest_mps) + fold;
+                let near_mps =
+                    unwrapped(&self.own.plan.radar, point.radial_velocity_mps, strongest_mps) + fold;
                 let best = self.partners(point, near_mps, &mut met);
                 sum += amplitude_from_db(point.snr_db) * best;
             }
@@ -126,19 +139,18 @@ impl<'a> Scorer<'a> {
     /// 1 where a candidate is what this point, of this velocity, shows in the other sub-frame; less the
     /// farther it is from that.
     fn agreement(&self, point: &Point, velocity_mps: f64, candidate: &Point) -> f64 {
-        let (own, other) = (self.own.header, self.other.header);
-        let velocity_cell_mps =
-            own.radar.velocity_resolution_mps().max(other.radar.velocity_resolution_mps());
-        let velocity =
-            wrapped(other, velocity_mps - candidate.radial_velocity_mps) / (CELLS * velocity_cell_mps);
+        let (own, other) = (self.own.plan.array.cells(), self.other.plan.array.cells());
+        let velocity_cell_mps = own.velocity_cell_mps.max(other.velocity_cell_mps);
+        let velocity = wrapped(&self.other.plan.radar, velocity_mps - candidate.radial_velocity_mps)
+            / (CELLS * velocity_cell_mps);
         if velocity.abs() > 5.0 {
             return 0.0;
         }
         let passed_s = self.other.middle_s - self.own.middle_s;
-        let true_m = point.range_m - coupling_m(own, velocity_mps - point.radial_velocity_mps)
+        let true_m = point.range_m - own.coupling_m(velocity_mps - point.radial_velocity_mps)
             + velocity_mps * passed_s;
-        let shown_m = true_m + coupling_m(other, velocity_mps - candidate.radial_velocity_mps);
-        let range = (shown_m - candidate.range_m) / (CELLS * own.radar.waveform.range_resolution_m());
+        let shown_m = true_m + other.coupling_m(velocity_mps - candidate.radial_velocity_mps);
+        let range = (shown_m - candidate.range_m) / (CELLS * own.range_cell_m);
         let level = (point.snr_db - candidate.snr_db) / LEVEL_DB;
         let squares =
             velocity.powi(2) + range.powi(2) + level.powi(2) + self.beams_apart(point, candidate).powi(2);
@@ -146,7 +158,7 @@ impl<'a> Scorer<'a> {
     }
 
     fn beams_apart(&self, a: &Point, b: &Point) -> f64 {
-        let beam = self.array.beams()[0];
+        let beam = self.own.plan.array.beams()[0];
         let cosine = |p: &Point| self.direction(p.position_m, p.range_m).right;
         if beam.is_finite() { (cosine(a) - cosine(b)) / (BEAMS * beam) } else { 0.0 }
     }
@@ -205,10 +217,10 @@ impl<'a> Scorer<'a> {
     /// Objects whose ranges overlap, as far as the fastest moves them between sub-frames and folds shift
     /// them.
     fn sharing_ranges(&self) -> Vec<Vec<usize>> {
-        let objects = &self.own.points.objects;
+        let (objects, axes) = (&self.own.points.objects, self.own.plan.array.cells());
         let reach_m = FASTEST_MPS * (self.other.middle_s - self.own.middle_s).abs()
-            + coupling_m(self.own.header, FASTEST_MPS).abs()
-            + self.own.header.radar.waveform.range_resolution_m();
+            + axes.coupling_m(FASTEST_MPS).abs()
+            + axes.range_cell_m;
         let mut order: Vec<usize> = (0..objects.len()).collect();
         order.sort_by(|a, b| objects[*a].range_extent_m[0].total_cmp(&objects[*b].range_extent_m[0]));
         let mut groups: Vec<(Vec<usize>, f64)> = vec![];
@@ -228,16 +240,17 @@ impl<'a> Scorer<'a> {
     fn move_object(&self, object: &mut Object, fold_mps: f64) {
         object.radial_velocity_mps += fold_mps;
         object.velocity_extent_mps = object.velocity_extent_mps.map(|v| v + fold_mps);
-        let nearer_m = coupling_m(self.own.header, fold_mps);
+        let nearer_m = self.own.plan.array.cells().coupling_m(fold_mps);
         (object.position_m, object.azimuth_rad, _) = self.moved(object.position_m, object.range_m, nearer_m);
         object.range_m -= nearer_m;
         object.range_extent_m = object.range_extent_m.map(|m| m - nearer_m);
-        object.lane = self.own.header.dsp.road.at(object.position_m);
+        object.lane = self.own.plan.settings.road.at(object.position_m);
     }
 
     fn move_point(&self, point: &mut Point, near_mps: f64) {
-        let velocity_mps = unwrapped(self.own.header, point.radial_velocity_mps, near_mps);
-        let nearer_m = coupling_m(self.own.header, velocity_mps - point.radial_velocity_mps);
+        let velocity_mps = unwrapped(&self.own.plan.radar, point.radial_velocity_mps, near_mps);
+        let fold_mps = velocity_mps - point.radial_velocity_mps;
+        let nearer_m = self.own.plan.array.cells().coupling_m(fold_mps);
         (point.position_m, point.azimuth_rad, point.elevation_rad) =
             self.moved(point.position_m, point.range_m, nearer_m);
         point.range_m -= nearer_m;
@@ -246,26 +259,29 @@ impl<'a> Scorer<'a> {
 
     /// Place, azimuth and elevation in the same direction from the array, `nearer_m` nearer.
     fn moved(&self, position_m: [f64; 3], range_m: f64, nearer_m: f64) -> ([f64; 3], f64, f64) {
-        let place =
-            place(self.own.header, &self.array, self.direction(position_m, range_m), range_m - nearer_m);
+        let direction = self.direction(position_m, range_m);
+        let place = place(&self.own.plan.array, direction, range_m - nearer_m);
         (place.position_m.to_array(), place.azimuth_rad, place.elevation_rad)
     }
 
     fn direction(&self, position_m: [f64; 3], range_m: f64) -> Direction {
-        let [right, up, _] = self.array.axes();
-        let away = (DVec3::from(position_m) - DVec3::from(self.own.header.radar.position_m))
-            / range_m.max(f64::MIN_POSITIVE);
-        Direction { right: away.dot(right), up: self.array.beams()[1].is_finite().then(|| away.dot(up)) }
+        let [right, up, _] = self.own.plan.array.axes();
+        let away =
+            (DVec3::from(position_m) - self.own.plan.array.position_m()) / range_m.max(f64::MIN_POSITIVE);
+        Direction {
+            right: away.dot(right),
+            up: self.own.plan.array.beams()[1].is_finite().then(|| away.dot(up)),
+        }
     }
 }
 
 /// `velocity_mps` moved by whole ambiguities until it is nearest to `near_mps`.
-fn unwrapped(header: &CubeHeader, velocity_mps: f64, near_mps: f64) -> f64 {
-    near_mps + wrapped(header, velocity_mps - near_mps)
+fn unwrapped(radar: &Radar, velocity_mps: f64, near_mps: f64) -> f64 {
+    near_mps + wrapped(radar, velocity_mps - near_mps)
 }
 
-fn wrapped(header: &CubeHeader, velocity_mps: f64) -> f64 {
-    let span_mps = ambiguity_mps(header);
+fn wrapped(radar: &Radar, velocity_mps: f64) -> f64 {
+    let span_mps = ambiguity_mps(radar);
     velocity_mps - span_mps * (velocity_mps / span_mps).round()
 }
 

@@ -4,8 +4,7 @@
 //! itself, and a classifier that learned from vehicles alone takes it for a part of this one. Distances are
 //! counted in cells along both axes, so that a strong neighbour keeps its own side lobes too.
 
-use crate::spectrum::axes::{column_at, coupling_m, row_at};
-use artifact::cube::CubeHeader;
+use crate::spectrum::axes::Axes;
 use artifact::points::PointsFrame;
 
 /// Points of objects in and around a part of the map, `[row, column]`.
@@ -17,14 +16,14 @@ pub(crate) struct CellOwners {
 
 impl CellOwners {
     /// Of the points within a window of cells, `[first, last]` of rows and of columns; rows are not wrapped.
-    pub(crate) fn within(header: &CubeHeader, points: &PointsFrame, [rows, columns]: [[i64; 2]; 2]) -> Self {
-        let chirps = f64::from(header.radar.waveform.chirps);
+    pub(crate) fn within(axes: &Axes, points: &PointsFrame, [rows, columns]: [[i64; 2]; 2]) -> Self {
+        let chirps = axes.rows as f64;
         let middle = 0.5 * (rows[0] + rows[1]) as f64;
         let half = 0.5 * (rows[1] - rows[0]) as f64;
         let located = points.points.iter().filter_map(|point| {
             let velocity_mps = point.radial_velocity_mps;
-            let column = column_at(header, point.range_m + coupling_m(header, velocity_mps));
-            Some(([row_at(header, velocity_mps), column], point.object?))
+            let column = axes.column_at(point.range_m + axes.coupling_m(velocity_mps));
+            Some(([axes.row_at(velocity_mps), column], point.object?))
         });
         let is_near = |([row, column], _): &([f64; 2], u32)| {
             wrapped(row - middle, chirps).abs() <= half

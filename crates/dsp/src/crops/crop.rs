@@ -4,9 +4,7 @@
 use crate::crops::cell_owners::CellOwners;
 use crate::direction::angle::{Direction, VirtualArray};
 use crate::error::DspError;
-use crate::spectrum::axes::{column_at, coupling_m, row_at, unwrapped, velocity_at};
-use crate::spectrum::noncoherent::noise_power;
-use artifact::cube::CubeHeader;
+use crate::plan::Plan;
 use artifact::dataset::{Crop, CropFormat};
 use artifact::points::{Object, PointsFrame};
 use artifact::rdm::RdmFrame;
@@ -26,39 +24,27 @@ pub const PAPER_CROP: CropFormat =
 /// Largest side that is drawn.
 const LARGEST_SIDE: u32 = 8192;
 
-/// The map beamformed to the object's azimuth, cut around it; columns grow with range, rows with velocity.
-///
-/// Power is interpolated linearly between cells. Velocity wraps, as the map's does; columns outside the map
-/// are black. Ranges are those of echoes at the object's velocity (free of range–Doppler coupling), as
-/// [`Object::range_m`] is.
-pub fn crop(
-    header: &CubeHeader,
-    map: &RdmFrame,
-    object: &Object,
-    format: &CropFormat,
-) -> Result<Crop, DspError> {
-    Cropper::new(header, map, format)?.crop(object)
-}
-
 /// Crops of one map: what all of them need of it is found once.
 pub struct Cropper<'a> {
-    header: CubeHeader,
+    plan: &'a Plan,
     map: &'a RdmFrame,
     format: CropFormat,
-    array: VirtualArray,
     noise: f64,
 }
 
 impl<'a> Cropper<'a> {
     /// For crops of one format.
-    pub fn new(header: &CubeHeader, map: &'a RdmFrame, format: &CropFormat) -> Result<Self, DspError> {
+    pub(crate) fn new(plan: &'a Plan, map: &'a RdmFrame, format: &CropFormat) -> Result<Self, DspError> {
         check_format(format)?;
-        let header = header.in_frame(map.index);
-        let (noise, array) = (noise_power(&header, map)?, VirtualArray::new(&header));
-        Ok(Self { header, map, format: *format, array, noise })
+        Ok(Self { plan, map, format: *format, noise: plan.levels(map)?.noise() })
     }
 
-    /// As [`crop()`], whatever else is in the map.
+    /// The map beamformed to the object's azimuth, cut around it, whatever else is in it; columns grow with
+    /// range, rows with velocity.
+    ///
+    /// Power is interpolated linearly between cells. Velocity wraps, as the map's does; columns outside the
+    /// map are black. Ranges are those of echoes at the object's velocity (free of range–Doppler coupling),
+    /// as [`Object::range_m`] is.
     pub fn crop(&self, object: &Object) -> Result<Crop, DspError> {
         self.drawn(object, |patch| patch)
     }
@@ -68,19 +54,20 @@ impl<'a> Cropper<'a> {
     pub fn crop_among(&self, points: &PointsFrame, object: u32) -> Result<Crop, DspError> {
         let own = points.objects.get(object as usize).ok_or(DspError::NoSuchObject { object })?;
         self.drawn(own, |patch| {
-            let owners = CellOwners::within(&self.header, points, patch.window());
+            let owners = CellOwners::within(self.plan.array.cells(), points, patch.window());
             patch.capped(self.noise, |cell| owners.of(cell).is_some_and(|owner| owner != object))
         })
     }
 
     fn drawn(&self, object: &Object, kept: impl FnOnce(Patch) -> Patch) -> Result<Crop, DspError> {
         check_object(object)?;
-        let (header, format, centre_mps) = (&self.header, &self.format, object.radial_velocity_mps);
+        let (axes, format) = (self.plan.array.cells(), &self.format);
+        let centre_mps = object.radial_velocity_mps;
+        let centre_m = object.range_m + axes.coupling_m(centre_mps);
         let columns =
-            pixel_centres(object.range_m + coupling_m(header, centre_mps), format.range_span_m, format.side)
-                .map(|range_m| column_at(header, range_m));
+            pixel_centres(centre_m, format.range_span_m, format.side).map(|range_m| axes.column_at(range_m));
         let rows = pixel_centres(centre_mps, format.velocity_span_mps, format.side)
-            .map(|velocity_mps| row_at(header, velocity_mps));
+            .map(|velocity_mps| axes.row_at(velocity_mps));
         let (rows, columns): (Vec<f64>, Vec<f64>) = (rows.collect(), columns.collect());
         let lines = kept(Patch::beamformed(self, object, &rows, &columns)).along(&columns);
         let pixels = rows.iter().flat_map(|row| lines.between(*row));
@@ -93,12 +80,11 @@ impl<'a> Cropper<'a> {
 
     /// |beam|² over the number of channels: noise keeps the level it has in one channel.
     fn cell_power(&self, steering: &[Complex64], object: &Object, [row, column]: [i64; 2]) -> f64 {
-        let chirps = i64::from(self.header.radar.waveform.chirps);
-        let row = row.rem_euclid(chirps) as usize;
-        let velocity_mps =
-            unwrapped(&self.header, velocity_at(&self.header, row as f64), object.radial_velocity_mps);
-        let snapshot = self.array.snapshot(&self.header, self.map, [row, column as usize], velocity_mps);
-        self.array.beam(&snapshot, steering).norm_sqr() / snapshot.len() as f64
+        let (array, axes) = (&self.plan.array, self.plan.array.cells());
+        let row = row.rem_euclid(axes.rows as i64) as usize;
+        let velocity_mps = axes.unwrapped(axes.velocity_at(row as f64), object.radial_velocity_mps);
+        let snapshot = array.snapshot(self.map, [row, column as usize], velocity_mps);
+        array.beam(&snapshot, steering).norm_sqr() / snapshot.len() as f64
     }
 }
 
@@ -147,11 +133,11 @@ impl Patch {
     fn beamformed(cropper: &Cropper<'_>, object: &Object, rows: &[f64], columns: &[f64]) -> Self {
         let [first_row, last_row] = reach(rows);
         let [first_column, last_column] = reach(columns);
-        let samples = cropper.header.radar.waveform.range_cells() as i64;
+        let array = &cropper.plan.array;
+        let samples = array.cells().columns as i64;
         let (first_column, end_column) =
             (first_column.clamp(0, samples), (last_column + 1).clamp(0, samples));
-        let direction = direction_of(&cropper.header, &cropper.array, object);
-        let steering = cropper.array.steering(direction, object.range_m);
+        let steering = array.steering(direction_of(array, object), object.range_m);
         let size = ((last_row + 1 - first_row) as usize, (end_column - first_column).max(0) as usize);
         let power = Array2::from_shape_fn(size, |(row, column)| {
             cropper.cell_power(&steering, object, [first_row + row as i64, first_column + column as i64])
@@ -215,8 +201,8 @@ fn reach(places: &[f64]) -> [i64; 2] {
     [low.floor() as i64, high.floor() as i64 + 1]
 }
 
-pub(crate) fn direction_of(header: &CubeHeader, array: &VirtualArray, object: &Object) -> Direction {
-    let from_radar = DVec3::from(object.position_m) - DVec3::from(header.radar.position_m);
+pub(crate) fn direction_of(array: &VirtualArray, object: &Object) -> Direction {
+    let from_radar = DVec3::from(object.position_m) - array.position_m();
     let [right, up, _] = array.axes();
     // The steering of an array without rows does not feel `up`.
     let unit = from_radar.try_normalize().unwrap_or(array.axes()[2]);

@@ -2,10 +2,11 @@
 
 use crate::crops::crop::{PAPER_CROP, grey};
 use crate::error::DspError;
-use crate::spectrum::noncoherent::{noise_power, power_map};
+use crate::spectrum::noncoherent::Levels;
+use crate::spectrum::shapes::Shapes;
 use artifact::cube::CubeHeader;
 use artifact::rdm::RdmFrame;
-use ndarray::Array2;
+use ndarray::ArrayView2;
 
 /// Noncoherent sum of a map as 451 × 451 grey levels, row-major `[velocity, range]`, velocity growing
 /// downwards.
@@ -14,19 +15,19 @@ use ndarray::Array2;
 /// power. Pixel centres spread from half a cell before the first to half a cell behind the last; beyond the
 /// outermost centres their cells go on.
 pub fn rdm_grayscale(header: &CubeHeader, map: &RdmFrame) -> Result<Vec<u8>, DspError> {
-    let power = power_map(header, map)?;
-    let noise = noise_power(header, map)? * header.radar.map_channels() as f64;
+    let levels = Levels::of(&Shapes::of(header)?, map)?;
+    let (power, noise) = (levels.power(), levels.noise() * header.radar.map_channels() as f64);
     let (rows, columns) = power.dim();
     let side = PAPER_CROP.side as usize;
     let place = |pixel: usize, cells: usize| (pixel as f64 + 0.5) * cells as f64 / side as f64 - 0.5;
     let pixel = |(row, column)| {
-        let level = between(&power, place(row, rows), place(column, columns));
+        let level = between(power, place(row, rows), place(column, columns));
         grey(level, noise, &PAPER_CROP)
     };
     Ok((0..side * side).map(|i| pixel((i / side, i % side))).collect())
 }
 
-fn between(power: &Array2<f64>, row: f64, column: f64) -> f64 {
+fn between(power: ArrayView2<f64>, row: f64, column: f64) -> f64 {
     let (rows, columns) = power.dim();
     let ([top, bottom], down) = neighbours(row, rows);
     let ([left, right], across) = neighbours(column, columns);

@@ -7,12 +7,10 @@
 
 use crate::crops::cell_owners::CellOwners;
 use crate::crops::crop::{check_object, direction_of};
-use crate::direction::angle::{Direction, VirtualArray};
+use crate::direction::angle::Direction;
 use crate::direction::position::{Place, place};
 use crate::error::DspError;
-use crate::spectrum::axes::{column_at, coupling_m, row_at, unwrapped, velocity_at};
-use crate::spectrum::noncoherent::{noise_power, power_map};
-use artifact::cube::CubeHeader;
+use crate::plan::Plan;
 use artifact::points::{Object, PointsFrame};
 use artifact::rdm::RdmFrame;
 use artifact::signature::{Signature, SignatureCell};
@@ -39,9 +37,8 @@ const LEAST_PATTERN: f64 = 0.1;
 
 /// Signatures of the objects of one map: what all of them need of it is found once.
 pub struct Signatures<'a> {
-    header: CubeHeader,
+    plan: &'a Plan,
     map: &'a RdmFrame,
-    array: VirtualArray,
     /// Mean over channels, `[doppler, range]`.
     power: Array2<f64>,
     /// Of one channel.
@@ -59,16 +56,13 @@ struct Search<'o> {
 }
 
 impl<'a> Signatures<'a> {
-    /// Of a map that this header describes.
+    /// Of a map of this sub-frame.
     ///
     /// # Errors
     /// The map has another shape, or holds values that are no numbers.
-    pub fn new(header: &CubeHeader, map: &'a RdmFrame) -> Result<Self, DspError> {
-        let header = header.in_frame(map.index);
-        let noise = noise_power(&header, map)?;
-        let power = power_map(&header, map)? / header.radar.map_channels() as f64;
-        let array = VirtualArray::new(&header);
-        Ok(Self { header, map, array, power, noise })
+    pub(crate) fn new(plan: &'a Plan, map: &'a RdmFrame) -> Result<Self, DspError> {
+        let levels = plan.levels(map)?;
+        Ok(Self { plan, map, noise: levels.noise(), power: levels.into_mean() })
     }
 
     /// The signature of one object among the others of its frame.
@@ -82,16 +76,16 @@ impl<'a> Signatures<'a> {
         let search = self.search(points, own, object, columns);
         let cells: Vec<SignatureCell> =
             (columns[0]..=columns[1]).map(|column| self.cell(&search, column)).collect();
-        let [across, above] = self.array.beams();
+        let [across, above] = self.plan.array.beams();
         let width = |beam: f64| beam.is_finite().then_some(beam);
         Ok(Signature {
             range_m: own.range_m,
             radial_velocity_mps: own.radial_velocity_mps,
             azimuth_rad: search.direction.right.clamp(-1.0, 1.0).asin(),
-            radar_height_m: self.header.radar.position_m[2],
+            radar_height_m: self.plan.radar.position_m[2],
             beams: [width(across), width(above)],
-            cell_m: self.header.radar.waveform.range_resolution_m(),
-            velocity_cell_mps: self.header.radar.velocity_resolution_mps(),
+            cell_m: self.plan.array.cells().range_cell_m,
+            velocity_cell_mps: self.plan.array.cells().velocity_cell_mps,
             noise_dbsm: self.noise_dbsm(own, search.direction),
             points: own.points,
             range_extent_m: own.range_extent_m,
@@ -103,17 +97,17 @@ impl<'a> Signatures<'a> {
 
     /// First and last, within the map.
     fn columns(&self, object: &Object) -> [i64; 2] {
-        let last = self.power.ncols() as i64 - 1;
-        let shift_m = coupling_m(&self.header, object.radial_velocity_mps);
+        let (last, axes) = (self.power.ncols() as i64 - 1, self.plan.array.cells());
+        let shift_m = axes.coupling_m(object.radial_velocity_mps);
         [-BEFORE_M, BEHIND_M].map(|offset_m| {
-            let column = column_at(&self.header, object.range_extent_m[0] + shift_m + offset_m);
+            let column = axes.column_at(object.range_extent_m[0] + shift_m + offset_m);
             (column.round() as i64).clamp(0, last)
         })
     }
 
     fn range_at(&self, column: i64, velocity_mps: f64) -> f64 {
-        column as f64 * self.header.radar.waveform.range_resolution_m()
-            - coupling_m(&self.header, velocity_mps)
+        let axes = self.plan.array.cells();
+        axes.range_at(column as f64) - axes.coupling_m(velocity_mps)
     }
 
     fn search<'o>(
@@ -123,19 +117,19 @@ impl<'a> Signatures<'a> {
         number: u32,
         columns: [i64; 2],
     ) -> Search<'o> {
-        let velocity_mps = object.radial_velocity_mps;
-        let chirps = self.power.nrows() as i64;
-        let [first, last] = [-GATE_MPS, GATE_MPS].map(|offset| row_at(&self.header, velocity_mps + offset));
+        let (velocity_mps, chirps) = (object.radial_velocity_mps, self.power.nrows() as i64);
+        let (array, axes) = (&self.plan.array, self.plan.array.cells());
+        let [first, last] = [-GATE_MPS, GATE_MPS].map(|offset| axes.row_at(velocity_mps + offset));
         let first = first.floor() as i64;
         let rows = [first, (last.ceil() as i64).min(first + chirps - 1)];
-        let direction = direction_of(&self.header, &self.array, object);
+        let direction = direction_of(array, object);
         Search {
             object,
             number,
-            owners: CellOwners::within(&self.header, points, [rows, columns]),
+            owners: CellOwners::within(axes, points, [rows, columns]),
             rows,
             direction,
-            place: place(&self.header, &self.array, direction, object.range_m),
+            place: place(array, direction, object.range_m),
         }
     }
 
@@ -156,18 +150,17 @@ impl<'a> Signatures<'a> {
 
     /// What the channels of a cell say.
     fn located(&self, search: &Search<'_>, [row, column]: [i64; 2], power: f64) -> SignatureCell {
-        let header = &self.header;
-        let row = row.rem_euclid(self.power.nrows() as i64) as usize;
-        let shown_mps = velocity_at(header, row as f64);
-        let velocity_mps = unwrapped(header, shown_mps, search.object.radial_velocity_mps);
-        let snapshot = self.array.snapshot(header, self.map, [row, column as usize], velocity_mps);
-        let range_m = self.range_at(column, velocity_mps).max(header.radar.waveform.range_resolution_m());
+        let (array, axes) = (&self.plan.array, self.plan.array.cells());
+        let row = row.rem_euclid(axes.rows as i64) as usize;
+        let velocity_mps = axes.unwrapped(axes.velocity_at(row as f64), search.object.radial_velocity_mps);
+        let snapshot = array.snapshot(self.map, [row, column as usize], velocity_mps);
+        let range_m = self.range_at(column, velocity_mps).max(axes.range_cell_m);
         let (direction, found) = self.direction(search, &snapshot, range_m, power);
-        let explained = self.array.explained(&snapshot, direction, range_m);
+        let explained = array.explained(&snapshot, direction, range_m);
         let total: f64 = snapshot.iter().map(|value| value.norm_sqr()).sum();
         SignatureCell {
             level_db: db_from_power((explained / self.noise.max(f64::MIN_POSITIVE)).max(1e-3)) as f32,
-            cross_m: cross_m(header, &search.place, &found) as f32,
+            cross_m: self.cross_m(&search.place, &found) as f32,
             height_m: self.has_rows().then_some(found.position_m.z as f32),
             coherence: (explained / total.max(f64::MIN_POSITIVE)) as f32,
             velocity_spread_mps: 0.0,
@@ -182,18 +175,15 @@ impl<'a> Signatures<'a> {
         range_m: f64,
         power: f64,
     ) -> (Direction, Place) {
-        let own = || (search.direction, place(&self.header, &self.array, search.direction, range_m));
+        let array = &self.plan.array;
+        let own = || (search.direction, place(array, search.direction, range_m));
         let deviation = self.noise / (snapshot.len() as f64).sqrt();
         if power < self.noise + DEVIATIONS * deviation {
             return own();
         }
-        let direction = self.array.direction(&[snapshot.to_vec()], range_m);
-        let found = place(&self.header, &self.array, direction, range_m);
-        if cross_m(&self.header, &search.place, &found).abs() <= ACROSS_M {
-            (direction, found)
-        } else {
-            own()
-        }
+        let direction = array.direction(&[snapshot.to_vec()], range_m);
+        let found = place(array, direction, range_m);
+        if self.cross_m(&search.place, &found).abs() <= ACROSS_M { (direction, found) } else { own() }
     }
 
     /// Of the power over the noise.
@@ -207,11 +197,11 @@ impl<'a> Signatures<'a> {
             return 0.0;
         }
         let mean = sum(&|row| row) / total;
-        (sum(&|row| (row - mean).powi(2)) / total).sqrt() * self.header.radar.velocity_resolution_mps()
+        (sum(&|row| (row - mean).powi(2)) / total).sqrt() * self.plan.array.cells().velocity_cell_mps
     }
 
     fn has_rows(&self) -> bool {
-        self.array.beams()[1].is_finite()
+        self.plan.array.beams()[1].is_finite()
     }
 
     fn nothing(&self) -> SignatureCell {
@@ -222,7 +212,7 @@ impl<'a> Signatures<'a> {
     /// σ = P (4π)³R⁴/(P_t G²λ² N_s²N_c² N) of a beam over N channels, P the noise of one; the windows'
     /// coherent gain is 1.
     fn noise_dbsm(&self, object: &Object, direction: Direction) -> f64 {
-        let (radar, waveform) = (&self.header.radar, &self.header.radar.waveform);
+        let (radar, waveform) = (&self.plan.radar, &self.plan.radar.waveform);
         let gain = power_from_db(radar.link.antenna_gain_db);
         let transform = f64::from(waveform.samples) * f64::from(waveform.chirps);
         let up = direction.up.unwrap_or_else(|| self.assumed_up(object));
@@ -236,14 +226,14 @@ impl<'a> Signatures<'a> {
 
     /// Direction cosine along up of an array without rows: of the height that the object is assumed to have.
     fn assumed_up(&self, object: &Object) -> f64 {
-        let from_radar = DVec3::from(object.position_m) - DVec3::from(self.header.radar.position_m);
-        from_radar.normalize_or_zero().dot(self.array.axes()[1])
+        let from_radar = DVec3::from(object.position_m) - self.plan.array.position_m();
+        from_radar.normalize_or_zero().dot(self.plan.array.axes()[1])
     }
-}
 
-/// How far a place lies to the right of an object's, across the horizontal line of sight to it.
-fn cross_m(header: &CubeHeader, object: &Place, found: &Place) -> f64 {
-    let radar = DVec3::from(header.radar.position_m);
-    let sight = (object.position_m - radar).truncate().normalize_or(DVec2::Y);
-    (found.position_m - object.position_m).truncate().dot(DVec2::new(sight.y, -sight.x))
+    /// How far a place lies to the right of an object's, across the horizontal line of sight to it.
+    fn cross_m(&self, object: &Place, found: &Place) -> f64 {
+        let radar = self.plan.array.position_m();
+        let sight = (object.position_m - radar).truncate().normalize_or(DVec2::Y);
+        (found.position_m - object.position_m).truncate().dot(DVec2::new(sight.y, -sight.x))
+    }
 }

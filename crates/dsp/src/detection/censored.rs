@@ -8,8 +8,6 @@
 
 use crate::detection::cfar::{DETECTED, TESTED};
 use crate::detection::cfar_threshold::threshold_factor;
-use crate::error::DspError;
-use crate::spectrum::window::{noise_bandwidth_bins, taper};
 use artifact::cube::CubeHeader;
 use artifact::radar::Multiplexing;
 use artifact::settings::Detector;
@@ -21,27 +19,58 @@ const LEAST_SHARE: f64 = 0.25;
 /// Each pass finds what the echoes of the one before had hidden.
 const MOST_PASSES: usize = 8;
 
+/// The training cells of a radar's detector.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Censoring {
+    /// Whether cells are tested again at all.
+    has_hidden: bool,
+    /// [doppler, range].
+    guard: [i64; 2],
+    whole: [i64; 2],
+    channels: usize,
+    false_alarm_rate: f64,
+    /// Cells that noise in one of them takes part in, by both windows.
+    per_independent: f64,
+}
+
+impl Censoring {
+    /// Of a header whose windows' noise spreads over so many cells.
+    ///
+    /// Detectors other than those that average (`ca-cfar`, `go-cfar`) have their own way with several echoes,
+    /// and keep their mask. So does Doppler division: what its mask leaves out are the other transmitters'
+    /// bands of an echo, which nothing hides.
+    pub(crate) fn new(header: &CubeHeader, per_independent: f64) -> Self {
+        let settings = &header.dsp;
+        let averages = matches!(settings.detector, Detector::CaCfar | Detector::GoCfar);
+        let guard = settings.guard_cells.map(i64::from);
+        let training = settings.training_cells.map(i64::from);
+        Self {
+            has_hidden: averages && header.radar.array.multiplexing != Multiplexing::Ddm,
+            guard,
+            whole: [guard[0] + training[0], guard[1] + training[1]],
+            channels: header.radar.map_channels(),
+            false_alarm_rate: settings.false_alarm_rate,
+            per_independent,
+        }
+    }
+}
+
 /// The mask with the hidden cells detected; `noise_threshold` is what noise alone hardly passes, were its
 /// level known.
-///
-/// Detectors other than those that average (`ca-cfar`, `go-cfar`) have their own way with several echoes, and
-/// keep their mask. So does Doppler division: what its mask leaves out are the other transmitters' bands of
-/// an echo, which nothing hides.
 pub(crate) fn unmasked(
-    header: &CubeHeader,
+    censoring: &Censoring,
     power: ArrayView2<f64>,
     mask: &[u8],
     noise_threshold: f64,
-) -> Result<Vec<u8>, DspError> {
+) -> Vec<u8> {
     let mut mask = mask.to_vec();
-    let averages = matches!(header.dsp.detector, Detector::CaCfar | Detector::GoCfar);
-    if !averages || header.radar.array.multiplexing == Multiplexing::Ddm {
-        return Ok(mask);
+    if !censoring.has_hidden {
+        return mask;
     }
     let strong =
         power.iter().enumerate().filter(|(cell, power)| mask[*cell] == TESTED && **power > noise_threshold);
     let mut hidden: Vec<usize> = strong.map(|(cell, _)| cell).collect();
-    let mut window = TrainingWindow::new(header, power)?;
+    let mut window = TrainingWindow { power, censoring: *censoring, factors: BTreeMap::new() };
     for _ in 0..MOST_PASSES {
         let echoes = window.with_skirts(&mask);
         let (found, left): (Vec<usize>, Vec<usize>) =
@@ -52,46 +81,23 @@ pub(crate) fn unmasked(
         found.into_iter().for_each(|cell| mask[cell] = DETECTED);
         hidden = left;
     }
-    Ok(mask)
+    mask
 }
 
 /// Training cells around a cell, and thresholds by how many of them are left.
 struct TrainingWindow<'a> {
     power: ArrayView2<'a, f64>,
-    /// [doppler, range].
-    guard: [i64; 2],
-    whole: [i64; 2],
-    channels: usize,
-    false_alarm_rate: f64,
-    /// Cells that noise in one of them takes part in, by both windows.
-    per_independent: f64,
+    censoring: Censoring,
     factors: BTreeMap<usize, f64>,
 }
 
-impl<'a> TrainingWindow<'a> {
-    fn new(header: &CubeHeader, power: ArrayView2<'a, f64>) -> Result<Self, DspError> {
-        let (settings, waveform) = (&header.dsp, &header.radar.waveform);
-        let doppler = taper(settings.doppler_window, waveform.chirps as usize)?;
-        let range = taper(settings.range_window, waveform.samples as usize)?;
-        let guard = settings.guard_cells.map(i64::from);
-        let training = settings.training_cells.map(i64::from);
-        Ok(Self {
-            power,
-            guard,
-            whole: [guard[0] + training[0], guard[1] + training[1]],
-            channels: header.radar.map_channels(),
-            false_alarm_rate: settings.false_alarm_rate,
-            per_independent: noise_bandwidth_bins(&doppler) * noise_bandwidth_bins(&range),
-            factors: BTreeMap::new(),
-        })
-    }
-
+impl TrainingWindow<'_> {
     /// Detected cells and those within the guard of one: where an echo's main lobe may still be.
     fn with_skirts(&self, mask: &[u8]) -> Vec<bool> {
         let columns = self.power.ncols();
         let mut echoes = vec![false; mask.len()];
         for cell in (0..mask.len()).filter(|cell| mask[*cell] == DETECTED) {
-            for [down, along] in offsets(self.guard) {
+            for [down, along] in offsets(self.censoring.guard) {
                 if let Some(at) = self.cell_at(cell / columns, cell % columns, down, along) {
                     echoes[at] = true;
                 }
@@ -102,10 +108,11 @@ impl<'a> TrainingWindow<'a> {
 
     fn passes(&mut self, cell: usize, echoes: &[bool]) -> bool {
         let columns = self.power.ncols();
+        let (guard, whole) = (self.censoring.guard, self.censoring.whole);
         let (row, column) = (cell / columns, cell % columns);
         let (mut sum, mut count, mut all) = (0.0, 0, 0);
-        for [down, along] in offsets(self.whole) {
-            let is_guard = down.abs() <= self.guard[0] && along.abs() <= self.guard[1];
+        for [down, along] in offsets(whole) {
+            let is_guard = down.abs() <= guard[0] && along.abs() <= guard[1];
             if let Some(at) = self.cell_at(row, column, down, along).filter(|_| !is_guard) {
                 all += 1;
                 if !echoes[at] {
@@ -119,8 +126,8 @@ impl<'a> TrainingWindow<'a> {
     }
 
     fn factor(&mut self, cells: usize) -> f64 {
-        let independent = cells as f64 / self.per_independent;
-        let (channels, rate) = (self.channels, self.false_alarm_rate);
+        let Censoring { per_independent, channels, false_alarm_rate: rate, .. } = self.censoring;
+        let independent = cells as f64 / per_independent;
         *self.factors.entry(cells).or_insert_with(|| threshold_factor(independent, channels, rate))
     }
 

@@ -30,14 +30,12 @@ use crate::detection::noise_estimate::{
 };
 use crate::error::{Axis, DspError};
 use crate::numerics::box_sums::BoxSums;
-use crate::spectrum::axes::checked_shape;
+use crate::spectrum::shapes::Shapes;
 use crate::spectrum::window::{noise_correlation, taper};
 use artifact::cube::CubeHeader;
 use artifact::radar::Sampling;
-use artifact::settings::{Detector, FALSE_ALARM_RATES};
+use artifact::settings::{Detector, DspSettings, FALSE_ALARM_RATES};
 use rayon::prelude::*;
-use std::collections::VecDeque;
-use std::sync::{Arc, Mutex};
 
 /// Mask of a cell that no threshold was made for.
 pub const UNTESTED: u8 = 0;
@@ -54,7 +52,7 @@ pub struct Cfar {
     chirps: usize,
     samples: usize,
     detector: Detector,
-    zones: Arc<Zones>,
+    zones: Zones,
     /// Of each range cell, whether its noise is circular.
     tested: Vec<bool>,
 }
@@ -93,13 +91,13 @@ struct Zone {
 impl Cfar {
     /// Thresholds that a cube's header asks for.
     pub fn new(header: &CubeHeader) -> Result<Self, DspError> {
-        let [_, chirps, samples] = checked_shape(header)?;
+        let [_, chirps, samples] = Shapes::of(header)?.map;
         let rate = header.dsp.false_alarm_rate;
         if !FALSE_ALARM_RATES.contains(&rate) {
             return Err(DspError::FalseAlarmRate(rate));
         }
         let tested = circular_columns(header, samples)?;
-        Ok(Self { chirps, samples, detector: header.dsp.detector, zones: kept_zones(header)?, tested })
+        Ok(Self { chirps, samples, detector: header.dsp.detector, zones: zones(header)?, tested })
     }
 
     /// Mask `[doppler, range]` of a power map; `floor` is added to the noise estimate (0 where there is
@@ -265,37 +263,16 @@ fn typical(power: &[f64]) -> f64 {
     if some.is_empty() { 0.0 } else { *some.select_nth_unstable_by(middle, f64::total_cmp).1 }
 }
 
-/// Thresholds of the last settings asked for, newest last: a sequence of frames asks for the same ones.
-static KEPT: Mutex<VecDeque<(CubeHeader, Arc<Zones>)>> = Mutex::new(VecDeque::new());
-/// Settings whose thresholds are kept: more than the radars of one scene.
-const KEPT_SETTINGS: usize = 32;
-
-fn kept_zones(header: &CubeHeader) -> Result<Arc<Zones>, DspError> {
-    // A poisoned lock means that another thread ended while it held the lock; what it kept is whole or not
-    // there.
-    let kept = || KEPT.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-    if let Some((_, zones)) = kept().iter().find(|(known, _)| known == header) {
-        return Ok(Arc::clone(zones));
-    }
-    let zones = Arc::new(zones(header)?);
-    let mut kept = kept();
-    if kept.len() == KEPT_SETTINGS {
-        kept.pop_front();
-    }
-    kept.push_back((header.clone(), Arc::clone(&zones)));
-    Ok(zones)
-}
-
 /// The zones of all cells: those as far from both ends of the range axis, and as far from their images, share
 /// their thresholds.
 fn zones(header: &CubeHeader) -> Result<Zones, DspError> {
-    let [channels, chirps, samples] = checked_shape(header)?;
-    let (guard, outer) = regions(header, [chirps, samples])?;
+    let (settings, [channels, chirps, samples]) = (&header.dsp, Shapes::of(header)?.map);
+    let (guard, outer) = regions(settings, [chirps, samples])?;
     let correlation = Correlation::new(header, outer)?;
     let images = Images::new(header, outer);
     let place = |row_image: Option<i64>, column: usize| {
         let reach = [column.min(outer[1]), (samples - 1 - column).min(outer[1])];
-        let regions = |image| training_regions(header, [guard, outer], reach, image);
+        let regions = |image| training_regions(settings, [guard, outer], reach, image);
         let image = row_image.and_then(|row| Some([row, images.of_column(column)?]));
         (reach, image.filter(|_| regions(image).iter().any(|region| correlation.meets_image(region))))
     };
@@ -307,9 +284,9 @@ fn zones(header: &CubeHeader) -> Result<Zones, DspError> {
     let zones: Vec<(Vec<Region>, f64, usize)> = different
         .par_iter()
         .map(|(reach, image)| {
-            let mut regions = training_regions(header, [guard, outer], *reach, *image);
+            let mut regions = training_regions(settings, [guard, outer], *reach, *image);
             regions.iter_mut().for_each(|r| r.image = r.image.filter(|_| correlation.meets_image(r)));
-            let (factor, rank) = threshold(header, &correlation, &regions, channels);
+            let (factor, rank) = threshold(settings, &correlation, &regions, channels);
             (regions, factor, rank)
         })
         .collect();
@@ -335,7 +312,7 @@ fn heights<'a>(regions: impl Iterator<Item = &'a Region>) -> Vec<[i64; 2]> {
 /// The ring of CA and OS, or the halves of GO and SO that have cells, where the range axis reaches this far
 /// both ways and the cell under test has its image this far away.
 fn training_regions(
-    header: &CubeHeader,
+    settings: &DspSettings,
     [guard, outer]: [[usize; 2]; 2],
     reach: [usize; 2],
     image: Option<[i64; 2]>,
@@ -344,10 +321,10 @@ fn training_regions(
     let whole = [sides(outer[0], outer[0]), sides(reach[0], reach[1])];
     let near = |half: usize| half.min(guard[1]);
     let hole = [sides(guard[0], guard[0]), sides(near(reach[0]), near(reach[1]))];
-    match header.dsp.detector {
+    match settings.detector {
         Detector::CaCfar | Detector::OsCfar => vec![Region { whole, hole: Some(hole), image }],
         Detector::GoCfar | Detector::SoCfar => {
-            let axis = usize::from(header.dsp.training_cells[1] > 0);
+            let axis = usize::from(settings.training_cells[1] > 0);
             let (mut before, mut behind) = (whole, whole);
             before[axis][1] = hole[axis][0] - 1;
             behind[axis][0] = hole[axis][1] + 1;
@@ -359,18 +336,18 @@ fn training_regions(
 
 /// Threshold factor, and the rank of the compared cell.
 fn threshold(
-    header: &CubeHeader,
+    settings: &DspSettings,
     correlation: &Correlation,
     regions: &[Region],
     channels: usize,
 ) -> (f64, usize) {
-    let rate = header.dsp.false_alarm_rate;
+    let rate = settings.false_alarm_rate;
     let cells: usize = regions.iter().map(Region::cells).sum();
     let rank = ((OS_RANK * cells as f64).round() as usize).clamp(1, cells);
     let mean = |region: &Region| correlation.mean_power(region, channels);
     let half = |region: &Region| correlation.rectangle_power(region, channels);
     let is_white = correlation.is_white() && regions.iter().all(|region| region.image.is_none());
-    let independent = match (header.dsp.detector, regions) {
+    let independent = match (settings.detector, regions) {
         (Detector::OsCfar, [ring, ..]) if is_white => ordered_factor(ring.cells(), rank, channels, rate),
         (Detector::OsCfar, [ring, ..]) => correlated_ordered_factor(correlation, ring, rank, channels, rate),
         (Detector::GoCfar, [a, b]) => greatest_of_factor([&half(a), &half(b)], channels, rate),
@@ -387,18 +364,18 @@ fn threshold(
 const OS_RANK: f64 = 0.75;
 
 /// Half sizes [doppler, range] of the guard region and of the whole, if they fit the map.
-fn regions(header: &CubeHeader, cells: [usize; 2]) -> Result<([usize; 2], [usize; 2]), DspError> {
-    if header.dsp.training_cells == [0, 0] {
+fn regions(settings: &DspSettings, cells: [usize; 2]) -> Result<([usize; 2], [usize; 2]), DspError> {
+    if settings.training_cells == [0, 0] {
         return Err(DspError::NoTrainingCells);
     }
     let mut outer = [0; 2];
     for (i, axis) in [Axis::Doppler, Axis::Range].into_iter().enumerate() {
-        let half = u64::from(header.dsp.guard_cells[i]) + u64::from(header.dsp.training_cells[i]);
+        let half = u64::from(settings.guard_cells[i]) + u64::from(settings.training_cells[i]);
         let needed = 2 * half + 1;
         if needed > cells[i] as u64 {
             return Err(DspError::CfarWindow { axis, needed, cells: cells[i] });
         }
         outer[i] = half as usize;
     }
-    Ok((header.dsp.guard_cells.map(|g| g as usize), outer))
+    Ok((settings.guard_cells.map(|g| g as usize), outer))
 }

@@ -14,6 +14,7 @@
 use crate::error::DspError;
 use crate::numerics::gamma_forms::WeightedGamma;
 use crate::numerics::symmetric_eigenvalues::{eigenvalues, eigenvalues_of_tridiagonal};
+use crate::spectrum::division::Division;
 use crate::spectrum::doppler_bands::band_cycles;
 use crate::spectrum::window::{noise_correlation, taper};
 use artifact::cube::CubeHeader;
@@ -87,9 +88,10 @@ impl Correlation {
         let waveform = &header.radar.waveform;
         let doppler = taper(header.dsp.doppler_window, waveform.chirps as usize)?;
         let range = taper(header.dsp.range_window, waveform.samples as usize)?;
+        let division = Division::of(&header.radar);
         let lags = |axis: usize| (0..=4 * outer[axis] + FAR_CELLS).map(|lag| lag as f64);
         let power = [
-            lags(0).map(|lag| doppler_correlation(header, &doppler, lag)).collect::<Vec<f64>>(),
+            lags(0).map(|lag| doppler_correlation(&division, &doppler, lag)).collect::<Vec<f64>>(),
             lags(1).map(|lag| noise_correlation(&range, lag)).collect(),
         ];
         let signed = |power: &[f64], taper: &[f64]| -> Vec<f64> {
@@ -278,12 +280,12 @@ fn gauss_nodes(points: &[f64], nodes: usize) -> Vec<(f64, f64)> {
 
 /// With Doppler division a summed cell holds bands of one receiver, i/M apart: cells correlate where bands
 /// meet.
-fn doppler_correlation(header: &CubeHeader, taper: &[f64], lag: f64) -> f64 {
-    if header.radar.array.multiplexing != Multiplexing::Ddm {
+fn doppler_correlation(division: &Division, taper: &[f64], lag: f64) -> f64 {
+    if division.multiplexing != Multiplexing::Ddm {
         return noise_correlation(taper, lag);
     }
-    let transmitters = header.radar.array.tx_m.len() as i64;
-    let band_rows = band_cycles(header, 1) * taper.len() as f64;
+    let transmitters = division.transmitters as i64;
+    let band_rows = band_cycles(division, 1) * taper.len() as f64;
     let weighted = |shift: i64| {
         let pairs = (transmitters - shift.abs()) as f64 / transmitters as f64;
         pairs * noise_correlation(taper, lag + shift as f64 * band_rows)

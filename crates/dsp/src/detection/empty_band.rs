@@ -6,10 +6,10 @@
 //! band is full.
 
 use crate::detection::cfar::{DETECTED, TESTED};
+use crate::spectrum::division::Division;
 use crate::spectrum::doppler_bands::band_cycles;
 use crate::spectrum::map_transform::RangeDoppler;
 use crate::spectrum::noncoherent::sum_over_channels;
-use artifact::cube::CubeHeader;
 use artifact::radar::Multiplexing;
 use artifact::rdm::RdmFrame;
 use num_complex::Complex32;
@@ -17,16 +17,15 @@ use rayon::prelude::*;
 
 /// Takes back detections whose fold is not the one that leaves the empty band emptiest.
 pub(crate) fn keep_true_folds(
-    header: &CubeHeader,
     transform: &RangeDoppler,
     samples: &[Complex32],
     values: &[Complex32],
     mask: &mut [u8],
 ) {
     let cells = transform.cells();
-    let empty = empty_band(header, transform, samples);
+    let empty = empty_band(transform, samples);
     let bands: Vec<Vec<f64>> = values
-        .chunks_exact(cells * header.radar.array.rx_m.len())
+        .chunks_exact(cells * transform.division().receivers)
         .map(|v| sum_over_channels(v, cells))
         .collect();
     for (cell, state) in mask.iter_mut().enumerate().filter(|(_, state)| **state == DETECTED) {
@@ -40,12 +39,15 @@ pub(crate) fn keep_true_folds(
 /// one.
 ///
 /// A second vehicle in the same range cell that is less than 6 dB weaker fills the band and is flagged here.
-pub(crate) fn fold_is_certain(header: &CubeHeader, map: &RdmFrame, row: usize, column: usize) -> bool {
-    if header.radar.array.multiplexing != Multiplexing::Ddm {
+pub(crate) fn fold_is_certain(
+    &Division { multiplexing, transmitters, receivers, .. }: &Division,
+    map: &RdmFrame,
+    [chirps, samples]: [usize; 2],
+    [row, column]: [usize; 2],
+) -> bool {
+    if multiplexing != Multiplexing::Ddm {
         return false;
     }
-    let [chirps, samples] = [header.radar.waveform.chirps as usize, header.radar.waveform.range_cells()];
-    let (transmitters, receivers) = (header.radar.array.tx_m.len(), header.radar.array.rx_m.len());
     let power = |tx: usize, row: usize| -> f64 {
         let channels = tx * receivers..(tx + 1) * receivers;
         channels.map(|c| f64::from(map.values[(c * chirps + row) * samples + column].norm_sqr())).sum()
@@ -57,8 +59,8 @@ pub(crate) fn fold_is_certain(header: &CubeHeader, map: &RdmFrame, row: usize, c
     (0..transmitters).all(|tx| 4.0 * empty < power(tx, row))
 }
 
-fn empty_band(header: &CubeHeader, transform: &RangeDoppler, samples: &[Complex32]) -> Vec<f64> {
-    let turn_cycles = band_cycles(header, header.radar.array.tx_m.len());
+fn empty_band(transform: &RangeDoppler, samples: &[Complex32]) -> Vec<f64> {
+    let turn_cycles = band_cycles(transform.division(), transform.division().transmitters);
     let maps: Vec<Vec<f64>> = samples
         .par_chunks_exact(transform.samples())
         .map(|receiver| sum_over_channels(&transform.channel(receiver, turn_cycles), transform.cells()))

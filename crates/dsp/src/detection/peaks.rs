@@ -8,9 +8,7 @@
 
 use crate::detection::cfar::DETECTED;
 use crate::detection::interpolation::{Interpolator, Trio};
-use crate::error::DspError;
-use crate::spectrum::window::{response, taper};
-use artifact::cube::CubeHeader;
+use crate::spectrum::window::response;
 use ndarray::ArrayView2;
 use num_complex::{Complex32, Complex64};
 
@@ -68,15 +66,12 @@ const LEAKAGE_FLOOR: f64 = 3.6e-15;
 const OFFSETS: i32 = 8;
 
 impl PeakFinder {
-    /// For the windows that a cube's header asks for.
-    pub(crate) fn new(header: &CubeHeader) -> Result<Self, DspError> {
-        let waveform = &header.radar.waveform;
-        let doppler = taper(header.dsp.doppler_window, waveform.chirps as usize)?;
-        let range = taper(header.dsp.range_window, waveform.samples as usize)?;
-        Ok(Self {
-            interpolators: [Interpolator::new(&doppler), Interpolator::new(&range)],
-            leakage: [leakage(&doppler), leakage(&range)],
-        })
+    /// For maps that were made with these windows.
+    pub(crate) fn new(doppler: &[f64], range: &[f64]) -> Self {
+        Self {
+            interpolators: [Interpolator::new(doppler), Interpolator::new(range)],
+            leakage: [leakage(doppler), leakage(range)],
+        }
     }
 
     /// Peaks of a power map `[doppler, range]` among the cells that the mask calls detected and those above

@@ -4,26 +4,27 @@
 use crate::detection::cfar::{self, Cfar};
 use crate::detection::empty_band::keep_true_folds;
 use crate::error::DspError;
-use crate::spectrum::all_channels::all_channels;
 use crate::spectrum::map_transform::RangeDoppler;
 use crate::spectrum::noncoherent::{FLOOR_BELOW_PEAK_DB, sum_over_channels};
-use artifact::cube::{CubeFrame, CubeHeader};
+use artifact::cube::CubeFrame;
 use artifact::radar::Multiplexing;
 use artifact::rdm::RdmFrame;
 use artifact::settings::Noise;
 use artifact::units::power_from_db;
 
-/// The map of one frame, with the cells that the header's detector tested and those it found.
-pub fn range_doppler(header: &CubeHeader, frame: &CubeFrame) -> Result<RdmFrame, DspError> {
-    let header = &header.in_frame(frame.index);
-    let transform = RangeDoppler::<f32>::new(header)?;
-    let detector = Cfar::new(header)?;
-    let values = all_channels(header, &transform, &frame.samples)?;
+/// The map of one frame, with the cells that a detector tested and those it found.
+pub(crate) fn range_doppler(
+    transform: &RangeDoppler,
+    detector: &Cfar,
+    noise: Noise,
+    frame: &CubeFrame,
+) -> Result<RdmFrame, DspError> {
+    let values = transform.all_channels(&frame.samples)?;
     let power = sum_over_channels(&values, transform.cells());
-    let assumed_floor = assumed_floor(header.noise, &power);
+    let assumed_floor = assumed_floor(noise, &power);
     let mut mask = detector.mask(&power, assumed_floor.unwrap_or(0.0));
-    if header.radar.array.multiplexing == Multiplexing::Ddm {
-        keep_true_folds(header, &transform, &frame.samples, &values, &mut mask);
+    if transform.division().multiplexing == Multiplexing::Ddm {
+        keep_true_folds(transform, &frame.samples, &values, &mut mask);
     }
     Ok(RdmFrame {
         index: frame.index,

@@ -6,7 +6,9 @@
 //! with the exact distances to every element, which a 0.34 m row needs at 25 m (0.9 rad of curvature) and a
 //! list of odd positions needs always.
 
+use crate::spectrum::axes::Axes;
 use crate::spectrum::code_division;
+use crate::spectrum::division::Division;
 use artifact::cube::CubeHeader;
 use artifact::radar::Multiplexing;
 use artifact::rdm::RdmFrame;
@@ -18,12 +20,17 @@ use std::sync::Arc;
 
 /// A radar's channels as an aperture.
 pub struct VirtualArray {
+    cells: Axes,
+    division: Division,
+    position_m: DVec3,
+    /// Of what is seen, where the array measures no elevation.
+    assumed_height_m: f64,
+    chirp_interval_s: f64,
     wavelength_m: f64,
     /// Unit vectors of the aperture: right and up seen along the boresight, and the boresight itself.
     axes: [DVec3; 3],
     /// Transmit and receive element of each channel, world metres from the array's centre.
     elements: Vec<[DVec3; 2]>,
-    receivers: usize,
     /// What the values of each channel are multiplied by; empty: nothing.
     calibration: Vec<Complex64>,
     /// Delay of each channel's chirps after those of the first transmitter, s.
@@ -77,14 +84,16 @@ impl VirtualArray {
         let mut planner = FftPlanner::new();
         let transforms = [0, 1].map(|axis: usize| planner.plan_fft_inverse(lattices[axis].cells()));
         let squares_m2 = elements.iter().map(|[tx, rx]| tx.length_squared() + rx.length_squared()).collect();
-        let receivers = radar.array.rx_m.len();
-        let calibration = header.dsp.calibration.clone();
         Self {
-            calibration,
+            cells: Axes::of(radar),
+            division: Division::of(radar),
+            position_m: centre,
+            assumed_height_m: header.dsp.assumed_height_m,
+            chirp_interval_s: radar.waveform.chirp_interval_s,
+            calibration: header.dsp.calibration.clone(),
             wavelength_m,
             axes,
             elements,
-            receivers,
             slot_s,
             squares_m2,
             lattices,
@@ -101,39 +110,43 @@ impl VirtualArray {
     }
 
     /// Values of one cell; `velocity_mps` turns the later slots of time and code division back.
-    pub fn snapshot(
-        &self,
-        header: &CubeHeader,
-        map: &RdmFrame,
-        cell: [usize; 2],
-        velocity_mps: f64,
-    ) -> Snapshot {
-        self.snapshot_and_idle(header, map, cell, velocity_mps).0
+    pub fn snapshot(&self, map: &RdmFrame, cell: [usize; 2], velocity_mps: f64) -> Snapshot {
+        self.snapshot_and_idle(map, cell, velocity_mps).0
     }
 
     /// The same, and the power of codes that no transmitter has.
     pub(crate) fn snapshot_and_idle(
         &self,
-        header: &CubeHeader,
         map: &RdmFrame,
         cell: [usize; 2],
         velocity_mps: f64,
     ) -> (Snapshot, f64) {
-        let [chirps, samples] = [header.radar.waveform.chirps as usize, header.radar.waveform.range_cells()];
+        let (values, idle) = self.uncalibrated(map, cell, velocity_mps);
+        (self.calibrated(values), idle)
+    }
+
+    /// The same with what the channels' own gains and phases make of it.
+    pub(crate) fn uncalibrated(
+        &self,
+        map: &RdmFrame,
+        cell: [usize; 2],
+        velocity_mps: f64,
+    ) -> (Snapshot, f64) {
+        let Axes { rows, columns, .. } = self.cells;
         let doppler_hz = 2.0 * velocity_mps / self.wavelength_m;
         let value = |channel: usize| {
-            let value = map.values[(channel * chirps + cell[0]) * samples + cell[1]];
+            let value = map.values[(channel * rows + cell[0]) * columns + cell[1]];
             Complex64::new(f64::from(value.re), f64::from(value.im))
         };
-        if header.radar.array.multiplexing == Multiplexing::Bpm {
-            let codes: Vec<Complex64> = (0..header.radar.map_channels()).map(value).collect();
-            let cycles = doppler_hz * header.radar.waveform.chirp_interval_s;
-            let mut values = code_division::in_phase(header, &codes, cell[0], cycles);
+        if self.division.multiplexing == Multiplexing::Bpm {
+            let codes: Vec<Complex64> = (0..self.division.map_channels).map(value).collect();
+            let cycles = doppler_hz * self.chirp_interval_s;
+            let mut values = code_division::in_phase(&self.division, &codes, [cell[0], rows], cycles);
             let idle = values.split_off(self.elements.len()).iter().map(|value| value.norm_sqr()).sum();
-            return (self.calibrated(values), idle);
+            return (values, idle);
         }
         let turned = |(channel, slot_s): (usize, &f64)| value(channel) * turned_back(doppler_hz * slot_s);
-        (self.calibrated(self.slot_s.iter().enumerate().map(turned).collect()), 0.0)
+        (self.slot_s.iter().enumerate().map(turned).collect(), 0.0)
     }
 
     fn calibrated(&self, mut values: Snapshot) -> Snapshot {
@@ -181,17 +194,33 @@ impl VirtualArray {
             .collect()
     }
 
-    /// Elements that hear each transmitter.
-    pub(crate) fn receivers(&self) -> usize {
-        self.receivers
+    /// Rows and columns of its maps.
+    pub(crate) fn cells(&self) -> &Axes {
+        &self.cells
+    }
+
+    /// Whose channels it has.
+    pub(crate) fn division(&self) -> &Division {
+        &self.division
+    }
+
+    /// Its centre, world metres.
+    pub(crate) fn position_m(&self) -> DVec3 {
+        self.position_m
+    }
+
+    /// Height of what it sees, above the world's ground, where it measures no elevation, m.
+    pub(crate) fn assumed_height_m(&self) -> f64 {
+        self.assumed_height_m
     }
 
     /// The same turns of each end alone: of transmit elements, and of receive elements.
     pub(crate) fn element_turns(&self, direction: Direction, range_m: f64) -> [Vec<Complex64>; 2] {
         let point = self.point(direction, range_m);
         let turn = |element: DVec3| turned_back(excess_m(point, element, range_m) / self.wavelength_m);
-        let tx = self.elements.iter().step_by(self.receivers.max(1)).map(|[tx, _]| turn(*tx)).collect();
-        let rx = self.elements.iter().take(self.receivers).map(|[_, rx]| turn(*rx)).collect();
+        let tx =
+            self.elements.iter().step_by(self.division.receivers.max(1)).map(|[tx, _]| turn(*tx)).collect();
+        let rx = self.elements.iter().take(self.division.receivers).map(|[_, rx]| turn(*rx)).collect();
         [tx, rx]
     }
 

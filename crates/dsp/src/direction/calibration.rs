@@ -6,12 +6,12 @@
 
 use crate::direction::angle::{Direction, VirtualArray};
 use crate::error::DspError;
-use crate::spectrum::axes::column_at;
-use crate::spectrum::noncoherent::{noise_power, power_map};
-use artifact::cube::CubeHeader;
+use crate::spectrum::axes::Axes;
+use crate::spectrum::noncoherent::Levels;
 use artifact::rdm::RdmFrame;
 use artifact::units::{db_from_power, power_from_db};
 use glam::DVec3;
+use ndarray::ArrayView2;
 use num_complex::Complex64;
 
 /// The weakest channel's cell over its noise that is believed, dB: 4° of phase.
@@ -23,24 +23,21 @@ const REACH: usize = 2;
 /// Gain and phase of each transmit–receive pair, tx·N_rx + rx, against an ideal one; their mean power is 1,
 /// their sum real.
 ///
-/// The reflector is at rest at `position_m`, world metres. Settings of the header are used but for its
-/// calibration.
-pub fn channel_errors(
-    header: &CubeHeader,
+/// The reflector is at rest at `position_m`, world metres. The array's calibration is not used.
+pub(crate) fn channel_errors(
+    array: &VirtualArray,
+    levels: &Levels,
     map: &RdmFrame,
     position_m: [f64; 3],
 ) -> Result<Vec<Complex64>, DspError> {
-    let mut header = header.in_frame(map.index);
-    header.dsp.calibration = vec![];
-    let away_m = DVec3::from(position_m) - DVec3::from(header.radar.position_m);
+    let away_m = DVec3::from(position_m) - array.position_m();
     let range_m = away_m.length();
-    let cell = strongest_at_rest(&header, map, range_m)?;
-    let array = VirtualArray::new(&header);
+    let cell = strongest_at_rest(array.cells(), levels.power(), range_m)?;
     let [right, up, _] = array.axes();
     let direction = Direction { right: away_m.dot(right) / range_m, up: Some(away_m.dot(up) / range_m) };
-    let snapshot = array.snapshot(&header, map, cell, 0.0);
+    let snapshot = array.uncalibrated(map, cell, 0.0).0;
     let weakest = snapshot.iter().map(|value| value.norm_sqr()).fold(f64::INFINITY, f64::min);
-    let noise = noise_power(&header, map)?;
+    let noise = levels.noise();
     if weakest.is_nan() || weakest <= power_from_db(LEAST_SNR_DB) * noise {
         let snr_db = db_from_power(weakest / noise);
         return Err(DspError::WeakReflector { range_m, snr_db, least_db: LEAST_SNR_DB });
@@ -56,13 +53,12 @@ pub fn mean_errors(frames: &[Vec<Complex64>]) -> Vec<Complex64> {
 }
 
 /// Row and column, at zero velocity near a range.
-fn strongest_at_rest(header: &CubeHeader, map: &RdmFrame, range_m: f64) -> Result<[usize; 2], DspError> {
-    let power = power_map(header, map)?;
-    let (row, (_, columns)) = (header.radar.waveform.chirps as usize / 2, power.dim());
-    let expected = column_at(header, range_m).round();
+fn strongest_at_rest(axes: &Axes, power: ArrayView2<f64>, range_m: f64) -> Result<[usize; 2], DspError> {
+    let (row, columns) = (axes.rows / 2, axes.columns);
+    let expected = axes.column_at(range_m).round();
     // What is no number is at no range.
     if !(range_m > 0.0 && expected < columns as f64) {
-        return Err(DspError::ReflectorRange { range_m, limit_m: header.radar.waveform.range_max_m() });
+        return Err(DspError::ReflectorRange { range_m, limit_m: axes.range_max_m });
     }
     let near = (expected as usize).saturating_sub(REACH)..=(expected as usize + REACH).min(columns - 1);
     let best = near.fold(expected as usize, |a, b| if power[(row, b)] > power[(row, a)] { b } else { a });

@@ -8,15 +8,13 @@
 use crate::detection::interpolation::Trio;
 use crate::detection::peaks::{Peak, PeakFinder, neighbourhood};
 use crate::direction::angle::{Direction, VirtualArray};
-use crate::spectrum::axes::{coupling_m, velocity_at, wrapped};
-use artifact::cube::CubeHeader;
+use crate::spectrum::axes::Axes;
 use artifact::rdm::RdmFrame;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
 /// A map through its array.
 pub(crate) struct Beams<'a> {
-    pub(crate) header: &'a CubeHeader,
     pub(crate) map: &'a RdmFrame,
     pub(crate) array: &'a VirtualArray,
     pub(crate) finder: &'a PeakFinder,
@@ -41,8 +39,8 @@ impl Beams<'_> {
     fn own_peak(&self, cell: [usize; 2], summit: &Peak, peaks: &[Peak]) -> Option<Peak> {
         let beam = Beam::strongest(self, cell);
         let power = beam.power(self, cell);
-        let shape = (self.header.radar.waveform.chirps as usize, self.header.radar.waveform.range_cells());
-        let others = neighbourhood(shape, (cell[0], cell[1]));
+        let &Axes { rows, columns, .. } = self.array.cells();
+        let others = neighbourhood((rows, columns), (cell[0], cell[1]));
         let is_highest = others.into_iter().all(|(row, column)| power > beam.power(self, [row, column]));
         (is_highest && power > self.leaked(&beam, cell, peaks)).then(|| self.placed(&beam, cell, summit))
     }
@@ -54,8 +52,7 @@ impl Beams<'_> {
     }
 
     fn placed(&self, beam: &Beam, [row, column]: [usize; 2], summit: &Peak) -> Peak {
-        let waveform = &self.header.radar.waveform;
-        let (rows, columns) = (waveform.chirps as usize, waveform.range_cells());
+        let &Axes { rows, columns, .. } = self.array.cells();
         let trio = |cells: [[usize; 2]; 3]| -> Trio { cells.map(|cell| beam.value(self, cell)) };
         let along_rows = (rows > 2).then(|| {
             let at = |step: usize| [(row + step) % rows, column];
@@ -86,17 +83,16 @@ struct Beam {
 
 impl Beam {
     fn strongest(view: &Beams<'_>, cell: [usize; 2]) -> Self {
-        let header = view.header;
-        let velocity_mps = wrapped(header, velocity_at(header, cell[0] as f64));
-        let shown_m = cell[1] as f64 * header.radar.waveform.range_resolution_m();
-        let range_m = (shown_m - coupling_m(header, velocity_mps)).max(0.0);
-        let snapshot = view.array.snapshot(header, view.map, cell, velocity_mps);
+        let axes = view.array.cells();
+        let velocity_mps = axes.wrapped(axes.velocity_at(cell[0] as f64));
+        let range_m = (axes.range_at(cell[1] as f64) - axes.coupling_m(velocity_mps)).max(0.0);
+        let snapshot = view.array.snapshot(view.map, cell, velocity_mps);
         let direction: Direction = view.array.direction(&[snapshot], range_m);
         Self { steering: view.array.steering(direction, range_m), velocity_mps }
     }
 
     fn value(&self, view: &Beams<'_>, cell: [usize; 2]) -> Complex64 {
-        view.array.beam(&view.array.snapshot(view.header, view.map, cell, self.velocity_mps), &self.steering)
+        view.array.beam(&view.array.snapshot(view.map, cell, self.velocity_mps), &self.steering)
     }
 
     fn power(&self, view: &Beams<'_>, cell: [usize; 2]) -> f64 {

@@ -1,7 +1,6 @@
 //! From range and direction cosines to world axes.
 
 use crate::direction::angle::{Direction, VirtualArray};
-use artifact::cube::CubeHeader;
 use glam::DVec3;
 
 /// Where a point lies.
@@ -21,21 +20,21 @@ pub(crate) struct Place {
 /// circle (the sphere cut by the cone around the row); the assumed height picks the point in front of the
 /// array: along the row R·u, up h − z_radar, ahead √(R² − (R·u)² − (h − z_radar)²), 0 where the point is
 /// nearer than its height.
-pub(crate) fn place(header: &CubeHeader, array: &VirtualArray, direction: Direction, range_m: f64) -> Place {
+pub(crate) fn place(array: &VirtualArray, direction: Direction, range_m: f64) -> Place {
     let [right, up, ahead] = array.axes();
     let u = direction.right;
     let from_radar = match direction.up {
         Some(w) => range_m * (u * right + w * up + (1.0 - u * u - w * w).max(0.0).sqrt() * ahead),
         None => {
             let along_m = range_m * u;
-            let up_m = header.dsp.assumed_height_m - header.radar.position_m[2];
+            let up_m = array.assumed_height_m() - array.position_m().z;
             let ahead_m = (range_m * range_m - along_m * along_m - up_m * up_m).max(0.0).sqrt();
             // The row is horizontal, so is the direction across it.
             along_m * right + ahead_m * DVec3::Z.cross(right) + up_m * DVec3::Z
         }
     };
     Place {
-        position_m: DVec3::from(header.radar.position_m) + from_radar,
+        position_m: array.position_m() + from_radar,
         azimuth_rad: from_radar.x.atan2(from_radar.y),
         elevation_rad: from_radar.z.atan2(from_radar.x.hypot(from_radar.y)),
     }

@@ -106,7 +106,7 @@ struct Turns {
 impl<'a> Rows<'a> {
     /// `None` where one end has a single element.
     fn of(array: &'a VirtualArray, snapshot: &'a [Complex64], range_m: f64) -> Option<Self> {
-        let receivers = array.receivers();
+        let receivers = array.division().receivers;
         let values: Vec<&[Complex64]> = snapshot.chunks_exact(receivers.max(1)).collect();
         (receivers > 1 && values.len() > 1 && array.beams()[0].is_finite()).then_some(Self {
             array,

@@ -7,7 +7,7 @@
 //! three axes hold side by side, each with the signal-to-noise ratio of all values together.
 //! `docs/physics.md` §8 counts it per cell of one channel: γ·N_s·N_c.
 
-use artifact::cube::CubeHeader;
+use artifact::Radar;
 
 /// Least standard errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,8 +22,8 @@ pub struct Bound {
 
 /// Bound at a power ratio of signal to noise per cell of one channel's unwindowed map, for simultaneous
 /// transmitters.
-pub fn cramer_rao(header: &CubeHeader, snr_per_cell: f64) -> Bound {
-    let (radar, waveform) = (&header.radar, &header.radar.waveform);
+pub fn cramer_rao(radar: &Radar, snr_per_cell: f64) -> Bound {
+    let waveform = &radar.waveform;
     let snr = snr_per_cell * radar.virtual_channels() as f64;
     let cells = |count: u32| {
         let squared = f64::from(count).powi(2);
@@ -32,13 +32,13 @@ pub fn cramer_rao(header: &CubeHeader, snr_per_cell: f64) -> Bound {
     let velocity_mps = radar.velocity_resolution_mps() * cells(waveform.chirps);
     let shown_m = waveform.range_resolution_m() * cells(waveform.samples);
     let coupled_m = velocity_mps * waveform.centre_frequency_hz() / waveform.slope_hz_per_s;
-    Bound { range_m: shown_m.hypot(coupled_m), velocity_mps, cosines: cosines(header, snr) }
+    Bound { range_m: shown_m.hypot(coupled_m), velocity_mps, cosines: cosines(radar, snr) }
 }
 
 /// Inverse of 2·SNR·(2π/λ)²·M₂, M₂ the 2 × 2 central second moments of the virtual elements (Kay (1993),
 /// example 3.15, for any array).
-fn cosines(header: &CubeHeader, snr: f64) -> [f64; 2] {
-    let array = &header.radar.array;
+fn cosines(radar: &Radar, snr: f64) -> [f64; 2] {
+    let array = &radar.array;
     let places: Vec<[f64; 2]> = (array.tx_half_wavelengths.iter())
         .flat_map(|t| {
             array.rx_half_wavelengths.iter().map(move |r| [0, 1].map(|axis: usize| 0.5 * (t[axis] + r[axis])))

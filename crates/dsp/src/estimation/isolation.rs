@@ -15,7 +15,8 @@
 use crate::detection::peaks::Peak;
 use crate::direction::angle::{Direction, VirtualArray};
 use crate::estimation::point_echo::{Block, PointEcho, blocks};
-use artifact::cube::CubeHeader;
+use crate::plan::Plan;
+use artifact::Radar;
 use artifact::rdm::RdmFrame;
 use num_complex::{Complex32, Complex64};
 use std::f64::consts::{PI, TAU};
@@ -26,31 +27,28 @@ const MOST_BIAS: f64 = 0.1;
 /// The peaks of a map, and what is needed to tell what they do to one.
 pub(crate) struct Neighbours<'a> {
     /// Radar and settings.
-    pub(crate) header: &'a CubeHeader,
+    pub(crate) plan: &'a Plan,
     /// Its map.
     pub(crate) map: &'a RdmFrame,
-    /// Its channels.
-    pub(crate) array: &'a VirtualArray,
     /// All peaks.
     pub(crate) peaks: &'a [Peak],
     /// Of a cell of the map, summed over channels.
     pub(crate) noise: f64,
-    /// Noise bandwidth of a cell in cells: what its power lacks of an unwindowed one's signal-to-noise ratio.
-    pub(crate) bandwidth_cells: f64,
 }
 
 impl Neighbours<'_> {
     /// Whether the other peaks leave the estimates of an echo, whose peak this is, within 0.4 dB of their
     /// bound.
     pub(crate) fn leave_alone(&self, peak: &Peak, echo: PointEcho) -> bool {
-        let beams = Beams::new(self.array, echo);
+        let beams = Beams::new(&self.plan.array, echo);
         let mut bias = [0.0; PARAMETERS];
         for other in self.peaks.iter().filter(|other| (other.row, other.column) != (peak.row, peak.column)) {
             // As the echo's own slots of time division see it: turned back by the echo's velocity, not by its
             // own.
             let cell = [other.row, other.column];
-            let snapshot = self.array.snapshot(self.header, self.map, cell, echo.radial_velocity_mps);
-            let energy = self.bandwidth_cells / self.noise;
+            let snapshot = self.plan.array.snapshot(self.map, cell, echo.radial_velocity_mps);
+            // Noise bandwidth: what a cell's power lacks of an unwindowed one's signal-to-noise ratio.
+            let energy = self.plan.thresholds.bandwidth_cells / self.noise;
             let added = beams.correlations(&snapshot).map(|h| energy * h);
             let [rows, columns] = self.along(peak, other);
             let shares = [
@@ -65,7 +63,7 @@ impl Neighbours<'_> {
     }
 
     fn along(&self, a: &Peak, b: &Peak) -> [Correlation; 2] {
-        let waveform = &self.header.radar.waveform;
+        let waveform = &self.plan.radar.waveform;
         [
             Correlation::of(a.fine_row - b.fine_row, waveform.chirps),
             Correlation::of(a.fine_column - b.fine_column, waveform.samples),
@@ -131,24 +129,19 @@ const MODEL_ERROR: f64 = 1e-5;
 
 /// Whether nothing like a second echo is left near a fitted one, in any direction; `noise` is that of one
 /// sample.
-pub(crate) fn fits_alone(
-    header: &CubeHeader,
-    array: &VirtualArray,
-    samples: &[Complex32],
-    echo: &PointEcho,
-    noise: f64,
-) -> bool {
-    let mut left = blocks(header, array, samples, echo);
+pub(crate) fn fits_alone(plan: &Plan, samples: &[Complex32], echo: &PointEcho, noise: f64) -> bool {
+    let array = &plan.array;
+    let mut left = blocks(plan, samples, echo);
     let weight: f64 = left.iter().map(|b| b.weight).sum();
     let amplitude = left.iter().map(|b| b.sum).sum::<Complex64>() / weight;
     left.iter_mut().for_each(|b| b.sum -= amplitude * b.weight);
-    let channels = header.radar.virtual_channels();
+    let channels = array.division().pairs();
     let cells = (2 * NEAR_CELLS + 1).pow(2);
     let believed = second_threshold(array, cells * channels) * noise * weight;
     let most = believed.max(MODEL_ERROR * amplitude.norm_sqr() * weight * weight);
     let steering = array.steering(echo.direction, echo.range_m);
     let of_channel: Vec<Vec<Complex64>> =
-        left.chunks(left.len() / channels).map(|b| near_cells(header, b)).collect();
+        left.chunks(left.len() / channels).map(|b| near_cells(&plan.radar, b)).collect();
     (0..cells).all(|cell| {
         // The blocks are turned to the echo's direction: back again, for the beam to look around.
         let snapshot: Vec<Complex64> =
@@ -168,9 +161,9 @@ fn second_threshold(array: &VirtualArray, independent: usize) -> f64 {
 }
 
 /// Sums of one channel's blocks, turned by −2…2 cells of velocity and of range.
-fn near_cells(header: &CubeHeader, blocks: &[Block]) -> Vec<Complex64> {
-    let waveform = &header.radar.waveform;
-    let frame_s = f64::from(waveform.chirps) * header.radar.repetition_interval_s();
+fn near_cells(radar: &Radar, blocks: &[Block]) -> Vec<Complex64> {
+    let waveform = &radar.waveform;
+    let frame_s = f64::from(waveform.chirps) * radar.repetition_interval_s();
     let sweep_s = f64::from(waveform.samples) / waveform.sample_rate_hz;
     let side = 2 * NEAR_CELLS + 1;
     let mut cells = vec![Complex64::ZERO; side * side];

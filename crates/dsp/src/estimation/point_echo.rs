@@ -4,10 +4,11 @@
 //! centre (`docs/interface.md`; the point's place in the frame's middle decides that part). R(T) is linear,
 //! so a chirp's phase is a parabola in t exactly.
 
-use crate::direction::angle::{Direction, VirtualArray};
+use crate::direction::angle::Direction;
+use crate::plan::Plan;
+use crate::spectrum::division::Division;
 use crate::spectrum::doppler_bands::source_of;
-use artifact::cube::CubeHeader;
-use artifact::radar::{Multiplexing, code_sign};
+use artifact::radar::{Multiplexing, Waveform, code_sign};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use num_complex::{Complex32, Complex64};
 use rayon::prelude::*;
@@ -44,29 +45,25 @@ pub(crate) struct Block {
 const BLOCKS: usize = 16;
 
 /// Blocks of all channels, the point's phase taken out, in order of channel, chirp and sample.
-pub(crate) fn blocks(
-    header: &CubeHeader,
-    array: &VirtualArray,
-    samples: &[Complex32],
-    point: &PointEcho,
-) -> Vec<Block> {
-    let excess_m = array.excess_m(point.direction, point.range_m);
-    let channels = 0..header.radar.virtual_channels();
+pub(crate) fn blocks(plan: &Plan, samples: &[Complex32], point: &PointEcho) -> Vec<Block> {
+    let excess_m = plan.array.excess_m(point.direction, point.range_m);
+    let channels = 0..plan.array.division().pairs();
     let of_channels: Vec<Vec<Block>> =
-        channels.into_par_iter().map(|c| blocks_of_channel(header, samples, point, c, excess_m[c])).collect();
+        channels.into_par_iter().map(|c| blocks_of_channel(plan, samples, point, c, excess_m[c])).collect();
     of_channels.concat()
 }
 
 fn blocks_of_channel(
-    header: &CubeHeader,
+    plan: &Plan,
     samples: &[Complex32],
     point: &PointEcho,
     channel: usize,
     excess_m: f64,
 ) -> Vec<Block> {
-    let [_, all_chirps, length] = header.shape();
-    let heard = heard(header, channel);
-    let calibration = header.dsp.calibration.get(channel).copied().unwrap_or(Complex64::ONE);
+    let radar = &plan.radar;
+    let [_, all_chirps, length] = plan.transform.shapes().cube;
+    let heard = heard(plan.array.division(), channel);
+    let calibration = plan.settings.calibration.get(channel).copied().unwrap_or(Complex64::ONE);
     let [rows, columns] = [all_chirps.div_ceil(BLOCKS), length.div_ceil(BLOCKS)];
     let row_blocks = (0..all_chirps).step_by(rows).map(|first| first..(first + rows).min(all_chirps));
     row_blocks
@@ -75,13 +72,14 @@ fn blocks_of_channel(
             let mut frame_s = 0.0;
             for (chirp, from) in chirps.clone().flat_map(|chirp| heard.iter().map(move |from| (chirp, from)))
             {
-                let start_s = header.radar.chirp_start_s(from.turn, chirp) - header.radar.frame_middle_s();
-                let phase = ChirpPhase::new(header, point, excess_m, start_s, from.cycles * chirp as f64);
+                let start_s = radar.chirp_start_s(from.turn, chirp) - radar.frame_middle_s();
+                let turn_cycles = from.cycles * chirp as f64;
+                let phase = ChirpPhase::new(&radar.waveform, point, excess_m, start_s, turn_cycles);
                 frame_s += start_s / (chirps.len() * heard.len()) as f64;
                 let row = &samples[(from.source * all_chirps + chirp) * length..][..length];
                 add_chirp((row, from.share), columns, &phase, &mut sums);
             }
-            let rate_hz = header.radar.waveform.sample_rate_hz;
+            let rate_hz = radar.waveform.sample_rate_hz;
             sums.into_iter().enumerate().map(move |(index, sum)| {
                 let width = columns.min(length - index * columns);
                 let sweep_s = (index as f64 * columns as f64 + 0.5 * (width - 1) as f64) / rate_hz;
@@ -105,14 +103,13 @@ struct Heard {
 
 /// One channel; with codes every slot, since what other transmitters add to them has as many signs as the
 /// pair's own, plus and minus.
-fn heard(header: &CubeHeader, channel: usize) -> Vec<Heard> {
-    let receivers = header.radar.array.rx_m.len();
+fn heard(division: &Division, channel: usize) -> Vec<Heard> {
+    let &Division { multiplexing, receivers, slots, .. } = division;
     let (tx, rx) = (channel / receivers, channel % receivers);
-    if header.radar.array.multiplexing != Multiplexing::Bpm {
-        let (source, cycles) = source_of(header, channel);
+    if multiplexing != Multiplexing::Bpm {
+        let (source, cycles) = source_of(division, channel);
         return vec![Heard { source, turn: tx, cycles, share: 1.0 }];
     }
-    let slots = header.radar.slots();
     let of_slot = |slot: usize| Heard {
         source: slot * receivers + rx,
         turn: slot,
@@ -143,8 +140,7 @@ struct ChirpPhase {
 }
 
 impl ChirpPhase {
-    fn new(header: &CubeHeader, point: &PointEcho, excess_m: f64, start_s: f64, turn_cycles: f64) -> Self {
-        let waveform = &header.radar.waveform;
+    fn new(waveform: &Waveform, point: &PointEcho, excess_m: f64, start_s: f64, turn_cycles: f64) -> Self {
         let (f0, mu) = (waveform.start_frequency_hz, waveform.slope_hz_per_s);
         let tau_s =
             (2.0 * (point.range_m + point.radial_velocity_mps * start_s) + excess_m) / SPEED_OF_LIGHT_MPS;

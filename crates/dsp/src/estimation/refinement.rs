@@ -8,10 +8,10 @@
 //! reaches the Cramér–Rao bound (`docs/validation/estimates.md`); it knows of one echo only, so peaks that
 //! others bias are left as they are ([`crate::estimation::isolation`]).
 
-use crate::direction::angle::{Direction, VirtualArray};
+use crate::direction::angle::Direction;
 use crate::estimation::point_echo::{Block, PointEcho, blocks};
 use crate::numerics::normal_equations::solve;
-use artifact::cube::CubeHeader;
+use crate::plan::Plan;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use num_complex::{Complex32, Complex64};
 use std::f64::consts::TAU;
@@ -25,30 +25,20 @@ const PASSES: usize = 2;
 const STEPS: usize = 6;
 
 /// The echo that fits the samples best, near `start`; `None` where they do not settle within a cell of it.
-pub(crate) fn refined(
-    header: &CubeHeader,
-    array: &VirtualArray,
-    samples: &[Complex32],
-    start: PointEcho,
-) -> Option<PointEcho> {
+pub(crate) fn refined(plan: &Plan, samples: &[Complex32], start: PointEcho) -> Option<PointEcho> {
     let mut point = start;
     for _ in 0..PASSES {
-        let blocks = blocks(header, array, samples, &point);
-        let step = best_step(header, array, &blocks, &point)?;
+        let blocks = blocks(plan, samples, &point);
+        let step = best_step(plan, &blocks, &point)?;
         point = moved(&point, step);
-        is_near(header, &start, &point).then_some(())?;
+        is_near(plan, &start, &point).then_some(())?;
     }
     Some(point)
 }
 
 /// Change of the parameters that maximises |Σ blocks · e^{−j·what they turn by}|.
-fn best_step(
-    header: &CubeHeader,
-    array: &VirtualArray,
-    blocks: &[Block],
-    at: &PointEcho,
-) -> Option<[f64; PARAMETERS]> {
-    let slopes = centred(phase_slopes(header, array, blocks, at), blocks);
+fn best_step(plan: &Plan, blocks: &[Block], at: &PointEcho) -> Option<[f64; PARAMETERS]> {
+    let slopes = centred(phase_slopes(plan, blocks, at), blocks);
     let mut step = [0.0; PARAMETERS];
     for _ in 0..STEPS {
         let turned: Vec<Complex64> = blocks
@@ -76,15 +66,10 @@ fn best_step(
 
 /// Radians of each block per metre, metre a second and unit cosines; 0 along axes that the array does not
 /// have.
-fn phase_slopes(
-    header: &CubeHeader,
-    array: &VirtualArray,
-    blocks: &[Block],
-    at: &PointEcho,
-) -> Vec<[f64; PARAMETERS]> {
-    let waveform = &header.radar.waveform;
+fn phase_slopes(plan: &Plan, blocks: &[Block], at: &PointEcho) -> Vec<[f64; PARAMETERS]> {
+    let waveform = &plan.radar.waveform;
     let tau_s = 2.0 * at.range_m / SPEED_OF_LIGHT_MPS;
-    let of_cosines = array.excess_slopes_m(at.direction, at.range_m);
+    let of_cosines = plan.array.excess_slopes_m(at.direction, at.range_m);
     let slope = |block: &Block| {
         let frequency_hz = waveform.start_frequency_hz + waveform.slope_hz_per_s * (block.sweep_s - tau_s);
         let per_metre = TAU * frequency_hz / SPEED_OF_LIGHT_MPS;
@@ -121,10 +106,10 @@ fn moved(point: &PointEcho, step: [f64; PARAMETERS]) -> PointEcho {
 }
 
 /// Within a cell of range and velocity, and in front of the array.
-fn is_near(header: &CubeHeader, start: &PointEcho, point: &PointEcho) -> bool {
+fn is_near(plan: &Plan, start: &PointEcho, point: &PointEcho) -> bool {
+    let axes = plan.array.cells();
     let up = point.direction.up.unwrap_or(0.0);
-    (point.range_m - start.range_m).abs() < header.radar.waveform.range_resolution_m()
-        && (point.radial_velocity_mps - start.radial_velocity_mps).abs()
-            < header.radar.velocity_resolution_mps()
+    (point.range_m - start.range_m).abs() < axes.range_cell_m
+        && (point.radial_velocity_mps - start.radial_velocity_mps).abs() < axes.velocity_cell_mps
         && point.direction.right.powi(2) + up.powi(2) < 1.0
 }

@@ -8,9 +8,8 @@
 use crate::ambiguity::ambiguous_velocities::folds_are_told;
 use crate::ambiguity::time_division_folds::{Choice, Folds};
 use crate::detection::censored::unmasked;
-use crate::detection::cfar_threshold::threshold_factor;
 use crate::detection::empty_band::fold_is_certain;
-use crate::detection::peaks::{Peak, PeakFinder};
+use crate::detection::peaks::Peak;
 use crate::direction::angle::{Direction, Snapshot, VirtualArray};
 use crate::direction::directional_peaks::Beams;
 use crate::direction::point_sources::sources;
@@ -23,94 +22,51 @@ use crate::estimation::refinement::refined;
 use crate::objects::cluster_member::Member;
 use crate::objects::clusters::clusters;
 use crate::objects::stationary::{Fold, is_at_rest};
-use crate::spectrum::all_channels::check_samples;
-use crate::spectrum::axes::{coupling_m, unwrapped, velocity_at, wrapped};
-use crate::spectrum::noncoherent::{noise_power, power_map};
-use crate::spectrum::window::{noise_bandwidth_bins, taper};
-use artifact::cube::{CubeFrame, CubeHeader};
+use crate::plan::Plan;
+use crate::spectrum::axes::Axes;
 use artifact::points::{Object, Point, PointsFrame};
-use artifact::radar::Sampling;
 use artifact::rdm::RdmFrame;
-use artifact::settings::{Angle, Refine, StaticEchoes, Window};
+use artifact::settings::{Angle, DspSettings, StaticEchoes, Window};
 use artifact::units::{LOWEST_DB, db_from_power};
-use glam::DVec3;
 use num_complex::Complex32;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// Points of a map, strongest first, and objects in the order of their strongest peaks.
+/// Points of a map, strongest first, and objects in the order of their strongest peaks; peaks that stand alone
+/// are refined on the samples that the map was made of, where there are any (`refinement.rs`).
 ///
-/// Knows the map and its header alone. A vehicle is one object, its points share the object's index; a
-/// detection without a detected neighbour, as noise makes them, is a point of no object. Detected cells on
+/// Knows the map and its radar's settings alone. A vehicle is one object, its points share the object's index;
+/// a detection without a detected neighbour, as noise makes them, is a point of no object. Detected cells on
 /// sidelobes are no points.
-pub fn detect(header: &CubeHeader, map: &RdmFrame) -> Result<PointsFrame, DspError> {
-    detect_in(header, map, None)
-}
-
-/// The same with the samples that the map was made of: where the settings ask for it, peaks that stand alone
-/// are refined on them (`refinement.rs`).
-pub fn detect_refined(
-    header: &CubeHeader,
-    cube: &CubeFrame,
-    map: &RdmFrame,
-) -> Result<PointsFrame, DspError> {
-    check_samples(header, &cube.samples)?;
-    if header.dsp.refine == Refine::Isolated && !is_one_tone(header) {
-        return Err(DspError::Refinement);
-    }
-    detect_in(header, map, (header.dsp.refine == Refine::Isolated).then_some(cube.samples.as_slice()))
-}
-
-/// Whether an echo is one tone in every channel's samples.
-fn is_one_tone(header: &CubeHeader) -> bool {
-    header.radar.waveform.sampling == Sampling::Complex
-}
-
-fn detect_in(
-    header: &CubeHeader,
+pub(crate) fn located(
+    plan: &Plan,
     map: &RdmFrame,
     samples: Option<&[Complex32]>,
 ) -> Result<PointsFrame, DspError> {
-    let header = &header.in_frame(map.index);
-    let power = power_map(header, map)?;
-    let noise = noise_power(header, map)? * header.radar.map_channels() as f64;
-    let finder = PeakFinder::new(header)?;
-    let noise_threshold = known_noise_threshold(header, noise);
-    let mask = unmasked(header, power.view(), &map.mask, noise_threshold)?;
-    let mut peaks = finder.peaks(power.view(), &map.values, &mask, noise_threshold);
-    let slopes = finder.slopes(power.view(), &mask, &peaks);
-    let array = &VirtualArray::new(header);
-    peaks.extend(Beams { header, map, array, finder: &finder }.on_slopes(&slopes, &peaks));
-    let view = View { header, map, array, noise };
+    let (levels, thresholds, array) = (plan.levels(map)?, &plan.thresholds, &plan.array);
+    let (power, finder) = (levels.power(), &thresholds.finder);
+    let noise = levels.noise() * array.division().map_channels as f64;
+    let noise_threshold = thresholds.of_known_noise * noise;
+    let mask = unmasked(&thresholds.censoring, power, &map.mask, noise_threshold);
+    let mut peaks = finder.peaks(power, &map.values, &mask, noise_threshold);
+    let slopes = finder.slopes(power, &mask, &peaks);
+    peaks.extend(Beams { map, array, finder }.on_slopes(&slopes, &peaks));
+    let view = View { plan, axes: array.cells(), array, map, noise };
     let mut sighted = view.in_one_fold(view.sight_all(&peaks), &peaks);
     view.mark_ghosts(&mut sighted);
     if let Some(samples) = samples {
-        refine_isolated(&view, samples, &peaks, &mut sighted)?;
+        refine_isolated(&view, samples, &peaks, &mut sighted);
     }
-    if header.dsp.static_echoes == StaticEchoes::Remove {
+    if plan.settings.static_echoes == StaticEchoes::Remove {
         sighted.retain(|s| !view.is_at_rest(s));
     }
     let groups = view.groups(&sighted);
-    let object_of =
-        |index: usize| groups.iter().position(|g| g.binary_search(&index).is_ok()).map(|o| o as u32);
-    let points: Vec<Point> = slopes
+    let on_slopes: Vec<Vec<Point>> = slopes
         .par_iter()
-        .flat_map_iter(|(cell, peak)| {
-            let seen = view.on_slope(
-                &sighted,
-                power[(cell[0], cell[1])],
-                *cell,
-                [peaks[*peak].row, peaks[*peak].column],
-            );
-            seen.into_iter()
-                .map(|(sighting, index)| Point {
-                    stationary: view.stationary([&sighted[index]].into_iter()),
-                    ..sighting.point(view.snr_db(sighting.peak.power), object_of(index))
-                })
-                .collect::<Vec<_>>()
-        })
+        .map(|(cell, peak)| view.points(&sighted, &groups, (power[[cell[0], cell[1]]], *cell), &peaks[*peak]))
         .collect();
+    let points = on_slopes.concat();
     let objects = groups.iter().enumerate().map(|(index, group)| {
         let members: Vec<&Sighting> =
             group.iter().map(|i| &sighted[*i]).filter(|s| s.peak.detected).collect();
@@ -125,12 +81,6 @@ fn detect_in(
 fn strongest_first(mut points: Vec<Point>) -> Vec<Point> {
     points.sort_by(|a, b| b.snr_db.total_cmp(&a.snr_db));
     points
-}
-
-/// Threshold of the same false-alarm rate were the noise known: that of infinitely many training cells.
-fn known_noise_threshold(header: &CubeHeader, noise: f64) -> f64 {
-    // At 1e9 cells the factor is within 1e-8 of its limit.
-    threshold_factor(1e9, header.radar.map_channels(), header.dsp.false_alarm_rate) * noise
 }
 
 /// Half a main lobe of a window like Hann's.
@@ -154,9 +104,10 @@ struct Sighting {
 
 /// What every step looks at; `noise` is summed over channels.
 struct View<'a> {
-    header: &'a CubeHeader,
-    map: &'a RdmFrame,
+    plan: &'a Plan,
+    axes: &'a Axes,
     array: &'a VirtualArray,
+    map: &'a RdmFrame,
     noise: f64,
 }
 
@@ -175,7 +126,7 @@ impl View<'_> {
 
     fn two_ways_rad(&self, s: &Sighting) -> Option<[f64; 2]> {
         let found = two_ways(self.array, &s.snapshot, s.range_m, s.direction, self.channel_noise());
-        let azimuth = |direction| place(self.header, self.array, direction, s.range_m).azimuth_rad;
+        let azimuth = |direction| place(self.array, direction, s.range_m).azimuth_rad;
         found.map(|two| two.directions.map(azimuth))
     }
 
@@ -193,28 +144,26 @@ impl View<'_> {
 
     /// Echoes of one cell, at least one, at the likeliest fold of its velocity.
     fn sight(&self, peak: Peak) -> Vec<Sighting> {
-        let header = self.header;
-        let shown_mps = wrapped(header, velocity_at(header, peak.fine_row));
+        let shown_mps = self.axes.wrapped(self.axes.velocity_at(peak.fine_row));
         let range_m = self.range_m(&peak, shown_mps);
         let cell = [peak.row, peak.column];
-        let of_cell = || Folds::of_cell(header, self.map, self.array, cell, (shown_mps, range_m));
-        let folds = folds_are_told(header).then(of_cell);
+        let of_cell = || Folds::of_cell(self.array, self.map, cell, (shown_mps, range_m));
+        let folds = folds_are_told(&self.plan.radar).then(of_cell);
         let velocity_mps = folds.as_ref().map_or(shown_mps, |folds| self.choice(folds).velocity_mps);
         self.sight_at(peak, velocity_mps, folds)
     }
 
     /// The same at a velocity that is known.
     fn sight_at(&self, peak: Peak, radial_velocity_mps: f64, folds: Option<Folds>) -> Vec<Sighting> {
-        let header = self.header;
         let range_m = self.range_m(&peak, radial_velocity_mps);
-        let snapshot = self.array.snapshot(header, self.map, [peak.row, peak.column], radial_velocity_mps);
+        let snapshot = self.array.snapshot(self.map, [peak.row, peak.column], radial_velocity_mps);
         let echoes = self.directions(&snapshot, range_m).into_iter().map(|(direction, share)| Sighting {
             peak: Peak { power: share * peak.power, ..peak },
             range_m,
             radial_velocity_mps,
             snapshot: snapshot.clone(),
             direction,
-            place: place(header, self.array, direction, range_m),
+            place: place(self.array, direction, range_m),
             folds: folds.clone(),
             two_ways_rad: None,
         });
@@ -222,8 +171,7 @@ impl View<'_> {
     }
 
     fn range_m(&self, peak: &Peak, velocity_mps: f64) -> f64 {
-        let shown_m = peak.fine_column * self.header.radar.waveform.range_resolution_m();
-        (shown_m - coupling_m(self.header, velocity_mps)).max(0.0)
+        (self.axes.range_at(peak.fine_column) - self.axes.coupling_m(velocity_mps)).max(0.0)
     }
 
     fn choice(&self, folds: &Folds) -> Choice {
@@ -232,13 +180,14 @@ impl View<'_> {
 
     /// Of a cell.
     fn channel_noise(&self) -> f64 {
-        self.noise / self.header.radar.map_channels() as f64
+        self.noise / self.array.division().map_channels as f64
     }
 
     /// Signal over noise of the transmit–receive pairs: the noise's own mean is taken out of the cell, and
     /// codes of no transmitter hold nothing else.
     fn snr_db(&self, power: f64) -> f64 {
-        let pairs = self.header.radar.virtual_channels() as f64 / self.header.radar.map_channels() as f64;
+        let division = self.array.division();
+        let pairs = division.pairs() as f64 / division.map_channels as f64;
         snr_db(power - (1.0 - pairs) * self.noise, pairs * self.noise)
     }
 
@@ -251,7 +200,7 @@ impl View<'_> {
                 return sighted;
             };
             for member in members {
-                let velocity_mps = unwrapped(self.header, member.radial_velocity_mps, choice.velocity_mps);
+                let velocity_mps = self.axes.unwrapped(member.radial_velocity_mps, choice.velocity_mps);
                 moved.entry(member.cell()).or_insert_with(|| (velocity_mps, member.folds.clone()));
             }
         }
@@ -265,20 +214,20 @@ impl View<'_> {
     /// Indices of the peaks of each object, those hidden from the detector among them.
     fn groups(&self, sighted: &[Sighting]) -> Vec<Vec<usize>> {
         let members: Vec<Member> = sighted.iter().map(|s| self.member(s)).collect();
-        let mut groups = clusters(&members, &self.header.dsp, 2.0 * self.header.radar.velocity_max_mps());
-        groups.retain(|group| is_supported(self.header, sighted, group));
+        let mut groups = clusters(&members, &self.plan.settings, 2.0 * self.axes.velocity_max_mps);
+        groups.retain(|group| is_supported(&self.plan.settings, sighted, group));
         groups
     }
 
     fn member(&self, s: &Sighting) -> Member {
-        let [cross_m, _] = self.header.dsp.road.across_along_m(s.place.position_m.to_array());
+        let [cross_m, _] = self.plan.settings.road.across_along_m(s.place.position_m.to_array());
         Member {
             range_m: s.range_m,
             radial_velocity_mps: s.radial_velocity_mps,
             cross_m,
             cross_error_m: s.range_m * self.cosine_error(s.peak.power),
             power: s.peak.power,
-            place_m: (s.place.position_m - DVec3::from(self.header.radar.position_m)).truncate(),
+            place_m: (s.place.position_m - self.array.position_m()).truncate(),
         }
     }
 
@@ -292,20 +241,20 @@ impl View<'_> {
 
     /// Power ratio of a cell to one channel's noise, added over channels.
     fn over_noise(&self, power: f64) -> f64 {
-        power / self.noise.max(f64::MIN_POSITIVE) * self.header.radar.map_channels() as f64
+        power / self.noise.max(f64::MIN_POSITIVE) * self.array.division().map_channels as f64
     }
 
     /// A velocity of this map as near as it can be to one whose fold was told, else within the map's span.
     fn unfolded(&self, velocity_mps: f64, near: &Sighting) -> f64 {
         match near.folds {
-            Some(_) => unwrapped(self.header, velocity_mps, near.radial_velocity_mps),
-            None => wrapped(self.header, velocity_mps),
+            Some(_) => self.axes.unwrapped(velocity_mps, near.radial_velocity_mps),
+            None => self.axes.wrapped(velocity_mps),
         }
     }
 
     /// Directions of a cell's echoes and their shares of its power.
     fn directions(&self, snapshot: &Snapshot, range_m: f64) -> Vec<(Direction, f64)> {
-        match self.header.dsp.angle {
+        match self.plan.settings.angle {
             Angle::Fft => vec![(self.array.direction(std::slice::from_ref(snapshot), range_m), 1.0)],
             Angle::MaximumLikelihood => {
                 let found = sources(self.array, snapshot, range_m, self.channel_noise());
@@ -314,6 +263,24 @@ impl View<'_> {
                 found.into_iter().map(|s| (s.direction, share(s.power))).collect()
             }
         }
+    }
+
+    /// Points of a detected cell of this power.
+    fn points(
+        &self,
+        sighted: &[Sighting],
+        groups: &[Vec<usize>],
+        (power, cell): (f64, [usize; 2]),
+        peak: &Peak,
+    ) -> Vec<Point> {
+        let object_of =
+            |index: usize| groups.iter().position(|g| g.binary_search(&index).is_ok()).map(|o| o as u32);
+        let seen = self.on_slope(sighted, power, cell, [peak.row, peak.column]);
+        let point = |(sighting, index): (Sighting, usize)| Point {
+            stationary: self.stationary([&sighted[index]].into_iter()),
+            ..sighting.point(self.snr_db(sighting.peak.power), object_of(index))
+        };
+        seen.into_iter().map(point).collect()
     }
 
     /// Echoes of a detected cell, each with the peak's echo that it belongs to: its own, or the nearest
@@ -332,7 +299,7 @@ impl View<'_> {
         let own = || (0..sighted.len()).filter(|i| sighted[*i].is_over([row, column], peak));
         let across = |a: &Sighting, b: &Sighting| (a.direction.right - b.direction.right).abs();
         let Some(owner) = of_cell(peak).next() else { return vec![] };
-        let velocity_mps = self.unfolded(velocity_at(self.header, row as f64), &sighted[owner]);
+        let velocity_mps = self.unfolded(self.axes.velocity_at(row as f64), &sighted[owner]);
         let mut echoes = self.sight_at(Peak::at_centre(row, column, power), velocity_mps, None);
         let two_ways_rad = echoes.first().and_then(|strongest| self.on_slope_of(&sighted[owner], strongest));
         echoes.iter_mut().for_each(|echo| echo.two_ways_rad = two_ways_rad);
@@ -357,16 +324,10 @@ fn by_strength(of_peaks: Vec<Vec<Sighting>>) -> Vec<Sighting> {
 }
 
 /// Puts refined estimates in the place of those of detected peaks that stand alone.
-fn refine_isolated(
-    view: &View<'_>,
-    samples: &[Complex32],
-    peaks: &[Peak],
-    sighted: &mut [Sighting],
-) -> Result<(), DspError> {
-    let (header, array) = (view.header, view.array);
-    let bandwidth_cells = noise_bandwidth_cells(header)?;
-    let neighbours = Neighbours { header, map: view.map, array, peaks, noise: view.noise, bandwidth_cells };
-    let sample_noise = view.noise / (bandwidth_cells * view.map.values.len() as f64);
+fn refine_isolated(view: &View<'_>, samples: &[Complex32], peaks: &[Peak], sighted: &mut [Sighting]) {
+    let plan = view.plan;
+    let neighbours = Neighbours { plan, map: view.map, peaks, noise: view.noise };
+    let sample_noise = view.noise / (plan.thresholds.bandwidth_cells * view.map.values.len() as f64);
     let cells: Vec<[usize; 2]> = sighted.iter().map(Sighting::cell).collect();
     for sighting in sighted.iter_mut() {
         let alone = cells.iter().filter(|other| **other == sighting.cell()).count() == 1;
@@ -374,23 +335,14 @@ fn refine_isolated(
         if !(alone && sighting.peak.detected && neighbours.leave_alone(&sighting.peak, start)) {
             continue;
         }
-        let point = refined(header, array, samples, start);
-        if let Some(point) = point.filter(|point| fits_alone(header, array, samples, point, sample_noise)) {
+        let point = refined(plan, samples, start);
+        if let Some(point) = point.filter(|point| fits_alone(plan, samples, point, sample_noise)) {
             sighting.range_m = point.range_m;
             sighting.radial_velocity_mps = view.unfolded(point.radial_velocity_mps, sighting);
             sighting.direction = point.direction;
-            sighting.place = place(header, array, point.direction, point.range_m);
+            sighting.place = place(view.array, point.direction, point.range_m);
         }
     }
-    Ok(())
-}
-
-/// Of a cell of the map, by its two windows.
-fn noise_bandwidth_cells(header: &CubeHeader) -> Result<f64, DspError> {
-    let waveform = &header.radar.waveform;
-    let doppler = taper(header.dsp.doppler_window, waveform.chirps as usize)?;
-    let range = taper(header.dsp.range_window, waveform.samples as usize)?;
-    Ok(noise_bandwidth_bins(&doppler) * noise_bandwidth_bins(&range))
 }
 
 impl Sighting {
@@ -441,9 +393,9 @@ fn snr_db(power: f64, noise: f64) -> f64 {
 /// Whether a group is more than a lone cell. A window spreads an echo over neighbours that are at most 8 dB
 /// lower, noise passes in single cells (at a rate of 1e-5, 0.3 a map): such a cell is a point, but no object.
 /// Without a window an echo on a bin's centre is alone too.
-fn is_supported(header: &CubeHeader, sighted: &[Sighting], group: &[usize]) -> bool {
+fn is_supported(settings: &DspSettings, sighted: &[Sighting], group: &[usize]) -> bool {
     let spreads = |window: Window| window != Window::Rect;
-    let lone_is_noise = spreads(header.dsp.range_window) || spreads(header.dsp.doppler_window);
+    let lone_is_noise = spreads(settings.range_window) || spreads(settings.doppler_window);
     let detected = group.iter().map(|i| &sighted[*i].peak).filter(|peak| peak.detected);
     detected.map(|peak| peak.cells).sum::<u32>() > u32::from(lone_is_noise)
 }
@@ -451,21 +403,21 @@ fn is_supported(header: &CubeHeader, sighted: &[Sighting], group: &[usize]) -> b
 impl View<'_> {
     /// The object of detected peaks, strongest first, and of the points on their slopes.
     fn object(&self, peaks: &[&Sighting], points: &[&Point]) -> Object {
-        let (header, strongest) = (self.header, peaks[0]);
+        let strongest = peaks[0];
         let near_strongest =
-            |velocity_mps: f64| unwrapped(header, velocity_mps, strongest.radial_velocity_mps);
+            |velocity_mps: f64| self.axes.unwrapped(velocity_mps, strongest.radial_velocity_mps);
         let weights: Vec<f64> = peaks.iter().map(|s| s.peak.power).collect();
         let range_m = weighted_mean(peaks.iter().map(|s| s.range_m), &weights);
         let velocity_mps =
             weighted_mean(peaks.iter().map(|s| near_strongest(s.radial_velocity_mps)), &weights);
-        let place = place(header, self.array, self.direction(peaks, &weights, range_m), range_m);
+        let place = place(self.array, self.direction(peaks, &weights, range_m), range_m);
         Object {
             range_m,
             radial_velocity_mps: self.unfolded(velocity_mps, strongest),
             velocity_resolved: self.is_resolved(peaks),
             azimuth_rad: place.azimuth_rad,
             position_m: place.position_m.to_array(),
-            lane: header.dsp.road.at(place.position_m.to_array()),
+            lane: self.plan.settings.road.at(place.position_m.to_array()),
             snr_db: self.snr_db(strongest.peak.power),
             points: points.len() as u32,
             range_extent_m: extent(points.iter().map(|p| p.range_m)),
@@ -481,23 +433,27 @@ impl View<'_> {
     fn is_resolved(&self, peaks: &[&Sighting]) -> bool {
         match joined(peaks) {
             Some(folds) => self.choice(&folds).is_certain,
-            None => fold_is_certain(self.header, self.map, peaks[0].peak.row, peaks[0].peak.column),
+            None => {
+                let size = [self.axes.rows, self.axes.columns];
+                fold_is_certain(self.array.division(), self.map, size, peaks[0].cell())
+            }
         }
     }
 
     /// Whether all are at rest, where that is asked.
     fn stationary<'s>(&self, mut peaks: impl Iterator<Item = &'s Sighting>) -> Option<bool> {
-        (self.header.dsp.static_echoes != StaticEchoes::Keep).then(|| peaks.all(|peak| self.is_at_rest(peak)))
+        (self.plan.settings.static_echoes != StaticEchoes::Keep)
+            .then(|| peaks.all(|peak| self.is_at_rest(peak)))
     }
 
     fn is_at_rest(&self, s: &Sighting) -> bool {
         let fold = if self.is_resolved(&[s]) { Fold::Told } else { Fold::Assumed };
-        is_at_rest(self.header, s.radial_velocity_mps, fold, self.over_noise(s.peak.power))
+        is_at_rest(&self.plan.radar, s.radial_velocity_mps, fold, self.over_noise(s.peak.power))
     }
 
     /// Of all peaks: the strongest beam of their cells, or the mean of the echoes told apart in them.
     fn direction(&self, peaks: &[&Sighting], weights: &[f64], range_m: f64) -> Direction {
-        match (peaks, self.header.dsp.angle) {
+        match (peaks, self.plan.settings.angle) {
             ([lone], _) => lone.direction,
             (_, Angle::Fft) => {
                 self.array.direction(&peaks.iter().map(|s| s.snapshot.clone()).collect::<Vec<_>>(), range_m)

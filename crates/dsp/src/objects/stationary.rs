@@ -7,7 +7,7 @@
 //! of the map from zero (blind speeds) look alike, and count as rest unless their fold is told beyond doubt;
 //! so does what moves across the line of sight.
 
-use artifact::cube::CubeHeader;
+use artifact::Radar;
 use radar::doppler_ambiguity::shown_mps;
 use std::f64::consts::TAU;
 
@@ -27,17 +27,17 @@ const OVER_BOUND: f64 = 2.0;
 
 /// Whether an echo of this velocity is at rest; `over_noise` is the power ratio of its cell, added over
 /// channels.
-pub fn is_at_rest(header: &CubeHeader, velocity_mps: f64, fold: Fold, over_noise: f64) -> bool {
+pub fn is_at_rest(radar: &Radar, velocity_mps: f64, fold: Fold, over_noise: f64) -> bool {
     let shown_mps = match fold {
         Fold::Told => velocity_mps,
-        Fold::Assumed => shown_mps(&header.radar, velocity_mps),
+        Fold::Assumed => shown_mps(radar, velocity_mps),
     };
-    shown_mps.abs() <= tolerance_mps(header, over_noise)
+    shown_mps.abs() <= tolerance_mps(radar, over_noise)
 }
 
 /// Half a cell and three standard errors; the bound of a tone over N chirps is √6/(2π) of a cell over the
 /// root of the power ratio.
-pub fn tolerance_mps(header: &CubeHeader, over_noise: f64) -> f64 {
+pub fn tolerance_mps(radar: &Radar, over_noise: f64) -> f64 {
     let bound_cells = 6f64.sqrt() / TAU / over_noise.max(1.0).sqrt();
-    (0.5 + ERRORS * OVER_BOUND * bound_cells) * header.radar.velocity_resolution_mps()
+    (0.5 + ERRORS * OVER_BOUND * bound_cells) * radar.velocity_resolution_mps()
 }

@@ -8,21 +8,23 @@
 //! own f, keeps all M codes, those of no transmitter too, and is detected on their sum, which knows no fold;
 //! directions are looked for once the velocity of an echo is told, with `in_phase`.
 
-use artifact::cube::CubeHeader;
+use crate::spectrum::division::Division;
 use artifact::radar::code_sign;
 use num_complex::{Complex32, Complex64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 /// Maps `[code·N_rx + rx, doppler, range]` of the slots' maps `[slot·N_rx + rx, doppler, range]`.
-pub(crate) fn codes_of_slots(header: &CubeHeader, of_slots: &[Complex32]) -> Vec<Complex32> {
-    let (slots, receivers) = (header.radar.slots(), header.radar.array.rx_m.len());
-    let (rows, columns) = (header.radar.waveform.chirps as usize, header.radar.waveform.range_cells());
+pub(crate) fn codes_of_slots(
+    &Division { slots, receivers, .. }: &Division,
+    [rows, columns]: [usize; 2],
+    of_slots: &[Complex32],
+) -> Vec<Complex32> {
     let mut codes = vec![Complex32::ZERO; of_slots.len()];
     codes.par_chunks_mut(columns).enumerate().for_each(|(r, cells)| {
         let (channel, row) = (r / rows, r % rows);
         let (code, rx) = (channel / receivers, channel % receivers);
-        let cycles = cycles_per_slot(header, row);
+        let cycles = cycles_per_slot(slots, [row, rows]);
         for slot in 0..slots {
             let share = turned_back(slots, slot, cycles) * code_sign(code, slot) / slots as f64;
             let share = Complex32::new(share.re as f32, share.im as f32);
@@ -33,11 +35,15 @@ pub(crate) fn codes_of_slots(header: &CubeHeader, of_slots: &[Complex32]) -> Vec
     codes
 }
 
-/// Values `[code·N_rx + rx]` of an echo that turns by `cycles` from slot to slot, of those of a cell in row
-/// `row`.
-pub(crate) fn in_phase(header: &CubeHeader, codes: &[Complex64], row: usize, cycles: f64) -> Vec<Complex64> {
-    let (slots, receivers) = (header.radar.slots(), header.radar.array.rx_m.len());
-    let more = cycles - cycles_per_slot(header, row);
+/// Values `[code·N_rx + rx]` of an echo that turns by `cycles` from slot to slot, of those of a cell in a row
+/// of so many.
+pub(crate) fn in_phase(
+    &Division { slots, receivers, .. }: &Division,
+    codes: &[Complex64],
+    row: [usize; 2],
+    cycles: f64,
+) -> Vec<Complex64> {
+    let more = cycles - cycles_per_slot(slots, row);
     let of_slot = |slot: usize, rx: usize| {
         let sum: Complex64 =
             (0..slots).map(|code| code_sign(code, slot) * codes[code * receivers + rx]).sum();
@@ -53,10 +59,9 @@ pub(crate) fn in_phase(header: &CubeHeader, codes: &[Complex64], row: usize, cyc
     (0..codes.len()).map(of_code).collect()
 }
 
-/// What an echo in the middle of a row turns by from slot to slot.
-fn cycles_per_slot(header: &CubeHeader, row: usize) -> f64 {
-    let rows = header.radar.waveform.chirps as usize;
-    (row as f64 - (rows / 2) as f64) / (rows * header.radar.slots()) as f64
+/// What an echo in the middle of a row of so many turns by from slot to slot.
+fn cycles_per_slot(slots: usize, [row, rows]: [usize; 2]) -> f64 {
+    (row as f64 - (rows / 2) as f64) / (rows * slots) as f64
 }
 
 /// About the block's middle.

@@ -4,19 +4,19 @@
 //! Taking a transmitter's turn out puts its echo at the true Doppler, and those of the others i'/M of the
 //! span away.
 
-use artifact::cube::CubeHeader;
+use crate::spectrum::division::Division;
 use artifact::radar::Multiplexing;
 
 /// Channel of the cube that a channel of the map is made from, and the cycles per chirp to take out of it.
-pub(crate) fn source_of(header: &CubeHeader, channel: usize) -> (usize, f64) {
-    let receivers = header.radar.array.rx_m.len();
-    match header.radar.array.multiplexing {
-        Multiplexing::Ddm => (channel % receivers, band_cycles(header, channel / receivers)),
+pub(crate) fn source_of(division: &Division, channel: usize) -> (usize, f64) {
+    let receivers = division.receivers;
+    match division.multiplexing {
+        Multiplexing::Ddm => (channel % receivers, band_cycles(division, channel / receivers)),
         Multiplexing::Simultaneous | Multiplexing::Tdm | Multiplexing::Bpm => (channel, 0.0),
     }
 }
 
 /// i/M.
-pub(crate) fn band_cycles(header: &CubeHeader, transmitter: usize) -> f64 {
-    transmitter as f64 / (header.radar.array.tx_m.len() + 1) as f64
+pub(crate) fn band_cycles(division: &Division, transmitter: usize) -> f64 {
+    transmitter as f64 / (division.transmitters + 1) as f64
 }

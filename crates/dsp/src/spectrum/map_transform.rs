@@ -8,8 +8,9 @@
 
 use crate::error::DspError;
 use crate::numerics::precision::Precision;
-use crate::spectrum::axes::checked_shape;
+use crate::spectrum::division::Division;
 use crate::spectrum::doppler_transform::DopplerTransform;
+use crate::spectrum::shapes::Shapes;
 use crate::spectrum::window::taper;
 use artifact::cube::CubeHeader;
 use num_complex::{Complex, Complex32, Complex64};
@@ -21,6 +22,8 @@ use std::sync::Arc;
 
 /// Both FFTs and windows of a radar, ready for any number of channels, in single or double precision.
 pub struct RangeDoppler<T = f32> {
+    shapes: Shapes,
+    division: Division,
     chirps: usize,
     samples: usize,
     /// Range cells: as many as samples, or where these are real half as many.
@@ -50,10 +53,13 @@ const COLUMNS: usize = 16;
 impl<T: Precision> RangeDoppler<T> {
     /// Windows and transforms that a cube's header asks for.
     pub fn new(header: &CubeHeader) -> Result<Self, DspError> {
-        let [_, chirps, columns] = checked_shape(header)?;
+        let shapes = Shapes::of(header)?;
+        let [_, chirps, columns] = shapes.map;
         let samples = header.radar.waveform.samples as usize;
         let mut planner = FftPlanner::new();
         Ok(Self {
+            shapes,
+            division: Division::of(&header.radar),
             chirps,
             samples,
             columns,
@@ -97,6 +103,16 @@ impl<T: Precision> RangeDoppler<T> {
         for first in (0..self.columns).step_by(COLUMNS) {
             self.doppler_columns(transmitter, first..self.columns.min(first + COLUMNS), work, map);
         }
+    }
+
+    /// Of cubes and maps.
+    pub(crate) fn shapes(&self) -> &Shapes {
+        &self.shapes
+    }
+
+    /// Whose channels there are.
+    pub(crate) fn division(&self) -> &Division {
+        &self.division
     }
 
     /// Cells of one channel.

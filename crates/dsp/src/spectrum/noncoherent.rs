@@ -1,11 +1,10 @@
 //! Noncoherent sum over channels, and the noise level of a map.
 
 use crate::error::DspError;
-use crate::numerics::finite::first_not_finite;
-use crate::spectrum::axes::checked_shape;
+use crate::spectrum::shapes::Shapes;
 use artifact::cube::CubeHeader;
 use artifact::rdm::RdmFrame;
-use ndarray::Array2;
+use ndarray::{Array2, ArrayView2};
 use num_complex::Complex32;
 use rayon::prelude::*;
 
@@ -14,30 +13,56 @@ pub(crate) const FLOOR_BELOW_PEAK_DB: f64 = 60.0;
 
 /// Σ over channels of |value|², `[doppler, range]`.
 pub fn power_map(header: &CubeHeader, map: &RdmFrame) -> Result<Array2<f64>, DspError> {
-    let [_, chirps, samples] = checked_map(header, map)?;
-    let power = sum_over_channels(&map.values, chirps * samples);
-    Array2::from_shape_vec((chirps, samples), power).map_err(|_| DspError::MapSize {
-        what: "values",
-        expected: chirps * samples,
-        found: map.values.len(),
-    })
+    Levels::of(&Shapes::of(header)?, map).map(|levels| levels.power)
 }
 
-/// Mean noise power of one cell of one channel: the assumed floor of a noise-free map, else from the map's
-/// median.
-///
-/// The median does not feel targets as long as they fill few cells (1 % of the cells: 0.06 dB for one
-/// channel).
+/// Mean noise power of one cell of one channel ([`Levels::noise`]).
 pub fn noise_power(header: &CubeHeader, map: &RdmFrame) -> Result<f64, DspError> {
-    let channels = checked_map(header, map)?[0] as f64;
-    if let Some(floor) = map.assumed_floor {
-        return Ok(floor / channels);
+    Levels::of(&Shapes::of(header)?, map).map(|levels| levels.noise())
+}
+
+/// The powers of a map that was checked.
+pub(crate) struct Levels {
+    power: Array2<f64>,
+    channels: f64,
+    assumed_floor: Option<f64>,
+}
+
+impl Levels {
+    /// # Errors
+    /// The map has another shape, or holds values that are no numbers.
+    pub(crate) fn of(shapes: &Shapes, map: &RdmFrame) -> Result<Self, DspError> {
+        shapes.check_map(map)?;
+        let [channels, rows, columns] = shapes.map;
+        let sums = sum_over_channels(&map.values, rows * columns);
+        let power = Array2::from_shape_vec((rows, columns), sums).unwrap_or_default();
+        Ok(Self { power, channels: channels as f64, assumed_floor: map.assumed_floor })
     }
-    let power = power_map(header, map)?;
-    let mut power = power.into_raw_vec_and_offset().0;
-    let middle = power.len() / 2;
-    let (_, median, _) = power.select_nth_unstable_by(middle, f64::total_cmp);
-    Ok(*median / gamma_median(channels))
+
+    /// Σ over channels of |value|², `[doppler, range]`.
+    pub(crate) fn power(&self) -> ArrayView2<'_, f64> {
+        self.power.view()
+    }
+
+    /// Mean over channels, `[doppler, range]`.
+    pub(crate) fn into_mean(self) -> Array2<f64> {
+        self.power / self.channels
+    }
+
+    /// Mean noise power of one cell of one channel: the assumed floor of a noise-free map, else from the
+    /// map's median.
+    ///
+    /// The median does not feel targets as long as they fill few cells (1 % of the cells: 0.06 dB for one
+    /// channel).
+    pub(crate) fn noise(&self) -> f64 {
+        if let Some(floor) = self.assumed_floor {
+            return floor / self.channels;
+        }
+        let mut power: Vec<f64> = self.power.iter().copied().collect();
+        let middle = power.len() / 2;
+        let (_, median, _) = power.select_nth_unstable_by(middle, f64::total_cmp);
+        *median / gamma_median(self.channels)
+    }
 }
 
 /// Cells that one thread adds up, over all channels in their order.
@@ -53,23 +78,6 @@ pub(crate) fn sum_over_channels(values: &[Complex32], cells: usize) -> Vec<f64> 
         }
     });
     sum
-}
-
-/// Shape of a map whose arrays have the length that its header asks for and hold numbers.
-pub(crate) fn checked_map(header: &CubeHeader, map: &RdmFrame) -> Result<[usize; 3], DspError> {
-    let shape @ [channels, chirps, samples] = checked_shape(header)?;
-    let cells = chirps * samples;
-    for (what, expected, found) in
-        [("values", channels * cells, map.values.len()), ("mask cells", cells, map.mask.len())]
-    {
-        if expected != found {
-            return Err(DspError::MapSize { what, expected, found });
-        }
-    }
-    match first_not_finite(&map.values) {
-        None => Ok(shape),
-        Some(at) => Err(DspError::ValueNotFinite { channel: at / cells, cell: at % cells }),
-    }
 }
 
 /// Median of a sum of M unit exponentials: exact for one, else Choi (Proc. AMS 121 (1994) 245), M − 1/3 +

@@ -1,10 +1,10 @@
 //! What an object measures of a body: range, azimuth and radial velocity, each with the variance that its
 //! strength, the radar's resolution and the body's own size give it.
 
-use crate::spectrum::axes::coupling_m;
+use crate::spectrum::axes::Axes;
 use crate::tracking::kalman::{Estimate, Innovation};
 use crate::tracking::tracker_settings::TrackerSettings;
-use artifact::cube::CubeHeader;
+use artifact::Radar;
 use artifact::points::Object;
 use artifact::units::power_from_db;
 use glam::{DVec2, DVec4};
@@ -46,8 +46,8 @@ pub struct Measurement {
 
 impl Site {
     /// Of a radar that was checked to have cells and elements.
-    pub fn new(header: &CubeHeader) -> Self {
-        let (radar, place) = (&header.radar, header.radar.position_m);
+    pub fn new(radar: &Radar) -> Self {
+        let place = radar.position_m;
         let spread = |elements: &[[f64; 2]]| {
             let count = elements.len().max(1) as f64;
             let mean = elements.iter().map(|e| e[0]).sum::<f64>() / count;
@@ -59,7 +59,7 @@ impl Site {
             range_cell_m: radar.waveform.range_resolution_m(),
             velocity_cell_mps: radar.velocity_resolution_mps().abs(),
             span_mps: 2.0 * radar.velocity_max_mps().abs(),
-            coupling_m_per_mps: coupling_m(header, 1.0),
+            coupling_m_per_mps: Axes::of(radar).coupling_m(1.0),
             channels: radar.virtual_channels() as f64,
             aperture: spread(&radar.array.tx_half_wavelengths) + spread(&radar.array.rx_half_wavelengths),
         }

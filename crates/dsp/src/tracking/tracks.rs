@@ -11,7 +11,7 @@
 //! ([`crate::tracking::velocity_bank`]) until the range has told which is true; a track says so.
 
 use crate::error::DspError;
-use crate::spectrum::axes::checked_shape;
+use crate::spectrum::shapes::Shapes;
 use crate::tracking::body::Body;
 use crate::tracking::kalman::Estimate;
 use crate::tracking::measurement::{Measurement, Site};
@@ -39,7 +39,8 @@ const COVERED: f64 = 0.2;
 pub struct Tracker {
     header: CubeHeader,
     settings: TrackerSettings,
-    site: Site,
+    /// Of the cycle's sub-frames.
+    sites: Vec<Site>,
     followed: Vec<Followed>,
     next_id: u32,
     last_time_s: Option<f64>,
@@ -63,9 +64,10 @@ struct Followed {
 impl Tracker {
     /// Of a radar, without tracks.
     pub fn new(header: &CubeHeader, settings: TrackerSettings) -> Result<Self, DspError> {
-        checked_shape(header)?;
-        let site = Site::new(header);
-        Ok(Self { header: header.clone(), settings, site, followed: vec![], next_id: 0, last_time_s: None })
+        Shapes::of(header)?;
+        let sub_frames = 0..header.radar.schedule.sub_frames();
+        let sites = sub_frames.map(|index| Site::new(&header.radar.in_frame(index))).collect();
+        Ok(Self { header: header.clone(), settings, sites, followed: vec![], next_id: 0, last_time_s: None })
     }
 
     /// Takes in the next frame's objects (truth that a report may have joined to its points is not read).
@@ -74,9 +76,9 @@ impl Tracker {
     pub fn step(&mut self, frame: &PointsFrame) -> Result<TracksFrame, DspError> {
         frame.objects.iter().try_for_each(check_object)?;
         let interval_s = self.interval_s(frame.time_s)?;
-        self.site = Site::new(&self.header.in_frame(frame.index));
+        let site = &self.sites[frame.index as usize % self.sites.len()];
         let measurements: Vec<Measurement> =
-            frame.objects.iter().map(|o| self.site.measurement(o, &self.settings)).collect();
+            frame.objects.iter().map(|o| site.measurement(o, &self.settings)).collect();
         self.predict(interval_s);
         let mut owner = self.associate(&measurements);
         self.claim_pieces(frame, &measurements, &mut owner);
@@ -87,6 +89,11 @@ impl Tracker {
         self.bury();
         let tracks = self.followed.iter().map(|f| self.track(f)).collect();
         Ok(TracksFrame { index: frame.index, time_s: frame.time_s, tracks })
+    }
+
+    /// Place and range cells, which all sub-frames share.
+    fn site(&self) -> &Site {
+        &self.sites[0]
     }
 
     fn interval_s(&mut self, time_s: f64) -> Result<f64, DspError> {
@@ -156,8 +163,9 @@ impl Tracker {
             }
             followed.objects.push(object as u32);
         }
+        let range_cell_m = self.site().range_cell_m();
         for followed in self.followed.iter_mut().filter(|f| !f.objects.is_empty()) {
-            followed.look(frame, self.site.range_cell_m());
+            followed.look(frame, range_cell_m);
         }
     }
 
@@ -177,7 +185,7 @@ impl Tracker {
                 body,
                 objects: vec![object as u32],
             };
-            followed.look(frame, self.site.range_cell_m());
+            followed.look(frame, self.site().range_cell_m());
             self.next_id += 1;
             self.followed.push(followed);
         }
@@ -217,13 +225,13 @@ impl Tracker {
             return false;
         }
         let [near, far] = object.range_extent_m;
-        let reach = near - self.site.range_cell_m()..=far + self.site.range_cell_m();
+        let reach = near - self.site().range_cell_m()..=far + self.site().range_cell_m();
         reach.contains(&range_m) && rate_apart_mps(followed, measurement).abs() <= PIECE_MPS
     }
 
     fn range_m(&self, followed: &Followed, up_m: f64) -> f64 {
         let mean = followed.bank.best().mean;
-        (DVec2::new(mean.x, mean.y) - self.site.place_m()).length().hypot(up_m)
+        (DVec2::new(mean.x, mean.y) - self.site().place_m()).length().hypot(up_m)
     }
 
     /// A younger track in the box of an older believed one, at its velocity, is the same body: its objects go
@@ -248,10 +256,10 @@ impl Tracker {
     fn bury(&mut self) {
         let radar = &self.header.radar;
         let ahead = DVec2::new(radar.boresight_az_rad.sin(), radar.boresight_az_rad.cos());
-        let (settings, site, far_m) = (self.settings, &self.site, radar.waveform.range_max_m());
+        let (settings, place_m, far_m) = (self.settings, self.site().place_m(), radar.waveform.range_max_m());
         self.followed.retain(|f| {
             let mean = f.bank.best().mean;
-            let away_m = DVec2::new(mean.x, mean.y) - site.place_m();
+            let away_m = DVec2::new(mean.x, mean.y) - place_m;
             // No array sees what is behind it.
             let is_in_view = away_m.length() <= far_m && away_m.dot(ahead) > 0.0;
             let [least_s, most_s] = settings.coast_s;
@@ -264,7 +272,7 @@ impl Tracker {
 
     fn track(&self, followed: &Followed) -> Track {
         let state = followed.bank.best();
-        let footprint = followed.body.footprint(state, self.settings.body_width_m, self.site.place_m());
+        let footprint = followed.body.footprint(state, self.settings.body_width_m, self.site().place_m());
         Track {
             id: followed.id,
             state: match (followed.is_believed, followed.objects.is_empty()) {

@@ -7,17 +7,36 @@ mod test_settings;
 
 use artifact::ErrorBudget;
 use artifact::cube::{CubeFrame, CubeHeader};
+use artifact::dataset::{Crop, CropFormat};
+use artifact::points::Object;
 use artifact::radar::{
     Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform,
 };
+use artifact::rdm::RdmFrame;
 use artifact::seed::key;
 use artifact::settings::{DspSettings, Lane, Lanes, Noise};
 use artifact::units::{BOLTZMANN_J_PER_K, SPEED_OF_LIGHT_MPS, power_from_db};
+use dsp::{DspError, Receiver};
 use num_complex::{Complex32, Complex64};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use std::f64::consts::{PI, TAU};
+
+/// The map of one frame by a receiver of its own.
+pub fn mapped(header: &CubeHeader, frame: &CubeFrame) -> Result<RdmFrame, DspError> {
+    Receiver::new(header)?.range_doppler(frame)
+}
+
+/// One crop by a receiver of its own.
+pub fn cropped(
+    header: &CubeHeader,
+    map: &RdmFrame,
+    object: &Object,
+    format: &CropFormat,
+) -> Result<Crop, DspError> {
+    Receiver::new(header)?.cropper(map, format)?.crop(object)
+}
 
 /// A point target; position at the frame's first sample.
 #[derive(Debug, Clone, Copy)]

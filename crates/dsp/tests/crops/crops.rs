@@ -5,13 +5,14 @@ use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::dataset::Crop;
 use artifact::rdm::RdmFrame;
-use dsp::{Cropper, DspError, PAPER_CROP, crop, detect, noise_power, range_doppler, rdm_grayscale};
+use dsp::{DspError, PAPER_CROP, Receiver, noise_power, rdm_grayscale};
 
 fn seen(header: &CubeHeader, targets: &[Target]) -> (RdmFrame, Crop) {
-    let map = range_doppler(header, &cube(header, targets, 1)).unwrap();
-    let objects = detect(header, &map).unwrap().objects;
+    let receiver = Receiver::new(header).unwrap();
+    let map = receiver.range_doppler(&cube(header, targets, 1)).unwrap();
+    let objects = receiver.detect(&map).unwrap().objects;
     assert_eq!(objects.len(), 1, "{objects:?}");
-    let crop = crop(header, &map, &objects[0], &PAPER_CROP).unwrap();
+    let crop = cropped(header, &map, &objects[0], &PAPER_CROP).unwrap();
     (map, crop)
 }
 
@@ -21,15 +22,16 @@ fn a_stronger_neighbour_is_left_out_of_a_crop_and_the_rest_of_it_stays() {
     let weak = target([5.75, 38.3, 0.75], [0.0, -6.1, 0.0], 10.0);
     let strong = target([2.0, 42.0, 0.75], [0.0, -8.5, 0.0], 1000.0);
     let (_, alone) = seen(&header, &[weak]);
-    let map = range_doppler(&header, &cube(&header, &[weak, strong], 1)).unwrap();
-    let points = detect(&header, &map).unwrap();
+    let receiver = Receiver::new(&header).unwrap();
+    let map = receiver.range_doppler(&cube(&header, &[weak, strong], 1)).unwrap();
+    let points = receiver.detect(&map).unwrap();
     assert_eq!(points.objects.len(), 2);
     let own = points
         .objects
         .iter()
         .position(|o| o.snr_db == points.objects.iter().map(|o| o.snr_db).fold(f64::MAX, f64::min));
     let own = own.unwrap() as u32;
-    let cropper = Cropper::new(&header, &map, &PAPER_CROP).unwrap();
+    let cropper = receiver.cropper(&map, &PAPER_CROP).unwrap();
     let with_it = cropper.crop(&points.objects[own as usize]).unwrap();
     let among = cropper.crop_among(&points, own).unwrap();
     let [(row, column, level), (other_row, _, other), (own_row, own_column, own_level)] =
@@ -137,9 +139,12 @@ fn a_crop_wider_than_the_velocity_axis_repeats_it() {
 #[test]
 fn formats_and_objects_that_make_no_picture_are_refused() {
     let header = noisy();
-    let map = range_doppler(&header, &cube(&header, &[target([0.0, 30.0, 6.0], [0.0, 0.0, 0.0], 10.0)], 1))
+    let map = Receiver::new(&header)
+        .unwrap()
+        .range_doppler(&cube(&header, &[target([0.0, 30.0, 6.0], [0.0, 0.0, 0.0], 10.0)], 1))
         .unwrap();
-    let mut object = detect(&header, &map).unwrap().objects[0];
+    let receiver = Receiver::new(&header).unwrap();
+    let mut object = receiver.detect(&map).unwrap().objects[0];
     let mut formats = [PAPER_CROP; 5];
     formats[0].side = 0;
     formats[1].range_span_m = -1.0;
@@ -147,11 +152,11 @@ fn formats_and_objects_that_make_no_picture_are_refused() {
     formats[3].ceiling_db = formats[3].floor_db;
     formats[4].side = u32::MAX;
     for format in formats {
-        assert_eq!(crop(&header, &map, &object, &format), Err(DspError::CropFormat));
+        assert_eq!(cropped(&header, &map, &object, &format), Err(DspError::CropFormat));
     }
     object.range_m = f64::NAN;
     assert_eq!(
-        crop(&header, &map, &object, &PAPER_CROP),
+        cropped(&header, &map, &object, &PAPER_CROP),
         Err(DspError::ObjectNotFinite { quantity: "range_m" })
     );
 }
@@ -159,19 +164,24 @@ fn formats_and_objects_that_make_no_picture_are_refused() {
 #[test]
 fn an_object_far_outside_the_map_gives_a_black_crop() {
     let header = noisy();
-    let map = range_doppler(&header, &cube(&header, &[target([0.0, 30.0, 6.0], [0.0, 0.0, 0.0], 10.0)], 1))
+    let map = Receiver::new(&header)
+        .unwrap()
+        .range_doppler(&cube(&header, &[target([0.0, 30.0, 6.0], [0.0, 0.0, 0.0], 10.0)], 1))
         .unwrap();
-    let mut object = detect(&header, &map).unwrap().objects[0];
+    let receiver = Receiver::new(&header).unwrap();
+    let mut object = receiver.detect(&map).unwrap().objects[0];
     for range_m in [-1e9, 1e3, 1e300] {
         object.range_m = range_m;
-        assert!(crop(&header, &map, &object, &PAPER_CROP).unwrap().pixels.iter().all(|p| *p == 0));
+        assert!(cropped(&header, &map, &object, &PAPER_CROP).unwrap().pixels.iter().all(|p| *p == 0));
     }
 }
 
 #[test]
 fn the_grayscale_map_is_451_square_with_zero_velocity_in_the_middle() {
     let header = noisy();
-    let map = range_doppler(&header, &cube(&header, &[target([0.0, 30.0, 6.0], [0.0, 0.0, 0.0], 10.0)], 1))
+    let map = Receiver::new(&header)
+        .unwrap()
+        .range_doppler(&cube(&header, &[target([0.0, 30.0, 6.0], [0.0, 0.0, 0.0], 10.0)], 1))
         .unwrap();
     let picture = rdm_grayscale(&header, &map).unwrap();
     assert_eq!(picture.len(), 451 * 451);

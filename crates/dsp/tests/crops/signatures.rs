@@ -5,7 +5,7 @@ use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::radar::Multiplexing;
 use artifact::signature::{Signature, SignatureCell};
-use dsp::{DspError, Signatures, detect, range_doppler};
+use dsp::{DspError, Receiver};
 
 fn noisy(elements: [Vec<[f64; 2]>; 2]) -> CubeHeader {
     let mut header = header(256, 128, elements);
@@ -15,10 +15,11 @@ fn noisy(elements: [Vec<[f64; 2]>; 2]) -> CubeHeader {
 
 /// Of the one object that these targets are.
 fn signature(header: &CubeHeader, targets: &[Target]) -> Signature {
-    let map = range_doppler(header, &cube(header, targets, 1)).unwrap();
-    let points = detect(header, &map).unwrap();
+    let receiver = Receiver::new(header).unwrap();
+    let map = receiver.range_doppler(&cube(header, targets, 1)).unwrap();
+    let points = receiver.detect(&map).unwrap();
     assert_eq!(points.objects.len(), 1, "{:?}", points.objects);
-    Signatures::new(header, &map).unwrap().of(&points, 0).unwrap()
+    receiver.signatures(&map).unwrap().of(&points, 0).unwrap()
 }
 
 fn strongest(signature: &Signature) -> (usize, SignatureCell) {
@@ -94,10 +95,11 @@ fn cells_of_another_object_are_left_out() {
     let weak = target([5.75, 38.3, 0.75], [0.0, -6.1, 0.0], 10.0);
     let strong = target([2.0, 42.0, 0.75], [0.0, -7.0, 0.0], 10_000.0);
     let alone = signature(&header, &[weak]);
-    let map = range_doppler(&header, &cube(&header, &[weak, strong], 1)).unwrap();
-    let points = detect(&header, &map).unwrap();
+    let receiver = Receiver::new(&header).unwrap();
+    let map = receiver.range_doppler(&cube(&header, &[weak, strong], 1)).unwrap();
+    let points = receiver.detect(&map).unwrap();
     assert_eq!(points.objects.len(), 2);
-    let signatures = Signatures::new(&header, &map).unwrap();
+    let signatures = receiver.signatures(&map).unwrap();
     let own = u32::from(points.objects[0].snr_db > points.objects[1].snr_db);
     let among = signatures.of(&points, own).unwrap();
     let (level, expected) = (strongest(&among), strongest(&alone));

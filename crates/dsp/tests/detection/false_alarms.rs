@@ -6,8 +6,8 @@ use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::radar::{Multiplexing, Sampling};
 use artifact::settings::{Detector, Window};
+use dsp::Receiver;
 use dsp::cfar::{Cfar, DETECTED};
-use dsp::range_doppler;
 use rayon::prelude::*;
 
 const RATE: f64 = 1e-3;
@@ -26,10 +26,11 @@ fn alarms(header: &CubeHeader) -> [f64; 4] {
     let mut cells = [0_u64; 4];
     (0..rows * columns).for_each(|cell| cells[zone(cell)] += 1);
     let maps = 1_000_000_u64.div_ceil(*cells.iter().min().unwrap());
+    let receiver = Receiver::new(header).unwrap();
     let counts: Vec<[u64; 4]> = (0..maps)
         .into_par_iter()
         .map(|seed| {
-            let map = range_doppler(header, &cube(header, &[], seed)).unwrap();
+            let map = receiver.range_doppler(&cube(header, &[], seed)).unwrap();
             assert_eq!(map.cells, (rows * columns) as u64);
             let mut counts = [0; 4];
             map.mask

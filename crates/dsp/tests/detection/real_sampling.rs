@@ -7,7 +7,7 @@ use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::radar::Sampling;
 use artifact::settings::{Refine, Window};
 use dsp::cfar::{DETECTED, UNTESTED};
-use dsp::{DspError, detect, detect_refined, power_map, range_axis_m, range_doppler};
+use dsp::{DspError, Receiver, power_map, range_axis_m};
 use rayon::prelude::*;
 
 fn real(samples: u32, chirps: u32) -> CubeHeader {
@@ -30,9 +30,10 @@ fn rising_and_falling_chirps_show_range_and_velocity_in_the_half_that_is_kept() 
         header.radar.waveform.slope_hz_per_s = slope;
         header.dsp.range_window = Window::Chebyshev(100.0);
         let target = target([0.0, 20.0, 6.0], [0.0, -5.0, 0.0], 1.0);
-        let map = range_doppler(&header, &real_cube(&header, &[target], 1)).unwrap();
+        let receiver = Receiver::new(&header).unwrap();
+        let map = receiver.range_doppler(&real_cube(&header, &[target], 1)).unwrap();
         assert_eq!((range_axis_m(&header).len(), map.values.len()), (128, 128 * 64));
-        let point = detect(&header, &map).unwrap().points[0];
+        let point = receiver.detect(&map).unwrap().points[0];
         println!("slope {slope:e}: {:.3} m, {:.3} m/s", point.range_m, point.radial_velocity_mps);
         // 5 m/s move 0.01 m to the frame's middle; cells are 0.24 m and 0.51 m/s, told to a hundredth.
         assert!((point.range_m - 19.99).abs() < 0.03 && (point.radial_velocity_mps + 5.0).abs() < 0.02);
@@ -40,7 +41,7 @@ fn rising_and_falling_chirps_show_range_and_velocity_in_the_half_that_is_kept() 
         // −100 dB away.
         let mut whole = header.clone();
         whole.radar.waveform.sampling = Sampling::Complex;
-        let complex = range_doppler(&whole, &cube(&whole, &[target], 1)).unwrap();
+        let complex = Receiver::new(&whole).unwrap().range_doppler(&cube(&whole, &[target], 1)).unwrap();
         let [half, all] = [power_map(&header, &map).unwrap(), power_map(&whole, &complex).unwrap()];
         let peak = half.iter().copied().fold(0.0, f64::max);
         let worst = half
@@ -66,10 +67,11 @@ fn noise_of_real_samples_alarms_at_the_rate_asked_for_in_the_interior_and_at_bot
                 _ => 1,
             };
             let maps = if rate == 1e-2 { 600 } else { 6000 };
+            let receiver = Receiver::new(&header).unwrap();
             let counts: Vec<[[u64; 3]; 2]> = (0..maps)
                 .into_par_iter()
                 .map(|seed| {
-                    let map = range_doppler(&header, &real_cube(&header, &[], seed)).unwrap();
+                    let map = receiver.range_doppler(&real_cube(&header, &[], seed)).unwrap();
                     let mut counts = [[0; 3]; 2];
                     for (cell, state) in map.mask.iter().enumerate() {
                         counts[0][zone(cell)] += u64::from(*state != UNTESTED);
@@ -110,16 +112,19 @@ fn cells_whose_noise_is_not_circular_are_not_tested_and_imaginary_parts_are_refu
     for (window, untested) in [(Window::Rect, vec![0]), (Window::Hann, vec![0, 1, 127])] {
         let mut header = real(256, 32);
         header.dsp.range_window = window;
-        let map = range_doppler(&header, &real_cube(&header, &[], 1)).unwrap();
+        let map = Receiver::new(&header).unwrap().range_doppler(&real_cube(&header, &[], 1)).unwrap();
         let found: Vec<usize> = (0..128).filter(|column| map.mask[*column] == UNTESTED).collect();
         assert_eq!(found, untested, "{window:?}");
     }
     let mut header = real(256, 32);
     let target = target([0.0, 20.0, 6.0], [0.0; 3], 1.0);
-    let refused = range_doppler(&header, &cube(&header, &[target], 1)).unwrap_err();
+    let refused = mapped(&header, &cube(&header, &[target], 1)).unwrap_err();
     assert!(matches!(refused, DspError::NotReal { channel: 0, chirp: 0, .. }), "{refused}");
     let cube = real_cube(&header, &[target], 1);
-    let map = range_doppler(&header, &cube).unwrap();
+    let map = Receiver::new(&header).unwrap().range_doppler(&cube).unwrap();
     header.dsp.refine = Refine::Isolated;
-    assert!(matches!(detect_refined(&header, &cube, &map), Err(DspError::Refinement)));
+    assert!(matches!(
+        Receiver::new(&header).and_then(|receiver| receiver.detect_refined(&map, &cube)),
+        Err(DspError::Refinement)
+    ));
 }

@@ -5,11 +5,11 @@ use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::points::Object;
 use artifact::radar::Multiplexing;
+use dsp::Receiver;
 use dsp::angle::VirtualArray;
-use dsp::{detect, range_doppler};
 
 fn objects(header: &CubeHeader, targets: &[Target]) -> Vec<Object> {
-    detect(header, &range_doppler(header, &cube(header, targets, 1)).unwrap()).unwrap().objects
+    Receiver::new(header).unwrap().process(&cube(header, targets, 1)).unwrap().1.objects
 }
 
 /// The one object stands where the target stood in the middle of the frame.
@@ -71,13 +71,14 @@ fn a_wide_array_sees_the_wavefronts_curvature() {
     // lobe.
     let target = target([9.5, 23.0, 0.75], [0.0, -1.0, 0.0], 10.0);
     assert_placed("12x16", &header, &target, [5e-3, 0.02, 1e-9]);
-    let map = range_doppler(&header, &cube(&header, &[target], 1)).unwrap();
+    let receiver = Receiver::new(&header).unwrap();
+    let map = receiver.range_doppler(&cube(&header, &[target], 1)).unwrap();
     let array = VirtualArray::new(&header);
     let (range_m, radial_mps, position_m) = truth(&header, &target);
-    let object = detect(&header, &map).unwrap().objects[0];
+    let object = receiver.detect(&map).unwrap().objects[0];
     let row = (16.0 / 2.0 + radial_mps / header.radar.velocity_resolution_mps()).round() as usize;
     let column = (range_m / header.radar.waveform.range_resolution_m()).round() as usize;
-    let snapshot = array.snapshot(&header, &map, [row, column], object.radial_velocity_mps);
+    let snapshot = array.snapshot(&map, [row, column], object.radial_velocity_mps);
     let direction = dsp::angle::Direction { right: position_m[0] / range_m, up: None };
     let gain = array.beam(&snapshot, &array.steering(direction, range_m)).norm();
     let all: f64 = snapshot.iter().map(|v| v.norm()).sum();
@@ -126,10 +127,11 @@ fn doppler_division_in_noise_finds_a_weak_target_once() {
     let mut header = header(256, 128, elements_3x4());
     header.radar.array.multiplexing = Multiplexing::Ddm;
     header.noise = NOISE_12_DB;
+    let receiver = Receiver::new(&header).unwrap();
     for seed in 0..10 {
         let target = target([2.0, 55.0, 0.75], [0.0, -11.0, 0.0], 1.0);
-        let map = range_doppler(&header, &cube(&header, &[target], seed)).unwrap();
-        let found = detect(&header, &map).unwrap().objects;
+        let map = receiver.range_doppler(&cube(&header, &[target], seed)).unwrap();
+        let found = receiver.detect(&map).unwrap().objects;
         assert_eq!(found.len(), 1, "seed {seed}: {found:?}");
         assert!((found[0].radial_velocity_mps - truth(&header, &target).1).abs() < 0.1);
     }

@@ -6,8 +6,7 @@ use artifact::cube::CubeHeader;
 use artifact::seed::key;
 use artifact::units::amplitude_from_db;
 use dsp::angle::{Direction, VirtualArray};
-use dsp::calibration::{channel_errors, mean_errors};
-use dsp::{DspError, detect, power_map, range_doppler};
+use dsp::{DspError, Receiver, mean_errors, power_map};
 use num_complex::{Complex32, Complex64};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -48,18 +47,19 @@ fn map(header: &CubeHeader, errors: &[Complex64], target: &Target, seed: u64) ->
         let error = errors[i / length];
         *sample = *sample * Complex32::new(error.re as f32, error.im as f32) + noise;
     }
-    range_doppler(header, &echo).unwrap()
+    Receiver::new(header).unwrap().range_doppler(&echo).unwrap()
 }
 
 fn calibrated(header: &CubeHeader, errors: &[Complex64], seed: u64) -> CubeHeader {
     let reflector = target([1.0, 12.0, 5.0], [0.0; 3], 100.0);
     let frames: Vec<Vec<Complex64>> = (0..4)
         .map(|frame| {
-            channel_errors(
-                header,
-                &map(header, errors, &reflector, 1000 * seed + frame),
-                reflector.position_m,
-            )
+            Receiver::new(header).and_then(|receiver| {
+                receiver.channel_errors(
+                    &map(header, errors, &reflector, 1000 * seed + frame),
+                    reflector.position_m,
+                )
+            })
         })
         .collect::<Result<_, _>>()
         .unwrap();
@@ -77,7 +77,7 @@ fn seen(header: &CubeHeader, errors: &[Complex64], direction: f64, seed: u64) ->
     let power = power_map(header, &map).unwrap();
     let (cell, _) =
         power.indexed_iter().fold(((0, 0), 0.0), |best, (at, p)| if *p > best.1 { (at, *p) } else { best });
-    let snapshot = array.snapshot(header, &map, [cell.0, cell.1], 0.0);
+    let snapshot = array.snapshot(&map, [cell.0, cell.1], 0.0);
     let found = array.direction(std::slice::from_ref(&snapshot), 14.0).right;
     let (beam, up) = (array.beams()[0], Some(0.0));
     let level = |right: f64| array.beam(&snapshot, &array.steering(Direction { right, up }, 14.0)).norm_sqr();
@@ -130,7 +130,7 @@ fn points_of_a_calibrated_array_stand_in_their_direction() {
     let known = calibrated(&header, &errors, 7);
     // At the assumed height: without elevation rows the azimuth follows from it.
     let target = target([-4.0, 12.0, 0.75], [0.0; 3], 100.0);
-    let points = detect(&known, &map(&known, &errors, &target, 9)).unwrap().points;
+    let points = Receiver::new(&known).unwrap().detect(&map(&known, &errors, &target, 9)).unwrap().points;
     let missed = points[0].azimuth_rad - (-4.0_f64).atan2(12.0);
     println!("off by {missed:.4} rad of a beam of 0.17");
     assert!(missed.abs() < 0.01);
@@ -142,15 +142,24 @@ fn calibrations_that_do_not_fit_and_reflectors_that_are_not_there_are_refused() 
     let ideal = vec![Complex64::ONE; 12];
     let reflector = target([1.0, 12.0, 5.0], [0.0; 3], 100.0);
     let map = map(&header, &ideal, &reflector, 1);
-    assert!(matches!(channel_errors(&header, &map, [0.0, 70.0, 6.0]), Err(DspError::ReflectorRange { .. })));
     assert!(matches!(
-        channel_errors(&header, &map, [0.0, f64::NAN, 6.0]),
+        Receiver::new(&header).and_then(|receiver| receiver.channel_errors(&map, [0.0, 70.0, 6.0])),
         Err(DspError::ReflectorRange { .. })
     ));
-    assert!(matches!(channel_errors(&header, &map, [0.0, 6.0, 6.0]), Err(DspError::WeakReflector { .. })));
+    assert!(matches!(
+        Receiver::new(&header).and_then(|receiver| receiver.channel_errors(&map, [0.0, f64::NAN, 6.0])),
+        Err(DspError::ReflectorRange { .. })
+    ));
+    assert!(matches!(
+        Receiver::new(&header).and_then(|receiver| receiver.channel_errors(&map, [0.0, 6.0, 6.0])),
+        Err(DspError::WeakReflector { .. })
+    ));
     let mut short = header;
     short.dsp.calibration = vec![Complex64::ONE; 11];
-    assert_eq!(detect(&short, &map), Err(DspError::Calibration { expected: 12, found: 11 }));
+    assert_eq!(
+        Receiver::new(&short).and_then(|receiver| receiver.detect(&map)),
+        Err(DspError::Calibration { expected: 12, found: 11 })
+    );
 }
 
 /// Writes `docs/validation/calibration.md`.

@@ -9,7 +9,7 @@ use artifact::settings::Window;
 use dsp::angle::Direction;
 use dsp::cfar::DETECTED;
 use dsp::least_loss;
-use dsp::{DspError, detect, noise_power, power_map, range_doppler};
+use dsp::{DspError, Receiver, noise_power, power_map};
 use rayon::prelude::*;
 
 fn coded(samples: u32, blocks: u32, elements: [Vec<[f64; 2]>; 2]) -> CubeHeader {
@@ -44,12 +44,14 @@ fn codes_gain_m_over_ideal_transmitters_that_repeat_as_often() {
         together.radar.waveform.chirp_interval_s = codes.radar.repetition_interval_s();
         let peak = |header: &CubeHeader| {
             let echo = cube(header, &[target([2.0, 8.0, 6.0], [0.0; 3], 1.0)], 1);
-            let power = power_map(header, &range_doppler(header, &echo).unwrap()).unwrap();
+            let power =
+                power_map(header, &Receiver::new(header).unwrap().range_doppler(&echo).unwrap()).unwrap();
             power.iter().copied().fold(0.0, f64::max)
         };
         let noise = |header: &CubeHeader| {
             let noisy = CubeHeader { noise: NOISE_12_DB, ..header.clone() };
-            let maps = (0..8).map(|seed| range_doppler(&noisy, &cube(&noisy, &[], seed)).unwrap());
+            let receiver = Receiver::new(&noisy).unwrap();
+            let maps = (0..8).map(|seed| receiver.range_doppler(&cube(&noisy, &[], seed)).unwrap());
             maps.map(|map| noise_power(&noisy, &map).unwrap()).sum::<f64>() / 8.0
         };
         let echo = peak(&codes) / peak(&together);
@@ -71,11 +73,12 @@ fn noise_of_codes_passes_the_detector_at_the_rate_asked_for() {
         header.noise = NOISE_12_DB;
         header.dsp.false_alarm_rate = 1e-2;
         (header.dsp.range_window, header.dsp.doppler_window) = (window, window);
+        let receiver = Receiver::new(&header).unwrap();
         let maps = 800;
         let counts: Vec<u64> = (0..maps)
             .into_par_iter()
             .map(|seed| {
-                let map = range_doppler(&header, &cube(&header, &[], seed)).unwrap();
+                let map = receiver.range_doppler(&cube(&header, &[], seed)).unwrap();
                 map.mask.iter().filter(|m| **m == DETECTED).count() as u64
             })
             .collect();
@@ -90,6 +93,7 @@ fn noise_of_codes_passes_the_detector_at_the_rate_asked_for() {
 /// wrong.
 fn points_told(header: &CubeHeader, trials: u64) -> [usize; 5] {
     let beam = dsp::angle::VirtualArray::new(header).beams()[0];
+    let receiver = Receiver::new(header).unwrap();
     let outcomes: Vec<[bool; 5]> = (0..trials)
         .into_par_iter()
         .filter_map(|seed| {
@@ -98,9 +102,9 @@ fn points_told(header: &CubeHeader, trials: u64) -> [usize; 5] {
             let (x, y) = (-5.0 + 15.0 * part(0.618_034), 20.0 + 20.0 * part(0.414_214));
             let target = target([x, y, 0.75], [0.0, -30.0 + 60.0 * part(0.754_878), 0.0], 10.0);
             let (range_m, velocity_mps, position_m) = truth(header, &target);
-            let map = range_doppler(header, &cube(header, &[target], seed)).unwrap();
+            let map = receiver.range_doppler(&cube(header, &[target], seed)).unwrap();
             let near = |o: &Object| (o.range_m - range_m).abs();
-            let objects = detect(header, &map).unwrap().objects;
+            let objects = receiver.detect(&map).unwrap().objects;
             let object = objects.into_iter().min_by(|a, b| near(a).total_cmp(&near(b)))?;
             let right = (object.radial_velocity_mps - velocity_mps).abs() < 1.0;
             let azimuth_rad = position_m[0].atan2(position_m[1]);
@@ -159,8 +163,7 @@ fn straight_ahead_of_four_transmitters_no_fold_is_claimed_and_the_direction_is_r
     assert!(least_loss(&header, &[ahead], 1e6) < 1e-6);
     for velocity_mps in [-25.0, -3.0, 20.0] {
         let far = target([0.0, 50.0, 6.0], [0.0, velocity_mps, 0.0], 10.0);
-        let objects =
-            detect(&header, &range_doppler(&header, &cube(&header, &[far], 3)).unwrap()).unwrap().objects;
+        let objects = Receiver::new(&header).unwrap().process(&cube(&header, &[far], 3)).unwrap().1.objects;
         let object = objects[0];
         println!(
             "{velocity_mps} m/s: shown {:.2}, azimuth {:.4} rad",
@@ -186,5 +189,5 @@ fn a_wrong_fold_of_three_transmitters_loses_a_third_of_the_power_at_least() {
 fn staggered_codes_are_refused() {
     let mut header = coded(32, 32, elements_3x4());
     header.radar.schedule.stagger_s = vec![0.0, 3e-6];
-    assert_eq!(range_doppler(&header, &cube(&header, &[], 1)), Err(DspError::StaggeredDivision));
+    assert_eq!(mapped(&header, &cube(&header, &[], 1)), Err(DspError::StaggeredDivision));
 }

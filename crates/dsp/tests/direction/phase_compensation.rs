@@ -7,12 +7,12 @@ use artifact::cube::CubeHeader;
 use artifact::radar::Multiplexing;
 use artifact::settings::Window;
 use dsp::angle::VirtualArray;
-use dsp::{power_map, range_doppler};
+use dsp::{Receiver, power_map};
 use num_complex::Complex64;
 
 /// Values of all channels in the target's cell, freed of the turns of its true velocity.
 fn snapshot(header: &CubeHeader, target: &Target) -> Vec<Complex64> {
-    let map = range_doppler(header, &cube(header, &[*target], 1)).unwrap();
+    let map = Receiver::new(header).unwrap().range_doppler(&cube(header, &[*target], 1)).unwrap();
     let power = power_map(header, &map).unwrap();
     let (cell, _) =
         power.indexed_iter().fold(((0, 0), 0.0), |best, (at, p)| if *p > best.1 { (at, *p) } else { best });
@@ -21,7 +21,7 @@ fn snapshot(header: &CubeHeader, target: &Target) -> Vec<Complex64> {
     let (range_m, velocity_mps, _) = truth(header, target);
     let delayed = waveform.slope_hz_per_s * 2.0 * range_m / artifact::units::SPEED_OF_LIGHT_MPS;
     let shown_mps = velocity_mps * (1.0 - delayed / waveform.centre_frequency_hz());
-    VirtualArray::new(header).snapshot(header, &map, [cell.0, cell.1], shown_mps)
+    VirtualArray::new(header).snapshot(&map, [cell.0, cell.1], shown_mps)
 }
 
 /// Largest difference of phase between two snapshots, one common phase taken out.

@@ -195,15 +195,15 @@ fn without_noise_three_echoes_are_found_where_they_are() {
 #[test]
 fn two_vehicles_side_by_side_in_one_cell_are_two_objects() {
     use artifact::settings::Angle;
-    use dsp::{detect, range_doppler};
+    use dsp::Receiver;
     let mut header = header(256, 64, elements_3x4());
     header.noise = NOISE_12_DB;
     // Lanes 1 and 2, the same range and radial velocity: 3.6 m apart at 40 m are 0.09 of u, half a beam.
     let at = |x: f64| target([x, (40f64 * 40.0 - x * x).sqrt(), 6.0], [0.0; 3], 30.0);
     let pair = [at(2.0), at(5.6)];
-    let map = range_doppler(&header, &cube(&header, &pair, 3)).unwrap();
+    let map = Receiver::new(&header).unwrap().range_doppler(&cube(&header, &pair, 3)).unwrap();
     header.dsp.angle = Angle::MaximumLikelihood;
-    let objects = detect(&header, &map).unwrap().objects;
+    let objects = Receiver::new(&header).unwrap().detect(&map).unwrap().objects;
     assert_eq!(objects.len(), 2, "{objects:?}");
     let mut across: Vec<f64> = objects.iter().map(|o| o.position_m[0]).collect();
     across.sort_by(f64::total_cmp);

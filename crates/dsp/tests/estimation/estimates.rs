@@ -6,8 +6,8 @@ use artifact::cube::CubeHeader;
 use artifact::points::Point;
 use artifact::seed::key;
 use artifact::settings::{Refine, Window};
+use dsp::Receiver;
 use dsp::cramer_rao;
-use dsp::{detect_refined, range_doppler};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -43,7 +43,7 @@ fn drawn(header: &CubeHeader, snr: f64, seed: u64) -> Target {
 }
 
 fn errors(header: &CubeHeader, target: &Target, point: &Point, snr: f64) -> Errors {
-    let bound = cramer_rao(header, snr);
+    let bound = cramer_rao(&header.radar, snr);
     let (range_m, velocity_mps, position_m) = truth(header, target);
     let cosine =
         |at: &[f64; 3], range_m: f64, axis: usize| (at[axis] - header.radar.position_m[axis]) / range_m;
@@ -59,7 +59,7 @@ fn errors(header: &CubeHeader, target: &Target, point: &Point, snr: f64) -> Erro
 
 /// One trial through the whole chain, beside other targets; `None` no point lies within a cell of the target.
 fn trial(
-    header: &CubeHeader,
+    (header, receiver): (&CubeHeader, &Receiver),
     snr: f64,
     seed: u64,
     beside: &(dyn Fn(&Target) -> Vec<Target> + Sync),
@@ -68,8 +68,8 @@ fn trial(
     let mut targets = beside(&target);
     targets.push(target);
     let cube = cube(header, &targets, seed);
-    let map = range_doppler(header, &cube).unwrap();
-    let points = detect_refined(header, &cube, &map).unwrap().points;
+    let map = receiver.range_doppler(&cube).unwrap();
+    let points = receiver.detect_refined(&map, &cube).unwrap().points;
     let (range_m, velocity_mps, _) = truth(header, &target);
     let near = |p: &&Point| {
         (p.range_m - range_m).abs() < header.radar.waveform.range_resolution_m()
@@ -90,8 +90,9 @@ fn over_bound_beside_db(
     beside: &(dyn Fn(&Target) -> Vec<Target> + Sync),
 ) -> ([f64; 4], f64) {
     let snr = 10f64.powf(0.1 * snr_db);
-    let found: Vec<Errors> =
-        (0..trials).into_par_iter().filter_map(|seed| trial(header, snr, seed, beside)).collect();
+    let receiver = &Receiver::new(header).unwrap();
+    let trial = |seed| trial((header, receiver), snr, seed, beside);
+    let found: Vec<Errors> = (0..trials).into_par_iter().filter_map(trial).collect();
     let mean = |i: usize| found.iter().map(|e| e[i] * e[i]).sum::<f64>() / found.len() as f64;
     ([0, 1, 2, 3].map(|i: usize| 10.0 * mean(i).log10()), found.len() as f64 / trials as f64)
 }
@@ -112,7 +113,11 @@ fn pairs_refined(header: &CubeHeader, snr_db: f64, trials: u64, apart: [f64; 3])
     let mut peaks = header.clone();
     peaks.dsp.refine = Refine::Off;
     let beside = |target: &Target| vec![second(header, target, apart)];
-    let both = |seed: u64| Some((trial(header, snr, seed, &beside)?, trial(&peaks, snr, seed, &beside)?));
+    let [refining, peaking] = [header, &peaks].map(|header| Receiver::new(header).unwrap());
+    let both = |seed: u64| {
+        let refined = trial((header, &refining), snr, seed, &beside)?;
+        Some((refined, trial((&peaks, &peaking), snr, seed, &beside)?))
+    };
     let found: Vec<(Errors, Errors)> = (0..trials).into_par_iter().filter_map(both).collect();
     let refined: Vec<Errors> =
         found.iter().filter(|(with, without)| with != without).map(|(with, _)| *with).collect();
@@ -171,13 +176,14 @@ fn refined_estimates_under_time_doppler_and_code_division_have_no_bias() {
         header.radar.array.multiplexing = multiplexing;
         header.dsp.range_window = Window::Hann;
         header.noise = NOISE_12_DB;
+        let receiver = Receiver::new(&header).unwrap();
         // 60 dB over the noise of a cell: what is left is the model's error, below a hundredth of a cell.
         for seed in 0..20 {
             let mut target = drawn(&header, 1e6, seed);
             target.velocity_mps = target.velocity_mps.map(|v| 0.3 * v);
             let cube = cube(&header, &[target], seed);
-            let map = range_doppler(&header, &cube).unwrap();
-            let point = detect_refined(&header, &cube, &map).unwrap().points[0];
+            let map = receiver.range_doppler(&cube).unwrap();
+            let point = receiver.detect_refined(&map, &cube).unwrap().points[0];
             let (range_m, velocity_mps, _) = truth(&header, &target);
             let range_cells = (point.range_m - range_m) / header.radar.waveform.range_resolution_m();
             let velocity_cells =
@@ -216,7 +222,7 @@ fn a_point_beside_another_is_left_as_its_peak_says() {
     let place = |refine: Refine| {
         let header = radar(elements_3x4(), refine);
         let cube = cube(&header, &pair, 1);
-        detect_refined(&header, &cube, &range_doppler(&header, &cube).unwrap()).unwrap()
+        Receiver::new(&header).unwrap().process(&cube).unwrap().1
     };
     assert_eq!(place(Refine::Isolated), place(Refine::Off));
 }

@@ -2,14 +2,13 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use crate::common::*;
-use artifact::cube::CubeHeader;
+use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::points::{Object, PointsFrame};
 use artifact::radar::Multiplexing;
 use artifact::seed::key;
+use dsp::Receiver;
 use dsp::angle::Direction;
 use dsp::least_loss;
-use dsp::velocity_folds::{SubFrame, resolved};
-use dsp::{detect, range_doppler};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -28,6 +27,10 @@ fn pair(samples: u32, chirps: u32, second_idle_s: f64) -> [CubeHeader; 2] {
 /// resolved.
 fn seen(headers: &[CubeHeader; 2], targets: &[Target], seed: u64) -> PointsFrame {
     let start_s = [0.0, headers[0].radar.frame_duration_s()];
+    let mut header = headers[0].clone();
+    header.radar.schedule.sub_frame_intervals_s =
+        headers.iter().map(|own| own.radar.waveform.chirp_interval_s).collect();
+    let receiver = Receiver::new(&header).unwrap();
     let frames = [0, 1].map(|i: usize| {
         let moved: Vec<Target> = (targets.iter())
             .map(|t| Target {
@@ -35,18 +38,10 @@ fn seen(headers: &[CubeHeader; 2], targets: &[Target], seed: u64) -> PointsFrame
                 ..*t
             })
             .collect();
-        detect(
-            &headers[i],
-            &range_doppler(&headers[i], &cube(&headers[i], &moved, 2 * seed + i as u64)).unwrap(),
-        )
-        .unwrap()
+        let samples = cube(&headers[i], &moved, 2 * seed + i as u64);
+        receiver.process(&CubeFrame { index: i as u32, time_s: start_s[i], ..samples }).unwrap().1
     });
-    let sub_frame = |i: usize| SubFrame {
-        header: &headers[i],
-        middle_s: start_s[i] + headers[i].radar.frame_middle_s(),
-        points: &frames[i],
-    };
-    resolved(&sub_frame(0), &sub_frame(1))
+    receiver.resolved(frames.into()).remove(0)
 }
 
 /// The object nearest in range within 4 m, and among those the one nearest in velocity.
@@ -177,7 +172,7 @@ fn in_turn_twice() -> [CubeHeader; 2] {
 }
 
 fn seen_once(header: &CubeHeader, targets: &[Target], seed: u64) -> PointsFrame {
-    detect(header, &range_doppler(header, &cube(header, targets, seed)).unwrap()).unwrap()
+    Receiver::new(header).unwrap().process(&cube(header, targets, seed)).unwrap().1
 }
 
 /// Of lone points: how many are detected, certain, right, right of the certain.

@@ -5,10 +5,10 @@ use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::points::PointsFrame;
 use artifact::settings::Window;
-use dsp::{detect, range_doppler};
+use dsp::Receiver;
 
 fn seen(header: &CubeHeader, targets: &[Target], seed: u64) -> PointsFrame {
-    detect(header, &range_doppler(header, &cube(header, targets, seed)).unwrap()).unwrap()
+    Receiver::new(header).unwrap().process(&cube(header, targets, seed)).unwrap().1
 }
 
 fn noisy(samples: u32) -> CubeHeader {

@@ -6,8 +6,8 @@ use artifact::cube::CubeHeader;
 use artifact::points::{Object, PointsFrame};
 use artifact::radar::Multiplexing;
 use artifact::settings::StaticEchoes;
+use dsp::Receiver;
 use dsp::{Fold, is_at_rest, tolerance_mps};
-use dsp::{detect, range_doppler};
 
 /// A rail or a kerb: reflectors every 2 m beside the lanes, strong and weak, none of which moves.
 fn row_of_reflectors() -> Vec<Target> {
@@ -28,7 +28,7 @@ fn asked(static_echoes: StaticEchoes) -> CubeHeader {
 }
 
 fn seen(header: &CubeHeader, targets: &[Target], seed: u64) -> PointsFrame {
-    detect(header, &range_doppler(header, &cube(header, targets, seed)).unwrap()).unwrap()
+    Receiver::new(header).unwrap().process(&cube(header, targets, seed)).unwrap().1
 }
 
 fn street() -> Vec<Target> {
@@ -94,9 +94,9 @@ fn a_vehicle_that_waits_is_removed_with_the_rest() {
 fn what_is_slower_than_half_a_doppler_cell_is_at_rest_and_what_is_faster_is_not() {
     let header = asked(StaticEchoes::Mark);
     let cell_mps = header.radar.velocity_resolution_mps();
-    assert!((tolerance_mps(&header, 1e12) / cell_mps - 0.5).abs() < 1e-5);
+    assert!((tolerance_mps(&header.radar, 1e12) / cell_mps - 0.5).abs() < 1e-5);
     // √6/(2π)/√100 = 0.039 cells, six times.
-    assert!((tolerance_mps(&header, 100.0) / cell_mps - 0.7339).abs() < 1e-3);
+    assert!((tolerance_mps(&header.radar, 100.0) / cell_mps - 0.7339).abs() < 1e-3);
     for (cells, rests) in [(0.0, true), (0.3, true), (-0.4, true), (1.3, false), (-2.0, false)] {
         let moving = target([5.75, 36.0, 0.75], [0.0, cells * cell_mps, 0.0], 10.0);
         let frame = seen(&header, &[moving], 5);
@@ -110,7 +110,8 @@ fn a_blind_speed_is_rest_unless_its_fold_is_told() {
     let mut header = asked(StaticEchoes::Mark);
     let span_mps = 2.0 * header.radar.velocity_max_mps();
     assert!(
-        is_at_rest(&header, span_mps, Fold::Assumed, 1e6) && !is_at_rest(&header, span_mps, Fold::Told, 1e6)
+        is_at_rest(&header.radar, span_mps, Fold::Assumed, 1e6)
+            && !is_at_rest(&header.radar, span_mps, Fold::Told, 1e6)
     );
     // Time division tells the folds by the turns of its slots: λ/4T of three slots is 5.4 m/s.
     header.radar.array.multiplexing = Multiplexing::Tdm;

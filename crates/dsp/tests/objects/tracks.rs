@@ -60,7 +60,7 @@ fn object(header: &CubeHeader, body: Body, random: &mut ChaCha8Rng) -> Object {
         ghost_share: None,
         stationary: None,
     };
-    let variance = Site::new(header).measurement(&exact, &ROAD_TRAFFIC).variance;
+    let variance = Site::new(&header.radar).measurement(&exact, &ROAD_TRAFFIC).variance;
     let [range, azimuth, rate] = variance.map(|v| v.sqrt() * normal(random));
     let ground_m = DVec2::new(away.x, away.y).length();
     let place =
@@ -466,7 +466,7 @@ fn an_exact_measurement_moves_the_state_to_the_truth() {
     exact.range_m = away.length();
     exact.azimuth_rad = away.x.atan2(away.y);
     exact.radial_velocity_mps = away.dot(DVec3::new(2.0, -9.0, 0.0)) / away.length();
-    let mut measured = Site::new(&header).measurement(&exact, &ROAD_TRAFFIC);
+    let mut measured = Site::new(&header.radar).measurement(&exact, &ROAD_TRAFFIC);
     measured.variance = [1e-18; 3];
     // A millimetre and a mm/s off: what is left is second order, 1e-6/35 m.
     let mean = DVec4::new(3.001, 34.999, 2.001, -9.001);

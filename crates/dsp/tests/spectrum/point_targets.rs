@@ -5,15 +5,15 @@ use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::points::PointsFrame;
 use artifact::settings::Window;
-use dsp::{detect, power_map, range_axis_m, range_doppler, velocity_axis_mps};
+use dsp::{Receiver, power_map, range_axis_m, velocity_axis_mps};
 
 fn seen(header: &CubeHeader, targets: &[Target]) -> PointsFrame {
-    detect(header, &range_doppler(header, &cube(header, targets, 1)).unwrap()).unwrap()
+    Receiver::new(header).unwrap().process(&cube(header, targets, 1)).unwrap().1
 }
 
 /// Cell of a map's peak as (velocity, range) on the axes.
 fn peak(header: &CubeHeader, targets: &[Target]) -> (f64, f64) {
-    let map = range_doppler(header, &cube(header, targets, 1)).unwrap();
+    let map = Receiver::new(header).unwrap().range_doppler(&cube(header, targets, 1)).unwrap();
     let power = power_map(header, &map).unwrap();
     let (cell, _) =
         power.indexed_iter().fold(((0, 0), 0.0), |best, (at, p)| if *p > best.1 { (at, *p) } else { best });

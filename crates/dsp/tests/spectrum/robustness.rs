@@ -6,7 +6,7 @@ use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::dataset::CropFormat;
 use artifact::radar::Multiplexing;
 use artifact::settings::{Noise, Window};
-use dsp::{Axis, DspError, PAPER_CROP, crop, detect, power_map, range_doppler, rdm_grayscale};
+use dsp::{Axis, DspError, PAPER_CROP, Receiver, power_map, rdm_grayscale};
 use num_complex::Complex32;
 use proptest::prelude::*;
 
@@ -24,7 +24,7 @@ fn a_nan_or_infinite_sample_is_named() {
         let (header, mut frame) = small();
         frame.samples[(3 * 16 + 5) * 32 + 7].im = bad;
         let asked = DspError::SampleNotFinite { channel: 3, chirp: 5, sample: 7 };
-        assert_eq!(range_doppler(&header, &frame).unwrap_err(), asked);
+        assert_eq!(mapped(&header, &frame).unwrap_err(), asked);
     }
 }
 
@@ -32,7 +32,7 @@ fn a_nan_or_infinite_sample_is_named() {
 fn samples_too_large_for_single_precision_maps_are_named() {
     let (header, mut frame) = small();
     frame.samples.fill(Complex32::new(f32::MAX, 0.0));
-    assert!(matches!(range_doppler(&header, &frame).unwrap_err(), DspError::ValueNotFinite { .. }));
+    assert!(matches!(mapped(&header, &frame).unwrap_err(), DspError::ValueNotFinite { .. }));
 }
 
 #[test]
@@ -40,25 +40,26 @@ fn a_frame_of_the_wrong_length_is_refused_with_both_lengths() {
     let (header, mut frame) = small();
     frame.samples.pop();
     let asked = DspError::SampleCount { expected: 12 * 16 * 32, found: 12 * 16 * 32 - 1 };
-    assert_eq!(range_doppler(&header, &frame).unwrap_err(), asked);
+    assert_eq!(mapped(&header, &frame).unwrap_err(), asked);
     frame.samples.clear();
-    assert!(range_doppler(&header, &frame).is_err());
+    assert!(mapped(&header, &frame).is_err());
 }
 
 #[test]
 fn maps_that_do_not_fit_their_header_are_refused_everywhere() {
     let (header, frame) = small();
-    let good = range_doppler(&header, &frame).unwrap();
-    let object = detect(&header, &good).unwrap().objects[0];
+    let receiver = Receiver::new(&header).unwrap();
+    let good = receiver.range_doppler(&frame).unwrap();
+    let object = receiver.detect(&good).unwrap().objects[0];
     let (mut short, mut unmasked, mut bad) = (good.clone(), good.clone(), good.clone());
     short.values.pop();
     unmasked.mask.clear();
     bad.values[4].re = f32::NAN;
     for map in [short, unmasked, bad] {
-        assert!(detect(&header, &map).is_err());
+        assert!(Receiver::new(&header).and_then(|receiver| receiver.detect(&map)).is_err());
         assert!(power_map(&header, &map).is_err());
         assert!(rdm_grayscale(&header, &map).is_err());
-        assert!(crop(&header, &map, &object, &PAPER_CROP).is_err());
+        assert!(cropped(&header, &map, &object, &PAPER_CROP).is_err());
     }
 }
 
@@ -67,12 +68,12 @@ fn cfar_windows_larger_than_the_map_are_refused_with_the_axis() {
     let (mut header, frame) = small();
     header.dsp.training_cells = [6, 6];
     let asked = DspError::CfarWindow { axis: Axis::Doppler, needed: 17, cells: 16 };
-    assert_eq!(range_doppler(&header, &frame).unwrap_err(), asked);
+    assert_eq!(mapped(&header, &frame).unwrap_err(), asked);
     header.dsp.training_cells = [3, u32::MAX];
     header.dsp.guard_cells = [2, u32::MAX];
-    assert!(matches!(range_doppler(&header, &frame), Err(DspError::CfarWindow { axis: Axis::Range, .. })));
+    assert!(matches!(mapped(&header, &frame), Err(DspError::CfarWindow { axis: Axis::Range, .. })));
     header.dsp.training_cells = [0, 0];
-    assert_eq!(range_doppler(&header, &frame).unwrap_err(), DspError::NoTrainingCells);
+    assert_eq!(mapped(&header, &frame).unwrap_err(), DspError::NoTrainingCells);
 }
 
 #[test]
@@ -80,11 +81,11 @@ fn settings_that_mean_nothing_are_refused() {
     for rate in [0.0, 1.0, -1e-3, 2.0, f64::NAN] {
         let (mut header, frame) = small();
         header.dsp.false_alarm_rate = rate;
-        assert!(matches!(range_doppler(&header, &frame), Err(DspError::FalseAlarmRate(_))));
+        assert!(matches!(mapped(&header, &frame), Err(DspError::FalseAlarmRate(_))));
     }
     let (mut header, frame) = small();
     header.dsp.range_window = Window::Chebyshev(-3.0);
-    assert_eq!(range_doppler(&header, &frame).unwrap_err(), DspError::Sidelobes(-3.0));
+    assert_eq!(mapped(&header, &frame).unwrap_err(), DspError::Sidelobes(-3.0));
 }
 
 #[test]
@@ -103,7 +104,7 @@ fn radars_without_axes_are_refused() {
     for breaking in broken {
         let (mut header, frame) = small();
         breaking(&mut header);
-        assert!(range_doppler(&header, &frame).is_err());
+        assert!(mapped(&header, &frame).is_err());
     }
 }
 
@@ -114,11 +115,12 @@ fn a_single_chirp_or_sample_is_a_map_when_the_detector_stays_on_the_other_axis()
         header.dsp.guard_cells = [2, 2];
         header.dsp.training_cells = [4, 8];
         let frame = cube(&header, &[target([0.0, 5.0, 6.0], [0.0, -3.0, 0.0], 1.0)], 1);
-        assert!(matches!(range_doppler(&header, &frame), Err(DspError::CfarWindow { .. })));
+        assert!(matches!(mapped(&header, &frame), Err(DspError::CfarWindow { .. })));
         header.dsp.guard_cells = guard;
         header.dsp.training_cells = training;
-        let map = range_doppler(&header, &frame).unwrap();
-        assert!(!detect(&header, &map).unwrap().points.is_empty());
+        let receiver = Receiver::new(&header).unwrap();
+        let map = receiver.range_doppler(&frame).unwrap();
+        assert!(!receiver.detect(&map).unwrap().points.is_empty());
     }
 }
 
@@ -126,7 +128,10 @@ fn a_single_chirp_or_sample_is_a_map_when_the_detector_stays_on_the_other_axis()
 fn odd_sizes_put_zero_velocity_at_half_rounded_down() {
     let mut header = header(101, 33, elements_1x1());
     header.dsp.training_cells = [4, 8];
-    let map = range_doppler(&header, &cube(&header, &[target([0.0, 12.0, 6.0], [0.0; 3], 1.0)], 1)).unwrap();
+    let map = Receiver::new(&header)
+        .unwrap()
+        .range_doppler(&cube(&header, &[target([0.0, 12.0, 6.0], [0.0; 3], 1.0)], 1))
+        .unwrap();
     let power = power_map(&header, &map).unwrap();
     let (peak, _) =
         power.indexed_iter().fold(((0, 0), 0.0), |b, (at, p)| if *p > b.1 { (at, *p) } else { b });
@@ -141,8 +146,7 @@ fn a_falling_slope_makes_the_same_map_axes() {
     header.radar.waveform.start_frequency_hz += 0.625e9;
     place_elements(&mut header.radar);
     let target = target([5.75, 30.3, 0.75], [0.0, -5.0, 0.0], 10.0);
-    let object =
-        detect(&header, &range_doppler(&header, &cube(&header, &[target], 1)).unwrap()).unwrap().objects[0];
+    let object = Receiver::new(&header).unwrap().process(&cube(&header, &[target], 1)).unwrap().1.objects[0];
     let (range_m, radial_mps, position_m) = truth(&header, &target);
     assert!(
         (object.range_m - range_m).abs() < 0.02 && (object.radial_velocity_mps - radial_mps).abs() < 5e-3
@@ -156,9 +160,10 @@ fn a_cube_of_zeros_has_no_detection_and_a_black_picture() {
         let (mut header, mut frame) = small();
         header.noise = noise;
         frame.samples.fill(Complex32::ZERO);
-        let map = range_doppler(&header, &frame).unwrap();
+        let receiver = Receiver::new(&header).unwrap();
+        let map = receiver.range_doppler(&frame).unwrap();
         assert_eq!((map.detections, map.cells), (0, 16 * 32));
-        assert!(detect(&header, &map).unwrap().points.is_empty());
+        assert!(receiver.detect(&map).unwrap().points.is_empty());
         assert!(rdm_grayscale(&header, &map).unwrap().iter().all(|p| *p == 0));
     }
 }
@@ -168,11 +173,14 @@ fn a_noise_free_map_says_what_floor_it_took() {
     let (mut header, _) = small();
     let target = target([1.0, 4.0, 5.0], [0.0, -2.0, 0.0], 1.0);
     header.noise = Noise::Absent;
-    let map = range_doppler(&header, &cube(&header, &[target], 1)).unwrap();
+    let map = Receiver::new(&header).unwrap().range_doppler(&cube(&header, &[target], 1)).unwrap();
     let peak = power_map(&header, &map).unwrap().iter().copied().fold(0.0, f64::max);
     assert!((map.assumed_floor.unwrap() / peak - 1e-6).abs() < 1e-12);
     header.noise = NOISE_12_DB;
-    assert_eq!(range_doppler(&header, &cube(&header, &[target], 1)).unwrap().assumed_floor, None);
+    assert_eq!(
+        Receiver::new(&header).unwrap().range_doppler(&cube(&header, &[target], 1)).unwrap().assumed_floor,
+        None
+    );
 }
 
 #[test]
@@ -184,9 +192,10 @@ fn the_same_cube_gives_the_same_bytes_on_one_and_two_threads() {
         header.radar.array.multiplexing = multiplexing;
         let frame = cube(&header, &vehicle([5.75, 20.0], [5.0, 2.0, 1.8], -2.0, 1), 1);
         let work = || {
-            let map = range_doppler(&header, &frame).unwrap();
-            let points = detect(&header, &map).unwrap();
-            let crop = crop(&header, &map, &points.objects[0], &PAPER_CROP).unwrap();
+            let receiver = Receiver::new(&header).unwrap();
+            let map = receiver.range_doppler(&frame).unwrap();
+            let points = receiver.detect(&map).unwrap();
+            let crop = cropped(&header, &map, &points.objects[0], &PAPER_CROP).unwrap();
             (map, points, crop)
         };
         let on =
@@ -201,7 +210,7 @@ fn one_to_192_channels_are_processed() {
         let mut header = header(64, 16, elements);
         header.dsp.training_cells = [4, 8];
         let frame = cube(&header, &[target([1.0, 9.0, 4.0], [0.0, -2.0, 0.0], 1.0)], 1);
-        assert_eq!(detect(&header, &range_doppler(&header, &frame).unwrap()).unwrap().objects.len(), 1);
+        assert_eq!(Receiver::new(&header).unwrap().process(&frame).unwrap().1.objects.len(), 1);
     }
 }
 
@@ -224,14 +233,15 @@ proptest! {
         let length = header.shape().iter().product::<usize>();
         let wave = |i: usize| Complex32::from_polar(scale, (i * i % 97) as f32);
         let frame = CubeFrame { index: 0, time_s: 0.0, samples: (0..length).map(wave).collect(), error: Default::default() };
-        if let Ok(map) = range_doppler(&header, &frame) {
-            let points = detect(&header, &map).unwrap();
+        if let Ok(map) = mapped(&header, &frame) {
+            let receiver = Receiver::new(&header).unwrap();
+            let points = receiver.detect(&map).unwrap();
             for point in &points.points {
                 prop_assert!(point.position_m.iter().all(|x| x.is_finite()) && point.snr_db.is_finite());
             }
             for object in &points.objects {
                 let format = CropFormat { side: 16, ..PAPER_CROP };
-                prop_assert!(crop(&header, &map, object, &format).is_ok());
+                prop_assert!(cropped(&header, &map, object, &format).is_ok());
             }
         }
     }

@@ -5,7 +5,7 @@ use crate::common::*;
 use artifact::cube::CubeFrame;
 use artifact::radar::Multiplexing;
 use dsp::RangeDoppler;
-use dsp::{DspError, detect, range_doppler, velocity_axis_mps};
+use dsp::{DspError, Receiver, velocity_axis_mps};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -60,7 +60,7 @@ fn a_point_seen_by_staggered_chirps_is_placed_as_by_even_ones() {
         header.radar.schedule.stagger_s = STAGGER_S.to_vec();
         header.radar.array.multiplexing = multiplexing;
         let target = target([5.75, 40.0, 0.75], [0.0, -4.0, 0.0], 10.0);
-        let points = detect(&header, &range_doppler(&header, &cube(&header, &[target], 1)).unwrap()).unwrap();
+        let points = Receiver::new(&header).unwrap().process(&cube(&header, &[target], 1)).unwrap().1;
         let (range_m, velocity_mps, at_m) = truth(&header, &target);
         let object = &points.objects[0];
         println!(
@@ -85,7 +85,7 @@ fn each_record_of_sub_frames_is_mapped_by_its_own_interval() {
         let own = header.in_frame(index);
         let target = target([0.0, 40.0, 6.0], [0.0, -15.5, 0.0], 10.0);
         let frame = CubeFrame { index, ..cube(&own, &[target], 1) };
-        let points = detect(&header, &range_doppler(&header, &frame).unwrap()).unwrap();
+        let points = Receiver::new(&header).unwrap().process(&frame).unwrap().1;
         let half_mps = -velocity_axis_mps(&own)[0];
         let shown = points.objects[0].radial_velocity_mps;
         // −15.5 m/s is within ±16.16 of the first interval and folds by 2·11.40 of the second.
@@ -100,5 +100,5 @@ fn staggered_doppler_division_is_refused() {
     header.radar.schedule.stagger_s = STAGGER_S.to_vec();
     header.radar.array.multiplexing = Multiplexing::Ddm;
     let frame = cube(&header, &[], 1);
-    assert_eq!(range_doppler(&header, &frame), Err(DspError::StaggeredDivision));
+    assert_eq!(mapped(&header, &frame), Err(DspError::StaggeredDivision));
 }

@@ -5,7 +5,7 @@ use crate::common::*;
 use artifact::settings::{Noise, Window};
 use dsp::RangeDoppler;
 use dsp::window::{noise_bandwidth_bins, taper};
-use dsp::{detect, noise_power, power_map, range_doppler};
+use dsp::{Receiver, noise_power, power_map};
 use num_complex::{Complex32, Complex64};
 
 #[test]
@@ -106,9 +106,16 @@ fn enbw(window: Window, length: usize) -> f64 {
 
 /// Peak over the mean of a noise-only map, less the noise under the peak.
 fn signal_to_noise(header: &artifact::cube::CubeHeader, target: Target, seed: u64) -> f64 {
-    let with = power_map(header, &range_doppler(header, &cube(header, &[target], seed)).unwrap()).unwrap();
-    let without =
-        power_map(header, &range_doppler(header, &cube(header, &[], seed + 1000)).unwrap()).unwrap();
+    let with = power_map(
+        header,
+        &Receiver::new(header).unwrap().range_doppler(&cube(header, &[target], seed)).unwrap(),
+    )
+    .unwrap();
+    let without = power_map(
+        header,
+        &Receiver::new(header).unwrap().range_doppler(&cube(header, &[], seed + 1000)).unwrap(),
+    )
+    .unwrap();
     with.iter().copied().fold(0.0, f64::max) / without.mean().unwrap() - 1.0
 }
 
@@ -117,7 +124,7 @@ fn s6_points_report_this_ratio_over_the_maps_own_noise() {
     let mut header = header(256, 128, elements_3x4());
     header.noise = Noise::Figure { noise_figure_db: 14.0, temperature_k: 290.0 };
     let target = at_bin_centre(&header, 40.0);
-    let points = detect(&header, &range_doppler(&header, &cube(&header, &[target], 3)).unwrap()).unwrap();
+    let points = Receiver::new(&header).unwrap().process(&cube(&header, &[target], 3)).unwrap().1;
     // 34.75 dB less 3.52 dB for Hann on both axes; 12 channels of 31 dB: 0.06 dB standard deviation, the
     // median 0.05 dB.
     assert!((points.objects[0].snr_db - (34.75 - 3.52)).abs() < 0.3, "{}", points.objects[0].snr_db);
@@ -129,7 +136,7 @@ fn the_noise_level_comes_from_the_map_whatever_stands_in_it() {
     header.noise = NOISE_12_DB;
     let asked = noise_variance(&header) * 256.0 * 128.0 * enbw(Window::Hann, 256) * enbw(Window::Hann, 128);
     for targets in [vec![], vec![target([5.0, 30.0, 1.0], [0.0, -5.0, 0.0], 1000.0)]] {
-        let map = range_doppler(&header, &cube(&header, &targets, 7)).unwrap();
+        let map = Receiver::new(&header).unwrap().range_doppler(&cube(&header, &targets, 7)).unwrap();
         let got = noise_power(&header, &map).unwrap();
         // Median of 32 768 sums of 12 correlated over ≈ 4 cells: 1.25·√(4/12/32768) = 0.4 % standard
         // deviation.

@@ -24,12 +24,6 @@ pub(crate) fn check_header(header: &CubeHeader) -> Result<(), EchoError> {
     check_size(header)
 }
 
-/// Refuses an f_c that no amplitude can refer to.
-pub(crate) fn check_centre_frequency(centre_frequency_hz: f64) -> Result<(), EchoError> {
-    let usable = centre_frequency_hz.is_finite() && centre_frequency_hz > 0.0;
-    if usable { Ok(()) } else { Err(EchoError::CentreFrequency(centre_frequency_hz)) }
-}
-
 /// Refuses frames with a path that has no finite echo.
 pub(crate) fn check_paths(radar: &Radar, frame: u32, paths: &[Path]) -> Result<(), EchoError> {
     for (index, path) in paths.iter().enumerate() {

@@ -5,7 +5,7 @@
     reason = "each test file takes the part that it needs as a module of its own"
 )]
 
-use artifact::cube::CubeHeader;
+use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::paths::{Curve, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
 use artifact::radar::{
     Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform,
@@ -13,6 +13,7 @@ use artifact::radar::{
 use artifact::settings::{Angle, Detector, DspSettings, Lanes, Noise, Refine, StaticEchoes, Window};
 use artifact::units::{power_from_db, watts_from_dbm};
 use artifact::{Accuracy, ErrorBudget, ModelError};
+use fmcw_echo::{EchoError, Synthesizer};
 use num_complex::{Complex32, Complex64};
 use rand::rand_core::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -243,6 +244,11 @@ pub fn widened(samples: &[Complex32]) -> Vec<Complex64> {
 /// Level of a linear power ratio.
 pub fn linear(db: f64) -> f64 {
     power_from_db(db)
+}
+
+/// The cube of one frame by a synthesizer of its own, to the accuracy of [`asked`].
+pub fn synthesized(header: &CubeHeader, seed: u64, frame: &PathsFrame) -> Result<CubeFrame, EchoError> {
+    Synthesizer::new(header, seed, asked(), vec![])?.frame(frame, &|_| ())
 }
 
 /// Of the sum over paths, where a test has no reason to ask for another.

@@ -20,10 +20,9 @@ use artifact::rcs::{Rcs, RcsFrame, RcsHeader};
 use artifact::rdm::{Rdm, RdmFrame};
 use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
 use artifact::settings::{Class, EchoMode};
-use artifact::{Accuracy, ErrorBudget, ModelError, Schema};
+use artifact::{ErrorBudget, ModelError, Schema};
 use bart_rcs::FrameSurroundings;
 use fmcw_echo::EchoError;
-use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 use std::time::Instant;
 
@@ -61,12 +60,6 @@ pub(crate) struct FrameProducts {
     pub(crate) result: FrameResult,
 }
 
-/// What the sum over paths may err by: a tenth of what the paths themselves may, and no more than −60 dB, so
-/// that nothing of it is seen above the floor of a map without noise.
-pub fn echo_accuracy(header: &SceneHeader) -> Accuracy {
-    Accuracy::from_db((header.fidelity.accuracy.db() - 20.0).min(-60.0))
-}
-
 /// A scene with everything that its frames share.
 pub struct Chain<'a> {
     pub(crate) header: &'a SceneHeader,
@@ -75,13 +68,14 @@ pub struct Chain<'a> {
     cache: Option<&'a Cache>,
     model: Option<&'a LoadedModel>,
     parts: SceneParts,
-    bodies: OnceLock<Result<bart_rcs::Models, String>>,
-    ground: OnceLock<Result<Vec<artifact::paths::Path>, String>>,
+    tracer: OnceLock<Result<bart_rcs::Tracer, String>>,
+    synthesizer: OnceLock<Result<fmcw_echo::Synthesizer, String>>,
+    receiver: OnceLock<Result<dsp::Receiver, String>>,
     measured: MeasuredFrames,
     looks: Looks,
     /// Frames that share what tracing may take; one where no plan was made of them.
     at_once: OnceLock<usize>,
-    limited: OnceLock<bart_rcs::Models>,
+    limited: OnceLock<bart_rcs::Tracer>,
     memory: Allowance,
 }
 
@@ -96,7 +90,7 @@ impl<'a> Chain<'a> {
     ) -> Self {
         let (cube_header, parts) = (cube_header(header), SceneParts::of(header));
         let (echo_header, measured) = (echo_header(header), MeasuredFrames::default());
-        let (bodies, ground) = (OnceLock::new(), OnceLock::new());
+        let (tracer, synthesizer, receiver) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         let (looks, at_once, limited) = (Looks::default(), OnceLock::new(), OnceLock::new());
         Self {
             header,
@@ -105,8 +99,9 @@ impl<'a> Chain<'a> {
             cache,
             model,
             parts,
-            bodies,
-            ground,
+            tracer,
+            synthesizer,
+            receiver,
             measured,
             looks,
             at_once,
@@ -189,7 +184,7 @@ impl<'a> Chain<'a> {
     /// What a frame's tracing will take, from a sample of it.
     pub(crate) fn expected_work(&self, index: u32) -> Result<bart_rcs::ExpectedWork, Failure> {
         let (view, frame) = (scene::frame_view(self.header, index), scene::snapshot(self.header, index));
-        bart_rcs::expected_work(self.models()?, &view, &frame).map_err(Failure::refused)
+        self.unlimited_tracer()?.expected_work(&view, &frame).map_err(Failure::refused)
     }
 
     /// Header of the `.paths` artifact.
@@ -259,10 +254,9 @@ impl<'a> Chain<'a> {
         scene: &SceneFrame,
     ) -> Result<Step<Scattering>, Failure> {
         let (key, stage) = (&plan.keys.bart_rcs, Stage::BartRcs);
-        let view = || scene::frame_view(self.header, scene.index);
         match self.header.fidelity.echo {
             EchoMode::Paths => {
-                let compute = || Ok(bart_rcs::reduced(&view(), self.traced(plan, scene)?));
+                let compute = || self.paths(plan, scene);
                 let step = self.step::<Paths>(plan, stage, key, &self.paths_header(), compute)?;
                 self.measured.keep(self.header, scene.index, &step.value);
                 let (index, time_s) = (scene.index, scene.time_s);
@@ -270,9 +264,9 @@ impl<'a> Chain<'a> {
             }
             EchoMode::RcsTable => {
                 let compute = || {
-                    let bodies = self.bodies(plan)?;
+                    let (tracer, view) = (self.tracer(plan)?, scene::frame_view(self.header, scene.index));
                     let progress = &Work::begin(format!("frame {}, tables of bodies", scene.index));
-                    bart_rcs::rcs_frame_within(bodies, &view(), scene, progress).map_err(Failure::refused)
+                    tracer.tables(&view, scene, progress).map_err(Failure::refused)
                 };
                 let step = self.step::<Rcs>(plan, stage, key, &self.rcs_header(), compute)?;
                 let (index, time_s) = (scene.index, scene.time_s);
@@ -282,8 +276,8 @@ impl<'a> Chain<'a> {
     }
 
     /// Measured, or like the frame that was.
-    fn traced(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<PathsFrame, Failure> {
-        let (view, bodies) = (scene::frame_view(self.header, scene.index), self.bodies(plan)?);
+    fn paths(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<PathsFrame, Failure> {
+        let (view, tracer) = (scene::frame_view(self.header, scene.index), self.tracer(plan)?);
         let measured_in = self.header.measured_in(scene.index);
         let in_this_scene =
             || (measured_in != scene.index).then(|| self.measured_frame(measured_in)).transpose();
@@ -293,7 +287,7 @@ impl<'a> Chain<'a> {
         };
         let progress = &Work::begin(format!("frame {}, paths", scene.index));
         let surroundings = FrameSurroundings { like: measured.as_deref(), progress };
-        bart_rcs::trace_frame_within(bodies, &view, scene, &surroundings).map_err(Failure::refused)
+        tracer.paths(&view, scene, &surroundings).map_err(Failure::refused)
     }
 
     /// What was measured in a frame; computed where no earlier frame of this run needed it.
@@ -310,24 +304,23 @@ impl<'a> Chain<'a> {
         let _ = self.at_once.set(at_once);
     }
 
-    /// The models of all targets, to be traced; refused where the frame cannot fit into the memory that it
-    /// may take.
-    fn bodies(&self, plan: &FramePlan) -> Result<&bart_rcs::Models, Failure> {
+    /// What traces the frames; refused where the frame cannot fit into the memory that it may take.
+    fn tracer(&self, plan: &FramePlan) -> Result<&bart_rcs::Tracer, Failure> {
         self.memory.check(self.least_memory_mib(plan)?)?;
-        let models = self.models()?;
+        let tracer = self.unlimited_tracer()?;
         let share = || self.memory.limit().share_of(*self.at_once.get_or_init(|| 1));
-        Ok(self.limited.get_or_init(|| models.clone().within(share())))
+        Ok(self.limited.get_or_init(|| tracer.clone().within(share())))
     }
 
     /// The same to look at; refused where the bodies at rest do not fit.
-    fn models(&self) -> Result<&bart_rcs::Models, Failure> {
+    fn unlimited_tracer(&self) -> Result<&bart_rcs::Tracer, Failure> {
         let triangles = self.header.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
         self.memory.check(memory::mib(bart_rcs::memory_estimate_bytes(triangles, 0, 0)))?;
         let build = || {
             let _under_way = Work::begin("building the hierarchies of the meshes");
-            bart_rcs::Models::build(self.header).map_err(|e| e.to_string())
+            bart_rcs::Tracer::new(self.header).map_err(|e| e.to_string())
         };
-        self.bodies.get_or_init(build).as_ref().map_err(Failure::refused)
+        self.tracer.get_or_init(build).as_ref().map_err(Failure::refused)
     }
 
     fn cube(
@@ -348,18 +341,13 @@ impl<'a> Chain<'a> {
     ) -> Result<CubeFrame, Failure> {
         let work = Work::begin(format!("frame {}, echo, percent", scene.index));
         let progress = |share: f64| work.at((100.0 * share) as usize, 100);
-        let (header, seed) = (&self.echo_header, self.header.seed);
+        let synthesizer = self.synthesizer()?;
         match scattering {
             Scattering::Paths(frame) => {
-                let centre_hz = self.header.radar.waveform.centre_frequency_hz();
-                let accuracy = echo_accuracy(self.header);
-                let all = &self.with_ground(frame)?;
-                fmcw_echo::synthesize(header, seed, all, centre_hz, accuracy, &progress)
-                    .map_err(|error| self.of_echo(&error, frame))
+                synthesizer.frame(frame, &progress).map_err(|error| self.of_echo(&error, frame))
             }
             Scattering::Tables(frame) => {
-                fmcw_echo::synthesize_tables(header, seed, &scene.poses, frame, &progress)
-                    .map_err(Failure::refused)
+                synthesizer.frame_of_tables(&scene.poses, frame, &progress).map_err(Failure::refused)
             }
         }
     }
@@ -374,26 +362,33 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// The paths of a frame and those of the road's own backscatter, which no `.paths` holds: the seed tells
-    /// them.
-    pub(crate) fn with_ground<'p>(&self, frame: &'p PathsFrame) -> Result<Cow<'p, PathsFrame>, Failure> {
-        let Some(backscatter) = &self.header.backscatter else { return Ok(Cow::Borrowed(frame)) };
-        let draw = || {
-            let drawn = fmcw_echo::ground::paths(&self.header.radar, backscatter, self.header.seed);
-            drawn.map_err(|error| error.to_string())
+    /// What makes cubes of the scene's paths, built when the first frame asks for it: with the road's own
+    /// backscatter, which no `.paths` holds and no table hears.
+    pub(crate) fn synthesizer(&self) -> Result<&fmcw_echo::Synthesizer, Failure> {
+        let SceneHeader { radar, backscatter, seed, fidelity, .. } = self.header;
+        let build = || {
+            let heard = backscatter.as_ref().filter(|_| fidelity.echo == EchoMode::Paths);
+            let draw = |road| fmcw_echo::ground::paths(radar, road, *seed);
+            let ground = heard.map(draw).transpose()?.unwrap_or_default();
+            let accuracy = fmcw_echo::sum_accuracy(fidelity.accuracy);
+            fmcw_echo::Synthesizer::new(&self.echo_header, *seed, accuracy, ground)
         };
-        let ground = self.ground.get_or_init(draw).as_ref().map_err(Failure::refused)?;
-        let mut all = frame.clone();
-        all.paths.extend_from_slice(ground);
-        Ok(Cow::Owned(all))
+        let build = || build().map_err(|error: EchoError| error.to_string());
+        self.synthesizer.get_or_init(build).as_ref().map_err(Failure::refused)
+    }
+
+    /// What makes maps and points of the scene's cubes, built when the first frame asks for it.
+    pub(crate) fn receiver(&self) -> Result<&dsp::Receiver, Failure> {
+        let build = || dsp::Receiver::new(&self.cube_header).map_err(|error| error.to_string());
+        self.receiver.get_or_init(build).as_ref().map_err(Failure::refused)
     }
 
     fn maps(&self, plan: &FramePlan, cube: &CubeFrame) -> Result<Step<(RdmFrame, PointsFrame)>, Failure> {
         let (key, stage) = (&plan.keys.dsp, Stage::Dsp);
         let _under_way = Work::begin(format!("frame {}, range-Doppler map and points", plan.index));
-        let compute = || dsp::range_doppler(&self.cube_header, cube).map_err(Failure::refused);
+        let compute = || self.receiver()?.range_doppler(cube).map_err(Failure::refused);
         let rdm = self.step::<Rdm>(plan, stage, key, &self.cube_header, compute)?;
-        let detect = || dsp::detect_refined(&self.cube_header, cube, &rdm.value).map_err(Failure::refused);
+        let detect = || self.receiver()?.detect_refined(&rdm.value, cube).map_err(Failure::refused);
         let points = self.step::<Points>(plan, stage, key, &self.points_header(), detect)?;
         Ok(Step { cached: rdm.cached && points.cached, value: (rdm.value, points.value) })
     }
@@ -415,7 +410,7 @@ impl<'a> Chain<'a> {
         };
         let name = format!("frame {}, classification", plan.index);
         let compute = || {
-            let probabilities = progress::during(name, || model.classify(&self.cube_header, rdm, points))?;
+            let probabilities = progress::during(name, || model.classify(self.receiver()?, rdm, points))?;
             Ok(ClassesFrame { probabilities })
         };
         let step = self.step::<Classes>(plan, stage, key, &model.classes_header(), compute)?;

@@ -3,7 +3,6 @@
 
 use crate::host::failure::Failure;
 use artifact::classes::ClassesHeader;
-use artifact::cube::CubeHeader;
 use artifact::dataset::{Crop, Sample};
 use artifact::model::{Learner, ModelHeader, Weights};
 use artifact::points::PointsFrame;
@@ -61,14 +60,14 @@ impl LoadedModel {
     /// Probabilities of each object of a map, in the order of the points' objects.
     pub(crate) fn classify(
         &self,
-        header: &CubeHeader,
+        receiver: &dsp::Receiver,
         rdm: &RdmFrame,
         points: &PointsFrame,
     ) -> Result<Vec<[f32; 4]>, Failure> {
         match (self.ready()?, &self.header.learner) {
-            (Ready::Signatures(trees), _) => by_signatures(trees, header, rdm, points),
+            (Ready::Signatures(trees), _) => by_signatures(trees, receiver, rdm, points),
             (Ready::Crops(network), Learner::CropNetwork(shape)) => {
-                let cropper = dsp::Cropper::new(header, rdm, &shape.format).map_err(Failure::refused)?;
+                let cropper = receiver.cropper(rdm, &shape.format).map_err(Failure::refused)?;
                 by_crops(network, &cropper, points)
             }
             (Ready::Crops(_), Learner::BoostedTrees { .. }) => {
@@ -117,11 +116,11 @@ fn crop_of(sample: &Sample) -> Result<Crop, Failure> {
 
 fn by_signatures(
     trees: &SignatureClassifier,
-    header: &CubeHeader,
+    receiver: &dsp::Receiver,
     rdm: &RdmFrame,
     points: &PointsFrame,
 ) -> Result<Vec<[f32; 4]>, Failure> {
-    let signatures = dsp::Signatures::new(header, rdm).map_err(Failure::refused)?;
+    let signatures = receiver.signatures(rdm).map_err(Failure::refused)?;
     let objects = 0..points.objects.len() as u32;
     let of = |object| signatures.of(points, object).map(|signature| trees.probabilities(&signature));
     objects

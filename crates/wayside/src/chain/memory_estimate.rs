@@ -5,7 +5,7 @@ use crate::chain::expectation::rates::{
     BYTES_PER_BEAM, BYTES_PER_CELL, BYTES_PER_CHANGING_CELL, BYTES_PER_FACET, BYTES_PER_MOVING_CELL,
     BYTES_PER_SLIDING_TILE, PROGRAM_MIB,
 };
-use crate::chain::link::{Chain, echo_accuracy};
+use crate::chain::link::Chain;
 use crate::chain::looks::Look;
 use crate::chain::plan::FramePlan;
 use crate::chain::stages::Stage;
@@ -113,9 +113,8 @@ impl Chain<'_> {
 
     /// Of what follows the tracer: cubes, maps, paths of the ground.
     fn signal_bytes(&self) -> u64 {
-        fmcw_echo::memory_estimate_bytes(&self.cube_header, echo_accuracy(self.header))
-            + self.map_bytes()
-            + self.ground_bytes()
+        let accuracy = fmcw_echo::sum_accuracy(self.header.fidelity.accuracy);
+        fmcw_echo::memory_estimate_bytes(&self.cube_header, accuracy) + self.map_bytes() + self.ground_bytes()
     }
 
     /// A map in both precisions: all channels are transformed at once.

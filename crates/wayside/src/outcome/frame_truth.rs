@@ -16,6 +16,6 @@ fn origins_of_points(chain: &Chain, frame: &FrameProducts) -> Result<Vec<Origin>
     let Some(paths) = &frame.result.paths else { return Ok(vec![]) };
     let header = chain.cube_header.in_frame(frame.result.scene.index);
     let noise = dsp::noise_power(&header, &frame.rdm).map_err(Failure::refused)?;
-    let paths = &chain.with_ground(paths)?;
+    let paths = &chain.synthesizer()?.with_ground(paths);
     origins(&header, paths, noise, &frame.result.points.points).map_err(Failure::refused)
 }

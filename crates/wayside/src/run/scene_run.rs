@@ -7,7 +7,6 @@ use crate::chain::loaded_model::LoadedModel;
 use crate::chain::loading::{self, LoadedScene, SceneSource};
 use crate::chain::plan::FramePlan;
 use crate::chain::stages::Stage;
-use crate::chain::sub_frames;
 use crate::host::call_off::CallOff;
 use crate::host::failure::Failure;
 use crate::host::files;
@@ -228,8 +227,8 @@ fn compute(
                 frame.result.cached.insert(0, Stage::Scene);
             }
             cycle.push(frame);
-            if cycle.len() == sub_frames::in_cycle(&chain.cube_header) {
-                for frame in resolved(chain, std::mem::take(&mut cycle)) {
+            if cycle.len() == chain.receiver()?.frames_in_cycle() {
+                for frame in resolved(chain, std::mem::take(&mut cycle))? {
                     let truth = frame_truth(chain, &frame)?;
                     let (tracks, told_of_tracks) = tracking.follow(&frame, &truth)?;
                     let mut told = summary::frame(&frame.view, &frame.result, &truth);
@@ -247,11 +246,11 @@ fn compute(
 }
 
 /// The sub-frames of a cycle, which tell each other's velocities.
-fn resolved(chain: &Chain, mut cycle: Vec<FrameProducts>) -> Vec<FrameProducts> {
+fn resolved(chain: &Chain, mut cycle: Vec<FrameProducts>) -> Result<Vec<FrameProducts>, Failure> {
     let points = cycle.iter().map(|frame| frame.result.points.clone()).collect();
-    let points = sub_frames::with_velocities(&chain.cube_header, points);
+    let points = chain.receiver()?.resolved(points);
     cycle.iter_mut().zip(points).for_each(|(frame, points)| frame.result.points = points);
-    cycle
+    Ok(cycle)
 }
 
 /// Frames computed at the same time, in their order. Where bodies stand as in another of them, a frame waits

@@ -4,7 +4,7 @@
 use crate::methods::{decibels, error, request};
 use artifact::scene::{Mesh, Pose, SceneHeader};
 use artifact::settings::NodeRule;
-use bart_rcs::{Models, PathView, Standpoint, rcs, scattering_of_paths, trace_frame};
+use bart_rcs::{FrameSurroundings, PathView, Standpoint, Tracer, rcs, scattering_of_paths};
 use glam::{DMat3, DVec3};
 use num_complex::Complex64;
 use rand::{RngExt, SeedableRng};
@@ -93,7 +93,7 @@ pub(crate) fn try_frame(case: u64, meshes: &[(&str, Mesh)], empty: &SceneHeader)
     header.meshes = vec![mesh.clone()].into();
     header.targets[0].start = pose;
     let frame = scene::snapshot(&header, 0);
-    let paths = trace_frame(&Models::build(&header).unwrap(), &header, &frame).unwrap();
+    let paths = Tracer::new(&header).unwrap().all_paths(&header, &frame, &FrameSurroundings::ALONE).unwrap();
     let (mut of_paths, mut anew) = (Vec::new(), Vec::new());
     for _ in 0..3 {
         let seconds = rng.random_range(0.0..header.radar.frame_duration_s());

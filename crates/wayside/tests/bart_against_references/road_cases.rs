@@ -5,7 +5,7 @@ use crate::random_cases::at;
 use artifact::Radar;
 use artifact::material::{Material, Road};
 use artifact::scene::{Mesh, Pose, SceneHeader};
-use bart_rcs::{Models, trace_frame};
+use bart_rcs::{FrameSurroundings, Tracer};
 use glam::DVec3;
 use num_complex::Complex64;
 use rand::{RngExt, SeedableRng};
@@ -51,11 +51,11 @@ pub(crate) fn try_road(case: u64, meshes: &[(&str, Mesh)], empty: &SceneHeader) 
     header.targets[0].start = pose;
     let (road, [real, loss]) = ROADS[rng.random_range(0..ROADS.len())];
     let frame = scene::snapshot(&header, 0);
-    let models = Models::build(&header).unwrap();
-    let without = trace_frame(&models, &header, &frame).unwrap();
+    let tracer = Tracer::new(&header).unwrap();
+    let without = tracer.all_paths(&header, &frame, &FrameSurroundings::ALONE).unwrap();
     let material = Material::HalfSpace { permittivity: Complex64::new(real, -loss) };
     header.road = Some(Road { material, rms_height_m: rng.random_range(2e-4..1e-3) });
-    let with = trace_frame(&models, &header, &frame).unwrap();
+    let with = tracer.all_paths(&header, &frame, &FrameSurroundings::ALONE).unwrap();
     let frequencies_hz = (0..24).map(|i| {
         let waveform = &header.radar.waveform;
         waveform.start_frequency_hz + (f64::from(i) + 0.5) / 24.0 * waveform.bandwidth_hz()

@@ -38,6 +38,7 @@ pub(super) fn all(sizes: Sizes) -> Result<Vec<Comparison>, Failure> {
 /// A frame without echoes, and its map.
 struct Noise {
     header: CubeHeader,
+    receiver: dsp::Receiver,
     frame: CubeFrame,
     map: RdmFrame,
 }
@@ -46,12 +47,13 @@ fn noise() -> Result<Noise, Failure> {
     let mut header = cube_header(&scene_of("[noise]\nnoise_figure_db = 12.0\n")?);
     (header.dsp.guard_cells, header.dsp.training_cells) = ([GUARD; 2], [TRAINING; 2]);
     header.dsp.false_alarm_rate = FALSE_ALARM_RATE;
-    let (centre_hz, accuracy) =
-        (header.radar.waveform.centre_frequency_hz(), artifact::Accuracy::from_db(-60.0));
-    let frame = fmcw_echo::synthesize(&header, 1, &nothing(), centre_hz, accuracy, &|_| ());
+    let accuracy = artifact::Accuracy::from_db(-60.0);
+    let frame = fmcw_echo::Synthesizer::new(&header, 1, accuracy, vec![])
+        .and_then(|synthesizer| synthesizer.frame(&nothing(), &|_| ()));
     let frame = frame.map_err(Failure::refused)?;
-    let map = dsp::range_doppler(&header, &frame).map_err(Failure::refused)?;
-    Ok(Noise { header, frame, map })
+    let receiver = dsp::Receiver::new(&header).map_err(Failure::refused)?;
+    let map = receiver.range_doppler(&frame).map_err(Failure::refused)?;
+    Ok(Noise { header, receiver, frame, map })
 }
 
 fn nothing() -> PathsFrame {
@@ -69,7 +71,7 @@ fn nothing() -> PathsFrame {
 impl Noise {
     fn maps(&self, sizes: Sizes) -> Result<Vec<Comparison>, Failure> {
         let (ours, ours_s) =
-            quickest(sizes, || dsp::range_doppler(&self.header, &self.frame).map_err(Failure::refused))?;
+            quickest(sizes, || self.receiver.range_doppler(&self.frame).map_err(Failure::refused))?;
         let job = Job { name: "range-doppler", input: single(&self.frame.samples) };
         let error = |answer: &Answer| difference(&wide(&ours.values), &complex(&answer.result));
         let programs = [Language::Python("scipy"), Language::Python("numpy"), MMWCORE];
@@ -130,7 +132,7 @@ impl Noise {
         let array = VirtualArray::new(&self.header);
         let columns = self.header.shape()[2];
         let cells = (0..CELLS).into_par_iter().with_min_len(CELLS / 16);
-        let snapshot = |i: usize| [array.snapshot(&self.header, &self.map, [i / columns, i % columns], 0.0)];
+        let snapshot = |i: usize| [array.snapshot(&self.map, [i / columns, i % columns], 0.0)];
         let right = |i: usize| array.fft_direction(&snapshot(i), RANGE_M).right;
         let (ours, ours_s) = quickest(sizes, || Ok(cells.clone().map(right).collect::<Vec<f64>>()))?;
         let job = Job { name: "angles", input: single(&self.map.values) };

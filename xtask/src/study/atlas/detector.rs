@@ -3,8 +3,7 @@
 use crate::study::atlas::verdict::Trial;
 use crate::study::atlas::{Row, Says};
 use crate::study::extent::Extent;
-use crate::study::scenes::{cube_header, paths_of, scene_of, seen, with_point};
-use artifact::cube::CubeFrame;
+use crate::study::scenes::{cube_header, paths_of, scene_of, seen, synthesizer, with_point};
 use artifact::scene::SceneHeader;
 use artifact::settings::Window;
 use wayside::host::failure::Failure;
@@ -50,8 +49,9 @@ fn false_alarms(extent: Extent, name: &str, window: Window) -> Result<Vec<Row>, 
 fn counted(header: &SceneHeader, frames: u64) -> Result<[f64; 2], Failure> {
     let (mut hits, mut cells) = ([0_u64; 2], [0_u64; 2]);
     let samples = header.radar.waveform.range_cells();
+    let receiver = dsp::Receiver::new(&cube_header(header)).map_err(Failure::refused)?;
     for seed in 0..frames {
-        for (i, mask) in noise_map(header, seed)?.iter().enumerate() {
+        for (i, mask) in noise_map(header, &receiver, seed)?.iter().enumerate() {
             let column = i % samples;
             let zone = usize::from((RIM..samples - RIM).contains(&column));
             cells[zone] += u64::from(*mask > 0);
@@ -61,20 +61,10 @@ fn counted(header: &SceneHeader, frames: u64) -> Result<[f64; 2], Failure> {
     Ok([0, 1].map(|zone| hits[zone] as f64 / cells[zone].max(1) as f64))
 }
 
-fn noise_map(header: &SceneHeader, seed: u64) -> Result<Vec<u8>, Failure> {
-    let cube_header = cube_header(header);
+fn noise_map(header: &SceneHeader, receiver: &dsp::Receiver, seed: u64) -> Result<Vec<u8>, Failure> {
     let nothing = paths_of(header)?;
-    let centre_hz = header.radar.waveform.centre_frequency_hz();
-    let cube: CubeFrame = fmcw_echo::synthesize(
-        &cube_header,
-        seed,
-        &nothing,
-        centre_hz,
-        wayside::chain::link::echo_accuracy(header),
-        &|_| (),
-    )
-    .map_err(Failure::refused)?;
-    Ok(dsp::range_doppler(&cube_header, &cube).map_err(Failure::refused)?.mask)
+    let cube = synthesizer(header, seed)?.frame(&nothing, &|_| ()).map_err(Failure::refused)?;
+    Ok(receiver.range_doppler(&cube).map_err(Failure::refused)?.mask)
 }
 
 /// Two equal points three range cells apart: both must be points of the cloud. An error is the further one's

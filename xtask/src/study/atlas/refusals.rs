@@ -88,6 +88,7 @@ pub(super) fn echoes(_: Extent) -> Result<Vec<Row>, Failure> {
         (changed.paths[0].apparent_tx_m, changed.paths[0].apparent_rx_m) = (position_m, position_m);
         cube_of(&header, &changed)
     };
+    let receiver = dsp::Receiver::new(&cube_header(&header)).map_err(Failure::refused)?;
     let mut broken = cube_of(&header, &paths)?;
     broken.samples[7] = Complex32::new(f32::NAN, 0.0);
     let mut short = broken.clone();
@@ -95,7 +96,7 @@ pub(super) fn echoes(_: Extent) -> Result<Vec<Row>, Failure> {
     Ok(vec![
         echo.must_refuse("at NaN", with([f64::NAN, 30.0, 6.0])),
         echo.must_refuse("in the antenna", with(header.radar.position_m)),
-        map.must_refuse("a NaN sample", dsp::range_doppler(&cube_header(&header), &broken)),
-        map.must_refuse("samples missing", dsp::range_doppler(&cube_header(&header), &short)),
+        map.must_refuse("a NaN sample", receiver.range_doppler(&broken)),
+        map.must_refuse("samples missing", receiver.range_doppler(&short)),
     ])
 }

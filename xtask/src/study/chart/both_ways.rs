@@ -5,7 +5,7 @@ use crate::study::chart::row::Row;
 use crate::study::chart::work::{Measured, measured};
 use crate::study::looks;
 use crate::study::scenes::{
-    cube_header, cube_of, frame_of, paths_at, paths_of, scene_of, tables_at, with_body,
+    cube_header, cube_of, frame_of, paths_at, paths_of, scene_of, synthesizer, tables_at, with_body,
 };
 use artifact::Accuracy;
 use artifact::cube::CubeFrame;
@@ -105,7 +105,8 @@ fn by_tables(case: &Case, exact: &CubeFrame) -> Result<Vec<Row>, Failure> {
     let frame = frame_of(&header);
     let tables = measured(|| tables_at(&header, &frame))?;
     let cube = measured(|| {
-        fmcw_echo::synthesize_tables(&cube_header(&header), header.seed, &frame.poses, &tables.value, &|_| ())
+        synthesizer(&header, header.seed)?
+            .frame_of_tables(&frame.poses, &tables.value, &|_| ())
             .map_err(Failure::refused)
     })?;
     let methods = ["frame by table, cube", "frame by table, levels"];
@@ -152,6 +153,7 @@ fn wide(cube: &CubeFrame) -> Vec<Complex64> {
 
 /// |X| of every cell of the range-Doppler map of every channel.
 fn levels(case: &Case, cube: &CubeFrame) -> Result<Vec<Complex64>, Failure> {
-    let map = dsp::range_doppler(&cube_header(&scene(case, ASKED_DB)?), cube).map_err(Failure::refused)?;
+    let receiver = dsp::Receiver::new(&cube_header(&scene(case, ASKED_DB)?)).map_err(Failure::refused)?;
+    let map = receiver.range_doppler(cube).map_err(Failure::refused)?;
     Ok(map.values.iter().map(|z| Complex64::from(f64::from(z.norm()))).collect())
 }

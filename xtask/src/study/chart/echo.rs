@@ -4,7 +4,7 @@ use crate::study::chart::row::Row;
 use crate::study::chart::work::{Measured, Subject, measured};
 use crate::study::looks;
 use crate::study::scenes::{
-    cube_header, cube_of, frame_of, paths_at, paths_of, scene_of, tables_at, with_body,
+    cube_of, frame_of, paths_at, paths_of, scene_of, synthesizer, tables_at, with_body,
 };
 use artifact::Accuracy;
 use artifact::cube::CubeFrame;
@@ -86,7 +86,8 @@ pub(super) fn tables(subject: &Subject) -> Result<Vec<Row>, Failure> {
     let frame = frame_of(&header);
     let cube = measured(|| {
         let tables = tables_at(&header, &frame)?;
-        fmcw_echo::synthesize_tables(&cube_header(&header), header.seed, &frame.poses, &tables, &|_| ())
+        synthesizer(&header, header.seed)?
+            .frame_of_tables(&frame.poses, &tables, &|_| ())
             .map_err(Failure::refused)
     })?;
     Ok(vec![row(subject, "rcs-table", "far field, −20 dB asked".into(), &cube, &exact)])

@@ -5,8 +5,8 @@ use crate::three_sums::the_three_sums_agree;
 use artifact::Waveform;
 use artifact::radar::{Adc, ElementError, Multiplexing, Radar};
 use artifact::settings::Noise;
+use fmcw_echo::EchoError;
 use fmcw_echo::direct_sum::DirectSum;
-use fmcw_echo::{EchoError, synthesize};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -65,14 +65,7 @@ fn a_converter_rounds_what_the_receiver_hears_noise_included() {
     let mut header =
         header(single_channel(experiment(1)), Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 });
     let cube = |header: &artifact::cube::CubeHeader| {
-        synthesize(
-            header,
-            3,
-            &frame(vec![point([0.0, 40.0, 6.0], [0.0; 3], 10.0)]),
-            77.3125e9,
-            asked(),
-            &|_| (),
-        )
+        synthesized(header, 3, &frame(vec![point([0.0, 40.0, 6.0], [0.0; 3], 10.0)]))
     };
     let fine = cube(&header).unwrap().samples;
     let full_scale = f64::from(fine.iter().map(|x| x.re.abs().max(x.im.abs())).fold(0.0, f32::max)) * 0.5;

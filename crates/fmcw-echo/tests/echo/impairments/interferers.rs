@@ -5,7 +5,7 @@ use artifact::Waveform;
 use artifact::radar::{Interferer, Multiplexing, Radar};
 use artifact::settings::Noise;
 use artifact::units::{SPEED_OF_LIGHT_MPS, watts_from_dbm};
-use fmcw_echo::{EchoError, interference, synthesize};
+use fmcw_echo::{EchoError, interference};
 use num_complex::Complex64;
 use rustfft::FftPlanner;
 use std::f64::consts::PI;
@@ -104,14 +104,7 @@ fn an_interferer_is_in_the_cube_beside_echoes_and_noise_and_refused_where_it_mea
     let radar = disturbed(0, vec![Interferer { slope_hz_per_s: 12.4e12, ..interferer() }]);
     let cube = |radar: &Radar| {
         let header = header(radar.clone(), Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 });
-        synthesize(
-            &header,
-            1,
-            &frame(vec![point([0.0, 40.0, 6.0], [0.0; 3], 10.0)]),
-            77.3125e9,
-            asked(),
-            &|_| (),
-        )
+        synthesized(&header, 1, &frame(vec![point([0.0, 40.0, 6.0], [0.0; 3], 10.0)]))
     };
     let (with, without) = (cube(&radar).unwrap().samples, cube(&disturbed(0, vec![])).unwrap().samples);
     for chirp in 0..4 {

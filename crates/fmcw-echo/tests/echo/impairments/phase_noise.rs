@@ -5,7 +5,7 @@ use artifact::radar::{Multiplexing, PhaseNoise, Radar};
 use artifact::settings::Noise;
 use artifact::{Accuracy, Waveform};
 use fmcw_echo::oscillator::{Oscillator, density};
-use fmcw_echo::{EchoError, phase_noise, reference, synthesize};
+use fmcw_echo::{EchoError, phase_noise, reference};
 use num_complex::Complex64;
 use rustfft::FftPlanner;
 use std::f64::consts::{PI, TAU};
@@ -152,7 +152,7 @@ fn a_cube_with_phase_noise_follows_from_the_seed_and_knows_its_error() {
     };
     let still =
         || frame(vec![point([0.0, 40.0, 6.0], [0.0; 3], 10.0), point([1.0, 20.0, 6.0], [0.0; 3], 1.0)]);
-    let cube = |noise, seed| synthesize(&header(noise), seed, &still(), 77.3125e9, asked(), &|_| ());
+    let cube = |noise, seed| synthesized(&header(noise), seed, &still());
     let [one, again, other] = [1, 1, 2].map(|seed| cube(silicon(), seed).unwrap());
     assert_eq!(one.samples, again.samples);
     assert_ne!(one.samples, other.samples);
@@ -161,6 +161,6 @@ fn a_cube_with_phase_noise_follows_from_the_seed_and_knows_its_error() {
     assert_eq!(cube(falling, 1).unwrap_err(), EchoError::PhaseNoise);
     let mut long = header(silicon());
     long.radar.waveform.chirp_interval_s = 1.0;
-    let refused = synthesize(&long, 1, &still(), 77.3125e9, asked(), &|_| ());
+    let refused = synthesized(&long, 1, &still());
     assert!(matches!(refused, Err(EchoError::OscillatorTooLong { .. })), "{refused:?}");
 }

@@ -3,7 +3,6 @@
 use crate::setting::*;
 use artifact::radar::Sampling;
 use artifact::settings::{Noise, Window};
-use fmcw_echo::synthesize;
 use num_complex::Complex64;
 use rustfft::FftPlanner;
 
@@ -14,7 +13,7 @@ fn samples(sampling: Sampling, noise: Noise, seed: u64) -> Vec<Complex64> {
     (header.dsp.range_window, header.dsp.doppler_window) = (Window::Rect, Window::Rect);
     let range_m = 100.0 * header.radar.waveform.range_resolution_m();
     let still = frame(vec![point([0.0, range_m, 6.0], [0.0; 3], 10.0)]);
-    widened(&synthesize(&header, seed, &still, 77.3125e9, asked(), &|_| ()).unwrap().samples)
+    widened(&synthesized(&header, seed, &still).unwrap().samples)
 }
 
 /// Power of the target's cell, and the mean over the cells of the same range elsewhere in Doppler.

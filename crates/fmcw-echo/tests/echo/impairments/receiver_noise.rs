@@ -4,14 +4,12 @@ use crate::setting::*;
 use artifact::cube::CubeHeader;
 use artifact::radar::Multiplexing;
 use artifact::settings::{Noise, Window};
-use fmcw_echo::{EchoError, synthesize};
+use fmcw_echo::EchoError;
 use num_complex::{Complex32, Complex64};
 use radar::window::taper;
 
 fn cube(header: &CubeHeader, paths: Vec<artifact::paths::Path>) -> Vec<Complex32> {
-    synthesize(header, 9, &frame(paths), header.radar.waveform.centre_frequency_hz(), asked(), &|_| ())
-        .unwrap()
-        .samples
+    synthesized(header, 9, &frame(paths)).unwrap().samples
 }
 
 /// Mean power of a map's cells: by Parseval's theorem the power of the windowed samples.
@@ -102,7 +100,7 @@ fn snr_db_refers_to_the_map_of_a_single_chirp_too() {
 #[test]
 fn snr_db_without_any_echo_is_refused() {
     let header = header(single_channel(experiment(1)), Noise::SnrDb(20.0));
-    let refused = synthesize(&header, 1, &frame(vec![]), 77e9, asked(), &|_| ());
+    let refused = synthesized(&header, 1, &frame(vec![]));
     assert_eq!(refused.unwrap_err(), EchoError::NoPeak { frame: 0 });
 }
 
@@ -113,23 +111,15 @@ fn noise_differs_between_frames_channels_and_seeds_and_not_with_the_echo() {
     let header = header(radar, Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 });
     let of = |seed: u64, index: u32| {
         let frame = artifact::paths::PathsFrame { index, ..frame(vec![]) };
-        synthesize(&header, seed, &frame, 77e9, asked(), &|_| ()).unwrap().samples
+        synthesized(&header, seed, &frame).unwrap().samples
     };
     let base = of(1, 0);
     assert!(base == of(1, 0) && base != of(2, 0) && base != of(1, 1));
     assert_ne!(base[..512], base[512..1024]);
     let paths = vec![point([2.0, 40.0, 1.0], [0.0; 3], 1e-9)];
-    let f_c = header.radar.waveform.centre_frequency_hz();
-    let noisy = synthesize(&header, 1, &frame(paths.clone()), f_c, asked(), &|_| ()).unwrap().samples;
-    let clean = synthesize(
-        &CubeHeader { noise: Noise::Absent, ..header.clone() },
-        1,
-        &frame(paths),
-        f_c,
-        asked(),
-        &|_| (),
-    )
-    .unwrap();
+    let noisy = synthesized(&header, 1, &frame(paths.clone())).unwrap().samples;
+    let clean =
+        synthesized(&CubeHeader { noise: Noise::Absent, ..header.clone() }, 1, &frame(paths)).unwrap();
     let difference: Vec<Complex64> =
         widened(&noisy).iter().zip(widened(&clean.samples)).map(|(a, b)| a - b).collect();
     // The sum is rounded to f32 once more: 2⁻²⁴ of it.

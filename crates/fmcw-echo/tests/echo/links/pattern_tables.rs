@@ -6,7 +6,7 @@ use artifact::Accuracy;
 use artifact::radar::{Multiplexing, Pattern, PatternTable, Radar};
 use artifact::settings::Noise;
 use fmcw_echo::direct_sum::DirectSum;
-use fmcw_echo::{EchoError, fast_sum, synthesize};
+use fmcw_echo::{EchoError, fast_sum};
 use std::f64::consts::PI;
 
 /// Table of cos²: amplitude cos²(az)·cos²(el) of the front, in even steps.
@@ -93,6 +93,6 @@ fn a_table_without_a_value_for_each_direction_is_refused() {
     let mut table = cosine_table(36);
     table.amplitude.pop();
     let radar = with(Pattern::Table(table), Multiplexing::Simultaneous);
-    let refused = synthesize(&header(radar, Noise::Absent), 1, &frame(vec![]), 77e9, asked(), &|_| ());
+    let refused = synthesized(&header(radar, Noise::Absent), 1, &frame(vec![]));
     assert_eq!(refused.unwrap_err(), EchoError::Pattern);
 }

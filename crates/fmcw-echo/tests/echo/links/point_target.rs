@@ -5,16 +5,13 @@ use artifact::radar::{Multiplexing, Pattern, Radar};
 use artifact::settings::Noise;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use fmcw_echo::noise::thermal_variance_w;
-use fmcw_echo::synthesize;
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
 /// Noise-free samples of one point on one channel, as stored.
 fn samples(radar: &Radar, position_m: [f64; 3], velocity_mps: [f64; 3], rcs_m2: f64) -> Vec<Complex64> {
     let paths = vec![point(position_m, velocity_mps, rcs_m2)];
-    let f_c = radar.waveform.centre_frequency_hz();
-    let cube =
-        synthesize(&header(radar.clone(), Noise::Absent), 1, &frame(paths), f_c, asked(), &|_| ()).unwrap();
+    let cube = synthesized(&header(radar.clone(), Noise::Absent), 1, &frame(paths)).unwrap();
     widened(&cube.samples)
 }
 

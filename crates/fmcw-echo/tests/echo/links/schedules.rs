@@ -7,7 +7,7 @@ use artifact::settings::Noise;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use artifact::{Accuracy, Waveform};
 use fmcw_echo::direct_sum::DirectSum;
-use fmcw_echo::{EchoError, fast_sum, synthesize};
+use fmcw_echo::{EchoError, fast_sum};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 
@@ -59,7 +59,7 @@ fn a_record_of_a_sub_frame_is_the_frame_of_a_radar_with_its_interval() {
     let paths = random_paths(53, 5);
     let cube = |header: &artifact::cube::CubeHeader, index: u32| {
         let frame = artifact::paths::PathsFrame { index, ..frame(paths.clone()) };
-        synthesize(header, 1, &frame, 77.3125e9, asked(), &|_| ()).unwrap().samples
+        synthesized(header, 1, &frame).unwrap().samples
     };
     for (index, interval_s) in [(0, 60e-6), (1, 85e-6), (2, 60e-6), (5, 85e-6)] {
         let mut alone = header.clone();
@@ -76,7 +76,7 @@ fn a_chirp_within_another_is_refused() {
     for stagger_s in [vec![0.0, 11e-6], vec![0.0, -11e-6], vec![1e-6, 0.0], vec![0.0, f64::NAN]] {
         let mut header = header(staggered(0, Multiplexing::Simultaneous, 4), Noise::Absent);
         header.radar.schedule.stagger_s = stagger_s;
-        let refused = synthesize(&header, 1, &frame(vec![]), 77.3125e9, asked(), &|_| ());
+        let refused = synthesized(&header, 1, &frame(vec![]));
         assert!(matches!(refused, Err(EchoError::Stagger { .. })), "{refused:?}");
     }
 }

@@ -7,7 +7,7 @@ use artifact::scene::Pose;
 use artifact::settings::Noise;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use artifact::{ErrorBudget, ModelError};
-use fmcw_echo::{EchoError, synthesize, synthesize_tables};
+use fmcw_echo::{EchoError, Synthesizer};
 use glam::{DQuat, DVec3};
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -55,17 +55,14 @@ fn steps(first: f64, last: f64, count: usize) -> Vec<f64> {
 }
 
 fn samples_of_tables(radar: &Radar, pose: Pose, frame: &RcsFrame) -> (Vec<Complex64>, Option<f64>) {
-    let cube = synthesize_tables(&header(radar.clone(), Noise::Absent), 1, &[pose], frame, &|_| ()).unwrap();
+    let cube = Synthesizer::new(&header(radar.clone(), Noise::Absent), 1, asked(), vec![])
+        .and_then(|stage| stage.frame_of_tables(&[pose], frame, &|_| ()))
+        .unwrap();
     (widened(&cube.samples), cube.error.synthesis)
 }
 
 fn samples_of_paths(radar: &Radar, paths: Vec<artifact::paths::Path>) -> Vec<Complex64> {
-    let f_c = radar.waveform.centre_frequency_hz();
-    widened(
-        &synthesize(&header(radar.clone(), Noise::Absent), 1, &frame(paths), f_c, asked(), &|_| ())
-            .unwrap()
-            .samples,
-    )
+    widened(&synthesized(&header(radar.clone(), Noise::Absent), 1, &frame(paths)).unwrap().samples)
 }
 
 #[test]
@@ -157,7 +154,8 @@ fn tables_that_cannot_answer_are_refused() {
     };
     let whole = table_of_points(&[DVec3::ZERO], steps(76.9e9, 77.7e9, 9), [vec![0.0], steps(-3.15, 3.15, 9)]);
     let refuse = |table: RcsTable| {
-        synthesize_tables(&header(radar.clone(), Noise::Absent), 1, &[pose], &rcs_frame(vec![table]), &|_| ())
+        Synthesizer::new(&header(radar.clone(), Noise::Absent), 1, asked(), vec![])
+            .and_then(|stage| stage.frame_of_tables(&[pose], &rcs_frame(vec![table]), &|_| ()))
     };
     assert!(refuse(whole.clone()).is_ok());
     let cases: [(RcsTable, IsExpected); 6] = [

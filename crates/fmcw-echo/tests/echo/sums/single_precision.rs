@@ -6,7 +6,6 @@ use artifact::units::SPEED_OF_LIGHT_MPS;
 use fmcw_echo::direct_sum::DirectSum;
 use fmcw_echo::multiplexing::row;
 use fmcw_echo::reference::legs_at;
-use fmcw_echo::synthesize;
 use num_complex::Complex64;
 use radar::beat::if_cycles;
 use std::f64::consts::{PI, TAU};
@@ -62,7 +61,7 @@ fn x4_the_stored_cube_loses_only_the_rounding_of_its_samples() {
     let f_c = radar.waveform.centre_frequency_hz();
     let paths = random_paths(3, 50);
     let exact = DirectSum::new(&radar, f_c, &paths).cube();
-    let stored = synthesize(&header(radar, Noise::Absent), 1, &frame(paths), f_c, asked(), &|_| ()).unwrap();
+    let stored = synthesized(&header(radar, Noise::Absent), 1, &frame(paths)).unwrap();
     let db = error_db(&widened(&stored.samples), &exact);
     // Rounding moves a number by at most 2⁻²⁴ of itself; evenly spread mantissas make it about 0.42·2⁻²⁴ rms:
     // −152 dB.

@@ -6,7 +6,6 @@ use artifact::paths::Path;
 use artifact::radar::{Multiplexing, Radar};
 use artifact::settings::Noise;
 use fmcw_echo::direct_sum::DirectSum;
-use fmcw_echo::synthesize;
 use num_complex::Complex64;
 
 fn small_radar() -> Radar {
@@ -16,9 +15,8 @@ fn small_radar() -> Radar {
 
 fn cube(paths: Vec<Path>) -> CubeFrame {
     let radar = small_radar();
-    let f_c = radar.waveform.centre_frequency_hz();
     let noise = Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 };
-    synthesize(&header(radar, noise), 5, &frame(paths), f_c, asked(), &|_| ()).unwrap()
+    synthesized(&header(radar, noise), 5, &frame(paths)).unwrap()
 }
 
 fn noise_free(paths: &[Path]) -> Vec<Complex64> {

@@ -4,21 +4,21 @@ use crate::setting::*;
 use artifact::cube::CubeHeader;
 use artifact::paths::{Path, Span};
 use artifact::settings::Noise;
-use fmcw_echo::{EchoError, synthesize};
+use fmcw_echo::EchoError;
 use num_complex::Complex64;
 
 fn sound_header() -> CubeHeader {
     header(single_channel(artifact::Waveform { chirps: 2, ..experiment(1) }), Noise::Absent)
 }
 
-fn refusal(header: &CubeHeader, paths: Vec<Path>, f_c: f64) -> EchoError {
-    synthesize(header, 1, &frame(paths), f_c, asked(), &|_| ()).unwrap_err()
+fn refusal(header: &CubeHeader, paths: Vec<Path>) -> EchoError {
+    synthesized(header, 1, &frame(paths)).unwrap_err()
 }
 
 fn refusal_of_path(change: impl Fn(&mut Path)) -> EchoError {
     let mut path = point([2.0, 40.0, 1.0], [0.0, -10.0, 0.0], 1.0);
     change(&mut path);
-    refusal(&sound_header(), vec![point([2.0, 30.0, 1.0], [0.0; 3], 1.0), path], 77e9)
+    refusal(&sound_header(), vec![point([2.0, 30.0, 1.0], [0.0; 3], 1.0), path])
 }
 
 #[test]
@@ -87,7 +87,7 @@ fn radars_without_samples_or_elements_are_refused() {
     let broken = |change: &dyn Fn(&mut CubeHeader)| {
         let mut header = sound_header();
         change(&mut header);
-        refusal(&header, vec![], 77e9)
+        refusal(&header, vec![])
     };
     let waveform = |e: &EchoError| matches!(e, EchoError::Waveform { .. });
     assert!(waveform(&broken(&|h| h.radar.waveform.samples = 0)));
@@ -103,9 +103,6 @@ fn radars_without_samples_or_elements_are_refused() {
         broken(&|h| h.noise = Noise::SnrDb(f64::NAN)),
         EchoError::Noise { quantity: "snr_db", .. }
     ));
-    for f_c in [0.0, -1.0, f64::NAN] {
-        assert!(matches!(refusal(&sound_header(), vec![], f_c), EchoError::CentreFrequency(_)));
-    }
 }
 
 #[test]
@@ -113,6 +110,6 @@ fn a_cube_larger_than_a_record_is_refused_before_it_is_allocated() {
     let mut header = sound_header();
     (header.radar.waveform.samples, header.radar.waveform.chirps) = (u32::MAX, u32::MAX);
     header.radar.waveform.chirp_interval_s = 1e3;
-    let refused = refusal(&header, vec![], 77e9);
+    let refused = refusal(&header, vec![]);
     assert!(matches!(refused, EchoError::CubeTooLarge { bytes, .. } if bytes > 1 << 66), "{refused}");
 }

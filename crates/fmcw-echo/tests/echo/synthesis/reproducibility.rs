@@ -4,21 +4,17 @@ use crate::setting::*;
 use artifact::cube::CubeFrame;
 use artifact::radar::Multiplexing;
 use artifact::settings::Noise;
-use fmcw_echo::{memory_estimate_bytes, reference, synthesize};
+use fmcw_echo::{Synthesizer, memory_estimate_bytes, reference};
 use std::sync::Mutex;
 
 fn cube_on(threads: usize, multiplexing: Multiplexing, noise: Noise) -> CubeFrame {
     let radar = radar(artifact::Waveform { chirps: 8, ..experiment(1) }, &presets()[2], multiplexing);
-    let f_c = radar.waveform.centre_frequency_hz();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     pool.install(|| {
-        synthesize(
+        synthesized(
             &header(radar, noise),
             4,
             &frame([random_paths(41, 99), body(42, 700, [2.0, 30.0, 0.7], [0.0, -9.0, 0.0])].concat()),
-            f_c,
-            asked(),
-            &|_| (),
         )
         .unwrap()
     })
@@ -42,9 +38,7 @@ fn the_synthesis_error_printed_is_the_error_made() {
         radar(artifact::Waveform { chirps: 4, ..experiment(1) }, &presets()[1], Multiplexing::Simultaneous);
     let f_c = radar.waveform.centre_frequency_hz();
     let paths = random_paths(42, 33);
-    let cube =
-        synthesize(&header(radar.clone(), Noise::Absent), 1, &frame(paths.clone()), f_c, asked(), &|_| ())
-            .unwrap();
+    let cube = synthesized(&header(radar.clone(), Noise::Absent), 1, &frame(paths.clone())).unwrap();
     let printed_db = 20.0 * cube.error.synthesis.unwrap().log10();
     let true_db = error_db(&widened(&cube.samples), &reference::cube(&radar, f_c, &paths));
     // 48 probes of 4096 samples: ±20 % of the rms at two standard errors, and the heaviest sample may be
@@ -55,7 +49,7 @@ fn the_synthesis_error_printed_is_the_error_made() {
 #[test]
 fn a_silent_frame_has_no_synthesis_error_to_tell() {
     let radar = single_channel(artifact::Waveform { chirps: 2, ..experiment(1) });
-    let cube = synthesize(&header(radar, Noise::Absent), 1, &frame(vec![]), 77e9, asked(), &|_| ()).unwrap();
+    let cube = synthesized(&header(radar, Noise::Absent), 1, &frame(vec![])).unwrap();
     assert_eq!(cube.error.synthesis, None);
     assert!(cube.samples.iter().all(|x| x.norm_sqr() == 0.0));
 }
@@ -65,10 +59,8 @@ fn progress_ends_at_one() {
     let radar = single_channel(artifact::Waveform { chirps: 16, ..experiment(1) });
     let shares = Mutex::new(vec![]);
     let paths = frame(random_paths(43, 3));
-    synthesize(&header(radar, Noise::Absent), 1, &paths, 77e9, asked(), &|share| {
-        shares.lock().unwrap().push(share)
-    })
-    .unwrap();
+    let synthesizer = Synthesizer::new(&header(radar, Noise::Absent), 1, asked(), vec![]).unwrap();
+    synthesizer.frame(&paths, &|share| shares.lock().unwrap().push(share)).unwrap();
     let mut shares = shares.into_inner().unwrap();
     shares.sort_by(f64::total_cmp);
     assert_eq!(shares.last(), Some(&1.0));

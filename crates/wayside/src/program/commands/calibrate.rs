@@ -7,7 +7,7 @@ use crate::program::terminal;
 use artifact::Reader;
 use artifact::cube::Cube;
 use artifact::units::db_from_amplitude;
-use dsp::calibration::{channel_errors, mean_errors};
+use dsp::{Receiver, mean_errors};
 use num_complex::Complex64;
 
 pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
@@ -15,10 +15,11 @@ pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
     files::claim(std::slice::from_ref(&arguments.out))?;
     let header = reader.header().clone();
     let refused = |error| Failure::Refused(format!("{}: {error}", arguments.cube.display()));
+    let receiver = Receiver::new(&header).map_err(refused)?;
     let mut frames = Vec::new();
     for cube in reader {
-        let map = dsp::range_doppler(&header, &cube?).map_err(refused)?;
-        frames.push(channel_errors(&header, &map, arguments.at_m.0).map_err(refused)?);
+        let map = receiver.range_doppler(&cube?).map_err(refused)?;
+        frames.push(receiver.channel_errors(&map, arguments.at_m.0).map_err(refused)?);
     }
     if frames.is_empty() {
         return Err(Failure::Refused(format!("{}: no frame is in it", arguments.cube.display())));

@@ -2,7 +2,6 @@
 
 use crate::chain::loading;
 use crate::chain::stages::Stage;
-use crate::chain::sub_frames;
 use crate::host::failure::Failure;
 use crate::host::progress::Work;
 use crate::pictures;
@@ -13,7 +12,7 @@ use artifact::points::{Points, PointsFrame, PointsHeader};
 use artifact::rdm::{Rdm, RdmFrame};
 use artifact::tracks::{Tracks, TracksFrame, TracksHeader};
 use artifact::{Provenance, Reader, Writer};
-use dsp::{ROAD_TRAFFIC, Tracker};
+use dsp::{ROAD_TRAFFIC, Receiver, Tracker};
 use std::path::{Path, PathBuf};
 
 pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
@@ -27,8 +26,10 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     let place = |kind: &str| arguments.out.join(format!("{stem}.{kind}"));
     let cloud_header = PointsHeader { cube: Some(header.clone()), targets: vec![], classes: vec![] };
     let followed_header = TracksHeader { cube: Some(header.clone()) };
+    let receiver = Receiver::new(&header).map_err(|e| refused(&arguments.cube, &e))?;
     let mut products = Products {
         header: &header,
+        receiver: &receiver,
         pictures: arguments.pictures.then(|| arguments.out.join("pictures")),
         maps: Writer::create(&place("rdm"), &from, &header)?,
         clouds: Writer::create(&place("points"), &from, &cloud_header)?,
@@ -39,10 +40,8 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     for cube in reader {
         let cube = cube?;
         let _under_way = Work::begin(format!("frame {}", cube.index));
-        let rdm = dsp::range_doppler(&header, &cube).map_err(|e| refused(&arguments.cube, &e))?;
-        let points = dsp::detect_refined(&header, &cube, &rdm).map_err(|e| refused(&arguments.cube, &e))?;
-        cycle.push((rdm, points));
-        if cycle.len() == sub_frames::in_cycle(&header) {
+        cycle.push(receiver.process(&cube).map_err(|e| refused(&arguments.cube, &e))?);
+        if cycle.len() == receiver.frames_in_cycle() {
             products.write(std::mem::take(&mut cycle))?;
         }
     }
@@ -54,6 +53,7 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
 /// What comes out of a cube.
 struct Products<'a> {
     header: &'a CubeHeader,
+    receiver: &'a Receiver,
     pictures: Option<PathBuf>,
     maps: Writer<Rdm>,
     clouds: Writer<Points>,
@@ -65,7 +65,7 @@ impl Products<'_> {
     /// Writes the records of a cycle, whose points tell each other's velocities.
     fn write(&mut self, cycle: Vec<(RdmFrame, PointsFrame)>) -> Result<(), Failure> {
         let (rdms, points): (Vec<_>, Vec<_>) = cycle.into_iter().unzip();
-        for (rdm, points) in rdms.iter().zip(sub_frames::with_velocities(self.header, points)) {
+        for (rdm, points) in rdms.iter().zip(self.receiver.resolved(points)) {
             let tracks = self.tracker.step(&points).map_err(Failure::refused)?;
             tell(rdm, &points, &tracks);
             if let Some(folder) = &self.pictures {

@@ -45,11 +45,11 @@ fn unfit(file: &Path, schema: &str) -> Failure {
 
 fn maps(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
     let reader = Reader::<Rdm>::open(file)?;
-    let header = reader.header().clone();
+    let receiver = dsp::Receiver::new(reader.header()).map_err(Failure::refused)?;
     for rdm in reader {
         let rdm = rdm?;
-        let points = dsp::detect(&header, &rdm).map_err(Failure::refused)?;
-        for (object, p) in model.classify(&header, &rdm, &points)?.iter().enumerate() {
+        let points = receiver.detect(&rdm).map_err(Failure::refused)?;
+        for (object, p) in model.classify(&receiver, &rdm, &points)?.iter().enumerate() {
             tell(model, file, rdm.index, &object.to_string(), p);
         }
     }

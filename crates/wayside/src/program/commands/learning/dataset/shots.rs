@@ -78,7 +78,7 @@ fn samples_of(
     seen: &Seen,
 ) -> Result<Vec<Sample>, Failure> {
     let (points, rdm) = (&seen.products.result.points, &seen.products.rdm);
-    let signatures = dsp::Signatures::new(&chain.cube_header, rdm).map_err(Failure::refused)?;
+    let signatures = chain.receiver()?.signatures(rdm).map_err(Failure::refused)?;
     let mut samples = Vec::new();
     for (target, object) in
         seen.object_of.iter().enumerate().filter_map(|(t, object)| Some((t, (*object)? as u32)))
@@ -106,7 +106,7 @@ fn samples_of(
 
 /// As a detector among its neighbours shows it.
 fn crop(chain: &Chain, seen: &Seen, object: u32) -> Result<Crop, Failure> {
-    let cropper = dsp::Cropper::new(&chain.cube_header, &seen.products.rdm, &dsp::PAPER_CROP);
+    let cropper = chain.receiver()?.cropper(&seen.products.rdm, &dsp::PAPER_CROP);
     cropper
         .and_then(|cropper| cropper.crop_among(&seen.products.result.points, object))
         .map_err(Failure::refused)

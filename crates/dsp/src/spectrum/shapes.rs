@@ -1,0 +1,123 @@
+//! What a header, a cube's samples and a map have to be like.
+
+use crate::error::DspError;
+use crate::numerics::finite::first_not_finite;
+use artifact::cube::CubeHeader;
+use artifact::radar::Sampling;
+use artifact::rdm::{self, RdmFrame};
+use num_complex::Complex32;
+
+/// Sizes of the cubes and the maps that a header describes, checked to have cells and axes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Shapes {
+    /// `[channel, chirp, sample]`.
+    pub(crate) cube: [usize; 3],
+    /// `[channel, doppler, range]`.
+    pub(crate) map: [usize; 3],
+    sampling: Sampling,
+}
+
+impl Shapes {
+    /// Of a radar that can make a map.
+    ///
+    /// # Errors
+    /// What is missing, is no number, or is calibrated for another array.
+    pub(crate) fn of(header: &CubeHeader) -> Result<Self, DspError> {
+        check_counts(header)?;
+        check_quantities(header)?;
+        check_calibration(header)?;
+        let map = rdm::shape(header);
+        map.iter().try_fold(1_usize, |product, n| product.checked_mul(*n)).ok_or(DspError::TooLarge)?;
+        Ok(Self { cube: header.shape(), map, sampling: header.radar.waveform.sampling })
+    }
+
+    /// Cells of one channel of a map.
+    pub(crate) fn cells(&self) -> usize {
+        self.map[1] * self.map[2]
+    }
+
+    /// Whether samples are as many as the radar makes, of its sampling, and numbers.
+    pub(crate) fn check_samples(&self, samples: &[Complex32]) -> Result<(), DspError> {
+        let [channels, chirps, length] = self.cube;
+        let expected = channels * chirps * length;
+        if samples.len() != expected {
+            return Err(DspError::SampleCount { expected, found: samples.len() });
+        }
+        let place = |at: usize| [at / (chirps * length), at / length % chirps, at % length];
+        if self.sampling == Sampling::Real
+            && let Some(at) = samples.iter().position(|sample| sample.im != 0.0)
+        {
+            let [channel, chirp, sample] = place(at);
+            return Err(DspError::NotReal { channel, chirp, sample });
+        }
+        first_not_finite(samples).map(place).map_or(Ok(()), |[channel, chirp, sample]| {
+            Err(DspError::SampleNotFinite { channel, chirp, sample })
+        })
+    }
+
+    /// Whether a map's arrays have the length that the radar's have, and hold numbers.
+    pub(crate) fn check_map(&self, map: &RdmFrame) -> Result<(), DspError> {
+        let cells = self.cells();
+        for (what, expected, found) in
+            [("values", self.map[0] * cells, map.values.len()), ("mask cells", cells, map.mask.len())]
+        {
+            if expected != found {
+                return Err(DspError::MapSize { what, expected, found });
+            }
+        }
+        self.check_values(&map.values)
+    }
+
+    /// Whether the values of a map are numbers.
+    pub(crate) fn check_values(&self, values: &[Complex32]) -> Result<(), DspError> {
+        let cells = self.cells();
+        match first_not_finite(values) {
+            None => Ok(()),
+            Some(at) => Err(DspError::ValueNotFinite { channel: at / cells, cell: at % cells }),
+        }
+    }
+}
+
+fn check_counts(header: &CubeHeader) -> Result<(), DspError> {
+    let (array, waveform) = (&header.radar.array, &header.radar.waveform);
+    let counts = [
+        ("transmitters", array.tx_m.len()),
+        ("receivers", array.rx_m.len()),
+        ("chirps", waveform.chirps as usize),
+        ("samples", waveform.samples as usize),
+    ];
+    match counts.into_iter().find(|(_, count)| *count == 0) {
+        None => Ok(()),
+        Some((what, _)) => Err(DspError::Missing { what }),
+    }
+}
+
+fn check_quantities(header: &CubeHeader) -> Result<(), DspError> {
+    let radar = &header.radar;
+    let squares = |places: &[[f64; 3]]| 1.0 + places.iter().flatten().map(|x| x * x).sum::<f64>();
+    let quantities = [
+        ("slope_hz_per_s", radar.waveform.slope_hz_per_s),
+        ("sample_rate_hz", radar.waveform.sample_rate_hz),
+        ("chirp_interval_s", radar.waveform.chirp_interval_s),
+        ("wavelength_m", radar.waveform.wavelength_m()),
+        ("range_resolution_m", radar.waveform.range_resolution_m()),
+        ("1 + boresight_az_rad²", 1.0 + radar.boresight_az_rad.powi(2)),
+        ("1 + boresight_el_rad²", 1.0 + radar.boresight_el_rad.powi(2)),
+        ("1 + |position_m|²", squares(&[radar.position_m])),
+        ("1 + Σ|tx_m|²", squares(&radar.array.tx_m)),
+        ("1 + Σ|rx_m|²", squares(&radar.array.rx_m)),
+    ];
+    match quantities.into_iter().find(|(_, value)| !value.is_finite() || *value == 0.0) {
+        None => Ok(()),
+        Some((quantity, value)) => Err(DspError::Radar { quantity, value }),
+    }
+}
+
+fn check_calibration(header: &CubeHeader) -> Result<(), DspError> {
+    let (calibration, expected) = (&header.dsp.calibration, header.radar.virtual_channels());
+    let found = calibration.iter().filter(|factor| factor.is_finite()).count();
+    if calibration.is_empty() || (found, calibration.len()) == (expected, expected) {
+        return Ok(());
+    }
+    Err(DspError::Calibration { expected, found })
+}

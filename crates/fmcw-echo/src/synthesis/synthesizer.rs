@@ -1,0 +1,203 @@
+//! The stage of one radar: frames of paths become frames of samples: sum, f32, error measured, noise.
+
+use crate::error::EchoError;
+use crate::impairments::adc;
+use crate::impairments::element_errors;
+use crate::impairments::interference;
+use crate::impairments::noise;
+use crate::impairments::oscillator::{self, Oscillator};
+use crate::sources::rcs_table::{self, TableSum};
+use crate::sums::fast::fast_sum;
+use crate::synthesis::admission::{check_header, check_paths, check_samples};
+use crate::synthesis::phase_noise;
+use crate::synthesis::synthesis_error;
+use artifact::cube::{CubeFrame, CubeHeader};
+use artifact::paths::{Path, PathsFrame};
+use artifact::radar::Sampling;
+use artifact::rcs::RcsFrame;
+use artifact::scene::Pose;
+use artifact::{Accuracy, ErrorBudget};
+use num_complex::{Complex32, Complex64};
+use rayon::prelude::*;
+use std::borrow::Cow;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Is told the share of the work done, 0 … 1, from several threads.
+pub type Progress<'a> = &'a (dyn Fn(f64) + Sync);
+
+/// What makes the cubes of one radar: its header checked, the errors of its elements drawn, once for all
+/// frames. A frame belongs to the sub-frame that its index says.
+pub struct Synthesizer {
+    /// By sub-frame, at least one.
+    headers: Vec<CubeHeader>,
+    seed: u64,
+    accuracy: Accuracy,
+    ground: Vec<Path>,
+}
+
+impl Synthesizer {
+    /// Of the cubes that this header describes; `seed` is the scene's, `accuracy` that of the sum over the
+    /// paths ([`sum_accuracy`]), `ground` the paths of a road that scatters of itself
+    /// ([`crate::sources::ground`]), which are heard in every frame beside its own.
+    ///
+    /// # Errors
+    /// Radars without samples, and cubes that do not fit into a file's record.
+    pub fn new(
+        header: &CubeHeader,
+        seed: u64,
+        accuracy: Accuracy,
+        ground: Vec<Path>,
+    ) -> Result<Self, EchoError> {
+        let drawn = CubeHeader { radar: element_errors::drawn(&header.radar, seed), ..header.clone() };
+        let sub_frames = 0..header.radar.schedule.sub_frames();
+        let headers: Vec<CubeHeader> = sub_frames.map(|index| drawn.in_frame(index)).collect();
+        headers.iter().try_for_each(check_header)?;
+        Ok(Self { headers, seed, accuracy, ground })
+    }
+
+    /// Of the frame record `index`.
+    fn header(&self, index: u32) -> &CubeHeader {
+        &self.headers[index as usize % self.headers.len()]
+    }
+
+    /// A frame's paths, and behind them those of the road.
+    pub fn with_ground<'p>(&self, frame: &'p PathsFrame) -> Cow<'p, PathsFrame> {
+        if self.ground.is_empty() {
+            return Cow::Borrowed(frame);
+        }
+        let mut all = frame.clone();
+        all.paths.extend_from_slice(&self.ground);
+        Cow::Owned(all)
+    }
+
+    /// The cube of one frame, noise included; the paths' amplitudes hold for the middle of the sweep.
+    ///
+    /// The frame's error budget gets its share `synthesis` from a comparison with [`crate::sums::reference`]
+    /// in this run.
+    ///
+    /// # Errors
+    /// Paths that have no finite echo, samples beyond f32.
+    pub fn frame(&self, frame: &PathsFrame, progress: Progress) -> Result<CubeFrame, EchoError> {
+        let (header, frame) = (self.header(frame.index), &*self.with_ground(frame));
+        let (radar, paths) = (&header.radar, &frame.paths);
+        check_paths(radar, frame.index, paths)?;
+        let (centre_hz, accuracy) = (radar.waveform.centre_frequency_hz(), self.accuracy);
+        let oscillator = Oscillator::of(radar, self.seed, frame.index);
+        let samples = match &oscillator {
+            None => fast_sum::single_cube(radar, centre_hz, paths, accuracy),
+            Some(oscillator) => phase_noise::single_cube(radar, centre_hz, paths, accuracy, oscillator),
+        };
+        progress(1.0);
+        check_samples(header, frame.index, &samples)?;
+        let error = synthesis_error::of_paths(radar, centre_hz, frame, &samples, oscillator.as_ref());
+        self.received((frame.index, frame.time_s), samples, frame.error, error)
+    }
+
+    /// The cube of one frame from far-field tables, the paper's way; `poses` are those at the frame's first
+    /// sample, in the order that the tables' `target` counts.
+    ///
+    /// The share `synthesis` of the error is that of interpolating the tables, estimated by thinning them.
+    ///
+    /// # Errors
+    /// Those of [`Self::frame`], and tables of another polarization, broken shape, or that do not hold the
+    /// aspects needed.
+    pub fn frame_of_tables(
+        &self,
+        poses: &[Pose],
+        frame: &RcsFrame,
+        progress: Progress,
+    ) -> Result<CubeFrame, EchoError> {
+        let header = self.header(frame.index);
+        let radar = &header.radar;
+        check_paths(radar, frame.index, &rcs_table::origins(poses, frame))?;
+        let oscillator = Oscillator::of(radar, self.seed, frame.index);
+        let sum = TableSum::new(radar, poses, frame, oscillator.as_ref())?;
+        let samples = rows(header, progress, |channel, chirp| sum.row(channel, chirp))?;
+        check_samples(header, frame.index, &samples)?;
+        let error = synthesis_error::of_tables(radar, poses, frame, &samples, oscillator.as_ref())?;
+        self.received((frame.index, frame.time_s), samples, frame.error, error)
+    }
+
+    /// A cube of echoes as it comes out of the receiver; `synthesis` is what they err by.
+    fn received(
+        &self,
+        (index, time_s): (u32, f64),
+        mut samples: Vec<Complex32>,
+        error: ErrorBudget,
+        synthesis: Option<f64>,
+    ) -> Result<CubeFrame, EchoError> {
+        receive(self.header(index), self.seed, (index, time_s), &mut samples)?;
+        let error = error.joined(ErrorBudget { synthesis, ..ErrorBudget::default() });
+        Ok(CubeFrame { index, time_s, samples, error })
+    }
+}
+
+/// What the sum over paths may err by: a tenth of what the paths themselves may, and no more than −60 dB, so
+/// that nothing of it is seen above the floor of a map without noise.
+pub fn sum_accuracy(of_paths: Accuracy) -> Accuracy {
+    Accuracy::from_db((of_paths.db() - 20.0).min(-60.0))
+}
+
+/// What comes to the echoes in the receiver: noise, other radars; of a real mixer one part of it all; the
+/// converter.
+///
+/// Half of an echo's power is in that part and half of the noise's, but the echo's is shared by two lines of
+/// the spectrum: 3 dB less signal to noise than complex samples have (physics.md §9).
+fn receive(
+    header: &CubeHeader,
+    seed: u64,
+    (frame, time_s): (u32, f64),
+    samples: &mut [Complex32],
+) -> Result<(), EchoError> {
+    noise::add(header, seed, frame, samples)?;
+    interference::add(&header.radar, time_s, samples);
+    check_samples(header, frame, samples)?;
+    if header.radar.waveform.sampling == Sampling::Real {
+        samples.iter_mut().for_each(|sample| sample.im = 0.0);
+    }
+    if let Some(converter) = &header.radar.hardware.adc {
+        adc::convert(converter, samples);
+    }
+    Ok(())
+}
+
+/// Every row `[channel, chirp]` of a cube made by `row`, in parallel, rounded to f32.
+fn rows(
+    header: &CubeHeader,
+    progress: Progress,
+    row: impl Fn(usize, usize) -> Result<Vec<Complex64>, EchoError> + Sync,
+) -> Result<Vec<Complex32>, EchoError> {
+    let [channels, chirps, length] = header.shape();
+    let mut samples = vec![Complex32::ZERO; channels * chirps * length];
+    let done = AtomicUsize::new(0);
+    let made: Vec<Result<(), EchoError>> = samples
+        .par_chunks_mut(length)
+        .enumerate()
+        .map(|(r, stored)| {
+            for (stored, value) in stored.iter_mut().zip(row(r / chirps, r % chirps)?) {
+                *stored = Complex32::new(value.re as f32, value.im as f32);
+            }
+            progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f64 / (channels * chirps) as f64);
+            Ok(())
+        })
+        .collect();
+    // The first fault in the order of rows, whichever thread was first.
+    made.into_iter().collect::<Result<(), EchoError>>()?;
+    Ok(samples)
+}
+
+/// Bytes that making one frame takes at most beside its paths: the cube and its sums, the map of one channel
+/// for `snr_db`, and a row of sums for each thread.
+pub fn memory_estimate_bytes(header: &CubeHeader, accuracy: Accuracy) -> u64 {
+    let [channels, chirps, length] = header.shape().map(|n| n as u64);
+    let cube = channels * chirps * length * size_of::<Complex32>() as u64;
+    let map = 2 * chirps * length * size_of::<Complex64>() as u64;
+    let row = length * (crate::sums::lanes::MAX_LANES as u64 + 1) * size_of::<Complex64>() as u64;
+    // With phase noise a sum in double precision and a part of it.
+    let sums = if header.radar.hardware.phase_noise.is_empty() { 0 } else { 4 * cube };
+    let sum = fast_sum::memory_estimate_bytes(&header.radar, accuracy) + sums;
+    cube + map
+        + row * rayon::current_num_threads() as u64
+        + sum
+        + oscillator::memory_estimate_bytes(&header.radar)
+}
