@@ -23,11 +23,63 @@ use gospa::{Gospa, gospa};
 use identities::Identities;
 use ndarray::{Array2, ArrayView2, Axis};
 use ospa::ospa_m;
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
 
 /// c of GOSPA and OSPA of tracks: a box whose middle is further from a body's middle than this is another's.
 /// Half of a bus is 6 m.
 const CUTOFF_M: f64 = 6.0;
+
+/// How well objects and tracks agree with the truth over all frames.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Metrics {
+    /// That of the tracks, m.
+    pub cutoff_m: f64,
+    /// Of single frames.
+    pub objects: Agreement,
+    /// Those that are believed.
+    pub tracks: Agreement,
+    /// Whether a body keeps its track.
+    pub identities: IdentityMetrics,
+}
+
+/// How well estimates agree with bodies: means over frames, and numbers added up over frames.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Agreement {
+    /// c of GOSPA and OSPA, m.
+    pub cutoff_m: f64,
+    /// m, with α = 2 and p = 2; `None` without frames.
+    pub gospa_m: Option<f64>,
+    /// m, with p = 2; `None` without frames.
+    pub ospa_m: Option<f64>,
+    /// Distance in pairs, rms over all of them, m; `None` without any.
+    pub localisation_rms_m: Option<f64>,
+    /// Pairs.
+    pub found: usize,
+    /// Bodies without an estimate.
+    pub missed: usize,
+    /// Estimates without a body.
+    #[serde(rename = "false")]
+    pub false_ones: usize,
+    /// Estimates at rest that are nobody's; they do not count as false.
+    pub stationary: usize,
+    /// Bodies whose echoes were removed as echoes at rest; they do not count as missed.
+    pub removed: usize,
+    /// Share in the right lane of the pairs whose body is in a lane; `None` where none is.
+    pub lane_rate: Option<f64>,
+}
+
+/// Whether a body keeps its track and a track its body.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct IdentityMetrics {
+    /// Bodies that had a track in some frame.
+    pub bodies: usize,
+    /// Tracks that were believed in some frame.
+    pub tracks: usize,
+    /// How often a body changed its track.
+    pub switches: u32,
+    /// Share of a track's frames that belong to its commonest body, over all tracks; `None` without pairs.
+    pub purity: Option<f64>,
+}
 
 /// What was found over all frames so far.
 #[derive(Debug, Clone, Default)]
@@ -113,18 +165,18 @@ impl Score {
     }
 
     /// As `summary.json` has it.
-    pub(crate) fn told(&self) -> Value {
-        json!({
-            "cutoff_m": CUTOFF_M,
-            "objects": self.objects.told(self.frames, GATE_M),
-            "tracks": self.tracks.told(self.frames, CUTOFF_M),
-            "identities": {
-                "bodies": self.identities.bodies(),
-                "tracks": self.ids.len(),
-                "switches": self.identities.switches(),
-                "purity": self.identities.purity(),
+    pub(crate) fn told(&self) -> Metrics {
+        Metrics {
+            cutoff_m: CUTOFF_M,
+            objects: self.objects.told(self.frames, GATE_M),
+            tracks: self.tracks.told(self.frames, CUTOFF_M),
+            identities: IdentityMetrics {
+                bodies: self.identities.bodies(),
+                tracks: self.ids.len(),
+                switches: self.identities.switches(),
+                purity: self.identities.purity(),
             },
-        })
+        }
     }
 }
 
@@ -152,19 +204,19 @@ impl Sums {
         }
     }
 
-    fn told(&self, frames: u32, cutoff_m: f64) -> Value {
+    fn told(&self, frames: u32, cutoff_m: f64) -> Agreement {
         let mean = |sum: f64, count: f64| (count > 0.0).then(|| sum / count);
-        json!({
-            "cutoff_m": cutoff_m,
-            "gospa_m": mean(self.gospa_m, f64::from(frames)),
-            "ospa_m": mean(self.ospa_m, f64::from(frames)),
-            "localisation_rms_m": mean(self.localisation_m2, self.pairs as f64).map(f64::sqrt),
-            "found": self.pairs,
-            "missed": self.missed,
-            "false": self.false_ones,
-            "stationary": self.stationary,
-            "removed": self.removed,
-            "lane_rate": mean(self.lanes_right as f64, self.lanes as f64),
-        })
+        Agreement {
+            cutoff_m,
+            gospa_m: mean(self.gospa_m, f64::from(frames)),
+            ospa_m: mean(self.ospa_m, f64::from(frames)),
+            localisation_rms_m: mean(self.localisation_m2, self.pairs as f64).map(f64::sqrt),
+            found: self.pairs,
+            missed: self.missed,
+            false_ones: self.false_ones,
+            stationary: self.stationary,
+            removed: self.removed,
+            lane_rate: mean(self.lanes_right as f64, self.lanes as f64),
+        }
     }
 }
