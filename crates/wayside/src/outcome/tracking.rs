@@ -43,7 +43,8 @@ impl Tracking {
         Ok(Self { tracker, score: Score::default(), classes: BTreeMap::new() })
     }
 
-    /// The frame's tracks, from its objects alone, and what is told of those that are believed, beside the truth.
+    /// The frame's tracks, from its objects alone, and what is told of those that are believed, beside the
+    /// truth.
     pub(crate) fn follow(
         &mut self,
         frame: &FrameProducts,

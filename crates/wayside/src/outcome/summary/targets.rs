@@ -24,8 +24,8 @@ pub struct TargetSummary {
     pub truth: TruthSummary,
     /// Of the object that is the target's; `None` without one.
     pub estimate: Option<Estimate>,
-    /// Whether it has an object; `None` where it is not to be found: hidden, without an echo of its own, or out
-    /// of range.
+    /// Whether it has an object; `None` where it is not to be found: hidden, without an echo of its own, or
+    /// out of range.
     pub found: Option<bool>,
     /// Whether its echoes were removed as echoes at rest.
     pub removed: bool,
