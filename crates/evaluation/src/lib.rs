@@ -44,5 +44,5 @@ pub use metrics::gospa::{Gospa, gospa};
 pub use metrics::identities::Identities;
 pub use metrics::ospa::ospa_m;
 pub use pairing::{GATE_M, Pairing, Reach, VELOCITY_GATE_MPS, place};
-pub use score::{Agreement, CUTOFF_M, IdentityFigures, Metrics, Score, believed, bodies_of_tracks};
+pub use score::{Agreement, CUTOFF_M, IdentityMetrics, Metrics, Score, believed, bodies_of_tracks};
 pub use truth::{Echo, Truth, truths};

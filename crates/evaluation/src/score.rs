@@ -45,7 +45,7 @@ pub struct Metrics {
     /// Confirmed and coasted tracks.
     pub tracks: Agreement,
     /// Whether bodies keep their tracks.
-    pub identities: IdentityFigures,
+    pub identities: IdentityMetrics,
 }
 
 /// How one kind of estimates agrees with the truth; means are over frames and `None` where there were none.
@@ -76,7 +76,7 @@ pub struct Agreement {
 
 /// Whether a body keeps its track and a track its body.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct IdentityFigures {
+pub struct IdentityMetrics {
     /// Bodies that had a track in some frame.
     pub bodies: usize,
     /// Believed tracks.
@@ -160,7 +160,7 @@ impl Score {
             cutoff_m: CUTOFF_M,
             objects: self.objects.agreement(self.frames, GATE_M),
             tracks: self.tracks.agreement(self.frames, CUTOFF_M),
-            identities: IdentityFigures {
+            identities: IdentityMetrics {
                 bodies: self.identities.bodies(),
                 tracks: self.ids.len(),
                 switches: self.identities.switches(),

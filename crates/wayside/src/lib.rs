@@ -5,7 +5,9 @@
 //! ```no_run
 //! let settings = wayside::Settings::of("scenes/intersection.toml", "out/intersection");
 //! let outcome = wayside::run(&settings)?;
-//! println!("{}", outcome.summary()["frames"][0]["targets"][0]["predicted_class"]);
+//! for target in outcome.summary().iter().flat_map(|summary| &summary.frames[0].targets) {
+//!     println!("{}: {:?} m", target.id, target.estimate.map(|estimate| estimate.range_m));
+//! }
 //! # Ok::<(), wayside::Failure>(())
 //! ```
 //!
@@ -25,4 +27,5 @@ pub use chain::loading::SceneSource;
 pub use host::call_off::CallOff;
 pub use host::failure::Failure;
 pub use host::memory::Allowance;
+pub use outcome::summary::{RadarsSummary, Summary};
 pub use run::{Outcome, Settings, run};

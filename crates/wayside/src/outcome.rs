@@ -5,6 +5,6 @@ pub(crate) mod error_figures;
 pub(crate) mod verdict;
 pub(crate) mod frame_truth;
 pub(crate) mod false_objects;
-pub(crate) mod summary;
+pub mod summary;
 pub(crate) mod tracking;
 pub(crate) mod told;

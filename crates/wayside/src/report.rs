@@ -11,10 +11,10 @@ mod tracks;
 
 use crate::host::failure::Failure;
 use crate::host::files;
+use crate::outcome::summary::{RadarsSummary, Summary};
 use crate::report::figures::Figures;
 pub use made::Making;
 use plotting::form::Figure;
-use serde_json::Value;
 use std::path::Path;
 
 /// Frames that get pictures of their own in the report; the others stand in its tables.
@@ -29,13 +29,18 @@ pub(crate) fn is_in_strip(index: u32, frames: u32) -> bool {
 }
 
 /// Writes the report of a run from its summary and its figures.
-pub(crate) fn write(summary: &Value, figures: &Figures, making: &Making, out: &Path) -> Result<(), Failure> {
+pub(crate) fn write(
+    summary: &Summary,
+    figures: &Figures,
+    making: &Making,
+    out: &Path,
+) -> Result<(), Failure> {
     files::write_file(&out.join("report.html"), page::page(summary, figures, making, out).as_bytes())
 }
 
 /// Writes the report of several radars over theirs.
 pub(crate) fn write_several(
-    summary: &Value,
+    summary: &RadarsSummary,
     views: &[Figure],
     making: &Making,
     out: &Path,

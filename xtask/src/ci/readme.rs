@@ -2,10 +2,10 @@
 
 use crate::ci::commands::{Tally, counted, finished};
 use crate::project::project_root;
-use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use wayside::host::failure::Failure;
+use wayside::outcome::summary::{FrameSummary, Summary};
 
 /// The second command: all tests and doctests.
 pub(super) fn tests(tally: &mut Tally) -> Result<(), Failure> {
@@ -18,9 +18,7 @@ pub(super) fn main_job() -> Result<(), Failure> {
     let mut command = command(0)?;
     finished(&mut command)?;
     let file = summary_file(&command)?;
-    let text = std::fs::read_to_string(&file).map_err(|e| Failure::system(&file, "read", e))?;
-    let summary = serde_json::from_str(&text).map_err(Failure::refused)?;
-    match shortcomings(&summary)[..] {
+    match shortcomings(&Summary::read(&file)?.frames)[..] {
         [] => Ok(()),
         ref some => Err(Failure::Refused(format!("{}: {}", file.display(), some.join("; ")))),
     }
@@ -36,21 +34,21 @@ fn summary_file(run: &Command) -> Result<PathBuf, Failure> {
 }
 
 /// What a run of the main job falls short of, frame by frame.
-fn shortcomings(summary: &Value) -> Vec<String> {
-    let frames = summary["frames"].as_array().map_or(&[][..], Vec::as_slice);
+fn shortcomings(frames: &[FrameSummary]) -> Vec<String> {
     let none = frames.is_empty().then(|| "no frame".to_owned());
     none.into_iter()
         .chain(frames.iter().enumerate().flat_map(|(number, frame)| of_frame(number, frame)))
         .collect()
 }
 
-fn of_frame(number: usize, frame: &Value) -> Vec<String> {
-    let targets = frame["targets"].as_array().map_or(&[][..], Vec::as_slice);
+fn of_frame(number: usize, frame: &FrameSummary) -> Vec<String> {
+    let FrameSummary { targets, accuracy, .. } = frame;
     let unseen: Vec<&str> =
-        targets.iter().filter(|t| t["found"] != true).filter_map(|t| t["id"].as_str()).collect();
-    let (asked, reached) = (&frame["accuracy"]["asked_db"], &frame["accuracy"]["reached_db"]);
-    let is_met = frame["accuracy"]["met"] == true;
-    let accuracy = (!is_met).then(|| format!("frame {number}: {reached} dB reached, {asked} dB asked"));
+        targets.iter().filter(|target| target.found != Some(true)).map(|target| target.id.as_str()).collect();
+    let reached = accuracy.reached_db.map_or("null".into(), |db| format!("{db:?}"));
+    let asked = accuracy.asked_db;
+    let accuracy = (accuracy.met != Some(true))
+        .then(|| format!("frame {number}: {reached} dB reached, {asked:?} dB asked"));
     let found = (!unseen.is_empty() || targets.is_empty())
         .then(|| format!("frame {number}: of {} targets not found: {}", targets.len(), unseen.join(", ")));
     accuracy.into_iter().chain(found).collect()
@@ -89,7 +87,7 @@ fn shell_lines(text: &str) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde_json::json;
+    use wayside::outcome::summary::{AccuracyVerdict, TargetSummary};
 
     #[test]
     fn commands_are_read_from_shell_blocks_without_their_remarks() {
@@ -99,16 +97,20 @@ mod tests {
 
     #[test]
     fn the_main_job_falls_short_where_a_body_is_missed_or_the_accuracy_is_not_reached() {
-        let frame = |met: Value, found: Value| {
-            let accuracy = json!({ "asked_db": -20.0, "reached_db": -12.4, "met": met });
-            json!({ "accuracy": accuracy, "targets": [{ "id": "car-1", "found": true }, { "id": "bus-1", "found": found }] })
+        let target = |id: &str, found| TargetSummary { id: id.to_owned(), found, ..TargetSummary::default() };
+        let frame = |met, found| {
+            let (asked_db, reached_db) = (-20.0, Some(-12.4));
+            let accuracy = AccuracyVerdict { asked_db, reached_db, met, ..AccuracyVerdict::default() };
+            let targets = vec![target("car-1", Some(true)), target("bus-1", found)];
+            FrameSummary { accuracy, targets, ..FrameSummary::default() }
         };
-        let of = |frames: &[Value]| shortcomings(&json!({ "frames": frames })).join("; ");
-        assert_eq!(of(&[frame(true.into(), true.into())]), "");
-        let missed = of(&[frame(true.into(), true.into()), frame(true.into(), false.into())]);
+        let of = |frames: &[FrameSummary]| shortcomings(frames).join("; ");
+        let good = frame(Some(true), Some(true));
+        assert_eq!(of(std::slice::from_ref(&good)), "");
+        let missed = of(&[good, frame(Some(true), Some(false))]);
         assert_eq!(missed, "frame 1: of 2 targets not found: bus-1");
-        assert_eq!(of(&[frame(false.into(), true.into())]), "frame 0: -12.4 dB reached, -20.0 dB asked");
-        assert_eq!(of(&[frame(Value::Null, true.into())]), "frame 0: -12.4 dB reached, -20.0 dB asked");
+        assert_eq!(of(&[frame(Some(false), Some(true))]), "frame 0: -12.4 dB reached, -20.0 dB asked");
+        assert_eq!(of(&[frame(None, Some(true))]), "frame 0: -12.4 dB reached, -20.0 dB asked");
         assert_eq!(of(&[]), "no frame");
     }
 

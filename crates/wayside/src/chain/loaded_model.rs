@@ -10,6 +10,7 @@ use artifact::rdm::RdmFrame;
 use artifact::settings::Class;
 use classifier::{Classifier, SignatureClassifier};
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 use std::path::Path;
 use std::sync::OnceLock;
 
@@ -166,13 +167,13 @@ pub(crate) struct ClassRule {
 
 impl ClassRule {
     /// The class that is told, or "unknown".
-    pub(crate) fn told(&self, probabilities: &[f32; 4]) -> &'static str {
+    pub(crate) fn told(&self, probabilities: &[f32; 4]) -> Predicted {
         let likeliest =
             (0..4).fold(0, |best, i| if probabilities[i] > probabilities[best] { i } else { best });
         if probabilities[likeliest] >= self.least_probability {
-            Class::ALL[likeliest].name()
+            Predicted::Class(Class::ALL[likeliest])
         } else {
-            UNKNOWN
+            Predicted::Unknown
         }
     }
 
@@ -188,8 +189,26 @@ impl ClassRule {
     }
 }
 
-/// Told where no class is likely enough.
-pub(crate) const UNKNOWN: &str = "unknown";
+/// What a classifier says of a vehicle; JSON has its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Predicted {
+    /// No class is likely enough.
+    Unknown,
+    /// The likeliest class.
+    #[serde(untagged)]
+    Class(Class),
+}
+
+impl Predicted {
+    /// The class as people write it, or "unknown".
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Unknown => "unknown",
+            Self::Class(class) => class.name(),
+        }
+    }
+}
 
 #[cfg(test)]
 mod tests {
@@ -211,7 +230,7 @@ mod tests {
     #[test]
     fn a_class_that_is_not_likely_enough_is_unknown() {
         let rule = ClassRule { least_probability: 0.5, frame_correlation: 0.5 };
-        assert_eq!(rule.told(&[0.1, 0.2, 0.6, 0.1]), "truck");
-        assert_eq!(rule.told(&[0.3, 0.2, 0.4, 0.1]), "unknown");
+        assert_eq!(rule.told(&[0.1, 0.2, 0.6, 0.1]), Predicted::Class(Class::Truck));
+        assert_eq!(rule.told(&[0.3, 0.2, 0.4, 0.1]), Predicted::Unknown);
     }
 }

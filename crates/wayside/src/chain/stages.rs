@@ -1,12 +1,20 @@
 //! The five stages, as the plan and the cache name them.
 
-/// A stage of the chain.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Stage {
+use serde::{Deserialize, Serialize};
+
+/// A stage of the chain; JSON has its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Stage {
+    /// Scene files and the bodies in them.
     Scene,
+    /// Scattering.
     BartRcs,
+    /// Echoes and noise.
     FmcwEcho,
+    /// From maps to objects.
     Dsp,
+    /// Classes of objects.
     Classifier,
 }
 
@@ -16,7 +24,7 @@ impl Stage {
         [Self::Scene, Self::BartRcs, Self::FmcwEcho, Self::Dsp, Self::Classifier];
 
     /// As `summary.json` and the cache's folders name it.
-    pub(crate) fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Scene => "scene",
             Self::BartRcs => "bart_rcs",

@@ -2,28 +2,105 @@
 
 use artifact::accuracy::{ErrorBudget, ModelError};
 use artifact::units::db_from_amplitude;
-use serde_json::{Map, Value, json};
+use serde::{Deserialize, Serialize};
 
-/// Of a relative amplitude; null where it is not estimated.
-pub(crate) fn db(amplitude: Option<f64>) -> Value {
-    amplitude.map_or(Value::Null, |a| json!(db_from_amplitude(a)))
+/// What is believed of the numerical error: dB relative to the echo, `None` where not estimated.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct ErrorFigures {
+    /// All shares together.
+    pub total: Option<f64>,
+    /// Flat facets in place of the skin that the mesh's normals describe.
+    pub tessellation: Option<f64>,
+    /// Physical-optics integral over lit polygons in place of the exact one.
+    pub integration: Option<f64>,
+    /// Beams and slivers given up.
+    pub dropped: Option<f64>,
+    /// Paths frozen for a frame while the bodies move.
+    pub freezing: Option<f64>,
+    /// Fewer paths in place of all that were traced.
+    pub detail: Option<f64>,
+    /// Echo synthesis in place of the exact sum over paths.
+    pub synthesis: Option<f64>,
 }
 
-/// `{total, tessellation, integration, dropped, freezing, detail, synthesis}` in dB, null where not
-/// estimated.
-pub(crate) fn error_db(error: &ErrorBudget) -> Value {
-    let mut map = Map::new();
-    map.insert("total".into(), db(error.total()));
-    map.extend(error.shares().iter().map(|(name, share)| ((*name).to_owned(), db(*share))));
-    map.into()
+impl ErrorFigures {
+    pub(crate) fn of(error: &ErrorBudget) -> Self {
+        Self {
+            total: db(error.total()),
+            tessellation: db(error.tessellation),
+            integration: db(error.integration),
+            dropped: db(error.dropped),
+            freezing: db(error.freezing),
+            detail: db(error.detail),
+            synthesis: db(error.synthesis),
+        }
+    }
+
+    /// The shares in the order of their names, dB.
+    pub fn shares(&self) -> [(&'static str, Option<f64>); 6] {
+        [
+            ("detail", self.detail),
+            ("dropped", self.dropped),
+            ("freezing", self.freezing),
+            ("integration", self.integration),
+            ("synthesis", self.synthesis),
+            ("tessellation", self.tessellation),
+        ]
+    }
 }
 
-/// `{bounces, nodes, edges, far_field}` in dB, null where not estimated.
-pub(crate) fn model_error_db(error: &ModelError) -> Value {
-    error
-        .sources()
-        .iter()
-        .map(|(name, source)| ((*name).to_owned(), db(*source)))
-        .collect::<Map<_, _>>()
-        .into()
+/// What the physical model leaves out: dB relative to the echo, `None` where not estimated.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct ModelErrorFigures {
+    /// Higher bounces than were traced.
+    pub bounces: Option<f64>,
+    /// Spread between the node rules of a multiple reflection.
+    pub nodes: Option<f64>,
+    /// Diffraction by edges.
+    pub edges: Option<f64>,
+    /// A far-field table in place of spherical waves.
+    pub far_field: Option<f64>,
+    /// Reflections by the road.
+    pub road: Option<f64>,
+    /// Ways that meet several bodies.
+    pub between_bodies: Option<f64>,
+    /// What is behind sheets, where waves are not followed through them.
+    pub transmission: Option<f64>,
+}
+
+impl ModelErrorFigures {
+    pub(crate) fn of(error: &ModelError) -> Self {
+        Self {
+            bounces: db(error.bounces),
+            nodes: db(error.nodes),
+            edges: db(error.edges),
+            far_field: db(error.far_field),
+            road: db(error.road),
+            between_bodies: db(error.between_bodies),
+            transmission: db(error.transmission),
+        }
+    }
+
+    /// The sources in the order of their names, in words, dB.
+    pub fn sources(&self) -> [(&'static str, Option<f64>); 7] {
+        [
+            ("between bodies", self.between_bodies),
+            ("bounces", self.bounces),
+            ("edges", self.edges),
+            ("far field", self.far_field),
+            ("nodes", self.nodes),
+            ("road", self.road),
+            ("transmission", self.transmission),
+        ]
+    }
+}
+
+/// Of a relative amplitude; none where it is not estimated, and of no error at all, as JSON has no infinity.
+pub(crate) fn db(amplitude: Option<f64>) -> Option<f64> {
+    amplitude.map(db_from_amplitude).filter(|db| db.is_finite())
+}
+
+/// For a person, to a tenth.
+pub(crate) fn decibels(db: impl Into<Option<f64>>) -> String {
+    db.into().map_or("not estimated".into(), |db| format!("{db:.1} dB").replace('-', "−"))
 }

@@ -5,145 +5,149 @@ use artifact::points::{Label, Object};
 use artifact::scene::{Role, SceneHeader};
 use artifact::units::power_from_db;
 use evaluation::{FrameTruth, GATE_M, Origin, place};
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
+/// An object that is no body's.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct FalseObject {
+    /// Its place among the frame's objects, as in `.points`.
+    pub object: usize,
+    /// World m.
+    pub x_m: f64,
+    /// World m.
+    pub y_m: f64,
+    /// From the radar, m.
+    pub range_m: f64,
+    /// Positive when the range grows, m/s.
+    pub radial_velocity_mps: f64,
+    /// Of its strongest cell, dB.
+    pub snr_db: f64,
+    /// Share of its peaks' power that ran between two bodies; `None` where the array cannot tell.
+    pub ghost_share: Option<f64>,
+    /// What most of the power of its points comes from.
+    pub cause: Cause,
+    /// Those that made it, by their ids.
+    pub bodies: Vec<String>,
+    /// Of the wave that made it; `None` where it was no path.
+    pub bounces: Option<u8>,
+}
+
 /// What made an object that is no body's.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-enum Cause {
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Cause {
     /// A way over several bodies, or one over several facets of a body that has its object elsewhere.
-    Ghost {
-        bodies: BTreeSet<u32>,
-        bounces: u8,
-    },
+    Ghost,
     /// Another object of a body that has one.
-    Split {
-        body: u32,
-        bounces: u8,
-    },
+    Split,
     /// The echo of a body that has no object, seen further from it than the gate.
-    Misplaced {
-        body: u32,
-        bounces: u8,
-    },
+    Misplaced,
     /// What stands about, or with no body the road's own backscatter.
-    Clutter {
-        body: Option<u32>,
-        bounces: Option<u8>,
-    },
+    Clutter,
+    /// No path: a false alarm.
     Noise,
     /// Echoes of tables have no paths to tell by.
+    #[default]
     Unknown,
 }
 
 impl Cause {
-    fn name(&self) -> &'static str {
+    /// As `summary.json` has it.
+    pub fn name(self) -> &'static str {
         match self {
-            Self::Ghost { .. } => "ghost",
-            Self::Split { .. } => "split",
-            Self::Misplaced { .. } => "misplaced",
-            Self::Clutter { .. } => "clutter",
+            Self::Ghost => "ghost",
+            Self::Split => "split",
+            Self::Misplaced => "misplaced",
+            Self::Clutter => "clutter",
             Self::Noise => "noise",
             Self::Unknown => "unknown",
         }
     }
+}
 
-    fn bodies(&self) -> Vec<u32> {
-        match self {
-            Self::Ghost { bodies, .. } => bodies.iter().copied().collect(),
-            Self::Split { body, .. } | Self::Misplaced { body, .. } => vec![*body],
-            Self::Clutter { body, .. } => body.iter().copied().collect(),
-            Self::Noise | Self::Unknown => vec![],
-        }
-    }
+/// A cause with the scene's bodies and the bounces that made it so.
+#[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
+struct Made {
+    cause: Cause,
+    bodies: BTreeSet<u32>,
+    bounces: Option<u8>,
+}
 
-    fn bounces(&self) -> Option<u8> {
-        match self {
-            Self::Ghost { bounces, .. } | Self::Split { bounces, .. } | Self::Misplaced { bounces, .. } => {
-                Some(*bounces)
-            }
-            Self::Clutter { bounces, .. } => *bounces,
-            Self::Noise | Self::Unknown => None,
-        }
+impl Made {
+    fn by(cause: Cause, body: u32, bounces: u8) -> Self {
+        Self { cause, bodies: BTreeSet::from([body]), bounces: Some(bounces) }
     }
 }
 
-/// `false_objects` of a frame of `summary.json`: nobody's, and not told to be at rest.
-pub(crate) fn told(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth) -> Value {
+/// Objects of a frame that are nobody's, and not told to be at rest.
+pub(crate) fn told(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth) -> Vec<FalseObject> {
     let is_false =
         |index: &usize| truth.pairing.body_of(*index).is_none() && !truth.pairing.standing.contains(index);
-    all_json(header, result, truth, (0..result.points.objects.len()).filter(is_false))
+    let objects = (0..result.points.objects.len()).filter(is_false);
+    objects.map(|index| object(header, result, truth, index)).collect()
 }
 
-/// `stationary_objects`: nobody's as well, and told to be at rest.
-pub(crate) fn standing(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth) -> Value {
-    all_json(header, result, truth, truth.pairing.standing.iter().copied())
+/// Nobody's as well, and told to be at rest.
+pub(crate) fn standing(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth) -> Vec<FalseObject> {
+    truth.pairing.standing.iter().map(|index| object(header, result, truth, *index)).collect()
 }
 
-fn all_json(
-    header: &SceneHeader,
-    result: &FrameResult,
-    truth: &FrameTruth,
-    objects: impl Iterator<Item = usize>,
-) -> Value {
-    let json = |index: usize| {
-        object_json(header, index, &result.points.objects[index], &cause(header, result, truth, index))
-    };
-    objects.map(json).collect()
-}
-
-fn object_json(header: &SceneHeader, index: usize, object: &Object, cause: &Cause) -> Value {
-    let id = |body: &u32| header.targets.get(*body as usize).map(|target| target.id.as_str());
-    json!({
-        "object": index,
-        "x_m": object.position_m[0],
-        "y_m": object.position_m[1],
-        "range_m": object.range_m,
-        "radial_velocity_mps": object.radial_velocity_mps,
-        "snr_db": object.snr_db,
-        "ghost_share": object.ghost_share,
-        "cause": cause.name(),
-        "bodies": cause.bodies().iter().filter_map(id).collect::<Vec<_>>(),
-        "bounces": cause.bounces(),
-    })
+fn object(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth, index: usize) -> FalseObject {
+    let (object, Made { cause, bodies, bounces }) =
+        (&result.points.objects[index], made(header, result, truth, index));
+    let id = |body: &u32| header.targets.get(*body as usize).map(|target| target.id.clone());
+    FalseObject {
+        object: index,
+        x_m: object.position_m[0],
+        y_m: object.position_m[1],
+        range_m: object.range_m,
+        radial_velocity_mps: object.radial_velocity_mps,
+        snr_db: object.snr_db,
+        ghost_share: object.ghost_share,
+        cause,
+        bodies: bodies.iter().filter_map(id).collect(),
+        bounces,
+    }
 }
 
 /// What most of the power of the object's points comes from.
-fn cause(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth, index: usize) -> Cause {
-    let mut powers: BTreeMap<Cause, f64> = BTreeMap::new();
+fn made(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth, index: usize) -> Made {
+    let mut powers: BTreeMap<Made, f64> = BTreeMap::new();
     let points = result.points.points.iter().zip(&truth.origins);
     for (point, origin) in points.filter(|(point, _)| point.object == Some(index as u32)) {
-        let cause = of_point(header, truth, &result.points.objects[index], origin);
-        *powers.entry(cause).or_default() += power_from_db(point.snr_db);
+        let made = of_point(header, truth, &result.points.objects[index], origin);
+        *powers.entry(made).or_default() += power_from_db(point.snr_db);
     }
     let strongest = powers.into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
-    strongest.map_or(Cause::Unknown, |(cause, _)| cause)
+    strongest.map(|(made, _)| made).unwrap_or_default()
 }
 
-fn of_point(header: &SceneHeader, truth: &FrameTruth, object: &Object, origin: &Origin) -> Cause {
+fn of_point(header: &SceneHeader, truth: &FrameTruth, object: &Object, origin: &Origin) -> Made {
     let (label, bodies) = match origin {
-        Origin::Noise => return Cause::Noise,
-        Origin::Ground => return Cause::Clutter { body: None, bounces: None },
+        Origin::Noise => return Made { cause: Cause::Noise, ..Made::default() },
+        Origin::Ground => return Made { cause: Cause::Clutter, ..Made::default() },
         Origin::Echo { label, bodies } => (label, bodies),
     };
     let (body, bounces) = (label.target, label.order);
     let is_clutter = header.targets.get(body as usize).is_some_and(|target| target.role == Role::Clutter);
     match bodies.len() {
-        0 | 1 if is_clutter => Cause::Clutter { body: Some(body), bounces: Some(bounces) },
+        0 | 1 if is_clutter => Made::by(Cause::Clutter, body, bounces),
         0 | 1 => of_one_body(truth, object, label),
-        _ => Cause::Ghost { bodies: bodies.clone(), bounces },
+        _ => Made { cause: Cause::Ghost, bodies: bodies.clone(), bounces: Some(bounces) },
     }
 }
 
 /// An echo of one target alone, in an object that is not the target's.
-fn of_one_body(truth: &FrameTruth, object: &Object, label: &Label) -> Cause {
+fn of_one_body(truth: &FrameTruth, object: &Object, label: &Label) -> Made {
     let (body, bounces) = (label.target, label.order);
     let has_object = truth.pairing.object_of.get(body as usize).is_some_and(Option::is_some);
     let is_there =
         truth.truths.get(body as usize).is_some_and(|t| t.outline.distance_m(place(object)) <= GATE_M);
-    match (has_object, is_there) {
-        (true, false) if bounces > 1 => Cause::Ghost { bodies: BTreeSet::from([body]), bounces },
-        (true, _) => Cause::Split { body, bounces },
-        (false, _) => Cause::Misplaced { body, bounces },
-    }
+    let cause = match (has_object, is_there) {
+        (true, false) if bounces > 1 => Cause::Ghost,
+        (true, _) => Cause::Split,
+        (false, _) => Cause::Misplaced,
+    };
+    Made::by(cause, body, bounces)
 }

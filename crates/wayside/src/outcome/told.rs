@@ -1,8 +1,12 @@
-//! What `run` says at its end, from `summary.json` alone: what was found, how well, and whether the accuracy
+//! What `run` says at its end, from its summary alone: what was found, how well, and whether the accuracy
 //! asked for was reached.
 
-use crate::outcome::verdict::{self, FRAMES_IN_FULL, decibels};
-use serde_json::Value;
+use crate::outcome::error_figures::decibels;
+use crate::outcome::summary::{
+    Cause, FalseObject, FrameSummary, OneOfRadars, Predicted, RadarsSummary, Summary, TargetSummary,
+};
+use crate::outcome::verdict::{self, FRAMES_IN_FULL};
+use artifact::settings::StaticEchoes;
 use std::collections::BTreeMap;
 
 /// Frames that have a line: more would push the rest off the screen.
@@ -10,67 +14,50 @@ const FRAMES_TOLD: usize = 24;
 /// False objects of a frame that have a line of their own.
 const FALSE_OBJECTS_LISTED: usize = 8;
 
-/// What several radars have in common, from the summary above theirs: a line for each, and what none of them
-/// found.
-pub(crate) fn lines_of_radars(summary: &Value) -> Vec<String> {
-    let of_radar = |radar: &Value| {
-        let count = |key: &str| radar[key].as_u64().unwrap_or(0) as usize;
-        let count = Count {
-            found: count("found"),
-            missed: count("missed"),
-            false_ones: count("false"),
-            stationary: count("stationary"),
-            removed: count("removed"),
-            hidden: 0,
-        };
-        let accuracy = &radar["accuracy"];
-        let verdict = if accuracy["met"] == false { "NOT REACHED" } else { "reached" };
-        let (error, asked) = (decibels(&accuracy["reached_db"]), decibels(&accuracy["asked_db"]));
-        let id = radar["id"].as_str().unwrap_or_default();
-        format!("radar {id}: {}; numerical error {error}, {asked} asked: {verdict}", count.text())
-    };
-    let by_nobody = items(&summary["frames"]).enumerate().flat_map(|(number, frame)| {
-        let is_empty = |list: &Value| items(list).next().is_none();
-        let unseen =
-            items(&frame["targets"]).filter(move |t| is_empty(&t["found_by"]) && !is_empty(&t["missed_by"]));
-        unseen.map(move |target| {
-            format!("  frame {number}: {} is found by no radar", target["id"].as_str().unwrap_or("?"))
-        })
+/// What several radars have in common: a line for each, and what none of them found.
+pub(crate) fn lines_of_radars(summary: &RadarsSummary) -> Vec<String> {
+    let by_nobody = summary.frames.iter().enumerate().flat_map(|(number, frame)| {
+        let unseen = frame.targets.iter().filter(|t| t.found_by.is_empty() && !t.missed_by.is_empty());
+        unseen.map(move |target| format!("  frame {number}: {} is found by no radar", target.id))
     });
-    let mut lines: Vec<String> = items(&summary["radars"]).map(of_radar).collect();
-    lines.extend(by_nobody.take(FRAMES_TOLD));
-    lines
+    summary.radars.iter().map(of_radar).chain(by_nobody.take(FRAMES_TOLD)).collect()
+}
+
+fn of_radar(radar: &OneOfRadars) -> String {
+    let accuracy = radar.accuracy.as_ref();
+    let is_missed = accuracy.is_some_and(|accuracy| accuracy.met == Some(false));
+    let verdict = if is_missed { "NOT REACHED" } else { "reached" };
+    let error = decibels(accuracy.and_then(|accuracy| accuracy.reached_db));
+    let asked = decibels(accuracy.map(|accuracy| accuracy.asked_db));
+    let count = Count::of_radar(radar).text();
+    format!("radar {}: {count}; numerical error {error}, {asked} asked: {verdict}", radar.id)
 }
 
 /// All that a person wants to know first.
-pub(crate) fn lines(root: &Value) -> Vec<String> {
-    let frames: Vec<&Value> = items(&root["frames"]).collect();
+pub(crate) fn lines(summary: &Summary) -> Vec<String> {
+    let frames = &summary.frames[..];
     if frames.len() <= FRAMES_IN_FULL {
         let in_full = frames.iter().enumerate().flat_map(|(number, frame)| in_full(number, frame));
-        return in_full.chain(of_clutter(root, &frames)).collect();
+        return in_full.chain(of_clutter(summary)).collect();
     }
     let mut lines: Vec<String> =
         frames.iter().take(FRAMES_TOLD).enumerate().map(|(number, frame)| in_a_line(number, frame)).collect();
     if frames.len() > FRAMES_TOLD {
         lines.push(format!("frames {FRAMES_TOLD} to {} stand in summary.json", frames.len() - 1));
     }
-    lines.extend(together(&frames));
-    lines.extend(of_clutter(root, &frames));
+    lines.extend(together(frames));
+    lines.extend(of_clutter(summary));
     lines
 }
 
 /// What would take clutter out of the false objects, where some of them are that and nobody asked for it.
-fn of_clutter(root: &Value, frames: &[&Value]) -> Option<String> {
-    let false_ones = frames.iter().flat_map(|frame| items(&frame["false_objects"]));
-    let clutter = false_ones.filter(|object| object["cause"] == "clutter").count();
-    let is_asked = clutter > 0 && root["static"] == "keep";
+fn of_clutter(summary: &Summary) -> Option<String> {
+    let false_ones = summary.frames.iter().flat_map(|frame| &frame.false_objects);
+    let clutter = false_ones.filter(|object| object.cause == Cause::Clutter).count();
+    let is_asked = clutter > 0 && summary.static_echoes == StaticEchoes::Keep;
     is_asked.then(|| {
         format!("{clutter} false objects are clutter: static = \"mark\" in [dsp] tells apart what is at rest, \"remove\" leaves it out")
     })
-}
-
-fn items(list: &Value) -> impl Iterator<Item = &Value> {
-    list.as_array().into_iter().flatten()
 }
 
 /// What was found of what was to be found.
@@ -85,16 +72,20 @@ struct Count {
 }
 
 impl Count {
-    fn of(frame: &Value) -> Self {
-        let targets =
-            |found: Value| items(&frame["targets"]).filter(|target| target["found"] == found).count();
-        let removed = items(&frame["targets"]).filter(|target| target["removed"] == true).count();
+    fn of_radar(radar: &OneOfRadars) -> Self {
+        let OneOfRadars { found, missed, false_ones, stationary, removed, .. } = *radar;
+        Self { found, missed, false_ones, stationary, removed, hidden: 0 }
+    }
+
+    fn of(frame: &FrameSummary) -> Self {
+        let targets = |found| frame.targets.iter().filter(|target| target.found == found).count();
+        let removed = frame.targets.iter().filter(|target| target.removed).count();
         Self {
-            found: targets(true.into()),
-            missed: targets(false.into()),
-            hidden: targets(Value::Null) - removed,
-            false_ones: items(&frame["false_objects"]).count(),
-            stationary: items(&frame["stationary_objects"]).count(),
+            found: targets(Some(true)),
+            missed: targets(Some(false)),
+            hidden: targets(None) - removed,
+            false_ones: frame.false_objects.len(),
+            stationary: frame.stationary_objects.len(),
             removed,
         }
     }
@@ -124,73 +115,62 @@ impl Count {
     }
 }
 
-fn in_a_line(number: usize, frame: &Value) -> String {
-    let error = decibels(&frame["accuracy"]["reached_db"]);
-    let missed = if frame["accuracy"]["met"] == false { " (not reached)" } else { "" };
-    format!(
-        "frame {number:>3}, {:.3} s: {}; error {error}{missed}",
-        number_of(&frame["time_s"]),
-        Count::of(frame).text()
-    )
+fn in_a_line(number: usize, frame: &FrameSummary) -> String {
+    let error = decibels(frame.accuracy.reached_db);
+    let missed = if frame.accuracy.met == Some(false) { " (not reached)" } else { "" };
+    format!("frame {number:>3}, {:.3} s: {}; error {error}{missed}", frame.time_s, Count::of(frame).text())
 }
 
 /// All frames together.
-fn together(frames: &[&Value]) -> Vec<String> {
-    let count = frames.iter().map(|frame| Count::of(frame)).fold(Count::default(), Count::and);
-    let false_ones: Vec<&Value> = frames.iter().flat_map(|frame| items(&frame["false_objects"])).collect();
-    let causes =
-        if false_ones.is_empty() { String::new() } else { format!(" (false: {})", causes(&false_ones)) };
+fn together(frames: &[FrameSummary]) -> Vec<String> {
+    let count = frames.iter().map(Count::of).fold(Count::default(), Count::and);
+    let causes = causes(frames.iter().flat_map(|frame| &frame.false_objects));
+    let causes = if causes.is_empty() { causes } else { format!(" (false: {causes})") };
     let mut lines = vec![format!("all {} frames: {}{causes}", frames.len(), count.text())];
     lines.extend(worst_error(frames));
     lines
 }
 
 /// The frame with the largest error, and how many did not reach what was asked.
-fn worst_error(frames: &[&Value]) -> Vec<String> {
-    let error = |frame: &Value| frame["accuracy"]["reached_db"].as_f64();
-    let known = frames.iter().enumerate().filter_map(|(number, frame)| Some((number, frame, error(frame)?)));
+fn worst_error(frames: &[FrameSummary]) -> Vec<String> {
+    let known = frames.iter().enumerate();
+    let known = known.filter_map(|(number, frame)| Some((number, frame, frame.accuracy.reached_db?)));
     let Some((number, frame, _)) = known.max_by(|a, b| a.2.total_cmp(&b.2)) else { return vec![] };
-    let missed = frames.iter().filter(|frame| frame["accuracy"]["met"] == false).count();
+    let missed = frames.iter().filter(|frame| frame.accuracy.met == Some(false)).count();
     let mut lines = vec![format!(
         "  accuracy reached in {} of {} frames; the worst, frame {number}:",
         frames.len() - missed,
         frames.len()
     )];
     lines.extend(
-        verdict::lines(&frame["accuracy"], &frame["error_db"]).into_iter().map(|line| format!("    {line}")),
+        verdict::lines(&frame.accuracy, &frame.error_db).into_iter().map(|line| format!("    {line}")),
     );
     lines.extend(left_out(frame));
     lines
 }
 
-fn in_full(number: usize, frame: &Value) -> Vec<String> {
-    let points = frame["points"].as_u64().unwrap_or(0);
-    let mut lines = vec![format!(
-        "frame {number}, {:.3} s: {}; {points} points",
-        number_of(&frame["time_s"]),
-        Count::of(frame).text()
-    )];
-    lines.extend(
-        verdict::lines(&frame["accuracy"], &frame["error_db"]).into_iter().map(|line| format!("  {line}")),
-    );
+fn in_full(number: usize, frame: &FrameSummary) -> Vec<String> {
+    let (time_s, points) = (frame.time_s, frame.points);
+    let mut lines =
+        vec![format!("frame {number}, {time_s:.3} s: {}; {points} points", Count::of(frame).text())];
+    lines
+        .extend(verdict::lines(&frame.accuracy, &frame.error_db).into_iter().map(|line| format!("  {line}")));
     lines.extend(left_out(frame));
-    lines.extend(targets(frame));
-    lines.extend(false_objects(frame));
-    lines.extend(standing(frame));
+    lines.extend(targets(&frame.targets));
+    lines.extend(false_objects(&frame.false_objects));
+    lines.extend(standing(&frame.stationary_objects));
     lines
 }
 
 /// Objects that the radar tells to be at rest: how many of which causes.
-fn standing(frame: &Value) -> Option<String> {
-    let all: Vec<&Value> = items(&frame["stationary_objects"]).collect();
-    (!all.is_empty()).then(|| format!("  {} objects at rest and of no target: {}", all.len(), causes(&all)))
+fn standing(all: &[FalseObject]) -> Option<String> {
+    (!all.is_empty()).then(|| format!("  {} objects at rest and of no target: {}", all.len(), causes(all)))
 }
 
 /// The strongest, and how many more of which causes.
-fn false_objects(frame: &Value) -> Vec<String> {
-    let all: Vec<&Value> = items(&frame["false_objects"]).collect();
+fn false_objects(all: &[FalseObject]) -> Vec<String> {
     let (listed, more) = all.split_at(all.len().min(FALSE_OBJECTS_LISTED));
-    let mut lines: Vec<String> = listed.iter().map(|object| false_object(object)).collect();
+    let mut lines: Vec<String> = listed.iter().map(false_object).collect();
     if !more.is_empty() {
         lines.push(format!("  {} more false objects: {}", more.len(), causes(more)));
     }
@@ -198,69 +178,48 @@ fn false_objects(frame: &Value) -> Vec<String> {
 }
 
 /// How many of each cause.
-fn causes(objects: &[&Value]) -> String {
+fn causes<'a>(objects: impl IntoIterator<Item = &'a FalseObject>) -> String {
     let mut causes: BTreeMap<&str, usize> = BTreeMap::new();
     for object in objects {
-        *causes.entry(object["cause"].as_str().unwrap_or("unknown")).or_default() += 1;
+        *causes.entry(object.cause.name()).or_default() += 1;
     }
     causes.iter().map(|(cause, many)| format!("{many} {cause}")).collect::<Vec<_>>().join(", ")
 }
 
 /// What the model leaves out, apart from numerical errors.
-fn left_out(frame: &Value) -> Option<String> {
-    let sources = frame["model_error_db"].as_object()?.iter();
-    let named: Vec<String> = sources
-        .filter(|(_, db)| !db.is_null())
-        .map(|(name, db)| format!("{} {}", name.replace('_', " "), decibels(db)))
-        .collect();
+fn left_out(frame: &FrameSummary) -> Option<String> {
+    let estimated = frame.model_error_db.sources().into_iter().filter_map(|(name, db)| Some((name, db?)));
+    let named: Vec<String> = estimated.map(|(name, db)| format!("{name} {}", decibels(db))).collect();
     (!named.is_empty()).then(|| format!("  left out by the model: {}", named.join(", ")))
 }
 
 /// A table, one row a target.
-fn targets(frame: &Value) -> Vec<String> {
-    let targets: Vec<&Value> = items(&frame["targets"]).collect();
-    if targets.is_empty() {
-        return vec![];
-    }
-    let width = targets
-        .iter()
-        .filter_map(|t| t["id"].as_str())
-        .map(|id| id.chars().count())
-        .max()
-        .unwrap_or(0)
-        .max(6);
+fn targets(targets: &[TargetSummary]) -> Vec<String> {
+    let Some(longest) = targets.iter().map(|target| target.id.chars().count()).max() else { return vec![] };
+    let width = longest.max(6);
     let head = format!("  {:<width$}   range   error    velocity   error     SNR  lane  predicted", "target");
     std::iter::once(head).chain(targets.iter().map(|target| target_row(target, width))).collect()
 }
 
-fn target_row(target: &Value, width: usize) -> String {
-    let id = target["id"].as_str().unwrap_or("?");
-    let (truth, estimate) = (&target["truth"], &target["estimate"]);
-    if estimate.is_null() {
-        let why = match (&target["found"], &target["removed"]) {
-            (Value::Bool(false), _) => "missed",
-            (_, Value::Bool(true)) => "removed as an echo at rest (static in [dsp])",
+fn target_row(target: &TargetSummary, width: usize) -> String {
+    let (id, truth) = (&target.id, &target.truth);
+    let Some(estimate) = &target.estimate else {
+        let why = match (target.found, target.removed) {
+            (Some(false), _) => "missed",
+            (_, true) => "removed as an echo at rest (static in [dsp])",
             _ => "hidden or out of range",
         };
-        let range = number_of(first(&truth["echo_range_m"], &truth["range_m"]));
-        return format!("  {id:<width$} {range:6.2} m  {why}");
-    }
-    let (range, range_error) =
-        compared(&estimate["range_m"], first(&truth["echo_range_m"], &truth["range_m"]));
-    let told = &truth["echo_radial_velocity_mps"];
-    let (velocity, velocity_error) =
-        compared(&estimate["radial_velocity_mps"], first(told, &truth["radial_velocity_mps"]));
-    let snr = number_of(&estimate["snr_db"]);
-    let [range_error, velocity, velocity_error] =
-        [(range_error, 6), (velocity, 7), (velocity_error, 6)].map(|(value, width)| signed(value, width));
+        return format!("  {id:<width$} {:6.2} m  {why}", truth.compared_range_m());
+    };
+    let (range, velocity, snr) = (estimate.range_m, estimate.radial_velocity_mps, estimate.snr_db);
+    let range_error = signed(range - truth.compared_range_m(), 6);
+    let velocity_error = signed(velocity - truth.compared_radial_velocity_mps(), 6);
+    let velocity = signed(velocity, 7);
     let numbers = format!("{range:6.2} m  {range_error} {velocity} m/s  {velocity_error} {snr:4.0} dB");
-    let (numbers, lane, class) = (numbers.replace('-', "−"), lane(target), class(target));
-    format!("  {id:<width$} {numbers}  {lane:<4}  {class}{}", aliasing(target))
-}
-
-/// The first where it is known.
-fn first<'a>(known: &'a Value, otherwise: &'a Value) -> &'a Value {
-    if known.is_null() { otherwise } else { known }
+    let lane = lane(estimate.lane, truth.lane);
+    let (numbers, class) = (numbers.replace('-', "−"), class(target));
+    let aliasing = if target.velocity_aliased { "; velocity aliased in the map" } else { "" };
+    format!("  {id:<width$} {numbers}  {lane:<4}  {class}{aliasing}")
 }
 
 /// With its sign, and none that rounding left of nothing.
@@ -269,62 +228,42 @@ fn signed(value: f64, width: usize) -> String {
     format!("{value:+width$.2}")
 }
 
-fn number_of(value: &Value) -> f64 {
-    value.as_f64().unwrap_or(f64::NAN)
-}
-
-/// An estimate and what it errs by.
-fn compared(estimate: &Value, truth: &Value) -> (f64, f64) {
-    (number_of(estimate), number_of(estimate) - number_of(truth))
-}
-
-fn lane(target: &Value) -> String {
-    let of = |value: &Value| value.as_u64().map_or("–".into(), |lane| lane.to_string());
-    let [got, asked] = [&target["estimate"]["lane"], &target["truth"]["lane"]].map(of);
+fn lane(got: Option<u8>, asked: Option<u8>) -> String {
+    let [got, asked] = [got, asked].map(|lane| lane.map_or("–".into(), |lane| lane.to_string()));
     if got == asked { got } else { format!("{got}≠{asked}") }
 }
 
 /// Of the target's track where there is one, else of this frame.
-fn class(target: &Value) -> String {
-    let keys = [("track_class", "track_probabilities"), ("predicted_class", "probabilities")];
-    let told = keys.iter().find_map(|(class, p)| Some((target[*class].as_str()?, &target[*p])));
+fn class(target: &TargetSummary) -> String {
+    let by_track = target.track_class.zip(target.track_probabilities);
+    let told = by_track.or(target.predicted_class.map(|predicted| (predicted, target.probabilities)));
     let Some((predicted, probabilities)) = told else { return "–".into() };
-    let likeliest =
-        probabilities.as_object().into_iter().flatten().filter_map(|(name, p)| Some((name, p.as_f64()?)));
-    let Some((name, probability)) = likeliest.max_by(|a, b| a.1.total_cmp(&b.1)) else {
-        return predicted.into();
-    };
-    let class = if predicted == name { predicted.to_owned() } else { format!("{predicted}, {name}") };
-    let wrong = target["class"].as_str().filter(|class| *class != predicted);
-    format!("{class} {probability:.2}{}", wrong.map_or(String::new(), |class| format!(" (is a {class})")))
+    let name = predicted.name();
+    let Some((likeliest, probability)) = probabilities.likeliest() else { return name.into() };
+    let is_likeliest = predicted == Predicted::Class(likeliest);
+    let told = if is_likeliest { name.to_owned() } else { format!("{name}, {}", likeliest.name()) };
+    let wrong = target.class.filter(|class| predicted != Predicted::Class(*class));
+    let wrong = wrong.map_or(String::new(), |class| format!(" (is a {})", class.name()));
+    format!("{told} {probability:.2}{wrong}")
 }
 
-/// Whether the map shows another velocity than the true one; the estimate may have got over it.
-fn aliasing(target: &Value) -> &'static str {
-    match target["velocity_aliased"] == true {
-        true => "; velocity aliased in the map",
-        false => "",
-    }
-}
-
-fn false_object(object: &Value) -> String {
-    let [range, velocity, snr] =
-        ["range_m", "radial_velocity_mps", "snr_db"].map(|key| number_of(&object[key]));
-    let [x, y] = ["x_m", "y_m"].map(|key| number_of(&object[key]));
-    let velocity = signed(velocity, 1);
-    let text = format!("  false object at {range:.2} m ({x:.1}, {y:.1}), {velocity} m/s, {snr:.0} dB: ");
+fn false_object(object: &FalseObject) -> String {
+    let FalseObject { range_m, x_m, y_m, snr_db, .. } = object;
+    let velocity = signed(object.radial_velocity_mps, 1);
+    let text =
+        format!("  false object at {range_m:.2} m ({x_m:.1}, {y_m:.1}), {velocity} m/s, {snr_db:.0} dB: ");
     text.replace('-', "−") + &cause(object)
 }
 
-fn cause(object: &Value) -> String {
-    let bodies: Vec<&str> = items(&object["bodies"]).filter_map(Value::as_str).collect();
-    let bounces = object["bounces"].as_u64().map_or(String::new(), |n| format!(", {n} bounces"));
-    match (object["cause"].as_str().unwrap_or("unknown"), &bodies[..]) {
-        ("ghost", _) => format!("ghost by {}{bounces}", bodies.join(" and ")),
-        ("split", _) => format!("split off {}, which has an object", bodies.join(" and ")),
-        ("misplaced", _) => format!("echo of {}, too far from it{bounces}", bodies.join(" and ")),
-        ("clutter", []) => "clutter: the road".into(),
-        ("clutter", _) => format!("clutter: {}", bodies.join(" and ")),
-        (other, _) => other.to_owned(),
+fn cause(object: &FalseObject) -> String {
+    let bodies = object.bodies.join(" and ");
+    let bounces = object.bounces.map_or(String::new(), |n| format!(", {n} bounces"));
+    match object.cause {
+        Cause::Ghost => format!("ghost by {bodies}{bounces}"),
+        Cause::Split => format!("split off {bodies}, which has an object"),
+        Cause::Misplaced => format!("echo of {bodies}, too far from it{bounces}"),
+        Cause::Clutter if object.bodies.is_empty() => "clutter: the road".into(),
+        Cause::Clutter => format!("clutter: {bodies}"),
+        cause @ (Cause::Noise | Cause::Unknown) => cause.name().into(),
     }
 }

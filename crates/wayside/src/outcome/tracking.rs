@@ -3,11 +3,10 @@
 use crate::chain::frame_result::FrameResult;
 use crate::chain::link::{Chain, FrameProducts};
 use crate::host::failure::Failure;
-use crate::outcome::summary;
+use crate::outcome::summary::TrackSummary;
 use artifact::tracks::{Track, TracksFrame};
 use dsp::{ROAD_TRAFFIC, Tracker};
-use evaluation::{FrameTruth, Score, believed, bodies_of_tracks};
-use serde_json::{Value, json};
+use evaluation::{FrameTruth, Metrics, Score, believed, bodies_of_tracks};
 use std::collections::BTreeMap;
 
 /// A run's tracker and its score.
@@ -43,27 +42,26 @@ impl Tracking {
         Ok(Self { tracker, score: Score::default(), classes: BTreeMap::new() })
     }
 
-    /// The frame's tracks, from its objects alone, and what `summary.json` tells of them beside the truth.
+    /// The frame's tracks, from its objects alone, and what is told of those that are believed, beside the
+    /// truth.
     pub(crate) fn follow(
         &mut self,
         frame: &FrameProducts,
         truth: &FrameTruth,
-    ) -> Result<(TracksFrame, Value), Failure> {
+    ) -> Result<(TracksFrame, Vec<TrackSummary>), Failure> {
         let result = &frame.result;
         let tracks = self.tracker.step(&result.points).map_err(Failure::refused)?;
         self.score.add(truth, &result.points.objects, &tracks);
         tracks.tracks.iter().for_each(|track| self.hear(track, result));
-        let class =
-            |track: &Track| self.classes.get(&track.id).map(|e| result.rule.joined(&e.log_sums, e.frames));
-        let told = told(
-            &tracks,
-            truth,
-            |body| frame.view.targets.get(body).map(|t| t.id.as_str()),
-            |track| {
-                let probabilities = class(track);
-                (probabilities.map(|p| result.rule.told(&p)), summary::probabilities(probabilities.as_ref()))
-            },
-        );
+        let believed = believed(&tracks);
+        let bodies = bodies_of_tracks(truth, &believed);
+        let told = believed.iter().zip(bodies).map(|(track, body)| {
+            let target = body.and_then(|body| frame.view.targets.get(body)).map(|target| target.id.as_str());
+            let evidence = self.classes.get(&track.id);
+            let probabilities = evidence.map(|e| result.rule.joined(&e.log_sums, e.frames));
+            TrackSummary::of(track, target, probabilities.as_ref(), &result.rule)
+        });
+        let told = told.collect();
         Ok((tracks, told))
     }
 
@@ -79,57 +77,7 @@ impl Tracking {
     }
 
     /// Of all frames so far.
-    pub(crate) fn metrics(&self) -> Value {
-        json!(self.score.metrics())
+    pub(crate) fn metrics(&self) -> Metrics {
+        self.score.metrics()
     }
-}
-
-/// Gives each target the class of the track that follows it.
-pub(crate) fn join(targets: &mut Value, tracks: &Value) {
-    for target in targets.as_array_mut().into_iter().flatten() {
-        let own = tracks.as_array().into_iter().flatten().find(|track| track["target"] == target["id"]);
-        target["track_class"] = own.map_or(Value::Null, |track| track["predicted_class"].clone());
-        target["track_probabilities"] = own.map_or(Value::Null, |track| track["probabilities"].clone());
-    }
-}
-
-fn told<'a>(
-    tracks: &TracksFrame,
-    truth: &FrameTruth,
-    id_of: impl Fn(usize) -> Option<&'a str>,
-    class_of: impl Fn(&Track) -> (Option<&'static str>, Value),
-) -> Value {
-    let believed = believed(tracks);
-    let bodies = bodies_of_tracks(truth, &believed);
-    let of = |(track, body): (&&Track, Option<usize>)| {
-        let mut told = track_json(track, body.and_then(&id_of));
-        let (class, probabilities) = class_of(track);
-        told["predicted_class"] = json!(class);
-        told["probabilities"] = probabilities;
-        told
-    };
-    believed.iter().zip(bodies).map(of).collect()
-}
-
-fn track_json(track: &Track, target: Option<&str>) -> Value {
-    let ([x, y], [vx, vy], footprint) = (track.position_m, track.velocity_mps, &track.footprint);
-    json!({
-        "id": track.id,
-        "state": track.state.name(),
-        "age_frames": track.age_frames,
-        "x_m": x,
-        "y_m": y,
-        "vx_mps": vx,
-        "vy_mps": vy,
-        "velocity_resolved": track.velocity_resolved,
-        "lane": track.lane,
-        "box": {
-            "x_m": footprint.centre_m[0],
-            "y_m": footprint.centre_m[1],
-            "length_m": footprint.length_m,
-            "width_m": footprint.width_m,
-            "yaw_deg": footprint.heading_rad.to_degrees(),
-        },
-        "target": target,
-    })
 }

@@ -1,13 +1,28 @@
 //! Whether the accuracy that was asked for was reached; where not, what limits it and what would help.
 
-use crate::outcome::error_figures::error_db;
+use crate::outcome::error_figures::{ErrorFigures, db, decibels};
 use artifact::paths::PathsFrame;
 use artifact::units::db_from_amplitude;
 use artifact::{Accuracy, ErrorBudget};
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
 
 /// Of more frames than this only the worst is told in full.
 pub(crate) const FRAMES_IN_FULL: usize = 4;
+
+/// Whether the accuracy that was asked for was reached.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct AccuracyVerdict {
+    /// The largest error allowed, dB relative to the echo.
+    pub asked_db: f64,
+    /// The error's total, dB; `None` where it was not estimated.
+    pub reached_db: Option<f64>,
+    /// Whether it is no larger than was asked; `None` where it was not estimated.
+    pub met: Option<bool>,
+    /// The name of the largest share of the error.
+    pub limited_by: Option<String>,
+    /// A sentence: what limits the accuracy and what would help; `None` where it was met.
+    pub advice: Option<String>,
+}
 
 /// What was asked of a frame, a table or a scene, and what came of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,20 +65,20 @@ impl Verdict {
         known.filter(|(_, error)| *error > 0.0).max_by(|a, b| a.1.total_cmp(&b.1)).map(|(name, _)| name)
     }
 
-    /// `accuracy` of `summary.json`.
-    pub(crate) fn json(&self, asking: Asking) -> Value {
-        json!({
-            "asked_db": self.asked.db(),
-            "reached_db": self.error.total().map(db_from_amplitude),
-            "met": self.is_met(),
-            "limited_by": self.limited_by(),
-            "advice": self.advice(asking),
-        })
+    /// As `summary.json` has it.
+    pub(crate) fn told(&self, asking: Asking) -> AccuracyVerdict {
+        AccuracyVerdict {
+            asked_db: self.asked.db(),
+            reached_db: db(self.error.total()),
+            met: self.is_met(),
+            limited_by: self.limited_by().map(str::to_owned),
+            advice: self.advice(asking),
+        }
     }
 
     /// The same for a person.
     pub(crate) fn lines(&self, asking: Asking) -> Vec<String> {
-        lines(&self.json(asking), &error_db(&self.error))
+        lines(&self.told(asking), &ErrorFigures::of(&self.error))
     }
 
     /// What limits the accuracy and what would help; `None` where it was reached or nothing is known.
@@ -102,27 +117,26 @@ pub(crate) fn of_frames(frames: &[(u32, Verdict)]) -> Vec<String> {
     std::iter::once(head).chain(worst.into_iter().flat_map(frame)).collect()
 }
 
-/// Asked, reached and the shares that make up most of it, from `accuracy` and `error_db` of `summary.json`;
-/// then, where it was not reached, what limits it and what would help.
-pub(crate) fn lines(accuracy: &Value, error_db: &Value) -> Vec<String> {
-    let asked = decibels(&accuracy["asked_db"]);
-    if accuracy["reached_db"].is_null() {
+/// Asked, reached and the shares that make up most of it; then, where it was not reached, what limits it and
+/// what would help.
+pub(crate) fn lines(accuracy: &AccuracyVerdict, error_db: &ErrorFigures) -> Vec<String> {
+    let asked = decibels(accuracy.asked_db);
+    let Some(reached_db) = accuracy.reached_db else {
         return vec![format!("numerical error not estimated ({asked} asked)")];
-    }
-    let verdict = if accuracy["met"] == true { "reached" } else { "NOT REACHED" };
+    };
+    let verdict = if accuracy.met == Some(true) { "reached" } else { "NOT REACHED" };
     let shares: Vec<String> =
-        shares_that_matter(error_db).iter().map(|(n, db)| format!("{n} {}", decibels(&json!(db)))).collect();
-    let reached = decibels(&accuracy["reached_db"]);
+        shares_that_matter(error_db).iter().map(|(name, db)| format!("{name} {}", decibels(*db))).collect();
+    let reached = decibels(reached_db);
     let head = format!("numerical error {reached}, {asked} asked: {verdict} ({})", shares.join(", "));
-    std::iter::once(head).chain(accuracy["advice"].as_str().map(str::to_owned)).collect()
+    std::iter::once(head).chain(accuracy.advice.clone()).collect()
 }
 
 /// Shares within 10 dB of the largest, largest first: each of the others changes the total by less than half
 /// a decibel.
-fn shares_that_matter(error_db: &Value) -> Vec<(&str, f64)> {
-    let all = error_db.as_object().into_iter().flatten().filter(|(name, _)| *name != "total");
-    let mut shares: Vec<(&str, f64)> =
-        all.filter_map(|(name, db)| Some((name.as_str(), db.as_f64()?))).collect();
+fn shares_that_matter(error_db: &ErrorFigures) -> Vec<(&'static str, f64)> {
+    let estimated = error_db.shares().into_iter().filter_map(|(name, db)| Some((name, db?)));
+    let mut shares: Vec<(&str, f64)> = estimated.collect();
     shares.sort_by(|a, b| b.1.total_cmp(&a.1));
     let largest = shares.first().map_or(0.0, |(_, db)| *db);
     shares.retain(|(_, db)| *db >= largest - 10.0);
@@ -180,11 +194,6 @@ fn of_moments(moments: u32) -> (&'static str, &'static str) {
     }
 }
 
-/// Decibels of a summary, to a tenth.
-pub(crate) fn decibels(db: &Value) -> String {
-    db.as_f64().map_or("not estimated".into(), |db| format!("{db:.1} dB").replace('-', "−"))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -201,11 +210,11 @@ mod tests {
     #[test]
     fn an_accuracy_that_was_not_reached_is_told_with_its_cause_and_what_helps() {
         let missed = of(0.02, 0.24);
-        let told = missed.json(Asking::Scene);
-        assert_eq!((&told["met"], &told["limited_by"]), (&json!(false), &json!("freezing")));
+        let told = missed.told(Asking::Scene);
+        assert_eq!((told.met, told.limited_by.as_deref()), (Some(false), Some("freezing")));
         // √(0.02² + 0.24²) = 0.2408: −12.4 dB.
-        assert!((told["reached_db"].as_f64().unwrap() + 12.366).abs() < 1e-3, "{told}");
-        let advice = told["advice"].as_str().unwrap();
+        assert!((told.reached_db.unwrap() + 12.366).abs() < 1e-3, "{told:?}");
+        let advice = told.advice.unwrap();
         assert!(advice.contains("freezing") && advice.contains("shorter frame"), "{advice}");
         let lines = missed.lines(Asking::Scene);
         assert!(
@@ -217,17 +226,11 @@ mod tests {
 
     #[test]
     fn an_accuracy_that_was_reached_needs_no_advice_and_one_not_estimated_no_verdict() {
-        let met = of(0.05, 0.06).json(Asking::Scene);
-        assert_eq!(
-            (&met["met"], &met["advice"], &met["limited_by"]),
-            (&json!(true), &Value::Null, &json!("freezing"))
-        );
-        let unknown = Verdict::of(Accuracy::from_db(-20.0), &ErrorBudget::default()).json(Asking::Scene);
-        assert_eq!(
-            (&unknown["met"], &unknown["limited_by"], &unknown["reached_db"]),
-            (&Value::Null, &Value::Null, &Value::Null)
-        );
-        assert!((unknown["asked_db"].as_f64().unwrap() + 20.0).abs() < 1e-12);
+        let met = of(0.05, 0.06).told(Asking::Scene);
+        assert_eq!((met.met, met.advice, met.limited_by.as_deref()), (Some(true), None, Some("freezing")));
+        let unknown = Verdict::of(Accuracy::from_db(-20.0), &ErrorBudget::default()).told(Asking::Scene);
+        assert_eq!((unknown.met, unknown.limited_by, unknown.reached_db), (None, None, None));
+        assert!((unknown.asked_db + 20.0).abs() < 1e-12);
     }
 
     #[test]

@@ -1,17 +1,14 @@
 //! Objects that are nobody's, and what made them.
 
-use crate::report::tables::{rounded, scrolled, whole};
+use crate::outcome::summary::{Cause, FalseObject};
+use crate::report::tables::{rounded, scrolled};
 use maud::{Markup, html};
-use serde_json::Value;
 
-/// A row per false object, and per object that the radar tells to be at rest; nothing where the summary does
-/// not tell.
-pub(super) fn section(frame: &Value) -> Markup {
-    let Some(objects) = frame["false_objects"].as_array() else { return html! {} };
-    let standing = frame["stationary_objects"].as_array().map_or(&[][..], Vec::as_slice);
+/// A row per false object, and per object that the radar tells to be at rest.
+pub(super) fn section(objects: &[FalseObject], standing: &[FalseObject]) -> Markup {
     html! {
         h3 { "False objects" }
-        @match (&objects[..], standing) {
+        @match (objects, standing) {
             ([], []) => p { "None: every object is a body's." },
             ([], _) => p { "None: every object that moves is a body's." },
             _ => (table("False objects", objects)),
@@ -24,7 +21,7 @@ pub(super) fn section(frame: &Value) -> Markup {
     }
 }
 
-fn table(name: &str, objects: &[Value]) -> Markup {
+fn table(name: &str, objects: &[FalseObject]) -> Markup {
     let table = html! { table {
         thead { tr {
             th { "object" } th.words { "what made it" } th { "range, m" } th { "velocity, m/s" } th { "x, m" } th { "y, m" }
@@ -35,54 +32,55 @@ fn table(name: &str, objects: &[Value]) -> Markup {
     scrolled(name, table)
 }
 
-fn row(object: &Value) -> Markup {
+fn row(object: &FalseObject) -> Markup {
     html! { tr {
-        td { "#" (whole(&object["object"])) }
+        td { "#" (object.object) }
         td.words { (cause(object)) }
-        td { (rounded(&object["range_m"], 2)) } td { (rounded(&object["radial_velocity_mps"], 3)) }
-        td { (rounded(&object["x_m"], 2)) } td { (rounded(&object["y_m"], 2)) } td { (rounded(&object["snr_db"], 1)) }
-        td { (rounded(&object["ghost_share"], 2)) }
+        td { (rounded(object.range_m, 2)) } td { (rounded(object.radial_velocity_mps, 3)) }
+        td { (rounded(object.x_m, 2)) } td { (rounded(object.y_m, 2)) } td { (rounded(object.snr_db, 1)) }
+        td { (rounded(object.ghost_share, 2)) }
     } }
 }
 
 /// The cause in words, with the bodies and bounces that it names.
-fn cause(object: &Value) -> String {
-    let bodies: Vec<&str> =
-        object["bodies"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
-    let (bodies, bounces) = (bodies.join(", "), object["bounces"].as_u64());
-    match (object["cause"].as_str().unwrap_or("unknown"), bodies.as_str()) {
-        ("ghost", _) => match bounces {
+fn cause(object: &FalseObject) -> String {
+    let bodies = object.bodies.join(", ");
+    match object.cause {
+        Cause::Ghost => match object.bounces {
             Some(n) => format!("multipath ghost: {bodies}, {n} bounces"),
             None => format!("multipath ghost: {bodies}"),
         },
-        ("clutter", "") => "clutter: the road's own backscatter".into(),
-        ("clutter", _) => format!("clutter: {bodies}"),
-        ("split", _) => format!("a further part of {bodies}, which has its object"),
-        ("misplaced", _) => format!("echo of {bodies}, seen too far from it"),
-        ("noise", _) => "noise".into(),
-        _ => "not known".into(),
+        Cause::Clutter if bodies.is_empty() => "clutter: the road's own backscatter".into(),
+        Cause::Clutter => format!("clutter: {bodies}"),
+        Cause::Split => format!("a further part of {bodies}, which has its object"),
+        Cause::Misplaced => format!("echo of {bodies}, seen too far from it"),
+        Cause::Noise => "noise".into(),
+        Cause::Unknown => "not known".into(),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde_json::json;
 
     #[test]
     fn a_false_object_says_what_made_it() {
-        let ghost = json!({ "object": 3, "cause": "ghost", "bodies": ["bus-1", "truck-1"], "bounces": 2, "ghost_share": null });
-        let text = section(&json!({ "false_objects": [ghost] })).into_string();
+        let of = |object, cause, bodies: &[&str], bounces| FalseObject {
+            object,
+            cause,
+            bodies: bodies.iter().map(|id| (*id).to_owned()).collect(),
+            bounces: Some(bounces),
+            ..FalseObject::default()
+        };
+        let text = section(&[of(3, Cause::Ghost, &["bus-1", "truck-1"], 2)], &[]).into_string();
         for said in ["#3", "multipath ghost: bus-1, truck-1, 2 bounces", "<td>–</td>"] {
             assert!(text.contains(said), "{said}: {text}");
         }
-        assert!(section(&json!({ "false_objects": [] })).into_string().contains("None"));
-        let rail = json!({ "object": 5, "cause": "clutter", "bodies": ["rail"], "bounces": 1 });
-        let text = section(&json!({ "false_objects": [], "stationary_objects": [rail] })).into_string();
+        assert!(section(&[], &[]).into_string().contains("None"));
+        let text = section(&[], &[of(5, Cause::Clutter, &["rail"], 1)]).into_string();
         assert!(
             text.contains("every object that moves is a body's") && text.contains("clutter: rail"),
             "{text}"
         );
-        assert!(section(&json!({})).into_string().is_empty());
     }
 }

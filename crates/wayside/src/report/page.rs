@@ -1,5 +1,6 @@
 //! The page around the figures and tables.
 
+use crate::outcome::summary::{Agreement, FrameSummary, Metrics, Summary};
 use crate::pictures::FrameFigures;
 use crate::report::accuracy;
 use crate::report::false_objects;
@@ -9,23 +10,21 @@ use crate::report::tables;
 use crate::report::tracks;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use plotting::form::Figure;
-use serde_json::Value;
 use std::path::Path;
 
 const STYLE: &str = include_str!("style.css");
 
 /// The whole page; `out` is the folder in which it will lie.
-pub(super) fn page(summary: &Value, figures: &Figures, making: &Making, out: &Path) -> String {
-    let name = summary["scene"].as_str().unwrap_or_default();
-    let frames: Vec<&Value> = summary["frames"].as_array().into_iter().flatten().collect();
+pub(super) fn page(summary: &Summary, figures: &Figures, making: &Making, out: &Path) -> String {
+    let (frames, metrics) = (&summary.frames[..], &summary.metrics);
     sheet(
-        name,
+        &summary.scene,
         html! {
-            p.lead { (lead(&frames, &summary["metrics"])) }
+            p.lead { (lead(frames, metrics)) }
             (made(making, out))
-            (tables::radar(&summary["radar"], &frames))
-            @if frames.len() > 1 { (tracks::section(&summary["metrics"])) }
-            @if !figures.strip.is_empty() { (strip(&frames, figures)) }
+            (tables::radar(&summary.radar, frames))
+            @if frames.len() > 1 { (tracks::section(metrics)) }
+            @if !figures.strip.is_empty() { (strip(frames, figures)) }
             @for (number, frame) in frames.iter().take(FRAMES_TOLD).enumerate() {
                 (section(number, frame, figures.frames.get(number)))
             }
@@ -33,7 +32,7 @@ pub(super) fn page(summary: &Value, figures: &Figures, making: &Making, out: &Pa
                 p { "Frames " (FRAMES_TOLD) " to " (frames.len() - 1) " stand in "
                     a href="summary.json" { "summary.json" } "." }
             }
-            footer { "Seed " (summary["seed"]) ". Ranges and velocities of the truth are power-weighted means over each "
+            footer { "Seed " (summary.seed) ". Ranges and velocities of the truth are power-weighted means over each "
                 "target's echo; signs, axes and units as in docs/conventions.md." }
         },
     )
@@ -63,7 +62,7 @@ pub(super) fn sheet(name: &str, content: Markup) -> String {
 const FRAMES_TOLD: usize = 24;
 
 /// How a long scene goes on: what was found and where, and every n-th frame from above.
-fn strip(frames: &[&Value], figures: &Figures) -> Markup {
+fn strip(frames: &[FrameSummary], figures: &Figures) -> Markup {
     html! {
         section {
             h2 { "The whole scene" }
@@ -75,16 +74,12 @@ fn strip(frames: &[&Value], figures: &Figures) -> Markup {
     }
 }
 
-fn lead(frames: &[&Value], metrics: &Value) -> String {
-    let points: u64 = frames.iter().filter_map(|f| f["points"].as_u64()).sum();
-    let count = |key: &str| metrics["objects"][key].as_u64().unwrap_or(0);
-    let (found, missed, false_ones) = (count("found"), count("missed"), count("false"));
+fn lead(frames: &[FrameSummary], metrics: &Metrics) -> String {
+    let points: usize = frames.iter().map(|frame| frame.points).sum();
+    let Agreement { found, missed, false_ones, stationary, removed, .. } = metrics.objects;
     let over = if frames.len() == 1 { "one frame".into() } else { format!("{} frames", frames.len()) };
     let objects = if false_ones == 1 { "object is" } else { "objects are" };
-    let more = [
-        (count("stationary"), "objects at rest are no body's"),
-        (count("removed"), "bodies at rest were removed"),
-    ];
+    let more = [(stationary, "objects at rest are no body's"), (removed, "bodies at rest were removed")];
     let more = more.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("; {count} {what}"));
     format!(
         "{found} of {} bodies with an echo found in {over}; {false_ones} {objects} false{}; {points} points detected.",
@@ -93,22 +88,22 @@ fn lead(frames: &[&Value], metrics: &Value) -> String {
     )
 }
 
-fn section(number: usize, frame: &Value, figures: Option<&FrameFigures>) -> Markup {
+fn section(number: usize, frame: &FrameSummary, figures: Option<&FrameFigures>) -> Markup {
     html! {
         section {
-            h2 { "Frame " (number) " at " (tables::rounded(&frame["time_s"], 3)) " s" }
+            h2 { "Frame " (number) " at " (tables::rounded(frame.time_s, 3)) " s" }
             @if let Some(f) = figures { (figure("Truth, detected points and objects, to scale.", &f.plan)) }
-            (accuracy::section(frame))
+            (accuracy::section(&frame.accuracy))
             h3 { "Truth beside estimate" }
-            (tables::targets(frame))
-            (false_objects::section(frame))
+            (tables::targets(&frame.targets))
+            (false_objects::section(&frame.false_objects, &frame.stationary_objects))
             @if let Some(f) = figures {
                 (figure("Power of all channels together; crosses are the truth, rings what was found.", &f.rdm))
                 (figure("The strongest cell at each range.", &f.profile))
                 (figure("Detected points coloured by the object that they form, with the truth.", &f.points))
             }
             h3 { "Classes" }
-            (tables::classes(frame))
+            (tables::classes(&frame.targets))
             div.pair {
                 div { h3 { "Error budget of this frame" } (tables::errors(frame)) }
                 div { h3 { "What each stage cost" } (tables::costs(frame)) }

@@ -1,7 +1,9 @@
-//! The report's tables, filled from `summary.json` alone.
+//! The report's tables, filled from the summary alone.
 
+use crate::outcome::summary::{FrameSummary, MapState, Predicted, RadarSummary, Stage, TargetSummary};
+use artifact::settings::Class;
 use maud::{Markup, html};
-use serde_json::Value;
+use std::fmt::Display;
 
 /// A table that is scrolled where the page is narrower, by keys too; its first column stays.
 pub(super) fn scrolled(name: &str, table: Markup) -> Markup {
@@ -9,21 +11,19 @@ pub(super) fn scrolled(name: &str, table: Markup) -> Markup {
 }
 
 /// What the radar is, in the words of the field (the paper's Table 2).
-pub(super) fn radar(radar: &Value, frames: &[&Value]) -> Markup {
-    let number = |key: &str, factor: f64, digits: usize| scaled(&radar[key], factor, digits);
-    let points = frames.first().map_or(Value::Null, |f| f["points"].clone());
+pub(super) fn radar(radar: &RadarSummary, frames: &[FrameSummary]) -> Markup {
     let rows = [
-        ("Carrier (centre of the sweep)", format!("{} GHz", number("carrier_hz", 1e-9, 4))),
-        ("Bandwidth", format!("{} GHz", number("bandwidth_hz", 1e-9, 4))),
-        ("Chirp interval", format!("{} µs", number("chirp_interval_s", 1e6, 1))),
-        ("Samples per chirp", radar["samples_per_chirp"].to_string()),
-        ("Chirps per frame × channels", format!("{} × {}", radar["chirps"], radar["channels"])),
-        ("Range resolution", format!("{} m", number("range_resolution_m", 1.0, 2))),
-        ("Maximum unambiguous range", format!("{} m", number("range_max_m", 1.0, 1))),
-        ("Velocity resolution", format!("{} m/s", number("velocity_resolution_mps", 1.0, 3))),
-        ("Maximum unambiguous velocity", format!("{} m/s", number("velocity_max_mps", 1.0, 2))),
+        ("Carrier (centre of the sweep)", format!("{:.4} GHz", radar.carrier_hz * 1e-9)),
+        ("Bandwidth", format!("{:.4} GHz", radar.bandwidth_hz * 1e-9)),
+        ("Chirp interval", format!("{:.1} µs", radar.chirp_interval_s * 1e6)),
+        ("Samples per chirp", radar.samples_per_chirp.to_string()),
+        ("Chirps per frame × channels", format!("{} × {}", radar.chirps, radar.channels)),
+        ("Range resolution", format!("{:.2} m", radar.range_resolution_m)),
+        ("Maximum unambiguous range", format!("{:.1} m", radar.range_max_m)),
+        ("Velocity resolution", format!("{:.3} m/s", radar.velocity_resolution_mps)),
+        ("Maximum unambiguous velocity", format!("{:.2} m/s", radar.velocity_max_mps)),
         ("Velocity of some target aliased", aliased(frames)),
-        ("Detected points, frame 0", points.to_string()),
+        ("Detected points, frame 0", whole(frames.first().map(|frame| frame.points))),
     ];
     html! {
         h3 { "Radar" }
@@ -32,9 +32,9 @@ pub(super) fn radar(radar: &Value, frames: &[&Value]) -> Markup {
 }
 
 /// In which frames the map shows a target's velocity folded.
-fn aliased(frames: &[&Value]) -> String {
-    let folded: Vec<usize> = (0..frames.len()).filter(|i| frames[*i]["rdm_state"] == "abnormal").collect();
-    match (folded.len(), frames.len()) {
+fn aliased(frames: &[FrameSummary]) -> String {
+    let folded = frames.iter().filter(|frame| frame.rdm_state == MapState::Abnormal).count();
+    match (folded, frames.len()) {
         (0, _) => "no".into(),
         (1, 1) => "yes".into(),
         (some, all) => format!("in {some} of {all} frames"),
@@ -42,18 +42,20 @@ fn aliased(frames: &[&Value]) -> String {
 }
 
 /// What was found of the targets over all frames, and in which lane.
-pub(super) fn scene(frames: &[&Value]) -> Markup {
-    let all = || frames.iter().flat_map(|frame| frame["targets"].as_array().into_iter().flatten());
-    let count = |of: &dyn Fn(&&Value) -> bool| all().filter(|target| of(target)).count();
-    let is_seen = |t: &&Value| !t["truth"]["nearest_range_m"].is_null();
-    let is_found = |t: &&Value| !t["estimate"].is_null();
-    let in_lane = |t: &&Value| is_found(t) && !t["truth"]["lane"].is_null();
-    let lane_is_right = |t: &&Value| in_lane(t) && t["estimate"]["lane"] == t["truth"]["lane"];
+pub(super) fn scene(frames: &[FrameSummary]) -> Markup {
+    let all = || frames.iter().flat_map(|frame| &frame.targets);
+    let count = |of: &dyn Fn(&TargetSummary) -> bool| all().filter(|target| of(target)).count();
+    let is_seen = |t: &TargetSummary| t.truth.nearest_range_m.is_some();
+    let in_lane = |t: &TargetSummary| t.estimate.is_some() && t.truth.lane.is_some();
+    let lane_is_right = |t: &TargetSummary| in_lane(t) && t.estimate.is_some_and(|e| e.lane == t.truth.lane);
     let share = |part: usize, of: usize| format!("{part} of {of}");
     let rows = [
         ("Bodies in view, frame by frame", all().count().to_string()),
         ("With a lit surface", share(count(&is_seen), all().count())),
-        ("Found, of those with a lit surface", share(count(&|t| is_seen(t) && is_found(t)), count(&is_seen))),
+        (
+            "Found, of those with a lit surface",
+            share(count(&|t| is_seen(t) && t.estimate.is_some()), count(&is_seen)),
+        ),
         ("In the right lane, of those found in a lane", share(count(&lane_is_right), count(&in_lane))),
     ];
     scrolled(
@@ -63,134 +65,120 @@ pub(super) fn scene(frames: &[&Value]) -> Markup {
 }
 
 /// Truth beside estimate with the error, a row per target.
-pub(super) fn targets(frame: &Value) -> Markup {
-    let targets = frame["targets"].as_array().cloned().unwrap_or_default();
+pub(super) fn targets(targets: &[TargetSummary]) -> Markup {
     let table = html! { table {
         thead { tr {
             th { "target" } th { "range, m" } th { "true" } th { "error" } th { "velocity, m/s" } th { "true" } th { "error" }
             th { "x, m" } th { "true" } th { "error" } th { "lane" } th { "true" } th { "SNR, dB" } th { "points" }
             th { "multipath ghost share" }
         } }
-        tbody { @for target in &targets { (target_row(target)) } }
+        tbody { @for target in targets { (target_row(target)) } }
     } };
     scrolled("Truth beside estimate", table)
 }
 
-fn target_row(target: &Value) -> Markup {
-    let (truth, estimate) = (&target["truth"], &target["estimate"]);
-    let id = target["id"].as_str().unwrap_or_default();
-    if estimate.is_null() {
-        let is_missed = target["found"] == true || target["found"] == false;
-        let words = match (is_missed, target["removed"] == true) {
+fn target_row(target: &TargetSummary) -> Markup {
+    let (id, truth) = (&target.id, &target.truth);
+    let Some(estimate) = &target.estimate else {
+        let is_missed = target.found.is_some();
+        let words = match (is_missed, target.removed) {
             (true, _) => "missed",
             (_, true) => "removed with the echoes at rest, as static in [dsp] asks",
             _ => "not to be found: hidden, without an echo of its own, or out of range",
         };
         return html! { tr { td { (id) } td.words.bad[is_missed] colspan="14" { (words) } } };
-    }
-    let range = if truth["echo_range_m"].is_null() { &truth["range_m"] } else { &truth["echo_range_m"] };
-    let echo = &truth["echo_radial_velocity_mps"];
-    let velocity = if echo.is_null() { &truth["radial_velocity_mps"] } else { echo };
-    let wrong_lane = estimate["lane"] != truth["lane"];
+    };
     html! { tr {
         td { (id) }
-        (compared(&estimate["range_m"], range, 2))
-        (compared(&estimate["radial_velocity_mps"], velocity, 3))
-        (compared(&estimate["x_m"], &truth["x_m"], 2))
-        td.bad[wrong_lane] { (whole(&estimate["lane"])) } td { (whole(&truth["lane"])) }
-        td { (rounded(&estimate["snr_db"], 1)) } td { (whole(&estimate["points"])) }
-        td { (rounded(&estimate["ghost_share"], 2)) }
+        (compared(estimate.range_m, truth.compared_range_m(), 2))
+        (compared(estimate.radial_velocity_mps, truth.compared_radial_velocity_mps(), 3))
+        (compared(estimate.x_m, truth.x_m, 2))
+        td.bad[estimate.lane != truth.lane] { (whole(estimate.lane)) } td { (whole(truth.lane)) }
+        td { (rounded(estimate.snr_db, 1)) } td { (estimate.points) }
+        td { (rounded(estimate.ghost_share, 2)) }
     } }
 }
 
-fn compared(estimate: &Value, truth: &Value, digits: usize) -> Markup {
-    let error = estimate.as_f64().zip(truth.as_f64()).map(|(e, t)| e - t);
-    let error = error.map_or("–".into(), |e| format!("{e:+.digits$}").replace('-', "−"));
+fn compared(estimate: f64, truth: f64, digits: usize) -> Markup {
+    let error = format!("{:+.digits$}", estimate - truth).replace('-', "−");
     html! { td { (rounded(estimate, digits)) } td { (rounded(truth, digits)) } td { (error) } }
 }
 
 /// Probabilities as bars, a row per vehicle.
-pub(super) fn classes(frame: &Value) -> Markup {
-    let targets = frame["targets"].as_array().cloned().unwrap_or_default();
+pub(super) fn classes(targets: &[TargetSummary]) -> Markup {
+    let vehicles = targets.iter().filter_map(|target| Some((target, target.class?)));
     let table = html! { table {
         thead { tr {
             th { "target" } th.words { "true class" } th.words { "predicted class" } th.words { "predicted by track" }
-            @for c in CLASSES { th.words { "probability of " (c) } }
+            @for class in Class::ALL { th.words { "probability of " (class.name()) } }
         } }
-        tbody { @for target in targets.iter().filter(|t| !t["class"].is_null()) { (class_row(target)) } }
+        tbody { @for (target, class) in vehicles { (class_row(target, class)) } }
     } };
     scrolled("Classes", table)
 }
 
-const CLASSES: [&str; 4] = ["car", "bus", "truck", "motorcycle"];
-
-fn class_row(target: &Value) -> Markup {
-    let wrong = target["predicted_class"] != target["class"];
-    let wrong_by_track = !target["track_class"].is_null() && target["track_class"] != target["class"];
+fn class_row(target: &TargetSummary, class: Class) -> Markup {
+    let (in_frame, by_track) = (target.predicted_class, target.track_class);
+    let right = Predicted::Class(class);
     html! { tr {
-        td { (target["id"].as_str().unwrap_or_default()) }
-        td.words { (target["class"].as_str().unwrap_or("–")) }
-        td.words.bad[wrong] { (target["predicted_class"].as_str().unwrap_or("–")) }
-        td.words.bad[wrong_by_track] { (target["track_class"].as_str().unwrap_or("–")) }
-        @for class in CLASSES { td.words { (bar(&target["probabilities"][class])) } }
+        td { (target.id) }
+        td.words { (class.name()) }
+        td.words.bad[in_frame != Some(right)] { (in_frame.map_or("–", Predicted::name)) }
+        td.words.bad[by_track.is_some_and(|told| told != right)] { (by_track.map_or("–", Predicted::name)) }
+        @for class in Class::ALL { td.words { (bar(target.probabilities.of_class(class))) } }
     } }
 }
 
-fn bar(probability: &Value) -> Markup {
-    match probability.as_f64() {
+fn bar(probability: Option<f64>) -> Markup {
+    match probability {
         Some(p) => html! { span.bar style=(format!("width:{:.2}em", 4.0 * p)) {} (format!("{p:.3}")) },
         None => html! { "–" },
     }
 }
 
 /// Numerical error by source and what the model leaves out, dB.
-pub(super) fn errors(frame: &Value) -> Markup {
-    let rows = |group: &str| {
-        let entries = frame[group].as_object().cloned().unwrap_or_default();
-        entries.into_iter().map(|(name, value)| (name.replace('_', " "), value)).collect::<Vec<_>>()
-    };
+pub(super) fn errors(frame: &FrameSummary) -> Markup {
+    let numerical = frame.error_db.shares().into_iter().chain([("total", frame.error_db.total)]);
     let table = html! { table {
         thead { tr { th { "relative to the echo" } th { "dB" } } }
         tbody {
-            @for (name, value) in rows("error_db") { tr { td { (name) } td { (rounded_or(&value, 1, "not estimated")) } } }
-            @for (name, value) in rows("model_error_db") { tr { td { "model: " (name) } td { (rounded_or(&value, 1, "not estimated")) } } }
+            @for (name, db) in numerical { tr { td { (name) } td { (rounded_or(db, 1, "not estimated")) } } }
+            @for (name, db) in frame.model_error_db.sources() {
+                tr { td { "model: " (name) } td { (rounded_or(db, 1, "not estimated")) } }
+            }
         }
     } };
     scrolled("Error budget", table)
 }
 
 /// Seconds by stage, memory at most.
-pub(super) fn costs(frame: &Value) -> Markup {
-    let stages = frame["stage_seconds"].as_object().cloned().unwrap_or_default();
-    let cached = frame["cached"].as_array().cloned().unwrap_or_default();
+pub(super) fn costs(frame: &FrameSummary) -> Markup {
+    let mut stages: Vec<(Stage, f64)> = frame.stage_seconds.iter().map(|(stage, s)| (*stage, *s)).collect();
+    stages.sort_by_key(|(stage, _)| stage.name());
     let table = html! { table {
         thead { tr { th { "stage" } th { "seconds" } th { "" } } }
         tbody {
             @for (stage, seconds) in &stages {
-                tr { td { (stage.replace('_', "-")) } td { (rounded(seconds, 3)) }
-                    td { @if cached.iter().any(|c| c == stage) { "cached" } } }
+                tr { td { (stage.name().replace('_', "-")) } td { (rounded(*seconds, 3)) }
+                    td { @if frame.cached.contains(stage) { "cached" } } }
             }
-            tr { td { "paths" } td { (whole(&frame["paths"])) } td {} }
-            tr { td { "memory, MiB" } td { (rounded_or(&frame["peak_memory_mib"], 0, "–")) }
-                td { "at most; " (rounded(&frame["memory_estimate_mib"], 0)) " said before" } }
+            tr { td { "paths" } td { (whole(frame.paths)) } td {} }
+            tr { td { "memory, MiB" } td { (rounded(frame.peak_memory_mib, 0)) }
+                td { "at most; " (rounded(frame.memory_estimate_mib, 0)) " said before" } }
         }
     } };
     scrolled("What each stage cost", table)
 }
 
 /// A number with so many digits; a dash where there is none.
-pub(super) fn rounded(value: &Value, digits: usize) -> String {
-    rounded_or(value, digits, "–")
+pub(super) fn rounded(value: impl Into<Option<f64>>, digits: usize) -> String {
+    rounded_or(value.into(), digits, "–")
 }
 
-fn rounded_or(value: &Value, digits: usize, otherwise: &str) -> String {
-    value.as_f64().map_or(otherwise.into(), |v| format!("{v:.digits$}").replace('-', "−"))
+fn rounded_or(value: Option<f64>, digits: usize, otherwise: &str) -> String {
+    value.map_or(otherwise.into(), |v| format!("{v:.digits$}").replace('-', "−"))
 }
 
-fn scaled(value: &Value, factor: f64, digits: usize) -> String {
-    value.as_f64().map_or("–".into(), |v| format!("{:.digits$}", v * factor))
-}
-
-pub(super) fn whole(value: &Value) -> String {
-    value.as_i64().map_or("–".into(), |v| v.to_string())
+fn whole(value: Option<impl Display>) -> String {
+    value.map_or("–".into(), |v| v.to_string())
 }

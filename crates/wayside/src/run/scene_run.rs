@@ -14,14 +14,13 @@ use crate::host::memory::Allowance;
 use crate::host::processor_time;
 use crate::host::progress::{self, Work};
 use crate::outcome::frame_truth::frame_truth;
-use crate::outcome::summary;
+use crate::outcome::summary::{FrameSummary, Metrics, RadarsSummary, Summary};
 use crate::outcome::told;
-use crate::outcome::tracking::{self, Tracking};
+use crate::outcome::tracking::Tracking;
 use crate::report::figures::Figures;
 use crate::report::{self, Making};
 use crate::run::products::Products;
 use crate::run::several_radars::{self, Told};
-use serde_json::{Map, Value};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -71,22 +70,27 @@ impl Settings<'_> {
 /// What a run leaves beside its files.
 pub struct Outcome {
     of_radars: Vec<Told>,
-    of_all: Option<Value>,
+    of_all: Option<RadarsSummary>,
 }
 
 impl Outcome {
-    /// `summary.json` (`docs/interface.md`): of the only radar, or of all together where the scene has
-    /// several; null after a dry run.
-    pub fn summary(&self) -> &Value {
-        self.of_all
-            .as_ref()
-            .or_else(|| self.of_radars.first().map(|told| &told.summary))
-            .unwrap_or(&Value::Null)
+    /// What is told of a scene through one radar, as `summary.json` has it; `None` after a dry run, and where
+    /// the scene has several.
+    pub fn summary(&self) -> Option<&Summary> {
+        match &self.of_radars[..] {
+            [only] => Some(&only.summary),
+            _ => None,
+        }
     }
 
-    /// Folder and `summary.json` of each radar.
-    pub fn radars(&self) -> impl Iterator<Item = (&Path, &Value)> {
+    /// Folder and summary of each radar; none after a dry run.
+    pub fn radars(&self) -> impl Iterator<Item = (&Path, &Summary)> {
         self.of_radars.iter().map(|told| (told.out.as_path(), &told.summary))
+    }
+
+    /// What the radars of a scene saw side by side; `None` where it has one, or one was asked for.
+    pub fn side_by_side(&self) -> Option<&RadarsSummary> {
+        self.of_all.as_ref()
     }
 }
 
@@ -197,8 +201,8 @@ struct Took {
 
 /// What `summary.json` tells of all frames.
 struct Computed {
-    frames: Vec<Value>,
-    metrics: Value,
+    frames: Vec<FrameSummary>,
+    metrics: Metrics,
 }
 
 /// A few frames at a time, so that memory does not grow with their number; written in their order.
@@ -231,10 +235,7 @@ fn compute(
                 for frame in resolved(chain, std::mem::take(&mut cycle))? {
                     let truth = frame_truth(chain, &frame)?;
                     let (tracks, told_of_tracks) = tracking.follow(&frame, &truth)?;
-                    let mut told = summary::frame(&frame.view, &frame.result, &truth);
-                    tracking::join(&mut told["targets"], &told_of_tracks);
-                    told["tracks"] = told_of_tracks;
-                    frames.push(told);
+                    frames.push(FrameSummary::of(&frame.view, &frame.result, &truth, told_of_tracks));
                     progress::during("artifacts and pictures", || {
                         products.write(chain, frame, &truth, &tracks)
                     })?;
@@ -289,18 +290,16 @@ fn conclude(
     figures: &Figures,
     settings: &Settings,
     out: &Path,
-) -> Result<Value, Failure> {
+) -> Result<Summary, Failure> {
     let _under_way = Work::begin("summary and report");
-    let mut root: Map<String, Value> = summary::head(&loaded.header);
-    root.insert("frames_seconds".into(), took.seconds.into());
-    root.insert("frames_processor_seconds".into(), took.processor.into());
-    root.insert("metrics".into(), computed.metrics);
-    root.insert("frames".into(), computed.frames.into());
-    let root = Value::Object(root);
-    let text = serde_json::to_string_pretty(&root).map_err(Failure::refused)?;
-    files::write_file(&out.join("summary.json"), text.as_bytes())?;
-    report::write(&root, figures, &settings.making, out)?;
-    told::lines(&root).iter().for_each(|line| (settings.tell)(line));
+    let summary = Summary {
+        frames_seconds: took.seconds,
+        frames_processor_seconds: took.processor,
+        ..Summary::of(&loaded.header, computed.frames, computed.metrics)
+    };
+    files::write_file(&out.join("summary.json"), summary.json()?.as_bytes())?;
+    report::write(&summary, figures, &settings.making, out)?;
+    told::lines(&summary).iter().for_each(|line| (settings.tell)(line));
     (settings.tell)(&format!("report: {}", out.join("report.html").display()));
-    Ok(root)
+    Ok(summary)
 }

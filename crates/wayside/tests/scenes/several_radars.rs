@@ -73,6 +73,8 @@ fn every_radar_has_its_folder_and_above_them_stands_what_they_have_in_common() {
     run(folder.path(), &["--out", "all"]);
     let all = summary(folder.path().join("all"));
     assert_eq!(all["scene"], "crossing");
+    let typed: wayside::RadarsSummary = serde_json::from_value(all.clone()).unwrap();
+    assert_eq!(typed.json().unwrap(), serde_json::to_string_pretty(&all).unwrap());
     let found = |i: usize| all["frames"][0]["targets"][i]["found_by"].clone();
     println!("{all:#}");
     // Each of the reflectors stands in the beam of its own radar; of the other's it may be seen at the rim.

@@ -27,6 +27,28 @@ fn items(list: &Value) -> &[Value] {
 }
 
 #[test]
+fn a_summary_is_read_as_it_was_handed_out_and_keys_of_later_versions_are_passed_over() {
+    let place = Workplace::new();
+    let settings = wayside::Settings {
+        cache: None,
+        ..wayside::Settings::of(place.path("small.toml"), place.path("out"))
+    };
+    let outcome = wayside::run(&settings).unwrap();
+    let summary = outcome.summary().unwrap();
+    assert_eq!(wayside::Summary::read(&place.path("out/summary.json")).unwrap(), *summary);
+    let reflector = &summary.frames[1].targets[1];
+    assert_eq!((reflector.id.as_str(), reflector.found), ("reflector", Some(true)));
+    let estimate = reflector.estimate.unwrap();
+    assert!((estimate.range_m - reflector.truth.compared_range_m()).abs() < 0.5, "{estimate:?}");
+    let mut later = place.summary("out/summary.json");
+    later["frames"][0]["targets"][0]["of_later_versions"] = "unknown".into();
+    write(&place, "later.json", &later.to_string());
+    assert_eq!(wayside::Summary::read(&place.path("later.json")).unwrap(), *summary);
+    let refused = wayside::Summary::read(&place.path("small.toml")).unwrap_err().to_string();
+    assert!(refused.contains("small.toml: "), "{refused}");
+}
+
+#[test]
 fn an_accuracy_that_was_not_reached_is_said_with_what_limits_it_and_what_would_help() {
     let place = Workplace::new();
     // Drawn points stand for a trihedral, at an error larger than the echo itself.

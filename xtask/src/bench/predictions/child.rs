@@ -3,12 +3,12 @@
 
 use artifact::Reader;
 use artifact::paths::{Paths, PathsFrame};
-use serde_json::Value;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 use wayside::chain::expectation::machine_speed;
 use wayside::host::failure::Failure;
+use wayside::outcome::summary::{Stage, Summary};
 
 /// What a run took, and what its tracer found.
 #[derive(Debug, Clone, Copy)]
@@ -51,11 +51,9 @@ pub(super) fn run(scene: &Path, out: &Path, threads: Option<u16>) -> Result<Opti
 }
 
 fn told(out: &Path, processor_s: f64, peak_mib: f64) -> Result<Taken, Failure> {
-    let text = std::fs::read(out.join("summary.json")).map_err(|e| Failure::system(out, "read", e))?;
-    let summary: Value = serde_json::from_slice(&text).map_err(Failure::refused)?;
-    let frames = || summary["frames"].as_array().into_iter().flatten();
-    let seconds = |stage: &str| frames().filter_map(|frame| frame["stage_seconds"][stage].as_f64()).sum();
-    let stages_s = ["bart_rcs", "fmcw_echo", "dsp"].map(seconds);
+    let summary = Summary::read(&out.join("summary.json"))?;
+    let seconds = |stage| summary.frames.iter().filter_map(|frame| frame.stage_seconds.get(&stage)).sum();
+    let stages_s = [Stage::BartRcs, Stage::FmcwEcho, Stage::Dsp].map(seconds);
     let mut taken = Taken {
         processor_s,
         peak_mib,

@@ -4,7 +4,7 @@
 use crate::chain::loaded_model::LoadedModel;
 use crate::chain::loading;
 use crate::host::failure::Failure;
-use crate::outcome::summary::probabilities;
+use crate::outcome::summary::Probabilities;
 use crate::program::cli::ClassifyArguments;
 use crate::program::commands::formats::inspect;
 use crate::program::terminal;
@@ -73,6 +73,6 @@ fn samples(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
 fn tell(model: &LoadedModel, file: &Path, frame: u32, target: &str, p: &[f32; 4]) {
     terminal::line(json!({
         "file": file.display().to_string(), "frame": frame, "target": target,
-        "class": model.rule().told(p), "probabilities": probabilities(Some(p)),
+        "class": model.rule().told(p), "probabilities": Probabilities::of(Some(p)),
     }));
 }

@@ -7,7 +7,7 @@ mod conditions;
 mod curves;
 mod paper;
 
-use crate::chain::loaded_model::{ClassRule, UNKNOWN, of_classifier};
+use crate::chain::loaded_model::{ClassRule, Predicted, of_classifier};
 use crate::host::failure::Failure;
 use crate::host::files;
 use crate::host::progress::Work;
@@ -184,7 +184,10 @@ fn shares(answers: &[(&Seen, Logits)], least: f32) -> String {
     let mut counts = [0.0; 3];
     for (seen, logits) in answers {
         let told = rule.told(&log_softmax(logits.map(f64::from)).map(|log| log.exp() as f32));
-        let kind = if told == UNKNOWN { 2 } else { usize::from(told != Class::ALL[seen.class].name()) };
+        let kind = match told {
+            Predicted::Class(class) => usize::from(class != Class::ALL[seen.class]),
+            Predicted::Unknown => 2,
+        };
         counts[kind] += 100.0 / answers.len().max(1) as f64;
     }
     counts.map(|share| format!("{share:.0}")).join(" / ")

@@ -1,7 +1,7 @@
 //! What `rcs` answers: the table and what is known of it.
 
 use crate::host::processor_time::Counted;
-use crate::outcome::error_figures::{error_db, model_error_db};
+use crate::outcome::error_figures::{ErrorFigures, ModelErrorFigures};
 use crate::outcome::verdict::{Asking, Verdict};
 use crate::program::cli::RcsArguments;
 use crate::program::terminal;
@@ -79,9 +79,9 @@ impl Answer {
             "cached": self.cached,
             "beams": self.beams,
             "peak_memory_mib": crate::host::memory::peak_mib(),
-            "accuracy": self.verdict(arguments).json(Asking::Options),
-            "error_db": error_db(&self.error),
-            "model_error_db": model_error_db(&self.model_error),
+            "accuracy": self.verdict(arguments).told(Asking::Options),
+            "error_db": ErrorFigures::of(&self.error),
+            "model_error_db": ModelErrorFigures::of(&self.model_error),
             "node_spread_db": spread,
             "dropped_at_most_db": self.dropped_at_most.map(db_from_amplitude),
             "mirrors": self.mirrors.map(|m| json!({ "least_area_m2": m.least_area_m2, "traced_again": m.traced_again })),

@@ -1,6 +1,6 @@
 //! Whether the accuracy asked for was reached over all scenes of a dataset.
 
-use crate::outcome::verdict::decibels;
+use crate::outcome::error_figures::decibels;
 use serde_json::Value;
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ pub(super) fn lines(scenes: &[Value]) -> Vec<String> {
         return vec!["numerical errors were not estimated".into()];
     };
     let met = told.iter().filter(|told| told["met"] == true).count();
-    let (worst, asked) = (decibels(&worst["reached_db"]), decibels(&worst["asked_db"]));
+    let (worst, asked) = (decibels(worst["reached_db"].as_f64()), decibels(worst["asked_db"].as_f64()));
     let mut causes: BTreeMap<&str, (usize, &str)> = BTreeMap::new();
     for told in told.iter().filter(|told| told["met"] == false) {
         let [cause, advice] = ["limited_by", "advice"].map(|key| told[key].as_str().unwrap_or_default());

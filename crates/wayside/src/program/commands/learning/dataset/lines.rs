@@ -56,7 +56,7 @@ pub(super) fn frame(drawn: &Drawn, staged: &Staged, seen: &Seen) -> Value {
         "objects": result.points.objects.len(),
         "points": result.points.points.len(),
         "paths": paths.map(|p| p.paths.len()),
-        "accuracy": verdict.json(Asking::Scene),
+        "accuracy": verdict.told(Asking::Scene),
         "seconds": result.seconds.iter().map(|(_, s)| s).sum::<f64>(),
         "vehicles": vehicles.collect::<Vec<_>>(),
     })

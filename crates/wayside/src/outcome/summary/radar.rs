@@ -1,0 +1,119 @@
+//! What the radar is and what its lanes are called.
+
+use crate::outcome::summary::words::SamplingWord;
+use artifact::radar::{ElementError, Sampling};
+use artifact::scene::SceneHeader;
+use serde::{Deserialize, Serialize};
+
+/// The radar in the words of the field.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RadarSummary {
+    /// The sweep's centre, Hz.
+    pub carrier_hz: f64,
+    /// Of the sampled sweep, Hz.
+    pub bandwidth_hz: f64,
+    /// From one chirp of any transmitter to the next, s.
+    pub chirp_interval_s: f64,
+    /// Of one receiver.
+    pub samples_per_chirp: u32,
+    /// What of the mixer's product is sampled.
+    #[serde(with = "SamplingWord")]
+    pub sampling: Sampling,
+    /// In a frame, of each transmitter.
+    pub chirps: u32,
+    /// Virtual ones: transmitters times receivers.
+    pub channels: usize,
+    /// `None` of an ideal array.
+    pub element_errors: Option<ElementErrors>,
+    /// Of the sampled sweep, m.
+    pub range_resolution_m: f64,
+    /// The maximum unambiguous range, m.
+    pub range_max_m: f64,
+    /// Of the frame, m/s.
+    pub velocity_resolution_mps: f64,
+    /// The maximum unambiguous velocity to either side, m/s.
+    pub velocity_max_mps: f64,
+    /// Of the analogue-to-digital converter, Hz.
+    pub sample_rate_hz: f64,
+}
+
+/// Those that the scene lists and those that its seed draws, together.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ElementErrors {
+    /// Of each transmitter.
+    pub tx: Vec<ElementErrorSummary>,
+    /// Of each receiver.
+    pub rx: Vec<ElementErrorSummary>,
+}
+
+/// What an element of the array errs by.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct ElementErrorSummary {
+    /// Of its amplitude, dB.
+    pub gain_db: f64,
+    /// Of the IF value of its echoes, degrees.
+    pub phase_deg: f64,
+    /// Of its line, ps.
+    pub delay_ps: f64,
+}
+
+/// A lane by its number.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct LaneSummary {
+    /// As estimates and truths name it.
+    pub number: u8,
+    /// As a network calls it; `None` without a network.
+    pub id: Option<String>,
+    /// Across, m.
+    pub width_m: f64,
+}
+
+impl RadarSummary {
+    pub(super) fn of(header: &SceneHeader) -> Self {
+        let (radar, waveform) = (&header.radar, &header.radar.waveform);
+        Self {
+            carrier_hz: waveform.centre_frequency_hz(),
+            bandwidth_hz: waveform.bandwidth_hz().abs(),
+            chirp_interval_s: waveform.chirp_interval_s,
+            samples_per_chirp: waveform.samples,
+            sampling: waveform.sampling,
+            chirps: waveform.chirps,
+            channels: radar.virtual_channels(),
+            element_errors: ElementErrors::of(header),
+            range_resolution_m: waveform.range_resolution_m(),
+            range_max_m: waveform.range_max_m(),
+            velocity_resolution_mps: radar.velocity_resolution_mps(),
+            velocity_max_mps: radar.velocity_max_mps(),
+            sample_rate_hz: waveform.sample_rate_hz,
+        }
+    }
+}
+
+impl ElementErrors {
+    fn of(header: &SceneHeader) -> Option<Self> {
+        let hardware = fmcw_echo::element_errors::drawn(&header.radar, header.seed).hardware;
+        let of = |errors: &[ElementError]| errors.iter().map(ElementErrorSummary::of).collect::<Vec<_>>();
+        let all = Self { tx: of(&hardware.tx), rx: of(&hardware.rx) };
+        (!all.tx.is_empty() || !all.rx.is_empty()).then_some(all)
+    }
+}
+
+impl ElementErrorSummary {
+    fn of(error: &ElementError) -> Self {
+        Self {
+            gain_db: error.gain_db,
+            phase_deg: error.phase_rad.to_degrees(),
+            delay_ps: error.delay_s * 1e12,
+        }
+    }
+}
+
+impl LaneSummary {
+    pub(super) fn all(header: &SceneHeader) -> Vec<Self> {
+        let road = &header.dsp.road;
+        let straight = road.lanes.iter().map(|l| Self { number: l.number, id: None, width_m: l.width_m });
+        let of_net = road.courses.iter();
+        let of_net = of_net.map(|c| Self { number: c.number, id: Some(c.name.clone()), width_m: c.width_m });
+        straight.chain(of_net).collect()
+    }
+}

@@ -1,0 +1,214 @@
+//! Targets of a frame, truth beside estimate, and what stands about.
+
+use crate::chain::frame_result::FrameResult;
+use crate::chain::loaded_model::Predicted;
+use crate::outcome::summary::classes::Probabilities;
+use crate::outcome::summary::tracks::TrackSummary;
+use artifact::points::Object;
+use artifact::scene::{SceneHeader, TargetKind};
+use artifact::settings::Class;
+use evaluation::{FrameTruth, Truth};
+use radar::doppler_ambiguity::shown_mps;
+use serde::{Deserialize, Serialize};
+
+/// A target, truth beside estimate.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct TargetSummary {
+    /// As the scene calls it.
+    pub id: String,
+    /// The true one; `None` of a point target, or where the scene does not tell.
+    pub class: Option<Class>,
+    /// Its mesh; `None` of a point target.
+    pub model: Option<String>,
+    /// At the frame's middle.
+    pub truth: TruthSummary,
+    /// Of the object that is the target's; `None` without one.
+    pub estimate: Option<Estimate>,
+    /// Whether it has an object; `None` where it is not to be found: hidden, without an echo of its own, or
+    /// out of range.
+    pub found: Option<bool>,
+    /// Whether its echoes were removed as echoes at rest.
+    pub removed: bool,
+    /// The object's place among those of the frame.
+    pub object: Option<usize>,
+    /// Whether the map shows another velocity than the true one.
+    pub velocity_aliased: bool,
+    /// From this frame's object; `None` without one, and of a point target.
+    pub predicted_class: Option<Predicted>,
+    /// From this frame's object.
+    pub probabilities: Probabilities,
+    /// Of the track that follows it; `None` without one.
+    pub track_class: Option<Predicted>,
+    /// Of the track that follows it; `None` without one.
+    pub track_probabilities: Option<Probabilities>,
+}
+
+/// What is true of a target at the frame's middle, seen from the radar's position.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct TruthSummary {
+    /// Of the body's origin, m.
+    pub range_m: f64,
+    /// Of the body's origin, positive when the range grows, m/s.
+    pub radial_velocity_mps: f64,
+    /// Of the body's origin, world m.
+    pub x_m: f64,
+    /// Of the body's origin, world m.
+    pub y_m: f64,
+    /// Of the body's origin, world m.
+    pub z_m: f64,
+    /// Lane that holds it; `None` outside of all.
+    pub lane: Option<u8>,
+    /// Of its nearest lit surface, m; `None` where none is lit, or the echo was made from tables.
+    pub nearest_range_m: Option<f64>,
+    /// Power-weighted mean over its paths, m; `None` where it has none of its own.
+    pub echo_range_m: Option<f64>,
+    /// Power-weighted mean over its paths, m/s; `None` where it has none of its own.
+    pub echo_radial_velocity_mps: Option<f64>,
+}
+
+/// What the radar says of a target.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Estimate {
+    /// Power-weighted mean of its points, m.
+    pub range_m: f64,
+    /// Positive when the range grows, m/s.
+    pub radial_velocity_mps: f64,
+    /// World m.
+    pub x_m: f64,
+    /// World m.
+    pub y_m: f64,
+    /// World m; without elevation rows the height that is assumed.
+    pub z_m: f64,
+    /// Lane that holds it; `None` outside of all.
+    pub lane: Option<u8>,
+    /// Of its strongest cell, dB.
+    pub snr_db: f64,
+    /// How many form it.
+    pub points: u32,
+    /// Share of its peaks' power that ran between two bodies; `None` where the array cannot tell.
+    pub ghost_share: Option<f64>,
+    /// Whether it is at rest; `None` where the settings do not ask.
+    pub stationary: Option<bool>,
+}
+
+/// What stands about: where it is and from where its echo comes.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ClutterSummary {
+    /// As the scene calls it.
+    pub id: String,
+    /// Its mesh.
+    pub model: String,
+    /// Of its origin, world m.
+    pub x_m: f64,
+    /// Of its origin, world m.
+    pub y_m: f64,
+    /// Of its nearest lit surface, m; `None` where none is lit.
+    pub nearest_range_m: Option<f64>,
+    /// Power-weighted mean over its paths, m; `None` where it has none of its own.
+    pub echo_range_m: Option<f64>,
+}
+
+impl TargetSummary {
+    pub(super) fn of(
+        header: &SceneHeader,
+        result: &FrameResult,
+        frame: &FrameTruth,
+        tracks: &[TrackSummary],
+        index: usize,
+    ) -> Self {
+        let (described, truth) = (&header.targets[index], &frame.truths[index]);
+        let (class, model) = match &described.kind {
+            TargetKind::Mesh { class, model, .. } => (*class, Some(model.clone())),
+            TargetKind::Point { .. } => (None, None),
+        };
+        let chosen = frame.pairing.object_of[index];
+        let object = chosen.map(|o| &result.points.objects[o]);
+        let probabilities = chosen.filter(|_| model.is_some()).and_then(|o| result.classes.get(o));
+        let track = tracks.iter().find(|track| track.target.as_ref() == Some(&described.id));
+        Self {
+            id: described.id.clone(),
+            class,
+            model,
+            truth: TruthSummary::of(truth),
+            estimate: object.map(Estimate::of),
+            found: frame.pairing.shown.contains(&index).then_some(object.is_some()),
+            removed: frame.pairing.removed.contains(&index),
+            object: chosen,
+            velocity_aliased: is_aliased(header, truth, object),
+            predicted_class: probabilities.map(|p| result.rule.told(p)),
+            probabilities: Probabilities::of(probabilities),
+            track_class: track.and_then(|track| track.predicted_class),
+            track_probabilities: track.map(|track| track.probabilities),
+        }
+    }
+}
+
+/// The map's velocity minus the truth's, rounded to multiples of the unambiguous span, is not zero. Without
+/// an estimate the truth itself decides: a velocity beyond the span cannot show right.
+fn is_aliased(header: &SceneHeader, truth: &Truth, object: Option<&Object>) -> bool {
+    let span = 2.0 * header.radar.velocity_max_mps();
+    let shown = object.map(|o| shown_mps(&header.radar, o.radial_velocity_mps));
+    let difference = shown.unwrap_or_else(|| shown_mps(&header.radar, truth.radial_velocity_mps))
+        - truth.radial_velocity_mps;
+    (difference / span).round() != 0.0
+}
+
+impl TruthSummary {
+    fn of(truth: &Truth) -> Self {
+        Self {
+            range_m: truth.range_m,
+            radial_velocity_mps: truth.radial_velocity_mps,
+            x_m: truth.position_m.x,
+            y_m: truth.position_m.y,
+            z_m: truth.position_m.z,
+            lane: truth.lane,
+            nearest_range_m: truth.nearest_range_m,
+            echo_range_m: truth.echo.map(|e| e.range_m),
+            echo_radial_velocity_mps: truth.echo.map(|e| e.radial_velocity_mps),
+        }
+    }
+
+    /// What an estimated range is compared with, m: that of the echo, without one that of the body.
+    pub fn compared_range_m(&self) -> f64 {
+        self.echo_range_m.unwrap_or(self.range_m)
+    }
+
+    /// What an estimated radial velocity is compared with, m/s.
+    pub fn compared_radial_velocity_mps(&self) -> f64 {
+        self.echo_radial_velocity_mps.unwrap_or(self.radial_velocity_mps)
+    }
+}
+
+impl Estimate {
+    fn of(object: &Object) -> Self {
+        let [x_m, y_m, z_m] = object.position_m;
+        Self {
+            range_m: object.range_m,
+            radial_velocity_mps: object.radial_velocity_mps,
+            x_m,
+            y_m,
+            z_m,
+            lane: object.lane,
+            snr_db: object.snr_db,
+            points: object.points,
+            ghost_share: object.ghost_share,
+            stationary: object.stationary,
+        }
+    }
+}
+
+impl ClutterSummary {
+    /// `None` of a point, which is no clutter.
+    pub(super) fn of(header: &SceneHeader, index: usize, truth: &Truth) -> Option<Self> {
+        let described = &header.targets[index];
+        let TargetKind::Mesh { model, .. } = &described.kind else { return None };
+        Some(Self {
+            id: described.id.clone(),
+            model: model.clone(),
+            x_m: truth.position_m.x,
+            y_m: truth.position_m.y,
+            nearest_range_m: truth.nearest_range_m,
+            echo_range_m: truth.echo.map(|e| e.range_m),
+        })
+    }
+}

@@ -1,0 +1,88 @@
+//! Tracks that are believed.
+
+use crate::chain::loaded_model::{ClassRule, Predicted};
+use crate::outcome::summary::classes::Probabilities;
+use crate::outcome::summary::words::TrackWord;
+use artifact::tracks::{Track, TrackState};
+use serde::{Deserialize, Serialize};
+
+/// A vehicle that is followed, at the frame's middle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TrackSummary {
+    /// Counted from 0 over the scene; never given twice.
+    pub id: u32,
+    /// Confirmed or coasting.
+    #[serde(with = "TrackWord")]
+    pub state: TrackState,
+    /// Frames since its birth, this one included.
+    pub age_frames: u32,
+    /// Of what reflects, in the mean, world m.
+    pub x_m: f64,
+    /// The same along y, world m.
+    pub y_m: f64,
+    /// World m/s.
+    pub vx_mps: f64,
+    /// World m/s.
+    pub vy_mps: f64,
+    /// Whether one multiple of the velocity span is left; else the velocity is the likeliest.
+    pub velocity_resolved: bool,
+    /// Lane that holds the box's middle; `None` outside of all.
+    pub lane: Option<u8>,
+    /// Where the body stands.
+    #[serde(rename = "box")]
+    pub footprint: TrackBox,
+    /// The target that it follows, in truth, by its id; `None` of no target's.
+    pub target: Option<String>,
+    /// From all its frames so far; `None` where no object of it was classified.
+    pub predicted_class: Option<Predicted>,
+    /// From all its frames so far.
+    pub probabilities: Probabilities,
+}
+
+/// A rectangle on the road.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct TrackBox {
+    /// Of its middle, world m.
+    pub x_m: f64,
+    /// Of its middle, world m.
+    pub y_m: f64,
+    /// Along its heading, m.
+    pub length_m: f64,
+    /// Across its heading, m.
+    pub width_m: f64,
+    /// Its heading from world +x towards +y, degrees.
+    pub yaw_deg: f64,
+}
+
+impl TrackSummary {
+    pub(crate) fn of(
+        track: &Track,
+        target: Option<&str>,
+        probabilities: Option<&[f32; 4]>,
+        rule: &ClassRule,
+    ) -> Self {
+        let ([x_m, y_m], [vx_mps, vy_mps], footprint) =
+            (track.position_m, track.velocity_mps, &track.footprint);
+        Self {
+            id: track.id,
+            state: track.state,
+            age_frames: track.age_frames,
+            x_m,
+            y_m,
+            vx_mps,
+            vy_mps,
+            velocity_resolved: track.velocity_resolved,
+            lane: track.lane,
+            footprint: TrackBox {
+                x_m: footprint.centre_m[0],
+                y_m: footprint.centre_m[1],
+                length_m: footprint.length_m,
+                width_m: footprint.width_m,
+                yaw_deg: footprint.heading_rad.to_degrees(),
+            },
+            target: target.map(str::to_owned),
+            predicted_class: probabilities.map(|p| rule.told(p)),
+            probabilities: Probabilities::of(probabilities),
+        }
+    }
+}
