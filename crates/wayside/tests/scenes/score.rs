@@ -51,6 +51,6 @@ fn a_scene_of_fewer_frames_than_the_points_is_refused_by_name() {
     place.run("run shorter.toml --out shorter --quiet");
     let output = place.try_run("score out/frames.points --scene shorter/scene.scene");
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert_eq!(output.status.code(), Some(1), "{said}");
     assert!(said.contains("shorter/scene.scene: frame 1 of the points is not in it"), "{said}");
 }
