@@ -52,13 +52,13 @@ mod joins; // beams of both ends meet on a facet
 mod edges; // what edges add to physical optics
 mod table; // S at aspects, over frequency
 mod frame; // paths of a frame, or its table
-mod detail; // fewer paths for the same echo
-mod tracer; // the stage: all of the above for one scene
+mod detail; // fewer paths for the same echo; the stage that makes them of a scene's frames
 pub mod reference;
 
 pub use beams::beam::{Audit, Beam, BeamTree, OrderAudit, TraceSettings};
 pub use bodies::world::World;
 pub use detail::level::reduced;
+pub use detail::tracer::Tracer;
 pub use frame::expected_work::ExpectedWork;
 pub use frame::moments::MOMENTS_MAX;
 pub use frame::path::FrameSurroundings;
@@ -77,4 +77,3 @@ pub use table::far_field_error::{FarFieldError, Spread};
 pub use table::keeper::{Keeper, NothingKept, Piece};
 pub use table::rcs_request::{RcsRequest, Standpoint};
 pub use table::rcs_table::{Followed, RcsResult, RcsSeconds, Surroundings, rcs, rcs_within};
-pub use tracer::Tracer;

@@ -49,18 +49,19 @@ impl Tracer {
     /// Paths of one frame from the radar's position and back, referred to the frame's first sample, in all
     /// detail.
     ///
-    /// The world is frozen at the frame's middle; what is lit then is lit all through. Where that errs by more
-    /// than the accuracy asked for, the ways that change most are traced at several moments of the frame and
-    /// blended ([`artifact::paths::Span`]). Amplitudes are fitted over the sampled sweep. A point target is a
-    /// path of order 0 with +√σ in vv and hh; bodies do not hide it. Cells are as large as the accuracy asked
-    /// for lets them be, by measurement: paths are compared with the bodies traced and integrated anew at
-    /// another moment of the frame and from another element of the array, and that is the error that is
+    /// The world is frozen at the frame's middle; what is lit then is lit all through. Where that errs by
+    /// more than the accuracy asked for, the ways that change most are traced at several moments of the frame
+    /// and blended ([`artifact::paths::Span`]). Amplitudes are fitted over the sampled sweep. A point target
+    /// is a path of order 0 with +√σ in vv and hh; bodies do not hide it. Cells are as large as the accuracy
+    /// asked for lets them be, by measurement: paths are compared with the bodies traced and integrated anew
+    /// at another moment of the frame and from another element of the array, and that is the error that is
     /// returned: shadows move with both, and the paths of one tree do not follow ("freezing").
-    /// `error.tessellation` is the bound that a smooth surface was cut to; `None` where facets are the surface
-    /// itself.
+    /// `error.tessellation` is the bound that a smooth surface was cut to; `None` where facets are the
+    /// surface itself.
     ///
     /// # Errors
-    /// Bodies that do not fit into the memory that a frame may hold, and poses that are not those of the view.
+    /// Bodies that do not fit into the memory that a frame may hold, and poses that are not those of the
+    /// view.
     pub fn all_paths(
         &self,
         view: &SceneHeader,
@@ -73,9 +74,10 @@ impl Tracer {
     /// Far-field tables of one frame, one per target.
     ///
     /// The tree is traced at the frame's middle; over the milliradians of a frame the same facets stay lit.
-    /// Axes are so fine that linear interpolation meets the accuracy asked, up to 9 azimuths, 5 elevations and
-    /// 256 frequencies. Bodies neither hide one another nor is the wave spherical: `model_error.far_field`
-    /// compares each table's middle with the spherical wave. A point target has a table of one value, +√σ.
+    /// Axes are so fine that linear interpolation meets the accuracy asked, up to 9 azimuths, 5 elevations
+    /// and 256 frequencies. Bodies neither hide one another nor is the wave spherical:
+    /// `model_error.far_field` compares each table's middle with the spherical wave. A point target has a
+    /// table of one value, +√σ.
     ///
     /// # Errors
     /// Those of [`Self::all_paths`].
@@ -90,8 +92,8 @@ impl Tracer {
 
     /// The work of the beams and integrals of one moment of a frame.
     ///
-    /// A sample of beams is traced as [`crate::BeamTree::trace`] traces all, and each counts for those that it
-    /// stands for: of 256 facets a count errs by some 10 %.
+    /// A sample of beams is traced as [`crate::BeamTree::trace`] traces all, and each counts for those that
+    /// it stands for: of 256 facets a count errs by some 10 %.
     ///
     /// # Errors
     /// Those of [`Self::all_paths`].
