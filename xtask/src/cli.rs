@@ -36,6 +36,8 @@ pub(crate) enum Command {
     /// Counts of the source, crate by crate: files, code, arrows between files, circles of them, crowded
     /// folders.
     House,
+    /// Writes what is made of the keys of scenes: tables of docs/scenes.md, docs/scene.schema.json.
+    SceneKeys,
     /// Every check of the project, cheapest first.
     Ci(CiArguments),
 }
@@ -51,6 +53,7 @@ impl Command {
             Self::Bench(_) => "bench",
             Self::Bytes(_) => "bytes",
             Self::House => "house",
+            Self::SceneKeys => "scene-keys",
             Self::Ci(_) => "ci",
         }
     }
@@ -59,7 +62,9 @@ impl Command {
     pub(crate) fn results(&self) -> Results {
         match self {
             Self::Wayside(command) => command.results(),
-            Self::Chart(_) | Self::Atlas(_) | Self::Levels(_) | Self::Bytes(_) => Results::Files,
+            Self::Chart(_) | Self::Atlas(_) | Self::Levels(_) | Self::Bytes(_) | Self::SceneKeys => {
+                Results::Files
+            }
             Self::Bench(_) | Self::House | Self::Ci(_) => Results::Lines,
         }
     }

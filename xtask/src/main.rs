@@ -5,6 +5,7 @@ mod cli;
 mod project;
 mod house;
 mod bytes;
+mod scene_keys;
 mod study;
 mod bench;
 mod ci;
@@ -31,6 +32,7 @@ fn carry_out(command: Command, means: &Means) -> Result<(), Failure> {
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Bytes(arguments) => bytes::run(&arguments),
         Command::House => house::run(),
+        Command::SceneKeys => scene_keys::run(),
         Command::Ci(arguments) => ci::run(&arguments),
     }
 }

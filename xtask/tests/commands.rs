@@ -19,7 +19,7 @@ use std::time::Instant;
 #[test]
 fn help_is_given_for_every_command_of_developers_and_of_the_program() {
     let place = Workplace::new();
-    let commands = ["chart", "atlas", "levels", "bench", "ci", "run", "rcs", "export"];
+    let commands = ["chart", "atlas", "levels", "bench", "scene-keys", "ci", "run", "rcs", "export"];
     commands
         .iter()
         .for_each(|c| assert!(place.run(&format!("{c} --help")).contains("Usage: cargo xtask"), "{c}"));

@@ -38,25 +38,42 @@ pub fn golomb_rows() -> Elements {
     [0.0, 1.0, 4.0, 6.0].iter().flat_map(|up| [[0.0, *up], [1.0, *up]]).collect()
 }
 
-/// Transmit and receive elements of an array that has a name; `None` of an unknown one.
-///
-/// `1x1`, `1x4`, `3x4` (the paper's), `6x8` and `12x16`, the last with 192 virtual elements (physics.md §7).
-pub fn preset(name: &str) -> Option<[Elements; 2]> {
-    let found = PRESETS.iter().find(|(known, _)| *known == name);
-    found.map(|(_, elements)| elements())
+/// Array that has a name, transmit by receive elements (physics.md §7).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Preset {
+    /// One element at each end.
+    OneByOne,
+    /// One transmitter, a row of four receivers.
+    OneByFour,
+    /// Three transmitters by four receivers, a filled virtual row of twelve: the paper's.
+    ThreeByFour,
+    /// Six transmitters by two columns of four receivers, which tell elevation too.
+    SixByEight,
+    /// Twelve transmitters by sixteen receivers, a filled virtual row of 192.
+    TwelveBySixteen,
 }
 
-/// Name, and maker of transmit and receive elements.
-pub type Preset = (&'static str, fn() -> [Elements; 2]);
+impl Preset {
+    /// All arrays that have a name with it, from the smallest to the largest.
+    pub const ALL: [(&str, Self); 5] = [
+        ("1x1", Self::OneByOne),
+        ("1x4", Self::OneByFour),
+        ("3x4", Self::ThreeByFour),
+        ("6x8", Self::SixByEight),
+        ("12x16", Self::TwelveBySixteen),
+    ];
 
-/// All arrays that have a name, from the smallest to the largest.
-pub const PRESETS: [Preset; 5] = [
-    ("1x1", || [row(1, 1.0), row(1, 1.0)]),
-    ("1x4", || [row(1, 1.0), row(4, 1.0)]),
-    ("3x4", || [row(3, 4.0), row(4, 1.0)]),
-    ("6x8", || [row(6, 2.0), golomb_rows()]),
-    ("12x16", || [row(12, 16.0), row(16, 1.0)]),
-];
+    /// Transmit and receive elements.
+    pub fn elements(self) -> [Elements; 2] {
+        match self {
+            Self::OneByOne => [row(1, 1.0), row(1, 1.0)],
+            Self::OneByFour => [row(1, 1.0), row(4, 1.0)],
+            Self::ThreeByFour => [row(3, 4.0), row(4, 1.0)],
+            Self::SixByEight => [row(6, 2.0), golomb_rows()],
+            Self::TwelveBySixteen => [row(12, 16.0), row(16, 1.0)],
+        }
+    }
+}
 
 /// World positions of a row's elements, m: their mean, the row's phase centre, lies at the radar's position.
 pub fn world_positions_m(radar: &Radar, elements: &[[f64; 2]]) -> Vec<[f64; 3]> {
@@ -111,18 +128,17 @@ mod tests {
 
     #[test]
     fn the_virtual_rows_of_the_presets_are_filled_or_golomb() {
-        let virtual_places = |name: &str, axis: usize| -> Vec<i64> {
-            let [tx, rx] = preset(name).unwrap();
+        let virtual_places = |preset: Preset, axis: usize| -> Vec<i64> {
+            let [tx, rx] = preset.elements();
             let sums = tx.iter().flat_map(|t| rx.iter().map(move |r| (t[axis] + r[axis]) as i64));
             let mut places: Vec<i64> = sums.collect();
             places.sort_unstable();
             places.dedup();
             places
         };
-        assert_eq!(virtual_places("3x4", 0), (0..12).collect::<Vec<_>>());
-        assert_eq!(virtual_places("12x16", 0), (0..192).collect::<Vec<_>>());
-        assert_eq!(virtual_places("6x8", 0), (0..12).collect::<Vec<_>>());
-        assert_eq!(virtual_places("6x8", 1), [0, 1, 4, 6]);
-        assert!(preset("2x2").is_none());
+        assert_eq!(virtual_places(Preset::ThreeByFour, 0), (0..12).collect::<Vec<_>>());
+        assert_eq!(virtual_places(Preset::TwelveBySixteen, 0), (0..192).collect::<Vec<_>>());
+        assert_eq!(virtual_places(Preset::SixByEight, 0), (0..12).collect::<Vec<_>>());
+        assert_eq!(virtual_places(Preset::SixByEight, 1), [0, 1, 4, 6]);
     }
 }

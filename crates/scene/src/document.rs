@@ -1,11 +1,13 @@
 //! A scene file as tables that know their place: what it may say, what is wrong with it, and its values by
 //! type.
 
-pub(crate) mod keys;
+pub(crate) mod ranges;
+pub mod keys;
 pub(crate) mod synonyms;
 pub(crate) mod errors;
 pub(crate) mod faults;
 pub(crate) mod section;
+pub(crate) mod values;
+pub(crate) mod entries;
 pub(crate) mod text;
-pub(crate) mod ranges;
 pub(crate) mod ids;

@@ -61,7 +61,7 @@ pub use bodies::mesh::{MeshError, MeshOptions, centred, read_mesh};
 pub use bodies::painted::{Painted, PaintedLine, painted_glb};
 pub use bodies::{mesh, street, vehicles};
 pub use document::errors::{MapAxis, Place, Position, Rule, SceneError, SceneErrors};
-pub use document::keys::{TABLES, Table};
+pub use document::keys;
 pub use materials::read_materials;
 pub use measured::calibration::{CalibrationFileError, CalibrationRule};
 pub use measured::pattern_table::{PatternFileError, PatternRule};

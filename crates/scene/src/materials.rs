@@ -1,14 +1,19 @@
 //! `[materials]`, files of them, and `[road]`: names of materials, and what they stand for.
 
+use crate::document::entries::{layers, materials};
 use crate::document::errors::{Place, Rule, SceneErrors};
 use crate::document::faults::Faults;
-use crate::document::keys;
+use crate::document::keys::fidelity::{FIDELITY, MATERIALS, TRANSMISSION};
+use crate::document::keys::materials::{
+    BACKING, BACKSCATTER, COHERENT, GAMMA, Ground, LAYERS, MIRROR, Mirror, PERMITTIVITY, RMS_HEIGHT, ROAD,
+    ROAD_SUBSTANCE, SUBSTANCE, THICKNESS,
+};
+use crate::document::keys::scene::{MATERIAL_FILE, OF_MATERIALS};
 use crate::document::section::Section;
 use crate::document::text::{at_no_place, read_text};
 use crate::models::library::Models;
-use crate::wording::allowed::Allowed;
 use crate::wording::likeness::nearest;
-use artifact::material::{Backing, Layer, Material, MaterialMap, Road, Thickness, Transmission};
+use artifact::material::{Layer, Material, MaterialMap, Road, Thickness, Transmission};
 use artifact::permittivity::{SUBSTANCES, substance};
 use artifact::radar::{Polarization, Radar};
 use artifact::scene::Backscatter;
@@ -31,8 +36,8 @@ pub fn read_materials(path: &Path) -> Result<MaterialMap, SceneErrors> {
         let byte = error.span().map_or(text.len(), |span| span.start);
         faults.note(byte, Place::Scene, Rule::Syntax { message: error.message().to_owned() });
     }
-    let root = Section::root(document.get_ref(), &keys::MATERIAL_FILE, &faults);
-    root.require("materials");
+    let root = Section::root(document.get_ref(), &MATERIAL_FILE, &faults);
+    root.require(OF_MATERIALS.name);
     let by_name = by_name(&root);
     drop(root);
     faults.into_errors().map(|()| MaterialMap { by_name, transmission: Transmission::Ignored })
@@ -40,12 +45,12 @@ pub fn read_materials(path: &Path) -> Result<MaterialMap, SceneErrors> {
 
 /// What a scene says of materials: a table of its own or a file, and whether waves pass.
 pub(crate) fn read_scene_materials(root: &Section<'_>, models: &mut Models) -> MaterialMap {
-    let fidelity = root.section(&keys::FIDELITY);
-    let words = [("off", Transmission::Ignored), ("on", Transmission::Followed)];
-    let transmission = fidelity.word("transmission", &words).unwrap_or_default();
-    let by_name = match fidelity.text("materials") {
-        Some(_) if root.has("materials") => {
-            fidelity.note("materials", Rule::Contradiction { key: "materials", other: "[materials]" });
+    let fidelity = root.section(&FIDELITY);
+    let transmission = fidelity.or_default(&TRANSMISSION);
+    let by_name = match fidelity.read(&MATERIALS) {
+        Some(_) if root.has(OF_MATERIALS.name) => {
+            let key = MATERIALS.name;
+            fidelity.note(key, Rule::Contradiction { key, other: "[materials]" });
             vec![]
         }
         Some(written) => from_file(&fidelity, &models.file_beside(written)),
@@ -56,14 +61,13 @@ pub(crate) fn read_scene_materials(root: &Section<'_>, models: &mut Models) -> M
 
 fn from_file(fidelity: &Section<'_>, path: &Path) -> Vec<(String, Material)> {
     read_materials(path).map(|map| map.by_name).unwrap_or_else(|errors| {
-        fidelity.note("materials", Rule::Materials(errors));
+        fidelity.note(MATERIALS.name, Rule::Materials(errors));
         vec![]
     })
 }
 
 fn by_name(root: &Section<'_>) -> Vec<(String, Material)> {
-    let materials = root.materials();
-    materials
+    materials(root)
         .iter()
         .filter_map(|(name, section)| Some(((*name).to_owned(), read_material(section)?)))
         .collect()
@@ -75,7 +79,7 @@ pub(crate) fn read_road(
     radar: &Radar,
     echo: EchoMode,
 ) -> (Option<Road>, Option<Backscatter>) {
-    let section = root.section(&keys::ROAD);
+    let section = root.section(&ROAD);
     if !section.exists() {
         return (None, None);
     }
@@ -83,34 +87,34 @@ pub(crate) fn read_road(
 }
 
 fn read_mirror(section: &Section<'_>) -> Option<Road> {
-    if section.word("mirror", &[("on", true), ("off", false)]) == Some(false) {
-        for key in ["substance", "permittivity", "rms_height_mm"].into_iter().filter(|key| section.has(key)) {
+    if section.or_default(&MIRROR) == Mirror::Off {
+        let of_mirrors = [SUBSTANCE.name, PERMITTIVITY.name, RMS_HEIGHT.name];
+        for key in of_mirrors.into_iter().filter(|key| section.has(key)) {
             section.note(key, Rule::Misplaced { key, owner: "a road that is no mirror" });
         }
         return None;
     }
-    const ASPHALT: &str = "asphalt";
-    let named = section.has("substance") || section.has("permittivity");
-    let of_asphalt = || substance(ASPHALT).and_then(|asphalt| asphalt.permittivity);
+    let named = section.has(SUBSTANCE.name) || section.has(PERMITTIVITY.name);
+    let of_asphalt = || substance(ROAD_SUBSTANCE.absent.0).and_then(|asphalt| asphalt.permittivity);
     let permittivity = if named { read_permittivity(section)? } else { of_asphalt() };
     let material =
         permittivity.map_or(Material::Conductor, |permittivity| Material::HalfSpace { permittivity });
-    // 0.5 mm costs 0.1 to 0.9 dB at the grazing angles of 60 to 25 m (docs/physics.md §5).
-    let rms_height_mm = section.number("rms_height_mm", Allowed::Between(0.0, 100.0)).unwrap_or(0.5);
-    Some(Road { material, rms_height_m: 1e-3 * rms_height_mm })
+    Some(Road { material, rms_height_m: 1e-3 * section.or_default(&RMS_HEIGHT) })
 }
 
 fn read_backscatter(section: &Section<'_>, radar: &Radar, echo: EchoMode) -> Option<Backscatter> {
-    let is_floor = section.word("backscatter", &[("off", false), ("floor", true)]).unwrap_or(false);
-    let gamma_db = section.number("backscatter_gamma_db", Allowed::Between(-100.0, 30.0));
-    if !is_floor {
-        if section.has("backscatter_gamma_db") {
+    let ground = section.or_default(&BACKSCATTER);
+    let gamma_db = section.or_default(&GAMMA);
+    if ground == Ground::Off {
+        if section.has(GAMMA.name) {
             let companion = "backscatter = \"floor\"";
-            section.note("backscatter_gamma_db", Rule::Alone { key: "backscatter_gamma_db", companion });
+            section.note(GAMMA.name, Rule::Alone { key: GAMMA.name, companion });
         }
         return None;
     }
-    let refuse = |other| section.note("backscatter", Rule::Contradiction { key: "backscatter", other });
+    let refuse = |other| {
+        section.note(BACKSCATTER.name, Rule::Contradiction { key: BACKSCATTER.name, other });
+    };
     if echo == EchoMode::RcsTable {
         refuse("echo = \"rcs-table\"");
     }
@@ -120,20 +124,17 @@ fn read_backscatter(section: &Section<'_>, radar: &Radar, echo: EchoMode) -> Opt
     if radar.position_m[2] <= 0.0 {
         refuse("a radar that is not above the road");
     }
-    // What is usual for flat ground (docs/scenes.md).
-    Some(Backscatter { gamma: power_from_db(gamma_db.unwrap_or(-20.0)) })
+    Some(Backscatter { gamma: power_from_db(gamma_db) })
 }
 
 fn read_material(section: &Section<'_>) -> Option<Material> {
-    let layers = if section.has("layers") { stacked(section)? } else { single(section)? };
-    let backing =
-        section.word("backing", &[("air", Backing::Air), ("metal", Backing::Metal)]).unwrap_or(Backing::Air);
-    let coherent = section.truth("coherent").unwrap_or(true);
-    let thickness = if coherent { Thickness::Exact } else { Thickness::Averaged };
+    let layers = if section.has(LAYERS.name) { stacked(section)? } else { single(section)? };
+    let backing = section.or_default(&BACKING);
+    let thickness = if section.or_default(&COHERENT) { Thickness::Exact } else { Thickness::Averaged };
     match layers {
         Body::Filled(permittivity) => {
-            for key in ["backing", "coherent"].into_iter().filter(|key| section.has(key)) {
-                section.note(key, Rule::Alone { key, companion: "thickness_mm" });
+            for key in [BACKING.name, COHERENT.name].into_iter().filter(|key| section.has(key)) {
+                section.note(key, Rule::Alone { key, companion: THICKNESS.name });
             }
             Some(
                 permittivity.map_or(Material::Conductor, |permittivity| Material::HalfSpace { permittivity }),
@@ -151,44 +152,44 @@ enum Body {
 }
 
 fn stacked(section: &Section<'_>) -> Option<Body> {
-    let alone = ["substance", "permittivity", "thickness_mm"].into_iter().find(|key| section.has(key));
+    let alone = [SUBSTANCE.name, PERMITTIVITY.name, THICKNESS.name].into_iter().find(|key| section.has(key));
     if let Some(key) = alone {
-        section.note(key, Rule::Contradiction { key, other: "layers" });
+        section.note(key, Rule::Contradiction { key, other: LAYERS.name });
         return None;
     }
-    let layers: Option<Vec<Layer>> = section.layers()?.iter().map(read_layer).collect();
-    layers.map(Body::Layered)
+    let read: Option<Vec<Layer>> = layers(section)?.iter().map(read_layer).collect();
+    read.map(Body::Layered)
 }
 
 fn single(section: &Section<'_>) -> Option<Body> {
     let permittivity = read_permittivity(section)?;
-    if !section.has("thickness_mm") {
+    if !section.has(THICKNESS.name) {
         return Some(Body::Filled(permittivity));
     }
     let thickness_m = read_thickness_m(section)?;
     match permittivity {
         Some(permittivity) => Some(Body::Layered(vec![Layer { thickness_m, permittivity }])),
         None => {
-            section.note("thickness_mm", Rule::Misplaced { key: "thickness_mm", owner: "metal" });
+            section.note(THICKNESS.name, Rule::Misplaced { key: THICKNESS.name, owner: "metal" });
             None
         }
     }
 }
 
 fn read_layer(section: &Section<'_>) -> Option<Layer> {
-    section.require("thickness_mm");
+    section.require(THICKNESS.name);
     let (permittivity, thickness_m) = (read_permittivity(section)?, read_thickness_m(section)?);
     if permittivity.is_none() {
         section.note(
-            "substance",
-            Rule::Misplaced { key: "substance", owner: "a layer of metal: say backing = \"metal\"" },
+            SUBSTANCE.name,
+            Rule::Misplaced { key: SUBSTANCE.name, owner: "a layer of metal: say backing = \"metal\"" },
         );
     }
     Some(Layer { thickness_m, permittivity: permittivity? })
 }
 
 fn read_thickness_m(section: &Section<'_>) -> Option<f64> {
-    section.number("thickness_mm", Allowed::Above(0.0, 1e3)).map(|mm| 1e-3 * mm)
+    section.read(&THICKNESS).map(|mm| 1e-3 * mm)
 }
 
 /// By the table or by number: `Some(None)` is metal, `None` wrong and noted.
@@ -197,32 +198,32 @@ fn read_thickness_m(section: &Section<'_>) -> Option<f64> {
     reason = "the outer says whether something readable is there, the inner whether it is metal"
 )]
 fn read_permittivity(section: &Section<'_>) -> Option<Option<Complex64>> {
-    match (section.has("substance"), section.has("permittivity")) {
+    let (key, other) = (PERMITTIVITY.name, SUBSTANCE.name);
+    match (section.has(other), section.has(key)) {
         (true, true) => {
-            section.note("permittivity", Rule::Contradiction { key: "permittivity", other: "substance" });
+            section.note(key, Rule::Contradiction { key, other });
             None
         }
         (false, true) => {
-            let [real, loss] = section.vector("permittivity", Allowed::Between(0.0, 1e6))?;
-            // Below 1 there is plasma, which no vehicle wears.
-            if real < 1.0 {
-                let allowed = Allowed::Between(1.0, 1e6);
-                section.note("permittivity", Rule::OutOfRange { key: "permittivity", found: real, allowed });
+            let [real, loss] = section.read(&PERMITTIVITY)?;
+            let [allowed, _] = PERMITTIVITY.takes.each;
+            if !allowed.holds(real) {
+                section.note(key, Rule::OutOfRange { key, found: real, allowed });
                 return None;
             }
             Some(Some(Complex64::new(real, -loss)))
         }
         (true, false) => {
-            let found = section.text("substance")?;
+            let found = section.read(&SUBSTANCE)?;
             let known = substance(found);
             if known.is_none() {
                 let nearest = nearest(found, &SUBSTANCES.map(|s| s.name));
-                section.note("substance", Rule::UnknownSubstance { found: found.to_owned(), nearest });
+                section.note(SUBSTANCE.name, Rule::UnknownSubstance { found: found.to_owned(), nearest });
             }
             known.map(|known| known.permittivity)
         }
         (false, false) => {
-            section.require("substance");
+            section.require(SUBSTANCE.name);
             None
         }
     }

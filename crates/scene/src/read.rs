@@ -2,8 +2,8 @@
 
 use crate::document::errors::{Place, Rule, SceneErrors};
 use crate::document::faults::Faults;
-use crate::document::keys;
-use crate::document::ranges::SEEDS;
+use crate::document::keys::radar::RADAR;
+use crate::document::keys::scene::{SCENE, SEED};
 use crate::document::section::Section;
 use crate::document::text::{at_no_place, read_text};
 use crate::materials::{read_road, read_scene_materials};
@@ -60,7 +60,7 @@ fn read_with_models(path: &Path, options: &ReadOptions) -> Result<(SceneHeader, 
     let mut models = Models::new(folder, options);
     let asked = options.radar.as_deref();
     let document = radars::through(document.get_ref(), asked);
-    let root = Section::root(&document, &keys::SCENE, &faults);
+    let root = Section::root(&document, &SCENE, &faults);
     let name = read_name(&root, asked);
     let header = SceneHeader { name, ..read_header(&root, &mut models) };
     drop(root);
@@ -68,7 +68,7 @@ fn read_with_models(path: &Path, options: &ReadOptions) -> Result<(SceneHeader, 
 }
 
 fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
-    let radar_section = root.section(&keys::RADAR);
+    let radar_section = root.section(&RADAR);
     let radar = read_radar(&radar_section, models);
     let (frames, frame_interval_s) = read_frames(root, &radar);
     let (intersection, lanes) = read_intersection(root, &radar);
@@ -88,7 +88,7 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let (road, backscatter) = read_road(root, &radar, fidelity.echo);
     SceneHeader {
         name: String::new(),
-        seed: root.integer("seed", SEEDS).unwrap_or(1),
+        seed: root.or_default(&SEED),
         frames,
         frame_interval_s,
         noise: read_noise(root),

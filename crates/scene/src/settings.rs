@@ -1,41 +1,44 @@
 //! `[noise]`, `[dsp]`, `[fidelity]` and `[intersection]`.
 
 use crate::document::errors::{MapAxis, Rule};
-use crate::document::keys;
-use crate::document::ranges::COORDINATES_M;
+use crate::document::keys::fidelity::{
+    ACCURACY, BETWEEN_BODIES, BOUNCES, DETAIL, ECHO, EDGES, FIDELITY, MEASURED_EVERY, NODES, SIDES, SURFACE,
+};
+use crate::document::keys::key::{Key, Or};
+use crate::document::keys::kinds::Counts;
+use crate::document::keys::lanes::{
+    CROSSING_WIDTH, INTERSECTION, LANE_AZIMUTH, LANE_CENTRES, LANE_ORIGIN, LANE_WIDTH, RADAR_INTERSECTION,
+};
+use crate::document::keys::processing::{
+    ANGLE, ASSUMED_HEIGHT, CALIBRATION, CLUSTER_CROSS, CLUSTER_RANGE, CLUSTER_VELOCITY, DETECTOR,
+    DOPPLER_WINDOW, DSP, FALSE_ALARM_RATE, GUARD_CELLS, NOISE, NOISE_FIGURE, RANGE_WINDOW, REFINE, SNR,
+    STATIC, TEMPERATURE, TRAINING_CELLS,
+};
+use crate::document::keys::scene::OF_TRAFFIC;
 use crate::document::section::Section;
 use crate::measured::calibration::read_calibration;
 use crate::models::library::Models;
-use crate::wording::allowed::Allowed;
 use artifact::Accuracy;
-use artifact::paths::MAX_ORDER;
 use artifact::radar::{Radar, Sampling};
 use artifact::scene::Intersection;
-use artifact::settings::{
-    Angle, BetweenBodies, Detail, Detector, DspSettings, EchoMode, Edges, FALSE_ALARM_RATES, Fidelity, Lane,
-    Lanes, NodeRule, Noise, Refine, Sides, StaticEchoes, Surface, Window,
-};
+use artifact::settings::{DspSettings, Fidelity, Lane, Lanes, Noise, Refine};
 use num_complex::Complex64;
-
-/// Of Table 1.
-const LANE_WIDTH_M: f64 = 3.75;
 
 /// The receiver's noise; absent without `[noise]`.
 pub(crate) fn read_noise(root: &Section<'_>) -> Noise {
-    let section = root.section(&keys::NOISE);
+    let section = root.section(&NOISE);
     if !section.exists() {
         return Noise::Absent;
     }
-    let figure_db = section.number("noise_figure_db", Allowed::Between(0.0, 100.0));
-    let temperature_k = section.number("temperature_k", Allowed::Above(0.0, 1e6)).unwrap_or(290.0);
-    let snr_db = section.number("snr_db", Allowed::Between(-200.0, 200.0));
-    for key in ["noise_figure_db", "temperature_k"] {
-        if section.has("snr_db") && section.has(key) {
-            section.note(key, Rule::Contradiction { key, other: "snr_db" });
+    let (figure_db, snr_db) = (section.read(&NOISE_FIGURE), section.read(&SNR));
+    let temperature_k = section.or_default(&TEMPERATURE);
+    for key in [NOISE_FIGURE.name, TEMPERATURE.name] {
+        if section.has(SNR.name) && section.has(key) {
+            section.note(key, Rule::Contradiction { key, other: SNR.name });
         }
     }
-    if !section.has("snr_db") {
-        section.require("noise_figure_db");
+    if !section.has(SNR.name) {
+        section.require(NOISE_FIGURE.name);
     }
     match (figure_db, snr_db) {
         (Some(noise_figure_db), _) => Noise::Figure { noise_figure_db, temperature_k },
@@ -44,79 +47,60 @@ pub(crate) fn read_noise(root: &Section<'_>) -> Noise {
     }
 }
 
-const ALARM_RATES: Allowed = Allowed::Between(*FALSE_ALARM_RATES.start(), *FALSE_ALARM_RATES.end());
-
-const DETECTORS: [(&str, Detector); 4] = [
-    ("ca-cfar", Detector::CaCfar),
-    ("go-cfar", Detector::GoCfar),
-    ("so-cfar", Detector::SoCfar),
-    ("os-cfar", Detector::OsCfar),
-];
-
 /// Signal processing for a map of this waveform.
 pub(crate) fn read_dsp(root: &Section<'_>, radar: &Radar, road: Lanes, models: &mut Models) -> DspSettings {
-    let (section, waveform) = (root.section(&keys::DSP), &radar.waveform);
+    let (section, waveform) = (root.section(&DSP), &radar.waveform);
     let map = [waveform.chirps, waveform.range_cells() as u32];
-    if waveform.sampling == Sampling::Real && section.text("refine") == Some("on") {
-        section.note("refine", Rule::Contradiction { key: "refine", other: "sampling = \"real\"" });
+    let refine = section.or_default(&REFINE);
+    if waveform.sampling == Sampling::Real && refine == Refine::Isolated {
+        section.note(REFINE.name, Rule::Contradiction { key: REFINE.name, other: "sampling = \"real\"" });
     }
-    let guard_cells = read_cells(&section, "guard_cells").unwrap_or(fitting(map, [0, 0], [2, 2]));
-    // 13 × 21 cells less 5 × 5 of guard: 248 training cells, a CFAR loss of about 0.1 dB at 1e-5 (Richards
-    // 2014).
-    let training_cells = read_cells(&section, "training_cells").unwrap_or(fitting(map, guard_cells, [4, 8]));
+    let guard_cells = read_cells(&section, &GUARD_CELLS, map, [0, 0]);
+    let training_cells = read_cells(&section, &TRAINING_CELLS, map, guard_cells);
     check_window(&section, map, guard_cells, training_cells);
-    let distance = Allowed::Above(0.0, 1e3);
     DspSettings {
-        range_window: read_window(&section, "range_window"),
-        doppler_window: read_window(&section, "doppler_window"),
-        detector: section.word("detector", &DETECTORS).unwrap_or(Detector::CaCfar),
-        false_alarm_rate: section.number("false_alarm_rate", ALARM_RATES).unwrap_or(1e-5),
+        range_window: section.or_default(&RANGE_WINDOW),
+        doppler_window: section.or_default(&DOPPLER_WINDOW),
+        detector: section.or_default(&DETECTOR),
+        false_alarm_rate: section.or_default(&FALSE_ALARM_RATE),
         guard_cells,
         training_cells,
-        angle: section
-            .word("angle", &[("fft", Angle::Fft), ("max-likelihood", Angle::MaximumLikelihood)])
-            .unwrap_or(Angle::Fft),
-        refine: section
-            .word("refine", &[("off", Refine::Off), ("on", Refine::Isolated)])
-            .unwrap_or(Refine::Off),
+        angle: section.or_default(&ANGLE),
+        refine,
         calibration: read_factors(&section, radar, models).unwrap_or_default(),
-        static_echoes: section
-            .word(
-                "static",
-                &[StaticEchoes::Keep, StaticEchoes::Mark, StaticEchoes::Remove].map(|s| (s.name(), s)),
-            )
-            .unwrap_or(StaticEchoes::Keep),
-        assumed_height_m: section.number("assumed_height_m", Allowed::Between(-100.0, 100.0)).unwrap_or(0.75),
-        // Gaps between the glints of one long vehicle, against the gap that drivers keep (docs/scenes.md).
-        cluster_range_m: section.number("cluster_range_m", distance).unwrap_or(2.5),
-        cluster_velocity_mps: section.number("cluster_velocity_mps", distance).unwrap_or(1.0),
-        cluster_cross_m: section.number("cluster_cross_m", distance).unwrap_or(2.5),
+        static_echoes: section.or_default(&STATIC),
+        assumed_height_m: section.or_default(&ASSUMED_HEIGHT),
+        cluster_range_m: section.or_default(&CLUSTER_RANGE),
+        cluster_velocity_mps: section.or_default(&CLUSTER_VELOCITY),
+        cluster_cross_m: section.or_default(&CLUSTER_CROSS),
         road,
     }
 }
 
 fn read_factors(section: &Section<'_>, radar: &Radar, models: &mut Models) -> Option<Vec<Complex64>> {
-    let file = models.file_beside(section.text("calibration")?);
+    let file = models.file_beside(section.read(&CALIBRATION)?);
     let elements = [radar.array.tx_m.len(), radar.array.rx_m.len()];
     read_calibration(&file, elements)
-        .map_err(|error| section.note("calibration", Rule::Calibration(error)))
+        .map_err(|error| section.note(CALIBRATION.name, Rule::Calibration(error)))
         .ok()
 }
 
-/// [doppler, range].
-fn read_cells(section: &Section<'_>, key: &'static str) -> Option<[u32; 2]> {
-    section.counts(key, Allowed::Between(0.0, 65536.0)).map(|cells: [u64; 2]| cells.map(|count| count as u32))
-}
-
-/// The defaults as far as the map holds them beside `inner` cells on each side: a map of few chirps is no
-/// error.
-fn fitting(map: [u32; 2], inner: [u32; 2], wanted: [u32; 2]) -> [u32; 2] {
+/// [doppler, range]; defaults as far as the map holds them beside `inner` cells on each side: a map of few
+/// chirps is no error.
+fn read_cells(
+    section: &Section<'_>,
+    key: &Key<Counts<2>, Or<[u64; 2]>>,
+    map: [u32; 2],
+    inner: [u32; 2],
+) -> [u32; 2] {
     let room = |axis: usize| ((map[axis].saturating_sub(1)) / 2).saturating_sub(inner[axis]);
-    [wanted[0].min(room(0)), wanted[1].min(room(1))]
+    let [doppler, range] = key.absent.0.map(|count| count as u32);
+    let fitting = [doppler.min(room(0)), range.min(room(1))];
+    section.read(key).map_or(fitting, |cells| cells.map(|count| count as u32))
 }
 
 fn check_window(section: &Section<'_>, map: [u32; 2], guard: [u32; 2], training: [u32; 2]) {
-    let key = if section.has("training_cells") { "training_cells" } else { "guard_cells" };
+    let key = if section.has(TRAINING_CELLS.name) { TRAINING_CELLS.name } else { GUARD_CELLS.name };
     for (i, axis) in [MapAxis::Doppler, MapAxis::Range].into_iter().enumerate() {
         let needed = 2 * (u64::from(guard[i]) + u64::from(training[i])) + 1;
         let cells = u64::from(map[i]);
@@ -129,89 +113,45 @@ fn check_window(section: &Section<'_>, map: [u32; 2], guard: [u32; 2], training:
     }
 }
 
-fn read_window(section: &Section<'_>, key: &'static str) -> Window {
-    const NAMES: [&str; 5] = ["rect", "hann", "hamming", "blackman", "chebyshev-80"];
-    let Some(name) = section.text(key) else { return Window::Hann };
-    let window = match name {
-        "rect" => Some(Window::Rect),
-        "hann" => Some(Window::Hann),
-        "hamming" => Some(Window::Hamming),
-        "blackman" => Some(Window::Blackman),
-        other => chebyshev(other),
-    };
-    if window.is_none() {
-        section.unknown_word(key, name, NAMES.to_vec());
-    }
-    window.unwrap_or(Window::Hann)
-}
-
-/// `chebyshev-80`: sidelobes from 20 dB down, where the taper is hardly one, to 200 dB, where f64 ends.
-fn chebyshev(name: &str) -> Option<Window> {
-    let level_db: f64 = name.strip_prefix("chebyshev-")?.parse().ok()?;
-    (20.0..=200.0).contains(&level_db).then_some(Window::Chebyshev(level_db))
-}
-
 /// Accuracy and physics asked for.
 pub(crate) fn read_fidelity(root: &Section<'_>) -> Fidelity {
-    let section = root.section(&keys::FIDELITY);
-    let accuracy_db = section.number("accuracy_db", Allowed::Below(-120.0, 0.0)).unwrap_or(-20.0);
+    let section = root.section(&FIDELITY);
     Fidelity {
-        accuracy: Accuracy::from_db(accuracy_db),
-        bounces: section.integer("bounces", Allowed::Between(1.0, MAX_ORDER as f64)).unwrap_or(3) as u8,
-        edges: section
-            .word("edges", &[("off", Edges::Ignored), ("on", Edges::FirstOrder)])
-            .unwrap_or(Edges::Ignored),
-        surface: section
-            .word("surface", &[("flat", Surface::Flat), ("smooth", Surface::Smooth)])
-            .unwrap_or(Surface::Flat),
-        sides: section.word("sides", &[("two", Sides::Two), ("one", Sides::One)]).unwrap_or(Sides::Two),
-        nodes: section
-            .word(
-                "nodes",
-                &[("middle", NodeRule::Middle), ("exit", NodeRule::Exit), ("own-edge", NodeRule::OwnEdge)],
-            )
-            .unwrap_or(NodeRule::OwnEdge),
-        echo: section
-            .word("echo", &[("paths", EchoMode::Paths), ("rcs-table", EchoMode::RcsTable)])
-            .unwrap_or(EchoMode::Paths),
-        detail: section
-            .word(
-                "detail",
-                &[Detail::Auto, Detail::Paths, Detail::Merged, Detail::Centres, Detail::Statistical]
-                    .map(|d| (d.name(), d)),
-            )
-            .unwrap_or(Detail::Paths),
-        between_bodies: section
-            .word(
-                "between_bodies",
-                &[("traced", BetweenBodies::Traced), ("left-out", BetweenBodies::LeftOut)],
-            )
-            .unwrap_or_default(),
-        measured_every: section.integer("measured_every", Allowed::Between(1.0, 1e6)).unwrap_or(1) as u32,
+        accuracy: Accuracy::from_db(section.or_default(&ACCURACY)),
+        bounces: section.or_default(&BOUNCES) as u8,
+        edges: section.or_default(&EDGES),
+        surface: section.or_default(&SURFACE),
+        sides: section.or_default(&SIDES),
+        nodes: section.or_default(&NODES),
+        echo: section.or_default(&ECHO),
+        detail: section.or_default(&DETAIL),
+        between_bodies: section.or_default(&BETWEEN_BODIES),
+        measured_every: section.or_default(&MEASURED_EVERY) as u32,
     }
 }
 
 /// The crossing and its lanes: the paper's Table 1 where the scene says nothing, but none beside recorded
 /// traffic, which has a road of its own. Without lanes the road runs where the radar looks.
 pub(crate) fn read_intersection(root: &Section<'_>, radar: &Radar) -> (Intersection, Lanes) {
-    let section = root.section(&keys::INTERSECTION);
-    let is_table_1 = section.exists() || !root.has("traffic");
-    let lane = |(number, centre_m)| Lane { number, centre_m, width_m: LANE_WIDTH_M };
-    let lanes = if is_table_1 { [(1, 2.0), (2, 5.75), (3, 9.5)].map(lane).to_vec() } else { vec![] };
-    let default_m = if is_table_1 { 22.5 } else { 0.0 };
-    let width_m = section.number("crossing_width_m", Allowed::Between(0.0, 1e3)).unwrap_or(default_m);
+    let section = root.section(&INTERSECTION);
+    let is_table_1 = section.exists() || !root.has(OF_TRAFFIC.name);
+    let lane =
+        |(centre_m, number): (&f64, u8)| Lane { number, centre_m: *centre_m, width_m: LANE_WIDTH.absent.0 };
+    let lanes = if is_table_1 { LANE_CENTRES.absent.0.iter().zip(1..).map(lane).collect() } else { vec![] };
+    let default_m = if is_table_1 { CROSSING_WIDTH.absent.0 } else { 0.0 };
+    let width_m = section.read(&CROSSING_WIDTH).unwrap_or(default_m);
     (Intersection { width_m }, read_road(&section, radar, &Lanes { lanes, ..Lanes::default() }))
 }
 
 /// The lanes that one radar is to tell by, where they are others than the scene's.
 pub(crate) fn read_own_road(radar_section: &Section<'_>, radar: &Radar, scenes: &Lanes) -> Lanes {
-    read_road(&radar_section.section(&keys::RADAR_INTERSECTION), radar, scenes)
+    read_road(&radar_section.section(&RADAR_INTERSECTION), radar, scenes)
 }
 
 fn read_road(section: &Section<'_>, radar: &Radar, default: &Lanes) -> Lanes {
-    let width_m = section.number("lane_width_m", Allowed::Above(0.0, 100.0));
-    let width_m = width_m.unwrap_or(default.lanes.first().map_or(LANE_WIDTH_M, |lane| lane.width_m));
-    let centres = section.numbers("lane_centres_m", Allowed::Between(0.0, 32.0), Allowed::Between(-1e3, 1e3));
+    let width_m = section.read(&LANE_WIDTH);
+    let width_m = width_m.unwrap_or(default.lanes.first().map_or(LANE_WIDTH.absent.0, |lane| lane.width_m));
+    let centres = section.read(&LANE_CENTRES);
     let centres = centres.unwrap_or(default.lanes.iter().map(|lane| lane.centre_m).collect());
     if section.exists() {
         check_lanes(section, &centres, width_m);
@@ -223,9 +163,9 @@ fn read_road(section: &Section<'_>, radar: &Radar, default: &Lanes) -> Lanes {
         [] => ([x_m, y_m], radar.boresight_az_rad),
         _ => (default.origin_m, default.azimuth_rad),
     };
-    let azimuth_deg = section.number("lane_azimuth_deg", Allowed::Between(-360.0, 360.0));
+    let azimuth_deg = section.read(&LANE_AZIMUTH);
     Lanes {
-        origin_m: section.vector("lane_origin_m", COORDINATES_M).unwrap_or(origin_m),
+        origin_m: section.read(&LANE_ORIGIN).unwrap_or(origin_m),
         azimuth_rad: azimuth_deg.map_or(azimuth_rad, f64::to_radians),
         lanes,
         courses: vec![],
@@ -240,7 +180,7 @@ fn check_lanes(section: &Section<'_>, centres: &[f64], width_m: f64) {
             let distance_m = (x - y).abs();
             if distance_m < width_m - rounding_m {
                 section.note(
-                    "lane_centres_m",
+                    LANE_CENTRES.name,
                     Rule::LanesOverlap { first: i + 1, second: j + 1, distance_m, width_m },
                 );
             }

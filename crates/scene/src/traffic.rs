@@ -6,16 +6,19 @@
 
 pub use crate::recording::{fcd, interpolation, net};
 
+use crate::document::entries::{ModelChoice, model_choices};
 use crate::document::errors::Rule;
-use crate::document::keys;
-use crate::document::section::{ModelChoice, Section};
+use crate::document::keys::scene::{FRAMES, OF_INTERSECTION};
+use crate::document::keys::traffic::{
+    BEGIN, CLASS, END, FCD, NET, TRAFFIC, VIEW_HALF_ANGLE, VIEW_NEAREST, VIEW_RANGE,
+};
+use crate::document::section::Section;
 use crate::models::library::{Chosen, Models};
 use crate::recording::clock::{Clock, Times};
 use crate::recording::fcd::{FcdError, FcdReader, FcdRule, FcdVehicle, UnknownType};
 use crate::recording::in_view::View;
 use crate::recording::interpolation::Interval;
 use crate::recording::net::read_net;
-use crate::wording::allowed::Allowed;
 use artifact::radar::Radar;
 use artifact::scene::{Placed, Target, TargetKind, Traffic, Vehicle};
 use artifact::seed;
@@ -75,51 +78,46 @@ pub(crate) fn read_traffic<'d>(
     interval_s: f64,
     models: &mut Models,
 ) -> Option<Recording<'d>> {
-    let section = root.section(&keys::TRAFFIC);
+    let section = root.section(&TRAFFIC);
     if !section.exists() {
         return None;
     }
-    section.require("fcd");
+    section.require(FCD.name);
     let times = read_times(root, &section, interval_s);
     let view = read_view(&section, radar);
     let of_types =
-        section.model_choices().iter().map(|c| (c.kind.to_owned(), models_of_type(c, models))).collect();
-    let file = models.file_beside(section.text("fcd")?);
+        model_choices(&section).iter().map(|c| (c.kind.to_owned(), models_of_type(c, models))).collect();
+    let file = models.file_beside(section.read(&FCD)?);
     Some(Recording { section, file, models: of_types, unknown: vec![], times, view })
 }
 
 /// By default the range up to which a complex beat frequency does not fold, and the half plane before the
 /// array.
 fn read_view(section: &Section<'_>, radar: &Radar) -> View {
-    let range_m = section.number("view_range_m", Allowed::Above(0.0, 1e5));
-    let nearest_m = section.number("view_nearest_m", Allowed::Between(0.0, 1e5)).unwrap_or(0.0);
-    let half_angle_deg = section.number("view_half_angle_deg", Allowed::Above(0.0, 180.0)).unwrap_or(90.0);
     let (sin, cos) = radar.boresight_az_rad.sin_cos();
     View {
         foot_m: DVec2::new(radar.position_m[0], radar.position_m[1]),
         boresight: DVec2::new(sin, cos),
-        nearest_m,
-        range_m: range_m.unwrap_or(radar.waveform.range_max_m()),
-        half_angle_rad: half_angle_deg.to_radians(),
+        nearest_m: section.or_default(&VIEW_NEAREST),
+        range_m: section.read(&VIEW_RANGE).unwrap_or(radar.waveform.range_max_m()),
+        half_angle_rad: section.or_default(&VIEW_HALF_ANGLE).to_radians(),
     }
 }
 
 fn read_times(root: &Section<'_>, section: &Section<'_>, interval_s: f64) -> Times {
-    let seconds = Allowed::Between(-1e9, 1e9);
-    let (begin_s, end_s) = (section.number("begin_s", seconds), section.number("end_s", seconds));
+    let (begin_s, end_s) = (section.read(&BEGIN), section.read(&END));
     if let (Some(begin_s), Some(end_s)) = (begin_s, end_s)
         && end_s < begin_s
     {
-        section.note("end_s", Rule::EndsBeforeItBegins { begin_s, end_s });
+        section.note(END.name, Rule::EndsBeforeItBegins { begin_s, end_s });
     }
-    let frames =
-        root.has("frames").then(|| root.integer("frames", Allowed::Between(1.0, 1e6)).unwrap_or(1) as u32);
+    let frames = root.has(FRAMES.name).then(|| root.or_default(&FRAMES) as u32);
     Times { frames, interval_s, begin_s, end_s }
 }
 
 /// The models that vehicles of a vType may have.
 fn models_of_type(choice: &ModelChoice<'_>, models: &mut Models) -> Vec<Model> {
-    let class = choice.section.word("class", &Class::ALL.map(|class| (class.name(), class)));
+    let class = choice.section.read(&CLASS);
     let chosen = choice.names.iter().filter_map(|name| models.choose_written(&choice.section, name));
     let chosen: Vec<Chosen> = chosen.collect();
     chosen.into_iter().map(|chosen| Model::of(chosen, class, models)).collect()
@@ -141,13 +139,13 @@ impl Recording<'_> {
     /// Lanes of the network that `net` names; what is wrong with it is noted. `roads`: tables that may say
     /// lanes themselves.
     pub(crate) fn lanes(&self, roads: [&Section<'_>; 2], models: &mut Models) -> Vec<Course> {
-        let Some(written) = self.section.text("net") else { return vec![] };
+        let Some(written) = self.section.read(&NET) else { return vec![] };
         let file = models.file_beside(written);
-        if roads.iter().any(|table| table.has("intersection")) {
-            self.section.note("net", Rule::Contradiction { key: "net", other: "[intersection]" });
+        if roads.iter().any(|table| table.has(OF_INTERSECTION.name)) {
+            self.section.note(NET.name, Rule::Contradiction { key: NET.name, other: "[intersection]" });
         }
         read_net(&file, &self.view).unwrap_or_else(|error| {
-            self.section.note("net", Rule::Net(error));
+            self.section.note(NET.name, Rule::Net(error));
             vec![]
         })
     }
@@ -155,7 +153,7 @@ impl Recording<'_> {
     /// Frames of the recording with what is in view in each; what is wrong with it is noted.
     pub(crate) fn frames(mut self, models: &mut Models, targets: &[Target]) -> Traffic {
         self.read(models, targets).unwrap_or_else(|error| {
-            self.section.note("fcd", Rule::Traffic(error));
+            self.section.note(FCD.name, Rule::Traffic(error));
             Traffic::default()
         })
     }

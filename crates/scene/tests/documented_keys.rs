@@ -1,45 +1,53 @@
-//! `docs/scenes.md` and the reader know the same keys.
+//! `docs/scenes.md` and `docs/scene.schema.json` are what the keys of scenes say; vehicles, street furniture
+//! and substances stand in their pages.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 
-use std::collections::BTreeSet;
+use std::path::Path;
 
-const PAGE: &str = include_str!("../../../docs/scenes.md");
-
-/// Keys of a section: what stands between backticks in the first column of tables headed `key`.
-fn documented_keys(heading: &str) -> BTreeSet<String> {
-    let section = PAGE.split("\n## ").find(|section| section.lines().next() == Some(heading));
-    let lines = section.unwrap_or_else(|| panic!("no section `{heading}`")).lines();
-    let table = lines
-        .skip_while(|line| !line.starts_with("| key |"))
-        .skip(2)
-        .take_while(|line| line.starts_with('|'));
-    let first_columns = table.filter_map(|line| line.split('|').nth(1));
-    first_columns.flat_map(|column| column.split('`').skip(1).step_by(2).map(str::to_owned)).collect()
+/// A file of the project's pages; `None`, and that is said, where they are not there.
+fn page(name: &str) -> Option<String> {
+    let page = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs").join(name));
+    if page.is_err() {
+        println!("left out: docs/{name} is not there");
+    }
+    page.ok()
 }
 
 #[test]
-fn every_key_of_a_scene_is_documented_and_every_documented_key_is_known() {
-    for table in scene::TABLES {
-        let heading = if table.name.is_empty() { "The beginning of the file" } else { table.heading };
-        let known: BTreeSet<String> = table.keys.iter().map(|key| (*key).to_owned()).collect();
-        assert_eq!(documented_keys(heading), known, "{heading}");
+fn the_page_has_the_table_of_every_key() {
+    let Some(page) = page("scenes.md") else { return };
+    for table in scene::keys::TABLES {
+        assert!(page.contains(&scene::keys::mark(table)), "{}", scene::keys::mark(table));
     }
+    let renewed = scene::keys::with_tables(&page);
+    for (written, made) in page.lines().zip(renewed.lines()) {
+        assert_eq!(written, made, "`cargo xtask scene-keys` makes it anew");
+    }
+    assert_eq!(page, renewed);
+}
+
+#[test]
+fn the_schema_is_that_of_the_keys() {
+    let Some(page) = page("scene.schema.json") else { return };
+    let written: serde_json::Value = serde_json::from_str(&page).unwrap();
+    assert!(written == scene::keys::json_schema(), "`cargo xtask scene-keys` makes it anew");
 }
 
 #[test]
 fn every_vehicle_and_piece_of_street_furniture_is_documented() {
+    let Some(page) = page("scenes.md") else { return };
     for name in scene::vehicles::names().iter().chain(&scene::street::NAMES) {
-        assert!(PAGE.contains(&format!("`{name}`")), "{name}");
+        assert!(page.contains(&format!("`{name}`")), "{name}");
     }
 }
 
 #[test]
 fn every_substance_is_documented_with_its_permittivity() {
-    const MATERIALS: &str = include_str!("../../../docs/materials.md");
+    let Some(page) = page("materials.md") else { return };
     for s in artifact::permittivity::SUBSTANCES {
         let value = s.permittivity.map_or("conductor".into(), |e| format!("{:?} − {}j", e.re, -e.im));
         let row = format!("| `{}` | {value} | ", s.name);
-        assert!(MATERIALS.contains(&row), "{row}");
+        assert!(page.contains(&row), "{row}");
     }
 }

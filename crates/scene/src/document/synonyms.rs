@@ -1,7 +1,7 @@
 //! Keys as other programs and data sheets call them: too unlike ours for the likeness of letters to find
 //! them.
 
-use crate::document::keys::Table;
+use crate::document::keys::key::Table;
 
 /// What is typed, and what is meant by it, the likelier first where several tables know it.
 const SYNONYMS: [(&str, &[&str]); 84] = [
@@ -93,7 +93,7 @@ const SYNONYMS: [(&str, &[&str]); 84] = [
 
 /// The key of `table` that is meant by a word of another program.
 pub(crate) fn meant(found: &str, table: &Table) -> Option<&'static str> {
-    candidates(found).find(|key| table.keys.contains(key))
+    candidates(found).find(|key| table.has(key))
 }
 
 /// What is meant by a word of another program, in whichever table it is.
@@ -118,7 +118,7 @@ mod tests {
         let words: BTreeSet<&str> = SYNONYMS.iter().map(|(word, _)| *word).collect();
         assert_eq!(words.len(), SYNONYMS.len());
         for key in SYNONYMS.iter().flat_map(|(_, keys)| *keys) {
-            assert!(TABLES.iter().any(|table| table.keys.contains(key)), "{key}");
+            assert!(TABLES.iter().any(|table| table.has(key)), "{key}");
         }
     }
 }

@@ -4,7 +4,7 @@
 use crate::bodies::mesh::{self, MeshOptions, centred, read_mesh};
 use crate::bodies::{street, vehicles};
 use crate::document::errors::Rule;
-use crate::document::ranges::SEEDS;
+use crate::document::keys::bodies::{DIAMETER, HEIGHT, LENGTH, MODEL, UNIT_SCALE, VEHICLE_SEED};
 use crate::document::section::Section;
 use crate::models::options::{Meshes, ReadOptions};
 use crate::models::street_piece::read_size;
@@ -80,9 +80,9 @@ impl Models {
     /// The model of a mesh target; what is wrong with it is noted at its key.
     pub(crate) fn choose(&mut self, target: &Section<'_>) -> Option<Chosen> {
         if self.options.model.is_none() {
-            target.require("model");
+            target.require(MODEL.name);
         }
-        let written = target.text("model");
+        let written = target.read(&MODEL);
         self.choose_written(target, written.or(self.options.model.is_some().then_some(""))?)
     }
 
@@ -108,15 +108,15 @@ impl Models {
 
     /// A mesh file; sizes are its own.
     fn named_clutter(&self, clutter: &Section<'_>, written: &str) -> Option<Model> {
-        for key in ["length_m", "height_m", "diameter_m"].into_iter().filter(|key| clutter.has(key)) {
+        for key in [LENGTH.name, HEIGHT.name, DIAMETER.name].into_iter().filter(|key| clutter.has(key)) {
             clutter.note(key, Rule::Misplaced { key, owner: "a mesh file" });
         }
         if mesh::Format::of(Path::new(written)).is_none() {
             let (found, nearest) = (written.to_owned(), nearest(written, &street::NAMES));
-            clutter.note("model", Rule::UnknownModel { found, own: "street furniture", nearest });
+            clutter.note(MODEL.name, Rule::UnknownModel { found, own: "street furniture", nearest });
             return None;
         }
-        let unit_scale = clutter.number("unit_scale", mesh::UNIT_SCALES);
+        let unit_scale = clutter.read(&UNIT_SCALE);
         Some(Model::File { path: self.folder.join(written), unit_scale })
     }
 
@@ -164,8 +164,8 @@ impl Models {
 
     /// The model that the options or else the target names, its scale and seed with it.
     fn named(&self, target: &Section<'_>, written: &str) -> Option<Model> {
-        let unit_scale = target.number("unit_scale", mesh::UNIT_SCALES);
-        let seed = target.integer("vehicle_seed", SEEDS);
+        let unit_scale = target.read(&UNIT_SCALE);
+        let seed = target.read(&VEHICLE_SEED);
         if let Some(path) = &self.options.model {
             return replacing(target, path);
         }
@@ -181,7 +181,7 @@ impl Models {
         let room = TRIANGLE_LIMIT.saturating_sub(self.triangles);
         self.triangles += mesh.triangles.len();
         if mesh.triangles.len() > room {
-            target.note("model", Rule::TooManyTriangles { limit: TRIANGLE_LIMIT });
+            target.note(MODEL.name, Rule::TooManyTriangles { limit: TRIANGLE_LIMIT });
         }
         self.known.push(model);
         self.meshes.push(mesh);
@@ -210,22 +210,22 @@ fn named_model(
     match (name, mesh::Format::of(Path::new(written))) {
         (Some(name), _) => {
             if unit_scale.is_some() {
-                target.note(
-                    "unit_scale",
-                    Rule::Misplaced { key: "unit_scale", owner: "one of the project's vehicles" },
-                );
+                let (key, owner) = (UNIT_SCALE.name, "one of the project's vehicles");
+                target.note(key, Rule::Misplaced { key, owner });
             }
-            Some(Model::Vehicle { name, seed: seed.unwrap_or(0) })
+            Some(Model::Vehicle { name, seed: seed.unwrap_or(VEHICLE_SEED.absent.0) })
         }
         (None, Some(_)) => {
             if seed.is_some() {
-                target.note("vehicle_seed", Rule::Misplaced { key: "vehicle_seed", owner: "a mesh file" });
+                let (key, owner) = (VEHICLE_SEED.name, "a mesh file");
+                target.note(key, Rule::Misplaced { key, owner });
             }
             Some(Model::File { path: folder.join(written), unit_scale })
         }
         (None, None) => {
             let nearest = nearest(written, &vehicles::names());
-            target.note("model", Rule::UnknownModel { found: written.to_owned(), own: "vehicles", nearest });
+            target
+                .note(MODEL.name, Rule::UnknownModel { found: written.to_owned(), own: "vehicles", nearest });
             None
         }
     }
@@ -244,6 +244,6 @@ fn load(target: &Section<'_>, model: &Model) -> Mesh {
             read_mesh(path, &MeshOptions { unit_scale: *unit_scale }).map_err(Rule::Mesh)
         }
     };
-    let mesh = mesh.map_err(|rule| target.note("model", rule));
+    let mesh = mesh.map_err(|rule| target.note(MODEL.name, rule));
     centred(mesh.unwrap_or_default())
 }

@@ -3,7 +3,8 @@
 
 use crate::document::errors::{Rule, SceneErrors};
 use crate::document::ids::read_ids;
-use crate::document::keys;
+use crate::document::keys::radar::{ID, RADARS};
+use crate::document::keys::scene::{NAME, OF_RADAR, OF_RADARS};
 use crate::document::section::Section;
 use crate::document::text::{at_no_place, read_text};
 use std::borrow::Cow;
@@ -29,10 +30,10 @@ pub(crate) fn through<'a, 'd>(document: &'a DeTable<'d>, id: Option<&str>) -> Co
         return Cow::Borrowed(document);
     };
     let mut own = entry.clone();
-    own.remove("id");
+    own.remove(ID.name);
     let mut merged = document.clone();
     let none_yet = || Spanned::new(value.span(), DeValue::Table(DeTable::new()));
-    let radar = merged.entry(Spanned::new(value.span(), "radar".into())).or_insert_with(none_yet);
+    let radar = merged.entry(Spanned::new(value.span(), OF_RADAR.name.into())).or_insert_with(none_yet);
     if let DeValue::Table(radar) = radar.get_mut() {
         merge(radar, own);
     }
@@ -42,14 +43,14 @@ pub(crate) fn through<'a, 'd>(document: &'a DeTable<'d>, id: Option<&str>) -> Co
 /// The scene's name, followed by that of the radar that was asked for. Noted are radars without a name or
 /// with another's, one that is missing, and that none was asked for where there are several.
 pub(crate) fn read_name(root: &Section<'_>, asked: Option<&str>) -> String {
-    root.require("name");
-    let name = root.name("name").unwrap_or_default();
-    let sections = root.sections(&keys::RADARS);
+    root.require(NAME.name);
+    let name = root.read(&NAME).unwrap_or_default();
+    let sections = root.sections(&RADARS);
     let known: Vec<String> = read_ids(&sections).into_iter().flatten().map(str::to_owned).collect();
     match asked {
-        None if !sections.is_empty() => root.note("radars", Rule::WhichRadar { known }),
+        None if !sections.is_empty() => root.note(OF_RADARS.name, Rule::WhichRadar { known }),
         Some(asked) if !known.iter().any(|id| id == asked) => {
-            root.note("radars", Rule::UnknownRadar { found: asked.to_owned(), known });
+            root.note(OF_RADARS.name, Rule::UnknownRadar { found: asked.to_owned(), known });
         }
         _ => {}
     }
@@ -59,12 +60,12 @@ pub(crate) fn read_name(root: &Section<'_>, asked: Option<&str>) -> String {
 fn entries<'a, 'd>(
     document: &'a DeTable<'d>,
 ) -> impl Iterator<Item = (&'a Spanned<DeValue<'d>>, &'a DeTable<'d>)> {
-    let array = document.get("radars").and_then(|value| value.get_ref().as_array());
+    let array = document.get(OF_RADARS.name).and_then(|value| value.get_ref().as_array());
     array.into_iter().flatten().filter_map(|value| Some((value, value.get_ref().as_table()?)))
 }
 
 fn id_of<'a>(entry: &'a DeTable<'_>) -> Option<&'a str> {
-    entry.get("id")?.get_ref().as_str()
+    entry.get(ID.name)?.get_ref().as_str()
 }
 
 /// Tables are merged, everything else is replaced.

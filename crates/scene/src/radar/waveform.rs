@@ -1,6 +1,9 @@
 //! `[radar.waveform]`: the chirps, and when they are sent.
 
 use crate::document::errors::Rule;
+use crate::document::keys::waveform::{
+    CHIRPS, IDLE, SAMPLE_RATE, SAMPLES, SLOPE, STAGGER, START_FREQUENCY, SUB_FRAME_IDLE,
+};
 use crate::document::section::Section;
 use crate::wording::allowed::Allowed;
 use artifact::radar::{Sampling, Schedule, Waveform};
@@ -10,22 +13,21 @@ const SWEEP_ENDS_GHZ: Allowed = Allowed::Between(0.1, 2000.0);
 
 /// The chirps of a frame, and when each begins.
 pub(crate) fn read_waveform(section: &Section<'_>, sampling: Sampling) -> (Waveform, Schedule) {
-    let start_ghz = section.number("start_frequency_ghz", Allowed::Between(0.1, 1000.0)).unwrap_or(77.0);
-    let slope_mhz_per_us = section.number("slope_mhz_per_us", Allowed::Between(-1e4, 1e4)).unwrap_or(12.5);
-    let sample_rate_msps = section.number("sample_rate_msps", Allowed::Between(1e-3, 1e5)).unwrap_or(5.12);
-    let idle_us = section.number("idle_us", Allowed::Between(0.0, 1e6)).unwrap_or(10.0);
-    // Fewer than 8 samples leave no range cells for guard and training; 2^16 are beyond any radar's chirp.
-    let samples = section.integer("samples", Allowed::Between(8.0, 65536.0)).unwrap_or(256) as u32;
-    let chirps = section.integer("chirps", Allowed::Between(1.0, 65536.0)).unwrap_or(128) as u32;
+    let start_ghz = section.or_default(&START_FREQUENCY);
+    let slope_mhz_per_us = section.or_default(&SLOPE);
+    let sample_rate_msps = section.or_default(&SAMPLE_RATE);
+    let idle_us = section.or_default(&IDLE);
+    let samples = section.or_default(&SAMPLES) as u32;
+    let chirps = section.or_default(&CHIRPS) as u32;
     if slope_mhz_per_us == 0.0 {
-        section.note("slope_mhz_per_us", Rule::NoSlope);
+        section.note(SLOPE.name, Rule::NoSlope);
     }
     let (stagger_s, later_us) = read_stagger(section);
     let interval_s = |idle_us: f64| (f64::from(samples) / sample_rate_msps + idle_us + later_us) / 1e6;
     let sub_frame_intervals_s: Vec<f64> = read_sub_frames(section).into_iter().map(interval_s).collect();
     let end_ghz = start_ghz + 1e-3 * slope_mhz_per_us * f64::from(samples) / sample_rate_msps;
     if !SWEEP_ENDS_GHZ.holds(end_ghz) {
-        section.note("slope_mhz_per_us", Rule::SweepTooLong { end_ghz, allowed: SWEEP_ENDS_GHZ });
+        section.note(SLOPE.name, Rule::SweepTooLong { end_ghz, allowed: SWEEP_ENDS_GHZ });
     }
     let waveform = Waveform {
         start_frequency_hz: start_ghz * 1e9,
@@ -41,20 +43,17 @@ pub(crate) fn read_waveform(section: &Section<'_>, sampling: Sampling) -> (Wavef
 
 /// Idle time of each sub-frame, µs; empty where the frame has no parts.
 fn read_sub_frames(section: &Section<'_>) -> Vec<f64> {
-    // Two tell a velocity; more than eight no radar sends.
-    let idle_us =
-        section.numbers("sub_frame_idle_us", Allowed::Between(2.0, 8.0), Allowed::Between(0.0, 1e6));
-    if section.has("sub_frame_idle_us") && section.has("idle_us") {
-        section.note("sub_frame_idle_us", Rule::Contradiction { key: "sub_frame_idle_us", other: "idle_us" });
+    let key = SUB_FRAME_IDLE.name;
+    if section.has(key) && section.has(IDLE.name) {
+        section.note(key, Rule::Contradiction { key, other: IDLE.name });
     }
-    idle_us.unwrap_or_default()
+    section.read(&SUB_FRAME_IDLE).unwrap_or_default()
 }
 
 /// By how much each chirp of a turn starts later than at the mean interval, s, and by how much that is longer
 /// than without, µs.
 fn read_stagger(section: &Section<'_>) -> (Vec<f64>, f64) {
-    let longer_us = section.numbers("stagger_us", Allowed::Between(2.0, 64.0), Allowed::Between(0.0, 1e6));
-    let longer_us = longer_us.unwrap_or_default();
+    let longer_us = section.read(&STAGGER).unwrap_or_default();
     let mean_us = longer_us.iter().sum::<f64>() / longer_us.len().max(1) as f64;
     let mut later_us = 0.0;
     let stagger_s = longer_us.iter().map(|longer_us| {

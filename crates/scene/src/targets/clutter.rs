@@ -1,10 +1,9 @@
 //! `[[clutter]]`: what stands about in a street, of its own making or from a file. It scatters and hides as
 //! targets do, and stands still.
 
-use crate::document::ranges::COORDINATES_M;
+use crate::document::keys::bodies::{CLUTTER_MODEL, CLUTTER_POSITION, CLUTTER_YAW};
 use crate::document::section::Section;
 use crate::models::library::Models;
-use crate::wording::allowed::Allowed;
 use artifact::scene::{Pose, Role, Target, TargetKind};
 
 /// The scene's clutter; pieces that break a rule are noted and left out.
@@ -17,12 +16,11 @@ pub(crate) fn read_clutter(
 }
 
 fn read_piece(section: &Section<'_>, id: Option<&str>, models: &mut Models) -> Option<Target> {
-    section.require("model");
-    section.require("position_m");
-    let position_m = section.vector("position_m", COORDINATES_M);
-    // As targets that stand still: down the road.
-    let yaw_deg = section.number("yaw_deg", Allowed::Between(-360.0, 360.0)).unwrap_or(-90.0);
-    let chosen = models.choose_clutter(section, section.text("model")?)?;
+    section.require(CLUTTER_MODEL.name);
+    section.require(CLUTTER_POSITION.name);
+    let position_m = section.read(&CLUTTER_POSITION);
+    let yaw_deg = section.or_default(&CLUTTER_YAW);
+    let chosen = models.choose_clutter(section, section.read(&CLUTTER_MODEL)?)?;
     let start = Pose {
         position_m: position_m?,
         yaw_rad: yaw_deg.to_radians(),

@@ -141,7 +141,7 @@ fn write_packed(noise: &mut Noise, folder: &Path) {
 
 /// With names of keys, so that a scene breaks rules behind those of its syntax.
 fn write_scene(noise: &mut Noise, folder: &Path) {
-    let keys: Vec<&str> = scene::TABLES.iter().flat_map(|table| table.keys.iter().copied()).collect();
+    let keys: Vec<&str> = scene::keys::TABLES.iter().flat_map(scene::keys::Table::names).collect();
     let words: Vec<&str> = keys.into_iter().chain(sound::WORDS).collect();
     let whole = noise.pick(sound::SCENES);
     put(folder, "s.toml", &changed(noise, whole.as_bytes(), &words));

@@ -1,0 +1,83 @@
+//! Tables by names that the scene gives, and tables in lists.
+
+use crate::document::errors::Place;
+use crate::document::keys::materials::{LAYER, LAYERS, LAYERS_OF_ONE, MATERIAL};
+use crate::document::keys::scene::OF_MATERIALS;
+use crate::document::keys::traffic::{MODEL, MODEL_OF_TYPE, MODELS};
+use crate::document::section::{Section, Value};
+use crate::document::values::Reads;
+use toml::Spanned;
+use toml::de::{DeString, DeTable};
+
+/// Models that vehicles of one type may have.
+pub(crate) struct ModelChoice<'d> {
+    /// The recording's vType.
+    pub(crate) kind: &'d str,
+    /// At least one.
+    pub(crate) names: Vec<&'d str>,
+    /// What else is said of them.
+    pub(crate) section: Section<'d>,
+}
+
+/// The tables of a table whose keys are names of materials.
+pub(crate) fn materials<'d>(root: &Section<'d>) -> Vec<(&'d str, Section<'d>)> {
+    let Some(table) = named(root, OF_MATERIALS.name, "a table of materials") else { return vec![] };
+    let material = |(name, value): (&'d Spanned<DeString<'d>>, &'d Value<'d>)| {
+        let name: &'d str = name.get_ref().as_ref();
+        let section = root.below(&MATERIAL, Place::Material(name.to_owned()), value);
+        if !section.exists() {
+            section.wrong_type(
+                "material",
+                "a table such as { substance = \"glass\", thickness_mm = 5.0 }",
+                value,
+            );
+        }
+        section.exists().then_some((name, section))
+    };
+    table.iter().filter_map(material).collect()
+}
+
+/// What the `models` of recorded traffic say: for each type a name, a list of names, or a table with more.
+pub(crate) fn model_choices<'d>(traffic: &Section<'d>) -> Vec<ModelChoice<'d>> {
+    let Some(table) = named(traffic, MODELS.name, "a table such as { car = \"car-suv\" }") else {
+        return vec![];
+    };
+    let choice = |(kind, value): (&'d Spanned<DeString<'d>>, &'d Value<'d>)| {
+        model_choice(traffic, kind.get_ref().as_ref(), value)
+    };
+    table.iter().filter_map(choice).collect()
+}
+
+fn model_choice<'d>(traffic: &Section<'d>, kind: &'d str, value: &'d Value<'d>) -> Option<ModelChoice<'d>> {
+    let section = traffic.below(&MODEL_OF_TYPE, Place::Table(MODEL_OF_TYPE.name), value);
+    let names = if section.exists() {
+        section.require(MODEL.name);
+        section.read(&MODEL)?
+    } else {
+        MODEL.takes.from(&section, MODEL.name, value)?
+    };
+    Some(ModelChoice { kind, names, section })
+}
+
+/// The tables of a list of layers, in the same place as the material.
+pub(crate) fn layers<'d>(material: &Section<'d>) -> Option<Vec<Section<'d>>> {
+    let layer = |value: &'d Value<'d>| {
+        if value.get_ref().as_table().is_none() {
+            material.wrong_type(LAYERS.name, "a list of tables", value);
+            return None;
+        }
+        Some(material.below(&LAYER, material.place().clone(), value))
+    };
+    let layers = material.list(LAYERS.name, material.find(LAYERS.name)?, LAYERS_OF_ONE)?;
+    layers.iter().map(layer).collect()
+}
+
+/// The table of that name.
+fn named<'d>(section: &Section<'d>, name: &'static str, expected: &'static str) -> Option<&'d DeTable<'d>> {
+    let value = section.find(name)?;
+    let table = value.get_ref().as_table();
+    if table.is_none() {
+        section.wrong_type(name, expected, value);
+    }
+    table
+}

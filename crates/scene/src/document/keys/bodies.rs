@@ -1,0 +1,198 @@
+//! `[[target]]` and `[[clutter]]`.
+
+use crate::bodies::mesh::UNIT_SCALES;
+use crate::document::keys::key::{Key, Or, Table};
+use crate::document::keys::kinds::{Either, Name, Number, Text, Vector, Whole, Words};
+use crate::document::ranges::{COORDINATES_M, SEEDS, VELOCITIES_MPS};
+use crate::wording::allowed::Allowed::Between;
+use artifact::settings::Class;
+
+/// What a target is.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Body {
+    Mesh,
+    Point,
+}
+
+/// A lamp's column; from a cane to a gantry's leg.
+pub(crate) const POLE_HEIGHT: Key<Number, Or<f64>> =
+    Key::new("height_m", Number(Between(0.1, 100.0)), "of a pole").or(6.0);
+
+/// The plate's lower edge 2.25 m over a footway.
+pub(crate) const SIGN_HEIGHT: Key<Number, Or<f64>> =
+    Key::new("height_m", Number(Between(0.7, 20.0)), "of a sign").or(2.85);
+
+pub(crate) const TARGET: Table = Table {
+    name: "target",
+    heading: "[[target]]",
+    about: "A vehicle or a point, where it is and how it moves.",
+    keys: &[
+        &KIND,
+        &ID,
+        &POSITION,
+        &LANE,
+        &Y,
+        &VELOCITY,
+        &ACCELERATION,
+        &WHEEL_RADIUS,
+        &WHEEL_ANGLE,
+        &YAW,
+        &MODEL,
+        &CLASS,
+        &VEHICLE_SEED,
+        &UNIT_SCALE,
+        &RCS,
+    ],
+};
+
+pub(crate) const KIND: Key<Words<Body>> = Key::new(
+    "kind",
+    Words(|| vec![("mesh", Body::Mesh), ("point", Body::Point)]),
+    "a body, or a point that scatters alike in every direction",
+)
+.required();
+
+pub(crate) const ID: Key<Name> =
+    Key::new("id", Name, "names the target in results").required().allowed("as `name`; unique");
+
+/// Required without `lane` and `y_m`.
+pub(crate) const POSITION: Key<Vector<3>> = Key::new(
+    "position_m",
+    Vector(COORDINATES_M),
+    "m, world: of the point (a wavelength or more from the radar's elements), or of the body's origin, \
+     which is the centre of its bounding box, on the ground",
+)
+.absent("required");
+
+pub(crate) const LANE: Key<Whole> = Key::new(
+    "lane",
+    Whole(Between(1.0, 255.0)),
+    "with `y_m` instead of `position_m`: the middle of that lane, on the ground",
+)
+.allowed("a lane's number");
+
+pub(crate) const Y: Key<Number> = Key::new(
+    "y_m",
+    Number(COORDINATES_M),
+    "m along the lanes from their origin: world y where they run along it",
+);
+
+pub(crate) const VELOCITY: Key<Vector<3>, Or<[f64; 3]>> = Key::new(
+    "velocity_mps",
+    Vector(VELOCITIES_MPS),
+    "m/s, world; with `acceleration_mps2` that at the first sample",
+)
+.or([0.0; 3]);
+
+/// Ten times what brakes and falls.
+pub(crate) const ACCELERATION: Key<Vector<3>, Or<[f64; 3]>> = Key::new(
+    "acceleration_mps2",
+    Vector(Between(-100.0, 100.0)),
+    "m/s², world, constant from the first frame's first sample on, within frames too; yaw stays as it is",
+)
+.or([0.0; 3]);
+
+pub(crate) const WHEEL_RADIUS: Key<Number> = Key::new(
+    "wheel_radius_m",
+    Number(Between(0.01, 10.0)),
+    "point only: the point is on the rim of a wheel of this radius, whose hub is at `position_m` and \
+     which rolls along `yaw_deg` (left out: along the velocity) without slipping",
+);
+
+pub(crate) const WHEEL_ANGLE: Key<Number, Or<f64>> = Key::new(
+    "wheel_angle_deg",
+    Number(Between(-360.0, 360.0)),
+    "with `wheel_radius_m`: where on the rim at the first sample, from forward towards up",
+)
+.or(0.0);
+
+pub(crate) const YAW: Key<Number> = Key::new(
+    "yaw_deg",
+    Number(Between(-360.0, 360.0)),
+    "mesh, or point on a wheel: degrees of the body's x axis (forward) from world +x towards +y; left \
+     out: along the velocity, and -90 (down the lane, towards the radar) at rest",
+);
+
+pub(crate) const MODEL: Key<Text> = Key::new(
+    "model",
+    Text("a file or a vehicle's name"),
+    "a `.glb`, `.gltf`, `.stl` or `.obj` file, or one of the project's vehicles; `--model FILE` replaces \
+     it for one run",
+)
+.absent("required for a mesh");
+
+pub(crate) const CLASS: Key<Words<Class>> = Key::new(
+    "class",
+    Words(|| Class::ALL.map(|class| (class.name(), class)).to_vec()),
+    "mesh only: truth for the classifier; unknown for a file without it",
+)
+.absent("the vehicle's");
+
+pub(crate) const VEHICLE_SEED: Key<Whole, Or<u64>> = Key::new(
+    "vehicle_seed",
+    Whole(SEEDS),
+    "mesh only: which of the project's vehicles of that name: 0 has the nominal dimensions, every other \
+     seed its own within real ranges",
+)
+.or(0);
+
+pub(crate) const UNIT_SCALE: Key<Number> = Key::new(
+    "unit_scale",
+    Number(UNIT_SCALES),
+    "mesh file only: metres in one unit of the file; left out: metres, and a model below a millimetre or \
+     above a kilometre is refused",
+);
+
+/// Sixty dB beyond the largest ship; zero scatters nothing and is allowed.
+pub(crate) const RCS: Key<Number> =
+    Key::new("rcs_m2", Number(Between(0.0, 1e12)), "m²: the scattering amplitude is +√σ")
+        .absent("required for a point");
+
+pub(crate) const CLUTTER: Table = Table {
+    name: "clutter",
+    heading: "[[clutter]]",
+    about: "A piece of what stands about in a street.",
+    keys: &[
+        &CLUTTER_ID,
+        &CLUTTER_MODEL,
+        &CLUTTER_POSITION,
+        &CLUTTER_YAW,
+        &LENGTH,
+        &HEIGHT,
+        &DIAMETER,
+        &CLUTTER_UNIT_SCALE,
+    ],
+};
+
+pub(crate) const CLUTTER_ID: Key<Name> =
+    Key::new("id", Name, "names the piece in results").required().allowed("as a target's; unique among both");
+
+pub(crate) const CLUTTER_MODEL: Key<Text> =
+    Key::new("model", Text("a name below or a file"), "what it is; `--model` does not replace it").required();
+
+pub(crate) const CLUTTER_POSITION: Key<Vector<3>> = Key::new(
+    "position_m",
+    Vector(COORDINATES_M),
+    "m, world: of the centre of its bounding box, on the ground",
+)
+.required();
+
+pub(crate) const CLUTTER_YAW: Key<Number, Or<f64>> =
+    Key::new("yaw_deg", Number(Between(-360.0, 360.0)), "degrees of its x axis from world +x towards +y")
+        .or(-90.0);
+
+pub(crate) const LENGTH: Key<Number> =
+    Key::new("length_m", Number(Between(0.2, 1000.0)), "m along x: required for \"guard-rail\" and \"kerb\"");
+
+pub(crate) const HEIGHT: Key<Either> = Key::new(
+    "height_m",
+    Either([POLE_HEIGHT.takes, SIGN_HEIGHT.takes]),
+    "m: of a \"pole\"; of a \"sign\" up to its upper edge",
+)
+.absent("6.0, 2.85");
+
+pub(crate) const DIAMETER: Key<Number, Or<f64>> =
+    Key::new("diameter_m", Number(Between(0.01, 5.0)), "m: of a \"pole\"").or(0.1143);
+
+pub(crate) const CLUTTER_UNIT_SCALE: Key<Number> =
+    Key::new("unit_scale", UNIT_SCALE.takes, "of a file").allowed("as a target's");

@@ -1,0 +1,199 @@
+//! A key of a scene file: its name, what it takes, what stands for it where a scene leaves it out, and its
+//! sentence.
+
+use serde_json::Value;
+
+/// What a key takes, as the page and the schema tell it.
+pub(crate) trait Kind: Copy + 'static {
+    /// Whether it is a number or a list of them.
+    const NUMBERS: bool = false;
+    /// In the words of the page.
+    fn allowed(&self) -> String;
+    /// In those of JSON Schema.
+    fn schema(&self) -> Value;
+}
+
+/// A kind of which a value can stand for one that is left out.
+pub(crate) trait Plain: Kind {
+    /// As it is read.
+    type Value: Copy + 'static;
+    /// As JSON, which is TOML too.
+    fn json(&self, value: Self::Value) -> Value;
+    /// What is allowed in the words of the page; of several words the default comes first.
+    fn allowed_beside(&self, _default: Self::Value) -> String {
+        self.allowed()
+    }
+}
+
+/// A key. `A` is [`Absent`], or [`Or`] of a value that every reader takes where the key is left out.
+#[derive(Clone, Copy)]
+pub(crate) struct Key<K, A = Absent> {
+    /// As written, with its unit.
+    pub(crate) name: &'static str,
+    /// Type and range.
+    pub(crate) takes: K,
+    /// Where it is left out.
+    pub(crate) absent: A,
+    /// What the page says in place of the kind's own words, which stand for `{}` in it.
+    allowed: &'static str,
+    meaning: &'static str,
+}
+
+/// What it means that a key is left out.
+#[derive(Clone, Copy)]
+pub(crate) enum Absent {
+    /// An error.
+    Required,
+    /// Nothing; the page has a dash.
+    Nothing,
+    /// What the page says: it depends on other keys.
+    Said(&'static str),
+}
+
+/// The value of a key that is left out.
+#[derive(Clone, Copy)]
+pub(crate) struct Or<V>(pub(crate) V);
+
+impl<K: Copy> Key<K> {
+    /// A key that may be left out; a sentence as in the page's last column.
+    pub(crate) const fn new(name: &'static str, takes: K, meaning: &'static str) -> Self {
+        Self { name, takes, absent: Absent::Nothing, allowed: "{}", meaning }
+    }
+
+    /// One without which nothing can be said.
+    pub(crate) const fn required(self) -> Self {
+        Self { absent: Absent::Required, ..self }
+    }
+
+    /// One whose value, where it is left out, depends on others.
+    pub(crate) const fn absent(self, said: &'static str) -> Self {
+        Self { absent: Absent::Said(said), ..self }
+    }
+
+    /// One with a value where it is left out.
+    pub(crate) const fn or<V: Copy>(self, value: V) -> Key<K, Or<V>> {
+        let Self { name, takes, allowed, meaning, .. } = self;
+        Key { name, takes, absent: Or(value), allowed, meaning }
+    }
+}
+
+impl<K: Copy, A: Copy> Key<K, A> {
+    /// With more to say of what is allowed than its kind says, which stands for `{}`.
+    pub(crate) const fn allowed(self, allowed: &'static str) -> Self {
+        Self { allowed, ..self }
+    }
+}
+
+/// A key of any kind, as a table lists it.
+pub(crate) trait Entry {
+    /// As written.
+    fn name(&self) -> &'static str;
+    /// Whether a table without it is refused.
+    fn is_required(&self) -> bool;
+    /// Whether it takes a number or a list of them.
+    fn holds_numbers(&self) -> bool;
+    /// Default, allowed and meaning, as in the page's row.
+    fn cells(&self) -> [String; 3];
+    /// The schema of its values, without sentence and default.
+    fn values(&self) -> Value;
+    /// Its value where it is left out, if that is always the same.
+    fn default(&self) -> Option<Value>;
+}
+
+impl<K: Kind> Entry for Key<K> {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn is_required(&self) -> bool {
+        matches!(self.absent, Absent::Required)
+    }
+
+    fn holds_numbers(&self) -> bool {
+        K::NUMBERS
+    }
+
+    fn cells(&self) -> [String; 3] {
+        let absent = match self.absent {
+            Absent::Required => "required",
+            Absent::Nothing => "–",
+            Absent::Said(said) => said,
+        };
+        [absent.to_owned(), self.allowed.replace("{}", &self.takes.allowed()), self.meaning.to_owned()]
+    }
+
+    fn values(&self) -> Value {
+        self.takes.schema()
+    }
+
+    fn default(&self) -> Option<Value> {
+        None
+    }
+}
+
+impl<K: Plain> Entry for Key<K, Or<K::Value>> {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn is_required(&self) -> bool {
+        false
+    }
+
+    fn holds_numbers(&self) -> bool {
+        K::NUMBERS
+    }
+
+    fn cells(&self) -> [String; 3] {
+        let default = written(&self.takes.json(self.absent.0));
+        let allowed = self.takes.allowed_beside(self.absent.0);
+        [default, self.allowed.replace("{}", &allowed), self.meaning.to_owned()]
+    }
+
+    fn values(&self) -> Value {
+        self.takes.schema()
+    }
+
+    fn default(&self) -> Option<Value> {
+        Some(self.takes.json(self.absent.0))
+    }
+}
+
+/// A value as a person writes it in TOML.
+fn written(value: &Value) -> String {
+    match (value.as_array(), value.as_f64().filter(|_| value.is_f64())) {
+        (Some(list), _) => format!("[{}]", list.iter().map(written).collect::<Vec<_>>().join(", ")),
+        (None, Some(number)) => format!("{number:?}"),
+        (None, None) => value.to_string(),
+    }
+}
+
+/// A table of a scene file and the keys it may hold.
+#[derive(Clone, Copy)]
+pub struct Table {
+    /// Dotted name; empty for the keys before the first table.
+    pub name: &'static str,
+    /// As written in the file.
+    pub heading: &'static str,
+    /// What it is, in a sentence.
+    pub(crate) about: &'static str,
+    /// Keys, tables below it included, in the order of the page.
+    pub(crate) keys: &'static [&'static dyn Entry],
+}
+
+impl Table {
+    /// Names of its keys.
+    pub fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
+        self.keys.iter().map(|key| key.name())
+    }
+
+    /// Names of those that take a number or a list of them.
+    pub fn numbers(&self) -> impl Iterator<Item = &'static str> + use<> {
+        self.keys.iter().filter(|key| key.holds_numbers()).map(|key| key.name())
+    }
+
+    /// Whether it has a key of that name.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.names().any(|known| known == name)
+    }
+}

@@ -1,0 +1,473 @@
+//! What keys take: numbers in their range, words of a list, texts, lists and tables.
+
+use crate::document::keys::key::{Kind, Plain, Table};
+use crate::wording::allowed::Allowed;
+use crate::wording::number;
+use serde_json::{Value, json};
+
+/// A number.
+#[derive(Clone, Copy)]
+pub(crate) struct Number(pub(crate) Allowed);
+
+/// A whole number.
+#[derive(Clone, Copy)]
+pub(crate) struct Whole(pub(crate) Allowed);
+
+/// A number in one of two ranges, by what another key says.
+#[derive(Clone, Copy)]
+pub(crate) struct Either(pub(crate) [Number; 2]);
+
+/// `true` or `false`.
+#[derive(Clone, Copy)]
+pub(crate) struct Truth;
+
+/// A text, and what it names.
+#[derive(Clone, Copy)]
+pub(crate) struct Text(pub(crate) &'static str);
+
+/// A text or a list of texts, not empty, and what they name.
+#[derive(Clone, Copy)]
+pub(crate) struct Texts(pub(crate) &'static str);
+
+/// A name that can become a file's, a table's cell and a JSON key.
+#[derive(Clone, Copy)]
+pub(crate) struct Name;
+
+/// Words, and what each stands for.
+#[derive(Clone, Copy)]
+pub(crate) struct Words<T: 'static>(pub(crate) fn() -> Vec<(&'static str, T)>);
+
+/// Words, and others that are built like a pattern.
+#[derive(Clone, Copy)]
+pub(crate) struct Like<T: 'static> {
+    /// The words that are told.
+    pub(crate) words: Words<T>,
+    /// What any other stands for.
+    pub(crate) built: fn(&str) -> Option<T>,
+    /// A regular expression that all others match.
+    pub(crate) pattern: &'static str,
+}
+
+/// `N` numbers, each in the range.
+#[derive(Clone, Copy)]
+pub(crate) struct Vector<const N: usize>(pub(crate) Allowed);
+
+/// `N` whole numbers, each in the range.
+#[derive(Clone, Copy)]
+pub(crate) struct Counts<const N: usize>(pub(crate) Allowed);
+
+/// Two numbers, each in a range of its own.
+#[derive(Clone, Copy)]
+pub(crate) struct Pair {
+    /// What is allowed of either, told at the place of the number.
+    pub(crate) any: Allowed,
+    /// What is allowed of the first and of the second, told at the place of the list.
+    pub(crate) each: [Allowed; 2],
+}
+
+/// A list of numbers.
+#[derive(Clone, Copy)]
+pub(crate) struct Numbers {
+    /// How many.
+    pub(crate) length: Allowed,
+    /// Each of them.
+    pub(crate) each: Allowed,
+}
+
+/// A list of pairs of numbers.
+#[derive(Clone, Copy)]
+pub(crate) struct Pairs {
+    /// How many.
+    pub(crate) length: Allowed,
+    /// Each of them.
+    pub(crate) pair: Pair,
+}
+
+/// A number for each element of an array.
+#[derive(Clone, Copy)]
+pub(crate) struct PerElement(pub(crate) Allowed);
+
+/// Tables that are read as `table` says.
+#[derive(Clone, Copy)]
+pub(crate) struct Below {
+    /// How they are written.
+    pub(crate) form: Form,
+    /// The keys of each.
+    pub(crate) table: &'static Table,
+}
+
+/// How tables are written.
+#[derive(Clone, Copy)]
+pub(crate) enum Form {
+    /// One table.
+    One,
+    /// An array of tables.
+    Several,
+    /// A list of so many tables.
+    List(Allowed),
+    /// By names that the scene gives.
+    Named,
+    /// By names that the scene gives, or texts in their place.
+    NamedOrTexts,
+}
+
+impl Below {
+    /// One table.
+    pub(crate) const fn one(table: &'static Table) -> Self {
+        Self { form: Form::One, table }
+    }
+
+    /// An array of tables.
+    pub(crate) const fn several(table: &'static Table) -> Self {
+        Self { form: Form::Several, table }
+    }
+}
+
+impl Kind for Number {
+    const NUMBERS: bool = true;
+
+    fn allowed(&self) -> String {
+        range(self.0)
+    }
+
+    fn schema(&self) -> Value {
+        bounds("number", self.0)
+    }
+}
+
+impl Kind for Whole {
+    const NUMBERS: bool = true;
+
+    fn allowed(&self) -> String {
+        range(self.0)
+    }
+
+    fn schema(&self) -> Value {
+        bounds("integer", self.0)
+    }
+}
+
+impl Kind for Either {
+    const NUMBERS: bool = true;
+
+    fn allowed(&self) -> String {
+        self.0.map(|number| number.allowed()).join(", ")
+    }
+
+    fn schema(&self) -> Value {
+        json!({ "anyOf": self.0.map(|number| number.schema()) })
+    }
+}
+
+impl Kind for Truth {
+    fn allowed(&self) -> String {
+        "true, false".to_owned()
+    }
+
+    fn schema(&self) -> Value {
+        json!({ "type": "boolean" })
+    }
+}
+
+impl Kind for Text {
+    fn allowed(&self) -> String {
+        self.0.to_owned()
+    }
+
+    fn schema(&self) -> Value {
+        json!({ "type": "string" })
+    }
+}
+
+impl Kind for Texts {
+    fn allowed(&self) -> String {
+        self.0.to_owned()
+    }
+
+    fn schema(&self) -> Value {
+        json!({ "anyOf": texts() })
+    }
+}
+
+impl Kind for Name {
+    fn allowed(&self) -> String {
+        "1 to 64 letters, digits, spaces or any of `-_.+()`".to_owned()
+    }
+
+    fn schema(&self) -> Value {
+        json!({ "type": "string", "minLength": 1, "maxLength": 64, "pattern": "^[^. ]" })
+    }
+}
+
+impl<T: Copy + PartialEq> Kind for Words<T> {
+    fn allowed(&self) -> String {
+        quoted(&(self.0)())
+    }
+
+    fn schema(&self) -> Value {
+        json!({ "type": "string", "enum": (self.0)().iter().map(|(word, _)| *word).collect::<Vec<_>>() })
+    }
+}
+
+impl<T: Copy + PartialEq> Kind for Like<T> {
+    fn allowed(&self) -> String {
+        self.words.allowed()
+    }
+
+    fn schema(&self) -> Value {
+        json!({ "anyOf": [self.words.schema(), { "type": "string", "pattern": self.pattern }] })
+    }
+}
+
+impl<const N: usize> Kind for Vector<N> {
+    const NUMBERS: bool = true;
+
+    fn allowed(&self) -> String {
+        range(self.0)
+    }
+
+    fn schema(&self) -> Value {
+        list(&bounds("number", self.0), exactly(N))
+    }
+}
+
+impl<const N: usize> Kind for Counts<N> {
+    const NUMBERS: bool = true;
+
+    fn allowed(&self) -> String {
+        range(self.0)
+    }
+
+    fn schema(&self) -> Value {
+        list(&bounds("integer", self.0), exactly(N))
+    }
+}
+
+impl Kind for Pair {
+    const NUMBERS: bool = true;
+
+    fn allowed(&self) -> String {
+        format!("[{}]", self.each.map(range).map(|range| range.replace(',', "")).join(", "))
+    }
+
+    fn schema(&self) -> Value {
+        let numbers = self.each.map(|each| bounds("number", each));
+        json!({ "type": "array", "items": numbers, "minItems": 2, "maxItems": 2 })
+    }
+}
+
+impl Kind for Numbers {
+    const NUMBERS: bool = true;
+
+    fn allowed(&self) -> String {
+        format!("{} values, {}", many(self.length), range(self.each))
+    }
+
+    fn schema(&self) -> Value {
+        list(&bounds("number", self.each), self.length)
+    }
+}
+
+impl Kind for Pairs {
+    const NUMBERS: bool = true;
+
+    fn allowed(&self) -> String {
+        let [first, second] = self.pair.each;
+        let each =
+            if first == second { format!(", {}", range(first)) } else { format!(" {}", self.pair.allowed()) };
+        format!("{} pairs{each}", many(self.length))
+    }
+
+    fn schema(&self) -> Value {
+        list(&self.pair.schema(), self.length)
+    }
+}
+
+impl Kind for PerElement {
+    const NUMBERS: bool = true;
+
+    fn allowed(&self) -> String {
+        range(self.0)
+    }
+
+    fn schema(&self) -> Value {
+        json!({ "type": "array", "items": bounds("number", self.0) })
+    }
+}
+
+impl Kind for Below {
+    fn allowed(&self) -> String {
+        match self.form {
+            Form::One | Form::Several | Form::Named => String::new(),
+            Form::List(length) => many(length),
+            Form::NamedOrTexts => "a table".to_owned(),
+        }
+    }
+
+    fn schema(&self) -> Value {
+        let (about, of_table) =
+            (self.table.about, json!({ "$ref": format!("#/definitions/{}", self.table.name) }));
+        match self.form {
+            Form::One => of_table,
+            Form::Several => json!({ "description": about, "type": "array", "items": of_table }),
+            Form::List(length) => list(&of_table, length),
+            Form::Named => {
+                json!({ "description": about, "type": "object", "additionalProperties": of_table })
+            }
+            Form::NamedOrTexts => {
+                let [text, list] = texts();
+                json!({ "type": "object", "additionalProperties": { "anyOf": [text, list, of_table] } })
+            }
+        }
+    }
+}
+
+impl Plain for Number {
+    type Value = f64;
+
+    fn json(&self, value: f64) -> Value {
+        value.into()
+    }
+}
+
+impl Plain for Whole {
+    type Value = u64;
+
+    fn json(&self, value: u64) -> Value {
+        value.into()
+    }
+}
+
+impl Plain for Truth {
+    type Value = bool;
+
+    fn json(&self, value: bool) -> Value {
+        value.into()
+    }
+}
+
+impl Plain for Text {
+    type Value = &'static str;
+
+    fn json(&self, value: &'static str) -> Value {
+        value.into()
+    }
+}
+
+impl<T: Copy + PartialEq> Plain for Words<T> {
+    type Value = T;
+
+    fn json(&self, value: T) -> Value {
+        (self.0)().into_iter().find(|(_, known)| *known == value).map(|(word, _)| word).into()
+    }
+
+    fn allowed_beside(&self, default: T) -> String {
+        let mut words = (self.0)();
+        words.sort_by_key(|(_, value)| *value != default);
+        quoted(&words)
+    }
+}
+
+impl<T: Copy + PartialEq> Plain for Like<T> {
+    type Value = T;
+
+    fn json(&self, value: T) -> Value {
+        self.words.json(value)
+    }
+}
+
+impl<const N: usize> Plain for Vector<N> {
+    type Value = [f64; N];
+
+    fn json(&self, value: [f64; N]) -> Value {
+        value.to_vec().into()
+    }
+}
+
+impl<const N: usize> Plain for Counts<N> {
+    type Value = [u64; N];
+
+    fn json(&self, value: [u64; N]) -> Value {
+        value.to_vec().into()
+    }
+}
+
+impl Plain for Numbers {
+    type Value = &'static [f64];
+
+    fn json(&self, value: &'static [f64]) -> Value {
+        value.to_vec().into()
+    }
+}
+
+fn quoted<T>(words: &[(&'static str, T)]) -> String {
+    words.iter().map(|(word, _)| format!("\"{word}\"")).collect::<Vec<_>>().join(", ")
+}
+
+/// A range as the page says it.
+fn range(allowed: Allowed) -> String {
+    match allowed {
+        Allowed::Between(low, high) if low == -high => format!("±{}", figure(high)),
+        Allowed::Between(low, high) => format!("{} to {}", figure(low), figure(high)),
+        Allowed::Above(low, high) => format!("above {}, to {}", figure(low), figure(high)),
+        Allowed::Inside(low, high) => format!("above {} and below {}", figure(low), figure(high)),
+        Allowed::Below(low, high) => format!("{} up to, not including, {}", figure(low), figure(high)),
+    }
+}
+
+/// How many, as the page says it.
+fn many(length: Allowed) -> String {
+    match length {
+        Allowed::Between(0.0, most) => format!("up to {}", figure(most)),
+        length => range(length),
+    }
+}
+
+/// From 10⁴ on as a power, if it is one.
+fn figure(value: f64) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    if value == i64::MAX as f64 {
+        return "2⁶³ − 1".to_owned();
+    }
+    match (4..16).find(|power| 10_f64.powi(*power) == value) {
+        Some(power) => format!(
+            "10{}",
+            power.to_string().bytes().map(|b| DIGITS[usize::from(b - b'0')]).collect::<String>()
+        ),
+        None => number::Number(value).to_string(),
+    }
+}
+
+fn exactly(count: usize) -> Allowed {
+    Allowed::Between(count as f64, count as f64)
+}
+
+fn bounds(kind: &str, allowed: Allowed) -> Value {
+    let (least, most, low, high) = match allowed {
+        Allowed::Between(low, high) => ("minimum", "maximum", low, high),
+        Allowed::Above(low, high) => ("exclusiveMinimum", "maximum", low, high),
+        Allowed::Inside(low, high) => ("exclusiveMinimum", "exclusiveMaximum", low, high),
+        Allowed::Below(low, high) => ("minimum", "exclusiveMaximum", low, high),
+    };
+    json!({ "type": kind, least: shortest(low), most: shortest(high) })
+}
+
+/// Whole where it is; 2⁶³, which no whole number of TOML reaches, one less.
+fn shortest(value: f64) -> Value {
+    if value.fract() == 0.0 && value.abs() <= i64::MAX as f64 { (value as i64).into() } else { value.into() }
+}
+
+fn list(items: &Value, length: Allowed) -> Value {
+    let mut list = json!({ "type": "array", "items": items });
+    if let Allowed::Between(least, most) = length {
+        list["minItems"] = shortest(least);
+        list["maxItems"] = shortest(most);
+    }
+    list
+}
+
+/// A text, and a list of them.
+fn texts() -> [Value; 2] {
+    let text = json!({ "type": "string" });
+    [text.clone(), json!({ "type": "array", "items": text, "minItems": 1 })]
+}

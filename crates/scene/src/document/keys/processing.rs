@@ -1,0 +1,170 @@
+//! `[noise]` and `[dsp]`.
+
+use crate::document::keys::key::{Key, Or, Table};
+use crate::document::keys::kinds::{Counts, Like, Number, Text, Words};
+use crate::wording::allowed::Allowed::{Above, Between};
+use artifact::settings::{Angle, Detector, FALSE_ALARM_RATES, Refine, StaticEchoes, Window};
+
+const CELLS: Counts<2> = Counts(Between(0.0, 65536.0));
+
+const WINDOWS: Like<Window> = Like {
+    words: Words(|| {
+        vec![
+            ("rect", Window::Rect),
+            ("hann", Window::Hann),
+            ("hamming", Window::Hamming),
+            ("blackman", Window::Blackman),
+            ("chebyshev-80", Window::Chebyshev(80.0)),
+        ]
+    }),
+    built: chebyshev,
+    pattern: "^chebyshev-",
+};
+
+/// `chebyshev-80`: sidelobes from 20 dB down, where the taper is hardly one, to 200 dB, where f64 ends.
+fn chebyshev(name: &str) -> Option<Window> {
+    let level_db: f64 = name.strip_prefix("chebyshev-")?.parse().ok()?;
+    (20.0..=200.0).contains(&level_db).then_some(Window::Chebyshev(level_db))
+}
+
+pub(crate) const NOISE: Table = Table {
+    name: "noise",
+    heading: "[noise]",
+    about: "The receiver's noise; left out, there is none.",
+    keys: &[&NOISE_FIGURE, &TEMPERATURE, &SNR],
+};
+
+pub(crate) const NOISE_FIGURE: Key<Number> = Key::new(
+    "noise_figure_db",
+    Number(Between(0.0, 100.0)),
+    "dB: complex white noise of power k·T·F·sample rate per sample",
+);
+
+pub(crate) const TEMPERATURE: Key<Number, Or<f64>> =
+    Key::new("temperature_k", Number(Above(0.0, 1e6)), "K, with `noise_figure_db`").or(290.0);
+
+pub(crate) const SNR: Key<Number> = Key::new(
+    "snr_db",
+    Number(Between(-200.0, 200.0)),
+    "dB: noise-free peak cell over mean noise power, one channel, windows as set",
+);
+
+pub(crate) const DSP: Table = Table {
+    name: "dsp",
+    heading: "[dsp]",
+    about: "Signal processing: maps, detection, directions, objects.",
+    keys: &[
+        &RANGE_WINDOW,
+        &DOPPLER_WINDOW,
+        &DETECTOR,
+        &FALSE_ALARM_RATE,
+        &GUARD_CELLS,
+        &TRAINING_CELLS,
+        &ANGLE,
+        &REFINE,
+        &CALIBRATION,
+        &STATIC,
+        &ASSUMED_HEIGHT,
+        &CLUSTER_RANGE,
+        &CLUSTER_VELOCITY,
+        &CLUSTER_CROSS,
+    ],
+};
+
+pub(crate) const RANGE_WINDOW: Key<Like<Window>, Or<Window>> =
+    Key::new("range_window", WINDOWS, "taper over the samples of a chirp")
+        .or(Window::Hann)
+        .allowed("{} or another level from 20 to 200 dB");
+
+pub(crate) const DOPPLER_WINDOW: Key<Like<Window>, Or<Window>> =
+    Key::new("doppler_window", WINDOWS, "taper over chirps").or(Window::Hann).allowed("the same");
+
+pub(crate) const DETECTOR: Key<Words<Detector>, Or<Detector>> = Key::new(
+    "detector",
+    Words(|| {
+        vec![
+            ("ca-cfar", Detector::CaCfar),
+            ("go-cfar", Detector::GoCfar),
+            ("so-cfar", Detector::SoCfar),
+            ("os-cfar", Detector::OsCfar),
+        ]
+    }),
+    "noise from the mean of the training cells; from the greater or the smaller mean of the halves before \
+     and behind in range (along Doppler where training is [n, 0]); from the training cell of rank ¾N. \
+     Every range cell has its own threshold",
+)
+.or(Detector::CaCfar);
+
+pub(crate) const FALSE_ALARM_RATE: Key<Number, Or<f64>> = Key::new(
+    "false_alarm_rate",
+    Number(Between(*FALSE_ALARM_RATES.start(), *FALSE_ALARM_RATES.end())),
+    "asked of every tested cell",
+)
+.or(1e-5);
+
+pub(crate) const GUARD_CELLS: Key<Counts<2>, Or<[u64; 2]>> =
+    Key::new("guard_cells", CELLS, "[Doppler, range] cells on each side that stay out of the noise estimate")
+        .or([2, 2]);
+
+/// 13 × 21 cells less 5 × 5 of guard: 248, a CFAR loss of about 0.1 dB at 1e-5 (Richards 2014).
+pub(crate) const TRAINING_CELLS: Key<Counts<2>, Or<[u64; 2]>> =
+    Key::new("training_cells", CELLS, "[Doppler, range] cells on each side, beyond the guard, that make it")
+        .or([4, 8]);
+
+pub(crate) const ANGLE: Key<Words<Angle>, Or<Angle>> = Key::new(
+    "angle",
+    Words(|| vec![("fft", Angle::Fft), ("max-likelihood", Angle::MaximumLikelihood)]),
+    "one direction a cell, the strongest beam; or up to three echoes a cell, told apart from about a \
+     third of a beam on, by maximum likelihood on the one snapshot, any array with or without elevation \
+     rows: each is a point of its own ([validation/super-resolution.md](validation/super-resolution.md))",
+)
+.or(Angle::Fft);
+
+pub(crate) const REFINE: Key<Words<Refine>, Or<Refine>> = Key::new(
+    "refine",
+    Words(|| vec![("off", Refine::Off), ("on", Refine::Isolated)]),
+    "\"on\": peaks that stand alone (what others add stays within 0.4 dB of the bound, and nothing like a \
+     second echo is left beside the fitted one) get range, velocity and direction by maximum likelihood \
+     on the unwindowed samples, within 1 dB of the Cramér–Rao bound \
+     ([validation/estimates.md](validation/estimates.md)). Needs the cube: `classify`, which reads maps \
+     alone, keeps their peaks",
+)
+.or(Refine::Off);
+
+pub(crate) const CALIBRATION: Key<Text> = Key::new(
+    "calibration",
+    Text("a file"),
+    "gain and phase of each channel as measured, as below: directions (and the folds that they tell) are \
+     found on values that are freed of them; detection and maps stay as they are",
+);
+
+pub(crate) const STATIC: Key<Words<StaticEchoes>, Or<StaticEchoes>> = Key::new(
+    "static",
+    Words(|| [StaticEchoes::Keep, StaticEchoes::Mark, StaticEchoes::Remove].map(|s| (s.name(), s)).to_vec()),
+    "echoes at rest (ground, kerbs, rails; vehicles that wait): points and objects like others; the same, \
+     told to be at rest; or left out before objects are formed, and waiting vehicles with them. At rest \
+     is what is slower than half a Doppler cell and what its estimate errs by: \
+     [decisions/static-echoes.md](decisions/static-echoes.md)",
+)
+.or(StaticEchoes::Keep);
+
+pub(crate) const ASSUMED_HEIGHT: Key<Number, Or<f64>> = Key::new(
+    "assumed_height_m",
+    Number(Between(-100.0, 100.0)),
+    "m: height of points where the array has no elevation rows",
+)
+.or(0.75);
+
+/// Gaps between the glints of one long vehicle, against the gap that drivers keep.
+pub(crate) const CLUSTER_RANGE: Key<Number, Or<f64>> = Key::new(
+    "cluster_range_m",
+    Number(Above(0.0, 1e3)),
+    "m in range: detections closer than this can join one object",
+)
+.or(2.5);
+
+pub(crate) const CLUSTER_VELOCITY: Key<Number, Or<f64>> =
+    Key::new("cluster_velocity_mps", Number(Above(0.0, 1e3)), "m/s, likewise").or(1.0);
+
+pub(crate) const CLUSTER_CROSS: Key<Number, Or<f64>> =
+    Key::new("cluster_cross_m", Number(Above(0.0, 1e3)), "m across the line of sight, likewise").or(2.5);

@@ -1,0 +1,237 @@
+//! Values of a scene's tables, each read as its key says.
+
+use crate::document::errors::Rule;
+use crate::document::keys::key::{Key, Kind, Or, Plain};
+use crate::document::keys::kinds::{
+    Counts, Like, Name, Number, Numbers, Pair, Pairs, PerElement, Text, Texts, Truth, Vector, Whole, Words,
+};
+use crate::document::section::{Section, Value};
+use crate::wording::allowed::Allowed;
+use toml::de::DeValue;
+
+/// A kind of which values are read.
+pub(crate) trait Reads<'d>: Kind {
+    /// What is read.
+    type Read;
+    /// The value of `key`; `None` where it is wrong, and that is noted.
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<Self::Read>;
+}
+
+impl<'d> Section<'d> {
+    /// What a key says; `None` where absent or wrong.
+    pub(crate) fn read<K: Reads<'d>, A>(&self, key: &Key<K, A>) -> Option<K::Read> {
+        key.takes.from(self, key.name, self.find(key.name)?)
+    }
+
+    /// What a key says, and its default where absent or wrong.
+    pub(crate) fn or_default<K>(&self, key: &Key<K, Or<<K as Plain>::Value>>) -> <K as Plain>::Value
+    where
+        K: Plain + Reads<'d, Read = <K as Plain>::Value>,
+    {
+        self.read(key).unwrap_or(key.absent.0)
+    }
+
+    /// A number for each of `count` elements; `None` where absent or wrong.
+    pub(crate) fn of_elements(&self, key: &Key<PerElement>, count: usize) -> Option<Vec<f64>> {
+        let numbers = Numbers { length: exactly(count), each: key.takes.0 };
+        numbers.from(self, key.name, self.find(key.name)?)
+    }
+
+    fn number_in(&self, key: &'static str, value: &Value<'d>, allowed: Allowed) -> Option<f64> {
+        let Some(number) = number_of(value.get_ref()) else {
+            self.wrong_type(key, "a list of numbers", value);
+            return None;
+        };
+        self.in_range(key, number, allowed, value)
+    }
+
+    fn integer_in(&self, key: &'static str, value: &Value<'d>, allowed: Allowed) -> Option<u64> {
+        let DeValue::Integer(integer) = value.get_ref() else {
+            self.wrong_type(key, "a whole number", value);
+            return None;
+        };
+        let exact = i128::from_str_radix(integer.as_str(), integer.radix()).ok();
+        // Beyond i128 the sign is all that matters: the range refuses it.
+        let beyond = if integer.as_str().starts_with('-') { f64::NEG_INFINITY } else { f64::INFINITY };
+        self.in_range(key, exact.map_or(beyond, |exact| exact as f64), allowed, value)?;
+        exact.and_then(|exact| u64::try_from(exact).ok())
+    }
+
+    fn in_range(&self, key: &'static str, found: f64, allowed: Allowed, value: &Value<'d>) -> Option<f64> {
+        if allowed.holds(found) {
+            return Some(found);
+        }
+        self.note_at(value.span(), Rule::OutOfRange { key, found, allowed });
+        None
+    }
+}
+
+impl<'d> Reads<'d> for Number {
+    type Read = f64;
+
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<f64> {
+        let Some(number) = number_of(value.get_ref()) else {
+            section.wrong_type(key, "a number", value);
+            return None;
+        };
+        section.in_range(key, number, self.0, value)
+    }
+}
+
+impl<'d> Reads<'d> for Whole {
+    type Read = u64;
+
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<u64> {
+        section.integer_in(key, value, self.0)
+    }
+}
+
+impl<'d> Reads<'d> for Text {
+    type Read = &'d str;
+
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<&'d str> {
+        let text = text_of(value);
+        if text.is_none() {
+            section.wrong_type(key, "a text in quotes", value);
+        }
+        text
+    }
+}
+
+impl<'d> Reads<'d> for Texts {
+    type Read = Vec<&'d str>;
+
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<Vec<&'d str>> {
+        let texts: Option<Vec<&str>> = match value.get_ref() {
+            DeValue::String(text) => Some(vec![text.as_ref()]),
+            DeValue::Array(texts) if !texts.is_empty() => texts.iter().map(text_of).collect(),
+            _ => None,
+        };
+        if texts.is_none() {
+            section.wrong_type(key, "a text or a list of texts in quotes", value);
+        }
+        texts
+    }
+}
+
+impl<'d> Reads<'d> for Truth {
+    type Read = bool;
+
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<bool> {
+        if let DeValue::Boolean(truth) = value.get_ref() {
+            return Some(*truth);
+        }
+        section.wrong_type(key, "true or false", value);
+        None
+    }
+}
+
+impl<'d> Reads<'d> for Name {
+    type Read = &'d str;
+
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<&'d str> {
+        let name = Text("a name").from(section, key, value)?;
+        let plain = |c: char| c.is_alphanumeric() || " -_.+()".contains(c);
+        let good = (1..=64).contains(&name.chars().count())
+            && name.chars().all(plain)
+            && !name.starts_with(['.', ' ']);
+        if !good {
+            section.note_at(value.span(), Rule::BadName { key, found: name.to_owned() });
+        }
+        good.then_some(name)
+    }
+}
+
+impl<'d, T: Copy + PartialEq> Reads<'d> for Words<T> {
+    type Read = T;
+
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<T> {
+        Like { words: *self, built: |_| None, pattern: "" }.from(section, key, value)
+    }
+}
+
+impl<'d, T: Copy + PartialEq> Reads<'d> for Like<T> {
+    type Read = T;
+
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<T> {
+        let found = Text("a word").from(section, key, value)?;
+        let known = (self.words.0)();
+        let told = known.iter().find(|(word, _)| *word == found).map(|(_, meaning)| *meaning);
+        let meaning = told.or_else(|| (self.built)(found));
+        if meaning.is_none() {
+            let known = known.iter().map(|(word, _)| *word).collect();
+            section.note_at(value.span(), Rule::UnknownWord { key, found: found.to_owned(), known });
+        }
+        meaning
+    }
+}
+
+impl<'d, const N: usize> Reads<'d> for Vector<N> {
+    type Read = [f64; N];
+
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<[f64; N]> {
+        let numbers = Numbers { length: exactly(N), each: self.0 };
+        numbers.from(section, key, value)?.try_into().ok()
+    }
+}
+
+impl<'d, const N: usize> Reads<'d> for Counts<N> {
+    type Read = [u64; N];
+
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<[u64; N]> {
+        let numbers = section.list(key, value, exactly(N))?;
+        let numbers: Option<Vec<u64>> =
+            numbers.iter().map(|value| section.integer_in(key, value, self.0)).collect();
+        numbers?.try_into().ok()
+    }
+}
+
+impl<'d> Reads<'d> for Numbers {
+    type Read = Vec<f64>;
+
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<Vec<f64>> {
+        let numbers = section.list(key, value, self.length)?;
+        numbers.iter().map(|value| section.number_in(key, value, self.each)).collect()
+    }
+}
+
+impl<'d> Reads<'d> for Pair {
+    type Read = [f64; 2];
+
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<[f64; 2]> {
+        Vector(self.any).from(section, key, value)
+    }
+}
+
+impl<'d> Reads<'d> for Pairs {
+    type Read = Vec<[f64; 2]>;
+
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<Vec<[f64; 2]>> {
+        let pair = |value: &'d Value<'d>| {
+            if value.get_ref().as_array().is_none() {
+                section.wrong_type(key, "a list of pairs of numbers", value);
+                return None;
+            }
+            self.pair.from(section, key, value)
+        };
+        section.list(key, value, self.length)?.iter().map(pair).collect()
+    }
+}
+
+fn exactly(count: usize) -> Allowed {
+    Allowed::Between(count as f64, count as f64)
+}
+
+fn text_of<'d>(value: &'d Value<'d>) -> Option<&'d str> {
+    if let DeValue::String(text) = value.get_ref() { Some(text.as_ref()) } else { None }
+}
+
+fn number_of(value: &DeValue<'_>) -> Option<f64> {
+    match value {
+        // An integer of any radix; a decimal one also where it exceeds 64 bits.
+        DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
+            .map_or_else(|_| integer.as_str().parse().ok(), |i| Some(i as f64)),
+        DeValue::Float(float) => float.as_str().parse().ok(),
+        _ => None,
+    }
+}
