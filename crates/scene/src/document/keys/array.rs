@@ -50,13 +50,10 @@ pub(crate) const ARRAY: Table = Table {
     ],
 };
 
-pub(crate) const PRESET: Key<Words<Preset>, Or<Preset>> = Key::new(
-    "preset",
-    Words(|| Preset::ALL.to_vec()),
-    "a named array; excludes the next two",
-)
-.or(Preset::ThreeByFour)
-.allowed("the table below");
+pub(crate) const PRESET: Key<Words<Preset>, Or<Preset>> =
+    Key::new("preset", Words(|| Preset::ALL.to_vec()), "a named array; excludes the next two")
+        .or(Preset::ThreeByFour)
+        .allowed("the table below");
 
 pub(crate) const TX: Key<Pairs> = Key::new(
     "tx_half_wavelengths",
