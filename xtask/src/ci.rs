@@ -10,6 +10,7 @@ mod pages;
 mod readme;
 mod rooms;
 mod size;
+mod studies;
 mod training;
 
 use crate::cli::CiArguments;
@@ -23,7 +24,7 @@ use wayside::program::terminal;
 type Check = fn(&mut Tally) -> Result<(), Failure>;
 
 /// Rules of the source, seconds all together.
-const CHEAP: [(&str, Check); 8] = [
+const CHEAP: [(&str, Check); 9] = [
     ("format", |_| cargo(&["fmt", "--all", "--check"])),
     ("layer rule", |_| layers::check()),
     ("room rule", |_| rooms::check()),
@@ -31,6 +32,7 @@ const CHEAP: [(&str, Check); 8] = [
     ("sizes of files and functions", |_| size::check()),
     ("lines of code and comments", |_| columns::check()),
     ("pages name what is there", |_| pages::check()),
+    ("pages say how they are made", |_| studies::check()),
     ("one set of features", |_| features::check()),
 ];
 
