@@ -19,7 +19,7 @@ impl Part {
         self.text.push('\n');
     }
 
-    /// Adds a table's head; columns from the second on are numbers or words alike.
+    /// Adds a table's head.
     pub(super) fn head(&mut self, columns: &[&str]) {
         self.line(format!("| {} |\n|{}", columns.join(" | "), "---|".repeat(columns.len())));
     }

@@ -48,43 +48,49 @@ pub(crate) fn second_real_car(extent: Extent) -> Result<Part, Failure> {
     at_four_aspects(&real("modern_hatchback")?, extent)
 }
 
+/// How dense the references are: cells along a wavelength with how often borders are halved, and rays.
+type Densities = (&'static [(f64, u32)], &'static [f64]);
+
 /// Both references as they grow denser, against BART and rays against rays.
 fn at_four_aspects(mesh: &Mesh, extent: Extent) -> Result<Part, Failure> {
-    let frequencies_hz = [76.5e9, 76.83e9, 77.17e9, 77.5e9];
     let mut part = Part::default();
     let columns = ["azimuth", "method", "processor seconds", "order 1", "order 2", "order 3"];
     part.head(&[columns.as_slice(), &["orders 2 and 3"]].concat());
-    let (azimuths_deg, cells, rays) = match extent {
-        Extent::Quick => (&[90.0][..], &[][..], &[0.5, 1.0][..]),
+    let (azimuths_deg, densities): (&[f64], Densities) = match extent {
+        Extent::Quick => (&[90.0], (&[], &[0.5, 1.0])),
         Extent::Full => {
-            (&[0.0, 30.0, 90.0, 180.0][..], &[(1.0, 0), (1.0, 6), (2.0, 6)][..], &[2.0, 4.0, 8.0, 16.0][..])
+            (&[0.0, 30.0, 90.0, 180.0], (&[(1.0, 0), (1.0, 6), (2.0, 6)], &[2.0, 4.0, 8.0, 16.0]))
         }
     };
-    for az_deg in azimuths_deg {
-        let place = standpoint(*az_deg, 8.0);
-        let exact = bart(mesh, place, &frequencies_hz, 3, -60.0);
-        let mut row = |method: &str, seconds: &str, errors: &[String]| {
-            part.line(format!("| {az_deg}° | {method} | {seconds} | {} |", errors.join(" | ")));
-        };
-        let level = |order: &Vec<Complex64>| told(size(order) / size(&exact.orders[0]));
-        let levels: Vec<String> = exact.orders.iter().map(level).chain([String::new()]).collect();
-        row("(level over order 1)", "", &levels);
-        let mut of_run = |run: &Run| row(&run.name, &format!("{:.1}", run.seconds), &all_errors(run, &exact));
-        of_run(&bart(mesh, place, &frequencies_hz, 3, -20.0));
-        cells
-            .iter()
-            .for_each(|(density, halved)| of_run(&po(mesh, place, &frequencies_hz, *density, *halved)));
-        let mut before: Option<Run> = None;
-        for density in rays {
-            let run = sbr(mesh, place, &frequencies_hz, *density, 3);
-            row(&run.name, &format!("{:.1}", run.seconds), &all_errors(&run, &exact));
-            if let Some(coarser) = &before {
-                row("rays of half that density against these", "", &all_errors(coarser, &run));
-            }
-            before = Some(run);
+    azimuths_deg.iter().for_each(|az_deg| at_aspect(&mut part, mesh, *az_deg, densities));
+    Ok(part)
+}
+
+fn at_aspect(part: &mut Part, mesh: &Mesh, az_deg: f64, (cells, rays): Densities) {
+    let (place, frequencies_hz) = (standpoint(az_deg, 8.0), [76.5e9, 76.83e9, 77.17e9, 77.5e9]);
+    let exact = bart(mesh, place, &frequencies_hz, 3, -60.0);
+    let mut row = |method: &str, seconds: &str, errors: &[String]| {
+        part.line(format!("| {az_deg}° | {method} | {seconds} | {} |", errors.join(" | ")));
+    };
+    let level = |order: &Vec<Complex64>| told(size(order) / size(&exact.orders[0]));
+    let levels: Vec<String> = exact.orders.iter().map(level).chain([String::new()]).collect();
+    row("(level over order 1)", "", &levels);
+    let seconds = |run: &Run| format!("{:.1}", run.seconds);
+    let ours = bart(mesh, place, &frequencies_hz, 3, -20.0);
+    let sampled = cells.iter().map(|(density, halved)| po(mesh, place, &frequencies_hz, *density, *halved));
+    std::iter::once(ours)
+        .chain(sampled)
+        .for_each(|run| row(&run.name, &seconds(&run), &all_errors(&run, &exact)));
+    let mut before: Option<Run> = None;
+    for density in rays {
+        let run = sbr(mesh, place, &frequencies_hz, *density, 3);
+        row(&run.name, &seconds(&run), &all_errors(&run, &exact));
+        if let Some(coarser) = before.replace(run) {
+            before.iter().for_each(|finer| {
+                row("rays of half that density against these", "", &all_errors(&coarser, finer));
+            });
         }
     }
-    Ok(part)
 }
 
 fn size(s: &[Complex64]) -> f64 {
