@@ -11,6 +11,7 @@ mod readme;
 mod rooms;
 mod sentences;
 mod size;
+mod studies;
 mod training;
 
 use crate::cli::CiArguments;
@@ -33,6 +34,7 @@ const CHEAP: [(&str, Check); 9] = [
     ("lines of code and comments", |_| columns::check()),
     ("doc comments are sentences", |_| sentences::check()),
     ("pages name what is there", |_| pages::check()),
+    ("pages say how they are made", |_| studies::check()),
     ("one set of features", |_| features::check()),
 ];
 

@@ -22,6 +22,8 @@ pub(crate) enum Command {
     /// Those of the program.
     #[command(flatten)]
     Wayside(wayside::program::cli::Command),
+    /// Makes the figures of a page of docs/ anew; without a name, lists all studies and how old their pages are.
+    Study(PageArguments),
     /// Speed against accuracy: chart.csv, pictures, a page.
     Chart(StudyArguments),
     /// Where each method fails: atlas.csv, pictures, a page.
@@ -47,6 +49,7 @@ impl Command {
     pub(crate) fn name(&self) -> &'static str {
         match self {
             Self::Wayside(command) => command.name(),
+            Self::Study(_) => "study",
             Self::Chart(_) => "chart",
             Self::Atlas(_) => "atlas",
             Self::Levels(_) => "levels",
@@ -62,7 +65,13 @@ impl Command {
     pub(crate) fn results(&self) -> Results {
         match self {
             Self::Wayside(command) => command.results(),
-            Self::Chart(_) | Self::Atlas(_) | Self::Levels(_) | Self::Bytes(_) | Self::SceneKeys => {
+            Self::Study(PageArguments { name: None, .. }) => Results::Lines,
+            Self::Study(_)
+            | Self::Chart(_)
+            | Self::Atlas(_)
+            | Self::Levels(_)
+            | Self::Bytes(_)
+            | Self::SceneKeys => {
                 Results::Files
             }
             Self::Bench(_) | Self::House | Self::Ci(_) => Results::Lines,
@@ -70,6 +79,21 @@ impl Command {
     }
 }
 
+/// Words of `study`.
+#[derive(Debug, Args)]
+pub(crate) struct PageArguments {
+    /// Which study [default: tells of all].
+    #[arg(value_name = "NAME")]
+    pub(crate) name: Option<String>,
+    /// Fewer and smaller cases; docs/ stays as it is.
+    #[arg(long, requires = "name")]
+    pub(crate) quick: bool,
+    /// Where the page goes in place of docs/; of `chart`, `atlas` and `levels` a folder.
+    #[arg(long, value_name = "F", requires = "name")]
+    pub(crate) out: Option<PathBuf>,
+}
+
+/// Words of `chart`, `atlas` and `levels`.
 #[derive(Debug, Args)]
 pub(crate) struct StudyArguments {
     /// Fewer and smaller cases.

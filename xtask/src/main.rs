@@ -26,9 +26,10 @@ fn main() -> ExitCode {
 fn carry_out(command: Command, means: &Means) -> Result<(), Failure> {
     match command {
         Command::Wayside(command) => dispatch(command, means),
-        Command::Chart(arguments) => study::chart(&arguments),
-        Command::Atlas(arguments) => study::atlas(&arguments),
-        Command::Levels(arguments) => study::levels(&arguments),
+        Command::Chart(arguments) => study::drawn::chart(&arguments),
+        Command::Atlas(arguments) => study::drawn::atlas(&arguments),
+        Command::Levels(arguments) => study::drawn::levels(&arguments),
+        Command::Study(arguments) => study::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Bytes(arguments) => bytes::run(&arguments),
         Command::House => house::run(),

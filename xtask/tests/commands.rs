@@ -19,7 +19,7 @@ use std::time::Instant;
 #[test]
 fn help_is_given_for_every_command_of_developers_and_of_the_program() {
     let place = Workplace::new();
-    let commands = ["chart", "atlas", "levels", "bench", "scene-keys", "ci", "run", "rcs", "export"];
+    let commands = ["study", "chart", "atlas", "levels", "bench", "scene-keys", "ci", "run", "rcs", "export"];
     commands
         .iter()
         .for_each(|c| assert!(place.run(&format!("{c} --help")).contains("Usage: cargo xtask"), "{c}"));
@@ -31,6 +31,32 @@ fn a_command_of_the_program_is_passed_on_and_says_how_it_was_typed() {
     place.run("run small.toml --out out --quiet");
     let page = String::from_utf8(place.bytes("out/report.html")).unwrap();
     assert!(page.contains("cargo xtask run small.toml --out out") && page.contains("cargo xtask inspect"));
+}
+
+#[test]
+fn studies_are_told_with_their_pages_and_one_that_is_not_there_is_refused() {
+    let place = Workplace::new();
+    let told = place.run("study");
+    assert!(
+        told.lines()
+            .any(|line| line.starts_with("ambiguity ") && line.contains("docs/validation/ambiguity.md"))
+    );
+    let output = place.try_run("study nothing");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code() == Some(1) && said.contains("no study `nothing`"), "{said}");
+}
+
+#[test]
+fn a_study_of_fewer_cases_goes_into_a_copy_of_its_page_that_claims_no_sources() {
+    let place = Workplace::new();
+    let table = place.run("study calibration --quick --out page.md --quiet");
+    let page = String::from_utf8(place.bytes("page.md")).unwrap();
+    let original =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/validation/calibration.md"))
+            .unwrap();
+    assert!(table.contains("| 3 × 4 | calibrated | 40 |") && page.contains(table.trim()), "{table}");
+    assert!(page.contains("<!-- made by cargo xtask study calibration from sources unknown -->"));
+    assert_eq!(page.lines().next(), original.lines().next());
 }
 
 #[test]

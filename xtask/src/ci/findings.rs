@@ -1,6 +1,6 @@
 //! What the checks of the source have in common: its files, and a failure that holds every finding.
 
-use crate::house::folders;
+use crate::house::folders::{self, files_below};
 use crate::project::project_root;
 use std::path::{Path, PathBuf};
 use wayside::host::failure::Failure;
@@ -21,4 +21,13 @@ pub(super) fn read(file: &Path) -> Result<String, Failure> {
 /// Every source file of the workspace.
 pub(super) fn sources() -> Vec<PathBuf> {
     ["crates", "xtask"].iter().flat_map(|place| folders::sources(&project_root().join(place))).collect()
+}
+
+/// The pages of the project.
+pub(super) fn pages(root: &Path) -> Vec<PathBuf> {
+    let own = ["README.md", "CONTRIBUTING.md"].map(|name| root.join(name));
+    let docs = files_below(&root.join("docs"))
+        .into_iter()
+        .filter(|file| file.extension().is_some_and(|e| e == "md"));
+    own.into_iter().chain(docs).collect()
 }

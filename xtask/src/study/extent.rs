@@ -8,3 +8,13 @@ pub(super) enum Extent {
     /// Every case of the page.
     Full,
 }
+
+impl Extent {
+    /// Of so many cases those that are tried: quickly a fiftieth, and two at least.
+    pub(super) fn of(self, cases: u64) -> u64 {
+        match self {
+            Self::Quick => (cases / 50).max(2),
+            Self::Full => cases,
+        }
+    }
+}

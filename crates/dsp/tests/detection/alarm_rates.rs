@@ -1,9 +1,9 @@
 //! Rates at which noise alone passes the detectors, by zone of the map.
-#![allow(unreachable_pub, reason = "shared by test crates")]
-#![allow(dead_code, reason = "every test file uses its own part")]
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![allow(unreachable_pub, reason = "shared by tests and studies")]
+#![allow(dead_code, reason = "each uses its own part")]
+#![allow(clippy::unwrap_used, reason = "what cannot be measured ends the test or the study")]
 
-use crate::common::*;
+use super::common::*;
 use artifact::cube::CubeHeader;
 use artifact::radar::Sampling;
 use artifact::settings::{Detector, Window};

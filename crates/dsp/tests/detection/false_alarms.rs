@@ -1,11 +1,11 @@
 //! S2: noise alone passes the detector at the rate asked for, in every zone of the map.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::alarm_rates::{self, DETECTORS, Zones, assert_weighed, counted, noise_power_map, weighed};
+use crate::alarm_rates::{self, DETECTORS, assert_weighed, noise_power_map};
 use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::radar::{Multiplexing, Sampling};
-use artifact::settings::{Detector, Window};
+use artifact::settings::Window;
 use dsp::Receiver;
 use dsp::cfar::{Cfar, DETECTED};
 use rayon::prelude::*;
@@ -151,113 +151,3 @@ fn masks_are_those_of_estimates_made_cell_by_cell() {
         }
     }
 }
-
-/// Both studies fill their own part of the page.
-const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/validation/false-alarms.md");
-const REAL_HEADING: &str = "\n## Real samples\n";
-
-#[test]
-#[ignore = "minutes of processor time: writes the first part of docs/validation/false-alarms.md"]
-fn study_of_false_alarms_of_all_detectors() {
-    let page = std::fs::read_to_string(PAGE).unwrap();
-    let rest = page.split_once("\n## ").map(|(_, rest)| format!("\n## {rest}")).unwrap();
-    // One channel down to 1e-4: 10⁴ alarms in the 240 cells of the corners.
-    let study = [
-        (Window::Rect, 1, [10_000, 50_000, 420_000], 12_000),
-        (Window::Hann, 1, [10_000, 50_000, 420_000], 12_000),
-        (Window::Rect, 12, [2_000, 10_000, 0], 1_000),
-        (Window::Hann, 12, [2_000, 10_000, 0], 1_500),
-        (Window::Rect, 192, [0; 3], 100),
-        (Window::Hann, 192, [0; 3], 200),
-    ];
-    let table = table_of(Sampling::Complex, &study);
-    std::fs::write(PAGE, format!("{PAGE_HEAD}{table}{rest}")).unwrap();
-}
-
-#[test]
-#[ignore = "minutes of processor time: writes the second part of docs/validation/false-alarms.md"]
-fn study_of_false_alarms_of_real_samples() {
-    // 10⁴ alarms in the 96 cells next to range 0 and to half the sample rate down to 1e-3, at 1e-4 in the 300
-    // of either edge.
-    let study = [
-        (Window::Rect, 1, [11_000, 105_000, 420_000], 8_000),
-        (Window::Hann, 1, [11_000, 105_000, 420_000], 8_000),
-        (Window::Rect, 12, [2_000, 10_000, 0], 1_500),
-        (Window::Hann, 12, [2_000, 10_000, 0], 2_000),
-        (Window::Hann, 192, [0; 3], 200),
-    ];
-    let table = table_of(Sampling::Real, &study);
-    let page = std::fs::read_to_string(PAGE).unwrap();
-    let (before, after) = page.split_once(REAL_HEADING).unwrap_or_else(|| page.split_once("\n## ").unwrap());
-    let rest = after.split_once("\n## ").map_or(after, |(_, rest)| rest);
-    std::fs::write(PAGE, format!("{before}{REAL_HEADING}{REAL_HEAD}{table}\n## {rest}")).unwrap();
-}
-
-/// Windows, channels, maps to count in at 1e-2, 1e-3 and 1e-4, and maps to weigh.
-fn table_of(sampling: Sampling, study: &[(Window, u32, [u64; 3], u64)]) -> String {
-    let percent: u64 =
-        std::env::var("FALSE_ALARM_MAPS_PERCENT").map_or(100, |percent| percent.parse().unwrap());
-    let mut page = String::new();
-    for (window, channels, counted_maps, weighed_maps) in study {
-        let header = alarm_rates::noise_header(sampling, *window, *channels);
-        if page.is_empty() {
-            let names = Zones::of(&header).names;
-            page = format!(
-                "| detector | window | channels | asked | how | {} |\n|---|---|---|---|---|",
-                names.join(" | ")
-            );
-            page.push_str(&format!("{}\n", "---|".repeat(names.len())));
-        }
-        let mut add = |name: &str, rate: f64, how: &str, shown: Vec<String>| {
-            let row =
-                format!("| {name} | {window:?} | {channels} | {rate:e} | {how} | {} |\n", shown.join(" | "));
-            print!("{row}");
-            page.push_str(&row);
-        };
-        for (rate, maps) in [1e-2, 1e-3, 1e-4].into_iter().zip(counted_maps).filter(|(_, maps)| **maps > 0) {
-            let found = counted(&header, rate, maps * percent / 100);
-            for ((name, _), of_zones) in DETECTORS.iter().zip(found) {
-                let show = |(alarms, cells): (u64, u64)| {
-                    format!("{:.3} ({alarms})", alarms as f64 / (cells as f64 * rate))
-                };
-                add(name, rate, "counted", of_zones.into_iter().map(show).collect());
-            }
-        }
-        let rates = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
-        for (name, detector) in DETECTORS {
-            // The smaller mean of a thin half now and then is very small, and few maps then make most of the
-            // rate.
-            let more = if detector == Detector::SoCfar && *channels == 1 { 8 } else { 1 };
-            let of_rates = weighed(&header, detector, &rates, more * weighed_maps * percent / 100);
-            for (rate, of_zones) in rates.iter().zip(of_rates) {
-                let show = |(got, error): (f64, f64)| format!("{got:.3} ± {error:.3}");
-                add(name, *rate, "weighed", of_zones.into_iter().map(show).collect());
-            }
-        }
-    }
-    page
-}
-
-const PAGE_HEAD: &str = "# False alarms: got over asked
-
-Complex white noise in maps of 32 × 32 cells, guard [2, 2], training [4, 8], complex samples. Range edges are the ten
-cells at either end of the range axis, corners those of them whose training cells wrap over the Doppler axis.
-
-- counted: alarms over cells and rate (number of alarms).
-- weighed: mean over cells of P(cell under test > threshold), given the training cells as drawn, which is exact because
-  no window here correlates cells more than two apart; ± is the standard error over maps.
-
-`cargo test --release -p dsp --test detection -- --ignored --nocapture` writes both tables of this page; `FALSE_ALARM_MAPS_PERCENT`
-scales the number of maps.
-
-";
-
-const REAL_HEAD: &str = "
-Noise of real samples, 64 to a chirp: 32 range cells, the rest of the setting as above, by the same command. Of real samples the cell
-at (−m, −k) is the conjugate of that at (m, k): near range 0 and near the end, half the sample rate, the training cells of rows about zero and about
-the fastest velocity have their own images among them and are fewer independent ones. Cells that their own image makes non-circular (range 0; with
-Hann also the next one and the last) are not tested, but they are training cells of others. Near and far edge are the tested cells of
-the first and of the last ten, corners those of them whose training cells wrap over the Doppler axis; next to 0 and next to end are the
-first and the last three tested cells of every row, and of the first three those within two rows of zero or the fastest velocity have a column of their own.
-
-";

@@ -5,6 +5,9 @@ mod common; // radars and cubes
 mod arrays;
 mod phase_compensation;
 mod code_division;
+mod erring_elements;
 mod calibration;
+mod pair_trials;
 mod super_resolution;
+mod ghost_cells;
 mod ghosts;

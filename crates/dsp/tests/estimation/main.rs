@@ -2,5 +2,7 @@
 
 #[path = "../common/mod.rs"]
 mod common; // radars and cubes
+mod bound_trials;
 mod estimates;
+mod fold_trials;
 mod velocity_folds;

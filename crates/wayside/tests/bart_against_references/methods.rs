@@ -1,6 +1,8 @@
 //! The three methods on the same question: S in vv at some frequencies, by bounce order with exit nodes.
+#![allow(clippy::unwrap_used, reason = "what cannot be measured ends the test or the study")]
+#![allow(dead_code, reason = "each uses its own part")]
 
-use crate::processor_time::processor_seconds;
+use super::processor_time::processor_seconds;
 use artifact::Accuracy;
 use artifact::paths::Amplitude;
 use artifact::radar::Polarization;

@@ -1,25 +1,17 @@
 //! Gates of the reference data beside the checkout (`../shared/reference`): measurements, exact and full-wave
 //! solutions that no code of the project made. Without that folder every test says so and passes.
 //!
-//! Each check yields rows of figure beside gate; `cargo test --release -p wayside --test reference_gates --
-//! --ignored` writes them to `docs/validation/reference-gates.md`.
+//! Each check yields rows of figure beside gate; `cargo xtask study reference-gates` writes them to
+//! `docs/validation/reference-gates.md`.
 #![allow(
     clippy::unwrap_used,
     clippy::panic,
     reason = "a test fails by panicking; clippy knows only functions marked as tests"
 )]
 
-mod table;
-mod bodies;
-mod method;
-mod row;
-mod closed_form;
-mod austin;
-mod corners;
-mod full_wave;
-mod edges;
+mod gates;
 
-use row::Row;
+use gates::{Check, Row, austin, closed_form, corners, edges, full_wave};
 use std::path::PathBuf;
 
 /// `../shared/reference`, or `None` with a word about it.
@@ -33,17 +25,6 @@ fn reference_folder() -> Option<PathBuf> {
     }
     found
 }
-
-type Check = fn(&std::path::Path) -> Vec<Row>;
-
-/// Every check, in the page's order, under its heading.
-const CHECKS: [(&str, Check); 5] = [
-    ("First order against closed forms", closed_form::rows),
-    ("First order against the Austin suite", austin::rows),
-    ("Multiple bounces against closed forms", corners::rows),
-    ("Edges against exact, measured and full-wave solutions", edges::rows),
-    ("Multiple bounces against full wave and the duct box", full_wave::rows),
-];
 
 fn hold(check: Check) {
     let Some(folder) = reference_folder() else { return };
@@ -76,17 +57,4 @@ fn corner_reflectors_have_their_levels_and_signs() {
 #[test]
 fn multiple_bounces_come_as_near_to_full_wave_solutions_as_geometrical_optics_does() {
     hold(full_wave::rows);
-}
-
-#[test]
-#[ignore = "writes docs/validation/reference-gates.md"]
-fn the_page_is_written() {
-    let Some(folder) = reference_folder() else { return };
-    let mut page = String::from(include_str!("page_head.md"));
-    for (heading, check) in CHECKS {
-        page += &format!("\n## {heading}\n\n| check | figure | gate | |\n|---|---|---|---|\n");
-        check(&folder).iter().for_each(|row| page += &format!("{}\n", row.line()));
-    }
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/validation/reference-gates.md");
-    std::fs::write(file, page).unwrap();
 }

@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod ghost_streets;
 mod ghosts;
 mod main_job;
 mod report;

@@ -38,7 +38,7 @@ errors of an estimate where a case is about estimates.
 pub(in crate::study) fn page(rows: &[Row], extent: Extent) -> String {
     let command = match extent {
         Extent::Quick => "cargo xtask atlas --quick --docs",
-        Extent::Full => "cargo xtask atlas --docs",
+        Extent::Full => "cargo xtask study atlas",
     };
     let counts: Vec<String> = Verdict::ALL.map(|v| format!("{} {}", count(rows, v), v.name())).to_vec();
     let fields = |r: &Row| {

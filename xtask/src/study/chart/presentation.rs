@@ -20,7 +20,7 @@ pub(in crate::study) fn page(rows: &[Row], extent: Extent) -> String {
     let header = ["stage", "scene", "method", "setting", "seconds", "peak, MiB", "error, dB", "reference"];
     let command = match extent {
         Extent::Quick => "cargo xtask chart --quick --docs",
-        Extent::Full => "cargo xtask chart --docs",
+        Extent::Full => "cargo xtask study chart",
     };
     format!(
         "# Chart: speed against accuracy\n\n\

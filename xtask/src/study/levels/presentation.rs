@@ -31,7 +31,7 @@ fn fields(row: &Row) -> Vec<String> {
 pub(in crate::study) fn page(rows: &[Row], extent: Extent) -> String {
     let command = match extent {
         Extent::Quick => "cargo xtask levels --quick --docs",
-        Extent::Full => "cargo xtask levels --docs",
+        Extent::Full => "cargo xtask study levels",
     };
     let header = [
         "scene",

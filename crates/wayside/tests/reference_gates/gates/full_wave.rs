@@ -1,10 +1,10 @@
 //! Geometrical optics between bounces on bodies of some wavelengths: how far it is from full-wave solutions
 //! is known.
 
-use crate::bodies;
-use crate::method::{Bart, antenna, sum};
-use crate::row::Row;
-use crate::table::{Table, complex_error, dbsm, mean_db, power_mean_dbsm};
+use super::bodies;
+use super::method::{Bart, antenna, sum};
+use super::row::Row;
+use super::table::{Table, complex_error, dbsm, mean_db, power_mean_dbsm};
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::NodeRule::{self, Exit, Middle, OwnEdge};
@@ -184,7 +184,7 @@ fn corners_in_the_plane(folder: &Path) -> Vec<Row> {
 /// Complex error of one scene, vv and hh.
 fn in_the_plane(scene: &str, nodes: NodeRule, table: &Table) -> [f64; 2] {
     let table = table.only(&[("scene", scene)]);
-    let wavelength_m = artifact::units::SPEED_OF_LIGHT_MPS / crate::method::FREQUENCY_HZ;
+    let wavelength_m = artifact::units::SPEED_OF_LIGHT_MPS / super::method::FREQUENCY_HZ;
     let mesh = extruded(&strips(scene), LENGTH, wavelength_m);
     // Every second of 142 elevations.
     let table = ["vv", "hh"].map(|pol| table.only(&[("pol", pol)]).every(2));

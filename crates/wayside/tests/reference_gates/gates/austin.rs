@@ -1,10 +1,10 @@
 //! The Austin RCS benchmark suite: bodies of flat facets, where the error of physical optics is physics and
 //! known.
 
-use crate::bodies;
-use crate::method::{Bart, antenna};
-use crate::row::Row;
-use crate::table::{Table, dbsm, mean_db, power_mean_dbsm};
+use super::bodies;
+use super::method::{Bart, antenna};
+use super::row::Row;
+use super::table::{Table, dbsm, mean_db, power_mean_dbsm};
 use artifact::radar::Polarization::{Hh, Hv, Vh, Vv};
 use bart_rcs::Standpoint;
 use std::path::Path;

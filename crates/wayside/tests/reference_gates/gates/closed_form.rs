@@ -1,10 +1,10 @@
 //! First-order physical optics is exact on flat facets: implementation errors show here, physics needs no
 //! tolerance.
 
-use crate::bodies;
-use crate::method::{Bart, FREQUENCY_HZ, antenna};
-use crate::row::Row;
-use crate::table::{Table, dbsm, worst_of_peak};
+use super::bodies;
+use super::method::{Bart, FREQUENCY_HZ, antenna};
+use super::row::Row;
+use super::table::{Table, dbsm, worst_of_peak};
 use artifact::paths::Amplitude;
 use artifact::radar::Polarization::{Hh, Hv, Vh, Vv};
 use bart_rcs::Standpoint;

@@ -1,16 +1,18 @@
 //! Random frames of one vehicle over a road: what leaving it out is said to cost, beside what it does.
 
-use crate::methods::decibels;
-use crate::random_cases::at;
+use super::bodies::Named;
+use super::frames::at;
+use crate::study::pages::measures::references::methods::decibels;
 use artifact::Radar;
 use artifact::material::{Material, Road};
-use artifact::scene::{Mesh, Pose, SceneHeader};
+use artifact::scene::{Pose, SceneHeader};
 use bart_rcs::{FrameSurroundings, Tracer};
 use glam::DVec3;
 use num_complex::Complex64;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 use std::f64::consts::TAU;
+use wayside::host::failure::Failure;
 
 /// One case; decibels are amplitudes relative to the echo without a road.
 #[derive(Debug)]
@@ -34,7 +36,7 @@ const ROADS: [(&str, [f64; 2]); 4] = [
 
 /// Case number `case`: paths with a road less those without, at the moment of the frame's check and all over
 /// the band.
-pub(crate) fn try_road(case: u64, meshes: &[(&str, Mesh)], empty: &SceneHeader) -> FoundRoad {
+pub(crate) fn try_road(case: u64, meshes: &[Named], empty: &SceneHeader) -> Result<FoundRoad, Failure> {
     let mut rng = ChaCha12Rng::from_seed(artifact::seed::key(13, "validation/random-roads", &[case]));
     let (name, mesh) = &meshes[rng.random_range(0..meshes.len())];
     let (range_m, bearing_rad): (f64, f64) = (rng.random_range(15.0..60.0), rng.random_range(-0.4..0.4));
@@ -51,11 +53,12 @@ pub(crate) fn try_road(case: u64, meshes: &[(&str, Mesh)], empty: &SceneHeader) 
     header.targets[0].start = pose;
     let (road, [real, loss]) = ROADS[rng.random_range(0..ROADS.len())];
     let frame = scene::snapshot(&header, 0);
-    let tracer = Tracer::new(&header).unwrap();
-    let without = tracer.all_paths(&header, &frame, &FrameSurroundings::ALONE).unwrap();
+    let tracer = Tracer::new(&header).map_err(Failure::refused)?;
+    let surroundings = &FrameSurroundings::ALONE;
+    let without = tracer.all_paths(&header, &frame, surroundings).map_err(Failure::refused)?;
     let material = Material::HalfSpace { permittivity: Complex64::new(real, -loss) };
     header.road = Some(Road { material, rms_height_m: rng.random_range(2e-4..1e-3) });
-    let with = tracer.all_paths(&header, &frame, &FrameSurroundings::ALONE).unwrap();
+    let with = tracer.all_paths(&header, &frame, surroundings).map_err(Failure::refused)?;
     let frequencies_hz = (0..24).map(|i| {
         let waveform = &header.radar.waveform;
         waveform.start_frequency_hz + (f64::from(i) + 0.5) / 24.0 * waveform.bandwidth_hz()
@@ -67,15 +70,15 @@ pub(crate) fn try_road(case: u64, meshes: &[(&str, Mesh)], empty: &SceneHeader) 
         [(with - without).norm_sqr(), without.norm_sqr()]
     });
     let [added, whole] = powers.fold([0.0; 2], |sum, p| [sum[0] + p[0], sum[1] + p[1]]);
-    FoundRoad {
-        name: (*name).to_owned(),
+    Ok(FoundRoad {
+        name: name.clone(),
         pose,
         height_m: header.radar.position_m[2],
         bounces: header.fidelity.bounces,
         road,
-        printed_db: decibels(without.model_error.road.unwrap()),
+        printed_db: decibels(without.model_error.road.unwrap_or(0.0)),
         true_db: decibels((added / whole).sqrt()),
-    }
+    })
 }
 
 /// The radar and its elements at another height.

@@ -1,9 +1,9 @@
 //! Corner reflectors large against the wavelength: the multiple-bounce term alone has a closed form.
 
-use crate::bodies::{self, Faces};
-use crate::method::{Bart, antenna, sum};
-use crate::row::Row;
-use crate::table::{Table, dbsm, worst_of_peak};
+use super::bodies::{self, Faces};
+use super::method::{Bart, antenna, sum};
+use super::row::Row;
+use super::table::{Table, dbsm, worst_of_peak};
 use artifact::paths::Amplitude;
 use bart_rcs::Standpoint;
 use num_complex::Complex64;

@@ -1,10 +1,10 @@
 //! Edges against exact, measured and full-wave solutions: each figure beside its gate, beside plain physical
 //! optics and beside what the data itself is worth.
 
-use crate::bodies;
-use crate::method::{Bart, FREQUENCY_HZ, antenna, sum};
-use crate::row::Row;
-use crate::table::{Table, complex_error, dbsm, mean_db, power_mean_dbsm};
+use super::bodies;
+use super::method::{Bart, FREQUENCY_HZ, antenna, sum};
+use super::row::Row;
+use super::table::{Table, complex_error, dbsm, mean_db, power_mean_dbsm};
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::Edges;

@@ -1,0 +1,194 @@
+//! All studies: what each makes, how long that takes, and whether what stands there is older than its code.
+
+use crate::cli::{PageArguments, StudyArguments};
+use crate::project::project_root;
+use crate::study::drawn::{self, ATLAS, CHART, LEVELS};
+use crate::study::extent::Extent;
+use crate::study::page::{Age, FEWER, with_part};
+use crate::study::pages::{
+    Part, ambiguity, calibration, continuity, estimates, estimates_of_errors, false_alarms, gates, ghosts,
+    references, super_resolution, traced_ghosts, transmitters_in_turn,
+};
+use crate::study::sources::{self, Places};
+use wayside::host::failure::Failure;
+use wayside::host::files;
+use wayside::host::progress::Work;
+use wayside::program::terminal;
+
+/// What makes figures of a page.
+pub(crate) struct Study {
+    /// The word that a developer types.
+    pub(crate) name: &'static str,
+    /// From the project's root on.
+    pub(crate) page: &'static str,
+    /// About how long, on two cores.
+    takes: &'static str,
+    sources: Places,
+    make: Make,
+}
+
+enum Make {
+    /// A part of its page.
+    Part(fn(Extent) -> Result<Part, Failure>),
+    /// A page, with a table and pictures.
+    Whole(fn(&StudyArguments) -> Result<(), Failure>),
+}
+
+/// In the order of `docs/validation/README.md`, then those that are drawn.
+pub(crate) const STUDIES: [Study; 20] = [
+    part("reference-gates", "docs/validation/reference-gates.md", "2 minutes", gates::SOURCES, gates::part),
+    part("bart-against-references", REFERENCES, "6 minutes", references::SOURCES, references::own_car),
+    part("real-car", REFERENCES, "an hour", references::SOURCES, references::real_car),
+    part("second-real-car", REFERENCES, "an hour", references::SOURCES, references::second_real_car),
+    part(
+        "continuity",
+        "docs/validation/continuity.md",
+        "half an hour",
+        continuity::SOURCES,
+        continuity::part,
+    ),
+    part(
+        "random-cases",
+        ERRORS,
+        "half an hour",
+        estimates_of_errors::SOURCES,
+        estimates_of_errors::of_tables,
+    ),
+    part("random-frames", ERRORS, "an hour", estimates_of_errors::SOURCES, estimates_of_errors::of_frames),
+    part("random-roads", ERRORS, "half an hour", estimates_of_errors::SOURCES, estimates_of_errors::of_roads),
+    whole("levels", "docs/validation/levels-of-detail.md", "10 minutes", LEVELS, drawn::levels),
+    part("false-alarms", ALARMS, "half an hour", false_alarms::SOURCES, false_alarms::of_complex_samples),
+    part("false-alarms-real", ALARMS, "half an hour", false_alarms::SOURCES, false_alarms::of_real_samples),
+    part("estimates", "docs/validation/estimates.md", "10 minutes", estimates::SOURCES, estimates::part),
+    part(
+        "calibration",
+        "docs/validation/calibration.md",
+        "a minute",
+        calibration::SOURCES,
+        calibration::part,
+    ),
+    part(
+        "super-resolution",
+        "docs/validation/super-resolution.md",
+        "5 minutes",
+        super_resolution::SOURCES,
+        super_resolution::part,
+    ),
+    part("ambiguity", "docs/validation/ambiguity.md", "3 minutes", ambiguity::SOURCES, ambiguity::part),
+    part(
+        "transmitters-in-turn",
+        IN_TURN,
+        "3 minutes",
+        transmitters_in_turn::SOURCES,
+        transmitters_in_turn::part,
+    ),
+    part("ghosts", "docs/validation/ghosts.md", "2 minutes", ghosts::SOURCES, ghosts::part),
+    part(
+        "traced-ghosts",
+        "docs/validation/ghosts.md",
+        "10 minutes",
+        traced_ghosts::SOURCES,
+        traced_ghosts::part,
+    ),
+    whole("chart", "docs/chart.md", "an hour", CHART, drawn::chart),
+    whole("atlas", "docs/atlas.md", "10 minutes", ATLAS, drawn::atlas),
+];
+
+// Pages of which several studies make a part, or with long names.
+const REFERENCES: &str = "docs/validation/bart-against-references.md";
+const ERRORS: &str = "docs/validation/error-estimates.md";
+const ALARMS: &str = "docs/validation/false-alarms.md";
+const IN_TURN: &str = "docs/validation/transmitters-in-turn.md";
+
+type MakePart = fn(Extent) -> Result<Part, Failure>;
+type MakeWhole = fn(&StudyArguments) -> Result<(), Failure>;
+
+const fn part(
+    name: &'static str,
+    page: &'static str,
+    takes: &'static str,
+    sources: Places,
+    make: MakePart,
+) -> Study {
+    Study { name, page, takes, sources, make: Make::Part(make) }
+}
+
+const fn whole(
+    name: &'static str,
+    page: &'static str,
+    takes: &'static str,
+    sources: Places,
+    make: MakeWhole,
+) -> Study {
+    Study { name, page, takes, sources, make: Make::Whole(make) }
+}
+
+/// The study of this name.
+pub(crate) fn by_name(name: &str) -> Option<&'static Study> {
+    STUDIES.iter().find(|study| study.name == name)
+}
+
+/// Makes what a study makes, or tells of all.
+pub(crate) fn run(arguments: &PageArguments) -> Result<(), Failure> {
+    let Some(name) = &arguments.name else { return list() };
+    let unknown =
+        || Failure::Refused(format!("there is no study `{name}`; `cargo xtask study` tells of all"));
+    let study = by_name(name).ok_or_else(unknown)?;
+    match study.make {
+        Make::Part(make) => study.make_part(make, arguments),
+        Make::Whole(make) => make(&StudyArguments {
+            quick: arguments.quick,
+            out: arguments.out.clone(),
+            docs: !arguments.quick && arguments.out.is_none(),
+            table: None,
+        }),
+    }
+}
+
+fn list() -> Result<(), Failure> {
+    let line = |name, page, takes, age| terminal::line(format!("{name:<25}{page:<45}{takes:<15}{age}"));
+    line("cargo xtask study …", "page", "takes about", "is");
+    for study in &STUDIES {
+        line(study.name, study.page, study.takes, study.age()?.words());
+    }
+    Ok(())
+}
+
+impl Study {
+    /// What stands on its page beside its sources.
+    pub(crate) fn age(&self) -> Result<Age, Failure> {
+        let page = std::fs::read_to_string(project_root().join(self.page)).unwrap_or_default();
+        Ok(Age::of(&page, self.name, &sources::hash(self.sources)?))
+    }
+
+    /// Puts the part into its page; of fewer cases only where another place than `docs/` is given.
+    fn make_part(&self, make: MakePart, arguments: &PageArguments) -> Result<(), Failure> {
+        let place = project_root().join(self.page);
+        let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
+        // Before the work, so that it says of which sources it is even if they change meanwhile.
+        let hash = if arguments.quick { FEWER.to_owned() } else { sources::hash(self.sources)? };
+        let _work = Work::begin(self.name);
+        let (text, complaint) = make(extent)?.finished();
+        let out = arguments.out.clone().or_else(|| (!arguments.quick).then(|| place.clone()));
+        if let Some(out) = out {
+            let page = std::fs::read_to_string(&place).map_err(|e| Failure::system(&place, "read", e))?;
+            let page = with_part(&page, self.name, &hash, &text)
+                .ok_or_else(|| Failure::Refused(format!("{}: has no part for `{}`", self.page, self.name)))?;
+            files::write_file(&out, page.as_bytes())?;
+        }
+        complaint.map_or(Ok(()), |sentence| Err(Failure::Refused(format!("{}: {sentence}", self.name))))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_study_has_a_name_of_its_own_and_sources_that_are_there() {
+        for (index, study) in STUDIES.iter().enumerate() {
+            assert!(STUDIES[..index].iter().all(|other| other.name != study.name), "{}", study.name);
+            assert_ne!(study.age().unwrap(), Age::Missing, "{}", study.name);
+        }
+    }
+}

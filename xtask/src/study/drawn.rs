@@ -1,0 +1,157 @@
+//! `chart`, `atlas` and `levels`: speed against accuracy, where each method fails, and levels of detail; each
+//! a table, pictures and a whole page.
+
+use crate::cli::StudyArguments;
+use crate::project::project_root;
+use crate::study::extent::Extent;
+use crate::study::page::{FEWER, made_by};
+use crate::study::sources::{self, Places};
+use crate::study::table::Table;
+use crate::study::{atlas, chart, levels};
+use plotting::svg::Svg;
+use std::path::{Path, PathBuf};
+use wayside::host::failure::Failure;
+use wayside::host::files;
+use wayside::pictures::write_png;
+use wayside::program::terminal;
+
+/// What the figures of each hang on.
+pub(super) const CHART: Places = &[sources::CHAIN, SHARED, &["xtask/src/study/chart"]];
+pub(super) const ATLAS: Places = &[sources::CHAIN, SHARED, &["xtask/src/study/atlas"]];
+pub(super) const LEVELS: Places =
+    &[sources::CHAIN, SHARED, &["xtask/src/study/levels.rs", "xtask/src/study/levels"]];
+const SHARED: &[&str] = &[
+    "xtask/src/study/bodies.rs",
+    "xtask/src/study/closed_forms.rs",
+    "xtask/src/study/looks.rs",
+    "xtask/src/study/scenes.rs",
+];
+
+/// Seconds against error, method by method.
+pub(crate) fn chart(arguments: &StudyArguments) -> Result<(), Failure> {
+    let draw = |table: &Table| {
+        vec![("chart", chart::picture(table)), ("chart-frames", chart::picture_of_frames(table))]
+    };
+    let drawing = Drawing { name: "chart", sources: CHART, columns: &chart::COLUMNS, draw: &draw };
+    if let Some(file) = &arguments.table {
+        return drawing.again(file, arguments);
+    }
+    let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
+    let rows = chart::rows(extent)?;
+    drawing.study("", chart::csv(&rows), chart::page(&rows, extent))?.write("chart", arguments)
+}
+
+/// Cases and verdicts; ends with exit code 1 if the program was wrong and did not say so.
+pub(crate) fn atlas(arguments: &StudyArguments) -> Result<(), Failure> {
+    let draw = |table: &Table| vec![("atlas", atlas::picture(table))];
+    let drawing = Drawing { name: "atlas", sources: ATLAS, columns: &atlas::COLUMNS, draw: &draw };
+    if let Some(file) = &arguments.table {
+        return drawing.again(file, arguments);
+    }
+    let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
+    let rows = atlas::rows(extent)?;
+    drawing.study("", atlas::csv(&rows), atlas::page(&rows, extent))?.write("atlas", arguments)?;
+    match atlas::count(&rows, atlas::Verdict::Wrong) {
+        0 => Ok(()),
+        wrong => Err(Failure::Refused(format!("{wrong} cases are wrong and the program does not say so"))),
+    }
+}
+
+/// Levels of detail: error, seconds, which was taken.
+pub(crate) fn levels(arguments: &StudyArguments) -> Result<(), Failure> {
+    let draw = |table: &Table| vec![("levels-of-detail", levels::picture(table))];
+    let drawing =
+        Drawing { name: "levels-of-detail", sources: LEVELS, columns: &levels::COLUMNS, draw: &draw };
+    if let Some(file) = &arguments.table {
+        return drawing.again(file, arguments);
+    }
+    let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
+    let rows = levels::rows(extent)?;
+    drawing.study("validation", levels::csv(&rows), levels::page(&rows, extent))?.write("levels", arguments)
+}
+
+/// How a study's table becomes pictures.
+struct Drawing<'d> {
+    name: &'static str,
+    sources: Places,
+    columns: &'d [&'static str],
+    draw: &'d dyn Fn(&Table) -> Vec<(&'static str, Svg)>,
+}
+
+impl Drawing<'_> {
+    /// The whole study; its pictures are those of its table, as they would be drawn from it again.
+    fn study(&self, page_in: &'static str, csv: String, page: String) -> Result<Study, Failure> {
+        let table = Table::read(&csv, self.columns).map_err(Failure::refused)?;
+        Ok(Study {
+            name: self.name,
+            sources: self.sources,
+            page_in,
+            csv,
+            page,
+            pictures: (self.draw)(&table),
+        })
+    }
+
+    /// The pictures of an earlier table.
+    fn again(&self, file: &Path, arguments: &StudyArguments) -> Result<(), Failure> {
+        let text = std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))?;
+        let refused = |error| Failure::Refused(format!("{}: {error}", file.display()));
+        let table = Table::read(&text, self.columns).map_err(refused)?;
+        let pictures = (self.draw)(&table);
+        write_pictures(&pictures, &folder(arguments, self.name))?;
+        if arguments.docs { write_docs_pictures(&pictures, &project_root().join("docs")) } else { Ok(()) }
+    }
+}
+
+/// What a study leaves.
+struct Study {
+    name: &'static str,
+    sources: Places,
+    /// Folder of the page within docs/.
+    page_in: &'static str,
+    csv: String,
+    page: String,
+    /// With their names.
+    pictures: Vec<(&'static str, Svg)>,
+}
+
+impl Study {
+    fn write(&self, word: &str, arguments: &StudyArguments) -> Result<(), Failure> {
+        let folder = folder(arguments, self.name);
+        files::write_file(&folder.join(format!("{}.csv", self.name)), self.csv.as_bytes())?;
+        write_pictures(&self.pictures, &folder)?;
+        terminal::line(&self.page);
+        if !arguments.docs {
+            return Ok(());
+        }
+        let hash = if arguments.quick { FEWER.to_owned() } else { sources::hash(self.sources)? };
+        self.write_docs(&made_by(word, &hash), &project_root().join("docs"))
+    }
+
+    fn write_docs(&self, made_by: &str, docs: &Path) -> Result<(), Failure> {
+        let page = docs.join(self.page_in).join(format!("{}.md", self.name));
+        files::write_file(&page, format!("{}\n\n{made_by}\n", self.page.trim_end()).as_bytes())?;
+        files::write_file(&docs.join("pictures").join(format!("{}.csv", self.name)), self.csv.as_bytes())?;
+        write_docs_pictures(&self.pictures, docs)
+    }
+}
+
+fn folder(arguments: &StudyArguments, name: &str) -> PathBuf {
+    arguments.out.clone().unwrap_or_else(|| PathBuf::from("out").join(name))
+}
+
+fn write_pictures(pictures: &[(&'static str, Svg)], folder: &Path) -> Result<(), Failure> {
+    for (name, picture) in pictures {
+        files::write_file(&folder.join(format!("{name}.svg")), picture.text().as_bytes())?;
+        write_png(&folder.join(format!("{name}.png")), picture)?;
+    }
+    Ok(())
+}
+
+fn write_docs_pictures(pictures: &[(&'static str, Svg)], docs: &Path) -> Result<(), Failure> {
+    for (name, picture) in pictures {
+        let place = docs.join("pictures").join(format!("{name}.svg"));
+        files::write_file(&place, picture.text().as_bytes())?;
+    }
+    Ok(())
+}

@@ -1,0 +1,14 @@
+//! Studies whose rows stand in a part of a page between prose: what tests of the crates assert of few cases,
+//! measured of many.
+
+mod measures;
+mod part;
+mod scattering;
+mod signals;
+
+pub(super) use part::Part;
+pub(super) use scattering::{continuity, estimates_of_errors, gates, references};
+pub(super) use signals::{
+    ambiguity, calibration, estimates, false_alarms, ghosts, super_resolution, traced_ghosts,
+    transmitters_in_turn,
+};

@@ -1,0 +1,10 @@
+//! What tests of the crates measure, taken from beside these tests as it is: few cases are asserted there, many
+//! are tabulated here.
+
+#[path = "../../../../crates/wayside/tests/reference_gates/gates/mod.rs"]
+pub(super) mod gates;
+
+/// Made-up radars and targets.
+pub(super) mod signals;
+/// BART beside dense sampling and rays.
+pub(super) mod references;

@@ -1,0 +1,9 @@
+//! Of scattered fields: against reference data, against the two slow references, and against finer answers.
+
+mod bodies;
+mod frames;
+mod roads;
+pub(crate) mod continuity;
+pub(crate) mod estimates_of_errors;
+pub(crate) mod gates;
+pub(crate) mod references;

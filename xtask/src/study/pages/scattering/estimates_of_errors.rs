@@ -1,0 +1,112 @@
+//! The printed error beside the true one, in random cases.
+
+use super::bodies::{Named, all, all_own, experiment_1};
+use super::frames::try_frame;
+use super::roads::try_road;
+use crate::study::extent::Extent;
+use crate::study::pages::measures::references::random_cases::try_case;
+use crate::study::pages::part::Part;
+use crate::study::sources::{Places, SCATTERING};
+use artifact::scene::Mesh;
+use wayside::host::failure::Failure;
+use wayside::host::progress::Work;
+
+/// What the figures hang on.
+pub(crate) const SOURCES: Places = &[
+    SCATTERING,
+    &[
+        "crates/wayside/tests/bart_against_references/methods.rs",
+        "crates/wayside/tests/bart_against_references/random_cases.rs",
+        "xtask/src/study/pages/scattering/frames.rs",
+        "xtask/src/study/pages/scattering/roads.rs",
+        file!(),
+    ],
+];
+
+/// Of S.
+pub(crate) fn of_tables(extent: Extent) -> Result<Part, Failure> {
+    let meshes = all()?;
+    let meshes: Vec<(&str, Mesh)> = meshes.iter().map(|(name, mesh)| (name.as_str(), mesh.clone())).collect();
+    let columns = [
+        "vehicle",
+        "azimuth, °",
+        "elevation, °",
+        "range, m",
+        "bounces",
+        "asked, dB",
+        "printed, dB",
+        "true, dB",
+    ];
+    let table = tried(&columns, extent.of(100), &|case| {
+        let found = try_case(case, &meshes, [76e9, 81e9]);
+        Ok((found.to_string(), [found.printed_db, found.true_db]))
+    })?;
+    Ok(judged(table))
+}
+
+/// Of a frame's map.
+pub(crate) fn of_frames(extent: Extent) -> Result<Part, Failure> {
+    let (meshes, header) = (all()?, experiment_1()?);
+    let columns = ["vehicle", "x, y, m", "heading, °", "speed, m/s", "bounces", "asked, dB", "paths"];
+    let table =
+        tried(&[&columns, ["printed, dB", "true, dB"].as_slice()].concat(), extent.of(100), &|case| {
+            let found = try_frame(case, &meshes, &header)?;
+            Ok((found.to_string(), [found.printed_db, found.true_db]))
+        })?;
+    Ok(judged(table))
+}
+
+/// Of leaving the road out: the figure is of dry asphalt, and the roads are not; how many it covers is found,
+/// not promised.
+pub(crate) fn of_roads(extent: Extent) -> Result<Part, Failure> {
+    let (meshes, header): (Vec<Named>, _) = (all_own()?, experiment_1()?);
+    let columns =
+        ["vehicle", "range, m", "heading, °", "height, m", "bounces", "road", "printed, dB", "true, dB"];
+    let table = tried(&columns, extent.of(19), &|case| {
+        let found = try_road(case, &meshes, &header)?;
+        Ok((found.to_string(), [found.printed_db, found.true_db]))
+    })?;
+    Ok(table.part)
+}
+
+/// A table, and how its cases came out.
+struct Tried {
+    part: Part,
+    inside: usize,
+    of: usize,
+    median_db: f64,
+}
+
+/// A row for each case; at last how many true errors are below the printed ones.
+fn tried(
+    columns: &[&str],
+    cases: u64,
+    row: &dyn Fn(u64) -> Result<(String, [f64; 2]), Failure>,
+) -> Result<Tried, Failure> {
+    let work = Work::begin("cases");
+    let (mut part, mut excess_db) = (Part::default(), Vec::new());
+    part.head(&[columns, &["excess, dB"]].concat());
+    for case in 0..cases {
+        work.at(case as usize, cases as usize);
+        let (line, [printed_db, true_db]) = row(case)?;
+        part.line(line);
+        excess_db.push(printed_db - true_db);
+    }
+    excess_db.sort_by(f64::total_cmp);
+    let (inside, of) = (excess_db.iter().filter(|excess| **excess >= 0.0).count(), excess_db.len());
+    let median_db = excess_db[of / 2];
+    let (least, greatest) = (excess_db[0], excess_db[of - 1]);
+    part.line(format!(
+        "\n**{inside} of {of} inside; median excess {median_db:.1} dB** (least {least:.1}, greatest {greatest:.1})."
+    ));
+    Ok(Tried { part, inside, of, median_db })
+}
+
+/// 95 of 100 are asked, and not far outside.
+fn judged(tried: Tried) -> Part {
+    let Tried { mut part, inside, of, median_db } = tried;
+    if 100 * inside < 95 * of || median_db > 10.0 {
+        part.complain(format!("{inside} of {of} inside, median excess {median_db:.1} dB"));
+    }
+    part
+}

@@ -1,0 +1,31 @@
+//! Figures beside the gates of reference data that no code of the project made.
+
+use super::bodies::shared;
+use crate::study::extent::Extent;
+use crate::study::pages::measures::gates::{CHECKS, Row};
+use crate::study::pages::part::Part;
+use crate::study::sources::{Places, SCATTERING};
+use wayside::host::failure::Failure;
+
+/// What the figures hang on.
+pub(crate) const SOURCES: Places = &[SCATTERING, &["crates/wayside/tests/reference_gates/gates", file!()]];
+
+pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
+    let folder = shared().join("reference");
+    if !folder.is_dir() {
+        return Err(Failure::System(format!("{}: the reference data is not here", folder.display())));
+    }
+    let mut part = Part::default();
+    let checks = if extent == Extent::Quick { &CHECKS[..1] } else { &CHECKS };
+    let mut missed = 0;
+    for (heading, check) in checks {
+        part.line(format!("\n## {heading}\n\n| check | figure | gate | |\n|---|---|---|---|"));
+        let rows = check(&folder);
+        rows.iter().for_each(|row| part.line(row.line()));
+        missed += rows.iter().filter(|row| !Row::holds(row)).count();
+    }
+    if missed > 0 {
+        part.complain(format!("{missed} figures are outside their gates"));
+    }
+    Ok(part)
+}

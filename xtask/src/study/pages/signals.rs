@@ -1,0 +1,10 @@
+//! Of signals alone: radars that are made up, targets by formula.
+
+pub(crate) mod ambiguity;
+pub(crate) mod calibration;
+pub(crate) mod estimates;
+pub(crate) mod false_alarms;
+pub(crate) mod ghosts;
+pub(crate) mod super_resolution;
+pub(crate) mod traced_ghosts;
+pub(crate) mod transmitters_in_turn;

@@ -1,0 +1,43 @@
+//! Which sources the figures of a study hang on, and their short hash.
+
+#[path = "../../../crates/wayside/sources.rs"]
+mod hashed;
+
+use crate::project::project_root;
+use wayside::host::failure::Failure;
+
+/// Places from the project's root on, in lists that studies share.
+pub(crate) type Places = &'static [&'static [&'static str]];
+
+/// Leaves that every stage sees.
+const LEAVES: &[&str] = &["crates/artifact", "crates/radar"];
+
+/// Maps, detectors, directions.
+pub(super) const SIGNALS: &[&str] = &["crates/dsp", "crates/dsp/tests/common"];
+
+/// Bodies and what they scatter.
+pub(super) const SCATTERING: &[&str] = &["crates/scene", "crates/bart-rcs"];
+
+/// The stages from a scene to points.
+pub(super) const CHAIN: &[&str] = &["crates/scene", "crates/bart-rcs", "crates/fmcw-echo", "crates/dsp"];
+
+/// Eight digits of the hash of these places and of the leaves.
+pub(super) fn hash(places: Places) -> Result<String, Failure> {
+    let root = project_root();
+    let all: Vec<_> = LEAVES.iter().chain(places.iter().copied().flatten()).map(|p| root.join(p)).collect();
+    let hash = hashed::hash_of(&all).map_err(Failure::System)?;
+    Ok(hash.to_hex()[..8].to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_hash_is_that_of_its_places() {
+        let (signals, scattering) = (hash(&[SIGNALS]).unwrap(), hash(&[SCATTERING]).unwrap());
+        assert_eq!(signals, hash(&[SIGNALS]).unwrap());
+        assert!(signals.len() == 8 && signals != scattering);
+        assert!(hash(&[&["crates/nothing"]]).is_err());
+    }
+}
