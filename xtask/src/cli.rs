@@ -71,9 +71,7 @@ impl Command {
             | Self::Atlas(_)
             | Self::Levels(_)
             | Self::Bytes(_)
-            | Self::SceneKeys => {
-                Results::Files
-            }
+            | Self::SceneKeys => Results::Files,
             Self::Bench(_) | Self::House | Self::Ci(_) => Results::Lines,
         }
     }

@@ -38,7 +38,12 @@ pub(crate) fn errors(header: &CubeHeader, seed: u64) -> Vec<Complex64> {
 }
 
 /// The map of a point in noise, heard by channels with these errors.
-pub(crate) fn map(header: &CubeHeader, errors: &[Complex64], target: &Target, seed: u64) -> artifact::rdm::RdmFrame {
+pub(crate) fn map(
+    header: &CubeHeader,
+    errors: &[Complex64],
+    target: &Target,
+    seed: u64,
+) -> artifact::rdm::RdmFrame {
     let silent = CubeHeader { noise: artifact::settings::Noise::Absent, ..header.clone() };
     let (mut echo, noise) = (cube(&silent, &[*target], seed), cube(header, &[], seed));
     let length = echo.samples.len() / errors.len();
