@@ -3,7 +3,6 @@
 
 use crate::common::*;
 use crate::erring_elements::{calibrated, compared, errors, map, radar};
-use dsp::calibration::channel_errors;
 use dsp::{DspError, Receiver};
 use num_complex::Complex64;
 
