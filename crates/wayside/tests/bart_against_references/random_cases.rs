@@ -1,5 +1,5 @@
-//! Random vehicles, aspects, frequencies, orders and accuracies: the error of S that is printed beside the true
-//! one.
+//! Random vehicles, aspects, frequencies, orders and accuracies: the error of S that is printed beside the
+//! true one.
 #![allow(clippy::unwrap_used, reason = "what cannot be measured ends the test or the study")]
 
 use super::methods::{decibels, error, request};

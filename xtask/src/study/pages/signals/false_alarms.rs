@@ -80,7 +80,7 @@ fn by_counting(header: &CubeHeader, maps: [u64; 3], add: &mut Add<'_>) {
 fn by_weighing(header: &CubeHeader, maps: u64, add: &mut Add<'_>) {
     let rates = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
     for (name, detector) in DETECTORS {
-        // The smaller mean of a thin half now and then is very small, and few maps then make most of the rate.
+        // The smaller mean of a thin half now and then is very small, and few maps then are most of the rate.
         let more = if detector == Detector::SoCfar && header.shape()[0] == 1 { 8 } else { 1 };
         for (rate, of_zones) in rates.iter().zip(weighed(header, detector, &rates, more * maps)) {
             let show = |(got, error): (f64, f64)| format!("{got:.3} ± {error:.3}");
