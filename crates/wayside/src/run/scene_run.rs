@@ -231,7 +231,7 @@ fn compute(
                 frame.result.cached.insert(0, Stage::Scene);
             }
             cycle.push(frame);
-            if cycle.len() == chain.receiver()?.frames_in_cycle() {
+            if cycle.len() == chain.header.radar.schedule.sub_frames() as usize {
                 for frame in resolved(chain, std::mem::take(&mut cycle))? {
                     let truth = frame_truth(chain, &frame)?;
                     let (tracks, told_of_tracks) = tracking.follow(&frame, &truth)?;
@@ -246,8 +246,12 @@ fn compute(
     Ok((Computed { frames, metrics: tracking.metrics() }, products.finish()?))
 }
 
-/// The sub-frames of a cycle, which tell each other's velocities.
+/// The sub-frames of a cycle, which tell each other's velocities; of a lone one there is nothing to tell, and
+/// no receiver is needed where all is in the cache.
 fn resolved(chain: &Chain, mut cycle: Vec<FrameProducts>) -> Result<Vec<FrameProducts>, Failure> {
+    if cycle.len() < 2 {
+        return Ok(cycle);
+    }
     let points = cycle.iter().map(|frame| frame.result.points.clone()).collect();
     let points = chain.receiver()?.resolved(points);
     cycle.iter_mut().zip(points).for_each(|(frame, points)| frame.result.points = points);
