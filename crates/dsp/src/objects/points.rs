@@ -33,12 +33,12 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// Points of a map, strongest first, and objects in the order of their strongest peaks; peaks that stand alone
-/// are refined on the samples that the map was made of, where there are any (`refinement.rs`).
+/// Points of a map, strongest first, and objects in the order of their strongest peaks; peaks that stand
+/// alone are refined on the samples that the map was made of, where there are any (`refinement.rs`).
 ///
-/// Knows the map and its radar's settings alone. A vehicle is one object, its points share the object's index;
-/// a detection without a detected neighbour, as noise makes them, is a point of no object. Detected cells on
-/// sidelobes are no points.
+/// Knows the map and its radar's settings alone. A vehicle is one object, its points share the object's
+/// index; a detection without a detected neighbour, as noise makes them, is a point of no object. Detected
+/// cells on sidelobes are no points.
 pub(crate) fn located(
     plan: &Plan,
     map: &RdmFrame,
