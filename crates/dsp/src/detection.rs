@@ -1,4 +1,4 @@
-//! Which cells of a map hold echoes, and where between cells their peaks lie.
+//! Detection of the cells of a map that hold echoes, and of the places of their peaks between cells.
 
 pub(crate) mod correlated_cells; // what windows do to the noise of a region
 pub(crate) mod images; // of cells, in maps of real samples

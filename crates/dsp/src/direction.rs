@@ -1,4 +1,4 @@
-//! From the channels of a cell to directions and places.
+//! Directions and places, found from the channels of a cell.
 
 pub mod angle; // the virtual array and its beams
 pub(crate) mod directional_peaks; // echoes beside stronger ones, seen in other beams

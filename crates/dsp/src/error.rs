@@ -1,9 +1,9 @@
-//! What can be wrong with a cube, a map, or what is asked of them.
+//! Errors in a cube, in a map, or in what is asked of them.
 
 use artifact::settings::FALSE_ALARM_RATES;
 use std::fmt;
 
-/// Why a cube or a map could not be processed; every field is a fact about the input.
+/// Reason why a cube or a map could not be processed; every field is a fact about the input.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum DspError {
     /// Samples said to be real that have an imaginary part.
@@ -35,9 +35,9 @@ pub enum DspError {
     /// A place that no cell holds.
     #[error("a reflector {range_m} m away lies outside the map, which ends at {limit_m} m")]
     ReflectorRange {
-        /// From the array's centre.
+        /// Distance from the array's centre.
         range_m: f64,
-        /// Of the waveform.
+        /// Range at which the map of the waveform ends.
         limit_m: f64,
     },
     /// An echo that tells no phases.
@@ -45,11 +45,11 @@ pub enum DspError {
         "the weakest channel at {range_m:.2} m and rest is {snr_db:.1} dB over its noise; calibration needs {least_db} dB"
     )]
     WeakReflector {
-        /// Where it was looked for.
+        /// Range at which the reflector was looked for.
         range_m: f64,
-        /// Of the weakest channel.
+        /// Signal over noise of the weakest channel.
         snr_db: f64,
-        /// What is needed.
+        /// Least signal over noise that calibration needs.
         least_db: f64,
     },
     /// Refinement on samples that are not one tone an echo.
@@ -58,9 +58,9 @@ pub enum DspError {
     /// The cube's length is not that of its radar.
     #[error("a frame holds {found} samples, its radar makes {expected} (channels × chirps × samples)")]
     SampleCount {
-        /// From the header.
+        /// Samples that the header asks for.
         expected: usize,
-        /// In the frame.
+        /// Samples in the frame.
         found: usize,
     },
     /// The map's length is not that of its radar.
@@ -68,9 +68,9 @@ pub enum DspError {
     MapSize {
         /// Values or mask cells.
         what: &'static str,
-        /// From the header.
+        /// Values that the header asks for.
         expected: usize,
-        /// In the frame.
+        /// Values in the frame.
         found: usize,
     },
     /// A NaN or an infinite sample.
@@ -88,7 +88,7 @@ pub enum DspError {
     ValueNotFinite {
         /// Channel of the map.
         channel: usize,
-        /// doppler · N_s + range.
+        /// Index of the cell, doppler · N_s + range.
         cell: usize,
     },
     /// A map without cells or without channels.
@@ -105,7 +105,7 @@ pub enum DspError {
     Radar {
         /// Named with its unit.
         quantity: &'static str,
-        /// As found.
+        /// The value as found.
         value: f64,
     },
     /// Chirps at changing intervals, transmitters told apart by Doppler or by codes.
@@ -122,7 +122,7 @@ pub enum DspError {
     /// Guard and training cells do not fit the map.
     #[error("guard and training cells need {needed} cells along {axis}, the map has {cells}")]
     CfarWindow {
-        /// Which side of the map.
+        /// Side of the map that is too short.
         axis: Axis,
         /// 2·(guard + training) + 1.
         needed: u64,
@@ -144,9 +144,9 @@ pub enum DspError {
     /// A frame that cannot follow the one before it.
     #[error("a frame at {found_s} s cannot follow one at {last_s:?} s: tracks go forward in time")]
     FrameTime {
-        /// Of the frame before, if there was one.
+        /// Time of the frame before, if there was one.
         last_s: Option<f64>,
-        /// Of the frame.
+        /// Time of the frame.
         found_s: f64,
     },
 }

@@ -1,4 +1,5 @@
-//! From radar cubes to range-Doppler maps, detections, located points, objects and crops for a classifier.
+//! Signal processing of radar cubes: range-Doppler maps, detections, located points, objects and crops for a
+//! classifier.
 //!
 //! In goes a [`CubeHeader`](artifact::cube::CubeHeader) (the radar and the settings of its processing) and a
 //! [`CubeFrame`](artifact::cube::CubeFrame) (IF samples `[channel, chirp, sample]`, √W). No truth is in

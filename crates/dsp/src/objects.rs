@@ -1,4 +1,4 @@
-//! From peaks to points and the objects that they form.
+//! Points made of peaks, and the objects that they form.
 
 #[cfg(test)]
 mod test_settings; // what its tests share

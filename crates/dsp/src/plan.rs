@@ -1,4 +1,4 @@
-//! What is worked out once for all frames of a radar: of its windows and settings, and of each sub-frame.
+//! Values worked out once for all frames of a radar: of its windows and settings, and of each sub-frame.
 
 use crate::detection::censored::Censoring;
 use crate::detection::cfar::Cfar;
@@ -15,13 +15,13 @@ use artifact::rdm::RdmFrame;
 use artifact::settings::{DspSettings, Noise};
 use std::sync::Arc;
 
-/// What windows, settings and numbers of cells come to, whatever the chirp interval.
+/// Values that follow from windows, settings and numbers of cells, whatever the chirp interval.
 pub(crate) struct Thresholds {
-    /// Which cells are detected.
+    /// Detector of cells.
     pub(crate) detector: Cfar,
-    /// Which of them are found again without stronger echoes.
+    /// Finder of the cells that stronger echoes hide from the detector.
     pub(crate) censoring: Censoring,
-    /// Where between cells peaks lie, and what leaks from them.
+    /// Finder of the places of peaks between cells, and of what leaks from them.
     pub(crate) finder: PeakFinder,
     /// Noise bandwidth of a cell by its two windows, in cells.
     pub(crate) bandwidth_cells: f64,
@@ -47,13 +47,13 @@ impl Thresholds {
     }
 }
 
-/// What the frames of one sub-frame share.
+/// Values that the frames of one sub-frame share.
 pub(crate) struct Plan {
-    /// As it is in this sub-frame.
+    /// The radar as it is in this sub-frame.
     pub(crate) radar: Radar,
-    /// Of detection.
+    /// Settings of detection.
     pub(crate) settings: DspSettings,
-    /// Whether samples have any.
+    /// Noise of the samples, if they have any.
     pub(crate) noise: Noise,
     /// Samples to maps.
     pub(crate) transform: RangeDoppler,
@@ -64,7 +64,7 @@ pub(crate) struct Plan {
 }
 
 impl Plan {
-    /// Of every sub-frame of a cycle, at least one.
+    /// Plans of every sub-frame of a cycle, at least one.
     ///
     /// # Errors
     /// What of the radar or its settings no map or no threshold can be made of.

@@ -19,12 +19,12 @@ use num_complex::Complex64;
 /// A radar's receiver: its header checked, its windows, transforms, thresholds and array worked out once, for
 /// each sub-frame. A frame belongs to the sub-frame that its index says.
 pub struct Receiver {
-    /// By sub-frame, at least one.
+    /// Plans by sub-frame, at least one.
     plans: Vec<Plan>,
 }
 
 impl Receiver {
-    /// Of the cubes that this header describes.
+    /// Makes the receiver of the cubes that this header describes.
     ///
     /// # Errors
     /// What of the radar or its settings no map or no threshold can be made of.
@@ -32,7 +32,7 @@ impl Receiver {
         Ok(Self { plans: Plan::of_cycle(header)? })
     }
 
-    /// Of the frame record `index`.
+    /// Plan of the frame record `index`.
     fn plan(&self, index: u32) -> &Plan {
         &self.plans[index as usize % self.plans.len()]
     }
@@ -69,8 +69,8 @@ impl Receiver {
         located(self.plan(map.index), map, None)
     }
 
-    /// The same with the samples that the map was made of: where the settings ask for it, peaks that stand
-    /// alone are refined on them.
+    /// [`Self::detect`] with the samples that the map was made of: where the settings ask for it, peaks that
+    /// stand alone are refined on them.
     ///
     /// # Errors
     /// Those of [`Self::detect`]; samples that are not the radar's, or are no single tone an echo where they

@@ -1,4 +1,4 @@
-//! From samples to the maps of all channels, their axes and their sum.
+//! Maps of all channels made from samples, their axes and their sum.
 
 pub(crate) mod shapes; // what header, cube and map have to be like
 pub(crate) mod axes; // metres and metres per second of rows and columns

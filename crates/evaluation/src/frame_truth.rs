@@ -1,5 +1,5 @@
-//! All that is true of one frame, made once when nothing can look at it any more: its bodies, whose objects
-//! are whose, and what made each point.
+//! Truth of one frame, made once when nothing can look at it any more: its bodies, whose objects are whose,
+//! and what made each point.
 
 use crate::labels::Origin;
 use crate::pairing::{Pairing, Reach};
@@ -13,9 +13,10 @@ use artifact::scene::{SceneFrame, SceneHeader};
 pub struct FrameTruth {
     /// Truths in the order of the frame's poses.
     pub truths: Vec<Truth>,
-    /// Which object is whose.
+    /// Pairing of the frame's truths with its objects.
     pub pairing: Pairing,
-    /// What made each point, in their order; empty where nobody asked, and where echoes were made from tables.
+    /// Origin of each point, in the order of the points; empty where nobody asked, and where echoes were made
+    /// from tables.
     pub origins: Vec<Origin>,
     /// The scene's number of each body of the frame; empty where they are counted alike.
     pub bodies: Vec<u32>,

@@ -34,7 +34,7 @@ impl GroundOutline {
         }
     }
 
-    /// From a place to the nearest part of the outline; 0 inside.
+    /// Distance from a place to the nearest part of the outline; 0 inside.
     pub fn distance_m(&self, place_m: DVec2) -> f64 {
         let in_body = DVec2::from_angle(-self.yaw_rad).rotate(place_m - self.origin_m);
         in_body.distance(in_body.clamp(self.low_m, self.high_m))

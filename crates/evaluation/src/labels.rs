@@ -1,4 +1,4 @@
-//! What each detected point is in truth: the target, its class and the bounce order whose echo fills the
+//! Labels of detected points, their truth: the target, its class and the bounce order whose echo fills the
 //! point's cell most, from the paths that made the echo. Only reports come here: nothing behind the radar
 //! cube reads it.
 //!
@@ -22,7 +22,7 @@ use radar::window::{Sidelobes, taper};
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
 
-/// What made a point, in truth.
+/// True origin of a point.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Origin {
     /// Echoes of bodies: the strongest kind of them, and the bodies on its strongest way.
@@ -74,7 +74,7 @@ pub fn origins(
     Ok(points.iter().map(origin).collect())
 }
 
-/// What a group leaves in a cell.
+/// Coherent sum of a group's echoes in a cell, √W.
 #[derive(Debug, Clone, Copy, Default)]
 struct Share {
     sum: Complex64,
@@ -111,9 +111,9 @@ fn met(path: &Path) -> BTreeSet<u32> {
     }
 }
 
-/// What ways have in common whose echoes are added: the first target, bounces, and how many different targets
-/// they meet. A way and the same one backwards are one echo: its target is the one of both ends that comes
-/// first in the scene.
+/// Properties that ways have in common whose echoes are added: the first target, bounces, and how many
+/// different targets they meet. A way and the same one backwards are one echo: its target is the one of both
+/// ends that comes first in the scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Group {
     target: u32,
@@ -135,7 +135,7 @@ struct Echo {
     value: Complex64,
     range_m: f64,
     radial_velocity_mps: f64,
-    /// From the array to where it appears from the transmitter and from the receiver.
+    /// Unit vectors from the array to where the echo appears from the transmitter and from the receiver.
     directions: [DVec3; 2],
 }
 
@@ -160,7 +160,7 @@ impl Echo {
     }
 }
 
-/// What the windows leave of a tone near a cell.
+/// Response of the map, by its two windows, to a tone near a cell.
 struct MapResponse {
     /// Doppler, range: at steps of [`STEP`] cells from the centre on.
     along: [Vec<f64>; 2],
@@ -174,7 +174,8 @@ const REACH_CELLS: f64 = 4.0;
 /// Finer than what a point is placed to.
 const STEP: f64 = 1.0 / 64.0;
 
-/// Of a tone's amplitude in the line that maps show: real samples have another at the image.
+/// Share of a tone's amplitude in the line that maps show: 1, or ½ of real samples, which have another line
+/// at the image.
 fn line_share(header: &CubeHeader) -> f64 {
     match header.radar.waveform.sampling {
         Sampling::Complex => 1.0,
@@ -194,7 +195,7 @@ impl MapResponse {
         })
     }
 
-    /// What each group leaves in the cell of a point, seen in its direction, √W.
+    /// Finds the sum that each group leaves in the cell of a point, seen in the point's direction, √W.
     fn shares(&self, radar: &Radar, echoes: &[Echo], point: &Point) -> BTreeMap<Group, Share> {
         let toward = direction(point);
         let mut shares: BTreeMap<Group, Share> = BTreeMap::new();
@@ -250,7 +251,7 @@ fn direction(point: &Point) -> DVec3 {
     DVec3::new(sin * level, cos * level, up)
 }
 
-/// What is left of an echo in the beam to a direction: the mean over transmitters times the mean over
+/// Factor that the beam to a direction leaves of an echo: the mean over transmitters times the mean over
 /// receivers.
 fn beam(radar: &Radar, echo: &Echo, toward: DVec3) -> Complex64 {
     let wavenumber = TAU / radar.waveform.wavelength_m();

@@ -1,4 +1,4 @@
-//! Which detected object is whose: one answer for estimates, metrics, the console and the report.
+//! Pairing of bodies with detected objects: one answer for estimates, metrics, the console and the report.
 //!
 //! An object belongs to a body by its distance, seen from above, to the nearest part of the body's outline:
 //! radar sees what faces it, and of a bus seen from the front that is 6 m before its middle. It has to move
@@ -28,7 +28,7 @@ pub const GATE_M: f64 = 3.0;
 /// m/s; parts of one object by a metre a second (`cluster_velocity_mps`).
 pub const VELOCITY_GATE_MPS: f64 = 2.0;
 
-/// How far a radar tells places and velocities.
+/// Limits of what a radar tells of places and velocities.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reach {
     /// The radar's position, m.
@@ -54,7 +54,7 @@ impl Reach {
         }
     }
 
-    /// From the outline to an object that moves as the body does; infinite of any other.
+    /// Squared distance from the outline to an object that moves as the body does; infinite of any other.
     fn square_m2(&self, truth: &Truth, object: &Object) -> f64 {
         let sight = (DVec3::from(object.position_m) - self.position_m).normalize_or_zero();
         let apart_mps = object.radial_velocity_mps - truth.velocity_mps.dot(sight);
@@ -76,7 +76,7 @@ impl Reach {
 /// Bodies of a frame and the objects that are theirs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pairing {
-    /// For each truth its object.
+    /// Index of each truth's object, in the order of the truths.
     pub object_of: Vec<Option<usize>>,
     /// The truths that are to be found, in their order: rows of `squares_m2`.
     pub shown: Vec<usize>,
@@ -84,9 +84,10 @@ pub struct Pairing {
     pub removed: Vec<usize>,
     /// Objects that the radar tells to be at rest and that are nobody's.
     pub standing: Vec<usize>,
-    /// From the outline of each to each object that is not standing; infinite where they do not move alike.
+    /// Squared distances, `[truth, object]`, from the outlines of `shown` to the objects that are not
+    /// standing; infinite where they do not move alike.
     pub squares_m2: Array2<f64>,
-    /// Of these; objects by their own indices.
+    /// GOSPA of `squares_m2`; it names objects by their indices in the frame.
     pub gospa: Gospa,
 }
 

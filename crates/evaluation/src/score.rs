@@ -1,4 +1,4 @@
-//! How well objects and tracks agree with the truth over a run. Only reports come here: nothing behind the
+//! Agreement of objects and tracks with the truth over a run. Only reports come here: nothing behind the
 //! radar cube reads it.
 //!
 //! Truths of a frame are the bodies that send back any echo from within the radar's range, clutter left out:
@@ -21,11 +21,11 @@ use ndarray::{Array2, ArrayView2, Axis};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
-/// c of GOSPA and OSPA of tracks: a box whose middle is further from a body's middle than this is another's.
-/// Half of a bus is 6 m.
+/// Cut-off c of GOSPA and OSPA of tracks: a box whose middle is further from a body's middle than this is
+/// another's. Half of a bus is 6 m.
 pub const CUTOFF_M: f64 = 6.0;
 
-/// What was found over all frames so far.
+/// Sums over all frames so far.
 #[derive(Debug, Clone, Default)]
 pub struct Score {
     frames: u32,
@@ -35,10 +35,10 @@ pub struct Score {
     ids: BTreeSet<u32>,
 }
 
-/// How objects and tracks agree with the truth: `metrics` of `summary.json`.
+/// Agreement of objects and tracks with the truth: `metrics` of `summary.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Metrics {
-    /// c of GOSPA and OSPA of tracks, m.
+    /// Cut-off c of GOSPA and OSPA of tracks, m.
     pub cutoff_m: f64,
     /// Objects of single frames.
     pub objects: Agreement,
@@ -48,10 +48,10 @@ pub struct Metrics {
     pub identities: IdentityMetrics,
 }
 
-/// How one kind of estimates agrees with the truth; means are over frames and `None` where there were none.
+/// Agreement of one kind of estimates with the truth; means are over frames and `None` where there were none.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Agreement {
-    /// c of these metrics, m.
+    /// Cut-off c of these metrics, m.
     pub cutoff_m: f64,
     /// Mean GOSPA, m.
     pub gospa_m: Option<f64>,
@@ -107,7 +107,7 @@ pub fn believed(tracks: &TracksFrame) -> Vec<&Track> {
     tracks.tracks.iter().filter(|t| t.state != TrackState::Tentative).collect()
 }
 
-/// For each believed track the place of its body among the truths, as the metric pairs them.
+/// Index among the truths of each believed track's body, as the metric pairs them.
 pub fn bodies_of_tracks(truth: &FrameTruth, tracks: &[&Track]) -> Vec<Option<usize>> {
     let pairs = gospa(of_tracks(truth, tracks).view(), CUTOFF_M).chosen;
     let body_of =
@@ -154,7 +154,7 @@ impl Score {
         self.ids.extend(tracks.iter().map(|t| t.id));
     }
 
-    /// What all frames so far say.
+    /// Metrics of all frames so far.
     pub fn metrics(&self) -> Metrics {
         Metrics {
             cutoff_m: CUTOFF_M,
@@ -180,7 +180,8 @@ impl Sums {
         self.false_ones += parts.false_ones;
     }
 
-    /// What does not count: estimates at rest that are nobody's, and truths whose echoes were removed.
+    /// Counts what the metrics leave out: estimates at rest that are nobody's, and truths whose echoes were
+    /// removed.
     fn add_apart(&mut self, stationary: usize, removed: usize) {
         self.stationary += stationary;
         self.removed += removed;

@@ -1,4 +1,4 @@
-//! What is true of each target of a frame. Only reports come here: nothing behind the radar cube reads it.
+//! Truth of each target of a frame. Only reports come here: nothing behind the radar cube reads it.
 
 use crate::ground_outline::GroundOutline;
 use artifact::paths::{Path, PathsFrame};
@@ -23,7 +23,7 @@ pub struct Truth {
     pub lane: Option<u8>,
     /// Distance of the nearest lit surface, m; `None` where all is hidden or nothing was traced.
     pub nearest_range_m: Option<f64>,
-    /// Where the echo comes from; `None` where there is none of its own or nothing was traced.
+    /// Range and radial velocity of the target's own echo; `None` where there is none or nothing was traced.
     pub echo: Option<Echo>,
     /// Clutter is what results are not compared with.
     pub role: Role,
@@ -50,7 +50,7 @@ pub struct Echo {
     pub radial_velocity_mps: f64,
 }
 
-/// In the order of the scene's targets; `paths` is `None` where the echo was made from tables.
+/// Truths in the order of the scene's targets; `paths` is `None` where the echo was made from tables.
 pub fn truths(header: &SceneHeader, frame: &SceneFrame, paths: Option<&PathsFrame>) -> Vec<Truth> {
     let of = |(i, pose): (usize, &Pose)| truth(header, i, pose, paths);
     frame.poses.iter().enumerate().map(of).collect()

@@ -1,6 +1,6 @@
-//! What is refused, as facts.
+//! Errors of the echo, told as facts.
 
-/// Why no echo is made.
+/// Reason why no echo is made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum EchoError {
     /// A waveform value that no sample can be made from, or an interval shorter than the sampled part of a
@@ -19,7 +19,7 @@ pub enum EchoError {
     Stagger {
         /// Index in the stagger.
         chirp: usize,
-        /// As given.
+        /// Lateness of that chirp, as given.
         later_s: f64,
     },
     /// Power, gain, boresight or an element position that is NaN or infinite.
@@ -39,7 +39,7 @@ pub enum EchoError {
     /// Phase noise is drawn for a whole frame at once.
     #[error("radar: with phase noise a frame lasts at most {limit} sample intervals, this one {samples:.0}")]
     OscillatorTooLong {
-        /// Of the frame.
+        /// Sample intervals in the frame.
         samples: f64,
         /// Most of them.
         limit: usize,
@@ -49,7 +49,7 @@ pub enum EchoError {
     Interferer {
         /// Index in the list.
         index: usize,
-        /// What is broken.
+        /// Property that is broken.
         quantity: &'static str,
     },
     /// An array without a transmitter or without a receiver.
@@ -73,9 +73,9 @@ pub enum EchoError {
         chirps: usize,
         /// Samples of a chirp.
         samples: usize,
-        /// What it would take.
+        /// Bytes that the cube would take.
         bytes: u128,
-        /// What a record may take.
+        /// Most bytes that a record may take.
         limit: u64,
     },
     /// Patches of the ground beyond any memory.
@@ -91,7 +91,7 @@ pub enum EchoError {
     Noise {
         /// Name of the setting.
         quantity: &'static str,
-        /// Its value.
+        /// The setting's value.
         value: f64,
     },
     /// `snr_db` refers to the peak of the noise-free map, and there is none.
@@ -107,7 +107,7 @@ pub enum EchoError {
         frame: u32,
         /// Index in the frame's list.
         path: usize,
-        /// Which part of it.
+        /// Name of the part of the path that is not finite.
         quantity: &'static str,
     },
     /// A path that stands for a moment that is none of its frame's.
@@ -121,11 +121,11 @@ pub enum EchoError {
         path: usize,
         /// Counted from 0.
         moment: u32,
-        /// How many there are.
+        /// Number of moments in the frame.
         moments: u32,
         /// The first.
         first_s: f64,
-        /// From one to the next.
+        /// Interval from one moment to the next.
         step_s: f64,
     },
     /// A path's apparent point comes closer to an element than a wavelength, where 1/(L₁L₂) means nothing.
@@ -151,7 +151,7 @@ pub enum EchoError {
         frame: u32,
         /// Index in the frame's list.
         path: usize,
-        /// Its speed.
+        /// The path's speed.
         speed_mps: f64,
         /// The limit.
         limit_mps: f64,
@@ -175,7 +175,7 @@ pub enum EchoError {
         table: usize,
         /// The target it names.
         target: u32,
-        /// How many there are.
+        /// Number of targets.
         targets: usize,
     },
     /// A table of another polarization than the array's.
@@ -195,7 +195,7 @@ pub enum EchoError {
     TableShape {
         /// Index of the table.
         table: usize,
-        /// Which axis, or "amplitude".
+        /// Name of the axis, or "amplitude".
         axis: &'static str,
     },
     /// A frequency or aspect that the table does not hold.
@@ -203,9 +203,9 @@ pub enum EchoError {
     OutsideTable {
         /// Index of the table.
         table: usize,
-        /// Which axis.
+        /// Name of the axis.
         axis: &'static str,
-        /// What was asked for.
+        /// Value that was asked for.
         value: f64,
         /// Start of the axis.
         first: f64,

@@ -1,4 +1,4 @@
-//! What the radar is to an echo: transmissions, and the level that noise is measured against.
+//! The radar as an echo meets it: transmissions, and the level that noise is measured against.
 
 pub mod multiplexing; // which transmissions make a row of the cube
 pub mod snr_reference; // its peak cell

@@ -1,4 +1,4 @@
-//! Where an antenna's elements are and how it looks: aperture axes, rows of elements, mounting.
+//! Places of an antenna's elements and its orientation: aperture axes, rows of elements, mounting.
 
 use artifact::radar::{Array, Radar};
 use glam::DVec3;

@@ -7,7 +7,7 @@
 
 use ndarray::ArrayView2;
 
-/// For each row its column, or `None`, so that Σ of `costs[(row, column)]` over assigned rows plus
+/// Finds for each row a column, or `None`, so that Σ of `costs[(row, column)]` over assigned rows plus
 /// `unassigned` for every other row is least. Columns are used once at most.
 ///
 /// A cost that is not finite, or not below `unassigned`, is never chosen. Of equally good answers always the
@@ -29,7 +29,7 @@ pub fn assignment(costs: ArrayView2<f64>, unassigned: f64) -> Vec<Option<usize>>
     column_of
 }
 
-/// The same where there are no fewer columns than rows.
+/// [`assignment`] where there are no fewer columns than rows.
 fn fewer_rows(costs: ArrayView2<f64>, unassigned: f64) -> Vec<Option<usize>> {
     let (rows, columns) = costs.dim();
     // Every row could have a column of its own that stands for none.
@@ -116,7 +116,7 @@ mod tests {
     use ndarray::Array2;
     use proptest::prelude::*;
 
-    /// The same by trying every way: the reference.
+    /// Least sum of [`assignment`]'s costs, found by trying every way: the reference.
     fn by_trying_all(costs: ArrayView2<f64>, unassigned: f64) -> f64 {
         fn least(costs: ArrayView2<f64>, unassigned: f64, row: usize, used: &mut Vec<bool>) -> f64 {
             if row == costs.nrows() {

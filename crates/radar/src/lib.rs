@@ -1,5 +1,5 @@
-//! What several stages compute of a radar alike, each formula once, with its closed-form tests. A leaf beside
-//! `artifact`: stages see it, and it sees none of them.
+//! Formulas of a radar that several stages compute alike, each once, with its closed-form tests. A leaf
+//! beside `artifact`: stages see it, and it sees none of them.
 //!
 //! ```
 //! use artifact::settings::Window;

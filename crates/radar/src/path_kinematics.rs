@@ -1,5 +1,5 @@
-//! Where a path's node appears in the frame's middle, seen from the radar's position, and how much of the
-//! frame it stands for.
+//! Apparent place of a path's node in the frame's middle, seen from the radar's position, and the share of
+//! the frame that the path stands for.
 
 use artifact::paths::Path;
 use artifact::radar::Radar;
@@ -8,9 +8,9 @@ use glam::DVec3;
 /// The one-way leg from an antenna to a node as it appears from there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leg {
-    /// Its length, m.
+    /// Length of the leg, m.
     pub length_m: f64,
-    /// Its rate of change, m/s: positive where the length grows.
+    /// Rate of change of the length, m/s: positive where it grows.
     pub rate_mps: f64,
     /// Unit vector away from the radar.
     pub direction: DVec3,

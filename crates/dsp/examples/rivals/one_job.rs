@@ -22,7 +22,8 @@ pub(crate) fn done(words: &[String]) -> bool {
     true
 }
 
-/// Its windows are symmetric and not divided by their means: the second is made good here.
+/// Times mmwcore's maps and writes them out; mmwcore's windows are symmetric and not divided by their means:
+/// the second is made good here.
 fn range_doppler(samples: &[Complex32], shape: [usize; 3]) -> (f64, Vec<u8>) {
     let gain = 0.25 * (shape[1] - 1) as f32 / shape[1] as f32 * (shape[2] - 1) as f32 / shape[2] as f32;
     let seconds = quickest_s(|| maps(samples, shape));
@@ -39,7 +40,8 @@ fn averages(input: &[f64], [_, chirps, samples]: [usize; 3]) -> (f64, Vec<u8>) {
     (quickest_s(find), mask)
 }
 
-/// As sines of the azimuth; its phases grow the other way.
+/// Times mmwcore's azimuths and writes them out as sines, with the sign changed: its phases grow the other
+/// way.
 fn angles(map: &[Complex32], shape: [usize; 3]) -> (f64, Vec<u8>) {
     let found = azimuths(map, shape);
     (

@@ -20,7 +20,7 @@ pub(crate) fn measured(header: &CubeHeader, frame: &CubeFrame) -> Vec<Measuremen
     text.lines().filter_map(|line| measurement(header, line)).collect()
 }
 
-/// Of a line `job|program|seconds`; others are notes.
+/// Reads the measurement of a line `job|program|seconds`; other lines are notes.
 fn measurement(header: &CubeHeader, line: &str) -> Option<Measurement> {
     let mut fields = line.split('|');
     let (what, program, seconds) = (fields.next()?, fields.next(), fields.next());

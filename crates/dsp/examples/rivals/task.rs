@@ -1,4 +1,4 @@
-//! What all programs are asked for, and how it is timed.
+//! The task that all programs are given, and how it is timed.
 
 #[path = "../../tests/common/mod.rs"]
 pub(crate) mod common; // radars and cubes
@@ -42,7 +42,7 @@ pub(crate) fn quickest_s<T>(mut work: impl FnMut() -> T) -> f64 {
     quickest
 }
 
-/// What a job is called.
+/// Name of a job.
 pub(crate) fn job(header: &CubeHeader, what: &str) -> String {
     let [channels, chirps, samples] = header.shape();
     format!("{what}, {channels} × {chirps} × {samples}")

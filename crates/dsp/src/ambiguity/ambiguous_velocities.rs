@@ -1,4 +1,4 @@
-//! Which velocities look alike in the points of a frame, and which of them no vehicle drives.
+//! Velocities that look alike in the points of a frame, and those of them that no vehicle drives.
 
 use artifact::Radar;
 

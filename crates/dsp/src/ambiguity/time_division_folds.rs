@@ -33,14 +33,14 @@ pub(crate) const CERTAIN: f64 = 9.0;
 /// Below this (odds of 20) a velocity near zero is preferred.
 const LIKELY: f64 = 3.0;
 
-/// What the folds of one or more cells leave of their power.
+/// Power that each fold leaves unexplained in one or more cells.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Folds {
     /// Velocity of the first fold, m/s.
     shown_mps: f64,
-    /// From one fold to the next, m/s.
+    /// Velocity from one fold to the next, m/s.
     span_mps: f64,
-    /// Of each fold, not explained by its strongest beam.
+    /// Power of each fold that its strongest beam does not explain.
     left: Vec<f64>,
     /// Values beyond those that a beam's amplitude and direction take.
     freedom: f64,
@@ -49,7 +49,7 @@ pub(crate) struct Folds {
 /// A fold that was chosen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Choice {
-    /// m/s, of the ambiguities of λ/2T that remain the one nearest to zero.
+    /// Velocity, m/s: of the ambiguities of λ/2T that remain the one nearest to zero.
     pub(crate) velocity_mps: f64,
     /// Logarithm of the likelihood ratio to the next fold.
     pub(crate) margin: f64,
@@ -58,7 +58,7 @@ pub(crate) struct Choice {
 }
 
 impl Folds {
-    /// Of a cell that shows `shown_mps`, one for each slot.
+    /// Finds the folds of a cell that shows `shown_mps`, one for each slot.
     pub(crate) fn of_cell(
         array: &VirtualArray,
         map: &RdmFrame,
@@ -108,7 +108,7 @@ impl Folds {
         Choice { velocity_mps, margin, is_certain: margin >= CERTAIN && next_mps > FASTEST_MPS }
     }
 
-    /// λ/2T.
+    /// Span of velocity λ/2T, T from any chirp to the next, m/s.
     fn ambiguity_mps(&self) -> f64 {
         self.span_mps * self.left.len() as f64
     }

@@ -25,7 +25,7 @@ struct SubFrame<'a> {
     plan: &'a Plan,
     /// Middle of the sub-frame on any clock that both share, s.
     middle_s: f64,
-    /// What it shows, velocities folded.
+    /// Points of the sub-frame, their velocities folded.
     points: &'a PointsFrame,
 }
 
@@ -83,9 +83,9 @@ fn resolved_by(own: &SubFrame<'_>, other: &SubFrame<'_>) -> PointsFrame {
 /// Hypotheses of one object: whole spans to add, and for each what it explains.
 struct Choice {
     folds: Vec<f64>,
-    /// How well each own point finds a partner, amplitude-weighted sum.
+    /// Agreement of the own points with their best partners, amplitude-weighted sum, by hypothesis.
     own: Vec<f64>,
-    /// For each hypothesis, how well each of the other sub-frame's points is met.
+    /// Agreement of the other sub-frame's points with their best partners, `[hypothesis][point]`, 0 … 1.
     other: Vec<Vec<f64>>,
 }
 
@@ -205,8 +205,8 @@ impl Scorer<'_> {
         chosen.copy_from_slice(&best.1);
     }
 
-    /// What a group's hypotheses explain: own echoes that find partners, and the others' echoes that are met
-    /// by any of the group.
+    /// Amplitude that a group's hypotheses explain: own echoes that find partners, and the others' echoes
+    /// that are met by any of the group.
     fn explained(&self, choices: &[Choice], tried: &[usize], group: &[usize]) -> f64 {
         let own: f64 = group.iter().map(|o| choices[*o].own[tried[*o]]).sum();
         let met = |j: usize| group.iter().map(|o| choices[*o].other[tried[*o]][j]).fold(0.0, f64::max);

@@ -1,4 +1,4 @@
-//! Which object a cell of the map belongs to: that of the nearest located point.
+//! Owners of the map's cells: a cell belongs to the object of the nearest located point.
 //!
 //! A crop of 24 m × 8 m/s holds what other vehicles left in the map as well, up to stronger than the vehicle
 //! itself, and a classifier that learned from vehicles alone takes it for a part of this one. Distances are
@@ -15,7 +15,8 @@ pub(crate) struct CellOwners {
 }
 
 impl CellOwners {
-    /// Of the points within a window of cells, `[first, last]` of rows and of columns; rows are not wrapped.
+    /// Owners by the points of objects within a window of cells, `[first, last]` of rows and of columns; rows
+    /// are not wrapped.
     pub(crate) fn within(axes: &Axes, points: &PointsFrame, [rows, columns]: [[i64; 2]; 2]) -> Self {
         let chirps = axes.rows as f64;
         let middle = 0.5 * (rows[0] + rows[1]) as f64;

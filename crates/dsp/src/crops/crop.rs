@@ -33,7 +33,7 @@ pub struct Cropper<'a> {
 }
 
 impl<'a> Cropper<'a> {
-    /// For crops of one format.
+    /// Prepares crops of one format.
     pub(crate) fn new(plan: &'a Plan, map: &'a RdmFrame, format: &CropFormat) -> Result<Self, DspError> {
         check_format(format)?;
         Ok(Self { plan, map, format: *format, noise: plan.levels(map)?.noise() })

@@ -22,7 +22,7 @@ use std::f64::consts::TAU;
 
 /// Range cells before an object's nearest point, m: what stands before it, below the detector's threshold.
 const BEFORE_M: f64 = 3.0;
-/// From the nearest point on, m: an articulated vehicle and what comes late from under it.
+/// Range cells from the nearest point on, m: an articulated vehicle and what comes late from under it.
 const BEHIND_M: f64 = 21.0;
 /// Velocities about the object's, either way, m/s.
 const GATE_MPS: f64 = 1.25;
@@ -41,11 +41,11 @@ pub struct Signatures<'a> {
     map: &'a RdmFrame,
     /// Mean over channels, `[doppler, range]`.
     power: Array2<f64>,
-    /// Of one channel.
+    /// Mean noise power of one channel in a cell.
     noise: f64,
 }
 
-/// Where to look for an object.
+/// Part of the map in which an object's signature is looked for.
 struct Search<'o> {
     object: &'o Object,
     number: u32,
@@ -56,7 +56,7 @@ struct Search<'o> {
 }
 
 impl<'a> Signatures<'a> {
-    /// Of a map of this sub-frame.
+    /// Prepares the signatures of a map of this sub-frame.
     ///
     /// # Errors
     /// The map has another shape, or holds values that are no numbers.
@@ -148,7 +148,7 @@ impl<'a> Signatures<'a> {
         }
     }
 
-    /// What the channels of a cell say.
+    /// Level, place across, height and coherence that the channels of a cell tell.
     fn located(&self, search: &Search<'_>, [row, column]: [i64; 2], power: f64) -> SignatureCell {
         let (array, axes) = (&self.plan.array, self.plan.array.cells());
         let row = row.rem_euclid(axes.rows as i64) as usize;
@@ -186,7 +186,7 @@ impl<'a> Signatures<'a> {
         if self.cross_m(&search.place, &found).abs() <= ACROSS_M { (direction, found) } else { own() }
     }
 
-    /// Of the power over the noise.
+    /// Standard deviation of velocity over an object's rows, weighted by the power over the noise, m/s.
     fn spread_mps(&self, own: &[(i64, f64)]) -> f64 {
         let weight = |power: f64| (power - self.noise).max(0.0);
         let sum = |value: &dyn Fn(f64) -> f64| {
@@ -209,8 +209,8 @@ impl<'a> Signatures<'a> {
         SignatureCell { level_db: 0.0, cross_m: 0.0, height_m, coherence: 0.0, velocity_spread_mps: 0.0 }
     }
 
-    /// σ = P (4π)³R⁴/(P_t G²λ² N_s²N_c² N) of a beam over N channels, P the noise of one; the windows'
-    /// coherent gain is 1.
+    /// Noise level as an RCS in dBsm, σ = P (4π)³R⁴/(P_t G²λ² N_s²N_c² N) of a beam over N channels, P the
+    /// noise of one; the windows' coherent gain is 1.
     fn noise_dbsm(&self, object: &Object, direction: Direction) -> f64 {
         let (radar, waveform) = (&self.plan.radar, &self.plan.radar.waveform);
         let gain = power_from_db(radar.link.antenna_gain_db);
@@ -230,7 +230,7 @@ impl<'a> Signatures<'a> {
         from_radar.normalize_or_zero().dot(self.plan.array.axes()[1])
     }
 
-    /// How far a place lies to the right of an object's, across the horizontal line of sight to it.
+    /// Distance of a place to the right of an object's, across the horizontal line of sight to it, m.
     fn cross_m(&self, object: &Place, found: &Place) -> f64 {
         let radar = self.plan.array.position_m();
         let sight = (object.position_m - radar).truncate().normalize_or(DVec2::Y);

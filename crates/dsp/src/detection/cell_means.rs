@@ -1,9 +1,10 @@
-//! Where the sums of a cell's training cells are looked up, worked out once for all maps of a detector.
+//! Places where the sums of a cell's training cells are looked up, worked out once for all maps of a
+//! detector.
 
 use crate::detection::correlated_cells::{Rectangle, Region};
 use crate::numerics::box_sums::BoxSums;
 
-/// Of one region of one cell: two places in running sums of its rectangle, and two of the one left out.
+/// Places of one region of one cell: two in running sums of its rectangle, and two of the rectangle left out.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LookUp {
     whole: Span,
@@ -31,7 +32,7 @@ impl LookUp {
         Self { whole: span(&region.whole), hole, cells: region.cells() as f64 }
     }
 
-    /// How many cells the region has.
+    /// Number of the region's cells.
     pub(crate) fn cells(&self) -> f64 {
         self.cells
     }

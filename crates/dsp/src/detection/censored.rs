@@ -34,7 +34,8 @@ pub(crate) struct Censoring {
 }
 
 impl Censoring {
-    /// Of a header whose windows' noise spreads over so many cells.
+    /// Takes the training cells of a header; noise in one cell spreads by its windows over `per_independent`
+    /// cells.
     ///
     /// Detectors other than those that average (`ca-cfar`, `go-cfar`) have their own way with several echoes,
     /// and keep their mask. So does Doppler division: what its mask leaves out are the other transmitters'

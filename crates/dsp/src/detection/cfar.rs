@@ -53,16 +53,16 @@ pub struct Cfar {
     samples: usize,
     detector: Detector,
     zones: Zones,
-    /// Of each range cell, whether its noise is circular.
+    /// Whether the noise of each range cell is circular, so that it is tested.
     tested: Vec<bool>,
 }
 
 /// The zone of every cell.
 #[derive(Debug)]
 struct Zones {
-    /// By kind of row, by range cell.
+    /// Zones by kind of row, then by range cell.
     of_kind: Vec<Vec<Zone>>,
-    /// By row.
+    /// Kind of each row.
     kinds: Vec<usize>,
     /// Rows of all rectangles that noise is taken from.
     heights: Vec<[i64; 2]>,
@@ -75,12 +75,12 @@ impl Zones {
     }
 }
 
-/// Where a cell takes its noise from, and its threshold over it.
+/// Training cells of a cell, and its threshold over their noise.
 #[derive(Debug, Clone)]
 struct Zone {
     /// One region, or two halves.
     regions: Vec<Region>,
-    /// Of the first and the last of them.
+    /// Look-ups of the first and the last of the regions.
     look_ups: [LookUp; 2],
     /// Over the mean, the chosen mean, or the cell of this rank.
     factor: f64,
@@ -138,7 +138,7 @@ impl Cfar {
         (0..power.len()).into_par_iter().map(estimate).collect()
     }
 
-    /// Of a cell [doppler, range]: threshold over noise estimate.
+    /// Factor of a cell [doppler, range]: threshold over noise estimate.
     pub fn factor(&self, [row, column]: [usize; 2]) -> f64 {
         self.zones.at(row, column).factor
     }

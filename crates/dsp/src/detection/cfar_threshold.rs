@@ -5,7 +5,8 @@
 //! CA-CFAR: Richards, Fundamentals of Radar Signal Processing, 2014, §6.5; M = 1 returns α = N(P_fa^{−1/N} −
 //! 1)).
 
-/// α: the factor on the mean of the training cells at which noise passes with probability `false_alarm_rate`.
+/// Finds α, the factor on the mean of the training cells at which noise passes with probability
+/// `false_alarm_rate`.
 ///
 /// `training_cells` is the number of independent cells and need not be whole; `false_alarm_rate` lies in (0,
 /// 1).
@@ -34,8 +35,9 @@ pub(crate) fn threshold_factor(training_cells: f64, channels: usize, false_alarm
     }
 }
 
-/// ln I_x(NM, M): for a whole M the incomplete beta function is the finite sum x^a Σ_{k<M} C(a+k−1,
-/// k)(1−x)^k, a = NM; every term is positive, so nothing cancels, and a may be any positive number.
+/// Logarithm of the false-alarm rate, ln I_x(NM, M): for a whole M the incomplete beta function is the finite
+/// sum x^a Σ_{k<M} C(a+k−1, k)(1−x)^k, a = NM; every term is positive, so nothing cancels, and a may be any
+/// positive number.
 fn ln_false_alarm_rate(factor: f64, training_cells: f64, channels: usize) -> f64 {
     let a = training_cells * channels as f64;
     let beyond = factor / (training_cells + factor);

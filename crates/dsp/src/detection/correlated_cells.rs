@@ -1,5 +1,5 @@
-//! What windows do to the noise of a region of cells: its spectrum of powers, and its share of the cell under
-//! test.
+//! Effect of windows on the noise of a region of cells: its spectrum of powers, and its share of the cell
+//! under test.
 //!
 //! White samples under a taper w make map cells that correlate as ρ = Σw²e^{−j2πnd/N}/Σw² per axis, d cells
 //! apart, and as the product of both axes. All regions of the detectors are rectangles, or one without
@@ -27,9 +27,9 @@ pub(crate) type Rectangle = [[i64; 2]; 2];
 /// A rectangle, or one without another inside it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Region {
-    /// All of it.
+    /// The rectangle in whole, with the hole.
     pub(crate) whole: Rectangle,
-    /// What is left out.
+    /// The rectangle that is left out.
     pub(crate) hole: Option<Rectangle>,
     /// Offset of the image of the cell under test, [doppler, range], where the region's noise meets that of
     /// its image.
@@ -67,7 +67,7 @@ fn cells(rectangle: &Rectangle) -> usize {
 
 /// Correlation of noise cells over their distance, [doppler, range].
 pub(crate) struct Correlation {
-    /// ρ less the phase that no closed chain of cells keeps (windows are symmetric about N/2).
+    /// Correlation ρ less the phase that no closed chain of cells keeps (windows are symmetric about N/2).
     amplitude: [Vec<f64>; 2],
     /// |ρ|².
     power: [Vec<f64>; 2],
@@ -83,7 +83,8 @@ pub(crate) const FAR_CELLS: usize = 8;
 const MEETS: f64 = 1e-4;
 
 impl Correlation {
-    /// Of a header's windows, for regions of these half sizes and images that they meet.
+    /// Finds the correlation under a header's windows, far enough for regions of these half sizes and images
+    /// that they meet.
     pub(crate) fn new(header: &CubeHeader, outer: [usize; 2]) -> Result<Self, DspError> {
         let waveform = &header.radar.waveform;
         let doppler = taper(header.dsp.doppler_window, waveform.chirps as usize)?;
@@ -181,8 +182,8 @@ impl Correlation {
         doppler.iter().flat_map(|a| range.iter().map(move |b| (a * b).max(NO_POWER))).collect()
     }
 
-    /// Of real parts, whose covariances are the sums of those between cells and those with images, and of
-    /// imaginary parts, their differences.
+    /// Eigenvalues of the noise of real parts, whose covariances are the sums of those between cells and
+    /// those with images, and of imaginary parts, whose covariances are the differences.
     fn of_rectangle_and_image(&self, [rows, columns]: &Rectangle, image: [i64; 2]) -> Vec<f64> {
         let cells: Vec<[i64; 2]> =
             (rows[0]..=rows[1]).flat_map(|i| (columns[0]..=columns[1]).map(move |j| [i, j])).collect();
@@ -278,8 +279,8 @@ fn gauss_nodes(points: &[f64], nodes: usize) -> Vec<(f64, f64)> {
     values.into_iter().zip(first.into_iter().map(|f| f * f)).collect()
 }
 
-/// With Doppler division a summed cell holds bands of one receiver, i/M apart: cells correlate where bands
-/// meet.
+/// Correlation |ρ|² of noise between rows `lag` apart. With Doppler division a summed cell holds bands of one
+/// receiver, i/M apart: cells correlate where bands meet.
 fn doppler_correlation(division: &Division, taper: &[f64], lag: f64) -> f64 {
     if division.multiplexing != Multiplexing::Ddm {
         return noise_correlation(taper, lag);

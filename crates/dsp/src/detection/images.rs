@@ -1,4 +1,4 @@
-//! Where the images of cells lie in maps of real samples: the cell at (−m, −k) is the conjugate of that at
+//! Places of the images of cells in maps of real samples: the cell at (−m, −k) is the conjugate of that at
 //! (m, k).
 
 use crate::detection::correlated_cells::FAR_CELLS;
@@ -9,7 +9,7 @@ use artifact::radar::{Multiplexing, Sampling};
 pub(crate) struct Images {
     /// Doppler offsets of images: of rows from which they are too far (`None`), and each one that is near.
     pub(crate) kinds: Vec<Option<i64>>,
-    /// Which of them each row has.
+    /// Index in `kinds` of each row's offset.
     pub(crate) of_rows: Vec<usize>,
     /// Samples, of which half are range cells; 0 where there are no images.
     samples: i64,
@@ -18,7 +18,7 @@ pub(crate) struct Images {
 }
 
 impl Images {
-    /// For training regions of these half sizes.
+    /// Finds the images that training regions of these half sizes can meet.
     ///
     /// Under Doppler division a channel's image lies on other rows, by the sum of its own and another
     /// transmitter's band, and at each of them it meets only one of many pairs of channels: it is left out.

@@ -1,4 +1,4 @@
-//! Where between cells a peak lies: from the complex values of three cells, read on the window's own curve.
+//! Place of a peak between cells: from the complex values of three cells, read on the window's own curve.
 //!
 //! A tone at offset δ from a cell leaves W(δ − m) in the cell m steps away, W the transform of the window.
 //! The ratio q = Re (X₋₁ − X₊₁)/X₀ grows with δ for every window (rect: 2δ/(1 − δ²), Hann: 6δ/(4 − δ²));
@@ -12,7 +12,7 @@ use num_complex::Complex64;
 
 /// Reads offsets from values for one window and axis.
 pub(crate) struct Interpolator {
-    /// q of a tone at each of the offsets.
+    /// Ratio q of a tone at each of the offsets.
     ratios: Vec<f64>,
 }
 
@@ -24,7 +24,7 @@ pub(crate) type Trio = [Complex64; 3];
 const STEPS: usize = 64;
 
 impl Interpolator {
-    /// For peaks that a window of these weights makes.
+    /// Prepares for peaks that a window of these weights makes.
     pub(crate) fn new(taper: &[f64]) -> Self {
         let ratio = |step: usize| {
             let offset = offset_of(step as f64);
@@ -48,7 +48,7 @@ fn offset_of(step: f64) -> f64 {
     step / STEPS as f64 - 0.5
 }
 
-/// q, every channel weighted by its power: noise of a channel then counts once.
+/// Ratio q of three cells, every channel weighted by its power: noise of a channel then counts once.
 fn ratio(channels: impl Iterator<Item = Trio>) -> f64 {
     let (mut slope, mut power) = (0.0, 0.0);
     for [before, here, after] in channels {

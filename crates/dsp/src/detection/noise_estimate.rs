@@ -12,7 +12,7 @@
 use crate::detection::correlated_cells::{Correlation, Region};
 use crate::numerics::gamma_forms::{WeightedGamma, beta_below, gamma_below, gamma_tail, probability_below};
 
-/// α over the mean of a region's cells.
+/// Threshold factor α over the mean of a region's cells.
 pub(crate) fn averaged_factor(mean: &[WeightedGamma], channels: usize, rate: f64) -> f64 {
     let cell = WeightedGamma { weight: -1.0, shape: channels as f64 };
     falling_root(rate, |factor| {
@@ -22,12 +22,12 @@ pub(crate) fn averaged_factor(mean: &[WeightedGamma], channels: usize, rate: f64
     })
 }
 
-/// α over the greater mean of two regions whose noise is independent.
+/// Threshold factor α over the greater mean of two regions whose noise is independent.
 pub(crate) fn greatest_of_factor(halves: [&[WeightedGamma]; 2], channels: usize, rate: f64) -> f64 {
     factor(channels, rate, |t| halves.map(|half| probability_below(half, t)).iter().product())
 }
 
-/// α over the smaller mean of two regions whose noise is independent.
+/// Threshold factor α over the smaller mean of two regions whose noise is independent.
 pub(crate) fn smallest_of_factor(halves: [&[WeightedGamma]; 2], channels: usize, rate: f64) -> f64 {
     factor(channels, rate, |t| {
         let [a, b] = halves.map(|half| probability_below(half, t));
@@ -36,13 +36,13 @@ pub(crate) fn smallest_of_factor(halves: [&[WeightedGamma]; 2], channels: usize,
     })
 }
 
-/// α over the cell of this rank, counted from 1 at the weakest, of independent cells.
+/// Threshold factor α over the cell of this rank, counted from 1 at the weakest, of independent cells.
 pub(crate) fn ordered_factor(cells: usize, rank: usize, channels: usize, rate: f64) -> f64 {
     let (mean, below, above) = (channels as f64, rank as f64, (cells - rank + 1) as f64);
     factor(channels, rate, |t| beta_below(below, above, gamma_below(channels, mean * t)))
 }
 
-/// α over the cell of this rank of a region whose cells correlate.
+/// Threshold factor α over the cell of this rank of a region whose cells correlate.
 ///
 /// T < t where at least k of the N cells lie below t. Their number has the mean N·u, and, by Kibble's
 /// expansion of two correlated Gamma variables (Sankhyā 5 (1941) 137), the variance N·u(1 − u) + Σ_n c_n²
@@ -72,7 +72,8 @@ pub(crate) fn correlated_ordered_factor(
 /// Terms of Kibble's expansion: κ^60 of the widest window's neighbours (0.8) is 2e-6.
 const TERMS: usize = 60;
 
-/// c_n, n = 1, 2, …: ∫₀^t x^{M−1}e^{−x}/Γ(M)·φ_n dx = t^M e^{−t}/Γ(M)·L_{n−1}^{(M)}(t)/n·√(n!Γ(M)/Γ(n+M)).
+/// Coefficients c_n of the step at t, n = 1, 2, …: ∫₀^t x^{M−1}e^{−x}/Γ(M)·φ_n dx =
+/// t^M e^{−t}/Γ(M)·L_{n−1}^{(M)}(t)/n·√(n!Γ(M)/Γ(n+M)).
 fn step_coefficients(channels: usize, t: f64) -> impl Iterator<Item = f64> {
     let m = channels as f64;
     let ln_density = (1..=channels).map(|k| (t / k as f64).ln()).sum::<f64>() + m.ln() - t;
@@ -89,7 +90,7 @@ fn step_coefficients(channels: usize, t: f64) -> impl Iterator<Item = f64> {
     })
 }
 
-/// α at which ∫ P(y > αt) dG(t) is the rate, T in units of one cell's mean.
+/// Threshold factor α at which ∫ P(y > αt) dG(t) is the rate, T in units of one cell's mean.
 fn factor(channels: usize, rate: f64, below: impl Fn(f64) -> f64) -> f64 {
     let grid = Steps::new(rate, below);
     falling_root(rate, |factor| grid.false_alarm_rate(factor * channels as f64, channels))
@@ -101,8 +102,8 @@ struct Steps {
 }
 
 impl Steps {
-    /// What lies below the grid passes at most with its own probability, what lies above with less than the
-    /// rate.
+    /// Divides a distribution, given by its cumulative function, into steps. What lies below the grid passes
+    /// at most with its own probability, what lies above with less than the rate.
     fn new(rate: f64, below: impl Fn(f64) -> f64) -> Self {
         let (mut low, mut high) = (0.9, 1.1);
         while below(low) > 1e-5 * rate {
@@ -131,7 +132,7 @@ impl Steps {
 
 const STEPS: i32 = 256;
 
-/// Where a falling function of a positive number has this value: secants in logarithms within a bracket
+/// Finds where a falling function of a positive number has this value: secants in logarithms within a bracket
 /// (Illinois).
 fn falling_root(value: f64, function: impl Fn(f64) -> f64) -> f64 {
     let error = |ln_x: f64| function(ln_x.exp()).max(f64::MIN_POSITIVE).ln() - value.ln();
@@ -167,7 +168,7 @@ mod tests {
     use super::*;
     use crate::detection::cfar_threshold::threshold_factor;
 
-    /// Where the sum of M unit exponentials lies with this probability.
+    /// Quantile of the sum of M unit exponentials at this probability.
     fn quantile(channels: usize, probability: f64) -> f64 {
         let (mut low, mut high) = (0.0, 1.0);
         while gamma_below(channels, high) < probability {

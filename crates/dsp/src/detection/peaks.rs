@@ -66,7 +66,7 @@ const LEAKAGE_FLOOR: f64 = 3.6e-15;
 const OFFSETS: i32 = 8;
 
 impl PeakFinder {
-    /// For maps that were made with these windows.
+    /// Prepares for maps that were made with these windows.
     pub(crate) fn new(doppler: &[f64], range: &[f64]) -> Self {
         Self {
             interpolators: [Interpolator::new(doppler), Interpolator::new(range)],
@@ -212,7 +212,7 @@ fn fine_response(taper: &[f64]) -> Vec<f64> {
     spectrum.iter().map(|v| v.norm_sqr() * scale).collect()
 }
 
-/// Of equal neighbours the first in row-major order is the peak.
+/// Whether a cell is a peak among its neighbours: of equal ones the first in row-major order is.
 fn is_local_maximum(power: ArrayView2<f64>, cell: (usize, usize)) -> bool {
     neighbourhood(power.dim(), cell).all(|other| exceeds(power, cell, other))
 }

@@ -23,7 +23,7 @@ pub struct VirtualArray {
     cells: Axes,
     division: Division,
     position_m: DVec3,
-    /// Of what is seen, where the array measures no elevation.
+    /// Height of what is seen, where the array measures no elevation, m.
     assumed_height_m: f64,
     chirp_interval_s: f64,
     wavelength_m: f64,
@@ -31,7 +31,7 @@ pub struct VirtualArray {
     axes: [DVec3; 3],
     /// Transmit and receive element of each channel, world metres from the array's centre.
     elements: Vec<[DVec3; 2]>,
-    /// What the values of each channel are multiplied by; empty: nothing.
+    /// Factor on the values of each channel; empty where there is no calibration.
     calibration: Vec<Complex64>,
     /// Delay of each channel's chirps after those of the first transmitter, s.
     slot_s: Vec<f64>,
@@ -44,9 +44,9 @@ pub struct VirtualArray {
 /// Direction cosines: along right and, where the array has rows, along up.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Direction {
-    /// Along the horizontal row; 0 where the array has no horizontal extent.
+    /// Direction cosine along the horizontal row; 0 where the array has no horizontal extent.
     pub right: f64,
-    /// Along the vertical; `None` where the array has no vertical extent.
+    /// Direction cosine along the vertical; `None` where the array has no vertical extent.
     pub up: Option<f64>,
 }
 
@@ -114,7 +114,7 @@ impl VirtualArray {
         self.snapshot_and_idle(map, cell, velocity_mps).0
     }
 
-    /// The same, and the power of codes that no transmitter has.
+    /// The values of [`Self::snapshot`], and the power of codes that no transmitter has.
     pub(crate) fn snapshot_and_idle(
         &self,
         map: &RdmFrame,
@@ -125,7 +125,7 @@ impl VirtualArray {
         (self.calibrated(values), idle)
     }
 
-    /// The same with what the channels' own gains and phases make of it.
+    /// [`Self::snapshot_and_idle`] before calibration, with the channels' own gains and phases.
     pub(crate) fn uncalibrated(
         &self,
         map: &RdmFrame,
@@ -199,12 +199,12 @@ impl VirtualArray {
         &self.cells
     }
 
-    /// Whose channels it has.
+    /// Transmitters and receivers of the array, and how the former share the air.
     pub(crate) fn division(&self) -> &Division {
         &self.division
     }
 
-    /// Its centre, world metres.
+    /// The array's centre, world metres.
     pub(crate) fn position_m(&self) -> DVec3 {
         self.position_m
     }
@@ -224,8 +224,7 @@ impl VirtualArray {
         [tx, rx]
     }
 
-    /// How much longer the way to a point and back is by each channel's elements than by the array's centre,
-    /// m.
+    /// Excess of the way to a point and back by each channel's elements over that by the array's centre, m.
     pub fn excess_m(&self, direction: Direction, range_m: f64) -> Vec<f64> {
         let point = self.point(direction, range_m);
         self.elements
@@ -234,7 +233,7 @@ impl VirtualArray {
             .collect()
     }
 
-    /// From the array's centre.
+    /// Place of a point in world axes, from the array's centre, m.
     fn point(&self, direction: Direction, range_m: f64) -> DVec3 {
         let [right, up, ahead] = self.axes;
         let (u, w) = (direction.right, direction.up.unwrap_or(0.0));
@@ -280,7 +279,7 @@ impl VirtualArray {
         })
     }
 
-    /// At the centre of the sampled sweep.
+    /// Wavelength at the centre of the sampled sweep.
     pub(crate) fn wavelength_m(&self) -> f64 {
         self.wavelength_m
     }
@@ -365,7 +364,7 @@ struct AngleFft {
     scratch: Vec<Complex64>,
 }
 
-/// e^{−j2π·cycles}.
+/// Phase factor e^{−j2π·cycles}.
 fn turned_back(cycles: f64) -> Complex64 {
     if cycles == 0.0 { Complex64::ONE } else { Complex64::from_polar(1.0, -TAU * cycles.fract()) }
 }

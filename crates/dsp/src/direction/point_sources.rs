@@ -56,8 +56,8 @@ pub(crate) fn direct_fit(
     fit.map_or((power(snapshot), 0), |fit| (fit.residual_power, fit.directions.len()))
 }
 
-/// As many echoes as noise would not have made of less; `None` where the strongest beam's direction is not
-/// visible.
+/// Fits as many echoes as noise would not have made of less; `None` where the strongest beam's direction is
+/// not visible.
 fn likeliest(
     array: &VirtualArray,
     snapshot: &[Complex64],
@@ -118,7 +118,7 @@ pub fn least_errors(
         .collect()
 }
 
-/// t of M·t·e^{−t} = the rate.
+/// Threshold t, in powers of one channel's noise, that solves M·t·e^{−t} = the rate.
 fn split_threshold(channels: usize) -> f64 {
     let beams = channels as f64;
     let next = |t: f64, _| (beams * t / FALSE_SPLIT_RATE).ln();
@@ -267,7 +267,7 @@ impl Fit {
     }
 }
 
-/// qᴴ·v.
+/// Inner product qᴴ·v.
 fn inner(q: &[Complex64], v: &[Complex64]) -> Complex64 {
     q.iter().zip(v).map(|(a, b)| a.conj() * b).sum()
 }

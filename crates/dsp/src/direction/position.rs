@@ -1,14 +1,14 @@
-//! From range and direction cosines to world axes.
+//! Places in world axes, found from range and direction cosines.
 
 use crate::direction::angle::{Direction, VirtualArray};
 use glam::DVec3;
 
-/// Where a point lies.
+/// Place of a point in world axes, with its angles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Place {
     /// World metres.
     pub(crate) position_m: DVec3,
-    /// From +y towards +x.
+    /// Azimuth from +y towards +x.
     pub(crate) azimuth_rad: f64,
     /// Above the horizon.
     pub(crate) elevation_rad: f64,

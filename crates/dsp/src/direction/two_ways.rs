@@ -19,7 +19,7 @@ use num_complex::Complex64;
 /// The two directions and how much better they explain a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TwoWays {
-    /// Of the two bodies.
+    /// Directions of the two bodies.
     pub directions: [Direction; 2],
     /// Log-likelihood over that of direct echoes, each less half its parameters times ln of the real samples
     /// (Schwarz 1978).
@@ -184,7 +184,7 @@ impl<'a> Rows<'a> {
         sum.norm_sqr() / norm(&u, &v)
     }
 
-    /// For each receive element what left towards a direction.
+    /// Signal at each receive element of what left towards a direction.
     fn departed(&self, turns: &Turns) -> Vec<Complex64> {
         let mut sums = vec![Complex64::ZERO; turns.rx.len()];
         for (row, turn) in self.values.iter().zip(&turns.tx) {
@@ -194,7 +194,7 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// Along right or, where there is one, up.
+/// Moves a direction along right (axis 0) or, where there is one, along up.
 fn moved(direction: &mut Direction, axis: usize, by: f64) {
     match axis {
         0 => direction.right += by,

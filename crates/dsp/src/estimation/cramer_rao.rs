@@ -12,7 +12,7 @@ use artifact::Radar;
 /// Least standard errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bound {
-    /// In the frame's middle, with the velocity's share through the coupling.
+    /// Standard error of the range in the frame's middle, with the velocity's share through the coupling.
     pub range_m: f64,
     /// Radial.
     pub velocity_mps: f64,

@@ -28,11 +28,11 @@ const MOST_BIAS: f64 = 0.1;
 pub(crate) struct Neighbours<'a> {
     /// Radar and settings.
     pub(crate) plan: &'a Plan,
-    /// Its map.
+    /// The map that the peaks stand in.
     pub(crate) map: &'a RdmFrame,
     /// All peaks.
     pub(crate) peaks: &'a [Peak],
-    /// Of a cell of the map, summed over channels.
+    /// Noise power of a cell of the map, summed over channels.
     pub(crate) noise: f64,
 }
 
@@ -151,8 +151,8 @@ pub(crate) fn fits_alone(plan: &Plan, samples: &[Complex32], echo: &PointEcho, n
     })
 }
 
-/// t of M·t^axes·e^{−t} = the rate: powers of M independent cells and beams, and between beams the highest of
-/// a field along each axis.
+/// Threshold t that solves M·t^axes·e^{−t} = the rate: powers of M independent cells and beams, and between
+/// beams the highest of a field along each axis.
 fn second_threshold(array: &VirtualArray, independent: usize) -> f64 {
     let axes = array.beams().into_iter().filter(|beam| beam.is_finite()).count();
     let next = |t: f64, _| (independent as f64 * t.powi(axes as i32) / FALSE_SECOND_RATE).ln();
@@ -178,7 +178,7 @@ fn near_cells(radar: &Radar, blocks: &[Block]) -> Vec<Complex64> {
     cells
 }
 
-/// e^{−j2πn·cycles} of n = −2…2.
+/// Phase factors e^{−j2πn·cycles} of n = −2…2.
 fn turns(cycles: f64) -> [Complex64; 2 * NEAR_CELLS + 1] {
     let one = Complex64::from_polar(1.0, -TAU * cycles);
     let two = one * one;

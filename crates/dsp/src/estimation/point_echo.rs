@@ -14,12 +14,12 @@ use num_complex::{Complex32, Complex64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Where a point is in the frame's middle, and how fast it recedes.
+/// Range and direction of a point in the frame's middle, and the velocity at which it recedes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct PointEcho {
-    /// From the array's centre.
+    /// Range from the array's centre.
     pub(crate) range_m: f64,
-    /// Not folded.
+    /// Radial velocity, not folded.
     pub(crate) radial_velocity_mps: f64,
     /// Seen from the array.
     pub(crate) direction: Direction,
@@ -90,14 +90,14 @@ fn blocks_of_channel(
         .collect()
 }
 
-/// Where a cube has the chirps of a transmit–receive pair.
+/// Place in a cube of the chirps of a transmit–receive pair.
 struct Heard {
     source: usize,
-    /// Of [`Radar::chirp_start_s`](artifact::Radar::chirp_start_s).
+    /// Index of the transmitter or slot for [`Radar::chirp_start_s`](artifact::Radar::chirp_start_s).
     turn: usize,
-    /// To take out per chirp.
+    /// Cycles to take out per chirp.
     cycles: f64,
-    /// Of its samples in the pair's.
+    /// Share of the chirps' samples in those of the pair.
     share: f64,
 }
 
@@ -153,7 +153,7 @@ impl ChirpPhase {
         }
     }
 
-    /// e^{−j·phase} of the first sample, its first step, and the step of the step.
+    /// Phase factors: e^{−j·phase} of the first sample, the first step, and the step of the step.
     fn turns(&self) -> (Complex64, Complex64, Complex64) {
         let turn = |cycles: f64| Complex64::from_polar(1.0, -TAU * cycles.fract());
         (turn(self.start), turn(self.slope + self.bend), turn(2.0 * self.bend))

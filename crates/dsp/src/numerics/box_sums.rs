@@ -14,14 +14,14 @@ pub(crate) struct BoxSums<'a> {
 struct Band {
     /// First and last offset.
     rows: [i64; 2],
-    /// By column.
+    /// Sum of the rows in each column.
     of_column: Vec<f64>,
-    /// Of all columns before this one.
+    /// Sum of all columns before each one.
     before: Vec<f64>,
 }
 
 impl<'a> BoxSums<'a> {
-    /// For rectangles with these rows, at the map's row `row`.
+    /// Sums for rectangles with these rows, at the map's row `row`.
     pub(crate) fn at_row(power: &'a [f64], samples: usize, heights: &[[i64; 2]], row: usize) -> Self {
         let band = |rows: &[i64; 2]| Band {
             rows: *rows,

@@ -13,7 +13,7 @@ pub(crate) fn first_not_finite(values: &[Complex32]) -> Option<usize> {
     values[start..].iter().position(|v| !v.is_finite()).map(|at| start + at)
 }
 
-/// Without a branch per value: wide instructions compare exponents.
+/// Whether all values are finite, without a branch per value: wide instructions compare exponents.
 fn all_finite(values: &[Complex32]) -> bool {
     let beyond = |x: f32| u32::from(x.to_bits() & EXPONENT == EXPONENT);
     values.iter().fold(0, |any, v| any | beyond(v.re) | beyond(v.im)) == 0

@@ -10,12 +10,12 @@
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
-/// w_q and n_q of one Gamma variable of a sum.
+/// Weight w_q and shape n_q of one Gamma variable of a sum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct WeightedGamma {
-    /// w_q, not zero; may be negative.
+    /// Weight w_q, not zero; may be negative.
     pub(crate) weight: f64,
-    /// n_q, above zero and not necessarily whole.
+    /// Shape n_q, above zero and not necessarily whole.
     pub(crate) shape: f64,
 }
 
@@ -51,7 +51,7 @@ pub(crate) fn probability_below(form: &[WeightedGamma], t: f64) -> f64 {
 const STEP: f64 = 0.1;
 const STEPS: i32 = 400;
 
-/// st − Σ n ln(1 + s·w) − ln s.
+/// Exponent of the integrand, st − Σ n ln(1 + s·w) − ln s.
 fn exponent(form: &[WeightedGamma], t: f64, s: Complex64) -> Complex64 {
     form.iter().fold(s * t - s.ln(), |sum, g| sum - g.shape * (1.0 + s * g.weight).ln())
 }
@@ -65,8 +65,8 @@ fn slopes(form: &[WeightedGamma], t: f64, s: f64) -> [f64; 3] {
     })
 }
 
-/// Where the exponent, convex between its poles, is least: Newton's steps, halving the bracket where they
-/// leave it.
+/// Finds where the exponent, convex between its poles, is least: Newton's steps, halving the bracket where
+/// they leave it.
 fn saddle_point(form: &[WeightedGamma], t: f64) -> f64 {
     let pole = form.iter().filter(|g| g.weight < 0.0).map(|g| -1.0 / g.weight).fold(f64::INFINITY, f64::min);
     let (mut low, mut high) = (0.0, pole);

@@ -1,8 +1,8 @@
 //! Small symmetric systems by Cholesky, scaled to a unit diagonal: parameters are metres and cosines side by
 //! side.
 
-/// x of M·x = b; parameters of which M knows nothing (a zero on its diagonal) stay 0. `None` where two cannot
-/// be told apart.
+/// Solves M·x = b for x; parameters of which M knows nothing (a zero on its diagonal) stay 0. `None` where
+/// two cannot be told apart.
 pub(crate) fn solve<const N: usize>(matrix: [[f64; N]; N], right: [f64; N]) -> Option<[f64; N]> {
     let largest = (0..N).map(|i| matrix[i][i]).fold(0.0, f64::max);
     if !(largest > 0.0 && largest.is_finite()) {

@@ -7,7 +7,7 @@ use rustfft::FftNum;
 pub trait Precision: FftNum {
     /// The nearest value.
     fn of(value: f64) -> Self;
-    /// Of a sample.
+    /// A sample in this precision.
     fn of_sample(sample: Complex32) -> Complex<Self>;
 }
 

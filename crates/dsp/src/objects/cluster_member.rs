@@ -1,20 +1,20 @@
-//! What clustering knows of a point.
+//! Properties of a point that clustering knows.
 
 use glam::DVec2;
 
-/// What clustering knows of a point.
+/// Properties of a point that clustering knows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Member {
-    /// From the array's centre, m.
+    /// Range from the array's centre, m.
     pub(crate) range_m: f64,
-    /// m/s, in one span of the velocity axis.
+    /// Radial velocity, m/s, in one span of the velocity axis.
     pub(crate) radial_velocity_mps: f64,
-    /// Across the lanes, m.
+    /// Place across the lanes, m.
     pub(crate) cross_m: f64,
     /// Standard error of that, by noise, m.
     pub(crate) cross_error_m: f64,
     /// Weight.
     pub(crate) power: f64,
-    /// On the ground, from the radar.
+    /// Place on the ground, from the radar, m.
     pub(crate) place_m: DVec2,
 }

@@ -99,17 +99,18 @@ fn joined_once(groups: Vec<Vec<usize>>, belongs: &impl Fn(&[usize], &[usize]) ->
 /// Two pieces of one body are this many reaches apart at most: 4.4 m of the default 2.5 m. The rear of a car
 /// is hidden from the front, so that the echoes of two that stand a metre apart are farther from each other.
 const PIECE_REACHES: f64 = 1.75;
-/// Their means are apart by at most this part of the reach across: 1.5 m, two fifths of a lane.
+/// Means of two pieces of one body are apart across by at most this part of the reach across: 1.5 m, two
+/// fifths of a lane.
 const PIECE_STRIP: f64 = 0.6;
-/// And by this part of the reach in velocity.
+/// Means of two pieces of one body are apart in velocity by at most this part of the reach in velocity.
 const PIECE_VELOCITY: f64 = 0.5;
-/// What lies farther and is so much stronger than what lies before it is a follower's front: a body's own
-/// front hides its rear.
+/// Power ratio over nearer echoes from which an echo is a follower's front: a body's own front hides its
+/// rear.
 const FOLLOWER_POWER: f64 = 10.0;
-/// So is what is stronger at all and lies farther behind the first echo than cars are long: the strongest of
-/// a body comes from its front, its windscreen or the load over its cab, m.
+/// Distance behind the first echo, longer than cars are, beyond which any stronger echo is a follower's
+/// front: the strongest of a body comes from its front, its windscreen or the load over its cab, m.
 const FRONT_M: f64 = 5.0;
-/// What lies ahead of a front and is weaker than this part of it is its sidelobes.
+/// Power, as a part of a front's, below which what lies ahead of the front is its sidelobes.
 const SIDELOBES: f64 = 0.01;
 
 /// A grown group, and before it what stands ahead of its strongest echo's body: the chain of a queue is cut

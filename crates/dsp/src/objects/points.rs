@@ -1,4 +1,4 @@
-//! From a map to located points and the objects they form.
+//! Located points of a map and the objects they form.
 //!
 //! One point per detected cell, as in the paper's clouds (14, 15, 18 points for a car; its flow sends every
 //! cell that passes the detector to the angle FFT). The cells under one main lobe, about 3 × 3 with Hann
@@ -33,12 +33,12 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// Points of a map, strongest first, and objects in the order of their strongest peaks; peaks that stand alone
-/// are refined on the samples that the map was made of, where there are any (`refinement.rs`).
+/// Points of a map, strongest first, and objects in the order of their strongest peaks; peaks that stand
+/// alone are refined on the samples that the map was made of, where there are any (`refinement.rs`).
 ///
-/// Knows the map and its radar's settings alone. A vehicle is one object, its points share the object's index;
-/// a detection without a detected neighbour, as noise makes them, is a point of no object. Detected cells on
-/// sidelobes are no points.
+/// Knows the map and its radar's settings alone. A vehicle is one object, its points share the object's
+/// index; a detection without a detected neighbour, as noise makes them, is a point of no object. Detected
+/// cells on sidelobes are no points.
 pub(crate) fn located(
     plan: &Plan,
     map: &RdmFrame,
@@ -77,7 +77,7 @@ pub(crate) fn located(
     Ok(PointsFrame { index: map.index, time_s: map.time_s, points: strongest_first(points), objects })
 }
 
-/// Of equal strength in the order of the map.
+/// Points by falling strength; those of equal strength in the order of the map.
 fn strongest_first(mut points: Vec<Point>) -> Vec<Point> {
     points.sort_by(|a, b| b.snr_db.total_cmp(&a.snr_db));
     points
@@ -89,20 +89,20 @@ const LOBE_CELLS: usize = 2;
 /// An echo of a peak, or of a cell on its slope, with what the channels say of it.
 #[derive(Clone)]
 struct Sighting {
-    /// Of its own power, where the cell holds several echoes.
+    /// Peak of the echo, with a power of its own where the cell holds several echoes.
     peak: Peak,
     range_m: f64,
     radial_velocity_mps: f64,
     snapshot: Snapshot,
     direction: Direction,
     place: Place,
-    /// Of its cell, where time division tells them.
+    /// Folds of the echo's cell, where time division tells them.
     folds: Option<Folds>,
-    /// Of a peak: where its wave ran between two bodies.
+    /// Azimuths of the two bodies between which a peak's wave ran, rad; `None` where it ran to one and back.
     two_ways_rad: Option<[f64; 2]>,
 }
 
-/// What every step looks at; `noise` is summed over channels.
+/// Inputs of every step; `noise` is summed over channels.
 struct View<'a> {
     plan: &'a Plan,
     axes: &'a Axes,
@@ -130,8 +130,8 @@ impl View<'_> {
         found.map(|two| two.directions.map(azimuth))
     }
 
-    /// Of a cell on the slope of a peak, by its strongest echo: that of the peak if it is the peak's, seen in
-    /// the same beam. Another one may lie there, with no peak of its own.
+    /// Azimuths of the two ways of a cell on the slope of a peak, by its strongest echo: those of the peak if
+    /// it is the peak's, seen in the same beam. Another one may lie there, with no peak of its own.
     fn on_slope_of(&self, owner: &Sighting, strongest: &Sighting) -> Option<[f64; 2]> {
         let apart_beams = (owner.direction.right - strongest.direction.right).abs() / self.array.beams()[0];
         if apart_beams < 0.5 { owner.two_ways_rad } else { self.two_ways_rad(strongest) }
@@ -153,7 +153,7 @@ impl View<'_> {
         self.sight_at(peak, velocity_mps, folds)
     }
 
-    /// The same at a velocity that is known.
+    /// Echoes of one cell, at least one, at a velocity that is known.
     fn sight_at(&self, peak: Peak, radial_velocity_mps: f64, folds: Option<Folds>) -> Vec<Sighting> {
         let range_m = self.range_m(&peak, radial_velocity_mps);
         let snapshot = self.array.snapshot(self.map, [peak.row, peak.column], radial_velocity_mps);
@@ -178,7 +178,7 @@ impl View<'_> {
         folds.choice(self.channel_noise())
     }
 
-    /// Of a cell.
+    /// Noise power of one channel in a cell.
     fn channel_noise(&self) -> f64 {
         self.noise / self.array.division().map_channels as f64
     }
@@ -451,7 +451,8 @@ impl View<'_> {
         is_at_rest(&self.plan.radar, s.radial_velocity_mps, fold, self.over_noise(s.peak.power))
     }
 
-    /// Of all peaks: the strongest beam of their cells, or the mean of the echoes told apart in them.
+    /// Direction of all peaks: the strongest beam of their cells, or the mean of the echoes told apart in
+    /// them.
     fn direction(&self, peaks: &[&Sighting], weights: &[f64], range_m: f64) -> Direction {
         match (peaks, self.plan.settings.angle) {
             ([lone], _) => lone.direction,

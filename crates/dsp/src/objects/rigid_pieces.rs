@@ -34,7 +34,7 @@ const SIDE_WIDTH: f64 = 0.6;
 /// Bodies abreast show echoes a lane apart: what lines up along its own motion nearer than the narrowest lane
 /// for lorries is one side, m.
 const LANE_M: f64 = 3.25;
-/// What strips along a velocity known from few points are wider by, m.
+/// Width that strips along a velocity known from few points have in addition, m.
 const STRIP_MARGIN_M: f64 = 1.0;
 
 /// Whether `b` continues `a`, no farther from it than `reach_m` along their velocity.
@@ -72,7 +72,7 @@ pub(crate) fn drive_as_one(
     length(extent(&all, |place_m| along.dot(place_m))) <= LONGEST_M && (continues || adjoins || lines_up)
 }
 
-/// What a point says of its body's motion.
+/// Evidence that a point gives of its body's motion.
 #[derive(Debug, Clone, Copy)]
 struct Echo {
     place_m: DVec2,
@@ -91,7 +91,7 @@ impl Echo {
 /// The velocity of a body by least squares.
 struct Fit {
     velocity_mps: DVec2,
-    /// Its covariance over that of one radial velocity.
+    /// Covariance of the velocity over the variance of one radial velocity.
     covariance: DMat2,
 }
 

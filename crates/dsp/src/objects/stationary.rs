@@ -11,10 +11,10 @@ use artifact::Radar;
 use radar::doppler_ambiguity::shown_mps;
 use std::f64::consts::TAU;
 
-/// How sure the multiple of the map's span is.
+/// Certainty of the multiple of the map's span.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fold {
-    /// It is beyond doubt.
+    /// The multiple is beyond doubt.
     Told,
     /// Any other is possible.
     Assumed,

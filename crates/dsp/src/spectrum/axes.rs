@@ -12,19 +12,19 @@ pub(crate) struct Axes {
     pub(crate) rows: usize,
     /// Range cells.
     pub(crate) columns: usize,
-    /// From column to column.
+    /// Range from column to column, m.
     pub(crate) range_cell_m: f64,
-    /// From row to row.
+    /// Velocity from row to row, m/s.
     pub(crate) velocity_cell_mps: f64,
     /// Half a span.
     pub(crate) velocity_max_mps: f64,
-    /// Where the beat frequency folds.
+    /// Range at which the beat frequency folds, m.
     pub(crate) range_max_m: f64,
     waveform: Waveform,
 }
 
 impl Axes {
-    /// Of a radar as it is in one sub-frame.
+    /// Axes of a radar as it is in one sub-frame.
     pub(crate) fn of(radar: &Radar) -> Self {
         let waveform = &radar.waveform;
         Self {

@@ -59,7 +59,7 @@ pub(crate) fn in_phase(
     (0..codes.len()).map(of_code).collect()
 }
 
-/// What an echo in the middle of a row of so many turns by from slot to slot.
+/// Cycles that an echo in the middle of a row, `[row, rows]`, turns by from slot to slot.
 fn cycles_per_slot(slots: usize, [row, rows]: [usize; 2]) -> f64 {
     (row as f64 - (rows / 2) as f64) / (rows * slots) as f64
 }

@@ -1,4 +1,4 @@
-//! How the channels of cubes and maps belong to transmitters and receivers.
+//! Division of the channels of cubes and maps among transmitters and receivers.
 
 use artifact::Radar;
 use artifact::radar::Multiplexing;
@@ -6,7 +6,7 @@ use artifact::radar::Multiplexing;
 /// Transmitters and receivers, and how the former share the air.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Division {
-    /// How transmitters are told apart.
+    /// Multiplexing, which tells transmitters apart.
     pub(crate) multiplexing: Multiplexing,
     /// Number of them.
     pub(crate) transmitters: usize,
@@ -14,12 +14,12 @@ pub(crate) struct Division {
     pub(crate) receivers: usize,
     /// Chirps in the air from one chirp of a cube's channel to its next.
     pub(crate) slots: usize,
-    /// Of a map: the transmit–receive pairs, and behind them codes that no transmitter has.
+    /// Channels of a map: the transmit–receive pairs, and behind them codes that no transmitter has.
     pub(crate) map_channels: usize,
 }
 
 impl Division {
-    /// Of a radar.
+    /// Division of a radar's channels.
     pub(crate) fn of(radar: &Radar) -> Self {
         Self {
             multiplexing: radar.array.multiplexing,

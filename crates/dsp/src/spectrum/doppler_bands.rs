@@ -16,7 +16,7 @@ pub(crate) fn source_of(division: &Division, channel: usize) -> (usize, f64) {
     }
 }
 
-/// i/M.
+/// Cycles per chirp by which transmitter i is turned under Doppler division, i/M, M = N_tx + 1.
 pub(crate) fn band_cycles(division: &Division, transmitter: usize) -> f64 {
     transmitter as f64 / (division.transmitters + 1) as f64
 }

@@ -1,4 +1,4 @@
-//! From the chirps of a range cell to its Doppler rows.
+//! Transform from the chirps of a range cell to its Doppler rows.
 //!
 //! Where chirps follow each other at one interval T that is an FFT. Where chirp m starts δ_m later than m·T,
 //! with δ_m the same for every P-th chirp, row k of N is Σ_r e^{−j2πkδ_r/NT}·Σ_{m = r, r + P, …}
@@ -18,7 +18,7 @@ use std::sync::Arc;
 /// The transform of one radar's chirps.
 pub(crate) struct DopplerTransform<T> {
     fft: Arc<dyn Fft<T>>,
-    /// By transmitter, chirp modulo P, row; empty where all intervals are equal.
+    /// Phase factors by transmitter, chirp modulo P, row; empty where all intervals are equal.
     turns: Vec<Vec<Vec<Complex<T>>>>,
 }
 

@@ -79,7 +79,7 @@ impl<T: Precision> RangeDoppler<T> {
         self.channel_of(0, samples, turn_cycles)
     }
 
-    /// The same of a channel of any transmitter: staggered chirps of another than the first may differ.
+    /// [`Self::channel`] of any transmitter: staggered chirps of another than the first may differ.
     pub fn channel_of(&self, transmitter: usize, samples: &[Complex32], turn_cycles: f64) -> Vec<Complex<T>> {
         let mut map = vec![Complex::zero(); self.cells()];
         let mut work = Workspace { spectra: vec![], whole: vec![], columns: vec![], scratch: vec![] };
@@ -87,7 +87,7 @@ impl<T: Precision> RangeDoppler<T> {
         map
     }
 
-    /// The same into a map that is there.
+    /// [`Self::channel_of`] into a map that is there.
     pub(crate) fn fill(
         &self,
         transmitter: usize,
@@ -105,12 +105,12 @@ impl<T: Precision> RangeDoppler<T> {
         }
     }
 
-    /// Of cubes and maps.
+    /// Shapes of cubes and maps.
     pub(crate) fn shapes(&self) -> &Shapes {
         &self.shapes
     }
 
-    /// Whose channels there are.
+    /// Division of the channels among transmitters and receivers.
     pub(crate) fn division(&self) -> &Division {
         &self.division
     }
@@ -135,7 +135,8 @@ impl<T: Precision> RangeDoppler<T> {
         }
     }
 
-    /// Of real samples the frequencies of growing range: the others are their image.
+    /// Spectra of real samples, of which the frequencies of growing range are kept: the others are their
+    /// image.
     fn half_spectra(&self, samples: &[Complex32], turn_cycles: f64, work: &mut Workspace<T>) {
         work.whole.resize(self.samples, Complex::zero());
         let rows = samples.chunks_exact(self.samples).zip(work.spectra.chunks_exact_mut(self.columns));
@@ -145,7 +146,7 @@ impl<T: Precision> RangeDoppler<T> {
         }
     }
 
-    /// Of one chirp, range growing.
+    /// Spectrum of one chirp, range growing.
     fn range_spectrum(
         &self,
         row: &[Complex32],

@@ -8,7 +8,7 @@ use ndarray::{Array2, ArrayView2};
 use num_complex::Complex32;
 use rayon::prelude::*;
 
-/// What stands in for noise in a noise-free map lies this far below its peak, dB.
+/// Level below the peak of a noise-free map of what stands in for its noise, dB.
 pub(crate) const FLOOR_BELOW_PEAK_DB: f64 = 60.0;
 
 /// Σ over channels of |value|², `[doppler, range]`.

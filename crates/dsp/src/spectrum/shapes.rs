@@ -1,4 +1,4 @@
-//! What a header, a cube's samples and a map have to be like.
+//! Shapes and values that a header, a cube's samples and a map have to have.
 
 use crate::error::DspError;
 use crate::numerics::finite::first_not_finite;
@@ -18,7 +18,7 @@ pub(crate) struct Shapes {
 }
 
 impl Shapes {
-    /// Of a radar that can make a map.
+    /// Shapes of the cubes and maps of a radar that can make a map.
     ///
     /// # Errors
     /// What is missing, is no number, or is calibrated for another array.

@@ -23,7 +23,8 @@ const OUTWARDS: f64 = 0.5;
 const INWARDS: f64 = 0.05;
 /// Slower bodies keep their heading: a standing one has none of its own.
 const SLOWEST_MPS: f64 = 1.0;
-/// Of cars; which end of one is seen is not known, so half of what is not is allowed for on either side.
+/// Length of the shortest cars, m; which end of one is seen is not known, so half of what is not is allowed
+/// for on either side.
 const SHORTEST_M: f64 = 4.0;
 /// A heading is believed when the velocity is this many standard deviations from none.
 const SURE: f64 = 3.0;

@@ -12,16 +12,16 @@ use glam::{DMat4, DVec4};
 pub struct Estimate {
     /// (x, y, v_x, v_y).
     pub mean: DVec4,
-    /// Of its error.
+    /// Covariance of the mean's error.
     pub covariance: DMat4,
 }
 
-/// What a measurement differed from what was expected.
+/// Difference of a measurement from what was expected.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Innovation {
     /// Measured less expected.
     pub residual: f64,
-    /// Of the residual, as expected.
+    /// Variance of the residual, as expected.
     pub variance: f64,
 }
 
@@ -54,13 +54,13 @@ impl Estimate {
         Self { mean: step * self.mean, covariance }
     }
 
-    /// What a number that grows by `row` with the state, measured with this variance, is expected to differ
-    /// by.
+    /// Innovation of a number that grows by `row` with the state and is measured with this variance.
     pub fn innovation(&self, row: DVec4, residual: f64, variance: f64) -> Innovation {
         Innovation { residual, variance: row.dot(self.covariance * row) + variance }
     }
 
-    /// With the number taken in. The covariance is Joseph's form, which stays symmetric and positive.
+    /// The estimate with the number taken in. The covariance is Joseph's form, which stays symmetric and
+    /// positive.
     pub fn updated(&self, row: DVec4, residual: f64, variance: f64) -> Self {
         let gain = self.covariance * row / self.innovation(row, residual, variance).variance;
         let left = DMat4::IDENTITY - outer(gain, row);
@@ -70,7 +70,7 @@ impl Estimate {
     }
 }
 
-/// a·bᵀ.
+/// Outer product a·bᵀ.
 pub(crate) fn outer(a: DVec4, b: DVec4) -> DMat4 {
     DMat4::from_cols(a * b.x, a * b.y, a * b.z, a * b.w)
 }
@@ -90,8 +90,8 @@ mod tests {
             .fold(start, |state, _| state.updated(DVec4::X, 0.0, VARIANCE).predicted(INTERVAL_S, DENSITY))
     }
 
-    /// With λ² = qT³/r, gains α and β/T obey λ² = β²/(1 − α) and β = 3(2 − α) − √(3(α² − 12α + 12))
-    /// (Bar-Shalom §6.5.3).
+    /// The settled gains α and β/T obey, with λ² = qT³/r, λ² = β²/(1 − α) and
+    /// β = 3(2 − α) − √(3(α² − 12α + 12)) (Bar-Shalom §6.5.3).
     #[test]
     fn the_settled_gain_is_that_of_the_closed_form() {
         let state = settled();

@@ -1,4 +1,4 @@
-//! What an object measures of a body: range, azimuth and radial velocity, each with the variance that its
+//! Measurement of a body by an object: range, azimuth and radial velocity, each with the variance that its
 //! strength, the radar's resolution and the body's own size give it.
 
 use crate::spectrum::axes::Axes;
@@ -11,7 +11,7 @@ use glam::{DVec2, DVec4};
 use radar::doppler_ambiguity::folded_mps;
 use std::f64::consts::{PI, TAU};
 
-/// What a tracker knows of its radar.
+/// Properties of a radar that a tracker knows.
 #[derive(Debug, Clone)]
 pub struct Site {
     place_m: DVec2,
@@ -28,13 +28,13 @@ pub struct Site {
 /// An object as a tracker takes it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measurement {
-    /// From the array's centre.
+    /// Range from the array's centre.
     pub range_m: f64,
-    /// From +y towards +x.
+    /// Azimuth from +y towards +x.
     pub azimuth_rad: f64,
     /// Above the radar; the state has none.
     pub up_m: f64,
-    /// As the object has it.
+    /// Radial velocity as the object has it.
     pub radial_velocity_mps: f64,
     /// Velocities this far apart look alike; `None` where the object's is resolved.
     pub span_mps: Option<f64>,
@@ -45,7 +45,7 @@ pub struct Measurement {
 }
 
 impl Site {
-    /// Of a radar that was checked to have cells and elements.
+    /// Site of a radar that was checked to have cells and elements.
     pub fn new(radar: &Radar) -> Self {
         let place = radar.position_m;
         let spread = |elements: &[[f64; 2]]| {
@@ -65,7 +65,7 @@ impl Site {
         }
     }
 
-    /// On the road.
+    /// The radar's place on the road.
     pub fn place_m(&self) -> DVec2 {
         self.place_m
     }
@@ -75,7 +75,7 @@ impl Site {
         self.range_cell_m
     }
 
-    /// What an object measures.
+    /// Measurement that an object makes of its body.
     ///
     /// Noise: the Cramér–Rao bounds of a tone's frequency in cells, 6/(2π)²ρ, and of the direction cosine
     /// over elements that spread by σ half wavelengths, 1/2π²σ²ρ, ρ the power over noise of all channels.
@@ -121,9 +121,9 @@ pub struct Update {
 }
 
 impl Measurement {
-    /// Where it says the body is, and how well: what is measured along and across the line of sight; the
-    /// velocity across it is unknown but for `tangential_mps`. `radial_velocity_mps` is one of those that the
-    /// object's may stand for.
+    /// State of the body by a first measurement, and its covariance: what is measured along and across the
+    /// line of sight; the velocity across it is unknown but for `tangential_mps`. `radial_velocity_mps` is
+    /// one of those that the object's may stand for.
     pub fn first_estimate(&self, radial_velocity_mps: f64, tangential_mps: f64) -> Estimate {
         let (sin, cos) = self.azimuth_rad.sin_cos();
         let (along, across) = (DVec2::new(sin, cos), DVec2::new(cos, -sin));

@@ -1,6 +1,6 @@
-//! What a tracker expects of bodies and of the detector, and what that is on roads.
+//! Settings of a tracker: expectations of bodies and of the detector, and their values on roads.
 
-/// What a tracker expects of bodies and detector.
+/// Expectations that a tracker has of bodies and of the detector.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TrackerSettings {
     /// Spectral density of a body's acceleration, m²/s³ along each axis.

@@ -39,7 +39,7 @@ const COVERED: f64 = 0.2;
 pub struct Tracker {
     header: CubeHeader,
     settings: TrackerSettings,
-    /// Of the cycle's sub-frames.
+    /// Sites of the cycle's sub-frames.
     sites: Vec<Site>,
     followed: Vec<Followed>,
     next_id: u32,
@@ -62,7 +62,7 @@ struct Followed {
 }
 
 impl Tracker {
-    /// Of a radar, without tracks.
+    /// Makes the tracker of a radar, without tracks.
     pub fn new(header: &CubeHeader, settings: TrackerSettings) -> Result<Self, DspError> {
         Shapes::of(header)?;
         let sub_frames = 0..header.radar.schedule.sub_frames();
@@ -115,7 +115,7 @@ impl Tracker {
         }
     }
 
-    /// For each object the track (by place in the list) whose own it is.
+    /// Finds for each object the track (by place in the list) whose own it is.
     ///
     /// A pair costs −2 ln of its density, a track without object −2 ln of what an unexplained object would be
     /// instead: the likelihood ratio of Blackman and Popoli, *Modern Tracking Systems*, 1999, §6.2.
@@ -191,7 +191,7 @@ impl Tracker {
         }
     }
 
-    /// Along the road, towards the radar unless it moves away.
+    /// Heading of a new body along the road, towards the radar unless it moves away.
     fn first_heading_rad(&self, along_mps: f64) -> f64 {
         let away_rad = FRAC_PI_2 - self.header.dsp.road.azimuth_rad;
         if along_mps > 0.0 { away_rad } else { away_rad - 0.5 * TAU }

@@ -19,7 +19,7 @@ pub(crate) struct VelocityBank {
 /// A filter this unlikely is given up: one track in a thousand is resolved wrongly if models are true.
 const LEAST_WEIGHT: f64 = 1e-3;
 
-/// How a measurement suits a bank.
+/// Fit of a measurement to a bank.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Suit {
     /// Least squared Mahalanobis distance.
@@ -61,7 +61,7 @@ impl VelocityBank {
         self.filters.iter_mut().for_each(|f| f.1 = f.1.predicted(interval_s, acceleration_density));
     }
 
-    /// How likely a measurement is.
+    /// Fit of a measurement to the bank: least distance, and the density over all filters.
     pub(crate) fn suit(&self, measurement: &Measurement) -> Suit {
         let updates = self.filters.iter().map(|(weight, state)| (weight, measurement.updated(state)));
         let (mut distance2, mut least) = (f64::INFINITY, f64::INFINITY);

@@ -189,11 +189,11 @@ fn hadamard(row: usize, column: usize) -> f64 {
     }
 }
 
-/// What a transmitter sends in the rows of a channel.
+/// Transmission of one transmitter in the rows of a channel.
 #[derive(Clone, Copy)]
 struct Sent {
     tx: usize,
-    /// Whose starts they have: a transmitter's or a slot's.
+    /// Index of the transmitter or slot whose starts the chirps have.
     turn: usize,
     sign: f64,
     /// Per chirp.
@@ -272,7 +272,7 @@ fn amplitude(header: &CubeHeader, target: &Target, d_t: f64, d_r: f64) -> f64 {
     (power * header.radar.waveform.wavelength_m().powi(2) / ((4.0 * PI).powi(3) * (d_t * d_r).powi(2))).sqrt()
 }
 
-/// k·T·F·f_s.
+/// Noise power of a sample, k·T·F·f_s.
 pub fn noise_variance(header: &CubeHeader) -> f64 {
     match header.noise {
         Noise::Absent => 0.0,
@@ -300,7 +300,7 @@ fn add_noise(header: &CubeHeader, values: &mut [Complex64], seed: u64) {
 
 pub const NOISE_12_DB: Noise = Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 };
 
-/// Where a target is in the middle of the frame: (range, radial velocity, position).
+/// Truth of a target in the middle of the frame: (range, radial velocity, position).
 pub fn truth(header: &CubeHeader, target: &Target) -> (f64, f64, [f64; 3]) {
     let middle_s = header.radar.frame_middle_s();
     let position_m = [0, 1, 2].map(|i: usize| target.position_m[i] + middle_s * target.velocity_mps[i]);

@@ -1,4 +1,4 @@
-//! What a classifier sees of a map.
+//! Tests of what a classifier sees of a map.
 
 #[path = "../common/mod.rs"]
 mod common; // radars and cubes

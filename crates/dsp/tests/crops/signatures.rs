@@ -13,7 +13,7 @@ fn noisy(elements: [Vec<[f64; 2]>; 2]) -> CubeHeader {
     header
 }
 
-/// Of the one object that these targets are.
+/// Signature of the one object that these targets are.
 fn signature(header: &CubeHeader, targets: &[Target]) -> Signature {
     let receiver = Receiver::new(header).unwrap();
     let map = receiver.range_doppler(&cube(header, targets, 1)).unwrap();

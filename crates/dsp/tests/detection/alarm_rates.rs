@@ -60,7 +60,7 @@ pub fn noise_power_map(header: &CubeHeader, seed: u64) -> Vec<f64> {
 /// Parts of a map, which may overlap.
 pub struct Zones {
     pub names: Vec<&'static str>,
-    /// Of each cell the zones that it is in; none where it is not tested.
+    /// Zones of each cell; none where it is not tested.
     of_cells: Vec<Vec<usize>>,
     /// Cells of each.
     sizes: Vec<u64>,

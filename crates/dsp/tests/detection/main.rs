@@ -1,4 +1,4 @@
-//! What noise alone does to the detectors, and maps of real samples.
+//! Tests of what noise alone does to the detectors, and of maps of real samples.
 
 #[path = "../common/mod.rs"]
 mod common; // radars and cubes

@@ -26,7 +26,7 @@ fn assert_placed(what: &str, header: &CubeHeader, target: &Target, tolerance_m: 
     assert!(folded.abs() < 5e-3, "{what}: velocity off by {folded}");
 }
 
-/// u to 1e-4 (physics.md §8) at 40 m, range to 2 cm; height as assumed.
+/// Tolerances of a row's points: u to 1e-4 (physics.md §8) at 40 m, range to 2 cm; height as assumed.
 const FLAT: [f64; 3] = [5e-3, 0.02, 1e-9];
 
 #[test]

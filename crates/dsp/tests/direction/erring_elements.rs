@@ -23,7 +23,7 @@ pub(crate) fn radar(elements: [Vec<[f64; 2]>; 2]) -> CubeHeader {
     header
 }
 
-/// Of the channels, from errors of their two elements.
+/// Errors of the channels, from errors of their two elements.
 pub(crate) fn errors(header: &CubeHeader, seed: u64) -> Vec<Complex64> {
     let mut random = ChaCha8Rng::from_seed(key(seed, "dsp/test-elements", &[]));
     let mut element = || {

@@ -70,7 +70,7 @@ impl Site {
     }
 }
 
-/// Of `trials` cells the share that is marked.
+/// Share of `trials` cells that is marked.
 pub(crate) fn marked(site: &mut Site, trials: u32, cell: impl Fn(&mut Site) -> (Vec<Complex64>, f64)) -> f64 {
     let hits = (0..trials).filter(|_| {
         let (values, range_m) = cell(site);

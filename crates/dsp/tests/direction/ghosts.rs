@@ -53,7 +53,7 @@ fn several_direct_echoes_in_a_cell_are_hardly_ever_a_ghost() {
     }
 }
 
-/// Without two transmit elements, or two receive elements, departure and arrival cannot be told apart.
+/// Departure and arrival cannot be told apart without two transmit elements, or two receive elements.
 #[test]
 fn an_array_with_a_single_transmitter_marks_nothing() {
     let mut site = Site::new(elements_1x4(), 4);

@@ -69,7 +69,7 @@ fn resolves(array: &VirtualArray, truth: &[(Direction, Complex64); 2], found: &[
         && truth.iter().all(|(at, _)| found.iter().any(|s| distance(array, s.direction, *at) < 0.5 * apart))
 }
 
-/// What the beam's FFT shows: two strongest maxima, each nearer to its own truth.
+/// Whether the beam's FFT shows both: two strongest maxima, each nearer to its own truth.
 fn fft_resolves(
     array: &VirtualArray,
     truth: &[(Direction, Complex64); 2],

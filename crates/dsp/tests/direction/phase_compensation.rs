@@ -1,5 +1,5 @@
-//! What is left of the phases that time, Doppler and code division put on the transmitters' echoes of a
-//! moving target.
+//! Remainder of the phases that time, Doppler and code division put on the transmitters' echoes of a moving
+//! target.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use crate::common::*;
@@ -45,7 +45,7 @@ fn radial(velocity_mps: f64) -> Target {
     radial_from(32.1, velocity_mps)
 }
 
-/// The same from this range on.
+/// A target that moves along the line of sight, from this range on.
 fn radial_from(range_m: f64, velocity_mps: f64) -> Target {
     let direction = [0.2, 0.96_f64, -(1.0_f64 - 0.2 * 0.2 - 0.96 * 0.96).sqrt()];
     target(
@@ -55,9 +55,9 @@ fn radial_from(range_m: f64, velocity_mps: f64) -> Target {
     )
 }
 
-/// On a Doppler cell's centre. Beside it a cell of a target that migrates through range cells weighs the
-/// chirps of each transmitter a little differently: 4e-4 rad at −27 m/s, half a cell off and 2.6 range cells
-/// a frame; that is the map's, not the compensation's.
+/// The velocities are those of Doppler cells' centres. Beside these a cell of a target that migrates through
+/// range cells weighs the chirps of each transmitter a little differently: 4e-4 rad at −27 m/s, half a cell
+/// off and 2.6 range cells a frame; that is the map's, not the compensation's.
 #[test]
 fn transmitters_in_turn_are_in_phase_to_1e_6_rad_once_the_velocity_is_known() {
     for cells in [-50.0, -13.0, 3.0, 31.0, 128.0 + 31.0] {
@@ -67,8 +67,8 @@ fn transmitters_in_turn_are_in_phase_to_1e_6_rad_once_the_velocity_is_known() {
     }
 }
 
-/// At rest to 1e-6 rad. A target that moves on between slots changes its strength in a cell, by the slope of
-/// the range lobe and as 1/R², and so much of it passes between the transmitters.
+/// Transmitters agree at rest to 1e-6 rad. A target that moves on between slots changes its strength in a
+/// cell, by the slope of the range lobe and as 1/R², and so much of it passes between the transmitters.
 #[test]
 fn transmitters_told_apart_by_codes_are_in_phase_to_what_an_echo_changes_in_strength_from_slot_to_slot() {
     for cells in [0.0, -50.0, 31.0, 128.0 + 31.0, -256.0 - 7.0] {

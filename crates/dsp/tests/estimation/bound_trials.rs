@@ -97,7 +97,7 @@ fn over_bound_beside_db(
     ([0, 1, 2, 3].map(|i: usize| 10.0 * mean(i).log10()), found.len() as f64 / trials as f64)
 }
 
-/// Of trials with two equal echoes.
+/// Results of trials with two equal echoes.
 pub(crate) struct Pairs {
     /// Share of trials that found the first.
     pub(crate) found: f64,

@@ -82,7 +82,7 @@ pub(crate) fn vehicles_right(headers: &[CubeHeader; 2], count: usize, seed: u64)
 /// Scatterers of a vehicle, and the strength-weighted means of their ranges and radial velocities.
 pub(crate) type Vehicle = (Vec<Target>, f64, f64);
 
-/// At speeds of their own, beside each other.
+/// Vehicles at speeds of their own, beside each other.
 pub(crate) fn vehicles(header: &CubeHeader, count: usize, seed: u64) -> Vec<Vehicle> {
     let mut between = random(seed);
     let y = between(25.0, 50.0);
@@ -134,7 +134,7 @@ pub(crate) fn seen_once(header: &CubeHeader, targets: &[Target], seed: u64) -> P
     Receiver::new(header).unwrap().process(&cube(header, targets, seed)).unwrap().1
 }
 
-/// Of lone points: how many are detected, certain, right, right of the certain.
+/// Numbers of lone points that are detected, certain, right, and right and certain.
 pub(crate) fn folds_of_points(header: &CubeHeader, trials: u64) -> [usize; 4] {
     let outcomes: Vec<[bool; 4]> = (0..trials)
         .into_par_iter()

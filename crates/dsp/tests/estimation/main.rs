@@ -1,4 +1,4 @@
-//! How exact estimates are, and which velocity is told where several look alike.
+//! Tests of how exact estimates are, and of which velocity is told where several look alike.
 
 #[path = "../common/mod.rs"]
 mod common; // radars and cubes

@@ -15,7 +15,7 @@ fn row_of_reflectors() -> Vec<Target> {
     (0..12).map(|i| target(place(i), [0.0; 3], if i % 3 == 0 { 3.0 } else { 0.3 })).collect()
 }
 
-/// In lane 2, driving on.
+/// A car in lane 2, driving on.
 fn car(speed_mps: f64) -> Vec<Target> {
     vehicle([5.75, 36.0], [4.5, 1.8, 1.5], -speed_mps, 4)
 }

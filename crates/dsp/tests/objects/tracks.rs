@@ -456,7 +456,7 @@ proptest! {
     }
 }
 
-/// What the extended filter takes for the derivatives is what differences say.
+/// Derivatives of the extended filter are what differences say.
 #[test]
 fn an_exact_measurement_moves_the_state_to_the_truth() {
     let (header, truth) = (radar(), body(3.0, 35.0, 2.0, -9.0));

@@ -1,4 +1,4 @@
-//! What maps hold, of samples good and bad.
+//! Tests of what maps hold, of samples good and bad.
 
 #[path = "../common/mod.rs"]
 mod common; // radars and cubes

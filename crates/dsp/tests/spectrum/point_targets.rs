@@ -1,4 +1,4 @@
-//! What the chain says of point targets whose truth is known.
+//! Tests of what the chain says of point targets whose truth is known.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use crate::common::*;

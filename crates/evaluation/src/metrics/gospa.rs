@@ -19,7 +19,7 @@ pub struct Gospa {
     pub missed: usize,
     /// Estimates without a truth.
     pub false_ones: usize,
-    /// For each truth its estimate.
+    /// Index of each truth's estimate, in the order of the truths.
     pub chosen: Vec<Option<usize>>,
     cutoff_m: f64,
 }
@@ -31,8 +31,8 @@ impl Gospa {
         (self.localisation_m2 + 0.5 * self.cutoff_m.powi(2) * left_over).sqrt()
     }
 
-    /// The same less some that were left over and do not count: truths by their places, estimates by their
-    /// number.
+    /// The parts without truths and estimates that were left over and do not count: truths by their
+    /// indices, estimates by their number.
     pub fn without(self, truths: &[usize], estimates: usize) -> Self {
         let chosen = self.chosen.into_iter().enumerate().filter(|(truth, _)| !truths.contains(truth));
         Self {
@@ -48,7 +48,7 @@ impl Gospa {
 /// price per place in that order is a square millimetre in a million, far below what any place is known to.
 const RANK_M2: f64 = 1e-12;
 
-/// Of squared distances, `[truth, estimate]`; pairs further apart than the cut-off c are none.
+/// GOSPA of squared distances, m², `[truth, estimate]`; pairs further apart than the cut-off c are none.
 pub fn gospa(squares_m2: ArrayView2<f64>, cutoff_m: f64) -> Gospa {
     let (truths, estimates) = squares_m2.dim();
     let ranked = Array2::from_shape_fn((truths, estimates), |at| squares_m2[at] + RANK_M2 * at.1 as f64);

@@ -23,12 +23,12 @@ impl Identities {
         *self.frames_of.entry(track).or_default().entry(body).or_insert(0) += 1;
     }
 
-    /// How often a body changed its track.
+    /// Number of times that a body changed its track.
     pub fn switches(&self) -> u32 {
         self.switches
     }
 
-    /// How many bodies had a track in some frame.
+    /// Number of bodies that had a track in some frame.
     pub fn bodies(&self) -> usize {
         self.last_track_of.len()
     }

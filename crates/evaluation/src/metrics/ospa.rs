@@ -7,7 +7,7 @@
 use ndarray::ArrayView2;
 use radar::assignment::assignment;
 
-/// Of squared distances, `[truth, estimate]`: between 0 and the cut-off; 0 of two empty sets.
+/// OSPA of squared distances, m², `[truth, estimate]`: between 0 and the cut-off, m; 0 of two empty sets.
 pub fn ospa_m(squares_m2: ArrayView2<f64>, cutoff_m: f64) -> f64 {
     let fewer_first =
         if squares_m2.nrows() <= squares_m2.ncols() { squares_m2 } else { squares_m2.reversed_axes() };

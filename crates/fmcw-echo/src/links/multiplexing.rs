@@ -1,4 +1,4 @@
-//! Which transmissions make up one row (channel, chirp) of a cube, and when each starts (interface.md: tdm,
+//! Transmissions that make up one row (channel, chirp) of a cube, and when each starts (interface.md: tdm,
 //! ddm and bpm).
 
 use artifact::Radar;
@@ -38,15 +38,15 @@ pub fn row(radar: &Radar, channel: usize, chirp: usize) -> Vec<Transmission> {
 /// One chirp from one transmit element to one receive element.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transmission {
-    /// p_t, world metres.
+    /// Transmit element's place p_t, world metres.
     pub tx_m: DVec3,
-    /// p_r, world metres.
+    /// Receive element's place p_r, world metres.
     pub rx_m: DVec3,
-    /// Its first sample, from the frame's first sample.
+    /// Time of the chirp's first sample, from the frame's first sample, s.
     pub start_s: f64,
     /// Factor of its IF value.
     pub turn: Complex64,
-    /// Of the lines of both elements, s: it adds to the way's.
+    /// Delay of the lines of both elements, s: it adds to the way's.
     pub line_delay_s: f64,
     /// That of the receiver, s: the wave arrived as much earlier.
     pub receiver_delay_s: f64,
@@ -75,7 +75,7 @@ pub(crate) fn element_factor(radar: &Radar, tx: usize, rx: usize) -> Complex64 {
     factor(&radar.hardware.tx, tx) * receiver_factor(radar, rx)
 }
 
-/// Those of a receive element alone.
+/// Gain and phase of the errors of a receive element alone.
 pub(crate) fn receiver_factor(radar: &Radar, rx: usize) -> Complex64 {
     factor(&radar.hardware.rx, rx)
 }
@@ -89,7 +89,7 @@ pub(crate) fn line_delay_s(errors: &[ElementError], element: usize) -> f64 {
     errors.get(element).map_or(0.0, |error| error.delay_s)
 }
 
-/// e^{+j2πim/M}, M = N_tx + 1, with im reduced modulo M in integers.
+/// Transmitter i's factor on chirp m, e^{+j2πim/M}, M = N_tx + 1, with im reduced modulo M in integers.
 fn doppler_division_turn(tx: usize, chirp: usize, transmitters: usize) -> Complex64 {
     let bands = transmitters + 1;
     Complex64::cis(TAU * (tx * chirp % bands) as f64 / bands as f64)

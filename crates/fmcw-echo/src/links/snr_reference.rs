@@ -1,4 +1,4 @@
-//! What `snr_db` of a scene refers to: the peak cell of one channel's noise-free range-Doppler map.
+//! Reference of a scene's `snr_db`: the peak cell of one channel's noise-free range-Doppler map.
 
 use artifact::cube::CubeHeader;
 use artifact::radar::{Multiplexing, Sampling};

@@ -25,7 +25,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 /// Patches along one range cell and across one beam.
 const PATCHES_PER_CELL: f64 = 2.0;
 
-/// At 296 bytes each a gibibyte.
+/// Most patches that are made: a gibibyte at 296 bytes each.
 const PATCH_LIMIT: usize = 1 << 22;
 
 /// Paths of the ground that the array faces, from below the radar to the range limit of its waveform, beyond
@@ -44,7 +44,7 @@ pub fn paths(radar: &Radar, backscatter: &Backscatter, seed: u64) -> Result<Vec<
     Ok((0..grid.rings).into_par_iter().map(ring).collect::<Vec<_>>().concat())
 }
 
-/// How many paths [`paths`] makes.
+/// Number of paths that [`paths`] makes.
 pub fn patches(radar: &Radar) -> usize {
     Grid::of(radar).patches()
 }

@@ -133,8 +133,8 @@ impl<'a> Body<'a> {
         Ok(())
     }
 
-    /// σ_f of one chirp: S over the table's frequencies at the aspect under which the radar is seen from the
-    /// origin.
+    /// Scattering amplitude σ_f of one chirp: S over the table's frequencies at the aspect under which the
+    /// radar is seen from the origin.
     fn response(&self, radar: &Radar, time_s: f64) -> Result<Vec<Complex64>, EchoError> {
         let table = self.table;
         let (elevation_rad, azimuth_rad) = self.aspect(radar, time_s);

@@ -1,5 +1,4 @@
-//! What is looked at before the first sample is made: every number finite, every length meaningful, the cube
-//! bounded.
+//! Checks before the first sample is made: every number finite, every length meaningful, the cube bounded.
 
 use crate::error::EchoError;
 use crate::impairments::oscillator;
@@ -192,7 +191,7 @@ fn check_size(header: &CubeHeader) -> Result<(), EchoError> {
     }
 }
 
-/// Where a fault lies.
+/// Frame and path in which a fault lies.
 #[derive(Clone, Copy)]
 struct Place {
     frame: u32,

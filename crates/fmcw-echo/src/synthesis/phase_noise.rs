@@ -36,7 +36,7 @@ pub fn cube(
     cube
 }
 
-/// The same as a cube is stored.
+/// [`cube`] rounded to single precision, as a cube is stored.
 pub(crate) fn single_cube(
     radar: &Radar,
     centre_frequency_hz: f64,
@@ -116,7 +116,8 @@ impl Sum<'_> {
         });
     }
 
-    /// e^{j[φ(T) − φ(T − τ)]} over a chirp, τ that of the middle path there and `later_s` more.
+    /// Factors e^{j[φ(T) − φ(T − τ)]} of a chirp's samples, τ the middle path's delay there and `later_s`
+    /// more.
     fn turns(&self, middle: &Path, later_s: f64, row: &[Transmission], samples: usize) -> Vec<Complex64> {
         let transmission = &row[row.len() / 2];
         let start_s = transmission.start_s;
@@ -177,7 +178,7 @@ impl<'a> Probes<'a> {
         Self { oscillator, duration_s: radar.frame_duration_s() }
     }
 
-    /// e^{−jφ(T − τ)} at every moment T.
+    /// Factors e^{−jφ(T − τ)} at every probed moment T.
     fn turns(&self, delay_s: f64) -> Vec<Complex64> {
         // Places of the golden ratio: evenly spread, in step with nothing.
         let moment_s = |i: u32| (f64::from(i) * 0.618_033_988_749_895).fract() * self.duration_s;
@@ -189,8 +190,8 @@ impl<'a> Probes<'a> {
 struct Delays(Vec<f64>);
 
 impl Delays {
-    /// As few as leave `error`, root mean square over the frame, at the worst delay between them; `None`
-    /// where too many would be needed.
+    /// Finds as few delays as leave `error`, root mean square over the frame, at the worst delay between
+    /// them; `None` where too many would be needed.
     fn of(probes: &Probes<'_>, paths: &[Delayed<'_>], error: f64) -> Option<Self> {
         let (first, last) = (paths.first()?.delay_s, paths.last()?.delay_s);
         let chebyshev = |count: usize| {

@@ -1,4 +1,4 @@
-//! How far a synthesised cube is from what it stands for, measured in the run that made it.
+//! Error of a synthesised cube against what it stands for, measured in the run that made it.
 
 use crate::error::EchoError;
 use crate::impairments::oscillator::Oscillator;

@@ -25,10 +25,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Is told the share of the work done, 0 … 1, from several threads.
 pub type Progress<'a> = &'a (dyn Fn(f64) + Sync);
 
-/// What makes the cubes of one radar: its header checked, the errors of its elements drawn, once for all
+/// Maker of the cubes of one radar: its header checked, the errors of its elements drawn, once for all
 /// frames. A frame belongs to the sub-frame that its index says.
 pub struct Synthesizer {
-    /// By sub-frame, at least one.
+    /// Headers by sub-frame, at least one.
     headers: Vec<CubeHeader>,
     seed: u64,
     accuracy: Accuracy,
@@ -36,8 +36,8 @@ pub struct Synthesizer {
 }
 
 impl Synthesizer {
-    /// Of the cubes that this header describes; `seed` is the scene's, `accuracy` that of the sum over the
-    /// paths ([`sum_accuracy`]), `ground` the paths of a road that scatters of itself
+    /// Makes a synthesizer of the cubes that this header describes; `seed` is the scene's, `accuracy` that of
+    /// the sum over the paths ([`sum_accuracy`]), `ground` the paths of a road that scatters of itself
     /// ([`crate::sources::ground`]), which are heard in every frame beside its own.
     ///
     /// # Errors
@@ -55,7 +55,7 @@ impl Synthesizer {
         Ok(Self { headers, seed, accuracy, ground })
     }
 
-    /// Of the frame record `index`.
+    /// Header of the frame record `index`.
     fn header(&self, index: u32) -> &CubeHeader {
         &self.headers[index as usize % self.headers.len()]
     }
@@ -132,14 +132,14 @@ impl Synthesizer {
     }
 }
 
-/// What the sum over paths may err by: a tenth of what the paths themselves may, and no more than −60 dB, so
-/// that nothing of it is seen above the floor of a map without noise.
+/// Error that the sum over paths may make: a tenth of what the paths themselves may, and no more than −60 dB,
+/// so that nothing of it is seen above the floor of a map without noise.
 pub fn sum_accuracy(of_paths: Accuracy) -> Accuracy {
     Accuracy::from_db((of_paths.db() - 20.0).min(-60.0))
 }
 
-/// What comes to the echoes in the receiver: noise, other radars; of a real mixer one part of it all; the
-/// converter.
+/// Adds what comes to the echoes in the receiver: noise and other radars; keeps of a real mixer the real part
+/// of it all; then converts.
 ///
 /// Half of an echo's power is in that part and half of the noise's, but the echo's is shared by two lines of
 /// the spectrum: 3 dB less signal to noise than complex samples have (physics.md §9).

@@ -1,4 +1,4 @@
-//! What is not ideal in a radar, and other radars.
+//! Tests of what is not ideal in a radar, and of other radars.
 
 mod hardware;
 mod phase_noise;

@@ -1,4 +1,4 @@
-//! What the waveform and the array make of an echo.
+//! Tests of what the waveform and the array make of an echo.
 
 mod waveform_table;
 mod point_target;

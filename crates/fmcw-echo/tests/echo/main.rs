@@ -1,4 +1,4 @@
-//! What fmcw-echo promises, one file a subject.
+//! Promises of fmcw-echo, one file a subject.
 #![allow(clippy::unwrap_used, reason = "helpers of tests are tests too; clippy knows only marked functions")]
 
 mod setting;

@@ -251,7 +251,7 @@ pub fn synthesized(header: &CubeHeader, seed: u64, frame: &PathsFrame) -> Result
     Synthesizer::new(header, seed, asked(), vec![])?.frame(frame, &|_| ())
 }
 
-/// Of the sum over paths, where a test has no reason to ask for another.
+/// Accuracy of the sum over paths, where a test has no reason to ask for another.
 pub fn asked() -> Accuracy {
     Accuracy::from_db(-60.0)
 }

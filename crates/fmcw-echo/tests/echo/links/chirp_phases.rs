@@ -16,7 +16,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 const ASKED_RAD: f64 = 1e-6;
 const CHIRPS: u32 = 128;
 
-/// Where something is, from the frame's first sample on.
+/// Place of a scatterer at a time from the frame's first sample on.
 type Way = fn(f64) -> DVec3;
 
 fn braking(t: f64) -> DVec3 {
@@ -48,7 +48,7 @@ fn receding(t: f64) -> DVec3 {
     DVec3::new(2.0, 30.0 + 12.0 * t, 1.0)
 }
 
-/// e^{j2π[f₀τ + μtτ − ½μτ²]} with the delay of a body that was at its place when it scattered.
+/// Sample e^{j2π[f₀τ + μtτ − ½μτ²]}, τ the delay of a body that was at its place when it scattered.
 fn exact(radar: &Radar, way: Way, [tx, rx]: [usize; 2], [chirp, sample]: [usize; 2]) -> Complex64 {
     let w = &radar.waveform;
     let t = sample as f64 / w.sample_rate_hz;

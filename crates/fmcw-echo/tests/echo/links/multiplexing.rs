@@ -1,4 +1,4 @@
-//! tdm, ddm and bpm against the ideal orthogonal transmitters.
+//! Tests of tdm, ddm and bpm against the ideal orthogonal transmitters.
 
 use crate::setting::*;
 use artifact::radar::{Multiplexing, Radar};

@@ -45,7 +45,7 @@ fn response(off: f64, length: usize) -> f64 {
         .norm_sqr()
 }
 
-/// dP/dR = P_t G² λ²/(4π)³ · σ⁰ · πR/R⁴ over the half plane, σ⁰ = γh/R.
+/// Received power by slant range, dP/dR = P_t G² λ²/(4π)³ · σ⁰ · πR/R⁴ over the half plane, σ⁰ = γh/R.
 fn power_per_metre(radar: &Radar, range_m: f64) -> f64 {
     let link = radar.link.transmit_power_w * power_from_db(radar.link.antenna_gain_db).powi(2);
     let wavelength_m = radar.waveform.wavelength_m();
