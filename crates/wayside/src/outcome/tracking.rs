@@ -16,7 +16,7 @@ pub(crate) struct Tracking {
     classes: BTreeMap<u32, Evidence>,
 }
 
-/// What the frames of a track say of its class.
+/// Evidence of a track's class: the sums of the logarithms of its frames' probabilities, and how many frames.
 #[derive(Debug, Clone, Copy, Default)]
 struct Evidence {
     log_sums: [f64; 4],
@@ -76,7 +76,7 @@ impl Tracking {
         }
     }
 
-    /// Of all frames so far.
+    /// Metrics of all frames so far.
     pub(crate) fn metrics(&self) -> Metrics {
         self.score.metrics()
     }
