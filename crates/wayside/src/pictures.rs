@@ -29,7 +29,7 @@ use std::path::Path;
 pub(crate) use common_view::common_view;
 pub(crate) use exr::rdm_exr;
 
-/// What is drawn of one frame.
+/// Pictures of one frame.
 pub(crate) struct FrameFigures {
     pub(crate) plan: Figure,
     pub(crate) rdm: Figure,
@@ -57,7 +57,7 @@ pub(crate) fn figures(
     })
 }
 
-/// Where each body's echo lies; of one that sends none back, nothing.
+/// True range and radial velocity of each body's echo; bodies that send none back are left out.
 fn true_echoes(frame: &FrameProducts, truth: &FrameTruth) -> Vec<TrueEcho> {
     let named = frame.view.targets.iter().zip(&truth.truths).filter(|(_, truth)| truth.sends_back);
     let echo = |(target, truth): (&artifact::scene::Target, &Truth)| TrueEcho {

@@ -1,4 +1,4 @@
-//! What a run is expected to take: the work of its stages, counted before it begins, at rates that were
+//! Expected time and memory of a run: the work of its stages, counted before it begins, at rates that were
 //! measured on many scenes.
 
 pub mod machine_speed;
@@ -13,7 +13,7 @@ use crate::chain::plan::FramePlan;
 use crate::host::failure::Failure;
 use work::Work;
 
-/// What all frames of a run are expected to take.
+/// Expected work, time and memory of all frames of a run.
 pub struct Expectation {
     /// Counted by kind.
     pub work: Work,
@@ -24,12 +24,12 @@ pub struct Expectation {
 }
 
 impl Expectation {
-    /// Of the frames that the plans are of.
+    /// Expects the frames of these plans on this machine.
     pub(crate) fn of(chain: &Chain, cache: Option<&Cache>, plans: &[FramePlan]) -> Result<Self, Failure> {
         Self::at_speed(chain, cache, plans, machine_speed::of_this_machine(cache)?)
     }
 
-    /// On a machine of another speed.
+    /// Expects the frames of these plans on a machine of the given speed; 1 is the machine of the rates.
     pub fn at_speed(
         chain: &Chain,
         cache: Option<&Cache>,
@@ -49,7 +49,7 @@ impl Expectation {
     }
 }
 
-/// What the plans cost, in lines.
+/// Lines about the plans: the stages that run in each frame, and the expected time and memory of all.
 pub(crate) fn lines(
     chain: &Chain,
     cache: Option<&Cache>,

@@ -67,7 +67,7 @@ fn all_bodies(radars: &[(&str, &Seen)]) -> Vec<Body> {
     all
 }
 
-/// As large as bodies and radars need it.
+/// Region as large as bodies and radars need it.
 fn region(radars: &[(&str, &Seen)], bodies: &[Body]) -> Region {
     let radar = |(_, seen): &(&str, &Seen)| seen.view.radar.position_m;
     let mut places = radars.iter().map(radar).chain(bodies.iter().map(|body| body.place_m));

@@ -1,4 +1,4 @@
-//! What was asked of a frame and what was reached.
+//! Section on the accuracy that was asked of a frame and the one that was reached.
 
 use crate::outcome::verdict::AccuracyVerdict;
 use crate::report::tables::{rounded, scrolled};

@@ -19,7 +19,7 @@ struct Sealed {
 /// The longest remark: a key is a handful of hashes.
 const LIMIT_BYTES: u64 = 1 << 20;
 
-/// What is there, if it is what was written.
+/// Reads a remark; `None` where there is none, or its text is not the one that was written.
 pub(super) fn read<T: DeserializeOwned>(place: &Path) -> Option<T> {
     let about = std::fs::metadata(place).ok().filter(|about| about.is_file())?;
     let bytes = if about.len() > LIMIT_BYTES { vec![] } else { std::fs::read(place).ok()? };

@@ -68,7 +68,8 @@ fn add_like(header: &SceneHeader, look: &Look, work: &mut Work) {
     add_sliding(look, work);
 }
 
-/// What the moments take that such ways are traced at: as many in a frame that takes them over.
+/// Adds the moments at which ways between bodies that move against each other are traced: as many in a frame
+/// that takes them over.
 fn add_sliding(look: &Look, work: &mut Work) {
     work.add(Item::SlidingBeams, look.facets * look.work.sliding_beams);
     work.add(Item::SlidingTiles, look.facets * look.work.sliding_tiles);
