@@ -104,13 +104,13 @@ pub(crate) fn write_map(file: &Path, header: &CubeHeader, rdm: &RdmFrame) -> Res
     write_png(file, &rdm::draw(&header.in_frame(rdm.index), rdm, &OnMap::default(), Form::Wide)?)
 }
 
-/// An SVG as PNG.
+/// Writes an SVG as PNG.
 pub fn write_png(file: &Path, picture: &Svg) -> Result<(), Failure> {
     let bytes = raster::png(picture).map_err(|e| Failure::system(file, "draw", e))?;
     files::write_file(file, &bytes)
 }
 
-/// Grey levels, row-major, as PNG.
+/// Writes grey levels, row-major, as PNG.
 pub(crate) fn write_gray(file: &Path, size: [usize; 2], pixels: &[u8]) -> Result<(), Failure> {
     let bytes = raster::encode(Pixels::Grey, size, pixels).map_err(|e| Failure::system(file, "encode", e))?;
     files::write_file(file, &bytes)

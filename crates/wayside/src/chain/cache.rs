@@ -30,7 +30,7 @@ pub(crate) use own_files::OwnFile;
 pub struct CacheLocation {
     /// `None`: `.cache` of the project's folder, or outside of it the user's cache folder (`host::places`).
     pub folder: Option<PathBuf>,
-    /// Beyond it the oldest frames go first.
+    /// Size of all entries beyond which the oldest go first, MiB.
     pub limit_mib: u64,
 }
 
@@ -44,7 +44,7 @@ impl Default for CacheLocation {
 pub struct Cache {
     root: PathBuf,
     limit_bytes: u64,
-    /// Whether it could be marked, once something was to be kept.
+    /// Whether the folder could be marked, once something was to be kept.
     marked: OnceLock<bool>,
 }
 

@@ -15,11 +15,11 @@ use work::Work;
 
 /// Expected work, time and memory of all frames of a run.
 pub struct Expectation {
-    /// Counted by kind.
+    /// Counts of the work by kind.
     pub work: Work,
-    /// Processor seconds, all threads together.
+    /// Processor seconds at the speed of the machine, all threads together.
     pub seconds: f64,
-    /// Held at most, frames that are computed side by side together.
+    /// Memory held at most, MiB, frames that are computed side by side together.
     pub memory_mib: f64,
 }
 
@@ -76,7 +76,7 @@ pub(crate) fn lines(
     Ok(lines)
 }
 
-/// Two digits.
+/// Text of seconds to two digits.
 fn told(seconds: f64) -> String {
     let digits = (1.0 - seconds.max(0.1).log10().floor()).max(0.0) as usize;
     format!("{seconds:.digits$}")

@@ -66,7 +66,7 @@ pub(crate) struct FrameKeys {
     pub(crate) bart_rcs: Key,
     pub(crate) fmcw_echo: Key,
     pub(crate) dsp: Key,
-    /// `None` without a model.
+    /// Key of the classes; `None` without a model.
     pub(crate) classifier: Option<Key>,
 }
 

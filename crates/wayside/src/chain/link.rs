@@ -41,7 +41,7 @@ impl Scattering {
         }
     }
 
-    /// `None` of tables.
+    /// Paths of the frame; `None` of tables.
     pub(crate) fn paths(&self) -> Option<&PathsFrame> {
         match self {
             Self::Paths(frame) => Some(frame),
@@ -73,7 +73,7 @@ pub struct Chain<'a> {
     receiver: OnceLock<Result<dsp::Receiver, String>>,
     measured: MeasuredFrames,
     looks: Looks,
-    /// Frames that share what tracing may take; one where no plan was made of them.
+    /// Number of frames that share what tracing may take; one where no plan was made of them.
     at_once: OnceLock<usize>,
     limited: OnceLock<bart_rcs::Tracer>,
     memory: Allowance,
@@ -222,7 +222,7 @@ impl<'a> Chain<'a> {
         self.header.targets.iter().map(|t| &t.kind).chain(vehicles).map(class).collect()
     }
 
-    /// The same scattering with bodies counted as in [`Chain::targets`], not as in the frame's view.
+    /// Scattering with its bodies counted as in [`Chain::targets`], not as in the frame's view.
     pub(crate) fn counted_through(&self, scattering: Scattering) -> Scattering {
         match scattering {
             Scattering::Paths(mut frame) => {

@@ -20,7 +20,7 @@ pub(crate) struct Look {
     pub(crate) work: ExpectedWork,
     /// Facets of this frame for each of that one.
     pub(crate) facets: f64,
-    /// Cells for each.
+    /// Cells of this frame for each of that one.
     pub(crate) cells: f64,
 }
 

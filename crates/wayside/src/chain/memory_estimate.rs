@@ -24,11 +24,11 @@ pub struct Load {
     pub beams: f64,
     /// Cells of paths.
     pub cells: f64,
-    /// The same cells where a body moves: then their paths may be held for several moments of the frame.
+    /// Cells of paths where a body moves: then their paths may be held for several moments of the frame.
     pub changing_cells: f64,
     /// Tiles between bodies that slide past each other, times the wavelengths that they do.
     pub sliding_tiles: f64,
-    /// Cells of such ways, however far they slide.
+    /// Cells of ways between bodies that slide past each other, however far they slide.
     pub moving_cells: f64,
 }
 
@@ -40,7 +40,7 @@ impl Load {
         self.signal_mib + mib((self.facets * BYTES_PER_FACET + self.beams * BYTES_PER_BEAM) as u64)
     }
 
-    /// Held at most, the program not among it.
+    /// Memory held at most, MiB, the program not among it.
     pub(crate) fn mib(&self) -> f64 {
         let bytes = self.cells * BYTES_PER_CELL
             + self.changing_cells * BYTES_PER_CHANGING_CELL

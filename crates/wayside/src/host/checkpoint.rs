@@ -33,9 +33,9 @@ pub(crate) struct Checkpoint {
 enum State {
     /// The file is made with the first record.
     NotYet,
-    /// Locked, at its end.
+    /// The file is open and locked, at its end.
     Open(File),
-    /// Another run has it, it is not ours, or it cannot be written: this run keeps nothing.
+    /// Another run has the file, it is not ours, or it cannot be written: this run keeps nothing.
     GivenUp,
 }
 

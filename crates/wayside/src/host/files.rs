@@ -1,4 +1,4 @@
-//! Whole files or none.
+//! Writing of files that are there whole or not at all.
 
 use crate::host::failure::Failure;
 use artifact::whole_file::{self, Durability, WholeFile};

@@ -19,7 +19,7 @@ pub fn peak_mib_of(process: &str) -> Option<f64> {
     Some(kib / 1024.0)
 }
 
-/// Bytes as MiB.
+/// Converts bytes to MiB.
 pub fn mib(bytes: u64) -> f64 {
     bytes as f64 / MIB
 }
@@ -31,7 +31,7 @@ pub struct Allowance {
 }
 
 impl Allowance {
-    /// Any amount.
+    /// Allowance of any amount.
     pub const UNLIMITED: Self = Self { bytes: None };
 
     /// Allows so many MiB; `None`: nine tenths of what is free now, where the system tells, else any amount.
@@ -62,7 +62,7 @@ impl Allowance {
     }
 }
 
-/// `MemAvailable` of `/proc/meminfo`.
+/// Bytes of memory that are free: `MemAvailable` of `/proc/meminfo`.
 fn available_bytes() -> Option<u64> {
     let text = std::fs::read_to_string("/proc/meminfo").ok()?;
     let line = text.lines().find(|l| l.starts_with("MemAvailable:"))?;

@@ -55,7 +55,7 @@ pub(crate) struct WorkClock {
 }
 
 impl WorkClock {
-    /// Begins to count.
+    /// Begins to count seconds.
     pub(crate) fn start() -> Self {
         let (start, counted) = (Instant::now(), Counted::here());
         Self { start, counted, at_start_s: of_living_threads().unwrap_or(0.0) }

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// Estimated numerical error: dB relative to the echo, `None` where not estimated.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct ErrorFigures {
-    /// All shares together.
+    /// Total of all shares.
     pub total: Option<f64>,
     /// Flat facets in place of the skin that the mesh's normals describe.
     pub tessellation: Option<f64>,

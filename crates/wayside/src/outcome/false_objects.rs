@@ -13,13 +13,13 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct FalseObject {
     /// Index of the object among the frame's objects, as in `.points`.
     pub object: usize,
-    /// World m.
+    /// Place along world x, m.
     pub x_m: f64,
-    /// World m.
+    /// Place along world y, m.
     pub y_m: f64,
     /// Range from the radar, m.
     pub range_m: f64,
-    /// Positive when the range grows, m/s.
+    /// Radial velocity, positive when the range grows, m/s.
     pub radial_velocity_mps: f64,
     /// Signal-to-noise ratio of the object's strongest cell, dB.
     pub snr_db: f64,
@@ -88,7 +88,7 @@ pub(crate) fn told(header: &SceneHeader, result: &FrameResult, truth: &FrameTrut
     objects.map(|index| object(header, result, truth, index)).collect()
 }
 
-/// Nobody's as well, and told to be at rest.
+/// Objects of a frame that are nobody's, and told to be at rest.
 pub(crate) fn standing(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth) -> Vec<FalseObject> {
     truth.pairing.standing.iter().map(|index| object(header, result, truth, *index)).collect()
 }

@@ -122,7 +122,7 @@ fn in_a_line(number: usize, frame: &FrameSummary) -> String {
     format!("frame {number:>3}, {:.3} s: {}; error {error}{missed}", frame.time_s, Count::of(frame).text())
 }
 
-/// All frames together.
+/// Lines about all frames together: counts, and the frame with the largest error.
 fn together(frames: &[FrameSummary]) -> Vec<String> {
     let count = frames.iter().map(Count::of).fold(Count::default(), Count::and);
     let causes = causes(frames.iter().flat_map(|frame| &frame.false_objects));

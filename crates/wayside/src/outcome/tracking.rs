@@ -36,7 +36,7 @@ impl Evidence {
 }
 
 impl Tracking {
-    /// Before the first frame.
+    /// Begins to follow a scene, before its first frame.
     pub(crate) fn of(chain: &Chain) -> Result<Self, Failure> {
         let tracker = Tracker::new(&chain.cube_header, ROAD_TRAFFIC).map_err(Failure::refused)?;
         Ok(Self { tracker, score: Score::default(), classes: BTreeMap::new() })

@@ -16,7 +16,7 @@ pub struct AccuracyVerdict {
     pub asked_db: f64,
     /// The error's total, dB; `None` where it was not estimated.
     pub reached_db: Option<f64>,
-    /// Whether it is no larger than was asked; `None` where it was not estimated.
+    /// Whether the error is no larger than was asked; `None` where it was not estimated.
     pub met: Option<bool>,
     /// The name of the largest share of the error.
     pub limited_by: Option<String>,
@@ -60,7 +60,7 @@ impl Verdict {
         self.error.total().map(|total| total <= self.asked.amplitude() * (1.0 + 1e-9))
     }
 
-    /// The largest share.
+    /// Name of the largest share of the error; `None` where no share is above zero.
     fn limited_by(&self) -> Option<&'static str> {
         let known = self.error.shares().into_iter().filter_map(|(name, error)| Some((name, error?)));
         known.filter(|(_, error)| *error > 0.0).max_by(|a, b| a.1.total_cmp(&b.1)).map(|(name, _)| name)
@@ -94,7 +94,8 @@ impl Verdict {
         Some(format!("Limited by {limited_by}: {what}. What would help: {help}."))
     }
 
-    /// Asked for instead, it would leave as much as is missing now.
+    /// Accuracy to ask for instead, dB: finer than what was asked by as much as the error is above it, to a
+    /// whole dB.
     fn finer_db(&self) -> f64 {
         let reached_db = self.error.total().map_or(self.asked.db(), db_from_amplitude);
         (2.0 * self.asked.db() - reached_db).floor()
@@ -120,8 +121,8 @@ pub(crate) fn of_frames(frames: &[(u32, Verdict)]) -> Vec<String> {
     std::iter::once(head).chain(worst.into_iter().flat_map(frame)).collect()
 }
 
-/// Asked, reached and the shares that make up most of it; then, where it was not reached, what limits it and
-/// what would help.
+/// Lines about an accuracy: asked, reached and the shares that make up most of the error; then, where it was
+/// not reached, what limits it and what would help.
 pub(crate) fn lines(accuracy: &AccuracyVerdict, error_db: &ErrorFigures) -> Vec<String> {
     let asked = decibels(accuracy.asked_db);
     let Some(reached_db) = accuracy.reached_db else {

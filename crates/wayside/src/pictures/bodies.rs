@@ -14,7 +14,7 @@ pub(super) struct Body {
     pub(super) place_m: [f64; 3],
     /// Corners of the body's box on the ground, world x and y; a point has none.
     pub(super) corners_m: Vec<[f64; 2]>,
-    /// Lowest and highest.
+    /// Lowest and highest point of the body, world z, m.
     pub(super) heights_m: [f64; 2],
 }
 

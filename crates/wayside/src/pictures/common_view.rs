@@ -56,7 +56,7 @@ fn draw(radars: &[(&str, &Seen)], form: Form) -> Svg {
     ground.finish(["x, m", "y, m"])
 }
 
-/// Every body once, though several radars have it in view.
+/// Bodies of all radars, every body once, though several radars have it in view.
 fn all_bodies(radars: &[(&str, &Seen)]) -> Vec<Body> {
     let mut all: Vec<Body> = vec![];
     for body in radars.iter().flat_map(|(_, seen)| bodies(&seen.view, &seen.scene)) {

@@ -12,7 +12,7 @@ pub(super) fn of_point(point: &Point) -> Mark {
 /// Owner of an object, as far as truth is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Owner {
-    /// A body's.
+    /// The object is a body's.
     Body,
     Nobody,
     /// Truth is not known here.

@@ -88,7 +88,7 @@ fn meanings(frame: &PointsFrame, object: &'static str) -> Vec<(Mark, &'static st
 struct View {
     name: &'static str,
     coordinates: [usize; 2],
-    /// Pixels.
+    /// Axes of the view, in pixels.
     axes: Axes,
 }
 
@@ -217,7 +217,7 @@ fn draw_body(sheet: &mut Svg, header: &CubeHeader, view: &View, body: &Body) {
     sheet.outline(body.colour, &clip::polygon(&outline, frame));
 }
 
-/// The rectangle about some pixels.
+/// Corners of the rectangle about some pixels.
 fn bounds(pixels: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let [[x0, x1], [y0, y1]] = [0, 1].map(|axis: usize| {
         let values = pixels.iter().map(|p| p[axis]);

@@ -4,7 +4,7 @@ use crate::outcome::verdict::AccuracyVerdict;
 use crate::report::tables::{rounded, scrolled};
 use maud::{Markup, html};
 
-/// Asked, reached, what limits it and what would help.
+/// Section on an accuracy: asked, reached, what limits it and what would help.
 pub(super) fn section(accuracy: &AccuracyVerdict) -> Markup {
     let (words, is_missed) = match accuracy.met {
         Some(true) => ("yes", false),

@@ -26,7 +26,7 @@ use std::time::Instant;
 
 /// Settings of a run: the scene, and how it is run.
 pub struct Settings<'a> {
-    /// The scene.
+    /// Scene to be run.
     pub scene: SceneSource,
     /// Folder of all results; `None`: `out/` and the scene's name.
     pub out: Option<PathBuf>,
@@ -40,7 +40,7 @@ pub struct Settings<'a> {
     pub dry_run: bool,
     /// Says why each stage runs or not.
     pub explain: bool,
-    /// Told in the report.
+    /// Command that the report names.
     pub making: Making,
     /// Hears each line of results.
     pub tell: &'a dyn Fn(&str),
@@ -139,11 +139,11 @@ fn apart(cache: &Cache, out: &Path) -> Result<(), Failure> {
 /// The scene through one radar, and where all of it goes.
 struct Run {
     scene: SceneSource,
-    /// `None`: under the scene's name.
+    /// Folder of the results; `None`: under the scene's name.
     out: Option<PathBuf>,
 }
 
-/// One run; or, where the scene has several radars and none is asked for, one for each.
+/// Runs to be made: one or, where the scene has several radars and none is asked for, one for each.
 fn runs(settings: &Settings) -> Result<Vec<Run>, Failure> {
     let radars = match settings.scene.radar {
         Some(_) => vec![],
@@ -193,7 +193,7 @@ fn one_radar(
 
 /// Time that all frames took, to the last picture's end.
 struct Took {
-    /// Wall-clock time, s.
+    /// Wall-clock time of all frames, s.
     seconds: f64,
     /// Processor time of all threads, s; `None` where the system does not tell.
     processor: Option<f64>,

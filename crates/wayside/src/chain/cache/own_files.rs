@@ -7,7 +7,7 @@ use std::fs::Metadata;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-/// Name of the mark.
+/// File name of the mark.
 pub(super) const MARK: &str = "CACHEDIR.TAG";
 
 /// Whether the place is a symbolic link, which is never the cache's own.
@@ -25,7 +25,7 @@ pub(crate) struct OwnFile {
 /// Files found in the folder of a cache.
 #[derive(Default)]
 pub(super) struct Found {
-    /// Entries and what else it has written, without its mark and without temporary files.
+    /// Entries and what else the cache has written, without its mark and without temporary files.
     pub(super) files: Vec<OwnFile>,
     /// Something that no cache makes.
     pub(super) foreign: Option<PathBuf>,
@@ -130,7 +130,7 @@ fn look_through(kind: Folder, folder: &Path, found: &mut Found) {
     }
 }
 
-/// The mark, and temporary files.
+/// Whether a file is the mark or a temporary file.
 fn is_beside(kind: Folder, name: &str, path: &Path) -> bool {
     (kind == Folder::Root && name == MARK) || whole_file::is_temporary(path) || is_of_earlier_version(path)
 }

@@ -67,7 +67,7 @@ pub(super) fn by_item() -> [f64; ITEMS] {
     rates
 }
 
-/// Processor seconds on that machine.
+/// Processor seconds of the work on the machine of the rates.
 pub(super) fn reference_seconds(work: &Work) -> f64 {
     SECONDS.iter().map(|(item, rate)| rate * work.0[*item as usize]).sum()
 }

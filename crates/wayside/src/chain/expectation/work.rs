@@ -17,9 +17,9 @@ pub enum Item {
     Mirrors,
     /// Tiles of the paths' integrals.
     Tiles,
-    /// Tiles of later moments.
+    /// Tiles of the paths' integrals at later moments.
     LaterTiles,
-    /// Tiles of the finer integral that they are compared with.
+    /// Tiles of the finer integral that the paths' integrals are compared with.
     FineTiles,
     /// Tiles of the finer integral at later moments.
     LaterFineTiles,
@@ -35,13 +35,13 @@ pub enum Item {
     /// Lit polygons of ways between bodies that move against each other, times the wavelengths that they
     /// slide.
     SlidingBeams,
-    /// Tiles of such ways.
+    /// Tiles of ways between bodies that move against each other, times the wavelengths that they slide.
     SlidingTiles,
-    /// Lit polygons of such ways however far they slide.
+    /// Lit polygons of ways between bodies that move against each other, however far they slide.
     MovingBeams,
-    /// Tiles of them.
+    /// Tiles of ways between bodies that move against each other, however far they slide.
     MovingTiles,
-    /// Cells of them.
+    /// Cells of ways between bodies that move against each other, however far they slide.
     MovingCells,
     /// Lit polygons over a road that mirrors.
     RoadBeams,

@@ -23,7 +23,7 @@ impl Probabilities {
         Self { car, bus, truck, motorcycle }
     }
 
-    /// That of one class.
+    /// Probability of one class; `None` where the classifier was not asked.
     pub fn of_class(&self, class: Class) -> Option<f64> {
         match class {
             Class::Car => self.car,

@@ -1,4 +1,4 @@
-//! One frame with its targets, objects, tracks and errors.
+//! Summary of one frame with its targets, objects, tracks and errors.
 
 use crate::chain::frame_result::FrameResult;
 use crate::chain::measured_frames::errors_of_frame;
@@ -39,15 +39,15 @@ pub struct FrameSummary {
     pub velocity_resolved: bool,
     /// Whether the numerical error is as small as was asked.
     pub accuracy: AccuracyVerdict,
-    /// The numerical error.
+    /// Estimated numerical error of the frame.
     pub error_db: ErrorFigures,
     /// The frame in which the paths' errors were measured; `None` of echoes from tables.
     pub error_measured_in: Option<u32>,
     /// Error by what the physical model leaves out.
     pub model_error_db: ModelErrorFigures,
-    /// Said beforehand, MiB.
+    /// Memory that the frame was expected to hold at most, MiB.
     pub memory_estimate_mib: f64,
-    /// Held by the process at most until then, MiB; `None` where the system does not tell.
+    /// Largest memory of the process until the frame's end, MiB; `None` where the system does not tell.
     pub peak_memory_mib: Option<f64>,
     /// Targets in view.
     pub targets: Vec<TargetSummary>,
@@ -77,7 +77,7 @@ pub enum MapState {
 /// Level of detail of a target: how much of its paths the echo is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TargetDetail {
-    /// Never `Auto`.
+    /// Level of detail that was taken; never `Auto`.
     #[serde(with = "DetailWord")]
     pub level: Detail,
     /// Number of paths that were traced.

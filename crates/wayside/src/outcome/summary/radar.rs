@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// The radar in the words of the field.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RadarSummary {
-    /// The sweep's centre, Hz.
+    /// Centre frequency of the sampled sweep, Hz.
     pub carrier_hz: f64,
     /// Bandwidth of the sampled sweep, Hz.
     pub bandwidth_hz: f64,
@@ -21,9 +21,9 @@ pub struct RadarSummary {
     pub sampling: Sampling,
     /// Number of chirps of each transmitter in a frame.
     pub chirps: u32,
-    /// Virtual ones: transmitters times receivers.
+    /// Number of virtual channels: transmitters times receivers.
     pub channels: usize,
-    /// `None` of an ideal array.
+    /// Errors of the array's elements; `None` of an ideal array.
     pub element_errors: Option<ElementErrors>,
     /// Range resolution of the sampled sweep, m.
     pub range_resolution_m: f64,
@@ -57,7 +57,7 @@ pub struct ElementErrorSummary {
     pub delay_ps: f64,
 }
 
-/// A lane by its number.
+/// Lane with its number, its name and its width.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LaneSummary {
     /// Number of the lane, as estimates and truths name it.

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 /// The `summary.json` above those of several radars.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct RadarsSummary {
-    /// The scene's name.
+    /// Name of the scene.
     pub scene: String,
     /// Totals of each radar, in the scene's order.
     pub radars: Vec<OneOfRadars>,
@@ -43,22 +43,22 @@ pub struct OneOfRadars {
     pub stationary: usize,
     /// Targets whose echoes were removed as echoes at rest, frame by frame.
     pub removed: usize,
-    /// Detected in all frames.
+    /// Number of points detected in all frames.
     pub points: usize,
     /// The largest total of a frame, dB; `None` where none was estimated.
     pub largest_error_db: Option<f64>,
-    /// That of the frame with the largest error; `None` where none was estimated.
+    /// Accuracy of the frame with the largest error; `None` where none was estimated.
     pub accuracy: Option<AccuracyVerdict>,
     /// Wall-clock time of the radar's frames, s.
     pub frames_seconds: f64,
 }
 
-/// One frame as all of them have it.
+/// One frame as all radars have it.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct CommonFrame {
     /// Time of the frame's first sample, s.
     pub time_s: f64,
-    /// Every one that some radar has in view.
+    /// Every target that some radar has in view.
     pub targets: Vec<CommonTarget>,
 }
 
@@ -67,11 +67,11 @@ pub struct CommonFrame {
 pub struct CommonTarget {
     /// Id of the target in the scene.
     pub id: String,
-    /// The true one.
+    /// True class; `None` of a point target, or where the scene does not tell.
     pub class: Option<Class>,
-    /// Radars by their ids.
+    /// Ids of the radars that found the target.
     pub found_by: Vec<String>,
-    /// Radars by their ids.
+    /// Ids of the radars that missed the target.
     pub missed_by: Vec<String>,
 }
 

@@ -11,12 +11,12 @@ use evaluation::{FrameTruth, Truth};
 use radar::doppler_ambiguity::shown_mps;
 use serde::{Deserialize, Serialize};
 
-/// A target, truth beside estimate.
+/// Target of a frame, truth beside estimate.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct TargetSummary {
     /// Id of the target in the scene.
     pub id: String,
-    /// The true one; `None` of a point target, or where the scene does not tell.
+    /// True class; `None` of a point target, or where the scene does not tell.
     pub class: Option<Class>,
     /// Name of the target's mesh; `None` of a point target.
     pub model: Option<String>,
@@ -24,12 +24,12 @@ pub struct TargetSummary {
     pub truth: TruthSummary,
     /// Estimate of the object that is the target's; `None` without one.
     pub estimate: Option<Estimate>,
-    /// Whether it has an object; `None` where it is not to be found: hidden, without an echo of its own, or
-    /// out of range.
+    /// Whether the target has an object; `None` where it is not to be found: hidden, without an echo of its
+    /// own, or out of range.
     pub found: Option<bool>,
-    /// Whether its echoes were removed as echoes at rest.
+    /// Whether the target's echoes were removed as echoes at rest.
     pub removed: bool,
-    /// The object's place among those of the frame.
+    /// Index of the target's object among those of the frame; `None` without one.
     pub object: Option<usize>,
     /// Whether the map shows another velocity than the true one.
     pub velocity_aliased: bool,
@@ -56,39 +56,42 @@ pub struct TruthSummary {
     pub y_m: f64,
     /// Height of the body's origin, world z, m.
     pub z_m: f64,
-    /// Lane that holds it; `None` outside of all.
+    /// Number of the lane that holds the body; `None` outside of all.
     pub lane: Option<u8>,
     /// Range of the body's nearest lit surface, m; `None` where none is lit, or the echo was made from
     /// tables.
     pub nearest_range_m: Option<f64>,
-    /// Power-weighted mean over its paths, m; `None` where it has none of its own.
+    /// Range of the echo, the power-weighted mean over the body's paths, m; `None` where it has none of its
+    /// own.
     pub echo_range_m: Option<f64>,
-    /// Power-weighted mean over its paths, m/s; `None` where it has none of its own.
+    /// Radial velocity of the echo, the power-weighted mean over the body's paths, positive when the range
+    /// grows, m/s; `None` where it has none of its own.
     pub echo_radial_velocity_mps: Option<f64>,
 }
 
 /// Estimate of a target by the radar: its object's place, motion and level.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
-    /// Power-weighted mean of its points, m.
+    /// Range, the power-weighted mean of the object's points, m.
     pub range_m: f64,
-    /// Positive when the range grows, m/s.
+    /// Radial velocity, positive when the range grows, m/s.
     pub radial_velocity_mps: f64,
-    /// World m.
+    /// Place along world x, m.
     pub x_m: f64,
-    /// World m.
+    /// Place along world y, m.
     pub y_m: f64,
-    /// World m; without elevation rows the height that is assumed.
+    /// Height along world z, m; without elevation rows the height that is assumed.
     pub z_m: f64,
-    /// Lane that holds it; `None` outside of all.
+    /// Number of the lane that holds the object; `None` outside of all.
     pub lane: Option<u8>,
     /// Signal-to-noise ratio of the object's strongest cell, dB.
     pub snr_db: f64,
     /// Number of points that form the object.
     pub points: u32,
-    /// Share of its peaks' power that ran between two bodies; `None` where the array cannot tell.
+    /// Share of the power of the object's peaks that ran between two bodies; `None` where the array cannot
+    /// tell.
     pub ghost_share: Option<f64>,
-    /// Whether it is at rest; `None` where the settings do not ask.
+    /// Whether the object is at rest; `None` where the settings do not ask.
     pub stationary: Option<bool>,
 }
 
@@ -105,7 +108,8 @@ pub struct ClutterSummary {
     pub y_m: f64,
     /// Range of the body's nearest lit surface, m; `None` where none is lit.
     pub nearest_range_m: Option<f64>,
-    /// Power-weighted mean over its paths, m; `None` where it has none of its own.
+    /// Range of the echo, the power-weighted mean over the body's paths, m; `None` where it has none of its
+    /// own.
     pub echo_range_m: Option<f64>,
 }
 
