@@ -1,5 +1,5 @@
-//! What the chain stands on beside the stages: failures, whole files, memory, progress, places and long
-//! work's checkpoints.
+//! Services that the chain stands on beside the stages: failures, whole files, memory, progress, places and
+//! long work's checkpoints.
 
 pub mod failure;
 pub mod progress;

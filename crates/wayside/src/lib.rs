@@ -1,6 +1,6 @@
-//! From a 3D model to a vehicle class: a virtual traffic intersection, scattering at 77 GHz by bidirectional
-//! analytic ray tracing (BART), FMCW echoes on a sparse array, range-Doppler maps, CFAR, angles, point
-//! clouds, tracks, classes.
+//! Simulator from a 3D model to a vehicle class: a virtual traffic intersection, scattering at 77 GHz by
+//! bidirectional analytic ray tracing (BART), FMCW echoes on a sparse array, range-Doppler maps, CFAR,
+//! angles, point clouds, tracks, classes.
 //!
 //! ```no_run
 //! let settings = wayside::Settings::of("scenes/intersection.toml", "out/intersection");

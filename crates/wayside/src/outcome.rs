@@ -1,4 +1,4 @@
-//! What is told of a run: `summary.json`, whether the accuracy was reached, false objects and tracks, and the
+//! Outcome of a run: `summary.json`, whether the accuracy was reached, false objects and tracks, and the
 //! lines of a console.
 
 pub(crate) mod error_figures;

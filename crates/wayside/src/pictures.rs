@@ -29,7 +29,7 @@ use std::path::Path;
 pub(crate) use common_view::common_view;
 pub(crate) use exr::rdm_exr;
 
-/// What is drawn of one frame.
+/// Pictures of one frame.
 pub(crate) struct FrameFigures {
     pub(crate) plan: Figure,
     pub(crate) rdm: Figure,
@@ -57,7 +57,7 @@ pub(crate) fn figures(
     })
 }
 
-/// Where each body's echo lies; of one that sends none back, nothing.
+/// True range and radial velocity of each body's echo; bodies that send none back are left out.
 fn true_echoes(frame: &FrameProducts, truth: &FrameTruth) -> Vec<TrueEcho> {
     let named = frame.view.targets.iter().zip(&truth.truths).filter(|(_, truth)| truth.sends_back);
     let echo = |(target, truth): (&artifact::scene::Target, &Truth)| TrueEcho {
@@ -104,13 +104,13 @@ pub(crate) fn write_map(file: &Path, header: &CubeHeader, rdm: &RdmFrame) -> Res
     write_png(file, &rdm::draw(&header.in_frame(rdm.index), rdm, &OnMap::default(), Form::Wide)?)
 }
 
-/// An SVG as PNG.
+/// Writes an SVG as PNG.
 pub fn write_png(file: &Path, picture: &Svg) -> Result<(), Failure> {
     let bytes = raster::png(picture).map_err(|e| Failure::system(file, "draw", e))?;
     files::write_file(file, &bytes)
 }
 
-/// Grey levels, row-major, as PNG.
+/// Writes grey levels, row-major, as PNG.
 pub(crate) fn write_gray(file: &Path, size: [usize; 2], pixels: &[u8]) -> Result<(), Failure> {
     let bytes = raster::encode(Pixels::Grey, size, pixels).map_err(|e| Failure::system(file, "encode", e))?;
     files::write_file(file, &bytes)

@@ -25,12 +25,12 @@ use std::time::SystemTime;
 
 pub(crate) use own_files::OwnFile;
 
-/// Where a cache lies and how large it may grow.
+/// Folder of a cache and the size to which it may grow.
 #[derive(Debug, Clone)]
 pub struct CacheLocation {
     /// `None`: `.cache` of the project's folder, or outside of it the user's cache folder (`host::places`).
     pub folder: Option<PathBuf>,
-    /// Beyond it the oldest frames go first.
+    /// Size of all entries beyond which the oldest go first, MiB.
     pub limit_mib: u64,
 }
 
@@ -44,7 +44,7 @@ impl Default for CacheLocation {
 pub struct Cache {
     root: PathBuf,
     limit_bytes: u64,
-    /// Whether it could be marked, once something was to be kept.
+    /// Whether the folder could be marked, once something was to be kept.
     marked: OnceLock<bool>,
 }
 
@@ -56,12 +56,12 @@ impl Cache {
         Ok(Self { root, limit_bytes: location.limit_mib << 20, marked: OnceLock::new() })
     }
 
-    /// Where it lies.
+    /// Folder of the cache.
     pub(crate) fn root(&self) -> &Path {
         &self.root
     }
 
-    /// Where the entry of this key lies, whether it exists or not.
+    /// Path of the entry of this key, whether it exists or not.
     pub(crate) fn place(&self, stage: Stage, key: &Key, kind: &str) -> PathBuf {
         let id = key.id();
         self.root.join(stage.name()).join(&id[..2]).join(format!("{id}.{kind}"))
@@ -77,7 +77,7 @@ impl Cache {
         self.entry::<S>(stage, key, Content::OneFrame)?.1
     }
 
-    /// As [`Cache::get`], for what is a header without frames.
+    /// Header of an entry without frames; a damaged entry is treated as in [`Cache::get`].
     pub(crate) fn get_header<S: Schema>(&self, stage: Stage, key: &Key) -> Option<S::Header> {
         Some(self.entry::<S>(stage, key, Content::Header)?.0)
     }
@@ -87,7 +87,7 @@ impl Cache {
         self.keep::<S>(stage, key, header, &[frame]);
     }
 
-    /// As [`Cache::put`], for what is a header without frames.
+    /// Keeps a header without frames; a cache that cannot be written is treated as in [`Cache::put`].
     pub(crate) fn put_header<S: Schema>(&self, stage: Stage, key: &Key, header: &S::Header) {
         self.keep::<S>(stage, key, header, &[]);
     }
@@ -192,14 +192,14 @@ impl Cache {
     }
 }
 
-/// What an entry holds.
+/// Content of an entry: a header alone, or a header and one frame.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Content {
     Header,
     OneFrame,
 }
 
-/// Why an entry is not what it should be.
+/// Fault of an entry that is not what it should be.
 #[derive(Debug, thiserror::Error)]
 enum EntryFault {
     #[error("{0}")]
@@ -234,7 +234,8 @@ fn renew(place: &Path) {
     }
 }
 
-/// What cannot be read may be readable tomorrow; what is a link is not the cache's own.
+/// Removes a damaged entry and says so; one that could not be read, or is a link, is left: it may be readable
+/// tomorrow, and a link is not the cache's own.
 fn discard(place: &Path, why: &EntryFault) {
     let is_unread = matches!(why, EntryFault::Artifact(ArtifactError { fault: Fault::System { .. }, .. }));
     if is_unread || own_files::is_link(place) {

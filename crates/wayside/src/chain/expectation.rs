@@ -1,4 +1,4 @@
-//! What a run is expected to take: the work of its stages, counted before it begins, at rates that were
+//! Expected time and memory of a run: the work of its stages, counted before it begins, at rates that were
 //! measured on many scenes.
 
 pub mod machine_speed;
@@ -13,23 +13,23 @@ use crate::chain::plan::FramePlan;
 use crate::host::failure::Failure;
 use work::Work;
 
-/// What all frames of a run are expected to take.
+/// Expected work, time and memory of all frames of a run.
 pub struct Expectation {
-    /// Counted by kind.
+    /// Counts of the work by kind.
     pub work: Work,
-    /// Processor seconds, all threads together.
+    /// Processor seconds at the speed of the machine, all threads together.
     pub seconds: f64,
-    /// Held at most, frames that are computed side by side together.
+    /// Memory held at most, MiB, frames that are computed side by side together.
     pub memory_mib: f64,
 }
 
 impl Expectation {
-    /// Of the frames that the plans are of.
+    /// Expects the frames of these plans on this machine.
     pub(crate) fn of(chain: &Chain, cache: Option<&Cache>, plans: &[FramePlan]) -> Result<Self, Failure> {
         Self::at_speed(chain, cache, plans, machine_speed::of_this_machine(cache)?)
     }
 
-    /// On a machine of another speed.
+    /// Expects the frames of these plans on a machine of the given speed; 1 is the machine of the rates.
     pub fn at_speed(
         chain: &Chain,
         cache: Option<&Cache>,
@@ -49,7 +49,7 @@ impl Expectation {
     }
 }
 
-/// What the plans cost, in lines.
+/// Lines about the plans: the stages that run in each frame, and the expected time and memory of all.
 pub(crate) fn lines(
     chain: &Chain,
     cache: Option<&Cache>,
@@ -76,7 +76,7 @@ pub(crate) fn lines(
     Ok(lines)
 }
 
-/// Two digits.
+/// Text of seconds to two digits.
 fn told(seconds: f64) -> String {
     let digits = (1.0 - seconds.max(0.1).log10().floor()).max(0.0) as usize;
     format!("{seconds:.digits$}")

@@ -1,4 +1,4 @@
-//! What is known of one frame when its chain is done.
+//! Result of one frame when its chain is done.
 
 use crate::chain::loaded_model::ClassRule;
 use crate::chain::stages::Stage;
@@ -7,14 +7,14 @@ use artifact::paths::PathsFrame;
 use artifact::points::PointsFrame;
 use artifact::scene::SceneFrame;
 
-/// What a run knows of one frame when it is done.
+/// Result of one frame: points, classes, errors, time and memory, beside the scene and its paths.
 pub(crate) struct FrameResult {
     pub(crate) scene: SceneFrame,
     pub(crate) paths: Option<PathsFrame>,
     pub(crate) points: PointsFrame,
     /// Probabilities of each object, in the order of [`Class::ALL`]; empty without a classifier.
     pub(crate) classes: Vec<[f32; 4]>,
-    /// How a class is told from them.
+    /// Rule by which a class is told from the probabilities.
     pub(crate) rule: ClassRule,
     pub(crate) error: ErrorBudget,
     pub(crate) model_error: ModelError,

@@ -36,7 +36,7 @@ pub(crate) fn scene(files: &[(String, String)], overrides: &impl serde::Serializ
     Key::of(Stage::Scene, vec![("files", fingerprint(&files)), ("options", fingerprint(overrides))])
 }
 
-/// What all frames of a scene share, fingerprinted once: meshes are large.
+/// Fingerprints of what all frames of a scene share, taken once: meshes are large.
 pub(crate) struct SceneParts {
     bodies: String,
     meshes: Vec<String>,
@@ -66,7 +66,7 @@ pub(crate) struct FrameKeys {
     pub(crate) bart_rcs: Key,
     pub(crate) fmcw_echo: Key,
     pub(crate) dsp: Key,
-    /// `None` without a model.
+    /// Key of the classes; `None` without a model.
     pub(crate) classifier: Option<Key>,
 }
 
@@ -114,8 +114,9 @@ fn measured_or_like(header: &SceneHeader, parts: &SceneParts, frame: &SceneFrame
     Key { parts: own.parts.into_iter().chain([also]).collect() }
 }
 
-/// Without the frame's number and time: bodies that stand still scatter the same in every frame. Of recorded
-/// vehicles only those in view: a longer recording leaves the frames that it had as they are.
+/// Key of a frame's scattering, without the frame's number and time: bodies that stand still scatter the same
+/// in every frame. Of recorded vehicles it has only those in view: a longer recording leaves the frames that
+/// it had as they are.
 fn bart_rcs(header: &SceneHeader, parts: &SceneParts, frame: &SceneFrame) -> Key {
     let poses = fingerprint(&frame.poses);
     let vehicles = scene::vehicles_in_view(header, frame.index);
@@ -159,14 +160,14 @@ fn fmcw_echo(header: &SceneHeader, parts: &SceneParts, scattering: &Key, frame: 
     )
 }
 
-/// What a detector may know of a scene: not the errors of its radar.
+/// Header of a cube with what a detector may know of a scene: not the errors of its radar.
 pub(crate) fn cube_header(header: &SceneHeader) -> CubeHeader {
     let mut known = echo_header(header);
     known.radar.hardware = Hardware::default();
     known
 }
 
-/// What an echo is made with.
+/// Header of a cube with what its echo is made with, the errors of the radar among it.
 pub(crate) fn echo_header(header: &SceneHeader) -> CubeHeader {
     CubeHeader { radar: header.radar.clone(), noise: header.noise, dsp: header.dsp.clone() }
 }
@@ -265,7 +266,7 @@ mod tests {
         }
     }
 
-    /// The same with another value at a leaf; `None` where it can have one value only.
+    /// A copy of `whole` with another value at a leaf; `None` where it can have one value only.
     fn changed<T: serde::Serialize + serde::de::DeserializeOwned + PartialEq>(
         whole: &T,
         leaf: &str,
@@ -341,7 +342,8 @@ mod tests {
         assert_ne!(keys(&header, &frame).bart_rcs.id(), keys(&other, &frame).bart_rcs.id());
     }
 
-    /// Its number and its time those of its echo: bodies that stand still scatter the same in every frame.
+    /// A frame's number and time change the key of its echo alone: bodies that stand still scatter the same
+    /// in every frame.
     #[test]
     fn every_value_of_a_frame_changes_the_key_of_its_paths() {
         let header = full_scene();

@@ -26,7 +26,7 @@ use fmcw_echo::EchoError;
 use std::sync::{Arc, OnceLock};
 use std::time::Instant;
 
-/// What the tracer hands to the echo.
+/// Scattering of one frame, which the tracer hands to the echo: paths, or tables of bodies.
 pub(crate) enum Scattering {
     Paths(PathsFrame),
     Tables(RcsFrame),
@@ -41,7 +41,7 @@ impl Scattering {
         }
     }
 
-    /// `None` of tables.
+    /// Paths of the frame; `None` of tables.
     pub(crate) fn paths(&self) -> Option<&PathsFrame> {
         match self {
             Self::Paths(frame) => Some(frame),
@@ -73,15 +73,15 @@ pub struct Chain<'a> {
     receiver: OnceLock<Result<dsp::Receiver, String>>,
     measured: MeasuredFrames,
     looks: Looks,
-    /// Frames that share what tracing may take; one where no plan was made of them.
+    /// Number of frames that share what tracing may take; one where no plan was made of them.
     at_once: OnceLock<usize>,
     limited: OnceLock<bart_rcs::Tracer>,
     memory: Allowance,
 }
 
 impl<'a> Chain<'a> {
-    /// Its frames are looked for in the cache and classified by the model, and tracing takes no more memory
-    /// than it may.
+    /// Makes the chain of a scene: its frames are looked for in the cache and classified by the model, and
+    /// tracing takes no more memory than it may.
     pub fn of(
         header: &'a SceneHeader,
         cache: Option<&'a Cache>,
@@ -115,12 +115,12 @@ impl<'a> Chain<'a> {
         Self { measured: MeasuredFrames::of_another(measured), ..self }
     }
 
-    /// What was measured so far, for other scenes to take over.
+    /// Frames whose error was measured so far, for other scenes to take over.
     pub(crate) fn measured(&self) -> measured_frames::Known {
         self.measured.all()
     }
 
-    /// What one frame needs and why.
+    /// Plan of one frame: which stages run, and why.
     pub fn plan(&self, index: u32) -> FramePlan {
         let frame = scene::snapshot(self.header, index);
         let model = self.model.map(|m| m.hash.as_str());
@@ -171,7 +171,7 @@ impl<'a> Chain<'a> {
         self.header.targets.iter().map(|target| &target.kind).chain(vehicles).map(triangles).sum()
     }
 
-    /// What tracing may take.
+    /// Memory that tracing may take.
     pub(crate) fn memory(&self) -> Allowance {
         self.memory
     }
@@ -181,7 +181,7 @@ impl<'a> Chain<'a> {
         self.looks.of(self.header, index, |at| self.expected_work(at), |at| self.triangles(at))
     }
 
-    /// What a frame's tracing will take, from a sample of it.
+    /// Expected work of a frame's tracing, from a sample of it.
     pub(crate) fn expected_work(&self, index: u32) -> Result<bart_rcs::ExpectedWork, Failure> {
         let (view, frame) = (scene::frame_view(self.header, index), scene::snapshot(self.header, index));
         self.unlimited_tracer()?.expected_work(&view, &frame).map_err(Failure::refused)
@@ -222,7 +222,7 @@ impl<'a> Chain<'a> {
         self.header.targets.iter().map(|t| &t.kind).chain(vehicles).map(class).collect()
     }
 
-    /// The same scattering with bodies counted as in [`Chain::targets`], not as in the frame's view.
+    /// Scattering with its bodies counted as in [`Chain::targets`], not as in the frame's view.
     pub(crate) fn counted_through(&self, scattering: Scattering) -> Scattering {
         match scattering {
             Scattering::Paths(mut frame) => {
@@ -290,7 +290,8 @@ impl<'a> Chain<'a> {
         tracer.paths(&view, scene, &surroundings).map_err(Failure::refused)
     }
 
-    /// What was measured in a frame; computed where no earlier frame of this run needed it.
+    /// Paths frame, without its paths, in which errors were measured; computed where no earlier frame of this
+    /// run needed it.
     fn measured_frame(&self, index: u32) -> Result<Arc<PathsFrame>, Failure> {
         if let Some(known) = self.measured.get(index) {
             return Ok(known);
@@ -304,7 +305,8 @@ impl<'a> Chain<'a> {
         let _ = self.at_once.set(at_once);
     }
 
-    /// What traces the frames; refused where the frame cannot fit into the memory that it may take.
+    /// Tracer of the frames, held to its share of the memory; refused where the frame cannot fit into the
+    /// memory that it may take.
     fn tracer(&self, plan: &FramePlan) -> Result<&bart_rcs::Tracer, Failure> {
         self.memory.check(self.least_memory_mib(plan)?)?;
         let tracer = self.unlimited_tracer()?;
@@ -312,7 +314,7 @@ impl<'a> Chain<'a> {
         Ok(self.limited.get_or_init(|| tracer.clone().within(share())))
     }
 
-    /// The same to look at; refused where the bodies at rest do not fit.
+    /// Tracer without a limit of memory, for looks; refused where the bodies at rest do not fit.
     fn unlimited_tracer(&self) -> Result<&bart_rcs::Tracer, Failure> {
         let triangles = self.header.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
         self.memory.check(memory::mib(bart_rcs::memory_estimate_bytes(triangles, 0, 0)))?;
@@ -362,8 +364,8 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// What makes cubes of the scene's paths, built when the first frame asks for it: with the road's own
-    /// backscatter, which no `.paths` holds and no table hears.
+    /// Synthesizer that makes cubes of the scene's paths, built when the first frame asks for it: with the
+    /// road's own backscatter, which no `.paths` holds and no table hears.
     pub(crate) fn synthesizer(&self) -> Result<&fmcw_echo::Synthesizer, Failure> {
         let SceneHeader { radar, backscatter, seed, fidelity, .. } = self.header;
         let build = || {
@@ -377,7 +379,7 @@ impl<'a> Chain<'a> {
         self.synthesizer.get_or_init(build).as_ref().map_err(Failure::refused)
     }
 
-    /// What makes maps and points of the scene's cubes, built when the first frame asks for it.
+    /// Receiver that makes maps and points of the scene's cubes, built when the first frame asks for it.
     pub(crate) fn receiver(&self) -> Result<&dsp::Receiver, Failure> {
         let build = || dsp::Receiver::new(&self.cube_header).map_err(|error| error.to_string());
         self.receiver.get_or_init(build).as_ref().map_err(Failure::refused)
@@ -393,7 +395,7 @@ impl<'a> Chain<'a> {
         Ok(Step { cached: rdm.cached && points.cached, value: (rdm.value, points.value) })
     }
 
-    /// How classes are told; anything is, without a model.
+    /// Rule by which classes are told; without a model no probability is too small to tell one.
     pub(crate) fn class_rule(&self) -> ClassRule {
         self.model.map(LoadedModel::rule).unwrap_or_default()
     }

@@ -37,7 +37,7 @@ impl LoadedModel {
         classifier::load_model(place).map(Self::of).map_err(of_classifier)
     }
 
-    /// The same of the bytes of a model file.
+    /// Reads a model from the bytes of a model file.
     pub(crate) fn of_bytes(bytes: &'static [u8]) -> Result<Self, Failure> {
         classifier::model_of_bytes(bytes).map(Self::of).map_err(of_classifier)
     }
@@ -47,12 +47,12 @@ impl LoadedModel {
         Self { header, weights, hash, ready: OnceLock::new() }
     }
 
-    /// What the probabilities are of.
+    /// Header of the `.classes` artifact: the classes that the probabilities are of.
     pub(crate) fn classes_header(&self) -> ClassesHeader {
         ClassesHeader { classes: self.header.classes.clone() }
     }
 
-    /// What tells a class from probabilities.
+    /// Rule by which a class is told from probabilities.
     pub(crate) fn rule(&self) -> ClassRule {
         let ModelHeader { least_probability, frame_correlation, .. } = self.header;
         ClassRule { least_probability, frame_correlation }
@@ -156,12 +156,12 @@ pub(crate) fn of_classifier(error: classifier::ClassifierError) -> Failure {
     }
 }
 
-/// How a class is told from probabilities.
+/// Rule by which a class is told from probabilities.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct ClassRule {
     /// The likeliest class is told from here on; below it the answer is "unknown".
     pub(crate) least_probability: f32,
-    /// What the frames of a track have in common: 0 is nothing, 1 all.
+    /// Correlation of the frames of a track: 0 where they have nothing in common, 1 where all.
     pub(crate) frame_correlation: f32,
 }
 
@@ -189,7 +189,7 @@ impl ClassRule {
     }
 }
 
-/// What a classifier says of a vehicle; JSON has its name.
+/// Answer of a classifier about a vehicle; JSON has its name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Predicted {

@@ -17,17 +17,17 @@ use std::time::Instant;
 pub struct SceneSource {
     /// Scene file (`docs/scenes.md`).
     pub file: PathBuf,
-    /// In place of the model of every target.
+    /// Model file in place of the model of every target.
     pub model: Option<PathBuf>,
     /// Through which of several radars, by its id.
     pub radar: Option<String>,
-    /// In place of the scene's seed.
+    /// Seed in place of the scene's.
     pub seed: Option<u64>,
 }
 
 /// A scene and how it was come by.
 pub struct LoadedScene {
-    /// As every stage reads it.
+    /// The scene as every stage reads it.
     pub header: SceneHeader,
     pub(crate) cached: bool,
     pub(crate) seconds: f64,
@@ -62,7 +62,8 @@ pub fn scene(source: &SceneSource, cache: Option<&Cache>) -> Result<LoadedScene,
     Ok(LoadedScene { header, cached, seconds: start.elapsed().as_secs_f64(), files })
 }
 
-/// Each of several radars has noise of its own. Of 53 bits: readers of JSON that know but f64 keep them all.
+/// Seed of the noise: the scene's, or one of its own for each of several radars. That has 53 bits: readers of
+/// JSON that know but f64 keep them all.
 fn seed(of_scene: u64, radar: Option<&str>) -> u64 {
     let Some(id) = radar else { return of_scene };
     let key = artifact::seed::key(of_scene, &format!("xtask/radar/{id}"), &[]);
@@ -108,7 +109,7 @@ pub fn model(asked: Option<&Path>) -> Result<LoadedModel, Failure> {
     asked.map_or_else(|| LoadedModel::of_bytes(places::SHIPPED_MODEL), LoadedModel::read)
 }
 
-/// Where an artifact came from.
+/// Provenance of an artifact: stage, version, inputs, settings and seed.
 pub(crate) fn provenance(stage: Stage, header: &SceneHeader, inputs: Vec<(String, String)>) -> Provenance {
     Provenance {
         stage: stage.name().into(),

@@ -1,4 +1,4 @@
-//! What the tracer will do in the frames of a scene, from a look at a few of them.
+//! Expected work of the tracer in the frames of a scene, from a look at a few of them.
 
 use crate::host::failure::Failure;
 use artifact::scene::{Mesh, SceneHeader, TargetKind};
@@ -20,7 +20,7 @@ pub(crate) struct Look {
     pub(crate) work: ExpectedWork,
     /// Facets of this frame for each of that one.
     pub(crate) facets: f64,
-    /// Cells for each.
+    /// Cells of this frame for each of that one.
     pub(crate) cells: f64,
 }
 
@@ -28,8 +28,8 @@ pub(crate) struct Look {
 const LOOKED_AT: u32 = 3;
 
 impl Looks {
-    /// At the first frame of each third of the scene; `expected` looks at one, `triangles` counts those in
-    /// view of one.
+    /// Expects a frame's work from a look at the first frame of its third of the scene; `expected` looks at
+    /// one, `triangles` counts those in view of one.
     pub(crate) fn of(
         &self,
         header: &SceneHeader,

@@ -1,4 +1,4 @@
-//! What was measured in some frames, for the frames that take it over.
+//! Frames whose error was measured, for the frames that take it over.
 
 use artifact::paths::{ErrorOrigin, PathsFrame};
 use artifact::scene::SceneHeader;
@@ -9,25 +9,25 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 #[derive(Default)]
 pub(crate) struct MeasuredFrames {
     own: Mutex<Known>,
-    /// Of another scene whose errors this one takes over.
+    /// Frames of another scene whose errors this one takes over.
     taken_over: Known,
 }
 
-/// By frame record.
+/// Measured frames by frame record.
 pub(crate) type Known = BTreeMap<u32, Arc<PathsFrame>>;
 
 impl MeasuredFrames {
-    /// Of a scene that takes over what was measured in another one.
+    /// Makes the frames of a scene that takes over what was measured in another one.
     pub(crate) fn of_another(taken_over: Known) -> Self {
         Self { taken_over, ..Self::default() }
     }
 
-    /// All that was measured in this scene.
+    /// All frames whose error was measured in this scene.
     pub(crate) fn all(&self) -> Known {
         self.known().clone()
     }
 
-    /// What another scene has for this frame record.
+    /// Frame of another scene that was measured for this frame record.
     pub(crate) fn taken_over(&self, index: u32) -> Option<Arc<PathsFrame>> {
         self.taken_over.get(&index).cloned()
     }

@@ -1,5 +1,4 @@
-//! How much memory a run is expected to hold at most: what is known of its arrays, and bounds of what the
-//! tracer finds.
+//! Expected memory of a run at most: what is known of its arrays, and bounds of what the tracer finds.
 
 use crate::chain::expectation::rates::{
     BYTES_PER_BEAM, BYTES_PER_CELL, BYTES_PER_CHANGING_CELL, BYTES_PER_FACET, BYTES_PER_MOVING_CELL,
@@ -14,7 +13,7 @@ use crate::host::memory::mib;
 use artifact::paths::Path;
 use artifact::settings::EchoMode;
 
-/// What the memory of a frame goes into, expected.
+/// Expected load of a frame on memory, by what it goes into.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Load {
     /// Cubes, maps and paths of the ground.
@@ -25,22 +24,23 @@ pub struct Load {
     pub beams: f64,
     /// Cells of paths.
     pub cells: f64,
-    /// The same cells where a body moves: then their paths may be held for several moments of the frame.
+    /// Cells of paths where a body moves: then their paths may be held for several moments of the frame.
     pub changing_cells: f64,
     /// Tiles between bodies that slide past each other, times the wavelengths that they do.
     pub sliding_tiles: f64,
-    /// Cells of such ways, however far they slide.
+    /// Cells of ways between bodies that slide past each other, however far they slide.
     pub moving_cells: f64,
 }
 
 impl Load {
-    /// What a frame cannot do without: signals, facets and lit polygons. How many cells an accuracy takes,
-    /// and how many of their paths it drops, is known only from the trace, which watches them grow.
+    /// Memory that a frame cannot do without, MiB: signals, facets and lit polygons. How many cells an
+    /// accuracy takes, and how many of their paths it drops, is known only from the trace, which watches them
+    /// grow.
     pub(crate) fn least_mib(&self) -> f64 {
         self.signal_mib + mib((self.facets * BYTES_PER_FACET + self.beams * BYTES_PER_BEAM) as u64)
     }
 
-    /// Held at most, the program not among it.
+    /// Memory held at most, MiB, the program not among it.
     pub(crate) fn mib(&self) -> f64 {
         let bytes = self.cells * BYTES_PER_CELL
             + self.changing_cells * BYTES_PER_CHANGING_CELL
@@ -51,25 +51,26 @@ impl Load {
 }
 
 impl Chain<'_> {
-    /// What a frame holds at most while its plan is carried out, MiB, the program itself among it.
+    /// Memory held at most while a frame's plan is carried out, MiB, the program itself among it.
     pub(crate) fn memory_estimate_mib(&self, plan: &FramePlan) -> Result<f64, Failure> {
         Ok(PROGRAM_MIB + self.load(plan)?.mib())
     }
 
-    /// What it holds at least.
+    /// Memory held at least while a frame's plan is carried out, MiB, the program itself among it.
     pub(crate) fn least_memory_mib(&self, plan: &FramePlan) -> Result<f64, Failure> {
         Ok(PROGRAM_MIB + self.load(plan)?.least_mib())
     }
 
-    /// At most, of all plans, as many side by side as are.
+    /// Memory held at most in a run of these plans, MiB: the program, and the largest frame as often as
+    /// frames are computed side by side.
     pub(crate) fn memory_of_run_mib(&self, plans: &[FramePlan]) -> Result<f64, Failure> {
         let at_once = self.side_by_side(plans)? as f64;
         Ok(PROGRAM_MIB + self.largest_load(plans)?.mib() * at_once)
     }
 
-    /// How many frames are computed at a time: one a thread, as many as are expected to fit into the memory
-    /// that they may take. A frame's own work is in parallel too; what of it is not, is done beside another
-    /// frame.
+    /// Number of frames that are computed at a time: one a thread, as many as are expected to fit into the
+    /// memory that they may take. A frame's own work is in parallel too; what of it is not, is done beside
+    /// another frame.
     pub fn side_by_side(&self, plans: &[FramePlan]) -> Result<usize, Failure> {
         let most = rayon::current_num_threads().min(plans.len()).max(1);
         let Some(limit_mib) = self.memory().mib().filter(|_| most > 1) else { return Ok(most) };
@@ -77,7 +78,7 @@ impl Chain<'_> {
         Ok(most.min(fitting).max(1))
     }
 
-    /// Of the frame that is expected to hold most.
+    /// Load of the frame that is expected to hold most.
     pub fn largest_load(&self, plans: &[FramePlan]) -> Result<Load, Failure> {
         plans.iter().try_fold(Load::default(), |most, plan| {
             let load = self.load(plan)?;
@@ -111,7 +112,7 @@ impl Chain<'_> {
         poses.iter().any(|pose| pose.velocity_mps != [0.0; 3] || pose.acceleration_mps2 != [0.0; 3])
     }
 
-    /// Of what follows the tracer: cubes, maps, paths of the ground.
+    /// Bytes of what follows the tracer: cubes, maps, paths of the ground.
     fn signal_bytes(&self) -> u64 {
         let accuracy = fmcw_echo::sum_accuracy(self.header.fidelity.accuracy);
         fmcw_echo::memory_estimate_bytes(&self.cube_header, accuracy) + self.map_bytes() + self.ground_bytes()

@@ -1,4 +1,4 @@
-//! From what is asked to what is missing: for every frame, which stages run and why.
+//! Plan of every frame, from what is asked to what is missing: which stages run and why.
 
 use crate::chain::cache::Cache;
 use crate::chain::keys::FrameKeys;
@@ -15,11 +15,11 @@ use artifact::settings::EchoMode;
 /// Stages that run per frame.
 const PER_FRAME: [Stage; 4] = [Stage::BartRcs, Stage::FmcwEcho, Stage::Dsp, Stage::Classifier];
 
-/// What happens to one frame.
+/// Plan of one frame: its keys, and which stages run.
 pub struct FramePlan {
     pub(crate) index: u32,
     pub(crate) keys: FrameKeys,
-    /// For each stage that is part of the run, `None` if its frame is cached, else why it runs.
+    /// Each stage that is part of the run, with `None` if its frame is cached, else why it runs.
     pub(crate) steps: Vec<(Stage, Option<String>)>,
 }
 

@@ -12,18 +12,18 @@ pub enum Stage {
     BartRcs,
     /// Echoes and noise.
     FmcwEcho,
-    /// From maps to objects.
+    /// Range-Doppler maps, points and objects.
     Dsp,
     /// Classes of objects.
     Classifier,
 }
 
 impl Stage {
-    /// All, in the order of the chain.
+    /// All stages, in the order of the chain.
     pub(crate) const ALL: [Self; 5] =
         [Self::Scene, Self::BartRcs, Self::FmcwEcho, Self::Dsp, Self::Classifier];
 
-    /// As `summary.json` and the cache's folders name it.
+    /// Name of the stage in `summary.json` and the cache's folders.
     pub fn name(self) -> &'static str {
         match self {
             Self::Scene => "scene",

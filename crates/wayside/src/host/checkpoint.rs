@@ -1,4 +1,4 @@
-//! What is done of long work, beside the result it will become: the next run of the same work goes on from
+//! Checkpoint of long work, beside the result it will become: the next run of the same work goes on from
 //! there, a run of other work never looks at it, and a finished run removes it.
 //!
 //! ```text
@@ -29,19 +29,19 @@ pub(crate) struct Checkpoint {
     state: Mutex<State>,
 }
 
-/// Where records go.
+/// State of the file that records go to.
 enum State {
     /// The file is made with the first record.
     NotYet,
-    /// Locked, at its end.
+    /// The file is open and locked, at its end.
     Open(File),
-    /// Another run has it, it is not ours, or it cannot be written: this run keeps nothing.
+    /// Another run has the file, it is not ours, or it cannot be written: this run keeps nothing.
     GivenUp,
 }
 
 impl Checkpoint {
-    /// Of the work that `key` names and whose result goes to `out`; `key` has to tell of everything the
-    /// result depends on.
+    /// Opens the checkpoint of the work that `key` names and whose result goes to `out`; `key` has to tell of
+    /// everything the result depends on.
     pub(crate) fn open(out: &Path, key: &str) -> Self {
         let mut name = out.as_os_str().to_owned();
         name.push(".checkpoint");
@@ -62,7 +62,7 @@ impl Checkpoint {
         checkpoint
     }
 
-    /// How many aspects of the last pass were there.
+    /// Number of aspects of the last pass that were found in the file.
     pub(crate) fn aspects(&self) -> usize {
         let last = self.kept.keys().map(|piece| piece.pass).max();
         self.kept.keys().filter(|piece| Some(piece.pass) == last).count()

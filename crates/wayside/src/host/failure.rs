@@ -1,4 +1,4 @@
-//! Why work did not succeed: a sentence, and of what kind it is.
+//! Failure of work: a sentence that says why, and of what kind it is.
 
 use artifact::ArtifactError;
 use artifact::bounded::ReadFault;
@@ -10,7 +10,7 @@ pub enum Failure {
     /// An input was read and refused, or a check of `ci` failed.
     #[error("{0}")]
     Refused(String),
-    /// What was read of a file cannot be worked on; which file that was is known further out.
+    /// The content of a file cannot be worked on; which file that was is known further out.
     #[error("{0}")]
     Unplaced(String),
     /// A file is missing, unreadable or unwritable, the disk is full, or the words of the command are off.
@@ -27,7 +27,7 @@ impl Failure {
         Self::Unplaced(error.to_string())
     }
 
-    /// With the file that was read, where none is named yet.
+    /// Names the file that was read, where none is named yet.
     pub fn about(self, file: &Path) -> Self {
         match self {
             Self::Unplaced(text) => Self::Refused(format!("{}: {text}", file.display())),
@@ -41,7 +41,7 @@ impl Failure {
         if fault.is_system() { Self::System(text) } else { Self::Refused(text) }
     }
 
-    /// What the system answered about `file`.
+    /// Failure with what the system answered about `file`.
     pub fn system(file: &Path, doing: &str, error: impl std::fmt::Display) -> Self {
         Self::System(format!("{}: cannot {doing}: {error}", file.display()))
     }

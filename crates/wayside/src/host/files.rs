@@ -1,4 +1,4 @@
-//! Whole files or none.
+//! Writing of files that are there whole or not at all.
 
 use crate::host::failure::Failure;
 use artifact::whole_file::{self, Durability, WholeFile};
@@ -25,14 +25,14 @@ pub fn write_file(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     write_with(file, |stream| stream.write_all(bytes))
 }
 
-/// As [`write_file`], for what grows and is written again and again.
+/// Writes a file that grows and is written again and again, whole or not at all.
 pub fn write_again(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let mut whole = WholeFile::create(file)?;
     whole.write_all(bytes).map_err(|e| Failure::system(file, "write", e))?;
     Ok(whole.finish(Durability::InCache)?)
 }
 
-/// As [`write_file`], for content that is made as a stream.
+/// Writes a file whose content is made as a stream, whole or not at all.
 pub(crate) fn write_with(
     file: &Path,
     content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,
@@ -40,8 +40,8 @@ pub(crate) fn write_with(
     write(file, Durability::InCache, content)
 }
 
-/// As [`write_with`], and waits for the disk: what took hours, and what they were kept in until now is
-/// removed next.
+/// Writes a file as [`write_with`] does and waits for the disk: what took hours, and what they were kept in
+/// until now is removed next.
 pub(crate) fn write_lasting(
     file: &Path,
     content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,
@@ -62,7 +62,7 @@ fn write(
     Ok(whole.finish(durability)?)
 }
 
-/// What this command has written.
+/// Files that this command has written.
 static WRITTEN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 fn twice(place: &Path) -> Failure {
@@ -72,7 +72,7 @@ fn twice(place: &Path) -> Failure {
     ))
 }
 
-/// The same for all ways to a file in a folder that exists.
+/// Name that all ways to a file share, where its folder exists.
 fn one_name(place: &Path) -> PathBuf {
     let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     match (std::fs::canonicalize(place), std::fs::canonicalize(folder), place.file_name()) {

@@ -1,4 +1,4 @@
-//! How much memory this process has held, and how much tracing may take.
+//! Memory that this process has held, and memory that tracing may take.
 
 use crate::host::failure::Failure;
 use bart_rcs::MemoryLimit;
@@ -11,7 +11,7 @@ pub fn peak_mib() -> Option<f64> {
     peak_mib_of("self")
 }
 
-/// The same of another process, by its number.
+/// Largest resident size so far of the process of this number, MiB; `None` where the system does not tell.
 pub fn peak_mib_of(process: &str) -> Option<f64> {
     let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;
@@ -19,33 +19,33 @@ pub fn peak_mib_of(process: &str) -> Option<f64> {
     Some(kib / 1024.0)
 }
 
-/// Bytes as MiB.
+/// Converts bytes to MiB.
 pub fn mib(bytes: u64) -> f64 {
     bytes as f64 / MIB
 }
 
-/// What tracing may take.
+/// Memory that tracing may take.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Allowance {
     bytes: Option<u64>,
 }
 
 impl Allowance {
-    /// Any amount.
+    /// Allowance of any amount.
     pub const UNLIMITED: Self = Self { bytes: None };
 
-    /// So many MiB; `None`: nine tenths of what is free now, where the system tells, else any amount.
+    /// Allows so many MiB; `None`: nine tenths of what is free now, where the system tells, else any amount.
     pub fn of(limit_mib: Option<u64>) -> Self {
         let nine_tenths = |bytes: u64| bytes / 10 * 9;
         Self { bytes: limit_mib.map(|n| n << 20).or_else(|| available_bytes().map(nine_tenths)) }
     }
 
-    /// As the tracer takes it.
+    /// Limit of memory as the tracer takes it.
     pub(crate) fn limit(self) -> MemoryLimit {
         self.bytes.map_or(MemoryLimit::NONE, MemoryLimit::of_bytes)
     }
 
-    /// In MiB; `None` where there is no limit.
+    /// Memory in MiB; `None` where there is no limit.
     pub(crate) fn mib(self) -> Option<f64> {
         self.bytes.map(mib)
     }
@@ -62,7 +62,7 @@ impl Allowance {
     }
 }
 
-/// `MemAvailable` of `/proc/meminfo`.
+/// Bytes of memory that are free: `MemAvailable` of `/proc/meminfo`.
 fn available_bytes() -> Option<u64> {
     let text = std::fs::read_to_string("/proc/meminfo").ok()?;
     let line = text.lines().find(|l| l.starts_with("MemAvailable:"))?;

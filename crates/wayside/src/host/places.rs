@@ -1,4 +1,4 @@
-//! Where data lie that no argument names. The rule: inside the project's folder (this folder or one above it
+//! Places of data that no argument names. The rule: inside the project's folder (this folder or one above it
 //! that holds `scenes/` and `crates/wayside/`) the cache is its `.cache`; elsewhere it is the user's cache
 //! folder. The model that ships is part of the program.
 
@@ -19,7 +19,7 @@ fn project_folder_of(here: &Path) -> Option<PathBuf> {
     here.ancestors().find(is_project).map(Path::to_owned)
 }
 
-/// Where frames are cached unless `--cache` says otherwise.
+/// Folder in which frames are cached unless `--cache` says otherwise.
 pub(crate) fn default_cache() -> PathBuf {
     let variable = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
     let of_user = || variable("XDG_CACHE_HOME").or_else(|| variable("HOME").map(|home| home.join(".cache")));

@@ -11,8 +11,9 @@ pub fn of_process() -> Option<f64> {
     ticks(&std::fs::read_to_string("/proc/self/stat").ok()?).map(|ticks| ticks as f64 / TICKS_PER_SECOND)
 }
 
-/// The same of the threads that are alive, in nanoseconds (`proc(5)`, schedstat): for differences between two
-/// moments between which no thread ends.
+/// Seconds that the threads that are alive have spent on processors, read in nanoseconds (`proc(5)`,
+/// schedstat): for differences between two moments between which no thread ends; `None` where the system does
+/// not tell.
 pub fn of_living_threads() -> Option<f64> {
     let mut sum_ns = 0_u64;
     for task in std::fs::read_dir("/proc/self/task").ok()?.flatten() {
@@ -22,22 +23,22 @@ pub fn of_living_threads() -> Option<f64> {
     Some(1e-9 * sum_ns as f64)
 }
 
-/// What seconds of work are told by.
+/// Clock by which seconds of work are counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Counted {
-    /// Of all threads, on processors.
+    /// Time of all threads on processors.
     Processor,
-    /// By the clock on the wall, where the system does not tell the other.
+    /// Time by the clock on the wall, where the system does not tell that of processors.
     Clock,
 }
 
 impl Counted {
-    /// What this system tells.
+    /// Clock that this system offers: processors where their time is told.
     pub(crate) fn here() -> Self {
         if of_living_threads().is_some() { Self::Processor } else { Self::Clock }
     }
 
-    /// As JSON names it.
+    /// Name of the clock in JSON.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Processor => "processor",
@@ -54,7 +55,7 @@ pub(crate) struct WorkClock {
 }
 
 impl WorkClock {
-    /// From now on.
+    /// Begins to count seconds.
     pub(crate) fn start() -> Self {
         let (start, counted) = (Instant::now(), Counted::here());
         Self { start, counted, at_start_s: of_living_threads().unwrap_or(0.0) }
@@ -72,7 +73,8 @@ impl WorkClock {
     }
 }
 
-/// The same of the processes that this one has begun and waited for.
+/// Seconds that the processes that this one has begun and waited for have spent on processors; `None` where
+/// the system does not tell.
 pub fn of_ended_children() -> Option<f64> {
     let stat = std::fs::read_to_string("/proc/self/stat").ok()?;
     ticks_from(&stat, 13).map(|ticks| ticks as f64 / TICKS_PER_SECOND)

@@ -1,4 +1,4 @@
-//! How far long work is. Work says what it is and, where it can count, how far it is; it never prints.
+//! Progress of long work. Work says what it is and, where it can count, how far it is; it never prints.
 //! Whoever shows it looks at [`line()`] or [`shown`] as often as it likes, and hears remarks by [`listen`]:
 //! nothing of it depends on what is computed.
 
@@ -30,7 +30,7 @@ pub fn line(now: Instant) -> Option<String> {
     locked(&UNDER_WAY).line(now)
 }
 
-/// What a bar shows once the outermost work has been under way for so long.
+/// State of the work for a progress bar; `None` until the outermost work has been under way for `after`.
 pub fn shown(now: Instant, after: Duration) -> Option<Shown> {
     locked(&UNDER_WAY).shown(now, after)
 }
@@ -48,7 +48,7 @@ impl Work {
         Self::resumed(name, 0)
     }
 
-    /// The same where so many steps are there already.
+    /// Begins work of which `found` steps are done already.
     pub fn resumed(name: impl Into<String>, found: usize) -> Self {
         Self(locked(&UNDER_WAY).begin(name.into(), found, Instant::now()))
     }

@@ -4,10 +4,10 @@ use artifact::accuracy::{ErrorBudget, ModelError};
 use artifact::units::db_from_amplitude;
 use serde::{Deserialize, Serialize};
 
-/// What is believed of the numerical error: dB relative to the echo, `None` where not estimated.
+/// Estimated numerical error: dB relative to the echo, `None` where not estimated.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct ErrorFigures {
-    /// All shares together.
+    /// Total of all shares.
     pub total: Option<f64>,
     /// Flat facets in place of the skin that the mesh's normals describe.
     pub tessellation: Option<f64>,
@@ -49,7 +49,7 @@ impl ErrorFigures {
     }
 }
 
-/// What the physical model leaves out: dB relative to the echo, `None` where not estimated.
+/// Error by what the physical model leaves out: dB relative to the echo, `None` where not estimated.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct ModelErrorFigures {
     /// Higher bounces than were traced.
@@ -64,7 +64,7 @@ pub struct ModelErrorFigures {
     pub road: Option<f64>,
     /// Ways that meet several bodies.
     pub between_bodies: Option<f64>,
-    /// What is behind sheets, where waves are not followed through them.
+    /// Echoes from behind sheets, where waves are not followed through them.
     pub transmission: Option<f64>,
 }
 
@@ -95,12 +95,13 @@ impl ModelErrorFigures {
     }
 }
 
-/// Of a relative amplitude; none where it is not estimated, and of no error at all, as JSON has no infinity.
+/// Converts an error's amplitude relative to the echo to dB; `None` where it is not estimated, and of no
+/// error at all, as JSON has no infinity.
 pub(crate) fn db(amplitude: Option<f64>) -> Option<f64> {
     amplitude.map(db_from_amplitude).filter(|db| db.is_finite())
 }
 
-/// For a person, to a tenth.
+/// Text of a level for a person, to a tenth of a dB; "not estimated" of `None`.
 pub(crate) fn decibels(db: impl Into<Option<f64>>) -> String {
     db.into().map_or("not estimated".into(), |db| format!("{db:.1} dB").replace('-', "−"))
 }

@@ -11,29 +11,29 @@ use std::collections::{BTreeMap, BTreeSet};
 /// An object that is no body's.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct FalseObject {
-    /// Its place among the frame's objects, as in `.points`.
+    /// Index of the object among the frame's objects, as in `.points`.
     pub object: usize,
-    /// World m.
+    /// Place along world x, m.
     pub x_m: f64,
-    /// World m.
+    /// Place along world y, m.
     pub y_m: f64,
-    /// From the radar, m.
+    /// Range from the radar, m.
     pub range_m: f64,
-    /// Positive when the range grows, m/s.
+    /// Radial velocity, positive when the range grows, m/s.
     pub radial_velocity_mps: f64,
-    /// Of its strongest cell, dB.
+    /// Signal-to-noise ratio of the object's strongest cell, dB.
     pub snr_db: f64,
     /// Share of its peaks' power that ran between two bodies; `None` where the array cannot tell.
     pub ghost_share: Option<f64>,
-    /// What most of the power of its points comes from.
+    /// Cause of most of the power of the object's points.
     pub cause: Cause,
-    /// Those that made it, by their ids.
+    /// Ids of the bodies that made the object.
     pub bodies: Vec<String>,
-    /// Of the wave that made it; `None` where it was no path.
+    /// Bounces of the wave that made the object; `None` where it was no path.
     pub bounces: Option<u8>,
 }
 
-/// What made an object that is no body's.
+/// Cause of an object that is no body's.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Cause {
@@ -43,7 +43,7 @@ pub enum Cause {
     Split,
     /// The echo of a body that has no object, seen further from it than the gate.
     Misplaced,
-    /// What stands about, or with no body the road's own backscatter.
+    /// Echo of a clutter body, or with no body the road's own backscatter.
     Clutter,
     /// No path: a false alarm.
     Noise,
@@ -53,7 +53,7 @@ pub enum Cause {
 }
 
 impl Cause {
-    /// As `summary.json` has it.
+    /// Name of the cause, as in `summary.json`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Ghost => "ghost",
@@ -88,7 +88,7 @@ pub(crate) fn told(header: &SceneHeader, result: &FrameResult, truth: &FrameTrut
     objects.map(|index| object(header, result, truth, index)).collect()
 }
 
-/// Nobody's as well, and told to be at rest.
+/// Objects of a frame that are nobody's, and told to be at rest.
 pub(crate) fn standing(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth) -> Vec<FalseObject> {
     truth.pairing.standing.iter().map(|index| object(header, result, truth, *index)).collect()
 }
@@ -111,7 +111,7 @@ fn object(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth, index:
     }
 }
 
-/// What most of the power of the object's points comes from.
+/// Finds the cause of most of the power of the object's points.
 fn made(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth, index: usize) -> Made {
     let mut powers: BTreeMap<Made, f64> = BTreeMap::new();
     let points = result.points.points.iter().zip(&truth.origins);

@@ -1,5 +1,5 @@
-//! What `run` says at its end, from its summary alone: what was found, how well, and whether the accuracy
-//! asked for was reached.
+//! Lines that `run` prints at its end, from its summary alone: what was found, how well, and whether the
+//! accuracy asked for was reached.
 
 use crate::outcome::error_figures::decibels;
 use crate::outcome::summary::{
@@ -14,7 +14,7 @@ const FRAMES_TOLD: usize = 24;
 /// False objects of a frame that have a line of their own.
 const FALSE_OBJECTS_LISTED: usize = 8;
 
-/// What several radars have in common: a line for each, and what none of them found.
+/// Lines about several radars: one for each, and one for each target of a frame that none of them found.
 pub(crate) fn lines_of_radars(summary: &RadarsSummary) -> Vec<String> {
     let by_nobody = summary.frames.iter().enumerate().flat_map(|(number, frame)| {
         let unseen = frame.targets.iter().filter(|t| t.found_by.is_empty() && !t.missed_by.is_empty());
@@ -33,7 +33,7 @@ fn of_radar(radar: &OneOfRadars) -> String {
     format!("radar {}: {count}; numerical error {error}, {asked} asked: {verdict}", radar.id)
 }
 
-/// All that a person wants to know first.
+/// Lines about a run through one radar: each of a few frames in full, else a line a frame and all together.
 pub(crate) fn lines(summary: &Summary) -> Vec<String> {
     let frames = &summary.frames[..];
     if frames.len() <= FRAMES_IN_FULL {
@@ -50,7 +50,8 @@ pub(crate) fn lines(summary: &Summary) -> Vec<String> {
     lines
 }
 
-/// What would take clutter out of the false objects, where some of them are that and nobody asked for it.
+/// Advice that would take clutter out of the false objects, where some of them are that and nobody asked for
+/// it.
 fn of_clutter(summary: &Summary) -> Option<String> {
     let false_ones = summary.frames.iter().flat_map(|frame| &frame.false_objects);
     let clutter = false_ones.filter(|object| object.cause == Cause::Clutter).count();
@@ -60,7 +61,7 @@ fn of_clutter(summary: &Summary) -> Option<String> {
     })
 }
 
-/// What was found of what was to be found.
+/// Counts of targets and objects: found, missed, false, at rest, removed and hidden.
 #[derive(Default, Clone, Copy)]
 struct Count {
     found: usize,
@@ -121,7 +122,7 @@ fn in_a_line(number: usize, frame: &FrameSummary) -> String {
     format!("frame {number:>3}, {:.3} s: {}; error {error}{missed}", frame.time_s, Count::of(frame).text())
 }
 
-/// All frames together.
+/// Lines about all frames together: counts, and the frame with the largest error.
 fn together(frames: &[FrameSummary]) -> Vec<String> {
     let count = frames.iter().map(Count::of).fold(Count::default(), Count::and);
     let causes = causes(frames.iter().flat_map(|frame| &frame.false_objects));
@@ -177,7 +178,7 @@ fn false_objects(all: &[FalseObject]) -> Vec<String> {
     lines
 }
 
-/// How many of each cause.
+/// Text of the number of objects of each cause.
 fn causes<'a>(objects: impl IntoIterator<Item = &'a FalseObject>) -> String {
     let mut causes: BTreeMap<&str, usize> = BTreeMap::new();
     for object in objects {
@@ -186,7 +187,8 @@ fn causes<'a>(objects: impl IntoIterator<Item = &'a FalseObject>) -> String {
     causes.iter().map(|(cause, many)| format!("{many} {cause}")).collect::<Vec<_>>().join(", ")
 }
 
-/// What the model leaves out, apart from numerical errors.
+/// Line about what the model leaves out, apart from numerical errors; `None` where nothing of it was
+/// estimated.
 fn left_out(frame: &FrameSummary) -> Option<String> {
     let estimated = frame.model_error_db.sources().into_iter().filter_map(|(name, db)| Some((name, db?)));
     let named: Vec<String> = estimated.map(|(name, db)| format!("{name} {}", decibels(db))).collect();
@@ -222,7 +224,7 @@ fn target_row(target: &TargetSummary, width: usize) -> String {
     format!("  {id:<width$} {numbers}  {lane:<4}  {class}{aliasing}")
 }
 
-/// With its sign, and none that rounding left of nothing.
+/// Text of a value with its sign, to hundredths; a value that rounds to zero has a plus.
 fn signed(value: f64, width: usize) -> String {
     let value = if value.abs() < 0.005 { 0.0 } else { value };
     format!("{value:+width$.2}")
@@ -233,7 +235,7 @@ fn lane(got: Option<u8>, asked: Option<u8>) -> String {
     if got == asked { got } else { format!("{got}≠{asked}") }
 }
 
-/// Of the target's track where there is one, else of this frame.
+/// Text of the target's class: of its track where there is one, else of this frame.
 fn class(target: &TargetSummary) -> String {
     let by_track = target.track_class.zip(target.track_probabilities);
     let told = by_track.or(target.predicted_class.map(|predicted| (predicted, target.probabilities)));

@@ -16,7 +16,7 @@ pub(crate) struct Tracking {
     classes: BTreeMap<u32, Evidence>,
 }
 
-/// What the frames of a track say of its class.
+/// Evidence of a track's class: the sums of the logarithms of its frames' probabilities, and how many frames.
 #[derive(Debug, Clone, Copy, Default)]
 struct Evidence {
     log_sums: [f64; 4],
@@ -36,7 +36,7 @@ impl Evidence {
 }
 
 impl Tracking {
-    /// Before the first frame.
+    /// Begins to follow a scene, before its first frame.
     pub(crate) fn of(chain: &Chain) -> Result<Self, Failure> {
         let tracker = Tracker::new(&chain.cube_header, ROAD_TRAFFIC).map_err(Failure::refused)?;
         Ok(Self { tracker, score: Score::default(), classes: BTreeMap::new() })
@@ -76,7 +76,7 @@ impl Tracking {
         }
     }
 
-    /// Of all frames so far.
+    /// Metrics of all frames so far.
     pub(crate) fn metrics(&self) -> Metrics {
         self.score.metrics()
     }

@@ -6,7 +6,7 @@ use artifact::units::db_from_amplitude;
 use artifact::{Accuracy, ErrorBudget};
 use serde::{Deserialize, Serialize};
 
-/// Of more frames than this only the worst is told in full.
+/// Largest number of frames that are all told in full; of more only the worst is.
 pub(crate) const FRAMES_IN_FULL: usize = 4;
 
 /// Whether the accuracy that was asked for was reached.
@@ -16,7 +16,7 @@ pub struct AccuracyVerdict {
     pub asked_db: f64,
     /// The error's total, dB; `None` where it was not estimated.
     pub reached_db: Option<f64>,
-    /// Whether it is no larger than was asked; `None` where it was not estimated.
+    /// Whether the error is no larger than was asked; `None` where it was not estimated.
     pub met: Option<bool>,
     /// The name of the largest share of the error.
     pub limited_by: Option<String>,
@@ -24,21 +24,22 @@ pub struct AccuracyVerdict {
     pub advice: Option<String>,
 }
 
-/// What was asked of a frame, a table or a scene, and what came of it.
+/// Accuracy that was asked of a frame, a table or a scene, and the error that it came to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Verdict {
     asked: Accuracy,
     error: ErrorBudget,
-    /// At how many moments of the frame ways between bodies were traced; `None` where that means nothing.
+    /// Number of moments of the frame at which ways between bodies were traced; `None` where that means
+    /// nothing.
     moments: Option<u32>,
 }
 
-/// What is called accuracy: words of a person who asks for it.
+/// Place in which a person asks for an accuracy, for the words of advice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Asking {
-    /// By a scene's keys.
+    /// Keys of a scene.
     Scene,
-    /// By options of the command line.
+    /// Options of the command line.
     Options,
 }
 
@@ -47,7 +48,7 @@ impl Verdict {
         Self { asked, error: *error, moments: None }
     }
 
-    /// Of a frame whose paths are known.
+    /// Makes the verdict of a frame; its paths, where they are known, tell the number of moments.
     pub(crate) fn of_paths(asked: Accuracy, error: &ErrorBudget, paths: Option<&PathsFrame>) -> Self {
         let fineness = paths.and_then(|paths| paths.trace.fineness.as_ref());
         Self { moments: fineness.map(|fineness| fineness.moments), ..Self::of(asked, error) }
@@ -59,13 +60,13 @@ impl Verdict {
         self.error.total().map(|total| total <= self.asked.amplitude() * (1.0 + 1e-9))
     }
 
-    /// The largest share.
+    /// Name of the largest share of the error; `None` where no share is above zero.
     fn limited_by(&self) -> Option<&'static str> {
         let known = self.error.shares().into_iter().filter_map(|(name, error)| Some((name, error?)));
         known.filter(|(_, error)| *error > 0.0).max_by(|a, b| a.1.total_cmp(&b.1)).map(|(name, _)| name)
     }
 
-    /// As `summary.json` has it.
+    /// Makes the verdict as `summary.json` has it.
     pub(crate) fn told(&self, asking: Asking) -> AccuracyVerdict {
         AccuracyVerdict {
             asked_db: self.asked.db(),
@@ -76,12 +77,13 @@ impl Verdict {
         }
     }
 
-    /// The same for a person.
+    /// Makes the verdict as lines for a person.
     pub(crate) fn lines(&self, asking: Asking) -> Vec<String> {
         lines(&self.told(asking), &ErrorFigures::of(&self.error))
     }
 
-    /// What limits the accuracy and what would help; `None` where it was reached or nothing is known.
+    /// Advice on what limits the accuracy and what would help; `None` where it was reached or nothing is
+    /// known.
     fn advice(&self, asking: Asking) -> Option<String> {
         let limited_by = self.limited_by().filter(|_| self.is_met() == Some(false))?;
         let (what, help) = match (limited_by, self.moments) {
@@ -92,14 +94,16 @@ impl Verdict {
         Some(format!("Limited by {limited_by}: {what}. What would help: {help}."))
     }
 
-    /// Asked for instead, it would leave as much as is missing now.
+    /// Accuracy to ask for instead, dB: finer than what was asked by as much as the error is above it, to a
+    /// whole dB.
     fn finer_db(&self) -> f64 {
         let reached_db = self.error.total().map_or(self.asked.db(), db_from_amplitude);
         (2.0 * self.asked.db() - reached_db).floor()
     }
 }
 
-/// Of every frame, or of many the worst and how many there are, whether the accuracy was reached.
+/// Lines that tell whether the accuracy was reached: of every frame, or of many the worst and how many there
+/// are.
 pub(crate) fn of_frames(frames: &[(u32, Verdict)]) -> Vec<String> {
     let frame = |(number, verdict): &(u32, Verdict)| {
         let mut lines = verdict.lines(Asking::Scene);
@@ -117,8 +121,8 @@ pub(crate) fn of_frames(frames: &[(u32, Verdict)]) -> Vec<String> {
     std::iter::once(head).chain(worst.into_iter().flat_map(frame)).collect()
 }
 
-/// Asked, reached and the shares that make up most of it; then, where it was not reached, what limits it and
-/// what would help.
+/// Lines about an accuracy: asked, reached and the shares that make up most of the error; then, where it was
+/// not reached, what limits it and what would help.
 pub(crate) fn lines(accuracy: &AccuracyVerdict, error_db: &ErrorFigures) -> Vec<String> {
     let asked = decibels(accuracy.asked_db);
     let Some(reached_db) = accuracy.reached_db else {
@@ -143,7 +147,7 @@ fn shares_that_matter(error_db: &ErrorFigures) -> Vec<(&'static str, f64)> {
     shares
 }
 
-/// What a share means and what makes it smaller; `{finer}` stands for a value in dB.
+/// Explains a share of the error and what makes it smaller; `{finer}` stands for a value in dB.
 fn cause_and_help(share: &str, asking: Asking) -> (&'static str, &'static str) {
     let is_scene = asking == Asking::Scene;
     match share {
@@ -179,7 +183,7 @@ fn cause_and_help(share: &str, asking: Asking) -> (&'static str, &'static str) {
     }
 }
 
-/// Of a frame whose ways between bodies were traced at several moments already.
+/// Explains freezing in a frame whose ways between bodies were traced at several moments already.
 fn of_moments(moments: u32) -> (&'static str, &'static str) {
     if moments >= bart_rcs::MOMENTS_MAX {
         (

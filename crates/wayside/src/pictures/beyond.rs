@@ -1,9 +1,9 @@
-//! What lies beyond the edges of a drawing: an arrow at the edge where it would be, with a number where there
-//! are several.
+//! Marks of what lies beyond the edges of a drawing: an arrow at the edge where it would be, with a number
+//! where there are several.
 
 use plotting::svg::Svg;
 
-/// What can lie beyond.
+/// Kind of thing that can lie beyond the edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Thing {
     Radar,

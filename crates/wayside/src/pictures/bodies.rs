@@ -9,16 +9,16 @@ use glam::DVec2;
 pub(super) struct Body {
     pub(super) name: String,
     pub(super) colour: &'static str,
-    /// What its colour says.
+    /// Meaning of the colour, for the legend.
     pub(super) kind: &'static str,
     pub(super) place_m: [f64; 3],
-    /// Its box on the ground, world x and y; a point has none.
+    /// Corners of the body's box on the ground, world x and y; a point has none.
     pub(super) corners_m: Vec<[f64; 2]>,
-    /// Lowest and highest.
+    /// Lowest and highest point of the body, world z, m.
     pub(super) heights_m: [f64; 2],
 }
 
-/// All of a frame; `header` is the scene as this frame has it.
+/// All bodies of a frame; `header` is the scene as this frame has it.
 pub(super) fn bodies(header: &SceneHeader, frame: &SceneFrame) -> Vec<Body> {
     let middle_s = header.in_frame(frame.index).radar.frame_middle_s();
     let of =

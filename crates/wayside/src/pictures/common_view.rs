@@ -56,7 +56,7 @@ fn draw(radars: &[(&str, &Seen)], form: Form) -> Svg {
     ground.finish(["x, m", "y, m"])
 }
 
-/// Every body once, though several radars have it in view.
+/// Bodies of all radars, every body once, though several radars have it in view.
 fn all_bodies(radars: &[(&str, &Seen)]) -> Vec<Body> {
     let mut all: Vec<Body> = vec![];
     for body in radars.iter().flat_map(|(_, seen)| bodies(&seen.view, &seen.scene)) {
@@ -67,7 +67,7 @@ fn all_bodies(radars: &[(&str, &Seen)]) -> Vec<Body> {
     all
 }
 
-/// As large as bodies and radars need it.
+/// Region as large as bodies and radars need it.
 fn region(radars: &[(&str, &Seen)], bodies: &[Body]) -> Region {
     let radar = |(_, seen): &(&str, &Seen)| seen.view.radar.position_m;
     let mut places = radars.iter().map(radar).chain(bodies.iter().map(|body| body.place_m));

@@ -1,4 +1,4 @@
-//! A range-Doppler map as OpenEXR.
+//! Range-Doppler map as OpenEXR.
 
 use crate::host::failure::Failure;
 use crate::host::files;

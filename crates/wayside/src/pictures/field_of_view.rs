@@ -1,4 +1,4 @@
-//! Where a radar looks.
+//! Field of view of a radar.
 
 use artifact::radar::Radar;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
@@ -29,7 +29,7 @@ pub(super) fn rim_m(radar: &Radar) -> Vec<[f64; 2]> {
     foot().chain(arc).chain(foot()).collect()
 }
 
-/// What the legend says of it.
+/// Words of the legend about the field of view.
 pub(super) fn words(radar: &Radar) -> String {
     let [left, right] = half_angles_rad(radar).map(|angle| angle.to_degrees().round());
     let range_m = radar.waveform.range_max_m();

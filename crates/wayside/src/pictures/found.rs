@@ -4,22 +4,22 @@
 use artifact::points::{Object, Point};
 use plotting::marks::Mark;
 
-/// Of a detected point.
+/// Mark of a detected point.
 pub(super) fn of_point(point: &Point) -> Mark {
     if point.stationary == Some(true) { Mark::Hollow } else { Mark::Dot }
 }
 
-/// Whose an object is, as far as truth is known.
+/// Owner of an object, as far as truth is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Owner {
-    /// A body's.
+    /// The object is a body's.
     Body,
     Nobody,
     /// Truth is not known here.
     Unknown,
 }
 
-/// Of an object.
+/// Mark of an object.
 pub(super) fn of_object(object: &Object, owner: Owner) -> Mark {
     match (owner, object.stationary) {
         (Owner::Nobody | Owner::Unknown, Some(true)) => Mark::Box,
@@ -28,10 +28,10 @@ pub(super) fn of_object(object: &Object, owner: Owner) -> Mark {
     }
 }
 
-/// What the mark of a point means beside the usual one.
+/// Meaning of a point's mark where it is not the usual one.
 pub(super) const POINT_AT_REST: &str = "point at rest";
 
-/// What the mark of an object means.
+/// Meaning of an object's mark.
 pub(super) fn words(mark: Mark, owner: Owner) -> &'static str {
     match (mark, owner) {
         (Mark::Box, Owner::Nobody) => "object at rest that is no body's",

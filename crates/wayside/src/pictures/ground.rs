@@ -15,16 +15,16 @@ use plotting::labels::Labels;
 use plotting::marks::{Legend, Mark};
 use plotting::svg::Svg;
 
-/// Which way a road runs on the sheet.
+/// Direction in which a road runs on the sheet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Way {
-    /// To the right; across it downwards.
+    /// The road runs to the right, and across it is downwards.
     Right,
-    /// Upwards; across it to the right.
+    /// The road runs upwards, and across it is to the right.
     Up,
 }
 
-/// What is to be seen, in metres across and along the road.
+/// Region of the ground that is shown, in metres across and along the road.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Region {
     pub(super) across_m: [f64; 2],
@@ -37,7 +37,7 @@ impl Region {
         Self { across_m: [across_m; 2], along_m: [along_m; 2] }
     }
 
-    /// As large as it must be to hold another place and some room about it.
+    /// Region grown as far as it must be to hold another place and some room about it.
     pub(super) fn with(self, [across_m, along_m]: [f64; 2], room_m: f64) -> Self {
         let wider = |[low, high]: [f64; 2], v: f64| [low.min(v - room_m), high.max(v + room_m)];
         Self { across_m: wider(self.across_m, across_m), along_m: wider(self.along_m, along_m) }
@@ -47,7 +47,7 @@ impl Region {
         [self.across_m, self.along_m].map(|[low, high]| high - low)
     }
 
-    /// Along to the right where the region is long, else upwards.
+    /// Direction of the road on the sheet: to the right where the region is long, else upwards.
     pub(super) fn way(&self, form: Form) -> Way {
         let [across_m, along_m] = self.sizes_m();
         if form == Form::Wide && across_m < 0.6 * along_m { Way::Right } else { Way::Up }
@@ -78,7 +78,7 @@ impl Ground {
         Self { sheet, form, axes, way, road: road.clone(), legend, labels, beyond }
     }
 
-    /// What a mark means.
+    /// Puts the meaning of a mark into the legend.
     pub(super) fn say(&mut self, mark: Mark, colour: &str, words: impl Into<String>) {
         self.legend.say(mark, colour, words);
     }
@@ -230,7 +230,7 @@ impl Ground {
         }
     }
 
-    /// What was found: a mark where it lies on the sheet, with a name if it has one.
+    /// Draws a point or object that was found: a mark where it lies on the sheet, with a name if it has one.
     pub(super) fn found(&mut self, thing: Thing, mark: Mark, colour: &str, position_m: [f64; 3], name: &str) {
         let at = self.world([position_m[0], position_m[1]]);
         if !self.holds(at) {

@@ -43,7 +43,7 @@ pub(super) fn of_frame(header: &SceneHeader, result: &FrameResult, nobodys: &[us
     ground.finish(axis_names(road))
 }
 
-/// Of each object.
+/// Mark and owner of each object.
 fn marks(result: &FrameResult, nobodys: &[usize]) -> impl Iterator<Item = (Mark, Owner)> {
     result.points.objects.iter().enumerate().map(|(number, object)| {
         let owner = if nobodys.contains(&number) { Owner::Nobody } else { Owner::Body };
@@ -71,7 +71,7 @@ pub(super) fn say_radar(ground: &mut Ground, radar: &Radar) {
     ground.say(Mark::Line, "radar", field_of_view::words(radar));
 }
 
-/// Where the world's axes are the road's, their names.
+/// Names of the axes across and along the road; the world's x and y where those are the road's.
 pub(super) fn axis_names(road: &Lanes) -> [&'static str; 2] {
     match (road.lanes.is_empty(), road.azimuth_rad == 0.0 && road.origin_m == [0.0; 2]) {
         (true, true) => ["x, m", "y, m"],
@@ -80,7 +80,8 @@ pub(super) fn axis_names(road: &Lanes) -> [&'static str; 2] {
     }
 }
 
-/// As much as the radar, its lanes and the bodies within its range need, in steps that keep frames alike.
+/// Region as large as the radar, its lanes and the bodies within its range need, in steps that keep frames
+/// alike.
 pub(super) fn region(road: &Lanes, radar: &Radar, bodies: impl Iterator<Item = [f64; 2]>) -> Region {
     const ROOM_M: f64 = 3.0;
     const STEP_M: f64 = 5.0;

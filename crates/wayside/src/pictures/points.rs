@@ -40,7 +40,7 @@ fn colour(point: &Point) -> &'static str {
     point.object.map_or("plain", |object| line_colour(object as usize))
 }
 
-/// From above alone.
+/// Point cloud from above alone, for an array without elevation rows.
 fn plan(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) -> Svg {
     let road = &header.dsp.road;
     let height_m = header.dsp.assumed_height_m;
@@ -84,15 +84,15 @@ fn meanings(frame: &PointsFrame, object: &'static str) -> Vec<(Mark, &'static st
     usual.into_iter().chain(shown).collect()
 }
 
-/// What a view shows: two of across, along, up.
+/// One view of the point cloud: two of the coordinates across, along, up.
 struct View {
     name: &'static str,
     coordinates: [usize; 2],
-    /// Pixels.
+    /// Axes of the view, in pixels.
     axes: Axes,
 }
 
-/// From above, from the side, from the radar.
+/// Point cloud from above, from the side and from the radar.
 fn views(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) -> Svg {
     let mut sheet = Svg::new(title(frame), form.width_px(), 0.0);
     let top = head(&mut sheet, &title(frame), &[]) + 8.0;
@@ -162,7 +162,7 @@ fn placed(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form,
     })
 }
 
-/// Across and along the road, and up.
+/// Coordinates of a place across and along the road, and up, m.
 fn on_road(header: &CubeHeader, position_m: [f64; 3]) -> [f64; 3] {
     let [across_m, along_m] = header.dsp.road.across_along_m(position_m);
     [across_m, along_m, position_m[2]]
@@ -217,7 +217,7 @@ fn draw_body(sheet: &mut Svg, header: &CubeHeader, view: &View, body: &Body) {
     sheet.outline(body.colour, &clip::polygon(&outline, frame));
 }
 
-/// The rectangle about some pixels.
+/// Corners of the rectangle about some pixels.
 fn bounds(pixels: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let [[x0, x1], [y0, y1]] = [0, 1].map(|axis: usize| {
         let values = pixels.iter().map(|p| p[axis]);
@@ -226,7 +226,8 @@ fn bounds(pixels: &[[f64; 2]]) -> Vec<[f64; 2]> {
     vec![[x0, y0], [x1, y0], [x1, y1], [x0, y1]]
 }
 
-/// What is always shown (lanes, range, heights of vehicles) and whatever points and bodies lie beyond.
+/// Span of a view's coordinate: what is always shown (lanes, range, heights of vehicles) and whatever points
+/// and bodies lie beyond.
 fn span(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], coordinate: usize) -> (f64, f64) {
     let lanes = header.dsp.road.lanes.iter().map(|l| l.centre_m + l.width_m);
     let range_m = header.radar.waveform.range_max_m();

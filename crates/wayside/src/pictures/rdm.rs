@@ -20,7 +20,7 @@ use radar::doppler_ambiguity::shown_mps;
 const SPAN_DB: f64 = 60.0;
 const BELOW_NOISE_DB: f64 = 4.0;
 
-/// Where a body's echo lies in truth.
+/// True range and radial velocity of a body's echo.
 #[derive(Debug, Clone)]
 pub(super) struct TrueEcho {
     pub(super) name: String,
@@ -28,7 +28,7 @@ pub(super) struct TrueEcho {
     pub(super) radial_velocity_mps: f64,
 }
 
-/// What is drawn over a map; nothing where it is not known.
+/// Points, objects and truth drawn over a map; nothing where they are not known.
 #[derive(Debug, Clone, Default)]
 pub(super) struct OnMap<'a> {
     pub(super) points: Option<&'a PointsFrame>,

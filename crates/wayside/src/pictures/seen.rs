@@ -1,9 +1,9 @@
-//! What one radar saw of one frame.
+//! View of one frame by one radar.
 
 use artifact::points::PointsFrame;
 use artifact::scene::{SceneFrame, SceneHeader};
 
-/// What one radar saw of one frame, and what there was.
+/// Points of one frame that one radar saw, and the scene that there was.
 pub(crate) struct Seen {
     pub(crate) view: SceneHeader,
     pub(crate) scene: SceneFrame,

@@ -1,10 +1,10 @@
-//! What was asked of a frame and what was reached.
+//! Section on the accuracy that was asked of a frame and the one that was reached.
 
 use crate::outcome::verdict::AccuracyVerdict;
 use crate::report::tables::{rounded, scrolled};
 use maud::{Markup, html};
 
-/// Asked, reached, what limits it and what would help.
+/// Section on an accuracy: asked, reached, what limits it and what would help.
 pub(super) fn section(accuracy: &AccuracyVerdict) -> Markup {
     let (words, is_missed) = match accuracy.met {
         Some(true) => ("yes", false),

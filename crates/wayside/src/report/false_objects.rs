@@ -1,4 +1,4 @@
-//! Objects that are nobody's, and what made them.
+//! Tables of objects that are nobody's, and what made them.
 
 use crate::outcome::summary::{Cause, FalseObject};
 use crate::report::tables::{rounded, scrolled};

@@ -7,10 +7,10 @@ use plotting::form::Figure;
 /// Pictures for the report.
 #[derive(Default)]
 pub(crate) struct Figures {
-    /// Of the first frames, in order.
+    /// Pictures of the first frames, in order.
     pub(crate) frames: Vec<FrameFigures>,
     /// Number and view from above of every n-th frame of a long scene.
     pub(crate) strip: Vec<(u32, Figure)>,
-    /// What was seen in the first frames, to be laid beside what other radars saw.
+    /// Points and scenes of the first frames, to be laid beside what other radars saw.
     pub(crate) seen: Vec<Seen>,
 }

@@ -1,4 +1,4 @@
-//! What made a report, and what lies beside it.
+//! Paragraph about the command that made a report, and the files beside it.
 
 use maud::{Markup, html};
 use std::path::Path;
@@ -15,7 +15,7 @@ const FILES: [(&str, &str); 8] = [
     ("summary.json", "all figures of this page and more"),
 ];
 
-/// What made a report.
+/// Command and program that made a report.
 #[derive(Debug, Clone)]
 pub struct Making {
     /// The command, as a shell reads it back.
@@ -25,7 +25,7 @@ pub struct Making {
 }
 
 impl Making {
-    /// Of a program that was called by these words.
+    /// Describes a program that was called by these words.
     pub fn by(program: &str, words: impl Iterator<Item = String>) -> Self {
         Self { command: command(program, words), program: program.to_owned() }
     }

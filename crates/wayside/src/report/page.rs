@@ -61,7 +61,7 @@ pub(super) fn sheet(name: &str, content: Markup) -> String {
 /// Frames that have tables in the report: a page of more opens slowly.
 const FRAMES_TOLD: usize = 24;
 
-/// How a long scene goes on: what was found and where, and every n-th frame from above.
+/// Section on the whole of a long scene: what was found and where, and every n-th frame from above.
 fn strip(frames: &[FrameSummary], figures: &Figures) -> Markup {
     html! {
         section {

@@ -10,7 +10,7 @@ pub(super) fn scrolled(name: &str, table: Markup) -> Markup {
     html! { div.scroll tabindex="0" role="region" aria-label=(name) { (table) } }
 }
 
-/// What the radar is, in the words of the field (the paper's Table 2).
+/// Table of the radar's parameters in the words of the field (the paper's Table 2).
 pub(super) fn radar(radar: &RadarSummary, frames: &[FrameSummary]) -> Markup {
     let rows = [
         ("Carrier (centre of the sweep)", format!("{:.4} GHz", radar.carrier_hz * 1e-9)),
@@ -31,7 +31,7 @@ pub(super) fn radar(radar: &RadarSummary, frames: &[FrameSummary]) -> Markup {
     }
 }
 
-/// In which frames the map shows a target's velocity folded.
+/// Tells in how many frames the map shows a target's velocity folded.
 fn aliased(frames: &[FrameSummary]) -> String {
     let folded = frames.iter().filter(|frame| frame.rdm_state == MapState::Abnormal).count();
     match (folded, frames.len()) {
@@ -41,7 +41,7 @@ fn aliased(frames: &[FrameSummary]) -> String {
     }
 }
 
-/// What was found of the targets over all frames, and in which lane.
+/// Table of the targets found over all frames, and in which lane.
 pub(super) fn scene(frames: &[FrameSummary]) -> Markup {
     let all = || frames.iter().flat_map(|frame| &frame.targets);
     let count = |of: &dyn Fn(&TargetSummary) -> bool| all().filter(|target| of(target)).count();

@@ -24,23 +24,23 @@ use crate::run::several_radars::{self, Told};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// What is to be run, and how.
+/// Settings of a run: the scene, and how it is run.
 pub struct Settings<'a> {
-    /// The scene.
+    /// Scene to be run.
     pub scene: SceneSource,
-    /// Where everything goes; `None`: `out/` and the scene's name.
+    /// Folder of all results; `None`: `out/` and the scene's name.
     pub out: Option<PathBuf>,
     /// The classifier's model; `None`: the one that ships.
     pub classifier: Option<PathBuf>,
-    /// Where frames are cached; `None`: nowhere.
+    /// Cache of frames; `None`: no cache.
     pub cache: Option<CacheLocation>,
-    /// What tracing may take.
+    /// Memory that tracing may take.
     pub memory: Allowance,
     /// Says what would be done, in which time and memory, and does nothing.
     pub dry_run: bool,
     /// Says why each stage runs or not.
     pub explain: bool,
-    /// Told in the report.
+    /// Command that the report names.
     pub making: Making,
     /// Hears each line of results.
     pub tell: &'a dyn Fn(&str),
@@ -49,8 +49,8 @@ pub struct Settings<'a> {
 }
 
 impl Settings<'_> {
-    /// Of a scene file and the folder of its results: the model that ships, the default cache, nine tenths of
-    /// the free memory, and nothing told.
+    /// Makes settings of a scene file and the folder of its results: the model that ships, the default cache,
+    /// nine tenths of the free memory, and nothing told.
     pub fn of(scene: impl Into<PathBuf>, out: impl Into<PathBuf>) -> Self {
         Self {
             scene: SceneSource { file: scene.into(), ..SceneSource::default() },
@@ -67,15 +67,15 @@ impl Settings<'_> {
     }
 }
 
-/// What a run leaves beside its files.
+/// Result of a run beside its files.
 pub struct Outcome {
     of_radars: Vec<Told>,
     of_all: Option<RadarsSummary>,
 }
 
 impl Outcome {
-    /// What is told of a scene through one radar, as `summary.json` has it; `None` after a dry run, and where
-    /// the scene has several.
+    /// Summary of a scene through one radar, as in `summary.json`; `None` after a dry run, and where the
+    /// scene has several.
     pub fn summary(&self) -> Option<&Summary> {
         match &self.of_radars[..] {
             [only] => Some(&only.summary),
@@ -88,7 +88,7 @@ impl Outcome {
         self.of_radars.iter().map(|told| (told.out.as_path(), &told.summary))
     }
 
-    /// What the radars of a scene saw side by side; `None` where it has one, or one was asked for.
+    /// Summary of the radars of a scene side by side; `None` where it has one, or one was asked for.
     pub fn side_by_side(&self) -> Option<&RadarsSummary> {
         self.of_all.as_ref()
     }
@@ -139,11 +139,11 @@ fn apart(cache: &Cache, out: &Path) -> Result<(), Failure> {
 /// The scene through one radar, and where all of it goes.
 struct Run {
     scene: SceneSource,
-    /// `None`: under the scene's name.
+    /// Folder of the results; `None`: under the scene's name.
     out: Option<PathBuf>,
 }
 
-/// One run; or, where the scene has several radars and none is asked for, one for each.
+/// Runs to be made: one or, where the scene has several radars and none is asked for, one for each.
 fn runs(settings: &Settings) -> Result<Vec<Run>, Failure> {
     let radars = match settings.scene.radar {
         Some(_) => vec![],
@@ -191,15 +191,15 @@ fn one_radar(
     Ok(Some(Told { summary, seen: figures.seen, out }))
 }
 
-/// What all frames took, to the last picture's end.
+/// Time that all frames took, to the last picture's end.
 struct Took {
-    /// By the clock.
+    /// Wall-clock time of all frames, s.
     seconds: f64,
-    /// Of all threads; `None` where the system does not tell.
+    /// Processor time of all threads, s; `None` where the system does not tell.
     processor: Option<f64>,
 }
 
-/// What `summary.json` tells of all frames.
+/// Part of `summary.json` that is computed frame by frame.
 struct Computed {
     frames: Vec<FrameSummary>,
     metrics: Metrics,

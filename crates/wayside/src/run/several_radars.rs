@@ -1,4 +1,4 @@
-//! What several radars of one scene saw, side by side: `summary.json` and `report.html` above the folders of
+//! Run of a scene through several radars, side by side: `summary.json` and `report.html` above the folders of
 //! each.
 
 use crate::host::failure::Failure;
@@ -14,11 +14,11 @@ use std::path::{Path, PathBuf};
 
 /// A finished run through one radar.
 pub(crate) struct Told {
-    /// Its `summary.json`.
+    /// Summary of the run, as in `summary.json`.
     pub(crate) summary: Summary,
-    /// Its first frames.
+    /// Points and scenes of the run's first frames.
     pub(crate) seen: Vec<Seen>,
-    /// Its folder; the last name is the radar's.
+    /// Folder of the run; the last name is the radar's.
     pub(crate) out: PathBuf,
 }
 

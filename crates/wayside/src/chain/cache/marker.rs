@@ -1,4 +1,4 @@
-//! What tells a cache from other folders: `CACHEDIR.TAG`, the mark that backup programs know too.
+//! Mark that tells a cache from other folders: `CACHEDIR.TAG`, which backup programs know too.
 //!
 //! A folder without it is a cache only if it is missing, empty, or holds nothing but files that a cache
 //! names: those that earlier versions made have no mark, and hold no file that somebody else could have put
@@ -12,7 +12,7 @@ use artifact::whole_file::{self, Durability};
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
-/// How it begins, by the standard (<https://bford.info/cachedir/>).
+/// Beginning of the mark by the standard (<https://bford.info/cachedir/>).
 const SIGNATURE: &str = "Signature: 8a477f597d28d172789f06886806bc55";
 
 const REST: &str = "\n# Frames that Wayside keeps; all of them can be made again.\n# For information about cache directory tags, see https://bford.info/cachedir/\n";

@@ -7,7 +7,7 @@ use std::fs::Metadata;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-/// Name of the mark.
+/// File name of the mark.
 pub(super) const MARK: &str = "CACHEDIR.TAG";
 
 /// Whether the place is a symbolic link, which is never the cache's own.
@@ -22,10 +22,10 @@ pub(crate) struct OwnFile {
     pub(super) used: SystemTime,
 }
 
-/// What lies in a cache.
+/// Files found in the folder of a cache.
 #[derive(Default)]
 pub(super) struct Found {
-    /// Entries and what else it has written, without its mark and without temporary files.
+    /// Entries and what else the cache has written, without its mark and without temporary files.
     pub(super) files: Vec<OwnFile>,
     /// Something that no cache makes.
     pub(super) foreign: Option<PathBuf>,
@@ -104,7 +104,7 @@ fn is_kind(name: &str) -> bool {
         && name.bytes().all(|c| matches!(c, b'a'..=b'z' | b'0'..=b'9' | b'-' | b'_'))
 }
 
-/// What earlier versions named their temporary files: `.<name>.<six letters>.part`.
+/// Whether the file has the name of an earlier version's temporary file: `.<name>.<six letters>.part`.
 fn is_of_earlier_version(file: &Path) -> bool {
     let name = file.file_name().and_then(|name| name.to_str()).unwrap_or_default();
     name.starts_with('.') && name.ends_with(".part") && !whole_file::is_temporary(file)
@@ -130,7 +130,7 @@ fn look_through(kind: Folder, folder: &Path, found: &mut Found) {
     }
 }
 
-/// The mark, and temporary files.
+/// Whether a file is the mark or a temporary file.
 fn is_beside(kind: Folder, name: &str, path: &Path) -> bool {
     (kind == Folder::Root && name == MARK) || whole_file::is_temporary(path) || is_of_earlier_version(path)
 }
@@ -154,7 +154,7 @@ fn files_in(folder: &Path) -> impl Iterator<Item = (PathBuf, Metadata)> {
     entries(folder).filter(|(_, about)| about.is_file())
 }
 
-/// What a folder holds; of links, what they are, not what they lead to.
+/// Entries of a folder with their metadata; a link's are its own, not those of what it leads to.
 fn entries(folder: &Path) -> impl Iterator<Item = (PathBuf, Metadata)> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     entries.filter_map(|entry| Some((entry.path(), entry.metadata().ok()?)))

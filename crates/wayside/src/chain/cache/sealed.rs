@@ -8,7 +8,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// A text and its BLAKE3.
+/// A text with its BLAKE3 hash.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Sealed {
@@ -19,7 +19,7 @@ struct Sealed {
 /// The longest remark: a key is a handful of hashes.
 const LIMIT_BYTES: u64 = 1 << 20;
 
-/// What is there, if it is what was written.
+/// Reads a remark; `None` where there is none, or its text is not the one that was written.
 pub(super) fn read<T: DeserializeOwned>(place: &Path) -> Option<T> {
     let about = std::fs::metadata(place).ok().filter(|about| about.is_file())?;
     let bytes = if about.len() > LIMIT_BYTES { vec![] } else { std::fs::read(place).ok()? };

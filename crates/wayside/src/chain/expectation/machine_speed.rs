@@ -1,4 +1,4 @@
-//! How fast this machine is beside the one that the rates were measured on: a small table of a motorcycle,
+//! Speed of this machine beside the one that the rates were measured on: a small table of a motorcycle,
 //! traced until half a processor second is spent; once for each machine and build, kept in the cache.
 
 use crate::chain::cache::Cache;
@@ -12,7 +12,7 @@ use artifact::{Accuracy, Schema};
 use bart_rcs::RcsRequest;
 use std::sync::OnceLock;
 
-/// As an artifact: no header, one record of one number.
+/// Speed of a machine as an artifact: no header, one record of one number.
 struct MachineSpeed;
 
 impl Schema for MachineSpeed {
@@ -61,7 +61,7 @@ fn key() -> Key {
     Key::of(Stage::BartRcs, vec![("machine", artifact::envelope::fingerprint(&processor))])
 }
 
-/// As it is now.
+/// Measures the speed of this machine as it is now; 1 where the system does not tell what a process took.
 pub fn measured() -> Result<f64, Failure> {
     let Some(begin) = processor_time::of_process() else { return Ok(1.0) };
     let mesh = scene::vehicles::mesh("motorcycle-scooter", 0);

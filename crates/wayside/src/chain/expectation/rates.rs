@@ -2,20 +2,21 @@
 
 use crate::chain::expectation::work::{ITEMS, Item, Work};
 
-/// What the program holds beside frames: code, thread stacks, the classifier (32 to 40 MiB were measured when
-/// the learning library was part of it).
+/// Memory that the program holds beside frames, MiB: code, thread stacks, the classifier (32 to 40 MiB were
+/// measured when the learning library was part of it).
 pub(crate) const PROGRAM_MIB: f64 = 48.0;
 
 /// Bytes of a facet, at rest and placed, and of a beam with what is joined on it.
 pub(crate) const BYTES_PER_FACET: f64 = 2000.0;
 pub(crate) const BYTES_PER_BEAM: f64 = 1500.0;
-/// Of a cell with its path: most were 5.2 KB (192 channels, which hardly anything could be left out for); a
-/// quarter more.
+/// Bytes of a cell with its path: most were 5.2 KB (192 channels, which hardly anything could be left out
+/// for); a quarter more.
 pub(crate) const BYTES_PER_CELL: f64 = 6500.0;
-/// More where a body moves, whose paths may be held for up to 33 moments: most were 8.6 KB in all (under the
-/// mast); 14 KB in all.
+/// Further bytes of a cell where a body moves, whose paths may be held for up to 33 moments: most were 8.6 KB
+/// in all (under the mast); 14 KB in all.
 pub(crate) const BYTES_PER_CHANGING_CELL: f64 = 7500.0;
-/// Of a tile between bodies that slide past each other, for each wavelength; of a cell of such ways.
+/// Bytes of a tile between bodies that slide past each other, for each wavelength; below it those of a cell
+/// of such ways.
 pub(crate) const BYTES_PER_SLIDING_TILE: f64 = 2500.0;
 pub(crate) const BYTES_PER_MOVING_CELL: f64 = 0.0;
 
@@ -59,19 +60,20 @@ const SECONDS: [(Item, f64); ITEMS] = [
     (Item::Frames, 0.13),
 ];
 
-/// In the order of the items.
+/// Processor seconds of each kind of work, in the order of [`Item`].
 pub(super) fn by_item() -> [f64; ITEMS] {
     let mut rates = [0.0; ITEMS];
     SECONDS.iter().for_each(|(item, rate)| rates[*item as usize] = *rate);
     rates
 }
 
-/// Processor seconds on that machine.
+/// Processor seconds of the work on the machine of the rates.
 pub(super) fn reference_seconds(work: &Work) -> f64 {
     SECONDS.iter().map(|(item, rate)| rate * work.0[*item as usize]).sum()
 }
 
-/// By the clock, on free processors: what one thread does alone, and the rest shared.
+/// Wall-clock seconds on free processors, from processor seconds: what one thread does alone, and the rest
+/// shared.
 pub(super) fn wall_seconds(seconds: f64, threads: usize) -> f64 {
     const ALONE: f64 = 0.15;
     seconds * (ALONE + (1.0 - ALONE) / threads as f64)

@@ -46,7 +46,8 @@ fn add_frame(header: &SceneHeader, index: u32, look: &Look, work: &mut Work) {
     }
 }
 
-/// Two moments, and integrals that are compared with finer ones.
+/// Adds the tracing of a frame whose errors are measured: two moments, and integrals that are compared with
+/// finer ones.
 fn add_measured(header: &SceneHeader, look: &Look, work: &mut Work) {
     add_beams(header, look, 2.0, work);
     add_tiles(header, look, work);
@@ -60,7 +61,7 @@ fn add_measured(header: &SceneHeader, look: &Look, work: &mut Work) {
     add_sliding(look, work);
 }
 
-/// One moment and its paths.
+/// Adds the tracing of a frame that takes errors over: one moment and its paths.
 fn add_like(header: &SceneHeader, look: &Look, work: &mut Work) {
     add_beams(header, look, 1.0, work);
     add_tiles(header, look, work);
@@ -68,7 +69,8 @@ fn add_like(header: &SceneHeader, look: &Look, work: &mut Work) {
     add_sliding(look, work);
 }
 
-/// What the moments take that such ways are traced at: as many in a frame that takes them over.
+/// Adds the moments at which ways between bodies that move against each other are traced: as many in a frame
+/// that takes them over.
 fn add_sliding(look: &Look, work: &mut Work) {
     work.add(Item::SlidingBeams, look.facets * look.work.sliding_beams);
     work.add(Item::SlidingTiles, look.facets * look.work.sliding_tiles);

@@ -1,4 +1,4 @@
-//! What the time of a run goes into, counted.
+//! Kinds of work that the time of a run goes into, and their counts.
 
 /// Kinds of work, each with a rate of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -9,7 +9,7 @@ pub enum Item {
     Triangles,
     /// Facets of the tracer that are placed and looked at, by moment.
     Facets,
-    /// Those that may be seen straight.
+    /// Facets that may be seen straight from the radar.
     InSight,
     /// Lit polygons.
     Beams,
@@ -17,11 +17,11 @@ pub enum Item {
     Mirrors,
     /// Tiles of the paths' integrals.
     Tiles,
-    /// Tiles of later moments.
+    /// Tiles of the paths' integrals at later moments.
     LaterTiles,
-    /// Tiles of the finer integral that they are compared with.
+    /// Tiles of the finer integral that the paths' integrals are compared with.
     FineTiles,
-    /// The same of later moments.
+    /// Tiles of the finer integral at later moments.
     LaterFineTiles,
     /// Finer tiles of long polygons, whose integrals may be taken again and finer still.
     LongTiles,
@@ -35,13 +35,13 @@ pub enum Item {
     /// Lit polygons of ways between bodies that move against each other, times the wavelengths that they
     /// slide.
     SlidingBeams,
-    /// Tiles of such ways.
+    /// Tiles of ways between bodies that move against each other, times the wavelengths that they slide.
     SlidingTiles,
-    /// Lit polygons of such ways however far they slide.
+    /// Lit polygons of ways between bodies that move against each other, however far they slide.
     MovingBeams,
-    /// Tiles of them.
+    /// Tiles of ways between bodies that move against each other, however far they slide.
     MovingTiles,
-    /// Cells of them.
+    /// Cells of ways between bodies that move against each other, however far they slide.
     MovingCells,
     /// Lit polygons over a road that mirrors.
     RoadBeams,
@@ -61,14 +61,14 @@ pub enum Item {
     MapCells,
     /// Bodies whose points are located and classified.
     Bodies,
-    /// The same where several echoes of a cell are looked for.
+    /// Bodies whose points are located and classified where several echoes of a cell are looked for.
     SeparatedBodies,
     /// Frames that are drawn.
     Frames,
 }
 
 impl Item {
-    /// In the order of the counts.
+    /// All kinds of work, in the order of the counts.
     pub const ALL: [Self; ITEMS] = [
         Self::Run,
         Self::Triangles,
@@ -103,7 +103,7 @@ impl Item {
     ];
 }
 
-/// How many kinds there are.
+/// Number of kinds of work.
 pub const ITEMS: usize = Item::Frames as usize + 1;
 
 /// Counts by kind.

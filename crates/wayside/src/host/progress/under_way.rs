@@ -1,4 +1,4 @@
-//! What is under way, outermost first, and when a line about it is due.
+//! Work that is under way, outermost first, and when a line about it is due.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -34,22 +34,22 @@ pub(super) struct Item {
     part: Mutex<Option<Part>>,
 }
 
-/// What is being done inside a piece of work.
+/// Part of a piece of work that is being done.
 #[derive(Clone, Copy)]
 struct Part {
     name: &'static str,
     began: Instant,
-    /// When these steps began: another order has others.
+    /// Time at which these steps began; steps of another number are counted anew.
     counted_from: Instant,
     done: usize,
     of: usize,
 }
 
-/// What a bar shows.
+/// State of the work for a progress bar.
 pub struct Shown {
     /// Names of the work, and how far it is.
     pub text: String,
-    /// Of the whole, 0 to 1.
+    /// Share of the whole that is done, 0 to 1.
     pub share: f64,
 }
 
@@ -89,7 +89,7 @@ impl UnderWay {
         Some(self.text(now))
     }
 
-    /// What a bar shows once the outermost work has been under way for so long.
+    /// State of the work for a progress bar; `None` until the outermost work has been under way for `after`.
     pub(super) fn shown(&self, now: Instant, after: Duration) -> Option<Shown> {
         let first = self.items.first()?;
         let is_long = now.saturating_duration_since(first.began) >= after;
@@ -131,7 +131,7 @@ impl Item {
         (of > 0).then(|| (self.done.load(Ordering::Relaxed).min(of), of))
     }
 
-    /// Of its steps those that are done.
+    /// Share of the steps that are done; `None` where they cannot be counted.
     fn share(&self) -> Option<f64> {
         self.counts().map(|(done, of)| done as f64 / of as f64)
     }
@@ -154,7 +154,7 @@ impl Item {
     }
 }
 
-/// How far, and how long it will take if it goes on as it went so far.
+/// Adds how far the work is, and how long it will take if it goes on as it went so far.
 fn add_counts(text: &mut String, [done, of, found]: [usize; 3], ran: Duration) {
     _ = write!(text, ": {done} of {of}");
     let here = done.saturating_sub(found);

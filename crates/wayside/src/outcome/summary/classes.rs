@@ -3,27 +3,27 @@
 use artifact::settings::Class;
 use serde::{Deserialize, Serialize};
 
-/// Of each class, from 0 to 1; `None` where the classifier was not asked.
+/// Probability of each class, from 0 to 1; `None` where the classifier was not asked.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Probabilities {
-    /// Of a car.
+    /// Probability of a car.
     pub car: Option<f64>,
-    /// Of a bus.
+    /// Probability of a bus.
     pub bus: Option<f64>,
-    /// Of a truck.
+    /// Probability of a truck.
     pub truck: Option<f64>,
-    /// Of a motorcycle.
+    /// Probability of a motorcycle.
     pub motorcycle: Option<f64>,
 }
 
 impl Probabilities {
-    /// Of values in the order of [`Class::ALL`].
+    /// Makes probabilities of a classifier's values in the order of [`Class::ALL`].
     pub(crate) fn of(values: Option<&[f32; 4]>) -> Self {
         let [car, bus, truck, motorcycle] = [0, 1, 2, 3].map(|i| values.map(|values| f64::from(values[i])));
         Self { car, bus, truck, motorcycle }
     }
 
-    /// That of one class.
+    /// Probability of one class; `None` where the classifier was not asked.
     pub fn of_class(&self, class: Class) -> Option<f64> {
         match class {
             Class::Car => self.car,

@@ -1,4 +1,4 @@
-//! One frame with its targets, objects, tracks and errors.
+//! Summary of one frame with its targets, objects, tracks and errors.
 
 use crate::chain::frame_result::FrameResult;
 use crate::chain::measured_frames::errors_of_frame;
@@ -18,20 +18,20 @@ use evaluation::FrameTruth;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// What is told of one frame.
+/// Summary of one frame: its targets, clutter, objects, tracks and errors.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct FrameSummary {
-    /// Of the frame's first sample, s.
+    /// Time of the frame's first sample, s.
     pub time_s: f64,
-    /// By the clock, from a stage's begin to its end, s.
+    /// Wall-clock time of each stage, from its begin to its end, s.
     pub stage_seconds: BTreeMap<Stage, f64>,
     /// Stages whose artifact was in the cache.
     pub cached: Vec<Stage>,
-    /// How many; `None` of echoes from tables.
+    /// Number of paths that the echo is made of; `None` of echoes from tables.
     pub paths: Option<usize>,
-    /// Of each target; `None` of echoes from tables.
+    /// Level of detail of each target's paths; `None` of echoes from tables.
     pub detail: Option<Vec<TargetDetail>>,
-    /// How many were detected.
+    /// Number of detected points.
     pub points: usize,
     /// Whether the map shows velocities as they are.
     pub rdm_state: MapState,
@@ -39,27 +39,27 @@ pub struct FrameSummary {
     pub velocity_resolved: bool,
     /// Whether the numerical error is as small as was asked.
     pub accuracy: AccuracyVerdict,
-    /// The numerical error.
+    /// Estimated numerical error of the frame.
     pub error_db: ErrorFigures,
     /// The frame in which the paths' errors were measured; `None` of echoes from tables.
     pub error_measured_in: Option<u32>,
-    /// What the physical model leaves out.
+    /// Error by what the physical model leaves out.
     pub model_error_db: ModelErrorFigures,
-    /// Said beforehand, MiB.
+    /// Memory that the frame was expected to hold at most, MiB.
     pub memory_estimate_mib: f64,
-    /// Held by the process at most until then, MiB; `None` where the system does not tell.
+    /// Largest memory of the process until the frame's end, MiB; `None` where the system does not tell.
     pub peak_memory_mib: Option<f64>,
-    /// Those in view.
+    /// Targets in view.
     pub targets: Vec<TargetSummary>,
-    /// What stands about.
+    /// Bodies of clutter.
     pub clutter: Vec<ClutterSummary>,
     /// Objects of no target.
     pub false_objects: Vec<FalseObject>,
-    /// Of `points`, those at rest; `None` where the settings do not ask.
+    /// Number of points at rest among `points`; `None` where the settings do not ask.
     pub stationary_points: Option<usize>,
     /// Objects at rest that are no body's.
     pub stationary_objects: Vec<FalseObject>,
-    /// Those that are believed.
+    /// Tracks that are believed: confirmed or coasting ones.
     pub tracks: Vec<TrackSummary>,
 }
 
@@ -74,17 +74,17 @@ pub enum MapState {
     Abnormal,
 }
 
-/// How much of a target's paths the echo is made of.
+/// Level of detail of a target: how much of its paths the echo is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TargetDetail {
-    /// Never `Auto`.
+    /// Level of detail that was taken; never `Auto`.
     #[serde(with = "DetailWord")]
     pub level: Detail,
-    /// How many were traced.
+    /// Number of paths that were traced.
     pub paths_traced: u64,
-    /// How many the echo is made of.
+    /// Number of paths that the echo is made of.
     pub paths: u64,
-    /// Of the target's echo against that of all its paths, dB; `None` where these were kept.
+    /// Error of the target's echo against that of all its paths, dB; `None` where these were kept.
     pub error_db: Option<f64>,
 }
 

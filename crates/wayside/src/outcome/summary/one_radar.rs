@@ -10,32 +10,32 @@ use evaluation::Metrics;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// What is told of a scene through one radar.
+/// Summary of a scene through one radar.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// The scene's name; with several radars `<scene>/<radar>`.
     pub scene: String,
-    /// Of noise and all that is random.
+    /// Seed of the noise and of all that is random.
     pub seed: u64,
-    /// By the clock, from the first frame's begin to the last picture's end, s.
+    /// Wall-clock time from the first frame's begin to the last picture's end, s.
     pub frames_seconds: f64,
-    /// What all threads spent on processors in it, s; `None` where the system does not tell.
+    /// Processor time of all threads within `frames_seconds`, s; `None` where the system does not tell.
     pub frames_processor_seconds: Option<f64>,
-    /// What lanes are called by their numbers; empty where nothing says any.
+    /// Names of lanes by their numbers; empty where the scene has no lanes.
     pub lanes: Vec<LaneSummary>,
-    /// What becomes of echoes at rest.
+    /// Treatment of echoes at rest: kept, marked or removed.
     #[serde(rename = "static", with = "StaticWord")]
     pub static_echoes: StaticEchoes,
-    /// What the radar is.
+    /// Waveform, array size and limits of the radar.
     pub radar: RadarSummary,
-    /// In order.
+    /// Summaries of the frames, in order.
     pub frames: Vec<FrameSummary>,
     /// Objects and tracks beside the truth, over all frames.
     pub metrics: Metrics,
 }
 
 impl Summary {
-    /// Of a scene without what its frames tell.
+    /// Makes the summary of a scene; both times are 0 until the run is done.
     pub(crate) fn of(header: &SceneHeader, frames: Vec<FrameSummary>, metrics: Metrics) -> Self {
         Self {
             scene: header.name.clone(),
@@ -68,8 +68,8 @@ impl Summary {
     }
 }
 
-/// By way of a `Value`, which has its keys in alphabetical order, as the file has them: fields stand in the
-/// order in which they are read.
+/// Text of a summary by way of a `Value`, which has its keys in alphabetical order, as the file has them:
+/// fields stand in the order in which they are read.
 pub(super) fn text(summary: &impl Serialize) -> Result<String, Failure> {
     let value = serde_json::to_value(summary).map_err(Failure::refused)?;
     serde_json::to_string_pretty(&value).map_err(Failure::refused)

@@ -1,4 +1,4 @@
-//! What the radar is and what its lanes are called.
+//! The radar's parameters and the names of its lanes.
 
 use crate::outcome::summary::words::SamplingWord;
 use artifact::radar::{ElementError, Sampling};
@@ -8,63 +8,63 @@ use serde::{Deserialize, Serialize};
 /// The radar in the words of the field.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RadarSummary {
-    /// The sweep's centre, Hz.
+    /// Centre frequency of the sampled sweep, Hz.
     pub carrier_hz: f64,
-    /// Of the sampled sweep, Hz.
+    /// Bandwidth of the sampled sweep, Hz.
     pub bandwidth_hz: f64,
-    /// From one chirp of any transmitter to the next, s.
+    /// Time from one chirp of any transmitter to the next, s.
     pub chirp_interval_s: f64,
-    /// Of one receiver.
+    /// Number of samples of a chirp in one receiver.
     pub samples_per_chirp: u32,
-    /// What of the mixer's product is sampled.
+    /// Whether the mixer's product is sampled as complex or as real values.
     #[serde(with = "SamplingWord")]
     pub sampling: Sampling,
-    /// In a frame, of each transmitter.
+    /// Number of chirps of each transmitter in a frame.
     pub chirps: u32,
-    /// Virtual ones: transmitters times receivers.
+    /// Number of virtual channels: transmitters times receivers.
     pub channels: usize,
-    /// `None` of an ideal array.
+    /// Errors of the array's elements; `None` of an ideal array.
     pub element_errors: Option<ElementErrors>,
-    /// Of the sampled sweep, m.
+    /// Range resolution of the sampled sweep, m.
     pub range_resolution_m: f64,
     /// The maximum unambiguous range, m.
     pub range_max_m: f64,
-    /// Of the frame, m/s.
+    /// Velocity resolution of the frame, m/s.
     pub velocity_resolution_mps: f64,
     /// The maximum unambiguous velocity to either side, m/s.
     pub velocity_max_mps: f64,
-    /// Of the analogue-to-digital converter, Hz.
+    /// Sample rate of the analogue-to-digital converter, Hz.
     pub sample_rate_hz: f64,
 }
 
-/// Those that the scene lists and those that its seed draws, together.
+/// Errors of the array's elements: those that the scene lists and those that its seed draws, together.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ElementErrors {
-    /// Of each transmitter.
+    /// Errors of each transmitter.
     pub tx: Vec<ElementErrorSummary>,
-    /// Of each receiver.
+    /// Errors of each receiver.
     pub rx: Vec<ElementErrorSummary>,
 }
 
-/// What an element of the array errs by.
+/// Errors of an element of the array.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ElementErrorSummary {
-    /// Of its amplitude, dB.
+    /// Error of the element's amplitude, dB.
     pub gain_db: f64,
-    /// Of the IF value of its echoes, degrees.
+    /// Error of the phase of its echoes' IF values, degrees.
     pub phase_deg: f64,
-    /// Of its line, ps.
+    /// Error of the delay of its line, ps.
     pub delay_ps: f64,
 }
 
-/// A lane by its number.
+/// Lane with its number, its name and its width.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LaneSummary {
-    /// As estimates and truths name it.
+    /// Number of the lane, as estimates and truths name it.
     pub number: u8,
-    /// As a network calls it; `None` without a network.
+    /// Name of the lane in a network; `None` without a network.
     pub id: Option<String>,
-    /// Across, m.
+    /// Width of the lane, m.
     pub width_m: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What several radars of one scene saw, side by side.
+//! Summary of several radars of one scene, side by side.
 
 use crate::host::failure::Failure;
 use crate::outcome::summary::frame::FrameSummary;
@@ -11,26 +11,26 @@ use serde::{Deserialize, Serialize};
 /// The `summary.json` above those of several radars.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct RadarsSummary {
-    /// The scene's name.
+    /// Name of the scene.
     pub scene: String,
-    /// In the scene's order.
+    /// Totals of each radar, in the scene's order.
     pub radars: Vec<OneOfRadars>,
-    /// In order, to the last that any radar has.
+    /// Frames in order, to the last that any radar has.
     pub frames: Vec<CommonFrame>,
 }
 
-/// What one of them saw in all of its frames.
+/// Totals of one of several radars over all of its frames.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct OneOfRadars {
-    /// As the scene calls it.
+    /// Id of the radar in the scene.
     pub id: String,
-    /// Of its noise.
+    /// Seed of the radar's noise.
     pub seed: u64,
-    /// Virtual ones.
+    /// Number of virtual channels.
     pub channels: usize,
-    /// How many it has.
+    /// Number of frames that the radar has.
     pub frames: usize,
-    /// In view, frame by frame.
+    /// Number of targets in view, frame by frame.
     pub targets: usize,
     /// Targets that have an object, frame by frame.
     pub found: usize,
@@ -43,40 +43,40 @@ pub struct OneOfRadars {
     pub stationary: usize,
     /// Targets whose echoes were removed as echoes at rest, frame by frame.
     pub removed: usize,
-    /// Detected in all frames.
+    /// Number of points detected in all frames.
     pub points: usize,
     /// The largest total of a frame, dB; `None` where none was estimated.
     pub largest_error_db: Option<f64>,
-    /// That of the frame with the largest error; `None` where none was estimated.
+    /// Accuracy of the frame with the largest error; `None` where none was estimated.
     pub accuracy: Option<AccuracyVerdict>,
-    /// By the clock, s.
+    /// Wall-clock time of the radar's frames, s.
     pub frames_seconds: f64,
 }
 
-/// One frame as all of them have it.
+/// One frame as all radars have it.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct CommonFrame {
-    /// Of its first sample, s.
+    /// Time of the frame's first sample, s.
     pub time_s: f64,
-    /// Every one that some radar has in view.
+    /// Every target that some radar has in view.
     pub targets: Vec<CommonTarget>,
 }
 
 /// A target that some radar has in view, and which radars found it of those that it sends something back to.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct CommonTarget {
-    /// As the scene calls it.
+    /// Id of the target in the scene.
     pub id: String,
-    /// The true one.
+    /// True class; `None` of a point target, or where the scene does not tell.
     pub class: Option<Class>,
-    /// Radars by their ids.
+    /// Ids of the radars that found the target.
     pub found_by: Vec<String>,
-    /// Radars by their ids.
+    /// Ids of the radars that missed the target.
     pub missed_by: Vec<String>,
 }
 
 impl RadarsSummary {
-    /// Of radars by their ids.
+    /// Joins the summaries of radars, each given with the radar's id.
     pub(crate) fn of(radars: &[(&str, &Summary)]) -> Self {
         let scene = radars.first().map_or("", |(_, summary)| &summary.scene);
         let frames = radars.iter().map(|(_, summary)| summary.frames.len()).max().unwrap_or(0);

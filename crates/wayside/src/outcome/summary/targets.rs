@@ -11,100 +11,105 @@ use evaluation::{FrameTruth, Truth};
 use radar::doppler_ambiguity::shown_mps;
 use serde::{Deserialize, Serialize};
 
-/// A target, truth beside estimate.
+/// Target of a frame, truth beside estimate.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct TargetSummary {
-    /// As the scene calls it.
+    /// Id of the target in the scene.
     pub id: String,
-    /// The true one; `None` of a point target, or where the scene does not tell.
+    /// True class; `None` of a point target, or where the scene does not tell.
     pub class: Option<Class>,
-    /// Its mesh; `None` of a point target.
+    /// Name of the target's mesh; `None` of a point target.
     pub model: Option<String>,
-    /// At the frame's middle.
+    /// True place and motion at the frame's middle.
     pub truth: TruthSummary,
-    /// Of the object that is the target's; `None` without one.
+    /// Estimate of the object that is the target's; `None` without one.
     pub estimate: Option<Estimate>,
-    /// Whether it has an object; `None` where it is not to be found: hidden, without an echo of its own, or
-    /// out of range.
+    /// Whether the target has an object; `None` where it is not to be found: hidden, without an echo of its
+    /// own, or out of range.
     pub found: Option<bool>,
-    /// Whether its echoes were removed as echoes at rest.
+    /// Whether the target's echoes were removed as echoes at rest.
     pub removed: bool,
-    /// The object's place among those of the frame.
+    /// Index of the target's object among those of the frame; `None` without one.
     pub object: Option<usize>,
     /// Whether the map shows another velocity than the true one.
     pub velocity_aliased: bool,
-    /// From this frame's object; `None` without one, and of a point target.
+    /// Class that is told from this frame's object; `None` without one, and of a point target.
     pub predicted_class: Option<Predicted>,
-    /// From this frame's object.
+    /// Probabilities of the classes from this frame's object.
     pub probabilities: Probabilities,
-    /// Of the track that follows it; `None` without one.
+    /// Class of the track that follows the target; `None` without one.
     pub track_class: Option<Predicted>,
-    /// Of the track that follows it; `None` without one.
+    /// Probabilities of the track that follows the target; `None` without one.
     pub track_probabilities: Option<Probabilities>,
 }
 
-/// What is true of a target at the frame's middle, seen from the radar's position.
+/// True place and motion of a target at the frame's middle, seen from the radar's position.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct TruthSummary {
-    /// Of the body's origin, m.
+    /// Range of the body's origin, m.
     pub range_m: f64,
-    /// Of the body's origin, positive when the range grows, m/s.
+    /// Radial velocity of the body's origin, positive when the range grows, m/s.
     pub radial_velocity_mps: f64,
-    /// Of the body's origin, world m.
+    /// Place of the body's origin along world x, m.
     pub x_m: f64,
-    /// Of the body's origin, world m.
+    /// Place of the body's origin along world y, m.
     pub y_m: f64,
-    /// Of the body's origin, world m.
+    /// Height of the body's origin, world z, m.
     pub z_m: f64,
-    /// Lane that holds it; `None` outside of all.
+    /// Number of the lane that holds the body; `None` outside of all.
     pub lane: Option<u8>,
-    /// Of its nearest lit surface, m; `None` where none is lit, or the echo was made from tables.
+    /// Range of the body's nearest lit surface, m; `None` where none is lit, or the echo was made from
+    /// tables.
     pub nearest_range_m: Option<f64>,
-    /// Power-weighted mean over its paths, m; `None` where it has none of its own.
+    /// Range of the echo, the power-weighted mean over the body's paths, m; `None` where it has none of its
+    /// own.
     pub echo_range_m: Option<f64>,
-    /// Power-weighted mean over its paths, m/s; `None` where it has none of its own.
+    /// Radial velocity of the echo, the power-weighted mean over the body's paths, positive when the range
+    /// grows, m/s; `None` where it has none of its own.
     pub echo_radial_velocity_mps: Option<f64>,
 }
 
-/// What the radar says of a target.
+/// Estimate of a target by the radar: its object's place, motion and level.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
-    /// Power-weighted mean of its points, m.
+    /// Range, the power-weighted mean of the object's points, m.
     pub range_m: f64,
-    /// Positive when the range grows, m/s.
+    /// Radial velocity, positive when the range grows, m/s.
     pub radial_velocity_mps: f64,
-    /// World m.
+    /// Place along world x, m.
     pub x_m: f64,
-    /// World m.
+    /// Place along world y, m.
     pub y_m: f64,
-    /// World m; without elevation rows the height that is assumed.
+    /// Height along world z, m; without elevation rows the height that is assumed.
     pub z_m: f64,
-    /// Lane that holds it; `None` outside of all.
+    /// Number of the lane that holds the object; `None` outside of all.
     pub lane: Option<u8>,
-    /// Of its strongest cell, dB.
+    /// Signal-to-noise ratio of the object's strongest cell, dB.
     pub snr_db: f64,
-    /// How many form it.
+    /// Number of points that form the object.
     pub points: u32,
-    /// Share of its peaks' power that ran between two bodies; `None` where the array cannot tell.
+    /// Share of the power of the object's peaks that ran between two bodies; `None` where the array cannot
+    /// tell.
     pub ghost_share: Option<f64>,
-    /// Whether it is at rest; `None` where the settings do not ask.
+    /// Whether the object is at rest; `None` where the settings do not ask.
     pub stationary: Option<bool>,
 }
 
-/// What stands about: where it is and from where its echo comes.
+/// A body of clutter: its place and the range of its echo.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ClutterSummary {
-    /// As the scene calls it.
+    /// Id of the body in the scene.
     pub id: String,
-    /// Its mesh.
+    /// Name of the body's mesh.
     pub model: String,
-    /// Of its origin, world m.
+    /// Place of the body's origin along world x, m.
     pub x_m: f64,
-    /// Of its origin, world m.
+    /// Place of the body's origin along world y, m.
     pub y_m: f64,
-    /// Of its nearest lit surface, m; `None` where none is lit.
+    /// Range of the body's nearest lit surface, m; `None` where none is lit.
     pub nearest_range_m: Option<f64>,
-    /// Power-weighted mean over its paths, m; `None` where it has none of its own.
+    /// Range of the echo, the power-weighted mean over the body's paths, m; `None` where it has none of its
+    /// own.
     pub echo_range_m: Option<f64>,
 }
 
@@ -168,12 +173,13 @@ impl TruthSummary {
         }
     }
 
-    /// What an estimated range is compared with, m: that of the echo, without one that of the body.
+    /// True range that an estimate is compared with, m: that of the echo, without one that of the body.
     pub fn compared_range_m(&self) -> f64 {
         self.echo_range_m.unwrap_or(self.range_m)
     }
 
-    /// What an estimated radial velocity is compared with, m/s.
+    /// True radial velocity that an estimate is compared with, m/s: that of the echo, without one that of the
+    /// body.
     pub fn compared_radial_velocity_mps(&self) -> f64 {
         self.echo_radial_velocity_mps.unwrap_or(self.radial_velocity_mps)
     }

@@ -9,48 +9,48 @@ use serde::{Deserialize, Serialize};
 /// A vehicle that is followed, at the frame's middle.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TrackSummary {
-    /// Counted from 0 over the scene; never given twice.
+    /// Number of the track, counted from 0 over the scene; never given twice.
     pub id: u32,
-    /// Confirmed or coasting.
+    /// State of the track, confirmed or coasting.
     #[serde(with = "TrackWord")]
     pub state: TrackState,
     /// Frames since its birth, this one included.
     pub age_frames: u32,
-    /// Of what reflects, in the mean, world m.
+    /// Mean place of what reflects along world x, m.
     pub x_m: f64,
-    /// The same along y, world m.
+    /// Mean place of what reflects along world y, m.
     pub y_m: f64,
-    /// World m/s.
+    /// Velocity along world x, m/s.
     pub vx_mps: f64,
-    /// World m/s.
+    /// Velocity along world y, m/s.
     pub vy_mps: f64,
     /// Whether one multiple of the velocity span is left; else the velocity is the likeliest.
     pub velocity_resolved: bool,
-    /// Lane that holds the box's middle; `None` outside of all.
+    /// Number of the lane that holds the box's middle; `None` outside of all.
     pub lane: Option<u8>,
-    /// Where the body stands.
+    /// Box of the body on the road.
     #[serde(rename = "box")]
     pub footprint: TrackBox,
-    /// The target that it follows, in truth, by its id; `None` of no target's.
+    /// Id of the target that the track follows in truth; `None` where it follows none.
     pub target: Option<String>,
-    /// From all its frames so far; `None` where no object of it was classified.
+    /// Class that is told from all frames of the track so far; `None` where no object of it was classified.
     pub predicted_class: Option<Predicted>,
-    /// From all its frames so far.
+    /// Probabilities of the classes from all frames of the track so far.
     pub probabilities: Probabilities,
 }
 
-/// A rectangle on the road.
+/// Box of a track: a rectangle on the road.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TrackBox {
-    /// Of its middle, world m.
+    /// Place of the box's middle along world x, m.
     pub x_m: f64,
-    /// Of its middle, world m.
+    /// Place of the box's middle along world y, m.
     pub y_m: f64,
-    /// Along its heading, m.
+    /// Length along the heading, m.
     pub length_m: f64,
-    /// Across its heading, m.
+    /// Width across the heading, m.
     pub width_m: f64,
-    /// Its heading from world +x towards +y, degrees.
+    /// Heading from world +x towards +y, degrees.
     pub yaw_deg: f64,
 }
 
