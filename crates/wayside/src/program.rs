@@ -19,7 +19,7 @@ use cli::General;
 use commands::Means;
 use std::process::ExitCode;
 
-/// What the binary `wayside` does.
+/// Runs the binary `wayside`: reads its arguments and carries out the command.
 pub fn main() -> ExitCode {
     let arguments: cli::Arguments = cli::parse_or_exit();
     let command = arguments.command;
