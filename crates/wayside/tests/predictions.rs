@@ -1,4 +1,4 @@
-//! What `run --dry-run` promises: figures of this scene on this machine, whatever ran before, and memory that
+//! Promises of `run --dry-run`: figures of this scene on this machine, whatever ran before, and memory that
 //! is not exceeded.
 
 mod common;

@@ -22,10 +22,10 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(name = "wayside", bin_name = "wayside", version, max_term_width = 110)]
 pub(crate) struct Arguments {
-    /// What to do.
+    /// Command to carry out.
     #[command(subcommand)]
     pub(crate) command: Command,
-    /// Of every command.
+    /// Options that every command has.
     #[command(flatten)]
     pub(crate) general: General,
 }
@@ -69,7 +69,7 @@ impl Command {
         }
     }
 
-    /// What it leaves.
+    /// Says whether the command leaves files or only lines of standard output.
     pub fn results(&self) -> Results {
         match self {
             Self::Classify(_)
@@ -106,7 +106,7 @@ fn with_negative_values(command: clap::Command) -> clap::Command {
     })
 }
 
-/// What a user may ask for.
+/// Commands of the program.
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// A scene file to every stage's artifacts, summary.json, report.html and pictures.
@@ -143,7 +143,7 @@ pub enum Command {
     Inspect(InspectArguments),
     /// Writes the project's own vehicles (.glb) and their manifest.
     Vehicles(VehiclesArguments),
-    /// What the cache holds.
+    /// Lists what the cache holds, stage by stage.
     Cache(CacheCommandArguments),
 }
 
@@ -175,7 +175,7 @@ pub(crate) struct CacheArguments {
 }
 
 impl SceneArguments {
-    /// As the chain takes it.
+    /// The scene as the chain takes it: file, model, radar and seed.
     pub(crate) fn source(&self) -> SceneSource {
         let Self { scene, model, radar, seed } = self.clone();
         SceneSource { file: scene, model, radar, seed }
@@ -183,7 +183,7 @@ impl SceneArguments {
 }
 
 impl CacheArguments {
-    /// As the chain takes it.
+    /// The cache as the chain takes it: folder and limit, MiB.
     pub(crate) fn location(&self) -> CacheLocation {
         CacheLocation { folder: self.cache.clone(), limit_mib: self.cache_limit_mib }
     }
@@ -194,7 +194,7 @@ impl CacheArguments {
 pub struct RunArguments {
     #[command(flatten)]
     pub(crate) scene: SceneArguments,
-    /// Where everything goes [default: out/ and the scene's name].
+    /// Folder of all results [default: out/ and the scene's name].
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
     /// Model of the classifier [default: the one that ships with the program].
@@ -249,10 +249,10 @@ pub struct RcsArguments {
     /// Facet on which a multiple reflection is integrated.
     #[arg(long, value_enum, default_value = "own-edge")]
     pub(crate) nodes: NodesWord,
-    /// What the facets stand for: themselves, or the curved skin that the vertex normals tell of.
+    /// Surface that the facets stand for: themselves, or the curved skin that the vertex normals tell of.
     #[arg(long, value_enum, default_value = "flat")]
     pub(crate) surface: SurfaceWord,
-    /// What the mesh's materials stand for (docs/materials.md); without it everything conducts.
+    /// Table of what the mesh's materials stand for (docs/materials.md); without it everything conducts.
     #[arg(long, value_name = "FILE.toml")]
     pub(crate) materials: Option<PathBuf>,
     /// Whether waves are followed through sheets.
@@ -317,10 +317,10 @@ pub struct DspArguments {
     /// Scene whose [dsp] replaces the settings that the cubes carry.
     #[arg(long, value_name = "SCENE.toml")]
     pub(crate) scene: Option<PathBuf>,
-    /// Which of that scene's several radars.
+    /// Name of one of that scene's radars, where it has several.
     #[arg(long, value_name = "ID", requires = "scene")]
     pub(crate) radar: Option<String>,
-    /// Where the maps and points go.
+    /// Folder of the maps and points.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,
     /// Pictures too.
@@ -334,7 +334,7 @@ pub struct DatasetArguments {
     /// Recipe.
     #[arg(value_name = "SPEC.toml")]
     pub(crate) spec: PathBuf,
-    /// Where the dataset goes.
+    /// Folder of the dataset.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,
     /// Part K of N.
@@ -357,7 +357,7 @@ pub struct TrainArguments {
     /// Boosted trees on features of signatures, or the paper's network on crops.
     #[arg(long, value_enum, default_value_t = LearnerWord::Trees)]
     pub(crate) learner: LearnerWord,
-    /// Of every draw: examples and features of trees, initial weights, the order of samples.
+    /// Seed of every draw: examples and features of trees, initial weights, the order of samples.
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u64,
     /// Steps of the network's optimizer; the paper's number.
@@ -391,8 +391,8 @@ pub struct ProtocolsArguments {
     /// Dataset folders that never train.
     #[arg(long, value_name = "DIR")]
     pub(crate) test: Vec<PathBuf>,
-    /// Who is asked: trees, or the paper's network by the paper's protocol (P) and by two that keep copies of
-    /// a map apart.
+    /// Learner that is asked: trees, or the paper's network by the paper's protocol (P) and by two that keep
+    /// copies of a map apart.
     #[arg(long, value_enum, default_value = "trees")]
     pub(crate) learner: LearnerWord,
     /// Steps of the network's optimizer in each training.
@@ -423,7 +423,8 @@ pub struct ClassifyArguments {
 /// Words of `import`.
 #[derive(Debug, Args)]
 pub struct ImportArguments {
-    /// complex64 [frame, channel, chirp, sample]; or a DCA1000EVM's .bin, or a .sigmf-meta, of receivers.
+    /// Samples: complex64 [frame, channel, chirp, sample]; or a DCA1000EVM's .bin, or a .sigmf-meta, of
+    /// receivers.
     #[arg(value_name = "F.npy")]
     pub(crate) array: PathBuf,
     /// √W of one step of integer samples, where no file beside them says it; 1 else.
@@ -432,7 +433,7 @@ pub struct ImportArguments {
     /// Scene that tells the radar and the processing.
     #[arg(long, value_name = "SCENE.toml")]
     pub(crate) scene: PathBuf,
-    /// Which of that scene's several radars.
+    /// Name of one of that scene's radars, where it has several.
     #[arg(long, value_name = "ID")]
     pub(crate) radar: Option<String>,
     /// Result.
@@ -446,7 +447,7 @@ pub struct CalibrateArguments {
     /// Radar cubes of the reflector, at rest.
     #[arg(value_name = "F.cube")]
     pub(crate) cube: PathBuf,
-    /// Where it stands, world metres.
+    /// Place of the reflector, world metres.
     #[arg(long, value_name = "X,Y,Z", value_parser = place)]
     pub(crate) at_m: Place,
     /// Result.
@@ -478,7 +479,7 @@ pub struct ScoreArguments {
     /// Points with their objects.
     #[arg(value_name = "F.points")]
     pub(crate) points: PathBuf,
-    /// What is true: the scene of these points.
+    /// Ground truth: the scene of these points.
     #[arg(long, value_name = "F.scene")]
     pub(crate) scene: PathBuf,
     /// The paths of their echoes; without them every body in range is to be found, also one that is hidden.
@@ -500,13 +501,13 @@ pub struct InspectArguments {
 /// Words of `vehicles`.
 #[derive(Debug, Args)]
 pub struct VehiclesArguments {
-    /// Where the vehicles go.
+    /// Folder of the vehicles.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,
     /// 0 gives the nominal dimensions, others spread them over real ranges.
     #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]
     pub(crate) seed: u64,
-    /// How many of each model, from the seed on.
+    /// Number of vehicles of each model, from the seed on.
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     pub(crate) count: u64,
 }
@@ -521,7 +522,7 @@ pub struct CacheCommandArguments {
     pub(crate) clear: bool,
 }
 
-/// Which artifact goes to which format.
+/// Help on the formats to which each artifact is exported, a line an artifact.
 fn export_formats() -> String {
     let line = |(artifact, formats): &(&str, &str)| format!("\n  {:<10} {formats}", format!(".{artifact}"));
     format!("What goes to which format:{}", FORMATS.iter().map(line).collect::<String>())

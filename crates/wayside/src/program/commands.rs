@@ -21,9 +21,9 @@ use learning::{classify, dataset, evaluate, protocols, train};
 
 pub use learning::train::{PROGRAM as TRAINING_PROGRAM, target_folder as training_target_folder};
 
-/// What a command is carried out with.
+/// Means with which a command is carried out.
 pub struct Means {
-    /// What tracing may take.
+    /// Memory that tracing may take.
     pub memory: Allowance,
     /// The command of this process, for reports.
     pub making: Making,

@@ -1,4 +1,4 @@
-//! How the program ends when a command does not succeed.
+//! Ends of the program where a command does not succeed.
 
 use crate::host::failure::Failure;
 use crate::program::terminal;
@@ -16,7 +16,7 @@ pub(crate) fn report(failure: &Failure) -> ExitCode {
     }
 }
 
-/// What a file says, as a terminal may show it: no signs that move its cursor, and of a line no more than a
+/// Text of a file as a terminal may show it: no signs that move its cursor, and of a line no more than a
 /// screen full.
 fn printable(text: &str) -> String {
     const SHOWN: usize = 2000;

@@ -1,6 +1,6 @@
-//! To what artifacts are exported.
+//! Formats to which artifacts are exported.
 
-/// To what each kind of artifact is exported.
+/// Formats to which each kind of artifact is exported.
 pub(crate) const FORMATS: [(&str, &str); 10] = [
     ("scene", "json"),
     ("paths", "csv, json"),

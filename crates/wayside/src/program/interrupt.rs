@@ -2,7 +2,8 @@
 
 use crate::program::terminal;
 
-/// From now on an interrupt removes the temporary files of what is being written and ends the program.
+/// Handles interrupts from now on: one removes the temporary files of what is being written and ends the
+/// program.
 pub(crate) fn install() {
     let handler = || {
         artifact::whole_file::abandon_all();

@@ -76,7 +76,7 @@ fn draw(now: Instant) {
     }
 }
 
-/// What a whole bar counts.
+/// Counts of a whole progress bar.
 const SHARES: f64 = 1000.0;
 
 fn empty_bar() -> ProgressBar {
@@ -89,7 +89,7 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// What a command leaves.
+/// Kind of results that a command leaves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Results {
     /// Files: where the reader of standard output goes away (`| head`), the command goes on to its end,

@@ -12,7 +12,7 @@ pub(crate) struct Axis {
 /// Longest axis: a table of 10⁶ values per axis is a mistake of typing.
 const AXIS_LIMIT: usize = 1_000_000;
 
-/// From radio waves that bend around a vehicle to where heat begins.
+/// Reads an axis of frequencies in GHz: from radio waves that bend around a vehicle to where heat begins.
 pub(crate) fn frequencies(text: &str) -> Result<Axis, String> {
     axis(text, 1e-3..=1e4)
 }
@@ -102,7 +102,7 @@ fn within(text: &str, allowed: &RangeInclusive<f64>) -> Result<f64, String> {
     Err(format!("it must be from {} to {}, is {text}", plain(*allowed.start()), plain(*allowed.end())))
 }
 
-/// With an exponent where the digits would only be zeros.
+/// Writes a number, with an exponent where the digits would only be zeros.
 fn plain(number: f64) -> String {
     let is_plain = number == 0.0 || (1e-3..1e7).contains(&number.abs());
     if is_plain { number.to_string() } else { format!("{number:e}") }

@@ -12,10 +12,10 @@ use bart_rcs::reference::{self, Aspect, Bracket};
 use bart_rcs::{RcsRequest, Standpoint, rcs};
 use num_complex::Complex64;
 
-/// What one method found.
+/// Results of one method: S and the time that it took.
 pub(crate) struct Run {
     pub(crate) name: String,
-    /// Of processors; not a number where the system does not tell.
+    /// Processor time, s; not a number where the system does not tell.
     pub(crate) seconds: f64,
     /// `[order − 1][frequency]`.
     pub(crate) orders: Vec<Vec<Complex64>>,

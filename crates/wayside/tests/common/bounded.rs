@@ -5,19 +5,19 @@ use std::path::Path;
 use std::process::{Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
-/// Of addresses; threads reserve some of them.
+/// Largest address space of the program, KiB; threads reserve some of it.
 const MOST_KIB: u64 = 8 << 20;
-/// What other programs take of the processor does not count.
+/// Longest processor time of the program, s: what other programs take of the processor does not count.
 const LONGEST_PROCESSOR_S: u64 = 60;
 /// A program that waits for something takes no processor time.
 const LONGEST_WAIT: Duration = Duration::from_secs(1200);
 
-/// How a command ended.
+/// End of a command, what it said and how long it took.
 pub(crate) struct Ended {
     pub(crate) status: ExitStatus,
-    /// On standard output.
+    /// Text on standard output.
     pub(crate) printed: String,
-    /// On standard error.
+    /// Text on standard error.
     pub(crate) said: String,
     pub(crate) after: Duration,
 }

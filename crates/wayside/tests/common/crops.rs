@@ -8,7 +8,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::path::Path;
 
-/// As large as the network's input, which is the least that it takes.
+/// Rows and columns of a crop: as many as the network's input has, which is the least that it takes.
 const SIDE: usize = 113;
 /// Rows and columns of the rectangle of each class.
 const EXTENTS: [[usize; 2]; 4] = [[8, 25], [10, 70], [28, 50], [5, 8]];
@@ -59,7 +59,7 @@ fn sample(class: usize, number: u64) -> Sample {
     }
 }
 
-/// As long as the rectangle.
+/// Signature with as many cells as the class's rectangle has columns.
 fn signature(class: usize) -> Signature {
     let [_, columns] = EXTENTS[class];
     let cell = SignatureCell { level_db: 30.0, ..SignatureCell::default() };

@@ -17,7 +17,7 @@ pub(crate) fn files(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-/// What a writer that is killed leaves behind, until the next run sweeps it.
+/// Whether a file is what a writer that is killed leaves behind, until the next run sweeps it.
 pub(crate) fn is_temporary(file: &Path) -> bool {
     file.extension().is_some_and(|e| e == "part")
 }
@@ -37,7 +37,7 @@ pub(crate) fn killed_after(place: &Workplace, words: &str, after: Duration) -> b
     !child.wait().unwrap().success()
 }
 
-/// It had ended: the next kill needs work again.
+/// Removes results and cache of a run that had ended, so that the next kill has work to interrupt.
 pub(crate) fn begin_anew(place: &Workplace) {
     for name in ["out", "cache"] {
         let _ = std::fs::remove_dir_all(place.path(name));

@@ -109,7 +109,7 @@ impl Workplace {
         std::fs::read(self.path(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
     }
 
-    /// What a command wrote as JSON; a `summary.json` has to be the library's, to the byte.
+    /// JSON that a command wrote; a `summary.json` has to be the library's, to the byte.
     pub(crate) fn summary(&self, name: &str) -> serde_json::Value {
         let bytes = self.bytes(name);
         if name.ends_with("summary.json") {
@@ -120,7 +120,7 @@ impl Workplace {
     }
 }
 
-/// How much of a test is asked for: the value of an environment variable, else so much.
+/// Amount of a test that is asked for: the value of an environment variable, else `otherwise`.
 pub(crate) fn asked(variable: &str, otherwise: u64) -> u64 {
     std::env::var(variable).map_or(otherwise, |text| text.parse().unwrap())
 }

@@ -18,7 +18,7 @@ use std::time::Instant;
 const MAGIC_BYTES: usize = 8;
 const SUM_BYTES: usize = 16;
 
-/// What reads each kind.
+/// Commands that read each kind of artifact, `F` for the file.
 const COMMANDS: [(&str, &[&str]); 7] = [
     ("scene", &["inspect F", "export F --to json --out x"]),
     (
@@ -85,7 +85,7 @@ impl Noise {
     }
 }
 
-/// Where the contents of the records lie.
+/// Byte ranges of the records' contents.
 fn records(bytes: &[u8]) -> Vec<std::ops::Range<usize>> {
     let (mut found, mut at) = (vec![], MAGIC_BYTES);
     loop {

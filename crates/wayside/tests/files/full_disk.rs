@@ -11,7 +11,7 @@
 use crate::common::{Workplace, crops};
 use std::process::Command;
 
-/// What a command did on a disk with so much room: its exit code, what it said, and what the disk held
+/// Outcome of a command on a disk with so much room: its exit code, what it said, and what the disk held
 /// afterwards.
 struct Outcome {
     code: i32,

@@ -1,4 +1,4 @@
-//! What the program reads and writes: nothing of the user's is destroyed, nothing damaged is believed.
+//! Files that the program reads and writes: nothing of the user's is destroyed, nothing damaged is believed.
 
 #[path = "../common/mod.rs"]
 mod common;

@@ -1,10 +1,11 @@
-//! What a hostile file holds, whatever its name says it is.
+//! Contents of hostile files, whatever their names say they are.
 
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use std::io::Write as _;
 
-/// For every reader: name and bytes, never a whole number of integer samples, which would be a recording.
+/// Names and bytes of contents for every reader, never a whole number of integer samples, which would be a
+/// recording.
 pub(crate) fn of_any() -> Vec<(&'static str, Vec<u8>)> {
     let uneven = |(name, mut bytes): (&'static str, Vec<u8>)| {
         bytes.extend((!bytes.is_empty() && bytes.len().is_multiple_of(4)).then_some(b' '));

@@ -1,4 +1,4 @@
-//! glTF that costs more than it says.
+//! Files of glTF that cost more than they say.
 
 use serde_json::{Value, json};
 

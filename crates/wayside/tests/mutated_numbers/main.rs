@@ -123,7 +123,7 @@ fn values(number: &Number, folder: &Path, each: u64, state: &mut u64) -> Vec<Str
     (0..each).map(|_| all[(noise(state) % all.len() as u64) as usize].clone()).collect()
 }
 
-/// From the sentences that refuse what lies in no range.
+/// Ends of a number's range, each with its neighbours, from the sentences that refuse what lies in no range.
 fn ends(number: &Number, folder: &Path) -> Vec<String> {
     let mut ends = vec![];
     for beyond in ["nan", "99999999999999999999999999", "-99999999999999999999999999"] {

@@ -4,12 +4,12 @@
 pub(crate) struct Number {
     pub(crate) table: &'static str,
     pub(crate) key: &'static str,
-    /// What is written, `@` for the number.
+    /// Value as the scene file has it, `@` for the number.
     pub(crate) written: &'static str,
     pub(crate) beside: Setting,
 }
 
-/// What the scene has else.
+/// Settings that the scene needs beside the number.
 #[derive(Clone, Copy)]
 pub(crate) enum Setting {
     /// Nothing that it has not anyway.
@@ -209,7 +209,7 @@ pub(crate) const NUMBERS: &[Number] = &[
     number("traffic", "models", "{ car = { model = \"sheet.obj\", unit_scale = @ } }", FEW),
 ];
 
-/// As a scene file with that number.
+/// Text of a scene file with that number set to `value`.
 pub(crate) fn scene_with(number: &Number, value: &str) -> String {
     let mut keys: Vec<(&str, &str, String)> = vec![];
     let mut set = |table, key, value: String| {

@@ -115,7 +115,7 @@ impl Count {
     }
 }
 
-/// What was counted in some streets.
+/// Counts of cells in some streets, and those that are marked wrongly.
 #[derive(Default)]
 pub(crate) struct Counts {
     /// Cells of a way over two bodies that stand a beam apart.

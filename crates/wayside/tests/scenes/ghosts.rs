@@ -18,8 +18,8 @@ fn table_of(files: &[(String, String)]) -> Result<String, FromUtf8Error> {
     String::from_utf8(place.bytes("table.csv"))
 }
 
-/// On larger arrays a model of two points is not all there is to say of plates a metre wide at 18 m; their
-/// counts are on the page.
+/// Ghosts are counted on a small array: on larger ones a model of two points is not all there is to say of
+/// plates a metre wide at 18 m; their counts are on the page.
 #[test]
 fn traced_waves_between_two_bodies_are_marked_and_echoes_of_one_are_not() {
     let Counts { ghosts, direct, wrong } = counts("preset = \"3x4\"", 1.0 / 6.0, 0..3, &table_of).unwrap();

@@ -1,5 +1,4 @@
-//! What `run` promises: everything is there, nothing is computed twice, nothing depends on threads or on
-//! truth.
+//! Promises of `run`: everything is there, nothing is computed twice, nothing depends on threads or on truth.
 
 use crate::common::{SMALL_SCENE, Workplace};
 use serde_json::Value;

@@ -1,4 +1,4 @@
-//! What the report and its pictures promise to whoever opens them, on a page or on a telephone.
+//! Promises of the report and its pictures to whoever opens them, on a page or on a telephone.
 
 #![allow(clippy::unwrap_used, reason = "tests fail on unwrap")]
 

@@ -6,7 +6,7 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// What both scenes share. Reflectors stand in lane 2 of their radar at 30 m and in lane 3 at 42 m.
+/// Part that both scenes share. Reflectors stand in lane 2 of their radar at 30 m and in lane 3 at 42 m.
 const HEAD: &str = r#"
 seed = 7
 [radar]

@@ -1,4 +1,5 @@
-//! What stands about in a street, and the road itself, through the whole chain: seen, never compared with.
+//! Clutter that stands about in a street, and the road itself, through the whole chain: seen, never compared
+//! with.
 
 #![allow(
     clippy::unwrap_used,
@@ -85,8 +86,8 @@ fn a_floor_raises_the_cells_before_the_radar_and_hides_no_strong_target() {
     assert_eq!(paths("out/summary.json"), paths("floor/summary.json"), "the floor is in no .paths");
 }
 
-/// With a car besides, at two of the small radar's Doppler cells of 5.4 m/s; a scene for each value of
-/// `static`.
+/// Places the street with a car besides, at two of the small radar's Doppler cells of 5.4 m/s; a scene for
+/// each value of `static`.
 fn with_static() -> Workplace {
     let car = "[fidelity]\naccuracy_db = -10.0\nbounces = 1\n[[target]]\nkind = \"point\"\nid = \"car\"\nrcs_m2 = 10.0\n\
                position_m = [2.0, 40.0, 1.0]\nvelocity_mps = [0.0, -11.0, 0.0]\n";

@@ -1,5 +1,5 @@
-//! What a run says of itself: accuracy asked and reached, what was found, and what made the false objects;
-//! the same in `summary.json`, on the console and in the report.
+//! Statements of a run on itself: accuracy asked and reached, what was found, and what made the false
+//! objects; the same in `summary.json`, on the console and in the report.
 
 #![allow(
     clippy::unwrap_used,
@@ -196,7 +196,7 @@ fn an_array_that_cannot_tell_ghosts_says_null_and_not_zero() {
     assert!(objects.iter().all(|object| object["ghost_share"].is_null()), "{objects:#?}");
 }
 
-/// λ/4T is 8.6 m/s.
+/// Maximum unambiguous velocity λ/4T is 8.6 m/s.
 #[test]
 fn a_target_whose_velocity_is_aliased_is_said_to_be_and_makes_the_map_abnormal() {
     let place = Workplace::new();

@@ -111,8 +111,8 @@ fn frames_side_by_side_have_the_bytes_of_frames_one_by_one() {
     assert_eq!(ids.collect::<Vec<_>>(), ["a", "b"]);
 }
 
-/// With `measured_every = 3`: frames between take over, and whatever was computed first, with a cache,
-/// without one, or one frame alone, they are the same.
+/// Frames between those measured with `measured_every = 3` take over their errors, and whatever was computed
+/// first, with a cache, without one, or one frame alone, they are the same.
 #[test]
 fn frames_between_measured_ones_tell_whose_error_they_have_and_have_the_same_bytes_in_any_order() {
     let place = Workplace::new();
@@ -140,8 +140,8 @@ fn frames_between_measured_ones_tell_whose_error_they_have_and_have_the_same_byt
     );
 }
 
-/// Of two recordings one has more vehicles out of view and goes on for longer: frames that both have are
-/// found in the cache.
+/// Second of two recordings: it has more vehicles out of view and goes on for longer; frames that both have
+/// are found in the cache.
 #[test]
 fn a_longer_recording_leaves_the_frames_that_it_had_in_the_cache() {
     let place = Workplace::new();

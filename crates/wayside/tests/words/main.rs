@@ -1,4 +1,4 @@
-//! What a user types, and what goes wrong with it.
+//! Commands that a user types, and what goes wrong with them.
 
 #[path = "../common/mod.rs"]
 mod common;

@@ -83,7 +83,7 @@ fn remarks_that_nobody_can_read_are_not_missed() {
     }
 }
 
-/// Its results are files: they are all there, though nobody read what it said.
+/// Results of `run` are files: they are all there, though nobody read what it said.
 #[test]
 fn a_run_whose_reader_has_gone_away_is_carried_to_its_end() {
     let place = Workplace::new();

@@ -50,7 +50,7 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     products.finish()
 }
 
-/// What comes out of a cube.
+/// Outputs of the processing of a cube: writers of maps, points and tracks, and the tracker between frames.
 struct Products<'a> {
     header: &'a CubeHeader,
     receiver: &'a Receiver,

@@ -34,7 +34,7 @@ pub(crate) fn run(arguments: &EchoArguments, memory: Allowance) -> Result<(), Fa
     Ok(())
 }
 
-/// Of each frame, by its number.
+/// Verdicts on the accuracy of the frames, each with its frame's number.
 type Verdicts = Vec<(u32, Verdict)>;
 
 fn from_scene(chain: &Chain, writer: &mut Writer<Cube>) -> Result<Verdicts, Failure> {

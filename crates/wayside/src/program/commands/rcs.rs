@@ -89,7 +89,7 @@ fn claim(arguments: &RcsArguments) -> Result<(), Failure> {
 /// Values of a table: 16 bytes each, a gibibyte and what measuring its errors takes beside.
 const TABLE_LIMIT: usize = 1 << 26;
 
-/// What is done of this very table, by these very sources.
+/// Checkpoint of this very table, by these very sources.
 fn checkpoint(arguments: &RcsArguments, mesh: &Mesh, request: &RcsRequest) -> Checkpoint {
     let sources = Stage::BartRcs.sources();
     let method = format!("{:?} {:?} {request:?}", arguments.method, arguments.density);

@@ -35,7 +35,7 @@ pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What is read beside the points, frame by frame.
+/// Files that are read beside the points, frame by frame.
 struct Files<'a> {
     scene: Reader<Scene>,
     paths: Option<Reader<Paths>>,
@@ -65,7 +65,7 @@ impl Files<'_> {
     }
 }
 
-/// Where tracks come from.
+/// Source of tracks: a file, or a tracker that runs here.
 enum Followed {
     Given(Reader<Tracks>, std::path::PathBuf),
     Here(Box<Tracker>),

@@ -81,7 +81,7 @@ pub(crate) fn rows(folder: &Path) -> Vec<Row> {
     rows
 }
 
-/// What is off here is physics (tip, creeping waves), and by how much is known.
+/// Rows of the almond: what is off here is physics (tip, creeping waves), and by how much is known.
 fn almond_rows(almond: &Cut) -> Vec<Row> {
     let mut rows = Vec::new();
     let got = almond.part(&almond.got_dbsm, 60.0, 120.0);

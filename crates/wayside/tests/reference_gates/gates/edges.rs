@@ -137,7 +137,7 @@ fn austin(folder: &Path) -> Vec<Row> {
 struct Levels {
     az_deg: Vec<f64>,
     reference: [Vec<f64>; 2],
-    /// With edges, without; by polarization.
+    /// Levels in dBsm, `[with edges, without][polarization][azimuth]`.
     got: [[Vec<f64>; 2]; 2],
 }
 

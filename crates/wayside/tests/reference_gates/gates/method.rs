@@ -53,12 +53,12 @@ impl<'a> Bart<'a> {
         Self { edges: Edges::FirstOrder, accuracy_db: -50.0, ..Self::first_order(mesh) }
     }
 
-    /// vv and hh at every antenna: `[antenna][order − 1]`; vh and hv stay 0.
+    /// S in vv and hh at every antenna: `[antenna][order − 1]`; vh and hv stay 0.
     pub(crate) fn orders(&self, antennas: &[Standpoint]) -> Vec<Vec<Amplitude>> {
         self.elements(antennas, &[Polarization::Vv, Polarization::Hh])
     }
 
-    /// As [`Self::orders`] with the elements asked for.
+    /// S as [`Self::orders`] gives it, of the elements asked for.
     pub(crate) fn elements(&self, antennas: &[Standpoint], elements: &[Polarization]) -> Vec<Vec<Amplitude>> {
         let mut all = vec![vec![Amplitude::default(); usize::from(self.bounces)]; antennas.len()];
         let mut start = 0;

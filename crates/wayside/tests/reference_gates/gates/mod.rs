@@ -19,7 +19,7 @@ pub(crate) mod edges;
 
 pub(crate) use row::Row;
 
-/// From the folder of reference data.
+/// Check that makes the rows of a table from the folder of reference data.
 pub(crate) type Check = fn(&std::path::Path) -> Vec<Row>;
 
 /// Every check, in the page's order, under its heading.

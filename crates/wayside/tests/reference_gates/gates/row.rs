@@ -37,7 +37,7 @@ impl Row {
         self.gate.contains(&self.figure)
     }
 
-    /// As a line of a Markdown table.
+    /// Line of a Markdown table with this row.
     pub(crate) fn line(&self) -> String {
         let number = |x: f64| if x != 0.0 && x.abs() < 1e-2 { format!("{x:.2e}") } else { format!("{x:.3}") };
         let (low, high) = (*self.gate.start(), *self.gate.end());

@@ -55,7 +55,7 @@ fn same(cell: &str, value: &str) -> bool {
         || matches!((cell.parse::<f64>(), value.parse::<f64>()), (Ok(a), Ok(b)) if (a - b).abs() < 1e-9)
 }
 
-/// σ in dBsm.
+/// RCS σ = |S|² in dBsm.
 pub(crate) fn dbsm(s: Complex64) -> f64 {
     10.0 * s.norm_sqr().max(1e-40).log10()
 }

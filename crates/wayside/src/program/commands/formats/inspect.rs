@@ -17,7 +17,7 @@ use artifact::units::{db_from_amplitude, db_from_power};
 use artifact::{Preamble, Radar, Reader, Schema, read_preamble};
 use std::path::Path;
 
-/// What is said of content that is not, and that is as it should be.
+/// Words for content that is not as it should be, and for content that is.
 const SANITY: [&str; 2] = ["NOT complete and finite", "complete and finite"];
 
 pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {

@@ -58,7 +58,7 @@ impl Recording {
         self.slots() * self.receivers * self.samples
     }
 
-    /// Where a cube has the samples of a slot and a receiver.
+    /// Range of a cube's frame that holds the samples of a slot and a receiver.
     fn row(&self, slot: usize, receiver: usize) -> std::ops::Range<usize> {
         let (chirp, turn) = (slot / self.turns, slot % self.turns);
         let start = ((turn * self.receivers + receiver) * self.chirps + chirp) * self.samples;
@@ -117,14 +117,14 @@ fn transposed(values: &[Complex32], rows: usize, columns: usize) -> Vec<Complex3
     values.chunks_exact(rows * columns).flat_map(run).collect()
 }
 
-/// What a reader of raw data gives.
+/// Frames that a reader of raw data gives, and what their steps stand for.
 pub(crate) struct Imported {
-    /// In the order of a cube.
+    /// Samples of each frame, in the order of a cube.
     pub(crate) frames: Vec<Vec<Complex32>>,
     pub(crate) step: Step,
 }
 
-/// What one step of integer samples stands for.
+/// Value of one step of integer samples, and who says it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Step {
     /// Samples are floats in √W.

@@ -1,5 +1,5 @@
-//! What stands beside a file and tells of it: `F.json` behind the file's whole name, so that no two files
-//! share one.
+//! Sidecars, which describe the file that they stand beside: `F.json` behind the file's whole name, so that
+//! no two files share one.
 //!
 //! Each says in `of` which file it belongs to; the description of a table of `rcs` is known by what it holds.
 //! What belongs to another file, or is no sidecar, is never replaced.
@@ -24,7 +24,7 @@ pub(crate) fn of_table(table: &Path) -> PathBuf {
     if json == table { table.with_extension("axes.json") } else { json }
 }
 
-/// What was exported, described.
+/// Writes the sidecar of an exported file: its axes, and in `of` the file's name.
 pub(crate) fn write(file: &Path, axes: &Value) -> Result<(), Failure> {
     let mut told = axes.clone();
     if let Some(map) = told.as_object_mut() {
@@ -44,13 +44,13 @@ pub(crate) fn claim(file: &Path) -> Result<(), Failure> {
     keep_foreign(&beside(file), file)
 }
 
-/// As [`claim`], for a table.
+/// Claims a table and its description, as [`claim`] does for an exported file and its sidecar.
 pub(crate) fn claim_table(table: &Path) -> Result<(), Failure> {
     files::claim(&[table.to_owned(), of_table(table)])?;
     keep_foreign(&of_table(table), table)
 }
 
-/// What a sidecar tells; `None` where there is none that can be read as one.
+/// Content of a sidecar; `None` where there is none that can be read as one.
 pub(crate) fn read(place: &Path) -> Option<Value> {
     text_of(|| artifact::inputs::open(place), place)
 }
@@ -78,7 +78,8 @@ fn name(file: &Path) -> String {
     file.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// What was asked for is replaced; what stands beside it only if it is this file's own.
+/// Refuses where `place` holds what is no sidecar of `file`: what was asked for is replaced, and what stands
+/// beside it only if it is this file's own.
 fn keep_foreign(place: &Path, file: &Path) -> Result<(), Failure> {
     if !place.is_file() {
         return Ok(()); // what is neither missing nor a plain file is refused by its writer

@@ -1,4 +1,4 @@
-//! What all writers of formats need.
+//! Functions that all writers of formats need.
 
 /// A name that an artifact gives as a part of a file's: it leads into no other folder.
 pub(crate) fn plain_name(name: &str) -> String {

@@ -126,7 +126,7 @@ fn row(name: &str, array: &str, told: &[[Part; 2]]) -> String {
     )
 }
 
-/// How often answers of a probability are right, by frame: what a reliability diagram draws.
+/// Reliability diagram as a table: how often answers of a probability are right, by frame.
 fn reliability(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
     let mut table = String::from(
         "\nReliability: mean probability of the likeliest class / share of these answers that is right, % (answers), by frame, seed 1:\n\n",
@@ -155,14 +155,15 @@ fn reliability(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
     table
 }
 
-/// Of four classes the likeliest has a quarter at least.
+/// First bin of probability that an answer can fall into: of four classes the likeliest has a quarter at
+/// least.
 const LEAST_BIN: usize = 2;
 
 /// Probabilities from which on a class could be told.
 const THRESHOLDS: [f32; 5] = [0.3, 0.4, 0.5, 0.6, 0.7];
 
-/// What each protocol's tracks are told right, wrong and not at all, by the probability from which on a class
-/// is told.
+/// Table of the share of each protocol's frames that are told right, wrong and not at all, %, by the
+/// probability from which on a class is told.
 fn by_threshold(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
     let heads: String = THRESHOLDS.iter().map(|least| format!(" from {least} |")).collect();
     let mut table = format!(
@@ -193,8 +194,8 @@ fn shares(answers: &[(&Seen, Logits)], least: f32) -> String {
     counts.map(|share| format!("{share:.0}")).join(" / ")
 }
 
-/// How often a protocol's vehicles are told right, by what their sightings were like; nothing of folders that
-/// do not tell.
+/// Table of how often a protocol's vehicles are told right, by what their sightings were like; empty where
+/// the folders do not tell that.
 fn by_condition(protocol: &Protocol<'_>, folders: &[PathBuf], trained: &TrainedTrees) -> String {
     let known = conditions::conditions(folders);
     let mut of: BTreeMap<(usize, &str, &conditions::Bin), Protocol<'_>> = BTreeMap::new();
@@ -224,7 +225,7 @@ fn by_condition(protocol: &Protocol<'_>, folders: &[PathBuf], trained: &TrainedT
 /// Features by which training and test are compared: level, visible extent, number of peaks, height.
 const COMPARED: [&str; 4] = ["total_dbsm", "extent_m", "peaks", "height_m"];
 
-/// How like what trained is to what tests, class by class.
+/// Table of how alike features are in what trained and what tests, as area under the ROC, class by class.
 fn likenesses(folder: &Path, learned: &Sightings, test: &Sightings) -> String {
     let (learned, test): (Vec<&Seen>, Vec<&Seen>) = (learned.all.iter().collect(), test.all.iter().collect());
     let mut table = format!(

@@ -38,7 +38,7 @@ pub(crate) fn run(arguments: &TrainArguments) -> Result<(), Failure> {
     }
 }
 
-/// By the program that stands on the learning library.
+/// Trains the network by the program that stands on the learning library.
 fn network(arguments: &TrainArguments, shards: &[PathBuf]) -> Result<(), Failure> {
     let mut command = Command::new(built()?);
     command.arg("--out").arg(&arguments.out);
@@ -54,8 +54,8 @@ pub(super) fn ran(mut command: Command, shards: &[PathBuf], work: &Work) -> Resu
     heard(child.map_err(|e| Failure::System(format!("{PROGRAM}: cannot be run: {e}")))?, work)
 }
 
-/// Where it is built: what it stands on has other features than what the main job stands on, and neither
-/// undoes the other's work.
+/// Folder in which the training program is built: what it stands on has other features than what the main job
+/// stands on, and neither undoes the other's work.
 pub fn target_folder(project: &Path) -> PathBuf {
     project.join("target/training")
 }
@@ -99,7 +99,7 @@ pub(super) fn built() -> Result<PathBuf, Failure> {
         .ok_or_else(|| unbuilt(format!("its build ended with {}", output.status)))
 }
 
-/// Where a message of cargo's says that the program lies.
+/// Place of the program, where a message of cargo's tells it.
 fn program_of(message: &Value) -> Option<PathBuf> {
     let is_it = message["target"]["name"] == PROGRAM;
     message["executable"].as_str().filter(|_| is_it).map(PathBuf::from)

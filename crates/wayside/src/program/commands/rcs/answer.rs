@@ -1,4 +1,4 @@
-//! What `rcs` answers: the table and what is known of it.
+//! Answer of `rcs`: the table and what is known of it.
 
 use crate::host::processor_time::Counted;
 use crate::outcome::error_figures::{ErrorFigures, ModelErrorFigures};
@@ -13,15 +13,15 @@ use clap::ValueEnum;
 use num_complex::Complex64;
 use serde_json::{Value, json};
 
-/// What the command took, s.
+/// Time that the command took, s.
 pub(super) struct Took {
     /// Work of reading the mesh.
     pub(super) load: f64,
-    /// By the clock on the wall.
+    /// Elapsed time, by the clock on the wall.
     pub(super) total: f64,
-    /// Of all threads on processors, in this run; `None` where the system does not tell that.
+    /// Processor time of all threads in this run; `None` where the system does not tell that.
     pub(super) processor_total: Option<f64>,
-    /// What all but the totals are told by.
+    /// Clock that all times but the totals are told by.
     pub(super) counted: Counted,
 }
 
@@ -125,7 +125,8 @@ impl Answer {
         }
     }
 
-    /// What a far-field table is not: said by every run that makes one.
+    /// Warning of every run that makes a far-field table: from which range on it is right, and its error
+    /// nearer by.
     fn warning(&self, arguments: &RcsArguments, mesh: &Mesh) -> String {
         let frequency_hz: Vec<f64> = arguments.freq_ghz.values.iter().map(|f| f * 1e9).collect();
         let from_m = far_field_from_m(mesh, &frequency_hz);

@@ -16,12 +16,12 @@ pub(super) struct Image {
     pub(super) sum: Sum,
 }
 
-/// How azimuths are added.
+/// Sum over azimuths of an image.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Sum {
-    /// With their phases: neighbours are dense enough.
+    /// Sum of values with their phases: neighbours are dense enough.
     Coherent,
-    /// In power.
+    /// Sum of powers.
     Incoherent,
 }
 
@@ -83,7 +83,7 @@ fn power(values: impl ExactSizeIterator<Item = Complex64>, sum: Sum) -> f64 {
 /// Samples over equidistant frequencies, transformed; the phase of the centre frequency is taken out.
 struct Profile {
     cell_m: f64,
-    /// Of ranges 0, cell, 2·cell, … and, from the end, −cell, …
+    /// Values at ranges 0, cell, 2·cell, … and, from the end, −cell, …
     values: Vec<Complex64>,
 }
 

@@ -72,7 +72,7 @@ const LINES: usize = 200;
 /// Levels shown below the strongest sequence.
 const SPAN_DB: f64 = 40.0;
 
-/// All that can be written beside a table.
+/// Every file that can be written beside a table.
 pub(super) fn places(out: &Path) -> Vec<PathBuf> {
     PICTURES.iter().chain([&FACETS]).map(|name| beside(out, name)).collect()
 }
@@ -172,7 +172,7 @@ fn profile(
     LinePlot { notes: range.warnings().into_iter().map(capital).collect(), ..plot }
 }
 
-/// What an axis says where the body lies upon itself.
+/// Addition to an axis's label where the body lies upon itself.
 fn ambiguous(warnings: &[String]) -> &'static str {
     if warnings.is_empty() { "" } else { " (ambiguous)" }
 }
@@ -231,7 +231,8 @@ fn triangle_colours(mesh: &Mesh, parts: &[Contribution], strongest: f64) -> Vec<
     power.iter().map(|p| if *p > 0.0 { colour(*p, strongest) } else { [40, 44, 52] }).collect()
 }
 
-/// From the antenna's side (half a body's length away) over the touched points and back.
+/// Line from the transmitter's side, [`RAY_M`] away, over the touched points and as far out to the receiver's
+/// side.
 fn ray(request: &RcsRequest, aspect: usize, part: &Contribution, strongest: f64) -> PaintedLine {
     let azimuths = request.azimuth_rad.len();
     let (elevation_rad, azimuth_rad) =

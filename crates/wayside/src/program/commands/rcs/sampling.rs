@@ -1,4 +1,4 @@
-//! How many frequencies and azimuths a range profile and an image need, so that they show a body once.
+//! Numbers of frequencies and azimuths that a range profile and an image need, so that they show a body once.
 //!
 //! Frequencies Δf apart repeat every c/2Δf in range, azimuths Δφ apart every λ/2Δφ across it: a body that is
 //! longer or wider lies upon itself.
@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 /// One axis of a table against the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Sampling {
-    /// What a picture shows before it repeats.
+    /// Extent that a picture shows before it repeats.
     pub(super) unambiguous_m: f64,
     /// Extent of the body along the picture's axis, at most over the aspects.
     pub(super) body_m: f64,

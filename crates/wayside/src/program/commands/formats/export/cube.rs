@@ -75,7 +75,7 @@ fn channels(header: &CubeHeader) -> Value {
     }
 }
 
-/// As they hear all transmitters, or a code that no transmitter has.
+/// Channels of the receivers alone: they hear all transmitters, or a code that no transmitter has.
 fn receivers(header: &CubeHeader) -> impl Iterator<Item = Value> {
     header.radar.array.rx_m.iter().map(|rx| json!({ "tx_m": null, "rx_m": rx }))
 }

@@ -76,7 +76,7 @@ fn image(file: &Path, sample: Sample) -> Result<Crop, Failure> {
     })
 }
 
-/// What a line of `manifest.jsonl` tells of a sample.
+/// Fields of a sample's line in `manifest.jsonl`.
 pub(crate) fn label(sample: &Sample) -> Value {
     json!({
         "id": sample.id, "class": sample.class.map(|c| c.name()), "model": sample.model, "variant": sample.variant,

@@ -59,7 +59,7 @@ fn axes(header: &CubeHeader, told: &[(f64, u64, u64)]) -> serde_json::Value {
     })
 }
 
-/// Of every row; with sub-frames a list of these.
+/// Velocities of the map's rows, m/s; with sub-frames a list of such lists, one a sub-frame.
 fn velocities(header: &CubeHeader) -> serde_json::Value {
     match header.radar.schedule.sub_frames() {
         1 => json!(dsp::velocity_axis_mps(header)),
@@ -82,7 +82,7 @@ pub(crate) fn png(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
     })
 }
 
-/// With axes in metres and m/s and a scale in decibels.
+/// Writes a picture of each frame, with axes in metres and m/s and a scale in decibels.
 pub(crate) fn png_with_axes(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
     each_frame(reader, out, |header, frame, place| pictures::write_map(place, header, frame))
 }

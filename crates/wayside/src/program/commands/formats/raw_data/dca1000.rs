@@ -67,7 +67,7 @@ pub(crate) fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Resul
     Ok(Imported { frames, step })
 }
 
-/// Of 32,767 steps the strongest sample takes these: some are left for a reader's noise.
+/// Steps, of 32,767, that the strongest sample takes: some are left for a reader's noise.
 const FULL_SCALE: f32 = 32_000.0;
 
 fn even(file: &Path, recording: Recording) -> Result<Recording, Failure> {

@@ -4,7 +4,8 @@ use crate::outcome::error_figures::decibels;
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-/// How many scenes reached it, the worst, and of those that did not what limits them and what would help.
+/// Lines on the accuracy asked for: how many scenes reached it, the worst error, and for those that missed it
+/// how many there are of each cause, with what would help.
 pub(super) fn lines(scenes: &[Value]) -> Vec<String> {
     let is_measured = |scene: &&Value| scene["measured_in"] == scene["scene"];
     let first = |scene: &Value| scene["frames"][0]["accuracy"].clone();

@@ -1,11 +1,11 @@
-//! What a recipe's file says; its keys are in `docs/datasets.md`.
+//! Content of a recipe's file; its keys are in `docs/datasets.md`.
 
 use crate::program::commands::learning::dataset::models::Choice;
 use artifact::scene::SceneHeader;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
-/// What the file says.
+/// Content of a recipe's file.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Document {
@@ -59,7 +59,7 @@ fn kept() -> bool {
 
 /// A scene of which radar, noise, processing and fidelity are taken; its own targets are not used.
 pub(super) struct Base {
-    /// Of the file.
+    /// Name of the scene's file.
     pub(super) name: String,
     pub(super) header: SceneHeader,
 }

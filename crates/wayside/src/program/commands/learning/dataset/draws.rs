@@ -1,13 +1,13 @@
-//! What is drawn of each scene before any mesh is there: which vehicles, before which radar.
+//! Draws of each scene before any mesh is there: which vehicles, before which radar.
 
 use crate::program::commands::learning::dataset::recipe::Recipe;
 use artifact::settings::Class;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// Of the scenes that queue, those that stand; the others roll.
+/// Share of the scenes with a queue in which it stands; in the others it rolls.
 const STANDING_SHARE: f64 = 0.5;
-/// What rolls in a queue is slower, m/s.
+/// Greatest speed of a queue that rolls, m/s.
 const ROLLING_MPS: f64 = 0.5;
 
 /// A scene before it is computed.
@@ -34,11 +34,11 @@ pub(super) struct Vehicle {
     pub(super) variant: u64,
     /// Off the lane's direction, counter-clockwise.
     pub(super) yaw_rad: f64,
-    /// Across the lane, from its middle.
+    /// Offset from the lane's middle across the road, m.
     pub(super) offset_m: f64,
 }
 
-/// Where on the road and how fast.
+/// Lane, slant range and speed of a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Drive {
     pub(super) lane: u8,
@@ -46,8 +46,8 @@ pub(super) struct Drive {
     pub(super) speed_mps: f64,
 }
 
-/// What scenes have in common whose errors are alike: the base scene and the class of a lone vehicle, `None`
-/// of several.
+/// Kind of a scene, for scenes of one kind have like errors: its base scene and the class of a lone vehicle,
+/// `None` of several.
 pub(super) type Kind = (usize, Option<Class>);
 
 impl Drawn {
@@ -111,7 +111,7 @@ pub(super) fn drive(recipe: &Recipe, random: &mut ChaCha8Rng) -> Drive {
     }
 }
 
-/// Of all classes evenly, then of the class's models.
+/// Draws a class, all with the same chance, then one of its models and a variant.
 fn any_model(recipe: &Recipe, random: &mut ChaCha8Rng) -> (Class, usize, u64) {
     let number = random.random_range(0..recipe.models.len());
     let variant = random.random_range(0..recipe.asked.vehicle_seeds);

@@ -1,5 +1,4 @@
-//! What a dataset tells in words of JSON: a line a scene beside each shard, from which a line a sample is
-//! made.
+//! JSON lines of a dataset: a line a scene beside each shard, from which a line a sample is made.
 
 use crate::outcome::verdict::{Asking, Verdict};
 use crate::program::commands::learning::dataset::draws::Drawn;
@@ -10,7 +9,7 @@ use artifact::points::Object;
 use evaluation::Truth;
 use serde_json::{Map, Value, json};
 
-/// Of one vehicle in one frame, found or not.
+/// Identifier of one vehicle in one frame, found or not.
 pub(super) fn id(scene: u64, target: usize, frame: u32) -> String {
     format!("scene-{scene:05}-{target}-{frame:03}")
 }

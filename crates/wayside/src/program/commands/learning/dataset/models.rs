@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 /// A manifest of a thousand vehicles, with all that is told of each.
 const LIMIT_BYTES: u64 = 16 << 20;
 
-/// What the table says.
+/// Content of the recipe's table `[models]`.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Choice {
@@ -29,7 +29,7 @@ pub(super) struct Choice {
 
 /// A body that a recipe may draw.
 pub(super) struct Model {
-    /// Of the own vehicle, or of the file without its ending.
+    /// Name of the project's own vehicle, or of the file without its ending.
     pub(super) name: String,
     source: Source,
 }
@@ -46,7 +46,7 @@ impl Model {
         matches!(self.source, Source::Own)
     }
 
-    /// In a scene's axes, its materials not looked up yet.
+    /// Mesh of a variant in a scene's axes, its materials not looked up yet.
     pub(super) fn mesh(&self, variant: u64) -> Mesh {
         match &self.source {
             Source::Own => vehicles::mesh(&self.name, variant).unwrap_or_default(),
@@ -103,7 +103,7 @@ impl Choice {
     }
 }
 
-/// What is read of a folder's `manifest.toml`; it may say more.
+/// Part of a folder's `manifest.toml` that is read; the file may say more.
 #[derive(Deserialize)]
 struct Manifest {
     vehicle: Vec<Entry>,

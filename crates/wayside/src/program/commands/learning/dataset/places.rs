@@ -1,9 +1,9 @@
-//! Where the vehicles of a scene stand: one after the other, each where it keeps clear of those before it.
+//! Places of a scene's vehicles: one after the other, each where it keeps clear of those before it.
 
 use artifact::scene::{Pose, SceneHeader};
 use std::f64::consts::FRAC_PI_2;
 
-/// From bumper to bumper along a lane, m.
+/// Least gap from bumper to bumper along a lane, m.
 const CLEAR_ALONG_M: f64 = 1.5;
 /// Beside one another, m; what is further apart across is in another lane.
 const CLEAR_ACROSS_M: f64 = 0.3;
@@ -11,7 +11,7 @@ const CLEAR_ACROSS_M: f64 = 0.3;
 /// A body on the road, its box turned as it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Place {
-    /// Of the middle, across and along the road.
+    /// Position of the body's middle, across and along the road, m.
     pub(super) at_m: [f64; 2],
     /// Half of the box's extent across and along the road.
     half_m: [f64; 2],
@@ -53,7 +53,7 @@ impl Place {
         [across_m + way_m * self.yaw_rad.sin(), along_m - way_m * self.yaw_rad.cos()]
     }
 
-    /// In the world, on its way towards the radar.
+    /// Pose in the world, on the way towards the radar.
     pub(super) fn pose(&self, base: &SceneHeader) -> Pose {
         let road = &base.dsp.road;
         let [x_m, y_m] = road.world_m(self.at_m);

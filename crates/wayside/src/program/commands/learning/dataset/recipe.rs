@@ -15,7 +15,7 @@ const LIMIT_BYTES: u64 = 4 << 20;
 
 /// A recipe, checked.
 pub(super) struct Recipe {
-    /// What it says of the draws.
+    /// Content of the recipe's file, which says what is drawn.
     pub(super) asked: Document,
     pub(super) bases: Vec<Base>,
     pub(super) models: BTreeMap<Class, Vec<Model>>,

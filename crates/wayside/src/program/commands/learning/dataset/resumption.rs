@@ -1,4 +1,5 @@
-//! What an earlier run has left of a dataset: a shard is taken up if it is whole and of the same scenes.
+//! Resumption of a dataset from what an earlier run has left: a shard is taken up if it is whole and of the
+//! same scenes.
 
 use crate::host::failure::Failure;
 use crate::host::progress;

@@ -1,9 +1,9 @@
-//! What the keys of a recipe may say.
+//! Rules of what the keys of a recipe may say.
 
 use crate::program::commands::learning::dataset::document::{Base, Document};
 use artifact::settings::Noise;
 
-/// At a second a scene that is a week and a half for each class.
+/// Scenes of a class: at a second a scene a week and a half.
 const SCENES_LIMIT: u32 = 1_000_000;
 /// Vehicles of a scene: more than stand within reach of a radar in three lanes.
 const VEHICLES_LIMIT: u32 = 16;

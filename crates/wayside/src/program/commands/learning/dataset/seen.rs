@@ -8,7 +8,7 @@ use evaluation::{Pairing, Reach, Truth, truths};
 pub(super) struct Seen {
     pub(super) products: FrameProducts,
     pub(super) truths: Vec<Truth>,
-    /// For each vehicle its object.
+    /// Index of each vehicle's object; `None` where it was not found.
     pub(super) object_of: Vec<Option<usize>>,
 }
 

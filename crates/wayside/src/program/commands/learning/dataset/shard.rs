@@ -18,7 +18,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Scenes for each thread that are made before they are written: all of a shard would be too many to hold.
 const HELD: usize = 4;
 
-/// What shards are made of and with.
+/// Recipe, memory and listener with which shards are made.
 pub(super) struct Making<'a> {
     pub(super) recipe: &'a Recipe,
     pub(super) memory: Allowance,
@@ -81,7 +81,7 @@ fn at_once(making: &Making, scenes: &[Drawn], first: &[usize]) -> Result<usize, 
     Ok(((limit_mib / estimate_mib) as usize).clamp(1, threads))
 }
 
-/// What all scenes of a shard are made in.
+/// Work on one shard: its scenes, and how many of them are computed at once.
 struct Work<'a> {
     making: &'a Making<'a>,
     scenes: &'a [Drawn],

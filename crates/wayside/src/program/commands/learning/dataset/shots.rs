@@ -15,11 +15,11 @@ use std::sync::Arc;
 
 /// A scene after it was computed.
 pub(super) struct Shot {
-    /// Of every vehicle that was found, frame by frame.
+    /// Samples of every vehicle that was found, frame by frame.
     pub(super) samples: Vec<Sample>,
     /// Truth and estimates.
     pub(super) line: Value,
-    /// For scenes of the same kind.
+    /// Errors that scenes of the same kind take over.
     pub(super) measured: Measured,
 }
 
@@ -30,15 +30,15 @@ pub(super) struct Measured {
     known: Arc<Known>,
 }
 
-/// What a scene is computed in.
+/// Surroundings in which a scene is computed.
 pub(super) struct Surroundings<'a> {
-    /// Where its errors are taken over from; `None`: they are measured.
+    /// Scene whose errors are taken over; `None`: they are measured.
     pub(super) like: Option<&'a Measured>,
     /// Name of the shard's file.
     pub(super) shard: &'a str,
     /// Scenes that share the memory.
     pub(super) at_once: usize,
-    /// What tracing may take.
+    /// Memory that tracing may take.
     pub(super) memory: Allowance,
 }
 
@@ -104,7 +104,7 @@ fn samples_of(
     Ok(samples)
 }
 
-/// As a detector among its neighbours shows it.
+/// Crop of the map about an object, as a detector among its neighbours shows it.
 fn crop(chain: &Chain, seen: &Seen, object: u32) -> Result<Crop, Failure> {
     let cropper = chain.receiver()?.cropper(&seen.products.rdm, &dsp::PAPER_CROP);
     cropper

@@ -12,7 +12,7 @@ use rand_chacha::ChaCha8Rng;
 
 /// A vehicle that finds no room so often is left out.
 const TRIES: usize = 32;
-/// From bumper to bumper of those that queue, m.
+/// Least and greatest gap from bumper to bumper in a queue, m.
 const QUEUE_GAP_M: [f64; 2] = [2.0, 4.0];
 /// All frames of a scene take over what is measured in its first.
 const MEASURED_EVERY: u32 = 1_000_000;
@@ -20,11 +20,11 @@ const MEASURED_EVERY: u32 = 1_000_000;
 /// A scene ready to be computed.
 pub(super) struct Staged {
     pub(super) header: SceneHeader,
-    /// In the order of the targets.
+    /// Vehicles that found room, in the order of the targets.
     pub(super) vehicles: Vec<Told>,
 }
 
-/// What a line and a sample tell of a vehicle beside what is seen of it.
+/// Description of a vehicle in a line and a sample, beside what is seen of it.
 pub(super) struct Told {
     pub(super) class: Class,
     pub(super) model: String,
@@ -101,7 +101,7 @@ fn noisier(noise: Noise, extra_db: f64) -> Noise {
     }
 }
 
-/// What vehicles are placed on.
+/// Road of the base scene, on which the drawn vehicles are placed.
 struct Road<'a> {
     recipe: &'a Recipe,
     drawn: &'a Drawn,
@@ -164,7 +164,8 @@ impl Road<'_> {
         known.map_or_else(|| self.base.dsp.road.across_along_m(self.base.radar.position_m)[0], |l| l.centre_m)
     }
 
-    /// Where the slant range of the body's origin is this one.
+    /// Position along the road, m, at which the slant range of the body's origin is `range_m`; `across_m` is
+    /// its position across the road.
     fn along_m(&self, across_m: f64, range_m: f64) -> f64 {
         let radar_m = self.base.radar.position_m;
         let [radar_across_m, radar_along_m] = self.base.dsp.road.across_along_m(radar_m);
@@ -172,7 +173,7 @@ impl Road<'_> {
         radar_along_m + (range_m.powi(2) - sideways_m2).max(1.0).sqrt()
     }
 
-    /// From the first frame's begin to the last one's end.
+    /// Time from the first frame's begin to the last one's end, s.
     fn seconds(&self) -> f64 {
         self.base.frame_time_s(self.base.frames - 1) + self.base.radar.frame_duration_s()
     }

@@ -1,26 +1,27 @@
-//! What a training is asked: which sightings belong to a protocol, and what the training tells of them.
+//! Protocols that a training is asked: which sightings belong to each, and what the training tells of them.
 
 use artifact::dataset::Split;
 use artifact::model::Weights;
 use classifier::{Logits, Part, Seen, Sightings, TrainedTrees, parts, tree_logits};
 use std::path::{Path, PathBuf};
 
-/// What every training is asked: a name, and which answers belong to it.
+/// Protocol that every training is asked: a name, and the sightings that belong to it with the sources of
+/// their answers.
 pub(super) struct Protocol<'a> {
     pub(super) name: String,
     pub(super) seen: Vec<(&'a Seen, Source)>,
 }
 
-/// Where the answer to a sighting stands.
+/// Source of the answer to a sighting.
 #[derive(Clone, Copy)]
 pub(super) enum Source {
-    /// With the training, under this number.
+    /// Answer told with the training, under this number.
     Trained(usize),
     /// Nowhere: the finished trees answer.
     Test,
 }
 
-/// Which sightings a row counts.
+/// Filter of the sightings that a row counts.
 pub(super) type Kept = fn(&Seen) -> bool;
 
 /// The protocol of all vehicles that were held out.
@@ -50,7 +51,8 @@ pub(super) fn of_test(name: String, test: &Sightings) -> Protocol<'_> {
     Protocol { name, seen: test.all.iter().map(|seen| (seen, Source::Test)).collect() }
 }
 
-/// What a training tells of a protocol's sightings with one kind of array; `None` without any.
+/// Figures of a training on a protocol's sightings that are `kept`, by frame and by track; `None` without
+/// any.
 pub(super) fn told(protocol: &Protocol<'_>, trained: &TrainedTrees, kept: Kept) -> Option<[Part; 2]> {
     let (seen, logits): (Vec<&Seen>, Vec<Logits>) = answers(protocol, trained, kept).into_iter().unzip();
     (!seen.is_empty()).then(|| parts(&seen, &logits, trained.metrics.frame_correlation))

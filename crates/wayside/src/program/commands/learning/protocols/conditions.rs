@@ -1,4 +1,4 @@
-//! What a sighting was like, from the truth beside its shard: signal-to-noise ratio, range, aspect, company,
+//! Conditions of a sighting, from the truth beside its shard: signal-to-noise ratio, range, aspect, company,
 //! line of sight, radar.
 
 use crate::chain::loading;
@@ -23,8 +23,8 @@ const TILT_DEG: [f64; 2] = [-8.0, -4.0];
 /// Between the vehicle's heading and the way from it to the radar.
 const ASPECT_DEG: [f64; 4] = [20.0, 70.0, 110.0, 160.0];
 
-/// Of every vehicle that was found, as it was in its first frame; nothing of folders without the lines of
-/// their scenes.
+/// Conditions of every vehicle that was found, as it was in its first frame; nothing of folders without the
+/// lines of their scenes.
 pub(super) fn conditions(folders: &[PathBuf]) -> BTreeMap<TrackKey, Conditions> {
     let mut all = BTreeMap::new();
     for (number, folder) in folders.iter().enumerate() {

@@ -12,10 +12,10 @@ use std::fmt::Write;
 
 /// Parts that train beside the whole.
 const SHARES: [f64; 3] = [0.125, 0.25, 0.5];
-/// Of the draws of what trains, and of the trainings; the whole is that of the first training.
+/// Seed of the draws of what trains, and of the trainings; the whole is that of the first training.
 const SEED: u64 = 1;
 
-/// What a part keeps.
+/// Tells whether a part of a given share keeps a sighting.
 type Keeps = fn(&Seen, f64) -> bool;
 
 /// One table over scenes and one over vehicles; each row but that of the `whole` trains anew. `tests` are
@@ -55,7 +55,7 @@ fn heading(what: &str, tests: &[(String, &Sightings)]) -> String {
     )
 }
 
-/// What tests stays whole.
+/// Sightings of which a share trains; those that test stay whole.
 fn part_of(learned: &Sightings, share: f64, keeps: Keeps) -> Sightings {
     let mut part = learned.clone();
     part.all.retain(|seen| seen.split == Split::Test || keeps(seen, share));
