@@ -59,7 +59,7 @@ fn asked(arguments: &BytesArguments, run: &Run) -> bool {
     arguments.only.is_empty() || arguments.only.contains(&run.name)
 }
 
-/// What the run leaves.
+/// Runs `program` in a folder of its own and takes the checksum of every file that the run leaves.
 fn sums_of(program: &Path, run: &Run) -> Result<Sums, Failure> {
     let system = |e: std::io::Error| Failure::System(format!("{}: {e}", run.name));
     let folder = tempfile::tempdir().map_err(system)?;
@@ -81,7 +81,7 @@ fn sums_of(program: &Path, run: &Run) -> Result<Sums, Failure> {
     Ok(sums)
 }
 
-/// What of a file is the same in every run.
+/// The content of a file that is the same in every run; `None` of files that are not compared.
 fn compared(name: &str, bytes: &[u8]) -> Option<Vec<u8>> {
     match Path::new(name).extension().and_then(|kind| kind.to_str()) {
         Some("html") => None,

@@ -38,7 +38,7 @@ const CHEAP: [(&str, Check); 10] = [
     ("one set of features", |_| features::check()),
 ];
 
-/// What builds and runs all crates.
+/// Checks that build and run all crates.
 const WHOLE: [(&str, Check); 4] = [
     ("lints", |_| cargo(&["clippy", "--release", "--all-targets", "--", "-D", "warnings"])),
     ("docs", |_| documentation()),

@@ -12,21 +12,21 @@ pub(crate) struct Arguments {
     /// What to do.
     #[command(subcommand)]
     pub(crate) command: Command,
-    /// Of every command.
+    /// Options of every command.
     #[command(flatten)]
     pub(crate) general: General,
 }
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Those of the program.
+    /// Commands of `wayside`.
     #[command(flatten)]
     Wayside(wayside::program::cli::Command),
     /// Makes the figures of a page of docs/ anew; without a name, lists all studies and how old their pages are.
     Study(PageArguments),
     /// Speed against accuracy: chart.csv, pictures, a page.
     Chart(StudyArguments),
-    /// Where each method fails: atlas.csv, pictures, a page.
+    /// Conditions in which each method fails: atlas.csv, pictures, a page.
     Atlas(StudyArguments),
     /// Levels of detail, their error and cost: levels-of-detail.csv, a picture, a page.
     Levels(StudyArguments),
@@ -61,7 +61,7 @@ impl Command {
         }
     }
 
-    /// What it leaves.
+    /// Kind of results that the command leaves.
     pub(crate) fn results(&self) -> Results {
         match self {
             Self::Wayside(command) => command.results(),
@@ -80,13 +80,13 @@ impl Command {
 /// Words of `study`.
 #[derive(Debug, Args)]
 pub(crate) struct PageArguments {
-    /// Which study [default: tells of all].
+    /// Name of the study [default: tells of all].
     #[arg(value_name = "NAME")]
     pub(crate) name: Option<String>,
     /// Fewer and smaller cases; docs/ stays as it is.
     #[arg(long, requires = "name")]
     pub(crate) quick: bool,
-    /// Where the page goes in place of docs/; of `chart`, `atlas` and `levels` a folder.
+    /// File of the page in place of docs/; of `chart`, `atlas` and `levels` a folder.
     #[arg(long, value_name = "F", requires = "name")]
     pub(crate) out: Option<PathBuf>,
 }
@@ -97,7 +97,7 @@ pub(crate) struct StudyArguments {
     /// Fewer and smaller cases.
     #[arg(long)]
     pub(crate) quick: bool,
-    /// Where the table and pictures go [default: out/ and the study's name].
+    /// Folder of the table and pictures [default: out/ and the study's name].
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
     /// Refreshes the page in docs/ too.
@@ -116,10 +116,10 @@ pub(crate) struct BenchArguments {
     /// Instead: what `run --dry-run` says of random scenes beside what they take (a table, F.csv).
     #[arg(long)]
     pub(crate) predictions: bool,
-    /// Of the random scenes.
+    /// Seed of the random scenes.
     #[arg(long, default_value_t = 2, requires = "predictions")]
     pub(crate) seed: u64,
-    /// How many random scenes.
+    /// Number of random scenes.
     #[arg(long, default_value_t = 100, requires = "predictions")]
     pub(crate) scenes: u64,
     /// Result.

@@ -1,4 +1,4 @@
-//! Where the project's source lies.
+//! Places of the project's source.
 
 use std::path::{Path, PathBuf};
 

@@ -43,7 +43,7 @@ pub fn read_materials(path: &Path) -> Result<MaterialMap, SceneErrors> {
     faults.into_errors().map(|()| MaterialMap { by_name, transmission: Transmission::Ignored })
 }
 
-/// What a scene says of materials: a table of its own or a file, and whether waves pass.
+/// Reads a scene's materials, from a table of its own or a file, and whether waves pass through them.
 pub(crate) fn read_scene_materials(root: &Section<'_>, models: &mut Models) -> MaterialMap {
     let fidelity = root.section(&FIDELITY);
     let transmission = fidelity.or_default(&TRANSMISSION);
@@ -144,7 +144,7 @@ fn read_material(section: &Section<'_>) -> Option<Material> {
     }
 }
 
-/// What a material consists of before it is known what is behind.
+/// Composition of a material before it is known what is behind.
 enum Body {
     /// All the way; `None` is metal.
     Filled(Option<Complex64>),
@@ -192,7 +192,8 @@ fn read_thickness_m(section: &Section<'_>) -> Option<f64> {
     section.read(&THICKNESS).map(|mm| 1e-3 * mm)
 }
 
-/// By the table or by number: `Some(None)` is metal, `None` wrong and noted.
+/// Reads a permittivity from the table of substances or as a number: `Some(None)` is metal, `None` wrong and
+/// noted.
 #[expect(
     clippy::option_option,
     reason = "the outer says whether something readable is there, the inner whether it is metal"

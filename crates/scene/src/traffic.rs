@@ -43,11 +43,11 @@ const DEFAULT_MODELS: [(&str, &str); 11] = [
     ("moped", "motorcycle-scooter"),
 ];
 
-/// What `[traffic]` says.
+/// Recorded traffic as `[traffic]` describes it.
 pub(crate) struct Recording<'d> {
     section: Section<'d>,
     file: PathBuf,
-    /// By vType.
+    /// Models by vType.
     models: HashMap<String, Vec<Model>>,
     unknown: Vec<UnknownType>,
     times: Times,
@@ -64,9 +64,9 @@ const POSE_LIMIT: usize = 1 << 25;
 #[derive(Clone)]
 struct Model {
     kind: TargetKind,
-    /// From the origin to the front bumper.
+    /// Distance from the origin to the front bumper.
     reach_m: f64,
-    /// From the origin to the furthest corner, seen from above.
+    /// Distance from the origin to the furthest corner, seen from above.
     radius_m: f64,
 }
 
@@ -91,8 +91,8 @@ pub(crate) fn read_traffic<'d>(
     Some(Recording { section, file, models: of_types, unknown: vec![], times, view })
 }
 
-/// By default the range up to which a complex beat frequency does not fold, and the half plane before the
-/// array.
+/// Reads the radar's view; by default the range up to which a complex beat frequency does not fold, and the
+/// half plane before the array.
 fn read_view(section: &Section<'_>, radar: &Radar) -> View {
     let (sin, cos) = radar.boresight_az_rad.sin_cos();
     View {
@@ -254,7 +254,7 @@ impl Recording<'_> {
 struct Cast<'a> {
     known: HashMap<String, u32>,
     ids_of_targets: HashSet<&'a str>,
-    /// How many are held.
+    /// Number of poses held.
     poses: usize,
     traffic: Traffic,
 }

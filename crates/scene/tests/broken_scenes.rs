@@ -13,7 +13,7 @@ const POINT: &str =
 /// A sound vehicle up to line 6; what a case adds begins in line 7.
 const CAR: &str = "name = \"broken\"\n[[target]]\nkind = \"mesh\"\nid = \"c\"\nposition_m = [2, 30, 0]\nmodel = \"car-suv\"\n";
 
-/// What a scene holds after its sound beginning, where it is refused (line:column) and in which words.
+/// Content of a scene after its sound beginning, where it is refused (line:column) and in which words.
 type Case = (&'static str, &'static str, &'static str, &'static str);
 
 #[rustfmt::skip]

@@ -53,7 +53,7 @@ fn beside_recorded_traffic_there_are_no_lanes_that_nobody_said() {
     );
 }
 
-/// Without lanes the way across is across the line of sight.
+/// A road without lanes has its across direction across the line of sight.
 #[test]
 fn without_lanes_the_road_runs_where_the_radar_looks() {
     let radar = "[radar]\nposition_m = [10.0, 20.0, 6.0]\nboresight_az_deg = 90.0\n";

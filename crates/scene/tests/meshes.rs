@@ -19,7 +19,7 @@ fn read(file: &GlbFile) -> Mesh {
 }
 
 type Triangle = [[i64; 3]; 3];
-/// glTF's code of a component, and how an index is stored in it.
+/// Code of a component type in glTF, and how an index is stored in it.
 type IndexWidth = (u64, fn(u16) -> Vec<u8>);
 
 /// Triangles as micrometres, each turned so that its least corner comes first: equal for equal surfaces and

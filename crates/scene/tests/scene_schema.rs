@@ -72,7 +72,7 @@ fn tables(schema: &Value) -> Vec<(&str, &Value)> {
     std::iter::once(("", schema)).chain(below).collect()
 }
 
-/// What is wrong with a value by the schema; nothing where it is right.
+/// Says what is wrong with a value by the schema; `None` where it is right.
 fn wrong(root: &Value, schema: &Value, value: &Value, at: &str) -> Option<String> {
     if let Some(name) = schema["$ref"].as_str() {
         return wrong(root, &root["definitions"][name.trim_start_matches("#/definitions/")], value, at);

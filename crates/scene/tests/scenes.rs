@@ -448,8 +448,8 @@ fn a_pose_is_exact_to_half_a_unit_in_the_last_place_at_any_time() {
     }
 }
 
-/// a·b + c rounded once, by splitting the product into two halves that are exact (Dekker 1971) and sorting
-/// the sum's rounding error out (Knuth's two-sum).
+/// Computes a·b + c rounded once, by splitting the product into two halves that are exact (Dekker 1971) and
+/// sorting the sum's rounding error out (Knuth's two-sum).
 fn exactly(a: f64, b: f64, c: f64) -> f64 {
     let split = |x: f64| {
         let high = 134_217_729.0 * x - (134_217_729.0 * x - x);

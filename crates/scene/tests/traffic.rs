@@ -22,7 +22,7 @@ const WHOLE: ReadOptions = ReadOptions { model: None, radar: None, meshes: Meshe
 /// A sheet of 4 × 2 m: a body whose front is 2 m before its origin.
 const SHEET: &str = "v 0 0 0\nv 4 0 0.5\nv 4 2 0.5\nv 0 2 0\nf 1 2 3 4\n";
 
-/// id, x, y, angle, speed of a vehicle of type `car`.
+/// Id, x, y, angle, speed of a vehicle of type `car`.
 type Row<'a> = (&'a str, f64, f64, f64, f64);
 /// Time and vehicles.
 type Step<'a> = (f64, &'a [Row<'a>]);
@@ -383,7 +383,7 @@ fn what_is_out_of_view_is_not_kept_however_much_it_is() {
     assert_eq!(alone, among);
 }
 
-/// Where the recordings made with SUMO lie, if they do.
+/// Path of a recording made with SUMO, if it is there.
 fn shared(name: &str) -> Option<PathBuf> {
     let beside = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared")).to_owned();
     let root = std::env::var_os("WAYSIDE_SHARED").map_or(beside, PathBuf::from);

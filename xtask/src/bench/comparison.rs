@@ -6,9 +6,9 @@ use crate::bench::programs::NotHere;
 pub(super) struct Comparison {
     pub(super) name: String,
     pub(super) ours_s: f64,
-    /// Who else did it, and in how many seconds.
+    /// Name of the rival that did the same work, and its seconds.
     pub(super) rival: Result<(String, f64), NotHere>,
-    /// Of ours against the rival's result, relative amplitude.
+    /// Error of our result against the rival's, relative amplitude.
     pub(super) error: Option<f64>,
     pub(super) work: String,
 }

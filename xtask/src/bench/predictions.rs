@@ -68,7 +68,7 @@ impl Row {
     }
 }
 
-/// What was said over what was taken.
+/// Quantiles of the ratio of expected to taken, for seconds and for memory.
 fn quantiles(rows: &[Row]) -> Vec<String> {
     let told = |name: &str, ratio: &dyn Fn(&Row) -> f64| {
         let mut ratios: Vec<f64> = rows.iter().map(ratio).collect();
@@ -108,7 +108,7 @@ fn row(scene: RandomScene, folder: &Path, known: Option<&Taken>) -> Result<Optio
     Ok(Some(Row { scene, expected, look_s, load, at_once, taken }))
 }
 
-/// As `run --dry-run` says it on a machine as fast as that.
+/// Expects seconds and memory of a scene as `run --dry-run` does, on a machine of this speed.
 fn expected(file: &Path, machine_speed: f64) -> Result<(Expectation, Load, usize), Failure> {
     let arguments = SceneSource { file: file.to_owned(), ..SceneSource::default() };
     let loaded = loading::scene(&arguments, None)?;

@@ -14,7 +14,7 @@ pub(super) struct Job {
     pub(super) input: Vec<u8>,
 }
 
-/// Who does it.
+/// Kind of program that does a rival's work.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Language {
     /// `rivals.py` with this package.
@@ -23,16 +23,16 @@ pub(super) enum Language {
     Example(&'static str, &'static str, &'static str),
 }
 
-/// What a rival did.
+/// Result of a rival.
 pub(super) struct Answer {
-    /// With its version.
+    /// Name of the program with its version.
     pub(super) program: String,
     /// The quickest run's.
     pub(super) seconds: f64,
     pub(super) result: Vec<u8>,
 }
 
-/// How to get a rival that is not here.
+/// Advice on how to get a rival that is not here.
 #[derive(Debug)]
 pub(super) struct NotHere {
     pub(super) program: String,
@@ -61,7 +61,7 @@ impl Job {
     }
 }
 
-/// Of the line `program|seconds` and the file `result.raw`.
+/// Reads a rival's answer from the line `program|seconds` and the file `result.raw`.
 fn answer(text: &str, folder: &Path) -> Option<Answer> {
     let (program, seconds) = text.lines().last()?.split_once('|')?;
     let result = std::fs::read(folder.join("result.raw")).ok()?;

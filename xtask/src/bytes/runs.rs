@@ -1,5 +1,5 @@
-//! What is run: every scene, and ten tables that together take every method, polarization, surface and kind
-//! of receiver.
+//! Runs that are compared: every scene, and ten tables that together take every method, polarization, surface
+//! and kind of receiver.
 
 use std::path::Path;
 use wayside::host::failure::Failure;
@@ -46,7 +46,7 @@ pub(super) fn all(root: &Path) -> Result<Vec<Run>, Failure> {
     Ok(scenes.chain(TABLES.map(table)).collect())
 }
 
-/// Its name, where a file is a scene: materials and recipes stand beside them under names of two parts.
+/// Name of a scene, if the file is one: materials and recipes stand beside scenes under names of two parts.
 fn scene(file: &Path) -> Option<String> {
     let name = file.file_name()?.to_str()?.strip_suffix(".toml")?;
     (!name.contains('.') && !LEFT_OUT.contains(&name)).then(|| name.to_owned())

@@ -39,7 +39,7 @@ pub(super) fn finished(command: &mut Command) -> Result<(), Failure> {
     }
 }
 
-/// As [`finished`], showing each line of standard output and counting the tests in it.
+/// Runs a command like [`finished`], showing each line of standard output and counting the tests in it.
 pub(super) fn counted(command: &mut Command, tally: &mut Tally) -> Result<(), Failure> {
     let words = said(command);
     let failed = |e: std::io::Error| Failure::System(format!("`{words}`: {e}"));

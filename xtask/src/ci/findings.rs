@@ -1,4 +1,4 @@
-//! What the checks of the source have in common: its files, and a failure that holds every finding.
+//! Common parts of the checks of the source: its files, and a failure that holds every finding.
 
 use crate::house::folders::{self, files_below};
 use crate::project::project_root;

@@ -24,7 +24,7 @@ pub(super) fn main_job() -> Result<(), Failure> {
     }
 }
 
-/// Of a run without `--out`: below `out/`, by the name of its scene.
+/// Finds the summary of a run without `--out`: below `out/`, by the name of its scene.
 fn summary_file(run: &Command) -> Result<PathBuf, Failure> {
     let words = run.get_args().map(Path::new);
     let scene =
@@ -33,7 +33,7 @@ fn summary_file(run: &Command) -> Result<PathBuf, Failure> {
     Ok(project_root().join("out").join(scene).join("summary.json"))
 }
 
-/// What a run of the main job falls short of, frame by frame.
+/// Shortcomings of a run of the main job, frame by frame.
 fn shortcomings(frames: &[FrameSummary]) -> Vec<String> {
     let none = frames.is_empty().then(|| "no frame".to_owned());
     none.into_iter()

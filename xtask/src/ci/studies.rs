@@ -24,7 +24,7 @@ pub(super) fn check() -> Result<(), Failure> {
     none_of(broken)
 }
 
-/// What is wrong with the commands that a page names.
+/// Faults in the commands that a page names.
 fn findings(root: &Path, name: &str, text: &str) -> Vec<String> {
     let unknown = named(text, "cargo xtask study ").filter(|study| by_name(study).is_none());
     let mut found: Vec<String> =

@@ -11,7 +11,7 @@ use wayside::program::commands::training_target_folder as target_folder;
 
 pub(super) use wayside::program::commands::TRAINING_PROGRAM as PACKAGE;
 
-/// What is under way; ended with what began it.
+/// Checks of the training program under way; they end with what began them.
 pub(super) struct Training {
     child: Child,
     log: PathBuf,

@@ -1,5 +1,5 @@
-//! From which file to which a name leads. A parent's re-export of a child's item is no arrow: it is a door,
-//! not a use.
+//! Arrows from each file to those that its names lead to. A parent's re-export of a child's item is no arrow:
+//! it is a door, not a use.
 
 use crate::house::folders::sources;
 use crate::house::names::{Import, imports, paths};
@@ -11,12 +11,12 @@ use wayside::host::failure::Failure;
 /// The files of a crate and the arrows between them.
 pub(crate) struct Arrows {
     pub(crate) files: Vec<SourceFile>,
-    /// For each file those that it uses.
+    /// Numbers of the files that each file uses.
     pub(crate) to: Vec<BTreeSet<usize>>,
 }
 
 impl Arrows {
-    /// Of the files below a crate's `src`.
+    /// Reads the files below a crate's `src` and finds their arrows.
     pub(crate) fn of(source: &Path) -> Result<Self, Failure> {
         let files = sources(source)
             .iter()
@@ -26,7 +26,7 @@ impl Arrows {
         Ok(Self { files, to })
     }
 
-    /// How many there are.
+    /// Number of arrows.
     pub(crate) fn count(&self) -> usize {
         self.to.iter().map(BTreeSet::len).sum()
     }
@@ -35,7 +35,7 @@ impl Arrows {
 /// Re-exports of re-exports are followed so far.
 const DEPTH: usize = 8;
 
-/// Where names lead.
+/// Files by their modules, and their imports: all that tells where names lead.
 struct Names<'a> {
     files: &'a [SourceFile],
     number_of: BTreeMap<&'a [String], usize>,

@@ -13,7 +13,7 @@ pub(crate) fn of(to: &[BTreeSet<usize>]) -> Vec<Vec<usize>> {
     groups.into_iter().collect()
 }
 
-/// What a node leads to over any number of arrows.
+/// Nodes that a node leads to over any number of arrows.
 fn reached(to: &[BTreeSet<usize>], from: usize) -> BTreeSet<usize> {
     let mut found = BTreeSet::new();
     let mut left: Vec<usize> = to[from].iter().copied().collect();

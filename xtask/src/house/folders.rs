@@ -16,7 +16,7 @@ pub(crate) fn files_below(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// The Rust files among them.
+/// Rust files of a folder and of those in it, in the order of their paths.
 pub(crate) fn sources(folder: &Path) -> Vec<PathBuf> {
     files_below(folder).into_iter().filter(|file| file.extension().is_some_and(|kind| kind == "rs")).collect()
 }

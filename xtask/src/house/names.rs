@@ -5,7 +5,7 @@
 pub(crate) struct Import {
     pub(crate) path: Vec<String>,
     pub(crate) name: String,
-    /// Of a `pub use`: others may find it here.
+    /// Whether it is a `pub use`: others may find the name here.
     pub(crate) is_public: bool,
 }
 
@@ -60,7 +60,7 @@ fn parted(text: &str) -> Vec<(bool, &str)> {
     parts
 }
 
-/// Where the tree of the next declaration begins.
+/// Byte at which the tree of the next declaration begins.
 fn use_at(text: &str) -> Option<usize> {
     let is_word = |at: &usize| !text[..*at].ends_with(|c: char| c.is_alphanumeric() || c == '_');
     text.match_indices("use ").map(|(at, _)| at).find(is_word).map(|at| at + "use ".len())

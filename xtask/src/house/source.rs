@@ -9,7 +9,7 @@ pub(crate) struct SourceFile {
     pub(crate) place: PathBuf,
     /// Names from the crate's root on; none of the root itself.
     pub(crate) module: Vec<String>,
-    /// What is left of its text.
+    /// Text that is left without comments, strings and scopes.
     pub(crate) text: String,
     lines: usize,
 }
@@ -44,14 +44,14 @@ impl SourceFile {
     }
 }
 
-/// Without the paths of `pub(in path)`, which say who may look and use nothing.
+/// Removes the paths of `pub(in path)`, which say who may look and use nothing.
 fn without_scopes(text: &str) -> String {
     let mut parts = text.split("pub(in ");
     let first = parts.next().unwrap_or_default().to_owned();
     parts.fold(first, |kept, part| kept + "pub" + part.split_once(')').map_or(part, |(_, rest)| rest))
 }
 
-/// In the file's module of tests `super` is the file itself.
+/// Replaces `super` in the file's module of tests, where it is the file itself, by `self`.
 fn in_own_words(text: &str) -> String {
     let Some(at) =
         text.find("#[cfg(test)]\nmod ").filter(|at| text[*at..].lines().nth(1).is_some_and(is_open))
@@ -68,7 +68,7 @@ fn is_open(line: &str) -> bool {
     line.trim_end().ends_with('{')
 }
 
-/// Without comments and without what stands between quotation marks; lines stay as they are counted.
+/// Removes comments and what stands between quotation marks; lines stay as they are counted.
 fn stripped(text: &str) -> String {
     let mut kept = String::with_capacity(text.len());
     let mut rest = text;
@@ -90,7 +90,7 @@ fn stripped(text: &str) -> String {
     kept + rest
 }
 
-/// Where the quotation mark is that ends a string which has begun.
+/// Byte of the quotation mark that ends a string which has begun.
 fn closing(string: &str) -> usize {
     let mut is_escaped = false;
     for (at, sign) in string.char_indices() {

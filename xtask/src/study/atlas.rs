@@ -1,5 +1,5 @@
-//! Where each method fails: small cases whose answer is known, and a verdict on what the program says of
-//! them.
+//! Atlas of where each method fails: small cases whose answer is known, and a verdict on what the program
+//! says of them.
 
 mod verdict;
 mod far_field;
@@ -27,7 +27,7 @@ use wayside::host::progress::Work;
 /// A group of rows.
 type Case = fn(Extent) -> Result<Vec<Row>, Failure>;
 
-/// By stage, in the order of docs/physics.md §10.
+/// Cases by stage, in the order of docs/physics.md §10.
 const CASES: [Case; 27] = [
     refusals::meshes,
     refusals::scenes,

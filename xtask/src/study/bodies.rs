@@ -22,7 +22,7 @@ pub(super) fn parallelograms(list: &[Parallelogram]) -> Mesh {
     all
 }
 
-/// Both in one mesh.
+/// Joins two meshes into one.
 pub(super) fn joined(mut a: Mesh, b: &Mesh) -> Mesh {
     let first = a.vertices_m.len() as u32;
     a.vertices_m.extend(&b.vertices_m);
@@ -70,7 +70,7 @@ impl Face {
     pub(super) const ALL: [Self; 6] =
         [Self::Front, Self::Back, Self::Left, Self::Right, Self::Top, Self::Bottom];
 
-    /// Of the cube of side 1 on the floor, outward.
+    /// Parallelogram of this face of the cube of side 1 on the floor, outward.
     fn unit(self) -> Parallelogram {
         let (low, high) = (-0.5, 0.5);
         let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
@@ -108,7 +108,7 @@ pub(super) fn square_trihedral(side_m: f64) -> Mesh {
     parallelograms(&[(0, 1), (1, 2), (2, 0)].map(|(i, j)| [[0.0; 3], axis(i), axis(j)]))
 }
 
-/// Their halves towards the apex.
+/// Three triangles, the halves of a square trihedral's sides towards its apex.
 pub(super) fn triangular_trihedral(side_m: f64) -> Mesh {
     let tips = (0..3).map(|i| std::array::from_fn(|j| if i == j { side_m } else { 0.0 }));
     mesh(std::iter::once([0.0; 3]).chain(tips).collect(), vec![[0, 1, 2], [0, 2, 3], [0, 3, 1]])

@@ -15,11 +15,11 @@ use wayside::host::files;
 use wayside::host::progress::Work;
 use wayside::program::terminal;
 
-/// What makes figures of a page.
+/// A study, which makes figures of a page.
 pub(crate) struct Study {
     /// The word that a developer types.
     pub(crate) name: &'static str,
-    /// From the project's root on.
+    /// Path of the page from the project's root.
     pub(crate) page: &'static str,
     /// About how long, on two cores.
     takes: &'static str,
@@ -34,7 +34,7 @@ enum Make {
     Whole(fn(&StudyArguments) -> Result<(), Failure>),
 }
 
-/// In the order of `docs/validation/README.md`, then those that are drawn.
+/// Studies in the order of `docs/validation/README.md`, then those that are drawn.
 pub(crate) const STUDIES: [Study; 20] = [
     part("reference-gates", "docs/validation/reference-gates.md", "2 minutes", gates::SOURCES, gates::part),
     part("bart-against-references", REFERENCES, "6 minutes", references::SOURCES, references::own_car),
@@ -155,7 +155,7 @@ fn list() -> Result<(), Failure> {
 }
 
 impl Study {
-    /// What stands on its page beside its sources.
+    /// Age of the study's part of its page, beside its sources.
     pub(crate) fn age(&self) -> Result<Age, Failure> {
         let page = std::fs::read_to_string(project_root().join(self.page)).unwrap_or_default();
         Ok(Age::of(&page, self.name, &sources::hash(self.sources)?))

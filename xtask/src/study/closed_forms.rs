@@ -1,11 +1,11 @@
-//! What small bodies must answer: closed forms, series, and integrals carried to convergence (docs/physics.md
+//! Exact answers of small bodies: closed forms, series, and integrals carried to convergence (docs/physics.md
 //! §11).
 
 use crate::study::looks::{K, WAVELENGTH_M};
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// j√(4π)/λ, in front of every integral of physical optics.
+/// Factor j√(4π)/λ in front of every integral of physical optics.
 fn front() -> Complex64 {
     Complex64::new(0.0, (4.0 * PI).sqrt() / WAVELENGTH_M)
 }

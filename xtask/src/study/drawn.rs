@@ -15,7 +15,7 @@ use wayside::host::files;
 use wayside::pictures::write_png;
 use wayside::program::terminal;
 
-/// What the figures of each hang on.
+/// Sources that the figures of each drawn study hang on.
 pub(super) const CHART: Places = &[sources::CHAIN, SHARED, &["xtask/src/study/chart"]];
 pub(super) const ATLAS: Places = &[sources::CHAIN, SHARED, &["xtask/src/study/atlas"]];
 pub(super) const LEVELS: Places =
@@ -70,7 +70,7 @@ pub(crate) fn levels(arguments: &StudyArguments) -> Result<(), Failure> {
     drawing.study("validation", levels::csv(&rows), levels::page(&rows, extent))?.write("levels", arguments)
 }
 
-/// How a study's table becomes pictures.
+/// Way from a study's table to its pictures.
 struct Drawing<'d> {
     name: &'static str,
     sources: Places,
@@ -103,7 +103,7 @@ impl Drawing<'_> {
     }
 }
 
-/// What a study leaves.
+/// Output of a study: table, page and pictures.
 struct Study {
     name: &'static str,
     sources: Places,
@@ -111,7 +111,7 @@ struct Study {
     page_in: &'static str,
     csv: String,
     page: String,
-    /// With their names.
+    /// Pictures by their names.
     pictures: Vec<(&'static str, Svg)>,
 }
 

@@ -50,10 +50,10 @@ fn cases(extent: Extent) -> Result<Vec<Case>, Failure> {
     ])
 }
 
-/// Towards −y.
+/// Heading towards −y, degrees.
 const APPROACHING_DEG: f64 = -90.0;
 
-/// In lane 2, 40 m ahead, moving down the lane.
+/// A scene with a vehicle in lane 2, 40 m ahead, moving down the lane.
 fn vehicle(name: &str, speed_mps: f64, yaw_deg: f64) -> Result<SceneHeader, Failure> {
     let body =
         scene::vehicles::mesh(name, 0).ok_or_else(|| Failure::refused(format!("`{name}` is missing")))?;
@@ -62,7 +62,7 @@ fn vehicle(name: &str, speed_mps: f64, yaw_deg: f64) -> Result<SceneHeader, Fail
     Ok(header)
 }
 
-/// With 192 channels.
+/// The scene with a radar of 192 channels.
 fn wide(header: SceneHeader) -> Result<SceneHeader, Failure> {
     let radar = scene_of("[radar.array]\npreset = \"12x16\"\n")?.radar;
     Ok(SceneHeader { radar, ..header })
@@ -87,7 +87,7 @@ pub(super) fn rows(extent: Extent) -> Result<Vec<Row>, Failure> {
     Ok(all)
 }
 
-/// By the accuracy asked: paths traced with it, down to what the case is traced with.
+/// Rows of a case for each accuracy asked: paths are traced with it, down to what the case is traced with.
 fn of_case(case: &Case) -> Result<Vec<Row>, Failure> {
     const ASKED_DB: [f64; 5] = [-10.0, -20.0, -30.0, -40.0, -50.0];
     let mut header = case.header.clone();
@@ -160,7 +160,7 @@ fn chosen(frame: &PathsFrame) -> String {
     frame.trace.detail.iter().map(of).collect::<Vec<_>>().join(", ")
 }
 
-/// With the processor seconds that it took.
+/// Does some work and returns its result with the processor seconds that it took.
 fn timed<T>(work: impl FnOnce() -> Result<T, Failure>) -> Result<(T, f64), Failure> {
     let (start, begin) = (Instant::now(), processor_time::of_living_threads());
     let value = work()?;

@@ -41,7 +41,7 @@ pub(super) fn traced(mesh: &Mesh, request: &RcsRequest) -> Result<RcsResult, Fai
     bart_rcs::rcs(mesh, request, &|_, _| ()).map_err(Failure::refused)
 }
 
-/// Where the one antenna of a request stands, for the references.
+/// Aspect of a request's one antenna, for the references.
 pub(super) fn aspect(request: &RcsRequest) -> bart_rcs::reference::Aspect {
     bart_rcs::reference::Aspect::monostatic(Standpoint {
         azimuth_rad: request.azimuth_rad[0],

@@ -1,5 +1,5 @@
-//! What of a page a study makes: a part between two lines that name it, the first of them with the hash of
-//! the sources that made it; or all of it, with that line as its last one.
+//! Parts of pages that studies make: a part between two lines that name it, the first of them with the hash
+//! of the sources that made it; or a whole page, with that line as its last one.
 
 use std::ops::Range;
 
@@ -15,7 +15,7 @@ pub(crate) enum Age {
 }
 
 impl Age {
-    /// As it is told.
+    /// Name of the age, as it is told.
     pub(crate) fn words(self) -> &'static str {
         match self {
             Self::Fresh => "fresh",
@@ -24,7 +24,7 @@ impl Age {
         }
     }
 
-    /// Of what `study` makes of a page, where its sources have this hash.
+    /// Age of what `study` makes of a page, where its sources have this hash.
     pub(super) fn of(page: &str, study: &str, hash: &str) -> Self {
         match line_of(page, study).map(|line| &page[line]) {
             Some(line) if line == made_by(study, hash) => Self::Fresh,
@@ -34,7 +34,7 @@ impl Age {
     }
 }
 
-/// In place of the hash, where fewer cases than the page tells of were measured.
+/// Word in place of the hash, where fewer cases than the page tells of were measured.
 pub(super) const FEWER: &str = "unknown";
 
 /// The line that says which study made what stands here, from sources of which hash.
@@ -50,7 +50,7 @@ fn end(study: &str) -> String {
     format!("<!-- end of what cargo xtask study {study} makes -->")
 }
 
-/// Where in a page its line stands.
+/// Bytes of a study's line in a page.
 fn line_of(page: &str, study: &str) -> Option<Range<usize>> {
     let start = page.find(&begin(study))?;
     Some(start..start + page[start..].find('\n').unwrap_or(page.len() - start))

@@ -57,7 +57,7 @@ pub(super) fn with_point(
     header
 }
 
-/// Its first frame.
+/// The first frame of a scene.
 pub(super) fn frame_of(header: &SceneHeader) -> SceneFrame {
     scene::snapshot(header, 0)
 }
@@ -85,13 +85,13 @@ pub(super) fn cube_of(header: &SceneHeader, paths: &PathsFrame) -> Result<CubeFr
     synthesizer(header, header.seed)?.frame(paths, &|_| ()).map_err(Failure::refused)
 }
 
-/// Of a scene's cubes, without the ground.
+/// Synthesizer of a scene's cubes, without the ground.
 pub(super) fn synthesizer(header: &SceneHeader, seed: u64) -> Result<fmcw_echo::Synthesizer, Failure> {
     let accuracy = fmcw_echo::sum_accuracy(header.fidelity.accuracy);
     fmcw_echo::Synthesizer::new(&cube_header(header), seed, accuracy, vec![]).map_err(Failure::refused)
 }
 
-/// What a radar sees of the first frame.
+/// Map and points that a radar sees of the first frame.
 pub(super) struct Seen {
     pub(super) map: RdmFrame,
     pub(super) points: PointsFrame,

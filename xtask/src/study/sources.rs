@@ -1,4 +1,4 @@
-//! Which sources the figures of a study hang on, and their short hash.
+//! Sources that the figures of a study hang on, and their short hash.
 
 #[path = "../../../crates/wayside/sources.rs"]
 mod hashed;

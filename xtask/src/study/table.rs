@@ -28,7 +28,7 @@ pub(super) struct Table {
     rows: Vec<Vec<String>>,
 }
 
-/// Why a table cannot be drawn.
+/// Reasons why a table cannot be drawn.
 #[derive(Debug, thiserror::Error, PartialEq)]
 pub(super) enum TableError {
     #[error("has no column `{0}`")]

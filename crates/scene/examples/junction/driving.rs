@@ -21,12 +21,12 @@ const ARM_M: f64 = 75.0;
 
 struct Kind {
     name: &'static str,
-    /// Of a hundred vehicles.
+    /// Number of vehicles of this kind among a hundred.
     share: u64,
     length_m: f64,
-    /// a, m/s².
+    /// Maximum acceleration a, m/s².
     acceleration: f64,
-    /// v₀.
+    /// Desired speed v₀, m/s.
     speed_mps: f64,
 }
 
@@ -37,7 +37,7 @@ const KINDS: [Kind; 4] = [
     Kind { name: "truck", share: 14, length_m: 8.0, acceleration: 1.0, speed_mps: 11.5 },
     Kind { name: "motorcycle", share: 13, length_m: 2.1, acceleration: 2.4, speed_mps: 13.9 },
 ];
-/// b, T and s₀ of the model.
+/// Comfortable deceleration b in m/s²; below it the model's time headway T and standstill gap s₀.
 const BRAKING: f64 = 2.5;
 const HEADWAY_S: f64 = 1.2;
 const GAP_M: f64 = 2.0;
@@ -62,18 +62,18 @@ struct Lane {
 struct Vehicle {
     number: u32,
     kind: usize,
-    /// Of the front bumper along the lane.
+    /// Place of the front bumper, m along the lane.
     front_m: f64,
     speed_mps: f64,
 }
 
-/// What is on a lane.
+/// Vehicles on a lane, and its arrivals.
 struct Road {
     /// The foremost first.
     vehicles: Vec<Vehicle>,
-    /// When the next one comes.
+    /// Time at which the next vehicle arrives.
     next_s: f64,
-    /// How many have come.
+    /// Number of vehicles that have arrived.
     count: u32,
 }
 
@@ -89,7 +89,7 @@ impl Dice {
         z ^ (z >> 31)
     }
 
-    /// From 0 up to, not including, 1.
+    /// Uniform random number from 0 up to, not including, 1.
     fn share(&mut self) -> f64 {
         (self.roll() >> 11) as f64 / (1_u64 << 53) as f64
     }

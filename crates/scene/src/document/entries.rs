@@ -13,9 +13,9 @@ use toml::de::{DeString, DeTable};
 pub(crate) struct ModelChoice<'d> {
     /// The recording's vType.
     pub(crate) kind: &'d str,
-    /// At least one.
+    /// Names of the models, at least one.
     pub(crate) names: Vec<&'d str>,
-    /// What else is said of them.
+    /// Further keys that apply to these models.
     pub(crate) section: Section<'d>,
 }
 
@@ -37,7 +37,7 @@ pub(crate) fn materials<'d>(root: &Section<'d>) -> Vec<(&'d str, Section<'d>)> {
     table.iter().filter_map(material).collect()
 }
 
-/// What the `models` of recorded traffic say: for each type a name, a list of names, or a table with more.
+/// Reads the `models` of recorded traffic: for each type a name, a list of names, or a table with more.
 pub(crate) fn model_choices<'d>(traffic: &Section<'d>) -> Vec<ModelChoice<'d>> {
     let Some(table) = named(traffic, MODELS.name, "a table such as { car = \"car-suv\" }") else {
         return vec![];

@@ -1,4 +1,4 @@
-//! What can be wrong with a scene: facts as fields, the sentence made once.
+//! Errors of a scene file: facts as fields, the sentence made once.
 
 use crate::bodies::mesh::MeshError;
 use crate::measured::calibration::CalibrationFileError;
@@ -45,11 +45,11 @@ impl std::error::Error for SceneErrors {}
 pub struct SceneError {
     /// The scene file.
     pub file: PathBuf,
-    /// Where in it; `None` where the file could not be read at all.
+    /// Line and column in the file; `None` where the file could not be read at all.
     pub position: Option<Position>,
     /// The table or target concerned.
     pub place: Place,
-    /// What is broken.
+    /// Rule that is broken.
     pub rule: Rule,
 }
 
@@ -87,13 +87,13 @@ impl std::error::Error for SceneError {
 /// A place in a text file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Position {
-    /// From 1.
+    /// Line number, from 1.
     pub line: u32,
-    /// From 1, in characters.
+    /// Column in characters, from 1.
     pub column: u32,
 }
 
-/// Which part of a scene a rule concerns.
+/// Part of a scene that a rule concerns.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Place {
     /// The file, or its keys outside any table.
@@ -134,7 +134,7 @@ pub enum Rule {
     /// The scene file cannot be read, is longer than a page of text, or is no text.
     #[error("{0}")]
     File(#[source] ReadFault),
-    /// Not TOML.
+    /// The text is not TOML.
     #[error("not valid TOML: {message}")]
     Syntax {
         /// The parser's words.
@@ -143,95 +143,95 @@ pub enum Rule {
     /// A key that does not exist here.
     #[error("unknown key `{found}`{}{}", nearest_key(.nearest), of_table(.home))]
     UnknownKey {
-        /// As written.
+        /// Key as written.
         found: String,
-        /// Spelt alike, or what others call so.
+        /// Key that is spelt alike, or that other programs call so.
         nearest: Option<&'static str>,
-        /// The heading of its table, where that is another one.
+        /// Heading of the table of `nearest`, where that is another one.
         home: Option<&'static str>,
     },
     /// A key that exists in another table.
     #[error("unknown key `{found}` here; it belongs into {table}")]
     WrongTable {
-        /// As written.
+        /// Key as written.
         found: String,
-        /// Where it belongs, as in the file.
+        /// Heading of the table where the key belongs, as in the file.
         table: &'static str,
     },
     /// A key that exists, but not for this.
     #[error("key `{key}` has no meaning for {owner}")]
     Misplaced {
-        /// As written.
+        /// Key as written.
         key: &'static str,
-        /// Where it stands.
+        /// Kind of body, model or setting for which the key has no meaning.
         owner: &'static str,
     },
     /// A key without which nothing can be said.
     #[error("key `{key}` is missing")]
     Missing {
-        /// Its name.
+        /// Name of the missing key.
         key: &'static str,
     },
     /// The wrong type of value.
     #[error("`{key}` must be {expected}, is {found}")]
     WrongType {
-        /// Its name.
+        /// Name of the key.
         key: &'static str,
-        /// What it takes.
+        /// Type of value that the key takes.
         expected: &'static str,
-        /// What stands there.
+        /// Type of value that stands there.
         found: &'static str,
     },
     /// A list of the wrong length.
     #[error("`{key}` must have {expected} values, has {found}")]
     WrongLength {
-        /// Its name.
+        /// Name of the key.
         key: &'static str,
-        /// How many it takes.
+        /// Number of values that the key takes.
         expected: Allowed,
-        /// How many stand there.
+        /// Number of values that stand there.
         found: usize,
     },
     /// A number outside what is allowed, or not finite.
     #[error("`{key}` must be a number {allowed}, is {}", Number(*.found))]
     OutOfRange {
-        /// Its name.
+        /// Name of the key.
         key: &'static str,
-        /// As read.
+        /// Number as read.
         found: f64,
-        /// What it takes.
+        /// Numbers that the key takes.
         allowed: Allowed,
     },
     /// A word that is not one of a list.
     #[error("`{key}` cannot be `{found}`; it can be {}", quoted(.known))]
     UnknownWord {
-        /// Its name.
+        /// Name of the key.
         key: &'static str,
-        /// As written.
+        /// Word as written.
         found: String,
-        /// What it can be.
+        /// Words that the key takes.
         known: Vec<&'static str>,
     },
     /// Two keys that exclude one another.
     #[error("`{key}` and `{other}` exclude one another")]
     Contradiction {
-        /// One, the place of the error.
+        /// Key at the place of the error.
         key: &'static str,
-        /// The other.
+        /// Key that excludes it.
         other: &'static str,
     },
     /// A key that means nothing without another.
     #[error("`{key}` needs `{companion}` beside it")]
     Alone {
-        /// Given.
+        /// Key that is given.
         key: &'static str,
-        /// Not given.
+        /// Key that is needed and not given.
         companion: &'static str,
     },
     /// Pairs out of order.
     #[error("the first numbers of the pairs of `{key}` must grow")]
     NotGrowing {
-        /// Its name.
+        /// Name of the key.
         key: &'static str,
     },
     /// Names become file names, table cells and JSON.
@@ -239,9 +239,9 @@ pub enum Rule {
         "`{key}` must be 1 to 64 letters, digits, spaces or any of `-_.+()`, and not begin with a dot or space; is `{found}`"
     )]
     BadName {
-        /// Its name.
+        /// Name of the key.
         key: &'static str,
-        /// As written.
+        /// Name as written.
         found: String,
     },
     /// Two bodies of one name.
@@ -249,7 +249,7 @@ pub enum Rule {
     DuplicateId {
         /// The id.
         id: String,
-        /// Of the body that had it first.
+        /// Line of the body that had the id first.
         first_line: u32,
     },
     /// A tone tells no range.
@@ -260,13 +260,13 @@ pub enum Rule {
     SweepTooLong {
         /// Last sample's frequency.
         end_ghz: f64,
-        /// Where it may end.
+        /// Frequencies at which the sweep may end, GHz.
         allowed: Allowed,
     },
     /// A turn from chirp to chirp is no velocity where the chirps' intervals change.
     #[error("`stagger_us` and the multiplexing `{multiplexing}` exclude one another")]
     StaggeredDivision {
-        /// As written.
+        /// Multiplexing as written.
         multiplexing: &'static str,
     },
     /// A cube beyond the memory of the stages.
@@ -274,11 +274,11 @@ pub enum Rule {
         "{channels} channels × {chirps} chirps × {samples} samples are more than {limit} values in a frame"
     )]
     CubeTooLarge {
-        /// Of a map.
+        /// Number of channels of a map.
         channels: u64,
-        /// Of each transmitter.
+        /// Number of chirps of each transmitter.
         chirps: u64,
-        /// Of each chirp.
+        /// Number of samples of each chirp.
         samples: u64,
         /// Most values.
         limit: u64,
@@ -286,27 +286,27 @@ pub enum Rule {
     /// Another radar's chirps that would overlap.
     #[error("`chirp_interval_us` is {interval_us}, shorter than a chirp of {sweep_us} µs")]
     ChirpsOverlap {
-        /// Of a chirp.
+        /// Duration of a chirp, µs.
         sweep_us: f64,
-        /// From one to the next.
+        /// Time from the start of one chirp to that of the next, µs.
         interval_us: f64,
     },
     /// Frames that would overlap.
     #[error("`frame_interval_s` is {interval_s}, shorter than a frame of {duration_s} s")]
     FramesOverlap {
-        /// Asked for.
+        /// Frame interval asked for, s.
         interval_s: f64,
-        /// Of one frame.
+        /// Duration of one frame, s.
         duration_s: f64,
     },
     /// The CFAR window is larger than the map.
     #[error("guard and training cells need {needed} cells of {axis}, the map has {cells}")]
     WindowTooLarge {
-        /// Of the map.
+        /// Axis of the map along which the window is too large.
         axis: MapAxis,
         /// 2·(guard + training) + 1.
         needed: u64,
-        /// Of the map.
+        /// Number of cells of the map along that axis.
         cells: u64,
     },
     /// A CFAR window that estimates nothing.
@@ -319,9 +319,9 @@ pub enum Rule {
         first: usize,
         /// Number of the other.
         second: usize,
-        /// Between centres.
+        /// Distance between the lanes' centres, m.
         distance_m: f64,
-        /// Of a lane.
+        /// Width of a lane, m.
         width_m: f64,
     },
     /// A lane of a scene that has none.
@@ -335,21 +335,21 @@ pub enum Rule {
     /// A lane that the intersection does not have.
     #[error("lane {lane} does not exist; lanes are numbered 1 to {lanes}")]
     UnknownLane {
-        /// Asked for.
+        /// Lane asked for.
         lane: u64,
-        /// How many there are.
+        /// Number of lanes.
         lanes: usize,
     },
     /// Several radars, and none was asked for.
     #[error("the scene has several radars, and is read as one of them has it: {}", quoted(.known))]
     WhichRadar {
-        /// Their names.
+        /// Names of the scene's radars.
         known: Vec<String>,
     },
     /// A radar that the scene does not have.
     #[error("there is no radar `{found}`; {}", those_there(.known))]
     UnknownRadar {
-        /// Asked for.
+        /// Radar asked for.
         found: String,
         /// Names of those there; none where `[radar]` is the only one.
         known: Vec<String>,
@@ -359,17 +359,17 @@ pub enum Rule {
         "a point target must be a wavelength of {wavelength_m} m or more from every element of the radar's array, is {distance_m} m"
     )]
     AtTheAntenna {
-        /// From the nearest element.
+        /// Distance from the nearest element.
         distance_m: f64,
-        /// Of the sweep's centre.
+        /// Wavelength of the sweep's centre frequency.
         wavelength_m: f64,
     },
     /// Neither a file of a known format nor one of the project's own.
     #[error("model `{found}` is neither a .glb, .gltf, .stl or .obj file nor one of the project's {own}{}", nearest_key(.nearest))]
     UnknownModel {
-        /// As written.
+        /// Model as written.
         found: String,
-        /// What of the project's own it could be.
+        /// Group of the project's own models that it could be from: vehicles or street furniture.
         own: &'static str,
         /// One spelt alike.
         nearest: Option<&'static str>,
@@ -382,10 +382,10 @@ pub enum Rule {
         /// Most triangles.
         limit: usize,
     },
-    /// Not a substance of the table of permittivities.
+    /// The name is no substance of the table of permittivities.
     #[error("there is no substance `{found}`{}; docs/materials.md has them all", nearest_key(.nearest))]
     UnknownSubstance {
-        /// As written.
+        /// Substance as written.
         found: String,
         /// One spelt alike.
         nearest: Option<&'static str>,
@@ -402,9 +402,9 @@ pub enum Rule {
     /// A time that runs backwards.
     #[error("`end_s` is {end_s}, before `begin_s`, which is {begin_s}")]
     EndsBeforeItBegins {
-        /// Of the first frame.
+        /// Time of the first frame, s.
         begin_s: f64,
-        /// Of the last.
+        /// Time of the last frame, s.
         end_s: f64,
     },
     /// A recording of traffic was refused or could not be read.

@@ -6,14 +6,15 @@ use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-/// What a person reads; a file that breaks more is another one given by mistake.
+/// Most errors that are told, as many as a person reads; a file that breaks more is another one given by
+/// mistake.
 const TOLD: usize = 100;
 
 /// Broken rules of one file. Noting one takes the same however many there are.
 pub(crate) struct Faults<'s> {
     file: &'s Path,
     text: &'s str,
-    /// Where lines begin, found when it is asked for.
+    /// Bytes at which lines begin, found when first needed.
     lines: OnceCell<Vec<usize>>,
     syntax: RefCell<First>,
     others: RefCell<First>,
@@ -35,7 +36,7 @@ impl First {
         }
     }
 
-    /// How many are not kept.
+    /// Number of noted errors that are not kept.
     fn more(&self) -> u64 {
         self.noted - self.kept.len() as u64
     }
@@ -65,8 +66,8 @@ impl<'s> Faults<'s> {
         Position { line: self.line(before.len()), column: before[line_start..].chars().count() as u32 + 1 }
     }
 
-    /// What was noted, in the order of the file. Where the text is not TOML, what else is said of the same
-    /// line, or said to be missing, only follows from the first that is.
+    /// Returns the noted errors in the order of the file. Where the text is not TOML, what else is said of
+    /// the same line, or said to be missing, only follows from the first that is.
     pub(crate) fn into_errors(self) -> Result<(), SceneErrors> {
         let (syntax, others) = (self.syntax.take(), self.others.take());
         let mut more = syntax.more() + others.more();

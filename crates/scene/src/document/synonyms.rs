@@ -3,7 +3,7 @@
 
 use crate::document::keys::key::Table;
 
-/// What is typed, and what is meant by it, the likelier first where several tables know it.
+/// Words that people type, each with the keys meant by it, the likelier first where several tables know it.
 const SYNONYMS: [(&str, &[&str]); 84] = [
     ("tilt_deg", &["boresight_el_deg"]),
     ("tilt", &["boresight_el_deg"]),
@@ -96,7 +96,7 @@ pub(crate) fn meant(found: &str, table: &Table) -> Option<&'static str> {
     candidates(found).find(|key| table.has(key))
 }
 
-/// What is meant by a word of another program, in whichever table it is.
+/// The key that is meant by a word of another program, in whichever table it is.
 pub(crate) fn meant_elsewhere(found: &str) -> Option<&'static str> {
     candidates(found).next()
 }

@@ -11,19 +11,19 @@ use toml::de::DeValue;
 
 /// A kind of which values are read.
 pub(crate) trait Reads<'d>: Kind {
-    /// What is read.
+    /// Type of the value that is read.
     type Read;
     /// The value of `key`; `None` where it is wrong, and that is noted.
     fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<Self::Read>;
 }
 
 impl<'d> Section<'d> {
-    /// What a key says; `None` where absent or wrong.
+    /// Reads the value of a key; `None` where absent or wrong.
     pub(crate) fn read<K: Reads<'d>, A>(&self, key: &Key<K, A>) -> Option<K::Read> {
         key.takes.from(self, key.name, self.find(key.name)?)
     }
 
-    /// What a key says, and its default where absent or wrong.
+    /// Reads the value of a key, which is its default where absent or wrong.
     pub(crate) fn or_default<K>(&self, key: &Key<K, Or<<K as Plain>::Value>>) -> <K as Plain>::Value
     where
         K: Plain + Reads<'d, Read = <K as Plain>::Value>,

@@ -15,7 +15,7 @@ use artifact::settings::Class;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-/// What a target's `model` says.
+/// Source of a target's mesh, as its `model` says.
 #[derive(Debug, Clone, PartialEq)]
 enum Model {
     /// One of the project's own vehicles.
@@ -27,7 +27,7 @@ enum Model {
 }
 
 impl Model {
-    /// Of the own vehicle or of the file, without folders.
+    /// Name of the own vehicle or piece, or of the file without folders.
     fn name(&self) -> String {
         match self {
             Self::Vehicle { name, .. } => (*name).to_owned(),
@@ -43,7 +43,7 @@ pub(crate) struct Models {
     options: ReadOptions,
     beside: Vec<PathBuf>,
     known: Vec<Model>,
-    /// Their places, by what is said of them.
+    /// Indices into `meshes`, by the debug text of the model.
     places: HashMap<String, usize>,
     meshes: Vec<Mesh>,
     triangles: usize,
@@ -54,11 +54,11 @@ const TRIANGLE_LIMIT: usize = 1 << 24;
 
 /// A model as a target holds it.
 pub(crate) struct Chosen {
-    /// Of the own vehicle or of the file, without folders.
+    /// Name of the own vehicle or piece, or of the file without folders.
     pub name: String,
     /// Index into the scene's meshes.
     pub mesh: u32,
-    /// Of an own vehicle.
+    /// Class, where the model is one of the project's own vehicles.
     pub class: Option<Class>,
 }
 

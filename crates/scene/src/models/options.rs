@@ -1,8 +1,8 @@
-//! What one run changes in a scene.
+//! Changes that one run makes to a scene.
 
 use std::path::PathBuf;
 
-/// What one run changes in a scene.
+/// Changes that one run makes to a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReadOptions {
     /// Takes the place of the model of every mesh target: a file or the name of one of the project's
@@ -14,11 +14,11 @@ pub struct ReadOptions {
     pub meshes: Meshes,
 }
 
-/// What is read of the models that a scene names.
+/// Extent to which the models that a scene names are read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Meshes {
-    /// All of them.
+    /// Meshes with their triangles.
     Whole,
-    /// Their names: each mesh stays empty. For those who need the radar and the settings only.
+    /// Names of the models only: each mesh stays empty. For those who need the radar and the settings only.
     NamesOnly,
 }

@@ -1,5 +1,5 @@
-//! What of the radar is not ideal: errors of its elements in `[radar.array]`, converter and oscillator in
-//! `[radar.receiver]`, and other radars, `[[radar.interferer]]`.
+//! Imperfections of the radar and what disturbs it: errors of its elements in `[radar.array]`, converter and
+//! oscillator in `[radar.receiver]`, and other radars, `[[radar.interferer]]`.
 
 use crate::document::errors::Rule;
 use crate::document::keys::array;
@@ -33,7 +33,7 @@ pub(crate) fn read_hardware(
     }
 }
 
-/// As many as there are elements, or none where no key is there.
+/// Reads as many errors as there are elements, or none where no key is there.
 fn read_elements(section: &Section<'_>, keys: [Key<PerElement>; 3], count: usize) -> Vec<ElementError> {
     let [gains_db, phases_deg, delays_ps] =
         keys.map(|key| section.of_elements(&key, count).unwrap_or(vec![0.0; count]));

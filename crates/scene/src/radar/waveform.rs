@@ -50,8 +50,8 @@ fn read_sub_frames(section: &Section<'_>) -> Vec<f64> {
     section.read(&SUB_FRAME_IDLE).unwrap_or_default()
 }
 
-/// By how much each chirp of a turn starts later than at the mean interval, s, and by how much that is longer
-/// than without, µs.
+/// Delay in s of each chirp of a turn against its start at the mean interval, and the length in µs by which
+/// that interval exceeds the one without stagger.
 fn read_stagger(section: &Section<'_>) -> (Vec<f64>, f64) {
     let longer_us = section.read(&STAGGER).unwrap_or_default();
     let mean_us = longer_us.iter().sum::<f64>() / longer_us.len().max(1) as f64;

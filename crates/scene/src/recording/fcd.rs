@@ -147,7 +147,7 @@ pub enum FcdRule {
     /// Some vTypes have no model.
     #[error("{}not in `models` of [traffic]; known are {}", unknown_types(.found), .known.join(", "))]
     UnknownTypes {
-        /// Each with the first vehicle that has it.
+        /// Unknown vTypes, each with the first vehicle that has it.
         found: Vec<UnknownType>,
         /// Types that have a model.
         known: Vec<String>,

@@ -105,7 +105,7 @@ fn read_pose(section: &Section<'_>, road: &Lanes) -> Option<Pose> {
     Some(Pose { position_m: position_m?, yaw_rad, velocity_mps, acceleration_mps2 })
 }
 
-/// At rest towards the radar, down the lane.
+/// Yaw of a body that faces the way it moves; at rest it faces the radar, down the lane.
 fn yaw_along([vx, vy, _]: [f64; 3]) -> f64 {
     if vx == 0.0 && vy == 0.0 { -std::f64::consts::FRAC_PI_2 } else { vy.atan2(vx) }
 }

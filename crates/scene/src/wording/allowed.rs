@@ -1,9 +1,9 @@
-//! Which numbers are allowed, as a sentence says it.
+//! Ranges of allowed numbers, as a sentence says them.
 
 use crate::wording::number::Number;
 use std::fmt;
 
-/// Which numbers a key takes.
+/// Range of numbers that a key takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Allowed {
     /// Both ends included.
@@ -12,7 +12,7 @@ pub enum Allowed {
     Above(f64, f64),
     /// Neither end included.
     Inside(f64, f64),
-    /// From and including the first, below the second.
+    /// The first included, the second not.
     Below(f64, f64),
 }
 

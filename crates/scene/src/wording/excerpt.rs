@@ -5,7 +5,7 @@ pub(crate) fn excerpt(text: &str) -> String {
     beginning(text, 80)
 }
 
-/// At most `shown` characters of a text, and a sign that there are more.
+/// The first `shown` characters of a text, and a sign where there are more.
 pub(crate) fn beginning(text: &str, shown: usize) -> String {
     match text.char_indices().nth(shown) {
         Some((end, _)) => format!("{}…", &text[..end]),

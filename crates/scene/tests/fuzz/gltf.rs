@@ -1,4 +1,5 @@
-//! glTF changed by its structure: values of its JSON, numbers of its arrays, lengths and kinds of its chunks.
+//! Fuzzed glTF, changed by its structure: values of its JSON, numbers of its arrays, lengths and kinds of its
+//! chunks.
 
 #[path = "../glb_file/mod.rs"]
 mod glb_file;

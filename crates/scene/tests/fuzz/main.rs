@@ -26,7 +26,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::time::Duration;
 
-/// How often a reader was tried, and what came of it.
+/// Number of trials of a reader, and what came of them.
 #[derive(Default, Clone)]
 struct Tally {
     cases: u64,

@@ -71,7 +71,7 @@ impl Noise {
         z ^ (z >> 31)
     }
 
-    /// From 0, below `end`; 0 where there is nothing below it.
+    /// Random whole number from 0, below `end`; 0 where there is nothing below it.
     pub(crate) fn below(&mut self, end: usize) -> usize {
         (self.next() % end.max(1) as u64) as usize
     }
@@ -84,7 +84,7 @@ impl Noise {
         of[self.below(of.len())]
     }
 
-    /// From 0 to 1.
+    /// Random number from 0 up to, not including, 1.
     pub(crate) fn share(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }

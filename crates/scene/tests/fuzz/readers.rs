@@ -74,7 +74,7 @@ impl Reader {
     }
 }
 
-/// What every case finds in its folder.
+/// Writes the files that every case finds in its folder.
 pub(crate) fn prepare(folder: &Path) {
     for (name, text) in sound::FILES {
         put(folder, name, text.as_bytes());
@@ -139,7 +139,7 @@ fn write_packed(noise: &mut Noise, folder: &Path) {
     put(folder, "t.fcd.xml", &bytes);
 }
 
-/// With names of keys, so that a scene breaks rules behind those of its syntax.
+/// Writes a changed scene with names of keys, so that it breaks rules behind those of its syntax.
 fn write_scene(noise: &mut Noise, folder: &Path) {
     let keys: Vec<&str> = scene::keys::TABLES.iter().flat_map(scene::keys::Table::names).collect();
     let words: Vec<&str> = keys.into_iter().chain(sound::WORDS).collect();

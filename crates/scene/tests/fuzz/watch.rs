@@ -1,4 +1,4 @@
-//! What no case may do: panic, take long, or take much memory.
+//! Limits that no case may break: it does not panic, take long, or take much memory.
 
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -8,10 +8,10 @@ use std::time::{Duration, Instant};
 const LONGEST: Duration = Duration::from_secs(60);
 /// A case that waits for something takes no processor time.
 const LONGEST_WAIT: Duration = Duration::from_secs(1800);
-/// All of the process; a scene of vehicles takes a tenth.
+/// Most memory of the whole process; a scene of vehicles takes a tenth.
 const MOST_MIB: u64 = 3072;
 
-/// Which case is read; no two that follow each other have one number.
+/// Number of the case that is read; no two that follow each other have one number.
 static CASE: AtomicU64 = AtomicU64::new(REST);
 const REST: u64 = u64::MAX;
 
@@ -45,7 +45,7 @@ pub(crate) fn rest() {
     CASE.store(REST, Ordering::Relaxed);
 }
 
-/// Of all threads; zero where the system does not tell.
+/// Processor time of all threads; zero where the system does not tell.
 pub(crate) fn processor_time() -> Duration {
     const TICKS_PER_SECOND: u64 = 100; // USER_HZ of Linux
     let stat = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();

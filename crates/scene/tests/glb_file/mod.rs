@@ -62,7 +62,7 @@ impl GlbFile {
         self
     }
 
-    /// Without what stands at a JSON pointer.
+    /// Removes what stands at a JSON pointer.
     pub(crate) fn without(mut self, pointer: &str) -> Self {
         let (parent, key) = pointer.rsplit_once('/').unwrap();
         self.json.pointer_mut(parent).unwrap().as_object_mut().unwrap().remove(key);

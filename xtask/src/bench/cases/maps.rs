@@ -22,7 +22,7 @@ const TRAINING: u32 = 6;
 const FALSE_ALARM_RATE: f64 = 1e-2;
 /// Cells that the angle is asked of.
 const CELLS: usize = 1000;
-/// Of the near field's curvature, m: none to speak of.
+/// Range for the near field's curvature, m: so far away that there is none to speak of.
 const RANGE_M: f64 = 1e4;
 
 const MMWCORE: Language = Language::Example("dsp", "rivals", "mmwcore");

@@ -1,12 +1,12 @@
-//! How large cases are, and how long they take.
+//! Sizes of the cases, and the seconds that they take.
 
 use std::time::Instant;
 use wayside::host::failure::Failure;
 
-/// How large the cases are.
+/// Sizes of the cases.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::bench) struct Sizes {
-    /// Of rays and samples.
+    /// Rays and samples along a wavelength.
     pub(super) per_wavelength: f64,
     pub(super) frequency_hz: f64,
     pub(super) paths: usize,

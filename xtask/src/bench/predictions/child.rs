@@ -10,12 +10,12 @@ use wayside::chain::expectation::machine_speed;
 use wayside::host::failure::Failure;
 use wayside::outcome::summary::{Stage, Summary};
 
-/// What a run took, and what its tracer found.
+/// Costs of a run, and the counts that its tracer found.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Taken {
     pub(super) processor_s: f64,
     pub(super) peak_mib: f64,
-    /// Of the machine when it ran: it changes with what else runs on it.
+    /// Speed of the machine when it ran: it changes with what else runs on it.
     pub(super) machine_speed: f64,
     /// Paths, and lit polygons of the frames' middles; of all frames.
     pub(super) paths: f64,
@@ -24,7 +24,7 @@ pub(super) struct Taken {
     pub(super) moments: f64,
     /// Most that a frame's tracer says that it held.
     pub(super) traced_mib: f64,
-    /// By the clock: bart_rcs, fmcw_echo, dsp.
+    /// Wall-clock seconds of bart_rcs, fmcw_echo, dsp.
     pub(super) stages_s: [f64; 3],
 }
 

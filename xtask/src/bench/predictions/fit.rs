@@ -5,7 +5,7 @@
 
 use wayside::chain::expectation::work::{ITEMS, Work};
 
-/// What a run was expected to do, and the processor seconds that it took on the machine of the rates.
+/// Work that a run was expected to do, and the processor seconds that it took on the machine of the rates.
 pub(super) struct Run {
     pub(super) work: Work,
     pub(super) seconds: f64,
@@ -18,7 +18,7 @@ const LARGE: f64 = 0.4;
 /// Rounds through all rates; the step of a logarithm is halved where a round gains nothing.
 const ROUNDS: usize = 400;
 
-/// From the rates that are.
+/// Fits the rates to the runs, beginning with the rates `before`, to which they are held.
 pub(super) fn rates(runs: &[Run], before: [f64; ITEMS]) -> [f64; ITEMS] {
     let (mut rates, mut step) = (before, 1.0);
     let mut best = misfit(runs, &before, &rates);

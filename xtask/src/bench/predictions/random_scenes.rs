@@ -114,8 +114,8 @@ fn variants(draw: &mut Draw, root: &Path, text: &mut String) {
     }
 }
 
-/// In a lane, mostly 12 to 80 m away; now and then right under the mast. `lanes_m`: where each lane's first
-/// vehicle stands.
+/// Adds a vehicle in a lane, mostly 12 to 80 m away; now and then right under the mast. `lanes_m` holds where
+/// each lane's first vehicle stands.
 fn vehicle(draw: &mut Draw, number: usize, lanes_m: &mut [f64; 3], text: &mut String) {
     let (model, class) = draw.one_of(&VEHICLES);
     let first_m = &mut lanes_m[number % 3];

@@ -1,4 +1,4 @@
-//! What was said of a scene beside what it took.
+//! Seconds and memory expected of a scene beside those that it took.
 
 use crate::bench::predictions::child::Taken;
 use crate::bench::predictions::random_scenes::RandomScene;
@@ -11,7 +11,7 @@ pub(super) struct Row {
     pub(super) expected: Expectation,
     /// Processor seconds that it took to expect it.
     pub(super) look_s: f64,
-    /// What the memory of its largest frame goes into, and how many frames are computed at a time.
+    /// Memory of the largest frame by its parts, and the number of frames that are computed at a time.
     pub(super) load: Load,
     pub(super) at_once: usize,
     pub(super) taken: Taken,

@@ -9,7 +9,7 @@ use wayside::chain::memory_estimate::Load;
 use wayside::host::failure::Failure;
 use wayside::host::files;
 
-/// What a scene took; the columns that are read again.
+/// Columns of what a scene took, which are read again.
 const TAKEN: [&str; 10] = [
     "taken_s",
     "taken_mib",
@@ -24,7 +24,7 @@ const TAKEN: [&str; 10] = [
 ];
 const SAID: &str = "said_s,said_mib,look_s,at_once,signal_mib,facets,polygons,cells,changing,sliding,moving";
 
-/// By scene; nothing of a file that is not there yet.
+/// Reads what scenes took, by their names; a file that is not there yet gives none.
 pub(super) fn taken(file: &Path) -> Result<BTreeMap<String, Taken>, Failure> {
     let text = match std::fs::read_to_string(file) {
         Ok(text) => text,

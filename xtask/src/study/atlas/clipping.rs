@@ -29,7 +29,7 @@ fn alike(
     ))
 }
 
-/// Of coincident facets one is lit.
+/// Coincident facets, of which one is lit.
 pub(super) fn doubled(_: Extent) -> Result<Vec<Row>, Failure> {
     let trial =
         Trial { stage: "bart-rcs", method: "bart", case: "every triangle there twice", parameter: "body" };

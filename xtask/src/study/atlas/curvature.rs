@@ -15,7 +15,8 @@ use wayside::host::failure::Failure;
 /// `error_db` holds no figure for the shape: a mesh is taken as the body itself.
 const AS_GIVEN: Says = Says::Words("error_db.tessellation is null: facets are taken as the surface");
 
-/// q = chord/√(ρλ): with 0.25 the complex error is −23 dB, beyond 0.7 the facets' own grating lobes decide.
+/// Flat strips of q = chord/√(ρλ): with 0.25 the complex error is −23 dB, beyond 0.7 the facets' own grating
+/// lobes decide.
 pub(super) fn facets_of_a_cylinder(_: Extent) -> Result<Vec<Row>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
@@ -46,7 +47,7 @@ fn worst_turn(sides: u32, radius_m: f64, height_m: f64, exact: Complex64) -> Res
     Ok(worst)
 }
 
-/// What physical optics leaves out of small spheres: penumbra and creeping waves.
+/// Small spheres against Mie's series: physical optics leaves out penumbra and creeping waves.
 pub(super) fn spheres_against_mie(extent: Extent) -> Result<Vec<Row>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",

@@ -91,8 +91,8 @@ fn neighbours() -> Result<Vec<Row>, Failure> {
     [0.0, 15.0].into_iter().map(row).collect()
 }
 
-/// Without noise the floor is 60 dB below the peak: what is weaker is not seen, and the map says which floor
-/// it took.
+/// A map without noise, whose floor is 60 dB below the peak: what is weaker is not seen, and the map says
+/// which floor it took.
 fn without_noise() -> Result<Vec<Row>, Failure> {
     let trial = Trial {
         stage: "dsp",

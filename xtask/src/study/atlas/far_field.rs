@@ -45,7 +45,7 @@ pub(super) fn table_over_range(_: Extent) -> Result<Vec<Row>, Failure> {
     RANGES_M.into_iter().map(row).collect()
 }
 
-/// What takes the table's place.
+/// Paths of spherical waves, which take the table's place.
 pub(super) fn paths_over_range(_: Extent) -> Result<Vec<Row>, Failure> {
     let trial =
         Trial { stage: "bart-rcs", method: "paths", case: "paths of the same plate", parameter: "range_m" };

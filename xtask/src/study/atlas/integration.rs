@@ -9,7 +9,7 @@ use crate::study::looks;
 use bart_rcs::{RcsRequest, RcsResult};
 use wayside::host::failure::Failure;
 
-/// What a result believes of its numbers.
+/// Bound that a result gives for its own error.
 pub(super) fn printed(result: &RcsResult) -> Says {
     result.error.total().map_or(Says::Nothing, Says::AtMost)
 }

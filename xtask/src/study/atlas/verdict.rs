@@ -3,7 +3,7 @@
 use artifact::units::db_from_amplitude;
 use std::fmt::Display;
 
-/// What the program's own answer says of its error, as relative amplitudes.
+/// Statement of the program's own answer on its error, as relative amplitudes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::study) enum Says {
     /// Nothing.
@@ -17,7 +17,7 @@ pub(in crate::study) enum Says {
     Words(&'static str),
 }
 
-/// What became of a case.
+/// Outcome of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::study) enum Verdict {
     Good,
@@ -72,11 +72,11 @@ pub(in crate::study) struct Row {
     /// Relative amplitude error; `None` of what was refused.
     pub(in crate::study) error: Option<f64>,
     pub(in crate::study) verdict: Verdict,
-    /// What the program said: a figure, a flag, or the refusal.
+    /// Words of the program: a figure, a flag, or the refusal.
     pub(in crate::study) said: String,
 }
 
-/// What is tried, before it is known what comes of it.
+/// Case that is tried, before it is known what comes of it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Trial {
     pub(super) stage: &'static str,

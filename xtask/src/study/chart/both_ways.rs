@@ -15,12 +15,12 @@ use artifact::scene::SceneHeader;
 use num_complex::Complex64;
 use wayside::host::failure::Failure;
 
-/// Asked of both ways, and of the reference.
+/// Accuracies asked of both ways, and of the reference.
 const ASKED_DB: f64 = -20.0;
 const FINE_DB: f64 = -30.0;
 /// Parts of the frame that the reference is traced for, each for itself.
 const PARTS: u32 = 2;
-/// x of lane 2 (the paper's Table 1), and the radar's height.
+/// Place of lane 2 along x (the paper's Table 1), and the radar's height.
 const LANE_M: f64 = 5.75;
 const RADAR_M: f64 = 6.0;
 

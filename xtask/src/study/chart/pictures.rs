@@ -26,7 +26,7 @@ pub(in crate::study) fn picture(table: &Table) -> Svg {
     plot("Chart: seconds against error of each method", [scenes, BETTER.into()], lines)
 }
 
-/// The same of whole frames and their cubes: a line for each, from paths to table.
+/// Draws seconds over error of whole frames and their cubes: a line for each scene, from paths to table.
 pub(in crate::study) fn picture_of_frames(table: &Table) -> Svg {
     let is_cube =
         |row: &RowOf| row.word("method").starts_with(WHOLE_FRAME) && row.word("method").ends_with("cube");

@@ -1,4 +1,4 @@
-//! What the study `chart` finds out of one case.
+//! Results of the study `chart` for one case.
 
 /// One setting of one method on one piece of work.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,6 +12,6 @@ pub(in crate::study) struct Row {
     pub(in crate::study) peak_mib: Option<f64>,
     /// Relative amplitude.
     pub(in crate::study) error: f64,
-    /// What the error is against.
+    /// Reference that the error is against.
     pub(in crate::study) reference: String,
 }

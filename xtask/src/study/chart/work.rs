@@ -1,4 +1,4 @@
-//! What the methods are given to do, and how it is measured.
+//! Work that the methods are given to do, and how it is measured.
 
 use crate::study::bodies::{self, Face};
 use crate::study::extent::Extent;

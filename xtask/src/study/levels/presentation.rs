@@ -61,7 +61,7 @@ pub(in crate::study) fn page(rows: &[Row], extent: Extent) -> String {
     )
 }
 
-/// How well the run knows its error.
+/// Sentence on how well the run knows its error: told over true.
 fn told_against_true(rows: &[Row]) -> String {
     let pairs = rows.iter().filter_map(|row| row.told.zip(row.error));
     let mut above_db: Vec<f64> = pairs.map(|(told, error)| db_from_amplitude(told / error)).collect();
@@ -107,7 +107,7 @@ pub(in crate::study) fn picture(table: &Table) -> Svg {
     plot.draw(Form::Wide)
 }
 
-/// What a level is, in words.
+/// Description of a level of detail.
 fn name(level: Detail) -> &'static str {
     match level {
         Detail::Paths => "paths: all that were traced",

@@ -1,4 +1,4 @@
-//! What the study `levels` finds out of one case.
+//! Results of the study `levels` for one case.
 
 use artifact::settings::Detail;
 
@@ -8,10 +8,11 @@ pub(in crate::study) struct Row {
     pub(in crate::study) scene: &'static str,
     pub(in crate::study) asked_db: f64,
     pub(in crate::study) level: Detail,
-    /// What each target took, where the program chose.
+    /// Level that each target took, where the program chose.
     pub(in crate::study) chosen: String,
     pub(in crate::study) paths: usize,
-    /// Of the echo against that of all paths: as told by the run, over the whole cube. `None` of all paths.
+    /// Error of the echo against that of all paths: as told by the run, over the whole cube. `None` of all
+    /// paths.
     pub(in crate::study) told: Option<f64>,
     pub(in crate::study) error: Option<f64>,
     /// Root of the sum of squares of all that the run tells, the echo's apart.

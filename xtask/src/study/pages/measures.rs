@@ -1,5 +1,5 @@
-//! What tests of the crates measure, taken from beside these tests as it is: few cases are asserted there,
-//! many are tabulated here.
+//! Measurements that tests of the crates make, taken from beside these tests as they are: few cases are
+//! asserted there, many are tabulated here.
 
 #[path = "../../../../crates/wayside/tests/reference_gates/gates/mod.rs"]
 pub(super) mod gates;

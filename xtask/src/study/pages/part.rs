@@ -1,4 +1,4 @@
-//! What a study makes of a page: tables that grow row by row, heard as they do.
+//! Part of a page that a study makes: tables that grow row by row, heard as they do.
 
 use wayside::program::terminal;
 
@@ -6,7 +6,7 @@ use wayside::program::terminal;
 #[derive(Debug, Default)]
 pub(crate) struct Part {
     text: String,
-    /// What of the figures is not as it has to be.
+    /// Sentence on figures that are not as they have to be.
     complaint: Option<String>,
 }
 

@@ -1,4 +1,5 @@
-//! Of scattered fields: against reference data, against the two slow references, and against finer answers.
+//! Studies of scattered fields: against reference data, against the two slow references, and against finer
+//! answers.
 
 mod bodies;
 mod frames;

@@ -6,7 +6,7 @@ use crate::wording::allowed::Allowed::{self, Above, Between};
 use artifact::radar::{Multiplexing, Polarization};
 use radar::aperture::Preset;
 
-/// What tells a pattern.
+/// Form in which an element's pattern is given.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Form {
     Isotropic,

@@ -7,7 +7,7 @@ use crate::document::ranges::{COORDINATES_M, SEEDS, VELOCITIES_MPS};
 use crate::wording::allowed::Allowed::Between;
 use artifact::settings::Class;
 
-/// What a target is.
+/// Kind of a target.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Body {
     Mesh,

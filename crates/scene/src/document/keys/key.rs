@@ -3,23 +3,23 @@
 
 use serde_json::Value;
 
-/// What a key takes, as the page and the schema tell it.
+/// Values that a key takes, as the page and the schema tell it.
 pub(crate) trait Kind: Copy + 'static {
     /// Whether it is a number or a list of them.
     const NUMBERS: bool = false;
-    /// In the words of the page.
+    /// Allowed values in the words of the page.
     fn allowed(&self) -> String;
-    /// In those of JSON Schema.
+    /// Allowed values in the terms of JSON Schema.
     fn schema(&self) -> Value;
 }
 
 /// A kind of which a value can stand for one that is left out.
 pub(crate) trait Plain: Kind {
-    /// As it is read.
+    /// Type of a value as it is read.
     type Value: Copy + 'static;
-    /// As JSON, which is TOML too.
+    /// Value as JSON, which is TOML too.
     fn json(&self, value: Self::Value) -> Value;
-    /// What is allowed in the words of the page; of several words the default comes first.
+    /// Allowed values in the words of the page; of several words the default comes first.
     fn allowed_beside(&self, _default: Self::Value) -> String {
         self.allowed()
     }
@@ -28,25 +28,25 @@ pub(crate) trait Plain: Kind {
 /// A key. `A` is [`Absent`], or [`Or`] of a value that every reader takes where the key is left out.
 #[derive(Clone, Copy)]
 pub(crate) struct Key<K, A = Absent> {
-    /// As written, with its unit.
+    /// Name as written, with its unit.
     pub(crate) name: &'static str,
     /// Type and range.
     pub(crate) takes: K,
-    /// Where it is left out.
+    /// Value or meaning of the key where it is left out.
     pub(crate) absent: A,
-    /// What the page says in place of the kind's own words, which stand for `{}` in it.
+    /// Text of the page in place of the kind's own words, which stand for `{}` in it.
     allowed: &'static str,
     meaning: &'static str,
 }
 
-/// What it means that a key is left out.
+/// Meaning of a key that is left out.
 #[derive(Clone, Copy)]
 pub(crate) enum Absent {
     /// An error.
     Required,
     /// Nothing; the page has a dash.
     Nothing,
-    /// What the page says: it depends on other keys.
+    /// A text of the page: it depends on other keys.
     Said(&'static str),
 }
 
@@ -78,7 +78,7 @@ impl<K: Copy> Key<K> {
 }
 
 impl<K: Copy, A: Copy> Key<K, A> {
-    /// With more to say of what is allowed than its kind says, which stands for `{}`.
+    /// Sets a text that says more of what is allowed than the kind, whose words stand for `{}`.
     pub(crate) const fn allowed(self, allowed: &'static str) -> Self {
         Self { allowed, ..self }
     }
@@ -86,7 +86,7 @@ impl<K: Copy, A: Copy> Key<K, A> {
 
 /// A key of any kind, as a table lists it.
 pub(crate) trait Entry {
-    /// As written.
+    /// Name of the key as written.
     fn name(&self) -> &'static str;
     /// Whether a table without it is refused.
     fn is_required(&self) -> bool;
@@ -96,7 +96,7 @@ pub(crate) trait Entry {
     fn cells(&self) -> [String; 3];
     /// The schema of its values, without sentence and default.
     fn values(&self) -> Value;
-    /// Its value where it is left out, if that is always the same.
+    /// Value of the key where it is left out, if that is always the same.
     fn default(&self) -> Option<Value>;
 }
 
@@ -173,9 +173,9 @@ fn written(value: &Value) -> String {
 pub struct Table {
     /// Dotted name; empty for the keys before the first table.
     pub name: &'static str,
-    /// As written in the file.
+    /// Heading as written in the file.
     pub heading: &'static str,
-    /// What it is, in a sentence.
+    /// Description of the table, in a sentence.
     pub(crate) about: &'static str,
     /// Keys, tables below it included, in the order of the page.
     pub(crate) keys: &'static [&'static dyn Entry],

@@ -1,4 +1,4 @@
-//! What keys take: numbers in their range, words of a list, texts, lists and tables.
+//! Kinds of values that keys take: numbers in their range, words of a list, texts, lists and tables.
 
 use crate::document::keys::key::{Kind, Plain, Table};
 use crate::wording::allowed::Allowed;
@@ -42,7 +42,7 @@ pub(crate) struct Words<T: 'static>(pub(crate) fn() -> Vec<(&'static str, T)>);
 pub(crate) struct Like<T: 'static> {
     /// The words that are told.
     pub(crate) words: Words<T>,
-    /// What any other stands for.
+    /// Value that any other word stands for.
     pub(crate) built: fn(&str) -> Option<T>,
     /// A regular expression that all others match.
     pub(crate) pattern: &'static str,
@@ -59,27 +59,27 @@ pub(crate) struct Counts<const N: usize>(pub(crate) Allowed);
 /// Two numbers, each in a range of its own.
 #[derive(Clone, Copy)]
 pub(crate) struct Pair {
-    /// What is allowed of either, told at the place of the number.
+    /// Range of either number, told at the place of the number.
     pub(crate) any: Allowed,
-    /// What is allowed of the first and of the second, told at the place of the list.
+    /// Ranges of the first and of the second number, told at the place of the list.
     pub(crate) each: [Allowed; 2],
 }
 
 /// A list of numbers.
 #[derive(Clone, Copy)]
 pub(crate) struct Numbers {
-    /// How many.
+    /// Allowed length of the list.
     pub(crate) length: Allowed,
-    /// Each of them.
+    /// Range of each number.
     pub(crate) each: Allowed,
 }
 
 /// A list of pairs of numbers.
 #[derive(Clone, Copy)]
 pub(crate) struct Pairs {
-    /// How many.
+    /// Allowed length of the list.
     pub(crate) length: Allowed,
-    /// Each of them.
+    /// Ranges of each pair.
     pub(crate) pair: Pair,
 }
 
@@ -90,13 +90,13 @@ pub(crate) struct PerElement(pub(crate) Allowed);
 /// Tables that are read as `table` says.
 #[derive(Clone, Copy)]
 pub(crate) struct Below {
-    /// How they are written.
+    /// Form in which they are written.
     pub(crate) form: Form,
     /// The keys of each.
     pub(crate) table: &'static Table,
 }
 
-/// How tables are written.
+/// Form in which tables are written.
 #[derive(Clone, Copy)]
 pub(crate) enum Form {
     /// One table.
@@ -105,9 +105,9 @@ pub(crate) enum Form {
     Several,
     /// A list of so many tables.
     List(Allowed),
-    /// By names that the scene gives.
+    /// Tables under names that the scene gives.
     Named,
-    /// By names that the scene gives, or texts in their place.
+    /// Tables under names that the scene gives, or texts in their place.
     NamedOrTexts,
 }
 
@@ -415,7 +415,7 @@ fn range(allowed: Allowed) -> String {
     }
 }
 
-/// How many, as the page says it.
+/// Writes the allowed length of a list as the page says it.
 fn many(length: Allowed) -> String {
     match length {
         Allowed::Between(0.0, most) => format!("up to {}", figure(most)),
@@ -423,7 +423,7 @@ fn many(length: Allowed) -> String {
     }
 }
 
-/// From 10⁴ on as a power, if it is one.
+/// Writes a number, from 10⁴ on as a power if it is one.
 fn figure(value: f64) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     if value == i64::MAX as f64 {

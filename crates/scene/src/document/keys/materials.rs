@@ -12,7 +12,7 @@ pub(crate) enum Mirror {
     Off,
 }
 
-/// What the road sends back of itself.
+/// Model of the road's own backscatter.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Ground {
     Off,
@@ -22,7 +22,7 @@ pub(crate) enum Ground {
 /// A windscreen has three, a painted bumper four.
 pub(crate) const LAYERS_OF_ONE: Allowed = Between(1.0, 32.0);
 
-/// ε′ and ε″. Below 1 there is plasma, which no vehicle wears.
+/// Ranges of ε′ and ε″. Below 1 there is plasma, which no vehicle wears.
 const COMPLEX: Pair = Pair { any: Between(0.0, 1e6), each: [Between(1.0, 1e6), Between(0.0, 1e6)] };
 
 /// Each entry of `[materials]`.
@@ -63,7 +63,7 @@ pub(crate) const COHERENT: Key<Truth, Or<bool>> =
     Key::new("coherent", Truth, "false: thicknesses are known about only, powers are averaged over them")
         .or(true);
 
-/// Each of the `layers` of an entry.
+/// A table of the `layers` of an entry.
 pub(crate) const LAYER: Table = Table {
     name: "materials.layers",
     heading: "layers of [materials]",
@@ -114,6 +114,6 @@ pub(crate) const BACKSCATTER: Key<Words<Ground>, Or<Ground>> = Key::new(
 )
 .or(Ground::Off);
 
-/// What is usual for flat ground (docs/scenes.md).
+/// Backscatter γ, by default what is usual for flat ground (docs/scenes.md).
 pub(crate) const GAMMA: Key<Number, Or<f64>> =
     Key::new("backscatter_gamma_db", Number(Between(-100.0, 30.0)), "dB: γ, with \"floor\"").or(-20.0);

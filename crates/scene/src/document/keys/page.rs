@@ -36,7 +36,7 @@ pub fn with_tables(page: &str) -> String {
     TABLES.iter().fold(page.to_owned(), renewed)
 }
 
-/// What stands before a table of the page.
+/// The line that stands before a table of the page.
 pub fn mark(table: &Table) -> String {
     format!("<!-- keys of {} -->", table.heading)
 }

@@ -59,7 +59,7 @@ pub(crate) const OF_INTERFERER: Key<Below> =
 pub(crate) const OF_INTERSECTION: Key<Below> =
     Key::new("intersection", Below::one(&RADAR_INTERSECTION), THE_NEXT_TABLES);
 
-/// Each of the `[[radars]]`.
+/// An entry of `[[radars]]`.
 pub(crate) const RADARS: Table = Table {
     name: "radars",
     heading: "[[radars]]",

@@ -14,7 +14,7 @@ pub(super) fn own(name: &str) -> Result<Mesh, Failure> {
     scene::vehicles::mesh(name, 1).ok_or_else(|| Failure::Refused(format!("there is no vehicle {name}")))
 }
 
-/// All of the project's own.
+/// All vehicles of the project's own.
 pub(super) fn all_own() -> Result<Vec<Named>, Failure> {
     scene::vehicles::NAMES.iter().map(|name| Ok(((*name).to_owned(), own(name)?))).collect()
 }

@@ -11,7 +11,7 @@ use artifact::scene::Mesh;
 use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
 
-/// What the figures hang on.
+/// Sources that the figures hang on.
 pub(crate) const SOURCES: Places = &[
     SCATTERING,
     &[
@@ -23,7 +23,7 @@ pub(crate) const SOURCES: Places = &[
     ],
 ];
 
-/// Of S.
+/// Printed and true errors of S, the complex scattering amplitude.
 pub(crate) fn of_tables(extent: Extent) -> Result<Part, Failure> {
     let meshes = all()?;
     let meshes: Vec<(&str, Mesh)> = meshes.iter().map(|(name, mesh)| (name.as_str(), mesh.clone())).collect();
@@ -44,7 +44,7 @@ pub(crate) fn of_tables(extent: Extent) -> Result<Part, Failure> {
     Ok(judged(table))
 }
 
-/// Of a frame's map.
+/// Printed and true errors of a frame's map.
 pub(crate) fn of_frames(extent: Extent) -> Result<Part, Failure> {
     let (meshes, header) = (all()?, experiment_1()?);
     let columns = ["vehicle", "x, y, m", "heading, °", "speed, m/s", "bounces", "asked, dB", "paths"];
@@ -56,8 +56,8 @@ pub(crate) fn of_frames(extent: Extent) -> Result<Part, Failure> {
     Ok(judged(table))
 }
 
-/// Of leaving the road out: the figure is of dry asphalt, and the roads are not; how many it covers is found,
-/// not promised.
+/// Printed and true errors of leaving the road out: the figure is of dry asphalt, and the roads are not; how
+/// many it covers is found, not promised.
 pub(crate) fn of_roads(extent: Extent) -> Result<Part, Failure> {
     let (meshes, header): (Vec<Named>, _) = (all_own()?, experiment_1()?);
     let columns =

@@ -10,7 +10,7 @@ use bart_rcs::Standpoint;
 use num_complex::Complex64;
 use wayside::host::failure::Failure;
 
-/// What the figures hang on.
+/// Sources that the figures hang on.
 pub(crate) const SOURCES: Places =
     &[SCATTERING, &["crates/wayside/tests/bart_against_references/methods.rs", file!()]];
 
@@ -48,7 +48,7 @@ pub(crate) fn second_real_car(extent: Extent) -> Result<Part, Failure> {
     at_four_aspects(&real("modern_hatchback")?, extent)
 }
 
-/// How dense the references are: cells along a wavelength with how often borders are halved, and rays.
+/// Densities of the references: cells along a wavelength with how often borders are halved, and rays.
 type Densities = (&'static [(f64, u32)], &'static [f64]);
 
 /// Both references as they grow denser, against BART and rays against rays.
@@ -97,7 +97,7 @@ fn size(s: &[Complex64]) -> f64 {
     s.iter().map(|s| s.norm_sqr()).sum::<f64>().sqrt()
 }
 
-/// In dB; of nothing nothing is told.
+/// Writes a ratio in dB; one that is not positive and finite as "nothing".
 fn told(ratio: f64) -> String {
     if ratio > 0.0 && ratio.is_finite() {
         format!("{:.1} dB", decibels(ratio)).replace('-', "−")

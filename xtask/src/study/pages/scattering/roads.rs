@@ -26,7 +26,7 @@ pub(crate) struct FoundRoad {
     pub(crate) true_db: f64,
 }
 
-/// What a road may be made of: asphalt by recipe and moisture, and concrete (docs/materials.md).
+/// Materials that a road may be made of: asphalt by recipe and moisture, and concrete (docs/materials.md).
 const ROADS: [(&str, [f64; 2]); 4] = [
     ("asphalt", [9.5, 0.3]),
     ("dry asphalt", [8.6, 0.3]),

@@ -7,7 +7,7 @@ use crate::study::sources::{Places, SIGNALS};
 use rayon::prelude::*;
 use wayside::host::failure::Failure;
 
-/// What the figures hang on.
+/// Sources that the figures hang on.
 pub(crate) const SOURCES: Places = &[SIGNALS, &["crates/dsp/tests/estimation/fold_trials.rs", file!()]];
 
 /// Name, samples, idle time of the second sub-frame, lone points.
@@ -37,7 +37,7 @@ pub(super) fn all_of(trials: u64, right: &(dyn Fn(u64) -> [usize; 2] + Sync)) ->
     [0, 1].map(|i: usize| all.iter().map(|trial| trial[i]).sum::<usize>())
 }
 
-/// How many of all are right, and how many certain and wrong where that is counted.
+/// Adds a row: the share of all that is right, and the number certain and wrong where that is counted.
 pub(super) fn row(part: &mut Part, names: [&str; 2], right: usize, all: u64, wrong: Option<usize>) {
     let [name, what] = names.map(str::to_owned);
     let share = format!("{:.2} %", 100.0 * right as f64 / all as f64);

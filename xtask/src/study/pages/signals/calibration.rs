@@ -7,7 +7,7 @@ use crate::study::pages::part::Part;
 use crate::study::sources::{Places, SIGNALS};
 use wayside::host::failure::Failure;
 
-/// What the figures hang on.
+/// Sources that the figures hang on.
 pub(crate) const SOURCES: Places = &[SIGNALS, &["crates/dsp/tests/direction/erring_elements.rs", file!()]];
 
 pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {

@@ -8,10 +8,10 @@ use crate::study::sources::{Places, SIGNALS};
 use artifact::settings::Refine;
 use wayside::host::failure::Failure;
 
-/// What the figures hang on.
+/// Sources that the figures hang on.
 pub(crate) const SOURCES: Places = &[SIGNALS, &["crates/dsp/tests/estimation/bound_trials.rs", file!()]];
 
-/// For a standard error of 0.15 dB: 4.34·√(2/n).
+/// Number of trials, for a standard error of 0.15 dB: 4.34·√(2/n).
 const TRIALS: u64 = 1600;
 
 pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
@@ -49,7 +49,7 @@ fn levels_db(refine: Refine) -> &'static [f64] {
     }
 }
 
-/// How far apart the second one is: what is varied, and its cells of range and velocity and beams.
+/// Distances of the second point: what is varied, and its cells of range and velocity and beams.
 fn distances() -> Vec<(&'static str, Vec<[f64; 3]>)> {
     let of = |list: &[f64], place: fn(f64) -> [f64; 3]| list.iter().map(|n| place(*n)).collect();
     let near = [0.3, 0.6, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 31.0];

@@ -9,7 +9,7 @@ use artifact::radar::Sampling;
 use artifact::settings::{Detector, Window};
 use wayside::host::failure::Failure;
 
-/// What the figures hang on.
+/// Sources that the figures hang on.
 pub(crate) const SOURCES: Places = &[SIGNALS, &["crates/dsp/tests/detection/alarm_rates.rs", file!()]];
 
 /// Window, channels, maps to count in at 1e-2, 1e-3 and 1e-4, and maps to weigh.
@@ -35,12 +35,12 @@ const REAL: [Setting; 5] = [
     (Window::Hann, 192, [0; 3], 200),
 ];
 
-/// Of complex samples.
+/// False alarms of complex samples.
 pub(crate) fn of_complex_samples(extent: Extent) -> Result<Part, Failure> {
     Ok(table_of(Sampling::Complex, &COMPLEX, extent))
 }
 
-/// Of real samples.
+/// False alarms of real samples.
 pub(crate) fn of_real_samples(extent: Extent) -> Result<Part, Failure> {
     Ok(table_of(Sampling::Real, &REAL, extent))
 }

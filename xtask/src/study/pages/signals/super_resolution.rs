@@ -8,7 +8,7 @@ use crate::study::sources::{Places, SIGNALS};
 use artifact::cube::CubeHeader;
 use wayside::host::failure::Failure;
 
-/// What the figures hang on.
+/// Sources that the figures hang on.
 pub(crate) const SOURCES: Places = &[SIGNALS, &["crates/dsp/tests/direction/pair_trials.rs", file!()]];
 
 const BEAMS: [f64; 8] = [0.15, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0, 1.5];

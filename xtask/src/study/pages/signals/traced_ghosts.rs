@@ -9,7 +9,7 @@ use std::process::Command;
 use wayside::host::failure::Failure;
 use wayside::host::progress::note;
 
-/// What the figures hang on.
+/// Sources that the figures hang on.
 pub(crate) const SOURCES: Places = &[CHAIN, &["crates/wayside/tests/scenes/ghost_streets.rs", file!()]];
 
 /// Transmitters in two rows.
