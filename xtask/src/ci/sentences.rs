@@ -10,16 +10,6 @@ use wayside::program::terminal;
 /// Largest share of a crate's doc comments that may begin as fragments.
 const MOST: f64 = 0.02;
 
-/// Temporary limits of the crates whose comments are still to be mended, each a little above its share.
-const UNTIL_MENDED: [(&str, f64); 6] = [
-    ("dsp", 0.25),
-    ("fmcw-echo", 0.10),
-    ("radar", 0.10),
-    ("scene", 0.10),
-    ("wayside", 0.28),
-    ("xtask", 0.25),
-];
-
 /// First words that lean on something outside of the comment; "Whether" names what a `bool` says.
 const BEGINNINGS: &str = "Of To As With Without In At From For By Than On Onto Into Across Along Towards And \
     Or But Nor Also Likewise Else Otherwise Those Them They Their Its It What Where How When Which Who Whose \
@@ -37,23 +27,18 @@ pub(super) fn check() -> Result<(), Failure> {
     for folder in house::crates(&project_root())? {
         let (count, found) = fragments_of(&folder)?;
         let (name, share) = (house::name_of(&folder), found.len() as f64 / count.max(1) as f64);
-        let most = limit(&name);
         let sentence = format!(
             "{name}: {} of {count} doc comments begin as fragments, {:.1} % (at most {:.0} %)",
             found.len(),
             100.0 * share,
-            100.0 * most
+            100.0 * MOST
         );
         terminal::line(&sentence);
-        if share > most {
+        if share > MOST {
             broken.extend(found.into_iter().chain([sentence]));
         }
     }
     none_of(broken)
-}
-
-fn limit(name: &str) -> f64 {
-    UNTIL_MENDED.iter().find(|(unmended, _)| *unmended == name).map_or(MOST, |(_, most)| *most)
 }
 
 /// Number of a crate's doc comments, and a line for each of them that begins as a fragment.

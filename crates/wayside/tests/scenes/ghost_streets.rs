@@ -126,6 +126,9 @@ pub(crate) struct Counts {
     pub(crate) wrong: Vec<String>,
 }
 
+/// The table of points of a street of these files, as CSV.
+type TableOf<'a, E> = dyn Fn(&[(String, String)]) -> Result<String, E> + 'a;
+
 /// Cells of 15 dB a channel and more that at least nine tenths of the power in their own beam come from.
 /// `table_of` writes files of these names and texts, runs the scene [`SCENE`] among them and gives its table
 /// of points as CSV.
@@ -133,7 +136,7 @@ pub(crate) fn counts<E>(
     array: &str,
     beam: f64,
     seeds: std::ops::Range<u32>,
-    table_of: &dyn Fn(&[(String, String)]) -> Result<String, E>,
+    table_of: &TableOf<'_, E>,
 ) -> Result<Counts, E> {
     let mut counts = Counts::default();
     for seed in seeds {
