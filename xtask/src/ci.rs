@@ -6,6 +6,7 @@ mod commands;
 mod features;
 mod findings;
 mod layers;
+mod outside;
 mod pages;
 mod readme;
 mod rooms;
@@ -39,9 +40,10 @@ const CHEAP: [(&str, Check); 10] = [
 ];
 
 /// Checks that build and run all crates.
-const WHOLE: [(&str, Check); 4] = [
+const WHOLE: [(&str, Check); 5] = [
     ("lints", |_| cargo(&["clippy", "--release", "--all-targets", "--", "-D", "warnings"])),
     ("docs", |_| documentation()),
+    ("a crate outside (README)", |_| outside::check()),
     ("tests and doctests (README)", |tally| readme::tests(tally)),
     ("main job (README)", |_| readme::main_job()),
 ];

@@ -4,15 +4,18 @@ use crate::outcome::summary::{Agreement, Metrics};
 use crate::report::tables::{rounded, scrolled};
 use maud::{Markup, html};
 
+/// Name of a row, and the figure of objects or tracks in it.
+type Row<T> = (&'static str, fn(&Agreement) -> T);
+
 /// Metrics of `summary.json` as a table: a column for the objects of single frames, one for tracks.
 pub(super) fn section(metrics: &Metrics) -> Markup {
     let (objects, tracks, identities) = (&metrics.objects, &metrics.tracks, &metrics.identities);
-    let numbers: [(_, fn(&Agreement) -> Option<f64>); 3] = [
+    let numbers: [Row<Option<f64>>; 3] = [
         ("GOSPA, m", |of| of.gospa_m),
         ("OSPA, m", |of| of.ospa_m),
         ("Error of places found, m rms", |of| of.localisation_rms_m),
     ];
-    let counts: [(_, fn(&Agreement) -> usize); 3] =
+    let counts: [Row<usize>; 3] =
         [("Found, frame by frame", |of| of.found), ("Missed", |of| of.missed), ("False", |of| of.false_ones)];
     let table = html! { table {
         thead { tr { th { "mean over frames" } th { "objects" } th { "tracks" } } }

@@ -10,7 +10,7 @@ use artifact::tracks::{Tracks, TracksFrame};
 use artifact::{ArtifactError, Reader, Schema};
 use dsp::{ROAD_TRAFFIC, Tracker};
 use evaluation::{FrameTruth, Score};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
     let points = Reader::<Points>::open(&arguments.points)?;
@@ -67,7 +67,7 @@ impl Files<'_> {
 
 /// Source of tracks: a file, or a tracker that runs here.
 enum Followed {
-    Given(Reader<Tracks>, std::path::PathBuf),
+    Given(Box<Reader<Tracks>>, PathBuf),
     Here(Box<Tracker>),
 }
 
@@ -75,7 +75,7 @@ impl Followed {
     /// The tracks of a file, or those that the points' own radar and settings give.
     fn of(arguments: &ScoreArguments, points: &Reader<Points>) -> Result<Self, Failure> {
         if let Some(file) = &arguments.tracks {
-            return Ok(Self::Given(Reader::open(file)?, file.clone()));
+            return Ok(Self::Given(Box::new(Reader::open(file)?), file.clone()));
         }
         let Some(cube) = &points.header().cube else {
             let file = arguments.points.display();
