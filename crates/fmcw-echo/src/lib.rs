@@ -12,7 +12,7 @@
 //! [`Synthesizer::frame_of_tables`] is the paper's other way, far-field tables over aspect and frequency
 //! ([`rcs_table`]).
 //!
-//! To read: [`multiplexing`] (which transmissions make a row of the cube), [`antenna`] (radar equation,
+//! To read: [`multiplexing`] (which transmissions make a row of the cube), `radar::link` (radar equation,
 //! pattern), [`mod@reference`], [`direct_sum`], [`fast_sum`], [`rcs_table`], [`ground`] (paths of the road
 //! itself), [`oscillator`] and [`phase_noise`], then noise: [`noise`], [`snr_reference`];
 //! [`interference`] and [`adc`] come last.

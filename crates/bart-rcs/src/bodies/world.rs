@@ -50,7 +50,7 @@ impl World {
     /// Every mesh target of a frame that antennas have gain towards, `seconds_into_frame` after the frame's
     /// first sample.
     ///
-    /// Builds the hierarchies of all meshes: for many frames build [`Models`] once and use [`World::posed`].
+    /// Builds the hierarchies of all meshes: for many frames a [`crate::Tracer`] builds them once.
     pub fn at(header: &SceneHeader, frame: &SceneFrame, seconds_into_frame: f64) -> Result<Self, BartError> {
         Self::posed(&Models::build(header)?, header, frame, seconds_into_frame)
     }

@@ -16,7 +16,8 @@ pub fn power_map(header: &CubeHeader, map: &RdmFrame) -> Result<Array2<f64>, Dsp
     Levels::of(&Shapes::of(header)?, map).map(|levels| levels.power)
 }
 
-/// Mean noise power of one cell of one channel ([`Levels::noise`]).
+/// Mean noise power of one cell of one channel: the assumed floor of a noise-free map, else from the map's
+/// median.
 pub fn noise_power(header: &CubeHeader, map: &RdmFrame) -> Result<f64, DspError> {
     Levels::of(&Shapes::of(header)?, map).map(|levels| levels.noise())
 }
