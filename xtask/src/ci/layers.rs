@@ -1,6 +1,7 @@
 //! The layer rule: leaves depend on no crate of the workspace (`radar` on `artifact` alone), stages on leaves and never on each other;
 //! `wayside` links them, and `xtask` stands above it. What teaches a stage may see it.
 
+use crate::ci::findings::none_of;
 use crate::project::project_root;
 use std::process::Command;
 use wayside::host::failure::Failure;
@@ -11,10 +12,19 @@ pub(super) fn check() -> Result<(), Failure> {
     let output = Command::new("cargo").args(arguments).current_dir(project_root()).output();
     let output = output.map_err(|e| Failure::System(format!("cargo metadata: {e}")))?;
     let metadata: serde_json::Value = serde_json::from_slice(&output.stdout).map_err(Failure::refused)?;
-    match forbidden(&edges(&metadata)).as_slice() {
-        [] => Ok(()),
-        broken => Err(Failure::Refused(broken.join("\n"))),
-    }
+    none_of(forbidden(&edges(&metadata)).into_iter().chain(left_out(&metadata)).collect())
+}
+
+/// A sentence for each crate that no plain `cargo test` knows, but for the one that teaches.
+fn left_out(metadata: &serde_json::Value) -> Vec<String> {
+    let of = |list: &str| -> Vec<String> {
+        let ids = metadata[list].as_array().into_iter().flatten().filter_map(|id| id.as_str());
+        ids.map(str::to_owned).collect()
+    };
+    let known = of("workspace_default_members");
+    let forgotten = |id: &String| !known.contains(id) && !id.contains("/classifier-training#");
+    let sentence = |id: String| format!("Cargo.toml: {id} is no default member: its tests would not run");
+    of("workspace_members").into_iter().filter(forgotten).map(sentence).collect()
 }
 
 /// (from, to) of every dependency between crates of the workspace.
@@ -53,6 +63,18 @@ mod tests {
     #[test]
     fn stages_meet_only_in_artifacts() {
         check().unwrap();
+    }
+
+    #[test]
+    fn a_crate_whose_tests_would_not_run_is_told_and_the_one_that_teaches_is_not() {
+        let id = |name: &str| format!("path+file:///project/crates/{name}#0.1.0");
+        let metadata = json!({
+            "workspace_members": [id("dsp"), id("evaluation"), id("classifier-training")],
+            "workspace_default_members": [id("dsp")],
+        });
+        let found = left_out(&metadata);
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert!(found[0].contains("crates/evaluation#"), "{found:?}");
     }
 
     #[test]
