@@ -11,7 +11,8 @@ fn main() {
     // Read when it runs: a build script kept from another checkout must not look there.
     let manifest = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
     let root = Path::new(&manifest).join("../..");
-    let common = [root.join("crates/artifact"), root.join("crates/radar"), root.join("Cargo.lock")];
+    let common =
+        ["crates/artifact", "crates/bodies", "crates/radar", "Cargo.lock"].map(|place| root.join(place));
     for stage in STAGES {
         let own = root.join("crates").join(stage);
         let places = || common.iter().chain([&own]);

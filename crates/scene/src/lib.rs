@@ -38,14 +38,16 @@
 //!
 //! [`read_mesh`] reads a mesh alone and keeps the file's origin; [`centred`] gives it a scene's.
 //!
-//! Rooms, to read in this order, each of which uses only those before it: below are the bodies themselves,
-//! [`mesh`] (glTF, STL, OBJ), [`vehicles`] and [`street`] (the project's own, made from parameters), and what
-//! SUMO recorded; `document` is what a scene may say (`keys`), what is wrong with it (`faults`) and its typed
-//! values with their places (`section`); then come the rooms that read tables, and `read`, which calls them.
+//! The project's own [`vehicles`] and [`street`] furniture are the crate `bodies`.
+//!
+//! Rooms, to read in this order, each of which uses only those before it: below are bodies from files,
+//! [`mesh`] (glTF, STL, OBJ), and what SUMO recorded; `document` is what a scene may say (`keys`), what is
+//! wrong with it (`faults`) and its typed values with their places (`section`); then come the rooms that read
+//! tables, and `read`, which calls them.
 
 mod wording; // sentences about what was read
 mod measured; // patterns and calibrations from files
-mod bodies; // meshes from files, and the project's own
+pub mod mesh; // meshes from files
 mod recording; // what SUMO writes
 mod document; // a scene file as tables that know their place
 mod models; // what the scene names of bodies
@@ -57,14 +59,13 @@ pub mod traffic;
 mod motion; // where everything is in a frame
 mod read; // a scene file and all that it names
 
-pub use bodies::mesh::{MeshError, MeshOptions, centred, read_mesh};
-pub use bodies::painted::{Painted, PaintedLine, painted_glb};
-pub use bodies::{mesh, street, vehicles};
+pub use bodies::{Painted, PaintedLine, painted_glb, street, vehicles};
 pub use document::errors::{MapAxis, Place, Position, Rule, SceneError, SceneErrors};
 pub use document::keys;
 pub use materials::read_materials;
 pub use measured::calibration::{CalibrationFileError, CalibrationRule};
 pub use measured::pattern_table::{PatternFileError, PatternRule};
+pub use mesh::{MeshError, MeshOptions, centred, read_mesh};
 pub use models::options::{Meshes, ReadOptions};
 pub use motion::{bodies_in_view, frame_view, snapshot, vehicles_in_view};
 pub use radar::radars::radars;

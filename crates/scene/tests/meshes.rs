@@ -7,7 +7,7 @@ mod glb_file;
 use artifact::scene::Mesh;
 use glb_file::{GlbFile, floats};
 use scene::mesh::{Format, mesh_from_bytes};
-use scene::{MeshOptions, centred, read_mesh};
+use scene::{MeshOptions, centred, read_mesh, vehicles};
 use serde_json::json;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -416,5 +416,25 @@ fn the_shared_vehicles_read_with_the_sizes_of_their_manifest() {
         assert_eq!(Some(counted), vehicle["triangles"].as_integer(), "{name}");
         assert_eq!(mesh.materials.len(), vehicle["materials"].as_array().unwrap().len(), "{name}");
         assert_eq!(Some(statistics.open_edges as i64), vehicle["open_edges"].as_integer(), "{name}");
+    }
+}
+
+#[test]
+fn vehicles_of_the_project_are_read_back_as_they_were_written() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in vehicles::NAMES {
+        let written = vehicles::mesh(name, 0).unwrap();
+        let file = folder.path().join(format!("{name}.glb"));
+        std::fs::write(&file, vehicles::glb(&written)).unwrap();
+        let read = read_mesh(&file, &METRES).unwrap();
+        assert_eq!(read.materials, written.materials, "{name}");
+        assert_eq!(read.triangles, written.triangles, "{name}");
+        assert_eq!(read.vertices_m, written.vertices_m, "{name}");
+        for (got, asked) in read.normals.iter().zip(&written.normals) {
+            // The reader makes them unit vectors again: an ulp or two of single precision.
+            assert!((0..3).all(|k| (got[k] - asked[k]).abs() <= 2.4e-7), "{name}: {got:?} for {asked:?}");
+        }
+        assert_eq!(read.material_of_triangle, written.material_of_triangle, "{name}");
+        assert_eq!(read.statistics, written.statistics, "{name}");
     }
 }

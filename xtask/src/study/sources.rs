@@ -10,7 +10,7 @@ use wayside::host::failure::Failure;
 pub(crate) type Places = &'static [&'static [&'static str]];
 
 /// Leaves that every stage sees.
-const LEAVES: &[&str] = &["crates/artifact", "crates/radar"];
+const LEAVES: &[&str] = &["crates/artifact", "crates/bodies", "crates/radar"];
 
 /// Maps, detectors, directions.
 pub(super) const SIGNALS: &[&str] = &["crates/dsp", "crates/dsp/tests/common"];

@@ -1,8 +1,8 @@
 //! Errors of a scene file: facts as fields, the sentence made once.
 
-use crate::bodies::mesh::MeshError;
 use crate::measured::calibration::CalibrationFileError;
 use crate::measured::pattern_table::PatternFileError;
+use crate::mesh::MeshError;
 use crate::recording::fcd::FcdError;
 use crate::recording::net::NetError;
 use crate::wording::allowed::Allowed;

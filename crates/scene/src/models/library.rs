@@ -1,17 +1,17 @@
 //! Models of bodies: files and the project's own vehicles and street furniture, each read once however many
 //! targets share it.
 
-use crate::bodies::mesh::{self, MeshOptions, centred, read_mesh};
-use crate::bodies::{street, vehicles};
 use crate::document::errors::Rule;
 use crate::document::keys::bodies::{DIAMETER, HEIGHT, LENGTH, MODEL, UNIT_SCALE, VEHICLE_SEED};
 use crate::document::section::Section;
+use crate::mesh::{self, MeshOptions, centred, read_mesh};
 use crate::models::options::{Meshes, ReadOptions};
 use crate::models::street_piece::read_size;
 use crate::wording::likeness::nearest;
 use artifact::material::MaterialMap;
 use artifact::scene::Mesh;
 use artifact::settings::Class;
+use bodies::{street, vehicles};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 

@@ -1,11 +1,11 @@
 //! A piece of street furniture in the size that a table gives.
 
-use crate::bodies::street::Piece;
 use crate::document::errors::Rule;
 use crate::document::keys::bodies::{DIAMETER, HEIGHT, LENGTH, POLE_HEIGHT, SIGN_HEIGHT, UNIT_SCALE};
 use crate::document::keys::key::{Key, Or};
 use crate::document::keys::kinds::Number;
 use crate::document::section::Section;
+use bodies::street::Piece;
 
 /// The piece of that name in the size that the section gives; `None` for any other name, or where a size is
 /// wrong or missing.

@@ -1,9 +1,9 @@
 //! `[[target]]` and `[[clutter]]`.
 
-use crate::bodies::mesh::UNIT_SCALES;
 use crate::document::keys::key::{Key, Or, Table};
 use crate::document::keys::kinds::{Either, Name, Number, Text, Vector, Whole, Words};
 use crate::document::ranges::{COORDINATES_M, SEEDS, VELOCITIES_MPS};
+use crate::mesh::UNIT_SCALES;
 use crate::wording::allowed::Allowed::Between;
 use artifact::settings::Class;
 

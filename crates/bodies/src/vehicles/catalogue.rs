@@ -1,0 +1,92 @@
+//! Catalogue of all vehicles by their names: the twelve models and the families, drawn by their class.
+
+use crate::vehicles::dimensions::{Draw, SizeRange};
+use crate::vehicles::drawing::mesh_builder::Assembly;
+use crate::vehicles::family::{self, Family};
+use crate::vehicles::{bus, car, cycle, heavy, loft, motorcycle, truck};
+use artifact::scene::Mesh;
+use artifact::settings::Class;
+
+/// Names of the twelve models, three of each class.
+pub const NAMES: [&str; 12] = [
+    "car-suv",
+    "car-sedan",
+    "car-hatchback",
+    "bus-city",
+    "bus-coach",
+    "bus-mini",
+    "truck-box",
+    "truck-tanker",
+    "truck-semi",
+    "motorcycle-street",
+    "motorcycle-scooter",
+    "motorcycle-touring",
+];
+
+/// Names of all vehicles: [`NAMES`], then the families, class by class.
+pub fn names() -> Vec<&'static str> {
+    NAMES.into_iter().chain(family::all().iter().map(|family| family.name.as_str())).collect()
+}
+
+/// Class of one of [`names`]; `None` for any other name.
+pub fn class_of(name: &str) -> Option<Class> {
+    if let Some(family) = family::find(name) {
+        return Some(family.class);
+    }
+    let kind = NAMES.contains(&name).then(|| name.split('-').next())?;
+    Class::ALL.into_iter().find(|class| Some(class.name()) == kind)
+}
+
+/// One of [`names`] in body axes, its bounding box (mirrors, handlebar and rider included) of the nominal
+/// dimensions for seed 0 and of dimensions drawn from [`ranges_m`] for any other; `None` for any other name.
+pub fn mesh(name: &str, seed: u64) -> Option<Mesh> {
+    let (parts, size_m) = drawing(name, seed)?;
+    Some(parts.finish(name, size_m))
+}
+
+/// Least and largest length, width and height that seeds draw, in metres; `None` for a name not in [`names`].
+pub fn ranges_m(name: &str) -> Option<[[f64; 2]; 3]> {
+    size_range(name).map(|size| size.range_m)
+}
+
+pub(crate) fn size_range(name: &str) -> Option<SizeRange> {
+    if let Some(family) = family::find(name) {
+        return Some(family.size_range());
+    }
+    match class_of(name)? {
+        Class::Car => Some(car::size_range(name)),
+        Class::Bus => Some(bus::size_range(name)),
+        Class::Truck => Some(truck::size_range(name)),
+        Class::Motorcycle => Some(motorcycle::size_range(name)),
+    }
+}
+
+/// Parts and the size they are to be fitted to.
+pub(crate) fn drawing(name: &str, seed: u64) -> Option<(Assembly, [f64; 3])> {
+    match family::find(name) {
+        Some(family) => Some(family_drawing(family, seed)),
+        None => model_drawing(&Draw { model: name, seed }),
+    }
+}
+
+fn family_drawing(family: &Family, seed: u64) -> (Assembly, [f64; 3]) {
+    let drawn = family.drawn(seed);
+    let [nominal_m, size_m] = drawn.sizes_m();
+    let parts = match family.class {
+        Class::Car | Class::Bus => loft::draw(&drawn, nominal_m, size_m),
+        Class::Truck => heavy::draw(&drawn, nominal_m, size_m),
+        Class::Motorcycle => cycle::draw(&drawn, nominal_m, size_m),
+    };
+    (parts, size_m)
+}
+
+fn model_drawing(draw: &Draw) -> Option<(Assembly, [f64; 3])> {
+    let size_m = draw.size_m(&size_range(draw.model)?);
+    let parts = match class_of(draw.model)? {
+        Class::Car => car::draw(draw, size_m),
+        Class::Bus => bus::draw(draw, size_m),
+        Class::Truck => truck::draw(draw, size_m),
+        Class::Motorcycle => motorcycle::draw(draw, size_m),
+    };
+    Some((parts, size_m))
+}

@@ -1,0 +1,100 @@
+//! Two-wheelers of the families: wheels, fork and handlebar from numbers, all else solids of the table, with
+//! a rider or without one.
+
+use crate::vehicles::drawing::mesh_builder::Assembly;
+use crate::vehicles::drawing::rider::Rider;
+use crate::vehicles::drawing::solids::{ellipsoid, lathe};
+use crate::vehicles::drawing::surface::Material;
+use crate::vehicles::family::Drawn;
+use crate::vehicles::motorcycle::parts::{CycleWheel, forks, handlebar, mirror, mudguard, tail};
+use crate::vehicles::parts;
+use glam::DVec3;
+
+/// A whole two-wheeler in its drawing's axes, made to the size given.
+pub(crate) fn draw(drawn: &Drawn<'_>, nominal_m: [f64; 3], size_m: [f64; 3]) -> Assembly {
+    let stretch = DVec3::from_array(size_m) / DVec3::from_array(nominal_m);
+    let mut made = Assembly::default();
+    front(drawn, &mut made);
+    let [x, lamp_z, plate_z] = drawn.numbers("tail");
+    tail(x, lamp_z, plate_z, &mut made);
+    if drawn.has("rider") {
+        rider(drawn).add(&mut made);
+    }
+    let mut cycle = Assembly::default();
+    cycle.add_all(made, |part| part.map(|p| p * stretch));
+    parts::add(drawn, stretch, &mut cycle);
+    for wheel in wheels(drawn) {
+        // Wheels stay round, wherever the axle goes.
+        CycleWheel { axle_x: wheel.axle_x * stretch.x, ..wheel }.add(&mut cycle);
+    }
+    cycle
+}
+
+fn wheels(drawn: &Drawn<'_>) -> [CycleWheel; 2] {
+    let [front_x, rear_x] = drawn.numbers("axles");
+    let wheel = |axle_x: f64, key: &str| {
+        let [radius_m, tyre_width_m, rim] = drawn.numbers(key);
+        let rim_radius_m = rim * radius_m;
+        CycleWheel {
+            axle_x,
+            radius_m,
+            tyre_width_m,
+            rim_radius_m,
+            spokes: drawn.number("spokes") as u32,
+            brake_radius_m: drawn.number("brake") * rim_radius_m,
+        }
+    };
+    [wheel(front_x, "front_wheel"), wheel(rear_x, "rear_wheel")]
+}
+
+fn front(drawn: &Drawn<'_>, to: &mut Assembly) {
+    let [front_x, rear_x] = drawn.numbers("axles");
+    let [front_m, rear_m] = ["front_wheel", "rear_wheel"].map(|key| drawn.numbers::<3>(key)[0]);
+    forks([front_x, front_m], drawn.numbers("head"), drawn.number("fork_m"), to);
+    let [clearance, half, from, until] = drawn.numbers("front_guard");
+    to.add(mudguard([front_x, front_m], front_m + clearance, half, [from, until]));
+    let [clearance, half, from, until] = drawn.numbers("rear_guard");
+    to.add(mudguard([rear_x, rear_m], rear_m + clearance, half, [from, until]));
+    let [clamp_x, clamp_z] = drawn.numbers("clamp");
+    handlebar([clamp_x, 0.0, clamp_z], drawn.numbers("grip"), to);
+    if !drawn.has("no_mirrors") {
+        let [x, y, z] = drawn.numbers("mirror");
+        mirror([clamp_x - 0.02, 0.6 * y, clamp_z + 0.02], [x, y, z], to);
+    }
+    lamp(drawn, to);
+}
+
+/// Adds a round lamp with a dished reflector, or an oblong one.
+fn lamp(drawn: &Drawn<'_>, to: &mut Assembly) {
+    let [x, z, radius] = drawn.numbers("lamp");
+    if drawn.has("oblong_lamp") {
+        let half_m = [0.4 * radius, 1.3 * radius, 0.7 * radius];
+        return to.add(ellipsoid(half_m, 14, Material::Lamp).moved(x, 0.0, z));
+    }
+    let profile = [
+        (0.0, 0.0),
+        (0.6 * radius, 0.012),
+        (radius, 0.04),
+        (1.08 * radius, 0.03),
+        (0.7 * radius, -0.10),
+        (0.0, -0.12),
+    ];
+    let dish = lathe(&profile, 18, Material::Lamp).map(|p| DVec3::new(p.y, -p.x, p.z)).outward();
+    to.add(dish.moved(x, 0.0, z));
+}
+
+/// Joints as [x, z] of the middle and [x, y, z] of the left side; the lean moves shoulders, head and elbows.
+fn rider(drawn: &Drawn<'_>) -> Rider {
+    let lean = drawn.number("lean_m");
+    let moved = |[x, z]: [f64; 2]| [x + lean, z - 0.3 * lean.max(0.0)];
+    let [elbow_x, elbow_y, elbow_z] = drawn.numbers("elbow");
+    Rider {
+        hip_m: drawn.numbers("hip"),
+        shoulder_m: moved(drawn.numbers("shoulder")),
+        head_m: moved(drawn.numbers("helmet")),
+        elbow_m: [elbow_x + 0.5 * lean, elbow_y, elbow_z],
+        hand_m: drawn.numbers("hand"),
+        knee_m: drawn.numbers("knee"),
+        ankle_m: drawn.numbers("ankle"),
+    }
+}

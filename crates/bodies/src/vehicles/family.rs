@@ -1,0 +1,178 @@
+//! Families: the rows of readable tables, and the values that a seed draws from them.
+//!
+//! A class has one table (`crates/bodies/vehicles/CLASS.toml`), a section of it one family, `[default]` what
+//! its families have in common. A number stands for itself, `[low, high]` for a uniform draw with its middle
+//! as the nominal value, a list of words for one of them with the first as the nominal word. Under a key that
+//! asks whether something is there, a number is the probability that it is.
+
+use crate::vehicles::dimensions::{Draw, SizeRange};
+use artifact::settings::Class;
+use std::sync::LazyLock;
+use toml::{Table, Value};
+
+/// One family of a class.
+#[derive(Debug)]
+pub(crate) struct Family {
+    pub(crate) name: String,
+    pub(crate) class: Class,
+    values: Table,
+}
+
+/// All families, class by class in the order of their names.
+static FAMILIES: LazyLock<Vec<Family>> = LazyLock::new(|| {
+    let tables = [
+        (Class::Car, include_str!("../../vehicles/car.toml")),
+        (Class::Bus, include_str!("../../vehicles/bus.toml")),
+        (Class::Truck, include_str!("../../vehicles/truck.toml")),
+        (Class::Motorcycle, include_str!("../../vehicles/motorcycle.toml")),
+    ];
+    tables.into_iter().flat_map(|(class, text)| families(class, text)).collect()
+});
+
+/// Families of a table; a table that is none has no families, which a test would see.
+fn families(class: Class, text: &str) -> Vec<Family> {
+    let table: Table = text.parse().unwrap_or_default();
+    let section = |name: &str| table.get(name).and_then(Value::as_table);
+    let family = |name: &String| {
+        let mut values = section("default").cloned().unwrap_or_default();
+        values.extend(section(name)?.clone());
+        Some(Family { name: format!("{}-{name}", class.name()), class, values })
+    };
+    table.keys().filter(|name| *name != "default").filter_map(family).collect()
+}
+
+/// All families.
+pub(crate) fn all() -> &'static [Family] {
+    &FAMILIES
+}
+
+/// The family of that name.
+pub(crate) fn find(name: &str) -> Option<&'static Family> {
+    FAMILIES.iter().find(|family| family.name == name)
+}
+
+impl Family {
+    /// Values that a seed draws of the family.
+    pub(crate) fn drawn(&self, seed: u64) -> Drawn<'_> {
+        Drawn { draw: Draw { model: &self.name, seed }, table: &self.values, scope: String::new() }
+    }
+
+    /// Overall dimensions of all seeds; a two-wheeler without its rider is as low as `bare_height_m` says.
+    pub(crate) fn size_range(&self) -> SizeRange {
+        let range = |key: &str| self.values.get(key).map(bounds);
+        let height = range("height_m").unwrap_or([f64::NAN; 2]);
+        let low = range("bare_height_m").map_or(height[0], |bare| bare[0]);
+        let [length, width] = ["length_m", "width_m"].map(|key| range(key).unwrap_or([f64::NAN; 2]));
+        let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
+        let nominal_m = [middle(length), middle(width), middle(height)];
+        SizeRange { nominal_m, range_m: [length, width, [low, height[1]]] }
+    }
+}
+
+/// One vehicle's values: a table and the seed that draws from it.
+#[derive(Debug, Clone)]
+pub(crate) struct Drawn<'a> {
+    draw: Draw<'a>,
+    table: &'a Table,
+    /// Place in the family's table where this one lies, so that equal keys of two parts are drawn apart.
+    scope: String,
+}
+
+impl<'a> Drawn<'a> {
+    /// Nominal length, width and height, and those drawn.
+    pub(crate) fn sizes_m(&self) -> [[f64; 3]; 2] {
+        let bare = self.table.contains_key("bare_height_m") && !self.has("rider");
+        let keys = ["length_m", "width_m", if bare { "bare_height_m" } else { "height_m" }];
+        [keys.map(|key| self.middle(key)), keys.map(|key| self.number(key))]
+    }
+
+    fn middle(&self, key: &str) -> f64 {
+        self.table.get(key).map_or(f64::NAN, |value| 0.5 * (bounds(value)[0] + bounds(value)[1]))
+    }
+
+    /// A number; not a number where the table has none, which no test of a mesh lets pass.
+    pub(crate) fn number(&self, key: &str) -> f64 {
+        self.table.get(key).map_or(f64::NAN, |value| self.value(key, value))
+    }
+
+    /// A number, or what stands for it where the table has none.
+    pub(crate) fn number_or(&self, key: &str, otherwise: f64) -> f64 {
+        if self.table.contains_key(key) { self.number(key) } else { otherwise }
+    }
+
+    /// Several numbers, each drawn for itself.
+    pub(crate) fn numbers<const N: usize>(&self, key: &str) -> [f64; N] {
+        let written = self.list(key);
+        std::array::from_fn(|k| {
+            written.get(k).map_or(f64::NAN, |value| self.value(&format!("{key} {k}"), value))
+        })
+    }
+
+    /// A list of rows of numbers, each drawn for itself.
+    pub(crate) fn rows<const N: usize>(&self, key: &str) -> Vec<[f64; N]> {
+        let number = |row: &Value, k: usize, n: usize| {
+            let written = row.as_array().and_then(|row| row.get(n));
+            written.map_or(f64::NAN, |value| self.value(&format!("{key} {k} {n}"), value))
+        };
+        self.list(key).iter().enumerate().map(|(k, row)| std::array::from_fn(|n| number(row, k, n))).collect()
+    }
+
+    /// Whether something is there.
+    pub(crate) fn has(&self, key: &str) -> bool {
+        match self.table.get(key) {
+            Some(Value::Boolean(there)) => *there,
+            Some(chance) => self.fraction(key) < bounds(chance)[0],
+            None => false,
+        }
+    }
+
+    /// A word: the one written, or one of those written; empty where there is none.
+    pub(crate) fn word(&self, key: &str) -> &'a str {
+        match self.table.get(key) {
+            Some(Value::String(word)) => word,
+            Some(Value::Array(words)) if !words.is_empty() => {
+                let last = words.len() - 1;
+                let drawn = if self.draw.seed == 0 { 0.0 } else { self.fraction(key) * words.len() as f64 };
+                words[(drawn as usize).min(last)].as_str().unwrap_or_default()
+            }
+            _ => "",
+        }
+    }
+
+    /// The tables in a list, with the same seed.
+    pub(crate) fn tables(&self, key: &str) -> Vec<Drawn<'a>> {
+        let inner = |(k, value): (usize, &'a Value)| {
+            let table = value.as_table()?;
+            Some(Drawn { draw: self.draw, table, scope: format!("{}{key} {k}/", self.scope) })
+        };
+        self.list(key).iter().enumerate().filter_map(inner).collect()
+    }
+
+    /// Whether the table has the key.
+    pub(crate) fn knows(&self, key: &str) -> bool {
+        self.table.contains_key(key)
+    }
+
+    fn list(&self, key: &str) -> &'a [Value] {
+        self.table.get(key).and_then(Value::as_array).map_or(&[], Vec::as_slice)
+    }
+
+    /// A half for seed 0, so that what is more likely than not is nominal.
+    fn fraction(&self, key: &str) -> f64 {
+        self.draw.value(&format!("{}{key}", self.scope), 0.499, 0.0..=1.0)
+    }
+
+    fn value(&self, key: &str, written: &Value) -> f64 {
+        let [low, high] = bounds(written);
+        self.draw.value(&format!("{}{key}", self.scope), 0.5 * (low + high), low..=high)
+    }
+}
+
+/// A number as both bounds, or the two written.
+fn bounds(value: &Value) -> [f64; 2] {
+    let number = |value: &Value| value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64));
+    match value {
+        Value::Array(pair) if pair.len() == 2 => [0, 1].map(|k| number(&pair[k]).unwrap_or(f64::NAN)),
+        one => [number(one).unwrap_or(f64::NAN); 2],
+    }
+}

@@ -1,0 +1,48 @@
+//! Motorcycles with their riders: street, scooter, touring.
+
+pub(crate) mod parts;
+mod machine;
+mod scooter;
+mod street;
+mod touring;
+
+use crate::vehicles::dimensions::{Draw, SizeRange};
+use crate::vehicles::drawing::mesh_builder::Assembly;
+use glam::DVec3;
+use parts::CycleWheel;
+
+/// Overall length, width over handlebar (mirrors, cases), height with the rider seated. Ranges: published
+/// figures of machines sold in Europe, rounded to 5 cm. Street: 300 to 900 cm³ without fairing (Honda CB500F
+/// 2.1 × 0.8, Yamaha MT-07 2.1 × 0.75); scooters of 110 to 350 cm³ (Honda SH125, PCX, Yamaha XMAX: 1.9 to 2.2
+/// × 0.75); tourers (BMW R 1250 RT 2.2 × 1.0, Honda Gold Wing 2.5 × 0.95). The height over the helmet is that
+/// of a seat 0.75 to 0.85 m high and a sitting height of 0.80 to 0.95 m (5th to 95th percentile of adults)
+/// with the helmet, less the lean.
+pub(crate) fn size_range(model: &str) -> SizeRange {
+    match model {
+        "motorcycle-street" => {
+            SizeRange { nominal_m: [2.1, 0.8, 1.65], range_m: [[2.0, 2.2], [0.75, 0.85], [1.55, 1.75]] }
+        }
+        "motorcycle-scooter" => {
+            SizeRange { nominal_m: [1.95, 0.75, 1.7], range_m: [[1.85, 2.15], [0.7, 0.8], [1.6, 1.8]] }
+        }
+        _ => SizeRange { nominal_m: [2.35, 0.98, 1.75], range_m: [[2.2, 2.55], [0.92, 1.02], [1.65, 1.85]] },
+    }
+}
+
+/// A whole motorcycle in its drawing's axes, made to the size given.
+pub(crate) fn draw(draw: &Draw, size_m: [f64; 3]) -> Assembly {
+    let nominal_m = size_range(draw.model).nominal_m;
+    let machine = match draw.model {
+        "motorcycle-street" => street::machine(draw),
+        "motorcycle-scooter" => scooter::machine(draw),
+        _ => touring::machine(draw),
+    };
+    let stretch = DVec3::from_array(size_m) / DVec3::from_array(nominal_m);
+    let mut motorcycle = Assembly::default();
+    motorcycle.add_all(machine.parts, |part| part.map(|p| p * stretch));
+    for wheel in [machine.front, machine.rear] {
+        // Wheels stay round, wherever the axle goes.
+        CycleWheel { axle_x: wheel.axle_x * stretch.x, ..wheel }.add(&mut motorcycle);
+    }
+    motorcycle
+}

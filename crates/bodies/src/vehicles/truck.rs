@@ -1,0 +1,21 @@
+//! Trucks: box body, tanker, tractor with semitrailer.
+
+pub(crate) mod form;
+mod cab;
+pub(crate) mod chassis;
+pub(crate) mod load;
+
+use crate::vehicles::dimensions::Draw;
+use crate::vehicles::drawing::mesh_builder::Assembly;
+use form::Form;
+pub(crate) use form::size_range;
+
+/// A whole truck in its drawing's axes, made to the size given.
+pub(crate) fn draw(draw: &Draw, size_m: [f64; 3]) -> Assembly {
+    let form = Form::of(draw, size_m);
+    let mut truck = Assembly::default();
+    cab::add(&form, &mut truck);
+    chassis::add(&form, &mut truck);
+    load::add(&form, &mut truck);
+    truck
+}

@@ -1,0 +1,63 @@
+//! A mesh file into one mesh.
+
+use crate::mesh::error::{Located, MeshError, MeshFault, MeshPlace};
+use crate::mesh::format::{Format, LIMIT_BYTES, MeshOptions};
+use crate::mesh::part::Part;
+use crate::mesh::{assemble, gltf_buffers, gltf_document, obj, stl};
+use artifact::bounded;
+use artifact::scene::Mesh;
+use std::path::{Path, PathBuf};
+
+/// The mesh in a file, in body axes with the file's own origin: glTF's +Z is forward, +X left, +Y up; STL and
+/// OBJ are taken to be in body axes already.
+///
+/// # Errors
+/// Names the file, the place in it and the broken rule; `is_system` tells a file that is missing or
+/// unreadable.
+pub fn read_mesh(path: &Path, options: &MeshOptions) -> Result<Mesh, MeshError> {
+    let located = |fault| MeshError { file: path.to_owned(), place: MeshPlace::File, fault };
+    let format = Format::of(path).ok_or_else(|| located(MeshFault::UnknownFormat))?;
+    let bytes = read_bytes(path).map_err(located)?;
+    mesh_from_bytes(&bytes, format, path, options)
+}
+
+/// The mesh in these bytes; `path` names it in errors, and buffers beside a `.gltf` are looked for
+/// there.
+///
+/// # Errors
+/// As [`read_mesh`].
+pub fn mesh_from_bytes(
+    bytes: &[u8],
+    format: Format,
+    path: &Path,
+    options: &MeshOptions,
+) -> Result<Mesh, MeshError> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    read_parts(bytes, format, path)
+        .and_then(|parts| assemble::assemble(name, parts, options))
+        .map_err(|Located { place, fault }| MeshError { file: path.to_owned(), place, fault })
+}
+
+/// The files that a mesh consists of: itself, and for `.gltf` the buffers beside it as far as it can be read.
+pub fn files(path: &Path) -> Vec<PathBuf> {
+    let beside = match Format::of(path) {
+        Some(Format::Gltf) => {
+            read_bytes(path).map(|bytes| gltf_buffers::files_beside(&bytes, path)).unwrap_or_default()
+        }
+        _ => vec![],
+    };
+    std::iter::once(path.to_owned()).chain(beside).collect()
+}
+
+fn read_parts(bytes: &[u8], format: Format, path: &Path) -> Result<Vec<Part>, Located> {
+    match format {
+        Format::Glb => gltf_document::read_glb(bytes, path),
+        Format::Gltf => gltf_document::read_gltf(bytes, path),
+        Format::Stl => stl::read_stl(bytes),
+        Format::Obj => obj::read_obj(bytes),
+    }
+}
+
+fn read_bytes(path: &Path) -> Result<Vec<u8>, MeshFault> {
+    bounded::read(path, LIMIT_BYTES).map_err(MeshFault::Unread)
+}

@@ -1,0 +1,157 @@
+//! Buffers of a glTF: the binary chunk, files beside it, or base64 in its JSON.
+
+use crate::mesh::error::{Located, MeshFault, MeshPlace};
+use crate::mesh::format::LIMIT_BYTES;
+use crate::mesh::gltf_json::check_values;
+use artifact::bounded::{self, ReadFault};
+use gltf::json::{Buffer, Root, deserialize};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// Bytes of each buffer, at least as many as it says.
+pub(crate) type Buffers = Vec<Vec<u8>>;
+
+/// JSON and binary chunk of a `.glb`.
+pub(crate) fn split_container(bytes: &[u8]) -> Result<(Vec<u8>, Option<Vec<u8>>), MeshFault> {
+    let header: u64 = 12;
+    let found = bytes.len() as u64;
+    if found < header {
+        return Err(MeshFault::CutOff { found, needed: header });
+    }
+    // The crate subtracts the header from this length unchecked.
+    let needed = u64::from(u32::from_le_bytes([bytes[8], bytes[9], bytes[10], bytes[11]])).max(header);
+    if bytes.starts_with(b"glTF") && (found < needed || needed == header) {
+        return Err(MeshFault::CutOff { found, needed: needed.max(header + 8) });
+    }
+    let parts = gltf::binary::Glb::from_slice(bytes).map_err(MeshFault::Container)?;
+    Ok((parts.json.into_owned(), parts.bin.map(std::borrow::Cow::into_owned)))
+}
+
+/// Reads all buffers, each as long as it says.
+pub(crate) fn read_buffers(root: &Root, binary: Option<Vec<u8>>, path: &Path) -> Result<Buffers, Located> {
+    let mut binary = binary;
+    let mut left = LIMIT_BYTES;
+    let buffers = root.buffers.iter().enumerate();
+    buffers
+        .map(|(i, buffer)| {
+            // The chunk belongs to the first buffer, if that has no URI (glTF 2.0, 4.4.3.2).
+            let chunk = if i == 0 { binary.take() } else { None };
+            let bytes =
+                read_buffer(buffer, chunk, path, left).map_err(|fault| MeshPlace::Buffer(i).fault(fault))?;
+            left = left.saturating_sub(bytes.len() as u64);
+            Ok(bytes)
+        })
+        .collect()
+}
+
+/// Buffer files that a `.gltf` names, each once however it is spelt; none where it cannot be understood.
+pub(crate) fn files_beside(json: &[u8], path: &Path) -> Vec<PathBuf> {
+    let root = check_values(json).ok().and_then(|()| deserialize::from_slice::<Root>(json).ok());
+    let buffers = root.iter().flat_map(|root| &root.buffers);
+    let mut known = BTreeSet::new();
+    let files = buffers.filter_map(|buffer| file_of(buffer.uri.as_deref()?, path));
+    files.filter(|file| known.insert(file.canonicalize().unwrap_or(file.clone()))).collect()
+}
+
+/// Reads a buffer, at most `left` bytes of it.
+fn read_buffer(
+    buffer: &Buffer,
+    chunk: Option<Vec<u8>>,
+    path: &Path,
+    left: u64,
+) -> Result<Vec<u8>, MeshFault> {
+    let bytes = match (&buffer.uri, chunk) {
+        (Some(uri), _) => read_uri(uri, path, left)?,
+        (None, Some(chunk)) => chunk,
+        (None, None) => return Err(MeshFault::BufferMissing),
+    };
+    let (end, found) = (buffer.byte_length.0, bytes.len() as u64);
+    if end > found { Err(MeshFault::Outside { end, bytes: found }) } else { Ok(bytes) }
+}
+
+fn read_uri(uri: &str, path: &Path, left: u64) -> Result<Vec<u8>, MeshFault> {
+    if let Some(data) = uri.strip_prefix("data:") {
+        let encoded = data.split_once(";base64,").map(|(_, encoded)| encoded);
+        return encoded.and_then(base64).ok_or(MeshFault::BadUri);
+    }
+    let file = file_of(uri, path).ok_or(MeshFault::BadUri)?;
+    bounded::read(&file, left).map_err(|error| match error {
+        ReadFault::TooLong { limit } if limit < LIMIT_BYTES => {
+            MeshFault::BuffersTooLong { limit: LIMIT_BYTES }
+        }
+        error => MeshFault::BufferUnread { path: file, error },
+    })
+}
+
+/// The file of a relative reference (RFC 3986, 4.2), beside `path`.
+fn file_of(uri: &str, path: &Path) -> Option<PathBuf> {
+    // A colon belongs to a scheme or, on some systems, a drive: both name other places.
+    let relative = !uri.is_empty() && !uri.contains(':') && !uri.starts_with(['/', '\\']);
+    let name = if relative { percent_decoded(uri)? } else { return None };
+    Some(path.parent().unwrap_or(Path::new("")).join(name))
+}
+
+/// The text without percent signs (RFC 3986, 2.1).
+fn percent_decoded(uri: &str) -> Option<String> {
+    let mut decoded = vec![];
+    let mut bytes = uri.bytes();
+    while let Some(byte) = bytes.next() {
+        decoded.push(if byte == b'%' { 16 * hex(bytes.next()?)? + hex(bytes.next()?)? } else { byte });
+    }
+    String::from_utf8(decoded).ok()
+}
+
+fn hex(digit: u8) -> Option<u8> {
+    char::from(digit).to_digit(16).map(|value| value as u8)
+}
+
+/// Bytes of base64 (RFC 4648, 4); `None` where the text is none.
+fn base64(text: &str) -> Option<Vec<u8>> {
+    let digits = text.trim_end_matches('=');
+    let mut decoded = Vec::with_capacity(digits.len() / 4 * 3 + 2);
+    for group in digits.as_bytes().chunks(4) {
+        let bits = group.iter().try_fold(0_u32, |bits, digit| Some(bits << 6 | base64_value(*digit)?))?;
+        let aligned = (bits << (6 * (4 - group.len()))).to_be_bytes();
+        // 2, 3, 4 digits hold 1, 2, 3 bytes; one alone holds none.
+        decoded.extend_from_slice(aligned.get(1..group.len()).filter(|bytes| !bytes.is_empty())?);
+    }
+    Some(decoded)
+}
+
+fn base64_value(digit: u8) -> Option<u32> {
+    Some(u32::from(match digit {
+        b'A'..=b'Z' => digit - b'A',
+        b'a'..=b'z' => digit - b'a' + 26,
+        b'0'..=b'9' => digit - b'0' + 52,
+        b'+' => 62,
+        b'/' => 63,
+        _ => return None,
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn base64_decodes_the_vectors_of_rfc_4648_and_refuses_the_rest() {
+        for (text, bytes) in [("", ""), ("Zg==", "f"), ("Zm8=", "fo"), ("Zm9v", "foo"), ("Zm9vYg==", "foob")]
+        {
+            assert_eq!(base64(text).as_deref(), Some(bytes.as_bytes()), "{text}");
+        }
+        for text in ["Z", "Zm9vY", "Zm\n9v", "Zm9-", "é"] {
+            assert_eq!(base64(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn buffer_references_are_relative_and_percent_decoded() {
+        let path = Path::new("models/car.gltf");
+        assert_eq!(file_of("a%20b.bin", path), Some(PathBuf::from("models/a b.bin")));
+        for uri in
+            ["", "/etc/car.bin", "https://example.invalid/car.bin", "C:\\car.bin", "a%2.bin", "a%ff.bin"]
+        {
+            assert_eq!(file_of(uri, path), None, "{uri}");
+        }
+    }
+}

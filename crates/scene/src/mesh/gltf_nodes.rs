@@ -1,0 +1,95 @@
+//! The nodes of a glTF scene: which mesh stands where.
+
+use crate::mesh::error::{Located, MeshFault, MeshPlace};
+use glam::{DMat4, DQuat, DVec3, DVec4};
+use gltf::json::Root;
+use gltf::json::scene::Node;
+
+/// A mesh in its place.
+pub(crate) struct Instance {
+    /// Index of the mesh, which exists.
+    pub mesh: usize,
+    /// Transform from the mesh's own axes to the scene's.
+    pub scene_from_mesh: DMat4,
+}
+
+/// Every mesh of the scene that the file shows (else its first; without scenes, all nodes; without nodes,
+/// each mesh as it is), parents before children, in the order of the file.
+pub(crate) fn instances(root: &Root) -> Result<Vec<Instance>, Located> {
+    if root.nodes.is_empty() {
+        return Ok((0..root.meshes.len())
+            .map(|mesh| Instance { mesh, scene_from_mesh: DMat4::IDENTITY })
+            .collect());
+    }
+    let mut found = vec![];
+    let mut reached = vec![false; root.nodes.len()];
+    // A stack of our own: a chain of 10⁶ nodes must not end ours. Reversed, so that the first is popped
+    // first.
+    let mut waiting: Vec<(usize, DMat4)> =
+        roots(root)?.into_iter().rev().map(|i| (i, DMat4::IDENTITY)).collect();
+    while let Some((index, scene_from_parent)) = waiting.pop() {
+        let place = MeshPlace::Node(index);
+        let count = root.nodes.len();
+        let no_such = || MeshPlace::File.fault(MeshFault::NoSuch { what: "node", index, count });
+        let node = root.nodes.get(index).ok_or_else(no_such)?;
+        if std::mem::replace(&mut reached[index], true) {
+            return Err(place.fault(MeshFault::NodeTwice));
+        }
+        let parent_from_node = transform(node).ok_or_else(|| place.fault(MeshFault::Transform))?;
+        let scene_from_node = scene_from_parent * parent_from_node;
+        found.extend(instance(root, place, node, scene_from_node)?);
+        waiting.extend(node.children.iter().flatten().rev().map(|child| (child.value(), scene_from_node)));
+    }
+    Ok(found)
+}
+
+fn roots(root: &Root) -> Result<Vec<usize>, Located> {
+    let shown = root.scene.map_or(0, |scene| scene.value());
+    if root.scenes.is_empty() && root.scene.is_none() {
+        let mut is_child = vec![false; root.nodes.len()];
+        let children = root.nodes.iter().flat_map(|node| node.children.iter().flatten());
+        children.filter_map(|child| is_child.get_mut(child.value()).map(|flag| *flag = true)).for_each(drop);
+        return Ok((0..root.nodes.len()).filter(|&i| !is_child[i]).collect());
+    }
+    let count = root.scenes.len();
+    let no_such = || MeshPlace::File.fault(MeshFault::NoSuch { what: "scene", index: shown, count });
+    let scene = root.scenes.get(shown).ok_or_else(no_such)?;
+    Ok(scene.nodes.iter().map(|node| node.value()).collect())
+}
+
+fn instance(
+    root: &Root,
+    place: MeshPlace,
+    node: &Node,
+    scene_from_mesh: DMat4,
+) -> Result<Option<Instance>, Located> {
+    let Some(mesh) = node.mesh.map(|mesh| mesh.value()) else { return Ok(None) };
+    let count = root.meshes.len();
+    if mesh >= count {
+        return Err(place.fault(MeshFault::NoSuch { what: "mesh", index: mesh, count }));
+    }
+    // A skinned mesh ignores its node and follows joints: read as it lies it would stand anywhere.
+    if node.skin.is_some() {
+        return Err(place.fault(MeshFault::Deformed("a skin")));
+    }
+    if node.weights.iter().flatten().any(|weight| *weight != 0.0) {
+        return Err(place.fault(MeshFault::Deformed("morph weights")));
+    }
+    Ok(Some(Instance { mesh, scene_from_mesh }))
+}
+
+/// Transform of a node; `None` where it is not finite and affine.
+fn transform(node: &Node) -> Option<DMat4> {
+    let matrix = match node.matrix {
+        Some(columns) => DMat4::from_cols_array(&columns.map(f64::from)),
+        None => {
+            let vector =
+                |v: Option<[f32; 3]>, default: DVec3| v.map_or(default, |v| DVec3::from(v.map(f64::from)));
+            let rotation = node.rotation.unwrap_or_default().0.map(f64::from);
+            let rotation = DVec4::from(rotation).try_normalize().map(DQuat::from_vec4)?;
+            let (scale, offset) = (vector(node.scale, DVec3::ONE), vector(node.translation, DVec3::ZERO));
+            DMat4::from_scale_rotation_translation(scale, rotation, offset)
+        }
+    };
+    (matrix.is_finite() && matrix.row(3) == DVec4::W).then_some(matrix)
+}

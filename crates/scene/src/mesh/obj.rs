@@ -1,0 +1,183 @@
+//! Wavefront OBJ: polygons with materials by name, in metres and body axes. Curves, points and lines are left
+//! out.
+
+use crate::mesh::error::{Located, MeshFault, MeshPlace};
+use crate::mesh::part::{Part, check_count, check_vectors};
+use crate::mesh::polygon::triangulate;
+use crate::wording::excerpt::excerpt;
+use glam::DVec3;
+use std::collections::{BTreeMap, HashMap};
+use std::rc::Rc;
+
+/// Keywords that change no polygon (Wavefront's Appendix B1); what is not among them is refused, not guessed.
+const IGNORED: [&str; 10] = ["vt", "vp", "g", "o", "s", "mg", "l", "p", "mtllib", "usemap"];
+
+/// Cutting ears takes the square of a polygon's corners, its cube where it is very dented.
+const CORNER_LIMIT: usize = 4096;
+
+/// Half a minute; polygons of some corners take a few comparisons each.
+const COMPARISON_LIMIT: u64 = 1 << 33;
+
+/// A corner: its vertex and, where given, its normal; from 0.
+type Corner = (u32, Option<u32>);
+
+#[derive(Default)]
+struct Document {
+    vertices: Vec<DVec3>,
+    normals: Vec<DVec3>,
+    /// Groups by material and by whether the corners have normals; materials in the order of their first
+    /// use.
+    groups: Vec<Group>,
+    /// Places of the groups.
+    known: HashMap<(Rc<str>, Normals), usize>,
+    triangles: usize,
+    /// Comparisons that cutting polygons took.
+    comparisons: u64,
+}
+
+struct Group {
+    material: Rc<str>,
+    normals: Normals,
+    triangles: Vec<[Corner; 3]>,
+}
+
+/// Whether all corners of a face have normals; those of some only are left out.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Normals {
+    Given,
+    Absent,
+}
+
+pub(crate) fn read_obj(bytes: &[u8]) -> Result<Vec<Part>, Located> {
+    let text = std::str::from_utf8(bytes).map_err(|_| MeshPlace::File.fault(MeshFault::NotText))?;
+    let mut document = Document::default();
+    let mut material = Rc::default();
+    for (line, number) in logical_lines(text) {
+        document.read_line(&line, &mut material).map_err(|fault| MeshPlace::Line(number).fault(fault))?;
+        check_count(document.triangles)?;
+    }
+    document.into_parts()
+}
+
+/// Lines with their numbers; one that ends in a backslash goes on in the next.
+fn logical_lines(text: &str) -> impl Iterator<Item = (std::borrow::Cow<'_, str>, u64)> {
+    let mut lines = text.lines().zip(1_u64..);
+    std::iter::from_fn(move || {
+        let (first, number) = lines.next()?;
+        let mut line = std::borrow::Cow::Borrowed(first);
+        while line.ends_with('\\') {
+            let (open, next) = (line.to_mut(), lines.next().map_or("", |(next, _)| next));
+            open.pop();
+            open.push(' ');
+            open.push_str(next);
+        }
+        Some((line, number))
+    })
+}
+
+impl Document {
+    fn read_line(&mut self, line: &str, material: &mut Rc<str>) -> Result<(), MeshFault> {
+        let content = line.split('#').next().unwrap_or_default();
+        let mut words = content.split_ascii_whitespace();
+        match words.next() {
+            None => {}
+            Some("v") => self.vertices.push(three_numbers(words)?),
+            Some("vn") => self.normals.push(three_numbers(words)?),
+            Some("f") => self.read_face(words, material)?,
+            Some("usemtl") => {
+                *material = content.trim().strip_prefix("usemtl").unwrap_or_default().trim().into()
+            }
+            Some(word) if IGNORED.contains(&word) => {}
+            Some(other) => {
+                let expected = "a polygonal OBJ statement (v, vn, vt, f, usemtl, g, o, s, mtllib, l, p)";
+                return Err(MeshFault::Expected { expected, found: excerpt(other) });
+            }
+        }
+        check_vectors(self.vertices.len() + self.normals.len())
+    }
+
+    fn read_face<'w>(
+        &mut self,
+        words: impl Iterator<Item = &'w str> + Clone,
+        material: &Rc<str>,
+    ) -> Result<(), MeshFault> {
+        let corners = words.clone().count();
+        if corners < 3 {
+            return Err(MeshFault::Corners(corners));
+        }
+        if corners > CORNER_LIMIT {
+            return Err(MeshFault::TooManyCorners { corners, limit: CORNER_LIMIT });
+        }
+        let corners: Vec<Corner> = words.map(|word| self.corner(word)).collect::<Result<_, _>>()?;
+        let given = corners.iter().all(|(_, normal)| normal.is_some());
+        let normals = if given { Normals::Given } else { Normals::Absent };
+        let points: Vec<DVec3> = corners.iter().map(|(vertex, _)| self.vertices[*vertex as usize]).collect();
+        let triangles = triangulate(&points, &mut self.comparisons);
+        if self.comparisons > COMPARISON_LIMIT {
+            return Err(MeshFault::TooDented { limit: COMPARISON_LIMIT });
+        }
+        self.triangles += triangles.len();
+        let triangles = triangles.into_iter().map(|ears| ears.map(|i| corners[i]));
+        self.group(material, normals).triangles.extend(triangles);
+        Ok(())
+    }
+
+    fn group(&mut self, material: &Rc<str>, normals: Normals) -> &mut Group {
+        let index = *self.known.entry((material.clone(), normals)).or_insert_with(|| {
+            self.groups.push(Group { material: material.clone(), normals, triangles: vec![] });
+            self.groups.len() - 1
+        });
+        &mut self.groups[index]
+    }
+
+    /// Corner written as `v`, `v/vt`, `v//vn` or `v/vt/vn`.
+    fn corner(&self, word: &str) -> Result<Corner, MeshFault> {
+        let mut fields = word.split('/');
+        let vertex = index(fields.next().unwrap_or_default(), self.vertices.len())?;
+        let normal = fields.nth(1).map(|field| index(field, self.normals.len())).transpose()?;
+        Ok((vertex, normal))
+    }
+
+    fn into_parts(self) -> Result<Vec<Part>, Located> {
+        let Self { vertices, normals, groups, .. } = self;
+        let part = |group| into_part(group, &vertices, &normals);
+        groups.into_iter().map(part).collect()
+    }
+}
+
+/// Corners of one vertex and one normal become one vertex of the part; nothing else is joined.
+fn into_part(group: Group, vertices: &[DVec3], normals: &[DVec3]) -> Result<Part, Located> {
+    let given = group.normals == Normals::Given;
+    let key = |(vertex, normal): Corner| (vertex, normal.filter(|_| given));
+    let mut numbers: BTreeMap<Corner, u32> =
+        group.triangles.iter().flatten().map(|corner| (key(*corner), 0)).collect();
+    numbers.values_mut().zip(0..).for_each(|(number, next)| *number = next);
+    let positions: Vec<DVec3> = numbers.keys().map(|(vertex, _)| vertices[*vertex as usize]).collect();
+    let of_corners: Vec<DVec3> =
+        numbers.keys().filter_map(|(_, normal)| Some(normals[(*normal)? as usize])).collect();
+    let triangles =
+        group.triangles.iter().map(|corners| corners.map(|corner| numbers[&key(corner)])).collect();
+    let of_corners = given.then_some(of_corners.as_slice());
+    Part::new(MeshPlace::File, &positions, of_corners, triangles, group.material)
+}
+
+/// Index that counts from 1, or negative from the end of what stands before, as one from 0.
+fn index(field: &str, count: usize) -> Result<u32, MeshFault> {
+    let written: i64 =
+        field.parse().map_err(|_| MeshFault::Expected { expected: "an index", found: excerpt(field) })?;
+    let from_zero = if written < 0 { written.saturating_add(count as i64) } else { written - 1 };
+    let in_range = u32::try_from(from_zero).ok().filter(|&index| (index as usize) < count);
+    in_range.ok_or(MeshFault::VertexIndex { index: written, vertices: count })
+}
+
+/// The first three numbers; a fourth, a weight or a colour, is left alone.
+pub(crate) fn three_numbers<'w>(words: impl Iterator<Item = &'w str>) -> Result<DVec3, MeshFault> {
+    let mut numbers = [0.0; 3];
+    let mut words = words;
+    for number in &mut numbers {
+        let word = words.next().unwrap_or_default();
+        *number =
+            word.parse().map_err(|_| MeshFault::Expected { expected: "a number", found: excerpt(word) })?;
+    }
+    Ok(DVec3::from(numbers))
+}

@@ -1,0 +1,100 @@
+//! A part of a mesh: triangles of one material, checked, on vertices that they use.
+
+use crate::mesh::error::{Located, MeshFault, MeshPlace};
+use glam::DVec3;
+use std::rc::Rc;
+
+/// 16 million triangles take 2 GiB in the stages; the most detailed vehicle at hand has 79 200.
+const TRIANGLE_LIMIT: usize = 1 << 24;
+
+/// Positions and normals of so many triangles that share none; a small file can say many accessors over the
+/// same bytes.
+const VECTOR_LIMIT: usize = 6 * TRIANGLE_LIMIT;
+
+/// Corners that a file may list before they are read.
+pub(crate) const CORNER_LIMIT: u64 = 3 * TRIANGLE_LIMIT as u64;
+
+/// Whether so many positions and normals may be held.
+pub(crate) fn check_vectors(vectors: usize) -> Result<(), MeshFault> {
+    if vectors <= VECTOR_LIMIT { Ok(()) } else { Err(MeshFault::TooManyVectors { limit: VECTOR_LIMIT }) }
+}
+
+/// Whether so many triangles may be read. To be asked while parts are gathered too: a small glTF can show one
+/// mesh through many nodes.
+pub(crate) fn check_count(triangles: usize) -> Result<(), Located> {
+    if triangles <= TRIANGLE_LIMIT { Ok(()) } else { Err(too_many_triangles()) }
+}
+
+pub(crate) fn too_many_triangles() -> Located {
+    MeshPlace::File.fault(MeshFault::TooManyTriangles { limit: TRIANGLE_LIMIT })
+}
+
+/// Triangles of one material in body axes and units of the file.
+pub(crate) struct Part {
+    pub vertices: Vec<DVec3>,
+    /// Normals, as many as vertices, of any length; `None` where the file stores none.
+    pub normals: Option<Vec<DVec3>>,
+    pub triangles: Vec<[u32; 3]>,
+    /// Name of the material, shared by the parts that have it.
+    pub material: Rc<str>,
+}
+
+impl Part {
+    /// The part with the vertices that `triangles` use, in their order; everything finite, every index in
+    /// range.
+    pub(crate) fn new(
+        place: MeshPlace,
+        vertices: &[DVec3],
+        normals: Option<&[DVec3]>,
+        triangles: Vec<[u32; 3]>,
+        material: Rc<str>,
+    ) -> Result<Self, Located> {
+        let used = used_vertices(&triangles);
+        check_vertices(&used, vertices, normals).map_err(|fault| place.fault(fault))?;
+        // Every index is in `used`: the search cannot fail.
+        let renumber = |index: u32| used.binary_search(&index).unwrap_or(0) as u32;
+        Ok(Self {
+            vertices: used.iter().map(|&i| vertices[i as usize]).collect(),
+            normals: normals.map(|normals| used.iter().map(|&i| normals[i as usize]).collect()),
+            triangles: triangles.into_iter().map(|corners| corners.map(renumber)).collect(),
+            material,
+        })
+    }
+
+    /// The same triangles with three vertices each, their normals those of the facets (glTF 2.0, 3.7.2.1:
+    /// where normals are not given, flat ones are meant); a triangle without area gets none.
+    pub(crate) fn with_flat_normals(self) -> Self {
+        let corners: Vec<[DVec3; 3]> =
+            self.triangles.iter().map(|corners| corners.map(|i| self.vertices[i as usize])).collect();
+        let normals = corners.iter().flat_map(|[a, b, c]| [(b - a).cross(c - a); 3]).collect();
+        Self {
+            vertices: corners.iter().flatten().copied().collect(),
+            normals: Some(normals),
+            triangles: (0..corners.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect(),
+            material: self.material,
+        }
+    }
+}
+
+fn used_vertices(triangles: &[[u32; 3]]) -> Vec<u32> {
+    let mut used: Vec<u32> = triangles.iter().flatten().copied().collect();
+    used.sort_unstable();
+    used.dedup();
+    used
+}
+
+fn check_vertices(used: &[u32], vertices: &[DVec3], normals: Option<&[DVec3]>) -> Result<(), MeshFault> {
+    if let Some(&last) = used.last().filter(|&&last| last as usize >= vertices.len()) {
+        return Err(MeshFault::VertexIndex { index: i64::from(last), vertices: vertices.len() });
+    }
+    for &i in used {
+        let i = i as usize;
+        if !vertices[i].is_finite() {
+            return Err(MeshFault::Vertex(i));
+        }
+        if normals.is_some_and(|normals| !normals[i].is_finite()) {
+            return Err(MeshFault::Normal(i));
+        }
+    }
+    Ok(())
+}
