@@ -18,7 +18,9 @@ pub(super) fn check() -> Result<(), Failure> {
     write(&folder.join("Cargo.toml"), &manifest(&root))?;
     // The same versions as here; what has been downloaded for the workspace is enough.
     write(&folder.join("Cargo.lock"), &read(&root.join("Cargo.lock"))?)?;
-    finished(Command::new("cargo").args(["check", "--offline"]).current_dir(folder))
+    // By its manifest: commands of a check run in the project's root, which is another package.
+    let manifest = folder.join("Cargo.toml");
+    finished(Command::new("cargo").args(["check", "--offline", "--manifest-path"]).arg(manifest))
 }
 
 /// Lines of the first block of Rust.

@@ -51,6 +51,19 @@ pub struct PathsFrame {
     pub trace: TraceStatistics,
 }
 
+impl PathsFrame {
+    /// The frame with every body, target or reflector, numbered anew.
+    pub fn renumbered(mut self, number: impl Fn(u32) -> u32) -> Self {
+        for path in &mut self.paths {
+            path.target = number(path.target);
+            path.facets[..usize::from(path.order)]
+                .iter_mut()
+                .for_each(|facet| facet.body = number(facet.body));
+        }
+        self
+    }
+}
+
 /// The [`Path::target`] of the road's own backscatter.
 pub const GROUND: u32 = u32::MAX;
 

@@ -20,7 +20,7 @@ pub struct Tracer {
 }
 
 impl Tracer {
-    /// Of all meshes of a scene, with the skin that it asks for, and without a limit.
+    /// Makes the tracer of all meshes of a scene, with the skin that it asks for, and without a limit.
     ///
     /// # Errors
     /// Meshes and materials that nothing can be computed of.
@@ -28,7 +28,7 @@ impl Tracer {
         Ok(Self { models: Models::build(header)? })
     }
 
-    /// The same with a limit of what the bodies and beams of a frame may hold.
+    /// This tracer with a limit of what the bodies and beams of a frame may hold.
     pub fn within(self, limit: MemoryLimit) -> Self {
         Self { models: self.models.within(limit) }
     }

@@ -22,7 +22,7 @@ use rayon::prelude::*;
 use std::borrow::Cow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Is told the share of the work done, 0 … 1, from several threads.
+/// Listener that hears the share of the work done, 0 … 1, from several threads.
 pub type Progress<'a> = &'a (dyn Fn(f64) + Sync);
 
 /// Maker of the cubes of one radar: its header checked, the errors of its elements drawn, once for all

@@ -224,23 +224,18 @@ impl<'a> Chain<'a> {
 
     /// Scattering with its bodies counted as in [`Chain::targets`], not as in the frame's view.
     pub(crate) fn counted_through(&self, scattering: Scattering) -> Scattering {
+        let numbers = |index: u32| {
+            let bodies = scene::bodies_in_view(self.header, index);
+            move |body: u32| bodies.get(body as usize).copied().unwrap_or(body)
+        };
         match scattering {
-            Scattering::Paths(mut frame) => {
-                let bodies = scene::bodies_in_view(self.header, frame.index);
-                let renumber = |body: &mut u32| *body = bodies.get(*body as usize).copied().unwrap_or(*body);
-                for path in &mut frame.paths {
-                    renumber(&mut path.target);
-                    path.facets[..usize::from(path.order)]
-                        .iter_mut()
-                        .for_each(|facet| renumber(&mut facet.body));
-                }
-                Scattering::Paths(frame)
+            Scattering::Paths(frame) => {
+                let number = numbers(frame.index);
+                Scattering::Paths(frame.renumbered(number))
             }
             Scattering::Tables(mut frame) => {
-                let bodies = scene::bodies_in_view(self.header, frame.index);
-                for table in &mut frame.tables {
-                    table.target = bodies.get(table.target as usize).copied().unwrap_or(table.target);
-                }
+                let number = numbers(frame.index);
+                frame.tables.iter_mut().for_each(|table| table.target = number(table.target));
                 Scattering::Tables(frame)
             }
         }
