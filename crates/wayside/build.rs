@@ -15,7 +15,8 @@ fn main() {
         ["crates/artifact", "crates/bodies", "crates/radar", "Cargo.lock"].map(|place| root.join(place));
     for stage in STAGES {
         let own = root.join("crates").join(stage);
-        let places = || common.iter().chain([&own]);
+        let reference = (stage == "bart-rcs").then(|| root.join("crates/po-sbr")); // tables of both are kept alike
+        let places = || common.iter().chain([&own]).chain(&reference);
         places().for_each(|place| println!("cargo::rerun-if-changed={}", place.display()));
         let hash = sources::hash_of(places()).unwrap_or_else(|sentence| fail(&sentence));
         println!("cargo::rustc-env=SOURCES_OF_{}={hash}", stage.replace('-', "_").to_uppercase());

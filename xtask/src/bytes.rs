@@ -7,7 +7,7 @@ mod runs;
 use crate::cli::BytesArguments;
 use crate::house::folders::files_below;
 use crate::project::project_root;
-use runs::Run;
+use runs::CommandRun;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -35,7 +35,7 @@ pub(crate) fn run(arguments: &BytesArguments) -> Result<(), Failure> {
     let program = arguments.program.clone().map_or_else(std::env::current_exe, Ok);
     let program = program.map_err(|e| Failure::System(format!("this program: {e}")))?;
     let mut sums = Sums::new();
-    let runs: Vec<Run> =
+    let runs: Vec<CommandRun> =
         runs::all(&project_root())?.into_iter().filter(|run| asked(arguments, run)).collect();
     let work = Work::begin("runs");
     for (number, run) in runs.iter().enumerate() {
@@ -55,12 +55,12 @@ pub(crate) fn run(arguments: &BytesArguments) -> Result<(), Failure> {
     }
 }
 
-fn asked(arguments: &BytesArguments, run: &Run) -> bool {
+fn asked(arguments: &BytesArguments, run: &CommandRun) -> bool {
     arguments.only.is_empty() || arguments.only.contains(&run.name)
 }
 
 /// Runs `program` in a folder of its own and takes the checksum of every file that the run leaves.
-fn sums_of(program: &Path, run: &Run) -> Result<Sums, Failure> {
+fn sums_of(program: &Path, run: &CommandRun) -> Result<Sums, Failure> {
     let system = |e: std::io::Error| Failure::System(format!("{}: {e}", run.name));
     let folder = tempfile::tempdir().map_err(system)?;
     let words: Vec<String> =

@@ -9,6 +9,5 @@ pub(crate) mod clip; // a convex polygon cut by a plane
 pub(crate) mod section; // solid angle, or area across a direction
 pub(crate) mod plane_frame; // coordinates in a facet's plane
 pub(crate) mod convex_intersection; // where two beams overlap
-pub(crate) mod complex_vector; // fields with phase
 pub(crate) mod sweep; // of a beam, as boxes see it
 pub(crate) mod bvh; // obvhs proposes candidates in single precision

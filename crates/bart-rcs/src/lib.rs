@@ -38,7 +38,7 @@
 //! lit polygon is a mirror for the next order. No ray is sampled; what is lit is the silhouette to rounding.
 //! The tree knows no frequency and no polarization. Where a beam from the transmitter and one from the
 //! receiver end on the same facet, they are joined, and physical optics is integrated over the common polygon
-//! in closed form. [`mod@reference`] holds slow, obvious rivals that share none of this.
+//! in closed form. Slow, obvious rivals that share none of this are the crate `po-sbr`.
 
 mod oversight; // what can be wrong, how much memory, who hears how far it is
 mod geometry; // points, planes, polygons
@@ -53,7 +53,6 @@ mod edges; // what edges add to physical optics
 mod table; // S at aspects, over frequency
 mod frame; // paths of a frame, or its table
 mod detail; // fewer paths for the same echo; the stage that makes them of a scene's frames
-pub mod reference;
 
 pub use beams::beam::{Audit, Beam, BeamTree, OrderAudit, TraceSettings};
 pub use bodies::world::World;
@@ -70,10 +69,11 @@ pub use geometry::plane::Plane;
 pub use oversight::error::BartError;
 pub use oversight::memory::{MemoryLimit, memory_estimate_bytes};
 pub use oversight::progress::{Phase, Progress, Unheard};
+pub use radar::standpoint::Standpoint;
 pub use surface::skin::{Role, Skin};
 pub use table::antennas::check_antennas;
 pub use table::contributions::{Contribution, contributions};
 pub use table::far_field_error::{FarFieldError, Spread};
 pub use table::keeper::{Keeper, NothingKept, Piece};
-pub use table::rcs_request::{RcsRequest, Standpoint};
+pub use table::rcs_request::RcsRequest;
 pub use table::rcs_table::{Followed, RcsResult, RcsSeconds, Surroundings, rcs, rcs_within};

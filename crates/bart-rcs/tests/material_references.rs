@@ -1,5 +1,5 @@
 //! Bodies that are no perfect conductors: beams against dense sampling and against rays, which find the
-//! fields at a surface by formulas of their own (`reference::plane_layers`, `reference::coated`).
+//! fields at a surface by formulas of their own (`po_sbr::plane_layers`, `po_sbr::coated`).
 
 #![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
 
@@ -8,9 +8,9 @@ use artifact::material::{Backing, Layer, Material, Thickness};
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
-use bart_rcs::reference::{Aspect, Bracket, ReferenceError, po, sbr};
 use bart_rcs::{RcsRequest, Standpoint, rcs};
 use num_complex::Complex64;
+use po_sbr::{Aspect, Bracket, ReferenceError, po, sbr};
 
 const FREQUENCIES_HZ: [f64; 2] = [76.5e9, 77.5e9];
 const GLASS: Complex64 = Complex64::new(6.5, -0.15);

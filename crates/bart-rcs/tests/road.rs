@@ -8,10 +8,10 @@ use artifact::paths::{Amplitude, Path, PathsFrame};
 use artifact::scene::{Mesh, SceneFrame, SceneHeader};
 use artifact::settings::{NodeRule, Sides};
 use artifact::units::SPEED_OF_LIGHT_MPS;
-use bart_rcs::reference::{Aspect, Bracket, po};
 use bart_rcs::{FrameSurroundings, PathView, Standpoint, Tracer, scattering_of_paths};
 use glam::DVec3;
 use num_complex::Complex64;
+use po_sbr::{Aspect, Bracket, po};
 use std::f64::consts::TAU;
 
 mod bodies;

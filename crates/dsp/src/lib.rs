@@ -30,25 +30,12 @@
 //!
 //! ```
 //! use artifact::cube::{CubeFrame, CubeHeader};
-//! use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Sampling, Schedule, Waveform};
 //! use artifact::settings::{Angle, Detector, DspSettings, Lane, Lanes, Noise, Refine, StaticEchoes, Window};
 //! use num_complex::Complex32;
+//! use radar::{aperture::Preset, paper};
 //!
-//! let waveform = Waveform { start_frequency_hz: 77e9, slope_hz_per_s: 12.5e12, sample_rate_hz: 5.12e6, sampling: Sampling::Complex,
-//!     samples: 256, chirp_interval_s: 60e-6, chirps: 64 };
-//! let half_wave_m = 0.5 * waveform.wavelength_m();
-//! let radar = Radar {
-//!     position_m: [0.0, 0.0, 6.0], boresight_az_rad: 0.0, boresight_el_rad: 0.0, waveform,
-//!     schedule: Schedule::default(), hardware: Hardware::default(),
-//!     array: Array {
-//!         tx_m: vec![[0.0, 0.0, 6.0]],
-//!         rx_m: (0..4).map(|i| [(f64::from(i) - 1.5) * half_wave_m, 0.0, 6.0]).collect(),
-//!         tx_half_wavelengths: vec![[0.0, 0.0]],
-//!         rx_half_wavelengths: (0..4).map(|i| [f64::from(i), 0.0]).collect(),
-//!         multiplexing: Multiplexing::Simultaneous, polarization: Polarization::Vv, pattern: Pattern::Isotropic,
-//!     },
-//!     link: Link { transmit_power_w: 0.016, antenna_gain_db: 10.0 },
-//! };
+//! let waveform = paper::waveform(256, 64);
+//! let radar = paper::radar([0.0, 0.0, 6.0], waveform, Preset::OneByFour.elements());
 //! let header = CubeHeader { radar, noise: Noise::Absent, dsp: DspSettings {
 //!     range_window: Window::Hann, doppler_window: Window::Hann, detector: Detector::CaCfar, false_alarm_rate: 1e-5,
 //!     guard_cells: [2, 2], training_cells: [4, 8], angle: Angle::Fft, refine: Refine::Off, calibration: vec![], static_echoes: StaticEchoes::Keep, assumed_height_m: 0.75,

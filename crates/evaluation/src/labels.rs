@@ -57,7 +57,7 @@ pub fn origins(
     points: &[Point],
 ) -> Result<Vec<Origin>, Sidelobes> {
     let map = MapResponse::new(header)?;
-    let echoes: Vec<Echo> = paths.paths.iter().map(|path| Echo::of(&header.radar, path)).collect();
+    let echoes: Vec<PathOnMap> = paths.paths.iter().map(|path| PathOnMap::of(&header.radar, path)).collect();
     // The beam averages over channels: so does its noise.
     let floor = noise_power / header.radar.virtual_channels() as f64 / map.gain.powi(2);
     let origin = |point: &Point| {
@@ -129,7 +129,7 @@ impl Group {
 }
 
 /// A path at the frame's middle, as a map shows it; of a wheel its hub.
-struct Echo {
+struct PathOnMap {
     group: Group,
     /// √W, with its phase in the middle of the sweep.
     value: Complex64,
@@ -139,7 +139,7 @@ struct Echo {
     directions: [DVec3; 2],
 }
 
-impl Echo {
+impl PathOnMap {
     fn of(radar: &Radar, path: &Path) -> Self {
         let [there, back] = legs(radar, path);
         let (w, length_m) = (&radar.waveform, there.length_m + back.length_m);
@@ -196,7 +196,7 @@ impl MapResponse {
     }
 
     /// Finds the sum that each group leaves in the cell of a point, seen in the point's direction, √W.
-    fn shares(&self, radar: &Radar, echoes: &[Echo], point: &Point) -> BTreeMap<Group, Share> {
+    fn shares(&self, radar: &Radar, echoes: &[PathOnMap], point: &Point) -> BTreeMap<Group, Share> {
         let toward = direction(point);
         let mut shares: BTreeMap<Group, Share> = BTreeMap::new();
         for (index, echo) in echoes.iter().enumerate() {
@@ -212,7 +212,7 @@ impl MapResponse {
     }
 
     /// Share of the amplitude; `None` beyond the reach of the windows.
-    fn left_of(&self, radar: &Radar, echo: &Echo, point: &Point) -> Option<f64> {
+    fn left_of(&self, radar: &Radar, echo: &PathOnMap, point: &Point) -> Option<f64> {
         // Both as the map shows them: a moving echo stands f_c/μ metres farther for each m/s.
         let w = &radar.waveform;
         let apart_mps = echo.radial_velocity_mps - point.radial_velocity_mps;
@@ -253,7 +253,7 @@ fn direction(point: &Point) -> DVec3 {
 
 /// Factor that the beam to a direction leaves of an echo: the mean over transmitters times the mean over
 /// receivers.
-fn beam(radar: &Radar, echo: &Echo, toward: DVec3) -> Complex64 {
+fn beam(radar: &Radar, echo: &PathOnMap, toward: DVec3) -> Complex64 {
     let wavenumber = TAU / radar.waveform.wavelength_m();
     let mean = |elements: &[[f64; 3]], direction: DVec3| {
         let phase = |element: &[f64; 3]| {

@@ -45,4 +45,4 @@ pub use metrics::identities::Identities;
 pub use metrics::ospa::ospa_m;
 pub use pairing::{GATE_M, Pairing, Reach, VELOCITY_GATE_MPS, place};
 pub use score::{Agreement, CUTOFF_M, IdentityMetrics, Metrics, Score, believed, bodies_of_tracks};
-pub use truth::{Echo, Truth, truths};
+pub use truth::{MeanEcho, Truth, truths};

@@ -24,7 +24,7 @@ pub struct Truth {
     /// Distance of the nearest lit surface, m; `None` where all is hidden or nothing was traced.
     pub nearest_range_m: Option<f64>,
     /// Range and radial velocity of the target's own echo; `None` where there is none or nothing was traced.
-    pub echo: Option<Echo>,
+    pub echo: Option<MeanEcho>,
     /// Clutter is what results are not compared with.
     pub role: Role,
     /// Whether it has an echo of its own; echoes of tables are not traced, and taken for granted.
@@ -43,7 +43,7 @@ impl Truth {
 
 /// Power-weighted means over the paths that touch this target only.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Echo {
+pub struct MeanEcho {
     /// Half the two-way length, m.
     pub range_m: f64,
     /// Half the rate of the two-way length, m/s.
@@ -84,7 +84,7 @@ fn outline(header: &SceneHeader, index: usize, pose: &Pose) -> GroundOutline {
     mesh.map_or(GroundOutline::of_point(pose), |mesh| GroundOutline::of_mesh(mesh, pose))
 }
 
-fn echo(header: &SceneHeader, target: usize, paths: &[Path]) -> Option<Echo> {
+fn echo(header: &SceneHeader, target: usize, paths: &[Path]) -> Option<MeanEcho> {
     let (mut weight, mut range, mut velocity) = (0.0, 0.0, 0.0);
     for path in paths.iter().filter(|p| is_wholly_on(target, p)) {
         let (power, echo) = received(header, path);
@@ -92,7 +92,7 @@ fn echo(header: &SceneHeader, target: usize, paths: &[Path]) -> Option<Echo> {
         range += power * echo.range_m;
         velocity += power * echo.radial_velocity_mps;
     }
-    (weight > 0.0).then(|| Echo { range_m: range / weight, radial_velocity_mps: velocity / weight })
+    (weight > 0.0).then(|| MeanEcho { range_m: range / weight, radial_velocity_mps: velocity / weight })
 }
 
 /// A way over two vehicles shows at neither: it is a ghost, not an echo of one of them.
@@ -102,12 +102,12 @@ fn is_wholly_on(target: usize, path: &Path) -> bool {
 
 /// Power of a path up to a common factor, |a|²/(L₁L₂)² times its mean share over the frame (the shares of
 /// what is traced at several moments add up to 1), and half its length and rate at the frame's middle.
-fn received(header: &SceneHeader, path: &Path) -> (f64, Echo) {
+fn received(header: &SceneHeader, path: &Path) -> (f64, MeanEcho) {
     let [there, back] = legs(&header.radar, path);
     let (receive, transmit) = header.radar.array.polarization.indices();
     let of_whole = path.amplitude_m[receive][transmit].norm_sqr() / (there.length_m * back.length_m).powi(2);
     let power = mean_share(&header.radar, path) * of_whole;
     let range_m = 0.5 * (there.length_m + back.length_m);
-    let echo = Echo { range_m, radial_velocity_mps: 0.5 * (there.rate_mps + back.rate_mps) };
+    let echo = MeanEcho { range_m, radial_velocity_mps: 0.5 * (there.rate_mps + back.rate_mps) };
     (power, echo)
 }

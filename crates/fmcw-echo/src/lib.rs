@@ -22,37 +22,12 @@
 //! ```
 //! use artifact::cube::CubeHeader;
 //! use artifact::paths::{Curve, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
-//! use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Sampling, Schedule, Waveform};
 //! use artifact::settings::{Angle, Detector, DspSettings, Lanes, Noise, Refine, StaticEchoes, Window};
 //! # use artifact::{ErrorBudget, ModelError};
 //! use num_complex::Complex64;
+//! use radar::{aperture::Preset, paper};
 //!
-//! let waveform = Waveform {
-//!     start_frequency_hz: 77e9,
-//!     slope_hz_per_s: 12.5e12,
-//!     sample_rate_hz: 5.12e6, sampling: Sampling::Complex,
-//!     samples: 256,
-//!     chirp_interval_s: 60e-6,
-//!     chirps: 4,
-//! };
-//! let element_m = [0.0, 0.0, 6.0];
-//! let radar = Radar {
-//!     position_m: element_m,
-//!     boresight_az_rad: 0.0,
-//!     boresight_el_rad: 0.0,
-//!     waveform,
-//!     schedule: Schedule::default(), hardware: Hardware::default(),
-//!     array: Array {
-//!         tx_m: vec![element_m],
-//!         rx_m: vec![element_m],
-//!         tx_half_wavelengths: vec![[0.0; 2]],
-//!         rx_half_wavelengths: vec![[0.0; 2]],
-//!         multiplexing: Multiplexing::Simultaneous,
-//!         polarization: Polarization::Vv,
-//!         pattern: Pattern::Isotropic,
-//!     },
-//!     link: Link { transmit_power_w: 0.016, antenna_gain_db: 10.0 },
-//! };
+//! let radar = paper::radar([0.0, 0.0, 6.0], paper::waveform(256, 4), Preset::OneByOne.elements());
 //! let one = [[Complex64::ONE, Complex64::ZERO], [Complex64::ZERO, Complex64::ONE]];
 //! let reflector = Path {
 //!     target: 0,

@@ -11,8 +11,11 @@
 pub mod aperture; // axes, elements, mounting
 pub mod assignment; // optimal association of rows and columns
 pub mod beat; // phase of eq. (13), range–Doppler coupling
+pub mod complex_vector; // fields with phase
 pub mod doppler_ambiguity; // velocities that look alike
 pub mod link; // link budget
 pub mod motion; // of bodies
+pub mod paper; // the radar of Table 2
 pub mod path_kinematics; // legs of a path and their rates
+pub mod standpoint; // of an antenna around a body
 pub mod window; // tapers of the FFT axes

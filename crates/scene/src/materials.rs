@@ -132,7 +132,7 @@ fn read_material(section: &Section<'_>) -> Option<Material> {
     let backing = section.or_default(&BACKING);
     let thickness = if section.or_default(&COHERENT) { Thickness::Exact } else { Thickness::Averaged };
     match layers {
-        Body::Filled(permittivity) => {
+        Composition::Filled(permittivity) => {
             for key in [BACKING.name, COHERENT.name].into_iter().filter(|key| section.has(key)) {
                 section.note(key, Rule::Alone { key, companion: THICKNESS.name });
             }
@@ -140,35 +140,35 @@ fn read_material(section: &Section<'_>) -> Option<Material> {
                 permittivity.map_or(Material::Conductor, |permittivity| Material::HalfSpace { permittivity }),
             )
         }
-        Body::Layered(layers) => Some(Material::Layers { layers, backing, thickness }),
+        Composition::Layered(layers) => Some(Material::Layers { layers, backing, thickness }),
     }
 }
 
 /// Composition of a material before it is known what is behind.
-enum Body {
+enum Composition {
     /// All the way; `None` is metal.
     Filled(Option<Complex64>),
     Layered(Vec<Layer>),
 }
 
-fn stacked(section: &Section<'_>) -> Option<Body> {
+fn stacked(section: &Section<'_>) -> Option<Composition> {
     let alone = [SUBSTANCE.name, PERMITTIVITY.name, THICKNESS.name].into_iter().find(|key| section.has(key));
     if let Some(key) = alone {
         section.note(key, Rule::Contradiction { key, other: LAYERS.name });
         return None;
     }
     let read: Option<Vec<Layer>> = layers(section)?.iter().map(read_layer).collect();
-    read.map(Body::Layered)
+    read.map(Composition::Layered)
 }
 
-fn single(section: &Section<'_>) -> Option<Body> {
+fn single(section: &Section<'_>) -> Option<Composition> {
     let permittivity = read_permittivity(section)?;
     if !section.has(THICKNESS.name) {
-        return Some(Body::Filled(permittivity));
+        return Some(Composition::Filled(permittivity));
     }
     let thickness_m = read_thickness_m(section)?;
     match permittivity {
-        Some(permittivity) => Some(Body::Layered(vec![Layer { thickness_m, permittivity }])),
+        Some(permittivity) => Some(Composition::Layered(vec![Layer { thickness_m, permittivity }])),
         None => {
             section.note(THICKNESS.name, Rule::Misplaced { key: THICKNESS.name, owner: "metal" });
             None

@@ -48,7 +48,7 @@ pub(crate) struct Recording<'d> {
     section: Section<'d>,
     file: PathBuf,
     /// Models by vType.
-    models: HashMap<String, Vec<Model>>,
+    models: HashMap<String, Vec<PlacedModel>>,
     unknown: Vec<UnknownType>,
     times: Times,
     view: View,
@@ -62,7 +62,7 @@ const POSE_LIMIT: usize = 1 << 25;
 
 /// A model with what places it: its origin is in the middle of its bounding box.
 #[derive(Clone)]
-struct Model {
+struct PlacedModel {
     kind: TargetKind,
     /// Distance from the origin to the front bumper.
     reach_m: f64,
@@ -116,14 +116,14 @@ fn read_times(root: &Section<'_>, section: &Section<'_>, interval_s: f64) -> Tim
 }
 
 /// The models that vehicles of a vType may have.
-fn models_of_type(choice: &ModelChoice<'_>, models: &mut Models) -> Vec<Model> {
+fn models_of_type(choice: &ModelChoice<'_>, models: &mut Models) -> Vec<PlacedModel> {
     let class = choice.section.read(&CLASS);
     let chosen = choice.names.iter().filter_map(|name| models.choose_written(&choice.section, name));
     let chosen: Vec<Chosen> = chosen.collect();
-    chosen.into_iter().map(|chosen| Model::of(chosen, class, models)).collect()
+    chosen.into_iter().map(|chosen| PlacedModel::of(chosen, class, models)).collect()
 }
 
-impl Model {
+impl PlacedModel {
     fn of(chosen: Chosen, class: Option<Class>, models: &Models) -> Self {
         let Chosen { name, mesh, class: own } = chosen;
         let vertices = || models.meshes().get(mesh as usize).into_iter().flat_map(|mesh| &mesh.vertices_m);
@@ -212,7 +212,7 @@ impl Recording<'_> {
 
     /// One of the models of its type, always the same for the same id; `None` where there is none, and that
     /// is kept.
-    fn model_of(&mut self, vehicle: &FcdVehicle, models: &mut Models) -> Option<Model> {
+    fn model_of(&mut self, vehicle: &FcdVehicle, models: &mut Models) -> Option<PlacedModel> {
         // A vType that was changed for one vehicle is called `car@flow.3`.
         let name = vehicle.kind.split('@').next().unwrap_or_default();
         if !self.models.contains_key(name) {
@@ -231,7 +231,7 @@ impl Recording<'_> {
     fn add_default(&mut self, name: &str, models: &mut Models) {
         let Some((_, model)) = DEFAULT_MODELS.iter().find(|(known, _)| *known == name) else { return };
         let chosen = models.choose_written(&self.section, model);
-        let of_type = chosen.into_iter().map(|chosen| Model::of(chosen, None, models)).collect();
+        let of_type = chosen.into_iter().map(|chosen| PlacedModel::of(chosen, None, models)).collect();
         self.models.insert(name.to_owned(), of_type);
     }
 
@@ -266,7 +266,7 @@ impl<'a> Cast<'a> {
     }
 
     /// Index of a vehicle, new or known.
-    fn place_of(&mut self, vehicle: &FcdVehicle, model: &Model) -> Result<u32, FcdRule> {
+    fn place_of(&mut self, vehicle: &FcdVehicle, model: &PlacedModel) -> Result<u32, FcdRule> {
         if let Some(known) = self.known.get(&vehicle.id) {
             return Ok(*known);
         }

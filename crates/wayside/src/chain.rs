@@ -5,6 +5,8 @@ pub mod stages;
 pub mod keys;
 pub mod cache;
 pub mod plan;
+pub mod told_class;
+#[cfg_attr(not(feature = "classifier"), path = "chain/no_model.rs")]
 pub mod loaded_model;
 pub mod loading;
 pub mod looks;

@@ -7,6 +7,8 @@ pub mod terminal;
 mod ending;
 mod export_formats;
 mod interrupt;
+#[cfg(feature = "classifier")]
+mod learning_cli;
 mod suggestion;
 mod values;
 mod words;

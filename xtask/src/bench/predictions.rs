@@ -10,10 +10,10 @@ use crate::cli::BenchArguments;
 use crate::project::project_root;
 use child::Taken;
 use random_scenes::RandomScene;
-use row::Row;
+use row::PredictionRow;
 use std::path::Path;
 use wayside::chain::expectation::Expectation;
-use wayside::chain::expectation::work::Item;
+use wayside::chain::expectation::work::WorkKind;
 use wayside::chain::link::Chain;
 use wayside::chain::loading;
 use wayside::chain::memory_estimate::Load;
@@ -54,23 +54,23 @@ pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
         table::write(file, &rows)?;
     }
     quantiles(&rows).into_iter().for_each(terminal::line);
-    let runs: Vec<fit::Run> = rows.iter().map(Row::at_reference_speed).collect();
+    let runs: Vec<fit::TimedRun> = rows.iter().map(PredictionRow::at_reference_speed).collect();
     terminal::line("rates that would have told these scenes best:");
-    for (item, rate) in Item::ALL.iter().zip(fit::rates(&runs, Expectation::rates())) {
-        terminal::line(format!("    (Item::{item:?}, {rate:.2e}),"));
+    for (item, rate) in WorkKind::ALL.iter().zip(fit::rates(&runs, Expectation::rates())) {
+        terminal::line(format!("    (WorkKind::{item:?}, {rate:.2e}),"));
     }
     Ok(())
 }
 
-impl Row {
-    fn at_reference_speed(&self) -> fit::Run {
-        fit::Run { work: self.expected.work, seconds: self.taken.processor_s * self.taken.machine_speed }
+impl PredictionRow {
+    fn at_reference_speed(&self) -> fit::TimedRun {
+        fit::TimedRun { work: self.expected.work, seconds: self.taken.processor_s * self.taken.machine_speed }
     }
 }
 
 /// Quantiles of the ratio of expected to taken, for seconds and for memory.
-fn quantiles(rows: &[Row]) -> Vec<String> {
-    let told = |name: &str, ratio: &dyn Fn(&Row) -> f64| {
+fn quantiles(rows: &[PredictionRow]) -> Vec<String> {
+    let told = |name: &str, ratio: &dyn Fn(&PredictionRow) -> f64| {
         let mut ratios: Vec<f64> = rows.iter().map(ratio).collect();
         ratios.sort_by(f64::total_cmp);
         let at =
@@ -92,7 +92,7 @@ fn quantiles(rows: &[Row]) -> Vec<String> {
     ]
 }
 
-fn row(scene: RandomScene, folder: &Path, known: Option<&Taken>) -> Result<Option<Row>, Failure> {
+fn row(scene: RandomScene, folder: &Path, known: Option<&Taken>) -> Result<Option<PredictionRow>, Failure> {
     // A file each: what was read is an input, and no input is written to.
     let file = folder.join(format!("{}.toml", scene.name));
     files::write_file(&file, scene.text.as_bytes())?;
@@ -105,7 +105,7 @@ fn row(scene: RandomScene, folder: &Path, known: Option<&Taken>) -> Result<Optio
     let (expected, load, at_once) = expected(&file, taken.machine_speed)?;
     let look_s =
         processor_time::of_process().zip(before_s).map_or(f64::NAN, |(after, before)| after - before);
-    Ok(Some(Row { scene, expected, look_s, load, at_once, taken }))
+    Ok(Some(PredictionRow { scene, expected, look_s, load, at_once, taken }))
 }
 
 /// Expects seconds and memory of a scene as `run --dry-run` does, on a machine of this speed.
@@ -113,13 +113,13 @@ fn expected(file: &Path, machine_speed: f64) -> Result<(Expectation, Load, usize
     let arguments = SceneSource { file: file.to_owned(), ..SceneSource::default() };
     let loaded = loading::scene(&arguments, None)?;
     let model = loading::model(None)?;
-    let chain = Chain::of(&loaded.header, None, Some(&model), Allowance::of(None));
+    let chain = Chain::of(&loaded.header, None, model.as_ref(), Allowance::of(None));
     let plans: Vec<FramePlan> = (0..loaded.header.frames).map(|index| chain.plan(index)).collect();
     let expected = Expectation::at_speed(&chain, None, &plans, machine_speed)?;
     Ok((expected, chain.largest_load(&plans)?, chain.side_by_side(&plans)?))
 }
 
-fn line(row: &Row) -> String {
+fn line(row: &PredictionRow) -> String {
     let Taken { processor_s, peak_mib, .. } = row.taken;
     let Expectation { seconds, memory_mib, .. } = row.expected;
     format!(

@@ -5,7 +5,7 @@ use std::path::Path;
 use wayside::host::failure::Failure;
 
 /// A command; `OUT` in its words stands for a folder of its own.
-pub(super) struct Run {
+pub(super) struct CommandRun {
     pub(super) name: String,
     pub(super) words: Vec<String>,
 }
@@ -30,16 +30,16 @@ const TABLES: [(&str, &str); 10] = [
 ];
 
 /// Scenes in the order of their names, then tables.
-pub(super) fn all(root: &Path) -> Result<Vec<Run>, Failure> {
+pub(super) fn all(root: &Path) -> Result<Vec<CommandRun>, Failure> {
     let folder = root.join("scenes");
     let entries = std::fs::read_dir(&folder).map_err(|e| Failure::system(&folder, "read", e))?;
     let mut scenes: Vec<String> = entries.flatten().filter_map(|entry| scene(&entry.path())).collect();
     scenes.sort();
-    let scenes = scenes.into_iter().map(|name| Run {
+    let scenes = scenes.into_iter().map(|name| CommandRun {
         words: words(&format!("run scenes/{name}.toml --no-cache --quiet --out OUT")),
         name,
     });
-    let table = |(name, text): (&str, &str)| Run {
+    let table = |(name, text): (&str, &str)| CommandRun {
         name: name.into(),
         words: words(&format!("rcs {text} --quiet --out OUT/s.npy")),
     };

@@ -34,11 +34,12 @@ fn program(lines: &str) -> String {
     format!("fn main() -> Result<(), wayside::Failure> {{\n{lines}    Ok(())\n}}\n")
 }
 
-/// A package of its own, in no workspace.
+/// A package of its own, in no workspace, and without the classifier: what asks for none builds without it.
 fn manifest(root: &Path) -> String {
     let place = root.join("crates/wayside");
     format!(
-        "[package]\nname = \"outside\"\nedition = \"2024\"\n\n[dependencies]\nwayside = {{ path = {place:?} }}\n\n[workspace]\n"
+        "[package]\nname = \"outside\"\nedition = \"2024\"\n\n[dependencies]\nwayside = {{ path = {place:?}, default-features = false }}\n\n\
+         [workspace]\n"
     )
 }
 

@@ -18,14 +18,14 @@ mod picture;
 
 pub(super) use picture::{COLUMNS, picture};
 pub(super) use presentation::{count, csv, page};
-pub(super) use verdict::{Row, Says, Verdict};
+pub(super) use verdict::{CaseRow, Says, Verdict};
 
 use crate::study::extent::Extent;
 use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
 
 /// A group of rows.
-type Case = fn(Extent) -> Result<Vec<Row>, Failure>;
+type Case = fn(Extent) -> Result<Vec<CaseRow>, Failure>;
 
 /// Cases by stage, in the order of docs/physics.md §10.
 const CASES: [Case; 27] = [
@@ -59,7 +59,7 @@ const CASES: [Case; 27] = [
 ];
 
 /// Every row, case by case.
-pub(super) fn rows(extent: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn rows(extent: Extent) -> Result<Vec<CaseRow>, Failure> {
     let work = Work::begin("atlas");
     let mut all = Vec::new();
     for (number, case) in CASES.iter().enumerate() {

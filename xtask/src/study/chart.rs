@@ -13,17 +13,17 @@ pub(super) use pictures::{COLUMNS, picture, picture_of_frames};
 pub(super) use presentation::{csv, page};
 
 use crate::study::extent::Extent;
-use row::Row;
+use row::SettingRow;
 use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
 use work::Subject;
 
 /// One method's rows over a subject.
-type Part = fn(&Subject) -> Result<Vec<Row>, Failure>;
+type MethodRows = fn(&Subject) -> Result<Vec<SettingRow>, Failure>;
 
 /// Every row, method by method.
-pub(super) fn rows(extent: Extent) -> Result<Vec<Row>, Failure> {
-    const PARTS: [Part; 5] =
+pub(super) fn rows(extent: Extent) -> Result<Vec<SettingRow>, Failure> {
+    const PARTS: [MethodRows; 5] =
         [scattering::first_order, scattering::by_order, echo::paths, echo::tables, echo::synthesis];
     let work = Work::begin("chart");
     let subject = Subject::of(extent)?;

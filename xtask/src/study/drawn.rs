@@ -80,9 +80,9 @@ struct Drawing<'d> {
 
 impl Drawing<'_> {
     /// The whole study; its pictures are those of its table, as they would be drawn from it again.
-    fn study(&self, page_in: &'static str, csv: String, page: String) -> Result<Study, Failure> {
+    fn study(&self, page_in: &'static str, csv: String, page: String) -> Result<DrawnStudy, Failure> {
         let table = Table::read(&csv, self.columns).map_err(Failure::refused)?;
-        Ok(Study {
+        Ok(DrawnStudy {
             name: self.name,
             sources: self.sources,
             page_in,
@@ -104,7 +104,7 @@ impl Drawing<'_> {
 }
 
 /// Output of a study: table, page and pictures.
-struct Study {
+struct DrawnStudy {
     name: &'static str,
     sources: Places,
     /// Folder of the page within docs/.
@@ -115,7 +115,7 @@ struct Study {
     pictures: Vec<(&'static str, Svg)>,
 }
 
-impl Study {
+impl DrawnStudy {
     fn write(&self, word: &str, arguments: &StudyArguments) -> Result<(), Failure> {
         let folder = folder(arguments, self.name);
         files::write_file(&folder.join(format!("{}.csv", self.name)), self.csv.as_bytes())?;

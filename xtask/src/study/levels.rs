@@ -14,7 +14,7 @@ use artifact::scene::SceneHeader;
 use artifact::settings::{Detail, Noise};
 use artifact::{Accuracy, ErrorBudget};
 use num_complex::Complex64;
-use row::Row;
+use row::LevelRow;
 use scene::{Meshes, ReadOptions};
 use std::time::Instant;
 use wayside::host::failure::Failure;
@@ -22,14 +22,14 @@ use wayside::host::processor_time;
 use wayside::host::progress::Work;
 
 /// A scene, and the finest accuracy that it is traced with: beyond, the reduction alone is asked for more.
-struct Case {
+struct LevelCase {
     name: &'static str,
     header: SceneHeader,
     traced_db: f64,
 }
 
-fn cases(extent: Extent) -> Result<Vec<Case>, Failure> {
-    let case = |name, header, traced_db| Case { name, header, traced_db };
+fn cases(extent: Extent) -> Result<Vec<LevelCase>, Failure> {
+    let case = |name, header, traced_db| LevelCase { name, header, traced_db };
     let car = || vehicle("car-suv", 10.0, APPROACHING_DEG);
     if extent == Extent::Quick {
         return Ok(vec![case("car-suv, 40 m", car()?, -20.0)]);
@@ -76,7 +76,7 @@ fn intersection() -> Result<SceneHeader, Failure> {
 }
 
 /// Every level of every frame.
-pub(super) fn rows(extent: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn rows(extent: Extent) -> Result<Vec<LevelRow>, Failure> {
     let work = Work::begin("levels");
     let cases = cases(extent)?;
     let mut all = Vec::new();
@@ -88,7 +88,7 @@ pub(super) fn rows(extent: Extent) -> Result<Vec<Row>, Failure> {
 }
 
 /// Rows of a case for each accuracy asked: paths are traced with it, down to what the case is traced with.
-fn of_case(case: &Case) -> Result<Vec<Row>, Failure> {
+fn of_case(case: &LevelCase) -> Result<Vec<LevelRow>, Failure> {
     const ASKED_DB: [f64; 5] = [-10.0, -20.0, -30.0, -40.0, -50.0];
     let mut header = case.header.clone();
     let mut rows = Vec::new();
@@ -112,10 +112,10 @@ fn of_levels(
     asked_db: f64,
     header: &SceneHeader,
     (traced, trace_s): &(PathsFrame, f64),
-) -> Result<Vec<Row>, Failure> {
+) -> Result<Vec<LevelRow>, Failure> {
     let (mut header, trace_s) = (header.clone(), *trace_s);
     let (exact, all_s) = timed(|| Ok(cube(&header, &traced.paths)))?;
-    let mut rows = vec![Row {
+    let mut rows = vec![LevelRow {
         scene,
         asked_db,
         level: Detail::Paths,
@@ -131,7 +131,7 @@ fn of_levels(
         let frame = traced.clone();
         let (reduced, reduce_s) = timed(|| Ok(bart_rcs::reduced(&header, frame)))?;
         let (got, echo_s) = timed(|| Ok(cube(&header, &reduced.paths)))?;
-        rows.push(Row {
+        rows.push(LevelRow {
             scene,
             asked_db,
             level,

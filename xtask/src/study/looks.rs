@@ -42,8 +42,8 @@ pub(super) fn traced(mesh: &Mesh, request: &RcsRequest) -> Result<RcsResult, Fai
 }
 
 /// Aspect of a request's one antenna, for the references.
-pub(super) fn aspect(request: &RcsRequest) -> bart_rcs::reference::Aspect {
-    bart_rcs::reference::Aspect::monostatic(Standpoint {
+pub(super) fn aspect(request: &RcsRequest) -> po_sbr::Aspect {
+    po_sbr::Aspect::monostatic(Standpoint {
         azimuth_rad: request.azimuth_rad[0],
         elevation_rad: request.elevation_rad[0],
         range_m: request.range_m,

@@ -16,7 +16,7 @@ const LEAVES: &[&str] = &["crates/artifact", "crates/bodies", "crates/radar"];
 pub(super) const SIGNALS: &[&str] = &["crates/dsp", "crates/dsp/tests/common"];
 
 /// Bodies and what they scatter.
-pub(super) const SCATTERING: &[&str] = &["crates/scene", "crates/bart-rcs"];
+pub(super) const SCATTERING: &[&str] = &["crates/scene", "crates/bart-rcs", "crates/po-sbr"];
 
 /// The stages from a scene to points.
 pub(super) const CHAIN: &[&str] = &["crates/scene", "crates/bart-rcs", "crates/fmcw-echo", "crates/dsp"];

@@ -6,7 +6,7 @@
 use crate::beams::body_ways::BodyWays;
 use crate::beams::brute_force::EveryFacet;
 use crate::beams::sheets::parted;
-use crate::beams::sight::lit_parts::{Part, Parts};
+use crate::beams::sight::lit_parts::{LitPart, LitParts};
 use crate::beams::sight::view::{Mirror, View};
 use crate::beams::visibility::{Buffers, ByHierarchy, Visibility};
 use crate::bodies::world::World;
@@ -241,7 +241,8 @@ fn grow_to<V: Visibility>(world: &World, order: u8, growth: &mut Growth<'_>) -> 
         growth.begin_order(world);
         growth.progress.at(Phase::Tracing, 0, 0);
         let view = View::direct(world, growth.settings.sides, antenna);
-        let seen: Vec<Parts> = V::direct(&view).into_par_iter().map(|parts| parted(&view, parts)).collect();
+        let seen: Vec<LitParts> =
+            V::direct(&view).into_par_iter().map(|parts| parted(&view, parts)).collect();
         for parts in seen {
             growth.take(None, antenna, 1, parts)?;
         }
@@ -366,7 +367,7 @@ impl<'a> Growth<'a> {
         parent: Option<u32>,
         image: Antenna,
         order: u8,
-        parts: Parts,
+        parts: LitParts,
     ) -> Result<(), BartError> {
         for part in &parts.parts {
             if part.corners.is_empty() || part.across_m2 < self.settings.least_area_m2 {
@@ -378,7 +379,7 @@ impl<'a> Growth<'a> {
             self.tree.vertices_m.extend(corners.iter().map(|corner| corner.point_m));
             self.tree.borders.extend(corners.iter().map(|corner| corner.border));
             self.edges.extend(corners.iter().map(|corner| (corner.edge, corner.border)));
-            let &Part { facet, lit_normal, across_m2, section, ref sheets, .. } = part;
+            let &LitPart { facet, lit_normal, across_m2, section, ref sheets, .. } = part;
             let sheets = sheets.clone();
             let polygon = index(start)?..index(self.tree.vertices_m.len())?;
             self.tree.beams.push(Beam {
@@ -417,17 +418,17 @@ impl OrderAudit {
     /// Area across the wave of what was dropped and of mirrors that were not followed: its sum, m², and the
     /// sum of its squares, m⁴, those of mirrors times the share of them that scatters. The last order is not
     /// reflected at all: nothing is missing behind its mirrors.
-    pub(crate) fn given_up(&self, mirrors: Mirrors) -> [f64; 2] {
+    pub(crate) fn given_up(&self, mirrors: Mirroring) -> [f64; 2] {
         match mirrors {
-            Mirrors::Followed { share } => [
+            Mirroring::Followed { share } => [
                 self.dropped_across_m2 + self.unreflected_across_m2,
                 self.dropped_across_squared_m4 + share * self.unreflected_across_squared_m4,
             ],
-            Mirrors::Last => [self.dropped_across_m2, self.dropped_across_squared_m4],
+            Mirroring::Last => [self.dropped_across_m2, self.dropped_across_squared_m4],
         }
     }
 
-    fn keep(&mut self, part: &Part, settings: &TraceSettings) {
+    fn keep(&mut self, part: &LitPart, settings: &TraceSettings) {
         self.beams += 1;
         self.lit_area_m2 += part.area_m2;
         self.lit_section += part.section;
@@ -438,7 +439,7 @@ impl OrderAudit {
         }
     }
 
-    fn drop(&mut self, part: &Part) {
+    fn drop(&mut self, part: &LitPart) {
         self.dropped += 1;
         self.dropped_area_m2 += part.area_m2;
         self.dropped_across_m2 += part.across_m2;
@@ -449,7 +450,7 @@ impl OrderAudit {
 
 /// Whether an order's beams are reflected.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Mirrors {
+pub(crate) enum Mirroring {
     /// Large enough mirrors are followed; of the power that the others could scatter at most they would
     /// scatter this share.
     Followed {
@@ -462,7 +463,7 @@ impl Audit {
     /// [`OrderAudit::given_up`] of the first `needed` orders together; `share` tells of each from 1.
     pub(crate) fn given_up(&self, needed: u8, share: impl Fn(u8) -> f64) -> [f64; 2] {
         let mirrors = |order: u8| {
-            if order < needed { Mirrors::Followed { share: share(order) } } else { Mirrors::Last }
+            if order < needed { Mirroring::Followed { share: share(order) } } else { Mirroring::Last }
         };
         let of = |(order, audit): (u8, &OrderAudit)| audit.given_up(mirrors(order));
         (1..=needed).zip(&self.orders).map(of).fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])

@@ -1,7 +1,7 @@
 //! The slow obvious reference of [`crate::beams::visibility`]: every facet is cut by every other, without
 //! hierarchy or lists.
 
-use crate::beams::sight::lit_parts::Parts;
+use crate::beams::sight::lit_parts::LitParts;
 use crate::beams::sight::shadow::{Hides, Shadow};
 use crate::beams::sight::view::View;
 use crate::beams::visibility::{Buffers, Visibility};
@@ -12,19 +12,19 @@ use crate::geometry::clip::{Corner, Split, split};
 pub(crate) struct EveryFacet;
 
 impl Visibility for EveryFacet {
-    fn direct(view: &View) -> Vec<Parts> {
+    fn direct(view: &View) -> Vec<LitParts> {
         vec![parts_in(view)]
     }
 
-    fn reflected(view: &View, _: &mut Buffers) -> Parts {
+    fn reflected(view: &View, _: &mut Buffers) -> LitParts {
         parts_in(view)
     }
 }
 
-fn parts_in(view: &View) -> Parts {
+fn parts_in(view: &View) -> LitParts {
     let facets = 0..view.world.facets().len() as u32;
     let shadows: Vec<Shadow> = facets.filter_map(|facet| Shadow::of(facet, view)).collect();
-    let mut parts = Parts::default();
+    let mut parts = LitParts::default();
     for target in &shadows {
         let mut corners = Vec::new();
         let Some(polygon) = view.clip(target, &mut corners, &mut Vec::new()) else { continue };
@@ -64,7 +64,7 @@ fn outside(piece: Vec<Corner>, occluder: &Shadow, hides: Hides, tolerance_m: f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::beams::sight::lit_parts::Parts;
+    use crate::beams::sight::lit_parts::LitParts;
     use crate::beams::sight::prospect::Prospect;
     use crate::beams::sight::solid_cells::visible;
     use crate::beams::visibility::ByHierarchy;
@@ -117,7 +117,7 @@ mod tests {
     }
 
     /// Lit area of every facet, m².
-    fn lit_m2(parts: &[Parts], facets: usize) -> Vec<f64> {
+    fn lit_m2(parts: &[LitParts], facets: usize) -> Vec<f64> {
         let mut lit_m2 = vec![0.0; facets];
         parts
             .iter()

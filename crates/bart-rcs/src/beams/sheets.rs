@@ -4,28 +4,28 @@
 //! of the sheets before it, so that every piece has passed the same ones, and remembers them. What a sheet
 //! makes of the field is for the integration.
 
-use crate::beams::sight::lit_parts::Parts;
+use crate::beams::sight::lit_parts::LitParts;
 use crate::beams::sight::shadow::{Cover, Hides, Shadow};
 use crate::beams::sight::view::View;
-use crate::bodies::world::Walk;
+use crate::bodies::world::VisitBuffers;
 use crate::geometry::border::Border;
 use crate::geometry::clip::{Corner, Split, split};
 use glam::DVec3;
 use std::ops::ControlFlow;
 
 /// A part of a lit polygon and the sheets before it, in any order.
-struct Piece {
+struct SheetPiece {
     corners: Vec<Corner>,
     sheets: Vec<u32>,
 }
 
 /// The polygons of a view parted by the sheets before them.
-pub(crate) fn parted(view: &View, parts: Parts) -> Parts {
+pub(crate) fn parted(view: &View, parts: LitParts) -> LitParts {
     if view.world.sheets().is_empty() {
         return parts;
     }
-    let mut walk = Walk::default();
-    let mut all = Parts::default();
+    let mut walk = VisitBuffers::default();
+    let mut all = LitParts::default();
     for part in &parts.parts {
         match Shadow::of(part.facet, view) {
             Some(target) if !part.corners.is_empty() => {
@@ -40,7 +40,7 @@ pub(crate) fn parted(view: &View, parts: Parts) -> Parts {
 }
 
 /// Sheets that may reach between the antenna and a polygon, by index.
-fn sheets_about(view: &View, polygon: &[Corner], target: &Shadow, walk: &mut Walk) -> Vec<Shadow> {
+fn sheets_about(view: &View, polygon: &[Corner], target: &Shadow, walk: &mut VisitBuffers) -> Vec<Shadow> {
     let mut found = Vec::new();
     let planes = polygon.iter().map(|corner| corner.edge).chain([target.front]);
     let _ = view.world.visit_inside(planes, None, DVec3::ZERO, walk, |facet| {
@@ -51,8 +51,8 @@ fn sheets_about(view: &View, polygon: &[Corner], target: &Shadow, walk: &mut Wal
     found.into_iter().filter_map(|facet| Shadow::of(facet, view)).collect()
 }
 
-fn part_one(view: &View, polygon: &[Corner], target: &Shadow, sheets: &[Shadow], all: &mut Parts) {
-    let mut pieces = vec![Piece { corners: polygon.to_vec(), sheets: Vec::new() }];
+fn part_one(view: &View, polygon: &[Corner], target: &Shadow, sheets: &[Shadow], all: &mut LitParts) {
+    let mut pieces = vec![SheetPiece { corners: polygon.to_vec(), sheets: Vec::new() }];
     for sheet in sheets {
         if sheet.cover(Hides::AllInItsCone, polygon, view.tolerance_m()) == Cover::Apart {
             continue;
@@ -73,7 +73,7 @@ fn part_one(view: &View, polygon: &[Corner], target: &Shadow, sheets: &[Shadow],
     }
 }
 
-impl Piece {
+impl SheetPiece {
     /// The parts that have passed the sheet, and those that have not.
     fn behind(mut self, sheet: &Shadow, before: Hides, tolerance_m: f64) -> Vec<Self> {
         match sheet.cover(before, &self.corners, tolerance_m) {
@@ -112,7 +112,7 @@ impl Piece {
 }
 
 /// The sheets of a piece as a wave to its middle meets them; equal distances by index.
-fn in_order(view: &View, piece: &Piece) -> Vec<u32> {
+fn in_order(view: &View, piece: &SheetPiece) -> Vec<u32> {
     let middle = piece.corners.iter().map(|c| c.point_m).sum::<DVec3>() / piece.corners.len().max(1) as f64;
     let back = view.antenna.towards(middle).try_normalize().unwrap_or(DVec3::ZERO);
     let before_middle = |facet: u32| {

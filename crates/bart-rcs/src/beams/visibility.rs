@@ -5,13 +5,13 @@
 //! occluder after the other, the largest first, and every piece carries on only those that may still reach
 //! it: a facet behind a dense mesh costs the outline of its shadow, not the number of facets in front.
 
-use crate::beams::sight::lit_parts::Parts;
+use crate::beams::sight::lit_parts::LitParts;
 use crate::beams::sight::projection_grid::ProjectionGrid;
 use crate::beams::sight::prospect::{Extent, Prospect, Sight};
 use crate::beams::sight::shadow::{Cover, Hides, Shadow};
 use crate::beams::sight::solid_cells::visible;
 use crate::beams::sight::view::View;
-use crate::bodies::world::Walk;
+use crate::bodies::world::VisitBuffers;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::border::Border;
 use crate::geometry::clip::{Corner, Split, doubled_area, perimeter_m, split};
@@ -23,9 +23,9 @@ use std::ops::{ControlFlow, Range};
 /// A way to find what a view shows. All give the same up to how they cut it.
 pub(crate) trait Visibility {
     /// Lit polygons of all facets seen straight, by facet.
-    fn direct(view: &View) -> Vec<Parts>;
+    fn direct(view: &View) -> Vec<LitParts>;
     /// Lit polygons that a reflected beam meets.
-    fn reflected(view: &View, buffers: &mut Buffers) -> Parts;
+    fn reflected(view: &View, buffers: &mut Buffers) -> LitParts;
 }
 
 /// Visibility by the bodies' hierarchies.
@@ -34,7 +34,7 @@ pub(crate) struct ByHierarchy;
 /// Memory that is used again from view to view.
 #[derive(Default)]
 pub(crate) struct Buffers {
-    walk: Walk,
+    walk: VisitBuffers,
     found: Vec<u32>,
     shadows: Vec<Shadow>,
     slot_of_facet: Vec<u32>,
@@ -47,17 +47,17 @@ const MANY_IN_VIEW: usize = 24;
 const NO_SLOT: u32 = u32::MAX;
 
 impl Visibility for ByHierarchy {
-    fn direct(view: &View) -> Vec<Parts> {
+    fn direct(view: &View) -> Vec<LitParts> {
         let seen = direct_of(view, |shadows| (0..shadows.len() as u32).collect());
         seen.into_iter().filter(|parts| !parts.parts.is_empty()).collect()
     }
 
-    fn reflected(view: &View, buffers: &mut Buffers) -> Parts {
+    fn reflected(view: &View, buffers: &mut Buffers) -> LitParts {
         buffers.gather(view);
         let Buffers { walk, shadows, slot_of_facet, cutter, .. } = buffers;
         let grid = (shadows.len() > MANY_IN_VIEW).then(|| ProjectionGrid::over(shadows, view)).flatten();
         let table = Table { shadows, slot_of_facet, grid: grid.as_ref() };
-        let mut parts = Parts::default();
+        let mut parts = LitParts::default();
         for slot in 0..shadows.len() as u32 {
             see_facet(view, &table, slot, walk, cutter, &mut parts);
         }
@@ -68,13 +68,13 @@ impl Visibility for ByHierarchy {
 
 /// Lit polygons of those of the facets in sight that `choose` gives the places of, seen straight, in
 /// its order.
-pub(crate) fn direct_of(view: &View, choose: impl FnOnce(&[Shadow]) -> Vec<u32>) -> Vec<Parts> {
+pub(crate) fn direct_of(view: &View, choose: impl FnOnce(&[Shadow]) -> Vec<u32>) -> Vec<LitParts> {
     let (shadows, grid) = in_sight(view);
     let mut slot_of_facet = vec![NO_SLOT; view.world.facets().len()];
     (0..).zip(&shadows).for_each(|(slot, shadow)| slot_of_facet[shadow.facet as usize] = slot);
     let table = Table { shadows: &shadows, slot_of_facet: &slot_of_facet, grid: grid.as_ref() };
-    let lit = |(walk, cutter): &mut (Walk, Cutter), slot: u32| {
-        let mut parts = Parts::default();
+    let lit = |(walk, cutter): &mut (VisitBuffers, Cutter), slot: u32| {
+        let mut parts = LitParts::default();
         see_facet(view, &table, slot, walk, cutter, &mut parts);
         parts
     };
@@ -131,7 +131,14 @@ struct Table<'a> {
 }
 
 /// Appends what is seen of the facet in `slot`.
-fn see_facet(view: &View, table: &Table, slot: u32, walk: &mut Walk, cutter: &mut Cutter, parts: &mut Parts) {
+fn see_facet(
+    view: &View,
+    table: &Table,
+    slot: u32,
+    walk: &mut VisitBuffers,
+    cutter: &mut Cutter,
+    parts: &mut LitParts,
+) {
     let target = &table.shadows[slot as usize];
     let Some(polygon) = view.clip(target, &mut cutter.corners, &mut cutter.distances_m) else { return };
     cutter.occluders.clear();
@@ -169,7 +176,7 @@ struct Occluder {
 
 impl Search<'_> {
     /// Collects what may hide some of the polygon, the largest first; breaks where one facet hides all of it.
-    fn find_occluders(&mut self, walk: &mut Walk) -> ControlFlow<()> {
+    fn find_occluders(&mut self, walk: &mut VisitBuffers) -> ControlFlow<()> {
         if let Some(grid) = self.table.grid {
             grid.visit_before(self.slot, |slot| self.suspect(slot))?;
         } else if self.view.mirror.is_some() && self.table.shadows.len() <= MANY_IN_VIEW {
@@ -183,7 +190,7 @@ impl Search<'_> {
     }
 
     /// Suspects all that may stand between the antenna and the polygon, about from the antenna on.
-    fn walk(&mut self, walk: &mut Walk) -> ControlFlow<()> {
+    fn walk(&mut self, walk: &mut VisitBuffers) -> ControlFlow<()> {
         let front = self.target.front;
         // Nearer to the facet's plane than the antenna is.
         let nearer = match self.view.antenna {
@@ -239,12 +246,12 @@ struct Cutter {
     occluders: Vec<Occluder>,
     /// Lists of indices into `occluders`, those of the open pieces first.
     lists: Vec<u32>,
-    open: Vec<Piece>,
+    open: Vec<OpenPiece>,
 }
 
 /// A polygon and the occluders that may still reach it.
 #[derive(Debug, Clone)]
-struct Piece {
+struct OpenPiece {
     polygon: Range<usize>,
     list: Range<usize>,
 }
@@ -279,7 +286,12 @@ impl Cutter {
 
     /// Appends those of the piece's occluders that still reach it to the lists; breaks where one hides all of
     /// it.
-    fn list_what_reaches(&mut self, piece: &Piece, shadows: &[Shadow], tolerance_m: f64) -> ControlFlow<()> {
+    fn list_what_reaches(
+        &mut self,
+        piece: &OpenPiece,
+        shadows: &[Shadow],
+        tolerance_m: f64,
+    ) -> ControlFlow<()> {
         let polygon = &self.corners[piece.polygon.clone()];
         for i in piece.list.clone() {
             let index = self.lists[i];
@@ -338,7 +350,7 @@ impl Cutter {
                 Split::Inside => {}
                 Split::Outside => return false,
                 Split::Cut { inside, outside } => {
-                    self.open.push(Piece { polygon: outside, list: list.clone() });
+                    self.open.push(OpenPiece { polygon: outside, list: list.clone() });
                     polygon = inside;
                 }
             }

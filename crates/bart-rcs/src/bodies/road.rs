@@ -11,7 +11,7 @@
 //! (`docs/physics.md` §5).
 
 use crate::bodies::world::World;
-use crate::materials::reflection_coefficients::Pair;
+use crate::materials::reflection_coefficients::PolarizationPair;
 use crate::materials::surface_response::reflection;
 use crate::oversight::error::BartError;
 use artifact::material::{Material, Road};
@@ -21,11 +21,16 @@ use artifact::settings::{EchoMode, Edges, Sides};
 
 /// Factors of a field, seen unfolded, where it crosses z = 0: r_TE and −r_TM, weakened by e^{−g²/2}, g
 /// = 2kσ sinψ (Ament 1953).
-pub(crate) fn crossing(road: &Material, rms_height_m: f64, sine: f64, wavenumber_per_m: f64) -> Pair {
+pub(crate) fn crossing(
+    road: &Material,
+    rms_height_m: f64,
+    sine: f64,
+    wavenumber_per_m: f64,
+) -> PolarizationPair {
     let g = 2.0 * wavenumber_per_m * rms_height_m * sine;
     let loss = (-0.5 * g * g).exp();
-    let Pair { te, tm } = reflection(road, sine, wavenumber_per_m);
-    Pair { te: loss * te, tm: -loss * tm }
+    let PolarizationPair { te, tm } = reflection(road, sine, wavenumber_per_m);
+    PolarizationPair { te: loss * te, tm: -loss * tm }
 }
 
 /// Half of space above or below the road.

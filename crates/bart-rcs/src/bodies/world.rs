@@ -8,12 +8,12 @@ use crate::geometry::antenna::Antenna;
 use crate::geometry::bvh::{Hierarchy, Stack};
 use crate::geometry::facet_geometry::FacetGeometry;
 use crate::geometry::plane::Plane;
-use crate::geometry::sweep::Sweep;
+use crate::geometry::sweep::BeamSweep;
 use crate::mesh::mesh_edges::{MeshEdges, Winding, exact_places};
 use crate::mesh::neighbours::Neighbours;
 use crate::mesh::patch::Patches;
 use crate::mesh::wedges::body_edges::{BodyEdges, body_edges};
-use crate::mesh::wedges::world_edges::{Placed, WorldEdges};
+use crate::mesh::wedges::world_edges::{BodyPlacement, WorldEdges};
 use crate::oversight::error::BartError;
 use crate::oversight::memory::MemoryLimit;
 use crate::surface::bend::Bend;
@@ -269,7 +269,8 @@ impl World {
         self.edges.get_or_init(|| {
             let mut all = WorldEdges::for_facets(self.facets.len());
             for body in &self.bodies {
-                let place = Placed { world_from_body: body.world_from_body, position_m: body.position_m };
+                let place =
+                    BodyPlacement { world_from_body: body.world_from_body, position_m: body.position_m };
                 all.add(body.mesh.edges(), &place, body.first_facet, 1.0 / wavenumber_per_m);
             }
             all
@@ -294,7 +295,7 @@ impl World {
         planes: impl Iterator<Item = Plane>,
         opening: Option<(Antenna, &[DVec3])>,
         nearer: DVec3,
-        walk: &mut Walk,
+        walk: &mut VisitBuffers,
         mut visit: impl FnMut(u32) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         walk.planes.clear();
@@ -305,7 +306,7 @@ impl World {
                 .extend(walk.planes.iter().map(|plane| body.plane_in_body(plane, self.tolerance_m)));
             let body_from_world = body.world_from_body.transpose();
             let sweep = opening.map(|(antenna, opening_m)| {
-                Sweep::behind(opening_m, antenna, &body_from_world, body.position_m, self.tolerance_m)
+                BeamSweep::behind(opening_m, antenna, &body_from_world, body.position_m, self.tolerance_m)
             });
             let nearer = body_from_world * nearer;
             let of_body = |triangle: u32| visit(body.first_facet + triangle);
@@ -361,7 +362,7 @@ impl World {
 
 /// Buffers of [`World::visit_inside`].
 #[derive(Default)]
-pub(crate) struct Walk {
+pub(crate) struct VisitBuffers {
     planes: Vec<Plane>,
     planes_in_body: Vec<Plane>,
     stack: Stack,

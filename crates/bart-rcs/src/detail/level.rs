@@ -57,14 +57,14 @@ fn with(targets: Vec<Made>, frame: PathsFrame) -> PathsFrame {
         level: target.level,
         traced: target.traced as u64,
         kept: target.paths.len() as u64,
-        error: target.measured.map(Measured::error),
+        error: target.measured.map(MissedPower::error),
     };
     let trace = TraceStatistics { detail: targets.iter().map(of).collect(), ..frame.trace };
-    let measured: Vec<Measured> = targets.iter().filter_map(|target| target.measured).collect();
+    let measured: Vec<MissedPower> = targets.iter().filter_map(|target| target.measured).collect();
     if measured.is_empty() {
         return PathsFrame { trace, ..frame };
     }
-    let all = Measured {
+    let all = MissedPower {
         missed: measured.iter().map(|m| m.missed).sum(),
         power: measured.iter().map(|m| m.power).sum(),
     };
@@ -78,12 +78,12 @@ struct Made {
     traced: usize,
     paths: Vec<Path>,
     /// Measured error of the level; `None` of all paths.
-    measured: Option<Measured>,
+    measured: Option<MissedPower>,
 }
 
 /// Power that reduced paths miss of what all of them have.
 #[derive(Debug, Clone, Copy)]
-struct Measured {
+struct MissedPower {
     missed: f64,
     power: f64,
 }
@@ -96,7 +96,7 @@ const MARGIN: f64 = 1.23;
 const LOOKS: usize = 12;
 const INSTANTS: usize = 16;
 
-impl Measured {
+impl MissedPower {
     /// Relative amplitude error, with the margin of the measurement; 0 of what scatters nothing.
     fn error(self) -> f64 {
         if self.power > 0.0 { MARGIN * (self.missed / self.power).sqrt() } else { 0.0 }
@@ -112,10 +112,10 @@ struct Choice<'a> {
 }
 
 /// A level with its error.
-struct Found {
+struct LevelWithError {
     level: Detail,
     paths: Vec<Path>,
-    measured: Measured,
+    measured: MissedPower,
 }
 
 /// A level's error falls about as fast as its setting; the next attempt aims a little lower than what is
@@ -139,17 +139,19 @@ impl<'a> Choice<'a> {
         };
         let traced = self.paths.len();
         match found {
-            Some(Found { level, paths, measured }) => Made { level, traced, paths, measured: Some(measured) },
+            Some(LevelWithError { level, paths, measured }) => {
+                Made { level, traced, paths, measured: Some(measured) }
+            }
             None => Made { level: Detail::Paths, traced, paths: self.paths, measured: None },
         }
     }
 
     /// The cheapest level that is found; nothing is tried whose making costs more than what it may be
     /// expected to save. Centres come first: they are fewer than merged paths.
-    fn cheapest(&self) -> Option<Found> {
+    fn cheapest(&self) -> Option<LevelWithError> {
         let count = self.paths.len();
         let echo = |paths: usize| echo_s(self.radar, paths);
-        let saved = |found: &Found| echo(found.paths.len()) < echo(count);
+        let saved = |found: &LevelWithError| echo(found.paths.len()) < echo(count);
         let are_centres_worth_it = echo(count) - echo(FEW_CENTRES) > centres_s(self.radar, count);
         let is_merging_worth_it = echo(count) - echo(count / 2) > merging_s(count);
         if self.allowed <= 0.0 || !(are_centres_worth_it || is_merging_worth_it) {
@@ -165,9 +167,9 @@ impl<'a> Choice<'a> {
         self.looks.field(&self.paths)
     }
 
-    fn found(&self, level: Detail, paths: Vec<Path>, field: &[Complex64]) -> Found {
+    fn found(&self, level: Detail, paths: Vec<Path>, field: &[Complex64]) -> LevelWithError {
         let missed = power(&difference(field, &self.looks.field(&paths)));
-        Found { level, paths, measured: Measured { missed, power: power(field) } }
+        LevelWithError { level, paths, measured: MissedPower { missed, power: power(field) } }
     }
 
     /// The first of several tables that misses no more than is allowed, each made with a finer setting than
@@ -176,8 +178,8 @@ impl<'a> Choice<'a> {
         &self,
         first: f64,
         attempts: usize,
-        make: &dyn Fn(f64) -> Option<Found>,
-    ) -> Option<Found> {
+        make: &dyn Fn(f64) -> Option<LevelWithError>,
+    ) -> Option<LevelWithError> {
         let mut setting = first;
         for _ in 0..attempts {
             let found = make(setting)?;
@@ -191,7 +193,7 @@ impl<'a> Choice<'a> {
     }
 
     /// Merged paths; `None` where no merging of few enough paths is within what is allowed.
-    fn merged(&self, field: &[Complex64]) -> Option<Found> {
+    fn merged(&self, field: &[Complex64]) -> Option<LevelWithError> {
         const ATTEMPTS: usize = 6;
         // Phases in a cell are spread evenly and cancel: their mean is off by less than a quarter of the
         // spread.
@@ -202,7 +204,7 @@ impl<'a> Choice<'a> {
     }
 
     /// Scattering centres; `None` where no few of them are within what is allowed.
-    fn centres(&self, field: &[Complex64]) -> Option<Found> {
+    fn centres(&self, field: &[Complex64]) -> Option<LevelWithError> {
         const ATTEMPTS: usize = 4;
         let finest_rad = CANDIDATES_RAD * (self.allowed / 0.1).powf(0.25).min(1.0);
         let first = AIM * self.allowed / MARGIN;
@@ -213,7 +215,7 @@ impl<'a> Choice<'a> {
         })
     }
 
-    fn statistical(&self, field: &[Complex64], seed: u64, target: u32) -> Option<Found> {
+    fn statistical(&self, field: &[Complex64], seed: u64, target: u32) -> Option<LevelWithError> {
         let points = PointModel::of(self.radar, &self.paths, &self.looks)?.drawn(
             self.radar,
             &self.looks,
@@ -236,39 +238,19 @@ const CANDIDATES_RAD: f64 = 0.6;
 mod tests {
     use super::*;
     use artifact::paths::{Curve, Facet, MAX_ORDER};
-    use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Schedule, Waveform};
+    use artifact::radar::Pattern;
+    use radar::aperture::Preset;
     use std::f64::consts::TAU;
 
     /// A radar of 3 × 4 elements, 128 chirps of 256 samples over 0.6 GHz.
     fn radar() -> Radar {
-        let position_m = [0.0, 0.0, 6.0];
-        let row = |steps: &[f64]| steps.iter().map(|x| [x * 1.94e-3, 0.0, 6.0]).collect::<Vec<[f64; 3]>>();
-        Radar {
-            position_m,
-            boresight_az_rad: 0.0,
-            boresight_el_rad: 0.0,
-            waveform: Waveform {
-                start_frequency_hz: 77e9,
-                slope_hz_per_s: 12.5e12,
-                sample_rate_hz: 5.12e6,
-                sampling: artifact::radar::Sampling::Complex,
-                samples: 256,
-                chirp_interval_s: 60e-6,
-                chirps: 128,
-            },
-            array: Array {
-                tx_m: row(&[-4.0, 0.0, 4.0]),
-                rx_m: row(&[-1.5, -0.5, 0.5, 1.5]),
-                tx_half_wavelengths: vec![[0.0; 2]; 3],
-                rx_half_wavelengths: vec![[0.0; 2]; 4],
-                multiplexing: Multiplexing::Simultaneous,
-                polarization: Polarization::Vv,
-                pattern: Pattern::Cosine { exponent: 2.0 },
-            },
-            link: Link { transmit_power_w: 0.016, antenna_gain_db: 10.0 },
-            schedule: Schedule::default(),
-            hardware: Hardware::default(),
-        }
+        let mut radar = radar::paper::radar(
+            [0.0, 0.0, 6.0],
+            radar::paper::waveform(256, 128),
+            Preset::ThreeByFour.elements(),
+        );
+        radar.array.pattern = Pattern::Cosine { exponent: 2.0 };
+        radar
     }
 
     /// Paths anywhere in a car 40 m ahead that approaches at 10 m/s, the nearer end stronger; every third
@@ -302,7 +284,7 @@ mod tests {
         (power(&difference(&field, &looks.field(paths))) / power(&field)).sqrt()
     }
 
-    type Level = fn(&Choice<'_>, &[Complex64]) -> Option<Found>;
+    type Level = fn(&Choice<'_>, &[Complex64]) -> Option<LevelWithError>;
 
     #[test]
     fn merged_paths_and_centres_err_by_no_more_than_is_told_and_allowed() {

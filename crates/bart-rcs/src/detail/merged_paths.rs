@@ -1,7 +1,7 @@
 //! Paths whose phases stay together over band, elements and frame become one path.
 
 use crate::detail::looks::{Look, strength};
-use crate::frame::path_plan::Band;
+use crate::frame::path_plan::SampledBand;
 use crate::frame::path_sum::moved_to;
 use crate::joins::scatterer::{scaled, sum};
 use artifact::Radar;
@@ -14,7 +14,7 @@ use std::f64::consts::{PI, TAU};
 
 /// Turns of a path's phase: what paths must have in common to be merged.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Turns {
+pub(crate) struct PathTurns {
     /// Length L₁ + L₂ at the frame's middle from the radar's position, m.
     pub(crate) length_m: f64,
     /// Cycles over the frame, over the transmit row [right, up], over the receive row.
@@ -43,7 +43,7 @@ impl<'a> Extents<'a> {
         Self { radar, middle: Look::middle(radar), right, up, rows_m }
     }
 
-    pub(crate) fn turns(&self, path: &Path) -> Turns {
+    pub(crate) fn turns(&self, path: &Path) -> PathTurns {
         let legs_m = self.middle.legs_m(path);
         let [tx, rx] = legs_m.map(|leg| leg / leg.length());
         let wavelength_m = self.radar.waveform.wavelength_m();
@@ -57,7 +57,7 @@ impl<'a> Extents<'a> {
             rx.dot(self.right) * of_rx[0],
             rx.dot(self.up) * of_rx[1],
         ];
-        Turns {
+        PathTurns {
             length_m: legs_m[0].length() + legs_m[1].length(),
             cycles: ways_m.map(|way_m| way_m / wavelength_m),
         }
@@ -92,13 +92,13 @@ pub(crate) fn merged(radar: &Radar, paths: &[Path], spread_rad: f64) -> Vec<Path
         .chunk_by(|a, b| a.0 == b.0)
         .map(|group| group.iter().map(|(_, path)| *path).collect())
         .collect();
-    let band = Band::of(&radar.waveform);
+    let band = SampledBand::of(&radar.waveform);
     groups.iter().map(|group| one_of(radar, &band, &extents.middle, group)).collect()
 }
 
 /// The sum of a group as seen from the mean of its points, which are weighed by amplitude; named by its
 /// strongest member.
-fn one_of(radar: &Radar, band: &Band, middle: &Look, group: &[&Path]) -> Path {
+fn one_of(radar: &Radar, band: &SampledBand, middle: &Look, group: &[&Path]) -> Path {
     if let [alone] = group {
         return **alone;
     }
@@ -115,10 +115,10 @@ fn one_of(radar: &Radar, band: &Band, middle: &Look, group: &[&Path]) -> Path {
         apparent_rx_mps: mean(&|path| path.apparent_rx_mps),
         ..*group[strongest]
     };
-    let node = Seen::of(radar, middle, &one);
+    let node = SeenPath::of(radar, middle, &one);
     let mut samples = [Amplitude::default(); 3];
     for path in group {
-        let from = Seen::of(radar, middle, path);
+        let from = SeenPath::of(radar, middle, path);
         for (total, k) in samples.iter_mut().zip(band.wavenumbers_per_m()) {
             let offset_hz = k * SPEED_OF_LIGHT_MPS / TAU - band.centre_hz;
             let factor = Complex64::from_polar(from.over(&node), -k * (from.length_m - node.length_m));
@@ -139,12 +139,12 @@ fn weights(radar: &Radar, group: &[&Path]) -> Vec<f64> {
 }
 
 /// A path from the middle of the radar.
-struct Seen {
+struct SeenPath {
     length_m: f64,
     strength: f64,
 }
 
-impl Seen {
+impl SeenPath {
     fn of(radar: &Radar, middle: &Look, path: &Path) -> Self {
         let legs_m = middle.legs_m(path);
         Self { length_m: legs_m[0].length() + legs_m[1].length(), strength: strength(radar, legs_m) }

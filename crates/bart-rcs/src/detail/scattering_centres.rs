@@ -6,7 +6,7 @@
 //! samples' fit.
 
 use crate::detail::looks::{Looks, power};
-use crate::detail::merged_paths::{Extents, Turns, merged};
+use crate::detail::merged_paths::{Extents, PathTurns, merged};
 use artifact::Radar;
 use artifact::paths::{Amplitude, Path};
 use artifact::units::SPEED_OF_LIGHT_MPS;
@@ -49,11 +49,11 @@ pub(crate) fn centres(radar: &Radar, paths: &[Path], spread_rad: f64, allowed: f
 
 fn blocks<'a>(radar: &'a Radar, paths: &[Path]) -> Vec<Block<'a>> {
     let extents = Extents::of(radar);
-    let mut placed: Vec<(Turns, &Path)> = paths.iter().map(|path| (extents.turns(path), path)).collect();
+    let mut placed: Vec<(PathTurns, &Path)> = paths.iter().map(|path| (extents.turns(path), path)).collect();
     placed.sort_by(|a, b| a.0.length_m.total_cmp(&b.0.length_m));
     let block_m = BLOCK_CELLS * SPEED_OF_LIGHT_MPS / radar.waveform.bandwidth_hz().abs();
-    let number = |turns: &Turns| (turns.length_m / block_m).floor() as i64;
-    let of = |part: &[(Turns, &Path)]| Block {
+    let number = |turns: &PathTurns| (turns.length_m / block_m).floor() as i64;
+    let of = |part: &[(PathTurns, &Path)]| Block {
         paths: part.iter().map(|(_, path)| **path).collect(),
         looks: looks(radar, part),
     };
@@ -61,8 +61,8 @@ fn blocks<'a>(radar: &'a Radar, paths: &[Path]) -> Vec<Block<'a>> {
 }
 
 /// Twice as many looks and instants as what the paths spread over needs, and some for the ends.
-fn looks<'a>(radar: &'a Radar, paths: &[(Turns, &Path)]) -> Looks<'a> {
-    let extent = |of: &dyn Fn(&Turns) -> f64| {
+fn looks<'a>(radar: &'a Radar, paths: &[(PathTurns, &Path)]) -> Looks<'a> {
+    let extent = |of: &dyn Fn(&PathTurns) -> f64| {
         let (low, high) =
             paths.iter().map(|(t, _)| of(t)).fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)));
         high - low

@@ -12,7 +12,7 @@ use crate::integral::node::Bracket;
 use crate::joins::join::tree_order;
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
 use crate::table::aspect::{left_out_order, other};
-use crate::table::meeting::{Meeting, MeetingSettings};
+use crate::table::meeting::{MeetingSettings, OrderJoints};
 use crate::table::small_mirrors::SmallMirrors;
 use artifact::paths::Path;
 use artifact::settings::{Edges, NodeRule};
@@ -73,7 +73,7 @@ pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference
     let wavenumbers: Vec<f64> = frequencies_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
     let fineness = Fineness::ten_times(&wavenumbers, plan);
     let by_rule = |order: u8, rule: NodeRule| {
-        let meeting = Meeting::of(scatterer, order, &MeetingSettings { nodes: rule, ..plan.meetings() });
+        let meeting = OrderJoints::of(scatterer, order, &MeetingSettings { nodes: rule, ..plan.meetings() });
         of_meeting(scatterer, plan, &meeting, bracket_of(rule), &fineness)
     };
     let by_order_m = (1..=fidelity.bounces).map(|order| by_rule(order, fidelity.nodes)).collect();
@@ -85,7 +85,7 @@ pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference
         of_meeting(
             scatterer,
             plan,
-            &Meeting::of(scatterer, order, &alone),
+            &OrderJoints::of(scatterer, order, &alone),
             bracket_of(alone.nodes),
             &fineness,
         )
@@ -114,7 +114,7 @@ impl<'a> Fineness<'a> {
 pub(crate) fn of_meeting(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
-    meeting: &Meeting,
+    meeting: &OrderJoints,
     bracket: Bracket,
     fineness: &Fineness<'_>,
 ) -> Vec<Complex64> {
@@ -233,7 +233,11 @@ impl FrameError {
 }
 
 /// [`GivenUp::beams`], as much of the mirrors that were not followed as their likes scatter.
-pub(crate) fn dropped_sections(scatterer: &Scatterer<'_>, plan: &Plan<'_>, meetings: &[Meeting]) -> [f64; 2] {
+pub(crate) fn dropped_sections(
+    scatterer: &Scatterer<'_>,
+    plan: &Plan<'_>,
+    meetings: &[OrderJoints],
+) -> [f64; 2] {
     let distances_m2 =
         scatterer.world.facets().iter().map(|f| f.corners_m[0].distance_squared(plan.position_m));
     let nearest_m2 = distances_m2.fold(f64::INFINITY, f64::min);

@@ -7,7 +7,7 @@
 use crate::frame::frame_error::{Fineness, MARGIN, mean, mean_difference, of_meeting, total};
 use crate::frame::path_plan::Plan;
 use crate::joins::scatterer::{Scatterer, bracket_of};
-use crate::table::meeting::Meeting;
+use crate::table::meeting::OrderJoints;
 use num_complex::Complex64;
 
 /// Accuracies that were found, with the error that they leave.
@@ -30,7 +30,7 @@ const FINER_MOST: usize = 3;
 pub(crate) fn integration_error(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
-    meetings: &[Meeting],
+    meetings: &[OrderJoints],
 ) -> IntegrationError {
     let asked = plan.header.fidelity.accuracy.amplitude();
     let count = plan.header.targets.len();
@@ -63,13 +63,13 @@ impl OfBody {
     fn at(
         scatterer: &Scatterer<'_>,
         plan: &Plan<'_>,
-        meetings: &[Meeting],
+        meetings: &[OrderJoints],
         body: usize,
         accuracy: f64,
     ) -> Self {
         let wavenumbers_per_m = &plan.band.wavenumbers_per_m();
         let bracket = bracket_of(plan.header.fidelity.nodes);
-        let own: Vec<Meeting> = meetings.iter().map(|meeting| meeting.on_body(scatterer, body)).collect();
+        let own: Vec<OrderJoints> = meetings.iter().map(|meeting| meeting.on_body(scatterer, body)).collect();
         let of = |accuracy: f64| {
             let fineness = Fineness { wavenumbers_per_m, accuracy };
             let orders = own.iter().map(|meeting| of_meeting(scatterer, plan, meeting, bracket, &fineness));

@@ -78,7 +78,7 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
         let table =
             Fit::new(&snapshot.scatterer(plan, Phase::Integrating), plan, &points, &reference).table()?;
         let bent = (header.fidelity.surface == Surface::Smooth).then(|| snapshot.world.skin_error());
-        (Seen::of(&snapshot, plan), table, bent, !snapshot.world.facets().is_empty())
+        (FrameFindings::of(&snapshot, plan), table, bent, !snapshot.world.facets().is_empty())
     };
     let table = split(scenery, table, &points, &reference)?;
     let measured = Measured {
@@ -101,7 +101,7 @@ fn traced_like(
     let (seen, kept) = {
         let snapshot = scenery.at(plan.middle_s, plan.position_m)?;
         (
-            Seen::of(&snapshot, plan),
+            FrameFindings::of(&snapshot, plan),
             paths_as_fine(&snapshot.scatterer(plan, Phase::Integrating), plan, fineness)?,
         )
     };
@@ -130,14 +130,14 @@ struct Measured {
 }
 
 /// Findings about the bodies and beams at the frame's middle.
-struct Seen {
+struct FrameFindings {
     nearest_range_m: Vec<Option<f64>>,
     triangles: u64,
     beams: Vec<u64>,
     bytes: u64,
 }
 
-impl Seen {
+impl FrameFindings {
     fn of(snapshot: &Snapshot, plan: &Plan<'_>) -> Self {
         let Snapshot { world, tree, .. } = snapshot;
         Self {
@@ -152,7 +152,7 @@ impl Seen {
 fn paths_frame(
     plan: &Plan<'_>,
     frame: &SceneFrame,
-    seen: Seen,
+    seen: FrameFindings,
     paths: Vec<Path>,
     measured: Measured,
 ) -> PathsFrame {

@@ -18,7 +18,7 @@ use std::f64::consts::TAU;
 pub(crate) struct Plan<'a> {
     pub(crate) header: &'a SceneHeader,
     pub(crate) position_m: DVec3,
-    pub(crate) band: Band,
+    pub(crate) band: SampledBand,
     pub(crate) trace: TraceSettings,
     /// Times after the frame's first sample at which paths are traced, and at which they are checked.
     pub(crate) middle_s: f64,
@@ -31,7 +31,7 @@ pub(crate) struct Plan<'a> {
 
 impl<'a> Plan<'a> {
     pub(crate) fn of(header: &'a SceneHeader, progress: &'a dyn Progress) -> Self {
-        let band = Band::of(&header.radar.waveform);
+        let band = SampledBand::of(&header.radar.waveform);
         let middle_s = header.radar.frame_middle_s();
         let fidelity = &header.fidelity;
         // Slivers below λ²/100·accuracy are dropped (physics.md §2), mirrors below a hundred times that are
@@ -105,14 +105,14 @@ fn checked_from_m(radar: &Radar) -> DVec3 {
 }
 
 /// Sampled sweep: amplitudes are taken at the Chebyshev points of its band, where a straight line errs least.
-pub(crate) struct Band {
+pub(crate) struct SampledBand {
     pub(crate) centre_hz: f64,
     pub(crate) bandwidth_hz: f64,
     /// Offset from the centre to the outer points.
     offset_hz: f64,
 }
 
-impl Band {
+impl SampledBand {
     pub(crate) fn of(waveform: &Waveform) -> Self {
         let half_hz = 0.5 * waveform.bandwidth_hz().abs();
         Self {

@@ -7,12 +7,12 @@ use crate::frame::cells::edge_cells::edge_cells;
 use crate::frame::cells::path_cells::{BYTES_PER_CELL, Cell, CellSettings, cells, gathered};
 use crate::frame::frame_error::{FrameError, GivenUp, Reference, dropped_sections};
 use crate::frame::integration_error::{IntegrationError, integration_error};
-use crate::frame::path_plan::{Band, Plan};
+use crate::frame::path_plan::{Plan, SampledBand};
 use crate::frame::path_pruning::{Kept, pruned};
 use crate::geometry::antenna::Antenna;
 use crate::joins::scatterer::{Scatterer, bracket_of};
 use crate::oversight::error::BartError;
-use crate::table::meeting::Meeting;
+use crate::table::meeting::OrderJoints;
 use artifact::paths::{Curve, Fineness, IntegralFineness, Path};
 use artifact::scene::{SceneHeader, Target};
 use artifact::units::SPEED_OF_LIGHT_MPS;
@@ -39,7 +39,7 @@ pub(crate) fn paths_as_fine(
     fineness: &Fineness,
 ) -> Result<Kept, BartError> {
     let cell_m = fineness.cell_m.min(largest_cell_of_world_m(plan, scatterer.world));
-    Parts::of(scatterer, plan).paths(cell_m, &accuracy_of_body(plan, fineness))
+    BodyParts::of(scatterer, plan).paths(cell_m, &accuracy_of_body(plan, fineness))
 }
 
 /// Paths of some ways as they are at another moment of the frame, nothing dropped.
@@ -51,7 +51,7 @@ pub(crate) fn paths_along(
     seconds: f64,
 ) -> Result<Vec<Path>, BartError> {
     let cell_m = fineness.cell_m.min(largest_cell_of_world_m(plan, scatterer.world));
-    Parts::along(scatterer, plan, ways).found(cell_m, &accuracy_of_body(plan, fineness), seconds)
+    BodyParts::along(scatterer, plan, ways).found(cell_m, &accuracy_of_body(plan, fineness), seconds)
 }
 
 /// Accuracy of each body; one that was not there yet is taken as finely as the finest.
@@ -67,16 +67,16 @@ fn accuracy_of_body(plan: &Plan<'_>, fineness: &Fineness) -> Vec<f64> {
 }
 
 /// Parts of bodies that paths are cut from.
-struct Parts<'a> {
+struct BodyParts<'a> {
     scatterer: &'a Scatterer<'a>,
     plan: &'a Plan<'a>,
     /// Meetings by order from 1.
-    meetings: Vec<Meeting>,
+    meetings: Vec<OrderJoints>,
 }
 
-impl<'a> Parts<'a> {
+impl<'a> BodyParts<'a> {
     fn of(scatterer: &'a Scatterer<'a>, plan: &'a Plan<'a>) -> Self {
-        let of_order = |order: u8| Meeting::of(scatterer, order, &plan.meetings());
+        let of_order = |order: u8| OrderJoints::of(scatterer, order, &plan.meetings());
         Self { scatterer, plan, meetings: (1..=plan.header.fidelity.bounces).map(of_order).collect() }
     }
 
@@ -84,7 +84,7 @@ impl<'a> Parts<'a> {
     fn along(scatterer: &'a Scatterer<'a>, plan: &'a Plan<'a>, ways: Option<&BodyWays>) -> Self {
         let Some(ways) = ways else { return Self::of(scatterer, plan) };
         let orders = (1..=plan.header.fidelity.bounces).filter(|order| ways.have_order(*order));
-        let of_order = |order: u8| Meeting::of(scatterer, order, &plan.meetings()).along(scatterer, ways);
+        let of_order = |order: u8| OrderJoints::of(scatterer, order, &plan.meetings()).along(scatterer, ways);
         Self { scatterer, plan, meetings: orders.map(of_order).collect() }
     }
 
@@ -116,7 +116,7 @@ impl<'a> Parts<'a> {
         Ok(paths)
     }
 
-    fn of_order(&self, meeting: &Meeting, settings: &CellSettings<'_>) -> Result<Vec<Cell>, BartError> {
+    fn of_order(&self, meeting: &OrderJoints, settings: &CellSettings<'_>) -> Result<Vec<Cell>, BartError> {
         let mut found = cells(self.scatterer, &meeting.facets, settings);
         found.extend(edge_cells(self.scatterer, &meeting.edges, settings));
         settings.room.check()?;
@@ -126,7 +126,7 @@ impl<'a> Parts<'a> {
 
 /// Start of every attempt at a table.
 pub(crate) struct Fit<'a> {
-    parts: Parts<'a>,
+    parts: BodyParts<'a>,
     /// Paths of point targets: exact, and part of the frame.
     points: &'a [Path],
     reference: &'a Reference,
@@ -141,7 +141,7 @@ impl<'a> Fit<'a> {
         points: &'a [Path],
         reference: &'a Reference,
     ) -> Self {
-        let parts = Parts::of(scatterer, plan);
+        let parts = BodyParts::of(scatterer, plan);
         let integration = integration_error(scatterer, plan, &parts.meetings);
         let beams_given_up = dropped_sections(scatterer, plan, &parts.meetings);
         Self { parts, points, reference, integration, beams_given_up }
@@ -151,7 +151,7 @@ impl<'a> Fit<'a> {
     /// attempts.
     pub(crate) fn table(&self) -> Result<PathTable, BartError> {
         const ATTEMPTS: usize = 4;
-        let Parts { scatterer, plan, .. } = self.parts;
+        let BodyParts { scatterer, plan, .. } = self.parts;
         let asked = plan.header.fidelity.accuracy.amplitude();
         let smallest_m = plan.band.wavelength_m();
         let mut size_m = largest_cell_of_world_m(plan, scatterer.world);
@@ -235,7 +235,7 @@ fn velocity_quantum_mps(header: &SceneHeader) -> f64 {
 }
 
 /// Path of a cell that is as it is some `seconds` after the frame's first sample.
-fn path_of(cell: &Cell, band: &Band, seconds: f64) -> Path {
+fn path_of(cell: &Cell, band: &SampledBand, seconds: f64) -> Path {
     let (amplitude_m, slope_m_per_hz) = band.line(&cell.amplitudes_m);
     let at_first_sample = [0, 1].map(|end| cell.motion[end].after(cell.apparent_m[end], -seconds));
     let [(tx_m, tx_mps), (rx_m, rx_mps)] =

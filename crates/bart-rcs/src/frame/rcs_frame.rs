@@ -15,7 +15,7 @@ use crate::oversight::error::BartError;
 use crate::oversight::progress::{Phase, Progress, Unheard};
 use crate::table::amplitude_ratio::ratio;
 use crate::table::far_field_error::Compared;
-use crate::table::meeting::{Meeting, MeetingSettings};
+use crate::table::meeting::{MeetingSettings, OrderJoints};
 use crate::table::rcs_table::next_order;
 use artifact::rcs::{RcsFrame, RcsTable};
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, TargetKind};
@@ -51,7 +51,7 @@ pub(crate) fn rcs_frame(
                 let missing = || BartError::MeshOutOfRange { target: target.id.clone(), mesh, meshes };
                 let mesh = header.meshes.get(mesh as usize).ok_or_else(missing)?;
                 let world = World::alone(models, target, mesh.makeup.transmission)?;
-                let body = Body::new(header, mesh, world, pose);
+                let body = TabledBody::new(header, mesh, world, pose);
                 let (of_body, table) = body.measured_table(index)?;
                 powers.add(&of_body);
                 table
@@ -74,7 +74,7 @@ const ELEVATIONS_MAX: usize = 5;
 const FREQUENCIES_MAX: usize = 256;
 
 /// A body in its own frame and the aspects it shows the radar during the frame.
-struct Body<'a> {
+struct TabledBody<'a> {
     header: &'a SceneHeader,
     pose: &'a Pose,
     world: World,
@@ -94,7 +94,7 @@ struct Powers {
     spherical: f64,
 }
 
-impl<'a> Body<'a> {
+impl<'a> TabledBody<'a> {
     fn new(header: &'a SceneHeader, mesh: &Mesh, world: World, pose: &'a Pose) -> Self {
         let radius_m = mesh.vertices_m.iter().map(|v| DVec3::from_array(*v).length()).fold(0.0, f64::max);
         Self { header, pose, world, radius_m }
@@ -116,7 +116,7 @@ impl<'a> Body<'a> {
             * (DVec3::from_array(self.header.radar.position_m) - origin)
     }
 
-    fn table(&self, target: u32, scatterer: &Scatterer<'_>, meetings: &[Meeting]) -> RcsTable {
+    fn table(&self, target: u32, scatterer: &Scatterer<'_>, meetings: &[OrderJoints]) -> RcsTable {
         let [first, last] = [0.0, self.header.radar.frame_duration_s()].map(|t| angles(self.to_radar_m(t)));
         let elevation_rad = self.angle_axis(first[0], last[0], ELEVATIONS_MAX);
         let azimuth_rad = self.angle_axis(first[1], nearest_turn(last[1], first[1]), AZIMUTHS_MAX);
@@ -139,7 +139,7 @@ impl<'a> Body<'a> {
     }
 
     /// Powers that the errors of the table are told from, at a few frequencies.
-    fn powers(&self, scatterer: &Scatterer<'_>, meetings: &[Meeting]) -> Result<Powers, BartError> {
+    fn powers(&self, scatterer: &Scatterer<'_>, meetings: &[OrderJoints]) -> Result<Powers, BartError> {
         const FREQUENCIES: usize = 12;
         let waveform = &self.header.radar.waveform;
         let (centre_hz, bandwidth_hz) = (waveform.centre_frequency_hz(), waveform.bandwidth_hz());
@@ -199,13 +199,13 @@ impl<'a> Body<'a> {
         Scatterer::new(&self.world, Trees::Shared(tree), ZenithH { transmit: h, receive: h })
     }
 
-    fn meetings(&self, scatterer: &Scatterer<'_>) -> Vec<Meeting> {
+    fn meetings(&self, scatterer: &Scatterer<'_>) -> Vec<OrderJoints> {
         let least_area_m2 = self.trace_settings().least_area_m2;
         let fidelity = &self.header.fidelity;
         let wavenumber_per_m = TAU / self.header.radar.waveform.wavelength_m();
         let settings =
             MeetingSettings { nodes: fidelity.nodes, edges: fidelity.edges, least_area_m2, wavenumber_per_m };
-        (1..=fidelity.bounces).map(|order| Meeting::of(scatterer, order, &settings)).collect()
+        (1..=fidelity.bounces).map(|order| OrderJoints::of(scatterer, order, &settings)).collect()
     }
 
     fn integration<'b>(&self, wavenumbers_per_m: &'b [f64]) -> Integration<'b> {
@@ -217,7 +217,12 @@ impl<'a> Body<'a> {
         }
     }
 
-    fn sums(&self, scatterer: &Scatterer<'_>, meetings: &[Meeting], wavenumbers: &[f64]) -> Vec<Complex64> {
+    fn sums(
+        &self,
+        scatterer: &Scatterer<'_>,
+        meetings: &[OrderJoints],
+        wavenumbers: &[f64],
+    ) -> Vec<Complex64> {
         total(&self.by_order(scatterer, meetings, wavenumbers), wavenumbers.len())
     }
 
@@ -225,12 +230,13 @@ impl<'a> Body<'a> {
     fn by_order(
         &self,
         scatterer: &Scatterer<'_>,
-        meetings: &[Meeting],
+        meetings: &[OrderJoints],
         wavenumbers: &[f64],
     ) -> Vec<Vec<Complex64>> {
         let integration = self.integration(wavenumbers);
         let (p, q) = self.header.radar.array.polarization.indices();
-        let of = |m: &Meeting| m.sum(scatterer, DVec3::ZERO, &integration).iter().map(|s| s[p][q]).collect();
+        let of =
+            |m: &OrderJoints| m.sum(scatterer, DVec3::ZERO, &integration).iter().map(|s| s[p][q]).collect();
         meetings.iter().map(of).collect()
     }
 

@@ -6,7 +6,7 @@
 //! themselves.
 
 use crate::geometry::plane::Plane;
-use crate::geometry::sweep::{SlabTest, Sweep};
+use crate::geometry::sweep::{BeamSweep, SlabTest};
 use glam::{DVec3, Vec3A, Vec4};
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
@@ -17,7 +17,7 @@ use std::time::Duration;
 /// Hierarchy over the triangles of a mesh, body frame.
 pub(crate) struct Hierarchy {
     /// The first is the root; none over no triangles.
-    nodes: Vec<Node>,
+    nodes: Vec<BvhNode>,
     /// Middle of all boxes: coordinates of single precision count from here, so that a far body loses none.
     middle_m: DVec3,
     /// Reach |x| + |y| + |z| of the farthest corner from there, m.
@@ -26,7 +26,7 @@ pub(crate) struct Hierarchy {
 
 /// Up to four boxes, coordinate by coordinate: one instruction looks at all.
 #[derive(Clone, Copy)]
-struct Node {
+struct BvhNode {
     /// Low x, y, z, high x, y, z.
     bounds: [Vec4; 6],
     /// Child in each box: a node, a triangle, or nothing.
@@ -75,7 +75,7 @@ impl Hierarchy {
     pub(crate) fn inside(
         &self,
         planes: &[Plane],
-        sweep: Option<&Sweep>,
+        sweep: Option<&BeamSweep>,
         nearer: DVec3,
         stack: &mut Stack,
         mut visit: impl FnMut(u32) -> ControlFlow<()>,
@@ -99,7 +99,7 @@ impl Hierarchy {
 
     /// Bytes held, about.
     pub(crate) fn bytes(&self) -> usize {
-        self.nodes.len() * size_of::<Node>()
+        self.nodes.len() * size_of::<BvhNode>()
     }
 
     /// The plane about the middle, moved back by the rounding of single precision: of the normal, three
@@ -116,7 +116,7 @@ impl Hierarchy {
     }
 }
 
-impl Node {
+impl BvhNode {
     /// Appends the children that reach the positive side of every plane and the sweep, the nearest last.
     #[inline]
     fn open(&self, tests: &[Test], slabs: Option<&SlabTest>, nearer: &[Vec4; 3], open: &mut Vec<Child>) {
@@ -154,14 +154,14 @@ impl Node {
 
 /// Takes two levels of a binary hierarchy as one: of the boxes of a node the largest are opened until there
 /// are four.
-fn wide(binary: &Bvh2) -> Vec<Node> {
-    let mut nodes = vec![Node::of(binary, 0)];
+fn wide(binary: &Bvh2) -> Vec<BvhNode> {
+    let mut nodes = vec![BvhNode::of(binary, 0)];
     let mut done = 0;
     while done < nodes.len() {
         for lane in 0..4 {
             if let Child::Node(index) = nodes[done].children[lane] {
                 nodes[done].children[lane] = Child::Node(nodes.len() as u32);
-                nodes.push(Node::of(binary, index as usize));
+                nodes.push(BvhNode::of(binary, index as usize));
             }
         }
         done += 1;
@@ -169,7 +169,7 @@ fn wide(binary: &Bvh2) -> Vec<Node> {
     nodes
 }
 
-impl Node {
+impl BvhNode {
     /// Node from that of a binary hierarchy; children that are nodes still count there.
     fn of(binary: &Bvh2, index: usize) -> Self {
         let is_leaf = |i: usize| binary.nodes[i].is_leaf();

@@ -10,7 +10,7 @@ use glam::{DMat3, DVec3, Vec4};
 
 /// The points x + s·d, s ≥ 0, with x and d in boxes.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Sweep {
+pub(crate) struct BeamSweep {
     /// Low and high corner of the box of starts.
     starts_m: [DVec3; 2],
     /// Low and high corner of the box of directions, about of length 1.
@@ -33,7 +33,7 @@ struct Slab {
     inverse: Vec4,
 }
 
-impl Sweep {
+impl BeamSweep {
     /// Sweep of a wave from `antenna` behind an opening (convex; world), in a body's frame, widened by
     /// `slack_m`.
     pub(crate) fn behind(
@@ -141,7 +141,7 @@ mod tests {
             };
             let frame = DMat3::from_rotation_z(0.1 * i as f64);
             let (position_m, middle_m) = (DVec3::new(3.0, -2.0, 0.5), DVec3::new(0.1, 0.2, 0.3));
-            let slabs = Sweep::behind(&opening, antenna, &frame, position_m, 1e-12).slabs(middle_m, 20.0);
+            let slabs = BeamSweep::behind(&opening, antenna, &frame, position_m, 1e-12).slabs(middle_m, 20.0);
             let corner = opening[0].lerp(opening[1], 0.3).lerp(opening[2], 0.4);
             let way = -antenna.towards(corner) / antenna.towards(corner).length();
             // About points of the beam, and about points beside it.

@@ -142,7 +142,7 @@ pub(crate) fn second_moments(phases: [f64; 3], turns: [Complex64; 3]) -> [Comple
 
 /// Second moments by recursion from the pairs of neighbours; sorted phases.
 fn far([a, b, c]: [f64; 3], [ea, eb, ec]: [Complex64; 3]) -> [Complex64; 6] {
-    let [ab, bc] = [Pair::of((a, ea), (b, eb)), Pair::of((b, eb), (c, ec))];
+    let [ab, bc] = [PhasePair::of((a, ea), (b, eb)), PhasePair::of((b, eb), (c, ec))];
     let per_span = 1.0 / (c - a);
     let step = |without_low: Complex64, without_high: Complex64| over_j(without_low - without_high, per_span);
     let d111 = step(bc.d11, ab.d11);
@@ -154,7 +154,7 @@ fn far([a, b, c]: [f64; 3], [ea, eb, ec]: [Complex64; 3]) -> [Complex64; 6] {
 }
 
 /// Divided differences at two phases, named by how often each is taken.
-struct Pair {
+struct PhasePair {
     d11: Complex64,
     d12: Complex64,
     d21: Complex64,
@@ -163,7 +163,7 @@ struct Pair {
     d22: Complex64,
 }
 
-impl Pair {
+impl PhasePair {
     /// Pair of phases with their exponentials, ascending.
     fn of((low, at_low): (f64, Complex64), (high, at_high): (f64, Complex64)) -> Self {
         if high - low < SERIES_SPAN {

@@ -8,7 +8,6 @@
 //! ```
 //! A conductor, e + e_r = 2n(n·e), gives the other bracket back.
 
-use crate::geometry::complex_vector::ComplexVector;
 use crate::integral::chebyshev::{self, Chebyshev, middle_and_half};
 use crate::integral::field::{Field, SurfacePoint};
 use crate::integral::node::{Bracket, Leg};
@@ -17,6 +16,7 @@ use crate::materials::surface_response::{phase_length_m, reflected_fields, refle
 use artifact::material::Material;
 use glam::{DVec2, DVec3};
 use num_complex::Complex64;
+use radar::complex_vector::ComplexVector;
 
 /// Weights [vv, vh, hv, hh], receiver first.
 type Weights = [Complex64; 4];

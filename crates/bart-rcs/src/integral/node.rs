@@ -1,12 +1,12 @@
 //! The node of a path: a lit polygon with the legs of both its ends.
 
 use crate::geometry::antenna::Antenna;
-use crate::geometry::complex_vector::ComplexVector;
 use crate::integral::polarization::{Mirrors, polarization_vectors};
 use crate::integral::steps::Steps;
 use crate::surface::bend::Bend;
 use artifact::material::Material;
 use glam::DVec3;
+use radar::complex_vector::ComplexVector;
 
 /// A value and a bound of its error, in the value's unit.
 #[derive(Debug, Clone, PartialEq)]

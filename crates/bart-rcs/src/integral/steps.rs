@@ -4,13 +4,13 @@
 use crate::bodies::road::crossing;
 use crate::bodies::road_mirror::below;
 use crate::bodies::world::World;
-use crate::geometry::complex_vector::ComplexVector;
-use crate::materials::reflection_coefficients::Pair;
+use crate::materials::reflection_coefficients::PolarizationPair;
 use crate::materials::surface_response::{
     phase_length_m, reflected_fields, reflection, steepness, transmission, transmitted_fields,
 };
 use artifact::material::{Material, Road};
 use glam::{DMat3, DVec3};
+use radar::complex_vector::ComplexVector;
 use std::sync::Arc;
 
 /// The surfaces between an antenna and a node, the antenna's first.
@@ -148,7 +148,7 @@ impl Step {
     }
 
     /// Coefficients of the surface; `None` of a turn.
-    fn coefficients(&self, travel: DVec3, wavenumber_per_m: f64) -> Option<Pair> {
+    fn coefficients(&self, travel: DVec3, wavenumber_per_m: f64) -> Option<PolarizationPair> {
         let cosine = self.normal.dot(travel).abs();
         match self.event {
             Event::Reflected => Some(reflection(&self.material, cosine, wavenumber_per_m)),

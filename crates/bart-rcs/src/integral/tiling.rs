@@ -99,7 +99,7 @@ fn subdivide(
     let centre_m = centroid_m(&corners_m);
     let along = field.along(corners_m.iter().map(|c| *c - centre_m));
     let smooth = Smoothness::about(field, centre_m, reach_m(&corners_m, centre_m), along, wavenumber_per_m);
-    let error = smooth.error_of_constant(&Moments::about(centre_m, &corners_m));
+    let error = smooth.error_of_constant(&SecondMoment::about(centre_m, &corners_m));
     if error <= of_whole {
         return give(&Tile::Whole { corners_m: &corners_m, centre_m }, error);
     }
@@ -208,7 +208,7 @@ impl Smoothness {
     /// Mean of |g − g(centre)| for g = weight·e^{jψ}, ψ the phase beyond its tangent plane at the centre: the
     /// mean of the distance from there is at most the root of its mean square, a half or a third of the
     /// reach.
-    fn error_of_constant(&self, moments: &Moments) -> f64 {
+    fn error_of_constant(&self, moments: &SecondMoment) -> f64 {
         let mean_square_m2 = moments.mean_square_m2();
         let phase = 0.5 * moments.mean_of(self.hessian) + self.third * self.reach_m / 6.0 * mean_square_m2;
         let bent = 0.5 * self.bent_phase[0] + self.bent_weight[0];
@@ -259,9 +259,9 @@ const UNBOUNDED: f64 = 1e100;
 const SIX_POINT_REMAINDER: f64 = 0.025;
 
 /// Mean of x xᵀ over a polygon about a centre, m².
-struct Moments(DMat2);
+struct SecondMoment(DMat2);
 
-impl Moments {
+impl SecondMoment {
     /// Moments of each triangle about the centre, (a aᵀ + b bᵀ + (a bᵀ + b aᵀ)/2)/6; where there is no
     /// area, as far as the corners reach.
     fn about(centre_m: DVec2, corners_m: &[DVec2]) -> Self {

@@ -34,7 +34,7 @@ pub(crate) enum Kind {
 }
 
 /// Sums by group, in the order of the groups.
-pub(crate) type Groups = BTreeMap<Place, Vec<Amplitude>>;
+pub(crate) type Groups = BTreeMap<GroupOfShare, Vec<Amplitude>>;
 
 /// Points of the classes. At finite range tiles are a few centimetres long and need less than ten; a plane
 /// wave takes the side of a lorry as one. What turns farther than the last class allows is integrated at
@@ -59,7 +59,7 @@ struct Class {
 
 /// The group of a share.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Place {
+pub(crate) struct GroupOfShare {
     class: usize,
     /// Bin of its length, in units of the class's reach.
     bin: i64,
@@ -109,7 +109,14 @@ impl<'a> Band<'a> {
     }
 
     /// Adds a group to one of a wider class.
-    fn gather(&self, class: &Class, place: Place, wider: usize, samples: &[Amplitude], groups: &mut Groups) {
+    fn gather(
+        &self,
+        class: &Class,
+        place: GroupOfShare,
+        wider: usize,
+        samples: &[Amplitude],
+        groups: &mut Groups,
+    ) {
         let length_m = self.length_m(place);
         let into = self.place(wider, length_m);
         let turned_m = length_m - self.length_m(into);
@@ -118,21 +125,21 @@ impl<'a> Band<'a> {
         add_to_group(groups, into, share);
     }
 
-    fn at_all(&self, class: &Class, place: Place, samples: &[Amplitude]) -> Vec<Amplitude> {
+    fn at_all(&self, class: &Class, place: GroupOfShare, samples: &[Amplitude]) -> Vec<Amplitude> {
         let length_m = self.length_m(place);
         let at = class.shares.iter().zip(self.wavenumbers_per_m);
         at.map(|(shares, k)| turned(&interpolated(shares, samples), -k * length_m)).collect()
     }
 
-    fn place(&self, class: usize, length_m: f64) -> Place {
-        Place { class, bin: (length_m / self.classes[class].reach_m).round() as i64 }
+    fn place(&self, class: usize, length_m: f64) -> GroupOfShare {
+        GroupOfShare { class, bin: (length_m / self.classes[class].reach_m).round() as i64 }
     }
 
-    fn behind(&self) -> Place {
-        Place { class: self.classes.len(), bin: 0 }
+    fn behind(&self) -> GroupOfShare {
+        GroupOfShare { class: self.classes.len(), bin: 0 }
     }
 
-    fn length_m(&self, place: Place) -> f64 {
+    fn length_m(&self, place: GroupOfShare) -> f64 {
         self.classes.get(place.class).map_or(0.0, |class| place.bin as f64 * class.reach_m)
     }
 }
@@ -186,7 +193,7 @@ fn turned(a: &Amplitude, phase_rad: f64) -> Amplitude {
     a.map(|row| row.map(|x| x * factor))
 }
 
-fn add_to_group(groups: &mut Groups, place: Place, share: Vec<Amplitude>) {
+fn add_to_group(groups: &mut Groups, place: GroupOfShare, share: Vec<Amplitude>) {
     match groups.entry(place) {
         Entry::Vacant(empty) => _ = empty.insert(share),
         Entry::Occupied(mut sum) => add(sum.get_mut(), &share),

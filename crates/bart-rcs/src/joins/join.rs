@@ -80,12 +80,12 @@ pub(crate) fn tree_order(bounces: u8, rule: NodeRule) -> u8 {
 struct Meeting {
     orders: [u8; 2],
     weight: f64,
-    pairs: Pairs,
+    pairs: BeamPairs,
 }
 
 /// Pairs of beams on a facet that are joined.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Pairs {
+enum BeamPairs {
     /// All pairs; each for itself.
     Ordered,
     /// All pairs; each with its reverse.
@@ -96,42 +96,44 @@ enum Pairs {
 
 fn meetings(trees: Trees<'_>, order: u8, rule: NodeRule) -> Vec<Meeting> {
     let half = order / 2;
-    let place = if matches!(trees, Trees::Apart(..)) { Place::Apart } else { Place::Shared };
-    let with = |orders: [u8; 2], pairs: Pairs| Meeting { orders, weight: 1.0, pairs };
+    let place = if matches!(trees, Trees::Apart(..)) { EndPlaces::Apart } else { EndPlaces::Shared };
+    let with = |orders: [u8; 2], pairs: BeamPairs| Meeting { orders, weight: 1.0, pairs };
     match (rule, order % 2, place) {
-        (NodeRule::OwnEdge, _, Place::Apart) => {
-            (1..=order).map(|m| with([m, order + 1 - m], Pairs::Ordered)).collect()
+        (NodeRule::OwnEdge, _, EndPlaces::Apart) => {
+            (1..=order).map(|m| with([m, order + 1 - m], BeamPairs::Ordered)).collect()
         }
-        (NodeRule::OwnEdge, _, Place::Shared) if order != 1 => (order.div_ceil(2)..=order)
+        (NodeRule::OwnEdge, _, EndPlaces::Shared) if order != 1 => (order.div_ceil(2)..=order)
             .filter(|m| 2 * m > order)
             .map(|m| {
                 with(
                     [m, order + 1 - m],
-                    if 2 * m == order + 1 { Pairs::Unordered } else { Pairs::WithReverse },
+                    if 2 * m == order + 1 { BeamPairs::Unordered } else { BeamPairs::WithReverse },
                 )
             })
             .collect(),
         // Its bracket is not reciprocal: by a road not even one bounce has the transposed amplitude
         // backwards.
         (NodeRule::Exit, ..) if order != 1 || matches!(trees, Trees::ByRoad(..)) => {
-            vec![Meeting { orders: [order, 1], weight: 1.0, pairs: Pairs::Ordered }]
+            vec![Meeting { orders: [order, 1], weight: 1.0, pairs: BeamPairs::Ordered }]
         }
-        (_, 1, Place::Shared) => {
-            vec![Meeting { orders: [half + 1; 2], weight: 1.0, pairs: Pairs::Unordered }]
+        (_, 1, EndPlaces::Shared) => {
+            vec![Meeting { orders: [half + 1; 2], weight: 1.0, pairs: BeamPairs::Unordered }]
         }
-        (_, 1, Place::Apart) => vec![Meeting { orders: [half + 1; 2], weight: 1.0, pairs: Pairs::Ordered }],
-        (_, _, Place::Shared) => {
-            vec![Meeting { orders: [half + 1, half], weight: 0.5, pairs: Pairs::WithReverse }]
+        (_, 1, EndPlaces::Apart) => {
+            vec![Meeting { orders: [half + 1; 2], weight: 1.0, pairs: BeamPairs::Ordered }]
         }
-        (_, _, Place::Apart) => [[half + 1, half], [half, half + 1]]
-            .map(|orders| Meeting { orders, weight: 0.5, pairs: Pairs::Ordered })
+        (_, _, EndPlaces::Shared) => {
+            vec![Meeting { orders: [half + 1, half], weight: 0.5, pairs: BeamPairs::WithReverse }]
+        }
+        (_, _, EndPlaces::Apart) => [[half + 1, half], [half, half + 1]]
+            .map(|orders| Meeting { orders, weight: 0.5, pairs: BeamPairs::Ordered })
             .into(),
     }
 }
 
 /// Whether both ends stand at one place.
 #[derive(Clone, Copy)]
-enum Place {
+enum EndPlaces {
     Shared,
     Apart,
 }
@@ -180,7 +182,8 @@ fn on_one_facet(
     limits: Limits,
 ) -> Joints {
     let mut joints = Joints::default();
-    if meeting.orders == [1, 1] && meeting.pairs == Pairs::Unordered && matches!(trees, Trees::Shared(_)) {
+    if meeting.orders == [1, 1] && meeting.pairs == BeamPairs::Unordered && matches!(trees, Trees::Shared(_))
+    {
         for &(_, beam) in beams[0] {
             joints.push(
                 (beam, beam),
@@ -198,10 +201,10 @@ fn on_one_facet(
     for (i, j) in overlapping(&forward, &backward) {
         let (left, right) = (&forward[i], &backward[j]);
         let reverse = match meeting.pairs {
-            Pairs::Unordered if left.beam > trees.twin(right.beam) => continue,
-            Pairs::Unordered if left.beam == trees.twin(right.beam) => Reverse::Apart,
-            Pairs::Unordered | Pairs::WithReverse => Reverse::Included,
-            Pairs::Ordered => Reverse::Apart,
+            BeamPairs::Unordered if left.beam > trees.twin(right.beam) => continue,
+            BeamPairs::Unordered if left.beam == trees.twin(right.beam) => Reverse::Apart,
+            BeamPairs::Unordered | BeamPairs::WithReverse => Reverse::Included,
+            BeamPairs::Ordered => Reverse::Apart,
         };
         let part = intersection(&left.corners_m, &right.corners_m);
         let area = area_m2(&part);

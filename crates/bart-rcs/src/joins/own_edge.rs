@@ -32,21 +32,21 @@ const BY_ROAD: u32 = 1 << 31;
 
 /// Sizes of one node of a sequence, all its pieces together.
 #[derive(Debug, Clone, Copy, Default)]
-struct Node {
+struct SequenceNode {
     outline: Outline,
     /// Area across the wave, mean of both legs, m².
     across_m2: f64,
 }
 
-type Nodes = [Node; MAX_ORDER];
+type Nodes = [SequenceNode; MAX_ORDER];
 
 /// Sets the weights of all joints of one order, of which `outlines` are in the joints' order.
 pub(crate) fn weigh(world: &World, trees: Trees<'_>, order: u8, joints: &mut Joints, outlines: &[Outline]) {
     let count = usize::from(order);
     let placed = joints.list.par_iter().map(|joint| place(world, trees, joint, joints.polygon(joint)));
-    let placed: Vec<Placed> = placed.collect();
+    let placed: Vec<PlacedJoint> = placed.collect();
     let nodes_of = gathered(world, count, &joints.list, &placed, outlines);
-    let weight = |Placed { sequence, node, .. }: &Placed| {
+    let weight = |PlacedJoint { sequence, node, .. }: &PlacedJoint| {
         let curvatures = sequence[..count].iter().map(|patch| world.curvature_per_m(*patch & !BY_ROAD));
         curved_weight(curvatures, *node)
             .or_else(|| nodes_of.get(sequence).map(|nodes| flat_weight(&nodes[..count], *node)))
@@ -61,11 +61,13 @@ fn gathered(
     world: &World,
     count: usize,
     joints: &[Joint],
-    placed: &[Placed],
+    placed: &[PlacedJoint],
     outlines: &[Outline],
 ) -> HashMap<Sequence, Nodes> {
     let mut nodes_of: HashMap<Sequence, Nodes> = HashMap::with_capacity(joints.len());
-    for ((joint, &Placed { sequence, node, across_m2 }), outline) in joints.iter().zip(placed).zip(outlines) {
+    for ((joint, &PlacedJoint { sequence, node, across_m2 }), outline) in
+        joints.iter().zip(placed).zip(outlines)
+    {
         let mut take = |sequence: Sequence, node: usize| {
             let node = &mut nodes_of.entry(sequence).or_default()[node];
             node.outline.add(*outline);
@@ -96,13 +98,13 @@ const FADING: f64 = 0.1;
 const LEAST_SHARE: f64 = 0.02;
 
 /// Share of one node among the K of a sequence of flat patches.
-fn flat_weight(nodes: &[Node], node: usize) -> f64 {
+fn flat_weight(nodes: &[SequenceNode], node: usize) -> f64 {
     let widest_m2 = nodes.iter().map(|node| node.across_m2).fold(f64::MIN_POSITIVE, f64::max);
-    let presence = |node: &Node| (node.across_m2 / (FADING * widest_m2)).min(1.0);
-    let share = |node: &Node| node.outline.own_share().max(LEAST_SHARE);
+    let presence = |node: &SequenceNode| (node.across_m2 / (FADING * widest_m2)).min(1.0);
+    let share = |node: &SequenceNode| node.outline.own_share().max(LEAST_SHARE);
     let present: f64 = nodes.iter().map(presence).sum();
     let mean = nodes.iter().map(|node| presence(node) * share(node)).sum::<f64>() / present;
-    let held = |node: &Node| presence(node) * share(node) + (1.0 - presence(node)) * mean;
+    let held = |node: &SequenceNode| presence(node) * share(node) + (1.0 - presence(node)) * mean;
     held(&nodes[node]) / nodes.iter().map(held).sum::<f64>()
 }
 
@@ -118,7 +120,7 @@ fn across_m2(trees: Trees<'_>, joint: &Joint, corners_m: &[DVec3]) -> f64 {
 }
 
 /// A joint among the sequences.
-struct Placed {
+struct PlacedJoint {
     /// The patches that its path meets.
     sequence: Sequence,
     /// Index of its node among the patches.
@@ -127,7 +129,7 @@ struct Placed {
     across_m2: f64,
 }
 
-fn place(world: &World, trees: Trees<'_>, joint: &Joint, corners_m: &[DVec3]) -> Placed {
+fn place(world: &World, trees: Trees<'_>, joint: &Joint, corners_m: &[DVec3]) -> PlacedJoint {
     let (transmit, receive) = (trees.transmit(), trees.receive());
     let forward = &transmit.beams[joint.forward as usize];
     let backward = &receive.beams[joint.backward as usize];
@@ -143,7 +145,7 @@ fn place(world: &World, trees: Trees<'_>, joint: &Joint, corners_m: &[DVec3]) ->
         // The same patches with the road at the end are another path.
         sequence[node + usize::from(backward.order) - 1] |= BY_ROAD;
     }
-    Placed { sequence, node, across_m2: across_m2(trees, joint, corners_m) }
+    PlacedJoint { sequence, node, across_m2: across_m2(trees, joint, corners_m) }
 }
 
 /// The way back; one that ends at the antenna's image begins there, and is taken in the road's mirror.
@@ -162,11 +164,11 @@ fn reversed(world: &World, mut sequence: Sequence, count: usize) -> Sequence {
 mod tests {
     use super::*;
 
-    fn node(own_m: f64, across_m2: f64) -> Node {
-        Node { outline: Outline { own_m, cut_m: 4.0 - own_m }, across_m2 }
+    fn node(own_m: f64, across_m2: f64) -> SequenceNode {
+        SequenceNode { outline: Outline { own_m, cut_m: 4.0 - own_m }, across_m2 }
     }
 
-    fn weights(nodes: &[Node]) -> Vec<f64> {
+    fn weights(nodes: &[SequenceNode]) -> Vec<f64> {
         (0..nodes.len()).map(|i| flat_weight(nodes, i)).collect()
     }
 
@@ -183,7 +185,7 @@ mod tests {
 
     #[test]
     fn a_missing_node_holds_a_mean_share_and_one_that_vanishes_comes_to_it() {
-        let missing = Node::default();
+        let missing = SequenceNode::default();
         let [first, _, last] = weights(&[node(1.0, 1.0), missing, node(3.0, 2.0)])[..] else {
             panic!("three nodes")
         };

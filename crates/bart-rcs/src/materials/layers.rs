@@ -7,7 +7,7 @@
 //! rᵢ at the boundary before the layer, Γᵢ₊₁ of all behind it; for one layer in air r(1 − P)/(1 − r²P) and
 //! (1 − r²)e^{−jkds}/(1 − r²P). On H for TM, which in air on both sides is E's ratio too.
 
-use crate::materials::reflection_coefficients::{CONDUCTOR, Medium, Pair};
+use crate::materials::reflection_coefficients::{CONDUCTOR, Medium, PolarizationPair};
 use artifact::material::{Backing, Layer};
 use num_complex::Complex64;
 
@@ -15,9 +15,9 @@ use num_complex::Complex64;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Passed {
     /// Reflection, from the front face to the front face.
-    pub(crate) reflected: Pair,
+    pub(crate) reflected: PolarizationPair,
     /// Transmission from the front face to the point of the back face straight behind it; nothing on metal.
-    pub(crate) transmitted: Pair,
+    pub(crate) transmitted: PolarizationPair,
 }
 
 /// Layers of exactly known thickness.
@@ -41,9 +41,14 @@ pub(crate) fn coherent(layers: &[Layer], backing: Backing, cosine: f64, wavenumb
 /// For one layer exactly ⟨|·|²⟩ of [`coherent`] over a period of its thickness (the geometric series of its
 /// passages, term by term); for several the usual recursion of powers.
 pub(crate) fn averaged(layers: &[Layer], backing: Backing, cosine: f64, wavenumber_per_m: f64) -> Passed {
-    let of = |choose: &dyn Fn(Pair) -> Complex64| powers(layers, backing, cosine, wavenumber_per_m, choose);
+    let of = |choose: &dyn Fn(PolarizationPair) -> Complex64| {
+        powers(layers, backing, cosine, wavenumber_per_m, choose)
+    };
     let (te, tm) = (of(&|pair| pair.te), of(&|pair| pair.tm));
-    Passed { reflected: Pair { te: te.0, tm: tm.0 }, transmitted: Pair { te: te.1, tm: tm.1 } }
+    Passed {
+        reflected: PolarizationPair { te: te.0, tm: tm.0 },
+        transmitted: PolarizationPair { te: te.1, tm: tm.1 },
+    }
 }
 
 /// Air or the layer in front of the layer `index`.
@@ -57,15 +62,15 @@ fn medium_before(layers: &[Layer], index: usize, cosine: f64) -> Medium {
 /// Everything behind a plane: what it sends back and lets through.
 #[derive(Clone, Copy)]
 struct Behind {
-    reflected: Pair,
-    transmitted: Pair,
+    reflected: PolarizationPair,
+    transmitted: PolarizationPair,
 }
 
 impl Behind {
     /// Backing as seen from inside the last layer: metal, or nothing before the boundary to the air is
     /// counted.
     fn of(backing: Backing) -> Self {
-        let pair = |x: f64| Pair { te: Complex64::from(x), tm: Complex64::from(x) };
+        let pair = |x: f64| PolarizationPair { te: Complex64::from(x), tm: Complex64::from(x) };
         match backing {
             Backing::Metal => Self { reflected: CONDUCTOR, transmitted: pair(0.0) },
             Backing::Air => Self { reflected: pair(0.0), transmitted: pair(1.0) },
@@ -75,19 +80,22 @@ impl Behind {
     fn after_layer(self, way: Complex64) -> Self {
         let twice = |x: Complex64| x * way * way;
         Self {
-            reflected: Pair { te: twice(self.reflected.te), tm: twice(self.reflected.tm) },
-            transmitted: Pair { te: self.transmitted.te * way, tm: self.transmitted.tm * way },
+            reflected: PolarizationPair { te: twice(self.reflected.te), tm: twice(self.reflected.tm) },
+            transmitted: PolarizationPair { te: self.transmitted.te * way, tm: self.transmitted.tm * way },
         }
     }
 
-    fn after_boundary(self, boundary: Pair) -> Self {
+    fn after_boundary(self, boundary: PolarizationPair) -> Self {
         let joined = |r: Complex64, back: Complex64, through: Complex64| {
             let echoes = 1.0 + r * back;
             ((r + back) / echoes, (1.0 + r) * through / echoes)
         };
         let te = joined(boundary.te, self.reflected.te, self.transmitted.te);
         let tm = joined(boundary.tm, self.reflected.tm, self.transmitted.tm);
-        Self { reflected: Pair { te: te.0, tm: tm.0 }, transmitted: Pair { te: te.1, tm: tm.1 } }
+        Self {
+            reflected: PolarizationPair { te: te.0, tm: tm.0 },
+            transmitted: PolarizationPair { te: te.1, tm: tm.1 },
+        }
     }
 }
 
@@ -100,7 +108,7 @@ fn powers(
     backing: Backing,
     cosine: f64,
     wavenumber_per_m: f64,
-    choose: &dyn Fn(Pair) -> Complex64,
+    choose: &dyn Fn(PolarizationPair) -> Complex64,
 ) -> (Complex64, Complex64) {
     let mut first = Complex64::ZERO;
     let (mut reflected, mut transmitted) = if backing == Backing::Metal { (1.0, 0.0) } else { (0.0, 1.0) };

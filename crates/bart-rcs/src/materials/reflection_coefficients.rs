@@ -10,7 +10,7 @@ use num_complex::Complex64;
 /// Coefficients of the two polarizations: the electric field across the plane of incidence (TE), and the
 /// magnetic field across it (TM).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Pair {
+pub(crate) struct PolarizationPair {
     /// Coefficient of E.
     pub(crate) te: Complex64,
     /// Coefficient of H.
@@ -18,7 +18,8 @@ pub(crate) struct Pair {
 }
 
 /// Reflection by a perfect conductor.
-pub(crate) const CONDUCTOR: Pair = Pair { te: Complex64::new(-1.0, 0.0), tm: Complex64::new(1.0, 0.0) };
+pub(crate) const CONDUCTOR: PolarizationPair =
+    PolarizationPair { te: Complex64::new(-1.0, 0.0), tm: Complex64::new(1.0, 0.0) };
 
 /// One side of a boundary for a wave that came from air at a given angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,9 +41,12 @@ impl Medium {
     }
 
     /// Reflection by the boundary to `next`.
-    pub(crate) fn reflection_at(&self, next: &Self) -> Pair {
+    pub(crate) fn reflection_at(&self, next: &Self) -> PolarizationPair {
         let ratio = |a: Complex64, b: Complex64| (a - b) / (a + b);
-        Pair { te: ratio(self.s, next.s), tm: ratio(next.permittivity * self.s, self.permittivity * next.s) }
+        PolarizationPair {
+            te: ratio(self.s, next.s),
+            tm: ratio(next.permittivity * self.s, self.permittivity * next.s),
+        }
     }
 }
 
@@ -53,7 +57,7 @@ fn decaying_root(square: Complex64) -> Complex64 {
 }
 
 /// Reflection by a half-space of this permittivity.
-pub(crate) fn half_space(permittivity: Complex64, cosine: f64) -> Pair {
+pub(crate) fn half_space(permittivity: Complex64, cosine: f64) -> PolarizationPair {
     Medium::air(cosine).reflection_at(&Medium::entered(permittivity, cosine))
 }
 

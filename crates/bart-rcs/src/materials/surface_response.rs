@@ -1,14 +1,14 @@
 //! Response of a material to a plane wave, and to the field vectors of one.
 
-use crate::geometry::complex_vector::ComplexVector;
 use crate::materials::layers::{Passed, averaged, coherent};
-use crate::materials::reflection_coefficients::{CONDUCTOR, Pair, half_space};
+use crate::materials::reflection_coefficients::{CONDUCTOR, PolarizationPair, half_space};
 use artifact::material::{Layer, Material, Thickness};
 use glam::DVec3;
 use num_complex::Complex64;
+use radar::complex_vector::ComplexVector;
 
 /// Reflection coefficients at a cosine of the angle to the normal.
-pub(crate) fn reflection(material: &Material, cosine: f64, wavenumber_per_m: f64) -> Pair {
+pub(crate) fn reflection(material: &Material, cosine: f64, wavenumber_per_m: f64) -> PolarizationPair {
     match material {
         Material::Conductor => CONDUCTOR,
         Material::HalfSpace { permittivity } => half_space(*permittivity, cosine),
@@ -22,15 +22,15 @@ pub(crate) fn reflection(material: &Material, cosine: f64, wavenumber_per_m: f64
 /// The thickness is put on the side that the wave comes from: t_slab relates points of both faces straight
 /// behind one another, and the line that goes on behind the sheet already has the phase of the way d·cosθ
 /// that the wave did in glass.
-pub(crate) fn transmission(material: &Material, cosine: f64, wavenumber_per_m: f64) -> Pair {
-    let Pair { te, tm } = passed(material, cosine, wavenumber_per_m).transmitted;
+pub(crate) fn transmission(material: &Material, cosine: f64, wavenumber_per_m: f64) -> PolarizationPair {
+    let PolarizationPair { te, tm } = passed(material, cosine, wavenumber_per_m).transmitted;
     let thickness_m: f64 = layers_of(material).iter().map(|layer| layer.thickness_m).sum();
     let way = Complex64::cis(wavenumber_per_m * thickness_m * cosine);
-    Pair { te: te * way, tm: tm * way }
+    PolarizationPair { te: te * way, tm: tm * way }
 }
 
 fn passed(material: &Material, cosine: f64, wavenumber_per_m: f64) -> Passed {
-    const NOTHING: Pair = Pair { te: Complex64::ZERO, tm: Complex64::ZERO };
+    const NOTHING: PolarizationPair = PolarizationPair { te: Complex64::ZERO, tm: Complex64::ZERO };
     match material {
         Material::Layers { layers, backing, thickness: Thickness::Exact } => {
             coherent(layers, *backing, cosine, wavenumber_per_m)
@@ -57,7 +57,7 @@ pub(crate) fn reflected_fields(
     e: [ComplexVector; 2],
     travel: DVec3,
     normal: DVec3,
-    r: Pair,
+    r: PolarizationPair,
 ) -> [ComplexVector; 2] {
     let across = across(travel, normal);
     let onwards = travel - 2.0 * normal.dot(travel) * normal;
@@ -72,7 +72,7 @@ pub(crate) fn transmitted_fields(
     e: [ComplexVector; 2],
     travel: DVec3,
     normal: DVec3,
-    t: Pair,
+    t: PolarizationPair,
 ) -> [ComplexVector; 2] {
     let across = across(travel, normal);
     let in_plane = across.cross(travel);

@@ -10,17 +10,17 @@ use std::ops::Range;
 
 /// A side of a triangle: it runs from corner `side` to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Side {
+pub(crate) struct TriangleSide {
     pub(crate) triangle: u32,
     pub(crate) side: u8,
 }
 
 /// A side, or the part of one between corners of its neighbours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Part {
+pub(crate) struct SidePart {
     /// Places of the two ends, ascending.
     pub(crate) ends: [u32; 2],
-    pub(crate) of: Side,
+    pub(crate) of: TriangleSide,
 }
 
 /// Two places and the triangles that have both.
@@ -29,7 +29,7 @@ pub(crate) struct MeshEdge<'a> {
     /// Places of the two ends, ascending.
     pub(crate) ends: [u32; 2],
     /// Sides at the edge, ascending by triangle; none twice but of triangles without a height.
-    pub(crate) sides: &'a [Side],
+    pub(crate) sides: &'a [TriangleSide],
 }
 
 /// Winding of two triangles at an edge.
@@ -46,7 +46,7 @@ pub(crate) struct MeshEdges {
     ends: Vec<[u32; 2]>,
     /// Beginning of each edge's sides in `sides`, and the end of the last one's.
     starts: Vec<u32>,
-    sides: Vec<Side>,
+    sides: Vec<TriangleSide>,
     /// Edges of every side of every triangle, `edges_of_sides[starts_of_sides[3·triangle + side]..]`.
     edges_of_sides: Vec<u32>,
     starts_of_sides: Vec<u32>,
@@ -60,10 +60,10 @@ impl MeshEdges {
     }
 
     /// Edges of sides that may have been cut, of so many triangles.
-    pub(crate) fn of_parts(mut parts: Vec<Part>, triangles: usize) -> Self {
+    pub(crate) fn of_parts(mut parts: Vec<SidePart>, triangles: usize) -> Self {
         parts.sort_unstable();
         let mut edges = Self { starts: vec![0], ..Self::default() };
-        let mut of_sides: Vec<(Side, u32)> = Vec::with_capacity(parts.len());
+        let mut of_sides: Vec<(TriangleSide, u32)> = Vec::with_capacity(parts.len());
         for group in parts.chunk_by(|a, b| a.ends == b.ends) {
             let edge = edges.ends.len() as u32;
             of_sides.extend(group.iter().map(|part| (part.of, edge)));
@@ -94,12 +94,12 @@ impl MeshEdges {
 
     /// The edges that a side consists of: one, several where it is cut, none where it has no length or its
     /// triangle is left out.
-    pub(crate) fn of_side(&self, side: Side) -> &[u32] {
+    pub(crate) fn of_side(&self, side: TriangleSide) -> &[u32] {
         &self.edges_of_sides[range(&self.starts_of_sides, slot(side))]
     }
 
     /// Other triangles along a side.
-    pub(crate) fn neighbours(&self, side: Side) -> impl Iterator<Item = u32> {
+    pub(crate) fn neighbours(&self, side: TriangleSide) -> impl Iterator<Item = u32> {
         let sides = self.of_side(side).iter().flat_map(|edge| self.edge(*edge as usize).sides);
         sides.map(|other| other.triangle).filter(move |other| *other != side.triangle)
     }
@@ -138,9 +138,13 @@ impl MeshEdges {
 
 impl MeshEdge<'_> {
     /// The other triangle of two, and how both are wound; `places` are the corners of all triangles.
-    pub(crate) fn across(&self, side: Side, places: &[Option<[u32; 3]>]) -> Option<(Side, Winding)> {
+    pub(crate) fn across(
+        &self,
+        side: TriangleSide,
+        places: &[Option<[u32; 3]>],
+    ) -> Option<(TriangleSide, Winding)> {
         let &[a, b] = self.sides else { return None };
-        let start = |s: Side| places[s.triangle as usize].map(|places| places[usize::from(s.side)]);
+        let start = |s: TriangleSide| places[s.triangle as usize].map(|places| places[usize::from(s.side)]);
         let winding = if start(a) == start(b) { Winding::Opposite } else { Winding::Alike };
         Some((if a == side { b } else { a }, winding))
     }
@@ -153,16 +157,16 @@ pub(crate) fn exact_places(triangles_m: &[[DVec3; 3]]) -> Vec<Option<[u32; 3]>> 
 }
 
 /// All three sides of a triangle.
-pub(crate) fn sides_of(triangle: u32) -> [Side; 3] {
-    [0, 1, 2].map(|side| Side { triangle, side })
+pub(crate) fn sides_of(triangle: u32) -> [TriangleSide; 3] {
+    [0, 1, 2].map(|side| TriangleSide { triangle, side })
 }
 
 /// Whole sides that have a length.
-pub(crate) fn parts(places: &[Option<[u32; 3]>]) -> Vec<Part> {
+pub(crate) fn parts(places: &[Option<[u32; 3]>]) -> Vec<SidePart> {
     let of = |(triangle, corners): (u32, &Option<[u32; 3]>)| {
         let corners = *corners;
         let part = move |corners: [u32; 3]| {
-            sides_of(triangle).map(|of| Part { ends: between(&corners, of.side), of }).into_iter()
+            sides_of(triangle).map(|of| SidePart { ends: between(&corners, of.side), of }).into_iter()
         };
         corners.into_iter().flat_map(part)
     };
@@ -175,7 +179,7 @@ fn between(corners: &[u32; 3], side: u8) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }
 
-fn slot(side: Side) -> usize {
+fn slot(side: TriangleSide) -> usize {
     3 * side.triangle as usize + usize::from(side.side)
 }
 

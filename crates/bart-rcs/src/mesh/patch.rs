@@ -2,7 +2,7 @@
 //! no edges; and how much a patch that is a strip of a tessellated curve is bent.
 
 use crate::mesh::curve_bend::{may_be_a_step, may_be_of_one_curve};
-use crate::mesh::mesh_edges::{MeshEdges, Side, sides_of};
+use crate::mesh::mesh_edges::{MeshEdges, TriangleSide, sides_of};
 use glam::DVec3;
 
 /// Patches of a mesh: which triangles are one, and which of their edges lie inside it.
@@ -72,20 +72,20 @@ impl Patches {
 
 /// Distance to the left of a side, seen along `normal`, of the middle of another triangle, times three
 /// lengths of the side.
-fn left_of_m3(triangles_m: &[[DVec3; 3]], side: Side, normal: DVec3, other: u32) -> f64 {
+fn left_of_m3(triangles_m: &[[DVec3; 3]], side: TriangleSide, normal: DVec3, other: u32) -> f64 {
     let [from, to] = ends_m(triangles_m, side);
     let [a, b, c] = triangles_m[other as usize];
     (to - from).cross((a - from) + (b - from) + (c - from)).dot(normal)
 }
 
-fn ends_m(triangles_m: &[[DVec3; 3]], Side { triangle, side }: Side) -> [DVec3; 2] {
+fn ends_m(triangles_m: &[[DVec3; 3]], TriangleSide { triangle, side }: TriangleSide) -> [DVec3; 2] {
     let corners = triangles_m[triangle as usize];
     [corners[usize::from(side)], corners[(usize::from(side) + 1) % 3]]
 }
 
 /// Bend where two patches meet.
 #[derive(Clone, Copy)]
-struct Bend {
+struct PatchSeam {
     patch: u32,
     neighbour: u32,
     /// Angle between the planes, positive where the neighbour rises to the side of the patch's normal.
@@ -99,8 +99,8 @@ fn curvatures(triangles_m: &[[DVec3; 3]], edges: &MeshEdges, normals: &[DVec3], 
     let bends = bends(triangles_m, edges, normals, first);
     let mut of_patch = vec![0.0_f64; triangles_m.len()];
     for group in bends.chunk_by(|a, b| a.patch == b.patch) {
-        let goes_on = |bend: &&Bend| {
-            let is_next = |next: &Bend| {
+        let goes_on = |bend: &&PatchSeam| {
+            let is_next = |next: &PatchSeam| {
                 next.neighbour != bend.neighbour && may_be_of_one_curve(bend.turn_rad, next.turn_rad)
             };
             group.iter().any(is_next)
@@ -112,10 +112,10 @@ fn curvatures(triangles_m: &[[DVec3; 3]], edges: &MeshEdges, normals: &[DVec3], 
 }
 
 /// Bends of all patches that may be of a curve, by patch.
-fn bends(triangles_m: &[[DVec3; 3]], edges: &MeshEdges, normals: &[DVec3], first: &[u32]) -> Vec<Bend> {
+fn bends(triangles_m: &[[DVec3; 3]], edges: &MeshEdges, normals: &[DVec3], first: &[u32]) -> Vec<PatchSeam> {
     let middles = middles(triangles_m, first);
     let centre_m = |triangle: u32| triangles_m[triangle as usize].iter().sum::<DVec3>() / 3.0;
-    let bend = |side: Side, other: u32| {
+    let bend = |side: TriangleSide, other: u32| {
         let [patch, neighbour] = [side.triangle, other].map(|triangle| first[triangle as usize]);
         let [from, to] = ends_m(triangles_m, side);
         let across = |x: DVec3| (x - from).reject_from(to - from);
@@ -125,11 +125,12 @@ fn bends(triangles_m: &[[DVec3; 3]], edges: &MeshEdges, normals: &[DVec3], first
         let [own, beyond] = [side.triangle, other].map(|triangle| across(centre_m(triangle)));
         let is_bent = patch != neighbour && turn_rad > 0.0 && may_be_a_step(turn_rad);
         let turn_rad = turn_rad.copysign(normal.dot(beyond));
-        let bend = Bend { patch, neighbour, turn_rad, curvature_per_m: turn_rad.abs() / apart_m };
+        let bend = PatchSeam { patch, neighbour, turn_rad, curvature_per_m: turn_rad.abs() / apart_m };
         (is_bent && own.dot(beyond) < 0.0 && apart_m > 0.0).then_some(bend)
     };
-    let of_side = |side: Side| edges.neighbours(side).filter_map(move |other| bend(side, other));
-    let mut bends: Vec<Bend> = (0..triangles_m.len() as u32).flat_map(sides_of).flat_map(of_side).collect();
+    let of_side = |side: TriangleSide| edges.neighbours(side).filter_map(move |other| bend(side, other));
+    let mut bends: Vec<PatchSeam> =
+        (0..triangles_m.len() as u32).flat_map(sides_of).flat_map(of_side).collect();
     bends.sort_by_key(|bend| bend.patch);
     bends
 }

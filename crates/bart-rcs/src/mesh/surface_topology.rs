@@ -5,7 +5,7 @@
 //! or with many facets at one line.
 
 use crate::geometry::plane::Plane;
-use crate::mesh::mesh_edges::{MeshEdge, MeshEdges, Side, parts};
+use crate::mesh::mesh_edges::{MeshEdge, MeshEdges, TriangleSide, parts};
 use crate::mesh::t_junction::cut_at_corners;
 use crate::mesh::welding::Welding;
 use glam::DVec3;
@@ -41,7 +41,7 @@ pub(crate) struct Blade {
     pub(crate) angle_rad: f64,
     /// Unit vector in the facet and away from the line.
     pub(crate) inward: DVec3,
-    pub(crate) side: Side,
+    pub(crate) side: TriangleSide,
 }
 
 impl<'a> Topology<'a> {
@@ -111,7 +111,7 @@ impl<'a> Topology<'a> {
         Some(Fan { along, blades })
     }
 
-    fn inward(&self, side: &Side, along: DVec3) -> Option<DVec3> {
+    fn inward(&self, side: &TriangleSide, along: DVec3) -> Option<DVec3> {
         let corners_m = &self.triangles_m[side.triangle as usize];
         let from = usize::from(side.side);
         let opposite = corners_m[(from + 2) % 3] - corners_m[from];

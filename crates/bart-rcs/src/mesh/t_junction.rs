@@ -2,14 +2,14 @@
 
 use crate::geometry::bvh::{Hierarchy, Stack};
 use crate::geometry::plane::Plane;
-use crate::mesh::mesh_edges::Part;
+use crate::mesh::mesh_edges::SidePart;
 use glam::DVec3;
 use std::ops::ControlFlow;
 
 /// Cuts sides that no other facet shares where corners of such sides lie on them: T-junctions.
 ///
 /// `points_m` are those of the places that the sides name.
-pub(crate) fn cut_at_corners(sides: &mut Vec<Part>, points_m: &[DVec3], tolerance_m: f64) {
+pub(crate) fn cut_at_corners(sides: &mut Vec<SidePart>, points_m: &[DVec3], tolerance_m: f64) {
     sides.sort_unstable();
     let open = alone(sides);
     let mut corners: Vec<u32> = open.iter().flat_map(|side| sides[*side].ends).collect();
@@ -27,7 +27,7 @@ pub(crate) fn cut_at_corners(sides: &mut Vec<Part>, points_m: &[DVec3], toleranc
         on_side.push(side.ends[1]);
         let mut from = side.ends[0];
         for to in on_side {
-            let part = Part { ends: [from.min(to), from.max(to)], ..side };
+            let part = SidePart { ends: [from.min(to), from.max(to)], ..side };
             if from == side.ends[0] {
                 sides[index] = part
             } else {
@@ -40,7 +40,7 @@ pub(crate) fn cut_at_corners(sides: &mut Vec<Part>, points_m: &[DVec3], toleranc
 }
 
 /// Indices of those of sorted sides whose ends no other side has.
-fn alone(sides: &[Part]) -> Vec<usize> {
+fn alone(sides: &[SidePart]) -> Vec<usize> {
     let differs =
         |a: usize, b: usize| sides.get(a).map(|side| side.ends) != sides.get(b).map(|side| side.ends);
     (0..sides.len()).filter(|&i| (i == 0 || differs(i - 1, i)) && differs(i, i + 1)).collect()
@@ -48,7 +48,7 @@ fn alone(sides: &[Part]) -> Vec<usize> {
 
 /// Corners strictly between the ends of a side, in its order.
 fn corners_on(
-    side: &Part,
+    side: &SidePart,
     hierarchy: &Hierarchy,
     corners: &[u32],
     points_m: &[DVec3],

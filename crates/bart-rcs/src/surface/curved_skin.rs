@@ -5,12 +5,12 @@
 //! `docs/decisions/curved-skin.md`.
 
 use crate::geometry::plane::Plane;
-use crate::mesh::mesh_edges::{MeshEdge, MeshEdges, Side};
+use crate::mesh::mesh_edges::{MeshEdge, MeshEdges, TriangleSide};
 use crate::mesh::welding::Welding;
 use crate::surface::bend::{Bend, ControlHeights};
 use crate::surface::curved_edge::{Curve, CurvedEdge, rejected};
 use crate::surface::made_normals::{Facets, made_normals};
-use crate::surface::refinement::{BentSide, BentTriangle, Limits, Walk, count, refined};
+use crate::surface::refinement::{BendLimits, BentSide, BentTriangle, EdgeDirection, count, refined};
 use crate::surface::skin_triangles::SkinTriangles;
 use artifact::scene::Mesh;
 use glam::DVec3;
@@ -51,10 +51,13 @@ impl CurvedSkin {
         let bent = |triangle: usize| {
             let places = places[triangle]?;
             let side = |k: usize| {
-                let own = Side { triangle: triangle as u32, side: k as u8 };
+                let own = TriangleSide { triangle: triangle as u32, side: k as u8 };
                 let edge = curves[*edges.of_side(own).first()? as usize];
                 let is_forth = places[k] < places[(k + 1) % 3];
-                Some(BentSide { edge, walk: if is_forth { Walk::Forth } else { Walk::Back } })
+                Some(BentSide {
+                    edge,
+                    walk: if is_forth { EdgeDirection::Forth } else { EdgeDirection::Back },
+                })
             };
             let sides = [side(0)?, side(1)?, side(2)?];
             Some(BentTriangle { corners_m: places.map(at_m), normals: normals[triangle], sides })
@@ -63,14 +66,14 @@ impl CurvedSkin {
     }
 
     /// Number of facets that [`CurvedSkin::facets`] makes.
-    pub(crate) fn count(&self, limits: &Limits) -> usize {
+    pub(crate) fn count(&self, limits: &BendLimits) -> usize {
         let of = |bent: &Option<BentTriangle>| bent.as_ref().map_or(1, |b| count(b, limits));
         self.triangles.par_iter().map(of).collect::<Vec<_>>().into_iter().sum()
     }
 
     /// Facets whose sides bend no more than the limits allow; what needs no cut keeps its corners, bit for
     /// bit.
-    pub(crate) fn facets(&self, corners_m: &[[DVec3; 3]], limits: &Limits) -> SkinTriangles {
+    pub(crate) fn facets(&self, corners_m: &[[DVec3; 3]], limits: &BendLimits) -> SkinTriangles {
         let of = |(bent, corners): (&Option<BentTriangle>, &[DVec3; 3])| {
             let Some(bent) = bent else { return vec![(*corners, [DVec3::ZERO; 3], [0.0; 6])] };
             let cut = refined(*bent, limits);
@@ -103,7 +106,7 @@ const STEEP_BOUND: f64 = 2.0;
 
 /// Control heights of the skin; where it rises by less than a hundredth of what is allowed, or stands
 /// on a sliver, the facet is flat.
-fn control_heights_m(bent: &BentTriangle, limits: &Limits) -> ControlHeights {
+fn control_heights_m(bent: &BentTriangle, limits: &BendLimits) -> ControlHeights {
     let heights_m = bent.control_heights_m();
     let [a, b, c] = bent.corners_m;
     let is_low = heights_m.iter().all(|h| h.abs() < 0.01 * limits.offset_m);
@@ -144,10 +147,10 @@ fn curved(
     normals: &[[DVec3; 3]],
 ) -> CurvedEdge {
     let ends_m = edge.ends.map(at_m);
-    let is_forth = |side: &Side| {
+    let is_forth = |side: &TriangleSide| {
         places[side.triangle as usize].is_some_and(|p| p[usize::from(side.side)] == edge.ends[0])
     };
-    let of_side = |side: &Side| {
+    let of_side = |side: &TriangleSide| {
         let (t, k) = (side.triangle as usize, usize::from(side.side));
         let walked = [normals[t][k], normals[t][(k + 1) % 3]];
         if is_forth(side) { walked } else { [walked[1], walked[0]] }

@@ -5,7 +5,7 @@
 //! round that is much wider than the round's own, or that goes on flat, is a flat with a round joined to it:
 //! it keeps its normal, and the round takes it over.
 
-use crate::mesh::mesh_edges::{MeshEdges, Side, Winding, sides_of};
+use crate::mesh::mesh_edges::{MeshEdges, TriangleSide, Winding, sides_of};
 use glam::DVec3;
 
 /// No smooth skin is cut so coarsely that it turns more than this at an edge: a round of eight sides turns
@@ -83,37 +83,37 @@ impl Fans {
 
 impl Facets<'_> {
     /// The other facet at a side that has two, and +1, or −1 where its winding is the other way round.
-    fn across(&self, side: Side) -> Option<(Side, f64)> {
+    fn across(&self, side: TriangleSide) -> Option<(TriangleSide, f64)> {
         let edge = *self.edges.of_side(side).first()?;
         let (other, winding) = self.edges.edge(edge as usize).across(side, self.places)?;
         Some((other, if winding == Winding::Alike { 1.0 } else { -1.0 }))
     }
 
-    fn normal(&self, side: Side) -> DVec3 {
+    fn normal(&self, side: TriangleSide) -> DVec3 {
         self.normals[side.triangle as usize]
     }
 
     /// Vector from the side's start to its end.
-    fn along_m(&self, side: Side) -> DVec3 {
+    fn along_m(&self, side: TriangleSide) -> DVec3 {
         let corners = &self.corners_m[side.triangle as usize];
         corners[(usize::from(side.side) + 1) % 3] - corners[usize::from(side.side)]
     }
 
     /// Unit vector in the facet's plane, out of the facet.
-    fn outwards(&self, side: Side) -> DVec3 {
+    fn outwards(&self, side: TriangleSide) -> DVec3 {
         self.along_m(side).cross(self.normal(side)).try_normalize().unwrap_or(DVec3::ZERO)
     }
 
     /// Width of the facet across the side: the height over it.
-    fn width_m(&self, side: Side) -> f64 {
+    fn width_m(&self, side: TriangleSide) -> f64 {
         let corners = &self.corners_m[side.triangle as usize];
         let third = corners[(usize::from(side.side) + 2) % 3];
         -(third - corners[usize::from(side.side)]).dot(self.outwards(side))
     }
 }
 
-fn other_sides(side: Side) -> [Side; 2] {
-    [1, 2].map(|i| Side { side: (side.side + i) % 3, ..side })
+fn other_sides(side: TriangleSide) -> [TriangleSide; 2] {
+    [1, 2].map(|i| TriangleSide { side: (side.side + i) % 3, ..side })
 }
 
 /// Turns by triangle and side.
@@ -121,7 +121,7 @@ fn turns(facets: &Facets<'_>) -> Vec<[Turn; 3]> {
     let sides = |triangle: usize| sides_of(triangle as u32);
     let largest = facets.corners_m.iter().flatten().fold(0.0, |m, c| c.abs().max_element().max(m));
     let rounding_m = largest * f64::from(f32::EPSILON);
-    let angle = |side: Side| {
+    let angle = |side: TriangleSide| {
         let Some((other, sign)) = facets.across(side) else {
             return Turn { angle: 0.0, kind: TurnKind::Crease };
         };
@@ -130,7 +130,7 @@ fn turns(facets: &Facets<'_>) -> Vec<[Turn; 3]> {
         Turn { angle, kind: if angle <= noise { TurnKind::Flat } else { TurnKind::Crease } }
     };
     let plain: Vec<[Turn; 3]> = (0..facets.normals.len()).map(|t| sides(t).map(angle)).collect();
-    let judged = |side: Side| {
+    let judged = |side: TriangleSide| {
         let turn = plain[side.triangle as usize][usize::from(side.side)];
         let Some((other, _)) = facets.across(side) else { return turn };
         let smooth = turn.kind == TurnKind::Crease
@@ -147,7 +147,7 @@ fn turns(facets: &Facets<'_>) -> Vec<[Turn; 3]> {
 /// rad; `None` where no edge tells.
 ///
 /// A diagonal that is no bend is stepped over once.
-fn goes_on(facets: &Facets<'_>, turns: &[[Turn; 3]], side: Side) -> Option<f64> {
+fn goes_on(facets: &Facets<'_>, turns: &[[Turn; 3]], side: TriangleSide) -> Option<f64> {
     let (behind, sign) = facets.across(side)?;
     // Across the side the normal has turned by this vector.
     let way = -facets.outwards(side);
@@ -175,7 +175,7 @@ fn goes_on(facets: &Facets<'_>, turns: &[[Turn; 3]], side: Side) -> Option<f64> 
 }
 
 /// Distance from a side that a facet and what goes on flat beyond its other sides reach.
-fn patch_width_m(facets: &Facets<'_>, turns: &[[Turn; 3]], side: Side) -> f64 {
+fn patch_width_m(facets: &Facets<'_>, turns: &[[Turn; 3]], side: TriangleSide) -> f64 {
     let (out, from) =
         (facets.outwards(side), facets.corners_m[side.triangle as usize][usize::from(side.side)]);
     let beyond = other_sides(side).into_iter().filter_map(|exit| {
@@ -187,14 +187,14 @@ fn patch_width_m(facets: &Facets<'_>, turns: &[[Turn; 3]], side: Side) -> f64 {
 }
 
 /// Whether the facet of `side` is a flat with a round behind that side.
-fn is_flat_towards(facets: &Facets<'_>, turns: &[[Turn; 3]], side: Side) -> bool {
+fn is_flat_towards(facets: &Facets<'_>, turns: &[[Turn; 3]], side: TriangleSide) -> bool {
     let turn = turns[side.triangle as usize][usize::from(side.side)];
     let Some((other, _)) = facets.across(side) else { return false };
     if turn.kind != TurnKind::Smooth {
         return false;
     }
     let wide = patch_width_m(facets, turns, side) > WIDER * patch_width_m(facets, turns, other);
-    let ends = |s: Side| goes_on(facets, turns, s).is_some_and(|on| on < GOES_ON * turn.angle);
+    let ends = |s: TriangleSide| goes_on(facets, turns, s).is_some_and(|on| on < GOES_ON * turn.angle);
     wide || (ends(side) && !ends(other))
 }
 
@@ -203,13 +203,14 @@ fn corner_normal(facets: &Facets<'_>, turns: &[[Turn; 3]], fans: &Fans, triangle
     let own = facets.normals[triangle];
     let Some(places) = facets.places[triangle] else { return own };
     let group = smooth_group(facets, turns, fans.around(places[k]), triangle as u32);
-    let at_corner = |(t, k, _): &(u32, u8, f64)| [*k, (*k + 2) % 3].map(|side| Side { triangle: *t, side });
+    let at_corner =
+        |(t, k, _): &(u32, u8, f64)| [*k, (*k + 2) % 3].map(|side| TriangleSide { triangle: *t, side });
     let is_flat =
         |member: &(u32, u8, f64)| at_corner(member).iter().any(|s| is_flat_towards(facets, turns, *s));
     let flats: Vec<bool> = group.iter().map(is_flat).collect();
     let any_flat = flats.iter().any(|flat| *flat);
     let voting = group.iter().zip(&flats).filter(|(_, flat)| **flat || !any_flat);
-    let turn = |s: Side| turns[s.triangle as usize][usize::from(s.side)];
+    let turn = |s: TriangleSide| turns[s.triangle as usize][usize::from(s.side)];
     let has_quads = group.iter().flat_map(at_corner).any(|s| turn(s).kind == TurnKind::Flat);
     let vote = if has_quads { by_angle } else { by_sphere };
     let sum = voting.fold(DVec3::ZERO, |sum, ((t, k, sign), _)| sum + *sign * vote(facets, *t, *k));
@@ -234,7 +235,7 @@ fn smooth_group(
     while let Some(&(triangle, k, sign)) = group.get(next) {
         next += 1;
         for side in [k, (k + 2) % 3] {
-            let side = Side { triangle, side };
+            let side = TriangleSide { triangle, side };
             if turns[triangle as usize][usize::from(side.side)].kind == TurnKind::Crease {
                 continue;
             }

@@ -22,19 +22,19 @@ pub(crate) struct BentTriangle {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BentSide {
     pub(crate) edge: CurvedEdge,
-    pub(crate) walk: Walk,
+    pub(crate) walk: EdgeDirection,
 }
 
 /// Whether a triangle walks from an edge's first end to its second.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Walk {
+pub(crate) enum EdgeDirection {
     Forth,
     Back,
 }
 
 /// Limits of the bend of sides; beyond them they are cut.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Limits {
+pub(crate) struct BendLimits {
     /// Sagitta of a flat facet in place of the skin, m.
     pub(crate) sagitta_m: f64,
     /// Turn between the ends of a side, rad.
@@ -47,7 +47,7 @@ pub(crate) struct Limits {
 const HALVINGS_MAX: u8 = 5;
 
 /// Parts whose sides bend no more than the limits allow, in its winding.
-pub(crate) fn refined(whole: BentTriangle, limits: &Limits) -> Vec<BentTriangle> {
+pub(crate) fn refined(whole: BentTriangle, limits: &BendLimits) -> Vec<BentTriangle> {
     let mut good = Vec::new();
     let mut left = vec![whole];
     while let Some(bent) = left.pop() {
@@ -62,7 +62,7 @@ pub(crate) fn refined(whole: BentTriangle, limits: &Limits) -> Vec<BentTriangle>
 }
 
 /// Number of triangles that [`refined`] makes.
-pub(crate) fn count(whole: &BentTriangle, limits: &Limits) -> usize {
+pub(crate) fn count(whole: &BentTriangle, limits: &BendLimits) -> usize {
     let mut left = vec![*whole];
     let mut good = 0;
     while let Some(bent) = left.pop() {
@@ -74,13 +74,13 @@ pub(crate) fn count(whole: &BentTriangle, limits: &Limits) -> usize {
     good
 }
 
-fn is_split(edge: &CurvedEdge, limits: &Limits) -> bool {
+fn is_split(edge: &CurvedEdge, limits: &BendLimits) -> bool {
     edge.halvings < HALVINGS_MAX && halvings(edge, limits) > 0.0
 }
 
 /// Number of times that an edge is to be halved: sagittas fall to a quarter each time, turns to a half,
 /// and what a cubic over the facet misses to a sixteenth.
-fn halvings(edge: &CurvedEdge, limits: &Limits) -> f64 {
+fn halvings(edge: &CurvedEdge, limits: &BendLimits) -> f64 {
     let (sagitta_m, turn) = (edge.sagitta_m(), edge.turn_rad());
     let offset_m = match edge.curve {
         Curve::Straight => return 0.0,
@@ -94,34 +94,37 @@ fn halvings(edge: &CurvedEdge, limits: &Limits) -> f64 {
 }
 
 impl BentSide {
-    fn straight(from: Corner, to: Corner, halvings: u8) -> Self {
+    fn straight(from: BentCorner, to: BentCorner, halvings: u8) -> Self {
         Self {
             edge: CurvedEdge { ends_m: [from.at_m, to.at_m], curve: Curve::Straight, halvings },
-            walk: Walk::Forth,
+            walk: EdgeDirection::Forth,
         }
     }
 
     /// A side of a skin from `from` to `to`.
-    fn within(from: Corner, to: Corner, halvings: u8) -> Self {
+    fn within(from: BentCorner, to: BentCorner, halvings: u8) -> Self {
         let curve = Curve::OnSkin([from.normal, to.normal]);
-        Self { edge: CurvedEdge { ends_m: [from.at_m, to.at_m], curve, halvings }, walk: Walk::Forth }
+        Self {
+            edge: CurvedEdge { ends_m: [from.at_m, to.at_m], curve, halvings },
+            walk: EdgeDirection::Forth,
+        }
     }
 
     fn reversed(self) -> Self {
-        let walk = if self.walk == Walk::Forth { Walk::Back } else { Walk::Forth };
+        let walk = if self.walk == EdgeDirection::Forth { EdgeDirection::Back } else { EdgeDirection::Forth };
         Self { walk, ..self }
     }
 
     /// Both halves in the order of the walk.
     fn halves(&self) -> [Self; 2] {
         let [first, second] = self.edge.halves().map(|edge| Self { edge, walk: self.walk });
-        if self.walk == Walk::Forth { [first, second] } else { [second, first] }
+        if self.walk == EdgeDirection::Forth { [first, second] } else { [second, first] }
     }
 }
 
 /// A vertex of a bent triangle.
 #[derive(Debug, Clone, Copy)]
-struct Corner {
+struct BentCorner {
     at_m: DVec3,
     normal: DVec3,
 }
@@ -134,23 +137,27 @@ impl BentTriangle {
         let mut heights = [0.0; 6];
         for (pair, side) in heights.chunks_exact_mut(2).zip(&self.sides) {
             let [first, second] = side.edge.control_heights_m(normal);
-            pair.copy_from_slice(&if side.walk == Walk::Forth { [first, second] } else { [second, first] });
+            pair.copy_from_slice(&if side.walk == EdgeDirection::Forth {
+                [first, second]
+            } else {
+                [second, first]
+            });
         }
         heights
     }
 
-    fn corner(&self, k: usize) -> Corner {
-        Corner { at_m: self.corners_m[k % 3], normal: self.normals[k % 3] }
+    fn corner(&self, k: usize) -> BentCorner {
+        BentCorner { at_m: self.corners_m[k % 3], normal: self.normals[k % 3] }
     }
 
     /// Corner at which side `k` is halved, with this triangle's own normal there.
-    fn middle(&self, k: usize, half: &BentSide) -> Corner {
-        let end = if half.walk == Walk::Forth { 1 } else { 0 };
+    fn middle(&self, k: usize, half: &BentSide) -> BentCorner {
+        let end = if half.walk == EdgeDirection::Forth { 1 } else { 0 };
         let normal = self.sides[k].edge.normal_at_middle([self.normals[k], self.normals[(k + 1) % 3]]);
-        Corner { at_m: half.edge.ends_m[end], normal }
+        BentCorner { at_m: half.edge.ends_m[end], normal }
     }
 
-    fn of(corners: [Corner; 3], sides: [BentSide; 3]) -> Self {
+    fn of(corners: [BentCorner; 3], sides: [BentSide; 3]) -> Self {
         Self { corners_m: corners.map(|c| c.at_m), normals: corners.map(|c| c.normal), sides }
     }
 

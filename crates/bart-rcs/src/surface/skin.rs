@@ -1,7 +1,7 @@
 //! Surface that the facets of a mesh stand for: themselves, or the curved skin that they were cut from.
 
 use crate::surface::curved_skin::CurvedSkin;
-use crate::surface::refinement::Limits;
+use crate::surface::refinement::BendLimits;
 use crate::surface::skin_triangles::SkinTriangles;
 use artifact::Accuracy;
 use artifact::scene::Mesh;
@@ -73,18 +73,18 @@ impl Skin {
 ///   0.2θ^{3/2}, doubled for facets seen corner on.
 /// - A mirror is flat: its strips keep gaps, which its neighbours' diffraction fills only where q = a/√(ρλ)
 ///   is below ½: s = q²λ/8.
-fn limits(error: f64, wavelength_m: f64, role: Role) -> Limits {
+fn limits(error: f64, wavelength_m: f64, role: Role) -> BendLimits {
     let sagitta_m = match role {
         Role::Scatterers => f64::INFINITY,
         Role::Mirrors => wavelength_m / 32.0,
     };
     let turn_rad = (2.5 * error).powf(2.0 / 3.0);
-    Limits { sagitta_m, turn_rad, offset_m: wavelength_m * error / (4.0 * PI) }
+    BendLimits { sagitta_m, turn_rad, offset_m: wavelength_m * error / (4.0 * PI) }
 }
 
 /// Limits for twice the error.
-fn limits_coarser(limits: Limits) -> Limits {
-    Limits {
+fn limits_coarser(limits: BendLimits) -> BendLimits {
+    BendLimits {
         sagitta_m: 2.0 * limits.sagitta_m,
         turn_rad: 2.0_f64.powf(2.0 / 3.0) * limits.turn_rad,
         offset_m: 2.0 * limits.offset_m,

@@ -13,7 +13,7 @@ use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of};
 use crate::oversight::error::BartError;
 use crate::oversight::progress::{Phase, Progress, Unheard};
 use crate::table::end_tree::EndTree;
-use crate::table::meeting::{Meeting, MeetingSettings, edge_meetings};
+use crate::table::meeting::{MeetingSettings, OrderJoints, edge_meetings};
 use crate::table::small_mirrors::SmallMirrors;
 use crate::table::work_meter::WorkMeter;
 use artifact::radar::Polarization;
@@ -238,7 +238,7 @@ impl<'a> Ends<'a> {
         let mut mirrors = SmallMirrors::of(scatterer.trees, needed, settings.trace.least_mirror_area_m2);
         let meetings = meetings(&scatterer, 1, rule, settings);
         let settings = &settings.afforded(&scatterer, &meetings, rule)?;
-        let of_order = |meeting: &Meeting| {
+        let of_order = |meeting: &OrderJoints| {
             let hits =
                 mirrors.hits(&scatterer, &meeting.facets, &settings.integration(rule), settings.polarization);
             (of_meeting(&scatterer, meeting, rule, settings), hits)
@@ -345,15 +345,20 @@ pub(crate) fn other(rule: NodeRule) -> NodeRule {
 }
 
 /// Meetings of both ends in every order from `from` on.
-fn meetings(scatterer: &Scatterer<'_>, from: u8, rule: NodeRule, settings: &AspectSettings) -> Vec<Meeting> {
-    let of_order = |order: u8| Meeting::of(scatterer, order, &settings.meeting(rule));
+fn meetings(
+    scatterer: &Scatterer<'_>,
+    from: u8,
+    rule: NodeRule,
+    settings: &AspectSettings,
+) -> Vec<OrderJoints> {
+    let of_order = |order: u8| OrderJoints::of(scatterer, order, &settings.meeting(rule));
     (from..=settings.bounces).into_par_iter().map(of_order).collect()
 }
 
 /// One order's S over frequency, in the polarization asked for.
 fn of_meeting(
     scatterer: &Scatterer<'_>,
-    meeting: &Meeting,
+    meeting: &OrderJoints,
     rule: NodeRule,
     settings: &AspectSettings,
 ) -> OfOrder {
@@ -388,7 +393,7 @@ impl AspectSettings {
     fn afforded(
         &self,
         scatterer: &Scatterer<'_>,
-        meetings: &[Meeting],
+        meetings: &[OrderJoints],
         rule: NodeRule,
     ) -> Result<Self, BartError> {
         // A plane wave over a flat polygon is integrated as one.

@@ -12,7 +12,7 @@ use crate::joins::joint::{Joint, Joints, Trees};
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of, sequence};
 use crate::oversight::error::BartError;
 use crate::table::aspect::Aspect;
-use crate::table::meeting::{Meeting, MeetingSettings};
+use crate::table::meeting::{MeetingSettings, OrderJoints};
 use crate::table::rcs_request::{RcsRequest, aspects};
 use crate::table::rcs_table::{aspect_settings, check, skin};
 use artifact::paths::Amplitude;
@@ -92,7 +92,7 @@ type Found = (Option<u32>, Contribution);
 
 impl Teller<'_> {
     fn of_order(&self, order: u8) -> Vec<Found> {
-        let Meeting { facets, edges } = Meeting::of(&self.scatterer, order, &self.what);
+        let OrderJoints { facets, edges } = OrderJoints::of(&self.scatterer, order, &self.what);
         let of_facets =
             facets.list.par_iter().map(|joint| (None, self.of_joint(joint, facets.polygon(joint))));
         let of_edges = edges.par_iter().map(|joint| (Some(joint.edge), self.of_edge(joint)));

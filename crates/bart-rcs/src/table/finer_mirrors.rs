@@ -11,12 +11,12 @@ use crate::table::aspect::{AspectSettings, Scattering};
 
 /// Least areas of the aspects of a table.
 pub(crate) struct FinerMirrors {
-    aspects: Vec<Fineness>,
+    aspects: Vec<MirrorFineness>,
     times: u32,
 }
 
 #[derive(Clone, Copy)]
-struct Fineness {
+struct MirrorFineness {
     /// Share of the least areas that the table began with.
     share: f64,
     before: f64,
@@ -52,7 +52,10 @@ pub(crate) fn dropped_error(table: &[Scattering]) -> f64 {
 impl FinerMirrors {
     /// Start with so many aspects that are all traced with the areas asked for.
     pub(crate) fn of_none(aspects: usize) -> Self {
-        Self { aspects: vec![Fineness { share: 1.0, before: 1.0, limit: Limit::Open }; aspects], times: 0 }
+        Self {
+            aspects: vec![MirrorFineness { share: 1.0, before: 1.0, limit: Limit::Open }; aspects],
+            times: 0,
+        }
     }
 
     /// Aspects to be traced again, ascending: those that drop more than `asked` of the table's level, if all
@@ -105,8 +108,8 @@ impl FinerMirrors {
         };
         match found {
             Err(error) if is_too_large(&error) && !self.is_first(aspect) => {
-                let Fineness { before, .. } = self.aspects[aspect];
-                self.aspects[aspect] = Fineness { share: before, before, limit: Limit::Reached };
+                let MirrorFineness { before, .. } = self.aspects[aspect];
+                self.aspects[aspect] = MirrorFineness { share: before, before, limit: Limit::Reached };
             }
             Err(error) => return Err(error),
             Ok(found) => table[aspect] = found,

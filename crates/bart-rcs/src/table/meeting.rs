@@ -12,7 +12,7 @@ use artifact::settings::{Edges, NodeRule};
 use glam::DVec3;
 
 /// The joints of one order.
-pub(crate) struct Meeting {
+pub(crate) struct OrderJoints {
     pub(crate) facets: Joints,
     pub(crate) edges: Vec<EdgeJoint>,
 }
@@ -28,7 +28,7 @@ pub(crate) struct MeetingSettings {
     pub(crate) wavenumber_per_m: f64,
 }
 
-impl Meeting {
+impl OrderJoints {
     pub(crate) fn of(scatterer: &Scatterer<'_>, order: u8, settings: &MeetingSettings) -> Self {
         Self {
             facets: scatterer.joints(order, settings.nodes, settings.least_area_m2),

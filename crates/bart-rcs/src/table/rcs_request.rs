@@ -7,7 +7,7 @@ use artifact::Accuracy;
 use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use artifact::units::SPEED_OF_LIGHT_MPS;
-use glam::DVec3;
+use radar::standpoint::Standpoint;
 use std::f64::consts::TAU;
 
 /// S(frequency, elevation, azimuth) that is asked for; body axes.
@@ -40,17 +40,6 @@ pub struct RcsRequest {
     pub accuracy: Accuracy,
 }
 
-/// Place of an antenna, seen from the body.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Standpoint {
-    /// Azimuth from body x towards body y.
-    pub azimuth_rad: f64,
-    /// Elevation above the horizon.
-    pub elevation_rad: f64,
-    /// Distance to the origin; infinite for the far field.
-    pub range_m: f64,
-}
-
 impl RcsRequest {
     /// Wavenumbers k = 2πf/c.
     pub(crate) fn wavenumbers_per_m(&self) -> Vec<f64> {
@@ -65,20 +54,11 @@ impl RcsRequest {
     }
 }
 
-impl Standpoint {
-    /// Unit vector from the origin.
-    pub fn direction(&self) -> DVec3 {
-        let (sin_el, cos_el) = self.elevation_rad.sin_cos();
-        let (sin_az, cos_az) = self.azimuth_rad.sin_cos();
-        DVec3::new(cos_el * cos_az, cos_el * sin_az, sin_el)
-    }
-
-    fn antenna(&self) -> Antenna {
-        if self.range_m.is_finite() {
-            Antenna::Point(self.range_m * self.direction())
-        } else {
-            Antenna::Direction(self.direction())
-        }
+fn antenna(at: &Standpoint) -> Antenna {
+    if at.range_m.is_finite() {
+        Antenna::Point(at.range_m * at.direction())
+    } else {
+        Antenna::Direction(at.direction())
     }
 }
 
@@ -87,8 +67,8 @@ pub(crate) fn aspects(request: &RcsRequest) -> Vec<Aspect> {
     let of = |elevation_rad: f64, azimuth_rad: f64| {
         let transmitter = Standpoint { azimuth_rad, elevation_rad, range_m: request.range_m };
         Aspect {
-            transmit: (transmitter.antenna(), zenith_h(azimuth_rad)),
-            receive: request.receiver.map(|r| (r.antenna(), zenith_h(r.azimuth_rad))),
+            transmit: (antenna(&transmitter), zenith_h(azimuth_rad)),
+            receive: request.receiver.map(|r| (antenna(&r), zenith_h(r.azimuth_rad))),
         }
     };
     request

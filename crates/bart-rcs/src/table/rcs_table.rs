@@ -154,7 +154,13 @@ pub fn rcs_within(
     let received = tree_of_receiver(&world, &aspects, &first, surroundings.progress)?;
     let trace = meter.total_s() - start_s;
     let meter = &meter;
-    let sweep = Sweep { world: &world, aspects: &aspects, received: received.as_ref(), surroundings, meter };
+    let sweep = SharedByAspects {
+        world: &world,
+        aspects: &aspects,
+        received: received.as_ref(),
+        surroundings,
+        meter,
+    };
     let FineTable { table, settings, mirrors } = sweep.fine_table(first, asked)?;
     let mut result = result(request, &table, build);
     let (traced_again, share) = mirrors.reached();
@@ -268,7 +274,7 @@ const COMPARED_ASPECTS: usize = 64;
 
 /// Things that all aspects of a table share: bodies, hierarchy, patches, edges and skin are the
 /// world's, built once.
-struct Sweep<'a> {
+struct SharedByAspects<'a> {
     world: &'a World,
     aspects: &'a [Aspect],
     /// Tree of a receiver that stands still: it does not depend on the aspect.
@@ -305,7 +311,7 @@ struct FineTable {
     mirrors: FinerMirrors,
 }
 
-impl Sweep<'_> {
+impl SharedByAspects<'_> {
     /// All aspects integrated finer, and those that need it traced finer, until both errors are as asked or
     /// no more is to be had.
     fn fine_table(&self, mut settings: AspectSettings, asked: f64) -> Result<FineTable, BartError> {

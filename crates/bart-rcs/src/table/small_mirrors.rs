@@ -32,11 +32,11 @@ const LARGEST: f64 = 16.0;
 
 /// The smallest followed mirrors of every order that is reflected, with what they scatter.
 pub(crate) struct SmallMirrors {
-    samples: Vec<Sample>,
+    samples: Vec<TreeSample>,
 }
 
 /// Sample of one order of one end's tree.
-struct Sample {
+struct TreeSample {
     end: usize,
     order: u8,
     /// Beams of the tree, ascending.
@@ -60,7 +60,7 @@ impl SmallMirrors {
     pub(crate) fn of(trees: Trees<'_>, needed: u8, least_m2: f64) -> Self {
         let ends = [Some(trees.transmit()), matches!(trees, Trees::Apart(..)).then(|| trees.receive())];
         let of_end = |(end, tree): (usize, &BeamTree)| {
-            (1..needed).filter_map(|order| Sample::of(tree, end, order, least_m2)).collect::<Vec<_>>()
+            (1..needed).filter_map(|order| TreeSample::of(tree, end, order, least_m2)).collect::<Vec<_>>()
         };
         Self { samples: ends.into_iter().flatten().enumerate().flat_map(of_end).collect() }
     }
@@ -75,7 +75,8 @@ impl SmallMirrors {
     ) -> Vec<Hit> {
         let highest = integration.wavenumbers_per_m.iter().copied().max_by(f64::total_cmp);
         let Some(wavenumber_per_m) = highest else { return Vec::new() };
-        let look = Look { scatterer, samples: &self.samples, wavenumber_per_m, integration, polarization };
+        let look =
+            MirrorProbe { scatterer, samples: &self.samples, wavenumber_per_m, integration, polarization };
         let of_joint = |joint: &Joint| look.hits(joint, joints.polygon(joint));
         let found: Vec<Vec<Hit>> = joints.list.par_iter().with_min_len(RUN).map(of_joint).collect();
         found.into_iter().flatten().collect()
@@ -90,14 +91,16 @@ impl SmallMirrors {
 
     /// Share of the squared plate bound by order from 1 of an end's tree; 1 where nothing is known.
     pub(crate) fn shares(&self, end: usize) -> impl Fn(u8) -> f64 {
-        move |order| self.samples.iter().find(|s| (s.end, s.order) == (end, order)).map_or(1.0, Sample::share)
+        move |order| {
+            self.samples.iter().find(|s| (s.end, s.order) == (end, order)).map_or(1.0, TreeSample::share)
+        }
     }
 }
 
 /// Joints that one thread looks at in turn.
 const RUN: usize = 256;
 
-impl Sample {
+impl TreeSample {
     /// Sample of an order; `None` where nothing of it was left unfollowed.
     fn of(tree: &BeamTree, end: usize, order: u8, least_m2: f64) -> Option<Self> {
         let audit = tree.audit.orders.get(usize::from(order) - 1)?;
@@ -127,9 +130,9 @@ impl Sample {
 }
 
 /// Tools by which joints are looked at.
-struct Look<'a> {
+struct MirrorProbe<'a> {
     scatterer: &'a Scatterer<'a>,
-    samples: &'a [Sample],
+    samples: &'a [TreeSample],
     wavenumber_per_m: f64,
     integration: &'a Integration<'a>,
     polarization: Polarization,
@@ -138,7 +141,7 @@ struct Look<'a> {
 /// Shares are told to 10 %.
 const ACCURACY: f64 = 0.1;
 
-impl Look<'_> {
+impl MirrorProbe<'_> {
     /// Hits of a joint: what it adds to each sampled mirror on its ways.
     fn hits(&self, joint: &Joint, corners_m: &[DVec3]) -> Vec<Hit> {
         let mut hits: Vec<Hit> = Vec::new();
@@ -217,7 +220,7 @@ mod tests {
     use crate::geometry::antenna::Antenna;
     use crate::joins::join::tree_order;
     use crate::joins::scatterer::{ZenithH, bracket_of};
-    use crate::table::meeting::{Meeting, MeetingSettings};
+    use crate::table::meeting::{MeetingSettings, OrderJoints};
     use artifact::scene::Mesh;
     use artifact::settings::{Edges, NodeRule, Sides};
 
@@ -268,7 +271,7 @@ mod tests {
             let mut mirrors = SmallMirrors::of(scatterer.trees, tree_order(2, nodes), least_mirror_area_m2);
             let mut power_m2 = 0.0;
             for order in 1..=2 {
-                let joints = Meeting::of(&scatterer, order, &what).facets;
+                let joints = OrderJoints::of(&scatterer, order, &what).facets;
                 mirrors.add(mirrors.hits(&scatterer, &joints, &integration, Polarization::Vv));
                 let is_small = |joint: &Joint| {
                     let parent = tree.beams[joint.forward as usize].parent;

@@ -2,14 +2,14 @@
 
 use artifact::Accuracy;
 use artifact::material::MaterialMap;
-use artifact::radar::{
-    Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform,
-};
+use artifact::radar::Radar;
 use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
     Angle, BetweenBodies, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise,
     Refine, Sides, StaticEchoes, Surface, Window,
 };
+use radar::aperture::Preset;
+use radar::paper;
 
 const RADAR_M: [f64; 3] = [0.0, 0.0, 6.0];
 
@@ -50,32 +50,7 @@ pub(crate) fn scene(mesh: &Mesh, places: &[Placed]) -> (SceneHeader, SceneFrame)
 }
 
 fn radar() -> Radar {
-    Radar {
-        position_m: RADAR_M,
-        boresight_az_rad: 0.0,
-        boresight_el_rad: 0.0,
-        schedule: Schedule::default(),
-        hardware: Hardware::default(),
-        waveform: Waveform {
-            start_frequency_hz: 77e9,
-            slope_hz_per_s: 12.5e12,
-            sample_rate_hz: 5.12e6,
-            sampling: artifact::radar::Sampling::Complex,
-            samples: 256,
-            chirp_interval_s: 60e-6,
-            chirps: 128,
-        },
-        array: Array {
-            tx_m: vec![RADAR_M],
-            rx_m: vec![RADAR_M],
-            tx_half_wavelengths: vec![[0.0; 2]],
-            rx_half_wavelengths: vec![[0.0; 2]],
-            multiplexing: Multiplexing::Simultaneous,
-            polarization: Polarization::Vv,
-            pattern: Pattern::Isotropic,
-        },
-        link: Link { transmit_power_w: 0.01, antenna_gain_db: 10.0 },
-    }
+    paper::radar(RADAR_M, paper::waveform(256, 128), Preset::OneByOne.elements())
 }
 
 fn dsp() -> DspSettings {

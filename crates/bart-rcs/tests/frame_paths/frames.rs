@@ -2,7 +2,7 @@
 
 use artifact::material::MaterialMap;
 use artifact::paths::{Amplitude, PathsFrame};
-use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Schedule};
+use artifact::radar::Polarization;
 use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
     Angle, BetweenBodies, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise,
@@ -12,19 +12,13 @@ use artifact::{Accuracy, Radar, Waveform};
 use bart_rcs::{FrameSurroundings, PathView, RcsRequest, Standpoint, Tracer, rcs, scattering_of_paths};
 use glam::DVec3;
 use num_complex::Complex64;
+use radar::aperture::Preset;
+use radar::paper;
 
 pub(crate) const RADAR_M: [f64; 3] = [0.0, 0.0, 6.0];
 
 pub(crate) fn waveform() -> Waveform {
-    Waveform {
-        start_frequency_hz: 77e9,
-        slope_hz_per_s: 12.5e12,
-        sample_rate_hz: 5.12e6,
-        sampling: artifact::radar::Sampling::Complex,
-        samples: 256,
-        chirp_interval_s: 60e-6,
-        chirps: 128,
-    }
+    paper::waveform(256, 128)
 }
 
 pub(crate) fn pose(position_m: [f64; 3], velocity_mps: [f64; 3], yaw_rad: f64) -> Pose {
@@ -85,24 +79,7 @@ pub(crate) fn scene(
 }
 
 pub(crate) fn radar() -> Radar {
-    Radar {
-        position_m: RADAR_M,
-        boresight_az_rad: 0.0,
-        boresight_el_rad: 0.0,
-        waveform: waveform(),
-        schedule: Schedule::default(),
-        hardware: Hardware::default(),
-        array: Array {
-            tx_m: vec![RADAR_M],
-            rx_m: vec![RADAR_M],
-            tx_half_wavelengths: vec![[0.0; 2]],
-            rx_half_wavelengths: vec![[0.0; 2]],
-            multiplexing: Multiplexing::Simultaneous,
-            polarization: Polarization::Vv,
-            pattern: Pattern::Isotropic,
-        },
-        link: Link { transmit_power_w: 0.016, antenna_gain_db: 10.0 },
-    }
+    paper::radar(RADAR_M, waveform(), Preset::OneByOne.elements())
 }
 
 pub(crate) fn dsp() -> DspSettings {

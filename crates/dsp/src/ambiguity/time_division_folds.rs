@@ -48,7 +48,7 @@ pub(crate) struct Folds {
 
 /// A fold that was chosen.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Choice {
+pub(crate) struct ChosenFold {
     /// Velocity, m/s: of the ambiguities of λ/2T that remain the one nearest to zero.
     pub(crate) velocity_mps: f64,
     /// Logarithm of the likelihood ratio to the next fold.
@@ -89,7 +89,7 @@ impl Folds {
     ///
     /// What even the best leaves counts as noise too: a cell of several echoes fits no fold well, and tells
     /// little.
-    pub(crate) fn choice(&self, noise: f64) -> Choice {
+    pub(crate) fn choice(&self, noise: f64) -> ChosenFold {
         let least = |folds: &mut dyn Iterator<Item = usize>| {
             folds.fold(None, |best: Option<usize>, f| match best {
                 Some(b) if self.left[b] <= self.left[f] => Some(b),
@@ -105,7 +105,7 @@ impl Folds {
             .min_by(|a, b| self.velocity_mps(*a).abs().total_cmp(&self.velocity_mps(*b).abs()));
         let velocity_mps = self.velocity_mps(slowest.unwrap_or(best));
         let next_mps = self.ambiguity_mps() - velocity_mps.abs();
-        Choice { velocity_mps, margin, is_certain: margin >= CERTAIN && next_mps > FASTEST_MPS }
+        ChosenFold { velocity_mps, margin, is_certain: margin >= CERTAIN && next_mps > FASTEST_MPS }
     }
 
     /// Span of velocity λ/2T, T from any chirp to the next, m/s.

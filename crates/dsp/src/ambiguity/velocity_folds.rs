@@ -62,7 +62,7 @@ pub(crate) fn resolved<'p>(plan_of: impl Fn(u32) -> &'p Plan, points: Vec<Points
 /// `velocity_resolved`.
 fn resolved_by(own: &SubFrame<'_>, other: &SubFrame<'_>) -> PointsFrame {
     let scorer = Scorer { own, other };
-    let choices: Vec<Choice> =
+    let choices: Vec<FoldHypotheses> =
         own.points.objects.iter().enumerate().map(|(o, _)| scorer.choices(Some(o as u32))).collect();
     let chosen = scorer.together(&choices);
     let mut frame = own.points.clone();
@@ -81,7 +81,7 @@ fn resolved_by(own: &SubFrame<'_>, other: &SubFrame<'_>) -> PointsFrame {
 }
 
 /// Hypotheses of one object: whole spans to add, and for each what it explains.
-struct Choice {
+struct FoldHypotheses {
     folds: Vec<f64>,
     /// Agreement of the own points with their best partners, amplitude-weighted sum, by hypothesis.
     own: Vec<f64>,
@@ -96,7 +96,7 @@ struct Scorer<'a> {
 
 impl Scorer<'_> {
     /// Folds that stay below the fastest vehicle, and their scores.
-    fn choices(&self, object: Option<u32>) -> Choice {
+    fn choices(&self, object: Option<u32>) -> FoldHypotheses {
         let span_mps = ambiguity_mps(&self.own.plan.radar);
         let points: Vec<&Point> = self.own.points.points.iter().filter(|p| p.object == object).collect();
         let strongest_mps = points.first().map_or(0.0, |p| p.radial_velocity_mps);
@@ -108,7 +108,7 @@ impl Scorer<'_> {
         if folds.is_empty() {
             folds.push(0.0);
         }
-        let mut choice = Choice { folds, own: vec![], other: vec![] };
+        let mut choice = FoldHypotheses { folds, own: vec![], other: vec![] };
         for fold in &choice.folds {
             let mut met = vec![0.0_f64; self.other.points.points.len()];
             let mut sum = 0.0;
@@ -164,7 +164,7 @@ impl Scorer<'_> {
     }
 
     /// The best hypothesis of each object, all objects at once, and whether it is beyond doubt.
-    fn together(&self, choices: &[Choice]) -> Vec<(usize, bool)> {
+    fn together(&self, choices: &[FoldHypotheses]) -> Vec<(usize, bool)> {
         let mut chosen: Vec<usize> = choices.iter().map(|c| best_of(&c.own)).collect();
         for group in self.sharing_ranges() {
             self.decide(choices, &group, &mut chosen);
@@ -185,7 +185,7 @@ impl Scorer<'_> {
     }
 
     /// All combinations of a group's hypotheses where they are few; the best explains most.
-    fn decide(&self, choices: &[Choice], group: &[usize], chosen: &mut [usize]) {
+    fn decide(&self, choices: &[FoldHypotheses], group: &[usize], chosen: &mut [usize]) {
         let combinations: usize = group.iter().fold(1, |n, o| n.saturating_mul(choices[*o].folds.len()));
         if combinations > MOST_COMBINATIONS {
             return;
@@ -207,7 +207,7 @@ impl Scorer<'_> {
 
     /// Amplitude that a group's hypotheses explain: own echoes that find partners, and the others' echoes
     /// that are met by any of the group.
-    fn explained(&self, choices: &[Choice], tried: &[usize], group: &[usize]) -> f64 {
+    fn explained(&self, choices: &[FoldHypotheses], tried: &[usize], group: &[usize]) -> f64 {
         let own: f64 = group.iter().map(|o| choices[*o].own[tried[*o]]).sum();
         let met = |j: usize| group.iter().map(|o| choices[*o].other[tried[*o]][j]).fold(0.0, f64::max);
         let others = self.other.points.points.iter().enumerate();

@@ -64,8 +64,8 @@ fn likeliest(
     range_m: f64,
     strongest: Direction,
     noise: f64,
-) -> Option<Fit> {
-    let mut best = Fit::new(array, snapshot, range_m, &[strongest])?;
+) -> Option<AmplitudeFit> {
+    let mut best = AmplitudeFit::new(array, snapshot, range_m, &[strongest])?;
     let total: f64 = snapshot.iter().map(|v| v.norm_sqr()).sum();
     // Two amplitudes and a direction fitted over as many beams as channels: Pr(reduction > tσ²) ≈ M·t·e^{−t}.
     let threshold = split_threshold(snapshot.len()) * noise;
@@ -99,7 +99,7 @@ pub fn least_errors(
         echoes.iter().zip(&turns).map(|((_, a), turns)| a * turns[c].conj()).sum()
     };
     let noiseless: Vec<Complex64> = (0..turns.first()?.len()).map(sum).collect();
-    let slopes = Fit::new(array, &noiseless, range_m, &directions)?.slopes(array, range_m);
+    let slopes = AmplitudeFit::new(array, &noiseless, range_m, &directions)?.slopes(array, range_m);
     let mut information = [[0.0; PARAMETERS]; PARAMETERS];
     for (i, a) in slopes.iter().enumerate().take(PARAMETERS) {
         slopes
@@ -128,7 +128,12 @@ fn split_threshold(channels: usize) -> f64 {
 
 /// The best fit with one echo more: one of those there made two, or a new one where the residual's beam is
 /// strongest.
-fn one_more(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, fit: &Fit) -> Option<Fit> {
+fn one_more(
+    array: &VirtualArray,
+    snapshot: &[Complex64],
+    range_m: f64,
+    fit: &AmplitudeFit,
+) -> Option<AmplitudeFit> {
     let found = array.direction(std::slice::from_ref(&fit.residual), range_m);
     let mut starts = vec![[fit.directions.as_slice(), &[found]].concat()];
     for (index, direction) in fit.directions.iter().enumerate() {
@@ -143,19 +148,24 @@ fn one_more(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, fit: &Fi
         }
     }
     let fits = starts.iter().filter_map(|start| {
-        Some(settled(array, snapshot, range_m, Fit::new(array, snapshot, range_m, start)?))
+        Some(settled(array, snapshot, range_m, AmplitudeFit::new(array, snapshot, range_m, start)?))
     });
     fits.min_by(|a, b| a.residual_power.total_cmp(&b.residual_power))
 }
 
 /// Gauss–Newton with Levenberg's damping, which only ever lowers the residual.
-fn settled(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, mut fit: Fit) -> Fit {
+fn settled(
+    array: &VirtualArray,
+    snapshot: &[Complex64],
+    range_m: f64,
+    mut fit: AmplitudeFit,
+) -> AmplitudeFit {
     let mut damping = 1e-3;
     for _ in 0..STEPS {
         let moved = fit.step(array, range_m, damping).and_then(|step| {
             let at = |(i, d): (usize, &Direction)| shifted(shifted(*d, 0, step[2 * i]), 1, step[2 * i + 1]);
             let directions: Vec<Direction> = fit.directions.iter().enumerate().map(at).collect();
-            Fit::new(array, snapshot, range_m, &directions)
+            AmplitudeFit::new(array, snapshot, range_m, &directions)
         });
         match moved {
             Some(moved) if moved.residual_power < fit.residual_power => {
@@ -176,7 +186,7 @@ fn shifted(direction: Direction, axis: usize, by: f64) -> Direction {
 }
 
 /// Least squares over the amplitudes of echoes from given directions.
-struct Fit {
+struct AmplitudeFit {
     directions: Vec<Direction>,
     amplitudes: Vec<Complex64>,
     /// Orthonormal basis of the echoes.
@@ -185,7 +195,7 @@ struct Fit {
     residual_power: f64,
 }
 
-impl Fit {
+impl AmplitudeFit {
     /// `None` where a direction is not visible or two cannot be told apart.
     fn new(
         array: &VirtualArray,

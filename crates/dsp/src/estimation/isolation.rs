@@ -40,7 +40,7 @@ impl Neighbours<'_> {
     /// Whether the other peaks leave the estimates of an echo, whose peak this is, within 0.4 dB of their
     /// bound.
     pub(crate) fn leave_alone(&self, peak: &Peak, echo: PointEcho) -> bool {
-        let beams = Beams::new(&self.plan.array, echo);
+        let beams = SteeringVector::new(&self.plan.array, echo);
         let mut bias = [0.0; PARAMETERS];
         for other in self.peaks.iter().filter(|other| (other.row, other.column) != (peak.row, peak.column)) {
             // As the echo's own slots of time division see it: turned back by the echo's velocity, not by its
@@ -62,11 +62,11 @@ impl Neighbours<'_> {
         bias.iter().all(|bias| *bias <= MOST_BIAS)
     }
 
-    fn along(&self, a: &Peak, b: &Peak) -> [Correlation; 2] {
+    fn along(&self, a: &Peak, b: &Peak) -> [ToneCorrelation; 2] {
         let waveform = &self.plan.radar.waveform;
         [
-            Correlation::of(a.fine_row - b.fine_row, waveform.chirps),
-            Correlation::of(a.fine_column - b.fine_column, waveform.samples),
+            ToneCorrelation::of(a.fine_row - b.fine_row, waveform.chirps),
+            ToneCorrelation::of(a.fine_column - b.fine_column, waveform.samples),
         ]
     }
 }
@@ -75,12 +75,12 @@ impl Neighbours<'_> {
 const PARAMETERS: usize = 4;
 
 /// Largest |correlation|² of a tone with another along one axis, and with its slope of unit length.
-struct Correlation {
+struct ToneCorrelation {
     value: f64,
     slope: f64,
 }
 
-impl Correlation {
+impl ToneCorrelation {
     /// Envelopes of the Dirichlet kernel sin πx/(N sin πx/N) and of its slope over π/√3, the slope's length.
     fn of(cells: f64, count: u32) -> Self {
         let away = f64::from(count) * (PI * cells / f64::from(count)).sin().abs();
@@ -91,11 +91,11 @@ impl Correlation {
 }
 
 /// An echo over the array, of unit length, and its changes with the direction.
-struct Beams {
+struct SteeringVector {
     of_parameters: [Vec<Complex64>; PARAMETERS],
 }
 
-impl Beams {
+impl SteeringVector {
     fn new(array: &VirtualArray, echo: PointEcho) -> Self {
         let steering = array.steering(echo.direction, echo.range_m);
         let slopes = array.excess_slopes_m(echo.direction, echo.range_m);
@@ -202,7 +202,7 @@ mod tests {
         };
         for step in 1..16 * 50 {
             let cells = f64::from(step) / 50.0;
-            let ([value, slope], most) = (kernel(cells), Correlation::of(cells, count));
+            let ([value, slope], most) = (kernel(cells), ToneCorrelation::of(cells, count));
             // The slope's length is π/√3·√(1 − 1/N²) of a cell.
             assert!(
                 value <= most.value + 1e-12 && slope <= most.slope * (1.0 + 1e-3) + 1e-12,

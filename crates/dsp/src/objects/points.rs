@@ -6,7 +6,7 @@
 //! Objects are made of peaks alone.
 
 use crate::ambiguity::ambiguous_velocities::folds_are_told;
-use crate::ambiguity::time_division_folds::{Choice, Folds};
+use crate::ambiguity::time_division_folds::{ChosenFold, Folds};
 use crate::detection::censored::unmasked;
 use crate::detection::empty_band::fold_is_certain;
 use crate::detection::peaks::Peak;
@@ -174,7 +174,7 @@ impl View<'_> {
         (self.axes.range_at(peak.fine_column) - self.axes.coupling_m(velocity_mps)).max(0.0)
     }
 
-    fn choice(&self, folds: &Folds) -> Choice {
+    fn choice(&self, folds: &Folds) -> ChosenFold {
         folds.choice(self.channel_noise())
     }
 

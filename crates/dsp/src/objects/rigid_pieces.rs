@@ -52,7 +52,7 @@ pub(crate) fn drive_as_one(
     let echo = |i: &usize| Echo::of(&members[*i], first[0].radial_velocity_mps, velocity_span_mps);
     let [a, b] = groups.map(|group| group.iter().map(echo).collect::<Vec<Echo>>());
     let all: Vec<Echo> = a.iter().chain(&b).copied().collect();
-    let fit = Fit::of(&all);
+    let fit = VelocityFit::of(&all);
     let speed_mps = fit.velocity_mps.length();
     let is_a_vehicles = (SPEEDS_MPS[0]..=SPEEDS_MPS[1]).contains(&speed_mps);
     if !is_a_vehicles || fit.misfit_mps(&all) > MISFIT * settings.cluster_velocity_mps {
@@ -89,13 +89,13 @@ impl Echo {
 }
 
 /// The velocity of a body by least squares.
-struct Fit {
+struct VelocityFit {
     velocity_mps: DVec2,
     /// Covariance of the velocity over the variance of one radial velocity.
     covariance: DMat2,
 }
 
-impl Fit {
+impl VelocityFit {
     /// Points in one direction leave the component across it open: its variance is then beyond any limit.
     fn of(echoes: &[Echo]) -> Self {
         let (mut normal, mut moment) = (DMat2::from_diagonal(DVec2::splat(1e-9)), DVec2::ZERO);
@@ -128,8 +128,8 @@ impl Fit {
 
 /// Whether the part that knows its own motion better tells the velocities of the other.
 fn foretells(a: &[Echo], b: &[Echo]) -> bool {
-    let known = |part: &[Echo]| (part.len() > 1).then(|| Fit::of(part));
-    let trace = |fit: &Fit| fit.covariance.x_axis.x + fit.covariance.y_axis.y;
+    let known = |part: &[Echo]| (part.len() > 1).then(|| VelocityFit::of(part));
+    let trace = |fit: &VelocityFit| fit.covariance.x_axis.x + fit.covariance.y_axis.y;
     match (known(a), known(b)) {
         (Some(of_a), Some(of_b)) if trace(&of_b) < trace(&of_a) => a.iter().all(|echo| of_b.foretells(echo)),
         (Some(of_a), _) => b.iter().all(|echo| of_a.foretells(echo)),

@@ -9,15 +9,15 @@ use artifact::ErrorBudget;
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::dataset::{Crop, CropFormat};
 use artifact::points::Object;
-use artifact::radar::{
-    Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform,
-};
+use artifact::radar::{Multiplexing, Radar};
 use artifact::rdm::RdmFrame;
 use artifact::seed::key;
 use artifact::settings::{DspSettings, Lane, Lanes, Noise};
 use artifact::units::{BOLTZMANN_J_PER_K, SPEED_OF_LIGHT_MPS, power_from_db};
 use dsp::{DspError, Receiver};
 use num_complex::{Complex32, Complex64};
+use radar::aperture::{Elements, Preset, mounted};
+use radar::paper;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
@@ -51,80 +51,35 @@ pub fn target(position_m: [f64; 3], velocity_mps: [f64; 3], rcs_m2: f64) -> Targ
 }
 
 /// Arrays of `interface.md`, λ/2: transmit elements, receive elements.
-pub fn elements_1x4() -> [Vec<[f64; 2]>; 2] {
-    [row(&[0]), row(&[0, 1, 2, 3])]
+pub fn elements_1x1() -> [Elements; 2] {
+    Preset::OneByOne.elements()
 }
 
-pub fn elements_3x4() -> [Vec<[f64; 2]>; 2] {
-    [row(&[0, 4, 8]), row(&[0, 1, 2, 3])]
+pub fn elements_1x4() -> [Elements; 2] {
+    Preset::OneByFour.elements()
 }
 
-pub fn elements_6x8() -> [Vec<[f64; 2]>; 2] {
-    let rx = [0, 1, 4, 6].iter().flat_map(|up| [[0.0, f64::from(*up)], [1.0, f64::from(*up)]]).collect();
-    [row(&[0, 2, 4, 6, 8, 10]), rx]
+pub fn elements_3x4() -> [Elements; 2] {
+    Preset::ThreeByFour.elements()
 }
 
-pub fn elements_12x16() -> [Vec<[f64; 2]>; 2] {
-    [row(&(0..12).map(|i| 16 * i).collect::<Vec<_>>()), row(&(0..16).collect::<Vec<_>>())]
+pub fn elements_6x8() -> [Elements; 2] {
+    Preset::SixByEight.elements()
 }
 
-pub fn elements_1x1() -> [Vec<[f64; 2]>; 2] {
-    [row(&[0]), row(&[0])]
-}
-
-fn row(places: &[i32]) -> Vec<[f64; 2]> {
-    places.iter().map(|p| [f64::from(*p), 0.0]).collect()
+pub fn elements_12x16() -> [Elements; 2] {
+    Preset::TwelveBySixteen.elements()
 }
 
 /// Experiment 1, 2 or 3 of Table 2 with these elements, 6 m above the road.
-pub fn header(samples: u32, chirps: u32, elements: [Vec<[f64; 2]>; 2]) -> CubeHeader {
-    let waveform = Waveform {
-        start_frequency_hz: 77e9,
-        slope_hz_per_s: 12.5e12,
-        sample_rate_hz: 5.12e6,
-        sampling: artifact::radar::Sampling::Complex,
-        samples,
-        chirp_interval_s: f64::from(samples) / 5.12e6 + 10e-6,
-        chirps,
-    };
-    let mut radar = Radar {
-        position_m: [0.0, 0.0, 6.0],
-        boresight_az_rad: 0.0,
-        boresight_el_rad: 0.0,
-        waveform,
-        schedule: Schedule::default(),
-        hardware: Hardware::default(),
-        array: Array {
-            tx_m: vec![],
-            rx_m: vec![],
-            tx_half_wavelengths: elements[0].clone(),
-            rx_half_wavelengths: elements[1].clone(),
-            multiplexing: Multiplexing::Simultaneous,
-            polarization: Polarization::Vv,
-            pattern: Pattern::Isotropic,
-        },
-        link: Link { transmit_power_w: 0.0158489, antenna_gain_db: 10.0 },
-    };
-    place_elements(&mut radar);
+pub fn header(samples: u32, chirps: u32, elements: [Elements; 2]) -> CubeHeader {
+    let radar = paper::radar([0.0, 0.0, 6.0], paper::waveform(samples, chirps), elements);
     CubeHeader { radar, noise: Noise::Absent, dsp: settings() }
 }
 
-/// World positions of the elements, each row centred on the radar, for its boresight.
+/// World positions of the elements, for the radar's boresight.
 pub fn place_elements(radar: &mut Radar) {
-    let half = 0.5 * radar.waveform.wavelength_m();
-    let (sa, ca) = radar.boresight_az_rad.sin_cos();
-    let (se, ce) = radar.boresight_el_rad.sin_cos();
-    let (right, up) = ([ca, -sa, 0.0], [-sa * se, -ca * se, ce]);
-    let world = |places: &[[f64; 2]]| -> Vec<[f64; 3]> {
-        let count = places.len() as f64;
-        let centre = [0, 1].map(|a: usize| places.iter().map(|p| p[a]).sum::<f64>() / count);
-        let offset =
-            |p: &[f64; 2], i: usize| half * ((p[0] - centre[0]) * right[i] + (p[1] - centre[1]) * up[i]);
-        places.iter().map(|p| [0, 1, 2].map(|i: usize| radar.position_m[i] + offset(p, i))).collect()
-    };
-    let (tx, rx) = (world(&radar.array.tx_half_wavelengths), world(&radar.array.rx_half_wavelengths));
-    radar.array.tx_m = tx;
-    radar.array.rx_m = rx;
+    *radar = mounted(radar.clone());
 }
 
 /// The defaults of a scene's `[dsp]`.

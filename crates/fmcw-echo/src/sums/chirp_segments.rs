@@ -1,7 +1,7 @@
 //! Segments of a chirp: into how many parabolas it is cut so that phase and amplitude stay within 1e-7
 //! of exact.
 
-use crate::sums::closest_approach::Leg;
+use crate::sums::closest_approach::MovingLeg;
 use artifact::Radar;
 use artifact::paths::Path;
 use artifact::units::SPEED_OF_LIGHT_MPS;
@@ -37,7 +37,7 @@ fn third_derivative(radar: &Radar, path: &Path) -> f64 {
     let sweep_hz = waveform.bandwidth_hz().abs();
     let highest_hz = waveform.start_frequency_hz + sweep_hz;
     let (mut phase, mut sum) = (0.0, 0.0);
-    for leg in Leg::of(radar, path) {
+    for leg in MovingLeg::of(radar, path) {
         let length_m = leg.nearest(radar).1;
         let e = leg.speed_mps(radar) * chirp_s / length_m;
         let bend = e * e + leg.acceleration_mps2() * chirp_s * chirp_s / length_m;
@@ -51,40 +51,12 @@ fn third_derivative(radar: &Radar, path: &Path) -> f64 {
 mod tests {
     use super::*;
     use artifact::paths::Curve;
-    use artifact::radar::{Array, Hardware, Link, Multiplexing, Pattern, Polarization, Schedule, Waveform};
     use num_complex::Complex64;
+    use radar::aperture::Preset;
+    use radar::paper;
 
     fn samples_for(range_m: f64, speed_mps: f64) -> usize {
-        let element_m = [0.0, 0.0, 6.0];
-        let waveform = Waveform {
-            start_frequency_hz: 77e9,
-            slope_hz_per_s: 12.5e12,
-            sample_rate_hz: 5.12e6,
-            sampling: artifact::radar::Sampling::Complex,
-            samples: 256,
-            chirp_interval_s: 60e-6,
-            chirps: 128,
-        };
-        let array = Array {
-            tx_m: vec![element_m],
-            rx_m: vec![element_m],
-            tx_half_wavelengths: vec![[0.0; 2]],
-            rx_half_wavelengths: vec![[0.0; 2]],
-            multiplexing: Multiplexing::Simultaneous,
-            polarization: Polarization::Vv,
-            pattern: Pattern::Isotropic,
-        };
-        let link = Link { transmit_power_w: 1.0, antenna_gain_db: 0.0 };
-        let radar = Radar {
-            position_m: element_m,
-            boresight_az_rad: 0.0,
-            boresight_el_rad: 0.0,
-            waveform,
-            schedule: Schedule::default(),
-            hardware: Hardware::default(),
-            array,
-            link,
-        };
+        let radar = paper::radar([0.0, 0.0, 6.0], paper::waveform(256, 128), Preset::OneByOne.elements());
         let path = Path {
             target: 0,
             order: 0,

@@ -5,7 +5,7 @@ use artifact::paths::Path;
 use glam::DVec3;
 
 /// One of the two legs of a path: the elements at its end, its apparent point and that point's velocity.
-pub(crate) struct Leg<'a> {
+pub(crate) struct MovingLeg<'a> {
     /// End of the path, "transmit" or "receive".
     pub(crate) element: &'static str,
     elements_m: &'a [[f64; 3]],
@@ -15,11 +15,11 @@ pub(crate) struct Leg<'a> {
     rim_radius_m: Option<f64>,
 }
 
-impl<'a> Leg<'a> {
+impl<'a> MovingLeg<'a> {
     /// Both legs of a path.
     pub(crate) fn of(radar: &'a Radar, path: &Path) -> [Self; 2] {
         let curve = &path.curve;
-        let leg = |element, elements_m, point_m, velocity_mps, acceleration_mps2| Leg {
+        let leg = |element, elements_m, point_m, velocity_mps, acceleration_mps2| MovingLeg {
             element,
             elements_m,
             point_m: DVec3::from_array(point_m),

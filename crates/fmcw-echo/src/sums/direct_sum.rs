@@ -282,7 +282,7 @@ struct Parabolas<S: Simd> {
 
 /// A group of paths as one sample sees it.
 #[derive(Clone, Copy)]
-struct Instant<S: Simd> {
+struct SampledGroup<S: Simd> {
     cycles: Real<S>,
     amplitude: Complex<S>,
 }
@@ -349,7 +349,7 @@ impl<'a, S: Simd> Chirp<'a, S> {
 
     /// Exact phase and amplitude at a sample, or between two.
     #[inline(always)]
-    fn instant(&self, group: usize, sample: f64) -> Instant<S> {
+    fn instant(&self, group: usize, sample: f64) -> SampledGroup<S> {
         let waveform = &self.sum.radar.waveform;
         let (f0, mu) = (waveform.start_frequency_hz, waveform.slope_hz_per_s);
         let t = sample / waveform.sample_rate_hz;
@@ -358,7 +358,7 @@ impl<'a, S: Simd> Chirp<'a, S> {
         let tau = way_s + self.splat(self.transmission.line_delay_s);
         let cycles = tau * tau.mul_add(self.splat(-0.5 * mu), self.splat(f0 + mu * t));
         let offset_hz = self.splat(f0 + mu * t - self.sum.centre_frequency_hz) - tau.scale(mu);
-        Instant { cycles, amplitude: self.conjugate_amplitude(group, offset_hz, self.gain(&legs)) }
+        SampledGroup { cycles, amplitude: self.conjugate_amplitude(group, offset_hz, self.gain(&legs)) }
     }
 
     /// Both legs at the scattering time of what is received at `time_s`.
@@ -367,7 +367,7 @@ impl<'a, S: Simd> Chirp<'a, S> {
     /// − β²)d²) − d·β)/(1 − β²). β is that at T: acceleration on the way back moves a point by ½a(L₂/c)²,
     /// 1e-12 m at 100 m/s² and 40 m.
     #[inline(always)]
-    fn legs(&self, group: usize, time_s: f64) -> Legs<S> {
+    fn legs(&self, group: usize, time_s: f64) -> GroupLegs<S> {
         let beta = self.vector(&self.rx_beta, group);
         let from_element = self.vector(&self.rx_m, group) - Vector::splat(self.simd, self.transmission.rx_m);
         let (beta, d) = match &self.bends {
@@ -390,7 +390,7 @@ impl<'a, S: Simd> Chirp<'a, S> {
             Some([tx, _]) => self.vector(tx, group).mul_add(scattering_time_s, tx_mps),
         };
         let departing_m = mean_mps.mul_add(scattering_time_s, from_element);
-        Legs {
+        GroupLegs {
             departing_m,
             departing_length_m: departing_m.dot(departing_m).sqrt(),
             arriving_m: beta.negate_mul_add(arriving_length_m, d),
@@ -400,7 +400,7 @@ impl<'a, S: Simd> Chirp<'a, S> {
 
     /// Link amplitude and both pattern gains over L₁L₂.
     #[inline(always)]
-    fn gain(&self, legs: &Legs<S>) -> Real<S> {
+    fn gain(&self, legs: &GroupLegs<S>) -> Real<S> {
         let spreading =
             (legs.departing_length_m * legs.arriving_length_m).recip().scale(self.sum.link_amplitude);
         match &self.sum.radar.array.pattern {
@@ -455,7 +455,7 @@ impl<'a, S: Simd> Chirp<'a, S> {
 }
 
 /// A group of paths between the elements of a transmission.
-struct Legs<S: Simd> {
+struct GroupLegs<S: Simd> {
     /// Vectors x_a(t_s) − p_t.
     departing_m: Vector<S>,
     /// Lengths L₁ of the departing legs.

@@ -2,7 +2,7 @@
 
 use crate::error::EchoError;
 use crate::impairments::oscillator;
-use crate::sums::closest_approach::Leg;
+use crate::sums::closest_approach::MovingLeg;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::paths::{Path, Rim, Span};
 use artifact::radar::{Pattern, PhaseNoise};
@@ -244,7 +244,8 @@ impl Place {
     }
 
     fn check_speed(&self, radar: &Radar, path: &Path) -> Result<(), EchoError> {
-        let speed_mps = Leg::of(radar, path).map(|leg| leg.speed_mps(radar)).into_iter().fold(0.0, f64::max);
+        let speed_mps =
+            MovingLeg::of(radar, path).map(|leg| leg.speed_mps(radar)).into_iter().fold(0.0, f64::max);
         if speed_mps <= SPEED_LIMIT_MPS {
             return Ok(());
         }
@@ -252,7 +253,7 @@ impl Place {
     }
 
     fn check_distance(&self, radar: &Radar, path: &Path) -> Result<(), EchoError> {
-        for leg in Leg::of(radar, path) {
+        for leg in MovingLeg::of(radar, path) {
             let (index, distance_m) = leg.nearest(radar);
             if distance_m < radar.waveform.wavelength_m() {
                 let (Self { frame, path }, element) = (*self, leg.element);

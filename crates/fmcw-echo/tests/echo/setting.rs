@@ -7,14 +7,14 @@
 
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::paths::{Curve, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
-use artifact::radar::{
-    Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform,
-};
+use artifact::radar::{Multiplexing, Radar, Waveform};
 use artifact::settings::{Angle, Detector, DspSettings, Lanes, Noise, Refine, StaticEchoes, Window};
-use artifact::units::{power_from_db, watts_from_dbm};
+use artifact::units::power_from_db;
 use artifact::{Accuracy, ErrorBudget, ModelError};
 use fmcw_echo::{EchoError, Synthesizer};
 use num_complex::{Complex32, Complex64};
+use radar::aperture::Preset;
+use radar::paper;
 use rand::rand_core::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -23,16 +23,7 @@ pub const EXPERIMENT_SAMPLES: [u32; 3] = [256, 384, 512];
 
 /// Waveform of Table 2's experiment 1, 2 or 3.
 pub fn experiment(number: usize) -> Waveform {
-    let samples = EXPERIMENT_SAMPLES[number - 1];
-    Waveform {
-        start_frequency_hz: 77e9,
-        slope_hz_per_s: 12.5e12,
-        sample_rate_hz: 5.12e6,
-        sampling: artifact::radar::Sampling::Complex,
-        samples,
-        chirp_interval_s: f64::from(samples) / 5.12e6 + 10e-6,
-        chirps: 128,
-    }
+    paper::waveform(EXPERIMENT_SAMPLES[number - 1], 128)
 }
 
 /// Element positions of an array in half wavelengths [right, up].
@@ -44,53 +35,19 @@ pub struct Layout {
 
 /// The presets of physics.md §7.
 pub fn presets() -> Vec<Layout> {
-    let line = |positions: &[u32]| positions.iter().map(|&p| [f64::from(p), 0.0]).collect::<Vec<_>>();
-    let grid = [0.0, 1.0, 4.0, 6.0].iter().flat_map(|&up| [[0.0, up], [1.0, up]]).collect();
-    vec![
-        Layout { name: "1x1", tx: line(&[0]), rx: line(&[0]) },
-        Layout { name: "1x4", tx: line(&[0]), rx: line(&[0, 1, 2, 3]) },
-        Layout { name: "3x4", tx: line(&[0, 4, 8]), rx: line(&[0, 1, 2, 3]) },
-        Layout { name: "6x8", tx: line(&[0, 2, 4, 6, 8, 10]), rx: grid },
-        Layout {
-            name: "12x16",
-            tx: line(&(0..12).map(|i| 16 * i).collect::<Vec<_>>()),
-            rx: line(&(0..16).collect::<Vec<_>>()),
-        },
-    ]
+    let of = |(name, preset): (&'static str, Preset)| {
+        let [tx, rx] = preset.elements();
+        Layout { name, tx, rx }
+    };
+    Preset::ALL.map(of).into()
 }
 
 /// A radar 6 m above the road that looks along +y, each row of elements centred on it.
 pub fn radar(waveform: Waveform, layout: &Layout, multiplexing: Multiplexing) -> Radar {
-    let position_m = [0.0, 0.0, 6.0];
-    let half_wavelength_m = 0.5 * waveform.wavelength_m();
-    let placed = |row: &[[f64; 2]]| {
-        let mean = |axis: usize| row.iter().map(|p| p[axis]).sum::<f64>() / row.len() as f64;
-        let centre = [mean(0), mean(1)];
-        row.iter()
-            .map(|p| {
-                let [right, up] = [0, 1].map(|axis| (p[axis] - centre[axis]) * half_wavelength_m);
-                [position_m[0] + right, position_m[1], position_m[2] + up]
-            })
-            .collect::<Vec<_>>()
-    };
-    Radar {
-        position_m,
-        boresight_az_rad: 0.0,
-        boresight_el_rad: 0.0,
-        waveform,
-        schedule: Schedule::default(),
-        hardware: Hardware::default(),
-        array: Array {
-            tx_m: placed(&layout.tx),
-            rx_m: placed(&layout.rx),
-            tx_half_wavelengths: layout.tx.clone(),
-            rx_half_wavelengths: layout.rx.clone(),
-            multiplexing,
-            polarization: Polarization::Vv,
-            pattern: Pattern::Isotropic,
-        },
-        link: Link { transmit_power_w: watts_from_dbm(12.0), antenna_gain_db: 10.0 },
-    }
+    let elements = [layout.tx.clone(), layout.rx.clone()];
+    let mut radar = paper::radar([0.0, 0.0, 6.0], waveform, elements);
+    radar.array.multiplexing = multiplexing;
+    radar
 }
 
 /// One transmitter, one receiver, both at (0, 0, 6) m.

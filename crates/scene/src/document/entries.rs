@@ -4,7 +4,7 @@ use crate::document::errors::Place;
 use crate::document::keys::materials::{LAYER, LAYERS, LAYERS_OF_ONE, MATERIAL};
 use crate::document::keys::scene::OF_MATERIALS;
 use crate::document::keys::traffic::{MODEL, MODEL_OF_TYPE, MODELS};
-use crate::document::section::{Section, Value};
+use crate::document::section::{PlacedValue, Section};
 use crate::document::values::Reads;
 use toml::Spanned;
 use toml::de::{DeString, DeTable};
@@ -22,7 +22,7 @@ pub(crate) struct ModelChoice<'d> {
 /// The tables of a table whose keys are names of materials.
 pub(crate) fn materials<'d>(root: &Section<'d>) -> Vec<(&'d str, Section<'d>)> {
     let Some(table) = named(root, OF_MATERIALS.name, "a table of materials") else { return vec![] };
-    let material = |(name, value): (&'d Spanned<DeString<'d>>, &'d Value<'d>)| {
+    let material = |(name, value): (&'d Spanned<DeString<'d>>, &'d PlacedValue<'d>)| {
         let name: &'d str = name.get_ref().as_ref();
         let section = root.below(&MATERIAL, Place::Material(name.to_owned()), value);
         if !section.exists() {
@@ -42,13 +42,17 @@ pub(crate) fn model_choices<'d>(traffic: &Section<'d>) -> Vec<ModelChoice<'d>> {
     let Some(table) = named(traffic, MODELS.name, "a table such as { car = \"car-suv\" }") else {
         return vec![];
     };
-    let choice = |(kind, value): (&'d Spanned<DeString<'d>>, &'d Value<'d>)| {
+    let choice = |(kind, value): (&'d Spanned<DeString<'d>>, &'d PlacedValue<'d>)| {
         model_choice(traffic, kind.get_ref().as_ref(), value)
     };
     table.iter().filter_map(choice).collect()
 }
 
-fn model_choice<'d>(traffic: &Section<'d>, kind: &'d str, value: &'d Value<'d>) -> Option<ModelChoice<'d>> {
+fn model_choice<'d>(
+    traffic: &Section<'d>,
+    kind: &'d str,
+    value: &'d PlacedValue<'d>,
+) -> Option<ModelChoice<'d>> {
     let section = traffic.below(&MODEL_OF_TYPE, Place::Table(MODEL_OF_TYPE.name), value);
     let names = if section.exists() {
         section.require(MODEL.name);
@@ -61,7 +65,7 @@ fn model_choice<'d>(traffic: &Section<'d>, kind: &'d str, value: &'d Value<'d>) 
 
 /// The tables of a list of layers, in the same place as the material.
 pub(crate) fn layers<'d>(material: &Section<'d>) -> Option<Vec<Section<'d>>> {
-    let layer = |value: &'d Value<'d>| {
+    let layer = |value: &'d PlacedValue<'d>| {
         if value.get_ref().as_table().is_none() {
             material.wrong_type(LAYERS.name, "a list of tables", value);
             return None;

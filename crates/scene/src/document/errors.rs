@@ -6,7 +6,7 @@ use crate::mesh::MeshError;
 use crate::recording::fcd::FcdError;
 use crate::recording::net::NetError;
 use crate::wording::allowed::Allowed;
-use crate::wording::number::Number;
+use crate::wording::number::WrittenNumber;
 use artifact::bounded::ReadFault;
 use std::fmt;
 use std::path::PathBuf;
@@ -193,7 +193,7 @@ pub enum Rule {
         found: usize,
     },
     /// A number outside what is allowed, or not finite.
-    #[error("`{key}` must be a number {allowed}, is {}", Number(*.found))]
+    #[error("`{key}` must be a number {allowed}, is {}", WrittenNumber(*.found))]
     OutOfRange {
         /// Name of the key.
         key: &'static str,
@@ -256,7 +256,7 @@ pub enum Rule {
     #[error("`slope_mhz_per_us` must not be 0: a tone tells no range")]
     NoSlope,
     /// A sweep down to nothing, or beyond what any radar sends.
-    #[error("the sweep ends at {} GHz; with `slope_mhz_per_us` it must end {allowed} GHz", Number(*.end_ghz))]
+    #[error("the sweep ends at {} GHz; with `slope_mhz_per_us` it must end {allowed} GHz", WrittenNumber(*.end_ghz))]
     SweepTooLong {
         /// Last sample's frequency.
         end_ghz: f64,

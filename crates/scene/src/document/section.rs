@@ -22,7 +22,7 @@ pub(crate) struct Section<'d> {
 }
 
 /// A value of the file, and where it stands.
-pub(crate) type Value<'d> = Spanned<DeValue<'d>>;
+pub(crate) type PlacedValue<'d> = Spanned<DeValue<'d>>;
 
 impl<'d> Section<'d> {
     /// The file itself. Unknown keys are noted at once, here and in every section opened from it.
@@ -57,7 +57,12 @@ impl<'d> Section<'d> {
     }
 
     /// A table that stands below this one.
-    pub(crate) fn below(&self, known: &'static Table, place: Place, value: &'d Value<'d>) -> Section<'d> {
+    pub(crate) fn below(
+        &self,
+        known: &'static Table,
+        place: Place,
+        value: &'d PlacedValue<'d>,
+    ) -> Section<'d> {
         let table = value.get_ref().as_table();
         Section { table, known, place, start: value.span().start, faults: self.faults }.checked()
     }
@@ -67,7 +72,12 @@ impl<'d> Section<'d> {
         &self.place
     }
 
-    fn element(&self, known: &'static Table, index: usize, element: &'d Value<'d>) -> Option<Section<'d>> {
+    fn element(
+        &self,
+        known: &'static Table,
+        index: usize,
+        element: &'d PlacedValue<'d>,
+    ) -> Option<Section<'d>> {
         let DeValue::Table(table) = element.get_ref() else {
             self.wrong_type(key_of(known), "an array of tables", element);
             return None;
@@ -127,9 +137,9 @@ impl<'d> Section<'d> {
     pub(crate) fn list(
         &self,
         key: &'static str,
-        value: &'d Value<'d>,
+        value: &'d PlacedValue<'d>,
         length: Allowed,
-    ) -> Option<&'d [Value<'d>]> {
+    ) -> Option<&'d [PlacedValue<'d>]> {
         let DeValue::Array(array) = value.get_ref() else {
             self.wrong_type(key, "a list", value);
             return None;
@@ -142,7 +152,7 @@ impl<'d> Section<'d> {
     }
 
     /// Note that a value has another type than `expected`.
-    pub(crate) fn wrong_type(&self, key: &'static str, expected: &'static str, value: &Value<'_>) {
+    pub(crate) fn wrong_type(&self, key: &'static str, expected: &'static str, value: &PlacedValue<'_>) {
         let found = type_of(value.get_ref());
         self.note_at(value.span(), Rule::WrongType { key, expected, found });
     }
@@ -153,7 +163,7 @@ impl<'d> Section<'d> {
     }
 
     /// The value of a key.
-    pub(crate) fn find(&self, key: &str) -> Option<&'d Value<'d>> {
+    pub(crate) fn find(&self, key: &str) -> Option<&'d PlacedValue<'d>> {
         self.table.and_then(|table| table.get(key))
     }
 }

@@ -5,7 +5,7 @@ use crate::document::keys::key::{Key, Kind, Or, Plain};
 use crate::document::keys::kinds::{
     Counts, Like, Name, Number, Numbers, Pair, Pairs, PerElement, Text, Texts, Truth, Vector, Whole, Words,
 };
-use crate::document::section::{Section, Value};
+use crate::document::section::{PlacedValue, Section};
 use crate::wording::allowed::Allowed;
 use toml::de::DeValue;
 
@@ -14,7 +14,12 @@ pub(crate) trait Reads<'d>: Kind {
     /// Type of the value that is read.
     type Read;
     /// The value of `key`; `None` where it is wrong, and that is noted.
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<Self::Read>;
+    fn from(
+        &self,
+        section: &Section<'d>,
+        key: &'static str,
+        value: &'d PlacedValue<'d>,
+    ) -> Option<Self::Read>;
 }
 
 impl<'d> Section<'d> {
@@ -37,7 +42,7 @@ impl<'d> Section<'d> {
         numbers.from(self, key.name, self.find(key.name)?)
     }
 
-    fn number_in(&self, key: &'static str, value: &Value<'d>, allowed: Allowed) -> Option<f64> {
+    fn number_in(&self, key: &'static str, value: &PlacedValue<'d>, allowed: Allowed) -> Option<f64> {
         let Some(number) = number_of(value.get_ref()) else {
             self.wrong_type(key, "a list of numbers", value);
             return None;
@@ -45,7 +50,7 @@ impl<'d> Section<'d> {
         self.in_range(key, number, allowed, value)
     }
 
-    fn integer_in(&self, key: &'static str, value: &Value<'d>, allowed: Allowed) -> Option<u64> {
+    fn integer_in(&self, key: &'static str, value: &PlacedValue<'d>, allowed: Allowed) -> Option<u64> {
         let DeValue::Integer(integer) = value.get_ref() else {
             self.wrong_type(key, "a whole number", value);
             return None;
@@ -57,7 +62,13 @@ impl<'d> Section<'d> {
         exact.and_then(|exact| u64::try_from(exact).ok())
     }
 
-    fn in_range(&self, key: &'static str, found: f64, allowed: Allowed, value: &Value<'d>) -> Option<f64> {
+    fn in_range(
+        &self,
+        key: &'static str,
+        found: f64,
+        allowed: Allowed,
+        value: &PlacedValue<'d>,
+    ) -> Option<f64> {
         if allowed.holds(found) {
             return Some(found);
         }
@@ -69,7 +80,7 @@ impl<'d> Section<'d> {
 impl<'d> Reads<'d> for Number {
     type Read = f64;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<f64> {
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<f64> {
         let Some(number) = number_of(value.get_ref()) else {
             section.wrong_type(key, "a number", value);
             return None;
@@ -81,7 +92,7 @@ impl<'d> Reads<'d> for Number {
 impl<'d> Reads<'d> for Whole {
     type Read = u64;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<u64> {
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<u64> {
         section.integer_in(key, value, self.0)
     }
 }
@@ -89,7 +100,7 @@ impl<'d> Reads<'d> for Whole {
 impl<'d> Reads<'d> for Text {
     type Read = &'d str;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<&'d str> {
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<&'d str> {
         let text = text_of(value);
         if text.is_none() {
             section.wrong_type(key, "a text in quotes", value);
@@ -101,7 +112,12 @@ impl<'d> Reads<'d> for Text {
 impl<'d> Reads<'d> for Texts {
     type Read = Vec<&'d str>;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<Vec<&'d str>> {
+    fn from(
+        &self,
+        section: &Section<'d>,
+        key: &'static str,
+        value: &'d PlacedValue<'d>,
+    ) -> Option<Vec<&'d str>> {
         let texts: Option<Vec<&str>> = match value.get_ref() {
             DeValue::String(text) => Some(vec![text.as_ref()]),
             DeValue::Array(texts) if !texts.is_empty() => texts.iter().map(text_of).collect(),
@@ -117,7 +133,7 @@ impl<'d> Reads<'d> for Texts {
 impl<'d> Reads<'d> for Truth {
     type Read = bool;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<bool> {
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<bool> {
         if let DeValue::Boolean(truth) = value.get_ref() {
             return Some(*truth);
         }
@@ -129,7 +145,7 @@ impl<'d> Reads<'d> for Truth {
 impl<'d> Reads<'d> for Name {
     type Read = &'d str;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<&'d str> {
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<&'d str> {
         let name = Text("a name").from(section, key, value)?;
         let plain = |c: char| c.is_alphanumeric() || " -_.+()".contains(c);
         let good = (1..=64).contains(&name.chars().count())
@@ -145,7 +161,7 @@ impl<'d> Reads<'d> for Name {
 impl<'d, T: Copy + PartialEq> Reads<'d> for Words<T> {
     type Read = T;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<T> {
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<T> {
         Like { words: *self, built: |_| None, pattern: "" }.from(section, key, value)
     }
 }
@@ -153,7 +169,7 @@ impl<'d, T: Copy + PartialEq> Reads<'d> for Words<T> {
 impl<'d, T: Copy + PartialEq> Reads<'d> for Like<T> {
     type Read = T;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<T> {
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<T> {
         let found = Text("a word").from(section, key, value)?;
         let known = (self.words.0)();
         let told = known.iter().find(|(word, _)| *word == found).map(|(_, meaning)| *meaning);
@@ -169,7 +185,7 @@ impl<'d, T: Copy + PartialEq> Reads<'d> for Like<T> {
 impl<'d, const N: usize> Reads<'d> for Vector<N> {
     type Read = [f64; N];
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<[f64; N]> {
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<[f64; N]> {
         let numbers = Numbers { length: exactly(N), each: self.0 };
         numbers.from(section, key, value)?.try_into().ok()
     }
@@ -178,7 +194,7 @@ impl<'d, const N: usize> Reads<'d> for Vector<N> {
 impl<'d, const N: usize> Reads<'d> for Counts<N> {
     type Read = [u64; N];
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<[u64; N]> {
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<[u64; N]> {
         let numbers = section.list(key, value, exactly(N))?;
         let numbers: Option<Vec<u64>> =
             numbers.iter().map(|value| section.integer_in(key, value, self.0)).collect();
@@ -189,7 +205,7 @@ impl<'d, const N: usize> Reads<'d> for Counts<N> {
 impl<'d> Reads<'d> for Numbers {
     type Read = Vec<f64>;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<Vec<f64>> {
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<Vec<f64>> {
         let numbers = section.list(key, value, self.length)?;
         numbers.iter().map(|value| section.number_in(key, value, self.each)).collect()
     }
@@ -198,7 +214,7 @@ impl<'d> Reads<'d> for Numbers {
 impl<'d> Reads<'d> for Pair {
     type Read = [f64; 2];
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<[f64; 2]> {
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<[f64; 2]> {
         Vector(self.any).from(section, key, value)
     }
 }
@@ -206,8 +222,13 @@ impl<'d> Reads<'d> for Pair {
 impl<'d> Reads<'d> for Pairs {
     type Read = Vec<[f64; 2]>;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d Value<'d>) -> Option<Vec<[f64; 2]>> {
-        let pair = |value: &'d Value<'d>| {
+    fn from(
+        &self,
+        section: &Section<'d>,
+        key: &'static str,
+        value: &'d PlacedValue<'d>,
+    ) -> Option<Vec<[f64; 2]>> {
+        let pair = |value: &'d PlacedValue<'d>| {
             if value.get_ref().as_array().is_none() {
                 section.wrong_type(key, "a list of pairs of numbers", value);
                 return None;
@@ -222,7 +243,7 @@ fn exactly(count: usize) -> Allowed {
     Allowed::Between(count as f64, count as f64)
 }
 
-fn text_of<'d>(value: &'d Value<'d>) -> Option<&'d str> {
+fn text_of<'d>(value: &'d PlacedValue<'d>) -> Option<&'d str> {
     if let DeValue::String(text) = value.get_ref() { Some(text.as_ref()) } else { None }
 }
 

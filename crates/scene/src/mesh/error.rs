@@ -1,6 +1,6 @@
 //! Faults of a mesh file.
 
-use crate::wording::number::Number;
+use crate::wording::number::WrittenNumber;
 use artifact::bounded::ReadFault;
 use std::fmt;
 use std::path::PathBuf;
@@ -279,7 +279,7 @@ pub enum MeshFault {
     #[error("has more than 65535 materials")]
     TooManyMaterials,
     /// The model's size is not one in metres.
-    #[error("is {} m large, not {} to {} m: say its unit by a scale", Number(*.size_m), Number(*.least_m), Number(*.most_m))]
+    #[error("is {} m large, not {} to {} m: say its unit by a scale", WrittenNumber(*.size_m), WrittenNumber(*.least_m), WrittenNumber(*.most_m))]
     Size {
         /// Longest side of the bounding box.
         size_m: f64,

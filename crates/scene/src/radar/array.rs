@@ -3,7 +3,7 @@
 
 use crate::document::errors::Rule;
 use crate::document::keys::array::{
-    COSINE_EXPONENT, Form, MULTIPLEXING, PATTERN, PATTERN_FILE, POLARIZATION, PRESET, RX, TX,
+    COSINE_EXPONENT, MULTIPLEXING, PATTERN, PATTERN_FILE, POLARIZATION, PRESET, PatternForm, RX, TX,
 };
 use crate::document::section::Section;
 use crate::measured::pattern_table::read_pattern_table;
@@ -44,7 +44,7 @@ fn read_elements(section: &Section<'_>) -> [Elements; 2] {
 fn read_pattern(section: &Section<'_>, models: &mut Models) -> Pattern {
     let exponent = section.read(&COSINE_EXPONENT);
     let form = section.or_default(&PATTERN);
-    for (key, of) in [(COSINE_EXPONENT.name, Form::Cosine), (PATTERN_FILE.name, Form::Table)] {
+    for (key, of) in [(COSINE_EXPONENT.name, PatternForm::Cosine), (PATTERN_FILE.name, PatternForm::Table)] {
         if form == of {
             section.require(key);
         } else if section.has(key) {
@@ -52,17 +52,17 @@ fn read_pattern(section: &Section<'_>, models: &mut Models) -> Pattern {
         }
     }
     match form {
-        Form::Isotropic => Pattern::Isotropic,
-        Form::Cosine => Pattern::Cosine { exponent: exponent.unwrap_or(1.0) },
-        Form::Table => read_table(section, models).map_or(Pattern::Isotropic, Pattern::Table),
+        PatternForm::Isotropic => Pattern::Isotropic,
+        PatternForm::Cosine => Pattern::Cosine { exponent: exponent.unwrap_or(1.0) },
+        PatternForm::Table => read_table(section, models).map_or(Pattern::Isotropic, Pattern::Table),
     }
 }
 
-fn owner(form: Form) -> &'static str {
+fn owner(form: PatternForm) -> &'static str {
     match form {
-        Form::Isotropic => "an isotropic pattern",
-        Form::Cosine => "a cosine pattern",
-        Form::Table => "a pattern from a table",
+        PatternForm::Isotropic => "an isotropic pattern",
+        PatternForm::Cosine => "a cosine pattern",
+        PatternForm::Table => "a pattern from a table",
     }
 }
 

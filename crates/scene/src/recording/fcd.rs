@@ -214,12 +214,12 @@ pub struct FcdReader {
     file: PathBuf,
     text: XmlText,
     last_time_s: Option<f64>,
-    place: Place,
+    place: FcdPlace,
 }
 
 /// Place of the reader in the document.
 #[derive(Clone, Copy, PartialEq)]
-enum Place {
+enum FcdPlace {
     Before,
     Inside,
     Behind,
@@ -230,7 +230,7 @@ impl FcdReader {
     pub fn open(file: &Path) -> Result<Self, FcdError> {
         let error = |rule| FcdError { file: file.to_owned(), line: 1, rule: Box::new(rule) };
         let text = XmlText::open(file).map_err(|fault| error(FcdRule::Text(fault)))?;
-        Ok(Self { file: file.to_owned(), text, last_time_s: None, place: Place::Before })
+        Ok(Self { file: file.to_owned(), text, last_time_s: None, place: FcdPlace::Before })
     }
 
     /// The recording.
@@ -271,14 +271,14 @@ impl FcdReader {
             Element::Empty(tag) => open_element(&tag, line, &mut self.place, step, Extent::Empty),
             Element::Closes(tag) => {
                 if tag.name().as_ref() == "fcd-export" {
-                    self.place = Place::Behind;
+                    self.place = FcdPlace::Behind;
                 }
                 Ok(tag.name().as_ref() != "timestep")
             }
             Element::FileEnds => match self.place {
-                Place::Before => Err(FcdRule::Empty),
-                Place::Inside => Err(FcdRule::CutOff),
-                Place::Behind => Ok(false),
+                FcdPlace::Before => Err(FcdRule::Empty),
+                FcdPlace::Inside => Err(FcdRule::CutOff),
+                FcdPlace::Behind => Ok(false),
             },
             Element::Other => Ok(true),
         }
@@ -310,16 +310,16 @@ enum Extent {
 fn open_element(
     tag: &BytesStart<'_>,
     line: u64,
-    place: &mut Place,
+    place: &mut FcdPlace,
     step: &mut Option<FcdStep>,
     extent: Extent,
 ) -> Result<bool, FcdRule> {
     match (tag.name().as_ref(), *place) {
-        ("fcd-export", Place::Before) => {
-            *place = if extent == Extent::Empty { Place::Behind } else { Place::Inside };
+        ("fcd-export", FcdPlace::Before) => {
+            *place = if extent == Extent::Empty { FcdPlace::Behind } else { FcdPlace::Inside };
             Ok(true)
         }
-        (other, Place::Before) => Err(FcdRule::NotFcd(excerpt(other))),
+        (other, FcdPlace::Before) => Err(FcdRule::NotFcd(excerpt(other))),
         ("timestep", _) => {
             let time_s =
                 Attributes::of(tag, "timestep")?.number("time", "a number of seconds", |t| t.is_finite())?;

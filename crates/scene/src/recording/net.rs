@@ -100,7 +100,7 @@ const NAME_LIMIT_BYTES: usize = 256;
 pub(crate) fn read_net(file: &Path, view: &View) -> Result<Vec<Course>, NetError> {
     let error = |line, rule| NetError { file: file.to_owned(), line, rule };
     let mut text = XmlText::open(file).map_err(|fault| error(1, NetRule::Text(fault)))?;
-    let mut net = Net { view, place: Place::Before, is_passed_over: false, lanes: 0, courses: vec![] };
+    let mut net = Net { view, place: NetPlace::Before, is_passed_over: false, lanes: 0, courses: vec![] };
     loop {
         let read = net.advance(&mut text);
         match read.map_err(|rule| error(text.line(), rule))? {
@@ -121,7 +121,7 @@ pub(crate) fn read_net(file: &Path, view: &View) -> Result<Vec<Course>, NetError
 
 /// Place of the reader in the document.
 #[derive(Clone, Copy, PartialEq)]
-enum Place {
+enum NetPlace {
     Before,
     Inside,
     Behind,
@@ -134,7 +134,7 @@ enum Progress {
 
 struct Net<'v> {
     view: &'v View,
-    place: Place,
+    place: NetPlace,
     /// Whether the edge that is open is passed over.
     is_passed_over: bool,
     /// Number of lanes for vehicles, in view or not.
@@ -147,10 +147,10 @@ impl Net<'_> {
     fn advance(&mut self, text: &mut XmlText) -> Result<Progress, NetRule> {
         let (element, _) = text.next_element().map_err(NetRule::Text)?;
         match element {
-            Element::Opens(tag) => self.open(&tag, Place::Inside)?,
-            Element::Empty(tag) => self.open(&tag, Place::Behind)?,
-            Element::Closes(tag) if tag.name().as_ref() == "net" => self.place = Place::Behind,
-            Element::FileEnds if self.place == Place::Behind => return Ok(Progress::IsDone),
+            Element::Opens(tag) => self.open(&tag, NetPlace::Inside)?,
+            Element::Empty(tag) => self.open(&tag, NetPlace::Behind)?,
+            Element::Closes(tag) if tag.name().as_ref() == "net" => self.place = NetPlace::Behind,
+            Element::FileEnds if self.place == NetPlace::Behind => return Ok(Progress::IsDone),
             Element::FileEnds => return Err(NetRule::CutOff),
             Element::Closes(_) | Element::Other => {}
         }
@@ -158,10 +158,10 @@ impl Net<'_> {
     }
 
     /// Takes an element that opens; `within` is where the reader stands after one that is the first.
-    fn open(&mut self, tag: &BytesStart<'_>, within: Place) -> Result<(), NetRule> {
+    fn open(&mut self, tag: &BytesStart<'_>, within: NetPlace) -> Result<(), NetRule> {
         match (tag.name().as_ref(), self.place) {
-            ("net", Place::Before) => self.place = within,
-            (other, Place::Before) => return Err(NetRule::NotANetwork(excerpt(other))),
+            ("net", NetPlace::Before) => self.place = within,
+            (other, NetPlace::Before) => return Err(NetRule::NotANetwork(excerpt(other))),
             ("edge", _) => {
                 let attributes = xml::attributes(tag).map_err(NetRule::Text)?;
                 let function = find(&attributes, "function").unwrap_or("normal");

@@ -1,6 +1,6 @@
 //! Ranges of allowed numbers, as a sentence says them.
 
-use crate::wording::number::Number;
+use crate::wording::number::WrittenNumber;
 use std::fmt;
 
 /// Range of numbers that a key takes.
@@ -31,11 +31,15 @@ impl Allowed {
 impl fmt::Display for Allowed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Between(low, high) if low == high => write!(f, "{}", Number(low)),
-            Self::Between(low, high) => write!(f, "from {} to {}", Number(low), Number(high)),
-            Self::Above(low, high) => write!(f, "above {}, up to {}", Number(low), Number(high)),
-            Self::Inside(low, high) => write!(f, "above {} and below {}", Number(low), Number(high)),
-            Self::Below(low, high) => write!(f, "from {}, below {}", Number(low), Number(high)),
+            Self::Between(low, high) if low == high => write!(f, "{}", WrittenNumber(low)),
+            Self::Between(low, high) => write!(f, "from {} to {}", WrittenNumber(low), WrittenNumber(high)),
+            Self::Above(low, high) => {
+                write!(f, "above {}, up to {}", WrittenNumber(low), WrittenNumber(high))
+            }
+            Self::Inside(low, high) => {
+                write!(f, "above {} and below {}", WrittenNumber(low), WrittenNumber(high))
+            }
+            Self::Below(low, high) => write!(f, "from {}, below {}", WrittenNumber(low), WrittenNumber(high)),
         }
     }
 }

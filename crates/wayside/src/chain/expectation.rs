@@ -11,12 +11,12 @@ use crate::chain::cache::Cache;
 use crate::chain::link::Chain;
 use crate::chain::plan::FramePlan;
 use crate::host::failure::Failure;
-use work::Work;
+use work::WorkCounts;
 
 /// Expected work, time and memory of all frames of a run.
 pub struct Expectation {
     /// Counts of the work by kind.
-    pub work: Work,
+    pub work: WorkCounts,
     /// Processor seconds at the speed of the machine, all threads together.
     pub seconds: f64,
     /// Memory held at most, MiB, frames that are computed side by side together.

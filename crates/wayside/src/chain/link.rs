@@ -4,11 +4,12 @@
 use crate::chain::cache::Cache;
 use crate::chain::frame_result::FrameResult;
 use crate::chain::keys::{FrameKeys, SceneParts, cube_header, echo_header};
-use crate::chain::loaded_model::{ClassRule, LoadedModel};
+use crate::chain::loaded_model::LoadedModel;
 use crate::chain::looks::{Look, Looks};
 use crate::chain::measured_frames::{self, MeasuredFrames};
 use crate::chain::plan::FramePlan;
 use crate::chain::stages::Stage;
+use crate::chain::told_class::ClassRule;
 use crate::host::failure::Failure;
 use crate::host::memory::{self, Allowance};
 use crate::host::progress::{self, Work};
@@ -123,7 +124,7 @@ impl<'a> Chain<'a> {
     /// Plan of one frame: which stages run, and why.
     pub fn plan(&self, index: u32) -> FramePlan {
         let frame = scene::snapshot(self.header, index);
-        let model = self.model.map(|m| m.hash.as_str());
+        let model = self.model.map(LoadedModel::hash);
         let keys = FrameKeys::of(self.header, &self.parts, &frame, model);
         FramePlan::of(self.cache, self.header, index, keys)
     }

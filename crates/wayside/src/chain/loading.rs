@@ -5,7 +5,6 @@ use crate::chain::keys;
 use crate::chain::loaded_model::LoadedModel;
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
-use crate::host::places;
 use crate::host::progress::{self, Work};
 use artifact::Provenance;
 use artifact::scene::{Scene, SceneHeader};
@@ -104,9 +103,20 @@ pub(crate) fn hashed(files: &[PathBuf]) -> Result<Vec<(String, String)>, Failure
     files.iter().map(hash).collect()
 }
 
-/// The model that was asked for, else the one that ships with the program.
-pub fn model(asked: Option<&Path>) -> Result<LoadedModel, Failure> {
-    asked.map_or_else(|| LoadedModel::of_bytes(places::SHIPPED_MODEL), LoadedModel::read)
+/// The model that was asked for, else the one that ships with the program; `None` where that has no
+/// classifier.
+pub fn model(asked: Option<&Path>) -> Result<Option<LoadedModel>, Failure> {
+    asked.map_or_else(shipped, |place| LoadedModel::read(place).map(Some))
+}
+
+#[cfg(feature = "classifier")]
+fn shipped() -> Result<Option<LoadedModel>, Failure> {
+    LoadedModel::of_bytes(crate::host::places::SHIPPED_MODEL).map(Some)
+}
+
+#[cfg(not(feature = "classifier"))]
+fn shipped() -> Result<Option<LoadedModel>, Failure> {
+    Ok(None)
 }
 
 /// Provenance of an artifact: stage, version, inputs, settings and seed.

@@ -30,6 +30,7 @@ pub(crate) fn default_cache() -> PathBuf {
 }
 
 /// The model that ships (`fixtures/classifier.model`), as it was when the program was built.
+#[cfg(feature = "classifier")]
 pub(crate) const SHIPPED_MODEL: &[u8] = include_bytes!("../../../../fixtures/classifier.model");
 
 #[cfg(test)]

@@ -10,6 +10,7 @@ mod run;
 mod score;
 mod vehicles;
 mod formats;
+#[cfg(feature = "classifier")]
 mod learning;
 
 use crate::host::failure::Failure;
@@ -17,8 +18,8 @@ use crate::host::memory::Allowance;
 use crate::program::cli::Command;
 use crate::report::Making;
 use formats::{export, import, inspect};
-use learning::{classify, dataset, evaluate, protocols, train};
 
+#[cfg(feature = "classifier")]
 pub use learning::train::{PROGRAM as TRAINING_PROGRAM, target_folder as training_target_folder};
 
 /// Means with which a command is carried out.
@@ -44,13 +45,8 @@ pub fn dispatch(command: Command, means: &Means) -> Result<(), Failure> {
             echo::run(&arguments, memory).map_err(|failure| failure.about(&arguments.scene.scene))
         }
         Command::Dsp(arguments) => dsp::run(&arguments).map_err(|failure| failure.about(&arguments.cube)),
-        Command::Dataset(arguments) => {
-            dataset::run(&arguments, memory).map_err(|failure| failure.about(&arguments.spec))
-        }
-        Command::Train(arguments) => train::run(&arguments),
-        Command::Classify(arguments) => classify::run(&arguments),
-        Command::Evaluate(arguments) => evaluate::run(&arguments),
-        Command::Protocols(arguments) => protocols::run(&arguments),
+        #[cfg(feature = "classifier")]
+        Command::Learning(command) => learning::dispatch(command, memory),
         Command::Score(arguments) => score::run(&arguments),
         Command::Import(arguments) => import::run(&arguments),
         Command::Calibrate(arguments) => {

@@ -2,13 +2,6 @@
 
 use clap::ValueEnum;
 
-/// Learners.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum LearnerWord {
-    Trees,
-    Paper,
-}
-
 #[derive(Debug, Clone, Copy, ValueEnum)]
 pub(crate) enum PolarizationWord {
     Vv,

@@ -118,7 +118,7 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
         if runs.len() > 1 {
             (settings.tell)(&format!("radar {}", run.scene.radar.as_deref().unwrap_or_default()));
         }
-        of_radars.extend(one_radar(settings, loaded, cache.as_ref(), &model, run.out.as_deref())?);
+        of_radars.extend(one_radar(settings, loaded, cache.as_ref(), model.as_ref(), run.out.as_deref())?);
     }
     let is_of_all = settings.scene.radar.is_none() && runs.iter().all(|run| run.scene.radar.is_some());
     let conclude = || several_radars::conclude(&of_radars, &settings.making, settings.tell);
@@ -164,10 +164,10 @@ fn one_radar(
     settings: &Settings,
     loaded: &LoadedScene,
     cache: Option<&Cache>,
-    model: &LoadedModel,
+    model: Option<&LoadedModel>,
     out: Option<&Path>,
 ) -> Result<Option<Told>, Failure> {
-    let chain = Chain::of(&loaded.header, cache, Some(model), settings.memory);
+    let chain = Chain::of(&loaded.header, cache, model, settings.memory);
     let plans: Vec<FramePlan> = (0..loaded.header.frames).map(|i| chain.plan(i)).collect();
     if settings.explain {
         let verdict = if loaded.cached { "cached" } else { "runs: a file it reads is new or changed" };
@@ -183,7 +183,7 @@ fn one_radar(
     let (start, begin) = (Instant::now(), processor_time::of_process());
     let (computed, figures) = compute(&chain, loaded, &plans, settings, &out)?;
     let processor = processor_time::of_process().zip(begin).map(|(end, begin)| end - begin);
-    let took = Took { seconds: start.elapsed().as_secs_f64(), processor };
+    let took = RunTook { seconds: start.elapsed().as_secs_f64(), processor };
     if let Some(cache) = cache {
         cache.trim();
     }
@@ -192,7 +192,7 @@ fn one_radar(
 }
 
 /// Time that all frames took, to the last picture's end.
-struct Took {
+struct RunTook {
     /// Wall-clock time of all frames, s.
     seconds: f64,
     /// Processor time of all threads, s; `None` where the system does not tell.
@@ -290,7 +290,7 @@ fn at_once<'a>(
 fn conclude(
     loaded: &LoadedScene,
     computed: Computed,
-    took: Took,
+    took: RunTook,
     figures: &Figures,
     settings: &Settings,
     out: &Path,

@@ -8,9 +8,9 @@ use artifact::paths::Amplitude;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
-use bart_rcs::reference::{self, Aspect, Bracket};
 use bart_rcs::{RcsRequest, Standpoint, rcs};
 use num_complex::Complex64;
+use po_sbr::{Aspect, Bracket};
 
 /// Results of one method: S and the time that it took.
 pub(crate) struct Run {
@@ -61,14 +61,14 @@ pub(crate) fn po(
     per_wavelength: f64,
     shadow_levels: u32,
 ) -> Run {
-    let sampling = reference::po::Sampling {
+    let sampling = po_sbr::po::Sampling {
         per_wavelength,
         shadow_levels,
         sides: Sides::Two,
         bracket: Bracket::Symmetrised,
     };
     let start_s = processor_seconds().unwrap_or(f64::NAN);
-    let s = reference::po::amplitude(mesh, &Aspect::monostatic(place), frequencies_hz, &sampling).unwrap();
+    let s = po_sbr::po::amplitude(mesh, &Aspect::monostatic(place), frequencies_hz, &sampling).unwrap();
     let name = format!("po, {per_wavelength} cells per λ, borders halved {shadow_levels} times");
     Run { name, seconds: processor_seconds().unwrap_or(f64::NAN) - start_s, orders: vec![vv(&s)] }
 }
@@ -81,10 +81,9 @@ pub(crate) fn sbr(
     bounces: u8,
 ) -> Run {
     let shooting =
-        reference::sbr::Shooting { per_wavelength, bounces, sides: Sides::Two, bracket: Bracket::Plain };
+        po_sbr::sbr::Shooting { per_wavelength, bounces, sides: Sides::Two, bracket: Bracket::Plain };
     let start_s = processor_seconds().unwrap_or(f64::NAN);
-    let found =
-        reference::sbr::amplitude(mesh, &Aspect::monostatic(place), frequencies_hz, &shooting).unwrap();
+    let found = po_sbr::sbr::amplitude(mesh, &Aspect::monostatic(place), frequencies_hz, &shooting).unwrap();
     let name = format!("sbr, {per_wavelength} rays per λ ({:.2} million)", found.rays as f64 * 1e-6);
     Run {
         name,

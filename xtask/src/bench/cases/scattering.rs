@@ -8,10 +8,10 @@ use artifact::paths::Amplitude;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
-use bart_rcs::reference::{Aspect, Bracket, po, sbr};
 use bart_rcs::{Antenna, BeamTree, RcsRequest, RcsResult, Standpoint, TraceSettings, World};
 use glam::DVec3;
 use num_complex::Complex64;
+use po_sbr::{Aspect, Bracket, po, sbr};
 use wayside::host::failure::Failure;
 
 const RANGE_M: f64 = 30.0;
@@ -22,11 +22,12 @@ pub(super) fn all(sizes: Sizes) -> Result<Vec<Comparison>, Failure> {
     let model = if sizes == FULL { "car-suv" } else { "motorcycle-street" };
     let mesh =
         scene::vehicles::mesh(model, 0).ok_or_else(|| Failure::refused(format!("`{model}` is missing")))?;
-    let case = Case { model, mesh: &mesh, density: sizes.per_wavelength, frequency_hz: sizes.frequency_hz };
+    let case =
+        BodyCase { model, mesh: &mesh, density: sizes.per_wavelength, frequency_hz: sizes.frequency_hz };
     Ok(vec![case.against_po()?, case.against_sbr()?, case.against_embree()?])
 }
 
-fn traced(case: &Case<'_>, bounces: u8, nodes: NodeRule) -> Result<RcsResult, Failure> {
+fn traced(case: &BodyCase<'_>, bounces: u8, nodes: NodeRule) -> Result<RcsResult, Failure> {
     let request = RcsRequest {
         frequency_hz: vec![case.frequency_hz],
         elevation_rad: vec![ELEVATION_RAD],
@@ -53,16 +54,16 @@ fn aspect() -> Aspect {
 }
 
 /// A body, and how finely and at which frequency others sample it.
-struct Case<'a> {
+struct BodyCase<'a> {
     model: &'a str,
     mesh: &'a Mesh,
     density: f64,
     frequency_hz: f64,
 }
 
-impl Case<'_> {
+impl BodyCase<'_> {
     fn against_po(&self) -> Result<Comparison, Failure> {
-        let Case { model, mesh, density, frequency_hz } = *self;
+        let BodyCase { model, mesh, density, frequency_hz } = *self;
         let (ours, ours_s) = timed(|| traced(self, 1, NodeRule::Middle))?;
         let sampling = po::Sampling {
             per_wavelength: density,
@@ -86,7 +87,7 @@ impl Case<'_> {
     }
 
     fn against_sbr(&self) -> Result<Comparison, Failure> {
-        let Case { model, mesh, density, frequency_hz } = *self;
+        let BodyCase { model, mesh, density, frequency_hz } = *self;
         let (ours, ours_s) = timed(|| traced(self, 3, NodeRule::Exit))?;
         let shooting =
             sbr::Shooting { per_wavelength: density, bounces: 3, sides: Sides::Two, bracket: Bracket::Plain };
@@ -108,7 +109,7 @@ impl Case<'_> {
 
     /// First hits: the lit silhouette across one direction, exactly by beams, by rays at even steps else.
     fn against_embree(&self) -> Result<Comparison, Failure> {
-        let Case { model, mesh, density, frequency_hz } = *self;
+        let BodyCase { model, mesh, density, frequency_hz } = *self;
         let towards =
             DVec3::new(AZIMUTH_RAD.cos(), AZIMUTH_RAD.sin(), ELEVATION_RAD.tan()).normalize_or_zero();
         let settings =

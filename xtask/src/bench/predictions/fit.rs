@@ -3,11 +3,11 @@
 //! (Charbonnier's loss), so that no single run decides; and held to the rates that are, so that work which
 //! few scenes have keeps its own.
 
-use wayside::chain::expectation::work::{ITEMS, Work};
+use wayside::chain::expectation::work::{ITEMS, WorkCounts};
 
 /// Work that a run was expected to do, and the processor seconds that it took on the machine of the rates.
-pub(super) struct Run {
-    pub(super) work: Work,
+pub(super) struct TimedRun {
+    pub(super) work: WorkCounts,
     pub(super) seconds: f64,
 }
 
@@ -19,7 +19,7 @@ const LARGE: f64 = 0.4;
 const ROUNDS: usize = 400;
 
 /// Fits the rates to the runs, beginning with the rates `before`, to which they are held.
-pub(super) fn rates(runs: &[Run], before: [f64; ITEMS]) -> [f64; ITEMS] {
+pub(super) fn rates(runs: &[TimedRun], before: [f64; ITEMS]) -> [f64; ITEMS] {
     let (mut rates, mut step) = (before, 1.0);
     let mut best = misfit(runs, &before, &rates);
     for _ in 0..ROUNDS {
@@ -41,8 +41,8 @@ pub(super) fn rates(runs: &[Run], before: [f64; ITEMS]) -> [f64; ITEMS] {
     rates
 }
 
-fn misfit(runs: &[Run], before: &[f64; ITEMS], rates: &[f64; ITEMS]) -> f64 {
-    let missed = |run: &Run| {
+fn misfit(runs: &[TimedRun], before: &[f64; ITEMS], rates: &[f64; ITEMS]) -> f64 {
+    let missed = |run: &TimedRun| {
         let told: f64 = rates.iter().zip(&run.work.0).map(|(rate, count)| rate * count).sum();
         let error = (told / run.seconds).ln() / LARGE;
         2.0 * LARGE * LARGE * ((1.0 + error * error).sqrt() - 1.0)
@@ -58,12 +58,12 @@ mod tests {
     #[test]
     fn rates_that_made_the_seconds_are_found_again() {
         let truth: [f64; ITEMS] = std::array::from_fn(|item| 1e-6 * (1.0 + item as f64));
-        let runs: Vec<Run> = (0..200_usize)
+        let runs: Vec<TimedRun> = (0..200_usize)
             .map(|run| {
                 let count = |item: usize| (((run + 1) * (item + 3) * 7919) % 1000) as f64;
-                let work = Work(std::array::from_fn(count));
+                let work = WorkCounts(std::array::from_fn(count));
                 let seconds = truth.iter().zip(&work.0).map(|(rate, count)| rate * count).sum();
-                Run { work, seconds }
+                TimedRun { work, seconds }
             })
             .collect();
         let found = rates(&runs, truth.map(|rate| 3.0 * rate));

@@ -6,7 +6,7 @@ use wayside::chain::expectation::Expectation;
 use wayside::chain::memory_estimate::Load;
 
 /// One scene.
-pub(super) struct Row {
+pub(super) struct PredictionRow {
     pub(super) scene: RandomScene,
     pub(super) expected: Expectation,
     /// Processor seconds that it took to expect it.

@@ -1,10 +1,10 @@
 //! The rows of a comparison as a file: one line for each scene, and what has been run is read from it again.
 
 use crate::bench::predictions::child::Taken;
-use crate::bench::predictions::row::Row;
+use crate::bench::predictions::row::PredictionRow;
 use std::collections::BTreeMap;
 use std::path::Path;
-use wayside::chain::expectation::work::Item;
+use wayside::chain::expectation::work::WorkKind;
 use wayside::chain::memory_estimate::Load;
 use wayside::host::failure::Failure;
 use wayside::host::files;
@@ -63,15 +63,15 @@ fn numbers(taken: &Taken) -> [f64; TAKEN.len()] {
 }
 
 /// All rows so far, in place of what was there.
-pub(super) fn write(file: &Path, rows: &[Row]) -> Result<(), Failure> {
-    let counts: Vec<String> = Item::ALL.iter().map(|item| format!("{item:?}")).collect();
+pub(super) fn write(file: &Path, rows: &[PredictionRow]) -> Result<(), Failure> {
+    let counts: Vec<String> = WorkKind::ALL.iter().map(|item| format!("{item:?}")).collect();
     let mut text = format!("scene,threads,{},{SAID},{}\n", TAKEN.join(","), counts.join(","));
     rows.iter().for_each(|row| text += &line(row));
     files::write_again(file, text.as_bytes())
 }
 
-fn line(row: &Row) -> String {
-    let Row { scene, expected, look_s, load, at_once, taken } = row;
+fn line(row: &PredictionRow) -> String {
+    let PredictionRow { scene, expected, look_s, load, at_once, taken } = row;
     let Load { signal_mib, facets, beams, cells, changing_cells, sliding_tiles, moving_cells } = load;
     let threads = scene.threads.map_or("all".into(), |n| n.to_string());
     let taken = numbers(taken).map(|number| format!("{number:.3}")).join(",");

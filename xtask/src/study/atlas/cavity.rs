@@ -1,20 +1,20 @@
 //! A box that lacks its front: the field comes back after many bounces.
 
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{Row, Says};
+use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies::{self, Face};
 use crate::study::extent::Extent;
 use crate::study::looks;
 use artifact::settings::Sides;
-use bart_rcs::reference::{Bracket, sbr};
 use num_complex::Complex64;
+use po_sbr::{Bracket, sbr};
 use wayside::host::failure::Failure;
 
 /// Highest order of the path record; the reference goes on to eight.
 const ORDERS: [u8; 5] = [1, 2, 3, 4, 5];
 
 /// Against rays that bounce eight times, 30 along a wavelength.
-pub(super) fn open_box(_: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn open_box(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial =
         Trial { stage: "bart-rcs", method: "bart", case: "box without a front", parameter: "bounces" };
     let body = bodies::cube(0.06, &Face::ALL[1..]);

@@ -1,6 +1,6 @@
 //! Meshes as people have them: what covers, touches, doubles or hides what.
 
-use crate::study::atlas::Row;
+use crate::study::atlas::CaseRow;
 use crate::study::atlas::verdict::Trial;
 use crate::study::bodies::{self, Face};
 use crate::study::closed_forms;
@@ -18,7 +18,7 @@ fn alike(
     meshes: [&Mesh; 2],
     request: &RcsRequest,
     turn: Complex64,
-) -> Result<Row, Failure> {
+) -> Result<CaseRow, Failure> {
     let found = looks::traced(meshes[0], request)?;
     let expected: Vec<Complex64> =
         looks::traced(meshes[1], request)?.amplitude_m.iter().map(|s| s * turn).collect();
@@ -30,7 +30,7 @@ fn alike(
 }
 
 /// Coincident facets, of which one is lit.
-pub(super) fn doubled(_: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn doubled(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial =
         Trial { stage: "bart-rcs", method: "bart", case: "every triangle there twice", parameter: "body" };
     let hat = bodies::top_hat(0.05, 0.02, 60, 0.3);
@@ -45,7 +45,7 @@ pub(super) fn doubled(_: Extent) -> Result<Vec<Row>, Failure> {
 }
 
 /// Lengths are kept relative to the body.
-pub(super) fn far_from_the_origin(_: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn far_from_the_origin(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "bart",
@@ -67,7 +67,7 @@ pub(super) fn far_from_the_origin(_: Extent) -> Result<Vec<Row>, Failure> {
 }
 
 /// Strips of a micrometre beside whole ones, and edges that meet no vertex.
-pub(super) fn needles(_: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn needles(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "bart",
@@ -102,7 +102,7 @@ fn with_t_junctions() -> Mesh {
 }
 
 /// The bottom of a cube lies in the floor: it must neither be lit nor hide the floor's rest.
-pub(super) fn touching(_: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn touching(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "bart",
@@ -120,7 +120,7 @@ pub(super) fn touching(_: Extent) -> Result<Vec<Row>, Failure> {
 }
 
 /// Every tenth facet wound the other way round; facets scatter from either side.
-pub(super) fn flipped(_: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn flipped(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "bart",

@@ -1,7 +1,7 @@
 //! Facets in place of a curved skin, and physical optics on bodies that are small.
 
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{Row, Says};
+use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::closed_forms;
 use crate::study::extent::Extent;
@@ -17,7 +17,7 @@ const AS_GIVEN: Says = Says::Words("error_db.tessellation is null: facets are ta
 
 /// Flat strips of q = chord/√(ρλ): with 0.25 the complex error is −23 dB, beyond 0.7 the facets' own grating
 /// lobes decide.
-pub(super) fn facets_of_a_cylinder(_: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn facets_of_a_cylinder(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "bart",
@@ -48,7 +48,7 @@ fn worst_turn(sides: u32, radius_m: f64, height_m: f64, exact: Complex64) -> Res
 }
 
 /// Small spheres against Mie's series: physical optics leaves out penumbra and creeping waves.
-pub(super) fn spheres_against_mie(extent: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn spheres_against_mie(extent: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "bart",
@@ -71,7 +71,7 @@ pub(super) fn spheres_against_mie(extent: Extent) -> Result<Vec<Row>, Failure> {
 
 /// A cylinder on a floor, elevation 30°: 8πρh²cos(el)/λ; a node on the floor loses the divergence of the wall
 /// (D3).
-pub(super) fn top_hat(_: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn top_hat(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial =
         Trial { stage: "bart-rcs", method: "bart", case: "top hat, order 2 alone", parameter: "nodes" };
     let (radius_m, height_m) = (0.5, 0.1);

@@ -1,14 +1,14 @@
 //! The detector at the edges of a map, between neighbours, and without noise.
 
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{Row, Says};
+use crate::study::atlas::{CaseRow, Says};
 use crate::study::extent::Extent;
 use crate::study::scenes::{cube_header, paths_of, scene_of, seen, synthesizer, with_point};
 use artifact::scene::SceneHeader;
 use artifact::settings::Window;
 use wayside::host::failure::Failure;
 
-pub(super) fn all(extent: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn all(extent: Extent) -> Result<Vec<CaseRow>, Failure> {
     let mut rows = false_alarms(extent, "rect", Window::Rect)?;
     rows.extend(false_alarms(extent, "hann", Window::Hann)?);
     rows.extend(neighbours()?);
@@ -21,7 +21,7 @@ const ASKED: f64 = 1e-2;
 const RIM: usize = 10;
 
 /// Noise alone, by zone. Counting alone leaves 2 % in the interior and 5 % at an edge of 2·10⁵ cells.
-fn false_alarms(extent: Extent, name: &str, window: Window) -> Result<Vec<Row>, Failure> {
+fn false_alarms(extent: Extent, name: &str, window: Window) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "dsp",
         method: "ca-cfar",
@@ -70,7 +70,7 @@ fn noise_map(header: &SceneHeader, receiver: &dsp::Receiver, seed: u64) -> Resul
 /// Two equal points three range cells apart: both must be points of the cloud. An error is the further one's
 /// distance to the nearest point, over the three cells. The stronger one stands in the noise estimate of the
 /// weaker.
-fn neighbours() -> Result<Vec<Row>, Failure> {
+fn neighbours() -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "dsp",
         method: "ca-cfar",
@@ -93,7 +93,7 @@ fn neighbours() -> Result<Vec<Row>, Failure> {
 
 /// A map without noise, whose floor is 60 dB below the peak: what is weaker is not seen, and the map says
 /// which floor it took.
-fn without_noise() -> Result<Vec<Row>, Failure> {
+fn without_noise() -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "dsp",
         method: "ca-cfar",

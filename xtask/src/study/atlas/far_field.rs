@@ -2,7 +2,7 @@
 //! waves.
 
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{Row, Says};
+use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::closed_forms;
 use crate::study::extent::Extent;
@@ -26,7 +26,7 @@ fn scene_at(range_m: f64) -> Result<SceneHeader, Failure> {
 }
 
 /// The paper's σ_f: its phase and level belong to infinity.
-pub(super) fn table_over_range(_: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn table_over_range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "rcs-table",
@@ -46,7 +46,7 @@ pub(super) fn table_over_range(_: Extent) -> Result<Vec<Row>, Failure> {
 }
 
 /// Paths of spherical waves, which take the table's place.
-pub(super) fn paths_over_range(_: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn paths_over_range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial =
         Trial { stage: "bart-rcs", method: "paths", case: "paths of the same plate", parameter: "range_m" };
     let row = |range_m: f64| {

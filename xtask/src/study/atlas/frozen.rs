@@ -1,7 +1,7 @@
 //! Paths that stand for a body through a whole frame, and the precision of samples.
 
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{Row, Says};
+use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::extent::Extent;
 use crate::study::looks;
@@ -15,7 +15,7 @@ use num_complex::Complex64;
 use wayside::host::failure::Failure;
 
 /// Lane 3 at 25 m, 10 m/s, long frames: against the body traced anew at three moments of the frame.
-pub(super) fn near_lane(_: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn near_lane(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "paths",
@@ -77,7 +77,7 @@ fn over_the_band(header: &SceneHeader, paths: &[Path], seconds: f64, frame: &Sce
 }
 
 /// Lengths and phases are f64, samples are kept as f32.
-pub(super) fn single_precision(_: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn single_precision(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "fmcw-echo",
         method: "recurrence",

@@ -1,7 +1,7 @@
 //! The closed-form integral where its formulas turn into 0/0, and where facets cancel.
 
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{Row, Says};
+use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::closed_forms;
 use crate::study::extent::Extent;
@@ -15,7 +15,7 @@ pub(super) fn printed(result: &RcsResult) -> Says {
 }
 
 /// Gordon's formula divides by the phase gradient, which vanishes square to the plate.
-pub(super) fn small_phases(_: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn small_phases(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "bart",
@@ -37,7 +37,7 @@ pub(super) fn small_phases(_: Extent) -> Result<Vec<Row>, Failure> {
 
 /// A plate of 1.2 m from 25 m is cut until its phases are straight; off the specular the pieces all but
 /// cancel.
-pub(super) fn off_specular(_: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn off_specular(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "bart",

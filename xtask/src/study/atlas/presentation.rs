@@ -1,16 +1,16 @@
 //! The atlas as CSV and page.
 
-use crate::study::atlas::{Row, Verdict};
+use crate::study::atlas::{CaseRow, Verdict};
 use crate::study::extent::Extent;
 use crate::study::table;
 
-pub(in crate::study) fn count(rows: &[Row], verdict: Verdict) -> usize {
+pub(in crate::study) fn count(rows: &[CaseRow], verdict: Verdict) -> usize {
     rows.iter().filter(|row| row.verdict == verdict).count()
 }
 
 /// Columns of interface.md.
-pub(in crate::study) fn csv(rows: &[Row]) -> String {
-    let fields = |r: &Row| {
+pub(in crate::study) fn csv(rows: &[CaseRow]) -> String {
+    let fields = |r: &CaseRow| {
         let words =
             [r.stage, r.method, r.case, r.parameter, &r.value, &table::decibels(r.error), r.verdict.name()];
         words.map(str::to_owned).to_vec()
@@ -35,13 +35,13 @@ Errors are complex amplitude errors as in `conventions.md`, of the level where a
 errors of an estimate where a case is about estimates.
 ";
 
-pub(in crate::study) fn page(rows: &[Row], extent: Extent) -> String {
+pub(in crate::study) fn page(rows: &[CaseRow], extent: Extent) -> String {
     let command = match extent {
         Extent::Quick => "cargo xtask atlas --quick --docs",
         Extent::Full => "cargo xtask study atlas",
     };
     let counts: Vec<String> = Verdict::ALL.map(|v| format!("{} {}", count(rows, v), v.name())).to_vec();
-    let fields = |r: &Row| {
+    let fields = |r: &CaseRow| {
         let words = [
             r.stage,
             r.method,
@@ -66,6 +66,6 @@ pub(in crate::study) fn page(rows: &[Row], extent: Extent) -> String {
 }
 
 /// Rows of one case stand together.
-fn cases(rows: &[Row]) -> Vec<&[Row]> {
+fn cases(rows: &[CaseRow]) -> Vec<&[CaseRow]> {
     rows.chunk_by(|a, b| (a.case, a.method) == (b.case, b.method)).collect()
 }

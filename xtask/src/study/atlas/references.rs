@@ -1,13 +1,13 @@
 //! The slow references where they are too coarse.
 
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{Row, Says};
+use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::closed_forms;
 use crate::study::extent::Extent;
 use crate::study::looks;
 use artifact::settings::Sides;
-use bart_rcs::reference::{Bracket, po, sbr};
+use po_sbr::{Bracket, po, sbr};
 use std::f64::consts::PI;
 use wayside::host::failure::Failure;
 
@@ -15,7 +15,7 @@ use wayside::host::failure::Failure;
 const BY_DENSITY: Says = Says::Words("error_db is null: a reference is known by its density alone");
 
 /// Rays along a wavelength over a square trihedral on its axis.
-pub(super) fn few_rays(_: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn few_rays(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "sbr",
@@ -36,7 +36,7 @@ pub(super) fn few_rays(_: Extent) -> Result<Vec<Row>, Failure> {
 }
 
 /// Samples along a wavelength over a plate far off its normal.
-pub(super) fn few_samples(_: Extent) -> Result<Vec<Row>, Failure> {
+pub(super) fn few_samples(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "po",

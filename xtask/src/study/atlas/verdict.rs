@@ -63,7 +63,7 @@ fn verdict(error: f64, says: Says) -> Verdict {
 
 /// One case at one value of its parameter.
 #[derive(Debug, Clone, PartialEq)]
-pub(in crate::study) struct Row {
+pub(in crate::study) struct CaseRow {
     pub(in crate::study) stage: &'static str,
     pub(in crate::study) method: &'static str,
     pub(in crate::study) case: &'static str,
@@ -87,21 +87,21 @@ pub(super) struct Trial {
 
 impl Trial {
     /// An answer whose error is known.
-    pub(super) fn answered(self, value: impl Display, error: f64, says: Says) -> Row {
+    pub(super) fn answered(self, value: impl Display, error: f64, says: Says) -> CaseRow {
         self.row(value, Some(error), verdict(error, says), words(says))
     }
 
     /// An input that must be refused.
-    pub(super) fn must_refuse<T, E: Display>(self, value: impl Display, answer: Result<T, E>) -> Row {
+    pub(super) fn must_refuse<T, E: Display>(self, value: impl Display, answer: Result<T, E>) -> CaseRow {
         match answer {
             Ok(_) => self.row(value, None, Verdict::Wrong, "was taken".into()),
             Err(refusal) => self.row(value, None, Verdict::Refused, refusal.to_string()),
         }
     }
 
-    fn row(self, value: impl Display, error: Option<f64>, verdict: Verdict, said: String) -> Row {
+    fn row(self, value: impl Display, error: Option<f64>, verdict: Verdict, said: String) -> CaseRow {
         let Self { stage, method, case, parameter } = self;
-        Row { stage, method, case, parameter, value: value.to_string(), error, verdict, said }
+        CaseRow { stage, method, case, parameter, value: value.to_string(), error, verdict, said }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Vehicles on the road at several ranges, each frame echoed both ways: path by path, and by the paper's
 //! table.
 
-use crate::study::chart::row::Row;
+use crate::study::chart::row::SettingRow;
 use crate::study::chart::work::{Measured, measured};
 use crate::study::looks;
 use crate::study::scenes::{
@@ -26,7 +26,7 @@ const RADAR_M: f64 = 6.0;
 
 /// A vehicle in lane 2, approaching; the radar is that of experiment 1: 3 × 4 elements, 128 chirps of 256
 /// samples.
-struct Case {
+struct VehicleCase {
     name: &'static str,
     vehicle: &'static str,
     ahead_m: f64,
@@ -39,8 +39,8 @@ fn ahead_m(range_m: f64) -> f64 {
     (range_m.powi(2) - RADAR_M.powi(2) - LANE_M.powi(2)).sqrt()
 }
 
-fn cases() -> [Case; 6] {
-    let case = |name, vehicle, ahead_m, speed_mps| Case { name, vehicle, ahead_m, speed_mps };
+fn cases() -> [VehicleCase; 6] {
+    let case = |name, vehicle, ahead_m, speed_mps| VehicleCase { name, vehicle, ahead_m, speed_mps };
     [
         case("car-suv, 25 m, a frame of 12 channels", "car-suv", ahead_m(25.0), 10.0),
         case("car-suv, 40 m, a frame of 12 channels", "car-suv", ahead_m(40.0), 10.0),
@@ -52,16 +52,16 @@ fn cases() -> [Case; 6] {
 }
 
 /// Both ways of every case.
-pub(super) fn rows() -> Result<Vec<Row>, Failure> {
+pub(super) fn rows() -> Result<Vec<SettingRow>, Failure> {
     Ok(cases().iter().map(of_case).collect::<Result<Vec<_>, _>>()?.concat())
 }
 
-fn of_case(case: &Case) -> Result<Vec<Row>, Failure> {
+fn of_case(case: &VehicleCase) -> Result<Vec<SettingRow>, Failure> {
     let exact = reference(case)?;
     Ok([by_paths(case, &exact)?, by_tables(case, &exact)?].concat())
 }
 
-fn scene(case: &Case, accuracy_db: f64) -> Result<SceneHeader, Failure> {
+fn scene(case: &VehicleCase, accuracy_db: f64) -> Result<SceneHeader, Failure> {
     let missing = || Failure::refused(format!("`{}` is missing", case.vehicle));
     let body = scene::vehicles::mesh(case.vehicle, 0).ok_or_else(missing)?;
     let velocity_mps = [0.0, -case.speed_mps, 0.0];
@@ -71,7 +71,7 @@ fn scene(case: &Case, accuracy_db: f64) -> Result<SceneHeader, Failure> {
 }
 
 /// The cube with the vehicle traced anew in the middle of each part of the frame.
-fn reference(case: &Case) -> Result<CubeFrame, Failure> {
+fn reference(case: &VehicleCase) -> Result<CubeFrame, Failure> {
     let whole = scene(case, FINE_DB)?;
     let mut part = whole.clone();
     part.radar.waveform.chirps = whole.radar.waveform.chirps / PARTS;
@@ -90,7 +90,7 @@ fn reference(case: &Case) -> Result<CubeFrame, Failure> {
     Ok(CubeFrame { samples, ..parts[0].clone() })
 }
 
-fn by_paths(case: &Case, exact: &CubeFrame) -> Result<Vec<Row>, Failure> {
+fn by_paths(case: &VehicleCase, exact: &CubeFrame) -> Result<Vec<SettingRow>, Failure> {
     let header = scene(case, ASKED_DB)?;
     let paths = measured(|| paths_of(&header))?;
     let cube = measured(|| cube_of(&header, &paths.value))?;
@@ -100,7 +100,7 @@ fn by_paths(case: &Case, exact: &CubeFrame) -> Result<Vec<Row>, Failure> {
     compared(case, methods, &size, &paths, &cube, exact)
 }
 
-fn by_tables(case: &Case, exact: &CubeFrame) -> Result<Vec<Row>, Failure> {
+fn by_tables(case: &VehicleCase, exact: &CubeFrame) -> Result<Vec<SettingRow>, Failure> {
     let header = scene(case, ASKED_DB)?;
     let frame = frame_of(&header);
     let tables = measured(|| tables_at(&header, &frame))?;
@@ -123,16 +123,16 @@ fn size_of_tables(frame: &RcsFrame) -> String {
 
 /// Two rows: of the whole cube, and of the levels of its map, phases apart.
 fn compared<T>(
-    case: &Case,
+    case: &VehicleCase,
     methods: [&'static str; 2],
     size: &str,
     scattering: &Measured<T>,
     cube: &Measured<CubeFrame>,
     exact: &CubeFrame,
-) -> Result<Vec<Row>, Failure> {
+) -> Result<Vec<SettingRow>, Failure> {
     let seconds = [scattering.seconds, cube.seconds];
     let setting = format!("{ASKED_DB} dB asked, {size}, {:.2} s + {:.3} s", seconds[0], seconds[1]);
-    let row = |method, error| Row {
+    let row = |method, error| SettingRow {
         stage: "bart-rcs + fmcw-echo",
         scene: case.name.into(),
         method,
@@ -152,7 +152,7 @@ fn wide(cube: &CubeFrame) -> Vec<Complex64> {
 }
 
 /// |X| of every cell of the range-Doppler map of every channel.
-fn levels(case: &Case, cube: &CubeFrame) -> Result<Vec<Complex64>, Failure> {
+fn levels(case: &VehicleCase, cube: &CubeFrame) -> Result<Vec<Complex64>, Failure> {
     let receiver = dsp::Receiver::new(&cube_header(&scene(case, ASKED_DB)?)).map_err(Failure::refused)?;
     let map = receiver.range_doppler(cube).map_err(Failure::refused)?;
     Ok(map.values.iter().map(|z| Complex64::from(f64::from(z.norm()))).collect())

@@ -1,6 +1,6 @@
 //! Echoes of a moving body: paths against the paper's table, and the two forms of the sum.
 
-use crate::study::chart::row::Row;
+use crate::study::chart::row::SettingRow;
 use crate::study::chart::work::{Measured, Subject, measured};
 use crate::study::looks;
 use crate::study::scenes::{
@@ -55,8 +55,8 @@ fn row(
     setting: String,
     from: &Measured<CubeFrame>,
     exact: &[Complex64],
-) -> Row {
-    Row {
+) -> SettingRow {
+    SettingRow {
         stage: "fmcw-echo",
         scene: format!("{}, 64 chirps, lane 2, 10 m/s", subject.name),
         method,
@@ -69,7 +69,7 @@ fn row(
 }
 
 /// Frozen for the whole frame, by the accuracy asked.
-pub(super) fn paths(subject: &Subject) -> Result<Vec<Row>, Failure> {
+pub(super) fn paths(subject: &Subject) -> Result<Vec<SettingRow>, Failure> {
     let exact = retraced(subject)?;
     let row = |accuracy_db: f64| {
         let header = scene(subject, accuracy_db)?;
@@ -80,7 +80,7 @@ pub(super) fn paths(subject: &Subject) -> Result<Vec<Row>, Failure> {
 }
 
 /// The paper's σ_f.
-pub(super) fn tables(subject: &Subject) -> Result<Vec<Row>, Failure> {
+pub(super) fn tables(subject: &Subject) -> Result<Vec<SettingRow>, Failure> {
     let exact = retraced(subject)?;
     let header = scene(subject, -20.0)?;
     let frame = frame_of(&header);
@@ -95,7 +95,7 @@ pub(super) fn tables(subject: &Subject) -> Result<Vec<Row>, Failure> {
 
 /// The sum as the formulas have it, and with the phase advanced by recurrence; 8 chirps of one channel, one
 /// thread.
-pub(super) fn synthesis(subject: &Subject) -> Result<Vec<Row>, Failure> {
+pub(super) fn synthesis(subject: &Subject) -> Result<Vec<SettingRow>, Failure> {
     let mut header = scene_of(ONE_CHANNEL)?;
     header.radar.waveform.chirps = 8;
     let (radar, centre_hz) = (&header.radar, header.radar.waveform.centre_frequency_hz());
@@ -108,7 +108,7 @@ pub(super) fn synthesis(subject: &Subject) -> Result<Vec<Row>, Failure> {
                from: &Measured<Vec<Complex64>>,
                other: &Measured<Vec<Complex64>>,
                reference: &str| {
-        Row {
+        SettingRow {
             stage: "fmcw-echo",
             scene: format!("{} paths, 8 chirps of 256 samples", paths.len()),
             method,

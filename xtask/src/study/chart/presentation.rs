@@ -1,22 +1,22 @@
 //! The chart as CSV and page.
 
-use crate::study::chart::row::Row;
+use crate::study::chart::row::SettingRow;
 use crate::study::extent::Extent;
 use crate::study::table;
 
 /// Columns of interface.md.
-pub(in crate::study) fn csv(rows: &[Row]) -> String {
+pub(in crate::study) fn csv(rows: &[SettingRow]) -> String {
     table::csv("stage,scene,method,setting,seconds,peak_mib,error_db,reference", rows.iter().map(fields))
 }
 
-fn fields(row: &Row) -> Vec<String> {
+fn fields(row: &SettingRow) -> Vec<String> {
     let peak = row.peak_mib.map_or(String::new(), |m| format!("{m:.0}"));
     let (seconds, error) = (format!("{:.3e}", row.seconds), table::decibels(Some(row.error)));
     let words = [row.stage, &row.scene, row.method, &row.setting, &seconds, &peak, &error, &row.reference];
     words.map(str::to_owned).to_vec()
 }
 
-pub(in crate::study) fn page(rows: &[Row], extent: Extent) -> String {
+pub(in crate::study) fn page(rows: &[SettingRow], extent: Extent) -> String {
     let header = ["stage", "scene", "method", "setting", "seconds", "peak, MiB", "error, dB", "reference"];
     let command = match extent {
         Extent::Quick => "cargo xtask chart --quick --docs",

@@ -2,7 +2,7 @@
 
 /// One setting of one method on one piece of work.
 #[derive(Debug, Clone, PartialEq)]
-pub(in crate::study) struct Row {
+pub(in crate::study) struct SettingRow {
     pub(in crate::study) stage: &'static str,
     pub(in crate::study) scene: String,
     pub(in crate::study) method: &'static str,

@@ -1,13 +1,13 @@
 //! Scattering at one aspect: beams against dense sampling and against rays.
 
-use crate::study::chart::row::Row;
+use crate::study::chart::row::SettingRow;
 use crate::study::chart::work::{Measured, Subject, measured};
 use crate::study::looks;
 use artifact::Accuracy;
 use artifact::settings::{NodeRule, Sides};
-use bart_rcs::reference::{Bracket, po, sbr};
 use bart_rcs::{RcsRequest, RcsResult};
 use num_complex::Complex64;
+use po_sbr::{Bracket, po, sbr};
 use wayside::host::failure::Failure;
 
 /// The radar's frequencies: three over 0.6 GHz, so that an error is that of a profile and not of one lucky
@@ -65,9 +65,9 @@ fn row<T>(
     from: &Measured<T>,
     error: f64,
     reference: String,
-) -> Row {
+) -> SettingRow {
     let (seconds, peak_mib) = (from.seconds, from.peak_mib);
-    Row {
+    SettingRow {
         stage: "bart-rcs",
         scene: subject.name.clone(),
         method,
@@ -81,7 +81,7 @@ fn row<T>(
 
 /// First order: beams by the accuracy asked against the densest sampling; sampling by its density against
 /// beams.
-pub(super) fn first_order(subject: &Subject) -> Result<Vec<Row>, Failure> {
+pub(super) fn first_order(subject: &Subject) -> Result<Vec<SettingRow>, Failure> {
     let dense = sampled(subject, subject.fine_samples, SHADOW_LEVELS + 2)?;
     let exact = traced(subject, 1, FINE_DB)?.value.amplitude_m;
     let dense_name = format!("po, {} samples per wavelength", subject.fine_samples);
@@ -110,7 +110,7 @@ pub(super) fn first_order(subject: &Subject) -> Result<Vec<Row>, Failure> {
 /// Orders by themselves, with the exit node that rays have; errors are over the field of that order. Beams of
 /// order 1 are in [`first_order`]: against rays they would show the error of the rays, whose first order
 /// converges slowly.
-pub(super) fn by_order(subject: &Subject) -> Result<Vec<Row>, Failure> {
+pub(super) fn by_order(subject: &Subject) -> Result<Vec<SettingRow>, Failure> {
     let dense = shot(subject, subject.fine_rays)?;
     let exact = traced(subject, 3, FINE_DB)?;
     let mut rows = Vec::new();
@@ -141,7 +141,7 @@ fn rays_row(
     order: u8,
     found: &Measured<Vec<Vec<Complex64>>>,
     exact: &RcsResult,
-) -> Row {
+) -> SettingRow {
     let index = usize::from(order) - 1;
     let error = looks::relative_error(&found.value[index], &exact.by_order_m[index]);
     let reference = format!("bart, order {order}, exit node, {FINE_DB} dB asked");

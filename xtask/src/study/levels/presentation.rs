@@ -1,7 +1,7 @@
 //! The levels as CSV, page and picture.
 
 use crate::study::extent::Extent;
-use crate::study::levels::row::Row;
+use crate::study::levels::row::LevelRow;
 use crate::study::table::{self, Table};
 use artifact::settings::Detail;
 use artifact::units::db_from_amplitude;
@@ -9,12 +9,12 @@ use plotting::form::Form;
 use plotting::lines::{Line, LinePlot, Scale};
 use plotting::svg::Svg;
 
-pub(in crate::study) fn csv(rows: &[Row]) -> String {
+pub(in crate::study) fn csv(rows: &[LevelRow]) -> String {
     let header = "scene,asked_db,level,paths,error_told_db,error_db,total_db,trace_seconds,reduce_seconds,echo_seconds,chosen";
     table::csv(header, rows.iter().map(fields))
 }
 
-fn fields(row: &Row) -> Vec<String> {
+fn fields(row: &LevelRow) -> Vec<String> {
     let [trace, reduce, echo] = row.seconds.map(|s| format!("{s:.3}"));
     let errors = [row.told, row.error, row.total].map(table::decibels);
     let mut fields = vec![
@@ -28,7 +28,7 @@ fn fields(row: &Row) -> Vec<String> {
     fields
 }
 
-pub(in crate::study) fn page(rows: &[Row], extent: Extent) -> String {
+pub(in crate::study) fn page(rows: &[LevelRow], extent: Extent) -> String {
     let command = match extent {
         Extent::Quick => "cargo xtask levels --quick --docs",
         Extent::Full => "cargo xtask study levels",
@@ -62,7 +62,7 @@ pub(in crate::study) fn page(rows: &[Row], extent: Extent) -> String {
 }
 
 /// Sentence on how well the run knows its error: told over true.
-fn told_against_true(rows: &[Row]) -> String {
+fn told_against_true(rows: &[LevelRow]) -> String {
     let pairs = rows.iter().filter_map(|row| row.told.zip(row.error));
     let mut above_db: Vec<f64> = pairs.map(|(told, error)| db_from_amplitude(told / error)).collect();
     above_db.sort_by(f64::total_cmp);

@@ -4,7 +4,7 @@ use artifact::settings::Detail;
 
 /// One level of detail of one frame, at one accuracy asked for.
 #[derive(Debug, Clone, PartialEq)]
-pub(in crate::study) struct Row {
+pub(in crate::study) struct LevelRow {
     pub(in crate::study) scene: &'static str,
     pub(in crate::study) asked_db: f64,
     pub(in crate::study) level: Detail,

@@ -9,21 +9,21 @@ use std::ops::Range;
 
 /// Lit polygons of one view.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Parts {
+pub(crate) struct LitParts {
     /// Polygons by facet, then piece.
-    pub(crate) parts: Vec<Part>,
+    pub(crate) parts: Vec<LitPart>,
     /// Corners of all polygons.
     pub(crate) corners: Vec<Corner>,
 }
 
 /// A lit polygon.
 #[derive(Debug, Clone)]
-pub(crate) struct Part {
+pub(crate) struct LitPart {
     /// Index into the world's facets.
     pub(crate) facet: u32,
     /// Unit normal on the lit side.
     pub(crate) lit_normal: DVec3,
-    /// Place of the corners in [`Parts::corners`]; empty where the polygon is nothing but rounding.
+    /// Place of the corners in [`LitParts::corners`]; empty where the polygon is nothing but rounding.
     pub(crate) corners: Range<usize>,
     /// Area, m².
     pub(crate) area_m2: f64,
@@ -35,7 +35,7 @@ pub(crate) struct Part {
     pub(crate) sheets: Vec<u32>,
 }
 
-impl Parts {
+impl LitParts {
     /// Adds a lit polygon. One that is thinner than rounding keeps its area, for the books, and loses its
     /// corners.
     pub(crate) fn push(&mut self, target: &Shadow, view: &View, polygon: &[Corner]) {
@@ -46,7 +46,7 @@ impl Parts {
         }
         let middle = polygon.iter().map(|c| c.point_m).sum::<DVec3>() / polygon.len() as f64;
         let towards = view.antenna.towards(middle).try_normalize().unwrap_or(DVec3::ZERO);
-        self.parts.push(Part {
+        self.parts.push(LitPart {
             facet: target.facet,
             lit_normal: target.front.normal,
             corners: start..self.corners.len(),
@@ -58,9 +58,9 @@ impl Parts {
     }
 
     /// Adds a part of others as it is.
-    pub(crate) fn append(&mut self, others: &Self, part: &Part) {
+    pub(crate) fn append(&mut self, others: &Self, part: &LitPart) {
         let start = self.corners.len();
         self.corners.extend_from_slice(&others.corners[part.corners.clone()]);
-        self.parts.push(Part { corners: start..self.corners.len(), ..part.clone() });
+        self.parts.push(LitPart { corners: start..self.corners.len(), ..part.clone() });
     }
 }

@@ -13,7 +13,7 @@ use std::ops::{Range, RangeInclusive};
 pub(crate) const MARGIN: f64 = 1e-6;
 
 /// A facet in units of cells.
-pub(crate) struct Outline {
+pub(crate) struct CellOutline {
     low: DVec2,
     high: DVec2,
     corners: [DVec2; 3],
@@ -41,7 +41,7 @@ pub(crate) enum Reach {
     Centre,
 }
 
-impl Outline {
+impl CellOutline {
     /// Outline of a facet in cells of this size from an origin on.
     pub(crate) fn of(sight: &Sight, outlook: &Outlook, view: &View, origin: DVec2, cell: f64) -> Self {
         let Extent { corners, low, high, near_m, far_m, .. } = sight.extent.in_cells(origin, cell);

@@ -1,6 +1,6 @@
 //! Appearance of facets across a view: their places on a plane across it, and how deep they lie.
 
-use crate::beams::sight::shadow::{Seen, seen_side};
+use crate::beams::sight::shadow::{LitSide, seen_side};
 use crate::beams::sight::view::View;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::facet_geometry::FacetGeometry;
@@ -19,7 +19,7 @@ pub(crate) struct Prospect {
 pub(crate) struct Sight {
     /// Index into the world's facets.
     pub(crate) facet: u32,
-    pub(crate) seen: Seen,
+    pub(crate) seen: LitSide,
     pub(crate) extent: Extent,
 }
 
@@ -56,11 +56,11 @@ impl Prospect {
             let (seen, _) = seen_side(facet, view.antenna, view.tolerance_m())?;
             Some((index as u32, seen))
         };
-        let seen: Vec<(u32, Seen)> = view.world.facets().par_iter().enumerate().filter_map(seen).collect();
+        let seen: Vec<(u32, LitSide)> = view.world.facets().par_iter().enumerate().filter_map(seen).collect();
         let corners = seen.par_iter().flat_map_iter(|&(facet, _)| view.world.facet(facet).corners_m);
         let around = corners.map(|c| [c, c]).reduce_with(|[a, b], [c, d]| [a.min(c), b.max(d)])?;
         let outlook = Outlook::onto(around, view.antenna)?;
-        let sight = |&(facet, seen): &(u32, Seen)| outlook.sight(facet, seen, view);
+        let sight = |&(facet, seen): &(u32, LitSide)| outlook.sight(facet, seen, view);
         let sights: Vec<Sight> = seen.par_iter().map(sight).collect();
         outlook.holds(sights.iter().map(|sight| &sight.extent)).then_some(Self { outlook, sights })
     }
@@ -74,9 +74,9 @@ impl Outlook {
         Some(Self { antenna, forward, right, up: forward.cross(right) })
     }
 
-    pub(crate) fn sight(&self, facet: u32, seen: Seen, view: &View) -> Sight {
+    pub(crate) fn sight(&self, facet: u32, seen: LitSide, view: &View) -> Sight {
         let [a, b, c] = view.world.facet(facet).corners_m.map(|corner| self.place(corner));
-        let corners = if seen == Seen::Front { [a, b, c] } else { [a, c, b] };
+        let corners = if seen == LitSide::Front { [a, b, c] } else { [a, c, b] };
         Sight { facet, seen, extent: Extent::around(corners, view) }
     }
 

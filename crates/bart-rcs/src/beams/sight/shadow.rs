@@ -23,7 +23,7 @@ pub(crate) struct Shadow {
     /// Index into the world's facets.
     pub(crate) facet: u32,
     /// The side that the antenna sees.
-    pub(crate) seen: Seen,
+    pub(crate) seen: LitSide,
     /// Planes through the antenna and each edge, in the winding as the antenna sees it; positive inside.
     pub(crate) edges: [Plane; 3],
     /// The facet's own plane, positive towards the antenna.
@@ -36,7 +36,7 @@ pub(crate) struct Shadow {
 
 /// The side of a facet that an antenna sees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Seen {
+pub(crate) enum LitSide {
     /// The winding is counter-clockwise.
     Front,
     /// The winding is clockwise.
@@ -77,7 +77,7 @@ impl Shadow {
             None => None,
         };
         let [a, b, c] = facet.corners_m;
-        let [a, b, c] = if seen == Seen::Front { [a, b, c] } else { [a, c, b] };
+        let [a, b, c] = if seen == LitSide::Front { [a, b, c] } else { [a, c, b] };
         let edge = |from, to| Plane::through_edge(view.antenna, from, to);
         let edges = [edge(a, b)?, edge(b, c)?, edge(c, a)?];
         let apparent_size = apparent_size(facet, view.antenna);
@@ -87,10 +87,10 @@ impl Shadow {
     /// The facet as a polygon, counter-clockwise as the antenna sees it.
     pub(crate) fn polygon(&self, world: &World) -> [Corner; 3] {
         let [a, b, c] = world.facet(self.facet).corners_m;
-        let points = if self.seen == Seen::Front { [a, b, c] } else { [a, c, b] };
+        let points = if self.seen == LitSide::Front { [a, b, c] } else { [a, c, b] };
         // Edge i of the facet runs from corner i; seen from the back they run the other way and in the other
         // order.
-        let order = if self.seen == Seen::Front { [0, 1, 2] } else { [2, 1, 0] };
+        let order = if self.seen == LitSide::Front { [0, 1, 2] } else { [2, 1, 0] };
         let border = |edge| if world.is_inside_patch(self.facet, edge) { Border::Inner } else { Border::Own };
         [0, 1, 2].map(|i| Corner { point_m: points[i], edge: self.edges[i], border: border(order[i]) })
     }
@@ -163,14 +163,18 @@ impl Cover {
 }
 
 /// The side that is seen and the plane towards the antenna; `None` where it is seen edge-on.
-pub(crate) fn seen_side(facet: &FacetGeometry, antenna: Antenna, tolerance_m: f64) -> Option<(Seen, Plane)> {
+pub(crate) fn seen_side(
+    facet: &FacetGeometry,
+    antenna: Antenna,
+    tolerance_m: f64,
+) -> Option<(LitSide, Plane)> {
     // Directions are rounded to ε; a facet this close to edge-on has no area across the wave.
     let least = if matches!(antenna, Antenna::Point(_)) { tolerance_m } else { 16.0 * f64::EPSILON };
     let height = facet.plane.side_of(antenna);
     match () {
         () if !facet.has_plane() => None,
-        () if height > least => Some((Seen::Front, facet.plane)),
-        () if height < -least => Some((Seen::Back, -facet.plane)),
+        () if height > least => Some((LitSide::Front, facet.plane)),
+        () if height < -least => Some((LitSide::Back, -facet.plane)),
         () => None,
     }
 }

@@ -13,9 +13,9 @@
 //! everything refused is hidden by facets that are left. Like the hierarchy it draws no outline: what is left
 //! is cut as ever.
 
-use crate::beams::sight::outline::{MARGIN, Outline, Reach};
+use crate::beams::sight::outline::{CellOutline, MARGIN, Reach};
 use crate::beams::sight::prospect::{Extent, Prospect, Sight, across};
-use crate::beams::sight::shadow::Seen;
+use crate::beams::sight::shadow::LitSide;
 use crate::beams::sight::view::View;
 use crate::mesh::mesh_edges::Winding;
 use glam::DVec2;
@@ -50,8 +50,8 @@ const NONE: u32 = u32::MAX;
 /// Sights of a prospect that may be seen, in its order.
 pub(crate) fn visible(prospect: &Prospect, view: &View) -> Vec<Sight> {
     let Some((origin, cell, size)) = cells_for(&prospect.sights) else { return prospect.sights.clone() };
-    let outline = |sight: &Sight| Outline::of(sight, &prospect.outlook, view, origin, cell);
-    let outlines: Vec<Outline> = prospect.sights.par_iter().map(outline).collect();
+    let outline = |sight: &Sight| CellOutline::of(sight, &prospect.outlook, view, origin, cell);
+    let outlines: Vec<CellOutline> = prospect.sights.par_iter().map(outline).collect();
     let cells = SolidCells::among(&outlines, &Surfaces::of(prospect, view), size, gap_m(prospect, view));
     let seen = prospect.sights.par_iter().zip(&outlines).filter(|(_, outline)| !cells.hide(outline));
     seen.map(|(sight, _)| *sight).collect()
@@ -86,7 +86,7 @@ fn gap_m(prospect: &Prospect, view: &View) -> f64 {
 }
 
 impl SolidCells {
-    fn among(outlines: &[Outline], surfaces: &Surfaces, [columns, rows]: [usize; 2], gap_m: f64) -> Self {
+    fn among(outlines: &[CellOutline], surfaces: &Surfaces, [columns, rows]: [usize; 2], gap_m: f64) -> Self {
         let height = rows.div_ceil(BANDS);
         let bands = (0..rows.div_ceil(height)).into_par_iter();
         let filled = bands.map(|band| {
@@ -97,7 +97,7 @@ impl SolidCells {
     }
 
     /// Whether a facet lies behind what fills the cells, in all that it touches.
-    fn hide(&self, outline: &Outline) -> bool {
+    fn hide(&self, outline: &CellOutline) -> bool {
         outline.rows().all(|row| {
             outline.columns(row, Reach::Touched, self.columns).all(|column| {
                 let depth_m =
@@ -130,7 +130,7 @@ impl Surfaces {
         };
         let beyond = |sight: &Sight| {
             // Seen from the back the sides run the other way and in the other order.
-            let order = if sight.seen == Seen::Front { [0, 1, 2] } else { [2, 1, 0] };
+            let order = if sight.seen == LitSide::Front { [0, 1, 2] } else { [2, 1, 0] };
             let hides = slot_of[sight.facet as usize] != NONE;
             hides.then(|| order.map(|side| beyond_side(sight, side).unwrap_or(NONE)))
         };
@@ -138,7 +138,7 @@ impl Surfaces {
     }
 
     /// The depths of [`SolidCells`] in some rows.
-    fn depths_m(&self, outlines: &[Outline], columns: usize, rows: Range<usize>) -> Vec<f64> {
+    fn depths_m(&self, outlines: &[CellOutline], columns: usize, rows: Range<usize>) -> Vec<f64> {
         let layers = self.layers(outlines, columns, &rows);
         let mut set = Vec::new();
         let mut depth_m = |(index, layers): (usize, &[(f64, u32); LAYERS])| {
@@ -153,7 +153,12 @@ impl Surfaces {
     }
 
     /// Facets at the centre of each cell, the nearest first.
-    fn layers(&self, outlines: &[Outline], columns: usize, rows: &Range<usize>) -> Vec<[(f64, u32); LAYERS]> {
+    fn layers(
+        &self,
+        outlines: &[CellOutline],
+        columns: usize,
+        rows: &Range<usize>,
+    ) -> Vec<[(f64, u32); LAYERS]> {
         let mut layers = vec![[(f64::INFINITY, NONE); LAYERS]; columns * rows.len()];
         let hiding = (0..).zip(outlines).zip(&self.beyond).filter(|(_, beyond)| beyond.is_some());
         for ((slot, outline), _) in hiding {
@@ -178,7 +183,7 @@ impl Surfaces {
         &self,
         seed: u32,
         (column, row): (usize, usize),
-        outlines: &[Outline],
+        outlines: &[CellOutline],
         set: &mut Vec<u32>,
     ) -> Option<f64> {
         if !outlines[seed as usize].holds_centre(column, row) {

@@ -1,6 +1,6 @@
 //! Clipping of a facet to the window of a view.
 
-use crate::beams::sight::shadow::{Seen, Shadow};
+use crate::beams::sight::shadow::{LitSide, Shadow};
 use crate::beams::sight::view::View;
 use crate::geometry::border::Border;
 use crate::geometry::clip::{Corner, Split, split};
@@ -16,7 +16,7 @@ impl View<'_> {
         corners: &mut Vec<Corner>,
         distances_m: &mut Vec<f64>,
     ) -> Option<Range<usize>> {
-        if self.sides == Sides::One && target.seen == Seen::Back || !self.is_followed(target.facet) {
+        if self.sides == Sides::One && target.seen == LitSide::Back || !self.is_followed(target.facet) {
             return None;
         }
         corners.clear();

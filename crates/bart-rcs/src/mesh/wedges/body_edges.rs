@@ -2,7 +2,7 @@
 //! nor the bends of a tessellated curve (docs/decisions/edges.md).
 
 use crate::mesh::curve_bend::{may_be_a_step, may_be_of_one_curve};
-use crate::mesh::mesh_edges::{MeshEdge, Side};
+use crate::mesh::mesh_edges::{MeshEdge, TriangleSide};
 use crate::mesh::surface_topology::{Blade, Topology};
 use crate::mesh::wedges::wedge::Wedge;
 use crate::mesh::welding::rounding_m;
@@ -63,16 +63,17 @@ const SHADED_BEND_RAD: f64 = 65.0 * PI / 180.0;
 pub(crate) fn body_edges(triangles_m: &[[DVec3; 3]], corner_normals: &[[DVec3; 3]]) -> BodyEdges {
     let tolerance_m = rounding_m(triangles_m.as_flattened());
     let topology = Topology::of(triangles_m, tolerance_m);
-    let bends: Vec<Bend> = topology.lines().filter_map(|line| Bend::of(&topology, &line)).collect();
+    let bends: Vec<DiffractingLine> =
+        topology.lines().filter_map(|line| DiffractingLine::of(&topology, &line)).collect();
     let by_patch = by_patch(&bends, topology.patches());
-    let is_edge = |bend: &&Bend| !is_curve(bend, &bends, &by_patch, corner_normals);
+    let is_edge = |bend: &&DiffractingLine| !is_curve(bend, &bends, &by_patch, corner_normals);
     let pieces: Vec<BodyEdge> = bends.iter().filter(is_edge).map(|bend| bend.edge.clone()).collect();
     let edges = merged(pieces, tolerance_m);
     BodyEdges { patches: ends_of_patches(&topology, &edges), edges }
 }
 
 /// A line about which free space spans more than a half turn.
-struct Bend {
+struct DiffractingLine {
     edge: BodyEdge,
     /// The facets of face 1 and face 2.
     blades: [Blade; 2],
@@ -81,12 +82,12 @@ struct Bend {
 }
 
 impl EdgeSide {
-    fn of(topology: &Topology<'_>, &Side { triangle, side }: &Side) -> Self {
+    fn of(topology: &Topology<'_>, &TriangleSide { triangle, side }: &TriangleSide) -> Self {
         Self { triangle, side, patch: topology.patch_of(triangle) }
     }
 }
 
-impl Bend {
+impl DiffractingLine {
     fn of(topology: &Topology<'_>, line: &MeshEdge<'_>) -> Option<Self> {
         if topology.is_inside_a_patch(line) {
             return None;
@@ -120,7 +121,7 @@ impl Bend {
     }
 }
 
-fn by_patch(bends: &[Bend], patches: usize) -> Vec<Vec<u32>> {
+fn by_patch(bends: &[DiffractingLine], patches: usize) -> Vec<Vec<u32>> {
     let mut by_patch = vec![Vec::new(); patches];
     for (index, bend) in (0..).zip(bends) {
         bend.edge.patches.iter().for_each(|patch| by_patch[*patch as usize].push(index));
@@ -130,7 +131,12 @@ fn by_patch(bends: &[Bend], patches: usize) -> Vec<Vec<u32>> {
 
 /// Whether a bend is a piece of a tessellated curve: by the normals that the file stores, else by its
 /// neighbours.
-fn is_curve(bend: &Bend, bends: &[Bend], by_patch: &[Vec<u32>], corner_normals: &[[DVec3; 3]]) -> bool {
+fn is_curve(
+    bend: &DiffractingLine,
+    bends: &[DiffractingLine],
+    by_patch: &[Vec<u32>],
+    corner_normals: &[[DVec3; 3]],
+) -> bool {
     if bend.turn_rad > SHADED_BEND_RAD {
         return false;
     }
@@ -151,7 +157,7 @@ enum Shading {
     Flat,
 }
 
-fn shading(bend: &Bend, corner_normals: &[[DVec3; 3]]) -> Shading {
+fn shading(bend: &DiffractingLine, corner_normals: &[[DVec3; 3]]) -> Shading {
     let [Some(a), Some(b)] = bend.blades.map(|blade| corner_normals.get(blade.side.triangle as usize)) else {
         return Shading::Flat;
     };
@@ -173,7 +179,7 @@ fn shading(bend: &Bend, corner_normals: &[[DVec3; 3]]) -> Shading {
 }
 
 /// Whether one of the two patches bends on, the same way and about as much, at another of its edges.
-fn goes_on(bend: &Bend, bends: &[Bend], by_patch: &[Vec<u32>]) -> bool {
+fn goes_on(bend: &DiffractingLine, bends: &[DiffractingLine], by_patch: &[Vec<u32>]) -> bool {
     bend.edge.patches.iter().any(|&patch| {
         let outward = bend.outward_of(patch);
         by_patch[patch as usize].iter().map(|index| &bends[*index as usize]).any(|other| {

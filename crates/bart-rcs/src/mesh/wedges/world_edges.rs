@@ -43,7 +43,7 @@ impl EdgeGeometry {
 
 /// Place of a body.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Placed {
+pub(crate) struct BodyPlacement {
     pub(crate) world_from_body: DMat3,
     pub(crate) position_m: DVec3,
 }
@@ -58,8 +58,8 @@ impl WorldEdges {
     ///
     /// The wedge beside a side narrower than `thin_m` is the open edge of its other face
     /// ([`seen_from_afar`]).
-    pub(crate) fn add(&mut self, body: &BodyEdges, place: &Placed, first_facet: u32, thin_m: f64) {
-        let Placed { world_from_body, position_m } = *place;
+    pub(crate) fn add(&mut self, body: &BodyEdges, place: &BodyPlacement, first_facet: u32, thin_m: f64) {
+        let BodyPlacement { world_from_body, position_m } = *place;
         let seen: Vec<BodyEdge> =
             body.edges.iter().map(|edge| seen_from_afar(edge, &body.patches, thin_m)).collect();
         let (first_edge, first_patch) = (self.edges.len() as u32, self.patches.len() as u32);

@@ -54,7 +54,7 @@ pub(crate) struct Listener<'a> {
 
 /// A leg to one element.
 #[derive(Clone, Copy)]
-struct Leg {
+struct ElementLeg {
     length_m: f64,
     rate_mps: f64,
     /// Pattern gain over length, 1/m.
@@ -140,7 +140,7 @@ impl<'a> Listener<'a> {
         Value { amplitude, cycles: f0 * tau + mu * t * tau - 0.5 * mu * tau * tau }
     }
 
-    fn departing(&self, path: &Path, element_m: DVec3, scattering_time_s: f64) -> Leg {
+    fn departing(&self, path: &Path, element_m: DVec3, scattering_time_s: f64) -> ElementLeg {
         let (position_m, velocity_mps) =
             at(path.apparent_tx_m, path.apparent_tx_mps, path.curve.apparent_tx_mps2, scattering_time_s);
         let way_m = position_m - element_m;
@@ -150,7 +150,7 @@ impl<'a> Listener<'a> {
 
     /// Leg of arrival at the scattering time t_s = T − |x(t_s) − p|/c: |x(t_s) − p| = |x(T) − p|/(1 +
     /// v·d/c), but for (v/c)².
-    fn arriving(&self, path: &Path, element_m: DVec3, time_s: f64) -> Leg {
+    fn arriving(&self, path: &Path, element_m: DVec3, time_s: f64) -> ElementLeg {
         let (position_m, velocity_mps) =
             at(path.apparent_rx_m, path.apparent_rx_mps, path.curve.apparent_rx_mps2, time_s);
         let way_m = position_m - element_m;
@@ -159,9 +159,9 @@ impl<'a> Listener<'a> {
         self.leg(direction, length_m / (1.0 + velocity_mps.dot(direction) / C), velocity_mps)
     }
 
-    fn leg(&self, direction: DVec3, length_m: f64, velocity_mps: DVec3) -> Leg {
+    fn leg(&self, direction: DVec3, length_m: f64, velocity_mps: DVec3) -> ElementLeg {
         let pattern = pattern_amplitude(self.radar, &self.axes, direction);
-        Leg { length_m, rate_mps: velocity_mps.dot(direction), gain_per_m: pattern / length_m }
+        ElementLeg { length_m, rate_mps: velocity_mps.dot(direction), gain_per_m: pattern / length_m }
     }
 }
 

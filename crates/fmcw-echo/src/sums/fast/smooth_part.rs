@@ -281,42 +281,13 @@ mod tests {
     use crate::sums::fast::equal_steps::EqualSteps;
     use crate::sums::fast::instants::Link;
     use artifact::paths::{Facet, MAX_ORDER};
-    use artifact::radar::{
-        Array, Hardware, Link as Power, Multiplexing, Pattern, Polarization, Radar, Schedule, Waveform,
-    };
+    use artifact::radar::Radar;
+    use radar::aperture::Preset;
+    use radar::paper;
 
     /// Experiment 3's waveform from one element.
     fn radar() -> Radar {
-        let element_m = [0.0; 3];
-        let waveform = Waveform {
-            start_frequency_hz: 77e9,
-            slope_hz_per_s: 12.5e12,
-            sample_rate_hz: 5.12e6,
-            sampling: artifact::radar::Sampling::Complex,
-            samples: 512,
-            chirp_interval_s: 110e-6,
-            chirps: 128,
-        };
-        let array = Array {
-            tx_m: vec![element_m],
-            rx_m: vec![element_m],
-            tx_half_wavelengths: vec![[0.0; 2]],
-            rx_half_wavelengths: vec![[0.0; 2]],
-            multiplexing: Multiplexing::Simultaneous,
-            polarization: Polarization::Vv,
-            pattern: Pattern::Isotropic,
-        };
-        let link = Power { transmit_power_w: 1.0, antenna_gain_db: 0.0 };
-        Radar {
-            position_m: element_m,
-            boresight_az_rad: 0.0,
-            boresight_el_rad: 0.0,
-            waveform,
-            schedule: Schedule::default(),
-            hardware: Hardware::default(),
-            array,
-            link,
-        }
+        paper::radar([0.0; 3], paper::waveform(512, 128), Preset::OneByOne.elements())
     }
 
     /// Claim X5: a body of 5 m whose points differ by ±0.3 m/s, straight ahead and so far away that nothing

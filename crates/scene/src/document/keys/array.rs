@@ -8,7 +8,7 @@ use radar::aperture::Preset;
 
 /// Form in which an element's pattern is given.
 #[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Form {
+pub(crate) enum PatternForm {
     Isotropic,
     Cosine,
     Table,
@@ -99,14 +99,20 @@ pub(crate) const POLARIZATION: Key<Words<Polarization>, Or<Polarization>> = Key:
 )
 .or(Polarization::Vv);
 
-pub(crate) const PATTERN: Key<Words<Form>, Or<Form>> = Key::new(
+pub(crate) const PATTERN: Key<Words<PatternForm>, Or<PatternForm>> = Key::new(
     "pattern",
-    Words(|| vec![("isotropic", Form::Isotropic), ("cosine", Form::Cosine), ("table", Form::Table)]),
+    Words(|| {
+        vec![
+            ("isotropic", PatternForm::Isotropic),
+            ("cosine", PatternForm::Cosine),
+            ("table", PatternForm::Table),
+        ]
+    }),
     "gain over direction: everywhere that of [radar.link], falling off the boresight, or from a file. \
      Bodies wholly behind an array that hears nothing there are not traced \
      ([deaf_side.rs](../crates/bart-rcs/src/bodies/deaf_side.rs))",
 )
-.or(Form::Isotropic);
+.or(PatternForm::Isotropic);
 
 pub(crate) const COSINE_EXPONENT: Key<Number> = Key::new(
     "cosine_exponent",

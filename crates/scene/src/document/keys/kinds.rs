@@ -91,14 +91,14 @@ pub(crate) struct PerElement(pub(crate) Allowed);
 #[derive(Clone, Copy)]
 pub(crate) struct Below {
     /// Form in which they are written.
-    pub(crate) form: Form,
+    pub(crate) form: TableForm,
     /// The keys of each.
     pub(crate) table: &'static Table,
 }
 
 /// Form in which tables are written.
 #[derive(Clone, Copy)]
-pub(crate) enum Form {
+pub(crate) enum TableForm {
     /// One table.
     One,
     /// An array of tables.
@@ -114,12 +114,12 @@ pub(crate) enum Form {
 impl Below {
     /// One table.
     pub(crate) const fn one(table: &'static Table) -> Self {
-        Self { form: Form::One, table }
+        Self { form: TableForm::One, table }
     }
 
     /// An array of tables.
     pub(crate) const fn several(table: &'static Table) -> Self {
-        Self { form: Form::Several, table }
+        Self { form: TableForm::Several, table }
     }
 }
 
@@ -298,9 +298,9 @@ impl Kind for PerElement {
 impl Kind for Below {
     fn allowed(&self) -> String {
         match self.form {
-            Form::One | Form::Several | Form::Named => String::new(),
-            Form::List(length) => many(length),
-            Form::NamedOrTexts => "a table".to_owned(),
+            TableForm::One | TableForm::Several | TableForm::Named => String::new(),
+            TableForm::List(length) => many(length),
+            TableForm::NamedOrTexts => "a table".to_owned(),
         }
     }
 
@@ -308,13 +308,13 @@ impl Kind for Below {
         let (about, of_table) =
             (self.table.about, json!({ "$ref": format!("#/definitions/{}", self.table.name) }));
         match self.form {
-            Form::One => of_table,
-            Form::Several => json!({ "description": about, "type": "array", "items": of_table }),
-            Form::List(length) => list(&of_table, length),
-            Form::Named => {
+            TableForm::One => of_table,
+            TableForm::Several => json!({ "description": about, "type": "array", "items": of_table }),
+            TableForm::List(length) => list(&of_table, length),
+            TableForm::Named => {
                 json!({ "description": about, "type": "object", "additionalProperties": of_table })
             }
-            Form::NamedOrTexts => {
+            TableForm::NamedOrTexts => {
                 let [text, list] = texts();
                 json!({ "type": "object", "additionalProperties": { "anyOf": [text, list, of_table] } })
             }
@@ -434,7 +434,7 @@ fn figure(value: f64) -> String {
             "10{}",
             power.to_string().bytes().map(|b| DIGITS[usize::from(b - b'0')]).collect::<String>()
         ),
-        None => number::Number(value).to_string(),
+        None => number::WrittenNumber(value).to_string(),
     }
 }
 

@@ -1,7 +1,7 @@
 //! `[materials]`, its layers, and `[road]`.
 
 use crate::document::keys::key::{Key, Or, Table};
-use crate::document::keys::kinds::{Below, Form, Number, Pair, Text, Truth, Words};
+use crate::document::keys::kinds::{Below, Number, Pair, TableForm, Text, Truth, Words};
 use crate::wording::allowed::Allowed::{self, Above, Between};
 use artifact::material::Backing;
 
@@ -47,7 +47,7 @@ pub(crate) const THICKNESS: Key<Number> =
 
 pub(crate) const LAYERS: Key<Below> = Key::new(
     "layers",
-    Below { form: Form::List(LAYERS_OF_ONE), table: &LAYER },
+    Below { form: TableForm::List(LAYERS_OF_ONE), table: &LAYER },
     "several layers, the outermost first, instead of the three keys above",
 )
 .allowed("{} layers");

@@ -3,7 +3,7 @@
 use crate::document::keys::bodies::{CLUTTER, TARGET};
 use crate::document::keys::fidelity::FIDELITY;
 use crate::document::keys::key::{Key, Or, Table};
-use crate::document::keys::kinds::{Below, Form, Name, Number, Whole};
+use crate::document::keys::kinds::{Below, Name, Number, TableForm, Whole};
 use crate::document::keys::lanes::INTERSECTION;
 use crate::document::keys::materials::{MATERIAL, ROAD};
 use crate::document::keys::processing::{DSP, NOISE};
@@ -68,7 +68,7 @@ pub(crate) const OF_DSP: Key<Below> = Key::new("dsp", Below::one(&DSP), THE_TABL
 pub(crate) const OF_FIDELITY: Key<Below> = Key::new("fidelity", Below::one(&FIDELITY), THE_TABLES_BELOW);
 
 pub(crate) const OF_MATERIALS: Key<Below> =
-    Key::new("materials", Below { form: Form::Named, table: &MATERIAL }, THE_TABLES_BELOW);
+    Key::new("materials", Below { form: TableForm::Named, table: &MATERIAL }, THE_TABLES_BELOW);
 
 pub(crate) const OF_INTERSECTION: Key<Below> =
     Key::new("intersection", Below::one(&INTERSECTION), THE_TABLES_BELOW);

@@ -2,7 +2,7 @@
 
 use crate::document::keys::bodies;
 use crate::document::keys::key::{Key, Or, Table};
-use crate::document::keys::kinds::{Below, Form, Number, Text, Texts, Whole, Words};
+use crate::document::keys::kinds::{Below, Number, TableForm, Text, Texts, Whole, Words};
 use crate::wording::allowed::Allowed::{Above, Between};
 use artifact::settings::Class;
 
@@ -46,7 +46,7 @@ pub(crate) const END: Key<Number> = Key::new(
 
 pub(crate) const MODELS: Key<Below> = Key::new(
     "models",
-    Below { form: Form::NamedOrTexts, table: &MODEL_OF_TYPE },
+    Below { form: TableForm::NamedOrTexts, table: &MODEL_OF_TYPE },
     "for each vType its model: a name as a target's `model`, a list of which every vehicle takes one \
      (always the same for the same id), or a table as below",
 );

@@ -1,6 +1,6 @@
 //! Processor seconds of each kind of work on the machine that they were measured on, and bytes.
 
-use crate::chain::expectation::work::{ITEMS, Item, Work};
+use crate::chain::expectation::work::{ITEMS, WorkCounts, WorkKind};
 
 /// Memory that the program holds beside frames, MiB: code, thread stacks, the classifier (32 to 40 MiB were
 /// measured when the learning library was part of it).
@@ -27,40 +27,40 @@ pub(crate) const SPREAD: f64 = 2.0;
 /// Fitted to the first 36 scenes of `cargo xtask bench --predictions --seed 1`, held to first rates from the
 /// figures of docs/speed.md, which work keeps that these scenes have little of (edges, tables, frames split
 /// in time).
-const SECONDS: [(Item, f64); ITEMS] = [
-    (Item::Run, 0.13),
-    (Item::Triangles, 4.6e-6),
-    (Item::Facets, 8.3e-7),
-    (Item::InSight, 3.0e-5),
-    (Item::Beams, 7.9e-6),
-    (Item::Mirrors, 2.1e-5),
-    (Item::Tiles, 4.2e-6),
-    (Item::LaterTiles, 3.9e-6),
-    (Item::FineTiles, 1.2e-5),
-    (Item::LaterFineTiles, 2.4e-5),
-    (Item::LongTiles, 1.5e-5),
-    (Item::MeasuredCells, 6.9e-6),
-    (Item::Cells, 4.4e-6),
-    (Item::WideCells, 3.5e-4),
-    (Item::SlidingBeams, 7.0e-5),
-    (Item::SlidingTiles, 4.0e-6),
-    (Item::MovingBeams, 9.9e-6),
-    (Item::MovingTiles, 1.0e-6),
-    (Item::MovingCells, 1.0e-5),
-    (Item::RoadBeams, 8.2e-5),
-    (Item::EdgeBeams, 1.8e-5),
-    (Item::LossyTiles, 2.6e-4),
-    (Item::TableTiles, 1.4e-5),
-    (Item::Echoes, 1.1e-7),
-    (Item::GroundEchoes, 8.7e-6),
-    (Item::Samples, 9.1e-8),
-    (Item::MapCells, 9.1e-8),
-    (Item::Bodies, 9.5e-3),
-    (Item::SeparatedBodies, 8.2e-3),
-    (Item::Frames, 0.13),
+const SECONDS: [(WorkKind, f64); ITEMS] = [
+    (WorkKind::Run, 0.13),
+    (WorkKind::Triangles, 4.6e-6),
+    (WorkKind::Facets, 8.3e-7),
+    (WorkKind::InSight, 3.0e-5),
+    (WorkKind::Beams, 7.9e-6),
+    (WorkKind::Mirrors, 2.1e-5),
+    (WorkKind::Tiles, 4.2e-6),
+    (WorkKind::LaterTiles, 3.9e-6),
+    (WorkKind::FineTiles, 1.2e-5),
+    (WorkKind::LaterFineTiles, 2.4e-5),
+    (WorkKind::LongTiles, 1.5e-5),
+    (WorkKind::MeasuredCells, 6.9e-6),
+    (WorkKind::Cells, 4.4e-6),
+    (WorkKind::WideCells, 3.5e-4),
+    (WorkKind::SlidingBeams, 7.0e-5),
+    (WorkKind::SlidingTiles, 4.0e-6),
+    (WorkKind::MovingBeams, 9.9e-6),
+    (WorkKind::MovingTiles, 1.0e-6),
+    (WorkKind::MovingCells, 1.0e-5),
+    (WorkKind::RoadBeams, 8.2e-5),
+    (WorkKind::EdgeBeams, 1.8e-5),
+    (WorkKind::LossyTiles, 2.6e-4),
+    (WorkKind::TableTiles, 1.4e-5),
+    (WorkKind::Echoes, 1.1e-7),
+    (WorkKind::GroundEchoes, 8.7e-6),
+    (WorkKind::Samples, 9.1e-8),
+    (WorkKind::MapCells, 9.1e-8),
+    (WorkKind::Bodies, 9.5e-3),
+    (WorkKind::SeparatedBodies, 8.2e-3),
+    (WorkKind::Frames, 0.13),
 ];
 
-/// Processor seconds of each kind of work, in the order of [`Item`].
+/// Processor seconds of each kind of work, in the order of [`WorkKind`].
 pub(super) fn by_item() -> [f64; ITEMS] {
     let mut rates = [0.0; ITEMS];
     SECONDS.iter().for_each(|(item, rate)| rates[*item as usize] = *rate);
@@ -68,7 +68,7 @@ pub(super) fn by_item() -> [f64; ITEMS] {
 }
 
 /// Processor seconds of the work on the machine of the rates.
-pub(super) fn reference_seconds(work: &Work) -> f64 {
+pub(super) fn reference_seconds(work: &WorkCounts) -> f64 {
     SECONDS.iter().map(|(item, rate)| rate * work.0[*item as usize]).sum()
 }
 

@@ -1,7 +1,7 @@
 //! The tracer's work in every frame, from a look at a few of them.
 
 use crate::chain::cache::Cache;
-use crate::chain::expectation::work::{Item, Work};
+use crate::chain::expectation::work::{WorkCounts, WorkKind};
 use crate::chain::link::Chain;
 use crate::chain::looks::Look;
 use crate::chain::plan::FramePlan;
@@ -15,7 +15,7 @@ pub(super) fn add(
     chain: &Chain,
     cache: Option<&Cache>,
     plans: &[FramePlan],
-    work: &mut Work,
+    work: &mut WorkCounts,
 ) -> Result<Vec<f64>, Failure> {
     let mut paths = Vec::new();
     for (number, plan) in plans.iter().enumerate() {
@@ -35,10 +35,10 @@ pub(super) fn add(
     Ok(paths)
 }
 
-fn add_frame(header: &SceneHeader, index: u32, look: &Look, work: &mut Work) {
+fn add_frame(header: &SceneHeader, index: u32, look: &Look, work: &mut WorkCounts) {
     if header.fidelity.echo == EchoMode::RcsTable {
         add_beams(header, look, 3.0, work);
-        work.add(Item::TableTiles, look.facets * (look.work.tiles[0] + look.work.tiles[1]));
+        work.add(WorkKind::TableTiles, look.facets * (look.work.tiles[0] + look.work.tiles[1]));
     } else if header.measured_in(index) == index {
         add_measured(header, look, work);
     } else {
@@ -48,57 +48,62 @@ fn add_frame(header: &SceneHeader, index: u32, look: &Look, work: &mut Work) {
 
 /// Adds the tracing of a frame whose errors are measured: two moments, and integrals that are compared with
 /// finer ones.
-fn add_measured(header: &SceneHeader, look: &Look, work: &mut Work) {
+fn add_measured(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
     add_beams(header, look, 2.0, work);
     add_tiles(header, look, work);
     let fine = look.work.fine_tiles.map(|tiles| look.facets * tiles);
-    work.add(Item::FineTiles, fine[0]);
-    work.add(Item::LaterFineTiles, fine[1]);
-    work.add(Item::LongTiles, look.facets * look.work.long_tiles);
-    work.add(Item::MeasuredCells, look.cells * look.work.smaller_cells);
-    work.add(Item::Cells, look.cells * look.work.largest_cells);
-    work.add(Item::WideCells, look.cells * look.work.smaller_cells * bart_rcs::element_offset_m(header));
+    work.add(WorkKind::FineTiles, fine[0]);
+    work.add(WorkKind::LaterFineTiles, fine[1]);
+    work.add(WorkKind::LongTiles, look.facets * look.work.long_tiles);
+    work.add(WorkKind::MeasuredCells, look.cells * look.work.smaller_cells);
+    work.add(WorkKind::Cells, look.cells * look.work.largest_cells);
+    work.add(WorkKind::WideCells, look.cells * look.work.smaller_cells * bart_rcs::element_offset_m(header));
     add_sliding(look, work);
 }
 
 /// Adds the tracing of a frame that takes errors over: one moment and its paths.
-fn add_like(header: &SceneHeader, look: &Look, work: &mut Work) {
+fn add_like(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
     add_beams(header, look, 1.0, work);
     add_tiles(header, look, work);
-    work.add(Item::Cells, look.cells * look.work.largest_cells);
+    work.add(WorkKind::Cells, look.cells * look.work.largest_cells);
     add_sliding(look, work);
 }
 
 /// Adds the moments at which ways between bodies that move against each other are traced: as many in a frame
 /// that takes them over.
-fn add_sliding(look: &Look, work: &mut Work) {
-    work.add(Item::SlidingBeams, look.facets * look.work.sliding_beams);
-    work.add(Item::SlidingTiles, look.facets * look.work.sliding_tiles);
-    work.add(Item::MovingBeams, look.facets * look.work.moving_beams);
-    work.add(Item::MovingTiles, look.facets * look.work.moving_tiles);
-    work.add(Item::MovingCells, look.cells * look.work.moving_cells);
+fn add_sliding(look: &Look, work: &mut WorkCounts) {
+    work.add(WorkKind::SlidingBeams, look.facets * look.work.sliding_beams);
+    work.add(WorkKind::SlidingTiles, look.facets * look.work.sliding_tiles);
+    work.add(WorkKind::MovingBeams, look.facets * look.work.moving_beams);
+    work.add(WorkKind::MovingTiles, look.facets * look.work.moving_tiles);
+    work.add(WorkKind::MovingCells, look.cells * look.work.moving_cells);
 }
 
-fn add_tiles(header: &SceneHeader, look: &Look, work: &mut Work) {
+fn add_tiles(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
     let tiles = look.work.tiles.map(|tiles| look.facets * tiles);
-    work.add(Item::Tiles, tiles[0]);
-    work.add(Item::LaterTiles, tiles[1]);
+    work.add(WorkKind::Tiles, tiles[0]);
+    work.add(WorkKind::LaterTiles, tiles[1]);
     if header.meshes.iter().any(|mesh| !mesh.makeup.conducts_all_over()) {
-        work.add(Item::LossyTiles, tiles[0] + tiles[1]);
+        work.add(WorkKind::LossyTiles, tiles[0] + tiles[1]);
     }
 }
 
-fn add_beams(header: &SceneHeader, Look { work: of, facets, .. }: &Look, moments: f64, work: &mut Work) {
+fn add_beams(
+    header: &SceneHeader,
+    Look { work: of, facets, .. }: &Look,
+    moments: f64,
+    work: &mut WorkCounts,
+) {
     let times = moments * facets;
     let beams = times * (of.beams[0] + of.beams[1]);
-    work.add(Item::Facets, times * of.facets);
-    work.add(Item::InSight, times * of.in_sight);
-    work.add(Item::Beams, beams);
-    work.add(Item::Mirrors, times * of.mirrors);
+    work.add(WorkKind::Facets, times * of.facets);
+    work.add(WorkKind::InSight, times * of.in_sight);
+    work.add(WorkKind::Beams, beams);
+    work.add(WorkKind::Mirrors, times * of.mirrors);
     if header.road.is_some() {
-        work.add(Item::RoadBeams, beams);
+        work.add(WorkKind::RoadBeams, beams);
     }
     if header.fidelity.edges != Edges::Ignored {
-        work.add(Item::EdgeBeams, beams);
+        work.add(WorkKind::EdgeBeams, beams);
     }
 }

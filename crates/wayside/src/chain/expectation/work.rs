@@ -2,7 +2,7 @@
 
 /// Kinds of work, each with a rate of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Item {
+pub enum WorkKind {
     /// The program's start and its classifier.
     Run,
     /// Triangles that are read, and of which bodies are built.
@@ -67,7 +67,7 @@ pub enum Item {
     Frames,
 }
 
-impl Item {
+impl WorkKind {
     /// All kinds of work, in the order of the counts.
     pub const ALL: [Self; ITEMS] = [
         Self::Run,
@@ -104,16 +104,16 @@ impl Item {
 }
 
 /// Number of kinds of work.
-pub const ITEMS: usize = Item::Frames as usize + 1;
+pub const ITEMS: usize = WorkKind::Frames as usize + 1;
 
 /// Counts by kind.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Work(pub [f64; ITEMS]);
+pub struct WorkCounts(pub [f64; ITEMS]);
 
-impl Work {
+impl WorkCounts {
     pub(super) const NONE: Self = Self([0.0; ITEMS]);
 
-    pub(super) fn add(&mut self, item: Item, count: f64) {
+    pub(super) fn add(&mut self, item: WorkKind, count: f64) {
         self.0[item as usize] += count;
     }
 }

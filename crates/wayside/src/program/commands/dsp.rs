@@ -27,7 +27,7 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     let cloud_header = PointsHeader { cube: Some(header.clone()), targets: vec![], classes: vec![] };
     let followed_header = TracksHeader { cube: Some(header.clone()) };
     let receiver = Receiver::new(&header).map_err(|e| refused(&arguments.cube, &e))?;
-    let mut products = Products {
+    let mut products = DspProducts {
         header: &header,
         receiver: &receiver,
         pictures: arguments.pictures.then(|| arguments.out.join("pictures")),
@@ -51,7 +51,7 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
 }
 
 /// Outputs of the processing of a cube: writers of maps, points and tracks, and the tracker between frames.
-struct Products<'a> {
+struct DspProducts<'a> {
     header: &'a CubeHeader,
     receiver: &'a Receiver,
     pictures: Option<PathBuf>,
@@ -61,7 +61,7 @@ struct Products<'a> {
     tracker: Tracker,
 }
 
-impl Products<'_> {
+impl DspProducts<'_> {
     /// Writes the records of a cycle, whose points tell each other's velocities.
     fn write(&mut self, cycle: Vec<(RdmFrame, PointsFrame)>) -> Result<(), Failure> {
         let (rdms, points): (Vec<_>, Vec<_>) = cycle.into_iter().unzip();

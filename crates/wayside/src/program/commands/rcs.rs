@@ -21,7 +21,7 @@ use crate::program::terminal;
 use crate::program::words::{
     EdgesWord, MethodWord, NodesWord, PolarizationWord, SidesWord, SurfaceWord, TransmissionWord,
 };
-use answer::{Answer, Took};
+use answer::{Answer, CommandTook};
 use artifact::Accuracy;
 use artifact::envelope::fingerprint;
 use artifact::material::{MaterialMap, Transmission};
@@ -58,7 +58,7 @@ pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Fai
     NpyStream::write::<Complex64>(&arguments.out, &shape, |stream| stream.append(&answer.amplitude_m))?;
     let answer = Answer { cached: checkpoint.aspects(), ..answer };
     let samplings = arguments.pictures.then(|| Samplings::of(&mesh, &request));
-    let took = Took {
+    let took = CommandTook {
         load,
         total: start.elapsed().as_secs_f64(),
         processor_total: (clock.counted() == Counted::Processor).then(|| clock.seconds()),

@@ -2,6 +2,8 @@
 
 mod cube;
 mod dataset;
+#[cfg(feature = "classifier")]
+mod features;
 mod paths;
 mod points;
 mod rcs;
@@ -44,7 +46,12 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
         ("rcs", Npy) => rcs::npy(Reader::open(file)?, out),
         ("dataset", Npy) => dataset::npy(file, out),
         ("dataset", Png) => dataset::png(file, out),
-        ("dataset", Csv) => dataset::csv(Reader::open(file)?, out),
+        #[cfg(feature = "classifier")]
+        ("dataset", Csv) => features::csv(Reader::open(file)?, out),
+        #[cfg(not(feature = "classifier"))]
+        ("dataset", Csv) => {
+            Err(Failure::refused("features of datasets need a program with the feature `classifier`"))
+        }
         ("model", Safetensors) => model(file, out),
         ("model", Json) => as_json::<artifact::model::Model>(file, out),
         ("scene", Json) => as_json::<artifact::scene::Scene>(file, out),

@@ -9,7 +9,7 @@ use crate::program::cli::ImportArguments;
 use crate::program::commands::formats::raw_data::dca1000;
 use crate::program::commands::formats::raw_data::npy;
 use crate::program::commands::formats::raw_data::sigmf;
-use crate::program::commands::formats::raw_data::{Imported, LIMIT_BYTES, Step};
+use crate::program::commands::formats::raw_data::{Imported, IntegerStep, LIMIT_BYTES};
 use artifact::bounded;
 use artifact::cube::{Cube, CubeFrame};
 use artifact::scene::SceneHeader;
@@ -28,7 +28,7 @@ pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
     let Imported { frames, step } = match file.extension().and_then(|e| e.to_str()) {
         Some("bin") => dca1000::read(file, &header, arguments.step)?,
         Some("sigmf-meta" | "sigmf-data") => sigmf::read(file, &header, arguments.step)?,
-        _ => Imported { frames: of_array(file, header.shape())?, step: Step::Floats },
+        _ => Imported { frames: of_array(file, header.shape())?, step: IntegerStep::Floats },
     };
     let from = provenance_of(arguments, &scene, &step)?;
     let mut writer = Writer::<Cube>::create(&arguments.out, &from, &header)?;
@@ -44,22 +44,22 @@ pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
 fn provenance_of(
     arguments: &ImportArguments,
     scene: &SceneHeader,
-    step: &Step,
+    step: &IntegerStep,
 ) -> Result<Provenance, Failure> {
     let mut files = vec![arguments.array.clone(), arguments.scene.clone()];
     match step {
-        Step::Told(_, place) => files.push(place.clone()),
-        Step::Unknown => progress::note(format!(
+        IntegerStep::Told(_, place) => files.push(place.clone()),
+        IntegerStep::Unknown => progress::note(format!(
             "note: {}: no step is told (--step): samples are taken as √W of 1 a step, and levels are no powers",
             arguments.array.display()
         )),
-        Step::Asked(_) | Step::Floats => {}
+        IntegerStep::Asked(_) | IntegerStep::Floats => {}
     }
     let from = provenance(Stage::FmcwEcho, scene, loading::hashed(&files)?);
     let told = match step {
-        Step::Floats => return Ok(from),
-        Step::Unknown => "1 (not told)".to_owned(),
-        Step::Asked(step) | Step::Told(step, _) => step.to_string(),
+        IntegerStep::Floats => return Ok(from),
+        IntegerStep::Unknown => "1 (not told)".to_owned(),
+        IntegerStep::Asked(step) | IntegerStep::Told(step, _) => step.to_string(),
     };
     Ok(Provenance { settings: format!("{}, sqrt_w_per_step {told}", from.settings), ..from })
 }

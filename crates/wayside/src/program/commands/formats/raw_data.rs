@@ -121,12 +121,12 @@ fn transposed(values: &[Complex32], rows: usize, columns: usize) -> Vec<Complex3
 pub(crate) struct Imported {
     /// Samples of each frame, in the order of a cube.
     pub(crate) frames: Vec<Vec<Complex32>>,
-    pub(crate) step: Step,
+    pub(crate) step: IntegerStep,
 }
 
 /// Value of one step of integer samples, and who says it.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Step {
+pub(crate) enum IntegerStep {
     /// Samples are floats in √W.
     Floats,
     /// √W, as the command says.
@@ -137,7 +137,7 @@ pub(crate) enum Step {
     Unknown,
 }
 
-impl Step {
+impl IntegerStep {
     /// The command's word goes before the file's.
     fn of(asked: Option<f32>, told: impl FnOnce() -> Option<(f32, PathBuf)>) -> Self {
         let told = || told().map_or(Self::Unknown, |(step, place)| Self::Told(step, place));

@@ -21,7 +21,7 @@ use crate::host::failure::Failure;
 use crate::host::files;
 use crate::host::memory::Allowance;
 use crate::host::progress::Work;
-use crate::program::cli::DatasetArguments;
+use crate::program::learning_cli::DatasetArguments;
 use crate::program::terminal;
 use draws::Drawn;
 use recipe::Recipe;
@@ -43,7 +43,7 @@ pub(crate) fn run(arguments: &DatasetArguments, memory: Allowance) -> Result<(),
         let (shard, lines) = (shard_file(&arguments.out, *number), scene_lines(&arguments.out, *number));
         if !resumption::is_made(&recipe, scenes, &shard, &lines)? {
             let making =
-                shard::Making { recipe: &recipe, memory, tell: &|within| work.at(done + within, total) };
+                shard::ShardMaking { recipe: &recipe, memory, tell: &|within| work.at(done + within, total) };
             shard::make(&making, scenes, &shard, &lines)?;
         }
         done += scenes.len();

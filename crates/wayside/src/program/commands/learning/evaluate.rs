@@ -5,7 +5,7 @@ use crate::chain::loaded_model::{LoadedModel, of_classifier};
 use crate::chain::loading;
 use crate::host::failure::Failure;
 use crate::host::files;
-use crate::program::cli::EvaluateArguments;
+use crate::program::learning_cli::EvaluateArguments;
 use crate::program::terminal;
 use artifact::dataset::Sample;
 use artifact::settings::Class;

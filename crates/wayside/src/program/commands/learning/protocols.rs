@@ -7,14 +7,15 @@ mod conditions;
 mod curves;
 mod paper;
 
-use crate::chain::loaded_model::{ClassRule, Predicted, of_classifier};
+use crate::chain::loaded_model::of_classifier;
+use crate::chain::told_class::{ClassRule, Predicted};
 use crate::host::failure::Failure;
 use crate::host::files;
 use crate::host::progress::Work;
-use crate::program::cli::ProtocolsArguments;
 use crate::program::commands::learning::evaluate::{confusion, sightings_of};
+use crate::program::learning_cli::LearnerWord;
+use crate::program::learning_cli::ProtocolsArguments;
 use crate::program::terminal;
-use crate::program::words::LearnerWord;
 use artifact::settings::Class;
 use asked::{HELD_OUT, Kept, Protocol, answers, of_test, of_training, told};
 use classifier::{

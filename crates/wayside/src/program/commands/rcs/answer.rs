@@ -14,7 +14,7 @@ use num_complex::Complex64;
 use serde_json::{Value, json};
 
 /// Time that the command took, s.
-pub(super) struct Took {
+pub(super) struct CommandTook {
     /// Work of reading the mesh.
     pub(super) load: f64,
     /// Elapsed time, by the clock on the wall.
@@ -63,7 +63,7 @@ impl Answer {
     }
 
     /// `S.json` of interface.md.
-    pub(super) fn json(&self, arguments: &RcsArguments, mesh: &Mesh, took: &Took) -> Value {
+    pub(super) fn json(&self, arguments: &RcsArguments, mesh: &Mesh, took: &CommandTook) -> Value {
         let s = mesh.statistics;
         let frequency_hz: Vec<f64> = arguments.freq_ghz.values.iter().map(|f| f * 1e9).collect();
         let spread: Vec<f64> = self.node_spread.iter().map(|e| db_from_amplitude(*e)).collect();

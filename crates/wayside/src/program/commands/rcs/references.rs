@@ -11,11 +11,11 @@ use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Surface};
 use artifact::{ErrorBudget, ModelError};
-use bart_rcs::reference::{Aspect, Bracket, ReferenceError, po, sbr};
 use bart_rcs::{Keeper, Piece, RcsRequest, Standpoint};
 use num_complex::Complex64;
+use po_sbr::{Aspect, Bracket, ReferenceError, po, sbr};
 
-/// Halvings of a cell that a shadow's border crosses (`reference::po`).
+/// Halvings of a cell that a shadow's border crosses (`po_sbr::po`).
 const SHADOW_LEVELS: u32 = 3;
 
 pub(super) fn answer(

@@ -3,11 +3,10 @@
 use crate::host::failure::Failure;
 use crate::program::commands::formats::npy_stream::NpyStream;
 use crate::program::commands::formats::sidecar;
-use crate::program::commands::formats::writing::{fail, plain_name};
+use crate::program::commands::formats::writing::plain_name;
 use artifact::Reader;
 use artifact::dataset::{Crop, Dataset, Sample};
 use serde_json::{Value, json};
-use std::io::Write;
 use std::path::Path;
 
 pub(crate) fn npy(file: &Path, out: &Path) -> Result<(), Failure> {
@@ -38,33 +37,6 @@ pub(crate) fn npy(file: &Path, out: &Path) -> Result<(), Failure> {
         out,
         &json!({ "shape": ["sample", "velocity", "range"], "format": format, "samples": labels }),
     )
-}
-
-/// The features of every sample's signature, a row each.
-pub(crate) fn csv(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
-    let mut failed = None;
-    let written = crate::host::files::write_with(out, |stream| {
-        writeln!(
-            stream,
-            "id,class,model,variant,scene,target,frame,split,{}",
-            classifier::feature_names().join(",")
-        )?;
-        for sample in reader {
-            let sample = sample.map_err(|e| fail(&mut failed, e))?;
-            writeln!(stream, "{}", row(&sample))?;
-        }
-        Ok(())
-    });
-    failed.map_or(written, |error| Err(error.into()))
-}
-
-fn row(sample: &Sample) -> String {
-    let Sample { id, model, variant, scene, target, frame, split, .. } = sample;
-    let class = sample.class.map_or("", |class| class.name());
-    let values: Vec<String> =
-        classifier::features(&sample.signature).iter().map(|(_, v)| format!("{v:.6}")).collect();
-    let split = format!("{split:?}").to_lowercase();
-    format!("{id},{class},{model},{variant},{scene},{target},{frame},{split},{}", values.join(","))
 }
 
 /// The image of a sample; refused of a dataset that was made without images.

@@ -8,7 +8,7 @@
 use crate::host::failure::Failure;
 use crate::host::files;
 use crate::host::progress;
-use crate::program::commands::formats::raw_data::{Imported, LIMIT_BYTES, Recording, Step};
+use crate::program::commands::formats::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording};
 use crate::program::commands::formats::sidecar;
 use crate::program::commands::formats::writing::fail;
 use artifact::Reader;
@@ -59,7 +59,7 @@ pub(crate) fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Resul
         return Err(Failure::Refused(format!("{}: {text}", file.display())));
     }
     recording.frames(file, bytes.len() / 4)?;
-    let step = Step::of(step, || step_beside(file, &bytes));
+    let step = IntegerStep::of(step, || step_beside(file, &bytes));
     let two = |pair| two(pair, step.sqrt_w());
     let values: Vec<Complex32> = bytes.as_chunks::<8>().0.iter().flat_map(two).collect();
     let frames =

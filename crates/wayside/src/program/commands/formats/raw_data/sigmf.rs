@@ -3,7 +3,7 @@
 
 use crate::host::failure::Failure;
 use crate::host::files;
-use crate::program::commands::formats::raw_data::{Imported, LIMIT_BYTES, Recording, Step};
+use crate::program::commands::formats::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording};
 use crate::program::commands::formats::writing::fail;
 use artifact::Reader;
 use artifact::bounded;
@@ -53,9 +53,9 @@ pub(crate) fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Resul
     }
     let bytes = bounded::read(&data, LIMIT_BYTES).map_err(|fault| Failure::unread(&data, &fault))?;
     let (values, step) = match told["global"]["core:datatype"].as_str() {
-        Some("cf32_le") => (of_floats(&bytes), Step::Floats),
+        Some("cf32_le") => (of_floats(&bytes), IntegerStep::Floats),
         Some("ci16_le") => {
-            let step = Step::of(step, || None);
+            let step = IntegerStep::of(step, || None);
             (of_integers(&bytes, step.sqrt_w()), step)
         }
         other => {

@@ -3,8 +3,8 @@
 use crate::outcome::verdict::{Asking, Verdict};
 use crate::program::commands::learning::dataset::draws::Drawn;
 use crate::program::commands::learning::dataset::recipe::Recipe;
-use crate::program::commands::learning::dataset::seen::Seen;
-use crate::program::commands::learning::dataset::staging::{Staged, Told};
+use crate::program::commands::learning::dataset::seen::SeenFrame;
+use crate::program::commands::learning::dataset::staging::{Staged, ToldVehicle};
 use artifact::points::Object;
 use evaluation::Truth;
 use serde_json::{Map, Value, json};
@@ -41,7 +41,7 @@ pub(super) fn scene(
 }
 
 /// One frame with all of its vehicles.
-pub(super) fn frame(drawn: &Drawn, staged: &Staged, seen: &Seen) -> Value {
+pub(super) fn frame(drawn: &Drawn, staged: &Staged, seen: &SeenFrame) -> Value {
     let result = &seen.products.result;
     let paths = result.paths.as_ref();
     let verdict = Verdict::of_paths(staged.header.fidelity.accuracy, &result.error, paths);
@@ -61,7 +61,7 @@ pub(super) fn frame(drawn: &Drawn, staged: &Staged, seen: &Seen) -> Value {
     })
 }
 
-fn vehicle(id: &str, target: usize, told: &Told, truth: &Truth, object: Option<&Object>) -> Value {
+fn vehicle(id: &str, target: usize, told: &ToldVehicle, truth: &Truth, object: Option<&Object>) -> Value {
     let echo = truth.echo;
     json!({
         "id": id,

@@ -10,7 +10,7 @@ const CLEAR_ACROSS_M: f64 = 0.3;
 
 /// A body on the road, its box turned as it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Place {
+pub(super) struct BodyOnRoad {
     /// Position of the body's middle, across and along the road, m.
     pub(super) at_m: [f64; 2],
     /// Half of the box's extent across and along the road.
@@ -20,7 +20,7 @@ pub(super) struct Place {
     yaw_rad: f64,
 }
 
-impl Place {
+impl BodyOnRoad {
     /// A body of that half width and length; `at_m` is across and along the road.
     pub(super) fn of(at_m: [f64; 2], [side_m, front_m]: [f64; 2], speed_mps: f64, yaw_rad: f64) -> Self {
         let [sin, cos] = [yaw_rad.sin().abs(), yaw_rad.cos().abs()];
@@ -73,8 +73,8 @@ mod tests {
     use super::*;
 
     /// A car of 4 m × 2 m.
-    fn car(at_m: [f64; 2], speed_mps: f64) -> Place {
-        Place::of(at_m, [1.0, 2.0], speed_mps, 0.0)
+    fn car(at_m: [f64; 2], speed_mps: f64) -> BodyOnRoad {
+        BodyOnRoad::of(at_m, [1.0, 2.0], speed_mps, 0.0)
     }
 
     #[test]
@@ -99,7 +99,7 @@ mod tests {
 
     #[test]
     fn a_body_that_is_turned_takes_more_of_the_road() {
-        let turned = Place::of([0.0; 2], [1.0, 2.0], 0.0, FRAC_PI_2);
+        let turned = BodyOnRoad::of([0.0; 2], [1.0, 2.0], 0.0, FRAC_PI_2);
         // A quarter turn swaps the sides to rounding.
         assert!((turned.half_m[0] - 2.0).abs() < 1e-15 && (turned.half_along_m() - 1.0).abs() < 1e-15);
     }

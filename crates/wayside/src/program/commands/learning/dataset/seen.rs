@@ -5,7 +5,7 @@ use crate::program::commands::learning::dataset::staging::Staged;
 use evaluation::{Pairing, Reach, Truth, truths};
 
 /// One frame of a scene.
-pub(super) struct Seen {
+pub(super) struct SeenFrame {
     pub(super) products: FrameProducts,
     pub(super) truths: Vec<Truth>,
     /// Index of each vehicle's object; `None` where it was not found.
@@ -13,9 +13,9 @@ pub(super) struct Seen {
 }
 
 /// Pairs the vehicles of a frame with its objects.
-pub(super) fn seen(staged: &Staged, products: FrameProducts) -> Seen {
+pub(super) fn seen(staged: &Staged, products: FrameProducts) -> SeenFrame {
     let result = &products.result;
     let truths = truths(&staged.header, &result.scene, result.paths.as_ref());
     let object_of = Pairing::of(&truths, &result.points.objects, &Reach::of(&staged.header)).object_of;
-    Seen { products, truths, object_of }
+    SeenFrame { products, truths, object_of }
 }

@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 const HELD: usize = 4;
 
 /// Recipe, memory and listener with which shards are made.
-pub(super) struct Making<'a> {
+pub(super) struct ShardMaking<'a> {
     pub(super) recipe: &'a Recipe,
     pub(super) memory: Allowance,
     /// Hears how many scenes of the shard are done.
@@ -27,13 +27,18 @@ pub(super) struct Making<'a> {
 }
 
 /// Makes a shard and the lines of its scenes.
-pub(super) fn make(making: &Making, scenes: &[Drawn], shard: &Path, lines: &Path) -> Result<(), Failure> {
+pub(super) fn make(
+    making: &ShardMaking,
+    scenes: &[Drawn],
+    shard: &Path,
+    lines: &Path,
+) -> Result<(), Failure> {
     let recipe = making.recipe;
     let mut writer = Writer::<Dataset>::create(shard, &provenance(recipe), &dsp::PAPER_CROP)?;
     let mut text = String::new();
     let name = shard.file_name().unwrap_or_default().to_string_lossy();
     let first = first_of_kinds(scenes);
-    let work = Work { making, scenes, shard: &name, at_once: at_once(making, scenes, &first)? };
+    let work = ShardWork { making, scenes, shard: &name, at_once: at_once(making, scenes, &first)? };
     let done = AtomicUsize::new(0);
     let mut measured = work.shots(&first, &BTreeMap::new(), &done)?;
     let errors =
@@ -69,7 +74,7 @@ fn first_of_kinds(scenes: &[Drawn]) -> Vec<usize> {
 
 /// One a thread, as many as are expected to fit into the memory that they may take if all are as large as the
 /// largest measured.
-fn at_once(making: &Making, scenes: &[Drawn], first: &[usize]) -> Result<usize, Failure> {
+fn at_once(making: &ShardMaking, scenes: &[Drawn], first: &[usize]) -> Result<usize, Failure> {
     let threads = rayon::current_num_threads().min(scenes.len()).max(1);
     let Some(limit_mib) = making.memory.mib().filter(|_| threads > 1) else { return Ok(threads) };
     let triangles =
@@ -82,14 +87,14 @@ fn at_once(making: &Making, scenes: &[Drawn], first: &[usize]) -> Result<usize, 
 }
 
 /// Work on one shard: its scenes, and how many of them are computed at once.
-struct Work<'a> {
-    making: &'a Making<'a>,
+struct ShardWork<'a> {
+    making: &'a ShardMaking<'a>,
     scenes: &'a [Drawn],
     shard: &'a str,
     at_once: usize,
 }
 
-impl Work<'_> {
+impl ShardWork<'_> {
     /// Some scenes by their places; those of a kind whose errors are known take them over.
     fn shots(
         &self,

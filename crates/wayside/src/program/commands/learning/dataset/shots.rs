@@ -7,7 +7,7 @@ use crate::host::memory::Allowance;
 use crate::program::commands::learning::dataset::draws::Drawn;
 use crate::program::commands::learning::dataset::lines;
 use crate::program::commands::learning::dataset::recipe::Recipe;
-use crate::program::commands::learning::dataset::seen::{Seen, seen};
+use crate::program::commands::learning::dataset::seen::{SeenFrame, seen};
 use crate::program::commands::learning::dataset::staging::{Staged, stage};
 use artifact::dataset::{Crop, Sample};
 use serde_json::Value;
@@ -75,7 +75,7 @@ fn samples_of(
     drawn: &Drawn,
     staged: &Staged,
     chain: &Chain,
-    seen: &Seen,
+    seen: &SeenFrame,
 ) -> Result<Vec<Sample>, Failure> {
     let (points, rdm) = (&seen.products.result.points, &seen.products.rdm);
     let signatures = chain.receiver()?.signatures(rdm).map_err(Failure::refused)?;
@@ -105,7 +105,7 @@ fn samples_of(
 }
 
 /// Crop of the map about an object, as a detector among its neighbours shows it.
-fn crop(chain: &Chain, seen: &Seen, object: u32) -> Result<Crop, Failure> {
+fn crop(chain: &Chain, seen: &SeenFrame, object: u32) -> Result<Crop, Failure> {
     let cropper = chain.receiver()?.cropper(&seen.products.rdm, &dsp::PAPER_CROP);
     cropper
         .and_then(|cropper| cropper.crop_among(&seen.products.result.points, object))

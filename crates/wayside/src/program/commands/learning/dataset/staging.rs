@@ -3,7 +3,7 @@
 use crate::program::commands::learning::dataset::document::Base;
 use crate::program::commands::learning::dataset::draws::{self, Drawn, Drive, Vehicle};
 use crate::program::commands::learning::dataset::models::Model;
-use crate::program::commands::learning::dataset::places::Place;
+use crate::program::commands::learning::dataset::places::BodyOnRoad;
 use crate::program::commands::learning::dataset::recipe::Recipe;
 use artifact::scene::{Mesh, Role, SceneHeader, Target, TargetKind};
 use artifact::settings::{Class, Fidelity, Noise};
@@ -21,11 +21,11 @@ const MEASURED_EVERY: u32 = 1_000_000;
 pub(super) struct Staged {
     pub(super) header: SceneHeader,
     /// Vehicles that found room, in the order of the targets.
-    pub(super) vehicles: Vec<Told>,
+    pub(super) vehicles: Vec<ToldVehicle>,
 }
 
 /// Description of a vehicle in a line and a sample, beside what is seen of it.
-pub(super) struct Told {
+pub(super) struct ToldVehicle {
     pub(super) class: Class,
     pub(super) model: String,
     pub(super) variant: u64,
@@ -41,7 +41,7 @@ pub(super) fn stage(recipe: &Recipe, drawn: &Drawn) -> Staged {
     };
     let all: Vec<Mesh> = drawn.vehicles.iter().map(mesh).collect();
     let places = Road { recipe, drawn, base: &base }.places(&all);
-    let (mut meshes, mut targets, mut vehicles) = (Vec::new(), Vec::new(), Vec::<Told>::new());
+    let (mut meshes, mut targets, mut vehicles) = (Vec::new(), Vec::new(), Vec::<ToldVehicle>::new());
     for ((vehicle, mesh), place) in drawn.vehicles.iter().zip(all).zip(places) {
         let Some(place) = place else { continue };
         let told = told(recipe, vehicle);
@@ -64,9 +64,9 @@ fn model<'r>(recipe: &'r Recipe, vehicle: &Vehicle) -> &'r Model {
     &recipe.models[&vehicle.class][vehicle.model]
 }
 
-fn told(recipe: &Recipe, vehicle: &Vehicle) -> Told {
+fn told(recipe: &Recipe, vehicle: &Vehicle) -> ToldVehicle {
     let Vehicle { class, variant, yaw_rad, .. } = *vehicle;
-    Told { class, model: model(recipe, vehicle).name.clone(), variant, yaw_rad }
+    ToldVehicle { class, model: model(recipe, vehicle).name.clone(), variant, yaw_rad }
 }
 
 /// The base scene without targets, its radar mounted as drawn.
@@ -112,12 +112,12 @@ struct Road<'a> {
 #[derive(Clone, Copy)]
 struct Placed {
     lane: u8,
-    place: Place,
+    place: BodyOnRoad,
 }
 
 impl Road<'_> {
     /// `None` where no room was found.
-    fn places(&self, meshes: &[Mesh]) -> Vec<Option<Place>> {
+    fn places(&self, meshes: &[Mesh]) -> Vec<Option<BodyOnRoad>> {
         let mut random = draws::stream(self.recipe, "dataset/places", &[self.drawn.number]);
         let mut before: Vec<Placed> = Vec::new();
         let mut places = Vec::new();
@@ -143,8 +143,9 @@ impl Road<'_> {
     ) -> Option<Placed> {
         let speed_mps = self.drawn.queue_mps.unwrap_or(drive.speed_mps);
         let across_m = self.across_m(drive.lane) + vehicle.offset_m;
-        let at =
-            |along_m: f64| Place::of([across_m, along_m], half_extent_m(mesh), speed_mps, vehicle.yaw_rad);
+        let at = |along_m: f64| {
+            BodyOnRoad::of([across_m, along_m], half_extent_m(mesh), speed_mps, vehicle.yaw_rad)
+        };
         let mut place = at(self.along_m(across_m, drive.range_m));
         let last = before
             .iter()

@@ -9,12 +9,12 @@ use std::path::{Path, PathBuf};
 /// their answers.
 pub(super) struct Protocol<'a> {
     pub(super) name: String,
-    pub(super) seen: Vec<(&'a Seen, Source)>,
+    pub(super) seen: Vec<(&'a Seen, AnswerSource)>,
 }
 
 /// Source of the answer to a sighting.
 #[derive(Clone, Copy)]
-pub(super) enum Source {
+pub(super) enum AnswerSource {
     /// Answer told with the training, under this number.
     Trained(usize),
     /// Nowhere: the finished trees answer.
@@ -30,7 +30,7 @@ pub(super) const HELD_OUT: &str = "V: vehicles held out in turn";
 pub(super) fn of_training<'a>(learned: &'a Sightings, folders: &[PathBuf]) -> Vec<Protocol<'a>> {
     let those = |name: String, kept: &dyn Fn(&Seen) -> bool| {
         let all = learned.all.iter().enumerate().filter(|(_, seen)| kept(seen));
-        Protocol { name, seen: all.map(|(number, seen)| (seen, Source::Trained(number))).collect() }
+        Protocol { name, seen: all.map(|(number, seen)| (seen, AnswerSource::Trained(number))).collect() }
     };
     let held_out = |seen: &Seen| seen.split != Split::Test;
     let mut all = vec![
@@ -48,7 +48,7 @@ pub(super) fn of_training<'a>(learned: &'a Sightings, folders: &[PathBuf]) -> Ve
 }
 
 pub(super) fn of_test(name: String, test: &Sightings) -> Protocol<'_> {
-    Protocol { name, seen: test.all.iter().map(|seen| (seen, Source::Test)).collect() }
+    Protocol { name, seen: test.all.iter().map(|seen| (seen, AnswerSource::Test)).collect() }
 }
 
 /// Figures of a training on a protocol's sightings that are `kept`, by frame and by track; `None` without
@@ -64,9 +64,9 @@ pub(super) fn answers<'a>(
     kept: Kept,
 ) -> Vec<(&'a Seen, Logits)> {
     let Weights::Trees(trees) = &trained.weights else { return vec![] };
-    let answer = |&(seen, source): &(&'a Seen, Source)| match source {
-        Source::Trained(number) => (seen, trained.told[number]),
-        Source::Test => (seen, tree_logits(trees, &seen.features)),
+    let answer = |&(seen, source): &(&'a Seen, AnswerSource)| match source {
+        AnswerSource::Trained(number) => (seen, trained.told[number]),
+        AnswerSource::Test => (seen, tree_logits(trees, &seen.features)),
     };
     protocol.seen.iter().filter(|(seen, _)| kept(seen)).map(answer).collect()
 }

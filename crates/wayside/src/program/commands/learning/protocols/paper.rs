@@ -3,8 +3,8 @@
 use crate::chain::loading;
 use crate::host::failure::Failure;
 use crate::host::progress::Work;
-use crate::program::cli::ProtocolsArguments;
 use crate::program::commands::learning::train;
+use crate::program::learning_cli::ProtocolsArguments;
 use serde_json::Value;
 use std::fmt::Write;
 use std::path::PathBuf;

@@ -5,7 +5,7 @@ use crate::chain::loading;
 use crate::host::failure::Failure;
 use crate::host::files;
 use crate::host::progress::Work;
-use crate::program::cli::TrainArguments;
+use crate::program::learning_cli::TrainArguments;
 use crate::program::terminal;
 use artifact::model::Model;
 use artifact::{Provenance, Writer, bounded};

@@ -1,16 +1,16 @@
 //! First-order physical optics by dense sampling: every facet is cut into small cells, a shadow ray goes from
 //! each cell to the antennas, and the integrand is taken as it is at the points of a quadrature rule.
 
-use crate::geometry::complex_vector::ComplexVector;
-use crate::reference::coated::{self, Surface};
-use crate::reference::node::{self, Arrival, Bracket};
-use crate::reference::ray_cast::{Body, ReferenceError};
-use crate::reference::standpoint::{Aspect, Ends, Post};
+use crate::coated::{self, Surface};
+use crate::node::{self, Arrival, Bracket};
+use crate::ray_cast::{Body, ReferenceError};
+use crate::standpoint::{Aspect, Ends, Post};
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::Sides;
 use glam::DVec3;
 use num_complex::Complex64;
+use radar::complex_vector::ComplexVector;
 use rayon::prelude::*;
 
 /// Density of the samples.
@@ -41,8 +41,13 @@ pub fn amplitude(
     frequencies_hz.iter().try_for_each(|f| check_positive("frequency", *f))?;
     let wavenumbers_per_m = node::wavenumbers(frequencies_hz);
     let edge_m = node::shortest_wavelength_m(frequencies_hz) / sampling.per_wavelength;
-    let job =
-        Job { body: &body, ends: Ends::of(aspect), wavenumbers_per_m: &wavenumbers_per_m, edge_m, sampling };
+    let job = SamplingJob {
+        body: &body,
+        ends: Ends::of(aspect),
+        wavenumbers_per_m: &wavenumbers_per_m,
+        edge_m,
+        sampling,
+    };
     job.check_count()?;
     let patches: Vec<Cell> = (0..body.facets.len() as u32).flat_map(|f| job.patches(f)).collect();
     let parts: Vec<Vec<Amplitude>> = patches.par_iter().map(|patch| job.integrate(patch)).collect();
@@ -65,7 +70,7 @@ struct Cell {
     corners_m: [DVec3; 3],
 }
 
-struct Job<'a> {
+struct SamplingJob<'a> {
     body: &'a Body,
     ends: Ends,
     wavenumbers_per_m: &'a [f64],
@@ -83,7 +88,7 @@ pub(super) fn check_count(what: &'static str, count: f64) -> Result<(), Referenc
     if count <= MOST { Ok(()) } else { Err(ReferenceError::TooMany { what, count, most: MOST }) }
 }
 
-impl Job<'_> {
+impl SamplingJob<'_> {
     /// Two cells for a square of their edge, over all facets.
     fn check_count(&self) -> Result<(), ReferenceError> {
         let area_m2 = |facet| Cell { facet: 0, corners_m: facet }.area_m2();

@@ -1,17 +1,17 @@
 //! Tests of both references against closed forms, as their densities grow.
 
-use crate::reference::po;
-use crate::reference::ray_cast::Body;
-use crate::reference::sbr;
-use crate::reference::standpoint::Ends;
-use crate::reference::{Aspect, Bracket, ReferenceError};
-use crate::table::rcs_request::Standpoint;
+use crate::po;
+use crate::ray_cast::Body;
+use crate::sbr;
+use crate::standpoint::Ends;
+use crate::{Aspect, Bracket, ReferenceError};
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::Sides;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 use num_complex::Complex64;
+use radar::standpoint::Standpoint;
 use std::f64::consts::PI;
 
 const FREQUENCY_HZ: f64 = 77e9;

@@ -1,7 +1,7 @@
 //! The references' own ray caster: obvhs finds candidates in single precision, a hit is decided in double
 //! precision.
 
-use crate::reference::standpoint::Post;
+use crate::standpoint::Post;
 use artifact::material::{Makeup, Material, Transmission};
 use artifact::scene::Mesh;
 use artifact::settings::Sides;

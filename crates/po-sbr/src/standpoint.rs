@@ -1,7 +1,7 @@
 //! Two standpoints, and the straight lines between surface points and an antenna.
 
-use crate::table::rcs_request::Standpoint;
 use glam::DVec3;
+use radar::standpoint::Standpoint;
 
 /// A transmitter and a receiver.
 #[derive(Debug, Clone, Copy, PartialEq)]

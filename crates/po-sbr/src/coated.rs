@@ -9,13 +9,13 @@
 //! bracket = ½{ e_p·(n×H) + (d₂×e_p)·(n×E) }             e_r = r_TE(e·ŝ) ŝ + r_TM(e·p̂)(2n(n·p̂) − p̂)
 //! ```
 
-use crate::geometry::complex_vector::ComplexVector;
-use crate::reference::node::{Arrival, Bracket, Node};
-use crate::reference::plane_layers::reflection;
+use crate::node::{Arrival, Bracket, Node};
+use crate::plane_layers::reflection;
 use artifact::material::Material;
 use artifact::paths::Amplitude;
 use glam::DVec3;
 use num_complex::Complex64;
+use radar::complex_vector::ComplexVector;
 
 /// Fields of sent v and h, by frequency.
 pub(crate) type Fields = Vec<[ComplexVector; 2]>;

@@ -8,11 +8,11 @@
 //! with the ray; the phase is taken as linear over it, which gives sinc(w·a/2)·sinc(w·b/2), w = −k(d₁ + d₂)
 //! (their shape function).
 
-use crate::reference::coated::{self, Fields, Surface, fields_at_all};
-use crate::reference::node::{self, Arrival, Bracket, Node};
-use crate::reference::po::{check_count, check_positive};
-use crate::reference::ray_cast::{Body, Hit, ReferenceError};
-use crate::reference::standpoint::{Aspect, Ends, Post};
+use crate::coated::{self, Fields, Surface, fields_at_all};
+use crate::node::{self, Arrival, Bracket, Node};
+use crate::po::{check_count, check_positive};
+use crate::ray_cast::{Body, Hit, ReferenceError};
+use crate::standpoint::{Aspect, Ends, Post};
 use artifact::material::Material;
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
@@ -58,7 +58,7 @@ pub fn amplitude(
     let spacing_m = node::shortest_wavelength_m(frequencies_hz) / shooting.per_wavelength;
     let ends = Ends::of(aspect);
     let grid = Grid::over(&body, &ends.transmitter, spacing_m)?;
-    let job = Job { body: &body, ends, wavenumbers_per_m: &wavenumbers_per_m, grid, shooting };
+    let job = ShootingJob { body: &body, ends, wavenumbers_per_m: &wavenumbers_per_m, grid, shooting };
     let rows: Vec<Orders> = (0..job.grid.rows).into_par_iter().map(|row| job.shoot_row(row)).collect();
     let mut sums = job.nothing();
     for row in &rows {
@@ -166,7 +166,7 @@ impl Grid {
     }
 }
 
-struct Job<'a> {
+struct ShootingJob<'a> {
     body: &'a Body,
     ends: Ends,
     wavenumbers_per_m: &'a [f64],
@@ -174,7 +174,7 @@ struct Job<'a> {
     shooting: &'a Shooting,
 }
 
-impl Job<'_> {
+impl ShootingJob<'_> {
     fn nothing(&self) -> Orders {
         let order = vec![Amplitude::default(); self.wavenumbers_per_m.len()];
         vec![order; usize::from(self.shooting.bounces)]

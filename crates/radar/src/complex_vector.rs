@@ -6,24 +6,24 @@ use std::ops::Add;
 
 /// A vector with complex components.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct ComplexVector {
+pub struct ComplexVector {
     re: DVec3,
     im: DVec3,
 }
 
 impl ComplexVector {
     /// Component along a real direction.
-    pub(crate) fn along(self, direction: DVec3) -> Complex64 {
+    pub fn along(self, direction: DVec3) -> Complex64 {
         Complex64::new(self.re.dot(direction), self.im.dot(direction))
     }
 
     /// A real direction times a complex amplitude.
-    pub(crate) fn of(direction: DVec3, amplitude: Complex64) -> Self {
+    pub fn of(direction: DVec3, amplitude: Complex64) -> Self {
         Self { re: direction * amplitude.re, im: direction * amplitude.im }
     }
 
     /// Product Σ aᵢbᵢ, nothing conjugated: reciprocity knows no direction of time.
-    pub(crate) fn dot(self, other: Self) -> Complex64 {
+    pub fn dot(self, other: Self) -> Complex64 {
         Complex64::new(
             self.re.dot(other.re) - self.im.dot(other.im),
             self.re.dot(other.im) + self.im.dot(other.re),
@@ -31,17 +31,17 @@ impl ComplexVector {
     }
 
     /// The vector turned over at a plane z = const.
-    pub(crate) fn with_z_turned(self) -> Self {
+    pub fn with_z_turned(self) -> Self {
         Self { re: self.re.with_z(-self.re.z), im: self.im.with_z(-self.im.z) }
     }
 
     /// The product of a matrix and the vector.
-    pub(crate) fn turned(self, by: DMat3) -> Self {
+    pub fn turned(self, by: DMat3) -> Self {
         Self { re: by * self.re, im: by * self.im }
     }
 
     /// The product `direction` × self.
-    pub(crate) fn crossed_by(self, direction: DVec3) -> Self {
+    pub fn crossed_by(self, direction: DVec3) -> Self {
         Self { re: direction.cross(self.re), im: direction.cross(self.im) }
     }
 }

@@ -8,8 +8,8 @@
 //!
 //! ```
 //! use artifact::{scene::Mesh, settings::Sides};
-//! use bart_rcs::Standpoint;
-//! use bart_rcs::reference::{Aspect, Bracket, po};
+//! use radar::standpoint::Standpoint;
+//! use po_sbr::{Aspect, Bracket, po};
 //! // A square of 2 cm seen square: S = +j√(4π)·A/λ (docs/physics.md §0).
 //! let corner = |y: f64, z: f64| [0.0, 0.01 * y, 0.01 * z];
 //! let plate = Mesh {
@@ -23,13 +23,13 @@
 //! let s = po::amplitude(&plate, &Aspect::monostatic(ahead), &[77e9], &sampling)?;
 //! let expected = (4.0 * std::f64::consts::PI).sqrt() * 4e-4 / (299_792_458.0 / 77e9);
 //! assert!((s[0][0][0].im - expected).abs() < 1e-9 * expected);
-//! # Ok::<(), bart_rcs::reference::ReferenceError>(())
+//! # Ok::<(), po_sbr::ReferenceError>(())
 //! ```
 
 mod standpoint;
 mod node;
 mod ray_cast;
-mod plane_layers;
+pub mod plane_layers;
 mod coated;
 pub mod po;
 pub mod sbr;

@@ -1,6 +1,6 @@
 //! The physical-optics integrand at one surface point (docs/physics.md §1, node integral).
 
-use crate::reference::standpoint::{Ends, Leg};
+use crate::standpoint::{Ends, Leg};
 use artifact::paths::Amplitude;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;

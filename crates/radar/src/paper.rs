@@ -1,0 +1,62 @@
+//! The radar of the paper's Table 2, which examples and tests begin with.
+
+use crate::aperture::{Elements, mounted};
+use artifact::radar::{
+    Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Sampling, Schedule, Waveform,
+};
+use artifact::units::watts_from_dbm;
+
+/// Waveform of Table 2 with `samples` a chirp: 77 GHz, 12.5 MHz/µs, complex samples at 5.12 MHz, 10 µs idle
+/// between chirps.
+pub fn waveform(samples: u32, chirps: u32) -> Waveform {
+    let sample_rate_hz = 5.12e6;
+    Waveform {
+        start_frequency_hz: 77e9,
+        slope_hz_per_s: 12.5e12,
+        sample_rate_hz,
+        sampling: Sampling::Complex,
+        samples,
+        chirp_interval_s: f64::from(samples) / sample_rate_hz + 10e-6,
+        chirps,
+    }
+}
+
+/// A radar at `position_m` that looks along +y, each row of elements (half wavelengths) centred on it:
+/// isotropic elements of 10 dBi and 12 dBm, vv, all transmitters at once (`docs/physics.md`, link budget).
+pub fn radar(position_m: [f64; 3], waveform: Waveform, [tx, rx]: [Elements; 2]) -> Radar {
+    mounted(Radar {
+        position_m,
+        boresight_az_rad: 0.0,
+        boresight_el_rad: 0.0,
+        waveform,
+        schedule: Schedule::default(),
+        array: Array {
+            tx_m: vec![],
+            rx_m: vec![],
+            tx_half_wavelengths: tx,
+            rx_half_wavelengths: rx,
+            multiplexing: Multiplexing::Simultaneous,
+            polarization: Polarization::Vv,
+            pattern: Pattern::Isotropic,
+        },
+        link: Link { transmit_power_w: watts_from_dbm(12.0), antenna_gain_db: 10.0 },
+        hardware: Hardware::default(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::aperture::Preset;
+
+    #[test]
+    fn the_rows_stand_in_steps_of_half_a_wavelength_around_the_radar() {
+        let radar = radar([0.0, 0.0, 6.0], waveform(256, 128), Preset::OneByFour.elements());
+        let half_m = 0.5 * radar.waveform.wavelength_m();
+        assert_eq!(radar.array.tx_m, [[0.0, 0.0, 6.0]]);
+        for (element, steps) in radar.array.rx_m.iter().zip([-1.5, -0.5, 0.5, 1.5]) {
+            assert!((element[0] - steps * half_m).abs() < 1e-15 && element[1..] == [0.0, 6.0]);
+        }
+        assert!((radar.waveform.chirp_interval_s - 60e-6).abs() < 1e-18);
+    }
+}
