@@ -88,7 +88,7 @@ pub use direction::point_sources::{Source, least_errors, sources};
 pub use direction::two_ways::two_ways;
 pub use error::{Axis, DspError};
 pub use estimation::cramer_rao::cramer_rao;
-pub use numerics::gamma_forms::gamma_tail;
+pub use numerics::incomplete_gamma::gamma_tail;
 pub use objects::stationary::{Fold, is_at_rest, tolerance_mps};
 pub use receiver::Receiver;
 pub use spectrum::axes::{range_axis_m, velocity_axis_mps};

@@ -1,8 +1,13 @@
-//! Mathematics that knows no radar.
+//! Mathematics that knows no radar: each file is a textbook's algorithm, by its name. Why it is written out
+//! and what libraries measure beside it: docs/decisions/numerics.md.
 
 pub(crate) mod finite; // the first value that is no number
 pub(crate) mod precision; // single and double
-pub(crate) mod box_sums; // sums over rectangles of a map
-pub(crate) mod gamma_forms; // distributions of weighted sums of Gamma variables
-pub(crate) mod symmetric_eigenvalues; // of small matrices
-pub(crate) mod normal_equations; // least squares of few unknowns
+pub(crate) mod summed_area_table; // sums over rectangles of a map (integral image, box filter)
+pub(crate) mod regula_falsi; // roots (Illinois)
+pub(crate) mod saddle_point_inversion; // distributions of weighted sums of Gamma variables
+pub(crate) mod incomplete_gamma; // P(M, x), Q(M, x)
+pub(crate) mod incomplete_beta; // I_u(a, b)
+pub(crate) mod symmetric_qr; // eigenvalues of small matrices (Householder, Wilkinson)
+pub(crate) mod gauss_quadrature; // Lanczos, Golub and Welsch
+pub(crate) mod cholesky; // normal equations of few unknowns

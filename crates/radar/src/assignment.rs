@@ -1,5 +1,5 @@
-//! Optimal assignment of rows to columns: shortest augmenting paths with dual prices (Kuhn 1955, Munkres
-//! 1957; in the form of Jonker and Volgenant, Computing 38 (1987) 325).
+//! Optimal assignment of rows to columns, the Hungarian or Kuhn–Munkres algorithm: shortest augmenting paths
+//! with dual prices (Kuhn 1955, Munkres 1957; in the form of Jonker and Volgenant, Computing 38 (1987) 325).
 //!
 //! O(n²·(rows + columns)), n the fewer of both: a dozen tracks and objects take microseconds, thousands of
 //! bodies beside one object milliseconds. A row may stay without a column at a price, which is what gates and

@@ -1,4 +1,5 @@
-//! The Fresnel integral in the form that edge waves take.
+//! The Fresnel integral in the form that edge waves take, which is the Faddeeva function on a diagonal:
+//! W(x) = w(j·e^{jπ/4}·x).
 
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_1_SQRT_2, PI};

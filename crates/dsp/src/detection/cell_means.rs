@@ -2,7 +2,7 @@
 //! detector.
 
 use crate::detection::correlated_cells::{Rectangle, Region};
-use crate::numerics::box_sums::BoxSums;
+use crate::numerics::summed_area_table::BoxSums;
 
 /// Places of one region of one cell: two in running sums of its rectangle, and two of the rectangle left out.
 #[derive(Debug, Clone, Copy)]

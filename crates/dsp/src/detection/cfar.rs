@@ -29,7 +29,7 @@ use crate::detection::noise_estimate::{
     averaged_factor, correlated_ordered_factor, greatest_of_factor, ordered_factor, smallest_of_factor,
 };
 use crate::error::{Axis, DspError};
-use crate::numerics::box_sums::BoxSums;
+use crate::numerics::summed_area_table::BoxSums;
 use crate::spectrum::shapes::Shapes;
 use crate::spectrum::window::{noise_correlation, taper};
 use artifact::cube::CubeHeader;

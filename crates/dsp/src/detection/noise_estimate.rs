@@ -10,7 +10,10 @@
 //!   One channel returns Rohling's product P_fa = Π_{i<k} (N − i)/(N − i + α).
 
 use crate::detection::correlated_cells::{Correlation, Region};
-use crate::numerics::gamma_forms::{WeightedGamma, beta_below, gamma_below, gamma_tail, probability_below};
+use crate::numerics::incomplete_beta::beta_below;
+use crate::numerics::incomplete_gamma::{gamma_below, gamma_tail};
+use crate::numerics::regula_falsi::falling_root;
+use crate::numerics::saddle_point_inversion::{WeightedGamma, probability_below};
 
 /// Threshold factor α over the mean of a region's cells.
 pub(crate) fn averaged_factor(mean: &[WeightedGamma], channels: usize, rate: f64) -> f64 {
@@ -131,37 +134,6 @@ impl Steps {
 }
 
 const STEPS: i32 = 256;
-
-/// Finds where a falling function of a positive number has this value: secants in logarithms within a bracket
-/// (Illinois).
-fn falling_root(value: f64, function: impl Fn(f64) -> f64) -> f64 {
-    let error = |ln_x: f64| function(ln_x.exp()).max(f64::MIN_POSITIVE).ln() - value.ln();
-    let (mut low, mut high) = (0.0, 0.5);
-    let (mut at_low, mut at_high) = (error(low), error(high));
-    while at_high > 0.0 {
-        (low, at_low) = (high, at_high);
-        high += 0.5;
-        at_high = error(high);
-    }
-    while at_low < 0.0 {
-        (high, at_high) = (low, at_low);
-        low -= 0.5;
-        at_low = error(low);
-    }
-    for _ in 0..100 {
-        let next = (low * at_high - high * at_low) / (at_high - at_low);
-        let at_next = error(next);
-        if at_next.abs() < 1e-10 || high - low < 1e-12 {
-            return next.exp();
-        }
-        if at_next > 0.0 {
-            (low, at_low, at_high) = (next, at_next, 0.5 * at_high);
-        } else {
-            (high, at_high, at_low) = (next, at_next, 0.5 * at_low);
-        }
-    }
-    (0.5 * (low + high)).exp()
-}
 
 #[cfg(test)]
 mod tests {

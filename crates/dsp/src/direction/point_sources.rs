@@ -8,7 +8,7 @@
 //! takes more from the residual than noise would (generalised likelihood ratio).
 
 use crate::direction::angle::{Direction, VirtualArray};
-use crate::numerics::normal_equations::solve;
+use crate::numerics::cholesky::solve;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -153,7 +153,7 @@ fn one_more(
     fits.min_by(|a, b| a.residual_power.total_cmp(&b.residual_power))
 }
 
-/// Gauss–Newton with Levenberg's damping, which only ever lowers the residual.
+/// Gauss–Newton with Levenberg's and Marquardt's damping, which only ever lowers the residual.
 fn settled(
     array: &VirtualArray,
     snapshot: &[Complex64],
@@ -185,7 +185,7 @@ fn shifted(direction: Direction, axis: usize, by: f64) -> Direction {
     }
 }
 
-/// Least squares over the amplitudes of echoes from given directions.
+/// Least squares over the amplitudes of echoes from given directions, by QR (modified Gram–Schmidt).
 struct AmplitudeFit {
     directions: Vec<Direction>,
     amplitudes: Vec<Complex64>,

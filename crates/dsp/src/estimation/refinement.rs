@@ -10,7 +10,7 @@
 
 use crate::direction::angle::Direction;
 use crate::estimation::point_echo::{Block, PointEcho, blocks};
-use crate::numerics::normal_equations::solve;
+use crate::numerics::cholesky::solve;
 use crate::plan::Plan;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use num_complex::{Complex32, Complex64};

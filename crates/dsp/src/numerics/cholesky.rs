@@ -1,5 +1,5 @@
-//! Small symmetric systems by Cholesky, scaled to a unit diagonal: parameters are metres and cosines side by
-//! side.
+//! Normal equations, small symmetric systems, by Cholesky's factors (Golub, Van Loan, Matrix Computations
+//! (2013), §4.2), scaled to a unit diagonal: parameters are metres and cosines side by side.
 
 /// Solves M·x = b for x; parameters of which M knows nothing (a zero on its diagonal) stay 0. `None` where
 /// two cannot be told apart.
@@ -10,7 +10,7 @@ pub(crate) fn solve<const N: usize>(matrix: [[f64; N]; N], right: [f64; N]) -> O
     }
     let scale: [f64; N] =
         std::array::from_fn(|i| if matrix[i][i] > 0.0 { matrix[i][i].sqrt().recip() } else { 0.0 });
-    let lower = cholesky::<N>(std::array::from_fn(|i| {
+    let lower = factor::<N>(std::array::from_fn(|i| {
         std::array::from_fn(|j| if i == j { 1.0 } else { matrix[i][j] * scale[i] * scale[j] })
     }))?;
     let mut x: [f64; N] = std::array::from_fn(|i| right[i] * scale[i]);
@@ -26,7 +26,7 @@ pub(crate) fn solve<const N: usize>(matrix: [[f64; N]; N], right: [f64; N]) -> O
 /// Correlation coefficients nearer to 1 than this are rounding.
 const DEPENDENT: f64 = 1e-12;
 
-fn cholesky<const N: usize>(matrix: [[f64; N]; N]) -> Option<[[f64; N]; N]> {
+fn factor<const N: usize>(matrix: [[f64; N]; N]) -> Option<[[f64; N]; N]> {
     let mut lower = [[0.0; N]; N];
     for i in 0..N {
         for j in 0..=i {

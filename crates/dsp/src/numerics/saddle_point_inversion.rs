@@ -1,5 +1,5 @@
 //! Distribution of weighted sums of Gamma variables, which every noise estimate and every comparison with it
-//! is.
+//! is: Bromwich's inversion of the Laplace transform by a saddle-point contour.
 //!
 //! Q = Σ_q w_q·G(n_q), G of unit scale and shape n_q, has E e^{−sQ} = Π(1 + s·w_q)^{−n_q}, so that P(Q < t) =
 //! 1/(2πj) ∫ e^{st} Π(1 + s·w_q)^{−n_q} ds/s on any line right of 0 and left of the first −1/w_q > 0
@@ -21,6 +21,9 @@ pub(crate) struct WeightedGamma {
 
 /// P(Σ w_q·G(n_q) < t): relative error about 1e-11, also far out in the lower tail.
 ///
+/// Thresholds ask for lower tails and, of shapes of like size, for everything. Far above the mean of a
+/// difference whose shapes are 70 times apart the bent path meets the far pole, and 1 is returned (for 0.998
+/// at I_0.995(859.2, 12)).
 /// One weight at least is positive, and `t` is positive or one weight is negative.
 pub(crate) fn probability_below(form: &[WeightedGamma], t: f64) -> f64 {
     let saddle = saddle_point(form, t);
@@ -97,53 +100,10 @@ fn saddle_point(form: &[WeightedGamma], t: f64) -> f64 {
     s
 }
 
-/// P(G(M) > x) of a whole M: e^{−x} Σ_{k<M} x^k/k!.
-pub fn gamma_tail(shape: usize, x: f64) -> f64 {
-    // Largest term first would be safest; from k = 0 with the exponent carried apart nothing overflows
-    // either.
-    let (mut term, mut sum, mut scale) = (1.0_f64, 1.0_f64, -x);
-    for k in 1..shape {
-        term *= x / k as f64;
-        sum += term;
-        if sum > 1e200 {
-            (term, sum, scale) = (term * 1e-200, sum * 1e-200, scale + 200.0 * std::f64::consts::LN_10);
-        }
-    }
-    (sum.ln() + scale).exp()
-}
-
-/// P(G(M) < x) of a whole M by the series of positive terms e^{−x} x^M/M!·(1 + x/(M+1) + …), or 1 less the
-/// tail.
-pub(crate) fn gamma_below(shape: usize, x: f64) -> f64 {
-    if x > shape as f64 + 1.0 {
-        return 1.0 - gamma_tail(shape, x);
-    }
-    let ln_first = (1..=shape).map(|k| (x / k as f64).ln()).sum::<f64>() - x;
-    let (mut term, mut sum, mut k) = (1.0, 1.0, shape as f64);
-    while term > 1e-17 * sum {
-        k += 1.0;
-        term *= x / k;
-        sum += term;
-    }
-    (ln_first + sum.ln()).exp()
-}
-
-/// I_u(a, b), the regularised incomplete beta function: A/(A + B) < u is (1 − u)A − uB < 0.
-pub(crate) fn beta_below(a: f64, b: f64, u: f64) -> f64 {
-    if u <= 0.0 {
-        return 0.0;
-    }
-    if u >= 1.0 {
-        return 1.0;
-    }
-    let form = [WeightedGamma { weight: 1.0 - u, shape: a }, WeightedGamma { weight: -u, shape: b }];
-    probability_below(&form, 0.0)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use statrs::function::{beta::beta_reg, gamma::gamma_lr};
+    use statrs::function::gamma::gamma_lr;
 
     #[test]
     fn one_gamma_variable_has_the_incomplete_gamma_function() {
@@ -155,31 +115,6 @@ mod tests {
                 assert!(
                     asked < 1e-250 || (got - asked).abs() < tolerance,
                     "{shape}, {t}: {got:e} against {asked:e}"
-                );
-            }
-        }
-    }
-
-    #[test]
-    fn whole_shapes_agree_with_the_incomplete_gamma_function() {
-        for shape in [1, 4, 12, 192] {
-            for t in [0.2, 0.9, 1.1, 1.8] {
-                let x = t * shape as f64;
-                let asked = gamma_lr(shape as f64, x);
-                assert!((gamma_below(shape, x) / asked - 1.0).abs() < 1e-10, "{shape}, {x}");
-                assert!((gamma_tail(shape, x) + asked - 1.0).abs() < 1e-11, "{shape}, {x}");
-            }
-        }
-    }
-
-    #[test]
-    fn a_difference_of_two_has_the_incomplete_beta_function() {
-        for (a, b) in [(1.0, 1.0), (6.0, 3.0), (54.3, 18.2), (186.0, 63.0)] {
-            for u in [0.05, 0.4, 0.6, 0.75, 0.9] {
-                let (asked, got) = (beta_reg(a, b, u), beta_below(a, b, u));
-                assert!(
-                    (got - asked).abs() < 1e-9 * asked + 1e-13,
-                    "{a}, {b}, {u}: {got:e} against {asked:e}"
                 );
             }
         }

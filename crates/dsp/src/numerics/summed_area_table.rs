@@ -1,4 +1,5 @@
-//! Sums of a map over rectangles around every cell of a row: Doppler wraps, range ends.
+//! Sums of a map over rectangles around every cell of a row: Doppler wraps, range ends. A summed-area table
+//! (integral image: Crow, SIGGRAPH 1984) of which a band of rows is held, as in a box filter.
 //!
 //! Rows of one height are added up column by column and slide from row to row; their sums along range then
 //! give a rectangle in two look-ups.

@@ -1,14 +1,15 @@
-//! Eigenvalues of symmetric matrices: Householder's reduction to three diagonals, then QR steps with
-//! Wilkinson's shift (Golub, Van Loan, Matrix Computations (2013), §8.3).
+//! Eigenvalues of symmetric matrices by the symmetric QR algorithm: Householder's reduction to three
+//! diagonals, then implicit QR steps with Wilkinson's shift (Golub, Van Loan, Matrix Computations (2013),
+//! §8.3).
 
 /// Eigenvalues of a symmetric matrix, by rows, in no order.
 pub(crate) fn eigenvalues(matrix: Vec<Vec<f64>>) -> Vec<f64> {
-    let (diagonal, beside) = tridiagonal(matrix);
+    let (diagonal, beside) = householder_tridiagonal(matrix);
     eigenvalues_of_tridiagonal(diagonal, beside).0
 }
 
 /// Diagonal and what stands beside it, of a matrix of the same eigenvalues.
-fn tridiagonal(mut a: Vec<Vec<f64>>) -> (Vec<f64>, Vec<f64>) {
+fn householder_tridiagonal(mut a: Vec<Vec<f64>>) -> (Vec<f64>, Vec<f64>) {
     let size = a.len();
     let mut beside = vec![];
     for k in 0..size.saturating_sub(1) {
@@ -57,7 +58,7 @@ pub(crate) fn eigenvalues_of_tridiagonal(
             break;
         }
         let start = (0..end).rev().find(|i| is_small(&diagonal, &beside, *i)).map_or(0, |i| i + 1);
-        step(&mut diagonal, &mut beside, &mut first, [start, end]);
+        implicit_step(&mut diagonal, &mut beside, &mut first, [start, end]);
     }
     (diagonal, first)
 }
@@ -69,7 +70,7 @@ fn is_small(diagonal: &[f64], beside: &[f64], at: usize) -> bool {
 
 /// One QR step with an implicit shift on rows `start..=end`: a bulge beside the diagonals is chased out at
 /// the end.
-fn step(diagonal: &mut [f64], beside: &mut [f64], first: &mut [f64], [start, end]: [usize; 2]) {
+fn implicit_step(diagonal: &mut [f64], beside: &mut [f64], first: &mut [f64], [start, end]: [usize; 2]) {
     let half = 0.5 * (diagonal[end - 1] - diagonal[end]);
     let square = beside[end - 1] * beside[end - 1];
     let root = half.hypot(beside[end - 1]).copysign(half);
