@@ -30,7 +30,7 @@ mod descriptions; // what several artifacts describe alike
 mod schemas; // the artifacts
 
 pub use descriptions::radar::{Radar, Waveform};
-pub use descriptions::{material, pattern, permittivity, radar, settings};
+pub use descriptions::{goal, material, pattern, permittivity, radar, settings};
 pub use files::envelope::{
     ArtifactError, Fault, Preamble, Provenance, Reader, Schema, Writer, read_preamble,
 };

@@ -2,7 +2,8 @@
 
 use crate::document::errors::{MapAxis, Rule};
 use crate::document::keys::fidelity::{
-    ACCURACY, BETWEEN_BODIES, BOUNCES, DETAIL, ECHO, EDGES, FIDELITY, MEASURED_EVERY, NODES, SIDES, SURFACE,
+    ACCURACY, BETWEEN_BODIES, BOUNCES, DETAIL, ECHO, EDGES, FIDELITY, FOR, MEASURED_EVERY, NODES, SIDES,
+    SURFACE,
 };
 use crate::document::keys::key::{Key, Or};
 use crate::document::keys::kinds::Counts;
@@ -19,6 +20,7 @@ use crate::document::section::Section;
 use crate::measured::calibration::read_calibration;
 use crate::models::library::Models;
 use artifact::Accuracy;
+use artifact::goal::Goal;
 use artifact::radar::{Radar, Sampling};
 use artifact::scene::Intersection;
 use artifact::settings::{DspSettings, Fidelity, Lane, Lanes, Noise, Refine};
@@ -116,8 +118,10 @@ fn check_window(section: &Section<'_>, map: [u32; 2], guard: [u32; 2], training:
 /// Accuracy and physics asked for.
 pub(crate) fn read_fidelity(root: &Section<'_>) -> Fidelity {
     let section = root.section(&FIDELITY);
+    let (accuracy, goal) = read_accuracy(&section);
     Fidelity {
-        accuracy: Accuracy::from_db(section.or_default(&ACCURACY)),
+        accuracy,
+        goal,
         bounces: section.or_default(&BOUNCES) as u8,
         edges: section.or_default(&EDGES),
         surface: section.or_default(&SURFACE),
@@ -128,6 +132,15 @@ pub(crate) fn read_fidelity(root: &Section<'_>) -> Fidelity {
         between_bodies: section.or_default(&BETWEEN_BODIES),
         measured_every: section.or_default(&MEASURED_EVERY) as u32,
     }
+}
+
+/// Accuracy as a number, or as the need of a result: one of the two.
+fn read_accuracy(section: &Section<'_>) -> (Accuracy, Option<Goal>) {
+    let (asked, goal) = (Accuracy::from_db(section.or_default(&ACCURACY)), section.read(&FOR));
+    if section.has(FOR.name) && section.has(ACCURACY.name) {
+        section.note(FOR.name, Rule::Contradiction { key: FOR.name, other: ACCURACY.name });
+    }
+    (goal.map_or(asked, Goal::accuracy), goal)
 }
 
 /// The crossing and its lanes: the paper's Table 1 where the scene says nothing, but none beside recorded

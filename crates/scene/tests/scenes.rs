@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 
+use artifact::goal::Goal;
 use artifact::radar::{Multiplexing, Pattern, Polarization};
 use artifact::scene::{Pose, Role, SceneHeader, Target, TargetKind};
 use artifact::settings::{Class, EchoMode, NodeRule, Noise, Sides, Window};
@@ -108,6 +109,16 @@ fn every_setting_is_taken_from_its_key() {
     assert_eq!((scene.fidelity.nodes, scene.fidelity.echo), (NodeRule::Exit, EchoMode::RcsTable));
     let figure = read_text("[noise]\nnoise_figure_db = 12\n");
     assert_eq!(figure.noise, Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 });
+}
+
+#[test]
+fn a_result_in_place_of_an_accuracy_asks_for_what_that_result_needs() {
+    for goal in Goal::ALL {
+        let fidelity = read_text(&format!("[fidelity]\nfor = \"{}\"\n", goal.name())).fidelity;
+        assert_eq!((fidelity.goal, fidelity.accuracy), (Some(goal), goal.accuracy()));
+    }
+    let [unsaid, cube] = ["", "[fidelity]\nfor = \"cube\"\n"].map(|text| read_text(text).fidelity);
+    assert_eq!((unsaid.goal, unsaid.accuracy), (None, cube.accuracy));
 }
 
 #[test]

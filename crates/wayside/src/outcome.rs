@@ -2,6 +2,7 @@
 //! lines of a console.
 
 pub(crate) mod error_figures;
+pub(crate) mod of_use;
 pub(crate) mod verdict;
 pub(crate) mod frame_truth;
 pub(crate) mod false_objects;

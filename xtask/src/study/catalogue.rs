@@ -7,7 +7,7 @@ use crate::study::extent::Extent;
 use crate::study::page::{Age, FEWER, with_part};
 use crate::study::pages::{
     Part, ambiguity, calibration, continuity, estimates, estimates_of_errors, false_alarms, gates, ghosts,
-    references, super_resolution, traced_ghosts, transmitters_in_turn,
+    references, sensitivity, super_resolution, traced_ghosts, transmitters_in_turn,
 };
 use crate::study::sources::{self, Places};
 use wayside::host::failure::Failure;
@@ -35,7 +35,7 @@ enum Make {
 }
 
 /// Studies in the order of `docs/validation/README.md`, then those that are drawn.
-pub(crate) const STUDIES: [Study; 20] = [
+pub(crate) const STUDIES: [Study; 21] = [
     part("reference-gates", "docs/validation/reference-gates.md", "2 minutes", gates::SOURCES, gates::part),
     part("bart-against-references", REFERENCES, "6 minutes", references::SOURCES, references::own_car),
     part("real-car", REFERENCES, "an hour", references::SOURCES, references::real_car),
@@ -57,6 +57,13 @@ pub(crate) const STUDIES: [Study; 20] = [
     part("random-frames", ERRORS, "an hour", estimates_of_errors::SOURCES, estimates_of_errors::of_frames),
     part("random-roads", ERRORS, "half an hour", estimates_of_errors::SOURCES, estimates_of_errors::of_roads),
     whole("levels", "docs/validation/levels-of-detail.md", "10 minutes", LEVELS, drawn::levels),
+    part(
+        "sensitivity",
+        "docs/validation/sensitivity.md",
+        "half an hour",
+        sensitivity::SOURCES,
+        sensitivity::part,
+    ),
     part("false-alarms", ALARMS, "half an hour", false_alarms::SOURCES, false_alarms::of_complex_samples),
     part("false-alarms-real", ALARMS, "half an hour", false_alarms::SOURCES, false_alarms::of_real_samples),
     part("estimates", "docs/validation/estimates.md", "10 minutes", estimates::SOURCES, estimates::part),

@@ -4,6 +4,7 @@
 mod measures;
 mod part;
 mod scattering;
+pub(super) mod sensitivity;
 mod signals;
 
 pub(super) use part::Part;

@@ -1,5 +1,6 @@
 //! Settings that a scene asks of the stages.
 
+use crate::descriptions::goal::Goal;
 use crate::quantities::accuracy::Accuracy;
 use num_complex::Complex64;
 use serde::{Deserialize, Serialize};
@@ -113,6 +114,8 @@ pub enum NodeRule {
 pub struct Fidelity {
     /// Relative amplitude error allowed.
     pub accuracy: Accuracy,
+    /// Result whose need that accuracy is; `None` where the scene asks for an accuracy itself.
+    pub goal: Option<Goal>,
     /// Highest bounce order.
     pub bounces: u8,
     /// Edge diffraction.

@@ -76,6 +76,7 @@ fn dsp() -> DspSettings {
 fn fidelity() -> Fidelity {
     Fidelity {
         accuracy: Accuracy::from_db(-20.0),
+        goal: None,
         bounces: 3,
         edges: Edges::Ignored,
         surface: Surface::Flat,

@@ -57,6 +57,7 @@ pub(crate) fn scene(
         dsp: dsp(),
         fidelity: Fidelity {
             accuracy: Accuracy::from_db(accuracy_db),
+            goal: None,
             bounces,
             edges: Edges::Ignored,
             surface: Surface::Flat,

@@ -4,7 +4,7 @@
 use crate::document::keys::key::Table;
 
 /// Words that people type, each with the keys meant by it, the likelier first where several tables know it.
-const SYNONYMS: [(&str, &[&str]); 84] = [
+const SYNONYMS: [(&str, &[&str]); 86] = [
     ("tilt_deg", &["boresight_el_deg"]),
     ("tilt", &["boresight_el_deg"]),
     ("downtilt_deg", &["boresight_el_deg"]),
@@ -81,6 +81,8 @@ const SYNONYMS: [(&str, &[&str]); 84] = [
     ("max_depth", &["bounces"]),
     ("order", &["bounces"]),
     ("diffraction", &["edges"]),
+    ("goal", &["for"]),
+    ("purpose", &["for"]),
     ("pfa", &["false_alarm_rate"]),
     ("cfar", &["detector"]),
     ("window", &["range_window"]),

@@ -5,7 +5,7 @@ use artifact::cube::CubeHeader;
 use artifact::envelope::fingerprint;
 use artifact::radar::Hardware;
 use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
-use artifact::settings::{Detail, EchoMode, Noise};
+use artifact::settings::{Detail, EchoMode, Fidelity, Noise};
 
 /// Everything that one frame of one stage depends on.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -50,9 +50,14 @@ impl SceneParts {
             bodies: fingerprint(&(&header.targets, &header.materials, &header.road)),
             meshes: header.meshes.iter().map(fingerprint).collect(),
             radar: fingerprint(&header.radar),
-            fidelity: fingerprint(&(&header.fidelity, seed_of_points(header))),
+            fidelity: fingerprint(&(of_paths(header.fidelity), seed_of_points(header))),
         }
     }
+}
+
+/// What paths depend on: an accuracy is the same whichever result it is asked for.
+fn of_paths(fidelity: Fidelity) -> Fidelity {
+    Fidelity { goal: None, ..fidelity }
 }
 
 /// The seed where points are drawn with it; nothing else of a frame's paths is random.
@@ -175,6 +180,7 @@ pub(crate) fn echo_header(header: &SceneHeader) -> CubeHeader {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use artifact::goal::Goal;
     use artifact::material::{Backing, Layer, Makeup, Material, MaterialMap, Road, Thickness, Transmission};
     use artifact::radar::{
         Adc, ElementError, ElementSpread, Interferer, Pattern, PatternTable, PhaseNoise, Schedule,
@@ -209,6 +215,7 @@ mod tests {
         header.materials = MaterialMap { by_name, transmission: Transmission::Ignored };
         header.road = Some(Road { material: asphalt, rms_height_m: 1e-3 });
         header.backscatter = Some(Backscatter { gamma: 0.01 });
+        header.fidelity.goal = Some(Goal::Cube);
         header.noise = Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 };
         let (azimuth_rad, elevation_rad) = (vec![-1.0, 0.0, 1.0], vec![0.0]);
         let table = PatternTable { azimuth_rad, elevation_rad, amplitude: vec![0.1, 1.0, 0.1] };
@@ -296,6 +303,7 @@ mod tests {
     fn first_stage(leaf: &str) -> Option<Stage> {
         match leaf.split('/').nth(1)? {
             "name" | "frames" | "frame_interval_s" | "intersection" => None,
+            "fidelity" if leaf.ends_with("/goal") => None,
             // What is not in view of the frame, and poses: those are the frame's.
             "traffic" if ["/vehicles/1/", "/frames/1/", "/pose/"].iter().any(|part| leaf.contains(part)) => {
                 None

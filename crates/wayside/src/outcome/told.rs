@@ -28,9 +28,9 @@ fn of_radar(radar: &OneOfRadars) -> String {
     let is_missed = accuracy.is_some_and(|accuracy| accuracy.met == Some(false));
     let verdict = if is_missed { "NOT REACHED" } else { "reached" };
     let error = decibels(accuracy.and_then(|accuracy| accuracy.reached_db));
-    let asked = decibels(accuracy.map(|accuracy| accuracy.asked_db));
+    let asked = accuracy.map_or("not estimated asked".into(), verdict::asked_in_words);
     let count = Count::of_radar(radar).text();
-    format!("radar {}: {count}; numerical error {error}, {asked} asked: {verdict}", radar.id)
+    format!("radar {}: {count}; numerical error {error}, {asked}: {verdict}", radar.id)
 }
 
 /// Lines about a run through one radar: each of a few frames in full, else a line a frame and all together.

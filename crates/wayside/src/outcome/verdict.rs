@@ -1,7 +1,11 @@
 //! Whether the accuracy that was asked for was reached; where not, what limits it and what would help.
 
 use crate::outcome::error_figures::{ErrorFigures, db, decibels};
+use crate::outcome::of_use::OfUse;
+use artifact::accuracy::ModelError;
+use artifact::goal::Goal;
 use artifact::paths::PathsFrame;
+use artifact::settings::Fidelity;
 use artifact::units::db_from_amplitude;
 use artifact::{Accuracy, ErrorBudget};
 use serde::{Deserialize, Serialize};
@@ -14,13 +18,20 @@ pub(crate) const FRAMES_IN_FULL: usize = 4;
 pub struct AccuracyVerdict {
     /// The largest error allowed, dB relative to the echo.
     pub asked_db: f64,
+    /// Result whose need that is; `None` where an accuracy was asked for itself.
+    #[serde(rename = "for")]
+    pub goal: Option<Goal>,
     /// The error's total, dB; `None` where it was not estimated.
     pub reached_db: Option<f64>,
     /// Whether the error is no larger than was asked; `None` where it was not estimated.
     pub met: Option<bool>,
     /// The name of the largest share of the error.
     pub limited_by: Option<String>,
-    /// A sentence: what limits the accuracy and what would help; `None` where it was met.
+    /// Accuracy of use, dB: the largest error of the model's method and of the mesh, which stays however little
+    /// is asked for; `None` where none was estimated.
+    pub of_use_db: Option<f64>,
+    /// Sentences: what limits the accuracy and what would help, where it was not met; and which accuracy is
+    /// of use, where less was asked for. `None` where neither is so.
     pub advice: Option<String>,
 }
 
@@ -28,7 +39,9 @@ pub struct AccuracyVerdict {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Verdict {
     asked: Accuracy,
+    goal: Option<Goal>,
     error: ErrorBudget,
+    model: ModelError,
     /// Number of moments of the frame at which ways between bodies were traced; `None` where that means
     /// nothing.
     moments: Option<u32>,
@@ -45,13 +58,19 @@ pub(crate) enum Asking {
 
 impl Verdict {
     pub(crate) fn of(asked: Accuracy, error: &ErrorBudget) -> Self {
-        Self { asked, error: *error, moments: None }
+        Self { asked, goal: None, error: *error, model: ModelError::default(), moments: None }
     }
 
     /// Makes the verdict of a frame; its paths, where they are known, tell the number of moments.
-    pub(crate) fn of_paths(asked: Accuracy, error: &ErrorBudget, paths: Option<&PathsFrame>) -> Self {
+    pub(crate) fn of_paths(asked: &Fidelity, error: &ErrorBudget, paths: Option<&PathsFrame>) -> Self {
         let fineness = paths.and_then(|paths| paths.trace.fineness.as_ref());
-        Self { moments: fineness.map(|fineness| fineness.moments), ..Self::of(asked, error) }
+        let moments = fineness.map(|fineness| fineness.moments);
+        Self { goal: asked.goal, moments, ..Self::of(asked.accuracy, error) }
+    }
+
+    /// Makes the same verdict that knows what the model leaves out, and so which accuracy is of use.
+    pub(crate) fn beside(self, model: &ModelError) -> Self {
+        Self { model: *model, ..self }
     }
 
     /// Whether the error is no larger than was asked; `None` where it was not estimated.
@@ -70,9 +89,11 @@ impl Verdict {
     pub(crate) fn told(&self, asking: Asking) -> AccuracyVerdict {
         AccuracyVerdict {
             asked_db: self.asked.db(),
+            goal: self.goal,
             reached_db: db(self.error.total()),
             met: self.is_met(),
             limited_by: self.limited_by().map(str::to_owned),
+            of_use_db: db(self.of_use().map(|error| error.amplitude)),
             advice: self.advice(asking),
         }
     }
@@ -82,9 +103,34 @@ impl Verdict {
         lines(&self.told(asking), &ErrorFigures::of(&self.error))
     }
 
+    fn of_use(&self) -> Option<OfUse> {
+        OfUse::of(self.asked, &self.error, &self.model)
+    }
+
+    /// Advice on what limits the accuracy, and on which one is of use; `None` where there is none to give.
+    fn advice(&self, asking: Asking) -> Option<String> {
+        let sentences: Vec<String> =
+            [self.advice_on_limit(asking), self.advice_on_use(asking)].into_iter().flatten().collect();
+        (!sentences.is_empty()).then(|| sentences.join(" "))
+    }
+
+    /// Advice where less error is asked for than the model has itself: no integral makes that smaller.
+    fn advice_on_use(&self, asking: Asking) -> Option<String> {
+        let of_use = self.of_use().filter(|error| error.amplitude > self.asked.amplitude())?;
+        let level = decibels(db(Some(of_use.amplitude)));
+        let key = match asking {
+            Asking::Scene => "accuracy_db",
+            Asking::Options => "--accuracy-db",
+        };
+        Some(format!(
+            "The model's largest named error is {level} ({}): {key} below that buys nothing.",
+            of_use.name
+        ))
+    }
+
     /// Advice on what limits the accuracy and what would help; `None` where it was reached or nothing is
     /// known.
-    fn advice(&self, asking: Asking) -> Option<String> {
+    fn advice_on_limit(&self, asking: Asking) -> Option<String> {
         let limited_by = self.limited_by().filter(|_| self.is_met() == Some(false))?;
         let (what, help) = match (limited_by, self.moments) {
             ("freezing", Some(moments)) if moments > 1 => of_moments(moments),
@@ -124,16 +170,22 @@ pub(crate) fn of_frames(frames: &[(u32, Verdict)]) -> Vec<String> {
 /// Lines about an accuracy: asked, reached and the shares that make up most of the error; then, where it was
 /// not reached, what limits it and what would help.
 pub(crate) fn lines(accuracy: &AccuracyVerdict, error_db: &ErrorFigures) -> Vec<String> {
-    let asked = decibels(accuracy.asked_db);
+    let asked = asked_in_words(accuracy);
     let Some(reached_db) = accuracy.reached_db else {
-        return vec![format!("numerical error not estimated ({asked} asked)")];
+        return vec![format!("numerical error not estimated ({asked})")];
     };
     let verdict = if accuracy.met == Some(true) { "reached" } else { "NOT REACHED" };
     let shares: Vec<String> =
         shares_that_matter(error_db).iter().map(|(name, db)| format!("{name} {}", decibels(*db))).collect();
     let reached = decibels(reached_db);
-    let head = format!("numerical error {reached}, {asked} asked: {verdict} ({})", shares.join(", "));
+    let head = format!("numerical error {reached}, {asked}: {verdict} ({})", shares.join(", "));
     std::iter::once(head).chain(accuracy.advice.clone()).collect()
+}
+
+/// The accuracy that was asked for, and the result that asks for it.
+pub(crate) fn asked_in_words(accuracy: &AccuracyVerdict) -> String {
+    let goal = accuracy.goal.map_or(String::new(), |goal| format!(" for \"{}\"", goal.name()));
+    format!("{} asked{goal}", decibels(accuracy.asked_db))
 }
 
 /// Shares within 10 dB of the largest, largest first: each of the others changes the total by less than half
@@ -251,6 +303,35 @@ mod tests {
         // 0.2 is −13.98 dB, 6.02 dB above what was asked.
         let advice = of(0.2, 0.001).advice(Asking::Options).unwrap();
         assert!(advice.ends_with("--accuracy-db -27."), "{advice}");
+    }
+
+    #[test]
+    fn an_accuracy_that_the_model_does_not_have_is_told_as_of_no_use() {
+        let model = |nodes| ModelError { nodes: Some(nodes), ..ModelError::default() };
+        // −20 dB asked; 0.3 is −10.46 dB.
+        let beyond = of(0.02, 0.03).beside(&model(0.3)).told(Asking::Scene);
+        assert!((beyond.of_use_db.unwrap() + 10.458).abs() < 1e-3, "{beyond:?}");
+        let sentence = "The model's largest named error is −10.5 dB (nodes): accuracy_db below that buys \
+                        nothing.";
+        assert_eq!((beyond.met, beyond.advice.as_deref()), (Some(true), Some(sentence)));
+        let missed = of(0.2, 0.001).beside(&model(0.3)).told(Asking::Options).advice.unwrap();
+        let (limit, of_use) = missed.split_once(". The").unwrap();
+        assert!(limit.starts_with("Limited by integration") && of_use.contains("--accuracy-db"), "{missed}");
+        let enough = of(0.02, 0.03).beside(&model(0.09)).told(Asking::Scene);
+        assert_eq!(enough.advice, None, "the model is better than asked");
+        assert!((enough.of_use_db.unwrap() + 20.915).abs() < 1e-3, "{enough:?}");
+        assert_eq!(of(0.02, 0.03).told(Asking::Scene).of_use_db, None, "nothing is known of the model");
+    }
+
+    #[test]
+    fn what_the_accuracy_is_asked_for_is_told_with_it() {
+        let for_class = Verdict { goal: Some(Goal::Class), ..of(0.02, 0.03) };
+        let told = for_class.told(Asking::Scene);
+        let lines = lines(&told, &ErrorFigures::of(&for_class.error));
+        assert!(lines[0].contains("−20.0 dB asked for \"class\": reached"), "{lines:?}");
+        let json = serde_json::to_value(&told).unwrap();
+        assert_eq!(json["for"], "class");
+        assert_eq!(serde_json::from_value::<AccuracyVerdict>(json).unwrap(), told);
     }
 
     /// More moments are no help where all that there are were used, and none where fewer were found to do as

@@ -11,12 +11,15 @@ pub(super) fn section(accuracy: &AccuracyVerdict) -> Markup {
         Some(false) => ("no", true),
         None => ("not known: not all of it was estimated", false),
     };
-    let reached = accuracy.reached_db.map_or("not estimated".into(), |db| format!("{} dB", rounded(db, 1)));
+    let level = |db: Option<f64>| db.map_or("not estimated".into(), |db| format!("{} dB", rounded(db, 1)));
+    let reached = level(accuracy.reached_db);
+    let asked_for = accuracy.goal.map_or(String::new(), |goal| format!(", for \"{}\"", goal.name()));
     let rows = html! { table { tbody {
-        tr { th { "Asked" } td { (rounded(accuracy.asked_db, 1)) " dB" } }
+        tr { th { "Asked" } td { (rounded(accuracy.asked_db, 1)) " dB" (asked_for) } }
         tr { th { "Reached" } td.bad[is_missed] { (reached) } }
         tr { th { "As good as asked" } td.bad[is_missed] { (words) } }
         tr { th { "Largest share" } td { (accuracy.limited_by.as_deref().unwrap_or("–")) } }
+        tr { th { "Of use beside the model's method" } td { (level(accuracy.of_use_db)) } }
     } } };
     html! {
         h3 { "Accuracy asked and reached" }

@@ -76,7 +76,30 @@ fn an_accuracy_that_was_not_reached_is_said_with_what_limits_it_and_what_would_h
     write(&place, "small.toml", SMALL_SCENE);
     let told = place.run("run small.toml --out out --quiet");
     assert!(told.contains("−20.0 dB asked: reached") && !told.contains("NOT REACHED"), "{told}");
-    assert_eq!(place.summary("out/summary.json")["frames"][0]["accuracy"]["advice"], Value::Null);
+    let advice = &place.summary("out/summary.json")["frames"][0]["accuracy"]["advice"];
+    assert!(!advice.as_str().unwrap_or_default().contains("Limited by"), "{advice}");
+}
+
+#[test]
+fn a_run_says_which_accuracy_is_of_use_and_what_its_own_is_for() {
+    let place = Workplace::new();
+    let scene = |asked: &str| format!("{SMALL_SCENE}\n[fidelity]\n{asked}\n");
+    let run = |asked: &str| {
+        write(&place, "small.toml", &scene(asked));
+        let told = place.run("run small.toml --out out --quiet");
+        (told, place.summary("out/summary.json")["frames"][0].clone())
+    };
+    let (fine, frame) = run("accuracy_db = -60.0");
+    let of_method = ["nodes", "bounces", "far_field"].map(|name| frame["model_error_db"][name].as_f64());
+    let largest_db = of_method.into_iter().flatten().fold(f64::NEG_INFINITY, f64::max);
+    let accuracy = &frame["accuracy"];
+    assert_eq!((accuracy["of_use_db"].as_f64(), &accuracy["for"]), (Some(largest_db), &Value::Null));
+    assert!(largest_db > -60.0 && fine.contains("accuracy_db below that buys nothing."), "{fine}");
+    let (for_class, frame) = run("for = \"class\"");
+    let needed_db = artifact::goal::Goal::Class.accuracy().db();
+    assert_eq!(frame["accuracy"]["for"], "class");
+    assert!((frame["accuracy"]["asked_db"].as_f64().unwrap() - needed_db).abs() < 1e-9, "{frame}");
+    assert!(for_class.contains(" dB asked for \"class\": "), "{for_class}");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use crate::document::keys::key::{Key, Or, Table};
 use crate::document::keys::kinds::{Number, Text, Whole, Words};
 use crate::wording::allowed::Allowed::{Below, Between};
+use artifact::goal::Goal;
 use artifact::material::Transmission;
 use artifact::paths::MAX_ORDER;
 use artifact::settings::{BetweenBodies, Detail, EchoMode, Edges, NodeRule, Sides, Surface};
@@ -13,6 +14,7 @@ pub(crate) const FIDELITY: Table = Table {
     about: "Accuracy and physics asked for.",
     keys: &[
         &ACCURACY,
+        &FOR,
         &BOUNCES,
         &EDGES,
         &SURFACE,
@@ -34,6 +36,13 @@ pub(crate) const ACCURACY: Key<Number, Or<f64>> = Key::new(
      10 %",
 )
 .or(-20.0);
+
+pub(crate) const FOR: Key<Words<Goal>> = Key::new(
+    "for",
+    Words(|| Goal::ALL.map(|goal| (goal.name(), goal)).to_vec()),
+    "the result that the scene is run for, in place of `accuracy_db`: the accuracy is then the one that this \
+     result was measured to need ([validation/sensitivity.md](validation/sensitivity.md))",
+);
 
 pub(crate) const BOUNCES: Key<Whole, Or<u64>> =
     Key::new("bounces", Whole(Between(1.0, MAX_ORDER as f64)), "highest order of reflection").or(3);

@@ -112,7 +112,9 @@ impl FrameSummary {
             rdm_state: state(&targets),
             velocity_resolved: !points.objects.is_empty()
                 && points.objects.iter().all(|o| o.velocity_resolved),
-            accuracy: Verdict::of_paths(header.fidelity.accuracy, &result.error, paths).told(Asking::Scene),
+            accuracy: Verdict::of_paths(&header.fidelity, &result.error, paths)
+                .beside(&result.model_error)
+                .told(Asking::Scene),
             error_db: ErrorFigures::of(&result.error),
             error_measured_in,
             model_error_db: ModelErrorFigures::of(&result.model_error),

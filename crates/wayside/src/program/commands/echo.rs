@@ -58,8 +58,9 @@ fn write(
 ) -> Result<Verdict, Failure> {
     let cube = chain.synthesize(scene, scattering)?;
     writer.write(&cube)?;
-    let error = scattering.error().0.joined(cube.error);
-    Ok(Verdict::of_paths(chain.header.fidelity.accuracy, &error, scattering.paths()))
+    let (error, model_error) = scattering.error();
+    let error = error.joined(cube.error);
+    Ok(Verdict::of_paths(&chain.header.fidelity, &error, scattering.paths()).beside(&model_error))
 }
 
 fn from_paths(

@@ -27,10 +27,8 @@ pub(crate) fn run(arguments: &PathsArguments, memory: Allowance) -> Result<(), F
         let scattering = chain.scattering(&chain.plan(index), &scene)?.value;
         if let Scattering::Paths(frame) = chain.counted_through(scattering) {
             writer.write(&frame)?;
-            told.push((
-                index,
-                Verdict::of_paths(loaded.header.fidelity.accuracy, &frame.error, Some(&frame)),
-            ));
+            let verdict = Verdict::of_paths(&loaded.header.fidelity, &frame.error, Some(&frame));
+            told.push((index, verdict.beside(&frame.model_error)));
         }
     }
     drop(work);

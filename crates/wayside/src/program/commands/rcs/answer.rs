@@ -91,7 +91,7 @@ impl Answer {
     }
 
     fn verdict(&self, arguments: &RcsArguments) -> Verdict {
-        Verdict::of(Accuracy::from_db(arguments.accuracy_db), &self.error)
+        Verdict::of(Accuracy::from_db(arguments.accuracy_db), &self.error).beside(&self.model_error)
     }
 
     /// Level and errors, for a person.

@@ -44,7 +44,8 @@ pub(super) fn scene(
 pub(super) fn frame(drawn: &Drawn, staged: &Staged, seen: &SeenFrame) -> Value {
     let result = &seen.products.result;
     let paths = result.paths.as_ref();
-    let verdict = Verdict::of_paths(staged.header.fidelity.accuracy, &result.error, paths);
+    let verdict =
+        Verdict::of_paths(&staged.header.fidelity, &result.error, paths).beside(&result.model_error);
     let told = staged.vehicles.iter().zip(&seen.truths).zip(&seen.object_of).enumerate();
     let vehicles = told.map(|(target, ((told, truth), object))| {
         let id = id(drawn.number, target, result.points.index);

@@ -1,0 +1,212 @@
+//! Sensitivity of what a run is for to the accuracy asked: scenes at several accuracies beside the finest that
+//! memory holds, and which accuracy each result needs.
+
+mod scenes;
+mod answers;
+mod changes;
+mod needs;
+
+use crate::study::extent::Extent;
+use crate::study::pages::part::Part;
+use crate::study::sources::{CHAIN, Places};
+use answers::{Answer, Kept};
+use artifact::goal::Goal;
+use changes::Changes;
+use scenes::Case;
+use wayside::host::failure::Failure;
+use wayside::host::progress::note;
+
+/// Sources that the figures hang on.
+pub(crate) const SOURCES: Places = &[
+    CHAIN,
+    &["crates/classifier", "crates/evaluation", "crates/wayside/src/chain", "crates/wayside/src/outcome"],
+    &["scenes", "xtask/src/study/pages/sensitivity", file!()],
+];
+
+/// Accuracies tried, coarsest first, dB.
+const TRIED_DB: [f64; 4] = [-10.0, -15.0, -20.0, -30.0];
+/// Seed of another draw of the receiver's noise.
+const OTHER_NOISE: u64 = 1001;
+
+/// Runs of one scene.
+struct Runs {
+    name: String,
+    reference: Answer,
+    /// The reference with other noise.
+    noise: Answer,
+    /// In the order of [`TRIED_DB`], those coarser than the reference.
+    tried: Vec<Answer>,
+}
+
+pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
+    let kept = Kept::open(SOURCES)?;
+    let all: Vec<Runs> =
+        scenes::cases(extent)?.iter().map(|case| runs(&kept, case)).collect::<Result<_, _>>()?;
+    let mut part = Part::default();
+    part.line("## Objects\n");
+    objects(&mut part, &all);
+    part.line("\n## Tracks\n");
+    tracks(&mut part, &all);
+    part.line("\n## What each result needs\n");
+    needs(&mut part, &all);
+    part.line("\n## What it saves\n");
+    seconds(&mut part, &all);
+    Ok(part)
+}
+
+fn runs(kept: &Kept, case: &Case) -> Result<Runs, Failure> {
+    let at = |accuracy_db, seed| {
+        note(format!("{}, {accuracy_db} dB", case.name));
+        kept.answer(case, accuracy_db, seed)
+    };
+    let coarser = TRIED_DB.iter().filter(|db| **db > case.reference_db);
+    let tried = coarser.map(|db| at(*db, None)).collect::<Result<_, _>>()?;
+    let (reference, noise) = (at(case.reference_db, None)?, at(case.reference_db, Some(OTHER_NOISE))?);
+    Ok(Runs { name: case.group.to_owned(), reference, noise, tried })
+}
+
+/// Something told of a scene: its objects or its tracks.
+type Telling = fn(&Answer) -> &answers::Told;
+
+fn objects_of(answer: &Answer) -> &answers::Told {
+    &answer.objects
+}
+
+fn tracks_of(answer: &Answer) -> &answers::Told {
+    &answer.tracks
+}
+
+/// Changes of an accuracy against the reference, of all runs together.
+fn changed(all: &[&Runs], index: usize, telling: Telling) -> Changes {
+    let of = |run: &&Runs| Some(Changes::between(telling(&run.reference), telling(run.tried.get(index)?)));
+    all.iter().filter_map(of).fold(Changes::default(), Changes::and)
+}
+
+fn by_noise(all: &[&Runs], telling: Telling) -> Changes {
+    let of = |run: &&Runs| Changes::between(telling(&run.reference), telling(&run.noise));
+    all.iter().map(of).fold(Changes::default(), Changes::and)
+}
+
+/// The reference against the truth.
+fn errors(all: &[&Runs], truth: Telling, telling: Telling) -> Changes {
+    let of = |run: &&Runs| Changes::between(truth(&run.reference), telling(&run.reference));
+    all.iter().map(of).fold(Changes::default(), Changes::and)
+}
+
+const COLUMNS: [&str; 11] = [
+    "scenes",
+    "accuracy",
+    "there",
+    "lost",
+    "gained",
+    "range, m",
+    "velocity, m/s",
+    "direction, °",
+    "other lane",
+    "other class",
+    "probability",
+];
+
+const OF_NOISE: &str = "the finest, other noise";
+const OF_TRUTH: &str = "the finest, against truth";
+
+fn objects(part: &mut Part, all: &[Runs]) {
+    part.head(&COLUMNS);
+    for (name, group) in groups(all) {
+        rows(part, name, &group, objects_of);
+    }
+    let every: Vec<&Runs> = all.iter().collect();
+    rows(part, "all", &every, objects_of);
+    row(part, "all", OF_NOISE, &by_noise(&every, objects_of));
+    row(part, "all", OF_TRUTH, &errors(&every, |a| &a.truth_of_objects, objects_of));
+}
+
+fn tracks(part: &mut Part, all: &[Runs]) {
+    part.head(&COLUMNS);
+    let followed: Vec<&Runs> = all.iter().filter(|run| !run.reference.tracks.is_empty()).collect();
+    rows(part, "all", &followed, tracks_of);
+    row(part, "all", OF_NOISE, &by_noise(&followed, tracks_of));
+    row(part, "all", OF_TRUTH, &errors(&followed, |a| &a.truth_of_tracks, tracks_of));
+}
+
+/// Runs of scenes that are told together, in order.
+fn groups(all: &[Runs]) -> Vec<(&str, Vec<&Runs>)> {
+    let mut groups: Vec<(&str, Vec<&Runs>)> = vec![];
+    for run in all {
+        match groups.last_mut() {
+            Some((name, group)) if *name == run.name => group.push(run),
+            _ => groups.push((&run.name, vec![run])),
+        }
+    }
+    groups
+}
+
+fn rows(part: &mut Part, name: &str, group: &[&Runs], telling: Telling) {
+    for (index, accuracy_db) in TRIED_DB.iter().enumerate() {
+        let changes = changed(group, index, telling);
+        if changes.there > 0 {
+            row(part, name, &decibels(*accuracy_db), &changes);
+        }
+    }
+}
+
+fn row(part: &mut Part, name: &str, accuracy: &str, changes: &Changes) {
+    let Changes { there, lost, gained, .. } = changes;
+    let counts = [there, lost, gained].map(usize::to_string);
+    let rms = |values: &[f64], digits: usize| {
+        changes::rms(values).map_or("–".into(), |x| format!("{x:.digits$}"))
+    };
+    let share = |(other, of): (usize, usize)| if of == 0 { "–".into() } else { format!("{other} of {of}") };
+    let numbers = [rms(&changes.range_m, 3), rms(&changes.velocity_mps, 3), rms(&changes.azimuth_deg, 3)];
+    let words = [share(changes.lanes), share(changes.classes), rms(&changes.probability, 3)];
+    let head = [name.to_owned(), accuracy.to_owned()];
+    part.row(&[head.as_slice(), &counts, &numbers, &words].concat());
+}
+
+/// The coarsest accuracy that each result may be asked with, and whether the program asks with it.
+fn needs(part: &mut Part, all: &[Runs]) {
+    part.head(&["`for`", "`accuracy_db`", "measured"]);
+    let every: Vec<&Runs> = all.iter().collect();
+    for goal in Goal::ALL {
+        let asked_db = goal.accuracy().db();
+        let measured_db = needed_db(goal, &every);
+        let found = match (goal, measured_db) {
+            (Goal::Cube, _) => "an agreement: 10 % of the amplitude".to_owned(),
+            (_, Some(db)) => decibels(db),
+            (_, None) => format!("finer than {}", decibels(TRIED_DB[TRIED_DB.len() - 1])),
+        };
+        if goal != Goal::Cube && measured_db.is_none_or(|db| (db - asked_db).abs() > 1e-9) {
+            part.complain(format!("`{}` asks for {asked_db} dB, measured: {found}", goal.name()));
+        }
+        part.row(&[format!("\"{}\"", goal.name()), decibels(asked_db), found]);
+    }
+}
+
+/// The coarsest accuracy tried that a result needs; `None` where the finest is not enough.
+fn needed_db(goal: Goal, all: &[&Runs]) -> Option<f64> {
+    let (truth, telling): (Telling, Telling) = match goal {
+        Goal::Tracks => (|a| &a.truth_of_tracks, tracks_of),
+        Goal::Cube | Goal::Detection | Goal::Class => (|a| &a.truth_of_objects, objects_of),
+    };
+    let errors = errors(all, truth, telling);
+    let holds = |index: usize| needs::hold(goal, &changed(all, index, telling), &errors);
+    needs::coarsest(&TRIED_DB, holds)
+}
+
+fn seconds(part: &mut Part, all: &[Runs]) {
+    let tried = TRIED_DB.map(decibels);
+    let columns: Vec<&str> = tried.iter().map(String::as_str).collect();
+    part.head(&[&["scenes, processor seconds"], columns.as_slice(), &["the finest"]].concat());
+    for (name, group) in groups(all) {
+        let sum = |of: &dyn Fn(&Runs) -> f64| group.iter().map(|run| of(run)).sum::<f64>();
+        let tried = (0..TRIED_DB.len())
+            .map(|index| sum(&|run| run.tried.get(index).map_or(0.0, |answer| answer.seconds)));
+        let all = tried.chain([sum(&|run| run.reference.seconds)]);
+        let cells = all.map(|s| if s > 0.0 { format!("{s:.0}") } else { "–".to_owned() });
+        part.row(&[name.to_owned()].into_iter().chain(cells).collect::<Vec<_>>());
+    }
+}
+
+fn decibels(db: f64) -> String {
+    format!("{db:.0} dB").replace('-', "−")
+}

@@ -1,0 +1,203 @@
+//! Answers of runs: objects and tracks of every body, frame by frame, beside the truth. What a run left is
+//! kept in `out/` with the hash of its sources, so that a study of an hour goes on where it was ended.
+
+use crate::project::project_root;
+use crate::study::pages::sensitivity::scenes::Case;
+use crate::study::sources::{self, Places};
+use artifact::settings::Class;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use wayside::host::failure::Failure;
+use wayside::host::files;
+use wayside::outcome::summary::{FrameSummary, Predicted, TargetSummary, TrackSummary};
+use wayside::{CacheLocation, SceneSource, Settings, Summary};
+
+/// What is told of one body in one frame, by an object, by a track or by the truth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Said {
+    pub(super) range_m: f64,
+    pub(super) velocity_mps: f64,
+    pub(super) azimuth_deg: f64,
+    pub(super) lane: Option<u8>,
+    pub(super) class: Option<Predicted>,
+    /// Probability of the true class.
+    pub(super) probability: Option<f64>,
+}
+
+/// What is told, by radar, frame and body.
+pub(super) type Told = BTreeMap<(usize, usize, String), Said>;
+
+/// Answer of a run.
+#[derive(Default)]
+pub(super) struct Answer {
+    pub(super) objects: Told,
+    pub(super) tracks: Told,
+    /// Truth of every body that an object can be compared with.
+    pub(super) truth_of_objects: Told,
+    /// The same on the ground, as tracks have it.
+    pub(super) truth_of_tracks: Told,
+    /// Processor seconds of the frames with their pictures.
+    pub(super) seconds: f64,
+}
+
+/// Folder of the study's runs.
+pub(super) struct Kept {
+    folder: PathBuf,
+    hash: String,
+    /// Frames of this study alone, of which other noise takes the paths: what an earlier one left would cost no
+    /// seconds.
+    cache: tempfile::TempDir,
+}
+
+/// File that says which sources made a run.
+const MADE_BY: &str = "made-by";
+
+impl Kept {
+    pub(super) fn open(sources: Places) -> Result<Self, Failure> {
+        let cache = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
+        let folder = project_root().join("out/study-sensitivity");
+        Ok(Self { folder, hash: sources::hash(sources)?, cache })
+    }
+
+    /// Answer of a scene at an accuracy, from its run or from what that left.
+    pub(super) fn answer(&self, case: &Case, accuracy_db: f64, seed: Option<u64>) -> Result<Answer, Failure> {
+        let noise = seed.map_or(String::new(), |seed| format!("-{seed}"));
+        let name = format!("{}{accuracy_db:.0}", case.name);
+        let (file, out) = (self.folder.join(format!("{name}.toml")), self.folder.join(name + &noise));
+        files::write_file(&file, case.asked(accuracy_db).as_bytes())?;
+        if std::fs::read_to_string(out.join(MADE_BY)).ok().as_ref() != Some(&self.hash) {
+            self.run(&file, &out, seed)?;
+        }
+        Answer::of(&file, &out)
+    }
+
+    fn run(&self, file: &Path, out: &Path, seed: Option<u64>) -> Result<(), Failure> {
+        let scene = SceneSource { file: file.to_owned(), seed, ..SceneSource::default() };
+        let cache = CacheLocation { folder: Some(self.cache.path().to_owned()), ..CacheLocation::default() };
+        wayside::run(&Settings { scene, cache: Some(cache), ..Settings::of(file, out) })?;
+        files::write_file(&out.join(MADE_BY), self.hash.as_bytes())
+    }
+}
+
+impl Answer {
+    fn of(file: &Path, out: &Path) -> Result<Self, Failure> {
+        let radars = scene::radars(file).map_err(Failure::refused)?;
+        if radars.is_empty() {
+            return Self::default().with(
+                0,
+                position_m(file, None)?,
+                &Summary::read(&out.join("summary.json"))?,
+            );
+        }
+        radars.into_iter().enumerate().try_fold(Self::default(), |all, (number, radar)| {
+            let summary = Summary::read(&out.join(&radar).join("summary.json"))?;
+            all.with(number, position_m(file, Some(radar))?, &summary)
+        })
+    }
+
+    fn with(mut self, radar: usize, position_m: [f64; 3], summary: &Summary) -> Result<Self, Failure> {
+        let seen = Seen { position_m };
+        for (number, frame) in summary.frames.iter().enumerate() {
+            for target in &frame.targets {
+                let key = (radar, number, target.id.clone());
+                self.add(&seen, key, target, frame);
+            }
+        }
+        self.seconds += summary.frames_processor_seconds.unwrap_or(summary.frames_seconds);
+        Ok(self)
+    }
+
+    fn add(
+        &mut self,
+        seen: &Seen,
+        key: (usize, usize, String),
+        target: &TargetSummary,
+        frame: &FrameSummary,
+    ) {
+        self.truth_of_tracks.insert(key.clone(), seen.truth_on_ground(target));
+        if target.found.is_some() {
+            self.truth_of_objects.insert(key.clone(), seen.truth(target));
+        }
+        if let Some(track) = frame.tracks.iter().find(|track| track.target.as_ref() == Some(&target.id)) {
+            self.tracks.insert(key.clone(), seen.track(track, target.class));
+        }
+        if let Some(object) = seen.object(target).filter(|_| target.found.is_some()) {
+            self.objects.insert(key, object);
+        }
+    }
+}
+
+fn position_m(file: &Path, radar: Option<String>) -> Result<[f64; 3], Failure> {
+    let options = scene::ReadOptions { model: None, radar, meshes: scene::Meshes::NamesOnly };
+    Ok(scene::read(file, &options).map_err(Failure::refused)?.radar.position_m)
+}
+
+/// Place of the radar from which all is seen.
+struct Seen {
+    position_m: [f64; 3],
+}
+
+impl Seen {
+    /// Range on the ground and azimuth of a place; the azimuth from world +y towards +x.
+    fn ground(&self, x_m: f64, y_m: f64) -> (f64, f64) {
+        let (x_m, y_m) = (x_m - self.position_m[0], y_m - self.position_m[1]);
+        (x_m.hypot(y_m), x_m.atan2(y_m).to_degrees())
+    }
+
+    fn object(&self, target: &TargetSummary) -> Option<Said> {
+        let estimate = target.estimate?;
+        Some(Said {
+            range_m: estimate.range_m,
+            velocity_mps: estimate.radial_velocity_mps,
+            azimuth_deg: self.ground(estimate.x_m, estimate.y_m).1,
+            lane: estimate.lane,
+            class: target.predicted_class,
+            probability: target.class.and_then(|class| target.probabilities.of_class(class)),
+        })
+    }
+
+    fn truth(&self, target: &TargetSummary) -> Said {
+        let truth = &target.truth;
+        Said {
+            range_m: truth.compared_range_m(),
+            velocity_mps: truth.compared_radial_velocity_mps(),
+            azimuth_deg: self.ground(truth.x_m, truth.y_m).1,
+            lane: truth.lane,
+            class: target.class.map(Predicted::Class),
+            probability: target.class.map(|_| 1.0),
+        }
+    }
+
+    fn truth_on_ground(&self, target: &TargetSummary) -> Said {
+        let (truth, (range_m, azimuth_deg)) =
+            (&target.truth, self.ground(target.truth.x_m, target.truth.y_m));
+        // The radial velocity of what moves on the ground is smaller by the cosine of the depression.
+        let velocity_mps = truth.radial_velocity_mps * truth.range_m / range_m;
+        Said { range_m, velocity_mps, azimuth_deg, ..self.truth(target) }
+    }
+
+    fn track(&self, track: &TrackSummary, class: Option<Class>) -> Said {
+        let (range_m, azimuth_deg) = self.ground(track.footprint.x_m, track.footprint.y_m);
+        let (sin, cos) = azimuth_deg.to_radians().sin_cos();
+        Said {
+            range_m,
+            velocity_mps: track.vx_mps * sin + track.vy_mps * cos,
+            azimuth_deg,
+            lane: track.lane,
+            class: track.predicted_class,
+            probability: class.and_then(|class| track.probabilities.of_class(class)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn azimuth_is_seen_from_the_radar_and_grows_towards_x() {
+        let seen = Seen { position_m: [1.0, 2.0, 6.0] };
+        let (range_m, azimuth_deg) = seen.ground(4.0, 6.0);
+        assert!((range_m - 5.0).abs() < 1e-12 && (azimuth_deg - 36.869_897_645_844).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,111 @@
+//! Scenes of the study: those of `scenes/`, some frames of traffic, and vehicles as the recipe of
+//! `scenes/vehicles.dataset.toml` draws them.
+
+use crate::project::project_root;
+use crate::study::extent::Extent;
+use wayside::host::failure::Failure;
+
+/// A scene whose accuracy is yet to be said.
+pub(super) struct Case {
+    /// Name of the scene's runs.
+    pub(super) name: String,
+    /// Name under which its figures are told with others'.
+    pub(super) group: &'static str,
+    /// Accuracy that others are compared with, dB: the finest that 16 GiB hold.
+    pub(super) reference_db: f64,
+    text: String,
+}
+
+/// A vehicle on the approach: class, model, lane, distance along y in metres, speed in m/s.
+type Drawn = (&'static str, &'static str, u8, f64, f64);
+
+/// Two vehicles of each class, drawn once from the ranges of the recipe.
+const DRAWN: [Drawn; 8] = [
+    ("car", "car-suv", 3, 33.94, 3.91),
+    ("bus", "bus-city", 3, 57.99, 7.53),
+    ("truck", "truck-box", 3, 26.02, 4.92),
+    ("motorcycle", "motorcycle-street", 1, 47.71, 9.06),
+    ("car", "car-sedan", 1, 38.01, 8.75),
+    ("bus", "bus-coach", 2, 44.03, 5.95),
+    ("truck", "truck-tanker", 1, 50.59, 4.38),
+    ("motorcycle", "motorcycle-scooter", 1, 57.07, 7.77),
+];
+
+/// Frames of a scene that is followed over time; the paths' errors are measured in the first.
+const FRAMES: u32 = 10;
+
+/// All scenes; quickly a car and a motorcycle.
+pub(super) fn cases(extent: Extent) -> Result<Vec<Case>, Failure> {
+    let drawn = DRAWN.iter().enumerate().map(|(number, drawn)| alone(number, drawn));
+    if extent == Extent::Quick {
+        return Ok(drawn.filter(|case| ["draw00", "draw03"].contains(&case.name.as_str())).collect());
+    }
+    let mut all: Vec<Case> = drawn.collect();
+    all.push(of_file("intersection", |text| text)?);
+    all.push(of_file("traffic", |text| text.replace("end_s = 29.9", "end_s = 28.9"))?);
+    all.push(of_file("tracking", |text| {
+        let fewer = text.replace("frames = 24", &format!("frames = {FRAMES}"));
+        with_fidelity(&fewer, &format!("measured_every = {FRAMES}"))
+    })?);
+    all.push(of_file("four-directions", |text| text)?);
+    all.push(of_file("street", |text| text)?);
+    Ok(all)
+}
+
+/// A vehicle alone before the radar of the crossing.
+fn alone(number: usize, (class, model, lane, y_m, speed_mps): &Drawn) -> Case {
+    let text = format!(
+        "name = \"draw{number:02}\"\nseed = {number}\n[noise]\nnoise_figure_db = 12.0\n[[target]]\nkind = \"mesh\"\n\
+         id = \"v\"\nclass = \"{class}\"\nmodel = \"{model}\"\nlane = {lane}\ny_m = {y_m}\n\
+         velocity_mps = [0.0, -{speed_mps}, 0.0]\n"
+    );
+    Case { name: format!("draw{number:02}"), group: "draws of the dataset", reference_db: -40.0, text }
+}
+
+/// A scene file with changes, its names of files those of the project.
+fn of_file(name: &'static str, change: impl Fn(String) -> String) -> Result<Case, Failure> {
+    let root = project_root();
+    let file = root.join("scenes").join(format!("{name}.toml"));
+    let text = std::fs::read_to_string(&file).map_err(|e| Failure::system(&file, "read", e))?;
+    let (scenes, fixtures) = (root.join("scenes"), root.join("fixtures"));
+    let text = text
+        .replace("\"vehicles.", &format!("\"{}/vehicles.", scenes.display()))
+        .replace("\"../fixtures/", &format!("\"{}/", fixtures.display()));
+    Ok(Case { name: name.to_owned(), group: name, reference_db: -30.0, text: change(text) })
+}
+
+impl Case {
+    /// The scene file that asks for an accuracy.
+    pub(super) fn asked(&self, accuracy_db: f64) -> String {
+        let others = self.text.lines().filter(|line| !line.starts_with("accuracy_db"));
+        let others = others.collect::<Vec<_>>().join("\n");
+        with_fidelity(&others, &format!("accuracy_db = {accuracy_db:.1}"))
+    }
+}
+
+/// A scene file with one more key in `[fidelity]`.
+fn with_fidelity(text: &str, key: &str) -> String {
+    match text.contains("[fidelity]") {
+        true => text.replace("[fidelity]", &format!("[fidelity]\n{key}")),
+        false => format!("{text}\n[fidelity]\n{key}\n"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::scenes::scene_of;
+
+    #[test]
+    fn every_scene_is_read_with_the_accuracy_asked_for_and_no_other() {
+        for case in cases(Extent::Full).unwrap() {
+            let text = case.asked(-37.0);
+            assert_eq!(text.matches("accuracy_db").count(), 1, "{text}");
+            if case.name.starts_with("draw") || case.name == "tracking" {
+                let named = text.replace("name = ", "# ");
+                let header = scene_of(&named).unwrap();
+                assert!((header.fidelity.accuracy.db() + 37.0).abs() < 1e-9, "{}", case.name);
+            }
+        }
+    }
+}
