@@ -66,6 +66,8 @@ pub struct Chain<'a> {
     pub(crate) cube_header: CubeHeader,
     echo_header: CubeHeader,
     cache: Option<&'a Cache>,
+    /// Last stage whose frames are looked for in the cache and put there.
+    kept_to: Stage,
     model: Option<&'a LoadedModel>,
     parts: SceneParts,
     tracer: OnceLock<Result<bart_rcs::Tracer, String>>,
@@ -97,6 +99,7 @@ impl<'a> Chain<'a> {
             cube_header,
             echo_header,
             cache,
+            kept_to: Stage::Classifier,
             model,
             parts,
             tracer,
@@ -108,6 +111,11 @@ impl<'a> Chain<'a> {
             limited,
             memory,
         }
+    }
+
+    /// The chain with a cache of the stages to this one: those behind it are computed anew.
+    pub(crate) fn keeping(self, kept_to: Stage) -> Self {
+        Self { kept_to, ..self }
     }
 
     /// The chain of a scene whose errors are those that were measured in another one of its kind.
@@ -424,11 +432,12 @@ impl<'a> Chain<'a> {
     ) -> Result<Step<S::Frame>, Failure> {
         // Looked for even where the plan found nothing: an equal frame of this run may have put it there
         // since.
-        if let Some(value) = self.cache.and_then(|c| c.get::<S>(stage, key)) {
+        let cache = self.cache.filter(|_| stage <= self.kept_to);
+        if let Some(value) = cache.and_then(|c| c.get::<S>(stage, key)) {
             return Ok(Step { value, cached: true });
         }
         let value = compute()?;
-        if let Some(cache) = self.cache {
+        if let Some(cache) = cache {
             cache.put::<S>(stage, key, header, &value);
             cache.remember_key(stage, &self.header.name, plan.index, key);
         }

@@ -3,7 +3,7 @@
 
 use crate::chain::cache::CacheLocation;
 use crate::chain::loading::SceneSource;
-use crate::program::export_formats::FORMATS;
+use crate::program::export_formats::help_on_formats;
 use crate::program::suggestion::suggest;
 use crate::program::terminal::{self, Results};
 use crate::program::values::{Axis, Place, Shard};
@@ -59,6 +59,7 @@ impl Command {
             Self::Classify(_) => "classify",
             Self::Evaluate(_) => "evaluate",
             Self::Protocols(_) => "protocols",
+            Self::Sweep(_) => "sweep",
             Self::Score(_) => "score",
             Self::Import(_) => "import",
             Self::Calibrate(_) => "calibrate",
@@ -130,6 +131,8 @@ pub enum Command {
     /// Datasets to how right trees are that several seeds train: on unseen scenes, unseen vehicles, other
     /// datasets.
     Protocols(ProtocolsArguments),
+    /// A study to the design of a radar to take, with tables, picture and report; resumes where it stopped.
+    Sweep(SweepArguments),
     /// Points and tracks of any program, and a scene, to what was found, missed and false (JSON).
     Score(ScoreArguments),
     /// Samples from anywhere (.npy, DCA1000 .bin, SigMF) to a radar cube.
@@ -345,6 +348,31 @@ pub struct DatasetArguments {
     pub(crate) seed: Option<u64>,
 }
 
+/// Words of `sweep`.
+#[derive(Debug, Args)]
+pub struct SweepArguments {
+    /// Study.
+    #[arg(value_name = "STUDY.toml")]
+    pub(crate) study: PathBuf,
+    /// Folder of all results.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: PathBuf,
+    /// Part K of N.
+    #[arg(long, value_name = "K/N", value_parser = shard, default_value = "1/1")]
+    pub(crate) shard: Shard,
+    /// Replaces the study's seed.
+    #[arg(long, value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]
+    pub(crate) seed: Option<u64>,
+    /// Model of the classifier [default: the one that ships with the program].
+    #[arg(long, value_name = "FILE.model")]
+    pub(crate) classifier: Option<PathBuf>,
+    /// Neither reads nor writes the cache.
+    #[arg(long)]
+    pub(crate) no_cache: bool,
+    #[command(flatten)]
+    pub(crate) cache: CacheArguments,
+}
+
 /// Words of `train`.
 #[derive(Debug, Args)]
 pub struct TrainArguments {
@@ -457,7 +485,7 @@ pub struct CalibrateArguments {
 
 /// Words of `export`.
 #[derive(Debug, Args)]
-#[command(after_help = export_formats())]
+#[command(after_help = help_on_formats())]
 pub struct ExportArguments {
     /// Artifact.
     #[arg(value_name = "FILE")]
@@ -520,12 +548,6 @@ pub struct CacheCommandArguments {
     /// Empties it.
     #[arg(long)]
     pub(crate) clear: bool,
-}
-
-/// Help on the formats to which each artifact is exported, a line an artifact.
-fn export_formats() -> String {
-    let line = |(artifact, formats): &(&str, &str)| format!("\n  {:<10} {formats}", format!(".{artifact}"));
-    format!("What goes to which format:{}", FORMATS.iter().map(line).collect::<String>())
 }
 
 #[cfg(test)]

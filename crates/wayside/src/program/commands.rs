@@ -8,6 +8,7 @@ mod paths;
 mod rcs;
 mod run;
 mod score;
+mod sweep;
 mod vehicles;
 mod formats;
 mod learning;
@@ -51,6 +52,9 @@ pub fn dispatch(command: Command, means: &Means) -> Result<(), Failure> {
         Command::Classify(arguments) => classify::run(&arguments),
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         Command::Protocols(arguments) => protocols::run(&arguments),
+        Command::Sweep(arguments) => {
+            sweep::run(&arguments, means).map_err(|failure| failure.about(&arguments.study))
+        }
         Command::Score(arguments) => score::run(&arguments),
         Command::Import(arguments) => import::run(&arguments),
         Command::Calibrate(arguments) => {
