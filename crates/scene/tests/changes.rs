@@ -54,15 +54,29 @@ fn a_change_that_is_refused_stands_where_the_value_stood_or_its_table() {
         ("frames", "0", "2:10:", "frames"),
         ("radar.hight_m", "6", "3:2: [radar]", "unknown key `hight_m`"),
         ("radar.array.preset", "\"3x5\"", "6:10:", "3x5"),
-        ("radar.position_m.3", "1", "4:14:", "`radar.position_m.3`: `3` is no entry of a list of 3, counted from 0"),
+        (
+            "radar.position_m.3",
+            "1",
+            "4:14:",
+            "`radar.position_m.3`: `3` is no entry of a list of 3, counted from 0",
+        ),
         ("target.first.lane", "1", "", "`first` is no entry of a list of 2"),
         ("frames.of", "1", "2:10:", "`of` is asked of what is neither table nor list"),
+        (
+            "dsp.training_cells.0",
+            "4",
+            "",
+            "`training_cells` is a list that the scene leaves out: change all of it",
+        ),
         ("radar..x", "1", "", "a key between two points is empty"),
         ("frames", "1 2", "", "`frames`: "),
         ("frames", "", "", "`frames`: "),
     ] {
         let said = read(SCENE, &[(key, value)]).unwrap_err().to_string();
-        assert!(said.contains(&format!("scene.toml:{place}")) && said.contains(rule), "{key} = {value}: {said}");
+        assert!(
+            said.contains(&format!("scene.toml:{place}")) && said.contains(rule),
+            "{key} = {value}: {said}"
+        );
     }
 }
 

@@ -22,7 +22,7 @@ use plotting::form::{Figure, Form};
 use rounds::{Made, Rounds};
 use std::path::{Path, PathBuf};
 use study::document::{RUNS_LIMIT, Study};
-use study::{acceptance, designs, situations};
+use study::{acceptance, designs, kinds, situations};
 use told::blocks::{markdown, on_page};
 use told::report::{Done, answer as answer_of, details};
 use told::{picture, tables};
@@ -53,8 +53,8 @@ pub struct Settings<'a> {
 
 /// Result of a study beside its files.
 pub struct Outcome {
-    /// The answer in sentences, the first of which names the design.
-    pub answer: Vec<String>,
+    /// The answer as Markdown; its first sentence names the design.
+    pub answer: String,
     /// Details as Markdown: front, effects of each value, all metrics, how it was made.
     pub details: String,
     /// Number of the design of the answer, from 0; `None` where the metric was never known.
@@ -79,9 +79,11 @@ pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
     acceptance::check(&study, &designs, situations.first().map_or(&[], Vec::as_slice))?;
     drop(work);
     let model = loading::model(settings.classifier.as_deref())?;
+    let first_of_kinds = kinds::first_of_kinds(&study, &designs);
     let rounds = Rounds {
         study: &study,
         designs: &designs,
+        first_of_kinds: &first_of_kinds,
         situations: &situations,
         kept: runs::kept::Kept::of(&study, &model.hash, &settings.out),
         cache: settings.cache.as_ref().map(Cache::open).transpose()?,
@@ -149,10 +151,9 @@ fn conclude(settings: &Settings, done: &Done) -> Result<Outcome, Failure> {
         },
     );
     files::write_file(&out("report.html"), page.as_bytes())?;
-    let answer = done.sentences();
-    answer.iter().for_each(|line| (settings.tell)(line));
+    done.sentences().iter().for_each(|line| (settings.tell)(line));
     (settings.tell)(&format!("report: {}", shown(&out("report.html"))));
-    Ok(Outcome { answer, details: markdown(&rest), chosen: done.answer.chosen })
+    Ok(Outcome { answer: markdown(&first), details: markdown(&rest), chosen: done.answer.chosen })
 }
 
 fn shown(file: &Path) -> String {

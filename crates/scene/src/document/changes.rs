@@ -46,6 +46,10 @@ fn put_into_table<'d>(
     if key.is_empty() {
         return Err((at.start, "a key between two points is empty".into()));
     }
+    let is_entry = rest.first().is_some_and(|next| next.bytes().all(|byte| byte.is_ascii_digit()));
+    if is_entry && !rest[0].is_empty() && table.get(*key).is_none() {
+        return Err((at.start, format!("`{key}` is a list that the scene leaves out: change all of it")));
+    }
     let none_yet = || Spanned::new(at.clone(), DeValue::Table(DeTable::new()));
     let key = Spanned::new(at.clone(), Cow::Borrowed(*key));
     put(table.entry(key).or_insert_with(none_yet), rest, value)

@@ -118,9 +118,11 @@ impl<'a> Chain<'a> {
         Self { kept_to, ..self }
     }
 
-    /// The chain of a scene whose errors are those that were measured in another one of its kind.
-    pub(crate) fn like(self, measured: measured_frames::Known) -> Self {
-        Self { measured: MeasuredFrames::of_another(measured), ..self }
+    /// The chain of a scene whose errors are those that were measured in another one of its kind, told by the
+    /// hash of what these depend on.
+    pub(crate) fn like(self, measured: measured_frames::Known, hash: &str) -> Self {
+        let parts = self.parts.measured_in(hash);
+        Self { measured: MeasuredFrames::of_another(measured), parts, ..self }
     }
 
     /// Frames whose error was measured so far, for other scenes to take over.

@@ -12,8 +12,8 @@ pub(crate) struct Answer {
     pub(crate) standings: Vec<Standing>,
     /// The design of the best mean; `None` where the metric was never known.
     pub(crate) best: Option<usize>,
-    /// Designs that are not told apart from the best, and within the margin where there is one; the best is
-    /// among them.
+    /// Designs that are not told apart from the best and are behind it by no more than the margin, else by
+    /// one standard error (Breiman, Friedman, Olshen, Stone 1984, §3.4.3); the best is among them.
     pub(crate) candidates: Vec<usize>,
     /// The cheapest of the candidates.
     pub(crate) chosen: Option<usize>,
@@ -59,7 +59,10 @@ pub(crate) fn scores(study: &Study, ledger: &Ledger) -> Vec<Vec<Option<f64>>> {
 }
 
 fn candidates(study: &Study, ledger: &Ledger, standings: &[Standing], best: Option<usize>) -> Vec<usize> {
-    let is_within = |behind: &Mean| study.goal.margin.is_none_or(|margin| behind.value <= margin);
+    let is_within = |behind: &Mean| {
+        let margin = study.goal.margin.or(behind.standard_error).unwrap_or(0.0);
+        behind.value <= margin
+    };
     let is_candidate = |design: &usize| {
         let behind = standings[*design].behind.as_ref();
         Some(*design) == best || behind.is_some_and(|behind| behind.low() <= 0.0 && is_within(behind))

@@ -9,22 +9,27 @@ use crate::host::failure::Failure;
 use crate::host::memory::Allowance;
 use crate::host::progress::Work;
 use crate::host::side_by_side::side_by_side;
+use crate::outcome::summary::Summary;
 use crate::sweep::answer::scores;
 use crate::sweep::runs::kept::Kept;
 use crate::sweep::runs::ledger::{Ledger, Values};
-use crate::sweep::runs::one_run::{self, Means};
+use crate::sweep::runs::one_run::{self, Means, Measured};
 use crate::sweep::statistics::contest::{self, Rule};
 use crate::sweep::study::axis::Pick;
 use crate::sweep::study::designs::changes;
 use crate::sweep::study::document::Study;
 use crate::sweep::study::situations::Situation;
 use artifact::scene::SceneHeader;
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// A study whose runs are made.
 pub(crate) struct Rounds<'a> {
     pub(crate) study: &'a Study,
     pub(crate) designs: &'a [Vec<Pick>],
+    /// For each design the first one of its kind.
+    pub(crate) first_of_kinds: &'a [usize],
     /// Situations, repeat by repeat.
     pub(crate) situations: &'a [Vec<Situation>],
     pub(crate) kept: Kept,
@@ -43,6 +48,9 @@ pub(crate) enum Made {
     /// So many runs of a repeat are other parts' and not made yet.
     Waiting { repeat: usize, missing: usize },
 }
+
+/// Errors of one run, once they are measured.
+type Measuring = Mutex<Option<Arc<Measured>>>;
 
 /// A run that lacks: its number among those of its repeat.
 struct Job {
@@ -110,7 +118,16 @@ impl Rounds<'_> {
 
     fn key(&self, number: usize, situations: &[Situation]) -> Result<String, Failure> {
         let situation = &situations[number % situations.len()];
-        self.kept.key(self.study, &self.changes(number, situations), situation.seed)
+        let measured_in = self.measured_in(number, situations);
+        let changes = [number, measured_in].map(|number| self.changes(number, situations));
+        self.kept.key(self.study, [&changes[0], &changes[1]], situation.seed)
+    }
+
+    /// The run in which the errors of a run are measured: that of the first design of its kind in the same
+    /// situation.
+    fn measured_in(&self, number: usize, situations: &[Situation]) -> usize {
+        let count = situations.len();
+        self.first_of_kinds[number / count] * count + number % count
     }
 
     /// What a run changes in the scene.
@@ -126,11 +143,11 @@ impl Rounds<'_> {
         let at_once = self.at_once(&self.scene(first.number, situations)?, jobs.len())?;
         let means = Means { cache: self.cache.as_ref(), model: &self.model, memory: self.memory, at_once };
         let done = AtomicUsize::new(0);
+        let measured = self.not_measured_yet(jobs, situations);
         let make = |job: &Job| {
             self.call_off.check()?;
-            let header = self.scene(job.number, situations)?;
-            let values = self.study.measures.values(&one_run::summary(&header, &means)?);
-            self.kept.put(self.study, &job.key, &values)?;
+            let summary = self.summary(job, situations, &measured, &means)?;
+            self.kept.put(self.study, &job.key, &self.study.measures.values(&summary))?;
             work.at(done.fetch_add(1, Ordering::Relaxed) + 1, jobs.len());
             Ok(())
         };
@@ -139,6 +156,34 @@ impl Rounds<'_> {
             cache.trim();
         }
         made
+    }
+
+    /// A place for the errors of every run in which those of some job are measured.
+    fn not_measured_yet(&self, jobs: &[Job], situations: &[Situation]) -> BTreeMap<usize, Measuring> {
+        jobs.iter().map(|job| (self.measured_in(job.number, situations), Measuring::default())).collect()
+    }
+
+    fn summary(
+        &self,
+        job: &Job,
+        situations: &[Situation],
+        measured: &BTreeMap<usize, Measuring>,
+        means: &Means,
+    ) -> Result<Summary, Failure> {
+        let first = self.measured_in(job.number, situations);
+        let header = self.scene(job.number, situations)?;
+        if first == job.number {
+            return one_run::summary(&header, None, means);
+        }
+        // Whoever comes first measures; the others wait.
+        let mut place = measured[&first].lock().unwrap_or_else(PoisonError::into_inner);
+        let like = match &*place {
+            Some(like) => like.clone(),
+            None => Arc::new(one_run::measured(&self.scene(first, situations)?, means)?),
+        };
+        *place = Some(like.clone());
+        drop(place);
+        one_run::summary(&header, Some(&like), means)
     }
 
     fn scene(&self, number: usize, situations: &[Situation]) -> Result<SceneHeader, Failure> {

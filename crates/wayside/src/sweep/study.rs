@@ -6,5 +6,6 @@ pub(crate) mod axis;
 pub(crate) mod axes;
 pub(crate) mod document;
 pub(crate) mod designs;
+pub(crate) mod kinds;
 pub(crate) mod situations;
 pub(crate) mod acceptance;

@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 use std::time::{Duration, Instant};
 
 /// A scene of which a run takes some milliseconds: two points, the fainter one at the edge of what is heard.
-const SCENE: &str = "name = \"points\"\n[radar.waveform]\nsamples = 64\nchirps = 16\n[radar.array]\npreset = \"1x4\"\n\
+const SCENE: &str = "name = \"points\"\n[radar]\nposition_m = [0.0, 0.0, 6.0]\n[radar.waveform]\nsamples = 64\nchirps = 16\n[radar.array]\npreset = \"1x4\"\n\
     [noise]\nnoise_figure_db = 12.0\n[dsp]\ntraining_cells = [3, 6]\n\
     [[target]]\nkind = \"point\"\nid = \"strong\"\nrcs_m2 = 10.0\nposition_m = [2.0, 30.0, 1.0]\nvelocity_mps = [0.0, -3.0, 0.0]\n\
     [[target]]\nkind = \"point\"\nid = \"faint\"\nrcs_m2 = 0.02\nposition_m = [5.0, 42.0, 1.0]\nvelocity_mps = [0.0, 3.0, 0.0]\n";
@@ -49,7 +49,10 @@ fn column(table: &[Vec<String>], name: &str) -> Vec<String> {
 
 fn same_results(place: &Workplace, a: &str, b: &str) {
     for name in TABLES {
-        assert!(place.bytes(&format!("{a}/{name}")) == place.bytes(&format!("{b}/{name}")), "{name}: {a}, {b}");
+        assert!(
+            place.bytes(&format!("{a}/{name}")) == place.bytes(&format!("{b}/{name}")),
+            "{name}: {a}, {b}"
+        );
     }
 }
 
@@ -164,7 +167,9 @@ fn the_answer_is_the_cheapest_design_that_finds_all() {
 #[test]
 fn what_is_worse_for_sure_is_repeated_no_further_and_parts_agree_on_it() {
     let stop = "[stop]\nleast = 4\n";
-    let deaf = STUDY.replace("values = [12.0, 40.0]", "values = [12.0]").replace("values = [4.0, 6.0]", "values = [4.0, 60.0]");
+    let deaf = STUDY
+        .replace("values = [12.0, 40.0]", "values = [12.0]")
+        .replace("values = [4.0, 6.0]", "values = [4.0, 60.0]");
     let place = prepared(&(deaf.replace("repeats = 6", "repeats = 8") + stop));
     sweep(&place, "--out whole");
     let designs = table(&place, "whole/designs.csv");

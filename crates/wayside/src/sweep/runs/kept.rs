@@ -33,13 +33,21 @@ impl Kept {
         Self { folder: out.join("runs"), common, hashes: Mutex::default() }
     }
 
-    /// Hash of all that a run depends on.
-    pub(crate) fn key(&self, study: &Study, changes: &[Change], seed: u64) -> Result<String, Failure> {
+    /// Hash of all that a run depends on: what it changes, and what that changes in which its errors are
+    /// measured.
+    pub(crate) fn key(
+        &self,
+        study: &Study,
+        [changes, measured_in]: [&[Change]; 2],
+        seed: u64,
+    ) -> Result<String, Failure> {
         let options = ReadOptions { model: None, radar: study.radar.clone(), meshes: Meshes::NamesOnly };
         let files = scene::inputs_of_changed(&study.scene, changes, &options).map_err(loading::of_scene)?;
         let hashes = files.iter().map(|file| self.hash(file)).collect::<Result<Vec<_>, _>>()?;
-        let changes: Vec<(&str, &str)> = changes.iter().map(|c| (c.key.as_str(), c.value.as_str())).collect();
-        Ok(fingerprint(&(&self.common, hashes, changes, seed)))
+        let pairs = |changes: &[Change]| {
+            changes.iter().map(|c| (c.key.clone(), c.value.clone())).collect::<Vec<(String, String)>>()
+        };
+        Ok(fingerprint(&(&self.common, hashes, pairs(changes), pairs(measured_in), seed)))
     }
 
     fn hash(&self, file: &Path) -> Result<String, Failure> {

@@ -5,13 +5,16 @@ use crate::chain::cycles::resolved;
 use crate::chain::link::Chain;
 use crate::chain::loaded_model::LoadedModel;
 use crate::chain::loading;
+use crate::chain::measured_frames::Known;
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
 use crate::host::memory::Allowance;
 use crate::outcome::frame_truth::frame_truth;
 use crate::outcome::summary::{FrameSummary, Summary};
 use crate::outcome::tracking::Tracking;
+use artifact::envelope::fingerprint;
 use artifact::scene::SceneHeader;
+use artifact::settings::Fidelity;
 use scene::{Change, Meshes, ReadOptions};
 use std::path::Path;
 
@@ -24,6 +27,16 @@ pub(crate) struct Means<'a> {
     pub(crate) at_once: usize,
 }
 
+/// All frames of a run take over what is measured in its first.
+const MEASURED_EVERY: u32 = 1_000_000;
+
+/// Errors of paths that were measured in one run, for others of its kind.
+pub(crate) struct Measured {
+    known: Known,
+    /// Hash of what they depend on.
+    hash: String,
+}
+
 /// The scene of a study, changed, with its models and its seed.
 pub(crate) fn read(
     scene: &Path,
@@ -33,14 +46,33 @@ pub(crate) fn read(
 ) -> Result<SceneHeader, Failure> {
     let options = ReadOptions { model: None, radar: radar.map(str::to_owned), meshes: Meshes::Whole };
     let header = scene::read_changed(scene, changes, &options).map_err(loading::of_scene)?;
-    Ok(SceneHeader { seed, ..header })
+    let fidelity = Fidelity { measured_every: MEASURED_EVERY, ..header.fidelity };
+    Ok(SceneHeader { seed, fidelity, ..header })
 }
 
-/// Summary of all frames of a scene. Of the cache only scattering is asked and told: what comes behind it is
-/// quickly made again, and fills a disk.
-pub(crate) fn summary(header: &SceneHeader, means: &Means) -> Result<Summary, Failure> {
-    let chain = Chain::of(header, means.cache, Some(means.model), means.memory).keeping(Stage::BartRcs);
-    chain.share_memory(means.at_once);
+/// Errors of a run's first frame.
+pub(crate) fn measured(header: &SceneHeader, means: &Means) -> Result<Measured, Failure> {
+    let chain = chain(header, means);
+    let mut keys = vec![];
+    for index in 0..header.radar.schedule.sub_frames().min(header.frames) {
+        let plan = chain.plan(index);
+        chain.scattering(&plan, &scene::snapshot(header, index))?;
+        keys.push(plan.keys.bart_rcs.id());
+    }
+    Ok(Measured { known: chain.measured(), hash: fingerprint(&keys) })
+}
+
+/// Summary of all frames of a scene, with errors of another run of its kind where there are some.
+pub(crate) fn summary(
+    header: &SceneHeader,
+    like: Option<&Measured>,
+    means: &Means,
+) -> Result<Summary, Failure> {
+    let chain = chain(header, means);
+    let chain = match like {
+        Some(measured) => chain.like(measured.known.clone(), &measured.hash),
+        None => chain,
+    };
     let mut tracking = Tracking::of(&chain)?;
     let (mut frames, mut cycle) = (Vec::new(), Vec::new());
     for index in 0..header.frames {
@@ -55,4 +87,12 @@ pub(crate) fn summary(header: &SceneHeader, means: &Means) -> Result<Summary, Fa
         }
     }
     Ok(Summary::of(header, frames, tracking.metrics()))
+}
+
+/// Of the cache only scattering is asked and told: what comes behind it is quickly made again, and fills a
+/// disk.
+fn chain<'a>(header: &'a SceneHeader, means: &Means<'a>) -> Chain<'a> {
+    let chain = Chain::of(header, means.cache, Some(means.model), means.memory).keeping(Stage::BartRcs);
+    chain.share_memory(means.at_once);
+    chain
 }

@@ -6,7 +6,9 @@ use crate::sweep::statistics::student::two_sided;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Mean {
     pub(crate) value: f64,
-    /// Half the width of the interval; `None` of a single value, which tells of no spread.
+    /// Standard error of the mean; `None` of a single value, which tells of no spread.
+    pub(crate) standard_error: Option<f64>,
+    /// Half the width of the interval; `None` likewise.
     pub(crate) half_width: Option<f64>,
     /// Number of values.
     pub(crate) count: usize,
@@ -18,11 +20,9 @@ impl Mean {
         let count = values.len();
         let value = (count > 0).then(|| values.iter().sum::<f64>() / count as f64)?;
         let squares: f64 = values.iter().map(|v| (v - value).powi(2)).sum();
-        let half_width = (count > 1).then(|| {
-            let freedom = count - 1;
-            two_sided(confidence, freedom) * (squares / freedom as f64 / count as f64).sqrt()
-        });
-        Some(Self { value, half_width, count })
+        let standard_error = (count > 1).then(|| (squares / (count - 1) as f64 / count as f64).sqrt());
+        let half_width = standard_error.map(|error| two_sided(confidence, count - 1) * error);
+        Some(Self { value, standard_error, half_width, count })
     }
 
     /// Mean of what is known.
@@ -57,8 +57,9 @@ mod tests {
 
     #[test]
     fn one_value_tells_of_no_spread_and_none_of_no_mean() {
-        assert_eq!(Mean::of(&[4.0], 0.9), Some(Mean { value: 4.0, half_width: None, count: 1 }));
-        assert_eq!(Mean::of(&[4.0], 0.9).unwrap().low(), f64::NEG_INFINITY);
+        let lone = Mean::of(&[4.0], 0.9).unwrap();
+        assert_eq!((lone.value, lone.standard_error, lone.half_width, lone.count), (4.0, None, None, 1));
+        assert_eq!(lone.low(), f64::NEG_INFINITY);
         assert_eq!(Mean::of(&[], 0.9), None);
     }
 

@@ -61,7 +61,8 @@ pub(crate) struct Goal {
     pub(crate) better: Better,
     /// Place of what a design costs among the measures; less is better.
     pub(crate) cost: usize,
-    /// What may be given away of the metric for a cheaper design; `None`: as much as the runs cannot tell.
+    /// What may be given away of the metric for a cheaper design; `None`: one standard
+    /// error of the difference.
     pub(crate) margin: Option<f64>,
 }
 

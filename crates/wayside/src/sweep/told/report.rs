@@ -46,12 +46,12 @@ impl Done<'_> {
         let (cost, metric) = (self.cost(), self.metric());
         let first = format!("Answer: {}.", self.named(chosen));
         let worth = format!(
-            "It has a {metric} of {} with {cost} of {}.",
+            "It has a {metric} of {} and costs {} {cost}.",
             text(self.answer.standings[chosen].mean),
             number(self.answer.standings[chosen].cost),
         );
         let others = match candidates {
-            1 => format!("All other designs are worse, at {} %.", percent(self.study.confidence)),
+            1 => "It is the best, and no other is as near to it as would do.".to_owned(),
             _ => format!(
                 "It is the cheapest of {candidates} that {}; the best mean has {}: {}.",
                 self.bound(),
@@ -64,11 +64,12 @@ impl Done<'_> {
 
     /// What the candidates have in common.
     fn bound(&self) -> String {
-        let apart = format!("are not told apart from the best at {} %", percent(self.study.confidence));
-        match self.study.goal.margin {
-            Some(margin) => format!("{apart} and are behind it by {margin} at most"),
-            None => apart,
-        }
+        let margin = match self.study.goal.margin {
+            Some(margin) => margin.to_string(),
+            None => "one standard error".to_owned(),
+        };
+        let confidence = percent(self.study.confidence);
+        format!("are behind the best by {margin} at most and not told apart from it at {confidence} %")
     }
 
     fn named(&self, design: usize) -> String {

@@ -22,7 +22,8 @@ pub(crate) fn runs(
         for (situation, values) in situations.iter().zip(ledger.runs(number)) {
             let Situation { condition, repeat, seed, picks } = situation;
             let place = [number.to_string(), condition.to_string(), repeat.to_string(), seed.to_string()];
-            let picked = design.iter().chain(picks).flat_map(|pick| pick.values.clone());
+            let picked =
+                design.iter().chain(picks).flat_map(|pick| pick.values.iter().map(|value| plain(value)));
             table += &row(place.into_iter().chain(picked).chain(values.iter().copied().map(cell)));
         }
     }
@@ -38,7 +39,7 @@ pub(crate) fn designs(study: &Study, designs: &[Vec<Pick>], ledger: &Ledger, ans
     let mut table = row(head.chain(study.measures.names().flat_map(of_metric)).chain(behind));
     for (number, design) in designs.iter().enumerate() {
         let seen = ledger.runs(number).len();
-        let values = design.iter().flat_map(|pick| pick.values.clone());
+        let values = design.iter().flat_map(|pick| pick.values.iter().map(|value| plain(value)));
         let means = (0..study.measures.names().count())
             .flat_map(|metric| interval(Mean::of_known(&ledger.metric(number, metric), study.confidence)));
         let behind = interval(answer.standings[number].behind);
@@ -52,6 +53,12 @@ pub(crate) fn designs(study: &Study, designs: &[Vec<Pick>], ledger: &Ledger, ans
 
 fn keys(axes: &[Axis]) -> impl Iterator<Item = String> {
     axes.iter().flat_map(|axis| axis.keys.clone())
+}
+
+/// A value as it is written, a text without its quotes.
+fn plain(value: &str) -> String {
+    let inside = value.strip_prefix('"').and_then(|value| value.strip_suffix('"'));
+    inside.filter(|text| !text.contains('"')).unwrap_or(value).to_owned()
 }
 
 /// Mean and both ends of its interval, which are empty where no spread is known.
@@ -79,7 +86,7 @@ mod tests {
 
     #[test]
     fn a_value_with_commas_and_quotes_stays_one_cell() {
-        let cells = ["[0.0, 6.0]", "\"3x4\"", "8"].map(str::to_owned);
-        assert_eq!(row(cells.into_iter()), "\"[0.0, 6.0]\",\"\"\"3x4\"\"\",8\n");
+        let cells = ["[0.0, 6.0]", "\"3x4\"", "a \"b\""].map(plain);
+        assert_eq!(row(cells.into_iter()), "\"[0.0, 6.0]\",3x4,\"a \"\"b\"\"\"\n");
     }
 }
