@@ -1,11 +1,11 @@
-//! Hashes the sources of each stage together with those of the leaves that it sees, for cache keys: a
-//! hand-kept version number is forgotten, a hash is not.
+//! Hashes the sources of each stage, and of the evaluation, together with those of the leaves that it sees, for
+//! keys of what is kept: a hand-kept version number is forgotten, a hash is not.
 
 mod sources;
 
 use std::path::Path;
 
-const STAGES: [&str; 5] = ["scene", "bart-rcs", "fmcw-echo", "dsp", "classifier"];
+const HASHED: [&str; 6] = ["scene", "bart-rcs", "fmcw-echo", "dsp", "classifier", "evaluation"];
 
 fn main() {
     // Read when it runs: a build script kept from another checkout must not look there.
@@ -13,7 +13,7 @@ fn main() {
     let root = Path::new(&manifest).join("../..");
     let common =
         ["crates/artifact", "crates/bodies", "crates/radar", "Cargo.lock"].map(|place| root.join(place));
-    for stage in STAGES {
+    for stage in HASHED {
         let own = root.join("crates").join(stage);
         let reference = (stage == "bart-rcs").then(|| root.join("crates/po-sbr")); // tables of both are kept alike
         let places = || common.iter().chain([&own]).chain(&reference);

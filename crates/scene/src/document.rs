@@ -6,6 +6,7 @@ pub mod keys;
 pub(crate) mod synonyms;
 pub(crate) mod errors;
 pub(crate) mod faults;
+pub(crate) mod changes;
 pub(crate) mod section;
 pub(crate) mod values;
 pub(crate) mod entries;

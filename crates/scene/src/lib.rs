@@ -60,6 +60,7 @@ mod motion; // where everything is in a frame
 mod read; // a scene file and all that it names
 
 pub use bodies::{Painted, PaintedLine, painted_glb, street, vehicles};
+pub use document::changes::Change;
 pub use document::errors::{MapAxis, Place, Position, Rule, SceneError, SceneErrors};
 pub use document::keys;
 pub use materials::read_materials;
@@ -69,6 +70,6 @@ pub use mesh::{MeshError, MeshOptions, centred, read_mesh};
 pub use models::options::{Meshes, ReadOptions};
 pub use motion::{bodies_in_view, frame_view, snapshot, vehicles_in_view};
 pub use radar::radars::radars;
-pub use read::{inputs, read};
+pub use read::{inputs, inputs_of_changed, read, read_changed};
 pub use recording::xml::XmlFault;
 pub use wording::allowed::Allowed;

@@ -1,5 +1,6 @@
 //! Reads a scene file and the meshes that it names; every broken rule is reported, not only the first.
 
+use crate::document::changes::{self, Change};
 use crate::document::errors::{Place, Rule, SceneErrors};
 use crate::document::faults::Faults;
 use crate::document::keys::radar::RADAR;
@@ -26,7 +27,20 @@ use toml::de::DeTable;
 /// Every broken rule of the file and of the models it names, with line and column; `is_system` tells a file
 /// that is missing or unreadable from one that is refused.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<SceneHeader, SceneErrors> {
-    read_with_models(path, options).map(|(header, _)| header)
+    read_changed(path, &[], options)
+}
+
+/// The scene in `path` with some of its values changed; line and column of an error are those of what a
+/// change replaces, or of its table.
+///
+/// # Errors
+/// As [`read`]; and a change that has no place in the file.
+pub fn read_changed(
+    path: &Path,
+    changes: &[Change],
+    options: &ReadOptions,
+) -> Result<SceneHeader, SceneErrors> {
+    read_with_models(path, changes, options).map(|(header, _)| header)
 }
 
 /// The files that [`read`] opens, the scene first: what a result depends on beside the program and its
@@ -36,19 +50,35 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<SceneHeader, SceneErro
 /// As [`read`]. Meshes are opened only where something is wrong already, so that this too reports all there
 /// is.
 pub fn inputs(path: &Path, options: &ReadOptions) -> Result<Vec<PathBuf>, SceneErrors> {
+    inputs_of_changed(path, &[], options)
+}
+
+/// The files that [`read_changed`] opens, as [`inputs`] tells those of [`read`].
+///
+/// # Errors
+/// As [`read_changed`].
+pub fn inputs_of_changed(
+    path: &Path,
+    changes: &[Change],
+    options: &ReadOptions,
+) -> Result<Vec<PathBuf>, SceneErrors> {
     let names_only = ReadOptions { meshes: Meshes::NamesOnly, ..options.clone() };
-    let files = read_with_models(path, &names_only)
+    let files = read_with_models(path, changes, &names_only)
         .map(|(_, models)| std::iter::once(path.to_owned()).chain(models.files()).collect::<Vec<_>>());
     match files {
         Ok(files) if files.iter().all(|file| file.is_file()) => Ok(files),
         incomplete => match options.meshes {
-            Meshes::Whole => read(path, options).and(incomplete),
+            Meshes::Whole => read_changed(path, changes, options).and(incomplete),
             Meshes::NamesOnly => incomplete,
         },
     }
 }
 
-fn read_with_models(path: &Path, options: &ReadOptions) -> Result<(SceneHeader, Models), SceneErrors> {
+fn read_with_models(
+    path: &Path,
+    changes: &[Change],
+    options: &ReadOptions,
+) -> Result<(SceneHeader, Models), SceneErrors> {
     let text = read_text(path).map_err(|rule| at_no_place(path, rule))?;
     let faults = Faults::new(path, &text);
     let (document, syntax) = DeTable::parse_recoverable(&text);
@@ -59,7 +89,9 @@ fn read_with_models(path: &Path, options: &ReadOptions) -> Result<(SceneHeader, 
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut models = Models::new(folder, options);
     let asked = options.radar.as_deref();
-    let document = radars::through(document.get_ref(), asked);
+    let mut document = document.into_inner();
+    changes::make(&mut document, changes, &faults);
+    let document = radars::through(&document, asked);
     let root = Section::root(&document, &SCENE, &faults);
     let name = read_name(&root, asked);
     let header = SceneHeader { name, ..read_header(&root, &mut models) };

@@ -13,5 +13,6 @@ pub mod looks;
 pub mod measured_frames;
 pub mod frame_result;
 pub mod link;
+pub(crate) mod cycles;
 pub mod memory_estimate;
 pub mod expectation;

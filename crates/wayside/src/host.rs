@@ -9,3 +9,4 @@ pub mod processor_time;
 pub mod places;
 pub mod checkpoint;
 pub mod call_off;
+pub(crate) mod side_by_side;

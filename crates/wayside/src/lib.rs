@@ -23,6 +23,7 @@ pub mod outcome;
 pub mod pictures;
 pub mod report;
 pub mod run;
+pub mod sweep;
 pub mod program;
 
 pub use chain::cache::CacheLocation;

@@ -14,8 +14,10 @@ use crate::host::files;
 use crate::outcome::summary::{RadarsSummary, Summary};
 use crate::report::figures::Figures;
 pub use made::Making;
+pub(crate) use page::{figure, sheet};
 use plotting::form::Figure;
 use std::path::Path;
+pub(crate) use tables::scrolled;
 
 /// Frames that get pictures of their own in the report; the others stand in its tables.
 pub(crate) const FRAMES_DRAWN: usize = 4;

@@ -6,8 +6,8 @@ use crate::study::drawn::{self, ATLAS, CHART, LEVELS};
 use crate::study::extent::Extent;
 use crate::study::page::{Age, FEWER, with_part};
 use crate::study::pages::{
-    Part, ambiguity, calibration, continuity, estimates, estimates_of_errors, false_alarms, gates, ghosts,
-    references, sensitivity, super_resolution, traced_ghosts, transmitters_in_turn,
+    Part, ambiguity, calibration, continuity, deployment, estimates, estimates_of_errors, false_alarms,
+    gates, ghosts, references, sensitivity, super_resolution, traced_ghosts, transmitters_in_turn,
 };
 use crate::study::sources::{self, Places};
 use wayside::host::failure::Failure;
@@ -35,7 +35,7 @@ enum Make {
 }
 
 /// Studies in the order of `docs/validation/README.md`, then those that are drawn.
-pub(crate) const STUDIES: [Study; 21] = [
+pub(crate) const STUDIES: [Study; 22] = [
     part("reference-gates", "docs/validation/reference-gates.md", "2 minutes", gates::SOURCES, gates::part),
     part("bart-against-references", REFERENCES, "6 minutes", references::SOURCES, references::own_car),
     part("real-car", REFERENCES, "an hour", references::SOURCES, references::real_car),
@@ -97,6 +97,7 @@ pub(crate) const STUDIES: [Study; 21] = [
         traced_ghosts::SOURCES,
         traced_ghosts::part,
     ),
+    part("deployment", "docs/validation/deployment.md", "15 minutes", deployment::SOURCES, deployment::part),
     whole("chart", "docs/chart.md", "an hour", CHART, drawn::chart),
     whole("atlas", "docs/atlas.md", "10 minutes", ATLAS, drawn::atlas),
 ];

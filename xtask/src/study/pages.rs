@@ -1,6 +1,7 @@
 //! Studies whose rows stand in a part of a page between prose: what tests of the crates assert of few cases,
 //! measured of many.
 
+pub(super) mod deployment;
 mod measures;
 mod part;
 mod scattering;

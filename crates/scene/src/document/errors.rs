@@ -140,6 +140,14 @@ pub enum Rule {
         /// The parser's words.
         message: String,
     },
+    /// A change of a value that has no place in the file.
+    #[error("`{key}`: {obstacle}")]
+    Change {
+        /// Key of the change.
+        key: String,
+        /// Why there is no such place.
+        obstacle: String,
+    },
     /// A key that does not exist here.
     #[error("unknown key `{found}`{}{}", nearest_key(.nearest), of_table(.home))]
     UnknownKey {

@@ -60,6 +60,13 @@ fn of_paths(fidelity: Fidelity) -> Fidelity {
     Fidelity { goal: None, ..fidelity }
 }
 
+impl SceneParts {
+    /// The parts of a scene whose errors were measured in another one, by the hash of what that depends on.
+    pub(crate) fn measured_in(self, other: &str) -> Self {
+        Self { fidelity: fingerprint(&(self.fidelity, other)), ..self }
+    }
+}
+
 /// The seed where points are drawn with it; nothing else of a frame's paths is random.
 fn seed_of_points(header: &SceneHeader) -> Option<u64> {
     (header.fidelity.detail == Detail::Statistical).then_some(header.seed)

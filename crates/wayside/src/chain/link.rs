@@ -67,6 +67,8 @@ pub struct Chain<'a> {
     pub(crate) cube_header: CubeHeader,
     echo_header: CubeHeader,
     cache: Option<&'a Cache>,
+    /// Last stage whose frames are looked for in the cache and put there.
+    kept_to: Stage,
     model: Option<&'a LoadedModel>,
     parts: SceneParts,
     tracer: OnceLock<Result<bart_rcs::Tracer, String>>,
@@ -98,6 +100,7 @@ impl<'a> Chain<'a> {
             cube_header,
             echo_header,
             cache,
+            kept_to: Stage::Classifier,
             model,
             parts,
             tracer,
@@ -111,9 +114,16 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// The chain of a scene whose errors are those that were measured in another one of its kind.
-    pub(crate) fn like(self, measured: measured_frames::Known) -> Self {
-        Self { measured: MeasuredFrames::of_another(measured), ..self }
+    /// The chain with a cache of the stages to this one: those behind it are computed anew.
+    pub(crate) fn keeping(self, kept_to: Stage) -> Self {
+        Self { kept_to, ..self }
+    }
+
+    /// The chain of a scene whose errors are those that were measured in another one of its kind, told by the
+    /// hash of what these depend on.
+    pub(crate) fn like(self, measured: measured_frames::Known, hash: &str) -> Self {
+        let parts = self.parts.measured_in(hash);
+        Self { measured: MeasuredFrames::of_another(measured), parts, ..self }
     }
 
     /// Frames whose error was measured so far, for other scenes to take over.
@@ -425,11 +435,12 @@ impl<'a> Chain<'a> {
     ) -> Result<Step<S::Frame>, Failure> {
         // Looked for even where the plan found nothing: an equal frame of this run may have put it there
         // since.
-        if let Some(value) = self.cache.and_then(|c| c.get::<S>(stage, key)) {
+        let cache = self.cache.filter(|_| stage <= self.kept_to);
+        if let Some(value) = cache.and_then(|c| c.get::<S>(stage, key)) {
             return Ok(Step { value, cached: true });
         }
         let value = compute()?;
-        if let Some(cache) = self.cache {
+        if let Some(cache) = cache {
             cache.put::<S>(stage, key, header, &value);
             cache.remember_key(stage, &self.header.name, plan.index, key);
         }

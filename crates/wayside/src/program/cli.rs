@@ -3,16 +3,16 @@
 
 use crate::chain::cache::CacheLocation;
 use crate::chain::loading::SceneSource;
-use crate::program::export_formats::FORMATS;
+use crate::program::export_formats::help_on_formats;
 #[cfg(feature = "classifier")]
 use crate::program::learning_cli::LearningCommand;
 use crate::program::suggestion::suggest;
 use crate::program::terminal::{self, Results};
-use crate::program::values::{Axis, Place};
+use crate::program::values::{Axis, Place, Shard};
 use crate::program::values::{
     accuracy_db, azimuth_deg, azimuths, density, elevation_deg, elevations, frequencies, place, range,
 };
-use crate::program::values::{scale, step};
+use crate::program::values::{scale, shard, step};
 pub(crate) use crate::program::words::{
     AxesWord, EdgesWord, FormatWord, MethodWord, NodesWord, PolarizationWord, SidesWord, SurfaceWord,
     TransmissionWord,
@@ -58,6 +58,7 @@ impl Command {
             Self::Dsp(_) => "dsp",
             #[cfg(feature = "classifier")]
             Self::Learning(command) => command.name(),
+            Self::Sweep(_) => "sweep",
             Self::Score(_) => "score",
             Self::Import(_) => "import",
             Self::Calibrate(_) => "calibrate",
@@ -119,6 +120,8 @@ pub enum Command {
     #[cfg(feature = "classifier")]
     #[command(flatten)]
     Learning(LearningCommand),
+    /// A study to the design of a radar to take, with tables, picture and report; resumes where it stopped.
+    Sweep(SweepArguments),
     /// Points and tracks of any program, and a scene, to what was found, missed and false (JSON).
     Score(ScoreArguments),
     /// Samples from anywhere (.npy, DCA1000 .bin, SigMF) to a radar cube.
@@ -317,6 +320,31 @@ pub struct DspArguments {
     pub(crate) pictures: bool,
 }
 
+/// Words of `sweep`.
+#[derive(Debug, Args)]
+pub struct SweepArguments {
+    /// Study.
+    #[arg(value_name = "STUDY.toml")]
+    pub(crate) study: PathBuf,
+    /// Folder of all results.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: PathBuf,
+    /// Part K of N.
+    #[arg(long, value_name = "K/N", value_parser = shard, default_value = "1/1")]
+    pub(crate) shard: Shard,
+    /// Replaces the study's seed.
+    #[arg(long, value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]
+    pub(crate) seed: Option<u64>,
+    /// Model of the classifier [default: the one that ships with the program].
+    #[arg(long, value_name = "FILE.model")]
+    pub(crate) classifier: Option<PathBuf>,
+    /// Neither reads nor writes the cache.
+    #[arg(long)]
+    pub(crate) no_cache: bool,
+    #[command(flatten)]
+    pub(crate) cache: CacheArguments,
+}
+
 /// Words of `import`.
 #[derive(Debug, Args)]
 pub struct ImportArguments {
@@ -354,7 +382,7 @@ pub struct CalibrateArguments {
 
 /// Words of `export`.
 #[derive(Debug, Args)]
-#[command(after_help = export_formats())]
+#[command(after_help = help_on_formats())]
 pub struct ExportArguments {
     /// Artifact.
     #[arg(value_name = "FILE")]
@@ -417,12 +445,6 @@ pub struct CacheCommandArguments {
     /// Empties it.
     #[arg(long)]
     pub(crate) clear: bool,
-}
-
-/// Help on the formats to which each artifact is exported, a line an artifact.
-fn export_formats() -> String {
-    let line = |(artifact, formats): &(&str, &str)| format!("\n  {:<10} {formats}", format!(".{artifact}"));
-    format!("What goes to which format:{}", FORMATS.iter().map(line).collect::<String>())
 }
 
 #[cfg(test)]

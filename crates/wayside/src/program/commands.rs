@@ -8,6 +8,7 @@ mod paths;
 mod rcs;
 mod run;
 mod score;
+mod sweep;
 mod vehicles;
 mod formats;
 #[cfg(feature = "classifier")]
@@ -47,6 +48,9 @@ pub fn dispatch(command: Command, means: &Means) -> Result<(), Failure> {
         Command::Dsp(arguments) => dsp::run(&arguments).map_err(|failure| failure.about(&arguments.cube)),
         #[cfg(feature = "classifier")]
         Command::Learning(command) => learning::dispatch(command, memory),
+        Command::Sweep(arguments) => {
+            sweep::run(&arguments, means).map_err(|failure| failure.about(&arguments.study))
+        }
         Command::Score(arguments) => score::run(&arguments),
         Command::Import(arguments) => import::run(&arguments),
         Command::Calibrate(arguments) => {

@@ -13,3 +13,9 @@ pub(crate) const FORMATS: [(&str, &str); 10] = [
     ("model", "safetensors, json"),
     ("classes", "json"),
 ];
+
+/// Help on the formats to which each artifact is exported, a line an artifact.
+pub(crate) fn help_on_formats() -> String {
+    let line = |(artifact, formats): &(&str, &str)| format!("\n  {:<10} {formats}", format!(".{artifact}"));
+    format!("What goes to which format:{}", FORMATS.iter().map(line).collect::<String>())
+}

@@ -39,7 +39,7 @@ pub(super) fn page(summary: &Summary, figures: &Figures, making: &Making, out: &
 }
 
 /// A page of this name around its content.
-pub(super) fn sheet(name: &str, content: Markup) -> String {
+pub(crate) fn sheet(name: &str, content: Markup) -> String {
     let markup = html! {
         (DOCTYPE)
         html lang="en" {
@@ -113,7 +113,7 @@ fn section(number: usize, frame: &FrameSummary, figures: Option<&FrameFigures>) 
 }
 
 /// A picture in the form for which there is room, and what it shows.
-pub(super) fn figure(caption: &str, picture: &Figure) -> Markup {
+pub(crate) fn figure(caption: &str, picture: &Figure) -> Markup {
     html! { figure {
         div.wide { (PreEscaped(picture.wide.inline())) }
         div.narrow { (PreEscaped(picture.narrow.inline())) }

@@ -6,7 +6,7 @@ use maud::{Markup, html};
 use std::fmt::Display;
 
 /// A table that is scrolled where the page is narrower, by keys too; its first column stays.
-pub(super) fn scrolled(name: &str, table: Markup) -> Markup {
+pub(crate) fn scrolled(name: &str, table: Markup) -> Markup {
     html! { div.scroll tabindex="0" role="region" aria-label=(name) { (table) } }
 }
 

@@ -1,6 +1,7 @@
 //! `run`: a scene to everything that can be known of it.
 
 use crate::chain::cache::{Cache, CacheLocation};
+use crate::chain::cycles::resolved;
 use crate::chain::expectation;
 use crate::chain::link::{Chain, FrameProducts};
 use crate::chain::loaded_model::LoadedModel;
@@ -244,18 +245,6 @@ fn compute(
         }
     }
     Ok((Computed { frames, metrics: tracking.metrics() }, products.finish()?))
-}
-
-/// The sub-frames of a cycle, which tell each other's velocities; of a lone one there is nothing to tell, and
-/// no receiver is needed where all is in the cache.
-fn resolved(chain: &Chain, mut cycle: Vec<FrameProducts>) -> Result<Vec<FrameProducts>, Failure> {
-    if cycle.len() < 2 {
-        return Ok(cycle);
-    }
-    let points = cycle.iter().map(|frame| frame.result.points.clone()).collect();
-    let points = chain.receiver()?.resolved(points);
-    cycle.iter_mut().zip(points).for_each(|(frame, points)| frame.result.points = points);
-    Ok(cycle)
 }
 
 /// Frames computed at the same time, in their order. Where bodies stand as in another of them, a frame waits

@@ -103,6 +103,7 @@ fn help_is_given_for_every_command() {
         "evaluate",
         "protocols",
         "calibrate",
+        "sweep",
     ];
     commands.iter().for_each(|c| assert!(place.run(&format!("{c} --help")).contains("Usage"), "{c}"));
 }

@@ -5,6 +5,7 @@ use crate::chain::link::Chain;
 use crate::host::failure::Failure;
 use crate::host::files;
 use crate::host::memory::Allowance;
+use crate::host::side_by_side::side_by_side;
 use crate::program::commands::learning::dataset::draws::{Drawn, Kind};
 use crate::program::commands::learning::dataset::recipe::Recipe;
 use crate::program::commands::learning::dataset::shots::{Measured, Shot, Surroundings, shoot};
@@ -102,34 +103,15 @@ impl ShardWork<'_> {
         errors: &BTreeMap<Kind, Measured>,
         done: &AtomicUsize,
     ) -> Result<BTreeMap<usize, Shot>, Failure> {
-        let shot = |place: usize| {
-            let drawn = &self.scenes[place];
+        let shot = |place: &usize| {
+            let drawn = &self.scenes[*place];
             let like = errors.get(&drawn.kind());
             let surroundings =
                 Surroundings { like, shard: self.shard, at_once: self.at_once, memory: self.making.memory };
             let shot = shoot(self.making.recipe, drawn, &surroundings)?;
             (self.making.tell)(done.fetch_add(1, Ordering::Relaxed) + 1);
-            Ok((place, shot))
+            Ok((*place, shot))
         };
         Ok(side_by_side(places, self.at_once, shot)?.into_iter().collect())
     }
-}
-
-/// Each on one of so many threads: threads of the pool would take up a further scene while they wait for a
-/// part of one, and hold more than was allowed.
-fn side_by_side<T: Send>(
-    places: &[usize],
-    at_once: usize,
-    work: impl Fn(usize) -> Result<T, Failure> + Sync,
-) -> Result<Vec<T>, Failure> {
-    let next = AtomicUsize::new(0);
-    let worker = || {
-        let taken = std::iter::from_fn(|| places.get(next.fetch_add(1, Ordering::Relaxed)));
-        taken.map(|place| work(*place)).collect::<Result<Vec<T>, Failure>>()
-    };
-    std::thread::scope(|scope| {
-        let workers: Vec<_> = (0..at_once.min(places.len())).map(|_| scope.spawn(worker)).collect();
-        let joined = workers.into_iter().map(|w| w.join().unwrap_or_else(|p| std::panic::resume_unwind(p)));
-        joined.collect::<Result<Vec<_>, _>>().map(|parts| parts.into_iter().flatten().collect())
-    })
 }

@@ -52,7 +52,7 @@ pub(super) fn shoot(
     let chain = Chain::of(&staged.header, None, None, surroundings.memory);
     chain.share_memory(surroundings.at_once);
     let chain = match surroundings.like {
-        Some(measured) => chain.like(Known::clone(&measured.known)),
+        Some(measured) => chain.like(Known::clone(&measured.known), &measured.scene.to_string()),
         None => chain,
     };
     let (mut samples, mut frames) = (Vec::new(), Vec::new());

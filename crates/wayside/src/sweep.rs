@@ -1,0 +1,162 @@
+//! `sweep`: many designs of a scene's radar tried in the same situations, and which of them to take.
+
+pub(crate) mod statistics;
+pub(crate) mod study;
+pub(crate) mod runs;
+pub(crate) mod answer;
+mod rounds;
+pub(crate) mod told;
+
+use crate::chain::cache::{Cache, CacheLocation};
+use crate::chain::loaded_model::LoadedModel;
+use crate::chain::loading;
+use crate::host::call_off::CallOff;
+use crate::host::failure::Failure;
+use crate::host::files;
+use crate::host::memory::Allowance;
+use crate::host::progress::Work;
+use crate::pictures;
+use crate::report;
+use answer::Answer;
+use maud::html;
+use plotting::form::{Figure, Form};
+use rounds::{Made, Rounds};
+use std::path::{Path, PathBuf};
+use study::document::{RUNS_LIMIT, Study};
+use study::{acceptance, designs, kinds, situations};
+use told::blocks::{markdown, on_page};
+use told::report::{Done, answer as answer_of, details};
+use told::{picture, tables};
+
+/// Settings of a study: its file, and how it is carried out.
+pub struct Settings<'a> {
+    /// Study file (`docs/sweeps.md`).
+    pub study: PathBuf,
+    /// Folder of all results; what an earlier study left there is taken up.
+    pub out: PathBuf,
+    /// Part of the runs that is made, from 1, and of how many.
+    pub shard: [u32; 2],
+    /// Seed in place of the study's.
+    pub seed: Option<u64>,
+    /// The classifier's model; `None`: the one that ships.
+    pub classifier: Option<PathBuf>,
+    /// Cache of scattering; `None`: no cache.
+    pub cache: Option<CacheLocation>,
+    /// Memory that tracing may take.
+    pub memory: Allowance,
+    /// Command that the report names.
+    pub command: String,
+    /// Hears each line of results.
+    pub tell: &'a dyn Fn(&str),
+    /// Ends the study between two runs.
+    pub call_off: CallOff,
+}
+
+/// Result of a study beside its files.
+pub struct Outcome {
+    /// The answer as Markdown; its first sentence names the design.
+    pub answer: String,
+    /// Details as Markdown: front, effects of each value, all metrics, how it was made.
+    pub details: String,
+    /// Number of the design of the answer, from 0; `None` where the metric was never known.
+    pub chosen: Option<usize>,
+}
+
+const RESULTS: [&str; 6] =
+    ["sweep.csv", "designs.csv", "report.md", "report.html", "pareto.svg", "pareto.png"];
+
+/// Carries a study out: makes the runs of this part and, where all are made, tables, picture and report;
+/// `None` where other parts still have to make theirs.
+///
+/// # Errors
+/// A sentence that names file, place and rule where the study, its scene or a model refuses; runs that are
+/// made are kept.
+pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
+    let study = Study::read(&settings.study, settings.seed)?;
+    let (designs, situations) = (designs::designs(&study), situations::situations(&study));
+    check_size(&study, designs.len(), &situations)?;
+    files::claim(&RESULTS.map(|name| settings.out.join(name)))?;
+    let work = Work::begin("reading the scenes of all designs");
+    acceptance::check(&study, &designs, situations.first().map_or(&[], Vec::as_slice))?;
+    drop(work);
+    let model = loading::model(settings.classifier.as_deref())?;
+    let first_of_kinds = kinds::first_of_kinds(&study, &designs);
+    let rounds = Rounds {
+        study: &study,
+        designs: &designs,
+        first_of_kinds: &first_of_kinds,
+        situations: &situations,
+        kept: runs::kept::Kept::of(&study, model.as_ref().map(LoadedModel::hash), &settings.out),
+        cache: settings.cache.as_ref().map(Cache::open).transpose()?,
+        model,
+        memory: settings.memory,
+        shard: settings.shard,
+        call_off: &settings.call_off,
+    };
+    let ledger = match rounds.made()? {
+        Made::Whole(ledger) => ledger,
+        Made::Waiting { repeat, missing } => {
+            let repeat = repeat + 1;
+            (settings.tell)(&format!(
+                "{missing} runs of repeat {repeat} are not made yet (another part of --shard)"
+            ));
+            return Ok(None);
+        }
+    };
+    let answer = Answer::of(&study, &ledger);
+    let all: Vec<&situations::Situation> = situations.iter().flatten().collect();
+    let out = |name: &str| settings.out.join(name);
+    files::write_file(&out("sweep.csv"), tables::runs(&study, &designs, &all, &ledger).as_bytes())?;
+    files::write_file(&out("designs.csv"), tables::designs(&study, &designs, &ledger, &answer).as_bytes())?;
+    let done = Done { study: &study, designs: &designs, ledger: &ledger, answer: &answer };
+    conclude(settings, &done).map(Some)
+}
+
+fn check_size(
+    study: &Study,
+    designs: usize,
+    situations: &[Vec<situations::Situation>],
+) -> Result<(), Failure> {
+    let runs = situations.iter().map(Vec::len).sum::<usize>() as u64 * designs as u64;
+    match runs {
+        0..=RUNS_LIMIT => Ok(()),
+        _ => Err(study.page.refused(0, "", &format!("the study has {runs} runs, more than {RUNS_LIMIT}"))),
+    }
+}
+
+/// Writes picture and report, and tells the answer.
+fn conclude(settings: &Settings, done: &Done) -> Result<Outcome, Failure> {
+    let figure = Figure::of(|form: Form| picture::draw(done.study, done.answer, form));
+    let out = |name: &str| settings.out.join(name);
+    files::write_file(&out("pareto.svg"), figure.wide.text().as_bytes())?;
+    pictures::write_png(&out("pareto.png"), &figure.wide)?;
+    let (first, rest) = (answer_of(done), details(done));
+    let name = settings.study.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let made = format!("Made by `{}`.", settings.command);
+    let text = format!(
+        "# {name}\n\n{}\n![The front](pareto.svg)\n\n{}\n{made}\n",
+        markdown(&first),
+        markdown(&rest)
+    );
+    files::write_file(&out("report.md"), text.as_bytes())?;
+    let page = report::sheet(
+        &name,
+        html! {
+            @for block in &first { (on_page(block)) }
+            (report::figure("Designs by what they are worth and what they cost.", &figure))
+            @for block in &rest { (on_page(block)) }
+            p.made {
+                "Made by " code { (settings.command) } ". Beside this page: " a href="sweep.csv" { "sweep.csv" } " (every run), "
+                a href="designs.csv" { "designs.csv" } " (every design)."
+            }
+        },
+    );
+    files::write_file(&out("report.html"), page.as_bytes())?;
+    done.sentences().iter().for_each(|line| (settings.tell)(line));
+    (settings.tell)(&format!("report: {}", shown(&out("report.html"))));
+    Ok(Outcome { answer: markdown(&first), details: markdown(&rest), chosen: done.answer.chosen })
+}
+
+fn shown(file: &Path) -> String {
+    file.display().to_string()
+}

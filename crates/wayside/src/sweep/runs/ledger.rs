@@ -1,0 +1,44 @@
+//! What all runs of a study so far have measured: by design and situation.
+
+/// Values of a run, in the order of the study's measures.
+pub(crate) type Values = Vec<Option<f64>>;
+
+/// Values by design; each has seen the first so many situations.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Ledger {
+    runs: Vec<Vec<Values>>,
+    /// Designs that are repeated further.
+    pub(crate) open: Vec<usize>,
+}
+
+impl Ledger {
+    /// A ledger of so many designs, in which nothing stands.
+    pub(crate) fn of(designs: usize) -> Self {
+        Self { runs: vec![vec![]; designs], open: (0..designs).collect() }
+    }
+
+    /// Enters a design's run in its next situation.
+    pub(crate) fn enter(&mut self, design: usize, values: Values) {
+        self.runs[design].push(values);
+    }
+
+    /// Number of designs.
+    pub(crate) fn designs(&self) -> usize {
+        self.runs.len()
+    }
+
+    /// Runs of a design, situation by situation.
+    pub(crate) fn runs(&self, design: usize) -> &[Values] {
+        &self.runs[design]
+    }
+
+    /// One metric of a design, situation by situation.
+    pub(crate) fn metric(&self, design: usize, metric: usize) -> Vec<Option<f64>> {
+        self.runs[design].iter().map(|values| values[metric]).collect()
+    }
+
+    /// Situations that every design has seen.
+    pub(crate) fn common(&self) -> usize {
+        self.runs.iter().map(Vec::len).min().unwrap_or(0)
+    }
+}

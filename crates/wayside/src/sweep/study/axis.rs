@@ -1,0 +1,91 @@
+//! An axis of a study: keys of a scene that change together, and the values that they take.
+
+/// Keys of a scene that change together, with their values.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Axis {
+    /// Line of the study's file, from 1.
+    pub(crate) line: usize,
+    /// Name in tables and reports.
+    pub(crate) name: String,
+    pub(crate) keys: Vec<String>,
+    pub(crate) source: Source,
+}
+
+/// Where an axis takes its values from.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Source {
+    Listed(Vec<Pick>),
+    /// Any number from the first to the second.
+    Uniform([f64; 2]),
+    /// Any whole number from the first to the second, both among them.
+    Whole([i64; 2]),
+}
+
+/// A choice of an axis: a value for each of its keys, as TOML writes it.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Pick {
+    /// What tables and reports call it.
+    pub(crate) label: String,
+    pub(crate) values: Vec<String>,
+}
+
+impl Axis {
+    /// Listed choices; `None` of what is drawn.
+    pub(crate) fn listed(&self) -> Option<&[Pick]> {
+        match &self.source {
+            Source::Listed(picks) => Some(picks),
+            Source::Uniform(_) | Source::Whole(_) => None,
+        }
+    }
+
+    /// Choice at a share of the axis, from 0 to below 1.
+    pub(crate) fn at(&self, share: f64) -> Pick {
+        match &self.source {
+            Source::Listed(picks) => picks[(share * picks.len() as f64) as usize].clone(),
+            Source::Uniform([low, high]) => self.drawn(rounded(low + (high - low) * share, high - low)),
+            Source::Whole([low, high]) => {
+                let count = (high - low + 1) as f64;
+                self.drawn((low + (share * count) as i64).to_string())
+            }
+        }
+    }
+
+    /// All keys have one and the same drawn value.
+    fn drawn(&self, value: String) -> Pick {
+        Pick { label: value.clone(), values: vec![value; self.keys.len()] }
+    }
+}
+
+/// A number to a ten-thousandth of its span at least, so that it can be read and typed.
+fn rounded(value: f64, span: f64) -> String {
+    let digits = (4.0 - span.log10().floor()).clamp(0.0, 12.0) as usize;
+    format!("{value:.digits$}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn axis(source: Source) -> Axis {
+        Axis { line: 1, name: "a".into(), keys: vec!["x".into(), "y".into()], source }
+    }
+
+    #[test]
+    fn a_draw_stays_within_its_bounds_and_reaches_both_ends() {
+        let whole = axis(Source::Whole([-1, 1]));
+        assert_eq!([0.0, 0.5, 0.999].map(|share| whole.at(share).label), ["-1", "0", "1"]);
+        let uniform = axis(Source::Uniform([4.0, 8.0]));
+        assert_eq!(
+            [0.0, 0.25, 0.999_999].map(|share| uniform.at(share).label),
+            ["4.0000", "5.0000", "8.0000"]
+        );
+        assert_eq!(uniform.at(0.25).values, ["5.0000", "5.0000"], "one value for all keys of an axis");
+    }
+
+    #[test]
+    fn every_listed_value_has_an_equal_share() {
+        let pick = |label: &str| Pick { label: label.into(), values: vec![label.into(); 2] };
+        let listed = axis(Source::Listed(["a", "b", "c"].map(pick).to_vec()));
+        assert_eq!([0.0, 0.34, 0.999].map(|share| listed.at(share).label), ["a", "b", "c"]);
+    }
+}

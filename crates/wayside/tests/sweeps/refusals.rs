@@ -1,0 +1,115 @@
+//! Studies that are refused: each broken rule with file, place and sentence, before a run is made.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
+
+use crate::common::Workplace;
+
+/// A study that is carried out.
+const WHOLE: &str = "scene = \"small.toml\"\n[[vary]]\nkey = \"radar.array.preset\"\nvalues = [\"1x4\", \"3x4\"]\n\
+                     [goal]\nmetric = \"coverage\"\n";
+
+/// What the program says of a study, and its exit code.
+fn said_of(place: &Workplace, study: &str) -> (String, Option<i32>) {
+    std::fs::write(place.path("study.toml"), study).unwrap();
+    let output = place.try_run("sweep study.toml --out out --no-cache --quiet");
+    (String::from_utf8(output.stderr).unwrap(), output.status.code())
+}
+
+#[test]
+fn every_broken_rule_of_a_study_is_told_with_its_place() {
+    let place = Workplace::new();
+    let goal = "[goal]\nmetric = \"coverage\"";
+    for (found, instead, expected) in [
+        ("scene =", "scnee =", "study.toml:1:1: unknown key `scnee`; the nearest is `scene`"),
+        ("key =", "kye =", "study.toml:3:1: [[vary]]: unknown key `kye`; the nearest is `key`"),
+        (
+            "\"coverage\"",
+            "\"coverge\"",
+            "[goal]: `metric`: there is no metric `coverge`; the nearest is `coverage`",
+        ),
+        ("scene = \"small.toml\"\n", "", "`scene` is missing"),
+        (goal, "", "`goal` is missing"),
+        ("metric = \"coverage\"", "better = \"lower\"", "[goal]: `metric` is missing"),
+        (
+            goal,
+            "[goal]\nmetric = \"coverage\"\nbetter = \"best\"",
+            "`better` has to be \"lower\" or \"higher\"",
+        ),
+        ("key = \"radar.array.preset\"\n", "", "one of `key` and `keys` has to be given"),
+        ("values = [\"1x4\", \"3x4\"]\n", "", "one of `values` and `draw` has to be given"),
+        (
+            "values = [\"1x4\", \"3x4\"]",
+            "values = []",
+            "`values` has to be a list of 1 to 10000 values, has 0",
+        ),
+        ("values = [\"1x4\", \"3x4\"]", "values = 3", "`values` has to be a list, is 3"),
+        ("values = [\"1x4\", \"3x4\"]", "draw = { uniform = [1, 2] }", "asks for [sample]"),
+        ("values = [\"1x4\", \"3x4\"]", "draw = { uniform = [2, 1] }", "`draw` has to be one of"),
+        ("values = [\"1x4\", \"3x4\"]", "draw = { whole = [1, 2.5] }", "`draw` has to be one of"),
+        ("[goal]", "labels = [\"small\"]\n[goal]", "`labels` has to have one for each of 2 `values`, has 1"),
+        ("key = \"radar.array.preset\"", "keys = [\"seed\", \"frames\"]", "has to be a list of 2 values"),
+        (
+            "[goal]",
+            "[[condition]]\nkey = \"radar.array.preset\"\nvalues = [\"1x4\"]\n[goal]",
+            "is changed by two of",
+        ),
+        ("[goal]", "[sample]\n[goal]", "[sample]: `count` is missing"),
+        ("[goal]", "[sample]\ncount = 0\n[goal]", "`count` has to be a whole number from 1 to 100000, is 0"),
+        (
+            "[goal]",
+            "[stop]\nconfidence = 1\n[goal]",
+            "`confidence` has to be a number from 0.5 to 0.9999, is 1",
+        ),
+        ("[[vary]]", "repeats = 0\n[[vary]]", "`repeats` has to be a whole number from 1 to 10000, is 0"),
+        ("[[vary]]", "range_bands_m = [30, 20]\n[[vary]]", "`range_bands_m` has to be"),
+        ("[[vary]]", "[vary]", "`vary` has to be a list, is"),
+        ("[goal]", "[goal", "not valid TOML"),
+    ] {
+        assert!(WHOLE.contains(found), "{found}");
+        let (said, code) = said_of(&place, &WHOLE.replace(found, instead));
+        assert!(said.contains(expected) && said.contains("study.toml:"), "{instead}: {said}");
+        assert_eq!(code, Some(1), "{said}");
+    }
+    let unvaried = "scene = \"small.toml\"\n[goal]\nmetric = \"coverage\"\n";
+    assert!(said_of(&place, unvaried).0.contains("`vary` is missing"));
+    assert!(!place.path("out").join("runs").exists(), "nothing is computed before all is read");
+}
+
+#[test]
+fn what_the_scene_refuses_is_told_with_the_line_that_changes_it_and_the_scenes_own_sentence() {
+    let place = Workplace::new();
+    for (found, instead, expected) in [
+        (
+            "key = \"radar.array.preset\"\nvalues = [\"1x4\", \"3x4\"]",
+            "key = \"radar.hight_m\"\nvalues = [5.0]",
+            "study.toml:2: with radar.hight_m = 5.0 the scene says:\nsmall.toml:6:1: [radar]: unknown key `hight_m`",
+        ),
+        (
+            "\"3x4\"",
+            "\"3x5\"",
+            "study.toml:2: with radar.array.preset = \"3x5\" the scene says:\nsmall.toml:11:",
+        ),
+        (
+            "radar.array.preset",
+            "target.7.id",
+            "`target.7.id`: `7` is no entry of a list of 2, counted from 0",
+        ),
+        (
+            "radar.array.preset",
+            "seed.of.noise",
+            "`seed.of.noise`: `of` is asked of what is neither table nor list",
+        ),
+        ("radar.array.preset", "radar..preset", "`radar..preset`: a key between two points is empty"),
+    ] {
+        assert!(WHOLE.contains(found), "{found}");
+        let (said, code) = said_of(&place, &WHOLE.replace(found, instead));
+        assert!(said.contains(expected), "{instead}: {said}");
+        assert_eq!(code, Some(1), "{said}");
+    }
+    let (said, code) = said_of(&place, &WHOLE.replace("small.toml", "gone.toml"));
+    assert!(said.contains("gone.toml") && code == Some(2), "{code:?} {said}");
+}

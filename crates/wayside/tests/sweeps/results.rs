@@ -1,0 +1,188 @@
+//! Results of studies: designs and situations, and the same bytes however they were come by.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
+
+use crate::common::Workplace;
+use crate::common::killing::{files, killed_after};
+use std::collections::BTreeSet;
+use std::time::{Duration, Instant};
+
+/// A scene of which a run takes some milliseconds: two points, the fainter one at the edge of what is heard.
+const SCENE: &str = "name = \"points\"\n[radar]\nposition_m = [0.0, 0.0, 6.0]\n[radar.waveform]\nsamples = 64\nchirps = 16\n[radar.array]\npreset = \"1x4\"\n\
+    [noise]\nnoise_figure_db = 12.0\n[dsp]\ntraining_cells = [3, 6]\n\
+    [[target]]\nkind = \"point\"\nid = \"strong\"\nrcs_m2 = 10.0\nposition_m = [2.0, 30.0, 1.0]\nvelocity_mps = [0.0, -3.0, 0.0]\n\
+    [[target]]\nkind = \"point\"\nid = \"faint\"\nrcs_m2 = 0.02\nposition_m = [5.0, 42.0, 1.0]\nvelocity_mps = [0.0, 3.0, 0.0]\n";
+
+const STUDY: &str = "scene = \"scene.toml\"\nrepeats = 6\n[[vary]]\nname = \"array\"\nkey = \"radar.array.preset\"\n\
+    values = [\"1x4\", \"6x8\"]\n[[vary]]\nname = \"height\"\nkey = \"radar.position_m.2\"\nvalues = [4.0, 6.0]\n\
+    [[condition]]\nkey = \"noise.noise_figure_db\"\nvalues = [12.0, 40.0]\n\
+    [[condition]]\nkey = \"target.1.position_m.1\"\ndraw = { uniform = [38.0, 44.0] }\n\
+    [goal]\nmetric = \"coverage\"\n";
+
+const TABLES: [&str; 4] = ["sweep.csv", "designs.csv", "pareto.svg", "pareto.png"];
+
+fn prepared(study: &str) -> Workplace {
+    let place = Workplace::new();
+    std::fs::write(place.path("scene.toml"), SCENE).unwrap();
+    std::fs::write(place.path("study.toml"), study).unwrap();
+    place
+}
+
+fn sweep(place: &Workplace, words: &str) -> String {
+    place.run(&format!("sweep study.toml --no-cache --quiet {words}"))
+}
+
+/// Cells of a table without quoted commas, its head first.
+fn table(place: &Workplace, name: &str) -> Vec<Vec<String>> {
+    let text = String::from_utf8(place.bytes(name)).unwrap();
+    text.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect()
+}
+
+fn column(table: &[Vec<String>], name: &str) -> Vec<String> {
+    let place = table[0].iter().position(|head| head == name).unwrap_or_else(|| panic!("no {name}"));
+    table[1..].iter().map(|row| row[place].clone()).collect()
+}
+
+fn same_results(place: &Workplace, a: &str, b: &str) {
+    for name in TABLES {
+        assert!(
+            place.bytes(&format!("{a}/{name}")) == place.bytes(&format!("{b}/{name}")),
+            "{name}: {a}, {b}"
+        );
+    }
+}
+
+#[test]
+fn every_combination_is_run_in_the_same_situations_with_the_same_seeds() {
+    let place = prepared(STUDY);
+    sweep(&place, "--out a");
+    let runs = table(&place, "a/sweep.csv");
+    assert_eq!(runs.len() - 1, 4 * 2 * 6);
+    let pairs = |a: &str, b: &str| column(&runs, a).into_iter().zip(column(&runs, b)).collect::<Vec<_>>();
+    let designs: BTreeSet<_> = pairs("radar.array.preset", "radar.position_m.2").into_iter().collect();
+    assert_eq!(designs.len(), 4);
+    let of_design = |design: &str, name: &str| {
+        let all = pairs("design", name).into_iter().filter(|(number, _)| number == design);
+        all.map(|(_, value)| value).collect::<Vec<_>>()
+    };
+    for name in ["seed", "noise.noise_figure_db", "target.1.position_m.1"] {
+        for design in ["1", "2", "3"] {
+            assert_eq!(of_design("0", name), of_design(design, name), "{name}");
+        }
+    }
+    let distinct = |name: &str| of_design("0", name).into_iter().collect::<BTreeSet<_>>().len();
+    assert_eq!((distinct("seed"), distinct("target.1.position_m.1")), (12, 12), "drawn anew each time");
+    let designs = table(&place, "a/designs.csv");
+    assert_eq!(column(&designs, "channels"), ["4", "4", "48", "48"]);
+    assert!(column(&designs, "situations").iter().all(|seen| seen == "12"));
+}
+
+#[test]
+fn a_drawn_sample_begins_with_the_smaller_one_and_another_seed_draws_others() {
+    let drawn = |count: u32| {
+        STUDY.replace("values = [4.0, 6.0]", "draw = { uniform = [4.0, 6.0] }")
+            + &format!("[sample]\ncount = {count}\n")
+    };
+    let place = prepared(&drawn(3).replace("repeats = 6", "repeats = 1"));
+    sweep(&place, "--out three");
+    sweep(&place, "--out other --seed 2");
+    std::fs::write(place.path("study.toml"), drawn(5).replace("repeats = 6", "repeats = 1")).unwrap();
+    sweep(&place, "--out five");
+    let heights = |out: &str| column(&table(&place, &format!("{out}/designs.csv")), "radar.position_m.2");
+    let (three, five) = (heights("three"), heights("five"));
+    assert_eq!((three.len(), five.len()), (3, 5));
+    assert_eq!(three[..], five[..3]);
+    assert!(three.iter().all(|height| (4.0..=6.0).contains(&height.parse::<f64>().unwrap())));
+    assert_ne!(three, heights("other"));
+}
+
+#[test]
+fn parts_and_threads_make_the_bytes_of_the_whole() {
+    let place = prepared(STUDY);
+    sweep(&place, "--out whole --threads 1");
+    sweep(&place, "--out threads --threads 3");
+    same_results(&place, "whole", "threads");
+    for (part, is_last) in [("2/3", false), ("3/3", false), ("1/3", true)] {
+        let said = sweep(&place, &format!("--out parts --shard {part}"));
+        assert_eq!(said.contains("Answer"), is_last, "{said}");
+        assert_eq!(said.contains("not made yet"), !is_last, "{said}");
+    }
+    same_results(&place, "whole", "parts");
+}
+
+#[test]
+fn a_study_goes_on_after_any_run_and_makes_a_damaged_one_anew() {
+    let place = prepared(STUDY);
+    sweep(&place, "--out whole");
+    let kept = files(&place.path("whole/runs"));
+    assert_eq!(kept.len(), 48);
+    for left in [0, 1, 17, 47] {
+        let out = place.path("part");
+        let _ = std::fs::remove_dir_all(&out);
+        for file in &kept[..left] {
+            let copy = out.join(file.strip_prefix(place.path("whole")).unwrap());
+            std::fs::create_dir_all(copy.parent().unwrap()).unwrap();
+            std::fs::copy(file, &copy).unwrap();
+            if left == 17 {
+                std::fs::write(&copy, "{\"key\": \"").unwrap();
+            }
+        }
+        sweep(&place, "--out part");
+        same_results(&place, "whole", "part");
+        assert_eq!(files(&place.path("part/runs")).len(), 48);
+    }
+}
+
+#[test]
+fn a_study_that_is_killed_goes_on_to_the_same_bytes() {
+    let place = prepared(STUDY);
+    let start = Instant::now();
+    sweep(&place, "--out whole");
+    let whole = start.elapsed();
+    let words = "sweep study.toml --no-cache --quiet --out killed";
+    for share in [0.2, 0.5, 0.8] {
+        killed_after(&place, words, Duration::from_secs_f64(share * whole.as_secs_f64()));
+    }
+    sweep(&place, "--out killed");
+    same_results(&place, "whole", "killed");
+}
+
+#[test]
+fn the_answer_is_the_cheapest_design_that_finds_all() {
+    let place = prepared(&STUDY.replace("values = [12.0, 40.0]", "values = [12.0]"));
+    let said = sweep(&place, "--out a");
+    assert!(said.starts_with("Answer: design "), "{said}");
+    let designs = table(&place, "a/designs.csv");
+    let rows = column(&designs, "coverage").into_iter().zip(column(&designs, "candidate"));
+    let best = column(&designs, "coverage").iter().map(|c| c.parse::<f64>().unwrap()).fold(0.0, f64::max);
+    assert!(rows.clone().any(|(coverage, candidate)| candidate == "yes" && coverage == best.to_string()));
+    let report = String::from_utf8(place.bytes("a/report.md")).unwrap();
+    assert!(report.contains(said.lines().next().unwrap()), "{report}");
+}
+
+#[test]
+fn what_is_worse_for_sure_is_repeated_no_further_and_parts_agree_on_it() {
+    let stop = "[stop]\nleast = 4\n";
+    let deaf = STUDY
+        .replace("values = [12.0, 40.0]", "values = [12.0]")
+        .replace("values = [4.0, 6.0]", "values = [4.0, 60.0]");
+    let place = prepared(&(deaf.replace("repeats = 6", "repeats = 8") + stop));
+    sweep(&place, "--out whole");
+    let designs = table(&place, "whole/designs.csv");
+    let seen: Vec<usize> = column(&designs, "situations").iter().map(|n| n.parse().unwrap()).collect();
+    assert!(seen.contains(&8) && seen.iter().any(|n| *n < 8), "{seen:?}");
+    let mut said = String::new();
+    for _ in 0..8 {
+        sweep(&place, "--out parts --shard 1/2");
+        said = sweep(&place, "--out parts --shard 2/2");
+        if said.contains("Answer") {
+            break;
+        }
+    }
+    assert!(said.contains("Answer"), "{said}");
+    same_results(&place, "whole", "parts");
+}

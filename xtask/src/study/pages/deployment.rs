@@ -1,0 +1,72 @@
+//! Which radar to take at the paper's intersection: `scenes/studies/intersection.sweep.toml`, twice, with other
+//! noise.
+
+use crate::project::project_root;
+use crate::study::extent::Extent;
+use crate::study::pages::part::Part;
+use crate::study::sources::{CHAIN, Places};
+use std::path::PathBuf;
+use wayside::host::call_off::CallOff;
+use wayside::host::failure::Failure;
+use wayside::host::files;
+use wayside::sweep::{self, Outcome, Settings};
+use wayside::{Allowance, CacheLocation};
+
+/// Sources that the figures hang on.
+pub(crate) const SOURCES: Places =
+    &[CHAIN, &["crates/evaluation", "crates/wayside/src/sweep", "scenes/studies", file!()]];
+
+const SEEDS: [u64; 2] = [1, 2];
+
+/// Answer of each seed, details of the first; the picture only of the whole study. There is no quick form: runs
+/// that are kept are not made again.
+pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
+    let mut part = Part::default();
+    let mut chosen = vec![];
+    for seed in SEEDS {
+        let Outcome { answer, details, chosen: design } = carried_out(seed)?;
+        part.line(format!("Seed {seed}:\n\n{answer}"));
+        if seed == SEEDS[0] {
+            part.line("![Designs by what they are worth and what they cost](../pictures/deployment.svg)\n");
+            part.line(details.replace("## ", "### "));
+        }
+        chosen.push(design);
+    }
+    if extent == Extent::Full {
+        picture()?;
+    }
+    if chosen[0] != chosen[1] {
+        part.complain("another seed has another answer".into());
+    }
+    Ok(part)
+}
+
+/// The study with a seed, in a folder of its own that is taken up again.
+fn carried_out(seed: u64) -> Result<Outcome, Failure> {
+    let study = project_root().join("scenes/studies/intersection.sweep.toml");
+    let settings = Settings {
+        study,
+        out: folder(seed),
+        shard: [1, 1],
+        seed: Some(seed),
+        classifier: None,
+        cache: Some(CacheLocation::default()),
+        memory: Allowance::of(None),
+        command: "cargo xtask study deployment".into(),
+        tell: &|_| {},
+        call_off: CallOff::default(),
+    };
+    let outcome = sweep::run(&settings)?;
+    outcome.ok_or_else(|| Failure::Refused("runs of the study are missing".into()))
+}
+
+fn folder(seed: u64) -> PathBuf {
+    project_root().join(format!("out/deployment-{seed}"))
+}
+
+/// Puts the picture of the first seed beside those of the other pages.
+fn picture() -> Result<(), Failure> {
+    let file = folder(SEEDS[0]).join("pareto.svg");
+    let drawn = std::fs::read(&file).map_err(|error| Failure::system(&file, "read", error))?;
+    files::write_file(&project_root().join("docs/pictures/deployment.svg"), &drawn)
+}
